@@ -1,0 +1,37 @@
+# toile_room(core/mesh USES pattern geometry): a static library named after the folder (proto/cpp becomes
+# proto_cpp) from all its .cpp files; a room of headers only becomes an interface.
+function(toile_room FOLDER)
+  cmake_parse_arguments(ROOM "" "" "USES" ${ARGN})
+  get_filename_component(NAME ${FOLDER} NAME)
+  if(FOLDER STREQUAL "proto/cpp")
+    set(NAME proto_cpp)
+  endif()
+  file(GLOB_RECURSE SOURCES CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${FOLDER}/*.cpp)
+  if(SOURCES)
+    add_library(${NAME} STATIC ${SOURCES})
+    target_include_directories(${NAME} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
+    target_link_libraries(${NAME} PUBLIC ${ROOM_USES})
+  else()
+    add_library(${NAME} INTERFACE)
+    target_include_directories(${NAME} INTERFACE ${CMAKE_CURRENT_SOURCE_DIR})
+    target_link_libraries(${NAME} INTERFACE ${ROOM_USES})
+  endif()
+endfunction()
+
+# toile_tests(core/mesh mesh): one test program per folder of tests/, from all its .cpp files. Suites whose
+# name begins with "Long" get the label long: ./test leaves them out, ./test --long runs them.
+function(toile_tests FOLDER)
+  file(GLOB SOURCES CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${FOLDER}/*.cpp)
+  if(NOT SOURCES)
+    return()
+  endif()
+  string(REPLACE "/" "_" NAME test_${FOLDER})
+  add_executable(${NAME} ${SOURCES})
+  target_link_libraries(${NAME} PRIVATE ${ARGN} GTest::gtest_main)
+  target_compile_definitions(${NAME} PRIVATE TOILE_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
+                             TOILE_BINARY_DIR="${CMAKE_BINARY_DIR}")
+  gtest_discover_tests(${NAME} TEST_FILTER -Long* DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
+                       PROPERTIES TIMEOUT 600 LABELS short)
+  gtest_discover_tests(${NAME} TEST_FILTER Long* TEST_LIST ${NAME}_long DISCOVERY_MODE PRE_TEST
+                       DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 3600 LABELS long)
+endfunction()

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+
+#include "core/analysis/strain.h"
+#include "core/drape/drape_input.h"
+#include "core/drape/drape_result.h"
+
+namespace toile {
+
+/// The numbers of a drape, as report.json gives them.
+struct Report {
+  std::string name;
+  bool settled = false;
+  std::string stop_reason;
+  double cpu_s = 0, wall_s = 0;
+  int steps = 0;
+  double simulated_s = 0;
+  int particles = 0;       ///< of the flat pieces
+  int sewn_particles = 0;  ///< of the garment: what is sewn together counts once
+  int triangles = 0;
+  int body_triangles = 0;
+  CrossingCount intersections;  ///< at the end
+  CrossingCount worst_frame;
+  int worst_frame_step = 0;
+  int frames_checked = 0;
+  double seam_gap_max_mm = 0;
+  StrainFigures warp, weft, shear;
+  double rms_speed = 0, max_speed = 0;  ///< m/s
+  double lowest_m = 0, highest_m = 0;   ///< of the cloth
+  std::string hash;                     ///< of the final positions
+};
+
+Report make_report(const DrapeInput& input, const DrapeResult& result);
+
+}  // namespace toile

@@ -1,0 +1,26 @@
+#pragma once
+// How far the cloth is stretched, per triangle, along its own threads.
+
+#include <vector>
+
+#include "core/drape/drape_input.h"
+#include "core/drape/drape_result.h"
+
+namespace toile {
+
+/// Mean, 99th percentile and maximum of a strain's magnitude over the triangles.
+struct StrainFigures {
+  double mean = 0, p99 = 0, max = 0;
+};
+
+/// One entry a triangle. Warp and weft: length change over length; shear: cosine of the angle between the threads.
+struct GarmentStrain {
+  std::vector<double> warp, weft, shear;
+};
+
+GarmentStrain garment_strain(const DrapeInput& input, const DrapeResult& result);
+
+/// Figures of the magnitudes; zeros for no values.
+StrainFigures figures_of(std::vector<double> values);
+
+}  // namespace toile

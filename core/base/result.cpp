@@ -1,0 +1,11 @@
+#include "core/base/result.h"
+
+namespace toile {
+
+std::string to_string(const Error& error) {
+  std::string text = error.code + ": " + error.message;
+  if (!error.where.empty()) text += " (" + error.where + ")";
+  return text;
+}
+
+}  // namespace toile

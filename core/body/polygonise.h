@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/body/field_sample.h"
+#include "core/geometry/triangle_mesh.h"
+
+namespace toile {
+
+struct GridBox {
+  Vec3 low, high;
+  double cell = 0.01;
+};
+
+/// The zero surface of `surface` inside the box as a closed manifold with outward triangles, by marching
+/// tetrahedra (six per cube, A. Doi and A. Koide, 1991). The surface must not touch the box. Only blocks of
+/// cells that lie near the surface are looked at, so `value` must be close to the distance there.
+TriangleMesh polygonise(const ImplicitSurface& surface, const GridBox& box);
+
+}  // namespace toile

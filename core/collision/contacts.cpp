@@ -1,0 +1,276 @@
+#include "core/collision/contacts.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "core/geometry/distance.h"
+
+namespace toile {
+
+namespace {
+
+/// Of a gap to the still skin a vertex may use most; of a gap between two moving layers each side less than half.
+constexpr double kShareOfBodyGap = 0.7;
+constexpr double kShareOfClothGap = 0.45;
+
+double body_allowance(double gap) { return std::max(0.0, std::min(kShareOfBodyGap * gap, gap - kContactFloor)); }
+double cloth_allowance(double gap) {
+  return std::max(0.0, std::min(kShareOfClothGap * gap, 0.5 * (gap - kContactFloor)));
+}
+
+Box3 triangle_box(const Tri& t, std::span<const Vec3> x, double margin) {
+  return box_around({x[t[0]], x[t[1]], x[t[2]]}, margin);
+}
+
+double max_ball(const std::vector<double>& ball, const Tri& t) {
+  return std::max({ball[t[0]], ball[t[1]], ball[t[2]]});
+}
+
+/// Squared distance of a point to the box of three others: a cheap reason to look no further.
+bool far_from(Vec3 p, Vec3 a, Vec3 b, Vec3 c, double reach) {
+  const auto apart = [reach](double v, double i, double j, double k) {
+    return v < std::min({i, j, k}) - reach || v > std::max({i, j, k}) + reach;
+  };
+  return apart(p.x, a.x, b.x, c.x) || apart(p.y, a.y, b.y, c.y) || apart(p.z, a.z, b.z, c.z);
+}
+
+bool edges_far(Vec3 a0, Vec3 a1, Vec3 b0, Vec3 b1, double reach) {
+  const auto apart = [reach](double i, double j, double k, double l) {
+    return std::min(i, j) > std::max(k, l) + reach || std::min(k, l) > std::max(i, j) + reach;
+  };
+  return apart(a0.x, a1.x, b0.x, b1.x) || apart(a0.y, a1.y, b0.y, b1.y) || apart(a0.z, a1.z, b0.z, b1.z);
+}
+
+}  // namespace
+
+Obstacle make_obstacle(std::span<const Vec3> vertices, std::span<const Tri> triangles, double friction,
+                       double skin_offset) {
+  Obstacle obstacle;
+  obstacle.vertices.assign(vertices.begin(), vertices.end());
+  obstacle.surface = make_surface(triangles, static_cast<Index>(vertices.size()));
+  std::vector<Box3> boxes;
+  boxes.reserve(triangles.size());
+  for (const Tri& t : triangles) boxes.push_back(triangle_box(t, vertices, 0));
+  obstacle.tree = Bvh(boxes);
+  obstacle.friction = friction;
+  obstacle.skin_offset = skin_offset;
+  return obstacle;
+}
+
+bool Contacts::inside_ball(Index v, Vec3 x) const {
+  const Vec3 d = x - measured[v];
+  return dot(d, d) <= ball[v] * ball[v];
+}
+
+bool Contacts::inside_planes(Index v, Vec3 x) const {
+  const Vec3 d = x - measured[v];
+  for (Index k = plane_start[v]; k < plane_start[v + 1]; ++k) {
+    if (dot(planes[k].n, d) < -planes[k].slack) return false;
+  }
+  return true;
+}
+
+double Contacts::reach(Index v, Vec3 from, Vec3 to) const {
+  const Vec3 start = from - measured[v], way = to - from;
+  double t = 1;
+  for (Index k = plane_start[v]; k < plane_start[v + 1]; ++k) {
+    const double speed = dot(planes[k].n, way);
+    if (speed >= 0) continue;
+    const double room = dot(planes[k].n, start) + planes[k].slack;
+    if (room + t * speed < 0) t = std::max(0.0, room / -speed);
+  }
+  const Vec3 end = start + way * t;
+  if (dot(end, end) > ball[v] * ball[v]) {
+    // |start + t·way| = ball, the larger root; start lies inside.
+    const double a = dot(way, way), b = dot(start, way), c = dot(start, start) - ball[v] * ball[v];
+    const double root = b * b - a * c;
+    t = root > 0 && a > 0 ? std::clamp((std::sqrt(root) - b) / a, 0.0, t) : 0;
+  }
+  return t;
+}
+
+ContactFinder::ContactFinder(Surface cloth, std::span<const Obstacle> obstacles, ContactSettings settings)
+    : cloth_(std::move(cloth)), obstacles_(obstacles), settings_(settings) {}
+
+void ContactFinder::measure(std::span<const Vec3> positions, std::span<const double> speeds, Contacts& out) {
+  out.measured.assign(positions.begin(), positions.end());
+  out.contacts.clear();
+  found_.clear();
+  size_balls(speeds, out);
+  refit(positions, out);
+  pair_with_obstacles(out);
+  pair_with_itself(out);
+  sort_planes(out);
+  // Two vertices whose pair is not listed may both use their balls whole, and must not touch even then.
+  for (double& ball : out.ball) ball -= 0.5 * kContactFloor;
+}
+
+void ContactFinder::size_balls(std::span<const double> speeds, Contacts& out) const {
+  out.ball.resize(speeds.size());
+  for (std::size_t i = 0; i < speeds.size(); ++i) {
+    out.ball[i] = std::clamp(1.5 * speeds[i] * settings_.ball_seconds, settings_.ball_least, settings_.ball_most);
+  }
+}
+
+void ContactFinder::refit(std::span<const Vec3> positions, const Contacts& out) {
+  boxes_.resize(cloth_.triangles.size());
+  for (std::size_t t = 0; t < boxes_.size(); ++t) {
+    const Tri& tri = cloth_.triangles[t];
+    boxes_[t] = triangle_box(tri, positions, std::max(max_ball(out.ball, tri), 0.5 * settings_.thickness));
+  }
+  if (tree_.empty()) {
+    tree_ = Bvh(boxes_);
+  } else {
+    tree_.refit(boxes_);
+  }
+}
+
+void ContactFinder::pair_with_obstacles(Contacts& out) {
+  for (const Obstacle& obstacle : obstacles_) {
+    for (Index t = 0; t < static_cast<Index>(cloth_.triangles.size()); ++t) {
+      const double reach = std::max(max_ball(out.ball, cloth_.triangles[t]), obstacle.skin_offset);
+      const Box3 box = triangle_box(cloth_.triangles[t], out.measured, reach);
+      obstacle.tree.query(box, [&](Index s) { obstacle_pair(obstacle, t, s, out); });
+    }
+  }
+}
+
+void ContactFinder::pair_with_itself(Contacts& out) {
+  tree_.self_pairs([&](Index s, Index t) { cloth_triangle_pair(s, t, out); });
+}
+
+void ContactFinder::obstacle_pair(const Obstacle& obstacle, Index cloth_triangle, Index body_triangle,
+                                  Contacts& out) {
+  const Tri& a = cloth_.triangles[cloth_triangle];
+  const Tri& b = obstacle.surface.triangles[body_triangle];
+  const unsigned own_a = cloth_.owned[cloth_triangle], own_b = obstacle.surface.owned[body_triangle];
+  for (int k = 0; k < 3; ++k) {
+    if (own_a >> k & 1) vertex_on_obstacle(obstacle, a[k], b, out);
+    if (own_b >> k & 1) obstacle_vertex_on_cloth(obstacle.vertices[b[k]], a, out);
+    if (!(own_a >> (3 + k) & 1)) continue;
+    for (int m = 0; m < 3; ++m) {
+      if (!(own_b >> (3 + m) & 1)) continue;
+      edge_on_obstacle(a[k], a[(k + 1) % 3], obstacle.vertices[b[m]], obstacle.vertices[b[(m + 1) % 3]], out);
+    }
+  }
+}
+
+void ContactFinder::vertex_on_obstacle(const Obstacle& obstacle, Index vertex, const Tri& face, Contacts& out) {
+  const Vec3 p = out.measured[vertex];
+  const Vec3 a = obstacle.vertices[face[0]], b = obstacle.vertices[face[1]], c = obstacle.vertices[face[2]];
+  const double reach = std::max(out.ball[vertex], obstacle.skin_offset);
+  if (far_from(p, a, b, c, reach)) return;
+  const TrianglePoint at = closest_on_triangle(p, a, b, c);
+  const Vec3 q = a * at.a + b * at.b + c * at.c;
+  const double gap = length(p - q);
+  if (gap >= reach || gap == 0) return;
+  const Vec3 n = (p - q) * (1 / gap);
+  bound(vertex, n, p, body_allowance(gap), out);
+  if (gap < obstacle.skin_offset + out.ball[vertex]) {
+    Contact contact;
+    contact.v[0] = vertex, contact.w[0] = 1;
+    contact.n = n, contact.c = dot(n, q);
+    contact.rest = obstacle.skin_offset, contact.friction = obstacle.friction;
+    out.contacts.push_back(contact);
+  }
+}
+
+void ContactFinder::obstacle_vertex_on_cloth(Vec3 point, const Tri& triangle, const Contacts& out) {
+  const Vec3 a = out.measured[triangle[0]], b = out.measured[triangle[1]], c = out.measured[triangle[2]];
+  const double reach = max_ball(out.ball, triangle);
+  if (far_from(point, a, b, c, reach)) return;
+  const TrianglePoint at = closest_on_triangle(point, a, b, c);
+  const Vec3 q = a * at.a + b * at.b + c * at.c;
+  const double gap = length(q - point);
+  if (gap >= reach || gap == 0) return;
+  const Vec3 n = (q - point) * (1 / gap);
+  for (const Index v : triangle) bound(v, n, q, body_allowance(gap), out);
+}
+
+void ContactFinder::edge_on_obstacle(Index a0, Index a1, Vec3 b0, Vec3 b1, const Contacts& out) {
+  const Vec3 p0 = out.measured[a0], p1 = out.measured[a1];
+  const double reach = std::max(out.ball[a0], out.ball[a1]);
+  if (edges_far(p0, p1, b0, b1, reach)) return;
+  const EdgePoints at = closest_on_edges(p0, p1, b0, b1);
+  const Vec3 p = p0 + (p1 - p0) * at.s, q = b0 + (b1 - b0) * at.t;
+  const double gap = length(p - q);
+  if (gap >= reach || gap == 0) return;
+  const Vec3 n = (p - q) * (1 / gap);
+  bound(a0, n, p, body_allowance(gap), out);
+  bound(a1, n, p, body_allowance(gap), out);
+}
+
+void ContactFinder::cloth_triangle_pair(Index s, Index t, Contacts& out) {
+  const Tri& a = cloth_.triangles[s];
+  const Tri& b = cloth_.triangles[t];
+  const unsigned own_a = cloth_.owned[s], own_b = cloth_.owned[t];
+  for (int k = 0; k < 3; ++k) {
+    if (own_a >> k & 1) vertex_on_cloth(a[k], b, out);
+    if (own_b >> k & 1) vertex_on_cloth(b[k], a, out);
+    if (!(own_a >> (3 + k) & 1)) continue;
+    for (int m = 0; m < 3; ++m) {
+      if (own_b >> (3 + m) & 1) edges_of_cloth(a[k], a[(k + 1) % 3], b[m], b[(m + 1) % 3], out);
+    }
+  }
+}
+
+void ContactFinder::vertex_on_cloth(Index vertex, const Tri& triangle, Contacts& out) {
+  for (const Index v : triangle) {
+    if (neighbours(v, vertex)) return;
+  }
+  const Vec3 p = out.measured[vertex];
+  const Vec3 a = out.measured[triangle[0]], b = out.measured[triangle[1]], c = out.measured[triangle[2]];
+  const double balls = out.ball[vertex] + max_ball(out.ball, triangle);
+  const double reach = std::max(balls, settings_.thickness);
+  if (far_from(p, a, b, c, reach)) return;
+  const TrianglePoint at = closest_on_triangle(p, a, b, c);
+  const Vec3 q = a * at.a + b * at.b + c * at.c;
+  const double gap = length(p - q);
+  if (gap >= reach || gap == 0) return;
+  const Vec3 n = (p - q) * (1 / gap);
+  const double allowance = cloth_allowance(gap);
+  bound(vertex, n, p, allowance, out);
+  for (const Index v : triangle) bound(v, -n, q, allowance, out);
+  out.contacts.push_back({{vertex, triangle[0], triangle[1], triangle[2]},
+                          {1, -at.a, -at.b, -at.c},
+                          n,
+                          0,
+                          settings_.thickness,
+                          settings_.cloth_friction});
+}
+
+void ContactFinder::edges_of_cloth(Index a0, Index a1, Index b0, Index b1, const Contacts& out) {
+  if (neighbours(a0, b0) || neighbours(a0, b1) || neighbours(a1, b0) || neighbours(a1, b1)) return;
+  const Vec3 p0 = out.measured[a0], p1 = out.measured[a1], q0 = out.measured[b0], q1 = out.measured[b1];
+  const double reach = std::max(out.ball[a0], out.ball[a1]) + std::max(out.ball[b0], out.ball[b1]);
+  if (edges_far(p0, p1, q0, q1, reach)) return;
+  const EdgePoints at = closest_on_edges(p0, p1, q0, q1);
+  const Vec3 p = p0 + (p1 - p0) * at.s, q = q0 + (q1 - q0) * at.t;
+  const double gap = length(p - q);
+  if (gap >= reach || gap == 0) return;
+  const Vec3 n = (p - q) * (1 / gap);
+  const double allowance = cloth_allowance(gap);
+  bound(a0, n, p, allowance, out);
+  bound(a1, n, p, allowance, out);
+  bound(b0, -n, q, allowance, out);
+  bound(b1, -n, q, allowance, out);
+}
+
+/// The plane through `closest` separates the pair; a vertex behind it by some way may come that much closer.
+/// What its ball never reaches needs no plane.
+void ContactFinder::bound(Index vertex, Vec3 n, Vec3 closest, double allowance, const Contacts& out) {
+  const double slack = std::max(0.0, dot(n, out.measured[vertex] - closest)) + allowance;
+  if (slack < out.ball[vertex]) found_.push_back({vertex, {n, slack}});
+}
+
+void ContactFinder::sort_planes(Contacts& out) {
+  out.plane_start.assign(out.ball.size() + 1, 0);
+  for (const VertexPlane& f : found_) ++out.plane_start[f.vertex + 1];
+  for (std::size_t i = 1; i < out.plane_start.size(); ++i) out.plane_start[i] += out.plane_start[i - 1];
+  out.planes.resize(found_.size());
+  std::vector<Index> next(out.plane_start.begin(), out.plane_start.end() - 1);
+  for (const VertexPlane& f : found_) out.planes[next[f.vertex]++] = f.plane;
+}
+
+}  // namespace toile

@@ -1,0 +1,111 @@
+#pragma once
+// What keeps cloth from going through: a measurement lists every pair of features that could meet before
+// the next one, and bounds how far each vertex may go. After Chen et al., "Offset Geometric Contact" (2025):
+// a pair's certificate is the plane between its closest points, which each side may approach but not reach;
+// a vertex's ball covers all pairs that are not listed. Bounds limit the way from the positions at which was
+// measured, not the move of one step, so they cannot add up.
+
+#include <span>
+#include <vector>
+
+#include "core/base/types.h"
+#include "core/collision/surface.h"
+#include "core/geometry/bvh.h"
+
+namespace toile {
+
+/// A solid as contact sees it. Does not move.
+struct Obstacle {
+  std::vector<Vec3> vertices;
+  Surface surface;
+  Bvh tree;
+  double friction = 0.4;     ///< Coulomb
+  double skin_offset = 1e-3; ///< m
+};
+Obstacle make_obstacle(std::span<const Vec3> vertices, std::span<const Tri> triangles, double friction,
+                       double skin_offset);
+
+struct ContactSettings {
+  double thickness = 1e-3;        ///< m, distance that layers of cloth keep
+  double cloth_friction = 0.3;
+  double ball_least = 1e-3;       ///< m
+  double ball_most = 5e-3;        ///< m; at most 0.35 of the mean edge
+  double ball_seconds = 4.5e-3;   ///< s, time ahead that a ball covers at 1.5 times the present speed
+};
+
+/// Gap under which a side may not approach further. More than the rounding of the exact crossing test (1 µm).
+inline constexpr double kContactFloor = 20e-6;
+
+/// A vertex near a triangle that is pushed off to `rest` and rubs on it. Signed distance along the plane
+/// measured: s(x) = n·(Σ wᵢ xᵢ) − c over the cloth vertices; what the solid contributes stands in c.
+struct Contact {
+  Index v[4] = {kNone, kNone, kNone, kNone};
+  double w[4] = {0, 0, 0, 0};
+  Vec3 n;
+  double c = 0;
+  double rest = 0;
+  double friction = 0;
+};
+
+/// A half-space that a vertex stays in: n·(x − x0) ≥ −slack, x0 the measured position.
+struct BoundPlane {
+  Vec3 n;
+  double slack = 0;
+};
+
+/// The result of a measurement: valid while every vertex keeps its bounds.
+struct Contacts {
+  std::vector<Vec3> measured;          ///< x0
+  std::vector<double> ball;            ///< m, radius around x0
+  std::vector<Index> plane_start;      ///< first plane of each vertex, one more at the end
+  std::vector<BoundPlane> planes;
+  std::vector<Contact> contacts;
+
+  /// True when the vertex may be at x.
+  bool inside_ball(Index v, Vec3 x) const;
+  bool inside_planes(Index v, Vec3 x) const;
+  /// Largest t in [0, 1] such that from + t·(to − from) keeps the vertex's bounds. `from` must keep them.
+  double reach(Index v, Vec3 from, Vec3 to) const;
+};
+
+/// Finds contacts and bounds of a cloth among obstacles, over and over. The obstacles must outlive it.
+class ContactFinder {
+ public:
+  ContactFinder(Surface cloth, std::span<const Obstacle> obstacles, ContactSettings settings);
+
+  /// Measures at `positions` (m); `speeds` (m/s, one a vertex) size the balls.
+  void measure(std::span<const Vec3> positions, std::span<const double> speeds, Contacts& out);
+
+  const Surface& cloth() const { return cloth_; }
+  ContactSettings& settings() { return settings_; }
+
+ private:
+  struct VertexPlane {
+    Index vertex;
+    BoundPlane plane;
+  };
+
+  void size_balls(std::span<const double> speeds, Contacts& out) const;
+  void refit(std::span<const Vec3> positions, const Contacts& out);
+  void pair_with_obstacles(Contacts& out);
+  void pair_with_itself(Contacts& out);
+  void obstacle_pair(const Obstacle& obstacle, Index cloth_triangle, Index body_triangle, Contacts& out);
+  void vertex_on_obstacle(const Obstacle& obstacle, Index vertex, const Tri& face, Contacts& out);
+  void obstacle_vertex_on_cloth(Vec3 point, const Tri& triangle, const Contacts& out);
+  void edge_on_obstacle(Index a0, Index a1, Vec3 b0, Vec3 b1, const Contacts& out);
+  void cloth_triangle_pair(Index s, Index t, Contacts& out);
+  void vertex_on_cloth(Index vertex, const Tri& triangle, Contacts& out);
+  void edges_of_cloth(Index a0, Index a1, Index b0, Index b1, const Contacts& out);
+  void bound(Index vertex, Vec3 n, Vec3 closest, double allowance, const Contacts& out);
+  void sort_planes(Contacts& out);
+  bool neighbours(Index a, Index b) const { return cloth_.vertex_class[a] == cloth_.vertex_class[b]; }
+
+  Surface cloth_;
+  std::span<const Obstacle> obstacles_;
+  ContactSettings settings_;
+  Bvh tree_;
+  std::vector<Box3> boxes_;
+  std::vector<VertexPlane> found_;  ///< planes in order of discovery
+};
+
+}  // namespace toile

@@ -1,0 +1,45 @@
+#pragma once
+// Counting crossings exactly. A crossing is an edge's interior through a triangle's interior. Positions are
+// rounded to 2⁻²⁰ m (about a micrometre) and compared with integers, so that the answer has no tolerance and
+// is the same everywhere. Touching is no crossing; elements that share a vertex (or a sewn one) meet there
+// by right and count only where another part of them crosses.
+
+#include <span>
+#include <vector>
+
+#include "core/base/types.h"
+#include "core/collision/surface.h"
+#include "core/geometry/bvh.h"
+
+namespace toile {
+
+/// A position in units of 2⁻²⁰ m. |x| stays below 2³¹ for positions within two kilometres.
+struct GridPoint {
+  std::int64_t x = 0, y = 0, z = 0;
+};
+GridPoint to_grid(Vec3 p);
+
+/// Sign of the volume of the tetrahedron (a, b, c, d): +1 when d lies on the side of triangle abc from which
+/// abc runs clockwise, −1 on the other, 0 in its plane. Exact.
+int orientation(const GridPoint& a, const GridPoint& b, const GridPoint& c, const GridPoint& d);
+
+/// True when the open segment pq passes through the open triangle abc. Exact.
+bool segment_crosses_triangle(const GridPoint& p, const GridPoint& q, const GridPoint& a, const GridPoint& b,
+                              const GridPoint& c);
+
+/// A solid's surface, ready for repeated counting.
+struct CrossingBody {
+  std::vector<GridPoint> points;
+  std::vector<Tri> triangles;
+  Bvh tree;
+};
+CrossingBody make_crossing_body(std::span<const Vec3> vertices, std::span<const Tri> triangles);
+
+/// Pairs of triangles (cloth, body) that cross.
+std::vector<std::array<Index, 2>> body_crossings(const Surface& cloth, std::span<const Vec3> positions,
+                                                 const CrossingBody& body);
+
+/// Pairs of cloth triangles that cross, first < second. Pairs that share two vertices or more cannot.
+std::vector<std::array<Index, 2>> self_crossings(const Surface& cloth, std::span<const Vec3> positions);
+
+}  // namespace toile

@@ -1,0 +1,27 @@
+#pragma once
+// All that a drape needs, in the core's own terms: what a project document becomes once its files are read.
+
+#include <string>
+#include <vector>
+
+#include "core/body/body.h"
+#include "core/drape/drape_settings.h"
+#include "core/material/fabric.h"
+#include "core/pattern/pattern.h"
+#include "core/sewing/attachment.h"
+#include "core/sewing/placement.h"
+
+namespace toile {
+
+struct DrapeInput {
+  std::string name;
+  Pattern pattern;
+  std::vector<Placement> placements;  ///< one per panel
+  std::vector<Fabric> fabrics;
+  std::vector<Index> fabric_of_panel;  ///< index into fabrics, one per panel
+  std::vector<Body> bodies;
+  std::vector<Attachment> attachments;
+  DrapeSettings settings;
+};
+
+}  // namespace toile

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/types.h"
+#include "core/sewing/garment_mesh.h"
+
+namespace toile {
+
+/// A moment of a drape.
+struct Frame {
+  int step = 0;
+  double time = 0;               ///< s of simulated time
+  std::string phase;             ///< "sew", "drape"
+  std::vector<Vec3> positions;   ///< m, of GarmentMesh's vertices
+};
+
+/// Crossings of triangles, counted exactly (a triangle's edge through another's interior).
+struct CrossingCount {
+  int cloth_body = 0;
+  int cloth_cloth = 0;
+};
+
+struct DrapeResult {
+  GarmentMesh garment;
+  std::vector<Vec3> positions;  ///< m, at the end
+  bool settled = false;
+  std::string stop_reason;      ///< "settled", "time", "cancelled", "stalled seam …"
+  int steps = 0;
+  double simulated_time = 0;    ///< s
+  double cpu_s = 0, wall_s = 0;
+  double rms_speed = 0, max_speed = 0;  ///< m/s at the end
+  CrossingCount at_end;
+  CrossingCount worst;          ///< of all recorded frames
+  int worst_frame_step = 0;
+  int frames_checked = 0;
+  double seam_gap_max = 0;      ///< m
+};
+
+}  // namespace toile

@@ -1,0 +1,16 @@
+#pragma once
+
+namespace toile {
+
+/// How to drape. Every field has a default that suits a garment.
+struct DrapeSettings {
+  double particle_distance = 0.015;  ///< m, wanted edge length of the triangles
+  double time_step = 1.0 / 3000;     ///< s, one substep of the solver
+  double gravity = 9.81;             ///< m/s², downwards
+  double sew_time = 1.0;             ///< s, in which the seams close, without gravity
+  double settle_speed = 0.005;       ///< m/s, RMS speed under which the cloth counts as at rest
+  double max_time = 8.0;             ///< s of simulated time after which an unsettled drape ends
+  int frame_interval = 50;           ///< substeps between frames that viewers see
+};
+
+}  // namespace toile

@@ -1,0 +1,253 @@
+#include "core/drape/session.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/base/check.h"
+#include "core/drape/weld.h"
+
+namespace toile {
+
+namespace {
+
+/// Gravity comes in over this time, so that sewn cloth does not drop with a jerk.
+constexpr double kGravityRamp = 0.5;  // s
+/// A thick medium while threads pull: the pieces are led, not thrown.
+constexpr double kSewDamping = 6;  // 1/s
+/// Cloth falls and folds freely first, then comes to rest near critically damped (a hem swings at about 1 Hz).
+constexpr double kFallDamping = 2, kRestDamping = 8;  // 1/s
+constexpr double kFallTime = 0.8;                     // s after gravity is full
+/// Seams this close are shut.
+constexpr double kSeamShut = 0.3e-3;  // m
+/// Threads have this much longer than sew_time before a seam counts as stalled.
+constexpr double kStallTime = 1.5;  // s
+/// A seam that stayed open by more than this stops the drape.
+constexpr double kSeamTolerance = 0.5e-3;  // m
+constexpr double kPullPerMetre = 30;       // N/m, pull of all threads along a seam's length
+
+std::string place_text(Vec3 p) {
+  char text[80];
+  std::snprintf(text, sizeof text, "at (%.3f, %.3f, %.3f) m", p.x, p.y, p.z);
+  return text;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<DrapeSession>> DrapeSession::start(const DrapeInput& input, const PanelMeshes& meshes,
+                                                          Assembly assembly) {
+  std::unique_ptr<DrapeSession> session(new DrapeSession(input, meshes, std::move(assembly)));
+  if (const Status status = session->check_start(); !status) return status.error();
+  return session;
+}
+
+DrapeSession::DrapeSession(const DrapeInput& input, const PanelMeshes& meshes, Assembly assembly)
+    : input_(input),
+      assembly_(std::move(assembly)),
+      surface_(make_surface(assembly_.garment.triangles, assembly_.garment.vertex_count(), assembly_.garment.weld)),
+      released_(input.attachments.size(), false),
+      watch_(input.settings.time_step, input.settings.settle_speed) {
+  for (const PanelMesh& mesh : meshes.panels) warps_.push_back(mesh.warp);
+  for (const Body& body : input.bodies) {
+    obstacles_.push_back(make_obstacle(body.mesh.vertices, body.mesh.triangles, body.friction, body.skin_offset));
+    crossing_bodies_.push_back(make_crossing_body(body.mesh.vertices, body.mesh.triangles));
+  }
+  const Weld open = no_weld(assembly_.positions);
+  vertex_of_ = open.vertex_of;
+  build_solver(model_of(vertex_of_, open.vertex_count), open.positions, {});
+  solver_->set_stitches(stitches_of(assembly_.garment.sewn));
+  if (assembly_.garment.sewn.empty()) phase_ = Phase::kDrape;
+}
+
+Status DrapeSession::check_start() const {
+  const GarmentMesh& g = assembly_.garment;
+  const auto piece = [&](Index t) { return "piece " + input_.pattern.panels[g.panel_of_triangle[t]].id; };
+  const auto place = [&](Index t) { return place_text(assembly_.positions[g.triangles[t][0]]); };
+  for (std::size_t b = 0; b < crossing_bodies_.size(); ++b) {
+    const auto found = body_crossings(surface_, assembly_.positions, crossing_bodies_[b]);
+    if (!found.empty()) {
+      return Error{"start.crosses_body",
+                   "the piece passes through body " + input_.bodies[b].id + " where it is placed; move it clear of it",
+                   piece(found[0][0]) + " " + place(found[0][0])};
+    }
+  }
+  const auto found = self_crossings(surface_, assembly_.positions);
+  if (!found.empty()) {
+    return Error{"start.crosses_cloth", "two pieces pass through each other where they are placed; move them apart",
+                 piece(found[0][0]) + " and " + piece(found[0][1]) + " " + place(found[0][0])};
+  }
+  return {};
+}
+
+ClothModel DrapeSession::model_of(std::span<const Index> vertex_of, Index vertex_count) const {
+  return make_cloth_model(assembly_.garment, vertex_of, vertex_count, warps_, input_.fabrics, input_.fabric_of_panel);
+}
+
+void DrapeSession::build_solver(ClothModel model, std::vector<Vec3> positions, std::vector<Vec3> velocities) {
+  solver_ = std::make_unique<ClothSolver>(std::move(model), std::move(positions), obstacles_,
+                                          input_.settings.time_step);
+  if (!velocities.empty()) solver_->set_velocities(std::move(velocities));
+  solver_->set_holds(held_now());
+  watch_.restart(solver_->positions());
+}
+
+std::vector<Stitch> DrapeSession::stitches_of(const std::vector<std::array<Index, 2>>& sewn) const {
+  std::vector<Stitch> stitches;
+  const double force = kPullPerMetre * input_.settings.particle_distance;
+  for (const auto& [i, j] : sewn) {
+    if (vertex_of_[i] == vertex_of_[j]) continue;
+    stitches.push_back({vertex_of_[i], vertex_of_[j], length(assembly_.positions[i] - assembly_.positions[j]), force});
+  }
+  return stitches;
+}
+
+/// Targets are where the attached vertices stood at the start; welded ones share the mean of theirs.
+std::vector<HeldVertex> DrapeSession::held_now() const {
+  struct Sum {
+    Vec3 target;
+    int count = 0;
+    bool height_only = true;
+  };
+  std::vector<Sum> sums(solver_->positions().size());
+  for (std::size_t a = 0; a < input_.attachments.size(); ++a) {
+    if (released_[a]) continue;
+    for (const Index i : assembly_.attached[a]) {
+      Sum& sum = sums[vertex_of_[i]];
+      sum.target += assembly_.positions[i], ++sum.count;
+      sum.height_only &= input_.attachments[a].hold == Attachment::Hold::kHeight;
+    }
+  }
+  std::vector<HeldVertex> held;
+  for (std::size_t v = 0; v < sums.size(); ++v) {
+    if (sums[v].count == 0) continue;
+    held.push_back({static_cast<Index>(v), sums[v].height_only, sums[v].target * (1.0 / sums[v].count)});
+  }
+  return held;
+}
+
+double DrapeSession::time_of_full_gravity() const { return phase_start_ + kGravityRamp; }
+
+StepForces DrapeSession::forces_now() const {
+  StepForces forces;
+  const double since = time_ - phase_start_;
+  if (phase_ == Phase::kSew) {
+    forces.gravity = 0, forces.friction = 0, forces.damping = kSewDamping;
+    forces.stitch_length = std::max(0.0, 1 - since / input_.settings.sew_time);
+    return forces;
+  }
+  forces.gravity = input_.settings.gravity * std::min(1.0, since / kGravityRamp);
+  const double falling = since - kGravityRamp;
+  forces.damping = falling < kFallTime ? kFallDamping : kRestDamping;
+  return forces;
+}
+
+void DrapeSession::step() {
+  TOILE_CHECK(phase_ != Phase::kDone);
+  const StepReport report = solver_->step(forces_now());
+  ++steps_;
+  time_ += input_.settings.time_step;
+  watch_.observe(solver_->positions());
+  if (report.not_finite) {
+    phase_ = Phase::kDone, stop_reason_ = "not finite";
+  } else if (phase_ == Phase::kSew) {
+    sew_or_weld();
+  } else {
+    settle_or_stop();
+  }
+}
+
+void DrapeSession::sew_or_weld() {
+  const double since = time_ - phase_start_;
+  if (since < input_.settings.sew_time) return;
+  const double gap = largest_gap(solver_->stitches(), solver_->positions());
+  if (gap > kSeamShut && since < input_.settings.sew_time + kStallTime) return;
+  if (gap > kSeamTolerance) {
+    phase_ = Phase::kDone, stop_reason_ = "stalled seam " + name_of_widest_seam();
+    return;
+  }
+  weld();
+  phase_ = Phase::kDrape, phase_start_ = time_;
+}
+
+void DrapeSession::weld() {
+  const std::vector<Vec3> velocities = solver_->velocities();
+  const std::vector<Index> before = vertex_of_;
+  Weld weld = weld_seams(assembly_.garment, positions(), kSeamTolerance, crossing_bodies_);
+  vertex_of_ = weld.vertex_of;
+
+  ClothModel model = model_of(vertex_of_, weld.vertex_count);
+  std::vector<Vec3> momentum(weld.vertex_count);  // of the parts, so that a weld neither starts nor stops anything
+  std::vector<double> mass(weld.vertex_count, 0);
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const double m = solver_->model().mass[before[i]];
+    momentum[vertex_of_[i]] += velocities[before[i]] * m, mass[vertex_of_[i]] += m;
+  }
+  for (std::size_t v = 0; v < momentum.size(); ++v) momentum[v] = momentum[v] * (1 / mass[v]);
+  build_solver(std::move(model), std::move(weld.positions), std::move(momentum));
+  solver_->set_stitches(stitches_of(assembly_.garment.sewn));
+}
+
+void DrapeSession::settle_or_stop() {
+  bool holding = false;
+  for (std::size_t a = 0; a < released_.size(); ++a) {
+    const double after = input_.attachments[a].release_after;
+    if (released_[a] || after < 0) continue;
+    holding = true;
+    if (time_ < time_of_full_gravity() + after) continue;
+    released_[a] = true;
+    solver_->set_holds(held_now());
+    watch_.restart(solver_->positions());
+  }
+  const bool calm_medium = time_ >= time_of_full_gravity() + kFallTime;
+  if (!holding && calm_medium && watch_.settled()) {
+    phase_ = Phase::kDone, stop_reason_ = "settled";
+  } else if (time_ >= input_.settings.max_time) {
+    phase_ = Phase::kDone, stop_reason_ = "time";
+  }
+}
+
+Progress DrapeSession::progress() const {
+  const double since = time_ - phase_start_;
+  if (phase_ == Phase::kSew) return {"sew", std::min(1.0, since / input_.settings.sew_time)};
+  if (phase_ == Phase::kDone) return {"drape", 1};
+  const double left = std::max(1e-3, input_.settings.max_time - phase_start_);
+  return {"drape", std::min(1.0, since / left)};
+}
+
+double DrapeSession::seam_gap() const {
+  double gap = 0;
+  for (const auto& [i, j] : assembly_.garment.sewn) {
+    gap = std::max(gap, length(solver_->positions()[vertex_of_[i]] - solver_->positions()[vertex_of_[j]]));
+  }
+  return gap;
+}
+
+std::string DrapeSession::name_of_widest_seam() const {
+  double widest = -1;
+  Index seam = kNone;
+  for (std::size_t k = 0; k < assembly_.garment.sewn.size(); ++k) {
+    const auto [i, j] = assembly_.garment.sewn[k];
+    const double gap = length(solver_->positions()[vertex_of_[i]] - solver_->positions()[vertex_of_[j]]);
+    if (gap > widest) widest = gap, seam = assembly_.garment.seam_of_sewn[k];
+  }
+  return seam == kNone ? "" : input_.pattern.seams[seam].id;
+}
+
+std::vector<Vec3> DrapeSession::positions() const {
+  std::vector<Vec3> out;
+  out.reserve(vertex_of_.size());
+  for (const Index v : vertex_of_) out.push_back(solver_->positions()[v]);
+  return out;
+}
+
+CrossingCount DrapeSession::count_crossings() const {
+  const std::vector<Vec3> x = positions();
+  CrossingCount count;
+  for (const CrossingBody& body : crossing_bodies_) {
+    count.cloth_body += static_cast<int>(body_crossings(surface_, x, body).size());
+  }
+  count.cloth_cloth = static_cast<int>(self_crossings(surface_, x).size());
+  return count;
+}
+
+}  // namespace toile

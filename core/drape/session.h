@@ -1,0 +1,79 @@
+#pragma once
+// One drape under way: sew, weld, let gravity in, settle. Advances by steps, so that whoever runs it may watch,
+// pause or stop between any two.
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/base/run_context.h"
+#include "core/collision/crossings.h"
+#include "core/drape/drape_input.h"
+#include "core/drape/drape_result.h"
+#include "core/drape/settle.h"
+#include "core/sewing/assembly.h"
+#include "core/solver/cloth_solver.h"
+
+namespace toile {
+
+class DrapeSession {
+ public:
+  /// Prepares a drape. `input` must outlive the session. Errors: start.crosses_body, start.crosses_cloth with the
+  /// pieces and the place: from a start without crossings none will come.
+  static Result<std::unique_ptr<DrapeSession>> start(const DrapeInput& input, const PanelMeshes& meshes,
+                                                     Assembly assembly);
+
+  /// One substep. REQUIRES !done().
+  void step();
+
+  bool done() const { return phase_ == Phase::kDone; }
+  /// "settled", "time" or "stalled seam NAME" once done.
+  const std::string& stop_reason() const { return stop_reason_; }
+  bool settled() const { return stop_reason_ == "settled"; }
+
+  int steps() const { return steps_; }
+  double time() const { return time_; }  ///< s, simulated
+  Progress progress() const;
+  const GarmentMesh& garment() const { return assembly_.garment; }
+  double rms_speed() const { return watch_.rms_speed(); }
+  double max_speed() const { return watch_.max_speed(); }
+  double seam_gap() const;               ///< m, the largest
+
+  std::vector<Vec3> positions() const;   ///< m, of the garment's vertices
+  CrossingCount count_crossings() const; ///< exact, now
+
+ private:
+  enum class Phase { kSew, kDrape, kDone };
+
+  DrapeSession(const DrapeInput& input, const PanelMeshes& meshes, Assembly assembly);
+  Status check_start() const;
+  void build_solver(ClothModel model, std::vector<Vec3> positions, std::vector<Vec3> velocities);
+  ClothModel model_of(std::span<const Index> vertex_of, Index vertex_count) const;
+  std::vector<Stitch> stitches_of(const std::vector<std::array<Index, 2>>& sewn) const;
+  std::vector<HeldVertex> held_now() const;
+  StepForces forces_now() const;
+  void sew_or_weld();
+  void weld();
+  void settle_or_stop();
+  double time_of_full_gravity() const;
+  std::string name_of_widest_seam() const;
+
+  const DrapeInput& input_;
+  Assembly assembly_;
+  Surface surface_;  ///< of the garment's own vertices, for counting crossings
+  std::vector<Vec2> warps_;
+  std::vector<Obstacle> obstacles_;
+  std::vector<CrossingBody> crossing_bodies_;
+  std::unique_ptr<ClothSolver> solver_;
+  std::vector<Index> vertex_of_;
+  std::vector<bool> released_;  ///< attachments
+
+  Phase phase_ = Phase::kSew;
+  std::string stop_reason_;
+  SettleWatch watch_;
+  int steps_ = 0;
+  double time_ = 0, phase_start_ = 0;
+};
+
+}  // namespace toile

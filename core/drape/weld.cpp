@@ -1,0 +1,87 @@
+#include "core/drape/weld.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace toile {
+
+namespace {
+
+/// Mean position of each class, stored at its least vertex.
+std::vector<Vec3> class_means(const GarmentMesh& garment, std::span<const Vec3> positions) {
+  std::vector<Vec3> mean(positions.size());
+  std::vector<int> count(positions.size(), 0);
+  for (std::size_t i = 0; i < positions.size(); ++i) mean[garment.weld[i]] += positions[i], ++count[garment.weld[i]];
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    if (count[i] > 1) mean[i] = mean[i] * (1.0 / count[i]);
+  }
+  return mean;
+}
+
+/// Marks the classes of every vertex that takes part in a crossing; true when there was one.
+bool open_crossing_classes(const GarmentMesh& garment, std::span<const Vec3> positions,
+                           std::span<const CrossingBody> bodies, std::vector<bool>& open) {
+  const Surface surface = make_surface(garment.triangles, garment.vertex_count(), garment.weld);
+  bool any = false;
+  const auto mark = [&](Index triangle) {
+    for (const Index v : garment.triangles[triangle]) {
+      if (!open[garment.weld[v]]) open[garment.weld[v]] = any = true;
+    }
+  };
+  for (const auto& [a, b] : self_crossings(surface, positions)) mark(a), mark(b);
+  for (const CrossingBody& body : bodies) {
+    for (const auto& [a, b] : body_crossings(surface, positions, body)) mark(a);
+  }
+  return any;
+}
+
+std::vector<Vec3> with_means(const GarmentMesh& garment, std::span<const Vec3> positions,
+                             const std::vector<Vec3>& mean, const std::vector<bool>& open) {
+  std::vector<Vec3> out(positions.begin(), positions.end());
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    if (!open[garment.weld[i]]) out[i] = mean[garment.weld[i]];
+  }
+  return out;
+}
+
+}  // namespace
+
+Weld no_weld(std::span<const Vec3> positions) {
+  Weld weld;
+  weld.vertex_of.resize(positions.size());
+  std::iota(weld.vertex_of.begin(), weld.vertex_of.end(), 0);
+  weld.vertex_count = static_cast<Index>(positions.size());
+  weld.positions.assign(positions.begin(), positions.end());
+  return weld;
+}
+
+Weld weld_seams(const GarmentMesh& garment, std::span<const Vec3> positions, double reach,
+                std::span<const CrossingBody> bodies) {
+  const std::vector<Vec3> mean = class_means(garment, positions);
+  std::vector<bool> open(positions.size(), false);
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    if (length(positions[i] - mean[garment.weld[i]]) > reach) open[garment.weld[i]] = true;
+  }
+  std::vector<Vec3> joined = with_means(garment, positions, mean, open);
+  while (open_crossing_classes(garment, joined, bodies, open)) joined = with_means(garment, positions, mean, open);
+
+  Weld weld;
+  weld.vertex_of.assign(positions.size(), kNone);
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const Index least = garment.weld[i];
+    if (static_cast<Index>(i) == least || open[least]) {
+      weld.vertex_of[i] = weld.vertex_count++;
+      weld.positions.push_back(joined[i]);
+      if (static_cast<Index>(i) != least && (weld.refused.empty() || weld.refused.back() != least)) {
+        weld.refused.push_back(least);
+      }
+    } else {
+      weld.vertex_of[i] = weld.vertex_of[least];
+    }
+  }
+  std::sort(weld.refused.begin(), weld.refused.end());
+  weld.refused.erase(std::unique(weld.refused.begin(), weld.refused.end()), weld.refused.end());
+  return weld;
+}
+
+}  // namespace toile

@@ -1,0 +1,27 @@
+#pragma once
+// Makes one vertex of sewn ones. A weld that would make a crossing is not done.
+
+#include <span>
+#include <vector>
+
+#include "core/collision/crossings.h"
+#include "core/sewing/garment_mesh.h"
+
+namespace toile {
+
+struct Weld {
+  std::vector<Index> vertex_of;    ///< solver vertex of each garment vertex
+  Index vertex_count = 0;          ///< solver vertices
+  std::vector<Vec3> positions;     ///< m, of the solver vertices
+  std::vector<Index> refused;      ///< weld classes (GarmentMesh::weld) that stayed open
+};
+
+/// Every garment vertex for itself.
+Weld no_weld(std::span<const Vec3> positions);
+
+/// Joins each class of sewn vertices that lies within `reach` (m) of its mean, unless that crosses cloth or body.
+/// `positions` are the garment's vertices.
+Weld weld_seams(const GarmentMesh& garment, std::span<const Vec3> positions, double reach,
+                std::span<const CrossingBody> bodies);
+
+}  // namespace toile

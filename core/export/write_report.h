@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "core/analysis/report.h"
+#include "core/base/result.h"
+
+namespace toile {
+
+/// The report as JSON text, keys as proto/schema/report.schema.json lists them.
+std::string report_json(const Report& report);
+
+/// Writes report_json to `path` through a temporary file. Error: export.write with path and reason.
+Status write_report(const std::filesystem::path& path, const Report& report);
+
+}  // namespace toile

@@ -1,0 +1,80 @@
+#include "core/geometry/bvh.h"
+
+#include <numeric>
+
+namespace toile {
+
+namespace {
+
+/// Positions stay within a few metres, where a float is good to 0.5 µm; a micrometre covers the rounding.
+constexpr double kRounding = 1e-6;
+
+float centre2(const Box3& b, int axis) { return b.lo[axis] + b.hi[axis]; }
+
+int widest_axis(std::span<const Index> order, std::span<const Box3> boxes) {
+  float lo[3] = {1e30f, 1e30f, 1e30f}, hi[3] = {-1e30f, -1e30f, -1e30f};
+  for (const Index p : order) {
+    for (int k = 0; k < 3; ++k) {
+      lo[k] = std::min(lo[k], centre2(boxes[p], k));
+      hi[k] = std::max(hi[k], centre2(boxes[p], k));
+    }
+  }
+  int axis = 0;
+  for (int k = 1; k < 3; ++k) {
+    if (hi[k] - lo[k] > hi[axis] - lo[axis]) axis = k;
+  }
+  return axis;
+}
+
+}  // namespace
+
+Box3 box_around(std::initializer_list<Vec3> points, double margin) {
+  Vec3 lo = *points.begin(), hi = lo;
+  for (const Vec3& p : points) {
+    lo = {std::min(lo.x, p.x), std::min(lo.y, p.y), std::min(lo.z, p.z)};
+    hi = {std::max(hi.x, p.x), std::max(hi.y, p.y), std::max(hi.z, p.z)};
+  }
+  const double scale = std::max({1.0, std::abs(lo.x), std::abs(lo.y), std::abs(lo.z), std::abs(hi.x),
+                                 std::abs(hi.y), std::abs(hi.z)});
+  const double m = margin + kRounding * scale;
+  return {{static_cast<float>(lo.x - m), static_cast<float>(lo.y - m), static_cast<float>(lo.z - m)},
+          {static_cast<float>(hi.x + m), static_cast<float>(hi.y + m), static_cast<float>(hi.z + m)}};
+}
+
+Bvh::Bvh(std::span<const Box3> boxes) {
+  if (boxes.empty()) return;
+  std::vector<Index> order(boxes.size());
+  std::iota(order.begin(), order.end(), 0);
+  nodes_.reserve(2 * boxes.size());
+  build(order, boxes);
+  refit(boxes);
+}
+
+Index Bvh::build(std::span<Index> order, std::span<const Box3> boxes) {
+  const auto self = static_cast<Index>(nodes_.size());
+  nodes_.emplace_back();
+  nodes_[self].size = static_cast<Index>(order.size());
+  if (order.size() == 1) {
+    nodes_[self].primitive = order[0];
+    return self;
+  }
+  const int axis = widest_axis(order, boxes);
+  const auto middle = order.begin() + static_cast<std::ptrdiff_t>(order.size() / 2);
+  std::nth_element(order.begin(), middle, order.end(), [&](Index p, Index q) {
+    const float a = centre2(boxes[p], axis), b = centre2(boxes[q], axis);
+    return a != b ? a < b : p < q;  // ties by index: the tree is the same on every library
+  });
+  build({order.begin(), middle}, boxes);
+  const Index right = build({middle, order.end()}, boxes);
+  nodes_[self].right = right;
+  return self;
+}
+
+void Bvh::refit(std::span<const Box3> boxes) {
+  for (auto i = static_cast<Index>(nodes_.size()) - 1; i >= 0; --i) {
+    Node& node = nodes_[i];
+    node.box = node.primitive != kNone ? boxes[node.primitive] : join(nodes_[i + 1].box, nodes_[node.right].box);
+  }
+}
+
+}  // namespace toile

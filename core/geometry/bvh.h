@@ -1,0 +1,133 @@
+#pragma once
+// A bounding volume tree over boxes: built once, refitted while things move. Boxes are floats, rounded
+// outwards, so that a query never misses; the tree's shape and the order of visits depend only on the input.
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "core/base/types.h"
+
+namespace toile {
+
+/// An axis-aligned box. The default is empty.
+struct Box3 {
+  float lo[3] = {1e30f, 1e30f, 1e30f};
+  float hi[3] = {-1e30f, -1e30f, -1e30f};
+};
+
+/// The box around points, grown by `margin` and by the rounding to float.
+Box3 box_around(std::initializer_list<Vec3> points, double margin);
+
+inline bool overlap(const Box3& a, const Box3& b) {
+  return a.lo[0] <= b.hi[0] && b.lo[0] <= a.hi[0] && a.lo[1] <= b.hi[1] && b.lo[1] <= a.hi[1] &&
+         a.lo[2] <= b.hi[2] && b.lo[2] <= a.hi[2];
+}
+
+/// The least box that holds both.
+inline Box3 join(const Box3& a, const Box3& b) {
+  Box3 c;
+  for (int k = 0; k < 3; ++k) c.lo[k] = std::min(a.lo[k], b.lo[k]), c.hi[k] = std::max(a.hi[k], b.hi[k]);
+  return c;
+}
+
+class Bvh {
+ public:
+  Bvh() = default;
+  /// Median splits over the boxes' centres; leaves hold one primitive each.
+  explicit Bvh(std::span<const Box3> boxes);
+
+  /// New boxes for the same primitives; the tree keeps its shape.
+  void refit(std::span<const Box3> boxes);
+
+  bool empty() const { return nodes_.empty(); }
+
+  /// Calls visit(primitive) for each box that overlaps `box`.
+  template <typename Visit>
+  void query(const Box3& box, Visit&& visit) const {
+    if (empty()) return;
+    Index stack[kMaxDepth];
+    int top = 0;
+    stack[top++] = 0;
+    while (top > 0) {
+      const Node& node = nodes_[stack[--top]];
+      if (!overlap(node.box, box)) continue;
+      if (node.primitive != kNone) {
+        visit(node.primitive);
+      } else {
+        const Index left = static_cast<Index>(&node - nodes_.data()) + 1;
+        stack[top++] = node.right;
+        stack[top++] = left;
+      }
+    }
+  }
+
+  /// Calls visit(mine, theirs) for each pair of overlapping boxes of this tree and another.
+  template <typename Visit>
+  void pairs(const Bvh& other, Visit&& visit) const {
+    if (empty() || other.empty()) return;
+    std::vector<std::pair<Index, Index>> stack{{0, 0}};
+    while (!stack.empty()) {
+      const auto [i, j] = stack.back();
+      stack.pop_back();
+      const Node& a = nodes_[i];
+      const Node& b = other.nodes_[j];
+      if (!overlap(a.box, b.box)) continue;
+      if (a.primitive != kNone && b.primitive != kNone) {
+        visit(a.primitive, b.primitive);
+      } else if (b.primitive != kNone || (a.primitive == kNone && a.size >= b.size)) {
+        stack.push_back({a.right, j});
+        stack.push_back({i + 1, j});
+      } else {
+        stack.push_back({i, b.right});
+        stack.push_back({i, j + 1});
+      }
+    }
+  }
+
+  /// Calls visit(p, q) once for each unordered pair of different primitives whose boxes overlap.
+  template <typename Visit>
+  void self_pairs(Visit&& visit) const {
+    if (empty()) return;
+    std::vector<std::pair<Index, Index>> stack{{0, 0}};
+    while (!stack.empty()) {
+      const auto [i, j] = stack.back();
+      stack.pop_back();
+      const Node& a = nodes_[i];
+      const Node& b = nodes_[j];
+      if (i == j) {
+        if (a.primitive != kNone) continue;
+        stack.push_back({a.right, a.right});
+        stack.push_back({i + 1, a.right});
+        stack.push_back({i + 1, i + 1});
+        continue;
+      }
+      if (!overlap(a.box, b.box)) continue;
+      if (a.primitive != kNone && b.primitive != kNone) {
+        visit(a.primitive, b.primitive);
+      } else if (b.primitive != kNone || (a.primitive == kNone && a.size >= b.size)) {
+        stack.push_back({a.right, j});
+        stack.push_back({i + 1, j});
+      } else {
+        stack.push_back({i, b.right});
+        stack.push_back({i, j + 1});
+      }
+    }
+  }
+
+ private:
+  static constexpr int kMaxDepth = 128;  ///< median splits halve, so 64 levels hold any index
+
+  struct Node {
+    Box3 box;
+    Index right = kNone;      ///< right child; the left one follows its parent
+    Index primitive = kNone;  ///< of a leaf
+    Index size = 1;           ///< primitives below
+  };
+
+  Index build(std::span<Index> order, std::span<const Box3> boxes);
+
+  std::vector<Node> nodes_;  ///< parents before children
+};
+
+}  // namespace toile

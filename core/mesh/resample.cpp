@@ -1,0 +1,251 @@
+#include "core/mesh/resample.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "core/base/units.h"
+#include "core/mesh/seam_intervals.h"
+#include "core/mesh/triangulate.h"
+#include "core/pattern/curve.h"
+
+namespace toile {
+namespace {
+
+constexpr double kLeastDistance = 5e-4;     ///< m; finer cloth than any computer here drapes
+constexpr double kLeastLength = 1e-6;       ///< m; a shorter edge is no edge
+constexpr double kJoinTolerance_mm = 1e-3;  ///< how far the ends of consecutive edges may be apart
+
+/// An edge with the lengths that are needed to find points on it, m.
+struct MeasuredEdge {
+  const PanelEdge* edge = nullptr;
+  std::vector<double> start;  ///< of each curve along the edge
+  double length = 0;
+  Index min_segments = 1;
+  bool sewn = false;
+};
+
+using MeasuredPanel = std::vector<MeasuredEdge>;
+
+/// One edge in the path of a seam's side, with its place along it.
+struct PathEdge {
+  Index panel, edge;
+  bool reversed;
+  std::vector<double> at;  ///< distances of its points from its start in the path, m
+};
+
+std::string edge_name(const Panel& panel, const PanelEdge& edge) {
+  return "piece " + panel.id + ", edge " + edge.id;
+}
+
+Vec2 metres(Vec2 mm) { return {metres_from_mm(mm.x), metres_from_mm(mm.y)}; }
+
+Result<MeasuredEdge> measure(const Panel& panel, const PanelEdge& edge, Index min_segments) {
+  MeasuredEdge measured{&edge, {}, 0, min_segments};
+  for (const CubicBezier& c : edge.curves) {
+    if (!is_finite(c.p0) || !is_finite(c.p1) || !is_finite(c.p2) || !is_finite(c.p3)) {
+      return Error{"mesh.not_finite", "The edge has a point that is not a number.", edge_name(panel, edge)};
+    }
+    measured.start.push_back(measured.length);
+    measured.length += metres_from_mm(arc_length(c));
+  }
+  if (!(measured.length > kLeastLength)) {
+    return Error{"mesh.edge_without_length", "The edge has no length; remove it.", edge_name(panel, edge)};
+  }
+  return measured;
+}
+
+Status check_closed(const Panel& panel, const Loop& loop) {
+  for (std::size_t i = 0; i < loop.edges.size(); ++i) {
+    const PanelEdge& edge = loop.edges[i];
+    const PanelEdge& next = loop.edges[(i + 1) % loop.edges.size()];
+    if (!(length(edge.curves.back().p3 - next.curves.front().p0) <= kJoinTolerance_mm)) {
+      return Error{"mesh.outline_open", "The edge does not end where edge " + next.id + " starts.",
+                   edge_name(panel, edge)};
+    }
+  }
+  return {};
+}
+
+Result<MeasuredPanel> measure(const Panel& panel) {
+  MeasuredPanel measured;
+  const auto measure_loop = [&](const Loop& loop) -> Status {
+    const Index least = loop.edges.size() == 1 ? 3 : loop.edges.size() == 2 ? 2 : 1;
+    for (const PanelEdge& edge : loop.edges) {
+      Result<MeasuredEdge> m = measure(panel, edge, least);
+      if (!m) return m.error();
+      measured.push_back(std::move(*m));
+    }
+    return check_closed(panel, loop);
+  };
+  if (Status status = measure_loop(panel.outline); !status) return status.error();
+  for (const Loop& hole : panel.holes) {
+    if (Status status = measure_loop(hole); !status) return status.error();
+  }
+  return measured;
+}
+
+/// The point at `s` metres from the edge's start; its ends exactly.
+Vec2 point_on(const MeasuredEdge& m, double s) {
+  if (s <= 0) return metres(m.edge->curves.front().p0);
+  if (s >= m.length) return metres(m.edge->curves.back().p3);
+  const auto k = std::upper_bound(m.start.begin(), m.start.end(), s) - m.start.begin() - 1;
+  const CubicBezier& curve = m.edge->curves[k];
+  return metres(evaluate(curve, parameter_at_length(curve, mm_from_metres(s - m.start[k]))));
+}
+
+/// Distances of n + 1 evenly spaced points from `from` to `to`, appended without the first if there are some.
+void append_even(double from, double to, Index n, std::vector<double>& at) {
+  for (Index k = at.empty() ? 0 : 1; k <= n; ++k) at.push_back(k == n ? to : from + (to - from) * k / n);
+}
+
+std::vector<Vec2> points_at(const MeasuredEdge& m, const std::vector<double>& at) {
+  std::vector<Vec2> points;
+  points.reserve(at.size());
+  for (std::size_t i = 0; i < at.size(); ++i)
+    points.push_back(point_on(m, i + 1 == at.size() ? m.length : at[i]));
+  return points;
+}
+
+/// A side of a seam in the making.
+struct Side {
+  std::vector<PathEdge> path;
+  std::vector<double> breaks{0};  ///< m, corners along the path, ends included
+  std::size_t current = 0;        ///< edge of the path that the next interval lies on
+};
+
+Result<Side> side_of(const Pattern& pattern, std::vector<MeasuredPanel>& panels, const Seam& seam,
+                     const std::vector<SeamEdge>& edges, bool backwards) {
+  const std::string where = "seam " + seam.id;
+  if (edges.empty()) return Error{"mesh.seam_edge", "A side of the seam has no edges.", where};
+  Side side;
+  for (const SeamEdge& e : edges) {
+    const bool exists = e.panel >= 0 && e.panel < static_cast<Index>(panels.size()) && e.edge >= 0 &&
+                        e.edge < static_cast<Index>(panels[e.panel].size());
+    if (!exists) return Error{"mesh.seam_edge", "The seam names an edge that does not exist.", where};
+    MeasuredEdge& m = panels[e.panel][e.edge];
+    if (std::exchange(m.sewn, true)) {
+      return Error{
+          "mesh.seam_edge",
+          "The seam takes " + edge_name(pattern.panels[e.panel], *m.edge) + ", which is sewn already.",
+          where};
+    }
+    side.path.push_back({e.panel, e.edge, e.reversed != backwards, {}});
+  }
+  if (backwards) std::reverse(side.path.begin(), side.path.end());
+  for (const PathEdge& e : side.path)
+    side.breaks.push_back(side.breaks.back() + panels[e.panel][e.edge].length);
+  return side;
+}
+
+/// Segments that the edges on both sides of an interval ask for at least.
+Index min_segments(const Side& side, const std::vector<MeasuredPanel>& panels) {
+  const PathEdge& e = side.path[side.current];
+  return panels[e.panel][e.edge].min_segments;
+}
+
+/// Adds the interval's points to the side's current edge; says how many points lie before it there.
+std::size_t add_interval(Side& side, double from, double to, Index segments) {
+  PathEdge& e = side.path[side.current];
+  const double origin = side.breaks[side.current];
+  const std::size_t before = e.at.empty() ? 0 : e.at.size() - 1;
+  append_even(from - origin, to - origin, segments, e.at);
+  return before;
+}
+
+/// Points of the path edges in the outline's own direction.
+void store_side(const Side& side, const std::vector<MeasuredPanel>& panels, SampledPattern& sampled) {
+  for (const PathEdge& e : side.path) {
+    const MeasuredEdge& m = panels[e.panel][e.edge];
+    std::vector<double> at = e.at;
+    if (e.reversed) {
+      std::reverse(at.begin(), at.end());
+      for (double& s : at) s = m.length - s;
+    }
+    sampled.edges[e.panel][e.edge] = points_at(m, at);
+  }
+}
+
+/// Point k of the path edge, counted in the outline's direction.
+EdgeSample sample_of(const PathEdge& e, std::size_t k) {
+  return {e.panel, e.edge, static_cast<Index>(e.reversed ? e.at.size() - 1 - k : k)};
+}
+
+SampledSeam sample_seam(Side& a, Side& b, const std::vector<MeasuredPanel>& panels, double particle_distance,
+                        SampledPattern& sampled) {
+  struct Run {
+    std::size_t edge_a, first_a, edge_b, first_b;
+    Index segments;
+  };
+  std::vector<Run> runs;
+  for (const SeamInterval& interval : seam_intervals(a.breaks, b.breaks, particle_distance)) {
+    const Index n = std::max({interval.segments, min_segments(a, panels), min_segments(b, panels)});
+    Run run{a.current, 0, b.current, 0, n};
+    run.first_a = add_interval(a, interval.a0, interval.a1, n);
+    run.first_b = add_interval(b, interval.b0, interval.b1, n);
+    if (interval.a1 == a.breaks[a.current + 1]) ++a.current;
+    if (interval.b1 == b.breaks[b.current + 1]) ++b.current;
+    runs.push_back(run);
+  }
+  SampledSeam seam{{}, a.breaks.back(), b.breaks.back()};
+  for (const Run& r : runs) {
+    for (Index k = 0; k <= r.segments; ++k) {
+      seam.pairs.push_back(
+          {sample_of(a.path[r.edge_a], r.first_a + k), sample_of(b.path[r.edge_b], r.first_b + k)});
+    }
+  }
+  store_side(a, panels, sampled);
+  store_side(b, panels, sampled);
+  return seam;
+}
+
+Result<std::vector<MeasuredPanel>> measure(const Pattern& pattern, double particle_distance) {
+  std::vector<MeasuredPanel> panels;
+  double total = 0;
+  for (const Panel& panel : pattern.panels) {
+    Result<MeasuredPanel> measured = measure(panel);
+    if (!measured) return measured.error();
+    for (const MeasuredEdge& m : *measured) total += m.length;
+    panels.push_back(std::move(*measured));
+  }
+  if (!(total / particle_distance <= kMaxParticles)) {
+    return Error{
+        "mesh.too_many_particles",
+        "The outlines alone would have over half a million particles; choose a larger particle distance.",
+        ""};
+  }
+  return panels;
+}
+
+}  // namespace
+
+Result<SampledPattern> resample(const Pattern& pattern, double particle_distance) {
+  if (!(particle_distance >= kLeastDistance && std::isfinite(particle_distance))) {
+    return Error{"mesh.particle_distance", "The particle distance must be at least 0.5 mm.", ""};
+  }
+  Result<std::vector<MeasuredPanel>> measured = measure(pattern, particle_distance);
+  if (!measured) return measured.error();
+  std::vector<MeasuredPanel>& panels = *measured;
+  SampledPattern sampled;
+  for (const MeasuredPanel& panel : panels) sampled.edges.emplace_back(panel.size());
+  for (const Seam& seam : pattern.seams) {
+    Result<Side> a = side_of(pattern, panels, seam, seam.a, false);
+    if (!a) return a.error();
+    Result<Side> b = side_of(pattern, panels, seam, seam.b, !seam.same_direction);
+    if (!b) return b.error();
+    sampled.seams.push_back(sample_seam(*a, *b, panels, particle_distance, sampled));
+  }
+  for (std::size_t p = 0; p < panels.size(); ++p) {
+    for (std::size_t e = 0; e < panels[p].size(); ++e) {
+      const MeasuredEdge& m = panels[p][e];
+      if (m.sewn) continue;
+      std::vector<double> at;
+      append_even(0, m.length, std::max(m.min_segments, segment_count(m.length, particle_distance)), at);
+      sampled.edges[p][e] = points_at(m, at);
+    }
+  }
+  return sampled;
+}
+
+}  // namespace toile

@@ -1,0 +1,27 @@
+#pragma once
+// From a polyline to few cubic Béziers.
+
+#include <span>
+#include <vector>
+
+#include "core/base/types.h"
+#include "core/pattern/pattern.h"
+
+namespace toile {
+
+/// Cubics through the ends of an open polyline that stay within `tolerance_mm` of each of its points; with
+/// consecutive curves sharing ends exactly. Straight runs become exact lines. A sharp bend amid the points
+/// (more than about 35°, or a lesser one between segments too long to be samples of a curve) stays sharp.
+///
+/// Method: P. J. Schneider, "An algorithm for automatically fitting digitized curves", Graphics Gems, 1990:
+/// least squares for the handle lengths with chord-length parameters, Newton reparametrisation, and a split
+/// at the worst point where that does not suffice. Tangents come from a parabola through neighbouring points.
+/// REQUIRES at least two points, finite, neighbours apart.
+std::vector<CubicBezier> fit_polyline(std::span<const Vec2> points, double tolerance_mm);
+
+/// The same for a closed line without corners: `loop` lists each vertex once, the result starts and ends at
+/// loop[0], smooth there too, in four or more curves (a loop with sharp bends is fitted as an open polyline
+/// that starts and ends at loop[0]). REQUIRES at least four points.
+std::vector<CubicBezier> fit_smooth_loop(std::span<const Vec2> loop, double tolerance_mm);
+
+}  // namespace toile

@@ -1,0 +1,260 @@
+#include "core/pattern/outline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <optional>
+#include <set>
+
+#include "core/geometry/polygon2.h"
+#include "core/pattern/curve.h"
+#include "core/pattern/fit.h"
+
+namespace toile {
+
+std::string place_text(Vec2 p) {
+  char text[80];
+  std::snprintf(text, sizeof text, "(%.6g, %.6g) mm", p.x, p.y);
+  return text;
+}
+
+namespace {
+
+constexpr double kCornerWindow = 1.5;  // mm, over which directions at a corner are measured
+constexpr double kForcedReach = 0.5;   // mm from a forced corner to its vertex
+constexpr double kLeastArea = 1e-2;    // mm²; less is a drawing fault, not cloth
+constexpr std::size_t kNothing = std::numeric_limits<std::size_t>::max();
+
+using Points = std::span<const Vec2>;
+
+/// The point at distance `window` along the closed polyline from vertex i, forwards or backwards.
+Vec2 point_along(Points loop, std::size_t i, double window, bool forward) {
+  const std::size_t n = loop.size();
+  Vec2 at = loop[i];
+  for (std::size_t step = 0; step < n; ++step) {
+    i = (i + (forward ? 1 : n - 1)) % n;
+    const double l = length(loop[i] - at);
+    if (l >= window) return at + (loop[i] - at) * (window / l);
+    window -= l, at = loop[i];
+  }
+  return at;
+}
+
+double turn_at(Points loop, std::size_t i, double window) {
+  const Vec2 in = loop[i] - point_along(loop, i, window, false);
+  const Vec2 out = point_along(loop, i, window, true) - loop[i];
+  return std::abs(std::atan2(cross(in, out), dot(in, out)));
+}
+
+/// Whether another vertex within the window turns more sharply (or as sharply, and comes first).
+bool outdone(Points loop, const std::vector<double>& turns, std::size_t i, double window) {
+  const std::size_t n = loop.size();
+  for (const std::size_t step : {std::size_t{1}, n - 1}) {
+    double walked = 0;
+    for (std::size_t j = i, k = (i + step) % n; k != i; j = k, k = (k + step) % n) {
+      walked += length(loop[k] - loop[j]);
+      if (walked >= window) break;
+      if (turns[k] > turns[i] || (turns[k] == turns[i] && k < i)) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<std::size_t> find_corners(std::span<const Vec2> loop, double corner_angle) {
+  // An eighth of the way round keeps the two sides of the window apart on tiny loops.
+  const double around = polyline_length(loop) + length(loop.front() - loop.back());
+  const double window = std::min(kCornerWindow, around / 8);
+  std::vector<double> turns(loop.size());
+  for (std::size_t i = 0; i < loop.size(); ++i) turns[i] = turn_at(loop, i, window);
+  std::vector<std::size_t> corners;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    if (turns[i] > corner_angle && !outdone(loop, turns, i, window)) corners.push_back(i);
+  return corners;
+}
+
+namespace {
+
+std::optional<Error> not_finite(const std::vector<Vec2>& points) {
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!is_finite(points[i]))
+      return Error{"pattern.not_finite", "A coordinate is not a finite number.",
+                   "point " + std::to_string(i)};
+  return std::nullopt;
+}
+
+/// Drops points nearer than the joint tolerance to the one kept before.
+std::vector<Vec2> apart(const std::vector<Vec2>& points) {
+  std::vector<Vec2> kept;
+  for (Vec2 p : points)
+    if (kept.empty() || length(p - kept.back()) >= kJointTolerance) kept.push_back(p);
+  return kept;
+}
+
+}  // namespace
+
+Result<std::vector<Vec2>> clean_outline(const std::vector<Vec2>& points) {
+  if (auto error = not_finite(points)) return *error;
+  std::vector<Vec2> loop = apart(points);
+  while (loop.size() > 1 && length(loop.back() - loop.front()) < kJointTolerance) loop.pop_back();
+  const std::string where = points.empty() ? std::string() : "near " + place_text(points.front());
+  if (loop.size() < 3)
+    return Error{"pattern.too_few_points", "An outline needs at least three points apart from each other.",
+                 where};
+  // A figure of eight may sum to nothing as well: there the crossing is the better news.
+  if (std::abs(signed_area(loop)) < kLeastArea && is_flat(loop, kJointTolerance))
+    return Error{"pattern.zero_area", "The outline encloses no area.", where};
+  const std::vector<std::vector<Vec2>> loops{loop};
+  const std::optional<Crossing> crossing = find_crossing(loops);
+  if (crossing)
+    return Error{"pattern.self_crossing",
+                 "The outline crosses or touches itself at " + place_text(crossing->point) + ".",
+                 "at " + place_text(crossing->point)};
+  return loop;
+}
+
+namespace {
+
+Result<std::vector<std::size_t>> forced_vertices(Points loop, Points corners) {
+  std::vector<std::size_t> indices;
+  for (std::size_t c = 0; c < corners.size(); ++c) {
+    std::size_t best = kNothing;
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      if (best == kNothing || length(loop[i] - corners[c]) < length(loop[best] - corners[c])) best = i;
+    const double off = length(loop[best] - corners[c]);
+    if (!(off <= kForcedReach))
+      return Error{"pattern.corner_off_outline",
+                   "Corner " + std::to_string(c) + " at " + place_text(corners[c]) +
+                       " is not within 0.5 mm of a vertex of the outline; the nearest is " +
+                       place_text(loop[best]) + ".",
+                   "corner " + std::to_string(c)};
+    if (std::find(indices.begin(), indices.end(), best) == indices.end()) indices.push_back(best);
+  }
+  return indices;
+}
+
+/// Edges between consecutive corners; corners ascend from the start of e0, which the loop begins with.
+Loop fitted_loop(const std::vector<Vec2>& loop, const std::vector<std::size_t>& corners, double tolerance) {
+  Loop result;
+  const std::size_t n = loop.size();
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const std::size_t begin = corners[k], end = k + 1 < corners.size() ? corners[k + 1] : n;
+    std::vector<Vec2> run(loop.begin() + std::ptrdiff_t(begin), loop.begin() + std::ptrdiff_t(end));
+    run.push_back(loop[end % n]);
+    result.edges.push_back({"e" + std::to_string(k), fit_polyline(run, tolerance)});
+  }
+  if (corners.empty()) result.edges.push_back({"e0", fit_smooth_loop(loop, tolerance)});
+  return result;
+}
+
+}  // namespace
+
+Result<Loop> loop_from_polyline(const std::vector<Vec2>& points_mm, std::span<const Vec2> forced_corners,
+                                const OutlineSettings& settings) {
+  Result<std::vector<Vec2>> cleaned = clean_outline(points_mm);
+  if (!cleaned) return cleaned.error();
+  std::vector<Vec2> loop = *cleaned;
+  const std::size_t n = loop.size();
+  const bool clockwise = signed_area(loop) < 0;
+  if (clockwise) std::reverse(loop.begin() + 1, loop.end());
+
+  std::vector<std::size_t> corners;
+  std::size_t first = kNothing;
+  if (!forced_corners.empty()) {
+    Result<std::vector<std::size_t>> forced = forced_vertices(loop, forced_corners);
+    if (!forced) return forced.error();
+    corners = *forced;
+    first = corners.front();
+  } else {
+    corners = find_corners(loop, settings.corner_angle);
+    if (corners.empty() && n < 4) corners = {0};
+    // Vertex i of a reversed loop was vertex n - i of the file; vertex 0 stays.
+    const auto in_file = [&](std::size_t i) { return clockwise ? (n - i) % n : i; };
+    for (std::size_t c : corners)
+      if (first == kNothing || in_file(c) < in_file(first)) first = c;
+  }
+  if (first != kNothing) {
+    std::rotate(loop.begin(), loop.begin() + std::ptrdiff_t(first), loop.end());
+    for (std::size_t& c : corners) c = (c + n - first) % n;
+    std::sort(corners.begin(), corners.end());
+  }
+  return fitted_loop(loop, corners, settings.fit_tolerance_mm);
+}
+
+Result<PanelEdge> edge_from_points(std::string id, const std::vector<Vec2>& points_mm,
+                                   const OutlineSettings& settings) {
+  if (auto error = not_finite(points_mm)) {
+    error->where = "edge " + id + ", " + error->where;
+    return *error;
+  }
+  std::vector<Vec2> points = apart(points_mm);
+  while (points.size() > 1 && length(points.back() - points_mm.back()) < kJointTolerance) points.pop_back();
+  if (points.empty() || (points.size() == 1 && length(points[0] - points_mm.back()) < kJointTolerance))
+    return Error{"pattern.too_few_points", "An edge needs at least two points apart from each other.",
+                 "edge " + id};
+  points.push_back(points_mm.back());
+  return PanelEdge{std::move(id), fit_polyline(points, settings.fit_tolerance_mm)};
+}
+
+namespace {
+
+std::optional<Error> check_edges(const std::vector<PanelEdge>& edges) {
+  std::set<std::string> ids;
+  for (const PanelEdge& edge : edges) {
+    const std::string where = "edge " + edge.id;
+    if (edge.curves.empty()) return Error{"pattern.empty_edge", "The edge has no curves.", where};
+    if (!ids.insert(edge.id).second)
+      return Error{"pattern.duplicate_id", "Two edges of the loop are both called '" + edge.id + "'.", where};
+    for (const CubicBezier& c : edge.curves)
+      if (!is_finite(c.p0) || !is_finite(c.p1) || !is_finite(c.p2) || !is_finite(c.p3))
+        return Error{"pattern.not_finite", "A coordinate is not a finite number.", where};
+  }
+  return std::nullopt;
+}
+
+/// Makes `next` start exactly where `previous` ends, when they are close enough.
+std::optional<Error> snap(const CubicBezier& previous, CubicBezier& next, const std::string& edge) {
+  const double gap = length(next.p0 - previous.p3);
+  if (gap <= kJointTolerance) {
+    const bool line = is_straight(next);
+    next.p0 = previous.p3;
+    if (line) next = line_segment(next.p0, next.p3);
+    return std::nullopt;
+  }
+  char width[40];
+  std::snprintf(width, sizeof width, "%.4g", gap);
+  return Error{"pattern.open_outline",
+               "Edge " + edge + " starts at " + place_text(next.p0) + " but the curve before it ends at " +
+                   place_text(previous.p3) + ": a gap of " + width + " mm.",
+               "edge " + edge};
+}
+
+}  // namespace
+
+Result<Loop> loop_from_edges(std::vector<PanelEdge> edges) {
+  if (edges.empty()) return Error{"pattern.empty_edge", "The loop has no edges.", ""};
+  if (auto error = check_edges(edges)) return *error;
+  CubicBezier* previous = nullptr;
+  for (PanelEdge& edge : edges) {
+    for (CubicBezier& curve : edge.curves) {
+      if (previous)
+        if (auto error = snap(*previous, curve, edge.id)) return *error;
+      previous = &curve;
+    }
+  }
+  CubicBezier& first = edges.front().curves.front();
+  if (length(first.p0 - previous->p3) > kJointTolerance) return *snap(*previous, first, edges.front().id);
+  // The first curve starts the loop: the last one yields.
+  CubicBezier closing = reversed(*previous);
+  (void)snap(reversed(first), closing, edges.front().id);
+  *previous = reversed(closing);
+  Loop loop{std::move(edges)};
+  const double area = signed_area(loop);
+  if (!(std::abs(area) >= kLeastArea))
+    return Error{"pattern.zero_area", "The outline encloses no area.", "edge " + loop.edges.front().id};
+  return area < 0 ? reversed(loop) : loop;
+}
+
+}  // namespace toile

@@ -1,0 +1,62 @@
+#pragma once
+// The flat sewing pattern: pieces ("panels") with outlines of cubic Béziers, and seams that join series
+// of their edges. Millimetres, as pattern makers count. y up, outlines counter-clockwise.
+
+#include <string>
+#include <vector>
+
+#include "core/base/types.h"
+
+namespace toile {
+
+/// One cubic Bézier segment, mm. A straight line has its handles at the thirds.
+struct CubicBezier {
+  Vec2 p0, p1, p2, p3;
+};
+
+/// A run of the outline between two corners: what a seam, a pin or an edit names. Consecutive curves
+/// share their end points exactly.
+struct PanelEdge {
+  std::string id;  ///< unique within its panel and stable over edits, e.g. "e3" or "hem"
+  std::vector<CubicBezier> curves;
+};
+
+/// A closed line: the end of each edge is the start of the next, exactly.
+struct Loop {
+  std::vector<PanelEdge> edges;
+};
+
+/// One piece of cloth as it is cut.
+struct Panel {
+  std::string id;           ///< unique within the pattern
+  Loop outline;             ///< counter-clockwise
+  std::vector<Loop> holes;  ///< clockwise, inside the outline, disjoint
+  Vec2 grain{0, 1};         ///< unit vector of the warp in the panel's plane
+  std::string fabric;       ///< id of a fabric of the project
+};
+
+/// One edge in a seam's series. Traversed in the outline's own direction, or against it.
+struct SeamEdge {
+  Index panel = kNone;
+  Index edge = kNone;  ///< index into the panel's outline, then into its holes' edges in order
+  bool reversed = false;
+};
+
+/// Joins the path that series `a` makes to the path that series `b` makes. Outlines wind the same way, so
+/// that two pieces laid side by side meet with their edges running against each other: the start of `a`
+/// meets the end of `b` unless `same_direction`.
+struct Seam {
+  std::string id;
+  std::vector<SeamEdge> a, b;
+  bool same_direction = false;
+};
+
+struct Pattern {
+  std::vector<Panel> panels;
+  std::vector<Seam> seams;
+};
+
+/// The panel's edges in the order that SeamEdge::edge counts: outline first, then each hole.
+std::vector<const PanelEdge*> edges_of(const Panel& panel);
+
+}  // namespace toile

@@ -1,0 +1,91 @@
+#include "core/sewing/assembly.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace toile {
+
+namespace {
+
+void append_panel(const PanelMesh& mesh, Index panel, GarmentMesh& garment) {
+  const Index first = garment.vertex_count();
+  garment.first_vertex.push_back(first);
+  garment.rest.insert(garment.rest.end(), mesh.rest.begin(), mesh.rest.end());
+  garment.panel_of_vertex.insert(garment.panel_of_vertex.end(), mesh.rest.size(), panel);
+  for (const Tri& t : mesh.triangles) garment.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  garment.panel_of_triangle.insert(garment.panel_of_triangle.end(), mesh.triangles.size(), panel);
+}
+
+void append_seams(const PanelMeshes& meshes, GarmentMesh& garment) {
+  const auto index = [&](PanelVertex v) { return garment.first_vertex[v.panel] + v.vertex; };
+  for (const MatchedSeam& seam : meshes.seams) {
+    for (const SewnPair& pair : seam.pairs) {
+      garment.sewn.push_back({index(pair.a), index(pair.b)});
+      garment.seam_of_sewn.push_back(seam.seam);
+    }
+  }
+}
+
+std::vector<Index> vertices_of(const Attachment& a, const PanelMeshes& meshes, const GarmentMesh& garment) {
+  const Index first = garment.first_vertex[a.panel];
+  std::vector<Index> vertices;
+  if (a.edges.empty()) {
+    vertices.resize(meshes.panels[a.panel].rest.size());
+    std::iota(vertices.begin(), vertices.end(), first);
+  }
+  for (const Index edge : a.edges) {
+    for (const Index v : meshes.panels[a.panel].edge_vertices[edge]) vertices.push_back(first + v);
+  }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+
+/// Sines and cosines differ in their last bit between processors, and the same input must give the same bytes:
+/// the start is rounded to 2⁻²⁶ m (15 nm).
+Vec3 snapped(Vec3 p) {
+  constexpr double kGrid = 0x1p26;
+  return {std::nearbyint(p.x * kGrid) / kGrid, std::nearbyint(p.y * kGrid) / kGrid, std::nearbyint(p.z * kGrid) / kGrid};
+}
+
+}  // namespace
+
+std::vector<Index> least_of_class(Index vertex_count, const std::vector<std::array<Index, 2>>& joined) {
+  std::vector<Index> parent(vertex_count);
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](Index i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  for (const auto& [i, j] : joined) {
+    const Index a = root(i), b = root(j);
+    parent[std::max(a, b)] = std::min(a, b);  // the least stays the root
+  }
+  for (Index i = 0; i < vertex_count; ++i) parent[i] = root(i);
+  return parent;
+}
+
+Result<Assembly> assemble(const PanelMeshes& meshes, const std::vector<Placement>& placements,
+                          const std::vector<Attachment>& attachments) {
+  if (placements.size() != meshes.panels.size()) {
+    return Error{"placement.count", "every piece needs a placement", std::to_string(placements.size()) +
+                     " placements for " + std::to_string(meshes.panels.size()) + " pieces"};
+  }
+  Assembly assembly;
+  for (std::size_t i = 0; i < meshes.panels.size(); ++i) {
+    append_panel(meshes.panels[i], static_cast<Index>(i), assembly.garment);
+    const std::vector<Vec3> placed = place(meshes.panels[i].rest, placements[i]);
+    if (!std::all_of(placed.begin(), placed.end(), [](Vec3 p) { return is_finite(p) && length(p) < 100; })) {
+      return Error{"placement.not_finite", "the placement puts the piece nowhere, or over 100 m away",
+                   "piece number " + std::to_string(i + 1)};
+    }
+    for (const Vec3& p : placed) assembly.positions.push_back(snapped(p));
+  }
+  assembly.garment.first_vertex.push_back(assembly.garment.vertex_count());
+  append_seams(meshes, assembly.garment);
+  for (const Attachment& a : attachments) assembly.attached.push_back(vertices_of(a, meshes, assembly.garment));
+  assembly.garment.weld = least_of_class(assembly.garment.vertex_count(), assembly.garment.sewn);
+  return assembly;
+}
+
+}  // namespace toile

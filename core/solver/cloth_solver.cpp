@@ -1,0 +1,155 @@
+#include "core/solver/cloth_solver.h"
+
+#include <algorithm>
+
+#include "core/base/check.h"
+#include "core/solver/constraints/contact_pass.h"
+
+namespace toile {
+
+namespace {
+
+/// Share of the vertices that may run into a plane before a fresh measurement gives them their way back.
+constexpr double kPlaneHitShare = 0.03;
+
+double mean_edge(const ClothModel& model) {
+  double sum = 0;
+  for (const RestTriangle& r : model.rest) {
+    sum += length(r[1] - r[0]) + length(r[2] - r[1]) + length(r[0] - r[2]);
+  }
+  return model.rest.empty() ? 0.01 : sum / (3.0 * static_cast<double>(model.rest.size()));
+}
+
+}  // namespace
+
+ContactSettings contact_settings(const ClothModel& model) {
+  ContactSettings settings;
+  const double edge = mean_edge(model);
+  settings.thickness = 0;
+  settings.cloth_friction = 0;
+  for (const Fabric& f : model.fabrics) {
+    settings.thickness = std::max(settings.thickness, f.thickness);
+    settings.cloth_friction = std::max(settings.cloth_friction, f.friction);
+  }
+  settings.thickness = std::min(settings.thickness, 0.3 * edge);
+  settings.ball_most = 0.35 * edge;
+  settings.ball_least = std::min(settings.ball_least, settings.ball_most);
+  return settings;
+}
+
+ClothSolver::ClothSolver(ClothModel model, std::vector<Vec3> positions, std::span<const Obstacle> obstacles,
+                         double time_step)
+    : model_(std::move(model)),
+      obstacles_(obstacles),
+      h_(time_step),
+      membrane_(make_membrane(model_)),
+      bending_(make_bending(model_)),
+      x_(std::move(positions)),
+      finder_(make_surface(model_.triangles, model_.vertex_count(), model_.vertex_class), obstacles_,
+              contact_settings(model_)) {
+  TOILE_CHECK(x_.size() == model_.mass.size());
+  TOILE_CHECK(h_ > 0);
+  set_holds({});
+  velocity_.resize(x_.size());
+  lifted_.resize(x_.size());
+  speed_.resize(x_.size());
+}
+
+void ClothSolver::set_holds(std::vector<HeldVertex> held) {
+  held_ = std::move(held);
+  std::vector<double> w;
+  w.reserve(model_.mass.size());
+  for (const double m : model_.mass) w.push_back(m > 0 ? 1 / m : 0);
+  for (const HeldVertex& h : held_) {
+    if (!h.height_only) w[h.v] = 0;
+  }
+  if (w == inverse_mass_) return;
+  inverse_mass_ = std::move(w);
+  prepare_membrane(membrane_, inverse_mass_, h_);
+  prepare_bending(bending_, inverse_mass_, h_);
+}
+
+StepReport ClothSolver::step(const StepForces& forces) {
+  predict(forces);
+  backwards_ = !backwards_;
+  solve_membrane(membrane_, inverse_mass_, h_, backwards_, x_);
+  solve_bending(bending_, inverse_mass_, backwards_, x_);
+  solve_stitches(stitches_, forces.stitch_length, inverse_mass_, h_, x_);
+  solve_height_holds(held_, x_);
+  const StepReport report = keep_bounds(forces);
+  finish();
+  return report;
+}
+
+void ClothSolver::predict(const StepForces& forces) {
+  before_ = x_;
+  const double keep = 1 / (1 + forces.damping * h_);
+  const double fall = forces.gravity * h_;
+  for (std::size_t i = 0; i < x_.size(); ++i) {
+    if (inverse_mass_[i] == 0) continue;
+    Vec3& v = velocity_[i];
+    v.y -= fall;
+    v = v * keep;
+    x_[i] += v * h_;
+  }
+  for (const HeldVertex& h : held_) {
+    if (!h.height_only) x_[h.v] = h.target;
+  }
+}
+
+void ClothSolver::measure() {
+  for (std::size_t i = 0; i < velocity_.size(); ++i) speed_[i] = length(velocity_[i]);
+  finder_.measure(before_, speed_, contacts_);
+  measured_ = true;
+}
+
+bool ClothSolver::leaves_a_ball() const {
+  for (std::size_t i = 0; i < x_.size(); ++i) {
+    if (!contacts_.inside_ball(static_cast<Index>(i), x_[i])) return true;
+  }
+  return false;
+}
+
+int ClothSolver::count_plane_hits() const {
+  int hits = 0;
+  for (std::size_t i = 0; i < x_.size(); ++i) hits += !contacts_.inside_planes(static_cast<Index>(i), x_[i]);
+  return hits;
+}
+
+/// Look before clamping: where a vertex would leave its ball, or many run into planes, measure again at this
+/// step's start and cut the proposal with fresh bounds. Clamping on and on would pin the cloth in the air.
+StepReport ClothSolver::keep_bounds(const StepForces& forces) {
+  StepReport report;
+  for (const Vec3& p : x_) report.not_finite |= !is_finite(p);
+  if (report.not_finite) {
+    x_ = before_;
+    std::fill(velocity_.begin(), velocity_.end(), Vec3{});
+  }
+  std::fill(lifted_.begin(), lifted_.end(), Vec3{});
+  proposal_ = x_;
+  if (!measured_) measure(), ++report.measurements;
+  const auto push_apart = [&] {
+    solve_contacts(contacts_.contacts, before_, inverse_mass_, forces.friction, h_, x_, lifted_);
+  };
+  push_apart();
+  if (report.measurements == 0 &&
+      (leaves_a_ball() || count_plane_hits() > kPlaneHitShare * static_cast<double>(x_.size()))) {
+    measure();
+    ++report.measurements;
+    x_ = proposal_;
+    std::fill(lifted_.begin(), lifted_.end(), Vec3{});
+    push_apart();
+  }
+  for (std::size_t i = 0; i < x_.size(); ++i) {
+    const double t = contacts_.reach(static_cast<Index>(i), before_[i], x_[i]);
+    if (t < 1) x_[i] = before_[i] + (x_[i] - before_[i]) * t, ++report.bounded;
+  }
+  return report;
+}
+
+void ClothSolver::finish() {
+  const double per_h = 1 / h_;
+  for (std::size_t i = 0; i < x_.size(); ++i) velocity_[i] = (x_[i] - before_[i] - lifted_[i]) * per_h;
+}
+
+}  // namespace toile

@@ -1,0 +1,77 @@
+#pragma once
+// Moves cloth: small steps of one iteration each (Macklin et al. 2019), every step inside the contact bounds.
+
+#include <span>
+#include <vector>
+
+#include "core/collision/contacts.h"
+#include "core/solver/cloth_model.h"
+#include "core/solver/constraints/bend.h"
+#include "core/solver/constraints/hold.h"
+#include "core/solver/constraints/membrane.h"
+#include "core/solver/constraints/stitch.h"
+
+namespace toile {
+
+/// What acts on the cloth during a step. May change from step to step.
+struct StepForces {
+  double gravity = 9.81;   ///< m/s², downwards
+  double damping = 1;      ///< 1/s, of the velocity, as if in a thick medium
+  double friction = 1;     ///< factor on all coefficients
+  double stitch_length = 0;  ///< 1: stitches as long as at the start, 0: closed
+};
+
+/// What a step saw. Numerical trouble is a flag here, never a NaN that leaves the step.
+struct StepReport {
+  int measurements = 0;  ///< contact measurements in this step
+  int bounded = 0;       ///< vertices that a bound stopped
+  bool not_finite = false;  ///< a position left the numbers; the step was undone
+};
+
+class ClothSolver {
+ public:
+  /// `obstacles` must outlive the solver. Positions in metres; velocities start at zero.
+  ClothSolver(ClothModel model, std::vector<Vec3> positions, std::span<const Obstacle> obstacles, double time_step);
+
+  StepReport step(const StepForces& forces);
+
+  void set_stitches(std::vector<Stitch> stitches) { stitches_ = std::move(stitches); }
+  /// Replaces all holds. Targets may lie away from where the vertices are; contact decides how fast they get there.
+  void set_holds(std::vector<HeldVertex> held);
+  void set_velocities(std::vector<Vec3> velocities) { velocity_ = std::move(velocities); }
+
+  const ClothModel& model() const { return model_; }
+  const std::vector<Stitch>& stitches() const { return stitches_; }
+  const std::vector<Vec3>& positions() const { return x_; }
+  const std::vector<Vec3>& velocities() const { return velocity_; }
+  double time_step() const { return h_; }
+
+ private:
+  void predict(const StepForces& forces);
+  void measure();
+  StepReport keep_bounds(const StepForces& forces);
+  bool leaves_a_ball() const;
+  int count_plane_hits() const;
+  void finish();
+
+  ClothModel model_;
+  std::span<const Obstacle> obstacles_;
+  double h_;
+  std::vector<MembraneTriangle> membrane_;
+  std::vector<BendTriangle> bending_;
+  std::vector<Stitch> stitches_;
+  std::vector<HeldVertex> held_;
+  std::vector<double> inverse_mass_;
+
+  std::vector<Vec3> x_, before_, velocity_, lifted_, proposal_;
+  std::vector<double> speed_;
+  ContactFinder finder_;
+  Contacts contacts_;
+  bool measured_ = false;
+  bool backwards_ = false;  ///< order of the passes, turned every step
+};
+
+/// Thickness, friction and ball sizes for a cloth: thickness at most 0.3 and balls at most 0.35 of the mean edge.
+ContactSettings contact_settings(const ClothModel& model);
+
+}  // namespace toile

@@ -1,0 +1,11 @@
+#include "core/solver/constraints/hold.h"
+
+namespace toile {
+
+void solve_height_holds(std::span<const HeldVertex> held, std::span<Vec3> x) {
+  for (const HeldVertex& h : held) {
+    if (h.height_only) x[h.v].y = h.target.y;
+  }
+}
+
+}  // namespace toile

@@ -1,0 +1,33 @@
+#pragma once
+// In-plane stretch and shear of a triangle, as one compliant constraint of three components (XPBD: Macklin,
+// Müller and Chentanez 2016; small steps of one iteration: Macklin et al. 2019). Energy per area ½ εᵀ K ε with
+// ε = (|f_weft| − 1, |f_warp| − 1, f_weft · f_warp), f the deformation gradient's columns.
+
+#include <span>
+#include <vector>
+
+#include "core/base/types.h"
+#include "core/solver/cloth_model.h"
+
+namespace toile {
+
+struct MembraneTriangle {
+  Tri v{};
+  double b[4] = {};           ///< inverse of the rest edges' matrix: f_weft = e1·b0 + e2·b1, f_warp = e1·b2 + e2·b3
+  double compliance[4] = {};  ///< of (weft, warp, coupling, shear), K⁻¹ / area, 1/J
+  double share = 1;           ///< of the mobility, see one_pass.h; set by prepare_membrane
+};
+
+std::vector<MembraneTriangle> make_membrane(const ClothModel& model);
+
+/// Fits the triangles to inverse masses `w` (1/kg) and substep `h` (s); needed again when either changes.
+void prepare_membrane(std::span<MembraneTriangle> triangles, std::span<const double> w, double h);
+
+/// One Gauss-Seidel pass, in the order of the triangles or against it.
+void solve_membrane(std::span<const MembraneTriangle> triangles, std::span<const double> w, double h, bool backwards,
+                    std::span<Vec3> x);
+
+/// The strains (weft, warp, shear) of one triangle at positions x. Shear is the change of the right angle's cosine.
+Vec3 membrane_strain(const MembraneTriangle& triangle, std::span<const Vec3> x);
+
+}  // namespace toile

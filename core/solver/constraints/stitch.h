@@ -1,0 +1,25 @@
+#pragma once
+// Threads that draw sewn vertices together. Each keeps its own length, which shrinks from what it was at the
+// start to zero, so that all stitches of a garment arrive together.
+
+#include <span>
+#include <vector>
+
+#include "core/base/types.h"
+
+namespace toile {
+
+struct Stitch {
+  Index v0 = kNone, v1 = kNone;  ///< vertices of the solver
+  double start_length = 0;       ///< m
+  double force_limit = 0.5;      ///< N; contact is stronger than any thread
+};
+
+/// One pass: every stitch is at most `shrunk`·start_length long (1 at the start, 0 when sewn).
+void solve_stitches(std::span<const Stitch> stitches, double shrunk, std::span<const double> w, double h,
+                    std::span<Vec3> x);
+
+/// The largest distance of a stitch's ends, m; 0 without stitches.
+double largest_gap(std::span<const Stitch> stitches, std::span<const Vec3> x);
+
+}  // namespace toile

@@ -1,0 +1,171 @@
+#pragma once
+// The project document (proto/schema/project.schema.json) as plain values, in the document's own units:
+// millimetres in the pattern, metres in space, degrees for angles. Reading it is pure; making a DrapeInput of
+// it (project_resolve.h) opens the files that it names.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/base/types.h"
+#include "core/pattern/pattern.h"
+
+namespace toile {
+
+/// A piece taken from a DXF file that lies beside the document.
+struct ProjectDxf {
+  std::string dxf;            ///< file name, relative to the document
+  std::string piece;          ///< name of the piece in the file
+  std::vector<Vec2> corners;  ///< mm; where edges begin; empty: wherever the outline bends sharply
+  std::string units;          ///< "mm", "cm", "inch"; empty: what the file says
+  friend bool operator==(const ProjectDxf&, const ProjectDxf&) = default;
+};
+
+/// An edge of an inline outline: either a line through points or a chain of cubic Béziers.
+struct ProjectEdge {
+  std::string id;
+  std::vector<Vec2> points;                 ///< mm; two or more
+  std::vector<std::array<Vec2, 4>> curves;  ///< mm; control points
+  friend bool operator==(const ProjectEdge&, const ProjectEdge&) = default;
+};
+
+struct ProjectRigid {
+  Vec3 translation;  ///< m
+  Vec3 rotation;     ///< degrees about x, then y, then z
+  bool flipped = false;
+  friend bool operator==(const ProjectRigid&, const ProjectRigid&) = default;
+};
+
+struct ProjectWrapped {
+  Vec2 axis;            ///< m, (x, z)
+  double radius = 0.3;  ///< m
+  double angle = 0;     ///< degrees; 0 is +z (front), 90 is +x
+  double height = 1;    ///< m
+  Vec2 anchor;          ///< mm
+  double slope = 0;
+  friend bool operator==(const ProjectWrapped&, const ProjectWrapped&) = default;
+};
+
+struct ProjectPlacement {
+  std::optional<ProjectRigid> rigid;
+  std::optional<ProjectWrapped> wrapped;
+  friend bool operator==(const ProjectPlacement&, const ProjectPlacement&) = default;
+};
+
+struct ProjectPiece {
+  std::string id;
+  std::optional<ProjectDxf> from;
+  std::vector<ProjectEdge> outline;
+  std::vector<std::vector<ProjectEdge>> holes;
+  std::vector<std::pair<std::string, std::string>> edge_names;  ///< id that the file gives → id used here
+  std::optional<Vec2> grain;  ///< direction of the warp; without it what the DXF says, or (0, 1)
+  std::string fabric;
+  ProjectPlacement placement;
+  friend bool operator==(const ProjectPiece&, const ProjectPiece&) = default;
+};
+
+/// Units as the keys name them; what each figure means stands in core/material/fabric.h.
+struct ProjectFabric {
+  std::string id, name;
+  double areal_mass_g_m2 = 200;
+  double stretch_warp_n_m = 2000, stretch_weft_n_m = 2000;
+  double stretch_coupling_n_m = 600;
+  double stretch_shear_n_m = 700;
+  double bend_warp_un_m = 13, bend_weft_un_m = 13, bend_bias_un_m = 13;
+  double thickness_mm = 0.5;
+  double friction = 0.3;
+  std::array<double, 3> colour{0.55, 0.62, 0.72};
+  friend bool operator==(const ProjectFabric&, const ProjectFabric&) = default;
+};
+
+struct ProjectSeamEdge {
+  std::string piece, edge;
+  bool reversed = false;
+  friend bool operator==(const ProjectSeamEdge&, const ProjectSeamEdge&) = default;
+};
+
+struct ProjectSeam {
+  std::string id;
+  std::vector<ProjectSeamEdge> a, b;
+  bool same_direction = false;
+  friend bool operator==(const ProjectSeam&, const ProjectSeam&) = default;
+};
+
+struct ProjectMannequin {
+  double height_cm = 170, bust_cm = 90, waist_cm = 72, hip_cm = 96;
+  int triangles = 3300;
+  friend bool operator==(const ProjectMannequin&, const ProjectMannequin&) = default;
+};
+
+/// A body or an object: a mesh file beside the document, or the program's own mannequin.
+struct ProjectBody {
+  std::string id;
+  std::string file;
+  std::string unit;  ///< of the file: "m", "cm", "mm"; empty: guessed from its size
+  std::string up;    ///< of the file: "y", "z"; empty: y
+  std::optional<ProjectMannequin> mannequin;
+  double friction = 0.4;
+  double skin_offset_mm = 1;
+  Vec3 translation;  ///< m, after scale and rotation
+  Vec3 rotation;     ///< degrees about x, then y, then z
+  double scale = 1;
+  friend bool operator==(const ProjectBody&, const ProjectBody&) = default;
+};
+
+struct ProjectAttachment {
+  std::string id, piece;
+  std::vector<std::string> edges;  ///< empty: the whole piece
+  std::string hold = "height";     ///< or "place"
+  double release_after_s = 1;      ///< negative: never
+  friend bool operator==(const ProjectAttachment&, const ProjectAttachment&) = default;
+};
+
+struct ProjectSettings {
+  double particle_distance_mm = 15;
+  double time_step_s = 1.0 / 3000;
+  double gravity = 9.81;  ///< m/s²
+  double sew_time_s = 1;
+  double settle_speed_mm_s = 5;
+  double max_time_s = 8;
+  int frame_interval_steps = 50;
+  friend bool operator==(const ProjectSettings&, const ProjectSettings&) = default;
+};
+
+struct Project {
+  int toile = 1;  ///< version of the format
+  std::string name;
+  std::vector<ProjectPiece> pieces;
+  std::vector<ProjectFabric> fabrics;
+  std::vector<ProjectSeam> seams;
+  std::vector<ProjectBody> bodies;
+  std::vector<ProjectAttachment> attachments;
+  ProjectSettings settings;
+  friend bool operator==(const Project&, const Project&) = default;
+};
+
+/// Reads a document's text: at most 4 MiB, at most 32 levels deep. Keys that the format does not know, values
+/// of the wrong type or out of range, and names that nothing bears are errors: json.*, project.*; `where` is
+/// a JSON pointer, or line and column where the text is no JSON.
+Result<Project> parse_project(std::string_view text);
+
+/// The document's text; parse_project gives the same Project back.
+std::string write_project(const Project& project);
+
+/// A key of the format, for comparing the reader with the schema. `path` counts list elements as "*", e.g.
+/// "/pieces/*/from/dxf".
+struct ProjectKey {
+  std::string path;
+  std::string type;  ///< JSON Schema's word: "object", "array", "string", "number", "integer", "boolean"
+  bool required = false;
+  std::optional<double> minimum, maximum;  ///< of a number
+  std::vector<std::string> choices;        ///< of a string that is one of a few
+};
+
+/// Every key that parse_project knows.
+std::vector<ProjectKey> project_keys();
+
+}  // namespace toile

@@ -1,0 +1,178 @@
+#pragma once
+// The format, said once: which keys an object of the document has, where they go, what they may be. Readers,
+// writers and the list of keys are visitors of these functions, so that they cannot disagree. A visitor has
+//   field(key, place, need, range)      any value; the range holds for numbers and for the count of a list
+//   choice(key, place, {words})         a string out of a few; absent: stays as it is
+//   exactly_one(key, key)               of two keys, one must be there
+
+#include <limits>
+
+#include "proto/cpp/project.h"
+
+namespace toile {
+
+enum class Need { kOptional, kRequired };
+
+struct Range {
+  double least = std::numeric_limits<double>::lowest();
+  double most = std::numeric_limits<double>::max();
+};
+
+inline constexpr Range kAnything{};
+inline constexpr Range kLength{-1e5, 1e5};  // mm or m: every coordinate, so that sums stay far from overflow
+inline constexpr Range kStiffness{0.01, 1e6};
+inline constexpr Range kFriction{0, 2};
+inline constexpr Range kSome{1, 1000};  // elements of a list that must not be empty
+inline constexpr Range kMany{0, 1000};
+
+/// What holds for an element of a list.
+inline Range element_range(const Vec2&) { return kLength; }
+inline Range element_range(const std::array<Vec2, 4>&) { return kLength; }
+inline Range element_range(const std::vector<ProjectEdge>&) { return kSome; }
+template <typename T>
+Range element_range(const T&) {
+  return kAnything;
+}
+
+template <typename Visitor>
+void describe(Visitor& v, ProjectDxf& dxf) {
+  v.field("dxf", dxf.dxf, Need::kRequired);
+  v.field("piece", dxf.piece, Need::kRequired);
+  v.field("corners", dxf.corners, Need::kOptional, kMany);
+  v.choice("units", dxf.units, {"mm", "cm", "inch"});
+}
+
+template <typename Visitor>
+void describe(Visitor& v, ProjectEdge& edge) {
+  v.field("id", edge.id, Need::kRequired);
+  v.field("points", edge.points, Need::kOptional, Range{2, 100000});
+  v.field("curves", edge.curves, Need::kOptional, Range{1, 10000});
+  v.exactly_one("points", "curves");
+}
+
+template <typename Visitor>
+void describe(Visitor& v, ProjectRigid& rigid) {
+  v.field("translation", rigid.translation, Need::kOptional, kLength);
+  v.field("rotation", rigid.rotation, Need::kOptional, kLength);
+  v.field("flipped", rigid.flipped);
+}
+
+template <typename Visitor>
+void describe(Visitor& v, ProjectWrapped& wrapped) {
+  v.field("axis", wrapped.axis, Need::kOptional, kLength);
+  v.field("radius", wrapped.radius, Need::kRequired, Range{0.001, 1000});
+  v.field("angle", wrapped.angle, Need::kOptional, kLength);
+  v.field("height", wrapped.height, Need::kRequired, kLength);
+  v.field("anchor", wrapped.anchor, Need::kOptional, kLength);
+  v.field("slope", wrapped.slope, Need::kOptional, Range{-0.99, 0.99});
+}
+
+template <typename Visitor>
+void describe(Visitor& v, ProjectPlacement& placement) {
+  v.field("rigid", placement.rigid);
+  v.field("wrapped", placement.wrapped);
+  v.exactly_one("rigid", "wrapped");
+}
+
+template <typename Visitor>
+void describe(Visitor& v, ProjectPiece& piece) {
+  v.field("id", piece.id, Need::kRequired);
+  v.field("from", piece.from);
+  v.field("outline", piece.outline, Need::kOptional, kSome);
+  v.exactly_one("from", "outline");
+  v.field("holes", piece.holes, Need::kOptional, kMany);
+  v.field("edge_names", piece.edge_names);
+  v.field("grain", piece.grain, Need::kOptional, kLength);
+  v.field("fabric", piece.fabric, Need::kRequired);
+  v.field("placement", piece.placement, Need::kRequired);
+}
+
+template <typename Visitor>
+void describe(Visitor& v, ProjectFabric& fabric) {
+  v.field("id", fabric.id, Need::kRequired);
+  v.field("name", fabric.name);
+  v.field("areal_mass_g_m2", fabric.areal_mass_g_m2, Need::kRequired, Range{1, 10000});
+  v.field("stretch_warp_n_m", fabric.stretch_warp_n_m, Need::kRequired, kStiffness);
+  v.field("stretch_weft_n_m", fabric.stretch_weft_n_m, Need::kRequired, kStiffness);
+  v.field("stretch_coupling_n_m", fabric.stretch_coupling_n_m, Need::kOptional, Range{-1e6, 1e6});
+  v.field("stretch_shear_n_m", fabric.stretch_shear_n_m, Need::kRequired, kStiffness);
+  v.field("bend_warp_un_m", fabric.bend_warp_un_m, Need::kRequired, Range{0, 1e6});
+  v.field("bend_weft_un_m", fabric.bend_weft_un_m, Need::kRequired, Range{0, 1e6});
+  v.field("bend_bias_un_m", fabric.bend_bias_un_m, Need::kRequired, Range{0, 1e6});
+  v.field("thickness_mm", fabric.thickness_mm, Need::kRequired, Range{0.01, 50});
+  v.field("friction", fabric.friction, Need::kOptional, kFriction);
+  v.field("colour", fabric.colour, Need::kOptional, Range{0, 1});
+}
+
+template <typename Visitor>
+void describe(Visitor& v, ProjectSeamEdge& edge) {
+  v.field("piece", edge.piece, Need::kRequired);
+  v.field("edge", edge.edge, Need::kRequired);
+  v.field("reversed", edge.reversed);
+}
+
+template <typename Visitor>
+void describe(Visitor& v, ProjectSeam& seam) {
+  v.field("id", seam.id, Need::kRequired);
+  v.field("a", seam.a, Need::kRequired, kSome);
+  v.field("b", seam.b, Need::kRequired, kSome);
+  v.field("same_direction", seam.same_direction);
+}
+
+template <typename Visitor>
+void describe(Visitor& v, ProjectMannequin& mannequin) {
+  v.field("height_cm", mannequin.height_cm, Need::kOptional, Range{120, 220});
+  v.field("bust_cm", mannequin.bust_cm, Need::kOptional, Range{30, 250});
+  v.field("waist_cm", mannequin.waist_cm, Need::kOptional, Range{30, 250});
+  v.field("hip_cm", mannequin.hip_cm, Need::kOptional, Range{30, 250});
+  v.field("triangles", mannequin.triangles, Need::kOptional, Range{1000, 60000});
+}
+
+template <typename Visitor>
+void describe(Visitor& v, ProjectBody& body) {
+  v.field("id", body.id, Need::kRequired);
+  v.field("file", body.file);
+  v.choice("unit", body.unit, {"m", "cm", "mm"});
+  v.choice("up", body.up, {"y", "z"});
+  v.field("mannequin", body.mannequin);
+  v.exactly_one("file", "mannequin");
+  v.field("friction", body.friction, Need::kOptional, kFriction);
+  v.field("skin_offset_mm", body.skin_offset_mm, Need::kOptional, Range{0, 100});
+  v.field("translation", body.translation, Need::kOptional, kLength);
+  v.field("rotation", body.rotation, Need::kOptional, kLength);
+  v.field("scale", body.scale, Need::kOptional, Range{1e-4, 1e4});
+}
+
+template <typename Visitor>
+void describe(Visitor& v, ProjectAttachment& attachment) {
+  v.field("id", attachment.id);
+  v.field("piece", attachment.piece, Need::kRequired);
+  v.field("edges", attachment.edges, Need::kOptional, kMany);
+  v.choice("hold", attachment.hold, {"height", "place"});
+  v.field("release_after_s", attachment.release_after_s, Need::kOptional, Range{-1, 3600});
+}
+
+template <typename Visitor>
+void describe(Visitor& v, ProjectSettings& settings) {
+  v.field("particle_distance_mm", settings.particle_distance_mm, Need::kOptional, Range{0.5, 1000});
+  v.field("time_step_s", settings.time_step_s, Need::kOptional, Range{1e-6, 0.1});
+  v.field("gravity", settings.gravity, Need::kOptional, Range{0, 1000});
+  v.field("sew_time_s", settings.sew_time_s, Need::kOptional, Range{0, 600});
+  v.field("settle_speed_mm_s", settings.settle_speed_mm_s, Need::kOptional, Range{0.001, 1e5});
+  v.field("max_time_s", settings.max_time_s, Need::kOptional, Range{0, 3600});
+  v.field("frame_interval_steps", settings.frame_interval_steps, Need::kOptional, Range{1, 1e6});
+}
+
+template <typename Visitor>
+void describe(Visitor& v, Project& project) {
+  v.field("toile", project.toile, Need::kRequired, Range{1, 1});
+  v.field("name", project.name);
+  v.field("pieces", project.pieces, Need::kRequired, kSome);
+  v.field("fabrics", project.fabrics, Need::kRequired, kSome);
+  v.field("seams", project.seams, Need::kOptional, kMany);
+  v.field("bodies", project.bodies, Need::kOptional, kMany);
+  v.field("attachments", project.attachments, Need::kOptional, kMany);
+  v.field("settings", project.settings);
+}
+
+}  // namespace toile

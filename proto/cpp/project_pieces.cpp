@@ -1,0 +1,162 @@
+#include "proto/cpp/project_pieces.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "core/pattern/curve.h"
+#include "core/pattern/dxf_read.h"
+#include "core/pattern/outline.h"
+#include "core/pattern/validate.h"
+#include "proto/cpp/json_codec.h"
+#include "proto/cpp/names.h"
+
+namespace toile {
+namespace {
+
+/// Drawings already read, by file name and unit.
+using Drawings = std::map<std::pair<std::string, std::string>, DxfDrawing>;
+
+std::optional<double> mm_per_unit(const std::string& unit) {
+  if (unit == "mm") return 1;
+  if (unit == "cm") return 10;
+  if (unit == "inch") return 25.4;
+  return std::nullopt;
+}
+
+Result<DxfDrawing> read_drawing(const ProjectDxf& from, const ProjectFiles& files) {
+  if (Status name = check_file_name(from.dxf); !name) return name.error();
+  Result<std::string> text = files.dxf_text(from.dxf);
+  if (!text) return text.error();
+  DxfSettings settings;
+  settings.mm_per_unit = mm_per_unit(from.units);
+  Result<DxfDrawing> drawing = read_dxf(*text, settings);
+  if (!drawing) return error_at(clipped(from.dxf), drawing.error());
+  return drawing;
+}
+
+Result<Panel> panel_from_file(const ProjectDxf& from, const ProjectFiles& files, Drawings& drawings,
+                              const std::string& where) {
+  const auto key = std::pair{from.dxf, from.units};
+  if (!drawings.contains(key)) {
+    Result<DxfDrawing> read = read_drawing(from, files);
+    if (!read) return error_at(pointer_to(where, "dxf"), read.error());
+    drawings.emplace(key, std::move(*read));
+  }
+  std::vector<std::string> names;
+  for (const DxfPiece& piece : drawings.at(key).pieces) {
+    if (piece.name == from.piece) {
+      Result<Panel> panel = panel_from_piece(piece, from.corners);
+      if (!panel) return error_at(where, panel.error());
+      if (piece.grain) panel->grain = *piece.grain;
+      return panel;
+    }
+    names.push_back(piece.name);
+  }
+  return Error{
+      "project.unknown_piece",
+      in_quotes(from.dxf) + " has no piece " + in_quotes(from.piece) + "; " + advice(from.piece, names),
+      pointer_to(where, "piece")};
+}
+
+Result<PanelEdge> edge_of(const ProjectEdge& given) {
+  if (!given.points.empty()) return edge_from_points(given.id, given.points);
+  PanelEdge edge;
+  edge.id = given.id;
+  for (const auto& [p0, p1, p2, p3] : given.curves) edge.curves.push_back({p0, p1, p2, p3});
+  return edge;
+}
+
+Result<Loop> loop_of(const std::vector<ProjectEdge>& given, const std::string& where) {
+  std::vector<PanelEdge> edges;
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    Result<PanelEdge> edge = edge_of(given[i]);
+    if (!edge) return error_at(pointer_to(where, i), edge.error());
+    edges.push_back(std::move(*edge));
+  }
+  Result<Loop> loop = loop_from_edges(std::move(edges));
+  if (!loop) return error_at(where, loop.error());
+  return loop;
+}
+
+Result<Panel> inline_panel(const ProjectPiece& piece, const std::string& where) {
+  Result<Loop> outline = loop_of(piece.outline, pointer_to(where, "outline"));
+  if (!outline) return outline.error();
+  Panel panel;
+  panel.outline = std::move(*outline);
+  for (std::size_t i = 0; i < piece.holes.size(); ++i) {
+    Result<Loop> hole = loop_of(piece.holes[i], pointer_to(pointer_to(where, "holes"), i));
+    if (!hole) return hole.error();
+    panel.holes.push_back(reversed(*hole));  // loops come counter-clockwise, holes run clockwise
+  }
+  return panel;
+}
+
+/// Gives edges the document's names for them.
+Status rename_edges(const ProjectPiece& piece, Panel& panel, const std::string& where) {
+  std::vector<PanelEdge*> edges;
+  std::vector<std::string> ids;  // before any renaming, so that names may be swapped
+  const auto add = [&](Loop& loop) {
+    for (PanelEdge& edge : loop.edges) {
+      edges.push_back(&edge);
+      ids.push_back(edge.id);
+    }
+  };
+  add(panel.outline);
+  for (Loop& hole : panel.holes) add(hole);
+  for (const auto& [from, to] : piece.edge_names) {
+    const auto found = std::find(ids.begin(), ids.end(), from);
+    if (found == ids.end()) {
+      return Error{"project.unknown_edge",
+                   "the piece has no edge " + in_quotes(from) + "; " + advice(from, ids),
+                   pointer_to(pointer_to(where, "edge_names"), from)};
+    }
+    edges[static_cast<std::size_t>(found - ids.begin())]->id = to;
+  }
+  return {};
+}
+
+Status set_grain(const ProjectPiece& piece, Panel& panel, const std::string& where) {
+  if (!piece.grain) return {};
+  panel.grain = normalized(*piece.grain);
+  if (length(*piece.grain) > 0) return {};
+  return Error{"project.out_of_range", "the grain must have a direction", pointer_to(where, "grain")};
+}
+
+Result<Panel> panel_of(const ProjectPiece& piece, const ProjectFiles& files, Drawings& drawings,
+                       const std::string& where) {
+  if (piece.from && !piece.holes.empty()) {
+    return Error{"project.two_ways", "the holes of a piece from a file stand in the file",
+                 pointer_to(where, "holes")};
+  }
+  Result<Panel> panel = piece.from ? panel_from_file(*piece.from, files, drawings, pointer_to(where, "from"))
+                                   : inline_panel(piece, where);
+  if (!panel) return panel;
+  panel->id = piece.id;
+  panel->fabric = piece.fabric;
+  if (Status renamed = rename_edges(piece, *panel, where); !renamed) return renamed.error();
+  if (Status grain = set_grain(piece, *panel, where); !grain) return grain.error();
+  if (Status valid = validate(*panel); !valid) return error_at(where, valid.error());
+  return panel;
+}
+
+}  // namespace
+
+Error error_at(const std::string& pointer, Error error) {
+  error.where = error.where.empty() ? pointer : pointer + ": " + error.where;
+  return error;
+}
+
+Result<std::vector<Panel>> panels_of(const std::vector<ProjectPiece>& pieces, const ProjectFiles& files) {
+  Drawings drawings;
+  std::vector<Panel> panels;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    Result<Panel> panel = panel_of(pieces[i], files, drawings, pointer_to("/pieces", i));
+    if (!panel) return panel.error();
+    panels.push_back(std::move(*panel));
+  }
+  return panels;
+}
+
+}  // namespace toile

@@ -1,0 +1,21 @@
+#pragma once
+// The pieces of a project document as panels: outlines from DXF files or from the document itself.
+
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/pattern/pattern.h"
+#include "proto/cpp/project.h"
+#include "proto/cpp/project_resolve.h"
+
+namespace toile {
+
+/// `error` with its place behind the JSON pointer of what led to it.
+Error error_at(const std::string& pointer, Error error);
+
+/// One panel per piece, in their order. Each file is opened once, however many pieces it holds. Errors:
+/// project.unknown_piece (in the file), project.unknown_edge (in edge_names), project.path, dxf.*, pattern.*.
+Result<std::vector<Panel>> panels_of(const std::vector<ProjectPiece>& pieces, const ProjectFiles& files);
+
+}  // namespace toile

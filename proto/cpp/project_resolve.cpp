@@ -1,0 +1,320 @@
+#include "proto/cpp/project_resolve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "core/base/units.h"
+#include "core/body/mannequin.h"
+#include "core/pattern/validate.h"
+#include "proto/cpp/json_codec.h"
+#include "proto/cpp/names.h"
+#include "proto/cpp/project_pieces.h"
+
+namespace toile {
+namespace {
+
+template <typename T>
+std::vector<std::string> ids_of(const std::vector<T>& things) {
+  std::vector<std::string> ids;
+  for (const T& thing : things) ids.push_back(thing.id);
+  return ids;
+}
+
+/// The first id that stands twice, as an error at the later place. An empty id stands for none.
+Status check_unique(const std::vector<std::string>& ids, const std::string& list) {
+  std::vector<std::pair<std::string_view, std::size_t>> sorted;
+  for (std::size_t i = 0; i < ids.size(); ++i) sorted.emplace_back(ids[i], i);
+  std::sort(sorted.begin(), sorted.end());
+  for (std::size_t i = 1; i < sorted.size(); ++i) {
+    if (sorted[i].first.empty() || sorted[i].first != sorted[i - 1].first) continue;
+    return Error{"project.duplicate_id",
+                 "the id " + in_quotes(sorted[i].first) + " stands twice in this list",
+                 pointer_to(pointer_to(list, sorted[i].second), "id")};
+  }
+  return {};
+}
+
+Status check_ids(const Project& project) {
+  for (const auto& [ids, list] :
+       {std::pair{ids_of(project.pieces), "/pieces"}, std::pair{ids_of(project.fabrics), "/fabrics"},
+        std::pair{ids_of(project.seams), "/seams"}, std::pair{ids_of(project.bodies), "/bodies"},
+        std::pair{ids_of(project.attachments), "/attachments"}}) {
+    if (Status unique = check_unique(ids, list); !unique) return unique;
+  }
+  return {};
+}
+
+/// Index of `name`, or an error of `code` that says which names there are.
+Result<Index> index_of(const std::string& name, const std::vector<std::string>& names, const char* thing,
+                       const std::string& where) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found != names.end()) return static_cast<Index>(found - names.begin());
+  return Error{std::string("project.unknown_") + thing,
+               std::string("there is no ") + thing + " " + in_quotes(name) + "; " + advice(name, names),
+               where};
+}
+
+Vec3 radians(Vec3 degrees) {
+  return {radians_from_degrees(degrees.x), radians_from_degrees(degrees.y), radians_from_degrees(degrees.z)};
+}
+
+Placement placement_of(const ProjectPlacement& placement) {
+  if (placement.rigid) {
+    return RigidPlacement{placement.rigid->translation, radians(placement.rigid->rotation),
+                          placement.rigid->flipped};
+  }
+  const ProjectWrapped& given = *placement.wrapped;
+  WrappedPlacement wrapped;
+  wrapped.axis = {given.axis.x, 0, given.axis.y};
+  wrapped.radius = given.radius;
+  wrapped.angle = radians_from_degrees(given.angle);
+  wrapped.height = given.height;
+  wrapped.anchor = {metres_from_mm(given.anchor.x), metres_from_mm(given.anchor.y)};
+  wrapped.slope = given.slope;
+  return wrapped;
+}
+
+Result<Fabric> fabric_of(const ProjectFabric& given, const std::string& where) {
+  // A negative eigenvalue of the stiffness would let the cloth gain energy by stretching.
+  if (given.stretch_coupling_n_m * given.stretch_coupling_n_m >=
+      given.stretch_warp_n_m * given.stretch_weft_n_m) {
+    return Error{"project.unstable_fabric",
+                 "stretch_coupling_n_m must be less than the root of stretch_warp_n_m times stretch_weft_n_m",
+                 pointer_to(where, "stretch_coupling_n_m")};
+  }
+  constexpr double kKilograms = 1e-3, kNewtonMetres = 1e-6;
+  Fabric fabric;
+  fabric.id = given.id;
+  fabric.name = given.name;
+  fabric.areal_mass = given.areal_mass_g_m2 * kKilograms;
+  fabric.stretch_warp = given.stretch_warp_n_m;
+  fabric.stretch_weft = given.stretch_weft_n_m;
+  fabric.stretch_coupling = given.stretch_coupling_n_m;
+  fabric.stretch_shear = given.stretch_shear_n_m;
+  fabric.bend_warp = given.bend_warp_un_m * kNewtonMetres;
+  fabric.bend_weft = given.bend_weft_un_m * kNewtonMetres;
+  fabric.bend_bias = given.bend_bias_un_m * kNewtonMetres;
+  fabric.thickness = metres_from_mm(given.thickness_mm);
+  fabric.friction = given.friction;
+  std::copy(given.colour.begin(), given.colour.end(), fabric.colour);
+  return fabric;
+}
+
+DrapeSettings settings_of(const ProjectSettings& given) {
+  DrapeSettings settings;
+  settings.particle_distance = metres_from_mm(given.particle_distance_mm);
+  settings.time_step = given.time_step_s;
+  settings.gravity = given.gravity;
+  settings.sew_time = given.sew_time_s;
+  settings.settle_speed = metres_from_mm(given.settle_speed_mm_s);
+  settings.max_time = given.max_time_s;
+  settings.frame_interval = given.frame_interval_steps;
+  return settings;
+}
+
+/// `p` turned about the fixed axes x, then y, then z.
+Vec3 turned(Vec3 p, Vec3 angles) {
+  const auto turn = [](double& a, double& b, double angle) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    const double first = c * a - s * b;
+    b = s * a + c * b;
+    a = first;
+  };
+  turn(p.y, p.z, angles.x);
+  turn(p.z, p.x, angles.y);
+  turn(p.x, p.y, angles.z);
+  return p;
+}
+
+Result<TriangleMesh> mannequin_of(const ProjectMannequin& given) {
+  constexpr double kMetres = 1e-2;
+  MannequinSettings settings;
+  settings.height = given.height_cm * kMetres;
+  settings.bust = given.bust_cm * kMetres;
+  settings.waist = given.waist_cm * kMetres;
+  settings.hip = given.hip_cm * kMetres;
+  settings.triangle_count = given.triangles;
+  return make_mannequin(settings);
+}
+
+MeshSettings mesh_settings(const ProjectBody& given) {
+  MeshSettings settings;
+  if (given.unit == "m") settings.unit_in_m = 1;
+  if (given.unit == "cm") settings.unit_in_m = 1e-2;
+  if (given.unit == "mm") settings.unit_in_m = 1e-3;
+  settings.z_up = given.up == "z";
+  return settings;
+}
+
+Result<TriangleMesh> mesh_of(const ProjectBody& given, const ProjectFiles& files, const std::string& where) {
+  if (given.mannequin) {
+    Result<TriangleMesh> mesh = mannequin_of(*given.mannequin);
+    if (!mesh) return error_at(pointer_to(where, "mannequin"), mesh.error());
+    return mesh;
+  }
+  const std::string place = pointer_to(where, "file");
+  if (Status name = check_file_name(given.file); !name) return error_at(place, name.error());
+  Result<TriangleMesh> mesh = files.body_mesh(given.file, mesh_settings(given));
+  if (!mesh) return error_at(place, mesh.error());
+  return mesh;
+}
+
+Result<Body> body_of(const ProjectBody& given, const ProjectFiles& files, const std::string& where) {
+  Result<TriangleMesh> mesh = mesh_of(given, files, where);
+  if (!mesh) return mesh.error();
+  Body body;
+  body.id = given.id;
+  body.mesh = std::move(*mesh);
+  body.friction = given.friction;
+  body.skin_offset = metres_from_mm(given.skin_offset_mm);
+  const Vec3 angles = radians(given.rotation);
+  for (Vec3& p : body.mesh.vertices) p = turned(p * given.scale, angles) + given.translation;
+  return body;
+}
+
+/// Looks up pieces and edges by name.
+class Names {
+ public:
+  explicit Names(const Pattern& pattern) : panels_(ids_of(pattern.panels)) {
+    for (const Panel& panel : pattern.panels) {
+      std::vector<std::string>& ids = edges_.emplace_back();
+      for (const PanelEdge* edge : edges_of(panel)) ids.push_back(edge->id);
+    }
+  }
+
+  Result<Index> panel(const std::string& name, const std::string& where) const {
+    return index_of(name, panels_, "piece", where);
+  }
+  Result<Index> edge(Index panel, const std::string& name, const std::string& where) const {
+    Result<Index> found = index_of(name, edges_[static_cast<std::size_t>(panel)], "edge", where);
+    if (found) return found;
+    Error error = found.error();
+    error.message =
+        "piece " + in_quotes(panels_[static_cast<std::size_t>(panel)]) + ": " + std::move(error.message);
+    return error;
+  }
+
+ private:
+  std::vector<std::string> panels_;
+  std::vector<std::vector<std::string>> edges_;  // of each panel, as SeamEdge::edge counts
+};
+
+Result<std::vector<SeamEdge>> series_of(const std::vector<ProjectSeamEdge>& given, const Names& names,
+                                        const std::string& where) {
+  std::vector<SeamEdge> series;
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    const std::string place = pointer_to(where, i);
+    const Result<Index> panel = names.panel(given[i].piece, pointer_to(place, "piece"));
+    if (!panel) return panel.error();
+    const Result<Index> edge = names.edge(*panel, given[i].edge, pointer_to(place, "edge"));
+    if (!edge) return edge.error();
+    series.push_back({*panel, *edge, given[i].reversed});
+  }
+  return series;
+}
+
+Result<Seam> seam_of(const ProjectSeam& given, const Names& names, const std::string& where) {
+  Result<std::vector<SeamEdge>> a = series_of(given.a, names, pointer_to(where, "a"));
+  if (!a) return a.error();
+  Result<std::vector<SeamEdge>> b = series_of(given.b, names, pointer_to(where, "b"));
+  if (!b) return b.error();
+  return Seam{given.id, std::move(*a), std::move(*b), given.same_direction};
+}
+
+Result<Attachment> attachment_of(const ProjectAttachment& given, const Names& names,
+                                 const std::string& where) {
+  const Result<Index> panel = names.panel(given.piece, pointer_to(where, "piece"));
+  if (!panel) return panel.error();
+  Attachment attachment;
+  attachment.id = given.id;
+  attachment.panel = *panel;
+  for (std::size_t i = 0; i < given.edges.size(); ++i) {
+    const Result<Index> edge = names.edge(*panel, given.edges[i], pointer_to(pointer_to(where, "edges"), i));
+    if (!edge) return edge.error();
+    attachment.edges.push_back(*edge);
+  }
+  attachment.hold = given.hold == "place" ? Attachment::Hold::kPlace : Attachment::Hold::kHeight;
+  attachment.release_after = given.release_after_s;
+  return attachment;
+}
+
+/// Appends make(thing, pointer of the thing) for each of `things`; stops at the first error.
+template <typename Given, typename Made, typename Make>
+Status make_all(const std::vector<Given>& things, const std::string& list, std::vector<Made>& made,
+                Make make) {
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    auto result = make(things[i], pointer_to(list, i));
+    if (!result) return result.error();
+    made.push_back(std::move(*result));
+  }
+  return {};
+}
+
+}  // namespace
+
+Status check_file_name(const std::string& name) {
+  const auto refused = [&](const char* reason) {
+    return Error{"project.path", "the file name " + in_quotes(name) + " " + reason, ""};
+  };
+  if (name.empty()) return refused("is empty");
+  if (std::any_of(name.begin(), name.end(), [](char c) { return c >= 0 && c < 0x20; })) {
+    return refused("has a control character in it");
+  }
+  if (name.find('\\') != std::string::npos) return refused("has a \\ in it; write / between folders");
+  if (name.front() == '/' || (name.size() > 1 && name[1] == ':')) {
+    return refused("is absolute; a document names files in its own folder or below");
+  }
+  const std::filesystem::path path(name);
+  for (const std::filesystem::path& part : path) {
+    if (part == "..") return refused("leaves the document's folder");
+  }
+  return {};
+}
+
+Result<DrapeInput> resolve_project(const Project& project, const ProjectFiles& files) {
+  if (Status unique = check_ids(project); !unique) return unique.error();
+  DrapeInput input;
+  input.name = project.name;
+  input.settings = settings_of(project.settings);
+
+  const std::vector<std::string> fabrics = ids_of(project.fabrics);
+  for (std::size_t i = 0; i < project.pieces.size(); ++i) {
+    const ProjectPiece& piece = project.pieces[i];
+    const Result<Index> fabric =
+        index_of(piece.fabric, fabrics, "fabric", pointer_to(pointer_to("/pieces", i), "fabric"));
+    if (!fabric) return fabric.error();
+    input.fabric_of_panel.push_back(*fabric);
+    input.placements.push_back(placement_of(piece.placement));
+  }
+  if (Status made = make_all(project.fabrics, "/fabrics", input.fabrics, fabric_of); !made)
+    return made.error();
+
+  Result<std::vector<Panel>> panels = panels_of(project.pieces, files);
+  if (!panels) return panels.error();
+  input.pattern.panels = std::move(*panels);
+  const Names names(input.pattern);
+  const auto seam = [&](const ProjectSeam& given, const std::string& at) {
+    return seam_of(given, names, at);
+  };
+  if (Status made = make_all(project.seams, "/seams", input.pattern.seams, seam); !made) return made.error();
+  if (Status valid = validate(input.pattern); !valid) {
+    return error_at("/seams", valid.error());  // each piece by itself has been found valid
+  }
+
+  const auto hold = [&](const ProjectAttachment& given, const std::string& at) {
+    return attachment_of(given, names, at);
+  };
+  if (Status made = make_all(project.attachments, "/attachments", input.attachments, hold); !made) {
+    return made.error();
+  }
+  const auto body = [&](const ProjectBody& given, const std::string& at) {
+    return body_of(given, files, at);
+  };
+  if (Status made = make_all(project.bodies, "/bodies", input.bodies, body); !made) return made.error();
+  return input;
+}
+
+}  // namespace toile

@@ -1,0 +1,42 @@
+#pragma once
+// Project document → DrapeInput: files are opened, names become indices, units become the core's.
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "core/base/result.h"
+#include "core/body/load_mesh.h"
+#include "core/drape/drape_input.h"
+#include "proto/cpp/project.h"
+
+namespace toile {
+
+/// Where the files that a document names come from: a folder, a store, a test. Names have passed
+/// check_file_name.
+struct ProjectFiles {
+  /// The DXF file's bytes.
+  std::function<Result<std::string>(const std::string& name)> dxf_text;
+  /// The mesh in metres, y up.
+  std::function<Result<TriangleMesh>(const std::string& name, const MeshSettings& settings)> body_mesh;
+};
+
+/// A name that stays inside its folder: relative, without "..", without "\". Error: project.path.
+Status check_file_name(const std::string& name);
+
+/// Errors: project.duplicate_id, project.unknown_piece, project.unknown_edge, project.unknown_fabric,
+/// project.unstable_fabric, project.path and whatever the files give; dxf.* and pattern.* where a piece
+/// cannot be cut. `where` begins with the JSON pointer of the place.
+Result<DrapeInput> resolve_project(const Project& project, const ProjectFiles& files);
+
+/// The files of a folder. Errors of its functions: project.file (not there, not readable),
+/// project.too_large, body.*.
+ProjectFiles files_in(const std::filesystem::path& folder);
+
+/// A document's bytes from disk. Errors: project.file, json.too_large.
+Result<std::string> read_project_text(const std::filesystem::path& path);
+
+/// Reads a document and the files beside it. Errors: json.*, project.* and those of resolve_project.
+Result<DrapeInput> read_project(const std::filesystem::path& path);
+
+}  // namespace toile

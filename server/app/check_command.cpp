@@ -1,0 +1,128 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <span>
+
+#include "core/base/units.h"
+#include "core/pattern/curve.h"
+#include "proto/cpp/json_codec.h"
+#include "proto/cpp/project_resolve.h"
+#include "server/app/commands.h"
+#include "server/app/console.h"
+
+namespace toile {
+namespace {
+
+struct Size {
+  double width = 0, height = 0;
+};
+
+Size size_of(const Panel& panel) {
+  constexpr double kTolerance = 0.1;  // mm
+  const std::vector<Vec2> outline = flatten(panel.outline, kTolerance);
+  Vec2 low = outline.front(), high = low;
+  for (const Vec2 p : outline) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  return {high.x - low.x, high.y - low.y};
+}
+
+double area_cm2(const Panel& panel) {
+  double area = signed_area(panel.outline);
+  for (const Loop& hole : panel.holes) area -= std::abs(signed_area(hole));
+  return area * 1e-2;
+}
+
+double series_length(const Pattern& pattern, const std::vector<SeamEdge>& series) {
+  double sum = 0;
+  for (const SeamEdge& edge : series) {
+    const Panel& panel = pattern.panels[static_cast<std::size_t>(edge.panel)];
+    sum += arc_length(*edges_of(panel)[static_cast<std::size_t>(edge.edge)]);
+  }
+  return sum;
+}
+
+double body_height(const Body& body) {
+  const auto [low, high] = std::minmax_element(body.mesh.vertices.begin(), body.mesh.vertices.end(),
+                                               [](Vec3 a, Vec3 b) { return a.y < b.y; });
+  return body.mesh.vertices.empty() ? 0 : high->y - low->y;
+}
+
+double rounded(double value) { return std::round(value * 100) / 100; }
+
+JsonValue piece_json(const Panel& panel) {
+  std::vector<JsonValue> edges;
+  for (const PanelEdge* edge : edges_of(panel)) {
+    edges.push_back(std::vector<JsonMember>{{"id", edge->id}, {"length_mm", rounded(arc_length(*edge))}});
+  }
+  const Size size = size_of(panel);
+  return std::vector<JsonMember>{{"id", panel.id},
+                                 {"width_mm", rounded(size.width)},
+                                 {"height_mm", rounded(size.height)},
+                                 {"area_cm2", rounded(area_cm2(panel))},
+                                 {"edges", edges}};
+}
+
+JsonValue project_json(const DrapeInput& input) {
+  std::vector<JsonValue> pieces, seams, bodies;
+  for (const Panel& panel : input.pattern.panels) pieces.push_back(piece_json(panel));
+  for (const Seam& seam : input.pattern.seams) {
+    seams.push_back(std::vector<JsonMember>{{"id", seam.id},
+                                            {"length_a_mm", rounded(series_length(input.pattern, seam.a))},
+                                            {"length_b_mm", rounded(series_length(input.pattern, seam.b))}});
+  }
+  for (const Body& body : input.bodies) {
+    bodies.push_back(std::vector<JsonMember>{{"id", body.id},
+                                             {"triangles", static_cast<double>(body.mesh.triangles.size())},
+                                             {"height_m", rounded(body_height(body))}});
+  }
+  return std::vector<JsonMember>{
+      {"name", input.name}, {"pieces", pieces}, {"seams", seams}, {"bodies", bodies}};
+}
+
+void print_piece(const Panel& panel, const std::string& fabric) {
+  const Size size = size_of(panel);
+  std::printf("piece %s: %s x %s mm, %s cm2, %s\n", panel.id.c_str(), fixed(size.width, 1).c_str(),
+              fixed(size.height, 1).c_str(), fixed(area_cm2(panel), 0).c_str(), fabric.c_str());
+  std::string edges;
+  for (const PanelEdge* edge : edges_of(panel)) {
+    edges += (edges.empty() ? "" : ", ") + edge->id + " " + fixed(arc_length(*edge), 1);
+  }
+  std::printf("  edges (mm): %s\n", edges.c_str());
+}
+
+void print_seam(const Pattern& pattern, const Seam& seam) {
+  const double a = series_length(pattern, seam.a), b = series_length(pattern, seam.b);
+  std::printf("seam %s: %s mm to %s mm", seam.id.c_str(), fixed(a, 1).c_str(), fixed(b, 1).c_str());
+  if (std::abs(a - b) >= 0.05) std::printf(", %s mm eased in", fixed(std::abs(a - b), 1).c_str());
+  std::printf("\n");
+}
+
+void print_project(const DrapeInput& input) {
+  if (!input.name.empty()) std::printf("%s\n", input.name.c_str());
+  for (std::size_t i = 0; i < input.pattern.panels.size(); ++i) {
+    const Fabric& fabric = input.fabrics[static_cast<std::size_t>(input.fabric_of_panel[i])];
+    print_piece(input.pattern.panels[i], fabric.name.empty() ? fabric.id : fabric.name);
+  }
+  for (const Seam& seam : input.pattern.seams) print_seam(input.pattern, seam);
+  for (const Body& body : input.bodies) {
+    std::printf("body %s: %zu triangles, %s m high\n", body.id.c_str(), body.mesh.triangles.size(),
+                fixed(body_height(body), 2).c_str());
+  }
+}
+
+}  // namespace
+
+ExitCode check_command(const CheckOptions& options) {
+  const Result<DrapeInput> input = read_project(options.project);
+  if (!input) return fail(input.error(), options.json);
+  if (options.json) {
+    std::printf("%s", write_json(project_json(*input)).c_str());
+  } else {
+    print_project(*input);
+  }
+  return kDone;
+}
+
+}  // namespace toile

@@ -1,0 +1,40 @@
+#pragma once
+// The program's verbs. Each takes what the command line said, does its work, prints, and returns an exit
+// code.
+
+#include <string>
+
+#include "server/app/exit_code.h"
+
+namespace toile {
+
+struct DrapeOptions {
+  std::string project;  ///< path of the document
+  std::string out;      ///< folder for the results
+  bool check_data = false;
+  std::string trace;    ///< path; empty: no trace
+  int trace_every = 1;  ///< frames
+  bool json = false;
+  bool stills = true;
+  int width = 1024, height = 1280;  ///< of the stills, pixels
+};
+
+ExitCode drape_command(const DrapeOptions& options);
+
+struct CheckOptions {
+  std::string project;
+  bool json = false;
+};
+
+ExitCode check_command(const CheckOptions& options);
+
+struct BodyOptions {
+  std::string out;  ///< path of an .obj
+  double height_cm = 170, bust_cm = 90, waist_cm = 72, hip_cm = 96;
+  int triangles = 3300;
+  bool json = false;
+};
+
+ExitCode body_command(const BodyOptions& options);
+
+}  // namespace toile

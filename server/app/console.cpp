@@ -1,0 +1,41 @@
+#include "server/app/console.h"
+
+#include <array>
+#include <cstdio>
+
+#include "proto/cpp/json_codec.h"
+#include "proto/cpp/names.h"
+
+namespace toile {
+
+void print_error(const Error& error, bool json) {
+  std::string line;
+  if (json) {
+    const std::vector<JsonMember> parts{
+        {"code", error.code}, {"message", error.message}, {"where", error.where}};
+    line = write_json_line(std::vector<JsonMember>{{"error", parts}});
+  } else {
+    line = "toile: " + clipped(to_string(error), 2000);
+  }
+  std::fprintf(stderr, "%s\n", line.c_str());
+}
+
+ExitCode exit_code_of(const Error& error) {
+  for (const char* prefix : {"internal", "render.", "export."}) {
+    if (error.code.starts_with(prefix)) return kInternal;
+  }
+  return kBadInput;
+}
+
+ExitCode fail(const Error& error, bool json) {
+  print_error(error, json);
+  return exit_code_of(error);
+}
+
+std::string fixed(double value, int decimals) {
+  std::array<char, 64> buffer;
+  std::snprintf(buffer.data(), buffer.size(), "%.*f", decimals, value);
+  return buffer.data();
+}
+
+}  // namespace toile

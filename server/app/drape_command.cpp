@@ -1,0 +1,138 @@
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <system_error>
+
+#include "core/analysis/report.h"
+#include "core/base/units.h"
+#include "core/drape/pipeline.h"
+#include "core/export/write_glb.h"
+#include "core/export/write_obj.h"
+#include "core/export/write_report.h"
+#include "proto/cpp/project_resolve.h"
+#include "proto/cpp/trace_file.h"
+#include "server/app/commands.h"
+#include "server/app/console.h"
+#include "server/app/interrupt.h"
+#include "server/app/progress_bar.h"
+#include "server/app/stills.h"
+
+namespace toile {
+namespace {
+
+namespace fs = std::filesystem;
+
+Status make_folder(const fs::path& folder) {
+  std::error_code failure;
+  fs::create_directories(folder, failure);
+  if (!failure && fs::is_directory(folder)) return {};
+  return Error{"usage.out",
+               "cannot make the folder for the results" + (failure ? ": " + failure.message() : ""),
+               folder.string()};
+}
+
+std::vector<std::string> panel_names(const Pattern& pattern) {
+  std::vector<std::string> names;
+  for (const Panel& panel : pattern.panels) names.push_back(panel.id);
+  return names;
+}
+
+/// The models: what other programs open.
+Status write_models(const DrapeInput& input, const DrapeResult& result, const DrapeOptions& options) {
+  const fs::path folder = options.out;
+  const GarmentMesh& garment = result.garment;
+  const std::vector<std::string> names = panel_names(input.pattern);
+  const Status objects = options.check_data
+                             ? write_check_data(folder, garment, result.positions, input.bodies)
+                             : write_obj(folder / "final.obj", result.positions, garment.triangles,
+                                         {.names = names, .panel_of_triangle = garment.panel_of_triangle});
+  if (!objects) return objects;
+  GlbModel model;
+  model.garment = &garment;
+  model.positions = result.positions;
+  model.panel_names = names;
+  model.fabrics = input.fabrics;
+  model.fabric_of_panel = input.fabric_of_panel;
+  model.bodies = input.bodies;
+  return write_glb(folder / "final.glb", model);
+}
+
+std::string percent(double ratio) { return fixed(100 * ratio, 2) + "%"; }
+
+void print_summary(const Report& report, const DrapeOptions& options) {
+  std::printf(
+      "%s: %s after %s s of simulated time (%d substeps, %s s by the clock, %s s of processor time)\n",
+      report.name.empty() ? "drape" : report.name.c_str(),
+      report.settled ? "settled" : ("not settled (" + report.stop_reason + ")").c_str(),
+      fixed(report.simulated_s, 2).c_str(), report.steps, fixed(report.wall_s, 1).c_str(),
+      fixed(report.cpu_s, 1).c_str());
+  std::printf("  cloth      %d particles (%d once sewn), %d triangles; bodies %d triangles\n",
+              report.particles, report.sewn_particles, report.triangles, report.body_triangles);
+  std::printf("  crossings  %d cloth-body, %d cloth-cloth; worst frame %d and %d\n",
+              report.intersections.cloth_body, report.intersections.cloth_cloth,
+              report.worst_frame.cloth_body, report.worst_frame.cloth_cloth);
+  std::printf("  seams      at most %s mm open\n", fixed(report.seam_gap_max_mm, 3).c_str());
+  std::printf("  strain     99th percentile: warp %s, weft %s, shear %s degrees\n",
+              percent(report.warp.p99).c_str(), percent(report.weft.p99).c_str(),
+              fixed(degrees_from_radians(report.shear.p99), 1).c_str());
+  std::printf("  speed      %s mm/s at most\n", fixed(mm_from_metres(report.max_speed), 2).c_str());
+  std::printf("  results    %s\n", options.out.c_str());
+}
+
+ExitCode exit_code_of(const DrapeResult& result) {
+  if (result.settled) return kDone;
+  return result.stop_reason == "cancelled" ? kCancelled : kUnsettled;
+}
+
+/// Writes what a drape leaves and prints its figures.
+Status deliver(const DrapeInput& input, const DrapeResult& result, const DrapeOptions& options) {
+  const Report report = make_report(input, result);
+  if (Status models = write_models(input, result, options); !models) return models;
+  if (Status written = write_report(fs::path(options.out) / "report.json", report); !written) return written;
+  if (options.stills && exit_code_of(result) != kCancelled) {
+    if (Status stills = write_stills(input, result, options.out, options.width, options.height); !stills) {
+      return stills;
+    }
+  }
+  if (options.json) {
+    std::printf("%s", report_json(report).c_str());
+  } else {
+    print_summary(report, options);
+  }
+  return {};
+}
+
+}  // namespace
+
+ExitCode drape_command(const DrapeOptions& options) {
+  const Result<DrapeInput> input = read_project(options.project);
+  if (!input) return fail(input.error(), options.json);
+  if (Status folder = make_folder(options.out); !folder) return fail(folder.error(), options.json);
+  std::unique_ptr<TraceWriter> trace;
+  if (!options.trace.empty()) {
+    Result<std::unique_ptr<TraceWriter>> opened = TraceWriter::open(options.trace, options.trace_every);
+    if (!opened) return fail(opened.error(), options.json);
+    trace = std::move(*opened);
+  }
+
+  ProgressBar bar;
+  RunContext context;
+  context.cancel = &cancel_on_interrupt();
+  context.on_progress = [&](const Progress& progress) { bar.show(progress); };
+  const Result<DrapeResult> result = drape(*input, context, trace.get());
+  bar.clear();
+  if (!result) return fail(result.error(), options.json);
+  if (trace) {
+    if (Status traced = trace->finish(); !traced) return fail(traced.error(), options.json);
+  }
+  if (result->positions.empty()) {  // cancelled before there was any cloth
+    print_error({"cancelled", "nothing was draped yet, and nothing is written", ""}, options.json);
+    return kCancelled;
+  }
+  if (Status delivered = deliver(*input, *result, options); !delivered) {
+    return fail(delivered.error(), options.json);
+  }
+  return exit_code_of(*result);
+}
+
+}  // namespace toile

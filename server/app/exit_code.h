@@ -1,0 +1,14 @@
+#pragma once
+
+namespace toile {
+
+/// What the program says by its exit code. `toile --help` lists them.
+enum ExitCode : int {
+  kDone = 0,       ///< done; a drape has settled
+  kInternal = 1,   ///< a fault of the program or of the machine
+  kBadInput = 2,   ///< wrong arguments, or a document or file that cannot be used
+  kUnsettled = 3,  ///< the drape ended before the cloth came to rest; its results are written
+  kCancelled = 4,  ///< interrupted from outside
+};
+
+}  // namespace toile

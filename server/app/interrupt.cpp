@@ -1,0 +1,26 @@
+#include "server/app/interrupt.h"
+
+#include <csignal>
+
+namespace toile {
+namespace {
+
+std::atomic<bool> cancelled{false};
+static_assert(std::atomic<bool>::is_always_lock_free);  // else a signal handler may not touch it
+
+void on_signal(int) { cancelled.store(true, std::memory_order_relaxed); }
+
+}  // namespace
+
+const std::atomic<bool>& cancel_on_interrupt() {
+  struct sigaction action {};
+  action.sa_handler = on_signal;
+  action.sa_flags =
+      static_cast<int>(SA_RESETHAND) | SA_RESTART;  // the second signal meets the default: the end
+  sigemptyset(&action.sa_mask);
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+  return cancelled;
+}
+
+}  // namespace toile

@@ -1,0 +1,142 @@
+// The command line: which verbs there are and what they take. The verbs themselves are in *_command.cpp.
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+
+#include "server/app/commands.h"
+#include "server/app/console.h"
+
+namespace toile {
+namespace {
+
+constexpr const char* kExitCodes =
+    "Exit codes: 0 done (a drape has settled), 1 internal error, 2 wrong arguments or bad input, 3 the "
+    "drape\n"
+    "ended before it settled (results are written), 4 cancelled. Errors go to stderr as\n"
+    "\"toile: code: message (where)\", with --json as {\"error\": {\"code\", \"message\", \"where\"}}.\n";
+
+struct Options {
+  DrapeOptions drape;
+  std::string size;
+  bool no_stills = false;
+  CheckOptions check;
+  BodyOptions body;
+};
+
+/// "1024x1280" into the stills' size; a message when it is none.
+std::string read_size(const std::string& text, DrapeOptions& options) {
+  int used = 0;
+  const bool whole = std::sscanf(text.c_str(), "%5dx%5d%n", &options.width, &options.height, &used) == 2 &&
+                     used == static_cast<int>(text.size());
+  const auto fits = [](int pixels) { return pixels >= 16 && pixels <= 4096; };
+  return whole && fits(options.width) && fits(options.height)
+             ? ""
+             : "a size is WIDTHxHEIGHT in pixels, 16 to 4096 each, e.g. 1024x1280";
+}
+
+CLI::App* add_drape(CLI::App& app, Options& options) {
+  CLI::App* verb = app.add_subcommand("drape", "Sew and drape a project; leave models, stills and a report");
+  verb->add_option("project", options.drape.project, "Project document (proto/schema/project.schema.json)")
+      ->required();
+  verb->add_option("-o,--out", options.drape.out, "Folder for the results; made when it is not there")
+      ->required();
+  verb->add_flag("--check-data", options.drape.check_data,
+                 "Also write rest.obj, body.obj and sewn.json for checks by other programs");
+  CLI::Option* trace = verb->add_option("--trace", options.drape.trace,
+                                        "Keep the drape's frames in this file (proto/trace.md)");
+  verb->add_option("--trace-every", options.drape.trace_every, "Keep every N-th frame only")
+      ->needs(trace)
+      ->check(CLI::Range(1, 1000000));
+  verb->add_flag("--json", options.drape.json,
+                 "Print the report as JSON on stdout, errors as JSON on stderr");
+  verb->add_flag("--no-stills", options.no_stills, "Draw no pictures");
+  verb->add_option("--size", options.size, "Size of the pictures in pixels, WIDTHxHEIGHT")
+      ->type_name("WxH")
+      ->check([&options](const std::string& text) { return read_size(text, options.drape); });
+  verb->footer(
+      std::string("Leaves report.json, final.obj, final.glb and front, back, side and three-quarter.png.\n"
+                  "Ctrl-C ends the drape and keeps what there is; a second one ends at once.\n\n"
+                  "Examples:\n"
+                  "  toile drape samples/skirt/project.json --out out/skirt\n"
+                  "  toile drape project.json --out out --json --no-stills\n"
+                  "  toile drape project.json --out out --trace out/frames.trace --trace-every 4\n\n") +
+      kExitCodes);
+  return verb;
+}
+
+CLI::App* add_check(CLI::App& app, Options& options) {
+  CLI::App* verb =
+      app.add_subcommand("check", "Read a project and say what it holds, or what is wrong with it");
+  verb->add_option("project", options.check.project, "Project document")->required();
+  verb->add_flag("--json", options.check.json, "Print as JSON");
+  verb->footer(
+      std::string(
+          "Lists the pieces with the ids and lengths of their edges, and both lengths of each seam.\n\n"
+          "Examples:\n"
+          "  toile check samples/skirt/project.json\n"
+          "  toile check project.json --json\n\n") +
+      kExitCodes);
+  return verb;
+}
+
+CLI::App* add_body(CLI::App& app, Options& options) {
+  BodyOptions& body = options.body;
+  CLI::App* verb =
+      app.add_subcommand("body", "Make a mannequin from measures and write it as OBJ, metres, y up");
+  verb->add_option("-o,--out", body.out, "OBJ file to write")->required();
+  verb->add_option("--height", body.height_cm, "Height, cm")->capture_default_str();
+  verb->add_option("--bust", body.bust_cm, "Bust girth, cm")->capture_default_str();
+  verb->add_option("--waist", body.waist_cm, "Waist girth, cm")->capture_default_str();
+  verb->add_option("--hip", body.hip_cm, "Hip girth, cm")->capture_default_str();
+  verb->add_option("--triangles", body.triangles, "Number of triangles")->capture_default_str();
+  verb->add_flag("--json", body.json, "Print as JSON");
+  verb->footer(std::string("Examples:\n"
+                           "  toile body --out body.obj\n"
+                           "  toile body --out tall.obj --height 182 --bust 96 --waist 78 --hip 102\n\n") +
+               kExitCodes);
+  return verb;
+}
+
+ExitCode run(int argc, char** argv) {
+  CLI::App app("Toile drapes garments: from a flat sewing pattern to cloth on a body.", "toile");
+  app.set_version_flag("--version", std::string("toile ") + TOILE_VERSION);
+  app.require_subcommand(1);
+  app.footer(std::string("Examples:\n"
+                         "  toile check samples/skirt/project.json\n"
+                         "  toile drape samples/skirt/project.json --out out/skirt\n"
+                         "  toile drape --help\n\n") +
+             kExitCodes);
+  Options options;
+  const CLI::App* drape = add_drape(app, options);
+  const CLI::App* check = add_check(app, options);
+  add_body(app, options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() == 0) return app.exit(e), kDone;  // --help, --version
+    print_error({"usage.arguments", std::string(e.what()) + "; see toile --help", ""}, false);
+    return kBadInput;
+  }
+  options.drape.stills = !options.no_stills;
+  if (drape->parsed()) return drape_command(options.drape);
+  if (check->parsed()) return check_command(options.check);
+  return body_command(options.body);
+}
+
+}  // namespace
+}  // namespace toile
+
+int main(int argc, char** argv) {
+  try {
+    return toile::run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    toile::print_error({"internal.memory", "there is not enough memory for this", ""}, false);
+  } catch (const std::exception& e) {
+    toile::print_error({"internal.exception", e.what(), ""}, false);
+  }
+  return toile::kInternal;
+}

@@ -1,0 +1,69 @@
+#include "server/render/gl_context.h"
+
+#include <GL/osmesa.h>
+
+#include <array>
+#include <string>
+
+namespace toile {
+namespace {
+
+Error no_context(const std::string& why) {
+  return {"render.no_context", why + "; stills need Mesa's off-screen library (libOSMesa) with OpenGL 3.3",
+          ""};
+}
+
+/// Mesa draws on the processor, without a display or a graphics card.
+class OsMesaContext : public GlContext {
+ public:
+  ~OsMesaContext() override {
+    if (context_ != nullptr) OSMesaDestroyContext(context_);
+  }
+
+  Status open() {
+    const int wanted[] = {OSMESA_FORMAT,
+                          OSMESA_RGBA,
+                          OSMESA_PROFILE,
+                          OSMESA_CORE_PROFILE,
+                          OSMESA_CONTEXT_MAJOR_VERSION,
+                          3,
+                          OSMESA_CONTEXT_MINOR_VERSION,
+                          3,
+                          0};
+    context_ = OSMesaCreateContextAttribs(wanted, nullptr);
+    if (context_ == nullptr) return no_context("no OpenGL context could be made");
+    if (Status s = make_current(); !s.ok()) return s;
+    return load_functions();
+  }
+
+  Status make_current() override {
+    if (OSMesaMakeCurrent(context_, surface_.data(), GL_UNSIGNED_BYTE, kSide, kSide) == GL_TRUE) return {};
+    return no_context("the OpenGL context cannot be used on this thread");
+  }
+
+ private:
+  Status load_functions() {
+    const char* missing = nullptr;
+#define TOILE_GL_LOAD(type, member)                                        \
+  gl_.member = reinterpret_cast<type>(OSMesaGetProcAddress("gl" #member)); \
+  if (gl_.member == nullptr) missing = "gl" #member;
+    TOILE_GL_FUNCTIONS(TOILE_GL_LOAD)
+#undef TOILE_GL_LOAD
+    if (missing != nullptr) return no_context(std::string("OpenGL has no ") + missing);
+    return {};
+  }
+
+  static constexpr int kSide = 4;  // the surface that OSMesa insists on; nothing is drawn there
+  std::array<unsigned char, kSide * kSide * 4> surface_{};
+  OSMesaContext context_ = nullptr;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<GlContext>> GlContext::create() {
+  auto context = std::make_unique<OsMesaContext>();
+  if (Status s = context->open(); !s.ok()) return s.error();
+  return std::unique_ptr<GlContext>(std::move(context));
+}
+
+}  // namespace toile

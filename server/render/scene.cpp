@@ -1,0 +1,116 @@
+#include "server/render/scene.h"
+
+#include <algorithm>
+#include <string>
+
+namespace toile {
+namespace {
+
+constexpr double kFarthest = 1000;  // m; floats still resolve 0.1 mm there
+
+Status check_points(std::span<const Vec3> points, const std::string& owner) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec3 p = points[i];
+    if (!is_finite(p)) {
+      return Error{"render.not_finite", "a position is not a finite number; nothing was drawn",
+                   owner + " vertex " + std::to_string(i)};
+    }
+    if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > kFarthest) {
+      return Error{"render.too_far", "a position is more than 1 km away; positions are metres",
+                   owner + " vertex " + std::to_string(i)};
+    }
+  }
+  return {};
+}
+
+Status check_triangles(std::span<const Tri> triangles, std::size_t vertex_count, const std::string& owner) {
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    for (const Index corner : triangles[t]) {
+      if (corner < 0 || static_cast<std::size_t>(corner) >= vertex_count) {
+        return Error{"render.bad_index", "a triangle names a vertex that is not there",
+                     owner + " triangle " + std::to_string(t)};
+      }
+    }
+  }
+  return {};
+}
+
+Error bad_length(const std::string& which) {
+  return {"render.bad_scene", "an array of the cloth has the wrong length", which};
+}
+
+Status check_cloth(const ClothView& cloth) {
+  const std::size_t count = cloth.positions.size();
+  if (Status bad = check_points(cloth.positions, "cloth"); !bad.ok()) return bad;
+  if (Status bad = check_triangles(cloth.triangles, count, "cloth"); !bad.ok()) return bad;
+  if (!cloth.weld.empty() && cloth.weld.size() != count) return bad_length("weld");
+  if (!cloth.rest.empty() && cloth.rest.size() != count) return bad_length("rest");
+  if (!cloth.panel_of_triangle.empty() && cloth.panel_of_triangle.size() != cloth.triangles.size()) {
+    return bad_length("panel_of_triangle");
+  }
+  for (std::size_t v = 0; v < cloth.weld.size(); ++v) {
+    if (cloth.weld[v] < 0 || static_cast<std::size_t>(cloth.weld[v]) >= count) {
+      return Error{"render.bad_index", "a vertex is sewn to one that is not there",
+                   "cloth vertex " + std::to_string(v)};
+    }
+  }
+  for (std::size_t v = 0; v < cloth.rest.size(); ++v) {
+    if (!is_finite(cloth.rest[v])) {
+      return Error{"render.not_finite", "a rest position is not a finite number; nothing was drawn",
+                   "cloth vertex " + std::to_string(v)};
+    }
+  }
+  return {};
+}
+
+void add_used(Box3& box, std::span<const Vec3> positions, std::span<const Tri> triangles) {
+  for (const Tri& t : triangles) {
+    for (const Index corner : t) box.add(positions[corner]);
+  }
+}
+
+}  // namespace
+
+void Box3::add(Vec3 p) {
+  if (empty()) {
+    low = high = p;
+    return;
+  }
+  low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+  high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+}
+
+Box3 cloth_box(const Scene& scene) {
+  Box3 box;
+  add_used(box, scene.cloth.positions, scene.cloth.triangles);
+  return box;
+}
+
+Box3 whole_box(const Scene& scene) {
+  Box3 box = cloth_box(scene);
+  for (const BodyView& body : scene.bodies) add_used(box, body.mesh->vertices, body.mesh->triangles);
+  return box;
+}
+
+double floor_height(const Scene& scene) {
+  if (scene.floor) return *scene.floor;
+  const Box3 box = whole_box(scene);
+  return box.empty() ? 0 : box.low.y;
+}
+
+Status check_scene(const Scene& scene) {
+  if (Status bad = check_cloth(scene.cloth); !bad.ok()) return bad;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const std::string owner = "body " + std::to_string(b);
+    const TriangleMesh* mesh = scene.bodies[b].mesh;
+    if (mesh == nullptr) return Error{"render.bad_scene", "a body has no mesh", owner};
+    if (Status bad = check_points(mesh->vertices, owner); !bad.ok()) return bad;
+    if (Status bad = check_triangles(mesh->triangles, mesh->vertices.size(), owner); !bad.ok()) return bad;
+  }
+  if (scene.floor && !(std::abs(*scene.floor) <= kFarthest)) {
+    return Error{"render.not_finite", "the height of the ground is not within 1 km", "floor"};
+  }
+  return {};
+}
+
+}  // namespace toile

@@ -1,0 +1,21 @@
+#pragma once
+// GLSL 3.30 sources. A program is kShaderVersion + what it uses, in order.
+
+namespace toile::shaders {
+
+inline constexpr int kSkyTiles = 5;                       ///< sky maps lie in a square atlas, so many a side
+inline constexpr int kSkyLights = kSkyTiles * kSkyTiles;  ///< directions from which the soft light comes
+
+extern const char* const kVersion;
+extern const char* const kDepthVertex;  ///< a surface into a shadow map
+extern const char* const kDepthFragment;
+extern const char* const kSky;            ///< soft light that reaches a vertex; goes before vertex shaders
+extern const char* const kStudio;         ///< key shadow, backdrop, tone; goes before fragment shaders
+extern const char* const kSurfaceVertex;  ///< with "#define CLOTH 1" or 0 before it
+extern const char* const kSurfaceFragment;
+extern const char* const kGroundVertex;
+extern const char* const kGroundFragment;
+extern const char* const kBackdropVertex;
+extern const char* const kBackdropFragment;
+
+}  // namespace toile::shaders

@@ -1,0 +1,291 @@
+#include "server/render/shot.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "server/render/shaders.h"
+#include "server/render/surface_vertices.h"
+
+namespace toile {
+namespace {
+
+constexpr int kKeyMapSide = 1280;          // texels; under 2 mm each around a person
+constexpr int kGroundCells = 64;           // a side
+constexpr double kGroundReach = 2.2;       // radius of caught shadows, of the scene's own
+constexpr float kSkyBlur = 5;              // texels of a sky map, on the ground
+constexpr float kBodySink = 0.002f;        // m; more than a coarse skin bulges through the cloth upon it
+constexpr float kLineHalfWidth = 0.0008f;  // m
+constexpr GLint kKeyUnit = 0, kSkyUnit = 1;
+
+void attribute(const GlFunctions& gl, GLuint location, int size, std::size_t stride, std::size_t offset) {
+  gl.EnableVertexAttribArray(location);
+  gl.VertexAttribPointer(location, size, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
+                         reinterpret_cast<const void*>(offset));
+}
+
+template <typename T>
+void fill_buffer(GlScope& scope, GLenum target, const std::vector<T>& data) {
+  scope.gl().BindBuffer(target, scope.buffer());
+  scope.gl().BufferData(target, static_cast<GLsizeiptr>(data.size() * sizeof(T)), data.data(),
+                        GL_STATIC_DRAW);
+}
+
+Surface upload_cloth(GlScope& scope, const ClothView& cloth) {
+  const GlFunctions& gl = scope.gl();
+  const std::vector<ClothVertex> vertices = cloth_vertices(cloth);
+  Surface surface{scope.vertex_array(), static_cast<GLsizei>(vertices.size()), false, {}};
+  gl.BindVertexArray(surface.vertex_array);
+  fill_buffer(scope, GL_ARRAY_BUFFER, vertices);
+  attribute(gl, 0, 3, sizeof(ClothVertex), offsetof(ClothVertex, position));
+  attribute(gl, 1, 3, sizeof(ClothVertex), offsetof(ClothVertex, normal));
+  attribute(gl, 2, 3, sizeof(ClothVertex), offsetof(ClothVertex, colour));
+  attribute(gl, 3, 2, sizeof(ClothVertex), offsetof(ClothVertex, rest));
+  attribute(gl, 4, 3, sizeof(ClothVertex), offsetof(ClothVertex, line_distance));
+  attribute(gl, 5, 3, sizeof(ClothVertex), offsetof(ClothVertex, line_strength));
+  return surface;
+}
+
+Surface upload_indexed(GlScope& scope, const std::vector<BodyVertex>& vertices,
+                       const std::vector<Tri>& triangles, LinearRgb colour) {
+  const GlFunctions& gl = scope.gl();
+  Surface surface{scope.vertex_array(), static_cast<GLsizei>(triangles.size() * 3), true, colour};
+  gl.BindVertexArray(surface.vertex_array);
+  fill_buffer(scope, GL_ARRAY_BUFFER, vertices);
+  fill_buffer(scope, GL_ELEMENT_ARRAY_BUFFER, triangles);
+  attribute(gl, 0, 3, sizeof(BodyVertex), offsetof(BodyVertex, position));
+  attribute(gl, 1, 3, sizeof(BodyVertex), offsetof(BodyVertex, normal));
+  return surface;
+}
+
+void draw(const GlFunctions& gl, const Surface& surface) {
+  if (surface.count == 0) return;
+  gl.BindVertexArray(surface.vertex_array);
+  if (surface.indexed) {
+    gl.DrawElements(GL_TRIANGLES, surface.count, GL_UNSIGNED_INT, nullptr);
+  } else {
+    gl.DrawArrays(GL_TRIANGLES, 0, surface.count);
+  }
+}
+
+void set(const GlFunctions& gl, GLint location, Vec3 v) {
+  gl.Uniform3f(location, static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z));
+}
+
+/// An empty depth texture that compares when read; outside it nothing casts shadows.
+GLuint depth_map(GlScope& scope, int side) {
+  const GlFunctions& gl = scope.gl();
+  const GLuint map = scope.texture();
+  gl.BindTexture(GL_TEXTURE_2D, map);
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, side, side, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
+                nullptr);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+  return map;
+}
+
+/// A framebuffer that draws depth only, into `map`.
+void bind_depth_target(GlScope& scope, GLuint map) {
+  const GlFunctions& gl = scope.gl();
+  gl.BindFramebuffer(GL_FRAMEBUFFER, scope.framebuffer());
+  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, map, 0);
+  gl.DrawBuffer(GL_NONE);
+  gl.ReadBuffer(GL_NONE);
+  gl.Enable(GL_DEPTH_TEST);
+  gl.DepthFunc(GL_LESS);
+  gl.Clear(GL_DEPTH_BUFFER_BIT);
+}
+
+Error failed() { return {"render.failed", "OpenGL could not draw the picture; try a smaller one", ""}; }
+
+}  // namespace
+
+Result<Programs> Programs::link(const GlFunctions& gl) {
+  namespace s = shaders;
+  constexpr const char* kCloth = "#define CLOTH 1\n";
+  constexpr const char* kBody = "#define CLOTH 0\n";
+  Result<GlProgram> depth =
+      GlProgram::link(gl, {s::kVersion, s::kDepthVertex}, {s::kVersion, s::kDepthFragment});
+  if (!depth.ok()) return depth.error();
+  Result<GlProgram> cloth = GlProgram::link(gl, {s::kVersion, kCloth, s::kSky, s::kSurfaceVertex},
+                                            {s::kVersion, kCloth, s::kStudio, s::kSurfaceFragment});
+  if (!cloth.ok()) return cloth.error();
+  Result<GlProgram> body = GlProgram::link(gl, {s::kVersion, kBody, s::kSky, s::kSurfaceVertex},
+                                           {s::kVersion, kBody, s::kStudio, s::kSurfaceFragment});
+  if (!body.ok()) return body.error();
+  Result<GlProgram> ground = GlProgram::link(gl, {s::kVersion, s::kSky, s::kGroundVertex},
+                                             {s::kVersion, s::kStudio, s::kGroundFragment});
+  if (!ground.ok()) return ground.error();
+  Result<GlProgram> backdrop =
+      GlProgram::link(gl, {s::kVersion, s::kBackdropVertex}, {s::kVersion, s::kStudio, s::kBackdropFragment});
+  if (!backdrop.ok()) return backdrop.error();
+  return Programs{std::move(*depth), std::move(*cloth), std::move(*body), std::move(*ground),
+                  std::move(*backdrop)};
+}
+
+Shot::Shot(const GlFunctions& gl, const Programs& programs, const Scene& scene, const Camera& camera)
+    : gl_(gl),
+      programs_(programs),
+      scene_(scene),
+      camera_(camera),
+      box_(whole_box(scene)),
+      lights_(studio(camera, box_)),
+      scope_(gl) {}
+
+void Shot::upload() {
+  cloth_ = upload_cloth(scope_, scene_.cloth);
+  for (const BodyView& body : scene_.bodies) {
+    bodies_.push_back(upload_indexed(scope_, body_vertices(*body.mesh), body.mesh->triangles, body.colour));
+  }
+  upload_ground();
+}
+
+/// A grid about the scene, since soft light is taken per vertex. It grows coarser outwards.
+void Shot::upload_ground() {
+  const Vec3 middle = box_.empty() ? Vec3{} : (box_.low + box_.high) * 0.5;
+  const double reach = kGroundReach * (box_.empty() ? 0.5 : length(box_.high - box_.low) * 0.5);
+  const auto height = static_cast<float>(floor_height(scene_));
+  const auto along = [&](int i) {
+    const double s = 2.0 * i / kGroundCells - 1;
+    return reach * s * (0.3 + 0.7 * s * s);
+  };
+  std::vector<BodyVertex> vertices;
+  std::vector<Tri> triangles;
+  for (int j = 0; j <= kGroundCells; ++j) {
+    for (int i = 0; i <= kGroundCells; ++i) {
+      vertices.push_back(
+          {{static_cast<float>(middle.x + along(i)), height, static_cast<float>(middle.z + along(j))},
+           {0, 1, 0}});
+      if (i == kGroundCells || j == kGroundCells) continue;
+      const Index a = j * (kGroundCells + 1) + i, b = a + 1, c = a + kGroundCells + 1, d = c + 1;
+      triangles.push_back({a, c, b});
+      triangles.push_back({b, c, d});
+    }
+  }
+  ground_ = upload_indexed(scope_, vertices, triangles, {});
+}
+
+/// Bodies are closed: their lit side casts all of the shadow.
+void Shot::draw_casters() {
+  draw(gl_, cloth_);
+  gl_.Enable(GL_CULL_FACE);
+  for (const Surface& body : bodies_) draw(gl_, body);
+  gl_.Disable(GL_CULL_FACE);
+}
+
+void Shot::draw_key_map() {
+  key_map_ = depth_map(scope_, kKeyMapSide);
+  bind_depth_target(scope_, key_map_);
+  gl_.Viewport(0, 0, kKeyMapSide, kKeyMapSide);
+  programs_.depth.use();
+  gl_.UniformMatrix4fv(programs_.depth.at("light_matrix"), 1, GL_FALSE, lights_.key_matrix.data());
+  draw_casters();
+}
+
+void Shot::draw_sky_map() {
+  sky_map_ = depth_map(scope_, kSkyTileSide * shaders::kSkyTiles);
+  bind_depth_target(scope_, sky_map_);
+  programs_.depth.use();
+  for (int i = 0; i < shaders::kSkyLights; ++i) {
+    gl_.Viewport(i % shaders::kSkyTiles * kSkyTileSide, i / shaders::kSkyTiles * kSkyTileSide, kSkyTileSide,
+                 kSkyTileSide);
+    gl_.UniformMatrix4fv(programs_.depth.at("light_matrix"), 1, GL_FALSE, lights_.sky_matrices[i].data());
+    draw_casters();
+  }
+}
+
+GLuint Shot::target(int width, int height, int samples) {
+  const GLuint framebuffer = scope_.framebuffer();
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  const GLsizei count = samples > 1 ? samples : 0;
+  for (const auto& [format, point] :
+       {std::pair{GL_RGBA8, GL_COLOR_ATTACHMENT0}, std::pair{GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT}}) {
+    const GLuint storage = scope_.renderbuffer();
+    gl_.BindRenderbuffer(GL_RENDERBUFFER, storage);
+    gl_.RenderbufferStorageMultisample(GL_RENDERBUFFER, count, format, width, height);
+    gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, point, GL_RENDERBUFFER, storage);
+  }
+  return gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE ? framebuffer : 0;
+}
+
+/// Uniforms that several programs share; those that a program does not have are ignored.
+void Shot::set_lights(const GlProgram& program, int width, int height) {
+  program.use();
+  gl_.UniformMatrix4fv(program.at("key_matrix"), 1, GL_FALSE, lights_.key_matrix.data());
+  set(gl_, program.at("key_light"), lights_.key);
+  set(gl_, program.at("fill_light"), lights_.fill);
+  set(gl_, program.at("rim_light"), lights_.rim);
+  gl_.Uniform1i(program.at("key_map"), kKeyUnit);
+  gl_.Uniform1f(program.at("key_texel"), 1.0f / kKeyMapSide);
+  gl_.Uniform1i(program.at("sky_map"), kSkyUnit);
+  gl_.UniformMatrix4fv(program.at("sky_matrix"), shaders::kSkyLights, GL_FALSE,
+                       lights_.sky_matrices[0].data());
+  gl_.Uniform4fv(program.at("sky_light"), shaders::kSkyLights, lights_.sky[0].data());
+  gl_.Uniform1f(program.at("sky_offset"), lights_.sky_offset);
+  gl_.Uniform1f(program.at("sky_blur"), kSkyBlur * lights_.sky_offset);
+  gl_.Uniform4f(program.at("image_size"), static_cast<float>(width), static_cast<float>(height), 0, 0);
+}
+
+void Shot::set_viewer(const GlProgram& program) {
+  gl_.UniformMatrix4fv(program.at("camera_matrix"), 1, GL_FALSE, camera_.matrix().data());
+  set(gl_, program.at("eye"), camera_.eye);
+}
+
+void Shot::draw_picture(int width, int height) {
+  gl_.Viewport(0, 0, width, height);
+  gl_.Enable(GL_DEPTH_TEST);
+  gl_.DepthFunc(GL_LEQUAL);
+  gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  gl_.ActiveTexture(GL_TEXTURE0 + kKeyUnit);
+  gl_.BindTexture(GL_TEXTURE_2D, key_map_);
+  gl_.ActiveTexture(GL_TEXTURE0 + kSkyUnit);
+  gl_.BindTexture(GL_TEXTURE_2D, sky_map_);
+  gl_.ActiveTexture(GL_TEXTURE0);
+  for (const GlProgram* program :
+       {&programs_.cloth, &programs_.body, &programs_.ground, &programs_.backdrop}) {
+    set_lights(*program, width, height);
+    set_viewer(*program);
+  }
+  programs_.cloth.use();
+  gl_.Uniform1f(programs_.cloth.at("sink"), 0);
+  gl_.Uniform1f(programs_.cloth.at("line_half_width"), kLineHalfWidth);
+  draw(gl_, cloth_);
+  programs_.body.use();
+  gl_.Uniform1f(programs_.body.at("sink"), cloth_.count > 0 ? kBodySink : 0);
+  for (const Surface& body : bodies_) {
+    set(gl_, programs_.body.at("body_colour"), {body.colour[0], body.colour[1], body.colour[2]});
+    draw(gl_, body);
+  }
+  programs_.ground.use();
+  const Vec3 middle = box_.empty() ? Vec3{} : (box_.low + box_.high) * 0.5;
+  const double reach = kGroundReach * (box_.empty() ? 0.5 : length(box_.high - box_.low) * 0.5);
+  gl_.Uniform4f(programs_.ground.at("ground"), static_cast<float>(middle.x), static_cast<float>(middle.z),
+                static_cast<float>(reach), 0);
+  draw(gl_, ground_);
+  programs_.backdrop.use();
+  gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+Result<std::vector<std::uint8_t>> Shot::take(int width, int height, int samples) {
+  upload();
+  draw_key_map();
+  draw_sky_map();
+  const GLuint drawn = target(width, height, samples);
+  if (drawn == 0) return failed();
+  draw_picture(width, height);
+  const GLuint resolved = target(width, height, 1);
+  if (resolved == 0) return failed();
+  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, drawn);
+  gl_.BlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, resolved);
+  std::vector<std::uint8_t> rgba(static_cast<std::size_t>(width) * height * 4);
+  gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
+  gl_.ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+  if (gl_.GetError() != GL_NO_ERROR) return failed();
+  return rgba;
+}
+
+}  // namespace toile

@@ -1,0 +1,62 @@
+#pragma once
+// The taking of one picture with OpenGL.
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/result.h"
+#include "server/render/camera.h"
+#include "server/render/gl_objects.h"
+#include "server/render/scene.h"
+#include "server/render/studio.h"
+
+namespace toile {
+
+/// Shader programs, kept from one picture to the next.
+struct Programs {
+  GlProgram depth, cloth, body, ground, backdrop;
+  /// Error: "render.shader".
+  static Result<Programs> link(const GlFunctions& gl);
+};
+
+/// A vertex array on the graphics side.
+struct Surface {
+  GLuint vertex_array = 0;
+  GLsizei count = 0;  // vertices, or indices where indexed
+  bool indexed = false;
+  LinearRgb colour{};  // of a body
+};
+
+/// One picture of a scene, drawn when it is taken. The context must be current as long as it lives.
+class Shot {
+ public:
+  Shot(const GlFunctions& gl, const Programs& programs, const Scene& scene, const Camera& camera);
+
+  /// RGBA, 8-bit sRGB, rows from the bottom. Error: "render.failed".
+  Result<std::vector<std::uint8_t>> take(int width, int height, int samples);
+
+ private:
+  void upload();
+  void upload_ground();
+  void draw_key_map();
+  void draw_sky_map();
+  void draw_casters();
+  void draw_picture(int width, int height);
+  void set_lights(const GlProgram& program, int width, int height);
+  void set_viewer(const GlProgram& program);
+  /// 0 when OpenGL cannot make it.
+  GLuint target(int width, int height, int samples);
+
+  const GlFunctions& gl_;
+  const Programs& programs_;
+  const Scene& scene_;
+  const Camera& camera_;
+  Box3 box_;
+  Lights lights_;
+  GlScope scope_;
+  Surface cloth_, ground_;
+  std::vector<Surface> bodies_;
+  GLuint key_map_ = 0, sky_map_ = 0;
+};
+
+}  // namespace toile

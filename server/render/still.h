@@ -1,0 +1,47 @@
+#pragma once
+// Pictures of a draped garment, as a studio would take them. Equal input gives equal bytes on one machine.
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/base/result.h"
+#include "server/render/camera.h"
+#include "server/render/scene.h"
+
+namespace toile {
+
+/// 8-bit sRGB, three bytes per pixel, rows from the top.
+struct Image {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgb;
+};
+
+struct StillSettings {
+  int width = 1024, height = 1280;  ///< pixels, 16 to 4096 each
+  int samples = 4;  ///< 1, 4 or 16 per pixel; what OpenGL cannot do itself is drawn larger and averaged
+};
+
+/// Holds the OpenGL context and programs from one picture to the next: the first takes about half a second
+/// more. Belongs to one thread.
+class StillRenderer {
+ public:
+  /// Errors: "render.no_context", "render.shader".
+  static Result<std::unique_ptr<StillRenderer>> create();
+  ~StillRenderer();
+
+  /// Errors: "render.settings", those of check_scene, "render.failed" (OpenGL is out of memory).
+  Result<Image> render(const Scene& scene, View view, const StillSettings& settings = {});
+  /// The same from any camera; its aspect must fit the settings' width and height.
+  Result<Image> render(const Scene& scene, const Camera& camera, const StillSettings& settings = {});
+
+ private:
+  struct Parts;
+  explicit StillRenderer(std::unique_ptr<Parts> parts);
+  std::unique_ptr<Parts> parts_;
+};
+
+/// One still, with a renderer that the calling thread keeps. Errors: as above.
+Result<Image> render_still(const Scene& scene, View view, const StillSettings& settings = {});
+
+}  // namespace toile

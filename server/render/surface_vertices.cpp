@@ -1,0 +1,155 @@
+#include "server/render/surface_vertices.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "core/mesh/vertex_normals.h"
+
+namespace toile {
+namespace {
+
+constexpr float kSeamStrength = 0.62f;
+constexpr float kHemStrength = 0.30f;
+constexpr float kFarFromLine = 1.0f;  // m: a line that the triangle does not have
+
+using Edge = std::pair<Index, Index>;
+Edge edge_key(Index a, Index b) { return {std::min(a, b), std::max(a, b)}; }
+
+/// Edges of one triangle only, with how dark their line is.
+std::map<Edge, float> border_edges(const ClothView& cloth) {
+  std::map<Edge, int> uses, joint_uses;
+  for (const Tri& t : cloth.triangles) {
+    for (int i = 0; i < 3; ++i) ++uses[edge_key(t[i], t[(i + 1) % 3])];
+  }
+  const auto joint = [&](const Edge& e) {
+    return cloth.weld.empty() ? e : edge_key(cloth.weld[e.first], cloth.weld[e.second]);
+  };
+  for (const auto& [edge, count] : uses) {
+    if (count == 1) ++joint_uses[joint(edge)];
+  }
+  std::map<Edge, float> border;
+  for (const auto& [edge, count] : uses) {
+    if (count == 1) border[edge] = joint_uses[joint(edge)] > 1 ? kSeamStrength : kHemStrength;
+  }
+  return border;
+}
+
+/// The border around a vertex: the strongest line that meets it, and where the line runs.
+struct BorderVertex {
+  float strength = 0;
+  Vec3 along;
+};
+
+std::vector<BorderVertex> border_vertices(const ClothView& cloth, const std::map<Edge, float>& border) {
+  std::vector<BorderVertex> vertices(cloth.positions.size());
+  for (const auto& [edge, strength] : border) {
+    const Vec3 along = normalized(cloth.positions[edge.second] - cloth.positions[edge.first]);
+    for (const Index v : {edge.first, edge.second}) {
+      BorderVertex& at = vertices[v];
+      if (strength < at.strength) continue;
+      if (strength > at.strength) at = {strength, {}};
+      at.along += dot(at.along, along) < 0 ? -along : along;
+    }
+  }
+  return vertices;
+}
+
+/// Distance of `p` from the line through `origin` along `direction`.
+double distance_from_line(Vec3 p, Vec3 origin, Vec3 direction) {
+  return length(cross(p - origin, normalized(direction)));
+}
+
+class LineMarker {
+ public:
+  explicit LineMarker(const ClothView& cloth)
+      : cloth_(cloth), border_(border_edges(cloth)), vertices_(border_vertices(cloth, border_)) {}
+
+  /// Line i of a triangle belongs to the edge opposite corner i, or to the border that passes corner i.
+  void mark(const Tri& t, ClothVertex (&corners)[3]) const {
+    for (ClothVertex& c : corners) {
+      std::fill_n(c.line_distance, 3, kFarFromLine);
+      std::fill_n(c.line_strength, 3, 0.0f);
+    }
+    bool on_edge = false;
+    for (int i = 0; i < 3; ++i) on_edge |= mark_edge(t, i, corners);
+    for (int i = 0; !on_edge && i < 3; ++i) mark_corner(t, i, corners);
+  }
+
+ private:
+  bool mark_edge(const Tri& t, int i, ClothVertex (&corners)[3]) const {
+    const Index a = t[(i + 1) % 3], b = t[(i + 2) % 3];
+    const auto found = border_.find(edge_key(a, b));
+    if (found == border_.end()) return false;
+    const Vec3 pa = cloth_.positions[a], pb = cloth_.positions[b];
+    for (int k = 0; k < 3; ++k) {
+      corners[k].line_distance[i] =
+          k == i ? static_cast<float>(distance_from_line(cloth_.positions[t[i]], pa, pb - pa)) : 0;
+      corners[k].line_strength[i] = found->second;
+    }
+    return true;
+  }
+
+  void mark_corner(const Tri& t, int i, ClothVertex (&corners)[3]) const {
+    const BorderVertex& at = vertices_[t[i]];
+    if (at.strength == 0) return;
+    for (int k = 0; k < 3; ++k) {
+      corners[k].line_distance[i] =
+          static_cast<float>(distance_from_line(cloth_.positions[t[k]], cloth_.positions[t[i]], at.along));
+      corners[k].line_strength[i] = at.strength;
+    }
+  }
+
+  const ClothView& cloth_;
+  std::map<Edge, float> border_;
+  std::vector<BorderVertex> vertices_;
+};
+
+void set(float (&out)[3], Vec3 v) {
+  out[0] = static_cast<float>(v.x);
+  out[1] = static_cast<float>(v.y);
+  out[2] = static_cast<float>(v.z);
+}
+
+LinearRgb colour_of(const ClothView& cloth, std::size_t triangle) {
+  const Index panel = cloth.panel_of_triangle.empty() ? 0 : cloth.panel_of_triangle[triangle];
+  const bool known = panel >= 0 && static_cast<std::size_t>(panel) < cloth.colour_of_panel.size();
+  return known ? cloth.colour_of_panel[panel] : kClothColour;
+}
+
+}  // namespace
+
+std::vector<ClothVertex> cloth_vertices(const ClothView& cloth) {
+  const std::vector<Vec3> normals = vertex_normals(cloth.positions, cloth.triangles, cloth.weld);
+  const LineMarker lines(cloth);
+  std::vector<ClothVertex> out;
+  out.reserve(cloth.triangles.size() * 3);
+  for (std::size_t t = 0; t < cloth.triangles.size(); ++t) {
+    const LinearRgb colour = colour_of(cloth, t);
+    ClothVertex corners[3];
+    for (int i = 0; i < 3; ++i) {
+      const Index v = cloth.triangles[t][i];
+      set(corners[i].position, cloth.positions[v]);
+      set(corners[i].normal, normals[v]);
+      set(corners[i].colour, {colour[0], colour[1], colour[2]});
+      const Vec2 rest = cloth.rest.empty() ? Vec2{} : cloth.rest[v];
+      corners[i].rest[0] = static_cast<float>(rest.x);
+      corners[i].rest[1] = static_cast<float>(rest.y);
+    }
+    lines.mark(cloth.triangles[t], corners);
+    out.insert(out.end(), corners, corners + 3);
+  }
+  return out;
+}
+
+std::vector<BodyVertex> body_vertices(const TriangleMesh& mesh) {
+  const std::vector<Vec3> normals = vertex_normals(mesh.vertices, mesh.triangles);
+  std::vector<BodyVertex> out(mesh.vertices.size());
+  for (std::size_t v = 0; v < out.size(); ++v) {
+    set(out[v].position, mesh.vertices[v]);
+    set(out[v].normal, normals[v]);
+  }
+  return out;
+}
+
+}  // namespace toile

@@ -1,0 +1,65 @@
+#pragma once
+// Documents that the tests of this folder read.
+
+#include <string>
+
+#include "proto/cpp/project.h"
+
+namespace toile {
+
+/// Every key of the format at least once, with values that no default has.
+inline const char* const kFullDocument = R"({
+  "toile": 1,
+  "name": "All of it",
+  "pieces": [
+    {
+      "id": "front",
+      "from": {"dxf": "cut/skirt.dxf", "piece": "FRONT", "corners": [[0, 0], [10.5, 20]], "units": "inch"},
+      "edge_names": {"e0": "waist", "e1": "side"},
+      "fabric": "wool",
+      "placement": {"wrapped": {"axis": [0.1, -0.2], "radius": 0.25, "angle": -45, "height": 1.1,
+                                "anchor": [100, 600], "slope": 0.2}}
+    },
+    {
+      "id": "back",
+      "outline": [
+        {"id": "hem", "points": [[0, 0], [50, -5], [100, 0]]},
+        {"id": "right", "curves": [[[100, 0], [110, 30], [110, 60], [100, 100]]]},
+        {"id": "top", "points": [[100, 100], [0, 100]]},
+        {"id": "left", "points": [[0, 100], [0, 0]]}
+      ],
+      "holes": [[{"id": "eye", "points": [[40, 40], [40, 60], [60, 60], [60, 40], [40, 40]]}],
+        [{"id": "slit", "curves": [[[20, 20], [20, 23], [20, 27], [20, 30]], [[20, 30], [27, 27], [27, 23], [20, 20]]]}]],
+      "grain": [1, 2],
+      "fabric": "wool",
+      "placement": {"rigid": {"translation": [0, 1, -0.3], "rotation": [0, 180, 5], "flipped": true}}
+    }
+  ],
+  "fabrics": [
+    {"id": "wool", "name": "Worsted", "areal_mass_g_m2": 210, "stretch_warp_n_m": 1500, "stretch_weft_n_m": 900,
+     "stretch_coupling_n_m": 210.5, "stretch_shear_n_m": 120, "bend_warp_un_m": 14.5, "bend_weft_un_m": 9,
+     "bend_bias_un_m": 7, "thickness_mm": 0.61, "friction": 0.25, "colour": [0.2, 0.3, 0.9]}
+  ],
+  "seams": [
+    {"id": "s1", "a": [{"piece": "back", "edge": "right", "reversed": false}],
+     "b": [{"piece": "back", "edge": "left", "reversed": true}], "same_direction": true}
+  ],
+  "bodies": [
+    {"id": "person", "file": "people/ann.obj", "unit": "cm", "up": "z", "friction": 0.5, "skin_offset_mm": 2,
+     "translation": [0, 0.1, 0], "rotation": [0, 90, 0], "scale": 1.1},
+    {"id": "form", "mannequin": {"height_cm": 171, "bust_cm": 91, "waist_cm": 73, "hip_cm": 98, "triangles": 3000}}
+  ],
+  "attachments": [
+    {"id": "hold", "piece": "back", "edges": ["top"], "hold": "place", "release_after_s": 0.5}
+  ],
+  "settings": {"particle_distance_mm": 20, "time_step_s": 0.0005, "gravity": 9.8, "sew_time_s": 0.7,
+               "settle_speed_mm_s": 3, "max_time_s": 6, "frame_interval_steps": 25}
+})";
+
+/// `text` with the one place where `from` stands changed to `to`.
+inline std::string changed(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  return at == std::string::npos ? "nothing to change: " + from : text.replace(at, from.size(), to);
+}
+
+}  // namespace toile

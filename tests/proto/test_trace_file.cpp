@@ -1,0 +1,75 @@
+#include "proto/cpp/trace_file.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <iterator>
+#include <string>
+
+namespace toile {
+namespace {
+
+template <typename T>
+T at(const std::string& bytes, std::size_t offset) {
+  T value;
+  std::memcpy(&value, bytes.data() + offset, sizeof(T));
+  return value;
+}
+
+/// The bytes of a trace of `frames` frames of one triangle, step 50 apart.
+std::string traced(int frames, int every) {
+  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "toile_test.trace";
+  auto writer = TraceWriter::open(path, every);
+  EXPECT_TRUE(writer);
+  GarmentMesh garment;
+  garment.rest.resize(3);
+  garment.triangles = {{0, 1, 2}};
+  (*writer)->begin(garment);
+  for (int i = 0; i < frames; ++i) {
+    Frame frame;
+    frame.step = 50 * i;
+    frame.time = 0.5 * i;
+    frame.positions = {{0, 1.0 * i, 0}, {1, 0, 0}, {0, 0, 1}};
+    (*writer)->frame(frame);
+  }
+  EXPECT_TRUE((*writer)->finish());
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+constexpr std::size_t kHeader = 8 + 16 + 12;
+constexpr std::size_t kFrame = 16 + 36;
+
+TEST(TraceFile, BeginsWithTheDocumentedHeader) {
+  const std::string bytes = traced(1, 7);
+  ASSERT_EQ(bytes.size(), kHeader + kFrame);
+  EXPECT_EQ(bytes.substr(0, 8), "TOILETRC");
+  EXPECT_EQ(at<std::uint32_t>(bytes, 8), 1u);
+  EXPECT_EQ(at<std::uint32_t>(bytes, 12), 3u);
+  EXPECT_EQ(at<std::uint32_t>(bytes, 16), 1u);
+  EXPECT_EQ(at<std::uint32_t>(bytes, 20), 7u);
+  EXPECT_EQ(at<std::uint32_t>(bytes, 32), 2u);
+}
+
+TEST(TraceFile, KeepsEveryNthFrameAndTheLast) {
+  const std::string bytes = traced(6, 2);  // 0, 2, 4 and the last, 5
+  ASSERT_EQ(bytes.size(), kHeader + 4 * kFrame);
+  EXPECT_EQ(at<std::uint32_t>(bytes, kHeader + kFrame), 100u);
+  EXPECT_EQ(at<std::uint32_t>(bytes, kHeader + 3 * kFrame), 250u);
+  EXPECT_EQ(at<double>(bytes, kHeader + 3 * kFrame + 8), 2.5);
+  EXPECT_EQ(at<float>(bytes, kHeader + 3 * kFrame + 16 + 4), 5.0f);
+}
+
+TEST(TraceFile, WritesTheLastFrameOnceWhenItWasKeptAnyway) {
+  EXPECT_EQ(traced(5, 2).size(), kHeader + 3 * kFrame);
+}
+
+TEST(TraceFile, SaysAtOnceThatAFileCannotBeMade) {
+  const auto writer = TraceWriter::open("/no/such/folder/a.trace", 1);
+  ASSERT_FALSE(writer);
+  EXPECT_EQ(writer.error().code, "export.write");
+  EXPECT_EQ(writer.error().where, "/no/such/folder/a.trace");
+}
+
+}  // namespace
+}  // namespace toile
