@@ -9,7 +9,7 @@ namespace {
 constexpr double kMidline = 0.0024;  // rounds the crease where the two halves meet
 constexpr double kLegsMeet = 0.042;  // radius of the union of the two legs
 constexpr size_t kLeg = 1;           // index of the part
-constexpr double kThumbBlend = 0.0095, kThumbRoot = 0.0092, kThumbTip = 0.0068;
+constexpr double kThumbBlend = 0.015, kThumbRoot = 0.0092, kThumbTip = 0.0068;
 constexpr double kGrooveDepth = 0.0030, kGrooveWidth = 0.017;  // along the spine
 constexpr Vec3 kCrotch{0, 0.447, -0.012};                      // a narrow arch that needs finer triangles
 constexpr Vec3 kX{1, 0, 0}, kY{0, 1, 0}, kZ{0, 0, 1};

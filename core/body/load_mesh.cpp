@@ -9,6 +9,8 @@
 #include <numeric>
 #include <string>
 
+#include "core/body/sniff_mesh.h"
+
 namespace toile {
 namespace {
 
@@ -182,6 +184,7 @@ Result<TriangleMesh> load_mesh(const std::filesystem::path& path, const MeshSett
     return fail("mesh.setting", "unit_in_m must lie between 0 and 1000.", path);
   }
   if (Status s = check_file(path); !s) return s.error();
+  if (Status s = sniff_mesh(path); !s) return s.error();
   try {
     Result<TriangleMesh> scene = import(path);
     if (!scene) return scene.error();

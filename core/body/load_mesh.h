@@ -14,7 +14,7 @@ struct MeshSettings {
   bool z_up = false;  ///< the file's z points up: turned so that y does
 };
 
-/// Every triangle of a mesh file (OBJ, STL, PLY, glTF and what else assimp reads), metres, y up: the scene's
+/// Every triangle of a mesh file (OBJ, STL, PLY, glTF, GLB, FBX, DAE, 3DS, OFF), metres, y up: the scene's
 /// meshes in their places, polygons cut into triangles, equal positions merged, so that a surface that was
 /// closed is closed here, and triangles without area removed. Vertices are numbered as they first appear.
 ///

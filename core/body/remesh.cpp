@@ -14,11 +14,12 @@ constexpr double kSplitOver = 4.0 / 3, kCollapseUnder = 4.0 / 5;  // of the want
 constexpr double kLeastFacing = 0.5;  // cosine between a triangle's normal and the surface's
 constexpr double kSliver = 0.35;      // quality below which a triangle must go
 constexpr double kSliverFacing = 0.2;
+constexpr double kSameSheet = 0.2;   // cosine between normals of neighbours
 constexpr double kRelaxation = 0.7;  // of the way to the middle of the neighbours
 constexpr double kReach = 0.6;       // of an edge's length: how far a projection may go
 constexpr int kNewtonSteps = 6;
-constexpr double kArrived = 1e-7;    // of the stature
-constexpr double kFirstReach = 0.1;  // of the stature
+constexpr double kArrived = 1e-7;     // of the stature
+constexpr double kFirstReach = 0.02;  // of the stature
 
 // 1 for an equilateral triangle, 0 for a line.
 double triangle_quality(Vec3 a, Vec3 b, Vec3 c) {
@@ -43,7 +44,8 @@ class Remesher {
     remove_slivers();
     relax();
     // The wanted length follows the count, so that split and collapse end near it.
-    length_ *= std::sqrt(static_cast<double>(mesh_.triangle_count()) / settings_.triangle_count);
+    const double over = static_cast<double>(mesh_.triangle_count()) / settings_.triangle_count;
+    length_ *= std::clamp(std::sqrt(over), 0.93, 1.07);
   }
 
   void meet_count();
@@ -60,9 +62,13 @@ class Remesher {
     const Vec3 &a = mesh_.position(e[0]), &b = mesh_.position(e[1]);
     return length(b - a) / wanted((a + b) * 0.5);
   }
+  /// The edge's middle on the surface; not found where that is another sheet than the edge's.
   SurfacePoint middle(Edge e) const {
-    const Vec3 &a = mesh_.position(e[0]), &b = mesh_.position(e[1]);
-    return project(surface_, (a + b) * 0.5, kReach * ::toile::length(b - a));
+    const SurfacePoint a = mesh_.at(e[0]), b = mesh_.at(e[1]);
+    const double reach = kReach * ::toile::length(b.position - a.position);
+    SurfacePoint p = project(surface_, (a.position + b.position) * 0.5, reach);
+    p.found = p.found && std::min(dot(p.normal, a.normal), dot(p.normal, b.normal)) > kSameSheet;
+    return p;
   }
 
   double quality(const Tri& t) const {
@@ -111,7 +117,9 @@ std::vector<Edge> Remesher::sorted_edges(double low, double high, bool longest_f
 }
 
 void Remesher::split_long_edges() {
-  for (const Edge& e : sorted_edges(kSplitOver, HUGE_VAL, true)) mesh_.split(e, middle(e));
+  for (const Edge& e : sorted_edges(kSplitOver, HUGE_VAL, true)) {
+    if (const SurfacePoint p = middle(e); p.found) mesh_.split(e, p);
+  }
 }
 
 void Remesher::collapse_short_edges() {
@@ -172,7 +180,7 @@ void Remesher::relax() {
     normal = normalized(normal);
     const Vec3 step = (sum * (1 / weight) - p) * kRelaxation;
     const SurfacePoint q = project(surface_, p + step - normal * dot(step, normal), kReach * wanted(p));
-    if (!q.found) continue;
+    if (!q.found || dot(q.normal, mesh_.at(v).normal) < kSameSheet) continue;
     if (mesh_.least_facing(v, q) >= std::min(mesh_.least_facing(v, mesh_.at(v)), kLeastFacing))
       mesh_.move(v, q);
   }
@@ -187,7 +195,7 @@ void Remesher::meet_count() {
       if (excess == 0) break;
       if (!mesh_.is_live(e[0]) || !mesh_.is_live(e[1]) || !mesh_.has_edge(e)) continue;
       if (excess < 0) {
-        mesh_.split(e, middle(e)), ++excess;
+        if (const SurfacePoint p = middle(e); p.found) mesh_.split(e, p), ++excess;
       } else {
         excess -= collapse(e, 2);
       }

@@ -33,7 +33,7 @@ Result<FlatMesh> triangulate(std::span<const Polygon> loops, double particle_dis
 /// Signed area of loops[0] (positive when counter-clockwise) less that of the holes.
 double enclosed_area(std::span<const Polygon> loops);
 
-inline constexpr double kMaxParticles = 500'000;  ///< of a garment: about 1 GB in a drape
+inline constexpr double kMaxParticles = 500'000;  ///< that a garment may have; bounds memory and time
 
 /// Particles that cloth of `area` m² will have.
 double particle_estimate(double area, double particle_distance);

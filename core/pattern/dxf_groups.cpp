@@ -58,7 +58,7 @@ std::optional<DxfGroup> DxfGroupReader::next() {
     error_ = Error{"dxf.truncated",
                    "The file ends after group code " + std::to_string(number) +
                        ", without its value: it is cut off. Get a whole copy.",
-                   line_text(line_)};
+                   "last good " + line_text(line_ - 1)};
   return std::nullopt;
 }
 

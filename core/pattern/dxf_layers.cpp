@@ -9,13 +9,13 @@
 
 #include "core/geometry/polygon2.h"
 #include "core/pattern/dxf_groups.h"
+#include "core/pattern/outline.h"
 
 namespace toile {
 namespace {
 
-constexpr double kLeastArea = 1e-2;  // mm²; less is a drawing fault, not cloth
-constexpr double kSameArea = 1e-3;   // share by which two drawings of one outline may differ
-constexpr double kBoxSlack = 1;      // mm, by which a line may stick out of the piece it belongs to
+constexpr double kSameArea = 1e-3;  // share by which two drawings of one outline may differ
+constexpr double kBoxSlack = 1;     // mm, by which a line may stick out of the piece it belongs to
 
 /// A closed chain with what is asked of it again and again.
 struct Outline {

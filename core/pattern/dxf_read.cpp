@@ -256,7 +256,8 @@ Result<Panel> panel_from_piece(const DxfPiece& piece, std::span<const Vec2> forc
     Result<Loop> hole = loop_from_polyline(piece.holes[h], {}, settings);
     if (!hole) return place(hole.error());
     panel.holes.push_back(reversed(*hole));
-    for (PanelEdge& edge : panel.holes.back().edges) edge.id = "h" + std::to_string(h) + edge.id;
+    for (PanelEdge& edge : panel.holes.back().edges)
+      edge.id = std::string("h").append(std::to_string(h)).append(edge.id);
   }
   return panel;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "core/base/units.h"
@@ -20,15 +21,18 @@ constexpr double kStraightLength = 20;
 constexpr double kStraightShare = 0.1;
 constexpr double kWholeStraight = 0.02;  // mm, deviation of a whole run that is drawn as one line
 // A segment this many times longer than its neighbours was drawn as a line, not sampled from a curve.
-constexpr double kLongSegment = 5;
+constexpr double kLongSegment = 3;
 // A chord of length s that turns by θ towards the next leaves its arc by about s·θ/8. Nobody samples a curve
-// more coarsely than this: such a bend is meant.
+// more coarsely than this: such a bend is meant. So is a lesser one that stands out among its neighbours.
 constexpr double kCoarsestSagitta = 0.5;           // mm
+constexpr double kLeastSagitta = 0.1;              // mm
+constexpr double kStandsOut = 3;                   // times the curvature at the neighbours
 constexpr double kSharpBend = 35 * (kPi / 180);    // rad
 constexpr double kTangentBend = 10 * (kPi / 180);  // rad, up to here a line runs on into a curve
 constexpr double kTangentReach = 0.5;              // mm, nearer points would show rounding
-constexpr int kReparametrisations = 6;             // more gain little
-constexpr double kHopeless = 10;                   // times the tolerance: split without Newton
+constexpr int kReparametrisations = 24;            // chord length starts far off where a curve bends unevenly
+constexpr double kHopeless = 0.03;                 // of the run, an error that Newton does not mend
+constexpr double kLeastGain = 0.98;  // factor on the error per Newton step; above, splitting is quicker
 
 using Points = std::span<const Vec2>;
 
@@ -126,15 +130,17 @@ void reparametrise(Points p, std::vector<double>& u, const CubicBezier& c) {
 void fit_smooth(Points p, Vec2 t0, Vec2 t1, double tolerance, std::vector<CubicBezier>& out) {
   const double run_length = polyline_length(p);
   std::vector<double> u = chord_parameters(p);
-  Worst worst;
+  Worst worst{std::numeric_limits<double>::max(), 0};
   for (int i = 0; i <= kReparametrisations; ++i) {
     const CubicBezier curve = fit_handles(p, u, t0, t1, run_length);
+    const double before = worst.distance;
     worst = worst_point(p, u, curve);
     if (p.size() == 2 || worst.distance <= tolerance) {
       out.push_back(curve);
       return;
     }
-    if (worst.distance > kHopeless * tolerance) break;
+    if (worst.distance > std::max(tolerance, kHopeless * run_length) || worst.distance > kLeastGain * before)
+      break;
     reparametrise(p, u, curve);
   }
   // Away from the ends, so that the depth of halving stays logarithmic.
@@ -235,11 +241,20 @@ void fit_run(Points p, std::optional<Vec2> t0, std::optional<Vec2> t1, double to
   }
 }
 
+/// Turn per length at an inner point, 0 at the ends.
+double curvature(Points p, std::size_t i) {
+  if (i == 0 || i + 1 >= p.size()) return 0;
+  const Vec2 in = p[i] - p[i - 1], out = p[i + 1] - p[i];
+  return 2 * turn(in, out) / (length(in) + length(out));
+}
+
 /// Whether the polyline bends at its inner point i more than samples of a curve would.
 bool is_sharp(Points p, std::size_t i) {
   const Vec2 in = p[i] - p[i - 1], out = p[i + 1] - p[i];
-  const double bend = turn(in, out);
-  return bend > kSharpBend || std::min(length(in), length(out)) * bend / 8 > kCoarsestSagitta;
+  const double bend = turn(in, out), sagitta = std::min(length(in), length(out)) * bend / 8;
+  if (bend > kSharpBend || sagitta > kCoarsestSagitta) return true;
+  const double around = std::max(curvature(p, i - 1), curvature(p, i + 1));
+  return sagitta > kLeastSagitta && curvature(p, i) > kStandsOut * around;
 }
 
 }  // namespace

@@ -23,7 +23,6 @@ namespace {
 
 constexpr double kCornerWindow = 1.5;  // mm, over which directions at a corner are measured
 constexpr double kForcedReach = 0.5;   // mm from a forced corner to its vertex
-constexpr double kLeastArea = 1e-2;    // mm²; less is a drawing fault, not cloth
 constexpr std::size_t kNothing = std::numeric_limits<std::size_t>::max();
 
 using Points = std::span<const Vec2>;
@@ -143,7 +142,7 @@ Loop fitted_loop(const std::vector<Vec2>& loop, const std::vector<std::size_t>& 
     const std::size_t begin = corners[k], end = k + 1 < corners.size() ? corners[k + 1] : n;
     std::vector<Vec2> run(loop.begin() + std::ptrdiff_t(begin), loop.begin() + std::ptrdiff_t(end));
     run.push_back(loop[end % n]);
-    result.edges.push_back({"e" + std::to_string(k), fit_polyline(run, tolerance)});
+    result.edges.push_back({std::string("e").append(std::to_string(k)), fit_polyline(run, tolerance)});
   }
   if (corners.empty()) result.edges.push_back({"e0", fit_smooth_loop(loop, tolerance)});
   return result;

@@ -26,6 +26,9 @@ struct OutlineSettings {
 /// Joints of explicit edges that are this close are snapped; vertices this close are one.
 inline constexpr double kJointTolerance = 0.01;  // mm
 
+/// An outline around less is a fault of the drawing, not cloth.
+inline constexpr double kLeastArea = 1e-2;  // mm²
+
 /// Indices of the corners of a closed polyline, ascending. REQUIRES neighbours apart, at least 3 vertices.
 std::vector<std::size_t> find_corners(std::span<const Vec2> loop, double corner_angle);
 

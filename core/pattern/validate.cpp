@@ -21,7 +21,6 @@ using Failure = std::optional<Error>;
 constexpr double kFlatness = 0.02;              // mm, of the polylines that stand for curves here
 constexpr std::size_t kMostPoints = 2'000'000;  // of one piece so drawn; more is no pattern
 constexpr double kFarthest = 1e6;               // mm
-constexpr double kLeastArea = 1e-2;             // mm²
 constexpr double kUnitSlack = 1e-6;             // on the length of the grain
 
 bool sound(const CubicBezier& c) {

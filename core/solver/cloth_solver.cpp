@@ -65,17 +65,15 @@ void ClothSolver::set_holds(std::vector<HeldVertex> held) {
   }
   if (w == inverse_mass_) return;
   inverse_mass_ = std::move(w);
-  prepare_membrane(membrane_, inverse_mass_, h_);
   prepare_bending(bending_, inverse_mass_, h_);
 }
 
 StepReport ClothSolver::step(const StepForces& forces) {
   predict(forces);
-  backwards_ = !backwards_;
-  solve_membrane(membrane_, inverse_mass_, h_, backwards_, x_);
-  solve_bending(bending_, inverse_mass_, backwards_, x_);
-  solve_stitches(stitches_, forces.stitch_length, inverse_mass_, h_, x_);
+  solve_membrane(membrane_, inverse_mass_, h_, x_);
+  solve_bending(bending_, inverse_mass_, x_);
   solve_height_holds(held_, x_);
+  solve_stitches(stitches_, forces.stitch_length, inverse_mass_, h_, x_);  // a thread wins over a hand
   const StepReport report = keep_bounds(forces);
   finish();
   return report;

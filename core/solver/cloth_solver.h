@@ -68,7 +68,6 @@ class ClothSolver {
   ContactFinder finder_;
   Contacts contacts_;
   bool measured_ = false;
-  bool backwards_ = false;  ///< order of the passes, turned every step
 };
 
 /// Thickness, friction and ball sizes for a cloth: thickness at most 0.3 and balls at most 0.35 of the mean edge.

@@ -1,7 +1,7 @@
 #pragma once
 // One Gauss-Seidel pass a substep leaves a constraint softer than asked. At rest, gravity moves everything by the
-// same amount, and what a constraint with mobility g = G W Gᵀ corrects is undone by its neighbours: half before its
-// turn and half after, when the order of the pass alternates. So its compliance comes out as compliance/h² + share·g
+// same amount, and what a constraint with mobility g = G W Gᵀ corrects is undone by its neighbours: about
+// half of it before its turn and half after. So its compliance comes out as compliance/h² + share·g
 // − g/2, and is as asked when the share of the mobility in its system is one half. That is safe only while the
 // constraint is soft; a hard one takes its whole mobility, as plain XPBD does, and stays a little soft.
 

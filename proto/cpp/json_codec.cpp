@@ -199,13 +199,14 @@ std::string laid_out(char open, std::span<const std::string> items, char close, 
     broken = broken || item.find('\n') != std::string::npos;
   }
   const bool fits = !broken && one_line <= width;
-  const std::string gap = fits ? "" : "\n" + std::string(indent + 2, ' ');
+  std::string gap;
+  if (!fits) gap.append(1, '\n').append(indent + 2, ' ');
   std::string out(1, open);
   for (std::size_t i = 0; i < items.size(); ++i) {
     if (i > 0) out += fits ? ", " : ",";
     out += gap + items[i];
   }
-  if (!fits) out += "\n" + std::string(indent, ' ');
+  if (!fits) out.append(1, '\n').append(indent, ' ');
   return out + close;
 }
 

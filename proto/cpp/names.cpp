@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace toile {
@@ -20,17 +21,19 @@ std::string in_quotes(std::string_view text) { return '"' + clipped(text) + '"';
 
 namespace {
 
-/// Levenshtein's distance: insertions, deletions and changes of one letter that turn `a` into `b`.
+/// Insertions, deletions and changes of one letter and swaps of two neighbours that turn `a` into `b`
+/// (optimal string alignment).
 std::size_t letter_changes(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
+  std::vector<std::size_t> older, old, row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
+    older = std::exchange(old, row);
     row[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t change = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({change, row[j] + 1, row[j - 1] + 1});
+      const std::size_t change = old[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      row[j] = std::min({change, old[j] + 1, row[j - 1] + 1});
+      const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+      if (swapped) row[j] = std::min(row[j], older[j - 2] + 1);
     }
   }
   return row[b.size()];
@@ -57,7 +60,7 @@ std::string advice(std::string_view name, std::span<const std::string> names) {
   if (names.empty()) return "there are none";
   const std::string_view near = nearest_name(name, names);
   std::string out = near.empty() ? "" : "did you mean " + in_quotes(near) + "? ";
-  out += "there are ";
+  out += names.size() == 1 ? "there is " : "there are ";
   for (std::size_t i = 0; i < std::min(names.size(), kMostNames); ++i) {
     out += (i > 0 ? ", " : "") + in_quotes(names[i]);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <system_error>
@@ -22,9 +23,18 @@ Error no_file(const fs::path& path, const std::string& reason) {
                clipped(path.string(), 300)};
 }
 
+/// A body has a few thousand triangles, a scan half a million; a file beyond this would take many seconds to
+/// read before it turns out to be of no use.
+constexpr std::uintmax_t kMostBodyBytes = std::uintmax_t{32} << 20;
+
+Error too_large(const fs::path& path, const char* code, std::uintmax_t limit) {
+  return Error{code, "the file has more than the " + std::to_string(limit >> 20) + " MiB that are allowed",
+               clipped(path.string(), 300)};
+}
+
 /// The bytes of a regular file of at most `limit` bytes. A device or a pipe could go on for ever and is
 /// refused.
-Result<std::string> bytes_of(const fs::path& path, std::size_t limit, const char* too_large) {
+Result<std::string> bytes_of(const fs::path& path, std::size_t limit, const char* code) {
   std::error_code failure;
   const fs::file_status status = fs::status(path, failure);
   if (!fs::exists(status)) return no_file(path, "there is no such file");
@@ -39,11 +49,7 @@ Result<std::string> bytes_of(const fs::path& path, std::size_t limit, const char
     in.read(bytes.data() + had, static_cast<std::streamsize>(bytes.size() - had));
     bytes.resize(had + static_cast<std::size_t>(in.gcount()));
   }
-  if (bytes.size() > limit) {
-    return Error{too_large,
-                 "the file has more than the " + std::to_string(limit >> 20) + " MiB that are allowed",
-                 clipped(path.string(), 300)};
-  }
+  if (bytes.size() > limit) return too_large(path, code, limit);
   return bytes;
 }
 
@@ -54,8 +60,12 @@ ProjectFiles files_in(const fs::path& folder) {
   files.dxf_text = [folder](const std::string& name) {
     return bytes_of(folder / name, DxfSettings{}.max_bytes, "project.too_large");
   };
-  files.body_mesh = [folder](const std::string& name, const MeshSettings& settings) {
-    return load_mesh(folder / name, settings);
+  files.body_mesh = [folder](const std::string& name, const MeshSettings& settings) -> Result<TriangleMesh> {
+    const fs::path path = folder / name;
+    std::error_code failure;
+    const std::uintmax_t bytes = fs::file_size(path, failure);
+    if (!failure && bytes > kMostBodyBytes) return too_large(path, "project.too_large", kMostBodyBytes);
+    return load_mesh(path, settings);
   };
   return files;
 }

@@ -118,7 +118,9 @@ ExitCode run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return app.exit(e), kDone;  // --help, --version
-    print_error({"usage.arguments", std::string(e.what()) + "; see toile --help", ""}, false);
+    const auto verbs = app.get_subcommands();               // those on the command line
+    const std::string verb = verbs.empty() ? "" : verbs.front()->get_name() + " ";
+    print_error({"usage.arguments", std::string(e.what()) + "; see toile " + verb + "--help", ""}, false);
     return kBadInput;
   }
   options.drape.stills = !options.no_stills;

@@ -108,13 +108,13 @@ Camera frame_scene(const Scene& scene, View view, double aspect) {
   if (all.empty()) all = {{-0.5, 0, -0.5}, {0.5, 0, 0.5}, {0, 1, 0}};
 
   Camera wide = camera;
-  double distance = fit(wide, all, kBodyMargin);
-  const double wide_distance = distance;
-  if (!garment.empty()) distance = fit(camera, garment, kGarmentMargin);
-  if (garment.empty() || wide_distance <= distance * kWholeBodyWithin) {
-    camera = wide;
-    distance = wide_distance;
+  const double distance = fit(wide, all, kBodyMargin);
+  if (!garment.empty()) {
+    const double close = fit(camera, garment, kGarmentMargin);
+    if (distance < close) fit(wide, all, kGarmentMargin);  // nothing but garment, or nearly so
+    if (distance > close * kWholeBodyWithin) wide = camera;
   }
+  camera = wide;
   const Box3 box = [&] {
     Box3 b;
     for (const Vec3& p : all) b.add(turned(camera, p - camera.eye));

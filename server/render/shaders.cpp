@@ -79,7 +79,8 @@ uniform float key_texel;              // of the map, 0 to 1
 uniform vec4 image_size;               // xy: pixels
 
 float key_tap(vec3 q, vec2 step, vec2 slope) {
-  return texture(key_map, vec3(q.xy * 0.5 + 0.5 + step, q.z * 0.5 + 0.5 + dot(step, slope)));
+  float depth = min(q.z * 0.5 + 0.5 + dot(step, slope), 0.9999);   // where nothing casts the map holds 1
+  return texture(key_map, vec3(q.xy * 0.5 + 0.5 + step, depth));
 }
 
 // A tent over the map. Each tap is compared with the depth that the receiver's own plane has there, so that a

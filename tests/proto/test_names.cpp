@@ -12,6 +12,7 @@ const std::vector<std::string> kNames{"pieces", "fabrics", "seams"};
 TEST(Names, FindsTheNameThatASlipOfThePenMeant) {
   EXPECT_EQ(nearest_name("peices", kNames), "pieces");
   EXPECT_EQ(nearest_name("seam", kNames), "seams");
+  EXPECT_EQ(nearest_name("saems", kNames), "seams");
 }
 
 TEST(Names, OffersNothingForANameThatIsNearToNone) {

@@ -206,10 +206,8 @@ void solve_triangle(const BendTriangle& t, std::span<const double> w, std::span<
 
 }  // namespace
 
-void solve_bending(std::span<const BendTriangle> triangles, std::span<const double> w, bool backwards,
-                   std::span<Vec3> x) {
-  const std::size_t n = triangles.size();
-  for (std::size_t i = 0; i < n; ++i) solve_triangle(triangles[backwards ? n - 1 - i : i], w, x);
+void solve_bending(std::span<const BendTriangle> triangles, std::span<const double> w, std::span<Vec3> x) {
+  for (const BendTriangle& t : triangles) solve_triangle(t, w, x);
 }
 
 }  // namespace toile

@@ -40,8 +40,7 @@ std::vector<BendTriangle> make_bending(const ClothModel& model);
 /// Solves the constant part for inverse masses `w` and substep `h`; needed again when either changes.
 void prepare_bending(std::span<BendTriangle> triangles, std::span<const double> w, double h);
 
-/// One Gauss-Seidel pass, in the order of the triangles or against it.
-void solve_bending(std::span<const BendTriangle> triangles, std::span<const double> w, bool backwards,
-                   std::span<Vec3> x);
+/// One Gauss-Seidel pass, in the order of the triangles.
+void solve_bending(std::span<const BendTriangle> triangles, std::span<const double> w, std::span<Vec3> x);
 
 }  // namespace toile

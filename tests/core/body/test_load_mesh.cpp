@@ -115,8 +115,9 @@ TEST_F(LoadMesh, RefusesWhatIsNoMesh) {
   EXPECT_EQ(code("empty.obj", ""), "mesh.empty");
   EXPECT_NE(code("text.obj", "It was a dark and stormy night.\n"), "ok");
   EXPECT_NE(code("text.stl", "It was a dark and stormy night.\n"), "ok");
-  EXPECT_NE(code("text.ply", "ply\nformat ascii 1.0\nelement vertex 99999999\n"), "ok");
-  EXPECT_NE(code("text.xyzzy", kCube), "ok");
+  EXPECT_EQ(code("text.ply", "ply\nformat ascii 1.0\nelement vertex 99999999\n"), "mesh.unreadable");
+  EXPECT_EQ(code("open.ply", "ply\nformat ascii 1.0\nelement vertex 3\n"), "mesh.unreadable");
+  EXPECT_EQ(code("cube.xyzzy", kCube), "mesh.unreadable");
   EXPECT_NE(code("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"), "ok");
   EXPECT_NE(code("faces.obj", "v 0 0 0\nv 1 0 0\nf 1 2 3\n"), "ok");
   EXPECT_EQ(load_mesh(write("cube.obj", kCube), {.unit_in_m = -1}).error().code, "mesh.setting");

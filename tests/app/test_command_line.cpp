@@ -1,0 +1,195 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "proto/cpp/json_codec.h"
+#include "tests/app/napkin.h"
+#include "tests/app/program.h"
+
+namespace toile {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(CommandLine, HelpsEverywhereWithExamples) {
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"--help"}, {"drape", "--help"}, {"check", "--help"}, {"body", "-h"}}) {
+    const Ran run = run_toile(arguments);
+    EXPECT_EQ(run.code, 0);
+    EXPECT_TRUE(has(run.out, "Examples:\n  toile ")) << run.out;
+    EXPECT_TRUE(has(run.out, "Exit codes: 0")) << run.out;
+    EXPECT_EQ(run.err, "");
+  }
+}
+
+TEST(CommandLine, SaysItsVersion) {
+  const Ran run = run_toile({"--version"});
+  EXPECT_EQ(run.code, 0);
+  EXPECT_TRUE(run.out.starts_with("toile ")) << run.out;
+  EXPECT_TRUE(has(text_of(std::string(TOILE_SOURCE_DIR) + "/CMakeLists.txt"),
+                  "VERSION " + run.out.substr(6, run.out.size() - 7)))
+      << run.out;
+}
+
+TEST(CommandLine, RefusesWrongArguments) {
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{},
+                                                    {"fly"},
+                                                    {"drape"},
+                                                    {"drape", "project.json"},
+                                                    {"check", "a", "b"},
+                                                    {"drape", "p", "--out", "o", "--size", "12x"},
+                                                    {"drape", "p", "--out", "o", "--size", "5000x100"},
+                                                    {"drape", "p", "--out", "o", "--trace-every", "2"},
+                                                    {"body", "--out", "b.obj", "--height", "tall"}}) {
+    const Ran run = run_toile(arguments);
+    EXPECT_EQ(run.code, 2) << run.err;
+    EXPECT_TRUE(run.err.starts_with("toile: usage.arguments: ")) << run.err;
+    EXPECT_EQ(run.out, "");
+  }
+}
+
+TEST(CommandLine, CheckSaysWhatAProjectHolds) {
+  const fs::path folder = napkin_folder("toile_check");
+  const Ran run = run_toile({"check", folder / "project.json"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(has(run.out, "piece napkin: 300.0 x 300.0 mm, 900 cm2, cotton")) << run.out;
+  EXPECT_TRUE(has(run.out, "east 300.0")) << run.out;
+  EXPECT_TRUE(has(run.out, "body post: 12 triangles, 0.50 m high")) << run.out;
+  fs::remove_all(folder);
+}
+
+TEST(CommandLine, CheckGivesBothLengthsOfASeam) {
+  const fs::path folder =
+      napkin_folder("toile_check", "\"seams\": []",
+                    R"("seams": [{"id": "tube", "a": [{"piece": "napkin", "edge": "east"}],
+                                           "b": [{"piece": "napkin", "edge": "north"},
+                                                 {"piece": "napkin", "edge": "west"}]}])");
+  const Ran human = run_toile({"check", folder / "project.json"});
+  EXPECT_TRUE(has(human.out, "seam tube: 300.0 mm to 600.0 mm, 300.0 mm eased in")) << human.out << human.err;
+  const Ran machine = run_toile({"check", folder / "project.json", "--json"});
+  const auto tree = parse_json(machine.out);
+  ASSERT_TRUE(tree) << machine.out;
+  const JsonValue& seam = tree->find("seams")->array()->front();
+  EXPECT_EQ(*seam.find("length_a_mm")->number(), 300);
+  EXPECT_EQ(*seam.find("length_b_mm")->number(), 600);
+  fs::remove_all(folder);
+}
+
+TEST(CommandLine, BodyWritesAMannequin) {
+  const fs::path folder = fresh_folder("toile_body");
+  const Ran run = run_toile(
+      {"body", "--out", folder / "tall.obj", "--height", "182", "--hip", "102", "--triangles", "2000"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(has(run.out, "2000 triangles")) << run.out;
+  const std::string obj = text_of(folder / "tall.obj");
+  EXPECT_TRUE(has(obj, "v ")) << obj.substr(0, 200);
+  EXPECT_TRUE(has(obj, "\nf ")) << obj.substr(0, 200);
+  fs::remove_all(folder);
+}
+
+TEST(CommandLine, BodyRefusesMeasuresThatNobodyHas) {
+  const Ran run = run_toile({"body", "--out", "/tmp/never.obj", "--waist", "300"});
+  EXPECT_EQ(run.code, 2);
+  EXPECT_TRUE(run.err.starts_with("toile: mannequin.")) << run.err;
+}
+
+/// One drape for the tests that look at what it leaves.
+class Draped : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder = napkin_folder("toile_draped");
+    run = run_toile({"drape", folder / "project.json", "--out", folder / "out/deep", "--check-data", "--json",
+                     "--size", "64x80", "--trace", folder / "frames.trace", "--trace-every", "5"},
+                    300);
+  }
+  static void TearDownTestSuite() { fs::remove_all(folder); }
+
+  static inline fs::path folder;
+  static inline Ran run;
+};
+
+TEST_F(Draped, SettlesAndLeavesAllItsFiles) {
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.err, "") << "a bar in a pipe?";
+  for (const char* name : {"report.json", "final.obj", "final.glb", "front.png", "back.png", "side.png",
+                           "three-quarter.png", "rest.obj", "body.obj", "sewn.json"}) {
+    EXPECT_GT(text_of(folder / "out/deep" / name).size(), 1u) << name;
+  }
+  EXPECT_EQ(text_of(folder / "frames.trace").substr(0, 8), "TOILETRC");
+}
+
+TEST_F(Draped, PrintsTheReportThatItWrites) { EXPECT_EQ(run.out, text_of(folder / "out/deep/report.json")); }
+
+/// Checks a value against the few words of JSON Schema that report.schema.json uses.
+void expect_fits(const JsonValue& value, const JsonValue& given, const JsonValue& root,
+                 const std::string& at) {
+  const JsonValue* reference = given.find("$ref");
+  const JsonValue& schema = reference ? *root.find("$defs")->find(reference->text()->substr(8)) : given;
+  const std::string& type = *schema.find("type")->text();
+  const bool fits = (type == "object" && value.object()) || (type == "string" && value.text()) ||
+                    (type == "boolean" && value.boolean()) ||
+                    ((type == "number" || type == "integer") && value.number());
+  ASSERT_TRUE(fits) << at << " is no " << type;
+  if (const JsonValue* least = schema.find("minimum")) {
+    EXPECT_GE(*value.number(), *least->number()) << at;
+  }
+  const JsonValue* properties = schema.find("properties");
+  if (!properties) return;
+  for (const JsonValue& key : *schema.find("required")->array()) {
+    EXPECT_TRUE(value.find(*key.text())) << at << " has no " << *key.text();
+  }
+  for (const JsonMember& member : *value.object()) {
+    const JsonValue* known = properties->find(member.key);
+    ASSERT_TRUE(known) << at << "/" << member.key << " is not in the schema";
+    expect_fits(member.value, *known, root, at + "/" + member.key);
+  }
+}
+
+TEST_F(Draped, TheReportFitsItsSchema) {
+  const auto schema = parse_json(text_of(std::string(TOILE_SOURCE_DIR) + "/proto/schema/report.schema.json"));
+  ASSERT_TRUE(schema) << to_string(schema.error());
+  const auto report = parse_json(run.out);
+  ASSERT_TRUE(report) << to_string(report.error());
+  expect_fits(*report, *schema, *schema, "");
+  EXPECT_TRUE(*report->find("settled")->boolean());
+  EXPECT_EQ(report->find("hash")->text()->size(), 32u);
+}
+
+TEST_F(Draped, TwiceTheSameInputGivesTheSameHash) {
+  const Ran again =
+      run_toile({"drape", folder / "project.json", "--out", folder / "again", "--no-stills", "--json"}, 300);
+  const auto first = parse_json(run.out), second = parse_json(again.out);
+  ASSERT_TRUE(first);
+  ASSERT_TRUE(second) << again.err;
+  EXPECT_EQ(*first->find("hash")->text(), *second->find("hash")->text());
+  EXPECT_FALSE(fs::exists(folder / "again/front.png"));
+}
+
+TEST(DrapeCommand, SaysByItsExitCodeThatTimeRanOut) {
+  const fs::path folder = napkin_folder("toile_unsettled", "\"max_time_s\": 8", "\"max_time_s\": 0.02");
+  const Ran run = run_toile({"drape", folder / "project.json", "--out", folder / "out", "--no-stills"}, 120);
+  EXPECT_EQ(run.code, 3) << run.out << run.err;
+  EXPECT_TRUE(has(run.out, "not settled")) << run.out;
+  EXPECT_TRUE(fs::exists(folder / "out/report.json"));
+  fs::remove_all(folder);
+}
+
+TEST(DrapeCommand, EndsInGoodOrderWhenInterrupted) {
+  const fs::path folder = napkin_folder("toile_cancelled", "\"particle_distance_mm\": 25",
+                                        "\"particle_distance_mm\": 4, \"settle_speed_mm_s\": 0.001");
+  const Ran run =
+      run_toile({"drape", folder / "project.json", "--out", folder / "out", "--no-stills"}, 120, 1.5);
+  EXPECT_EQ(run.signal, 0);
+  EXPECT_EQ(run.code, 4) << run.out << run.err;
+  EXPECT_TRUE(has(text_of(folder / "out/report.json"), "\"stop_reason\": \"cancelled\""));
+  EXPECT_LT(run.seconds, 60);
+  fs::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace toile

@@ -1,0 +1,109 @@
+#include "core/collision/contacts.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "core/collision/crossings.h"
+
+namespace toile {
+namespace {
+
+/// A square sheet of n × n vertices, 1 cm apart, at height y.
+struct Sheet {
+  std::vector<Vec3> x;
+  std::vector<Tri> triangles;
+};
+
+void append_sheet(Sheet& sheet, int n, double y) {
+  const auto first = static_cast<Index>(sheet.x.size());
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) sheet.x.push_back({0.01 * i, y, 0.01 * j});
+  }
+  for (int i = 0; i + 1 < n; ++i) {
+    for (int j = 0; j + 1 < n; ++j) {
+      const Index v = first + i * n + j;
+      sheet.triangles.push_back({v, v + 1, v + n});
+      sheet.triangles.push_back({v + 1, v + n + 1, v + n});
+    }
+  }
+}
+
+/// Moves every vertex as far as its bounds let it, towards random places near and beyond.
+void move_at_random(const Contacts& contacts, std::mt19937& random, double reach, std::vector<Vec3>& x) {
+  std::uniform_real_distribution<double> step(-reach, reach);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const Vec3 to = x[i] + Vec3{step(random), step(random), step(random)};
+    const double t = contacts.reach(static_cast<Index>(i), x[i], to);
+    x[i] = x[i] + (to - x[i]) * t;
+  }
+}
+
+TEST(Contacts, BoundsKeepTwoSheetsApartWhateverTheMoves) {
+  std::mt19937 random(3);
+  for (int round = 0; round < 20; ++round) {
+    Sheet sheet;
+    append_sheet(sheet, 6, 0);
+    append_sheet(sheet, 6, 0.002);
+    for (Vec3& p : sheet.x) p.x += p.y;  // no vertex above another
+    const Surface surface = make_surface(sheet.triangles, static_cast<Index>(sheet.x.size()));
+    ContactFinder finder(surface, {}, ContactSettings{});
+    const std::vector<double> speeds(sheet.x.size(), 0.5);
+    Contacts contacts;
+    for (int k = 0; k < 40; ++k) {
+      finder.measure(sheet.x, speeds, contacts);
+      for (int m = 0; m < 3; ++m) move_at_random(contacts, random, 0.004, sheet.x);
+      ASSERT_TRUE(self_crossings(surface, sheet.x).empty()) << "round " << round << ", move " << k;
+    }
+  }
+}
+
+TEST(Contacts, BoundsKeepASheetOutOfABodyWithEdgesAndPoints) {
+  // A tetrahedron standing on its base, its tip under the sheet.
+  const std::vector<Vec3> body{{0.02, 0.029, 0.024}, {0, 0, 0}, {0.05, 0, 0}, {0.02, 0, 0.05}};
+  const std::vector<Tri> faces{{1, 2, 3}, {0, 2, 1}, {0, 3, 2}, {0, 1, 3}};
+  const std::vector<Obstacle> obstacles{make_obstacle(body, faces, 0.4, 1e-3)};
+  const CrossingBody crossing_body = make_crossing_body(body, faces);
+  std::mt19937 random(5);
+  Sheet sheet;
+  append_sheet(sheet, 6, 0.03);
+  const Surface surface = make_surface(sheet.triangles, static_cast<Index>(sheet.x.size()));
+  ContactFinder finder(surface, obstacles, ContactSettings{});
+  const std::vector<double> speeds(sheet.x.size(), 1.0);
+  Contacts contacts;
+  for (int k = 0; k < 300; ++k) {
+    finder.measure(sheet.x, speeds, contacts);
+    move_at_random(contacts, random, 0.006, sheet.x);
+    for (Vec3& p : sheet.x) {  // and a steady pull down
+      const auto i = static_cast<Index>(&p - sheet.x.data());
+      const Vec3 down = p - Vec3{0, 0.001, 0};
+      p = p + (down - p) * contacts.reach(i, p, down);
+    }
+    ASSERT_TRUE(body_crossings(surface, sheet.x, crossing_body).empty()) << "move " << k;
+    ASSERT_TRUE(self_crossings(surface, sheet.x).empty()) << "move " << k;
+  }
+}
+
+TEST(Contacts, AVertexAloneMayUseItsWholeBall) {
+  Sheet sheet;
+  append_sheet(sheet, 2, 0);
+  ContactFinder finder(make_surface(sheet.triangles, 4), {}, ContactSettings{});
+  Contacts contacts;
+  finder.measure(sheet.x, std::vector<double>(4, 0.0), contacts);
+  EXPECT_NEAR(contacts.reach(0, sheet.x[0], sheet.x[0] + Vec3{0, 0.002, 0}), 0.5, 0.02);
+  EXPECT_EQ(contacts.reach(0, sheet.x[0], sheet.x[0] + Vec3{0, 0.0005, 0}), 1);
+}
+
+TEST(Contacts, FasterVerticesGetLargerBalls) {
+  Sheet sheet;
+  append_sheet(sheet, 2, 0);
+  ContactFinder finder(make_surface(sheet.triangles, 4), {}, ContactSettings{});
+  Contacts contacts;
+  finder.measure(sheet.x, std::vector<double>{0, 0.3, 0.5, 100}, contacts);
+  EXPECT_NEAR(contacts.ball[0], 1e-3, 1e-4);
+  EXPECT_NEAR(contacts.ball[1], 1.5 * 0.3 * 4.5e-3, 1e-4);
+  EXPECT_NEAR(contacts.ball[3], 5e-3, 1e-4);
+}
+
+}  // namespace
+}  // namespace toile

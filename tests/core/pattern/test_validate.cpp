@@ -1,0 +1,144 @@
+#include "core/pattern/validate.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+
+#include "core/pattern/curve.h"
+#include "core/pattern/outline.h"
+
+namespace toile {
+namespace {
+
+Panel square(const std::string& id, double size = 100) {
+  Panel panel;
+  panel.id = id;
+  panel.outline = *loop_from_polyline({{0, 0}, {size, 0}, {size, size}, {0, size}}, {});
+  return panel;
+}
+
+Loop hole_at(Vec2 p, const std::string& prefix) {
+  Loop hole = reversed(*loop_from_polyline({p, p + Vec2{10, 0}, p + Vec2{10, 10}, p + Vec2{0, 10}}, {}));
+  for (PanelEdge& e : hole.edges) e.id = prefix + e.id;
+  return hole;
+}
+
+Pattern two_squares() {
+  Pattern pattern{{square("front"), square("back")}, {}};
+  pattern.panels[0].holes.push_back(hole_at({20, 20}, "h0"));
+  pattern.seams.push_back({"side_left", {{0, 1, false}}, {{1, 3, false}}, false});
+  pattern.seams.push_back({"side_right", {{0, 3, false}}, {{1, 1, false}}, false});
+  return pattern;
+}
+
+Error broken(const std::function<void(Pattern&)>& change) {
+  Pattern pattern = two_squares();
+  change(pattern);
+  const Status status = validate(pattern);
+  return status ? Error{"accepted", "", ""} : status.error();
+}
+
+TEST(Validate, AWholePatternPasses) {
+  const Status status = validate(two_squares());
+  EXPECT_TRUE(status) << to_string(status.error());
+  EXPECT_TRUE(validate(Pattern{}));
+}
+
+TEST(Validate, IdsAreThereAndUnique) {
+  EXPECT_EQ(broken([](Pattern& p) { p.panels[1].id = "front"; }).code, "pattern.duplicate_id");
+  EXPECT_EQ(broken([](Pattern& p) { p.panels[1].id = ""; }).code, "pattern.missing_id");
+  EXPECT_EQ(broken([](Pattern& p) { p.seams[1].id = "side_left"; }).where, "seam side_left");
+  EXPECT_EQ(broken([](Pattern& p) { p.panels[0].holes[0].edges[1].id = "e2"; }).where,
+            "piece front, edge e2");
+}
+
+TEST(Validate, LoopsAreClosedExactly) {
+  const Error e = broken([](Pattern& p) { p.panels[0].outline.edges[3].curves[0].p3.x = 1e-9; });
+  EXPECT_EQ(e.code, "pattern.open_outline");
+  EXPECT_EQ(e.where, "piece front, edge e0");
+  EXPECT_EQ(broken([](Pattern& p) { p.panels[0].outline.edges.clear(); }).code, "pattern.empty_edge");
+  EXPECT_EQ(broken([](Pattern& p) { p.panels[0].outline.edges[2].curves.clear(); }).where,
+            "piece front, edge e2");
+}
+
+TEST(Validate, CoordinatesAreFiniteAndEarthly) {
+  const auto set = [](double x) {
+    return [x](Pattern& p) { p.panels[1].outline.edges[2].curves[0].p1.x = x; };
+  };
+  EXPECT_EQ(broken(set(std::numeric_limits<double>::quiet_NaN())).where, "piece back, edge e2");
+  EXPECT_EQ(broken(set(std::numeric_limits<double>::infinity())).code, "pattern.not_finite");
+  EXPECT_EQ(broken(set(1e300)).code, "pattern.too_large");
+}
+
+TEST(Validate, OutlinesRunCounterClockwiseAndHolesClockwise) {
+  EXPECT_EQ(broken([](Pattern& p) { p.panels[0].outline = reversed(p.panels[0].outline); }).code,
+            "pattern.clockwise");
+  const Error e = broken([](Pattern& p) { p.panels[0].holes[0] = reversed(p.panels[0].holes[0]); });
+  EXPECT_EQ(e.code, "pattern.clockwise");
+  EXPECT_EQ(e.where, "piece front, hole 0");
+}
+
+TEST(Validate, AnOutlineThatCrossesItselfIsPlaced) {
+  const Error e = broken([](Pattern& p) {
+    CubicBezier& c = p.panels[1].outline.edges[1].curves[0];  // from (100, 0) up; bend it over the left side
+    c.p1 = {-200, 30}, c.p2 = {-200, 60};
+  });
+  EXPECT_EQ(e.code, "pattern.self_crossing");
+  EXPECT_EQ(e.where, "piece back, edge e1");
+}
+
+TEST(Validate, APieceWithoutAreaIsRefused) {
+  const Error e = broken([](Pattern& p) {
+    p.panels[0].holes.clear();
+    p.panels[0].outline.edges = {{"e0", {line_segment({0, 0}, {9, 0})}},
+                                 {"e1", {line_segment({9, 0}, {0, 0})}}};
+    p.seams.clear();
+  });
+  EXPECT_EQ(e.code, "pattern.zero_area");
+  EXPECT_EQ(e.where, "piece front");
+}
+
+TEST(Validate, HolesLieInTheClothApart) {
+  EXPECT_EQ(broken([](Pattern& p) {
+              p.panels[0].holes[0] = hole_at({500, 20}, "h0");
+            }).code,
+            "pattern.hole_outside");
+  EXPECT_EQ(broken([](Pattern& p) {
+              p.panels[0].holes[0] = hole_at({95, 20}, "h0");
+            }).code,
+            "pattern.self_crossing");
+  EXPECT_EQ(broken([](Pattern& p) {
+              p.panels[0].holes.push_back(hole_at({25, 25}, "h1"));
+            }).code,
+            "pattern.self_crossing");
+}
+
+TEST(Validate, TheGrainIsADirection) {
+  EXPECT_EQ(broken([](Pattern& p) { p.panels[1].grain = {0, 2}; }).code, "pattern.bad_grain");
+  EXPECT_EQ(broken([](Pattern& p) {
+              p.panels[1].grain = {0, std::numeric_limits<double>::quiet_NaN()};
+            }).where,
+            "piece back");
+}
+
+TEST(Validate, SeamsReferToEdgesThatExist) {
+  EXPECT_EQ(broken([](Pattern& p) { p.seams[0].a[0].panel = 7; }).where, "seam side_left, side a, item 0");
+  EXPECT_EQ(broken([](Pattern& p) { p.seams[0].a[0].panel = -1; }).code, "pattern.seam_reference");
+  EXPECT_EQ(broken([](Pattern& p) { p.seams[1].b[0].edge = 4; }).where, "seam side_right, side b, item 0");
+  EXPECT_EQ(broken([](Pattern& p) { p.seams[0].a[0].edge = 7; }).code, "accepted") << "the hole's last edge";
+  EXPECT_EQ(broken([](Pattern& p) { p.seams[0].a[0].edge = 8; }).code, "pattern.seam_reference");
+  EXPECT_EQ(broken([](Pattern& p) { p.seams[0].b.clear(); }).code, "pattern.empty_seam_side");
+}
+
+TEST(Validate, AnEdgeIsSewnOnce) {
+  const Error series = broken([](Pattern& p) { p.seams[0].a.push_back({0, 1, true}); });
+  EXPECT_EQ(series.code, "pattern.edge_sewn_twice");
+  EXPECT_EQ(series.where, "seam side_left, side a, item 1");
+  const Error seams = broken([](Pattern& p) { p.seams[1].a[0] = {0, 1, false}; });
+  EXPECT_EQ(seams.code, "pattern.edge_sewn_twice");
+  EXPECT_NE(seams.message.find("seam side_left, side a, item 0"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace toile

@@ -1,0 +1,207 @@
+#include "server/render/still.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "tests/render/draped.h"
+
+namespace toile {
+namespace {
+
+constexpr StillSettings kSmall{256, 320, 4};
+
+struct Pixel {
+  int r, g, b;
+};
+
+Pixel at(const Image& image, double x, double y) {
+  const std::size_t i = (static_cast<std::size_t>(y) * image.width + static_cast<std::size_t>(x)) * 3;
+  return {image.rgb[i], image.rgb[i + 1], image.rgb[i + 2]};
+}
+
+bool is_red(Pixel p) { return p.r > p.b + 30; }
+bool is_blue(Pixel p) { return p.b > p.r + 30; }
+bool is_grey(Pixel p) { return std::abs(p.r - p.b) < 20; }
+
+Image still(const Scene& scene, View view, const StillSettings& settings = kSmall) {
+  Result<Image> image = render_still(scene, view, settings);
+  EXPECT_TRUE(image.ok()) << to_string(image.error());
+  return image.ok() ? std::move(*image) : Image{};
+}
+
+TEST(Still, HasTheSizeThatWasAskedFor) {
+  const Image image = still({}, View::kFront, {123, 77, 4});
+  EXPECT_EQ(image.width, 123);
+  EXPECT_EQ(image.height, 77);
+  EXPECT_EQ(image.rgb.size(), 123u * 77 * 3);
+}
+
+TEST(Still, OfNothingIsALightStudio) {
+  const Image image = still({}, View::kFront);
+  EXPECT_GT(*std::min_element(image.rgb.begin(), image.rgb.end()), 150);
+}
+
+TEST(Still, ShowsClothWhereTheCameraProjectsIt) {
+  const Draped skirt = folded_skirt();
+  const Scene scene = skirt.scene();
+  const Image image = still(scene, View::kFront);
+  const Camera camera = frame_scene(scene, View::kFront, 256.0 / 320);
+  for (const int row : {4, 10, 16}) {
+    for (const int column : {12, 20, 28}) {
+      const Vec3 p = camera.project(skirt.positions[row * (kSkirtColumns + 1) + column], 256, 320);
+      EXPECT_TRUE(is_red(at(image, p.x, p.y))) << row << " " << column;
+    }
+  }
+  for (const auto& [x, y] : {std::pair{4, 4}, {251, 4}, {4, 315}, {251, 315}}) {
+    EXPECT_TRUE(is_grey(at(image, x, y)));
+  }
+}
+
+TEST(Still, ShowsTheOtherPieceFromBehind) {
+  const Draped skirt = folded_skirt();
+  const Image front = still(skirt.scene(), View::kFront), back = still(skirt.scene(), View::kBack);
+  EXPECT_TRUE(is_red(at(front, 128, 160)));
+  EXPECT_TRUE(is_blue(at(back, 128, 160)));
+}
+
+TEST(Still, PutsTheSeamsInTheMiddleFromTheSide) {
+  const Draped skirt = folded_skirt();
+  const Image side = still(skirt.scene(), View::kSide);
+  EXPECT_TRUE(is_red(at(side, 90, 160)));  // the front lies to the left when the body's left is seen
+  EXPECT_TRUE(is_blue(at(side, 166, 160)));
+}
+
+TEST(Still, GivesTheSameBytesTwice) {
+  const Draped skirt = folded_skirt();
+  const TriangleMesh body = form();
+  Scene scene = skirt.scene();
+  scene.bodies.push_back({&body});
+  const Image first = still(scene, View::kThreeQuarter);
+  EXPECT_EQ(first.rgb, still(scene, View::kThreeQuarter).rgb);
+  auto fresh = StillRenderer::create();
+  ASSERT_TRUE(fresh.ok());
+  EXPECT_EQ(first.rgb, (*fresh)->render(scene, View::kThreeQuarter, kSmall)->rgb);
+}
+
+TEST(Still, ShadesTheInsideOfClothDarkerButNotBlack) {
+  // A sheet that shows its wrong side to the viewer, against the same sheet turned over.
+  std::vector<Vec3> p{{-0.3, 0.5, 0}, {0.3, 0.5, 0}, {0.3, 1.1, 0}, {-0.3, 1.1, 0}};
+  const std::vector<Tri> right{{0, 1, 2}, {0, 2, 3}}, wrong{{0, 2, 1}, {0, 3, 2}};
+  Scene scene;
+  scene.cloth = {p, right, {}, {}, {{0.5, 0.1, 0.1}}, {}};
+  scene.floor = 0.0;
+  const Pixel outside = at(still(scene, View::kFront), 128, 160);
+  scene.cloth.triangles = wrong;
+  const Pixel inside = at(still(scene, View::kFront), 128, 160);
+  EXPECT_LT(inside.r, outside.r - 5);
+  EXPECT_GT(inside.r, 90);
+}
+
+TEST(Still, CastsAShadowOnTheGround) {
+  const TriangleMesh body = form();
+  Scene scene;
+  scene.bodies.push_back({&body});
+  const Camera camera = frame_scene(scene, View::kFront, 256.0 / 320);
+  const Image with = still(scene, View::kFront), without = still({}, View::kFront);
+  const Vec3 foot = camera.project({0.13, 0, 0.09}, 256, 320);  // the key light comes from the left
+  EXPECT_LT(at(with, foot.x, foot.y).g, at(without, foot.x, foot.y).g - 15);
+  EXPECT_NEAR(at(with, 4, 4).g, at(without, 4, 4).g, 2);
+}
+
+TEST(Still, ShadowsClothByClothInFrontOfTheLight) {
+  const std::vector<Vec3> p{{-0.3, 0.5, 0},     {0.3, 0.5, 0},      {0.3, 1.1, 0},      {-0.3, 1.1, 0},
+                            {-0.75, 0.9, 0.35}, {-0.25, 0.9, 0.35}, {-0.25, 1.4, 0.35}, {-0.75, 1.4, 0.35}};
+  const std::vector<Tri> both{{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}}, one{{0, 1, 2}, {0, 2, 3}};
+  Scene scene;
+  scene.cloth = {p, both, {}, {}, {{0.5, 0.1, 0.1}}, {}};
+  auto renderer = StillRenderer::create();
+  ASSERT_TRUE(renderer.ok());
+  const Camera camera = frame_scene(scene, View::kFront, 256.0 / 320);
+  const Image shaded = *(*renderer)->render(scene, camera, kSmall);
+  scene.cloth.triangles = one;
+  const Image open = *(*renderer)->render(scene, camera, kSmall);
+  int darker = 0;
+  for (double x = -0.25; x < 0.3; x += 0.02) {
+    const Vec3 pixel = camera.project({x, 0.8, 0}, 256, 320);
+    darker += at(shaded, pixel.x, pixel.y).r < at(open, pixel.x, pixel.y).r - 15;
+  }
+  EXPECT_GT(darker, 5);
+  EXPECT_LT(darker, 27);
+}
+
+TEST(Still, HasNoSpecklesOnAnEvenlyLitSheet) {
+  const std::vector<Vec3> p{{-0.3, 0.5, 0}, {0.3, 0.5, 0}, {0.3, 1.1, 0}, {-0.3, 1.1, 0}};
+  const std::vector<Tri> t{{0, 1, 2}, {0, 2, 3}};
+  Scene scene;
+  scene.cloth = {p, t, {}, {}, {{0.5, 0.1, 0.1}}, {}};
+  const Image image = still(scene, View::kFront);
+  for (int y = 120; y < 200; ++y) {
+    for (int x = 90; x < 166; ++x) {
+      ASSERT_LE(std::abs(at(image, x, y).r - at(image, x + 1, y).r), 3) << x << " " << y;
+    }
+  }
+}
+
+/// Pixels along the middle row that are neither cloth nor backdrop.
+int between(const Image& image) {
+  int count = 0;
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 1; x + 1 < image.width; ++x) {
+      const int left = at(image, x - 1, y).g, here = at(image, x, y).g, right = at(image, x + 1, y).g;
+      count += left > here + 25 && here > right + 25;
+    }
+  }
+  return count;
+}
+
+TEST(Still, SmoothsEdges) {
+  const Draped skirt = folded_skirt();
+  const int hard = between(still(skirt.scene(), View::kFront, {256, 320, 1}));
+  const int smooth = between(still(skirt.scene(), View::kFront, {256, 320, 4}));
+  const int smoother = between(still(skirt.scene(), View::kFront, {256, 320, 16}));
+  EXPECT_GT(smooth, hard + 50);
+  EXPECT_GT(smoother, hard + 50);
+}
+
+TEST(Still, DrawsTheSeamAsADarkerLine) {
+  const Draped skirt = folded_skirt();
+  Scene scene = skirt.scene();
+  scene.cloth.colour_of_panel.assign(2, {0.5, 0.5, 0.5});
+  const Camera camera = frame_scene(scene, View::kSide, 256.0 / 320);
+  const Vec3 seam = camera.project(skirt.positions[4 * (kSkirtColumns + 1) + kSkirtColumns], 256, 320);
+  const auto darkest = [&](const Image& image) {
+    int least = 255;
+    for (int x = -2; x <= 2; ++x) least = std::min(least, at(image, seam.x + x, seam.y).g);
+    return least;
+  };
+  const int sewn = darkest(still(scene, View::kSide));
+  Scene plain = scene;  // joined into one piece: the same surface without a seam
+  std::vector<Tri> joined = skirt.triangles;
+  for (Tri& t : joined) {
+    for (Index& v : t) v = skirt.weld[v];
+  }
+  plain.cloth.triangles = joined;
+  EXPECT_LT(sewn, darkest(still(plain, View::kSide)) - 20);
+}
+
+TEST(Still, RefusesWhatItCannotDraw) {
+  Draped skirt = folded_skirt();
+  EXPECT_EQ(render_still(skirt.scene(), View::kFront, {8, 320, 4}).error().code, "render.settings");
+  EXPECT_EQ(render_still(skirt.scene(), View::kFront, {256, 1 << 20, 4}).error().code, "render.settings");
+  EXPECT_EQ(render_still(skirt.scene(), View::kFront, {256, 320, 3}).error().code, "render.settings");
+  skirt.positions[9].x = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(render_still(skirt.scene(), View::kFront, kSmall).error().code, "render.not_finite");
+}
+
+TEST(Still, OfDegenerateClothIsStillAPicture) {
+  const std::vector<Vec3> p{{0, 1, 0}, {0, 1, 0}, {0, 1, 0}};
+  const std::vector<Tri> t{{0, 1, 2}};
+  Scene scene;
+  scene.cloth = {p, t, {}, {}, {}, {}};
+  EXPECT_EQ(still(scene, View::kFront).rgb.size(), 256u * 320 * 3);
+}
+
+}  // namespace
+}  // namespace toile
