@@ -17,7 +17,8 @@ Report make_report(const DrapeInput& input, const DrapeResult& result) {
   r.steps = result.steps;
   r.simulated_s = result.simulated_time;
   r.particles = result.garment.vertex_count();
-  r.sewn_particles = static_cast<int>(std::set<Index>(result.garment.weld.begin(), result.garment.weld.end()).size());
+  r.sewn_particles =
+      static_cast<int>(std::set<Index>(result.garment.weld.begin(), result.garment.weld.end()).size());
   r.triangles = static_cast<int>(result.garment.triangles.size());
   for (const Body& body : input.bodies) r.body_triangles += static_cast<int>(body.mesh.triangles.size());
   r.intersections = result.at_end;

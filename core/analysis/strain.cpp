@@ -28,9 +28,10 @@ GarmentStrain garment_strain(const DrapeInput& input, const DrapeResult& result)
   const GarmentMesh& g = result.garment;
   for (std::size_t t = 0; t < g.triangles.size(); ++t) {
     const Tri& tri = g.triangles[t];
-    const Threads f = threads_of({g.rest[tri[0]], g.rest[tri[1]], g.rest[tri[2]]},
-                                 {result.positions[tri[0]], result.positions[tri[1]], result.positions[tri[2]]},
-                                 input.pattern.panels[g.panel_of_triangle[t]].grain);
+    const Threads f =
+        threads_of({g.rest[tri[0]], g.rest[tri[1]], g.rest[tri[2]]},
+                   {result.positions[tri[0]], result.positions[tri[1]], result.positions[tri[2]]},
+                   input.pattern.panels[g.panel_of_triangle[t]].grain);
     const double weft = length(f.weft), warp = length(f.warp);
     out.weft.push_back(weft - 1);
     out.warp.push_back(warp - 1);
@@ -44,7 +45,8 @@ StrainFigures figures_of(std::vector<double> values) {
   double sum = 0;
   for (double& v : values) v = std::abs(v), sum += v;
   std::sort(values.begin(), values.end());
-  const auto at = std::min(values.size() - 1, static_cast<std::size_t>(0.99 * static_cast<double>(values.size())));
+  const auto at =
+      std::min(values.size() - 1, static_cast<std::size_t>(0.99 * static_cast<double>(values.size())));
   return {sum / static_cast<double>(values.size()), values[at], values.back()};
 }
 

@@ -13,7 +13,8 @@ struct StrainFigures {
   double mean = 0, p99 = 0, max = 0;
 };
 
-/// One entry a triangle. Warp and weft: length change over length; shear: cosine of the angle between the threads.
+/// One entry a triangle. Warp and weft: length change over length; shear: cosine of the angle between the
+/// threads.
 struct GarmentStrain {
   std::vector<double> warp, weft, shear;
 };

@@ -143,7 +143,7 @@ TrunkGirths trunk_girths(const TriangleMesh& standing) {
   for (const Vec3& p : standing.vertices) h = std::max(h, p.y);
   const double ribs = kWiderThanRibs * half_breadth_at(standing, 0.68 * h);
   return {widest_girth(standing, 0.70 * h, 0.72 * h, ribs), narrowest_girth(standing, 0.58 * h, 0.68 * h),
-          widest_girth(standing, 0.46 * h, 0.56 * h)};
+          widest_girth(standing, 0.48 * h, 0.56 * h)};
 }
 
 }  // namespace toile

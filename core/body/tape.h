@@ -34,7 +34,7 @@ struct TrunkGirths {
 };
 
 /// Bust and hip as the widest places, waist as the narrowest, each looked for where it lies on a standing
-/// adult whose feet are at y = 0: hip 0.46–0.56, waist 0.58–0.68, bust 0.70–0.72 of the stature. Arms may
+/// adult whose feet are at y = 0: hip 0.48–0.56, waist 0.58–0.68, bust 0.70–0.72 of the stature. Arms may
 /// have grown together with the chest: at the bust nothing counts that is wider than the ribs below it.
 TrunkGirths trunk_girths(const TriangleMesh& standing);
 

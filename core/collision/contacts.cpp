@@ -10,11 +10,21 @@ namespace toile {
 
 namespace {
 
-/// Of a gap to the still skin a vertex may use most; of a gap between two moving layers each side less than half.
+/// Of a gap to the still skin a vertex may use most; of a gap between two moving layers each side less than
+/// half.
 constexpr double kShareOfBodyGap = 0.7;
 constexpr double kShareOfClothGap = 0.45;
 
-double body_allowance(double gap) { return std::max(0.0, std::min(kShareOfBodyGap * gap, gap - kContactFloor)); }
+/// Where cloth hangs over a rim, its vertices are clear while its edges and faces come near. Those are pushed
+/// off to a share of the distance that vertices keep, so that on even ground vertices alone carry the cloth.
+constexpr double kRimShare = 0.5;
+
+/// Cosine above which two contacts of a vertex count as on the same side.
+constexpr double kSameSide = 0.2;
+
+double body_allowance(double gap) {
+  return std::max(0.0, std::min(kShareOfBodyGap * gap, gap - kContactFloor));
+}
 double cloth_allowance(double gap) {
   return std::max(0.0, std::min(kShareOfClothGap * gap, 0.5 * (gap - kContactFloor)));
 }
@@ -41,6 +51,8 @@ bool edges_far(Vec3 a0, Vec3 a1, Vec3 b0, Vec3 b1, double reach) {
   };
   return apart(a0.x, a1.x, b0.x, b1.x) || apart(a0.y, a1.y, b0.y, b1.y) || apart(a0.z, a1.z, b0.z, b1.z);
 }
+
+bool inside_both(EdgePoints at) { return at.s > 0 && at.s < 1 && at.t > 0 && at.t < 1; }
 
 }  // namespace
 
@@ -95,13 +107,15 @@ ContactFinder::ContactFinder(Surface cloth, std::span<const Obstacle> obstacles,
 
 void ContactFinder::measure(std::span<const Vec3> positions, std::span<const double> speeds, Contacts& out) {
   out.measured.assign(positions.begin(), positions.end());
-  out.contacts.clear();
   found_.clear();
+  near_.clear();
+  rims_.clear();
   size_balls(speeds, out);
   refit(positions, out);
   pair_with_obstacles(out);
   pair_with_itself(out);
   sort_planes(out);
+  keep_nearest(out);
   // Two vertices whose pair is not listed may both use their balls whole, and must not touch even then.
   for (double& ball : out.ball) ball -= 0.5 * kContactFloor;
 }
@@ -109,7 +123,8 @@ void ContactFinder::measure(std::span<const Vec3> positions, std::span<const dou
 void ContactFinder::size_balls(std::span<const double> speeds, Contacts& out) const {
   out.ball.resize(speeds.size());
   for (std::size_t i = 0; i < speeds.size(); ++i) {
-    out.ball[i] = std::clamp(1.5 * speeds[i] * settings_.ball_seconds, settings_.ball_least, settings_.ball_most);
+    out.ball[i] =
+        std::clamp(1.5 * speeds[i] * settings_.ball_seconds, settings_.ball_least, settings_.ball_most);
   }
 }
 
@@ -126,7 +141,7 @@ void ContactFinder::refit(std::span<const Vec3> positions, const Contacts& out) 
   }
 }
 
-void ContactFinder::pair_with_obstacles(Contacts& out) {
+void ContactFinder::pair_with_obstacles(const Contacts& out) {
   for (const Obstacle& obstacle : obstacles_) {
     for (Index t = 0; t < static_cast<Index>(cloth_.triangles.size()); ++t) {
       const double reach = std::max(max_ball(out.ball, cloth_.triangles[t]), obstacle.skin_offset);
@@ -136,27 +151,29 @@ void ContactFinder::pair_with_obstacles(Contacts& out) {
   }
 }
 
-void ContactFinder::pair_with_itself(Contacts& out) {
+void ContactFinder::pair_with_itself(const Contacts& out) {
   tree_.self_pairs([&](Index s, Index t) { cloth_triangle_pair(s, t, out); });
 }
 
 void ContactFinder::obstacle_pair(const Obstacle& obstacle, Index cloth_triangle, Index body_triangle,
-                                  Contacts& out) {
+                                  const Contacts& out) {
   const Tri& a = cloth_.triangles[cloth_triangle];
   const Tri& b = obstacle.surface.triangles[body_triangle];
   const unsigned own_a = cloth_.owned[cloth_triangle], own_b = obstacle.surface.owned[body_triangle];
   for (int k = 0; k < 3; ++k) {
     if (own_a >> k & 1) vertex_on_obstacle(obstacle, a[k], b, out);
-    if (own_b >> k & 1) obstacle_vertex_on_cloth(obstacle.vertices[b[k]], a, out);
+    if (own_b >> k & 1) obstacle_vertex_on_cloth(obstacle, obstacle.vertices[b[k]], a, out);
     if (!(own_a >> (3 + k) & 1)) continue;
     for (int m = 0; m < 3; ++m) {
       if (!(own_b >> (3 + m) & 1)) continue;
-      edge_on_obstacle(a[k], a[(k + 1) % 3], obstacle.vertices[b[m]], obstacle.vertices[b[(m + 1) % 3]], out);
+      edge_on_obstacle(obstacle, a[k], a[(k + 1) % 3], obstacle.vertices[b[m]],
+                       obstacle.vertices[b[(m + 1) % 3]], out);
     }
   }
 }
 
-void ContactFinder::vertex_on_obstacle(const Obstacle& obstacle, Index vertex, const Tri& face, Contacts& out) {
+void ContactFinder::vertex_on_obstacle(const Obstacle& obstacle, Index vertex, const Tri& face,
+                                       const Contacts& out) {
   const Vec3 p = out.measured[vertex];
   const Vec3 a = obstacle.vertices[face[0]], b = obstacle.vertices[face[1]], c = obstacle.vertices[face[2]];
   const double reach = std::max(out.ball[vertex], obstacle.skin_offset);
@@ -169,14 +186,15 @@ void ContactFinder::vertex_on_obstacle(const Obstacle& obstacle, Index vertex, c
   bound(vertex, n, p, body_allowance(gap), out);
   if (gap < obstacle.skin_offset + out.ball[vertex]) {
     Contact contact;
-    contact.v[0] = vertex, contact.w[0] = 1;
+    contact.count = 1, contact.v[0] = vertex, contact.w[0] = 1;
     contact.n = n, contact.c = dot(n, q);
     contact.rest = obstacle.skin_offset, contact.friction = obstacle.friction;
-    out.contacts.push_back(contact);
+    near_.push_back({gap, contact});
   }
 }
 
-void ContactFinder::obstacle_vertex_on_cloth(Vec3 point, const Tri& triangle, const Contacts& out) {
+void ContactFinder::obstacle_vertex_on_cloth(const Obstacle& obstacle, Vec3 point, const Tri& triangle,
+                                             const Contacts& out) {
   const Vec3 a = out.measured[triangle[0]], b = out.measured[triangle[1]], c = out.measured[triangle[2]];
   const double reach = max_ball(out.ball, triangle);
   if (far_from(point, a, b, c, reach)) return;
@@ -186,9 +204,19 @@ void ContactFinder::obstacle_vertex_on_cloth(Vec3 point, const Tri& triangle, co
   if (gap >= reach || gap == 0) return;
   const Vec3 n = (q - point) * (1 / gap);
   for (const Index v : triangle) bound(v, n, q, body_allowance(gap), out);
+  if (gap < obstacle.skin_offset && std::min({at.a, at.b, at.c}) > 0) {
+    rims_.push_back({3,
+                     {triangle[0], triangle[1], triangle[2], kNone},
+                     {at.a, at.b, at.c, 0},
+                     n,
+                     dot(n, point),
+                     kRimShare * obstacle.skin_offset,
+                     obstacle.friction});
+  }
 }
 
-void ContactFinder::edge_on_obstacle(Index a0, Index a1, Vec3 b0, Vec3 b1, const Contacts& out) {
+void ContactFinder::edge_on_obstacle(const Obstacle& obstacle, Index a0, Index a1, Vec3 b0, Vec3 b1,
+                                     const Contacts& out) {
   const Vec3 p0 = out.measured[a0], p1 = out.measured[a1];
   const double reach = std::max(out.ball[a0], out.ball[a1]);
   if (edges_far(p0, p1, b0, b1, reach)) return;
@@ -199,9 +227,18 @@ void ContactFinder::edge_on_obstacle(Index a0, Index a1, Vec3 b0, Vec3 b1, const
   const Vec3 n = (p - q) * (1 / gap);
   bound(a0, n, p, body_allowance(gap), out);
   bound(a1, n, p, body_allowance(gap), out);
+  if (gap < obstacle.skin_offset && inside_both(at)) {
+    rims_.push_back({2,
+                     {a0, a1, kNone, kNone},
+                     {1 - at.s, at.s, 0, 0},
+                     n,
+                     dot(n, q),
+                     kRimShare * obstacle.skin_offset,
+                     obstacle.friction});
+  }
 }
 
-void ContactFinder::cloth_triangle_pair(Index s, Index t, Contacts& out) {
+void ContactFinder::cloth_triangle_pair(Index s, Index t, const Contacts& out) {
   const Tri& a = cloth_.triangles[s];
   const Tri& b = cloth_.triangles[t];
   const unsigned own_a = cloth_.owned[s], own_b = cloth_.owned[t];
@@ -215,7 +252,7 @@ void ContactFinder::cloth_triangle_pair(Index s, Index t, Contacts& out) {
   }
 }
 
-void ContactFinder::vertex_on_cloth(Index vertex, const Tri& triangle, Contacts& out) {
+void ContactFinder::vertex_on_cloth(Index vertex, const Tri& triangle, const Contacts& out) {
   for (const Index v : triangle) {
     if (neighbours(v, vertex)) return;
   }
@@ -232,12 +269,14 @@ void ContactFinder::vertex_on_cloth(Index vertex, const Tri& triangle, Contacts&
   const double allowance = cloth_allowance(gap);
   bound(vertex, n, p, allowance, out);
   for (const Index v : triangle) bound(v, -n, q, allowance, out);
-  out.contacts.push_back({{vertex, triangle[0], triangle[1], triangle[2]},
-                          {1, -at.a, -at.b, -at.c},
-                          n,
-                          0,
-                          settings_.thickness,
-                          settings_.cloth_friction});
+  near_.push_back({gap,
+                   {4,
+                    {vertex, triangle[0], triangle[1], triangle[2]},
+                    {1, -at.a, -at.b, -at.c},
+                    n,
+                    0,
+                    settings_.thickness,
+                    settings_.cloth_friction}});
 }
 
 void ContactFinder::edges_of_cloth(Index a0, Index a1, Index b0, Index b1, const Contacts& out) {
@@ -255,6 +294,15 @@ void ContactFinder::edges_of_cloth(Index a0, Index a1, Index b0, Index b1, const
   bound(a1, n, p, allowance, out);
   bound(b0, -n, q, allowance, out);
   bound(b1, -n, q, allowance, out);
+  if (gap < settings_.thickness && inside_both(at)) {
+    rims_.push_back({4,
+                     {a0, a1, b0, b1},
+                     {1 - at.s, at.s, at.t - 1, -at.t},
+                     n,
+                     0,
+                     kRimShare * settings_.thickness,
+                     settings_.cloth_friction});
+  }
 }
 
 /// The plane through `closest` separates the pair; a vertex behind it by some way may come that much closer.
@@ -271,6 +319,29 @@ void ContactFinder::sort_planes(Contacts& out) {
   out.planes.resize(found_.size());
   std::vector<Index> next(out.plane_start.begin(), out.plane_start.end() - 1);
   for (const VertexPlane& f : found_) out.planes[next[f.vertex]++] = f.plane;
+}
+
+/// A vertex rests on what is nearest on each side. The rim of a neighbouring face, seen at a slant, is
+/// further away in about the same direction; pushing off from it would hold the vertex back as it slides
+/// there.
+void ContactFinder::keep_nearest(Contacts& out) {
+  std::stable_sort(near_.begin(), near_.end(), [](const Near& a, const Near& b) {
+    return a.contact.v[0] != b.contact.v[0] ? a.contact.v[0] < b.contact.v[0] : a.gap < b.gap;
+  });
+  out.contacts.clear();
+  std::size_t first = 0;  // of the vertex's contacts in near_
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < near_.size(); ++i) {
+    if (near_[i].contact.v[0] != near_[first].contact.v[0]) first = i, kept.clear();
+    const bool hidden = std::any_of(kept.begin(), kept.end(), [&](std::size_t k) {
+      return dot(near_[i].contact.n, near_[k].contact.n) > kSameSide &&
+             near_[i].gap > 1.05 * near_[k].gap + kContactFloor;
+    });
+    if (hidden) continue;
+    kept.push_back(i);
+    out.contacts.push_back(near_[i].contact);
+  }
+  out.contacts.insert(out.contacts.end(), rims_.begin(), rims_.end());
 }
 
 }  // namespace toile

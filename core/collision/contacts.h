@@ -19,26 +19,27 @@ struct Obstacle {
   std::vector<Vec3> vertices;
   Surface surface;
   Bvh tree;
-  double friction = 0.4;     ///< Coulomb
-  double skin_offset = 1e-3; ///< m
+  double friction = 0.4;      ///< Coulomb
+  double skin_offset = 1e-3;  ///< m
 };
 Obstacle make_obstacle(std::span<const Vec3> vertices, std::span<const Tri> triangles, double friction,
                        double skin_offset);
 
 struct ContactSettings {
-  double thickness = 1e-3;        ///< m, distance that layers of cloth keep
+  double thickness = 1e-3;  ///< m, distance that layers of cloth keep
   double cloth_friction = 0.3;
-  double ball_least = 1e-3;       ///< m
-  double ball_most = 5e-3;        ///< m; at most 0.35 of the mean edge
-  double ball_seconds = 4.5e-3;   ///< s, time ahead that a ball covers at 1.5 times the present speed
+  double ball_least = 1e-3;      ///< m
+  double ball_most = 5e-3;       ///< m; at most 0.35 of the mean edge
+  double ball_seconds = 4.5e-3;  ///< s, time ahead that a ball covers at 1.5 times the present speed
 };
 
 /// Gap under which a side may not approach further. More than the rounding of the exact crossing test (1 µm).
 inline constexpr double kContactFloor = 20e-6;
 
-/// A vertex near a triangle that is pushed off to `rest` and rubs on it. Signed distance along the plane
+/// Two features that are pushed apart to `rest` and rub on each other. Signed distance along the plane
 /// measured: s(x) = n·(Σ wᵢ xᵢ) − c over the cloth vertices; what the solid contributes stands in c.
 struct Contact {
+  int count = 0;  ///< of cloth vertices: 1 to 3 on a solid, 4 between layers
   Index v[4] = {kNone, kNone, kNone, kNone};
   double w[4] = {0, 0, 0, 0};
   Vec3 n;
@@ -55,9 +56,9 @@ struct BoundPlane {
 
 /// The result of a measurement: valid while every vertex keeps its bounds.
 struct Contacts {
-  std::vector<Vec3> measured;          ///< x0
-  std::vector<double> ball;            ///< m, radius around x0
-  std::vector<Index> plane_start;      ///< first plane of each vertex, one more at the end
+  std::vector<Vec3> measured;      ///< x0
+  std::vector<double> ball;        ///< m, radius around x0
+  std::vector<Index> plane_start;  ///< first plane of each vertex, one more at the end
   std::vector<BoundPlane> planes;
   std::vector<Contact> contacts;
 
@@ -87,17 +88,20 @@ class ContactFinder {
 
   void size_balls(std::span<const double> speeds, Contacts& out) const;
   void refit(std::span<const Vec3> positions, const Contacts& out);
-  void pair_with_obstacles(Contacts& out);
-  void pair_with_itself(Contacts& out);
-  void obstacle_pair(const Obstacle& obstacle, Index cloth_triangle, Index body_triangle, Contacts& out);
-  void vertex_on_obstacle(const Obstacle& obstacle, Index vertex, const Tri& face, Contacts& out);
-  void obstacle_vertex_on_cloth(Vec3 point, const Tri& triangle, const Contacts& out);
-  void edge_on_obstacle(Index a0, Index a1, Vec3 b0, Vec3 b1, const Contacts& out);
-  void cloth_triangle_pair(Index s, Index t, Contacts& out);
-  void vertex_on_cloth(Index vertex, const Tri& triangle, Contacts& out);
+  void pair_with_obstacles(const Contacts& out);
+  void pair_with_itself(const Contacts& out);
+  void obstacle_pair(const Obstacle& obstacle, Index cloth_triangle, Index body_triangle,
+                     const Contacts& out);
+  void vertex_on_obstacle(const Obstacle& obstacle, Index vertex, const Tri& face, const Contacts& out);
+  void obstacle_vertex_on_cloth(const Obstacle& obstacle, Vec3 point, const Tri& triangle,
+                                const Contacts& out);
+  void edge_on_obstacle(const Obstacle& obstacle, Index a0, Index a1, Vec3 b0, Vec3 b1, const Contacts& out);
+  void cloth_triangle_pair(Index s, Index t, const Contacts& out);
+  void vertex_on_cloth(Index vertex, const Tri& triangle, const Contacts& out);
   void edges_of_cloth(Index a0, Index a1, Index b0, Index b1, const Contacts& out);
   void bound(Index vertex, Vec3 n, Vec3 closest, double allowance, const Contacts& out);
   void sort_planes(Contacts& out);
+  void keep_nearest(Contacts& out);
   bool neighbours(Index a, Index b) const { return cloth_.vertex_class[a] == cloth_.vertex_class[b]; }
 
   Surface cloth_;
@@ -105,7 +109,13 @@ class ContactFinder {
   ContactSettings settings_;
   Bvh tree_;
   std::vector<Box3> boxes_;
+  struct Near {
+    double gap;
+    Contact contact;
+  };
   std::vector<VertexPlane> found_;  ///< planes in order of discovery
+  std::vector<Near> near_;          ///< vertices on triangles likewise
+  std::vector<Contact> rims_;       ///< triangles on points, edges on edges
 };
 
 }  // namespace toile

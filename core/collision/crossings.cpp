@@ -37,9 +37,11 @@ std::vector<GridPoint> grid_of(std::span<const Vec3> positions) {
   return points;
 }
 
-bool any_edge_crosses(const std::array<const GridPoint*, 3>& edges_of, const std::array<const GridPoint*, 3>& face) {
+bool any_edge_crosses(const std::array<const GridPoint*, 3>& edges_of,
+                      const std::array<const GridPoint*, 3>& face) {
   for (int k = 0; k < 3; ++k) {
-    if (segment_crosses_triangle(*edges_of[k], *edges_of[(k + 1) % 3], *face[0], *face[1], *face[2])) return true;
+    if (segment_crosses_triangle(*edges_of[k], *edges_of[(k + 1) % 3], *face[0], *face[1], *face[2]))
+      return true;
   }
   return false;
 }
@@ -50,7 +52,7 @@ std::array<const GridPoint*, 3> corners(const Tri& t, const std::vector<GridPoin
 
 /// How two triangles of a cloth meet in the flat pattern.
 struct Meeting {
-  int shared = 0;           ///< corners of the same class
+  int shared = 0;  ///< corners of the same class
   int corner_a = 0, corner_b = 0;
 };
 
@@ -73,7 +75,8 @@ bool opposite_edge_crosses(const std::array<const GridPoint*, 3>& a, int corner,
 }  // namespace
 
 GridPoint to_grid(Vec3 p) {
-  return {std::llround(p.x * kGridPerMetre), std::llround(p.y * kGridPerMetre), std::llround(p.z * kGridPerMetre)};
+  return {std::llround(p.x * kGridPerMetre), std::llround(p.y * kGridPerMetre),
+          std::llround(p.z * kGridPerMetre)};
 }
 
 int orientation(const GridPoint& a, const GridPoint& b, const GridPoint& c, const GridPoint& d) {
@@ -84,8 +87,8 @@ int orientation(const GridPoint& a, const GridPoint& b, const GridPoint& c, cons
   const double t1 = f(ux) * (f(vy) * f(wz)), t2 = f(ux) * (f(vz) * f(wy)), t3 = f(uy) * (f(vz) * f(wx));
   const double t4 = f(uy) * (f(vx) * f(wz)), t5 = f(uz) * (f(vx) * f(wy)), t6 = f(uz) * (f(vy) * f(wx));
   const double det = (t1 - t2) + (t3 - t4) + (t5 - t6);
-  const double bound = (std::abs(t1) + std::abs(t2) + std::abs(t3) + std::abs(t4) + std::abs(t5) + std::abs(t6)) *
-                       0x1p-49;
+  const double bound =
+      (std::abs(t1) + std::abs(t2) + std::abs(t3) + std::abs(t4) + std::abs(t5) + std::abs(t6)) * 0x1p-49;
   if (det > bound) return 1;
   if (det < -bound) return -1;
   return orientation_exact(ux, uy, uz, vx, vy, vz, wx, wy, wz);

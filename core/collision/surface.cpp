@@ -5,7 +5,8 @@
 
 namespace toile {
 
-Surface make_surface(std::span<const Tri> triangles, Index vertex_count, std::span<const Index> vertex_class) {
+Surface make_surface(std::span<const Tri> triangles, Index vertex_count,
+                     std::span<const Index> vertex_class) {
   Surface surface;
   surface.triangles.assign(triangles.begin(), triangles.end());
   surface.owned.assign(triangles.size(), 0);
@@ -29,9 +30,8 @@ Surface make_surface(std::span<const Tri> triangles, Index vertex_count, std::sp
       if (!vertex_taken[i]) vertex_taken[i] = true, surface.owned[t] |= 1u << k;
     }
   }
-  std::stable_sort(halves.begin(), halves.end(), [](const Half& a, const Half& b) {
-    return a.v0 != b.v0 ? a.v0 < b.v0 : a.v1 < b.v1;
-  });
+  std::stable_sort(halves.begin(), halves.end(),
+                   [](const Half& a, const Half& b) { return a.v0 != b.v0 ? a.v0 < b.v0 : a.v1 < b.v1; });
   for (std::size_t i = 0; i < halves.size(); ++i) {
     const bool first = i == 0 || halves[i].v0 != halves[i - 1].v0 || halves[i].v1 != halves[i - 1].v1;
     if (first) surface.owned[halves[i].triangle] |= 8u << halves[i].corner;

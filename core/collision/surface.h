@@ -22,6 +22,7 @@ struct Surface {
 };
 
 /// Prepares a surface. `vertex_class` may be empty: every vertex is then its own class.
-Surface make_surface(std::span<const Tri> triangles, Index vertex_count, std::span<const Index> vertex_class = {});
+Surface make_surface(std::span<const Tri> triangles, Index vertex_count,
+                     std::span<const Index> vertex_class = {});
 
 }  // namespace toile

@@ -11,9 +11,9 @@ namespace toile {
 /// A moment of a drape.
 struct Frame {
   int step = 0;
-  double time = 0;               ///< s of simulated time
-  std::string phase;             ///< "sew", "drape"
-  std::vector<Vec3> positions;   ///< m, of GarmentMesh's vertices
+  double time = 0;              ///< s of simulated time
+  std::string phase;            ///< "sew", "drape"
+  std::vector<Vec3> positions;  ///< m, of GarmentMesh's vertices
 };
 
 /// Crossings of triangles, counted exactly (a triangle's edge through another's interior).
@@ -26,16 +26,16 @@ struct DrapeResult {
   GarmentMesh garment;
   std::vector<Vec3> positions;  ///< m, at the end
   bool settled = false;
-  std::string stop_reason;      ///< "settled", "time", "cancelled", "stalled seam …"
+  std::string stop_reason;  ///< "settled", "time", "cancelled", "stalled seam …"
   int steps = 0;
-  double simulated_time = 0;    ///< s
+  double simulated_time = 0;  ///< s
   double cpu_s = 0, wall_s = 0;
   double rms_speed = 0, max_speed = 0;  ///< m/s at the end
   CrossingCount at_end;
-  CrossingCount worst;          ///< of all recorded frames
+  CrossingCount worst;  ///< of all recorded frames
   int worst_frame_step = 0;
   int frames_checked = 0;
-  double seam_gap_max = 0;      ///< m
+  double seam_gap_max = 0;  ///< m
 };
 
 }  // namespace toile

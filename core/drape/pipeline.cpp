@@ -21,7 +21,9 @@ void record_frame(const DrapeSession& session, FrameSink* sink, DrapeResult& res
     result.worst_frame_step = session.steps();
   }
   result.at_end = count;
-  if (sink) sink->frame({session.steps(), session.time(), std::string(session.progress().phase), session.positions()});
+  if (sink)
+    sink->frame(
+        {session.steps(), session.time(), std::string(session.progress().phase), session.positions()});
 }
 
 void run(DrapeSession& session, const DrapeInput& input, const RunContext& context, FrameSink* sink,

@@ -15,7 +15,8 @@ namespace {
 constexpr double kGravityRamp = 0.5;  // s
 /// A thick medium while threads pull: the pieces are led, not thrown.
 constexpr double kSewDamping = 6;  // 1/s
-/// Cloth falls and folds freely first, then comes to rest near critically damped (a hem swings at about 1 Hz).
+/// Cloth falls and folds freely first, then comes to rest near critically damped (a hem swings at about 1
+/// Hz).
 constexpr double kFallDamping = 2, kRestDamping = 8;  // 1/s
 constexpr double kFallTime = 0.8;                     // s after gravity is full
 /// Seams this close are shut.
@@ -44,12 +45,14 @@ Result<std::unique_ptr<DrapeSession>> DrapeSession::start(const DrapeInput& inpu
 DrapeSession::DrapeSession(const DrapeInput& input, const PanelMeshes& meshes, Assembly assembly)
     : input_(input),
       assembly_(std::move(assembly)),
-      surface_(make_surface(assembly_.garment.triangles, assembly_.garment.vertex_count(), assembly_.garment.weld)),
+      surface_(make_surface(assembly_.garment.triangles, assembly_.garment.vertex_count(),
+                            assembly_.garment.weld)),
       released_(input.attachments.size(), false),
       watch_(input.settings.time_step, input.settings.settle_speed) {
   for (const PanelMesh& mesh : meshes.panels) warps_.push_back(mesh.warp);
   for (const Body& body : input.bodies) {
-    obstacles_.push_back(make_obstacle(body.mesh.vertices, body.mesh.triangles, body.friction, body.skin_offset));
+    obstacles_.push_back(
+        make_obstacle(body.mesh.vertices, body.mesh.triangles, body.friction, body.skin_offset));
     crossing_bodies_.push_back(make_crossing_body(body.mesh.vertices, body.mesh.triangles));
   }
   const Weld open = no_weld(assembly_.positions);
@@ -66,21 +69,24 @@ Status DrapeSession::check_start() const {
   for (std::size_t b = 0; b < crossing_bodies_.size(); ++b) {
     const auto found = body_crossings(surface_, assembly_.positions, crossing_bodies_[b]);
     if (!found.empty()) {
-      return Error{"start.crosses_body",
-                   "the piece passes through body " + input_.bodies[b].id + " where it is placed; move it clear of it",
-                   piece(found[0][0]) + " " + place(found[0][0])};
+      return Error{
+          "start.crosses_body",
+          "the piece passes through body " + input_.bodies[b].id + " where it is placed; move it clear of it",
+          piece(found[0][0]) + " " + place(found[0][0])};
     }
   }
   const auto found = self_crossings(surface_, assembly_.positions);
   if (!found.empty()) {
-    return Error{"start.crosses_cloth", "two pieces pass through each other where they are placed; move them apart",
+    return Error{"start.crosses_cloth",
+                 "two pieces pass through each other where they are placed; move them apart",
                  piece(found[0][0]) + " and " + piece(found[0][1]) + " " + place(found[0][0])};
   }
   return {};
 }
 
 ClothModel DrapeSession::model_of(std::span<const Index> vertex_of, Index vertex_count) const {
-  return make_cloth_model(assembly_.garment, vertex_of, vertex_count, warps_, input_.fabrics, input_.fabric_of_panel);
+  return make_cloth_model(assembly_.garment, vertex_of, vertex_count, warps_, input_.fabrics,
+                          input_.fabric_of_panel);
 }
 
 void DrapeSession::build_solver(ClothModel model, std::vector<Vec3> positions, std::vector<Vec3> velocities) {
@@ -96,7 +102,8 @@ std::vector<Stitch> DrapeSession::stitches_of(const std::vector<std::array<Index
   const double force = kPullPerMetre * input_.settings.particle_distance;
   for (const auto& [i, j] : sewn) {
     if (vertex_of_[i] == vertex_of_[j]) continue;
-    stitches.push_back({vertex_of_[i], vertex_of_[j], length(assembly_.positions[i] - assembly_.positions[j]), force});
+    stitches.push_back(
+        {vertex_of_[i], vertex_of_[j], length(assembly_.positions[i] - assembly_.positions[j]), force});
   }
   return stitches;
 }
@@ -176,7 +183,8 @@ void DrapeSession::weld() {
   vertex_of_ = weld.vertex_of;
 
   ClothModel model = model_of(vertex_of_, weld.vertex_count);
-  std::vector<Vec3> momentum(weld.vertex_count);  // of the parts, so that a weld neither starts nor stops anything
+  std::vector<Vec3> momentum(
+      weld.vertex_count);  // of the parts, so that a weld neither starts nor stops anything
   std::vector<double> mass(weld.vertex_count, 0);
   for (std::size_t i = 0; i < before.size(); ++i) {
     const double m = solver_->model().mass[before[i]];

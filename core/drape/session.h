@@ -1,6 +1,6 @@
 #pragma once
-// One drape under way: sew, weld, let gravity in, settle. Advances by steps, so that whoever runs it may watch,
-// pause or stop between any two.
+// One drape under way: sew, weld, let gravity in, settle. Advances by steps, so that whoever runs it may
+// watch, pause or stop between any two.
 
 #include <memory>
 #include <optional>
@@ -19,8 +19,8 @@ namespace toile {
 
 class DrapeSession {
  public:
-  /// Prepares a drape. `input` must outlive the session. Errors: start.crosses_body, start.crosses_cloth with the
-  /// pieces and the place: from a start without crossings none will come.
+  /// Prepares a drape. `input` must outlive the session. Errors: start.crosses_body, start.crosses_cloth with
+  /// the pieces and the place: from a start without crossings none will come.
   static Result<std::unique_ptr<DrapeSession>> start(const DrapeInput& input, const PanelMeshes& meshes,
                                                      Assembly assembly);
 
@@ -38,10 +38,10 @@ class DrapeSession {
   const GarmentMesh& garment() const { return assembly_.garment; }
   double rms_speed() const { return watch_.rms_speed(); }
   double max_speed() const { return watch_.max_speed(); }
-  double seam_gap() const;               ///< m, the largest
+  double seam_gap() const;  ///< m, the largest
 
-  std::vector<Vec3> positions() const;   ///< m, of the garment's vertices
-  CrossingCount count_crossings() const; ///< exact, now
+  std::vector<Vec3> positions() const;    ///< m, of the garment's vertices
+  CrossingCount count_crossings() const;  ///< exact, now
 
  private:
   enum class Phase { kSew, kDrape, kDone };

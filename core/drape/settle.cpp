@@ -11,7 +11,9 @@ constexpr int kQuietWindows = 4;
 }  // namespace
 
 SettleWatch::SettleWatch(double time_step, double speed)
-    : time_step_(time_step), speed_(speed), window_steps_(std::max(1, static_cast<int>(kWindow / time_step))) {}
+    : time_step_(time_step),
+      speed_(speed),
+      window_steps_(std::max(1, static_cast<int>(kWindow / time_step))) {}
 
 void SettleWatch::restart(std::span<const Vec3> x) {
   step_ = 0;

@@ -11,7 +11,8 @@ namespace {
 std::vector<Vec3> class_means(const GarmentMesh& garment, std::span<const Vec3> positions) {
   std::vector<Vec3> mean(positions.size());
   std::vector<int> count(positions.size(), 0);
-  for (std::size_t i = 0; i < positions.size(); ++i) mean[garment.weld[i]] += positions[i], ++count[garment.weld[i]];
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    mean[garment.weld[i]] += positions[i], ++count[garment.weld[i]];
   for (std::size_t i = 0; i < positions.size(); ++i) {
     if (count[i] > 1) mean[i] = mean[i] * (1.0 / count[i]);
   }
@@ -63,7 +64,8 @@ Weld weld_seams(const GarmentMesh& garment, std::span<const Vec3> positions, dou
     if (length(positions[i] - mean[garment.weld[i]]) > reach) open[garment.weld[i]] = true;
   }
   std::vector<Vec3> joined = with_means(garment, positions, mean, open);
-  while (open_crossing_classes(garment, joined, bodies, open)) joined = with_means(garment, positions, mean, open);
+  while (open_crossing_classes(garment, joined, bodies, open))
+    joined = with_means(garment, positions, mean, open);
 
   Weld weld;
   weld.vertex_of.assign(positions.size(), kNone);

@@ -10,17 +10,17 @@
 namespace toile {
 
 struct Weld {
-  std::vector<Index> vertex_of;    ///< solver vertex of each garment vertex
-  Index vertex_count = 0;          ///< solver vertices
-  std::vector<Vec3> positions;     ///< m, of the solver vertices
-  std::vector<Index> refused;      ///< weld classes (GarmentMesh::weld) that stayed open
+  std::vector<Index> vertex_of;  ///< solver vertex of each garment vertex
+  Index vertex_count = 0;        ///< solver vertices
+  std::vector<Vec3> positions;   ///< m, of the solver vertices
+  std::vector<Index> refused;    ///< weld classes (GarmentMesh::weld) that stayed open
 };
 
 /// Every garment vertex for itself.
 Weld no_weld(std::span<const Vec3> positions);
 
-/// Joins each class of sewn vertices that lies within `reach` (m) of its mean, unless that crosses cloth or body.
-/// `positions` are the garment's vertices.
+/// Joins each class of sewn vertices that lies within `reach` (m) of its mean, unless that crosses cloth or
+/// body. `positions` are the garment's vertices.
 Weld weld_seams(const GarmentMesh& garment, std::span<const Vec3> positions, double reach,
                 std::span<const CrossingBody> bodies);
 

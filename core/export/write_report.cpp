@@ -35,7 +35,8 @@ std::string report_json(const Report& r) {
                           {"cloth_cloth", r.worst_frame.cloth_cloth}}},
                         {"frames_checked", r.frames_checked}};
   j["seam_gap_max_mm"] = r.seam_gap_max_mm;
-  j["strain"] = {{"warp", strain_json(r.warp)}, {"weft", strain_json(r.weft)}, {"shear", strain_json(r.shear)}};
+  j["strain"] = {
+      {"warp", strain_json(r.warp)}, {"weft", strain_json(r.weft)}, {"shear", strain_json(r.shear)}};
   j["rms_speed"] = r.rms_speed;
   j["max_speed"] = r.max_speed;
   j["lowest_m"] = r.lowest_m;

@@ -34,8 +34,8 @@ Box3 box_around(std::initializer_list<Vec3> points, double margin) {
     lo = {std::min(lo.x, p.x), std::min(lo.y, p.y), std::min(lo.z, p.z)};
     hi = {std::max(hi.x, p.x), std::max(hi.y, p.y), std::max(hi.z, p.z)};
   }
-  const double scale = std::max({1.0, std::abs(lo.x), std::abs(lo.y), std::abs(lo.z), std::abs(hi.x),
-                                 std::abs(hi.y), std::abs(hi.z)});
+  const double scale = std::max(
+      {1.0, std::abs(lo.x), std::abs(lo.y), std::abs(lo.z), std::abs(hi.x), std::abs(hi.y), std::abs(hi.z)});
   const double m = margin + kRounding * scale;
   return {{static_cast<float>(lo.x - m), static_cast<float>(lo.y - m), static_cast<float>(lo.z - m)},
           {static_cast<float>(hi.x + m), static_cast<float>(hi.y + m), static_cast<float>(hi.z + m)}};
@@ -73,7 +73,8 @@ Index Bvh::build(std::span<Index> order, std::span<const Box3> boxes) {
 void Bvh::refit(std::span<const Box3> boxes) {
   for (auto i = static_cast<Index>(nodes_.size()) - 1; i >= 0; --i) {
     Node& node = nodes_[i];
-    node.box = node.primitive != kNone ? boxes[node.primitive] : join(nodes_[i + 1].box, nodes_[node.right].box);
+    node.box =
+        node.primitive != kNone ? boxes[node.primitive] : join(nodes_[i + 1].box, nodes_[node.right].box);
   }
 }
 

@@ -41,11 +41,12 @@ std::vector<Index> vertices_of(const Attachment& a, const PanelMeshes& meshes, c
   return vertices;
 }
 
-/// Sines and cosines differ in their last bit between processors, and the same input must give the same bytes:
-/// the start is rounded to 2⁻²⁶ m (15 nm).
+/// Sines and cosines differ in their last bit between processors, and the same input must give the same
+/// bytes: the start is rounded to 2⁻²⁶ m (15 nm).
 Vec3 snapped(Vec3 p) {
   constexpr double kGrid = 0x1p26;
-  return {std::nearbyint(p.x * kGrid) / kGrid, std::nearbyint(p.y * kGrid) / kGrid, std::nearbyint(p.z * kGrid) / kGrid};
+  return {std::nearbyint(p.x * kGrid) / kGrid, std::nearbyint(p.y * kGrid) / kGrid,
+          std::nearbyint(p.z * kGrid) / kGrid};
 }
 
 }  // namespace
@@ -68,8 +69,9 @@ std::vector<Index> least_of_class(Index vertex_count, const std::vector<std::arr
 Result<Assembly> assemble(const PanelMeshes& meshes, const std::vector<Placement>& placements,
                           const std::vector<Attachment>& attachments) {
   if (placements.size() != meshes.panels.size()) {
-    return Error{"placement.count", "every piece needs a placement", std::to_string(placements.size()) +
-                     " placements for " + std::to_string(meshes.panels.size()) + " pieces"};
+    return Error{"placement.count", "every piece needs a placement",
+                 std::to_string(placements.size()) + " placements for " +
+                     std::to_string(meshes.panels.size()) + " pieces"};
   }
   Assembly assembly;
   for (std::size_t i = 0; i < meshes.panels.size(); ++i) {
@@ -83,7 +85,8 @@ Result<Assembly> assemble(const PanelMeshes& meshes, const std::vector<Placement
   }
   assembly.garment.first_vertex.push_back(assembly.garment.vertex_count());
   append_seams(meshes, assembly.garment);
-  for (const Attachment& a : attachments) assembly.attached.push_back(vertices_of(a, meshes, assembly.garment));
+  for (const Attachment& a : attachments)
+    assembly.attached.push_back(vertices_of(a, meshes, assembly.garment));
   assembly.garment.weld = least_of_class(assembly.garment.vertex_count(), assembly.garment.sewn);
   return assembly;
 }

@@ -10,7 +10,11 @@ namespace {
 struct Rotation {
   double cx, sx, cy, sy, cz, sz;
   explicit Rotation(Vec3 r)
-      : cx(std::cos(r.x)), sx(std::sin(r.x)), cy(std::cos(r.y)), sy(std::sin(r.y)), cz(std::cos(r.z)),
+      : cx(std::cos(r.x)),
+        sx(std::sin(r.x)),
+        cy(std::cos(r.y)),
+        sy(std::sin(r.y)),
+        cz(std::cos(r.z)),
         sz(std::sin(r.z)) {}
   Vec3 operator()(Vec3 p) const {
     p = {p.x, cx * p.y - sx * p.z, sx * p.y + cx * p.z};
@@ -23,7 +27,8 @@ std::vector<Vec3> place_rigid(const std::vector<Vec2>& rest, const RigidPlacemen
   const Rotation rotate(placement.rotation);
   std::vector<Vec3> out;
   out.reserve(rest.size());
-  for (const Vec2& p : rest) out.push_back(placement.translation + rotate({placement.flipped ? -p.x : p.x, p.y, 0}));
+  for (const Vec2& p : rest)
+    out.push_back(placement.translation + rotate({placement.flipped ? -p.x : p.x, p.y, 0}));
   return out;
 }
 

@@ -11,8 +11,8 @@ namespace toile {
 /// The panel as a rigid sheet. A flat point (u, v) in metres goes to translation + R·(u, v, 0), with R the
 /// rotation about x, then y, then z (fixed axes). The right side of the cloth faces R·(0, 0, 1).
 struct RigidPlacement {
-  Vec3 translation;    ///< m, where the panel's flat origin goes
-  Vec3 rotation;       ///< radians about x, y, z
+  Vec3 translation;      ///< m, where the panel's flat origin goes
+  Vec3 rotation;         ///< radians about x, y, z
   bool flipped = false;  ///< mirror u first: the panel seen from its wrong side
 };
 
@@ -20,7 +20,7 @@ struct RigidPlacement {
 /// `height`; u runs along the circle (towards larger angles, counter-clockwise seen from above), v upwards.
 /// With `slope` the surface is a cone: its radius grows by `slope` metres for every metre downwards along v.
 struct WrappedPlacement {
-  Vec3 axis;          ///< m, a point on the axis; y is ignored
+  Vec3 axis;            ///< m, a point on the axis; y is ignored
   double radius = 0.3;  ///< m, at the anchor
   double angle = 0;     ///< radians; 0 is +z (front), π/2 is +x
   double height = 1;    ///< m, y of the anchor

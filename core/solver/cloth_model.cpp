@@ -4,12 +4,15 @@
 
 namespace toile {
 
-double rest_area(const RestTriangle& rest) { return 0.5 * std::abs(cross(rest[1] - rest[0], rest[2] - rest[0])); }
+double rest_area(const RestTriangle& rest) {
+  return 0.5 * std::abs(cross(rest[1] - rest[0], rest[2] - rest[0]));
+}
 
 namespace {
 
 /// Classes of solver vertices from the classes of garment vertices: least solver vertex of each.
-std::vector<Index> classes_of(const GarmentMesh& garment, std::span<const Index> vertex_of, Index vertex_count) {
+std::vector<Index> classes_of(const GarmentMesh& garment, std::span<const Index> vertex_of,
+                              Index vertex_count) {
   std::vector<Index> least(garment.vertex_count(), vertex_count);
   for (Index i = 0; i < garment.vertex_count(); ++i) {
     least[garment.weld[i]] = std::min(least[garment.weld[i]], vertex_of[i]);

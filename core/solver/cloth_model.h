@@ -19,8 +19,8 @@ struct ClothModel {
   std::vector<RestTriangle> rest;
   std::vector<Index> fabric_of_triangle;  ///< into `fabrics`
   std::vector<Fabric> fabrics;
-  std::vector<double> mass;               ///< kg per vertex: a third of each triangle around it
-  std::vector<Index> vertex_class;        ///< stitched vertices share a class: least member's index
+  std::vector<double> mass;         ///< kg per vertex: a third of each triangle around it
+  std::vector<Index> vertex_class;  ///< stitched vertices share a class: least member's index
 
   Index vertex_count() const { return static_cast<Index>(mass.size()); }
 };

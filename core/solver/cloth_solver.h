@@ -15,28 +15,30 @@ namespace toile {
 
 /// What acts on the cloth during a step. May change from step to step.
 struct StepForces {
-  double gravity = 9.81;   ///< m/s², downwards
-  double damping = 1;      ///< 1/s, of the velocity, as if in a thick medium
-  double friction = 1;     ///< factor on all coefficients
+  double gravity = 9.81;     ///< m/s², downwards
+  double damping = 1;        ///< 1/s, of the velocity, as if in a thick medium
+  double friction = 1;       ///< factor on all coefficients
   double stitch_length = 0;  ///< 1: stitches as long as at the start, 0: closed
 };
 
 /// What a step saw. Numerical trouble is a flag here, never a NaN that leaves the step.
 struct StepReport {
-  int measurements = 0;  ///< contact measurements in this step
-  int bounded = 0;       ///< vertices that a bound stopped
+  int measurements = 0;     ///< contact measurements in this step
+  int bounded = 0;          ///< vertices that a bound stopped
   bool not_finite = false;  ///< a position left the numbers; the step was undone
 };
 
 class ClothSolver {
  public:
   /// `obstacles` must outlive the solver. Positions in metres; velocities start at zero.
-  ClothSolver(ClothModel model, std::vector<Vec3> positions, std::span<const Obstacle> obstacles, double time_step);
+  ClothSolver(ClothModel model, std::vector<Vec3> positions, std::span<const Obstacle> obstacles,
+              double time_step);
 
   StepReport step(const StepForces& forces);
 
   void set_stitches(std::vector<Stitch> stitches) { stitches_ = std::move(stitches); }
-  /// Replaces all holds. Targets may lie away from where the vertices are; contact decides how fast they get there.
+  /// Replaces all holds. Targets may lie away from where the vertices are; contact decides how fast they get
+  /// there.
   void set_holds(std::vector<HeldVertex> held);
   void set_velocities(std::vector<Vec3> velocities) { velocity_ = std::move(velocities); }
 
@@ -70,7 +72,8 @@ class ClothSolver {
   bool measured_ = false;
 };
 
-/// Thickness, friction and ball sizes for a cloth: thickness at most 0.3 and balls at most 0.35 of the mean edge.
+/// Thickness, friction and ball sizes for a cloth: thickness at most 0.3 and balls at most 0.35 of the mean
+/// edge.
 ContactSettings contact_settings(const ClothModel& model);
 
 }  // namespace toile

@@ -9,7 +9,7 @@
 
 #include "proto/cpp/project.h"
 
-namespace toile {
+namespace toile::fields {
 
 enum class Need { kOptional, kRequired };
 
@@ -175,4 +175,4 @@ void describe(Visitor& v, Project& project) {
   v.field("settings", project.settings);
 }
 
-}  // namespace toile
+}  // namespace toile::fields

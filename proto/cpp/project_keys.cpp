@@ -7,6 +7,8 @@
 namespace toile {
 namespace {
 
+using namespace fields;  // NOLINT: the list of fields is this file's subject
+
 class Lister {
  public:
   Lister(std::vector<ProjectKey>& keys, std::string path) : keys_(keys), path_(std::move(path)) {}

@@ -13,6 +13,8 @@
 namespace toile {
 namespace {
 
+using namespace fields;  // NOLINT: the list of fields is this file's subject
+
 constexpr std::size_t kLongestText = 200;  // bytes of an id or a file name
 
 /// A value in the document together with its place, and the slot for the first error of the whole reading.
@@ -220,7 +222,7 @@ Result<Project> parse_project(std::string_view text) {
   }
   std::optional<Error> error;
   Project project;
-  read(Place{*tree, "", error}, project, kAnything);
+  read(Place{*tree, "", error}, project, fields::kAnything);
   if (error) return *std::move(error);
   return project;
 }

@@ -8,6 +8,8 @@
 namespace toile {
 namespace {
 
+using namespace fields;  // NOLINT: the list of fields is this file's subject
+
 JsonValue json_of(bool value) { return value; }
 JsonValue json_of(int value) { return static_cast<double>(value); }
 JsonValue json_of(double value) { return value; }

@@ -42,7 +42,7 @@ Status write_models(const DrapeInput& input, const DrapeResult& result, const Dr
   const fs::path folder = options.out;
   const GarmentMesh& garment = result.garment;
   const std::vector<std::string> names = panel_names(input.pattern);
-  const Status objects = options.check_data
+  Status objects = options.check_data
                              ? write_check_data(folder, garment, result.positions, input.bodies)
                              : write_obj(folder / "final.obj", result.positions, garment.triangles,
                                          {.names = names, .panel_of_triangle = garment.panel_of_triangle});

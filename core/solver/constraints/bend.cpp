@@ -77,17 +77,18 @@ void invert_symmetric(const double (&m)[6], const bool (&present)[3], double (&o
   for (int k = 0; k < 3; ++k) {
     if (!present[k]) a[k] = 1;  // decouples the missing hinge
   }
-  const double c00 = a[1] * a[2] - a[5] * a[5], c01 = a[4] * a[5] - a[3] * a[2], c02 = a[3] * a[5] - a[4] * a[1];
+  const double c00 = a[1] * a[2] - a[5] * a[5], c01 = a[4] * a[5] - a[3] * a[2],
+               c02 = a[3] * a[5] - a[4] * a[1];
   const double det = a[0] * c00 + a[3] * c01 + a[4] * c02;
-  const double inverse[6] = {c00, a[0] * a[2] - a[4] * a[4], a[0] * a[1] - a[3] * a[3],
-                             c01, c02, a[3] * a[4] - a[0] * a[5]};
+  const double inverse[6] = {c00, a[0] * a[2] - a[4] * a[4], a[0] * a[1] - a[3] * a[3], c01,
+                             c02, a[3] * a[4] - a[0] * a[5]};
   for (int e = 0; e < 6; ++e) {
     out[e] = present[kRow[e]] && present[kColumn[e]] ? inverse[e] / det : 0;
   }
 }
 
-/// The jumps' inverse masses G W Gᵀ. Far vertices differ as a rule; where two coincide (a cone's tip), leaving out
-/// their product only damps.
+/// The jumps' inverse masses G W Gᵀ. Far vertices differ as a rule; where two coincide (a cone's tip),
+/// leaving out their product only damps.
 void set_mobility(const BendTriangle& t, std::span<const double> w, double (&mobility)[6]) {
   for (int e = 0; e < 6; ++e) {
     const int k = kRow[e], m = kColumn[e];
@@ -114,8 +115,9 @@ void prepare(BendTriangle& t, std::span<const double> w, double per_h2) {
 
 int hinges_of(const BendTriangle& t) { return (t.v[3] != kNone) + (t.v[4] != kNone) + (t.v[5] != kNone); }
 
-/// The area that each triangle's curvature speaks for. Two hinges cannot tell a border triangle's curvature; where its
-/// neighbours have all three of theirs, they speak for it, and its hinges are in their jumps already.
+/// The area that each triangle's curvature speaks for. Two hinges cannot tell a border triangle's curvature;
+/// where its neighbours have all three of theirs, they speak for it, and its hinges are in their jumps
+/// already.
 std::vector<double> shared_areas(const ClothModel& model, const std::vector<BendTriangle>& all,
                                  const std::vector<std::array<Index, 3>>& neighbours) {
   std::vector<double> area(all.size(), 0);

@@ -2,12 +2,13 @@
 // Bending, right on any mesh: a triangle and its up to three neighbours carry one curvature tensor.
 //
 // Over each edge that has a neighbour, the jump of the surface's slope is a fixed linear combination of four
-// vertices (their flat positions decide it): j = Σ c x. A surface with curvatures κ = (κ_weft, κ_warp, κ_twist)
-// makes the jumps S κ, S being the same combinations of the flat monomials (½u², ½v², uv). The triangle's energy
-// is the least bending energy ½ A κᵀ D κ that agrees with its jumps, so the jumps' compliance is S D⁻¹ Sᵀ / A:
-// exact for every quadratic surface, whatever the triangles' shapes, and a free border (fewer jumps) bends freely.
-// Linear jumps of an inextensible surface are those of Bergou et al., "A Quadratic Bending Model for Inextensible
-// Surfaces" (2006); one curvature a triangle from its three hinges is in the spirit of Grinspun et al. (2006).
+// vertices (their flat positions decide it): j = Σ c x. A surface with curvatures κ = (κ_weft, κ_warp,
+// κ_twist) makes the jumps S κ, S being the same combinations of the flat monomials (½u², ½v², uv). The
+// triangle's energy is the least bending energy ½ A κᵀ D κ that agrees with its jumps, so the jumps'
+// compliance is S D⁻¹ Sᵀ / A: exact for every quadratic surface, whatever the triangles' shapes, and a free
+// border (fewer jumps) bends freely. Linear jumps of an inextensible surface are those of Bergou et al., "A
+// Quadratic Bending Model for Inextensible Surfaces" (2006); one curvature a triangle from its three hinges
+// is in the spirit of Grinspun et al. (2006).
 
 #include <span>
 #include <vector>
@@ -17,18 +18,19 @@
 
 namespace toile {
 
-/// A triangle with its hinges. Hinge k lies on the edge from corner k to corner k+1; v[3+k] is the neighbour's
-/// far vertex, or kNone where the edge is free.
+/// A triangle with its hinges. Hinge k lies on the edge from corner k to corner k+1; v[3+k] is the
+/// neighbour's far vertex, or kNone where the edge is free.
 struct BendTriangle {
   Index v[6] = {kNone, kNone, kNone, kNone, kNone, kNone};
-  double own[3][3] = {};       ///< weight of own corner i in jump k
-  double far[3] = {};          ///< weight of the neighbour's vertex in jump k
-  double compliance[6] = {};   ///< (00, 11, 22, 01, 02, 12), S D⁻¹ Sᵀ / A; m²/(N·m·m²) = 1/J
-  double response[6] = {};     ///< inverse of (share · G W Gᵀ + compliance / h²), same order; set by prepare_bending
+  double own[3][3] = {};      ///< weight of own corner i in jump k
+  double far[3] = {};         ///< weight of the neighbour's vertex in jump k
+  double compliance[6] = {};  ///< (00, 11, 22, 01, 02, 12), S D⁻¹ Sᵀ / A; m²/(N·m·m²) = 1/J
+  double response[6] =
+      {};  ///< inverse of (share · G W Gᵀ + compliance / h²), same order; set by prepare_bending
 };
 
-/// Bending matrix of a fabric: energy per area ½ (warp κ_warp² + weft κ_weft² + twist κ_twist²), where a strip cut at
-/// 45° has the rigidity (warp + weft + twist)/4, so twist = 4·bias − warp − weft, kept positive.
+/// Bending matrix of a fabric: energy per area ½ (warp κ_warp² + weft κ_weft² + twist κ_twist²), where a
+/// strip cut at 45° has the rigidity (warp + weft + twist)/4, so twist = 4·bias − warp − weft, kept positive.
 struct BendMatrix {
   double weft = 0, warp = 0, twist = 0;  ///< N·m
 };

@@ -6,29 +6,27 @@ namespace toile {
 
 namespace {
 
-int vertices_of(const Contact& c) { return c.v[1] == kNone ? 1 : 4; }
-
 /// Weighted sum of a contact's vertices: a point for skin contact, the difference of two points for layers.
-Vec3 point_of(const Contact& c, int count, std::span<const Vec3> x) {
+Vec3 point_of(const Contact& c, std::span<const Vec3> x) {
   Vec3 p;
-  for (int i = 0; i < count; ++i) p += x[c.v[i]] * c.w[i];
+  for (int i = 0; i < c.count; ++i) p += x[c.v[i]] * c.w[i];
   return p;
 }
 
 }  // namespace
 
-void solve_contacts(std::span<const Contact> contacts, std::span<const Vec3> before, std::span<const double> w,
-                    double friction, double h, std::span<Vec3> x, std::span<Vec3> lifted) {
+void solve_contacts(std::span<const Contact> contacts, std::span<const Vec3> before,
+                    std::span<const double> w, double friction, double h, std::span<Vec3> x,
+                    std::span<Vec3> lifted) {
   for (const Contact& c : contacts) {
-    const int count = vertices_of(c);
-    const Vec3 now = point_of(c, count, x);
+    const Vec3 now = point_of(c, x);
     const double distance = dot(c.n, now) - c.c;
     if (distance >= c.rest) continue;
     double mass = 0;
-    for (int i = 0; i < count; ++i) mass += w[c.v[i]] * c.w[i] * c.w[i];
+    for (int i = 0; i < c.count; ++i) mass += w[c.v[i]] * c.w[i] * c.w[i];
     if (mass <= 0) continue;
 
-    const Vec3 start = point_of(c, count, before);
+    const Vec3 start = point_of(c, before);
     const double floor = std::min(c.rest, dot(c.n, start) - c.c);  // where it rested is no approach
     const double approach = std::max(0.0, floor - distance);
     const double lift = std::min(c.rest - std::max(distance, floor), kPushOutSpeed * h);
@@ -37,7 +35,7 @@ void solve_contacts(std::span<const Contact> contacts, std::span<const Vec3> bef
     const double slipped = length(slip), hold = friction * c.friction * approach;
     const Vec3 rub = slipped > hold && slipped > 0 ? slip * (hold / slipped) : slip;
     const Vec3 stop = c.n * approach - (hold > 0 ? rub : Vec3{}), push = c.n * lift;
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < c.count; ++i) {
       const double share = w[c.v[i]] * c.w[i] / mass;
       x[c.v[i]] += (stop + push) * share;
       lifted[c.v[i]] += push * share;

@@ -9,13 +9,14 @@
 
 namespace toile {
 
-/// Speed at which cloth that is too near is lifted to its rest distance, m/s. Lifting moves positions only and
-/// leaves velocities alone, else contacts would jitter.
+/// Speed at which cloth that is too near is lifted to its rest distance, m/s. Lifting moves positions only
+/// and leaves velocities alone, else contacts would jitter.
 inline constexpr double kPushOutSpeed = 0.3;
 
-/// One pass over the contacts. `before` are the positions at the substep's start; `lifted` (one a vertex, m) collects
-/// what must not count as velocity. `friction` scales the coefficients (0 while sewing).
-void solve_contacts(std::span<const Contact> contacts, std::span<const Vec3> before, std::span<const double> w,
-                    double friction, double h, std::span<Vec3> x, std::span<Vec3> lifted);
+/// One pass over the contacts. `before` are the positions at the substep's start; `lifted` (one a vertex, m)
+/// collects what must not count as velocity. `friction` scales the coefficients (0 while sewing).
+void solve_contacts(std::span<const Contact> contacts, std::span<const Vec3> before,
+                    std::span<const double> w, double friction, double h, std::span<Vec3> x,
+                    std::span<Vec3> lifted);
 
 }  // namespace toile

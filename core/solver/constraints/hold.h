@@ -14,9 +14,9 @@ struct HeldVertex {
   Vec3 target;  ///< m
 };
 
-/// Puts vertices that are held at a height back there. Those held in a place have no inverse mass; they are led
-/// before the constraints, which then see them where they are. Contact bounds come after both: a prescribed motion
-/// waits.
+/// Puts vertices that are held at a height back there. Those held in a place have no inverse mass; they are
+/// led before the constraints, which then see them where they are. Contact bounds come after both: a
+/// prescribed motion waits.
 void solve_height_holds(std::span<const HeldVertex> held, std::span<Vec3> x);
 
 }  // namespace toile

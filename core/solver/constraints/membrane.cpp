@@ -1,14 +1,15 @@
 #include "core/solver/constraints/membrane.h"
 
-
 namespace toile {
 
 namespace {
 
 /// A symmetric 3×3 system by Cramer's rule; m = (00, 11, 22, 01, 02, 12), positive definite.
 Vec3 solve_symmetric(const double (&m)[6], Vec3 r) {
-  const double c00 = m[1] * m[2] - m[5] * m[5], c01 = m[4] * m[5] - m[3] * m[2], c02 = m[3] * m[5] - m[4] * m[1];
-  const double c11 = m[0] * m[2] - m[4] * m[4], c12 = m[3] * m[4] - m[0] * m[5], c22 = m[0] * m[1] - m[3] * m[3];
+  const double c00 = m[1] * m[2] - m[5] * m[5], c01 = m[4] * m[5] - m[3] * m[2],
+               c02 = m[3] * m[5] - m[4] * m[1];
+  const double c11 = m[0] * m[2] - m[4] * m[4], c12 = m[3] * m[4] - m[0] * m[5],
+               c22 = m[0] * m[1] - m[3] * m[3];
   const double inverse = 1 / (m[0] * c00 + m[3] * c01 + m[4] * c02);
   return Vec3{c00 * r.x + c01 * r.y + c02 * r.z, c01 * r.x + c11 * r.y + c12 * r.z,
               c02 * r.x + c12 * r.y + c22 * r.z} *
@@ -44,9 +45,12 @@ void solve_triangle(const MembraneTriangle& t, std::span<const double> w, double
   const Vec3 along_u = shear0 * (w0 * s0) + shear1 * (w1 * b0) + shear2 * (w2 * b1);
   const Vec3 along_v = shear0 * (w0 * s1) + shear1 * (w1 * b2) + shear2 * (w2 * b3);
   const double mass_ss = w0 * dot(shear0, shear0) + w1 * dot(shear1, shear1) + w2 * dot(shear2, shear2);
-  const double system[6] = {mass_uu + t.compliance[0] * per_h2, mass_vv + t.compliance[1] * per_h2,
-                            mass_ss + t.compliance[3] * per_h2, mass_uv + t.compliance[2] * per_h2,
-                            dot(along_u, nu),                   dot(along_v, nv)};
+  const double system[6] = {mass_uu + t.compliance[0] * per_h2,
+                            mass_vv + t.compliance[1] * per_h2,
+                            mass_ss + t.compliance[3] * per_h2,
+                            mass_uv + t.compliance[2] * per_h2,
+                            dot(along_u, nu),
+                            dot(along_v, nv)};
   const Vec3 lambda = solve_symmetric(system, {1 - lu, 1 - lv, -dot(fu, fv)});
 
   const Vec3 pu = nu * lambda.x, pv = nv * lambda.y;
@@ -62,7 +66,8 @@ std::vector<MembraneTriangle> make_membrane(const ClothModel& model) {
   std::vector<MembraneTriangle> out;
   out.reserve(model.triangles.size());
   for (std::size_t t = 0; t < model.triangles.size(); ++t) {
-    out.push_back(make_triangle(model.triangles[t], model.rest[t], model.fabrics[model.fabric_of_triangle[t]]));
+    out.push_back(
+        make_triangle(model.triangles[t], model.rest[t], model.fabrics[model.fabric_of_triangle[t]]));
   }
   return out;
 }

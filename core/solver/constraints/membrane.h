@@ -1,7 +1,7 @@
 #pragma once
 // In-plane stretch and shear of a triangle, as one compliant constraint of three components (XPBD: Macklin,
-// Müller and Chentanez 2016; small steps of one iteration: Macklin et al. 2019). Energy per area ½ εᵀ K ε with
-// ε = (|f_weft| − 1, |f_warp| − 1, f_weft · f_warp), f the deformation gradient's columns.
+// Müller and Chentanez 2016; small steps of one iteration: Macklin et al. 2019). Energy per area ½ εᵀ K ε
+// with ε = (|f_weft| − 1, |f_warp| − 1, f_weft · f_warp), f the deformation gradient's columns.
 
 #include <span>
 #include <vector>
@@ -13,7 +13,7 @@ namespace toile {
 
 struct MembraneTriangle {
   Tri v{};
-  double b[4] = {};           ///< inverse of the rest edges' matrix: f_weft = e1·b0 + e2·b1, f_warp = e1·b2 + e2·b3
+  double b[4] = {};  ///< inverse of the rest edges' matrix: f_weft = e1·b0 + e2·b1, f_warp = e1·b2 + e2·b3
   double compliance[4] = {};  ///< of (weft, warp, coupling, shear), K⁻¹ / area, 1/J
 };
 
@@ -23,7 +23,8 @@ std::vector<MembraneTriangle> make_membrane(const ClothModel& model);
 void solve_membrane(std::span<const MembraneTriangle> triangles, std::span<const double> w, double h,
                     std::span<Vec3> x);
 
-/// The strains (weft, warp, shear) of one triangle at positions x. Shear is the change of the right angle's cosine.
+/// The strains (weft, warp, shear) of one triangle at positions x. Shear is the change of the right angle's
+/// cosine.
 Vec3 membrane_strain(const MembraneTriangle& triangle, std::span<const Vec3> x);
 
 }  // namespace toile

@@ -1,0 +1,31 @@
+#pragma once
+// The sample that ships in samples/skirt, made anew: its files can be compared with what the code gives.
+
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/body/mannequin.h"
+#include "core/draft/skirt.h"
+#include "core/geometry/triangle_mesh.h"
+
+namespace toile {
+
+struct SkirtSampleSettings {
+  MannequinSettings body;
+  SkirtMeasures skirt;
+  double particle_distance_mm = 15.8;  ///< gives about 3,150 particles
+  double wrap_radius = 0.155;          ///< m, of the pieces around the waist before they are sewn
+  double gap = 0.008;                  ///< m, between the band's lower edge and the skirt's waist
+};
+
+struct SampleFile {
+  std::string name;
+  std::string bytes;
+};
+
+/// skirt.dxf, body.obj and project.json: the drafted skirt wrapped around the mannequin, its bands at the
+/// waist. Errors: those of make_mannequin, draft_skirt, write_dxf and read_dxf.
+Result<std::vector<SampleFile>> make_skirt_sample(const SkirtSampleSettings& settings = {});
+
+}  // namespace toile

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "core/base/result.h"
+#include "core/pattern/pattern.h"
+
+namespace toile {
+
+struct DxfWriteSettings {
+  double tolerance_mm = 0.02;  ///< how far a chord may pass from the curve it stands for
+};
+
+/// The pattern's pieces as ASCII DXF R12 in millimetres, the way ANSI/AAMA-292 lays a piece out: one BLOCK
+/// for each, the cut line as a closed POLYLINE on layer 1, holes on layer 11, the grain as a LINE on layer 7,
+/// the name as a TEXT "Piece Name: …". read_dxf gives the same pieces back. Seams and edge names have no
+/// place in DXF. Errors: "dxf.nothing_to_write", "dxf.bad_name" (a name with a line break or none).
+Result<std::string> write_dxf(const Pattern& pattern, const DxfWriteSettings& settings = {});
+
+}  // namespace toile
