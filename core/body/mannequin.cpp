@@ -13,8 +13,8 @@
 namespace toile {
 namespace {
 
-constexpr double kSkinArea = 0.62;      // of the stature squared, near enough to choose a grid
-constexpr double kFinestCell = 3.5e-3;  // of the stature; remeshing refines from there
+constexpr double kSkinArea = 0.62;        // of the stature squared, near enough to choose a grid
+constexpr double kFinestCell = 3.5e-3;    // of the stature; remeshing refines from there
 constexpr double kCoarsestCell = 6.5e-3;  // fingertips and the gap between the legs need this
 constexpr double kCellPerEdge = 0.42;
 constexpr int kCorrections = 6;            // of the girths, measured on the mesh

@@ -75,7 +75,7 @@ class Sector {
   double middle_, radius_;
 };
 
-// How far the side swells beyond the cone at the hip, per seam allowance of a quarter of the body.
+// How far each side of a piece swells beyond the cone at the hip: a quarter of what the whole girth lacks.
 double hip_swell(const SkirtMeasures& m) {
   const double cone = (half_waist(m) + sector(m) * m.waist_to_hip) * 2;
   return std::max(0.0, (m.hip + m.hip_ease - cone) / 4);

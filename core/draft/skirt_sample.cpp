@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <span>
 
 #include "core/body/tape.h"
 #include "core/pattern/curve.h"
@@ -125,9 +124,10 @@ std::string project_json(const Pattern& pattern, const std::vector<std::string>&
 
 // Middle of the body's depth at a height, m.
 double middle_z(const TriangleMesh& body, double height) {
+  const double half = half_breadth_at(body, height);  // leaves the arms out
   double low = HUGE_VAL, high = -HUGE_VAL;
   for (const Vec3& p : body.vertices) {
-    if (std::abs(p.y - height) > 0.03 || std::abs(p.x) > half_breadth_at(body, height)) continue;
+    if (std::abs(p.y - height) > 0.03 || std::abs(p.x) > half) continue;
     low = std::min(low, p.z), high = std::max(high, p.z);
   }
   return (low + high) / 2;

@@ -14,7 +14,7 @@ namespace toile {
 struct SkirtSampleSettings {
   MannequinSettings body;
   SkirtMeasures skirt;
-  double particle_distance_mm = 15.8;  ///< gives about 3,150 particles
+  double particle_distance_mm = 16.2;  ///< gives about 3,120 particles
   double wrap_radius = 0.155;          ///< m, of the pieces around the waist before they are sewn
   double gap = 0.008;                  ///< m, between the band's lower edge and the skirt's waist
 };

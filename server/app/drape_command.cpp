@@ -43,9 +43,9 @@ Status write_models(const DrapeInput& input, const DrapeResult& result, const Dr
   const GarmentMesh& garment = result.garment;
   const std::vector<std::string> names = panel_names(input.pattern);
   Status objects = options.check_data
-                             ? write_check_data(folder, garment, result.positions, input.bodies)
-                             : write_obj(folder / "final.obj", result.positions, garment.triangles,
-                                         {.names = names, .panel_of_triangle = garment.panel_of_triangle});
+                       ? write_check_data(folder, garment, result.positions, input.bodies)
+                       : write_obj(folder / "final.obj", result.positions, garment.triangles,
+                                   {.names = names, .panel_of_triangle = garment.panel_of_triangle});
   if (!objects) return objects;
   GlbModel model;
   model.garment = &garment;

@@ -1,0 +1,106 @@
+#pragma once
+// What is kept between two starts of the server, behind one interface: projects, files, jobs and their results.
+// One implementation stands on SQLite and a folder of blobs. Every call names the owner; what belongs to somebody else
+// is not found. Calls are thread-safe and durable: once one returns, a crash does not undo it.
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+
+namespace toile {
+
+using OwnerId = std::string;
+/// Until there are accounts, everything belongs to this owner.
+inline constexpr const char* kLocalOwner = "local";
+
+/// An uploaded file. Content is immutable; the same bytes of one owner are one asset.
+struct AssetRow {
+  std::string id;    ///< "a_" and 32 hex digits of the content's XXH3
+  std::string kind;  ///< "dxf" or "body"
+  std::string name;  ///< file name as uploaded, without folders
+  std::int64_t size = 0;
+  std::int64_t created_ms = 0;  ///< Unix time
+  std::string info;  ///< JSON object: what reading it told (pieces, triangles, …)
+};
+
+/// A project document with the files that it names.
+struct ProjectRow {
+  std::string id;  ///< "p_" and 20 characters
+  std::string name;
+  int revision = 1;                          ///< rises with every replacement; the ETag
+  std::string document;                      ///< project.schema.json, text
+  std::map<std::string, std::string> files;  ///< file name in the document → asset id
+  std::int64_t created_ms = 0, updated_ms = 0;
+};
+
+/// A drape that was asked for. The document and files are copies of the project's at that moment.
+struct JobRow {
+  std::string id;  ///< "j_" and 20 characters; rises with time
+  std::string project_id;
+  int project_revision = 0;
+  std::string name;
+  std::string document;
+  std::map<std::string, std::string> files;
+  std::string state = "queued";  ///< queued, running, paused, succeeded, failed, cancelled
+  std::string reason_code;       ///< of a terminal state, e.g. "settled", "time", "start.crosses_body"
+  std::string reason;            ///< a sentence for a person
+  std::string reason_where;
+  int attempt = 0;
+  std::int64_t created_ms = 0, started_ms = 0, ended_ms = 0;
+  std::string report;                        ///< report.json's text once there is one
+  std::map<std::string, std::int64_t> results;  ///< file name → bytes
+};
+
+class Store {
+ public:
+  virtual ~Store() = default;
+
+  /// Keeps the bytes; gives back the existing asset when this owner has the same content under the same name and kind.
+  virtual Result<AssetRow> put_asset(const OwnerId& owner, AssetRow row, std::string_view bytes) = 0;
+  virtual Result<AssetRow> asset(const OwnerId& owner, const std::string& id) = 0;
+  virtual Result<std::string> asset_bytes(const OwnerId& owner, const std::string& id) = 0;
+  virtual Result<std::vector<AssetRow>> assets(const OwnerId& owner, const std::string& kind) = 0;
+
+  virtual Result<ProjectRow> create_project(const OwnerId& owner, ProjectRow row) = 0;
+  /// Replaces document, files and name when the stored revision is `expected` (or expected is 0). Errors:
+  /// store.not_found, store.conflict.
+  virtual Result<ProjectRow> replace_project(const OwnerId& owner, const ProjectRow& row, int expected) = 0;
+  virtual Result<ProjectRow> project(const OwnerId& owner, const std::string& id) = 0;
+  /// Newest first, from after `cursor` (an id, or empty), at most `limit`.
+  virtual Result<std::vector<ProjectRow>> projects(const OwnerId& owner, const std::string& cursor, int limit) = 0;
+  virtual Status remove_project(const OwnerId& owner, const std::string& id) = 0;
+
+  /// With an idempotency key that this owner has used, gives back the job it made then.
+  virtual Result<JobRow> create_job(const OwnerId& owner, JobRow row, const std::string& idempotency_key) = 0;
+  virtual Result<JobRow> job(const OwnerId& owner, const std::string& id) = 0;
+  /// Newest first; without documents (row.document is empty).
+  virtual Result<std::vector<JobRow>> jobs(const OwnerId& owner, const std::string& cursor, int limit) = 0;
+  /// Writes state, reason, attempt, times, report and results of a job that exists.
+  virtual Status update_job(const OwnerId& owner, const JobRow& row) = 0;
+  /// The oldest queued jobs of all owners, for the workers; and at a start those left running or paused.
+  struct OwnedJob {
+    OwnerId owner;
+    JobRow job;
+  };
+  virtual Result<std::vector<OwnedJob>> unfinished_jobs() = 0;
+
+  /// Result files of a job.
+  virtual Status put_result(const OwnerId& owner, const std::string& job_id, const std::string& name,
+                            std::string_view bytes) = 0;
+  virtual Result<std::string> result_bytes(const OwnerId& owner, const std::string& job_id,
+                                           const std::string& name) = 0;
+
+  /// Cheap proof that the store answers, for /readyz.
+  virtual Status ping() = 0;
+};
+
+/// Opens or makes the store in `folder` (toile.db and blobs/). Errors: store.open with path and reason.
+Result<std::unique_ptr<Store>> open_sqlite_store(const std::string& folder);
+
+}  // namespace toile
