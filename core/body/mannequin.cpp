@@ -17,7 +17,8 @@ constexpr double kSkinArea = 0.62;        // of the stature squared, near enough
 constexpr double kFinestCell = 3.5e-3;    // of the stature; remeshing refines from there
 constexpr double kCoarsestCell = 6.5e-3;  // fingertips and the gap between the legs need this
 constexpr double kCellPerEdge = 0.42;
-constexpr int kCorrections = 6;            // of the girths, measured on the mesh
+constexpr int kCorrections = 12;           // of the girths, measured on the mesh
+constexpr double kGoodGirth = 0.0003;      // m, good enough to stop correcting
 constexpr double kGirthTolerance = 0.005;  // m
 
 struct Limit {
@@ -96,19 +97,20 @@ Result<TriangleMesh> make_mannequin(const MannequinSettings& settings) {
 
   // Chords lie inside the skin, so the mesh is a little slimmer than the field: correct by what it measures.
   TriangleMesh mesh = first_mesh(shape, settings.triangle_count);
-  for (int i = 0; i < kCorrections; ++i) {
-    shape = corrected(shape, asked, measured(stand(mesh, 1)));
+  TrunkTargets got = measured(stand(mesh, 1));
+  for (int i = 0; i < kCorrections && (i == 0 || worst_miss(got, asked) * h > kGoodGirth); ++i) {
+    shape = corrected(shape, asked, got);
     const BodyField field(shape);
     const ImplicitSurface surface = [&field](Vec3 p) { return field.at(p); };
     mesh = refit(std::move(mesh), surface, remesh_settings(field, settings.triangle_count), i == 0 ? 2 : 0);
+    got = measured(stand(mesh, 1));
   }
-  mesh = stand(std::move(mesh), h);
-  const double miss = worst_miss(measured(mesh), {settings.bust, settings.waist, settings.hip});
-  if (miss > kGirthTolerance) {
+  if (const double miss = worst_miss(got, asked) * h; miss > kGirthTolerance) {
     return Error{"mannequin.girths",
                  "Bust, waist and hip do not go together: off by " + std::to_string(miss * 1000) + " mm.",
                  ""};
   }
+  mesh = stand(std::move(mesh), h);
   return mesh;
 }
 

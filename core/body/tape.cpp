@@ -84,6 +84,44 @@ std::vector<Vec2> middle_points(const TriangleMesh& mesh, double height) {
   return points;
 }
 
+// Counter-clockwise; a single point or none where that is all there is.
+std::vector<Vec2> hull(std::vector<Vec2> points) {
+  std::sort(points.begin(), points.end(), [](Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if (points.size() < 2) return points;
+  std::vector<Vec2> out;
+  for (int pass = 0; pass < 2; ++pass) {  // lower chain, then upper
+    const size_t base = out.size() + 1;
+    for (const Vec2& p : points) {
+      while (out.size() > base && cross(out.back() - out[out.size() - 2], p - out.back()) <= 0)
+        out.pop_back();
+      out.push_back(p);
+    }
+    out.pop_back();
+    std::reverse(points.begin(), points.end());
+  }
+  return out;
+}
+
+// The part of a convex polygon on which side·x <= limit. Cut, not dropped: a girth must not jump as a point
+// passes the limit.
+std::vector<Vec2> clipped(const std::vector<Vec2>& polygon, double limit, double side) {
+  std::vector<Vec2> out;
+  for (size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+    const double da = side * a.x - limit, db = side * b.x - limit;
+    if (da <= 0) out.push_back(a);
+    if ((da < 0 && db > 0) || (da > 0 && db < 0)) out.push_back(a + (b - a) * (da / (da - db)));
+  }
+  return out;
+}
+
+double perimeter(const std::vector<Vec2>& polygon) {
+  double sum = 0;
+  for (size_t i = 0; i < polygon.size(); ++i) sum += length(polygon[(i + 1) % polygon.size()] - polygon[i]);
+  return sum;
+}
+
 template <typename Better>
 Girth best_girth(const TriangleMesh& mesh, double low, double high, double half_breadth, Better better) {
   Girth best{low, girth_at(mesh, low, half_breadth)};
@@ -98,30 +136,12 @@ Girth best_girth(const TriangleMesh& mesh, double low, double high, double half_
 
 }  // namespace
 
-double hull_perimeter(std::vector<Vec2> points) {
-  std::sort(points.begin(), points.end(), [](Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  if (points.size() < 2) return 0;
-  std::vector<Vec2> hull;
-  for (int pass = 0; pass < 2; ++pass) {  // lower chain, then upper
-    const size_t base = hull.size() + 1;
-    for (const Vec2& p : points) {
-      while (hull.size() > base && cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0)
-        hull.pop_back();
-      hull.push_back(p);
-    }
-    hull.pop_back();
-    std::reverse(points.begin(), points.end());
-  }
-  double sum = 0;
-  for (size_t i = 0; i < hull.size(); ++i) sum += length(hull[(i + 1) % hull.size()] - hull[i]);
-  return sum;
-}
+double hull_perimeter(std::vector<Vec2> points) { return perimeter(hull(std::move(points))); }
 
 double girth_at(const TriangleMesh& mesh, double height, double half_breadth) {
-  std::vector<Vec2> points = middle_points(mesh, height);
-  std::erase_if(points, [&](Vec2 p) { return std::abs(p.x) > half_breadth; });
-  return hull_perimeter(std::move(points));
+  std::vector<Vec2> around = hull(middle_points(mesh, height));
+  if (half_breadth < kNoBreadth) around = clipped(clipped(around, half_breadth, 1), half_breadth, -1);
+  return perimeter(around);
 }
 
 double half_breadth_at(const TriangleMesh& mesh, double height) {

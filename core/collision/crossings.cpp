@@ -30,15 +30,15 @@ std::vector<Box3> boxes_of(std::span<const Tri> triangles, std::span<const Vec3>
   return boxes;
 }
 
-std::vector<GridPoint> grid_of(std::span<const Vec3> positions) {
-  std::vector<GridPoint> points;
+std::vector<ExactPoint> grid_of(std::span<const Vec3> positions) {
+  std::vector<ExactPoint> points;
   points.reserve(positions.size());
   for (const Vec3& p : positions) points.push_back(to_grid(p));
   return points;
 }
 
-bool any_edge_crosses(const std::array<const GridPoint*, 3>& edges_of,
-                      const std::array<const GridPoint*, 3>& face) {
+bool any_edge_crosses(const std::array<const ExactPoint*, 3>& edges_of,
+                      const std::array<const ExactPoint*, 3>& face) {
   for (int k = 0; k < 3; ++k) {
     if (segment_crosses_triangle(*edges_of[k], *edges_of[(k + 1) % 3], *face[0], *face[1], *face[2]))
       return true;
@@ -46,7 +46,7 @@ bool any_edge_crosses(const std::array<const GridPoint*, 3>& edges_of,
   return false;
 }
 
-std::array<const GridPoint*, 3> corners(const Tri& t, const std::vector<GridPoint>& points) {
+std::array<const ExactPoint*, 3> corners(const Tri& t, const std::vector<ExactPoint>& points) {
   return {&points[t[0]], &points[t[1]], &points[t[2]]};
 }
 
@@ -67,19 +67,19 @@ Meeting meeting_of(const Surface& cloth, const Tri& a, const Tri& b) {
 }
 
 /// The edge opposite a shared corner is the only one that can pass through the other triangle.
-bool opposite_edge_crosses(const std::array<const GridPoint*, 3>& a, int corner,
-                           const std::array<const GridPoint*, 3>& b) {
+bool opposite_edge_crosses(const std::array<const ExactPoint*, 3>& a, int corner,
+                           const std::array<const ExactPoint*, 3>& b) {
   return segment_crosses_triangle(*a[(corner + 1) % 3], *a[(corner + 2) % 3], *b[0], *b[1], *b[2]);
 }
 
 }  // namespace
 
-GridPoint to_grid(Vec3 p) {
+ExactPoint to_grid(Vec3 p) {
   return {std::llround(p.x * kGridPerMetre), std::llround(p.y * kGridPerMetre),
           std::llround(p.z * kGridPerMetre)};
 }
 
-int orientation(const GridPoint& a, const GridPoint& b, const GridPoint& c, const GridPoint& d) {
+int orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d) {
   const std::int64_t ux = a.x - d.x, uy = a.y - d.y, uz = a.z - d.z;
   const std::int64_t vx = b.x - d.x, vy = b.y - d.y, vz = b.z - d.z;
   const std::int64_t wx = c.x - d.x, wy = c.y - d.y, wz = c.z - d.z;
@@ -94,8 +94,8 @@ int orientation(const GridPoint& a, const GridPoint& b, const GridPoint& c, cons
   return orientation_exact(ux, uy, uz, vx, vy, vz, wx, wy, wz);
 }
 
-bool segment_crosses_triangle(const GridPoint& p, const GridPoint& q, const GridPoint& a, const GridPoint& b,
-                              const GridPoint& c) {
+bool segment_crosses_triangle(const ExactPoint& p, const ExactPoint& q, const ExactPoint& a, const ExactPoint& b,
+                              const ExactPoint& c) {
   const int side_p = orientation(a, b, c, p), side_q = orientation(a, b, c, q);
   if (side_p * side_q >= 0) return false;
   const int ab = orientation(p, q, a, b);
@@ -110,7 +110,7 @@ CrossingBody make_crossing_body(std::span<const Vec3> vertices, std::span<const 
 std::vector<std::array<Index, 2>> body_crossings(const Surface& cloth, std::span<const Vec3> positions,
                                                  const CrossingBody& body) {
   std::vector<std::array<Index, 2>> found;
-  const std::vector<GridPoint> points = grid_of(positions);
+  const std::vector<ExactPoint> points = grid_of(positions);
   const std::vector<Box3> boxes = boxes_of(cloth.triangles, positions);
   for (Index t = 0; t < static_cast<Index>(boxes.size()); ++t) {
     const auto a = corners(cloth.triangles[t], points);
@@ -125,7 +125,7 @@ std::vector<std::array<Index, 2>> body_crossings(const Surface& cloth, std::span
 
 std::vector<std::array<Index, 2>> self_crossings(const Surface& cloth, std::span<const Vec3> positions) {
   std::vector<std::array<Index, 2>> found;
-  const std::vector<GridPoint> points = grid_of(positions);
+  const std::vector<ExactPoint> points = grid_of(positions);
   const Bvh tree(boxes_of(cloth.triangles, positions));
   tree.self_pairs([&](Index s, Index t) {
     const auto a = corners(cloth.triangles[s], points), b = corners(cloth.triangles[t], points);

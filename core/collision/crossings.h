@@ -14,22 +14,22 @@
 namespace toile {
 
 /// A position in units of 2⁻²⁰ m. |x| stays below 2³¹ for positions within two kilometres.
-struct GridPoint {
+struct ExactPoint {
   std::int64_t x = 0, y = 0, z = 0;
 };
-GridPoint to_grid(Vec3 p);
+ExactPoint to_grid(Vec3 p);
 
 /// Sign of the volume of the tetrahedron (a, b, c, d): +1 when d lies on the side of triangle abc from which
 /// abc runs clockwise, −1 on the other, 0 in its plane. Exact.
-int orientation(const GridPoint& a, const GridPoint& b, const GridPoint& c, const GridPoint& d);
+int orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d);
 
 /// True when the open segment pq passes through the open triangle abc. Exact.
-bool segment_crosses_triangle(const GridPoint& p, const GridPoint& q, const GridPoint& a, const GridPoint& b,
-                              const GridPoint& c);
+bool segment_crosses_triangle(const ExactPoint& p, const ExactPoint& q, const ExactPoint& a, const ExactPoint& b,
+                              const ExactPoint& c);
 
 /// A solid's surface, ready for repeated counting.
 struct CrossingBody {
-  std::vector<GridPoint> points;
+  std::vector<ExactPoint> points;
   std::vector<Tri> triangles;
   Bvh tree;
 };

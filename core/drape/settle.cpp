@@ -40,7 +40,7 @@ bool SettleWatch::settled() const {
   if (rms_.size() < kQuietWindows) return false;
   const double* last = rms_.data() + rms_.size() - kQuietWindows;
   const bool slow = std::all_of(last, last + kQuietWindows, [&](double v) { return v < speed_; });
-  return slow && last[kQuietWindows - 1] <= 1.1 * last[0];
+  return slow && last[2] + last[3] <= 1.2 * (last[0] + last[1]);
 }
 
 }  // namespace toile

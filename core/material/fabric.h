@@ -12,10 +12,10 @@ struct Fabric {
 
   double areal_mass = 0.2;  ///< kg/m²
 
-  double stretch_warp = 2000;      ///< N/m, tension per strain along the warp
-  double stretch_weft = 2000;      ///< N/m
-  double stretch_coupling = 600;   ///< N/m, c12; |c12| < √(warp·weft)
-  double stretch_shear = 700;      ///< N/m per radian of shear
+  double stretch_warp = 2000;     ///< N/m, tension per strain along the warp
+  double stretch_weft = 2000;     ///< N/m
+  double stretch_coupling = 600;  ///< N/m, c12; |c12| < √(warp·weft)
+  double stretch_shear = 700;     ///< N/m per radian of shear
 
   double bend_warp = 1.3e-5;  ///< N·m, bending rigidity per width of a strip cut along the warp
   double bend_weft = 1.3e-5;  ///< N·m

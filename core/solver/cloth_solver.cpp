@@ -65,6 +65,7 @@ void ClothSolver::set_holds(std::vector<HeldVertex> held) {
   }
   if (w == inverse_mass_) return;
   inverse_mass_ = std::move(w);
+  prepare_membrane(membrane_, inverse_mass_, h_);
   prepare_bending(bending_, inverse_mass_, h_);
 }
 

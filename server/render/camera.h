@@ -32,6 +32,6 @@ struct Camera {
 Camera frame_scene(const Scene& scene, View view, double aspect);
 
 /// Scene points seen along `direction` in parallel, the box's ball filling [-1, 1]³. For shadow maps.
-Matrix4 parallel_matrix(const Box3& box, Vec3 direction);
+Matrix4 parallel_matrix(const SceneBox& box, Vec3 direction);
 
 }  // namespace toile

@@ -63,7 +63,7 @@ Status check_cloth(const ClothView& cloth) {
   return {};
 }
 
-void add_used(Box3& box, std::span<const Vec3> positions, std::span<const Tri> triangles) {
+void add_used(SceneBox& box, std::span<const Vec3> positions, std::span<const Tri> triangles) {
   for (const Tri& t : triangles) {
     for (const Index corner : t) box.add(positions[corner]);
   }
@@ -71,7 +71,7 @@ void add_used(Box3& box, std::span<const Vec3> positions, std::span<const Tri> t
 
 }  // namespace
 
-void Box3::add(Vec3 p) {
+void SceneBox::add(Vec3 p) {
   if (empty()) {
     low = high = p;
     return;
@@ -80,21 +80,21 @@ void Box3::add(Vec3 p) {
   high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
 }
 
-Box3 cloth_box(const Scene& scene) {
-  Box3 box;
+SceneBox cloth_box(const Scene& scene) {
+  SceneBox box;
   add_used(box, scene.cloth.positions, scene.cloth.triangles);
   return box;
 }
 
-Box3 whole_box(const Scene& scene) {
-  Box3 box = cloth_box(scene);
+SceneBox whole_box(const Scene& scene) {
+  SceneBox box = cloth_box(scene);
   for (const BodyView& body : scene.bodies) add_used(box, body.mesh->vertices, body.mesh->triangles);
   return box;
 }
 
 double floor_height(const Scene& scene) {
   if (scene.floor) return *scene.floor;
-  const Box3 box = whole_box(scene);
+  const SceneBox box = whole_box(scene);
   return box.empty() ? 0 : box.low.y;
 }
 

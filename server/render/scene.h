@@ -39,15 +39,15 @@ struct Scene {
 };
 
 /// Axis-aligned box, m. Empty while low.x > high.x.
-struct Box3 {
+struct SceneBox {
   Vec3 low{1, 1, 1}, high{-1, -1, -1};
   bool empty() const { return low.x > high.x; }
   void add(Vec3 p);
 };
 
-Box3 cloth_box(const Scene& scene);
+SceneBox cloth_box(const Scene& scene);
 /// Of the cloth and all bodies.
-Box3 whole_box(const Scene& scene);
+SceneBox whole_box(const Scene& scene);
 
 /// Height of the ground, m; 0 for an empty scene.
 double floor_height(const Scene& scene);

@@ -30,10 +30,10 @@ void fill_buffer(GlScope& scope, GLenum target, const std::vector<T>& data) {
                         GL_STATIC_DRAW);
 }
 
-Surface upload_cloth(GlScope& scope, const ClothView& cloth) {
+DrawnSurface upload_cloth(GlScope& scope, const ClothView& cloth) {
   const GlFunctions& gl = scope.gl();
   const std::vector<ClothVertex> vertices = cloth_vertices(cloth);
-  Surface surface{scope.vertex_array(), static_cast<GLsizei>(vertices.size()), false, {}};
+  DrawnSurface surface{scope.vertex_array(), static_cast<GLsizei>(vertices.size()), false, {}};
   gl.BindVertexArray(surface.vertex_array);
   fill_buffer(scope, GL_ARRAY_BUFFER, vertices);
   attribute(gl, 0, 3, sizeof(ClothVertex), offsetof(ClothVertex, position));
@@ -45,10 +45,10 @@ Surface upload_cloth(GlScope& scope, const ClothView& cloth) {
   return surface;
 }
 
-Surface upload_indexed(GlScope& scope, const std::vector<BodyVertex>& vertices,
+DrawnSurface upload_indexed(GlScope& scope, const std::vector<BodyVertex>& vertices,
                        const std::vector<Tri>& triangles, LinearRgb colour) {
   const GlFunctions& gl = scope.gl();
-  Surface surface{scope.vertex_array(), static_cast<GLsizei>(triangles.size() * 3), true, colour};
+  DrawnSurface surface{scope.vertex_array(), static_cast<GLsizei>(triangles.size() * 3), true, colour};
   gl.BindVertexArray(surface.vertex_array);
   fill_buffer(scope, GL_ARRAY_BUFFER, vertices);
   fill_buffer(scope, GL_ELEMENT_ARRAY_BUFFER, triangles);
@@ -57,7 +57,7 @@ Surface upload_indexed(GlScope& scope, const std::vector<BodyVertex>& vertices,
   return surface;
 }
 
-void draw(const GlFunctions& gl, const Surface& surface) {
+void draw(const GlFunctions& gl, const DrawnSurface& surface) {
   if (surface.count == 0) return;
   gl.BindVertexArray(surface.vertex_array);
   if (surface.indexed) {
@@ -172,7 +172,7 @@ void Shot::upload_ground() {
 void Shot::draw_casters() {
   draw(gl_, cloth_);
   gl_.Enable(GL_CULL_FACE);
-  for (const Surface& body : bodies_) draw(gl_, body);
+  for (const DrawnSurface& body : bodies_) draw(gl_, body);
   gl_.Disable(GL_CULL_FACE);
 }
 
@@ -255,7 +255,7 @@ void Shot::draw_picture(int width, int height) {
   draw(gl_, cloth_);
   programs_.body.use();
   gl_.Uniform1f(programs_.body.at("sink"), cloth_.count > 0 ? kBodySink : 0);
-  for (const Surface& body : bodies_) {
+  for (const DrawnSurface& body : bodies_) {
     set(gl_, programs_.body.at("body_colour"), {body.colour[0], body.colour[1], body.colour[2]});
     draw(gl_, body);
   }

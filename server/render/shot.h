@@ -20,7 +20,7 @@ struct Programs {
 };
 
 /// A vertex array on the graphics side.
-struct Surface {
+struct DrawnSurface {
   GLuint vertex_array = 0;
   GLsizei count = 0;  // vertices, or indices where indexed
   bool indexed = false;
@@ -51,11 +51,11 @@ class Shot {
   const Programs& programs_;
   const Scene& scene_;
   const Camera& camera_;
-  Box3 box_;
+  SceneBox box_;
   Lights lights_;
   GlScope scope_;
-  Surface cloth_, ground_;
-  std::vector<Surface> bodies_;
+  DrawnSurface cloth_, ground_;
+  std::vector<DrawnSurface> bodies_;
   GLuint key_map_ = 0, sky_map_ = 0;
 };
 

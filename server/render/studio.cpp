@@ -12,7 +12,7 @@ constexpr double kLowestSky = 0.08;  // sine of the lowest sky light's elevation
 
 /// Directions spread evenly over the upper half sphere along a spiral; brighter overhead, as in an overcast
 /// sky.
-void add_sky(Lights& lights, const Box3& box) {
+void add_sky(Lights& lights, const SceneBox& box) {
   const double golden = kPi * (3 - std::sqrt(5.0));
   double level = 0;  // irradiance of a level plane, to be 1
   for (int i = 0; i < shaders::kSkyLights; ++i) {
@@ -30,7 +30,7 @@ void add_sky(Lights& lights, const Box3& box) {
 
 }  // namespace
 
-Lights studio(const Camera& camera, Box3 box) {
+Lights studio(const Camera& camera, SceneBox box) {
   if (box.empty()) box.add({0, 0, 0});
   const double reach = std::max(0.02 * length(box.high - box.low), 0.01);
   box.low -= Vec3{reach, reach, reach};

@@ -20,6 +20,6 @@ struct Lights {
 
 /// Lamps for what lies in `box`. They turn with the camera: the key light stands to its upper left, grazing,
 /// so that folds show from every side. Soft light comes from an overcast sky, which does not turn.
-Lights studio(const Camera& camera, Box3 box);
+Lights studio(const Camera& camera, SceneBox box);
 
 }  // namespace toile

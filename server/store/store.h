@@ -1,7 +1,8 @@
 #pragma once
-// What is kept between two starts of the server, behind one interface: projects, files, jobs and their results.
-// One implementation stands on SQLite and a folder of blobs. Every call names the owner; what belongs to somebody else
-// is not found. Calls are thread-safe and durable: once one returns, a crash does not undo it.
+// What is kept between two starts of the server, behind one interface: projects, files, jobs and their
+// results. One implementation stands on SQLite and a folder of blobs. Every call names the owner; what
+// belongs to somebody else is not found. Calls are thread-safe and durable: once one returns, a crash does
+// not undo it.
 
 #include <cstdint>
 #include <map>
@@ -19,19 +20,19 @@ using OwnerId = std::string;
 /// Until there are accounts, everything belongs to this owner.
 inline constexpr const char* kLocalOwner = "local";
 
-/// An uploaded file. Content is immutable; the same bytes of one owner are one asset.
+/// An uploaded file. Content, kind and name never change; the same three of one owner are one asset.
 struct AssetRow {
-  std::string id;    ///< "a_" and 32 hex digits of the content's XXH3
+  std::string id;    ///< "a_" and 32 hex digits: XXH3 over kind, name and content
   std::string kind;  ///< "dxf" or "body"
   std::string name;  ///< file name as uploaded, without folders
   std::int64_t size = 0;
   std::int64_t created_ms = 0;  ///< Unix time
-  std::string info;  ///< JSON object: what reading it told (pieces, triangles, …)
+  std::string info;             ///< JSON object: what reading it told (pieces, triangles, …)
 };
 
 /// A project document with the files that it names.
 struct ProjectRow {
-  std::string id;  ///< "p_" and 20 characters
+  std::string id;  ///< "p_" and 20 characters; rises with time
   std::string name;
   int revision = 1;                          ///< rises with every replacement; the ETag
   std::string document;                      ///< project.schema.json, text
@@ -53,33 +54,46 @@ struct JobRow {
   std::string reason_where;
   int attempt = 0;
   std::int64_t created_ms = 0, started_ms = 0, ended_ms = 0;
-  std::string report;                        ///< report.json's text once there is one
+  std::string report;                           ///< report.json's text once there is one
   std::map<std::string, std::int64_t> results;  ///< file name → bytes
 };
 
+/// Errors of every call: store.full (the disk; reading goes on working), store.busy, store.corrupt,
+/// store.failed; of those that name a thing: store.not_found.
 class Store {
  public:
   virtual ~Store() = default;
 
-  /// Keeps the bytes; gives back the existing asset when this owner has the same content under the same name and kind.
+  /// Keeps the bytes under row's kind, name and info; id, size and time are the store's to give. Gives back
+  /// the existing asset when this owner has the same content under the same name and kind. Errors:
+  /// store.bad_name.
   virtual Result<AssetRow> put_asset(const OwnerId& owner, AssetRow row, std::string_view bytes) = 0;
   virtual Result<AssetRow> asset(const OwnerId& owner, const std::string& id) = 0;
   virtual Result<std::string> asset_bytes(const OwnerId& owner, const std::string& id) = 0;
+  /// Where the bytes lie as a file, for readers that want one: its name ends as the asset's does (in lower
+  /// case). Only to read.
+  virtual Result<std::string> asset_path(const OwnerId& owner, const std::string& id) = 0;
+  /// Newest first; of every kind when `kind` is empty.
   virtual Result<std::vector<AssetRow>> assets(const OwnerId& owner, const std::string& kind) = 0;
 
+  /// Keeps name, document and files; id, revision and times are the store's to give.
   virtual Result<ProjectRow> create_project(const OwnerId& owner, ProjectRow row) = 0;
   /// Replaces document, files and name when the stored revision is `expected` (or expected is 0). Errors:
   /// store.not_found, store.conflict.
   virtual Result<ProjectRow> replace_project(const OwnerId& owner, const ProjectRow& row, int expected) = 0;
   virtual Result<ProjectRow> project(const OwnerId& owner, const std::string& id) = 0;
-  /// Newest first, from after `cursor` (an id, or empty), at most `limit`.
-  virtual Result<std::vector<ProjectRow>> projects(const OwnerId& owner, const std::string& cursor, int limit) = 0;
+  /// Newest first, from after `cursor` (an id, or empty), at most `limit` (and 1,000). Error: store.cursor
+  /// when the cursor is no id; that of a project that is gone is good.
+  virtual Result<std::vector<ProjectRow>> projects(const OwnerId& owner, const std::string& cursor,
+                                                   int limit) = 0;
   virtual Status remove_project(const OwnerId& owner, const std::string& id) = 0;
 
-  /// With an idempotency key that this owner has used, gives back the job it made then.
+  /// Keeps the row under a new id; its time is the store's to give. With an idempotency key that this owner
+  /// has used, gives back the job it made then. Errors: store.idempotency_mismatch when that was for another
+  /// project or revision, store.idempotency_key (empty means none; else 1 to 200 printable ASCII characters).
   virtual Result<JobRow> create_job(const OwnerId& owner, JobRow row, const std::string& idempotency_key) = 0;
   virtual Result<JobRow> job(const OwnerId& owner, const std::string& id) = 0;
-  /// Newest first; without documents (row.document is empty).
+  /// Newest first, as projects(); without documents (row.document is empty).
   virtual Result<std::vector<JobRow>> jobs(const OwnerId& owner, const std::string& cursor, int limit) = 0;
   /// Writes state, reason, attempt, times, report and results of a job that exists.
   virtual Status update_job(const OwnerId& owner, const JobRow& row) = 0;
@@ -90,17 +104,27 @@ class Store {
   };
   virtual Result<std::vector<OwnedJob>> unfinished_jobs() = 0;
 
-  /// Result files of a job.
+  /// Result files of a job. A name stands for a file of that job's own folder: no slash, no leading dot, no
+  /// control character (store.bad_name). Writing one again replaces it. row.results is update_job's to write.
   virtual Status put_result(const OwnerId& owner, const std::string& job_id, const std::string& name,
                             std::string_view bytes) = 0;
   virtual Result<std::string> result_bytes(const OwnerId& owner, const std::string& job_id,
                                            const std::string& name) = 0;
 
+  /// What the server remembers for an owner, by key; nothing when it was never put.
+  virtual Result<std::optional<std::string>> get_setting(const OwnerId& owner, const std::string& key) = 0;
+  virtual Status put_setting(const OwnerId& owner, const std::string& key, const std::string& value) = 0;
+
+  /// A folder for files that live no longer than a call; what a crash leaves there, the next start removes.
+  virtual std::string scratch_folder() const = 0;
+
   /// Cheap proof that the store answers, for /readyz.
   virtual Status ping() = 0;
 };
 
-/// Opens or makes the store in `folder` (toile.db and blobs/). Errors: store.open with path and reason.
+/// Opens or makes the store in `folder` (toile.db, blobs/, results/, scratch/), which it then has for itself.
+/// Errors: store.open with path and reason, store.in_use when another process has it open, store.newer_schema
+/// when a newer program has written it.
 Result<std::unique_ptr<Store>> open_sqlite_store(const std::string& folder);
 
 }  // namespace toile

@@ -7,7 +7,8 @@
 
 int main(int count, char** arguments) {
   if (count < 4) {
-    std::fprintf(stderr, "usage: garmentcode_to_project DATA NAME OUT [PARTICLE_DISTANCE_MM [HELD_PIECES…]]\n");
+    std::fprintf(stderr,
+                 "usage: garmentcode_to_project DATA NAME OUT [PARTICLE_DISTANCE_MM [HELD_PIECES…]]\n");
     return 2;
   }
   const double distance = count > 4 ? std::atof(arguments[4]) : 15;

@@ -17,7 +17,8 @@ using nlohmann::json;
 struct SourcePanel {
   bool clockwise = false;
   int edges = 0;
-  /// The id that the reader gives to edge i of the source: outlines are turned counter-clockwise, e0 at the same corner.
+  /// The id that the reader gives to edge i of the source: outlines are turned counter-clockwise, e0 at the
+  /// same corner.
   std::string edge_id(int i) const { return "e" + std::to_string(clockwise ? edges - 1 - i : i); }
 };
 
@@ -32,7 +33,8 @@ Eigen::Matrix3d rotation_of(const json& degrees) {
   const auto about = [&](int k, const Eigen::Vector3d& axis) {
     return Eigen::AngleAxisd(radians_from_degrees(degrees[k].get<double>()), axis);
   };
-  return (about(0, Eigen::Vector3d::UnitX()) * about(1, Eigen::Vector3d::UnitY()) * about(2, Eigen::Vector3d::UnitZ()))
+  return (about(0, Eigen::Vector3d::UnitX()) * about(1, Eigen::Vector3d::UnitY()) *
+          about(2, Eigen::Vector3d::UnitZ()))
       .toRotationMatrix();
 }
 
@@ -43,7 +45,8 @@ ProjectRigid placement_of(const json& panel) {
   t = (t - r * offset) * 1e-3;
   ProjectRigid rigid;
   rigid.translation = {t.x(), t.y(), t.z()};
-  rigid.rotation = {degrees_from_radians(std::atan2(r(2, 1), r(2, 2))), degrees_from_radians(-std::asin(r(2, 0))),
+  rigid.rotation = {degrees_from_radians(std::atan2(r(2, 1), r(2, 2))),
+                    degrees_from_radians(-std::asin(r(2, 0))),
                     degrees_from_radians(std::atan2(r(1, 0), r(0, 0)))};
   return rigid;
 }
@@ -122,7 +125,8 @@ Status write_garmentcode_project(const std::filesystem::path& data, const std::s
   project->settings.particle_distance_mm = particle_distance_mm;
   std::filesystem::create_directories(out);
   const auto copy = [&](const std::filesystem::path& from) {
-    std::filesystem::copy_file(from, out / from.filename(), std::filesystem::copy_options::overwrite_existing);
+    std::filesystem::copy_file(from, out / from.filename(),
+                               std::filesystem::copy_options::overwrite_existing);
   };
   copy(data / "garmentcode" / (name + ".dxf"));
   copy(data / "bodies" / body);

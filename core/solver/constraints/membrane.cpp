@@ -1,5 +1,7 @@
 #include "core/solver/constraints/membrane.h"
 
+#include "core/solver/one_pass.h"
+
 namespace toile {
 
 namespace {
@@ -28,7 +30,7 @@ MembraneTriangle make_triangle(const Tri& v, const RestTriangle& rest, const Fab
 
 void solve_triangle(const MembraneTriangle& t, std::span<const double> w, double per_h2, std::span<Vec3> x) {
   const Index i0 = t.v[0], i1 = t.v[1], i2 = t.v[2];
-  const double w0 = w[i0], w1 = w[i1], w2 = w[i2];
+  const double w0 = w[i0], w1 = w[i1], w2 = w[i2], share = t.share;
   const Vec3 e1 = x[i1] - x[i0], e2 = x[i2] - x[i0];
   const Vec3 fu = e1 * t.b[0] + e2 * t.b[1], fv = e1 * t.b[2] + e2 * t.b[3];
   const double lu = length(fu), lv = length(fv);
@@ -45,12 +47,12 @@ void solve_triangle(const MembraneTriangle& t, std::span<const double> w, double
   const Vec3 along_u = shear0 * (w0 * s0) + shear1 * (w1 * b0) + shear2 * (w2 * b1);
   const Vec3 along_v = shear0 * (w0 * s1) + shear1 * (w1 * b2) + shear2 * (w2 * b3);
   const double mass_ss = w0 * dot(shear0, shear0) + w1 * dot(shear1, shear1) + w2 * dot(shear2, shear2);
-  const double system[6] = {mass_uu + t.compliance[0] * per_h2,
-                            mass_vv + t.compliance[1] * per_h2,
-                            mass_ss + t.compliance[3] * per_h2,
-                            mass_uv + t.compliance[2] * per_h2,
-                            dot(along_u, nu),
-                            dot(along_v, nv)};
+  const double system[6] = {share * mass_uu + t.compliance[0] * per_h2,
+                            share * mass_vv + t.compliance[1] * per_h2,
+                            share * mass_ss + t.compliance[3] * per_h2,
+                            share * mass_uv + t.compliance[2] * per_h2,
+                            share * dot(along_u, nu),
+                            share * dot(along_v, nv)};
   const Vec3 lambda = solve_symmetric(system, {1 - lu, 1 - lv, -dot(fu, fv)});
 
   const Vec3 pu = nu * lambda.x, pv = nv * lambda.y;
@@ -70,6 +72,16 @@ std::vector<MembraneTriangle> make_membrane(const ClothModel& model) {
         make_triangle(model.triangles[t], model.rest[t], model.fabrics[model.fabric_of_triangle[t]]));
   }
   return out;
+}
+
+void prepare_membrane(std::span<MembraneTriangle> triangles, std::span<const double> w, double h) {
+  for (MembraneTriangle& t : triangles) {
+    const double w0 = w[t.v[0]], w1 = w[t.v[1]], w2 = w[t.v[2]];
+    const double b0 = t.b[0], b1 = t.b[1], b2 = t.b[2], b3 = t.b[3], s0 = b0 + b1, s1 = b2 + b3;
+    const double stretch = w0 * (s0 * s0 + s1 * s1) + w1 * (b0 * b0 + b2 * b2) + w2 * (b1 * b1 + b3 * b3);
+    // In an undeformed triangle shear is as mobile as warp and weft together.
+    t.share = one_pass_share((t.compliance[0] + t.compliance[1] + t.compliance[3]) / (h * h), 2 * stretch);
+  }
 }
 
 void solve_membrane(std::span<const MembraneTriangle> triangles, std::span<const double> w, double h,

@@ -15,9 +15,13 @@ struct MembraneTriangle {
   Tri v{};
   double b[4] = {};  ///< inverse of the rest edges' matrix: f_weft = e1·b0 + e2·b1, f_warp = e1·b2 + e2·b3
   double compliance[4] = {};  ///< of (weft, warp, coupling, shear), K⁻¹ / area, 1/J
+  double share = 1;           ///< of the mobility, see one_pass.h; set by prepare_membrane
 };
 
 std::vector<MembraneTriangle> make_membrane(const ClothModel& model);
+
+/// Fits the triangles to inverse masses `w` (1/kg) and substep `h` (s); needed again when either changes.
+void prepare_membrane(std::span<MembraneTriangle> triangles, std::span<const double> w, double h);
 
 /// One Gauss-Seidel pass, in the order of the triangles.
 void solve_membrane(std::span<const MembraneTriangle> triangles, std::span<const double> w, double h,

@@ -46,6 +46,14 @@ TEST(Tape, LeavesArmsOutAndTakesBothLegs) {
   EXPECT_NEAR(half_breadth_at(legs_and_hands, 1), 0.15, 1e-3);
 }
 
+TEST(Tape, CutsOffWhatIsBroaderThanAllowed) {
+  TriangleMesh mesh;
+  add_tube(mesh, 0, 360, [](double) { return 0.2; });
+  EXPECT_NEAR(girth_at(mesh, 1, 0.3), 2 * kPi * 0.2, 1e-3);
+  // Two arcs of 120° and two chords: a circle of 0.2 cut at ±0.2·cos 30°.
+  EXPECT_NEAR(girth_at(mesh, 1, 0.1 * std::sqrt(3.0)), 0.2 * (4 * kPi / 3) + 2 * 0.2, 1e-3);
+}
+
 TEST(Tape, FindsTheNarrowestAndTheWidestPlace) {
   TriangleMesh mesh;
   add_tube(mesh, 0, 180, [](double y) { return 0.1 + 0.1 * (y - 1) * (y - 1); });

@@ -10,9 +10,10 @@ namespace {
 TEST(Crossings, OrientationIsExactWhereDoublesWouldRound) {
   // A point one grid unit off a plane through far corners.
   const std::int64_t far = std::int64_t{1} << 30;
-  const GridPoint a{-far, -far, -far}, b{far, far - 1, far}, c{far, -far, 1};
-  const GridPoint on{(a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2};
-  const int below = orientation(a, b, c, {on.x, on.y - 1, on.z}), above = orientation(a, b, c, {on.x, on.y + 1, on.z});
+  const ExactPoint a{-far, -far, -far}, b{far, far - 1, far}, c{far, -far, 1};
+  const ExactPoint on{(a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2};
+  const int below = orientation(a, b, c, {on.x, on.y - 1, on.z}),
+            above = orientation(a, b, c, {on.x, on.y + 1, on.z});
   EXPECT_EQ(below, -above);
   EXPECT_NE(below, 0);
   EXPECT_EQ(orientation(a, b, c, b), 0);
@@ -22,15 +23,15 @@ TEST(Crossings, OrientationChangesSignWhenTwoCornersSwap) {
   std::mt19937 random(7);
   std::uniform_int_distribution<std::int64_t> coordinate(-3, 3);
   for (int i = 0; i < 2000; ++i) {
-    GridPoint p[4];
-    for (GridPoint& q : p) q = {coordinate(random), coordinate(random), coordinate(random)};
+    ExactPoint p[4];
+    for (ExactPoint& q : p) q = {coordinate(random), coordinate(random), coordinate(random)};
     EXPECT_EQ(orientation(p[0], p[1], p[2], p[3]), -orientation(p[1], p[0], p[2], p[3]));
     EXPECT_EQ(orientation(p[0], p[1], p[2], p[3]), orientation(p[1], p[2], p[0], p[3]));
   }
 }
 
 TEST(Crossings, TouchingIsNoCrossing) {
-  const GridPoint a{0, 0, 0}, b{10, 0, 0}, c{0, 10, 0};
+  const ExactPoint a{0, 0, 0}, b{10, 0, 0}, c{0, 10, 0};
   EXPECT_TRUE(segment_crosses_triangle({2, 2, -5}, {2, 2, 5}, a, b, c));
   EXPECT_FALSE(segment_crosses_triangle({2, 2, 0}, {2, 2, 5}, a, b, c)) << "ends on the face";
   EXPECT_FALSE(segment_crosses_triangle({5, 0, -5}, {5, 0, 5}, a, b, c)) << "passes through an edge";
@@ -43,7 +44,7 @@ int brute_force_self(const std::vector<Tri>& triangles, const std::vector<Vec3>&
   int count = 0;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     for (std::size_t j = i + 1; j < triangles.size(); ++j) {
-      GridPoint a[3], b[3];
+      ExactPoint a[3], b[3];
       for (int k = 0; k < 3; ++k) a[k] = to_grid(x[triangles[i][k]]), b[k] = to_grid(x[triangles[j][k]]);
       bool crosses = false;
       for (int k = 0; k < 3; ++k) {
@@ -72,11 +73,13 @@ TEST(Crossings, CountsWhatBruteForceCounts) {
   EXPECT_EQ(static_cast<int>(self_crossings(surface, x).size()), expected);
 
   // Split in two: as cloth and body the pairs between the halves remain.
-  const std::vector<Tri> first(triangles.begin(), triangles.begin() + 150), rest(triangles.begin() + 150, triangles.end());
+  const std::vector<Tri> first(triangles.begin(), triangles.begin() + 150),
+      rest(triangles.begin() + 150, triangles.end());
   const auto count = [&](const std::vector<Tri>& part) {
     return static_cast<int>(self_crossings(make_surface(part, static_cast<Index>(x.size())), x).size());
   };
-  const auto between = body_crossings(make_surface(first, static_cast<Index>(x.size())), x, make_crossing_body(x, rest));
+  const auto between =
+      body_crossings(make_surface(first, static_cast<Index>(x.size())), x, make_crossing_body(x, rest));
   EXPECT_EQ(static_cast<int>(between.size()), expected - count(first) - count(rest));
 }
 
@@ -90,7 +93,8 @@ TEST(Crossings, FindsAFoldedCornerOfTwoTrianglesThatShareAVertex) {
 TEST(Crossings, SewnVerticesCountAsShared) {
   // The same corner, unsewn then sewn: two vertices at one place.
   const std::vector<Tri> triangles{{0, 1, 2}, {3, 4, 5}};
-  const std::vector<Vec3> x{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.1, 0.1, 1e-4}, {-0.5, 0.6, 0.4}, {0.1, 0.1, -0.4}};
+  const std::vector<Vec3> x{{0, 0, 0},        {1, 0, 0},        {0, 1, 0},
+                            {0.1, 0.1, 1e-4}, {-0.5, 0.6, 0.4}, {0.1, 0.1, -0.4}};
   EXPECT_EQ(self_crossings(make_surface(triangles, 6), x).size(), 1u);
   const std::vector<Index> sewn{0, 1, 2, 0, 4, 5};
   EXPECT_EQ(self_crossings(make_surface(triangles, 6, sewn), x).size(), 0u);

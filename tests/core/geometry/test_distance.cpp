@@ -15,7 +15,8 @@ Vec3 random_point(std::mt19937& random) {
 TEST(Distance, NoSampledPointOfATriangleIsCloser) {
   std::mt19937 random(1);
   for (int i = 0; i < 300; ++i) {
-    const Vec3 p = random_point(random), a = random_point(random), b = random_point(random), c = random_point(random);
+    const Vec3 p = random_point(random), a = random_point(random), b = random_point(random),
+               c = random_point(random);
     const TrianglePoint at = closest_on_triangle(p, a, b, c);
     EXPECT_NEAR(at.a + at.b + at.c, 1, 1e-12);
     EXPECT_TRUE(at.a >= 0 && at.b >= 0 && at.c >= 0);

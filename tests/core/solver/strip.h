@@ -16,7 +16,8 @@ inline Panel rectangle(double x0, double x1, double height, Vec2 grain) {
   panel.id = "from " + std::to_string(x0);
   panel.grain = grain;
   const Vec2 c[4] = {{x0, 0}, {x1, 0}, {x1, height}, {x0, height}};
-  for (int k = 0; k < 4; ++k) panel.outline.edges.push_back({"e" + std::to_string(k), {line(c[k], c[(k + 1) % 4])}});
+  for (int k = 0; k < 4; ++k)
+    panel.outline.edges.push_back({"e" + std::to_string(k), {line(c[k], c[(k + 1) % 4])}});
   return panel;
 }
 

@@ -1,5 +1,5 @@
-// A strip that bends under its own weight (ASTM D1388, ISO 9073-7). An overhang of L = 2·(B/w)^(1/3), with w the
-// weight per area, makes the chord from the clamp to the tip fall by 41.5°.
+// A strip that bends under its own weight (ASTM D1388, ISO 9073-7). An overhang of L = 2·(B/w)^(1/3), with w
+// the weight per area, makes the chord from the clamp to the tip fall by 41.5°.
 
 #include <gtest/gtest.h>
 
@@ -17,8 +17,9 @@ double rigidity_for(double areal_mass) {
   return half * half * half * areal_mass * kGravity;
 }
 
-/// Degrees by which the chord falls at rest. Cloth is clamped on vertices, so that its slope is held at the middle of
-/// the row of triangles before them: the overhang counts from half a row (√3/4 of an edge) inside the clamp.
+/// Degrees by which the chord falls at rest. Cloth is clamped on vertices, so that its slope is held at the
+/// middle of the row of triangles before them: the overhang counts from half a row (√3/4 of an edge) inside
+/// the clamp.
 double chord_angle(Fabric fabric, Vec2 grain, double h, double rate) {
   const double clamp = 0.03 + std::sqrt(3.0) / 4 * h;
   const test::Strip strip = test::make_strip({0, 1e3 * clamp, 130}, 25, h, grain, fabric);

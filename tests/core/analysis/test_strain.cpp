@@ -1,0 +1,46 @@
+#include "core/analysis/strain.h"
+
+#include <gtest/gtest.h>
+
+namespace toile {
+namespace {
+
+/// One triangle whose warp runs along `grain`, stretched to x' = 1.1 x, y' = 0.98 y + 0.05 x in the plane.
+GarmentStrain strain_of_known_map(Vec2 grain) {
+  DrapeInput input;
+  input.pattern.panels.resize(1);
+  input.pattern.panels[0].grain = grain;
+  DrapeResult result;
+  result.garment.rest = {{0, 0}, {0.01, 0.002}, {0.001, 0.012}};
+  result.garment.triangles = {{0, 1, 2}};
+  result.garment.panel_of_triangle = {0};
+  for (const Vec2& p : result.garment.rest)
+    result.positions.push_back({1.1 * p.x, 0.98 * p.y + 0.05 * p.x, 0.3});
+  return garment_strain(input, result);
+}
+
+TEST(Strain, WarpWeftAndShearComeFromTheThreads) {
+  const GarmentStrain s = strain_of_known_map({0, 1});
+  EXPECT_NEAR(s.warp[0], -0.02, 1e-9);
+  EXPECT_NEAR(s.weft[0], std::hypot(1.1, 0.05) - 1, 1e-9);
+  EXPECT_NEAR(s.shear[0], 0.05 / std::hypot(1.1, 0.05), 1e-9);
+}
+
+TEST(Strain, TurningTheGrainSwapsWarpAndWeft) {
+  const GarmentStrain s = strain_of_known_map({1, 0});
+  EXPECT_NEAR(s.weft[0], -0.02, 1e-9);
+  EXPECT_NEAR(s.warp[0], std::hypot(1.1, 0.05) - 1, 1e-9);
+}
+
+TEST(Strain, FiguresAreOfMagnitudes) {
+  std::vector<double> values(100, -0.01);
+  values[0] = 0.5;
+  const StrainFigures f = figures_of(values);
+  EXPECT_NEAR(f.mean, (99 * 0.01 + 0.5) / 100, 1e-12);
+  EXPECT_EQ(f.max, 0.5);
+  EXPECT_EQ(f.p99, 0.5);
+  EXPECT_EQ(figures_of({}).max, 0);
+}
+
+}  // namespace
+}  // namespace toile

@@ -1,0 +1,116 @@
+#include "core/drape/pipeline.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+
+#include "core/base/hash.h"
+#include "tests/core/drape/garments.h"
+
+namespace toile {
+namespace {
+
+struct Recorder final : FrameSink {
+  GarmentMesh garment;
+  std::vector<Frame> frames;
+  void begin(const GarmentMesh& g) override { garment = g; }
+  void frame(const Frame& f) override { frames.push_back(f); }
+};
+
+TEST(Pipeline, ASheetFallsOnAColumnAndHangsAroundIt) {
+  const DrapeResult r = drape(test::tablecloth(), {}, nullptr).value();
+  EXPECT_TRUE(r.settled) << r.stop_reason;
+  EXPECT_EQ(r.worst.cloth_body + r.worst.cloth_cloth, 0);
+  EXPECT_GT(r.frames_checked, 30);
+  double highest = 0, lowest = 1;
+  for (const Vec3& p : r.positions) highest = std::max(highest, p.y), lowest = std::min(lowest, p.y);
+  EXPECT_NEAR(highest, 0.301, 0.004) << "it lies on the head";
+  EXPECT_LT(lowest, 0.26) << "and its corners hang";
+}
+
+TEST(Pipeline, TwoPanelsAreSewnIntoATubeAroundAColumn) {
+  const DrapeResult r = drape(test::tube(), {}, nullptr).value();
+  EXPECT_TRUE(r.settled) << r.stop_reason;
+  EXPECT_EQ(r.worst.cloth_body + r.worst.cloth_cloth, 0);
+  EXPECT_EQ(r.seam_gap_max, 0) << "welded";
+  // The tube goes around: cloth on all four sides.
+  bool sides[4] = {};
+  for (const Vec3& p : r.positions) {
+    sides[0] |= p.x > 0.07, sides[1] |= p.x<-0.07, sides[2] |= p.z> 0.07, sides[3] |= p.z < -0.07;
+  }
+  for (const bool side : sides) EXPECT_TRUE(side);
+}
+
+TEST(Pipeline, TheSameInputGivesTheSameHash) {
+  const auto hash = [] { return hash_of(drape(test::tube(), {}, nullptr).value().positions); };
+  EXPECT_EQ(hash(), hash());
+}
+
+TEST(Pipeline, FramesComeInOrderAndEndWhereTheDrapeEnds) {
+  Recorder recorder;
+  const DrapeInput input = test::tablecloth();
+  const DrapeResult r = drape(input, {}, &recorder).value();
+  ASSERT_GT(recorder.frames.size(), 10u);
+  EXPECT_EQ(recorder.frames.front().step, 0);
+  for (std::size_t i = 1; i < recorder.frames.size(); ++i) {
+    EXPECT_GT(recorder.frames[i].step, recorder.frames[i - 1].step);
+  }
+  EXPECT_EQ(recorder.frames.back().step, r.steps);
+  EXPECT_EQ(recorder.frames.back().positions, r.positions);
+  EXPECT_EQ(recorder.garment.triangles, r.garment.triangles);
+}
+
+TEST(Pipeline, ACancelledDrapeSaysSoAndKeepsWhatThereIs) {
+  std::atomic<bool> cancel{false};
+  RunContext context;
+  context.cancel = &cancel;
+  context.on_progress = [&](const Progress& p) { cancel = p.phase == "drape" && p.fraction > 0.05; };
+  const DrapeResult r = drape(test::tablecloth(), context, nullptr).value();
+  EXPECT_EQ(r.stop_reason, "cancelled");
+  EXPECT_FALSE(r.settled);
+  EXPECT_FALSE(r.positions.empty());
+}
+
+TEST(Pipeline, APieceThatStartsInTheBodyIsRefusedWithItsNameAndPlace) {
+  DrapeInput input = test::tablecloth();
+  std::get<RigidPlacement>(input.placements[0]).translation.y = 0.2;
+  const auto r = drape(input, {}, nullptr);
+  ASSERT_FALSE(r.ok());
+  EXPECT_EQ(r.error().code, "start.crosses_body");
+  EXPECT_NE(r.error().where.find("piece sheet"), std::string::npos);
+  EXPECT_NE(r.error().where.find(" m"), std::string::npos);
+}
+
+TEST(Pipeline, PiecesThatStartThroughEachOtherAreRefusedWithBothNames) {
+  DrapeInput input = test::tube();
+  std::get<RigidPlacement>(input.placements[1]) = {{0.02, 0.16, 0.09}, {0.3, 0, 0}, false};
+  const auto r = drape(input, {}, nullptr);
+  ASSERT_FALSE(r.ok());
+  EXPECT_EQ(r.error().code, "start.crosses_cloth");
+  EXPECT_NE(r.error().where.find("front"), std::string::npos);
+  EXPECT_NE(r.error().where.find("back"), std::string::npos);
+}
+
+TEST(Pipeline, ASeamThatCannotCloseStopsTheDrapeWithItsName) {
+  // Both panels before the column, sewn to a third behind that is far too short to go around.
+  DrapeInput input = test::tube();
+  input.pattern.panels[0] = test::rectangle("front", 150, 120);
+  input.pattern.panels[1] = test::rectangle("back", 150, 120);
+  const auto r = drape(input, {}, nullptr);
+  ASSERT_TRUE(r.ok());
+  EXPECT_FALSE(r->settled);
+  EXPECT_EQ(r->stop_reason.rfind("stalled seam", 0), 0u) << r->stop_reason;
+  EXPECT_EQ(r->worst.cloth_body + r->worst.cloth_cloth, 0) << "a thread is never stronger than contact";
+}
+
+TEST(Pipeline, AnUnsettledDrapeEndsAtItsTimeLimit) {
+  DrapeInput input = test::tablecloth();
+  input.settings.max_time = 0.3;
+  const DrapeResult r = drape(input, {}, nullptr).value();
+  EXPECT_FALSE(r.settled);
+  EXPECT_EQ(r.stop_reason, "time");
+  EXPECT_NEAR(r.simulated_time, 0.3, 0.01);
+}
+
+}  // namespace
+}  // namespace toile

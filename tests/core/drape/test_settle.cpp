@@ -1,0 +1,51 @@
+#include "core/drape/settle.h"
+
+#include <gtest/gtest.h>
+
+namespace toile {
+namespace {
+
+constexpr double kStep = 1e-3;
+
+/// Watches one particle whose position after each step is `at(step)`; says whether it ever settled in 1 s.
+template <typename Motion>
+bool settles(Motion at) {
+  SettleWatch watch(kStep, 0.005);
+  watch.restart(std::vector<Vec3>{at(0)});
+  for (int i = 1; i <= 1000; ++i) {
+    watch.observe(std::vector<Vec3>{at(i)});
+    if (watch.settled()) return true;
+  }
+  return false;
+}
+
+TEST(Settle, AParticleThatComesToRestSettles) {
+  EXPECT_TRUE(settles([](int i) { return Vec3{0, std::exp(-0.02 * i), 0}; }));
+}
+
+TEST(Settle, AParticleThatFallsSlowlyIsAtRestAndOneThatFallsFastIsNot) {
+  EXPECT_TRUE(settles([](int i) { return Vec3{0, -0.002 * kStep * i, 0}; }));
+  EXPECT_FALSE(settles([](int i) { return Vec3{0, -0.02 * kStep * i, 0}; }));
+}
+
+TEST(Settle, AParticleThatSpeedsUpHasNotSettledThoughItIsStillSlow) {
+  // 1 mm/s at the start, doubling every 0.1 s: above the limit soon, and never steady before.
+  EXPECT_FALSE(settles([](int i) { return Vec3{0, 0.001 / 6.93 * std::exp(6.93 * kStep * i), 0}; }));
+}
+
+TEST(Settle, AJitterOfSingleStepsDoesNotCount) {
+  EXPECT_TRUE(settles([](int i) { return Vec3{i % 2 * 1e-4, 0, 0}; }));  // 0.1 m/s from step to step
+}
+
+TEST(Settle, RestartForgets) {
+  SettleWatch watch(kStep, 0.005);
+  const std::vector<Vec3> x(1);
+  watch.restart(x);
+  for (int i = 0; i < 300; ++i) watch.observe(x);
+  EXPECT_TRUE(watch.settled());
+  watch.restart(x);
+  EXPECT_FALSE(watch.settled());
+}
+
+}  // namespace
+}  // namespace toile

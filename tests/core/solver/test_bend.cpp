@@ -1,0 +1,109 @@
+#include "core/solver/constraints/bend.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <random>
+
+#include "tests/core/solver/strip.h"
+
+namespace toile {
+namespace {
+
+/// Energy of the jumps: ½ jᵀ C⁻¹ j, summed over the triangles.
+double bending_energy(const std::vector<BendTriangle>& triangles, const std::vector<Vec3>& x) {
+  double energy = 0;
+  for (const BendTriangle& t : triangles) {
+    constexpr int kEntry[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
+    std::vector<int> present;
+    for (int k = 0; k < 3; ++k) {
+      if (t.v[3 + k] != kNone) present.push_back(k);
+    }
+    const auto n = static_cast<Eigen::Index>(present.size());
+    Eigen::MatrixXd compliance(n, n), jumps(n, 3);
+    for (Eigen::Index a = 0; a < n; ++a) {
+      const int k = present[a];
+      Vec3 j = x[t.v[3 + k]] * t.far[k];
+      for (int i = 0; i < 3; ++i) j += x[t.v[i]] * t.own[k][i];
+      jumps.row(a) << j.x, j.y, j.z;
+      for (Eigen::Index b = 0; b < n; ++b) compliance(a, b) = t.compliance[kEntry[k][present[b]]];
+    }
+    energy += 0.5 * (jumps.transpose() * compliance.ldlt().solve(jumps)).trace();
+  }
+  return energy;
+}
+
+Fabric anisotropic() {
+  Fabric fabric;
+  fabric.bend_warp = 4e-5, fabric.bend_weft = 1e-5, fabric.bend_bias = 2e-5;
+  return fabric;
+}
+
+/// A 20 cm square bent to a cylinder of radius 0.2 m whose generators are across the direction u.
+double energy_per_area_of_cylinder(Vec2 u, double h) {
+  const test::Strip strip = test::make_strip({0, 200}, 200, h, {0, 1}, anisotropic());
+  constexpr double kRadius = 0.2;
+  std::vector<Vec3> x;
+  for (const Vec2& p : strip.rest) {
+    const double s = dot(p, u), v = cross(u, p);
+    x.push_back({kRadius * std::sin(s / kRadius), kRadius * std::cos(s / kRadius), v});
+  }
+  return bending_energy(make_bending(strip.model), x) / (0.2 * 0.2);
+}
+
+TEST(Bend, ACylindersEnergyIsItsRigidityInEachDirectionOnAnyMesh) {
+  constexpr double kHalfCurvatureSquared = 0.5 / (0.2 * 0.2);
+  const double bias = std::sqrt(0.5);
+  for (const double h : {0.011, 0.006}) {  // the border's triangles know less: it converges with h
+    EXPECT_NEAR(energy_per_area_of_cylinder({0, 1}, h) / kHalfCurvatureSquared, 4e-5, 4e-5 * 3 * h / 0.1);
+    EXPECT_NEAR(energy_per_area_of_cylinder({1, 0}, h) / kHalfCurvatureSquared, 1e-5, 1e-5 * 3 * h / 0.1);
+    EXPECT_NEAR(energy_per_area_of_cylinder({bias, bias}, h) / kHalfCurvatureSquared, 2e-5,
+                2e-5 * 3 * h / 0.1);
+  }
+}
+
+TEST(Bend, AFlatSheetHasNoEnergyHoweverItIsTurnedOrSheared) {
+  const test::Strip strip = test::make_strip({0, 100}, 100, 0.01, {0, 1}, anisotropic());
+  std::vector<Vec3> x;
+  for (const Vec2& p : strip.rest)
+    x.push_back({0.8 * p.x + 0.3 * p.y + 1, 0.6 * p.x - 0.2 * p.y, 0.9 * p.y - 2});
+  EXPECT_NEAR(bending_energy(make_bending(strip.model), x), 0, 1e-18);
+}
+
+TEST(Bend, BendsOnAcrossASeamAsIfTheClothWereWhole) {
+  Fabric fabric = anisotropic();
+  const test::Strip whole = test::make_strip({0, 200}, 100, 0.008, {1, 0}, fabric);
+  const test::Strip sewn = test::make_strip({0, 70, 140, 200}, 100, 0.008, {1, 0}, fabric);
+  const auto energy = [](const test::Strip& strip) {
+    std::vector<Vec3> x;
+    for (const Vec2& p : strip.rest) x.push_back({0.1 * std::sin(p.x / 0.1), 0.1 * std::cos(p.x / 0.1), p.y});
+    return bending_energy(make_bending(strip.model), x);
+  };
+  EXPECT_NEAR(energy(sewn) / energy(whole), 1, 0.03);
+}
+
+TEST(Bend, APassNeitherMovesTheCentreOfMassNorTurnsTheCloth) {
+  test::Strip strip = test::make_strip({0, 60}, 40, 0.01, {0, 1}, anisotropic());
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> shake(-1e-3, 1e-3);
+  std::vector<Vec3> x;
+  for (const Vec2& p : strip.rest) x.push_back({p.x + shake(random), shake(random), p.y + shake(random)});
+  std::vector<double> w;
+  for (const double m : strip.model.mass) w.push_back(1 / m);
+  auto bending = make_bending(strip.model);
+  prepare_bending(bending, w, 1.0 / 3000);
+  const std::vector<Vec3> before = x;
+  solve_bending(bending, w, x);
+  Vec3 momentum, turning;
+  double moved = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const Vec3 d = (x[i] - before[i]) * strip.model.mass[i];
+    momentum += d, turning += cross(before[i], d), moved += length(d);
+  }
+  EXPECT_GT(moved, 0);
+  EXPECT_LT(length(momentum), 1e-9 * moved);
+  EXPECT_LT(length(turning), 1e-2 * moved * 0.06) << "jumps act along themselves, lever arms nearly so";
+}
+
+}  // namespace
+}  // namespace toile

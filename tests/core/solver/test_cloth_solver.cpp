@@ -1,0 +1,127 @@
+#include "core/solver/cloth_solver.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/solver/strip.h"
+
+namespace toile {
+namespace {
+
+/// The strip flat in the x-z plane at height y.
+std::vector<Vec3> lying(const test::Strip& strip, double y) {
+  std::vector<Vec3> x;
+  for (const Vec2& p : strip.rest) x.push_back({p.x, y, p.y});
+  return x;
+}
+
+double mean_height(const ClothSolver& solver) {
+  double sum = 0;
+  for (const Vec3& p : solver.positions()) sum += p.y;
+  return sum / static_cast<double>(solver.positions().size());
+}
+
+void run(ClothSolver& solver, const StepForces& forces, double seconds) {
+  const int steps = static_cast<int>(seconds / solver.time_step());
+  for (int i = 0; i < steps; ++i) solver.step(forces);
+}
+
+StepForces damped(double damping) {
+  StepForces forces;
+  forces.damping = damping;
+  return forces;
+}
+
+TEST(ClothSolver, ALooseSheetFallsAsEverythingDoes) {
+  const test::Strip strip = test::make_strip({0, 100}, 100, 0.02, {0, 1}, Fabric{});
+  ClothSolver solver(strip.model, lying(strip, 1), {}, 1.0 / 2000);
+  run(solver, damped(0), 0.4);
+  EXPECT_NEAR(mean_height(solver), 1 - 0.5 * 9.81 * 0.16, 2e-3);
+}
+
+TEST(ClothSolver, AHungStripStretchesByLoadOverStiffness) {
+  // Warp along the load; the strain at the top row is that of all the weight below it.
+  Fabric fabric;
+  fabric.areal_mass = 2.0, fabric.stretch_warp = 3000, fabric.stretch_weft = 3000,
+  fabric.stretch_coupling = 0;
+  const test::Strip strip = test::make_strip({0, 60}, 300, 0.01, {0, 1}, fabric);
+  std::vector<Vec3> x;
+  std::vector<HeldVertex> held;
+  for (const Vec2& p : strip.rest) {
+    x.push_back({p.x, p.y, 0});
+    if (p.y > 0.2999) held.push_back({static_cast<Index>(x.size()) - 1, false, x.back()});
+  }
+  ClothSolver solver(strip.model, x, {}, 1.0 / 8000);
+  solver.set_holds(held);
+  run(solver, damped(20), 2);
+  double lowest = 1;
+  for (const Vec3& p : solver.positions()) lowest = std::min(lowest, p.y);
+  const double expected = 2.0 * 9.81 * 0.3 * 0.3 / 2 / 3000;  // ∫ weight below / stiffness
+  EXPECT_NEAR(-lowest / expected, 1, 0.1);
+}
+
+/// A square table of the given size, tilted about z.
+Obstacle slope(double angle, double friction) {
+  const double c = std::cos(angle), s = std::sin(angle), half = 0.5;
+  std::vector<Vec3> x;
+  for (const double u : {-half, half}) {
+    for (const double v : {-half, half}) x.push_back({u * c, u * s, v});
+  }
+  return make_obstacle(x, std::vector<Tri>{{0, 1, 2}, {1, 3, 2}}, friction, 1e-3);
+}
+
+/// Way along a slope of `angle` within half a second, m.
+double slide(double angle, double friction) {
+  const test::Strip strip = test::make_strip({0, 80}, 80, 0.02, {0, 1}, Fabric{});
+  const Vec3 along{std::cos(angle), std::sin(angle), 0}, up{-std::sin(angle), std::cos(angle), 0};
+  std::vector<Vec3> x;
+  for (const Vec2& p : strip.rest) x.push_back(along * (p.x - 0.04) + up * 1.05e-3 + Vec3{0, 0, p.y - 0.04});
+  const std::vector<Obstacle> obstacles{slope(angle, friction)};
+  ClothSolver solver(strip.model, x, obstacles, 1.0 / 2000);
+  run(solver, damped(0), 0.5);
+  double way = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) way -= dot(solver.positions()[i] - x[i], along);
+  return way / static_cast<double>(x.size());
+}
+
+TEST(ClothSolver, ASheetSlidesFromTheAngleOfFriction) {
+  const double angle = std::atan(0.4);
+  EXPECT_LT(slide(angle - 0.02, 0.4), 2e-3);
+  EXPECT_GT(slide(angle + 0.02, 0.4), 10e-3);
+  EXPECT_NEAR(slide(0.3, 0), 0.5 * 9.81 * std::sin(0.3) * 0.25, 0.02) << "without friction it slides freely";
+}
+
+TEST(ClothSolver, AClothOnATableRestsAtTheSkinOffset) {
+  const test::Strip strip = test::make_strip({0, 200}, 200, 0.02, {0, 1}, Fabric{});
+  std::vector<Vec3> x = lying(strip, 0.01);
+  for (Vec3& p : x) p.x -= 0.1, p.z -= 0.1;
+  const std::vector<Obstacle> obstacles{slope(0, 0.4)};
+  ClothSolver solver(strip.model, x, obstacles, 1.0 / 2000);
+  run(solver, damped(5), 1);
+  for (const Vec3& p : solver.positions()) EXPECT_NEAR(p.y, 1e-3, 0.2e-3);
+}
+
+TEST(ClothSolver, AStepThatLeavesTheNumbersIsUndoneAndSaid) {
+  const test::Strip strip = test::make_strip({0, 40}, 40, 0.02, {0, 1}, Fabric{});
+  ClothSolver solver(strip.model, lying(strip, 1), {}, 1.0 / 2000);
+  std::vector<Vec3> wild(strip.rest.size());
+  wild[0] = {std::numeric_limits<double>::infinity(), 0, 0};
+  solver.set_velocities(wild);
+  EXPECT_TRUE(solver.step(StepForces{}).not_finite);
+  for (const Vec3& p : solver.positions()) EXPECT_TRUE(is_finite(p));
+}
+
+TEST(ClothSolver, TwoRunsGiveTheSameBytes) {
+  const test::Strip strip = test::make_strip({0, 150}, 150, 0.02, {0, 1}, Fabric{});
+  const auto end = [&] {
+    std::vector<Vec3> x = lying(strip, 0.02);
+    for (Vec3& p : x) p.x -= 0.4;
+    const std::vector<Obstacle> obstacles{slope(0.2, 0.3)};
+    ClothSolver solver(strip.model, x, obstacles, 1.0 / 2000);
+    run(solver, damped(2), 0.5);
+    return solver.positions();
+  };
+  EXPECT_EQ(end(), end());
+}
+
+}  // namespace
+}  // namespace toile
