@@ -18,18 +18,24 @@ function(toile_room FOLDER)
   endif()
 endfunction()
 
-# toile_tests(core/mesh mesh): one test program per folder of tests/, from all its .cpp files. Suites whose
-# name begins with "Long" get the label long: ./test leaves them out, ./test --long runs them.
+# toile_test_program(test_garments garments analysis): a test program from all .cpp files of a folder of tests/.
+function(toile_test_program NAME FOLDER)
+  file(GLOB SOURCES CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${FOLDER}/*.cpp)
+  add_executable(${NAME} ${SOURCES})
+  target_link_libraries(${NAME} PRIVATE ${ARGN} GTest::gtest_main)
+  target_compile_definitions(${NAME} PRIVATE TOILE_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
+                             TOILE_BINARY_DIR="${CMAKE_BINARY_DIR}")
+endfunction()
+
+# toile_tests(core/mesh mesh): such a program, each of its tests known to ctest. Suites whose name begins with
+# "Long" get the label long: ./test leaves them out, ./test --long runs them.
 function(toile_tests FOLDER)
   file(GLOB SOURCES CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${FOLDER}/*.cpp)
   if(NOT SOURCES)
     return()
   endif()
   string(REPLACE "/" "_" NAME test_${FOLDER})
-  add_executable(${NAME} ${SOURCES})
-  target_link_libraries(${NAME} PRIVATE ${ARGN} GTest::gtest_main)
-  target_compile_definitions(${NAME} PRIVATE TOILE_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
-                             TOILE_BINARY_DIR="${CMAKE_BINARY_DIR}")
+  toile_test_program(${NAME} ${FOLDER} ${ARGN})
   gtest_discover_tests(${NAME} TEST_FILTER -Long* DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
                        PROPERTIES TIMEOUT 600 LABELS short)
   gtest_discover_tests(${NAME} TEST_FILTER Long* TEST_LIST ${NAME}_long DISCOVERY_MODE PRE_TEST

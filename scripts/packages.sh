@@ -3,7 +3,7 @@
 
 build_packages=(
   g++ cmake ninja-build pkg-config ccache
-  libeigen3-dev nlohmann-json3-dev libassimp-dev libosmesa6-dev libcli11-dev libpng-dev libxxhash-dev
+  libeigen3-dev nlohmann-json3-dev libassimp-dev libosmesa6-dev libcli11-dev libpng-dev libxxhash-dev libsqlite3-dev
   libgtest-dev
 )
 test_packages=(clang-format)

@@ -107,6 +107,7 @@ ContactFinder::ContactFinder(Surface cloth, std::span<const Obstacle> obstacles,
 
 void ContactFinder::measure(std::span<const Vec3> positions, std::span<const double> speeds, Contacts& out) {
   out.measured.assign(positions.begin(), positions.end());
+  out.least_gap = 1, out.least_gap_vertex = kNone;
   found_.clear();
   near_.clear();
   rims_.clear();
@@ -141,7 +142,7 @@ void ContactFinder::refit(std::span<const Vec3> positions, const Contacts& out) 
   }
 }
 
-void ContactFinder::pair_with_obstacles(const Contacts& out) {
+void ContactFinder::pair_with_obstacles(Contacts& out) {
   for (const Obstacle& obstacle : obstacles_) {
     for (Index t = 0; t < static_cast<Index>(cloth_.triangles.size()); ++t) {
       const double reach = std::max(max_ball(out.ball, cloth_.triangles[t]), obstacle.skin_offset);
@@ -151,12 +152,12 @@ void ContactFinder::pair_with_obstacles(const Contacts& out) {
   }
 }
 
-void ContactFinder::pair_with_itself(const Contacts& out) {
+void ContactFinder::pair_with_itself(Contacts& out) {
   tree_.self_pairs([&](Index s, Index t) { cloth_triangle_pair(s, t, out); });
 }
 
 void ContactFinder::obstacle_pair(const Obstacle& obstacle, Index cloth_triangle, Index body_triangle,
-                                  const Contacts& out) {
+                                  Contacts& out) {
   const Tri& a = cloth_.triangles[cloth_triangle];
   const Tri& b = obstacle.surface.triangles[body_triangle];
   const unsigned own_a = cloth_.owned[cloth_triangle], own_b = obstacle.surface.owned[body_triangle];
@@ -173,7 +174,7 @@ void ContactFinder::obstacle_pair(const Obstacle& obstacle, Index cloth_triangle
 }
 
 void ContactFinder::vertex_on_obstacle(const Obstacle& obstacle, Index vertex, const Tri& face,
-                                       const Contacts& out) {
+                                       Contacts& out) {
   const Vec3 p = out.measured[vertex];
   const Vec3 a = obstacle.vertices[face[0]], b = obstacle.vertices[face[1]], c = obstacle.vertices[face[2]];
   const double reach = std::max(out.ball[vertex], obstacle.skin_offset);
@@ -181,7 +182,7 @@ void ContactFinder::vertex_on_obstacle(const Obstacle& obstacle, Index vertex, c
   const TrianglePoint at = closest_on_triangle(p, a, b, c);
   const Vec3 q = a * at.a + b * at.b + c * at.c;
   const double gap = length(p - q);
-  if (gap >= reach || gap == 0) return;
+  if (!has_gap(gap, reach, vertex, out)) return;
   const Vec3 n = (p - q) * (1 / gap);
   bound(vertex, n, p, body_allowance(gap), out);
   if (gap < obstacle.skin_offset + out.ball[vertex]) {
@@ -194,14 +195,14 @@ void ContactFinder::vertex_on_obstacle(const Obstacle& obstacle, Index vertex, c
 }
 
 void ContactFinder::obstacle_vertex_on_cloth(const Obstacle& obstacle, Vec3 point, const Tri& triangle,
-                                             const Contacts& out) {
+                                             Contacts& out) {
   const Vec3 a = out.measured[triangle[0]], b = out.measured[triangle[1]], c = out.measured[triangle[2]];
   const double reach = max_ball(out.ball, triangle);
   if (far_from(point, a, b, c, reach)) return;
   const TrianglePoint at = closest_on_triangle(point, a, b, c);
   const Vec3 q = a * at.a + b * at.b + c * at.c;
   const double gap = length(q - point);
-  if (gap >= reach || gap == 0) return;
+  if (!has_gap(gap, reach, triangle[0], out)) return;
   const Vec3 n = (q - point) * (1 / gap);
   for (const Index v : triangle) bound(v, n, q, body_allowance(gap), out);
   if (gap < obstacle.skin_offset && std::min({at.a, at.b, at.c}) > 0) {
@@ -216,14 +217,14 @@ void ContactFinder::obstacle_vertex_on_cloth(const Obstacle& obstacle, Vec3 poin
 }
 
 void ContactFinder::edge_on_obstacle(const Obstacle& obstacle, Index a0, Index a1, Vec3 b0, Vec3 b1,
-                                     const Contacts& out) {
+                                     Contacts& out) {
   const Vec3 p0 = out.measured[a0], p1 = out.measured[a1];
   const double reach = std::max(out.ball[a0], out.ball[a1]);
   if (edges_far(p0, p1, b0, b1, reach)) return;
   const EdgePoints at = closest_on_edges(p0, p1, b0, b1);
   const Vec3 p = p0 + (p1 - p0) * at.s, q = b0 + (b1 - b0) * at.t;
   const double gap = length(p - q);
-  if (gap >= reach || gap == 0) return;
+  if (!has_gap(gap, reach, a0, out)) return;
   const Vec3 n = (p - q) * (1 / gap);
   bound(a0, n, p, body_allowance(gap), out);
   bound(a1, n, p, body_allowance(gap), out);
@@ -238,7 +239,7 @@ void ContactFinder::edge_on_obstacle(const Obstacle& obstacle, Index a0, Index a
   }
 }
 
-void ContactFinder::cloth_triangle_pair(Index s, Index t, const Contacts& out) {
+void ContactFinder::cloth_triangle_pair(Index s, Index t, Contacts& out) {
   const Tri& a = cloth_.triangles[s];
   const Tri& b = cloth_.triangles[t];
   const unsigned own_a = cloth_.owned[s], own_b = cloth_.owned[t];
@@ -252,7 +253,7 @@ void ContactFinder::cloth_triangle_pair(Index s, Index t, const Contacts& out) {
   }
 }
 
-void ContactFinder::vertex_on_cloth(Index vertex, const Tri& triangle, const Contacts& out) {
+void ContactFinder::vertex_on_cloth(Index vertex, const Tri& triangle, Contacts& out) {
   for (const Index v : triangle) {
     if (neighbours(v, vertex)) return;
   }
@@ -264,7 +265,7 @@ void ContactFinder::vertex_on_cloth(Index vertex, const Tri& triangle, const Con
   const TrianglePoint at = closest_on_triangle(p, a, b, c);
   const Vec3 q = a * at.a + b * at.b + c * at.c;
   const double gap = length(p - q);
-  if (gap >= reach || gap == 0) return;
+  if (!has_gap(gap, reach, vertex, out)) return;
   const Vec3 n = (p - q) * (1 / gap);
   const double allowance = cloth_allowance(gap);
   bound(vertex, n, p, allowance, out);
@@ -279,7 +280,7 @@ void ContactFinder::vertex_on_cloth(Index vertex, const Tri& triangle, const Con
                     settings_.cloth_friction}});
 }
 
-void ContactFinder::edges_of_cloth(Index a0, Index a1, Index b0, Index b1, const Contacts& out) {
+void ContactFinder::edges_of_cloth(Index a0, Index a1, Index b0, Index b1, Contacts& out) {
   if (neighbours(a0, b0) || neighbours(a0, b1) || neighbours(a1, b0) || neighbours(a1, b1)) return;
   const Vec3 p0 = out.measured[a0], p1 = out.measured[a1], q0 = out.measured[b0], q1 = out.measured[b1];
   const double reach = std::max(out.ball[a0], out.ball[a1]) + std::max(out.ball[b0], out.ball[b1]);
@@ -287,7 +288,7 @@ void ContactFinder::edges_of_cloth(Index a0, Index a1, Index b0, Index b1, const
   const EdgePoints at = closest_on_edges(p0, p1, q0, q1);
   const Vec3 p = p0 + (p1 - p0) * at.s, q = q0 + (q1 - q0) * at.t;
   const double gap = length(p - q);
-  if (gap >= reach || gap == 0) return;
+  if (!has_gap(gap, reach, a0, out)) return;
   const Vec3 n = (p - q) * (1 / gap);
   const double allowance = cloth_allowance(gap);
   bound(a0, n, p, allowance, out);
@@ -303,6 +304,12 @@ void ContactFinder::edges_of_cloth(Index a0, Index a1, Index b0, Index b1, const
                      kRimShare * settings_.thickness,
                      settings_.cloth_friction});
   }
+}
+
+bool ContactFinder::has_gap(double gap, double reach, Index vertex, Contacts& out) {
+  if (gap >= reach) return false;
+  if (gap < out.least_gap) out.least_gap = gap, out.least_gap_vertex = vertex;
+  return gap > 0;
 }
 
 /// The plane through `closest` separates the pair; a vertex behind it by some way may come that much closer.

@@ -61,6 +61,8 @@ struct Contacts {
   std::vector<Index> plane_start;  ///< first plane of each vertex, one more at the end
   std::vector<BoundPlane> planes;
   std::vector<Contact> contacts;
+  double least_gap = 1;            ///< m, of all pairs that came near; 1 when none did
+  Index least_gap_vertex = kNone;  ///< a vertex of that pair
 
   /// True when the vertex may be at x.
   bool inside_ball(Index v, Vec3 x) const;
@@ -88,17 +90,17 @@ class ContactFinder {
 
   void size_balls(std::span<const double> speeds, Contacts& out) const;
   void refit(std::span<const Vec3> positions, const Contacts& out);
-  void pair_with_obstacles(const Contacts& out);
-  void pair_with_itself(const Contacts& out);
-  void obstacle_pair(const Obstacle& obstacle, Index cloth_triangle, Index body_triangle,
-                     const Contacts& out);
-  void vertex_on_obstacle(const Obstacle& obstacle, Index vertex, const Tri& face, const Contacts& out);
-  void obstacle_vertex_on_cloth(const Obstacle& obstacle, Vec3 point, const Tri& triangle,
-                                const Contacts& out);
-  void edge_on_obstacle(const Obstacle& obstacle, Index a0, Index a1, Vec3 b0, Vec3 b1, const Contacts& out);
-  void cloth_triangle_pair(Index s, Index t, const Contacts& out);
-  void vertex_on_cloth(Index vertex, const Tri& triangle, const Contacts& out);
-  void edges_of_cloth(Index a0, Index a1, Index b0, Index b1, const Contacts& out);
+  void pair_with_obstacles(Contacts& out);
+  void pair_with_itself(Contacts& out);
+  void obstacle_pair(const Obstacle& obstacle, Index cloth_triangle, Index body_triangle, Contacts& out);
+  void vertex_on_obstacle(const Obstacle& obstacle, Index vertex, const Tri& face, Contacts& out);
+  void obstacle_vertex_on_cloth(const Obstacle& obstacle, Vec3 point, const Tri& triangle, Contacts& out);
+  void edge_on_obstacle(const Obstacle& obstacle, Index a0, Index a1, Vec3 b0, Vec3 b1, Contacts& out);
+  void cloth_triangle_pair(Index s, Index t, Contacts& out);
+  void vertex_on_cloth(Index vertex, const Tri& triangle, Contacts& out);
+  void edges_of_cloth(Index a0, Index a1, Index b0, Index b1, Contacts& out);
+  /// Notes a pair's gap; false when there is none to push along (the features touch, or are out of reach).
+  bool has_gap(double gap, double reach, Index vertex, Contacts& out);
   void bound(Index vertex, Vec3 n, Vec3 closest, double allowance, const Contacts& out);
   void sort_planes(Contacts& out);
   void keep_nearest(Contacts& out);

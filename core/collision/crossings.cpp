@@ -94,8 +94,8 @@ int orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, c
   return orientation_exact(ux, uy, uz, vx, vy, vz, wx, wy, wz);
 }
 
-bool segment_crosses_triangle(const ExactPoint& p, const ExactPoint& q, const ExactPoint& a, const ExactPoint& b,
-                              const ExactPoint& c) {
+bool segment_crosses_triangle(const ExactPoint& p, const ExactPoint& q, const ExactPoint& a,
+                              const ExactPoint& b, const ExactPoint& c) {
   const int side_p = orientation(a, b, c, p), side_q = orientation(a, b, c, q);
   if (side_p * side_q >= 0) return false;
   const int ab = orientation(p, q, a, b);

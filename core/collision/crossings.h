@@ -24,8 +24,8 @@ ExactPoint to_grid(Vec3 p);
 int orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d);
 
 /// True when the open segment pq passes through the open triangle abc. Exact.
-bool segment_crosses_triangle(const ExactPoint& p, const ExactPoint& q, const ExactPoint& a, const ExactPoint& b,
-                              const ExactPoint& c);
+bool segment_crosses_triangle(const ExactPoint& p, const ExactPoint& q, const ExactPoint& a,
+                              const ExactPoint& b, const ExactPoint& c);
 
 /// A solid's surface, ready for repeated counting.
 struct CrossingBody {

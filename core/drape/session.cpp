@@ -81,7 +81,20 @@ Status DrapeSession::check_start() const {
                  "two pieces pass through each other where they are placed; move them apart",
                  piece(found[0][0]) + " and " + piece(found[0][1]) + " " + place(found[0][0])};
   }
-  return {};
+  return check_gaps();
+}
+
+/// What touches at the start has no side to be kept on.
+Status DrapeSession::check_gaps() const {
+  ContactFinder finder(surface_, obstacles_, contact_settings(solver_->model()));
+  Contacts contacts;
+  finder.measure(assembly_.positions, std::vector<double>(assembly_.positions.size(), 0.0), contacts);
+  if (contacts.least_gap >= kContactFloor) return {};
+  const Index v = contacts.least_gap_vertex;
+  return Error{"start.touches",
+               "the piece touches a body or another piece where it is placed; leave a millimetre or more",
+               "piece " + input_.pattern.panels[assembly_.garment.panel_of_vertex[v]].id + " " +
+                   place_text(assembly_.positions[v])};
 }
 
 ClothModel DrapeSession::model_of(std::span<const Index> vertex_of, Index vertex_count) const {

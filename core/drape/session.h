@@ -48,6 +48,7 @@ class DrapeSession {
 
   DrapeSession(const DrapeInput& input, const PanelMeshes& meshes, Assembly assembly);
   Status check_start() const;
+  Status check_gaps() const;
   void build_solver(ClothModel model, std::vector<Vec3> positions, std::vector<Vec3> velocities);
   ClothModel model_of(std::span<const Index> vertex_of, Index vertex_count) const;
   std::vector<Stitch> stitches_of(const std::vector<std::array<Index, 2>>& sewn) const;

@@ -91,6 +91,15 @@ TEST(Pipeline, PiecesThatStartThroughEachOtherAreRefusedWithBothNames) {
   EXPECT_NE(r.error().where.find("back"), std::string::npos);
 }
 
+TEST(Pipeline, PiecesThatTouchAtTheStartAreRefused) {
+  DrapeInput input = test::tube();
+  std::get<RigidPlacement>(input.placements[1]).translation = {0.05, 0.16, 0.1};  // overlaps in the same plane
+  input.pattern.seams.clear();
+  const auto r = drape(input, {}, nullptr);
+  ASSERT_FALSE(r.ok());
+  EXPECT_EQ(r.error().code, "start.touches");
+}
+
 TEST(Pipeline, ASeamThatCannotCloseStopsTheDrapeWithItsName) {
   // Both panels before the column, sewn to a third behind that is far too short to go around.
   DrapeInput input = test::tube();

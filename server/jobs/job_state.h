@@ -1,0 +1,76 @@
+#pragma once
+// How a job changes: a pure function of its state and what happened. Whoever calls it carries out the effects.
+//
+//                  ┌────────── requeue (drain, crash) ───────────┐
+//                  ▼                                             │
+//   submit ──▶  queued ──── claim ────▶  running ──── finish ────┼──▶ succeeded
+//               │    ▲                    │    ↺ progress        │
+//               │    │                    │ ───── fail ──────────┼──▶ failed
+//             pause  resume             pause                    │
+//               │    │                    │                      │
+//               ▼    │                    ▼                      │
+//               paused ◀──────────────────┘                      │
+//                  └────────── requeue ──▶ queued                │
+//
+//   queued, running, paused ──── cancel ────▶ cancelled
+//
+// The worker that drapes learns of a pause or a cancel up to 50 ms after the state has changed. Until then it may
+// come with its end: finish and fail are therefore legal wherever a worker may still hold the job, that is also from
+// paused and from queued (paused, then resumed at once). After cancel the end comes too late and is refused.
+// Terminal states have no way out.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/base/result.h"
+
+namespace toile {
+
+enum class JobState { kQueued, kRunning, kPaused, kSucceeded, kFailed, kCancelled };
+inline constexpr std::array kJobStates{JobState::kQueued,    JobState::kRunning, JobState::kPaused,
+                                       JobState::kSucceeded, JobState::kFailed,  JobState::kCancelled};
+
+enum class JobEvent {
+  kClaim,     ///< a worker takes it
+  kProgress,  ///< the worker tells how far it is
+  kPause,
+  kResume,
+  kCancel,
+  kFinish,   ///< the drape has ended and its results are kept
+  kFail,     ///< it cannot be draped, or something broke
+  kRequeue,  ///< a drain takes it from its worker, or a start finds it unfinished
+};
+inline constexpr std::array kJobEvents{JobEvent::kClaim,  JobEvent::kProgress, JobEvent::kPause, JobEvent::kResume,
+                                       JobEvent::kCancel, JobEvent::kFinish,   JobEvent::kFail,  JobEvent::kRequeue};
+
+/// Where in the queue a job comes to stand.
+enum class QueuePlace { kNone, kFront, kBack };
+
+/// What has to be done when a job changes.
+struct JobEffects {
+  bool persist = false;                   ///< write the row before anybody is told
+  QueuePlace queue = QueuePlace::kNone;   ///< kNone: it does not stand in the queue afterwards
+  bool interrupt = false;                 ///< tell the worker that may hold it to let go
+  bool forget_drape = false;              ///< the parked drape is not needed any more
+  bool ends = false;                      ///< viewers get the last word
+  friend bool operator==(const JobEffects&, const JobEffects&) = default;
+};
+
+struct JobTransition {
+  JobState state = JobState::kQueued;
+  JobEffects effects;
+};
+
+/// Error: jobs.state, with words for a person, when `event` cannot happen in `state`.
+Result<JobTransition> next_state(JobState state, JobEvent event);
+
+/// succeeded, failed, cancelled.
+bool is_terminal(JobState state);
+
+/// As JobRow::state has it: "queued", "running", …
+std::string_view name_of(JobState state);
+std::optional<JobState> job_state_from(std::string_view name);
+
+}  // namespace toile

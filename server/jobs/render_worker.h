@@ -1,0 +1,47 @@
+#pragma once
+// The one thread that draws. OpenGL's context lives on it, and several would gain nothing: Mesa already uses all
+// cores for a picture.
+
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <future>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "core/base/result.h"
+
+namespace toile {
+
+class RenderWorker {
+ public:
+  /// At most `max_waiting` drawings wait.
+  explicit RenderWorker(std::size_t max_waiting = 64);
+  /// Ends the drawing that is under way, drops those that wait, joins.
+  ~RenderWorker();
+  RenderWorker(const RenderWorker&) = delete;
+  RenderWorker& operator=(const RenderWorker&) = delete;
+
+  /// Runs `drawing` on the drawing thread, waits for it and gives back what it gives; what it throws is thrown
+  /// here. `given_up` is asked every few milliseconds: once it says so, the drawing is not waited for any more and
+  /// may still run, so it must own all that it uses. Errors: render.busy, render.given_up, those of `drawing`.
+  Status draw(std::function<Status()> drawing, const std::function<bool()>& given_up);
+
+ private:
+  struct Order {
+    std::packaged_task<Status()> drawing;
+    std::shared_ptr<const std::atomic<bool>> dropped;
+  };
+  void work();
+
+  const std::size_t max_waiting_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<Order> orders_;
+  bool stopping_ = false;
+  std::thread thread_;  // last: it uses all of the above
+};
+
+}  // namespace toile

@@ -1,0 +1,130 @@
+#include "server/jobs/results.h"
+
+#include <cerrno>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "core/export/write_glb.h"
+#include "core/export/write_obj.h"
+#include "server/render/png.h"
+#include "server/render/still.h"
+
+namespace toile {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kThumbnailWidth = 320, kThumbnailHeight = 400;  // pixels; the page's list shows them at half of it
+
+std::vector<std::string> panel_names(const Pattern& pattern) {
+  std::vector<std::string> names;
+  for (const Panel& panel : pattern.panels) names.push_back(panel.id);
+  return names;
+}
+
+Scene scene_of(const DrapeInput& input, const DrapeResult& result) {
+  Scene scene;
+  scene.cloth.positions = result.positions;
+  scene.cloth.triangles = result.garment.triangles;
+  scene.cloth.panel_of_triangle = result.garment.panel_of_triangle;
+  scene.cloth.weld = result.garment.weld;
+  scene.cloth.rest = result.garment.rest;
+  for (const Index fabric : input.fabric_of_panel) {
+    const double* colour = input.fabrics[static_cast<std::size_t>(fabric)].colour;
+    scene.cloth.colour_of_panel.push_back({colour[0], colour[1], colour[2]});
+  }
+  for (const Body& body : input.bodies) scene.bodies.push_back({.mesh = &body.mesh});
+  return scene;
+}
+
+Status write_view(const Scene& scene, View view, const StillSettings& settings, const fs::path& path) {
+  const Result<Image> image = render_still(scene, view, settings);
+  if (!image) return image.error();
+  return write_png(path, *image);
+}
+
+Result<std::string> bytes_of(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  if (in.bad() || !in.is_open()) return Error{"export.read", "cannot read the file back", path.string()};
+  return bytes;
+}
+
+}  // namespace
+
+Status write_models(const DrapeInput& input, const DrapeResult& result, const fs::path& folder,
+                    bool check_data) {
+  const GarmentMesh& garment = result.garment;
+  const std::vector<std::string> names = panel_names(input.pattern);
+  Status objects = check_data ? write_check_data(folder, garment, result.positions, input.bodies)
+                              : write_obj(folder / "final.obj", result.positions, garment.triangles,
+                                          {.names = names, .panel_of_triangle = garment.panel_of_triangle});
+  if (!objects) return objects;
+  GlbModel model;
+  model.garment = &garment;
+  model.positions = result.positions;
+  model.panel_names = names;
+  model.fabrics = input.fabrics;
+  model.fabric_of_panel = input.fabric_of_panel;
+  model.bodies = input.bodies;
+  return write_glb(folder / "final.glb", model);
+}
+
+Status write_stills(const DrapeInput& input, const DrapeResult& result, const fs::path& folder, int width,
+                    int height) {
+  const Scene scene = scene_of(input, result);
+  const StillSettings settings{.width = width, .height = height};
+  for (const auto& [view, name] :
+       {std::pair{View::kFront, "front"}, std::pair{View::kBack, "back"}, std::pair{View::kSide, "side"},
+        std::pair{View::kThreeQuarter, "three-quarter"}}) {
+    if (Status drawn = write_view(scene, view, settings, folder / (std::string(name) + ".png")); !drawn) {
+      return drawn;
+    }
+  }
+  return {};
+}
+
+Status write_thumbnail(const DrapeInput& input, const DrapeResult& result, const fs::path& folder) {
+  return write_view(scene_of(input, result), View::kThreeQuarter,
+                    {.width = kThumbnailWidth, .height = kThumbnailHeight}, folder / "thumbnail.png");
+}
+
+Result<std::unique_ptr<TemporaryFolder>> TemporaryFolder::make() {
+  std::error_code failure;
+  const fs::path parent = fs::temp_directory_path(failure);
+  std::string path = (failure ? fs::path("/tmp") : parent) / "toile-job-XXXXXX";
+  if (::mkdtemp(path.data()) == nullptr) {
+    return Error{"export.write",
+                 "cannot make a temporary folder: " + std::generic_category().message(errno), path};
+  }
+  return std::unique_ptr<TemporaryFolder>(new TemporaryFolder(path));
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;  // what cannot be removed stays for the system's own sweep
+  fs::remove_all(path_, ignored);
+}
+
+Result<std::map<std::string, std::int64_t>> keep_results(Store& store, const OwnerId& owner,
+                                                         const std::string& job_id, const fs::path& folder) {
+  std::map<std::string, fs::path> files;
+  std::error_code failure;
+  for (fs::directory_iterator at(folder, failure), end; !failure && at != end; at.increment(failure)) {
+    files.emplace(at->path().filename().string(), at->path());
+  }
+  if (failure) return Error{"export.read", "cannot list the results: " + failure.message(), folder.string()};
+  std::map<std::string, std::int64_t> sizes;
+  for (const auto& [name, path] : files) {
+    const Result<std::string> bytes = bytes_of(path);
+    if (!bytes) return bytes.error();
+    if (Status kept = store.put_result(owner, job_id, name, *bytes); !kept) return kept.error();
+    sizes[name] = static_cast<std::int64_t>(bytes->size());
+  }
+  return sizes;
+}
+
+}  // namespace toile

@@ -1,0 +1,231 @@
+#include "server/store/blobs.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+#include <utility>
+
+#include "core/base/hash.h"
+#include "proto/cpp/names.h"
+
+namespace toile {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLongestName = 255;  // bytes; what Linux file systems take
+constexpr std::size_t kHashDigits = 32;
+
+/// A file descriptor that closes itself.
+class Descriptor {
+ public:
+  explicit Descriptor(int fd) : fd_(fd) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (fd_ >= 0) ::close(fd_);
+  }
+  int get() const { return fd_; }
+  bool ok() const { return fd_ >= 0; }
+
+ private:
+  int fd_;
+};
+
+/// What the system says (errno) about something done to a file. The folder is nobody's business but ours.
+Error system_error(const fs::path& path, const char* deed) {
+  const int reason = errno;
+  if (reason == ENOSPC || reason == EDQUOT || reason == EFBIG) {
+    return {"store.full", "the disk has no room for this; free some and try again", ""};
+  }
+  return {"store.failed",
+          std::string("cannot ") + deed + " " + in_quotes(path.filename().string()) + ": " +
+              std::generic_category().message(reason),
+          ""};
+}
+
+Status write_all(int fd, std::string_view bytes, const fs::path& path) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(fd, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return system_error(path, "write");
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return {};
+}
+
+/// Writes a new file and waits until the disk has its bytes.
+Status write_new(const fs::path& path, std::string_view bytes) {
+  const Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
+  if (!file.ok()) return system_error(path, "make");
+  if (Status written = write_all(file.get(), bytes, path); !written) return written;
+  if (::fsync(file.get()) != 0) return system_error(path, "keep");
+  return {};
+}
+
+/// The whole of a regular file; nothing is followed that is a link.
+Result<std::string> read_all(const fs::path& path) {
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC));
+  struct stat about {};
+  if (!file.ok() || ::fstat(file.get(), &about) != 0) return system_error(path, "read");
+  std::string bytes(static_cast<std::size_t>(about.st_size), '\0');
+  std::size_t had = 0;
+  while (had < bytes.size()) {
+    const ssize_t got = ::read(file.get(), bytes.data() + had, bytes.size() - had);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) return system_error(path, "read");
+    if (got == 0) break;
+    had += static_cast<std::size_t>(got);
+  }
+  bytes.resize(had);
+  return bytes;
+}
+
+/// Makes the folder when it is not there. Its name in the one above is durable then, whoever made it.
+Status make_folder(const fs::path& folder) {
+  if (::mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST) return system_error(folder, "make");
+  return sync_folder(folder.parent_path());
+}
+
+/// Length of the UTF-8 character that `text` begins with (1 to 4), or 0 when it is none.
+std::size_t character_length(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char first = byte(0);
+  const std::size_t length = first < 0x80 ? 1 : first < 0xc2 ? 0 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
+  if (length == 0 || first > 0xf4 || text.size() < length) return 0;
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xc0) != 0x80) return 0;
+  }
+  // Too long a form for the character, half of a surrogate pair, or beyond the last character.
+  if ((first == 0xe0 && byte(1) < 0xa0) || (first == 0xed && byte(1) > 0x9f)) return 0;
+  if ((first == 0xf0 && byte(1) < 0x90) || (first == 0xf4 && byte(1) > 0x8f)) return 0;
+  return length;
+}
+
+bool is_utf8(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t length = character_length(text);
+    if (length == 0) return false;
+    text.remove_prefix(length);
+  }
+  return true;
+}
+
+/// ".obj" of "Body.OBJ": readers of meshes go by it. ".bin" where there is none that is short and plain.
+std::string ending_of(std::string_view file_name) {
+  constexpr std::size_t kLongest = 8;
+  const std::size_t dot = file_name.rfind('.');
+  if (dot == std::string_view::npos) return ".bin";
+  std::string ending(file_name.substr(dot + 1));
+  for (char& c : ending) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  const bool plain = std::all_of(ending.begin(), ending.end(),
+                                 [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'); });
+  return plain && !ending.empty() && ending.size() <= kLongest ? "." + ending : ".bin";
+}
+
+}  // namespace
+
+Status check_name(std::string_view name) {
+  const auto refused = [&](const char* reason) {
+    return Error{"store.bad_name", "the file name " + in_quotes(name) + " " + reason, ""};
+  };
+  if (name.empty()) return refused("is empty");
+  if (name.size() > kLongestName) return refused("has more than 255 bytes");
+  if (name.front() == '.') return refused("begins with a dot");
+  if (name.find_first_of("/\\") != std::string_view::npos) return refused("has a slash in it");
+  const auto control = [](char c) { return (c >= 0 && c < 0x20) || c == 0x7f; };
+  if (std::any_of(name.begin(), name.end(), control)) return refused("has a control character in it");
+  if (!is_utf8(name)) return refused("is not UTF-8");
+  return {};
+}
+
+Status sync_folder(const fs::path& folder) {
+  const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (!opened.ok() || ::fsync(opened.get()) != 0) return system_error(folder, "keep");
+  return {};
+}
+
+Result<Blobs> Blobs::open(const fs::path& folder) {
+  Blobs blobs(folder);
+  std::error_code failure;
+  fs::remove_all(blobs.scratch_folder(), failure);  // half-written files of a process that was killed
+  for (const fs::path& part : {folder / "blobs", folder / "results", blobs.scratch_folder()}) {
+    if (Status made = make_folder(part); !made) return made.error();
+  }
+  return blobs;
+}
+
+/// 256 folders, so that none has too many names.
+fs::path Blobs::place_of(const std::string& blob) const {
+  return folder_ / "blobs" / blob.substr(0, 2) / blob;
+}
+
+Status Blobs::write(const fs::path& path, std::string_view bytes) const {
+  static std::atomic<std::uint64_t> count{0};
+  const fs::path temporary =
+      scratch_folder() / ("write" + std::to_string(::getpid()) + "_" + std::to_string(count.fetch_add(1)));
+  Status written = make_folder(path.parent_path());
+  if (written) written = write_new(temporary, bytes);
+  if (written && ::rename(temporary.c_str(), path.c_str()) != 0) written = system_error(path, "name");
+  if (written) return sync_folder(path.parent_path());
+  ::unlink(temporary.c_str());
+  return written;
+}
+
+Result<std::string> Blobs::put_blob(std::string_view bytes, std::string_view file_name) const {
+  const std::string hash = hash_of(bytes);
+  const std::string blob = hash + ending_of(file_name);
+  const Result<std::string> there = read_all(place_of(blob));
+  // XXH3 is quick, but somebody may make two files for it; theirs must not become another's.
+  if (there && *there != bytes && hash_of(std::string_view(*there)) == hash) {
+    return Error{"store.hash_collision", "another file with other bytes has the same hash", ""};
+  }
+  if (there && *there == bytes) {
+    // Its writer may have been killed, or be at it still, between giving the name and making it durable.
+    const fs::path folder = place_of(blob).parent_path();
+    if (Status synced = make_folder(folder); !synced) return synced.error();
+    if (Status synced = sync_folder(folder); !synced) return synced.error();
+    return blob;
+  }
+  if (Status written = write(place_of(blob), bytes); !written) return written.error();
+  return blob;
+}
+
+Result<fs::path> Blobs::blob_path(const std::string& blob, std::int64_t size) const {
+  std::error_code failure;
+  const fs::path path = place_of(blob);
+  const std::uintmax_t found = fs::file_size(path, failure);
+  if (!failure && found == static_cast<std::uintmax_t>(size)) return path;
+  return Error{"store.corrupt", "a file of the store is gone or has another length; upload it again", blob};
+}
+
+Result<std::string> Blobs::blob(const std::string& blob, std::int64_t size) const {
+  const Result<fs::path> path = blob_path(blob, size);
+  if (!path) return path.error();
+  Result<std::string> bytes = read_all(*path);
+  if (!bytes || hash_of(std::string_view(*bytes)) == blob.substr(0, kHashDigits)) return bytes;
+  return Error{"store.corrupt", "a file of the store has changed; upload it again", blob};
+}
+
+Status Blobs::put_result(const std::string& job_id, const std::string& name, std::string_view bytes) const {
+  if (Status good = check_name(name); !good) return good;
+  return write(folder_ / "results" / job_id / name, bytes);
+}
+
+Result<std::string> Blobs::result(const std::string& job_id, const std::string& name) const {
+  if (Status good = check_name(name); !good) return good.error();
+  const fs::path path = folder_ / "results" / job_id / name;
+  std::error_code failure;
+  if (fs::is_regular_file(path, failure)) return read_all(path);
+  return Error{"store.not_found", "the job has no result " + in_quotes(name), ""};
+}
+
+}  // namespace toile

@@ -1,0 +1,120 @@
+#include "server/store/migrations.h"
+
+#include <cstdint>
+#include <string>
+
+namespace toile {
+namespace {
+
+// Times are Unix milliseconds. `files` and `results` are JSON objects. Everything belongs to an owner, and
+// each key begins with them. Ids rise with time, so that an index over (owner, id) is the order of the lists.
+// Long columns stand last: to read one, SQLite walks through those before it.
+constexpr Migration kMigrations[] = {
+    {1, "projects, assets, jobs and settings", R"sql(
+CREATE TABLE assets (
+  owner TEXT NOT NULL,
+  id TEXT NOT NULL,
+  kind TEXT NOT NULL,
+  name TEXT NOT NULL,
+  size INTEGER NOT NULL,
+  blob TEXT NOT NULL,
+  created_ms INTEGER NOT NULL,
+  info TEXT NOT NULL,
+  PRIMARY KEY (owner, id)
+) STRICT;
+
+CREATE TABLE projects (
+  owner TEXT NOT NULL,
+  id TEXT NOT NULL,
+  name TEXT NOT NULL,
+  revision INTEGER NOT NULL,
+  created_ms INTEGER NOT NULL,
+  updated_ms INTEGER NOT NULL,
+  files TEXT NOT NULL,
+  document TEXT NOT NULL,
+  PRIMARY KEY (owner, id)
+) STRICT;
+
+CREATE TABLE jobs (
+  owner TEXT NOT NULL,
+  id TEXT NOT NULL,
+  project_id TEXT NOT NULL,
+  project_revision INTEGER NOT NULL,
+  name TEXT NOT NULL,
+  state TEXT NOT NULL,
+  reason_code TEXT NOT NULL,
+  reason TEXT NOT NULL,
+  reason_where TEXT NOT NULL,
+  attempt INTEGER NOT NULL,
+  created_ms INTEGER NOT NULL,
+  started_ms INTEGER NOT NULL,
+  ended_ms INTEGER NOT NULL,
+  idempotency_key TEXT,
+  results TEXT NOT NULL,
+  files TEXT NOT NULL,
+  report TEXT NOT NULL,
+  document TEXT NOT NULL,
+  PRIMARY KEY (owner, id)
+) STRICT;
+CREATE UNIQUE INDEX jobs_by_key ON jobs (owner, idempotency_key) WHERE idempotency_key IS NOT NULL;
+CREATE INDEX jobs_unfinished ON jobs (id) WHERE state IN ('queued', 'running', 'paused');
+
+CREATE TABLE settings (
+  owner TEXT NOT NULL,
+  key TEXT NOT NULL,
+  value TEXT NOT NULL,
+  PRIMARY KEY (owner, key)
+) STRICT;
+)sql"},
+};
+
+constexpr const char* kRemembered = R"sql(
+CREATE TABLE IF NOT EXISTS schema_migrations (
+  number INTEGER PRIMARY KEY,
+  name TEXT NOT NULL
+) STRICT;
+)sql";
+
+/// The number of the newest step that the database has been through, 0 for none.
+Result<int> newest_of(SqlDatabase& database) {
+  Result<SqlStatement> newest = database.prepare("SELECT max(number) FROM schema_migrations");
+  if (!newest) return newest.error();
+  const Result<bool> row = newest->step();
+  if (!row) return row.error();
+  return static_cast<int>(newest->integer(0));
+}
+
+Status apply(SqlDatabase& database, const Migration& step) {
+  Result<SqlTransaction> transaction = SqlTransaction::begin(database);
+  if (!transaction) return transaction.error();
+  if (Status changed = database.run_script(step.sql); !changed) return changed;
+  const Result<int> kept = database.run("INSERT INTO schema_migrations (number, name) VALUES (?, ?)",
+                                        {std::int64_t{step.number}, std::string_view(step.name)});
+  if (!kept) return kept.error();
+  return transaction->commit();
+}
+
+}  // namespace
+
+std::span<const Migration> migrations() { return kMigrations; }
+
+Status migrate(SqlDatabase& database, std::span<const Migration> steps) {
+  if (Status made = database.run_script(kRemembered); !made) return made;
+  const Result<int> newest = newest_of(database);
+  if (!newest) return newest.error();
+  const int known = steps.empty() ? 0 : steps.back().number;
+  if (*newest > known) {
+    return Error{"store.newer_schema",
+                 "a newer toile has written this database (schema " + std::to_string(*newest) +
+                     ", and this one knows up to " + std::to_string(known) +
+                     "); start that version, or give this one a folder of its own",
+                 ""};
+  }
+  for (const Migration& step : steps) {
+    if (step.number <= *newest) continue;
+    if (Status applied = apply(database, step); !applied) return applied;
+  }
+  return {};
+}
+
+}  // namespace toile

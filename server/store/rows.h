@@ -1,0 +1,36 @@
+#pragma once
+// Rows of the database as the plain values of store.h.
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "core/base/result.h"
+#include "server/store/sqlite.h"
+#include "server/store/store.h"
+
+namespace toile {
+
+// What a SELECT must ask for, in the order in which the readers below take it.
+inline constexpr const char* kAssetColumns = "id, kind, name, size, created_ms, info";
+inline constexpr const char* kProjectColumns = "id, name, revision, created_ms, updated_ms, files, document";
+inline constexpr const char* kJobColumns =
+    "id, project_id, project_revision, name, state, reason_code, reason, reason_where, attempt, created_ms, "
+    "started_ms, ended_ms, results, files, report, document";
+/// The same without the document.
+inline constexpr const char* kJobListColumns =
+    "id, project_id, project_revision, name, state, reason_code, reason, reason_where, attempt, created_ms, "
+    "started_ms, ended_ms, results, files, report, ''";
+/// How many columns a job has: where one more may stand.
+inline constexpr int kJobColumnCount = 16;
+
+/// Error of each: store.corrupt.
+Result<AssetRow> asset_from(const SqlStatement& row);
+Result<ProjectRow> project_from(const SqlStatement& row);
+Result<JobRow> job_from(const SqlStatement& row);
+
+/// A map as the JSON object that its column keeps.
+std::string column_text(const std::map<std::string, std::string>& files);
+std::string column_text(const std::map<std::string, std::int64_t>& results);
+
+}  // namespace toile

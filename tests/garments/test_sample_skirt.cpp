@@ -1,0 +1,85 @@
+// The sample as a user drapes it: what a worn skirt must be, in numbers.
+
+#include <gtest/gtest.h>
+
+#include "core/analysis/report.h"
+#include "core/body/tape.h"
+#include "core/drape/pipeline.h"
+#include "proto/cpp/project_resolve.h"
+
+namespace toile {
+namespace {
+
+struct Draped {
+  DrapeInput input;
+  DrapeResult result;
+  Report report;
+};
+
+const Draped& skirt() {
+  static const Draped draped = [] {
+    Draped d;
+    d.input = read_project(TOILE_SOURCE_DIR "/samples/skirt/project.json").value();
+    d.result = drape(d.input, {}, nullptr).value();
+    d.report = make_report(d.input, d.result);
+    return d;
+  }();
+  return draped;
+}
+
+/// Heights of the vertices of pieces whose id begins with `prefix`: least and greatest.
+std::pair<double, double> heights(const Draped& d, const std::string& prefix) {
+  double low = 10, high = -10;
+  for (Index i = 0; i < d.result.garment.vertex_count(); ++i) {
+    if (d.input.pattern.panels[d.result.garment.panel_of_vertex[i]].id.rfind(prefix, 0) != 0) continue;
+    low = std::min(low, d.result.positions[i].y), high = std::max(high, d.result.positions[i].y);
+  }
+  return {low, high};
+}
+
+TEST(SampleSkirt, SettlesWithoutACrossingInAnyFrameAndWithShutSeams) {
+  const Report& r = skirt().report;
+  EXPECT_TRUE(r.settled) << r.stop_reason;
+  EXPECT_EQ(r.intersections.cloth_body + r.intersections.cloth_cloth, 0);
+  EXPECT_EQ(r.worst_frame.cloth_body + r.worst_frame.cloth_cloth, 0);
+  EXPECT_GE(r.frames_checked, 100);
+  EXPECT_LE(r.seam_gap_max_mm, 0.5);
+}
+
+TEST(SampleSkirt, HasTheParticlesAndTrianglesItSays) {
+  const Report& r = skirt().report;
+  EXPECT_GE(r.particles, 3000);
+  EXPECT_LE(r.particles, 3300);
+  EXPECT_NEAR(r.body_triangles, 3300, 100);
+}
+
+TEST(SampleSkirt, TheWaistbandSitsAtTheWaist) {
+  const Girth waist = trunk_girths(skirt().input.bodies[0].mesh).waist;
+  const auto [low, high] = heights(skirt(), "band");
+  EXPECT_LT(low - 0.03, waist.height);
+  EXPECT_GT(high + 0.03, waist.height);
+  EXPECT_LT(high - low, 0.08) << "level, not slipped on one side";
+}
+
+TEST(SampleSkirt, IsHardlyStretchedAnywhereButOverTheHip) {
+  const Report& r = skirt().report;
+  EXPECT_LT(r.warp.p99, 0.015);
+  EXPECT_LT(r.weft.p99, 0.03);
+}
+
+TEST(SampleSkirt, HangsInFoldsAroundTheLegs) {
+  // The hem swings in and out as it goes around: neither a flat tube nor a crumple.
+  const Draped& d = skirt();
+  const auto [low, high] = heights(d, "front");
+  double least = 1, most = 0;
+  for (const Vec3& p : d.result.positions) {
+    if (p.y > low + 0.06) continue;
+    const double r = std::hypot(p.x, p.z);
+    least = std::min(least, r), most = std::max(most, r);
+  }
+  EXPECT_GT(most - least, 0.04);
+  EXPECT_GT(high - low, 0.5);
+}
+
+}  // namespace
+}  // namespace toile

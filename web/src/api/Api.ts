@@ -1,0 +1,53 @@
+// The service's routes as functions. Everything above this file talks to the service through it.
+
+import { decodeBody, type BodyMesh } from './body';
+import { Http } from './http';
+import type { Asset, Job, Pieces, Project, Report } from './types';
+
+export type JobAction = 'pause' | 'resume' | 'cancel';
+
+export interface Api {
+  projects(): Promise<Project[]>;
+  project(id: string): Promise<Project>;
+  createProject(name: string, document: unknown, files: Record<string, string>): Promise<Project>;
+  removeProject(id: string): Promise<void>;
+  pieces(projectId: string): Promise<Pieces>;
+  uploadAsset(kind: Asset['kind'], name: string, bytes: Blob): Promise<Asset>;
+  jobs(): Promise<Job[]>;
+  job(id: string): Promise<Job>;
+  /** `key` makes asking twice (a lost answer) start one drape only. */
+  submit(projectId: string, key: string): Promise<Job>;
+  act(id: string, action: JobAction): Promise<Job>;
+  report(id: string): Promise<Report>;
+  resultText(id: string, name: string): Promise<string>;
+  body(id: string): Promise<BodyMesh>;
+  resultUrl(id: string, name: string): string;
+  streamUrl(id: string): string;
+}
+
+const part = encodeURIComponent;
+
+export function makeApi(http = new Http('/api/v1')): Api {
+  const result = (id: string, name: string): string => `/jobs/${part(id)}/results/${name.split('/').map(part).join('/')}`;
+  return {
+    projects: async () => (await http.get<{ projects: Project[] }>('/projects?limit=100')).projects,
+    project: (id) => http.get(`/projects/${part(id)}`),
+    createProject: (name, document, files) => http.post('/projects', { name, document, files }),
+    removeProject: async (id) => void (await http.send(`/projects/${part(id)}`, { method: 'DELETE' })),
+    pieces: (id) => http.get(`/projects/${part(id)}/pieces`),
+    uploadAsset: async (kind, name, bytes) => {
+      const path = `/assets?kind=${kind}&name=${part(name)}`;
+      const headers = { 'Content-Type': 'application/octet-stream' };
+      return (await http.send(path, { method: 'POST', headers, body: bytes })).json() as Promise<Asset>;
+    },
+    jobs: async () => (await http.get<{ jobs: Job[] }>('/jobs?limit=100')).jobs,
+    job: (id) => http.get(`/jobs/${part(id)}`),
+    submit: (id, key) => http.post('/jobs', { project_id: id }, { 'Idempotency-Key': key }),
+    act: (id, action) => http.post(`/jobs/${part(id)}/${action}`),
+    report: (id) => http.get(result(id, 'report.json')),
+    resultText: async (id, name) => (await http.send(result(id, name))).text(),
+    body: async (id) => decodeBody(await http.bytes(`/jobs/${part(id)}/body`)),
+    resultUrl: (id, name) => http.url(result(id, name)),
+    streamUrl: (id) => http.socketUrl(`/jobs/${part(id)}/stream`),
+  };
+}

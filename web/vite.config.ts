@@ -1,0 +1,28 @@
+import { fileURLToPath } from 'node:url';
+import { defineConfig } from 'vitest/config';
+
+const root = fileURLToPath(new URL('..', import.meta.url));
+// Where `npm run dev` and `npm run preview` find the service.
+const service = process.env.TOILE_SERVER ?? 'http://127.0.0.1:8080';
+
+export default defineConfig({
+  base: './',
+  esbuild: { jsx: 'automatic', jsxImportSource: 'preact' },
+  build: {
+    target: 'es2022',
+    // three.js is one file of its own, fetched beside the page and not before it.
+    chunkSizeWarningLimit: 900,
+    rollupOptions: { output: { manualChunks: { three: ['three'] } } },
+  },
+  worker: { format: 'es' },
+  server: {
+    fs: { allow: [root] },
+    proxy: { '/api': { target: service, ws: true } },
+  },
+  test: {
+    root,
+    include: ['web/test/**/*.test.{ts,tsx}', 'proto/ts/**/*.test.ts'],
+    environment: 'node',
+    globals: false,
+  },
+});
