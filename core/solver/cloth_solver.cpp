@@ -55,6 +55,11 @@ ClothSolver::ClothSolver(ClothModel model, std::vector<Vec3> positions, std::spa
   speed_.resize(x_.size());
 }
 
+void ClothSolver::set_stitches(std::vector<Stitch> stitches) {
+  stitches_ = std::move(stitches);
+  stitch_groups_ = stitch_groups(stitches_, model_.vertex_count());
+}
+
 void ClothSolver::set_holds(std::vector<HeldVertex> held) {
   held_ = std::move(held);
   std::vector<double> w;
@@ -74,7 +79,11 @@ StepReport ClothSolver::step(const StepForces& forces) {
   solve_membrane(membrane_, inverse_mass_, h_, x_);
   solve_bending(bending_, inverse_mass_, x_);
   solve_height_holds(held_, x_);
-  solve_stitches(stitches_, forces.stitch_length, inverse_mass_, h_, x_);  // a thread wins over a hand
+  if (forces.stitch_length > 0) {  // after the holds: a thread wins over a hand
+    shorten_stitches(stitches_, forces.stitch_length, inverse_mass_, h_, x_);
+  } else {
+    close_groups(stitch_groups_, inverse_mass_, h_, x_);
+  }
   const StepReport report = keep_bounds(forces);
   finish();
   return report;

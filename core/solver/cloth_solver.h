@@ -36,7 +36,7 @@ class ClothSolver {
 
   StepReport step(const StepForces& forces);
 
-  void set_stitches(std::vector<Stitch> stitches) { stitches_ = std::move(stitches); }
+  void set_stitches(std::vector<Stitch> stitches);
   /// Replaces all holds. Targets may lie away from where the vertices are; contact decides how fast they get
   /// there.
   void set_holds(std::vector<HeldVertex> held);
@@ -62,6 +62,7 @@ class ClothSolver {
   std::vector<MembraneTriangle> membrane_;
   std::vector<BendTriangle> bending_;
   std::vector<Stitch> stitches_;
+  std::vector<StitchGroup> stitch_groups_;
   std::vector<HeldVertex> held_;
   std::vector<double> inverse_mass_;
 
