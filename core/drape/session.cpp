@@ -23,9 +23,13 @@ constexpr double kFallTime = 0.8;                     // s after gravity is full
 constexpr double kSeamShut = 0.3e-3;  // m
 /// Threads have this much longer than sew_time before a seam counts as stalled.
 constexpr double kStallTime = 1.5;  // s
-/// A seam that stayed open by more than this stops the drape.
+/// A seam is open when its sides are further apart than this.
 constexpr double kSeamTolerance = 0.5e-3;  // m
-constexpr double kPullPerMetre = 30;       // N/m, pull of all threads along a seam's length
+/// A seam that is still this far open when the threads have had their time will not close. A narrower one
+/// may, once gravity and friction have moved the cloth: its threads stay.
+constexpr double kSeamLost = 10e-3;     // m
+constexpr double kWeldInterval = 0.25;  // s between tries to weld what was left open
+constexpr double kPullPerMetre = 150;   // N/m, pull of all threads along a seam's length
 
 std::string place_text(Vec3 p) {
   char text[80];
@@ -181,12 +185,12 @@ void DrapeSession::sew_or_weld() {
   if (since < input_.settings.sew_time) return;
   const double gap = largest_gap(solver_->stitches(), solver_->positions());
   if (gap > kSeamShut && since < input_.settings.sew_time + kStallTime) return;
-  if (gap > kSeamTolerance) {
+  if (gap > kSeamLost) {
     phase_ = Phase::kDone, stop_reason_ = "stalled seam " + name_of_widest_seam();
     return;
   }
   weld();
-  phase_ = Phase::kDrape, phase_start_ = time_;
+  phase_ = Phase::kDrape, phase_start_ = last_weld_ = time_;
 }
 
 void DrapeSession::weld() {
@@ -208,7 +212,18 @@ void DrapeSession::weld() {
   solver_->set_stitches(stitches_of(assembly_.garment.sewn));
 }
 
+void DrapeSession::weld_what_closed() {
+  if (solver_->stitches().empty() || time_ < last_weld_ + kWeldInterval) return;
+  last_weld_ = time_;
+  const std::vector<Vec3>& x = solver_->positions();
+  const auto& open = solver_->stitches();
+  const bool closed = std::any_of(open.begin(), open.end(),
+                                  [&](const Stitch& s) { return length(x[s.v1] - x[s.v0]) <= kSeamShut; });
+  if (closed) weld();
+}
+
 void DrapeSession::settle_or_stop() {
+  weld_what_closed();
   bool holding = false;
   for (std::size_t a = 0; a < released_.size(); ++a) {
     const double after = input_.attachments[a].release_after;
@@ -221,7 +236,8 @@ void DrapeSession::settle_or_stop() {
   }
   const bool calm_medium = time_ >= time_of_full_gravity() + kFallTime;
   if (!holding && calm_medium && watch_.settled()) {
-    phase_ = Phase::kDone, stop_reason_ = "settled";
+    phase_ = Phase::kDone;
+    stop_reason_ = seam_gap() > kSeamTolerance ? "open seam " + name_of_widest_seam() : "settled";
   } else if (time_ >= input_.settings.max_time) {
     phase_ = Phase::kDone, stop_reason_ = "time";
   }

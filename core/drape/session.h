@@ -28,7 +28,8 @@ class DrapeSession {
   void step();
 
   bool done() const { return phase_ == Phase::kDone; }
-  /// "settled", "time" or "stalled seam NAME" once done.
+  /// Once done: "settled", "time", "stalled seam NAME" (threads could not close it), "open seam NAME" (at
+  /// rest, but not shut), "not finite".
   const std::string& stop_reason() const { return stop_reason_; }
   bool settled() const { return stop_reason_ == "settled"; }
 
@@ -56,6 +57,7 @@ class DrapeSession {
   StepForces forces_now() const;
   void sew_or_weld();
   void weld();
+  void weld_what_closed();
   void settle_or_stop();
   double time_of_full_gravity() const;
   std::string name_of_widest_seam() const;
@@ -74,7 +76,7 @@ class DrapeSession {
   std::string stop_reason_;
   SettleWatch watch_;
   int steps_ = 0;
-  double time_ = 0, phase_start_ = 0;
+  double time_ = 0, phase_start_ = 0, last_weld_ = 0;
 };
 
 }  // namespace toile
