@@ -1,5 +1,6 @@
 #include "core/body/load_mesh.h"
 
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
@@ -8,6 +9,7 @@
 #include <exception>
 #include <numeric>
 #include <string>
+#include <utility>
 
 #include "core/body/sniff_mesh.h"
 
@@ -163,8 +165,22 @@ void to_metres(TriangleMesh& mesh, const MeshSettings& settings) {
   }
 }
 
-Result<TriangleMesh> import(const std::filesystem::path& path) {
+// Lets the reader see one file and no other.
+class OneFile final : public Assimp::DefaultIOSystem {
+ public:
+  explicit OneFile(std::string path) : path_(std::move(path)) {}
+  bool Exists(const char* file) const override { return path_ == file && DefaultIOSystem::Exists(file); }
+  Assimp::IOStream* Open(const char* file, const char* mode) override {
+    return path_ == file ? DefaultIOSystem::Open(file, mode) : nullptr;
+  }
+
+ private:
+  std::string path_;
+};
+
+Result<TriangleMesh> import(const std::filesystem::path& path, bool alone) {
   Assimp::Importer importer;
+  if (alone) importer.SetIOHandler(new OneFile(path.string()));  // the importer's to delete
   // No other processing: positions stay as the file says, and what is not geometry is not looked at.
   const aiScene* scene = importer.ReadFile(path.string(), aiProcess_Triangulate);
   if (scene == nullptr || scene->mRootNode == nullptr) {
@@ -186,7 +202,7 @@ Result<TriangleMesh> load_mesh(const std::filesystem::path& path, const MeshSett
   if (Status s = check_file(path); !s) return s.error();
   if (Status s = sniff_mesh(path); !s) return s.error();
   try {
-    Result<TriangleMesh> scene = import(path);
+    Result<TriangleMesh> scene = import(path, settings.alone);
     if (!scene) return scene.error();
     if (scene->triangles.empty()) return fail("mesh.no_triangles", "The file holds no triangles.", path);
     to_metres(*scene, settings);

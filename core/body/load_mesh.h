@@ -12,6 +12,9 @@ struct MeshSettings {
   /// so e < 5 means metres, e < 50 decimetres, e < 500 centimetres, more millimetres.
   double unit_in_m = 0;
   bool z_up = false;  ///< the file's z points up: turned so that y does
+  /// Opens no other file that this one names (materials of an OBJ, buffers of a glTF): for what strangers
+  /// upload, who could otherwise have any file of the machine read as coordinates.
+  bool alone = false;
 };
 
 /// Every triangle of a mesh file (OBJ, STL, PLY, glTF, GLB, FBX, DAE, 3DS, OFF), metres, y up: the scene's

@@ -83,7 +83,7 @@ bool Contacts::inside_planes(Index v, Vec3 x) const {
   return true;
 }
 
-double Contacts::reach(Index v, Vec3 from, Vec3 to) const {
+double Contacts::plane_reach(Index v, Vec3 from, Vec3 to) const {
   const Vec3 start = from - measured[v], way = to - from;
   double t = 1;
   for (Index k = plane_start[v]; k < plane_start[v + 1]; ++k) {
@@ -92,14 +92,17 @@ double Contacts::reach(Index v, Vec3 from, Vec3 to) const {
     const double room = dot(planes[k].n, start) + planes[k].slack;
     if (room + t * speed < 0) t = std::max(0.0, room / -speed);
   }
-  const Vec3 end = start + way * t;
-  if (dot(end, end) > ball[v] * ball[v]) {
-    // |start + t·way| = ball, the larger root; start lies inside.
-    const double a = dot(way, way), b = dot(start, way), c = dot(start, start) - ball[v] * ball[v];
-    const double root = b * b - a * c;
-    t = root > 0 && a > 0 ? std::clamp((std::sqrt(root) - b) / a, 0.0, t) : 0;
-  }
   return t;
+}
+
+double Contacts::reach(Index v, Vec3 from, Vec3 to) const {
+  const double t = plane_reach(v, from, to);
+  const Vec3 start = from - measured[v], way = to - from, end = start + way * t;
+  if (dot(end, end) <= ball[v] * ball[v]) return t;
+  // |start + t·way| = ball, the larger root; start lies inside.
+  const double a = dot(way, way), b = dot(start, way), c = dot(start, start) - ball[v] * ball[v];
+  const double root = b * b - a * c;
+  return root > 0 && a > 0 ? std::clamp((std::sqrt(root) - b) / a, 0.0, t) : 0;
 }
 
 ContactFinder::ContactFinder(Surface cloth, std::span<const Obstacle> obstacles, ContactSettings settings)

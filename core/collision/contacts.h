@@ -67,6 +67,8 @@ struct Contacts {
   /// True when the vertex may be at x.
   bool inside_ball(Index v, Vec3 x) const;
   bool inside_planes(Index v, Vec3 x) const;
+  /// As reach, but for the planes alone.
+  double plane_reach(Index v, Vec3 from, Vec3 to) const;
   /// Largest t in [0, 1] such that from + t·(to − from) keeps the vertex's bounds. `from` must keep them.
   double reach(Index v, Vec3 from, Vec3 to) const;
 };

@@ -111,9 +111,13 @@ void ClothSolver::measure() {
   measured_ = true;
 }
 
+/// A vertex that a plane stops within its ball asks for nothing.
 bool ClothSolver::leaves_a_ball() const {
   for (std::size_t i = 0; i < x_.size(); ++i) {
-    if (!contacts_.inside_ball(static_cast<Index>(i), x_[i])) return true;
+    const auto v = static_cast<Index>(i);
+    if (contacts_.inside_ball(v, x_[i])) continue;
+    const double t = contacts_.plane_reach(v, before_[i], x_[i]);
+    if (!contacts_.inside_ball(v, before_[i] + (x_[i] - before_[i]) * t)) return true;
   }
   return false;
 }
@@ -125,7 +129,8 @@ int ClothSolver::count_plane_hits() const {
 }
 
 /// Look before clamping: where a vertex would leave its ball, or many run into planes, measure again at this
-/// step's start and cut the proposal with fresh bounds. Clamping on and on would pin the cloth in the air.
+/// step's start and cut the proposal with fresh bounds. What fresh bounds hold back as well is no reason to
+/// ask again. Clamping on and on would pin the cloth in the air.
 StepReport ClothSolver::keep_bounds(const StepForces& forces) {
   StepReport report;
   for (const Vec3& p : x_) report.not_finite |= !is_finite(p);
@@ -140,8 +145,8 @@ StepReport ClothSolver::keep_bounds(const StepForces& forces) {
     solve_contacts(contacts_.contacts, before_, inverse_mass_, forces.friction, h_, x_, lifted_);
   };
   push_apart();
-  if (report.measurements == 0 &&
-      (leaves_a_ball() || count_plane_hits() > kPlaneHitShare * static_cast<double>(x_.size()))) {
+  if (report.measurements == 0 && (leaves_a_ball() || count_plane_hits() - held_back_ >
+                                                          kPlaneHitShare * static_cast<double>(x_.size()))) {
     measure();
     ++report.measurements;
     x_ = proposal_;
@@ -152,6 +157,7 @@ StepReport ClothSolver::keep_bounds(const StepForces& forces) {
     const double t = contacts_.reach(static_cast<Index>(i), before_[i], x_[i]);
     if (t < 1) x_[i] = before_[i] + (x_[i] - before_[i]) * t, ++report.bounded;
   }
+  if (report.measurements > 0) held_back_ = report.bounded;
   return report;
 }
 

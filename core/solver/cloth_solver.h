@@ -71,6 +71,7 @@ class ClothSolver {
   ContactFinder finder_;
   Contacts contacts_;
   bool measured_ = false;
+  int held_back_ = 0;  ///< vertices that the bounds stopped right after the last measurement
 };
 
 /// Thickness, friction and ball sizes for a cloth: thickness at most 0.3 and balls at most 0.35 of the mean
