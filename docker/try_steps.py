@@ -1,0 +1,159 @@
+#!/usr/bin/env python3
+"""Runs the steps of docker/Dockerfile without a container engine.
+
+Each stage is a folder with a bare Debian 12 (debootstrap), changed by the stage's own lines: WORKDIR, COPY, RUN, USER,
+ENTRYPOINT. The last stage's ENTRYPOINT is then started in it and must answer /healthz as healthy within a minute.
+Needs root and debootstrap; makes everything under the folder given (default build/docker) and unmounts what it mounts.
+"""
+
+import json
+import os
+import shlex
+import shutil
+import signal
+import subprocess
+import sys
+import time
+import urllib.request
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+START_SECONDS = 60
+
+
+def steps(dockerfile):
+    """(instruction, rest) of every line, continuations joined, comments left out."""
+    pending = ""
+    for line in dockerfile.read_text().splitlines():
+        if not pending and (not line.strip() or line.lstrip().startswith("#")):
+            continue
+        pending += line.rstrip("\\")
+        if line.endswith("\\"):
+            continue
+        instruction, rest = pending.split(None, 1)
+        yield instruction, rest.strip()
+        pending = ""
+
+
+class Stage:
+    """A folder that stands for an image."""
+
+    def __init__(self, folder, base):
+        self.folder, self.workdir, self.user, self.entrypoint = folder, "/", "root", None
+        if folder.exists():
+            shutil.rmtree(folder)
+        subprocess.run(["cp", "-a", "--reflink=auto", base, folder], check=True)
+        for name in ("/etc/resolv.conf", "/etc/hosts"):
+            shutil.copy(name, str(folder) + name)
+
+    def inside(self, path):
+        return self.folder / path.lstrip("/")
+
+    def mounted(self):
+        for name in ("proc", "dev"):
+            subprocess.run(["mount", "--bind", "/" + name, self.inside(name)], check=True)
+
+    def unmounted(self):
+        for name in ("dev", "proc"):
+            subprocess.run(["umount", "--lazy", self.inside(name)], check=True)
+
+    def command(self, argv):
+        as_user = ["--userspec", self.user] if self.user != "root" else []
+        entry = "cd " + shlex.quote(self.workdir) + " && exec " + shlex.join(argv)
+        environment = {"PATH": "/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin",
+                       "HOME": "/root" if self.user == "root" else self.workdir, "DEBIAN_FRONTEND": "noninteractive"}
+        return ["chroot", *as_user, str(self.folder), "/bin/sh", "-c", entry], environment
+
+    def run(self, line):
+        argv, environment = self.command(["/bin/sh", "-c", line])
+        self.mounted()
+        try:
+            subprocess.run(argv, env=environment, check=True)
+        finally:
+            self.unmounted()
+
+    def copy(self, words, stages):
+        source_root = ROOT
+        if words[0].startswith("--from="):
+            source_root = stages[words.pop(0).removeprefix("--from=")].folder
+        target = self.inside(words[-1])
+        for word in words[:-1]:
+            source = source_root / word.lstrip("/")
+            if source.is_dir():
+                ignored = shutil.ignore_patterns("node_modules", "dist") if source_root == ROOT else None
+                shutil.copytree(source, target, dirs_exist_ok=True, symlinks=True, ignore=ignored)
+            else:
+                place = target / source.name if words[-1].endswith("/") else target
+                place.parent.mkdir(parents=True, exist_ok=True)
+                shutil.copy2(source, place)
+
+
+def bare_debian(folder):
+    if not (folder / "etc/debian_version").exists():
+        subprocess.run(["debootstrap", "--variant=minbase", "bookworm", folder], check=True, stdout=subprocess.DEVNULL)
+    return folder
+
+
+def build(dockerfile, place):
+    base = bare_debian(place / "base")
+    stages, stage = {}, None
+    for instruction, rest in steps(dockerfile):
+        print(f"== {instruction} {rest[:100]}", flush=True)
+        if instruction == "FROM":
+            image, _, name = rest.split()
+            if image != "debian:12":
+                raise SystemExit(f"only debian:12 can stand as a base here, not {image}")
+            stage = stages[name] = Stage(place / name, base)
+        elif instruction == "WORKDIR":
+            stage.workdir = rest
+            stage.inside(rest).mkdir(parents=True, exist_ok=True)
+        elif instruction == "COPY":
+            stage.copy(shlex.split(rest), stages)
+        elif instruction == "RUN":
+            stage.run(rest)
+        elif instruction == "USER":
+            stage.user = rest
+        elif instruction == "ENTRYPOINT":
+            stage.entrypoint = json.loads(rest)
+        else:
+            raise SystemExit(f"docker/try_steps.py does not know the instruction {instruction}")
+    return stage
+
+
+def healthy(port):
+    try:
+        with urllib.request.urlopen(f"http://127.0.0.1:{port}/healthz", timeout=2) as answer:
+            return answer.status == 200
+    except OSError:
+        return False
+
+
+def serve(stage):
+    """Starts the entry point, waits until it is healthy, ends it."""
+    port = stage.entrypoint[stage.entrypoint.index("--port") + 1]
+    argv, environment = stage.command(stage.entrypoint)
+    stage.mounted()
+    service = subprocess.Popen(argv, env=environment)
+    try:
+        deadline = time.monotonic() + START_SECONDS
+        while time.monotonic() < deadline and service.poll() is None and not healthy(port):
+            time.sleep(0.2)
+        if service.poll() is not None or not healthy(port):
+            raise SystemExit("the service did not become healthy")
+        owner = os.stat(f"/proc/{service.pid}").st_uid
+        if owner == 0:
+            raise SystemExit("the service runs as root")
+        print(f"== healthy on port {port}, as user {owner}")
+    finally:
+        service.send_signal(signal.SIGTERM)
+        service.wait(60)
+        stage.unmounted()
+
+
+if __name__ == "__main__":
+    if os.geteuid() != 0 or not shutil.which("debootstrap"):
+        raise SystemExit("docker/try_steps.py needs root and debootstrap")
+    where = Path(sys.argv[1] if len(sys.argv) > 1 else ROOT / "build/docker").resolve()
+    where.mkdir(parents=True, exist_ok=True)
+    serve(build(ROOT / "docker/Dockerfile", where))
+    print("== The Dockerfile's steps work")
