@@ -3,7 +3,7 @@ import { defineConfig } from 'vitest/config';
 
 const root = fileURLToPath(new URL('..', import.meta.url));
 // Where `npm run dev` and `npm run preview` find the service.
-const service = process.env.TOILE_SERVER ?? 'http://127.0.0.1:8080';
+const service = process.env.TOILE_SERVER ?? 'http://127.0.0.1:8460';
 
 export default defineConfig({
   base: './',
@@ -19,10 +19,13 @@ export default defineConfig({
     fs: { allow: [root] },
     proxy: { '/api': { target: service, ws: true } },
   },
+  // The codec's tests lie outside of this folder, and so outside of where packages are looked for.
+  resolve: { alias: { vitest: fileURLToPath(new URL('node_modules/vitest/dist/index.js', import.meta.url)) } },
   test: {
     root,
     include: ['web/test/**/*.test.{ts,tsx}', 'proto/ts/**/*.test.ts'],
     environment: 'node',
+    css: true,
     globals: false,
   },
 });

@@ -1,5 +1,6 @@
 #include "proto/cpp/frame_codec.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>

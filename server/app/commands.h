@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "server/app/config.h"
 #include "server/app/exit_code.h"
 
 namespace toile {
@@ -36,5 +37,18 @@ struct BodyOptions {
 };
 
 ExitCode body_command(const BodyOptions& options);
+
+/// Serves until SIGTERM or SIGINT.
+ExitCode serve_command(const ServeOptions& options);
+
+struct SubmitOptions {
+  std::string project;  ///< path of the document
+  std::string server = "http://127.0.0.1:8460";
+  bool watch = false;  ///< follow the drape to its end
+  std::string out;     ///< folder for the results; empty: they stay on the server
+  bool json = false;
+};
+
+ExitCode submit_command(const SubmitOptions& options);
 
 }  // namespace toile

@@ -6,8 +6,6 @@
 #include "core/analysis/report.h"
 #include "core/base/units.h"
 #include "core/drape/pipeline.h"
-#include "core/export/write_glb.h"
-#include "core/export/write_obj.h"
 #include "core/export/write_report.h"
 #include "proto/cpp/project_resolve.h"
 #include "proto/cpp/trace_file.h"
@@ -15,7 +13,7 @@
 #include "server/app/console.h"
 #include "server/app/interrupt.h"
 #include "server/app/progress_bar.h"
-#include "server/app/stills.h"
+#include "server/jobs/results.h"
 
 namespace toile {
 namespace {
@@ -29,32 +27,6 @@ Status make_folder(const fs::path& folder) {
   return Error{"usage.out",
                "cannot make the folder for the results" + (failure ? ": " + failure.message() : ""),
                folder.string()};
-}
-
-std::vector<std::string> panel_names(const Pattern& pattern) {
-  std::vector<std::string> names;
-  for (const Panel& panel : pattern.panels) names.push_back(panel.id);
-  return names;
-}
-
-/// The models: what other programs open.
-Status write_models(const DrapeInput& input, const DrapeResult& result, const DrapeOptions& options) {
-  const fs::path folder = options.out;
-  const GarmentMesh& garment = result.garment;
-  const std::vector<std::string> names = panel_names(input.pattern);
-  Status objects = options.check_data
-                       ? write_check_data(folder, garment, result.positions, input.bodies)
-                       : write_obj(folder / "final.obj", result.positions, garment.triangles,
-                                   {.names = names, .panel_of_triangle = garment.panel_of_triangle});
-  if (!objects) return objects;
-  GlbModel model;
-  model.garment = &garment;
-  model.positions = result.positions;
-  model.panel_names = names;
-  model.fabrics = input.fabrics;
-  model.fabric_of_panel = input.fabric_of_panel;
-  model.bodies = input.bodies;
-  return write_glb(folder / "final.glb", model);
 }
 
 std::string percent(double ratio) { return fixed(100 * ratio, 2) + "%"; }
@@ -87,7 +59,7 @@ ExitCode exit_code_of(const DrapeResult& result) {
 /// Writes what a drape leaves and prints its figures.
 Status deliver(const DrapeInput& input, const DrapeResult& result, const DrapeOptions& options) {
   const Report report = make_report(input, result);
-  if (Status models = write_models(input, result, options); !models) return models;
+  if (Status models = write_models(input, result, options.out, options.check_data); !models) return models;
   if (Status written = write_report(fs::path(options.out) / "report.json", report); !written) return written;
   if (options.stills && exit_code_of(result) != kCancelled) {
     if (Status stills = write_stills(input, result, options.out, options.width, options.height); !stills) {

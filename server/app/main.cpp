@@ -25,6 +25,8 @@ struct Options {
   bool no_stills = false;
   CheckOptions check;
   BodyOptions body;
+  ServeOptions serve;
+  SubmitOptions submit;
 };
 
 /// "1024x1280" into the stills' size; a message when it is none.
@@ -101,6 +103,45 @@ CLI::App* add_body(CLI::App& app, Options& options) {
   return verb;
 }
 
+CLI::App* add_serve(CLI::App& app, Options& options) {
+  ServeOptions& serve = options.serve;
+  CLI::App* verb = app.add_subcommand("serve", "Drape for programs and browsers of this machine, over HTTP");
+  verb->add_option("--port", serve.port, "Port; 0: any that is free")
+      ->check(CLI::Range(0, 65535))
+      ->capture_default_str();
+  verb->add_option("--data", serve.data, "Folder of projects, files and jobs; made when it is not there")
+      ->capture_default_str();
+  verb->add_option("--workers", serve.workers, "Drapes at once (default: one for each core)")
+      ->check(CLI::Range(1, kMostWorkers));
+  verb->add_option("--address", serve.address, "Address of the loopback to listen on")->capture_default_str();
+  verb->add_option("--web", serve.web, "Folder of the built page (default: web/dist)");
+  verb->add_option("--sample", serve.sample,
+                   "Folder of the project that a new store begins with (default: samples/skirt)");
+  verb->footer(std::string("Prints its address once it answers. SIGTERM and Ctrl-C end it in good order: running\n"
+                           "drapes go back to the queue, and the next start takes them up.\n\n"
+                           "Examples:\n"
+                           "  toile serve\n"
+                           "  toile serve --port 0 --data /tmp/toile --workers 1\n\n") +
+               kExitCodes);
+  return verb;
+}
+
+CLI::App* add_submit(CLI::App& app, Options& options) {
+  SubmitOptions& submit = options.submit;
+  CLI::App* verb = app.add_subcommand("submit", "Have a project draped by a server");
+  verb->add_option("project", submit.project, "Project document; the files that it names lie beside it")->required();
+  verb->add_option("--server", submit.server, "Address of the server")->capture_default_str();
+  CLI::Option* watch = verb->add_flag("--watch", submit.watch, "Follow the drape to its end; Ctrl-C cancels it");
+  verb->add_option("-o,--out", submit.out, "Folder for the results, as toile drape leaves them")->needs(watch);
+  verb->add_flag("--json", submit.json, "Print the report (without --watch the job) as JSON, errors as well");
+  verb->footer(std::string("Without --watch the job's id is printed and the server goes on by itself.\n\n"
+                           "Examples:\n"
+                           "  toile submit samples/skirt/project.json --watch --out out/skirt\n"
+                           "  toile submit project.json --server http://127.0.0.1:9000\n\n") +
+               kExitCodes);
+  return verb;
+}
+
 ExitCode run(int argc, char** argv) {
   CLI::App app("Toile drapes garments: from a flat sewing pattern to cloth on a body.", "toile");
   app.set_version_flag("--version", std::string("toile ") + TOILE_VERSION);
@@ -108,12 +149,15 @@ ExitCode run(int argc, char** argv) {
   app.footer(std::string("Examples:\n"
                          "  toile check samples/skirt/project.json\n"
                          "  toile drape samples/skirt/project.json --out out/skirt\n"
+                         "  toile serve --port 8460 --data data\n"
                          "  toile drape --help\n\n") +
              kExitCodes);
   Options options;
   const CLI::App* drape = add_drape(app, options);
   const CLI::App* check = add_check(app, options);
-  add_body(app, options);
+  const CLI::App* body = add_body(app, options);
+  const CLI::App* serve = add_serve(app, options);
+  add_submit(app, options);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
@@ -126,7 +170,9 @@ ExitCode run(int argc, char** argv) {
   options.drape.stills = !options.no_stills;
   if (drape->parsed()) return drape_command(options.drape);
   if (check->parsed()) return check_command(options.check);
-  return body_command(options.body);
+  if (body->parsed()) return body_command(options.body);
+  if (serve->parsed()) return serve_command(options.serve);
+  return submit_command(options.submit);
 }
 
 }  // namespace

@@ -12,40 +12,53 @@
 namespace toile {
 
 struct JobServiceSettings {
-  int workers = 2;             ///< threads that drape
-  int max_queued = 1000;       ///< beyond it submissions are refused (jobs.queue_full)
-  int stream_interval = 50;    ///< substeps between streamed frames
+  int workers = 2;        ///< threads that drape
+  int max_queued = 1000;  ///< beyond it submissions are refused (jobs.queue_full)
+  int max_parked =
+      16;  ///< drapes that lie paused in memory; beyond it a pause is refused (jobs.too_many_paused)
+  int stream_interval = 50;                     ///< substeps between streamed frames
+  int still_width = 1024, still_height = 1280;  ///< pixels
 };
 
+/// All calls are thread-safe. The rows that they give back are without the document.
 class JobService {
  public:
   virtual ~JobService() = default;
 
-  /// Takes up what was left queued or running, and starts the workers.
+  /// Takes up what was left queued, running or paused, and starts the workers. A job that a crash has cut off
+  /// for the third time is not tried again but failed (jobs.attempts). Twice is safe, and so is a start after
+  /// a stop. Errors: those of the store.
   virtual Status start() = 0;
-  /// Claims nothing more, lets running drapes go back to the queue, joins the threads. Twice is safe.
+  /// Claims nothing more, lets running and paused drapes go back to the queue, joins the threads. A drape of
+  /// which only pictures and results are missing is brought to its end. Twice is safe.
   virtual void stop() = 0;
 
-  /// Queues a drape of the project as it is now. Durable when it returns. Errors: store.not_found, jobs.queue_full,
-  /// and whatever reading the document gives (json.*, project.*, dxf.*, …), so that bad input is told at once.
+  /// Queues a drape of the project as it is now. Durable when it returns; while the service does not run, the
+  /// next start takes it up. Errors: store.not_found, jobs.queue_full, and whatever reading the document
+  /// gives (json.*, project.*, dxf.*, …), so that bad input is told at once.
   virtual Result<JobRow> submit(const OwnerId& owner, const std::string& project_id,
                                 const std::string& idempotency_key) = 0;
-  /// Errors: store.not_found; jobs.state when the job's state does not allow it.
+  /// The state has changed when these return, durably; a worker that drapes lets go within 50 ms. A paused
+  /// drape stays in memory, and resuming puts it at the head of the queue. Errors: store.not_found;
+  /// jobs.state when the job's state does not allow it; jobs.stopped while the service does not run;
+  /// jobs.too_many_paused.
   virtual Result<JobRow> pause(const OwnerId& owner, const std::string& id) = 0;
   virtual Result<JobRow> resume(const OwnerId& owner, const std::string& id) = 0;
   virtual Result<JobRow> cancel(const OwnerId& owner, const std::string& id) = 0;
 
-  /// What a job is doing now; from the store's row when it is not running.
+  /// What a job is doing now; from the store's row when it is not under way. Error: store.not_found.
   virtual Result<JobProgress> progress(const OwnerId& owner, const std::string& id) = 0;
 
   struct Counts {
     int queued = 0, running = 0, paused = 0;
-    long long succeeded = 0, failed = 0, cancelled = 0;  ///< since the start
-    long long steps = 0;                                 ///< substeps since the start
+    long long succeeded = 0, failed = 0, cancelled = 0;  ///< since the service was made
+    long long steps = 0;                                 ///< substeps since then
   };
   virtual Counts counts() const = 0;
 };
 
-std::unique_ptr<JobService> make_job_service(Store& store, Publisher& publisher, const JobServiceSettings& settings);
+/// `store` and `publisher` must outlive the service.
+std::unique_ptr<JobService> make_job_service(Store& store, Publisher& publisher,
+                                             const JobServiceSettings& settings);
 
 }  // namespace toile

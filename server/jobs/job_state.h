@@ -1,5 +1,6 @@
 #pragma once
-// How a job changes: a pure function of its state and what happened. Whoever calls it carries out the effects.
+// How a job changes: a pure function of its state and what happened. Whoever calls it carries out the
+// effects.
 //
 //                  ┌────────── requeue (drain, crash) ───────────┐
 //                  ▼                                             │
@@ -14,10 +15,10 @@
 //
 //   queued, running, paused ──── cancel ────▶ cancelled
 //
-// The worker that drapes learns of a pause or a cancel up to 50 ms after the state has changed. Until then it may
-// come with its end: finish and fail are therefore legal wherever a worker may still hold the job, that is also from
-// paused and from queued (paused, then resumed at once). After cancel the end comes too late and is refused.
-// Terminal states have no way out.
+// The worker that drapes learns of a pause or a cancel up to 50 ms after the state has changed. Until then it
+// may come with its end: finish and fail are therefore legal wherever a worker may still hold the job, that
+// is also from paused and from queued (paused, then resumed at once). After cancel the end comes too late and
+// is refused. Terminal states have no way out.
 
 #include <array>
 #include <optional>
@@ -42,19 +43,19 @@ enum class JobEvent {
   kFail,     ///< it cannot be draped, or something broke
   kRequeue,  ///< a drain takes it from its worker, or a start finds it unfinished
 };
-inline constexpr std::array kJobEvents{JobEvent::kClaim,  JobEvent::kProgress, JobEvent::kPause, JobEvent::kResume,
-                                       JobEvent::kCancel, JobEvent::kFinish,   JobEvent::kFail,  JobEvent::kRequeue};
+inline constexpr std::array kJobEvents{JobEvent::kClaim,  JobEvent::kProgress, JobEvent::kPause,
+                                       JobEvent::kResume, JobEvent::kCancel,   JobEvent::kFinish,
+                                       JobEvent::kFail,   JobEvent::kRequeue};
 
 /// Where in the queue a job comes to stand.
-enum class QueuePlace { kNone, kFront, kBack };
+enum class QueuePlace { kOut, kFront, kBack };
 
 /// What has to be done when a job changes.
 struct JobEffects {
-  bool persist = false;                   ///< write the row before anybody is told
-  QueuePlace queue = QueuePlace::kNone;   ///< kNone: it does not stand in the queue afterwards
-  bool interrupt = false;                 ///< tell the worker that may hold it to let go
-  bool forget_drape = false;              ///< the parked drape is not needed any more
-  bool ends = false;                      ///< viewers get the last word
+  bool persist = false;                 ///< write the row before anybody is told
+  QueuePlace queue = QueuePlace::kOut;  ///< kOut: it does not stand in the queue afterwards
+  bool interrupt = false;               ///< tell the worker that may hold it to let go
+  bool ends = false;                    ///< viewers get the last word
   friend bool operator==(const JobEffects&, const JobEffects&) = default;
 };
 

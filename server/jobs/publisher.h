@@ -40,6 +40,10 @@ struct JobProgress {
   double step_ms = 0;                   ///< wall time per step, mean of the last slice
 };
 
+/// Called by workers and by whoever asks for a change; implementations are thread-safe and must not call
+/// JobService::start, stop, submit, pause, resume or cancel from inside. Of one job: topology comes before
+/// its frames, frames come in order, ended is the last of a run. What topology and frame throw fails the job;
+/// progress and ended must not throw.
 class Publisher {
  public:
   virtual ~Publisher() = default;

@@ -13,11 +13,10 @@ namespace toile {
 /// Ids of waiting jobs, each at most once. Not thread-safe: whoever owns it locks.
 class JobQueue {
  public:
-  /// Puts `id` where `place` says, away from where it stood; kNone takes it out.
+  /// Puts `id` where `place` says, away from where it stood; kOut takes it out.
   void put(const std::string& id, QueuePlace place);
   /// The first of which `ready` holds, which stays in the queue.
   std::optional<std::string> first(const std::function<bool(const std::string&)>& ready) const;
-  void clear() { ids_.clear(); }
 
  private:
   std::deque<std::string> ids_;

@@ -10,7 +10,8 @@ constexpr auto kAskEvery = std::chrono::milliseconds(10);
 
 }  // namespace
 
-RenderWorker::RenderWorker(std::size_t max_waiting) : max_waiting_(max_waiting), thread_([this] { work(); }) {}
+RenderWorker::RenderWorker(std::size_t max_waiting)
+    : max_waiting_(max_waiting), thread_([this] { work(); }) {}
 
 RenderWorker::~RenderWorker() {
   {

@@ -1,6 +1,6 @@
 #pragma once
-// The one thread that draws. OpenGL's context lives on it, and several would gain nothing: Mesa already uses all
-// cores for a picture.
+// The one thread that draws. OpenGL's context lives on it, and several would gain nothing: Mesa already uses
+// all cores for a picture.
 
 #include <atomic>
 #include <condition_variable>
@@ -24,9 +24,10 @@ class RenderWorker {
   RenderWorker(const RenderWorker&) = delete;
   RenderWorker& operator=(const RenderWorker&) = delete;
 
-  /// Runs `drawing` on the drawing thread, waits for it and gives back what it gives; what it throws is thrown
-  /// here. `given_up` is asked every few milliseconds: once it says so, the drawing is not waited for any more and
-  /// may still run, so it must own all that it uses. Errors: render.busy, render.given_up, those of `drawing`.
+  /// Runs `drawing` on the drawing thread, waits for it and gives back what it gives; what it throws is
+  /// thrown here. `given_up` is asked every few milliseconds: once it says so, the drawing is not waited for
+  /// any more and may still run, so it must own all that it uses. Errors: render.busy, render.given_up, those
+  /// of `drawing`.
   Status draw(std::function<Status()> drawing, const std::function<bool()>& given_up);
 
  private:

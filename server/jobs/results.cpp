@@ -18,7 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kThumbnailWidth = 320, kThumbnailHeight = 400;  // pixels; the page's list shows them at half of it
+constexpr int kThumbnailWidth = 320,
+              kThumbnailHeight = 400;  // pixels; the page's list shows them at half of it
 
 std::vector<std::string> panel_names(const Pattern& pattern) {
   std::vector<std::string> names;
@@ -93,19 +94,17 @@ Status write_thumbnail(const DrapeInput& input, const DrapeResult& result, const
                     {.width = kThumbnailWidth, .height = kThumbnailHeight}, folder / "thumbnail.png");
 }
 
-Result<std::unique_ptr<TemporaryFolder>> TemporaryFolder::make() {
-  std::error_code failure;
-  const fs::path parent = fs::temp_directory_path(failure);
-  std::string path = (failure ? fs::path("/tmp") : parent) / "toile-job-XXXXXX";
+Result<std::unique_ptr<TemporaryFolder>> TemporaryFolder::make(const fs::path& parent) {
+  std::string path = parent / "results-XXXXXX";
   if (::mkdtemp(path.data()) == nullptr) {
-    return Error{"export.write",
-                 "cannot make a temporary folder: " + std::generic_category().message(errno), path};
+    return Error{"export.write", "cannot make a temporary folder: " + std::generic_category().message(errno),
+                 path};
   }
   return std::unique_ptr<TemporaryFolder>(new TemporaryFolder(path));
 }
 
 TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;  // what cannot be removed stays for the system's own sweep
+  std::error_code ignored;  // what cannot be removed stays until the store's next start
   fs::remove_all(path_, ignored);
 }
 

@@ -14,13 +14,13 @@
 
 namespace toile {
 
-/// Writes final.obj and final.glb into `folder`; with `check_data` final.obj is plain and rest.obj, body.obj and
-/// sewn.json lie beside it, for programs that judge the drape. Errors: export.*.
+/// Writes final.obj and final.glb into `folder`; with `check_data` final.obj is plain and rest.obj, body.obj
+/// and sewn.json lie beside it, for programs that judge the drape. Errors: export.*.
 Status write_models(const DrapeInput& input, const DrapeResult& result, const std::filesystem::path& folder,
                     bool check_data);
 
-/// Writes front.png, back.png, side.png and three-quarter.png into `folder`, drawn on the calling thread. Errors:
-/// render.*, export.write.
+/// Writes front.png, back.png, side.png and three-quarter.png into `folder`, drawn on the calling thread.
+/// Errors: render.*, export.write.
 Status write_stills(const DrapeInput& input, const DrapeResult& result, const std::filesystem::path& folder,
                     int width, int height);
 
@@ -31,8 +31,8 @@ Status write_thumbnail(const DrapeInput& input, const DrapeResult& result,
 /// A folder of its own for as long as it is held.
 class TemporaryFolder {
  public:
-  /// Error: export.write with the system's reason.
-  static Result<std::unique_ptr<TemporaryFolder>> make();
+  /// Makes it in `parent`. Error: export.write with the system's reason.
+  static Result<std::unique_ptr<TemporaryFolder>> make(const std::filesystem::path& parent);
   /// Removes the folder with all that is in it.
   ~TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;
@@ -44,8 +44,8 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-/// Puts every file of `folder` into the store as a result of the job, in the order of their names. Gives back name →
-/// bytes, as JobRow::results has them. Errors: export.read, those of the store.
+/// Puts every file of `folder` into the store as a result of the job, in the order of their names. Gives back
+/// name → bytes, as JobRow::results has them. Errors: export.read, those of the store.
 Result<std::map<std::string, std::int64_t>> keep_results(Store& store, const OwnerId& owner,
                                                          const std::string& job_id,
                                                          const std::filesystem::path& folder);

@@ -9,6 +9,11 @@
 // Mesa forgets about 150 bytes for every context; leaks of our own are still reported.
 extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa"; }
 #endif
+#ifdef __SANITIZE_THREAD__
+// Mesa's own threads synchronise in ways that ThreadSanitizer cannot see in a library that it has not
+// instrumented.
+extern "C" const char* __tsan_default_suppressions() { return "called_from_lib:libOSMesa"; }
+#endif
 
 namespace toile {
 namespace {

@@ -6,14 +6,11 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "core/base/result.h"
 
 namespace toile {
-
-/// A name that stands for one file within one folder: 1 to 255 bytes of UTF-8, no slash or backslash, no
-/// leading dot, no control character. Error: store.bad_name.
-Status check_name(std::string_view name);
 
 class Blobs {
  public:

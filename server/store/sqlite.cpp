@@ -11,18 +11,18 @@ namespace {
 /// How long a statement waits for another process (a backup, say) that holds the file.
 constexpr int kBusyTimeoutMs = 5000;
 
-bool out_of_room(sqlite3* database, int code) {
-  if (code == SQLITE_FULL) return true;
-  if (code != SQLITE_IOERR) return false;
-  const int reason = sqlite3_system_errno(database);
-  return reason == ENOSPC || reason == EDQUOT || reason == EFBIG;
+/// SQLite has a code of its own for ENOSPC when it writes, and calls a quota, a limit on files, or no room
+/// for the log's index a failure of the disk; sqlite3_system_errno is not set by a step.
+bool out_of_room(int code, int reason) {
+  return code == SQLITE_FULL ||
+         (code == SQLITE_IOERR && (reason == ENOSPC || reason == EDQUOT || reason == EFBIG));
 }
 
-/// What the connection's last call says went wrong.
-Error error_of(sqlite3* database) {
+/// What the connection's last call says went wrong; `system_reason` is errno after it, where it was 0 before.
+Error error_of(sqlite3* database, int system_reason = 0) {
   const int code = sqlite3_errcode(database) & 0xff;
   const std::string reason = sqlite3_errmsg(database);
-  if (out_of_room(database, code)) {
+  if (out_of_room(code, system_reason)) {
     return {"store.full", "the disk has no room for this; free some and try again", ""};
   }
   if (code == SQLITE_BUSY || code == SQLITE_LOCKED) {
@@ -61,10 +61,12 @@ void SqlStatement::Finalize::operator()(sqlite3_stmt* statement) const { sqlite3
 void SqlDatabase::Close::operator()(sqlite3* database) const { sqlite3_close_v2(database); }
 
 Result<bool> SqlStatement::step() {
+  errno = 0;
   const int code = sqlite3_step(statement_.get());
+  const int reason = errno;
   if (code == SQLITE_ROW) return true;
   if (code == SQLITE_DONE) return false;
-  return error_of(sqlite3_db_handle(statement_.get()));
+  return error_of(sqlite3_db_handle(statement_.get()), reason);
 }
 
 std::int64_t SqlStatement::integer(int column) const {
@@ -120,8 +122,11 @@ Result<int> SqlDatabase::run(std::string_view sql, std::initializer_list<SqlValu
 }
 
 Status SqlDatabase::run_script(const char* sql) {
-  if (sqlite3_exec(database_.get(), sql, nullptr, nullptr, nullptr) == SQLITE_OK) return {};
-  return error_of(database_.get());
+  errno = 0;
+  const int code = sqlite3_exec(database_.get(), sql, nullptr, nullptr, nullptr);
+  const int reason = errno;
+  if (code == SQLITE_OK) return {};
+  return error_of(database_.get(), reason);
 }
 
 Result<SqlTransaction> SqlTransaction::begin(SqlDatabase& database) {

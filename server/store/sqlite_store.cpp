@@ -1,11 +1,6 @@
 // The store on one machine: a SQLite database and folders of files.
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
 #include <filesystem>
 #include <mutex>
@@ -15,8 +10,11 @@
 #include "core/base/hash.h"
 #include "proto/cpp/names.h"
 #include "server/store/blobs.h"
+#include "server/store/file_name.h"
+#include "server/store/folder_lock.h"
 #include "server/store/ids.h"
 #include "server/store/migrations.h"
+#include "server/store/read_rows.h"
 #include "server/store/rows.h"
 #include "server/store/sqlite.h"
 #include "server/store/store.h"
@@ -32,35 +30,6 @@ constexpr std::size_t kLongestKey = 200;  // bytes of an idempotency key
 std::int64_t now_ms() {
   using namespace std::chrono;
   return duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count();
-}
-
-Error not_found(const char* thing, const std::string& id) {
-  return {"store.not_found", std::string("there is no ") + thing + " " + in_quotes(id), ""};
-}
-
-/// All rows of a statement, each read by `read`.
-template <typename Row>
-Result<std::vector<Row>> rows_of(Result<SqlStatement> statement, Result<Row> (*read)(const SqlStatement&)) {
-  if (!statement) return statement.error();
-  std::vector<Row> rows;
-  for (;;) {
-    const Result<bool> more = statement->step();
-    if (!more) return more.error();
-    if (!*more) return rows;
-    Result<Row> row = read(*statement);
-    if (!row) return row.error();
-    rows.push_back(std::move(*row));
-  }
-}
-
-/// The one row of a statement, or store.not_found.
-template <typename Row>
-Result<Row> row_of(Result<SqlStatement> statement, Result<Row> (*read)(const SqlStatement&),
-                   const char* thing, const std::string& id) {
-  Result<std::vector<Row>> rows = rows_of(std::move(statement), read);
-  if (!rows) return rows.error();
-  if (rows->empty()) return not_found(thing, id);
-  return std::move(rows->front());
 }
 
 Result<std::string> text_from(const SqlStatement& row) { return row.text(0); }
@@ -95,28 +64,6 @@ struct BlobPlace {
 };
 
 Result<BlobPlace> blob_place_from(const SqlStatement& row) { return BlobPlace{row.text(0), row.integer(1)}; }
-
-/// Holds a folder against other processes for as long as it lives; the system lets go when the process dies.
-class FolderLock {
- public:
-  static Result<FolderLock> take(const fs::path& folder) {
-    FolderLock lock;
-    lock.fd_ = ::open((folder / "toile.lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
-    if (lock.fd_ < 0) return Error{"store.open", std::generic_category().message(errno), folder.string()};
-    if (::flock(lock.fd_, LOCK_EX | LOCK_NB) == 0) return lock;
-    return Error{"store.in_use", "another toile has this folder open; stop it, or give this one its own",
-                 folder.string()};
-  }
-  FolderLock(FolderLock&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
-  FolderLock& operator=(FolderLock&&) = delete;
-  ~FolderLock() {
-    if (fd_ >= 0) ::close(fd_);
-  }
-
- private:
-  FolderLock() = default;
-  int fd_ = -1;
-};
 
 class SqliteStore final : public Store {
  public:

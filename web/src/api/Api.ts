@@ -9,7 +9,7 @@ export type JobAction = 'pause' | 'resume' | 'cancel';
 export interface Api {
   projects(): Promise<Project[]>;
   project(id: string): Promise<Project>;
-  createProject(name: string, document: unknown, files: Record<string, string>): Promise<Project>;
+  createProject(document: unknown, files: Record<string, string>): Promise<Project>;
   removeProject(id: string): Promise<void>;
   pieces(projectId: string): Promise<Pieces>;
   uploadAsset(kind: Asset['kind'], name: string, bytes: Blob): Promise<Asset>;
@@ -32,7 +32,7 @@ export function makeApi(http = new Http('/api/v1')): Api {
   return {
     projects: async () => (await http.get<{ projects: Project[] }>('/projects?limit=100')).projects,
     project: (id) => http.get(`/projects/${part(id)}`),
-    createProject: (name, document, files) => http.post('/projects', { name, document, files }),
+    createProject: (document, files) => http.post('/projects', { document, files }),
     removeProject: async (id) => void (await http.send(`/projects/${part(id)}`, { method: 'DELETE' })),
     pieces: (id) => http.get(`/projects/${part(id)}/pieces`),
     uploadAsset: async (kind, name, bytes) => {

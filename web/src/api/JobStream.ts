@@ -111,7 +111,8 @@ export class JobStream {
     if (typeof data === 'string') {
       const message = parse(data);
       if (!message) return;
-      if (message.type === 'ended') this.ended_ = true;
+      // A drape that goes back to the queue also ends its stream; it is worth coming back for.
+      if (message.type === 'ended') this.ended_ = message.state !== 'queued';
       this.handlers_.text(message);
     } else if (data instanceof ArrayBuffer) {
       this.handlers_.binary(new Uint8Array(data));
@@ -150,9 +151,9 @@ export class JobStream {
   }
 }
 
-function parse(data: string): { type: string } | null {
+function parse(data: string): { type: string; state?: string } | null {
   try {
-    const message = JSON.parse(data) as { type?: unknown };
+    const message = JSON.parse(data) as { type?: unknown } | null;
     return typeof message?.type === 'string' ? (message as { type: string }) : null;
   } catch {
     return null;

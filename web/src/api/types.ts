@@ -122,7 +122,7 @@ export interface Pieces {
 
 /** Text messages of a job's stream. */
 export type StreamText =
-  | ({ type: 'job' } & Partial<Job>)
-  | ({ type: 'progress' } & Partial<Progress>)
-  | ({ type: 'ended' } & Partial<Progress>)
-  | { type: 'error'; code?: string; detail?: string };
+  | ({ type: 'job' } & Job)
+  | ({ type: 'progress' } & Progress)
+  | ({ type: 'ended'; job: Job } & Progress)
+  | { type: 'error'; code: string; detail: string; where: string };

@@ -1,0 +1,27 @@
+#pragma once
+// Where a server finds what it works with.
+
+#include <filesystem>
+#include <string>
+
+namespace toile {
+
+struct ServeOptions {
+  std::string address = "127.0.0.1";
+  int port = 8460;            ///< 0: any that is free
+  std::string data = "data";  ///< folder of the store; made when it is not there
+  int workers = 0;            ///< drapes at once; 0: one for each core, at most kMostWorkers
+  std::string web;            ///< folder of the built page; empty: the one that came with the program
+  std::string sample;         ///< folder of the first project; empty: the one that came with the program
+};
+
+inline constexpr int kMostWorkers = 64;
+
+/// `options` with the defaults of this machine in place of what was left open.
+ServeOptions completed(ServeOptions options);
+
+/// A folder that comes with the program ("samples/skirt"): in the working folder, in the source tree above the
+/// program's own folder, or in ../share/toile beside it. Empty when it is nowhere.
+std::filesystem::path shipped_folder(const std::string& relative);
+
+}  // namespace toile

@@ -1,0 +1,99 @@
+#include "server/app/remote.h"
+
+#include <array>
+#include <cstdio>
+
+namespace toile {
+namespace {
+
+constexpr JsonLimits kReplyLimits{.bytes = std::size_t{64} << 20, .depth = 64};
+
+std::string percent_encoded(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    const bool plain = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' ||
+                       c == '.' || c == '_' || c == '~';
+    std::array<char, 8> escape{c, '\0'};
+    if (!plain) std::snprintf(escape.data(), escape.size(), "%%%02X", static_cast<unsigned char>(c));
+    out += escape.data();
+  }
+  return out;
+}
+
+/// What the server says went wrong.
+Error error_of(const HttpReply& reply) {
+  const Result<JsonValue> tree = parse_json(reply.body, kReplyLimits);
+  const std::string code = tree ? text_member(*tree, "code") : "";
+  if (!code.empty()) return {code, text_member(*tree, "detail"), text_member(*tree, "where")};
+  return {"client.malformed", "the server answers with status " + std::to_string(reply.status) + " and no reason", ""};
+}
+
+HttpClient::Request post(const std::string& target, const std::string& body, const std::string& type) {
+  return {.method = "POST", .target = target, .body = body, .content_type = type, .headers = {}};
+}
+
+HttpClient::Request get(const std::string& target) {
+  return {.method = "GET", .target = target, .body = {}, .content_type = {}, .headers = {}};
+}
+
+}  // namespace
+
+std::string text_member(const JsonValue& object, std::string_view key) {
+  const JsonValue* member = object.find(key);
+  return member && member->text() ? *member->text() : std::string();
+}
+
+Result<std::string> Remote::text(const HttpClient::Request& request) {
+  Result<HttpReply> reply = client_.ask(request);
+  if (!reply) return reply.error();
+  if (reply->status < 200 || reply->status > 299) return error_of(*reply);
+  return std::move(reply->body);
+}
+
+Result<JsonValue> Remote::json(const HttpClient::Request& request) {
+  const Result<std::string> body = text(request);
+  if (!body) return body.error();
+  Result<JsonValue> tree = parse_json(*body, kReplyLimits);
+  if (tree) return tree;
+  return Error{"client.malformed", "the server's answer is no JSON: " + tree.error().message, request.target};
+}
+
+Result<std::string> Remote::id_of(const HttpClient::Request& request) {
+  const Result<JsonValue> made = json(request);
+  if (!made) return made.error();
+  std::string id = text_member(*made, "id");
+  if (!id.empty()) return id;
+  return Error{"client.malformed", "the server's answer has no id", request.target};
+}
+
+Result<std::string> Remote::upload(const std::string& kind, const std::string& name, std::string bytes) {
+  return id_of(post("/api/v1/assets?kind=" + kind + "&name=" + percent_encoded(name), bytes,
+                    "application/octet-stream"));
+}
+
+Result<std::string> Remote::create_project(const std::string& document,
+                                           const std::vector<std::pair<std::string, std::string>>& files) {
+  std::vector<JsonMember> names;
+  for (const auto& [name, id] : files) names.push_back({name, id});
+  const std::string body = "{\"document\": " + document + ", \"files\": " + write_json_line(names) + "}";
+  return id_of(post("/api/v1/projects", body, "application/json"));
+}
+
+Result<JsonValue> Remote::submit(const std::string& project_id) {
+  HttpClient::Request request = post("/api/v1/jobs", write_json_line(std::vector<JsonMember>{{"project_id", project_id}}),
+                                     "application/json");
+  request.headers.emplace_back("Idempotency-Key", project_id);  // the project was made for this one drape
+  return json(request);
+}
+
+Result<JsonValue> Remote::job(const std::string& id) { return json(get("/api/v1/jobs/" + id)); }
+
+Result<JsonValue> Remote::cancel(const std::string& id) {
+  return json(post("/api/v1/jobs/" + id + "/cancel", "", ""));
+}
+
+Result<std::string> Remote::result(const std::string& job_id, const std::string& name) {
+  return text(get("/api/v1/jobs/" + job_id + "/results/" + percent_encoded(name)));
+}
+
+}  // namespace toile

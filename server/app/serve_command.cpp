@@ -1,0 +1,47 @@
+#include <pthread.h>
+
+#include <csignal>
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "server/app/commands.h"
+#include "server/app/console.h"
+#include "server/app/wiring.h"
+
+namespace toile {
+namespace {
+
+/// SIGINT and SIGTERM, held back from every thread that is made from now on.
+sigset_t hold_ending_signals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGINT);
+  sigaddset(&signals, SIGTERM);
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  std::signal(SIGPIPE, SIG_IGN);
+  return signals;
+}
+
+}  // namespace
+
+ExitCode serve_command(const ServeOptions& given) {
+  const ServeOptions options = completed(given);
+  const sigset_t signals = hold_ending_signals();
+  Result<std::unique_ptr<Service>> service = Service::start(options);
+  if (!service) return fail(service.error(), false);
+  const bool six = options.address.find(':') != std::string::npos;
+  const std::string host = six ? "[" + options.address + "]" : options.address;
+  std::printf("Toile serves on http://%s:%d/  (data in %s, drapes at once: %d; Ctrl-C ends it)\n", host.c_str(),
+              (*service)->port(), options.data.c_str(), options.workers);
+  if (options.web.empty()) std::printf("The page has not been built; the service answers under /api/v1.\n");
+  std::fflush(stdout);
+  int signal = 0;
+  sigwait(&signals, &signal);
+  std::fprintf(stderr, "toile: stopping; running drapes go back to the queue\n");
+  pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);  // a second signal ends at once
+  (*service)->stop();
+  return kDone;
+}
+
+}  // namespace toile

@@ -1,0 +1,180 @@
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include "core/base/write_file.h"
+#include "proto/cpp/names.h"
+#include "proto/cpp/project.h"
+#include "proto/cpp/project_resolve.h"
+#include "server/app/commands.h"
+#include "server/app/console.h"
+#include "server/app/interrupt.h"
+#include "server/app/progress_bar.h"
+#include "server/app/remote.h"
+#include "server/documents/assets.h"
+#include "server/documents/used_files.h"
+
+namespace toile {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr auto kPoll = std::chrono::milliseconds(200);
+constexpr auto kPatience = std::chrono::seconds(30);  // with a server that does not answer while a drape runs
+
+/// A file beside the document, as it goes to the server.
+Result<std::string> read_file(const fs::path& path, const std::string& where) {
+  std::error_code failure;
+  const auto size = fs::is_regular_file(path, failure) ? fs::file_size(path, failure) : 0;
+  if (!failure && size > kMostBodyBytes) {
+    return Error{"project.too_large", "the file has more than the 100 MiB that are allowed", where};
+  }
+  std::ifstream in(path, std::ios::binary);
+  if (failure || !fs::is_regular_file(path, failure) || !in) {
+    return Error{"project.file", "cannot read " + in_quotes(path.filename().string()), where};
+  }
+  return std::string{std::istreambuf_iterator<char>(in), {}};
+}
+
+/// Sends the document and what it names; the new project's id.
+Result<std::string> send_project(Remote& remote, const std::string& path) {
+  const Result<std::string> document = read_project_text(path);
+  if (!document) return document.error();
+  const Result<Project> project = parse_project(*document);
+  if (!project) return project.error();
+  std::vector<std::pair<std::string, std::string>> files;
+  std::map<std::string, std::string> sent;
+  for (const UsedFile& used : used_files(*project)) {
+    if (sent.contains(used.name)) continue;
+    if (Status name = check_file_name(used.name); !name) return Error{name.error().code, name.error().message, used.where};
+    Result<std::string> bytes = read_file(fs::path(path).parent_path() / used.name, used.where);
+    if (!bytes) return bytes.error();
+    const Result<std::string> id =
+        remote.upload(used.kind, fs::path(used.name).filename().string(), std::move(*bytes));
+    if (!id) return id.error();
+    sent[used.name] = *id;
+    files.emplace_back(used.name, *id);
+  }
+  return remote.create_project(*document, files);
+}
+
+bool has_ended(const JsonValue& job) {
+  const std::string state = text_member(job, "state");
+  return state == "succeeded" || state == "failed" || state == "cancelled";
+}
+
+void show(ProgressBar& bar, const JsonValue& job) {
+  const JsonValue* progress = job.find("progress");
+  if (!progress || !progress->object()) return;
+  const std::string phase = text_member(*progress, "phase");
+  const JsonValue* fraction = progress->find("fraction");
+  bar.show({phase, fraction && fraction->number() ? *fraction->number() : 0});
+}
+
+/// Follows a job to its end. Ctrl-C cancels it. A server that is away for a moment is waited for.
+Result<JsonValue> follow(Remote& remote, const std::string& id) {
+  const std::atomic<bool>& interrupted = cancel_on_interrupt();
+  ProgressBar bar;
+  bool cancelled = false;
+  Clock::time_point heard = Clock::now();
+  for (;;) {
+    if (interrupted && !cancelled) cancelled = remote.cancel(id).ok();
+    Result<JsonValue> job = remote.job(id);
+    if (job) {
+      heard = Clock::now();
+      if (has_ended(*job)) return job;
+      show(bar, *job);
+    } else if (job.error().code != "client.unreachable" || Clock::now() - heard > kPatience) {
+      return job;
+    }
+    std::this_thread::sleep_for(kPoll);
+  }
+}
+
+/// Every result of the job into `folder`.
+Status bring_home(Remote& remote, const JsonValue& job, const fs::path& folder) {
+  std::error_code failure;
+  fs::create_directories(folder, failure);
+  if (failure || !fs::is_directory(folder)) {
+    return Error{"usage.out", "cannot make the folder for the results", folder.string()};
+  }
+  const JsonValue* results = job.find("results");
+  if (!results || !results->object()) return {};
+  for (const JsonMember& file : *results->object()) {
+    if (file.key.find('/') != std::string::npos || !check_file_name(file.key).ok()) {
+      return Error{"client.malformed", "the server names a result " + in_quotes(file.key), ""};
+    }
+    const Result<std::string> bytes = remote.result(text_member(job, "id"), file.key);
+    if (!bytes) return bytes.error();
+    if (Status written = write_file(folder / file.key, *bytes); !written) return written;
+  }
+  return {};
+}
+
+ExitCode exit_code_of(const JsonValue& job) {
+  if (text_member(job, "state") == "cancelled") return kCancelled;
+  const JsonValue* report = job.find("report");
+  const JsonValue* settled = report ? report->find("settled") : nullptr;
+  return settled && settled->boolean() && *settled->boolean() ? kDone : kUnsettled;
+}
+
+ExitCode fail_remote(const Error& error, bool json) {
+  print_error(error, json);
+  const bool ours = error.code.starts_with("client.") || error.code.starts_with("store.") ||
+                    error.code.starts_with("jobs.") || error.code.starts_with("server.");
+  return ours ? kInternal : exit_code_of(error);
+}
+
+void print_end(const JsonValue& job, const SubmitOptions& options) {
+  const JsonValue* report = job.find("report");
+  if (options.json) {
+    std::printf("%s", report && report->object() ? write_json(*report).c_str() : write_json(job).c_str());
+    return;
+  }
+  std::printf("%s: %s, %s (%s)\n", clipped(text_member(job, "name")).c_str(), text_member(job, "state").c_str(),
+              clipped(text_member(job, "reason"), 300).c_str(), text_member(job, "reason_code").c_str());
+  if (!options.out.empty()) std::printf("  results    %s\n", options.out.c_str());
+}
+
+ExitCode watch(Remote& remote, const std::string& id, const SubmitOptions& options) {
+  const Result<JsonValue> job = follow(remote, id);
+  if (!job) return fail_remote(job.error(), options.json);
+  if (text_member(*job, "state") == "failed") {
+    const Error reason{text_member(*job, "reason_code"), text_member(*job, "reason"), text_member(*job, "reason_where")};
+    return fail(reason, options.json);
+  }
+  if (!options.out.empty()) {
+    if (Status home = bring_home(remote, *job, options.out); !home) return fail_remote(home.error(), options.json);
+  }
+  print_end(*job, options);
+  return exit_code_of(*job);
+}
+
+}  // namespace
+
+ExitCode submit_command(const SubmitOptions& options) {
+  Result<HttpClient> client = HttpClient::make(options.server);
+  if (!client) return fail(client.error(), options.json);
+  Remote remote(std::move(*client));
+  const Result<std::string> project = send_project(remote, options.project);
+  if (!project) return fail_remote(project.error(), options.json);
+  const Result<JsonValue> job = remote.submit(*project);
+  if (!job) return fail_remote(job.error(), options.json);
+  const std::string id = text_member(*job, "id");
+  if (options.watch) return watch(remote, id, options);
+  if (options.json) {
+    std::printf("%s", write_json(*job).c_str());
+  } else {
+    std::printf("%s\n", id.c_str());
+  }
+  return kDone;
+}
+
+}  // namespace toile

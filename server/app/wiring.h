@@ -1,0 +1,35 @@
+#pragma once
+// The service put together: store, hub, jobs and HTTP server, started and stopped in the right order.
+
+#include <memory>
+
+#include "core/base/result.h"
+#include "server/app/config.h"
+#include "server/http/server.h"
+#include "server/jobs/job_service.h"
+#include "server/store/store.h"
+#include "server/ws/hub.h"
+
+namespace toile {
+
+class Service {
+ public:
+  /// Opens the store, takes up what was left, serves; a new store gets the sample project and its drape. Errors:
+  /// store.*, server.address, server.port.
+  static Result<std::unique_ptr<Service>> start(const ServeOptions& options);
+  ~Service();  ///< stops
+
+  int port() const { return server_->port(); }
+  /// Takes no new work, lets running drapes go back to the queue, says good-bye to viewers. Twice is safe.
+  void stop();
+
+ private:
+  Service() = default;
+
+  std::unique_ptr<Store> store_;
+  std::unique_ptr<Hub> hub_;
+  std::unique_ptr<JobService> jobs_;
+  std::unique_ptr<HttpServer> server_;
+};
+
+}  // namespace toile

@@ -1,0 +1,104 @@
+#include "server/documents/assets.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "core/pattern/dxf_read.h"
+#include "proto/cpp/json_codec.h"
+#include "proto/cpp/names.h"
+#include "server/documents/bodies.h"
+#include "server/store/file_name.h"
+
+namespace toile {
+namespace {
+
+constexpr std::size_t kMostNotes = 100;
+constexpr std::size_t kLongestText = 200;  // bytes of a name or note in a summary
+
+JsonValue count_of(std::size_t count) { return JsonValue(static_cast<double>(count)); }
+
+/// To three decimals: thousandths of a millimetre, or millimetres, are enough for a summary.
+JsonValue rounded(double value) { return JsonValue(std::round(value * 1000) / 1000); }
+
+JsonValue text_of(const std::string& text) { return JsonValue(clipped(text, kLongestText)); }
+
+JsonValue summary_of(const DxfPiece& piece) {
+  Vec2 low = piece.outline.front(), high = low;
+  for (const Vec2& p : piece.outline) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  return JsonValue(std::vector<JsonMember>{
+      {"name", JsonValue(piece.name)},  // whole: a document refers to it
+      {"width_mm", rounded(high.x - low.x)},
+      {"height_mm", rounded(high.y - low.y)},
+      {"points", count_of(piece.outline.size())},
+      {"holes", count_of(piece.holes.size())},
+      {"layer", text_of(piece.layer)},
+  });
+}
+
+Result<std::string> dxf_info(const std::string& name, std::string_view bytes) {
+  const Result<DxfDrawing> drawing = read_dxf(bytes);
+  if (!drawing) {
+    Error error = drawing.error();
+    error.where = error.where.empty() ? name : name + ": " + error.where;
+    return error;
+  }
+  std::vector<JsonValue> pieces, notes;
+  for (const DxfPiece& piece : drawing->pieces) pieces.push_back(summary_of(piece));
+  for (const std::string& note : drawing->notes) {
+    if (notes.size() < kMostNotes) notes.push_back(text_of(note));
+  }
+  return write_json_line(JsonValue(std::vector<JsonMember>{
+      {"mm_per_unit", JsonValue(drawing->mm_per_unit)},
+      {"pieces", JsonValue(std::move(pieces))},
+      {"notes", JsonValue(std::move(notes))},
+      {"note_count", count_of(drawing->notes.size())},
+  }));
+}
+
+Result<std::string> body_info(const Store& store, const std::string& name, std::string_view bytes) {
+  const Result<TriangleMesh> mesh = mesh_of_bytes(store, name, bytes);
+  if (!mesh) return mesh.error();
+  Vec3 low = mesh->vertices.front(), high = low;
+  for (const Vec3& p : mesh->vertices) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  return write_json_line(JsonValue(std::vector<JsonMember>{
+      {"vertices", count_of(mesh->vertices.size())},
+      {"triangles", count_of(mesh->triangles.size())},
+      {"width_m", rounded(high.x - low.x)},
+      {"height_m", rounded(high.y - low.y)},
+      {"depth_m", rounded(high.z - low.z)},
+  }));
+}
+
+}  // namespace
+
+Result<AssetRow> add_asset(Store& store, const OwnerId& owner, const std::string& kind,
+                           const std::string& name, std::string_view bytes) {
+  const bool dxf = kind == "dxf";
+  if (!dxf && kind != "body") {
+    return Error{"documents.kind", "a file is \"dxf\" or \"body\", not " + in_quotes(kind), ""};
+  }
+  if (Status good = check_name(name); !good) return good.error();
+  const std::size_t most = dxf ? kMostDxfBytes : kMostBodyBytes;
+  if (bytes.size() > most) {
+    return Error{"documents.too_large",
+                 "the file has more than the " + std::to_string(most >> 20) + " MiB that are allowed", name};
+  }
+  Result<std::string> info = dxf ? dxf_info(name, bytes) : body_info(store, name, bytes);
+  if (!info) return info.error();
+  AssetRow row;
+  row.kind = kind;
+  row.name = name;
+  row.info = std::move(*info);
+  return store.put_asset(owner, std::move(row), bytes);
+}
+
+}  // namespace toile

@@ -1,0 +1,26 @@
+#pragma once
+// Uploaded files: read before they are kept, so that a broken one is told at once and a good one has its
+// summary.
+
+#include <string>
+#include <string_view>
+
+#include "core/base/result.h"
+#include "server/store/store.h"
+
+namespace toile {
+
+inline constexpr std::size_t kMostDxfBytes = std::size_t{50} << 20;
+inline constexpr std::size_t kMostBodyBytes = std::size_t{100} << 20;
+
+/// Reads the file and keeps it. `kind` is "dxf" or "body"; `name` has no folders, and that of a body ends as
+/// its format does. What reading told stands in `info`, a JSON object:
+///   dxf:  {"mm_per_unit", "pieces": [{"name", "width_mm", "height_mm", "points", "holes", "layer"}],
+///   "notes": [text],
+///          "note_count"}; of the notes the first hundred
+///   body: {"vertices", "triangles", "width_m", "height_m", "depth_m"}, the unit guessed from the size, y up
+/// Errors: documents.kind, documents.too_large; dxf.*, mesh.* with the file's name first in `where`; store.*.
+Result<AssetRow> add_asset(Store& store, const OwnerId& owner, const std::string& kind,
+                           const std::string& name, std::string_view bytes);
+
+}  // namespace toile

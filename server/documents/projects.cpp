@@ -1,0 +1,138 @@
+#include "server/documents/projects.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "proto/cpp/json_codec.h"
+#include "proto/cpp/names.h"
+#include "proto/cpp/project.h"
+#include "server/documents/bodies.h"
+#include "server/documents/used_files.h"
+
+namespace toile {
+namespace {
+
+constexpr std::size_t kMostFiles = 1000;
+
+/// Every asset that the map names is this owner's.
+Status check_assets(Store& store, const OwnerId& owner, const ProjectFileMap& files) {
+  if (files.size() > kMostFiles) {
+    return Error{"documents.too_many_files", "a project has at most 1000 files", "/files"};
+  }
+  for (const auto& [name, id] : files) {
+    const Result<AssetRow> asset = store.asset(owner, id);
+    if (asset) continue;
+    if (asset.error().code != "store.not_found") return asset.error();
+    return Error{"documents.unknown_asset", "there is no uploaded file " + in_quotes(id),
+                 pointer_to("/files", name)};
+  }
+  return {};
+}
+
+/// The first place whose file is not in the map, with the names of all such files in the message.
+Status check_missing(const std::vector<UsedFile>& used, const ProjectFileMap& files) {
+  std::vector<std::string> missing;
+  std::string where;
+  for (const UsedFile& file : used) {
+    if (files.contains(file.name)) continue;
+    if (missing.empty()) where = file.where;
+    if (std::find(missing.begin(), missing.end(), file.name) == missing.end()) missing.push_back(file.name);
+  }
+  if (missing.empty()) return {};
+  constexpr std::size_t kMostNamed = 5;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(missing.size(), kMostNamed); ++i) {
+    names += (i > 0 ? ", " : "") + in_quotes(missing[i]);
+  }
+  if (missing.size() > kMostNamed) names += " and " + std::to_string(missing.size() - kMostNamed) + " more";
+  return Error{"documents.missing_file", "the document names files that are not among its uploads: " + names,
+               where};
+}
+
+Error wrong_kind(const AssetRow& asset, const std::string& wanted, const std::string& where) {
+  return {"documents.wrong_kind",
+          in_quotes(asset.name) + " was uploaded as " + in_quotes(asset.kind) + ", and " + in_quotes(wanted) +
+              " is wanted here",
+          where};
+}
+
+Status check_kinds(Store& store, const OwnerId& owner, const std::vector<UsedFile>& used,
+                   const ProjectFileMap& files) {
+  for (const UsedFile& file : used) {
+    const Result<AssetRow> asset = store.asset(owner, files.at(file.name));
+    if (!asset) return asset.error();
+    if (asset->kind != file.kind) return wrong_kind(*asset, file.kind, file.where);
+  }
+  return {};
+}
+
+/// A row of the document with its name, once a drape could be made of it.
+Result<ProjectRow> checked(Store& store, const OwnerId& owner, const std::string& document,
+                           const ProjectFileMap& files) {
+  const Result<Project> project = parse_project(document);
+  if (!project) return project.error();
+  const std::vector<UsedFile> used = used_files(*project);
+  if (Status missing = check_missing(used, files); !missing) return missing.error();
+  if (Status assets = check_assets(store, owner, files); !assets) return assets.error();
+  if (Status kinds = check_kinds(store, owner, used, files); !kinds) return kinds.error();
+  const Result<DrapeInput> input = resolve_project(*project, files_in_store(store, owner, files));
+  if (!input) return input.error();
+  ProjectRow row;
+  row.name = project->name;
+  row.document = document;
+  row.files = files;
+  return row;
+}
+
+/// The asset behind a name.
+Result<std::string> asset_id_of(const ProjectFileMap& files, const std::string& name) {
+  const auto found = files.find(name);
+  if (found != files.end()) return found->second;
+  return Error{"documents.missing_file", "the file " + in_quotes(name) + " is not among the uploads", ""};
+}
+
+}  // namespace
+
+Result<ProjectRow> create_project(Store& store, const OwnerId& owner, const std::string& document,
+                                  const ProjectFileMap& files) {
+  Result<ProjectRow> row = checked(store, owner, document, files);
+  if (!row) return row;
+  return store.create_project(owner, std::move(*row));
+}
+
+Result<ProjectRow> replace_project(Store& store, const OwnerId& owner, const std::string& id,
+                                   const std::string& document, const ProjectFileMap& files, int expected) {
+  const Result<ProjectRow> there = store.project(owner, id);  // before any work is done for it
+  if (!there) return there;
+  Result<ProjectRow> row = checked(store, owner, document, files);
+  if (!row) return row;
+  row->id = id;
+  return store.replace_project(owner, *row, expected);
+}
+
+ProjectFiles files_in_store(Store& store, const OwnerId& owner, ProjectFileMap files) {
+  const auto map = std::make_shared<const ProjectFileMap>(std::move(files));
+  ProjectFiles out;
+  out.dxf_text = [&store, owner, map](const std::string& name) -> Result<std::string> {
+    const Result<std::string> id = asset_id_of(*map, name);
+    if (!id) return id.error();
+    const Result<AssetRow> asset = store.asset(owner, *id);
+    if (!asset) return asset.error();
+    if (asset->kind != "dxf") return wrong_kind(*asset, "dxf", "");
+    return store.asset_bytes(owner, *id);
+  };
+  out.body_mesh = [&store, owner, map](const std::string& name,
+                                       const MeshSettings& settings) -> Result<TriangleMesh> {
+    const Result<std::string> id = asset_id_of(*map, name);
+    if (!id) return id.error();
+    const Result<std::shared_ptr<const TriangleMesh>> mesh =
+        shared_bodies().mesh(store, owner, *id, settings);
+    if (!mesh) return mesh.error();
+    return **mesh;
+  };
+  return out;
+}
+
+}  // namespace toile

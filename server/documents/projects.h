@@ -1,0 +1,39 @@
+#pragma once
+// Projects of the store: a document is kept only when it can be read, its files are there and a drape can be
+// made of it.
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "core/base/result.h"
+#include "proto/cpp/project_resolve.h"
+#include "server/store/store.h"
+
+namespace toile {
+
+/// File name in the document → asset id.
+using ProjectFileMap = std::map<std::string, std::string>;
+
+/// Keeps a new project under the name that the document gives. Errors: json.*, project.*, dxf.*, mesh.*,
+/// pattern.*, … of reading it, with the JSON pointer in the document first in `where`; documents.missing_file
+/// (with the pointer of the first place that names a file which is not there) and documents.wrong_kind;
+/// documents.unknown_asset and documents.too_many_files with a pointer into {"files": …}; store.*.
+Result<ProjectRow> create_project(Store& store, const OwnerId& owner, const std::string& document,
+                                  const ProjectFileMap& files);
+/// Replaces it when it stands at revision `expected` (0: at any). Errors: those, store.not_found,
+/// store.conflict.
+Result<ProjectRow> replace_project(Store& store, const OwnerId& owner, const std::string& id,
+                                   const std::string& document, const ProjectFileMap& files, int expected);
+
+/// The files of a project or a job, for resolve_project. `store` outlives it. Errors of its functions:
+/// documents.missing_file, documents.wrong_kind, mesh.*, store.*.
+ProjectFiles files_in_store(Store& store, const OwnerId& owner, ProjectFileMap files);
+
+/// The setting that holds the sample project's id once it has been added.
+inline constexpr const char* kSampleSetting = "sample_project";
+/// Adds the project in `folder` (project.json and the files that it names) the first time, and never again:
+/// whoever deletes the sample is rid of it. Errors: project.file and those of add_asset and create_project.
+Status add_sample_project(Store& store, const OwnerId& owner, const std::filesystem::path& folder);
+
+}  // namespace toile

@@ -1,0 +1,23 @@
+#include "server/documents/used_files.h"
+
+#include <cstddef>
+
+#include "proto/cpp/json_codec.h"
+
+namespace toile {
+
+std::vector<UsedFile> used_files(const Project& project) {
+  std::vector<UsedFile> used;
+  for (std::size_t i = 0; i < project.pieces.size(); ++i) {
+    if (!project.pieces[i].from) continue;
+    const std::string piece = pointer_to("/pieces", i);
+    used.push_back({project.pieces[i].from->dxf, "dxf", pointer_to(pointer_to(piece, "from"), "dxf")});
+  }
+  for (std::size_t i = 0; i < project.bodies.size(); ++i) {
+    if (project.bodies[i].mannequin) continue;
+    used.push_back({project.bodies[i].file, "body", pointer_to(pointer_to("/bodies", i), "file")});
+  }
+  return used;
+}
+
+}  // namespace toile

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "proto/cpp/project.h"
+
+namespace toile {
+
+/// A place of the document that names a file.
+struct UsedFile {
+  std::string name;
+  std::string kind;   ///< "dxf" or "body"
+  std::string where;  ///< JSON pointer
+};
+
+/// In the order of the document; a name stands once for each place.
+std::vector<UsedFile> used_files(const Project& project);
+
+}  // namespace toile

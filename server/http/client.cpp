@@ -1,0 +1,156 @@
+#include "server/http/client.h"
+
+#include <boost/asio/as_tuple.hpp>
+#include <boost/asio/awaitable.hpp>
+#include <boost/asio/co_spawn.hpp>
+#include <boost/asio/detached.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/use_awaitable.hpp>
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/core/tcp_stream.hpp>
+#include <boost/beast/http.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+
+#include "proto/cpp/names.h"
+
+namespace toile {
+namespace {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace http = beast::http;
+using asio::ip::tcp;
+
+constexpr auto kTuple = asio::as_tuple(asio::use_awaitable);
+constexpr std::uint64_t kMostReplyBytes = std::uint64_t{1} << 30;
+
+std::string lower(beast::string_view text) {
+  std::string out(text.data(), text.size());
+  std::transform(out.begin(), out.end(), out.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return out;
+}
+
+bool may_repeat(const HttpClient::Request& request) {
+  const auto is_key = [](const auto& header) { return header.first == "Idempotency-Key"; };
+  return request.method == "GET" || std::any_of(request.headers.begin(), request.headers.end(), is_key);
+}
+
+}  // namespace
+
+struct HttpClient::Impl {
+  std::string host, port;
+  asio::io_context io;
+  std::optional<beast::tcp_stream> stream;
+  beast::flat_buffer buffer;
+
+  http::request<http::string_body> message_of(const Request& request) const {
+    http::request<http::string_body> message;
+    message.version(11);
+    message.method_string(request.method);
+    message.target(request.target);
+    message.set(http::field::host, host + ":" + port);
+    message.set(http::field::user_agent, "toile");
+    if (!request.content_type.empty()) message.set(http::field::content_type, request.content_type);
+    for (const auto& [name, value] : request.headers) message.set(name, value);
+    message.body() = request.body;
+    message.prepare_payload();
+    return message;
+  }
+
+  asio::awaitable<boost::system::error_code> connect(std::chrono::seconds within) {
+    tcp::resolver resolver(io);
+    const std::string name = host.starts_with('[') ? host.substr(1, host.size() - 2) : host;
+    const auto [unknown, places] = co_await resolver.async_resolve(name, port, kTuple);
+    if (unknown) co_return unknown;
+    stream.emplace(io);
+    buffer.clear();
+    stream->expires_after(std::min(within, std::chrono::seconds(10)));
+    const auto [failure, place] = co_await stream->async_connect(places, kTuple);
+    if (failure) stream.reset();
+    co_return failure;
+  }
+
+  asio::awaitable<boost::system::error_code> exchange(const Request& request, std::chrono::seconds within,
+                                                      HttpReply& reply) {
+    http::request<http::string_body> message = message_of(request);
+    stream->expires_after(within);
+    const auto [unsent, sent] = co_await http::async_write(*stream, message, kTuple);
+    http::response_parser<http::string_body> parser;
+    parser.body_limit(kMostReplyBytes);
+    // A server that refuses may answer and close before it has read everything.
+    const auto [failure, read] = co_await http::async_read(*stream, buffer, parser, kTuple);
+    if (failure) {
+      stream.reset();
+      co_return failure == beast::error::timeout || !unsent ? failure : unsent;
+    }
+    reply.status = static_cast<int>(parser.get().result_int());
+    for (const auto& field : parser.get()) {
+      reply.headers[lower(field.name_string())] = std::string(field.value().data(), field.value().size());
+    }
+    reply.body = std::move(parser.get().body());
+    if (unsent || !parser.get().keep_alive()) stream.reset();
+    co_return boost::system::error_code();
+  }
+
+  asio::awaitable<boost::system::error_code> ask(const Request& request, std::chrono::seconds within,
+                                                 HttpReply& reply) {
+    if (stream) {
+      const auto failure = co_await exchange(request, within, reply);
+      if (!failure || failure == beast::error::timeout || !may_repeat(request)) co_return failure;
+    }
+    const auto unreachable = co_await connect(within);
+    if (unreachable) co_return unreachable;
+    co_return co_await exchange(request, within, reply);
+  }
+};
+
+HttpClient::HttpClient(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+HttpClient::HttpClient(HttpClient&&) noexcept = default;
+HttpClient::~HttpClient() = default;
+
+Result<HttpClient> HttpClient::make(const std::string& url) {
+  const auto wrong = [&] {
+    return Error{"client.url", "a server's address is http://HOST:PORT, not " + in_quotes(url), ""};
+  };
+  constexpr std::string_view kScheme = "http://";
+  if (!url.starts_with(kScheme)) return wrong();
+  std::string_view rest = std::string_view(url).substr(kScheme.size());
+  if (rest.ends_with('/')) rest.remove_suffix(1);
+  const std::size_t bracket = rest.rfind(']'), colon = rest.rfind(':');
+  const bool has_port =
+      colon != std::string_view::npos && (bracket == std::string_view::npos || colon > bracket);
+  auto impl = std::make_unique<Impl>();
+  impl->host = std::string(rest.substr(0, has_port ? colon : rest.size()));
+  impl->port = has_port ? std::string(rest.substr(colon + 1)) : "80";
+  const auto is_digit = [](unsigned char c) { return std::isdigit(c) != 0; };
+  if (impl->host.empty() || impl->host.find_first_of("/@?# ") != std::string::npos || impl->port.empty() ||
+      !std::all_of(impl->port.begin(), impl->port.end(), is_digit)) {
+    return wrong();
+  }
+  return HttpClient(std::move(impl));
+}
+
+Result<HttpReply> HttpClient::ask(const Request& request, std::chrono::seconds within) {
+  HttpReply reply;
+  boost::system::error_code failure;
+  impl_->io.restart();
+  asio::co_spawn(
+      impl_->io,
+      [&]() -> asio::awaitable<void> { failure = co_await impl_->ask(request, within, reply); },
+      asio::detached);
+  impl_->io.run();
+  if (!failure) return reply;
+  const std::string place = impl_->host + ":" + impl_->port;
+  if (failure == beast::error::timeout) return Error{"client.timeout", "the server does not answer", place};
+  if (failure.category() == http::make_error_code(http::error::bad_version).category()) {
+    return Error{"client.malformed", "what answers there is no Toile server: " + failure.message(), place};
+  }
+  return Error{"client.unreachable", "the server cannot be reached: " + failure.message(), place};
+}
+
+}  // namespace toile

@@ -1,0 +1,84 @@
+#include "server/http/handlers/answer.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "proto/cpp/names.h"
+
+namespace toile {
+
+HttpResponse json_answer(int status, std::string text) {
+  HttpResponse response;
+  response.status = status;
+  response.content_type = "application/json";
+  response.body = std::move(text);
+  response.headers.emplace_back("Cache-Control", "no-cache");
+  return response;
+}
+
+HttpResponse json_answer(int status, std::vector<JsonMember> members) {
+  return json_answer(status, write_json_line(std::move(members)) + "\n");
+}
+
+std::string json_with(std::vector<JsonMember> members, const std::string& key, const std::string& json) {
+  const bool first = members.empty();
+  std::string text = write_json_line(std::move(members));
+  text.pop_back();
+  return text + (first ? "" : ", ") + "\"" + key + "\": " + json + "}";
+}
+
+HttpResponse json_answer(int status, std::vector<JsonMember> members, const std::string& key,
+                         const std::string& json) {
+  if (json.empty()) return json_answer(status, std::move(members));
+  return json_answer(status, json_with(std::move(members), key, json) + "\n");
+}
+
+HttpResponse created(HttpResponse answer, const std::string& location) {
+  answer.status = 201;
+  answer.headers.emplace_back("Location", location);
+  return answer;
+}
+
+Result<JsonValue> read_object(const HttpRequest& request, const std::vector<std::string>& known,
+                              const JsonLimits& limits) {
+  Result<JsonValue> tree = parse_json(request.body, limits);
+  if (!tree) return tree;
+  if (!tree->object()) return Error{"request.object", "the body is a JSON object", "/"};
+  for (const JsonMember& member : *tree->object()) {
+    if (std::find(known.begin(), known.end(), member.key) != known.end()) continue;
+    return Error{"request.unknown_key",
+                 "the key " + in_quotes(member.key) + " is not known here; " + advice(member.key, known),
+                 pointer_to("", member.key)};
+  }
+  return tree;
+}
+
+Result<Page> read_page(const HttpRequest& request) {
+  Page page;
+  page.cursor = request.parameter("cursor");
+  const std::string limit = request.parameter("limit");
+  if (limit.empty()) return page;
+  const auto [end, failure] = std::from_chars(limit.data(), limit.data() + limit.size(), page.limit);
+  constexpr int kMost = 100;
+  if (failure == std::errc() && end == limit.data() + limit.size() && page.limit >= 1 && page.limit <= kMost) {
+    return page;
+  }
+  return Error{"request.limit", "limit is a number from 1 to 100", "limit"};
+}
+
+HttpResponse file_answer(std::string bytes, const std::string& content_type, const std::string& name) {
+  std::string plain = name;  // in a header: letters, digits and a few signs
+  for (char& c : plain) {
+    const bool fits = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                      c == '.' || c == '-' || c == '_';
+    if (!fits) c = '_';
+  }
+  HttpResponse response;
+  response.content_type = content_type;
+  response.body = std::move(bytes);
+  response.headers = {{"Content-Disposition", "inline; filename=\"" + plain + "\""},
+                      {"Content-Security-Policy", "default-src 'none'; sandbox"}};
+  return response;
+}
+
+}  // namespace toile

@@ -1,0 +1,53 @@
+#pragma once
+// What many handlers need to read a request and to write an answer.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/result.h"
+#include "proto/cpp/json_codec.h"
+#include "server/http/message.h"
+
+namespace toile {
+
+HttpResponse json_answer(int status, std::string text);
+HttpResponse json_answer(int status, std::vector<JsonMember> members);
+/// The same with one more member whose value is JSON text already; passed over when it is empty.
+HttpResponse json_answer(int status, std::vector<JsonMember> members, const std::string& key,
+                         const std::string& json);
+/// One line of JSON: `members` and, at its end, the member whose value is JSON text already.
+std::string json_with(std::vector<JsonMember> members, const std::string& key, const std::string& json);
+
+HttpResponse created(HttpResponse answer, const std::string& location);
+
+/// A request's JSON object. Errors: json.*, request.object, request.unknown_key when a member is not one of `known`.
+Result<JsonValue> read_object(const HttpRequest& request, const std::vector<std::string>& known,
+                              const JsonLimits& limits);
+
+/// A page of a list.
+struct Page {
+  std::string cursor;
+  int limit = 50;
+};
+/// Of ?cursor and ?limit (1 to 100). Error: request.limit.
+Result<Page> read_page(const HttpRequest& request);
+
+/// The rows of a page, for which one more than its limit was asked, as JSON under `name`, and "next": the cursor of
+/// the page after it or null.
+template <typename Row, typename Make>
+HttpResponse page_answer(const char* name, const Page& page, std::vector<Row> rows, Make make) {
+  JsonValue next;
+  if (rows.size() > static_cast<std::size_t>(page.limit)) {
+    rows.resize(static_cast<std::size_t>(page.limit));
+    next = JsonValue(rows.back().id);
+  }
+  std::vector<JsonValue> items;
+  for (const Row& row : rows) items.push_back(make(row));
+  return json_answer(200, {{name, std::move(items)}, {"next", std::move(next)}});
+}
+
+/// Bytes that are somebody's own: shown for what `content_type` says and nothing else.
+HttpResponse file_answer(std::string bytes, const std::string& content_type, const std::string& name);
+
+}  // namespace toile

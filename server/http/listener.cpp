@@ -1,0 +1,77 @@
+#include "server/http/listener.h"
+
+#include <boost/asio/as_tuple.hpp>
+#include <boost/asio/co_spawn.hpp>
+#include <boost/asio/detached.hpp>
+#include <boost/asio/ip/address.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/asio/strand.hpp>
+#include <boost/asio/use_awaitable.hpp>
+
+#include <chrono>
+#include <memory>
+#include <utility>
+
+#include "proto/cpp/names.h"
+#include "server/http/session.h"
+
+namespace toile {
+namespace {
+
+namespace asio = boost::asio;
+using asio::ip::tcp;
+
+constexpr auto kTuple = asio::as_tuple(asio::use_awaitable);
+
+}  // namespace
+
+Listener::Listener(asio::io_context& io, const ConnectionContext& context)
+    : io_(io), context_(context), acceptor_(asio::make_strand(io)) {}
+
+Status Listener::open(const std::string& address, int port) {
+  boost::system::error_code failure;
+  const auto parsed = asio::ip::make_address(address == "localhost" ? "127.0.0.1" : address, failure);
+  if (failure || !parsed.is_loopback()) {
+    return Error{"server.address",
+                 in_quotes(address) + " is no address of the loopback: without accounts this server is for this "
+                                      "machine only (127.0.0.1 or ::1)",
+                 ""};
+  }
+  const tcp::endpoint place(parsed, static_cast<std::uint16_t>(port));
+  acceptor_.open(place.protocol(), failure);
+  if (!failure) acceptor_.set_option(asio::socket_base::reuse_address(true), failure);
+  if (!failure) acceptor_.bind(place, failure);
+  if (!failure) acceptor_.listen(asio::socket_base::max_listen_connections, failure);
+  if (failure) {
+    return Error{"server.port", "cannot listen on port " + std::to_string(port) + ": " + failure.message(), address};
+  }
+  port_ = acceptor_.local_endpoint().port();
+  return {};
+}
+
+void Listener::start() { asio::co_spawn(acceptor_.get_executor(), accept_all(), asio::detached); }
+
+void Listener::close() {
+  asio::post(acceptor_.get_executor(), [this] {
+    boost::system::error_code ignored;
+    acceptor_.close(ignored);
+  });
+}
+
+asio::awaitable<void> Listener::accept_all() {
+  while (acceptor_.is_open()) {
+    auto [failure, socket] = co_await acceptor_.async_accept(asio::make_strand(io_), kTuple);
+    if (failure == asio::error::operation_aborted) break;
+    if (failure) {  // no more descriptors, most likely: some will be free again
+      asio::steady_timer pause(acceptor_.get_executor(), std::chrono::milliseconds(100));
+      co_await pause.async_wait(kTuple);
+      continue;
+    }
+    if (context_.metrics.connections.load() >= context_.settings.most_connections) continue;  // closes it
+    const auto session = std::make_shared<HttpSession>(std::move(socket), context_);
+    asio::co_spawn(session->executor(), session->run(), asio::detached);
+  }
+}
+
+}  // namespace toile

@@ -1,0 +1,36 @@
+#pragma once
+// Takes connections on one port. Internal to http.
+
+#include <boost/asio/awaitable.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+
+#include <string>
+
+#include "core/base/result.h"
+#include "server/http/connection_context.h"
+
+namespace toile {
+
+class Listener {
+ public:
+  Listener(boost::asio::io_context& io, const ConnectionContext& context);
+
+  /// Errors: server.address when it is no address of the loopback, server.port when the port cannot be had.
+  Status open(const std::string& address, int port);
+  /// Takes connections from now on.
+  void start();
+  /// From any thread.
+  void close();
+  int port() const { return port_; }
+
+ private:
+  boost::asio::awaitable<void> accept_all();
+
+  boost::asio::io_context& io_;
+  const ConnectionContext& context_;
+  boost::asio::ip::tcp::acceptor acceptor_;
+  int port_ = 0;
+};
+
+}  // namespace toile

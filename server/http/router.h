@@ -1,0 +1,66 @@
+#pragma once
+// Which handler a request goes to, and what it may bring along. Pure.
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "server/http/message.h"
+
+namespace toile {
+
+using HttpHandler = std::function<HttpResponse(const HttpRequest&)>;
+
+/// What a route takes as a body.
+enum class BodyKind {
+  kUnused,  ///< anything small is read and passed over
+  kJson,  ///< application/json
+  kFile,  ///< raw bytes of some file type
+};
+
+inline constexpr std::size_t kSmallBody = std::size_t{256} << 10;
+
+struct Route {
+  std::string method;
+  std::string pattern;  ///< "/api/v1/jobs/{id}/pause"
+  HttpHandler handler;
+  BodyKind body = BodyKind::kUnused;
+  /// Most bytes that the body may have.
+  std::function<std::size_t(const HttpRequest&)> limit = [](const HttpRequest&) { return kSmallBody; };
+  bool heavy = false;      ///< reads geometry: runs beside the light ones, so that those never wait for it
+  bool websocket = false;  ///< an upgrade is wanted; the handler says what is wrong with it (status 200: nothing)
+};
+
+class Router {
+ public:
+  void add(Route route);
+  /// Takes GET for whatever no other route knows and does not begin with /api.
+  void add_page(HttpHandler handler);
+
+  struct Match {
+    const Route* route = nullptr;
+    std::vector<std::string> captures;
+    std::string allow;  ///< with no route but a known path: the methods that it has
+  };
+  /// HEAD goes where GET goes.
+  Match match(const std::string& method, const std::vector<std::string>& segments) const;
+
+ private:
+  std::vector<Route> routes_;
+  std::vector<std::vector<std::string>> patterns_;  // segments of each
+  std::optional<Route> page_;
+};
+
+/// Why the body of a request to `route` is refused before it is read, or nothing: 415 for a type that the route does
+/// not take, 413 for a Content-Length over its limit.
+std::optional<HttpResponse> refused_body(const Route& route, const HttpRequest& request, bool has_body,
+                                         std::optional<std::uint64_t> length);
+
+/// The answer where there is no route: 404, or 405 with Allow.
+HttpResponse no_route(const HttpRequest& request, const Router::Match& match);
+
+}  // namespace toile

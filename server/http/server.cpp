@@ -1,0 +1,101 @@
+#include "server/http/server.h"
+
+#include <boost/asio/executor_work_guard.hpp>
+#include <boost/asio/io_context.hpp>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "server/http/connection_context.h"
+#include "server/http/handlers/api.h"
+#include "server/http/listener.h"
+#include "server/http/static_files.h"
+
+namespace toile {
+
+namespace asio = boost::asio;
+
+/// Members are destroyed from below: connections before what they work with.
+class HttpServer::Impl {
+ public:
+  Impl(Store& store, JobService& jobs, Hub& hub, ServerSettings given)
+      : settings_(std::move(given)),
+        page_(settings_.web),
+        api_{store, jobs, hub, metrics_, ready_},
+        budget_(settings_.most_body_bytes),
+        light_(static_cast<std::size_t>(settings_.light_threads)),
+        heavy_(static_cast<std::size_t>(settings_.heavy_threads)),
+        streams_{store, jobs, hub, light_, settings_.stream},
+        context_{settings_, router_, metrics_, light_, heavy_, budget_, connections_, streams_},
+        io_(settings_.io_threads),
+        listener_(io_, context_) {
+    add_health_routes(router_, api_);
+    add_asset_routes(router_, api_);
+    add_project_routes(router_, api_);
+    add_job_routes(router_, api_);
+    router_.add_page([this](const HttpRequest& request) { return page_.get(request); });
+  }
+
+  Status start() {
+    if (Status open = listener_.open(settings_.address, settings_.port); !open) return open;
+    listener_.start();
+    for (int i = 0; i < settings_.io_threads; ++i) {
+      threads_.emplace_back([this] { io_.run(); });
+    }
+    return {};
+  }
+
+  void drain() { ready_ = false; }
+
+  void stop() {
+    if (stopped_.exchange(true)) return;
+    ready_ = false;
+    listener_.close();
+    connections_.stop_all();
+    constexpr auto kPatience = std::chrono::seconds(3);
+    const auto until = std::chrono::steady_clock::now() + kPatience;
+    while (!threads_.empty() && connections_.count() > 0 && std::chrono::steady_clock::now() < until) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    work_.reset();
+    io_.stop();
+    for (std::thread& thread : threads_) thread.join();
+    light_.join();  // nobody waits for them any more, but they still look at their connections
+    heavy_.join();
+    connections_.forget_all();
+  }
+
+  int port() const { return listener_.port(); }
+
+ private:
+  const ServerSettings settings_;
+  std::atomic<bool> ready_{true}, stopped_{false};
+  Metrics metrics_;
+  StaticFiles page_;
+  Router router_;
+  const Api api_;
+  BodyBudget budget_;
+  Connections connections_;
+  asio::thread_pool light_, heavy_;
+  const StreamServices streams_;
+  const ConnectionContext context_;
+  asio::io_context io_;
+  asio::executor_work_guard<asio::io_context::executor_type> work_{io_.get_executor()};
+  Listener listener_;
+  std::vector<std::thread> threads_;
+};
+
+HttpServer::HttpServer(Store& store, JobService& jobs, Hub& hub, ServerSettings settings)
+    : impl_(std::make_unique<Impl>(store, jobs, hub, std::move(settings))) {}
+
+HttpServer::~HttpServer() { stop(); }
+
+Status HttpServer::start() { return impl_->start(); }
+void HttpServer::drain() { impl_->drain(); }
+void HttpServer::stop() { impl_->stop(); }
+int HttpServer::port() const { return impl_->port(); }
+
+}  // namespace toile

@@ -1,0 +1,38 @@
+#pragma once
+// The HTTP and WebSocket service on a loopback port.
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "core/base/result.h"
+#include "server/http/server_settings.h"
+#include "server/jobs/job_service.h"
+#include "server/store/store.h"
+#include "server/ws/hub.h"
+
+namespace toile {
+
+class HttpServer {
+ public:
+  /// `store`, `jobs` and `hub` must outlive the server.
+  HttpServer(Store& store, JobService& jobs, Hub& hub, ServerSettings settings);
+  ~HttpServer();  ///< stops
+
+  /// Opens the port and serves from threads of its own. Errors: server.address for one that is not of the loopback,
+  /// server.port when it cannot be had.
+  Status start();
+  /// From now on /readyz says no, so that nobody sends new work. The rest is answered as before.
+  void drain();
+  /// Says good-bye to viewers, ends all connections, joins the threads. Twice is safe.
+  void stop();
+
+  /// That was opened; REQUIRES a start that went well.
+  int port() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace toile

@@ -1,0 +1,116 @@
+#include "server/http/static_files.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <system_error>
+
+#include "server/http/problem.h"
+#include "proto/cpp/names.h"
+
+namespace toile {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t kMostBytes = std::uintmax_t{64} << 20;
+
+/// Only this server's own scripts, styles and connections.
+constexpr const char* kContentPolicy =
+    "default-src 'self'; img-src 'self' data: blob:; style-src 'self' 'unsafe-inline'; worker-src 'self' blob:; "
+    "connect-src 'self'; frame-ancestors 'none'; base-uri 'none'; form-action 'self'";
+
+constexpr const char* kNoPage = R"(<!doctype html>
+<html lang="en">
+<meta charset="utf-8">
+<title>Toile</title>
+<h1>Toile is running</h1>
+<p>The page has not been built: it needs Node. Install the package nodejs and run <code>./run</code> again.
+<p>The service itself is here: <a href="/api/v1/jobs">jobs</a>, <a href="/api/v1/projects">projects</a>,
+<a href="/healthz">health</a>, <a href="/metrics">figures</a>.
+</html>
+)";
+
+std::optional<std::string> bytes_of(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) return std::nullopt;
+  return std::string{std::istreambuf_iterator<char>(in), {}};
+}
+
+/// The file below `folder` that the segments name.
+std::optional<fs::path> find_file(const fs::path& folder, const std::vector<std::string>& segments) {
+  fs::path path = folder;
+  for (const std::string& segment : segments) {
+    if (segment.empty() || segment.front() == '.') return std::nullopt;
+    path /= segment;
+  }
+  std::error_code failure;
+  const fs::path real = fs::canonical(path, failure);
+  if (failure || !fs::is_regular_file(real, failure) || fs::file_size(real, failure) > kMostBytes) {
+    return std::nullopt;
+  }
+  const auto [rest, ignored] = std::mismatch(folder.begin(), folder.end(), real.begin(), real.end());
+  if (rest != folder.end()) return std::nullopt;
+  return real;
+}
+
+HttpResponse html(std::string body) {
+  HttpResponse response;
+  response.content_type = "text/html; charset=utf-8";
+  response.body = std::move(body);
+  response.headers = {{"Cache-Control", "no-cache"}, {"Content-Security-Policy", kContentPolicy}};
+  return response;
+}
+
+}  // namespace
+
+std::string content_type_of(const std::string& name) {
+  static const std::map<std::string, std::string> types{
+      {".html", "text/html; charset=utf-8"},
+      {".js", "text/javascript; charset=utf-8"},
+      {".mjs", "text/javascript; charset=utf-8"},
+      {".css", "text/css; charset=utf-8"},
+      {".json", "application/json"},
+      {".map", "application/json"},
+      {".svg", "image/svg+xml"},
+      {".png", "image/png"},
+      {".ico", "image/x-icon"},
+      {".woff2", "font/woff2"},
+      {".wasm", "application/wasm"},
+      {".txt", "text/plain; charset=utf-8"},
+      {".obj", "model/obj"},
+      {".glb", "model/gltf-binary"},
+      {".dxf", "image/vnd.dxf"},
+  };
+  const auto found = types.find(fs::path(name).extension().string());
+  return found == types.end() ? "application/octet-stream" : found->second;
+}
+
+StaticFiles::StaticFiles(const fs::path& folder) {
+  std::error_code failure;
+  if (!folder.empty()) folder_ = fs::canonical(folder, failure);
+  if (failure || !fs::is_directory(folder_, failure)) folder_.clear();
+}
+
+HttpResponse StaticFiles::get(const HttpRequest& request) const {
+  const bool start = request.segments.empty();
+  const std::vector<std::string> segments = start ? std::vector<std::string>{"index.html"} : request.segments;
+  const auto path = folder_.empty() ? std::nullopt : find_file(folder_, segments);
+  std::optional<std::string> bytes = path ? bytes_of(*path) : std::nullopt;
+  if (!bytes && start) return html(kNoPage);
+  if (!bytes) {
+    return problem(404, {"http.not_found", "there is nothing at this address", clipped(request.target, 200)});
+  }
+  const std::string type = content_type_of(segments.back());
+  if (type.starts_with("text/html")) return html(std::move(*bytes));
+  HttpResponse response;
+  response.content_type = type;
+  response.body = std::move(*bytes);
+  const bool hashed = segments.front() == "assets";
+  response.headers.emplace_back("Cache-Control", hashed ? "public, max-age=31536000, immutable" : "no-cache");
+  return response;
+}
+
+}  // namespace toile

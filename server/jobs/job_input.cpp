@@ -1,0 +1,15 @@
+#include "server/jobs/job_input.h"
+
+#include "proto/cpp/project_resolve.h"
+#include "server/documents/projects.h"
+
+namespace toile {
+
+Result<DrapeInput> drape_input_of(Store& store, const OwnerId& owner, const std::string& document,
+                                  const std::map<std::string, std::string>& files) {
+  const Result<Project> project = parse_project(document);
+  if (!project) return project.error();
+  return resolve_project(*project, files_in_store(store, owner, files));
+}
+
+}  // namespace toile

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "core/base/result.h"
+#include "core/drape/drape_input.h"
+#include "server/store/store.h"
+
+namespace toile {
+
+/// A document and the owner's assets that it names (file name → asset id) as what a drape needs. Errors:
+/// json.*, project.*, dxf.*, pattern.*, body.*, store.*; `where` is the place in the document.
+Result<DrapeInput> drape_input_of(Store& store, const OwnerId& owner, const std::string& document,
+                                  const std::map<std::string, std::string>& files);
+
+}  // namespace toile

@@ -1,0 +1,320 @@
+#include "server/jobs/job_service.h"
+
+#include <algorithm>
+#include <chrono>
+#include <mutex>
+#include <utility>
+
+#include "server/jobs/job_input.h"
+#include "server/jobs/job_state.h"
+#include "server/jobs/job_table.h"
+#include "server/jobs/render_worker.h"
+#include "server/jobs/row_progress.h"
+#include "server/jobs/runner.h"
+#include "server/jobs/worker_pool.h"
+
+namespace toile {
+namespace {
+
+/// A job that takes the server down with it is not tried for ever.
+constexpr int kMaxAttempts = 3;
+/// After the store has refused a claim a worker waits: a full disk is not emptied in a millisecond.
+constexpr auto kStorePause = std::chrono::seconds(1);
+
+RowEdit requeued() { return with_reason("requeued", "the server stopped before its end; it is draped anew"); }
+
+class QueueingJobService final : public JobService {
+ public:
+  QueueingJobService(Store& store, Publisher& publisher, const JobServiceSettings& settings)
+      : store_(store), publisher_(publisher), settings_(settings), table_(store, publisher) {}
+  ~QueueingJobService() override { stop(); }
+
+  Status start() override;
+  void stop() override;
+  Result<JobRow> submit(const OwnerId& owner, const std::string& project_id,
+                        const std::string& idempotency_key) override;
+  Result<JobRow> pause(const OwnerId& owner, const std::string& id) override;
+  Result<JobRow> resume(const OwnerId& owner, const std::string& id) override;
+  Result<JobRow> cancel(const OwnerId& owner, const std::string& id) override;
+  Result<JobProgress> progress(const OwnerId& owner, const std::string& id) override;
+  Counts counts() const override { return table_.counts(); }
+
+ private:
+  using Changing = JobTable::Changing;
+
+  Result<JobRow> on_request(const OwnerId& owner, const std::string& id, JobEvent event, const RowEdit& edit);
+  Error refusal(const OwnerId& owner, const std::string& id, JobEvent event);
+  Status check_parking(const Changing& changing, const LiveJob& job) const;
+  Status check_queue() const;
+
+  Status take_up_all();
+  Status take_up(const Changing& changing, const Store::OwnedJob& found);
+  void give_back_all();
+  void give_back(const Changing& changing, LiveJob& job);
+
+  bool work_once();
+  LiveJobPtr claim();
+  Status claim(const Changing& changing, LiveJob& job);
+  void let_go(const LiveJobPtr& job, const std::optional<RunEnd>& run_end);
+  void end(const Changing& changing, LiveJob& job, const RunEnd& run_end);
+
+  Store& store_;
+  Publisher& publisher_;
+  const JobServiceSettings settings_;
+  JobTable table_;
+
+  std::mutex lifecycle_mutex_;  ///< start and stop; before the table's locks
+  std::unique_ptr<RenderWorker> renderer_;
+  std::unique_ptr<WorkerPool> pool_;
+};
+
+// --- What people ask for ----------------------------------------------------------------------------------
+
+/// Why a job that is not in the table, or in a closed one, cannot change.
+Error QueueingJobService::refusal(const OwnerId& owner, const std::string& id, JobEvent event) {
+  const Result<JobRow> row = store_.job(owner, id);
+  if (!row) return row.error();
+  const std::optional<JobState> state = job_state_from(row->state);
+  if (!state) return {"jobs.state", "the job is in a state that this version does not know", ""};
+  if (const Result<JobTransition> next = next_state(*state, event); !next) return next.error();
+  return {"jobs.stopped", "the server takes no jobs up just now; try again when it has started", ""};
+}
+
+Status QueueingJobService::check_parking(const Changing& changing, const LiveJob& job) const {
+  if (job.state != JobState::kRunning) return {};  // takes no memory
+  if (table_.begun(changing) < settings_.workers + settings_.max_parked) return {};
+  return Error{"jobs.too_many_paused",
+               "as many drapes lie paused in memory as there is room for; resume or cancel one first", ""};
+}
+
+Result<JobRow> QueueingJobService::on_request(const OwnerId& owner, const std::string& id, JobEvent event,
+                                              const RowEdit& edit) {
+  std::unique_ptr<JobRun> run;  // freed after the lock
+  const Changing changing = table_.changing();
+  const LiveJobPtr job = table_.find(owner, id);
+  if (!job || !table_.is_open(changing)) return refusal(owner, id, event);
+  if (event == JobEvent::kPause) {
+    if (Status room = check_parking(changing, *job); !room) return room.error();
+  }
+  if (Status changed = table_.change(changing, *job, event, edit); !changed) return changed.error();
+  if (job->held) return job->row;  // the worker tells when it lets go
+  table_.announce(changing, *job);
+  if (is_terminal(job->state)) run = table_.remove(changing, job);
+  return job->row;
+}
+
+Result<JobRow> QueueingJobService::pause(const OwnerId& owner, const std::string& id) {
+  return on_request(owner, id, JobEvent::kPause, {});
+}
+
+Result<JobRow> QueueingJobService::resume(const OwnerId& owner, const std::string& id) {
+  return on_request(owner, id, JobEvent::kResume, {});
+}
+
+Result<JobRow> QueueingJobService::cancel(const OwnerId& owner, const std::string& id) {
+  return on_request(owner, id, JobEvent::kCancel, with_reason("cancelled", "cancelled on request"));
+}
+
+Status QueueingJobService::check_queue() const {
+  if (table_.counts().queued < settings_.max_queued) return {};
+  return Error{"jobs.queue_full", "the queue is full; try again when some drapes have ended", ""};
+}
+
+Result<JobRow> QueueingJobService::submit(const OwnerId& owner, const std::string& project_id,
+                                          const std::string& idempotency_key) {
+  if (Status room = check_queue(); !room) return room.error();
+  const Result<ProjectRow> project = store_.project(owner, project_id);
+  if (!project) return project.error();
+  if (const auto input = drape_input_of(store_, owner, project->document, project->files); !input) {
+    return input.error();
+  }
+  JobRow row;
+  row.project_id = project->id;
+  row.project_revision = project->revision;
+  row.name = project->name;
+  row.document = project->document;
+  row.files = project->files;
+
+  const Changing changing = table_.changing();
+  if (Status room = check_queue(); !room) return room.error();  // others came while the document was read
+  const Result<JobRow> made = store_.create_job(owner, std::move(row), idempotency_key);
+  if (!made) return made.error();
+  if (job_state_from(made->state) == JobState::kQueued) {
+    const LiveJobPtr job = table_.insert(changing, owner, *made, JobState::kQueued);
+    if (job) table_.announce(changing, *job);
+  }
+  return without_document(*made);
+}
+
+Result<JobProgress> QueueingJobService::progress(const OwnerId& owner, const std::string& id) {
+  if (const LiveJobPtr job = table_.find(owner, id)) return table_.progress(*job);
+  const Result<JobRow> row = store_.job(owner, id);
+  if (!row) return row.error();
+  return progress_of_row(*row);
+}
+
+// --- Start and stop ---------------------------------------------------------------------------------------
+
+Status QueueingJobService::start() {
+  const std::lock_guard life(lifecycle_mutex_);
+  if (pool_) return {};
+  if (Status taken = take_up_all(); !taken) return taken;
+  renderer_ = std::make_unique<RenderWorker>();
+  pool_ = std::make_unique<WorkerPool>(std::max(1, settings_.workers), [this] { return work_once(); });
+  return {};
+}
+
+Status QueueingJobService::take_up_all() {
+  const Changing changing = table_.changing();
+  Result<std::vector<Store::OwnedJob>> found = store_.unfinished_jobs();
+  if (!found) return found.error();
+  std::stable_sort(found->begin(), found->end(), [](const auto& a, const auto& b) {
+    return std::pair(a.job.created_ms, a.job.id) < std::pair(b.job.created_ms, b.job.id);
+  });
+  table_.open(changing);
+  for (const Store::OwnedJob& job : *found) {
+    Status taken = take_up(changing, job);
+    if (taken) continue;
+    table_.close(changing);
+    for (const LiveJobPtr& had : table_.all(changing)) table_.remove(changing, had);
+    return taken;
+  }
+  return {};
+}
+
+Status QueueingJobService::take_up(const Changing& changing, const Store::OwnedJob& found) {
+  const std::optional<JobState> state = job_state_from(found.job.state);
+  if (!state || is_terminal(*state)) return {};
+  const LiveJobPtr job = table_.insert(changing, found.owner, found.job, *state);
+  if (!job || *state == JobState::kQueued) return {};
+  if (*state == JobState::kPaused || found.job.attempt < kMaxAttempts) {
+    return table_.change(changing, *job, JobEvent::kRequeue, requeued());
+  }
+  const std::string reason =
+      "the server broke down " + std::to_string(found.job.attempt) + " times while this was draped";
+  if (Status failed = table_.change(changing, *job, JobEvent::kFail, with_reason("jobs.attempts", reason));
+      !failed) {
+    return failed;
+  }
+  table_.announce(changing, *job);
+  table_.remove(changing, job);
+  return {};
+}
+
+void QueueingJobService::stop() {
+  const std::lock_guard life(lifecycle_mutex_);
+  if (!pool_) return;
+  table_.close(table_.changing());
+  pool_.reset();
+  renderer_.reset();
+  give_back_all();
+}
+
+/// What has not ended goes back to the queue in the store. REQUIRES that no worker runs.
+void QueueingJobService::give_back_all() {
+  const Changing changing = table_.changing();
+  for (const LiveJobPtr& job : table_.all(changing)) {
+    give_back(changing, *job);
+    table_.announce(changing, *job);
+    table_.remove(changing, job);
+  }
+}
+
+/// An orderly stop does not count as an attempt. What the store will not take is found at the next start as
+/// after a crash.
+void QueueingJobService::give_back(const Changing& changing, LiveJob& job) {
+  const bool begun = job.run != nullptr;
+  if (!begun && job.state == JobState::kQueued) return;  // as the store has it
+  const RowEdit reason = requeued();
+  const Status given = table_.change(changing, job, JobEvent::kRequeue, [&](JobRow& row) {
+    reason(row);
+    if (begun) row.attempt = std::max(0, row.attempt - 1);
+  });
+  static_cast<void>(given.ok());
+}
+
+// --- What workers do --------------------------------------------------------------------------------------
+
+/// Waits for a job; nothing once the service stops.
+LiveJobPtr QueueingJobService::claim() {
+  while (table_.wait_for_work()) {
+    {
+      const Changing changing = table_.changing();
+      const LiveJobPtr job = table_.next_ready(changing);
+      if (!job) continue;  // another worker was quicker
+      if (claim(changing, *job)) return job;
+    }
+    table_.pause(kStorePause);
+  }
+  return nullptr;
+}
+
+Status QueueingJobService::claim(const Changing& changing, LiveJob& job) {
+  const bool anew = job.run == nullptr;
+  Status claimed = table_.change(changing, job, JobEvent::kClaim, [&](JobRow& row) {
+    row.reason_code.clear(), row.reason.clear(), row.reason_where.clear();
+    if (anew) ++row.attempt, row.started_ms = unix_ms();
+  });
+  if (!claimed) return claimed;
+  table_.hand_out(changing, job, [&](std::uint32_t epoch) {
+    const RunPlace place{&store_,
+                         &publisher_,
+                         renderer_.get(),
+                         settings_.stream_interval,
+                         settings_.still_width,
+                         settings_.still_height};
+    return std::make_unique<JobRun>(place, job.owner, job.id, epoch);
+  });
+  table_.announce(changing, job);
+  return {};
+}
+
+bool QueueingJobService::work_once() {
+  const LiveJobPtr job = claim();
+  if (!job) return false;
+  RunControl control;
+  control.interrupt = &job->interrupt;
+  // A stop waits for pictures of a finished drape; a person who paused or cancelled does not.
+  control.abandon = [&] { return table_.state(*job) != JobState::kRunning; };
+  control.on_progress = [&](const JobProgress& progress) { table_.hear(*job, progress); };
+  let_go(job, job->run->go_on(control));
+  return true;
+}
+
+void QueueingJobService::let_go(const LiveJobPtr& job, const std::optional<RunEnd>& run_end) {
+  std::unique_ptr<JobRun> run;  // freed after the lock
+  const Changing changing = table_.changing();
+  table_.take_back(changing, *job);
+  if (run_end) end(changing, *job, *run_end);
+  if (is_terminal(job->state)) {
+    table_.announce(changing, *job);
+    run = table_.remove(changing, job);
+  } else if (table_.is_open(changing)) {  // else it is told when it has been given back
+    table_.announce(changing, *job);
+  }
+}
+
+void QueueingJobService::end(const Changing& changing, LiveJob& job, const RunEnd& run_end) {
+  if (is_terminal(job.state)) return;  // cancelled before: the end comes too late
+  const RowEdit reason = with_reason(run_end.code, run_end.reason, run_end.where);
+  const JobEvent event = run_end.succeeded ? JobEvent::kFinish : JobEvent::kFail;
+  Status ended = table_.change(changing, job, event, [&](JobRow& row) {
+    reason(row);
+    row.report = run_end.report;
+    row.results = run_end.results;
+  });
+  if (ended) return;
+  const Error refusal = ended.error();  // of the store; it may still take the few words of a failure
+  ended = table_.change(changing, job, JobEvent::kFail,
+                        with_reason(refusal.code, refusal.message, refusal.where));
+  if (!ended) table_.fail_in_memory(changing, job);
+}
+
+}  // namespace
+
+std::unique_ptr<JobService> make_job_service(Store& store, Publisher& publisher,
+                                             const JobServiceSettings& settings) {
+  return std::make_unique<QueueingJobService>(store, publisher, settings);
+}
+
+}  // namespace toile

@@ -1,0 +1,209 @@
+#include "server/jobs/job_table.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace toile {
+
+std::int64_t unix_ms() {
+  using namespace std::chrono;
+  return duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count();
+}
+
+JobRow without_document(JobRow row) {
+  row.document.clear();
+  row.files.clear();
+  return row;
+}
+
+RowEdit with_reason(std::string code, std::string reason, std::string where) {
+  return [code = std::move(code), reason = std::move(reason), where = std::move(where)](JobRow& row) {
+    row.reason_code = code, row.reason = reason, row.reason_where = where;
+  };
+}
+
+Status JobTable::change(const Changing&, LiveJob& job, JobEvent event, const RowEdit& edit) {
+  const Result<JobTransition> next = next_state(job.state, event);
+  if (!next) return next.error();
+  JobRow row = job.row;
+  row.state = name_of(next->state);
+  if (is_terminal(next->state)) row.ended_ms = unix_ms();
+  if (edit) edit(row);
+  if (next->effects.persist) {
+    if (Status written = store_.update_job(job.owner, row); !written) return written;
+  }
+  {
+    const std::lock_guard lock(mutex_);
+    job.row = std::move(row);
+    job.state = next->state;
+    queue_.put(job.id, next->effects.queue);
+    if (next->effects.interrupt) job.interrupt.store(true, std::memory_order_relaxed);
+    if (next->effects.ends) count_end(job.state);
+  }
+  bell_.notify_all();
+  return {};
+}
+
+void JobTable::fail_in_memory(const Changing&, LiveJob& job) {
+  const std::lock_guard lock(mutex_);
+  job.state = JobState::kFailed;
+  queue_.put(job.id, QueuePlace::kOut);
+  count_end(job.state);
+}
+
+/// REQUIRES mutex_.
+void JobTable::count_end(JobState state) {
+  if (state == JobState::kSucceeded) ++totals_.succeeded;
+  if (state == JobState::kFailed) ++totals_.failed;
+  if (state == JobState::kCancelled) ++totals_.cancelled;
+}
+
+/// REQUIRES mutex_.
+JobProgress JobTable::progress_now(const LiveJob& job) const {
+  JobProgress progress = job.progress;
+  progress.state = name_of(job.state);
+  if (progress.phase.empty()) progress.phase = "queued";
+  return progress;
+}
+
+void JobTable::announce(const Changing&, const LiveJob& job) {
+  const JobProgress now = progress(job);
+  if (is_terminal(job.state) || !open_) {
+    publisher_.ended(job.id, now);
+  } else {
+    publisher_.progress(job.id, now);
+  }
+}
+
+LiveJobPtr JobTable::insert(const Changing&, const OwnerId& owner, const JobRow& row, JobState state) {
+  auto job = std::make_shared<LiveJob>();
+  job->id = row.id;
+  job->owner = owner;
+  job->row = without_document(row);
+  job->state = state;
+  {
+    const std::lock_guard lock(mutex_);
+    if (!open_ || !jobs_.emplace(job->id, job).second) return nullptr;
+    queue_.put(job->id, QueuePlace::kBack);
+  }
+  bell_.notify_all();
+  return job;
+}
+
+std::unique_ptr<JobRun> JobTable::remove(const Changing&, const LiveJobPtr& job) {
+  const std::lock_guard lock(mutex_);
+  queue_.put(job->id, QueuePlace::kOut);
+  jobs_.erase(job->id);
+  if (is_terminal(job->state)) epochs_.erase(job->id);
+  return std::move(job->run);
+}
+
+/// REQUIRES mutex_.
+LiveJobPtr JobTable::ready() const {
+  const std::optional<std::string> id =
+      queue_.first([this](const std::string& waiting) { return !jobs_.at(waiting)->held; });
+  return id ? jobs_.at(*id) : nullptr;
+}
+
+LiveJobPtr JobTable::next_ready(const Changing&) const {
+  const std::lock_guard lock(mutex_);
+  return open_ ? ready() : nullptr;
+}
+
+void JobTable::hand_out(const Changing&, LiveJob& job,
+                        const std::function<std::unique_ptr<JobRun>(std::uint32_t epoch)>& make) {
+  const std::lock_guard lock(mutex_);
+  job.held = true;
+  job.interrupt.store(false, std::memory_order_relaxed);
+  if (job.run) return;
+  job.progress = {};
+  job.run = make(++epochs_[job.id]);
+}
+
+void JobTable::take_back(const Changing&, LiveJob& job) {
+  {
+    const std::lock_guard lock(mutex_);
+    job.held = false;
+  }
+  bell_.notify_all();  // it may have been resumed meanwhile
+}
+
+std::vector<LiveJobPtr> JobTable::all(const Changing&) const {
+  const std::lock_guard lock(mutex_);
+  std::vector<LiveJobPtr> jobs;
+  for (const auto& [id, job] : jobs_) jobs.push_back(job);
+  return jobs;
+}
+
+int JobTable::begun(const Changing&) const {
+  const std::lock_guard lock(mutex_);
+  return static_cast<int>(std::count_if(jobs_.begin(), jobs_.end(),
+                                        [](const auto& entry) { return entry.second->run != nullptr; }));
+}
+
+void JobTable::open(const Changing&) {
+  const std::lock_guard lock(mutex_);
+  open_ = true;
+}
+
+void JobTable::close(const Changing&) {
+  {
+    const std::lock_guard lock(mutex_);
+    open_ = false;
+    for (const auto& [id, job] : jobs_) {
+      if (job->held) job->interrupt.store(true, std::memory_order_relaxed);
+    }
+  }
+  bell_.notify_all();
+}
+
+LiveJobPtr JobTable::find(const OwnerId& owner, const std::string& id) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = jobs_.find(id);
+  return found != jobs_.end() && found->second->owner == owner ? found->second : nullptr;
+}
+
+JobProgress JobTable::progress(const LiveJob& job) const {
+  const std::lock_guard lock(mutex_);
+  return progress_now(job);
+}
+
+JobState JobTable::state(const LiveJob& job) const {
+  const std::lock_guard lock(mutex_);
+  return job.state;
+}
+
+JobService::Counts JobTable::counts() const {
+  const std::lock_guard lock(mutex_);
+  JobService::Counts counts = totals_;
+  for (const auto& [id, job] : jobs_) {
+    counts.queued += job->state == JobState::kQueued;
+    counts.running += job->state == JobState::kRunning;
+    counts.paused += job->state == JobState::kPaused;
+  }
+  return counts;
+}
+
+bool JobTable::wait_for_work() {
+  std::unique_lock lock(mutex_);
+  bell_.wait(lock, [this] { return !open_ || ready() != nullptr; });
+  return open_;
+}
+
+void JobTable::pause(std::chrono::milliseconds time) {
+  std::unique_lock lock(mutex_);
+  bell_.wait_for(lock, time, [this] { return !open_; });
+}
+
+void JobTable::hear(LiveJob& job, const JobProgress& progress) {
+  {
+    const std::lock_guard lock(mutex_);
+    totals_.steps += std::max(0, progress.step - job.progress.step);
+    job.progress = progress;
+    if (!next_state(job.state, JobEvent::kProgress)) return;
+  }
+  publisher_.progress(job.id, progress);
+}
+
+}  // namespace toile

@@ -1,0 +1,118 @@
+#pragma once
+// The jobs that have not ended, in memory, and the one way to change them.
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "server/jobs/job_service.h"
+#include "server/jobs/job_state.h"
+#include "server/jobs/publisher.h"
+#include "server/jobs/queue.h"
+#include "server/jobs/runner.h"
+#include "server/store/store.h"
+
+namespace toile {
+
+/// A job that has not ended, or whose worker has not yet let go. Members are written under both locks of the
+/// table and read under either. Two exceptions: progress is under the lock of memory only, and run belongs to
+/// the worker while it holds the job.
+struct LiveJob {
+  std::string id;
+  OwnerId owner;
+  JobRow row;  ///< without the document
+  JobState state = JobState::kQueued;
+  bool held = false;            ///< a worker has it
+  JobProgress progress;         ///< as the worker told it last
+  std::unique_ptr<JobRun> run;  ///< begun, maybe parked
+  std::uint32_t epoch = 0;      ///< of the run's stream
+  std::atomic<bool> interrupt{false};
+};
+using LiveJobPtr = std::shared_ptr<LiveJob>;
+
+using RowEdit = std::function<void(JobRow&)>;
+RowEdit with_reason(std::string code, std::string reason, std::string where = "");
+JobRow without_document(JobRow row);
+std::int64_t unix_ms();
+
+/// Two locks. One puts changes into an order: what a change writes to the store and tells the publisher
+/// happens under it; `changing` takes it. The other guards memory only and is never held while anybody waits,
+/// so that looking at jobs does not wait for the disk. What a worker tells of the job that it holds goes to
+/// the publisher without a lock; nobody else tells of that job until it lets go.
+class JobTable {
+ public:
+  using Changing = std::unique_lock<std::mutex>;
+
+  JobTable(Store& store, Publisher& publisher) : store_(store), publisher_(publisher) {}
+
+  [[nodiscard]] Changing changing() { return Changing(change_mutex_); }
+
+  // With the order of changes held, as the first argument proves.
+
+  /// Store first, then memory, then the workers' bell. Errors: jobs.state, those of the store; then nothing
+  /// has changed.
+  Status change(const Changing&, LiveJob& job, JobEvent event, const RowEdit& edit = {});
+  /// Marks a job as failed of which the store takes no word. The next start finds it cut off.
+  void fail_in_memory(const Changing&, LiveJob& job);
+  /// Tells viewers the state, and that it is the last one when the job has ended or the table is closed.
+  /// REQUIRES that no worker drapes the job.
+  void announce(const Changing&, const LiveJob& job);
+  /// Puts a job at the end of the queue as `state`. Gives back nothing when it is there already or the table
+  /// is closed.
+  LiveJobPtr insert(const Changing&, const OwnerId& owner, const JobRow& row, JobState state);
+  /// Takes a job out and gives back its drape, to be freed when the locks are not held.
+  std::unique_ptr<JobRun> remove(const Changing&, const LiveJobPtr& job);
+  /// The first of the queue that no worker holds.
+  LiveJobPtr next_ready(const Changing&) const;
+  /// A worker takes the job; without a drape it gets one from `make`, for the stream of that epoch.
+  void hand_out(const Changing&, LiveJob& job,
+                const std::function<std::unique_ptr<JobRun>(std::uint32_t epoch)>& make);
+  void take_back(const Changing&, LiveJob& job);
+  std::vector<LiveJobPtr> all(const Changing&) const;
+  /// Jobs whose drape lies in memory.
+  int begun(const Changing&) const;
+
+  /// Takes jobs from now on.
+  void open(const Changing&);
+  /// Takes no more, interrupts what workers hold, and lets them go home.
+  void close(const Changing&);
+  bool is_open(const Changing&) const { return open_; }
+
+  // Without.
+
+  LiveJobPtr find(const OwnerId& owner, const std::string& id) const;
+  JobProgress progress(const LiveJob& job) const;
+  JobState state(const LiveJob& job) const;
+  JobService::Counts counts() const;
+  /// Waits until a job may be taken: true; or until the table is closed: false.
+  bool wait_for_work();
+  /// Waits, but not for a closed table.
+  void pause(std::chrono::milliseconds time);
+  /// Takes down and publishes what the holder of the job tells, unless the job is not running any more.
+  void hear(LiveJob& job, const JobProgress& progress);
+
+ private:
+  LiveJobPtr ready() const;
+  JobProgress progress_now(const LiveJob& job) const;
+  void count_end(JobState state);
+
+  Store& store_;
+  Publisher& publisher_;
+  std::mutex change_mutex_;  // before mutex_
+  mutable std::mutex mutex_;
+  std::condition_variable bell_;
+  bool open_ = false;
+  std::map<std::string, LiveJobPtr> jobs_;  ///< by id
+  JobQueue queue_;
+  std::map<std::string, std::uint32_t> epochs_;  ///< newest of each job that has not ended; outlives a stop
+  JobService::Counts totals_;                    ///< ends and steps only
+};
+
+}  // namespace toile

@@ -1,0 +1,26 @@
+#pragma once
+// How a run of a job ends.
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "core/drape/drape_input.h"
+#include "core/drape/drape_result.h"
+
+namespace toile {
+
+/// What the job's row is to say. The results are in the store by then.
+struct RunEnd {
+  bool succeeded = false;
+  std::string code, reason, where;
+  std::string report;                           ///< report.json's text; empty when nothing was draped
+  std::map<std::string, std::int64_t> results;  ///< file name → bytes
+};
+
+/// What a drape's end means for its job, in words that say what to do next. A drape that ran out of time
+/// succeeded with code "time": there is cloth to look at. drape.stalled_seam, drape.not_finite and
+/// drape.stopped are failures. Report and results stay empty.
+RunEnd verdict_on(const DrapeInput& input, const DrapeResult& result);
+
+}  // namespace toile

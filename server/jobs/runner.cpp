@@ -1,0 +1,195 @@
+#include "server/jobs/runner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <utility>
+
+#include "core/analysis/report.h"
+#include "core/base/units.h"
+#include "core/base/write_file.h"
+#include "core/export/write_report.h"
+#include "server/jobs/job_input.h"
+#include "server/jobs/results.h"
+
+namespace toile {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr auto kTellEvery = std::chrono::milliseconds(100);
+/// A slice is about this long, so that slow drapes tell how far they are as often as quick ones.
+constexpr double kSlice = 50;  // ms
+
+RunEnd failed(const Error& error) {
+  RunEnd end;
+  end.code = error.code;
+  end.reason = error.message;
+  end.where = error.where;
+  return end;
+}
+
+/// What pictures are drawn from and where they go. The drawing thread may hold it longer than the run lives.
+struct Delivery {
+  std::shared_ptr<const DrapeInput> input;
+  std::shared_ptr<const DrapeResult> result;
+  std::unique_ptr<TemporaryFolder> folder;
+};
+
+Status draw(const RunPlace& place, const RunControl& control, std::shared_ptr<const Delivery> delivery) {
+  const auto drawing = [delivery = std::move(delivery), width = place.still_width,
+                        height = place.still_height]() -> Status {
+    const std::filesystem::path& path = delivery->folder->path();
+    Status stills = write_stills(*delivery->input, *delivery->result, path, width, height);
+    if (!stills) return stills;
+    return write_thumbnail(*delivery->input, *delivery->result, path);
+  };
+  return place.renderer->draw(drawing, control.abandon);
+}
+
+}  // namespace
+
+JobRun::JobRun(const RunPlace& place, OwnerId owner, std::string job_id, std::uint32_t epoch)
+    : place_(place), owner_(std::move(owner)), job_id_(std::move(job_id)), epoch_(epoch) {
+  progress_.state = "running";
+}
+
+std::optional<RunEnd> JobRun::go_on(const RunControl& control) {
+  try {
+    return through_all_stages(control);
+  } catch (const std::bad_alloc&) {
+    return failed({"internal.memory",
+                   "there was not enough memory for this drape; a larger particle distance needs less", ""});
+  } catch (const std::exception& e) {
+    return failed({"internal.exception", std::string("the drape broke off: ") + e.what(), ""});
+  } catch (...) {
+    return failed({"internal.unknown", "the drape broke off for a reason that it did not name", ""});
+  }
+}
+
+std::optional<RunEnd> JobRun::through_all_stages(const RunControl& control) {
+  const auto interrupted = [&] { return control.interrupt->load(std::memory_order_relaxed); };
+  if (!run_ && !result_) {
+    if (interrupted()) return std::nullopt;
+    if (const Status begun = begin(control); !begun) {
+      if (begun.error().code == "cancelled") return std::nullopt;
+      return failed(begun.error());
+    }
+  }
+  if (run_) {
+    drape_on(control);
+    if (!run_->done()) return std::nullopt;
+    result_ = std::make_shared<const DrapeResult>(run_->conclude());
+    read_figures();
+    run_.reset();  // the solver's memory is not needed for the rest
+  }
+  const Result<RunEnd> end = deliver(control);
+  if (end) return *end;
+  if (end.error().code == "render.given_up") return std::nullopt;
+  return failed(end.error());
+}
+
+RunContext JobRun::context_of(const RunControl& control) {
+  RunContext context;
+  context.cancel = control.interrupt;
+  return context;
+}
+
+Status JobRun::begin(const RunControl& control) {
+  tell(control, "mesh", 0);
+  if (!input_) {
+    const Result<JobRow> row = place_.store->job(owner_, job_id_);
+    if (!row) return row.error();
+    Result<DrapeInput> input = drape_input_of(*place_.store, owner_, row->document, row->files);
+    if (!input) return input.error();
+    input_ = std::make_shared<const DrapeInput>(std::move(*input));
+  }
+  RunContext context = context_of(control);
+  context.on_progress = [&](const Progress& p) { tell(control, "mesh", p.phase == "mesh" ? p.fraction : 1); };
+  Result<std::unique_ptr<DrapeRun>> run = DrapeRun::start(*input_, context, nullptr);
+  if (!run) return run.error();
+  run_ = std::move(*run);
+  const DrapeSession& session = run_->session();
+  const std::vector<Vec3> start = session.positions();
+  stream_.emplace(*place_.publisher, job_id_, epoch_, *input_, session.garment(), start);
+  stream_->show(session.steps(), session.time(), start);
+  return {};
+}
+
+void JobRun::drape_on(const RunControl& control) {
+  while (!run_->done() && !control.interrupt->load(std::memory_order_relaxed)) advance_slice(control);
+  const DrapeSession& session = run_->session();
+  if (run_->done() && stream_->step() != session.steps()) {
+    stream_->show(session.steps(), session.time(), session.positions());
+  }
+}
+
+/// To the next streamed frame, or as far as the time of a slice goes.
+void JobRun::advance_slice(const RunControl& control) {
+  const DrapeSession& session = run_->session();
+  const int to_frame = place_.stream_interval - session.steps() % place_.stream_interval;
+  const double affordable = kSlice / std::max(1e-3, progress_.step_ms);
+  const int steps = std::clamp(static_cast<int>(std::min(affordable, 1e6)), 1, to_frame);
+  const Clock::time_point before = Clock::now();
+  const int taken = run_->advance(steps, context_of(control));
+  if (taken > 0) {
+    progress_.step_ms = std::chrono::duration<double, std::milli>(Clock::now() - before).count() / taken;
+  }
+  if (session.steps() % place_.stream_interval == 0 && stream_->step() != session.steps()) {
+    stream_->show(session.steps(), session.time(), session.positions());
+  }
+  const Progress p = session.progress();
+  tell(control, p.phase, p.fraction);
+}
+
+void JobRun::read_figures() {
+  if (!run_) return;
+  const DrapeSession& session = run_->session();
+  progress_.step = session.steps();
+  progress_.simulated_s = session.time();
+  progress_.rms_speed = session.rms_speed();
+  progress_.seam_gap_mm = mm_from_metres(session.seam_gap());
+  progress_.cloth_body = run_->crossings().cloth_body;
+  progress_.cloth_cloth = run_->crossings().cloth_cloth;
+}
+
+/// A new phase is told at once, the same again only after a while.
+void JobRun::tell(const RunControl& control, std::string_view phase, double fraction) {
+  const Clock::time_point now = Clock::now();
+  if (phase == progress_.phase && now - told_ < kTellEvery) return;
+  told_ = now;
+  progress_.phase = phase;
+  progress_.fraction = fraction;
+  read_figures();
+  control.on_progress(progress_);
+}
+
+/// Results first: the state that names them is written by whoever gets the end.
+Result<RunEnd> JobRun::deliver(const RunControl& control) {
+  tell(control, "stills", 0);
+  Result<std::unique_ptr<TemporaryFolder>> folder = TemporaryFolder::make(place_.store->scratch_folder());
+  if (!folder) return folder.error();
+  auto delivery = std::make_shared<Delivery>();
+  delivery->input = input_;
+  delivery->result = result_;
+  delivery->folder = std::move(*folder);
+  const std::filesystem::path& path = delivery->folder->path();
+
+  RunEnd end = verdict_on(*input_, *result_);
+  end.report = report_json(make_report(*input_, *result_));
+  if (Status models = write_models(*input_, *result_, path, true); !models) return models.error();
+  if (Status report = write_file(path / "report.json", end.report); !report) return report.error();
+  if (Status stills = draw(place_, control, delivery); !stills) {
+    if (stills.error().code == "render.given_up") return stills.error();
+    end.reason += "; there are no pictures of it: " + stills.error().message;  // the drape is worth keeping
+  }
+  auto results = keep_results(*place_.store, owner_, job_id_, path);
+  if (!results) return results.error();
+  end.results = std::move(*results);
+  tell(control, "stills", 1);
+  return end;
+}
+
+}  // namespace toile

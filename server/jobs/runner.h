@@ -1,0 +1,75 @@
+#pragma once
+// Drapes one job: document → cloth → stream → results in the store. Nothing that goes wrong in it reaches the
+// worker.
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/base/result.h"
+#include "core/drape/drape_input.h"
+#include "core/drape/drape_result.h"
+#include "core/drape/pipeline.h"
+#include "server/jobs/publisher.h"
+#include "server/jobs/render_worker.h"
+#include "server/jobs/run_end.h"
+#include "server/jobs/stream.h"
+#include "server/store/store.h"
+
+namespace toile {
+
+/// What a run needs of the house. All of it outlives the run.
+struct RunPlace {
+  Store* store = nullptr;
+  Publisher* publisher = nullptr;
+  RenderWorker* renderer = nullptr;
+  int stream_interval = 50;                     ///< substeps between streamed frames
+  int still_width = 1024, still_height = 1280;  ///< pixels
+};
+
+/// What the worker that holds a run wants of it.
+struct RunControl {
+  const std::atomic<bool>* interrupt = nullptr;  ///< once true, the run lets go at the next substep
+  std::function<bool()> abandon;  ///< whether even a finished drape lets go, without its pictures and results
+  std::function<void(const JobProgress&)> on_progress;  ///< at most about ten times a second
+};
+
+/// A job's drape under way. Between two calls of go_on it lies in memory, and any thread may call it next.
+class JobRun {
+ public:
+  JobRun(const RunPlace& place, OwnerId owner, std::string job_id, std::uint32_t epoch);
+
+  /// Goes on until the end, or until it is interrupted: then it gives back nothing. Whatever is thrown inside
+  /// is caught here, and the run ends with code internal.memory, internal.exception or internal.unknown.
+  /// REQUIRES that it has not ended.
+  std::optional<RunEnd> go_on(const RunControl& control);
+
+ private:
+  std::optional<RunEnd> through_all_stages(const RunControl& control);
+  Status begin(const RunControl& control);
+  void drape_on(const RunControl& control);
+  void advance_slice(const RunControl& control);
+  Result<RunEnd> deliver(const RunControl& control);
+  void tell(const RunControl& control, std::string_view phase, double fraction);
+  void read_figures();
+  RunContext context_of(const RunControl& control);
+
+  RunPlace place_;
+  OwnerId owner_;
+  std::string job_id_;
+  std::uint32_t epoch_;
+
+  std::shared_ptr<const DrapeInput> input_;  ///< pictures may outlive the run
+  std::unique_ptr<DrapeRun> run_;            ///< until the drape is done
+  std::optional<JobStream> stream_;
+  std::shared_ptr<const DrapeResult> result_;  ///< from then on
+
+  JobProgress progress_;
+  std::chrono::steady_clock::time_point told_;
+};
+
+}  // namespace toile

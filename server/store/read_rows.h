@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/result.h"
+#include "proto/cpp/names.h"
+#include "server/store/sqlite.h"
+
+namespace toile {
+
+/// What belongs to somebody else is not found either, in the same words.
+inline Error not_found(const char* thing, const std::string& id) {
+  return {"store.not_found", std::string("there is no ") + thing + " " + in_quotes(id), ""};
+}
+
+/// All rows of a statement, each read by `read`.
+template <typename Row>
+Result<std::vector<Row>> rows_of(Result<SqlStatement> statement, Result<Row> (*read)(const SqlStatement&)) {
+  if (!statement) return statement.error();
+  std::vector<Row> rows;
+  for (;;) {
+    const Result<bool> more = statement->step();
+    if (!more) return more.error();
+    if (!*more) return rows;
+    Result<Row> row = read(*statement);
+    if (!row) return row.error();
+    rows.push_back(std::move(*row));
+  }
+}
+
+/// The one row of a statement, or store.not_found.
+template <typename Row>
+Result<Row> row_of(Result<SqlStatement> statement, Result<Row> (*read)(const SqlStatement&),
+                   const char* thing, const std::string& id) {
+  Result<std::vector<Row>> rows = rows_of(std::move(statement), read);
+  if (!rows) return rows.error();
+  if (rows->empty()) return not_found(thing, id);
+  return std::move(rows->front());
+}
+
+}  // namespace toile

@@ -1,0 +1,20 @@
+#include "server/ws/control.h"
+
+#include "proto/cpp/json_codec.h"
+#include "proto/cpp/names.h"
+
+namespace toile {
+
+Result<Control> parse_control(std::string_view text) {
+  const Result<JsonValue> tree = parse_json(text, {.bytes = 4096, .depth = 4});
+  if (!tree) return tree.error();
+  const JsonValue* type = tree->find("type");
+  const std::string word = type && type->text() ? *type->text() : "";
+  if (word == "pause") return Control::kPause;
+  if (word == "resume") return Control::kResume;
+  if (word == "cancel") return Control::kCancel;
+  return Error{"stream.unknown_type",
+               "a message is {\"type\": \"pause\"}, \"resume\" or \"cancel\", not " + in_quotes(word), "/type"};
+}
+
+}  // namespace toile

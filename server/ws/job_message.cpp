@@ -1,0 +1,74 @@
+#include "server/ws/job_message.h"
+
+#include <utility>
+
+namespace toile {
+namespace {
+
+double number(std::int64_t value) { return static_cast<double>(value); }
+
+std::string line_of(std::vector<JsonMember> members) { return write_json_line(std::move(members)); }
+
+std::vector<JsonMember> message(const char* type, std::vector<JsonMember> members) {
+  members.insert(members.begin(), {"type", std::string(type)});
+  return members;
+}
+
+}  // namespace
+
+std::vector<JsonMember> job_members(const JobRow& job) {
+  std::vector<JsonMember> results;
+  for (const auto& [name, bytes] : job.results) results.push_back({name, number(bytes)});
+  return {{"id", job.id},
+          {"project_id", job.project_id},
+          {"project_revision", number(job.project_revision)},
+          {"name", job.name},
+          {"state", job.state},
+          {"reason_code", job.reason_code},
+          {"reason", job.reason},
+          {"reason_where", job.reason_where},
+          {"attempt", number(job.attempt)},
+          {"created_ms", number(job.created_ms)},
+          {"started_ms", number(job.started_ms)},
+          {"ended_ms", number(job.ended_ms)},
+          {"results", std::move(results)}};
+}
+
+std::vector<JsonMember> progress_members(const JobProgress& progress) {
+  return {{"state", progress.state},
+          {"phase", progress.phase},
+          {"fraction", progress.fraction},
+          {"step", number(progress.step)},
+          {"simulated_s", progress.simulated_s},
+          {"rms_speed", progress.rms_speed},
+          {"seam_gap_mm", progress.seam_gap_mm},
+          {"cloth_body", number(progress.cloth_body)},
+          {"cloth_cloth", number(progress.cloth_cloth)},
+          {"step_ms", progress.step_ms}};
+}
+
+std::string job_message(const JobRow& job, const JobProgress& progress) {
+  std::vector<JsonMember> members = message("job", job_members(job));
+  members.push_back({"progress", progress_members(progress)});
+  return line_of(std::move(members));
+}
+
+std::string progress_message(const JobProgress& progress) {
+  return line_of(message("progress", progress_members(progress)));
+}
+
+std::string ended_message(const JobRow& job, const JobProgress& last) {
+  std::vector<JsonMember> members = message("ended", progress_members(last));
+  members.push_back({"job", job_members(job)});
+  return line_of(std::move(members));
+}
+
+std::string error_message(const Error& error) {
+  return line_of(message("error", {{"code", error.code}, {"detail", error.message}, {"where", error.where}}));
+}
+
+bool is_final_state(const std::string& state) {
+  return state == "succeeded" || state == "failed" || state == "cancelled";
+}
+
+}  // namespace toile

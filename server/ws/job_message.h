@@ -1,0 +1,30 @@
+#pragma once
+// Jobs as JSON: the same words over HTTP and on the stream. Keys are those of JobRow and JobProgress;
+// proto/openapi.yaml and proto/asyncapi.yaml describe them.
+
+#include <string>
+#include <vector>
+
+#include "proto/cpp/json_codec.h"
+#include "server/jobs/publisher.h"
+#include "server/store/store.h"
+
+namespace toile {
+
+/// What a person or a page wants to know of a job; without its document, files and report.
+std::vector<JsonMember> job_members(const JobRow& job);
+std::vector<JsonMember> progress_members(const JobProgress& progress);
+
+/// {"type": "job", …job, "progress": {…}}: the first message of a stream.
+std::string job_message(const JobRow& job, const JobProgress& progress);
+/// {"type": "progress", …progress}
+std::string progress_message(const JobProgress& progress);
+/// {"type": "ended", …progress, "job": {…}}: the last message of a stream.
+std::string ended_message(const JobRow& job, const JobProgress& last);
+/// {"type": "error", "code", "detail", "where"}: a command of the viewer was refused; the stream goes on.
+std::string error_message(const Error& error);
+
+/// Whether a job in this state will change no more.
+bool is_final_state(const std::string& state);
+
+}  // namespace toile

@@ -1,0 +1,95 @@
+#pragma once
+// One viewer of one job: a WebSocket with at most one write in flight. Internal to ws and http.
+
+#include <boost/asio/awaitable.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/asio/thread_pool.hpp>
+#include <boost/beast/core/tcp_stream.hpp>
+#include <boost/beast/http/message.hpp>
+#include <boost/beast/http/string_body.hpp>
+#include <boost/beast/websocket/stream.hpp>
+
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "server/jobs/job_service.h"
+#include "server/store/store.h"
+#include "server/ws/control.h"
+#include "server/ws/feed.h"
+#include "server/ws/hub.h"
+#include "server/ws/stream_settings.h"
+
+namespace toile {
+
+/// What streams work with; outlives them all.
+struct StreamServices {
+  Store& store;
+  JobService& jobs;
+  Hub& hub;
+  boost::asio::thread_pool& pool;  ///< for what may block
+  StreamSettings settings;
+};
+
+/// All members run on the socket's strand, but for wake() and stop().
+class StreamSession final : public ChannelListener, public std::enable_shared_from_this<StreamSession> {
+ public:
+  using Handshake = boost::beast::http::request<boost::beast::http::string_body>;
+
+  StreamSession(boost::beast::tcp_stream stream, const StreamServices& services, OwnerId owner,
+                std::string job_id);
+
+  /// Answers the handshake and serves the viewer until either side ends it. `job` exists.
+  boost::asio::awaitable<void> run(Handshake handshake);
+
+  /// There is something new. From any thread; returns at once.
+  void wake() override;
+  /// The server goes: closes with 1001. From any thread.
+  void stop();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  using Socket = boost::beast::websocket::stream<boost::beast::tcp_stream>;
+
+  using Reason = boost::beast::websocket::close_reason;
+
+  void prepare();
+  boost::asio::awaitable<void> write_all();
+  boost::asio::awaitable<bool> greet();
+  boost::asio::awaitable<bool> write_next();
+  boost::asio::awaitable<bool> write(std::string_view bytes, bool text);
+  boost::asio::awaitable<bool> write_ended(const ChannelView& view);
+  boost::asio::awaitable<void> sleep();
+  boost::asio::awaitable<void> read_all();
+  boost::asio::awaitable<void> obey(std::string text);
+  boost::asio::awaitable<void> watch();
+  void ask_to_close(boost::beast::websocket::close_code code, std::string_view words);
+  void ping();
+  bool overdue(Clock::time_point now) const;
+  void rouse();  ///< lets the writer look again
+  void drop();   ///< closes the connection without a word
+
+  const StreamServices& services_;
+  OwnerId owner_;
+  std::string job_id_;
+  Socket socket_;
+  boost::asio::steady_timer wake_;  ///< the writer sleeps on it
+  boost::asio::steady_timer tick_;  ///< watch() sleeps on it
+  std::atomic<bool> wake_posted_{false};
+  bool roused_ = false;
+
+  Subscription subscription_;
+  Feed feed_;
+  std::string reply_;          ///< newest refusal of a command, to be sent; empty: none
+  bool row_is_final_ = false;  ///< the job had ended before this viewer came
+
+  bool gone_ = false;  ///< the connection is of no more use
+  bool closing_ = false;
+  Reason reason_;
+  bool writing_ = false, pinging_ = false;
+  Clock::time_point last_sign_, last_ping_, write_began_, close_began_;
+};
+
+}  // namespace toile

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <chrono>
+
+namespace toile {
+
+/// How long a viewer may keep the server waiting.
+struct StreamSettings {
+  std::chrono::milliseconds ping_every{10'000};
+  std::chrono::milliseconds pong_within{30'000};   ///< of the last sign of life, else the viewer is dropped
+  std::chrono::milliseconds write_within{10'000};  ///< of the start of a write
+  std::chrono::milliseconds close_within{3'000};   ///< for the other side to answer a close
+};
+
+}  // namespace toile

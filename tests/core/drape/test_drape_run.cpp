@@ -1,0 +1,70 @@
+// A drape in several goes.
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <limits>
+
+#include "core/drape/pipeline.h"
+#include "tests/core/drape/garments.h"
+
+namespace toile {
+namespace {
+
+struct Steps final : FrameSink {
+  std::vector<int> steps;
+  void begin(const GarmentMesh&) override {}
+  void frame(const Frame& f) override { steps.push_back(f.step); }
+};
+
+TEST(DrapeRun, GivesTheSameResultHoweverItIsCutIntoGoes) {
+  const DrapeInput input = test::tube();
+  Steps whole_frames, cut_frames;
+  const DrapeResult whole = drape(input, {}, &whole_frames).value();
+
+  const auto run = DrapeRun::start(input, {}, &cut_frames).value();
+  int taken = 0;
+  for (int go = 1; !run->done(); ++go) {
+    const int steps = run->advance(go % 97, {});
+    EXPECT_LE(steps, go % 97);
+    taken += steps;
+  }
+  const DrapeResult cut = run->conclude();
+  EXPECT_EQ(taken, whole.steps);
+  EXPECT_EQ(cut.positions, whole.positions);
+  EXPECT_EQ(cut.stop_reason, whole.stop_reason);
+  EXPECT_EQ(cut.frames_checked, whole.frames_checked);
+  EXPECT_EQ(cut_frames.steps, whole_frames.steps);
+  EXPECT_EQ(cut_frames.steps.front(), 0);
+  EXPECT_GT(cut.cpu_s, 0) << "the times of all goes";
+}
+
+TEST(DrapeRun, StopsBetweenTwoStepsWhenItIsCancelledAndCanGoOn) {
+  DrapeInput input = test::tablecloth();
+  input.settings.max_time = 0.5;
+  std::atomic<bool> cancel{false};
+  RunContext context;
+  context.cancel = &cancel;
+  const auto run = DrapeRun::start(input, context, nullptr).value();
+  cancel = true;
+  EXPECT_EQ(run->advance(100, context), 0);
+  EXPECT_EQ(run->conclude().stop_reason, "cancelled");
+  cancel = false;
+  EXPECT_EQ(run->advance(100, context), 100);
+  run->advance(std::numeric_limits<int>::max(), context);
+  EXPECT_EQ(run->conclude().positions, drape(input, {}, nullptr)->positions);
+}
+
+TEST(DrapeRun, CancelledWhileMeshingHasNothingToShow) {
+  const std::atomic<bool> cancel{true};
+  RunContext context;
+  context.cancel = &cancel;
+  EXPECT_EQ(DrapeRun::start(test::tube(), context, nullptr).error().code, "cancelled");
+  const Result<DrapeResult> nothing = drape(test::tube(), context, nullptr);
+  ASSERT_TRUE(nothing.ok()) << "a cancelled drape is no error";
+  EXPECT_EQ(nothing->stop_reason, "cancelled");
+  EXPECT_TRUE(nothing->positions.empty());
+}
+
+}  // namespace
+}  // namespace toile

@@ -1,0 +1,283 @@
+// The page in a real browser over the real server: what a person does, from the first look to the downloads.
+// Screenshots are kept in out/e2e. The tests build on each other, in this order.
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { after, before, describe, it } from 'node:test';
+import { ask, openBrowser, openPage, shoot, waitFor, waitForState } from './browser.mjs';
+import { Service, root } from './service.mjs';
+
+const service = new Service();
+let browser, page;
+
+const sample = (name) => join(root, 'samples/skirt', name);
+const sleep = (ms) => new Promise((done) => setTimeout(done, ms));
+
+/** Vertices of an OBJ text, metres. */
+const verticesOf = (obj) => [...obj.matchAll(/^v (\S+) (\S+) (\S+)/gm)].flatMap((line) => line.slice(1).map(Number));
+
+function largestDistance(a, b) {
+  let largest = 0;
+  for (let i = 0; i < a.length; i += 3) largest = Math.max(largest, Math.hypot(a[i] - b[i], a[i + 1] - b[i + 1], a[i + 2] - b[i + 2]));
+  return largest;
+}
+
+/** Different hashes of the positions, as the page shows them, until there are so many or the time is over. */
+const collectMoments = (watched, enough, ms) => watched.evaluate(async ([count, time]) => {
+  const seen = new Set();
+  const end = performance.now() + time;
+  while (seen.size < count && performance.now() < end) {
+    seen.add(window.__toile.positionsHash());
+    await new Promise((done) => setTimeout(done, 5));
+  }
+  return seen.size;
+}, [enough, ms]);
+
+const startDrape = () => page.locator('.actions .primary').click();
+
+before(async () => {
+  await service.start();
+  browser = await openBrowser();
+  page = await openPage(browser, service.url);
+}, { timeout: 60_000 });
+
+after(async () => {
+  await browser?.close();
+  await service.stop();
+}, { timeout: 60_000 });
+
+describe('the page', { timeout: 600_000 }, () => {
+  it('shows the sample being draped as an ordinary job to whoever opens it', async () => {
+    await waitFor(page, () => window.__toile.job());
+    assert.match(await ask(page, 'route'), /^#\/jobs\/j_/);
+    const { jobs } = await (await service.get('/jobs')).json();
+    assert.equal(jobs.length, 1);
+    assert.equal(await page.locator('.rail .row').count(), 2);
+    await waitFor(page, () => window.__toile.drawn() > 0);
+  });
+
+  it('moves the cloth', async () => {
+    if ((await ask(page, 'job')).state !== 'running') await startDrape();
+    await waitFor(page, () => window.__toile.job().state === 'running' && window.__toile.frames() > 0);
+    assert.equal(await collectMoments(page, 10, 10_000), 10);
+    await shoot(page, '01-running');
+  });
+
+  it('pauses and goes on with the space bar', async () => {
+    await page.locator('body').press(' ');
+    await waitForState(page, 'paused');
+    await sleep(300);
+    const held = await ask(page, 'positionsHash');
+    await sleep(800);
+    assert.equal(await ask(page, 'positionsHash'), held);
+    assert.equal((await (await service.get(`/jobs/${(await ask(page, 'job')).id}`)).json()).state, 'paused');
+    await shoot(page, '02-paused');
+    await page.locator('.actions').getByText('Resume').click();
+    await waitFor(page, (before) => window.__toile.positionsHash() !== before, 20_000, held);
+  });
+
+  it('comes back by itself after the server was killed and started again', async () => {
+    const id = (await ask(page, 'job')).id;
+    await service.kill();
+    await page.locator('.banner').getByText('Connection lost').waitFor();
+    await shoot(page, '03-lost');
+    assert.notEqual(await ask(page, 'positionsHash'), '', 'the last picture stays');
+    await service.start();
+    await page.locator('.banner').waitFor({ state: 'detached', timeout: 20_000 });
+    assert.equal((await ask(page, 'job')).id, id);
+    await waitFor(page, () => ['running', 'succeeded'].includes(window.__toile.job().state));
+    const frames = await ask(page, 'frames');
+    await waitFor(page, (before) => window.__toile.frames() > before, 60_000, frames);
+  });
+
+  it('ends where the report says', async () => {
+    await waitForState(page, 'succeeded', 240_000);
+    const { id } = await ask(page, 'job');
+    await page.locator('.report').waitFor();
+    const final = verticesOf(await (await service.get(`/jobs/${id}/results/final.obj`)).text());
+    const report = await (await service.get(`/jobs/${id}/results/report.json`)).json();
+    const shown = await ask(page, 'positions');
+    assert.equal(shown.length, final.length);
+    assert.equal(shown.length, 3 * report.particles);
+    const largest = largestDistance(shown, final);
+    assert.ok(largest <= 1e-4, `the page is ${largest * 1000} mm off`);
+    assert.match(await page.locator('.report').innerText(), new RegExp(`Settled at ${report.simulated_s.toFixed(2)} s`));
+    assert.ok(report.settled);
+  });
+
+  it('shows the stills and offers models, report and pictures with their sizes', async () => {
+    const { id } = await ask(page, 'job');
+    await waitFor(page, () => [...document.querySelectorAll('.stills img')].length >= 4 && [...document.querySelectorAll('.stills img')].every((image) => image.naturalWidth > 0));
+    const links = await page.locator('.downloads a').evaluateAll((all) => all.map((link) => ({ href: link.href, size: link.querySelector('em').textContent })));
+    for (const name of ['final.glb', 'final.obj', 'report.json', 'front.png', 'back.png', 'side.png', 'three-quarter.png']) {
+      const link = links.find((one) => one.href.endsWith(`/jobs/${id}/results/${name}`));
+      assert.ok(link, `${name} is offered`);
+      assert.match(link.size, /^[\d.]+ (B|kB|MB)$/);
+      assert.equal((await fetch(link.href)).status, 200);
+    }
+    assert.ok(await page.locator('.rail .thumb img').count() >= 1, 'the list has a picture');
+    await page.waitForTimeout(600);
+    await shoot(page, '04-result');
+    await page.locator('.stills button').first().click();
+    await page.locator('dialog.enlarged[open]').waitFor();
+    await shoot(page, '05-still');
+    await page.keyboard.press('Escape');
+    await page.locator('dialog.enlarged').waitFor({ state: 'detached' });
+  });
+
+  it('still has the cloth of an ended drape when it is opened anew', async () => {
+    const again = await openPage(browser, page.url());
+    await waitFor(again, () => window.__toile.positionsHash() !== '' && window.__toile.drawn() > 0);
+    const final = verticesOf(await (await service.get(`/jobs/${(await ask(again, 'job')).id}/results/final.obj`)).text());
+    assert.ok(largestDistance(await ask(again, 'positions'), final) <= 1e-4);
+    await again.close();
+  });
+
+  it('has the first frame less than a second after a start', async () => {
+    const times = [];
+    for (let i = 0; i < 3; ++i) {
+      const before = (await ask(page, 'job')).id;
+      const [arrived, drawn] = await page.evaluate(async (old) => {
+        const start = performance.now();
+        const drawnBefore = window.__toile.drawn();
+        document.querySelector('.actions .primary').click();
+        const until = (condition) => new Promise((done) => {
+          const look = () => (condition() ? done(performance.now() - start) : setTimeout(look, 2));
+          look();
+        });
+        const came = await until(() => window.__toile.job()?.id !== old && window.__toile.frames() > 0);
+        return [came, await until(() => window.__toile.drawn() > drawnBefore)];
+      }, before);
+      times.push({ arrived, drawn });
+      if (i === 0) await shoot(page, '06-sewing');
+      await page.locator('.actions').getByText('Cancel').click();
+      await waitForState(page, 'cancelled');
+    }
+    console.log(`# first frame after a start: ${times.map(({ arrived, drawn }) => `${arrived.toFixed(0)} ms there, ${drawn.toFixed(0)} ms drawn`).join('; ')}`);
+    // Drawn by the processor and on a shared machine: the best of three is what the page itself takes.
+    assert.ok(Math.min(...times.map(({ drawn }) => drawn)) < 1000);
+    await shoot(page, '07-cancelled');
+  });
+
+  it('shows two viewers the same drape at the same step', async () => {
+    await startDrape();
+    await waitForState(page, 'running');
+    const other = await openPage(browser, page.url());
+    await waitFor(other, () => window.__toile.frames() > 2);
+    const shown = (one) => one.evaluate(() => `step ${window.__toile.moment().step}: ${window.__toile.positionsHash()}`);
+    const steps = new Set();
+    for (let i = 0; i < 3; ++i) {
+      await page.locator('.actions').getByText('Pause').click();
+      await Promise.all([waitForState(page, 'paused'), waitForState(other, 'paused')]);
+      await sleep(400);
+      assert.equal(await shown(page), await shown(other));
+      steps.add(await shown(page));
+      await other.locator('.actions').getByText('Resume').click();
+      const { step } = await ask(page, 'moment');
+      await Promise.all([page, other].map((one) => waitFor(one, (before) => window.__toile.moment().step > before, 20_000, step)));
+    }
+    assert.equal(steps.size, 3);
+    await other.close();
+  });
+
+  it('selects a piece from either side', async () => {
+    await page.locator('.plane [data-piece=back]').press('Enter');
+    await page.locator('.plane [data-piece=back][aria-pressed=true]').waitFor();
+    await page.keyboard.press('Escape');
+    await page.locator('.plane .selected').waitFor({ state: 'detached' });
+    await page.keyboard.press('1');
+    await page.waitForTimeout(1500);
+    const box = await page.locator('.scene canvas').boundingBox();
+    await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+    await page.locator('.plane [data-piece=front][aria-pressed=true]').waitFor();
+    await page.waitForTimeout(500);
+    await shoot(page, '08-selected');
+    await page.keyboard.press('Escape');
+  });
+
+  it('goes back where it came from, and says so where there is nothing', async () => {
+    const at = await ask(page, 'route');
+    await page.locator('a.crumb').click();
+    assert.match(await ask(page, 'route'), /^#\/projects\/p_/);
+    await page.goBack();
+    assert.equal(await ask(page, 'route'), at);
+    await page.evaluate(() => (location.hash = '#/jobs/j_doesnotexist'));
+    await page.getByText('Nothing is here').waitFor();
+    await shoot(page, '09-nothing');
+    await page.goBack();
+    await page.getByText('Nothing is here').waitFor({ state: 'detached' });
+  });
+
+  it('tells what a DXF alone lacks', async () => {
+    await page.keyboard.press('n');
+    await page.locator('.intake input[type=file]').setInputFiles(sample('skirt.dxf'));
+    await page.getByText('A DXF says what is cut, not how it is sewn').waitFor();
+    assert.ok(await page.locator('.intake footer .primary').isDisabled());
+    await shoot(page, '10-dxf-alone');
+    const download = page.waitForEvent('download');
+    await page.getByText('Save a starter project.json').click();
+    const starter = JSON.parse(readFileSync(await (await download).path(), 'utf8'));
+    assert.deepEqual(starter.pieces.map((piece) => piece.id), ['front', 'back', 'band_front', 'band_back']);
+  });
+
+  it('shows the code and the place of a broken file', async () => {
+    const text = readFileSync(sample('skirt.dxf'), 'utf8');
+    const broken = { name: 'skirt.dxf', mimeType: 'image/vnd.dxf', buffer: Buffer.from(text.slice(0, text.length / 3)) };
+    await page.locator('.intake input[type=file]').setInputFiles([broken]);
+    await page.locator('.intake input[type=file]').setInputFiles([sample('project.json'), sample('body.obj')]);
+    await page.getByText('Everything is there').waitFor();
+    await page.locator('.intake footer .primary').click();
+    await page.locator('.intake .problem').waitFor();
+    assert.match(await page.locator('.intake .problem .code').innerText(), /^dxf\.\w+ · .*skirt\.dxf/);
+    await shoot(page, '11-broken-file');
+  });
+
+  it('makes a project of dropped files and drapes it', async () => {
+    const before = await ask(page, 'route');
+    await page.locator('.intake input[type=file]').setInputFiles(sample('skirt.dxf'));
+    await page.locator('.intake .problem').waitFor({ state: 'detached' });
+    await shoot(page, '12-intake');
+    await page.locator('.intake footer .primary').click();
+    await page.locator('.intake').waitFor({ state: 'detached' });
+    await waitFor(page, (old) => window.__toile.route() !== old && window.__toile.route().startsWith('#/jobs/'), 20_000, before);
+    assert.equal((await (await service.get('/projects')).json()).projects.length, 2);
+    await waitFor(page, () => window.__toile.frames() > 0);
+    await page.locator('.actions').getByText('Cancel').click();
+    await waitForState(page, 'cancelled');
+  });
+
+  it('can be used by keyboard alone, each control with a name', async () => {
+    const nameless = await page.locator('button, a, [role=button], [role=tab], [tabindex="0"]').evaluateAll((all) =>
+      all.filter((one) => !(one.getAttribute('aria-label') || one.getAttribute('aria-labelledby') || one.textContent.trim())).map((one) => one.outerHTML.slice(0, 120)));
+    assert.deepEqual(nameless, []);
+    await page.locator('.topbar .brand').focus();
+    const reached = new Set();
+    for (let i = 0; i < 60; ++i) {
+      await page.keyboard.press('Tab');
+      reached.add(await page.evaluate(() => document.activeElement?.closest('.rail, .scene-tools, .scene-canvas, .plane, .plane-tools, .tabs, .tab-panel, .actions')?.classList[0]));
+    }
+    for (const region of ['rail', 'scene-canvas', 'scene-tools', 'plane', 'plane-tools', 'tabs', 'tab-panel', 'actions']) assert.ok(reached.has(region), `${region} is reached`);
+    await page.keyboard.press('?');
+    await page.locator('.help').waitFor();
+    await shoot(page, '13-keys');
+    await page.keyboard.press('Escape');
+  });
+
+  it('is dark for those who want it so, and fits a small screen', async () => {
+    const done = (await (await service.get('/jobs')).json()).jobs.find((job) => job.state === 'succeeded');
+    for (const [name, options] of [['14-dark', { colorScheme: 'dark' }], ['15-small', { viewport: { width: 820, height: 1000 } }]]) {
+      const other = await openPage(browser, `${service.url}/#/jobs/${done.id}`, options);
+      await waitFor(other, () => window.__toile.drawn() > 0 && document.querySelector('.report'));
+      await other.waitForTimeout(1500);
+      await shoot(other, name);
+      const wide = await other.evaluate(() => document.documentElement.scrollWidth > innerWidth);
+      assert.equal(wide, false, 'nothing hangs over the edge');
+      await other.close();
+    }
+  });
+
+  it('has complained of nothing', () => {
+    assert.deepEqual(page.complaints, []);
+  });
+});

@@ -1,0 +1,65 @@
+// The real server as a child of a test: started on a free port, killed and started again on the same port and data.
+
+import { spawn } from 'node:child_process';
+import { existsSync, mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+export const root = fileURLToPath(new URL('../..', import.meta.url));
+const program = process.env.TOILE_PROGRAM ?? join(root, 'build/release/toile');
+
+export class Service {
+  data = mkdtempSync(join(tmpdir(), 'toile-e2e-'));
+  port = 0;
+  #child = null;
+
+  get url() {
+    return `http://127.0.0.1:${this.port}`;
+  }
+
+  /** Resolves once it says that it answers. */
+  async start() {
+    if (!existsSync(program)) throw new Error(`${program} is not there: ./run build makes it`);
+    const options = ['--port', String(this.port), '--data', this.data, '--workers', '2', '--web', join(root, 'web/dist'), '--sample', join(root, 'samples/skirt')];
+    const child = spawn(program, ['serve', ...options], { stdio: ['ignore', 'pipe', 'pipe'] });
+    this.#child = child;
+    let said = '';
+    const address = new Promise((done, fail) => {
+      const listen = (chunk) => {
+        said += chunk;
+        const port = /http:\/\/127\.0\.0\.1:(\d+)/.exec(said)?.[1];
+        if (port) done(Number(port));
+      };
+      child.stdout.on('data', listen);
+      child.stderr.on('data', listen);
+      child.on('exit', (code, signal) => fail(new Error(`the server ended (${code ?? signal}) before it answered:\n${said}`)));
+    });
+    this.port = await address;
+  }
+
+  /** Ends it as a crash would. */
+  async kill() {
+    await this.#end('SIGKILL');
+  }
+
+  async stop() {
+    await this.#end('SIGTERM');
+    rmSync(this.data, { recursive: true, force: true });
+  }
+
+  async #end(signal) {
+    const child = this.#child;
+    this.#child = null;
+    if (!child || child.exitCode !== null || child.signalCode !== null) return;
+    const gone = new Promise((done) => child.on('exit', done));
+    child.kill(signal);
+    await gone;
+  }
+
+  async get(path) {
+    const response = await fetch(`${this.url}/api/v1${path}`);
+    if (!response.ok) throw new Error(`${path}: ${response.status} ${await response.text()}`);
+    return response;
+  }
+}

@@ -1,0 +1,73 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "proto/cpp/project.h"
+#include "tests/server/documents/documents_fixture.h"
+
+namespace toile {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kSkirt = fs::path(TOILE_SOURCE_DIR) / "samples" / "skirt";
+
+/// The ids of all projects there are.
+std::vector<std::string> ids_in(Store& store) {
+  std::vector<std::string> ids;
+  const Result<std::vector<ProjectRow>> rows = store.projects(kLocalOwner, "", 100);
+  for (const ProjectRow& row : *rows) ids.push_back(row.id);
+  return ids;
+}
+
+TEST(Sample, IsThereAfterTheFirstStartAndOnlyOnce) {
+  const TemporaryFolder folder;
+  {
+    const auto store = opened(folder.path());
+    const Status added = add_sample_project(*store, kLocalOwner, kSkirt);
+    ASSERT_TRUE(added) << to_string(added.error());
+  }
+  const auto store = opened(folder.path());
+  ASSERT_TRUE(add_sample_project(*store, kLocalOwner, kSkirt));
+  const std::vector<std::string> ids = ids_in(*store);
+  ASSERT_EQ(ids.size(), 1u);
+  EXPECT_EQ(store->get_setting(kLocalOwner, kSampleSetting)->value(), ids[0]);
+  const ProjectRow row = *store->project(kLocalOwner, ids[0]);
+  const Result<Project> project = parse_project(row.document);
+  ASSERT_TRUE(project);
+  EXPECT_EQ(row.name, project->name);
+  const Result<DrapeInput> input = resolve_project(*project, files_in_store(*store, kLocalOwner, row.files));
+  ASSERT_TRUE(input) << to_string(input.error());
+  EXPECT_GE(input->pattern.panels.size(), 2u);
+  EXPECT_EQ(input->bodies.size(), 1u);
+}
+
+TEST(Sample, DoesNotComeBackOnceItIsDeleted) {
+  const TemporaryFolder folder;
+  const auto store = opened(folder.path());
+  ASSERT_TRUE(add_sample_project(*store, kLocalOwner, kSkirt));
+  ASSERT_TRUE(store->remove_project(kLocalOwner, ids_in(*store).front()));
+  ASSERT_TRUE(add_sample_project(*store, kLocalOwner, kSkirt));
+  EXPECT_TRUE(ids_in(*store).empty());
+}
+
+TEST(Sample, IsNotAddedTwiceWhenTheFirstStartWasCutOff) {
+  ClothStore cloth;
+  std::ofstream(cloth.folder.path() + "/project.json") << kClothDocument;
+  const ProjectRow made = *create_project(*cloth.store, kLocalOwner, kClothDocument, cloth.files);
+  ASSERT_TRUE(add_sample_project(*cloth.store, kLocalOwner, cloth.folder.path()));
+  EXPECT_EQ(ids_in(*cloth.store), std::vector<std::string>{made.id});
+  EXPECT_EQ(cloth.store->get_setting(kLocalOwner, kSampleSetting)->value(), made.id);
+}
+
+TEST(Sample, IsTriedAgainWhenItsFolderWasNotThere) {
+  const TemporaryFolder folder;
+  const auto store = opened(folder.path());
+  EXPECT_EQ(code_of(add_sample_project(*store, kLocalOwner, folder.path() + "/absent")), "project.file");
+  ASSERT_TRUE(add_sample_project(*store, kLocalOwner, kSkirt));
+  EXPECT_EQ(ids_in(*store).size(), 1u);
+}
+
+}  // namespace
+}  // namespace toile

@@ -1,0 +1,149 @@
+#pragma once
+// A server on a free port over a real store, and the least project.
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "proto/cpp/json_codec.h"
+#include "server/documents/assets.h"
+#include "server/documents/projects.h"
+#include "server/http/server.h"
+#include "tests/app/napkin.h"
+#include "tests/server/http/wire.h"
+
+namespace toile::test {
+
+/// Jobs that nobody drapes: their states change as they are told, and the test plays the worker.
+class ScriptedJobs final : public JobService {
+ public:
+  explicit ScriptedJobs(Store& store) : store_(store) {}
+  Status start() override { return {}; }
+  void stop() override {}
+  Result<JobRow> submit(const OwnerId& owner, const std::string& project_id, const std::string& key) override {
+    const Result<ProjectRow> project = store_.project(owner, project_id);
+    if (!project) return project.error();
+    JobRow row;
+    row.project_id = project->id;
+    row.project_revision = project->revision;
+    row.name = project->name;
+    row.document = project->document;
+    row.files = project->files;
+    return store_.create_job(owner, row, key);
+  }
+  Result<JobRow> pause(const OwnerId& owner, const std::string& id) override { return become(owner, id, "paused"); }
+  Result<JobRow> resume(const OwnerId& owner, const std::string& id) override { return become(owner, id, "queued"); }
+  Result<JobRow> cancel(const OwnerId& owner, const std::string& id) override { return become(owner, id, "cancelled"); }
+  Result<JobProgress> progress(const OwnerId& owner, const std::string& id) override {
+    const Result<JobRow> row = store_.job(owner, id);
+    if (!row) return row.error();
+    JobProgress progress;
+    progress.state = row->state;
+    return progress;
+  }
+  Counts counts() const override { return {}; }
+
+  Result<JobRow> become(const OwnerId& owner, const std::string& id, const std::string& state) {
+    Result<JobRow> row = store_.job(owner, id);
+    if (!row) return row;
+    if (row->state == "succeeded" || row->state == "cancelled" || row->state == state) {
+      return Error{"jobs.state", "the job is " + row->state, id};
+    }
+    row->state = state;
+    if (Status updated = store_.update_job(owner, *row); !updated) return updated.error();
+    return row;
+  }
+
+ private:
+  Store& store_;
+};
+
+class Served : public testing::Test {
+ protected:
+  /// `settings` are those of the server but for the port; `page` is a folder in this test's own.
+  void serve(ServerSettings settings = {}, bool real_jobs = false) {
+    folder = std::filesystem::path(testing::TempDir()) / ("toile_http_" + std::to_string(getpid()));
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder / "data");
+    Result<std::unique_ptr<Store>> opened = open_sqlite_store((folder / "data").string());
+    ASSERT_TRUE(opened) << to_string(opened.error());
+    store = std::move(*opened);
+    if (real_jobs) {
+      JobServiceSettings two;
+      two.workers = 2;
+      jobs = make_job_service(*store, hub, two);
+    } else {
+      jobs = std::make_unique<ScriptedJobs>(*store);
+    }
+    ASSERT_TRUE(jobs->start());
+    settings.port = 0;
+    settings.most_connections = 64;
+    server = std::make_unique<HttpServer>(*store, *jobs, hub, settings);
+    const Status started = server->start();
+    ASSERT_TRUE(started) << to_string(started.error());
+    port = server->port();
+  }
+  void TearDown() override {
+    if (jobs) jobs->stop();
+    server.reset();
+    jobs.reset();
+    store.reset();
+    std::filesystem::remove_all(folder);
+  }
+
+  Answer get(const std::string& target, const std::string& headers = "") {
+    return ask(port, "GET", target, "", headers);
+  }
+  Answer send_json(const std::string& method, const std::string& target, const std::string& body,
+                   const std::string& headers = "") {
+    return ask(port, method, target, body, "Content-Type: application/json\r\n" + headers);
+  }
+  Answer upload(const std::string& kind, const std::string& name, const std::string& bytes) {
+    return ask(port, "POST", "/api/v1/assets?kind=" + kind + "&name=" + name, bytes,
+               "Content-Type: application/octet-stream\r\n");
+  }
+
+  static std::string member(const Answer& answer, const std::string& key) {
+    const Result<JsonValue> tree = parse_json(answer.body, {.depth = 64});
+    const JsonValue* found = tree ? tree->find(key) : nullptr;
+    return found && found->text() ? *found->text() : "";
+  }
+
+  std::string post_asset() { return member(upload("body", "post.obj", kPost), "id"); }
+  /// A request's body for the napkin, in which the first place of `from` is changed to `to`.
+  static std::string napkin_request(const std::string& asset, const std::string& from = "",
+                                    const std::string& to = "") {
+    std::string text = kNapkin;
+    const std::size_t at = text.find(from);
+    if (at != std::string::npos) text.replace(at, from.size(), to);
+    return "{\"document\": " + text + ", \"files\": {\"post.obj\": \"" + asset + "\"}}";
+  }
+  std::string make_project() {
+    return member(send_json("POST", "/api/v1/projects", napkin_request(post_asset())), "id");
+  }
+  std::string make_job() {
+    return member(send_json("POST", "/api/v1/jobs", "{\"project_id\": \"" + make_project() + "\"}"), "id");
+  }
+
+  std::filesystem::path folder;
+  Hub hub;
+  std::unique_ptr<Store> store;
+  std::unique_ptr<JobService> jobs;
+  std::unique_ptr<HttpServer> server;
+  int port = 0;
+};
+
+#define EXPECT_PROBLEM(answer, wanted_status, wanted_code)                                        \
+  do {                                                                                            \
+    const Answer& got = (answer);                                                                 \
+    EXPECT_EQ(got.status, wanted_status) << got.body.substr(0, 500);                              \
+    EXPECT_EQ(got.headers.count("content-type") ? got.headers.at("content-type") : "none",        \
+              "application/problem+json");                                                        \
+    EXPECT_TRUE(member(got, "code").starts_with(wanted_code)) << got.body.substr(0, 500);         \
+    EXPECT_LT(got.body.size(), 6000u);                                                            \
+  } while (false)
+
+}  // namespace toile::test

@@ -1,0 +1,166 @@
+// What strangers upload: each is refused with a code and a place, soon, and the server goes on.
+
+#include <chrono>
+#include <string>
+#include <thread>
+
+#include "tests/server/http/served.h"
+
+namespace toile::test {
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr double kSoon = 40;  // s; sanitizers are slow
+#else
+constexpr double kSoon = 4;
+#endif
+
+std::string repeated(const std::string& text, std::size_t bytes) {
+  std::string out;
+  out.reserve(bytes + text.size());
+  while (out.size() < bytes) out += text;
+  return out;
+}
+
+std::string square_dxf(
+    const std::string& vertices = "10\n0\n20\n0\n10\n100\n20\n0\n10\n100\n20\n100\n10\n0\n20\n100\n",
+    const std::string& closed = "1") {
+  return "0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\nFRONT\n90\n4\n70\n" + closed + "\n" + vertices +
+         "0\nENDSEC\n0\nEOF\n";
+}
+
+class BadUploads : public Served {
+ protected:
+  void SetUp() override { serve(); }
+  void TearDown() override {
+    EXPECT_EQ(get("/healthz").status, 200);
+    Served::TearDown();
+  }
+
+  void expect_refused(const Answer& answer, const std::string& code, const std::string& where) {
+    EXPECT_GE(answer.status, 400) << answer.body.substr(0, 500);
+    EXPECT_LT(answer.status, 500) << answer.body.substr(0, 500);
+    EXPECT_PROBLEM(answer, answer.status, code);
+    EXPECT_NE(member(answer, "where").find(where), std::string::npos) << answer.body.substr(0, 500);
+  }
+  void expect_bad_file(const std::string& kind, const std::string& name, const std::string& bytes,
+                       const std::string& code) {
+    const auto began = std::chrono::steady_clock::now();
+    expect_refused(upload(kind, name, bytes), code, "");
+    EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count(), kSoon);
+  }
+  void expect_bad_napkin(const std::string& from, const std::string& to, const std::string& code,
+                         const std::string& where) {
+    const auto began = std::chrono::steady_clock::now();
+    expect_refused(send_json("POST", "/api/v1/projects", napkin_request(post_asset(), from, to)), code, where);
+    EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count(), kSoon);
+  }
+};
+
+TEST_F(BadUploads, TheFixturesThemselvesAreGood) {
+  EXPECT_EQ(upload("dxf", "cut.dxf", square_dxf()).status, 201);
+  EXPECT_EQ(send_json("POST", "/api/v1/projects", napkin_request(post_asset())).status, 201);
+}
+
+TEST_F(BadUploads, DxfFilesThatAreNone) {
+  expect_bad_file("dxf", "cut.dxf", "Dear Sir or Madam,\nplease find attached my best regards.\n", "dxf.");
+  expect_bad_file("dxf", "cut.dxf", "", "dxf.empty");
+  expect_bad_file("dxf", "cut.dxf", square_dxf("10\n0\n20\n0\n10\n100\n20\n0\n10\n100\n20\n100\n", "0"),
+                  "dxf.open_outline");
+  expect_bad_file("dxf", "cut.dxf", square_dxf("10\n0\n20\n0\n10\n200\n20\n0\n10\n100\n20\n0\n"), "dxf.");
+  expect_bad_file("dxf", "cut.dxf", square_dxf("10\n0\n20\n0\n10\n100\n20\n100\n10\n150\n20\n0\n10\n0\n20\n100\n"),
+                  "dxf.self_crossing");
+  expect_bad_file("dxf", "cut.dxf", square_dxf("10\nnan\n20\ninf\n10\n1e300\n20\n0\n10\n9\n20\n9\n"), "dxf.");
+}
+
+TEST_F(BadUploads, DxfFilesCutOffAnywhere) {
+  const std::string whole = square_dxf();
+  for (std::size_t length = 0; length + 8 < whole.size(); length += 5) {
+    expect_bad_file("dxf", "cut.dxf", whole.substr(0, length), "dxf.");
+  }
+}
+
+TEST_F(BadUploads, BodiesThatAreNone) {
+  expect_bad_file("body", "a.obj", "", "mesh.empty");
+  expect_bad_file("body", "a.obj", "v nan nan nan\nv nan 1 0\nv 0 nan 1\nf 1 2 3\n", "mesh.");
+  std::string infinite = kPost;
+  expect_bad_file("body", "a.obj", infinite.replace(infinite.find("0.5"), 3, "inf"), "mesh.");
+  expect_bad_file("body", "a.obj", std::string(kPost).substr(0, 60), "mesh.");
+  expect_bad_file("body", "a.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", "mesh.");
+  expect_bad_file("body", "a.glb", "glTF\x02", "mesh.");
+  expect_bad_file("body", "a.exe", kPost, "");
+}
+
+TEST_F(BadUploads, FiftyMegabytesOfAnything) {
+  constexpr std::size_t kAlmostAllowed = 50'000'000;
+  expect_bad_file("dxf", "a.dxf", repeated("x", kAlmostAllowed), "dxf.");
+  expect_bad_file("dxf", "a.dxf", repeated(std::string(1, '\0'), kAlmostAllowed), "dxf.");
+  expect_bad_file("dxf", "a.dxf", repeated("0\nLINE\n", kAlmostAllowed), "dxf.");
+  expect_bad_file("body", "a.obj", repeated("x", kAlmostAllowed), "");
+  expect_bad_file("body", "a.obj", repeated(std::string(1, '\0'), kAlmostAllowed), "");
+  const std::string json = "Content-Type: application/json\r\n";
+  for (const char* filling : {" ", "[", "{\"a\":", "1,", "x"}) {
+    expect_refused(ask(port, "POST", "/api/v1/projects", repeated(filling, kAlmostAllowed), json), "http.too_large",
+                   "");
+  }
+}
+
+TEST_F(BadUploads, JsonNestedTenThousandDeep) {
+  for (const char* level : {"[", "{\"a\":"}) {
+    expect_bad_napkin("\"toile\": 1",
+                      "\"toile\": 1, \"x\": " + repeated(level, 10000 * std::string(level).size()), "json.too_deep",
+                      "/document/x");
+    expect_refused(send_json("POST", "/api/v1/jobs", repeated(level, 100'000)), "json.too_deep", "");
+  }
+}
+
+TEST_F(BadUploads, FourMegabytesOfNearlyADocument) {
+  constexpr std::size_t kJustAllowed = (std::size_t{4} << 20) - 4000;
+  expect_bad_napkin("\"toile\": 1", "\"toile\": 1, \"x\": [" + repeated("[],", kJustAllowed) + "[]]", "", "");
+  expect_bad_napkin("[[300, 300], [0, 300]]", "[" + repeated("[300, 300], ", kJustAllowed) + "[0, 300]]", "", "");
+}
+
+TEST_F(BadUploads, DocumentsWithAFault) {
+  expect_bad_napkin("[[0, 300], [0, 0]]", "[[0, 300], [0, 7]]", "pattern.open_outline", "/document/pieces/0/outline");
+  expect_bad_napkin("[[300, 300], [0, 300]]", "[[300, 300], [150, -100], [0, 300]]", "pattern.self_crossing",
+                    "/document/pieces/0");
+  expect_bad_napkin("\"seams\": []", R"("seams": [{"id": "s", "a": [{"piece": "napkin", "edge": "east"}],
+                    "b": [{"piece": "sleeve", "edge": "west"}]}])",
+                    "project.unknown_piece", "/document/seams/0/b/0/piece");
+  expect_bad_napkin("\"seams\": []", R"("seams": [{"id": "s", "a": [{"piece": "napkin", "edge": "east"}],
+                    "b": [{"piece": "napkin", "edge": "wset"}]}])",
+                    "project.unknown_edge", "/document/seams/0/b/0/edge");
+  expect_bad_napkin("post.obj", "pots.obj", "documents.missing_file", "/document/bodies/0/file");
+  expect_bad_napkin("post.obj", "../../../etc/passwd", "", "/document/bodies/0/file");
+  expect_bad_napkin("\"seams\"", "\"saems\"", "project.unknown_key", "/document/saems");
+  expect_bad_napkin("\"particle_distance_mm\": 25", "\"particle_distance_mm\": 1e300", "project.out_of_range",
+                    "/document/settings/particle_distance_mm");
+}
+
+TEST_F(BadUploads, ANapkinOfAMillionParticlesIsRefusedAtTheLatestWhenItIsSubmitted) {
+  jobs->stop();
+  auto real = make_job_service(*store, hub, {});
+  std::string text = napkin_request(post_asset(), "\"particle_distance_mm\": 25", "\"particle_distance_mm\": 0.5");
+  for (std::size_t at = text.find("300"); at != std::string::npos; at = text.find("300", at + 5)) {
+    text.replace(at, 3, "90000");
+  }
+  const Answer made = send_json("POST", "/api/v1/projects", text);
+  if (made.status != 201) return expect_refused(made, "mesh.", "");
+  const Result<JobRow> job = real->submit(kLocalOwner, member(made, "id"), "");
+  if (!job) return;
+  ASSERT_TRUE(real->start());
+  for (int i = 0; i < 400; ++i) {
+    const Result<JobRow> now = store->job(kLocalOwner, job->id);
+    if (now && now->state == "failed") {
+      EXPECT_EQ(now->reason_code, "mesh.too_many_particles");
+      real->stop();
+      return;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  ADD_FAILURE() << "neither refused nor failed";
+  real->stop();
+}
+
+}  // namespace
+}  // namespace toile::test

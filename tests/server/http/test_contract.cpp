@@ -1,0 +1,129 @@
+// What the server answers and streams fits proto/openapi.yaml and proto/asyncapi.yaml: a drape from the upload to the
+// last result is recorded, and check_contract.py holds it against the schemas. The same script looks over the two
+// files themselves.
+
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/server/http/served.h"
+
+namespace toile::test {
+namespace {
+
+class Contract : public Served {
+ protected:
+  void SetUp() override { serve({}, true); }
+
+  Answer recorded(const std::string& method, const std::string& target, const std::string& body = "",
+                  const std::string& headers = "") {
+    const Answer answer = ask(port, method, target, body, headers);
+    const auto type = answer.headers.find("content-type");
+    const bool json = type != answer.headers.end() && type->second.find("json") != std::string::npos;
+    keep({{"method", method},
+          {"path", target.substr(0, target.find('?'))},
+          {"status", static_cast<double>(answer.status)},
+          {"content_type", type == answer.headers.end() ? std::string() : type->second},
+          {"body", json ? answer.body : std::string()}});
+    return answer;
+  }
+  void keep(std::vector<JsonMember> members) { lines += write_json_line(std::move(members)) + "\n"; }
+
+  void keep_stream(const std::string& id) {
+    Socket viewer(port, "/api/v1/jobs/" + id + "/stream");
+    keep({{"method", std::string("GET")},
+          {"path", "/api/v1/jobs/" + id + "/stream"},
+          {"status", static_cast<double>(viewer.status())},
+          {"content_type", std::string()},
+          {"body", std::string()}});
+    viewer.send(Socket::kText, R"({"type": "resume"})");  // refused: it is not paused
+    while (const auto message = viewer.read(120)) {
+      if (message->opcode == Socket::kText) keep({{"message", message->payload}});
+      if (message->opcode == Socket::kBinary) ++frames;
+      if (message->opcode == Socket::kClose) return;
+    }
+    ADD_FAILURE() << "the stream broke off";
+  }
+
+  int check(const std::string& recordings) {
+    const std::string root = TOILE_SOURCE_DIR;
+    const std::string command = "python3 " + root + "/tests/server/http/check_contract.py " + root + "/proto " +
+                                recordings + " >&2";
+    const int status = std::system(command.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+  std::string lines;
+  int frames = 0;
+};
+
+constexpr const char* kJson = "Content-Type: application/json\r\n";
+
+TEST_F(Contract, EveryAnswerAndMessageFitsItsSchema) {
+  recorded("GET", "/healthz");
+  recorded("GET", "/readyz");
+  recorded("POST", "/api/v1/assets?kind=dxf&name=a.dxf", "no dxf");
+  const std::string dxf =
+      "0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\nA\n90\n4\n70\n1\n10\n0\n20\n0\n10\n9\n20\n0\n10\n9\n20\n9\n0\n"
+      "ENDSEC\n0\nEOF\n";
+  recorded("POST", "/api/v1/assets?kind=dxf&name=a.dxf", dxf);
+  recorded("POST", "/api/v1/assets?kind=x&name=a.dxf", dxf);
+  const std::string asset = member(recorded("POST", "/api/v1/bodies?name=post.obj", kPost), "id");
+  recorded("GET", "/api/v1/assets");
+  recorded("GET", "/api/v1/bodies");
+  recorded("GET", "/api/v1/assets/" + asset);
+  recorded("GET", "/api/v1/assets/" + asset + "/content");
+  recorded("GET", "/api/v1/assets/a_0");
+
+  const std::string request = napkin_request(asset);
+  const std::string project = member(recorded("POST", "/api/v1/projects", request, kJson), "id");
+  ASSERT_FALSE(project.empty());
+  const std::string one = "/api/v1/projects/" + project;
+  recorded("POST", "/api/v1/projects", "[", kJson);
+  recorded("GET", "/api/v1/projects?limit=1");
+  recorded("GET", "/api/v1/projects?limit=0");
+  recorded("GET", one);
+  recorded("GET", one + "/pieces");
+  recorded("PUT", one, request, kJson);
+  recorded("PUT", one, request, std::string(kJson) + "If-Match: \"9\"\r\n");
+  recorded("PUT", one, request, std::string(kJson) + "If-Match: \"1\"\r\n");
+
+  const std::string submission = "{\"project_id\": \"" + project + "\"}";
+  const std::string job = member(recorded("POST", "/api/v1/jobs", submission, kJson), "id");
+  ASSERT_FALSE(job.empty());
+  const std::string address = "/api/v1/jobs/" + job;
+  recorded("GET", address);
+  recorded("GET", "/api/v1/jobs");
+  keep_stream(job);
+  EXPECT_GE(frames, 2);
+  const Answer done = recorded("GET", address);
+  EXPECT_EQ(member(done, "state"), "succeeded") << done.body;
+  recorded("GET", address + "/results");
+  recorded("GET", address + "/results/report.json");
+  recorded("GET", address + "/results/nothing");
+  recorded("GET", address + "/body");
+  recorded("GET", address + "/stream");
+  recorded("POST", address + "/pause");
+  recorded("POST", address + "/resume");
+  recorded("POST", address + "/cancel");
+  recorded("GET", "/api/v1/jobs");
+
+  const std::string held = member(recorded("POST", "/api/v1/jobs", submission, kJson), "id");
+  recorded("POST", "/api/v1/jobs/" + held + "/pause");
+  recorded("POST", "/api/v1/jobs/" + held + "/resume");
+  recorded("POST", "/api/v1/jobs/" + held + "/cancel");
+  recorded("GET", "/metrics");
+  recorded("DELETE", one);
+  recorded("DELETE", one);
+
+  const std::string path = (folder / "recordings.jsonl").string();
+  std::ofstream(path) << lines;
+  EXPECT_EQ(check(path), 0);
+}
+
+}  // namespace
+}  // namespace toile::test

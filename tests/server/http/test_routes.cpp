@@ -1,0 +1,232 @@
+// Every route of the service, on its good and its bad ways.
+
+#include <cstring>
+#include <fstream>
+#include <string>
+
+#include "tests/server/http/served.h"
+
+namespace toile::test {
+namespace {
+
+class Routes : public Served {
+ protected:
+  void SetUp() override { serve(); }
+  static Result<JsonValue> tree(const Answer& answer) { return parse_json(answer.body, {.depth = 64}); }
+  static std::size_t count(const Answer& answer, const char* list) {
+    const auto read = tree(answer);
+    return read && read->find(list) ? read->find(list)->array()->size() : 999;
+  }
+};
+
+TEST_F(Routes, KeepAnUploadAndGiveItBack) {
+  const Answer made = upload("body", "post.obj", kPost);
+  ASSERT_EQ(made.status, 201) << made.body;
+  const std::string id = member(made, "id");
+  EXPECT_EQ(made.headers.at("location"), "/api/v1/assets/" + id);
+  EXPECT_EQ(*tree(made)->find("info")->find("triangles")->number(), 12);
+  EXPECT_EQ(get("/api/v1/assets/" + id).body, made.body);
+  const Answer content = get("/api/v1/assets/" + id + "/content");
+  EXPECT_EQ(content.body, kPost);
+  EXPECT_EQ(content.headers.at("content-type"), "model/obj");
+  EXPECT_EQ(content.headers.at("content-disposition"), "inline; filename=\"post.obj\"");
+  EXPECT_EQ(member(upload("body", "post.obj", kPost), "id"), id) << "the same again is the same";
+}
+
+TEST_F(Routes, ListUploadsByKind) {
+  ASSERT_EQ(ask(port, "POST", "/api/v1/bodies?name=post.obj", kPost).status, 201);
+  EXPECT_EQ(count(get("/api/v1/assets"), "assets"), 1u);
+  EXPECT_EQ(count(get("/api/v1/bodies"), "assets"), 1u);
+  EXPECT_EQ(count(get("/api/v1/assets?kind=dxf"), "assets"), 0u);
+  EXPECT_PROBLEM(get("/api/v1/assets?kind=fabric"), 400, "documents.kind");
+}
+
+TEST_F(Routes, NeverServeAnUploadAsSomethingThatRuns) {
+  const std::string dxf =
+      "0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\nA\n90\n4\n70\n1\n10\n0\n20\n0\n10\n9\n20\n0\n10\n9\n20\n9\n0\n"
+      "ENDSEC\n0\nEOF\n";
+  const Answer made = upload("dxf", "page.html", dxf);
+  ASSERT_EQ(made.status, 201) << made.body;
+  const Answer content = get("/api/v1/assets/" + member(made, "id") + "/content");
+  EXPECT_EQ(content.headers.at("content-type"), "image/vnd.dxf");
+  EXPECT_EQ(content.headers.at("x-content-type-options"), "nosniff");
+  EXPECT_NE(content.headers.at("content-security-policy").find("sandbox"), std::string::npos);
+}
+
+TEST_F(Routes, RefuseUploadsWithoutAGoodNameOrKind) {
+  EXPECT_PROBLEM(upload("", "post.obj", kPost), 400, "documents.kind");
+  EXPECT_PROBLEM(upload("body", "", kPost), 422, "");
+  EXPECT_PROBLEM(upload("body", "..%2Fpost.obj", kPost), 422, "");
+  EXPECT_PROBLEM(upload("body", "post.obj", ""), 422, "mesh.");
+  EXPECT_PROBLEM(get("/api/v1/assets/a_00000000000000000000000000000000"), 404, "store.not_found");
+  EXPECT_PROBLEM(get("/api/v1/assets/a_0/content"), 404, "store.not_found");
+}
+
+TEST_F(Routes, MakeShowAndReplaceAProject) {
+  const std::string asset = post_asset();
+  const Answer made = send_json("POST", "/api/v1/projects", napkin_request(asset));
+  ASSERT_EQ(made.status, 201) << made.body;
+  const std::string address = "/api/v1/projects/" + member(made, "id");
+  EXPECT_EQ(made.headers.at("location"), address);
+  EXPECT_EQ(made.headers.at("etag"), "\"1\"");
+  const Answer shown = get(address);
+  EXPECT_EQ(shown.body, made.body);
+  EXPECT_EQ(*tree(shown)->find("document")->find("name")->text(), "Napkin");
+  EXPECT_EQ(*tree(shown)->find("files")->find("post.obj")->text(), asset);
+  EXPECT_EQ(get(address, "If-None-Match: \"1\"\r\n").status, 304);
+
+  const std::string bigger = napkin_request(asset, "\"name\": \"Napkin\"", "\"name\": \"Cloth\"");
+  const Answer replaced = send_json("PUT", address, bigger, "If-Match: \"1\"\r\n");
+  ASSERT_EQ(replaced.status, 200) << replaced.body;
+  EXPECT_EQ(replaced.headers.at("etag"), "\"2\"");
+  EXPECT_EQ(member(replaced, "name"), "Cloth");
+  EXPECT_EQ(get(address, "If-None-Match: \"1\"\r\n").status, 200);
+  EXPECT_PROBLEM(send_json("PUT", address, bigger, "If-Match: \"1\"\r\n"), 412, "store.conflict");
+  EXPECT_PROBLEM(send_json("PUT", address, bigger, "If-Match: W/\"2\"\r\n"), 412, "store.conflict");
+  EXPECT_PROBLEM(send_json("PUT", address, bigger), 428, "request.if_match");
+  EXPECT_EQ(send_json("PUT", address, bigger, "If-Match: *\r\n").headers.at("etag"), "\"3\"");
+}
+
+TEST_F(Routes, GiveAProjectTheNameOfTheRequest) {
+  const std::string body = napkin_request(post_asset());
+  const Answer made = send_json("POST", "/api/v1/projects", "{\"name\": \"Mine\", " + body.substr(1));
+  ASSERT_EQ(made.status, 201) << made.body;
+  EXPECT_EQ(member(made, "name"), "Mine");
+  EXPECT_EQ(*tree(made)->find("document")->find("name")->text(), "Mine");
+}
+
+TEST_F(Routes, ListProjectsPageByPage) {
+  const std::string request = napkin_request(post_asset());
+  std::vector<std::string> ids;
+  for (int i = 0; i < 3; ++i) ids.push_back(member(send_json("POST", "/api/v1/projects", request), "id"));
+  const Answer first = get("/api/v1/projects?limit=2");
+  EXPECT_EQ(count(first, "projects"), 2u);
+  EXPECT_EQ(*tree(first)->find("projects")->array()->front().find("id")->text(), ids[2]) << "newest first";
+  EXPECT_FALSE(tree(first)->find("projects")->array()->front().find("document"));
+  const Answer second = get("/api/v1/projects?limit=2&cursor=" + member(first, "next"));
+  EXPECT_EQ(count(second, "projects"), 1u);
+  EXPECT_EQ(member(second, "next"), "");
+  EXPECT_EQ(count(get("/api/v1/projects?limit=3"), "projects"), 3u);
+  for (const char* limit : {"0", "101", "-1", "x", "1e3", "99999999999"}) {
+    EXPECT_PROBLEM(get(std::string("/api/v1/projects?limit=") + limit), 400, "request.limit");
+  }
+  EXPECT_PROBLEM(get("/api/v1/projects?cursor=nonsense"), 400, "store.cursor");
+}
+
+TEST_F(Routes, RemoveAProject) {
+  const std::string address = "/api/v1/projects/" + make_project();
+  EXPECT_EQ(ask(port, "DELETE", address).status, 204);
+  EXPECT_PROBLEM(get(address), 404, "store.not_found");
+  EXPECT_PROBLEM(ask(port, "DELETE", address), 404, "store.not_found");
+  EXPECT_PROBLEM(get(address + "/pieces"), 404, "store.not_found");
+  EXPECT_PROBLEM(send_json("PUT", address, napkin_request(post_asset()), "If-Match: *\r\n"), 404, "store.not_found");
+}
+
+TEST_F(Routes, RefuseRequestsForProjectsThatAreNone) {
+  const auto post = [this](const std::string& body) { return send_json("POST", "/api/v1/projects", body); };
+  EXPECT_PROBLEM(post(""), 400, "json.syntax");
+  EXPECT_PROBLEM(post("[]"), 422, "request.object");
+  EXPECT_PROBLEM(post("{}"), 422, "request.document");
+  EXPECT_PROBLEM(post(R"({"document": 1})"), 422, "request.document");
+  EXPECT_PROBLEM(post(R"({"document": {}, "documnet": 1})"), 422, "request.unknown_key");
+  EXPECT_PROBLEM(post(R"({"document": {}, "files": []})"), 422, "request.files");
+  EXPECT_PROBLEM(post(R"({"document": {}, "files": {"a": 1}})"), 422, "request.files");
+  EXPECT_PROBLEM(post(R"({"document": {}, "document": {}})"), 400, "json.duplicate_key");
+  const Answer unknown = post(napkin_request("a_00000000000000000000000000000000"));
+  EXPECT_PROBLEM(unknown, 422, "documents.unknown_asset");
+  EXPECT_EQ(member(unknown, "where"), "/files/post.obj");
+}
+
+TEST_F(Routes, DrawTheFlatPieces) {
+  const Answer pieces = get("/api/v1/projects/" + make_project() + "/pieces");
+  ASSERT_EQ(pieces.status, 200) << pieces.body;
+  const Result<JsonValue> read = tree(pieces);
+  const JsonValue& piece = read->find("pieces")->array()->front();
+  EXPECT_EQ(*piece.find("id")->text(), "napkin");
+  EXPECT_EQ(piece.find("outline")->array()->size(), 4u);
+  EXPECT_EQ(piece.find("edges")->array()->size(), 4u);
+  EXPECT_EQ(*piece.find("outline")->array()->at(2).array()->at(0).number(), 300);
+}
+
+TEST_F(Routes, SubmitAJobOnceForEachKey) {
+  const std::string request = "{\"project_id\": \"" + make_project() + "\"}";
+  const Answer first = send_json("POST", "/api/v1/jobs", request, "Idempotency-Key: once\r\n");
+  ASSERT_EQ(first.status, 201) << first.body;
+  EXPECT_EQ(first.headers.at("location"), "/api/v1/jobs/" + member(first, "id"));
+  EXPECT_EQ(member(first, "state"), "queued");
+  const Answer again = send_json("POST", "/api/v1/jobs", request, "Idempotency-Key: once\r\n");
+  EXPECT_EQ(again.status, 201);
+  EXPECT_EQ(member(again, "id"), member(first, "id"));
+  EXPECT_NE(member(send_json("POST", "/api/v1/jobs", request), "id"), member(first, "id"));
+  EXPECT_EQ(count(get("/api/v1/jobs"), "jobs"), 2u);
+  EXPECT_EQ(count(get("/api/v1/jobs?limit=1"), "jobs"), 1u);
+  EXPECT_PROBLEM(send_json("POST", "/api/v1/jobs", request, "Idempotency-Key: \x01\r\n"), 400, "");
+  const std::string other = "{\"project_id\": \"" + make_project() + "\"}";
+  EXPECT_PROBLEM(send_json("POST", "/api/v1/jobs", other, "Idempotency-Key: once\r\n"), 409,
+                 "store.idempotency_mismatch");
+}
+
+TEST_F(Routes, RefuseJobsOfNothing) {
+  EXPECT_PROBLEM(send_json("POST", "/api/v1/jobs", R"({"project_id": "p_00000000000000000000"})"), 404,
+                 "store.not_found");
+  EXPECT_PROBLEM(send_json("POST", "/api/v1/jobs", "{}"), 422, "request.project_id");
+  EXPECT_PROBLEM(send_json("POST", "/api/v1/jobs", R"({"project": "p"})"), 422, "request.unknown_key");
+  for (const char* what : {"", "/results", "/results/report.json", "/body"}) {
+    EXPECT_PROBLEM(get(std::string("/api/v1/jobs/j_00000000000000000000") + what), 404, "store.not_found");
+  }
+  for (const char* what : {"/pause", "/resume", "/cancel"}) {
+    EXPECT_PROBLEM(ask(port, "POST", std::string("/api/v1/jobs/j_00000000000000000000") + what), 404,
+                   "store.not_found");
+  }
+}
+
+TEST_F(Routes, PauseResumeAndCancelAJob) {
+  const std::string address = "/api/v1/jobs/" + make_job();
+  EXPECT_EQ(member(ask(port, "POST", address + "/pause"), "state"), "paused");
+  EXPECT_PROBLEM(ask(port, "POST", address + "/pause"), 409, "jobs.state");
+  EXPECT_EQ(member(ask(port, "POST", address + "/resume"), "state"), "queued");
+  EXPECT_EQ(member(ask(port, "POST", address + "/cancel"), "state"), "cancelled");
+  EXPECT_PROBLEM(ask(port, "POST", address + "/cancel"), 409, "jobs.state");
+  EXPECT_EQ(member(get(address), "state"), "cancelled");
+}
+
+TEST_F(Routes, GiveOutResultsAndTheReport) {
+  const std::string id = make_job(), address = "/api/v1/jobs/" + id;
+  EXPECT_EQ(count(get(address + "/results"), "results"), 0u);
+  ASSERT_TRUE(store->put_result(kLocalOwner, id, "front.png", "\x89PNG"));
+  auto row = store->job(kLocalOwner, id);
+  row->state = "succeeded";
+  row->report = "{\"settled\": true}\n";
+  row->results = {{"front.png", 4}};
+  ASSERT_TRUE(store->update_job(kLocalOwner, *row));
+  EXPECT_EQ(count(get(address + "/results"), "results"), 1u);
+  const Answer png = get(address + "/results/front.png");
+  EXPECT_EQ(png.body, "\x89PNG");
+  EXPECT_EQ(png.headers.at("content-type"), "image/png");
+  EXPECT_PROBLEM(get(address + "/results/back.png"), 404, "store.not_found");
+  EXPECT_TRUE(*tree(get(address))->find("report")->find("settled")->boolean());
+}
+
+TEST_F(Routes, SendTheBodyAsOneMesh) {
+  const Answer body = get("/api/v1/jobs/" + make_job() + "/body");
+  ASSERT_EQ(body.status, 200);
+  ASSERT_EQ(body.body.size(), 8u + 8 * 12 + 12 * 12);
+  std::uint32_t vertices = 0, triangles = 0;
+  std::memcpy(&vertices, body.body.data(), 4);
+  std::memcpy(&triangles, body.body.data() + 4, 4);
+  EXPECT_EQ(vertices, 8u);
+  EXPECT_EQ(triangles, 12u);
+  for (std::size_t at = 8 + 8 * 12; at < body.body.size(); at += 4) {
+    std::uint32_t corner = 99;
+    std::memcpy(&corner, body.body.data() + at, 4);
+    EXPECT_LT(corner, 8u);
+  }
+}
+
+TEST_F(Routes, SayThatThePageIsNotBuilt) {
+  EXPECT_NE(get("/").body.find("has not been built"), std::string::npos);
+  EXPECT_PROBLEM(get("/index.js"), 404, "http.not_found");
+}
+
+}  // namespace
+}  // namespace toile::test

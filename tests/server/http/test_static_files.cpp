@@ -1,0 +1,86 @@
+#include "server/http/static_files.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "server/http/url.h"
+
+namespace toile {
+namespace {
+
+namespace fs = std::filesystem;
+
+class StaticFilesTest : public testing::Test {
+ protected:
+  StaticFilesTest() : root(fs::path(testing::TempDir()) / ("toile_page_" + std::to_string(getpid()))) {
+    fs::remove_all(root);
+    fs::create_directories(root / "dist/assets");
+    write("dist/index.html", "<p>page");
+    write("dist/icon.svg", "<svg/>");
+    write("dist/assets/index-3f2a.js", "1");
+    write("dist/.env", "SECRET=1");
+    write("secret.txt", "secret");
+    fs::create_symlink(root / "secret.txt", root / "dist/link.txt");
+  }
+  ~StaticFilesTest() override { fs::remove_all(root); }
+  void write(const std::string& name, const std::string& text) { std::ofstream(root / name) << text; }
+
+  HttpResponse get(const std::string& target, const std::string& folder = "dist") {
+    HttpRequest request;
+    request.method = "GET";
+    request.target = target;
+    const auto parsed = parse_target(target);
+    if (!parsed) return {.status = 400, .content_type = {}, .body = {}, .headers = {}};
+    request.segments = parsed->segments;
+    return StaticFiles(root / folder).get(request);
+  }
+  static std::string header(const HttpResponse& response, const std::string& name) {
+    for (const auto& [key, value] : response.headers) {
+      if (key == name) return value;
+    }
+    return "";
+  }
+
+  fs::path root;
+};
+
+TEST_F(StaticFilesTest, ServesThePageAndAsksForItAgain) {
+  const HttpResponse page = get("/");
+  EXPECT_EQ(page.status, 200);
+  EXPECT_EQ(page.body, "<p>page");
+  EXPECT_EQ(page.content_type, "text/html; charset=utf-8");
+  EXPECT_EQ(header(page, "Cache-Control"), "no-cache");
+  EXPECT_NE(header(page, "Content-Security-Policy").find("default-src 'self'"), std::string::npos);
+}
+
+TEST_F(StaticFilesTest, LetsHashedFilesBeKept) {
+  const HttpResponse script = get("/assets/index-3f2a.js");
+  EXPECT_EQ(script.content_type, "text/javascript; charset=utf-8");
+  EXPECT_NE(header(script, "Cache-Control").find("immutable"), std::string::npos);
+  EXPECT_EQ(get("/icon.svg").content_type, "image/svg+xml");
+  EXPECT_EQ(header(get("/icon.svg"), "Cache-Control"), "no-cache");
+}
+
+TEST_F(StaticFilesTest, ShowsNothingOutsideItsFolder) {
+  for (const char* target :
+       {"/../secret.txt", "/%2e%2e/secret.txt", "/..%2fsecret.txt", "/assets/../../secret.txt", "/link.txt", "/.env",
+        "/assets", "/assets/", "//etc/passwd", "/etc/passwd", "/index.html/", "/nothing.html", "/%00",
+        "/assets/%2e%2e/%2e%2e/secret.txt", "/....//secret.txt", "/..;/secret.txt"}) {
+    const HttpResponse response = get(target);
+    EXPECT_GE(response.status, 400) << target;
+    EXPECT_EQ(response.body.find("secret\n"), std::string::npos) << target;
+    EXPECT_NE(response.body, "secret") << target;
+  }
+}
+
+TEST_F(StaticFilesTest, SaysInPlainWordsThatThePageIsNotBuilt) {
+  EXPECT_EQ(get("/", "nowhere").status, 200);
+  EXPECT_NE(get("/", "nowhere").body.find("has not been built"), std::string::npos);
+  EXPECT_EQ(get("/index.js", "nowhere").status, 404);
+}
+
+}  // namespace
+}  // namespace toile

@@ -1,0 +1,348 @@
+// Viewers of a stream, from the handshake to the close.
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <fstream>
+#include <map>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/server/http/served.h"
+#include "tests/server/ws/stream_pieces.h"
+
+namespace toile::test {
+namespace {
+
+constexpr std::uint8_t kFin = 0x80;
+constexpr std::size_t kVertices = 3000;
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kSanitized = true;  // their bookkeeping grows the process
+#else
+constexpr bool kSanitized = false;
+#endif
+
+/// What one viewer got.
+struct Seen {
+  std::vector<std::string> texts;                ///< types of text messages, in order
+  std::map<std::uint32_t, std::string> keys;     ///< by seq
+  std::map<std::uint32_t, std::string> deltas;
+  std::vector<std::uint32_t> order;              ///< seqs as they came
+  std::vector<std::int16_t> grid;                ///< decoded, now
+  std::string last_text;
+  int topologies = 0, close = 0, bad = 0;
+};
+
+/// Takes in one message; false at the end.
+bool take(Seen& seen, const std::optional<Socket::Message>& message) {
+  if (!message) return false;
+  if (message->opcode == Socket::kClose) return seen.close = message->close_code(), false;
+  if (message->opcode == Socket::kText) {
+    const Result<JsonValue> tree = parse_json(message->payload);
+    seen.texts.push_back(tree && tree->find("type") ? *tree->find("type")->text() : "?");
+    seen.last_text = message->payload;
+    return true;
+  }
+  if (message->payload == "topology") return ++seen.topologies, true;
+  const Result<DecodedFrame> frame = decode_frame(message->payload, seen.grid);
+  if (!frame) return ++seen.bad, true;
+  seen.grid = frame->grid;
+  seen.order.push_back(frame->header.seq);
+  (frame->key ? seen.keys : seen.deltas)[frame->header.seq] = message->payload;
+  return true;
+}
+
+Seen watch(Socket& viewer) {
+  Seen seen;
+  while (take(seen, viewer.read())) {
+  }
+  return seen;
+}
+
+class Stream : public Served {
+ protected:
+  void SetUp() override {
+    ServerSettings settings;
+    settings.stream.ping_every = std::chrono::milliseconds(400);
+    settings.stream.pong_within = std::chrono::milliseconds(2000);
+    settings.stream.write_within = std::chrono::milliseconds(1000);
+    serve(settings);
+    id = make_job();
+    ASSERT_FALSE(id.empty());
+  }
+  std::string target() const { return "/api/v1/jobs/" + id + "/stream"; }
+  void publish(std::uint32_t from, std::uint32_t to, int pause_ms = 0) {
+    for (std::uint32_t seq = from; seq <= to; ++seq) {
+      hub.frame(id, frame(seq, 1, kVertices));
+      if (pause_ms > 0) std::this_thread::sleep_for(std::chrono::milliseconds(pause_ms));
+    }
+  }
+  void finish() {
+    static_cast<ScriptedJobs&>(*jobs).become(kLocalOwner, id, "succeeded");
+    hub.ended(id, progress("succeeded", 4711));
+  }
+  /// Waits until so many look on.
+  bool viewers_become(std::size_t count, double within_s = 10) {
+    for (int i = 0; i < within_s * 100; ++i) {
+      if (hub.viewers() == count) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return false;
+  }
+  void expect_alive() { EXPECT_EQ(get("/healthz").status, 200); }
+
+  std::string id;
+};
+
+TEST_F(Stream, TellsTheJobThenTheClothThenTheEnd) {
+  Socket viewer(port, target());
+  ASSERT_EQ(viewer.status(), 101);
+  ASSERT_TRUE(viewers_become(1));
+  hub.topology(id, topology(1));
+  std::thread worker([this] {
+    publish(1, 65, 10);
+    hub.progress(id, progress("running", 3250));
+    finish();
+  });
+  const Seen seen = watch(viewer);
+  worker.join();
+  EXPECT_EQ(seen.texts.front(), "job");
+  EXPECT_EQ(seen.texts.back(), "ended");
+  EXPECT_EQ(seen.topologies, 1);
+  EXPECT_EQ(seen.bad, 0);
+  EXPECT_EQ(seen.order.back(), 65u);
+  EXPECT_EQ(seen.grid, wave(65, kVertices)) << "what was decoded is what was shown";
+  EXPECT_TRUE(seen.keys.contains(31) || !std::count(seen.order.begin(), seen.order.end(), 31u));
+  EXPECT_GT(seen.deltas.size(), 20u);
+  EXPECT_EQ(seen.close, 1000);
+  const Result<JsonValue> ended = parse_json(seen.last_text);
+  EXPECT_EQ(*ended->find("step")->number(), 4711);
+  EXPECT_EQ(*ended->find("job")->find("state")->text(), "succeeded");
+}
+
+TEST_F(Stream, ShowsTwoViewersTheSameStepsWithTheSameBytes) {
+  Socket one(port, target()), two(port, target());
+  ASSERT_TRUE(viewers_become(2));
+  hub.topology(id, topology(1));
+  std::thread worker([this] { publish(1, 60, 15), finish(); });
+  Seen first;
+  std::thread other([&] { first = watch(one); });
+  const Seen second = watch(two);
+  other.join();
+  worker.join();
+  std::size_t both = 0;
+  for (const auto& [seq, bytes] : second.deltas) {
+    const auto found = first.deltas.find(seq);
+    if (found == first.deltas.end()) continue;
+    EXPECT_EQ(found->second, bytes);
+    ++both;
+  }
+  EXPECT_GT(both, 20u);
+  EXPECT_EQ(first.grid, second.grid);
+  EXPECT_EQ(first.keys.at(1), second.keys.at(1));
+}
+
+TEST_F(Stream, GivesALateViewerTheNewestAndNothingOlder) {
+  hub.topology(id, topology(1));
+  publish(1, 10);
+  Socket viewer(port, target());
+  ASSERT_TRUE(viewers_become(1));
+  Seen seen;
+  while (seen.order.empty() && take(seen, viewer.read())) {
+  }
+  EXPECT_EQ(seen.topologies, 1);
+  EXPECT_EQ(seen.keys.size(), 1u);
+  EXPECT_EQ(seen.grid, wave(10, kVertices));
+  publish(11, 11);
+  EXPECT_TRUE(take(seen, viewer.read()));
+  EXPECT_TRUE(seen.deltas.contains(11));
+  EXPECT_EQ(seen.grid, wave(11, kVertices));
+}
+
+TEST_F(Stream, ShowsTheLastMomentOfAJobThatHasEnded) {
+  hub.topology(id, topology(1));
+  publish(1, 5);
+  finish();
+  Socket viewer(port, target());
+  const Seen seen = watch(viewer);
+  EXPECT_EQ(seen.grid, wave(5, kVertices));
+  EXPECT_EQ(seen.texts, (std::vector<std::string>{"job", "ended"}));
+  EXPECT_EQ(seen.close, 1000);
+}
+
+TEST_F(Stream, SaysOfAJobFromLongAgoThatItHasEnded) {
+  static_cast<ScriptedJobs&>(*jobs).become(kLocalOwner, id, "succeeded");
+  Socket viewer(port, target());
+  const Seen seen = watch(viewer);
+  EXPECT_EQ(seen.texts, (std::vector<std::string>{"job", "ended"}));
+  EXPECT_EQ(seen.close, 1000);
+  EXPECT_EQ(hub.channels(), 0u);
+}
+
+TEST_F(Stream, TakesCommandsAndSaysWhenOneIsRefused) {
+  Socket viewer(port, target());
+  ASSERT_TRUE(viewer.read());  // the hello
+  viewer.send(Socket::kText, R"({"type": "pause"})");
+  viewer.send(Socket::kText, R"({"type": "pause"})");
+  const auto refused = viewer.read();
+  ASSERT_TRUE(refused);
+  const Result<JsonValue> error = parse_json(refused->payload);
+  EXPECT_EQ(*error->find("type")->text(), "error");
+  EXPECT_EQ(*error->find("code")->text(), "jobs.state");
+  EXPECT_EQ(store->job(kLocalOwner, id)->state, "paused");
+  viewer.send(Socket::kText, R"({"type": "cancel"})");
+  viewer.send(Socket::kClose, "\x03\xe8");
+  EXPECT_EQ(viewer.read_to_close(), 1000);
+  EXPECT_TRUE(viewers_become(0));
+  EXPECT_EQ(store->job(kLocalOwner, id)->state, "cancelled");
+}
+
+TEST_F(Stream, RefusesHandshakesThatAreNone) {
+  EXPECT_PROBLEM(get(target()), 426, "http.upgrade");
+  EXPECT_EQ(Socket(port, "/api/v1/jobs/j_00000000000000000000/stream").status(), 404);
+  EXPECT_EQ(Socket(port, target(), "Origin: http://evil.example\r\n").status(), 403);
+  EXPECT_EQ(Socket(port, target(), "Origin: http://localhost:" + std::to_string(port) + "\r\n").status(), 101);
+  const std::string upgrade = "Connection: Upgrade\r\nUpgrade: websocket\r\n";
+  EXPECT_EQ(get(target(), upgrade).status, 400) << "no key";
+  EXPECT_EQ(get(target(), upgrade + "Sec-WebSocket-Key: AAECAwQFBgcICQoLDA0ODw==\r\nSec-WebSocket-Version: 7\r\n")
+                .status,
+            426);
+  EXPECT_EQ(get("/healthz", upgrade + "Sec-WebSocket-Key: AAECAwQFBgcICQoLDA0ODw==\r\nSec-WebSocket-Version: 13\r\n")
+                .status,
+            200)
+      << "nothing to upgrade to";
+  expect_alive();
+}
+
+TEST_F(Stream, AnswersEveryMalformedFrameWithItsCloseCode) {
+  const std::string ping_of_126 = client_frame(kFin | Socket::kPing, std::string(126, 'a'));
+  const std::string huge = std::string("\x82\xff\x7f\xff\xff\xff\xff\xff\xff\xff\x01\x02\x03\x04", 14);
+  const std::string too_huge = std::string("\x82\xff\xff\xff\xff\xff\xff\xff\xff\xff\x01\x02\x03\x04", 14);
+  const struct {
+    const char* what;
+    std::string bytes;
+    std::vector<int> codes;
+  } cases[] = {
+      {"not masked", client_frame(kFin | Socket::kText, "{}", false), {1002}},
+      {"reserved opcode 3", client_frame(kFin | 3, "{}"), {1002}},
+      {"reserved control opcode 11", client_frame(kFin | 11, "{}"), {1002}},
+      {"reserved bit 1", client_frame(kFin | 0x40 | Socket::kText, "{}"), {1002}},
+      {"reserved bit 3", client_frame(kFin | 0x10 | Socket::kText, "{}"), {1002}},
+      {"a ping in fragments", client_frame(Socket::kPing, "a"), {1002}},
+      {"a ping of 126 bytes", ping_of_126, {1002}},
+      {"a continuation of nothing", client_frame(kFin | Socket::kContinuation, "a"), {1002}},
+      {"a new message within another",
+       client_frame(Socket::kText, "{") + client_frame(kFin | Socket::kText, "}"),
+       {1002}},
+      {"a close of one byte", client_frame(kFin | Socket::kClose, "a"), {1002}},
+      {"a close with a code that is never sent", client_frame(kFin | Socket::kClose, "\x03\xed"), {1002}},
+      {"a close with bytes that are not UTF-8", client_frame(kFin | Socket::kClose, "\x03\xe8\xff"), {1002, 1007}},
+      {"a length of 2^63 - 1", huge, {1009}},
+      {"a length with its top bit set", too_huge, {1002, 1009}},
+      {"a message of 5000 bytes", client_frame(kFin | Socket::kText, std::string(5000, ' ')), {1009}},
+      {"text that is not UTF-8", client_frame(kFin | Socket::kText, "\xff\xfe"), {1007}},
+      {"a binary message", client_frame(kFin | Socket::kBinary, "abc"), {1003}},
+      {"text that is not JSON", client_frame(kFin | Socket::kText, "pause"), {1008}},
+      {"a command that nobody knows", client_frame(kFin | Socket::kText, R"({"type": "fly"})"), {1008}},
+      {"deep JSON", client_frame(kFin | Socket::kText, std::string(4000, '[')), {1008}},
+      {"an empty message", client_frame(kFin | Socket::kText, ""), {1008}},
+  };
+  for (const auto& one : cases) {
+    Socket viewer(port, target());
+    ASSERT_EQ(viewer.status(), 101) << one.what;
+    viewer.send_raw(one.bytes);
+    const int code = viewer.read_to_close(5);
+    EXPECT_TRUE(std::count(one.codes.begin(), one.codes.end(), code) == 1) << one.what << " closed with " << code;
+    EXPECT_TRUE(viewer.wire().closed(5)) << one.what;
+  }
+  EXPECT_TRUE(viewers_become(0));
+  expect_alive();
+}
+
+TEST_F(Stream, LivesThroughViewersThatVanish) {
+  for (int i = 0; i < 30; ++i) {
+    Socket viewer(port, target());
+    if (i % 3 == 0) viewer.send_raw(client_frame(kFin | Socket::kText, "{\"type\"").substr(0, 5));
+    if (i % 3 == 1) viewer.send_raw("\x81");
+  }
+  EXPECT_TRUE(viewers_become(0));
+  expect_alive();
+}
+
+TEST_F(Stream, DropsAViewerThatAnswersNoPing) {
+  Socket quiet(port, target()), lively(port, target());
+  ASSERT_TRUE(viewers_become(2));
+  std::atomic<bool> done{false};
+  std::thread answering([&] {
+    while (!done) lively.read(0.05);
+  });
+  const auto began = std::chrono::steady_clock::now();
+  EXPECT_TRUE(viewers_become(1, 6));
+  EXPECT_GT(std::chrono::steady_clock::now() - began, std::chrono::milliseconds(1200));
+  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+  EXPECT_EQ(hub.viewers(), 1u) << "who answers stays";
+  done = true;
+  answering.join();
+}
+
+TEST_F(Stream, SaysGoodByeWhenTheServerStops) {
+  Socket viewer(port, target());
+  ASSERT_TRUE(viewers_become(1));
+  std::thread stopping([this] { server->stop(); });
+  EXPECT_EQ(viewer.read_to_close(), 1001);
+  stopping.join();
+}
+
+double resident_mb() {
+  std::ifstream in("/proc/self/status");
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with("VmRSS:")) return std::stod(line.substr(6)) / 1024;
+  }
+  return 0;
+}
+
+TEST_F(Stream, TwentyViewersOfWhichFiveStopReadingCostNoMemoryAndHoldUpNobody) {
+  constexpr int kReading = 15, kStalled = 5;
+  std::vector<Socket> stalled;
+  for (int i = 0; i < kStalled; ++i) stalled.emplace_back(port, target(), "", 4096);
+  std::vector<Seen> seen(kReading);
+  std::vector<std::thread> readers;
+  for (Seen& one : seen) {
+    readers.emplace_back([this, &one] {
+      Socket viewer(port, target());
+      for (;;) {
+        const bool more = take(one, viewer.read());
+        if (!more) break;
+        if (one.keys.size() > 2) one.keys.erase(one.keys.begin());  // the test itself keeps nothing
+        one.deltas.clear();
+      }
+    });
+  }
+  ASSERT_TRUE(viewers_become(kReading + kStalled));
+  hub.topology(id, topology(1));
+  publish(1, 60, 4);
+  const double before = resident_mb();
+  double most = before;
+  std::uint32_t last = 60;
+  const auto began = std::chrono::steady_clock::now();
+  while (std::chrono::steady_clock::now() - began < std::chrono::seconds(4)) {
+    publish(last + 1, last + 50, 3);
+    last += 50;
+    most = std::max(most, resident_mb());
+  }
+  EXPECT_LE(hub.viewers(), static_cast<std::size_t>(kReading)) << "who stops reading is dropped";
+  finish();
+  for (std::thread& reader : readers) reader.join();
+  for (const Seen& one : seen) {
+    EXPECT_EQ(one.close, 1000);
+    EXPECT_EQ(one.bad, 0);
+    EXPECT_EQ(one.grid, wave(last, kVertices));
+    EXPECT_GT(one.order.size(), 100u);
+  }
+  std::printf("resident: %.1f MB before, %.1f MB at most; %u frames\n", before, most, last);
+  if (!kSanitized) EXPECT_LT(most - before, 4);
+}
+
+}  // namespace
+}  // namespace toile::test

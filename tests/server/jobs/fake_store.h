@@ -1,0 +1,174 @@
+#pragma once
+// A store in memory, for tests of what stands on a store. Its calls can be made to fail.
+
+#include <atomic>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <mutex>
+#include <utility>
+
+#include "server/store/store.h"
+
+namespace toile::test {
+
+class FakeStore final : public Store {
+ public:
+  explicit FakeStore(std::filesystem::path folder) : folder_(std::move(folder)) {
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+  }
+  ~FakeStore() override { std::filesystem::remove_all(folder_); }
+
+  /// Called before a result is put or a row is written; may throw, or give an error.
+  std::function<Status(const std::string& name)> on_put_result;
+  std::function<Status(const JobRow&)> on_update_job;
+
+  Result<AssetRow> put_asset(const OwnerId& owner, AssetRow row, std::string_view bytes) override {
+    const std::lock_guard lock(mutex_);
+    row.id = next_id("a_");
+    row.size = static_cast<std::int64_t>(bytes.size());
+    const std::filesystem::path path =
+        folder_ / (row.id + std::filesystem::path(row.name).extension().string());
+    std::ofstream(path, std::ios::binary) << bytes;
+    assets_[{owner, row.id}] = {row, std::string(bytes), path.string()};
+    return row;
+  }
+  Result<AssetRow> asset(const OwnerId& owner, const std::string& id) override {
+    return one<AssetRow>(assets_, owner, id, [](const Asset& a) { return a.row; });
+  }
+  Result<std::string> asset_bytes(const OwnerId& owner, const std::string& id) override {
+    return one<std::string>(assets_, owner, id, [](const Asset& a) { return a.bytes; });
+  }
+  Result<std::string> asset_path(const OwnerId& owner, const std::string& id) override {
+    return one<std::string>(assets_, owner, id, [](const Asset& a) { return a.path; });
+  }
+  Result<std::vector<AssetRow>> assets(const OwnerId&, const std::string&) override {
+    return std::vector<AssetRow>();
+  }
+
+  Result<ProjectRow> create_project(const OwnerId& owner, ProjectRow row) override {
+    const std::lock_guard lock(mutex_);
+    row.id = next_id("p_");
+    projects_[{owner, row.id}] = row;
+    return row;
+  }
+  Result<ProjectRow> replace_project(const OwnerId& owner, const ProjectRow& row, int) override {
+    const std::lock_guard lock(mutex_);
+    projects_[{owner, row.id}] = row;
+    return row;
+  }
+  Result<ProjectRow> project(const OwnerId& owner, const std::string& id) override {
+    return one<ProjectRow>(projects_, owner, id, [](const ProjectRow& row) { return row; });
+  }
+  Result<std::vector<ProjectRow>> projects(const OwnerId&, const std::string&, int) override {
+    return std::vector<ProjectRow>();
+  }
+  Status remove_project(const OwnerId& owner, const std::string& id) override {
+    const std::lock_guard lock(mutex_);
+    projects_.erase({owner, id});
+    return {};
+  }
+
+  Result<JobRow> create_job(const OwnerId& owner, JobRow row, const std::string& key) override {
+    const std::lock_guard lock(mutex_);
+    if (!key.empty() && keys_.contains({owner, key})) return jobs_.at({owner, keys_.at({owner, key})});
+    row.id = next_id("j_");
+    row.created_ms = count_;
+    jobs_[{owner, row.id}] = row;
+    if (!key.empty()) keys_[{owner, key}] = row.id;
+    return row;
+  }
+  Result<JobRow> job(const OwnerId& owner, const std::string& id) override {
+    return one<JobRow>(jobs_, owner, id, [](const JobRow& row) { return row; });
+  }
+  Result<std::vector<JobRow>> jobs(const OwnerId&, const std::string&, int) override {
+    return std::vector<JobRow>();
+  }
+  Status update_job(const OwnerId& owner, const JobRow& row) override {
+    if (on_update_job) {
+      if (Status refused = on_update_job(row); !refused) return refused;
+    }
+    const std::lock_guard lock(mutex_);
+    const auto found = jobs_.find({owner, row.id});
+    if (found == jobs_.end()) return Error{"store.not_found", "", ""};
+    JobRow& kept = found->second;
+    kept.state = row.state, kept.attempt = row.attempt;
+    kept.reason_code = row.reason_code, kept.reason = row.reason, kept.reason_where = row.reason_where;
+    kept.started_ms = row.started_ms, kept.ended_ms = row.ended_ms;
+    kept.report = row.report, kept.results = row.results;
+    return {};
+  }
+  Result<std::vector<OwnedJob>> unfinished_jobs() override {
+    const std::lock_guard lock(mutex_);
+    std::vector<OwnedJob> found;
+    for (const auto& [key, row] : jobs_) {
+      if (row.state == "queued" || row.state == "running" || row.state == "paused") {
+        found.push_back({key.first, row});
+      }
+    }
+    return found;
+  }
+
+  Status put_result(const OwnerId& owner, const std::string& job_id, const std::string& name,
+                    std::string_view bytes) override {
+    if (on_put_result) {
+      if (Status refused = on_put_result(name); !refused) return refused;
+    }
+    const std::lock_guard lock(mutex_);
+    results_[{owner, job_id + "/" + name}] = bytes;
+    return {};
+  }
+  Result<std::string> result_bytes(const OwnerId& owner, const std::string& job_id,
+                                   const std::string& name) override {
+    return one<std::string>(results_, owner, job_id + "/" + name,
+                            [](const std::string& bytes) { return bytes; });
+  }
+  Result<std::optional<std::string>> get_setting(const OwnerId&, const std::string&) override {
+    return std::optional<std::string>();
+  }
+  Status put_setting(const OwnerId&, const std::string&, const std::string&) override { return {}; }
+  std::string scratch_folder() const override { return folder_.string(); }
+  Status ping() override { return {}; }
+
+  /// Changes a job's row behind the service's back, as a crash or another program would.
+  void tamper(const OwnerId& owner, const std::string& id, const std::function<void(JobRow&)>& edit) {
+    const std::lock_guard lock(mutex_);
+    edit(jobs_.at({owner, id}));
+  }
+
+ private:
+  using Key = std::pair<OwnerId, std::string>;
+  struct Asset {
+    AssetRow row;
+    std::string bytes, path;
+  };
+
+  /// Rises, so that the order of ids is that of making. Unlike in every store of this process: bodies are
+  /// cached by asset id, whichever store they came from.
+  std::string next_id(const char* prefix) {
+    static std::atomic<int> ever{0};
+    char text[24];
+    std::snprintf(text, sizeof text, "%s%08d", prefix, count_ = ++ever);
+    return text;
+  }
+
+  template <typename Out, typename Map, typename Read>
+  Result<Out> one(const Map& map, const OwnerId& owner, const std::string& id, Read read) {
+    const std::lock_guard lock(mutex_);
+    const auto found = map.find({owner, id});
+    if (found == map.end()) return Error{"store.not_found", "there is no such thing", ""};
+    return read(found->second);
+  }
+
+  std::filesystem::path folder_;
+  std::mutex mutex_;
+  int count_ = 0;
+  std::map<Key, Asset> assets_;
+  std::map<Key, ProjectRow> projects_;
+  std::map<Key, JobRow> jobs_;
+  std::map<Key, std::string> keys_, results_;
+};
+
+}  // namespace toile::test

@@ -1,0 +1,69 @@
+// Jobs whose drape has ended and whose pictures are being drawn.
+
+#include "tests/server/jobs/house.h"
+
+namespace toile {
+namespace {
+
+using test::cloth_over_block;
+using test::kOwner;
+using Log = test::Recorder::JobLog;
+
+class JobsInTheirPictures : public test::JobHouse {
+ protected:
+  /// A job whose pictures take a while, and are just being drawn.
+  std::string drawing() {
+    settings.still_width = 2048, settings.still_height = 2048;
+    make(1);
+    EXPECT_TRUE(service->start().ok());
+    const std::string id = submit(cloth_over_block(200));
+    EXPECT_TRUE(publisher.wait(id, [](const Log& log) {
+      return !log.progress.empty() && log.progress.back().progress.phase == "stills";
+    }));
+    return id;
+  }
+};
+
+TEST_F(JobsInTheirPictures, AreCancelledWithoutWaitingForThem) {
+  const std::string id = drawing();
+  ASSERT_TRUE(service->cancel(kOwner, id).ok());
+  ASSERT_TRUE(publisher.wait_for_end(id));
+  EXPECT_EQ(row(id).state, "cancelled");
+  EXPECT_TRUE(row(id).results.empty());
+  EXPECT_FALSE(store.result_bytes(kOwner, id, "report.json").ok());
+}
+
+TEST_F(JobsInTheirPictures, ArePausedAndResumedThere) {
+  const std::string id = drawing();
+  ASSERT_TRUE(service->pause(kOwner, id).ok());
+  ASSERT_TRUE(publisher.wait_for_state(id, "paused"));
+  ASSERT_TRUE(service->resume(kOwner, id).ok());
+  ASSERT_TRUE(publisher.wait_for_end(id));
+  EXPECT_EQ(row(id).state, "succeeded");
+  EXPECT_EQ(row(id).results.size(), 11u);
+  EXPECT_EQ(publisher.log(id).topologies.size(), 1u) << "nothing is draped again";
+}
+
+TEST_F(JobsInTheirPictures, AreBroughtToTheirEndByAStop) {
+  const std::string id = drawing();
+  service->stop();
+  EXPECT_EQ(row(id).state, "succeeded");
+  EXPECT_EQ(row(id).results.size(), 11u);
+}
+
+TEST_F(JobsInTheirPictures, AreKeptWithoutThemWhenTheyCannotBeDrawn) {
+  settings.still_width = 4;  // less than a still may have
+  service = make_job_service(store, publisher, settings);
+  ASSERT_TRUE(service->start().ok());
+  const std::string id = submit(cloth_over_block(200));
+  ASSERT_TRUE(publisher.wait_for_end(id));
+  const JobRow job = row(id);
+  EXPECT_EQ(job.state, "succeeded");
+  EXPECT_EQ(job.reason_code, "time");
+  EXPECT_NE(job.reason.find("no pictures"), std::string::npos) << job.reason;
+  EXPECT_TRUE(job.results.contains("final.glb"));
+  EXPECT_FALSE(job.results.contains("front.png"));
+}
+
+}  // namespace
+}  // namespace toile

@@ -1,0 +1,116 @@
+#include "server/jobs/job_state.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+namespace toile {
+namespace {
+
+using S = JobState;
+using E = JobEvent;
+
+/// What may happen, and what becomes of it. All other pairs are refused.
+const std::map<std::pair<S, E>, S>& legal() {
+  static const std::map<std::pair<S, E>, S> table{
+      {{S::kQueued, E::kClaim}, S::kRunning},     {{S::kQueued, E::kPause}, S::kPaused},
+      {{S::kQueued, E::kCancel}, S::kCancelled},  {{S::kQueued, E::kFinish}, S::kSucceeded},
+      {{S::kQueued, E::kFail}, S::kFailed},       {{S::kQueued, E::kRequeue}, S::kQueued},
+      {{S::kRunning, E::kProgress}, S::kRunning}, {{S::kRunning, E::kPause}, S::kPaused},
+      {{S::kRunning, E::kCancel}, S::kCancelled}, {{S::kRunning, E::kFinish}, S::kSucceeded},
+      {{S::kRunning, E::kFail}, S::kFailed},      {{S::kRunning, E::kRequeue}, S::kQueued},
+      {{S::kPaused, E::kResume}, S::kQueued},     {{S::kPaused, E::kCancel}, S::kCancelled},
+      {{S::kPaused, E::kFinish}, S::kSucceeded},  {{S::kPaused, E::kFail}, S::kFailed},
+      {{S::kPaused, E::kRequeue}, S::kQueued},
+  };
+  return table;
+}
+
+template <typename F>
+void for_all_pairs(F&& f) {
+  for (const S state : kJobStates) {
+    for (const E event : kJobEvents) f(state, event);
+  }
+}
+
+TEST(JobState, EveryPairOfStateAndEventIsEitherInTheTableOrRefusedWithWords) {
+  for_all_pairs([](S state, E event) {
+    const Result<JobTransition> next = next_state(state, event);
+    const auto expected = legal().find({state, event});
+    const std::string place =
+        std::string(name_of(state)) + " and event " + std::to_string(static_cast<int>(event));
+    if (expected != legal().end()) {
+      ASSERT_TRUE(next.ok()) << place;
+      EXPECT_EQ(next->state, expected->second) << place;
+    } else {
+      ASSERT_FALSE(next.ok()) << place;
+      EXPECT_EQ(next.error().code, "jobs.state") << place;
+      EXPECT_NE(next.error().message.find(name_of(state)), std::string::npos) << next.error().message;
+      EXPECT_NE(next.error().message.find(" cannot be "), std::string::npos) << next.error().message;
+    }
+  });
+}
+
+TEST(JobState, TheListsHoldEveryStateAndEventOnce) {
+  for (std::size_t i = 0; i < kJobStates.size(); ++i) EXPECT_EQ(static_cast<std::size_t>(kJobStates[i]), i);
+  for (std::size_t i = 0; i < kJobEvents.size(); ++i) EXPECT_EQ(static_cast<std::size_t>(kJobEvents[i]), i);
+  EXPECT_EQ(kJobStates.back(), S::kCancelled);
+  EXPECT_EQ(kJobEvents.back(), E::kRequeue);
+}
+
+TEST(JobState, TerminalStatesHaveNoWayOut) {
+  for_all_pairs([](S state, E event) {
+    if (is_terminal(state)) {
+      EXPECT_FALSE(next_state(state, event).ok());
+    }
+  });
+}
+
+TEST(JobState, AChangeOfStateIsAlwaysWrittenDown) {
+  for_all_pairs([](S state, E event) {
+    const Result<JobTransition> next = next_state(state, event);
+    if (next && next->state != state) {
+      EXPECT_TRUE(next->effects.persist) << name_of(state);
+    }
+  });
+}
+
+TEST(JobState, AJobStandsInTheQueueExactlyWhileItIsQueued) {
+  for_all_pairs([](S state, E event) {
+    const Result<JobTransition> next = next_state(state, event);
+    if (!next) return;
+    EXPECT_EQ(next->effects.queue != QueuePlace::kOut, next->state == S::kQueued) << name_of(state);
+  });
+}
+
+TEST(JobState, TheLastWordIsSaidExactlyOnReachingATerminalState) {
+  for_all_pairs([](S state, E event) {
+    const Result<JobTransition> next = next_state(state, event);
+    if (!next) return;
+    EXPECT_EQ(next->effects.ends, is_terminal(next->state)) << name_of(state);
+  });
+}
+
+TEST(JobState, WhateverLeavesRunningTellsTheWorker) {
+  for (const E event : kJobEvents) {
+    const Result<JobTransition> next = next_state(S::kRunning, event);
+    if (next && next->state != S::kRunning) {
+      EXPECT_TRUE(next->effects.interrupt);
+    }
+  }
+}
+
+TEST(JobState, AResumedJobGoesToTheHeadOfTheQueueAndARequeuedOneToItsEnd) {
+  EXPECT_EQ(next_state(S::kPaused, E::kResume)->effects.queue, QueuePlace::kFront);
+  EXPECT_EQ(next_state(S::kRunning, E::kRequeue)->effects.queue, QueuePlace::kBack);
+  EXPECT_EQ(next_state(S::kPaused, E::kRequeue)->effects.queue, QueuePlace::kBack);
+}
+
+TEST(JobState, NamesReadBackAsTheirStates) {
+  for (const S state : kJobStates) EXPECT_EQ(job_state_from(name_of(state)), state);
+  EXPECT_FALSE(job_state_from("sleeping").has_value());
+  EXPECT_FALSE(job_state_from("").has_value());
+}
+
+}  // namespace
+}  // namespace toile

@@ -1,0 +1,81 @@
+// The job service over the store that the server uses.
+
+#include "proto/cpp/json_codec.h"
+#include "server/documents/assets.h"
+#include "server/documents/projects.h"
+#include "server/jobs/job_service.h"
+#include "tests/server/jobs/house.h"
+
+namespace toile {
+namespace {
+
+namespace fs = std::filesystem;
+using test::kOwner;
+
+class JobsInSqlite : public testing::Test {
+ protected:
+  JobsInSqlite() : folder_(fs::path(testing::TempDir()) / "toile_jobs_in_sqlite") {
+    fs::remove_all(folder_);
+    open();
+  }
+  ~JobsInSqlite() override {
+    close();
+    fs::remove_all(folder_);
+  }
+
+  void open() {
+    store_ = open_sqlite_store(folder_.string()).value();
+    JobServiceSettings settings;
+    settings.still_width = 64, settings.still_height = 80;
+    service_ = make_job_service(*store_, publisher_, settings);
+    EXPECT_TRUE(service_->start().ok());
+  }
+  void close() {
+    service_.reset();
+    store_.reset();
+  }
+
+  std::string submit(double max_time) {
+    const AssetRow block = add_asset(*store_, kOwner, "body", "block.obj", test::kBlock).value();
+    const Result<ProjectRow> project =
+        create_project(*store_, kOwner, test::cloth_over_block(200, max_time), {{"block.obj", block.id}});
+    EXPECT_TRUE(project.ok()) << to_string(project.error());
+    return service_->submit(kOwner, project->id, "").value().id;
+  }
+
+  fs::path folder_;
+  test::Recorder publisher_;
+  std::unique_ptr<Store> store_;
+  std::unique_ptr<JobService> service_;
+};
+
+TEST_F(JobsInSqlite, ADrapeAndItsResultsAreThereAfterARestart) {
+  const std::string id = submit(1);
+  ASSERT_TRUE(publisher_.wait_for_end(id));
+  close();
+  open();
+  const JobRow job = store_->job(kOwner, id).value();
+  EXPECT_EQ(job.state, "succeeded") << job.reason;
+  EXPECT_EQ(job.results.size(), 11u);
+  for (const auto& [name, size] : job.results) {
+    EXPECT_EQ(static_cast<std::int64_t>(store_->result_bytes(kOwner, id, name).value().size()), size) << name;
+  }
+  EXPECT_EQ(service_->progress(kOwner, id)->step,
+            static_cast<int>(*parse_json(job.report).value().find("steps")->number()));
+}
+
+TEST_F(JobsInSqlite, ADrapeThatAStopCutOffIsEndedByTheNextServer) {
+  const std::string id = submit(5);
+  ASSERT_TRUE(publisher_.wait_for_frames(id, 2));
+  close();
+  ASSERT_EQ(publisher_.log(id).ended.size(), 1u);
+  EXPECT_EQ(publisher_.log(id).ended[0].state, "queued");
+  open();
+  ASSERT_TRUE(publisher_.wait_for_end(id, 2));
+  const JobRow job = store_->job(kOwner, id).value();
+  EXPECT_EQ(job.state, "succeeded") << job.reason;
+  EXPECT_EQ(job.attempt, 1);
+}
+
+}  // namespace
+}  // namespace toile

@@ -1,0 +1,62 @@
+#include "server/jobs/render_worker.h"
+
+#include <gtest/gtest.h>
+
+#include <latch>
+#include <stdexcept>
+
+namespace toile {
+namespace {
+
+bool never() { return false; }
+
+TEST(RenderWorker, RunsAllDrawingsOnOneThreadThatIsNotTheCallers) {
+  RenderWorker worker;
+  std::thread::id seen[2];
+  for (std::thread::id& id : seen) {
+    EXPECT_TRUE(worker.draw([&id] { return id = std::this_thread::get_id(), Status(); }, never).ok());
+  }
+  EXPECT_EQ(seen[0], seen[1]);
+  EXPECT_NE(seen[0], std::this_thread::get_id());
+}
+
+TEST(RenderWorker, GivesBackWhatTheDrawingGives) {
+  RenderWorker worker;
+  const Status status = worker.draw([] { return Status(Error{"render.failed", "no paint", ""}); }, never);
+  ASSERT_FALSE(status.ok());
+  EXPECT_EQ(status.error().code, "render.failed");
+}
+
+TEST(RenderWorker, ThrowsAtTheCallerWhatTheDrawingThrowsAndDrawsOn) {
+  RenderWorker worker;
+  EXPECT_THROW(
+      static_cast<void>(worker.draw([]() -> Status { throw std::runtime_error("torn"); }, never).ok()),
+      std::runtime_error);
+  EXPECT_TRUE(worker.draw([] { return Status(); }, never).ok());
+}
+
+TEST(RenderWorker, DoesNotWaitForADrawingThatIsGivenUp) {
+  std::latch go(1);
+  RenderWorker worker;
+  const Status status = worker.draw([&] { return go.wait(), Status(); }, [] { return true; });
+  ASSERT_FALSE(status.ok());
+  EXPECT_EQ(status.error().code, "render.given_up");
+  go.count_down();
+}
+
+TEST(RenderWorker, RefusesMoreThanItsQueueHolds) {
+  std::latch go(1), begun(1);
+  RenderWorker worker(1);
+  std::jthread first(
+      [&] { EXPECT_TRUE(worker.draw([&] { return begun.count_down(), go.wait(), Status(); }, never).ok()); });
+  begun.wait();
+  EXPECT_EQ(worker.draw([] { return Status(); }, [] { return true; }).error().code, "render.given_up")
+      << "it stands in the queue still";
+  const Status refused = worker.draw([] { return Status(); }, never);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().code, "render.busy");
+  go.count_down();
+}
+
+}  // namespace
+}  // namespace toile

@@ -1,0 +1,142 @@
+// What is left when the process dies or the disk is full, in processes of their own.
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "server/store/sqlite.h"
+#include "tests/server/store/store_folder.h"
+
+namespace toile {
+namespace {
+
+constexpr std::size_t kIdSize = 22;
+
+/// Writes projects, jobs, files and results for ever, and each job's id to `out` once all of it is
+/// acknowledged.
+[[noreturn]] void write_for_ever(const std::string& folder, int out) {
+  const auto store = opened(folder);
+  for (int i = 0;; ++i) {
+    const std::string bytes(static_cast<std::size_t>(1000 + i), static_cast<char>('a' + i % 26));
+    const Result<AssetRow> asset = store->put_asset(kLocalOwner, named("dxf", "a.dxf"), bytes);
+    JobRow job = some_job("drape");
+    if (asset) job.files = {{"a.dxf", asset->id}};
+    Result<JobRow> made = store->create_job(kLocalOwner, job, "key-" + std::to_string(i) + "-" + bytes[0]);
+    if (!asset || !made || !store->put_result(kLocalOwner, made->id, "report.json", made->id)) _exit(1);
+    if (::write(out, made->id.data(), kIdSize) != static_cast<ssize_t>(kIdSize)) _exit(2);
+  }
+}
+
+/// The ids that a writer acknowledged before it was killed, after it had acknowledged at least `least`.
+std::vector<std::string> acknowledged_until_killed(const std::string& folder, std::size_t least) {
+  std::array<int, 2> ends;
+  if (::pipe(ends.data()) != 0) return {};
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::close(ends[0]);
+    write_for_ever(folder, ends[1]);
+  }
+  ::close(ends[1]);
+  std::vector<std::string> ids;
+  std::string id(kIdSize, ' ');
+  while (::read(ends[0], id.data(), kIdSize) == static_cast<ssize_t>(kIdSize)) {
+    ids.push_back(id);
+    if (ids.size() == least) ::kill(child, SIGKILL);  // and read on: more may be in the pipe
+  }
+  ::close(ends[0]);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL) << status;
+  return ids;
+}
+
+std::string integrity_of(const std::string& folder) {
+  Result<SqlDatabase> database = SqlDatabase::open(folder + "/toile.db");
+  if (!database) return to_string(database.error());
+  Result<SqlStatement> check = database->prepare("PRAGMA integrity_check");
+  if (!check || !check->step()) return "cannot be checked";
+  return check->text(0);
+}
+
+TEST(StoreCrash, LosesNothingThatWasAcknowledgedBeforeAKill) {
+  const TemporaryFolder folder;
+  std::vector<std::string> ids;
+  for (std::size_t round = 0; round < 6; ++round) {
+    const std::vector<std::string> more = acknowledged_until_killed(folder.path(), 3 + 4 * round);
+    ASSERT_GE(more.size(), 3 + 4 * round);
+    ids.insert(ids.end(), more.begin(), more.end());
+    const auto store = opened(folder.path());
+    for (const std::string& id : ids) {
+      const Result<JobRow> job = store->job(kLocalOwner, id);
+      ASSERT_TRUE(job) << to_string(job.error());
+      const Result<std::string> bytes = store->asset_bytes(kLocalOwner, job->files.at("a.dxf"));
+      ASSERT_TRUE(bytes) << to_string(bytes.error());
+      const Result<std::string> result = store->result_bytes(kLocalOwner, id, "report.json");
+      ASSERT_TRUE(result) << to_string(result.error());
+      EXPECT_EQ(*result, id);
+    }
+    EXPECT_EQ(integrity_of(folder.path()), "ok");
+  }
+}
+
+/// Which expectation of the full disk did not hold, 0 for none. Runs in a child, since the limit is the
+/// process's.
+int full_disk_story(const std::string& folder) {
+  ::signal(SIGXFSZ, SIG_IGN);
+  const auto store = opened(folder);
+  const Result<ProjectRow> early = store->create_project(kLocalOwner, some_project("early"));
+  const Result<AssetRow> asset = store->put_asset(kLocalOwner, named("dxf", "a.dxf"), "content");
+  const Result<JobRow> job = store->create_job(kLocalOwner, some_job("early"), "");
+  if (!early || !asset || !job) return 1;
+  rlimit limit{};
+  ::getrlimit(RLIMIT_FSIZE, &limit);
+  const rlimit small{.rlim_cur = 256 << 10, .rlim_max = limit.rlim_max};
+  ::setrlimit(RLIMIT_FSIZE, &small);
+
+  const std::string large(1 << 20, 'x');
+  ProjectRow big = some_project("big");
+  big.document = large;
+  if (code_of(store->create_project(kLocalOwner, big)) != "store.full") return 2;
+  big.id = early->id;
+  if (code_of(store->replace_project(kLocalOwner, big, 1)) != "store.full") return 3;
+  JobRow big_job = some_job("big");
+  big_job.document = large;
+  if (code_of(store->create_job(kLocalOwner, big_job, "key")) != "store.full") return 4;
+  if (code_of(store->put_asset(kLocalOwner, named("body", "b.obj"), large)) != "store.full") return 5;
+  if (code_of(store->put_result(kLocalOwner, job->id, "big.glb", large)) != "store.full") return 6;
+
+  if (!store->ping() || store->projects(kLocalOwner, "", 10)->size() != 1) return 7;
+  const Result<ProjectRow> still = store->project(kLocalOwner, early->id);
+  if (!still || still->revision != 1) return 8;
+  const Result<std::string> bytes = store->asset_bytes(kLocalOwner, asset->id);
+  if (!bytes || *bytes != "content") return 9;
+  if (code_of(store->result_bytes(kLocalOwner, job->id, "big.glb")) != "store.not_found") return 10;
+  if (!std::filesystem::is_empty(store->scratch_folder())) return 11;
+
+  ::setrlimit(RLIMIT_FSIZE, &limit);
+  if (!store->create_project(kLocalOwner, big)) return 12;
+  if (!store->create_job(kLocalOwner, big_job, "key")) return 13;
+  if (!store->put_asset(kLocalOwner, named("body", "b.obj"), large)) return 14;
+  return 0;
+}
+
+TEST(StoreCrash, SaysThatTheDiskIsFullReadsOnAndRecovers) {
+  const TemporaryFolder folder;
+  const pid_t child = ::fork();
+  if (child == 0) _exit(full_disk_story(folder.path()));
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFEXITED(status)) << status;
+  EXPECT_EQ(WEXITSTATUS(status), 0) << "the number of the expectation that did not hold";
+  EXPECT_EQ(integrity_of(folder.path()), "ok");
+  EXPECT_EQ(opened(folder.path())->projects(kLocalOwner, "", 10)->size(), 2u);
+}
+
+}  // namespace
+}  // namespace toile

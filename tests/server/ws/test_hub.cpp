@@ -1,0 +1,117 @@
+#include "server/ws/hub.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <thread>
+#include <vector>
+
+#include "tests/server/ws/stream_pieces.h"
+
+namespace toile {
+namespace {
+
+using test::frame;
+using test::progress;
+using test::topology;
+
+class Counter : public ChannelListener {
+ public:
+  void wake() override { ++woken; }
+  std::atomic<int> woken{0};
+};
+
+TEST(Hub, WakesOnlyThoseWhoFollowTheJob) {
+  Hub hub;
+  Counter one, other;
+  const Subscription first = hub.subscribe("j_1", &one), second = hub.subscribe("j_2", &other);
+  hub.topology("j_1", topology(1));
+  hub.frame("j_1", frame(1));
+  hub.progress("j_1", progress("running", 50));
+  hub.ended("j_1", progress("succeeded", 50));
+  EXPECT_EQ(one.woken, 4);
+  EXPECT_EQ(other.woken, 0);
+  EXPECT_EQ(hub.viewers(), 2u);
+}
+
+TEST(Hub, WakesNobodyWhoHasLeft) {
+  Hub hub;
+  Counter one;
+  {
+    Subscription gone = hub.subscribe("j_1", &one);
+    Subscription moved = std::move(gone);
+    EXPECT_EQ(hub.viewers(), 1u);
+  }
+  hub.topology("j_1", topology(1));
+  EXPECT_EQ(one.woken, 0);
+  EXPECT_EQ(hub.viewers(), 0u);
+}
+
+TEST(Hub, KeepsNothingOfAJobThatWasOnlyAskedFor) {
+  Hub hub;
+  Counter one;
+  hub.subscribe("j_1", &one).reset();
+  EXPECT_EQ(hub.channels(), 0u);
+}
+
+TEST(Hub, ShowsTheEndOfAJobUntil64LaterOnesHaveEnded) {
+  Hub hub;
+  Counter one;
+  hub.topology("j_0", topology(1));
+  hub.frame("j_0", frame(9));
+  hub.ended("j_0", progress("succeeded", 450));
+  for (int i = 1; i < 64; ++i) hub.ended("j_" + std::to_string(i), progress("failed", 0));
+  {
+    const Subscription late = hub.subscribe("j_0", &one);
+    ASSERT_TRUE(late.look().frame);
+    EXPECT_EQ((*late.look().frame)->seq, 9u);
+    EXPECT_TRUE(late.look().ended);
+  }
+  hub.ended("j_64", progress("failed", 0));
+  EXPECT_EQ(hub.channels(), 64u);
+  const Subscription later = hub.subscribe("j_0", &one);
+  EXPECT_FALSE(later.look().topology);
+  EXPECT_FALSE(later.look().ended);
+}
+
+TEST(Hub, DoesNotForgetAJobThatRunsAgain) {
+  Hub hub;
+  hub.ended("j_0", progress("queued", 0));  // a drain
+  hub.topology("j_0", topology(2));
+  for (int i = 1; i < 100; ++i) hub.ended("j_" + std::to_string(i), progress("failed", 0));
+  Counter one;
+  const Subscription viewer = hub.subscribe("j_0", &one);
+  ASSERT_TRUE(viewer.look().topology);
+  EXPECT_FALSE(viewer.look().ended);
+}
+
+TEST(Hub, StandsPublishersAndViewersAtOnce) {
+  Hub hub;
+  std::atomic<bool> done{false};
+  std::vector<std::thread> viewers;
+  std::atomic<int> seen{0};
+  for (int i = 0; i < 4; ++i) {
+    viewers.emplace_back([&, i] {
+      while (!done) {
+        Counter counter;
+        const Subscription viewer = hub.subscribe("j_" + std::to_string(i % 2), &counter);
+        const ChannelView view = viewer.look();
+        if (view.frame) seen += view.frame->key().empty() ? 0 : 1;
+      }
+    });
+  }
+  std::thread other([&] {
+    for (std::uint32_t seq = 1; seq <= 300; ++seq) hub.frame("j_1", frame(seq));
+  });
+  hub.topology("j_0", topology(1));
+  hub.topology("j_1", topology(1));
+  for (std::uint32_t seq = 1; seq <= 300 || seen == 0; ++seq) hub.frame("j_0", frame(seq));
+  other.join();
+  done = true;
+  for (std::thread& viewer : viewers) viewer.join();
+  EXPECT_GT(seen, 0);
+  EXPECT_EQ(hub.viewers(), 0u);
+}
+
+}  // namespace
+}  // namespace toile

@@ -1,0 +1,62 @@
+// The cloth of a drape that nobody streams any more, read from its final.obj: the page shows it as if it were a frame.
+
+import type { ClothTopology, TopologyPiece } from './frames';
+
+export interface ClothFromObj {
+  topology: ClothTopology;
+  positions: Float32Array<ArrayBuffer>;
+}
+
+const kColour: [number, number, number] = [0.55, 0.62, 0.72];
+
+/** Reads "v", "o" and three-cornered "f" lines; one object is one piece. @throws RangeError on anything unusable. */
+export function clothFromObj(text: string, colourOf: (piece: string) => readonly number[] | null): ClothFromObj {
+  const xyz: number[] = [];
+  const corners: number[] = [];
+  const pieces: { id: string; first: number; last: number }[] = [];
+  for (const line of text.split('\n')) {
+    const words = line.trim().split(/\s+/);
+    if (words[0] === 'v') xyz.push(Number(words[1]), Number(words[2]), Number(words[3]));
+    else if (words[0] === 'o') pieces.push({ id: words.slice(1).join(' '), first: Infinity, last: -1 });
+    else if (words[0] === 'f') addFace(words, corners, pieces);
+  }
+  const vertexCount = xyz.length / 3;
+  if (vertexCount === 0 || corners.some((v) => !(v >= 0 && v < vertexCount)) || xyz.some((x) => !Number.isFinite(x))) {
+    throw new RangeError('obj: no usable mesh');
+  }
+  const listed = pieces.filter((piece) => piece.last >= 0).map((piece): TopologyPiece => ({
+    id: piece.id,
+    firstVertex: piece.first,
+    vertexCount: piece.last + 1 - piece.first,
+    colour: [...(colourOf(piece.id) ?? kColour)] as [number, number, number],
+  }));
+  const topology: ClothTopology = {
+    epoch: 0, vertexCount, origin: [0, 0, 0], step: 1e-4, pieces: listed,
+    rest: new Float32Array(2 * vertexCount), triangles: new Uint32Array(corners), sewn: sewnByPlace(xyz),
+  };
+  return { topology, positions: new Float32Array(xyz) };
+}
+
+function addFace(words: string[], corners: number[], pieces: { first: number; last: number }[]): void {
+  const piece = pieces[pieces.length - 1];
+  for (const word of words.slice(1, 4)) {
+    const vertex = parseInt(word, 10) - 1;
+    corners.push(vertex);
+    if (!piece) continue;
+    piece.first = Math.min(piece.first, vertex);
+    piece.last = Math.max(piece.last, vertex);
+  }
+}
+
+/** Vertices in the very same place are sewn to each other: the drape has closed its seams. */
+function sewnByPlace(xyz: readonly number[]): Uint32Array {
+  const firstAt = new Map<string, number>();
+  const pairs: number[] = [];
+  for (let v = 0; 3 * v < xyz.length; ++v) {
+    const place = xyz.slice(3 * v, 3 * v + 3).map((x) => Math.round(x * 1e6)).join();
+    const first = firstAt.get(place);
+    if (first === undefined) firstAt.set(place, v);
+    else pairs.push(first, v);
+  }
+  return new Uint32Array(pairs);
+}

@@ -1,0 +1,153 @@
+// What a person can do, each as one function. Panels and keys call these; nothing else changes the state on purpose.
+
+import type { Api, JobAction } from '../api/Api';
+import type { Job } from '../api/types';
+import type { AppState, View } from '../state/AppState';
+import { ready, valueOf } from '../state/AppState';
+import { planIntake, starterDocument, type GivenFile, type IntakePlan } from '../state/intake';
+import { commandsOf } from '../state/jobs';
+import { formatRoute, type Route } from '../state/routes';
+import { asApiError, notify, notifyError } from './notices';
+
+export interface Surroundings {
+  /** Changes the address; the route follows from it. */
+  go(hash: string, replace: boolean): void;
+  /** Offers a text as a file. */
+  save(name: string, text: string): void;
+  newKey(): string;
+}
+
+export class Commands {
+  constructor(
+    private readonly state_: AppState,
+    private readonly api_: Api,
+    private readonly around_: Surroundings,
+    private readonly refresh_: () => void,
+    /** Opens a job's stream at once. */
+    private readonly watch_: (jobId: string) => void,
+  ) {}
+
+  open(route: Route, replace = false): void {
+    this.around_.go(formatRoute(route), replace);
+  }
+
+  /** Queues a drape of the shown project and shows it. */
+  async startDrape(): Promise<void> {
+    const { projectId, submitting } = this.state_;
+    const project = projectId.value;
+    if (!project || submitting.value) return;
+    submitting.value = true;
+    try {
+      const job = await this.api_.submit(project, this.around_.newKey());
+      this.watch_(job.id);
+      this.state_.putJob(job);
+      this.open({ name: 'job', id: job.id });
+    } catch (error) {
+      notifyError(this.state_, error);
+    } finally {
+      submitting.value = false;
+    }
+  }
+
+  async act(action: JobAction): Promise<void> {
+    const job = this.state_.job.value;
+    if (!job || !commandsOf(job.state)[action]) return;
+    try {
+      this.took(await this.api_.act(job.id, action));
+    } catch (error) {
+      notifyError(this.state_, error);
+    }
+    this.refresh_();
+  }
+
+  /** Space: runs what does not run, pauses what does. */
+  runOrPause(): Promise<void> {
+    const job = this.state_.job.value;
+    if (job && commandsOf(job.state).resume) return this.act('resume');
+    if (job && commandsOf(job.state).pause) return this.act('pause');
+    return this.startDrape();
+  }
+
+  select(piece: string | null): void {
+    this.state_.selected.value = piece;
+  }
+
+  hover(piece: string | null): void {
+    this.state_.hovered.value = piece;
+  }
+
+  showView(view: View): void {
+    this.state_.view.value = { view, turn: this.state_.view.value.turn + 1 };
+  }
+
+  // ---- new project from files
+
+  /** Adds files to the dialog, which opens with the first ones. */
+  async addFiles(files: GivenFile[]): Promise<void> {
+    if (files.length === 0) return;
+    const { intake } = this.state_;
+    const replaced = (old: GivenFile): boolean => files.some((file) => file.name.toLowerCase() === old.name.toLowerCase());
+    const all = [...(intake.value?.files ?? []).filter((old) => !replaced(old)), ...files];
+    intake.value = { files: all, plan: intake.value?.plan ?? null, busy: 'Reading the files', error: null };
+    const plan = await planIntake(all);
+    if (intake.value?.files === all) intake.value = { files: all, plan, busy: '', error: null };
+  }
+
+  openIntake(): void {
+    this.state_.intake.value ??= { files: [], plan: null, busy: '', error: null };
+  }
+
+  closeIntake(): void {
+    this.state_.intake.value = null;
+  }
+
+  async removeFile(name: string): Promise<void> {
+    const { intake } = this.state_;
+    const files = (intake.value?.files ?? []).filter((file) => file.name !== name);
+    const plan = files.length > 0 ? await planIntake(files) : null;
+    intake.value = { files, plan, busy: '', error: null };
+  }
+
+  /** Uploads the files, makes the project, shows it, and drapes it when asked to. */
+  async createProject(thenDrape: boolean): Promise<void> {
+    const { intake } = this.state_;
+    const now = intake.value;
+    if (!now?.plan?.ready || now.busy) return;
+    const say = (busy: string): void => void (intake.value = { ...now, busy, error: null });
+    try {
+      const project = await this.upload(now.plan, say);
+      this.state_.projects.value = ready([project, ...(valueOf(this.state_.projects.value) ?? [])]);
+      intake.value = null;
+      this.open({ name: 'project', id: project.id });
+      if (thenDrape) await this.startDrape();
+      else notify(this.state_, { tone: 'good', text: `Project “${project.name}” is there. Space drapes it.` });
+    } catch (error) {
+      intake.value = { ...now, busy: '', error: asApiError(error) };
+    }
+    this.refresh_();
+  }
+
+  saveStarter(): void {
+    const loose = this.state_.intake.value?.plan?.loose;
+    if (!loose) return;
+    this.around_.save('project.json', JSON.stringify(starterDocument(loose.dxf.name, loose.pieces), null, 2) + '\n');
+  }
+
+  private async upload(plan: IntakePlan, say: (busy: string) => void): Promise<Awaited<ReturnType<Api['createProject']>>> {
+    const files: Record<string, string> = {};
+    for (const { name, kind, file } of plan.needed) {
+      say(`Uploading ${name}`);
+      const asset = await this.api_.uploadAsset(kind, file!.name, file!.blob);
+      files[name] = asset.id;
+    }
+    say('Making the project');
+    return this.api_.createProject(plan.document, files);
+  }
+
+  /** Late figures of the action's own answer must not be overtaken by older progress. */
+  private took(job: Job): void {
+    const { progress } = this.state_;
+    if (progress.value) progress.value = { ...progress.value, state: job.state };
+    this.state_.putJob(job);
+  }
+}

@@ -1,0 +1,80 @@
+// Keeps the lists of projects and jobs fresh, and thereby knows whether the service answers. After a failure it asks
+// again with growing pauses.
+
+import type { Api } from '../api/Api';
+import { ApiError } from '../api/http';
+import { backoff } from '../api/JobStream';
+import { ready, type AppState } from '../state/AppState';
+import { asApiError } from './notices';
+
+const kBusyMs = 1000;
+const kIdleMs = 4000;
+
+export class Poller {
+  private timer_: ReturnType<typeof setTimeout> | null = null;
+  private running_ = false;
+  private again_ = false;
+  private attempt_ = 0;
+
+  constructor(
+    private readonly state_: AppState,
+    private readonly api_: Pick<Api, 'projects' | 'jobs'>,
+    /** Called when the service answers again after it did not. */
+    private readonly returned_: () => void,
+  ) {}
+
+  /** Asks now; while an answer is under way, once more after it. */
+  async refresh(): Promise<void> {
+    if (this.running_) {
+      this.again_ = true;
+      return;
+    }
+    this.running_ = true;
+    if (this.timer_) clearTimeout(this.timer_);
+    await this.ask();
+    this.running_ = false;
+    const now = this.again_;
+    this.again_ = false;
+    this.timer_ = setTimeout(() => void this.refresh(), now ? 0 : this.pause());
+  }
+
+  stop(): void {
+    if (this.timer_) clearTimeout(this.timer_);
+    this.timer_ = null;
+  }
+
+  private async ask(): Promise<void> {
+    try {
+      const [projects, jobs] = await Promise.all([this.api_.projects(), this.api_.jobs()]);
+      this.state_.projects.value = ready(projects);
+      this.state_.jobs.value = ready(jobs);
+      this.answered();
+    } catch (error) {
+      this.failed(asApiError(error));
+    }
+  }
+
+  private answered(): void {
+    this.attempt_ = 0;
+    if (this.state_.link.value.state === 'ok') return;
+    this.state_.link.value = { state: 'ok' };
+    this.returned_();
+  }
+
+  private failed(error: ApiError): void {
+    this.attempt_ += 1;
+    if (error.unreachable) {
+      const before = this.state_.link.value;
+      const since = before.state === 'lost' ? before.since : Date.now();
+      this.state_.link.value = { state: 'lost', since, attempt: this.attempt_, retryAt: Date.now() + this.pause() };
+    }
+    for (const list of [this.state_.projects, this.state_.jobs]) {
+      if (list.value.state !== 'ready') list.value = { state: 'failed', error };
+    }
+  }
+
+  private pause(): number {
+    if (this.attempt_ > 0) return backoff(this.attempt_, 0.5);
+    return this.state_.anyActive.value ? kBusyMs : kIdleMs;
+  }
+}

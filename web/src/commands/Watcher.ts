@@ -1,0 +1,189 @@
+// Follows what the page shows: opens the stream of the shown job, fetches its body, its report when it has ended, and the
+// pieces of its project. Lets go of them when another is shown.
+
+import { effect, untracked } from '@preact/signals';
+import type { Api } from '../api/Api';
+import type { ClothStream, ClothStreamHandlers } from '../api/ClothStream';
+import { clothFromObj } from '../api/objCloth';
+import type { Job, Progress, StreamText } from '../api/types';
+import { loading, ready, valueOf, type AppState } from '../state/AppState';
+import { isActive } from '../state/jobs';
+import { asApiError, notify } from './notices';
+
+/** Points kept of the speed over time. */
+const kHistory = 600;
+
+export class Watcher {
+  private readonly stops_: (() => void)[] = [];
+  private piecesOf_ = '';
+
+  constructor(
+    private readonly state_: AppState,
+    private readonly api_: Api,
+    private readonly stream_: Pick<ClothStream, 'watch' | 'leave' | 'poke'>,
+    private readonly refresh_: () => void,
+  ) {}
+
+  start(): void {
+    const { job, project, projectId } = this.state_;
+    this.stops_.push(
+      effect(() => {
+        const route = this.state_.route.value;
+        // A job's route names it before the list has come: its stream need not wait.
+        const id = route.name === 'job' ? route.id : job.value?.id ?? null;
+        untracked(() => this.show(id));
+      }),
+      effect(() => {
+        const id = projectId.value;
+        const revision = project.value?.revision ?? 0;
+        untracked(() => void this.loadPieces(id, revision));
+      }),
+      effect(() => {
+        const shown = job.value;
+        if (shown && !isActive(shown.state)) untracked(() => void this.loadEnd(shown.id));
+      }),
+    );
+  }
+
+  stop(): void {
+    for (const stop of this.stops_.splice(0)) stop();
+    this.stream_.leave();
+  }
+
+  /** Opens a job's stream before anything on the page knows the job. */
+  show(id: string | null): void {
+    const state = this.state_;
+    if (state.watched.value === id) return;
+    state.watched.value = id;
+    state.progress.value = null;
+    state.history.value = [];
+    state.report.value = null;
+    state.body.value = null;
+    state.cloth.clear();
+    state.tab.value = 'drape';
+    if (!id) return this.stream_.leave();
+    this.stream_.watch(this.api_.streamUrl(id));
+    void this.loadBody(id);
+  }
+
+  /** The service is back, or a body that was not there yet may be now. */
+  retry(): void {
+    this.stream_.poke();
+    const id = this.state_.watched.value;
+    if (id && this.state_.body.value?.state === 'failed') void this.loadBody(id);
+    if (this.state_.pieces.value?.state === 'failed') this.piecesOf_ = '';
+    void this.loadPieces(this.state_.projectId.value, this.state_.project.value?.revision ?? 0);
+  }
+
+  /** What the stream worker hands over. */
+  handlers(): ClothStreamHandlers {
+    const { cloth, stream } = this.state_;
+    return {
+      connection: (connection) => {
+        stream.value = connection;
+        if (connection.state === 'lost' || connection.state === 'refused') this.refresh_();
+      },
+      text: (message) => this.text(message),
+      topology: (topology) => {
+        cloth.setTopology(topology);
+        const id = this.state_.watched.value;
+        if (id && this.state_.body.value?.state !== 'ready') void this.loadBody(id);
+      },
+      frame: (positions, moment) => cloth.setPositions(positions, moment) as Float32Array | null,
+    };
+  }
+
+  private text(message: StreamText): void {
+    switch (message.type) {
+      case 'progress': return this.progress(message);
+      case 'job': return this.greeted(message);
+      case 'ended': return this.ended(message, message.job);
+      case 'error': return notify(this.state_, { tone: 'bad', text: message.detail, code: message.code, where: message.where });
+    }
+  }
+
+  private greeted({ type: _, ...job }: StreamText & { type: 'job' }): void {
+    if (job.id !== this.state_.watched.value) return;
+    this.state_.putJob(job);
+    if (job.progress) this.progress(job.progress);
+  }
+
+  private progress(progress: Progress): void {
+    const { history } = this.state_;
+    this.state_.progress.value = progress;
+    const last = history.value[history.value.length - 1];
+    if (progress.rms_speed === 0) return;  // a phase begins: nothing has been measured yet
+    if (progress.simulated_s <= (last?.t ?? 0)) {
+      if (progress.simulated_s < (last?.t ?? 0)) history.value = [];
+      return;
+    }
+    const kept = history.value.length < kHistory ? history.value : history.value.filter((_, i) => i % 2 === 0);
+    history.value = [...kept, { t: progress.simulated_s, speed: progress.rms_speed }];
+  }
+
+  private ended(last: Progress, job: Job): void {
+    this.state_.progress.value = last;
+    if (job.id === this.state_.watched.value) this.state_.putJob(job);
+    this.refresh_();
+  }
+
+  private async loadBody(id: string): Promise<void> {
+    const { body, watched } = this.state_;
+    if (body.value?.state === 'loading') return;
+    body.value = loading;
+    try {
+      const mesh = await this.api_.body(id);
+      if (watched.value === id) body.value = ready(mesh);
+    } catch (error) {
+      if (watched.value === id) body.value = { state: 'failed', error: asApiError(error) };
+    }
+  }
+
+  private async loadPieces(id: string | null, revision: number): Promise<void> {
+    const key = `${id} ${revision}`;
+    if (key === this.piecesOf_) return;
+    const { pieces, selected, projectId } = this.state_;
+    const same = this.piecesOf_.startsWith(`${id} `);
+    this.piecesOf_ = key;
+    if (!same) selected.value = null;
+    if (!id) return void (pieces.value = null);
+    if (!same) pieces.value = loading;
+    try {
+      const loaded = await this.api_.pieces(id);
+      if (projectId.value === id) pieces.value = ready(loaded);
+    } catch (error) {
+      if (projectId.value === id) pieces.value = { state: 'failed', error: asApiError(error) };
+    }
+  }
+
+  /** Once a drape has ended: its report, and its cloth when the stream has none to show any more. */
+  private async loadEnd(id: string): Promise<void> {
+    const { report, job, watched, tab, cloth } = this.state_;
+    if (watched.value !== id) return;
+    const results = job.value?.results ?? {};
+    if ('report.json' in results && !report.value) {
+      report.value = loading;
+      try {
+        report.value = ready(await this.api_.report(id));
+        if (watched.value === id && job.value?.state === 'succeeded') tab.value = 'result';
+      } catch (error) {
+        report.value = { state: 'failed', error: asApiError(error) };
+      }
+    }
+    if ('final.obj' in results && !cloth.topology) await this.loadCloth(id);
+  }
+
+  private async loadCloth(id: string): Promise<void> {
+    const { cloth, watched, pieces } = this.state_;
+    try {
+      const text = await this.api_.resultText(id, 'final.obj');
+      if (watched.value !== id || cloth.topology) return;
+      const known = valueOf(pieces.value ?? loading)?.pieces ?? [];
+      const read = clothFromObj(text, (name) => known.find((piece) => piece.id === name)?.colour ?? null);
+      cloth.setTopology(read.topology);
+      cloth.setPositions(read.positions, { epoch: 0, seq: 1, step: 0, time: 0 });
+    } catch {
+      // The gallery and the report still show how it ended.
+    }
+  }
+}

@@ -1,0 +1,49 @@
+// Keys and what they do, in one table: the help reads it, and remapping will write it.
+
+import type { Commands } from './Commands';
+import type { AppState } from '../state/AppState';
+
+export interface Binding {
+  /** KeyboardEvent.key, lower case. */
+  key: string;
+  shown: string;
+  title: string;
+  group: string;
+  run(commands: Commands, state: AppState): void;
+}
+
+export const bindings: Binding[] = [
+  { key: ' ', shown: 'Space', title: 'Start, pause or go on', group: 'Drape', run: (c) => void c.runOrPause() },
+  { key: 'n', shown: 'N', title: 'New project from files', group: 'Drape', run: (c) => c.openIntake() },
+  { key: '1', shown: '1', title: 'Front view', group: 'View', run: (c) => c.showView('front') },
+  { key: '2', shown: '2', title: 'Back view', group: 'View', run: (c) => c.showView('back') },
+  { key: '3', shown: '3', title: 'Side view', group: 'View', run: (c) => c.showView('side') },
+  { key: '4', shown: '4', title: 'Three-quarter view', group: 'View', run: (c) => c.showView('three-quarter') },
+  { key: 'b', shown: 'B', title: 'Body on or off', group: 'View', run: (_, s) => void (s.bodyShown.value = !s.bodyShown.value) },
+  { key: 'm', shown: 'M', title: 'Mesh on or off', group: 'View', run: (_, s) => void (s.meshShown.value = !s.meshShown.value) },
+  { key: 'l', shown: 'L', title: 'Project list on or off', group: 'View', run: (_, s) => void (s.railShown.value = !s.railShown.value) },
+  { key: '?', shown: '?', title: 'This list', group: 'Help', run: (_, s) => void (s.helpShown.value = !s.helpShown.value) },
+  { key: 'escape', shown: 'Esc', title: 'Select nothing, close', group: 'Help', run: (c, s) => (s.helpShown.value ? void (s.helpShown.value = false) : c.select(null)) },
+];
+
+/** A key that belongs to the element that has the focus: typing, or pressing a button with Space. */
+function belongsTo(target: EventTarget | null, key: string): boolean {
+  const element = target instanceof Element ? target : null;
+  if (!element) return false;
+  if (element.closest('input, textarea, select, dialog, [contenteditable]')) return true;
+  return key === ' ' && element.closest('button, a, summary, [role=button], [role=tab]') !== null;
+}
+
+/** Listens on the window; returns how to stop. */
+export function listenForKeys(commands: Commands, state: AppState, target: Window = window): () => void {
+  const listener = (event: KeyboardEvent): void => {
+    if (event.ctrlKey || event.metaKey || event.altKey || event.isComposing) return;
+    const key = event.key.toLowerCase();
+    const binding = bindings.find((candidate) => candidate.key === key);
+    if (!binding || belongsTo(event.target, key) || (event.repeat && key === ' ')) return;
+    event.preventDefault();
+    binding.run(commands, state);
+  };
+  target.addEventListener('keydown', listener);
+  return () => target.removeEventListener('keydown', listener);
+}

@@ -1,0 +1,149 @@
+// Puts the page together: makes the state, connects it with the service, draws the panels.
+
+import { effect } from '@preact/signals';
+import { render } from 'preact';
+import { makeApi } from './api/Api';
+import { ClothStream, type WorkerPort } from './api/ClothStream';
+import { Commands } from './commands/Commands';
+import { CommandsContext } from './commands/context';
+import { listenForKeys } from './commands/keys';
+import { Poller } from './commands/Poller';
+import { Watcher } from './commands/Watcher';
+import { PatternPane } from './pattern/PatternPane';
+import { Banner } from './panels/Banner';
+import { DropTarget } from './panels/DropTarget';
+import { HelpDialog } from './panels/HelpDialog';
+import { Inspector } from './panels/Inspector';
+import { IntakeDialog } from './panels/IntakeDialog';
+import { Notices } from './panels/Notices';
+import { Rail } from './panels/Rail';
+import { Splitter } from './panels/Splitter';
+import { StartPage } from './panels/StartPage';
+import { StatusBar } from './panels/StatusBar';
+import { TopBar } from './panels/TopBar';
+import { ScenePane } from './scene/ScenePane';
+import { AppState } from './state/AppState';
+import { StateContext } from './state/context';
+import { jobToOpen } from './state/jobs';
+import { positionsHash } from './state/LiveCloth';
+import { formatRoute, parseRoute } from './state/routes';
+import './styles/main.css';
+
+// Begins to fetch three.js beside everything else; nothing waits for it but the 3D view.
+const sceneCode = import('./scene/SceneView');
+sceneCode.catch(() => undefined);
+
+const api = makeApi();
+const state = new AppState();
+const port = new Worker(new URL('./workers/stream.worker.ts', import.meta.url), { type: 'module' }) as unknown as WorkerPort;
+
+const poller = new Poller(state, api, () => watcher.retry());
+const refresh = (): void => void poller.refresh();
+// The worker answers only after this file has run, so that the watcher is there by then.
+const stream: ClothStream = new ClothStream(port, {
+  connection: (connection) => handlers.connection(connection),
+  text: (message) => handlers.text(message),
+  topology: (topology) => handlers.topology(topology),
+  frame: (positions, moment) => handlers.frame(positions, moment),
+});
+const watcher: Watcher = new Watcher(state, api, stream, refresh);
+const handlers = watcher.handlers();
+
+function go(hash: string, replace: boolean): void {
+  if (replace) history.replaceState(null, '', hash);
+  else history.pushState(null, '', hash);
+  state.route.value = parseRoute(location.hash);
+}
+
+function save(name: string, text: string): void {
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(new Blob([text], { type: 'application/json' }));
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+}
+
+/** randomUUID is missing where the page does not come from this machine or by https. */
+const newKey = (): string => Array.from(crypto.getRandomValues(new Uint8Array(16)), (b) => b.toString(16).padStart(2, '0')).join('');
+
+const commands = new Commands(state, api, { go, save, newKey }, refresh, (id) => watcher.show(id));
+
+/** A page without a route opens what is most worth seeing, once it is known. */
+function openSomething(): void {
+  if (state.route.value.name !== 'home' || state.jobs.value.state !== 'ready' || state.projects.value.state !== 'ready') return;
+  const job = jobToOpen(state.jobs.value.value);
+  const project = state.projects.value.value[0];
+  if (job) commands.open({ name: 'job', id: job.id }, true);
+  else if (project) commands.open({ name: 'project', id: project.id }, true);
+}
+
+/** What the page test looks through. */
+const hook = { drawn: 0, firstDrawnMs: 0 };
+function drawn(): void {
+  hook.drawn += 1;
+  hook.firstDrawnMs ||= performance.now();
+}
+
+function Page() {
+  const retry = (): void => {
+    refresh();
+    stream.poke();
+  };
+  return (
+    <StateContext.Provider value={state}>
+      <CommandsContext.Provider value={commands}>
+        <div class={`page${state.railShown.value ? '' : ' rail-hidden'}`}>
+          <TopBar />
+          <Banner retry={retry} />
+          {state.railShown.value && <Rail resultUrl={api.resultUrl} />}
+          <main>
+            <ScenePane load={() => sceneCode} drawn={drawn} />
+            <Splitter />
+            <div class="side">
+              <PatternPane />
+              <Inspector resultUrl={api.resultUrl} />
+            </div>
+            <StartPage />
+          </main>
+          <StatusBar />
+          <Notices />
+          <IntakeDialog />
+          <HelpDialog />
+          <DropTarget />
+        </div>
+      </CommandsContext.Provider>
+    </StateContext.Provider>
+  );
+}
+
+window.addEventListener('hashchange', () => (state.route.value = parseRoute(location.hash)));
+window.addEventListener('popstate', () => (state.route.value = parseRoute(location.hash)));
+window.addEventListener('online', () => (refresh(), stream.poke()));
+document.addEventListener('visibilitychange', () => document.visibilityState === 'visible' && refresh());
+setInterval(() => (state.now.value = Date.now()), 1000);
+
+state.route.value = parseRoute(location.hash);
+listenForKeys(commands, state);
+watcher.start();
+effect(openSomething);
+effect(() => {
+  const shown = state.job.value?.name ?? state.project.value?.name;
+  document.title = shown ? `${shown} · Toile` : 'Toile';
+});
+refresh();
+render(<Page />, document.getElementById('page')!);
+
+Object.assign(window, {
+  __toile: {
+    job: () => state.job.value,
+    route: () => formatRoute(state.route.value),
+    link: () => state.link.value.state,
+    stream: () => state.stream.value.state,
+    moment: () => state.cloth.moment,
+    frames: () => state.cloth.frames,
+    drawn: () => hook.drawn,
+    firstDrawnMs: () => hook.firstDrawnMs,
+    positions: () => Array.from(state.cloth.positions ?? []),
+    positionsHash: () => (state.cloth.positions ? positionsHash(state.cloth.positions) : ''),
+  },
+});

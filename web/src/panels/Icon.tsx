@@ -1,0 +1,26 @@
+// The page's own line icons, 16 units square.
+
+const kPaths = {
+  plus: 'M8 3v10M3 8h10',
+  play: 'M5 3.2v9.6l8-4.8z',
+  pause: 'M5.5 3.5v9M10.5 3.5v9',
+  stop: 'M4.5 4.5h7v7h-7z',
+  list: 'M2.5 4h11M2.5 8h11M2.5 12h11',
+  file: 'M4 1.8h5l3.2 3.2v9.2H4zM9 1.8V5h3.2',
+  check: 'M3 8.5l3.2 3.2L13 4.5',
+  cross: 'M4 4l8 8M12 4l-8 8',
+  alert: 'M8 2.2L14.4 13.5H1.6zM8 6.5v3.2M8 11.4v.4',
+  down: 'M8 2.5v8M4.6 7.3L8 10.7l3.4-3.4M3 13.5h10',
+  help: 'M5.8 6a2.3 2.3 0 1 1 3.3 2.1c-.8.4-1.1.9-1.1 1.7M8 11.8v.4',
+  shirt: 'M5.5 2.5L2 5l1.5 2.5L5 6.8V13.5h6V6.8l1.5.7L14 5l-3.5-2.5c-.6 1.4-4.4 1.4-5 0z',
+} as const;
+
+export type IconName = keyof typeof kPaths;
+
+export function Icon({ name }: { name: IconName }) {
+  return (
+    <svg class={`icon icon-${name}`} viewBox="0 0 16 16" width="16" height="16" aria-hidden="true">
+      <path d={kPaths[name]} />
+    </svg>
+  );
+}

@@ -1,0 +1,32 @@
+// Beside the pattern: the drape as it runs, and what came of it.
+
+import type { Tab } from '../state/AppState';
+import { useAppState } from '../state/context';
+import { DrapeFigures } from './DrapeFigures';
+import { Results } from './Results';
+import type { PicturesProps } from './Rail';
+
+const kTabs: { tab: Tab; title: string }[] = [{ tab: 'drape', title: 'Drape' }, { tab: 'result', title: 'Result' }];
+
+export function Inspector(props: PicturesProps) {
+  const state = useAppState();
+  const shown = state.tab.value;
+  const turn = (event: KeyboardEvent): void => {
+    if (event.key !== 'ArrowLeft' && event.key !== 'ArrowRight') return;
+    state.tab.value = shown === 'drape' ? 'result' : 'drape';
+    document.getElementById(`tab-${state.tab.value}`)?.focus();
+  };
+  return (
+    <section class="inspector" aria-label="Inspector">
+      <div class="tabs" role="tablist" onKeyDown={turn}>
+        {kTabs.map(({ tab, title }) => (
+          <button key={tab} role="tab" id={`tab-${tab}`} aria-selected={shown === tab} aria-controls="tab-panel" tabIndex={shown === tab ? 0 : -1}
+            onClick={() => (state.tab.value = tab)}>{title}</button>
+        ))}
+      </div>
+      <div class="tab-panel" role="tabpanel" id="tab-panel" aria-labelledby={`tab-${shown}`} tabIndex={0}>
+        {shown === 'drape' ? <DrapeFigures /> : <Results {...props} />}
+      </div>
+    </section>
+  );
+}

@@ -1,0 +1,123 @@
+// Files become a project: shows what was given, what is missing and the way on.
+
+import { useEffect, useRef } from 'preact/hooks';
+import { useCommands } from '../commands/context';
+import type { Intake } from '../state/AppState';
+import { useAppState } from '../state/context';
+import type { IntakePlan } from '../state/intake';
+import { bytes, counted } from '../state/words';
+import { Icon } from './Icon';
+
+export function IntakeDialog() {
+  const state = useAppState();
+  return state.intake.value ? <Dialog intake={state.intake.value} /> : null;
+}
+
+function Dialog({ intake }: { intake: Intake }) {
+  const commands = useCommands();
+  const dialog = useRef<HTMLDialogElement>(null);
+  const input = useRef<HTMLInputElement>(null);
+  useEffect(() => dialog.current?.showModal(), []);
+  const { plan } = intake;
+  const take = (list: FileList | null): void => void commands.addFiles([...(list ?? [])].map((file) => ({ name: file.name, blob: file })));
+  return (
+    <dialog class="sheet intake" ref={dialog} onClose={() => commands.closeIntake()} aria-labelledby="intake-title">
+      <header>
+        <h2 id="intake-title">New project</h2>
+        <button class="tool flat" aria-label="Close" onClick={() => dialog.current?.close()}><Icon name="cross" /></button>
+      </header>
+      <div class="sheet-body">
+        <button class="dropzone" autofocus onClick={() => input.current?.click()}>
+          <Icon name="file" />
+          <b>{intake.files.length === 0 ? 'Drop files here, or choose them' : 'Add more files'}</b>
+          <small>project.json, the DXF files it names, a body (OBJ, glTF, …)</small>
+        </button>
+        <input ref={input} type="file" multiple hidden accept=".json,.dxf,.obj,.glb,.gltf,.ply,.stl,.fbx,.dae"
+          onChange={(event) => { take(event.currentTarget.files); event.currentTarget.value = ''; }} />
+        <Given intake={intake} />
+        {plan && <Missing plan={plan} />}
+        {intake.error && (
+          <div class="problem" role="alert">
+            <Icon name="alert" />
+            <div><p>{intake.error.detail}</p><p class="code">{[intake.error.code, intake.error.where].filter(Boolean).join(' · ')}</p></div>
+          </div>
+        )}
+      </div>
+      <footer>
+        <span class="busy" role="status">{intake.busy && <><span class="spinner" aria-hidden="true" />{intake.busy}…</>}</span>
+        <button class="plain" disabled={!plan?.ready || intake.busy !== ''} onClick={() => void commands.createProject(false)}>Create</button>
+        <button class="primary" disabled={!plan?.ready || intake.busy !== ''} onClick={() => void commands.createProject(true)}><Icon name="play" /> Create and drape</button>
+      </footer>
+    </dialog>
+  );
+}
+
+function Given({ intake }: { intake: Intake }) {
+  const commands = useCommands();
+  const { plan } = intake;
+  if (intake.files.length === 0) return null;
+  const role = (name: string): string => {
+    if (!plan) return '';
+    if (plan.documentName === name) return 'Project';
+    const need = plan.needed.find((one) => one.file?.name === name);
+    if (need) return need.kind === 'dxf' ? 'Pattern' : 'Body';
+    if (plan.loose?.dxf.name === name) return `Pattern, ${counted(plan.loose.pieces.length, 'piece')}`;
+    return plan.unused.includes(name) ? 'Not used' : '';
+  };
+  return (
+    <ul class="files">
+      {intake.files.map((file) => (
+        <li key={file.name} class={plan?.unused.includes(file.name) ? 'unused' : ''}>
+          <Icon name="file" /><b>{file.name}</b><small>{role(file.name)}</small><em>{bytes(file.blob.size)}</em>
+          <button class="tool flat" aria-label={`Remove ${file.name}`} onClick={() => void commands.removeFile(file.name)}><Icon name="cross" /></button>
+        </li>
+      ))}
+    </ul>
+  );
+}
+
+function Missing({ plan }: { plan: IntakePlan }) {
+  const missing = plan.needed.filter((need) => need.file === null);
+  return (
+    <>
+      {plan.problems.map((problem, i) => (
+        <div key={i} class="problem" role="alert">
+          <Icon name="alert" />
+          <div><p>{problem.text}</p><p class="code">{problem.code} · {problem.where}</p></div>
+        </div>
+      ))}
+      {missing.length > 0 && (
+        <div class="missing" role="status">
+          <p><b>{plan.name}</b> also needs {missing.length === 1 ? 'this file' : `these ${missing.length} files`}:</p>
+          <ul>{missing.map((need) => <li key={need.name}><code>{need.name}</code> {need.kind === 'dxf' ? 'the pattern' : 'the body'}</li>)}</ul>
+          <p>It lies beside project.json where that was saved. Drop it here too.</p>
+        </div>
+      )}
+      {plan.loose && <LooseDxf plan={plan} />}
+      {plan.ready && <p class="complete"><Icon name="check" /> Everything is there.</p>}
+    </>
+  );
+}
+
+/** A DXF alone holds shapes only: says so, and gives the rest to begin with. */
+function LooseDxf({ plan }: { plan: IntakePlan }) {
+  const commands = useCommands();
+  const { dxf, pieces } = plan.loose!;
+  return (
+    <div class="missing" role="status">
+      {pieces.length > 0
+        ? <p><b>{dxf.name}</b> holds {counted(pieces.length, 'piece')}: {pieces.slice(0, 12).join(', ')}{pieces.length > 12 && ', …'}.</p>
+        : <p>No pieces were found in <b>{dxf.name}</b>.</p>}
+      <p>A DXF says what is cut, not how it is sewn. To drape it, a <code>project.json</code> must say:</p>
+      <ul>
+        <li>which edges are sewn to which</li>
+        <li>where the pieces stand around the body</li>
+        <li>the fabric, and the body or a mannequin's measurements</li>
+      </ul>
+      {pieces.length > 0 && (
+        <p><button class="link" onClick={() => commands.saveStarter()}>Save a starter project.json</button> with these pieces, a cotton and a mannequin;
+          add seams and placement, then drop both files here.</p>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,55 @@
+// Name of what is shown, and what can be done with it.
+
+import { useCommands } from '../commands/context';
+import { useAppState } from '../state/context';
+import { commandsOf, isActive } from '../state/jobs';
+import { Icon } from './Icon';
+import { StateChip } from './StateChip';
+
+export function TopBar() {
+  const state = useAppState();
+  const project = state.project.value;
+  const job = state.job.value;
+  return (
+    <header class="topbar">
+      <button class="tool flat" aria-pressed={state.railShown.value} title="Project list (L)" aria-label="Project list"
+        onClick={() => (state.railShown.value = !state.railShown.value)}><Icon name="list" /></button>
+      <a class="brand" href="#/" aria-label="Toile, start page">
+        <svg viewBox="0 0 32 32" width="22" height="22" aria-hidden="true">
+          <rect width="32" height="32" rx="7" />
+          <path d="M11 7h10l1.2 3.6H9.8z" />
+          <path d="M9.4 12h13.2l4 12.4c-3.2 1.5-5.8-.6-8.4.3-2.7.9-4.9 1.1-7.3.2-1.9-.7-3.7.4-5.5-.5z" opacity=".82" />
+        </svg>
+        <span>Toile</span>
+      </a>
+      <div class="crumbs">
+        {project && <a class="crumb" href={`#/projects/${project.id}`} title="Project">{project.name}</a>}
+        {!project && job && <span class="crumb">{job.name}</span>}
+        {job && <><span class="crumb-sep" aria-hidden="true">/</span><StateChip state={job.state} /></>}
+      </div>
+      <Actions />
+      <button class="tool flat" title="Keys (?)" aria-label="Keyboard shortcuts" onClick={() => (state.helpShown.value = true)}><Icon name="help" /></button>
+    </header>
+  );
+}
+
+function Actions() {
+  const state = useAppState();
+  const commands = useCommands();
+  const job = state.job.value;
+  const can = job ? commandsOf(job.state) : { pause: false, resume: false, cancel: false };
+  const offline = state.link.value.state === 'lost';
+  const active = job !== null && isActive(job.state);
+  return (
+    <div class="actions">
+      {can.cancel && <button class="plain" disabled={offline} onClick={() => void commands.act('cancel')}><Icon name="stop" /> Cancel</button>}
+      {can.pause && <button class="plain" disabled={offline} onClick={() => void commands.act('pause')} title="Pause (Space)"><Icon name="pause" /> Pause</button>}
+      {can.resume && <button class="primary" disabled={offline} onClick={() => void commands.act('resume')} title="Go on (Space)"><Icon name="play" /> Resume</button>}
+      {!active && state.projectId.value && (
+        <button class="primary" disabled={offline || state.submitting.value} onClick={() => void commands.startDrape()} title="Start drape (Space)">
+          <Icon name="play" /> {job ? 'Drape again' : 'Start drape'}
+        </button>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,203 @@
+// The cloth in the scene: one mesh over all pieces, its seams, the threads that pull them together, and what is selected.
+
+import {
+  BufferAttribute, BufferGeometry, Color, DoubleSide, DynamicDrawUsage, Group, LineBasicMaterial, LineSegments, Mesh,
+  MeshStandardMaterial, type DataTexture, type Intersection,
+} from 'three';
+import type { ClothTopology } from '../api/frames';
+import { rimEdges, seamEdges, shareNormals, vertexNormals, weldGroups, widestGap, type WeldGroups } from './surface';
+import { kTileMetres, weaveTexture } from './weave';
+
+/** Sewn pairs further apart than this still have their threads drawn, m. */
+const kThreadGap = 0.0015;
+
+export interface ClothColours {
+  thread: Color;
+  selected: Color;
+  hovered: Color;
+}
+
+export class ClothObject {
+  readonly group = new Group();
+  /** m, the widest gap of the newest frame. */
+  gap = 0;
+
+  private topology_: ClothTopology | null = null;
+  private welds_: WeldGroups | null = null;
+  private geometry_ = new BufferGeometry();
+  private lines_: BufferGeometry[] = [];
+  private rimOfPiece_: LineSegments | null = null;
+  private wires_: LineSegments | null = null;
+  private threads_: LineSegments | null = null;
+  private weave_: DataTexture = weaveTexture();
+  private readonly material_ = new MeshStandardMaterial({
+    side: DoubleSide, vertexColors: true, roughness: 0.92, metalness: 0,
+    map: this.weave_, polygonOffset: true, polygonOffsetFactor: 0.25, polygonOffsetUnits: 1,
+  });
+  private readonly seamMaterial_ = new LineBasicMaterial({ color: 0x000000, transparent: true, opacity: 0.45 });
+  private readonly wireMaterial_ = new LineBasicMaterial({ color: 0x000000, transparent: true, opacity: 0.22 });
+  private readonly threadMaterial_: LineBasicMaterial;
+  private readonly rimMaterial_: LineBasicMaterial;
+  private mesh_: Mesh | null = null;
+  private selected_: string | null = null;
+  private hovered_: string | null = null;
+  private wiresShown_ = false;
+
+  constructor(private readonly colours_: ClothColours) {
+    this.threadMaterial_ = new LineBasicMaterial({ color: colours_.thread, transparent: true, opacity: 0.9 });
+    this.rimMaterial_ = new LineBasicMaterial({ color: colours_.selected, depthTest: false, transparent: true });
+    this.addStandIn();
+  }
+
+  get topology(): ClothTopology | null {
+    return this.topology_;
+  }
+
+  setTopology(topology: ClothTopology | null): void {
+    this.clear();
+    this.topology_ = topology;
+    if (!topology) return;
+    const { vertexCount, triangles, sewn } = topology;
+    this.welds_ = weldGroups(sewn, vertexCount);
+    this.addSurface(topology);
+    const rim = rimEdges(triangles, vertexCount);
+    this.addLines(seamEdges(rim, sewn), this.seamMaterial_, 1);
+    this.threads_ = this.addLines(sewn, this.threadMaterial_, 2);
+    this.wires_ = this.addLines(allEdges(triangles, vertexCount), this.wireMaterial_, 1);
+    this.rimOfPiece_ = this.addLines(new Uint32Array(0), this.rimMaterial_, 3);
+    this.rim_ = rim;
+    this.group.visible = false;  // until the first positions are there
+    this.paint();
+    this.showWires(this.wiresShown_);
+  }
+
+  /** Shows these positions; they are copied into the one buffer that all parts draw from. */
+  setPositions(positions: Float32Array): void {
+    if (!this.topology_ || !this.welds_ || positions.length !== 3 * this.topology_.vertexCount) return;
+    const attribute = this.geometry_.getAttribute('position') as BufferAttribute;
+    const normal = this.geometry_.getAttribute('normal') as BufferAttribute;
+    (attribute.array as Float32Array).set(positions);
+    attribute.needsUpdate = true;
+    vertexNormals(positions, this.topology_.triangles, normal.array as Float32Array);
+    shareNormals(positions, this.welds_, normal.array as Float32Array);
+    normal.needsUpdate = true;
+    this.geometry_.boundingSphere = null;
+    this.gap = widestGap(positions, this.topology_.sewn);
+    if (this.threads_) this.threads_.visible = this.gap > kThreadGap;
+    this.group.visible = true;
+  }
+
+  get positions(): Float32Array | null {
+    const attribute = this.geometry_.getAttribute('position') as BufferAttribute | undefined;
+    return this.group.visible && attribute ? (attribute.array as Float32Array) : null;
+  }
+
+  highlight(selected: string | null, hovered: string | null): void {
+    this.selected_ = selected;
+    this.hovered_ = hovered;
+    this.paint();
+  }
+
+  showWires(shown: boolean): void {
+    this.wiresShown_ = shown;
+    if (this.wires_) this.wires_.visible = shown;
+  }
+
+  get mesh(): Mesh | null {
+    return this.mesh_;
+  }
+
+  /** The piece under a hit of the surface. */
+  pieceAt(hit: Intersection): string | null {
+    const vertex = hit.face?.a ?? -1;
+    return this.topology_?.pieces.find((piece) => vertex >= piece.firstVertex && vertex < piece.firstVertex + piece.vertexCount)?.id ?? null;
+  }
+
+  dispose(): void {
+    this.clear();
+    this.weave_.dispose();
+    for (const material of [this.material_, this.seamMaterial_, this.wireMaterial_, this.threadMaterial_, this.rimMaterial_]) material.dispose();
+  }
+
+  private rim_: Uint32Array = new Uint32Array(0);
+
+  private clear(): void {
+    this.group.clear();
+    this.geometry_.dispose();
+    for (const lines of this.lines_) lines.dispose();
+    this.lines_ = [];
+    this.geometry_ = new BufferGeometry();
+    this.mesh_ = this.threads_ = this.wires_ = this.rimOfPiece_ = null;
+    this.group.visible = false;
+  }
+
+  /** A triangle that is never seen: with it the shaders are made before the first frame needs them. */
+  private addStandIn(): void {
+    const names = [['position', 3], ['normal', 3], ['color', 3], ['uv', 2]] as const;
+    for (const [name, size] of names) this.geometry_.setAttribute(name, new BufferAttribute(new Float32Array(3 * size), size));
+    const surface = new Mesh(this.geometry_, this.material_);
+    surface.castShadow = surface.receiveShadow = true;
+    const lines = new LineSegments(this.geometry_, this.seamMaterial_);
+    this.group.add(surface, lines);
+  }
+
+  private addSurface({ vertexCount, triangles, rest }: ClothTopology): void {
+    const dynamic = (): BufferAttribute => new BufferAttribute(new Float32Array(3 * vertexCount), 3).setUsage(DynamicDrawUsage);
+    this.geometry_.setAttribute('position', dynamic());
+    this.geometry_.setAttribute('normal', dynamic());
+    this.geometry_.setAttribute('color', new BufferAttribute(new Float32Array(3 * vertexCount), 3));
+    this.geometry_.setAttribute('uv', new BufferAttribute(rest.map((metres) => metres / kTileMetres), 2));
+    this.geometry_.setIndex(new BufferAttribute(triangles, 1));
+    this.mesh_ = new Mesh(this.geometry_, this.material_);
+    this.mesh_.castShadow = this.mesh_.receiveShadow = true;
+    this.mesh_.frustumCulled = false;
+    this.group.add(this.mesh_);
+  }
+
+  private addLines(index: Uint32Array, material: LineBasicMaterial, order: number): LineSegments {
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', this.geometry_.getAttribute('position'));
+    geometry.setIndex(new BufferAttribute(index, 1));
+    this.lines_.push(geometry);
+    const lines = new LineSegments(geometry, material);
+    lines.renderOrder = order;
+    lines.frustumCulled = false;
+    this.group.add(lines);
+    return lines;
+  }
+
+  private paint(): void {
+    if (!this.topology_) return;
+    const attribute = this.geometry_.getAttribute('color') as BufferAttribute;
+    for (const piece of this.topology_.pieces) {
+      const colour = new Color().setRGB(...piece.colour);
+      if (piece.id === this.selected_) colour.lerp(this.colours_.selected, 0.24);
+      else if (piece.id === this.hovered_) colour.lerp(this.colours_.hovered, 0.22);
+      for (let v = 0; v < piece.vertexCount; ++v) attribute.setXYZ(piece.firstVertex + v, colour.r, colour.g, colour.b);
+    }
+    attribute.needsUpdate = true;
+    this.outlineSelected();
+  }
+
+  private outlineSelected(): void {
+    const piece = this.topology_?.pieces.find((candidate) => candidate.id === this.selected_);
+    const inside = (v: number): boolean => !!piece && v >= piece.firstVertex && v < piece.firstVertex + piece.vertexCount;
+    const edges: number[] = [];
+    for (let i = 0; i < this.rim_.length; i += 2) if (inside(this.rim_[i]!)) edges.push(this.rim_[i]!, this.rim_[i + 1]!);
+    if (!this.rimOfPiece_) return;
+    this.rimOfPiece_.geometry.setIndex(new BufferAttribute(new Uint32Array(edges), 1));
+    this.rimOfPiece_.visible = edges.length > 0;
+  }
+}
+
+/** Every edge of the mesh once. */
+function allEdges(triangles: Uint32Array, vertexCount: number): Uint32Array {
+  const edges = new Map<number, [number, number]>();
+  for (let t = 0; t < triangles.length; t += 3) {
+    for (let k = 0; k < 3; ++k) {
+      const a = triangles[t + k]!, b = triangles[t + ((k + 1) % 3)]!;
+      edges.set(Math.min(a, b) * vertexCount + Math.max(a, b), [a, b]);
+    }
+  }
+  return new Uint32Array([...edges.values()].flat());
+}

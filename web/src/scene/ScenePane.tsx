@@ -1,0 +1,152 @@
+// The 3D view's place on the page: its canvas, its buttons, and what is said while there is nothing to show.
+
+import { effect, useSignal, useSignalEffect } from '@preact/signals';
+import { useEffect, useRef } from 'preact/hooks';
+import { useCommands } from '../commands/context';
+import type { AppState, View } from '../state/AppState';
+import { valueOf } from '../state/AppState';
+import { useAppState } from '../state/context';
+import { activity, isActive, placeInQueue } from '../state/jobs';
+import { counted } from '../state/words';
+import type { SceneView } from './SceneView';
+
+const kViews: { view: View; title: string; key: string }[] = [
+  { view: 'front', title: 'Front', key: '1' },
+  { view: 'back', title: 'Back', key: '2' },
+  { view: 'side', title: 'Side', key: '3' },
+  { view: 'three-quarter', title: '¾', key: '4' },
+];
+
+const kNudges: Record<string, [number, number, number]> = {
+  arrowleft: [-10, 0, 1], arrowright: [10, 0, 1], arrowup: [0, 6, 1], arrowdown: [0, -6, 1], '+': [0, 0, 0.88], '=': [0, 0, 0.88], '-': [0, 0, 1.14],
+};
+
+export interface ScenePaneProps {
+  /** Fetches the 3D code; begun before the page is drawn. */
+  load: () => Promise<typeof import('./SceneView')>;
+  drawn: () => void;
+}
+
+const token = (name: string): string => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+
+export function ScenePane({ load, drawn }: ScenePaneProps) {
+  const state = useAppState();
+  const commands = useCommands();
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const scene = useRef<SceneView | null>(null);
+  const failed = useSignal('');
+
+  useEffect(() => {
+    let gone = false;
+    let stop = (): void => undefined;
+    load().then(({ SceneView }) => {
+      if (gone || !canvas.current) return;
+      const events = { select: (p: string | null) => commands.select(p), hover: (p: string | null) => commands.hover(p), drawn };
+      scene.current = new SceneView(canvas.current, state.cloth, events, token('--accent-3d'));
+      stop = connect(scene.current, state);
+    }).catch((error: unknown) => (failed.value = error instanceof Error ? error.message : String(error)));
+    return () => {
+      gone = true;
+      stop();
+      scene.current?.dispose();
+    };
+  }, []);
+
+  const keys = (event: KeyboardEvent): void => {
+    const nudge = kNudges[event.key.toLowerCase()];
+    if (!nudge) return;
+    event.preventDefault();
+    scene.current?.nudge(...nudge);
+  };
+
+  return (
+    <section class="scene" aria-label="3D view">
+      <div class="scene-canvas">
+        <canvas ref={canvas} tabIndex={0} onKeyDown={keys} aria-label="Body and cloth; arrow keys turn, plus and minus zoom" />
+      </div>
+      {failed.value ? <Message title="No 3D here" text={`This browser could not open WebGL 2: ${failed.value}`} /> : <Overlay />}
+      <div class="scene-tools" role="toolbar" aria-label="Views">
+        {kViews.map(({ view, title, key }) => (
+          <button key={view} class="tool" onClick={() => commands.showView(view)} title={`${title} view (${key})`} aria-label={`${view} view`}>{title}</button>
+        ))}
+        <span class="tool-gap" />
+        <Toggle on={state.bodyShown.value} title="Body (B)" label="Body" flip={() => (state.bodyShown.value = !state.bodyShown.value)} />
+        <Toggle on={state.meshShown.value} title="Mesh (M)" label="Mesh" flip={() => (state.meshShown.value = !state.meshShown.value)} />
+      </div>
+    </section>
+  );
+}
+
+/** The view follows these parts of the state until stopped. */
+function connect(scene: SceneView, state: AppState): () => void {
+  const dark = matchMedia('(prefers-color-scheme: dark)');
+  const calm = matchMedia('(prefers-reduced-motion: reduce)');
+  const paint = (): void => scene.paint({
+    air: [token('--air-top'), token('--air-bottom')], grid: token('--grid-3d'), shadow: Number(token('--shadow-3d')) || 0.3, dark: dark.matches,
+  });
+  paint();
+  dark.addEventListener('change', paint);
+  const turn = state.view.peek().turn;
+  const stops = [
+    effect(() => scene.setBody(valueOf(state.body.value ?? { state: 'loading' }))),
+    effect(() => scene.show(state.bodyShown.value && state.body.value?.state === 'ready', state.meshShown.value)),
+    effect(() => scene.highlight(state.selected.value, state.hovered.value)),
+    effect(() => {
+      if (state.view.value.turn > turn) scene.look(state.view.value.view, calm.matches);
+    }),
+    () => dark.removeEventListener('change', paint),
+  ];
+  return () => stops.forEach((stop) => stop());
+}
+
+function Toggle({ on, title, label, flip }: { on: boolean; title: string; label: string; flip: () => void }) {
+  return <button class="tool" aria-pressed={on} title={title} onClick={flip}>{label}</button>;
+}
+
+function Message({ title, text, children }: { title: string; text: string; children?: preact.ComponentChildren }) {
+  return (
+    <div class="scene-message">
+      <h2>{title}</h2>
+      <p>{text}</p>
+      {children}
+    </div>
+  );
+}
+
+/** What is said over an empty stage. Nothing as soon as there is cloth. */
+function Overlay() {
+  const state = useAppState();
+  const commands = useCommands();
+  const covered = useSignal(false);
+  useSignalEffect(() => {
+    void state.watched.value;
+    covered.value = state.cloth.positions !== null;
+    return state.cloth.listen(() => (covered.value = state.cloth.positions !== null));
+  });
+  if (covered.value) return null;
+  const job = state.job.value;
+  if (job?.state === 'queued') {
+    const ahead = placeInQueue(state.allJobs.value, job.id);
+    const text = ahead === 0 ? 'It is next; a worker takes it as soon as one is free.' : `${counted(ahead, 'drape')} before it.`;
+    return <Message title="In the queue" text={text} />;
+  }
+  if (job && isActive(job.state)) {
+    return (
+      <div class="scene-message quiet" role="status">
+        <span class="spinner" aria-hidden="true" />
+        <p>{activity(job.state, job.progress?.phase)}…</p>
+      </div>
+    );
+  }
+  if (job && job.state === 'failed') return <Message title="This drape failed" text={job.reason || 'It ended without a result.'} />;
+  if (job && job.state === 'cancelled') return <Message title="Cancelled" text="This drape was stopped before it had cloth to show." />;
+  if (job) return null;
+  if (state.route.value.name === 'project' && state.project.value) {
+    return (
+      <Message title="Not draped yet" text="The pieces are read and ready. A drape sews them around the body and lets them hang.">
+        <button class="primary" disabled={state.submitting.value} onClick={() => void commands.startDrape()}>Start drape <kbd>Space</kbd></button>
+      </Message>
+    );
+  }
+  return null;
+}

@@ -1,0 +1,300 @@
+// The 3D view: renderer, camera, and when to draw. It draws only when something has changed: a frame, the camera, the
+// selection, the size. Loaded by itself, because three.js comes with it.
+
+import {
+  Color, NeutralToneMapping, PCFShadowMap, PerspectiveCamera, Raycaster, Scene, SRGBColorSpace, Vector2, Vector3,
+  WebGLRenderer,
+} from 'three';
+import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
+import type { BodyMesh } from '../api/body';
+import type { View } from '../state/AppState';
+import type { LiveCloth } from '../state/LiveCloth';
+import { BodyObject } from './BodyObject';
+import { ClothObject } from './ClothObject';
+import { boundsOf, eased, poseFor, union, type Bounds, type Pose, type Vec3 } from './framing';
+import { Studio, type StudioColours } from './Studio';
+
+const kFov = 32;
+const kTurnMs = 320;
+/** A press that moves less than this, in pixels, is a click. */
+const kClickPx = 4;
+/** Slower than this, the picture gets coarser; faster, finer again. */
+const kSlowMs = 50, kFastMs = 24;
+const kCoarsest = 0.6;
+/** A longer wait than this was not the machine's slowness: nothing had changed. */
+const kPauseMs = 400;
+const kRestMs = 250;
+/** A body alone is framed whole; cloth with this much more room around it, m. */
+const kBodyOnly: Bounds = { low: [-0.5, 0, -0.3], high: [0.5, 1.75, 0.3] };
+
+export interface SceneEvents {
+  select(piece: string | null): void;
+  hover(piece: string | null): void;
+  /** A frame of the cloth has reached the screen. */
+  drawn(): void;
+}
+
+export class SceneView {
+  private readonly renderer_: WebGLRenderer;
+  /** Drawn by the processor: coarser while it moves, and smoothed by more pixels instead of samples when it rests. */
+  private readonly slow_: boolean;
+  private readonly scene_ = new Scene();
+  private readonly camera_ = new PerspectiveCamera(kFov, 1, 0.05, 40);
+  private readonly controls_: OrbitControls;
+  private readonly studio_ = new Studio();
+  private readonly cloth_: ClothObject;
+  private readonly body_: BodyObject;
+  private readonly raycaster_ = new Raycaster();
+  private readonly resizer_: ResizeObserver;
+  private readonly stopListening_: () => void;
+  private bodyBounds_: Bounds | null = null;
+  private view_: View = 'three-quarter';
+  private framed_ = false;
+  private turn_: { from: Pose; to: Pose; start: number } | null = null;
+  private stale_ = true;
+  private newFrame_ = false;
+  private request_ = 0;
+  private press_: [number, number] | null = null;
+  private lastDraw_ = 0;
+  /** ms from picture to picture, a running mean. */
+  private pace_ = 16;
+  /** Share of the screen's own resolution. */
+  private sharpness_ = 1;
+  private rest_: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(private readonly canvas_: HTMLCanvasElement, private readonly live_: LiveCloth, private readonly events_: SceneEvents, accent: string) {
+    this.slow_ = !hasGraphicsCard();
+    this.renderer_ = new WebGLRenderer({ canvas: canvas_, antialias: !this.slow_, alpha: true, powerPreference: 'high-performance' });
+    this.renderer_.toneMappingExposure = 1.12;
+    this.renderer_.outputColorSpace = SRGBColorSpace;
+    this.renderer_.toneMapping = NeutralToneMapping;
+    this.renderer_.shadowMap.enabled = true;
+    this.renderer_.shadowMap.type = PCFShadowMap;
+    this.cloth_ = new ClothObject({ thread: new Color(accent), selected: new Color(accent), hovered: new Color('#ffffff') });
+    this.body_ = new BodyObject(0xcfc8bf);
+    this.scene_.add(this.studio_.group, this.body_.mesh, this.cloth_.group);
+    this.controls_ = this.makeControls();
+    this.applyPose(poseFor('three-quarter', kBodyOnly, kFov, 1));
+    this.renderer_.compile(this.scene_, this.camera_);
+    this.resizer_ = new ResizeObserver(() => this.resize());
+    this.resizer_.observe(canvas_.parentElement ?? canvas_);
+    this.stopListening_ = live_.listen((event) => this.take(event));
+    this.takeAll();
+    this.listenForPointer();
+    this.resize();
+  }
+
+  setBody(body: BodyMesh | null): void {
+    this.body_.set(body);
+    this.bodyBounds_ = body ? boundsOf(body.positions) : null;
+    if (body && !this.framed_ && !this.cloth_.positions) this.applyPose(this.pose());
+    this.invalidate();
+  }
+
+  show(bodyShown: boolean, meshShown: boolean): void {
+    this.body_.mesh.visible = bodyShown && this.bodyBounds_ !== null;
+    this.cloth_.showWires(meshShown);
+    this.invalidate();
+  }
+
+  highlight(selected: string | null, hovered: string | null): void {
+    this.cloth_.highlight(selected, hovered);
+    this.invalidate();
+  }
+
+  paint(colours: StudioColours): void {
+    this.studio_.paint(colours);
+    this.invalidate();
+  }
+
+  /** Turns to a view, swiftly or at once where motion is not wanted. */
+  look(view: View, still = false): void {
+    this.view_ = view;
+    const to = this.pose();
+    if (still) return this.applyPose(to);
+    this.turn_ = { from: this.currentPose(), to, start: performance.now() };
+    this.invalidate();
+  }
+
+  /** Keyboard's way round: turns by degrees about the upright and the level axis, and steps nearer or away. */
+  nudge(heading: number, height: number, zoom: number): void {
+    this.turn_ = null;
+    const target = this.controls_.target;
+    const arm = this.camera_.position.clone().sub(target).multiplyScalar(zoom);
+    const level = new Vector3(arm.z, 0, -arm.x).normalize();
+    arm.applyAxisAngle(new Vector3(0, 1, 0), (heading * Math.PI) / 180).applyAxisAngle(level, (height * Math.PI) / 180);
+    this.camera_.position.copy(target).add(arm);
+    this.controls_.update();
+    this.invalidate();
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.request_);
+    clearTimeout(this.rest_);
+    this.resizer_.disconnect();
+    this.stopListening_();
+    this.controls_.dispose();
+    this.cloth_.dispose();
+    this.body_.dispose();
+    this.studio_.dispose();
+    this.renderer_.dispose();
+  }
+
+  private makeControls(): OrbitControls {
+    const controls = new OrbitControls(this.camera_, this.canvas_);
+    controls.enableDamping = !matchMedia('(prefers-reduced-motion: reduce)').matches;
+    controls.dampingFactor = 0.12;
+    controls.minDistance = 0.15;
+    controls.maxDistance = 12;
+    controls.maxPolarAngle = Math.PI * 0.56;
+    controls.addEventListener('start', () => (this.turn_ = null));
+    controls.addEventListener('change', () => this.invalidate());
+    return controls;
+  }
+
+  private take(event: 'topology' | 'frame' | 'cleared'): void {
+    if (event === 'frame') {
+      this.newFrame_ = true;
+      return this.invalidate();
+    }
+    this.takeAll();
+  }
+
+  private takeAll(): void {
+    if (this.live_.topology !== this.cloth_.topology) {
+      if (this.live_.topology === null) this.framed_ = false;
+      this.cloth_.setTopology(this.live_.topology);
+    }
+    this.newFrame_ = this.live_.positions !== null;
+    this.invalidate();
+  }
+
+  private invalidate(): void {
+    this.stale_ = true;
+    if (this.request_ === 0) this.request_ = requestAnimationFrame((now) => this.tick(now));
+  }
+
+  private tick(now: number): void {
+    this.request_ = 0;
+    this.advanceTurn(now);
+    const fresh = this.newFrame_;
+    if (fresh && this.live_.positions) {
+      this.newFrame_ = false;
+      this.cloth_.setPositions(this.live_.positions);
+      if (!this.framed_) {
+        this.framed_ = true;
+        this.applyPose(this.pose());
+      }
+    }
+    this.controls_.update();
+    if (!this.stale_) return;
+    this.stale_ = false;
+    this.studio_.face(this.camera_.position, this.controls_.target);
+    this.draw(now);
+    if (fresh) this.events_.drawn();
+    if (this.turn_) this.invalidate();
+  }
+
+  /** While things move on a slow machine the picture is coarser; when they rest it is drawn once more, sharp. */
+  private draw(now: number): void {
+    const spent = now - this.lastDraw_;
+    this.lastDraw_ = now;
+    if (spent < kPauseMs) this.pace_ += 0.2 * (spent - this.pace_);
+    const finest = Math.min(window.devicePixelRatio, 2), rest = this.slow_ ? 1.5 * finest : finest;
+    if (this.pace_ > kSlowMs && spent < kPauseMs) this.sharpness_ = Math.max(kCoarsest, this.sharpness_ * 0.8);
+    else if (this.pace_ < kFastMs) this.sharpness_ = Math.min(1, this.sharpness_ * 1.05);
+    this.render(finest * this.sharpness_);
+    clearTimeout(this.rest_);
+    if (this.slow_ || this.sharpness_ < 1) this.rest_ = setTimeout(() => this.render(rest), kRestMs);
+  }
+
+  private render(ratio: number): void {
+    if (this.renderer_.getPixelRatio() !== ratio) this.renderer_.setPixelRatio(ratio);
+    this.renderer_.render(this.scene_, this.camera_);
+  }
+
+  private advanceTurn(now: number): void {
+    if (!this.turn_) return;
+    const { from, to, start } = this.turn_;
+    const t = Math.min(1, Math.max(0, (now - start) / kTurnMs));
+    this.applyPose(blend(from, to, eased(t)));
+    if (t >= 1) this.turn_ = null;
+  }
+
+  /** What a view shows: the cloth, with the body's width around the start so that nothing jumps; else the body. */
+  private pose(): Pose {
+    const positions = this.cloth_.positions;
+    const cloth = positions ? boundsOf(positions) : null;
+    const bounds = cloth ?? this.bodyBounds_ ?? kBodyOnly;
+    const body = this.bodyBounds_;
+    const tall = body && cloth && cloth.high[1] - cloth.low[1] > 0.6 * (body.high[1] - body.low[1]);
+    return poseFor(this.view_, tall ? union(bounds, body)! : bounds, kFov, this.camera_.aspect);
+  }
+
+  private currentPose(): Pose {
+    return { eye: this.camera_.position.toArray() as Vec3, target: this.controls_.target.toArray() as Vec3 };
+  }
+
+  private applyPose({ eye, target }: Pose): void {
+    this.camera_.position.set(...eye);
+    this.controls_.target.set(...target);
+    this.controls_.update();
+    this.invalidate();
+  }
+
+  private resize(): void {
+    const box = this.canvas_.parentElement ?? this.canvas_;
+    const width = Math.max(1, box.clientWidth), height = Math.max(1, box.clientHeight);
+    this.renderer_.setSize(width, height, false);
+    this.camera_.aspect = width / height;
+    this.camera_.updateProjectionMatrix();
+    this.invalidate();
+  }
+
+  private listenForPointer(): void {
+    const at = (event: PointerEvent): [number, number] => [event.clientX, event.clientY];
+    this.canvas_.addEventListener('pointerdown', (event) => (this.press_ = at(event)));
+    this.canvas_.addEventListener('pointerup', (event) => {
+      const press = this.press_;
+      this.press_ = null;
+      if (!press || event.button !== 0) return;
+      if (Math.hypot(event.clientX - press[0], event.clientY - press[1]) < kClickPx) this.events_.select(this.pieceUnder(event));
+    });
+    this.canvas_.addEventListener('pointermove', (event) => {
+      if (event.buttons === 0 && event.pointerType === 'mouse') this.events_.hover(this.pieceUnder(event));
+    });
+    this.canvas_.addEventListener('pointerleave', () => this.events_.hover(null));
+  }
+
+  private pieceUnder(event: PointerEvent): string | null {
+    const mesh = this.cloth_.mesh;
+    if (!mesh || !this.cloth_.positions) return null;
+    const box = this.canvas_.getBoundingClientRect();
+    const pointer = new Vector2(((event.clientX - box.left) / box.width) * 2 - 1, 1 - ((event.clientY - box.top) / box.height) * 2);
+    this.raycaster_.setFromCamera(pointer, this.camera_);
+    const hit = this.raycaster_.intersectObjects(this.body_.mesh.visible ? [mesh, this.body_.mesh] : [mesh], false)[0];
+    return hit && hit.object === mesh ? this.cloth_.pieceAt(hit) : null;
+  }
+}
+
+/** Whether WebGL is more than a stand-in drawn by the processor. */
+function hasGraphicsCard(): boolean {
+  const probe = document.createElement('canvas').getContext('webgl2', { failIfMajorPerformanceCaveat: true });
+  probe?.getExtension('WEBGL_lose_context')?.loseContext();
+  return probe !== null;
+}
+
+/** Between two poses around the target: the eye keeps its distance on the way round. */
+function blend(from: Pose, to: Pose, t: number): Pose {
+  const target = from.target.map((x, k) => x + t * (to.target[k]! - x)) as Vec3;
+  const arm = (pose: Pose): Vector3 => new Vector3(...pose.eye).sub(new Vector3(...pose.target));
+  const a = arm(from), b = arm(to);
+  const angle = (v: Vector3): number => Math.atan2(v.x, v.z);
+  let turn = angle(b) - angle(a);
+  if (turn > Math.PI) turn -= 2 * Math.PI;
+  if (turn < -Math.PI) turn += 2 * Math.PI;
+  const heading = angle(a) + t * turn;
+  const flat = Math.hypot(a.x, a.z) * (1 - t) + Math.hypot(b.x, b.z) * t;
+  const eye: Vec3 = [target[0] + flat * Math.sin(heading), target[1] + a.y * (1 - t) + b.y * t, target[2] + flat * Math.cos(heading)];
+  return { eye, target };
+}

@@ -1,0 +1,64 @@
+// Where the camera stands for a view. Pure. The body faces +z; "side" shows its left, as the stills do.
+
+import type { View } from '../state/AppState';
+
+export type Vec3 = [number, number, number];
+
+export interface Bounds {
+  low: Vec3;
+  high: Vec3;
+}
+
+export interface Pose {
+  eye: Vec3;
+  target: Vec3;
+}
+
+const kDirections: Record<View, Vec3> = {
+  front: [0, 0.08, 1],
+  back: [0, 0.08, -1],
+  side: [1, 0.08, 0],
+  'three-quarter': [0.62, 0.24, 1],
+};
+
+export function boundsOf(positions: Float32Array): Bounds | null {
+  if (positions.length < 3) return null;
+  const low: Vec3 = [Infinity, Infinity, Infinity], high: Vec3 = [-Infinity, -Infinity, -Infinity];
+  for (let i = 0; i < positions.length; ++i) {
+    const k = i % 3;
+    low[k] = Math.min(low[k]!, positions[i]!);
+    high[k] = Math.max(high[k]!, positions[i]!);
+  }
+  return { low, high };
+}
+
+export function union(a: Bounds | null, b: Bounds | null): Bounds | null {
+  if (!a || !b) return a ?? b;
+  return {
+    low: a.low.map((x, k) => Math.min(x, b.low[k]!)) as Vec3,
+    high: a.high.map((x, k) => Math.max(x, b.high[k]!)) as Vec3,
+  };
+}
+
+/** Free space around what is shown, as a share of the picture. */
+const kMargin = 0.16;
+
+/** Looks at the whole of `bounds`. `fov` is the upright field of view in degrees, `aspect` width over height. */
+export function poseFor(view: View, bounds: Bounds, fov: number, aspect: number): Pose {
+  const target = bounds.low.map((x, k) => (x + bounds.high[k]!) / 2) as Vec3;
+  const size = bounds.high.map((x, k) => Math.max(x - bounds.low[k]!, 0.05)) as Vec3;
+  const direction = normalized(kDirections[view]);
+  const across = Math.abs(direction[2]) * size[0] + Math.abs(direction[0]) * size[2];
+  const deep = Math.abs(direction[0]) * size[0] + Math.abs(direction[2]) * size[2];
+  const slope = Math.tan((fov * Math.PI) / 360) * (1 - kMargin);
+  const away = Math.max(size[1] / 2 / slope, across / 2 / (slope * aspect)) + deep / 2;
+  return { eye: target.map((x, k) => x + away * direction[k]!) as Vec3, target };
+}
+
+function normalized(v: Vec3): Vec3 {
+  const length = Math.hypot(...v);
+  return v.map((x) => x / length) as Vec3;
+}
+
+/** Ease in and out, 0 to 1. */
+export const eased = (t: number): number => (t < 0.5 ? 4 * t * t * t : 1 - (2 - 2 * t) ** 3 / 2);

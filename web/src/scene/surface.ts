@@ -1,0 +1,108 @@
+// Geometry of the cloth for drawing: which vertices seams join, smooth normals over them, edges worth a line. Pure.
+
+/** Vertices that sewing makes one, as groups of two and more. */
+export interface WeldGroups {
+  /** Where each group begins in `members`, and one past the last. */
+  start: Uint32Array;
+  members: Uint32Array;
+}
+
+export function weldGroups(sewn: Uint32Array, vertexCount: number): WeldGroups {
+  const parent = Uint32Array.from({ length: vertexCount }, (_, v) => v);
+  const root = (v: number): number => {
+    while (parent[v] !== v) v = parent[v] = parent[parent[v]!]!;
+    return v;
+  };
+  for (let i = 0; i < sewn.length; i += 2) {
+    const a = root(sewn[i]!), b = root(sewn[i + 1]!);
+    parent[Math.max(a, b)] = Math.min(a, b);
+  }
+  const groups = new Map<number, number[]>();
+  for (const v of new Set(sewn)) {
+    const r = root(v);
+    const group = groups.get(r);
+    if (group) group.push(v);
+    else groups.set(r, [v]);
+  }
+  const start = [0];
+  const members: number[] = [];
+  for (const group of groups.values()) {
+    members.push(...group);
+    start.push(members.length);
+  }
+  return { start: new Uint32Array(start), members: new Uint32Array(members) };
+}
+
+/** Normals of a triangle mesh, each face by its area; `out` has three numbers a vertex. */
+export function vertexNormals(positions: Float32Array, triangles: Uint32Array, out: Float32Array): void {
+  out.fill(0);
+  for (let t = 0; t < triangles.length; t += 3) {
+    const a = 3 * triangles[t]!, b = 3 * triangles[t + 1]!, c = 3 * triangles[t + 2]!;
+    const ux = positions[b]! - positions[a]!, uy = positions[b + 1]! - positions[a + 1]!, uz = positions[b + 2]! - positions[a + 2]!;
+    const vx = positions[c]! - positions[a]!, vy = positions[c + 1]! - positions[a + 1]!, vz = positions[c + 2]! - positions[a + 2]!;
+    const nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
+    for (const v of [a, b, c]) {
+      out[v]! += nx;
+      out[v + 1]! += ny;
+      out[v + 2]! += nz;
+    }
+  }
+}
+
+/** Sewn vertices share their normal once they lie together; before, each side keeps its own. Then all get length 1. */
+export function shareNormals(positions: Float32Array, welds: WeldGroups, out: Float32Array, closed = 0.002): void {
+  for (let g = 0; g + 1 < welds.start.length; ++g) {
+    const first = welds.start[g]!, end = welds.start[g + 1]!;
+    const a = 3 * welds.members[first]!;
+    let x = 0, y = 0, z = 0, apart = false;
+    for (let i = first; i < end; ++i) {
+      const v = 3 * welds.members[i]!;
+      x += out[v]!;
+      y += out[v + 1]!;
+      z += out[v + 2]!;
+      apart ||= distance(positions, a, v) > closed;
+    }
+    if (apart) continue;
+    for (let i = first; i < end; ++i) out.set([x, y, z], 3 * welds.members[i]!);
+  }
+  for (let v = 0; v < out.length; v += 3) {
+    const length = Math.hypot(out[v]!, out[v + 1]!, out[v + 2]!) || 1;
+    out[v]! /= length;
+    out[v + 1]! /= length;
+    out[v + 2]! /= length;
+  }
+}
+
+const distance = (p: Float32Array, a: number, b: number): number =>
+  Math.hypot(p[a]! - p[b]!, p[a + 1]! - p[b + 1]!, p[a + 2]! - p[b + 2]!);
+
+/** Edges of one triangle only, as vertex pairs in the triangle's direction. */
+export function rimEdges(triangles: Uint32Array, vertexCount: number): Uint32Array {
+  const once = new Map<number, [number, number]>();
+  for (let t = 0; t < triangles.length; t += 3) {
+    for (let k = 0; k < 3; ++k) {
+      const a = triangles[t + k]!, b = triangles[t + ((k + 1) % 3)]!;
+      const key = Math.min(a, b) * vertexCount + Math.max(a, b);
+      if (once.has(key)) once.delete(key);
+      else once.set(key, [a, b]);
+    }
+  }
+  return new Uint32Array([...once.values()].flat());
+}
+
+/** Those of the rim's edges whose ends are both sewn: where a seam shows as a line. */
+export function seamEdges(rim: Uint32Array, sewn: Uint32Array): Uint32Array {
+  const joined = new Set(sewn);
+  const edges: number[] = [];
+  for (let i = 0; i < rim.length; i += 2) {
+    if (joined.has(rim[i]!) && joined.has(rim[i + 1]!)) edges.push(rim[i]!, rim[i + 1]!);
+  }
+  return new Uint32Array(edges);
+}
+
+/** Widest distance between the two ends of a sewn pair, m. */
+export function widestGap(positions: Float32Array, sewn: Uint32Array): number {
+  let widest = 0;
+  for (let i = 0; i < sewn.length; i += 2) widest = Math.max(widest, distance(positions, 3 * sewn[i]!, 3 * sewn[i + 1]!));
+  return widest;
+}

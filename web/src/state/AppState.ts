@@ -1,0 +1,111 @@
+// Everything the page knows, as signals. Commands write it, views read it; nothing here talks to the service.
+
+import { computed, signal, type ReadonlySignal, type Signal } from '@preact/signals';
+import type { ApiError } from '../api/http';
+import type { BodyMesh } from '../api/body';
+import type { StreamConnection } from '../api/JobStream';
+import type { Job, Pieces, Progress, Project, Report } from '../api/types';
+import type { IntakePlan } from './intake';
+import { isActive, newestJobOf, withProgress } from './jobs';
+import { LiveCloth } from './LiveCloth';
+import type { Route } from './routes';
+
+/** Something that is fetched. */
+export type Loaded<T> =
+  | { state: 'loading' }
+  | { state: 'ready'; value: T }
+  | { state: 'failed'; error: ApiError };
+
+export const loading = { state: 'loading' } as const;
+export const ready = <T>(value: T): Loaded<T> => ({ state: 'ready', value });
+export const valueOf = <T>(loaded: Loaded<T>): T | null => (loaded.state === 'ready' ? loaded.value : null);
+
+/** Whether the service answers. */
+export type Link = { state: 'ok' } | { state: 'lost'; since: number; attempt: number; retryAt: number };
+
+/** A line at the edge of the page that goes away by itself, or after a click. */
+export interface Notice {
+  id: number;
+  tone: 'info' | 'good' | 'bad';
+  text: string;
+  code?: string;
+  where?: string;
+}
+
+/** A figure over the course of a drape. */
+export interface Sample {
+  t: number;
+  speed: number;
+}
+
+/** The dialog in which files become a project. */
+export interface Intake {
+  files: { name: string; blob: Blob }[];
+  plan: IntakePlan | null;
+  busy: string;
+  error: ApiError | null;
+}
+
+export type View = 'front' | 'back' | 'side' | 'three-quarter';
+export type Tab = 'drape' | 'result';
+
+export class AppState {
+  readonly route: Signal<Route> = signal({ name: 'home' });
+  readonly projects: Signal<Loaded<Project[]>> = signal(loading);
+  readonly jobs: Signal<Loaded<Job[]>> = signal(loading);
+  readonly link: Signal<Link> = signal({ state: 'ok' });
+
+  // Of the job that is shown.
+  readonly watched: Signal<string | null> = signal(null);
+  readonly stream: Signal<StreamConnection> = signal({ state: 'closed' });
+  readonly progress: Signal<Progress | null> = signal(null);
+  readonly history: Signal<Sample[]> = signal([]);
+  readonly body: Signal<Loaded<BodyMesh> | null> = signal(null);
+  readonly report: Signal<Loaded<Report> | null> = signal(null);
+  readonly cloth = new LiveCloth();
+
+  // Of the project that is shown.
+  readonly pieces: Signal<Loaded<Pieces> | null> = signal(null);
+  readonly selected: Signal<string | null> = signal(null);
+  readonly hovered: Signal<string | null> = signal(null);
+
+  readonly notices: Signal<Notice[]> = signal([]);
+  readonly intake: Signal<Intake | null> = signal(null);
+  readonly submitting: Signal<boolean> = signal(false);
+  readonly helpShown: Signal<boolean> = signal(false);
+  readonly railShown: Signal<boolean> = signal((globalThis.innerWidth ?? 1440) > 860);
+  readonly tab: Signal<Tab> = signal('drape');
+  /** Written by a command, read by the 3D view; `turn` rises so that the same view can be asked for again. */
+  readonly view: Signal<{ view: View; turn: number }> = signal({ view: 'three-quarter', turn: 0 });
+  readonly bodyShown: Signal<boolean> = signal(true);
+  readonly meshShown: Signal<boolean> = signal(false);
+  readonly now: Signal<number> = signal(Date.now());
+
+  readonly allJobs: ReadonlySignal<Job[]> = computed(() => valueOf(this.jobs.value) ?? []);
+
+  /** The job on the page: the route's, or the newest of the route's project. */
+  readonly job: ReadonlySignal<Job | null> = computed(() => {
+    const route = this.route.value;
+    const found = route.name === 'job' ? this.allJobs.value.find((job) => job.id === route.id) ?? null
+      : route.name === 'project' ? newestJobOf(this.allJobs.value, route.id) : null;
+    return found && withProgress(found, this.watched.value === found.id ? this.progress.value : null);
+  });
+
+  readonly projectId: ReadonlySignal<string | null> = computed(() => {
+    const route = this.route.value;
+    return route.name === 'project' ? route.id : this.job.value?.project_id ?? null;
+  });
+
+  readonly project: ReadonlySignal<Project | null> = computed(() =>
+    valueOf(this.projects.value)?.find((project) => project.id === this.projectId.value) ?? null);
+
+  readonly anyActive: ReadonlySignal<boolean> = computed(() => this.allJobs.value.some((job) => isActive(job.state)));
+
+  /** Puts one job's newest row into the list. */
+  putJob(job: Job): void {
+    const rest = this.allJobs.value.filter((other) => other.id !== job.id);
+    const before = this.allJobs.value.find((other) => other.id === job.id);
+    const jobs = [...rest, { ...before, ...job }].sort((a, b) => b.created_ms - a.created_ms || (a.id < b.id ? 1 : -1));
+    this.jobs.value = ready(jobs);
+  }
+}

@@ -1,0 +1,67 @@
+// The cloth of the job that is shown: its topology and the newest positions, in one buffer at a time. Views subscribe
+// and take the newest; nothing queues.
+
+import type { ClothTopology } from '../api/frames';
+
+export interface FrameMoment {
+  epoch: number;
+  seq: number;
+  step: number;
+  /** s of simulated time. */
+  time: number;
+}
+
+export type ClothEvent = 'topology' | 'frame' | 'cleared';
+
+export class LiveCloth {
+  topology: ClothTopology | null = null;
+  /** xyz of each vertex, m. The views read it in place; it is replaced with every frame. */
+  positions: Float32Array | null = null;
+  moment: FrameMoment | null = null;
+  /** Frames taken since the job was opened. */
+  frames = 0;
+
+  private readonly listeners_ = new Set<(event: ClothEvent) => void>();
+
+  /** Returns how to unsubscribe. */
+  listen(listener: (event: ClothEvent) => void): () => void {
+    this.listeners_.add(listener);
+    return () => this.listeners_.delete(listener);
+  }
+
+  clear(): void {
+    this.topology = this.positions = this.moment = null;
+    this.frames = 0;
+    this.tell('cleared');
+  }
+
+  setTopology(topology: ClothTopology): void {
+    const same = this.topology?.vertexCount === topology.vertexCount && this.topology.epoch === topology.epoch;
+    this.topology = topology;
+    // After a lost connection the same cloth comes again: what was there stays in view until the first frame.
+    if (!same) this.positions = this.moment = null;
+    this.tell('topology');
+  }
+
+  /** Takes the newest positions and gives back the buffer they replace, to be filled again. */
+  setPositions(positions: Float32Array, moment: FrameMoment): Float32Array | null {
+    const before = this.positions;
+    this.positions = positions;
+    this.moment = moment;
+    this.frames += 1;
+    this.tell('frame');
+    return before;
+  }
+
+  private tell(event: ClothEvent): void {
+    for (const listener of this.listeners_) listener(event);
+  }
+}
+
+/** FNV-1a over the bits of all coordinates: whether anything moved, cheaply. */
+export function positionsHash(positions: Float32Array): string {
+  const words = new Uint32Array(positions.buffer, positions.byteOffset, positions.length);
+  let hash = 0x811c9dc5;
+  for (const word of words) hash = Math.imul(hash ^ word, 0x01000193);
+  return (hash >>> 0).toString(16).padStart(8, '0');
+}

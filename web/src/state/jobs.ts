@@ -1,0 +1,102 @@
+// Facts about jobs that several panels need. Pure.
+
+import type { Job, JobState, Progress } from '../api/types';
+
+export const isActive = (state: JobState): boolean => state === 'queued' || state === 'running' || state === 'paused';
+
+export const stateNames: Record<JobState, string> = {
+  queued: 'Queued',
+  running: 'Running',
+  paused: 'Paused',
+  succeeded: 'Done',
+  failed: 'Failed',
+  cancelled: 'Cancelled',
+};
+
+const phaseNames: Record<string, string> = {
+  queued: 'Waiting for a worker',
+  mesh: 'Meshing the pieces',
+  place: 'Placing the pieces',
+  sew: 'Sewing',
+  drape: 'Draping',
+  check: 'Checking',
+  stills: 'Taking the stills',
+};
+
+export const phaseName = (phase: string): string => phaseNames[phase] ?? phase;
+
+/** How much of a drape's time its phases usually take, in their order. */
+const kShares: [string, number][] = [['mesh', 0.04], ['place', 0.01], ['sew', 0.3], ['drape', 0.58], ['check', 0.02], ['stills', 0.05]];
+
+/** How much of the whole is done, 0 to 1, from how much of a phase is. */
+export function overall(phase: string, fraction: number): number {
+  let before = 0;
+  for (const [name, share] of kShares) {
+    if (name === phase) return before + share * Math.min(1, Math.max(0, fraction));
+    before += share;
+  }
+  return 0;
+}
+
+/** Phase in words; outside of a run the state says more. */
+export function activity(state: JobState, phase: string | undefined): string {
+  if (state === 'running') return phase ? phaseName(phase) : 'Starting';
+  if (state === 'queued') return phaseName('queued');
+  return stateNames[state];
+}
+
+export const commandsOf = (state: JobState): { pause: boolean; resume: boolean; cancel: boolean } => ({
+  pause: state === 'running' || state === 'queued',
+  resume: state === 'paused',
+  cancel: isActive(state),
+});
+
+/** How many drapes stand before this one in the queue; `jobs` in any order. */
+export function placeInQueue(jobs: readonly Job[], id: string): number {
+  const own = jobs.find((job) => job.id === id);
+  if (!own) return 0;
+  return jobs.filter((job) => job.state === 'queued' && job.id !== id && job.created_ms < own.created_ms).length;
+}
+
+/** The newest job of a project, or null. */
+export function newestJobOf(jobs: readonly Job[], projectId: string): Job | null {
+  return jobs.reduce<Job | null>((best, job) => {
+    if (job.project_id !== projectId) return best;
+    return !best || job.created_ms > best.created_ms ? job : best;
+  }, null);
+}
+
+/** The job that a page without a route opens: one that runs before the newest of all. */
+export function jobToOpen(jobs: readonly Job[]): Job | null {
+  const newest = (some: readonly Job[]): Job | null =>
+    some.reduce<Job | null>((best, job) => (!best || job.created_ms > best.created_ms ? job : best), null);
+  return newest(jobs.filter((job) => job.state === 'running' || job.state === 'paused')) ?? newest(jobs);
+}
+
+/** A picture of how the drape ended, or null. The small one where the service made one. */
+export function thumbnailOf(job: Job): string | null {
+  const names = Object.keys(job.results ?? {});
+  return ['thumbnail.png', 'thumb.png', 'three-quarter.png', 'front.png'].find((name) => names.includes(name)) ?? null;
+}
+
+const kAdvice: [RegExp, string][] = [
+  [/^start\.crosses_body/, 'Move the piece away from the body in project.json (placement), then start again.'],
+  [/^start\.crosses_cloth/, 'Move the two pieces apart in project.json (placement), then start again.'],
+  [/^(stalled|drape\.stalled)/, 'Bring the sewn edges nearer to each other, or sew for longer (settings.sew_time_s).'],
+  [/^(json|project)\./, 'Correct project.json at the place named, and add it again.'],
+  [/^dxf\./, 'Export the DXF again from the pattern program, or correct the line named.'],
+  [/^body\./, 'Check the body file: one closed mesh of triangles, with its unit said in project.json.'],
+  [/^(mesh|pattern)\./, 'Correct the outline of the piece named, or choose a smaller particle distance.'],
+  [/^placement\./, 'Correct the placement of the piece named in project.json.'],
+  [/^time$/, 'Allow more simulated time (settings.max_time_s) if it should come to rest.'],
+];
+
+/** What a person can do about a reason code; empty when there is nothing to say. */
+export const adviceFor = (code: string): string => kAdvice.find(([pattern]) => pattern.test(code))?.[1] ?? '';
+
+/** The job as its row and its latest progress together tell it. Late progress does not revive an ended job, but its last figures stay. */
+export function withProgress(job: Job, progress: Progress | null): Job {
+  if (!progress) return job;
+  if (!isActive(job.state)) return { ...job, progress };
+  return { ...job, state: progress.state || job.state, progress };
+}

@@ -1,0 +1,24 @@
+// What the address says is shown. Routes live behind the hash, so that the service serves one page only.
+
+export type Route =
+  | { name: 'home' }
+  | { name: 'project'; id: string }
+  | { name: 'job'; id: string }
+  | { name: 'unknown'; path: string };
+
+export function parseRoute(hash: string): Route {
+  const path = hash.replace(/^#/, '');
+  if (path === '' || path === '/') return { name: 'home' };
+  const match = /^\/(projects|jobs)\/([A-Za-z0-9_-]{1,64})$/.exec(path);
+  if (!match) return { name: 'unknown', path };
+  return { name: match[1] === 'jobs' ? 'job' : 'project', id: match[2]! };
+}
+
+export function formatRoute(route: Route): string {
+  switch (route.name) {
+    case 'home': return '#/';
+    case 'project': return `#/projects/${route.id}`;
+    case 'job': return `#/jobs/${route.id}`;
+    case 'unknown': return `#${route.path}`;
+  }
+}

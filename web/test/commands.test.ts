@@ -1,0 +1,224 @@
+import { beforeEach, describe, expect, it, vi } from 'vitest';
+import type { Api } from '../src/api/Api';
+import { ApiError, Http, problemOf } from '../src/api/http';
+import { Commands } from '../src/commands/Commands';
+import { Poller } from '../src/commands/Poller';
+import { Watcher } from '../src/commands/Watcher';
+import { AppState, ready } from '../src/state/AppState';
+import { parseRoute } from '../src/state/routes';
+import { jobOf, progressOf, projectOf } from './fakes';
+
+const missing = (): Promise<never> => Promise.reject(new ApiError(404, 'store.not_found', 'Not there.'));
+
+function fakeApi(more: Partial<Api> = {}): Api {
+  return {
+    projects: async () => [projectOf()], project: async () => projectOf(), createProject: async () => projectOf({ id: 'p_new', name: 'New' }), removeProject: async () => undefined,
+    pieces: async () => ({ pieces: [], seams: [] }), uploadAsset: async (kind, name) => ({ id: `a_${name}`, kind, name, size: 1 }), jobs: async () => [jobOf()], job: async () => jobOf(),
+    submit: async () => jobOf({ id: 'j_new', state: 'queued', created_ms: 5000 }), act: async (id, action) => jobOf({ id, state: action === 'pause' ? 'paused' : 'running' }),
+    report: missing, resultText: missing, body: missing, resultUrl: (id, name) => `${id}/${name}`, streamUrl: (id) => `ws://here/${id}`, ...more,
+  };
+}
+
+function begin(more: Partial<Api> = {}) {
+  const state = new AppState();
+  const api = fakeApi(more);
+  const order: string[] = [];
+  const around = { go: (hash: string) => void (order.push(`go ${hash}`), (state.route.value = parseRoute(hash))), save: (name: string, text: string) => void order.push(`save ${name} ${text.length}`), newKey: () => 'key' };
+  const commands = new Commands(state, api, around, () => undefined, (id) => order.push(`watch ${id}`));
+  state.projects.value = ready([projectOf()]);
+  state.jobs.value = ready([]);
+  state.route.value = { name: 'project', id: 'p_1' };
+  return { state, api, commands, order };
+}
+
+const settle = (): Promise<void> => new Promise((done) => setTimeout(done, 0));
+
+describe('starting a drape', () => {
+  it('opens the stream before the job is shown', async () => {
+    const { commands, order, state } = begin();
+    await commands.startDrape();
+    expect(order).toEqual(['watch j_new', 'go #/jobs/j_new']);
+    expect(state.job.value?.state).toBe('queued');
+  });
+
+  it('happens once however often it is asked for while it is under way', async () => {
+    const submit = vi.fn(fakeApi().submit);
+    const { commands } = begin({ submit });
+    await Promise.all([commands.startDrape(), commands.startDrape(), commands.runOrPause()]);
+    expect(submit).toHaveBeenCalledTimes(1);
+  });
+
+  it('shows the code and the place when it is refused', async () => {
+    const { commands, state } = begin({ submit: () => Promise.reject(new ApiError(422, 'dxf.truncated', 'The file ends early.', 'skirt.dxf:12')) });
+    await commands.startDrape();
+    expect(state.notices.value[0]).toMatchObject({ tone: 'bad', code: 'dxf.truncated', where: 'skirt.dxf:12', text: 'The file ends early.' });
+    expect(state.submitting.value).toBe(false);
+  });
+});
+
+describe('the run key', () => {
+  it('pauses what runs, resumes what is paused, and starts when nothing is under way', async () => {
+    const act = vi.fn(fakeApi().act);
+    const { commands, state, order } = begin({ act });
+    state.putJob(jobOf());
+    state.route.value = { name: 'job', id: 'j_1' };
+    await commands.runOrPause();
+    expect(act).toHaveBeenLastCalledWith('j_1', 'pause');
+    expect(state.job.value?.state).toBe('paused');
+    await commands.runOrPause();
+    expect(act).toHaveBeenLastCalledWith('j_1', 'resume');
+    state.putJob(jobOf({ state: 'succeeded' }));
+    await commands.runOrPause();
+    expect(order).toContain('go #/jobs/j_new');
+  });
+});
+
+describe('a project from files', () => {
+  const document = { toile: 1, name: 'Napkin', pieces: [{ from: { dxf: 'n.dxf' } }], bodies: [{ file: 'b.obj' }] };
+  const files = [{ name: 'p.json', blob: new Blob([JSON.stringify(document)]) }, { name: 'n.dxf', blob: new Blob(['0']) }, { name: 'b.obj', blob: new Blob(['v']) }];
+
+  it('uploads each file under its kind and names the assets in the project', async () => {
+    const createProject = vi.fn(fakeApi().createProject), uploadAsset = vi.fn(fakeApi().uploadAsset);
+    const { commands, state, order } = begin({ createProject, uploadAsset });
+    await commands.addFiles(files);
+    await commands.createProject(false);
+    expect(uploadAsset.mock.calls.map(([kind, name]) => [kind, name])).toEqual([['dxf', 'n.dxf'], ['body', 'b.obj']]);
+    expect(createProject).toHaveBeenCalledWith(document, { 'n.dxf': 'a_n.dxf', 'b.obj': 'a_b.obj' });
+    expect(order).toEqual(['go #/projects/p_new']);
+    expect(state.intake.value).toBeNull();
+  });
+
+  it('keeps the dialog open with what the service said when it refuses', async () => {
+    const { commands, state } = begin({ uploadAsset: () => Promise.reject(new ApiError(422, 'dxf.truncated', 'The file ends early.', 'n.dxf:3')) });
+    await commands.addFiles(files);
+    await commands.createProject(true);
+    expect(state.intake.value).toMatchObject({ busy: '', error: { code: 'dxf.truncated', where: 'n.dxf:3' } });
+  });
+
+  it('has the newer one of two files of a name', async () => {
+    const { commands, state } = begin();
+    await commands.addFiles(files);
+    await commands.addFiles([{ name: 'N.dxf', blob: new Blob(['newer']) }]);
+    expect(state.intake.value?.files.map((file) => [file.name, file.blob.size])).toContainEqual(['N.dxf', 5]);
+    expect(state.intake.value?.files.length).toBe(3);
+    expect(state.intake.value?.plan?.ready).toBe(true);
+  });
+
+  it('is not made before everything is there', async () => {
+    const createProject = vi.fn(fakeApi().createProject);
+    const { commands } = begin({ createProject });
+    await commands.addFiles(files.slice(0, 2));
+    await commands.createProject(false);
+    expect(createProject).not.toHaveBeenCalled();
+  });
+});
+
+describe('the poller', () => {
+  it('tells a lost service and calls when it is back', async () => {
+    vi.useFakeTimers();
+    let answers = true;
+    const returned = vi.fn();
+    const state = new AppState();
+    const jobs = async () => (answers ? [jobOf({ state: 'succeeded' })] : Promise.reject(new ApiError(0, 'net.unreachable', 'No answer.')));
+    const poller = new Poller(state, { projects: async () => [], jobs }, returned);
+    await poller.refresh();
+    expect(state.link.value.state).toBe('ok');
+    answers = false;
+    await poller.refresh();
+    expect(state.link.value).toMatchObject({ state: 'lost', attempt: 1 });
+    expect(state.jobs.value.state).toBe('ready');
+    await vi.advanceTimersByTimeAsync(260);
+    expect(state.link.value).toMatchObject({ state: 'lost', attempt: 2 });
+    answers = true;
+    await vi.advanceTimersByTimeAsync(600);
+    expect(state.link.value.state).toBe('ok');
+    expect(returned).toHaveBeenCalledTimes(1);
+    poller.stop();
+    vi.useRealTimers();
+  });
+
+  it('says so when the very first answer fails', async () => {
+    const state = new AppState();
+    const fail = () => Promise.reject(new ApiError(500, 'http.500', 'Broken.'));
+    const poller = new Poller(state, { projects: fail, jobs: fail }, () => undefined);
+    await poller.refresh();
+    poller.stop();
+    expect(state.projects.value).toMatchObject({ state: 'failed', error: { code: 'http.500' } });
+    expect(state.link.value.state).toBe('ok');
+  });
+});
+
+describe('the watcher', () => {
+  let state: AppState;
+  const stream = { watch: vi.fn(), leave: vi.fn(), poke: vi.fn() };
+  beforeEach(() => {
+    state = new AppState();
+    for (const fake of Object.values(stream)) fake.mockClear();
+  });
+
+  it('opens the stream of a job’s address before any list has come', () => {
+    const watcher = new Watcher(state, fakeApi(), stream, () => undefined);
+    state.route.value = { name: 'job', id: 'j_7' };
+    watcher.start();
+    expect(stream.watch).toHaveBeenCalledWith('ws://here/j_7');
+    state.route.value = { name: 'home' };
+    expect(stream.leave).toHaveBeenCalled();
+    watcher.stop();
+  });
+
+  it('keeps the figures of a run over its time, and forgets them for another job', async () => {
+    const watcher = new Watcher(state, fakeApi(), stream, () => undefined);
+    state.jobs.value = ready([jobOf(), jobOf({ id: 'j_2' })]);
+    state.route.value = { name: 'job', id: 'j_1' };
+    watcher.start();
+    for (const [simulated_s, rms_speed] of [[0.1, 1], [0.2, 0.5], [0.2, 0.4]] as const) watcher.handlers().text({ type: 'progress', ...progressOf({ simulated_s, rms_speed }) });
+    expect(state.history.value).toEqual([{ t: 0.1, speed: 1 }, { t: 0.2, speed: 0.5 }]);
+    state.route.value = { name: 'job', id: 'j_2' };
+    expect(state.history.value).toEqual([]);
+    watcher.stop();
+  });
+
+  it('takes the last word of a stream for the job’s row and fetches its report', async () => {
+    const report = vi.fn(async () => ({ name: 'r' }) as never);
+    const watcher = new Watcher(state, fakeApi({ report }), stream, () => undefined);
+    state.jobs.value = ready([jobOf()]);
+    state.route.value = { name: 'job', id: 'j_1' };
+    watcher.start();
+    const ended = jobOf({ state: 'succeeded', results: { 'report.json': 10 } });
+    watcher.handlers().text({ type: 'ended', job: ended, ...progressOf({ state: 'succeeded' }) });
+    await settle();
+    expect(state.job.value?.state).toBe('succeeded');
+    expect(report).toHaveBeenCalledTimes(1);
+    expect(state.tab.value).toBe('result');
+    watcher.stop();
+  });
+
+  it('shows an ended drape that nobody streams from its model file', async () => {
+    const resultText = async () => 'v 0 0 0\nv 1 0 0\nv 0 1 0\no front\nf 1 2 3\n';
+    const watcher = new Watcher(state, fakeApi({ resultText }), stream, () => undefined);
+    state.jobs.value = ready([jobOf({ state: 'succeeded', results: { 'final.obj': 10 } })]);
+    state.route.value = { name: 'job', id: 'j_1' };
+    watcher.start();
+    await settle();
+    expect(state.cloth.topology?.vertexCount).toBe(3);
+    watcher.stop();
+  });
+});
+
+describe('errors of the service', () => {
+  const answer = (status: number, body: string) => new Response(body, { status, headers: { 'Content-Type': 'application/problem+json' } });
+
+  it('keep their code, sentence and place', async () => {
+    const problem = await problemOf(answer(422, '{"code":"project.unknown_edge","detail":"No such edge.","where":"/seams/0/a/0/edge","title":"t"}'));
+    expect(problem).toMatchObject({ status: 422, code: 'project.unknown_edge', detail: 'No such edge.', where: '/seams/0/a/0/edge' });
+  });
+
+  it('are made of the status where the body is none', async () => {
+    expect(await problemOf(answer(502, '<html>'))).toMatchObject({ code: 'http.502', unreachable: true });
+  });
+
+  it('say when there was no answer at all', async () => {
+    const http = new Http('/api/v1', () => Promise.reject(new TypeError('failed to fetch')));
+    await expect(http.get('/jobs')).rejects.toMatchObject({ status: 0, code: 'net.unreachable', unreachable: true });
+  });
+});

@@ -1,0 +1,78 @@
+import { describe, expect, it } from 'vitest';
+import sampleDxf from '../../samples/skirt/skirt.dxf?raw';
+import sampleProject from '../../samples/skirt/project.json?raw';
+import { filesNamedBy, kLargestDocument, piecesNamedIn, planIntake, starterDocument, type GivenFile } from '../src/state/intake';
+
+const file = (name: string, text: string): GivenFile => ({ name, blob: new Blob([text]) });
+const project = () => file('project.json', sampleProject);
+const dxf = () => file('skirt.dxf', sampleDxf);
+const body = () => file('body.obj', 'v 0 0 0');
+
+describe('files dropped on the page', () => {
+  it('are a project when the document and everything it names are there', async () => {
+    const plan = await planIntake([body(), dxf(), project()]);
+    expect(plan).toMatchObject({ ready: true, problems: [], unused: [], name: 'A-line skirt' });
+    expect(plan.needed.map((need) => [need.name, need.kind, need.file !== null])).toEqual([['skirt.dxf', 'dxf', true], ['body.obj', 'body', true]]);
+  });
+
+  it('tell which files the document names and nobody gave', async () => {
+    const plan = await planIntake([project()]);
+    expect(plan.ready).toBe(false);
+    expect(plan.needed.filter((need) => !need.file).map((need) => need.name)).toEqual(['skirt.dxf', 'body.obj']);
+  });
+
+  it('fit names of another case and in folders, as the document has them', async () => {
+    const document = JSON.stringify({ toile: 1, pieces: [{ from: { dxf: 'cut/Skirt.DXF' } }], bodies: [] });
+    const plan = await planIntake([file('p.json', document), dxf()]);
+    expect(plan.ready).toBe(true);
+    expect(plan.needed[0]).toMatchObject({ name: 'cut/Skirt.DXF', file: { name: 'skirt.dxf' } });
+    expect(plan.name).toBe('p');
+  });
+
+  it('are told apart from a DXF alone, which holds shapes only', async () => {
+    const plan = await planIntake([dxf()]);
+    expect(plan.ready).toBe(false);
+    expect(plan.loose?.pieces).toEqual(['front', 'back', 'band_front', 'band_back']);
+  });
+
+  it('may be given bit by bit, the last of a name counting', async () => {
+    const plan = await planIntake([file('project.json', '{'), dxf(), body(), project()]);
+    expect(plan.ready).toBe(true);
+  });
+
+  it('are refused with a code and the file when they cannot be', async () => {
+    const codes = async (...files: GivenFile[]) => (await planIntake(files)).problems.map((problem) => [problem.code, problem.where]);
+    expect(await codes(file('a.json', '{"toile": 1,'))).toEqual([['json.malformed', 'a.json']]);
+    expect(await codes(file('a.json', '[1]'))).toEqual([['project.format', 'a.json']]);
+    expect(await codes(file('a.json', 'null'))).toEqual([['project.format', 'a.json']]);
+    expect(await codes(file('notes.txt', 'x'))).toEqual([['file.kind', 'notes.txt']]);
+    expect(await codes(project(), file('b.json', '{"toile":1}'))).toEqual([['project.several', 'project.json, b.json']]);
+    expect(await codes(file('a.json', ' '.repeat(kLargestDocument + 1)))).toEqual([['json.too_large', 'a.json']]);
+  });
+
+  it('keep going where the document is of strange shape: the service says what is wrong', async () => {
+    for (const odd of [{ pieces: 3 }, { pieces: [null, 4, { from: 'x' }] }, { bodies: { file: 'x' } }]) {
+      expect(filesNamedBy(odd as Record<string, unknown>)).toEqual([]);
+    }
+  });
+
+  it('that nobody needs are named', async () => {
+    expect((await planIntake([project(), dxf(), body(), file('more.dxf', '')])).unused).toEqual(['more.dxf']);
+  });
+});
+
+describe('a starter document', () => {
+  it('names the DXF, its pieces, a fabric and a mannequin', async () => {
+    const document = starterDocument('skirt.dxf', ['front', 'back']);
+    expect(filesNamedBy(document)).toEqual([{ name: 'skirt.dxf', kind: 'dxf' }]);
+    expect(document).toMatchObject({ toile: 1, name: 'skirt', seams: [], pieces: [{ id: 'front' }, { id: 'back' }] });
+    expect((await planIntake([file('project.json', JSON.stringify(document)), dxf()])).ready).toBe(true);
+  });
+
+  it('finds no pieces in what is no DXF', () => {
+    expect(piecesNamedIn('')).toEqual([]);
+    expect(piecesNamedIn('0\nBLOCK\n8\n1\n2')).toEqual([]);
+    expect(piecesNamedIn('0\r\nBLOCK\r\n8\r\n1\r\n2\r\nsleeve\r\n2\r\nnot this\r\n')).toEqual(['sleeve']);
+    expect(piecesNamedIn('0\nBLOCK\n2\n*Model_Space\n')).toEqual([]);
+  });
+});
