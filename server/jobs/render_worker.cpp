@@ -22,9 +22,9 @@ RenderWorker::~RenderWorker() {
   thread_.join();
 }
 
-Status RenderWorker::draw(std::function<Status()> drawing, const std::function<bool()>& given_up) {
+Status RenderWorker::draw(Drawing drawing, const std::function<bool()>& given_up) {
   const auto dropped = std::make_shared<std::atomic<bool>>(false);
-  std::packaged_task<Status()> task(std::move(drawing));
+  std::packaged_task<Status(const RunContext&)> task(std::move(drawing));
   std::future<Status> drawn = task.get_future();
   {
     const std::lock_guard lock(mutex_);
@@ -50,7 +50,9 @@ void RenderWorker::work() {
     Order order = std::move(orders_.front());
     orders_.pop_front();
     lock.unlock();
-    if (!order.dropped->load(std::memory_order_relaxed)) order.drawing();
+    RunContext context;
+    context.cancel = order.dropped.get();
+    if (!context.cancelled()) order.drawing(context);
     order = {};  // what the drawing owns goes before the lock is taken
     lock.lock();
   }

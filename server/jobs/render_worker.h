@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "core/base/result.h"
+#include "core/base/run_context.h"
 
 namespace toile {
 
@@ -24,15 +25,18 @@ class RenderWorker {
   RenderWorker(const RenderWorker&) = delete;
   RenderWorker& operator=(const RenderWorker&) = delete;
 
+  /// Something to draw; it looks now and then whether its context is cancelled.
+  using Drawing = std::function<Status(const RunContext& context)>;
+
   /// Runs `drawing` on the drawing thread, waits for it and gives back what it gives; what it throws is
-  /// thrown here. `given_up` is asked every few milliseconds: once it says so, the drawing is not waited for
-  /// any more and may still run, so it must own all that it uses. Errors: render.busy, render.given_up, those
-  /// of `drawing`.
-  Status draw(std::function<Status()> drawing, const std::function<bool()>& given_up);
+  /// thrown here. `given_up` is asked every few milliseconds: once it says so, the drawing is cancelled and
+  /// not waited for, so it must own all that it uses. Errors: render.busy, render.given_up, those of
+  /// `drawing`.
+  Status draw(Drawing drawing, const std::function<bool()>& given_up);
 
  private:
   struct Order {
-    std::packaged_task<Status()> drawing;
+    std::packaged_task<Status(const RunContext&)> drawing;
     std::shared_ptr<const std::atomic<bool>> dropped;
   };
   void work();

@@ -76,12 +76,13 @@ Status write_models(const DrapeInput& input, const DrapeResult& result, const fs
 }
 
 Status write_stills(const DrapeInput& input, const DrapeResult& result, const fs::path& folder, int width,
-                    int height) {
+                    int height, const RunContext& context) {
   const Scene scene = scene_of(input, result);
   const StillSettings settings{.width = width, .height = height};
   for (const auto& [view, name] :
        {std::pair{View::kFront, "front"}, std::pair{View::kBack, "back"}, std::pair{View::kSide, "side"},
         std::pair{View::kThreeQuarter, "three-quarter"}}) {
+    if (context.cancelled()) return Error{"cancelled", "the pictures are not wanted any more", ""};
     if (Status drawn = write_view(scene, view, settings, folder / (std::string(name) + ".png")); !drawn) {
       return drawn;
     }

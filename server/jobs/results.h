@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/base/result.h"
+#include "core/base/run_context.h"
 #include "core/drape/drape_input.h"
 #include "core/drape/drape_result.h"
 #include "server/store/store.h"
@@ -20,9 +21,9 @@ Status write_models(const DrapeInput& input, const DrapeResult& result, const st
                     bool check_data);
 
 /// Writes front.png, back.png, side.png and three-quarter.png into `folder`, drawn on the calling thread.
-/// Errors: render.*, export.write.
+/// Errors: render.*, export.write; "cancelled" when the context was, between two pictures.
 Status write_stills(const DrapeInput& input, const DrapeResult& result, const std::filesystem::path& folder,
-                    int width, int height);
+                    int width, int height, const RunContext& context = {});
 
 /// Writes thumbnail.png, 320 by 400 pixels, drawn on the calling thread. Errors: render.*, export.write.
 Status write_thumbnail(const DrapeInput& input, const DrapeResult& result,

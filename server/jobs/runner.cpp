@@ -40,9 +40,9 @@ struct Delivery {
 
 Status draw(const RunPlace& place, const RunControl& control, std::shared_ptr<const Delivery> delivery) {
   const auto drawing = [delivery = std::move(delivery), width = place.still_width,
-                        height = place.still_height]() -> Status {
+                        height = place.still_height](const RunContext& context) -> Status {
     const std::filesystem::path& path = delivery->folder->path();
-    Status stills = write_stills(*delivery->input, *delivery->result, path, width, height);
+    Status stills = write_stills(*delivery->input, *delivery->result, path, width, height, context);
     if (!stills) return stills;
     return write_thumbnail(*delivery->input, *delivery->result, path);
   };

@@ -8,8 +8,16 @@ import { root } from './service.mjs';
 const { chromium } = createRequire(join(root, 'web/package.json'))('playwright-core');
 
 const flags = [
-  '--headless=new', '--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update',
-  '--disable-sync', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
+  '--headless=new',
+  '--no-sandbox',
+  '--disable-quic',
+  '--no-first-run',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+  '--use-gl=angle',
+  '--use-angle=swiftshader',
+  '--enable-unsafe-swiftshader',
 ];
 const pictures = join(root, 'out/e2e');
 
@@ -25,7 +33,8 @@ export async function openPage(browser, url, options = {}) {
   page.on('pageerror', (error) => page.complaints.push(error.message));
   page.on('console', (message) => {
     // While the server is away the browser itself logs each failed request.
-    if (message.type() === 'error' && !/Failed to load resource|WebSocket connection/.test(message.text())) page.complaints.push(message.text());
+    if (message.type() === 'error' && !/Failed to load resource|WebSocket connection/.test(message.text()))
+      page.complaints.push(message.text());
   });
   await page.goto(url);
   return page;
@@ -36,7 +45,8 @@ export const shoot = (page, name) => page.screenshot({ path: join(pictures, `${n
 /** Calls a function of the page's test hook. */
 export const ask = (page, name) => page.evaluate((key) => window.__toile[key](), name);
 
-export const waitFor = (page, condition, timeout = 60_000, argument = undefined) => page.waitForFunction(condition, argument, { timeout, polling: 50 });
+export const waitFor = (page, condition, timeout = 60_000, argument = undefined) =>
+  page.waitForFunction(condition, argument, { timeout, polling: 50 });
 
 export const waitForState = (page, state, timeout = 120_000) =>
   page.waitForFunction((wanted) => window.__toile.job()?.state === wanted, state, { timeout, polling: 50 });

@@ -19,33 +19,44 @@ const verticesOf = (obj) => [...obj.matchAll(/^v (\S+) (\S+) (\S+)/gm)].flatMap(
 
 function largestDistance(a, b) {
   let largest = 0;
-  for (let i = 0; i < a.length; i += 3) largest = Math.max(largest, Math.hypot(a[i] - b[i], a[i + 1] - b[i + 1], a[i + 2] - b[i + 2]));
+  for (let i = 0; i < a.length; i += 3)
+    largest = Math.max(largest, Math.hypot(a[i] - b[i], a[i + 1] - b[i + 1], a[i + 2] - b[i + 2]));
   return largest;
 }
 
 /** Different hashes of the positions, as the page shows them, until there are so many or the time is over. */
-const collectMoments = (watched, enough, ms) => watched.evaluate(async ([count, time]) => {
-  const seen = new Set();
-  const end = performance.now() + time;
-  while (seen.size < count && performance.now() < end) {
-    seen.add(window.__toile.positionsHash());
-    await new Promise((done) => setTimeout(done, 5));
-  }
-  return seen.size;
-}, [enough, ms]);
+const collectMoments = (watched, enough, ms) =>
+  watched.evaluate(
+    async ([count, time]) => {
+      const seen = new Set();
+      const end = performance.now() + time;
+      while (seen.size < count && performance.now() < end) {
+        seen.add(window.__toile.positionsHash());
+        await new Promise((done) => setTimeout(done, 5));
+      }
+      return seen.size;
+    },
+    [enough, ms],
+  );
 
 const startDrape = () => page.locator('.actions .primary').click();
 
-before(async () => {
-  await service.start();
-  browser = await openBrowser();
-  page = await openPage(browser, service.url);
-}, { timeout: 60_000 });
+before(
+  async () => {
+    await service.start();
+    browser = await openBrowser();
+    page = await openPage(browser, service.url);
+  },
+  { timeout: 60_000 },
+);
 
-after(async () => {
-  await browser?.close();
-  await service.stop();
-}, { timeout: 60_000 });
+after(
+  async () => {
+    await browser?.close();
+    await service.stop();
+  },
+  { timeout: 60_000 },
+);
 
 describe('the page', { timeout: 600_000 }, () => {
   it('shows the sample being draped as an ordinary job to whoever opens it', async () => {
@@ -102,21 +113,39 @@ describe('the page', { timeout: 600_000 }, () => {
     assert.equal(shown.length, 3 * report.particles);
     const largest = largestDistance(shown, final);
     assert.ok(largest <= 1e-4, `the page is ${largest * 1000} mm off`);
-    assert.match(await page.locator('.report').innerText(), new RegExp(`Settled at ${report.simulated_s.toFixed(2)} s`));
+    assert.match(
+      await page.locator('.report').innerText(),
+      new RegExp(`Settled at ${report.simulated_s.toFixed(2)} s`),
+    );
     assert.ok(report.settled);
   });
 
   it('shows the stills and offers models, report and pictures with their sizes', async () => {
     const { id } = await ask(page, 'job');
-    await waitFor(page, () => [...document.querySelectorAll('.stills img')].length >= 4 && [...document.querySelectorAll('.stills img')].every((image) => image.naturalWidth > 0));
-    const links = await page.locator('.downloads a').evaluateAll((all) => all.map((link) => ({ href: link.href, size: link.querySelector('em').textContent })));
-    for (const name of ['final.glb', 'final.obj', 'report.json', 'front.png', 'back.png', 'side.png', 'three-quarter.png']) {
+    await waitFor(
+      page,
+      () =>
+        [...document.querySelectorAll('.stills img')].length >= 4 &&
+        [...document.querySelectorAll('.stills img')].every((image) => image.naturalWidth > 0),
+    );
+    const links = await page
+      .locator('.downloads a')
+      .evaluateAll((all) => all.map((link) => ({ href: link.href, size: link.querySelector('em').textContent })));
+    for (const name of [
+      'final.glb',
+      'final.obj',
+      'report.json',
+      'front.png',
+      'back.png',
+      'side.png',
+      'three-quarter.png',
+    ]) {
       const link = links.find((one) => one.href.endsWith(`/jobs/${id}/results/${name}`));
       assert.ok(link, `${name} is offered`);
       assert.match(link.size, /^[\d.]+ (B|kB|MB)$/);
       assert.equal((await fetch(link.href)).status, 200);
     }
-    assert.ok(await page.locator('.rail .thumb img').count() >= 1, 'the list has a picture');
+    assert.ok((await page.locator('.rail .thumb img').count()) >= 1, 'the list has a picture');
     await page.waitForTimeout(600);
     await shoot(page, '04-result');
     await page.locator('.stills button').first().click();
@@ -129,7 +158,9 @@ describe('the page', { timeout: 600_000 }, () => {
   it('still has the cloth of an ended drape when it is opened anew', async () => {
     const again = await openPage(browser, page.url());
     await waitFor(again, () => window.__toile.positionsHash() !== '' && window.__toile.drawn() > 0);
-    const final = verticesOf(await (await service.get(`/jobs/${(await ask(again, 'job')).id}/results/final.obj`)).text());
+    const final = verticesOf(
+      await (await service.get(`/jobs/${(await ask(again, 'job')).id}/results/final.obj`)).text(),
+    );
     assert.ok(largestDistance(await ask(again, 'positions'), final) <= 1e-4);
     await again.close();
   });
@@ -142,10 +173,11 @@ describe('the page', { timeout: 600_000 }, () => {
         const start = performance.now();
         const drawnBefore = window.__toile.drawn();
         document.querySelector('.actions .primary').click();
-        const until = (condition) => new Promise((done) => {
-          const look = () => (condition() ? done(performance.now() - start) : setTimeout(look, 2));
-          look();
-        });
+        const until = (condition) =>
+          new Promise((done) => {
+            const look = () => (condition() ? done(performance.now() - start) : setTimeout(look, 2));
+            look();
+          });
         const came = await until(() => window.__toile.job()?.id !== old && window.__toile.frames() > 0);
         return [came, await until(() => window.__toile.drawn() > drawnBefore)];
       }, before);
@@ -154,7 +186,9 @@ describe('the page', { timeout: 600_000 }, () => {
       await page.locator('.actions').getByText('Cancel').click();
       await waitForState(page, 'cancelled');
     }
-    console.log(`# first frame after a start: ${times.map(({ arrived, drawn }) => `${arrived.toFixed(0)} ms there, ${drawn.toFixed(0)} ms drawn`).join('; ')}`);
+    console.log(
+      `# first frame after a start: ${times.map(({ arrived, drawn }) => `${arrived.toFixed(0)} ms there, ${drawn.toFixed(0)} ms drawn`).join('; ')}`,
+    );
     // Drawn by the processor and on a shared machine: the best of three is what the page itself takes.
     assert.ok(Math.min(...times.map(({ drawn }) => drawn)) < 1000);
     await shoot(page, '07-cancelled');
@@ -165,7 +199,8 @@ describe('the page', { timeout: 600_000 }, () => {
     await waitForState(page, 'running');
     const other = await openPage(browser, page.url());
     await waitFor(other, () => window.__toile.frames() > 2);
-    const shown = (one) => one.evaluate(() => `step ${window.__toile.moment().step}: ${window.__toile.positionsHash()}`);
+    const shown = (one) =>
+      one.evaluate(() => `step ${window.__toile.moment().step}: ${window.__toile.positionsHash()}`);
     const steps = new Set();
     for (let i = 0; i < 3; ++i) {
       await page.locator('.actions').getByText('Pause').click();
@@ -175,7 +210,9 @@ describe('the page', { timeout: 600_000 }, () => {
       steps.add(await shown(page));
       await other.locator('.actions').getByText('Resume').click();
       const { step } = await ask(page, 'moment');
-      await Promise.all([page, other].map((one) => waitFor(one, (before) => window.__toile.moment().step > before, 20_000, step)));
+      await Promise.all(
+        [page, other].map((one) => waitFor(one, (before) => window.__toile.moment().step > before, 20_000, step)),
+      );
     }
     assert.equal(steps.size, 3);
     await other.close();
@@ -218,12 +255,22 @@ describe('the page', { timeout: 600_000 }, () => {
     const download = page.waitForEvent('download');
     await page.getByText('Save a starter project.json').click();
     const starter = JSON.parse(readFileSync(await (await download).path(), 'utf8'));
-    assert.deepEqual(starter.pieces.map((piece) => piece.id), ['front', 'back', 'band_front', 'band_back']);
+    assert.deepEqual(
+      starter.pieces.map((piece) => piece.id),
+      ['front', 'back', 'band_front', 'band_back'],
+    );
+    const files = { 'skirt.dxf': await service.upload('dxf', 'skirt.dxf', readFileSync(sample('skirt.dxf'))) };
+    const project = await service.post('/projects', { document: starter, files }); // the service takes it as it is
+    await service.get(`/projects/${project.id}`, { method: 'DELETE' });
   });
 
   it('shows the code and the place of a broken file', async () => {
     const text = readFileSync(sample('skirt.dxf'), 'utf8');
-    const broken = { name: 'skirt.dxf', mimeType: 'image/vnd.dxf', buffer: Buffer.from(text.slice(0, text.length / 3)) };
+    const broken = {
+      name: 'skirt.dxf',
+      mimeType: 'image/vnd.dxf',
+      buffer: Buffer.from(text.slice(0, text.length / 3)),
+    };
     await page.locator('.intake input[type=file]').setInputFiles([broken]);
     await page.locator('.intake input[type=file]').setInputFiles([sample('project.json'), sample('body.obj')]);
     await page.getByText('Everything is there').waitFor();
@@ -240,24 +287,95 @@ describe('the page', { timeout: 600_000 }, () => {
     await shoot(page, '12-intake');
     await page.locator('.intake footer .primary').click();
     await page.locator('.intake').waitFor({ state: 'detached' });
-    await waitFor(page, (old) => window.__toile.route() !== old && window.__toile.route().startsWith('#/jobs/'), 20_000, before);
+    await waitFor(
+      page,
+      (old) => window.__toile.route() !== old && window.__toile.route().startsWith('#/jobs/'),
+      20_000,
+      before,
+    );
     assert.equal((await (await service.get('/projects')).json()).projects.length, 2);
     await waitFor(page, () => window.__toile.frames() > 0);
     await page.locator('.actions').getByText('Cancel').click();
     await waitForState(page, 'cancelled');
   });
 
+  it('tells a queued drape its place', async () => {
+    const { projects } = await (await service.get('/projects')).json();
+    const jobs = [];
+    for (let i = 0; i < 4; ++i) jobs.push(await service.post('/jobs', { project_id: projects[0].id }));
+    const other = await openPage(browser, `${service.url}/#/jobs/${jobs[3].id}`);
+    await other.getByText('In the queue').waitFor();
+    await other.getByText('1 drape before it').waitFor();
+    await shoot(other, '16-queued');
+    await Promise.all(jobs.map((job) => service.post(`/jobs/${job.id}/cancel`)));
+    await waitForState(other, 'cancelled');
+    await other.close();
+  });
+
+  it('says why a drape failed, where, and what to do', async () => {
+    const document = JSON.parse(readFileSync(sample('project.json'), 'utf8'));
+    for (const piece of document.pieces) piece.placement.wrapped.radius = 0.09; // inside the body
+    const files = {
+      'skirt.dxf': await service.upload('dxf', 'skirt.dxf', readFileSync(sample('skirt.dxf'))),
+      'body.obj': await service.upload('body', 'body.obj', readFileSync(sample('body.obj'))),
+    };
+    const project = await service.post('/projects', { document: { ...document, name: 'Too tight' }, files });
+    const other = await openPage(browser, `${service.url}/#/projects/${project.id}`);
+    await other.getByRole('heading', { name: 'Not draped yet' }).waitFor();
+    await shoot(other, '17-not-draped');
+    await other.keyboard.press(' ');
+    await waitForState(other, 'failed');
+    await other.locator('.reason .code').getByText('start.crosses_body').waitFor();
+    await other.locator('.reason').getByText('placement').waitFor();
+    await shoot(other, '18-failed');
+    await other.close();
+  });
+
+  it('invites to the first garment where there is none yet', async () => {
+    const empty = new Service('');
+    await empty.start();
+    const other = await openPage(browser, empty.url);
+    await other.getByText('Drape your first garment').waitFor();
+    await shoot(other, '19-empty');
+    await other.close();
+    await empty.stop();
+  });
+
   it('can be used by keyboard alone, each control with a name', async () => {
-    const nameless = await page.locator('button, a, [role=button], [role=tab], [tabindex="0"]').evaluateAll((all) =>
-      all.filter((one) => !(one.getAttribute('aria-label') || one.getAttribute('aria-labelledby') || one.textContent.trim())).map((one) => one.outerHTML.slice(0, 120)));
+    const nameless = await page
+      .locator('button, a, [role=button], [role=tab], [tabindex="0"]')
+      .evaluateAll((all) =>
+        all
+          .filter(
+            (one) => !(one.getAttribute('aria-label') || one.getAttribute('aria-labelledby') || one.textContent.trim()),
+          )
+          .map((one) => one.outerHTML.slice(0, 120)),
+      );
     assert.deepEqual(nameless, []);
     await page.locator('.topbar .brand').focus();
     const reached = new Set();
     for (let i = 0; i < 60; ++i) {
       await page.keyboard.press('Tab');
-      reached.add(await page.evaluate(() => document.activeElement?.closest('.rail, .scene-tools, .scene-canvas, .plane, .plane-tools, .tabs, .tab-panel, .actions')?.classList[0]));
+      reached.add(
+        await page.evaluate(
+          () =>
+            document.activeElement?.closest(
+              '.rail, .scene-tools, .scene-canvas, .plane, .plane-tools, .tabs, .tab-panel, .actions',
+            )?.classList[0],
+        ),
+      );
     }
-    for (const region of ['rail', 'scene-canvas', 'scene-tools', 'plane', 'plane-tools', 'tabs', 'tab-panel', 'actions']) assert.ok(reached.has(region), `${region} is reached`);
+    for (const region of [
+      'rail',
+      'scene-canvas',
+      'scene-tools',
+      'plane',
+      'plane-tools',
+      'tabs',
+      'tab-panel',
+      'actions',
+    ])
+      assert.ok(reached.has(region), `${region} is reached`);
     await page.keyboard.press('?');
     await page.locator('.help').waitFor();
     await shoot(page, '13-keys');
@@ -266,7 +384,10 @@ describe('the page', { timeout: 600_000 }, () => {
 
   it('is dark for those who want it so, and fits a small screen', async () => {
     const done = (await (await service.get('/jobs')).json()).jobs.find((job) => job.state === 'succeeded');
-    for (const [name, options] of [['14-dark', { colorScheme: 'dark' }], ['15-small', { viewport: { width: 820, height: 1000 } }]]) {
+    for (const [name, options] of [
+      ['14-dark', { colorScheme: 'dark' }],
+      ['15-small', { viewport: { width: 820, height: 1000 } }],
+    ]) {
       const other = await openPage(browser, `${service.url}/#/jobs/${done.id}`, options);
       await waitFor(other, () => window.__toile.drawn() > 0 && document.querySelector('.report'));
       await other.waitForTimeout(1500);

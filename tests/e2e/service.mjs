@@ -13,6 +13,12 @@ export class Service {
   data = mkdtempSync(join(tmpdir(), 'toile-e2e-'));
   port = 0;
   #child = null;
+  #sample;
+
+  /** `sample` is the folder of the project that a new store begins with. */
+  constructor(sample = join(root, 'samples/skirt')) {
+    this.#sample = sample;
+  }
 
   get url() {
     return `http://127.0.0.1:${this.port}`;
@@ -21,7 +27,18 @@ export class Service {
   /** Resolves once it says that it answers. */
   async start() {
     if (!existsSync(program)) throw new Error(`${program} is not there: ./run build makes it`);
-    const options = ['--port', String(this.port), '--data', this.data, '--workers', '2', '--web', join(root, 'web/dist'), '--sample', join(root, 'samples/skirt')];
+    const options = [
+      '--port',
+      String(this.port),
+      '--data',
+      this.data,
+      '--workers',
+      '2',
+      '--web',
+      join(root, 'web/dist'),
+      '--sample',
+      this.#sample,
+    ];
     const child = spawn(program, ['serve', ...options], { stdio: ['ignore', 'pipe', 'pipe'] });
     this.#child = child;
     let said = '';
@@ -33,7 +50,9 @@ export class Service {
       };
       child.stdout.on('data', listen);
       child.stderr.on('data', listen);
-      child.on('exit', (code, signal) => fail(new Error(`the server ended (${code ?? signal}) before it answered:\n${said}`)));
+      child.on('exit', (code, signal) =>
+        fail(new Error(`the server ended (${code ?? signal}) before it answered:\n${said}`)),
+      );
     });
     this.port = await address;
   }
@@ -57,9 +76,25 @@ export class Service {
     await gone;
   }
 
-  async get(path) {
-    const response = await fetch(`${this.url}/api/v1${path}`);
+  async get(path, init = {}) {
+    const response = await fetch(`${this.url}/api/v1${path}`, init);
     if (!response.ok) throw new Error(`${path}: ${response.status} ${await response.text()}`);
     return response;
+  }
+
+  async post(path, body = {}) {
+    const text = await this.get(path, {
+      method: 'POST',
+      headers: { 'Content-Type': 'application/json' },
+      body: JSON.stringify(body),
+    });
+    return text.json();
+  }
+
+  /** Keeps a file and gives its id. */
+  async upload(kind, name, bytes) {
+    const headers = { 'Content-Type': 'application/octet-stream' };
+    const response = await this.get(`/assets?kind=${kind}&name=${name}`, { method: 'POST', headers, body: bytes });
+    return (await response.json()).id;
   }
 }

@@ -12,7 +12,14 @@ const [folder = 'out/mock', port = '8090', pace = '40'] = process.argv.slice(2);
 const root = new URL('..', import.meta.url).pathname;
 const recording = readRecording(folder, [0.62, 0.16, 0.14]);
 const kFrameMs = Number(pace);
-const types: Record<string, string> = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.svg': 'image/svg+xml', '.png': 'image/png', '.json': 'application/json' };
+const types: Record<string, string> = {
+  '.html': 'text/html',
+  '.js': 'text/javascript',
+  '.css': 'text/css',
+  '.svg': 'image/svg+xml',
+  '.png': 'image/png',
+  '.json': 'application/json',
+};
 
 interface MockJob {
   id: string;
@@ -32,14 +39,39 @@ interface MockJob {
   viewers: Map<MockSocket, { seq: number; topology: boolean }>;
 }
 
-const project = { id: 'p_mockmockmockmockmock', name: 'A-line skirt', revision: 1, created_ms: Date.now(), updated_ms: Date.now(), files: {} };
+const project = {
+  id: 'p_mockmockmockmockmock',
+  name: 'A-line skirt',
+  revision: 1,
+  created_ms: Date.now(),
+  updated_ms: Date.now(),
+  files: {},
+};
 const jobs: MockJob[] = [];
-const resultsIn = (): Record<string, number> => Object.fromEntries(readdirSync(folder).filter((name) => /\.(png|obj|glb|json)$/.test(name)).map((name) => [name, statSync(join(folder, name)).size]));
+const resultsIn = (): Record<string, number> =>
+  Object.fromEntries(
+    readdirSync(folder)
+      .filter((name) => /\.(png|obj|glb|json)$/.test(name))
+      .map((name) => [name, statSync(join(folder, name)).size]),
+  );
 
 function submit(): MockJob {
   const job: MockJob = {
-    id: `j_mock${String(jobs.length).padStart(16, '0')}`, project_id: project.id, project_revision: 1, name: project.name, state: 'running',
-    reason_code: '', reason: '', reason_where: '', attempt: 1, created_ms: Date.now(), started_ms: Date.now(), ended_ms: 0, results: {}, at: 0, viewers: new Map(),
+    id: `j_mock${String(jobs.length).padStart(16, '0')}`,
+    project_id: project.id,
+    project_revision: 1,
+    name: project.name,
+    state: 'running',
+    reason_code: '',
+    reason: '',
+    reason_where: '',
+    attempt: 1,
+    created_ms: Date.now(),
+    started_ms: Date.now(),
+    ended_ms: 0,
+    results: {},
+    at: 0,
+    viewers: new Map(),
   };
   jobs.unshift(job);
   const timer = setInterval(() => {
@@ -53,19 +85,34 @@ function submit(): MockJob {
 
 function end(job: MockJob, state: string, code: string): void {
   job.at = Math.min(job.at, recording.frames.length - 1);
-  Object.assign(job, { state, reason_code: code, ended_ms: Date.now(), results: state === 'succeeded' ? resultsIn() : {} });
+  Object.assign(job, {
+    state,
+    reason_code: code,
+    ended_ms: Date.now(),
+    results: state === 'succeeded' ? resultsIn() : {},
+  });
 }
 
 function progressOf(job: MockJob): object {
   const frame = recording.frames[job.at]!;
   return {
-    state: job.state, phase: frame.gap > 1 ? 'sew' : 'drape', fraction: job.at / recording.frames.length, step: frame.step, simulated_s: frame.time,
-    rms_speed: frame.speed, seam_gap_mm: frame.gap, cloth_body: 0, cloth_cloth: 0, step_ms: 0.71,
+    state: job.state,
+    phase: frame.gap > 1 ? 'sew' : 'drape',
+    fraction: job.at / recording.frames.length,
+    step: frame.step,
+    simulated_s: frame.time,
+    rms_speed: frame.speed,
+    seam_gap_mm: frame.gap,
+    cloth_body: 0,
+    cloth_cloth: 0,
+    step_ms: 0.71,
   };
 }
 
-const shown = ({ at: _, viewers: __, ...job }: MockJob, full = true): object =>
-  ({ ...job, progress: full && !job.ended_ms ? progressOf({ ...job, at: _, viewers: __ }) : null });
+const shown = ({ at: _, viewers: __, ...job }: MockJob, full = true): object => ({
+  ...job,
+  progress: full && !job.ended_ms ? progressOf({ ...job, at: _, viewers: __ }) : null,
+});
 
 function feed(job: MockJob, viewer: MockSocket): void {
   const had = job.viewers.get(viewer);
@@ -73,7 +120,8 @@ function feed(job: MockJob, viewer: MockSocket): void {
   if (!had.topology) viewer.send(recording.topology);
   had.topology = true;
   const frame = recording.frames[job.at]!;
-  if (had.seq !== job.at + 1) viewer.send(had.seq === job.at && frame.delta && job.at % 30 !== 0 ? frame.delta : frame.key);
+  if (had.seq !== job.at + 1)
+    viewer.send(had.seq === job.at && frame.delta && job.at % 30 !== 0 ? frame.delta : frame.key);
   had.seq = job.at + 1;
   viewer.send(JSON.stringify({ type: 'progress', ...progressOf(job) }));
   if (!job.ended_ms) return;
@@ -89,32 +137,65 @@ function act(job: MockJob, verb: string): void {
 }
 
 function bodyBytes(): Buffer {
-  const xyz: number[] = [], corners: number[] = [];
+  const xyz: number[] = [],
+    corners: number[] = [];
   for (const line of readFileSync(new URL('../../samples/skirt/body.obj', import.meta.url), 'utf8').split('\n')) {
     const words = line.trim().split(/\s+/);
     if (words[0] === 'v') xyz.push(...words.slice(1, 4).map(Number));
     if (words[0] === 'f') corners.push(...words.slice(1, 4).map((word) => parseInt(word, 10) - 1));
   }
-  return Buffer.concat([Buffer.from(new Uint32Array([xyz.length / 3, corners.length / 3]).buffer), Buffer.from(new Float32Array(xyz).buffer), Buffer.from(new Uint32Array(corners).buffer)]);
+  return Buffer.concat([
+    Buffer.from(new Uint32Array([xyz.length / 3, corners.length / 3]).buffer),
+    Buffer.from(new Float32Array(xyz).buffer),
+    Buffer.from(new Uint32Array(corners).buffer),
+  ]);
 }
 
 function pieces(): object {
   const line = (id: string, ...points: number[][]): object => ({ id, points });
   const panel = (id: string, x: number, names: string[], p: number[][]): object => ({
-    id, fabric: 'cotton', colour: [0.62, 0.16, 0.14], grain: [0, 1], holes: [], outline: p.map(([a, b]) => [a! + x, b]),
-    edges: names.map((name, i) => line(name, [p[i]![0]! + x, p[i]![1]!], [p[(i + 1) % p.length]![0]! + x, p[(i + 1) % p.length]![1]!])),
+    id,
+    fabric: 'cotton',
+    colour: [0.62, 0.16, 0.14],
+    grain: [0, 1],
+    holes: [],
+    outline: p.map(([a, b]) => [a! + x, b]),
+    edges: names.map((name, i) =>
+      line(name, [p[i]![0]! + x, p[i]![1]!], [p[(i + 1) % p.length]![0]! + x, p[(i + 1) % p.length]![1]!]),
+    ),
   });
-  const skirt = [[-380, -560], [380, -560], [190, 0], [-190, 0]], band = [[-190, 40], [190, 40], [190, 80], [-190, 80]];
-  const seam = (id: string, a: string[], b: string[]): object => ({ id, a: [{ piece: a[0], edge: a[1] }], b: [{ piece: b[0], edge: b[1] }], same_direction: false });
+  const skirt = [
+      [-380, -560],
+      [380, -560],
+      [190, 0],
+      [-190, 0],
+    ],
+    band = [
+      [-190, 40],
+      [190, 40],
+      [190, 80],
+      [-190, 80],
+    ];
+  const seam = (id: string, a: string[], b: string[]): object => ({
+    id,
+    a: [{ piece: a[0], edge: a[1] }],
+    b: [{ piece: b[0], edge: b[1] }],
+    same_direction: false,
+  });
   return {
     pieces: [
-      panel('front', 0, ['hem', 'side_left', 'waist', 'side_right'], skirt), panel('back', 860, ['hem', 'side_right', 'waist', 'side_left'], skirt),
-      panel('band_front', 0, ['skirt', 'end_left', 'top', 'end_right'], band), panel('band_back', 860, ['skirt', 'end_right', 'top', 'end_left'], band),
+      panel('front', 0, ['hem', 'side_left', 'waist', 'side_right'], skirt),
+      panel('back', 860, ['hem', 'side_right', 'waist', 'side_left'], skirt),
+      panel('band_front', 0, ['skirt', 'end_left', 'top', 'end_right'], band),
+      panel('band_back', 860, ['skirt', 'end_right', 'top', 'end_left'], band),
     ],
     seams: [
-      seam('side_left', ['front', 'side_left'], ['back', 'side_left']), seam('side_right', ['front', 'side_right'], ['back', 'side_right']),
-      seam('band_left', ['band_front', 'end_left'], ['band_back', 'end_left']), seam('band_right', ['band_front', 'end_right'], ['band_back', 'end_right']),
-      seam('waist_front', ['front', 'waist'], ['band_front', 'skirt']), seam('waist_back', ['back', 'waist'], ['band_back', 'skirt']),
+      seam('side_left', ['front', 'side_left'], ['back', 'side_left']),
+      seam('side_right', ['front', 'side_right'], ['back', 'side_right']),
+      seam('band_left', ['band_front', 'end_left'], ['band_back', 'end_left']),
+      seam('band_right', ['band_front', 'end_right'], ['band_back', 'end_right']),
+      seam('waist_front', ['front', 'waist'], ['band_front', 'skirt']),
+      seam('waist_back', ['back', 'waist'], ['band_back', 'skirt']),
     ],
   };
 }
@@ -123,7 +204,13 @@ function answer(response: ServerResponse, status: number, body: object | Buffer,
   response.writeHead(status, { 'Content-Type': type }).end(Buffer.isBuffer(body) ? body : JSON.stringify(body));
 }
 
-const missing = (response: ServerResponse): void => answer(response, 404, { code: 'store.not_found', detail: 'There is nothing of that name.', where: '' }, 'application/problem+json');
+const missing = (response: ServerResponse): void =>
+  answer(
+    response,
+    404,
+    { code: 'store.not_found', detail: 'There is nothing of that name.', where: '' },
+    'application/problem+json',
+  );
 
 function file(response: ServerResponse, path: string): void {
   if (!existsSync(path)) return missing(response);
@@ -135,7 +222,10 @@ function api(request: IncomingMessage, response: ServerResponse, words: string[]
   const job = jobs.find((one) => one.id === id);
   if (noun === 'projects' && !id) return answer(response, 200, { projects: [project], next: null });
   if (noun === 'projects' && verb === 'pieces') return answer(response, 200, pieces());
-  if (noun === 'jobs' && !id) return request.method === 'POST' ? answer(response, 201, shown(submit())) : answer(response, 200, { jobs: jobs.map((one) => shown(one)), next: null });
+  if (noun === 'jobs' && !id)
+    return request.method === 'POST'
+      ? answer(response, 201, shown(submit()))
+      : answer(response, 200, { jobs: jobs.map((one) => shown(one)), next: null });
   if (!job) return missing(response);
   if (verb === 'body') return answer(response, 200, bodyBytes(), 'application/octet-stream');
   if (verb === 'results' && name) return file(response, join(folder, name));
@@ -151,10 +241,17 @@ const server = createServer((request, response) => {
 server.on('upgrade', (request: IncomingMessage, wire) => {
   const job = jobs.find((one) => one.id === request.url!.split('/')[4]);
   if (!job) return wire.destroy();
-  const viewer = accept(request, wire, (text) => act(job, (JSON.parse(text) as { type: string }).type), () => job.viewers.delete(viewer));
+  const viewer = accept(
+    request,
+    wire,
+    (text) => act(job, (JSON.parse(text) as { type: string }).type),
+    () => job.viewers.delete(viewer),
+  );
   viewer.send(JSON.stringify({ type: 'job', ...shown(job) }));
   job.viewers.set(viewer, { seq: 0, topology: false });
   feed(job, viewer);
 });
-server.listen(Number(port), '127.0.0.1', () => console.log(`http://127.0.0.1:${port}/ plays ${recording.frames.length} frames`));
+server.listen(Number(port), '127.0.0.1', () =>
+  console.log(`http://127.0.0.1:${port}/ plays ${recording.frames.length} frames`),
+);
 submit();

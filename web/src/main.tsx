@@ -35,7 +35,9 @@ sceneCode.catch(() => undefined);
 
 const api = makeApi();
 const state = new AppState();
-const port = new Worker(new URL('./workers/stream.worker.ts', import.meta.url), { type: 'module' }) as unknown as WorkerPort;
+const port = new Worker(new URL('./workers/stream.worker.ts', import.meta.url), {
+  type: 'module',
+}) as unknown as WorkerPort;
 
 const poller = new Poller(state, api, () => watcher.retry());
 const refresh = (): void => void poller.refresh();
@@ -64,13 +66,15 @@ function save(name: string, text: string): void {
 }
 
 /** randomUUID is missing where the page does not come from this machine or by https. */
-const newKey = (): string => Array.from(crypto.getRandomValues(new Uint8Array(16)), (b) => b.toString(16).padStart(2, '0')).join('');
+const newKey = (): string =>
+  Array.from(crypto.getRandomValues(new Uint8Array(16)), (b) => b.toString(16).padStart(2, '0')).join('');
 
 const commands = new Commands(state, api, { go, save, newKey }, refresh, (id) => watcher.show(id));
 
 /** A page without a route opens what is most worth seeing, once it is known. */
 function openSomething(): void {
-  if (state.route.value.name !== 'home' || state.jobs.value.state !== 'ready' || state.projects.value.state !== 'ready') return;
+  if (state.route.value.name !== 'home' || state.jobs.value.state !== 'ready' || state.projects.value.state !== 'ready')
+    return;
   const job = jobToOpen(state.jobs.value.value);
   const project = state.projects.value.value[0];
   if (job) commands.open({ name: 'job', id: job.id }, true);

@@ -8,13 +8,27 @@ function begin() {
   const connections: StreamConnection[] = [];
   const texts: { type: string }[] = [];
   const binaries: Uint8Array[] = [];
-  const stream = new JobStream('ws://here/stream', (url) => (sockets.push(new FakeSocket(url)), sockets[sockets.length - 1]!), clock, {
-    connection: (connection) => connections.push(connection),
-    text: (message) => texts.push(message),
-    binary: (bytes) => binaries.push(bytes),
-  });
+  const stream = new JobStream(
+    'ws://here/stream',
+    (url) => (sockets.push(new FakeSocket(url)), sockets[sockets.length - 1]!),
+    clock,
+    {
+      connection: (connection) => connections.push(connection),
+      text: (message) => texts.push(message),
+      binary: (bytes) => binaries.push(bytes),
+    },
+  );
   stream.open();
-  return { clock, sockets, connections, texts, binaries, stream, last: () => connections[connections.length - 1]!, socket: () => sockets[sockets.length - 1]! };
+  return {
+    clock,
+    sockets,
+    connections,
+    texts,
+    binaries,
+    stream,
+    last: () => connections[connections.length - 1]!,
+    socket: () => sockets[sockets.length - 1]!,
+  };
 }
 
 describe('a job’s stream', () => {

@@ -7,8 +7,14 @@ import { StreamReceiver } from '../src/api/StreamReceiver';
 import { FakeClock, FakeSocket } from './fakes';
 
 const topology: ClothTopology = {
-  epoch: 1, origin: [0, 1, 0], step: 1e-4, vertexCount: 3, pieces: [{ id: 'front', firstVertex: 0, vertexCount: 3, colour: [1, 0, 0] }],
-  rest: new Float32Array(6), triangles: new Uint32Array([0, 1, 2]), sewn: new Uint32Array([0, 2]),
+  epoch: 1,
+  origin: [0, 1, 0],
+  step: 1e-4,
+  vertexCount: 3,
+  pieces: [{ id: 'front', firstVertex: 0, vertexCount: 3, colour: [1, 0, 0] }],
+  rest: new Float32Array(6),
+  triangles: new Uint32Array([0, 1, 2]),
+  sewn: new Uint32Array([0, 2]),
 };
 const grid = (n: number): Int16Array => Int16Array.from({ length: 9 }, (_, i) => 100 * i + n);
 const header = (seq: number) => ({ epoch: 1, seq, step: 50 * seq, time: seq / 60 });
@@ -18,10 +24,17 @@ function begin() {
   const sockets: FakeSocket[] = [];
   const frames: { positions: Float32Array<ArrayBuffer>; moment: Moment }[] = [];
   const topologies: ClothTopology[] = [];
-  const receiver = new StreamReceiver('ws://here', (url) => (sockets.push(new FakeSocket(url)), sockets[sockets.length - 1]!), clock, {
-    connection: () => undefined, text: () => undefined,
-    topology: (one) => topologies.push(one), frame: (positions, moment) => frames.push({ positions, moment }),
-  });
+  const receiver = new StreamReceiver(
+    'ws://here',
+    (url) => (sockets.push(new FakeSocket(url)), sockets[sockets.length - 1]!),
+    clock,
+    {
+      connection: () => undefined,
+      text: () => undefined,
+      topology: (one) => topologies.push(one),
+      frame: (positions, moment) => frames.push({ positions, moment }),
+    },
+  );
   receiver.open();
   sockets[0]!.open();
   return { clock, sockets, frames, topologies, receiver, socket: () => sockets[sockets.length - 1]! };

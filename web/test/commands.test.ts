@@ -12,10 +12,22 @@ const missing = (): Promise<never> => Promise.reject(new ApiError(404, 'store.no
 
 function fakeApi(more: Partial<Api> = {}): Api {
   return {
-    projects: async () => [projectOf()], project: async () => projectOf(), createProject: async () => projectOf({ id: 'p_new', name: 'New' }), removeProject: async () => undefined,
-    pieces: async () => ({ pieces: [], seams: [] }), uploadAsset: async (kind, name) => ({ id: `a_${name}`, kind, name, size: 1 }), jobs: async () => [jobOf()], job: async () => jobOf(),
-    submit: async () => jobOf({ id: 'j_new', state: 'queued', created_ms: 5000 }), act: async (id, action) => jobOf({ id, state: action === 'pause' ? 'paused' : 'running' }),
-    report: missing, resultText: missing, body: missing, resultUrl: (id, name) => `${id}/${name}`, streamUrl: (id) => `ws://here/${id}`, ...more,
+    projects: async () => [projectOf()],
+    project: async () => projectOf(),
+    createProject: async () => projectOf({ id: 'p_new', name: 'New' }),
+    removeProject: async () => undefined,
+    pieces: async () => ({ pieces: [], seams: [] }),
+    uploadAsset: async (kind, name) => ({ id: `a_${name}`, kind, name, size: 1 }),
+    jobs: async () => [jobOf()],
+    job: async () => jobOf(),
+    submit: async () => jobOf({ id: 'j_new', state: 'queued', created_ms: 5000 }),
+    act: async (id, action) => jobOf({ id, state: action === 'pause' ? 'paused' : 'running' }),
+    report: missing,
+    resultText: missing,
+    body: missing,
+    resultUrl: (id, name) => `${id}/${name}`,
+    streamUrl: (id) => `ws://here/${id}`,
+    ...more,
   };
 }
 
@@ -23,8 +35,18 @@ function begin(more: Partial<Api> = {}) {
   const state = new AppState();
   const api = fakeApi(more);
   const order: string[] = [];
-  const around = { go: (hash: string) => void (order.push(`go ${hash}`), (state.route.value = parseRoute(hash))), save: (name: string, text: string) => void order.push(`save ${name} ${text.length}`), newKey: () => 'key' };
-  const commands = new Commands(state, api, around, () => undefined, (id) => order.push(`watch ${id}`));
+  const around = {
+    go: (hash: string) => void (order.push(`go ${hash}`), (state.route.value = parseRoute(hash))),
+    save: (name: string, text: string) => void order.push(`save ${name} ${text.length}`),
+    newKey: () => 'key',
+  };
+  const commands = new Commands(
+    state,
+    api,
+    around,
+    () => undefined,
+    (id) => order.push(`watch ${id}`),
+  );
   state.projects.value = ready([projectOf()]);
   state.jobs.value = ready([]);
   state.route.value = { name: 'project', id: 'p_1' };
@@ -49,9 +71,16 @@ describe('starting a drape', () => {
   });
 
   it('shows the code and the place when it is refused', async () => {
-    const { commands, state } = begin({ submit: () => Promise.reject(new ApiError(422, 'dxf.truncated', 'The file ends early.', 'skirt.dxf:12')) });
+    const { commands, state } = begin({
+      submit: () => Promise.reject(new ApiError(422, 'dxf.truncated', 'The file ends early.', 'skirt.dxf:12')),
+    });
     await commands.startDrape();
-    expect(state.notices.value[0]).toMatchObject({ tone: 'bad', code: 'dxf.truncated', where: 'skirt.dxf:12', text: 'The file ends early.' });
+    expect(state.notices.value[0]).toMatchObject({
+      tone: 'bad',
+      code: 'dxf.truncated',
+      where: 'skirt.dxf:12',
+      text: 'The file ends early.',
+    });
     expect(state.submitting.value).toBe(false);
   });
 });
@@ -75,21 +104,31 @@ describe('the run key', () => {
 
 describe('a project from files', () => {
   const document = { toile: 1, name: 'Napkin', pieces: [{ from: { dxf: 'n.dxf' } }], bodies: [{ file: 'b.obj' }] };
-  const files = [{ name: 'p.json', blob: new Blob([JSON.stringify(document)]) }, { name: 'n.dxf', blob: new Blob(['0']) }, { name: 'b.obj', blob: new Blob(['v']) }];
+  const files = [
+    { name: 'p.json', blob: new Blob([JSON.stringify(document)]) },
+    { name: 'n.dxf', blob: new Blob(['0']) },
+    { name: 'b.obj', blob: new Blob(['v']) },
+  ];
 
   it('uploads each file under its kind and names the assets in the project', async () => {
-    const createProject = vi.fn(fakeApi().createProject), uploadAsset = vi.fn(fakeApi().uploadAsset);
+    const createProject = vi.fn(fakeApi().createProject),
+      uploadAsset = vi.fn(fakeApi().uploadAsset);
     const { commands, state, order } = begin({ createProject, uploadAsset });
     await commands.addFiles(files);
     await commands.createProject(false);
-    expect(uploadAsset.mock.calls.map(([kind, name]) => [kind, name])).toEqual([['dxf', 'n.dxf'], ['body', 'b.obj']]);
+    expect(uploadAsset.mock.calls.map(([kind, name]) => [kind, name])).toEqual([
+      ['dxf', 'n.dxf'],
+      ['body', 'b.obj'],
+    ]);
     expect(createProject).toHaveBeenCalledWith(document, { 'n.dxf': 'a_n.dxf', 'b.obj': 'a_b.obj' });
     expect(order).toEqual(['go #/projects/p_new']);
     expect(state.intake.value).toBeNull();
   });
 
   it('keeps the dialog open with what the service said when it refuses', async () => {
-    const { commands, state } = begin({ uploadAsset: () => Promise.reject(new ApiError(422, 'dxf.truncated', 'The file ends early.', 'n.dxf:3')) });
+    const { commands, state } = begin({
+      uploadAsset: () => Promise.reject(new ApiError(422, 'dxf.truncated', 'The file ends early.', 'n.dxf:3')),
+    });
     await commands.addFiles(files);
     await commands.createProject(true);
     expect(state.intake.value).toMatchObject({ busy: '', error: { code: 'dxf.truncated', where: 'n.dxf:3' } });
@@ -119,7 +158,8 @@ describe('the poller', () => {
     let answers = true;
     const returned = vi.fn();
     const state = new AppState();
-    const jobs = async () => (answers ? [jobOf({ state: 'succeeded' })] : Promise.reject(new ApiError(0, 'net.unreachable', 'No answer.')));
+    const jobs = async () =>
+      answers ? [jobOf({ state: 'succeeded' })] : Promise.reject(new ApiError(0, 'net.unreachable', 'No answer.'));
     const poller = new Poller(state, { projects: async () => [], jobs }, returned);
     await poller.refresh();
     expect(state.link.value.state).toBe('ok');
@@ -171,8 +211,16 @@ describe('the watcher', () => {
     state.jobs.value = ready([jobOf(), jobOf({ id: 'j_2' })]);
     state.route.value = { name: 'job', id: 'j_1' };
     watcher.start();
-    for (const [simulated_s, rms_speed] of [[0.1, 1], [0.2, 0.5], [0.2, 0.4]] as const) watcher.handlers().text({ type: 'progress', ...progressOf({ simulated_s, rms_speed }) });
-    expect(state.history.value).toEqual([{ t: 0.1, speed: 1 }, { t: 0.2, speed: 0.5 }]);
+    for (const [simulated_s, rms_speed] of [
+      [0.1, 1],
+      [0.2, 0.5],
+      [0.2, 0.4],
+    ] as const)
+      watcher.handlers().text({ type: 'progress', ...progressOf({ simulated_s, rms_speed }) });
+    expect(state.history.value).toEqual([
+      { t: 0.1, speed: 1 },
+      { t: 0.2, speed: 0.5 },
+    ]);
     state.route.value = { name: 'job', id: 'j_2' };
     expect(state.history.value).toEqual([]);
     watcher.stop();
@@ -206,11 +254,19 @@ describe('the watcher', () => {
 });
 
 describe('errors of the service', () => {
-  const answer = (status: number, body: string) => new Response(body, { status, headers: { 'Content-Type': 'application/problem+json' } });
+  const answer = (status: number, body: string) =>
+    new Response(body, { status, headers: { 'Content-Type': 'application/problem+json' } });
 
   it('keep their code, sentence and place', async () => {
-    const problem = await problemOf(answer(422, '{"code":"project.unknown_edge","detail":"No such edge.","where":"/seams/0/a/0/edge","title":"t"}'));
-    expect(problem).toMatchObject({ status: 422, code: 'project.unknown_edge', detail: 'No such edge.', where: '/seams/0/a/0/edge' });
+    const problem = await problemOf(
+      answer(422, '{"code":"project.unknown_edge","detail":"No such edge.","where":"/seams/0/a/0/edge","title":"t"}'),
+    );
+    expect(problem).toMatchObject({
+      status: 422,
+      code: 'project.unknown_edge',
+      detail: 'No such edge.',
+      where: '/seams/0/a/0/edge',
+    });
   });
 
   it('are made of the status where the body is none', async () => {

@@ -12,7 +12,9 @@ function tokens(dark: boolean): Map<string, string> {
 }
 
 function luminance(hex: string): number {
-  const [r, g, b] = [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16) / 255).map((c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4));
+  const [r, g, b] = [1, 3, 5]
+    .map((i) => parseInt(hex.slice(i, i + 2), 16) / 255)
+    .map((c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4));
   return 0.2126 * r! + 0.7152 * g! + 0.0722 * b!;
 }
 
@@ -32,7 +34,10 @@ const texts: [string, string[]][] = [
   ['bad', ['panel', 'raised', 'bad-wash']],
 ];
 
-describe.each([['light', false], ['dark', true]] as const)('colours of the %s scheme', (_, dark) => {
+describe.each([
+  ['light', false],
+  ['dark', true],
+] as const)('colours of the %s scheme', (_, dark) => {
   const all = tokens(dark);
   it.each(texts)('let one read %s on its grounds', (text, grounds) => {
     for (const ground of grounds) {

@@ -70,15 +70,43 @@ export class FakeSocket implements Socket {
 }
 
 export const progressOf = (more: Partial<Progress> = {}): Progress => ({
-  state: 'running', phase: 'drape', fraction: 0.5, step: 100, simulated_s: 0.1, rms_speed: 0.2, seam_gap_mm: 0, cloth_body: 0, cloth_cloth: 0,
-  step_ms: 0.7, ...more,
+  state: 'running',
+  phase: 'drape',
+  fraction: 0.5,
+  step: 100,
+  simulated_s: 0.1,
+  rms_speed: 0.2,
+  seam_gap_mm: 0,
+  cloth_body: 0,
+  cloth_cloth: 0,
+  step_ms: 0.7,
+  ...more,
 });
 
 export const jobOf = (more: Partial<Job> = {}): Job => ({
-  id: 'j_1', project_id: 'p_1', project_revision: 1, name: 'Skirt', state: 'running', reason_code: '', reason: '', reason_where: '', attempt: 1,
-  created_ms: 1000, started_ms: 1100, ended_ms: 0, results: {}, progress: null, ...more,
+  id: 'j_1',
+  project_id: 'p_1',
+  project_revision: 1,
+  name: 'Skirt',
+  state: 'running',
+  reason_code: '',
+  reason: '',
+  reason_where: '',
+  attempt: 1,
+  created_ms: 1000,
+  started_ms: 1100,
+  ended_ms: 0,
+  results: {},
+  progress: null,
+  ...more,
 });
 
 export const projectOf = (more: Partial<Project> = {}): Project => ({
-  id: 'p_1', name: 'Skirt', revision: 1, files: {}, created_ms: 1, updated_ms: 1, ...more,
+  id: 'p_1',
+  name: 'Skirt',
+  revision: 1,
+  files: {},
+  created_ms: 1,
+  updated_ms: 1,
+  ...more,
 });

@@ -29,7 +29,9 @@ describe('the cloth’s surface', () => {
 
   it('joins chains of pairs into one group', () => {
     const { start, members } = weldGroups(new Uint32Array([5, 2, 2, 9, 0, 1]), 10);
-    const groups = Array.from({ length: start.length - 1 }, (_, g) => [...members.slice(start[g], start[g + 1])].sort());
+    const groups = Array.from({ length: start.length - 1 }, (_, g) =>
+      [...members.slice(start[g], start[g + 1])].sort(),
+    );
     expect(groups).toContainEqual([2, 5, 9]);
     expect(groups).toContainEqual([0, 1]);
   });
@@ -53,36 +55,79 @@ describe('the camera', () => {
 });
 
 const square = (id: string, x: number, y: number, size: number): Piece => {
-  const outline: Point[] = [[x, y], [x + size, y], [x + size, y + size], [x, y + size]];
-  return { id, outline, holes: [], grain: [0, 1], fabric: 'f', colour: [1, 1, 1], edges: [{ id: 'e0', points: outline.slice(0, 2) }] };
+  const outline: Point[] = [
+    [x, y],
+    [x + size, y],
+    [x + size, y + size],
+    [x, y + size],
+  ];
+  return {
+    id,
+    outline,
+    holes: [],
+    grain: [0, 1],
+    fabric: 'f',
+    colour: [1, 1, 1],
+    edges: [{ id: 'e0', points: outline.slice(0, 2) }],
+  };
 };
 
 describe('flat pieces', () => {
   it('stay where the pattern has them', () => {
-    expect(layOut([square('a', 0, 0, 100), square('b', 300, 40, 50)]).map((piece) => piece.offset)).toEqual([[0, 0], [0, 0]]);
+    expect(layOut([square('a', 0, 0, 100), square('b', 300, 40, 50)]).map((piece) => piece.offset)).toEqual([
+      [0, 0],
+      [0, 0],
+    ]);
   });
 
   it('are laid apart where they would cover each other', () => {
     const placed = layOut(['a', 'b', 'c', 'd'].map((id, i) => square(id, 0, 0, 100 + 10 * i)));
-    placed.forEach((a, i) => placed.forEach((b, j) => {
-      if (i < j) expect(a.box.maxX <= b.box.minX || b.box.maxX <= a.box.minX || a.box.maxY <= b.box.minY || b.box.maxY <= a.box.minY).toBe(true);
-    }));
+    placed.forEach((a, i) =>
+      placed.forEach((b, j) => {
+        if (i < j)
+          expect(
+            a.box.maxX <= b.box.minX ||
+              b.box.maxX <= a.box.minX ||
+              a.box.maxY <= b.box.minY ||
+              b.box.maxY <= a.box.minY,
+          ).toBe(true);
+      }),
+    );
   });
 
   it('have their name inside, also when they are bent', () => {
-    const [x, y] = insideOf([[0, 0], [100, 0], [100, 100], [80, 100], [80, 20], [0, 20]]);
+    const [x, y] = insideOf([
+      [0, 0],
+      [100, 0],
+      [100, 100],
+      [80, 100],
+      [80, 20],
+      [0, 20],
+    ]);
     expect((x > 80 && y < 100) || y < 20).toBe(true);
   });
 
   it('share a seam’s colour on both sides, and skip edges that are not there', () => {
     const pieces = [square('a', 0, 0, 10), square('b', 20, 0, 10)];
-    const lines = seamLines(pieces, [{ id: 's', a: [{ piece: 'a', edge: 'e0' }], b: [{ piece: 'b', edge: 'e0' }, { piece: 'b', edge: 'gone' }] }]);
-    expect(lines.map((line) => [line.piece, line.side, line.index])).toEqual([['a', 'a', 0], ['b', 'b', 0]]);
+    const lines = seamLines(pieces, [
+      {
+        id: 's',
+        a: [{ piece: 'a', edge: 'e0' }],
+        b: [
+          { piece: 'b', edge: 'e0' },
+          { piece: 'b', edge: 'gone' },
+        ],
+      },
+    ]);
+    expect(lines.map((line) => [line.piece, line.side, line.index])).toEqual([
+      ['a', 'a', 0],
+      ['b', 'b', 0],
+    ]);
     expect(seamHue(0)).not.toBe(seamHue(1));
   });
 
   it('have the fabric’s colour', () => {
-    expect(cssColour([1, 0, 0.2140])).toBe('rgb(255 0 127)');
+    expect(cssColour([1, 0, 0.214])).toBe('rgb(255 0 127)');
   });
 });
 
@@ -114,7 +159,10 @@ describe('meshes from the service', () => {
   it('give an ended drape its cloth, sewn where it lies together', () => {
     const text = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\no front\nf 1 2 3\no back\nf 4/1 6/1 5/1\n';
     const { topology, positions: xyz } = clothFromObj(text, (piece) => (piece === 'front' ? [1, 0, 0] : null));
-    expect(topology.pieces.map(({ id, firstVertex, vertexCount }) => [id, firstVertex, vertexCount])).toEqual([['front', 0, 3], ['back', 3, 3]]);
+    expect(topology.pieces.map(({ id, firstVertex, vertexCount }) => [id, firstVertex, vertexCount])).toEqual([
+      ['front', 0, 3],
+      ['back', 3, 3],
+    ]);
     expect([...topology.sewn]).toEqual([1, 3, 2, 4]);
     expect(xyz.length).toBe(18);
     expect(() => clothFromObj('v 0 0 0\nf 1 2 3\n', () => null)).toThrow(RangeError);

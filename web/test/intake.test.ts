@@ -1,7 +1,14 @@
 import { describe, expect, it } from 'vitest';
 import sampleDxf from '../../samples/skirt/skirt.dxf?raw';
 import sampleProject from '../../samples/skirt/project.json?raw';
-import { filesNamedBy, kLargestDocument, piecesNamedIn, planIntake, starterDocument, type GivenFile } from '../src/state/intake';
+import {
+  filesNamedBy,
+  kLargestDocument,
+  piecesNamedIn,
+  planIntake,
+  starterDocument,
+  type GivenFile,
+} from '../src/state/intake';
 
 const file = (name: string, text: string): GivenFile => ({ name, blob: new Blob([text]) });
 const project = () => file('project.json', sampleProject);
@@ -12,7 +19,10 @@ describe('files dropped on the page', () => {
   it('are a project when the document and everything it names are there', async () => {
     const plan = await planIntake([body(), dxf(), project()]);
     expect(plan).toMatchObject({ ready: true, problems: [], unused: [], name: 'A-line skirt' });
-    expect(plan.needed.map((need) => [need.name, need.kind, need.file !== null])).toEqual([['skirt.dxf', 'dxf', true], ['body.obj', 'body', true]]);
+    expect(plan.needed.map((need) => [need.name, need.kind, need.file !== null])).toEqual([
+      ['skirt.dxf', 'dxf', true],
+      ['body.obj', 'body', true],
+    ]);
   });
 
   it('tell which files the document names and nobody gave', async () => {
@@ -41,12 +51,15 @@ describe('files dropped on the page', () => {
   });
 
   it('are refused with a code and the file when they cannot be', async () => {
-    const codes = async (...files: GivenFile[]) => (await planIntake(files)).problems.map((problem) => [problem.code, problem.where]);
+    const codes = async (...files: GivenFile[]) =>
+      (await planIntake(files)).problems.map((problem) => [problem.code, problem.where]);
     expect(await codes(file('a.json', '{"toile": 1,'))).toEqual([['json.malformed', 'a.json']]);
     expect(await codes(file('a.json', '[1]'))).toEqual([['project.format', 'a.json']]);
     expect(await codes(file('a.json', 'null'))).toEqual([['project.format', 'a.json']]);
     expect(await codes(file('notes.txt', 'x'))).toEqual([['file.kind', 'notes.txt']]);
-    expect(await codes(project(), file('b.json', '{"toile":1}'))).toEqual([['project.several', 'project.json, b.json']]);
+    expect(await codes(project(), file('b.json', '{"toile":1}'))).toEqual([
+      ['project.several', 'project.json, b.json'],
+    ]);
     expect(await codes(file('a.json', ' '.repeat(kLargestDocument + 1)))).toEqual([['json.too_large', 'a.json']]);
   });
 

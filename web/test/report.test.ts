@@ -3,13 +3,37 @@ import type { Report } from '../src/api/types';
 import { downloadsOf, reportLines, stillsOf } from '../src/state/report';
 
 const report: Report = {
-  name: 'A-line skirt', settled: true, stop_reason: 'settled', cpu_s: 7.4, wall_s: 7.45, steps: 10502, simulated_s: 3.5007, particles: 3286,
-  sewn_particles: 3162, triangles: 6176, body_triangles: 3300,
-  intersections: { cloth_body: 0, cloth_cloth: 0, worst_frame: { step: 0, cloth_body: 0, cloth_cloth: 0 }, frames_checked: 212 },
-  seam_gap_max_mm: 0, strain: { warp: { mean: 0.0014, p99: 0.0078, max: 0.02 }, weft: { mean: 0.0015, p99: 0.0184, max: 0.05 }, shear: { mean: 0, p99: 0.016, max: 0.04 } },
-  rms_speed: 0.00297, max_speed: 0.0156, lowest_m: 0.4774, highest_m: 1.1024, hash: 'a5',
+  name: 'A-line skirt',
+  settled: true,
+  stop_reason: 'settled',
+  cpu_s: 7.4,
+  wall_s: 7.45,
+  steps: 10502,
+  simulated_s: 3.5007,
+  particles: 3286,
+  sewn_particles: 3162,
+  triangles: 6176,
+  body_triangles: 3300,
+  intersections: {
+    cloth_body: 0,
+    cloth_cloth: 0,
+    worst_frame: { step: 0, cloth_body: 0, cloth_cloth: 0 },
+    frames_checked: 212,
+  },
+  seam_gap_max_mm: 0,
+  strain: {
+    warp: { mean: 0.0014, p99: 0.0078, max: 0.02 },
+    weft: { mean: 0.0015, p99: 0.0184, max: 0.05 },
+    shear: { mean: 0, p99: 0.016, max: 0.04 },
+  },
+  rms_speed: 0.00297,
+  max_speed: 0.0156,
+  lowest_m: 0.4774,
+  highest_m: 1.1024,
+  hash: 'a5',
 };
-const line = (label: string, changes: Partial<Report> = {}) => reportLines({ ...report, ...changes }).find((one) => one.label === label)!;
+const line = (label: string, changes: Partial<Report> = {}) =>
+  reportLines({ ...report, ...changes }).find((one) => one.label === label)!;
 
 describe('a report in words', () => {
   it('says that it settled, when, and how long that took', () => {
@@ -18,14 +42,19 @@ describe('a report in words', () => {
   });
 
   it('warns of a drape that did not come to rest', () => {
-    expect(line('Ending', { settled: false, stop_reason: 'time' })).toMatchObject({ value: 'Stopped: time', verdict: 'warn' });
+    expect(line('Ending', { settled: false, stop_reason: 'time' })).toMatchObject({
+      value: 'Stopped: time',
+      verdict: 'warn',
+    });
   });
 
   it('counts intersections, also those that were there on the way', () => {
     expect(line('Intersections')).toMatchObject({ value: 'None', verdict: 'good' });
     const worst = { ...report.intersections, worst_frame: { step: 900, cloth_body: 1, cloth_cloth: 0 } };
     expect(line('Intersections', { intersections: worst }).sentence).toContain('1 place did at step 900');
-    expect(line('Intersections', { intersections: { ...report.intersections, cloth_body: 3, cloth_cloth: 1 } })).toMatchObject({ value: '4', verdict: 'warn' });
+    expect(
+      line('Intersections', { intersections: { ...report.intersections, cloth_body: 3, cloth_cloth: 1 } }),
+    ).toMatchObject({ value: '4', verdict: 'warn' });
   });
 
   it('tells closed seams from open ones', () => {
@@ -40,10 +69,23 @@ describe('a report in words', () => {
 });
 
 describe('result files', () => {
-  const results = { 'back.png': 9, 'final.glb': 2, 'final.obj': 3, 'report.json': 4, 'thumbnail.png': 1, 'three-quarter.png': 8, 'zeta.bin': 5 };
+  const results = {
+    'back.png': 9,
+    'final.glb': 2,
+    'final.obj': 3,
+    'report.json': 4,
+    'thumbnail.png': 1,
+    'three-quarter.png': 8,
+    'zeta.bin': 5,
+  };
 
   it('are offered with the known ones first and stills apart', () => {
-    expect(downloadsOf(results).map((file) => file.name)).toEqual(['final.glb', 'final.obj', 'report.json', 'zeta.bin']);
+    expect(downloadsOf(results).map((file) => file.name)).toEqual([
+      'final.glb',
+      'final.obj',
+      'report.json',
+      'zeta.bin',
+    ]);
     expect(stillsOf(results)).toEqual(['three-quarter.png', 'back.png']);
   });
 });

@@ -1,7 +1,16 @@
 import { describe, expect, it } from 'vitest';
 import type { ClothTopology } from '../src/api/frames';
 import { AppState, ready } from '../src/state/AppState';
-import { activity, adviceFor, commandsOf, jobToOpen, newestJobOf, overall, placeInQueue, thumbnailOf } from '../src/state/jobs';
+import {
+  activity,
+  adviceFor,
+  commandsOf,
+  jobToOpen,
+  newestJobOf,
+  overall,
+  placeInQueue,
+  thumbnailOf,
+} from '../src/state/jobs';
 import { LiveCloth, positionsHash } from '../src/state/LiveCloth';
 import { formatRoute, parseRoute } from '../src/state/routes';
 import { ago, bytes, counted, duration, speed } from '../src/state/words';
@@ -9,12 +18,14 @@ import { jobOf, progressOf, projectOf } from './fakes';
 
 describe('routes', () => {
   it('read what they write', () => {
-    for (const hash of ['#/', '#/projects/p_abc', '#/jobs/j_0-9_Z', '#/nowhere']) expect(formatRoute(parseRoute(hash))).toBe(hash);
+    for (const hash of ['#/', '#/projects/p_abc', '#/jobs/j_0-9_Z', '#/nowhere'])
+      expect(formatRoute(parseRoute(hash))).toBe(hash);
     expect(parseRoute('')).toEqual({ name: 'home' });
   });
 
   it('take nothing for an id that is none', () => {
-    for (const hash of ['#/jobs/', '#/jobs/a/b', '#/jobs/../x', '#/jobs/' + 'a'.repeat(65), '#/jobs/<b>']) expect(parseRoute(hash).name).toBe('unknown');
+    for (const hash of ['#/jobs/', '#/jobs/a/b', '#/jobs/../x', '#/jobs/' + 'a'.repeat(65), '#/jobs/<b>'])
+      expect(parseRoute(hash).name).toBe('unknown');
   });
 });
 
@@ -22,7 +33,11 @@ describe('the state', () => {
   it('shows the job of the route, and of a project its newest job', () => {
     const state = new AppState();
     state.projects.value = ready([projectOf()]);
-    state.jobs.value = ready([jobOf({ id: 'j_2', created_ms: 9 }), jobOf({ id: 'j_3', created_ms: 12 }), jobOf({ id: 'j_4', project_id: 'p_2', created_ms: 20 })]);
+    state.jobs.value = ready([
+      jobOf({ id: 'j_2', created_ms: 9 }),
+      jobOf({ id: 'j_3', created_ms: 12 }),
+      jobOf({ id: 'j_4', project_id: 'p_2', created_ms: 20 }),
+    ]);
     state.route.value = { name: 'job', id: 'j_2' };
     expect(state.job.value?.id).toBe('j_2');
     expect(state.project.value?.id).toBe('p_1');
@@ -54,7 +69,12 @@ describe('the state', () => {
 
   it('keeps its jobs newest first', () => {
     const state = new AppState();
-    for (const [id, created_ms] of [['j_1', 5], ['j_3', 9], ['j_2', 7]] as const) state.putJob(jobOf({ id, created_ms }));
+    for (const [id, created_ms] of [
+      ['j_1', 5],
+      ['j_3', 9],
+      ['j_2', 7],
+    ] as const)
+      state.putJob(jobOf({ id, created_ms }));
     expect(state.allJobs.value.map((job) => job.id)).toEqual(['j_3', 'j_2', 'j_1']);
   });
 });
@@ -67,7 +87,11 @@ describe('facts about jobs', () => {
   });
 
   it('count those before it in the queue', () => {
-    const queue = [jobOf({ id: 'a', state: 'queued', created_ms: 3 }), jobOf({ id: 'b', state: 'queued', created_ms: 1 }), jobOf({ id: 'c', state: 'running', created_ms: 0 })];
+    const queue = [
+      jobOf({ id: 'a', state: 'queued', created_ms: 3 }),
+      jobOf({ id: 'b', state: 'queued', created_ms: 1 }),
+      jobOf({ id: 'c', state: 'running', created_ms: 0 }),
+    ];
     expect(placeInQueue(queue, 'a')).toBe(1);
     expect(placeInQueue(queue, 'b')).toBe(0);
   });
@@ -89,7 +113,9 @@ describe('facts about jobs', () => {
   });
 
   it('never let the progress fall back from one phase to the next', () => {
-    const course = ['queued', 'mesh', 'place', 'sew', 'drape', 'check', 'stills'].flatMap((phase) => [0, 0.5, 1].map((fraction) => overall(phase, fraction)));
+    const course = ['queued', 'mesh', 'place', 'sew', 'drape', 'check', 'stills'].flatMap((phase) =>
+      [0, 0.5, 1].map((fraction) => overall(phase, fraction)),
+    );
     expect(course.every((value, i) => i === 0 || value >= course[i - 1]!)).toBe(true);
     expect(course[course.length - 1]).toBeCloseTo(1, 9);
     expect([overall('sew', -1), overall('sew', 7)]).toEqual([overall('sew', 0), overall('sew', 1)]);
@@ -104,10 +130,21 @@ describe('facts about jobs', () => {
 describe('words', () => {
   it('tell numbers as people do', () => {
     expect([bytes(999), bytes(1500), bytes(262888), bytes(12.34e6)]).toEqual(['999 B', '1.5 kB', '263 kB', '12.3 MB']);
-    expect([duration(7.45), duration(59.6), duration(125), duration(7300), duration(-1)]).toEqual(['7.5 s', '60 s', '2 min 5 s', '2 h 1 min', '–']);
+    expect([duration(7.45), duration(59.6), duration(125), duration(7300), duration(-1)]).toEqual([
+      '7.5 s',
+      '60 s',
+      '2 min 5 s',
+      '2 h 1 min',
+      '–',
+    ]);
     expect([speed(0.00297), speed(1.5)]).toEqual(['3.0 mm/s', '1,500 mm/s']);
     expect([counted(1, 'piece'), counted(4, 'piece')]).toEqual(['1 piece', '4 pieces']);
-    expect([ago(0, 1000), ago(0, 120e3), ago(0, 7200e3), ago(0, 3 * 86400e3)]).toEqual(['just now', '2 min ago', '2 h ago', '3 days ago']);
+    expect([ago(0, 1000), ago(0, 120e3), ago(0, 7200e3), ago(0, 3 * 86400e3)]).toEqual([
+      'just now',
+      '2 min ago',
+      '2 h ago',
+      '3 days ago',
+    ]);
   });
 });
 
@@ -118,7 +155,8 @@ describe('the live cloth', () => {
   it('gives back the buffer that a newer one replaces', () => {
     const cloth = new LiveCloth();
     cloth.setTopology(topology(1));
-    const a = new Float32Array(3), b = new Float32Array(3);
+    const a = new Float32Array(3),
+      b = new Float32Array(3);
     expect(cloth.setPositions(a, moment)).toBeNull();
     expect(cloth.setPositions(b, moment)).toBe(a);
   });

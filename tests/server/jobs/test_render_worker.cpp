@@ -14,7 +14,9 @@ TEST(RenderWorker, RunsAllDrawingsOnOneThreadThatIsNotTheCallers) {
   RenderWorker worker;
   std::thread::id seen[2];
   for (std::thread::id& id : seen) {
-    EXPECT_TRUE(worker.draw([&id] { return id = std::this_thread::get_id(), Status(); }, never).ok());
+    EXPECT_TRUE(
+        worker.draw([&id](const RunContext&) { return id = std::this_thread::get_id(), Status(); }, never)
+            .ok());
   }
   EXPECT_EQ(seen[0], seen[1]);
   EXPECT_NE(seen[0], std::this_thread::get_id());
@@ -22,7 +24,11 @@ TEST(RenderWorker, RunsAllDrawingsOnOneThreadThatIsNotTheCallers) {
 
 TEST(RenderWorker, GivesBackWhatTheDrawingGives) {
   RenderWorker worker;
-  const Status status = worker.draw([] { return Status(Error{"render.failed", "no paint", ""}); }, never);
+  const Status status = worker.draw(
+      [](const RunContext&) {
+        return Status(Error{"render.failed", "no paint", ""});
+      },
+      never);
   ASSERT_FALSE(status.ok());
   EXPECT_EQ(status.error().code, "render.failed");
 }
@@ -30,29 +36,48 @@ TEST(RenderWorker, GivesBackWhatTheDrawingGives) {
 TEST(RenderWorker, ThrowsAtTheCallerWhatTheDrawingThrowsAndDrawsOn) {
   RenderWorker worker;
   EXPECT_THROW(
-      static_cast<void>(worker.draw([]() -> Status { throw std::runtime_error("torn"); }, never).ok()),
+      static_cast<void>(
+          worker.draw([](const RunContext&) -> Status { throw std::runtime_error("torn"); }, never).ok()),
       std::runtime_error);
-  EXPECT_TRUE(worker.draw([] { return Status(); }, never).ok());
+  EXPECT_TRUE(worker.draw([](const RunContext&) { return Status(); }, never).ok());
 }
 
 TEST(RenderWorker, DoesNotWaitForADrawingThatIsGivenUp) {
   std::latch go(1);
   RenderWorker worker;
-  const Status status = worker.draw([&] { return go.wait(), Status(); }, [] { return true; });
+  const Status status =
+      worker.draw([&](const RunContext&) { return go.wait(), Status(); }, [] { return true; });
   ASSERT_FALSE(status.ok());
   EXPECT_EQ(status.error().code, "render.given_up");
   go.count_down();
 }
 
+TEST(RenderWorker, TellsADrawingThatItIsGivenUp) {
+  std::latch begun(1), seen(1);
+  RenderWorker worker;
+  const Status status = worker.draw(
+      [&](const RunContext& context) {
+        begun.count_down();
+        while (!context.cancelled()) std::this_thread::yield();
+        return seen.count_down(), Status();
+      },
+      [&] { return begun.try_wait(); });
+  EXPECT_EQ(status.error().code, "render.given_up");
+  seen.wait();
+}
+
 TEST(RenderWorker, RefusesMoreThanItsQueueHolds) {
   std::latch go(1), begun(1);
   RenderWorker worker(1);
-  std::jthread first(
-      [&] { EXPECT_TRUE(worker.draw([&] { return begun.count_down(), go.wait(), Status(); }, never).ok()); });
+  std::jthread first([&] {
+    EXPECT_TRUE(
+        worker.draw([&](const RunContext&) { return begun.count_down(), go.wait(), Status(); }, never).ok());
+  });
   begun.wait();
-  EXPECT_EQ(worker.draw([] { return Status(); }, [] { return true; }).error().code, "render.given_up")
+  EXPECT_EQ(worker.draw([](const RunContext&) { return Status(); }, [] { return true; }).error().code,
+            "render.given_up")
       << "it stands in the queue still";
-  const Status refused = worker.draw([] { return Status(); }, never);
+  const Status refused = worker.draw([](const RunContext&) { return Status(); }, never);
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().code, "render.busy");
   go.count_down();

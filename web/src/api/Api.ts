@@ -28,7 +28,8 @@ export interface Api {
 const part = encodeURIComponent;
 
 export function makeApi(http = new Http('/api/v1')): Api {
-  const result = (id: string, name: string): string => `/jobs/${part(id)}/results/${name.split('/').map(part).join('/')}`;
+  const result = (id: string, name: string): string =>
+    `/jobs/${part(id)}/results/${name.split('/').map(part).join('/')}`;
   return {
     projects: async () => (await http.get<{ projects: Project[] }>('/projects?limit=100')).projects,
     project: (id) => http.get(`/projects/${part(id)}`),

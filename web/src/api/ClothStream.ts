@@ -22,7 +22,10 @@ export interface ClothStreamHandlers {
 export class ClothStream {
   private watch_ = 0;
 
-  constructor(private readonly port_: WorkerPort, private readonly handlers_: ClothStreamHandlers) {
+  constructor(
+    private readonly port_: WorkerPort,
+    private readonly handlers_: ClothStreamHandlers,
+  ) {
     port_.onmessage = ({ data }) => this.receive(data);
   }
 
@@ -47,10 +50,14 @@ export class ClothStream {
   private receive(message: FromWorker): void {
     if (message.watch !== this.watch_) return;
     switch (message.type) {
-      case 'connection': return this.handlers_.connection(message.connection);
-      case 'text': return this.handlers_.text(message.message);
-      case 'topology': return this.handlers_.topology(message.topology);
-      case 'frame': return this.take(message.positions, message.moment);
+      case 'connection':
+        return this.handlers_.connection(message.connection);
+      case 'text':
+        return this.handlers_.text(message.message);
+      case 'topology':
+        return this.handlers_.topology(message.topology);
+      case 'frame':
+        return this.take(message.positions, message.moment);
     }
   }
 

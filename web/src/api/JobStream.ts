@@ -107,7 +107,7 @@ export class JobStream {
   }
 
   private receive(data: unknown): void {
-    this.attempt_ = 0;  // only a connection that says something counts as a good one
+    this.attempt_ = 0; // only a connection that says something counts as a good one
     if (typeof data === 'string') {
       const message = parse(data);
       if (!message) return;

@@ -18,7 +18,12 @@ export class StreamReceiver {
   private reader_: FrameReader | null = null;
   private slot_: FrameSlot | null = null;
 
-  constructor(url: string, makeSocket: (url: string) => Socket, clock: Clock, private readonly handlers_: ReceiverHandlers) {
+  constructor(
+    url: string,
+    makeSocket: (url: string) => Socket,
+    clock: Clock,
+    private readonly handlers_: ReceiverHandlers,
+  ) {
     this.stream_ = new JobStream(url, makeSocket, clock, {
       connection: (connection) => handlers_.connection(connection),
       text: (message) => handlers_.text(message as StreamText),
@@ -58,7 +63,9 @@ export class StreamReceiver {
 
   private begin(topology: ClothTopology): void {
     this.reader_ = new FrameReader(topology.epoch, topology.vertexCount);
-    this.slot_ = new FrameSlot(3 * topology.vertexCount, topology, (positions, moment) => this.handlers_.frame(positions, moment));
+    this.slot_ = new FrameSlot(3 * topology.vertexCount, topology, (positions, moment) =>
+      this.handlers_.frame(positions, moment),
+    );
     this.handlers_.topology(topology);
   }
 

@@ -2,4 +2,8 @@
 
 export { FrameReader, dequantise, type FrameGrid } from '../../../proto/ts/frameCodec';
 export { MessageType, messageType } from '../../../proto/ts/message';
-export { decodeTopology, type StreamPiece as TopologyPiece, type Topology as ClothTopology } from '../../../proto/ts/topologyCodec';
+export {
+  decodeTopology,
+  type StreamPiece as TopologyPiece,
+  type Topology as ClothTopology,
+} from '../../../proto/ts/topologyCodec';

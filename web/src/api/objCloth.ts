@@ -24,15 +24,25 @@ export function clothFromObj(text: string, colourOf: (piece: string) => readonly
   if (vertexCount === 0 || corners.some((v) => !(v >= 0 && v < vertexCount)) || xyz.some((x) => !Number.isFinite(x))) {
     throw new RangeError('obj: no usable mesh');
   }
-  const listed = pieces.filter((piece) => piece.last >= 0).map((piece): TopologyPiece => ({
-    id: piece.id,
-    firstVertex: piece.first,
-    vertexCount: piece.last + 1 - piece.first,
-    colour: [...(colourOf(piece.id) ?? kColour)] as [number, number, number],
-  }));
+  const listed = pieces
+    .filter((piece) => piece.last >= 0)
+    .map(
+      (piece): TopologyPiece => ({
+        id: piece.id,
+        firstVertex: piece.first,
+        vertexCount: piece.last + 1 - piece.first,
+        colour: [...(colourOf(piece.id) ?? kColour)] as [number, number, number],
+      }),
+    );
   const topology: ClothTopology = {
-    epoch: 0, vertexCount, origin: [0, 0, 0], step: 1e-4, pieces: listed,
-    rest: new Float32Array(2 * vertexCount), triangles: new Uint32Array(corners), sewn: sewnByPlace(xyz),
+    epoch: 0,
+    vertexCount,
+    origin: [0, 0, 0],
+    step: 1e-4,
+    pieces: listed,
+    rest: new Float32Array(2 * vertexCount),
+    triangles: new Uint32Array(corners),
+    sewn: sewnByPlace(xyz),
   };
   return { topology, positions: new Float32Array(xyz) };
 }
@@ -53,7 +63,10 @@ function sewnByPlace(xyz: readonly number[]): Uint32Array {
   const firstAt = new Map<string, number>();
   const pairs: number[] = [];
   for (let v = 0; 3 * v < xyz.length; ++v) {
-    const place = xyz.slice(3 * v, 3 * v + 3).map((x) => Math.round(x * 1e6)).join();
+    const place = xyz
+      .slice(3 * v, 3 * v + 3)
+      .map((x) => Math.round(x * 1e6))
+      .join();
     const first = firstAt.get(place);
     if (first === undefined) firstAt.set(place, v);
     else pairs.push(first, v);

@@ -86,7 +86,8 @@ export class Commands {
   async addFiles(files: GivenFile[]): Promise<void> {
     if (files.length === 0) return;
     const { intake } = this.state_;
-    const replaced = (old: GivenFile): boolean => files.some((file) => file.name.toLowerCase() === old.name.toLowerCase());
+    const replaced = (old: GivenFile): boolean =>
+      files.some((file) => file.name.toLowerCase() === old.name.toLowerCase());
     const all = [...(intake.value?.files ?? []).filter((old) => !replaced(old)), ...files];
     intake.value = { files: all, plan: intake.value?.plan ?? null, busy: 'Reading the files', error: null };
     const plan = await planIntake(all);
@@ -133,7 +134,10 @@ export class Commands {
     this.around_.save('project.json', JSON.stringify(starterDocument(loose.dxf.name, loose.pieces), null, 2) + '\n');
   }
 
-  private async upload(plan: IntakePlan, say: (busy: string) => void): Promise<Awaited<ReturnType<Api['createProject']>>> {
+  private async upload(
+    plan: IntakePlan,
+    say: (busy: string) => void,
+  ): Promise<Awaited<ReturnType<Api['createProject']>>> {
     const files: Record<string, string> = {};
     for (const { name, kind, file } of plan.needed) {
       say(`Uploading ${name}`);

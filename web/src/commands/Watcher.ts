@@ -30,7 +30,7 @@ export class Watcher {
       effect(() => {
         const route = this.state_.route.value;
         // A job's route names it before the list has come: its stream need not wait.
-        const id = route.name === 'job' ? route.id : job.value?.id ?? null;
+        const id = route.name === 'job' ? route.id : (job.value?.id ?? null);
         untracked(() => this.show(id));
       }),
       effect(() => {
@@ -95,10 +95,14 @@ export class Watcher {
 
   private text(message: StreamText): void {
     switch (message.type) {
-      case 'progress': return this.progress(message);
-      case 'job': return this.greeted(message);
-      case 'ended': return this.ended(message, message.job);
-      case 'error': return notify(this.state_, { tone: 'bad', text: message.detail, code: message.code, where: message.where });
+      case 'progress':
+        return this.progress(message);
+      case 'job':
+        return this.greeted(message);
+      case 'ended':
+        return this.ended(message, message.job);
+      case 'error':
+        return notify(this.state_, { tone: 'bad', text: message.detail, code: message.code, where: message.where });
     }
   }
 
@@ -112,7 +116,7 @@ export class Watcher {
     const { history } = this.state_;
     this.state_.progress.value = progress;
     const last = history.value[history.value.length - 1];
-    if (progress.rms_speed === 0) return;  // a phase begins: nothing has been measured yet
+    if (progress.rms_speed === 0) return; // a phase begins: nothing has been measured yet
     if (progress.simulated_s <= (last?.t ?? 0)) {
       if (progress.simulated_s < (last?.t ?? 0)) history.value = [];
       return;

@@ -19,11 +19,41 @@ export const bindings: Binding[] = [
   { key: '2', shown: '2', title: 'Back view', group: 'View', run: (c) => c.showView('back') },
   { key: '3', shown: '3', title: 'Side view', group: 'View', run: (c) => c.showView('side') },
   { key: '4', shown: '4', title: 'Three-quarter view', group: 'View', run: (c) => c.showView('three-quarter') },
-  { key: 'b', shown: 'B', title: 'Body on or off', group: 'View', run: (_, s) => void (s.bodyShown.value = !s.bodyShown.value) },
-  { key: 'm', shown: 'M', title: 'Mesh on or off', group: 'View', run: (_, s) => void (s.meshShown.value = !s.meshShown.value) },
-  { key: 'l', shown: 'L', title: 'Project list on or off', group: 'View', run: (_, s) => void (s.railShown.value = !s.railShown.value) },
-  { key: '?', shown: '?', title: 'This list', group: 'Help', run: (_, s) => void (s.helpShown.value = !s.helpShown.value) },
-  { key: 'escape', shown: 'Esc', title: 'Select nothing, close', group: 'Help', run: (c, s) => (s.helpShown.value ? void (s.helpShown.value = false) : c.select(null)) },
+  {
+    key: 'b',
+    shown: 'B',
+    title: 'Body on or off',
+    group: 'View',
+    run: (_, s) => void (s.bodyShown.value = !s.bodyShown.value),
+  },
+  {
+    key: 'm',
+    shown: 'M',
+    title: 'Mesh on or off',
+    group: 'View',
+    run: (_, s) => void (s.meshShown.value = !s.meshShown.value),
+  },
+  {
+    key: 'l',
+    shown: 'L',
+    title: 'Project list on or off',
+    group: 'View',
+    run: (_, s) => void (s.railShown.value = !s.railShown.value),
+  },
+  {
+    key: '?',
+    shown: '?',
+    title: 'This list',
+    group: 'Help',
+    run: (_, s) => void (s.helpShown.value = !s.helpShown.value),
+  },
+  {
+    key: 'escape',
+    shown: 'Esc',
+    title: 'Select nothing, close',
+    group: 'Help',
+    run: (c, s) => (s.helpShown.value ? void (s.helpShown.value = false) : c.select(null)),
+  },
 ];
 
 /** A key that belongs to the element that has the focus: typing, or pressing a button with Space. */

@@ -12,8 +12,13 @@ export function Banner({ retry }: { retry: () => void }) {
     return (
       <div class="banner" role="alert">
         <Icon name="alert" />
-        <span><b>Connection lost.</b> What you see is the last that came. {seconds > 0 ? `Trying again in ${seconds} s.` : 'Trying again…'}</span>
-        <button class="plain" onClick={retry}>Try now</button>
+        <span>
+          <b>Connection lost.</b> What you see is the last that came.{' '}
+          {seconds > 0 ? `Trying again in ${seconds} s.` : 'Trying again…'}
+        </span>
+        <button class="plain" onClick={retry}>
+          Try now
+        </button>
       </div>
     );
   }
@@ -21,8 +26,12 @@ export function Banner({ retry }: { retry: () => void }) {
     return (
       <div class="banner" role="status">
         <Icon name="alert" />
-        <span><b>The live view is interrupted.</b> It comes back by itself.</span>
-        <button class="plain" onClick={retry}>Try now</button>
+        <span>
+          <b>The live view is interrupted.</b> It comes back by itself.
+        </span>
+        <button class="plain" onClick={retry}>
+          Try now
+        </button>
       </div>
     );
   }

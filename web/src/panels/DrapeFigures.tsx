@@ -35,9 +35,11 @@ function Reason({ job }: { job: Job }) {
   );
 }
 
-const kWidth = 300, kHeight = 92;
+const kWidth = 300,
+  kHeight = 92;
 /** Speeds of the axis, m/s: from hardly moving to falling. */
-const kSlow = 1e-3, kFast = 3;
+const kSlow = 1e-3,
+  kFast = 3;
 /** The document's usual settle_speed_mm_s. */
 const kSettled = 5e-3;
 
@@ -49,21 +51,44 @@ const levelOf = (metresPerSecond: number): number => {
 /** Speed over simulated time, both ends of a logarithmic axis, with the line under which cloth counts as at rest. */
 function Speed({ samples, job }: { samples: Sample[]; job: Job }) {
   if (samples.length < 2) {
-    return isActive(job.state) ? <div class="chart empty"><p>The speed of the cloth is drawn here as it calms down.</p></div> : null;
+    return isActive(job.state) ? (
+      <div class="chart empty">
+        <p>The speed of the cloth is drawn here as it calms down.</p>
+      </div>
+    ) : null;
   }
   const end = Math.max(samples[samples.length - 1]!.t, 1);
-  const line = samples.map(({ t, speed: v }, i) => `${i === 0 ? 'M' : 'L'}${((kWidth * t) / end).toFixed(1)} ${levelOf(v).toFixed(1)}`).join('');
+  const line = samples
+    .map(({ t, speed: v }, i) => `${i === 0 ? 'M' : 'L'}${((kWidth * t) / end).toFixed(1)} ${levelOf(v).toFixed(1)}`)
+    .join('');
   const last = samples[samples.length - 1]!;
   return (
     <figure class="chart">
-      <figcaption><span>Speed of the cloth</span><b>{speed(last.speed)}</b></figcaption>
-      <svg viewBox={`0 0 ${kWidth} ${kHeight}`} preserveAspectRatio="none" role="img" aria-label={`Speed of the cloth, now ${speed(last.speed)}`}>
-        {[0.01, 0.1, 1].map((v) => <path key={v} class="chart-grid" d={`M0 ${levelOf(v)}H${kWidth}`} />)}
+      <figcaption>
+        <span>Speed of the cloth</span>
+        <b>{speed(last.speed)}</b>
+      </figcaption>
+      <svg
+        viewBox={`0 0 ${kWidth} ${kHeight}`}
+        preserveAspectRatio="none"
+        role="img"
+        aria-label={`Speed of the cloth, now ${speed(last.speed)}`}
+      >
+        {[0.01, 0.1, 1].map((v) => (
+          <path key={v} class="chart-grid" d={`M0 ${levelOf(v)}H${kWidth}`} />
+        ))}
         <path class="chart-rest" d={`M0 ${levelOf(kSettled)}H${kWidth}`} />
-        <path class="chart-area" d={`${line}L${((kWidth * last.t) / end).toFixed(1)} ${kHeight}H${((kWidth * samples[0]!.t) / end).toFixed(1)}Z`} />
+        <path
+          class="chart-area"
+          d={`${line}L${((kWidth * last.t) / end).toFixed(1)} ${kHeight}H${((kWidth * samples[0]!.t) / end).toFixed(1)}Z`}
+        />
         <path class="chart-line" d={line} />
       </svg>
-      <div class="chart-axis"><span>0 s</span><span class="chart-note">dashed: at rest</span><span>{end.toFixed(1)} s</span></div>
+      <div class="chart-axis">
+        <span>0 s</span>
+        <span class="chart-note">dashed: at rest</span>
+        <span>{end.toFixed(1)} s</span>
+      </div>
     </figure>
   );
 }
@@ -79,16 +104,28 @@ function Facts({ job }: { job: Job }) {
     ...(started ? [['Running time', duration(Math.max(0, until - started) / 1000)] as [string, string]] : []),
     ...topology,
   ];
-  return <dl class="facts">{rows.map(([term, value]) => <div key={term}><dt>{term}</dt><dd>{value}</dd></div>)}</dl>;
+  return (
+    <dl class="facts">
+      {rows.map(([term, value]) => (
+        <div key={term}>
+          <dt>{term}</dt>
+          <dd>{value}</dd>
+        </div>
+      ))}
+    </dl>
+  );
 }
 
 function useTopologyFacts(): [string, string][] {
   const state = useAppState();
-  void state.progress.value;  // the topology is not a signal; figures come with the first progress at the latest
+  void state.progress.value; // the topology is not a signal; figures come with the first progress at the latest
   const topology = state.cloth.topology;
   if (!topology) return [];
   const whole = new Intl.NumberFormat('en');
-  return [['Particles', whole.format(topology.vertexCount)], ['Triangles', whole.format(topology.triangles.length / 3)]];
+  return [
+    ['Particles', whole.format(topology.vertexCount)],
+    ['Triangles', whole.format(topology.triangles.length / 3)],
+  ];
 }
 
 /** Fabrics and the pieces cut from them; a click selects. */
@@ -103,15 +140,22 @@ function Parts() {
         <div key={fabric}>
           <h3>{fabric || 'Fabric'}</h3>
           <ul>
-            {pieces.pieces.filter((piece) => piece.fabric === fabric).map((piece) => (
-              <li key={piece.id}>
-                <button class="part" aria-pressed={state.selected.value === piece.id}
-                  onClick={() => (state.selected.value = state.selected.value === piece.id ? null : piece.id)}
-                  onPointerEnter={() => (state.hovered.value = piece.id)} onPointerLeave={() => (state.hovered.value = null)}>
-                  <i style={{ background: cssColour(piece.colour) }} aria-hidden="true" />{piece.id}
-                </button>
-              </li>
-            ))}
+            {pieces.pieces
+              .filter((piece) => piece.fabric === fabric)
+              .map((piece) => (
+                <li key={piece.id}>
+                  <button
+                    class="part"
+                    aria-pressed={state.selected.value === piece.id}
+                    onClick={() => (state.selected.value = state.selected.value === piece.id ? null : piece.id)}
+                    onPointerEnter={() => (state.hovered.value = piece.id)}
+                    onPointerLeave={() => (state.hovered.value = null)}
+                  >
+                    <i style={{ background: cssColour(piece.colour) }} aria-hidden="true" />
+                    {piece.id}
+                  </button>
+                </li>
+              ))}
           </ul>
         </div>
       ))}

@@ -25,9 +25,22 @@ export function DropTarget() {
       over.value = false;
       void commands.addFiles([...event.dataTransfer!.files].map((file) => ({ name: file.name, blob: file })));
     };
-    const listeners = [['dragenter', enter], ['dragover', enter], ['dragleave', leave], ['drop', drop]] as const;
+    const listeners = [
+      ['dragenter', enter],
+      ['dragover', enter],
+      ['dragleave', leave],
+      ['drop', drop],
+    ] as const;
     for (const [name, listener] of listeners) window.addEventListener(name, listener);
     return () => listeners.forEach(([name, listener]) => window.removeEventListener(name, listener));
   }, []);
-  return over.value ? <div class="drop-veil" aria-hidden="true"><div><Icon name="file" /><b>Drop to make a project</b><small>project.json + DXF + body</small></div></div> : null;
+  return over.value ? (
+    <div class="drop-veil" aria-hidden="true">
+      <div>
+        <Icon name="file" />
+        <b>Drop to make a project</b>
+        <small>project.json + DXF + body</small>
+      </div>
+    </div>
+  ) : null;
 }

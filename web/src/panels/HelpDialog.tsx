@@ -10,7 +10,10 @@ export function HelpDialog() {
 }
 
 const kMouse: [string, string][] = [
-  ['Drag', 'Turn the view'], ['Right drag', 'Move the view'], ['Wheel', 'Nearer, further'], ['Click', 'Select a piece, here and there'],
+  ['Drag', 'Turn the view'],
+  ['Right drag', 'Move the view'],
+  ['Wheel', 'Nearer, further'],
+  ['Click', 'Select a piece'],
 ];
 
 function Dialog({ close }: { close: () => void }) {
@@ -19,17 +22,42 @@ function Dialog({ close }: { close: () => void }) {
   const groups = [...new Set(bindings.map((binding) => binding.group))];
   return (
     <dialog class="sheet help" ref={dialog} onClose={close} aria-labelledby="help-title">
-      <header><h2 id="help-title">Keys and mouse</h2><button class="tool flat" aria-label="Close" onClick={() => dialog.current?.close()}><Icon name="cross" /></button></header>
+      <header>
+        <h2 id="help-title">Keys and mouse</h2>
+        <button class="tool flat" aria-label="Close" onClick={() => dialog.current?.close()}>
+          <Icon name="cross" />
+        </button>
+      </header>
       <div class="sheet-body keys">
         {groups.map((group) => (
           <section key={group}>
             <h3>{group}</h3>
-            <dl>{bindings.filter((binding) => binding.group === group).map((binding) => <div key={binding.key}><dt><kbd>{binding.shown}</kbd></dt><dd>{binding.title}</dd></div>)}</dl>
+            <dl>
+              {bindings
+                .filter((binding) => binding.group === group)
+                .map((binding) => (
+                  <div key={binding.key}>
+                    <dt>
+                      <kbd>{binding.shown}</kbd>
+                    </dt>
+                    <dd>{binding.title}</dd>
+                  </div>
+                ))}
+            </dl>
           </section>
         ))}
         <section>
           <h3>Mouse</h3>
-          <dl>{kMouse.map(([press, title]) => <div key={press}><dt><kbd>{press}</kbd></dt><dd>{title}</dd></div>)}</dl>
+          <dl>
+            {kMouse.map(([press, title]) => (
+              <div key={press}>
+                <dt>
+                  <kbd>{press}</kbd>
+                </dt>
+                <dd>{title}</dd>
+              </div>
+            ))}
+          </dl>
         </section>
       </div>
     </dialog>

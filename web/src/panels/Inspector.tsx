@@ -6,7 +6,10 @@ import { DrapeFigures } from './DrapeFigures';
 import { Results } from './Results';
 import type { PicturesProps } from './Rail';
 
-const kTabs: { tab: Tab; title: string }[] = [{ tab: 'drape', title: 'Drape' }, { tab: 'result', title: 'Result' }];
+const kTabs: { tab: Tab; title: string }[] = [
+  { tab: 'drape', title: 'Drape' },
+  { tab: 'result', title: 'Result' },
+];
 
 export function Inspector(props: PicturesProps) {
   const state = useAppState();
@@ -20,8 +23,17 @@ export function Inspector(props: PicturesProps) {
     <section class="inspector" aria-label="Inspector">
       <div class="tabs" role="tablist" onKeyDown={turn}>
         {kTabs.map(({ tab, title }) => (
-          <button key={tab} role="tab" id={`tab-${tab}`} aria-selected={shown === tab} aria-controls="tab-panel" tabIndex={shown === tab ? 0 : -1}
-            onClick={() => (state.tab.value = tab)}>{title}</button>
+          <button
+            key={tab}
+            role="tab"
+            id={`tab-${tab}`}
+            aria-selected={shown === tab}
+            aria-controls="tab-panel"
+            tabIndex={shown === tab ? 0 : -1}
+            onClick={() => (state.tab.value = tab)}
+          >
+            {title}
+          </button>
         ))}
       </div>
       <div class="tab-panel" role="tabpanel" id="tab-panel" aria-labelledby={`tab-${shown}`} tabIndex={0}>

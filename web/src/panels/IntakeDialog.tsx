@@ -19,12 +19,15 @@ function Dialog({ intake }: { intake: Intake }) {
   const input = useRef<HTMLInputElement>(null);
   useEffect(() => dialog.current?.showModal(), []);
   const { plan } = intake;
-  const take = (list: FileList | null): void => void commands.addFiles([...(list ?? [])].map((file) => ({ name: file.name, blob: file })));
+  const take = (list: FileList | null): void =>
+    void commands.addFiles([...(list ?? [])].map((file) => ({ name: file.name, blob: file })));
   return (
     <dialog class="sheet intake" ref={dialog} onClose={() => commands.closeIntake()} aria-labelledby="intake-title">
       <header>
         <h2 id="intake-title">New project</h2>
-        <button class="tool flat" aria-label="Close" onClick={() => dialog.current?.close()}><Icon name="cross" /></button>
+        <button class="tool flat" aria-label="Close" onClick={() => dialog.current?.close()}>
+          <Icon name="cross" />
+        </button>
       </header>
       <div class="sheet-body">
         <button class="dropzone" autofocus onClick={() => input.current?.click()}>
@@ -32,21 +35,52 @@ function Dialog({ intake }: { intake: Intake }) {
           <b>{intake.files.length === 0 ? 'Drop files here, or choose them' : 'Add more files'}</b>
           <small>project.json, the DXF files it names, a body (OBJ, glTF, …)</small>
         </button>
-        <input ref={input} type="file" multiple hidden accept=".json,.dxf,.obj,.glb,.gltf,.ply,.stl,.fbx,.dae"
-          onChange={(event) => { take(event.currentTarget.files); event.currentTarget.value = ''; }} />
+        <input
+          ref={input}
+          type="file"
+          multiple
+          hidden
+          accept=".json,.dxf,.obj,.glb,.gltf,.ply,.stl,.fbx,.dae"
+          onChange={(event) => {
+            take(event.currentTarget.files);
+            event.currentTarget.value = '';
+          }}
+        />
         <Given intake={intake} />
         {plan && <Missing plan={plan} />}
         {intake.error && (
           <div class="problem" role="alert">
             <Icon name="alert" />
-            <div><p>{intake.error.detail}</p><p class="code">{[intake.error.code, intake.error.where].filter(Boolean).join(' · ')}</p></div>
+            <div>
+              <p>{intake.error.detail}</p>
+              <p class="code">{[intake.error.code, intake.error.where].filter(Boolean).join(' · ')}</p>
+            </div>
           </div>
         )}
       </div>
       <footer>
-        <span class="busy" role="status">{intake.busy && <><span class="spinner" aria-hidden="true" />{intake.busy}…</>}</span>
-        <button class="plain" disabled={!plan?.ready || intake.busy !== ''} onClick={() => void commands.createProject(false)}>Create</button>
-        <button class="primary" disabled={!plan?.ready || intake.busy !== ''} onClick={() => void commands.createProject(true)}><Icon name="play" /> Create and drape</button>
+        <span class="busy" role="status">
+          {intake.busy && (
+            <>
+              <span class="spinner" aria-hidden="true" />
+              {intake.busy}…
+            </>
+          )}
+        </span>
+        <button
+          class="plain"
+          disabled={!plan?.ready || intake.busy !== ''}
+          onClick={() => void commands.createProject(false)}
+        >
+          Create
+        </button>
+        <button
+          class="primary"
+          disabled={!plan?.ready || intake.busy !== ''}
+          onClick={() => void commands.createProject(true)}
+        >
+          <Icon name="play" /> Create and drape
+        </button>
       </footer>
     </dialog>
   );
@@ -68,8 +102,17 @@ function Given({ intake }: { intake: Intake }) {
     <ul class="files">
       {intake.files.map((file) => (
         <li key={file.name} class={plan?.unused.includes(file.name) ? 'unused' : ''}>
-          <Icon name="file" /><b>{file.name}</b><small>{role(file.name)}</small><em>{bytes(file.blob.size)}</em>
-          <button class="tool flat" aria-label={`Remove ${file.name}`} onClick={() => void commands.removeFile(file.name)}><Icon name="cross" /></button>
+          <Icon name="file" />
+          <b>{file.name}</b>
+          <small>{role(file.name)}</small>
+          <em>{bytes(file.blob.size)}</em>
+          <button
+            class="tool flat"
+            aria-label={`Remove ${file.name}`}
+            onClick={() => void commands.removeFile(file.name)}
+          >
+            <Icon name="cross" />
+          </button>
         </li>
       ))}
     </ul>
@@ -83,18 +126,35 @@ function Missing({ plan }: { plan: IntakePlan }) {
       {plan.problems.map((problem, i) => (
         <div key={i} class="problem" role="alert">
           <Icon name="alert" />
-          <div><p>{problem.text}</p><p class="code">{problem.code} · {problem.where}</p></div>
+          <div>
+            <p>{problem.text}</p>
+            <p class="code">
+              {problem.code} · {problem.where}
+            </p>
+          </div>
         </div>
       ))}
       {missing.length > 0 && (
         <div class="missing" role="status">
-          <p><b>{plan.name}</b> also needs {missing.length === 1 ? 'this file' : `these ${missing.length} files`}:</p>
-          <ul>{missing.map((need) => <li key={need.name}><code>{need.name}</code> {need.kind === 'dxf' ? 'the pattern' : 'the body'}</li>)}</ul>
+          <p>
+            <b>{plan.name}</b> also needs {missing.length === 1 ? 'this file' : `these ${missing.length} files`}:
+          </p>
+          <ul>
+            {missing.map((need) => (
+              <li key={need.name}>
+                <code>{need.name}</code> {need.kind === 'dxf' ? 'the pattern' : 'the body'}
+              </li>
+            ))}
+          </ul>
           <p>It lies beside project.json where that was saved. Drop it here too.</p>
         </div>
       )}
       {plan.loose && <LooseDxf plan={plan} />}
-      {plan.ready && <p class="complete"><Icon name="check" /> Everything is there.</p>}
+      {plan.ready && (
+        <p class="complete">
+          <Icon name="check" /> Everything is there.
+        </p>
+      )}
     </>
   );
 }
@@ -105,18 +165,31 @@ function LooseDxf({ plan }: { plan: IntakePlan }) {
   const { dxf, pieces } = plan.loose!;
   return (
     <div class="missing" role="status">
-      {pieces.length > 0
-        ? <p><b>{dxf.name}</b> holds {counted(pieces.length, 'piece')}: {pieces.slice(0, 12).join(', ')}{pieces.length > 12 && ', …'}.</p>
-        : <p>No pieces were found in <b>{dxf.name}</b>.</p>}
-      <p>A DXF says what is cut, not how it is sewn. To drape it, a <code>project.json</code> must say:</p>
+      {pieces.length > 0 ? (
+        <p>
+          <b>{dxf.name}</b> holds {counted(pieces.length, 'piece')}: {pieces.slice(0, 12).join(', ')}
+          {pieces.length > 12 && ', …'}.
+        </p>
+      ) : (
+        <p>
+          No pieces were found in <b>{dxf.name}</b>.
+        </p>
+      )}
+      <p>
+        A DXF says what is cut, not how it is sewn. To drape it, a <code>project.json</code> must say:
+      </p>
       <ul>
         <li>which edges are sewn to which</li>
         <li>where the pieces stand around the body</li>
         <li>the fabric, and the body or a mannequin's measurements</li>
       </ul>
       {pieces.length > 0 && (
-        <p><button class="link" onClick={() => commands.saveStarter()}>Save a starter project.json</button> with these pieces, a cotton and a mannequin;
-          add seams and placement, then drop both files here.</p>
+        <p>
+          <button class="link" onClick={() => commands.saveStarter()}>
+            Save a starter project.json
+          </button>{' '}
+          with these pieces, a cotton and a mannequin; add seams and placement, then drop both files here.
+        </p>
       )}
     </div>
   );

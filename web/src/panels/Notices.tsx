@@ -12,9 +12,13 @@ export function Notices() {
           <Icon name={notice.tone === 'bad' ? 'alert' : 'check'} />
           <div>
             <p>{notice.text}</p>
-            {(notice.code || notice.where) && <p class="code">{[notice.code, notice.where].filter(Boolean).join(' · ')}</p>}
+            {(notice.code || notice.where) && (
+              <p class="code">{[notice.code, notice.where].filter(Boolean).join(' · ')}</p>
+            )}
           </div>
-          <button class="tool flat" aria-label="Dismiss" onClick={() => dismiss(state, notice.id)}><Icon name="cross" /></button>
+          <button class="tool flat" aria-label="Dismiss" onClick={() => dismiss(state, notice.id)}>
+            <Icon name="cross" />
+          </button>
         </div>
       ))}
     </div>

@@ -19,10 +19,19 @@ export function Rail({ resultUrl }: PicturesProps) {
     <nav class="rail" aria-label="Projects and drapes">
       <div class="rail-head">
         <h2>Projects</h2>
-        <button class="tool flat" title="New project from files (N)" aria-label="New project" onClick={() => commands.openIntake()}><Icon name="plus" /></button>
+        <button
+          class="tool flat"
+          title="New project from files (N)"
+          aria-label="New project"
+          onClick={() => commands.openIntake()}
+        >
+          <Icon name="plus" />
+        </button>
       </div>
       <ProjectList resultUrl={resultUrl} />
-      <div class="rail-head"><h2>Drapes</h2></div>
+      <div class="rail-head">
+        <h2>Drapes</h2>
+      </div>
       <JobList resultUrl={resultUrl} />
     </nav>
   );
@@ -30,7 +39,15 @@ export function Rail({ resultUrl }: PicturesProps) {
 
 const Skeleton = ({ rows }: { rows: number }) => (
   <ul class="rail-list" aria-label="Loading">
-    {Array.from({ length: rows }, (_, i) => <li key={i} class="row skeleton"><span class="thumb" /><span class="row-text"><b /><small /></span></li>)}
+    {Array.from({ length: rows }, (_, i) => (
+      <li key={i} class="row skeleton">
+        <span class="thumb" />
+        <span class="row-text">
+          <b />
+          <small />
+        </span>
+      </li>
+    ))}
   </ul>
 );
 
@@ -41,9 +58,23 @@ function ProjectList({ resultUrl }: PicturesProps) {
   if (projects.state === 'loading') return <Skeleton rows={2} />;
   if (projects.state === 'failed') return <p class="hint bad">{projects.error.detail}</p>;
   if (projects.value.length === 0) {
-    return <p class="hint">No projects yet. Drop <b>project.json</b>, its <b>DXF</b> and a <b>body</b> anywhere, or <button class="link" onClick={() => commands.openIntake()}>choose files</button>.</p>;
+    return (
+      <p class="hint">
+        No projects yet. Drop <b>project.json</b>, its <b>DXF</b> and a <b>body</b> anywhere, or{' '}
+        <button class="link" onClick={() => commands.openIntake()}>
+          choose files
+        </button>
+        .
+      </p>
+    );
   }
-  return <ul class="rail-list">{projects.value.map((project) => <ProjectRow key={project.id} project={project} resultUrl={resultUrl} />)}</ul>;
+  return (
+    <ul class="rail-list">
+      {projects.value.map((project) => (
+        <ProjectRow key={project.id} project={project} resultUrl={resultUrl} />
+      ))}
+    </ul>
+  );
 }
 
 function ProjectRow({ project, resultUrl }: { project: Project } & PicturesProps) {
@@ -53,11 +84,17 @@ function ProjectRow({ project, resultUrl }: { project: Project } & PicturesProps
   const drapes = state.allJobs.value.filter((other) => other.project_id === project.id).length;
   return (
     <li>
-      <a class="row" href={`#/projects/${project.id}`} aria-current={state.projectId.value === project.id ? 'true' : undefined}>
+      <a
+        class="row"
+        href={`#/projects/${project.id}`}
+        aria-current={state.projectId.value === project.id ? 'true' : undefined}
+      >
         <Thumb url={job && resultUrl(job.id, thumbnailOf(job)!)} />
         <span class="row-text">
           <b>{project.name}</b>
-          <small>{drapes === 0 ? 'Not draped yet' : drapes === 1 ? '1 drape' : `${drapes} drapes`} · rev {project.revision}</small>
+          <small>
+            {drapes === 0 ? 'Not draped yet' : drapes === 1 ? '1 drape' : `${drapes} drapes`} · rev {project.revision}
+          </small>
         </span>
       </a>
     </li>
@@ -68,8 +105,15 @@ function JobList({ resultUrl }: PicturesProps) {
   const state = useAppState();
   const jobs = valueOf(state.jobs.value);
   if (!jobs) return state.jobs.value.state === 'loading' ? <Skeleton rows={3} /> : null;
-  if (jobs.length === 0) return <p class="hint">What you drape is listed here, with its place in the queue and its picture at the end.</p>;
-  return <ul class="rail-list">{jobs.map((job) => <JobRow key={job.id} job={job} resultUrl={resultUrl} />)}</ul>;
+  if (jobs.length === 0)
+    return <p class="hint">What you drape is listed here, with its place in the queue and its picture at the end.</p>;
+  return (
+    <ul class="rail-list">
+      {jobs.map((job) => (
+        <JobRow key={job.id} job={job} resultUrl={resultUrl} />
+      ))}
+    </ul>
+  );
 }
 
 function JobRow({ job, resultUrl }: { job: Job } & PicturesProps) {
@@ -90,7 +134,11 @@ function JobRow({ job, resultUrl }: { job: Job } & PicturesProps) {
             {fresh.state === 'running' ? activity(fresh.state, fresh.progress?.phase) : stateNames[fresh.state]}
             {isActive(fresh.state) && fresh.state !== 'queued' ? ` · ${percent(fraction, 0)}` : ` · ${when}`}
           </small>
-          {isActive(fresh.state) && <span class={`hairbar state-${fresh.state}`}><i style={{ width: percent(fraction, 1).replace(' ', '') }} /></span>}
+          {isActive(fresh.state) && (
+            <span class={`hairbar state-${fresh.state}`}>
+              <i style={{ width: percent(fraction, 1).replace(' ', '') }} />
+            </span>
+          )}
         </span>
       </a>
     </li>
@@ -98,5 +146,7 @@ function JobRow({ job, resultUrl }: { job: Job } & PicturesProps) {
 }
 
 function Thumb({ url }: { url: string | null }) {
-  return <span class="thumb">{url ? <img src={url} alt="" loading="lazy" decoding="async" /> : <Icon name="shirt" />}</span>;
+  return (
+    <span class="thumb">{url ? <img src={url} alt="" loading="lazy" decoding="async" /> : <Icon name="shirt" />}</span>
+  );
 }

@@ -10,7 +10,10 @@ import { Icon } from './Icon';
 import type { PicturesProps } from './Rail';
 
 const kStillNames: Record<string, string> = {
-  'three-quarter.png': 'Three-quarter', 'front.png': 'Front', 'back.png': 'Back', 'side.png': 'Side',
+  'three-quarter.png': 'Three-quarter',
+  'front.png': 'Front',
+  'back.png': 'Back',
+  'side.png': 'Side',
 };
 
 export function Results({ resultUrl }: PicturesProps) {
@@ -45,7 +48,10 @@ export function Results({ resultUrl }: PicturesProps) {
           <li key={file.name}>
             <a href={resultUrl(job.id, file.name)} download={`${job.name} ${file.name}`} title={file.name}>
               <Icon name="down" />
-              <span><b>{file.title}</b>{file.hint && <small>{file.hint}</small>}</span>
+              <span>
+                <b>{file.title}</b>
+                {file.hint && <small>{file.hint}</small>}
+              </span>
               <em>{bytes(file.bytes)}</em>
             </a>
           </li>
@@ -54,14 +60,23 @@ export function Results({ resultUrl }: PicturesProps) {
           <li key={name}>
             <a href={resultUrl(job.id, name)} download={`${job.name} ${name}`}>
               <Icon name="down" />
-              <span><b>PNG</b><small>{kStillNames[name] ?? name} still</small></span>
+              <span>
+                <b>PNG</b>
+                <small>{kStillNames[name] ?? name} still</small>
+              </span>
               <em>{bytes(results[name]!)}</em>
             </a>
           </li>
         ))}
       </ul>
       {downloads.length === 0 && stills.length === 0 && <p class="hint">This drape ended without results.</p>}
-      {large.value && <Enlarged url={resultUrl(job.id, large.value)} name={kStillNames[large.value] ?? large.value} close={() => (large.value = null)} />}
+      {large.value && (
+        <Enlarged
+          url={resultUrl(job.id, large.value)}
+          name={kStillNames[large.value] ?? large.value}
+          close={() => (large.value = null)}
+        />
+      )}
     </>
   );
 }
@@ -69,8 +84,18 @@ export function Results({ resultUrl }: PicturesProps) {
 function Report() {
   const state = useAppState();
   const report = state.report.value;
-  if (report?.state === 'loading') return <p class="hint" role="status">Reading the report…</p>;
-  if (report?.state === 'failed') return <p class="hint bad">{report.error.detail} <span class="code">{report.error.code}</span></p>;
+  if (report?.state === 'loading')
+    return (
+      <p class="hint" role="status">
+        Reading the report…
+      </p>
+    );
+  if (report?.state === 'failed')
+    return (
+      <p class="hint bad">
+        {report.error.detail} <span class="code">{report.error.code}</span>
+      </p>
+    );
   if (!report) return null;
   return (
     <ul class="report">
@@ -78,7 +103,10 @@ function Report() {
         <li key={line.label} class={`verdict-${line.verdict}`}>
           <Icon name={line.verdict === 'warn' ? 'alert' : 'check'} />
           <div>
-            <p><span>{line.label}</span><b>{line.value}</b></p>
+            <p>
+              <span>{line.label}</span>
+              <b>{line.value}</b>
+            </p>
             <small>{line.sentence}</small>
           </div>
         </li>
@@ -93,7 +121,9 @@ function Enlarged({ url, name, close }: { url: string; name: string; close: () =
   return (
     <dialog class="enlarged" ref={dialog} onClose={close} onClick={close} aria-label={`${name} still`}>
       <img src={url} alt={`${name} view of the draped garment`} />
-      <button class="tool" aria-label="Close" onClick={close}><Icon name="cross" /></button>
+      <button class="tool" aria-label="Close" onClick={close}>
+        <Icon name="cross" />
+      </button>
     </dialog>
   );
 }

@@ -3,14 +3,17 @@
 import { useSignal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 
-const kLeast = 280, kMost = 760, kFirst = 400, kStep = 24;
+const kLeast = 280,
+  kMost = 760,
+  kFirst = 400,
+  kStep = 24;
 const kKept = 'toile.side';
 
 const kept = (): number => {
   try {
     return Number(localStorage.getItem(kKept)) || kFirst;
   } catch {
-    return kFirst;  // storage may be refused
+    return kFirst; // storage may be refused
   }
 };
 
@@ -37,8 +40,19 @@ export function Splitter() {
     set(width.value + step);
   };
   return (
-    <div ref={bar} class="splitter" role="separator" aria-orientation="vertical" aria-label="Width of the pattern" tabIndex={0}
-      aria-valuenow={width.value} aria-valuemin={kLeast} aria-valuemax={kMost} onKeyDown={keys}
-      onPointerDown={(event) => event.currentTarget.setPointerCapture(event.pointerId)} onPointerMove={drag} />
+    <div
+      ref={bar}
+      class="splitter"
+      role="separator"
+      aria-orientation="vertical"
+      aria-label="Width of the pattern"
+      tabIndex={0}
+      aria-valuenow={width.value}
+      aria-valuemin={kLeast}
+      aria-valuemax={kMost}
+      onKeyDown={keys}
+      onPointerDown={(event) => event.currentTarget.setPointerCapture(event.pointerId)}
+      onPointerMove={drag}
+    />
   );
 }

@@ -13,28 +13,45 @@ export function StartPage() {
   if (projects.value.state === 'failed' && jobs.value.state === 'failed') {
     return (
       <Sheet title="The server does not answer" code={projects.value.error.code}>
-        <p>The page is here, but the service behind it is not. It is asked again by itself; when it runs, everything appears.</p>
-        <p>On this machine <code>./run</code> starts it.</p>
+        <p>
+          The page is here, but the service behind it is not. It is asked again by itself; when it runs, everything
+          appears.
+        </p>
+        <p>
+          On this machine <code>./run</code> starts it.
+        </p>
       </Sheet>
     );
   }
   if (projects.value.state !== 'ready' || jobs.value.state !== 'ready') return null;
-  const lost = route.name === 'unknown'
-    || (route.name === 'job' && !state.job.value)
-    || (route.name === 'project' && !state.project.value);
+  const lost =
+    route.name === 'unknown' ||
+    (route.name === 'job' && !state.job.value) ||
+    (route.name === 'project' && !state.project.value);
   if (lost) {
     return (
       <Sheet title="Nothing is here" code={location.hash}>
         <p>This drape or project does not exist, or no longer does.</p>
-        <p><a class="button primary" href="#/">To the newest drape</a></p>
+        <p>
+          <a class="button primary" href="#/">
+            To the newest drape
+          </a>
+        </p>
       </Sheet>
     );
   }
   if (projects.value.value.length > 0 || jobs.value.value.length > 0) return null;
   return (
     <Sheet title="Drape your first garment">
-      <p>Drop a <b>project.json</b> with its <b>DXF</b> pattern and a <b>body</b> anywhere on this page. Toile sews the pieces around the body and lets them hang, here before your eyes.</p>
-      <p><button class="primary" onClick={() => commands.openIntake()}><Icon name="plus" /> New project</button></p>
+      <p>
+        Drop a <b>project.json</b> with its <b>DXF</b> pattern and a <b>body</b> anywhere on this page. Toile sews the
+        pieces around the body and lets them hang, here before your eyes.
+      </p>
+      <p>
+        <button class="primary" onClick={() => commands.openIntake()}>
+          <Icon name="plus" /> New project
+        </button>
+      </p>
     </Sheet>
   );
 }

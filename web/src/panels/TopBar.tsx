@@ -12,8 +12,15 @@ export function TopBar() {
   const job = state.job.value;
   return (
     <header class="topbar">
-      <button class="tool flat" aria-pressed={state.railShown.value} title="Project list (L)" aria-label="Project list"
-        onClick={() => (state.railShown.value = !state.railShown.value)}><Icon name="list" /></button>
+      <button
+        class="tool flat"
+        aria-pressed={state.railShown.value}
+        title="Project list (L)"
+        aria-label="Project list"
+        onClick={() => (state.railShown.value = !state.railShown.value)}
+      >
+        <Icon name="list" />
+      </button>
       <a class="brand" href="#/" aria-label="Toile, start page">
         <svg viewBox="0 0 32 32" width="22" height="22" aria-hidden="true">
           <rect width="32" height="32" rx="7" />
@@ -23,12 +30,30 @@ export function TopBar() {
         <span>Toile</span>
       </a>
       <div class="crumbs">
-        {project && <a class="crumb" href={`#/projects/${project.id}`} title="Project">{project.name}</a>}
+        {project && (
+          <a class="crumb" href={`#/projects/${project.id}`} title="Project">
+            {project.name}
+          </a>
+        )}
         {!project && job && <span class="crumb">{job.name}</span>}
-        {job && <><span class="crumb-sep" aria-hidden="true">/</span><StateChip state={job.state} /></>}
+        {job && (
+          <>
+            <span class="crumb-sep" aria-hidden="true">
+              /
+            </span>
+            <StateChip state={job.state} />
+          </>
+        )}
       </div>
       <Actions />
-      <button class="tool flat" title="Keys (?)" aria-label="Keyboard shortcuts" onClick={() => (state.helpShown.value = true)}><Icon name="help" /></button>
+      <button
+        class="tool flat"
+        title="Keys (?)"
+        aria-label="Keyboard shortcuts"
+        onClick={() => (state.helpShown.value = true)}
+      >
+        <Icon name="help" />
+      </button>
     </header>
   );
 }
@@ -42,11 +67,28 @@ function Actions() {
   const active = job !== null && isActive(job.state);
   return (
     <div class="actions">
-      {can.cancel && <button class="plain" disabled={offline} onClick={() => void commands.act('cancel')}><Icon name="stop" /> Cancel</button>}
-      {can.pause && <button class="plain" disabled={offline} onClick={() => void commands.act('pause')} title="Pause (Space)"><Icon name="pause" /> Pause</button>}
-      {can.resume && <button class="primary" disabled={offline} onClick={() => void commands.act('resume')} title="Go on (Space)"><Icon name="play" /> Resume</button>}
+      {can.cancel && (
+        <button class="plain" disabled={offline} onClick={() => void commands.act('cancel')}>
+          <Icon name="stop" /> Cancel
+        </button>
+      )}
+      {can.pause && (
+        <button class="plain" disabled={offline} onClick={() => void commands.act('pause')} title="Pause (Space)">
+          <Icon name="pause" /> Pause
+        </button>
+      )}
+      {can.resume && (
+        <button class="primary" disabled={offline} onClick={() => void commands.act('resume')} title="Go on (Space)">
+          <Icon name="play" /> Resume
+        </button>
+      )}
       {!active && state.projectId.value && (
-        <button class="primary" disabled={offline || state.submitting.value} onClick={() => void commands.startDrape()} title="Start drape (Space)">
+        <button
+          class="primary"
+          disabled={offline || state.submitting.value}
+          onClick={() => void commands.startDrape()}
+          title="Start drape (Space)"
+        >
           <Icon name="play" /> {job ? 'Drape again' : 'Start drape'}
         </button>
       )}

@@ -11,7 +11,12 @@ import { PieceShape } from './PieceShape';
 import { fit, panned, viewBox, zoomed, type Viewport } from './Viewport';
 
 const kWheelStep = 1.0015;
-const kPanKeys: Record<string, [number, number]> = { arrowleft: [40, 0], arrowright: [-40, 0], arrowup: [0, 40], arrowdown: [0, -40] };
+const kPanKeys: Record<string, [number, number]> = {
+  arrowleft: [40, 0],
+  arrowright: [-40, 0],
+  arrowup: [0, 40],
+  arrowdown: [0, -40],
+};
 
 export function PatternPane() {
   const state = useAppState();
@@ -19,12 +24,22 @@ export function PatternPane() {
   return (
     <section class="pattern" aria-label="Pattern">
       {pieces === null && <p class="hint">The flat pieces of the garment appear here.</p>}
-      {pieces?.state === 'loading' && <div class="skeleton-pieces" role="status" aria-label="Loading the pattern"><i /><i /><i /><i /></div>}
+      {pieces?.state === 'loading' && (
+        <div class="skeleton-pieces" role="status" aria-label="Loading the pattern">
+          <i />
+          <i />
+          <i />
+          <i />
+        </div>
+      )}
       {pieces?.state === 'failed' && (
         <div class="pane-error" role="alert">
           <h3>The pattern cannot be shown</h3>
           <p>{pieces.error.detail}</p>
-          <p class="code">{pieces.error.code}{pieces.error.where && <> · {pieces.error.where}</>}</p>
+          <p class="code">
+            {pieces.error.code}
+            {pieces.error.where && <> · {pieces.error.where}</>}
+          </p>
         </div>
       )}
       {pieces?.state === 'ready' && <Plane pieces={pieces.value} />}
@@ -50,7 +65,9 @@ function Plane({ pieces }: { pieces: Pieces }) {
   };
   useEffect(() => {
     const element = svg.current!;
-    const watcher = new ResizeObserver(() => (size.value = { width: element.clientWidth || 1, height: element.clientHeight || 1 }));
+    const watcher = new ResizeObserver(
+      () => (size.value = { width: element.clientWidth || 1, height: element.clientHeight || 1 }),
+    );
     watcher.observe(element);
     return () => watcher.disconnect();
   }, []);
@@ -67,7 +84,8 @@ function Plane({ pieces }: { pieces: Pieces }) {
   const wheel = (event: WheelEvent): void => {
     event.preventDefault();
     const box = svg.current!.getBoundingClientRect();
-    const px = event.clientX - box.left - box.width / 2, py = event.clientY - box.top - box.height / 2;
+    const px = event.clientX - box.left - box.width / 2,
+      py = event.clientY - box.top - box.height / 2;
     move(zoomed(view.value, kWheelStep ** -event.deltaY, px, py));
   };
   const keys = (event: KeyboardEvent): void => {
@@ -83,23 +101,53 @@ function Plane({ pieces }: { pieces: Pieces }) {
 
   return (
     <>
-      <svg ref={svg} class="plane" tabindex={0} viewBox={viewBox(view.value, size.value.width, size.value.height)}
-        onWheel={wheel} onKeyDown={keys} {...dragging(() => view.value, move, () => commands.select(null))}
-        aria-label={`${pieces.pieces.length} pieces; arrow keys move, plus and minus zoom, F fits`} role="group">
+      <svg
+        ref={svg}
+        class="plane"
+        tabindex={0}
+        viewBox={viewBox(view.value, size.value.width, size.value.height)}
+        onWheel={wheel}
+        onKeyDown={keys}
+        {...dragging(
+          () => view.value,
+          move,
+          () => commands.select(null),
+        )}
+        aria-label={`${pieces.pieces.length} pieces; arrow keys move, plus and minus zoom, F fits`}
+        role="group"
+      >
         <Paper scale={view.value.scale} />
         {placed.value.map((piece) => (
-          <PieceShape key={piece.piece.id} placed={piece} scale={view.value.scale} lines={lines.filter((line) => line.piece === piece.piece.id)}
-            selected={state.selected.value === piece.piece.id} hovered={state.hovered.value === piece.piece.id}
-            seam={seam.value} onSeam={(id) => (seam.value = id)}
-            onSelect={() => commands.select(state.selected.value === piece.piece.id ? null : piece.piece.id)} onHover={(on) => commands.hover(on ? piece.piece.id : null)} />
+          <PieceShape
+            key={piece.piece.id}
+            placed={piece}
+            scale={view.value.scale}
+            lines={lines.filter((line) => line.piece === piece.piece.id)}
+            selected={state.selected.value === piece.piece.id}
+            hovered={state.hovered.value === piece.piece.id}
+            seam={seam.value}
+            onSeam={(id) => (seam.value = id)}
+            onSelect={() => commands.select(state.selected.value === piece.piece.id ? null : piece.piece.id)}
+            onHover={(on) => commands.hover(on ? piece.piece.id : null)}
+          />
         ))}
       </svg>
       <div class="plane-tools" role="toolbar" aria-label="Pattern view">
-        <button class="tool" title="Zoom out (−)" aria-label="Zoom out" onClick={() => move(zoomed(view.value, 0.8))}>−</button>
-        <button class="tool wide" title="Fit all pieces (F)" onClick={fitAll}>Fit</button>
-        <button class="tool" title="Zoom in (+)" aria-label="Zoom in" onClick={() => move(zoomed(view.value, 1.25))}>+</button>
+        <button class="tool" title="Zoom out (−)" aria-label="Zoom out" onClick={() => move(zoomed(view.value, 0.8))}>
+          −
+        </button>
+        <button class="tool wide" title="Fit all pieces (F)" onClick={fitAll}>
+          Fit
+        </button>
+        <button class="tool" title="Zoom in (+)" aria-label="Zoom in" onClick={() => move(zoomed(view.value, 1.25))}>
+          +
+        </button>
       </div>
-      {seam.value && <p class="seam-note" role="status">Seam <b>{seam.value}</b></p>}
+      {seam.value && (
+        <p class="seam-note" role="status">
+          Seam <b>{seam.value}</b>
+        </p>
+      )}
     </>
   );
 }
@@ -116,7 +164,8 @@ function dragging(view: () => Viewport, move: (next: Viewport) => void, click: (
     },
     onPointerMove: (event: PointerEvent) => {
       if (!last || event.buttons === 0) return;
-      const dx = event.clientX - last.x, dy = event.clientY - last.y;
+      const dx = event.clientX - last.x,
+        dy = event.clientY - last.y;
       if (!last.far && Math.hypot(dx, dy) < 4) return;
       last = { x: event.clientX, y: event.clientY, far: true };
       move(panned(view(), dx, dy));

@@ -17,13 +17,17 @@ const clamped = (scale: number): number => Math.min(kLargest, Math.max(kSmallest
 
 /** Shows a whole box (y up) with a margin in pixels. */
 export function fit(box: Box, width: number, height: number, margin = 28): Viewport {
-  const w = Math.max(box.maxX - box.minX, 1), h = Math.max(box.maxY - box.minY, 1);
+  const w = Math.max(box.maxX - box.minX, 1),
+    h = Math.max(box.maxY - box.minY, 1);
   const scale = clamped(Math.min(Math.max(width - 2 * margin, 20) / w, Math.max(height - 2 * margin, 20) / h));
   return { x: (box.minX + box.maxX) / 2, y: -(box.minY + box.maxY) / 2, scale };
 }
 
-export const panned = (view: Viewport, dxPx: number, dyPx: number): Viewport =>
-  ({ ...view, x: view.x - dxPx / view.scale, y: view.y - dyPx / view.scale });
+export const panned = (view: Viewport, dxPx: number, dyPx: number): Viewport => ({
+  ...view,
+  x: view.x - dxPx / view.scale,
+  y: view.y - dyPx / view.scale,
+});
 
 /** Zooms about a point given in pixels from the view's middle, which stays where it is. */
 export function zoomed(view: Viewport, factor: number, px = 0, py = 0): Viewport {
@@ -33,4 +37,6 @@ export function zoomed(view: Viewport, factor: number, px = 0, py = 0): Viewport
 }
 
 export const viewBox = (view: Viewport, width: number, height: number): string =>
-  [view.x - width / view.scale / 2, view.y - height / view.scale / 2, width / view.scale, height / view.scale].join(' ');
+  [view.x - width / view.scale / 2, view.y - height / view.scale / 2, width / view.scale, height / view.scale].join(
+    ' ',
+  );

@@ -8,11 +8,17 @@ export class BodyObject {
   readonly mesh: Mesh<BufferGeometry, MeshStandardMaterial>;
 
   constructor(colour: number) {
-    this.mesh = new Mesh(new BufferGeometry(), new MeshStandardMaterial({
-      color: colour, roughness: 0.82,
-      // Cloth lies a millimetre away: the body is drawn a little further back, so that none of it shines through.
-      polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 300,
-    }));
+    this.mesh = new Mesh(
+      new BufferGeometry(),
+      new MeshStandardMaterial({
+        color: colour,
+        roughness: 0.82,
+        // Cloth lies a millimetre away: the body is drawn a little further back, so that none of it shines through.
+        polygonOffset: true,
+        polygonOffsetFactor: 2,
+        polygonOffsetUnits: 300,
+      }),
+    );
     this.mesh.castShadow = this.mesh.receiveShadow = true;
     this.mesh.visible = false;
   }

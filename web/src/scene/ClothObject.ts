@@ -1,8 +1,18 @@
 // The cloth in the scene: one mesh over all pieces, its seams, the threads that pull them together, and what is selected.
 
 import {
-  BufferAttribute, BufferGeometry, Color, DoubleSide, DynamicDrawUsage, Group, LineBasicMaterial, LineSegments, Mesh,
-  MeshStandardMaterial, type DataTexture, type Intersection,
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  DoubleSide,
+  DynamicDrawUsage,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  MeshStandardMaterial,
+  type DataTexture,
+  type Intersection,
 } from 'three';
 import type { ClothTopology } from '../api/frames';
 import { rimEdges, seamEdges, shareNormals, vertexNormals, weldGroups, widestGap, type WeldGroups } from './surface';
@@ -31,8 +41,14 @@ export class ClothObject {
   private threads_: LineSegments | null = null;
   private weave_: DataTexture = weaveTexture();
   private readonly material_ = new MeshStandardMaterial({
-    side: DoubleSide, vertexColors: true, roughness: 0.92, metalness: 0,
-    map: this.weave_, polygonOffset: true, polygonOffsetFactor: 0.25, polygonOffsetUnits: 1,
+    side: DoubleSide,
+    vertexColors: true,
+    roughness: 0.92,
+    metalness: 0,
+    map: this.weave_,
+    polygonOffset: true,
+    polygonOffsetFactor: 0.25,
+    polygonOffsetUnits: 1,
   });
   private readonly seamMaterial_ = new LineBasicMaterial({ color: 0x000000, transparent: true, opacity: 0.45 });
   private readonly wireMaterial_ = new LineBasicMaterial({ color: 0x000000, transparent: true, opacity: 0.22 });
@@ -66,7 +82,7 @@ export class ClothObject {
     this.wires_ = this.addLines(allEdges(triangles, vertexCount), this.wireMaterial_, 1);
     this.rimOfPiece_ = this.addLines(new Uint32Array(0), this.rimMaterial_, 3);
     this.rim_ = rim;
-    this.group.visible = false;  // until the first positions are there
+    this.group.visible = false; // until the first positions are there
     this.paint();
     this.showWires(this.wiresShown_);
   }
@@ -110,13 +126,24 @@ export class ClothObject {
   /** The piece under a hit of the surface. */
   pieceAt(hit: Intersection): string | null {
     const vertex = hit.face?.a ?? -1;
-    return this.topology_?.pieces.find((piece) => vertex >= piece.firstVertex && vertex < piece.firstVertex + piece.vertexCount)?.id ?? null;
+    return (
+      this.topology_?.pieces.find(
+        (piece) => vertex >= piece.firstVertex && vertex < piece.firstVertex + piece.vertexCount,
+      )?.id ?? null
+    );
   }
 
   dispose(): void {
     this.clear();
     this.weave_.dispose();
-    for (const material of [this.material_, this.seamMaterial_, this.wireMaterial_, this.threadMaterial_, this.rimMaterial_]) material.dispose();
+    for (const material of [
+      this.material_,
+      this.seamMaterial_,
+      this.wireMaterial_,
+      this.threadMaterial_,
+      this.rimMaterial_,
+    ])
+      material.dispose();
   }
 
   private rim_: Uint32Array = new Uint32Array(0);
@@ -133,8 +160,14 @@ export class ClothObject {
 
   /** A triangle that is never seen: with it the shaders are made before the first frame needs them. */
   private addStandIn(): void {
-    const names = [['position', 3], ['normal', 3], ['color', 3], ['uv', 2]] as const;
-    for (const [name, size] of names) this.geometry_.setAttribute(name, new BufferAttribute(new Float32Array(3 * size), size));
+    const names = [
+      ['position', 3],
+      ['normal', 3],
+      ['color', 3],
+      ['uv', 2],
+    ] as const;
+    for (const [name, size] of names)
+      this.geometry_.setAttribute(name, new BufferAttribute(new Float32Array(3 * size), size));
     const surface = new Mesh(this.geometry_, this.material_);
     surface.castShadow = surface.receiveShadow = true;
     const lines = new LineSegments(this.geometry_, this.seamMaterial_);
@@ -142,11 +175,18 @@ export class ClothObject {
   }
 
   private addSurface({ vertexCount, triangles, rest }: ClothTopology): void {
-    const dynamic = (): BufferAttribute => new BufferAttribute(new Float32Array(3 * vertexCount), 3).setUsage(DynamicDrawUsage);
+    const dynamic = (): BufferAttribute =>
+      new BufferAttribute(new Float32Array(3 * vertexCount), 3).setUsage(DynamicDrawUsage);
     this.geometry_.setAttribute('position', dynamic());
     this.geometry_.setAttribute('normal', dynamic());
     this.geometry_.setAttribute('color', new BufferAttribute(new Float32Array(3 * vertexCount), 3));
-    this.geometry_.setAttribute('uv', new BufferAttribute(rest.map((metres) => metres / kTileMetres), 2));
+    this.geometry_.setAttribute(
+      'uv',
+      new BufferAttribute(
+        rest.map((metres) => metres / kTileMetres),
+        2,
+      ),
+    );
     this.geometry_.setIndex(new BufferAttribute(triangles, 1));
     this.mesh_ = new Mesh(this.geometry_, this.material_);
     this.mesh_.castShadow = this.mesh_.receiveShadow = true;
@@ -181,9 +221,11 @@ export class ClothObject {
 
   private outlineSelected(): void {
     const piece = this.topology_?.pieces.find((candidate) => candidate.id === this.selected_);
-    const inside = (v: number): boolean => !!piece && v >= piece.firstVertex && v < piece.firstVertex + piece.vertexCount;
+    const inside = (v: number): boolean =>
+      !!piece && v >= piece.firstVertex && v < piece.firstVertex + piece.vertexCount;
     const edges: number[] = [];
-    for (let i = 0; i < this.rim_.length; i += 2) if (inside(this.rim_[i]!)) edges.push(this.rim_[i]!, this.rim_[i + 1]!);
+    for (let i = 0; i < this.rim_.length; i += 2)
+      if (inside(this.rim_[i]!)) edges.push(this.rim_[i]!, this.rim_[i + 1]!);
     if (!this.rimOfPiece_) return;
     this.rimOfPiece_.geometry.setIndex(new BufferAttribute(new Uint32Array(edges), 1));
     this.rimOfPiece_.visible = edges.length > 0;
@@ -195,7 +237,8 @@ function allEdges(triangles: Uint32Array, vertexCount: number): Uint32Array {
   const edges = new Map<number, [number, number]>();
   for (let t = 0; t < triangles.length; t += 3) {
     for (let k = 0; k < 3; ++k) {
-      const a = triangles[t + k]!, b = triangles[t + ((k + 1) % 3)]!;
+      const a = triangles[t + k]!,
+        b = triangles[t + ((k + 1) % 3)]!;
       edges.set(Math.min(a, b) * vertexCount + Math.max(a, b), [a, b]);
     }
   }

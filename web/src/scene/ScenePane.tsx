@@ -18,7 +18,13 @@ const kViews: { view: View; title: string; key: string }[] = [
 ];
 
 const kNudges: Record<string, [number, number, number]> = {
-  arrowleft: [-10, 0, 1], arrowright: [10, 0, 1], arrowup: [0, 6, 1], arrowdown: [0, -6, 1], '+': [0, 0, 0.88], '=': [0, 0, 0.88], '-': [0, 0, 1.14],
+  arrowleft: [-10, 0, 1],
+  arrowright: [10, 0, 1],
+  arrowup: [0, 6, 1],
+  arrowdown: [0, -6, 1],
+  '+': [0, 0, 0.88],
+  '=': [0, 0, 0.88],
+  '-': [0, 0, 1.14],
 };
 
 export interface ScenePaneProps {
@@ -39,12 +45,18 @@ export function ScenePane({ load, drawn }: ScenePaneProps) {
   useEffect(() => {
     let gone = false;
     let stop = (): void => undefined;
-    load().then(({ SceneView }) => {
-      if (gone || !canvas.current) return;
-      const events = { select: (p: string | null) => commands.select(p), hover: (p: string | null) => commands.hover(p), drawn };
-      scene.current = new SceneView(canvas.current, state.cloth, events, token('--accent-3d'));
-      stop = connect(scene.current, state);
-    }).catch((error: unknown) => (failed.value = error instanceof Error ? error.message : String(error)));
+    load()
+      .then(({ SceneView }) => {
+        if (gone || !canvas.current) return;
+        const events = {
+          select: (p: string | null) => commands.select(p),
+          hover: (p: string | null) => commands.hover(p),
+          drawn,
+        };
+        scene.current = new SceneView(canvas.current, state.cloth, events, token('--accent-3d'));
+        stop = connect(scene.current, state);
+      })
+      .catch((error: unknown) => (failed.value = error instanceof Error ? error.message : String(error)));
     return () => {
       gone = true;
       stop();
@@ -62,16 +74,43 @@ export function ScenePane({ load, drawn }: ScenePaneProps) {
   return (
     <section class="scene" aria-label="3D view">
       <div class="scene-canvas">
-        <canvas ref={canvas} tabIndex={0} onKeyDown={keys} aria-label="Body and cloth; arrow keys turn, plus and minus zoom" />
+        <canvas
+          ref={canvas}
+          tabIndex={0}
+          onKeyDown={keys}
+          aria-label="Body and cloth; arrow keys turn, plus and minus zoom"
+        />
       </div>
-      {failed.value ? <Message title="No 3D here" text={`This browser could not open WebGL 2: ${failed.value}`} /> : <Overlay />}
+      {failed.value ? (
+        <Message title="No 3D here" text={`This browser could not open WebGL 2: ${failed.value}`} />
+      ) : (
+        <Overlay />
+      )}
       <div class="scene-tools" role="toolbar" aria-label="Views">
         {kViews.map(({ view, title, key }) => (
-          <button key={view} class="tool" onClick={() => commands.showView(view)} title={`${title} view (${key})`} aria-label={`${view} view`}>{title}</button>
+          <button
+            key={view}
+            class="tool"
+            onClick={() => commands.showView(view)}
+            title={`${title} view (${key})`}
+            aria-label={`${view} view`}
+          >
+            {title}
+          </button>
         ))}
         <span class="tool-gap" />
-        <Toggle on={state.bodyShown.value} title="Body (B)" label="Body" flip={() => (state.bodyShown.value = !state.bodyShown.value)} />
-        <Toggle on={state.meshShown.value} title="Mesh (M)" label="Mesh" flip={() => (state.meshShown.value = !state.meshShown.value)} />
+        <Toggle
+          on={state.bodyShown.value}
+          title="Body (B)"
+          label="Body"
+          flip={() => (state.bodyShown.value = !state.bodyShown.value)}
+        />
+        <Toggle
+          on={state.meshShown.value}
+          title="Mesh (M)"
+          label="Mesh"
+          flip={() => (state.meshShown.value = !state.meshShown.value)}
+        />
       </div>
     </section>
   );
@@ -81,9 +120,13 @@ export function ScenePane({ load, drawn }: ScenePaneProps) {
 function connect(scene: SceneView, state: AppState): () => void {
   const dark = matchMedia('(prefers-color-scheme: dark)');
   const calm = matchMedia('(prefers-reduced-motion: reduce)');
-  const paint = (): void => scene.paint({
-    air: [token('--air-top'), token('--air-bottom')], grid: token('--grid-3d'), shadow: Number(token('--shadow-3d')) || 0.3, dark: dark.matches,
-  });
+  const paint = (): void =>
+    scene.paint({
+      air: [token('--air-top'), token('--air-bottom')],
+      grid: token('--grid-3d'),
+      shadow: Number(token('--shadow-3d')) || 0.3,
+      dark: dark.matches,
+    });
   paint();
   dark.addEventListener('change', paint);
   const turn = state.view.peek().turn;
@@ -100,7 +143,11 @@ function connect(scene: SceneView, state: AppState): () => void {
 }
 
 function Toggle({ on, title, label, flip }: { on: boolean; title: string; label: string; flip: () => void }) {
-  return <button class="tool" aria-pressed={on} title={title} onClick={flip}>{label}</button>;
+  return (
+    <button class="tool" aria-pressed={on} title={title} onClick={flip}>
+      {label}
+    </button>
+  );
 }
 
 function Message({ title, text, children }: { title: string; text: string; children?: preact.ComponentChildren }) {
@@ -127,7 +174,8 @@ function Overlay() {
   const job = state.job.value;
   if (job?.state === 'queued') {
     const ahead = placeInQueue(state.allJobs.value, job.id);
-    const text = ahead === 0 ? 'It is next; a worker takes it as soon as one is free.' : `${counted(ahead, 'drape')} before it.`;
+    const text =
+      ahead === 0 ? 'It is next; a worker takes it as soon as one is free.' : `${counted(ahead, 'drape')} before it.`;
     return <Message title="In the queue" text={text} />;
   }
   if (job && isActive(job.state)) {
@@ -138,13 +186,20 @@ function Overlay() {
       </div>
     );
   }
-  if (job && job.state === 'failed') return <Message title="This drape failed" text={job.reason || 'It ended without a result.'} />;
-  if (job && job.state === 'cancelled') return <Message title="Cancelled" text="This drape was stopped before it had cloth to show." />;
+  if (job && job.state === 'failed')
+    return <Message title="This drape failed" text={job.reason || 'It ended without a result.'} />;
+  if (job && job.state === 'cancelled')
+    return <Message title="Cancelled" text="This drape was stopped before it had cloth to show." />;
   if (job) return null;
   if (state.route.value.name === 'project' && state.project.value) {
     return (
-      <Message title="Not draped yet" text="The pieces are read and ready. A drape sews them around the body and lets them hang.">
-        <button class="primary" disabled={state.submitting.value} onClick={() => void commands.startDrape()}>Start drape <kbd>Space</kbd></button>
+      <Message
+        title="Not draped yet"
+        text="The pieces are read and ready. A drape sews them around the body and lets them hang."
+      >
+        <button class="primary" disabled={state.submitting.value} onClick={() => void commands.startDrape()}>
+          Start drape <kbd>Space</kbd>
+        </button>
       </Message>
     );
   }

@@ -2,7 +2,15 @@
 // selection, the size. Loaded by itself, because three.js comes with it.
 
 import {
-  Color, NeutralToneMapping, PCFShadowMap, PerspectiveCamera, Raycaster, Scene, SRGBColorSpace, Vector2, Vector3,
+  Color,
+  NeutralToneMapping,
+  PCFShadowMap,
+  PerspectiveCamera,
+  Raycaster,
+  Scene,
+  SRGBColorSpace,
+  Vector2,
+  Vector3,
   WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
@@ -19,7 +27,8 @@ const kTurnMs = 320;
 /** A press that moves less than this, in pixels, is a click. */
 const kClickPx = 4;
 /** Slower than this, the picture gets coarser; faster, finer again. */
-const kSlowMs = 50, kFastMs = 24;
+const kSlowMs = 50,
+  kFastMs = 24;
 const kCoarsest = 0.6;
 /** A longer wait than this was not the machine's slowness: nothing had changed. */
 const kPauseMs = 400;
@@ -62,15 +71,29 @@ export class SceneView {
   private sharpness_ = 1;
   private rest_: ReturnType<typeof setTimeout> | undefined;
 
-  constructor(private readonly canvas_: HTMLCanvasElement, private readonly live_: LiveCloth, private readonly events_: SceneEvents, accent: string) {
+  constructor(
+    private readonly canvas_: HTMLCanvasElement,
+    private readonly live_: LiveCloth,
+    private readonly events_: SceneEvents,
+    accent: string,
+  ) {
     this.slow_ = !hasGraphicsCard();
-    this.renderer_ = new WebGLRenderer({ canvas: canvas_, antialias: !this.slow_, alpha: true, powerPreference: 'high-performance' });
+    this.renderer_ = new WebGLRenderer({
+      canvas: canvas_,
+      antialias: !this.slow_,
+      alpha: true,
+      powerPreference: 'high-performance',
+    });
     this.renderer_.toneMappingExposure = 1.12;
     this.renderer_.outputColorSpace = SRGBColorSpace;
     this.renderer_.toneMapping = NeutralToneMapping;
     this.renderer_.shadowMap.enabled = true;
     this.renderer_.shadowMap.type = PCFShadowMap;
-    this.cloth_ = new ClothObject({ thread: new Color(accent), selected: new Color(accent), hovered: new Color('#ffffff') });
+    this.cloth_ = new ClothObject({
+      thread: new Color(accent),
+      selected: new Color(accent),
+      hovered: new Color('#ffffff'),
+    });
     this.body_ = new BodyObject(0xcfc8bf);
     this.scene_.add(this.studio_.group, this.body_.mesh, this.cloth_.group);
     this.controls_ = this.makeControls();
@@ -200,7 +223,8 @@ export class SceneView {
     const spent = now - this.lastDraw_;
     this.lastDraw_ = now;
     if (spent < kPauseMs) this.pace_ += 0.2 * (spent - this.pace_);
-    const finest = Math.min(window.devicePixelRatio, 2), rest = this.slow_ ? 1.5 * finest : finest;
+    const finest = Math.min(window.devicePixelRatio, 2),
+      rest = this.slow_ ? 1.5 * finest : finest;
     if (this.pace_ > kSlowMs && spent < kPauseMs) this.sharpness_ = Math.max(kCoarsest, this.sharpness_ * 0.8);
     else if (this.pace_ < kFastMs) this.sharpness_ = Math.min(1, this.sharpness_ * 1.05);
     this.render(finest * this.sharpness_);
@@ -244,7 +268,8 @@ export class SceneView {
 
   private resize(): void {
     const box = this.canvas_.parentElement ?? this.canvas_;
-    const width = Math.max(1, box.clientWidth), height = Math.max(1, box.clientHeight);
+    const width = Math.max(1, box.clientWidth),
+      height = Math.max(1, box.clientHeight);
     this.renderer_.setSize(width, height, false);
     this.camera_.aspect = width / height;
     this.camera_.updateProjectionMatrix();
@@ -258,7 +283,8 @@ export class SceneView {
       const press = this.press_;
       this.press_ = null;
       if (!press || event.button !== 0) return;
-      if (Math.hypot(event.clientX - press[0], event.clientY - press[1]) < kClickPx) this.events_.select(this.pieceUnder(event));
+      if (Math.hypot(event.clientX - press[0], event.clientY - press[1]) < kClickPx)
+        this.events_.select(this.pieceUnder(event));
     });
     this.canvas_.addEventListener('pointermove', (event) => {
       if (event.buttons === 0 && event.pointerType === 'mouse') this.events_.hover(this.pieceUnder(event));
@@ -270,7 +296,10 @@ export class SceneView {
     const mesh = this.cloth_.mesh;
     if (!mesh || !this.cloth_.positions) return null;
     const box = this.canvas_.getBoundingClientRect();
-    const pointer = new Vector2(((event.clientX - box.left) / box.width) * 2 - 1, 1 - ((event.clientY - box.top) / box.height) * 2);
+    const pointer = new Vector2(
+      ((event.clientX - box.left) / box.width) * 2 - 1,
+      1 - ((event.clientY - box.top) / box.height) * 2,
+    );
     this.raycaster_.setFromCamera(pointer, this.camera_);
     const hit = this.raycaster_.intersectObjects(this.body_.mesh.visible ? [mesh, this.body_.mesh] : [mesh], false)[0];
     return hit && hit.object === mesh ? this.cloth_.pieceAt(hit) : null;
@@ -288,13 +317,18 @@ function hasGraphicsCard(): boolean {
 function blend(from: Pose, to: Pose, t: number): Pose {
   const target = from.target.map((x, k) => x + t * (to.target[k]! - x)) as Vec3;
   const arm = (pose: Pose): Vector3 => new Vector3(...pose.eye).sub(new Vector3(...pose.target));
-  const a = arm(from), b = arm(to);
+  const a = arm(from),
+    b = arm(to);
   const angle = (v: Vector3): number => Math.atan2(v.x, v.z);
   let turn = angle(b) - angle(a);
   if (turn > Math.PI) turn -= 2 * Math.PI;
   if (turn < -Math.PI) turn += 2 * Math.PI;
   const heading = angle(a) + t * turn;
   const flat = Math.hypot(a.x, a.z) * (1 - t) + Math.hypot(b.x, b.z) * t;
-  const eye: Vec3 = [target[0] + flat * Math.sin(heading), target[1] + a.y * (1 - t) + b.y * t, target[2] + flat * Math.cos(heading)];
+  const eye: Vec3 = [
+    target[0] + flat * Math.sin(heading),
+    target[1] + a.y * (1 - t) + b.y * t,
+    target[2] + flat * Math.cos(heading),
+  ];
   return { eye, target };
 }

@@ -2,7 +2,15 @@
 // that fades into the background.
 
 import {
-  Color, DirectionalLight, Group, HemisphereLight, Mesh, PlaneGeometry, ShaderMaterial, ShadowMaterial, Vector3,
+  Color,
+  DirectionalLight,
+  Group,
+  HemisphereLight,
+  Mesh,
+  PlaneGeometry,
+  ShaderMaterial,
+  ShadowMaterial,
+  Vector3,
 } from 'three';
 
 export interface StudioColours {
@@ -45,8 +53,13 @@ export class Studio {
   face(eye: Vector3, target: Vector3): void {
     const heading = Math.atan2(eye.x - target.x, eye.z - target.z);
     const place = (light: DirectionalLight, right: number, up: number, front: number): void => {
-      const s = Math.sin(heading), c = Math.cos(heading);
-      light.position.set(target.x + 3 * (right * c + front * s), target.y + 3 * up, target.z + 3 * (front * c - right * s));
+      const s = Math.sin(heading),
+        c = Math.cos(heading);
+      light.position.set(
+        target.x + 3 * (right * c + front * s),
+        target.y + 3 * up,
+        target.z + 3 * (front * c - right * s),
+      );
       light.target.position.copy(target);
       light.target.updateMatrixWorld();
     };

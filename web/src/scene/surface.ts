@@ -14,7 +14,8 @@ export function weldGroups(sewn: Uint32Array, vertexCount: number): WeldGroups {
     return v;
   };
   for (let i = 0; i < sewn.length; i += 2) {
-    const a = root(sewn[i]!), b = root(sewn[i + 1]!);
+    const a = root(sewn[i]!),
+      b = root(sewn[i + 1]!);
     parent[Math.max(a, b)] = Math.min(a, b);
   }
   const groups = new Map<number, number[]>();
@@ -37,10 +38,18 @@ export function weldGroups(sewn: Uint32Array, vertexCount: number): WeldGroups {
 export function vertexNormals(positions: Float32Array, triangles: Uint32Array, out: Float32Array): void {
   out.fill(0);
   for (let t = 0; t < triangles.length; t += 3) {
-    const a = 3 * triangles[t]!, b = 3 * triangles[t + 1]!, c = 3 * triangles[t + 2]!;
-    const ux = positions[b]! - positions[a]!, uy = positions[b + 1]! - positions[a + 1]!, uz = positions[b + 2]! - positions[a + 2]!;
-    const vx = positions[c]! - positions[a]!, vy = positions[c + 1]! - positions[a + 1]!, vz = positions[c + 2]! - positions[a + 2]!;
-    const nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
+    const a = 3 * triangles[t]!,
+      b = 3 * triangles[t + 1]!,
+      c = 3 * triangles[t + 2]!;
+    const ux = positions[b]! - positions[a]!,
+      uy = positions[b + 1]! - positions[a + 1]!,
+      uz = positions[b + 2]! - positions[a + 2]!;
+    const vx = positions[c]! - positions[a]!,
+      vy = positions[c + 1]! - positions[a + 1]!,
+      vz = positions[c + 2]! - positions[a + 2]!;
+    const nx = uy * vz - uz * vy,
+      ny = uz * vx - ux * vz,
+      nz = ux * vy - uy * vx;
     for (const v of [a, b, c]) {
       out[v]! += nx;
       out[v + 1]! += ny;
@@ -52,9 +61,13 @@ export function vertexNormals(positions: Float32Array, triangles: Uint32Array, o
 /** Sewn vertices share their normal once they lie together; before, each side keeps its own. Then all get length 1. */
 export function shareNormals(positions: Float32Array, welds: WeldGroups, out: Float32Array, closed = 0.002): void {
   for (let g = 0; g + 1 < welds.start.length; ++g) {
-    const first = welds.start[g]!, end = welds.start[g + 1]!;
+    const first = welds.start[g]!,
+      end = welds.start[g + 1]!;
     const a = 3 * welds.members[first]!;
-    let x = 0, y = 0, z = 0, apart = false;
+    let x = 0,
+      y = 0,
+      z = 0,
+      apart = false;
     for (let i = first; i < end; ++i) {
       const v = 3 * welds.members[i]!;
       x += out[v]!;
@@ -81,7 +94,8 @@ export function rimEdges(triangles: Uint32Array, vertexCount: number): Uint32Arr
   const once = new Map<number, [number, number]>();
   for (let t = 0; t < triangles.length; t += 3) {
     for (let k = 0; k < 3; ++k) {
-      const a = triangles[t + k]!, b = triangles[t + ((k + 1) % 3)]!;
+      const a = triangles[t + k]!,
+        b = triangles[t + ((k + 1) % 3)]!;
       const key = Math.min(a, b) * vertexCount + Math.max(a, b);
       if (once.has(key)) once.delete(key);
       else once.set(key, [a, b]);
@@ -103,6 +117,7 @@ export function seamEdges(rim: Uint32Array, sewn: Uint32Array): Uint32Array {
 /** Widest distance between the two ends of a sewn pair, m. */
 export function widestGap(positions: Float32Array, sewn: Uint32Array): number {
   let widest = 0;
-  for (let i = 0; i < sewn.length; i += 2) widest = Math.max(widest, distance(positions, 3 * sewn[i]!, 3 * sewn[i + 1]!));
+  for (let i = 0; i < sewn.length; i += 2)
+    widest = Math.max(widest, distance(positions, 3 * sewn[i]!, 3 * sewn[i + 1]!));
   return widest;
 }

@@ -11,10 +11,7 @@ import { LiveCloth } from './LiveCloth';
 import type { Route } from './routes';
 
 /** Something that is fetched. */
-export type Loaded<T> =
-  | { state: 'loading' }
-  | { state: 'ready'; value: T }
-  | { state: 'failed'; error: ApiError };
+export type Loaded<T> = { state: 'loading' } | { state: 'ready'; value: T } | { state: 'failed'; error: ApiError };
 
 export const loading = { state: 'loading' } as const;
 export const ready = <T>(value: T): Loaded<T> => ({ state: 'ready', value });
@@ -86,18 +83,23 @@ export class AppState {
   /** The job on the page: the route's, or the newest of the route's project. */
   readonly job: ReadonlySignal<Job | null> = computed(() => {
     const route = this.route.value;
-    const found = route.name === 'job' ? this.allJobs.value.find((job) => job.id === route.id) ?? null
-      : route.name === 'project' ? newestJobOf(this.allJobs.value, route.id) : null;
+    const found =
+      route.name === 'job'
+        ? (this.allJobs.value.find((job) => job.id === route.id) ?? null)
+        : route.name === 'project'
+          ? newestJobOf(this.allJobs.value, route.id)
+          : null;
     return found && withProgress(found, this.watched.value === found.id ? this.progress.value : null);
   });
 
   readonly projectId: ReadonlySignal<string | null> = computed(() => {
     const route = this.route.value;
-    return route.name === 'project' ? route.id : this.job.value?.project_id ?? null;
+    return route.name === 'project' ? route.id : (this.job.value?.project_id ?? null);
   });
 
-  readonly project: ReadonlySignal<Project | null> = computed(() =>
-    valueOf(this.projects.value)?.find((project) => project.id === this.projectId.value) ?? null);
+  readonly project: ReadonlySignal<Project | null> = computed(
+    () => valueOf(this.projects.value)?.find((project) => project.id === this.projectId.value) ?? null,
+  );
 
   readonly anyActive: ReadonlySignal<boolean> = computed(() => this.allJobs.value.some((job) => isActive(job.state)));
 

@@ -80,12 +80,26 @@ export function starterDocument(dxf: string, pieces: readonly string[]): Record<
     placement: { wrapped: { radius: 0.3, angle: Math.round((360 * i) / pieces.length), height: 1.1 } },
   }));
   const cotton = {
-    id: 'cotton', name: 'Plain-woven cotton', areal_mass_g_m2: 150, stretch_warp_n_m: 2500, stretch_weft_n_m: 1800,
-    stretch_coupling_n_m: 400, stretch_shear_n_m: 500, bend_warp_un_m: 10, bend_weft_un_m: 8, bend_bias_un_m: 7,
-    thickness_mm: 0.4, friction: 0.35, colour: [0.55, 0.62, 0.72],
+    id: 'cotton',
+    name: 'Plain-woven cotton',
+    areal_mass_g_m2: 150,
+    stretch_warp_n_m: 2500,
+    stretch_weft_n_m: 1800,
+    stretch_coupling_n_m: 400,
+    stretch_shear_n_m: 500,
+    bend_warp_un_m: 10,
+    bend_weft_un_m: 8,
+    bend_bias_un_m: 7,
+    thickness_mm: 0.4,
+    friction: 0.35,
+    colour: [0.55, 0.62, 0.72],
   };
   return {
-    toile: 1, name: dxf.replace(/\.dxf$/i, ''), pieces: placed, fabrics: [cotton], seams: [],
+    toile: 1,
+    name: dxf.replace(/\.dxf$/i, ''),
+    pieces: placed,
+    fabrics: [cotton],
+    seams: [],
     bodies: [{ id: 'body', mannequin: { height_cm: 170 } }],
   };
 }
@@ -98,7 +112,11 @@ async function readDocument(file: GivenFile, problems: IntakeProblem[]): Promise
   try {
     const value: unknown = JSON.parse(await file.blob.text());
     if (isObject(value) && 'toile' in value) return value;
-    problems.push({ code: 'project.format', text: 'This JSON file is no Toile project: it has no key "toile".', where: file.name });
+    problems.push({
+      code: 'project.format',
+      text: 'This JSON file is no Toile project: it has no key "toile".',
+      where: file.name,
+    });
   } catch (error) {
     problems.push({ code: 'json.malformed', text: `Not valid JSON: ${(error as Error).message}`, where: file.name });
   }
@@ -110,26 +128,44 @@ export async function planIntake(given: readonly GivenFile[]): Promise<IntakePla
   const files = given.filter((file, i) => !given.slice(i + 1).some((later) => sameName(later.name, file.name)));
   const problems: IntakeProblem[] = [];
   for (const { name, blob } of files) {
-    if (blob.size > kLargestFile) problems.push({ code: 'file.too_large', text: 'Files have at most 64 MiB.', where: name });
+    if (blob.size > kLargestFile)
+      problems.push({ code: 'file.too_large', text: 'Files have at most 64 MiB.', where: name });
     else if (!isDxf(name) && !isJson(name) && !kBodyFile.test(name)) {
-      problems.push({ code: 'file.kind', text: 'Neither a project (.json), a pattern (.dxf) nor a body (.obj, .glb, …).', where: name });
+      problems.push({
+        code: 'file.kind',
+        text: 'Neither a project (.json), a pattern (.dxf) nor a body (.obj, .glb, …).',
+        where: name,
+      });
     }
   }
   const documents = files.filter((file) => isJson(file.name));
   if (documents.length > 1) {
-    problems.push({ code: 'project.several', text: 'One project at a time: leave one document away.', where: documents.map((d) => d.name).join(', ') });
+    problems.push({
+      code: 'project.several',
+      text: 'One project at a time: leave one document away.',
+      where: documents.map((d) => d.name).join(', '),
+    });
   }
   const document = documents.length === 1 ? await readDocument(documents[0]!, problems) : null;
   return document ? planWith(document, documents[0]!.name, files, problems) : planWithout(files, problems);
 }
 
-function planWith(document: Record<string, unknown>, documentName: string, files: readonly GivenFile[],
-                  problems: IntakeProblem[]): IntakePlan {
-  const needed = filesNamedBy(document)
-    .map((need) => ({ ...need, file: files.find((file) => sameName(file.name, need.name)) ?? null }));
-  const unused = files.filter((file) => !isJson(file.name) && !needed.some((need) => need.file === file)).map((file) => file.name);
+function planWith(
+  document: Record<string, unknown>,
+  documentName: string,
+  files: readonly GivenFile[],
+  problems: IntakeProblem[],
+): IntakePlan {
+  const needed = filesNamedBy(document).map((need) => ({
+    ...need,
+    file: files.find((file) => sameName(file.name, need.name)) ?? null,
+  }));
+  const unused = files
+    .filter((file) => !isJson(file.name) && !needed.some((need) => need.file === file))
+    .map((file) => file.name);
   const ready = problems.length === 0 && needed.every((need) => need.file !== null);
-  const name = typeof document.name === 'string' && document.name ? document.name : documentName.replace(/\.json$/i, '');
+  const name =
+    typeof document.name === 'string' && document.name ? document.name : documentName.replace(/\.json$/i, '');
   return { document, documentName, name, needed, unused, problems, loose: null, ready };
 }
 

@@ -26,7 +26,14 @@ const phaseNames: Record<string, string> = {
 export const phaseName = (phase: string): string => phaseNames[phase] ?? phase;
 
 /** How much of a drape's time its phases usually take, in their order. */
-const kShares: [string, number][] = [['mesh', 0.04], ['place', 0.01], ['sew', 0.3], ['drape', 0.58], ['check', 0.02], ['stills', 0.05]];
+const kShares: [string, number][] = [
+  ['mesh', 0.04],
+  ['place', 0.01],
+  ['sew', 0.3],
+  ['drape', 0.58],
+  ['check', 0.02],
+  ['stills', 0.05],
+];
 
 /** How much of the whole is done, 0 to 1, from how much of a phase is. */
 export function overall(phase: string, fraction: number): number {

@@ -21,7 +21,12 @@ export function boxOf(points: readonly Point[]): Box {
 }
 
 export function joined(boxes: readonly Box[]): Box {
-  return boxOf(boxes.flatMap((box): Point[] => [[box.minX, box.minY], [box.maxX, box.maxY]]));
+  return boxOf(
+    boxes.flatMap((box): Point[] => [
+      [box.minX, box.minY],
+      [box.maxX, box.maxY],
+    ]),
+  );
 }
 
 export interface PlacedPiece {
@@ -33,8 +38,12 @@ export interface PlacedPiece {
   centre: Point;
 }
 
-const moved = (box: Box, [dx, dy]: Point): Box =>
-  ({ minX: box.minX + dx, minY: box.minY + dy, maxX: box.maxX + dx, maxY: box.maxY + dy });
+const moved = (box: Box, [dx, dy]: Point): Box => ({
+  minX: box.minX + dx,
+  minY: box.minY + dy,
+  maxX: box.maxX + dx,
+  maxY: box.maxY + dy,
+});
 const overlap = (a: Box, b: Box): boolean => a.minX < b.maxX && b.minX < a.maxX && a.minY < b.maxY && b.minY < a.maxY;
 
 /** Space between pieces that are laid out anew, mm. */
@@ -61,7 +70,9 @@ function inRows(boxes: readonly Box[]): Point[] {
   const width = Math.max(Math.sqrt(area) * 1.15, ...boxes.map((b) => b.maxX - b.minX));
   const order = boxes.map((_, i) => i).sort((a, b) => heightOf(boxes[b]!) - heightOf(boxes[a]!) || a - b);
   const offsets: Point[] = boxes.map(() => [0, 0]);
-  let x = 0, y = 0, row = 0;
+  let x = 0,
+    y = 0,
+    row = 0;
   for (const i of order) {
     const box = boxes[i]!;
     const w = box.maxX - box.minX;
@@ -121,18 +132,23 @@ export interface SeamLine {
 
 /** Every sewn edge as a line in its piece's coordinates; edges the pieces do not have are left away. */
 export function seamLines(pieces: readonly Piece[], seams: readonly Seam[]): SeamLine[] {
-  const edges = new Map(pieces.flatMap((piece) => piece.edges.map((edge) => [`${piece.id}\n${edge.id}`, edge.points] as const)));
+  const edges = new Map(
+    pieces.flatMap((piece) => piece.edges.map((edge) => [`${piece.id}\n${edge.id}`, edge.points] as const)),
+  );
   return seams.flatMap((seam, index) =>
     (['a', 'b'] as const).flatMap((side) =>
       seam[side].flatMap((use): SeamLine[] => {
         const points = edges.get(`${use.piece}\n${use.edge}`);
         return points ? [{ seam: seam.id, index, piece: use.piece, side, points }] : [];
-      })));
+      }),
+    ),
+  );
 }
 
 export function lengthOf(points: readonly Point[]): number {
   let sum = 0;
-  for (let i = 1; i < points.length; ++i) sum += Math.hypot(points[i]![0] - points[i - 1]![0], points[i]![1] - points[i - 1]![1]);
+  for (let i = 1; i < points.length; ++i)
+    sum += Math.hypot(points[i]![0] - points[i - 1]![0], points[i]![1] - points[i - 1]![1]);
   return sum;
 }
 
@@ -140,5 +156,8 @@ export function lengthOf(points: readonly Point[]): number {
 export function cssColour(linear: readonly number[]): string {
   const channel = (c: number): number =>
     Math.round(255 * (c <= 0.0031308 ? 12.92 * c : 1.055 * Math.max(c, 0) ** (1 / 2.4) - 0.055));
-  return `rgb(${linear.slice(0, 3).map((c) => Math.min(255, channel(c))).join(' ')})`;
+  return `rgb(${linear
+    .slice(0, 3)
+    .map((c) => Math.min(255, channel(c)))
+    .join(' ')})`;
 }

@@ -37,7 +37,10 @@ function crossings({ intersections }: Report): ReportLine {
   const checked = counted(frames_checked, 'checked moment');
   if (cloth_body + cloth_cloth === 0) {
     const worst = worst_frame.cloth_body + worst_frame.cloth_cloth;
-    const before = worst === 0 ? `nor in any of ${checked}` : `though ${counted(worst, 'place')} did at step ${count(worst_frame.step)}`;
+    const before =
+      worst === 0
+        ? `nor in any of ${checked}`
+        : `though ${counted(worst, 'place')} did at step ${count(worst_frame.step)}`;
     const sentence = `No cloth passes through the body or itself at the end, ${before}.`;
     return { label: 'Intersections', value: 'None', sentence, verdict: worst === 0 ? 'good' : 'warn' };
   }
@@ -47,7 +50,9 @@ function crossings({ intersections }: Report): ReportLine {
 
 function seams({ seam_gap_max_mm: gap }: Report): ReportLine {
   const closed = gap <= kClosed;
-  const sentence = closed ? 'Every seam is closed over its whole length.' : `The widest seam is open by ${millimetres(gap)}.`;
+  const sentence = closed
+    ? 'Every seam is closed over its whole length.'
+    : `The widest seam is open by ${millimetres(gap)}.`;
   return { label: 'Seams', value: closed ? 'Closed' : millimetres(gap), sentence, verdict: closed ? 'good' : 'warn' };
 }
 
@@ -89,9 +94,11 @@ const kKnown: [string, string, string][] = [
 ];
 
 export function downloadsOf(results: Record<string, number>): Download[] {
-  const known = kKnown.filter(([name]) => name in results)
+  const known = kKnown
+    .filter(([name]) => name in results)
     .map(([name, title, hint]) => ({ name, title, hint, bytes: results[name]! }));
-  const rest = Object.keys(results).sort()
+  const rest = Object.keys(results)
+    .sort()
     .filter((name) => !stillOrder(name) && !isThumbnail(name) && !kKnown.some(([other]) => other === name))
     .map((name) => ({ name, title: name, hint: '', bytes: results[name]! }));
   return [...known, ...rest];
@@ -99,10 +106,12 @@ export function downloadsOf(results: Record<string, number>): Download[] {
 
 const kStills = ['three-quarter.png', 'front.png', 'back.png', 'side.png', 'left.png', 'right.png'];
 const isThumbnail = (name: string): boolean => /^thumb(nail)?\./.test(name);
-const stillOrder = (name: string): number => (isThumbnail(name) || !name.endsWith('.png') ? 0 : 1 + (kStills.indexOf(name) + 1 || 99));
+const stillOrder = (name: string): number =>
+  isThumbnail(name) || !name.endsWith('.png') ? 0 : 1 + (kStills.indexOf(name) + 1 || 99);
 
 /** The stills, the most telling first. */
 export function stillsOf(results: Record<string, number>): string[] {
-  return Object.keys(results).filter((name) => stillOrder(name) > 0)
+  return Object.keys(results)
+    .filter((name) => stillOrder(name) > 0)
     .sort((a, b) => stillOrder(a) - stillOrder(b) || a.localeCompare(b));
 }

@@ -16,9 +16,13 @@ export function parseRoute(hash: string): Route {
 
 export function formatRoute(route: Route): string {
   switch (route.name) {
-    case 'home': return '#/';
-    case 'project': return `#/projects/${route.id}`;
-    case 'job': return `#/jobs/${route.id}`;
-    case 'unknown': return `#${route.path}`;
+    case 'home':
+      return '#/';
+    case 'project':
+      return `#/projects/${route.id}`;
+    case 'job':
+      return `#/jobs/${route.id}`;
+    case 'unknown':
+      return `#${route.path}`;
   }
 }

@@ -32,13 +32,17 @@ function watch(number: number, url: string): void {
 
 scope.onmessage = ({ data }) => {
   switch (data.type) {
-    case 'watch': return watch(data.watch, data.url);
+    case 'watch':
+      return watch(data.watch, data.url);
     case 'leave':
       receiver?.close();
       receiver = null;
       return;
-    case 'poke': return receiver?.poke();
-    case 'send': return void receiver?.send(data.message);
-    case 'buffer': return receiver?.giveBack(data.positions);
+    case 'poke':
+      return receiver?.poke();
+    case 'send':
+      return void receiver?.send(data.message);
+    case 'buffer':
+      return receiver?.giveBack(data.positions);
   }
 };

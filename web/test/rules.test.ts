@@ -1,0 +1,48 @@
+import { describe, expect, it } from 'vitest';
+
+/** Which folder may import from which; a file of src itself, main, from all. */
+const kAllowed: Record<string, string[]> = {
+  api: ['api'],
+  state: ['state', 'api'],
+  commands: ['commands', 'state', 'api'],
+  workers: ['workers', 'api'],
+  pattern: ['pattern', 'commands', 'state', 'api'],
+  scene: ['scene', 'commands', 'state', 'api'],
+  panels: ['panels', 'commands', 'state', 'api'],
+};
+
+const files = import.meta.glob<string>('../src/**/*.{ts,tsx}', { query: '?raw', import: 'default', eager: true });
+
+/** Folder of src that an import in `file` leads to; null for packages. */
+function target(file: string, path: string): string | null {
+  if (!path.startsWith('.')) return null;
+  return new URL(path, `http://here/${file.replace('../', 'web/')}`).pathname.replace('/web/src/', '');
+}
+
+describe('the rooms of the page', () => {
+  it('import only what stands below them', () => {
+    const wrong: string[] = [];
+    for (const [file, text] of Object.entries(files)) {
+      const room = /^\.\.\/src\/(\w+)\//.exec(file)?.[1];
+      if (!room) continue;
+      for (const [, path] of text.matchAll(/(?:from|import)\s*\(?\s*'([^']+)'/g)) {
+        const to = target(file, path!);
+        if (to === null || (file.endsWith('api/frames.ts') && to.startsWith('/proto/ts/'))) continue;
+        if (!kAllowed[room]?.includes(to.split('/')[0]!)) wrong.push(`${file} imports ${path}`);
+      }
+    }
+    expect(wrong).toEqual([]);
+    expect(Object.keys(files).length).toBeGreaterThan(30);
+  });
+
+  it('fetch three.js only with the 3D view', () => {
+    const users = Object.entries(files)
+      .filter(([, text]) => /from 'three/.test(text))
+      .map(([file]) => file);
+    expect(users.every((file) => file.startsWith('../src/scene/'))).toBe(true);
+    const eager = Object.entries(files)
+      .filter(([, text]) => /^import (?!type)[^;]*from '\.[^']*\/SceneView'/m.test(text))
+      .map(([file]) => file);
+    expect(eager).toEqual([]);
+  });
+});
