@@ -20,8 +20,8 @@ inline constexpr int kMostWorkers = 64;
 /// `options` with the defaults of this machine in place of what was left open.
 ServeOptions completed(ServeOptions options);
 
-/// A folder that comes with the program ("samples/skirt"): in the working folder, in the source tree above the
-/// program's own folder, or in ../share/toile beside it. Empty when it is nowhere.
+/// A folder that comes with the program ("samples/skirt"): in the working folder, in the source tree above
+/// the program's own folder, or in ../share/toile beside it. Empty when it is nowhere.
 std::filesystem::path shipped_folder(const std::string& relative);
 
 }  // namespace toile

@@ -117,22 +117,26 @@ CLI::App* add_serve(CLI::App& app, Options& options) {
   verb->add_option("--web", serve.web, "Folder of the built page (default: web/dist)");
   verb->add_option("--sample", serve.sample,
                    "Folder of the project that a new store begins with (default: samples/skirt)");
-  verb->footer(std::string("Prints its address once it answers. SIGTERM and Ctrl-C end it in good order: running\n"
-                           "drapes go back to the queue, and the next start takes them up.\n\n"
-                           "Examples:\n"
-                           "  toile serve\n"
-                           "  toile serve --port 0 --data /tmp/toile --workers 1\n\n") +
-               kExitCodes);
+  verb->footer(
+      std::string("Prints its address once it answers. SIGTERM and Ctrl-C end it in good order: running\n"
+                  "drapes go back to the queue, and the next start takes them up.\n\n"
+                  "Examples:\n"
+                  "  toile serve\n"
+                  "  toile serve --port 0 --data /tmp/toile --workers 1\n\n") +
+      kExitCodes);
   return verb;
 }
 
 CLI::App* add_submit(CLI::App& app, Options& options) {
   SubmitOptions& submit = options.submit;
   CLI::App* verb = app.add_subcommand("submit", "Have a project draped by a server");
-  verb->add_option("project", submit.project, "Project document; the files that it names lie beside it")->required();
+  verb->add_option("project", submit.project, "Project document; the files that it names lie beside it")
+      ->required();
   verb->add_option("--server", submit.server, "Address of the server")->capture_default_str();
-  CLI::Option* watch = verb->add_flag("--watch", submit.watch, "Follow the drape to its end; Ctrl-C cancels it");
-  verb->add_option("-o,--out", submit.out, "Folder for the results, as toile drape leaves them")->needs(watch);
+  CLI::Option* watch =
+      verb->add_flag("--watch", submit.watch, "Follow the drape to its end; Ctrl-C cancels it");
+  verb->add_option("-o,--out", submit.out, "Folder for the results, as toile drape leaves them")
+      ->needs(watch);
   verb->add_flag("--json", submit.json, "Print the report (without --watch the job) as JSON, errors as well");
   verb->footer(std::string("Without --watch the job's id is printed and the server goes on by itself.\n\n"
                            "Examples:\n"

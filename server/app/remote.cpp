@@ -11,8 +11,8 @@ constexpr JsonLimits kReplyLimits{.bytes = std::size_t{64} << 20, .depth = 64};
 std::string percent_encoded(const std::string& text) {
   std::string out;
   for (const char c : text) {
-    const bool plain = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' ||
-                       c == '.' || c == '_' || c == '~';
+    const bool plain = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                       c == '-' || c == '.' || c == '_' || c == '~';
     std::array<char, 8> escape{c, '\0'};
     if (!plain) std::snprintf(escape.data(), escape.size(), "%%%02X", static_cast<unsigned char>(c));
     out += escape.data();
@@ -25,7 +25,8 @@ Error error_of(const HttpReply& reply) {
   const Result<JsonValue> tree = parse_json(reply.body, kReplyLimits);
   const std::string code = tree ? text_member(*tree, "code") : "";
   if (!code.empty()) return {code, text_member(*tree, "detail"), text_member(*tree, "where")};
-  return {"client.malformed", "the server answers with status " + std::to_string(reply.status) + " and no reason", ""};
+  return {"client.malformed",
+          "the server answers with status " + std::to_string(reply.status) + " and no reason", ""};
 }
 
 HttpClient::Request post(const std::string& target, const std::string& body, const std::string& type) {
@@ -80,8 +81,9 @@ Result<std::string> Remote::create_project(const std::string& document,
 }
 
 Result<JsonValue> Remote::submit(const std::string& project_id) {
-  HttpClient::Request request = post("/api/v1/jobs", write_json_line(std::vector<JsonMember>{{"project_id", project_id}}),
-                                     "application/json");
+  HttpClient::Request request =
+      post("/api/v1/jobs", write_json_line(std::vector<JsonMember>{{"project_id", project_id}}),
+           "application/json");
   request.headers.emplace_back("Idempotency-Key", project_id);  // the project was made for this one drape
   return json(request);
 }

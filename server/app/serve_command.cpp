@@ -32,8 +32,8 @@ ExitCode serve_command(const ServeOptions& given) {
   if (!service) return fail(service.error(), false);
   const bool six = options.address.find(':') != std::string::npos;
   const std::string host = six ? "[" + options.address + "]" : options.address;
-  std::printf("Toile serves on http://%s:%d/  (data in %s, drapes at once: %d; Ctrl-C ends it)\n", host.c_str(),
-              (*service)->port(), options.data.c_str(), options.workers);
+  std::printf("Toile serves on http://%s:%d/  (data in %s, drapes at once: %d; Ctrl-C ends it)\n",
+              host.c_str(), (*service)->port(), options.data.c_str(), options.workers);
   if (options.web.empty()) std::printf("The page has not been built; the service answers under /api/v1.\n");
   std::fflush(stdout);
   int signal = 0;

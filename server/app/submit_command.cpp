@@ -53,7 +53,8 @@ Result<std::string> send_project(Remote& remote, const std::string& path) {
   std::map<std::string, std::string> sent;
   for (const UsedFile& used : used_files(*project)) {
     if (sent.contains(used.name)) continue;
-    if (Status name = check_file_name(used.name); !name) return Error{name.error().code, name.error().message, used.where};
+    if (Status name = check_file_name(used.name); !name)
+      return Error{name.error().code, name.error().message, used.where};
     Result<std::string> bytes = read_file(fs::path(path).parent_path() / used.name, used.where);
     if (!bytes) return bytes.error();
     const Result<std::string> id =
@@ -138,8 +139,9 @@ void print_end(const JsonValue& job, const SubmitOptions& options) {
     std::printf("%s", report && report->object() ? write_json(*report).c_str() : write_json(job).c_str());
     return;
   }
-  std::printf("%s: %s, %s (%s)\n", clipped(text_member(job, "name")).c_str(), text_member(job, "state").c_str(),
-              clipped(text_member(job, "reason"), 300).c_str(), text_member(job, "reason_code").c_str());
+  std::printf("%s: %s, %s (%s)\n", clipped(text_member(job, "name")).c_str(),
+              text_member(job, "state").c_str(), clipped(text_member(job, "reason"), 300).c_str(),
+              text_member(job, "reason_code").c_str());
   if (!options.out.empty()) std::printf("  results    %s\n", options.out.c_str());
 }
 
@@ -147,11 +149,13 @@ ExitCode watch(Remote& remote, const std::string& id, const SubmitOptions& optio
   const Result<JsonValue> job = follow(remote, id);
   if (!job) return fail_remote(job.error(), options.json);
   if (text_member(*job, "state") == "failed") {
-    const Error reason{text_member(*job, "reason_code"), text_member(*job, "reason"), text_member(*job, "reason_where")};
+    const Error reason{text_member(*job, "reason_code"), text_member(*job, "reason"),
+                       text_member(*job, "reason_where")};
     return fail(reason, options.json);
   }
   if (!options.out.empty()) {
-    if (Status home = bring_home(remote, *job, options.out); !home) return fail_remote(home.error(), options.json);
+    if (Status home = bring_home(remote, *job, options.out); !home)
+      return fail_remote(home.error(), options.json);
   }
   print_end(*job, options);
   return exit_code_of(*job);

@@ -10,8 +10,8 @@
 namespace toile {
 namespace {
 
-/// The first thing that a newcomer sees: the sample, draped as an ordinary job. The key makes it one drape however
-/// often the server starts; once the project has been changed or removed there is nothing to do.
+/// The first thing that a newcomer sees: the sample, draped as an ordinary job. The key makes it one drape
+/// however often the server starts; once the project has been changed or removed there is nothing to do.
 Status drape_sample(Store& store, JobService& jobs, const std::string& folder) {
   if (folder.empty()) return {};
   if (Status added = add_sample_project(store, kLocalOwner, folder); !added) return added;
@@ -19,7 +19,8 @@ Status drape_sample(Store& store, JobService& jobs, const std::string& folder) {
   if (!project) return project.error();
   if (!*project) return {};
   const Result<JobRow> job = jobs.submit(kLocalOwner, **project, "sample-first-drape");
-  const bool gone = !job && (job.error().code == "store.not_found" || job.error().code == "store.idempotency_mismatch");
+  const bool gone =
+      !job && (job.error().code == "store.not_found" || job.error().code == "store.idempotency_mismatch");
   return job || gone ? Status() : Status(job.error());
 }
 

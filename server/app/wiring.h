@@ -14,8 +14,8 @@ namespace toile {
 
 class Service {
  public:
-  /// Opens the store, takes up what was left, serves; a new store gets the sample project and its drape. Errors:
-  /// store.*, server.address, server.port.
+  /// Opens the store, takes up what was left, serves; a new store gets the sample project and its drape.
+  /// Errors: store.*, server.address, server.port.
   static Result<std::unique_ptr<Service>> start(const ServeOptions& options);
   ~Service();  ///< stops
 

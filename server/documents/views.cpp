@@ -77,7 +77,9 @@ void put(std::string& out, std::uint32_t word) {
   for (int shift = 0; shift < 32; shift += 8) out += static_cast<char>((word >> shift) & 0xff);
 }
 
-void put(std::string& out, double value) { put(out, std::bit_cast<std::uint32_t>(static_cast<float>(value))); }
+void put(std::string& out, double value) {
+  put(out, std::bit_cast<std::uint32_t>(static_cast<float>(value)));
+}
 
 }  // namespace
 
@@ -91,7 +93,8 @@ Result<std::string> pieces_json(const std::string& document, const ProjectFiles&
     pieces.push_back(piece_json(input.pattern.panels[i], input.fabrics[fabric]));
   }
   for (const ProjectSeam& seam : read_in->project.seams) seams.push_back(seam_json(seam));
-  return write_json_line(std::vector<JsonMember>{{"pieces", std::move(pieces)}, {"seams", std::move(seams)}}) +
+  return write_json_line(
+             std::vector<JsonMember>{{"pieces", std::move(pieces)}, {"seams", std::move(seams)}}) +
          "\n";
 }
 

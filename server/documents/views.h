@@ -8,13 +8,14 @@
 
 namespace toile {
 
-/// {"pieces": [{"id", "fabric", "colour", "grain", "outline", "holes", "edges": [{"id", "points"}]}], "seams": […]}.
-/// Millimetres, y up, curves flattened to 0.2 mm; outlines counter-clockwise, first point not repeated; colour is
-/// linear RGB. Errors: json.*, project.*, dxf.*, pattern.*, … as reading the project gives them.
+/// {"pieces": [{"id", "fabric", "colour", "grain", "outline", "holes", "edges": [{"id", "points"}]}],
+/// "seams": […]}. Millimetres, y up, curves flattened to 0.2 mm; outlines counter-clockwise, first point not
+/// repeated; colour is linear RGB. Errors: json.*, project.*, dxf.*, pattern.*, … as reading the project
+/// gives them.
 Result<std::string> pieces_json(const std::string& document, const ProjectFiles& files);
 
-/// All bodies of a project in their places as one mesh, little endian: uint32 vertices, uint32 triangles, float32 x, y,
-/// z of each vertex (m, y up), three uint32 a triangle. Errors: as above, mesh.*.
+/// All bodies of a project in their places as one mesh, little endian: uint32 vertices, uint32 triangles,
+/// float32 x, y, z of each vertex (m, y up), three uint32 a triangle. Errors: as above, mesh.*.
 Result<std::string> body_bytes(const std::string& document, const ProjectFiles& files);
 
 }  // namespace toile

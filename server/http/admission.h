@@ -21,8 +21,8 @@ struct Admission {
   HttpResponse refusal;
 };
 
-/// Takes the target apart into the request's segments, query and captures, and finds its route; or says why not: 400,
-/// 403, 404, 405, 413, 415, 421, 426.
+/// Takes the target apart into the request's segments, query and captures, and finds its route; or says why
+/// not: 400, 403, 404, 405, 413, 415, 421, 426.
 Admission admit(const Router& router, HttpRequest& request, const Incoming& incoming);
 
 }  // namespace toile

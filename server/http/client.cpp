@@ -140,8 +140,7 @@ Result<HttpReply> HttpClient::ask(const Request& request, std::chrono::seconds w
   boost::system::error_code failure;
   impl_->io.restart();
   asio::co_spawn(
-      impl_->io,
-      [&]() -> asio::awaitable<void> { failure = co_await impl_->ask(request, within, reply); },
+      impl_->io, [&]() -> asio::awaitable<void> { failure = co_await impl_->ask(request, within, reply); },
       asio::detached);
   impl_->io.run();
   if (!failure) return reply;

@@ -33,8 +33,9 @@ class HttpClient {
     std::string content_type;
     std::vector<std::pair<std::string, std::string>> headers;
   };
-  /// Connects where need be; asks once more when a connection that was kept turns out to be closed and asking twice
-  /// does no harm (GET, or with an Idempotency-Key). Errors: client.unreachable, client.timeout, client.malformed.
+  /// Connects where need be; asks once more when a connection that was kept turns out to be closed and asking
+  /// twice does no harm (GET, or with an Idempotency-Key). Errors: client.unreachable, client.timeout,
+  /// client.malformed.
   Result<HttpReply> ask(const Request& request, std::chrono::seconds within = std::chrono::seconds(120));
 
  private:

@@ -16,8 +16,8 @@ std::optional<HttpResponse> turned_away(const HttpRequest& request, bool websock
   const std::optional<std::string> name = host_name(host);
   if (!name) return problem(400, {"http.host", "a request names its host, as localhost:8460 does", "Host"});
   if (!is_loopback_name(*name)) {
-    return problem(421, {"http.host", "this server answers for the loopback only, not for " + in_quotes(host),
-                         "Host"});
+    return problem(
+        421, {"http.host", "this server answers for the loopback only, not for " + in_quotes(host), "Host"});
   }
   const std::string origin = request.header("origin");
   if (origin.empty() || (is_safe(request.method) && !websocket)) return std::nullopt;

@@ -34,8 +34,9 @@ Status Listener::open(const std::string& address, int port) {
   const auto parsed = asio::ip::make_address(address == "localhost" ? "127.0.0.1" : address, failure);
   if (failure || !parsed.is_loopback()) {
     return Error{"server.address",
-                 in_quotes(address) + " is no address of the loopback: without accounts this server is for this "
-                                      "machine only (127.0.0.1 or ::1)",
+                 in_quotes(address) +
+                     " is no address of the loopback: without accounts this server is for this "
+                     "machine only (127.0.0.1 or ::1)",
                  ""};
   }
   const tcp::endpoint place(parsed, static_cast<std::uint16_t>(port));
@@ -44,7 +45,8 @@ Status Listener::open(const std::string& address, int port) {
   if (!failure) acceptor_.bind(place, failure);
   if (!failure) acceptor_.listen(asio::socket_base::max_listen_connections, failure);
   if (failure) {
-    return Error{"server.port", "cannot listen on port " + std::to_string(port) + ": " + failure.message(), address};
+    return Error{"server.port", "cannot listen on port " + std::to_string(port) + ": " + failure.message(),
+                 address};
   }
   port_ = acceptor_.local_endpoint().port();
   return {};

@@ -51,7 +51,8 @@ std::string media_type(std::string_view value) {
 
 bool is_file_type(const std::string& type) {
   if (type.empty() || type.starts_with("model/") || type.starts_with("image/")) return true;
-  for (const char* known : {"application/octet-stream", "application/dxf", "application/x-dxf", "text/plain"}) {
+  for (const char* known :
+       {"application/octet-stream", "application/dxf", "application/x-dxf", "text/plain"}) {
     if (type == known) return true;
   }
   return false;
@@ -91,13 +92,14 @@ std::optional<HttpResponse> refused_body(const Route& route, const HttpRequest& 
                                          std::optional<std::uint64_t> length) {
   const std::string type = media_type(request.header("content-type"));
   if (route.body == BodyKind::kJson && type != "application/json") {
-    return problem(415, {"http.content_type", "this takes application/json, not " + in_quotes(type),
-                         "Content-Type"});
+    return problem(
+        415, {"http.content_type", "this takes application/json, not " + in_quotes(type), "Content-Type"});
   }
   if (route.body == BodyKind::kFile && has_body && !is_file_type(type)) {
-    return problem(415, {"http.content_type",
-                         "this takes the file's own bytes as application/octet-stream, not " + in_quotes(type),
-                         "Content-Type"});
+    return problem(415,
+                   {"http.content_type",
+                    "this takes the file's own bytes as application/octet-stream, not " + in_quotes(type),
+                    "Content-Type"});
   }
   const std::size_t limit = route.limit(request);
   if (!length || *length <= limit) return std::nullopt;
@@ -111,8 +113,8 @@ HttpResponse no_route(const HttpRequest& request, const Router::Match& match) {
   if (match.allow.empty()) {
     return problem(404, {"http.not_found", "there is nothing at this address", clipped(request.target, 200)});
   }
-  HttpResponse response = problem(405, {"http.method", "this address takes " + match.allow + " only",
-                                        clipped(request.method, 20)});
+  HttpResponse response = problem(
+      405, {"http.method", "this address takes " + match.allow + " only", clipped(request.method, 20)});
   response.headers.emplace_back("Allow", match.allow);
   return response;
 }

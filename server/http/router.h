@@ -18,8 +18,8 @@ using HttpHandler = std::function<HttpResponse(const HttpRequest&)>;
 /// What a route takes as a body.
 enum class BodyKind {
   kUnused,  ///< anything small is read and passed over
-  kJson,  ///< application/json
-  kFile,  ///< raw bytes of some file type
+  kJson,    ///< application/json
+  kFile,    ///< raw bytes of some file type
 };
 
 inline constexpr std::size_t kSmallBody = std::size_t{256} << 10;
@@ -31,8 +31,9 @@ struct Route {
   BodyKind body = BodyKind::kUnused;
   /// Most bytes that the body may have.
   std::function<std::size_t(const HttpRequest&)> limit = [](const HttpRequest&) { return kSmallBody; };
-  bool heavy = false;      ///< reads geometry: runs beside the light ones, so that those never wait for it
-  bool websocket = false;  ///< an upgrade is wanted; the handler says what is wrong with it (status 200: nothing)
+  bool heavy = false;  ///< reads geometry: runs beside the light ones, so that those never wait for it
+  bool websocket =
+      false;  ///< an upgrade is wanted; the handler says what is wrong with it (status 200: nothing)
 };
 
 class Router {
@@ -55,8 +56,8 @@ class Router {
   std::optional<Route> page_;
 };
 
-/// Why the body of a request to `route` is refused before it is read, or nothing: 415 for a type that the route does
-/// not take, 413 for a Content-Length over its limit.
+/// Why the body of a request to `route` is refused before it is read, or nothing: 415 for a type that the
+/// route does not take, 413 for a Content-Length over its limit.
 std::optional<HttpResponse> refused_body(const Route& route, const HttpRequest& request, bool has_body,
                                          std::optional<std::uint64_t> length);
 

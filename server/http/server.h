@@ -19,8 +19,8 @@ class HttpServer {
   HttpServer(Store& store, JobService& jobs, Hub& hub, ServerSettings settings);
   ~HttpServer();  ///< stops
 
-  /// Opens the port and serves from threads of its own. Errors: server.address for one that is not of the loopback,
-  /// server.port when it cannot be had.
+  /// Opens the port and serves from threads of its own. Errors: server.address for one that is not of the
+  /// loopback, server.port when it cannot be had.
   Status start();
   /// From now on /readyz says no, so that nobody sends new work. The rest is answered as before.
   void drain();

@@ -30,6 +30,9 @@ namespace http = beast::http;
 constexpr auto kTuple = asio::as_tuple(asio::use_awaitable);
 constexpr std::size_t kBufferBytes = 64 << 10;
 
+// In this file nothing that must be destroyed is made within an awaited call: GCC 12 destroys such
+// temporaries twice.
+
 std::string text_of(beast::string_view view) { return {view.data(), view.size()}; }
 
 template <typename Header>
@@ -52,8 +55,10 @@ std::optional<HttpResponse> malformed(const Header& header, bool chunked) {
   const auto refused = [](const char* code, const char* words, const char* where) {
     return problem(400, {code, words, where});
   };
-  if (header.count(http::field::content_length) > 1) {
-    return refused("http.content_length", "a request has one Content-Length", "Content-Length");
+  const beast::string_view length = header[http::field::content_length];
+  const bool digits = std::all_of(length.begin(), length.end(), [](char c) { return c >= '0' && c <= '9'; });
+  if (header.count(http::field::content_length) > 1 || !digits) {
+    return refused("http.content_length", "a request has one Content-Length, a number", "Content-Length");
   }
   if (header.count(http::field::transfer_encoding) > 0 && !chunked) {
     return refused("http.transfer_encoding", "only chunked is understood here", "Transfer-Encoding");
@@ -133,11 +138,12 @@ asio::awaitable<bool> HttpSession::serve_one() {
   parser.header_limit(static_cast<std::uint32_t>(context_.settings.most_header_bytes));
   parser.body_limit(boost::none);  // known once the route is
   stream_.expires_after(context_.settings.header_within);
-  const auto [failure, size] = co_await http::async_read_header(stream_, buffer_, parser, kTuple);
+  const boost::system::error_code failure = co_await read_header(parser);
   if (failure) co_return co_await refuse_header(failure);
 
   HttpRequest request = request_of(parser.get());
-  if (auto wrong = malformed(parser.get(), parser.chunked())) co_return co_await refuse(request, std::move(*wrong));
+  if (auto wrong = malformed(parser.get(), parser.chunked()))
+    co_return co_await refuse(request, std::move(*wrong));
   Incoming incoming;
   if (const auto length = parser.content_length()) incoming.length = *length;
   incoming.has_body = parser.chunked() || incoming.length.value_or(0) > 0;
@@ -150,8 +156,9 @@ asio::awaitable<bool> HttpSession::serve_one() {
   Taken taken(context_.budget);
   const std::size_t most = incoming.has_body ? incoming.length.value_or(route.limit(request)) : 0;
   if (!taken.take(most)) {
-    co_return co_await refuse(
-        request, problem(503, {"server.busy", "too many uploads at once; try again in a few seconds", ""}));
+    HttpResponse busy =
+        problem(503, {"server.busy", "too many uploads at once; try again in a few seconds", ""});
+    co_return co_await refuse(request, std::move(busy));
   }
   if (incoming.has_body) {
     keep_alive_ = false;
@@ -162,7 +169,19 @@ asio::awaitable<bool> HttpSession::serve_one() {
   if (route.websocket && response.status == 200) co_return co_await serve_stream(parser, request);
   const bool again = parser.get().keep_alive() && !stopping_;
   const bool written = co_await write(request, std::move(response), again);
-  co_return written && again;
+  co_return written&& again;
+}
+
+/// Beast's own limit holds for the start line and for single fields, not for all fields together.
+asio::awaitable<boost::system::error_code> HttpSession::read_header(Parser& parser) {
+  std::size_t total = 0;
+  while (!parser.is_header_done()) {
+    const auto [failure, size] = co_await http::async_read_some(stream_, buffer_, parser, kTuple);
+    if (failure) co_return failure;
+    total += size;
+    if (total > context_.settings.most_header_bytes) co_return make_error_code(http::error::header_limit);
+  }
+  co_return boost::system::error_code();
 }
 
 /// What could not even be read as a header.
@@ -175,18 +194,20 @@ asio::awaitable<bool> HttpSession::refuse_header(boost::system::error_code failu
   HttpResponse response =
       large ? problem(431, {"http.header_too_large", "the header is larger than is read here", ""})
             : problem(400, {"http.malformed", "this is not HTTP: " + failure.message(), ""});
-  co_return co_await refuse({}, std::move(response));
+  const HttpRequest unknown;
+  co_return co_await refuse(unknown, std::move(response));
 }
 
-/// Answers before the body was read. When there is one the connection ends: what is still under way is not looked at.
+/// Answers before the body was read. When there is one the connection ends: what is still under way is not
+/// looked at.
 asio::awaitable<bool> HttpSession::refuse(const HttpRequest& request, HttpResponse response) {
   const bool written = co_await write(request, std::move(response), keep_alive_ && !stopping_);
   if (written && !keep_alive_) co_await linger();
-  co_return written && keep_alive_ && !stopping_;
+  co_return written&& keep_alive_ && !stopping_;
 }
 
-/// Reads away what the other side still sends, for a while: closing on unread bytes would reset the connection and
-/// could take the answer with it.
+/// Reads away what the other side still sends, for a while: closing on unread bytes would reset the
+/// connection and could take the answer with it.
 asio::awaitable<void> HttpSession::linger() {
   constexpr std::size_t kMostBytes = std::size_t{128} << 20;
   constexpr auto kLongest = std::chrono::seconds(3);
@@ -218,14 +239,15 @@ asio::awaitable<bool> HttpSession::read_body(Parser& parser, const Route& route,
   }
   if (failure == http::error::body_limit) {
     const std::string most = std::to_string(route.limit(request));
-    co_return co_await refuse(
-        request, problem(413, {"http.too_large", "the body has more than the " + most + " bytes allowed here", ""}));
+    HttpResponse large =
+        problem(413, {"http.too_large", "the body has more than the " + most + " bytes allowed here", ""});
+    co_return co_await refuse(request, std::move(large));
   }
   const bool parsing = failure.category() == http::make_error_code(http::error::bad_chunk).category();
-  if (parsing && failure != http::error::partial_message && failure != http::error::end_of_stream) {
-    co_return co_await refuse(request, problem(400, {"http.malformed", "this is not HTTP: " + failure.message(), ""}));
-  }
-  co_return false;
+  if (!parsing || failure == http::error::partial_message || failure == http::error::end_of_stream)
+    co_return false;
+  HttpResponse broken = problem(400, {"http.malformed", "this is not HTTP: " + failure.message(), ""});
+  co_return co_await refuse(request, std::move(broken));
 }
 
 asio::awaitable<HttpResponse> HttpSession::handle(const Route& route, const HttpRequest& request) {
@@ -266,9 +288,11 @@ asio::awaitable<bool> HttpSession::write(const HttpRequest& request, HttpRespons
 }
 
 asio::awaitable<bool> HttpSession::serve_stream(Parser& parser, const HttpRequest& request) {
-  viewer_ = std::make_shared<StreamSession>(std::move(stream_), context_.streams, kLocalOwner, request.captures[0]);
+  viewer_ =
+      std::make_shared<StreamSession>(std::move(stream_), context_.streams, kLocalOwner, request.captures[0]);
   if (stopping_) viewer_->stop();
-  co_await viewer_->run(parser.release());
+  StreamSession::Handshake handshake = parser.release();
+  co_await viewer_->run(std::move(handshake));
   co_return false;
 }
 

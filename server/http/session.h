@@ -35,6 +35,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   boost::asio::awaitable<void> serve();
   boost::asio::awaitable<bool> wait_for_request();
   boost::asio::awaitable<bool> serve_one();
+  boost::asio::awaitable<boost::system::error_code> read_header(Parser& parser);
   boost::asio::awaitable<bool> refuse(const HttpRequest& request, HttpResponse response);
   boost::asio::awaitable<bool> refuse_header(boost::system::error_code failure);
   boost::asio::awaitable<bool> read_body(Parser& parser, const Route& route, HttpRequest& request);

@@ -7,8 +7,8 @@
 #include <optional>
 #include <system_error>
 
-#include "server/http/problem.h"
 #include "proto/cpp/names.h"
+#include "server/http/problem.h"
 
 namespace toile {
 namespace {
@@ -19,7 +19,8 @@ constexpr std::uintmax_t kMostBytes = std::uintmax_t{64} << 20;
 
 /// Only this server's own scripts, styles and connections.
 constexpr const char* kContentPolicy =
-    "default-src 'self'; img-src 'self' data: blob:; style-src 'self' 'unsafe-inline'; worker-src 'self' blob:; "
+    "default-src 'self'; img-src 'self' data: blob:; style-src 'self' 'unsafe-inline'; worker-src 'self' "
+    "blob:; "
     "connect-src 'self'; frame-ancestors 'none'; base-uri 'none'; form-action 'self'";
 
 constexpr const char* kNoPage = R"(<!doctype html>

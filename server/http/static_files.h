@@ -7,14 +7,14 @@
 
 namespace toile {
 
-/// Answers GET from the files below a folder. What the bundler has named by its content (assets/…) may be kept for
-/// ever, the rest is asked for again.
+/// Answers GET from the files below a folder. What the bundler has named by its content (assets/…) may be
+/// kept for ever, the rest is asked for again.
 class StaticFiles {
  public:
   explicit StaticFiles(const std::filesystem::path& folder);
 
-  /// `request.segments` have passed parse_target. 404 where there is no regular file, or one that a link leads out of
-  /// the folder to; "/" is index.html, or a few words when the page has not been built.
+  /// `request.segments` have passed parse_target. 404 where there is no regular file, or one that a link
+  /// leads out of the folder to; "/" is index.html, or a few words when the page has not been built.
   HttpResponse get(const HttpRequest& request) const;
 
  private:

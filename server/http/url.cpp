@@ -1,8 +1,8 @@
 #include "server/http/url.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cctype>
+#include <charconv>
 
 namespace toile {
 namespace {

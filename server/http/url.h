@@ -17,7 +17,8 @@ struct Target {
   std::map<std::string, std::string> query;  ///< of a name that stands twice the last
 };
 
-/// Splits "/a/b%20c?x=1". Nothing when it does not begin with a slash, an escape is broken, or a segment is "." or
+/// Splits "/a/b%20c?x=1". Nothing when it does not begin with a slash, an escape is broken, or a segment is
+/// "." or
 /// ".." or holds a slash or backslash once decoded: no route of ours has such names.
 std::optional<Target> parse_target(std::string_view target);
 

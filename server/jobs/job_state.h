@@ -2,18 +2,17 @@
 // How a job changes: a pure function of its state and what happened. Whoever calls it carries out the
 // effects.
 //
-//                  ┌────────── requeue (drain, crash) ───────────┐
-//                  ▼                                             │
-//   submit ──▶  queued ──── claim ────▶  running ──── finish ────┼──▶ succeeded
-//               │    ▲                    │    ↺ progress        │
-//               │    │                    │ ───── fail ──────────┼──▶ failed
-//             pause  resume             pause                    │
-//               │    │                    │                      │
-//               ▼    │                    ▼                      │
-//               paused ◀──────────────────┘                      │
-//                  └────────── requeue ──▶ queued                │
+//                     claim                  finish
+//   submit ─▶ queued ─────────▶ running ─────────────▶ succeeded
+//             │ ▲ ▲             │ │ │ ▲│ progress
+//             │ │ └── requeue ──┘ │ │ └┘
+//             │ │                 │ └── fail ─────────▶ failed
+//       pause │ │ resume,         │ pause
+//             │ │ requeue         │
+//             ▼ │                 ▼                      cancelled ◀── cancel ── queued, running, paused
+//             paused ◀────────────┘
 //
-//   queued, running, paused ──── cancel ────▶ cancelled
+// requeue: a drain takes the job from its worker, or a start finds it cut off.
 //
 // The worker that drapes learns of a pause or a cancel up to 50 ms after the state has changed. Until then it
 // may come with its end: finish and fail are therefore legal wherever a worker may still hold the job, that

@@ -46,7 +46,7 @@ DrawnSurface upload_cloth(GlScope& scope, const ClothView& cloth) {
 }
 
 DrawnSurface upload_indexed(GlScope& scope, const std::vector<BodyVertex>& vertices,
-                       const std::vector<Tri>& triangles, LinearRgb colour) {
+                            const std::vector<Tri>& triangles, LinearRgb colour) {
   const GlFunctions& gl = scope.gl();
   DrawnSurface surface{scope.vertex_array(), static_cast<GLsizei>(triangles.size() * 3), true, colour};
   gl.BindVertexArray(surface.vertex_array);

@@ -1,6 +1,6 @@
 #pragma once
-// What there is to see of one job right now. A channel holds the newest of everything and no queue, so that its
-// cost does not depend on how many look on or how slowly they read.
+// What there is to see of one job right now. A channel holds the newest of everything and no queue, so that
+// its cost does not depend on how many look on or how slowly they read.
 
 #include <cstdint>
 #include <memory>
@@ -32,7 +32,7 @@ class SharedFrame {
 /// A consistent look at a channel.
 struct ChannelView {
   std::shared_ptr<const StreamTopology> topology;  ///< null until the job runs
-  std::shared_ptr<const SharedFrame> frame;        ///< newest of the topology's epoch; null until there is one
+  std::shared_ptr<const SharedFrame> frame;  ///< newest of the topology's epoch; null until there is one
   JobProgress progress;
   std::uint64_t progress_version = 0;  ///< rises with every report; 0: none yet
   bool ended = false;

@@ -14,7 +14,8 @@ Result<Control> parse_control(std::string_view text) {
   if (word == "resume") return Control::kResume;
   if (word == "cancel") return Control::kCancel;
   return Error{"stream.unknown_type",
-               "a message is {\"type\": \"pause\"}, \"resume\" or \"cancel\", not " + in_quotes(word), "/type"};
+               "a message is {\"type\": \"pause\"}, \"resume\" or \"cancel\", not " + in_quotes(word),
+               "/type"};
 }
 
 }  // namespace toile

@@ -20,8 +20,8 @@ struct FeedMessage {
   std::shared_ptr<const std::string> bytes;
 };
 
-/// Newest wins: what a viewer was too slow for is never sent. It gets a delta when it has the frame before, else a
-/// key. Frames and progress take turns.
+/// Newest wins: what a viewer was too slow for is never sent. It gets a delta when it has the frame before,
+/// else a key. Frames and progress take turns.
 class Feed {
  public:
   /// The next message, which counts as sent; nothing when the viewer is up to date.

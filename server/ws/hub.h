@@ -47,7 +47,8 @@ class Hub final : public Publisher {
   void progress(const std::string& job_id, const JobProgress& progress) override;
   void ended(const std::string& job_id, const JobProgress& last) override;
 
-  /// `listener` is woken whenever the job has something new, until the subscription goes. The hub must outlive it.
+  /// `listener` is woken whenever the job has something new, until the subscription goes. The hub must
+  /// outlive it.
   Subscription subscribe(const std::string& job_id, ChannelListener* listener);
 
   std::size_t viewers() const;

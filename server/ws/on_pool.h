@@ -12,8 +12,8 @@
 
 namespace toile {
 
-/// Runs `work` on the pool and comes back to the caller's executor with what it returned. The pool must be joined
-/// before the caller's frame is destroyed.
+/// Runs `work` on the pool and comes back to the caller's executor with what it returned. The pool must be
+/// joined before the caller's frame is destroyed.
 template <typename Work>
 boost::asio::awaitable<std::invoke_result_t<Work&>> on_pool(boost::asio::thread_pool& pool, Work work) {
   std::optional<std::invoke_result_t<Work&>> out;

@@ -50,7 +50,8 @@ asio::awaitable<void> StreamSession::run(Handshake handshake) {
   if (failure) co_return;
   last_sign_ = last_ping_ = Clock::now();
   subscription_ = services_.hub.subscribe(job_id_, this);  // before the row is read: nothing falls between
-  co_await (read_all() && write_all() && watch());
+  asio::awaitable<void> all = read_all() && write_all() && watch();
+  co_await std::move(all);
   subscription_.reset();
 }
 
@@ -171,7 +172,8 @@ asio::awaitable<void> StreamSession::obey(std::string text) {
 }
 
 asio::awaitable<void> StreamSession::watch() {
-  const auto pause = std::min<Clock::duration>(services_.settings.ping_every / 4, std::chrono::milliseconds(500));
+  const auto pause =
+      std::min<Clock::duration>(services_.settings.ping_every / 4, std::chrono::milliseconds(500));
   while (!gone_) {
     tick_.expires_after(pause);
     co_await tick_.async_wait(kTuple);
@@ -187,8 +189,8 @@ asio::awaitable<void> StreamSession::watch() {
 
 bool StreamSession::overdue(Clock::time_point now) const {
   const StreamSettings& settings = services_.settings;
-  return (writing_ && now - write_began_ > settings.write_within) || now - last_sign_ > settings.pong_within ||
-         (closing_ && now - close_began_ > settings.close_within);
+  return (writing_ && now - write_began_ > settings.write_within) ||
+         now - last_sign_ > settings.pong_within || (closing_ && now - close_began_ > settings.close_within);
 }
 
 /// Not awaited: behind a write that hangs a ping hangs as well, and watch() must go on to end both.

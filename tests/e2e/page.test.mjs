@@ -202,19 +202,19 @@ describe('the page', { timeout: 600_000 }, () => {
     const shown = (one) =>
       one.evaluate(() => `step ${window.__toile.moment().step}: ${window.__toile.positionsHash()}`);
     const steps = new Set();
-    for (let i = 0; i < 3; ++i) {
+    for (let i = 0; i < 2; ++i) {
       await page.locator('.actions').getByText('Pause').click();
       await Promise.all([waitForState(page, 'paused'), waitForState(other, 'paused')]);
       await sleep(400);
       assert.equal(await shown(page), await shown(other));
       steps.add(await shown(page));
-      await other.locator('.actions').getByText('Resume').click();
       const { step } = await ask(page, 'moment');
+      await other.locator('.actions').getByText('Resume').click();
       await Promise.all(
         [page, other].map((one) => waitFor(one, (before) => window.__toile.moment().step > before, 20_000, step)),
       );
     }
-    assert.equal(steps.size, 3);
+    assert.equal(steps.size, 2);
     await other.close();
   });
 

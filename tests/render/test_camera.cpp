@@ -22,7 +22,8 @@ TEST(Camera, NeverCropsTheGarmentAndLeavesAMargin) {
   for (const View view : kViews) {
     for (const double aspect : {0.5, 0.8, 2.0}) {
       const auto width = static_cast<int>(1000 * aspect);
-      const SceneBox box = picture_box(frame_scene(skirt.scene(), view, aspect), skirt.positions, width, 1000);
+      const SceneBox box =
+          picture_box(frame_scene(skirt.scene(), view, aspect), skirt.positions, width, 1000);
       EXPECT_GT(box.low.x, 0.05 * width);
       EXPECT_LT(box.high.x, 0.95 * width);
       EXPECT_GT(box.low.y, 50);

@@ -13,7 +13,7 @@ import {
 } from '../src/state/jobs';
 import { LiveCloth, positionsHash } from '../src/state/LiveCloth';
 import { formatRoute, parseRoute } from '../src/state/routes';
-import { ago, bytes, counted, duration, speed } from '../src/state/words';
+import { ago, bytes, counted, duration, sentence, speed } from '../src/state/words';
 import { jobOf, progressOf, projectOf } from './fakes';
 
 describe('routes', () => {
@@ -136,6 +136,11 @@ describe('words', () => {
       '2 min 5 s',
       '2 h 1 min',
       '–',
+    ]);
+    expect([sentence('the file ends early'), sentence('Where?'), sentence('')]).toEqual([
+      'The file ends early.',
+      'Where?',
+      '',
     ]);
     expect([speed(0.00297), speed(1.5)]).toEqual(['3.0 mm/s', '1,500 mm/s']);
     expect([counted(1, 'piece'), counted(4, 'piece')]).toEqual(['1 piece', '4 pieces']);

@@ -60,7 +60,8 @@ Result<Page> read_page(const HttpRequest& request) {
   if (limit.empty()) return page;
   const auto [end, failure] = std::from_chars(limit.data(), limit.data() + limit.size(), page.limit);
   constexpr int kMost = 100;
-  if (failure == std::errc() && end == limit.data() + limit.size() && page.limit >= 1 && page.limit <= kMost) {
+  if (failure == std::errc() && end == limit.data() + limit.size() && page.limit >= 1 &&
+      page.limit <= kMost) {
     return page;
   }
   return Error{"request.limit", "limit is a number from 1 to 100", "limit"};

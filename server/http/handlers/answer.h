@@ -21,7 +21,8 @@ std::string json_with(std::vector<JsonMember> members, const std::string& key, c
 
 HttpResponse created(HttpResponse answer, const std::string& location);
 
-/// A request's JSON object. Errors: json.*, request.object, request.unknown_key when a member is not one of `known`.
+/// A request's JSON object. Errors: json.*, request.object, request.unknown_key when a member is not one of
+/// `known`.
 Result<JsonValue> read_object(const HttpRequest& request, const std::vector<std::string>& known,
                               const JsonLimits& limits);
 
@@ -33,8 +34,8 @@ struct Page {
 /// Of ?cursor and ?limit (1 to 100). Error: request.limit.
 Result<Page> read_page(const HttpRequest& request);
 
-/// The rows of a page, for which one more than its limit was asked, as JSON under `name`, and "next": the cursor of
-/// the page after it or null.
+/// The rows of a page, for which one more than its limit was asked, as JSON under `name`, and "next": the
+/// cursor of the page after it or null.
 template <typename Row, typename Make>
 HttpResponse page_answer(const char* name, const Page& page, std::vector<Row> rows, Make make) {
   JsonValue next;

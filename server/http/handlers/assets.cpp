@@ -21,7 +21,8 @@ std::string asset_json(const AssetRow& asset) {
 }
 
 HttpResponse upload(const Api& api, const HttpRequest& request, const std::string& kind) {
-  const Result<AssetRow> asset = add_asset(api.store, kLocalOwner, kind, request.parameter("name"), request.body);
+  const Result<AssetRow> asset =
+      add_asset(api.store, kLocalOwner, kind, request.parameter("name"), request.body);
   if (!asset) return problem(asset.error());
   return created(json_answer(201, asset_json(*asset) + "\n"), "/api/v1/assets/" + asset->id);
 }

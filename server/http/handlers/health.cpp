@@ -26,9 +26,11 @@ void add_health_routes(Router& router, const Api& api) {
   router.add({.method = "GET", .pattern = "/healthz", .handler = [](const HttpRequest&) {
                 return json_answer(200, {{"status", std::string("ok")}});
               }});
-  router.add({.method = "GET", .pattern = "/readyz", .handler = [&api](const HttpRequest&) { return ready(api); }});
   router.add(
-      {.method = "GET", .pattern = "/metrics", .handler = [&api](const HttpRequest&) { return metrics(api); }});
+      {.method = "GET", .pattern = "/readyz", .handler = [&api](const HttpRequest&) { return ready(api); }});
+  router.add({.method = "GET", .pattern = "/metrics", .handler = [&api](const HttpRequest&) {
+                return metrics(api);
+              }});
 }
 
 }  // namespace toile

@@ -29,7 +29,8 @@ std::vector<JsonMember> members_with_progress(const Api& api, const JobRow& job)
 }
 
 HttpResponse job_answer(const Api& api, const JobRow& job) {
-  return json_answer(200, members_with_progress(api, job), "report", job.report.empty() ? "null" : job.report);
+  return json_answer(200, members_with_progress(api, job), "report",
+                     job.report.empty() ? "null" : job.report);
 }
 
 HttpResponse submit(const Api& api, const HttpRequest& request) {
@@ -128,8 +129,9 @@ void add_job_routes(Router& router, const Api& api) {
        {std::pair{"/pause", &JobService::pause}, std::pair{"/resume", &JobService::resume},
         std::pair{"/cancel", &JobService::cancel}}) {
     const Act wish = what;
-    router.add(add("POST", one + verb,
-                   [wish](const Api& service, const HttpRequest& request) { return act(service, request, wish); }));
+    router.add(add("POST", one + verb, [wish](const Api& service, const HttpRequest& request) {
+      return act(service, request, wish);
+    }));
   }
   router.add(add("GET", one + "/results", list_results));
   router.add(add("GET", one + "/results/{name}", result));

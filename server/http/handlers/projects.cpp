@@ -68,7 +68,8 @@ Result<Given> read_given(const HttpRequest& request) {
   given.document = write_json_line(whole);
   const JsonValue* files = tree->find("files");
   if (!files) return given;
-  if (!files->object()) return Error{"request.files", "\"files\" is an object of file name to asset id", "/files"};
+  if (!files->object())
+    return Error{"request.files", "\"files\" is an object of file name to asset id", "/files"};
   for (const JsonMember& file : *files->object()) {
     if (!file.value.text()) {
       return Error{"request.files", "a file stands for the id of an asset", pointer_to("/files", file.key)};
@@ -138,8 +139,8 @@ HttpResponse replace(const Api& api, const HttpRequest& request) {
   if (!revision) return stale();
   const Result<Given> given = read_given(request);
   if (!given) return problem(given.error());
-  const Result<ProjectRow> project = replace_project(api.store, kLocalOwner, request.captures[0], given->document,
-                                                     given->files, *revision);
+  const Result<ProjectRow> project =
+      replace_project(api.store, kLocalOwner, request.captures[0], given->document, given->files, *revision);
   if (project) return project_answer(*project);
   return project.error().code == "store.conflict" ? stale() : problem(in_request(project.error()));
 }
@@ -179,10 +180,13 @@ void add_project_routes(Router& router, const Api& api) {
   constexpr const char* kOne = "/api/v1/projects/{id}";
   router.add(document_route("POST", kAll, [&api](const HttpRequest& r) { return create(api, r); }));
   router.add(document_route("PUT", kOne, [&api](const HttpRequest& r) { return replace(api, r); }));
-  router.add({.method = "GET", .pattern = kAll, .handler = [&api](const HttpRequest& r) { return list(api, r); }});
-  router.add({.method = "GET", .pattern = kOne, .handler = [&api](const HttpRequest& r) { return show(api, r); }});
   router.add(
-      {.method = "DELETE", .pattern = kOne, .handler = [&api](const HttpRequest& r) { return remove(api, r); }});
+      {.method = "GET", .pattern = kAll, .handler = [&api](const HttpRequest& r) { return list(api, r); }});
+  router.add(
+      {.method = "GET", .pattern = kOne, .handler = [&api](const HttpRequest& r) { return show(api, r); }});
+  router.add({.method = "DELETE", .pattern = kOne, .handler = [&api](const HttpRequest& r) {
+                return remove(api, r);
+              }});
   Route view{.method = "GET",
              .pattern = "/api/v1/projects/{id}/pieces",
              .handler = [&api](const HttpRequest& r) { return pieces(api, r); }};

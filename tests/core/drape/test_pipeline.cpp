@@ -93,7 +93,8 @@ TEST(Pipeline, PiecesThatStartThroughEachOtherAreRefusedWithBothNames) {
 
 TEST(Pipeline, PiecesThatTouchAtTheStartAreRefused) {
   DrapeInput input = test::tube();
-  std::get<RigidPlacement>(input.placements[1]).translation = {0.05, 0.16, 0.1};  // overlaps in the same plane
+  std::get<RigidPlacement>(input.placements[1]).translation = {0.05, 0.16,
+                                                               0.1};  // overlaps in the same plane
   input.pattern.seams.clear();
   const auto r = drape(input, {}, nullptr);
   ASSERT_FALSE(r.ok());

@@ -23,7 +23,8 @@ class ScriptedJobs final : public JobService {
   explicit ScriptedJobs(Store& store) : store_(store) {}
   Status start() override { return {}; }
   void stop() override {}
-  Result<JobRow> submit(const OwnerId& owner, const std::string& project_id, const std::string& key) override {
+  Result<JobRow> submit(const OwnerId& owner, const std::string& project_id,
+                        const std::string& key) override {
     const Result<ProjectRow> project = store_.project(owner, project_id);
     if (!project) return project.error();
     JobRow row;
@@ -34,9 +35,15 @@ class ScriptedJobs final : public JobService {
     row.files = project->files;
     return store_.create_job(owner, row, key);
   }
-  Result<JobRow> pause(const OwnerId& owner, const std::string& id) override { return become(owner, id, "paused"); }
-  Result<JobRow> resume(const OwnerId& owner, const std::string& id) override { return become(owner, id, "queued"); }
-  Result<JobRow> cancel(const OwnerId& owner, const std::string& id) override { return become(owner, id, "cancelled"); }
+  Result<JobRow> pause(const OwnerId& owner, const std::string& id) override {
+    return become(owner, id, "paused");
+  }
+  Result<JobRow> resume(const OwnerId& owner, const std::string& id) override {
+    return become(owner, id, "queued");
+  }
+  Result<JobRow> cancel(const OwnerId& owner, const std::string& id) override {
+    return become(owner, id, "cancelled");
+  }
   Result<JobProgress> progress(const OwnerId& owner, const std::string& id) override {
     const Result<JobRow> row = store_.job(owner, id);
     if (!row) return row.error();
@@ -136,14 +143,14 @@ class Served : public testing::Test {
   int port = 0;
 };
 
-#define EXPECT_PROBLEM(answer, wanted_status, wanted_code)                                        \
-  do {                                                                                            \
-    const Answer& got = (answer);                                                                 \
-    EXPECT_EQ(got.status, wanted_status) << got.body.substr(0, 500);                              \
-    EXPECT_EQ(got.headers.count("content-type") ? got.headers.at("content-type") : "none",        \
-              "application/problem+json");                                                        \
-    EXPECT_TRUE(member(got, "code").starts_with(wanted_code)) << got.body.substr(0, 500);         \
-    EXPECT_LT(got.body.size(), 6000u);                                                            \
+#define EXPECT_PROBLEM(answer, wanted_status, wanted_code)                                 \
+  do {                                                                                     \
+    const Answer& got = (answer);                                                          \
+    EXPECT_EQ(got.status, wanted_status) << got.body.substr(0, 500);                       \
+    EXPECT_EQ(got.headers.count("content-type") ? got.headers.at("content-type") : "none", \
+              "application/problem+json");                                                 \
+    EXPECT_TRUE(member(got, "code").starts_with(wanted_code)) << got.body.substr(0, 500);  \
+    EXPECT_LT(got.body.size(), 6000u);                                                     \
   } while (false)
 
 }  // namespace toile::test

@@ -52,7 +52,8 @@ class BadUploads : public Served {
   void expect_bad_napkin(const std::string& from, const std::string& to, const std::string& code,
                          const std::string& where) {
     const auto began = std::chrono::steady_clock::now();
-    expect_refused(send_json("POST", "/api/v1/projects", napkin_request(post_asset(), from, to)), code, where);
+    expect_refused(send_json("POST", "/api/v1/projects", napkin_request(post_asset(), from, to)), code,
+                   where);
     EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count(), kSoon);
   }
 };
@@ -68,7 +69,8 @@ TEST_F(BadUploads, DxfFilesThatAreNone) {
   expect_bad_file("dxf", "cut.dxf", square_dxf("10\n0\n20\n0\n10\n100\n20\n0\n10\n100\n20\n100\n", "0"),
                   "dxf.open_outline");
   expect_bad_file("dxf", "cut.dxf", square_dxf("10\n0\n20\n0\n10\n200\n20\n0\n10\n100\n20\n0\n"), "dxf.");
-  expect_bad_file("dxf", "cut.dxf", square_dxf("10\n0\n20\n0\n10\n100\n20\n100\n10\n150\n20\n0\n10\n0\n20\n100\n"),
+  expect_bad_file("dxf", "cut.dxf",
+                  square_dxf("10\n0\n20\n0\n10\n100\n20\n100\n10\n150\n20\n0\n10\n0\n20\n100\n"),
                   "dxf.self_crossing");
   expect_bad_file("dxf", "cut.dxf", square_dxf("10\nnan\n20\ninf\n10\n1e300\n20\n0\n10\n9\n20\n9\n"), "dxf.");
 }
@@ -100,28 +102,32 @@ TEST_F(BadUploads, FiftyMegabytesOfAnything) {
   expect_bad_file("body", "a.obj", repeated(std::string(1, '\0'), kAlmostAllowed), "");
   const std::string json = "Content-Type: application/json\r\n";
   for (const char* filling : {" ", "[", "{\"a\":", "1,", "x"}) {
-    expect_refused(ask(port, "POST", "/api/v1/projects", repeated(filling, kAlmostAllowed), json), "http.too_large",
-                   "");
+    expect_refused(ask(port, "POST", "/api/v1/projects", repeated(filling, kAlmostAllowed), json),
+                   "http.too_large", "");
   }
 }
 
 TEST_F(BadUploads, JsonNestedTenThousandDeep) {
   for (const char* level : {"[", "{\"a\":"}) {
     expect_bad_napkin("\"toile\": 1",
-                      "\"toile\": 1, \"x\": " + repeated(level, 10000 * std::string(level).size()), "json.too_deep",
-                      "/document/x");
+                      "\"toile\": 1, \"x\": " + repeated(level, 10000 * std::string(level).size()),
+                      "json.too_deep", "/document/x");
     expect_refused(send_json("POST", "/api/v1/jobs", repeated(level, 100'000)), "json.too_deep", "");
   }
 }
 
 TEST_F(BadUploads, FourMegabytesOfNearlyADocument) {
   constexpr std::size_t kJustAllowed = (std::size_t{4} << 20) - 4000;
-  expect_bad_napkin("\"toile\": 1", "\"toile\": 1, \"x\": [" + repeated("[],", kJustAllowed) + "[]]", "", "");
-  expect_bad_napkin("[[300, 300], [0, 300]]", "[" + repeated("[300, 300], ", kJustAllowed) + "[0, 300]]", "", "");
+  std::string unknown = "\"toile\": 1, \"x\": [", points = "[";
+  unknown += repeated("[],", kJustAllowed);
+  points += repeated("[300, 300], ", kJustAllowed);
+  expect_bad_napkin("\"toile\": 1", unknown + "[]]", "", "");
+  expect_bad_napkin("[[300, 300], [0, 300]]", points + "[0, 300]]", "", "");
 }
 
 TEST_F(BadUploads, DocumentsWithAFault) {
-  expect_bad_napkin("[[0, 300], [0, 0]]", "[[0, 300], [0, 7]]", "pattern.open_outline", "/document/pieces/0/outline");
+  expect_bad_napkin("[[0, 300], [0, 0]]", "[[0, 300], [0, 7]]", "pattern.open_outline",
+                    "/document/pieces/0/outline");
   expect_bad_napkin("[[300, 300], [0, 300]]", "[[300, 300], [150, -100], [0, 300]]", "pattern.self_crossing",
                     "/document/pieces/0");
   expect_bad_napkin("\"seams\": []", R"("seams": [{"id": "s", "a": [{"piece": "napkin", "edge": "east"}],
@@ -140,7 +146,8 @@ TEST_F(BadUploads, DocumentsWithAFault) {
 TEST_F(BadUploads, ANapkinOfAMillionParticlesIsRefusedAtTheLatestWhenItIsSubmitted) {
   jobs->stop();
   auto real = make_job_service(*store, hub, {});
-  std::string text = napkin_request(post_asset(), "\"particle_distance_mm\": 25", "\"particle_distance_mm\": 0.5");
+  std::string text =
+      napkin_request(post_asset(), "\"particle_distance_mm\": 25", "\"particle_distance_mm\": 0.5");
   for (std::size_t at = text.find("300"); at != std::string::npos; at = text.find("300", at + 5)) {
     text.replace(at, 3, "90000");
   }

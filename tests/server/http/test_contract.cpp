@@ -1,6 +1,6 @@
-// What the server answers and streams fits proto/openapi.yaml and proto/asyncapi.yaml: a drape from the upload to the
-// last result is recorded, and check_contract.py holds it against the schemas. The same script looks over the two
-// files themselves.
+// What the server answers and streams fits proto/openapi.yaml and proto/asyncapi.yaml: a drape from the
+// upload to the last result is recorded, and check_contract.py holds it against the schemas. The same script
+// looks over the two files themselves.
 
 #include <sys/wait.h>
 
@@ -51,8 +51,8 @@ class Contract : public Served {
 
   int check(const std::string& recordings) {
     const std::string root = TOILE_SOURCE_DIR;
-    const std::string command = "python3 " + root + "/tests/server/http/check_contract.py " + root + "/proto " +
-                                recordings + " >&2";
+    const std::string command =
+        "python3 " + root + "/tests/server/http/check_contract.py " + root + "/proto " + recordings + " >&2";
     const int status = std::system(command.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
@@ -68,7 +68,8 @@ TEST_F(Contract, EveryAnswerAndMessageFitsItsSchema) {
   recorded("GET", "/readyz");
   recorded("POST", "/api/v1/assets?kind=dxf&name=a.dxf", "no dxf");
   const std::string dxf =
-      "0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\nA\n90\n4\n70\n1\n10\n0\n20\n0\n10\n9\n20\n0\n10\n9\n20\n9\n0\n"
+      "0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\nA\n90\n4\n70\n1\n10\n0\n20\n0\n10\n9\n20\n0\n10\n9\n20\n9\n"
+      "0\n"
       "ENDSEC\n0\nEOF\n";
   recorded("POST", "/api/v1/assets?kind=dxf&name=a.dxf", dxf);
   recorded("POST", "/api/v1/assets?kind=x&name=a.dxf", dxf);

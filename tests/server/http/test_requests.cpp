@@ -36,7 +36,8 @@ TEST_F(Requests, AnswersOneAfterTheOtherOnOneConnection) {
     wire.send("GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n");
     EXPECT_EQ(read_answer(wire).status, 200);
   }
-  wire.send("GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\nGET /nothing HTTP/1.1\r\nHost: localhost\r\n\r\n");
+  wire.send(
+      "GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\nGET /nothing HTTP/1.1\r\nHost: localhost\r\n\r\n");
   EXPECT_EQ(read_answer(wire).status, 200);
   EXPECT_EQ(read_answer(wire).status, 404);
   wire.send("GET /healthz HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n");
@@ -46,7 +47,8 @@ TEST_F(Requests, AnswersOneAfterTheOtherOnOneConnection) {
 
 TEST_F(Requests, AnswersHeadWithoutABody) {
   Wire wire(port);
-  wire.send("HEAD /healthz HTTP/1.1\r\nHost: localhost\r\n\r\nGET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n");
+  wire.send(
+      "HEAD /healthz HTTP/1.1\r\nHost: localhost\r\n\r\nGET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n");
   const Answer head = read_answer(wire, true);
   EXPECT_EQ(head.status, 200);
   EXPECT_EQ(head.headers.at("content-length"), "17");
@@ -65,21 +67,26 @@ TEST_F(Requests, EndsAConnectionWhoseHeaderDoesNotCome) {
 }
 
 TEST_F(Requests, RefusesALargeHeader) {
-  EXPECT_EQ(status_of("GET /healthz HTTP/1.1\r\nHost: localhost\r\nX-Long: " + std::string(9000, 'a') + "\r\n\r\n"),
-            431);
+  EXPECT_EQ(
+      status_of("GET /healthz HTTP/1.1\r\nHost: localhost\r\nX-Long: " + std::string(9000, 'a') + "\r\n\r\n"),
+      431);
   std::string many = "GET /healthz HTTP/1.1\r\nHost: localhost\r\n";
   for (int i = 0; i < 1000; ++i) many += "X-" + std::to_string(i) + ": 1\r\n";
   EXPECT_EQ(status_of(many + "\r\n"), 431);
   EXPECT_EQ(status_of("GET /" + std::string(9000, 'a') + " HTTP/1.1\r\nHost: localhost\r\n\r\n"), 431);
-  EXPECT_EQ(status_of("GET /healthz HTTP/1.1\r\nHost: localhost\r\nX-Long: " + std::string(7000, 'a') + "\r\n\r\n"),
-            200);
+  EXPECT_EQ(
+      status_of("GET /healthz HTTP/1.1\r\nHost: localhost\r\nX-Long: " + std::string(7000, 'a') + "\r\n\r\n"),
+      200);
   expect_alive();
 }
 
 TEST_F(Requests, RefusesWhatLeavesTheLengthOfTheBodyInDoubt) {
-  const std::string post = std::string("POST /api/v1/jobs HTTP/1.1\r\nContent-Type: application/json\r\n") + kHost;
-  EXPECT_EQ(status_of(post + "Content-Length: 2\r\nTransfer-Encoding: chunked\r\n\r\n2\r\n{}\r\n0\r\n\r\n"), 400);
-  EXPECT_EQ(status_of(post + "Transfer-Encoding: chunked\r\nContent-Length: 2\r\n\r\n2\r\n{}\r\n0\r\n\r\n"), 400);
+  const std::string post =
+      std::string("POST /api/v1/jobs HTTP/1.1\r\nContent-Type: application/json\r\n") + kHost;
+  EXPECT_EQ(status_of(post + "Content-Length: 2\r\nTransfer-Encoding: chunked\r\n\r\n2\r\n{}\r\n0\r\n\r\n"),
+            400);
+  EXPECT_EQ(status_of(post + "Transfer-Encoding: chunked\r\nContent-Length: 2\r\n\r\n2\r\n{}\r\n0\r\n\r\n"),
+            400);
   EXPECT_EQ(status_of(post + "Content-Length: 2\r\nContent-Length: 3\r\n\r\n{} "), 400);
   EXPECT_EQ(status_of(post + "Content-Length: 2\r\nContent-Length: 2\r\n\r\n{}"), 400);
   EXPECT_EQ(status_of(post + "Content-Length: 2, 2\r\n\r\n{}"), 400);
@@ -93,11 +100,12 @@ TEST_F(Requests, RefusesWhatLeavesTheLengthOfTheBodyInDoubt) {
 TEST_F(Requests, RefusesWhatIsNotHttp) {
   for (const std::string& bytes :
        {std::string("\n"), std::string("\r\n\r\n\r\n"), std::string("GET / HTTP/1.1\nHost: localhost\n\n"),
-        std::string("GET / HTTP/1.1\r\nHost: localhost\nX: 1\r\n\r\n"), std::string("GET  / HTTP/1.1\r\n\r\n"),
+        std::string("GET / HTTP/1.1\r\nHost: localhost\nX: 1\r\n\r\n"),
+        std::string("GET  / HTTP/1.1\r\n\r\n"),
         std::string("\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03 and so on", 24), std::string(300, '\0'),
         std::string("GET / HTTP/9.9\r\nHost: localhost\r\n\r\n"), std::string("SSH-2.0-OpenSSH_9.2\r\n"),
-        std::string("GET / HTTP/1.1\r\nHost : localhost\r\n\r\n"), std::string("GET / HTTP/1.1\r\n: x\r\n\r\n"),
-        std::string("PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n")}) {
+        std::string("GET / HTTP/1.1\r\nHost : localhost\r\n\r\n"),
+        std::string("GET / HTTP/1.1\r\n: x\r\n\r\n"), std::string("PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n")}) {
     const int status = status_of(bytes);
     EXPECT_TRUE(status == 400 || status == 431) << bytes << " gave " << status;
   }
@@ -108,41 +116,48 @@ TEST_F(Requests, RefusesForeignHostsAndOrigins) {
   EXPECT_EQ(status_of("GET /healthz HTTP/1.1\r\n\r\n"), 400);
   EXPECT_EQ(status_of("GET /healthz HTTP/1.1\r\nHost: localhost\r\nHost: localhost\r\n\r\n"), 400);
   EXPECT_EQ(status_of("GET /healthz HTTP/1.1\r\nHost: garments.example\r\n\r\n"), 421);
-  EXPECT_PROBLEM(send_json("POST", "/api/v1/jobs", "{}", "Origin: http://evil.example\r\n"), 403, "http.origin");
-  EXPECT_PROBLEM(send_json("POST", "/api/v1/jobs", "{}", "Origin: http://localhost:" + std::to_string(port) + "\r\n"),
-                 422, "request.project_id");
+  EXPECT_PROBLEM(send_json("POST", "/api/v1/jobs", "{}", "Origin: http://evil.example\r\n"), 403,
+                 "http.origin");
+  EXPECT_PROBLEM(
+      send_json("POST", "/api/v1/jobs", "{}", "Origin: http://localhost:" + std::to_string(port) + "\r\n"),
+      422, "request.project_id");
 }
 
 TEST_F(Requests, RefusesBodiesThatAreTooLargeBeforeReadingThem) {
   const std::string json = "Content-Type: application/json\r\n";
   EXPECT_PROBLEM(ask(port, "POST", "/api/v1/jobs", std::string(300'000, ' '), json), 413, "http.too_large");
-  EXPECT_PROBLEM(ask(port, "POST", "/api/v1/projects", std::string(5'000'000, ' '), json), 413, "http.too_large");
+  EXPECT_PROBLEM(ask(port, "POST", "/api/v1/projects", std::string(5'000'000, ' '), json), 413,
+                 "http.too_large");
   EXPECT_PROBLEM(upload("dxf", "a.dxf", std::string(53'000'000, 'x')), 413, "http.too_large");
   EXPECT_PROBLEM(ask(port, "POST", "/api/v1/assets?kind=fabric&name=a", std::string(300'000, 'x')), 413,
                  "http.too_large");
   Wire wire(port);
-  wire.send("POST /api/v1/bodies?name=a.obj HTTP/1.1\r\nHost: localhost\r\nContent-Length: 999999999999\r\n\r\n");
+  wire.send(
+      "POST /api/v1/bodies?name=a.obj HTTP/1.1\r\nHost: localhost\r\nContent-Length: 999999999999\r\n\r\n");
   EXPECT_EQ(read_answer(wire).status, 413);
   expect_alive();
 }
 
 TEST_F(Requests, CountsTheBytesOfChunkedBodies) {
   Wire wire(port);
-  wire.send("POST /api/v1/jobs HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\n"
-            "Transfer-Encoding: chunked\r\n\r\n");
+  wire.send(
+      "POST /api/v1/jobs HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\n"
+      "Transfer-Encoding: chunked\r\n\r\n");
   const std::string chunk = "10000\r\n" + std::string(65536, ' ') + "\r\n";
   for (int i = 0; i < 6; ++i) wire.send(chunk);
   EXPECT_EQ(read_answer(wire).status, 413);
   Wire good(port);
-  good.send("POST /api/v1/jobs HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\n"
-            "Transfer-Encoding: chunked\r\n\r\n1\r\n{\r\n1\r\n}\r\n0\r\n\r\n");
+  good.send(
+      "POST /api/v1/jobs HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\n"
+      "Transfer-Encoding: chunked\r\n\r\n1\r\n{\r\n1\r\n}\r\n0\r\n\r\n");
   EXPECT_EQ(read_answer(good).status, 422);
 }
 
 TEST_F(Requests, LetsThoseGoOnWhoAskFirst) {
   Wire wire(port);
-  wire.send("POST /api/v1/jobs HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\n"
-            "Content-Length: 2\r\nExpect: 100-continue\r\n\r\n");
+  wire.send(
+      "POST /api/v1/jobs HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\n"
+      "Content-Length: 2\r\nExpect: 100-continue\r\n\r\n");
   const auto go_on = wire.read_until("\r\n\r\n", 2);
   ASSERT_TRUE(go_on);
   EXPECT_TRUE(go_on->starts_with("HTTP/1.1 100 "));
@@ -157,14 +172,16 @@ TEST_F(Requests, GivesMethodsAndAddressesTheirDue) {
   EXPECT_PROBLEM(wrong, 405, "http.method");
   EXPECT_EQ(wrong.headers.at("allow"), "POST, GET, HEAD");
   EXPECT_PROBLEM(ask(port, "TRACE", "/healthz"), 405, "http.method");
-  EXPECT_PROBLEM(ask(port, "POST", "/api/v1/jobs", "{}", "Content-Type: text/plain\r\n"), 415, "http.content_type");
-  EXPECT_PROBLEM(ask(port, "POST", "/api/v1/assets?kind=dxf&name=a.dxf", "--x", "Content-Type: multipart/form-data\r\n"),
-                 415, "http.content_type");
+  EXPECT_PROBLEM(ask(port, "POST", "/api/v1/jobs", "{}", "Content-Type: text/plain\r\n"), 415,
+                 "http.content_type");
+  EXPECT_PROBLEM(
+      ask(port, "POST", "/api/v1/assets?kind=dxf&name=a.dxf", "--x", "Content-Type: multipart/form-data\r\n"),
+      415, "http.content_type");
 }
 
 TEST_F(Requests, ReadsNothingOutsideByAnyName) {
-  for (const char* name : {"..", "../..", "%2e%2e", "..%2f..%2fetc%2fpasswd", "%2e%2e%2fdata%2ftoile.db", "....//",
-                           "..%5c..", "%00", ".", "j_1%2f..", "~", "-", "*", "%2fetc%2fpasswd"}) {
+  for (const char* name : {"..", "../..", "%2e%2e", "..%2f..%2fetc%2fpasswd", "%2e%2e%2fdata%2ftoile.db",
+                           "....//", "..%5c..", "%00", ".", "j_1%2f..", "~", "-", "*", "%2fetc%2fpasswd"}) {
     for (const char* before : {"/", "/api/v1/jobs/", "/api/v1/assets/", "/api/v1/projects/"}) {
       for (const char* after : {"", "/content", "/results/report.json"}) {
         const Answer answer = get(std::string(before) + name + after);
@@ -176,7 +193,8 @@ TEST_F(Requests, ReadsNothingOutsideByAnyName) {
 
 TEST_F(Requests, LivesThroughAHundredConnectionsThatEndAnywhere) {
   const std::string whole =
-      "POST /api/v1/jobs HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: 20\r\n\r\n"
+      "POST /api/v1/jobs HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: "
+      "20\r\n\r\n"
       "{\"project_id\": \"p\"} ";
   for (std::size_t length = 0; length < whole.size(); length += 2) {
     Wire wire(port);
@@ -199,7 +217,8 @@ TEST_F(Requests, CountsWhatItAnswers) {
   get("/nothing");
   const Answer metrics = get("/metrics");
   EXPECT_EQ(metrics.headers.at("content-type"), "text/plain; version=0.0.4; charset=utf-8");
-  EXPECT_NE(metrics.body.find("toile_http_requests_total{method=\"GET\",status=\"404\"} 1\n"), std::string::npos)
+  EXPECT_NE(metrics.body.find("toile_http_requests_total{method=\"GET\",status=\"404\"} 1\n"),
+            std::string::npos)
       << metrics.body;
   EXPECT_NE(metrics.body.find("toile_jobs{state=\"running\"} 0\n"), std::string::npos);
 }
@@ -218,7 +237,8 @@ TEST_F(Requests, StopsWithIdleAndHalfFinishedConnectionsOpen) {
 }
 
 TEST(HttpServer, OpensThePortOnTheLoopbackOnly) {
-  const auto folder = std::filesystem::path(testing::TempDir()) / ("toile_loopback_" + std::to_string(getpid()));
+  const auto folder =
+      std::filesystem::path(testing::TempDir()) / ("toile_loopback_" + std::to_string(getpid()));
   std::filesystem::create_directories(folder);
   auto store = open_sqlite_store(folder.string());
   ASSERT_TRUE(store);

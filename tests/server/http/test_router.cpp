@@ -65,11 +65,12 @@ TEST_F(RouterTest, LeavesTheRestToThePageButNothingUnderApi) {
 }
 
 TEST_F(RouterTest, TakesAJsonBodyAsJsonOnlyAndOnlySoLarge) {
-  EXPECT_EQ(status("POST", "/api/v1/jobs", {.has_body = true, .length = 10}), 415);
+  EXPECT_EQ(status("POST", "/api/v1/jobs", {.upgrade = false, .has_body = true, .length = 10}), 415);
   headers["content-type"] = "Application/JSON; charset=utf-8";
-  EXPECT_EQ(status("POST", "/api/v1/jobs", {.has_body = true, .length = 10}), 200);
-  EXPECT_EQ(status("POST", "/api/v1/jobs", {.has_body = true, .length = kSmallBody}), 200);
-  EXPECT_EQ(status("POST", "/api/v1/jobs", {.has_body = true, .length = kSmallBody + 1}), 413);
+  EXPECT_EQ(status("POST", "/api/v1/jobs", {.upgrade = false, .has_body = true, .length = 10}), 200);
+  EXPECT_EQ(status("POST", "/api/v1/jobs", {.upgrade = false, .has_body = true, .length = kSmallBody}), 200);
+  EXPECT_EQ(status("POST", "/api/v1/jobs", {.upgrade = false, .has_body = true, .length = kSmallBody + 1}),
+            413);
 }
 
 TEST_F(RouterTest, ServesNoOtherHost) {
@@ -81,10 +82,12 @@ TEST_F(RouterTest, ServesNoOtherHost) {
 
 TEST_F(RouterTest, LetsNoOtherPageChangeAnything) {
   headers["content-type"] = "application/json";
-  for (const char* origin : {"http://evil.example", "null", "http://localhost:9999", "http://localhost:8460.evil.example"}) {
+  for (const char* origin :
+       {"http://evil.example", "null", "http://localhost:9999", "http://localhost:8460.evil.example"}) {
     headers["origin"] = origin;
     EXPECT_EQ(status("POST", "/api/v1/jobs"), 403) << origin;
-    EXPECT_EQ(status("GET", "/api/v1/jobs", {.upgrade = true}), 403) << origin;
+    EXPECT_EQ(status("GET", "/api/v1/jobs", {.upgrade = true, .has_body = false, .length = {}}), 403)
+        << origin;
     EXPECT_EQ(status("GET", "/api/v1/jobs"), 200) << origin;
   }
   headers["origin"] = "http://localhost:8460";

@@ -43,7 +43,8 @@ TEST_F(Routes, ListUploadsByKind) {
 
 TEST_F(Routes, NeverServeAnUploadAsSomethingThatRuns) {
   const std::string dxf =
-      "0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\nA\n90\n4\n70\n1\n10\n0\n20\n0\n10\n9\n20\n0\n10\n9\n20\n9\n0\n"
+      "0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\nA\n90\n4\n70\n1\n10\n0\n20\n0\n10\n9\n20\n0\n10\n9\n20\n9\n"
+      "0\n"
       "ENDSEC\n0\nEOF\n";
   const Answer made = upload("dxf", "page.html", dxf);
   ASSERT_EQ(made.status, 201) << made.body;
@@ -119,7 +120,8 @@ TEST_F(Routes, RemoveAProject) {
   EXPECT_PROBLEM(get(address), 404, "store.not_found");
   EXPECT_PROBLEM(ask(port, "DELETE", address), 404, "store.not_found");
   EXPECT_PROBLEM(get(address + "/pieces"), 404, "store.not_found");
-  EXPECT_PROBLEM(send_json("PUT", address, napkin_request(post_asset()), "If-Match: *\r\n"), 404, "store.not_found");
+  EXPECT_PROBLEM(send_json("PUT", address, napkin_request(post_asset()), "If-Match: *\r\n"), 404,
+                 "store.not_found");
 }
 
 TEST_F(Routes, RefuseRequestsForProjectsThatAreNone) {

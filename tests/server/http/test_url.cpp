@@ -18,9 +18,16 @@ TEST(Url, SplitsAndDecodesATarget) {
 }
 
 TEST(Url, RefusesTargetsThatLeaveTheirFolder) {
-  for (const char* target :
-       {"/..", "/../etc/passwd", "/a/../../b", "/%2e%2e/x", "/.%2e/x", "/..%2fx", "/a%2fb", "/a%5cb", "/a\\b",
-        "/%2e", "/./a", "/x%00.html", "/%", "/%4", "/%zz", "*", "", "http://localhost/", "a/b", "/?x=%q"}) {
+  for (const char* target : {"/..",        "/../etc/passwd",
+                             "/a/../../b", "/%2e%2e/x",
+                             "/.%2e/x",    "/..%2fx",
+                             "/a%2fb",     "/a%5cb",
+                             "/a\\b",      "/%2e",
+                             "/./a",       "/x%00.html",
+                             "/%",         "/%4",
+                             "/%zz",       "*",
+                             "",           "http://localhost/",
+                             "a/b",        "/?x=%q"}) {
     EXPECT_FALSE(parse_target(target)) << target;
   }
 }
@@ -32,8 +39,9 @@ TEST(Url, KnowsTheLoopbackByItsNames) {
     ASSERT_TRUE(name) << host;
     EXPECT_TRUE(is_loopback_name(*name)) << host;
   }
-  for (const char* host : {"example.org", "127.0.0.1.example.org", "localhost.example.org", "10.0.0.1", "0.0.0.0",
-                           "128.0.0.1", "127.0.0", "127.0.0.1.1", "127.0.0.256", "[::2]", "notlocalhost"}) {
+  for (const char* host :
+       {"example.org", "127.0.0.1.example.org", "localhost.example.org", "10.0.0.1", "0.0.0.0", "128.0.0.1",
+        "127.0.0", "127.0.0.1.1", "127.0.0.256", "[::2]", "notlocalhost"}) {
     const auto name = host_name(host);
     ASSERT_TRUE(name) << host;
     EXPECT_FALSE(is_loopback_name(*name)) << host;

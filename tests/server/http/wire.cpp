@@ -37,7 +37,8 @@ std::uint64_t number_of(std::string_view bytes) {
 }  // namespace
 
 Wire::Wire(int port, int receive_buffer) : socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
-  if (receive_buffer > 0) ::setsockopt(socket_, SOL_SOCKET, SO_RCVBUF, &receive_buffer, sizeof receive_buffer);
+  if (receive_buffer > 0)
+    ::setsockopt(socket_, SOL_SOCKET, SO_RCVBUF, &receive_buffer, sizeof receive_buffer);
   const timeval patience{20, 0};
   ::setsockopt(socket_, SOL_SOCKET, SO_SNDTIMEO, &patience, sizeof patience);
   sockaddr_in place{};
@@ -107,7 +108,8 @@ Answer read_answer(Wire& wire, bool head) {
   answer.status = std::stoi(header->substr(9, 3));
   for (std::size_t at = header->find("\r\n") + 2; at + 2 < header->size();) {
     const std::size_t end = header->find("\r\n", at), colon = header->find(": ", at);
-    if (colon < end) answer.headers[lower(header->substr(at, colon - at))] = header->substr(colon + 2, end - colon - 2);
+    if (colon < end)
+      answer.headers[lower(header->substr(at, colon - at))] = header->substr(colon + 2, end - colon - 2);
     at = end + 2;
   }
   if (answer.status == 100) return read_answer(wire, head);
@@ -121,7 +123,8 @@ Answer read_answer(Wire& wire, bool head) {
 Answer ask(int port, const std::string& method, const std::string& target, const std::string& body,
            const std::string& headers) {
   Wire wire(port);
-  std::string head = method + " " + target + " HTTP/1.1\r\nHost: localhost:" + std::to_string(port) + "\r\n" + headers;
+  std::string head =
+      method + " " + target + " HTTP/1.1\r\nHost: localhost:" + std::to_string(port) + "\r\n" + headers;
   if (!body.empty() || method == "POST" || method == "PUT") {
     head += "Content-Length: " + std::to_string(body.size()) + "\r\n";
   }

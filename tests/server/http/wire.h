@@ -35,7 +35,7 @@ class Wire {
 };
 
 struct Answer {
-  int status = 0;  ///< 0: there was none
+  int status = 0;                              ///< 0: there was none
   std::map<std::string, std::string> headers;  ///< lower case
   std::string body;
 };

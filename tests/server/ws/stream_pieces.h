@@ -11,7 +11,8 @@
 
 namespace toile::test {
 
-inline std::shared_ptr<const StreamTopology> topology(std::uint32_t epoch, const std::string& bytes = "topology") {
+inline std::shared_ptr<const StreamTopology> topology(std::uint32_t epoch,
+                                                      const std::string& bytes = "topology") {
   return std::make_shared<const StreamTopology>(StreamTopology{epoch, bytes});
 }
 
@@ -24,7 +25,8 @@ inline std::vector<std::int16_t> wave(std::uint32_t seq, std::size_t vertices) {
   return grid;
 }
 
-inline std::shared_ptr<const StreamFrame> frame(std::uint32_t seq, std::uint32_t epoch = 1, std::size_t vertices = 16) {
+inline std::shared_ptr<const StreamFrame> frame(std::uint32_t seq, std::uint32_t epoch = 1,
+                                                std::size_t vertices = 16) {
   auto made = std::make_shared<StreamFrame>();
   made->epoch = epoch;
   made->seq = seq;

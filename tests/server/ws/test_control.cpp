@@ -12,8 +12,8 @@ TEST(Control, ReadsTheThreeCommands) {
 }
 
 TEST(Control, RefusesEverythingElse) {
-  for (const char* text : {"", "pause", "{}", "[]", "null", R"({"type": 1})", R"({"type": "Pause"})", R"({"type": )",
-                           R"({"type": "pause", "x": [[[[[[1]]]]]]})"}) {
+  for (const char* text : {"", "pause", "{}", "[]", "null", R"({"type": 1})", R"({"type": "Pause"})",
+                           R"({"type": )", R"({"type": "pause", "x": [[[[[[1]]]]]]})"}) {
     EXPECT_FALSE(parse_control(text)) << text;
   }
   EXPECT_EQ(parse_control(R"({"type": "fly"})").error().code, "stream.unknown_type");

@@ -5,7 +5,7 @@ import { valueOf, type Sample } from '../state/AppState';
 import { useAppState } from '../state/context';
 import { adviceFor, isActive } from '../state/jobs';
 import { cssColour } from '../state/patternGeometry';
-import { duration, speed } from '../state/words';
+import { duration, sentence, speed } from '../state/words';
 
 export function DrapeFigures() {
   const state = useAppState();
@@ -27,7 +27,7 @@ function Reason({ job }: { job: Job }) {
   return (
     <div class={`reason state-${job.state}`} role={job.state === 'failed' ? 'alert' : undefined}>
       <h3>{job.state === 'failed' ? 'The drape failed' : 'The drape was cancelled'}</h3>
-      {job.reason && <p>{job.reason}</p>}
+      {job.reason && <p>{sentence(job.reason)}</p>}
       {job.reason_where && <p class="where">{job.reason_where}</p>}
       {advice && <p>{advice}</p>}
       {job.state === 'failed' && job.reason_code && <p class="code">{job.reason_code}</p>}

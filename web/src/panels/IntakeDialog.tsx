@@ -5,7 +5,7 @@ import { useCommands } from '../commands/context';
 import type { Intake } from '../state/AppState';
 import { useAppState } from '../state/context';
 import type { IntakePlan } from '../state/intake';
-import { bytes, counted } from '../state/words';
+import { bytes, counted, sentence } from '../state/words';
 import { Icon } from './Icon';
 
 export function IntakeDialog() {
@@ -52,7 +52,7 @@ function Dialog({ intake }: { intake: Intake }) {
           <div class="problem" role="alert">
             <Icon name="alert" />
             <div>
-              <p>{intake.error.detail}</p>
+              <p>{sentence(intake.error.detail)}</p>
               <p class="code">{[intake.error.code, intake.error.where].filter(Boolean).join(' · ')}</p>
             </div>
           </div>

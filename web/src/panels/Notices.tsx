@@ -1,5 +1,6 @@
 import { dismiss } from '../commands/notices';
 import { useAppState } from '../state/context';
+import { sentence } from '../state/words';
 import { Icon } from './Icon';
 
 /** Short news at the edge of the page. */
@@ -11,7 +12,7 @@ export function Notices() {
         <div key={notice.id} class={`notice ${notice.tone}`} role={notice.tone === 'bad' ? 'alert' : 'status'}>
           <Icon name={notice.tone === 'bad' ? 'alert' : 'check'} />
           <div>
-            <p>{notice.text}</p>
+            <p>{sentence(notice.text)}</p>
             {(notice.code || notice.where) && (
               <p class="code">{[notice.code, notice.where].filter(Boolean).join(' · ')}</p>
             )}

@@ -7,6 +7,7 @@ import { useCommands } from '../commands/context';
 import { valueOf } from '../state/AppState';
 import { useAppState } from '../state/context';
 import { joined, layOut, seamLines } from '../state/patternGeometry';
+import { sentence } from '../state/words';
 import { PieceShape } from './PieceShape';
 import { fit, panned, viewBox, zoomed, type Viewport } from './Viewport';
 
@@ -35,7 +36,7 @@ export function PatternPane() {
       {pieces?.state === 'failed' && (
         <div class="pane-error" role="alert">
           <h3>The pattern cannot be shown</h3>
-          <p>{pieces.error.detail}</p>
+          <p>{sentence(pieces.error.detail)}</p>
           <p class="code">
             {pieces.error.code}
             {pieces.error.where && <> · {pieces.error.where}</>}

@@ -7,7 +7,7 @@ import type { AppState, View } from '../state/AppState';
 import { valueOf } from '../state/AppState';
 import { useAppState } from '../state/context';
 import { activity, isActive, placeInQueue } from '../state/jobs';
-import { counted } from '../state/words';
+import { counted, sentence } from '../state/words';
 import type { SceneView } from './SceneView';
 
 const kViews: { view: View; title: string; key: string }[] = [
@@ -187,7 +187,7 @@ function Overlay() {
     );
   }
   if (job && job.state === 'failed')
-    return <Message title="This drape failed" text={job.reason || 'It ended without a result.'} />;
+    return <Message title="This drape failed" text={sentence(job.reason || 'it ended without a result')} />;
   if (job && job.state === 'cancelled')
     return <Message title="Cancelled" text="This drape was stopped before it had cloth to show." />;
   if (job) return null;

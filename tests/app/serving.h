@@ -1,0 +1,40 @@
+#pragma once
+// The real program as a server in a process of its own.
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "server/http/client.h"
+
+namespace toile {
+
+class Serving {
+ public:
+  /// Starts `toile serve` on a free port over `data` and waits until it prints its address.
+  explicit Serving(const std::filesystem::path& data, const std::vector<std::string>& more = {});
+  ~Serving();  ///< kills it, if it still runs
+  Serving(const Serving&) = delete;
+
+  bool up() const { return port_ > 0; }
+  int port() const { return port_; }
+  std::string url() const { return "http://127.0.0.1:" + std::to_string(port_); }
+  /// Sends a signal and waits at most `within_s`; the exit code, or minus the signal that ended it.
+  int end(int signal, double within_s = 20);
+  /// What it has said on stdout and stderr.
+  std::string said() const;
+
+  /// One request; status 0 when nothing answers.
+  HttpReply ask(const HttpClient::Request& request) const;
+  HttpReply get(const std::string& target) const;
+  HttpReply post(const std::string& target, const std::string& json, const std::string& key = "") const;
+
+ private:
+  pid_t pid_ = -1;
+  int port_ = 0;
+  std::filesystem::path log_;
+};
+
+}  // namespace toile
