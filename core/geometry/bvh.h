@@ -75,12 +75,8 @@ class Bvh {
       if (!overlap(a.box, b.box)) continue;
       if (a.primitive != kNone && b.primitive != kNone) {
         visit(a.primitive, b.primitive);
-      } else if (b.primitive != kNone || (a.primitive == kNone && a.size >= b.size)) {
-        stack.push_back({a.right, j});
-        stack.push_back({i + 1, j});
       } else {
-        stack.push_back({i, b.right});
-        stack.push_back({i, j + 1});
+        descend(a, i, b, j, stack);
       }
     }
   }
@@ -105,12 +101,8 @@ class Bvh {
       if (!overlap(a.box, b.box)) continue;
       if (a.primitive != kNone && b.primitive != kNone) {
         visit(a.primitive, b.primitive);
-      } else if (b.primitive != kNone || (a.primitive == kNone && a.size >= b.size)) {
-        stack.push_back({a.right, j});
-        stack.push_back({i + 1, j});
       } else {
-        stack.push_back({i, b.right});
-        stack.push_back({i, j + 1});
+        descend(a, i, b, j, stack);
       }
     }
   }
@@ -124,6 +116,20 @@ class Bvh {
     Index primitive = kNone;  ///< of a leaf
     Index size = 1;           ///< primitives below
   };
+
+  using PairStack = std::vector<std::pair<Index, Index>>;
+
+  /// Puts the pairs below an overlapping pair of nodes on the stack: the larger node is parted. Not both are
+  /// leaves.
+  static void descend(const Node& a, Index i, const Node& b, Index j, PairStack& stack) {
+    if (b.primitive != kNone || (a.primitive == kNone && a.size >= b.size)) {
+      stack.push_back({a.right, j});
+      stack.push_back({i + 1, j});
+    } else {
+      stack.push_back({i, b.right});
+      stack.push_back({i, j + 1});
+    }
+  }
 
   Index build(std::span<Index> order, std::span<const Box3> boxes);
 

@@ -12,7 +12,8 @@ ServeOptions completed(ServeOptions options) {
   const int cores = static_cast<int>(std::thread::hardware_concurrency());
   if (options.workers == 0) options.workers = std::clamp(cores, 1, kMostWorkers);
   if (options.web.empty()) options.web = shipped_folder("web/dist").string();
-  if (options.sample.empty()) options.sample = shipped_folder("samples/skirt").string();
+  if (options.no_sample) options.sample.clear();
+  if (options.sample.empty() && !options.no_sample) options.sample = shipped_folder("samples/skirt").string();
   return options;
 }
 

@@ -13,6 +13,7 @@ struct ServeOptions {
   int workers = 0;            ///< drapes at once; 0: one for each core, at most kMostWorkers
   std::string web;            ///< folder of the built page; empty: the one that came with the program
   std::string sample;         ///< folder of the first project; empty: the one that came with the program
+  bool no_sample = false;     ///< begin a new store empty
 };
 
 inline constexpr int kMostWorkers = 64;

@@ -117,6 +117,7 @@ CLI::App* add_serve(CLI::App& app, Options& options) {
   verb->add_option("--web", serve.web, "Folder of the built page (default: web/dist)");
   verb->add_option("--sample", serve.sample,
                    "Folder of the project that a new store begins with (default: samples/skirt)");
+  verb->add_flag("--no-sample", serve.no_sample, "Begin a new store empty");
   verb->footer(
       std::string("Prints its address once it answers. SIGTERM and Ctrl-C end it in good order: running\n"
                   "drapes go back to the queue, and the next start takes them up.\n\n"

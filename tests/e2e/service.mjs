@@ -15,7 +15,7 @@ export class Service {
   #child = null;
   #sample;
 
-  /** `sample` is the folder of the project that a new store begins with. */
+  /** `sample` is the folder of the project that a new store begins with; empty: with none. */
   constructor(sample = join(root, 'samples/skirt')) {
     this.#sample = sample;
   }
@@ -36,8 +36,7 @@ export class Service {
       '2',
       '--web',
       join(root, 'web/dist'),
-      '--sample',
-      this.#sample,
+      ...(this.#sample ? ['--sample', this.#sample] : ['--no-sample']),
     ];
     const child = spawn(program, ['serve', ...options], { stdio: ['ignore', 'pipe', 'pipe'] });
     this.#child = child;

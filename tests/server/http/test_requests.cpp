@@ -102,7 +102,7 @@ TEST_F(Requests, RefusesWhatIsNotHttp) {
        {std::string("\n"), std::string("\r\n\r\n\r\n"), std::string("GET / HTTP/1.1\nHost: localhost\n\n"),
         std::string("GET / HTTP/1.1\r\nHost: localhost\nX: 1\r\n\r\n"),
         std::string("GET  / HTTP/1.1\r\n\r\n"),
-        std::string("\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03 and so on", 24), std::string(300, '\0'),
+        std::string("\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03 and so on", 21), std::string(300, '\0'),
         std::string("GET / HTTP/9.9\r\nHost: localhost\r\n\r\n"), std::string("SSH-2.0-OpenSSH_9.2\r\n"),
         std::string("GET / HTTP/1.1\r\nHost : localhost\r\n\r\n"),
         std::string("GET / HTTP/1.1\r\n: x\r\n\r\n"), std::string("PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n")}) {
