@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,9 +25,13 @@ enum class DxfType {
   line,
   arc,
   circle,
+  ellipse,
   spline,
+  point,
   text,
+  mtext,
   insert,
+  attribute,
   block
 };
 
@@ -35,6 +40,9 @@ DxfType dxf_type_of(std::string_view name);
 /// Whether the numbers of this group code matter to an entity of this type.
 bool wants(DxfType type, int code);
 
+/// Whether an entity of this type is of no use when a number of it cannot be read.
+bool needs_numbers(DxfType type);
+
 /// An entity while its groups come in.
 struct DxfDraft {
   DxfType type = DxfType::skipped;
@@ -42,8 +50,10 @@ struct DxfDraft {
   int line = 0;
   std::map<int, double> numbers;
   std::vector<DxfVertex> vertices;  // of LWPOLYLINE and SPLINE
-  bool awaits_y = false;
+  std::vector<DxfVertex> through;   // of SPLINE: points that it passes
+  bool awaits_y = false, through_awaits_y = false;
   std::vector<double> knots, weights;
+  std::optional<Error> fault;  // its first number that is none
 
   double number(int code, double otherwise = 0) const {
     const auto it = numbers.find(code);

@@ -1,10 +1,12 @@
 #pragma once
-// The lowest layer of DXF: pairs of lines, a group code and a value.
+// The lowest layer of DXF: pairs of lines, a group code and a value, read as they come.
 
 #include <cstddef>
+#include <istream>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/result.h"
 
@@ -12,38 +14,43 @@ namespace toile {
 
 struct DxfGroup {
   int code = 0;
-  std::string_view value;  ///< trimmed; a view into the reader's text
+  std::string_view value;  ///< trimmed; valid until the next call of next()
   int line = 0;            ///< of the value, from 1
 };
 
-/// Takes a DXF text apart, one group at a time. Lines may end in LF, CR LF or CR.
+/// Takes a DXF text apart, one group at a time, with one buffer of 64 KiB. Lines may end in LF, CR LF or CR.
 class DxfGroupReader {
  public:
-  /// The text must outlive the reader.
-  explicit DxfGroupReader(std::string_view text) : text_(text) {}
+  /// Reads no more than `max_bytes` of the stream, which must outlive the reader.
+  DxfGroupReader(std::istream& in, std::size_t max_bytes);
+
+  /// The first bytes of the text (up to 1 KiB), without taking them.
+  std::string_view beginning() const { return std::string_view(buffer_.data() + at_, shown_); }
 
   /// The next group; nothing at the end of the text or at an error.
   std::optional<DxfGroup> next();
 
-  /// Set once next() met a code that is no number, a line too long, or a code without a value.
+  /// Set once next() met a code that is no number, a line too long, a code without a value, or the limit.
   const std::optional<Error>& error() const { return error_; }
   int line() const { return line_; }  ///< last line read
+  /// Whether all that follows is blank. Takes it.
+  bool only_blanks_left();
 
  private:
-  std::optional<std::string_view> next_line();
+  bool fill();
+  int peek();
+  bool next_line(std::string& line);
 
-  std::string_view text_;
-  std::size_t at_ = 0;
+  std::istream& in_;
+  std::vector<char> buffer_;
+  std::size_t at_ = 0, end_ = 0, shown_ = 0, bytes_ = 0, max_bytes_;
   int line_ = 0;
+  std::string code_, value_;
   std::optional<Error> error_;
 };
 
-/// The number, or nothing when `text` is not wholly one finite number.
+/// The number, or nothing when `text` is not wholly one finite number. A comma may stand for the point.
 std::optional<double> number_of(std::string_view text);
-
-/// The text as valid UTF-8 without control characters, at most 120 characters long: older files hold Windows
-/// Latin 1, newer ones escapes such as \U+00E9.
-std::string clean_text(std::string_view text);
 
 /// "line 12", as `where` names it.
 std::string line_text(int line);

@@ -1,22 +1,32 @@
 #pragma once
-// Which lines of a drawing are outlines, which are holes, and which say nothing about the cloth's shape.
+// What the layers of a pattern drawing stand for.
 
-#include <vector>
-
-#include "core/base/result.h"
-#include "core/pattern/dxf_chains.h"
-#include "core/pattern/dxf_notes.h"
-#include "core/pattern/dxf_read.h"
+#include <string>
 
 namespace toile {
 
-/// The pieces, without names, that the chains of one place make, by line; none when nothing there closes.
-/// Where there are lines on AAMA layers 1 (cut) or 14 (sew) only those make pieces, sew before cut: see
-/// ANSI/AAMA-292 and ASTM D6673 for the numbers. Errors: dxf.open_outline, dxf.zero_area, dxf.too_large.
-Result<std::vector<DxfPiece>> pieces_of_chains(const std::vector<DxfChain>& chains,
-                                               const DxfSettings& settings, DxfNotes& notes);
+/// By the numbers of ANSI/AAMA-292 and ASTM D6673, and by the names that people give.
+enum class DxfRole {
+  cut,       ///< 1
+  turn,      ///< 2: points where the outline turns
+  curve,     ///< 3: points on its curves
+  notch,     ///< 4, and 80 to 83 for other shapes of notch
+  grade,     ///< 5
+  mirror,    ///< 6
+  grain,     ///< 7
+  internal,  ///< 8
+  guide,     ///< 9, 10: stripes and plaids
+  cutout,    ///< 11
+  drill,     ///< 13
+  sew,       ///< 14
+  text,      ///< 15
+  repeat,    ///< 84, 85, 86, 87: layers 1, 8, 11, 14 once more, more closely drawn
+  other
+};
 
-/// The error that a chain should close and does not.
-Error open_outline(const DxfChain& chain);
+DxfRole role_of_layer(const std::string& layer);
+
+/// Of a layer that repeats another one at another density: the other one's role. Else its own.
+DxfRole repeated_role(const std::string& layer);
 
 }  // namespace toile

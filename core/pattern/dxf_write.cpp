@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/base/units.h"
+#include "core/geometry/polygon2.h"
 #include "core/pattern/curve.h"
 
 namespace toile {
@@ -12,7 +14,9 @@ namespace {
 constexpr int kDecimals = 4;         // of a millimetre
 constexpr double kGrainShare = 0.5;  // of the piece's size, the length of the grain line
 constexpr double kTextHeight = 10;   // mm
-constexpr const char *kCut = "1", *kGrain = "7", *kInside = "11";  // AAMA layers
+// AAMA layers
+constexpr const char *kCut = "1", *kTurn = "2", *kNotch = "4", *kGrain = "7", *kInternal = "8",
+                     *kInside = "11";
 
 // Groups of a DXF file: a code and a value, each on a line.
 class Groups {
@@ -37,12 +41,12 @@ class Groups {
   std::string text_;
 };
 
-void write_loop(Groups& out, const Loop& loop, const char* layer, double tolerance) {
+void write_line(Groups& out, const std::vector<Vec2>& points, bool closed, const char* layer) {
   out.add(0, "POLYLINE");
   out.add(8, layer);
   out.add(66, 1);
-  out.add(70, 1);
-  for (const Vec2& p : flatten(loop, tolerance)) {
+  out.add(70, closed ? 1 : 0);
+  for (const Vec2& p : points) {
     out.add(0, "VERTEX");
     out.add(8, layer);
     out.point(10, p);
@@ -51,25 +55,46 @@ void write_loop(Groups& out, const Loop& loop, const char* layer, double toleran
   out.add(8, layer);
 }
 
-// The grain through the middle of the piece, and the name beside it.
-void write_grain_and_name(Groups& out, const Panel& panel, double tolerance) {
-  const std::vector<Vec2> line = flatten(panel.outline, tolerance);
-  Vec2 low = line.front(), high = low;
-  for (const Vec2& p : line) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  const Vec2 middle = (low + high) * 0.5;
-  const double half = kGrainShare / 2 * std::min(high.x - low.x, high.y - low.y);
+void write_point(Groups& out, Vec2 at, const char* layer) {
+  out.add(0, "POINT");
+  out.add(8, layer);
+  out.point(10, at);
+}
+
+/// Each edge a line of its own: that is how AAMA files part an outline, and its corners are turn points.
+void write_outline(Groups& out, const Panel& panel, double tolerance) {
+  const std::vector<PanelEdge>& edges = panel.outline.edges;
+  if (edges.size() == 1) return write_line(out, flatten(panel.outline, tolerance), true, kCut);
+  for (const PanelEdge& edge : edges) write_line(out, flatten(edge, tolerance), false, kCut);
+  for (const PanelEdge& edge : edges) write_point(out, edge.curves.front().p0, kTurn);
+}
+
+void write_notch(Groups& out, const Notch& notch) {
+  write_point(out, notch.at, kNotch);
+  out.number(30, notch.depth);
+  if (!(notch.inwards == Vec2{}))
+    out.number(50, degrees_from_radians(std::atan2(notch.inwards.y, notch.inwards.x)));
+}
+
+void write_text(Groups& out, Vec2 at, double height, const std::string& words) {
+  out.add(0, "TEXT");
+  out.add(8, kCut);
+  out.point(10, at);
+  out.number(40, height);
+  out.add(1, words);
+}
+
+// The grain through the middle of the piece, and what it is beside it.
+void write_grain_and_texts(Groups& out, const Panel& panel, double tolerance) {
+  const Box2 box = bounding_box(flatten(panel.outline, tolerance));
+  const Vec2 middle = (box.min + box.max) * 0.5, size = box.size();
+  const double half = kGrainShare / 2 * std::min(size.x, size.y), height = std::min(kTextHeight, half);
   out.add(0, "LINE");
   out.add(8, kGrain);
   out.point(10, middle - panel.grain * half);
   out.point(11, middle + panel.grain * half);
-  out.add(0, "TEXT");
-  out.add(8, kCut);
-  out.point(10, middle);
-  out.number(40, std::min(kTextHeight, half));
-  out.add(1, "Piece Name: " + panel.id);
+  write_text(out, middle, height, "Piece Name: " + panel.id);
+  write_text(out, middle - Vec2{0, 1.5 * height}, height, "Quantity: 1");
 }
 
 void write_block(Groups& out, const Panel& panel, double tolerance) {
@@ -78,9 +103,11 @@ void write_block(Groups& out, const Panel& panel, double tolerance) {
   out.add(2, panel.id);
   out.add(70, 0);
   out.point(10, {0, 0});
-  write_loop(out, panel.outline, kCut, tolerance);
-  for (const Loop& hole : panel.holes) write_loop(out, hole, kInside, tolerance);
-  write_grain_and_name(out, panel, tolerance);
+  write_outline(out, panel, tolerance);
+  for (const Notch& notch : panel.notches) write_notch(out, notch);
+  for (const InnerLine& line : panel.lines) write_line(out, line.points, false, kInternal);
+  for (const Loop& hole : panel.holes) write_line(out, flatten(hole, tolerance), true, kInside);
+  write_grain_and_texts(out, panel, tolerance);
   out.add(0, "ENDBLK");
   out.add(8, kCut);
 }
@@ -126,6 +153,7 @@ Result<std::string> write_dxf(const Pattern& pattern, const DxfWriteSettings& se
     out.add(2, panel.id);
     out.point(10, {0, 0});
   }
+  write_text(out, {0, 0}, kTextHeight, "Units: METRIC");
   out.add(0, "ENDSEC");
   out.add(0, "EOF");
   return out.take();

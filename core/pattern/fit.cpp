@@ -30,9 +30,10 @@ constexpr double kStandsOut = 3;                   // times the curvature at the
 constexpr double kSharpBend = 35 * (kPi / 180);    // rad
 constexpr double kTangentBend = 10 * (kPi / 180);  // rad, up to here a line runs on into a curve
 constexpr double kTangentReach = 0.5;              // mm, nearer points would show rounding
-constexpr int kReparametrisations = 24;            // chord length starts far off where a curve bends unevenly
-constexpr double kHopeless = 0.03;                 // of the run, an error that Newton does not mend
-constexpr double kLeastGain = 0.98;  // factor on the error per Newton step; above, splitting is quicker
+constexpr std::size_t kReparametrisations = 250;   // chord length starts far off where a curve bends unevenly
+constexpr std::size_t kMostWork = 500'000;         // points times reparametrisations for one cubic
+constexpr double kHopeless = 0.1;                  // of the run, an error that Newton does not mend
+constexpr double kLeastGain = 0.9998;  // factor on the error per Newton step; above, splitting is quicker
 
 using Points = std::span<const Vec2>;
 
@@ -126,29 +127,72 @@ void reparametrise(Points p, std::vector<double>& u, const CubicBezier& c) {
   }
 }
 
-/// Appends cubics for the smooth run p with forward end tangents t0, t1.
-void fit_smooth(Points p, Vec2 t0, Vec2 t1, double tolerance, std::vector<CubicBezier>& out) {
+/// One cubic for the smooth run p with forward end tangents t0, t1; nothing when none comes close enough, and
+/// then the point farthest off it.
+std::optional<CubicBezier> fit_one(Points p, Vec2 t0, Vec2 t1, double tolerance, std::size_t& farthest) {
   const double run_length = polyline_length(p);
   std::vector<double> u = chord_parameters(p);
   Worst worst{std::numeric_limits<double>::max(), 0};
-  for (int i = 0; i <= kReparametrisations; ++i) {
+  const std::size_t rounds = std::min(kReparametrisations, 8 + kMostWork / p.size());
+  for (std::size_t i = 0; i <= rounds; ++i) {
     const CubicBezier curve = fit_handles(p, u, t0, t1, run_length);
     const double before = worst.distance;
     worst = worst_point(p, u, curve);
-    if (p.size() == 2 || worst.distance <= tolerance) {
-      out.push_back(curve);
-      return;
-    }
+    if (p.size() == 2 || worst.distance <= tolerance) return curve;
     if (worst.distance > std::max(tolerance, kHopeless * run_length) || worst.distance > kLeastGain * before)
       break;
     reparametrise(p, u, curve);
   }
+  farthest = worst.index;
+  return std::nullopt;
+}
+
+/// Indices where cubics for the smooth run p meet, by halving it at the worst point; ascending, both ends in.
+void halve_smooth(Points p, std::size_t offset, Vec2 t0, Vec2 t1, double tolerance,
+                  std::vector<std::size_t>& joints) {
+  std::size_t farthest = 0;
+  if (fit_one(p, t0, t1, tolerance, farthest)) {
+    joints.push_back(offset + p.size() - 1);
+    return;
+  }
   // Away from the ends, so that the depth of halving stays logarithmic.
   const std::size_t last = p.size() - 1, margin = std::max<std::size_t>(1, last / 10);
-  const std::size_t at = std::clamp(worst.index, margin, last - margin);
+  const std::size_t at = std::clamp(farthest, margin, last - margin);
   const Vec2 tangent = inner_tangent(p, at);
-  fit_smooth(p.first(at + 1), t0, tangent, tolerance, out);
-  fit_smooth(p.subspan(at), tangent, t1, tolerance, out);
+  halve_smooth(p.first(at + 1), offset, t0, tangent, tolerance, joints);
+  halve_smooth(p.subspan(at), offset + at, tangent, t1, tolerance, joints);
+}
+
+/// Appends few cubics for the smooth run p with forward end tangents t0, t1: as far as each one reaches, from
+/// the start on. Where that takes no fewer, the halves stay.
+void fit_smooth(Points p, Vec2 t0, Vec2 t1, double tolerance, std::vector<CubicBezier>& out) {
+  std::vector<std::size_t> halves{0};
+  halve_smooth(p, 0, t0, t1, tolerance, halves);
+  const std::size_t last = p.size() - 1;
+  const auto tangent = [&](std::size_t i) { return i == 0 ? t0 : i == last ? t1 : inner_tangent(p, i); };
+  std::size_t farthest = 0;
+  const auto fit = [&](std::size_t i, std::size_t j) {
+    return fit_one(p.subspan(i, j - i + 1), tangent(i), tangent(j), tolerance, farthest);
+  };
+  std::vector<std::size_t> reached{0};
+  while (reached.back() < last && reached.size() < halves.size()) {
+    const std::size_t i = reached.back();
+    std::size_t good = i + 1, bad = last + 1;
+    while (bad - good > 1) {  // a longer run is harder to fit, but for exceptions that cost a curve at most
+      const std::size_t j = bad > last ? std::min(last, i + 2 * (good - i)) : (good + bad) / 2;
+      if (fit(i, j)) {
+        good = j;
+        if (j == last) break;
+      } else {
+        bad = j;
+      }
+    }
+    reached.push_back(good);
+  }
+  const std::vector<std::size_t>& joints =
+      reached.back() == last && reached.size() < halves.size() ? reached : halves;
+  for (std::size_t k = 0; k + 1 < joints.size(); ++k)
+    if (const auto curve = fit(joints[k], joints[k + 1])) out.push_back(*curve);
 }
 
 /// Last index of the longest run from i whose points lie within kStraightDeviation of one line from p[i] and
@@ -259,23 +303,28 @@ bool is_sharp(Points p, std::size_t i) {
 
 }  // namespace
 
-std::vector<CubicBezier> fit_polyline(std::span<const Vec2> p, double tolerance_mm) {
+std::vector<CubicBezier> fit_polyline(std::span<const Vec2> p, double tolerance_mm,
+                                      std::span<const std::size_t> ends) {
   std::vector<CubicBezier> curves;
   std::size_t begin = 0;
+  std::optional<Vec2> tangent;  // at begin, where the line runs on smoothly
   for (std::size_t i = 1; i < p.size(); ++i) {
-    if (i + 1 < p.size() && !is_sharp(p, i)) continue;
-    fit_run(p.subspan(begin, i - begin + 1), {}, {}, tolerance_mm, curves);
-    begin = i;
+    const bool last = i + 1 == p.size(), sharp = last || is_sharp(p, i);
+    if (!sharp && !std::binary_search(ends.begin(), ends.end(), i)) continue;
+    const std::optional<Vec2> here = sharp ? std::optional<Vec2>() : inner_tangent(p, i);
+    fit_run(p.subspan(begin, i - begin + 1), tangent, here, tolerance_mm, curves);
+    begin = i, tangent = here;
   }
   return curves;
 }
 
-std::vector<CubicBezier> fit_smooth_loop(std::span<const Vec2> loop, double tolerance_mm) {
+std::vector<CubicBezier> fit_smooth_loop(std::span<const Vec2> loop, double tolerance_mm,
+                                         std::span<const std::size_t> ends) {
   const std::size_t n = loop.size();
   std::vector<Vec2> points(loop.begin(), loop.end());
   points.push_back(loop[0]);
   for (std::size_t i = 1; i < n; ++i)
-    if (is_sharp(points, i)) return fit_polyline(points, tolerance_mm);
+    if (is_sharp(points, i)) return fit_polyline(points, tolerance_mm, ends);
   // Quarters by length: one cubic cannot go all the way round, and four draw an ellipse well.
   std::vector<std::size_t> cuts{0};
   const double whole = polyline_length(points);
@@ -284,7 +333,10 @@ std::vector<CubicBezier> fit_smooth_loop(std::span<const Vec2> loop, double tole
     s += length(points[i] - points[i - 1]);
     if (cuts.size() < 4 && s >= whole * double(cuts.size()) / 4) cuts.push_back(i);
   }
+  cuts.insert(cuts.end(), ends.begin(), ends.end());
   cuts.push_back(n);
+  std::sort(cuts.begin(), cuts.end());
+  cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
   const auto tangent = [&](std::size_t i) {
     return middle_tangent(loop[(i + n - 1) % n], loop[i % n], loop[(i + 1) % n]);
   };

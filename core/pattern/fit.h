@@ -1,6 +1,7 @@
 #pragma once
 // From a polyline to few cubic Béziers.
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -16,12 +17,15 @@ namespace toile {
 /// Method: P. J. Schneider, "An algorithm for automatically fitting digitized curves", Graphics Gems, 1990:
 /// least squares for the handle lengths with chord-length parameters, Newton reparametrisation, and a split
 /// at the worst point where that does not suffice. Tangents come from a parabola through neighbouring points.
+/// At the points `ends` (indices, ascending, none first or last) a curve ends too, smoothly.
 /// REQUIRES at least two points, finite, neighbours apart.
-std::vector<CubicBezier> fit_polyline(std::span<const Vec2> points, double tolerance_mm);
+std::vector<CubicBezier> fit_polyline(std::span<const Vec2> points, double tolerance_mm,
+                                      std::span<const std::size_t> ends = {});
 
 /// The same for a closed line without corners: `loop` lists each vertex once, the result starts and ends at
 /// loop[0], smooth there too, in four or more curves (a loop with sharp bends is fitted as an open polyline
 /// that starts and ends at loop[0]). REQUIRES at least four points.
-std::vector<CubicBezier> fit_smooth_loop(std::span<const Vec2> loop, double tolerance_mm);
+std::vector<CubicBezier> fit_smooth_loop(std::span<const Vec2> loop, double tolerance_mm,
+                                         std::span<const std::size_t> ends = {});
 
 }  // namespace toile

@@ -134,18 +134,73 @@ Result<std::vector<std::size_t>> forced_vertices(Points loop, Points corners) {
   return indices;
 }
 
+/// Index of the vertex of the polyline at p, which becomes one where it lies on a segment; nothing away from
+/// it.
+std::optional<std::size_t> vertex_at(std::vector<Vec2>& line, Vec2 p) {
+  constexpr double kOnLine = 0.05;  // mm
+  std::size_t best = 0;
+  double nearest = kOnLine;
+  bool found = false;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const double off = distance_to_segment(p, line[i], line[i + 1]);
+    if (off < nearest) nearest = off, best = i, found = true;
+  }
+  if (!found) return std::nullopt;
+  for (const std::size_t i : {best, best + 1})
+    if (length(line[i] - p) <= kOnLine) return i;
+  line.insert(line.begin() + std::ptrdiff_t(best) + 1, p);
+  return best + 1;
+}
+
+/// The inner vertices of the polyline where curves are to end; it gains those that are missing.
+std::vector<std::size_t> curve_ends(std::vector<Vec2>& line, Points places) {
+  std::vector<Vec2> there;
+  for (const Vec2 p : places)
+    if (const auto i = vertex_at(line, p)) there.push_back(line[*i]);
+  std::vector<std::size_t> ends;
+  for (std::size_t i = 1; i + 1 < line.size(); ++i)
+    if (std::find(there.begin(), there.end(), line[i]) != there.end()) ends.push_back(i);
+  return ends;
+}
+
 /// Edges between consecutive corners; corners ascend from the start of e0, which the loop begins with.
-Loop fitted_loop(const std::vector<Vec2>& loop, const std::vector<std::size_t>& corners, double tolerance) {
+Loop fitted_loop(const std::vector<Vec2>& loop, const std::vector<std::size_t>& corners,
+                 const OutlineSettings& settings) {
   Loop result;
   const std::size_t n = loop.size();
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const std::size_t begin = corners[k], end = k + 1 < corners.size() ? corners[k + 1] : n;
     std::vector<Vec2> run(loop.begin() + std::ptrdiff_t(begin), loop.begin() + std::ptrdiff_t(end));
     run.push_back(loop[end % n]);
-    result.edges.push_back({std::string("e").append(std::to_string(k)), fit_polyline(run, tolerance)});
+    const std::vector<std::size_t> ends = curve_ends(run, settings.curve_ends);
+    result.edges.push_back(
+        {std::string("e").append(std::to_string(k)), fit_polyline(run, settings.fit_tolerance_mm, ends)});
   }
-  if (corners.empty()) result.edges.push_back({"e0", fit_smooth_loop(loop, tolerance)});
+  if (corners.empty()) {
+    std::vector<Vec2> run = loop;
+    run.push_back(loop[0]);
+    const std::vector<std::size_t> ends = curve_ends(run, settings.curve_ends);
+    run.pop_back();
+    result.edges.push_back({"e0", fit_smooth_loop(run, settings.fit_tolerance_mm, ends)});
+  }
   return result;
+}
+
+/// Adds the vertices nearest to further places. Of corners nearer than 1.5 mm the further place stays: it is
+/// where the drawing itself parts the outline.
+void add_corners(Points loop, Points places, std::vector<std::size_t>& corners) {
+  std::vector<std::size_t> added;
+  for (const Vec2 p : places) {
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < loop.size(); ++i)
+      if (length(loop[i] - p) < length(loop[best] - p)) best = i;
+    const auto near = [&](std::size_t i) { return length(loop[i] - loop[best]) < kCornerWindow; };
+    if (length(loop[best] - p) > kForcedReach || std::any_of(added.begin(), added.end(), near)) continue;
+    std::erase_if(corners, near);
+    added.push_back(best);
+  }
+  corners.insert(corners.end(), added.begin(), added.end());
+  std::sort(corners.begin(), corners.end());
 }
 
 }  // namespace
@@ -168,6 +223,7 @@ Result<Loop> loop_from_polyline(const std::vector<Vec2>& points_mm, std::span<co
     first = corners.front();
   } else {
     corners = find_corners(loop, settings.corner_angle);
+    add_corners(loop, settings.further_corners, corners);
     if (corners.empty() && n < 4) corners = {0};
     // Vertex i of a reversed loop was vertex n - i of the file; vertex 0 stays.
     const auto in_file = [&](std::size_t i) { return clockwise ? (n - i) % n : i; };
@@ -179,7 +235,7 @@ Result<Loop> loop_from_polyline(const std::vector<Vec2>& points_mm, std::span<co
     for (std::size_t& c : corners) c = (c + n - first) % n;
     std::sort(corners.begin(), corners.end());
   }
-  return fitted_loop(loop, corners, settings.fit_tolerance_mm);
+  return fitted_loop(loop, corners, settings);
 }
 
 Result<PanelEdge> edge_from_points(std::string id, const std::vector<Vec2>& points_mm,

@@ -21,6 +21,11 @@ struct OutlineSettings {
   double corner_angle = radians_from_degrees(35);
   /// mm, the farthest a fitted curve may pass from a vertex of the polyline.
   double fit_tolerance_mm = 0.1;
+  /// Places on the outline where edges end too, beside the corners: at the nearest vertex within 0.5 mm. Of
+  /// no effect where corners are forced.
+  std::vector<Vec2> further_corners = {};
+  /// Places on the outline where a curve ends, smoothly: notches, turn points.
+  std::vector<Vec2> curve_ends = {};
 };
 
 /// Joints of explicit edges that are this close are snapped; vertices this close are one.

@@ -26,6 +26,19 @@ struct Loop {
   std::vector<PanelEdge> edges;
 };
 
+/// A line that is drawn on a piece: where it is folded, or an elastic is sewn to it.
+struct InnerLine {
+  std::string id;            ///< unique within its panel, beside those of the edges
+  std::vector<Vec2> points;  ///< mm; straight from each to the next, inside the outline; ends may lie on it
+};
+
+/// A mark on the outline, where two pieces meet when they are sewn. Curves end there.
+struct Notch {
+  Vec2 at;           ///< mm
+  double depth = 0;  ///< mm, of the cut into the allowance; 0 when it is not told
+  Vec2 inwards;      ///< unit vector, null when it is not told
+};
+
 /// One piece of cloth as it is cut.
 struct Panel {
   std::string id;           ///< unique within the pattern
@@ -33,6 +46,9 @@ struct Panel {
   std::vector<Loop> holes;  ///< clockwise, inside the outline, disjoint
   Vec2 grain{0, 1};         ///< unit vector of the warp in the panel's plane
   std::string fabric;       ///< id of a fabric of the project
+  std::vector<InnerLine> lines = {};
+  int layer = 0;  ///< order outwards: cloth of a higher layer is worn over that of a lower one
+  std::vector<Notch> notches = {};
 };
 
 /// One edge in a seam's series. Traversed in the outline's own direction, or against it.

@@ -125,6 +125,59 @@ Failure check_crossings(const std::vector<const Loop*>& loops, const std::string
   return std::nullopt;
 }
 
+/// How far a line may be from the outline and yet end on it.
+constexpr double kOnOutline = 0.5;  // mm
+
+bool in_cloth(const std::vector<std::vector<Vec2>>& loops, Vec2 p) {
+  bool inside = contains(loops[0], p);
+  for (std::size_t h = 1; h < loops.size(); ++h) inside = inside && !contains(loops[h], p);
+  return inside;
+}
+
+double distance_to_loops(const std::vector<std::vector<Vec2>>& loops, Vec2 p) {
+  double nearest = kFarthest;
+  for (const std::vector<Vec2>& loop : loops) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      nearest = std::min(nearest, distance_to_segment(p, loop[i], loop[(i + 1) % loop.size()]));
+    }
+  }
+  return nearest;
+}
+
+Failure check_line(const InnerLine& line, const std::vector<std::vector<Vec2>>& loops,
+                   const std::string& where) {
+  const auto bad = [&](const std::string& why) { return Error{"pattern.bad_line", why, where}; };
+  if (line.points.size() < 2) return bad("The line needs two points.");
+  for (std::size_t i = 0; i < line.points.size(); ++i) {
+    const Vec2 p = line.points[i];
+    if (!is_finite(p)) return Error{"pattern.not_finite", "A coordinate is not a finite number.", where};
+    if (i > 0 && length(p - line.points[i - 1]) < kJointTolerance)
+      return bad("Two of the line's points are one, at " + place_text(p) + ".");
+    const bool end = i == 0 || i + 1 == line.points.size();
+    if (!in_cloth(loops, p) && !(end && distance_to_loops(loops, p) <= kOnOutline))
+      return bad("The line leaves the piece at " + place_text(p) + ".");
+  }
+  return std::nullopt;
+}
+
+Failure check_lines(const Panel& panel, const std::string& piece) {
+  if (panel.lines.empty()) return std::nullopt;
+  std::set<std::string> ids;
+  for (const PanelEdge* edge : edges_of(panel)) ids.insert(edge->id);
+  std::vector<std::vector<Vec2>> loops{flatten(panel.outline, kFlatness)};
+  for (const Loop& hole : panel.holes) loops.push_back(flatten(hole, kFlatness));
+  for (std::size_t i = 0; i < panel.lines.size(); ++i) {
+    const InnerLine& line = panel.lines[i];
+    const std::string where = piece + ", line " + (line.id.empty() ? std::to_string(i) : line.id);
+    if (line.id.empty()) return Error{"pattern.missing_id", "A line has no id.", where};
+    if (!ids.insert(line.id).second)
+      return Error{"pattern.duplicate_id",
+                   "Two edges or lines of the piece are both called '" + line.id + "'.", where};
+    if (auto error = check_line(line, loops, where)) return error;
+  }
+  return std::nullopt;
+}
+
 Failure check_panel(const Panel& panel, const std::string& piece) {
   std::vector<const Loop*> loops{&panel.outline};
   for (const Loop& hole : panel.holes) loops.push_back(&hole);
@@ -141,7 +194,8 @@ Failure check_panel(const Panel& panel, const std::string& piece) {
     if (auto flat = check_areas(loops, piece); flat && flat->code == "pattern.zero_area") return flat;
     return error;
   }
-  return check_areas(loops, piece);
+  if (auto error = check_areas(loops, piece)) return error;
+  return check_lines(panel, piece);
 }
 
 using Sewn = std::map<std::pair<Index, Index>, std::string>;

@@ -13,7 +13,8 @@ namespace toile {
 /// Errors name the place in `where`, such as "piece front, edge e3" or "seam side_left, side a, item 0":
 /// pattern.missing_id, pattern.duplicate_id, pattern.not_finite, pattern.too_large, pattern.empty_edge,
 /// pattern.open_outline, pattern.zero_area, pattern.clockwise, pattern.self_crossing, pattern.hole_outside,
-/// pattern.bad_grain, pattern.empty_seam_side, pattern.seam_reference, pattern.edge_sewn_twice.
+/// pattern.bad_grain, pattern.bad_line (of under two points, with a step under 0.01 mm, outside the piece or
+/// across its outline), pattern.empty_seam_side, pattern.seam_reference, pattern.edge_sewn_twice.
 Status validate(const Pattern& pattern);
 
 /// The same for one piece by itself.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/types.h"
+#include "core/pattern/dxf_settings.h"
 
 namespace toile::dxf_text {
 
@@ -15,6 +16,13 @@ inline std::string groups(Groups list) {
   std::string out;
   for (const auto& [code, value] : list) out += std::to_string(code) + "\n" + value + "\n";
   return out;
+}
+
+/// Small drawings say no unit and are too small to guess it.
+inline DxfSettings in_mm() {
+  DxfSettings settings;
+  settings.mm_per_unit = 1;
+  return settings;
 }
 
 inline std::string number(double v) { return std::to_string(v); }

@@ -13,7 +13,7 @@ namespace {
 
 using namespace dxf_text;
 
-Error error_of(const std::string& text, const DxfSettings& settings = {}) {
+Error error_of(const std::string& text, const DxfSettings& settings = in_mm()) {
   const Result<DxfDrawing> d = read_dxf(text, settings);
   return d ? Error{"accepted", "", ""} : d.error();
 }
@@ -38,9 +38,13 @@ TEST(DxfFaults, FilesThatAreNoDxfAreToldApart) {
 
 TEST(DxfFaults, AFileCutOffNamesItsLastGoodLine) {
   const std::string whole = entities(rectangle({0, 0}, 10, 10));
-  const Error no_eof = error_of(whole.substr(0, whole.size() - 6));
-  EXPECT_EQ(no_eof.code, "dxf.truncated");
-  EXPECT_EQ(no_eof.where, "last good line 48");
+  const std::string ends = groups({{0, "ENDSEC"}, {0, "EOF"}});
+  const Error cut = error_of(whole.substr(0, whole.size() - ends.size()));
+  EXPECT_EQ(cut.code, "dxf.truncated");
+  EXPECT_EQ(cut.where, "last good line 46");
+  const auto no_eof = read_dxf(whole.substr(0, whole.size() - groups({{0, "EOF"}}).size()), in_mm());
+  ASSERT_TRUE(no_eof) << "behind a whole section ENTITIES only the word EOF is missing";
+  EXPECT_NE(no_eof->notes.at(0).find("without EOF"), std::string::npos);
   EXPECT_EQ(error_of(section("HEADER", "") + groups({{0, "SECTION"}, {2, "ENTITIES"}}) +
                      rectangle({0, 0}, 9, 9) + groups({{0, "EOF"}}))
                 .code,
@@ -79,11 +83,11 @@ TEST(DxfFaults, EveryPrefixOfAFileIsAnErrorOrReads) {
   ASSERT_TRUE(read_dxf(whole).ok()) << error_of(whole).message;
   std::set<std::string> codes;
   for (std::size_t n = 0; n < whole.size(); ++n) codes.insert(error_of(whole.substr(0, n)).code);
-  codes.erase("accepted");  // only "EOF" without its line end
+  codes.erase("accepted");  // behind a whole section ENTITIES
   EXPECT_TRUE(codes.contains("dxf.truncated"));
   EXPECT_LE(codes.size(), 5u);
-  EXPECT_EQ(error_of(whole.substr(0, whole.size() - 1)).code, "accepted");
-  EXPECT_NE(error_of(whole.substr(0, whole.size() - 2)).code, "accepted");
+  for (std::size_t n = 0, end = whole.rfind("ENDSEC"); n < end; ++n)
+    ASSERT_NE(error_of(whole.substr(0, n)).code, "accepted") << n;
 }
 
 TEST(DxfFaults, EveryByteChangedIsAnErrorOrReads) {
@@ -105,10 +109,14 @@ TEST(DxfFaults, AnOpenOutlineNamesItsGap) {
   EXPECT_NE(e.message.find("(0, 3)"), std::string::npos);
   EXPECT_NE(e.message.find("3 mm"), std::string::npos);
   EXPECT_EQ(e.where, "line 6");
-  const Error beside =
-      error_of(entities(rectangle({500, 500}, 50, 50) + polyline({{0, 0}, {9, 0}, {9, 9}, {0, 9}}, "0", 0)));
-  EXPECT_EQ(beside.code, "dxf.open_outline") << "although another piece closes";
-  DxfSettings wide;
+  const auto beside = read_dxf(
+      entities(rectangle({500, 500}, 50, 50) + polyline({{0, 0}, {9, 0}, {9, 9}, {0, 9}}, "0", 0)), in_mm());
+  ASSERT_TRUE(beside) << "another piece closes";
+  EXPECT_EQ(beside->pieces.size(), 1u);
+  ASSERT_EQ(beside->report.warnings.size(), 1u);
+  EXPECT_EQ(beside->report.warnings[0].at, (Vec2{0, 9}));
+  EXPECT_NE(beside->notes[0].find("a gap of 9 mm"), std::string::npos);
+  DxfSettings wide = in_mm();
   wide.chain_tolerance_mm = 5;
   EXPECT_EQ(
       error_of(entities(line({0, 0}, {100, 0}) + line({100, 0}, {100, 100}) + line({100, 100}, {0, 3})), wide)
@@ -125,15 +133,16 @@ TEST(DxfFaults, PiecesWithoutAreaOrThatCrossThemselvesAreRefusedWithTheirPlace) 
 }
 
 TEST(DxfFaults, NumbersThatAreNoneAreNamedWithTheirLine) {
-  for (const std::string bad : {"abc", "nan", "inf", "-Infinity", "1,5", "", "0x10", "1e999"}) {
+  for (const std::string bad : {"abc", "nan", "inf", "-Infinity", "1,5,5", "1.5,5", "", "0x10", "1e999"}) {
     const std::string text =
         entities(groups({{0, "LINE"}, {8, "0"}, {10, bad}, {20, "0"}, {11, "1"}, {21, "1"}}));
     EXPECT_EQ(error_of(text).code, "dxf.bad_number") << bad;
     EXPECT_EQ(error_of(text).where, "line 10");
   }
   EXPECT_EQ(error_of(entities(polyline({{0, 0}, {1e300, 0}, {9, 9}}))).code, "dxf.coordinate_range");
-  EXPECT_EQ(error_of(header(6) + entities(rectangle({0, 0}, 5000, 1))).code, "dxf.coordinate_range")
-      << "5 km";
+  DxfSettings metres;
+  metres.mm_per_unit = 1000;
+  EXPECT_EQ(error_of(entities(rectangle({0, 0}, 5000, 1)), metres).code, "dxf.coordinate_range") << "5 km";
   EXPECT_EQ(error_of(entities(groups({{0, "LINE"}, {8, "0"}, {10, "0"}, {20, "0"}, {11, "1"}}))).code,
             "dxf.missing_coordinate");
   EXPECT_EQ(error_of(section("ENTITIES", "zero\nLINE\n")).code, "dxf.bad_group_code");
@@ -151,7 +160,8 @@ TEST(DxfFaults, LimitsHold) {
   settings = {};
   settings.max_vertices = 3;
   EXPECT_EQ(error_of(entities(rectangle({0, 0}, 9, 9)), settings).code, "dxf.too_large");
-  settings.max_vertices = 100;
+  settings = in_mm();
+  settings.max_drawn_points = 100;
   EXPECT_EQ(error_of(entities(groups({{0, "CIRCLE"}, {10, "0"}, {20, "0"}, {40, "100000"}})), settings).code,
             "dxf.too_large");
   settings = {};

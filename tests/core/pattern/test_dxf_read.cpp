@@ -17,7 +17,7 @@ namespace {
 
 using namespace dxf_text;
 
-DxfDrawing read(const std::string& text, const DxfSettings& settings = {}) {
+DxfDrawing read(const std::string& text, const DxfSettings& settings = in_mm()) {
   Result<DxfDrawing> drawing = read_dxf(text, settings);
   if (!drawing) {
     ADD_FAILURE() << to_string(drawing.error());
@@ -28,9 +28,12 @@ DxfDrawing read(const std::string& text, const DxfSettings& settings = {}) {
 
 double area(const DxfPiece& piece) { return std::abs(signed_area(piece.outline)); }
 
+/// Whether a warning or the reason of any entity has these words.
 bool noted(const DxfDrawing& drawing, const std::string& words) {
-  return std::any_of(drawing.notes.begin(), drawing.notes.end(),
-                     [&](const std::string& n) { return n.find(words) != std::string::npos; });
+  const auto has = [&](const std::string& text) { return text.find(words) != std::string::npos; };
+  return std::any_of(drawing.notes.begin(), drawing.notes.end(), has) ||
+         std::any_of(drawing.report.groups.begin(), drawing.report.groups.end(),
+                     [&](const DxfEntityGroup& g) { return has(g.reason); });
 }
 
 TEST(DxfRead, AClosedPolylineIsAPiece) {
@@ -51,24 +54,7 @@ TEST(DxfRead, WindowsAndOldMacLineEndsAndABomAndBlanksReadAlike) {
     EXPECT_EQ(read(text).pieces.size(), 1u);
   }
   std::istringstream stream(unix_text);
-  EXPECT_TRUE(read_dxf(stream).ok());
-}
-
-TEST(DxfRead, UnitsComeFromTheHeaderUnlessTheSettingsSay) {
-  const std::string body = entities(rectangle({0, 0}, 10, 10));
-  for (const auto& [code, mm] :
-       std::initializer_list<std::pair<int, double>>{{1, 25.4}, {2, 304.8}, {4, 1}, {5, 10}, {6, 1000}}) {
-    const DxfDrawing d = read(header(code) + body);
-    EXPECT_NEAR(area(d.pieces[0]), 100 * mm * mm, 1e-6);
-    EXPECT_EQ(d.mm_per_unit, mm);
-  }
-  EXPECT_NEAR(area(read(body).pieces[0]), 100, 1e-9);
-  DxfSettings settings;
-  settings.mm_per_unit = 10;
-  EXPECT_NEAR(area(read(header(1) + body, settings).pieces[0]), 10'000, 1e-6);
-  EXPECT_TRUE(noted(read(header(0) + body), "$INSUNITS 0"));
-  EXPECT_TRUE(
-      noted(read(entities(rectangle({0, 0}, 10, 10) + text({0, -99}, "Units: ENGLISH"))), "Units: ENGLISH"));
+  EXPECT_TRUE(read_dxf(stream, in_mm()).ok());
 }
 
 TEST(DxfRead, ChainsOpenLinesIntoOneOutlineInAnyOrderAndDirection) {
@@ -91,7 +77,8 @@ TEST(DxfRead, OpenPolylinesThatReturnToTheirStartAreClosed) {
 
 TEST(DxfRead, LinesOfDifferentLayersAreNotChained) {
   const auto d = read_dxf(
-      entities(line({0, 0}, {10, 0}, "a") + line({10, 0}, {0, 10}, "b") + line({0, 10}, {0, 0}, "a")));
+      entities(line({0, 0}, {10, 0}, "a") + line({10, 0}, {0, 10}, "b") + line({0, 10}, {0, 0}, "a")),
+      in_mm());
   ASSERT_FALSE(d);
   EXPECT_EQ(d.error().code, "dxf.open_outline");
 }
@@ -177,7 +164,7 @@ TEST(DxfRead, SplinesFollowTheirControlPointsAndWeights) {
   EXPECT_NEAR(area(d.pieces[0]), kPi * 2500, 2);
   std::string without = spline;
   without.replace(without.find("71\n2\n"), 5, "71\n9\n");
-  const auto open = read_dxf(entities(line({0, 0}, {100, 0}) + without + line({0, 100}, {0, 0})));
+  const auto open = read_dxf(entities(line({0, 0}, {100, 0}) + without + line({0, 100}, {0, 0})), in_mm());
   EXPECT_EQ(open.error().code, "dxf.open_outline");
 }
 
@@ -206,8 +193,7 @@ TEST(DxfRead, AamaBlocksArePiecesWithTheirNamesGrainAndInserts) {
   const std::string front =
       block("front_M", text({50, 50}, "Piece Name: Front") + text({50, 50}, "Size: M") +
                            rectangle({0, 0}, 100, 200, "1") + line({50, 150}, {50, 50}, "7") +
-                           line({10, 10}, {20, 20}, "8") + rectangle({30, 30}, 5, 5, "11") +
-                           line({0, 0}, {0, 200}, "6"));
+                           line({10, 10}, {20, 20}, "8") + rectangle({30, 30}, 5, 5, "11"));
   const std::string back = block("back_M", rectangle({0, 0}, 110, 200, "1"), {10, 0});
   const std::string text_of = section("BLOCKS", front + back) +
                               entities(insert("front_M", {0, 0}) + insert("back_M", {500, 0}) +
@@ -221,10 +207,13 @@ TEST(DxfRead, AamaBlocksArePiecesWithTheirNamesGrainAndInserts) {
   EXPECT_EQ(d.pieces[0].holes.size(), 1u);
   EXPECT_EQ(d.pieces[1].outline[0], (Vec2{490, 0})) << "insert minus base";
   EXPECT_EQ(d.pieces[2].outline[0], (Vec2{0, 900}));
-  EXPECT_TRUE(noted(d, "layer 8"));
-  EXPECT_TRUE(noted(d, "fold line"));
-  const auto missing = read_dxf(section("BLOCKS", front) + entities(insert("sleeve", {0, 0})));
+  EXPECT_EQ(d.pieces[0].internals.size(), 1u);
+  const auto missing = read_dxf(entities(insert("sleeve", {0, 0})), in_mm());
+  ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error().code, "dxf.unknown_block");
+  const DxfDrawing left_over = read(section("BLOCKS", front) + entities(insert("sleeve", {0, 0})));
+  EXPECT_EQ(left_over.pieces.size(), 1u);
+  EXPECT_TRUE(noted(left_over, "'sleeve', which the file does not hold"));
 }
 
 TEST(DxfRead, BlocksWithoutInsertsAreOnePieceEach) {
@@ -285,12 +274,20 @@ TEST(DxfRead, ForcedCornersAndBreaksReachThePanel) {
   EXPECT_EQ(panel_from_piece(d.pieces[0], std::vector<Vec2>{{7, 7}}).error().where, "piece piece1, corner 0");
 }
 
-TEST(DxfRead, SkippedEntitiesAreNotedOncePerKind) {
+TEST(DxfRead, EntitiesThatFaredAlikeAreToldTogetherWithTheirLines) {
   std::string points;
   for (int i = 0; i < 50; ++i) points += groups({{0, "POINT"}, {8, "2"}, {10, "1"}, {20, "1"}});
-  const DxfDrawing d = read(entities(rectangle({0, 0}, 9, 9) + points + groups({{0, "ELLIPSE"}, {8, "0"}})));
-  ASSERT_EQ(d.notes.size(), 2u);
-  EXPECT_NE(d.notes[0].find("50 POINT on layer 2"), std::string::npos);
+  const DxfDrawing d = read(entities(rectangle({0, 0}, 9, 9) + points + groups({{0, "HATCH"}, {8, "0"}})));
+  const auto of = [&](const std::string& type) {
+    return *std::find_if(d.report.groups.begin(), d.report.groups.end(),
+                         [&](const DxfEntityGroup& g) { return g.type == type; });
+  };
+  EXPECT_EQ(of("POINT").lines.size(), 50u);
+  EXPECT_EQ(of("POINT").lines[1] - of("POINT").lines[0], 8);
+  EXPECT_EQ(of("HATCH").reason, "HATCH makes no outline");
+  EXPECT_EQ(d.report.entities, 52u);
+  EXPECT_EQ(d.report.kept, 1u);
+  EXPECT_EQ(d.report.dropped, 51u);
 }
 
 }  // namespace

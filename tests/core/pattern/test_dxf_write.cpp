@@ -51,6 +51,47 @@ TEST(DxfWrite, IsReadBackAsItWas) {
   }
 }
 
+TEST(DxfWrite, EdgesInOneLineNotchesAndGrainComeBack) {
+  Panel panel;
+  panel.id = "side";
+  const Vec2 a{0, 0}, b{120, 0}, c{400, 0}, d{400, 500}, e{0, 500};
+  panel.outline.edges = {{"e0", {line_segment(a, b)}},
+                         {"e1", {line_segment(b, c)}},  // straight on: only the file can tell
+                         {"e2", {CubicBezier{c, {460, 150}, {460, 350}, d}}},
+                         {"e3", {line_segment(d, e)}},
+                         {"e4", {line_segment(e, a)}}};
+  panel.grain = {1, 0};
+  panel.notches = {{{200, 0}, 6, {0, 1}}, {point_at_length(panel.outline.edges[2], 200), 4, {}}};
+  panel.lines = {{"dart", {{50, 100}, {90, 200}, {130, 100}}}};
+  const Result<std::string> text = write_dxf({{panel}, {}});
+  ASSERT_TRUE(text) << to_string(text.error());
+  const Result<DxfDrawing> drawing = read_dxf(*text);
+  ASSERT_TRUE(drawing) << to_string(drawing.error());
+  ASSERT_EQ(drawing->pieces.size(), 1u);
+  EXPECT_EQ(drawing->unit.name, "mm");
+  EXPECT_TRUE(drawing->report.warnings.empty());
+  ASSERT_EQ(drawing->pieces[0].internals.size(), 1u);
+  EXPECT_EQ(drawing->pieces[0].internals[0], panel.lines[0].points);
+  const Result<Panel> read = panel_from_piece(drawing->pieces[0]);
+  ASSERT_TRUE(read) << to_string(read.error());
+  ASSERT_EQ(read->outline.edges.size(), 5u);
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_EQ(read->outline.edges[i].id, panel.outline.edges[i].id);
+    for (double s = 0; s <= 1; s += 0.125) {
+      const Vec2 was = point_at_length(panel.outline.edges[i], s * arc_length(panel.outline.edges[i]));
+      const Vec2 is = point_at_length(read->outline.edges[i], s * arc_length(read->outline.edges[i]));
+      EXPECT_LT(length(is - was), 0.1) << panel.outline.edges[i].id << " at " << s;
+    }
+  }
+  ASSERT_EQ(read->notches.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_LT(length(read->notches[i].at - panel.notches[i].at), 0.1);
+    EXPECT_NEAR(read->notches[i].depth, panel.notches[i].depth, 1e-4);
+    EXPECT_LT(length(read->notches[i].inwards - panel.notches[i].inwards), 1e-4);
+  }
+  EXPECT_EQ(read->grain, panel.grain);
+}
+
 TEST(DxfWrite, RefusesPiecesWithoutNameOrOutline) {
   EXPECT_EQ(write_dxf({}).error().code, "dxf.nothing_to_write");
   Pattern pattern;

@@ -32,6 +32,8 @@ Pattern two_squares() {
   return pattern;
 }
 
+InnerLine line_through(const std::string& id, std::vector<Vec2> points) { return {id, std::move(points)}; }
+
 Error broken(const std::function<void(Pattern&)>& change) {
   Pattern pattern = two_squares();
   change(pattern);
@@ -138,6 +140,26 @@ TEST(Validate, AnEdgeIsSewnOnce) {
   const Error seams = broken([](Pattern& p) { p.seams[1].a[0] = {0, 1, false}; });
   EXPECT_EQ(seams.code, "pattern.edge_sewn_twice");
   EXPECT_NE(seams.message.find("seam side_left, side a, item 0"), std::string::npos);
+}
+
+TEST(Validate, ALineMayRunAnywhereInTheClothAndEndOnTheOutline) {
+  Pattern pattern = two_squares();
+  pattern.panels[0].lines = {line_through("fold", {{0, 50}, {50, 60}, {100, 50}})};
+  EXPECT_TRUE(validate(pattern));
+}
+
+TEST(Validate, ALineThatIsNoneIsRefusedWithItsName) {
+  const auto with = [](std::vector<InnerLine> lines) {
+    return broken([&](Pattern& p) { p.panels[0].lines = std::move(lines); });
+  };
+  EXPECT_EQ(with({line_through("fold", {{50, 50}})}).code, "pattern.bad_line");
+  EXPECT_EQ(with({line_through("fold", {{50, 50}, {50, 50}})}).code, "pattern.bad_line");
+  EXPECT_EQ(with({line_through("fold", {{50, 50}, {150, 50}})}).code, "pattern.bad_line");
+  EXPECT_EQ(with({line_through("fold", {{50, 50}, {25, 25}})}).code, "pattern.bad_line") << "in a hole";
+  EXPECT_EQ(with({line_through("", {{50, 50}, {60, 50}})}).code, "pattern.missing_id");
+  EXPECT_EQ(with({line_through("e0", {{50, 50}, {60, 50}})}).code, "pattern.duplicate_id") << "an edge's";
+  EXPECT_EQ(with({line_through("fold", {{50, 50}, {NAN, 50}})}).code, "pattern.not_finite");
+  EXPECT_NE(with({line_through("fold", {{50, 50}})}).where.find("line fold"), std::string::npos);
 }
 
 }  // namespace

@@ -1,0 +1,36 @@
+#pragma once
+// Pieces that are drawn as a half, to be cut on the fold.
+
+#include <optional>
+#include <vector>
+
+#include "core/base/types.h"
+
+namespace toile {
+
+/// A mirror line, endless.
+struct FoldAxis {
+  Vec2 at, along;  ///< along: unit vector
+
+  double side(Vec2 p) const { return cross(along, p - at); }  ///< mm, positive on the left
+  Vec2 mirrored(Vec2 p) const { return p - perpendicular(along) * (2 * side(p)); }
+  Vec2 snapped(Vec2 p) const { return p - perpendicular(along) * side(p); }
+};
+
+/// Within this a point lies on the fold, mm.
+inline constexpr double kOnFold = 0.5;
+
+/// The axis through the line's ends; nothing when they are one.
+std::optional<FoldAxis> fold_axis(const std::vector<Vec2>& line);
+
+/// Whether the points lie on both sides: the piece is drawn whole.
+bool spans_fold(const std::vector<Vec2>& points, const FoldAxis& axis);
+
+/// Whether both ends of an open line lie on the axis, so that the fold closes it.
+bool closes_at_fold(const std::vector<Vec2>& points, const FoldAxis& axis);
+
+/// The closed outline of both halves, from the half: its one run along the axis goes. Nothing when the
+/// outline does not run along the axis, does so more than once, or touches it elsewhere.
+std::optional<std::vector<Vec2>> unfolded_loop(const std::vector<Vec2>& half, const FoldAxis& axis);
+
+}  // namespace toile

@@ -1,0 +1,46 @@
+#pragma once
+// What texts of a DXF file say: their characters, and statements such as "Piece Name: FRONT".
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace toile {
+
+/// How bytes beyond ASCII are to be read where they are not UTF-8.
+enum class DxfEncoding {
+  unknown,  ///< pairs of high bytes are Chinese (GB 2312), single ones Windows Latin 1
+  gbk,      ///< declared by $DWGCODEPAGE
+  latin,    ///< likewise
+};
+
+/// What a value of $DWGCODEPAGE declares.
+DxfEncoding encoding_of(std::string_view code_page);
+
+/// The text as valid UTF-8 without control characters, at most 120 characters long; escapes such as \U+00E9
+/// and %%D become their characters.
+std::string clean_text(std::string_view text, DxfEncoding encoding = DxfEncoding::unknown);
+
+/// The words of an MTEXT without its formatting codes.
+std::string plain_text(std::string_view mtext);
+
+/// ASCII letters in lower case.
+std::string lower(std::string_view s);
+
+/// Nothing but question marks and blanks: what a program leaves of letters that it cannot write.
+bool is_lost(std::string_view text);
+
+/// "Key: value" of a text. The blank behind the colon may be missing.
+struct DxfStatement {
+  std::string key;  ///< lower case, single blanks
+  std::string value;
+};
+std::optional<DxfStatement> statement_of(const std::string& text);
+
+/// "2" is two pieces, "1,1" one and one mirrored.
+struct DxfQuantity {
+  int as_drawn = 0, mirrored = 0;
+};
+std::optional<DxfQuantity> quantity_of(std::string_view value);
+
+}  // namespace toile

@@ -1,0 +1,107 @@
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "core/base/write_file.h"
+#include "core/pattern/dxf_read.h"
+#include "core/pattern/dxf_write.h"
+#include "proto/cpp/import_report.h"
+#include "proto/cpp/project_resolve.h"
+#include "server/app/commands.h"
+#include "server/app/console.h"
+
+namespace toile {
+namespace {
+
+Result<DxfDrawing> read_file(const PatternImportOptions& options) {
+  std::error_code failure;
+  const std::filesystem::file_status status = std::filesystem::status(options.file, failure);
+  if (!std::filesystem::exists(status)) return Error{"pattern.file", "there is no such file", options.file};
+  std::ifstream in(options.file, std::ios::binary);
+  if (!std::filesystem::is_regular_file(status) || !in)
+    return Error{"pattern.file", "this is no file that can be read", options.file};
+  DxfSettings settings;
+  if (options.unit == "mm") settings.mm_per_unit = 1;
+  if (options.unit == "cm") settings.mm_per_unit = 10;
+  if (options.unit == "inch") settings.mm_per_unit = 25.4;
+  if (!options.size.empty()) settings.size = options.size;
+  Result<DxfDrawing> drawing = read_dxf(in, settings);
+  if (drawing) return drawing;
+  Error error = drawing.error();
+  error.where = options.file + (error.where.empty() ? "" : ": " + error.where);
+  return error;
+}
+
+std::string join(const std::vector<std::string>& list) {
+  std::string all;
+  for (const std::string& text : list) all += (all.empty() ? "" : ", ") + text;
+  return all;
+}
+
+void print_piece(const DxfPiece& piece) {
+  const Result<Panel> panel = panel_from_piece(piece);
+  if (!panel) {
+    std::printf("piece %s: cannot be cut: %s\n", piece.name.c_str(), to_string(panel.error()).c_str());
+    return;
+  }
+  const PieceMeasures m = measures_of(*panel);
+  std::string more;
+  if (!piece.size.empty()) more += ", size " + piece.size;
+  if (piece.quantity > 1) more += ", cut " + std::to_string(piece.quantity) + " times";
+  if (piece.mirrored > 0) more += " (" + std::to_string(piece.mirrored) + " turned over)";
+  if (piece.unfolded) more += ", unfolded";
+  if (!panel->notches.empty()) more += ", " + std::to_string(panel->notches.size()) + " notches";
+  if (!panel->holes.empty()) more += ", " + std::to_string(panel->holes.size()) + " holes";
+  std::printf(
+      "piece %s: %s x %s mm, %s cm2, %zu edges%s, %s line, grain %s (line %d)\n", piece.name.c_str(),
+      fixed(m.width_mm, 1).c_str(), fixed(m.height_mm, 1).c_str(), fixed(m.area_mm2 * 1e-2, 1).c_str(),
+      panel->outline.edges.size(), more.c_str(), piece.on_sew_line ? "sew" : "cut",
+      piece.grain ? (fixed(grain_degrees(*piece.grain), 1) + " deg").c_str() : "not told", piece.line);
+}
+
+void print_drawing(const DxfDrawing& drawing) {
+  if (!drawing.style.empty()) std::printf("%s\n", drawing.style.c_str());
+  std::printf("unit %s, confidence %s\n", drawing.unit.name.c_str(),
+              fixed(drawing.unit.confidence, 2).c_str());
+  for (const std::string& evidence : drawing.unit.evidence) std::printf("  %s\n", evidence.c_str());
+  if (drawing.sizes.size() > 1)
+    std::printf("size %s of %s\n", drawing.size.c_str(), join(drawing.sizes).c_str());
+  for (const DxfPiece& piece : drawing.pieces) print_piece(piece);
+  const DxfReport& r = drawing.report;
+  std::printf("entities: %zu in the file, %zu kept, %zu converted, %zu dropped (--json lists them)\n",
+              r.entities, r.kept, r.converted, r.dropped);
+  for (const DxfWarning& warning : r.warnings) std::printf("warning: %s\n", warning_text(warning).c_str());
+}
+
+}  // namespace
+
+ExitCode pattern_import_command(const PatternImportOptions& options) {
+  const Result<DxfDrawing> drawing = read_file(options);
+  if (!drawing) return fail(drawing.error(), options.json);
+  if (options.json) {
+    std::printf("%s", write_json(import_json(*drawing)).c_str());
+  } else {
+    print_drawing(*drawing);
+  }
+  return kDone;
+}
+
+ExitCode pattern_export_command(const PatternExportOptions& options) {
+  const Result<DrapeInput> input = read_project(options.project);
+  if (!input) return fail(input.error(), options.json);
+  const Result<std::string> text = write_dxf(input->pattern);
+  if (!text) return fail(text.error(), options.json);
+  if (Status written = write_file(options.out, *text); !written) return fail(written.error(), options.json);
+  const std::size_t pieces = input->pattern.panels.size();
+  if (options.json) {
+    std::printf("%s", write_json(std::vector<JsonMember>{{"file", options.out},
+                                                         {"pieces", static_cast<double>(pieces)}})
+                          .c_str());
+  } else {
+    std::printf("%s: %zu pieces, millimetres, AAMA layers\n", options.out.c_str(), pieces);
+  }
+  return kDone;
+}
+
+}  // namespace toile

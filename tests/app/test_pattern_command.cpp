@@ -1,0 +1,105 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "proto/cpp/json_codec.h"
+#include "tests/app/napkin.h"
+#include "tests/app/program.h"
+
+namespace toile {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// A half front in two sizes with a mirror line and a notch, inches.
+const std::string kGraded = [] {
+  std::string blocks, inserts;
+  for (const int size : {36, 38}) {
+    const std::string name = "FRONT_" + std::to_string(size), width = std::to_string(size / 4);
+    blocks +=
+        "0\nBLOCK\n8\n0\n2\n" + name +
+        "\n70\n64\n10\n0.0\n20\n0.0\n0\nTEXT\n8\n1\n10\n1\n20\n1\n1\nSIZE: " + std::to_string(size) +
+        "\n0\nTEXT\n8\n1\n10\n1\n20\n1\n1\nPiece Name: FRONT\n"
+        "0\nPOLYLINE\n8\n1\n66\n1\n70\n1\n0\nVERTEX\n8\n1\n10\n0\n20\n0\n0\nVERTEX\n8\n1\n10\n" +
+        width + "\n20\n0\n0\nVERTEX\n8\n1\n10\n" + width +
+        "\n20\n24\n0\nVERTEX\n8\n1\n10\n0\n20\n24\n0\nSEQEND\n8\n1\n"
+        "0\nPOINT\n8\n4\n10\n" +
+        width +
+        "\n20\n12\n30\n0.25\n"
+        "0\nLINE\n8\n6\n10\n0\n20\n0\n11\n0\n21\n24\n0\nLINE\n8\n7\n10\n2\n20\n3\n11\n2\n21\n9\n0\nENDBLK\n";
+    inserts += "0\nINSERT\n8\n1\n2\n" + name + "\n10\n0.0\n20\n0.0\n";
+  }
+  return "0\nSECTION\n2\nHEADER\n0\nENDSEC\n0\nSECTION\n2\nBLOCKS\n" + blocks +
+         "0\nENDSEC\n0\nSECTION\n2\nENTITIES\n" + inserts +
+         "0\nTEXT\n8\n1\n10\n0\n20\n0\n1\nSample Size: 36\n0\nTEXT\n8\n1\n10\n0\n20\n0\n1\nUnits: ENGLISH\n"
+         "0\nENDSEC\n0\nEOF\n";
+}();
+
+TEST(PatternCommand, ImportTellsPiecesUnitAndEveryEntity) {
+  const fs::path folder = fresh_folder("toile_pattern");
+  write_text(folder / "graded.dxf", kGraded);
+  const Ran run = run_toile({"pattern", "import", folder / "graded.dxf", "--json"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto tree = parse_json(run.out);
+  ASSERT_TRUE(tree) << run.out;
+  EXPECT_EQ(*tree->find("unit")->find("name")->text(), "inch");
+  EXPECT_GT(*tree->find("unit")->find("confidence")->number(), 0.9);
+  EXPECT_FALSE(tree->find("unit")->find("evidence")->array()->empty());
+  EXPECT_EQ(tree->find("sizes")->array()->size(), 2u);
+  ASSERT_EQ(tree->find("pieces")->array()->size(), 1u);
+  const JsonValue& piece = tree->find("pieces")->array()->front();
+  EXPECT_EQ(*piece.find("name")->text(), "FRONT");
+  EXPECT_EQ(*piece.find("size")->text(), "36");
+  EXPECT_NEAR(*piece.find("width_mm")->number(), 18 * 25.4, 1e-3);
+  EXPECT_NEAR(*piece.find("height_mm")->number(), 24 * 25.4, 1e-3);
+  EXPECT_NEAR(*piece.find("area_mm2")->number(), 18 * 24 * 25.4 * 25.4, 1e-2);
+  EXPECT_EQ(*piece.find("notches")->number(), 2);
+  EXPECT_EQ(*piece.find("grain_deg")->number(), 90);
+  EXPECT_TRUE(*piece.find("unfolded")->boolean());
+  const JsonValue& counts = *tree->find("report")->find("counts");
+  const auto count = [&](const char* key) { return *counts.find(key)->number(); };
+  EXPECT_EQ(count("entities"), count("kept") + count("converted") + count("dropped"));
+  EXPECT_EQ(count("entities"), 2 * 6 + 4);
+  fs::remove_all(folder);
+}
+
+TEST(PatternCommand, ImportTakesTheSizeAndUnitAskedFor) {
+  const fs::path folder = fresh_folder("toile_pattern");
+  write_text(folder / "graded.dxf", kGraded);
+  const Ran run = run_toile({"pattern", "import", folder / "graded.dxf", "--size", "38", "--unit", "cm"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(has(run.out, "piece FRONT: 180.0 x 240.0 mm")) << run.out;
+  EXPECT_TRUE(has(run.out, "size 38 of 36, 38")) << run.out;
+  const Ran none = run_toile({"pattern", "import", folder / "graded.dxf", "--size", "52"});
+  EXPECT_EQ(none.code, 2);
+  EXPECT_TRUE(none.err.starts_with("toile: dxf.unknown_size: ")) << none.err;
+  fs::remove_all(folder);
+}
+
+TEST(PatternCommand, ImportRefusesWhatIsNoFile) {
+  EXPECT_TRUE(run_toile({"pattern", "import", "/nowhere/a.dxf"}).err.starts_with("toile: pattern.file: "));
+  EXPECT_TRUE(run_toile({"pattern", "import", "/tmp"}).err.starts_with("toile: pattern.file: "));
+  const Ran run = run_toile({"pattern", "import", "/dev/null", "--json"});
+  EXPECT_EQ(run.code, 2);
+  EXPECT_TRUE(run.err.starts_with("{\"error\": {\"code\": \"pattern.file\"")) << run.err;
+  EXPECT_EQ(run_toile({"pattern"}).code, 2);
+  EXPECT_EQ(run_toile({"pattern", "import", "a.dxf", "--unit", "ell"}).code, 2);
+}
+
+TEST(PatternCommand, WhatIsExportedReadsBackAsItWas) {
+  const fs::path folder =
+      napkin_folder("toile_pattern_export", "\"fabric\": \"cotton\"", "\"fabric\": \"cotton\"");
+  const Ran run = run_toile({"pattern", "export", folder / "project.json", "--out", folder / "x.dxf"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const Ran back = run_toile({"pattern", "import", folder / "x.dxf"});
+  EXPECT_EQ(back.code, 0) << back.err;
+  EXPECT_TRUE(has(back.out, "piece napkin: 300.0 x 300.0 mm, 900.0 cm2, 4 edges")) << back.out;
+  EXPECT_TRUE(has(back.out, "unit mm")) << back.out;
+  fs::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace toile
