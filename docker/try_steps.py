@@ -3,9 +3,12 @@
 
 Each stage is a folder with a bare Debian 12 (debootstrap), changed by the stage's own lines: WORKDIR, COPY, RUN, USER,
 ENTRYPOINT. The last stage's ENTRYPOINT is then started in it and must answer /healthz as healthy within a minute.
+RUN lines get what an engine's build on this host would be given: its proxies, its npm registry and the certificate
+authorities that it trusts. None of that stays in a stage.
 Needs root and debootstrap; makes everything under the folder given (default build/docker) and unmounts what it mounts.
 """
 
+import contextlib
 import json
 import os
 import shlex
@@ -19,6 +22,33 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 START_SECONDS = 60
+AUTHORITIES = "/run/host-authorities.crt"  # in a stage, while a RUN line runs
+
+
+def host_authorities():
+    """The host's bundle of certificate authorities, or None."""
+    named = [os.environ.get(name) for name in ("NODE_EXTRA_CA_CERTS", "SSL_CERT_FILE", "CURL_CA_BUNDLE")]
+    known = [*named, npm_setting("cafile"), "/etc/ssl/certs/ca-certificates.crt"]
+    return next((Path(path) for path in known if path and Path(path).is_file()), None)
+
+
+def npm_setting(name):
+    """As npm on this host has it; empty without npm or when it is not set."""
+    if not shutil.which("npm"):
+        return ""
+    value = subprocess.run(["npm", "config", "get", name], capture_output=True, text=True, cwd="/").stdout.strip()
+    return "" if value in ("null", "undefined") else value
+
+
+def host_settings():
+    """Environment of the RUN lines."""
+    names = ("http_proxy", "https_proxy", "no_proxy", "all_proxy")
+    settings = {name: os.environ[name] for lower in names for name in (lower, lower.upper()) if name in os.environ}
+    if registry := npm_setting("registry"):
+        settings["NPM_CONFIG_REGISTRY"] = registry
+    if host_authorities():
+        settings |= dict.fromkeys(("NODE_EXTRA_CA_CERTS", "SSL_CERT_FILE", "CURL_CA_BUNDLE"), AUTHORITIES)
+    return settings
 
 
 def steps(dockerfile):
@@ -41,6 +71,9 @@ class Stage:
     def __init__(self, folder, base):
         self.folder, self.workdir, self.user, self.entrypoint = folder, "/", "root", None
         if folder.exists():
+            for name in ("dev", "proc"):  # of a run that was killed: what is mounted must not be removed with it
+                while os.path.ismount(folder / name):
+                    subprocess.run(["umount", "--lazy", folder / name], check=True)
             shutil.rmtree(folder)
         subprocess.run(["cp", "-a", "--reflink=auto", base, folder], check=True)
         for name in ("/etc/resolv.conf", "/etc/hosts"):
@@ -49,13 +82,24 @@ class Stage:
     def inside(self, path):
         return self.folder / path.lstrip("/")
 
+    @contextlib.contextmanager
     def mounted(self):
-        for name in ("proc", "dev"):
-            subprocess.run(["mount", "--bind", "/" + name, self.inside(name)], check=True)
+        with contextlib.ExitStack() as undo:
+            for name in ("proc", "dev"):
+                subprocess.run(["mount", "--bind", "/" + name, self.inside(name)], check=True)
+                undo.callback(subprocess.run, ["umount", "--lazy", self.inside(name)], check=True)
+            yield
 
-    def unmounted(self):
-        for name in ("dev", "proc"):
-            subprocess.run(["umount", "--lazy", self.inside(name)], check=True)
+    @contextlib.contextmanager
+    def host_trusted(self):
+        """What the host trusts is trusted within, by programs that look where host_settings() says."""
+        bundle, place = host_authorities(), self.inside(AUTHORITIES)
+        if bundle:
+            shutil.copy(bundle, place)
+        try:
+            yield
+        finally:
+            place.unlink(missing_ok=True)
 
     def command(self, argv):
         as_user = ["--userspec", self.user] if self.user != "root" else []
@@ -66,11 +110,8 @@ class Stage:
 
     def run(self, line):
         argv, environment = self.command(["/bin/sh", "-c", line])
-        self.mounted()
-        try:
-            subprocess.run(argv, env=environment, check=True)
-        finally:
-            self.unmounted()
+        with self.mounted(), self.host_trusted():
+            subprocess.run(argv, env=environment | host_settings(), check=True)
 
     def copy(self, words, stages):
         source_root = ROOT
@@ -89,8 +130,12 @@ class Stage:
 
 
 def bare_debian(folder):
-    if not (folder / "etc/debian_version").exists():
-        subprocess.run(["debootstrap", "--variant=minbase", "bookworm", folder], check=True, stdout=subprocess.DEVNULL)
+    """Made under another name first, so that half of one is never taken for the whole."""
+    if not folder.exists():
+        half = folder.with_suffix(".half")
+        shutil.rmtree(half, ignore_errors=True)
+        subprocess.run(["debootstrap", "--variant=minbase", "bookworm", half], check=True, stdout=subprocess.DEVNULL)
+        half.rename(folder)
     return folder
 
 
@@ -132,27 +177,27 @@ def serve(stage):
     """Starts the entry point, waits until it is healthy, ends it."""
     port = stage.entrypoint[stage.entrypoint.index("--port") + 1]
     argv, environment = stage.command(stage.entrypoint)
-    stage.mounted()
-    service = subprocess.Popen(argv, env=environment)
-    try:
-        deadline = time.monotonic() + START_SECONDS
-        while time.monotonic() < deadline and service.poll() is None and not healthy(port):
-            time.sleep(0.2)
-        if service.poll() is not None or not healthy(port):
-            raise SystemExit("the service did not become healthy")
-        owner = os.stat(f"/proc/{service.pid}").st_uid
-        if owner == 0:
-            raise SystemExit("the service runs as root")
-        print(f"== healthy on port {port}, as user {owner}")
-    finally:
-        service.send_signal(signal.SIGTERM)
-        service.wait(60)
-        stage.unmounted()
+    with stage.mounted():
+        service = subprocess.Popen(argv, env=environment)
+        try:
+            deadline = time.monotonic() + START_SECONDS
+            while time.monotonic() < deadline and service.poll() is None and not healthy(port):
+                time.sleep(0.2)
+            if service.poll() is not None or not healthy(port):
+                raise SystemExit("the service did not become healthy")
+            owner = os.stat(f"/proc/{service.pid}").st_uid
+            if owner == 0:
+                raise SystemExit("the service runs as root")
+            print(f"== healthy on port {port}, as user {owner}")
+        finally:
+            service.send_signal(signal.SIGTERM)
+            service.wait(60)
 
 
 if __name__ == "__main__":
     if os.geteuid() != 0 or not shutil.which("debootstrap"):
         raise SystemExit("docker/try_steps.py needs root and debootstrap")
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit("ended from outside"))  # so that it still unmounts
     where = Path(sys.argv[1] if len(sys.argv) > 1 else ROOT / "build/docker").resolve()
     where.mkdir(parents=True, exist_ok=True)
     serve(build(ROOT / "docker/Dockerfile", where))

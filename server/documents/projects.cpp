@@ -95,11 +95,11 @@ Result<std::string> asset_id_of(const ProjectFileMap& files, const std::string& 
 
 }  // namespace
 
-Result<ProjectRow> create_project(Store& store, const OwnerId& owner, const std::string& document,
-                                  const ProjectFileMap& files) {
+Result<Made<ProjectRow>> create_project(Store& store, const OwnerId& owner, const std::string& document,
+                                        const ProjectFileMap& files, const std::string& idempotency_key) {
   Result<ProjectRow> row = checked(store, owner, document, files);
-  if (!row) return row;
-  return store.create_project(owner, std::move(*row));
+  if (!row) return row.error();
+  return store.create_project(owner, std::move(*row), idempotency_key);
 }
 
 Result<ProjectRow> replace_project(Store& store, const OwnerId& owner, const std::string& id,

@@ -18,9 +18,10 @@ using ProjectFileMap = std::map<std::string, std::string>;
 /// Keeps a new project under the name that the document gives. Errors: json.*, project.*, dxf.*, mesh.*,
 /// pattern.*, … of reading it, with the JSON pointer in the document first in `where`; documents.missing_file
 /// (with the pointer of the first place that names a file which is not there) and documents.wrong_kind;
-/// documents.unknown_asset and documents.too_many_files with a pointer into {"files": …}; store.*.
-Result<ProjectRow> create_project(Store& store, const OwnerId& owner, const std::string& document,
-                                  const ProjectFileMap& files);
+/// documents.unknown_asset and documents.too_many_files with a pointer into {"files": …}; store.*. With an
+/// idempotency key that made this very project before, gives that one back (Store::create_project).
+Result<Made<ProjectRow>> create_project(Store& store, const OwnerId& owner, const std::string& document,
+                                        const ProjectFileMap& files, const std::string& idempotency_key = "");
 /// Replaces it when it stands at revision `expected` (0: at any). Errors: those, store.not_found,
 /// store.conflict.
 Result<ProjectRow> replace_project(Store& store, const OwnerId& owner, const std::string& id,

@@ -53,7 +53,7 @@ Result<std::string> add(Store& store, const OwnerId& owner, const std::filesyste
     if (!asset) return asset.error();
     files[used.name] = asset->id;
   }
-  const Result<ProjectRow> row = create_project(store, owner, document, files);
+  const Result<Made<ProjectRow>> row = create_project(store, owner, document, files);
   if (!row) return row.error();
   return row->id;
 }

@@ -278,11 +278,12 @@ asio::awaitable<bool> HttpSession::write(const HttpRequest& request, HttpRespons
   if (!bodiless) message.content_length(response.body.size());
   if (request.method != "HEAD" && !bodiless) message.body() = std::move(response.body);
 
+  // Before it is sent: who has got the answer finds it counted.
+  const double seconds = std::chrono::duration<double>(Clock::now() - began_).count();
+  context_.metrics.count_request(request.method, response.status, seconds);
   stream_.expires_after(context_.settings.write_within);
   http::response_serializer<http::string_body> serializer(message);
   const auto [failure, size] = co_await http::async_write(stream_, serializer, kTuple);
-  const double seconds = std::chrono::duration<double>(Clock::now() - began_).count();
-  context_.metrics.count_request(request.method, response.status, seconds);
   began_ = Clock::now();
   co_return !failure;
 }

@@ -21,7 +21,9 @@ constexpr int kMaxAttempts = 3;
 /// After the store has refused a claim a worker waits: a full disk is not emptied in a millisecond.
 constexpr auto kStorePause = std::chrono::seconds(1);
 
-RowEdit requeued() { return with_reason("requeued", "the server stopped before its end; it is draped anew"); }
+RowEdit requeued() {
+  return with_reason("requeued", "the server stopped before its end; it goes on from where it was kept last");
+}
 
 class QueueingJobService final : public JobService {
  public:
@@ -31,8 +33,8 @@ class QueueingJobService final : public JobService {
 
   Status start() override;
   void stop() override;
-  Result<JobRow> submit(const OwnerId& owner, const std::string& project_id,
-                        const std::string& idempotency_key) override;
+  Result<Made<JobRow>> submit(const OwnerId& owner, const std::string& project_id,
+                              const std::string& idempotency_key) override;
   Result<JobRow> pause(const OwnerId& owner, const std::string& id) override;
   Result<JobRow> resume(const OwnerId& owner, const std::string& id) override;
   Result<JobRow> cancel(const OwnerId& owner, const std::string& id) override;
@@ -46,15 +48,19 @@ class QueueingJobService final : public JobService {
   Error refusal(const OwnerId& owner, const std::string& id, JobEvent event);
   Status check_parking(const Changing& changing, const LiveJob& job) const;
   Status check_queue() const;
+  Result<JobRow> row_of_drape(const OwnerId& owner, const std::string& project_id);
 
   Status take_up_all();
   Status take_up(const Changing& changing, const Store::OwnedJob& found);
+  bool has_come_further(const Store::OwnedJob& found);
+  void forget_checkpoint(const LiveJob& job);
   void give_back_all();
   void give_back(const Changing& changing, LiveJob& job);
 
   bool work_once();
   LiveJobPtr claim();
   Status claim(const Changing& changing, LiveJob& job);
+  void forget_results(const LiveJob& job);
   void let_go(const LiveJobPtr& job, const std::optional<RunEnd>& run_end);
   void end(const Changing& changing, LiveJob& job, const RunEnd& run_end);
 
@@ -99,7 +105,10 @@ Result<JobRow> QueueingJobService::on_request(const OwnerId& owner, const std::s
   if (Status changed = table_.change(changing, *job, event, edit); !changed) return changed.error();
   if (job->held) return job->row;  // the worker tells when it lets go
   table_.announce(changing, *job);
-  if (is_terminal(job->state)) run = table_.remove(changing, job);
+  if (is_terminal(job->state)) {
+    forget_checkpoint(*job);
+    run = table_.remove(changing, job);
+  }
   return job->row;
 }
 
@@ -120,9 +129,8 @@ Status QueueingJobService::check_queue() const {
   return Error{"jobs.queue_full", "the queue is full; try again when some drapes have ended", ""};
 }
 
-Result<JobRow> QueueingJobService::submit(const OwnerId& owner, const std::string& project_id,
-                                          const std::string& idempotency_key) {
-  if (Status room = check_queue(); !room) return room.error();
+/// A drape of the project as it is now, once it is known that one can be made.
+Result<JobRow> QueueingJobService::row_of_drape(const OwnerId& owner, const std::string& project_id) {
   const Result<ProjectRow> project = store_.project(owner, project_id);
   if (!project) return project.error();
   if (const auto input = drape_input_of(store_, owner, project->document, project->files); !input) {
@@ -134,16 +142,29 @@ Result<JobRow> QueueingJobService::submit(const OwnerId& owner, const std::strin
   row.name = project->name;
   row.document = project->document;
   row.files = project->files;
+  return row;
+}
+
+Result<Made<JobRow>> QueueingJobService::submit(const OwnerId& owner, const std::string& project_id,
+                                                const std::string& idempotency_key) {
+  Result<std::optional<JobRow>> before = store_.job_of_key(owner, idempotency_key);
+  if (!before) return before.error();
+  if (*before && (*before)->project_id == project_id) {
+    return Made<JobRow>{without_document(std::move(**before)), false};
+  }
+  if (Status room = check_queue(); !room) return room.error();
+  Result<JobRow> row = row_of_drape(owner, project_id);
+  if (!row) return row.error();
 
   const Changing changing = table_.changing();
   if (Status room = check_queue(); !room) return room.error();  // others came while the document was read
-  const Result<JobRow> made = store_.create_job(owner, std::move(row), idempotency_key);
+  const Result<Made<JobRow>> made = store_.create_job(owner, std::move(*row), idempotency_key);
   if (!made) return made.error();
-  if (job_state_from(made->state) == JobState::kQueued) {
+  if (made->anew) {
     const LiveJobPtr job = table_.insert(changing, owner, *made, JobState::kQueued);
     if (job) table_.announce(changing, *job);
   }
-  return without_document(*made);
+  return Made<JobRow>{without_document(*made), made->anew};
 }
 
 Result<JobProgress> QueueingJobService::progress(const OwnerId& owner, const std::string& id) {
@@ -187,8 +208,13 @@ Status QueueingJobService::take_up(const Changing& changing, const Store::OwnedJ
   if (!state || is_terminal(*state)) return {};
   const LiveJobPtr job = table_.insert(changing, found.owner, found.job, *state);
   if (!job || *state == JobState::kQueued) return {};
-  if (*state == JobState::kPaused || found.job.attempt < kMaxAttempts) {
-    return table_.change(changing, *job, JobEvent::kRequeue, requeued());
+  const bool further = *state == JobState::kRunning && has_come_further(found);
+  if (*state == JobState::kPaused || found.job.attempt < kMaxAttempts || further) {
+    const RowEdit reason = requeued();
+    return table_.change(changing, *job, JobEvent::kRequeue, [&](JobRow& row) {
+      reason(row);
+      if (further) row.attempt = 0;
+    });
   }
   const std::string reason =
       "the server broke down " + std::to_string(found.job.attempt) + " times while this was draped";
@@ -196,9 +222,22 @@ Status QueueingJobService::take_up(const Changing& changing, const Store::OwnedJ
       !failed) {
     return failed;
   }
+  forget_checkpoint(*job);
   table_.announce(changing, *job);
   table_.remove(changing, job);
   return {};
+}
+
+/// Whether the last attempt kept a checkpoint before it was cut off: then it was not the job that it came
+/// from.
+bool QueueingJobService::has_come_further(const Store::OwnedJob& found) {
+  const auto kept = store_.checkpoint(found.owner, found.job.id);
+  return kept && kept->kept_ms >= found.job.started_ms;
+}
+
+/// One that cannot be removed now goes when the store is opened next.
+void QueueingJobService::forget_checkpoint(const LiveJob& job) {
+  static_cast<void>(store_.remove_checkpoint(job.owner, job.id).ok());
 }
 
 void QueueingJobService::stop() {
@@ -261,6 +300,7 @@ Status QueueingJobService::claim(const Changing& changing, LiveJob& job) {
                          &publisher_,
                          renderer_.get(),
                          settings_.stream_interval,
+                         std::chrono::duration<double>(settings_.checkpoint_every_s),
                          settings_.still_width,
                          settings_.still_height};
     return std::make_unique<JobRun>(place, job.owner, job.id, epoch);
@@ -276,6 +316,7 @@ bool QueueingJobService::work_once() {
   control.interrupt = &job->interrupt;
   // A stop waits for pictures of a finished drape; a person who paused or cancelled does not.
   control.abandon = [&] { return table_.state(*job) != JobState::kRunning; };
+  control.worth_keeping = [&] { return !is_terminal(table_.state(*job)); };
   control.on_progress = [&](const JobProgress& progress) { table_.hear(*job, progress); };
   let_go(job, job->run->go_on(control));
   return true;
@@ -283,15 +324,28 @@ bool QueueingJobService::work_once() {
 
 void QueueingJobService::let_go(const LiveJobPtr& job, const std::optional<RunEnd>& run_end) {
   std::unique_ptr<JobRun> run;  // freed after the lock
-  const Changing changing = table_.changing();
-  table_.take_back(changing, *job);
-  if (run_end) end(changing, *job, *run_end);
-  if (is_terminal(job->state)) {
-    table_.announce(changing, *job);
-    run = table_.remove(changing, job);
-  } else if (table_.is_open(changing)) {  // else it is told when it has been given back
-    table_.announce(changing, *job);
+  bool unnamed_results = false;
+  {
+    const Changing changing = table_.changing();
+    table_.take_back(changing, *job);
+    if (run_end) end(changing, *job, *run_end);
+    if (is_terminal(job->state)) {
+      forget_checkpoint(*job);
+      unnamed_results = job->row.results.empty();
+      table_.announce(changing, *job);
+      run = table_.remove(changing, job);
+    } else if (table_.is_open(changing)) {  // else it is told when it has been given back
+      table_.announce(changing, *job);
+    }
   }
+  if (unnamed_results) forget_results(*job);
+}
+
+/// Files that were kept before a cancel came, or before the disk was full. The store's next start removes
+/// what stays.
+void QueueingJobService::forget_results(const LiveJob& job) {
+  const Status forgotten = store_.remove_results(job.owner, job.id);
+  static_cast<void>(forgotten.ok());
 }
 
 void QueueingJobService::end(const Changing& changing, LiveJob& job, const RunEnd& run_end) {

@@ -17,6 +17,7 @@ struct JobServiceSettings {
   int max_parked =
       16;  ///< drapes that lie paused in memory; beyond it a pause is refused (jobs.too_many_paused)
   int stream_interval = 50;                     ///< substeps between streamed frames
+  double checkpoint_every_s = 5;                ///< by the clock; what a crash can cost
   int still_width = 1024, still_height = 1280;  ///< pixels
 };
 
@@ -25,19 +26,23 @@ class JobService {
  public:
   virtual ~JobService() = default;
 
-  /// Takes up what was left queued, running or paused, and starts the workers. A job that a crash has cut off
-  /// for the third time is not tried again but failed (jobs.attempts). Twice is safe, and so is a start after
-  /// a stop. Errors: those of the store.
+  /// Takes up what was left queued, running or paused, and starts the workers. What had begun goes on from
+  /// its newest checkpoint, and ends in the same bytes as if nothing had happened. A job that a crash has cut
+  /// off for the third time without having come further is not tried again but failed (jobs.attempts). Twice
+  /// is safe, and so is a start after a stop. Errors: those of the store.
   virtual Status start() = 0;
   /// Claims nothing more, lets running and paused drapes go back to the queue, joins the threads. A drape of
   /// which only pictures and results are missing is brought to its end. Twice is safe.
   virtual void stop() = 0;
 
   /// Queues a drape of the project as it is now. Durable when it returns; while the service does not run, the
-  /// next start takes it up. Errors: store.not_found, jobs.queue_full, and whatever reading the document
-  /// gives (json.*, project.*, dxf.*, …), so that bad input is told at once.
-  virtual Result<JobRow> submit(const OwnerId& owner, const std::string& project_id,
-                                const std::string& idempotency_key) = 0;
+  /// next start takes it up. Under a key that made a job of this project before, gives back that job,
+  /// whatever has become of the project or the queue since. Errors: store.not_found,
+  /// store.idempotency_mismatch when the key was for another project, store.idempotency_key, jobs.queue_full,
+  /// and whatever reading the document gives (json.*, project.*, dxf.*, …), so that bad input is told at
+  /// once.
+  virtual Result<Made<JobRow>> submit(const OwnerId& owner, const std::string& project_id,
+                                      const std::string& idempotency_key) = 0;
   /// The state has changed when these return, durably; a worker that drapes lets go within 50 ms. A paused
   /// drape stays in memory, and resuming puts it at the head of the queue. Errors: store.not_found;
   /// jobs.state when the job's state does not allow it; jobs.stopped while the service does not run;

@@ -5,30 +5,27 @@ namespace {
 
 using Transition = std::optional<JobTransition>;
 
+// In the order of the enumerators.
+constexpr std::array<std::string_view, kJobStates.size()> kStateNames{"queued",    "running", "paused",
+                                                                      "succeeded", "failed",  "cancelled"};
 /// Words for "a job that is … cannot be …".
-std::string_view words_for(JobEvent event) {
-  switch (event) {
-    case JobEvent::kClaim:
-      return "taken by a worker";
-    case JobEvent::kProgress:
-      return "reported on";
-    case JobEvent::kPause:
-      return "paused";
-    case JobEvent::kResume:
-      return "resumed";
-    case JobEvent::kCancel:
-      return "cancelled";
-    case JobEvent::kFinish:
-      return "finished";
-    case JobEvent::kFail:
-      return "failed";
-    case JobEvent::kRequeue:
-      return "put back into the queue";
-  }
-  return "changed";
+constexpr std::array<std::string_view, kJobEvents.size()> kEventWords{
+    "taken by a worker", "reported on", "paused", "resumed",
+    "cancelled",         "finished",    "failed", "put back into the queue"};
+
+template <typename Enum, std::size_t N>
+std::string_view word(const std::array<std::string_view, N>& words, Enum value) {
+  return words.at(static_cast<std::size_t>(value));
 }
 
-JobTransition ended(JobState state) { return {state, {.persist = true, .interrupt = true, .ends = true}}; }
+/// The same wherever it is legal: anywhere before an end.
+Transition ended_by(JobEvent event) {
+  constexpr JobEffects kEnd{.persist = true, .interrupt = true, .ends = true};
+  if (event == JobEvent::kCancel) return JobTransition{JobState::kCancelled, kEnd};
+  if (event == JobEvent::kFinish) return JobTransition{JobState::kSucceeded, kEnd};
+  if (event == JobEvent::kFail) return JobTransition{JobState::kFailed, kEnd};
+  return std::nullopt;
+}
 
 Transition from_queued(JobEvent event) {
   switch (event) {
@@ -36,19 +33,11 @@ Transition from_queued(JobEvent event) {
       return JobTransition{JobState::kRunning, {.persist = true}};
     case JobEvent::kPause:
       return JobTransition{JobState::kPaused, {.persist = true}};
-    case JobEvent::kCancel:
-      return ended(JobState::kCancelled);
-    case JobEvent::kFinish:
-      return ended(JobState::kSucceeded);
-    case JobEvent::kFail:
-      return ended(JobState::kFailed);
     case JobEvent::kRequeue:
       return JobTransition{JobState::kQueued, {.persist = true, .queue = QueuePlace::kBack}};
-    case JobEvent::kProgress:
-    case JobEvent::kResume:
-      break;
+    default:
+      return ended_by(event);
   }
-  return std::nullopt;
 }
 
 Transition from_running(JobEvent event) {
@@ -57,41 +46,24 @@ Transition from_running(JobEvent event) {
       return JobTransition{JobState::kRunning, {}};
     case JobEvent::kPause:
       return JobTransition{JobState::kPaused, {.persist = true, .interrupt = true}};
-    case JobEvent::kCancel:
-      return ended(JobState::kCancelled);
-    case JobEvent::kFinish:
-      return ended(JobState::kSucceeded);
-    case JobEvent::kFail:
-      return ended(JobState::kFailed);
     case JobEvent::kRequeue:
       return JobTransition{JobState::kQueued,
                            {.persist = true, .queue = QueuePlace::kBack, .interrupt = true}};
-    case JobEvent::kClaim:
-    case JobEvent::kResume:
-      break;
+    default:
+      return ended_by(event);
   }
-  return std::nullopt;
 }
 
 Transition from_paused(JobEvent event) {
   switch (event) {
     case JobEvent::kResume:
       return JobTransition{JobState::kQueued, {.persist = true, .queue = QueuePlace::kFront}};
-    case JobEvent::kCancel:
-      return ended(JobState::kCancelled);
-    case JobEvent::kFinish:
-      return ended(JobState::kSucceeded);
-    case JobEvent::kFail:
-      return ended(JobState::kFailed);
     case JobEvent::kRequeue:
       return JobTransition{JobState::kQueued,
                            {.persist = true, .queue = QueuePlace::kBack, .interrupt = true}};
-    case JobEvent::kClaim:
-    case JobEvent::kProgress:
-    case JobEvent::kPause:
-      break;
+    default:
+      return ended_by(event);
   }
-  return std::nullopt;
 }
 
 Transition transition(JobState state, JobEvent event) {
@@ -115,8 +87,8 @@ Transition transition(JobState state, JobEvent event) {
 Result<JobTransition> next_state(JobState state, JobEvent event) {
   if (const Transition found = transition(state, event)) return *found;
   const std::string verb = state == JobState::kCancelled ? "was " : is_terminal(state) ? "has " : "is ";
-  const std::string message =
-      "a job that " + verb + std::string(name_of(state)) + " cannot be " + std::string(words_for(event));
+  const std::string message = "a job that " + verb + std::string(name_of(state)) + " cannot be " +
+                              std::string(word(kEventWords, event));
   return Error{"jobs.state", message, ""};
 }
 
@@ -124,23 +96,7 @@ bool is_terminal(JobState state) {
   return state == JobState::kSucceeded || state == JobState::kFailed || state == JobState::kCancelled;
 }
 
-std::string_view name_of(JobState state) {
-  switch (state) {
-    case JobState::kQueued:
-      return "queued";
-    case JobState::kRunning:
-      return "running";
-    case JobState::kPaused:
-      return "paused";
-    case JobState::kSucceeded:
-      return "succeeded";
-    case JobState::kFailed:
-      return "failed";
-    case JobState::kCancelled:
-      return "cancelled";
-  }
-  return "";
-}
+std::string_view name_of(JobState state) { return word(kStateNames, state); }
 
 std::optional<JobState> job_state_from(std::string_view name) {
   for (const JobState state : kJobStates) {

@@ -199,7 +199,7 @@ void JobTable::pause(std::chrono::milliseconds time) {
 void JobTable::hear(LiveJob& job, const JobProgress& progress) {
   {
     const std::lock_guard lock(mutex_);
-    totals_.steps += std::max(0, progress.step - job.progress.step);
+    totals_.steps += std::max(0, progress.step - std::max(job.progress.step, progress.first_step));
     job.progress = progress;
     if (!next_state(job.state, JobEvent::kProgress)) return;
   }

@@ -33,6 +33,7 @@ struct JobProgress {
   std::string phase;  ///< "queued", "mesh", "sew", "drape", "stills"
   double fraction = 0;
   int step = 0;
+  int first_step = 0;  ///< where this run of it began: 0, or at its checkpoint
   double simulated_s = 0;
   double rms_speed = 0;  ///< m/s
   double seam_gap_mm = 0;

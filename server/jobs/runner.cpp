@@ -23,6 +23,10 @@ constexpr auto kTellEvery = std::chrono::milliseconds(100);
 /// A slice is about this long, so that slow drapes tell how far they are as often as quick ones.
 constexpr double kSlice = 50;  // ms
 
+Clock::time_point later(std::chrono::duration<double> by) {
+  return Clock::now() + std::chrono::duration_cast<Clock::duration>(by);
+}
+
 RunEnd failed(const Error& error) {
   RunEnd end;
   end.code = error.code;
@@ -108,18 +112,44 @@ Status JobRun::begin(const RunControl& control) {
   }
   RunContext context = context_of(control);
   context.on_progress = [&](const Progress& p) { tell(control, "mesh", p.phase == "mesh" ? p.fraction : 1); };
-  Result<std::unique_ptr<DrapeRun>> run = DrapeRun::start(*input_, context, nullptr);
+  Result<std::unique_ptr<DrapeRun>> run = start_or_resume(context);
   if (!run) return run.error();
   run_ = std::move(*run);
   const DrapeSession& session = run_->session();
-  const std::vector<Vec3> start = session.positions();
-  stream_.emplace(*place_.publisher, job_id_, epoch_, *input_, session.garment(), start);
-  stream_->show(session.steps(), session.time(), start);
+  progress_.first_step = checkpoint_step_ = session.steps();
+  next_checkpoint_ = later(place_.checkpoint_every);
+  stream_.emplace(*place_.publisher, job_id_, epoch_, *input_, session.garment(), session.start_positions());
+  stream_->show(session.steps(), session.time(), session.positions());
   return {};
 }
 
+/// From the newest checkpoint; one that is of no use (damaged, of another version) costs the time that it
+/// would have saved and nothing else.
+Result<std::unique_ptr<DrapeRun>> JobRun::start_or_resume(const RunContext& context) {
+  if (const auto kept = place_.store->checkpoint(owner_, job_id_)) {
+    auto run = DrapeRun::resume(*input_, kept->bytes, context, nullptr);
+    if (run || !run.error().code.starts_with("checkpoint.")) return run;
+  }
+  return DrapeRun::start(*input_, context, nullptr);
+}
+
+/// A store that takes none (its disk is full) is no reason to stop. Keeping takes at most a twentieth of the
+/// time.
+void JobRun::keep_checkpoint() {
+  if (checkpoint_step_ == run_->session().steps()) return;
+  const Clock::time_point before = Clock::now();
+  const Status kept = place_.store->put_checkpoint(owner_, job_id_, run_->checkpoint());
+  if (kept) checkpoint_step_ = run_->session().steps();
+  const std::chrono::duration<double> took = Clock::now() - before;
+  next_checkpoint_ = later(std::max(place_.checkpoint_every, 20 * took));
+}
+
 void JobRun::drape_on(const RunControl& control) {
-  while (!run_->done() && !control.interrupt->load(std::memory_order_relaxed)) advance_slice(control);
+  while (!run_->done() && !control.interrupt->load(std::memory_order_relaxed)) {
+    advance_slice(control);
+    if (Clock::now() >= next_checkpoint_) keep_checkpoint();
+  }
+  if (!run_->done() && control.worth_keeping()) keep_checkpoint();
   const DrapeSession& session = run_->session();
   if (run_->done() && stream_->step() != session.steps()) {
     stream_->show(session.steps(), session.time(), session.positions());

@@ -27,7 +27,8 @@ struct RunPlace {
   Store* store = nullptr;
   Publisher* publisher = nullptr;
   RenderWorker* renderer = nullptr;
-  int stream_interval = 50;                     ///< substeps between streamed frames
+  int stream_interval = 50;  ///< substeps between streamed frames
+  std::chrono::duration<double> checkpoint_every{5};
   int still_width = 1024, still_height = 1280;  ///< pixels
 };
 
@@ -35,6 +36,7 @@ struct RunPlace {
 struct RunControl {
   const std::atomic<bool>* interrupt = nullptr;  ///< once true, the run lets go at the next substep
   std::function<bool()> abandon;  ///< whether even a finished drape lets go, without its pictures and results
+  std::function<bool()> worth_keeping;  ///< whether a drape that lets go will be taken up again
   std::function<void(const JobProgress&)> on_progress;  ///< at most about ten times a second
 };
 
@@ -51,6 +53,8 @@ class JobRun {
  private:
   std::optional<RunEnd> through_all_stages(const RunControl& control);
   Status begin(const RunControl& control);
+  Result<std::unique_ptr<DrapeRun>> start_or_resume(const RunContext& context);
+  void keep_checkpoint();
   void drape_on(const RunControl& control);
   void advance_slice(const RunControl& control);
   Result<RunEnd> deliver(const RunControl& control);
@@ -70,6 +74,8 @@ class JobRun {
 
   JobProgress progress_;
   std::chrono::steady_clock::time_point told_;
+  std::chrono::steady_clock::time_point next_checkpoint_;
+  int checkpoint_step_ = -1;
 };
 
 }  // namespace toile

@@ -4,14 +4,17 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "core/base/hash.h"
 #include "proto/cpp/names.h"
 #include "server/store/file_name.h"
+#include "server/store/ids.h"
 
 namespace toile {
 namespace {
@@ -85,6 +88,24 @@ Result<std::string> read_all(const fs::path& path) {
   return bytes;
 }
 
+/// What lies in a folder and is of that type; links count as links.
+std::vector<std::string> names_in(const fs::path& folder, fs::file_type type) {
+  std::vector<std::string> names;
+  std::error_code failure;
+  for (fs::directory_iterator at(folder, failure), end; !failure && at != end; at.increment(failure)) {
+    std::error_code unknown;
+    if (at->symlink_status(unknown).type() == type) names.push_back(at->path().filename().string());
+  }
+  return names;
+}
+
+/// 32 hex digits and an ending.
+bool is_blob(std::string_view name) {
+  const auto is_digit = [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); };
+  return name.size() > kHashDigits && name[kHashDigits] == '.' &&
+         std::all_of(name.begin(), name.begin() + kHashDigits, is_digit);
+}
+
 /// Makes the folder when it is not there. Its name in the one above is durable then, whoever made it.
 Status make_folder(const fs::path& folder) {
   if (::mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST) return system_error(folder, "make");
@@ -103,7 +124,8 @@ Result<Blobs> Blobs::open(const fs::path& folder) {
   Blobs blobs(folder);
   std::error_code failure;
   fs::remove_all(blobs.scratch_folder(), failure);  // half-written files of a process that was killed
-  for (const fs::path& part : {folder / "blobs", folder / "results", blobs.scratch_folder()}) {
+  for (const fs::path& part :
+       {folder / "blobs", folder / "results", folder / "checkpoints", blobs.scratch_folder()}) {
     if (Status made = make_folder(part); !made) return made.error();
   }
   return blobs;
@@ -172,6 +194,75 @@ Result<std::string> Blobs::result(const std::string& job_id, const std::string& 
   std::error_code failure;
   if (fs::is_regular_file(path, failure)) return read_all(path);
   return Error{"store.not_found", "the job has no result " + in_quotes(name), ""};
+}
+
+Status Blobs::remove_results(const std::string& job_id) const {
+  std::error_code failure;
+  fs::remove_all(folder_ / "results" / job_id, failure);
+  if (!failure) return {};
+  return Error{"store.failed", "cannot remove the results: " + failure.message(), ""};
+}
+
+std::vector<std::string> Blobs::blob_names() const {
+  std::vector<std::string> blobs;
+  for (const std::string& part : names_in(folder_ / "blobs", fs::file_type::directory)) {
+    for (std::string& name : names_in(folder_ / "blobs" / part, fs::file_type::regular)) {
+      if (is_blob(name) && name.starts_with(part)) blobs.push_back(std::move(name));
+    }
+  }
+  return blobs;
+}
+
+std::vector<std::string> Blobs::jobs_with_results() const {
+  std::vector<std::string> ids = names_in(folder_ / "results", fs::file_type::directory);
+  std::erase_if(ids, [](const std::string& name) { return !is_id(name, 'j'); });
+  return ids;
+}
+
+std::vector<std::string> Blobs::result_names(const std::string& job_id) const {
+  return names_in(folder_ / "results" / job_id, fs::file_type::regular);
+}
+
+void Blobs::remove_blob(const std::string& blob) const {
+  std::error_code ignored;
+  fs::remove(place_of(blob), ignored);
+}
+
+void Blobs::remove_result(const std::string& job_id, const std::string& name) const {
+  std::error_code ignored;
+  fs::remove(folder_ / "results" / job_id / name, ignored);
+}
+
+Status Blobs::put_checkpoint(const std::string& job_id, std::string_view bytes) const {
+  return write(folder_ / "checkpoints" / job_id, bytes);
+}
+
+Result<Store::KeptCheckpoint> Blobs::checkpoint(const std::string& job_id) const {
+  const fs::path path = folder_ / "checkpoints" / job_id;
+  struct stat about {};
+  if (::stat(path.c_str(), &about) != 0) {
+    return Error{"store.not_found", "the job has no checkpoint", ""};
+  }
+  Result<std::string> bytes = read_all(path);
+  if (!bytes) return bytes.error();
+  return Store::KeptCheckpoint{std::move(*bytes),
+                               std::int64_t{about.st_mtim.tv_sec} * 1000 + about.st_mtim.tv_nsec / 1000000};
+}
+
+Status Blobs::remove_checkpoint(const std::string& job_id) const {
+  const fs::path path = folder_ / "checkpoints" / job_id;
+  if (::unlink(path.c_str()) != 0 && errno != ENOENT) return system_error(path, "remove");
+  return {};
+}
+
+void Blobs::keep_checkpoints_of(const std::set<std::string>& job_ids) const {
+  std::error_code failure;
+  std::vector<fs::path> left;
+  for (fs::directory_iterator at(folder_ / "checkpoints", failure), end; !failure && at != end;
+       at.increment(failure)) {
+    if (!job_ids.contains(at->path().filename().string())) left.push_back(at->path());
+  }
+  for (const fs::path& path : left) fs::remove(path, failure);  // what stays is tried again next time
 }
 
 }  // namespace toile

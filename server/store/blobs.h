@@ -4,17 +4,20 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "core/base/result.h"
+#include "server/store/store.h"
 
 namespace toile {
 
 class Blobs {
  public:
-  /// Makes blobs/, results/ and an empty scratch/ in `folder`. Errors: store.open, store.full.
+  /// Makes blobs/, results/, checkpoints/ and an empty scratch/ in `folder`. Errors: store.open, store.full.
   static Result<Blobs> open(const std::filesystem::path& folder);
 
   /// Keeps the bytes and gives back their blob's name: hash and the ending of `file_name` ("….obj"). Errors:
@@ -29,6 +32,23 @@ class Blobs {
   Status put_result(const std::string& job_id, const std::string& name, std::string_view bytes) const;
   /// Errors: store.bad_name, store.not_found.
   Result<std::string> result(const std::string& job_id, const std::string& name) const;
+  Status remove_results(const std::string& job_id) const;
+
+  /// Names of what there is, in no order; what the store has not named itself is passed over.
+  std::vector<std::string> blob_names() const;
+  std::vector<std::string> jobs_with_results() const;
+  std::vector<std::string> result_names(const std::string& job_id) const;
+  /// Removes single files. What stays for some reason is tried again at the next start.
+  void remove_blob(const std::string& blob) const;
+  void remove_result(const std::string& job_id, const std::string& name) const;
+
+  /// The checkpoint of a job: one at a time. Errors: store.full, store.failed.
+  Status put_checkpoint(const std::string& job_id, std::string_view bytes) const;
+  /// Error: store.not_found.
+  Result<Store::KeptCheckpoint> checkpoint(const std::string& job_id) const;
+  Status remove_checkpoint(const std::string& job_id) const;
+  /// Removes those of all other jobs.
+  void keep_checkpoints_of(const std::set<std::string>& job_ids) const;
 
   std::filesystem::path scratch_folder() const { return folder_ / "scratch"; }
 

@@ -66,6 +66,16 @@ CREATE TABLE settings (
   PRIMARY KEY (owner, key)
 ) STRICT;
 )sql"},
+    {2, "keys that make a project only once", R"sql(
+CREATE TABLE project_keys (
+  owner TEXT NOT NULL,
+  key TEXT NOT NULL,
+  project_id TEXT NOT NULL,
+  request TEXT NOT NULL,
+  PRIMARY KEY (owner, key)
+) STRICT;
+CREATE INDEX project_keys_by_project ON project_keys (owner, project_id);
+)sql"},
 };
 
 constexpr const char* kRemembered = R"sql(

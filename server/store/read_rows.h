@@ -15,6 +15,12 @@ inline Error not_found(const char* thing, const std::string& id) {
   return {"store.not_found", std::string("there is no ") + thing + " " + in_quotes(id), ""};
 }
 
+inline std::string select(const char* columns, const char* rest) {
+  return std::string("SELECT ") + columns + " " + rest;
+}
+
+inline Result<std::string> text_from(const SqlStatement& row) { return row.text(0); }
+
 /// All rows of a statement, each read by `read`.
 template <typename Row>
 Result<std::vector<Row>> rows_of(Result<SqlStatement> statement, Result<Row> (*read)(const SqlStatement&)) {

@@ -8,34 +8,37 @@
 namespace toile {
 namespace {
 
-/// The object's members; `thing` says whose row it is.
-Result<std::vector<JsonMember>> members_of(const std::string& text, const std::string& thing) {
-  Result<JsonValue> value = parse_json(text);
-  if (value && value->object() != nullptr) return *value->object();
-  return Error{"store.corrupt", "a row of the database is damaged", thing};
+/// The members of the object in a column of `thing`'s row. `read` gives a pointer to a member's value, or
+/// null where it has another type.
+template <typename Value, typename Read>
+Result<std::map<std::string, Value>> map_from(const std::string& text, const std::string& thing, Read read) {
+  const Result<JsonValue> object = parse_json(text);
+  if (!object || object->object() == nullptr) {
+    return Error{"store.corrupt", "a row of the database is damaged", thing};
+  }
+  std::map<std::string, Value> map;
+  for (const JsonMember& member : *object->object()) {
+    if (const auto* value = read(member.value)) map[member.key] = static_cast<Value>(*value);
+  }
+  return map;
 }
 
-Result<std::map<std::string, std::string>> files_from(const std::string& text, const std::string& thing) {
-  const Result<std::vector<JsonMember>> members = members_of(text, thing);
-  if (!members) return members.error();
-  std::map<std::string, std::string> files;
-  for (const JsonMember& member : *members) {
-    if (const std::string* id = member.value.text()) files[member.key] = *id;
-  }
-  return files;
+Result<FileIds> files_from(const std::string& text, const std::string& thing) {
+  return map_from<std::string>(text, thing, [](const JsonValue& value) { return value.text(); });
 }
 
-Result<std::map<std::string, std::int64_t>> results_from(const std::string& text, const std::string& thing) {
-  const Result<std::vector<JsonMember>> members = members_of(text, thing);
-  if (!members) return members.error();
-  std::map<std::string, std::int64_t> results;
-  for (const JsonMember& member : *members) {
-    if (const double* bytes = member.value.number()) results[member.key] = static_cast<std::int64_t>(*bytes);
-  }
-  return results;
+template <typename Map, typename Make>
+std::string text_of(const Map& map, Make make) {
+  std::vector<JsonMember> members;
+  for (const auto& [name, value] : map) members.push_back({name, make(value)});
+  return write_json_line(JsonValue(std::move(members)));
 }
 
 }  // namespace
+
+Result<ResultSizes> results_from(const std::string& text, const std::string& thing) {
+  return map_from<std::int64_t>(text, thing, [](const JsonValue& value) { return value.number(); });
+}
 
 Result<AssetRow> asset_from(const SqlStatement& row) {
   AssetRow asset;
@@ -55,7 +58,7 @@ Result<ProjectRow> project_from(const SqlStatement& row) {
   project.revision = static_cast<int>(row.integer(2));
   project.created_ms = row.integer(3);
   project.updated_ms = row.integer(4);
-  Result<std::map<std::string, std::string>> files = files_from(row.text(5), project.id);
+  Result<FileIds> files = files_from(row.text(5), project.id);
   if (!files) return files.error();
   project.files = std::move(*files);
   project.document = row.text(6);
@@ -76,10 +79,10 @@ Result<JobRow> job_from(const SqlStatement& row) {
   job.created_ms = row.integer(9);
   job.started_ms = row.integer(10);
   job.ended_ms = row.integer(11);
-  Result<std::map<std::string, std::int64_t>> results = results_from(row.text(12), job.id);
+  Result<ResultSizes> results = results_from(row.text(12), job.id);
   if (!results) return results.error();
   job.results = std::move(*results);
-  Result<std::map<std::string, std::string>> files = files_from(row.text(13), job.id);
+  Result<FileIds> files = files_from(row.text(13), job.id);
   if (!files) return files.error();
   job.files = std::move(*files);
   job.report = row.text(14);
@@ -87,16 +90,12 @@ Result<JobRow> job_from(const SqlStatement& row) {
   return job;
 }
 
-std::string column_text(const std::map<std::string, std::string>& files) {
-  std::vector<JsonMember> members;
-  for (const auto& [name, id] : files) members.push_back({name, JsonValue(id)});
-  return write_json_line(JsonValue(std::move(members)));
+std::string column_text(const FileIds& files) {
+  return text_of(files, [](const std::string& id) { return JsonValue(id); });
 }
 
-std::string column_text(const std::map<std::string, std::int64_t>& results) {
-  std::vector<JsonMember> members;
-  for (const auto& [name, bytes] : results) members.push_back({name, JsonValue(static_cast<double>(bytes))});
-  return write_json_line(JsonValue(std::move(members)));
+std::string column_text(const ResultSizes& results) {
+  return text_of(results, [](std::int64_t bytes) { return JsonValue(static_cast<double>(bytes)); });
 }
 
 }  // namespace toile

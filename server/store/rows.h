@@ -11,6 +11,10 @@
 
 namespace toile {
 
+/// ProjectRow::files and JobRow::results.
+using FileIds = std::map<std::string, std::string>;
+using ResultSizes = std::map<std::string, std::int64_t>;
+
 // What a SELECT must ask for, in the order in which the readers below take it.
 inline constexpr const char* kAssetColumns = "id, kind, name, size, created_ms, info";
 inline constexpr const char* kProjectColumns = "id, name, revision, created_ms, updated_ms, files, document";
@@ -30,7 +34,9 @@ Result<ProjectRow> project_from(const SqlStatement& row);
 Result<JobRow> job_from(const SqlStatement& row);
 
 /// A map as the JSON object that its column keeps.
-std::string column_text(const std::map<std::string, std::string>& files);
-std::string column_text(const std::map<std::string, std::int64_t>& results);
+std::string column_text(const FileIds& files);
+std::string column_text(const ResultSizes& results);
+/// And back; `thing` names the row. Error: store.corrupt.
+Result<ResultSizes> results_from(const std::string& text, const std::string& thing);
 
 }  // namespace toile

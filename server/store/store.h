@@ -58,6 +58,12 @@ struct JobRow {
   std::map<std::string, std::int64_t> results;  ///< file name → bytes
 };
 
+/// A row that was asked for under an idempotency key: made by this call, or there already.
+template <typename Row>
+struct Made : Row {
+  bool anew = true;
+};
+
 /// Errors of every call: store.full (the disk; reading goes on working), store.busy, store.corrupt,
 /// store.failed; of those that name a thing: store.not_found.
 class Store {
@@ -76,8 +82,12 @@ class Store {
   /// Newest first; of every kind when `kind` is empty.
   virtual Result<std::vector<AssetRow>> assets(const OwnerId& owner, const std::string& kind) = 0;
 
-  /// Keeps name, document and files; id, revision and times are the store's to give.
-  virtual Result<ProjectRow> create_project(const OwnerId& owner, ProjectRow row) = 0;
+  /// Keeps name, document and files; id, revision and times are the store's to give. With an idempotency key
+  /// that this owner has used, gives back the project that was made then, as it is now; a removed project has
+  /// freed its key. Errors: store.idempotency_mismatch when the key was used for another document or other
+  /// files, store.idempotency_key (empty means none; else 1 to 200 printable ASCII characters).
+  virtual Result<Made<ProjectRow>> create_project(const OwnerId& owner, ProjectRow row,
+                                                  const std::string& idempotency_key = "") = 0;
   /// Replaces document, files and name when the stored revision is `expected` (or expected is 0). Errors:
   /// store.not_found, store.conflict.
   virtual Result<ProjectRow> replace_project(const OwnerId& owner, const ProjectRow& row, int expected) = 0;
@@ -86,12 +96,19 @@ class Store {
   /// when the cursor is no id; that of a project that is gone is good.
   virtual Result<std::vector<ProjectRow>> projects(const OwnerId& owner, const std::string& cursor,
                                                    int limit) = 0;
-  virtual Status remove_project(const OwnerId& owner, const std::string& id) = 0;
+  /// Removes it when the stored revision is `expected` (or expected is 0); its jobs stay. Errors:
+  /// store.not_found, store.conflict.
+  virtual Status remove_project(const OwnerId& owner, const std::string& id, int expected) = 0;
 
   /// Keeps the row under a new id; its time is the store's to give. With an idempotency key that this owner
   /// has used, gives back the job it made then. Errors: store.idempotency_mismatch when that was for another
-  /// project or revision, store.idempotency_key (empty means none; else 1 to 200 printable ASCII characters).
-  virtual Result<JobRow> create_job(const OwnerId& owner, JobRow row, const std::string& idempotency_key) = 0;
+  /// project, store.idempotency_key (as for projects).
+  virtual Result<Made<JobRow>> create_job(const OwnerId& owner, JobRow row,
+                                          const std::string& idempotency_key) = 0;
+  /// The job that this owner made with the key; nothing when there is none, or the key is empty. Error:
+  /// store.idempotency_key.
+  virtual Result<std::optional<JobRow>> job_of_key(const OwnerId& owner,
+                                                   const std::string& idempotency_key) = 0;
   virtual Result<JobRow> job(const OwnerId& owner, const std::string& id) = 0;
   /// Newest first, as projects(); without documents (row.document is empty).
   virtual Result<std::vector<JobRow>> jobs(const OwnerId& owner, const std::string& cursor, int limit) = 0;
@@ -110,6 +127,19 @@ class Store {
                             std::string_view bytes) = 0;
   virtual Result<std::string> result_bytes(const OwnerId& owner, const std::string& job_id,
                                            const std::string& name) = 0;
+  /// Removes all result files of a job. Nothing to remove is no error.
+  virtual Status remove_results(const OwnerId& owner, const std::string& job_id) = 0;
+
+  /// The state that an unfinished job goes on from after a stop or a crash. Putting one replaces the one
+  /// before; one that its job has left behind goes when the store is opened.
+  struct KeptCheckpoint {
+    std::string bytes;
+    std::int64_t kept_ms = 0;  ///< Unix time
+  };
+  virtual Status put_checkpoint(const OwnerId& owner, const std::string& job_id, std::string_view bytes) = 0;
+  virtual Result<KeptCheckpoint> checkpoint(const OwnerId& owner, const std::string& job_id) = 0;
+  /// Nothing to remove is no error.
+  virtual Status remove_checkpoint(const OwnerId& owner, const std::string& job_id) = 0;
 
   /// What the server remembers for an owner, by key; nothing when it was never put.
   virtual Result<std::optional<std::string>> get_setting(const OwnerId& owner, const std::string& key) = 0;
@@ -122,9 +152,10 @@ class Store {
   virtual Status ping() = 0;
 };
 
-/// Opens or makes the store in `folder` (toile.db, blobs/, results/, scratch/), which it then has for itself.
-/// Errors: store.open with path and reason, store.in_use when another process has it open, store.newer_schema
-/// when a newer program has written it.
+/// Opens or makes the store in `folder` (toile.db, blobs/, results/, checkpoints/, scratch/), which it then
+/// has for itself. Files that no row names go: uploads that a crash has cut off, results of drapes that did
+/// not come to their end. Errors: store.open with path and reason, store.in_use when another process has it
+/// open, store.newer_schema when a newer program has written it.
 Result<std::unique_ptr<Store>> open_sqlite_store(const std::string& folder);
 
 }  // namespace toile

@@ -80,10 +80,12 @@ std::shared_ptr<Channel> Hub::channel(const std::string& job_id) {
   return found;
 }
 
+/// A channel that somebody holds beside the map is about to be published on: copies are made under the lock.
 void Hub::forget_if_idle(const std::string& job_id) {
   const std::lock_guard lock(mutex_);
   const auto found = channels_.find(job_id);
-  if (found != channels_.end() && found->second->idle()) channels_.erase(found);
+  if (found == channels_.end() || found->second.use_count() > 1) return;
+  if (found->second->idle()) channels_.erase(found);
 }
 
 }  // namespace toile

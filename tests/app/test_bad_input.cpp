@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 
+#include "tests/app/junk.h"
 #include "tests/app/napkin.h"
 #include "tests/app/program.h"
 
@@ -12,29 +13,6 @@ namespace toile {
 namespace {
 
 namespace fs = std::filesystem;
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr double kSoon = 40;  // s; sanitizers are slow
-#else
-constexpr double kSoon = 4;  // s, on a machine that has other things to do as well
-#endif
-
-constexpr std::size_t kFiftyMegabytes = 50'000'000;
-
-std::string repeated(const std::string& text, std::size_t bytes) {
-  std::string out;
-  out.reserve(bytes + text.size());
-  while (out.size() < bytes) out += text;
-  return out;
-}
-
-/// A hundred millimetre square named FRONT, one group a pair of lines.
-std::string square_dxf(
-    const std::string& vertices = "10\n0\n20\n0\n10\n100\n20\n0\n10\n100\n20\n100\n10\n0\n20\n100\n",
-    const std::string& closed = "1") {
-  return "0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\nFRONT\n90\n4\n70\n" + closed + "\n" + vertices +
-         "0\nTEXT\n8\nFRONT\n10\n50\n20\n50\n40\n5\n1\nFRONT\n0\nENDSEC\n0\nEOF\n";
-}
 
 class BadInput : public testing::Test {
  protected:
@@ -48,7 +26,7 @@ class BadInput : public testing::Test {
   void cut_from(const std::string& dxf) {
     std::string text = kNapkin;
     const std::size_t begin = text.find("\"outline\""), end = text.find("\"fabric\"");
-    text.replace(begin, end - begin, R"("from": {"dxf": "cut.dxf", "piece": "FRONT"}, )");
+    text.replace(begin, end - begin, R"("from": {"dxf": "cut.dxf", "piece": "FRONT", "units": "mm"}, )");
     folder = fresh_folder("toile_bad_input");
     write_text(folder / "project.json", text);
     write_text(folder / "post.obj", kPost);

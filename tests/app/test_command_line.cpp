@@ -80,6 +80,42 @@ TEST(CommandLine, CheckGivesBothLengthsOfASeam) {
   fs::remove_all(folder);
 }
 
+TEST(CommandLine, CheckTellsWhatIsWrongWithAStartAndRefusesIt) {
+  const fs::path folder = napkin_folder("toile_check", "[-0.15, 0.52, 0.15]", "[-0.15, 0.3, 0.15]");
+  const Ran human = run_toile({"check", folder / "project.json"});
+  EXPECT_EQ(human.code, 2);
+  EXPECT_TRUE(has(human.out, "error start.crosses_body: the piece passes through body post")) << human.out;
+  EXPECT_TRUE(has(human.err, "move it clear of it (piece napkin at (")) << human.err;
+  const Ran machine = run_toile({"check", folder / "project.json", "--json"});
+  EXPECT_EQ(machine.code, 2);
+  const auto tree = parse_json(machine.out);
+  ASSERT_TRUE(tree) << machine.out;
+  const JsonValue& finding = tree->find("findings")->array()->front();
+  EXPECT_EQ(*finding.find("code")->text(), "start.crosses_body");
+  EXPECT_EQ(*finding.find("severity")->text(), "error");
+  EXPECT_EQ(finding.find("place")->array()->size(), 3u);
+  const Ran drape = run_toile({"drape", folder / "project.json", "--out", folder / "out"});
+  EXPECT_EQ(drape.code, 2);
+  EXPECT_EQ(drape.err, human.err) << "a drape refuses in the same words";
+  fs::remove_all(folder);
+}
+
+TEST(CommandLine, CheckTellsWhatADrapeRepairsByItself) {
+  const fs::path folder = napkin_folder("toile_check", "[-0.15, 0.52, 0.15]", "[-0.15, 0.5, 0.15]");
+  const Ran check = run_toile({"check", folder / "project.json"});
+  EXPECT_EQ(check.code, 0) << check.err;
+  EXPECT_TRUE(has(check.out, "repaired start.touches: the piece touches body post")) << check.out;
+  const Ran drape =
+      run_toile({"drape", folder / "project.json", "--out", folder / "out", "--no-stills", "--json"}, 120);
+  EXPECT_EQ(drape.code, 0) << drape.err;
+  const auto report = parse_json(drape.out);
+  ASSERT_TRUE(report) << drape.out;
+  const JsonValue& finding = report->find("findings")->array()->front();
+  EXPECT_EQ(*finding.find("code")->text(), "start.touches");
+  EXPECT_TRUE(*finding.find("repaired")->boolean());
+  fs::remove_all(folder);
+}
+
 TEST(CommandLine, BodyWritesAMannequin) {
   const fs::path folder = fresh_folder("toile_body");
   const Ran run = run_toile(
@@ -132,11 +168,14 @@ void expect_fits(const JsonValue& value, const JsonValue& given, const JsonValue
   const JsonValue& schema = reference ? *root.find("$defs")->find(reference->text()->substr(8)) : given;
   const std::string& type = *schema.find("type")->text();
   const bool fits = (type == "object" && value.object()) || (type == "string" && value.text()) ||
-                    (type == "boolean" && value.boolean()) ||
+                    (type == "array" && value.array()) || (type == "boolean" && value.boolean()) ||
                     ((type == "number" || type == "integer") && value.number());
   ASSERT_TRUE(fits) << at << " is no " << type;
   if (const JsonValue* least = schema.find("minimum")) {
     EXPECT_GE(*value.number(), *least->number()) << at;
+  }
+  if (type == "array") {
+    for (const JsonValue& item : *value.array()) expect_fits(item, *schema.find("items"), root, at + "/-");
   }
   const JsonValue* properties = schema.find("properties");
   if (!properties) return;

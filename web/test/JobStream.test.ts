@@ -90,13 +90,15 @@ describe('a job’s stream', () => {
     expect(sockets.length).toBe(1);
   });
 
-  it('comes back when the drape went back to the queue', () => {
-    const { clock, sockets, socket } = begin();
-    socket().open();
-    socket().say({ type: 'ended', state: 'queued' });
-    socket().breakOff(1000);
-    clock.advance(250);
-    expect(sockets.length).toBe(2);
+  it('comes back when the server stopped before the drape had ended', () => {
+    for (const state of ['queued', 'running', 'paused']) {
+      const { clock, sockets, socket } = begin();
+      socket().open();
+      socket().say({ type: 'ended', state });
+      socket().breakOff(1000);
+      clock.advance(250);
+      expect(sockets.length).toBe(2);
+    }
   });
 
   it('does not knock again where it was refused', () => {

@@ -39,6 +39,12 @@ HttpResponse created(HttpResponse answer, const std::string& location) {
   return answer;
 }
 
+HttpResponse made_answer(HttpResponse answer, bool anew, const std::string& location) {
+  answer = created(std::move(answer), location);
+  if (!anew) answer.status = 200;
+  return answer;
+}
+
 Result<JsonValue> read_object(const HttpRequest& request, const std::vector<std::string>& known,
                               const JsonLimits& limits) {
   Result<JsonValue> tree = parse_json(request.body, limits);

@@ -20,6 +20,8 @@ HttpResponse json_answer(int status, std::vector<JsonMember> members, const std:
 std::string json_with(std::vector<JsonMember> members, const std::string& key, const std::string& json);
 
 HttpResponse created(HttpResponse answer, const std::string& location);
+/// 201 for what this request made, 200 for what an earlier one with the same key did; with its place.
+HttpResponse made_answer(HttpResponse answer, bool anew, const std::string& location);
 
 /// A request's JSON object. Errors: json.*, request.object, request.unknown_key when a member is not one of
 /// `known`.

@@ -40,8 +40,9 @@ HttpResponse submit(const Api& api, const HttpRequest& request) {
   if (!id || !id->text()) {
     return problem(422, {"request.project_id", "\"project_id\" is the id of a project", "/project_id"});
   }
-  const Result<JobRow> job = api.jobs.submit(kLocalOwner, *id->text(), request.header("idempotency-key"));
-  if (job) return created(job_answer(api, *job), place_of(*job));
+  const Result<Made<JobRow>> job =
+      api.jobs.submit(kLocalOwner, *id->text(), request.header("idempotency-key"));
+  if (job) return made_answer(job_answer(api, *job), job->anew, place_of(*job));
   if (job.error().code != "store.not_found") return problem(job.error());
   return problem(404, {"store.not_found", "there is no project " + in_quotes(*id->text()), "/project_id"});
 }

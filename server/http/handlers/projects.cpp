@@ -89,9 +89,10 @@ Error in_request(Error error) {
 HttpResponse create(const Api& api, const HttpRequest& request) {
   const Result<Given> given = read_given(request);
   if (!given) return problem(given.error());
-  const Result<ProjectRow> project = create_project(api.store, kLocalOwner, given->document, given->files);
+  const Result<Made<ProjectRow>> project = create_project(api.store, kLocalOwner, given->document,
+                                                          given->files, request.header("idempotency-key"));
   if (!project) return problem(in_request(project.error()));
-  return created(project_answer(*project), "/api/v1/projects/" + project->id);
+  return made_answer(project_answer(*project), project->anew, "/api/v1/projects/" + project->id);
 }
 
 HttpResponse list(const Api& api, const HttpRequest& request) {
@@ -145,10 +146,13 @@ HttpResponse replace(const Api& api, const HttpRequest& request) {
   return project.error().code == "store.conflict" ? stale() : problem(in_request(project.error()));
 }
 
+/// Without If-Match whichever revision there is.
 HttpResponse remove(const Api& api, const HttpRequest& request) {
-  if (Status removed = api.store.remove_project(kLocalOwner, request.captures[0]); !removed) {
-    return problem(removed.error());
-  }
+  const std::string tag = request.header("if-match");
+  const std::optional<int> revision = matched_revision(tag.empty() ? "*" : tag);
+  if (!revision) return stale();
+  const Status removed = api.store.remove_project(kLocalOwner, request.captures[0], *revision);
+  if (!removed) return removed.error().code == "store.conflict" ? stale() : problem(removed.error());
   HttpResponse response;
   response.status = 204;
   return response;

@@ -10,7 +10,7 @@ namespace {
 
 TEST(Projects, AreKeptUnderTheNameOfTheirDocument) {
   ClothStore cloth;
-  const Result<ProjectRow> made = create_project(*cloth.store, kLocalOwner, kClothDocument, cloth.files);
+  const auto made = create_project(*cloth.store, kLocalOwner, kClothDocument, cloth.files);
   ASSERT_TRUE(made) << to_string(made.error());
   EXPECT_EQ(made->name, "Cloth over a post");
   EXPECT_EQ(made->revision, 1);
@@ -24,14 +24,13 @@ TEST(Projects, AreKeptUnderTheNameOfTheirDocument) {
 
 TEST(Projects, NameTheFilesThatAreMissingAndTheFirstPlace) {
   ClothStore cloth;
-  const Result<ProjectRow> both = create_project(*cloth.store, kLocalOwner, kClothDocument, {});
+  const auto both = create_project(*cloth.store, kLocalOwner, kClothDocument, {});
   ASSERT_FALSE(both);
   EXPECT_EQ(both.error().code, "documents.missing_file");
   EXPECT_EQ(both.error().where, "/pieces/0/from/dxf");
   EXPECT_NE(both.error().message.find("cut/cloth.dxf"), std::string::npos);
   EXPECT_NE(both.error().message.find("post.obj"), std::string::npos);
-  const Result<ProjectRow> one =
-      create_project(*cloth.store, kLocalOwner, kClothDocument, {{"cut/cloth.dxf", cloth.dxf}});
+  const auto one = create_project(*cloth.store, kLocalOwner, kClothDocument, {{"cut/cloth.dxf", cloth.dxf}});
   ASSERT_FALSE(one);
   EXPECT_EQ(one.error().where, "/bodies/0/file");
   EXPECT_TRUE(cloth.store->projects(kLocalOwner, "", 10)->empty());
@@ -39,8 +38,8 @@ TEST(Projects, NameTheFilesThatAreMissingAndTheFirstPlace) {
 
 TEST(Projects, RefuseAFileOfTheWrongKind) {
   ClothStore cloth;
-  const Result<ProjectRow> made = create_project(*cloth.store, kLocalOwner, kClothDocument,
-                                                 {{"cut/cloth.dxf", cloth.dxf}, {"post.obj", cloth.dxf}});
+  const auto made = create_project(*cloth.store, kLocalOwner, kClothDocument,
+                                   {{"cut/cloth.dxf", cloth.dxf}, {"post.obj", cloth.dxf}});
   ASSERT_FALSE(made);
   EXPECT_EQ(made.error().code, "documents.wrong_kind");
   EXPECT_EQ(made.error().where, "/bodies/0/file");
@@ -48,7 +47,7 @@ TEST(Projects, RefuseAFileOfTheWrongKind) {
 
 TEST(Projects, TakeAnotherOwnersFileForOneThatIsNotThere) {
   ClothStore cloth;
-  const Result<ProjectRow> made = create_project(*cloth.store, "somebody else", kClothDocument, cloth.files);
+  const auto made = create_project(*cloth.store, "somebody else", kClothDocument, cloth.files);
   ASSERT_FALSE(made);
   EXPECT_EQ(made.error().code, "documents.unknown_asset");
   EXPECT_EQ(made.error().where, "/files/cut~1cloth.dxf");
@@ -70,8 +69,7 @@ TEST(Projects, CheckFilesThatTheDocumentDoesNotUseYet) {
 TEST(Projects, RefuseADocumentOfWhichNoDrapeCanBeMade) {
   ClothStore cloth;
   const auto refused = [&](const std::string& from, const std::string& to) {
-    const Result<ProjectRow> made =
-        create_project(*cloth.store, kLocalOwner, cloth_document(from, to), cloth.files);
+    const auto made = create_project(*cloth.store, kLocalOwner, cloth_document(from, to), cloth.files);
     return made ? "made" : made.error().code + " at " + made.error().where;
   };
   EXPECT_EQ(refused("\"CLOTH\"", "\"CLOTHES\""), "project.unknown_piece at /pieces/0/from/piece");
@@ -98,7 +96,7 @@ TEST(Projects, TellABadDrawingThatCameAroundTheUpload) {
   ASSERT_TRUE(broken);
   ProjectFileMap files = cloth.files;
   files["cut/cloth.dxf"] = broken->id;
-  const Result<ProjectRow> made = create_project(*cloth.store, kLocalOwner, kClothDocument, files);
+  const auto made = create_project(*cloth.store, kLocalOwner, kClothDocument, files);
   ASSERT_FALSE(made);
   EXPECT_TRUE(made.error().code.starts_with("dxf.")) << made.error().code;
   EXPECT_TRUE(made.error().where.starts_with("/pieces/0/from/dxf")) << made.error().where;

@@ -47,7 +47,7 @@ TEST(Sample, DoesNotComeBackOnceItIsDeleted) {
   const TemporaryFolder folder;
   const auto store = opened(folder.path());
   ASSERT_TRUE(add_sample_project(*store, kLocalOwner, kSkirt));
-  ASSERT_TRUE(store->remove_project(kLocalOwner, ids_in(*store).front()));
+  ASSERT_TRUE(store->remove_project(kLocalOwner, ids_in(*store).front(), 0));
   ASSERT_TRUE(add_sample_project(*store, kLocalOwner, kSkirt));
   EXPECT_TRUE(ids_in(*store).empty());
 }

@@ -23,8 +23,8 @@ class ScriptedJobs final : public JobService {
   explicit ScriptedJobs(Store& store) : store_(store) {}
   Status start() override { return {}; }
   void stop() override {}
-  Result<JobRow> submit(const OwnerId& owner, const std::string& project_id,
-                        const std::string& key) override {
+  Result<Made<JobRow>> submit(const OwnerId& owner, const std::string& project_id,
+                              const std::string& key) override {
     const Result<ProjectRow> project = store_.project(owner, project_id);
     if (!project) return project.error();
     JobRow row;

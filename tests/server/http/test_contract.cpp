@@ -81,8 +81,10 @@ TEST_F(Contract, EveryAnswerAndMessageFitsItsSchema) {
   recorded("GET", "/api/v1/assets/a_0");
 
   const std::string request = napkin_request(asset);
-  const std::string project = member(recorded("POST", "/api/v1/projects", request, kJson), "id");
+  const std::string once = std::string(kJson) + "Idempotency-Key: once\r\n";
+  const std::string project = member(recorded("POST", "/api/v1/projects", request, once), "id");
   ASSERT_FALSE(project.empty());
+  EXPECT_EQ(recorded("POST", "/api/v1/projects", request, once).status, 200);
   const std::string one = "/api/v1/projects/" + project;
   recorded("POST", "/api/v1/projects", "[", kJson);
   recorded("GET", "/api/v1/projects?limit=1");
@@ -94,8 +96,9 @@ TEST_F(Contract, EveryAnswerAndMessageFitsItsSchema) {
   recorded("PUT", one, request, std::string(kJson) + "If-Match: \"1\"\r\n");
 
   const std::string submission = "{\"project_id\": \"" + project + "\"}";
-  const std::string job = member(recorded("POST", "/api/v1/jobs", submission, kJson), "id");
+  const std::string job = member(recorded("POST", "/api/v1/jobs", submission, once), "id");
   ASSERT_FALSE(job.empty());
+  EXPECT_EQ(recorded("POST", "/api/v1/jobs", submission, once).status, 200);
   const std::string address = "/api/v1/jobs/" + job;
   recorded("GET", address);
   recorded("GET", "/api/v1/jobs");
@@ -118,6 +121,7 @@ TEST_F(Contract, EveryAnswerAndMessageFitsItsSchema) {
   recorded("POST", "/api/v1/jobs/" + held + "/resume");
   recorded("POST", "/api/v1/jobs/" + held + "/cancel");
   recorded("GET", "/metrics");
+  recorded("DELETE", one, "", "If-Match: \"9\"\r\n");
   recorded("DELETE", one);
   recorded("DELETE", one);
 

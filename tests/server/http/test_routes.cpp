@@ -124,6 +124,47 @@ TEST_F(Routes, RemoveAProject) {
                  "store.not_found");
 }
 
+TEST_F(Routes, RemoveAProjectOnlyAtTheRevisionOfIfMatch) {
+  const std::string address = "/api/v1/projects/" + make_project();
+  ASSERT_EQ(send_json("PUT", address, napkin_request(post_asset()), "If-Match: \"1\"\r\n").status, 200);
+  for (const char* tag : {"\"1\"", "\"3\"", "W/\"2\"", "2", "\"x\""}) {
+    EXPECT_PROBLEM(ask(port, "DELETE", address, "", std::string("If-Match: ") + tag + "\r\n"), 412,
+                   "store.conflict");
+  }
+  EXPECT_EQ(get(address).status, 200);
+  EXPECT_EQ(ask(port, "DELETE", address, "", "If-Match: \"2\"\r\n").status, 204);
+  EXPECT_PROBLEM(ask(port, "DELETE", address, "", "If-Match: \"2\"\r\n"), 404, "store.not_found");
+  const std::string other = "/api/v1/projects/" + make_project();
+  EXPECT_EQ(ask(port, "DELETE", other, "", "If-Match: *\r\n").status, 204);
+}
+
+TEST_F(Routes, MakeAProjectOnceForEachKey) {
+  const std::string request = napkin_request(post_asset());
+  const auto post = [this](const std::string& body, const std::string& key) {
+    return send_json("POST", "/api/v1/projects", body, "Idempotency-Key: " + key + "\r\n");
+  };
+  const Answer first = post(request, "once");
+  ASSERT_EQ(first.status, 201) << first.body;
+  const std::string address = first.headers.at("location");
+  const Answer again = post(request, "once");
+  EXPECT_EQ(again.status, 200);
+  EXPECT_EQ(again.body, first.body);
+  EXPECT_EQ(again.headers.at("location"), address);
+  EXPECT_EQ(count(get("/api/v1/projects"), "projects"), 1u);
+
+  const std::string bigger = napkin_request(post_asset(), "\"name\": \"Napkin\"", "\"name\": \"Cloth\"");
+  EXPECT_PROBLEM(post(bigger, "once"), 409, "store.idempotency_mismatch");
+  ASSERT_EQ(send_json("PUT", address, bigger, "If-Match: *\r\n").status, 200);
+  const Answer edited = post(request, "once");
+  EXPECT_EQ(edited.status, 200) << edited.body;
+  EXPECT_EQ(member(edited, "name"), "Cloth") << "the project as it is now";
+
+  EXPECT_EQ(post(request, "twice").status, 201);
+  EXPECT_PROBLEM(post(request, "two words"), 400, "store.idempotency_key");
+  ASSERT_EQ(ask(port, "DELETE", address).status, 204);
+  EXPECT_EQ(post(request, "once").status, 201) << "a removed project has freed its key";
+}
+
 TEST_F(Routes, RefuseRequestsForProjectsThatAreNone) {
   const auto post = [this](const std::string& body) { return send_json("POST", "/api/v1/projects", body); };
   EXPECT_PROBLEM(post(""), 400, "json.syntax");
@@ -157,8 +198,9 @@ TEST_F(Routes, SubmitAJobOnceForEachKey) {
   EXPECT_EQ(first.headers.at("location"), "/api/v1/jobs/" + member(first, "id"));
   EXPECT_EQ(member(first, "state"), "queued");
   const Answer again = send_json("POST", "/api/v1/jobs", request, "Idempotency-Key: once\r\n");
-  EXPECT_EQ(again.status, 201);
-  EXPECT_EQ(member(again, "id"), member(first, "id"));
+  EXPECT_EQ(again.status, 200) << "it was there already";
+  EXPECT_EQ(again.headers.at("location"), first.headers.at("location"));
+  EXPECT_EQ(again.body, first.body);
   EXPECT_NE(member(send_json("POST", "/api/v1/jobs", request), "id"), member(first, "id"));
   EXPECT_EQ(count(get("/api/v1/jobs"), "jobs"), 2u);
   EXPECT_EQ(count(get("/api/v1/jobs?limit=1"), "jobs"), 1u);
@@ -166,6 +208,21 @@ TEST_F(Routes, SubmitAJobOnceForEachKey) {
   const std::string other = "{\"project_id\": \"" + make_project() + "\"}";
   EXPECT_PROBLEM(send_json("POST", "/api/v1/jobs", other, "Idempotency-Key: once\r\n"), 409,
                  "store.idempotency_mismatch");
+}
+
+TEST_F(Routes, AnswerARetryWithTheJobOfThenAlthoughTheProjectHasChanged) {
+  const std::string project = make_project(), request = "{\"project_id\": \"" + project + "\"}";
+  const Answer first = send_json("POST", "/api/v1/jobs", request, "Idempotency-Key: once\r\n");
+  ASSERT_EQ(first.status, 201) << first.body;
+  ASSERT_EQ(
+      send_json("PUT", "/api/v1/projects/" + project, napkin_request(post_asset()), "If-Match: *\r\n").status,
+      200);
+  const Answer retry = send_json("POST", "/api/v1/jobs", request, "Idempotency-Key: once\r\n");
+  EXPECT_EQ(retry.status, 200) << retry.body;
+  EXPECT_EQ(retry.body, first.body);
+  const Answer anew = send_json("POST", "/api/v1/jobs", request, "Idempotency-Key: again\r\n");
+  EXPECT_EQ(anew.status, 201);
+  EXPECT_EQ(*tree(anew)->find("project_revision")->number(), 2);
 }
 
 TEST_F(Routes, RefuseJobsOfNothing) {

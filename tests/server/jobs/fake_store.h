@@ -1,7 +1,9 @@
 #pragma once
 // A store in memory, for tests of what stands on a store. Its calls can be made to fail.
 
+#include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -24,6 +26,7 @@ class FakeStore final : public Store {
   /// Called before a result is put or a row is written; may throw, or give an error.
   std::function<Status(const std::string& name)> on_put_result;
   std::function<Status(const JobRow&)> on_update_job;
+  std::function<Status(const std::string& job_id)> on_put_checkpoint;
 
   Result<AssetRow> put_asset(const OwnerId& owner, AssetRow row, std::string_view bytes) override {
     const std::lock_guard lock(mutex_);
@@ -48,11 +51,11 @@ class FakeStore final : public Store {
     return std::vector<AssetRow>();
   }
 
-  Result<ProjectRow> create_project(const OwnerId& owner, ProjectRow row) override {
+  Result<Made<ProjectRow>> create_project(const OwnerId& owner, ProjectRow row, const std::string&) override {
     const std::lock_guard lock(mutex_);
     row.id = next_id("p_");
     projects_[{owner, row.id}] = row;
-    return row;
+    return Made<ProjectRow>{row, true};
   }
   Result<ProjectRow> replace_project(const OwnerId& owner, const ProjectRow& row, int) override {
     const std::lock_guard lock(mutex_);
@@ -65,20 +68,27 @@ class FakeStore final : public Store {
   Result<std::vector<ProjectRow>> projects(const OwnerId&, const std::string&, int) override {
     return std::vector<ProjectRow>();
   }
-  Status remove_project(const OwnerId& owner, const std::string& id) override {
+  Status remove_project(const OwnerId& owner, const std::string& id, int) override {
     const std::lock_guard lock(mutex_);
     projects_.erase({owner, id});
     return {};
   }
 
-  Result<JobRow> create_job(const OwnerId& owner, JobRow row, const std::string& key) override {
+  Result<Made<JobRow>> create_job(const OwnerId& owner, JobRow row, const std::string& key) override {
     const std::lock_guard lock(mutex_);
-    if (!key.empty() && keys_.contains({owner, key})) return jobs_.at({owner, keys_.at({owner, key})});
+    if (const auto made = keys_.find({owner, key}); made != keys_.end()) {
+      return Made<JobRow>{jobs_.at({owner, made->second}), false};
+    }
     row.id = next_id("j_");
     row.created_ms = count_;
     jobs_[{owner, row.id}] = row;
     if (!key.empty()) keys_[{owner, key}] = row.id;
-    return row;
+    return Made<JobRow>{row, true};
+  }
+  Result<std::optional<JobRow>> job_of_key(const OwnerId& owner, const std::string& key) override {
+    const std::lock_guard lock(mutex_);
+    const auto made = keys_.find({owner, key});
+    return made == keys_.end() ? std::optional<JobRow>() : std::optional(jobs_.at({owner, made->second}));
   }
   Result<JobRow> job(const OwnerId& owner, const std::string& id) override {
     return one<JobRow>(jobs_, owner, id, [](const JobRow& row) { return row; });
@@ -125,6 +135,45 @@ class FakeStore final : public Store {
     return one<std::string>(results_, owner, job_id + "/" + name,
                             [](const std::string& bytes) { return bytes; });
   }
+  Status remove_results(const OwnerId& owner, const std::string& job_id) override {
+    const std::lock_guard lock(mutex_);
+    std::erase_if(results_, [&](const auto& result) {
+      return result.first.first == owner && result.first.second.starts_with(job_id + "/");
+    });
+    return {};
+  }
+  /// Files of results of a job that are kept, named or not.
+  std::size_t kept_results(const OwnerId& owner, const std::string& job_id) {
+    const std::lock_guard lock(mutex_);
+    return static_cast<std::size_t>(std::count_if(results_.begin(), results_.end(), [&](const auto& result) {
+      return result.first.first == owner && result.first.second.starts_with(job_id + "/");
+    }));
+  }
+  Status put_checkpoint(const OwnerId& owner, const std::string& job_id, std::string_view bytes) override {
+    if (on_put_checkpoint) {
+      if (Status refused = on_put_checkpoint(job_id); !refused) return refused;
+    }
+    using namespace std::chrono;
+    const std::lock_guard lock(mutex_);
+    checkpoints_[{owner, job_id}] = {
+        std::string(bytes), duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count()};
+    ++checkpoints_put_;
+    return {};
+  }
+  Result<KeptCheckpoint> checkpoint(const OwnerId& owner, const std::string& job_id) override {
+    return one<KeptCheckpoint>(checkpoints_, owner, job_id, [](const KeptCheckpoint& kept) { return kept; });
+  }
+  Status remove_checkpoint(const OwnerId& owner, const std::string& job_id) override {
+    const std::lock_guard lock(mutex_);
+    checkpoints_.erase({owner, job_id});
+    return {};
+  }
+  /// How many were ever put.
+  int checkpoints_put() {
+    const std::lock_guard lock(mutex_);
+    return checkpoints_put_;
+  }
+
   Result<std::optional<std::string>> get_setting(const OwnerId&, const std::string&) override {
     return std::optional<std::string>();
   }
@@ -169,6 +218,8 @@ class FakeStore final : public Store {
   std::map<Key, ProjectRow> projects_;
   std::map<Key, JobRow> jobs_;
   std::map<Key, std::string> keys_, results_;
+  std::map<Key, KeptCheckpoint> checkpoints_;
+  int checkpoints_put_ = 0;
 };
 
 }  // namespace toile::test

@@ -78,12 +78,12 @@ class JobHouse : public testing::Test {
     row.name = "project";
     row.document = document;
     row.files = {{"block.obj", block}};
-    return store.create_project(kOwner, row).value().id;
+    return store.create_project(kOwner, row, "").value().id;
   }
 
   /// The new job's id.
   std::string submit(const std::string& document) {
-    const Result<JobRow> job = service->submit(kOwner, project_of(document), "");
+    const auto job = service->submit(kOwner, project_of(document), "");
     EXPECT_TRUE(job.ok()) << to_string(job.error());
     return job ? job->id : "";
   }

@@ -32,7 +32,7 @@ class JobFailures : public test::JobHouse {
 TEST_F(JobFailures, ABadDocumentIsRefusedAtSubmissionWithCodeAndPlace) {
   ASSERT_TRUE(service->start().ok());
   const std::string silk = changed(cloth_over_block(200), R"("fabric": "cotton")", R"("fabric": "silk")");
-  const Result<JobRow> unknown = service->submit(kOwner, project_of(silk), "");
+  const auto unknown = service->submit(kOwner, project_of(silk), "");
   ASSERT_FALSE(unknown.ok());
   EXPECT_EQ(unknown.error().code, "project.unknown_fabric");
   EXPECT_EQ(unknown.error().where.rfind("/pieces/0/fabric", 0), 0u) << unknown.error().where;
@@ -188,6 +188,36 @@ TEST_F(JobFailures, ASeamThatCannotCloseFailsWithItsNameAndKeepsWhatThereIs) {
   EXPECT_TRUE(job.reason_where == "seam side" || job.reason_where == "seam other") << job.reason_where;
   EXPECT_FALSE(job.report.empty());
   EXPECT_TRUE(job.results.contains("final.glb"));
+}
+
+TEST_F(JobFailures, ACancelWhileResultsAreKeptLeavesNone) {
+  std::string id;
+  store.on_put_result = [&](const std::string& name) -> Status {
+    if (name == "thumbnail.png") {  // the last of them
+      EXPECT_GT(store.kept_results(kOwner, id), 5u);
+      EXPECT_TRUE(service->cancel(kOwner, id));
+    }
+    return {};
+  };
+  id = submit(cloth_over_block(200));
+  ASSERT_TRUE(service->start().ok());
+  ASSERT_TRUE(publisher.wait_for_end(id));
+  service->stop();
+  EXPECT_EQ(row(id).state, "cancelled");
+  EXPECT_TRUE(row(id).results.empty());
+  EXPECT_EQ(store.kept_results(kOwner, id), 0u);
+}
+
+TEST_F(JobFailures, ADiskThatFillsUpWhileResultsAreKeptLeavesNone) {
+  store.on_put_result = [](const std::string& name) -> Status {
+    return name == "report.json" ? Status(Error{"store.full", "the disk has no room", ""}) : Status();
+  };
+  const std::string id = submit(cloth_over_block(200));
+  ASSERT_TRUE(service->start().ok());
+  ASSERT_TRUE(publisher.wait_for_end(id));
+  service->stop();
+  EXPECT_EQ(row(id).reason_code, "store.full");
+  EXPECT_EQ(store.kept_results(kOwner, id), 0u);
 }
 
 }  // namespace

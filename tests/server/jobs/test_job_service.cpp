@@ -296,6 +296,32 @@ TEST_F(Jobs, TheSameKeyGivesTheSameJob) {
   EXPECT_NE(service->submit(kOwner, project, "twice")->id, first);
 }
 
+TEST_F(Jobs, ARetryGivesTheJobOfThenWhateverBecameOfTheProjectAndTheQueue) {
+  settings.max_queued = 1;
+  make(1);
+  ASSERT_TRUE(service->start());
+  const std::string busy = submit(cloth_over_block(200, kEndless));
+  ASSERT_TRUE(publisher.wait_for_frames(busy, 1));
+  const std::string project = project_of(cloth_over_block(200)), other = project_of(cloth_over_block(190));
+  const auto first = service->submit(kOwner, project, "once");
+  ASSERT_TRUE(first && first->anew);
+  const auto refused = service->submit(kOwner, other, "");
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, "jobs.queue_full");
+  ProjectRow edited = store.project(kOwner, project).value();
+  edited.document = cloth_over_block(180);
+  edited.revision = 2;
+  ASSERT_TRUE(store.replace_project(kOwner, edited, 0));
+  for (int i = 0; i < 2; ++i) {
+    const auto retry = service->submit(kOwner, project, "once");
+    ASSERT_TRUE(retry) << to_string(retry.error());
+    EXPECT_EQ(retry->id, first->id);
+    EXPECT_FALSE(retry->anew);
+    EXPECT_TRUE(store.remove_project(kOwner, project, 0));
+  }
+  EXPECT_EQ(service->counts().queued, 1);
+}
+
 TEST_F(Jobs, BelongToTheirOwnerOnly) {
   ASSERT_TRUE(service->start().ok());
   const std::string project = project_of(cloth_over_block(200, kEndless));

@@ -37,7 +37,7 @@ class JobsInSqlite : public testing::Test {
 
   std::string submit(double max_time) {
     const AssetRow block = add_asset(*store_, kOwner, "body", "block.obj", test::kBlock).value();
-    const Result<ProjectRow> project =
+    const auto project =
         create_project(*store_, kOwner, test::cloth_over_block(200, max_time), {{"block.obj", block.id}});
     EXPECT_TRUE(project.ok()) << to_string(project.error());
     return service_->submit(kOwner, project->id, "").value().id;

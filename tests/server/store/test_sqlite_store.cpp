@@ -120,9 +120,9 @@ TEST(SqliteStore, ForgetsARemovedProjectAndKeepsItsJobs) {
   JobRow job = some_job("stays");
   job.project_id = row.id;
   job = *store->create_job(kLocalOwner, job, "");
-  EXPECT_TRUE(store->remove_project(kLocalOwner, row.id));
+  EXPECT_TRUE(store->remove_project(kLocalOwner, row.id, 0));
   EXPECT_EQ(code_of(store->project(kLocalOwner, row.id)), "store.not_found");
-  EXPECT_EQ(code_of(store->remove_project(kLocalOwner, row.id)), "store.not_found");
+  EXPECT_EQ(code_of(store->remove_project(kLocalOwner, row.id, 0)), "store.not_found");
   EXPECT_EQ(store->job(kLocalOwner, job.id)->document, job.document);
 }
 
@@ -141,7 +141,7 @@ TEST(SqliteStore, ListsNewestFirstPageByPage) {
     ASSERT_EQ(rows->size(), page < 2 ? 10u : 5u);
     for (const ProjectRow& row : *rows) listed.push_back(row.id);
     cursor = listed.back();
-    EXPECT_TRUE(store->remove_project(kLocalOwner, cursor)) << "a cursor may be gone";
+    EXPECT_TRUE(store->remove_project(kLocalOwner, cursor, 0)) << "a cursor may be gone";
   }
   std::reverse(made.begin(), made.end());
   EXPECT_EQ(listed, made);
@@ -236,7 +236,7 @@ TEST(SqliteStore, MakesOneJobOfOneIdempotencyKey) {
     EXPECT_EQ(store->create_job(kLocalOwner, some_job("twice"), "key-1")->id, id);
   }
   const auto store = opened(folder.path());
-  const Result<JobRow> again = store->create_job(kLocalOwner, some_job("thrice"), "key-1");
+  const auto again = store->create_job(kLocalOwner, some_job("thrice"), "key-1");
   ASSERT_TRUE(again);
   EXPECT_EQ(again->id, id);
   EXPECT_EQ(again->name, "once");
@@ -247,19 +247,62 @@ TEST(SqliteStore, MakesOneJobOfOneIdempotencyKey) {
   EXPECT_EQ(store->jobs(kLocalOwner, "", 100)->size(), 4u);
 }
 
-TEST(SqliteStore, RefusesAnIdempotencyKeyForAnotherProjectOrRevision) {
+TEST(SqliteStore, RefusesAnIdempotencyKeyForAnotherProject) {
   const TemporaryFolder folder;
   const auto store = opened(folder.path());
-  ASSERT_TRUE(store->create_job(kLocalOwner, some_job("once"), "key"));
+  const auto once = store->create_job(kLocalOwner, some_job("once"), "key");
+  ASSERT_TRUE(once && once->anew);
   JobRow revised = some_job("revised"), other = some_job("other");
   revised.project_revision += 1;
   other.project_id = "p_00000000000000000001";
-  EXPECT_EQ(code_of(store->create_job(kLocalOwner, revised, "key")), "store.idempotency_mismatch");
+  const auto retried = store->create_job(kLocalOwner, revised, "key");
+  ASSERT_TRUE(retried) << "a retry may come after the project was changed";
+  EXPECT_EQ(retried->id, once->id);
+  EXPECT_FALSE(retried->anew);
+  EXPECT_EQ((*store->job_of_key(kLocalOwner, "key"))->id, once->id);
+  EXPECT_FALSE(store->job_of_key(kLocalOwner, "other")->has_value());
+  EXPECT_FALSE(store->job_of_key(kLocalOwner, "")->has_value());
+  EXPECT_FALSE(store->job_of_key(kOther, "key")->has_value());
   EXPECT_EQ(code_of(store->create_job(kLocalOwner, other, "key")), "store.idempotency_mismatch");
   EXPECT_EQ(store->jobs(kLocalOwner, "", 100)->size(), 1u);
   for (const std::string& key : {std::string("two words"), std::string("\n"), std::string(201, 'k')}) {
     EXPECT_EQ(code_of(store->create_job(kLocalOwner, other, key)), "store.idempotency_key");
+    EXPECT_EQ(code_of(store->job_of_key(kLocalOwner, key)), "store.idempotency_key");
+    EXPECT_EQ(code_of(store->create_project(kLocalOwner, some_project("a"), key)), "store.idempotency_key");
   }
+}
+
+TEST(SqliteStore, MakesOneProjectOfOneIdempotencyKey) {
+  const TemporaryFolder folder;
+  std::string id;
+  {
+    const auto store = opened(folder.path());
+    const auto once = store->create_project(kLocalOwner, some_project("once"), "key");
+    ASSERT_TRUE(once && once->anew);
+    id = once->id;
+  }
+  const auto store = opened(folder.path());
+  const auto again = store->create_project(kLocalOwner, some_project("once"), "key");
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->id, id);
+  EXPECT_FALSE(again->anew);
+  ProjectRow other = some_project("once");
+  other.files["body.obj"] = "a_9";
+  EXPECT_EQ(code_of(store->create_project(kLocalOwner, other, "key")), "store.idempotency_mismatch");
+  EXPECT_NE(store->create_project(kOther, other, "key")->id, id);
+  EXPECT_TRUE(store->remove_project(kLocalOwner, id, 0));
+  EXPECT_TRUE(store->create_project(kLocalOwner, other, "key")->anew) << "its key is free again";
+}
+
+TEST(SqliteStore, RemovesAProjectOnlyAtTheExpectedRevision) {
+  const TemporaryFolder folder;
+  const auto store = opened(folder.path());
+  const ProjectRow row = *store->create_project(kLocalOwner, some_project("one"));
+  ASSERT_TRUE(store->replace_project(kLocalOwner, row, 1));
+  EXPECT_EQ(code_of(store->remove_project(kLocalOwner, row.id, 1)), "store.conflict");
+  EXPECT_TRUE(store->project(kLocalOwner, row.id));
+  EXPECT_TRUE(store->remove_project(kLocalOwner, row.id, 2));
+  EXPECT_EQ(code_of(store->remove_project(kLocalOwner, row.id, 2)), "store.not_found");
 }
 
 TEST(SqliteStore, FindsNothingForAnotherOwner) {
@@ -277,7 +320,7 @@ TEST(SqliteStore, FindsNothingForAnotherOwner) {
   EXPECT_TRUE(store->assets(kOther, "")->empty());
   EXPECT_EQ(code_of(store->project(kOther, project.id)), "store.not_found");
   EXPECT_EQ(code_of(store->replace_project(kOther, project, 0)), "store.not_found");
-  EXPECT_EQ(code_of(store->remove_project(kOther, project.id)), "store.not_found");
+  EXPECT_EQ(code_of(store->remove_project(kOther, project.id, 0)), "store.not_found");
   EXPECT_TRUE(store->projects(kOther, "", 10)->empty());
   EXPECT_EQ(code_of(store->job(kOther, job.id)), "store.not_found");
   EXPECT_EQ(code_of(store->update_job(kOther, job)), "store.not_found");
@@ -293,10 +336,13 @@ TEST(SqliteStore, KeepsResultsAndReplacesThem) {
   std::string id;
   {
     const auto store = opened(folder.path());
-    id = store->create_job(kLocalOwner, some_job("drape"), "")->id;
+    JobRow job = *store->create_job(kLocalOwner, some_job("drape"), "");
+    id = job.id;
     ASSERT_TRUE(store->put_result(kLocalOwner, id, "report.json", "first"));
     ASSERT_TRUE(store->put_result(kLocalOwner, id, "report.json", odd_bytes()));
     ASSERT_TRUE(store->put_result(kLocalOwner, id, "empty", ""));
+    job.results = {{"report.json", 8}, {"empty", 0}};
+    ASSERT_TRUE(store->update_job(kLocalOwner, job));
   }
   const auto store = opened(folder.path());
   EXPECT_EQ(*store->result_bytes(kLocalOwner, id, "report.json"), odd_bytes());

@@ -29,7 +29,7 @@ TEST(StoreThreads, GiveEachJobItsOwnIdAndLoseNone) {
     for (int i = 0; i < kEach; ++i) {
       const std::string content = "the same file of all threads, number " + std::to_string(i);
       const Result<AssetRow> asset = store->put_asset(kLocalOwner, named("dxf", "a.dxf"), content);
-      Result<JobRow> job = store->create_job(kLocalOwner, some_job(std::to_string(thread)), "");
+      auto job = store->create_job(kLocalOwner, some_job(std::to_string(thread)), "");
       if (!asset || !job) {
         ++faults;
         continue;
@@ -71,7 +71,7 @@ TEST(StoreThreads, MakeOneJobOfOneIdempotencyKey) {
   const auto store = opened(folder.path());
   std::vector<std::string> ids(kThreads);
   on_threads([&](int thread) {
-    const Result<JobRow> job = store->create_job(kLocalOwner, some_job("drape"), "key");
+    const auto job = store->create_job(kLocalOwner, some_job("drape"), "key");
     if (job) ids[static_cast<std::size_t>(thread)] = job->id;
   });
   for (const std::string& id : ids) EXPECT_EQ(id, ids[0]);

@@ -113,5 +113,32 @@ TEST(Hub, StandsPublishersAndViewersAtOnce) {
   EXPECT_EQ(hub.viewers(), 0u);
 }
 
+/// A viewer that leaves takes the channel away that nobody has published on yet; a publisher that holds it at
+/// that moment would speak into nothing.
+TEST(Hub, LosesNoTopologyToAViewerThatLeavesJustThen) {
+  Hub hub;
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  constexpr int kJobs = 10'000;  // sanitizers are slow, and look for races by themselves
+#else
+  constexpr int kJobs = 300'000;  // without care a few of them are lost
+#endif
+  std::atomic<int> at{0};
+  std::thread viewer([&] {
+    Counter counter;
+    for (int i = 0; i < kJobs; i = at) hub.subscribe("j_" + std::to_string(i), &counter).reset();
+  });
+  int lost = 0;
+  for (int i = 0; i < kJobs; at = ++i) {
+    const std::string id = "j_" + std::to_string(i);
+    hub.topology(id, topology(1));
+    hub.progress(id, progress("running", 1));
+    Counter counter;
+    if (!hub.subscribe(id, &counter).look().topology) ++lost;
+    hub.ended(id, progress("succeeded", 1));
+  }
+  viewer.join();
+  EXPECT_EQ(lost, 0);
+}
+
 }  // namespace
 }  // namespace toile

@@ -34,6 +34,7 @@ export interface StreamHandlers {
 }
 
 const kOpen = 1;
+const kFinalStates = ['succeeded', 'failed', 'cancelled'];
 const kFirstPause = 250;
 const kLongestPause = 5000;
 
@@ -111,8 +112,8 @@ export class JobStream {
     if (typeof data === 'string') {
       const message = parse(data);
       if (!message) return;
-      // A drape that goes back to the queue also ends its stream; it is worth coming back for.
-      if (message.type === 'ended') this.ended_ = message.state !== 'queued';
+      // A server that stops ends the stream of a drape that has not ended; it is worth coming back for.
+      if (message.type === 'ended') this.ended_ = kFinalStates.includes(message.state ?? '');
       this.handlers_.text(message);
     } else if (data instanceof ArrayBuffer) {
       this.handlers_.binary(new Uint8Array(data));

@@ -53,8 +53,15 @@ export class LiveCloth {
     return before;
   }
 
+  /** A view that breaks must not keep the others from going on, nor its buffer from going back to the worker. */
   private tell(event: ClothEvent): void {
-    for (const listener of this.listeners_) listener(event);
+    for (const listener of this.listeners_) {
+      try {
+        listener(event);
+      } catch (error) {
+        reportError(error);
+      }
+    }
   }
 }
 

@@ -1,0 +1,155 @@
+// Jobs of the store, their results and checkpoints.
+
+#include "server/store/read_rows.h"
+#include "server/store/rows.h"
+#include "server/store/sqlite_store.h"
+
+namespace toile {
+namespace {
+
+Result<Store::OwnedJob> owned_job_from(const SqlStatement& row) {
+  Result<JobRow> job = job_from(row);
+  if (!job) return job.error();
+  return Store::OwnedJob{row.text(kJobColumnCount), std::move(*job)};
+}
+
+}  // namespace
+
+Result<std::optional<JobRow>> SqliteStore::find_job_of_key(const OwnerId& owner, const std::string& key) {
+  if (key.empty()) return std::optional<JobRow>();
+  Result<std::vector<JobRow>> made =
+      rows_of(database_.prepare(select(kJobColumns, "FROM jobs WHERE owner = ? AND idempotency_key = ?"),
+                                {owner, key}),
+              job_from);
+  if (!made) return made.error();
+  if (made->empty()) return std::optional<JobRow>();
+  return std::optional(std::move(made->front()));
+}
+
+Result<std::optional<JobRow>> SqliteStore::job_of_key(const OwnerId& owner,
+                                                      const std::string& idempotency_key) {
+  if (Status good = check_key(idempotency_key); !good) return good.error();
+  const std::lock_guard hold(mutex_);
+  return find_job_of_key(owner, idempotency_key);
+}
+
+Status SqliteStore::insert_job(const OwnerId& owner, const JobRow& row, const std::string& idempotency_key) {
+  const std::string files = column_text(row.files), results = column_text(row.results);
+  const SqlValue key = idempotency_key.empty() ? SqlValue(nullptr) : SqlValue(idempotency_key);
+  const Result<int> kept = database_.run(
+      "INSERT INTO jobs (owner, id, project_id, project_revision, name, document, files, state, reason_code,"
+      " reason, reason_where, attempt, created_ms, started_ms, ended_ms, report, results, idempotency_key)"
+      " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+      {owner, row.id, row.project_id, std::int64_t{row.project_revision}, row.name, row.document, files,
+       row.state, row.reason_code, row.reason, row.reason_where, std::int64_t{row.attempt}, row.created_ms,
+       row.started_ms, row.ended_ms, row.report, results, key});
+  if (!kept) return kept.error();
+  return {};
+}
+
+Result<Made<JobRow>> SqliteStore::create_job(const OwnerId& owner, JobRow row,
+                                             const std::string& idempotency_key) {
+  if (Status good = check_key(idempotency_key); !good) return good.error();
+  const std::lock_guard hold(mutex_);
+  Result<SqlTransaction> transaction = SqlTransaction::begin(database_);
+  if (!transaction) return transaction.error();
+  Result<std::optional<JobRow>> made = find_job_of_key(owner, idempotency_key);
+  if (!made) return made.error();
+  if (*made) {
+    if ((*made)->project_id == row.project_id) return Made<JobRow>{std::move(**made), false};
+    return Error{"store.idempotency_mismatch",
+                 "this idempotency key was used for project " + (*made)->project_id +
+                     "; use a new one for another drape",
+                 ""};
+  }
+  row.created_ms = store_now_ms();
+  Result<std::string> id = ids_.next('j', row.created_ms);
+  if (!id) return id.error();
+  row.id = std::move(*id);
+  if (Status kept = insert_job(owner, row, idempotency_key); !kept) return kept.error();
+  if (Status committed = transaction->commit(); !committed) return committed.error();
+  return Made<JobRow>{std::move(row), true};
+}
+
+Result<JobRow> SqliteStore::job(const OwnerId& owner, const std::string& id) {
+  const std::lock_guard hold(mutex_);
+  return row_of(database_.prepare(select(kJobColumns, "FROM jobs WHERE owner = ? AND id = ?"), {owner, id}),
+                job_from, "job", id);
+}
+
+Result<std::vector<JobRow>> SqliteStore::jobs(const OwnerId& owner, const std::string& cursor, int limit) {
+  const Result<std::string> before = before_what(cursor, 'j');
+  if (!before) return before.error();
+  const std::lock_guard hold(mutex_);
+  return rows_of(database_.prepare(
+                     select(kJobListColumns, "FROM jobs WHERE owner = ? AND id < ? ORDER BY id DESC LIMIT ?"),
+                     {owner, *before, page_limit(limit)}),
+                 job_from);
+}
+
+Status SqliteStore::update_job(const OwnerId& owner, const JobRow& row) {
+  const std::string results = column_text(row.results);
+  const std::lock_guard hold(mutex_);
+  const Result<int> changed = database_.run(
+      "UPDATE jobs SET state = ?, reason_code = ?, reason = ?, reason_where = ?, attempt = ?, started_ms = ?,"
+      " ended_ms = ?, report = ?, results = ? WHERE owner = ? AND id = ?",
+      {row.state, row.reason_code, row.reason, row.reason_where, std::int64_t{row.attempt}, row.started_ms,
+       row.ended_ms, row.report, results, owner, row.id});
+  if (!changed) return changed.error();
+  if (*changed == 0) return not_found("job", row.id);
+  return {};
+}
+
+Result<std::vector<Store::OwnedJob>> SqliteStore::unfinished_jobs() {
+  const std::lock_guard hold(mutex_);
+  return rows_of(
+      database_.prepare(std::string("SELECT ") + kJobColumns +
+                        ", owner FROM jobs WHERE state IN ('queued', 'running', 'paused') ORDER BY id"),
+      owned_job_from);
+}
+
+// Results
+
+Status SqliteStore::check_job(const OwnerId& owner, const std::string& id) {
+  const std::lock_guard hold(mutex_);
+  const Result<std::string> there = row_of(
+      database_.prepare("SELECT id FROM jobs WHERE owner = ? AND id = ?", {owner, id}), text_from, "job", id);
+  if (!there) return there.error();
+  return {};
+}
+
+Status SqliteStore::put_result(const OwnerId& owner, const std::string& job_id, const std::string& name,
+                               std::string_view bytes) {
+  if (Status there = check_job(owner, job_id); !there) return there;
+  return blobs_.put_result(job_id, name, bytes);
+}
+
+Result<std::string> SqliteStore::result_bytes(const OwnerId& owner, const std::string& job_id,
+                                              const std::string& name) {
+  if (Status there = check_job(owner, job_id); !there) return there.error();
+  return blobs_.result(job_id, name);
+}
+
+Status SqliteStore::remove_results(const OwnerId& owner, const std::string& job_id) {
+  if (Status there = check_job(owner, job_id); !there) return there;
+  return blobs_.remove_results(job_id);
+}
+
+// Checkpoints
+
+Status SqliteStore::put_checkpoint(const OwnerId& owner, const std::string& job_id, std::string_view bytes) {
+  if (Status there = check_job(owner, job_id); !there) return there;
+  return blobs_.put_checkpoint(job_id, bytes);
+}
+
+Result<Store::KeptCheckpoint> SqliteStore::checkpoint(const OwnerId& owner, const std::string& job_id) {
+  if (Status there = check_job(owner, job_id); !there) return there.error();
+  return blobs_.checkpoint(job_id);
+}
+
+Status SqliteStore::remove_checkpoint(const OwnerId& owner, const std::string& job_id) {
+  if (Status there = check_job(owner, job_id); !there) return there;
+  return blobs_.remove_checkpoint(job_id);
+}
+
+}  // namespace toile

@@ -1,0 +1,84 @@
+// A server that is killed while it drapes, and the next one.
+
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <thread>
+
+#include "proto/cpp/json_codec.h"
+#include "tests/app/napkin.h"
+#include "tests/app/program.h"
+#include "tests/app/serving.h"
+
+namespace toile {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// False after two minutes.
+bool wait_for(const std::function<bool()>& holds) {
+  for (int waited = 0; waited < 12000 && !holds(); ++waited) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return holds();
+}
+
+/// A member of a JSON object as text; numbers without digits after the point.
+std::string member(const std::string& json, const std::string& key) {
+  const Result<JsonValue> tree = parse_json(json, {.depth = 64});
+  const JsonValue* found = tree ? tree->find(key) : nullptr;
+  if (found && found->number()) return std::to_string(static_cast<int>(*found->number()));
+  return found && found->text() ? *found->text() : "";
+}
+
+TEST(Recovery, ADrapeThatWasKilledTwiceEndsInTheBytesOfOneThatWasNot) {
+  const fs::path folder = fresh_folder("toile_recovery");
+  fs::create_directories(folder / "empty");
+  const fs::path napkin = napkin_folder("toile_recovery_napkin", "\"particle_distance_mm\": 25",
+                                        "\"particle_distance_mm\": 12, \"time_step_s\": 0.00025");
+  const Ran home =
+      run_toile({"drape", napkin / "project.json", "--out", folder / "home", "--no-stills"}, 120);
+  ASSERT_EQ(home.signal, 0) << home.err;
+
+  const auto newest = [&](const std::string& id) {  // checkpoint
+    std::error_code none;
+    return fs::last_write_time(folder / "data/checkpoints" / id, none);
+  };
+  std::string id, report;
+  for (int kills = 0; kills <= 2; ++kills) {
+    Serving server(folder / "data",
+                   {"--sample", folder / "empty", "--workers", "1", "--checkpoint-every", "0.1"});
+    ASSERT_TRUE(server.up()) << server.said();
+    if (id.empty()) {
+      const Ran sent = run_toile({"submit", napkin / "project.json", "--server", server.url()});
+      ASSERT_EQ(sent.code, 0) << sent.err;
+      id = sent.out.substr(0, sent.out.find('\n'));
+    }
+    const auto state = [&] { return member(server.get("/api/v1/jobs/" + id).body, "state"); };
+    if (kills < 2) {
+      const auto before = newest(id);
+      ASSERT_TRUE(
+          wait_for([&] { return newest(id) != before && fs::exists(folder / "data/checkpoints" / id); }));
+      ASSERT_EQ(state(), "running") << "the drape must be longer for this test";
+      EXPECT_EQ(server.end(SIGKILL), -SIGKILL);
+    } else {
+      ASSERT_TRUE(wait_for([&] { return state() == "succeeded" || state() == "failed"; })) << state();
+      report = server.get("/api/v1/jobs/" + id + "/results/report.json").body;
+      EXPECT_EQ(server.end(SIGTERM), 0);
+    }
+  }
+  EXPECT_NE(member(report, "hash"), "");
+  EXPECT_EQ(member(report, "hash"), member(text_of(folder / "home/report.json"), "hash"));
+  EXPECT_EQ(member(report, "steps"), member(text_of(folder / "home/report.json"), "steps"));
+  EXPECT_EQ(member(report, "resumed"), "2");
+  EXPECT_FALSE(fs::exists(folder / "data/checkpoints" / id)) << "an ended job needs none";
+  fs::remove_all(folder);
+  fs::remove_all(napkin);
+}
+
+}  // namespace
+}  // namespace toile

@@ -1,0 +1,61 @@
+// What the store keeps of drapes under way.
+
+#include "tests/server/store/store_folder.h"
+
+namespace toile {
+namespace {
+
+TEST(StoreCheckpoints, AreReplacedKeptOverAReopeningAndRemoved) {
+  const TemporaryFolder folder;
+  std::string id;
+  {
+    const auto store = opened(folder.path());
+    id = store->create_job("ann", some_job("skirt"), "").value().id;
+    EXPECT_EQ(code_of(store->checkpoint("ann", id)), "store.not_found");
+    EXPECT_TRUE(store->remove_checkpoint("ann", id).ok()) << "nothing to remove is no error";
+    EXPECT_TRUE(store->put_checkpoint("ann", id, "first").ok());
+    EXPECT_TRUE(store->put_checkpoint("ann", id, std::string("sec\0ond", 7)).ok());
+  }
+  const auto store = opened(folder.path());
+  const auto kept = store->checkpoint("ann", id);
+  ASSERT_TRUE(kept.ok()) << to_string(kept.error());
+  EXPECT_EQ(kept->bytes, std::string("sec\0ond", 7));
+  const auto age = store->job("ann", id)->created_ms - kept->kept_ms;
+  EXPECT_LT(std::abs(age), 60000) << "its time is the clock's";
+  EXPECT_TRUE(store->remove_checkpoint("ann", id).ok());
+  EXPECT_EQ(code_of(store->checkpoint("ann", id)), "store.not_found");
+}
+
+TEST(StoreCheckpoints, BelongToTheirOwner) {
+  const TemporaryFolder folder;
+  const auto store = opened(folder.path());
+  const std::string id = store->create_job("ann", some_job("skirt"), "").value().id;
+  EXPECT_TRUE(store->put_checkpoint("ann", id, "hers").ok());
+  EXPECT_EQ(code_of(store->put_checkpoint("bob", id, "his")), "store.not_found");
+  EXPECT_EQ(code_of(store->checkpoint("bob", id)), "store.not_found");
+  EXPECT_EQ(code_of(store->remove_checkpoint("bob", id)), "store.not_found");
+  EXPECT_EQ(code_of(store->put_checkpoint("ann", "../../toile.db", "x")), "store.not_found");
+  EXPECT_EQ(store->checkpoint("ann", id)->bytes, "hers");
+}
+
+TEST(StoreCheckpoints, OfJobsThatHaveEndedGoWhenTheStoreIsOpened) {
+  const TemporaryFolder folder;
+  std::string ended, running;
+  {
+    const auto store = opened(folder.path());
+    JobRow row = store->create_job("ann", some_job("ended"), "").value();
+    ended = row.id;
+    running = store->create_job("bob", some_job("running"), "").value().id;
+    for (const auto& [owner, id] : {std::pair{"ann", ended}, {"bob", running}}) {
+      EXPECT_TRUE(store->put_checkpoint(owner, id, "state").ok());
+    }
+    row.state = "succeeded";
+    EXPECT_TRUE(store->update_job("ann", row).ok());  // and then it was killed
+  }
+  const auto store = opened(folder.path());
+  EXPECT_EQ(code_of(store->checkpoint("ann", ended)), "store.not_found");
+  EXPECT_EQ(code_of(store->checkpoint("bob", running)), "ok");
+}
+
+}  // namespace
+}  // namespace toile
