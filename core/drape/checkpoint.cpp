@@ -1,0 +1,115 @@
+#include "core/drape/checkpoint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/base/hash.h"
+#include "core/drape/state_bytes.h"
+
+namespace toile {
+namespace {
+
+constexpr std::string_view kMagic = "TOILECP\n";
+constexpr std::size_t kHashDigits = 32;
+constexpr std::size_t kHeader = kMagic.size() + sizeof(std::uint32_t) + kHashDigits;
+/// No drape gets there; beyond it exact crossings could not be counted.
+constexpr double kFarthest = 1e6;         // m
+constexpr int kMostSteps = 1 << 30;       // so that counting on cannot overflow
+constexpr double kLongest = 1e9;          // s
+constexpr std::size_t kMostWords = 1000;  // bytes of a reason
+
+/// Every field in its order, for writing and for reading alike, so that the two cannot disagree.
+template <typename Archive>
+void fields(Archive& a, RunState& run) {
+  SessionState& s = run.session;
+  a.value(s.phase), a.value(s.stop_reason), a.value(s.steps);
+  a.value(s.time), a.value(s.phase_start), a.value(s.last_weld);
+  a.value(s.joined), a.value(s.released);
+  a.value(s.watch.step), a.value(s.watch.window_start), a.value(s.watch.rms), a.value(s.watch.max_speed);
+  a.value(s.solver.positions), a.value(s.solver.velocities);
+  a.value(s.solver.measured), a.value(s.solver.measured_speeds), a.value(s.solver.held_back);
+  a.value(run.at_end.cloth_body), a.value(run.at_end.cloth_cloth);
+  a.value(run.worst.cloth_body), a.value(run.worst.cloth_cloth);
+  a.value(run.worst_frame_step), a.value(run.frames_checked), a.value(run.resumed), a.value(run.recorded);
+  a.value(run.cpu_s), a.value(run.wall_s);
+}
+
+bool all_within(const std::vector<Vec3>& list, double most) {
+  return std::all_of(list.begin(), list.end(), [most](const Vec3& v) {
+    return std::abs(v.x) <= most && std::abs(v.y) <= most && std::abs(v.z) <= most;  // false for NaN
+  });
+}
+
+bool all_speeds(const std::vector<double>& list) {
+  return std::all_of(list.begin(), list.end(), [](double v) { return v >= 0 && v <= kFarthest; });
+}
+
+template <typename... Times>
+bool all_times(Times... times) {
+  return ((times >= 0 && times <= kLongest) && ...);
+}
+
+template <typename... Counts>
+bool all_counts(Counts... counts) {
+  return ((counts >= 0 && counts <= kMostSteps) && ...);
+}
+
+bool sound(const SessionState& s) {
+  const std::size_t n = s.solver.positions.size();
+  const std::size_t m = s.solver.measured.size();
+  return s.phase <= DrapePhase::kDone && (s.phase == DrapePhase::kDone) == !s.stop_reason.empty() &&
+         s.stop_reason.size() <= kMostWords && all_counts(s.steps, s.watch.step, s.solver.held_back) &&
+         all_times(s.time, s.phase_start, s.last_weld) && s.solver.velocities.size() == n &&
+         (m == 0 || m == n) && s.solver.measured_speeds.size() == m && s.watch.window_start.size() == n &&
+         s.watch.rms.size() <= SettleState::kMostWindows && s.watch.max_speed >= 0 &&
+         all_speeds(s.watch.rms) && all_speeds({s.watch.max_speed}) && all_speeds(s.solver.measured_speeds) &&
+         all_within(s.solver.positions, kFarthest) && all_within(s.solver.velocities, kFarthest) &&
+         all_within(s.solver.measured, kFarthest) && all_within(s.watch.window_start, kFarthest);
+}
+
+bool sound(const RunState& run) {
+  return all_counts(run.at_end.cloth_body, run.at_end.cloth_cloth, run.worst.cloth_body,
+                    run.worst.cloth_cloth, run.worst_frame_step, run.frames_checked, run.resumed,
+                    run.recorded + 1) &&
+         all_times(run.cpu_s, run.wall_s) && sound(run.session);
+}
+
+}  // namespace
+
+Error damaged_checkpoint() {
+  return {"checkpoint.damaged", "the checkpoint is cut off or has changed; drape from the start", ""};
+}
+
+std::string encode_checkpoint(const std::string& input_hash, RunState state) {
+  StateWriter out;
+  out.raw(kMagic);
+  out.value(kCheckpointVersion);
+  out.raw(input_hash);
+  fields(out, state);
+  out.raw(hash_of(std::string_view(out.bytes())));
+  return out.take();
+}
+
+Result<RunState> decode_checkpoint(std::string_view bytes, const std::string& input_hash) {
+  if (bytes.size() < kHeader + kHashDigits) return damaged_checkpoint();
+  const std::string_view sealed = bytes.substr(0, bytes.size() - kHashDigits);
+  if (hash_of(sealed) != bytes.substr(sealed.size())) return damaged_checkpoint();
+  StateReader in(sealed);
+  if (in.raw(kMagic.size()) != kMagic) return damaged_checkpoint();
+  std::uint32_t version = 0;
+  in.value(version);
+  if (version != kCheckpointVersion) {
+    return Error{"checkpoint.version", "the checkpoint is of another version; drape from the start", ""};
+  }
+  if (in.raw(kHashDigits) != input_hash) {
+    return Error{"checkpoint.other_input", "the checkpoint is of another drape; go on with that one's input",
+                 ""};
+  }
+  RunState state;
+  fields(in, state);
+  if (!in.ok() || !in.at_end() || !sound(state)) return damaged_checkpoint();
+  return state;
+}
+
+}  // namespace toile

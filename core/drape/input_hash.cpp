@@ -1,0 +1,170 @@
+#include "core/drape/input_hash.h"
+
+#include <variant>
+
+#include "core/base/hash.h"
+#include "core/drape/state_bytes.h"
+
+namespace toile {
+namespace {
+
+// Each function takes its struct apart with a structured binding that names every field. A field that is
+// added to a struct does not compile here until it is named and written too: none can be forgotten.
+
+template <typename... Fields>
+void write(StateWriter& out, const Fields&... fields);
+
+void write_one(StateWriter& out, const CubicBezier& curve) {
+  const auto& [p0, p1, p2, p3] = curve;
+  write(out, p0, p1, p2, p3);
+}
+void write_one(StateWriter& out, const PanelEdge& edge) {
+  const auto& [id, curves] = edge;
+  write(out, id, curves);
+}
+void write_one(StateWriter& out, const Loop& loop) {
+  const auto& [edges] = loop;
+  write(out, edges);
+}
+void write_one(StateWriter& out, const InnerLine& line) {
+  const auto& [id, points] = line;
+  write(out, id, points);
+}
+void write_one(StateWriter& out, const Notch& notch) {
+  const auto& [at, depth, inwards] = notch;
+  write(out, at, depth, inwards);
+}
+void write_one(StateWriter& out, const Panel& panel) {
+  const auto& [id, outline, holes, grain, fabric, lines, layer, notches] = panel;
+  write(out, id, outline, holes, grain, fabric, lines, layer, notches);
+}
+void write_one(StateWriter& out, const SeamEdge& at) {
+  const auto& [panel, edge, reversed] = at;
+  write(out, panel, edge, reversed);
+}
+void write_one(StateWriter& out, const Seam& seam) {
+  const auto& [id, a, b, same_direction] = seam;
+  write(out, id, a, b, same_direction);
+}
+void write_one(StateWriter& out, const Pattern& pattern) {
+  const auto& [panels, seams] = pattern;
+  write(out, panels, seams);
+}
+void write_one(StateWriter& out, const RigidPlacement& placement) {
+  const auto& [translation, rotation, flipped] = placement;
+  write(out, translation, rotation, flipped);
+}
+void write_one(StateWriter& out, const WrappedPlacement& placement) {
+  const auto& [axis, radius, angle, height, anchor, slope] = placement;
+  write(out, axis, radius, angle, height, anchor, slope);
+}
+void write_one(StateWriter& out, const Placement& placement) {
+  out.size(placement.index());
+  std::visit([&](const auto& kind) { write(out, kind); }, placement);
+}
+void write_one(StateWriter& out, const Fabric& fabric) {
+  const auto& [id, name, areal_mass, stretch_warp, stretch_weft, stretch_coupling, stretch_shear, bend_warp,
+               bend_weft, bend_bias, thickness, friction, colour] = fabric;
+  write(out, id, name, areal_mass, stretch_warp, stretch_weft, stretch_coupling, stretch_shear, bend_warp,
+        bend_weft, bend_bias, thickness, friction, colour[0], colour[1], colour[2]);
+}
+void write_one(StateWriter& out, const TriangleMesh& mesh) {
+  const auto& [vertices, triangles] = mesh;
+  write(out, vertices, triangles);
+}
+void write_one(StateWriter& out, const Body& body) {
+  const auto& [id, mesh, friction, skin_offset] = body;
+  write(out, id, mesh, friction, skin_offset);
+}
+void write_one(StateWriter& out, const Attachment& attachment) {
+  const auto& [id, panel, edges, hold, release_after] = attachment;
+  write(out, id, panel, edges, hold, release_after);
+}
+void write_one(StateWriter& out, const PanelPoint& point) {
+  const auto& [panel, at] = point;
+  write(out, panel, at);
+}
+void write_one(StateWriter& out, const Button& button) {
+  const auto& [id, a, b, distance] = button;
+  write(out, id, a, b, distance);
+}
+void write_one(StateWriter& out, const Elastic& elastic) {
+  const auto& [id, panel, edges, lines, factor, stiffness] = elastic;
+  write(out, id, panel, edges, lines, factor, stiffness);
+}
+void write_one(StateWriter& out, const Crease& crease) {
+  const auto& [id, panel, lines, angle, stiffness] = crease;
+  write(out, id, panel, lines, angle, stiffness);
+}
+void write_one(StateWriter& out, const Cushion& cushion) {
+  const auto& [id, panels, pressure, full_volume] = cushion;
+  write(out, id, panels, pressure, full_volume);
+}
+void write_one(StateWriter& out, const Notions& notions) {
+  const auto& [buttons, elastics, creases, cushions] = notions;
+  write(out, buttons, elastics, creases, cushions);
+}
+void write_one(StateWriter& out, const ClothPoint& point) {
+  const auto& [v, share] = point;
+  write(out, v, share);
+}
+void write_one(StateWriter& out, const NotionPlaces& places) {
+  const auto& [buttons, elastics, creases] = places;
+  write(out, buttons, elastics, creases);
+}
+void write_one(StateWriter& out, const AirDrag& air) {
+  const auto& [density, across, along, wind] = air;
+  write(out, density, across, along, wind);
+}
+void write_one(StateWriter& out, const DrapeSettings& settings) {
+  const auto& [particle_distance, time_step, gravity, sew_time, settle_speed, max_time, frame_interval, mode,
+               until_settled, air] = settings;
+  write(out, particle_distance, time_step, gravity, sew_time, settle_speed, max_time, frame_interval, mode,
+        until_settled, air);
+}
+void write_one(StateWriter& out, const DrapeInput& input) {
+  const auto& [name, pattern, placements, fabrics, fabric_of_panel, bodies, attachments, notions, settings] =
+      input;
+  write(out, name, pattern, placements, fabrics, fabric_of_panel, bodies, attachments, notions, settings);
+}
+void write_one(StateWriter& out, const GarmentMesh& garment) {
+  const auto& [rest, triangles, panel_of_vertex, panel_of_triangle, first_vertex, sewn, seam_of_sewn, weld] =
+      garment;
+  write(out, rest, triangles, panel_of_vertex, panel_of_triangle, first_vertex, sewn, seam_of_sewn, weld);
+}
+void write_one(StateWriter& out, const Assembly& assembly) {
+  const auto& [garment, positions, attached, notions] = assembly;
+  write(out, garment, positions, attached, notions);
+}
+
+template <typename T>
+requires requires(StateWriter& out, const T& v) {
+  out.value(v);
+} &&(!requires(const T& v) { v.begin(); }) void write_one(StateWriter& out, const T& value) {
+  out.value(value);
+}
+void write_one(StateWriter& out, const std::string& text) { out.value(text); }
+template <typename T, std::size_t N>
+void write_one(StateWriter& out, const std::array<T, N>& list) {
+  for (const T& v : list) write(out, v);
+}
+template <typename T>
+void write_one(StateWriter& out, const std::vector<T>& list) {
+  out.size(list.size());
+  for (const T& v : list) write(out, v);
+}
+
+template <typename... Fields>
+void write(StateWriter& out, const Fields&... fields) {
+  (write_one(out, fields), ...);
+}
+
+}  // namespace
+
+std::string input_hash(const DrapeInput& input, const Assembly& start) {
+  StateWriter out;
+  write(out, input, start);
+  return hash_of(std::string_view(out.bytes()));
+}
+
+}  // namespace toile
