@@ -6,6 +6,7 @@
 #include "core/body/tape.h"
 #include "core/drape/pipeline.h"
 #include "proto/cpp/project_resolve.h"
+#include "tests/garments/golden.h"
 
 namespace toile {
 namespace {
@@ -45,6 +46,8 @@ TEST(SampleSkirt, SettlesWithoutACrossingInAnyFrameAndWithShutSeams) {
   EXPECT_GE(r.frames_checked, 100);
   EXPECT_LE(r.seam_gap_max_mm, 0.5);
 }
+
+TEST(SampleSkirt, EndsInTheBytesThatAreWrittenDown) { test::expect_golden("skirt", skirt().report.hash); }
 
 TEST(SampleSkirt, HasTheParticlesAndTrianglesItSays) {
   const Report& r = skirt().report;

@@ -1,0 +1,141 @@
+#include "core/preflight/body_probe.h"
+
+#include <algorithm>
+#include <map>
+
+#include "core/geometry/polygon2.h"
+
+namespace toile {
+
+namespace {
+
+constexpr double kStride = 0.06;  // m; a long slanting line is asked for in pieces, whose boxes are small
+
+double volume(Vec3 a, Vec3 b, Vec3 c, Vec3 p) { return dot(cross(b - a, c - a), p - a); }
+
+Index root_of(std::vector<Index>& parent, Index i) {
+  while (parent[i] != i) i = parent[i] = parent[parent[i]];
+  return i;
+}
+
+}  // namespace
+
+BodyProbe::BodyProbe(const Body& body)
+    : body_(&body), crossing_(make_crossing_body(body.mesh.vertices, body.mesh.triangles)) {
+  if (body.mesh.vertices.empty()) return;
+  low_ = high_ = body.mesh.vertices[0];
+  for (const Vec3& p : body.mesh.vertices) {
+    low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y), std::min(low_.z, p.z)};
+    high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y), std::max(high_.z, p.z)};
+  }
+}
+
+/// Calls visit(triangle) for every triangle that the segment passes through, some of them more than once,
+/// until it returns false.
+template <typename Visit>
+void BodyProbe::visit_hits(Vec3 from, Vec3 to, Visit&& visit) const {
+  const ExactPoint p = to_grid(from), q = to_grid(to);
+  const int strides = 1 + static_cast<int>(length(to - from) / kStride);
+  bool going = true;
+  for (int k = 0; k < strides && going; ++k) {
+    const Vec3 a = from + (to - from) * (static_cast<double>(k) / strides);
+    const Vec3 b = from + (to - from) * (static_cast<double>(k + 1) / strides);
+    crossing_.tree.query(box_around({a, b}, 2e-6), [&](Index t) {
+      if (!going) return;
+      const Tri& tri = crossing_.triangles[t];
+      if (segment_crosses_triangle(p, q, crossing_.points[tri[0]], crossing_.points[tri[1]],
+                                   crossing_.points[tri[2]])) {
+        going = visit(t);
+      }
+    });
+  }
+}
+
+std::vector<double> BodyProbe::hits(Vec3 from, Vec3 to) const {
+  std::vector<Index> met;
+  visit_hits(from, to, [&](Index t) { return met.push_back(t), true; });
+  std::sort(met.begin(), met.end());
+  met.erase(std::unique(met.begin(), met.end()), met.end());
+  std::vector<double> at;
+  for (const Index t : met) {
+    const Tri& tri = crossing_.triangles[t];
+    const std::vector<Vec3>& x = body_->mesh.vertices;
+    const double a = volume(x[tri[0]], x[tri[1]], x[tri[2]], from);
+    const double b = volume(x[tri[0]], x[tri[1]], x[tri[2]], to);
+    at.push_back(a != b ? std::clamp(a / (a - b), 0.0, 1.0) : 0.5);
+  }
+  std::sort(at.begin(), at.end());
+  return at;
+}
+
+bool BodyProbe::meets(Vec3 from, Vec3 to) const {
+  bool met = false;
+  visit_hits(from, to, [&](Index) { return met = true, false; });
+  return met;
+}
+
+bool BodyProbe::contains(Vec3 p) const {
+  if (p.x < low_.x || p.y < low_.y || p.z < low_.z || p.x > high_.x || p.y > high_.y || p.z > high_.z)
+    return false;
+  // Slanted, so that a ray hardly runs along an edge of a body that is built on axes.
+  constexpr Vec3 kWays[3] = {{0.0131, 1, 0.0217}, {1, 0.0173, -0.0291}, {-0.0253, 0.0119, 1}};
+  const double far = 1.1 * length(high_ - low_) + 0.01;
+  return std::all_of(kWays, kWays + 3, [&](Vec3 way) { return hits(p, p + way * far).size() % 2 == 1; });
+}
+
+std::vector<BodyProbe> make_probes(std::span<const Body> bodies) {
+  std::vector<BodyProbe> probes;
+  probes.reserve(bodies.size());
+  for (const Body& body : bodies) probes.emplace_back(body);
+  return probes;
+}
+
+PlaneFrame make_plane_frame(Vec3 origin, Vec3 normal) {
+  const Vec3 n = normalized(normal);
+  const Vec3 aside = std::abs(n.x) <= std::abs(n.y) && std::abs(n.x) <= std::abs(n.z) ? Vec3{1, 0, 0}
+                     : std::abs(n.y) <= std::abs(n.z)                                 ? Vec3{0, 1, 0}
+                                                                                      : Vec3{0, 0, 1};
+  const Vec3 u = normalized(cross(aside, n));
+  return {origin, u, cross(n, u), n};
+}
+
+std::vector<SlicePart> slice_parts(const TriangleMesh& mesh, const PlaneFrame& plane) {
+  std::vector<double> side;
+  side.reserve(mesh.vertices.size());
+  for (const Vec3& p : mesh.vertices) side.push_back(dot(p - plane.origin, plane.normal));
+  std::vector<Vec2> points;
+  std::vector<Index> parent;
+  std::map<std::pair<Index, Index>, Index> point_of_edge;
+  for (const Tri& t : mesh.triangles) {
+    Index ends[2] = {kNone, kNone};
+    int found = 0;
+    for (int c = 0; c < 3 && found < 2; ++c) {
+      const Index a = std::min(t[c], t[(c + 1) % 3]), b = std::max(t[c], t[(c + 1) % 3]);
+      if ((side[a] < 0) == (side[b] < 0)) continue;
+      const auto [it, is_new] = point_of_edge.try_emplace({a, b}, static_cast<Index>(points.size()));
+      if (is_new) {
+        const double s = side[a] / (side[a] - side[b]);
+        points.push_back(plane.flat(mesh.vertices[a] + (mesh.vertices[b] - mesh.vertices[a]) * s));
+        parent.push_back(it->second);
+      }
+      ends[found++] = it->second;
+    }
+    if (found < 2) continue;
+    const Index p = root_of(parent, ends[0]), q = root_of(parent, ends[1]);
+    parent[std::max(p, q)] = std::min(p, q);
+  }
+  std::vector<SlicePart> parts;
+  std::vector<Index> part_of(points.size(), kNone);
+  for (Index i = 0; i < static_cast<Index>(points.size()); ++i) {
+    const Index r = root_of(parent, i);
+    if (part_of[r] == kNone) part_of[r] = static_cast<Index>(parts.size()), parts.emplace_back();
+    parts[part_of[r]].points.push_back(points[i]);
+  }
+  for (SlicePart& part : parts) {
+    const Box2 box = bounding_box(part.points);
+    part.centre = (box.min + box.max) * 0.5;
+  }
+  return parts;
+}
+
+}  // namespace toile

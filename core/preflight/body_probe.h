@@ -1,0 +1,60 @@
+#pragma once
+// Questions about bodies that the checks ask again and again: what a straight line meets, whether a point is
+// inside, what a plane cuts.
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/body/body.h"
+#include "core/collision/crossings.h"
+#include "core/geometry/bvh.h"
+
+namespace toile {
+
+class BodyProbe {
+ public:
+  /// `body` must outlive the probe.
+  explicit BodyProbe(const Body& body);
+
+  const Body& body() const { return *body_; }
+  const CrossingBody& crossing() const { return crossing_; }
+  Vec3 low() const { return low_; }    ///< m, corner of the bounding box
+  Vec3 high() const { return high_; }  ///< m
+  double height() const { return high_.y - low_.y; }
+
+  /// Parameters t in (0, 1), rising, at which the segment passes through a triangle; exact but for t itself.
+  std::vector<double> hits(Vec3 from, Vec3 to) const;
+  bool meets(Vec3 from, Vec3 to) const;
+  /// Whether rays in three directions all leave through an odd number of triangles.
+  bool contains(Vec3 p) const;
+
+ private:
+  template <typename Visit>
+  void visit_hits(Vec3 from, Vec3 to, Visit&& visit) const;
+
+  const Body* body_;
+  CrossingBody crossing_;
+  Vec3 low_, high_;
+};
+
+std::vector<BodyProbe> make_probes(std::span<const Body> bodies);
+
+/// A connected line in which a plane cuts a body, as loose points in the plane's own axes.
+struct SlicePart {
+  std::vector<Vec2> points;  ///< m
+  Vec2 centre;               ///< of the points' bounding box
+};
+
+/// A plane with two axes in it, all unit vectors at right angles.
+struct PlaneFrame {
+  Vec3 origin, u, v, normal;
+  Vec2 flat(Vec3 p) const { return {dot(p - origin, u), dot(p - origin, v)}; }
+  Vec3 lifted(Vec2 p) const { return origin + u * p.x + v * p.y; }
+};
+/// REQUIRES `normal` not null.
+PlaneFrame make_plane_frame(Vec3 origin, Vec3 normal);
+
+std::vector<SlicePart> slice_parts(const TriangleMesh& mesh, const PlaneFrame& plane);
+
+}  // namespace toile

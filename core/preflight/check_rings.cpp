@@ -1,0 +1,206 @@
+#include "core/preflight/check_rings.h"
+
+#include <algorithm>
+#include <set>
+
+#include "core/body/tape.h"
+#include "core/geometry/polygon2.h"
+#include "core/mesh/topology.h"
+
+namespace toile {
+
+namespace {
+
+/// Less is rounding of two tapes.
+constexpr double kTight = 0.01;  // relative
+/// A ring slips along the body by so much to where it fits: a neck is placed about the shoulders.
+constexpr double kSlip = 0.15, kSlipStep = 0.03;  // m
+
+struct Ring {
+  std::vector<Index> vertices;  ///< classes in order
+  std::vector<Vec3> points;     ///< m, where the start has them
+  double girth = 0;             ///< m, of the cloth
+  std::string pieces;           ///< names, in order of the pattern
+};
+
+/// Flat lengths of the garment's border edges by the classes of their ends.
+class BorderLengths {
+ public:
+  explicit BorderLengths(const GarmentMesh& g) {
+    for (const Tri& t : g.triangles) {
+      for (int k = 0; k < 3; ++k) {
+        const Index i = t[k], j = t[(k + 1) % 3];
+        const Index a = std::min(g.weld[i], g.weld[j]), b = std::max(g.weld[i], g.weld[j]);
+        edges_.push_back({a, b, length(g.rest[i] - g.rest[j]), g.panel_of_vertex[i]});
+      }
+    }
+    std::sort(edges_.begin(), edges_.end(), [](const Edge& x, const Edge& y) {
+      return x.a != y.a ? x.a < y.a : x.b != y.b ? x.b < y.b : x.panel < y.panel;
+    });
+  }
+  struct Edge {
+    Index a, b;
+    double length;
+    Index panel;
+  };
+  const Edge& between(Index v, Index w) const {
+    const Index a = std::min(v, w), b = std::max(v, w);
+    return *std::lower_bound(
+        edges_.begin(), edges_.end(), std::pair(a, b),
+        [](const Edge& e, const auto& key) { return e.a != key.first ? e.a < key.first : e.b < key.second; });
+  }
+
+ private:
+  std::vector<Edge> edges_;
+};
+
+std::vector<Tri> sewn_triangles(const GarmentMesh& g) {
+  std::vector<Tri> out;
+  for (const Tri& t : g.triangles) {
+    const Tri w{g.weld[t[0]], g.weld[t[1]], g.weld[t[2]]};
+    if (w[0] != w[1] && w[1] != w[2] && w[2] != w[0]) out.push_back(w);
+  }
+  return out;
+}
+
+/// Where pieces are sewn with their sides against each other the sewn triangles wind against each other; the
+/// edge then counts as two borders. Those pairs are no border of the garment.
+std::vector<MeshEdge> borders_of(std::span<const Tri> triangles, Index vertex_count) {
+  std::vector<MeshEdge> edges = edges_of(triangles, vertex_count);
+  const auto key = [](const MeshEdge& e) { return std::pair(std::min(e.v0, e.v1), std::max(e.v0, e.v1)); };
+  std::vector<MeshEdge> borders;
+  for (std::size_t i = 0; i < edges.size();) {
+    std::size_t j = i;
+    while (j < edges.size() && key(edges[j]) == key(edges[i])) ++j;
+    if (j == i + 1 && edges[i].t1 == kNone) borders.push_back(edges[i]);
+    i = j;
+  }
+  return borders;
+}
+
+/// The border edges chained into closed lines, whichever way each runs.
+std::vector<std::vector<Index>> rings_of(const std::vector<MeshEdge>& borders) {
+  struct Half {
+    Index from, to, edge;
+  };
+  std::vector<Half> halves;
+  for (Index e = 0; e < static_cast<Index>(borders.size()); ++e) {
+    halves.push_back({borders[e].v0, borders[e].v1, e}), halves.push_back({borders[e].v1, borders[e].v0, e});
+  }
+  std::stable_sort(halves.begin(), halves.end(),
+                   [](const Half& x, const Half& y) { return x.from < y.from; });
+  std::vector<bool> used(borders.size(), false);
+  std::vector<std::vector<Index>> rings;
+  for (Index start = 0; start < static_cast<Index>(borders.size()); ++start) {
+    if (used[start]) continue;
+    used[start] = true;
+    std::vector<Index> ring{borders[start].v0};
+    Index at = borders[start].v1;
+    while (at != ring.front()) {
+      ring.push_back(at);
+      auto next = std::lower_bound(halves.begin(), halves.end(), at,
+                                   [](const Half& h, Index v) { return h.from < v; });
+      while (next != halves.end() && next->from == at && used[next->edge]) ++next;
+      if (next == halves.end() || next->from != at) break;
+      used[next->edge] = true, at = next->to;
+    }
+    if (at == ring.front() && ring.size() > 2) rings.push_back(std::move(ring));
+  }
+  return rings;
+}
+
+Ring measured(const std::vector<Index>& vertices, const Assembly& assembly, const Pattern& pattern,
+              const BorderLengths& lengths) {
+  Ring ring;
+  ring.vertices = vertices;
+  std::set<Index> pieces;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const auto& edge = lengths.between(vertices[i], vertices[(i + 1) % vertices.size()]);
+    ring.girth += edge.length, pieces.insert(edge.panel);
+    ring.points.push_back(assembly.positions[vertices[i]]);
+  }
+  for (const Index p : pieces)
+    ring.pieces += (ring.pieces.empty() ? "piece " : ", piece ") + pattern.panels[p].id;
+  if (pieces.size() < 2) ring.vertices.clear();
+  return ring;
+}
+
+/// Newell's normal of a closed line, not of unit length.
+Vec3 normal_of(const std::vector<Vec3>& points, Vec3 middle) {
+  Vec3 n;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    n += cross(points[i] - middle, points[(i + 1) % points.size()] - middle);
+  }
+  return n;
+}
+
+/// The tape around the parts of all bodies that go through the ring, m; 0 when none does.
+double girth_within(std::span<const BodyProbe> probes, const PlaneFrame& plane,
+                    const std::vector<Vec2>& outline) {
+  double widest = 0;
+  for (const BodyProbe& probe : probes) {
+    std::vector<Vec2> points;
+    for (const SlicePart& part : slice_parts(probe.body().mesh, plane)) {
+      if (contains(outline, part.centre)) points.insert(points.end(), part.points.begin(), part.points.end());
+    }
+    widest = std::max(widest, hull_perimeter(std::move(points)));
+  }
+  return widest;
+}
+
+/// How far along its axis (m, either way) the ring finds a place where it fits; nothing within kSlip.
+std::optional<double> slip_to_fit(const Ring& ring, std::span<const BodyProbe> probes, PlaneFrame plane,
+                                  const std::vector<Vec2>& outline) {
+  const Vec3 middle = plane.origin;
+  for (double slip = kSlipStep; slip <= kSlip; slip += kSlipStep) {
+    for (const double along : {slip, -slip}) {
+      plane.origin = middle + plane.normal * along;
+      const double girth = girth_within(probes, plane, outline);
+      if (girth > 0 && girth * (1 - kTight) <= ring.girth) return slip;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Finding> judged(const Ring& ring, std::span<const BodyProbe> probes) {
+  Vec3 middle;
+  for (const Vec3& p : ring.points) middle += p;
+  middle = middle * (1.0 / static_cast<double>(ring.points.size()));
+  const Vec3 normal = normal_of(ring.points, middle);
+  if (!(length(normal) > 1e-6)) return std::nullopt;
+  const PlaneFrame plane = make_plane_frame(middle, normal);
+  std::vector<Vec2> outline;
+  for (const Vec3& p : ring.points) outline.push_back(plane.flat(p));
+  const double girth = girth_within(probes, plane, outline);
+  const std::string cloth = "the ring of " + length_text(ring.girth) + " that is sewn here ";
+  Finding f{"ring.around_nothing", Severity::kNote, cloth + "goes around no part of a body", ring.pieces,
+            middle};
+  if (girth == 0) return f;
+  if (ring.girth >= (1 - kTight) * girth) return std::nullopt;
+  f.code = "ring.tight";
+  f.message = cloth + "is " + length_text(girth - ring.girth) + " less than the body's girth of " +
+              length_text(girth);
+  if (const auto slip = slip_to_fit(ring, probes, plane, outline)) {
+    f.message += " where it is placed, but fits " + length_text(*slip) + " further along";
+  } else {
+    f.severity = Severity::kWarning;
+    f.message += " (negative ease): it stretches, or its seams stay open";
+  }
+  return f;
+}
+
+}  // namespace
+
+void check_rings(const PreflightInput& input, std::span<const BodyProbe> probes, const Assembly& assembly,
+                 Findings& findings) {
+  if (probes.empty() || assembly.garment.sewn.empty()) return;
+  const std::vector<Tri> triangles = sewn_triangles(assembly.garment);
+  const BorderLengths lengths(assembly.garment);
+  for (const auto& vertices : rings_of(borders_of(triangles, assembly.garment.vertex_count()))) {
+    const Ring ring = measured(vertices, assembly, input.pattern, lengths);
+    if (ring.vertices.empty()) continue;
+    if (auto finding = judged(ring, probes)) findings.push_back(std::move(*finding));
+  }
+}
+
+}  // namespace toile

@@ -1,0 +1,61 @@
+#include "core/preflight/preflight.h"
+
+#include <algorithm>
+
+#include "core/preflight/check_layers.h"
+#include "core/preflight/check_pattern.h"
+#include "core/preflight/check_rings.h"
+#include "core/preflight/check_sides.h"
+#include "core/preflight/check_threads.h"
+#include "core/preflight/move_apart.h"
+
+namespace toile {
+
+namespace {
+
+bool has_error(const Findings& findings, const char* code) {
+  return std::any_of(findings.begin(), findings.end(),
+                     [&](const Finding& f) { return f.severity == Severity::kError && f.code == code; });
+}
+
+/// The last word: the count that every frame of the drape will go through, on what the repairs left.
+void verify(const PreflightInput& in, std::span<const BodyProbe> probes, const Assembly& assembly,
+            Findings& findings) {
+  const GarmentMesh& g = assembly.garment;
+  const Surface surface = make_surface(g.triangles, g.vertex_count(), g.weld);
+  const auto piece = [&](Index t) { return "piece " + in.pattern.panels[g.panel_of_triangle[t]].id; };
+  const auto place = [&](Index t) { return assembly.positions[g.triangles[t][0]]; };
+  for (const BodyProbe& probe : probes) {
+    const auto found = body_crossings(surface, assembly.positions, probe.crossing());
+    if (found.empty() || has_error(findings, "start.crosses_body")) continue;
+    findings.push_back(
+        {"start.crosses_body", Severity::kError,
+         "the piece passes through body " + probe.body().id + " where it is placed; move it clear of it",
+         piece(found[0][0]), place(found[0][0])});
+  }
+  const auto found = self_crossings(surface, assembly.positions);
+  if (found.empty() || has_error(findings, "start.crosses_cloth")) return;
+  findings.push_back({"start.crosses_cloth", Severity::kError,
+                      "two pieces pass through each other where they are placed; move them apart",
+                      piece(found[0][0]) + " and " + piece(found[0][1]), place(found[0][0])});
+}
+
+}  // namespace
+
+Findings run_preflight(const PreflightInput& input, Assembly& assembly) {
+  Findings findings;
+  const std::vector<BodyProbe> probes = make_probes(input.bodies);
+  turn_pieces(input, probes, assembly, findings);
+  untwist_seams(input, assembly, findings);
+  move_apart(input.pattern, probes, assembly, findings);
+  verify(input, probes, assembly, findings);
+  check_sizes(input, probes, assembly, findings);
+  check_layers(input, assembly, findings);
+  check_sides(input, probes, assembly, findings);
+  check_threads(input, probes, assembly, findings);
+  check_rings(input, probes, assembly, findings);
+  sort_by_severity(findings);
+  return findings;
+}
+
+}  // namespace toile

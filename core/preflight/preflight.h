@@ -1,0 +1,36 @@
+#pragma once
+// The look at a start before a drape: what would go wrong is found with its place, repaired where a small
+// move does it, and otherwise refused or told in words.
+
+#include <span>
+#include <vector>
+
+#include "core/body/body.h"
+#include "core/mesh/panel_mesh.h"
+#include "core/pattern/pattern.h"
+#include "core/preflight/finding.h"
+#include "core/sewing/assembly.h"
+
+namespace toile {
+
+/// What a start is judged by, beside its assembly.
+struct PreflightInput {
+  const Pattern& pattern;
+  const PanelMeshes& meshes;
+  std::span<const Body> bodies;
+  double particle_distance = 0.015;  ///< m
+};
+
+/// Looks at everything and repairs `assembly`: a piece that is turned round is turned back, a seam that is
+/// sewn crosswise is reversed, pieces that cross or touch each other or a body are moved apart as a whole.
+/// Nothing is repaired in a way that makes something else worse. Findings are sorted by severity; without an
+/// error among them the start has no crossing and no contact.
+///
+/// Codes of errors: start.crosses_body, start.inside_body, start.crosses_cloth, start.touches,
+/// seam.length_ratio, seam.thread_through_body. Of warnings and notes: start.gap, piece.turned,
+/// piece.inside_out, piece.winds_other_way, piece.scale, piece.far, layer.inside, edge.short, seam.twisted,
+/// seam.length_difference, seam.one_sided, seam.thread_near_limb, seam.thread_through_body, ring.tight,
+/// ring.around_nothing.
+Findings run_preflight(const PreflightInput& input, Assembly& assembly);
+
+}  // namespace toile

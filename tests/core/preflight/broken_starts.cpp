@@ -1,0 +1,214 @@
+#include "tests/core/preflight/broken_starts.h"
+
+#include "tests/core/drape/garments.h"
+
+namespace toile::test {
+
+namespace {
+
+constexpr double kHalfTurn = 3.14159265358979;
+
+RigidPlacement& placed(DrapeInput& input, std::size_t piece) {
+  return std::get<RigidPlacement>(input.placements[piece]);
+}
+
+DrapeInput with_front_at(double z) {
+  DrapeInput input = tube();
+  placed(input, 0).translation.z = z;
+  return input;
+}
+
+DrapeInput with_sheet_at(double y) {
+  DrapeInput input = tablecloth();
+  placed(input, 0).translation.y = y;
+  return input;
+}
+
+/// The tube and a loose patch.
+DrapeInput with_patch(Vec3 at, Vec3 rotation = {}, double size = 60, const std::string& id = "patch",
+                      DrapeInput input = tube()) {
+  input.pattern.panels.push_back(rectangle(id, size, size));
+  input.placements.push_back(RigidPlacement{at, rotation, false});
+  input.fabric_of_panel.push_back(0);
+  return input;
+}
+
+DrapeInput with_pieces(double front_width, double front_height, double back_width, double back_height) {
+  DrapeInput input = tube();
+  input.pattern.panels = {rectangle("front", front_width, front_height),
+                          rectangle("back", back_width, back_height)};
+  return input;
+}
+
+DrapeInput with_sides_of(double front, double back) { return with_pieces(260, front, 260, back); }
+
+DrapeInput with_reversed(std::vector<std::size_t> seams) {
+  DrapeInput input = tube();
+  for (const std::size_t s : seams) input.pattern.seams[s].same_direction = false;
+  return input;
+}
+
+DrapeInput turned_left_to_right() {
+  DrapeInput input = tube();
+  placed(input, 1).rotation = {0, kHalfTurn, 0};
+  return input;
+}
+
+DrapeInput turned_upside_down() {
+  DrapeInput input = tube();
+  placed(input, 1).rotation = {0, 0, kHalfTurn};
+  placed(input, 1).translation.y = 0.27;
+  return input;
+}
+
+DrapeInput huge() {
+  DrapeInput input = with_pieces(2600, 1200, 2600, 1200);
+  input.settings.particle_distance = 0.2;
+  return input;
+}
+
+DrapeInput with_short_edge() {
+  DrapeInput input = tube();
+  Panel& panel = input.pattern.panels[0];
+  panel.outline.edges[2].curves = {line({130, 120}, {-126, 120})};
+  panel.outline.edges[3].curves = {line({-130, 116}, {-130, 0})};
+  panel.outline.edges.push_back({"e4", {line({-126, 120}, {-130, 116})}});
+  std::swap(panel.outline.edges[3], panel.outline.edges[4]);  // the corner comes before the left side
+  panel.outline.edges[3].id = "corner";
+  input.pattern.seams[0].a[0].edge = 4;
+  return input;
+}
+
+/// Narrow strips before and behind the column, sewn right through it.
+DrapeInput sewn_through() { return with_pieces(20, 120, 20, 120); }
+
+/// Strips whose threads pass 12 mm beside a slim post.
+DrapeInput beside_a_limb() {
+  DrapeInput input = with_pieces(84, 120, 84, 120);
+  input.bodies = {column(0.03, 0, 0.3)};
+  return input;
+}
+
+/// Two pieces joined over the column's head, threads 8 mm under it.
+DrapeInput over_a_shoulder() {
+  DrapeInput input = tube();
+  input.pattern.seams = {{"shoulder", {{0, 2, false}}, {{1, 2, false}}, true}};
+  input.pattern.panels = {rectangle("front", 60, 120), rectangle("back", 60, 120)};
+  for (std::size_t p : {0, 1}) placed(input, p).translation.y = 0.172;
+  return input;
+}
+
+DrapeInput beside_the_body() {
+  DrapeInput input = tube();
+  for (std::size_t p : {0, 1}) placed(input, p).translation.x = 0.4;
+  return input;
+}
+
+DrapeInput rolled_onto_itself() {
+  DrapeInput input = tube();
+  input.pattern.seams.clear();
+  WrappedPlacement roll;
+  roll.axis = {0.4, 0, 0}, roll.radius = 0.03, roll.height = 0.1;  // 188 mm around for 260 mm of cloth
+  input.placements[0] = roll;
+  return input;
+}
+
+/// Left and right lie in one plane and overlap at the middle, as the crotch tips of trousers do.
+DrapeInput overlapping_tips() {
+  DrapeInput input = with_patch({-0.027, 0.15, -0.16}, {}, 60, "left");
+  return with_patch({0.027, 0.15, -0.16}, {}, 60, "right", input);
+}
+
+DrapeInput stack_of_three() {
+  DrapeInput input = with_patch({0.02, 0.16, 0.2}, {}, 60, "one");
+  input = with_patch({0, 0.18, 0.2}, {}, 50, "two", input);
+  return with_patch({-0.02, 0.17, 0.2}, {}, 40, "three", input);
+}
+
+DrapeInput twisted_series() {
+  DrapeInput input = tube();
+  // The left side of the front in two edges.
+  Panel& panel = input.pattern.panels[0];
+  panel.outline.edges[3].curves = {line({-130, 120}, {-130, 50})};
+  panel.outline.edges.push_back({"e4", {line({-130, 50}, {-130, 0})}});
+  input.pattern.seams[0] = {"left", {{0, 3, false}, {0, 4, false}}, {{1, 3, false}}, false};
+  return input;
+}
+
+DrapeInput out_of_sight() {
+  DrapeInput input = tube();
+  placed(input, 1).translation = {30, 0, 0};
+  return input;
+}
+
+}  // namespace
+
+const std::vector<BrokenStart>& broken_starts() {
+  static const std::vector<BrokenStart> all{
+      {"front 1 cm into the body", "start.crosses_body", true, [] { return with_front_at(0.06); }},
+      {"front 3 cm into the body", "start.crosses_body", true, [] { return with_front_at(0.04); }},
+      {"front through the middle of the body", "start.crosses_body", false,
+       [] { return with_front_at(0.003); }},
+      {"front on the skin", "start.touches", true, [] { return with_front_at(0.07); }},
+      {"front half a millimetre from the skin", "start.gap", true, [] { return with_front_at(0.0705); }},
+      {"sheet 2 cm in the head", "start.crosses_body", true, [] { return with_sheet_at(0.28); }},
+      {"sheet on the head", "start.touches", true, [] { return with_sheet_at(0.3); }},
+      {"sheet 1 cm in the head", "start.crosses_body", true, [] { return with_sheet_at(0.29); }},
+      {"sheet 0.3 mm over the head", "start.gap", true, [] { return with_sheet_at(0.3003); }},
+      {"sheet 10 cm in the head", "start.crosses_body", false, [] { return with_sheet_at(0.2); }},
+      {"patch in the front's plane", "start.touches", true,
+       [] {
+         return with_patch({0.05, 0.2, 0.1});
+       }},
+      {"patch 0.4 mm before the front", "start.gap", true,
+       [] {
+         return with_patch({0.05, 0.2, 0.1004});
+       }},
+      {"patch through the front", "start.crosses_cloth", true,
+       [] {
+         return with_patch({0, 0.18, 0.09}, {0.4, 0, 0});
+       }},
+      {"patch upright through the front", "start.crosses_cloth", false,
+       [] {
+         return with_patch({0, 0.1, 0.1}, {0, kHalfTurn / 2, 0}, 200);
+       }},
+      {"patch in the body, near the skin", "start.inside_body", true,
+       [] {
+         return with_patch({0, 0.05, 0.045}, {}, 30);
+       }},
+      {"patch in the middle of the body", "start.inside_body", false,
+       [] {
+         return with_patch({0, 0.12, 0}, {}, 30);
+       }},
+      {"patch under the skin of the head", "start.inside_body", true,
+       [] {
+         return with_patch({0, 0.27, 0}, {}, 20);
+       }},
+      {"left and right overlap in one plane", "start.touches", true, overlapping_tips},
+      {"three patches in one plane", "start.touches", true, stack_of_three},
+      {"piece rolled onto itself", "start.crosses_cloth", false, rolled_onto_itself},
+      {"one seam reversed", "seam.twisted", true, [] { return with_reversed({0}); }},
+      {"both seams reversed", "seam.twisted", true,
+       [] {
+         return with_reversed({0, 1});
+       }},
+      {"series reversed", "seam.twisted", false, twisted_series},
+      {"back turned left to right", "piece.turned", true, turned_left_to_right},
+      {"back turned in its plane", "piece.turned", true, turned_upside_down},
+      {"ten times too large", "piece.scale", false, huge},
+      {"back in inches", "piece.scale", false, [] { return with_pieces(260, 120, 660, 304.8); }},
+      {"back in another place", "piece.far", false, out_of_sight},
+      {"gather of 1:4", "seam.length_ratio", false, [] { return with_sides_of(40, 160); }},
+      {"gather of 1:2", "seam.length_difference", false, [] { return with_sides_of(80, 160); }},
+      {"5 % of ease", "seam.length_difference", false, [] { return with_sides_of(120, 126); }},
+      {"edge of 6 mm", "edge.short", false, with_short_edge},
+      {"girth under the body's", "ring.tight", false, [] { return with_pieces(200, 120, 200, 120); }},
+      {"threads through the body", "seam.thread_through_body", false, sewn_through},
+      {"threads over a shoulder", "seam.thread_through_body", false, over_a_shoulder},
+      {"threads beside a limb", "seam.thread_near_limb", false, beside_a_limb},
+      {"tube beside the body", "ring.around_nothing", false, beside_the_body},
+  };
+  return all;
+}
+
+}  // namespace toile::test

@@ -1,0 +1,101 @@
+// Starts that are broken on purpose: all found, none silent, those that can be repaired repaired.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/drape/pipeline.h"
+#include "tests/core/drape/garments.h"
+#include "tests/core/preflight/broken_starts.h"
+
+namespace toile {
+namespace {
+
+std::string text_of(const Findings& findings) {
+  std::string text;
+  for (const Finding& f : findings) {
+    text += std::string("  ") + name_of(f.severity) + " " + f.code + (f.repaired ? " (repaired)" : "") +
+            ": " + f.message + " [" + f.where + " " + place_text(f.place) + "]\n";
+  }
+  return text;
+}
+
+int crossings_of(const DrapeInput& input, const Assembly& assembly) {
+  const GarmentMesh& g = assembly.garment;
+  const Surface surface = make_surface(g.triangles, g.vertex_count(), g.weld);
+  std::size_t count = self_crossings(surface, assembly.positions).size();
+  for (const Body& body : input.bodies) {
+    count += body_crossings(surface, assembly.positions,
+                            make_crossing_body(body.mesh.vertices, body.mesh.triangles))
+                 .size();
+  }
+  return static_cast<int>(count);
+}
+
+TEST(BrokenStarts, AreAllFoundWithAPlaceAndWordsAndRepairedWhereExpected) {
+  for (const test::BrokenStart& broken : test::broken_starts()) {
+    SCOPED_TRACE(broken.name);
+    const DrapeInput input = broken.make();
+    const auto start = prepare_start(input, {});
+    ASSERT_TRUE(start.ok()) << to_string(start.error());
+    bool found = false, repaired = true;
+    for (const Finding& f : start->findings) {
+      EXPECT_FALSE(f.message.empty() || f.where.empty());
+      EXPECT_TRUE(is_finite(f.place));
+      if (f.code != broken.code) continue;
+      found = true, repaired &= f.repaired;
+    }
+    EXPECT_TRUE(found) << text_of(start->findings);
+    EXPECT_EQ(found && repaired, broken.repaired) << text_of(start->findings);
+    if (first_error(start->findings)) continue;
+    EXPECT_EQ(crossings_of(input, start->assembly), 0) << text_of(start->findings);
+  }
+}
+
+TEST(BrokenStarts, AreRepairedByHalfAtLeast) {
+  const auto& all = test::broken_starts();
+  const auto repaired = std::count_if(all.begin(), all.end(), [](const auto& b) { return b.repaired; });
+  EXPECT_GE(all.size(), 20u);
+  EXPECT_GE(2 * repaired, static_cast<std::ptrdiff_t>(all.size()));
+}
+
+TEST(BrokenStarts, SoundStartsHaveNoWarningAndStayAsPlaced) {
+  for (const DrapeInput& input : {test::tube(), test::tablecloth()}) {
+    const auto start = prepare_start(input, {}).value();
+    for (const Finding& f : start.findings) EXPECT_EQ(f.severity, Severity::kNote) << text_of(start.findings);
+    EXPECT_EQ(start.assembly.positions,
+              assemble(start.meshes, input.placements, input.attachments)->positions);
+  }
+}
+
+TEST(BrokenStarts, TheFirstErrorRefusesTheDrapeWithItsPlace) {
+  for (const test::BrokenStart& broken : test::broken_starts()) {
+    const DrapeInput input = broken.make();
+    const auto start = prepare_start(input, {});
+    const auto error = start.ok() ? first_error(start->findings) : std::nullopt;
+    if (!error) continue;
+    const auto run = DrapeRun::start(input, {}, nullptr);
+    ASSERT_FALSE(run.ok()) << broken.name;
+    EXPECT_EQ(run.error().code, error->code);
+    EXPECT_EQ(run.error().message, error->message);
+    EXPECT_NE(run.error().where.find(") m"), std::string::npos) << run.error().where;
+  }
+}
+
+TEST(LongBrokenStarts, DrapeWithoutACrossingOnceRepaired) {
+  for (const test::BrokenStart& broken : test::broken_starts()) {
+    if (!broken.repaired) continue;
+    SCOPED_TRACE(broken.name);
+    DrapeInput input = broken.make();
+    input.settings.max_time = 3;
+    const auto result = drape(input, {}, nullptr);
+    ASSERT_TRUE(result.ok()) << to_string(result.error());
+    EXPECT_EQ(result->worst.cloth_body + result->worst.cloth_cloth, 0);
+    EXPECT_NE(result->stop_reason, "not finite");
+    EXPECT_NE(result->stop_reason.substr(0, 7), "stalled") << result->stop_reason;
+    EXPECT_GT(result->frames_checked, 20);
+  }
+}
+
+}  // namespace
+}  // namespace toile

@@ -1,0 +1,176 @@
+// Single checks and what a repair may not do.
+
+#include "core/preflight/preflight.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/drape/pipeline.h"
+#include "core/preflight/check_sides.h"
+#include "core/preflight/triangle_gap.h"
+#include "tests/core/drape/garments.h"
+#include "tests/core/preflight/broken_starts.h"
+
+namespace toile {
+namespace {
+
+DrapeInput broken(const std::string& name) {
+  const auto& all = test::broken_starts();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const auto& b) { return b.name == name; });
+  EXPECT_NE(found, all.end()) << name;
+  return found->make();
+}
+
+const Finding* find(const Findings& findings, const std::string& code) {
+  const auto found =
+      std::find_if(findings.begin(), findings.end(), [&](const Finding& f) { return f.code == code; });
+  return found == findings.end() ? nullptr : &*found;
+}
+
+/// Of the piece's box.
+Vec3 centre_of(const Assembly& assembly, Index piece) {
+  const auto& first = assembly.garment.first_vertex;
+  Vec3 low = assembly.positions[first[piece]], high = low;
+  for (Index v = first[piece]; v < first[piece + 1]; ++v) {
+    const Vec3 p = assembly.positions[v];
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  return (low + high) * 0.5;
+}
+
+TEST(Preflight, OverlappingMirrorImagesPartAndStayMirrorImages) {
+  const DrapeInput input = broken("left and right overlap in one plane");
+  const auto start = prepare_start(input, {}).value();
+  const Vec3 left = centre_of(start.assembly, 2), right = centre_of(start.assembly, 3);
+  EXPECT_NEAR(left.x, -right.x, 1e-5);
+  EXPECT_NEAR(left.y, right.y, 1e-9);
+  EXPECT_NEAR(left.z, right.z, 1e-9);
+  EXPECT_GT(right.x - left.x, 0.060 + 0.001) << "60 mm wide each, and a millimetre between them";
+  EXPECT_LT(right.x - left.x, 0.060 + 0.020) << "no farther than needed";
+}
+
+TEST(Preflight, ARepairMovesPiecesAsAWholeAndOnlyThoseConcerned) {
+  const DrapeInput input = broken("front 1 cm into the body");
+  const auto start = prepare_start(input, {}).value();
+  const auto placed = assemble(start.meshes, input.placements, input.attachments)->positions;
+  const Vec3 shift = start.assembly.positions[0] - placed[0];
+  EXPECT_GE(shift.z, 0.0109);
+  EXPECT_LE(length(shift), 0.05);
+  for (Index v = 0; v < start.assembly.garment.vertex_count(); ++v) {
+    const Vec3 moved = start.assembly.positions[v] - placed[v];
+    const Vec3 expected = start.assembly.garment.panel_of_vertex[v] == 0 ? shift : Vec3{};
+    EXPECT_LT(length(moved - expected), 1e-9);
+  }
+}
+
+TEST(Preflight, AReversedSeamIsSewnAsIfItHadBeenRight) {
+  const auto start = prepare_start(broken("both seams reversed"), {}).value();
+  const auto right = prepare_start(test::tube(), {}).value();
+  EXPECT_EQ(start.assembly.garment.sewn, right.assembly.garment.sewn);
+  EXPECT_EQ(start.assembly.garment.weld, right.assembly.garment.weld);
+  const Finding* f = find(start.findings, "seam.twisted");
+  ASSERT_NE(f, nullptr);
+  EXPECT_NE(f->message.find(" of thread in all, and "), std::string::npos) << f->message;
+}
+
+TEST(Preflight, ATurnedPieceComesToStandAsItShould) {
+  const auto start = prepare_start(broken("back turned left to right"), {}).value();
+  const auto right = prepare_start(test::tube(), {}).value();
+  for (std::size_t i = 0; i < right.assembly.positions.size(); ++i) {
+    EXPECT_LT(length(start.assembly.positions[i] - right.assembly.positions[i]), 1e-6);
+  }
+}
+
+TEST(Preflight, APieceThatStandsOnItsHeadIsToldToBeInsideOut) {
+  DrapeInput input = test::tube();
+  input.pattern.panels = {test::rectangle("left", 60, 120), test::rectangle("right", 60, 120)};
+  input.pattern.seams = {{"middle", {{0, 1, false}}, {{1, 3, false}}, false}};
+  input.placements = {RigidPlacement{{-0.035, 0.1, 0.1}, {}, false},
+                      RigidPlacement{{0.035, 0.22, 0.1}, {3.14159265358979, 0, 0}, false}};
+  const auto start = prepare_start(input, {}).value();
+  const Finding* f = find(start.findings, "piece.inside_out");
+  ASSERT_NE(f, nullptr);
+  EXPECT_EQ(f->where, "piece right");
+  EXPECT_EQ(f->severity, Severity::kWarning);
+}
+
+TEST(Preflight, ASeamThatMakesAMobiusStripIsToldByName) {
+  DrapeInput input = test::tube();
+  input.pattern.seams[1].same_direction = false;
+  const auto start = prepare_start(input, {}).value();
+  const Finding* f = find(start.findings, "seam.one_sided");
+  ASSERT_NE(f, nullptr);
+  EXPECT_EQ(f->where, "seam right");
+}
+
+TEST(Preflight, TheTightRingIsGivenWithBothGirths) {
+  const auto start = prepare_start(broken("girth under the body's"), {}).value();
+  const Finding* f = find(start.findings, "ring.tight");
+  ASSERT_NE(f, nullptr);
+  EXPECT_EQ(f->severity, Severity::kWarning);
+  EXPECT_NE(f->message.find("the ring of 400 mm"), std::string::npos) << f->message;
+  EXPECT_NE(f->message.find("girth of 437 mm"), std::string::npos) << f->message;  // 32·70 mm·sin(π/16)
+}
+
+TEST(Preflight, ThreadsThroughTheMiddleAreRefusedAndThoseOverAShoulderAreNot) {
+  const auto through = prepare_start(broken("threads through the body"), {}).value();
+  // The strips are 20 mm wide: one step aside a thread grazes the upright edges of the column.
+  const auto over = prepare_start(broken("threads over a shoulder"), {}).value();
+  EXPECT_EQ(find(through.findings, "seam.thread_through_body")->severity, Severity::kError);
+  EXPECT_EQ(find(over.findings, "seam.thread_through_body")->severity, Severity::kNote);
+}
+
+TEST(Preflight, AHeapOfPiecesInOnePlaceIsRefusedAndNotShuffled) {
+  DrapeInput input = test::tube();
+  for (int i = 0; i < 20; ++i) {
+    input.pattern.panels.push_back(test::rectangle("heaped" + std::to_string(i), 200, 200));
+    input.placements.push_back(RigidPlacement{{0, 0.1, 0.3}, {}, false});
+    input.fabric_of_panel.push_back(0);
+  }
+  const auto start = prepare_start(input, {}).value();
+  ASSERT_TRUE(first_error(start.findings));
+  EXPECT_EQ(first_error(start.findings)->code, "start.touches");
+  EXPECT_EQ(start.assembly.positions, assemble(start.meshes, input.placements, input.attachments)->positions);
+}
+
+TEST(Preflight, ShortThreadsBesideAThickBodyAreNearNoLimb) {
+  DrapeInput input = test::tube();
+  input.bodies = {test::column(0.12, 0, 0.3)};
+  for (std::size_t p : {0, 1}) {  // two half shells around the column, a few millimetres apart at their sides
+    WrappedPlacement shell;
+    shell.radius = 0.13, shell.height = 0.15, shell.angle = p == 0 ? 0 : 3.14159265358979;
+    input.placements[p] = shell;
+    input.pattern.panels[p] = test::rectangle(p == 0 ? "front" : "back", 400, 120);
+  }
+  input.pattern.seams = {{"left", {{0, 3, false}}, {{1, 1, false}}, false},
+                         {"right", {{0, 1, false}}, {{1, 3, false}}, false}};
+  const auto start = prepare_start(input, {}).value();
+  EXPECT_TRUE(start.findings.empty())
+      << start.findings.front().code << ": " << start.findings.front().message;
+}
+
+TEST(Preflight, ErrorsComeFirstAndNotesLast) {
+  for (const test::BrokenStart& b : test::broken_starts()) {
+    const auto start = prepare_start(b.make(), {}).value();
+    EXPECT_TRUE(std::is_sorted(start.findings.begin(), start.findings.end(),
+                               [](const Finding& f, const Finding& g) { return f.severity > g.severity; }));
+  }
+}
+
+TEST(TriangleGap, NeighboursHaveNoneAndCrossingTrianglesHaveZero) {
+  const GapTriangle flat{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {0, 1, 2}};
+  const GapTriangle above{{{{0, 0, 0.25}, {1, 0, 0.25}, {0, 1, 0.25}}}, {3, 4, 5}};
+  const GapTriangle through{{{{0.2, 0.2, -1}, {0.2, 0.2, 1}, {0.3, 2, 0}}}, {3, 4, 5}};
+  GapTriangle neighbour = above;
+  neighbour.type = {0, 1, 2};
+  EXPECT_DOUBLE_EQ(triangle_gap(flat, above), 0.25);
+  EXPECT_EQ(triangle_gap(flat, through), 0);
+  EXPECT_TRUE(triangles_cross(flat, through));
+  EXPECT_EQ(triangle_gap(flat, neighbour), 1);
+  EXPECT_FALSE(triangles_cross(flat, above));
+}
+
+}  // namespace
+}  // namespace toile

@@ -1,0 +1,266 @@
+#include "tests/garments/random_trial.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "core/drape/pipeline.h"
+#include "core/export/write_obj.h"
+#include "core/pattern/curve.h"
+#include "core/pattern/validate.h"
+
+namespace toile::test {
+namespace {
+
+/// Falling cloth reaches 15 m/s in the medium that the engine gives it, at 30 m/s².
+constexpr double kFastestFall = 30;  // m/s
+/// Threads without a time to sew in reel in as fast as the bounds let them: in about this.
+constexpr double kLeastSewTime = 0.02;  // s
+constexpr int kFewestFrames = 100;
+/// m/s that nothing here should pass: a fall, or the longest thread reeled in.
+double fastest_expected(const DrapeSettings& settings, double longest_thread) {
+  return kFastestFall + 2 * longest_thread / std::max(settings.sew_time, kLeastSewTime);
+}
+
+/// The threads of a seam pull with at most this along its length; a seam may gather several layers.
+constexpr double kThreads = 3 * 150;  // N/m
+
+struct Box {
+  Vec3 low{1e9, 1e9, 1e9}, high{-1e9, -1e9, -1e9};
+  void take(Vec3 p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  bool holds(Vec3 p, double around, double below) const {
+    return p.x >= low.x - around && p.x <= high.x + around && p.y >= low.y - around - below &&
+           p.y <= high.y + around && p.z >= low.z - around && p.z <= high.z + around;
+  }
+};
+
+std::string text_of(const char* format, double a, double b = 0, double c = 0, double d = 0) {
+  char text[160];
+  std::snprintf(text, sizeof text, format, a, b, c, d);
+  return text;
+}
+
+/// How far the triangle is stretched in the direction in which it is stretched most: the greater singular
+/// value of its deformation gradient.
+double stretch_of(const std::array<Vec2, 3>& rest, const std::array<Vec3, 3>& x) {
+  const Vec2 e1 = rest[1] - rest[0], e2 = rest[2] - rest[0];
+  const Vec3 d1 = x[1] - x[0], d2 = x[2] - x[0];
+  const double det = cross(e1, e2);
+  const Vec3 u = (d1 * e2.y - d2 * e1.y) * (1 / det), v = (d2 * e1.x - d1 * e2.x) * (1 / det);
+  const double a = dot(u, u), b = dot(v, v), c = dot(u, v);
+  return std::sqrt(0.5 * (a + b + std::sqrt((a - b) * (a - b) + 4 * c * c)));
+}
+
+/// Whatever the loads: a strip that a whole seam hangs on has reached 110.
+constexpr double kMostStretch = 150;
+
+/// How many times longer the longest piece is than the narrowest is wide: the threads of a long seam may all
+/// hang on a strip.
+double narrowness(const DrapeInput& input) {
+  double longest = 0, narrowest = 1e9;
+  for (const Panel& panel : input.pattern.panels) {
+    Vec2 low{1e9, 1e9}, high{-1e9, -1e9};
+    for (const Vec2& p : flatten(panel.outline, 0.1)) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    longest = std::max({longest, high.x - low.x, high.y - low.y});
+    narrowest = std::min({narrowest, high.x - low.x, high.y - low.y});
+  }
+  return longest / narrowest;
+}
+
+/// More than this no load here can stretch the cloth: its own weight, fallen from anywhere, and the threads
+/// against its weakest direction, with ample room for shocks.
+double most_stretch(const DrapeInput& input, double extent) {
+  double weakest = 1e9, mass = 0, lightest = 1e9;
+  for (const Fabric& f : input.fabrics) {
+    const double coupled = 1 - f.stretch_coupling * f.stretch_coupling / (f.stretch_warp * f.stretch_weft);
+    weakest = std::min({weakest, f.stretch_warp * coupled, f.stretch_weft * coupled, f.stretch_shear});
+    mass = std::max(mass, f.areal_mass), lightest = std::min(lightest, f.areal_mass);
+  }
+  // A pass that hands a pull on by a triangle a substep cannot hold more than this.
+  const double reach = input.settings.particle_distance / input.settings.time_step;
+  weakest = std::min(weakest, lightest * reach * reach);
+  const double threads = input.pattern.seams.empty() ? 0 : kThreads * narrowness(input);
+  return std::min(kMostStretch, 3 + 4 * (threads + input.settings.gravity * mass * extent) / weakest);
+}
+
+/// Looks at the frames as viewers would get them.
+class Watch final : public FrameSink {
+ public:
+  Watch(const DrapeInput& input, TrialReport& report) : input_(input), report_(report) {}
+
+  void begin(const GarmentMesh& garment) override {
+    garment_ = &garment;
+    report_.particles = garment.vertex_count();
+  }
+
+  void frame(const Frame& f) override {
+    if (f.step == 0) {
+      for (const Vec3& p : f.positions) around_.take(p);
+      for (const Body& body : input_.bodies)
+        for (const Vec3& p : body.mesh.vertices) around_.take(p);
+      most_ = most_stretch(input_, length(around_.high - around_.low));
+    }
+    ++report_.frames;
+    check_places(f);
+    if (f.phase != "sew") check_stretch(f);
+  }
+
+ private:
+  void check_places(const Frame& f) {
+    const double fallen = 0.5 * input_.settings.gravity * f.time * f.time;
+    for (const Vec3& p : f.positions) {
+      if (is_finite(p) && around_.holds(p, 2, fallen)) continue;
+      fault(text_of("a vertex is at (%g, %g, %g) m at step %g", p.x, p.y, p.z, f.step));
+      return;
+    }
+  }
+
+  void check_stretch(const Frame& f) {
+    for (const Tri& t : garment_->triangles) {
+      const double s = stretch_of({garment_->rest[t[0]], garment_->rest[t[1]], garment_->rest[t[2]]},
+                                  {f.positions[t[0]], f.positions[t[1]], f.positions[t[2]]});
+      report_.stretch = std::max(report_.stretch, s);
+      if (s <= most_) continue;
+      const Vec3 p = f.positions[t[0]];
+      fault(text_of("cloth is stretched %g-fold at step %g, at (%g, %g", s, f.step, p.x, p.y) +
+            text_of(", %g) m; at most %g was expected", p.z, most_));
+      return;
+    }
+  }
+
+  /// The first of a kind says enough.
+  void fault(const std::string& text) {
+    if (report_.faults.size() < 3) report_.faults.push_back(text);
+  }
+
+  const DrapeInput& input_;
+  TrialReport& report_;
+  const GarmentMesh* garment_ = nullptr;
+  Box around_;
+  double most_ = 0;
+};
+
+/// Steps after which a drape has had all the time that it may have, seams that do not close included.
+int step_limit(const DrapeSettings& s) {
+  return static_cast<int>((std::max(s.max_time, s.sew_time + 1.5) + 0.1) / s.time_step) + 10;
+}
+
+double fastest(const std::vector<Vec3>& before, const std::vector<Vec3>& now, double seconds) {
+  double most = 0;
+  for (std::size_t i = 0; i < now.size(); ++i) most = std::max(most, length(now[i] - before[i]));
+  return most / seconds;
+}
+
+/// Advances in uneven slices until the end, the cancel or the limit.
+void run_out(const RandomGarment& garment, DrapeRun& run, const RunContext& context,
+             std::atomic<bool>& cancel, TrialReport& report) {
+  const int limit = step_limit(garment.input.settings);
+  std::vector<Vec3> before = run.session().positions();
+  report.thread = run.session().seam_gap();
+  int steps = 0;
+  for (int slice = 1; !run.done() && steps < limit; slice = slice % 23 + 4) {
+    const bool cancels = garment.cancel_at_step >= 0 && steps + slice > garment.cancel_at_step;
+    const int taken = run.advance(cancels ? garment.cancel_at_step - steps : slice, context);
+    steps += taken;
+    if (cancels) {
+      cancel = true;
+      if (run.advance(100, context) != 0) report.faults.push_back("it went on after a cancel");
+      break;
+    }
+    std::vector<Vec3> now = run.session().positions();
+    report.speed = std::max(report.speed, fastest(before, now, taken * garment.input.settings.time_step));
+    before = std::move(now);
+  }
+  if (!run.done() && !cancel) report.faults.push_back("it did not end by itself");
+}
+
+void check_refusal(const Error& error, TrialReport& report) {
+  report.end = "refused";
+  report.refusal = to_string(error);
+  if (error.where.empty() || error.message.empty()) report.faults.push_back("the refusal names no place");
+}
+
+void check_end(const RandomGarment& garment, const DrapeResult& result, bool cancelled, TrialReport& report) {
+  report.end = result.stop_reason, report.steps = result.steps, report.cpu_s = result.cpu_s;
+  if (result.worst.cloth_body + result.worst.cloth_cloth > 0) {
+    report.faults.push_back(text_of("%g crossings with a body and %g of cloth with cloth at step %g",
+                                    result.worst.cloth_body, result.worst.cloth_cloth,
+                                    result.worst_frame_step));
+  }
+  if (report.speed > fastest_expected(garment.input.settings, report.thread))
+    report.faults.push_back(text_of("a vertex went %g m/s", report.speed));
+  if (result.stop_reason.empty()) report.faults.push_back("it ended without a reason");
+  if (result.stop_reason == "not finite") report.faults.push_back("a position was no number");
+  if (cancelled != (result.stop_reason == "cancelled")) report.faults.push_back("cancelled or not?");
+  for (const Vec3& p : result.positions) {
+    if (is_finite(p)) continue;
+    report.faults.push_back("a position at the end is no number");
+    break;
+  }
+  if (!cancelled && result.frames_checked < std::min(kFewestFrames, result.steps)) {
+    report.faults.push_back(text_of("only %g frames were looked at", result.frames_checked));
+  }
+}
+
+void write_end(const std::string& dump, const RandomGarment& garment, const std::string& name,
+               const GarmentMesh& mesh, const std::vector<Vec3>& positions, TrialReport& report) {
+  const std::filesystem::path folder = std::filesystem::path(dump) / garment.input.name / name;
+  const Status written = write_check_data(folder, mesh, positions, garment.input.bodies);
+  if (!written) report.faults.push_back(to_string(written.error()));
+}
+
+}  // namespace
+
+TrialReport try_garment(const RandomGarment& garment, const std::string& dump) {
+  TrialReport report;
+  if (const Status valid = validate(garment.input.pattern); !valid) {
+    check_refusal(valid.error(), report);
+    return report;
+  }
+  std::atomic<bool> cancel{garment.cancel_at_step == 0};
+  RunContext context;
+  context.cancel = &cancel;
+  Watch watch(garment.input, report);
+  auto started = DrapeRun::start(garment.input, context, &watch);
+  if (!started && started.error().code == "cancelled") {
+    report.end = "cancelled";
+    if (!cancel) report.faults.push_back("cancelled by nobody");
+    return report;
+  }
+  if (!started) {
+    check_refusal(started.error(), report);
+    return report;
+  }
+  DrapeRun& run = **started;
+  if (!dump.empty())
+    write_end(dump, garment, "start", run.session().garment(), run.session().positions(), report);
+  if (!cancel) run_out(garment, run, context, cancel, report);
+  const DrapeResult result = run.conclude();
+  check_end(garment, result, cancel, report);
+  if (!dump.empty()) write_end(dump, garment, "end", result.garment, result.positions, report);
+  return report;
+}
+
+std::string line_of(std::uint64_t seed, const RandomGarment& garment, const TrialReport& report) {
+  const DrapeSettings& s = garment.input.settings;
+  char text[400];
+  std::snprintf(text, sizeof text,
+                "seed %3d  %-17s on %-9s %4.1f mm  %5.0f/s  g %4.1f  %4d particles %6d steps %4d frames  "
+                "%5.1f m/s  stretch %6.2f  %5.2f s  ",
+                static_cast<int>(seed), garment.scene.c_str(), garment.form.c_str(),
+                s.particle_distance * 1e3, 1 / s.time_step, s.gravity, report.particles, report.steps,
+                report.frames, report.speed, report.stretch, report.cpu_s);
+  std::string line = text + report.end + " [" + garment.shapes + "] " + report.refusal;
+  for (const std::string& fault : report.faults) line += "\n    FAULT: " + fault;
+  return line;
+}
+
+}  // namespace toile::test

@@ -1,0 +1,102 @@
+// The look at the start of real garments on a real body. The data lie outside the project (TOILE_SHARED).
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "core/base/stopwatch.h"
+#include "core/drape/pipeline.h"
+#include "proto/cpp/project_resolve.h"
+#include "tests/garmentcode/to_project.h"
+
+namespace toile {
+namespace {
+
+class GarmentStarts : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (std::getenv("TOILE_SHARED") == nullptr) {
+      GTEST_SKIP() << "TOILE_SHARED is not set: NO REAL GARMENT WAS LOOKED AT";
+    }
+  }
+  static DrapeInput garment(const std::string& name, double particle_distance_mm) {
+    const auto folder = std::filesystem::path(TOILE_BINARY_DIR) / "garment_starts" / name;
+    const Status written =
+        test::write_garmentcode_project(std::filesystem::path(std::getenv("TOILE_SHARED")) / "data", name,
+                                        "garmentcode-mean_all.obj", {"wb_"}, particle_distance_mm, folder);
+    EXPECT_TRUE(written.ok()) << to_string(written.error());
+    return read_project(folder / "project.json").value();
+  }
+  static int count(const Findings& findings, const std::string& code, Severity severity) {
+    int n = 0;
+    for (const Finding& f : findings) n += f.code == code && f.severity == severity;
+    return n;
+  }
+};
+using LongGarmentStarts = GarmentStarts;
+
+TEST_F(GarmentStarts, AllFiveBeginAndAreLookedAtInASecond) {
+  for (const char* name : {"tshirt", "hoody", "fitted_blouse_long", "pants", "skirt_2panel"}) {
+    SCOPED_TRACE(name);
+    const DrapeInput input = garment(name, 20);
+    const Stopwatch watch;
+    const auto start = prepare_start(input, {});
+    EXPECT_LT(watch.cpu_s(), 1.0);
+    ASSERT_TRUE(start.ok()) << to_string(start.error());
+    const auto error = first_error(start->findings);
+    EXPECT_FALSE(error) << to_string(*error);
+  }
+}
+
+TEST_F(GarmentStarts, TheTrousersOverlappingTipsArePartedLeftAndRightAlike) {
+  const DrapeInput input = garment("pants", 25);
+  const auto start = prepare_start(input, {}).value();
+  ASSERT_FALSE(start.findings.empty());
+  EXPECT_EQ(start.findings.front().code, "start.touches");
+  EXPECT_TRUE(start.findings.front().repaired);
+  EXPECT_NE(start.findings.front().where.find("pant_b_"), std::string::npos) << start.findings.front().where;
+  const auto placed = assemble(start.meshes, input.placements, input.attachments)->positions;
+  std::vector<Vec3> shifts;
+  for (std::size_t p = 0; p < input.pattern.panels.size(); ++p) {
+    const Index v = start.assembly.garment.first_vertex[p];
+    const Vec3 shift = start.assembly.positions[v] - placed[v];
+    if (length(shift) > 0) shifts.push_back(shift);
+  }
+  ASSERT_EQ(shifts.size(), 2u) << "nothing but the two that overlap";
+  EXPECT_LT(length(shifts[0] - Vec3{-shifts[1].x, shifts[1].y, shifts[1].z}), 1e-6);
+  EXPECT_LE(length(shifts[0]), 0.01);
+}
+
+TEST_F(GarmentStarts, TrousersPlacedAsideAreRefusedForThreadsThroughTheLegs) {
+  DrapeInput input = garment("pants", 25);
+  for (Placement& p : input.placements) std::get<RigidPlacement>(p).translation.x += 0.1;
+  const auto start = prepare_start(input, {}).value();
+  EXPECT_GE(count(start.findings, "seam.thread_through_body", Severity::kError), 1);
+}
+
+TEST_F(GarmentStarts, ASkirtForAChildIsTooTightForThisBody) {
+  DrapeInput input = garment("skirt_2panel", 20);
+  for (Panel& panel : input.pattern.panels) {
+    const double middle =
+        0.5 * (panel.outline.edges[0].curves[0].p0.x + panel.outline.edges[2].curves[0].p0.x);
+    for (PanelEdge& edge : panel.outline.edges) {
+      for (CubicBezier& c : edge.curves) {
+        for (Vec2* p : {&c.p0, &c.p1, &c.p2, &c.p3}) p->x = middle + 0.6 * (p->x - middle);
+      }
+    }
+  }
+  const auto start = prepare_start(input, {}).value();
+  EXPECT_GE(count(start.findings, "ring.tight", Severity::kWarning), 1);
+}
+
+TEST_F(LongGarmentStarts, TheTrousersDrapeOnceTheirTipsAreParted) {
+  const DrapeInput input = garment("pants", 25);
+  const auto result = drape(input, {}, nullptr);
+  ASSERT_TRUE(result.ok()) << to_string(result.error());
+  EXPECT_EQ(result->worst.cloth_body + result->worst.cloth_cloth, 0);
+  EXPECT_NE(result->stop_reason.substr(0, 7), "stalled") << result->stop_reason;
+  EXPECT_NE(result->stop_reason, "not finite");
+}
+
+}  // namespace
+}  // namespace toile
