@@ -14,6 +14,7 @@ Report make_report(const DrapeInput& input, const DrapeResult& result) {
   r.settled = result.settled;
   r.stop_reason = result.stop_reason;
   r.cpu_s = result.cpu_s, r.wall_s = result.wall_s;
+  r.resumed = result.resumed;
   r.steps = result.steps;
   r.simulated_s = result.simulated_time;
   r.particles = result.garment.vertex_count();
@@ -34,6 +35,7 @@ Report make_report(const DrapeInput& input, const DrapeResult& result) {
                                                  [](Vec3 a, Vec3 b) { return a.y < b.y; });
     r.lowest_m = low->y, r.highest_m = high->y;
   }
+  r.findings = result.findings;
   r.hash = hash_of(result.positions);
   return r;
 }

@@ -14,6 +14,7 @@ struct Report {
   bool settled = false;
   std::string stop_reason;
   double cpu_s = 0, wall_s = 0;
+  int resumed = 0;  ///< how often the drape went on from a checkpoint
   int steps = 0;
   double simulated_s = 0;
   int particles = 0;       ///< of the flat pieces
@@ -28,6 +29,7 @@ struct Report {
   StrainFigures warp, weft, shear;
   double rms_speed = 0, max_speed = 0;  ///< m/s
   double lowest_m = 0, highest_m = 0;   ///< of the cloth
+  Findings findings;                    ///< of the look at the start, worst first
   std::string hash;                     ///< of the final positions
 };
 

@@ -9,6 +9,7 @@
 #include "core/material/fabric.h"
 #include "core/pattern/pattern.h"
 #include "core/sewing/attachment.h"
+#include "core/sewing/notions.h"
 #include "core/sewing/placement.h"
 
 namespace toile {
@@ -21,6 +22,7 @@ struct DrapeInput {
   std::vector<Index> fabric_of_panel;  ///< index into fabrics, one per panel
   std::vector<Body> bodies;
   std::vector<Attachment> attachments;
+  Notions notions;
   DrapeSettings settings;
 };
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/base/types.h"
+#include "core/preflight/finding.h"
 #include "core/sewing/garment_mesh.h"
 
 namespace toile {
@@ -30,11 +31,13 @@ struct DrapeResult {
   int steps = 0;
   double simulated_time = 0;  ///< s
   double cpu_s = 0, wall_s = 0;
+  int resumed = 0;                      ///< how often it went on from a checkpoint
   double rms_speed = 0, max_speed = 0;  ///< m/s at the end
   CrossingCount at_end;
   CrossingCount worst;  ///< of all recorded frames
   int worst_frame_step = 0;
   int frames_checked = 0;
+  Findings findings;        ///< of the look at the start, worst first
   double seam_gap_max = 0;  ///< m
 };
 

@@ -1,6 +1,14 @@
 #pragma once
 
+#include "core/solver/constraints/air.h"
+
 namespace toile {
+
+enum class DrapeMode {
+  kDrape,    ///< only the end matters: added damping brings the cloth to rest
+  kDynamic,  ///< true time once it is sewn: full gravity at once, and nothing slows the cloth but air and
+             ///< rubbing
+};
 
 /// How to drape. Every field has a default that suits a garment.
 struct DrapeSettings {
@@ -11,6 +19,9 @@ struct DrapeSettings {
   double settle_speed = 0.005;       ///< m/s, RMS speed under which the cloth counts as at rest
   double max_time = 8.0;             ///< s of simulated time after which an unsettled drape ends
   int frame_interval = 50;           ///< substeps between frames that viewers see
+  DrapeMode mode = DrapeMode::kDrape;
+  bool until_settled = true;  ///< ends when the cloth is at rest; otherwise at max_time
+  AirDrag air = {};           ///< while draping, not while sewing
 };
 
 }  // namespace toile

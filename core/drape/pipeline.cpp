@@ -4,6 +4,7 @@
 
 #include "core/base/stopwatch.h"
 #include "core/mesh/make_panel_meshes.h"
+#include "core/preflight/preflight.h"
 #include "core/sewing/assembly.h"
 
 namespace toile {
@@ -28,29 +29,65 @@ class GoTimer {
 
 }  // namespace
 
+Result<DrapeStart> prepare_start(const DrapeInput& input, const RunContext& context) {
+  context.progress("mesh", 0);
+  auto meshes = make_panel_meshes(input.pattern, input.settings.particle_distance, context);
+  if (!meshes) return meshes.error();
+  context.progress("place", 0);
+  auto assembly = assemble(*meshes, input.placements, input.attachments, input.notions);
+  if (!assembly) return assembly.error();
+  DrapeStart start{std::move(*meshes), std::move(*assembly), {}};
+  start.findings = run_preflight(
+      {input.pattern, start.meshes, input.bodies, input.settings.particle_distance}, start.assembly);
+  return start;
+}
+
 Result<std::unique_ptr<DrapeRun>> DrapeRun::start(const DrapeInput& input, const RunContext& context,
                                                   FrameSink* sink) {
   std::unique_ptr<DrapeRun> run(new DrapeRun(input, sink));
   if (const Status prepared = run->prepare(context); !prepared) return prepared.error();
+  const GoTimer timer(run->result_);
+  run->record_frame();
   return run;
+}
+
+Result<std::unique_ptr<DrapeRun>> DrapeRun::resume(const DrapeInput& input, std::string_view checkpoint,
+                                                   const RunContext& context, FrameSink* sink) {
+  std::unique_ptr<DrapeRun> run(new DrapeRun(input, sink));
+  if (const Status prepared = run->prepare(context); !prepared) return prepared.error();
+  if (const Status restored = run->restore(checkpoint); !restored) return restored.error();
+  return run;
+}
+
+Status DrapeRun::restore(std::string_view checkpoint) {
+  const GoTimer timer(result_);
+  Result<RunState> state = decode_checkpoint(checkpoint, session_->start_hash());
+  if (!state) return state.error();
+  if (const Status restored = session_->restore(std::move(state->session)); !restored) return restored;
+  result_.at_end = state->at_end, result_.worst = state->worst;
+  result_.worst_frame_step = state->worst_frame_step, result_.frames_checked = state->frames_checked;
+  result_.cpu_s += state->cpu_s, result_.wall_s += state->wall_s;
+  result_.resumed = state->resumed + 1;
+  recorded_ = state->recorded;
+  return {};
+}
+
+std::string DrapeRun::checkpoint() const {
+  return encode_checkpoint(
+      session_->start_hash(),
+      {session_->state(), result_.at_end, result_.worst, result_.worst_frame_step, result_.frames_checked,
+       result_.resumed, recorded_, result_.cpu_s, result_.wall_s});
 }
 
 Status DrapeRun::prepare(const RunContext& context) {
   const GoTimer timer(result_);
-  context.progress("mesh", 0);
-  const auto meshes = make_panel_meshes(input_.pattern, input_.settings.particle_distance, context);
-  if (!meshes) return meshes.error();
-
-  context.progress("place", 0);
-  auto assembly = assemble(*meshes, input_.placements, input_.attachments);
-  if (!assembly) return assembly.error();
-  auto session = DrapeSession::start(input_, *meshes, std::move(*assembly));
-  if (!session) return session.error();
-
-  session_ = std::move(*session);
+  auto start = prepare_start(input_, context);
+  if (!start) return start.error();
+  if (auto refused = first_error(start->findings)) return *refused;
+  result_.findings = std::move(start->findings);
+  session_ = DrapeSession::start(input_, start->meshes, std::move(start->assembly));
   result_.garment = session_->garment();
   if (sink_) sink_->begin(result_.garment);
-  record_frame();
   return {};
 }
 

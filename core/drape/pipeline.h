@@ -3,6 +3,8 @@
 // Pattern → PanelMeshes → Assembly → ClothState → Frames → result.
 
 #include <memory>
+#include <string>
+#include <string_view>
 
 #include "core/base/result.h"
 #include "core/base/run_context.h"
@@ -10,8 +12,22 @@
 #include "core/drape/drape_result.h"
 #include "core/drape/frame_sink.h"
 #include "core/drape/session.h"
+#include "core/mesh/panel_mesh.h"
+#include "core/preflight/finding.h"
+#include "core/sewing/assembly.h"
 
 namespace toile {
+
+/// What a drape begins with.
+struct DrapeStart {
+  PanelMeshes meshes;
+  Assembly assembly;  ///< repaired where that could be done
+  Findings findings;  ///< of run_preflight, worst first; with an error among them no drape begins
+};
+
+/// Meshes, places and looks at the start. Progress phases: "mesh", "place". Errors: pattern.*, mesh.*,
+/// placement.* with the piece or seam at fault; "cancelled". What is wrong with the start is no error here.
+Result<DrapeStart> prepare_start(const DrapeInput& input, const RunContext& context);
 
 /// A drape from its input to its result, in as many goes as the caller likes: between two of them it may lie
 /// in memory, and any thread may take it up again. How it is cut into goes changes nothing in the result but
@@ -23,6 +39,14 @@ class DrapeRun {
   /// piece or seam at fault; "cancelled" when the context was cancelled on the way.
   static Result<std::unique_ptr<DrapeRun>> start(const DrapeInput& input, const RunContext& context,
                                                  FrameSink* sink);
+
+  /// Goes on from a checkpoint of a drape of the same input: it ends in the same bytes as if it had never
+  /// been broken off. Meshes, places and checks as at the start; no frame is recorded for the moment itself.
+  /// Errors: those of start(); checkpoint.damaged, checkpoint.version, checkpoint.other_input.
+  static Result<std::unique_ptr<DrapeRun>> resume(const DrapeInput& input, std::string_view checkpoint,
+                                                  const RunContext& context, FrameSink* sink);
+  /// The drape as it stands between two goes (core/drape/checkpoint.h), for resume().
+  std::string checkpoint() const;
 
   bool done() const { return session_->done(); }
   /// At most `max_steps` substeps: fewer when the drape is done or the context is cancelled before. Progress
@@ -39,6 +63,7 @@ class DrapeRun {
  private:
   DrapeRun(const DrapeInput& input, FrameSink* sink) : input_(input), sink_(sink) {}
   Status prepare(const RunContext& context);
+  Status restore(std::string_view checkpoint);
   void record_frame();
 
   const DrapeInput& input_;

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/base/check.h"
+#include "core/drape/input_hash.h"
+#include "core/drape/make_features.h"
 #include "core/drape/weld.h"
 
 namespace toile {
@@ -19,31 +20,27 @@ constexpr double kSewDamping = 6;  // 1/s
 /// Hz).
 constexpr double kFallDamping = 2, kRestDamping = 8;  // 1/s
 constexpr double kFallTime = 0.8;                     // s after gravity is full
+/// Elastic, creases and air come in over this time, once the garment is sewn.
+constexpr double kFormTime = 0.5;  // s
 /// Seams this close are shut.
 constexpr double kSeamShut = 0.3e-3;  // m
 /// Threads have this much longer than sew_time before a seam counts as stalled.
 constexpr double kStallTime = 1.5;  // s
 /// A seam is open when its sides are further apart than this.
 constexpr double kSeamTolerance = 0.5e-3;  // m
+/// A button is open when its thread is longer than it is by more than this: layers between may be thick.
+constexpr double kButtonTolerance = 3e-3;  // m
 /// A seam that is still this far open when the threads have had their time will not close. A narrower one
 /// may, once gravity and friction have moved the cloth: its threads stay.
 constexpr double kSeamLost = 10e-3;     // m
 constexpr double kWeldInterval = 0.25;  // s between tries to weld what was left open
 constexpr double kPullPerMetre = 150;   // N/m, pull of all threads along a seam's length
 
-std::string place_text(Vec3 p) {
-  char text[80];
-  std::snprintf(text, sizeof text, "at (%.3f, %.3f, %.3f) m", p.x, p.y, p.z);
-  return text;
-}
-
 }  // namespace
 
-Result<std::unique_ptr<DrapeSession>> DrapeSession::start(const DrapeInput& input, const PanelMeshes& meshes,
-                                                          Assembly assembly) {
-  std::unique_ptr<DrapeSession> session(new DrapeSession(input, meshes, std::move(assembly)));
-  if (const Status status = session->check_start(); !status) return status.error();
-  return session;
+std::unique_ptr<DrapeSession> DrapeSession::start(const DrapeInput& input, const PanelMeshes& meshes,
+                                                  Assembly assembly) {
+  return std::unique_ptr<DrapeSession>(new DrapeSession(input, meshes, std::move(assembly)));
 }
 
 DrapeSession::DrapeSession(const DrapeInput& input, const PanelMeshes& meshes, Assembly assembly)
@@ -51,6 +48,7 @@ DrapeSession::DrapeSession(const DrapeInput& input, const PanelMeshes& meshes, A
       assembly_(std::move(assembly)),
       surface_(make_surface(assembly_.garment.triangles, assembly_.garment.vertex_count(),
                             assembly_.garment.weld)),
+      start_hash_(input_hash(input, assembly_)),
       released_(input.attachments.size(), false),
       watch_(input.settings.time_step, input.settings.settle_speed) {
   for (const PanelMesh& mesh : meshes.panels) warps_.push_back(mesh.warp);
@@ -62,43 +60,8 @@ DrapeSession::DrapeSession(const DrapeInput& input, const PanelMeshes& meshes, A
   const Weld open = no_weld(assembly_.positions);
   vertex_of_ = open.vertex_of;
   build_solver(model_of(vertex_of_, open.vertex_count), open.positions, {});
-  solver_->set_stitches(stitches_of(assembly_.garment.sewn));
-  if (assembly_.garment.sewn.empty()) phase_ = Phase::kDrape;
-}
-
-Status DrapeSession::check_start() const {
-  const GarmentMesh& g = assembly_.garment;
-  const auto piece = [&](Index t) { return "piece " + input_.pattern.panels[g.panel_of_triangle[t]].id; };
-  const auto place = [&](Index t) { return place_text(assembly_.positions[g.triangles[t][0]]); };
-  for (std::size_t b = 0; b < crossing_bodies_.size(); ++b) {
-    const auto found = body_crossings(surface_, assembly_.positions, crossing_bodies_[b]);
-    if (!found.empty()) {
-      return Error{
-          "start.crosses_body",
-          "the piece passes through body " + input_.bodies[b].id + " where it is placed; move it clear of it",
-          piece(found[0][0]) + " " + place(found[0][0])};
-    }
-  }
-  const auto found = self_crossings(surface_, assembly_.positions);
-  if (!found.empty()) {
-    return Error{"start.crosses_cloth",
-                 "two pieces pass through each other where they are placed; move them apart",
-                 piece(found[0][0]) + " and " + piece(found[0][1]) + " " + place(found[0][0])};
-  }
-  return check_gaps();
-}
-
-/// What touches at the start has no side to be kept on.
-Status DrapeSession::check_gaps() const {
-  ContactFinder finder(surface_, obstacles_, contact_settings(solver_->model()));
-  Contacts contacts;
-  finder.measure(assembly_.positions, std::vector<double>(assembly_.positions.size(), 0.0), contacts);
-  if (contacts.least_gap >= kContactFloor) return {};
-  const Index v = contacts.least_gap_vertex;
-  return Error{"start.touches",
-               "the piece touches a body or another piece where it is placed; leave a millimetre or more",
-               "piece " + input_.pattern.panels[assembly_.garment.panel_of_vertex[v]].id + " " +
-                   place_text(assembly_.positions[v])};
+  solver_->set_stitches(stitches_now());
+  if (assembly_.garment.sewn.empty() && input.notions.buttons.empty()) phase_ = Phase::kDrape;
 }
 
 ClothModel DrapeSession::model_of(std::span<const Index> vertex_of, Index vertex_count) const {
@@ -107,20 +70,28 @@ ClothModel DrapeSession::model_of(std::span<const Index> vertex_of, Index vertex
 }
 
 void DrapeSession::build_solver(ClothModel model, std::vector<Vec3> positions, std::vector<Vec3> velocities) {
+  std::vector<Vec3> layout(positions.size());  // of the start, so that a checkpoint need not keep it
+  for (std::size_t i = vertex_of_.size(); i-- > 0;) layout[vertex_of_[i]] = assembly_.positions[i];
   solver_ = std::make_unique<ClothSolver>(std::move(model), std::move(positions), obstacles_,
-                                          input_.settings.time_step);
+                                          input_.settings.time_step, layout);
   if (!velocities.empty()) solver_->set_velocities(std::move(velocities));
   solver_->set_holds(held_now());
+  solver_->set_features(make_features(input_, assembly_, vertex_of_, solver_->model().vertex_count()));
   watch_.restart(solver_->positions());
 }
 
-std::vector<Stitch> DrapeSession::stitches_of(const std::vector<std::array<Index, 2>>& sewn) const {
+/// Each thread pulls for the seam that it holds: where a side is sampled finely, more and weaker threads
+/// pull.
+std::vector<Stitch> DrapeSession::stitches_now() const {
+  const GarmentMesh& g = assembly_.garment;
+  const std::vector<double> held = seam_held_by_pairs(g);
   std::vector<Stitch> stitches;
-  const double force = kPullPerMetre * input_.settings.particle_distance;
-  for (const auto& [i, j] : sewn) {
+  for (std::size_t k = 0; k < g.sewn.size(); ++k) {
+    const auto [i, j] = g.sewn[k];
     if (vertex_of_[i] == vertex_of_[j]) continue;
-    stitches.push_back(
-        {vertex_of_[i], vertex_of_[j], length(assembly_.positions[i] - assembly_.positions[j]), force});
+    const double seam = held[k] > 0 ? held[k] : input_.settings.particle_distance;
+    stitches.push_back({vertex_of_[i], vertex_of_[j], length(assembly_.positions[i] - assembly_.positions[j]),
+                        kPullPerMetre * seam});
   }
   return stitches;
 }
@@ -149,7 +120,9 @@ std::vector<HeldVertex> DrapeSession::held_now() const {
   return held;
 }
 
-double DrapeSession::time_of_full_gravity() const { return phase_start_ + kGravityRamp; }
+bool DrapeSession::dynamic() const { return input_.settings.mode == DrapeMode::kDynamic; }
+
+double DrapeSession::time_of_full_gravity() const { return phase_start_ + (dynamic() ? 0 : kGravityRamp); }
 
 StepForces DrapeSession::forces_now() const {
   StepForces forces;
@@ -157,12 +130,46 @@ StepForces DrapeSession::forces_now() const {
   if (phase_ == Phase::kSew) {
     forces.gravity = 0, forces.friction = 0, forces.damping = kSewDamping;
     forces.stitch_length = std::max(0.0, 1 - since / input_.settings.sew_time);
+    forces.features = {forces.stitch_length, 0, false};
+    return forces;
+  }
+  forces.features = {0, std::min(1.0, since / kFormTime), input_.settings.air.density > 0};
+  if (dynamic()) {
+    forces.gravity = input_.settings.gravity, forces.damping = 0;
     return forces;
   }
   forces.gravity = input_.settings.gravity * std::min(1.0, since / kGravityRamp);
   const double falling = since - kGravityRamp;
   forces.damping = falling < kFallTime ? kFallDamping : kRestDamping;
   return forces;
+}
+
+SessionState DrapeSession::state() const {
+  std::vector<bool> joined(vertex_of_.size());
+  for (std::size_t i = 0; i < joined.size(); ++i) {
+    joined[i] = vertex_of_[i] == vertex_of_[assembly_.garment.weld[i]];
+  }
+  return {phase_,     stop_reason_, steps_,    time_,          phase_start_,
+          last_weld_, joined,       released_, watch_.state(), solver_->state()};
+}
+
+Status DrapeSession::restore(SessionState state) {
+  if (state.joined.size() != vertex_of_.size() || state.released.size() != released_.size()) {
+    return damaged_checkpoint();
+  }
+  const Weld weld = joined_as(assembly_.garment, state.joined);
+  const auto count = static_cast<std::size_t>(weld.vertex_count);
+  if (state.solver.positions.size() != count) return damaged_checkpoint();
+  vertex_of_ = weld.vertex_of;
+  released_ = state.released;
+  build_solver(model_of(vertex_of_, weld.vertex_count), state.solver.positions, {});
+  solver_->set_stitches(stitches_now());
+  solver_->restore(std::move(state.solver));
+  watch_.restore(std::move(state.watch));
+  phase_ = state.phase, stop_reason_ = std::move(state.stop_reason);
+  steps_ = state.steps, time_ = state.time;
+  phase_start_ = state.phase_start, last_weld_ = state.last_weld;
+  return {};
 }
 
 void DrapeSession::step() {
@@ -184,7 +191,8 @@ void DrapeSession::sew_or_weld() {
   const double since = time_ - phase_start_;
   if (since < input_.settings.sew_time) return;
   const double gap = largest_gap(solver_->stitches(), solver_->positions());
-  if (gap > kSeamShut && since < input_.settings.sew_time + kStallTime) return;
+  const bool shut = gap <= kSeamShut && open_button().excess <= kSeamShut;
+  if (!shut && since < input_.settings.sew_time + kStallTime) return;
   if (gap > kSeamLost) {
     phase_ = Phase::kDone, stop_reason_ = "stalled seam " + name_of_widest_seam();
     return;
@@ -209,7 +217,7 @@ void DrapeSession::weld() {
   }
   for (std::size_t v = 0; v < momentum.size(); ++v) momentum[v] = momentum[v] * (1 / mass[v]);
   build_solver(std::move(model), std::move(weld.positions), std::move(momentum));
-  solver_->set_stitches(stitches_of(assembly_.garment.sewn));
+  solver_->set_stitches(stitches_now());
 }
 
 void DrapeSession::weld_what_closed() {
@@ -234,10 +242,10 @@ void DrapeSession::settle_or_stop() {
     solver_->set_holds(held_now());
     watch_.restart(solver_->positions());
   }
-  const bool calm_medium = time_ >= time_of_full_gravity() + kFallTime;
-  if (!holding && calm_medium && watch_.settled()) {
+  const bool calm_medium = time_ >= time_of_full_gravity() + (dynamic() ? kFormTime : kFallTime);
+  if (input_.settings.until_settled && !holding && calm_medium && watch_.settled()) {
     phase_ = Phase::kDone;
-    stop_reason_ = seam_gap() > kSeamTolerance ? "open seam " + name_of_widest_seam() : "settled";
+    stop_reason_ = reason_at_rest();
   } else if (time_ >= input_.settings.max_time) {
     phase_ = Phase::kDone, stop_reason_ = "time";
   }
@@ -249,6 +257,16 @@ Progress DrapeSession::progress() const {
   if (phase_ == Phase::kDone) return {"drape", 1};
   const double left = std::max(1e-3, input_.settings.max_time - phase_start_);
   return {"drape", std::min(1.0, since / left)};
+}
+
+OpenTie DrapeSession::open_button() const {
+  return widest_tie(solver_->features().ties, solver_->positions());
+}
+
+std::string DrapeSession::reason_at_rest() const {
+  if (seam_gap() > kSeamTolerance) return "open seam " + name_of_widest_seam();
+  const OpenTie open = open_button();
+  return open.excess > kButtonTolerance ? "open button " + input_.notions.buttons[open.tie].id : "settled";
 }
 
 double DrapeSession::seam_gap() const {

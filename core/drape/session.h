@@ -9,6 +9,7 @@
 #include "core/base/result.h"
 #include "core/base/run_context.h"
 #include "core/collision/crossings.h"
+#include "core/drape/checkpoint.h"
 #include "core/drape/drape_input.h"
 #include "core/drape/drape_result.h"
 #include "core/drape/settle.h"
@@ -19,17 +20,25 @@ namespace toile {
 
 class DrapeSession {
  public:
-  /// Prepares a drape. `input` must outlive the session. Errors: start.crosses_body, start.crosses_cloth with
-  /// the pieces and the place: from a start without crossings none will come.
-  static Result<std::unique_ptr<DrapeSession>> start(const DrapeInput& input, const PanelMeshes& meshes,
-                                                     Assembly assembly);
+  /// Prepares a drape. `input` must outlive the session. `assembly` has passed run_preflight without an
+  /// error: from a start without crossings none will come.
+  static std::unique_ptr<DrapeSession> start(const DrapeInput& input, const PanelMeshes& meshes,
+                                             Assembly assembly);
 
   /// One substep. REQUIRES !done().
   void step();
 
+  /// All that the session must remember, for restore().
+  SessionState state() const;
+  /// Goes on where another session stood that was started from the same input. Error: checkpoint.damaged when
+  /// the state does not fit this garment.
+  Status restore(SessionState state);
+  /// Of the drape's start: the input and what was made of it (core/drape/input_hash.h).
+  const std::string& start_hash() const { return start_hash_; }
+
   bool done() const { return phase_ == Phase::kDone; }
   /// Once done: "settled", "time", "stalled seam NAME" (threads could not close it), "open seam NAME" (at
-  /// rest, but not shut), "not finite".
+  /// rest, but not shut), "open button NAME", "not finite".
   const std::string& stop_reason() const { return stop_reason_; }
   bool settled() const { return stop_reason_ == "settled"; }
 
@@ -41,18 +50,17 @@ class DrapeSession {
   double max_speed() const { return watch_.max_speed(); }
   double seam_gap() const;  ///< m, the largest
 
-  std::vector<Vec3> positions() const;    ///< m, of the garment's vertices
+  std::vector<Vec3> positions() const;  ///< m, of the garment's vertices
+  const std::vector<Vec3>& start_positions() const { return assembly_.positions; }
   CrossingCount count_crossings() const;  ///< exact, now
 
  private:
-  enum class Phase { kSew, kDrape, kDone };
+  using Phase = DrapePhase;
 
   DrapeSession(const DrapeInput& input, const PanelMeshes& meshes, Assembly assembly);
-  Status check_start() const;
-  Status check_gaps() const;
   void build_solver(ClothModel model, std::vector<Vec3> positions, std::vector<Vec3> velocities);
   ClothModel model_of(std::span<const Index> vertex_of, Index vertex_count) const;
-  std::vector<Stitch> stitches_of(const std::vector<std::array<Index, 2>>& sewn) const;
+  std::vector<Stitch> stitches_now() const;
   std::vector<HeldVertex> held_now() const;
   StepForces forces_now() const;
   void sew_or_weld();
@@ -60,11 +68,15 @@ class DrapeSession {
   void weld_what_closed();
   void settle_or_stop();
   double time_of_full_gravity() const;
+  bool dynamic() const;
+  OpenTie open_button() const;
+  std::string reason_at_rest() const;
   std::string name_of_widest_seam() const;
 
   const DrapeInput& input_;
   Assembly assembly_;
   Surface surface_;  ///< of the garment's own vertices, for counting crossings
+  std::string start_hash_;
   std::vector<Vec2> warps_;
   std::vector<Obstacle> obstacles_;
   std::vector<CrossingBody> crossing_bodies_;

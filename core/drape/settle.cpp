@@ -7,7 +7,7 @@ namespace toile {
 
 namespace {
 constexpr double kWindow = 0.05;  // s
-constexpr int kQuietWindows = 4;
+constexpr std::size_t kQuietWindows = SettleState::kMostWindows;
 }  // namespace
 
 SettleWatch::SettleWatch(double time_step, double speed)
@@ -16,29 +16,28 @@ SettleWatch::SettleWatch(double time_step, double speed)
       window_steps_(std::max(1, static_cast<int>(kWindow / time_step))) {}
 
 void SettleWatch::restart(std::span<const Vec3> x) {
-  step_ = 0;
-  rms_.clear();
-  max_speed_ = 0;
-  window_start_.assign(x.begin(), x.end());
+  seen_ = {};
+  seen_.window_start.assign(x.begin(), x.end());
 }
 
 void SettleWatch::observe(std::span<const Vec3> x) {
-  if (window_start_.size() != x.size()) restart(x);
-  if (++step_ % window_steps_ != 0) return;
+  if (seen_.window_start.size() != x.size()) restart(x);
+  if (++seen_.step % window_steps_ != 0) return;
   double sum = 0, most = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {
-    const Vec3 d = x[i] - window_start_[i];
+    const Vec3 d = x[i] - seen_.window_start[i];
     sum += dot(d, d), most = std::max(most, dot(d, d));
   }
   const double seconds = window_steps_ * time_step_;
-  rms_.push_back(x.empty() ? 0 : std::sqrt(sum / static_cast<double>(x.size())) / seconds);
-  max_speed_ = std::sqrt(most) / seconds;
-  window_start_.assign(x.begin(), x.end());
+  if (seen_.rms.size() == SettleState::kMostWindows) seen_.rms.erase(seen_.rms.begin());
+  seen_.rms.push_back(x.empty() ? 0 : std::sqrt(sum / static_cast<double>(x.size())) / seconds);
+  seen_.max_speed = std::sqrt(most) / seconds;
+  seen_.window_start.assign(x.begin(), x.end());
 }
 
 bool SettleWatch::settled() const {
-  if (rms_.size() < kQuietWindows) return false;
-  const double* last = rms_.data() + rms_.size() - kQuietWindows;
+  if (seen_.rms.size() < kQuietWindows) return false;
+  const double* last = seen_.rms.data() + seen_.rms.size() - kQuietWindows;
   const bool slow = std::all_of(last, last + kQuietWindows, [&](double v) { return v < speed_; });
   return slow && last[2] + last[3] <= 1.2 * (last[0] + last[1]);
 }

@@ -2,12 +2,24 @@
 // When is cloth at rest? Speeds are measured over windows of a twentieth of a second: over single steps they
 // carry the jitter of contacts, and a displacement alone would pass cloth that shakes on the spot.
 
+#include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/base/types.h"
 
 namespace toile {
+
+/// What a SettleWatch remembers.
+struct SettleState {
+  static constexpr std::size_t kMostWindows = 4;  ///< as many as settled() looks at
+
+  int step = 0;                    ///< steps since the last restart
+  std::vector<Vec3> window_start;  ///< m
+  std::vector<double> rms;         ///< m/s, of the newest windows, the last one last
+  double max_speed = 0;            ///< m/s
+};
 
 class SettleWatch {
  public:
@@ -21,15 +33,18 @@ class SettleWatch {
 
   /// Slow in each of the last four windows, and not speeding up.
   bool settled() const;
-  double rms_speed() const { return rms_.empty() ? 0 : rms_.back(); }  ///< m/s, of the last full window
-  double max_speed() const { return max_speed_; }
+  double rms_speed() const {
+    return seen_.rms.empty() ? 0 : seen_.rms.back();
+  }  ///< m/s, of the last full window
+  double max_speed() const { return seen_.max_speed; }
+
+  const SettleState& state() const { return seen_; }
+  void restore(SettleState state) { seen_ = std::move(state); }
 
  private:
   double time_step_, speed_;
-  int window_steps_, step_ = 0;
-  std::vector<Vec3> window_start_;
-  std::vector<double> rms_;
-  double max_speed_ = 0;
+  int window_steps_;
+  SettleState seen_;
 };
 
 }  // namespace toile

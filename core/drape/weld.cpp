@@ -56,6 +56,17 @@ Weld no_weld(std::span<const Vec3> positions) {
   return weld;
 }
 
+Weld joined_as(const GarmentMesh& garment, const std::vector<bool>& joined) {
+  Weld weld;
+  weld.vertex_of.assign(joined.size(), kNone);
+  for (std::size_t i = 0; i < joined.size(); ++i) {
+    const Index least = garment.weld[i];
+    const bool own = static_cast<Index>(i) == least || !joined[i];
+    weld.vertex_of[i] = own ? weld.vertex_count++ : weld.vertex_of[least];
+  }
+  return weld;
+}
+
 Weld weld_seams(const GarmentMesh& garment, std::span<const Vec3> positions, double reach,
                 std::span<const CrossingBody> bodies) {
   const std::vector<Vec3> mean = class_means(garment, positions);
@@ -67,19 +78,14 @@ Weld weld_seams(const GarmentMesh& garment, std::span<const Vec3> positions, dou
   while (open_crossing_classes(garment, joined, bodies, open))
     joined = with_means(garment, positions, mean, open);
 
-  Weld weld;
-  weld.vertex_of.assign(positions.size(), kNone);
+  std::vector<bool> shut(positions.size());
+  for (std::size_t i = 0; i < positions.size(); ++i) shut[i] = !open[garment.weld[i]];
+  Weld weld = joined_as(garment, shut);
+  weld.positions.resize(static_cast<std::size_t>(weld.vertex_count));
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const Index least = garment.weld[i];
-    if (static_cast<Index>(i) == least || open[least]) {
-      weld.vertex_of[i] = weld.vertex_count++;
-      weld.positions.push_back(joined[i]);
-      if (static_cast<Index>(i) != least && (weld.refused.empty() || weld.refused.back() != least)) {
-        weld.refused.push_back(least);
-      }
-    } else {
-      weld.vertex_of[i] = weld.vertex_of[least];
-    }
+    weld.positions[weld.vertex_of[i]] = joined[i];
+    if (static_cast<Index>(i) != least && open[least]) weld.refused.push_back(least);
   }
   std::sort(weld.refused.begin(), weld.refused.end());
   weld.refused.erase(std::unique(weld.refused.begin(), weld.refused.end()), weld.refused.end());

@@ -16,6 +16,10 @@ struct Weld {
   std::vector<Index> refused;    ///< weld classes (GarmentMesh::weld) that stayed open
 };
 
+/// The solver's vertices when each garment vertex that is marked in `joined` is one with the least vertex of
+/// its class. Positions and refused classes stay empty.
+Weld joined_as(const GarmentMesh& garment, const std::vector<bool>& joined);
+
 /// Every garment vertex for itself.
 Weld no_weld(std::span<const Vec3> positions);
 

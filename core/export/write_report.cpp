@@ -12,6 +12,15 @@ nlohmann::ordered_json strain_json(const StrainFigures& f) {
   return {{"mean", f.mean}, {"p99", f.p99}, {"max", f.max}};
 }
 
+nlohmann::ordered_json finding_json(const Finding& f) {
+  return {{"code", f.code},
+          {"severity", name_of(f.severity)},
+          {"message", f.message},
+          {"where", f.where},
+          {"place", {f.place.x, f.place.y, f.place.z}},
+          {"repaired", f.repaired}};
+}
+
 }  // namespace
 
 std::string report_json(const Report& r) {
@@ -21,6 +30,7 @@ std::string report_json(const Report& r) {
   j["stop_reason"] = r.stop_reason;
   j["cpu_s"] = r.cpu_s;
   j["wall_s"] = r.wall_s;
+  j["resumed"] = r.resumed;
   j["steps"] = r.steps;
   j["simulated_s"] = r.simulated_s;
   j["particles"] = r.particles;
@@ -41,6 +51,8 @@ std::string report_json(const Report& r) {
   j["max_speed"] = r.max_speed;
   j["lowest_m"] = r.lowest_m;
   j["highest_m"] = r.highest_m;
+  j["findings"] = nlohmann::ordered_json::array();
+  for (const Finding& f : r.findings) j["findings"].push_back(finding_json(f));
   j["hash"] = r.hash;
   return j.dump(2) + "\n";
 }

@@ -16,7 +16,8 @@ GridTriangulation::GridTriangulation(std::vector<GridPoint> points)
   }
 }
 
-std::optional<GridConflict> GridTriangulation::build(std::span<const std::array<Index, 2>> constraints) {
+std::optional<GridConflict> GridTriangulation::build(std::span<const std::array<Index, 2>> constraints,
+                                                     std::span<const std::array<Index, 2>> links) {
   add_frame();
   const std::vector<Index> order = morton_order(points_, count_);
   for (const Index v : order) {
@@ -26,6 +27,7 @@ std::optional<GridConflict> GridTriangulation::build(std::span<const std::array<
     if (auto conflict = lay(a, b)) return conflict;
   }
   if (auto conflict = mark_inside(constraints)) return conflict;
+  if (auto conflict = lay_links(links)) return conflict;
   restore_delaunay();
   return std::nullopt;
 }
@@ -236,6 +238,17 @@ std::optional<GridConflict> GridTriangulation::lay(Index a, Index b) {
     TOILE_CHECK(side);
   }
   fix(*side);
+  return std::nullopt;
+}
+
+/// After mark_inside, which would stop at them.
+std::optional<GridConflict> GridTriangulation::lay_links(std::span<const std::array<Index, 2>> links) {
+  for (const auto& [a, b] : links) {
+    if (auto conflict = lay(a, b)) return conflict;
+    for (const std::optional<Side>& side : {find_edge(a, b), find_edge(b, a)}) {
+      if (!triangles_[side->triangle].inside) return GridConflict{GridConflict::Kind::kOutside, a, b};
+    }
+  }
   return std::nullopt;
 }
 

@@ -20,6 +20,7 @@ struct GridConflict {
     kTouch,      ///< vertex a lies on the constraint that starts at vertex b
     kCross,      ///< constraint starting at a crosses one that ends or starts at b
     kNotClosed,  ///< the constraints do not part inside from outside; a lies on a faulty one
+    kOutside,    ///< the link that starts at a does not lie inside
   };
   Kind kind;
   Index a = kNone, b = kNone;
@@ -32,8 +33,10 @@ class GridTriangulation {
   static constexpr std::int64_t kGridExtent = std::int64_t{1} << 27;
 
   /// Triangulates all points, forces `constraints` (directed, inside to their left) to be edges, and finds
-  /// what lies inside. Call once.
-  std::optional<GridConflict> build(std::span<const std::array<Index, 2>> constraints);
+  /// what lies inside. `links` become edges as well, but bound nothing: they run through the inside. Call
+  /// once.
+  std::optional<GridConflict> build(std::span<const std::array<Index, 2>> constraints,
+                                    std::span<const std::array<Index, 2>> links = {});
 
   const GridPoint& point(Index v) const { return points_[v]; }
   /// Moves a vertex if all triangles around it stay counter-clockwise; says whether it did. Flips that make
@@ -84,6 +87,7 @@ class GridTriangulation {
   void legalize();
   bool should_flip(Index t, int corner) const;
   std::optional<GridConflict> lay(Index a, Index b);
+  std::optional<GridConflict> lay_links(std::span<const std::array<Index, 2>> links);
   std::optional<GridConflict> crossed_edges(Index a, Index b,
                                             std::vector<std::array<Index, 2>>& crossed) const;
   std::optional<Side> find_edge(Index a, Index b) const;

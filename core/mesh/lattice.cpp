@@ -86,7 +86,8 @@ std::vector<std::pair<Index, double>> row_crossings(const std::vector<Segment>& 
 
 }  // namespace
 
-std::vector<Vec2> lattice_points(std::span<const Polygon> loops, double spacing, double margin) {
+std::vector<Vec2> lattice_points(std::span<const Polygon> loops, double spacing, double margin,
+                                 std::span<const std::vector<Vec2>> lines) {
   const std::vector<Segment> segments = segments_of(loops);
   if (segments.empty()) return {};
   std::vector<Vec2> corners;
@@ -96,7 +97,11 @@ std::vector<Vec2> lattice_points(std::span<const Polygon> loops, double spacing,
   const double dy = size.y / std::max(1.0, std::round(size.y / (spacing * std::sqrt(0.75))));
   const double dx = size.x / std::max(1.0, std::round(size.x / spacing));
   if (!(dx > 0 && dy > 0)) return {};
-  const SegmentGrid grid(segments, low, spacing, margin);
+  std::vector<Segment> avoided = segments;
+  for (const std::vector<Vec2>& line : lines) {
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) avoided.push_back({line[i], line[i + 1]});
+  }
+  const SegmentGrid grid(avoided, low, spacing, margin);
   const auto crossings = row_crossings(segments, low.y, dy);
   std::vector<Vec2> points;
   for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/mesh/resample.h"
+#include "core/mesh/sample_lines.h"
 #include "core/mesh/triangulate.h"
 
 namespace toile {
@@ -57,12 +58,14 @@ std::vector<std::vector<Index>> edge_vertices_of(const Panel& panel, const EdgeP
 }
 
 Result<PanelMesh> mesh_panel(const Panel& panel, const EdgePoints& edges,
-                             const std::vector<Polygon>& polygons, double particle_distance,
+                             const std::vector<Polygon>& polygons,
+                             const std::vector<std::vector<Vec2>>& lines, double particle_distance,
                              const RunContext& context) {
-  Result<FlatMesh> flat = triangulate(polygons, particle_distance, context);
+  Result<FlatMesh> flat = triangulate(polygons, particle_distance, context, lines);
   if (!flat) return Error{flat.error().code, flat.error().message, "piece " + panel.id};
   PanelMesh mesh;
   mesh.edge_vertices = edge_vertices_of(panel, edges, flat->border);
+  mesh.line_vertices = std::move(flat->lines);
   mesh.rest = std::move(flat->points);
   mesh.triangles = std::move(flat->triangles);
   const Vec2 warp = normalized(panel.grain);
@@ -99,8 +102,10 @@ Status check_size(const std::vector<std::vector<Polygon>>& panels, double partic
 
 Result<PanelMeshes> make_panel_meshes(const Pattern& pattern, double particle_distance,
                                       const RunContext& context) {
-  const Result<SampledPattern> sampled = resample(pattern, particle_distance);
+  Result<SampledPattern> sampled = resample(pattern, particle_distance);
   if (!sampled) return sampled.error();
+  const auto lines = sample_lines(pattern, particle_distance, *sampled);
+  if (!lines) return lines.error();
   const std::size_t count = pattern.panels.size();
   std::vector<std::vector<Polygon>> polygons;
   for (std::size_t p = 0; p < count; ++p) {
@@ -110,8 +115,8 @@ Result<PanelMeshes> make_panel_meshes(const Pattern& pattern, double particle_di
   PanelMeshes meshes;
   for (std::size_t p = 0; p < count; ++p) {
     context.progress("mesh", static_cast<double>(p) / static_cast<double>(count));
-    Result<PanelMesh> mesh =
-        mesh_panel(pattern.panels[p], sampled->edges[p], polygons[p], particle_distance, context);
+    Result<PanelMesh> mesh = mesh_panel(pattern.panels[p], sampled->edges[p], polygons[p], (*lines)[p],
+                                        particle_distance, context);
     if (!mesh) return mesh.error();
     meshes.panels.push_back(std::move(*mesh));
   }

@@ -17,6 +17,9 @@ struct PanelMesh {
   /// For every edge of the panel (outline, then holes, as edges_of counts): its vertices in order from the
   /// edge's start to its end, both ends included.
   std::vector<std::vector<Index>> edge_vertices;
+
+  /// For every line of the panel: its vertices from start to end; edges of the mesh join them.
+  std::vector<std::vector<Index>> line_vertices = {};
 };
 
 /// A vertex of a panel.

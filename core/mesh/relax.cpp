@@ -27,14 +27,15 @@ std::vector<double> wanted_lengths(std::span<const GridPoint> points, std::span<
                                    double spacing) {
   std::vector<double> wanted(points.size(), spacing);
   std::vector<double> own(border, 0.0);
+  std::vector<int> count(border, 0);
   for (const auto& [a, b] : segments) {
-    const double half = distance(points[a], points[b]) / 2;
-    own[a] += half;
-    own[b] += half;
+    const double whole = distance(points[a], points[b]);
+    own[a] += whole, ++count[a];
+    own[b] += whole, ++count[b];
   }
   bool graded = false;
   for (Index v = 0; v < border; ++v) {
-    wanted[v] = std::min(spacing, own[v]);
+    wanted[v] = std::min(spacing, own[v] / std::max(1, count[v]));
     graded = graded || wanted[v] < 0.8 * spacing;
   }
   while (graded) {  // shortest ways on the mesh; few rounds, as lengths soon reach `spacing`
@@ -98,7 +99,7 @@ std::vector<Change> changes(std::span<const GridPoint> points, std::span<const M
 
 /// True when p keeps its distance from the border edges of the triangles at the edge's two corners.
 bool is_clear(const GridPoint& p, const MeshEdge& e, std::span<const GridPoint> points,
-              std::span<const std::array<Index, 2>> border_next, double clearance) {
+              std::span<const std::vector<Index>> border_next, double clearance) {
   for (const Index v : {e.v0, e.v1, e.opposite0, e.opposite1}) {
     if (v >= static_cast<Index>(border_next.size())) continue;
     for (const Index w : border_next[v]) {
@@ -111,11 +112,11 @@ bool is_clear(const GridPoint& p, const MeshEdge& e, std::span<const GridPoint> 
   return true;
 }
 
-/// The border vertices before and after each.
-std::vector<std::array<Index, 2>> border_neighbours(std::span<const std::array<Index, 2>> segments,
-                                                    Index border) {
-  std::vector<std::array<Index, 2>> next(border);
-  for (const auto& [a, b] : segments) next[a][1] = b, next[b][0] = a;
+/// The border vertices before and after each; more where a line meets the border.
+std::vector<std::vector<Index>> border_neighbours(std::span<const std::array<Index, 2>> segments,
+                                                  Index border) {
+  std::vector<std::vector<Index>> next(border);
+  for (const auto& [a, b] : segments) next[a].push_back(b), next[b].push_back(a);
   return next;
 }
 
@@ -126,7 +127,7 @@ std::optional<std::vector<GridPoint>> adapted_points(std::span<const GridPoint> 
                                                      std::span<const std::array<Index, 2>> segments,
                                                      Index border, std::span<const double> wanted) {
   const std::vector<MeshEdge> edges = edges_of(triangles, static_cast<Index>(points.size()));
-  const std::vector<std::array<Index, 2>> border_next = border_neighbours(segments, border);
+  const std::vector<std::vector<Index>> border_next = border_neighbours(segments, border);
   std::vector<bool> touched(points.size(), false), removed(points.size(), false);
   std::vector<GridPoint> added;
   bool any_removed = false;

@@ -13,8 +13,8 @@
 namespace toile {
 
 /// Wanted edge length at each of `points`, in grid units: `spacing`, but near a border that is divided
-/// finer as fine as there, growing by kGrading per unit of way. The first `border` points are border points,
-/// whose own edges are `segments`.
+/// finer as fine as there, growing by kGrading per unit of way. The first `border` points are border points
+/// (and those of lines through the piece), whose own edges are `segments`.
 std::vector<double> wanted_lengths(std::span<const GridPoint> points, std::span<const Tri> triangles,
                                    std::span<const std::array<Index, 2>> segments, Index border,
                                    double spacing);

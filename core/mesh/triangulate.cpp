@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <string>
+#include <utility>
 
 #include "core/base/units.h"
 #include "core/geometry/polygon2.h"
@@ -22,12 +24,21 @@ constexpr double kFlatness = 1e-9;  ///< area per squared perimeter under which 
 
 using Segments = std::vector<std::array<Index, 2>>;
 
-/// The piece on the grid: border points first, then inner ones.
+/// The piece on the grid: border points first, then those of lines, then inner ones.
 struct GridPiece {
   Vec2 origin;  ///< m, of the grid
   std::vector<GridPoint> points;
-  Segments segments;
-  Index border = 0;
+  Segments segments;  ///< of the border
+  Segments links;     ///< of the lines
+  std::vector<std::vector<Index>> lines;
+  Index border = 0;  ///< points of the border
+  Index fixed = 0;   ///< points that stay where they are: the border's and the lines'
+
+  Segments all_segments() const {
+    Segments all = segments;
+    all.insert(all.end(), links.begin(), links.end());
+    return all;
+  }
 };
 
 std::string place_name(Vec2 p) {
@@ -86,8 +97,43 @@ GridPiece border_on_grid(std::span<const Polygon> loops) {
       piece.segments.push_back({first + i, first + (i + 1) % n});
     }
   }
-  piece.border = static_cast<Index>(piece.points.size());
+  piece.border = piece.fixed = static_cast<Index>(piece.points.size());
   return piece;
+}
+
+void add_lines(GridPiece& piece, std::span<const std::vector<Vec2>> lines) {
+  std::map<std::pair<std::int64_t, std::int64_t>, Index> known;
+  for (Index i = 0; i < piece.border; ++i) known.emplace(std::pair(piece.points[i].x, piece.points[i].y), i);
+  const auto index_of = [&](const GridPoint& p) {
+    const auto next = static_cast<Index>(piece.points.size());
+    const auto [found, fresh] = known.emplace(std::pair(p.x, p.y), next);
+    if (fresh) piece.points.push_back(p);
+    return found->second;
+  };
+  for (const std::vector<Vec2>& line : lines) {
+    std::vector<Index>& vertices = piece.lines.emplace_back();
+    for (const Vec2 p : line) vertices.push_back(index_of(on_grid(p, piece.origin)));
+    for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
+      piece.links.push_back({vertices[i], vertices[i + 1]});
+    }
+  }
+  piece.fixed = static_cast<Index>(piece.points.size());
+}
+
+/// Refuses lines with points that have no place on the grid.
+Status check_lines(const GridPiece& piece, std::span<const std::vector<Vec2>> lines) {
+  const auto inside = [](std::int64_t i) { return i >= 0 && i <= GridTriangulation::kGridExtent; };
+  for (const std::vector<Vec2>& line : lines) {
+    for (const Vec2 p : line) {
+      if (!is_finite(p)) return Error{"mesh.not_finite", "A line has a point that is not a number.", ""};
+      const Vec2 steps = (p - piece.origin) * (1 / kGrid);
+      const bool fits = std::abs(steps.x) < 1e15 && std::abs(steps.y) < 1e15;
+      const GridPoint g = fits ? on_grid(p, piece.origin) : GridPoint{-1, -1};
+      if (inside(g.x) && inside(g.y)) continue;
+      return Error{"mesh.line", "The line leaves the piece at " + place_name(p) + "; keep it inside.", ""};
+    }
+  }
+  return {};
 }
 
 Error error_of(const GridConflict& conflict, const GridPiece& piece, std::span<const Polygon> loops) {
@@ -113,6 +159,16 @@ Error error_of(const GridConflict& conflict, const GridPiece& piece, std::span<c
   return {"mesh.outline_touches", "The outline touches itself at " + place + "; part it there.", ""};
 }
 
+Error line_error(const GridConflict& conflict, const GridPiece& piece) {
+  const std::string place = place_name(off_grid(piece.points[conflict.a], piece.origin));
+  const bool outside = conflict.kind == GridConflict::Kind::kOutside;
+  return {"mesh.line",
+          outside ? "A line lies outside the piece near " + place + "; keep it inside."
+                  : "A line meets the outline or another line near " + place +
+                        " other than in a common point; part them, or let one end on the other.",
+          ""};
+}
+
 /// Vertices sorted along the Morton curve; triangles start with their least vertex and are sorted.
 FlatMesh ordered_mesh(const GridPiece& piece, std::span<const Polygon> loops, std::vector<Tri> triangles) {
   const auto count = static_cast<Index>(piece.points.size());
@@ -130,6 +186,10 @@ FlatMesh ordered_mesh(const GridPiece& piece, std::span<const Polygon> loops, st
       mesh.points[mesh.border.back()] = p;
     }
   }
+  for (const std::vector<Index>& line : piece.lines) {
+    std::vector<Index>& vertices = mesh.lines.emplace_back();
+    for (const Index v : line) vertices.push_back(rank[v]);
+  }
   for (Tri& t : triangles) {
     t = {rank[t[0]], rank[t[1]], rank[t[2]]};
     std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
@@ -139,8 +199,9 @@ FlatMesh ordered_mesh(const GridPiece& piece, std::span<const Polygon> loops, st
   return mesh;
 }
 
-void add_lattice(GridPiece& piece, std::span<const Polygon> loops, double particle_distance) {
-  for (const Vec2 p : lattice_points(loops, particle_distance, kMargin * particle_distance)) {
+void add_lattice(GridPiece& piece, std::span<const Polygon> loops, double particle_distance,
+                 std::span<const std::vector<Vec2>> lines) {
+  for (const Vec2 p : lattice_points(loops, particle_distance, kMargin * particle_distance, lines)) {
     piece.points.push_back(on_grid(p, piece.origin));
   }
 }
@@ -158,30 +219,40 @@ double particle_estimate(double area, double particle_distance) {
 }
 
 Result<FlatMesh> triangulate(std::span<const Polygon> loops, double particle_distance,
-                             const RunContext& context) {
+                             const RunContext& context, std::span<const std::vector<Vec2>> lines) {
   if (Status status = check_loops(loops, particle_distance); !status) return status.error();
   GridPiece piece = border_on_grid(loops);
   // The border alone first: where it crosses itself, its area says nothing of how many points would fill it.
   if (const auto conflict = GridTriangulation(piece.points).build(piece.segments)) {
     return error_of(*conflict, piece, loops);
   }
-  add_lattice(piece, loops, particle_distance);
+  if (Status status = check_lines(piece, lines); !status) return status.error();
+  add_lines(piece, lines);
+  if (!lines.empty()) {
+    if (const auto conflict = GridTriangulation(piece.points).build(piece.segments, piece.links)) {
+      return line_error(*conflict, piece);
+    }
+  }
+  const Segments all_segments = piece.all_segments();
+  add_lattice(piece, loops, particle_distance, lines);
   const double spacing = particle_distance / kGrid;
   for (int round = 0;; ++round) {
     if (context.cancelled()) return Error{"cancelled", "Meshing was cancelled.", ""};
     GridTriangulation mesh(piece.points);
-    if (const auto conflict = mesh.build(piece.segments)) return error_of(*conflict, piece, loops);
+    if (const auto conflict = mesh.build(piece.segments, piece.links)) {
+      return error_of(*conflict, piece, loops);
+    }
     std::vector<Tri> triangles = mesh.inside_triangles();
     const std::vector<double> wanted =
-        wanted_lengths(piece.points, triangles, piece.segments, piece.border, spacing);
+        wanted_lengths(piece.points, triangles, all_segments, piece.fixed, spacing);
     const auto count = static_cast<Index>(piece.points.size());
-    for (int i = 0; i < kSmoothings; ++i) smooth(mesh, piece.border, count, wanted);
-    for (Index v = piece.border; v < count; ++v) piece.points[v] = mesh.point(v);
+    for (int i = 0; i < kSmoothings; ++i) smooth(mesh, piece.fixed, count, wanted);
+    for (Index v = piece.fixed; v < count; ++v) piece.points[v] = mesh.point(v);
     triangles = mesh.inside_triangles();
     if (round == kRounds) return ordered_mesh(piece, loops, std::move(triangles));
-    const auto inner = adapted_points(piece.points, triangles, piece.segments, piece.border, wanted);
+    const auto inner = adapted_points(piece.points, triangles, all_segments, piece.fixed, wanted);
     if (!inner) return ordered_mesh(piece, loops, std::move(triangles));
-    piece.points.resize(piece.border);
+    piece.points.resize(piece.fixed);
     piece.points.insert(piece.points.end(), inner->begin(), inner->end());
   }
 }

@@ -66,8 +66,25 @@ std::vector<Index> least_of_class(Index vertex_count, const std::vector<std::arr
   return parent;
 }
 
+std::vector<double> seam_held_by_pairs(const GarmentMesh& g) {
+  std::vector<std::array<double, 2>> sides(g.sewn.size(), {0, 0});
+  for (std::size_t k = 1; k < g.sewn.size(); ++k) {
+    if (g.seam_of_sewn[k] != g.seam_of_sewn[k - 1]) continue;
+    for (int side = 0; side < 2; ++side) {
+      const Index a = g.sewn[k - 1][side], b = g.sewn[k][side];
+      if (g.panel_of_vertex[a] != g.panel_of_vertex[b]) continue;  // the seam goes on to another piece
+      const double half = 0.5 * length(g.rest[b] - g.rest[a]);
+      sides[k - 1][side] += half, sides[k][side] += half;
+    }
+  }
+  std::vector<double> held;
+  held.reserve(sides.size());
+  for (const auto& side : sides) held.push_back(std::min(side[0], side[1]));
+  return held;
+}
+
 Result<Assembly> assemble(const PanelMeshes& meshes, const std::vector<Placement>& placements,
-                          const std::vector<Attachment>& attachments) {
+                          const std::vector<Attachment>& attachments, const Notions& notions) {
   if (placements.size() != meshes.panels.size()) {
     return Error{"placement.count", "every piece needs a placement",
                  std::to_string(placements.size()) + " placements for " +
@@ -88,6 +105,9 @@ Result<Assembly> assemble(const PanelMeshes& meshes, const std::vector<Placement
   for (const Attachment& a : attachments)
     assembly.attached.push_back(vertices_of(a, meshes, assembly.garment));
   assembly.garment.weld = least_of_class(assembly.garment.vertex_count(), assembly.garment.sewn);
+  Result<NotionPlaces> places = locate_notions(notions, meshes, assembly.garment);
+  if (!places) return places.error();
+  assembly.notions = std::move(*places);
   return assembly;
 }
 

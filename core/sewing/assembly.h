@@ -5,6 +5,7 @@
 #include "core/mesh/panel_mesh.h"
 #include "core/sewing/attachment.h"
 #include "core/sewing/garment_mesh.h"
+#include "core/sewing/notion_places.h"
 #include "core/sewing/placement.h"
 
 namespace toile {
@@ -13,14 +14,19 @@ struct Assembly {
   GarmentMesh garment;
   std::vector<Vec3> positions;               ///< m, the start
   std::vector<std::vector<Index>> attached;  ///< garment vertices of each attachment, rising
+  NotionPlaces notions;
 };
 
 /// Least vertex of the class that each vertex belongs to when the pairs `joined` are one.
 std::vector<Index> least_of_class(Index vertex_count, const std::vector<std::array<Index, 2>>& joined);
 
+/// m of seam that each pair of garment.sewn holds, half way to the pairs before and after it, on the side
+/// where that is less; 0 where a side has no length there. One entry a pair.
+std::vector<double> seam_held_by_pairs(const GarmentMesh& garment);
+
 /// Error: placement.count when there is not one placement for every panel, placement.not_finite with the
-/// panel.
+/// panel, and those of locate_notions.
 Result<Assembly> assemble(const PanelMeshes& meshes, const std::vector<Placement>& placements,
-                          const std::vector<Attachment>& attachments);
+                          const std::vector<Attachment>& attachments, const Notions& notions = {});
 
 }  // namespace toile

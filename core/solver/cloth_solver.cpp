@@ -38,7 +38,7 @@ ContactSettings contact_settings(const ClothModel& model) {
 }
 
 ClothSolver::ClothSolver(ClothModel model, std::vector<Vec3> positions, std::span<const Obstacle> obstacles,
-                         double time_step)
+                         double time_step, std::span<const Vec3> layout)
     : model_(std::move(model)),
       obstacles_(obstacles),
       h_(time_step),
@@ -53,6 +53,8 @@ ClothSolver::ClothSolver(ClothModel model, std::vector<Vec3> positions, std::spa
   velocity_.resize(x_.size());
   lifted_.resize(x_.size());
   speed_.resize(x_.size());
+  if (layout.empty()) layout = x_;
+  finder_.measure(layout, speed_, contacts_);  // lays out its tree
 }
 
 void ClothSolver::set_stitches(std::vector<Stitch> stitches) {
@@ -74,10 +76,29 @@ void ClothSolver::set_holds(std::vector<HeldVertex> held) {
   prepare_bending(bending_, inverse_mass_, h_);
 }
 
+SolverState ClothSolver::state() const {
+  if (!measured_) return {x_, velocity_, {}, {}, held_back_};
+  return {x_, velocity_, contacts_.measured, speed_, held_back_};
+}
+
+void ClothSolver::restore(SolverState state) {
+  TOILE_CHECK(state.positions.size() == x_.size() && state.velocities.size() == x_.size());
+  x_ = std::move(state.positions);
+  velocity_ = std::move(state.velocities);
+  held_back_ = state.held_back;
+  measured_ = !state.measured.empty();
+  if (!measured_) return;
+  speed_ = std::move(state.measured_speeds);
+  finder_.measure(state.measured, speed_, contacts_);
+}
+
 StepReport ClothSolver::step(const StepForces& forces) {
+  push_features(features_, forces.features, model_.triangles, inverse_mass_, h_, x_, feature_force_,
+                velocity_);
   predict(forces);
   solve_membrane(membrane_, inverse_mass_, h_, x_);
   solve_bending(bending_, inverse_mass_, x_);
+  solve_features(features_, forces.features, inverse_mass_, h_, x_);
   solve_height_holds(held_, x_);
   if (forces.stitch_length > 0) {  // after the holds: a thread wins over a hand
     shorten_stitches(stitches_, forces.stitch_length, inverse_mass_, h_, x_);

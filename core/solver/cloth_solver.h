@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/collision/contacts.h"
+#include "core/solver/cloth_features.h"
 #include "core/solver/cloth_model.h"
 #include "core/solver/constraints/bend.h"
 #include "core/solver/constraints/hold.h"
@@ -19,6 +20,7 @@ struct StepForces {
   double damping = 1;        ///< 1/s, of the velocity, as if in a thick medium
   double friction = 1;       ///< factor on all coefficients
   double stitch_length = 0;  ///< 1: stitches as long as at the start, 0: closed
+  FeatureProgress features;
 };
 
 /// What a step saw. Numerical trouble is a flag here, never a NaN that leaves the step.
@@ -28,11 +30,22 @@ struct StepReport {
   bool not_finite = false;  ///< a position left the numbers; the step was undone
 };
 
+/// What a solver must remember to go on as if it had never stopped. Everything else follows from what it is
+/// made of.
+struct SolverState {
+  std::vector<Vec3> positions, velocities;  ///< m, m/s
+  std::vector<Vec3> measured;           ///< m, where contacts were measured last; empty before the first time
+  std::vector<double> measured_speeds;  ///< m/s, that sized the balls then
+  int held_back = 0;                    ///< vertices that the bounds stopped right after
+};
+
 class ClothSolver {
  public:
-  /// `obstacles` must outlive the solver. Positions in metres; velocities start at zero.
+  /// `obstacles` must outlive the solver. Positions in metres; velocities start at zero. The order in which
+  /// contacts are met follows from where the vertices stand in `layout` (m; `positions` when it is empty):
+  /// two solvers with the same layout and state make the same steps.
   ClothSolver(ClothModel model, std::vector<Vec3> positions, std::span<const Obstacle> obstacles,
-              double time_step);
+              double time_step, std::span<const Vec3> layout = {});
 
   StepReport step(const StepForces& forces);
 
@@ -40,10 +53,16 @@ class ClothSolver {
   /// Replaces all holds. Targets may lie away from where the vertices are; contact decides how fast they get
   /// there.
   void set_holds(std::vector<HeldVertex> held);
+  void set_features(ClothFeatures features) { features_ = std::move(features); }
   void set_velocities(std::vector<Vec3> velocities) { velocity_ = std::move(velocities); }
+
+  SolverState state() const;
+  /// REQUIRES a state of a solver with the same model; holds, stitches and features are not part of it.
+  void restore(SolverState state);
 
   const ClothModel& model() const { return model_; }
   const std::vector<Stitch>& stitches() const { return stitches_; }
+  const ClothFeatures& features() const { return features_; }
   const std::vector<Vec3>& positions() const { return x_; }
   const std::vector<Vec3>& velocities() const { return velocity_; }
   double time_step() const { return h_; }
@@ -64,6 +83,8 @@ class ClothSolver {
   std::vector<Stitch> stitches_;
   std::vector<StitchGroup> stitch_groups_;
   std::vector<HeldVertex> held_;
+  ClothFeatures features_;
+  std::vector<Vec3> feature_force_;
   std::vector<double> inverse_mass_;
 
   std::vector<Vec3> x_, before_, velocity_, lifted_, proposal_;

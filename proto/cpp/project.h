@@ -22,6 +22,7 @@ struct ProjectDxf {
   std::string piece;          ///< name of the piece in the file
   std::vector<Vec2> corners;  ///< mm; where edges begin; empty: wherever the outline bends sharply
   std::string units;          ///< "mm", "cm", "inch"; empty: what the file says
+  std::string size = {};      ///< of a graded file; empty: its sample size
   friend bool operator==(const ProjectDxf&, const ProjectDxf&) = default;
 };
 
@@ -56,6 +57,13 @@ struct ProjectPlacement {
   friend bool operator==(const ProjectPlacement&, const ProjectPlacement&) = default;
 };
 
+/// A line on a piece, for folds and elastic.
+struct ProjectLine {
+  std::string id;
+  std::vector<Vec2> points;  ///< mm; two or more
+  friend bool operator==(const ProjectLine&, const ProjectLine&) = default;
+};
+
 struct ProjectPiece {
   std::string id;
   std::optional<ProjectDxf> from;
@@ -64,6 +72,8 @@ struct ProjectPiece {
   std::vector<std::pair<std::string, std::string>> edge_names;  ///< id that the file gives → id used here
   std::optional<Vec2> grain;  ///< direction of the warp; without it what the DXF says, or (0, 1)
   std::string fabric;
+  std::vector<ProjectLine> lines = {};
+  int layer = 0;
   ProjectPlacement placement;
   friend bool operator==(const ProjectPiece&, const ProjectPiece&) = default;
 };
@@ -124,6 +134,51 @@ struct ProjectAttachment {
   friend bool operator==(const ProjectAttachment&, const ProjectAttachment&) = default;
 };
 
+struct ProjectButtonPoint {
+  std::string piece;
+  Vec2 at;  ///< mm
+  friend bool operator==(const ProjectButtonPoint&, const ProjectButtonPoint&) = default;
+};
+
+struct ProjectButton {
+  std::string id;
+  ProjectButtonPoint a, b;
+  double distance_mm = 2;
+  friend bool operator==(const ProjectButton&, const ProjectButton&) = default;
+};
+
+struct ProjectElastic {
+  std::string id, piece;
+  std::vector<std::string> lines;  ///< ids of edges or lines of the piece
+  double factor = 1;
+  double stiffness_n = 20;
+  friend bool operator==(const ProjectElastic&, const ProjectElastic&) = default;
+};
+
+struct ProjectFold {
+  std::string id, piece;
+  std::vector<std::string> lines;
+  double angle = 0;  ///< degrees
+  double stiffness_mn = 20;
+  friend bool operator==(const ProjectFold&, const ProjectFold&) = default;
+};
+
+struct ProjectCushion {
+  std::string id;
+  std::vector<std::string> pieces;
+  double pressure_pa = 100;
+  double volume_l = 0;  ///< 0: pumped
+  friend bool operator==(const ProjectCushion&, const ProjectCushion&) = default;
+};
+
+/// Defaults stand in core/solver/constraints/air.h.
+struct ProjectAir {
+  double density_kg_m3 = 1.2;
+  double drag_across = 1.2, drag_along = 0.05;
+  Vec3 wind_m_s;
+  friend bool operator==(const ProjectAir&, const ProjectAir&) = default;
+};
+
 struct ProjectSettings {
   double particle_distance_mm = 15;
   double time_step_s = 1.0 / 3000;
@@ -132,6 +187,9 @@ struct ProjectSettings {
   double settle_speed_mm_s = 5;
   double max_time_s = 8;
   int frame_interval_steps = 50;
+  std::string mode = "drape";     ///< or "dynamic"
+  std::string end;                ///< "settled", "time"; empty: settled in mode drape, time in mode dynamic
+  std::optional<ProjectAir> air;  ///< none: still air in mode dynamic, none in mode drape
   friend bool operator==(const ProjectSettings&, const ProjectSettings&) = default;
 };
 
@@ -143,6 +201,10 @@ struct Project {
   std::vector<ProjectSeam> seams;
   std::vector<ProjectBody> bodies;
   std::vector<ProjectAttachment> attachments;
+  std::vector<ProjectButton> buttons;
+  std::vector<ProjectElastic> elastics;
+  std::vector<ProjectFold> folds;
+  std::vector<ProjectCushion> cushions;
   ProjectSettings settings;
   friend bool operator==(const Project&, const Project&) = default;
 };

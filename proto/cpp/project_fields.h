@@ -40,6 +40,7 @@ void describe(Visitor& v, ProjectDxf& dxf) {
   v.field("piece", dxf.piece, Need::kRequired);
   v.field("corners", dxf.corners, Need::kOptional, kMany);
   v.choice("units", dxf.units, {"mm", "cm", "inch"});
+  v.field("size", dxf.size);
 }
 
 template <typename Visitor>
@@ -75,6 +76,12 @@ void describe(Visitor& v, ProjectPlacement& placement) {
 }
 
 template <typename Visitor>
+void describe(Visitor& v, ProjectLine& line) {
+  v.field("id", line.id, Need::kRequired);
+  v.field("points", line.points, Need::kRequired, Range{2, 10000});
+}
+
+template <typename Visitor>
 void describe(Visitor& v, ProjectPiece& piece) {
   v.field("id", piece.id, Need::kRequired);
   v.field("from", piece.from);
@@ -84,6 +91,8 @@ void describe(Visitor& v, ProjectPiece& piece) {
   v.field("edge_names", piece.edge_names);
   v.field("grain", piece.grain, Need::kOptional, kLength);
   v.field("fabric", piece.fabric, Need::kRequired);
+  v.field("lines", piece.lines, Need::kOptional, kMany);
+  v.field("layer", piece.layer, Need::kOptional, Range{-100, 100});
   v.field("placement", piece.placement, Need::kRequired);
 }
 
@@ -153,6 +162,54 @@ void describe(Visitor& v, ProjectAttachment& attachment) {
 }
 
 template <typename Visitor>
+void describe(Visitor& v, ProjectButtonPoint& point) {
+  v.field("piece", point.piece, Need::kRequired);
+  v.field("at", point.at, Need::kRequired, kLength);
+}
+
+template <typename Visitor>
+void describe(Visitor& v, ProjectButton& button) {
+  v.field("id", button.id, Need::kRequired);
+  v.field("a", button.a, Need::kRequired);
+  v.field("b", button.b, Need::kRequired);
+  v.field("distance_mm", button.distance_mm, Need::kOptional, Range{0, 1000});
+}
+
+template <typename Visitor>
+void describe(Visitor& v, ProjectElastic& elastic) {
+  v.field("id", elastic.id, Need::kRequired);
+  v.field("piece", elastic.piece, Need::kRequired);
+  v.field("lines", elastic.lines, Need::kRequired, kSome);
+  v.field("factor", elastic.factor, Need::kOptional, Range{0.05, 2});
+  v.field("stiffness_n", elastic.stiffness_n, Need::kOptional, Range{0.01, 10000});
+}
+
+template <typename Visitor>
+void describe(Visitor& v, ProjectFold& fold) {
+  v.field("id", fold.id, Need::kRequired);
+  v.field("piece", fold.piece, Need::kRequired);
+  v.field("lines", fold.lines, Need::kRequired, kSome);
+  v.field("angle", fold.angle, Need::kRequired, Range{-180, 180});
+  v.field("stiffness_mn", fold.stiffness_mn, Need::kOptional, Range{0.001, 10000});
+}
+
+template <typename Visitor>
+void describe(Visitor& v, ProjectCushion& cushion) {
+  v.field("id", cushion.id, Need::kRequired);
+  v.field("pieces", cushion.pieces, Need::kRequired, kSome);
+  v.field("pressure_pa", cushion.pressure_pa, Need::kOptional, Range{-20000, 20000});
+  v.field("volume_l", cushion.volume_l, Need::kOptional, Range{0, 1e6});
+}
+
+template <typename Visitor>
+void describe(Visitor& v, ProjectAir& air) {
+  v.field("density_kg_m3", air.density_kg_m3, Need::kOptional, Range{0, 2000});
+  v.field("drag_across", air.drag_across, Need::kOptional, Range{0, 10});
+  v.field("drag_along", air.drag_along, Need::kOptional, Range{0, 10});
+  v.field("wind_m_s", air.wind_m_s, Need::kOptional, Range{-100, 100});
+}
+
+template <typename Visitor>
 void describe(Visitor& v, ProjectSettings& settings) {
   v.field("particle_distance_mm", settings.particle_distance_mm, Need::kOptional, Range{0.5, 1000});
   v.field("time_step_s", settings.time_step_s, Need::kOptional, Range{1e-6, 0.1});
@@ -161,6 +218,9 @@ void describe(Visitor& v, ProjectSettings& settings) {
   v.field("settle_speed_mm_s", settings.settle_speed_mm_s, Need::kOptional, Range{0.001, 1e5});
   v.field("max_time_s", settings.max_time_s, Need::kOptional, Range{0, 3600});
   v.field("frame_interval_steps", settings.frame_interval_steps, Need::kOptional, Range{1, 1e6});
+  v.choice("mode", settings.mode, {"drape", "dynamic"});
+  v.choice("end", settings.end, {"settled", "time"});
+  v.field("air", settings.air);
 }
 
 template <typename Visitor>
@@ -172,6 +232,10 @@ void describe(Visitor& v, Project& project) {
   v.field("seams", project.seams, Need::kOptional, kMany);
   v.field("bodies", project.bodies, Need::kOptional, kMany);
   v.field("attachments", project.attachments, Need::kOptional, kMany);
+  v.field("buttons", project.buttons, Need::kOptional, kMany);
+  v.field("elastics", project.elastics, Need::kOptional, kMany);
+  v.field("folds", project.folds, Need::kOptional, kMany);
+  v.field("cushions", project.cushions, Need::kOptional, kMany);
   v.field("settings", project.settings);
 }
 

@@ -1,6 +1,7 @@
 #include "proto/cpp/project_pieces.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 #include <utility>
@@ -15,8 +16,8 @@
 namespace toile {
 namespace {
 
-/// Drawings already read, by file name and unit.
-using Drawings = std::map<std::pair<std::string, std::string>, DxfDrawing>;
+/// Drawings already read, by file name, unit and size.
+using Drawings = std::map<std::array<std::string, 3>, DxfDrawing>;
 
 std::optional<double> mm_per_unit(const std::string& unit) {
   if (unit == "mm") return 1;
@@ -31,6 +32,7 @@ Result<DxfDrawing> read_drawing(const ProjectDxf& from, const ProjectFiles& file
   if (!text) return text.error();
   DxfSettings settings;
   settings.mm_per_unit = mm_per_unit(from.units);
+  if (!from.size.empty()) settings.size = from.size;
   Result<DxfDrawing> drawing = read_dxf(*text, settings);
   if (!drawing) return error_at(clipped(from.dxf), drawing.error());
   return drawing;
@@ -38,7 +40,7 @@ Result<DxfDrawing> read_drawing(const ProjectDxf& from, const ProjectFiles& file
 
 Result<Panel> panel_from_file(const ProjectDxf& from, const ProjectFiles& files, Drawings& drawings,
                               const std::string& where) {
-  const auto key = std::pair{from.dxf, from.units};
+  const std::array<std::string, 3> key{from.dxf, from.units, from.size};
   if (!drawings.contains(key)) {
     Result<DxfDrawing> read = read_drawing(from, files);
     if (!read) return error_at(pointer_to(where, "dxf"), read.error());
@@ -49,7 +51,6 @@ Result<Panel> panel_from_file(const ProjectDxf& from, const ProjectFiles& files,
     if (piece.name == from.piece) {
       Result<Panel> panel = panel_from_piece(piece, from.corners);
       if (!panel) return error_at(where, panel.error());
-      if (piece.grain) panel->grain = *piece.grain;
       return panel;
     }
     names.push_back(piece.name);
@@ -135,6 +136,8 @@ Result<Panel> panel_of(const ProjectPiece& piece, const ProjectFiles& files, Dra
   if (!panel) return panel;
   panel->id = piece.id;
   panel->fabric = piece.fabric;
+  panel->layer = piece.layer;
+  for (const ProjectLine& line : piece.lines) panel->lines.push_back({line.id, line.points});
   if (Status renamed = rename_edges(piece, *panel, where); !renamed) return renamed.error();
   if (Status grain = set_grain(piece, *panel, where); !grain) return grain.error();
   if (Status valid = validate(*panel); !valid) return error_at(where, valid.error());

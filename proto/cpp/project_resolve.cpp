@@ -41,7 +41,9 @@ Status check_ids(const Project& project) {
   for (const auto& [ids, list] :
        {std::pair{ids_of(project.pieces), "/pieces"}, std::pair{ids_of(project.fabrics), "/fabrics"},
         std::pair{ids_of(project.seams), "/seams"}, std::pair{ids_of(project.bodies), "/bodies"},
-        std::pair{ids_of(project.attachments), "/attachments"}}) {
+        std::pair{ids_of(project.attachments), "/attachments"},
+        std::pair{ids_of(project.buttons), "/buttons"}, std::pair{ids_of(project.elastics), "/elastics"},
+        std::pair{ids_of(project.folds), "/folds"}, std::pair{ids_of(project.cushions), "/cushions"}}) {
     if (Status unique = check_unique(ids, list); !unique) return unique;
   }
   return {};
@@ -103,6 +105,10 @@ Result<Fabric> fabric_of(const ProjectFabric& given, const std::string& where) {
   return fabric;
 }
 
+AirDrag air_of(const ProjectAir& given) {
+  return {given.density_kg_m3, given.drag_across, given.drag_along, given.wind_m_s};
+}
+
 DrapeSettings settings_of(const ProjectSettings& given) {
   DrapeSettings settings;
   settings.particle_distance = metres_from_mm(given.particle_distance_mm);
@@ -112,6 +118,11 @@ DrapeSettings settings_of(const ProjectSettings& given) {
   settings.settle_speed = metres_from_mm(given.settle_speed_mm_s);
   settings.max_time = given.max_time_s;
   settings.frame_interval = given.frame_interval_steps;
+  const bool dynamic = given.mode == "dynamic";
+  settings.mode = dynamic ? DrapeMode::kDynamic : DrapeMode::kDrape;
+  settings.until_settled = given.end.empty() ? !dynamic : given.end == "settled";
+  const ProjectAir still;
+  if (given.air || dynamic) settings.air = air_of(given.air.value_or(still));
   return settings;
 }
 
@@ -182,6 +193,7 @@ class Names {
     for (const Panel& panel : pattern.panels) {
       std::vector<std::string>& ids = edges_.emplace_back();
       for (const PanelEdge* edge : edges_of(panel)) ids.push_back(edge->id);
+      lines_.push_back(ids_of(panel.lines));
     }
   }
 
@@ -191,15 +203,29 @@ class Names {
   Result<Index> edge(Index panel, const std::string& name, const std::string& where) const {
     Result<Index> found = index_of(name, edges_[static_cast<std::size_t>(panel)], "edge", where);
     if (found) return found;
-    Error error = found.error();
+    return in_piece(panel, found.error());
+  }
+  Result<Index> line(Index panel, const std::string& name, const std::string& where) const {
+    Result<Index> found = index_of(name, lines_[static_cast<std::size_t>(panel)], "line", where);
+    if (found) return found;
+    return in_piece(panel, found.error());
+  }
+  /// Whether the panel has an edge of that name.
+  bool has_edge(Index panel, const std::string& name) const {
+    const std::vector<std::string>& ids = edges_[static_cast<std::size_t>(panel)];
+    return std::find(ids.begin(), ids.end(), name) != ids.end();
+  }
+
+ private:
+  Error in_piece(Index panel, Error error) const {
     error.message =
         "piece " + in_quotes(panels_[static_cast<std::size_t>(panel)]) + ": " + std::move(error.message);
     return error;
   }
 
- private:
   std::vector<std::string> panels_;
   std::vector<std::vector<std::string>> edges_;  // of each panel, as SeamEdge::edge counts
+  std::vector<std::vector<std::string>> lines_;
 };
 
 Result<std::vector<SeamEdge>> series_of(const std::vector<ProjectSeamEdge>& given, const Names& names,
@@ -241,6 +267,59 @@ Result<Attachment> attachment_of(const ProjectAttachment& given, const Names& na
   return attachment;
 }
 
+Result<PanelPoint> point_of(const ProjectButtonPoint& given, const Names& names, const std::string& where) {
+  const Result<Index> panel = names.panel(given.piece, pointer_to(where, "piece"));
+  if (!panel) return panel.error();
+  return PanelPoint{*panel, {metres_from_mm(given.at.x), metres_from_mm(given.at.y)}};
+}
+
+Result<Button> button_of(const ProjectButton& given, const Names& names, const std::string& where) {
+  const Result<PanelPoint> a = point_of(given.a, names, pointer_to(where, "a"));
+  if (!a) return a.error();
+  const Result<PanelPoint> b = point_of(given.b, names, pointer_to(where, "b"));
+  if (!b) return b.error();
+  return Button{given.id, *a, *b, metres_from_mm(given.distance_mm)};
+}
+
+Result<Elastic> elastic_of(const ProjectElastic& given, const Names& names, const std::string& where) {
+  const Result<Index> panel = names.panel(given.piece, pointer_to(where, "piece"));
+  if (!panel) return panel.error();
+  Elastic elastic{given.id, *panel, {}, {}, given.factor, given.stiffness_n};
+  for (std::size_t i = 0; i < given.lines.size(); ++i) {
+    const std::string place = pointer_to(pointer_to(where, "lines"), i);
+    const bool edge = names.has_edge(*panel, given.lines[i]);
+    const Result<Index> found =
+        edge ? names.edge(*panel, given.lines[i], place) : names.line(*panel, given.lines[i], place);
+    if (!found) return found.error();
+    (edge ? elastic.edges : elastic.lines).push_back(*found);
+  }
+  return elastic;
+}
+
+Result<Crease> crease_of(const ProjectFold& given, const Names& names, const std::string& where) {
+  const Result<Index> panel = names.panel(given.piece, pointer_to(where, "piece"));
+  if (!panel) return panel.error();
+  constexpr double kNewtons = 1e-3;
+  Crease crease{given.id, *panel, {}, radians_from_degrees(given.angle), given.stiffness_mn * kNewtons};
+  for (std::size_t i = 0; i < given.lines.size(); ++i) {
+    const Result<Index> line = names.line(*panel, given.lines[i], pointer_to(pointer_to(where, "lines"), i));
+    if (!line) return line.error();
+    crease.lines.push_back(*line);
+  }
+  return crease;
+}
+
+Result<Cushion> cushion_of(const ProjectCushion& given, const Names& names, const std::string& where) {
+  constexpr double kCubicMetres = 1e-3;
+  Cushion cushion{given.id, {}, given.pressure_pa, given.volume_l * kCubicMetres};
+  for (std::size_t i = 0; i < given.pieces.size(); ++i) {
+    const Result<Index> panel = names.panel(given.pieces[i], pointer_to(pointer_to(where, "pieces"), i));
+    if (!panel) return panel.error();
+    cushion.panels.push_back(*panel);
+  }
+  return cushion;
+}
+
 /// Appends make(thing, pointer of the thing) for each of `things`; stops at the first error.
 template <typename Given, typename Made, typename Make>
 Status make_all(const std::vector<Given>& things, const std::string& list, std::vector<Made>& made,
@@ -251,6 +330,16 @@ Status make_all(const std::vector<Given>& things, const std::string& list, std::
     made.push_back(std::move(*result));
   }
   return {};
+}
+
+Status add_notions(const Project& project, const Names& names, Notions& notions) {
+  const auto named = [&](auto make) {
+    return [&names, make](const auto& given, const std::string& at) { return make(given, names, at); };
+  };
+  if (Status s = make_all(project.buttons, "/buttons", notions.buttons, named(button_of)); !s) return s;
+  if (Status s = make_all(project.elastics, "/elastics", notions.elastics, named(elastic_of)); !s) return s;
+  if (Status s = make_all(project.folds, "/folds", notions.creases, named(crease_of)); !s) return s;
+  return make_all(project.cushions, "/cushions", notions.cushions, named(cushion_of));
 }
 
 }  // namespace
@@ -310,6 +399,7 @@ Result<DrapeInput> resolve_project(const Project& project, const ProjectFiles& f
   if (Status made = make_all(project.attachments, "/attachments", input.attachments, hold); !made) {
     return made.error();
   }
+  if (Status made = add_notions(project, names, input.notions); !made) return made.error();
   const auto body = [&](const ProjectBody& given, const std::string& at) {
     return body_of(given, files, at);
   };

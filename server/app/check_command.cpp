@@ -4,6 +4,7 @@
 #include <span>
 
 #include "core/base/units.h"
+#include "core/drape/pipeline.h"
 #include "core/pattern/curve.h"
 #include "proto/cpp/json_codec.h"
 #include "proto/cpp/project_resolve.h"
@@ -64,8 +65,18 @@ JsonValue piece_json(const Panel& panel) {
                                  {"edges", edges}};
 }
 
-JsonValue project_json(const DrapeInput& input) {
-  std::vector<JsonValue> pieces, seams, bodies;
+JsonValue finding_json(const Finding& f) {
+  return std::vector<JsonMember>{{"code", f.code},
+                                 {"severity", std::string(name_of(f.severity))},
+                                 {"message", f.message},
+                                 {"where", f.where},
+                                 {"place", std::vector<JsonValue>{f.place.x, f.place.y, f.place.z}},
+                                 {"repaired", f.repaired}};
+}
+
+JsonValue project_json(const DrapeInput& input, const Findings& findings) {
+  std::vector<JsonValue> pieces, seams, bodies, found;
+  for (const Finding& f : findings) found.push_back(finding_json(f));
   for (const Panel& panel : input.pattern.panels) pieces.push_back(piece_json(panel));
   for (const Seam& seam : input.pattern.seams) {
     seams.push_back(std::vector<JsonMember>{{"id", seam.id},
@@ -78,7 +89,7 @@ JsonValue project_json(const DrapeInput& input) {
                                              {"height_m", rounded(body_height(body))}});
   }
   return std::vector<JsonMember>{
-      {"name", input.name}, {"pieces", pieces}, {"seams", seams}, {"bodies", bodies}};
+      {"name", input.name}, {"pieces", pieces}, {"seams", seams}, {"bodies", bodies}, {"findings", found}};
 }
 
 void print_piece(const Panel& panel, const std::string& fabric) {
@@ -112,17 +123,29 @@ void print_project(const DrapeInput& input) {
   }
 }
 
+void print_findings(const Findings& findings) {
+  for (const Finding& f : findings) {
+    std::printf("%s %s: %s (%s %s)\n", f.repaired ? "repaired" : name_of(f.severity), f.code.c_str(),
+                f.message.c_str(), f.where.c_str(), place_text(f.place).c_str());
+  }
+  if (findings.empty()) std::printf("start: nothing to find fault with\n");
+}
+
 }  // namespace
 
 ExitCode check_command(const CheckOptions& options) {
   const Result<DrapeInput> input = read_project(options.project);
   if (!input) return fail(input.error(), options.json);
+  const Result<DrapeStart> start = prepare_start(*input, {});
+  if (!start) return fail(start.error(), options.json);
   if (options.json) {
-    std::printf("%s", write_json(project_json(*input)).c_str());
+    std::printf("%s", write_json(project_json(*input, start->findings)).c_str());
   } else {
     print_project(*input);
+    print_findings(start->findings);
   }
-  return kDone;
+  const std::optional<Error> refused = first_error(start->findings);
+  return refused ? fail(*refused, options.json) : kDone;
 }
 
 }  // namespace toile

@@ -51,4 +51,21 @@ struct SubmitOptions {
 
 ExitCode submit_command(const SubmitOptions& options);
 
+struct PatternImportOptions {
+  std::string file;  ///< path of a DXF file
+  std::string size;  ///< of a graded file; empty: its sample size
+  std::string unit;  ///< mm, cm or inch; empty: decided
+  bool json = false;
+};
+
+ExitCode pattern_import_command(const PatternImportOptions& options);
+
+struct PatternExportOptions {
+  std::string project;  ///< path of the document
+  std::string out;      ///< path of the DXF file
+  bool json = false;
+};
+
+ExitCode pattern_export_command(const PatternExportOptions& options);
+
 }  // namespace toile

@@ -8,12 +8,13 @@ namespace toile {
 
 struct ServeOptions {
   std::string address = "127.0.0.1";
-  int port = 8460;            ///< 0: any that is free
-  std::string data = "data";  ///< folder of the store; made when it is not there
-  int workers = 0;            ///< drapes at once; 0: one for each core, at most kMostWorkers
-  std::string web;            ///< folder of the built page; empty: the one that came with the program
-  std::string sample;         ///< folder of the first project; empty: the one that came with the program
-  bool no_sample = false;     ///< begin a new store empty
+  int port = 8460;                ///< 0: any that is free
+  std::string data = "data";      ///< folder of the store; made when it is not there
+  int workers = 0;                ///< drapes at once; 0: one for each core, at most kMostWorkers
+  double checkpoint_every_s = 5;  ///< by the clock: what a crash can cost a drape
+  std::string web;                ///< folder of the built page; empty: the one that came with the program
+  std::string sample;             ///< folder of the first project; empty: the one that came with the program
+  bool no_sample = false;         ///< begin a new store empty
 };
 
 inline constexpr int kMostWorkers = 64;

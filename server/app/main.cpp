@@ -27,6 +27,8 @@ struct Options {
   BodyOptions body;
   ServeOptions serve;
   SubmitOptions submit;
+  PatternImportOptions import;
+  PatternExportOptions exporting;
 };
 
 /// "1024x1280" into the stills' size; a message when it is none.
@@ -77,7 +79,8 @@ CLI::App* add_check(CLI::App& app, Options& options) {
   verb->add_flag("--json", options.check.json, "Print as JSON");
   verb->footer(
       std::string(
-          "Lists the pieces with the ids and lengths of their edges, and both lengths of each seam.\n\n"
+          "Lists the pieces with the ids and lengths of their edges, and both lengths of each seam.\n"
+          "Then looks at the start as a drape does: what it finds, where, and what a drape would repair.\n\n"
           "Examples:\n"
           "  toile check samples/skirt/project.json\n"
           "  toile check project.json --json\n\n") +
@@ -114,13 +117,17 @@ CLI::App* add_serve(CLI::App& app, Options& options) {
   verb->add_option("--workers", serve.workers, "Drapes at once (default: one for each core)")
       ->check(CLI::Range(1, kMostWorkers));
   verb->add_option("--address", serve.address, "Address of the loopback to listen on")->capture_default_str();
+  verb->add_option("--checkpoint-every", serve.checkpoint_every_s,
+                   "Seconds between two checkpoints of a running drape: what a crash can cost it")
+      ->check(CLI::Range(0.0, 3600.0))
+      ->capture_default_str();
   verb->add_option("--web", serve.web, "Folder of the built page (default: web/dist)");
   verb->add_option("--sample", serve.sample,
                    "Folder of the project that a new store begins with (default: samples/skirt)");
   verb->add_flag("--no-sample", serve.no_sample, "Begin a new store empty");
   verb->footer(
       std::string("Prints its address once it answers. SIGTERM and Ctrl-C end it in good order: running\n"
-                  "drapes go back to the queue, and the next start takes them up.\n\n"
+                  "drapes go back to the queue, and the next start goes on where they stood.\n\n"
                   "Examples:\n"
                   "  toile serve\n"
                   "  toile serve --port 0 --data /tmp/toile --workers 1\n\n") +
@@ -147,6 +154,32 @@ CLI::App* add_submit(CLI::App& app, Options& options) {
   return verb;
 }
 
+CLI::App* add_pattern_import(CLI::App& pattern, PatternImportOptions& import) {
+  CLI::App* verb =
+      pattern.add_subcommand("import", "Read a DXF file; say what it holds and what became of it");
+  verb->add_option("file", import.file, "DXF file: AAMA, ASTM or plain, ASCII, R10 or later")->required();
+  verb->add_option("--size", import.size, "Size to take of a graded file (default: its sample size)");
+  verb->add_option("--unit", import.unit, "Unit of the drawing (default: decided by what the file says)")
+      ->check(CLI::IsMember({"mm", "cm", "inch"}));
+  verb->add_flag("--json", import.json, "Print as JSON, with every entity's fate and its lines");
+  verb->footer(std::string("Examples:\n"
+                           "  toile pattern import shirt.dxf\n"
+                           "  toile pattern import shirt.dxf --size 42 --unit cm --json\n\n") +
+               kExitCodes);
+  return verb;
+}
+
+CLI::App* add_pattern_export(CLI::App& pattern, PatternExportOptions& exporting) {
+  CLI::App* verb = pattern.add_subcommand("export", "Write a project's pieces as DXF with AAMA's layers");
+  verb->add_option("project", exporting.project, "Project document")->required();
+  verb->add_option("-o,--out", exporting.out, "DXF file to write")->required();
+  verb->add_flag("--json", exporting.json, "Print as JSON");
+  verb->footer(std::string("Examples:\n"
+                           "  toile pattern export samples/skirt/project.json --out skirt.dxf\n\n") +
+               kExitCodes);
+  return verb;
+}
+
 ExitCode run(int argc, char** argv) {
   CLI::App app("Toile drapes garments: from a flat sewing pattern to cloth on a body.", "toile");
   app.set_version_flag("--version", std::string("toile ") + TOILE_VERSION);
@@ -163,6 +196,10 @@ ExitCode run(int argc, char** argv) {
   const CLI::App* body = add_body(app, options);
   const CLI::App* serve = add_serve(app, options);
   add_submit(app, options);
+  CLI::App* pattern = app.add_subcommand("pattern", "Pattern files: read them, write them");
+  pattern->require_subcommand(1);
+  const CLI::App* import = add_pattern_import(*pattern, options.import);
+  const CLI::App* exporting = add_pattern_export(*pattern, options.exporting);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
@@ -177,6 +214,8 @@ ExitCode run(int argc, char** argv) {
   if (check->parsed()) return check_command(options.check);
   if (body->parsed()) return body_command(options.body);
   if (serve->parsed()) return serve_command(options.serve);
+  if (import->parsed()) return pattern_import_command(options.import);
+  if (exporting->parsed()) return pattern_export_command(options.exporting);
   return submit_command(options.submit);
 }
 

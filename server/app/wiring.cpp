@@ -11,17 +11,15 @@ namespace toile {
 namespace {
 
 /// The first thing that a newcomer sees: the sample, draped as an ordinary job. The key makes it one drape
-/// however often the server starts; once the project has been changed or removed there is nothing to do.
+/// however often the server starts; once the project has been removed there is nothing to do.
 Status drape_sample(Store& store, JobService& jobs, const std::string& folder) {
   if (folder.empty()) return {};
   if (Status added = add_sample_project(store, kLocalOwner, folder); !added) return added;
   const Result<std::optional<std::string>> project = store.get_setting(kLocalOwner, kSampleSetting);
   if (!project) return project.error();
   if (!*project) return {};
-  const Result<JobRow> job = jobs.submit(kLocalOwner, **project, "sample-first-drape");
-  const bool gone =
-      !job && (job.error().code == "store.not_found" || job.error().code == "store.idempotency_mismatch");
-  return job || gone ? Status() : Status(job.error());
+  const Result<Made<JobRow>> job = jobs.submit(kLocalOwner, **project, "sample-first-drape");
+  return job || job.error().code == "store.not_found" ? Status() : Status(job.error());
 }
 
 }  // namespace
@@ -34,6 +32,7 @@ Result<std::unique_ptr<Service>> Service::start(const ServeOptions& options) {
   service->hub_ = std::make_unique<Hub>();
   JobServiceSettings jobs;
   jobs.workers = options.workers;
+  jobs.checkpoint_every_s = options.checkpoint_every_s;
   service->jobs_ = make_job_service(*service->store_, *service->hub_, jobs);
   ServerSettings http;
   http.address = options.address;

@@ -14,7 +14,7 @@ inline const char* const kFullDocument = R"({
   "pieces": [
     {
       "id": "front",
-      "from": {"dxf": "cut/skirt.dxf", "piece": "FRONT", "corners": [[0, 0], [10.5, 20]], "units": "inch"},
+      "from": {"dxf": "cut/skirt.dxf", "piece": "FRONT", "corners": [[0, 0], [10.5, 20]], "units": "inch", "size": "42"},
       "edge_names": {"e0": "waist", "e1": "side"},
       "fabric": "wool",
       "placement": {"wrapped": {"axis": [0.1, -0.2], "radius": 0.25, "angle": -45, "height": 1.1,
@@ -31,6 +31,8 @@ inline const char* const kFullDocument = R"({
       "holes": [[{"id": "eye", "points": [[40, 40], [40, 60], [60, 60], [60, 40], [40, 40]]}],
         [{"id": "slit", "curves": [[[20, 20], [20, 23], [20, 27], [20, 30]], [[20, 30], [27, 27], [27, 23], [20, 20]]]}]],
       "grain": [1, 2],
+      "lines": [{"id": "crease", "points": [[5, 80], [95, 80.5]]}],
+      "layer": 2,
       "fabric": "wool",
       "placement": {"rigid": {"translation": [0, 1, -0.3], "rotation": [0, 180, 5], "flipped": true}}
     }
@@ -52,8 +54,22 @@ inline const char* const kFullDocument = R"({
   "attachments": [
     {"id": "hold", "piece": "back", "edges": ["top"], "hold": "place", "release_after_s": 0.5}
   ],
+  "buttons": [
+    {"id": "b1", "a": {"piece": "back", "at": [10, 90]}, "b": {"piece": "back", "at": [80, 15]}, "distance_mm": 3}
+  ],
+  "elastics": [
+    {"id": "band", "piece": "back", "lines": ["top", "crease"], "factor": 0.8, "stiffness_n": 12}
+  ],
+  "folds": [
+    {"id": "pleat", "piece": "back", "lines": ["crease"], "angle": -90, "stiffness_mn": 5}
+  ],
+  "cushions": [
+    {"id": "pad", "pieces": ["back"], "pressure_pa": 250, "volume_l": 1.5}
+  ],
   "settings": {"particle_distance_mm": 20, "time_step_s": 0.0005, "gravity": 9.8, "sew_time_s": 0.7,
-               "settle_speed_mm_s": 3, "max_time_s": 6, "frame_interval_steps": 25}
+               "settle_speed_mm_s": 3, "max_time_s": 6, "frame_interval_steps": 25,
+               "mode": "dynamic", "end": "settled",
+               "air": {"density_kg_m3": 1.1, "drag_across": 1.3, "drag_along": 0.1, "wind_m_s": [1, 0, -2]}}
 })";
 
 /// `text` with the one place where `from` stands changed to `to`.

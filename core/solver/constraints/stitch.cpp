@@ -52,10 +52,14 @@ void close_groups(std::span<const StitchGroup> groups, std::span<const double> w
       centre += x[v] * m, mass += m;
     }
     centre = centre * (1 / mass);
+    // One factor for all: capped one by one, forces would not add up to nothing, and the garment would fly.
+    double share = 1;
     for (const Index v : g.vertices) {
-      const Vec3 d = centre - x[v];
-      const double l = length(d), most = g.force_limit * h * h * w[v];
-      x[v] += l > most ? d * (most / l) : d;
+      const double l = length(centre - x[v]), most = g.force_limit * h * h * w[v];
+      if (w[v] > 0 && l > most) share = std::min(share, most / l);
+    }
+    for (const Index v : g.vertices) {
+      if (w[v] > 0) x[v] += (centre - x[v]) * share;
     }
   }
 }

@@ -37,6 +37,20 @@ TEST(Assembly, SewnVerticesFormOneClassAcrossSeams) {
   EXPECT_EQ(a.garment.seam_of_sewn[2], 1);
 }
 
+TEST(Assembly, APairHoldsTheSeamHalfWayToItsNeighboursOnTheShorterSide) {
+  GarmentMesh g;  // 40 mm gathered to 10 mm, in two steps of unlike length, and a stitch by itself
+  g.rest = {{0, 0}, {0.01, 0}, {0.04, 0}, {0, 0}, {0.005, 0}, {0.01, 0}};
+  g.panel_of_vertex = {0, 0, 0, 1, 1, 1};
+  g.sewn = {{0, 3}, {1, 4}, {2, 5}, {0, 5}};
+  g.seam_of_sewn = {0, 0, 0, 1};
+  const std::vector<double> held = seam_held_by_pairs(g);
+  ASSERT_EQ(held.size(), 4u);
+  EXPECT_DOUBLE_EQ(held[0], 0.0025);
+  EXPECT_DOUBLE_EQ(held[1], 0.005);
+  EXPECT_DOUBLE_EQ(held[2], 0.0025);
+  EXPECT_EQ(held[3], 0);
+}
+
 TEST(Assembly, AnAttachmentNamesTheVerticesOfItsEdgesOnce) {
   Attachment edges;
   edges.panel = 1, edges.edges = {0, 1};

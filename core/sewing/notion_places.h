@@ -1,0 +1,38 @@
+#pragma once
+// Where a garment's notions are on its mesh.
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/mesh/panel_mesh.h"
+#include "core/sewing/garment_mesh.h"
+#include "core/sewing/notions.h"
+
+namespace toile {
+
+/// A point on a triangle: weights, summing to 1, of three vertices.
+struct ClothPoint {
+  Tri v{kNone, kNone, kNone};
+  std::array<double, 3> share{};
+};
+
+Vec3 position_of(const ClothPoint& point, std::span<const Vec3> x);
+
+/// Chains of vertices: one a line or an edge, from its start to its end.
+using VertexChains = std::vector<std::vector<Index>>;
+
+/// In the garment's own vertices, one entry for each of its notions.
+struct NotionPlaces {
+  std::vector<std::array<ClothPoint, 2>> buttons;
+  std::vector<VertexChains> elastics;
+  std::vector<VertexChains> creases;
+};
+
+/// Errors, `where` naming the notion: "button.off_piece" where a point lies more than a tenth of the mean
+/// edge beside its panel's mesh.
+Result<NotionPlaces> locate_notions(const Notions& notions, const PanelMeshes& meshes,
+                                    const GarmentMesh& garment);
+
+}  // namespace toile

@@ -1,0 +1,41 @@
+#pragma once
+// What a garment may have besides cloth, seams and contact: air around it, buttons, elastic, creases, air
+// inside. All of it is derived from the input and keeps no state of its own.
+
+#include <span>
+#include <vector>
+
+#include "core/solver/constraints/air.h"
+#include "core/solver/constraints/button.h"
+#include "core/solver/constraints/elastic.h"
+#include "core/solver/constraints/fold.h"
+#include "core/solver/constraints/pressure.h"
+
+namespace toile {
+
+/// Vertices are the solver's.
+struct ClothFeatures {
+  AirDrag air;
+  std::vector<PointTie> ties;
+  std::vector<ElasticSegment> elastics;
+  std::vector<FoldHinge> folds;
+  std::vector<PressureChamber> chambers;
+};
+
+/// How far features have come in a step.
+struct FeatureProgress {
+  double open = 0;    ///< buttons: 1 as far as at the start, 0 closed
+  double formed = 1;  ///< elastic, creases, pressure: 0 not yet there, 1 whole
+  bool air = false;   ///< whether the air resists
+};
+
+/// What acts on velocities, before a step.
+void push_features(const ClothFeatures& features, const FeatureProgress& progress,
+                   std::span<const Tri> triangles, std::span<const double> w, double h,
+                   std::span<const Vec3> x, std::vector<Vec3>& force, std::span<Vec3> v);
+
+/// What moves positions: one pass, before stitches, contacts and bounds.
+void solve_features(const ClothFeatures& features, const FeatureProgress& progress, std::span<const double> w,
+                    double h, std::span<Vec3> x);
+
+}  // namespace toile
