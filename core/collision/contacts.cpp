@@ -29,27 +29,19 @@ double cloth_allowance(double gap) {
   return std::max(0.0, std::min(kShareOfClothGap * gap, 0.5 * (gap - kContactFloor)));
 }
 
-Box3 triangle_box(const Tri& t, std::span<const Vec3> x, double margin) {
-  return box_around({x[t[0]], x[t[1]], x[t[2]]}, margin);
-}
-
 double max_ball(const std::vector<double>& ball, const Tri& t) {
   return std::max({ball[t[0]], ball[t[1]], ball[t[2]]});
 }
 
-/// Squared distance of a point to the box of three others: a cheap reason to look no further.
-bool far_from(Vec3 p, Vec3 a, Vec3 b, Vec3 c, double reach) {
-  const auto apart = [reach](double v, double i, double j, double k) {
-    return v < std::min({i, j, k}) - reach || v > std::max({i, j, k}) + reach;
-  };
-  return apart(p.x, a.x, b.x, c.x) || apart(p.y, a.y, b.y, c.y) || apart(p.z, a.z, b.z, c.z);
-}
-
-bool edges_far(Vec3 a0, Vec3 a1, Vec3 b0, Vec3 b1, double reach) {
-  const auto apart = [reach](double i, double j, double k, double l) {
-    return std::min(i, j) > std::max(k, l) + reach || std::min(k, l) > std::max(i, j) + reach;
-  };
-  return apart(a0.x, a1.x, b0.x, b1.x) || apart(a0.y, a1.y, b0.y, b1.y) || apart(a0.z, a1.z, b0.z, b1.z);
+/// Boxes of edges and triangles from those of their vertices: three edges of each triangle, and itself.
+void box_features(std::span<const Tri> triangles, const std::vector<Box3>& vertices, std::vector<Box3>& edges,
+                  std::vector<Box3>& faces) {
+  edges.resize(3 * triangles.size()), faces.resize(triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const Tri& v = triangles[t];
+    for (int k = 0; k < 3; ++k) edges[3 * t + k] = join(vertices[v[k]], vertices[v[(k + 1) % 3]]);
+    faces[t] = join(edges[3 * t], vertices[v[2]]);
+  }
 }
 
 bool inside_both(EdgePoints at) { return at.s > 0 && at.s < 1 && at.t > 0 && at.t < 1; }
@@ -61,10 +53,9 @@ Obstacle make_obstacle(std::span<const Vec3> vertices, std::span<const Tri> tria
   Obstacle obstacle;
   obstacle.vertices.assign(vertices.begin(), vertices.end());
   obstacle.surface = make_surface(triangles, static_cast<Index>(vertices.size()));
-  std::vector<Box3> boxes;
-  boxes.reserve(triangles.size());
-  for (const Tri& t : triangles) boxes.push_back(triangle_box(t, vertices, 0));
-  obstacle.tree = Bvh(boxes);
+  for (const Vec3& p : vertices) obstacle.vertex_boxes.push_back(box_around({p}, skin_offset));
+  box_features(triangles, obstacle.vertex_boxes, obstacle.edge_boxes, obstacle.triangle_boxes);
+  obstacle.tree = Bvh(obstacle.triangle_boxes);
   obstacle.friction = friction;
   obstacle.skin_offset = skin_offset;
   return obstacle;
@@ -133,11 +124,11 @@ void ContactFinder::size_balls(std::span<const double> speeds, Contacts& out) co
 }
 
 void ContactFinder::refit(std::span<const Vec3> positions, const Contacts& out) {
-  boxes_.resize(cloth_.triangles.size());
-  for (std::size_t t = 0; t < boxes_.size(); ++t) {
-    const Tri& tri = cloth_.triangles[t];
-    boxes_[t] = triangle_box(tri, positions, std::max(max_ball(out.ball, tri), 0.5 * settings_.thickness));
+  vertex_boxes_.resize(positions.size());
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    vertex_boxes_[v] = box_around({positions[v]}, std::max(out.ball[v], 0.5 * settings_.thickness));
   }
+  box_features(cloth_.triangles, vertex_boxes_, edge_boxes_, boxes_);
   if (tree_.empty()) {
     tree_ = Bvh(boxes_);
   } else {
@@ -147,10 +138,8 @@ void ContactFinder::refit(std::span<const Vec3> positions, const Contacts& out) 
 
 void ContactFinder::pair_with_obstacles(Contacts& out) {
   for (const Obstacle& obstacle : obstacles_) {
-    for (Index t = 0; t < static_cast<Index>(cloth_.triangles.size()); ++t) {
-      const double reach = std::max(max_ball(out.ball, cloth_.triangles[t]), obstacle.skin_offset);
-      const Box3 box = triangle_box(cloth_.triangles[t], out.measured, reach);
-      obstacle.tree.query(box, [&](Index s) { obstacle_pair(obstacle, t, s, out); });
+    for (Index t = 0; t < static_cast<Index>(boxes_.size()); ++t) {
+      obstacle.tree.query(boxes_[t], [&](Index s) { obstacle_pair(obstacle, t, s, out); });
     }
   }
 }
@@ -165,11 +154,16 @@ void ContactFinder::obstacle_pair(const Obstacle& obstacle, Index cloth_triangle
   const Tri& b = obstacle.surface.triangles[body_triangle];
   const unsigned own_a = cloth_.owned[cloth_triangle], own_b = obstacle.surface.owned[body_triangle];
   for (int k = 0; k < 3; ++k) {
-    if (own_a >> k & 1) vertex_on_obstacle(obstacle, a[k], b, out);
-    if (own_b >> k & 1) obstacle_vertex_on_cloth(obstacle, obstacle.vertices[b[k]], a, out);
+    if ((own_a >> k & 1) && overlap(vertex_boxes_[a[k]], obstacle.triangle_boxes[body_triangle])) {
+      vertex_on_obstacle(obstacle, a[k], b, out);
+    }
+    if ((own_b >> k & 1) && overlap(obstacle.vertex_boxes[b[k]], boxes_[cloth_triangle])) {
+      obstacle_vertex_on_cloth(obstacle, obstacle.vertices[b[k]], a, out);
+    }
     if (!(own_a >> (3 + k) & 1)) continue;
     for (int m = 0; m < 3; ++m) {
       if (!(own_b >> (3 + m) & 1)) continue;
+      if (!overlap(edge_boxes_[3 * cloth_triangle + k], obstacle.edge_boxes[3 * body_triangle + m])) continue;
       edge_on_obstacle(obstacle, a[k], a[(k + 1) % 3], obstacle.vertices[b[m]],
                        obstacle.vertices[b[(m + 1) % 3]], out);
     }
@@ -181,7 +175,6 @@ void ContactFinder::vertex_on_obstacle(const Obstacle& obstacle, Index vertex, c
   const Vec3 p = out.measured[vertex];
   const Vec3 a = obstacle.vertices[face[0]], b = obstacle.vertices[face[1]], c = obstacle.vertices[face[2]];
   const double reach = std::max(out.ball[vertex], obstacle.skin_offset);
-  if (far_from(p, a, b, c, reach)) return;
   const TrianglePoint at = closest_on_triangle(p, a, b, c);
   const Vec3 q = a * at.a + b * at.b + c * at.c;
   const double gap = length(p - q);
@@ -201,7 +194,6 @@ void ContactFinder::obstacle_vertex_on_cloth(const Obstacle& obstacle, Vec3 poin
                                              Contacts& out) {
   const Vec3 a = out.measured[triangle[0]], b = out.measured[triangle[1]], c = out.measured[triangle[2]];
   const double reach = max_ball(out.ball, triangle);
-  if (far_from(point, a, b, c, reach)) return;
   const TrianglePoint at = closest_on_triangle(point, a, b, c);
   const Vec3 q = a * at.a + b * at.b + c * at.c;
   const double gap = length(q - point);
@@ -223,7 +215,6 @@ void ContactFinder::edge_on_obstacle(const Obstacle& obstacle, Index a0, Index a
                                      Contacts& out) {
   const Vec3 p0 = out.measured[a0], p1 = out.measured[a1];
   const double reach = std::max(out.ball[a0], out.ball[a1]);
-  if (edges_far(p0, p1, b0, b1, reach)) return;
   const EdgePoints at = closest_on_edges(p0, p1, b0, b1);
   const Vec3 p = p0 + (p1 - p0) * at.s, q = b0 + (b1 - b0) * at.t;
   const double gap = length(p - q);
@@ -247,11 +238,12 @@ void ContactFinder::cloth_triangle_pair(Index s, Index t, Contacts& out) {
   const Tri& b = cloth_.triangles[t];
   const unsigned own_a = cloth_.owned[s], own_b = cloth_.owned[t];
   for (int k = 0; k < 3; ++k) {
-    if (own_a >> k & 1) vertex_on_cloth(a[k], b, out);
-    if (own_b >> k & 1) vertex_on_cloth(b[k], a, out);
+    if ((own_a >> k & 1) && overlap(vertex_boxes_[a[k]], boxes_[t])) vertex_on_cloth(a[k], b, out);
+    if ((own_b >> k & 1) && overlap(vertex_boxes_[b[k]], boxes_[s])) vertex_on_cloth(b[k], a, out);
     if (!(own_a >> (3 + k) & 1)) continue;
     for (int m = 0; m < 3; ++m) {
-      if (own_b >> (3 + m) & 1) edges_of_cloth(a[k], a[(k + 1) % 3], b[m], b[(m + 1) % 3], out);
+      if (!(own_b >> (3 + m) & 1) || !overlap(edge_boxes_[3 * s + k], edge_boxes_[3 * t + m])) continue;
+      edges_of_cloth(a[k], a[(k + 1) % 3], b[m], b[(m + 1) % 3], out);
     }
   }
 }
@@ -264,7 +256,6 @@ void ContactFinder::vertex_on_cloth(Index vertex, const Tri& triangle, Contacts&
   const Vec3 a = out.measured[triangle[0]], b = out.measured[triangle[1]], c = out.measured[triangle[2]];
   const double balls = out.ball[vertex] + max_ball(out.ball, triangle);
   const double reach = std::max(balls, settings_.thickness);
-  if (far_from(p, a, b, c, reach)) return;
   const TrianglePoint at = closest_on_triangle(p, a, b, c);
   const Vec3 q = a * at.a + b * at.b + c * at.c;
   const double gap = length(p - q);
@@ -279,7 +270,7 @@ void ContactFinder::vertex_on_cloth(Index vertex, const Tri& triangle, Contacts&
                     {1, -at.a, -at.b, -at.c},
                     n,
                     0,
-                    settings_.thickness,
+                    thickness_at({vertex, triangle[0], triangle[1], triangle[2]}),
                     settings_.cloth_friction}});
 }
 
@@ -287,7 +278,6 @@ void ContactFinder::edges_of_cloth(Index a0, Index a1, Index b0, Index b1, Conta
   if (neighbours(a0, b0) || neighbours(a0, b1) || neighbours(a1, b0) || neighbours(a1, b1)) return;
   const Vec3 p0 = out.measured[a0], p1 = out.measured[a1], q0 = out.measured[b0], q1 = out.measured[b1];
   const double reach = std::max(out.ball[a0], out.ball[a1]) + std::max(out.ball[b0], out.ball[b1]);
-  if (edges_far(p0, p1, q0, q1, reach)) return;
   const EdgePoints at = closest_on_edges(p0, p1, q0, q1);
   const Vec3 p = p0 + (p1 - p0) * at.s, q = q0 + (q1 - q0) * at.t;
   const double gap = length(p - q);
@@ -298,15 +288,23 @@ void ContactFinder::edges_of_cloth(Index a0, Index a1, Index b0, Index b1, Conta
   bound(a1, n, p, allowance, out);
   bound(b0, -n, q, allowance, out);
   bound(b1, -n, q, allowance, out);
-  if (gap < settings_.thickness && inside_both(at)) {
+  const double thickness = thickness_at({a0, a1, b0, b1});
+  if (gap < thickness && inside_both(at)) {
     rims_.push_back({4,
                      {a0, a1, b0, b1},
                      {1 - at.s, at.s, at.t - 1, -at.t},
                      n,
                      0,
-                     kRimShare * settings_.thickness,
+                     kRimShare * thickness,
                      settings_.cloth_friction});
   }
+}
+
+double ContactFinder::thickness_at(std::initializer_list<Index> vertices) const {
+  double thickness = settings_.thickness;
+  if (settings_.vertex_thickness.empty()) return thickness;
+  for (const Index v : vertices) thickness = std::min(thickness, settings_.vertex_thickness[v]);
+  return thickness;
 }
 
 bool ContactFinder::has_gap(double gap, double reach, Index vertex, Contacts& out) {

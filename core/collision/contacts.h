@@ -5,6 +5,7 @@
 // a vertex's ball covers all pairs that are not listed. Bounds limit the way from the positions at which was
 // measured, not the move of one step, so they cannot add up.
 
+#include <initializer_list>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,8 @@ struct Obstacle {
   std::vector<Vec3> vertices;
   Surface surface;
   Bvh tree;
+  /// Grown by the skin offset: vertices, edges (3·triangle + corner that the edge leaves), triangles.
+  std::vector<Box3> vertex_boxes, edge_boxes, triangle_boxes;
   double friction = 0.4;      ///< Coulomb
   double skin_offset = 1e-3;  ///< m
 };
@@ -27,6 +30,9 @@ Obstacle make_obstacle(std::span<const Vec3> vertices, std::span<const Tri> tria
 
 struct ContactSettings {
   double thickness = 1e-3;  ///< m, distance that layers of cloth keep
+  /// m, at most, of each vertex; empty: `thickness` for all. Where triangles are narrower than the cloth is
+  /// thick, neighbours in the flat would push each other apart.
+  std::vector<double> vertex_thickness;
   double cloth_friction = 0.3;
   double ball_least = 1e-3;      ///< m
   double ball_most = 5e-3;       ///< m; at most 0.35 of the mean edge
@@ -106,13 +112,15 @@ class ContactFinder {
   void bound(Index vertex, Vec3 n, Vec3 closest, double allowance, const Contacts& out);
   void sort_planes(Contacts& out);
   void keep_nearest(Contacts& out);
+  double thickness_at(std::initializer_list<Index> vertices) const;
   bool neighbours(Index a, Index b) const { return cloth_.vertex_class[a] == cloth_.vertex_class[b]; }
 
   Surface cloth_;
   std::span<const Obstacle> obstacles_;
   ContactSettings settings_;
   Bvh tree_;
-  std::vector<Box3> boxes_;
+  /// Of all places where a feature may be: vertices, edges (3·triangle + corner that it leaves), triangles.
+  std::vector<Box3> vertex_boxes_, edge_boxes_, boxes_;
   struct Near {
     double gap;
     Contact contact;

@@ -37,8 +37,8 @@ Box3 box_around(std::initializer_list<Vec3> points, double margin) {
   const double scale = std::max(
       {1.0, std::abs(lo.x), std::abs(lo.y), std::abs(lo.z), std::abs(hi.x), std::abs(hi.y), std::abs(hi.z)});
   const double m = margin + kRounding * scale;
-  return {{static_cast<float>(lo.x - m), static_cast<float>(lo.y - m), static_cast<float>(lo.z - m)},
-          {static_cast<float>(hi.x + m), static_cast<float>(hi.y + m), static_cast<float>(hi.z + m)}};
+  return {{static_cast<float>(lo.x - m), static_cast<float>(lo.y - m), static_cast<float>(lo.z - m), 0},
+          {static_cast<float>(hi.x + m), static_cast<float>(hi.y + m), static_cast<float>(hi.z + m), 0}};
 }
 
 Bvh::Bvh(std::span<const Box3> boxes) {

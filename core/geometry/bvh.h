@@ -2,6 +2,10 @@
 // A bounding volume tree over boxes: built once, refitted while things move. Boxes are floats, rounded
 // outwards, so that a query never misses; the tree's shape and the order of visits depend only on the input.
 
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
 #include <algorithm>
 #include <span>
 #include <vector>
@@ -10,26 +14,41 @@
 
 namespace toile {
 
-/// An axis-aligned box. The default is empty.
-struct Box3 {
-  float lo[3] = {1e30f, 1e30f, 1e30f};
-  float hi[3] = {-1e30f, -1e30f, -1e30f};
+/// An axis-aligned box. The default is empty. The fourth lanes fill a register and are always 0.
+struct alignas(16) Box3 {
+  float lo[4] = {1e30f, 1e30f, 1e30f, 0};
+  float hi[4] = {-1e30f, -1e30f, -1e30f, 0};
+  friend bool operator==(const Box3&, const Box3&) = default;
 };
 
 /// The box around points, grown by `margin` and by the rounding to float.
 Box3 box_around(std::initializer_list<Vec3> points, double margin);
 
+#ifdef __SSE2__
+inline bool overlap(const Box3& a, const Box3& b) {
+  const __m128 below = _mm_cmple_ps(_mm_load_ps(a.lo), _mm_load_ps(b.hi));
+  const __m128 above = _mm_cmple_ps(_mm_load_ps(b.lo), _mm_load_ps(a.hi));
+  return _mm_movemask_ps(_mm_and_ps(below, above)) == 15;
+}
+/// The least box that holds both.
+inline Box3 join(const Box3& a, const Box3& b) {
+  Box3 c;
+  _mm_store_ps(c.lo, _mm_min_ps(_mm_load_ps(a.lo), _mm_load_ps(b.lo)));
+  _mm_store_ps(c.hi, _mm_max_ps(_mm_load_ps(a.hi), _mm_load_ps(b.hi)));
+  return c;
+}
+#else
 inline bool overlap(const Box3& a, const Box3& b) {
   return a.lo[0] <= b.hi[0] && b.lo[0] <= a.hi[0] && a.lo[1] <= b.hi[1] && b.lo[1] <= a.hi[1] &&
          a.lo[2] <= b.hi[2] && b.lo[2] <= a.hi[2];
 }
-
 /// The least box that holds both.
 inline Box3 join(const Box3& a, const Box3& b) {
   Box3 c;
   for (int k = 0; k < 3; ++k) c.lo[k] = std::min(a.lo[k], b.lo[k]), c.hi[k] = std::max(a.hi[k], b.hi[k]);
   return c;
 }
+#endif
 
 class Bvh {
  public:
@@ -66,10 +85,10 @@ class Bvh {
   template <typename Visit>
   void pairs(const Bvh& other, Visit&& visit) const {
     if (empty() || other.empty()) return;
-    std::vector<std::pair<Index, Index>> stack{{0, 0}};
-    while (!stack.empty()) {
-      const auto [i, j] = stack.back();
-      stack.pop_back();
+    PairStack stack;
+    stack.push(0, 0);
+    while (stack.size > 0) {
+      const auto [i, j] = stack.pop();
       const Node& a = nodes_[i];
       const Node& b = other.nodes_[j];
       if (!overlap(a.box, b.box)) continue;
@@ -85,17 +104,17 @@ class Bvh {
   template <typename Visit>
   void self_pairs(Visit&& visit) const {
     if (empty()) return;
-    std::vector<std::pair<Index, Index>> stack{{0, 0}};
-    while (!stack.empty()) {
-      const auto [i, j] = stack.back();
-      stack.pop_back();
+    PairStack stack;
+    stack.push(0, 0);
+    while (stack.size > 0) {
+      const auto [i, j] = stack.pop();
       const Node& a = nodes_[i];
       const Node& b = nodes_[j];
       if (i == j) {
         if (a.primitive != kNone) continue;
-        stack.push_back({a.right, a.right});
-        stack.push_back({i + 1, a.right});
-        stack.push_back({i + 1, i + 1});
+        stack.push(a.right, a.right);
+        stack.push(i + 1, a.right);
+        stack.push(i + 1, i + 1);
         continue;
       }
       if (!overlap(a.box, b.box)) continue;
@@ -117,17 +136,24 @@ class Bvh {
     Index size = 1;           ///< primitives below
   };
 
-  using PairStack = std::vector<std::pair<Index, Index>>;
+  /// Pairs of nodes still to look at. A pair leaves at most two more than it takes, once a level of each
+  /// tree.
+  struct PairStack {
+    std::pair<Index, Index> pairs[4 * kMaxDepth];
+    int size = 0;
+    void push(Index i, Index j) { pairs[size++] = {i, j}; }
+    std::pair<Index, Index> pop() { return pairs[--size]; }
+  };
 
   /// Puts the pairs below an overlapping pair of nodes on the stack: the larger node is parted. Not both are
   /// leaves.
   static void descend(const Node& a, Index i, const Node& b, Index j, PairStack& stack) {
     if (b.primitive != kNone || (a.primitive == kNone && a.size >= b.size)) {
-      stack.push_back({a.right, j});
-      stack.push_back({i + 1, j});
+      stack.push(a.right, j);
+      stack.push(i + 1, j);
     } else {
-      stack.push_back({i, b.right});
-      stack.push_back({i, j + 1});
+      stack.push(i, b.right);
+      stack.push(i, j + 1);
     }
   }
 

@@ -32,6 +32,14 @@ ContactSettings contact_settings(const ClothModel& model) {
     settings.cloth_friction = std::max(settings.cloth_friction, f.friction);
   }
   settings.thickness = std::min(settings.thickness, 0.3 * edge);
+  settings.vertex_thickness.assign(model.mass.size(), settings.thickness);
+  for (std::size_t t = 0; t < model.triangles.size(); ++t) {
+    const RestTriangle& r = model.rest[t];
+    const double longest = std::max({length(r[1] - r[0]), length(r[2] - r[1]), length(r[0] - r[2])});
+    const double most = rest_area(r) / longest;  // half the least height
+    for (const Index v : model.triangles[t])
+      settings.vertex_thickness[v] = std::min(settings.vertex_thickness[v], most);
+  }
   settings.ball_most = 0.35 * edge;
   settings.ball_least = std::min(settings.ball_least, settings.ball_most);
   return settings;

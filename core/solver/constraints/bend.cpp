@@ -99,16 +99,39 @@ void set_mobility(const BendTriangle& t, std::span<const double> w, double (&mob
   }
 }
 
+/// Hinges of narrow triangles are soft one way and hard the other; the hard one decides (one_pass.h), else it
+/// would overshoot twofold and shake for ever. That is the largest eigenvalue of A = soft⁻¹·mobility, taken
+/// from above as the eighth root of trace(A⁸).
+double share_of_hinges(const double (&soft)[6], const double (&mobility)[6], const bool (&present)[3]) {
+  constexpr int kEntry[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
+  double inverse[6];
+  invert_symmetric(soft, present, inverse);
+  const auto times = [](const auto& p, const auto& q, double(&out)[3][3]) {
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) out[i][j] = p(i, 0) * q(0, j) + p(i, 1) * q(1, j) + p(i, 2) * q(2, j);
+    }
+  };
+  const auto symmetric = [&](const double(&m)[6]) { return [&](int i, int j) { return m[kEntry[i][j]]; }; };
+  const auto square = [](const double(&m)[3][3]) { return [&](int i, int j) { return m[i][j]; }; };
+  double ratio[3][3], ratio2[3][3], ratio4[3][3], ratio8[3][3];
+  times(symmetric(inverse), symmetric(mobility), ratio);
+  times(square(ratio), square(ratio), ratio2);
+  times(square(ratio2), square(ratio2), ratio4);
+  times(square(ratio4), square(ratio4), ratio8);
+  const double trace = ratio8[0][0] + ratio8[1][1] + ratio8[2][2];
+  const bool sound =
+      inverse[0] >= 0 && inverse[1] >= 0 && inverse[2] >= 0 && trace > 0 && std::isfinite(trace);
+  return sound ? one_pass_share(1, std::sqrt(std::sqrt(std::sqrt(trace)))) : 1;
+}
+
 void prepare(BendTriangle& t, std::span<const double> w, double per_h2) {
   double mobility[6], system[6];
   bool present[3];
   set_mobility(t, w, mobility);
-  double soft = 0, free = 0;
-  for (int k = 0; k < 3; ++k) {
-    present[k] = t.v[3 + k] != kNone;
-    soft += t.compliance[k] * per_h2, free += mobility[k];
-  }
-  const double share = one_pass_share(soft, free);
+  for (int k = 0; k < 3; ++k) present[k] = t.v[3 + k] != kNone;
+  double soft[6];
+  for (int e = 0; e < 6; ++e) soft[e] = t.compliance[e] * per_h2;
+  const double share = share_of_hinges(soft, mobility, present);
   for (int e = 0; e < 6; ++e) system[e] = t.compliance[e] * per_h2 + share * mobility[e];
   invert_symmetric(system, present, t.response);
 }

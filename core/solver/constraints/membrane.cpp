@@ -1,5 +1,7 @@
 #include "core/solver/constraints/membrane.h"
 
+#include <algorithm>
+
 #include "core/solver/one_pass.h"
 
 namespace toile {
@@ -56,7 +58,13 @@ void solve_triangle(const MembraneTriangle& t, std::span<const double> w, double
   const Vec3 lambda = solve_symmetric(system, {1 - lu, 1 - lv, -dot(fu, fv)});
 
   const Vec3 pu = nu * lambda.x, pv = nv * lambda.y;
-  const Vec3 d1 = pu * b0 + pv * b2 + shear1 * lambda.z, d2 = pu * b1 + pv * b3 + shear2 * lambda.z;
+  Vec3 d1 = pu * b0 + pv * b2 + shear1 * lambda.z, d2 = pu * b1 + pv * b3 + shear2 * lambda.z;
+  // However far the cloth is out of shape, no corner moves by more than its triangle's least height: beyond
+  // that the linear guess points nowhere, and narrow triangles flew apart.
+  const double steep = std::max({b0 * b0 + b2 * b2, b1 * b1 + b3 * b3, s0 * s0 + s1 * s1});
+  const double way =
+      steep * std::max({dot(d1, d1) * w1 * w1, dot(d2, d2) * w2 * w2, dot(d1 + d2, d1 + d2) * w0 * w0});
+  if (way > 1) d1 = d1 * (1 / std::sqrt(way)), d2 = d2 * (1 / std::sqrt(way));
   x[i0] -= (d1 + d2) * w0;
   x[i1] += d1 * w1;
   x[i2] += d2 * w2;
