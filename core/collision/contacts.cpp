@@ -19,6 +19,9 @@ constexpr double kShareOfClothGap = 0.45;
 /// off to a share of the distance that vertices keep, so that on even ground vertices alone carry the cloth.
 constexpr double kRimShare = 0.5;
 
+/// Keeps what rounds to the rim of a vertex's free ball within its bounds.
+constexpr double kInsideRounding = 1 - 1e-9;
+
 /// Cosine above which two contacts of a vertex count as on the same side.
 constexpr double kSameSide = 0.2;
 
@@ -33,29 +36,39 @@ double max_ball(const std::vector<double>& ball, const Tri& t) {
   return std::max({ball[t[0]], ball[t[1]], ball[t[2]]});
 }
 
-/// Boxes of edges and triangles from those of their vertices: three edges of each triangle, and itself.
-void box_features(std::span<const Tri> triangles, const std::vector<Box3>& vertices, std::vector<Box3>& edges,
-                  std::vector<Box3>& faces) {
-  edges.resize(3 * triangles.size()), faces.resize(triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    const Tri& v = triangles[t];
-    for (int k = 0; k < 3; ++k) edges[3 * t + k] = join(vertices[v[k]], vertices[v[(k + 1) % 3]]);
-    faces[t] = join(edges[3 * t], vertices[v[2]]);
-  }
-}
-
 bool inside_both(EdgePoints at) { return at.s > 0 && at.s < 1 && at.t > 0 && at.t < 1; }
 
 }  // namespace
+
+void FeatureBoxes::lay_around(const Surface& surface) {
+  edges.resize(surface.edges.size()), faces.resize(surface.triangles.size());
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    edges[e] = join(vertices[surface.edges[e][0]], vertices[surface.edges[e][1]]);
+  }
+  for (std::size_t t = 0; t < faces.size(); ++t) {
+    const Tri& v = surface.triangles[t];
+    faces[t] = join(join(vertices[v[0]], vertices[v[1]]), vertices[v[2]]);
+  }
+  for (const auto& [groups, boxes] :
+       {std::pair{&vertex_groups, &vertices}, {&edge_groups, &edges}, {&face_groups, &faces}}) {
+    if (groups->empty()) {
+      *groups = BoxGroups(*boxes);
+    } else {
+      groups->refit(*boxes);
+    }
+  }
+}
 
 Obstacle make_obstacle(std::span<const Vec3> vertices, std::span<const Tri> triangles, double friction,
                        double skin_offset) {
   Obstacle obstacle;
   obstacle.vertices.assign(vertices.begin(), vertices.end());
   obstacle.surface = make_surface(triangles, static_cast<Index>(vertices.size()));
-  for (const Vec3& p : vertices) obstacle.vertex_boxes.push_back(box_around({p}, skin_offset));
-  box_features(triangles, obstacle.vertex_boxes, obstacle.edge_boxes, obstacle.triangle_boxes);
-  obstacle.tree = Bvh(obstacle.triangle_boxes);
+  obstacle.boxes.vertices.resize(vertices.size());
+  for (const Index v : obstacle.surface.vertices) {
+    obstacle.boxes.vertices[v] = box_around({vertices[v]}, skin_offset);
+  }
+  obstacle.boxes.lay_around(obstacle.surface);
   obstacle.friction = friction;
   obstacle.skin_offset = skin_offset;
   return obstacle;
@@ -106,13 +119,23 @@ void ContactFinder::measure(std::span<const Vec3> positions, std::span<const dou
   near_.clear();
   rims_.clear();
   size_balls(speeds, out);
-  refit(positions, out);
+  lay_boxes(positions, out);
   pair_with_obstacles(out);
   pair_with_itself(out);
   sort_planes(out);
   keep_nearest(out);
   // Two vertices whose pair is not listed may both use their balls whole, and must not touch even then.
   for (double& ball : out.ball) ball -= 0.5 * kContactFloor;
+  measure_freedom(out);
+}
+
+void ContactFinder::measure_freedom(Contacts& out) const {
+  out.free = out.ball;
+  for (std::size_t v = 0; v < out.free.size(); ++v) {
+    for (Index k = out.plane_start[v]; k < out.plane_start[v + 1]; ++k)
+      out.free[v] = std::min(out.free[v], out.planes[k].slack);
+    out.free[v] *= kInsideRounding;
+  }
 }
 
 void ContactFinder::size_balls(std::span<const double> speeds, Contacts& out) const {
@@ -123,51 +146,37 @@ void ContactFinder::size_balls(std::span<const double> speeds, Contacts& out) co
   }
 }
 
-void ContactFinder::refit(std::span<const Vec3> positions, const Contacts& out) {
-  vertex_boxes_.resize(positions.size());
-  for (std::size_t v = 0; v < positions.size(); ++v) {
-    vertex_boxes_[v] = box_around({positions[v]}, std::max(out.ball[v], 0.5 * settings_.thickness));
+void ContactFinder::lay_boxes(std::span<const Vec3> positions, const Contacts& out) {
+  boxes_.vertices.resize(positions.size());
+  for (const Index v : cloth_.vertices) {
+    boxes_.vertices[v] = box_around({positions[v]}, std::max(out.ball[v], 0.5 * settings_.thickness));
   }
-  box_features(cloth_.triangles, vertex_boxes_, edge_boxes_, boxes_);
-  if (tree_.empty()) {
-    tree_ = Bvh(boxes_);
-  } else {
-    tree_.refit(boxes_);
-  }
+  boxes_.lay_around(cloth_);
 }
 
 void ContactFinder::pair_with_obstacles(Contacts& out) {
   for (const Obstacle& obstacle : obstacles_) {
-    for (Index t = 0; t < static_cast<Index>(boxes_.size()); ++t) {
-      obstacle.tree.query(boxes_[t], [&](Index s) { obstacle_pair(obstacle, t, s, out); });
-    }
+    const Surface& body = obstacle.surface;
+    const auto& points = obstacle.vertices;
+    boxes_.vertex_groups.pairs(obstacle.boxes.face_groups, [&](Index v, Index t) {
+      vertex_on_obstacle(obstacle, v, body.triangles[t], out);
+    });
+    boxes_.face_groups.pairs(obstacle.boxes.vertex_groups, [&](Index t, Index v) {
+      obstacle_vertex_on_cloth(obstacle, points[v], cloth_.triangles[t], out);
+    });
+    boxes_.edge_groups.pairs(obstacle.boxes.edge_groups, [&](Index e, Index f) {
+      const auto [a0, a1] = cloth_.edges[e];
+      edge_on_obstacle(obstacle, a0, a1, points[body.edges[f][0]], points[body.edges[f][1]], out);
+    });
   }
 }
 
 void ContactFinder::pair_with_itself(Contacts& out) {
-  tree_.self_pairs([&](Index s, Index t) { cloth_triangle_pair(s, t, out); });
-}
-
-void ContactFinder::obstacle_pair(const Obstacle& obstacle, Index cloth_triangle, Index body_triangle,
-                                  Contacts& out) {
-  const Tri& a = cloth_.triangles[cloth_triangle];
-  const Tri& b = obstacle.surface.triangles[body_triangle];
-  const unsigned own_a = cloth_.owned[cloth_triangle], own_b = obstacle.surface.owned[body_triangle];
-  for (int k = 0; k < 3; ++k) {
-    if ((own_a >> k & 1) && overlap(vertex_boxes_[a[k]], obstacle.triangle_boxes[body_triangle])) {
-      vertex_on_obstacle(obstacle, a[k], b, out);
-    }
-    if ((own_b >> k & 1) && overlap(obstacle.vertex_boxes[b[k]], boxes_[cloth_triangle])) {
-      obstacle_vertex_on_cloth(obstacle, obstacle.vertices[b[k]], a, out);
-    }
-    if (!(own_a >> (3 + k) & 1)) continue;
-    for (int m = 0; m < 3; ++m) {
-      if (!(own_b >> (3 + m) & 1)) continue;
-      if (!overlap(edge_boxes_[3 * cloth_triangle + k], obstacle.edge_boxes[3 * body_triangle + m])) continue;
-      edge_on_obstacle(obstacle, a[k], a[(k + 1) % 3], obstacle.vertices[b[m]],
-                       obstacle.vertices[b[(m + 1) % 3]], out);
-    }
-  }
+  boxes_.vertex_groups.pairs(boxes_.face_groups,
+                             [&](Index v, Index t) { vertex_on_cloth(v, cloth_.triangles[t], out); });
+  boxes_.edge_groups.self_pairs([&](Index e, Index f) {
+    edges_of_cloth(cloth_.edges[e][0], cloth_.edges[e][1], cloth_.edges[f][0], cloth_.edges[f][1], out);
+  });
 }
 
 void ContactFinder::vertex_on_obstacle(const Obstacle& obstacle, Index vertex, const Tri& face,
@@ -230,21 +239,6 @@ void ContactFinder::edge_on_obstacle(const Obstacle& obstacle, Index a0, Index a
                      dot(n, q),
                      kRimShare * obstacle.skin_offset,
                      obstacle.friction});
-  }
-}
-
-void ContactFinder::cloth_triangle_pair(Index s, Index t, Contacts& out) {
-  const Tri& a = cloth_.triangles[s];
-  const Tri& b = cloth_.triangles[t];
-  const unsigned own_a = cloth_.owned[s], own_b = cloth_.owned[t];
-  for (int k = 0; k < 3; ++k) {
-    if ((own_a >> k & 1) && overlap(vertex_boxes_[a[k]], boxes_[t])) vertex_on_cloth(a[k], b, out);
-    if ((own_b >> k & 1) && overlap(vertex_boxes_[b[k]], boxes_[s])) vertex_on_cloth(b[k], a, out);
-    if (!(own_a >> (3 + k) & 1)) continue;
-    for (int m = 0; m < 3; ++m) {
-      if (!(own_b >> (3 + m) & 1) || !overlap(edge_boxes_[3 * s + k], edge_boxes_[3 * t + m])) continue;
-      edges_of_cloth(a[k], a[(k + 1) % 3], b[m], b[(m + 1) % 3], out);
-    }
   }
 }
 

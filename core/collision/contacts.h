@@ -11,17 +11,25 @@
 
 #include "core/base/types.h"
 #include "core/collision/surface.h"
-#include "core/geometry/bvh.h"
+#include "core/geometry/box_groups.h"
 
 namespace toile {
+
+/// Boxes around each feature of a surface, by kind: what is asked for pairs.
+struct FeatureBoxes {
+  /// Of all places where a feature may be; edges and faces in the surface's order, vertices by index.
+  std::vector<Box3> vertices, edges, faces;
+  BoxGroups vertex_groups, edge_groups, face_groups;
+
+  /// Edges and faces from `vertices`, then the groups: made the first time, refitted from then on.
+  void lay_around(const Surface& surface);
+};
 
 /// A solid as contact sees it. Does not move.
 struct Obstacle {
   std::vector<Vec3> vertices;
   Surface surface;
-  Bvh tree;
-  /// Grown by the skin offset: vertices, edges (3·triangle + corner that the edge leaves), triangles.
-  std::vector<Box3> vertex_boxes, edge_boxes, triangle_boxes;
+  FeatureBoxes boxes;         ///< grown by the skin offset
   double friction = 0.4;      ///< Coulomb
   double skin_offset = 1e-3;  ///< m
 };
@@ -64,13 +72,18 @@ struct BoundPlane {
 struct Contacts {
   std::vector<Vec3> measured;      ///< x0
   std::vector<double> ball;        ///< m, radius around x0
+  std::vector<double> free;        ///< m, radius around x0 in which neither ball nor plane is met
   std::vector<Index> plane_start;  ///< first plane of each vertex, one more at the end
   std::vector<BoundPlane> planes;
   std::vector<Contact> contacts;
   double least_gap = 1;            ///< m, of all pairs that came near; 1 when none did
   Index least_gap_vertex = kNone;  ///< a vertex of that pair
 
-  /// True when the vertex may be at x.
+  /// True when x is too near x0 to meet any bound: what most vertices are, most of the time.
+  bool surely_inside(Index v, Vec3 x) const {
+    const Vec3 d = x - measured[v];
+    return dot(d, d) <= free[v] * free[v];
+  }
   bool inside_ball(Index v, Vec3 x) const;
   bool inside_planes(Index v, Vec3 x) const;
   /// As reach, but for the planes alone.
@@ -97,20 +110,19 @@ class ContactFinder {
   };
 
   void size_balls(std::span<const double> speeds, Contacts& out) const;
-  void refit(std::span<const Vec3> positions, const Contacts& out);
+  void lay_boxes(std::span<const Vec3> positions, const Contacts& out);
   void pair_with_obstacles(Contacts& out);
   void pair_with_itself(Contacts& out);
-  void obstacle_pair(const Obstacle& obstacle, Index cloth_triangle, Index body_triangle, Contacts& out);
   void vertex_on_obstacle(const Obstacle& obstacle, Index vertex, const Tri& face, Contacts& out);
   void obstacle_vertex_on_cloth(const Obstacle& obstacle, Vec3 point, const Tri& triangle, Contacts& out);
   void edge_on_obstacle(const Obstacle& obstacle, Index a0, Index a1, Vec3 b0, Vec3 b1, Contacts& out);
-  void cloth_triangle_pair(Index s, Index t, Contacts& out);
   void vertex_on_cloth(Index vertex, const Tri& triangle, Contacts& out);
   void edges_of_cloth(Index a0, Index a1, Index b0, Index b1, Contacts& out);
   /// Notes a pair's gap; false when there is none to push along (the features touch, or are out of reach).
   bool has_gap(double gap, double reach, Index vertex, Contacts& out);
   void bound(Index vertex, Vec3 n, Vec3 closest, double allowance, const Contacts& out);
   void sort_planes(Contacts& out);
+  void measure_freedom(Contacts& out) const;
   void keep_nearest(Contacts& out);
   double thickness_at(std::initializer_list<Index> vertices) const;
   bool neighbours(Index a, Index b) const { return cloth_.vertex_class[a] == cloth_.vertex_class[b]; }
@@ -118,9 +130,7 @@ class ContactFinder {
   Surface cloth_;
   std::span<const Obstacle> obstacles_;
   ContactSettings settings_;
-  Bvh tree_;
-  /// Of all places where a feature may be: vertices, edges (3·triangle + corner that it leaves), triangles.
-  std::vector<Box3> vertex_boxes_, edge_boxes_, boxes_;
+  FeatureBoxes boxes_;
   struct Near {
     double gap;
     Contact contact;

@@ -36,6 +36,13 @@ Surface make_surface(std::span<const Tri> triangles, Index vertex_count,
     const bool first = i == 0 || halves[i].v0 != halves[i - 1].v0 || halves[i].v1 != halves[i - 1].v1;
     if (first) surface.owned[halves[i].triangle] |= 8u << halves[i].corner;
   }
+  for (Index t = 0; t < static_cast<Index>(triangles.size()); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      if (surface.owned[t] >> k & 1) surface.vertices.push_back(triangles[t][k]);
+      if (surface.owned[t] >> (3 + k) & 1)
+        surface.edges.push_back({triangles[t][k], triangles[t][(k + 1) % 3]});
+    }
+  }
   return surface;
 }
 

@@ -13,6 +13,8 @@ namespace toile {
 
 struct Surface {
   std::vector<Tri> triangles;
+  std::vector<Index> vertices;              ///< that a triangle has, each once
+  std::vector<std::array<Index, 2>> edges;  ///< each once, as its owner goes along it
   /// Bits 0 to 2: the triangle owns its corner k. Bits 3 to 5: it owns the edge from corner k to corner k+1.
   std::vector<std::uint8_t> owned;
   /// Vertices of the same class count as one for neighbourhood (a stitched pair); least member's index.

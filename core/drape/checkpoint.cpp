@@ -27,8 +27,10 @@ void fields(Archive& a, RunState& run) {
   a.value(s.time), a.value(s.phase_start), a.value(s.last_weld);
   a.value(s.joined), a.value(s.released);
   a.value(s.watch.step), a.value(s.watch.window_start), a.value(s.watch.rms), a.value(s.watch.max_speed);
+  a.value(s.watch.drift_start), a.value(s.watch.drift);
   a.value(s.solver.positions), a.value(s.solver.velocities);
-  a.value(s.solver.measured), a.value(s.solver.measured_speeds), a.value(s.solver.held_back);
+  a.value(s.solver.measured), a.value(s.solver.measured_speeds), a.value(s.solver.held_back),
+      a.value(s.solver.hits);
   a.value(run.at_end.cloth_body), a.value(run.at_end.cloth_cloth);
   a.value(run.worst.cloth_body), a.value(run.worst.cloth_cloth);
   a.value(run.worst_frame_step), a.value(run.frames_checked), a.value(run.resumed), a.value(run.recorded);
@@ -59,13 +61,16 @@ bool sound(const SessionState& s) {
   const std::size_t n = s.solver.positions.size();
   const std::size_t m = s.solver.measured.size();
   return s.phase <= DrapePhase::kDone && (s.phase == DrapePhase::kDone) == !s.stop_reason.empty() &&
-         s.stop_reason.size() <= kMostWords && all_counts(s.steps, s.watch.step, s.solver.held_back) &&
+         s.stop_reason.size() <= kMostWords &&
+         all_counts(s.steps, s.watch.step, s.solver.held_back, s.solver.hits) &&
          all_times(s.time, s.phase_start, s.last_weld) && s.solver.velocities.size() == n &&
          (m == 0 || m == n) && s.solver.measured_speeds.size() == m && s.watch.window_start.size() == n &&
+         s.watch.drift_start.size() == n && s.watch.drift >= 0 &&
          s.watch.rms.size() <= SettleState::kMostWindows && s.watch.max_speed >= 0 &&
          all_speeds(s.watch.rms) && all_speeds({s.watch.max_speed}) && all_speeds(s.solver.measured_speeds) &&
          all_within(s.solver.positions, kFarthest) && all_within(s.solver.velocities, kFarthest) &&
-         all_within(s.solver.measured, kFarthest) && all_within(s.watch.window_start, kFarthest);
+         all_within(s.solver.measured, kFarthest) && all_within(s.watch.window_start, kFarthest) &&
+         all_within(s.watch.drift_start, kFarthest);
 }
 
 bool sound(const RunState& run) {

@@ -39,8 +39,8 @@ void write_one(StateWriter& out, const Panel& panel) {
   write(out, id, outline, holes, grain, fabric, lines, layer, notches);
 }
 void write_one(StateWriter& out, const SeamEdge& at) {
-  const auto& [panel, edge, reversed] = at;
-  write(out, panel, edge, reversed);
+  const auto& [panel, edge, reversed, from, to] = at;
+  write(out, panel, edge, reversed, from, to);
 }
 void write_one(StateWriter& out, const Seam& seam) {
   const auto& [id, a, b, same_direction] = seam;
@@ -55,18 +55,20 @@ void write_one(StateWriter& out, const RigidPlacement& placement) {
   write(out, translation, rotation, flipped);
 }
 void write_one(StateWriter& out, const WrappedPlacement& placement) {
-  const auto& [axis, radius, angle, height, anchor, slope] = placement;
-  write(out, axis, radius, angle, height, anchor, slope);
+  const auto& [axis, radius, angle, height, anchor, slope, up, turn, flipped] = placement;
+  write(out, axis, radius, angle, height, anchor, slope, up, turn, flipped);
 }
 void write_one(StateWriter& out, const Placement& placement) {
   out.size(placement.index());
   std::visit([&](const auto& kind) { write(out, kind); }, placement);
 }
 void write_one(StateWriter& out, const Fabric& fabric) {
-  const auto& [id, name, areal_mass, stretch_warp, stretch_weft, stretch_coupling, stretch_shear, bend_warp,
-               bend_weft, bend_bias, thickness, friction, colour] = fabric;
-  write(out, id, name, areal_mass, stretch_warp, stretch_weft, stretch_coupling, stretch_shear, bend_warp,
-        bend_weft, bend_bias, thickness, friction, colour[0], colour[1], colour[2]);
+  const auto& [id, name, areal_mass, stretch_warp, stretch_weft, stretch_coupling, stretch_shear, limit_warp,
+               limit_weft, limit_shear, bend_warp, bend_weft, bend_bias, thickness, friction, colour] =
+      fabric;
+  write(out, id, name, areal_mass, stretch_warp, stretch_weft, stretch_coupling, stretch_shear, limit_warp,
+        limit_weft, limit_shear, bend_warp, bend_weft, bend_bias, thickness, friction, colour[0], colour[1],
+        colour[2]);
 }
 void write_one(StateWriter& out, const TriangleMesh& mesh) {
   const auto& [vertices, triangles] = mesh;

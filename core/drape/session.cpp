@@ -7,6 +7,7 @@
 #include "core/drape/input_hash.h"
 #include "core/drape/make_features.h"
 #include "core/drape/weld.h"
+#include "core/solver/constraints/viscosity.h"
 
 namespace toile {
 
@@ -18,8 +19,10 @@ constexpr double kGravityRamp = 0.5;  // s
 constexpr double kSewDamping = 6;  // 1/s
 /// Cloth falls and folds freely first, then comes to rest near critically damped (a hem swings at about 1
 /// Hz).
-constexpr double kFallDamping = 2, kRestDamping = 8;  // 1/s
+constexpr double kFallDamping = 2, kRestDamping = 4;  // 1/s
 constexpr double kFallTime = 0.8;                     // s after gravity is full
+/// Inner friction, so that what shivers comes to rest; wide folds hardly feel it.
+constexpr double kViscosity = 20;  // 1/s
 /// Elastic, creases and air come in over this time, once the garment is sewn.
 constexpr double kFormTime = 0.5;  // s
 /// Seams this close are shut.
@@ -141,6 +144,7 @@ StepForces DrapeSession::forces_now() const {
   forces.gravity = input_.settings.gravity * std::min(1.0, since / kGravityRamp);
   const double falling = since - kGravityRamp;
   forces.damping = falling < kFallTime ? kFallDamping : kRestDamping;
+  forces.viscosity = viscous_share(kViscosity, input_.settings.time_step, steps_);
   return forces;
 }
 

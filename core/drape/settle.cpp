@@ -8,6 +8,22 @@ namespace toile {
 namespace {
 constexpr double kWindow = 0.05;  // s
 constexpr std::size_t kQuietWindows = SettleState::kMostWindows;
+/// Of the speed at which cloth counts as at rest, what may be drift.
+constexpr double kDriftShare = 0.3;
+
+struct Speeds {
+  double rms = 0, most = 0;
+};
+
+Speeds speeds_between(std::span<const Vec3> from, std::span<const Vec3> to, double seconds) {
+  double sum = 0, most = 0;
+  for (std::size_t i = 0; i < to.size(); ++i) {
+    const Vec3 d = to[i] - from[i];
+    sum += dot(d, d), most = std::max(most, dot(d, d));
+  }
+  const double rms = to.empty() ? 0 : std::sqrt(sum / static_cast<double>(to.size()));
+  return {rms / seconds, std::sqrt(most) / seconds};
+}
 }  // namespace
 
 SettleWatch::SettleWatch(double time_step, double speed)
@@ -18,28 +34,29 @@ SettleWatch::SettleWatch(double time_step, double speed)
 void SettleWatch::restart(std::span<const Vec3> x) {
   seen_ = {};
   seen_.window_start.assign(x.begin(), x.end());
+  seen_.drift_start = seen_.window_start;
 }
 
 void SettleWatch::observe(std::span<const Vec3> x) {
   if (seen_.window_start.size() != x.size()) restart(x);
   if (++seen_.step % window_steps_ != 0) return;
-  double sum = 0, most = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const Vec3 d = x[i] - seen_.window_start[i];
-    sum += dot(d, d), most = std::max(most, dot(d, d));
-  }
   const double seconds = window_steps_ * time_step_;
+  const Speeds speeds = speeds_between(seen_.window_start, x, seconds);
   if (seen_.rms.size() == SettleState::kMostWindows) seen_.rms.erase(seen_.rms.begin());
-  seen_.rms.push_back(x.empty() ? 0 : std::sqrt(sum / static_cast<double>(x.size())) / seconds);
-  seen_.max_speed = std::sqrt(most) / seconds;
+  seen_.rms.push_back(speeds.rms);
+  seen_.max_speed = speeds.most;
   seen_.window_start.assign(x.begin(), x.end());
+  constexpr int kRow = static_cast<int>(kQuietWindows);
+  if (seen_.step % (kRow * window_steps_) != 0) return;
+  seen_.drift = speeds_between(seen_.drift_start, x, kRow * seconds).rms;
+  seen_.drift_start = seen_.window_start;
 }
 
 bool SettleWatch::settled() const {
   if (seen_.rms.size() < kQuietWindows) return false;
   const double* last = seen_.rms.data() + seen_.rms.size() - kQuietWindows;
   const bool slow = std::all_of(last, last + kQuietWindows, [&](double v) { return v < speed_; });
-  return slow && last[2] + last[3] <= 1.2 * (last[0] + last[1]);
+  return slow && seen_.drift <= kDriftShare * speed_ && last[2] + last[3] <= 1.2 * (last[0] + last[1]);
 }
 
 }  // namespace toile

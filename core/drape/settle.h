@@ -19,6 +19,8 @@ struct SettleState {
   std::vector<Vec3> window_start;  ///< m
   std::vector<double> rms;         ///< m/s, of the newest windows, the last one last
   double max_speed = 0;            ///< m/s
+  std::vector<Vec3> drift_start;   ///< m, where the last full row of kMostWindows windows ended
+  double drift = 0;                ///< m/s RMS, over such a row; what swings to and fro does not count
 };
 
 class SettleWatch {
@@ -31,7 +33,8 @@ class SettleWatch {
   /// Takes note of the positions after a step.
   void observe(std::span<const Vec3> x);
 
-  /// Slow in each of the last four windows, and not speeding up.
+  /// Slow in each of the last four windows, not speeding up, and hardly drifting: folds that creep through
+  /// a thick medium are slow, and go far once it is gone.
   bool settled() const;
   double rms_speed() const {
     return seen_.rms.empty() ? 0 : seen_.rms.back();

@@ -26,7 +26,28 @@ int widest_axis(std::span<const Index> order, std::span<const Box3> boxes) {
   return axis;
 }
 
+/// Puts the `left` lower ones along the widest axis first; where the others begin.
+std::span<Index>::iterator part(std::span<Index> order, std::span<const Box3> boxes, std::size_t left) {
+  const int axis = widest_axis(order, boxes);
+  const auto middle = order.begin() + static_cast<std::ptrdiff_t>(left);
+  std::nth_element(order.begin(), middle, order.end(), [&](Index p, Index q) {
+    const float a = centre2(boxes[p], axis), b = centre2(boxes[q], axis);
+    return a != b ? a < b : p < q;  // ties by index: the tree is the same on every library
+  });
+  return middle;
+}
+
 }  // namespace
+
+void part_by_place(std::span<Index> order, std::span<const Box3> boxes, std::size_t most,
+                   const std::function<void(std::span<const Index>)>& emit) {
+  if (order.empty()) return;
+  if (order.size() <= most) return emit(order);
+  const std::size_t half = (order.size() / 2 + most - 1) / most * most;
+  const auto middle = part(order, boxes, half);
+  part_by_place({order.begin(), middle}, boxes, most, emit);
+  part_by_place({middle, order.end()}, boxes, most, emit);
+}
 
 Box3 box_around(std::initializer_list<Vec3> points, double margin) {
   Vec3 lo = *points.begin(), hi = lo;
@@ -58,12 +79,7 @@ Index Bvh::build(std::span<Index> order, std::span<const Box3> boxes) {
     nodes_[self].primitive = order[0];
     return self;
   }
-  const int axis = widest_axis(order, boxes);
-  const auto middle = order.begin() + static_cast<std::ptrdiff_t>(order.size() / 2);
-  std::nth_element(order.begin(), middle, order.end(), [&](Index p, Index q) {
-    const float a = centre2(boxes[p], axis), b = centre2(boxes[q], axis);
-    return a != b ? a < b : p < q;  // ties by index: the tree is the same on every library
-  });
+  const auto middle = part(order, boxes, order.size() / 2);
   build({order.begin(), middle}, boxes);
   const Index right = build({middle, order.end()}, boxes);
   nodes_[self].right = right;

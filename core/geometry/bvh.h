@@ -7,6 +7,7 @@
 #endif
 
 #include <algorithm>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -49,6 +50,12 @@ inline Box3 join(const Box3& a, const Box3& b) {
   return c;
 }
 #endif
+
+/// Parts primitives by their boxes' centres, in halves along the widest axis, until `most` or fewer are
+/// together; calls emit(members) for each part, all but the last of exactly `most`, neighbours after one
+/// another. `order` is rearranged.
+void part_by_place(std::span<Index> order, std::span<const Box3> boxes, std::size_t most,
+                   const std::function<void(std::span<const Index>)>& emit);
 
 class Bvh {
  public:

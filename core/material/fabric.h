@@ -17,6 +17,10 @@ struct Fabric {
   double stretch_coupling = 600;  ///< N/m, c12; |c12| < √(warp·weft)
   double stretch_shear = 700;     ///< N/m per radian of shear
 
+  /// Strains beyond which the cloth becomes much stiffer (its yarns are straight); 0: never.
+  double limit_warp = 0, limit_weft = 0;
+  double limit_shear = 0;  ///< radians
+
   double bend_warp = 1.3e-5;  ///< N·m, bending rigidity per width of a strip cut along the warp
   double bend_weft = 1.3e-5;  ///< N·m
   double bend_bias = 1.3e-5;  ///< N·m, strip cut at 45°

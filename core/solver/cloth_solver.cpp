@@ -4,12 +4,14 @@
 
 #include "core/base/check.h"
 #include "core/solver/constraints/contact_pass.h"
+#include "core/solver/constraints/viscosity.h"
 
 namespace toile {
 
 namespace {
 
-/// Share of the vertices that may run into a plane before a fresh measurement gives them their way back.
+/// Runs of vertices into planes, per vertex of the cloth and summed over steps, before a fresh measurement
+/// gives them their way back. What few planes hold for long would hang in the air as on pins.
 constexpr double kPlaneHitShare = 0.03;
 
 double mean_edge(const ClothModel& model) {
@@ -50,8 +52,8 @@ ClothSolver::ClothSolver(ClothModel model, std::vector<Vec3> positions, std::spa
     : model_(std::move(model)),
       obstacles_(obstacles),
       h_(time_step),
-      membrane_(make_membrane(model_)),
-      bending_(make_bending(model_)),
+      membrane_(model_),
+      bending_(model_),
       x_(std::move(positions)),
       finder_(make_surface(model_.triangles, model_.vertex_count(), model_.vertex_class), obstacles_,
               contact_settings(model_)) {
@@ -80,20 +82,20 @@ void ClothSolver::set_holds(std::vector<HeldVertex> held) {
   }
   if (w == inverse_mass_) return;
   inverse_mass_ = std::move(w);
-  prepare_membrane(membrane_, inverse_mass_, h_);
-  prepare_bending(bending_, inverse_mass_, h_);
+  membrane_.prepare(inverse_mass_, h_);
+  bending_.prepare(inverse_mass_, h_);
 }
 
 SolverState ClothSolver::state() const {
-  if (!measured_) return {x_, velocity_, {}, {}, held_back_};
-  return {x_, velocity_, contacts_.measured, speed_, held_back_};
+  if (!measured_) return {x_, velocity_, {}, {}, held_back_, hits_};
+  return {x_, velocity_, contacts_.measured, speed_, held_back_, hits_};
 }
 
 void ClothSolver::restore(SolverState state) {
   TOILE_CHECK(state.positions.size() == x_.size() && state.velocities.size() == x_.size());
   x_ = std::move(state.positions);
   velocity_ = std::move(state.velocities);
-  held_back_ = state.held_back;
+  held_back_ = state.held_back, hits_ = state.hits;
   measured_ = !state.measured.empty();
   if (!measured_) return;
   speed_ = std::move(state.measured_speeds);
@@ -104,8 +106,8 @@ StepReport ClothSolver::step(const StepForces& forces) {
   push_features(features_, forces.features, model_.triangles, inverse_mass_, h_, x_, feature_force_,
                 velocity_);
   predict(forces);
-  solve_membrane(membrane_, inverse_mass_, h_, x_);
-  solve_bending(bending_, inverse_mass_, x_);
+  membrane_.solve(x_);
+  bending_.solve(x_);
   solve_features(features_, forces.features, inverse_mass_, h_, x_);
   solve_height_holds(held_, x_);
   if (forces.stitch_length > 0) {  // after the holds: a thread wins over a hand
@@ -115,6 +117,7 @@ StepReport ClothSolver::step(const StepForces& forces) {
   }
   const StepReport report = keep_bounds(forces);
   finish();
+  if (forces.viscosity > 0) even_velocities(model_.triangles, model_.mass, forces.viscosity, velocity_);
   return report;
 }
 
@@ -144,7 +147,7 @@ void ClothSolver::measure() {
 bool ClothSolver::leaves_a_ball() const {
   for (std::size_t i = 0; i < x_.size(); ++i) {
     const auto v = static_cast<Index>(i);
-    if (contacts_.inside_ball(v, x_[i])) continue;
+    if (contacts_.surely_inside(v, x_[i]) || contacts_.inside_ball(v, x_[i])) continue;
     const double t = contacts_.plane_reach(v, before_[i], x_[i]);
     if (!contacts_.inside_ball(v, before_[i] + (x_[i] - before_[i]) * t)) return true;
   }
@@ -153,7 +156,10 @@ bool ClothSolver::leaves_a_ball() const {
 
 int ClothSolver::count_plane_hits() const {
   int hits = 0;
-  for (std::size_t i = 0; i < x_.size(); ++i) hits += !contacts_.inside_planes(static_cast<Index>(i), x_[i]);
+  for (std::size_t i = 0; i < x_.size(); ++i) {
+    const auto v = static_cast<Index>(i);
+    hits += !contacts_.surely_inside(v, x_[i]) && !contacts_.inside_planes(v, x_[i]);
+  }
   return hits;
 }
 
@@ -174,8 +180,9 @@ StepReport ClothSolver::keep_bounds(const StepForces& forces) {
     solve_contacts(contacts_.contacts, before_, inverse_mass_, forces.friction, h_, x_, lifted_);
   };
   push_apart();
-  if (report.measurements == 0 && (leaves_a_ball() || count_plane_hits() - held_back_ >
-                                                          kPlaneHitShare * static_cast<double>(x_.size()))) {
+  if (report.measurements == 0) hits_ += std::max(0, count_plane_hits() - held_back_);
+  if (report.measurements == 0 &&
+      (leaves_a_ball() || hits_ > kPlaneHitShare * static_cast<double>(x_.size()))) {
     measure();
     ++report.measurements;
     x_ = proposal_;
@@ -183,10 +190,12 @@ StepReport ClothSolver::keep_bounds(const StepForces& forces) {
     push_apart();
   }
   for (std::size_t i = 0; i < x_.size(); ++i) {
-    const double t = contacts_.reach(static_cast<Index>(i), before_[i], x_[i]);
+    const auto v = static_cast<Index>(i);
+    if (contacts_.surely_inside(v, x_[i])) continue;
+    const double t = contacts_.reach(v, before_[i], x_[i]);
     if (t < 1) x_[i] = before_[i] + (x_[i] - before_[i]) * t, ++report.bounded;
   }
-  if (report.measurements > 0) held_back_ = report.bounded;
+  if (report.measurements > 0) held_back_ = report.bounded, hits_ = 0;
   return report;
 }
 

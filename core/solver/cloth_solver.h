@@ -7,10 +7,9 @@
 #include "core/collision/contacts.h"
 #include "core/solver/cloth_features.h"
 #include "core/solver/cloth_model.h"
-#include "core/solver/constraints/bend.h"
 #include "core/solver/constraints/hold.h"
-#include "core/solver/constraints/membrane.h"
 #include "core/solver/constraints/stitch.h"
+#include "core/solver/lanes/passes.h"
 
 namespace toile {
 
@@ -18,6 +17,7 @@ namespace toile {
 struct StepForces {
   double gravity = 9.81;     ///< m/s², downwards
   double damping = 1;        ///< 1/s, of the velocity, as if in a thick medium
+  double viscosity = 0;      ///< share of velocity differences that triangles lose in this step, 0 to 1
   double friction = 1;       ///< factor on all coefficients
   double stitch_length = 0;  ///< 1: stitches as long as at the start, 0: closed
   FeatureProgress features;
@@ -37,6 +37,7 @@ struct SolverState {
   std::vector<Vec3> measured;           ///< m, where contacts were measured last; empty before the first time
   std::vector<double> measured_speeds;  ///< m/s, that sized the balls then
   int held_back = 0;                    ///< vertices that the bounds stopped right after
+  int hits = 0;                         ///< more than those, summed over the steps since
 };
 
 class ClothSolver {
@@ -78,8 +79,8 @@ class ClothSolver {
   ClothModel model_;
   std::span<const Obstacle> obstacles_;
   double h_;
-  std::vector<MembraneTriangle> membrane_;
-  std::vector<BendTriangle> bending_;
+  MembranePass membrane_;
+  BendPass bending_;
   std::vector<Stitch> stitches_;
   std::vector<StitchGroup> stitch_groups_;
   std::vector<HeldVertex> held_;
@@ -93,6 +94,7 @@ class ClothSolver {
   Contacts contacts_;
   bool measured_ = false;
   int held_back_ = 0;  ///< vertices that the bounds stopped right after the last measurement
+  int hits_ = 0;       ///< more than those, summed over the steps since
 };
 
 /// Thickness, friction and ball sizes for a cloth: thickness at most 0.3 and balls at most 0.35 of the mean

@@ -36,11 +36,11 @@ bool parse_number(const std::string& text, double& number) {
 
 Status set_number(Options& o, const std::string& key, double value) {
   const std::map<std::string, double*> numbers{
-      {"--time-step", &o.run.time_step},          {"--turn", &o.disguise.turn_degrees},
-      {"--bend-factor", &o.run.bend_factor},      {"--settle-speed", &o.run.settle_speed},
-      {"--fall-damping", &o.run.fall_damping},    {"--rest-damping", &o.run.rest_damping},
-      {"--fall-time", &o.run.fall_time},          {"--friction", &o.run.friction},
-      {"--stretch-factor", &o.run.stretch_factor}};
+      {"--time-step", &o.run.time_step},       {"--turn", &o.disguise.turn_degrees},
+      {"--bend-factor", &o.run.bend_factor},   {"--settle-speed", &o.run.settle_speed},
+      {"--fall-damping", &o.run.fall_damping}, {"--rest-damping", &o.run.rest_damping},
+      {"--fall-time", &o.run.fall_time},       {"--viscosity", &o.run.viscosity},
+      {"--friction", &o.run.friction},         {"--stretch-factor", &o.run.stretch_factor}};
   const auto found = numbers.find(key);
   if (key == "--shuffle") {
     o.disguise.shuffle = static_cast<std::uint64_t>(value);

@@ -12,6 +12,7 @@
 #include "core/drape/settle.h"
 #include "core/drape/weld.h"
 #include "core/solver/cloth_solver.h"
+#include "core/solver/constraints/viscosity.h"
 
 namespace toile::peers {
 
@@ -183,6 +184,7 @@ class PeerRun {
     f.damping = sewing_
                     ? kSewDamping
                     : (time() - fall_start_ < fall_time_ ? settings_.fall_damping : settings_.rest_damping);
+    f.viscosity = viscous_share(settings_.viscosity, h_, steps_);
     return f;
   }
 

@@ -17,6 +17,7 @@ struct RunSettings {
   double settle_speed = 5e-3;  ///< m/s RMS at which a drape ends
   double fall_damping = 2;     ///< 1/s, while the cloth falls and folds
   double rest_damping = 4;     ///< 1/s, afterwards
+  double viscosity = 20;       ///< 1/s, of the cloth's inner friction
   double fall_time = 0;        ///< s of the first; 0: from the mesh, fall_time_for
   bool trace = false;          ///< a line on stderr every 50 ms
 };

@@ -99,10 +99,13 @@ void set_mobility(const BendTriangle& t, std::span<const double> w, double (&mob
   }
 }
 
+/// Stands for a hardness that numbers cannot tell.
+constexpr double kHard = 1e9;
+
 /// Hinges of narrow triangles are soft one way and hard the other; the hard one decides (one_pass.h), else it
 /// would overshoot twofold and shake for ever. That is the largest eigenvalue of A = soft⁻¹·mobility, taken
 /// from above as the eighth root of trace(A⁸).
-double share_of_hinges(const double (&soft)[6], const double (&mobility)[6], const bool (&present)[3]) {
+double hardness_of(const double (&soft)[6], const double (&mobility)[6], const bool (&present)[3]) {
   constexpr int kEntry[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
   double inverse[6];
   invert_symmetric(soft, present, inverse);
@@ -121,7 +124,7 @@ double share_of_hinges(const double (&soft)[6], const double (&mobility)[6], con
   const double trace = ratio8[0][0] + ratio8[1][1] + ratio8[2][2];
   const bool sound =
       inverse[0] >= 0 && inverse[1] >= 0 && inverse[2] >= 0 && trace > 0 && std::isfinite(trace);
-  return sound ? one_pass_share(1, std::sqrt(std::sqrt(std::sqrt(trace)))) : 1;
+  return sound ? std::sqrt(std::sqrt(std::sqrt(trace))) : kHard;
 }
 
 void prepare(BendTriangle& t, std::span<const double> w, double per_h2) {
@@ -131,7 +134,9 @@ void prepare(BendTriangle& t, std::span<const double> w, double per_h2) {
   for (int k = 0; k < 3; ++k) present[k] = t.v[3 + k] != kNone;
   double soft[6];
   for (int e = 0; e < 6; ++e) soft[e] = t.compliance[e] * per_h2;
-  const double share = share_of_hinges(soft, mobility, present);
+  t.hard = hardness_of(soft, mobility, present);
+  const double share = one_pass_share(1, t.hard);
+  t.hard *= share;
   for (int e = 0; e < 6; ++e) system[e] = t.compliance[e] * per_h2 + share * mobility[e];
   invert_symmetric(system, present, t.response);
 }
@@ -207,32 +212,6 @@ std::vector<BendTriangle> make_bending(const ClothModel& model) {
 
 void prepare_bending(std::span<BendTriangle> triangles, std::span<const double> w, double h) {
   for (BendTriangle& t : triangles) prepare(t, w, 1 / (h * h));
-}
-
-namespace {
-
-void solve_triangle(const BendTriangle& t, std::span<const double> w, std::span<Vec3> x) {
-  const Vec3 x0 = x[t.v[0]], x1 = x[t.v[1]], x2 = x[t.v[2]];
-  Vec3 j[3];
-  for (int k = 0; k < 3; ++k) {
-    if (t.v[3 + k] == kNone) continue;
-    j[k] = x0 * t.own[k][0] + x1 * t.own[k][1] + x2 * t.own[k][2] + x[t.v[3 + k]] * t.far[k];
-  }
-  const double* r = t.response;
-  const Vec3 l[3] = {j[0] * r[0] + j[1] * r[3] + j[2] * r[4], j[0] * r[3] + j[1] * r[1] + j[2] * r[5],
-                     j[0] * r[4] + j[1] * r[5] + j[2] * r[2]};
-  for (int i = 0; i < 3; ++i) {
-    x[t.v[i]] -= (l[0] * t.own[0][i] + l[1] * t.own[1][i] + l[2] * t.own[2][i]) * w[t.v[i]];
-  }
-  for (int k = 0; k < 3; ++k) {
-    if (t.v[3 + k] != kNone) x[t.v[3 + k]] -= l[k] * (t.far[k] * w[t.v[3 + k]]);
-  }
-}
-
-}  // namespace
-
-void solve_bending(std::span<const BendTriangle> triangles, std::span<const double> w, std::span<Vec3> x) {
-  for (const BendTriangle& t : triangles) solve_triangle(t, w, x);
 }
 
 }  // namespace toile

@@ -9,6 +9,8 @@
 // border (fewer jumps) bends freely. Linear jumps of an inextensible surface are those of Bergou et al., "A
 // Quadratic Bending Model for Inextensible Surfaces" (2006); one curvature a triangle from its three hinges
 // is in the spirit of Grinspun et al. (2006).
+// Linear jumps alone lose hold of a sharp fold: see unfolded() in core/solver/lanes/bend_kernel.h, where the
+// pass is.
 
 #include <span>
 #include <vector>
@@ -25,6 +27,7 @@ struct BendTriangle {
   double own[3][3] = {};      ///< weight of own corner i in jump k
   double far[3] = {};         ///< weight of the neighbour's vertex in jump k
   double compliance[6] = {};  ///< (00, 11, 22, 01, 02, 12), S D⁻¹ Sᵀ / A; m²/(N·m·m²) = 1/J
+  double hard = 0;  ///< share·mobility over compliance / h², of its hardest way; set by prepare_bending
   double response[6] =
       {};  ///< inverse of (share · G W Gᵀ + compliance / h²), same order; set by prepare_bending
 };
@@ -41,8 +44,5 @@ std::vector<BendTriangle> make_bending(const ClothModel& model);
 
 /// Solves the constant part for inverse masses `w` and substep `h`; needed again when either changes.
 void prepare_bending(std::span<BendTriangle> triangles, std::span<const double> w, double h);
-
-/// One Gauss-Seidel pass, in the order of the triangles.
-void solve_bending(std::span<const BendTriangle> triangles, std::span<const double> w, std::span<Vec3> x);
 
 }  // namespace toile

@@ -29,7 +29,7 @@ void solve_contacts(std::span<const Contact> contacts, std::span<const Vec3> bef
     const Vec3 start = point_of(c, before);
     const double floor = std::min(c.rest, dot(c.n, start) - c.c);  // where it rested is no approach
     const double approach = std::max(0.0, floor - distance);
-    const double lift = std::min(c.rest - std::max(distance, floor), kPushOutSpeed * h);
+    const double lift = std::clamp(kLiftShare * c.rest - std::max(distance, floor), 0.0, kPushOutSpeed * h);
 
     const Vec3 moved = now - start, slip = moved - c.n * dot(c.n, moved);
     const double slipped = length(slip), hold = friction * c.friction * approach;

@@ -8,17 +8,12 @@ namespace toile {
 
 namespace {
 
-/// A symmetric 3×3 system by Cramer's rule; m = (00, 11, 22, 01, 02, 12), positive definite.
-Vec3 solve_symmetric(const double (&m)[6], Vec3 r) {
-  const double c00 = m[1] * m[2] - m[5] * m[5], c01 = m[4] * m[5] - m[3] * m[2],
-               c02 = m[3] * m[5] - m[4] * m[1];
-  const double c11 = m[0] * m[2] - m[4] * m[4], c12 = m[3] * m[4] - m[0] * m[5],
-               c22 = m[0] * m[1] - m[3] * m[3];
-  const double inverse = 1 / (m[0] * c00 + m[3] * c01 + m[4] * c02);
-  return Vec3{c00 * r.x + c01 * r.y + c02 * r.z, c01 * r.x + c11 * r.y + c12 * r.z,
-              c02 * r.x + c12 * r.y + c22 * r.z} *
-         inverse;
-}
+/// What is left of a direction's compliance beyond the fabric's limit, where one pass a step can do that
+/// much.
+constexpr double kBeyondLimit = 0.01;
+/// A limit that is as hard as one pass can make it puts this share of its mobility into the system: with less
+/// it would ring (one_pass.h).
+constexpr double kLimitShare = 1;
 
 MembraneTriangle make_triangle(const Tri& v, const RestTriangle& rest, const Fabric& f) {
   const Vec2 e1 = rest[1] - rest[0], e2 = rest[2] - rest[0];
@@ -27,47 +22,8 @@ MembraneTriangle make_triangle(const Tri& v, const RestTriangle& rest, const Fab
   return {v,
           {e2.y / det, -e1.y / det, -e2.x / det, e1.x / det},
           {f.stretch_warp / (k * area), f.stretch_weft / (k * area), -f.stretch_coupling / (k * area),
-           1 / (f.stretch_shear * area)}};
-}
-
-void solve_triangle(const MembraneTriangle& t, std::span<const double> w, double per_h2, std::span<Vec3> x) {
-  const Index i0 = t.v[0], i1 = t.v[1], i2 = t.v[2];
-  const double w0 = w[i0], w1 = w[i1], w2 = w[i2], share = t.share;
-  const Vec3 e1 = x[i1] - x[i0], e2 = x[i2] - x[i0];
-  const Vec3 fu = e1 * t.b[0] + e2 * t.b[1], fv = e1 * t.b[2] + e2 * t.b[3];
-  const double lu = length(fu), lv = length(fv);
-  if (!(lu > 1e-6) || !(lv > 1e-6)) return;  // collapsed to a line: no direction to push in
-  const Vec3 nu = fu * (1 / lu), nv = fv * (1 / lv);
-
-  // Gradients: with respect to corner 1, corner 2, and minus their sum for corner 0.
-  const double b0 = t.b[0], b1 = t.b[1], b2 = t.b[2], b3 = t.b[3], s0 = b0 + b1, s1 = b2 + b3;
-  const Vec3 shear1 = fv * b0 + fu * b2, shear2 = fv * b1 + fu * b3, shear0 = shear1 + shear2;
-  const double uv = dot(nu, nv);
-  const double mass_uu = w0 * s0 * s0 + w1 * b0 * b0 + w2 * b1 * b1;
-  const double mass_vv = w0 * s1 * s1 + w1 * b2 * b2 + w2 * b3 * b3;
-  const double mass_uv = (w0 * s0 * s1 + w1 * b0 * b2 + w2 * b1 * b3) * uv;
-  const Vec3 along_u = shear0 * (w0 * s0) + shear1 * (w1 * b0) + shear2 * (w2 * b1);
-  const Vec3 along_v = shear0 * (w0 * s1) + shear1 * (w1 * b2) + shear2 * (w2 * b3);
-  const double mass_ss = w0 * dot(shear0, shear0) + w1 * dot(shear1, shear1) + w2 * dot(shear2, shear2);
-  const double system[6] = {share * mass_uu + t.compliance[0] * per_h2,
-                            share * mass_vv + t.compliance[1] * per_h2,
-                            share * mass_ss + t.compliance[3] * per_h2,
-                            share * mass_uv + t.compliance[2] * per_h2,
-                            share * dot(along_u, nu),
-                            share * dot(along_v, nv)};
-  const Vec3 lambda = solve_symmetric(system, {1 - lu, 1 - lv, -dot(fu, fv)});
-
-  const Vec3 pu = nu * lambda.x, pv = nv * lambda.y;
-  Vec3 d1 = pu * b0 + pv * b2 + shear1 * lambda.z, d2 = pu * b1 + pv * b3 + shear2 * lambda.z;
-  // However far the cloth is out of shape, no corner moves by more than its triangle's least height: beyond
-  // that the linear guess points nowhere, and narrow triangles flew apart.
-  const double steep = std::max({b0 * b0 + b2 * b2, b1 * b1 + b3 * b3, s0 * s0 + s1 * s1});
-  const double way =
-      steep * std::max({dot(d1, d1) * w1 * w1, dot(d2, d2) * w2 * w2, dot(d1 + d2, d1 + d2) * w0 * w0});
-  if (way > 1) d1 = d1 * (1 / std::sqrt(way)), d2 = d2 * (1 / std::sqrt(way));
-  x[i0] -= (d1 + d2) * w0;
-  x[i1] += d1 * w1;
-  x[i2] += d2 * w2;
+           1 / (f.stretch_shear * area)},
+          {f.limit_weft, f.limit_warp, f.limit_shear}};
 }
 
 }  // namespace
@@ -86,16 +42,20 @@ void prepare_membrane(std::span<MembraneTriangle> triangles, std::span<const dou
   for (MembraneTriangle& t : triangles) {
     const double w0 = w[t.v[0]], w1 = w[t.v[1]], w2 = w[t.v[2]];
     const double b0 = t.b[0], b1 = t.b[1], b2 = t.b[2], b3 = t.b[3], s0 = b0 + b1, s1 = b2 + b3;
-    const double stretch = w0 * (s0 * s0 + s1 * s1) + w1 * (b0 * b0 + b2 * b2) + w2 * (b1 * b1 + b3 * b3);
-    // In an undeformed triangle shear is as mobile as warp and weft together.
-    t.share = one_pass_share((t.compliance[0] + t.compliance[1] + t.compliance[3]) / (h * h), 2 * stretch);
+    const double uu = w0 * s0 * s0 + w1 * b0 * b0 + w2 * b1 * b1;
+    const double vv = w0 * s1 * s1 + w1 * b2 * b2 + w2 * b3 * b3;
+    const double free[3] = {uu, vv, uu + vv};  // in an undeformed triangle shear moves both ways
+    // The hardest direction decides: were the sum of all to do so, soft shear would let a hard warp
+    // overshoot.
+    const double* c = t.compliance;
+    const double det = c[0] * c[1] - c[2] * c[2];
+    t.share = one_pass_share(1, h * h * std::max({uu * c[1] / det, vv * c[0] / det, free[2] / c[3]}));
+    for (int k = 0; k < 3; ++k) {
+      const double soft = c[k < 2 ? k : 3] / (h * h);
+      const double left = std::max(kBeyondLimit * soft, (kLimitShare - t.share) * free[k]);
+      t.stop[k] = t.limit[k] > 0 && left < soft ? (1 - left / soft) / soft : 0;
+    }
   }
-}
-
-void solve_membrane(std::span<const MembraneTriangle> triangles, std::span<const double> w, double h,
-                    std::span<Vec3> x) {
-  const double per_h2 = 1 / (h * h);
-  for (const MembraneTriangle& t : triangles) solve_triangle(t, w, per_h2, x);
 }
 
 Vec3 membrane_strain(const MembraneTriangle& t, std::span<const Vec3> x) {

@@ -157,12 +157,13 @@ TEST(Checkpoint, OfLayersThatLieOnEachOtherEndsTheSame) {
   }
 }
 
-TEST(Checkpoint, TakesAboutAHundredBytesAParticle) {
+TEST(Checkpoint, TakesFiveVectorsAParticleAndLittleElse) {
   const DrapeInput input = test::tube();
   const auto run = begun(input);
   run->advance(500, {});
   const auto particles = static_cast<std::size_t>(run->session().garment().vertex_count());
-  EXPECT_LT(run->checkpoint().size(), 105 * particles + 512);
+  // Positions, velocities, where contacts were measured and at what speed, two places to tell rest by.
+  EXPECT_LT(run->checkpoint().size(), 129 * particles + 512);
 }
 
 TEST(Checkpoint, OfAnotherInputIsRefused) {

@@ -49,6 +49,7 @@ TEST(Modes, InDynamicAClothMaySettleToo) {
   input.settings.mode = DrapeMode::kDynamic;
   input.settings.air.density = 1.2;
   input.settings.air.across = 40;  // thick enough to come to rest within seconds
+  input.settings.max_time = 20;
   const DrapeResult r = drape(input, {}, nullptr).value();
   EXPECT_TRUE(r.settled) << r.stop_reason;
   EXPECT_EQ(r.worst.cloth_body + r.worst.cloth_cloth, 0);

@@ -23,14 +23,20 @@ TEST(Settle, AParticleThatComesToRestSettles) {
   EXPECT_TRUE(settles([](int i) { return Vec3{0, std::exp(-0.02 * i), 0}; }));
 }
 
-TEST(Settle, AParticleThatFallsSlowlyIsAtRestAndOneThatFallsFastIsNot) {
-  EXPECT_TRUE(settles([](int i) { return Vec3{0, -0.002 * kStep * i, 0}; }));
+TEST(Settle, WhatHardlyCreepsIsAtRestAndWhatSinksIsNot) {
+  EXPECT_TRUE(settles([](int i) { return Vec3{0, -0.0014 * kStep * i, 0}; }));
+  EXPECT_FALSE(settles([](int i) { return Vec3{0, -0.002 * kStep * i, 0}; }));
   EXPECT_FALSE(settles([](int i) { return Vec3{0, -0.02 * kStep * i, 0}; }));
 }
 
 TEST(Settle, AParticleThatSpeedsUpHasNotSettledThoughItIsStillSlow) {
   // 1 mm/s at the start, doubling every 0.1 s: above the limit soon, and never steady before.
   EXPECT_FALSE(settles([](int i) { return Vec3{0, 0.001 / 6.93 * std::exp(6.93 * kStep * i), 0}; }));
+}
+
+TEST(Settle, WhatSwingsOnTheSpotIsNoDrift) {
+  // 4 mm/s at most, five times a second.
+  EXPECT_TRUE(settles([](int i) { return Vec3{1.2e-4 * std::sin(31.4 * kStep * i), 0, 0}; }));
 }
 
 TEST(Settle, AJitterOfSingleStepsDoesNotCount) {

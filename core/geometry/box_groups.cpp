@@ -1,0 +1,41 @@
+#include "core/geometry/box_groups.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace toile {
+
+BoxGroups::BoxGroups(std::span<const Box3> boxes) {
+  std::vector<Index> order(boxes.size());
+  std::iota(order.begin(), order.end(), 0);
+  part_by_place(order, boxes, kSize, [&](std::span<const Index> members) {
+    Group& group = groups_.emplace_back();
+    std::fill(group.item, group.item + kSize, kNone);
+    std::copy(members.begin(), members.end(), group.item);
+    std::sort(group.item, group.item + members.size());  // the same on every library
+  });
+  around_.resize(groups_.size());
+  refit_groups(boxes);
+  tree_ = Bvh(around_);
+}
+
+void BoxGroups::refit(std::span<const Box3> boxes) {
+  refit_groups(boxes);
+  tree_.refit(around_);
+}
+
+void BoxGroups::refit_groups(std::span<const Box3> boxes) {
+  const Box3 nothing;
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    Group& group = groups_[g];
+    group.around = nothing;
+    for (int i = 0; i < kSize; ++i) {
+      const Box3& box = group.item[i] == kNone ? nothing : boxes[group.item[i]];
+      for (int k = 0; k < 3; ++k) group.lo[k][i] = box.lo[k], group.hi[k][i] = box.hi[k];
+      group.around = join(group.around, box);
+    }
+    around_[g] = group.around;
+  }
+}
+
+}  // namespace toile

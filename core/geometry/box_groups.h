@@ -1,0 +1,110 @@
+#pragma once
+// Boxes in groups of eight neighbours, under a bounding volume tree: what contact asks, over and over, for
+// all pairs of boxes that overlap. Groups keep the tree small, and within two groups boxes are compared four
+// at a time.
+
+#include <bit>
+#include <span>
+#include <vector>
+
+#include "core/base/types.h"
+#include "core/geometry/bvh.h"
+
+namespace toile {
+
+class BoxGroups {
+ public:
+  BoxGroups() = default;
+  /// Groups and tree follow the boxes' places now and keep their shape from then on.
+  explicit BoxGroups(std::span<const Box3> boxes);
+
+  /// New boxes for the same primitives.
+  void refit(std::span<const Box3> boxes);
+
+  bool empty() const { return groups_.empty(); }
+
+  /// Calls visit(mine, theirs) for each pair of overlapping boxes of this and another.
+  template <typename Visit>
+  void pairs(const BoxGroups& other, Visit&& visit) const {
+    tree_.pairs(other.tree_, [&](Index g, Index h) { between(groups_[g], other.groups_[h], visit); });
+  }
+
+  /// Calls visit(p, q) once for each unordered pair of different boxes that overlap.
+  template <typename Visit>
+  void self_pairs(Visit&& visit) const {
+    for (const Group& g : groups_) within(g, visit);
+    tree_.self_pairs([&](Index g, Index h) { between(groups_[g], groups_[h], visit); });
+  }
+
+ private:
+  static constexpr int kSize = 8;
+
+  /// Boxes side by side; places without a box hold an empty one.
+  struct alignas(16) Group {
+    float lo[3][kSize], hi[3][kSize];
+    Index item[kSize];
+    Box3 around;
+  };
+
+  /// The lanes of `g` that overlap the box lo, hi, as bits.
+  static unsigned lanes_in(const float (&lo)[3], const float (&hi)[3], const Group& g);
+  static unsigned lanes_in(const Group& one, int lane, const Group& g) {
+    return lanes_in({one.lo[0][lane], one.lo[1][lane], one.lo[2][lane]},
+                    {one.hi[0][lane], one.hi[1][lane], one.hi[2][lane]}, g);
+  }
+  static unsigned lanes_in(const Box3& box, const Group& g) {
+    return lanes_in({box.lo[0], box.lo[1], box.lo[2]}, {box.hi[0], box.hi[1], box.hi[2]}, g);
+  }
+
+  void refit_groups(std::span<const Box3> boxes);
+
+  template <typename Visit>
+  static void between(const Group& a, const Group& b, Visit& visit) {
+    for (unsigned rows = lanes_in(b.around, a); rows != 0; rows &= rows - 1) {
+      const int i = std::countr_zero(rows);
+      for (unsigned hits = lanes_in(a, i, b); hits != 0; hits &= hits - 1)
+        visit(a.item[i], b.item[std::countr_zero(hits)]);
+    }
+  }
+
+  template <typename Visit>
+  static void within(const Group& g, Visit& visit) {
+    for (int i = 0; i + 1 < kSize; ++i) {
+      for (unsigned hits = lanes_in(g, i, g) & (~0u << (i + 1)); hits != 0; hits &= hits - 1)
+        visit(g.item[i], g.item[std::countr_zero(hits)]);
+    }
+  }
+
+  std::vector<Group> groups_;
+  std::vector<Box3> around_;  ///< of each group, for the tree
+  Bvh tree_;
+};
+
+#ifdef __SSE2__
+inline unsigned BoxGroups::lanes_in(const float (&lo)[3], const float (&hi)[3], const Group& g) {
+  __m128 near = _mm_and_ps(_mm_cmple_ps(_mm_load_ps(g.lo[0]), _mm_set1_ps(hi[0])),
+                           _mm_cmple_ps(_mm_set1_ps(lo[0]), _mm_load_ps(g.hi[0])));
+  __m128 far = _mm_and_ps(_mm_cmple_ps(_mm_load_ps(g.lo[0] + 4), _mm_set1_ps(hi[0])),
+                          _mm_cmple_ps(_mm_set1_ps(lo[0]), _mm_load_ps(g.hi[0] + 4)));
+  for (int k = 1; k < 3; ++k) {
+    const __m128 low = _mm_set1_ps(lo[k]), high = _mm_set1_ps(hi[k]);
+    near = _mm_and_ps(
+        near, _mm_and_ps(_mm_cmple_ps(_mm_load_ps(g.lo[k]), high), _mm_cmple_ps(low, _mm_load_ps(g.hi[k]))));
+    far = _mm_and_ps(far, _mm_and_ps(_mm_cmple_ps(_mm_load_ps(g.lo[k] + 4), high),
+                                     _mm_cmple_ps(low, _mm_load_ps(g.hi[k] + 4))));
+  }
+  return static_cast<unsigned>(_mm_movemask_ps(near) | _mm_movemask_ps(far) << 4);
+}
+#else
+inline unsigned BoxGroups::lanes_in(const float (&lo)[3], const float (&hi)[3], const Group& g) {
+  unsigned bits = 0;
+  for (int i = 0; i < kSize; ++i) {
+    bool in = true;
+    for (int k = 0; k < 3; ++k) in &= g.lo[k][i] <= hi[k] && lo[k] <= g.hi[k][i];
+    bits |= static_cast<unsigned>(in) << i;
+  }
+  return bits;
+}
+#endif
+
+}  // namespace toile

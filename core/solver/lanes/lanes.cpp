@@ -1,0 +1,116 @@
+#include "core/solver/lanes/lanes.h"
+
+#include <algorithm>
+
+namespace toile {
+
+namespace {
+
+/// How far ahead a constraint is looked for that shares no vertex with those of a group.
+constexpr std::size_t kLookAhead = 96;
+
+float single(double value) { return static_cast<float>(value); }
+
+}  // namespace
+
+std::vector<LaneGroup> group_apart(Index count, Index vertex_count,
+                                   const std::function<std::span<const Index>(Index)>& vertices) {
+  std::vector<LaneGroup> groups;
+  std::vector<Index> taken(static_cast<std::size_t>(vertex_count), kNone);  // by which group, last
+  std::vector<Index> waiting;
+  Index next = 0;
+  while (next < count || !waiting.empty()) {
+    while (next < count && waiting.size() < kLookAhead) waiting.push_back(next++);
+    const auto self = static_cast<Index>(groups.size());
+    LaneGroup& group = groups.emplace_back();
+    group.fill(kNone);
+    int size = 0;
+    std::size_t kept = 0;
+    for (const Index c : waiting) {
+      const std::span<const Index> mine = vertices(c);
+      const bool apart = size < kLanes && std::none_of(mine.begin(), mine.end(), [&](Index v) {
+                           return v != kNone && taken[v] == self;
+                         });
+      if (!apart) {
+        waiting[kept++] = c;
+        continue;
+      }
+      group[size++] = c;
+      for (const Index v : mine) {
+        if (v != kNone) taken[v] = self;
+      }
+    }
+    waiting.resize(kept);
+  }
+  return groups;
+}
+
+std::vector<MembranePack> pack_membrane(std::span<const MembraneTriangle> triangles,
+                                        std::span<const LaneGroup> groups, std::span<const double> w) {
+  std::vector<MembranePack> packs(groups.size());
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    MembranePack& p = packs[g];
+    for (int lane = 0; lane < kLanes; ++lane) {
+      const bool used = groups[g][lane] != kNone;
+      p.count += used;
+      const MembraneTriangle& t = triangles[used ? groups[g][lane] : groups[g][0]];
+      for (int i = 0; i < 3; ++i) p.v[i][lane] = t.v[i], p.w[i].at[lane] = single(w[t.v[i]]);
+      for (int i = 0; i < 4; ++i)
+        p.b[i].at[lane] = single(t.b[i]), p.compliance[i].at[lane] = single(t.compliance[i]);
+      p.share.at[lane] = single(t.share);
+    }
+  }
+  return packs;
+}
+
+std::vector<LimitPack> pack_limits(std::span<const MembraneTriangle> triangles,
+                                   std::span<const LaneGroup> groups) {
+  const bool any = std::any_of(triangles.begin(), triangles.end(), [](const MembraneTriangle& t) {
+    return std::max({t.stop[0], t.stop[1], t.stop[2]}) > 0;
+  });
+  std::vector<LimitPack> packs(any ? groups.size() : 0);
+  for (std::size_t g = 0; g < packs.size(); ++g) {
+    for (int lane = 0; lane < kLanes; ++lane) {
+      const MembraneTriangle& t = triangles[groups[g][lane] == kNone ? groups[g][0] : groups[g][lane]];
+      for (int k = 0; k < 3; ++k) {
+        packs[g].limit[k].at[lane] = single(t.limit[k]);
+        packs[g].stop[k].at[lane] = single(t.stop[k]);
+      }
+    }
+  }
+  return packs;
+}
+
+std::vector<BendPack> pack_bending(std::span<const BendTriangle> triangles, std::span<const LaneGroup> groups,
+                                   std::span<const double> w) {
+  std::vector<BendPack> packs(groups.size());
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    BendPack& p = packs[g];
+    for (int lane = 0; lane < kLanes; ++lane) {
+      const bool used = groups[g][lane] != kNone;
+      p.count += used;
+      const BendTriangle& t = triangles[used ? groups[g][lane] : groups[g][0]];
+      for (int i = 0; i < 6; ++i) {
+        p.v[i][lane] = t.v[i] == kNone ? t.v[0] : t.v[i];
+        p.w[i].at[lane] = t.v[i] == kNone ? 0 : single(w[t.v[i]]);
+        p.response[i].at[lane] = single(t.response[i]);
+      }
+      p.hard.at[lane] = single(t.hard);
+      for (int k = 0; k < 3; ++k) {
+        p.far[k].at[lane] = single(t.far[k]);
+        for (int i = 0; i < 2; ++i) p.own[k][i].at[lane] = single(t.own[k][i + 1]);
+      }
+    }
+  }
+  return packs;
+}
+
+const LaneKernels& lane_kernels() {
+#if defined(__x86_64__) && defined(__GNUC__)
+  static const bool wide = avx2_lane_kernels() != nullptr && __builtin_cpu_supports("avx2");
+  if (wide) return *avx2_lane_kernels();
+#endif
+  return plain_lane_kernels;
+}
+
+}  // namespace toile

@@ -1,0 +1,44 @@
+#pragma once
+// The two sweeps that every step makes over all triangles: membrane and bending, four triangles at a time.
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "core/base/types.h"
+#include "core/solver/cloth_model.h"
+#include "core/solver/lanes/lanes.h"
+
+namespace toile {
+
+class MembranePass {
+ public:
+  explicit MembranePass(const ClothModel& model);
+
+  /// Fits it to inverse masses `w` (1/kg) and substep `h` (s); needed first, and when either changes.
+  void prepare(std::span<const double> w, double h);
+  /// One Gauss-Seidel pass over positions x (m).
+  void solve(std::span<Vec3> x, const LaneKernels& kernels = lane_kernels()) const;
+
+ private:
+  std::vector<MembraneTriangle> triangles_;
+  std::vector<LaneGroup> groups_;
+  std::vector<MembranePack> packs_;
+  std::vector<LimitPack> limits_;
+  double per_h2_ = 0;
+};
+
+class BendPass {
+ public:
+  explicit BendPass(const ClothModel& model);
+
+  void prepare(std::span<const double> w, double h);
+  void solve(std::span<Vec3> x, const LaneKernels& kernels = lane_kernels()) const;
+
+ private:
+  std::vector<BendTriangle> triangles_;
+  std::vector<LaneGroup> groups_;
+  std::vector<BendPack> packs_;
+};
+
+}  // namespace toile

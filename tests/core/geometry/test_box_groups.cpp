@@ -1,0 +1,70 @@
+#include "core/geometry/box_groups.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <set>
+
+namespace toile {
+namespace {
+
+std::vector<Box3> scattered(int count, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> place(-0.5, 0.5);
+  std::vector<Box3> boxes;
+  for (int i = 0; i < count; ++i) {
+    const Vec3 p{place(random), place(random), place(random)};
+    boxes.push_back(box_around({p}, 0.04));
+  }
+  return boxes;
+}
+
+using Pairs = std::set<std::pair<Index, Index>>;
+
+/// All that overlap, found the long way.
+Pairs overlaps(const std::vector<Box3>& a, const std::vector<Box3>& b) {
+  Pairs pairs;
+  for (Index i = 0; i < static_cast<Index>(a.size()); ++i) {
+    for (Index j = 0; j < static_cast<Index>(b.size()); ++j) {
+      if (overlap(a[i], b[j])) pairs.insert({i, j});
+    }
+  }
+  return pairs;
+}
+
+TEST(BoxGroups, FindEveryOverlapOnceAlsoAfterRefitting) {
+  for (const int count : {1, 7, 8, 9, 250}) {
+    std::vector<Box3> boxes = scattered(count, 3);
+    const std::vector<Box3> others = scattered(120, 4);
+    BoxGroups groups(boxes);
+    const BoxGroups other(others);
+    for (const unsigned seed : {3u, 8u}) {
+      boxes = scattered(count, seed);
+      groups.refit(boxes);
+      Pairs self, found, expected;
+      groups.self_pairs([&](Index p, Index q) { EXPECT_TRUE(self.insert(std::minmax(p, q)).second); });
+      groups.pairs(other, [&](Index p, Index q) { EXPECT_TRUE(found.insert({p, q}).second); });
+      for (const auto& [i, j] : overlaps(boxes, boxes)) {
+        if (i < j) expected.insert({i, j});
+      }
+      EXPECT_EQ(self, expected);
+      EXPECT_EQ(found, overlaps(boxes, others));
+    }
+  }
+}
+
+TEST(BoxGroups, PassOverBoxesThatHoldNothing) {
+  std::vector<Box3> boxes = scattered(20, 5);
+  boxes[3] = boxes[11] = Box3{};
+  const BoxGroups groups(boxes);
+  groups.self_pairs([](Index p, Index q) {
+    for (const Index i : {p, q}) EXPECT_TRUE(i != 3 && i != 11);
+  });
+  BoxGroups none;
+  none.self_pairs([](Index, Index) { ADD_FAILURE(); });
+  groups.pairs(none, [](Index, Index) { ADD_FAILURE(); });
+  EXPECT_TRUE(none.empty());
+}
+
+}  // namespace
+}  // namespace toile

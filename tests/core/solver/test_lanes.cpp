@@ -1,0 +1,93 @@
+#include "core/solver/lanes/lanes.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <random>
+
+#include "core/solver/lanes/passes.h"
+#include "tests/core/solver/strip.h"
+
+namespace toile {
+namespace {
+
+struct Shaken {
+  ClothModel model;
+  std::vector<double> w;
+  std::vector<Vec3> x;
+};
+
+/// A rectangle, bent, stretched and shaken out of shape; one vertex is held, one triangle has collapsed.
+Shaken shaken() {
+  Fabric fabric;
+  fabric.bend_warp *= 3;
+  const test::Strip strip = test::make_strip({0, 90, 130}, 70, 0.008, {0, 1}, fabric);
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> shake(-2e-3, 2e-3);
+  Shaken s{strip.model, {}, {}};
+  for (const Vec2& p : strip.rest)
+    s.x.push_back({1.02 * p.x + shake(random) + 3, shake(random), 0.7 * p.y + shake(random)});
+  for (const double m : strip.model.mass) s.w.push_back(1 / m);
+  s.w[5] = 0;
+  const Tri& flat = strip.model.triangles[7];
+  s.x[flat[1]] = s.x[flat[2]] = s.x[flat[0]];
+  return s;
+}
+
+std::vector<Vec3> swept(const Shaken& s, const LaneKernels& kernels) {
+  MembranePass membrane(s.model);
+  BendPass bending(s.model);
+  membrane.prepare(s.w, 1.0 / 3000);
+  bending.prepare(s.w, 1.0 / 3000);
+  std::vector<Vec3> x = s.x;
+  for (int i = 0; i < 20; ++i) {
+    membrane.solve(x, kernels);
+    bending.solve(x, kernels);
+  }
+  return x;
+}
+
+TEST(Lanes, MakeTheSameBytesOnEveryProcessor) {
+  const LaneKernels* wide = avx2_lane_kernels();
+  if (wide == nullptr || &lane_kernels() != wide) GTEST_SKIP() << "SKIPPED: no AVX2 here to compare with";
+  const Shaken s = shaken();
+  const std::vector<Vec3> plain = swept(s, plain_lane_kernels), fast = swept(s, *wide);
+  EXPECT_EQ(std::memcmp(plain.data(), fast.data(), plain.size() * sizeof(Vec3)), 0);
+  EXPECT_NE(std::memcmp(plain.data(), s.x.data(), plain.size() * sizeof(Vec3)), 0);
+}
+
+TEST(Lanes, LeaveNumbersAndHeldVerticesInPlace) {
+  const Shaken s = shaken();
+  const std::vector<Vec3> x = swept(s, lane_kernels());
+  EXPECT_EQ(x[5], s.x[5]);
+  for (const Vec3& p : x) EXPECT_TRUE(is_finite(p));
+}
+
+TEST(Lanes, AGroupSharesNoVertexAndEveryConstraintIsInOne) {
+  const Shaken s = shaken();
+  const auto groups = group_apart(static_cast<Index>(s.model.triangles.size()), s.model.vertex_count(),
+                                  [&](Index t) { return std::span<const Index>(s.model.triangles[t]); });
+  std::vector<int> seen(s.model.triangles.size(), 0);
+  int lanes = 0;
+  for (const LaneGroup& group : groups) {
+    std::vector<int> used(static_cast<std::size_t>(s.model.vertex_count()), 0);
+    EXPECT_NE(group[0], kNone);
+    for (const Index t : group) {
+      if (t == kNone) continue;
+      ++seen[t], ++lanes;
+      for (const Index v : s.model.triangles[t]) EXPECT_EQ(++used[v], 1);
+    }
+  }
+  for (const int n : seen) EXPECT_EQ(n, 1);
+  EXPECT_GT(lanes, 3.5 * static_cast<double>(groups.size())) << "packs are nearly full";
+}
+
+TEST(Lanes, ConstraintsThatAllShareAVertexStandAlone) {
+  const std::vector<Tri> fan{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}};
+  const auto groups = group_apart(3, 5, [&](Index t) { return std::span<const Index>(fan[t]); });
+  EXPECT_EQ(groups, (std::vector<LaneGroup>{
+                        {0, kNone, kNone, kNone}, {1, kNone, kNone, kNone}, {2, kNone, kNone, kNone}}));
+}
+
+}  // namespace
+}  // namespace toile

@@ -1,0 +1,141 @@
+// The membrane where it is not plain: soft ways beside hard ones, limits, cloth that is pushed together.
+
+#include <gtest/gtest.h>
+
+#include "core/solver/lanes/passes.h"
+#include "tests/core/solver/strip.h"
+
+namespace toile {
+namespace {
+
+constexpr double kGravity = 9.81;
+
+/// A strip of `height` metres hung by its upper edge, the warp upright, at rest shape.
+struct Hung {
+  test::Strip strip;
+  ClothSolver solver;
+};
+
+Hung hang(const Fabric& fabric, double width, double height, double h, double rate) {
+  test::Strip strip = test::make_strip({0, 1e3 * width}, 1e3 * height, h, {0, 1}, fabric);
+  std::vector<Vec3> x;
+  std::vector<HeldVertex> held;
+  for (const Vec2& p : strip.rest) {
+    x.push_back({p.x, p.y - height, 0});
+    if (p.y > height - 1e-4) held.push_back({static_cast<Index>(x.size()) - 1, false, x.back()});
+  }
+  ClothSolver solver(strip.model, x, {}, 1 / rate);
+  solver.set_holds(held);
+  return {std::move(strip), std::move(solver)};
+}
+
+void run(ClothSolver& solver, double seconds) {
+  StepForces forces;
+  forces.damping = 20;
+  for (int i = 0; i < seconds / solver.time_step(); ++i) solver.step(forces);
+}
+
+double largest_speed(const ClothSolver& solver) {
+  double most = 0;
+  for (const Vec3& v : solver.velocities()) most = std::max(most, length(v));
+  return most;
+}
+
+/// Least and most of one strain (0 weft, 1 warp, 2 shear) over the triangles.
+struct Extent {
+  double least = 1e9, most = -1e9;
+};
+Extent strains(const Hung& hung, int which) {
+  Extent extent;
+  for (const MembraneTriangle& t : make_membrane(hung.strip.model)) {
+    const Vec3 strain = membrane_strain(t, hung.solver.positions());
+    const double s = which == 0 ? strain.x : which == 1 ? strain.y : strain.z;
+    extent = {std::min(extent.least, s), std::max(extent.most, s)};
+  }
+  return extent;
+}
+
+TEST(Membrane, HangsSmoothHoweverMuchSofterItsShearIs) {
+  Fabric fabric;  // of a real cotton but for the least shear that was measured
+  fabric.stretch_coupling = 10, fabric.stretch_shear = 3;
+  Hung hung = hang(fabric, 0.1, 0.15, 0.01, 3000);
+  run(hung.solver, 0.5);
+  EXPECT_LT(largest_speed(hung.solver), 0.002);
+  EXPECT_LT(strains(hung, 1).most, 0.01);
+  EXPECT_GT(strains(hung, 1).least, -0.01);
+}
+
+TEST(Membrane, HangsSmoothHoweverMuchSofterItsWeftIs) {
+  Fabric fabric;
+  fabric.stretch_weft = 5, fabric.stretch_coupling = 0;
+  Hung hung = hang(fabric, 0.1, 0.15, 0.01, 3000);
+  run(hung.solver, 0.5);
+  EXPECT_LT(largest_speed(hung.solver), 0.002);
+  EXPECT_LT(strains(hung, 1).most, 0.01);
+  EXPECT_GT(strains(hung, 1).least, -0.01);
+}
+
+Fabric heavy_knit() {
+  Fabric fabric;
+  fabric.areal_mass = 4;
+  fabric.stretch_warp = 40, fabric.stretch_weft = 25, fabric.stretch_coupling = 5;
+  fabric.stretch_shear = 30;
+  return fabric;
+}
+
+TEST(MembraneLimit, AStripLoadedBeyondItStretchesByHardlyMore) {
+  Fabric fabric = heavy_knit();
+  Hung without = hang(fabric, 0.05, 0.3, 0.01, 3000);
+  run(without.solver, 0.6);
+  EXPECT_GT(strains(without, 1).most, 0.25) << "the load asks for more than the limit";
+
+  fabric.limit_warp = 0.10;
+  Hung limited = hang(fabric, 0.05, 0.3, 0.01, 3000);
+  run(limited.solver, 0.6);
+  EXPECT_GT(strains(limited, 1).most, 0.099);
+  EXPECT_LT(strains(limited, 1).most, 0.11);
+  EXPECT_LT(largest_speed(limited.solver), 0.005) << "it rests";
+}
+
+TEST(MembraneLimit, DoesNothingBelowItself) {
+  Fabric fabric = heavy_knit();
+  Hung without = hang(fabric, 0.05, 0.1, 0.01, 3000);
+  run(without.solver, 0.3);
+  fabric.limit_warp = 0.5, fabric.limit_weft = 0.5, fabric.limit_shear = 0.5;
+  Hung limited = hang(fabric, 0.05, 0.1, 0.01, 3000);
+  run(limited.solver, 0.3);
+  for (std::size_t i = 0; i < without.solver.positions().size(); ++i)
+    EXPECT_EQ(length(without.solver.positions()[i] - limited.solver.positions()[i]), 0);
+}
+
+/// How far one pass moves corner 1 of a triangle whose weft is drawn out (or pushed together) by `strain`. It
+/// is so soft in so short a step that this is its force.
+double answer_to(double strain, double limit) {
+  Fabric fabric;
+  fabric.stretch_coupling = 0, fabric.limit_weft = limit;
+  ClothModel model;
+  model.fabrics = {fabric};
+  model.triangles = {{0, 1, 2}};
+  model.rest = {{Vec2{0, 0}, Vec2{0.01, 0}, Vec2{0, 0.01}}};
+  model.fabric_of_triangle = {0};
+  model.mass.assign(3, 1e-5);
+  MembranePass membrane(model);
+  membrane.prepare(std::vector<double>(3, 1e5), 1e-6);
+  std::vector<Vec3> x{{0, 0, 0}, {0.01 * (1 + strain), 0, 0}, {0, 0.01, 0}};
+  const double before = x[1].x;
+  membrane.solve(x);
+  return before - x[1].x;
+}
+
+TEST(Membrane, PushedTogetherItResistsWithATenthOfItsStiffness) {
+  EXPECT_NEAR(answer_to(-0.01, 0) / answer_to(0.01, 0), -0.1, 0.001);
+}
+
+TEST(MembraneLimit, IsNoJumpOfTheForce) {
+  const double below = answer_to(0.02 - 1e-7, 0.02), above = answer_to(0.02 + 1e-7, 0.02);
+  EXPECT_NEAR(above / below, 1, 1e-3);
+  EXPECT_GT(answer_to(0.03, 0.02), 20 * below) << "and much stiffer from there";
+}
+
+}  // namespace
+}  // namespace toile
