@@ -17,20 +17,28 @@ constexpr double kLeastDistance = 5e-4;     ///< m; finer cloth than any compute
 constexpr double kLeastLength = 1e-6;       ///< m; a shorter edge is no edge
 constexpr double kJoinTolerance_mm = 1e-3;  ///< how far the ends of consecutive edges may be apart
 
+/// A part of an edge that a seam takes: distances along the edge, m.
+struct SewnPart {
+  double from = 0, to = 0;
+  std::vector<double> at;  ///< of its points, rising, both ends included
+  std::size_t first = 0;   ///< place of the first of them among the edge's points
+};
+
 /// An edge with the lengths that are needed to find points on it, m.
 struct MeasuredEdge {
   const PanelEdge* edge = nullptr;
   std::vector<double> start;  ///< of each curve along the edge
   double length = 0;
   Index min_segments = 1;
-  bool sewn = false;
+  std::vector<SewnPart> parts;  ///< in the order of the seams
 };
 
 using MeasuredPanel = std::vector<MeasuredEdge>;
 
-/// One edge in the path of a seam's side, with its place along it.
+/// One sewn part in the path of a seam's side.
 struct PathEdge {
   Index panel, edge;
+  std::size_t part;
   bool reversed;
   std::vector<double> at;  ///< distances of its points from its start in the path, m
 };
@@ -42,7 +50,7 @@ std::string edge_name(const Panel& panel, const PanelEdge& edge) {
 Vec2 metres(Vec2 mm) { return {metres_from_mm(mm.x), metres_from_mm(mm.y)}; }
 
 Result<MeasuredEdge> measure(const Panel& panel, const PanelEdge& edge, Index min_segments) {
-  MeasuredEdge measured{&edge, {}, 0, min_segments};
+  MeasuredEdge measured{&edge, {}, 0, min_segments, {}};
   for (const CubicBezier& c : edge.curves) {
     if (!is_finite(c.p0) || !is_finite(c.p1) || !is_finite(c.p2) || !is_finite(c.p3)) {
       return Error{"mesh.not_finite", "The edge has a point that is not a number.", edge_name(panel, edge)};
@@ -115,6 +123,23 @@ struct Side {
   std::size_t current = 0;        ///< edge of the path that the next interval lies on
 };
 
+/// Adds the part that the seam takes of an edge; its place among the edge's parts.
+Result<std::size_t> take_part(MeasuredEdge& m, const SeamEdge& e, const Panel& panel,
+                              const std::string& where) {
+  if (!(e.from >= 0 && e.to <= 1 && (e.to - e.from) * m.length > kLeastLength)) {
+    return Error{"mesh.seam_edge", "The seam takes an empty part of " + edge_name(panel, *m.edge) + ".",
+                 where};
+  }
+  const SewnPart part{e.from * m.length, e.to == 1 ? m.length : e.to * m.length, {}, 0};
+  for (const SewnPart& other : m.parts) {
+    if (std::min(part.to, other.to) - std::max(part.from, other.from) <= kLeastLength) continue;
+    return Error{"mesh.seam_edge", "The seam takes " + edge_name(panel, *m.edge) + ", which is sewn already.",
+                 where};
+  }
+  m.parts.push_back(part);
+  return m.parts.size() - 1;
+}
+
 Result<Side> side_of(const Pattern& pattern, std::vector<MeasuredPanel>& panels, const Seam& seam,
                      const std::vector<SeamEdge>& edges, bool backwards) {
   const std::string where = "seam " + seam.id;
@@ -124,18 +149,15 @@ Result<Side> side_of(const Pattern& pattern, std::vector<MeasuredPanel>& panels,
     const bool exists = e.panel >= 0 && e.panel < static_cast<Index>(panels.size()) && e.edge >= 0 &&
                         e.edge < static_cast<Index>(panels[e.panel].size());
     if (!exists) return Error{"mesh.seam_edge", "The seam names an edge that does not exist.", where};
-    MeasuredEdge& m = panels[e.panel][e.edge];
-    if (std::exchange(m.sewn, true)) {
-      return Error{
-          "mesh.seam_edge",
-          "The seam takes " + edge_name(pattern.panels[e.panel], *m.edge) + ", which is sewn already.",
-          where};
-    }
-    side.path.push_back({e.panel, e.edge, e.reversed != backwards, {}});
+    const Result<std::size_t> part = take_part(panels[e.panel][e.edge], e, pattern.panels[e.panel], where);
+    if (!part) return part.error();
+    side.path.push_back({e.panel, e.edge, *part, e.reversed != backwards, {}});
   }
   if (backwards) std::reverse(side.path.begin(), side.path.end());
-  for (const PathEdge& e : side.path)
-    side.breaks.push_back(side.breaks.back() + panels[e.panel][e.edge].length);
+  for (const PathEdge& e : side.path) {
+    const SewnPart& part = panels[e.panel][e.edge].parts[e.part];
+    side.breaks.push_back(side.breaks.back() + (part.to - part.from));
+  }
   return side;
 }
 
@@ -154,30 +176,30 @@ std::size_t add_interval(Side& side, double from, double to, Index segments) {
   return before;
 }
 
-/// Points of the path edges in the outline's own direction.
-void store_side(const Side& side, const std::vector<MeasuredPanel>& panels, SampledPattern& sampled) {
+/// The points of the path along the edges themselves, in the outline's own direction.
+void store_side(const Side& side, std::vector<MeasuredPanel>& panels) {
   for (const PathEdge& e : side.path) {
-    const MeasuredEdge& m = panels[e.panel][e.edge];
-    std::vector<double> at = e.at;
-    if (e.reversed) {
-      std::reverse(at.begin(), at.end());
-      for (double& s : at) s = m.length - s;
-    }
-    sampled.edges[e.panel][e.edge] = points_at(m, at);
+    SewnPart& part = panels[e.panel][e.edge].parts[e.part];
+    part.at = e.at;
+    if (e.reversed) std::reverse(part.at.begin(), part.at.end());
+    for (double& s : part.at) s = e.reversed ? part.to - s : part.from + s;
+    part.at.front() = part.from, part.at.back() = part.to;
   }
 }
 
-/// Point k of the path edge, counted in the outline's direction.
-EdgeSample sample_of(const PathEdge& e, std::size_t k) {
-  return {e.panel, e.edge, static_cast<Index>(e.reversed ? e.at.size() - 1 - k : k)};
-}
+/// Stretches of both sides that are cut alike.
+struct Run {
+  std::size_t edge_a, first_a, edge_b, first_b;
+  Index segments;
+};
 
-SampledSeam sample_seam(Side& a, Side& b, const std::vector<MeasuredPanel>& panels, double particle_distance,
-                        SampledPattern& sampled) {
-  struct Run {
-    std::size_t edge_a, first_a, edge_b, first_b;
-    Index segments;
-  };
+/// A seam whose points are known on each part; their places on the whole edges are known in the end.
+struct CutSeam {
+  Side a, b;
+  std::vector<Run> runs;
+};
+
+CutSeam cut_seam(Side a, Side b, std::vector<MeasuredPanel>& panels, double particle_distance) {
   std::vector<Run> runs;
   for (const SeamInterval& interval : seam_intervals(a.breaks, b.breaks, particle_distance)) {
     const Index n = std::max({interval.segments, min_segments(a, panels), min_segments(b, panels)});
@@ -188,16 +210,47 @@ SampledSeam sample_seam(Side& a, Side& b, const std::vector<MeasuredPanel>& pane
     if (interval.b1 == b.breaks[b.current + 1]) ++b.current;
     runs.push_back(run);
   }
-  SampledSeam seam{{}, a.breaks.back(), b.breaks.back()};
-  for (const Run& r : runs) {
+  store_side(a, panels);
+  store_side(b, panels);
+  return {std::move(a), std::move(b), std::move(runs)};
+}
+
+/// Point k of the path edge, counted in the outline's direction from the edge's start.
+EdgeSample sample_of(const PathEdge& e, std::size_t k, const std::vector<MeasuredPanel>& panels) {
+  const SewnPart& part = panels[e.panel][e.edge].parts[e.part];
+  return {e.panel, e.edge, static_cast<Index>(part.first + (e.reversed ? e.at.size() - 1 - k : k))};
+}
+
+SampledSeam sampled_seam(const CutSeam& cut, const std::vector<MeasuredPanel>& panels) {
+  SampledSeam seam{{}, cut.a.breaks.back(), cut.b.breaks.back()};
+  for (const Run& r : cut.runs) {
     for (Index k = 0; k <= r.segments; ++k) {
-      seam.pairs.push_back(
-          {sample_of(a.path[r.edge_a], r.first_a + k), sample_of(b.path[r.edge_b], r.first_b + k)});
+      seam.pairs.push_back({sample_of(cut.a.path[r.edge_a], r.first_a + k, panels),
+                            sample_of(cut.b.path[r.edge_b], r.first_b + k, panels)});
     }
   }
-  store_side(a, panels, sampled);
-  store_side(b, panels, sampled);
   return seam;
+}
+
+/// All points of an edge: those of its sewn parts, and evenly between them.
+std::vector<double> points_of(MeasuredEdge& m, double particle_distance) {
+  std::vector<double> at;
+  const auto fill = [&](double to) {
+    const double from = at.empty() ? 0 : at.back();
+    if (to - from <= kLeastLength) return;
+    append_even(from, to, std::max(m.min_segments, segment_count(to - from, particle_distance)), at);
+  };
+  std::vector<SewnPart*> parts;
+  for (SewnPart& part : m.parts) parts.push_back(&part);
+  std::sort(parts.begin(), parts.end(),
+            [](const SewnPart* x, const SewnPart* y) { return x->from < y->from; });
+  for (SewnPart* part : parts) {
+    fill(part->from);
+    part->first = at.empty() ? 0 : at.size() - 1;
+    at.insert(at.end(), part->at.begin() + (at.empty() ? 0 : 1), part->at.end());
+  }
+  fill(m.length);
+  return at;
 }
 
 Result<std::vector<MeasuredPanel>> measure(const Pattern& pattern, double particle_distance) {
@@ -229,22 +282,18 @@ Result<SampledPattern> resample(const Pattern& pattern, double particle_distance
   std::vector<MeasuredPanel>& panels = *measured;
   SampledPattern sampled;
   for (const MeasuredPanel& panel : panels) sampled.edges.emplace_back(panel.size());
+  std::vector<CutSeam> cuts;
   for (const Seam& seam : pattern.seams) {
     Result<Side> a = side_of(pattern, panels, seam, seam.a, false);
     if (!a) return a.error();
     Result<Side> b = side_of(pattern, panels, seam, seam.b, !seam.same_direction);
     if (!b) return b.error();
-    sampled.seams.push_back(sample_seam(*a, *b, panels, particle_distance, sampled));
+    cuts.push_back(cut_seam(std::move(*a), std::move(*b), panels, particle_distance));
   }
-  for (std::size_t p = 0; p < panels.size(); ++p) {
-    for (std::size_t e = 0; e < panels[p].size(); ++e) {
-      const MeasuredEdge& m = panels[p][e];
-      if (m.sewn) continue;
-      std::vector<double> at;
-      append_even(0, m.length, std::max(m.min_segments, segment_count(m.length, particle_distance)), at);
-      sampled.edges[p][e] = points_at(m, at);
-    }
-  }
+  for (std::size_t p = 0; p < panels.size(); ++p)
+    for (std::size_t e = 0; e < panels[p].size(); ++e)
+      sampled.edges[p][e] = points_at(panels[p][e], points_of(panels[p][e], particle_distance));
+  for (const CutSeam& cut : cuts) sampled.seams.push_back(sampled_seam(cut, panels));
   return sampled;
 }
 

@@ -31,12 +31,13 @@ struct SampledPattern {
 };
 
 /// Divides every edge evenly by arc length into segments of about `particle_distance` (m); edges of a seam
-/// so that both sides have the same number of points (see seam_intervals). A loop of one edge has at least
-/// three segments, the edges of a loop of two at least two.
+/// or parts of edges of a seam so that both sides have the same number of points (see seam_intervals), and
+/// the ends of the parts are points. A loop of one edge has at least three segments, the edges of a loop of
+/// two at least two.
 ///
 /// Errors, with `where` naming piece and edge or the seam: "mesh.particle_distance", "mesh.not_finite",
-/// "mesh.edge_without_length", "mesh.outline_open", "mesh.seam_edge" (an edge that does not exist, is sewn
-/// twice, or a side without edges), "mesh.too_many_particles".
+/// "mesh.edge_without_length", "mesh.outline_open", "mesh.seam_edge" (an edge that does not exist, a
+/// part that is empty or sewn twice, or a side without edges), "mesh.too_many_particles".
 Result<SampledPattern> resample(const Pattern& pattern, double particle_distance);
 
 }  // namespace toile

@@ -51,11 +51,13 @@ struct Panel {
   std::vector<Notch> notches = {};
 };
 
-/// One edge in a seam's series. Traversed in the outline's own direction, or against it.
+/// One edge, or a part of one, in a seam's series. Traversed in the outline's own direction, or against it.
 struct SeamEdge {
   Index panel = kNone;
   Index edge = kNone;  ///< index into the panel's outline, then into its holes' edges in order
   bool reversed = false;
+  double from = 0,
+         to = 1;  ///< the part of it that is sewn: fractions of its length, in the outline's direction
 };
 
 /// Joins the path that series `a` makes to the path that series `b` makes. Outlines wind the same way, so

@@ -198,7 +198,27 @@ Failure check_panel(const Panel& panel, const std::string& piece) {
   return check_lines(panel, piece);
 }
 
-using Sewn = std::map<std::pair<Index, Index>, std::string>;
+/// A part of an edge that a seam has, and where that is said.
+struct SewnRange {
+  double from, to;
+  std::string place;
+};
+using Sewn = std::map<std::pair<Index, Index>, std::vector<SewnRange>>;
+
+Failure check_range(const SeamEdge& item, const std::string& edge, const std::string& place, Sewn& sewn) {
+  constexpr double kTouch = 1e-9;  // of the edge: parts may share an end
+  if (!(item.from >= 0 && item.to <= 1 && item.to - item.from > kTouch))
+    return Error{"pattern.seam_range",
+                 "The seam takes no part of " + edge + "; from and to are fractions of its length, 0 to 1.",
+                 place};
+  std::vector<SewnRange>& there = sewn[{item.panel, item.edge}];
+  for (const SewnRange& other : there) {
+    if (std::min(item.to, other.to) - std::max(item.from, other.from) > kTouch)
+      return Error{"pattern.edge_sewn_twice", edge + " is already sewn in " + other.place + ".", place};
+  }
+  there.push_back({item.from, item.to, place});
+  return std::nullopt;
+}
 
 Failure check_side(const Pattern& pattern, const std::vector<SeamEdge>& side, const std::string& where,
                    Sewn& sewn) {
@@ -213,12 +233,8 @@ Failure check_side(const Pattern& pattern, const std::vector<SeamEdge>& side, co
     if (item.edge < 0 || std::size_t(item.edge) >= edges.size())
       return Error{"pattern.seam_reference",
                    "Piece " + panel.id + " has no edge " + std::to_string(item.edge) + ".", place};
-    const auto [other, fresh] = sewn.emplace(std::pair(item.panel, item.edge), place);
-    if (!fresh)
-      return Error{"pattern.edge_sewn_twice",
-                   "Edge " + edges[std::size_t(item.edge)]->id + " of piece " + panel.id +
-                       " is already sewn in " + other->second + ".",
-                   place};
+    const std::string edge = "Edge " + edges[std::size_t(item.edge)]->id + " of piece " + panel.id;
+    if (auto error = check_range(item, edge, place, sewn)) return error;
   }
   return std::nullopt;
 }

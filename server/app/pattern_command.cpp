@@ -1,12 +1,15 @@
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 
 #include "core/base/write_file.h"
 #include "core/pattern/dxf_read.h"
 #include "core/pattern/dxf_write.h"
 #include "proto/cpp/import_report.h"
+#include "proto/cpp/project_new.h"
 #include "proto/cpp/project_resolve.h"
 #include "server/app/commands.h"
 #include "server/app/console.h"
@@ -14,22 +17,30 @@
 namespace toile {
 namespace {
 
-Result<DxfDrawing> read_file(const PatternImportOptions& options) {
+Result<std::string> bytes_of(const std::string& path) {
+  constexpr std::uintmax_t kMost = std::uintmax_t{64} << 20;
   std::error_code failure;
-  const std::filesystem::file_status status = std::filesystem::status(options.file, failure);
-  if (!std::filesystem::exists(status)) return Error{"pattern.file", "there is no such file", options.file};
-  std::ifstream in(options.file, std::ios::binary);
+  const std::filesystem::file_status status = std::filesystem::status(path, failure);
+  if (!std::filesystem::exists(status)) return Error{"pattern.file", "there is no such file", path};
+  std::ifstream in(path, std::ios::binary);
   if (!std::filesystem::is_regular_file(status) || !in)
-    return Error{"pattern.file", "this is no file that can be read", options.file};
+    return Error{"pattern.file", "this is no file that can be read", path};
+  if (std::filesystem::file_size(path, failure) > kMost || failure)
+    return Error{"pattern.too_large", "a pattern file has at most 64 MiB", path};
+  return std::string{std::istreambuf_iterator<char>(in), {}};
+}
+
+DxfSettings settings_of(const PatternImportOptions& options) {
   DxfSettings settings;
   if (options.unit == "mm") settings.mm_per_unit = 1;
   if (options.unit == "cm") settings.mm_per_unit = 10;
   if (options.unit == "inch") settings.mm_per_unit = 25.4;
   if (!options.size.empty()) settings.size = options.size;
-  Result<DxfDrawing> drawing = read_dxf(in, settings);
-  if (drawing) return drawing;
-  Error error = drawing.error();
-  error.where = options.file + (error.where.empty() ? "" : ": " + error.where);
+  return settings;
+}
+
+Error in_file(Error error, const std::string& file) {
+  error.where = file + (error.where.empty() ? "" : ": " + error.where);
   return error;
 }
 
@@ -74,13 +85,45 @@ void print_drawing(const DxfDrawing& drawing) {
   for (const DxfWarning& warning : r.warnings) std::printf("warning: %s\n", warning_text(warning).c_str());
 }
 
+void print_specification(const NewProject& made) {
+  for (const Panel& panel : made.pattern.panels) {
+    const PieceMeasures m = measures_of(panel);
+    std::printf("piece %s: %s x %s mm, %s cm2, %zu edges\n", panel.id.c_str(), fixed(m.width_mm, 1).c_str(),
+                fixed(m.height_mm, 1).c_str(), fixed(m.area_mm2 * 1e-2, 1).c_str(),
+                panel.outline.edges.size());
+  }
+  std::printf("%zu pieces and %zu seams, with their places\n", made.pattern.panels.size(),
+              made.pattern.seams.size());
+  for (const std::string& note : made.notes) std::printf("note: %s\n", note.c_str());
+}
+
+ExitCode import_specification(const std::string& text, const PatternImportOptions& options) {
+  const Result<NewProject> made = new_project(text, {});
+  if (!made) return fail(in_file(made.error(), options.file), options.json);
+  if (options.json) {
+    std::printf("%s", write_json(specification_json(made->pattern, seams_json(*made), made->notes)).c_str());
+  } else {
+    print_specification(*made);
+  }
+  return kDone;
+}
+
+/// None while a piece cannot be cut: the report tells of it.
+std::vector<JsonValue> proposals_of(const DxfDrawing& drawing) {
+  const Result<NewProject> made = new_project(drawing, {});
+  return made ? seams_json(*made) : std::vector<JsonValue>{};
+}
+
 }  // namespace
 
 ExitCode pattern_import_command(const PatternImportOptions& options) {
-  const Result<DxfDrawing> drawing = read_file(options);
-  if (!drawing) return fail(drawing.error(), options.json);
+  const Result<std::string> text = bytes_of(options.file);
+  if (!text) return fail(text.error(), options.json);
+  if (is_specification(*text)) return import_specification(*text, options);
+  const Result<DxfDrawing> drawing = read_dxf(*text, settings_of(options));
+  if (!drawing) return fail(in_file(drawing.error(), options.file), options.json);
   if (options.json) {
-    std::printf("%s", write_json(import_json(*drawing)).c_str());
+    std::printf("%s", write_json(import_json(*drawing, proposals_of(*drawing))).c_str());
   } else {
     print_drawing(*drawing);
   }

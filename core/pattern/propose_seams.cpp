@@ -1,0 +1,127 @@
+#include "core/pattern/propose_seams.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "core/geometry/polygon2.h"
+#include "core/pattern/seam_search.h"
+
+namespace toile {
+namespace {
+
+/// Runs of uncut outlines are counted panel after panel.
+std::vector<Index> first_runs(const Pattern& pattern) {
+  std::vector<Index> first{0};
+  for (const Panel& panel : pattern.panels)
+    first.push_back(first.back() + static_cast<Index>(panel.outline.edges.size()));
+  return first;
+}
+
+void sort_sewn(const Pattern& pattern, std::vector<std::array<Index, 2>>& sewn, std::vector<Index>& blocked) {
+  const std::vector<Index> first = first_runs(pattern);
+  const auto run_of = [&](const SeamEdge& e) -> Index {
+    const Index r = first[e.panel] + e.edge;
+    return r < first[e.panel + 1] ? r : kNone;  // edges of holes have no run
+  };
+  for (const Seam& seam : pattern.seams) {
+    std::vector<Index> runs;
+    for (const std::vector<SeamEdge>* side : {&seam.a, &seam.b})
+      for (const SeamEdge& e : *side)
+        if (const Index r = run_of(e); r != kNone) runs.push_back(r);
+    if (runs.size() == 2 && seam.a.size() == 1 && seam.b.size() == 1)
+      sewn.push_back({runs[0], runs[1]});
+    else
+      blocked.insert(blocked.end(), runs.begin(), runs.end());
+  }
+}
+
+/// Margins of about 4 mean four in five; gathers are never quite sure.
+double confidence_of(double margin, double a, double b) {
+  constexpr double kEven = 1.8, kSlope = 1.7;
+  const double chance = 1 / (1 + std::exp(-(margin - kEven) / kSlope));
+  const double difference = std::abs(a - b) / std::max(a, b);
+  return chance * (1 - 0.35 * std::max(0.0, difference - 0.03));
+}
+
+/// The edges of one side, parts of one edge put together again.
+std::vector<SeamEdge> series_of(const FoundSeams& found, const std::vector<Index>& runs, double& length) {
+  std::vector<SeamEdge> series;
+  for (const Index r : runs) {
+    const SeamRun& run = found.model.runs[r];
+    length += run.length;
+    if (!series.empty() && series.back().panel == run.panel && series.back().edge == run.edge) continue;
+    series.push_back({run.panel, run.edge, found.gluing.turned[run.panel] != 0});
+  }
+  return series;
+}
+
+/// The seam in parts, as many as there are places where an edge ends on both sides.
+std::vector<FoundSeam> parts_of(const FoundSeams& found, const FoundSeam& seam) {
+  const auto ends = [&](Index r, Index next) {
+    const SeamRun &x = found.model.runs[r], &y = found.model.runs[next];
+    return x.panel != y.panel || x.edge != y.edge;
+  };
+  std::vector<FoundSeam> parts;
+  for (std::size_t k = 0; k < seam.a.size(); ++k) {
+    if (k == 0 || (ends(seam.a[k - 1], seam.a[k]) && ends(seam.b[k - 1], seam.b[k])))
+      parts.push_back({{}, {}, seam.margin});
+    parts.back().a.push_back(seam.a[k]);
+    parts.back().b.push_back(seam.b[k]);
+  }
+  return parts;
+}
+
+bool all_reversed(const std::vector<SeamEdge>& side) {
+  return std::all_of(side.begin(), side.end(), [](const SeamEdge& e) { return e.reversed; });
+}
+
+/// Says "reversed" for a whole side by the seam's direction, as people would.
+void plainly(Seam& seam) {
+  for (std::vector<SeamEdge>* side : {&seam.a, &seam.b}) {
+    if (!all_reversed(*side)) continue;
+    std::reverse(side->begin(), side->end());
+    for (SeamEdge& e : *side) e.reversed = false;
+    seam.same_direction = !seam.same_direction;
+  }
+}
+
+SeamProposal proposal_of(const FoundSeams& found, const FoundSeam& seam) {
+  SeamProposal p;
+  p.seam.a = series_of(found, seam.a, p.length_a);
+  std::vector<Index> other(seam.b.rbegin(), seam.b.rend());  // walked with the cloth at the left, too
+  p.seam.b = series_of(found, other, p.length_b);
+  plainly(p.seam);
+  p.confidence = confidence_of(seam.margin, p.length_a, p.length_b);
+  return p;
+}
+
+}  // namespace
+
+bool runs_clockwise(std::span<const Vec2> outline) { return signed_area(outline) < 0; }
+
+std::vector<SeamProposal> propose_seams(const Pattern& pattern, const ProposalSettings& settings,
+                                        const RunContext& context) {
+  std::vector<std::array<Index, 2>> sewn;
+  std::vector<Index> blocked;
+  sort_sewn(pattern, sewn, blocked);
+  const FoundSeams found =
+      search_seams(pattern, sewn, blocked, {settings.sides_known, settings.clockwise}, context);
+  if (context.cancelled()) return {};
+  std::vector<SeamProposal> proposals;
+  for (const FoundSeam& seam : found.seams)
+    for (const FoundSeam& part : parts_of(found, seam)) proposals.push_back(proposal_of(found, part));
+  std::stable_sort(proposals.begin(), proposals.end(),
+                   [](const SeamProposal& x, const SeamProposal& y) { return x.confidence > y.confidence; });
+  std::set<std::string> ids;
+  for (const Seam& seam : pattern.seams) ids.insert(seam.id);
+  int number = 0;
+  for (SeamProposal& p : proposals) {
+    do p.seam.id = "seam" + std::to_string(number++);
+    while (ids.contains(p.seam.id));
+  }
+  return proposals;
+}
+
+}  // namespace toile

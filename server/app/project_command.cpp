@@ -1,0 +1,137 @@
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "core/base/write_file.h"
+#include "core/body/load_mesh.h"
+#include "proto/cpp/json_codec.h"
+#include "proto/cpp/project_new.h"
+#include "server/app/commands.h"
+#include "server/app/console.h"
+
+namespace toile {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The file's bytes, of at most 64 MiB.
+Result<std::string> bytes_of(const fs::path& path) {
+  constexpr std::uintmax_t kMost = std::uintmax_t{64} << 20;
+  std::error_code failure;
+  if (!fs::is_regular_file(path, failure))
+    return Error{"pattern.file", "there is no such file", path.string()};
+  if (fs::file_size(path, failure) > kMost || failure)
+    return Error{"pattern.too_large", "a pattern file has at most 64 MiB", path.string()};
+  std::ifstream in(path, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  if (!in) return Error{"pattern.file", "this is no file that can be read", path.string()};
+  return bytes;
+}
+
+/// A document names files in its own folder: the file comes to lie there.
+Status bring(const fs::path& file, const fs::path& folder) {
+  std::error_code failure;
+  const fs::path there = folder / file.filename();
+  if (fs::equivalent(file, there, failure)) return {};
+  fs::copy_file(file, there, fs::copy_options::overwrite_existing, failure);
+  if (!failure) return {};
+  return Error{"export.write", "the file cannot be copied here: " + failure.message(), there.string()};
+}
+
+std::string side_text(const std::vector<ProjectSeamEdge>& side) {
+  std::string text;
+  for (const ProjectSeamEdge& e : side) text += (text.empty() ? "" : " + ") + e.piece + "." + e.edge;
+  return text;
+}
+
+bool accepted(const SeamProposal& p, const ProjectNewOptions& options) {
+  return options.accept_seams >= 0 && p.confidence >= options.accept_seams;
+}
+
+void print_json(const NewProject& made, const ProjectNewOptions& options) {
+  std::vector<JsonValue> proposals, notes;
+  for (const SeamProposal& p : made.proposals) {
+    JsonValue proposal = proposal_json(made.pattern, p);
+    std::get<std::vector<JsonMember>>(proposal.data).push_back({"accepted", accepted(p, options)});
+    proposals.push_back(std::move(proposal));
+  }
+  for (const std::string& note : made.notes) notes.emplace_back(note);
+  std::printf("%s",
+              write_json(std::vector<JsonMember>{{"file", options.out},
+                                                 {"pieces", static_cast<double>(made.project.pieces.size())},
+                                                 {"seams", static_cast<double>(made.project.seams.size())},
+                                                 {"proposals", proposals},
+                                                 {"notes", notes}})
+                  .c_str());
+}
+
+void print_text(const NewProject& made, const ProjectNewOptions& options) {
+  std::printf("%s: %zu pieces, %zu seams\n", options.out.c_str(), made.project.pieces.size(),
+              made.project.seams.size());
+  for (const SeamProposal& p : made.proposals) {
+    const ProjectSeam seam = project_seam(made.pattern, p.seam);
+    std::printf("%s %s: %s to %s, %s mm to %s mm, confidence %s\n",
+                accepted(p, options) ? "seam" : "proposed", seam.id.c_str(), side_text(seam.a).c_str(),
+                side_text(seam.b).c_str(), fixed(p.length_a, 1).c_str(), fixed(p.length_b, 1).c_str(),
+                fixed(p.confidence, 2).c_str());
+  }
+  for (const std::string& note : made.notes) std::printf("note: %s\n", note.c_str());
+}
+
+Result<NewProject> make(const ProjectNewOptions& options) {
+  const Result<std::string> text = bytes_of(options.pattern);
+  if (!text) return text.error();
+  const Result<TriangleMesh> body = load_mesh(options.body);
+  if (!body) return body.error();
+  NewProjectSettings settings;
+  settings.name = fs::path(options.pattern).stem().string();
+  settings.pattern_file = fs::path(options.pattern).filename().string();
+  settings.body_file = fs::path(options.body).filename().string();
+  settings.body_low = settings.body_high = body->vertices.front();
+  for (const Vec3 p : body->vertices) {
+    const auto lower = [](double& low, double& high, double x) {
+      low = std::min(low, x), high = std::max(high, x);
+    };
+    lower(settings.body_low.x, settings.body_high.x, p.x);
+    lower(settings.body_low.y, settings.body_high.y, p.y);
+    lower(settings.body_low.z, settings.body_high.z, p.z);
+  }
+  if (options.accept_seams >= 0) settings.accept_seams = options.accept_seams;
+  Result<NewProject> made = new_project(*text, settings);
+  if (made) return made;
+  Error error = made.error();
+  error.where = options.pattern + (error.where.empty() ? "" : ": " + error.where);
+  return error;
+}
+
+/// Writes the document, and brings the files that it names beside it.
+Status keep(const NewProject& made, const ProjectNewOptions& options) {
+  const fs::path folder = fs::absolute(options.out).parent_path();
+  std::error_code failure;
+  fs::create_directories(folder, failure);
+  const bool names_pattern = std::any_of(made.project.pieces.begin(), made.project.pieces.end(),
+                                         [](const ProjectPiece& p) { return p.from.has_value(); });
+  if (names_pattern) {
+    if (Status brought = bring(options.pattern, folder); !brought) return brought;
+  }
+  if (Status brought = bring(options.body, folder); !brought) return brought;
+  return write_file(options.out, write_project(made.project));
+}
+
+}  // namespace
+
+ExitCode project_new_command(const ProjectNewOptions& options) {
+  const Result<NewProject> made = make(options);
+  if (!made) return fail(made.error(), options.json);
+  if (Status kept = keep(*made, options); !kept) return fail(kept.error(), options.json);
+  options.json ? print_json(*made, options) : print_text(*made, options);
+  return kDone;
+}
+
+}  // namespace toile

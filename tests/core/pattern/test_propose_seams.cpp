@@ -1,0 +1,198 @@
+// Which seams are proposed for garments whose true seams are known.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <set>
+
+#include "core/pattern/propose_seams.h"
+#include "core/pattern/seam_check.h"
+#include "core/pattern/seam_model.h"
+#include "core/pattern/validate.h"
+#include "tests/core/pattern/garments.h"
+
+namespace toile {
+namespace {
+
+using garments::Garment;
+using EdgeSet = std::set<std::pair<std::string, std::string>>;
+using SeamKey = std::pair<EdgeSet, EdgeSet>;
+
+struct Score {
+  int known = 0, proposed = 0, correct = 0;
+  double precision() const { return proposed == 0 ? 1 : static_cast<double>(correct) / proposed; }
+  double recall() const { return static_cast<double>(correct) / known; }
+};
+
+SeamKey ordered(EdgeSet a, EdgeSet b) { return a < b ? SeamKey(a, b) : SeamKey(b, a); }
+
+SeamKey key_of(const Pattern& pattern, const Seam& seam) {
+  const auto side = [&](const std::vector<SeamEdge>& edges) {
+    EdgeSet set;
+    for (const SeamEdge& e : edges) {
+      const Panel& panel = pattern.panels[e.panel];
+      set.insert({panel.id, panel.outline.edges[e.edge].id});
+    }
+    return set;
+  };
+  return ordered(side(seam.a), side(seam.b));
+}
+
+std::set<SeamKey> keys_of(const Garment::Seams& seams) {
+  const auto side = [](const std::vector<garments::Side>& sides) {
+    EdgeSet set;
+    for (const auto& s : sides)
+      for (const std::string& e : s.edges) set.insert({s.piece, e});
+    return set;
+  };
+  std::set<SeamKey> truth;
+  for (const auto& [a, b] : seams) truth.insert(ordered(side(a), side(b)));
+  return truth;
+}
+
+Pattern pattern_of(const Garment& g) { return {g.panels, {}}; }
+
+Score score_of(const Garment& g, const Pattern& pattern, bool sides_known, const std::string& variant) {
+  std::set<SeamKey> truth = keys_of(g.seams);
+  Score score;
+  score.known = static_cast<int>(truth.size());
+  truth.merge(keys_of(g.as_good));
+  for (const SeamProposal& p : propose_seams(pattern, {sides_known})) {
+    if (p.confidence < 0.8) continue;
+    ++score.proposed;
+    score.correct += truth.contains(key_of(pattern, p.seam));
+  }
+  std::printf("%-18s %-10s panels %zu true %d proposed %d correct %d precision %.2f recall %.2f\n",
+              g.name.c_str(), variant.c_str(), g.panels.size(), score.known, score.proposed, score.correct,
+              score.precision(), score.recall());
+  return score;
+}
+
+Score sum(const std::vector<Score>& scores) {
+  Score all;
+  for (const Score& s : scores) all.known += s.known, all.proposed += s.proposed, all.correct += s.correct;
+  return all;
+}
+
+TEST(ProposeSeams, FindsTheSeamsOfGarmentsDrawnByCode) {
+  std::vector<Score> scores;
+  for (const Garment& g : garments::all()) {
+    ASSERT_TRUE(validate(pattern_of(g)).ok()) << g.name << ": " << to_string(validate(pattern_of(g)).error());
+    scores.push_back(score_of(g, pattern_of(g), true, "as drawn"));
+  }
+  EXPECT_GE(sum(scores).precision(), 0.95);
+  EXPECT_GE(sum(scores).recall(), 0.85);
+}
+
+TEST(ProposeSeams, FindThemWhenPiecesAreTurnedWithTheirGrain) {
+  std::vector<Score> scores;
+  for (Garment g : garments::all()) {
+    for (std::size_t p = 0; p < g.panels.size(); ++p)
+      g.panels[p] = garments::turned(g.panels[p], 0.7 + 1.9 * static_cast<double>(p));
+    scores.push_back(score_of(g, pattern_of(g), true, "turned"));
+  }
+  EXPECT_GE(sum(scores).precision(), 0.95);
+  EXPECT_GE(sum(scores).recall(), 0.85);
+}
+
+TEST(ProposeSeams, FindThemWhenAllIsMirrored) {
+  std::vector<Score> scores;
+  for (Garment g : garments::all()) {
+    for (Panel& panel : g.panels) panel = garments::mirrored(panel, panel.id);
+    scores.push_back(score_of(g, pattern_of(g), true, "mirrored"));
+  }
+  EXPECT_GE(sum(scores).precision(), 0.95);
+  EXPECT_GE(sum(scores).recall(), 0.85);
+}
+
+TEST(ProposeSeams, FindThemWithoutHelpfulNames) {
+  std::vector<Score> scores;
+  for (Garment g : garments::all()) {
+    std::map<std::string, std::string> names;
+    for (std::size_t p = 0; p < g.panels.size(); ++p) {
+      const std::string name = "piece" + std::to_string(p);
+      names[g.panels[p].id] = name;
+      g.panels[p].id = name;
+    }
+    for (Garment::Seams* seams : {&g.seams, &g.as_good})
+      for (auto& seam : *seams)
+        for (auto* sides : {&seam.first, &seam.second})
+          for (garments::Side& side : *sides) side.piece = names[side.piece];
+    scores.push_back(score_of(g, pattern_of(g), true, "nameless"));
+  }
+  EXPECT_GE(sum(scores).precision(), 0.95);
+  EXPECT_GE(sum(scores).recall(), 0.75) << "without names less is sure, and what is sure is right";
+}
+
+TEST(ProposeSeams, GiveTheSameAnswerEveryTime) {
+  const Pattern pattern = pattern_of(garments::trousers());
+  const auto once = propose_seams(pattern), twice = propose_seams(pattern);
+  ASSERT_EQ(once.size(), twice.size());
+  for (std::size_t i = 0; i < once.size(); ++i) {
+    EXPECT_EQ(once[i].confidence, twice[i].confidence);
+    EXPECT_EQ(key_of(pattern, once[i].seam), key_of(pattern, twice[i].seam));
+  }
+}
+
+TEST(ProposeSeams, MakeAPatternThatNothingIsToBeSaidAgainst) {
+  for (const Garment& g : {garments::trousers(), garments::shirt()}) {
+    Pattern pattern = pattern_of(g);
+    for (const SeamProposal& p : propose_seams(pattern, {true}))
+      if (p.confidence >= 0.8) pattern.seams.push_back(p.seam);
+    EXPECT_TRUE(validate(pattern).ok()) << g.name;
+    for (const SeamIssue& issue : check_seams(pattern))
+      ADD_FAILURE() << g.name << ": " << issue.where << ": " << issue.message;
+  }
+}
+
+TEST(ProposeSeams, LeaveAloneWhatIsSewnAlready) {
+  Pattern pattern = pattern_of(garments::trousers());
+  pattern.seams = {{"seam0", {{0, 1}}, {{1, 1}}, false}};
+  ASSERT_EQ(pattern.panels[1].outline.edges[4].id, "e1") << "mirrored outlines run the other way";
+  pattern.seams[0].b[0].edge = 4;
+  for (const SeamProposal& p : propose_seams(pattern, {true})) {
+    EXPECT_NE(p.seam.id, "seam0");
+    for (const auto* side : {&p.seam.a, &p.seam.b})
+      for (const SeamEdge& e : *side)
+        EXPECT_FALSE((e.panel == 0 && e.edge == 1) || (e.panel == 1 && e.edge == 4)) << p.seam.id;
+  }
+}
+
+TEST(ProposeSeams, HaveNothingForASingleClothOrNone) {
+  EXPECT_TRUE(propose_seams({}).empty());
+  const Pattern napkin{{garments::piece("napkin", {{0, 0}, {300, 0}, {310, 290}, {-20, 280}})}, {}};
+  for (const SeamProposal& p : propose_seams(napkin)) EXPECT_LT(p.confidence, 0.8);
+}
+
+TEST(ProposeSeams, TakeNotchesIntoAccount) {
+  // Two like edges that only their notches tell apart.
+  Panel a = garments::piece("a", {{0, 0}, {300, 0}, {300, 200}, {0, 200}});
+  const auto other = [](const std::string& id, double notch) {
+    Panel p = garments::piece(id, {{0, 0}, {250, 0}, {250, 200}, {0, 200}});
+    p.notches = {{{250, notch}, 0, {}}};
+    return p;
+  };
+  a.notches = {{{0, 70}, 0, {}}};
+  const Pattern pattern{{a, other("b", 140), other("c", 70)}, {}};
+  bool found = false;
+  for (const SeamProposal& p : propose_seams(pattern, {true}))
+    found = found || key_of(pattern, p.seam) == ordered({{"a", "e3"}}, {{"c", "e1"}});
+  EXPECT_TRUE(found);
+}
+
+TEST(PieceWords, AreReadFromNamesInManyWays) {
+  EXPECT_EQ(words_of("left_sleeve_f").side, -1);
+  EXPECT_EQ(words_of("left_sleeve_f").face, 1);
+  EXPECT_TRUE(words_of("left_sleeve_f").limb);
+  EXPECT_EQ(words_of("FrontRight").face, 1);
+  EXPECT_EQ(words_of("FrontRight").side, 1);
+  EXPECT_EQ(words_of("BK-2").face, -1);
+  EXPECT_EQ(words_of("Cuff RT").side, 1);
+  EXPECT_EQ(words_of("yoke").side, 0);
+  EXPECT_FALSE(words_of("belt").limb);
+}
+
+}  // namespace
+}  // namespace toile

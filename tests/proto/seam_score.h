@@ -1,0 +1,54 @@
+#pragma once
+// How well proposed seams agree with a garment's true ones, point by point: edges of a drawing need not end
+// where those of its designer did.
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/pattern/pattern.h"
+#include "core/pattern/propose_seams.h"
+
+namespace toile::test {
+
+/// A point of an outline.
+struct SeamPoint {
+  Index panel = kNone, edge = kNone;
+  double along = 0;  ///< fraction of the edge's length
+};
+
+/// Points that are sewn to each other, evenly along one seam.
+struct SewnPoints {
+  std::string name;
+  double length = 0;  ///< mm, of the longer side
+  std::vector<std::array<SeamPoint, 2>> pairs;
+};
+
+struct SeamScore {
+  int proposed = 0, right = 0;  ///< proposals, and those of which four in five points are truly sewn so
+  int known = 0, found = 0;     ///< true seams, and those of which four in five points are proposed so
+  std::vector<std::string> wrong, missed;
+
+  double precision() const { return proposed == 0 ? 1 : static_cast<double>(right) / proposed; }
+  double recall() const { return known == 0 ? 1 : static_cast<double>(found) / known; }
+  void add(const SeamScore& other);
+};
+
+/// Points of the seam, side b stretched to side a.
+SewnPoints points_of(const Pattern& pattern, const Seam& seam);
+
+/// Compares proposals of at least `confidence` with the true seams.
+SeamScore score_of(const Pattern& pattern, std::span<const SeamProposal> proposals,
+                   std::span<const SewnPoints> truth, double confidence = 0.8);
+
+/// A drawing as the product reads it, and its true seams from the *.seams.json beside it.
+struct TrueGarment {
+  Pattern pattern;              ///< without seams
+  std::vector<char> clockwise;  ///< one per piece, as the file draws it
+  std::vector<SewnPoints> truth;
+};
+Result<TrueGarment> read_true_garment(const std::filesystem::path& dxf);
+
+}  // namespace toile::test

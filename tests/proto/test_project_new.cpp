@@ -1,0 +1,98 @@
+// Projects of patterns that have none yet.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/pattern/curve.h"
+#include "core/pattern/dxf_write.h"
+#include "core/pattern/validate.h"
+#include "proto/cpp/project_new.h"
+#include "tests/core/pattern/garments.h"
+
+namespace toile {
+namespace {
+
+const char* const kSpecification = R"({"pattern": {"panels": {
+    "front": {"translation": [0, 100, 20], "rotation": [0, 0, 0],
+      "vertices": [[0, 0], [40, 0], [40, 60], [0, 60]],
+      "edges": [{"endpoints": [0, 1]}, {"endpoints": [1, 2]}, {"endpoints": [2, 3]}, {"endpoints": [3, 0]}]},
+    "back": {"translation": [0, 100, -20], "rotation": [0, 0, 0],
+      "vertices": [[0, 0], [0, 60], [40, 60], [40, 0]],
+      "edges": [{"endpoints": [0, 1]}, {"endpoints": [1, 2]}, {"endpoints": [2, 3]}, {"endpoints": [3, 0]}]}},
+    "stitches": [[{"panel": "front", "edge": 1}, {"panel": "back", "edge": 2}],
+                 [{"panel": "front", "edge": 3}, {"panel": "back", "edge": 0}]]}})";
+
+std::string drawing_of(std::vector<Panel> panels) {
+  const Result<std::string> text = write_dxf({std::move(panels), {}});
+  EXPECT_TRUE(text.ok()) << (text ? "" : to_string(text.error()));
+  return text ? *text : std::string{};
+}
+
+NewProjectSettings settings(std::optional<double> accept = {}) {
+  NewProjectSettings s;
+  s.name = "trial", s.pattern_file = "trial.dxf", s.body_file = "body.obj", s.accept_seams = accept;
+  return s;
+}
+
+TEST(ProjectNew, TakesSeamsAndPlacesFromASpecification) {
+  const auto made = new_project(kSpecification, settings());
+  ASSERT_TRUE(made.ok()) << to_string(made.error());
+  ASSERT_EQ(made->project.pieces.size(), 2u);
+  EXPECT_EQ(made->project.pieces[0].id, "front");
+  EXPECT_NEAR(made->project.pieces[0].placement.rigid->translation.y, 1.0, 1e-12);
+  EXPECT_EQ(made->project.seams.size(), 2u);
+  EXPECT_TRUE(made->proposals.empty()) << "true seams need no proposals";
+  const std::vector<JsonValue> seams = seams_json(*made);
+  ASSERT_EQ(seams.size(), 2u);
+  EXPECT_EQ(*seams[0].find("confidence")->number(), 1);
+  EXPECT_EQ(*seams[0].find("length_a_mm")->number(), 600);
+}
+
+TEST(ProjectNew, WritesADocumentThatReadsBack) {
+  for (const std::string& text : {std::string(kSpecification), drawing_of(garments::trousers().panels)}) {
+    const auto made = new_project(text, settings(0.8));
+    ASSERT_TRUE(made.ok()) << to_string(made.error());
+    EXPECT_TRUE(validate(made->pattern).ok());
+    const auto read = parse_project(write_project(made->project));
+    ASSERT_TRUE(read.ok()) << to_string(read.error());
+    EXPECT_EQ(write_project(*read), write_project(made->project));
+    EXPECT_EQ(read->seams.size(), made->pattern.seams.size());
+  }
+}
+
+TEST(ProjectNew, AcceptsNoProposalUnasked) {
+  const std::string text = drawing_of(garments::trousers().panels);
+  const auto none = new_project(text, settings()), sure = new_project(text, settings(0.8));
+  ASSERT_TRUE(none.ok() && sure.ok());
+  EXPECT_TRUE(none->project.seams.empty());
+  EXPECT_EQ(none->proposals.size(), sure->proposals.size());
+  const auto accepted = std::count_if(sure->proposals.begin(), sure->proposals.end(),
+                                      [](const SeamProposal& p) { return p.confidence >= 0.8; });
+  EXPECT_GE(accepted, 5);
+  EXPECT_EQ(sure->project.seams.size(), static_cast<std::size_t>(accepted));
+}
+
+TEST(ProjectNew, CutsAPieceAsOftenAsTheDrawingSays) {
+  const Panel front = garments::piece("front", {{0, 0}, {300, 0}, {260, 500}, {0, 520}});
+  DxfDrawing drawing = read_dxf(drawing_of({front})).value();
+  ASSERT_EQ(drawing.pieces.size(), 1u);
+  drawing.pieces[0].quantity = 2, drawing.pieces[0].mirrored = 1;
+  const auto made = new_project(drawing, settings());
+  ASSERT_TRUE(made.ok()) << to_string(made.error());
+  ASSERT_EQ(made->project.pieces.size(), 2u);
+  EXPECT_TRUE(made->project.pieces[0].from.has_value()) << "the drawing's own piece stays in the drawing";
+  EXPECT_FALSE(made->project.pieces[1].outline.empty()) << "the one turned over stands in the document";
+  EXPECT_NE(made->project.pieces[0].id, made->project.pieces[1].id);
+  const Panel &a = made->pattern.panels[0], &b = made->pattern.panels[1];
+  EXPECT_NEAR(signed_area(a.outline), signed_area(b.outline), 1e-6) << "both counter-clockwise";
+}
+
+TEST(ProjectNew, SaysWhatIsWrongWithAPattern) {
+  EXPECT_EQ(new_project("", settings()).error().code, "dxf.empty");
+  EXPECT_EQ(new_project("{", settings()).error().code, "json.syntax");
+  EXPECT_EQ(new_project("{\"pattern\": {}}", settings()).error().code.substr(0, 12), "garmentcode.");
+}
+
+}  // namespace
+}  // namespace toile
