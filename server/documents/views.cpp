@@ -47,8 +47,11 @@ JsonValue piece_json(const Panel& panel, const Fabric& fabric) {
 JsonValue series_json(const std::vector<ProjectSeamEdge>& series) {
   std::vector<JsonValue> out;
   for (const ProjectSeamEdge& edge : series) {
-    out.push_back(
-        std::vector<JsonMember>{{"piece", edge.piece}, {"edge", edge.edge}, {"reversed", edge.reversed}});
+    out.push_back(std::vector<JsonMember>{{"piece", edge.piece},
+                                          {"edge", edge.edge},
+                                          {"reversed", edge.reversed},
+                                          {"from", edge.from},
+                                          {"to", edge.to}});
   }
   return out;
 }

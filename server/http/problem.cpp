@@ -13,13 +13,14 @@ constexpr std::size_t kMostWords = 2000;  // of a message that quotes its input
 
 const std::map<std::string_view, int>& known_codes() {
   static const std::map<std::string_view, int> codes{
-      {"store.not_found", 404},   {"store.conflict", 412},
-      {"store.full", 507},        {"store.busy", 503},
-      {"store.cursor", 400},      {"store.idempotency_key", 400},
-      {"store.bad_name", 422},    {"store.idempotency_mismatch", 409},
-      {"jobs.state", 409},        {"jobs.too_many_paused", 429},
-      {"jobs.queue_full", 429},   {"jobs.stopped", 503},
-      {"documents.scratch", 500}, {"documents.kind", 400},
+      {"store.not_found", 404},      {"store.conflict", 412},
+      {"store.full", 507},           {"store.busy", 503},
+      {"store.cursor", 400},         {"store.idempotency_key", 400},
+      {"store.bad_name", 422},       {"store.idempotency_mismatch", 409},
+      {"jobs.state", 409},           {"jobs.too_many_paused", 429},
+      {"jobs.queue_full", 429},      {"jobs.stopped", 503},
+      {"documents.scratch", 500},    {"documents.kind", 400},
+      {"edit.nothing_to_undo", 409}, {"edit.nothing_to_redo", 409},
   };
   return codes;
 }

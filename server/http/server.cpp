@@ -35,6 +35,7 @@ class HttpServer::Impl {
     add_health_routes(router_, api_);
     add_asset_routes(router_, api_);
     add_project_routes(router_, api_);
+    add_edit_routes(router_, api_);
     add_job_routes(router_, api_);
     router_.add_page([this](const HttpRequest& request) { return page_.get(request); });
   }

@@ -76,6 +76,20 @@ CREATE TABLE project_keys (
 ) STRICT;
 CREATE INDEX project_keys_by_project ON project_keys (owner, project_id);
 )sql"},
+    {3, "what was done to projects, to be undone", R"sql(
+CREATE TABLE project_edits (
+  owner TEXT NOT NULL,
+  project_id TEXT NOT NULL,
+  number INTEGER NOT NULL,
+  undone INTEGER NOT NULL,
+  created_ms INTEGER NOT NULL,
+  bytes INTEGER NOT NULL,
+  edits TEXT NOT NULL,
+  inverse TEXT NOT NULL,
+  original TEXT NOT NULL,
+  PRIMARY KEY (owner, project_id, number)
+) STRICT;
+)sql"},
 };
 
 constexpr const char* kRemembered = R"sql(

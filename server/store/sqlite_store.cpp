@@ -20,15 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// That the project stands at the revision that somebody has seen; 0 stands for any.
-Status check_revision(const ProjectRow& now, int expected) {
-  if (expected == 0 || now.revision == expected) return {};
-  return Error{"store.conflict",
-               "the project has been changed since: it is at revision " + std::to_string(now.revision) +
-                   ", and this was made from revision " + std::to_string(expected),
-               ""};
-}
-
 /// What an idempotency key made: a project's id, and the hash of the request.
 struct KeyedProject {
   std::string id, request;
@@ -45,6 +36,14 @@ Result<BlobPlace> blob_place_from(const SqlStatement& row) { return BlobPlace{ro
 std::int64_t store_now_ms() {
   using namespace std::chrono;
   return duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count();
+}
+
+Status check_revision(const ProjectRow& now, int expected) {
+  if (expected == 0 || now.revision == expected) return {};
+  return Error{"store.conflict",
+               "the project has been changed since: it is at revision " + std::to_string(now.revision) +
+                   ", and this was made from revision " + std::to_string(expected),
+               ""};
 }
 
 Result<std::string> before_what(const std::string& cursor, char letter) {
@@ -187,22 +186,32 @@ Result<ProjectRow> SqliteStore::replace_project(const OwnerId& owner, const Proj
   const std::lock_guard hold(mutex_);
   Result<SqlTransaction> transaction = SqlTransaction::begin(database_);
   if (!transaction) return transaction.error();
-  Result<ProjectRow> now = find_project(owner, row.id);
+  const Result<ProjectRow> now = find_project(owner, row.id);
   if (!now) return now;
   if (Status same = check_revision(*now, expected); !same) return same.error();
-  now->name = row.name;
-  now->document = row.document;
-  now->files = row.files;
-  now->revision += 1;
-  now->updated_ms = store_now_ms();
+  const Result<ProjectRow> kept = update_project(owner, *now, row);
+  if (!kept) return kept;
+  if (Status forgotten = forget_edits(owner, row.id); !forgotten) return forgotten.error();
+  if (Status committed = transaction->commit(); !committed) return committed.error();
+  return kept;
+}
+
+/// `now` with name, document and files of `row`, one revision on.
+Result<ProjectRow> SqliteStore::update_project(const OwnerId& owner, const ProjectRow& now,
+                                               const ProjectRow& row) {
+  ProjectRow next = now;
+  next.name = row.name;
+  next.document = row.document;
+  next.files = row.files;
+  next.revision += 1;
+  next.updated_ms = store_now_ms();
   const std::string files = column_text(row.files);
   const Result<int> kept = database_.run(
       "UPDATE projects SET name = ?, document = ?, files = ?, revision = ?, updated_ms = ?"
       " WHERE owner = ? AND id = ?",
-      {row.name, row.document, files, std::int64_t{now->revision}, now->updated_ms, owner, row.id});
+      {next.name, next.document, files, std::int64_t{next.revision}, next.updated_ms, owner, next.id});
   if (!kept) return kept.error();
-  if (Status committed = transaction->commit(); !committed) return committed.error();
-  return now;
+  return next;
 }
 
 Result<ProjectRow> SqliteStore::find_project(const OwnerId& owner, const std::string& id) {
@@ -239,6 +248,7 @@ Status SqliteStore::remove_project(const OwnerId& owner, const std::string& id, 
                           "DELETE FROM project_keys WHERE owner = ? AND project_id = ?"}) {
     if (const Result<int> gone = database_.run(sql, {owner, id}); !gone) return gone.error();
   }
+  if (Status forgotten = forget_edits(owner, id); !forgotten) return forgotten;
   return transaction->commit();
 }
 

@@ -42,6 +42,13 @@ class SqliteStore final : public Store {
                                            int limit) override;
   Status remove_project(const OwnerId& owner, const std::string& id, int expected) override;
 
+  Result<ProjectRow> edit_project(const OwnerId& owner, const ProjectRow& row, int expected, EditStep step,
+                                  const EditRow& edit) override;
+  Result<std::vector<EditRow>> edits(const OwnerId& owner, const std::string& project_id, std::int64_t before,
+                                     int limit) override;
+  Result<std::optional<EditRow>> next_edit(const OwnerId& owner, const std::string& project_id,
+                                           EditStep step) override;
+
   Result<Made<JobRow>> create_job(const OwnerId& owner, JobRow row,
                                   const std::string& idempotency_key) override;
   Result<std::optional<JobRow>> job_of_key(const OwnerId& owner, const std::string& idempotency_key) override;
@@ -72,6 +79,11 @@ class SqliteStore final : public Store {
   Result<std::optional<ProjectRow>> project_of_key(const OwnerId& owner, const std::string& key,
                                                    const std::string& request);
   Status insert_project(const OwnerId& owner, const ProjectRow& row);
+  Result<ProjectRow> update_project(const OwnerId& owner, const ProjectRow& now, const ProjectRow& row);
+  Status append_edit(const OwnerId& owner, const std::string& project_id, const EditRow& edit);
+  Status turn_edit(const OwnerId& owner, const std::string& project_id, std::int64_t number, bool undone);
+  Status trim_edits(const OwnerId& owner, const std::string& project_id);
+  Status forget_edits(const OwnerId& owner, const std::string& project_id);
   Result<std::optional<JobRow>> find_job_of_key(const OwnerId& owner, const std::string& key);
 
   // And what follows takes it.
@@ -87,6 +99,8 @@ class SqliteStore final : public Store {
 
 /// Now, as Unix time.
 std::int64_t store_now_ms();
+/// That the project stands at the revision that somebody has seen; 0 stands for any. Error: store.conflict.
+Status check_revision(const ProjectRow& now, int expected);
 /// One more than any id when the cursor is empty, so that "before the cursor" is everything. Error:
 /// store.cursor.
 Result<std::string> before_what(const std::string& cursor, char letter);

@@ -40,6 +40,18 @@ struct ProjectRow {
   std::int64_t created_ms = 0, updated_ms = 0;
 };
 
+/// A step of a project's history: edits that were made together.
+struct EditRow {
+  std::int64_t number = 0;  ///< rises by one within the project
+  std::string edits;        ///< JSON list (edit.schema.json)
+  std::string inverse;      ///< another: it gives the document of before
+  std::string original;     ///< that document's own text, where the edits' writer would have put it otherwise
+  bool undone = false;
+  std::int64_t created_ms = 0;
+};
+
+enum class EditStep { kDo, kUndo, kRedo };
+
 /// A drape that was asked for. The document and files are copies of the project's at that moment.
 struct JobRow {
   std::string id;  ///< "j_" and 20 characters; rises with time
@@ -88,8 +100,8 @@ class Store {
   /// files, store.idempotency_key (empty means none; else 1 to 200 printable ASCII characters).
   virtual Result<Made<ProjectRow>> create_project(const OwnerId& owner, ProjectRow row,
                                                   const std::string& idempotency_key = "") = 0;
-  /// Replaces document, files and name when the stored revision is `expected` (or expected is 0). Errors:
-  /// store.not_found, store.conflict.
+  /// Replaces document, files and name when the stored revision is `expected` (or expected is 0); its history
+  /// is then empty. Errors: store.not_found, store.conflict.
   virtual Result<ProjectRow> replace_project(const OwnerId& owner, const ProjectRow& row, int expected) = 0;
   virtual Result<ProjectRow> project(const OwnerId& owner, const std::string& id) = 0;
   /// Newest first, from after `cursor` (an id, or empty), at most `limit` (and 1,000). Error: store.cursor
@@ -99,6 +111,20 @@ class Store {
   /// Removes it when the stored revision is `expected` (or expected is 0); its jobs stay. Errors:
   /// store.not_found, store.conflict.
   virtual Status remove_project(const OwnerId& owner, const std::string& id, int expected) = 0;
+
+  /// Replaces document and name when the stored revision is `expected`, together with a step of the history:
+  /// kDo forgets what was undone and appends `edit` (number, time and undone are the store's to give); kUndo
+  /// and kRedo turn over what edit.number names. A history holds at most 500 steps and 64 MiB, the newest.
+  /// Errors: store.not_found (the project; the step), store.conflict.
+  virtual Result<ProjectRow> edit_project(const OwnerId& owner, const ProjectRow& row, int expected,
+                                          EditStep step, const EditRow& edit) = 0;
+  /// Steps of the history with numbers below `before` (0: all), newest first, at most `limit` (and 1,000);
+  /// without inverse and original.
+  virtual Result<std::vector<EditRow>> edits(const OwnerId& owner, const std::string& project_id,
+                                             std::int64_t before, int limit) = 0;
+  /// What kUndo or kRedo would turn over next; nothing when there is nothing.
+  virtual Result<std::optional<EditRow>> next_edit(const OwnerId& owner, const std::string& project_id,
+                                                   EditStep step) = 0;
 
   /// Keeps the row under a new id; its time is the store's to give. With an idempotency key that this owner
   /// has used, gives back the job it made then. Errors: store.idempotency_mismatch when that was for another

@@ -18,7 +18,8 @@ inline const char* const kFullDocument = R"({
       "edge_names": {"e0": "waist", "e1": "side"},
       "fabric": "wool",
       "placement": {"wrapped": {"axis": [0.1, -0.2], "radius": 0.25, "angle": -45, "height": 1.1,
-                                "anchor": [100, 600], "slope": 0.2}}
+                                "anchor": [100, 600], "slope": 0.2, "axis_height": 0.2, "up": [0, 0.8, 0.6],
+        "turn": 30, "flipped": false}}
     },
     {
       "id": "back",
@@ -33,18 +34,25 @@ inline const char* const kFullDocument = R"({
       "grain": [1, 2],
       "lines": [{"id": "crease", "points": [[5, 80], [95, 80.5]]}],
       "layer": 2,
+      "notches": [{"at": [100, 100], "depth_mm": 4, "inwards": [-1, -1]}],
+      "texture": {"image": "cloth/tartan.png", "scale_mm": 240, "offset": [3, -4], "angle": 45},
+      "physical": {"areal_mass_g_m2": 300, "stretch_warp_n_m": 2500, "stretch_weft_n_m": 1800,
+                   "stretch_coupling_n_m": 400, "stretch_shear_n_m": 220, "bend_warp_un_m": 30,
+                   "bend_weft_un_m": 28, "bend_bias_un_m": 20, "thickness_mm": 0.9, "friction": 0.4},
       "fabric": "wool",
       "placement": {"rigid": {"translation": [0, 1, -0.3], "rotation": [0, 180, 5], "flipped": true}}
     }
   ],
   "fabrics": [
     {"id": "wool", "name": "Worsted", "areal_mass_g_m2": 210, "stretch_warp_n_m": 1500, "stretch_weft_n_m": 900,
-     "stretch_coupling_n_m": 210.5, "stretch_shear_n_m": 120, "bend_warp_un_m": 14.5, "bend_weft_un_m": 9,
+     "stretch_coupling_n_m": 210.5, "stretch_shear_n_m": 120, "limit_warp_percent": 12.5,
+     "limit_weft_percent": 20, "limit_shear_rad": 0.4, "bend_warp_un_m": 14.5, "bend_weft_un_m": 9,
      "bend_bias_un_m": 7, "thickness_mm": 0.61, "friction": 0.25, "colour": [0.2, 0.3, 0.9]}
   ],
   "seams": [
-    {"id": "s1", "a": [{"piece": "back", "edge": "right", "reversed": false}],
-     "b": [{"piece": "back", "edge": "left", "reversed": true}], "same_direction": true}
+    {"id": "s1", "a": [{"piece": "back", "edge": "right", "reversed": false, "from": 0.1, "to": 0.9}],
+     "b": [{"piece": "back", "edge": "left", "reversed": true, "from": 0.25, "to": 0.75}],
+     "same_direction": true}
   ],
   "bodies": [
     {"id": "person", "file": "people/ann.obj", "unit": "cm", "up": "z", "friction": 0.5, "skin_offset_mm": 2,

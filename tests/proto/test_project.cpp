@@ -114,8 +114,9 @@ TEST(Project, RefusesANumberOutOfItsRange) {
 TEST(Project, RefusesAListThatIsTooShort) {
   expect_refused(
       {"[[100, 100], [0, 100]]", "[[100, 100]]", "project.out_of_range", "/pieces/1/outline/2/points"});
-  expect_refused({"[{\"piece\": \"back\", \"edge\": \"right\", \"reversed\": false}]", "[]",
-                  "project.out_of_range", "/seams/0/a"});
+  expect_refused(
+      {"[{\"piece\": \"back\", \"edge\": \"right\", \"reversed\": false, \"from\": 0.1, \"to\": 0.9}]", "[]",
+       "project.out_of_range", "/seams/0/a"});
 }
 
 TEST(Project, RefusesAWordThatIsNoChoice) {

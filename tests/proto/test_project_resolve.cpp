@@ -57,7 +57,8 @@ constexpr const char* kSmall = R"({
       "stretch_coupling_n_m": 100, "stretch_shear_n_m": 50, "bend_warp_un_m": 1, "bend_weft_un_m": 1,
       "bend_bias_un_m": 1, "thickness_mm": 0.1},
     {"id": "wool", "areal_mass_g_m2": 210, "stretch_warp_n_m": 1500, "stretch_weft_n_m": 900,
-      "stretch_coupling_n_m": 200, "stretch_shear_n_m": 120, "bend_warp_un_m": 14.5, "bend_weft_un_m": 9,
+      "stretch_coupling_n_m": 200, "stretch_shear_n_m": 120, "limit_warp_percent": 12.5,
+      "limit_weft_percent": 20, "limit_shear_rad": 0.4, "bend_warp_un_m": 14.5, "bend_weft_un_m": 9,
       "bend_bias_un_m": 7, "thickness_mm": 0.6, "friction": 0.25, "colour": [0.2, 0.3, 0.9]}],
   "seams": [{"id": "top", "a": [{"piece": "front", "edge": "waist"}],
              "b": [{"piece": "back", "edge": "top", "reversed": true}], "same_direction": true}],
@@ -108,6 +109,9 @@ TEST(ProjectResolve, TurnsUnitsIntoTheCores) {
   const DrapeInput input = small_input();
   const Fabric& wool = input.fabrics[1];
   EXPECT_DOUBLE_EQ(wool.areal_mass, 0.21);
+  EXPECT_DOUBLE_EQ(wool.limit_warp, 0.125);
+  EXPECT_DOUBLE_EQ(wool.limit_weft, 0.2);
+  EXPECT_DOUBLE_EQ(wool.limit_shear, 0.4);
   EXPECT_DOUBLE_EQ(wool.bend_warp, 14.5e-6);
   EXPECT_DOUBLE_EQ(wool.thickness, 0.6e-3);
   EXPECT_DOUBLE_EQ(wool.colour[2], 0.9);

@@ -23,6 +23,7 @@ struct Api {
 void add_health_routes(Router& router, const Api& api);
 void add_asset_routes(Router& router, const Api& api);
 void add_project_routes(Router& router, const Api& api);
+void add_edit_routes(Router& router, const Api& api);
 void add_job_routes(Router& router, const Api& api);
 
 }  // namespace toile

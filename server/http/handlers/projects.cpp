@@ -1,7 +1,5 @@
 // /api/v1/projects.
 
-#include <charconv>
-#include <optional>
 #include <utility>
 
 #include "proto/cpp/names.h"
@@ -9,37 +7,11 @@
 #include "server/documents/views.h"
 #include "server/http/handlers/answer.h"
 #include "server/http/handlers/api.h"
+#include "server/http/handlers/project_answer.h"
 #include "server/http/problem.h"
 
 namespace toile {
 namespace {
-
-constexpr std::size_t kMostDocumentBytes = std::size_t{4} << 20;
-/// What stands around a document in a request: the names of its files.
-constexpr std::size_t kMostRequestBytes = kMostDocumentBytes + kSmallBody;
-
-std::vector<JsonMember> project_members(const ProjectRow& project) {
-  std::vector<JsonMember> files;
-  for (const auto& [name, id] : project.files) files.push_back({name, id});
-  return {{"id", project.id},
-          {"name", project.name},
-          {"revision", static_cast<double>(project.revision)},
-          {"created_ms", static_cast<double>(project.created_ms)},
-          {"updated_ms", static_cast<double>(project.updated_ms)},
-          {"files", std::move(files)}};
-}
-
-std::string etag_of(const ProjectRow& project) {
-  std::string tag = "\"";  // one append after the other: GCC 12 warns about "…" + a temporary
-  tag += std::to_string(project.revision);
-  return tag += '"';
-}
-
-HttpResponse project_answer(const ProjectRow& project) {
-  HttpResponse response = json_answer(200, project_members(project), "document", project.document);
-  response.headers.emplace_back("ETag", etag_of(project));
-  return response;
-}
 
 struct Given {
   std::string document;
@@ -115,44 +87,23 @@ HttpResponse show(const Api& api, const HttpRequest& request) {
   return response;
 }
 
-/// The revision of If-Match: 0 for "*"; nothing when it is no revision of ours.
-std::optional<int> matched_revision(std::string_view tag) {
-  if (tag == "*") return 0;
-  if (tag.size() < 3 || tag.front() != '"' || tag.back() != '"') return std::nullopt;
-  int revision = 0;
-  const char* const end = tag.data() + tag.size() - 1;
-  const auto [stop, failure] = std::from_chars(tag.data() + 1, end, revision);
-  if (failure != std::errc() || stop != end || revision < 1) return std::nullopt;
-  return revision;
-}
-
-HttpResponse stale() {
-  return problem(412, {"store.conflict", "the project has changed since; read it again", "If-Match"});
-}
-
 HttpResponse replace(const Api& api, const HttpRequest& request) {
-  const std::string tag = request.header("if-match");
-  if (tag.empty()) {
-    return problem(428, {"request.if_match", "say which revision this replaces: If-Match with the ETag, or *",
-                         "If-Match"});
-  }
-  const std::optional<int> revision = matched_revision(tag);
-  if (!revision) return stale();
+  const Result<int> revision = required_revision(request);
+  if (!revision) return revision_problem(revision.error());
   const Result<Given> given = read_given(request);
   if (!given) return problem(given.error());
   const Result<ProjectRow> project =
       replace_project(api.store, kLocalOwner, request.captures[0], given->document, given->files, *revision);
-  if (project) return project_answer(*project);
-  return project.error().code == "store.conflict" ? stale() : problem(in_request(project.error()));
+  return project ? project_answer(*project) : revision_problem(in_request(project.error()));
 }
 
 /// Without If-Match whichever revision there is.
 HttpResponse remove(const Api& api, const HttpRequest& request) {
-  const std::string tag = request.header("if-match");
-  const std::optional<int> revision = matched_revision(tag.empty() ? "*" : tag);
-  if (!revision) return stale();
+  const bool any = request.header("if-match").empty();
+  const Result<int> revision = any ? Result<int>(0) : required_revision(request);
+  if (!revision) return revision_problem(revision.error());
   const Status removed = api.store.remove_project(kLocalOwner, request.captures[0], *revision);
-  if (!removed) return removed.error().code == "store.conflict" ? stale() : problem(removed.error());
+  if (!removed) return revision_problem(removed.error());
   HttpResponse response;
   response.status = 204;
   return response;
@@ -167,14 +118,6 @@ HttpResponse pieces(const Api& api, const HttpRequest& request) {
   HttpResponse response = json_answer(200, *view);
   response.headers.emplace_back("ETag", etag_of(*project));
   return response;
-}
-
-Route document_route(const char* method, const char* pattern, HttpHandler handler) {
-  Route route{.method = method, .pattern = pattern, .handler = std::move(handler)};
-  route.body = BodyKind::kJson;
-  route.limit = [](const HttpRequest&) { return kMostRequestBytes; };
-  route.heavy = true;
-  return route;
 }
 
 }  // namespace

@@ -49,6 +49,19 @@ class Contract : public Served {
     ADD_FAILURE() << "the stream broke off";
   }
 
+  void record_edits(const std::string& project) {
+    const std::string edits = R"({"edits": [{"edit": "rotate_grain", "piece": "napkin", "angle": 45}]})";
+    const std::string any = std::string("Content-Type: application/json\r\n") + "If-Match: *\r\n";
+    EXPECT_EQ(recorded("POST", project + "/edits", edits, any).status, 200);
+    recorded("POST", project + "/edits", R"({"edits": [{"edit": "tear"}]})", any);
+    recorded("GET", project + "/edits?limit=1");
+    EXPECT_EQ(recorded("POST", project + "/undo", "", any).status, 200);
+    recorded("POST", project + "/undo", "", any);
+    EXPECT_EQ(recorded("POST", project + "/redo", "", any).status, 200);
+    recorded("POST", project + "/redo", "");
+    recorded("GET", project + "/edits");
+  }
+
   int check(const std::string& recordings) {
     const std::string root = TOILE_SOURCE_DIR;
     const std::string command =
@@ -73,6 +86,9 @@ TEST_F(Contract, EveryAnswerAndMessageFitsItsSchema) {
       "ENDSEC\n0\nEOF\n";
   recorded("POST", "/api/v1/assets?kind=dxf&name=a.dxf", dxf);
   recorded("POST", "/api/v1/assets?kind=x&name=a.dxf", dxf);
+  const std::string pattern = member(recorded("POST", "/api/v1/assets?kind=dxf&name=a.dxf", dxf), "id");
+  recorded("POST", "/api/v1/imports", "{\"asset\": \"" + pattern + "\", \"unit\": \"cm\"}", kJson);
+  recorded("POST", "/api/v1/imports", "{\"asset\": \"a_0\"}", kJson);
   const std::string asset = member(recorded("POST", "/api/v1/bodies?name=post.obj", kPost), "id");
   recorded("GET", "/api/v1/assets");
   recorded("GET", "/api/v1/bodies");
@@ -94,6 +110,7 @@ TEST_F(Contract, EveryAnswerAndMessageFitsItsSchema) {
   recorded("PUT", one, request, kJson);
   recorded("PUT", one, request, std::string(kJson) + "If-Match: \"9\"\r\n");
   recorded("PUT", one, request, std::string(kJson) + "If-Match: \"1\"\r\n");
+  record_edits(one);
 
   const std::string submission = "{\"project_id\": \"" + project + "\"}";
   const std::string job = member(recorded("POST", "/api/v1/jobs", submission, once), "id");

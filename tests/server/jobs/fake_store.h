@@ -74,6 +74,17 @@ class FakeStore final : public Store {
     return {};
   }
 
+  Result<ProjectRow> edit_project(const OwnerId& owner, const ProjectRow& row, int expected, EditStep,
+                                  const EditRow&) override {
+    return replace_project(owner, row, expected);
+  }
+  Result<std::vector<EditRow>> edits(const OwnerId&, const std::string&, std::int64_t, int) override {
+    return std::vector<EditRow>();
+  }
+  Result<std::optional<EditRow>> next_edit(const OwnerId&, const std::string&, EditStep) override {
+    return std::optional<EditRow>();
+  }
+
   Result<Made<JobRow>> create_job(const OwnerId& owner, JobRow row, const std::string& key) override {
     const std::lock_guard lock(mutex_);
     if (const auto made = keys_.find({owner, key}); made != keys_.end()) {

@@ -1,0 +1,155 @@
+#include "proto/cpp/pattern_edit.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/pattern/curve.h"
+#include "proto/cpp/names.h"
+#include "proto/cpp/pattern_edit_parts.h"
+#include "proto/cpp/project_new.h"
+#include "proto/cpp/project_pieces.h"
+
+namespace toile {
+namespace {
+
+/// A project while it is edited, with its pattern once an edit needs it.
+struct Editing {
+  Project project;
+  std::optional<Pattern> pattern;
+  const ProjectFiles& files;
+};
+
+/// What the document means without its bodies: no edit touches them, and to read them takes long.
+Result<DrapeInput> resolve_cloth(Project project, const ProjectFiles& files) {
+  project.bodies.clear();
+  return resolve_project(project, files);
+}
+
+ProjectNotch project_notch(const Notch& notch) {
+  ProjectNotch out{notch.at, notch.depth, std::nullopt};
+  if (!(notch.inwards == Vec2{})) out.inwards = notch.inwards;
+  return out;
+}
+
+/// The panel's shape as an outline of the document.
+void write_shape(ProjectPiece& piece, const Panel& panel) {
+  piece.from.reset();
+  piece.edge_names.clear();
+  piece.outline = outline_of(panel.outline);
+  piece.holes.clear();
+  // Read back, a hole is run the other way; so it is written.
+  for (const Loop& hole : panel.holes) piece.holes.push_back(outline_of(reversed(hole)));
+  piece.notches.clear();
+  for (const Notch& notch : panel.notches) piece.notches.push_back(project_notch(notch));
+  piece.grain = panel.grain;
+}
+
+void write_panel(ProjectPiece& piece, const Panel& panel, const Panel* before, bool reshaped) {
+  if (reshaped) write_shape(piece, panel);
+  if (before && !(before->grain == panel.grain)) piece.grain = panel.grain;
+  piece.lines.clear();
+  for (const InnerLine& line : panel.lines) piece.lines.push_back({line.id, line.points});
+  piece.fabric = panel.fabric;
+}
+
+template <typename T>
+auto named(std::vector<T>& list, const std::string& id) {
+  return std::find_if(list.begin(), list.end(), [&](const T& one) { return one.id == id; });
+}
+
+/// The pieces of the document as the edited pattern has them.
+void write_pieces(Project& project, const Pattern& before, const EditedPattern& edited) {
+  const EditEffect& effect = edited.effect;
+  std::vector<ProjectPiece>& pieces = project.pieces;
+  if (effect.piece.empty()) {
+    if (!effect.was.empty()) pieces.erase(named(pieces, effect.was));
+    return;
+  }
+  if (!effect.copy_of.empty()) {
+    ProjectPiece copy = *named(pieces, effect.copy_of);
+    copy.id = effect.piece;
+    pieces.push_back(std::move(copy));
+  } else {
+    named(pieces, effect.was)->id = effect.piece;
+  }
+  const auto at = named(pieces, effect.piece);
+  const auto index = static_cast<std::size_t>(at - pieces.begin());
+  const Panel* old = index < before.panels.size() ? &before.panels[index] : nullptr;
+  write_panel(*at, edited.pattern.panels[index], old, effect.reshaped);
+  if (old && effect.motion && !effect.motion->middle) stay_in_space(*at, effect.motion->by);
+}
+
+Status apply_one(Editing& editing, const PatternEdit& edit) {
+  if (const auto* fabric = std::get_if<SetFabric>(&edit);
+      fabric && named(editing.project.fabrics, fabric->fabric) == editing.project.fabrics.end()) {
+    return Error{"edit.unknown_fabric", "the project has no fabric " + in_quotes(fabric->fabric), ""};
+  }
+  if (!editing.pattern) {
+    Result<DrapeInput> input = resolve_cloth(editing.project, editing.files);
+    if (!input) return input.error();
+    editing.pattern = std::move(input->pattern);
+  }
+  Result<EditedPattern> edited = apply_edit(*editing.pattern, edit);
+  if (!edited) return edited.error();
+  if (Status parts = follow_parts(editing.project, edited->effect); !parts) return parts;
+  write_pieces(editing.project, *editing.pattern, *edited);
+  editing.project.seams.clear();
+  for (const Seam& seam : edited->pattern.seams) {
+    editing.project.seams.push_back(project_seam(edited->pattern, seam));
+  }
+  editing.pattern = std::move(edited->pattern);
+  return {};
+}
+
+Result<ProjectPiece*> piece_of(Project& project, const std::string& id) {
+  const auto found = named(project.pieces, id);
+  if (found != project.pieces.end()) return &*found;
+  return Error{"edit.unknown_piece", "There is no piece of that name.", "piece " + id};
+}
+
+Status apply_one(Editing& editing, const SetTexture& edit) {
+  const Result<ProjectPiece*> piece = piece_of(editing.project, edit.piece);
+  if (!piece) return piece.error();
+  (*piece)->texture = edit.texture;
+  return {};
+}
+
+Status apply_one(Editing& editing, const SetPhysical& edit) {
+  const Result<ProjectPiece*> piece = piece_of(editing.project, edit.piece);
+  if (!piece) return piece.error();
+  (*piece)->physical = edit.physical;
+  return {};
+}
+
+Status apply_one(Editing& editing, const RestoreLists& edit) {
+  editing.pattern.reset();
+  return restore(editing.project, edit);
+}
+
+/// The text of the edited document, once it is found to be one that can be draped.
+Result<std::string> checked_text(const Project& project, const ProjectFiles& files) {
+  std::string text = write_project_line(project);
+  const Result<Project> again = parse_project(text);
+  if (!again) return error_at("/edits", again.error());
+  const Result<DrapeInput> input = resolve_cloth(*again, files);
+  if (!input) return error_at("/edits", input.error());
+  return text;
+}
+
+}  // namespace
+
+Result<EditedProject> apply_edits(const Project& project, std::span<const ProjectEdit> edits,
+                                  const ProjectFiles& files) {
+  Editing editing{project, std::nullopt, files};
+  for (std::size_t i = 0; i < edits.size(); ++i) {
+    const Status done = std::visit([&](const auto& edit) { return apply_one(editing, edit); }, edits[i]);
+    if (!done) return error_at(pointer_to("/edits", i), done.error());
+  }
+  Result<std::string> text = checked_text(editing.project, files);
+  if (!text) return text.error();
+  EditedProject out{std::move(editing.project), std::move(*text), {}};
+  if (!(out.project == project)) out.inverse = {difference(out.project, project)};
+  return out;
+}
+
+}  // namespace toile

@@ -1,0 +1,125 @@
+#include "server/documents/edits.h"
+
+#include <utility>
+#include <vector>
+
+#include "proto/cpp/pattern_edit.h"
+#include "proto/cpp/project.h"
+#include "server/documents/projects.h"
+
+namespace toile {
+namespace {
+
+/// A project that edits may be done to: it stands at the revision that was expected.
+struct Standing {
+  ProjectRow row;
+  Project project;
+};
+
+Result<Standing> standing(Store& store, const OwnerId& owner, const std::string& id, int expected) {
+  Result<ProjectRow> row = store.project(owner, id);
+  if (!row) return row.error();
+  if (expected != 0 && row->revision != expected) {
+    return Error{"store.conflict",
+                 "the project has changed since; it is at revision " + std::to_string(row->revision), ""};
+  }
+  Result<Project> project = parse_project(row->document);
+  if (!project) return project.error();
+  return Standing{std::move(*row), std::move(*project)};
+}
+
+Result<EditedProject> apply_in_store(Store& store, const OwnerId& owner, const Standing& at,
+                                     const std::vector<ProjectEdit>& edits) {
+  return apply_edits(at.project, edits, files_in_store(store, owner, at.row.files));
+}
+
+Result<ProjectRow> keep(Store& store, const OwnerId& owner, const ProjectRow& was, std::string document,
+                        const std::string& name, EditStep step, const EditRow& edit) {
+  ProjectRow row = was;
+  row.document = std::move(document);
+  row.name = name;
+  return store.edit_project(owner, row, was.revision, step, edit);
+}
+
+/// The edits of a row, as this program wrote them.
+Result<std::vector<ProjectEdit>> kept_edits(const std::string& text, const std::string& id) {
+  const Result<JsonValue> tree = parse_json(text, {.bytes = text.size(), .depth = 64});
+  if (tree) {
+    Result<std::vector<ProjectEdit>> edits = read_edits(*tree, "/edits");
+    if (edits) return edits;
+  }
+  return Error{"store.corrupt", "a step of the project's history is damaged", id};
+}
+
+Result<EditRow> next_step(Store& store, const OwnerId& owner, const std::string& id, EditStep step) {
+  Result<std::optional<EditRow>> next = store.next_edit(owner, id, step);
+  if (!next) return next.error();
+  if (*next) return std::move(**next);
+  if (step == EditStep::kUndo) return Error{"edit.nothing_to_undo", "there is nothing to undo", ""};
+  return Error{"edit.nothing_to_redo", "nothing has been undone that could be done again", ""};
+}
+
+}  // namespace
+
+Result<ProjectRow> edit_project(Store& store, const OwnerId& owner, const std::string& id,
+                                const JsonValue& edits, int expected) {
+  const Result<Standing> at = standing(store, owner, id, expected);
+  if (!at) return at.error();
+  const Result<std::vector<ProjectEdit>> wanted = read_edits(edits, "/edits");
+  if (!wanted) return wanted.error();
+  Result<EditedProject> edited = apply_in_store(store, owner, *at, *wanted);
+  if (!edited) return edited.error();
+  EditRow step;
+  step.edits = write_json_line(edits_json(*wanted));
+  step.inverse = write_json_line(edits_json(edited->inverse));
+  if (write_project_line(at->project) != at->row.document) step.original = at->row.document;
+  return keep(store, owner, at->row, std::move(edited->document), edited->project.name, EditStep::kDo, step);
+}
+
+Result<ProjectRow> undo_edit(Store& store, const OwnerId& owner, const std::string& id, int expected) {
+  const Result<Standing> at = standing(store, owner, id, expected);
+  if (!at) return at.error();
+  const Result<EditRow> step = next_step(store, owner, id, EditStep::kUndo);
+  if (!step) return step.error();
+  const Result<std::vector<ProjectEdit>> inverse = kept_edits(step->inverse, id);
+  if (!inverse) return inverse.error();
+  const Result<EditedProject> edited = apply_in_store(store, owner, *at, *inverse);
+  if (!edited) return edited.error();
+  const std::string& document = step->original.empty() ? edited->document : step->original;
+  return keep(store, owner, at->row, document, edited->project.name, EditStep::kUndo, *step);
+}
+
+Result<ProjectRow> redo_edit(Store& store, const OwnerId& owner, const std::string& id, int expected) {
+  const Result<Standing> at = standing(store, owner, id, expected);
+  if (!at) return at.error();
+  const Result<EditRow> step = next_step(store, owner, id, EditStep::kRedo);
+  if (!step) return step.error();
+  const Result<std::vector<ProjectEdit>> edits = kept_edits(step->edits, id);
+  if (!edits) return edits.error();
+  Result<EditedProject> edited = apply_in_store(store, owner, *at, *edits);
+  if (!edited) return edited.error();
+  return keep(store, owner, at->row, std::move(edited->document), edited->project.name, EditStep::kRedo,
+              *step);
+}
+
+Result<std::string> history_json(Store& store, const OwnerId& owner, const std::string& id,
+                                 std::int64_t before, int limit) {
+  const Result<ProjectRow> row = store.project(owner, id);
+  if (!row) return row.error();
+  Result<std::vector<EditRow>> steps = store.edits(owner, id, before, limit + 1);
+  if (!steps) return steps.error();
+  std::string next = "null", items;
+  if (steps->size() > static_cast<std::size_t>(limit)) {
+    steps->pop_back();
+    next = "\"" + std::to_string(steps->back().number) + "\"";
+  }
+  for (const EditRow& step : *steps) {
+    items += items.empty() ? "" : ", ";
+    items += "{\"number\": " + std::to_string(step.number);
+    items += step.undone ? ", \"undone\": true" : ", \"undone\": false";
+    items += ", \"created_ms\": " + std::to_string(step.created_ms) + ", \"edits\": " + step.edits + "}";
+  }
+  return "{\"edits\": [" + items + "], \"next\": " + next + "}\n";
+}
+
+}  // namespace toile

@@ -1,0 +1,31 @@
+#pragma once
+// Edits of a project in the store, and their history: each kept with what undoes it.
+
+#include <cstdint>
+#include <string>
+
+#include "core/base/result.h"
+#include "proto/cpp/json_codec.h"
+#include "server/store/store.h"
+
+namespace toile {
+
+/// Does the edits (a JSON list, edit.schema.json) to the project when it stands at revision `expected` (0: at
+/// any), and forgets what was undone. Errors: those of read_edits and apply_edits; json.too_large when the
+/// document grows beyond its limit; store.*.
+Result<ProjectRow> edit_project(Store& store, const OwnerId& owner, const std::string& id,
+                                const JsonValue& edits, int expected);
+
+/// Undoes the newest step that is not undone: the document gets back the bytes of before. Errors:
+/// edit.nothing_to_undo, store.*.
+Result<ProjectRow> undo_edit(Store& store, const OwnerId& owner, const std::string& id, int expected);
+
+/// Does the oldest undone step again. Errors: edit.nothing_to_redo, those of apply_edits, store.*.
+Result<ProjectRow> redo_edit(Store& store, const OwnerId& owner, const std::string& id, int expected);
+
+/// {"edits": [{"number", "undone", "created_ms", "edits"}], "next"}: newest first, from below the number
+/// `before` (0: all), at most `limit`; next is the `before` of the page after it, or null. Errors: store.*.
+Result<std::string> history_json(Store& store, const OwnerId& owner, const std::string& id,
+                                 std::int64_t before, int limit);
+
+}  // namespace toile

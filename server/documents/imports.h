@@ -1,0 +1,24 @@
+#pragma once
+// What an uploaded pattern file holds, before a project is made of it.
+
+#include <string>
+
+#include "core/base/result.h"
+#include "server/store/store.h"
+
+namespace toile {
+
+/// What a person says of the file, when it says nothing or something wrong.
+struct ImportWishes {
+  std::string unit;  ///< "mm", "cm" or "inch"; empty: by the evidence
+  std::string size;  ///< of a graded file; empty: its sample size
+};
+
+/// import_json (proto/cpp/import_report.h) of a DXF asset, with "asset" first and proposals of seams; each
+/// piece also has "from", as a project document takes it, and "points", its outline flattened to 0.2 mm (mm,
+/// y up, counter-clockwise, first point not repeated; empty when it cannot be cut). Errors: store.not_found,
+/// documents.wrong_kind, documents.unit, dxf.* with the file's name first in `where`.
+Result<std::string> import_pattern(Store& store, const OwnerId& owner, const std::string& asset,
+                                   const ImportWishes& wishes);
+
+}  // namespace toile

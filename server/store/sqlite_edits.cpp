@@ -1,0 +1,129 @@
+// The history of projects: what was done to them, to be undone and done again.
+
+#include "server/store/read_rows.h"
+#include "server/store/sqlite_store.h"
+
+namespace toile {
+namespace {
+
+constexpr std::int64_t kMostSteps = 500;
+constexpr std::int64_t kMostBytes = std::int64_t{64} << 20;
+
+Result<EditRow> edit_from(const SqlStatement& row) {
+  EditRow edit;
+  edit.number = row.integer(0);
+  edit.undone = row.integer(1) != 0;
+  edit.created_ms = row.integer(2);
+  edit.edits = row.text(3);
+  edit.inverse = row.text(4);
+  edit.original = row.text(5);
+  return edit;
+}
+
+struct StepSize {
+  std::int64_t number, bytes;
+};
+
+Result<StepSize> step_size_from(const SqlStatement& row) { return StepSize{row.integer(0), row.integer(1)}; }
+
+}  // namespace
+
+Status SqliteStore::forget_edits(const OwnerId& owner, const std::string& project_id) {
+  const Result<int> gone =
+      database_.run("DELETE FROM project_edits WHERE owner = ? AND project_id = ?", {owner, project_id});
+  if (!gone) return gone.error();
+  return {};
+}
+
+/// Keeps the newest steps, within the bounds; the newest one always.
+Status SqliteStore::trim_edits(const OwnerId& owner, const std::string& project_id) {
+  const Result<std::vector<StepSize>> steps =
+      rows_of(database_.prepare("SELECT number, bytes FROM project_edits WHERE owner = ? AND project_id = ?"
+                                " ORDER BY number DESC",
+                                {owner, project_id}),
+              step_size_from);
+  if (!steps) return steps.error();
+  std::int64_t count = 0, bytes = 0;
+  for (const StepSize& step : *steps) {
+    bytes += step.bytes;
+    if (++count == 1 || (count <= kMostSteps && bytes <= kMostBytes)) continue;
+    const Result<int> gone =
+        database_.run("DELETE FROM project_edits WHERE owner = ? AND project_id = ? AND number <= ?",
+                      {owner, project_id, step.number});
+    if (!gone) return gone.error();
+    return {};
+  }
+  return {};
+}
+
+Status SqliteStore::append_edit(const OwnerId& owner, const std::string& project_id, const EditRow& edit) {
+  const Result<int> gone = database_.run(
+      "DELETE FROM project_edits WHERE owner = ? AND project_id = ? AND undone = 1", {owner, project_id});
+  if (!gone) return gone.error();
+  const auto bytes =
+      static_cast<std::int64_t>(edit.edits.size() + edit.inverse.size() + edit.original.size());
+  const Result<int> kept = database_.run(
+      "INSERT INTO project_edits (owner, project_id, number, undone, created_ms, bytes, edits, inverse,"
+      " original) SELECT ?1, ?2, coalesce(max(number), 0) + 1, 0, ?3, ?4, ?5, ?6, ?7 FROM project_edits"
+      " WHERE owner = ?1 AND project_id = ?2",
+      {owner, project_id, store_now_ms(), bytes, edit.edits, edit.inverse, edit.original});
+  if (!kept) return kept.error();
+  return trim_edits(owner, project_id);
+}
+
+Status SqliteStore::turn_edit(const OwnerId& owner, const std::string& project_id, std::int64_t number,
+                              bool undone) {
+  const Result<int> turned = database_.run(
+      "UPDATE project_edits SET undone = ? WHERE owner = ? AND project_id = ? AND number = ? AND undone = ?",
+      {std::int64_t{undone}, owner, project_id, number, std::int64_t{!undone}});
+  if (!turned) return turned.error();
+  if (*turned == 1) return {};
+  return not_found("step", std::to_string(number));
+}
+
+Result<ProjectRow> SqliteStore::edit_project(const OwnerId& owner, const ProjectRow& row, int expected,
+                                             EditStep step, const EditRow& edit) {
+  const std::lock_guard hold(mutex_);
+  Result<SqlTransaction> transaction = SqlTransaction::begin(database_);
+  if (!transaction) return transaction.error();
+  const Result<ProjectRow> now = find_project(owner, row.id);
+  if (!now) return now;
+  if (Status same = check_revision(*now, expected); !same) return same.error();
+  ProjectRow changed = *now;
+  changed.name = row.name;
+  changed.document = row.document;
+  const Result<ProjectRow> kept = update_project(owner, *now, changed);
+  if (!kept) return kept;
+  const Status noted = step == EditStep::kDo ? append_edit(owner, row.id, edit)
+                                             : turn_edit(owner, row.id, edit.number, step == EditStep::kUndo);
+  if (!noted) return noted.error();
+  if (Status committed = transaction->commit(); !committed) return committed.error();
+  return kept;
+}
+
+Result<std::vector<EditRow>> SqliteStore::edits(const OwnerId& owner, const std::string& project_id,
+                                                std::int64_t before, int limit) {
+  const std::lock_guard hold(mutex_);
+  return rows_of(database_.prepare("SELECT number, undone, created_ms, edits, '', '' FROM project_edits"
+                                   " WHERE owner = ?1 AND project_id = ?2 AND (?3 = 0 OR number < ?3)"
+                                   " ORDER BY number DESC LIMIT ?4",
+                                   {owner, project_id, before, page_limit(limit)}),
+                 edit_from);
+}
+
+Result<std::optional<EditRow>> SqliteStore::next_edit(const OwnerId& owner, const std::string& project_id,
+                                                      EditStep step) {
+  const std::lock_guard hold(mutex_);
+  const char* const sql =
+      step == EditStep::kUndo
+          ? "SELECT number, undone, created_ms, edits, inverse, original FROM project_edits"
+            " WHERE owner = ? AND project_id = ? AND undone = 0 ORDER BY number DESC LIMIT 1"
+          : "SELECT number, undone, created_ms, edits, inverse, original FROM project_edits"
+            " WHERE owner = ? AND project_id = ? AND undone = 1 ORDER BY number LIMIT 1";
+  Result<std::vector<EditRow>> rows = rows_of(database_.prepare(sql, {owner, project_id}), edit_from);
+  if (!rows) return rows.error();
+  if (rows->empty()) return std::optional<EditRow>();
+  return std::optional(std::move(rows->front()));
+}
+
+}  // namespace toile
