@@ -5,49 +5,71 @@
 #include <string>
 
 #include "core/base/units.h"
+#include "core/body/body_field.h"
+#include "core/body/body_proportions.h"
 #include "core/body/polygonise.h"
 #include "core/body/remesh.h"
-#include "core/body/tape.h"
-#include "core/body/trunk_solve.h"
 
 namespace toile {
 namespace {
 
 constexpr double kSkinArea = 0.62;        // of the stature squared, near enough to choose a grid
-constexpr double kFinestCell = 3.5e-3;    // of the stature; remeshing refines from there
-constexpr double kCoarsestCell = 6.5e-3;  // fingertips and the gap between the legs need this
-constexpr double kCellPerEdge = 0.42;
-constexpr int kCorrections = 12;           // of the girths, measured on the mesh
-constexpr double kGoodGirth = 0.0003;      // m, good enough to stop correcting
-constexpr double kGirthTolerance = 0.005;  // m
+constexpr double kFinestCell = 5.0e-3;    // of the stature; remeshing refines from there
+constexpr double kCoarsestCell = 7.0e-3;  // fingertips and the gap between the legs need this
+constexpr double kCellPerEdge = 0.5;
+constexpr int kRemeshRounds = 6;
+constexpr double kFold = 0.5, kFoldedMiss = 1000;  // cosine; worse than any miss
+constexpr int kNewMeshes = 2;                      // tries after the first
+constexpr int kSecondThought = 8;  // corrections after which a search that has lost its way begins anew
+constexpr int kCorrections = 16, kEveningRounds = 3;  // corrections of the shape, by what the mesh measures
+constexpr int kRelaxing = 2;                          // corrections after which triangles are evened out
+constexpr double kGoodGirth = 0.0007, kGoodLength = 0.0025;          // m, good enough to stop correcting
+constexpr double kGirthTolerance = 0.005, kLengthTolerance = 0.010;  // m
+constexpr double kGreatestGirth = 2.2, kGreatestLength = 1.35;       // factors; their inverses are the least
+constexpr double kGreatestStep = 0.12, kGreatestOff = 0.15;  // of a factor, of a measure, in one correction
+constexpr double kLeastEffect = 0.25;                        // of a step on the measures, to learn from it
 
 struct Limit {
-  const char* name;
-  double value, low, high;
+  double low, high;  // shares of the height
 };
 
-Status check(const MannequinSettings& s) {
-  const Limit limits[] = {{"height", s.height, 1.2, 2.2},
-                          {"bust", s.bust, 0.44 * s.height, 0.75 * s.height},
-                          {"waist", s.waist, 0.33 * s.height, 0.70 * s.height},
-                          {"hip", s.hip, 0.47 * s.height, 0.75 * s.height},
-                          {"arm_angle", degrees_from_radians(s.arm_angle), 30, 60},
-                          {"triangle_count", static_cast<double>(s.triangle_count), 1000, 60000}};
-  for (const Limit& l : limits) {
-    if (l.value >= l.low * (1 - 1e-12) && l.value <= l.high * (1 + 1e-12)) continue;  // false for NaN too
-    return Error{"mannequin.setting",
-                 std::string(l.name) + " is " + std::to_string(l.value) + "; it must lie between " +
-                     std::to_string(l.low) + " and " + std::to_string(l.high) + ".",
-                 l.name};
-  }
-  return {};
+// By Measure. Wide enough for most people, narrow enough for one surface without folds.
+constexpr Limit kLimits[kMeasureCount] = {
+    {1, 1},       {0.42, 0.78}, {0.36, 0.72}, {0.31, 0.74}, {0.45, 0.80}, {0.15, 0.32}, {0.16, 0.27},
+    {0.10, 0.28}, {0.07, 0.14}, {0.27, 0.39}, {0.24, 0.48}, {0.15, 0.32}, {0.38, 0.52}, {0.17, 0.30}};
+
+Status check_range(std::string_view name, double value, double low, double high, double unit,
+                   const char* unit_name) {
+  if (value >= low * (1 - 1e-12) && value <= high * (1 + 1e-12)) return {};  // false for NaN too
+  const auto text = [&](double x) { return std::to_string(static_cast<int>(std::lround(x * unit))); };
+  const std::string given = std::isfinite(value) ? std::to_string(value * unit) : "no number";
+  return Error{"mannequin.setting",
+               std::string(name) + " is " + given + "; it must lie between " + text(low) + " and " +
+                   text(high) + unit_name + ".",
+               std::string(name)};
 }
 
-// Taylor series: rounds alike everywhere, which the library's sine does not promise. |x| < 1.1 is enough
-// here.
+Status check(const MannequinSettings& s, const MeasureSet& wanted) {
+  const double h = *wanted[Measure::kHeight];
+  const bool child = s.sex == Sex::kChild;
+  if (Status r = check_range("height", h, child ? 0.8 : 1.3, child ? 1.75 : 2.2, 100, " cm"); !r) return r;
+  for (int i = 1; i < kMeasureCount; ++i) {
+    const Measure m = measure_at(i);
+    const Limit l = kLimits[i];
+    if (!s.asked[m]) continue;
+    if (Status r = check_range(measure_name(m), *s.asked[m], l.low * h, l.high * h, 100, " cm"); !r) return r;
+  }
+  const double angle = degrees_from_radians(s.arm_angle);
+  if (!(std::abs(angle - 90) < 1e-6)) {
+    if (Status r = check_range("arm_angle", angle, 30, 60, 1, "°, or 90°"); !r) return r;
+  }
+  return check_range("triangles", s.triangle_count, 1000, 60000, 1, "");
+}
+
+// Taylor series: rounds alike everywhere, which the library's sine does not promise. |x| < 1.6.
 double sine(double x) {
   double term = x, sum = x;
-  for (int n = 1; n < 10; ++n) sum += term *= -x * x / ((2 * n) * (2 * n + 1));
+  for (int n = 1; n < 12; ++n) sum += term *= -x * x / ((2 * n) * (2 * n + 1));
   return sum;
 }
 
@@ -57,24 +79,31 @@ double grid_cell(Index triangle_count) {
 }
 
 RemeshSettings remesh_settings(const BodyField& field, Index triangle_count) {
-  return {triangle_count, [&field](Vec3 p) { return field.fineness(p); }, 8};
+  const double detail = std::clamp((triangle_count - 3000) / 12000.0, 0.0, 1.0);
+  return {triangle_count, [&field, detail](Vec3 p) { return field.fineness(p, detail); }, kRemeshRounds};
 }
 
 TriangleMesh first_mesh(const BodyShape& shape, Index triangle_count) {
   const BodyField field(shape);
   const ImplicitSurface surface = [&field](Vec3 p) { return field.at(p); };
   const double breadth = field.half_breadth();
-  const GridBox box{{-breadth, -0.02, -0.16}, {breadth, 1.02, 0.18}, grid_cell(triangle_count)};
+  const GridBox box{{-breadth, -0.02, -0.22}, {breadth, 1.03, 0.26}, grid_cell(triangle_count)};
   return remesh(polygonise(surface, box), surface, remesh_settings(field, triangle_count));
 }
 
-TrunkTargets measured(const TriangleMesh& unit_mesh) {
-  const TrunkGirths g = trunk_girths(unit_mesh);
-  return {g.bust.girth, g.waist.girth, g.hip.girth};
+TriangleMesh fitted(TriangleMesh mesh, const BodyShape& shape, Index triangle_count, int relaxations) {
+  const BodyField field(shape);
+  const ImplicitSurface surface = [&field](Vec3 p) { return field.at(p); };
+  return refit(std::move(mesh), surface, remesh_settings(field, triangle_count), relaxations);
 }
 
-double worst_miss(const TrunkTargets& a, const TrunkTargets& b) {
-  return std::max({std::abs(a.bust - b.bust), std::abs(a.waist - b.waist), std::abs(a.hip - b.hip)});
+// Other triangles on the same surface, where a change of shape has crowded or folded them.
+TriangleMesh evened(TriangleMesh mesh, const BodyShape& shape, Index triangle_count) {
+  const BodyField field(shape);
+  const ImplicitSurface surface = [&field](Vec3 p) { return field.at(p); };
+  RemeshSettings settings = remesh_settings(field, triangle_count);
+  settings.rounds = kEveningRounds;
+  return remesh(std::move(mesh), surface, settings);
 }
 
 // The finished mesh stands on the floor and is as tall as asked; chords had cut a little off both.
@@ -85,33 +114,206 @@ TriangleMesh stand(TriangleMesh mesh, double height) {
   return mesh;
 }
 
+/// Finds the factors whose body measures what was asked, by Broyden's method: it starts as if each factor
+/// moved its own measure only, and learns from every step how they move each other's. Factors of what was not
+/// asked stay where proportions put them.
+class ShapeSolver {
+ public:
+  ShapeSolver(const MeasureSet& asked, const MeasureSet& wanted, BodyShape start)
+      : shape(std::move(start)), asked_(asked) {
+    for (int i = 1; i < kMeasureCount; ++i) {
+      const Measure m = measure_at(i);
+      shape.of(m) = limited(i, *wanted[m] / *wanted[Measure::kHeight] / shape.figure->of(m));
+      if (asked[m]) free_.push_back(i);
+    }
+    follow();
+    restart();
+  }
+
+  /// Forgets the last step, as when the mesh is another; keeps what was learnt.
+  void restart() { last_step_.clear(); }
+  /// Begins anew from a shape.
+  void restart(const BodyShape& from) {
+    shape = from;
+    inverse_.clear();
+    last_step_.clear();
+  }
+
+  /// How far the worst of all measures is off, as a share of what is good enough.
+  double miss(const BodyMeasures& got) const {
+    double worst = 0;
+    for (int i : free_) {
+      const Measure m = measure_at(i);
+      const double off = got[m] ? std::abs(got[m]->value - *asked_[m]) : 1;
+      worst = std::max(worst, off / (is_girth(m) ? kGoodGirth : kGoodLength));
+    }
+    return worst;
+  }
+
+  void correct(const BodyMeasures& got) {
+    const size_t n = free_.size();
+    std::vector<double> off(n);
+    for (size_t k = 0; k < n; ++k) {
+      const Measure m = measure_at(free_[k]);
+      off[k] = got[m] ? std::clamp(got[m]->value / *asked_[m] - 1, -kGreatestOff, kGreatestOff) : 0;
+    }
+    if (inverse_.empty()) {
+      inverse_.assign(n * n, 0);
+      for (size_t k = 0; k < n; ++k) inverse_[k * n + k] = 1;
+    }
+    if (!last_step_.empty()) learn(off);
+    last_off_ = off;
+    last_step_.assign(n, 0);
+    for (size_t k = 0; k < n; ++k) {
+      double step = 0;
+      for (size_t j = 0; j < n; ++j) step -= inverse_[k * n + j] * off[j];
+      double& factor = shape.factor[free_[k]];
+      const double next = limited(free_[k], factor * (1 + std::clamp(step, -kGreatestStep, kGreatestStep)));
+      last_step_[k] = next / factor - 1;
+      factor = next;
+    }
+    follow();
+  }
+
+  BodyShape shape;
+
+ private:
+  static double limited(int measure, double factor) {
+    const double most = is_girth(measure_at(measure)) ? kGreatestGirth : kGreatestLength;
+    return std::clamp(factor, 1 / most, most);
+  }
+
+  // The rank-one change of the inverse that explains the last step's effect.
+  void learn(const std::vector<double>& off) {
+    const size_t n = off.size();
+    std::vector<double> by_effect(n, 0), by_step(n, 0);
+    double weight = 0, steps = 0;
+    for (size_t k = 0; k < n; ++k) {
+      for (size_t j = 0; j < n; ++j) {
+        by_effect[k] += inverse_[k * n + j] * (off[j] - last_off_[j]);
+        by_step[k] += last_step_[j] * inverse_[j * n + k];
+      }
+      weight += last_step_[k] * by_effect[k], steps += last_step_[k] * last_step_[k];
+    }
+    if (!(weight > kLeastEffect * steps) || !(steps > 1e-8)) return;
+    for (size_t k = 0; k < n; ++k)
+      for (size_t j = 0; j < n; ++j)
+        inverse_[k * n + j] += (last_step_[k] - by_effect[k]) * by_step[j] / weight;
+  }
+
+  // Nobody asked: ribs lie between chest and waist, so that the trunk has no step.
+  void follow() {
+    if (asked_[Measure::kUnderbust] || shape.figure->bust_share > 0) return;
+    shape.of(Measure::kUnderbust) = 0.55 * shape.of(Measure::kBust) + 0.45 * shape.of(Measure::kWaist);
+  }
+
+  const MeasureSet& asked_;
+  std::vector<int> free_;  ///< measures asked for
+  std::vector<double> inverse_, last_off_, last_step_;
+};
+
+BodyJoints scaled(const BodyJoints& joints, double height) {
+  BodyJoints j = joints;
+  for (Vec3* p : {&j.head_top, &j.chin, &j.neck, &j.shoulder, &j.elbow, &j.wrist, &j.hand_tip, &j.hip,
+                  &j.knee, &j.ankle, &j.toe})
+    *p = *p * height;
+  return j;
+}
+
+/// The best of some rounds.
+struct Fit {
+  TriangleMesh mesh;
+  BodyShape shape;
+  std::optional<BodyMeasures> measures;  ///< nothing: no round made a body
+  double miss = HUGE_VAL;
+};
+
+// Smallest cosine between a triangle and the field's normals at its corners: a fold in the mesh has a low
+// one.
+double least_facing(const TriangleMesh& mesh, const BodyField& field) {
+  std::vector<Vec3> normal;
+  for (const Vec3& p : mesh.vertices) normal.push_back(normalized(field.at(p).gradient));
+  double least = 1;
+  for (const Tri& t : mesh.triangles) {
+    const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
+    const Vec3 mean = normalized(normal[t[0]] + normal[t[1]] + normal[t[2]]);
+    least = std::min(least, dot(normalized(cross(b - a, c - a)), mean));
+  }
+  return least;
+}
+
+Fit corrected(ShapeSolver& solver, Index triangle_count, double height) {
+  Fit best;
+  best.shape = solver.shape;
+  TriangleMesh unit = first_mesh(solver.shape, triangle_count);
+  for (int i = 0; i <= kCorrections; ++i) {
+    const bool folded = least_facing(unit, BodyField(solver.shape)) < kFold;
+    TriangleMesh mesh = stand(unit, height);
+    const Result<BodyMeasures> got = measure_body(mesh);
+    if (!got) break;
+    const double miss = solver.miss(*got) + (folded ? kFoldedMiss : 0);
+    if (miss < best.miss) best = {std::move(mesh), solver.shape, *got, miss};
+    if (miss <= 1) break;
+    if (i == kSecondThought && best.measures) {
+      solver.restart(best.shape);
+      solver.correct(*best.measures);
+    } else {
+      solver.correct(*got);
+    }
+    unit = fitted(std::move(unit), solver.shape, triangle_count, i < kRelaxing ? 1 : 0);
+    if (folded || i == kRelaxing) {
+      unit = evened(std::move(unit), solver.shape, triangle_count);
+      solver.restart();
+    }
+  }
+  return best;
+}
+
+// Only what was asked for has to be met.
+Status check_met(const MeasureSet& asked, const BodyMeasures& got) {
+  double worst = 1;
+  Status status;
+  for (int i = 0; i < kMeasureCount; ++i) {
+    const Measure m = measure_at(i);
+    if (!asked[m]) continue;
+    const double off = got[m] ? std::abs(got[m]->value - *asked[m]) : 1;
+    const double share = off / (is_girth(m) ? kGirthTolerance : kLengthTolerance);
+    if (share <= worst) continue;
+    worst = share;
+    const std::string name(measure_name(m));
+    status = Error{"mannequin.measures",
+                   "These measures do not go together in one body: " + name + " is off by " +
+                       std::to_string(static_cast<int>(std::lround(off * 1000))) + " mm.",
+                   name};
+  }
+  return status;
+}
+
 }  // namespace
 
-Result<TriangleMesh> make_mannequin(const MannequinSettings& settings) {
-  if (Status s = check(settings); !s) return s.error();
-  const double h = settings.height;
-  const TrunkTargets asked{settings.bust / h, settings.waist / h, settings.hip / h};
-  BodyShape shape;
-  shape.arm_sine = sine(settings.arm_angle);
-  shape = solve_shape(asked, shape);
+Result<Mannequin> make_mannequin(const MannequinSettings& settings) {
+  const MeasureSet wanted = with_proportions(settings.sex, settings.asked);
+  if (Status s = check(settings, wanted); !s) return s.error();
+  const double h = *wanted[Measure::kHeight];
+  BodyShape start;
+  start.figure = &figure_of(settings.sex);
+  start.head = head_size(settings.sex, h);
+  start.face = std::clamp((settings.triangle_count - 5000) / 10000.0, 0.0, 1.0);
+  start.arm_sine = sine(settings.arm_angle), start.arm_cosine = sine(kQuarterTurn - settings.arm_angle);
+  MeasureSet targets = settings.asked;
+  for (Measure m : {Measure::kBust, Measure::kWaist, Measure::kHip}) targets[m] = wanted[m];
+  ShapeSolver solver(targets, wanted, start);
 
-  // Chords lie inside the skin, so the mesh is a little slimmer than the field: correct by what it measures.
-  TriangleMesh mesh = first_mesh(shape, settings.triangle_count);
-  TrunkTargets got = measured(stand(mesh, 1));
-  for (int i = 0; i < kCorrections && (i == 0 || worst_miss(got, asked) * h > kGoodGirth); ++i) {
-    shape = corrected(shape, asked, got);
-    const BodyField field(shape);
-    const ImplicitSurface surface = [&field](Vec3 p) { return field.at(p); };
-    mesh = refit(std::move(mesh), surface, remesh_settings(field, settings.triangle_count), i == 0 ? 2 : 0);
-    got = measured(stand(mesh, 1));
+  Fit fit = corrected(solver, settings.triangle_count, h);
+  // What a crowded mesh has spoilt, a new one on the shape found so far may mend.
+  for (int i = 0; i < kNewMeshes && fit.measures && !check_met(settings.asked, *fit.measures); ++i) {
+    solver.restart(fit.shape);
+    Fit again = corrected(solver, settings.triangle_count, h);
+    if (again.measures && again.miss < fit.miss) fit = std::move(again);
   }
-  if (const double miss = worst_miss(got, asked) * h; miss > kGirthTolerance) {
-    return Error{"mannequin.girths",
-                 "Bust, waist and hip do not go together: off by " + std::to_string(miss * 1000) + " mm.",
-                 ""};
-  }
-  mesh = stand(std::move(mesh), h);
-  return mesh;
+  if (!fit.measures) return Error{"mannequin.measures", "These measures do not make a body.", ""};
+  if (Status s = check_met(settings.asked, *fit.measures); !s) return s.error();
+  return Mannequin{std::move(fit.mesh), wanted, *fit.measures, scaled(PlacedFigure(fit.shape).joints(), h)};
 }
 
 }  // namespace toile

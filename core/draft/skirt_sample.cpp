@@ -22,19 +22,6 @@ std::string fixed(double value, int decimals) {
 
 std::string quoted(const std::string& text) { return "\"" + text + "\""; }
 
-std::string obj_of(const TriangleMesh& mesh) {
-  std::string out =
-      "# Mannequin of the sample skirt, metres, y up. Made by the program; see core/body/mannequin.h.\n";
-  for (const Vec3& p : mesh.vertices) {
-    out += "v " + fixed(p.x, 6) + " " + fixed(p.y, 6) + " " + fixed(p.z, 6) + "\n";
-  }
-  for (const Tri& t : mesh.triangles) {
-    out += "f " + std::to_string(t[0] + 1) + " " + std::to_string(t[1] + 1) + " " + std::to_string(t[2] + 1) +
-           "\n";
-  }
-  return out;
-}
-
 /// An edge as the DXF reader names it, and as the pattern does.
 struct EdgeName {
   std::string read, drafted;
@@ -148,16 +135,15 @@ std::vector<Wrap> wraps(const TriangleMesh& body, const SkirtSampleSettings& s) 
 
 }  // namespace
 
-Result<std::vector<SampleFile>> make_skirt_sample(const SkirtSampleSettings& settings) {
-  Result<TriangleMesh> body = make_mannequin(settings.body);
-  if (!body) return body.error();
+Result<std::vector<SampleFile>> make_skirt_sample(const TriangleMesh& body,
+                                                  const SkirtSampleSettings& settings) {
   Result<Pattern> pattern = draft_skirt(settings.skirt);
   if (!pattern) return pattern.error();
   Result<std::string> dxf = write_dxf(*pattern);
   if (!dxf) return dxf.error();
   Result<DxfDrawing> drawing = read_dxf(*dxf);
   if (!drawing) return drawing.error();
-  const std::vector<Wrap> placed = wraps(*body, settings);
+  const std::vector<Wrap> placed = wraps(body, settings);
   std::vector<std::string> pieces;
   for (size_t i = 0; i < pattern->panels.size(); ++i) {
     Result<std::vector<EdgeName>> names = edge_names(pattern->panels[i], *drawing);
@@ -165,7 +151,6 @@ Result<std::vector<SampleFile>> make_skirt_sample(const SkirtSampleSettings& set
     pieces.push_back(piece_json(pattern->panels[i], *names, placed[i]));
   }
   return std::vector<SampleFile>{{"skirt.dxf", *dxf},
-                                 {"body.obj", obj_of(*body)},
                                  {"project.json", project_json(*pattern, pieces, settings)}};
 }
 

@@ -1,18 +1,17 @@
 #pragma once
-// The sample that ships in samples/skirt, made anew: its files can be compared with what the code gives.
+// The sample that ships in samples/skirt, made anew around the body that lies there: its files can be
+// compared with what the code gives.
 
 #include <string>
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/body/mannequin.h"
 #include "core/draft/skirt.h"
 #include "core/geometry/triangle_mesh.h"
 
 namespace toile {
 
 struct SkirtSampleSettings {
-  MannequinSettings body;
   SkirtMeasures skirt;
   double particle_distance_mm = 16.2;  ///< gives about 3,120 particles
   double wrap_radius = 0.155;          ///< m, of the pieces around the waist before they are sewn
@@ -24,8 +23,9 @@ struct SampleFile {
   std::string bytes;
 };
 
-/// skirt.dxf, body.obj and project.json: the drafted skirt wrapped around the mannequin, its bands at the
-/// waist. Errors: those of make_mannequin, draft_skirt, write_dxf and read_dxf.
-Result<std::vector<SampleFile>> make_skirt_sample(const SkirtSampleSettings& settings = {});
+/// skirt.dxf and project.json: the drafted skirt wrapped around `body` (the sample's body.obj), its bands at
+/// the waist. Errors: those of draft_skirt, write_dxf and read_dxf.
+Result<std::vector<SampleFile>> make_skirt_sample(const TriangleMesh& body,
+                                                  const SkirtSampleSettings& settings = {});
 
 }  // namespace toile

@@ -1,5 +1,10 @@
+#include <algorithm>
 #include <cstdio>
 
+#include "core/base/units.h"
+#include "core/body/body_proportions.h"
+#include "core/body/body_stance.h"
+#include "core/body/load_mesh.h"
 #include "core/body/mannequin.h"
 #include "core/export/write_obj.h"
 #include "proto/cpp/json_codec.h"
@@ -7,29 +12,129 @@
 #include "server/app/console.h"
 
 namespace toile {
+namespace {
 
-ExitCode body_command(const BodyOptions& options) {
-  constexpr double kMetres = 1e-2;  // per cm
+constexpr double kMetres = 1e-2;  // per cm
+
+constexpr const char* kSexNames[] = {"female", "male", "child"};
+
+std::string name_of(Sex sex) { return kSexNames[static_cast<int>(sex)]; }
+
+/// Centimetres with a tenth of a millimetre.
+double cm(double metres) { return std::round(metres / kMetres * 100) / 100; }
+
+std::vector<JsonMember> measures_json(const BodyMeasures& taken, const MeasureSet& asked) {
+  std::vector<JsonMember> out;
+  for (int i = 0; i < kMeasureCount; ++i) {
+    const Measure m = measure_at(i);
+    if (!taken[m]) continue;
+    std::vector<JsonMember> one{{"cm", cm(taken[m]->value)}};
+    if (asked[m]) one.push_back({"asked_cm", cm(*asked[m])});
+    one.push_back({"at_cm", cm(taken[m]->height)});
+    one.push_back({"rule", std::string(measure_rule(m))});
+    out.push_back({std::string(measure_name(m)), one});
+  }
+  return out;
+}
+
+void print_measures(const BodyMeasures& taken, const MeasureSet& asked) {
+  for (int i = 0; i < kMeasureCount; ++i) {
+    const Measure m = measure_at(i);
+    if (!taken[m]) continue;
+    const std::string wanted = asked[m] ? fixed(cm(*asked[m]), 1) : "-";
+    std::printf("  %-15s %7.1f cm  asked %6s  at %6.1f cm\n", std::string(measure_name(m)).c_str(),
+                taken[m]->value / kMetres, wanted.c_str(), taken[m]->height / kMetres);
+  }
+}
+
+/// What the options say: the preset first, single measures over it.
+Result<MannequinSettings> settings_of(const BodyMakeOptions& options) {
   MannequinSettings settings;
-  settings.height = options.height_cm * kMetres;
-  settings.bust = options.bust_cm * kMetres;
-  settings.waist = options.waist_cm * kMetres;
-  settings.hip = options.hip_cm * kMetres;
+  for (int i = 0; i < 3; ++i)
+    if (options.sex == kSexNames[i]) settings.sex = static_cast<Sex>(i);
+  if (!options.preset.empty()) {
+    const BodyPreset* preset = find_preset(options.preset);
+    if (preset == nullptr)
+      return Error{"mannequin.preset", "There is no such preset; see toile body presets.", options.preset};
+    settings.sex = preset->sex;
+    settings.asked = preset->measures();
+  }
+  for (int i = 0; i < kMeasureCount; ++i)
+    if (options.measures_cm[i]) settings.asked[measure_at(i)] = *options.measures_cm[i] * kMetres;
+  settings.arm_angle = options.pose == "t" ? kQuarterTurn : radians_from_degrees(options.arm_angle);
   settings.triangle_count = options.triangles;
-  const Result<TriangleMesh> mesh = make_mannequin(settings);
-  if (!mesh) return fail(mesh.error(), options.json);
-  if (Status written = write_obj(options.out, mesh->vertices, mesh->triangles); !written) {
+  return settings;
+}
+
+}  // namespace
+
+ExitCode body_make_command(const BodyMakeOptions& options) {
+  const Result<MannequinSettings> settings = settings_of(options);
+  if (!settings) return fail(settings.error(), options.json);
+  const Result<Mannequin> made = make_mannequin(*settings);
+  if (!made) return fail(made.error(), options.json);
+  const TriangleMesh& mesh = made->mesh;
+  if (Status written = write_obj(options.out, mesh.vertices, mesh.triangles); !written) {
     return fail(written.error(), options.json);
   }
-  const std::size_t vertices = mesh->vertices.size(), triangles = mesh->triangles.size();
+  const std::size_t vertices = mesh.vertices.size(), triangles = mesh.triangles.size();
   if (options.json) {
-    const std::vector<JsonMember> figures{{"file", options.out},
-                                          {"vertices", static_cast<double>(vertices)},
-                                          {"triangles", static_cast<double>(triangles)}};
-    std::printf("%s", write_json(figures).c_str());
+    const std::vector<JsonMember> out{{"file", options.out},
+                                      {"sex", name_of(settings->sex)},
+                                      {"pose", options.pose},
+                                      {"vertices", static_cast<double>(vertices)},
+                                      {"triangles", static_cast<double>(triangles)},
+                                      {"measures", measures_json(made->measures, settings->asked)}};
+    std::printf("%s", write_json(out).c_str());
   } else {
     std::printf("%s: %zu vertices, %zu triangles, metres\n", options.out.c_str(), vertices, triangles);
+    print_measures(made->measures, settings->asked);
   }
+  return kDone;
+}
+
+ExitCode body_measure_command(const BodyMeasureOptions& options) {
+  Result<TriangleMesh> file = load_mesh(options.file, {.unit_in_m = 1});
+  if (!file) return fail(file.error(), options.json);
+  const Result<StandingBody> body = stand_body(std::move(*file));
+  if (!body) return fail({body.error().code, body.error().message, options.file}, options.json);
+  const Result<BodyMeasures> taken = measure_body(body->mesh);
+  if (!taken) return fail({taken.error().code, taken.error().message, options.file}, options.json);
+  const BodyStance& s = body->stance;
+  if (options.json) {
+    const std::vector<JsonMember> out{{"file", options.file},
+                                      {"triangles", static_cast<double>(body->mesh.triangles.size())},
+                                      {"unit_in_m", s.unit_in_m},
+                                      {"up", std::string(1, s.up)},
+                                      {"upside_down", s.upside_down},
+                                      {"turned_degrees", 90.0 * s.quarter_turns},
+                                      {"measures", measures_json(*taken, {})}};
+    std::printf("%s", write_json(out).c_str());
+  } else {
+    std::printf("%s: %zu triangles, unit %g m, %c up%s, turned by %d°\n", options.file.c_str(),
+                body->mesh.triangles.size(), s.unit_in_m, s.up, s.upside_down ? ", upside down" : "",
+                90 * s.quarter_turns);
+    print_measures(*taken, {});
+  }
+  return kDone;
+}
+
+ExitCode body_presets_command(const BodyPresetsOptions& options) {
+  std::vector<JsonValue> list;
+  for (const BodyPreset& p : body_presets()) {
+    if (!options.json) {
+      std::printf("%-9s %-7s height %5.1f  bust %5.1f  waist %5.1f  hip %5.1f\n", std::string(p.name).c_str(),
+                  name_of(p.sex).c_str(), p.height / kMetres, p.bust / kMetres, p.waist / kMetres,
+                  p.hip / kMetres);
+    }
+    list.push_back(std::vector<JsonMember>{{"name", std::string(p.name)},
+                                           {"sex", name_of(p.sex)},
+                                           {"height_cm", cm(p.height)},
+                                           {"bust_cm", cm(p.bust)},
+                                           {"waist_cm", cm(p.waist)},
+                                           {"hip_cm", cm(p.hip)}});
+  }
+  if (options.json) std::printf("%s", write_json(std::vector<JsonMember>{{"presets", list}}).c_str());
   return kDone;
 }
 

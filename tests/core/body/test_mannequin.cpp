@@ -2,13 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <limits>
 
 #include "core/base/hash.h"
 #include "core/base/units.h"
+#include "core/body/body_proportions.h"
 #include "core/body/tape.h"
 #include "tests/core/body/mesh_checks.h"
+#include "tests/core/body/random_measures.h"
 
 namespace toile {
 namespace {
@@ -22,22 +23,37 @@ void expect_proper(const TriangleMesh& mesh) {
   EXPECT_EQ(static_cast<int>(mesh.vertices.size()) - static_cast<int>(mesh.triangles.size()) / 2, 2);
 }
 
-TEST(Mannequin, IsClosedManifoldOutwardAndDoesNotCrossItself) {
-  const Result<TriangleMesh> mesh = make_mannequin({});
-  ASSERT_TRUE(mesh) << to_string(mesh.error());
-  expect_proper(*mesh);
-  EXPECT_EQ(mesh->triangles.size(), 3300u);
-  EXPECT_GT(degrees_from_radians(least_angle(*mesh)), 22);
-  EXPECT_GT(volume(*mesh), 0.045);  // m³: a person of 1.70 m weighs 50 to 75 kg
-  EXPECT_LT(volume(*mesh), 0.075);
+void expect_met(const Mannequin& made, const MeasureSet& asked) {
+  for (int i = 0; i < kMeasureCount; ++i) {
+    const Measure m = measure_at(i);
+    if (!asked[m]) continue;
+    ASSERT_TRUE(made.measures[m]) << measure_name(m);
+    EXPECT_NEAR(made.measures[m]->value, *asked[m], is_girth(m) ? 0.005 : 0.010) << measure_name(m);
+  }
 }
 
-TEST(Mannequin, StandsOnTheFloorAsTallAsAsked) {
-  const Result<TriangleMesh> mesh =
-      make_mannequin({.height = 1.62, .bust = 0.85, .waist = 0.66, .hip = 0.92});
-  ASSERT_TRUE(mesh) << to_string(mesh.error());
+MannequinSettings woman(double height, double bust, double waist, double hip) {
+  MannequinSettings s;
+  s.asked[Measure::kHeight] = height, s.asked[Measure::kBust] = bust;
+  s.asked[Measure::kWaist] = waist, s.asked[Measure::kHip] = hip;
+  return s;
+}
+
+TEST(Mannequin, IsClosedManifoldOutwardAndDoesNotCrossItself) {
+  const Result<Mannequin> made = make_mannequin({});
+  ASSERT_TRUE(made) << to_string(made.error());
+  expect_proper(made->mesh);
+  EXPECT_EQ(made->mesh.triangles.size(), 4562u);
+  EXPECT_GT(degrees_from_radians(least_angle(made->mesh)), 9);
+  EXPECT_GT(volume(made->mesh), 0.040);  // m³: a person of 1.68 m weighs 45 to 75 kg
+  EXPECT_LT(volume(made->mesh), 0.075);
+}
+
+TEST(Mannequin, StandsOnTheFloorAsTallAsAskedAndFacesFront) {
+  const Result<Mannequin> made = make_mannequin(woman(1.62, 0.85, 0.68, 0.93));
+  ASSERT_TRUE(made) << to_string(made.error());
   double low = 1e9, high = -1e9, left = 0, right = 0, toes = 0, heels = 0;
-  for (const Vec3& p : mesh->vertices) {
+  for (const Vec3& p : made->mesh.vertices) {
     low = std::min(low, p.y), high = std::max(high, p.y);
     left = std::max(left, p.x), right = std::max(right, -p.x);
     if (p.y < 0.05) toes = std::max(toes, p.z), heels = std::max(heels, -p.z);
@@ -48,51 +64,138 @@ TEST(Mannequin, StandsOnTheFloorAsTallAsAsked) {
   EXPECT_GT(toes, heels) << "the feet point along +z";
 }
 
-TEST(Mannequin, MeetsTheGirthsThatWereAsked) {
-  const MannequinSettings sizes[] = {
-      {.height = 1.70, .bust = 0.90, .waist = 0.72, .hip = 0.96},
-      {.height = 1.55, .bust = 0.76, .waist = 0.56, .hip = 0.80},
-      {.height = 1.80, .bust = 1.10, .waist = 0.95, .hip = 1.15},
-      {.height = 1.68, .bust = 0.88, .waist = 0.68, .hip = 0.94, .arm_angle = 0.62}};
-  for (const MannequinSettings& s : sizes) {
-    const Result<TriangleMesh> mesh = make_mannequin(s);
-    ASSERT_TRUE(mesh) << to_string(mesh.error());
-    const TrunkGirths g = trunk_girths(*mesh);
-    EXPECT_NEAR(g.bust.girth, s.bust, 0.005);
-    EXPECT_NEAR(g.waist.girth, s.waist, 0.005);
-    EXPECT_NEAR(g.hip.girth, s.hip, 0.005);
-    expect_proper(*mesh);
+TEST(Mannequin, IsAsWideAsAskedByAPlainTapeToo) {
+  const MannequinSettings s = woman(1.68, 0.92, 0.74, 0.99);
+  const Result<Mannequin> made = make_mannequin(s);
+  ASSERT_TRUE(made) << to_string(made.error());
+  expect_met(*made, s.asked);
+  EXPECT_NEAR(narrowest_girth(made->mesh, 0.56 * 1.68, 0.68 * 1.68).girth, 0.74, 0.005);
+  EXPECT_NEAR(widest_girth(made->mesh, 0.48 * 1.68, 0.56 * 1.68).girth, 0.99, 0.005);
+}
+
+class MannequinOfAnySex : public testing::TestWithParam<Sex> {};
+
+TEST_P(MannequinOfAnySex, MeetsWhatWasAskedOfPeopleByChance) {
+  PeopleByChance people(6);
+  for (int i = 0; i < 3; ++i) {
+    const MannequinSettings s = people.next(GetParam());
+    const Result<Mannequin> made = make_mannequin(s);
+    ASSERT_TRUE(made) << i << ": " << to_string(made.error());
+    expect_met(*made, s.asked);
+    expect_proper(made->mesh);
+    EXPECT_EQ(made->mesh.triangles.size(), static_cast<size_t>(s.triangle_count));
   }
 }
 
+INSTANTIATE_TEST_SUITE_P(Sexes, MannequinOfAnySex, testing::Values(Sex::kFemale, Sex::kMale, Sex::kChild));
+
+TEST(Mannequin, HoldsItsArmsAsAsked) {
+  MannequinSettings s;
+  s.arm_angle = kQuarterTurn;
+  const Result<Mannequin> level = make_mannequin(s);
+  ASSERT_TRUE(level) << to_string(level.error());
+  expect_proper(level->mesh);
+  EXPECT_NEAR(level->joints.hand_tip.y, level->joints.shoulder.y, 0.03);
+  s.arm_angle = radians_from_degrees(35);
+  const Result<Mannequin> low = make_mannequin(s);
+  ASSERT_TRUE(low) << to_string(low.error());
+  expect_proper(low->mesh);
+  const Vec3 arm = low->joints.wrist - low->joints.shoulder;
+  EXPECT_NEAR(arm.x / -arm.y, 0.70, 0.05) << "the tangent of 35°";
+}
+
 TEST(Mannequin, HasAsManyTrianglesAsAsked) {
-  for (Index count : {1000, 3301, 8000}) {
+  for (Index count : {2000, 3301, 9000}) {
     MannequinSettings s;
     s.triangle_count = count;
-    const Result<TriangleMesh> mesh = make_mannequin(s);
-    ASSERT_TRUE(mesh) << to_string(mesh.error());
-    EXPECT_NEAR(static_cast<double>(mesh->triangles.size()), count, 1);
-    expect_proper(*mesh);
+    const Result<Mannequin> made = make_mannequin(s);
+    ASSERT_TRUE(made) << to_string(made.error());
+    EXPECT_NEAR(static_cast<double>(made->mesh.triangles.size()), count, 1);
+    expect_proper(made->mesh);
   }
 }
 
 TEST(Mannequin, GivesTheSameBytesEachTime) {
-  const Result<TriangleMesh> a = make_mannequin({}), b = make_mannequin({});
+  const Result<Mannequin> a = make_mannequin({}), b = make_mannequin({});
   ASSERT_TRUE(a && b);
-  EXPECT_EQ(a->triangles, b->triangles);
-  EXPECT_EQ(hash_of(a->vertices), hash_of(b->vertices));
+  EXPECT_EQ(a->mesh.triangles, b->mesh.triangles);
+  EXPECT_EQ(hash_of(a->mesh.vertices), hash_of(b->mesh.vertices));
 }
 
 TEST(Mannequin, RefusesMeasuresThatNoBodyHas) {
   for (double waist : {0.0, 5.0, -0.7, std::numeric_limits<double>::quiet_NaN()}) {
-    const Result<TriangleMesh> mesh = make_mannequin({.waist = waist});
-    ASSERT_FALSE(mesh);
-    EXPECT_EQ(mesh.error().code, "mannequin.setting");
-    EXPECT_EQ(mesh.error().where, "waist");
+    MannequinSettings s;
+    s.asked[Measure::kWaist] = waist;
+    const Result<Mannequin> made = make_mannequin(s);
+    ASSERT_FALSE(made);
+    EXPECT_EQ(made.error().code, "mannequin.setting");
+    EXPECT_EQ(made.error().where, "waist");
   }
-  EXPECT_EQ(make_mannequin({.triangle_count = 10}).error().where, "triangle_count");
-  EXPECT_EQ(make_mannequin({.arm_angle = 0}).error().where, "arm_angle");
+  MannequinSettings few, stiff, giant;
+  few.triangle_count = 10, stiff.arm_angle = 0, giant.asked[Measure::kHeight] = 3;
+  EXPECT_EQ(make_mannequin(few).error().where, "triangles");
+  EXPECT_EQ(make_mannequin(stiff).error().where, "arm_angle");
+  EXPECT_EQ(make_mannequin(giant).error().where, "height");
 }
+
+TEST(BodyProportions, FillTheGapsAndKeepWhatWasAsked) {
+  MeasureSet asked;
+  asked[Measure::kHeight] = 1.75, asked[Measure::kWaist] = 0.80;
+  const MeasureSet all = with_proportions(Sex::kFemale, asked);
+  for (int i = 0; i < kMeasureCount; ++i) EXPECT_TRUE(all[measure_at(i)]) << measure_name(measure_at(i));
+  EXPECT_EQ(*all[Measure::kWaist], 0.80);
+  EXPECT_GT(*all[Measure::kHip], *all[Measure::kWaist]);
+  EXPECT_GT(*all[Measure::kBust], *all[Measure::kUnderbust]);
+}
+
+TEST(BodyProportions, KnowTheSizesOfTheTables) {
+  ASSERT_NE(find_preset("eu38"), nullptr);
+  EXPECT_EQ(find_preset("eu38")->bust, 0.88);
+  ASSERT_NE(find_preset("m50"), nullptr);
+  EXPECT_EQ(find_preset("m50")->sex, Sex::kMale);
+  ASSERT_NE(find_preset("child116"), nullptr);
+  EXPECT_EQ(find_preset("child116")->height, 1.16);
+  EXPECT_EQ(find_preset("eu37"), nullptr);
+}
+
+class LongMannequin : public testing::TestWithParam<Sex> {};
+
+TEST_P(LongMannequin, MeetsWhatWasAskedOfTwoHundredPeople) {
+  PeopleByChance people(3);
+  int unmet = 0, improper = 0;
+  for (int i = 0; i < 200; ++i) {
+    const MannequinSettings s = people.next(GetParam());
+    const Result<Mannequin> made = make_mannequin(s);
+    if (!made) {
+      ++unmet;
+      std::printf("person %d: %s\n", i, to_string(made.error()).c_str());
+      continue;
+    }
+    expect_met(*made, s.asked);
+    if (open_edges(made->mesh) + self_crossings(made->mesh) + !fans_are_whole(made->mesh) > 0) {
+      ++improper;
+      std::printf("person %d: %d crossings\n", i, self_crossings(made->mesh));
+    }
+  }
+  // Not every draw is a body that can be: what is missed must be said, and be rare.
+  std::printf("%d of 200 not met, %d with crossings\n", unmet, improper);
+  EXPECT_LE(unmet, 30) << "refused, not met wrongly: thin underbusts, thin arms";
+  EXPECT_LE(improper, 2);
+}
+
+TEST_P(LongMannequin, MakesEverySizeOfTheTables) {
+  for (const BodyPreset& p : body_presets()) {
+    if (p.sex != GetParam()) continue;
+    MannequinSettings s;
+    s.sex = p.sex, s.asked = p.measures();
+    const Result<Mannequin> made = make_mannequin(s);
+    ASSERT_TRUE(made) << p.name << ": " << to_string(made.error());
+    expect_met(*made, s.asked);
+    expect_proper(made->mesh);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Long, LongMannequin, testing::Values(Sex::kFemale, Sex::kMale, Sex::kChild));
 
 }  // namespace
 }  // namespace toile

@@ -1,0 +1,28 @@
+#pragma once
+// What a plane cuts from a body, part by part: the means by which landmarks are found on any mesh.
+
+#include <span>
+#include <vector>
+
+#include "core/geometry/triangle_mesh.h"
+
+namespace toile {
+
+/// A connected line in which a plane cuts a body, as loose points.
+struct BodyCut {
+  std::vector<Vec3> points;  ///< m
+  Vec3 low, high;            ///< m, corners of the box around them
+  Vec3 centre() const { return (low + high) * 0.5; }
+};
+
+/// The parts in which the plane through `origin` with `normal` cuts the mesh, in the order of its triangles.
+std::vector<BodyCut> cut_body(const TriangleMesh& mesh, Vec3 origin, Vec3 normal);
+
+/// The tape around points of a plane, over hollows, m. `normal` as it was cut.
+double tape_around(const BodyCut& cut, Vec3 normal);
+
+/// The level part that holds the upright line x = `middle`, with those that overlap it; no points when none
+/// does.
+BodyCut middle_cut(const TriangleMesh& mesh, double height, double middle);
+
+}  // namespace toile
