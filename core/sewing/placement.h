@@ -16,16 +16,20 @@ struct RigidPlacement {
   bool flipped = false;  ///< mirror u first: the panel seen from its wrong side
 };
 
-/// The panel rolled, without stretching, around an upright axis. The flat point `anchor` comes to `angle` at
-/// `height`; u runs along the circle (towards larger angles, counter-clockwise seen from above), v upwards.
-/// With `slope` the surface is a cone: its radius grows by `slope` metres for every metre downwards along v.
+/// The panel rolled, without stretching, around an axis, upright unless told otherwise. The flat point
+/// `anchor` comes to `angle` at `height`; u runs along the circle (towards larger angles, counter-clockwise
+/// seen from above), v along the axis, after `turn`. With `slope` the surface is a cone: its radius grows by
+/// `slope` metres for every metre downwards along v. The right side faces away from the axis.
 struct WrappedPlacement {
-  Vec3 axis;            ///< m, a point on the axis; y is ignored
-  double radius = 0.3;  ///< m, at the anchor
-  double angle = 0;     ///< radians; 0 is +z (front), π/2 is +x
-  double height = 1;    ///< m, y of the anchor
-  Vec2 anchor;          ///< m, flat
-  double slope = 0;     ///< radius change per metre of cloth downwards, in (-1, 1)
+  Vec3 axis;             ///< m, a point on the axis, from which heights count
+  double radius = 0.3;   ///< m, at the anchor
+  double angle = 0;      ///< radians; 0 is +z (front), π/2 is +x; about a tilted axis: what comes nearest
+  double height = 1;     ///< m along the axis, of the anchor
+  Vec2 anchor;           ///< m, flat
+  double slope = 0;      ///< radius change per metre of cloth downwards, in (-1, 1)
+  Vec3 up{0, 1, 0};      ///< along the axis; of one along z, angle 0 is +y
+  double turn = 0;       ///< radians by which the flat piece is turned about the anchor first
+  bool flipped = false;  ///< mirror u about the anchor after the turn: the right side faces the axis
 };
 
 using Placement = std::variant<RigidPlacement, WrappedPlacement>;

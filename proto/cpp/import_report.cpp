@@ -30,6 +30,8 @@ JsonValue edges_json(const Panel& panel) {
   for (const PanelEdge* edge : edges_of(panel))
     edges.push_back(Members{{"id", edge->id},
                             {"length_mm", rounded(arc_length(*edge))},
+                            {"start", place(edge->curves.front().p0)},
+                            {"end", place(edge->curves.back().p3)},
                             {"curves", count_of(edge->curves.size())}});
   return edges;
 }
@@ -156,6 +158,33 @@ JsonValue import_json(const DxfDrawing& drawing, const std::vector<JsonValue>& s
                  {"pieces", std::move(pieces)},
                  {"seams", seams},
                  {"report", report_json(drawing.report)}};
+}
+
+JsonValue specification_json(const Pattern& pattern, const std::vector<JsonValue>& seams,
+                             const std::vector<std::string>& notes) {
+  std::vector<JsonValue> pieces, warnings;
+  std::size_t edges = 0;
+  for (const Panel& panel : pattern.panels) {
+    const PieceMeasures m = measures_of(panel);
+    edges += panel.outline.edges.size();
+    pieces.push_back(Members{{"name", panel.id},
+                             {"area_mm2", rounded(m.area_mm2)},
+                             {"width_mm", rounded(m.width_mm)},
+                             {"height_mm", rounded(m.height_mm)},
+                             {"edges", count_of(panel.outline.edges.size())},
+                             {"edge_list", edges_json(panel)}});
+  }
+  for (const std::string& note : notes) warnings.push_back(Members{{"text", note}});
+  const Members counts{{"panels", count_of(pattern.panels.size())},
+                       {"edges", count_of(edges)},
+                       {"stitches", count_of(pattern.seams.size())}};
+  const Members unit{{"name", std::string("mm")},
+                     {"confidence", 1.0},
+                     {"evidence", texts({"the specification says how many of its units make a metre"})}};
+  return Members{{"unit", unit},
+                 {"pieces", std::move(pieces)},
+                 {"seams", seams},
+                 {"report", Members{{"counts", counts}, {"warnings", std::move(warnings)}}}};
 }
 
 }  // namespace toile

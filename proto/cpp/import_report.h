@@ -1,6 +1,7 @@
 #pragma once
 // What reading a pattern file gave, as JSON: for people who look at an import, and for programs.
 
+#include <string>
 #include <vector>
 
 #include "core/pattern/dxf_read.h"
@@ -14,11 +15,17 @@ namespace toile {
 /// Each piece: {name, size, area_mm2 (without its holes), width_mm, height_mm, edges, notches, holes (their
 /// numbers), grain_deg (0 to 180 from the x axis; null when the file has none), quantity, mirrored (how many
 /// of them are turned over), unfolded, outline ("sew" or "cut"), layer, line, edge_list [{id, length_mm,
-/// curves}], notch_list [{at, depth_mm, angle_deg}], and category, material, annotation where they are told;
-/// fault {code, message, where} when it cannot be cut. report: {counts, entities [{type, layer, block, fate,
-/// reason, piece, count, lines}], warnings [{line, piece, at, text, count}]}. `seams` is what the caller
-/// knows.
+/// start,
+/// end, curves}], notch_list [{at, depth_mm, angle_deg}], and category, material, annotation where they are
+/// told; fault {code, message, where} when it cannot be cut. report: {counts, entities [{type, layer, block,
+/// fate, reason, piece, count, lines}], warnings [{line, piece, at, text, count}]}. `seams` is what the
+/// caller knows.
 JsonValue import_json(const DxfDrawing& drawing, const std::vector<JsonValue>& seams = {});
+
+/// The same for a GarmentCode specification: pieces {name, area_mm2, width_mm, height_mm, edges, edge_list},
+/// and a report with counts {panels, edges, stitches} and the notes as warnings [{text}].
+JsonValue specification_json(const Pattern& pattern, const std::vector<JsonValue>& seams,
+                             const std::vector<std::string>& notes);
 
 /// Width, height and area of a piece as import_json tells them.
 struct PieceMeasures {

@@ -48,6 +48,10 @@ struct ProjectWrapped {
   double height = 1;    ///< m
   Vec2 anchor;          ///< mm
   double slope = 0;
+  double axis_height = 0;  ///< m; y of the axis's point, from which heights count along the axis
+  Vec3 up{0, 1, 0};        ///< along the axis
+  double turn = 0;         ///< degrees by which the flat piece is turned about the anchor first
+  bool flipped = false;
   friend bool operator==(const ProjectWrapped&, const ProjectWrapped&) = default;
 };
 
@@ -64,6 +68,34 @@ struct ProjectLine {
   friend bool operator==(const ProjectLine&, const ProjectLine&) = default;
 };
 
+/// A mark on the outline of an inline piece.
+struct ProjectNotch {
+  Vec2 at;                      ///< mm
+  double depth_mm = 0;          ///< into the allowance
+  std::optional<Vec2> inwards;  ///< its direction; its length does not matter
+  friend bool operator==(const ProjectNotch&, const ProjectNotch&) = default;
+};
+
+/// A picture on the cloth's right side, repeated over it.
+struct ProjectTexture {
+  std::string image;      ///< file name, relative to the document
+  double scale_mm = 100;  ///< width of one repeat on the flat piece; its height goes by the picture's form
+  Vec2 offset;            ///< mm; where a lower left corner of the picture lies
+  double angle = 0;       ///< degrees, counter-clockwise
+  friend bool operator==(const ProjectTexture&, const ProjectTexture&) = default;
+};
+
+/// What a piece has otherwise than its fabric: interlined, pressed, cut from another lot. Units as there.
+struct ProjectPhysical {
+  std::optional<double> areal_mass_g_m2 = {};
+  std::optional<double> stretch_warp_n_m = {}, stretch_weft_n_m = {}, stretch_coupling_n_m = {};
+  std::optional<double> stretch_shear_n_m = {};
+  std::optional<double> bend_warp_un_m = {}, bend_weft_un_m = {}, bend_bias_un_m = {};
+  std::optional<double> thickness_mm = {};
+  std::optional<double> friction = {};
+  friend bool operator==(const ProjectPhysical&, const ProjectPhysical&) = default;
+};
+
 struct ProjectPiece {
   std::string id;
   std::optional<ProjectDxf> from;
@@ -75,6 +107,9 @@ struct ProjectPiece {
   std::vector<ProjectLine> lines = {};
   int layer = 0;
   ProjectPlacement placement;
+  std::vector<ProjectNotch> notches = {};  ///< of an inline outline
+  std::optional<ProjectTexture> texture = {};
+  std::optional<ProjectPhysical> physical = {};
   friend bool operator==(const ProjectPiece&, const ProjectPiece&) = default;
 };
 
@@ -85,6 +120,7 @@ struct ProjectFabric {
   double stretch_warp_n_m = 2000, stretch_weft_n_m = 2000;
   double stretch_coupling_n_m = 600;
   double stretch_shear_n_m = 700;
+  double limit_warp_percent = 0, limit_weft_percent = 0, limit_shear_rad = 0;
   double bend_warp_un_m = 13, bend_weft_un_m = 13, bend_bias_un_m = 13;
   double thickness_mm = 0.5;
   double friction = 0.3;
@@ -95,6 +131,7 @@ struct ProjectFabric {
 struct ProjectSeamEdge {
   std::string piece, edge;
   bool reversed = false;
+  double from = 0, to = 1;  ///< fractions of the edge's length, in the outline's direction
   friend bool operator==(const ProjectSeamEdge&, const ProjectSeamEdge&) = default;
 };
 
@@ -216,6 +253,8 @@ Result<Project> parse_project(std::string_view text);
 
 /// The document's text; parse_project gives the same Project back.
 std::string write_project(const Project& project);
+/// The same on one line, without the line feed.
+std::string write_project_line(const Project& project);
 
 /// A key of the format, for comparing the reader with the schema. `path` counts list elements as "*", e.g.
 /// "/pieces/*/from/dxf".

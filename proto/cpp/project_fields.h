@@ -66,6 +66,10 @@ void describe(Visitor& v, ProjectWrapped& wrapped) {
   v.field("height", wrapped.height, Need::kRequired, kLength);
   v.field("anchor", wrapped.anchor, Need::kOptional, kLength);
   v.field("slope", wrapped.slope, Need::kOptional, Range{-0.99, 0.99});
+  v.field("axis_height", wrapped.axis_height, Need::kOptional, kLength);
+  v.field("up", wrapped.up, Need::kOptional, Range{-1, 1});
+  v.field("turn", wrapped.turn, Need::kOptional, kLength);
+  v.field("flipped", wrapped.flipped);
 }
 
 template <typename Visitor>
@@ -82,6 +86,35 @@ void describe(Visitor& v, ProjectLine& line) {
 }
 
 template <typename Visitor>
+void describe(Visitor& v, ProjectNotch& notch) {
+  v.field("at", notch.at, Need::kRequired, kLength);
+  v.field("depth_mm", notch.depth_mm, Need::kOptional, Range{-1000, 1000});
+  v.field("inwards", notch.inwards, Need::kOptional, kLength);
+}
+
+template <typename Visitor>
+void describe(Visitor& v, ProjectTexture& texture) {
+  v.field("image", texture.image, Need::kRequired);
+  v.field("scale_mm", texture.scale_mm, Need::kRequired, Range{0.1, 1e5});
+  v.field("offset", texture.offset, Need::kOptional, kLength);
+  v.field("angle", texture.angle, Need::kOptional, Range{-360, 360});
+}
+
+template <typename Visitor>
+void describe(Visitor& v, ProjectPhysical& physical) {
+  v.field("areal_mass_g_m2", physical.areal_mass_g_m2, Need::kOptional, Range{1, 10000});
+  v.field("stretch_warp_n_m", physical.stretch_warp_n_m, Need::kOptional, kStiffness);
+  v.field("stretch_weft_n_m", physical.stretch_weft_n_m, Need::kOptional, kStiffness);
+  v.field("stretch_coupling_n_m", physical.stretch_coupling_n_m, Need::kOptional, Range{-1e6, 1e6});
+  v.field("stretch_shear_n_m", physical.stretch_shear_n_m, Need::kOptional, kStiffness);
+  v.field("bend_warp_un_m", physical.bend_warp_un_m, Need::kOptional, Range{0, 1e6});
+  v.field("bend_weft_un_m", physical.bend_weft_un_m, Need::kOptional, Range{0, 1e6});
+  v.field("bend_bias_un_m", physical.bend_bias_un_m, Need::kOptional, Range{0, 1e6});
+  v.field("thickness_mm", physical.thickness_mm, Need::kOptional, Range{0.01, 50});
+  v.field("friction", physical.friction, Need::kOptional, kFriction);
+}
+
+template <typename Visitor>
 void describe(Visitor& v, ProjectPiece& piece) {
   v.field("id", piece.id, Need::kRequired);
   v.field("from", piece.from);
@@ -93,6 +126,9 @@ void describe(Visitor& v, ProjectPiece& piece) {
   v.field("fabric", piece.fabric, Need::kRequired);
   v.field("lines", piece.lines, Need::kOptional, kMany);
   v.field("layer", piece.layer, Need::kOptional, Range{-100, 100});
+  v.field("notches", piece.notches, Need::kOptional, kMany);
+  v.field("texture", piece.texture);
+  v.field("physical", piece.physical);
   v.field("placement", piece.placement, Need::kRequired);
 }
 
@@ -105,6 +141,9 @@ void describe(Visitor& v, ProjectFabric& fabric) {
   v.field("stretch_weft_n_m", fabric.stretch_weft_n_m, Need::kRequired, kStiffness);
   v.field("stretch_coupling_n_m", fabric.stretch_coupling_n_m, Need::kOptional, Range{-1e6, 1e6});
   v.field("stretch_shear_n_m", fabric.stretch_shear_n_m, Need::kRequired, kStiffness);
+  v.field("limit_warp_percent", fabric.limit_warp_percent, Need::kOptional, Range{0, 500});
+  v.field("limit_weft_percent", fabric.limit_weft_percent, Need::kOptional, Range{0, 500});
+  v.field("limit_shear_rad", fabric.limit_shear_rad, Need::kOptional, Range{0, 1.5});
   v.field("bend_warp_un_m", fabric.bend_warp_un_m, Need::kRequired, Range{0, 1e6});
   v.field("bend_weft_un_m", fabric.bend_weft_un_m, Need::kRequired, Range{0, 1e6});
   v.field("bend_bias_un_m", fabric.bend_bias_un_m, Need::kRequired, Range{0, 1e6});
@@ -118,6 +157,8 @@ void describe(Visitor& v, ProjectSeamEdge& edge) {
   v.field("piece", edge.piece, Need::kRequired);
   v.field("edge", edge.edge, Need::kRequired);
   v.field("reversed", edge.reversed);
+  v.field("from", edge.from, Need::kOptional, Range{0, 1});
+  v.field("to", edge.to, Need::kOptional, Range{0, 1});
 }
 
 template <typename Visitor>

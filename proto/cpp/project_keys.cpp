@@ -1,92 +1,13 @@
 // The format's keys as a flat list, for whoever must agree with the reader: the schema.
 
-#include <initializer_list>
-
-#include "proto/cpp/project_fields.h"
+#include "proto/cpp/field_lister.h"
 
 namespace toile {
-namespace {
-
-using namespace fields;  // NOLINT: the list of fields is this file's subject
-
-class Lister {
- public:
-  Lister(std::vector<ProjectKey>& keys, std::string path) : keys_(keys), path_(std::move(path)) {}
-
-  template <typename T>
-  void field(std::string_view key, T& value, Need need = Need::kOptional, Range range = kAnything) {
-    note(path_ + '/' + std::string(key), value, need == Need::kRequired, range);
-  }
-  void choice(std::string_view key, std::string&, std::initializer_list<const char*> words) {
-    ProjectKey& noted = add(path_ + '/' + std::string(key), "string", false);
-    noted.choices.assign(words.begin(), words.end());
-  }
-  void exactly_one(std::string_view, std::string_view) {}
-
- private:
-  ProjectKey& add(const std::string& path, const char* type, bool required) {
-    return keys_.emplace_back(ProjectKey{path, type, required, {}, {}, {}});
-  }
-  void add_number(const std::string& path, const char* type, bool required, Range range) {
-    ProjectKey& key = add(path, type, required);
-    if (range.least != kAnything.least) key.minimum = range.least;
-    if (range.most != kAnything.most) key.maximum = range.most;
-  }
-
-  void note(const std::string& path, bool&, bool required, Range) { add(path, "boolean", required); }
-  void note(const std::string& path, std::string&, bool required, Range) { add(path, "string", required); }
-  void note(const std::string& path, int&, bool required, Range range) {
-    add_number(path, "integer", required, range);
-  }
-  void note(const std::string& path, double&, bool required, Range range) {
-    add_number(path, "number", required, range);
-  }
-  void note(const std::string& path, Vec2&, bool required, Range range) {
-    add(path, "array", required);
-    add_number(path + "/*", "number", false, range);
-  }
-  void note(const std::string& path, Vec3&, bool required, Range range) {
-    add(path, "array", required);
-    add_number(path + "/*", "number", false, range);
-  }
-  void note(const std::string& path, std::vector<std::pair<std::string, std::string>>&, bool required,
-            Range) {
-    add(path, "object", required);
-  }
-  template <typename T, std::size_t N>
-  void note(const std::string& path, std::array<T, N>&, bool required, Range range) {
-    add(path, "array", required);
-    T element{};
-    note(path + "/*", element, false, range);
-  }
-  template <typename T>
-  void note(const std::string& path, std::vector<T>&, bool required, Range) {
-    add(path, "array", required);
-    T element{};
-    note(path + "/*", element, false, element_range(element));
-  }
-  template <typename T>
-  void note(const std::string& path, std::optional<T>&, bool required, Range range) {
-    T value{};
-    note(path, value, required, range);
-  }
-  template <typename T>
-  void note(const std::string& path, T& object, bool required, Range) {
-    add(path, "object", required);
-    Lister inner(keys_, path);
-    describe(inner, object);
-  }
-
-  std::vector<ProjectKey>& keys_;
-  std::string path_;
-};
-
-}  // namespace
 
 std::vector<ProjectKey> project_keys() {
   std::vector<ProjectKey> keys;
   Project project;
-  Lister lister(keys, "");
+  fields::FieldLister lister(keys, "");
   describe(lister, project);
   return keys;
 }

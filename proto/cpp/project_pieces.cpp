@@ -125,11 +125,21 @@ Status set_grain(const ProjectPiece& piece, Panel& panel, const std::string& whe
   return Error{"project.out_of_range", "the grain must have a direction", pointer_to(where, "grain")};
 }
 
+Status check_texture(const ProjectPiece& piece, const std::string& where) {
+  if (!piece.texture) return {};
+  const Status name = check_file_name(piece.texture->image);
+  return name ? name : error_at(pointer_to(pointer_to(where, "texture"), "image"), name.error());
+}
+
 Result<Panel> panel_of(const ProjectPiece& piece, const ProjectFiles& files, Drawings& drawings,
                        const std::string& where) {
   if (piece.from && !piece.holes.empty()) {
     return Error{"project.two_ways", "the holes of a piece from a file stand in the file",
                  pointer_to(where, "holes")};
+  }
+  if (piece.from && !piece.notches.empty()) {
+    return Error{"project.two_ways", "the notches of a piece from a file stand in the file",
+                 pointer_to(where, "notches")};
   }
   Result<Panel> panel = piece.from ? panel_from_file(*piece.from, files, drawings, pointer_to(where, "from"))
                                    : inline_panel(piece, where);
@@ -138,8 +148,11 @@ Result<Panel> panel_of(const ProjectPiece& piece, const ProjectFiles& files, Dra
   panel->fabric = piece.fabric;
   panel->layer = piece.layer;
   for (const ProjectLine& line : piece.lines) panel->lines.push_back({line.id, line.points});
+  for (const ProjectNotch& n : piece.notches)
+    panel->notches.push_back({n.at, n.depth_mm, normalized(n.inwards.value_or(Vec2{}))});
   if (Status renamed = rename_edges(piece, *panel, where); !renamed) return renamed.error();
   if (Status grain = set_grain(piece, *panel, where); !grain) return grain.error();
+  if (Status texture = check_texture(piece, where); !texture) return texture.error();
   if (Status valid = validate(*panel); !valid) return error_at(where, valid.error());
   return panel;
 }
@@ -149,6 +162,21 @@ Result<Panel> panel_of(const ProjectPiece& piece, const ProjectFiles& files, Dra
 Error error_at(const std::string& pointer, Error error) {
   error.where = error.where.empty() ? pointer : pointer + ": " + error.where;
   return error;
+}
+
+ProjectFabric with_physical(ProjectFabric fabric, const ProjectPhysical& own) {
+  const auto take = [](double& value, const std::optional<double>& given) { value = given.value_or(value); };
+  take(fabric.areal_mass_g_m2, own.areal_mass_g_m2);
+  take(fabric.stretch_warp_n_m, own.stretch_warp_n_m);
+  take(fabric.stretch_weft_n_m, own.stretch_weft_n_m);
+  take(fabric.stretch_coupling_n_m, own.stretch_coupling_n_m);
+  take(fabric.stretch_shear_n_m, own.stretch_shear_n_m);
+  take(fabric.bend_warp_un_m, own.bend_warp_un_m);
+  take(fabric.bend_weft_un_m, own.bend_weft_un_m);
+  take(fabric.bend_bias_un_m, own.bend_bias_un_m);
+  take(fabric.thickness_mm, own.thickness_mm);
+  take(fabric.friction, own.friction);
+  return fabric;
 }
 
 Result<std::vector<Panel>> panels_of(const std::vector<ProjectPiece>& pieces, const ProjectFiles& files) {

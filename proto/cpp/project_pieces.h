@@ -18,4 +18,7 @@ Error error_at(const std::string& pointer, Error error);
 /// project.unknown_piece (in the file), project.unknown_edge (in edge_names), project.path, dxf.*, pattern.*.
 Result<std::vector<Panel>> panels_of(const std::vector<ProjectPiece>& pieces, const ProjectFiles& files);
 
+/// The fabric as a piece has it.
+ProjectFabric with_physical(ProjectFabric fabric, const ProjectPhysical& own);
+
 }  // namespace toile

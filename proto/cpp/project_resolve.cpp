@@ -70,12 +70,15 @@ Placement placement_of(const ProjectPlacement& placement) {
   }
   const ProjectWrapped& given = *placement.wrapped;
   WrappedPlacement wrapped;
-  wrapped.axis = {given.axis.x, 0, given.axis.y};
+  wrapped.axis = {given.axis.x, given.axis_height, given.axis.y};
   wrapped.radius = given.radius;
   wrapped.angle = radians_from_degrees(given.angle);
   wrapped.height = given.height;
   wrapped.anchor = {metres_from_mm(given.anchor.x), metres_from_mm(given.anchor.y)};
   wrapped.slope = given.slope;
+  wrapped.up = normalized(given.up);
+  wrapped.turn = radians_from_degrees(given.turn);
+  wrapped.flipped = given.flipped;
   return wrapped;
 }
 
@@ -96,6 +99,9 @@ Result<Fabric> fabric_of(const ProjectFabric& given, const std::string& where) {
   fabric.stretch_weft = given.stretch_weft_n_m;
   fabric.stretch_coupling = given.stretch_coupling_n_m;
   fabric.stretch_shear = given.stretch_shear_n_m;
+  fabric.limit_warp = given.limit_warp_percent / 100;
+  fabric.limit_weft = given.limit_weft_percent / 100;
+  fabric.limit_shear = given.limit_shear_rad;
   fabric.bend_warp = given.bend_warp_un_m * kNewtonMetres;
   fabric.bend_weft = given.bend_weft_un_m * kNewtonMetres;
   fabric.bend_bias = given.bend_bias_un_m * kNewtonMetres;
@@ -103,6 +109,21 @@ Result<Fabric> fabric_of(const ProjectFabric& given, const std::string& where) {
   fabric.friction = given.friction;
   std::copy(given.colour.begin(), given.colour.end(), fabric.colour);
   return fabric;
+}
+
+/// A fabric more for each piece that has its own. REQUIRES `input` with the project's fabrics.
+Status add_own_fabrics(const Project& project, DrapeInput& input) {
+  for (std::size_t i = 0; i < project.pieces.size(); ++i) {
+    const ProjectPiece& piece = project.pieces[i];
+    if (!piece.physical) continue;
+    const ProjectFabric& common = project.fabrics[static_cast<std::size_t>(input.fabric_of_panel[i])];
+    Result<Fabric> own =
+        fabric_of(with_physical(common, *piece.physical), pointer_to(pointer_to("/pieces", i), "physical"));
+    if (!own) return own.error();
+    input.fabric_of_panel[i] = static_cast<Index>(input.fabrics.size());
+    input.fabrics.push_back(std::move(*own));
+  }
+  return {};
 }
 
 AirDrag air_of(const ProjectAir& given) {
@@ -143,12 +164,14 @@ Vec3 turned(Vec3 p, Vec3 angles) {
 Result<TriangleMesh> mannequin_of(const ProjectMannequin& given) {
   constexpr double kMetres = 1e-2;
   MannequinSettings settings;
-  settings.height = given.height_cm * kMetres;
-  settings.bust = given.bust_cm * kMetres;
-  settings.waist = given.waist_cm * kMetres;
-  settings.hip = given.hip_cm * kMetres;
+  settings.asked[Measure::kHeight] = given.height_cm * kMetres;
+  settings.asked[Measure::kBust] = given.bust_cm * kMetres;
+  settings.asked[Measure::kWaist] = given.waist_cm * kMetres;
+  settings.asked[Measure::kHip] = given.hip_cm * kMetres;
   settings.triangle_count = given.triangles;
-  return make_mannequin(settings);
+  Result<Mannequin> made = make_mannequin(settings);
+  if (!made) return made.error();
+  return std::move(made->mesh);
 }
 
 MeshSettings mesh_settings(const ProjectBody& given) {
@@ -237,7 +260,7 @@ Result<std::vector<SeamEdge>> series_of(const std::vector<ProjectSeamEdge>& give
     if (!panel) return panel.error();
     const Result<Index> edge = names.edge(*panel, given[i].edge, pointer_to(place, "edge"));
     if (!edge) return edge.error();
-    series.push_back({*panel, *edge, given[i].reversed});
+    series.push_back({*panel, *edge, given[i].reversed, given[i].from, given[i].to});
   }
   return series;
 }
@@ -380,6 +403,7 @@ Result<DrapeInput> resolve_project(const Project& project, const ProjectFiles& f
   }
   if (Status made = make_all(project.fabrics, "/fabrics", input.fabrics, fabric_of); !made)
     return made.error();
+  if (Status own = add_own_fabrics(project, input); !own) return own.error();
 
   Result<std::vector<Panel>> panels = panels_of(project.pieces, files);
   if (!panels) return panels.error();

@@ -1,90 +1,19 @@
 // Project → document text, by the same list of fields that the reader uses.
 
-#include <initializer_list>
-
+#include "proto/cpp/field_writer.h"
 #include "proto/cpp/json_codec.h"
-#include "proto/cpp/project_fields.h"
+#include "proto/cpp/project.h"
 
 namespace toile {
-namespace {
-
-using namespace fields;  // NOLINT: the list of fields is this file's subject
-
-JsonValue json_of(bool value) { return value; }
-JsonValue json_of(int value) { return static_cast<double>(value); }
-JsonValue json_of(double value) { return value; }
-JsonValue json_of(std::string& value) { return value; }
-JsonValue json_of(Vec2 value) { return std::vector<JsonValue>{value.x, value.y}; }
-JsonValue json_of(Vec3 value) { return std::vector<JsonValue>{value.x, value.y, value.z}; }
-
-JsonValue json_of(std::vector<std::pair<std::string, std::string>>& names) {
-  std::vector<JsonMember> members;
-  for (const auto& [from, to] : names) members.push_back({from, to});
-  return members;
-}
-
-template <typename T, std::size_t N>
-JsonValue json_of(std::array<T, N>& values) {
-  std::vector<JsonValue> elements;
-  for (T& value : values) elements.push_back(json_of(value));
-  return elements;
-}
-
-template <typename T>
-JsonValue json_of(T& object);
-
-template <typename T>
-JsonValue json_of(std::vector<T>& values) {
-  std::vector<JsonValue> elements;
-  for (T& value : values) elements.push_back(json_of(value));
-  return elements;
-}
-
-template <typename T>
-JsonValue json_of(std::optional<T>& value) {
-  return json_of(*value);
-}
-
-/// What says nothing is left out: an empty text, an empty list, an absent part.
-bool is_absent(const std::string& value) { return value.empty(); }
-template <typename T>
-bool is_absent(const std::vector<T>& values) {
-  return values.empty();
-}
-template <typename T>
-bool is_absent(const std::optional<T>& value) {
-  return !value;
-}
-template <typename T>
-bool is_absent(const T&) {
-  return false;
-}
-
-struct Writer {
-  std::vector<JsonMember> members;
-
-  template <typename T>
-  void field(std::string_view key, T& value, Need = Need::kOptional, Range = kAnything) {
-    if (!is_absent(value)) members.push_back({std::string(key), json_of(value)});
-  }
-  void choice(std::string_view key, std::string& value, std::initializer_list<const char*>) {
-    field(key, value);
-  }
-  void exactly_one(std::string_view, std::string_view) {}
-};
-
-template <typename T>
-JsonValue json_of(T& object) {
-  Writer writer;
-  describe(writer, object);
-  return std::move(writer.members);
-}
-
-}  // namespace
 
 std::string write_project(const Project& project) {
   Project copy = project;  // a visitor takes places, and writes to none of them here
-  return write_json(json_of(copy));
+  return write_json(fields::json_of(copy));
+}
+
+std::string write_project_line(const Project& project) {
+  Project copy = project;
+  return write_json_line(fields::json_of(copy));
 }
 
 }  // namespace toile

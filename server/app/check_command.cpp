@@ -10,6 +10,7 @@
 #include "proto/cpp/project_resolve.h"
 #include "server/app/commands.h"
 #include "server/app/console.h"
+#include "server/app/findings_text.h"
 
 namespace toile {
 namespace {
@@ -39,7 +40,7 @@ double series_length(const Pattern& pattern, const std::vector<SeamEdge>& series
   double sum = 0;
   for (const SeamEdge& edge : series) {
     const Panel& panel = pattern.panels[static_cast<std::size_t>(edge.panel)];
-    sum += arc_length(*edges_of(panel)[static_cast<std::size_t>(edge.edge)]);
+    sum += (edge.to - edge.from) * arc_length(*edges_of(panel)[static_cast<std::size_t>(edge.edge)]);
   }
   return sum;
 }
@@ -63,15 +64,6 @@ JsonValue piece_json(const Panel& panel) {
                                  {"height_mm", rounded(size.height)},
                                  {"area_cm2", rounded(area_cm2(panel))},
                                  {"edges", edges}};
-}
-
-JsonValue finding_json(const Finding& f) {
-  return std::vector<JsonMember>{{"code", f.code},
-                                 {"severity", std::string(name_of(f.severity))},
-                                 {"message", f.message},
-                                 {"where", f.where},
-                                 {"place", std::vector<JsonValue>{f.place.x, f.place.y, f.place.z}},
-                                 {"repaired", f.repaired}};
 }
 
 JsonValue project_json(const DrapeInput& input, const Findings& findings) {
@@ -121,14 +113,6 @@ void print_project(const DrapeInput& input) {
     std::printf("body %s: %zu triangles, %s m high\n", body.id.c_str(), body.mesh.triangles.size(),
                 fixed(body_height(body), 2).c_str());
   }
-}
-
-void print_findings(const Findings& findings) {
-  for (const Finding& f : findings) {
-    std::printf("%s %s: %s (%s %s)\n", f.repaired ? "repaired" : name_of(f.severity), f.code.c_str(),
-                f.message.c_str(), f.where.c_str(), place_text(f.place).c_str());
-  }
-  if (findings.empty()) std::printf("start: nothing to find fault with\n");
 }
 
 }  // namespace

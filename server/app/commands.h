@@ -2,8 +2,11 @@
 // The program's verbs. Each takes what the command line said, does its work, prints, and returns an exit
 // code.
 
+#include <array>
+#include <optional>
 #include <string>
 
+#include "core/body/body_measures.h"
 #include "server/app/config.h"
 #include "server/app/exit_code.h"
 
@@ -29,14 +32,31 @@ struct CheckOptions {
 
 ExitCode check_command(const CheckOptions& options);
 
-struct BodyOptions {
-  std::string out;  ///< path of an .obj
-  double height_cm = 170, bust_cm = 90, waist_cm = 72, hip_cm = 96;
-  int triangles = 3300;
+struct BodyMakeOptions {
+  std::string out;                                               ///< path of an .obj
+  std::string sex = "female";                                    ///< female, male or child
+  std::string preset;                                            ///< name of a size; empty: none
+  std::array<std::optional<double>, kMeasureCount> measures_cm;  ///< what is asked for, by Measure
+  std::string pose = "a";                                        ///< a or t
+  double arm_angle = 45;                                         ///< degrees from the vertical, of pose a
+  int triangles = 4562;
   bool json = false;
 };
 
-ExitCode body_command(const BodyOptions& options);
+ExitCode body_make_command(const BodyMakeOptions& options);
+
+struct BodyMeasureOptions {
+  std::string file;  ///< path of a mesh
+  bool json = false;
+};
+
+ExitCode body_measure_command(const BodyMeasureOptions& options);
+
+struct BodyPresetsOptions {
+  bool json = false;
+};
+
+ExitCode body_presets_command(const BodyPresetsOptions& options);
 
 /// Serves until SIGTERM or SIGINT.
 ExitCode serve_command(const ServeOptions& options);
@@ -67,5 +87,23 @@ struct PatternExportOptions {
 };
 
 ExitCode pattern_export_command(const PatternExportOptions& options);
+
+struct ProjectNewOptions {
+  std::string pattern;       ///< path of a DXF file or a GarmentCode specification
+  std::string body;          ///< path of a mesh
+  std::string out;           ///< path of the document
+  double accept_seams = -1;  ///< least confidence of proposals that become seams; negative: none do
+  bool json = false;
+};
+
+ExitCode project_new_command(const ProjectNewOptions& options);
+
+struct ProjectArrangeOptions {
+  std::string project;  ///< path of the document
+  std::string out;      ///< path of the document to write; empty: the same
+  bool json = false;
+};
+
+ExitCode project_arrange_command(const ProjectArrangeOptions& options);
 
 }  // namespace toile

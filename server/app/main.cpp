@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -24,11 +25,15 @@ struct Options {
   std::string size;
   bool no_stills = false;
   CheckOptions check;
-  BodyOptions body;
+  BodyMakeOptions body_make;
+  BodyMeasureOptions body_measure;
+  BodyPresetsOptions body_presets;
   ServeOptions serve;
   SubmitOptions submit;
   PatternImportOptions import;
   PatternExportOptions exporting;
+  ProjectNewOptions project_new;
+  ProjectArrangeOptions arrange;
 };
 
 /// "1024x1280" into the stills' size; a message when it is none.
@@ -88,20 +93,52 @@ CLI::App* add_check(CLI::App& app, Options& options) {
   return verb;
 }
 
-CLI::App* add_body(CLI::App& app, Options& options) {
-  BodyOptions& body = options.body;
+/// "arm_length" as "--arm-length".
+std::string option_of(Measure m) {
+  std::string text = "--" + std::string(measure_name(m));
+  std::replace(text.begin(), text.end(), '_', '-');
+  return m == Measure::kBust ? text + ",--chest" : text;
+}
+
+CLI::App* add_body_make(CLI::App& body, BodyMakeOptions& make) {
   CLI::App* verb =
-      app.add_subcommand("body", "Make a mannequin from measures and write it as OBJ, metres, y up");
-  verb->add_option("-o,--out", body.out, "OBJ file to write")->required();
-  verb->add_option("--height", body.height_cm, "Height, cm")->capture_default_str();
-  verb->add_option("--bust", body.bust_cm, "Bust girth, cm")->capture_default_str();
-  verb->add_option("--waist", body.waist_cm, "Waist girth, cm")->capture_default_str();
-  verb->add_option("--hip", body.hip_cm, "Hip girth, cm")->capture_default_str();
-  verb->add_option("--triangles", body.triangles, "Number of triangles")->capture_default_str();
-  verb->add_flag("--json", body.json, "Print as JSON");
+      body.add_subcommand("make", "Make a mannequin from measures; write it as OBJ, metres, y up");
+  verb->add_option("-o,--out", make.out, "OBJ file to write")->required();
+  verb->add_option("--sex", make.sex, "Figure to start from")
+      ->check(CLI::IsMember({"female", "male", "child"}))
+      ->capture_default_str();
+  verb->add_option("--preset", make.preset, "Size to start from, e.g. eu38, m50, child116; see body presets");
+  for (int i = 0; i < kMeasureCount; ++i) {
+    const Measure m = measure_at(i);
+    verb->add_option(option_of(m), make.measures_cm[i], "cm, " + std::string(measure_rule(m)));
+  }
+  verb->add_option("--pose", make.pose, "a: arms hang off the body; t: arms level")
+      ->check(CLI::IsMember({"a", "t"}))
+      ->capture_default_str();
+  verb->add_option("--arm-angle", make.arm_angle, "Degrees between a hanging arm and pose a's, 30 to 60")
+      ->capture_default_str();
+  verb->add_option("--triangles", make.triangles, "Number of triangles")->capture_default_str();
+  verb->add_flag("--json", make.json, "Print as JSON");
+  verb->footer(
+      std::string(
+          "Any subset of the measures will do; the rest follows from proportions. Prints every measure as\n"
+          "the tape takes it back: girths asked for are met to 5 mm, lengths to 10 mm.\n\n"
+          "Examples:\n"
+          "  toile body make --out body.obj\n"
+          "  toile body make --sex female --height 168 --bust 92 --waist 74 --hip 99 --out body.obj --json\n"
+          "  toile body make --preset m50 --pose t --triangles 5624 --out man.obj\n\n") +
+      kExitCodes);
+  return verb;
+}
+
+CLI::App* add_body_measure(CLI::App& body, BodyMeasureOptions& measure) {
+  CLI::App* verb = body.add_subcommand("measure", "Measure a standing body's mesh with a tape");
+  verb->add_option("file", measure.file, "Mesh of a person; unit and directions are guessed from its shape")
+      ->required();
+  verb->add_flag("--json", measure.json, "Print as JSON");
   verb->footer(std::string("Examples:\n"
-                           "  toile body --out body.obj\n"
-                           "  toile body --out tall.obj --height 182 --bust 96 --waist 78 --hip 102\n\n") +
+                           "  toile body measure scan.obj\n"
+                           "  toile body measure scan.stl --json\n\n") +
                kExitCodes);
   return verb;
 }
@@ -180,6 +217,43 @@ CLI::App* add_pattern_export(CLI::App& pattern, PatternExportOptions& exporting)
   return verb;
 }
 
+CLI::App* add_project_new(CLI::App& project, ProjectNewOptions& options) {
+  CLI::App* verb = project.add_subcommand("new", "Make a project of a pattern and a body");
+  verb->add_option("--pattern", options.pattern, "DXF file, or GarmentCode specification (JSON)")->required();
+  verb->add_option("--body", options.body, "Mesh of the body")->required();
+  verb->add_option("-o,--out", options.out, "Project document to write; the files that it names go beside it")
+      ->required();
+  verb->add_option("--accept-seams", options.accept_seams,
+                   "Take the seams proposed with this confidence or more (default: take none)")
+      ->check(CLI::Range(0.0, 1.0));
+  verb->add_flag("--json", options.json, "Print as JSON");
+  verb->footer(
+      std::string(
+          "A specification brings its seams and places. For a DXF file seams are proposed, and its\n"
+          "pieces stand flat before and behind the body, to be arranged.\n\n"
+          "Examples:\n"
+          "  toile project new --pattern shirt.dxf --body body.obj --out project.json\n"
+          "  toile project new --pattern shirt.dxf --body body.obj --out p.json --accept-seams 0.8\n\n") +
+      kExitCodes);
+  return verb;
+}
+
+CLI::App* add_project_arrange(CLI::App& project, ProjectArrangeOptions& options) {
+  CLI::App* verb = project.add_subcommand("arrange", "Place a project's pieces around its body");
+  verb->add_option("project", options.project, "Project document with seams and a standing body")->required();
+  verb->add_option("-o,--out", options.out,
+                   "Document to write; beside the files that it names (default: the same)");
+  verb->add_flag("--json", options.json, "Print as JSON");
+  verb->footer(
+      std::string("Says where each piece went and what the look at the start then finds. Waistbands and\n"
+                  "the upper edges of skirts and trousers are held until gravity is full.\n\n"
+                  "Examples:\n"
+                  "  toile project arrange project.json\n"
+                  "  toile project arrange project.json --out arranged.json --json\n\n") +
+      kExitCodes);
+  return verb;
+}
+
 ExitCode run(int argc, char** argv) {
   CLI::App app("Toile drapes garments: from a flat sewing pattern to cloth on a body.", "toile");
   app.set_version_flag("--version", std::string("toile ") + TOILE_VERSION);
@@ -193,13 +267,22 @@ ExitCode run(int argc, char** argv) {
   Options options;
   const CLI::App* drape = add_drape(app, options);
   const CLI::App* check = add_check(app, options);
-  const CLI::App* body = add_body(app, options);
+  CLI::App* body = app.add_subcommand("body", "Bodies: make a mannequin, measure a mesh, list the sizes");
+  body->require_subcommand(1);
+  const CLI::App* body_make = add_body_make(*body, options.body_make);
+  const CLI::App* body_measure = add_body_measure(*body, options.body_measure);
+  CLI::App* body_presets = body->add_subcommand("presets", "List the sizes that body make knows");
+  body_presets->add_flag("--json", options.body_presets.json, "Print as JSON");
   const CLI::App* serve = add_serve(app, options);
   add_submit(app, options);
   CLI::App* pattern = app.add_subcommand("pattern", "Pattern files: read them, write them");
   pattern->require_subcommand(1);
   const CLI::App* import = add_pattern_import(*pattern, options.import);
   const CLI::App* exporting = add_pattern_export(*pattern, options.exporting);
+  CLI::App* project = app.add_subcommand("project", "Project documents: make one, place its pieces");
+  project->require_subcommand(1);
+  const CLI::App* project_new = add_project_new(*project, options.project_new);
+  const CLI::App* arrange = add_project_arrange(*project, options.arrange);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
@@ -212,10 +295,14 @@ ExitCode run(int argc, char** argv) {
   options.drape.stills = !options.no_stills;
   if (drape->parsed()) return drape_command(options.drape);
   if (check->parsed()) return check_command(options.check);
-  if (body->parsed()) return body_command(options.body);
+  if (body_make->parsed()) return body_make_command(options.body_make);
+  if (body_measure->parsed()) return body_measure_command(options.body_measure);
+  if (body_presets->parsed()) return body_presets_command(options.body_presets);
   if (serve->parsed()) return serve_command(options.serve);
   if (import->parsed()) return pattern_import_command(options.import);
   if (exporting->parsed()) return pattern_export_command(options.exporting);
+  if (arrange->parsed()) return project_arrange_command(options.arrange);
+  if (project_new->parsed()) return project_new_command(options.project_new);
   return submit_command(options.submit);
 }
 

@@ -118,8 +118,8 @@ TEST(CommandLine, CheckTellsWhatADrapeRepairsByItself) {
 
 TEST(CommandLine, BodyWritesAMannequin) {
   const fs::path folder = fresh_folder("toile_body");
-  const Ran run = run_toile(
-      {"body", "--out", folder / "tall.obj", "--height", "182", "--hip", "102", "--triangles", "2000"});
+  const Ran run = run_toile({"body", "make", "--out", folder / "tall.obj", "--height", "182", "--hip", "102",
+                             "--triangles", "2000"});
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_TRUE(has(run.out, "2000 triangles")) << run.out;
   const std::string obj = text_of(folder / "tall.obj");
@@ -128,8 +128,29 @@ TEST(CommandLine, BodyWritesAMannequin) {
   fs::remove_all(folder);
 }
 
+TEST(CommandLine, BodyMeasuresWhatItMadeAndSaysWhatWasAsked) {
+  const fs::path folder = fresh_folder("toile_body_measure");
+  const Ran made = run_toile({"body", "make", "--preset", "eu40", "--bust", "93", "--out", folder / "b.obj",
+                              "--triangles", "3304", "--json"});
+  EXPECT_EQ(made.code, 0) << made.err;
+  EXPECT_TRUE(has(made.out, "\"asked_cm\": 93")) << made.out;
+  EXPECT_TRUE(has(made.out, "\"inseam\"")) << made.out;
+  const Ran measured = run_toile({"body", "measure", folder / "b.obj", "--json"});
+  EXPECT_EQ(measured.code, 0) << measured.err;
+  EXPECT_TRUE(has(measured.out, "\"underbust\"")) << measured.out;
+  EXPECT_TRUE(has(measured.out, "\"unit_in_m\": 1")) << measured.out;
+  fs::remove_all(folder);
+}
+
+TEST(CommandLine, BodyListsItsSizes) {
+  const Ran run = run_toile({"body", "presets"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  for (const char* name : {"eu34", "eu48", "m44", "m58", "child116"}) EXPECT_TRUE(has(run.out, name)) << name;
+  EXPECT_EQ(run_toile({"body", "make", "--preset", "xxl", "--out", "/tmp/never.obj"}).code, 2);
+}
+
 TEST(CommandLine, BodyRefusesMeasuresThatNobodyHas) {
-  const Ran run = run_toile({"body", "--out", "/tmp/never.obj", "--waist", "300"});
+  const Ran run = run_toile({"body", "make", "--out", "/tmp/never.obj", "--waist", "300"});
   EXPECT_EQ(run.code, 2);
   EXPECT_TRUE(run.err.starts_with("toile: mannequin.")) << run.err;
 }

@@ -101,5 +101,64 @@ TEST(PatternCommand, WhatIsExportedReadsBackAsItWas) {
   fs::remove_all(folder);
 }
 
+const char* const kSpecification = R"({"pattern": {"panels": {
+    "front": {"translation": [0, 100, 20], "rotation": [0, 0, 0],
+      "vertices": [[0, 0], [40, 0], [40, 60], [0, 60]],
+      "edges": [{"endpoints": [0, 1]}, {"endpoints": [1, 2]}, {"endpoints": [2, 3]}, {"endpoints": [3, 0]}]},
+    "back": {"translation": [0, 100, -20], "rotation": [0, 0, 0],
+      "vertices": [[0, 0], [0, 60], [40, 60], [40, 0]],
+      "edges": [{"endpoints": [0, 1]}, {"endpoints": [1, 2]}, {"endpoints": [2, 3]}, {"endpoints": [3, 0]}]}},
+    "stitches": [[{"panel": "front", "edge": 1}, {"panel": "back", "edge": 2}],
+                 [{"panel": "front", "edge": 3}, {"panel": "back", "edge": 0}]]}})";
+
+TEST(PatternCommand, ImportReadsASpecificationWithItsSeams) {
+  const fs::path folder = fresh_folder("toile_specification");
+  write_text(folder / "tube.json", kSpecification);
+  const Ran run = run_toile({"pattern", "import", folder / "tube.json", "--json"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto tree = parse_json(run.out);
+  ASSERT_TRUE(tree) << run.out;
+  EXPECT_EQ(tree->find("pieces")->array()->size(), 2u);
+  ASSERT_EQ(tree->find("seams")->array()->size(), 2u);
+  const JsonValue& seam = tree->find("seams")->array()->front();
+  EXPECT_EQ(*seam.find("confidence")->number(), 1);
+  EXPECT_EQ(*seam.find("a")->array()->front().find("piece")->text(), "front");
+  EXPECT_EQ(*seam.find("length_a_mm")->number(), 600);
+  fs::remove_all(folder);
+}
+
+TEST(ProjectCommand, NewMakesAProjectThatChecks) {
+  const fs::path folder = napkin_folder("toile_project_new");
+  write_text(folder / "tube.json", kSpecification);
+  const fs::path out = folder / "made" / "project.json";
+  const Ran run = run_toile(
+      {"project", "new", "--pattern", folder / "tube.json", "--body", folder / "post.obj", "--out", out});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(has(run.out, "2 pieces, 2 seams")) << run.out;
+  EXPECT_TRUE(fs::exists(folder / "made" / "post.obj")) << "the document names files beside itself";
+  const Ran check = run_toile({"check", out});
+  EXPECT_TRUE(has(check.out, "piece front")) << check.out << check.err;
+  fs::remove_all(folder);
+}
+
+TEST(ProjectCommand, NewTakesProposalsOfADrawingWhenAsked) {
+  const fs::path folder = napkin_folder("toile_project_dxf");
+  write_text(folder / "graded.dxf", kGraded);
+  const fs::path out = folder / "project.json";
+  const Ran run = run_toile({"project", "new", "--pattern", folder / "graded.dxf", "--body",
+                             folder / "post.obj", "--out", out, "--accept-seams", "0.8", "--json"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto tree = parse_json(run.out);
+  ASSERT_TRUE(tree) << run.out;
+  EXPECT_EQ(*tree->find("pieces")->number(), 1);
+  EXPECT_NE(tree->find("proposals"), nullptr);
+  EXPECT_EQ(run_toile({"project", "new", "--pattern", "/nowhere/a.dxf", "--body", folder / "post.obj",
+                       "--out", out})
+                .code,
+            2);
+  EXPECT_EQ(run_toile({"project", "new", "--pattern", "a.dxf"}).code, 2);
+  fs::remove_all(folder);
+}
+
 }  // namespace
 }  // namespace toile

@@ -65,7 +65,7 @@ const TriangleMesh& mannequin() {
   static const TriangleMesh mesh = [] {
     MannequinSettings settings;
     settings.triangle_count = 1500;
-    return make_mannequin(settings).value();
+    return make_mannequin(settings).value().mesh;
   }();
   return mesh;
 }

@@ -26,6 +26,7 @@ const std::map<std::string, Names>& table() {
       {"mesh", {"pattern", "geometry"}},
       {"sewing", {"mesh", "pattern", "body", "collision", "geometry"}},
       {"preflight", {"sewing", "mesh", "pattern", "body", "collision", "geometry"}},
+      {"arrange", {"preflight", "sewing", "mesh", "pattern", "body", "collision", "geometry"}},
       {"solver", {"sewing", "mesh", "material", "collision", "geometry"}},
       {"drape",
        {"preflight", "solver", "sewing", "mesh", "pattern", "material", "body", "collision", "geometry"}},

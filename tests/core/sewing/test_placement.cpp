@@ -76,5 +76,28 @@ TEST(Placement, ANearlyUprightConeIsTheCylinder) {
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(length(a[i] - b[i]), 0, 1e-5);
 }
 
+TEST(Placement, AroundATiltedAxisNothingStretchesAndTheDistanceStays) {
+  WrappedPlacement w;
+  w.axis = {0.2, 1.3, 0}, w.up = normalized(Vec3{-0.7, 0.7, 0.1});
+  w.radius = 0.08, w.height = -0.1, w.turn = 0.7, w.angle = 1.5;
+  EXPECT_LT(stretch(w), 1e-5);
+  for (const Vec3& p : place(flat_grid(), w)) {
+    EXPECT_NEAR(length(cross(p - w.axis, w.up)), w.radius, 1e-12);
+  }
+  EXPECT_NEAR(dot(place({w.anchor}, w)[0] - w.axis, w.up), w.height, 1e-12);
+}
+
+TEST(Placement, AFlippedRollShowsItsOtherSide) {
+  WrappedPlacement w;
+  w.radius = 0.2;
+  const auto normal = [&] {
+    const std::vector<Vec3> p = place({{0, 0}, {0.001, 0}, {0, 0.001}}, w);
+    return cross(p[1] - p[0], p[2] - p[0]);
+  };
+  EXPECT_GT(normal().z, 0) << "outwards, in front";
+  w.flipped = true;
+  EXPECT_LT(normal().z, 0);
+}
+
 }  // namespace
 }  // namespace toile

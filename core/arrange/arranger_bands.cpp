@@ -1,0 +1,132 @@
+// Hoods and the strips that go around trunk and neck.
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/arrange/arranger.h"
+#include "core/arrange/piece_cover.h"
+#include "core/arrange/sheet_placement.h"
+#include "core/geometry/polygon2.h"
+
+namespace toile {
+
+namespace {
+
+constexpr double kClose = 0.012;  // m, strips lie nearer than sheets, so that their ends meet
+constexpr double kNeckDepth = 0.07, kNeckHalf = 0.1;  // m, of a neckline
+
+}  // namespace
+
+/// A half of a hood stands beside the head, its front edge to the front, over the shoulder.
+void Arranger::place_hoods(double rise, Arrangement& made) const {
+  const BodyFigure& f = stand_.figure();
+  for (const Index p : hoods_) {
+    const BodySide side = side_of(p);
+    const int hand = side == kWearersLeft ? 1 : -1;
+    const GarmentPiece& piece = graph_.pieces[p];
+    FlatMove pose = hood_pose(p, side, rise);
+    const double x = stand_.half_breadth_above(f.neck) + kAway;
+    double low = HUGE_VAL;
+    for (const Vec2 q : outline_on_sheet(piece, pose)) low = std::min(low, q.y);
+    pose.t.y += std::max(0.0, stand_.top_beside(x) + kAway / 2 - low);
+    put(made, p, on_side_sheet(pose, f.middle + hand * x),
+        std::string("hood, ") + (hand > 0 ? "left" : "right") + " of the head");
+  }
+}
+
+/// On the sheet beside the head, where its stitches lie as near to the neckline as can be, upright.
+FlatMove Arranger::hood_pose(Index p, BodySide side, double rise) const {
+  const BodyFigure& f = stand_.figure();
+  const GarmentPiece& piece = graph_.pieces[p];
+  std::vector<Vec2> points, targets;
+  for (const GarmentTie& t : graph_.ties) {
+    const bool first = t.a == p;
+    const Index other = first ? t.b : t.b == p ? t.a : kNone;
+    if (other == kNone || !layout_.has(other)) continue;
+    const Vec2 there = layout_.pose[other](first ? t.at_b : t.at_a);
+    // Fronts of the neckline lie before the neck, backs behind it, farther the nearer to the middle.
+    const double depth = kNeckDepth * std::max(0.0, 1 - std::abs(there.x) / kNeckHalf);
+    points.push_back(first ? t.at_a : t.at_b);
+    targets.push_back({f.neck_side[side].z + layout_.face[other] * depth, there.y + rise});
+  }
+  if (points.empty()) points = {piece.centroid}, targets = {{0, f.chin + 0.05}};
+  const bool mirrored = piece.outside * (side == kWearersLeft ? 1 : -1) > 0;
+  const double free = fit_move(points, targets, mirrored).move.angle();
+  const Vec2 grain = turn_by(0, mirrored).turned(piece.grain);
+  double best = 0, least = HUGE_VAL;
+  for (int k = 0; k < 4; ++k) {
+    const double angle = (k + 1) * std::numbers::pi / 2 - std::atan2(grain.y, grain.x);
+    const double d = std::abs(std::remainder(angle - free, 2 * std::numbers::pi));
+    if (d < least) least = d, best = angle;
+  }
+  FlatMove pose = turn_by(best, mirrored);
+  Vec2 shift;
+  for (std::size_t i = 0; i < points.size(); ++i) shift = shift + targets[i] - pose.turned(points[i]);
+  pose.t = shift * (1.0 / static_cast<double>(points.size()));
+  return pose;
+}
+
+/// The angle at which the strip's stitches stand nearest to those that they are sewn to, radians.
+double Arranger::angle_of_band(Index piece, const WrappedPlacement& w) const {
+  const double c = std::cos(w.turn), s = std::sin(w.turn);
+  double sines = 0, cosines = 0;
+  for (const GarmentTie& t : graph_.ties) {
+    const bool first = t.a == piece;
+    const Index other = first ? t.b : t.b == piece ? t.a : kNone;
+    if (other == kNone || other == piece || !layout_.has(other)) continue;
+    const Vec2 there = layout_.pose[other](first ? t.at_b : t.at_a);
+    const Vec2 d = (first ? t.at_a : t.at_b) - w.anchor;
+    const double along = (c * d.x - s * d.y) * (w.flipped ? -1 : 1);
+    const double angle = std::atan2(there.x, layout_.face[other] * 0.5 * w.radius) - along / w.radius;
+    sines += std::sin(angle), cosines += std::cos(angle);
+  }
+  return std::atan2(sines, cosines);
+}
+
+/// Strips that close in themselves go around the trunk, or the neck, at the height of what they are sewn to;
+/// a collar as much higher as the neck is slimmer there.
+void Arranger::place_bands(double rise, Arrangement& made) const {
+  for (const Index p : bands_) {
+    const bool neck = graph_.pieces[p].cover == Cover::kCollar;
+    put(made, p, band_around(p, rise),
+        std::string(name_of(graph_.pieces[p].cover)) + (neck ? ", around the neck" : ", around the trunk"));
+  }
+}
+
+WrappedPlacement Arranger::band_around(Index p, double rise) const {
+  const BodyFigure& f = stand_.figure();
+  const GarmentPiece& piece = graph_.pieces[p];
+  const bool neck = piece.cover == Cover::kCollar;
+  bool any = false;
+  const Vec2 tie = mean_tie_on_trunk(p, any);
+  const double lowest = any ? tie.y + rise : neck ? f.neck : f.waist;
+  const Vec2 outline = bounding_box(piece.outline).size();
+  const double tall = std::min(outline.x, outline.y), wide = std::max(outline.x, outline.y);
+  WrappedPlacement w;
+  w.radius = HUGE_VAL;
+  for (double y = lowest; y == lowest || (neck && y < f.chin); y += 0.01) {
+    const Vec2 axis = stand_.middle_at(neck ? f.neck : y);
+    const double body = stand_.radius_about(axis, y - 0.02, y + tall + 0.02, neck ? 0.09 : 0.25);
+    if (body + kClose >= w.radius) continue;
+    w.radius = body + kClose, w.axis = {axis.x, 0, axis.y}, w.height = y;
+  }
+  w.radius = std::max(w.radius, 1.02 * wide / (2 * std::numbers::pi));
+  // The sewn edge comes to the height of what it is sewn to, the free one away from it.
+  Vec2 sewn;
+  int count = 0;
+  for (const GarmentTie& t : graph_.ties) {
+    if (t.a == t.b || (t.a != p && t.b != p)) continue;
+    sewn = sewn + (t.a == p ? t.at_a : t.at_b), ++count;
+  }
+  w.anchor = count > 0 ? sewn * (1.0 / count) : piece.centroid;
+  const Vec2 up = count > 0 ? normalized(piece.centroid - w.anchor) : piece.grain;
+  const bool downwards = piece.cover == Cover::kCuff || (piece.cover == Cover::kSkirt && is_top());
+  w.turn = (downwards ? -0.5 : 0.5) * std::numbers::pi - std::atan2(up.y, up.x);
+  w.height += downwards ? -kGap : kGap;
+  w.flipped = piece.outside < 0;
+  w.angle = angle_of_band(p, w);
+  return w;
+}
+
+}  // namespace toile

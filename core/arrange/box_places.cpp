@@ -1,0 +1,70 @@
+#include "core/arrange/box_places.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/arrange/sheet_placement.h"
+
+namespace toile {
+
+namespace {
+
+/// Away from the box, and half its size that way.
+struct Facing {
+  Vec3 normal;
+  double half;
+  double angle;  ///< about the box's own axis
+};
+
+Facing facing_of(const PartBox& box, BoxSide side) {
+  constexpr double kPi = std::numbers::pi;
+  switch (side) {
+    case BoxSide::kFront:
+      return {box.axis[2], box.half.z, 0};
+    case BoxSide::kBack:
+      return {-box.axis[2], box.half.z, kPi};
+    case BoxSide::kLeft:
+      return {box.axis[0], box.half.x, kPi / 2};
+    default:
+      return {-box.axis[0], box.half.x, -kPi / 2};
+  }
+}
+
+}  // namespace
+
+RigidPlacement on_box_side(const PartBox& box, const OnBox& where) {
+  const Facing facing = facing_of(box, where.side);
+  const Vec3 up = box.axis[1], right = cross(up, facing.normal);
+  const double c = std::cos(where.turn), s = std::sin(where.turn);
+  const Vec3 along_u = right * c + up * s, along_v = up * c - right * s;
+  RigidPlacement rigid;
+  rigid.rotation = turn_angles({along_u, along_v, facing.normal});
+  rigid.translation = box.centre + facing.normal * (facing.half + where.away) + right * where.at.x +
+                      up * where.at.y - along_u * where.anchor.x - along_v * where.anchor.y;
+  return rigid;
+}
+
+WrappedPlacement around_box(const PartBox& box, const OnBox& where, double part_radius, double slope) {
+  WrappedPlacement w;
+  w.axis = box.centre, w.up = box.axis[1];
+  w.radius = part_radius + where.away;
+  w.angle = facing_of(box, where.side).angle + where.at.x / w.radius;
+  w.height = where.at.y, w.anchor = where.anchor, w.turn = where.turn, w.slope = slope;
+  return w;
+}
+
+double radius_of_part(const TriangleMesh& mesh, const BodyFigure& figure, const PartBox& box, double low,
+                      double high) {
+  const std::vector<BodyPart> parts = part_of_vertices(mesh, figure);
+  double most = 0;
+  for (std::size_t v = 0; v < parts.size(); ++v) {
+    const Vec3 d = mesh.vertices[v] - box.centre;
+    const double along = dot(d, box.axis[1]);
+    if (parts[v] != box.part || along < low || along > high) continue;
+    most = std::max(most, length(d - box.axis[1] * along));
+  }
+  return most;
+}
+
+}  // namespace toile

@@ -1,0 +1,276 @@
+#include "core/arrange/garment_graph.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "core/arrange/piece_cover.h"
+#include "core/geometry/polygon2.h"
+#include "core/pattern/seam_model.h"
+
+namespace toile {
+
+namespace {
+
+constexpr double kAlike = 0.01;      ///< relative
+constexpr double kDartPoint = 2e-3;  ///< m; a dart's sides end that near to each other
+constexpr std::size_t kSamples = 96;
+
+/// Number of each vertex along its panel's outline, kNone inside.
+std::vector<Index> outline_numbers(const Panel& panel, const PanelMesh& mesh, GarmentPiece& piece) {
+  std::vector<Index> number(mesh.rest.size(), kNone);
+  Index next = 0;
+  for (std::size_t e = 0; e < panel.outline.edges.size(); ++e) {
+    const std::vector<Index>& line = mesh.edge_vertices[e];
+    piece.corners.push_back(mesh.rest[line.front()]);
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+      number[line[i]] = next++;
+      piece.outline.push_back(mesh.rest[line[i]]);
+      piece.edge_of.push_back(static_cast<Index>(e));
+    }
+  }
+  return number;
+}
+
+void measure(GarmentPiece& piece) {
+  double area = 0;
+  Vec2 sum;
+  for (std::size_t i = 0; i < piece.outline.size(); ++i) {
+    const Vec2 p = piece.outline[i], q = piece.outline[(i + 1) % piece.outline.size()];
+    area += cross(p, q), sum = sum + (p + q) * cross(p, q);
+  }
+  piece.area = area / 2;
+  piece.centroid = area != 0 ? sum * (1 / (3 * area)) : piece.outline.front();
+}
+
+/// A run of stitches between the same two pieces.
+struct TieRun {
+  std::vector<SewnPair> pairs;
+  Index seam = kNone;
+};
+
+std::vector<TieRun> runs_of(const PanelMeshes& meshes) {
+  std::vector<TieRun> runs;
+  for (const MatchedSeam& seam : meshes.seams) {
+    const SewnPair* before = nullptr;
+    for (const SewnPair& pair : seam.pairs) {
+      const bool goes_on =
+          before != nullptr && before->a.panel == pair.a.panel && before->b.panel == pair.b.panel;
+      if (!goes_on) runs.push_back({{}, seam.seam});
+      runs.back().pairs.push_back(pair), before = &pair;
+    }
+  }
+  return runs;
+}
+
+bool is_dart(const TieRun& run, const PanelMeshes& meshes) {
+  const auto gap = [&](const SewnPair& p) {
+    const std::vector<Vec2>& rest = meshes.panels[p.a.panel].rest;
+    return length(rest[p.a.vertex] - rest[p.b.vertex]);
+  };
+  const SewnPair &first = run.pairs.front(), &last = run.pairs.back();
+  if (first.a.panel != first.b.panel) return false;
+  const std::vector<Vec2>& rest = meshes.panels[first.a.panel].rest;
+  const double long_side = length(rest[first.a.vertex] - rest[last.a.vertex]);
+  // The stitch in a dart's point joins a vertex to itself and is left out, so the last one has some width.
+  return std::min(gap(first), gap(last)) < std::max(kDartPoint, 0.35 * long_side);
+}
+
+/// 1 where the run's sides go against each other along the outlines, so that both right sides are outside or
+/// both inside; -1 where one is turned; 0 when it is too short to tell.
+int parity_of(const TieRun& run, const std::vector<std::vector<Index>>& numbers,
+              const std::vector<GarmentPiece>& pieces) {
+  const auto step = [&](PanelVertex from, PanelVertex to) {
+    const Index i = numbers[from.panel][from.vertex], j = numbers[to.panel][to.vertex];
+    const Index count = static_cast<Index>(pieces[from.panel].outline.size());
+    if (i == kNone || j == kNone || i == j) return 0;
+    return (j - i + count) % count < count / 2 ? 1 : -1;
+  };
+  int votes = 0;
+  for (std::size_t k = 1; k < run.pairs.size(); ++k) {
+    votes -= step(run.pairs[k - 1].a, run.pairs[k].a) * step(run.pairs[k - 1].b, run.pairs[k].b);
+  }
+  return votes > 0 ? 1 : votes < 0 ? -1 : 0;
+}
+
+/// Spreads the first piece's side over all that hang together by seams.
+void find_outsides(const std::vector<std::array<Index, 3>>& parities, std::vector<GarmentPiece>& pieces) {
+  std::vector<bool> known(pieces.size(), false);
+  for (std::size_t root = 0; root < pieces.size(); ++root) {
+    if (known[root]) continue;
+    known[root] = true;
+    std::vector<Index> open{static_cast<Index>(root)}, group;
+    while (!open.empty()) {
+      const Index p = open.back();
+      open.pop_back(), group.push_back(p);
+      for (const auto& [a, b, sign] : parities) {
+        const Index other = a == p ? b : b == p ? a : kNone;
+        if (other == kNone || known[other] || sign == 0) continue;
+        known[other] = true, pieces[other].outside = pieces[p].outside * sign;
+        open.push_back(other);
+      }
+    }
+    // Patterns are drawn with the right side up: the majority is, and of halves the fronts.
+    double votes = 0;
+    for (const Index p : group) votes += pieces[p].outside * (1 + 0.1 * pieces[p].face) * pieces[p].area;
+    if (votes < 0) {
+      for (const Index p : group) pieces[p].outside = -pieces[p].outside;
+    }
+  }
+}
+
+/// Borders of the sewn garment.
+int count_rings(const PanelMeshes& meshes) {
+  std::vector<Index> first{0};
+  for (const PanelMesh& m : meshes.panels) first.push_back(first.back() + static_cast<Index>(m.rest.size()));
+  std::vector<Index> parent(first.back());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&parent](Index i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  const auto join = [&](Index i, Index j) {
+    const Index a = root(i), b = root(j);
+    parent[std::max(a, b)] = std::min(a, b);
+  };
+  for (const MatchedSeam& seam : meshes.seams) {
+    for (const SewnPair& p : seam.pairs) join(first[p.a.panel] + p.a.vertex, first[p.b.panel] + p.b.vertex);
+  }
+  std::map<std::pair<Index, Index>, int> count;
+  for (std::size_t m = 0; m < meshes.panels.size(); ++m) {
+    for (const Tri& t : meshes.panels[m].triangles) {
+      for (int k = 0; k < 3; ++k) {
+        const Index i = root(first[m] + t[k]), j = root(first[m] + t[(k + 1) % 3]);
+        ++count[{std::min(i, j), std::max(i, j)}];
+      }
+    }
+  }
+  // Borders are counted after their vertices have been joined along them.
+  std::set<Index> borders;
+  for (const auto& [edge, times] : count) {
+    if (times == 1) join(edge.first, edge.second);
+  }
+  for (const auto& [edge, times] : count) {
+    if (times == 1) borders.insert(root(edge.first));
+  }
+  return static_cast<int>(borders.size());
+}
+
+/// Pieces whose names say nothing cover what the others, or the number of the garment's borders, tell.
+void cover_the_rest(GarmentGraph& graph) {
+  bool any[9] = {};
+  for (const GarmentPiece& p : graph.pieces) any[static_cast<int>(p.cover)] = true;
+  const auto has = [&](Cover c) { return any[static_cast<int>(c)]; };
+  Cover rest = Cover::kTorso;
+  if (!has(Cover::kTorso) && !has(Cover::kSleeve) && !has(Cover::kCollar) && !has(Cover::kHood)) {
+    if (has(Cover::kSkirt) || has(Cover::kLeg)) {
+      rest = has(Cover::kLeg) ? Cover::kLeg : Cover::kSkirt;
+    } else if (graph.rings == 2 || graph.rings == 3) {
+      rest = graph.rings == 2 ? Cover::kSkirt : Cover::kLeg;
+    }
+  }
+  double largest = 0;
+  for (const GarmentPiece& p : graph.pieces) largest = std::max(largest, p.area);
+  for (GarmentPiece& p : graph.pieces) {
+    if (p.cover != Cover::kUnknown) continue;
+    // A piece of a top that closes around a limb by itself is a sleeve.
+    p.cover = rest == Cover::kTorso && p.tube && p.area < 0.6 * largest ? Cover::kSleeve : rest;
+  }
+}
+
+/// Points evenly along the outline, from corner `start` on, the way the outline runs or backwards.
+std::vector<Vec2> around(const GarmentPiece& piece, Vec2 start, bool backwards) {
+  std::vector<Vec2> line = piece.outline;
+  if (backwards) std::reverse(line.begin(), line.end());
+  const auto first = std::find(line.begin(), line.end(), start);
+  std::rotate(line.begin(), first == line.end() ? line.begin() : first, line.end());
+  line.push_back(line.front());
+  const double step = polyline_length(line) / kSamples;
+  std::vector<Vec2> out;
+  double at = 0;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const double l = length(line[i + 1] - line[i]);
+    for (; out.size() < kSamples && static_cast<double>(out.size()) * step <= at + l && l > 0;) {
+      out.push_back(line[i] + (line[i + 1] - line[i]) * ((static_cast<double>(out.size()) * step - at) / l));
+    }
+    at += l;
+  }
+  while (out.size() < kSamples) out.push_back(line.back());
+  return out;
+}
+
+double size_of(const GarmentPiece& piece) {
+  const Vec2 s = bounding_box(piece.outline).size();
+  return std::max(s.x, s.y);
+}
+
+/// The move from `points` to the run of `to` that begins at `start`, when it fits.
+std::optional<FlatFit> fit_at(const std::vector<Vec2>& points, const GarmentPiece& to, Vec2 start,
+                              bool mirrored) {
+  const FlatFit fit = fit_move(points, around(to, start, mirrored), mirrored);
+  return fit.rms < kAlike * size_of(to) ? std::optional(fit) : std::nullopt;
+}
+
+}  // namespace
+
+GarmentGraph make_garment_graph(const Pattern& pattern, const PanelMeshes& meshes) {
+  GarmentGraph graph;
+  std::vector<std::vector<Index>> numbers;
+  for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
+    GarmentPiece piece;
+    piece.id = pattern.panels[p].id;
+    numbers.push_back(outline_numbers(pattern.panels[p], meshes.panels[p], piece));
+    measure(piece);
+    piece.sewn.assign(piece.outline.size(), false);
+    piece.grain = meshes.panels[p].warp;
+    piece.cover = cover_of_name(piece.id);
+    const PieceWords words = words_of(piece.id);
+    piece.face = face_of_name(piece.id), piece.hand = -words.side;
+    graph.pieces.push_back(std::move(piece));
+  }
+  for (const MatchedSeam& seam : meshes.seams) {
+    for (const SewnPair& pair : seam.pairs) {
+      for (const PanelVertex& v : {pair.a, pair.b}) {
+        if (const Index i = numbers[v.panel][v.vertex]; i != kNone) graph.pieces[v.panel].sewn[i] = true;
+      }
+    }
+  }
+  std::vector<std::array<Index, 3>> parities;
+  for (const TieRun& run : runs_of(meshes)) {
+    const Index a = run.pairs.front().a.panel, b = run.pairs.front().b.panel;
+    if (is_dart(run, meshes)) continue;
+    if (a == b) graph.pieces[a].tube = true;
+    parities.push_back({a, b, a == b ? 0 : parity_of(run, numbers, graph.pieces)});
+    for (const SewnPair& pair : run.pairs) {
+      graph.ties.push_back(
+          {a, b, meshes.panels[a].rest[pair.a.vertex], meshes.panels[b].rest[pair.b.vertex], run.seam});
+    }
+  }
+  find_outsides(parities, graph.pieces);
+  graph.rings = count_rings(meshes);
+  cover_the_rest(graph);
+  return graph;
+}
+
+std::optional<FlatMove> lay_on(const GarmentPiece& from, const GarmentPiece& to, bool mirrored) {
+  if (std::abs(from.area - to.area) > 2 * kAlike * to.area) return std::nullopt;
+  const std::vector<Vec2> points = around(from, from.corners.front(), false);
+  std::optional<FlatFit> best;
+  for (const Vec2 start : to.corners) {
+    const auto fit = fit_at(points, to, start, mirrored);
+    if (fit && (!best || fit->rms < best->rms)) best = fit;
+  }
+  return best ? std::optional(best->move) : std::nullopt;
+}
+
+std::vector<FlatMove> own_mirrors(const GarmentPiece& piece) {
+  const std::vector<Vec2> points = around(piece, piece.corners.front(), false);
+  std::vector<FlatMove> found;
+  for (const Vec2 start : piece.corners) {
+    if (const auto fit = fit_at(points, piece, start, true)) found.push_back(fit->move);
+  }
+  return found;
+}
+
+}  // namespace toile

@@ -1,0 +1,55 @@
+#pragma once
+// A garment's pieces and what is sewn to what, flat, with all that the arrangement asks of them.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/arrange/flat_move.h"
+#include "core/mesh/panel_mesh.h"
+#include "core/pattern/pattern.h"
+
+namespace toile {
+
+/// What a piece covers, after its name or, where that says nothing, after how the garment hangs together.
+enum class Cover { kUnknown, kTorso, kSkirt, kLeg, kSleeve, kWaistband, kCuff, kCollar, kHood };
+
+struct GarmentPiece {
+  std::string id;
+  std::vector<Vec2> outline;   ///< m, counter-clockwise, each vertex once
+  std::vector<bool> sewn;      ///< whether a seam or dart holds that vertex
+  std::vector<Index> edge_of;  ///< of the segment from that vertex on: the panel's edge
+  std::vector<Vec2> corners;   ///< m, where its edges begin
+  Vec2 centroid;               ///< m
+  double area = 0;             ///< m²
+  Vec2 grain;                  ///< unit vector
+  Cover cover = Cover::kUnknown;
+  int face = 0;       ///< 1 worn in front, -1 behind, 0 not told
+  int hand = 0;       ///< 1 on the wearer's left, -1 on the right, 0 not told
+  int outside = 1;    ///< 1: the side that is up in the flat pattern is worn outside; -1: inside
+  bool tube = false;  ///< it is sewn to itself, so that it goes around a limb alone
+};
+
+/// Two points that a seam brings together, m, each in its own piece's plane.
+struct GarmentTie {
+  Index a = kNone, b = kNone;
+  Vec2 at_a, at_b;
+  Index seam = kNone;
+};
+
+struct GarmentGraph {
+  std::vector<GarmentPiece> pieces;
+  std::vector<GarmentTie> ties;  ///< darts left out
+  int rings = 0;                 ///< borders that the sewn garment has
+};
+
+GarmentGraph make_garment_graph(const Pattern& pattern, const PanelMeshes& meshes);
+
+/// The isometry that lays piece `from` on piece `to`, mirrored or not as told, when they are alike to 1 % of
+/// their size.
+std::optional<FlatMove> lay_on(const GarmentPiece& from, const GarmentPiece& to, bool mirrored);
+
+/// All mirrorings that lay a piece on itself.
+std::vector<FlatMove> own_mirrors(const GarmentPiece& piece);
+
+}  // namespace toile

@@ -1,0 +1,52 @@
+#include "core/arrange/layout_measures.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace toile {
+
+FlatLayout empty_layout(std::size_t count) {
+  return {std::vector<FlatMove>(count), std::vector<int>(count, 0), std::vector<Index>(count, kNone)};
+}
+
+Index root_of_trunk(const GarmentGraph& graph, const std::vector<Index>& members) {
+  const auto merit = [&](Index p) {
+    const GarmentPiece& piece = graph.pieces[p];
+    double m = piece.area;
+    if (piece.face > 0) m *= 10;
+    if (piece.face < 0) m *= 0.1;
+    if (piece.cover == Cover::kTorso) m *= 100;
+    return m;
+  };
+  return *std::max_element(members.begin(), members.end(),
+                           [&](Index a, Index b) { return merit(a) < merit(b); });
+}
+
+double hands_right(const GarmentGraph& graph, const FlatLayout& layout) {
+  double sum = 0;
+  for (std::size_t p = 0; p < graph.pieces.size(); ++p) {
+    if (layout.face[p] != 0) sum += graph.pieces[p].hand * layout.pose[p](graph.pieces[p].centroid).x;
+  }
+  return sum;
+}
+
+void stand_in_the_middle(const GarmentGraph& graph, const std::vector<Index>& members, FlatLayout& layout) {
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  for (const Index p : members) {
+    if (layout.partner[p] != kNone) return;
+    if (!layout.has(p)) continue;
+    for (const Vec2 q : outline_on_sheet(graph.pieces[p], layout.pose[p])) {
+      low = std::min(low, q.x), high = std::max(high, q.x);
+    }
+  }
+  for (const Index p : members) layout.pose[p].t.x -= (low + high) / 2;
+}
+
+std::vector<Vec2> outline_on_sheet(const GarmentPiece& piece, const FlatMove& pose) {
+  std::vector<Vec2> out;
+  out.reserve(piece.outline.size());
+  for (const Vec2 p : piece.outline) out.push_back(pose(p));
+  return out;
+}
+
+}  // namespace toile

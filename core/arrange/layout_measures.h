@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/arrange/flat_layout.h"
+
+namespace toile {
+
+/// Nothing laid out yet.
+FlatLayout empty_layout(std::size_t pieces);
+
+/// The piece that the others are laid to: the largest front, without one the largest; of tops before skirts
+/// and legs. REQUIRES members.
+Index root_of_trunk(const GarmentGraph& graph, const std::vector<Index>& members);
+
+/// m, positive where pieces named left and right lie on their sides.
+double hands_right(const GarmentGraph& graph, const FlatLayout& layout);
+
+/// Brings a garment's middle to x = 0 that no piece holds there, itself its own image or another's.
+void stand_in_the_middle(const GarmentGraph& graph, const std::vector<Index>& members, FlatLayout& layout);
+
+}  // namespace toile

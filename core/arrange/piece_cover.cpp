@@ -1,0 +1,119 @@
+#include "core/arrange/piece_cover.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <initializer_list>
+#include <string_view>
+#include <vector>
+
+#include "core/pattern/seam_model.h"
+
+namespace toile {
+
+namespace {
+
+/// Lower-case words of a name: parted at signs, digits, and where a capital follows a small letter.
+std::vector<std::string> words_in(const std::string& name) {
+  std::vector<std::string> words;
+  bool after_small = false, open = false;
+  for (const char c : name) {
+    const auto u = static_cast<unsigned char>(c);
+    if (!std::isalpha(u)) {
+      open = after_small = false;
+      continue;
+    }
+    if (!open || (std::isupper(u) && after_small)) words.emplace_back(), open = true;
+    words.back() += static_cast<char>(std::tolower(u));
+    after_small = std::islower(u);
+  }
+  return words;
+}
+
+struct CoverWord {
+  Cover cover;
+  bool inside;  ///< also as a part of a longer word
+  std::string_view text;
+};
+/// The first that is met counts: a "sleeve cuff" is a cuff, a "trouser waistband" a waistband.
+constexpr CoverWord kWords[] = {{Cover::kWaistband, true, "waistband"},
+                                {Cover::kWaistband, false, "wb"},
+                                {Cover::kWaistband, false, "belt"},
+                                {Cover::kCuff, true, "cuff"},
+                                {Cover::kCollar, true, "collar"},
+                                {Cover::kCollar, true, "neckband"},
+                                {Cover::kCollar, true, "turtle"},
+                                {Cover::kHood, true, "hood"},
+                                {Cover::kSleeve, true, "sleeve"},
+                                {Cover::kSleeve, false, "slv"},
+                                {Cover::kSleeve, false, "arm"},
+                                {Cover::kLeg, true, "pant"},
+                                {Cover::kLeg, true, "trouser"},
+                                {Cover::kLeg, true, "slacks"},
+                                {Cover::kLeg, true, "jeans"},
+                                {Cover::kLeg, true, "shorts"},
+                                {Cover::kLeg, false, "leg"},
+                                {Cover::kSkirt, true, "skirt"},
+                                {Cover::kSkirt, false, "gore"},
+                                {Cover::kSkirt, true, "godet"},
+                                {Cover::kSkirt, true, "ruffle"},
+                                {Cover::kTorso, true, "torso"},
+                                {Cover::kTorso, true, "bodice"},
+                                {Cover::kTorso, true, "yoke"},
+                                {Cover::kTorso, true, "shirt"},
+                                {Cover::kTorso, true, "blouse"},
+                                {Cover::kTorso, true, "jacket"},
+                                {Cover::kTorso, true, "dress"}};
+
+/// Whether a known word stands within a longer one, after `skip` letters.
+bool holds_cover(const std::string& word, std::size_t skip) {
+  return word.size() > skip && std::any_of(std::begin(kWords), std::end(kWords), [&](const CoverWord& known) {
+           return known.inside && word.compare(skip, known.text.size(), known.text) == 0;
+         });
+}
+
+}  // namespace
+
+const char* name_of(Cover cover) {
+  switch (cover) {
+    case Cover::kSkirt:
+      return "skirt";
+    case Cover::kLeg:
+      return "leg";
+    case Cover::kSleeve:
+      return "sleeve";
+    case Cover::kWaistband:
+      return "waistband";
+    case Cover::kCuff:
+      return "cuff";
+    case Cover::kCollar:
+      return "collar";
+    case Cover::kHood:
+      return "hood";
+    default:
+      return "torso";
+  }
+}
+
+int face_of_name(const std::string& name) {
+  if (const int told = words_of(name).face; told != 0) return told;
+  for (const std::string& w : words_in(name)) {
+    if (w.find("front") != std::string::npos) return 1;
+    if (w.find("back") != std::string::npos) return -1;
+    if ((w[0] == 'f' || w[0] == 'b') && holds_cover(w, 1)) return w[0] == 'f' ? 1 : -1;
+  }
+  return 0;
+}
+
+Cover cover_of_name(const std::string& name) {
+  const std::vector<std::string> words = words_in(name);
+  for (const CoverWord& known : kWords) {
+    const bool met = std::any_of(words.begin(), words.end(), [&](const std::string& w) {
+      return known.inside ? w.find(known.text) != std::string::npos : w == known.text;
+    });
+    if (met) return known.cover;
+  }
+  return Cover::kUnknown;
+}
+
+}  // namespace toile

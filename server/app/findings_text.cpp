@@ -1,0 +1,24 @@
+#include "server/app/findings_text.h"
+
+#include <cstdio>
+
+namespace toile {
+
+JsonValue finding_json(const Finding& f) {
+  return std::vector<JsonMember>{{"code", f.code},
+                                 {"severity", std::string(name_of(f.severity))},
+                                 {"message", f.message},
+                                 {"where", f.where},
+                                 {"place", std::vector<JsonValue>{f.place.x, f.place.y, f.place.z}},
+                                 {"repaired", f.repaired}};
+}
+
+void print_findings(const Findings& findings) {
+  for (const Finding& f : findings) {
+    std::printf("%s %s: %s (%s %s)\n", f.repaired ? "repaired" : name_of(f.severity), f.code.c_str(),
+                f.message.c_str(), f.where.c_str(), place_text(f.place).c_str());
+  }
+  if (findings.empty()) std::printf("start: nothing to find fault with\n");
+}
+
+}  // namespace toile

@@ -1,0 +1,111 @@
+#pragma once
+// Plain garments as a pattern maker draws them, for the sample's mannequin. mm.
+
+#include <string>
+#include <vector>
+
+#include "core/pattern/curve.h"
+#include "core/pattern/pattern.h"
+
+namespace toile::test {
+
+/// Straight edges e0, e1, … from corner to corner, counter-clockwise.
+inline Panel polygon(const std::string& id, const std::vector<Vec2>& corners) {
+  Panel panel;
+  panel.id = id;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    panel.outline.edges.push_back(
+        {"e" + std::to_string(k), {line_segment(corners[k], corners[(k + 1) % corners.size()])}});
+  }
+  return panel;
+}
+
+/// The panel drawn over to the other side; edge k of the one is edge n - 1 - k of the other.
+inline Panel turned_over(const std::string& id, const std::vector<Vec2>& corners) {
+  std::vector<Vec2> mirrored;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const Vec2 p = corners[(corners.size() - k) % corners.size()];
+    mirrored.push_back({-p.x, p.y});
+  }
+  return polygon(id, mirrored);
+}
+
+inline Seam seam(const std::string& id, std::vector<SeamEdge> a, std::vector<SeamEdge> b) {
+  return {id, std::move(a), std::move(b), false};
+}
+
+inline Pattern skirt() {
+  Pattern pattern;
+  const std::vector<Vec2> panel{{-280, 0}, {280, 0}, {250, 500}, {-250, 500}};
+  const std::vector<Vec2> band{{0, 0}, {375, 0}, {375, 40}, {0, 40}};
+  pattern.panels = {polygon("skirt_front", panel), polygon("skirt_back", panel), polygon("wb_front", band),
+                    polygon("wb_back", band)};
+  pattern.seams = {seam("left", {{0, 1}}, {{1, 3}}),      seam("right", {{0, 3}}, {{1, 1}}),
+                   seam("band_left", {{2, 1}}, {{3, 3}}), seam("band_right", {{2, 3}}, {{3, 1}}),
+                   seam("front", {{2, 0}}, {{0, 2}}),     seam("back", {{3, 0}}, {{1, 2}})};
+  return pattern;
+}
+
+/// Six equal gores that nothing names, each sewn to the next.
+inline Pattern gored_skirt() {
+  Pattern pattern;
+  for (int k = 0; k < 6; ++k) {
+    pattern.panels.push_back(
+        polygon("piece" + std::to_string(k + 1), {{-110, 0}, {110, 0}, {70, 550}, {-70, 550}}));
+    pattern.seams.push_back(seam("s" + std::to_string(k), {{k, 1}}, {{(k + 1) % 6, 3}}));
+  }
+  return pattern;
+}
+
+/// A bodice without sleeves, a skirt sewn to it, and a strip around the neck that closes at the back.
+inline Pattern dress() {
+  Pattern pattern;
+  const std::vector<Vec2> bodice{{-215, 0},  {215, 0},    {250, 170},  {200, 380},
+                                 {110, 405}, {-110, 405}, {-200, 380}, {-250, 170}};
+  const std::vector<Vec2> skirt{{-330, 0}, {330, 0}, {215, 600}, {-215, 600}};
+  pattern.panels = {polygon("bodice_front", bodice), polygon("bodice_back", bodice),
+                    polygon("skirt_front", skirt), polygon("skirt_back", skirt),
+                    polygon("collar", {{0, 0}, {220, 0}, {440, 0}, {440, 40}, {0, 40}})};
+  pattern.seams = {seam("side_left", {{0, 1}}, {{1, 7}}),     seam("side_right", {{0, 7}}, {{1, 1}}),
+                   seam("shoulder_left", {{0, 3}}, {{1, 5}}), seam("shoulder_right", {{0, 5}}, {{1, 3}}),
+                   seam("skirt_left", {{2, 1}}, {{3, 3}}),    seam("skirt_right", {{2, 3}}, {{3, 1}}),
+                   seam("waist_front", {{2, 2}}, {{0, 0}}),   seam("waist_back", {{3, 2}}, {{1, 0}}),
+                   seam("neck_front", {{4, 0}}, {{0, 4}}),    seam("neck_back", {{4, 1}}, {{1, 4}}),
+                   seam("collar_ends", {{4, 2}}, {{4, 4}})};
+  return pattern;
+}
+
+/// A front, a back and two sleeves that close around the arms; e2 … e5 of the body are armhole, shoulder,
+/// neck and shoulder.
+inline Pattern shirt(const std::string& front = "front", const std::string& back = "back") {
+  Pattern pattern;
+  const std::vector<Vec2> body{{-260, 0}, {260, 0},   {260, 340},  {205, 560},
+                               {80, 590}, {-80, 590}, {-205, 560}, {-260, 340}};
+  const std::vector<Vec2> sleeve{{-165, 0}, {165, 0}, {175, 90}, {0, 235}, {-175, 90}};
+  pattern.panels = {polygon(front, body), polygon(back, body), polygon("sleeve_a", sleeve),
+                    polygon("sleeve_b", sleeve)};
+  // Seen from its right side a front's right edges are the wearer's left, a back's the wearer's right.
+  pattern.seams = {seam("side_left", {{0, 1}}, {{1, 7}}),       seam("side_right", {{0, 7}}, {{1, 1}}),
+                   seam("shoulder_left", {{0, 3}}, {{1, 5}}),   seam("shoulder_right", {{0, 5}}, {{1, 3}}),
+                   seam("under_left", {{2, 1}}, {{2, 4}}),      seam("under_right", {{3, 1}}, {{3, 4}}),
+                   seam("cap_left_front", {{2, 3}}, {{0, 2}}),  seam("cap_left_back", {{2, 2}}, {{1, 6}}),
+                   seam("cap_right_front", {{3, 2}}, {{0, 6}}), seam("cap_right_back", {{3, 3}}, {{1, 2}})};
+  return pattern;
+}
+
+/// Four legs: e1 inner leg, e2 crotch, e3 waist, e4 outer leg of the wearer's right front.
+inline Pattern trousers() {
+  Pattern pattern;
+  const std::vector<Vec2> front{{0, 0}, {200, 0}, {290, 700}, {225, 960}, {-10, 960}};
+  const std::vector<Vec2> back{{0, 0}, {230, 0}, {230, 960}, {-5, 960}, {-80, 700}};
+  pattern.panels = {polygon("right_front_leg", front), turned_over("left_front_leg", front),
+                    polygon("right_back_leg", back), turned_over("left_back_leg", back)};
+  const auto over = [](Index edge) { return 4 - edge; };
+  pattern.seams = {
+      seam("inner_right", {{0, 1}}, {{2, 4}}),        seam("inner_left", {{1, over(1)}}, {{3, over(4)}}),
+      seam("outer_right", {{0, 4}}, {{2, 1}}),        seam("outer_left", {{1, over(4)}}, {{3, over(1)}}),
+      seam("crotch_front", {{0, 2}}, {{1, over(2)}}), seam("crotch_back", {{2, 3}}, {{3, over(3)}})};
+  return pattern;
+}
+
+}  // namespace toile::test

@@ -1,0 +1,285 @@
+#include "core/arrange/arrange.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include "core/body/landmarks.h"
+#include "core/body/load_mesh.h"
+#include "core/collision/crossings.h"
+#include "core/mesh/make_panel_meshes.h"
+#include "core/preflight/preflight.h"
+#include "core/sewing/assembly.h"
+#include "tests/core/arrange/garments.h"
+
+namespace toile {
+namespace {
+
+const Body& mannequin() {
+  static const Body body{"mannequin", load_mesh(TOILE_SOURCE_DIR "/samples/skirt/body.obj").value()};
+  return body;
+}
+
+const BodyFigure& figure() {
+  static const BodyFigure f = find_figure(mannequin().mesh).value();
+  return f;
+}
+
+/// A garment arranged and put together, nothing repaired.
+struct Start {
+  Pattern pattern;
+  PanelMeshes meshes;
+  Arrangement made;
+  Assembly assembly;
+};
+
+Start started(Pattern pattern) {
+  Start s;
+  s.pattern = std::move(pattern);
+  s.meshes = make_panel_meshes(s.pattern, 0.02, {}).value();
+  const std::span<const Body> bodies(&mannequin(), 1);
+  auto made = arrange({s.pattern, s.meshes, bodies});
+  EXPECT_TRUE(made.ok()) << to_string(made.error());
+  if (!made.ok()) return s;
+  s.made = std::move(*made);
+  s.assembly = assemble(s.meshes, s.made.placements, s.made.attachments).value();
+  return s;
+}
+
+std::string text_of(const Findings& findings) {
+  std::string text;
+  for (const Finding& f : findings) text += f.code + " " + f.where + ": " + f.message + "\n";
+  return text;
+}
+
+/// No error, nothing to repair, and the exact count finds no crossing.
+void expect_clean(const Start& s) {
+  for (const Finding& f : s.made.findings) {
+    EXPECT_NE(f.severity, Severity::kError) << text_of(s.made.findings);
+    EXPECT_FALSE(f.repaired) << text_of(s.made.findings);
+    EXPECT_NE(f.code, "ring.around_nothing") << f.where;
+  }
+  const GarmentMesh& g = s.assembly.garment;
+  const Surface surface = make_surface(g.triangles, g.vertex_count(), g.weld);
+  const CrossingBody body = make_crossing_body(mannequin().mesh.vertices, mannequin().mesh.triangles);
+  EXPECT_TRUE(body_crossings(surface, s.assembly.positions, body).empty());
+  EXPECT_TRUE(self_crossings(surface, s.assembly.positions).empty());
+}
+
+Vec3 centre_of(const Start& s, Index panel) {
+  const GarmentMesh& g = s.assembly.garment;
+  Vec3 sum;
+  for (Index v = g.first_vertex[panel]; v < g.first_vertex[panel + 1]; ++v) sum += s.assembly.positions[v];
+  return sum * (1.0 / (g.first_vertex[panel + 1] - g.first_vertex[panel]));
+}
+
+/// The closed borders of the sewn garment, as classes of vertices in order.
+std::vector<std::vector<Index>> rings(const GarmentMesh& g) {
+  std::map<std::pair<Index, Index>, int> count;
+  for (const Tri& t : g.triangles) {
+    for (int k = 0; k < 3; ++k) {
+      const Index i = g.weld[t[k]], j = g.weld[t[(k + 1) % 3]];
+      ++count[{std::min(i, j), std::max(i, j)}];
+    }
+  }
+  std::map<Index, std::vector<Index>> next;
+  for (const auto& [edge, times] : count) {
+    if (times == 1) next[edge.first].push_back(edge.second), next[edge.second].push_back(edge.first);
+  }
+  std::vector<std::vector<Index>> found;
+  std::set<Index> seen;
+  for (const auto& [start, unused] : next) {
+    if (seen.contains(start)) continue;
+    std::vector<Index> ring;
+    for (Index at = start, before = kNone; seen.insert(at).second;) {
+      ring.push_back(at);
+      const auto& ways = next[at];
+      const Index to = ways[0] != before ? ways[0] : ways[1];
+      before = at, at = to;
+    }
+    found.push_back(std::move(ring));
+  }
+  return found;
+}
+
+/// How often the ring goes around the line, counter-clockwise seen against `along`.
+int winding(const Start& s, const std::vector<Index>& ring, Vec3 origin, Vec3 along) {
+  const Vec3 y = normalized(along), z = normalized(Vec3{0, 0, 1} - y * y.z), x = cross(y, z);
+  double sum = 0;
+  const auto angle = [&](Index v) {
+    const Vec3 d = s.assembly.positions[v] - origin;
+    return std::atan2(dot(d, x), dot(d, z));
+  };
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    sum += std::remainder(angle(ring[(i + 1) % ring.size()]) - angle(ring[i]), 2 * std::numbers::pi);
+  }
+  return static_cast<int>(std::lround(sum / (2 * std::numbers::pi)));
+}
+
+bool has_panel(const Start& s, const std::vector<Index>& ring, Index panel) {
+  return std::any_of(ring.begin(), ring.end(),
+                     [&](Index v) { return s.assembly.garment.panel_of_vertex[v] == panel; });
+}
+
+double longest_thread(const Start& s) {
+  double most = 0;
+  for (const auto& [a, b] : s.assembly.garment.sewn) {
+    most = std::max(most, length(s.assembly.positions[a] - s.assembly.positions[b]));
+  }
+  return most;
+}
+
+TEST(Arrange, ASkirtStandsAroundTheHipsWithItsBandAtTheWaist) {
+  const Start s = started(test::skirt());
+  expect_clean(s);
+  EXPECT_GT(centre_of(s, 0).z, 0.1) << "the front before the body";
+  EXPECT_LT(centre_of(s, 1).z, -0.1) << "the back behind it";
+  EXPECT_GT(centre_of(s, 2).y, centre_of(s, 0).y) << "the band over the skirt";
+  EXPECT_NEAR(centre_of(s, 2).y, figure().waist, 0.06);
+  EXPECT_LT(longest_thread(s), 0.5);
+  const auto all = rings(s.assembly.garment);
+  ASSERT_EQ(all.size(), 2u);
+  for (const auto& ring : all) EXPECT_EQ(std::abs(winding(s, ring, {0, 1, 0}, {0, 1, 0})), 1);
+}
+
+TEST(Arrange, ASkirtsBandIsHeldAtItsHeight) {
+  const Start s = started(test::skirt());
+  ASSERT_EQ(s.made.attachments.size(), 2u);
+  for (const Attachment& a : s.made.attachments) {
+    EXPECT_EQ(a.hold, Attachment::Hold::kHeight);
+    EXPECT_TRUE(a.panel == 2 || a.panel == 3);
+  }
+}
+
+TEST(Arrange, SleevesGoAroundTheArmsThatTheirSeamsLeadTo) {
+  const Start s = started(test::shirt());
+  expect_clean(s);
+  EXPECT_TRUE(s.made.attachments.empty()) << "shoulders carry a shirt";
+  EXPECT_GT(centre_of(s, 2).x, 0.15) << "sewn to the front's right edges: the wearer's left";
+  EXPECT_LT(centre_of(s, 3).x, -0.15);
+  const auto all = rings(s.assembly.garment);
+  ASSERT_EQ(all.size(), 4u) << "hem, neck and two cuffs";
+  int cuffs = 0;
+  for (const auto& ring : all) {
+    const bool body = has_panel(s, ring, 0);
+    if (body) {
+      EXPECT_EQ(std::abs(winding(s, ring, {0, 1, 0}, {0, 1, 0})), 1);
+      continue;
+    }
+    const ArmLine& arm = figure().arm[has_panel(s, ring, 2) ? kWearersLeft : kWearersRight];
+    EXPECT_EQ(std::abs(winding(s, ring, arm.root, arm.along())), 1);
+    ++cuffs;
+  }
+  EXPECT_EQ(cuffs, 2);
+}
+
+TEST(Arrange, SymmetricPartnersStandAsMirrorImages) {
+  const Start s = started(test::shirt());
+  const Vec3 left = centre_of(s, 2), right = centre_of(s, 3);
+  EXPECT_NEAR(left.x - figure().middle, figure().middle - right.x, 2e-3);
+  EXPECT_NEAR(left.y, right.y, 2e-3);
+  EXPECT_NEAR(left.z, right.z, 2e-3);
+  EXPECT_NEAR(centre_of(s, 0).x, figure().middle, 2e-3);
+}
+
+TEST(Arrange, WithoutNamesFrontAndBackAreToldBySeams) {
+  const Start s = started(test::shirt("piece1", "piece2"));
+  expect_clean(s);
+  EXPECT_LT(centre_of(s, 0).z * centre_of(s, 1).z, 0) << "one before and one behind the body";
+  for (const auto& ring : rings(s.assembly.garment)) {
+    if (!has_panel(s, ring, 0)) continue;
+    EXPECT_EQ(std::abs(winding(s, ring, {0, 1, 0}, {0, 1, 0})), 1);
+  }
+}
+
+TEST(Arrange, AGarmentDrawnLyingStandsUpAlongItsGrain) {
+  Pattern pattern = test::shirt();
+  for (Panel& panel : pattern.panels) {
+    for (PanelEdge& edge : panel.outline.edges) {
+      for (CubicBezier& c : edge.curves) {
+        for (Vec2* p : {&c.p0, &c.p1, &c.p2, &c.p3}) *p = perpendicular(*p);
+      }
+    }
+    panel.grain = perpendicular(panel.grain);
+  }
+  const Start s = started(pattern);
+  expect_clean(s);
+  const Start upright = started(test::shirt());
+  for (Index p = 0; p < 4; ++p) EXPECT_LT(length(centre_of(s, p) - centre_of(upright, p)), 0.01) << p;
+}
+
+TEST(Arrange, EachTrouserLegGoesAroundItsOwnLeg) {
+  const Start s = started(test::trousers());
+  expect_clean(s);
+  EXPECT_GT(centre_of(s, 1).x, 0.05) << "the left front on the wearer's left";
+  EXPECT_LT(centre_of(s, 0).x, -0.05);
+  const auto all = rings(s.assembly.garment);
+  ASSERT_EQ(all.size(), 3u);
+  int hems = 0;
+  for (const auto& ring : all) {
+    if (has_panel(s, ring, 0) && has_panel(s, ring, 1)) continue;  // the waist
+    const LegLine& leg = figure().leg[has_panel(s, ring, 1) ? kWearersLeft : kWearersRight];
+    const LegLine& other = figure().leg[has_panel(s, ring, 1) ? kWearersRight : kWearersLeft];
+    EXPECT_EQ(std::abs(winding(s, ring, leg.ankle, {0, 1, 0})), 1);
+    EXPECT_EQ(winding(s, ring, other.ankle, {0, 1, 0}), 0);
+    ++hems;
+  }
+  EXPECT_EQ(hems, 2);
+  EXPECT_FALSE(s.made.attachments.empty()) << "the waist is held";
+}
+
+TEST(Arrange, EqualGoresWithoutNamesGoOnceAroundTheHips) {
+  const Start s = started(test::gored_skirt());
+  expect_clean(s);
+  const auto all = rings(s.assembly.garment);
+  ASSERT_EQ(all.size(), 2u);
+  for (const auto& ring : all) EXPECT_EQ(std::abs(winding(s, ring, {0, 1, 0}, {0, 1, 0})), 1);
+  EXPECT_LT(longest_thread(s), 0.5);
+}
+
+TEST(Arrange, ADressHangsFromItsShouldersItsCollarAroundTheNeck) {
+  const Start s = started(test::dress());
+  expect_clean(s);
+  EXPECT_TRUE(s.made.attachments.empty());
+  EXPECT_GT(centre_of(s, 0).y, centre_of(s, 2).y + 0.3) << "the bodice over the skirt";
+  EXPECT_GT(centre_of(s, 4).y, centre_of(s, 0).y + 0.1) << "the collar at the neck";
+  EXPECT_LT(length(centre_of(s, 4) - figure().neck_back), 0.2);
+  for (const auto& ring : rings(s.assembly.garment)) {
+    if (has_panel(s, ring, 4) || has_panel(s, ring, 2)) {
+      EXPECT_EQ(std::abs(winding(s, ring, {0, 1, 0}, {0, 1, 0})), 1);
+    }
+  }
+}
+
+TEST(Arrange, APieceThatNoSeamLeadsToIsNamed) {
+  Pattern pattern = test::skirt();
+  pattern.panels.push_back(test::polygon("pocket", {{0, 0}, {100, 0}, {100, 120}, {0, 120}}));
+  const PanelMeshes meshes = make_panel_meshes(pattern, 0.02, {}).value();
+  const auto made = arrange({pattern, meshes, std::span<const Body>(&mannequin(), 1)});
+  ASSERT_FALSE(made.ok());
+  EXPECT_EQ(made.error().code, "arrange.no_seams");
+  EXPECT_EQ(made.error().where, "piece pocket");
+}
+
+TEST(Arrange, WithoutAStandingPersonThereIsNothingToArrangeAround) {
+  const Pattern pattern = test::skirt();
+  const PanelMeshes meshes = make_panel_meshes(pattern, 0.02, {}).value();
+  EXPECT_EQ(arrange({pattern, meshes, {}}).error().code, "arrange.no_body");
+  Body table{"table",
+             {{{-1, 0, -1}, {1, 0, -1}, {0, 0, 1}, {0, 1, 0}}, {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}}};
+  const auto made = arrange({pattern, meshes, std::span<const Body>(&table, 1)});
+  ASSERT_FALSE(made.ok());
+  EXPECT_EQ(made.error().code, "body.not_standing");
+}
+
+TEST(Arrange, EqualInputGivesEqualPlaces) {
+  const Start a = started(test::shirt()), b = started(test::shirt());
+  EXPECT_EQ(a.assembly.positions, b.assembly.positions);
+}
+
+}  // namespace
+}  // namespace toile
