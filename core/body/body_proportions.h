@@ -23,11 +23,11 @@ const BodyPreset* find_preset(std::string_view name);  ///< null where there is 
 
 /// `asked` with every gap filled.
 ///
-/// Trunk girths: an asked one shifts the others by as much, as the columns of a size table do. A table's
-/// steps are those of EN 13402-3 (women 80-64-88 … 110-94-117, men's waist 12 cm below the chest up to 100),
-/// children's those of the height sizes 92 to 170. Limbs and lengths: ratios to the stature or to the trunk's
-/// girth near them, rounded from the means of ANSUR II (2012) where that survey takes the same measure (neck,
-/// wrist, thigh and calf girths), else those of the figure of reference. Places and names follow ISO 8559-1.
+/// Trunk girths: an asked one shifts the others by as much, as the columns of a size table do. The
+/// tables go in steps as EN 13402-3 does (women 80-64-88 … 110-94-117, men's waist 12 cm below the chest up
+/// to 100; children by heights 92 to 170); their figures are the project's own and were not compared with the
+/// standard's text. Limbs and lengths: ratios to the stature or to the trunk's girth near them, of the order
+/// of a survey of adults (ANSUR II, 2012) but not computed from its data. Places and names after ISO 8559-1.
 MeasureSet with_proportions(Sex sex, const MeasureSet& asked);
 
 /// The head's size against an adult's of the same stature; 1 for adults.

@@ -2,9 +2,9 @@
 // Figures of reference as numbers. Everything is a fraction of the stature; floor at y = 0, mid-line at
 // x = 0, front towards +z; only the left half (+x) is described.
 //
-// Heights start from the segment lengths as fractions of stature that R. Drillis and R. Contini gave ("Body
-// segment parameters", 1966); the head's length and breadth from the ratios to stature in the summary of the
-// 2012 survey of U.S. Army personnel (ANSUR II; C. Gordon et al., 2014). Widths, depths, blends and strokes
+// Heights start from segment lengths of the kind that R. Drillis and R. Contini gave ("Body segment
+// parameters", 1966), the head's length and breadth from ratios of the order of ANSUR II (2012); neither was
+// checked figure by figure. Widths, depths, blends and strokes
 // are the project's own, tuned by eye on renders. No scan was traced.
 
 #include <span>
