@@ -10,7 +10,7 @@ namespace toile {
 namespace {
 
 // All shares below are of the stature. Where a place is looked for follows the proportions of adults and
-// children in ANSUR II and in the growth tables of ISO/TR 10652; what is found there is decided by the mesh.
+// children roughly; what is found there is decided by the mesh.
 constexpr double kScan = 0.0025;
 constexpr double kTrunkDepth = 0.045;  ///< thighs that touch are thinner than this at the mid-plane
 constexpr double kArmJump = 0.022;     ///< half breadth grows by so much where an arm joins the trunk
