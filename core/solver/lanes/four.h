@@ -45,8 +45,17 @@ TOILE_INLINE Four3 gather(const Vec3* x, const Index (&v)[kLanes]) {
   return {Four{a.x, b.x, c.x, d.x}, Four{a.y, b.y, c.y, d.y}, Four{a.z, b.z, c.z, d.z}};
 }
 
+template <int kLane>
+TOILE_INLINE void put(Vec3* x, const Index (&v)[kLanes], const Four3& p) {
+  x[v[kLane]] = {p.x[kLane], p.y[kLane], p.z[kLane]};
+}
+
+/// Lane by lane with fixed numbers: a lane picked at run time would go through memory.
 TOILE_INLINE void scatter(Vec3* x, const Index (&v)[kLanes], int count, const Four3& p) {
-  for (int i = 0; i < count; ++i) x[v[i]].x = p.x[i], x[v[i]].y = p.y[i], x[v[i]].z = p.z[i];
+  put<0>(x, v, p);
+  if (count > 1) put<1>(x, v, p);
+  if (count > 2) put<2>(x, v, p);
+  if (count > 3) put<3>(x, v, p);
 }
 
 }  // namespace
