@@ -1,6 +1,7 @@
 #include "proto/cpp/project_resolve.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -285,7 +286,8 @@ TEST(ProjectResolve, PutsThePlaceOfADxfErrorBehindTheDocuments) {
 class ProjectFolder : public testing::Test {
  protected:
   void SetUp() override {
-    folder = std::filesystem::path(testing::TempDir()) / "toile_project_folder";
+    folder =
+        std::filesystem::path(testing::TempDir()) / ("toile_project_folder_" + std::to_string(::getpid()));
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder / "people");
     write("project.json", kSmall);

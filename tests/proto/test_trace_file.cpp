@@ -1,6 +1,7 @@
 #include "proto/cpp/trace_file.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstring>
 #include <iterator>
@@ -18,7 +19,8 @@ T at(const std::string& bytes, std::size_t offset) {
 
 /// The bytes of a trace of `frames` frames of one triangle, step 50 apart.
 std::string traced(int frames, int every) {
-  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "toile_test.trace";
+  const std::filesystem::path path =
+      std::filesystem::path(testing::TempDir()) / ("toile_test_" + std::to_string(::getpid()) + ".trace");
   auto writer = TraceWriter::open(path, every);
   EXPECT_TRUE(writer);
   GarmentMesh garment;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <png.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <iterator>
@@ -17,7 +18,8 @@ Image gradient() {
 
 TEST(Png, ReadsBackAsItWasWritten) {
   const Image image = gradient();
-  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "toile_gradient.png";
+  const std::filesystem::path path =
+      std::filesystem::path(testing::TempDir()) / ("toile_gradient_" + std::to_string(::getpid()) + ".png");
   ASSERT_TRUE(write_png(path, image).ok());
   png_image read{};
   read.version = PNG_IMAGE_VERSION;
@@ -32,7 +34,8 @@ TEST(Png, ReadsBackAsItWasWritten) {
 }
 
 TEST(Png, EqualsTheBytesInMemory) {
-  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "toile_memory.png";
+  const std::filesystem::path path =
+      std::filesystem::path(testing::TempDir()) / ("toile_memory_" + std::to_string(::getpid()) + ".png");
   ASSERT_TRUE(write_png(path, gradient()).ok());
   std::ifstream file(path, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};

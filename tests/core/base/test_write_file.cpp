@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <csignal>
@@ -17,8 +18,7 @@ namespace fs = std::filesystem;
 class WriteFile : public testing::Test {
  protected:
   WriteFile()
-      : directory_(fs::path(testing::TempDir()) /
-                   testing::UnitTest::GetInstance()->current_test_info()->name()) {
+      : directory_(fs::path(testing::TempDir()) / ("toile_write_file_" + std::to_string(::getpid()))) {
     fs::remove_all(directory_);
     fs::create_directories(directory_);
   }

@@ -2,6 +2,7 @@
 // A job service over a store in memory, with tiny garments to drape.
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <string>
 
@@ -56,7 +57,9 @@ inline constexpr double kEndless = 3600;
 
 class JobHouse : public testing::Test {
  protected:
-  JobHouse() : store(std::filesystem::path(testing::TempDir()) / ("toile_jobs_" + test_name())) {
+  JobHouse()
+      : store(std::filesystem::path(testing::TempDir()) /
+              ("toile_jobs_" + test_name() + std::to_string(::getpid()))) {
     settings.still_width = 64, settings.still_height = 80;
     make(2);
   }

@@ -1,5 +1,7 @@
 // The job service over the store that the server uses.
 
+#include <unistd.h>
+
 #include "proto/cpp/json_codec.h"
 #include "server/documents/assets.h"
 #include "server/documents/projects.h"
@@ -14,7 +16,8 @@ using test::kOwner;
 
 class JobsInSqlite : public testing::Test {
  protected:
-  JobsInSqlite() : folder_(fs::path(testing::TempDir()) / "toile_jobs_in_sqlite") {
+  JobsInSqlite()
+      : folder_(fs::path(testing::TempDir()) / ("toile_jobs_in_sqlite_" + std::to_string(::getpid()))) {
     fs::remove_all(folder_);
     open();
   }
