@@ -50,6 +50,18 @@ async function makeSlowProject() {
   return service.post('/projects', { document: { ...document, name: 'Slow', settings }, files });
 }
 
+/** The project on the page, with its document, as the service has it. */
+async function shownProject() {
+  const id = (await ask(page, 'route')).split('/').at(-1);
+  return (await service.get(`/projects/${id}`)).json();
+}
+
+/** The project once it has come further, and the page shows that. */
+async function revisionAfter(revision) {
+  await waitFor(page, (before) => window.__toile.project().revision > before, 10_000, revision);
+  return shownProject();
+}
+
 let sampleJob;
 
 before(
@@ -270,32 +282,185 @@ describe('the page', { timeout: 600_000 }, () => {
     await page.getByText('Nothing is here').waitFor({ state: 'detached' });
   });
 
-  it('tells what a DXF alone lacks', async () => {
-    await page.keyboard.press('n');
-    await page.locator('.intake input[type=file]').setInputFiles(sample('skirt.dxf'));
-    await page.getByText('A DXF says what is cut, not how it is sewn').waitFor();
-    assert.ok(await page.locator('.intake footer .primary').isDisabled());
-    await shoot(page, '10-dxf-alone');
-    const download = page.waitForEvent('download');
-    await page.getByText('Save a starter project.json').click();
-    const starter = JSON.parse(readFileSync(await (await download).path(), 'utf8'));
-    assert.deepEqual(
-      starter.pieces.map((piece) => piece.id),
-      ['front', 'back', 'band_front', 'band_back'],
+  it('reads a DXF that comes alone: pieces, unit, seams, and what became of every entity', async () => {
+    await page.locator('.rail .row').first().waitFor();
+    await page.evaluate(
+      (text) => {
+        const dataTransfer = new DataTransfer();
+        dataTransfer.items.add(new File([text], 'skirt.dxf'));
+        for (const type of ['dragenter', 'dragover', 'drop'])
+          window.dispatchEvent(new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }));
+      },
+      readFileSync(sample('skirt.dxf'), 'utf8'),
     );
-    const files = { 'skirt.dxf': await service.upload('dxf', 'skirt.dxf', readFileSync(sample('skirt.dxf'))) };
-    const project = await service.post('/projects', { document: starter, files }); // the service takes it as it is
-    await service.get(`/projects/${project.id}`, { method: 'DELETE' });
+    await page.locator('.import-preview [data-piece=front]').waitFor();
+    assert.equal(await page.locator('.import-preview .piece').count(), 4);
+    await page.locator('.import-pieces').getByText('780 × 595 mm').first().waitFor();
+    assert.equal(await page.getByRole('radio', { name: 'mm', exact: true }).getAttribute('aria-checked'), 'true');
+    await shoot(page, '10-import');
+    await page.getByRole('radio', { name: 'cm', exact: true }).click();
+    await page.locator('.import-pieces').getByText('7,803 × 5,950 mm').first().waitFor();
+    await page.getByText('back to the guess').click();
+    await page.locator('.import-pieces').getByText('780 × 595 mm').first().waitFor();
+    await page.getByRole('tab', { name: /^Seams/ }).click();
+    assert.ok((await page.locator('.import .proposal input:checked').count()) >= 4, 'sure seams are ticked');
+    await page.locator('.import .proposal').first().hover();
+    await page.locator('.import-preview .threads').waitFor();
+    await shoot(page, '20-import-seams');
+    await page.getByRole('tab', { name: /^Report/ }).click();
+    await page.getByText('Every one is accounted for.').waitFor();
+    await shoot(page, '21-import-report');
+  });
+
+  it('makes a project of the DXF with the ticked seams and a mannequin', async () => {
+    await page.getByLabel('Name', { exact: true }).fill('From a DXF');
+    const ticked = await page
+      .locator('.import-side')
+      .getByText(/^Seams \d+ of/)
+      .innerText();
+    await page.locator('.intake footer').getByText('Create', { exact: true }).click();
+    await page.locator('.intake').waitFor({ state: 'detached' });
+    await page.locator('.plane [data-piece=front]').waitFor();
+    const { document } = await shownProject();
+    assert.equal(document.name, 'From a DXF');
+    assert.equal(document.seams.length, Number(/\d+/.exec(ticked)[0]));
+    assert.equal(document.pieces.length, 4);
+    assert.equal(
+      await page
+        .locator('.pattern .plane .seam')
+        .evaluateAll((all) => new Set(all.map((one) => one.dataset.seam)).size),
+      document.seams.length,
+    );
+    await shoot(page, '22-project');
+  });
+
+  it('edits the outline by hand, each change one step at the service', async () => {
+    await page.keyboard.press('e');
+    await page.keyboard.press('z');
+    await page.locator('.plane [data-piece=front] .piece-name').click();
+    const grip = page.locator('.plane [data-piece=front] .grip.point').first();
+    await grip.waitFor();
+    const before = await shownProject();
+    const box = await grip.locator('.grip-dot').boundingBox();
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    await page.mouse.down();
+    await page.mouse.move(box.x + 40, box.y + 30, { steps: 4 });
+    await shoot(page, '23-drag');
+    await page.mouse.up();
+    await revisionAfter(before.revision);
+    const [step] = (await (await service.get(`/projects/${before.id}/edits`)).json()).edits;
+    assert.equal(step.edits.length, 1);
+    assert.equal(step.edits[0].edit, 'move_point');
+    await page.locator('.edge[data-edge]').first().press('Enter');
+    const length = page.getByRole('textbox', { name: /^Length/ });
+    await length.fill('640,5');
+    await length.press('Enter');
+    await revisionAfter(before.revision + 1);
+    await page.locator('.selection').getByText('Edge').first().waitFor();
+    const { pieces } = await (await service.get(`/projects/${before.id}/pieces`)).json();
+    assert.ok(pieces.some((piece) => piece.edges.some((edge) => Math.abs(edge.length_mm - 640.5) < 0.01)));
+    await shoot(page, '24-edited');
+  });
+
+  it('says what the service refuses, and where', async () => {
+    const { revision } = await shownProject();
+    await page.getByRole('textbox', { name: /^Length/ }).fill('0.05');
+    await page.getByRole('textbox', { name: /^Length/ }).press('Enter');
+    await page.locator('.pattern-note.bad .code').waitFor();
+    assert.match(await page.locator('.pattern-note.bad .code').innerText(), /^\w+\.\w+ · \/edits\/0/);
+    assert.equal((await shownProject()).revision, revision);
+    await shoot(page, '25-refused');
+    await page.locator('.plane').press('Escape');
+    await page.locator('.pattern-note.bad').waitFor({ state: 'detached' });
+  });
+
+  it('undoes and redoes with the keys', async () => {
+    const edited = await shownProject();
+    await page.locator('.plane').press('Control+z');
+    await revisionAfter(edited.revision);
+    await page.locator('.plane').press('Control+z');
+    const first = await revisionAfter(edited.revision + 1);
+    assert.ok(
+      first.document.pieces.every((piece) => piece.from),
+      'the pieces are those of the file again',
+    );
+    await page.locator('.plane').press('Control+Shift+z');
+    await revisionAfter(first.revision);
+    await page.locator('.plane').press('Control+Shift+z');
+    const again = await revisionAfter(first.revision + 1);
+    assert.deepEqual(again.document, edited.document);
+  });
+
+  it('takes a seam away and sews it again by clicks', async () => {
+    const before = await shownProject();
+    await page.locator('.seam-main').first().click();
+    await page.getByText('Remove seam').click();
+    const without = await revisionAfter(before.revision);
+    assert.equal(without.document.seams.length, before.document.seams.length - 1);
+    const gone = before.document.seams[0];
+    await page.locator('.plane').press('Escape');
+    await page.locator('.plane').press('n');
+    for (const side of ['a', 'b']) {
+      for (const { piece, edge } of gone[side])
+        await page.locator(`[data-piece="${piece}"] [data-edge="${edge}"]`).press(' ');
+      if (side === 'b') await shoot(page, '26-sewing');
+      await page.locator('.plane').press('Enter');
+    }
+    const sewn = await revisionAfter(without.revision);
+    const added = sewn.document.seams.at(-1);
+    assert.deepEqual(
+      [added.a, added.b].map((s) => s.map(({ piece, edge }) => `${piece} ${edge}`)),
+      [gone.a, gone.b].map((s) => s.map(({ piece, edge }) => `${piece} ${edge}`)),
+    );
+    await page.locator('.plane').press('Escape');
+    await page.locator('.plane').press('Escape');
+    await page.keyboard.press('e');
+    await page.locator('.plane').press('o');
+  });
+
+  it('takes a GarmentCode specification with its stitches', async () => {
+    const panel = (x) => ({
+      translation: [x, 0, 0],
+      rotation: [0, 0, 0],
+      vertices: [
+        [0, 0],
+        [30, 0],
+        [30, 40],
+        [0, 40],
+      ],
+      edges: [0, 1, 2, 3].map((i) => ({ endpoints: [i, (i + 1) % 4] })),
+    });
+    const stitches = [
+      [
+        { panel: 'left', edge: 1 },
+        { panel: 'right', edge: 3 },
+      ],
+    ];
+    const specification = {
+      pattern: { panels: { left: panel(0), right: panel(40) }, stitches },
+      properties: { units_in_meter: 100 },
+    };
+    await page.locator('.intake input[type=file]').setInputFiles({
+      name: 'apron.json',
+      mimeType: 'application/json',
+      buffer: Buffer.from(JSON.stringify(specification)),
+    });
+    await page.getByRole('tab', { name: 'Seams 1 of 1' }).waitFor();
+    await page.locator('.import-pieces').getByText('300 × 400 mm').first().waitFor();
+    assert.ok(await page.getByRole('radio', { name: 'inch', exact: true }).isDisabled(), 'it says its unit');
+    await page.getByRole('button', { name: 'Remove apron.json' }).click();
+    await page.locator('.import').waitFor({ state: 'detached' });
   });
 
   it('shows the code and the place of a broken file', async () => {
-    const text = readFileSync(sample('skirt.dxf'), 'utf8');
     const broken = {
       name: 'skirt.dxf',
       mimeType: 'image/vnd.dxf',
-      buffer: Buffer.from(text.slice(0, text.length / 3)),
+      buffer: Buffer.from('a letter to the pattern maker, and no drawing\n'),
     };
     await page.locator('.intake input[type=file]').setInputFiles([broken]);
+    await page.locator('.intake .problem').waitFor();
+    assert.match(await page.locator('.intake .problem .code').innerText(), /^dxf\.\w+ · .*skirt\.dxf/);
     await page.locator('.intake input[type=file]').setInputFiles([sample('project.json'), sample('body.obj')]);
     await page.getByText('Everything is there').waitFor();
     await page.locator('.intake footer .primary').click();

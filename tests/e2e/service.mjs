@@ -8,6 +8,7 @@ import { fileURLToPath } from 'node:url';
 
 export const root = fileURLToPath(new URL('../..', import.meta.url));
 const program = process.env.TOILE_PROGRAM ?? join(root, 'build/release/toile');
+const web = process.env.TOILE_WEB ?? join(root, 'web/dist');
 
 export class Service {
   data = mkdtempSync(join(tmpdir(), 'toile-e2e-'));
@@ -35,7 +36,7 @@ export class Service {
       '--workers',
       '2',
       '--web',
-      join(root, 'web/dist'),
+      web,
       ...(this.#sample ? ['--sample', this.#sample] : ['--no-sample']),
     ];
     const child = spawn(program, ['serve', ...options], { stdio: ['ignore', 'pipe', 'pipe'] });

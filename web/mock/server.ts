@@ -152,13 +152,19 @@ function bodyBytes(): Buffer {
 }
 
 function pieces(): object {
-  const line = (id: string, ...points: number[][]): object => ({ id, points });
+  const line = (id: string, ...points: number[][]): object => {
+    const [[x0, y0], [x1, y1]] = points as [[number, number], [number, number]];
+    const at = (t: number): number[] => [x0 + t * (x1 - x0), y0 + t * (y1 - y0)];
+    return { id, points, curves: [[0, 1 / 3, 2 / 3, 1].map(at)], length_mm: Math.hypot(x1 - x0, y1 - y0), loop: 0 };
+  };
   const panel = (id: string, x: number, names: string[], p: number[][]): object => ({
     id,
     fabric: 'cotton',
     colour: [0.62, 0.16, 0.14],
     grain: [0, 1],
     holes: [],
+    notches: [],
+    lines: [],
     outline: p.map(([a, b]) => [a! + x, b]),
     edges: names.map((name, i) =>
       line(name, [p[i]![0]! + x, p[i]![1]!], [p[(i + 1) % p.length]![0]! + x, p[(i + 1) % p.length]![1]!]),
@@ -181,6 +187,9 @@ function pieces(): object {
     a: [{ piece: a[0], edge: a[1] }],
     b: [{ piece: b[0], edge: b[1] }],
     same_direction: false,
+    length_a_mm: 0,
+    length_b_mm: 0,
+    issues: [],
   });
   return {
     pieces: [
@@ -222,6 +231,7 @@ function api(request: IncomingMessage, response: ServerResponse, words: string[]
   const job = jobs.find((one) => one.id === id);
   if (noun === 'projects' && !id) return answer(response, 200, { projects: [project], next: null });
   if (noun === 'projects' && verb === 'pieces') return answer(response, 200, pieces());
+  if (noun === 'projects' && verb === 'edits') return answer(response, 200, { edits: [], next: null });
   if (noun === 'jobs' && !id)
     return request.method === 'POST'
       ? answer(response, 201, shown(submit()))

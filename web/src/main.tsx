@@ -1,6 +1,6 @@
 // Puts the page together: makes the state, connects it with the service, draws the panels.
 
-import { effect } from '@preact/signals';
+import { computed, effect, untracked } from '@preact/signals';
 import { render } from 'preact';
 import { makeApi } from './api/Api';
 import { ClothStream, type WorkerPort } from './api/ClothStream';
@@ -39,7 +39,7 @@ const port = new Worker(new URL('./workers/stream.worker.ts', import.meta.url), 
   type: 'module',
 }) as unknown as WorkerPort;
 
-const poller = new Poller(state, api, () => watcher.retry());
+const poller = new Poller(state, api, () => (watcher.retry(), commands.dressing.retry()));
 const refresh = (): void => void poller.refresh();
 // The worker answers only after this file has run, so that the watcher is there by then.
 const stream: ClothStream = new ClothStream(port, {
@@ -100,7 +100,7 @@ function Page() {
           <TopBar />
           <Banner retry={retry} />
           {state.railShown.value && <Rail resultUrl={api.resultUrl} />}
-          <main>
+          <main class={state.editing.large.value ? 'pattern-large' : ''}>
             <ScenePane load={() => sceneCode} drawn={drawn} />
             <Splitter />
             <div class="side">
@@ -131,6 +131,21 @@ listenForKeys(commands, state);
 watcher.start();
 effect(openSomething);
 effect(() => {
+  void state.projectId.value;
+  untracked(() => commands.pattern.projectChanged());
+});
+const revision = computed(() => state.project.value?.revision ?? 0);
+effect(() => {
+  const id = state.projectId.value;
+  if (!state.beforeDrape.value && id !== null) return;
+  const newest = revision.value;
+  untracked(() => void commands.dressing.load(id, newest));
+});
+effect(() => {
+  const id = state.projectId.value;
+  if (id && revision.value > 0) untracked(() => void commands.pattern.loadHistory(id));
+});
+effect(() => {
   const shown = state.job.value?.name ?? state.project.value?.name;
   document.title = shown ? `${shown} · Toile` : 'Toile';
 });
@@ -140,6 +155,7 @@ render(<Page />, document.getElementById('page')!);
 Object.assign(window, {
   __toile: {
     job: () => state.job.value,
+    project: () => state.project.value,
     route: () => formatRoute(state.route.value),
     link: () => state.link.value.state,
     stream: () => state.stream.value.state,
@@ -147,6 +163,11 @@ Object.assign(window, {
     frames: () => state.cloth.frames,
     drawn: () => hook.drawn,
     firstDrawnMs: () => hook.firstDrawnMs,
+    start: () => state.dressing.start.value?.positions.length ?? 0,
+    startHash: () => (state.dressing.start.value ? positionsHash(state.dressing.start.value.positions) : ''),
+    bodyHash: () => (state.shownBody.value ? positionsHash(state.shownBody.value.positions) : ''),
+    dressing: () => state.dressing.bodies.value,
+    check: () => state.dressing.check.value,
     positions: () => Array.from(state.cloth.positions ?? []),
     positionsHash: () => (state.cloth.positions ? positionsHash(state.cloth.positions) : ''),
   },

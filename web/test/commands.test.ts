@@ -6,30 +6,7 @@ import { Poller } from '../src/commands/Poller';
 import { Watcher } from '../src/commands/Watcher';
 import { AppState, ready } from '../src/state/AppState';
 import { parseRoute } from '../src/state/routes';
-import { jobOf, progressOf, projectOf } from './fakes';
-
-const missing = (): Promise<never> => Promise.reject(new ApiError(404, 'store.not_found', 'Not there.'));
-
-function fakeApi(more: Partial<Api> = {}): Api {
-  return {
-    projects: async () => [projectOf()],
-    project: async () => projectOf(),
-    createProject: async () => projectOf({ id: 'p_new', name: 'New' }),
-    removeProject: async () => undefined,
-    pieces: async () => ({ pieces: [], seams: [] }),
-    uploadAsset: async (kind, name) => ({ id: `a_${name}`, kind, name, size: 1 }),
-    jobs: async () => [jobOf()],
-    job: async () => jobOf(),
-    submit: async () => jobOf({ id: 'j_new', state: 'queued', created_ms: 5000 }),
-    act: async (id, action) => jobOf({ id, state: action === 'pause' ? 'paused' : 'running' }),
-    report: missing,
-    resultText: missing,
-    body: missing,
-    resultUrl: (id, name) => `${id}/${name}`,
-    streamUrl: (id) => `ws://here/${id}`,
-    ...more,
-  };
-}
+import { fakeApi, jobOf, progressOf, projectOf } from './fakes';
 
 function begin(more: Partial<Api> = {}) {
   const state = new AppState();

@@ -1,7 +1,10 @@
 // Stand-ins of the surroundings, driven by the tests by hand.
 
+import type { Api } from '../src/api/Api';
+import { ApiError } from '../src/api/http';
 import type { Clock, Socket } from '../src/api/JobStream';
-import type { Job, Progress, Project } from '../src/api/types';
+import type { Curve, Job, Piece, Point, Progress, Project, Seam } from '../src/api/types';
+import { straight } from '../src/state/outline';
 
 export class FakeClock implements Clock {
   now = 0;
@@ -108,5 +111,82 @@ export const projectOf = (more: Partial<Project> = {}): Project => ({
   files: {},
   created_ms: 1,
   updated_ms: 1,
+  ...more,
+});
+
+const missing = (): Promise<never> => Promise.reject(new ApiError(404, 'store.not_found', 'Not there.'));
+
+/** A service that answers everything; tests put in what they look at. */
+export function fakeApi(more: Partial<Api> = {}): Api {
+  return {
+    projects: async () => [projectOf()],
+    project: async () => projectOf(),
+    createProject: async () => projectOf({ id: 'p_new', name: 'New' }),
+    removeProject: async () => undefined,
+    pieces: async () => ({ pieces: [], seams: [] }),
+    edit: async (id, revision) => projectOf({ id, revision: revision + 1 }),
+    turn: async (id, revision) => projectOf({ id, revision: revision + 1 }),
+    history: async () => [],
+    proposals: async () => [],
+    importPattern: missing,
+    bodies: async () => [],
+    bodyPresets: async () => [],
+    arrange: async (id, revision) => projectOf({ id, revision: revision + 1 }),
+    uploadAsset: async (kind, name) => ({ id: `a_${name}`, kind, name, size: 1 }),
+    jobs: async () => [jobOf()],
+    job: async () => jobOf(),
+    submit: async () => jobOf({ id: 'j_new', state: 'queued', created_ms: 5000 }),
+    act: async (id, action) => jobOf({ id, state: action === 'pause' ? 'paused' : 'running' }),
+    report: missing,
+    resultText: missing,
+    body: missing,
+    resultUrl: (id, name) => `${id}/${name}`,
+    streamUrl: (id) => `ws://here/${id}`,
+    ...more,
+  };
+}
+
+/** A piece with straight edges e0, e1, … between its corners. */
+export function pieceOf(id: string, corners: Point[]): Piece {
+  const edges = corners.map((from, i) => {
+    const to = corners[(i + 1) % corners.length]!;
+    const curves: Curve[] = [straight(from, to)];
+    return {
+      id: `e${i}`,
+      points: [from, to],
+      curves,
+      length_mm: Math.hypot(to[0] - from[0], to[1] - from[1]),
+      loop: 0,
+    };
+  });
+  return {
+    id,
+    outline: corners,
+    holes: [],
+    grain: [0, 1],
+    fabric: 'f',
+    colour: [1, 1, 1],
+    edges,
+    notches: [],
+    lines: [],
+  };
+}
+
+export const squareOf = (id: string, x: number, y: number, size: number): Piece =>
+  pieceOf(id, [
+    [x, y],
+    [x + size, y],
+    [x + size, y + size],
+    [x, y + size],
+  ]);
+
+export const seamOf = (id: string, a: [string, string], b: [string, string], more: Partial<Seam> = {}): Seam => ({
+  id,
+  a: [{ piece: a[0], edge: a[1] }],
+  b: [{ piece: b[0], edge: b[1] }],
+  same_direction: false,
+  length_a_mm: 0,
+  length_b_mm: 0,
+  issues: [],
   ...more,
 });

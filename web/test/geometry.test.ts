@@ -1,11 +1,12 @@
 import { describe, expect, it } from 'vitest';
 import { decodeBody } from '../src/api/body';
 import { clothFromObj } from '../src/api/objCloth';
-import type { Piece, Point } from '../src/api/types';
+import { nameThatFits } from '../src/pattern/PieceShape';
 import { fit, panned, zoomed } from '../src/pattern/Viewport';
 import { boundsOf, poseFor } from '../src/scene/framing';
 import { rimEdges, seamEdges, shareNormals, vertexNormals, weldGroups, widestGap } from '../src/scene/surface';
-import { cssColour, insideOf, layOut, seamHue, seamLines } from '../src/state/patternGeometry';
+import { cssColour, cutLine, insideOf, layOut } from '../src/state/patternGeometry';
+import { squareOf } from './fakes';
 
 /** Two squares that meet at x = 1 at a right angle; vertices 1, 2 are sewn to 4, 7. */
 const positions = new Float32Array([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 1, 0, 0, 1, 0, -1, 1, 1, -1, 1, 1, 0]);
@@ -54,34 +55,16 @@ describe('the camera', () => {
   });
 });
 
-const square = (id: string, x: number, y: number, size: number): Piece => {
-  const outline: Point[] = [
-    [x, y],
-    [x + size, y],
-    [x + size, y + size],
-    [x, y + size],
-  ];
-  return {
-    id,
-    outline,
-    holes: [],
-    grain: [0, 1],
-    fabric: 'f',
-    colour: [1, 1, 1],
-    edges: [{ id: 'e0', points: outline.slice(0, 2) }],
-  };
-};
-
 describe('flat pieces', () => {
   it('stay where the pattern has them', () => {
-    expect(layOut([square('a', 0, 0, 100), square('b', 300, 40, 50)]).map((piece) => piece.offset)).toEqual([
+    expect(layOut([squareOf('a', 0, 0, 100), squareOf('b', 300, 40, 50)]).map((piece) => piece.offset)).toEqual([
       [0, 0],
       [0, 0],
     ]);
   });
 
   it('are laid apart where they would cover each other', () => {
-    const placed = layOut(['a', 'b', 'c', 'd'].map((id, i) => square(id, 0, 0, 100 + 10 * i)));
+    const placed = layOut(['a', 'b', 'c', 'd'].map((id, i) => squareOf(id, 0, 0, 100 + 10 * i)));
     placed.forEach((a, i) =>
       placed.forEach((b, j) => {
         if (i < j)
@@ -107,23 +90,48 @@ describe('flat pieces', () => {
     expect((x > 80 && y < 100) || y < 20).toBe(true);
   });
 
-  it('share a seam’s colour on both sides, and skip edges that are not there', () => {
-    const pieces = [square('a', 0, 0, 10), square('b', 20, 0, 10)];
-    const lines = seamLines(pieces, [
-      {
-        id: 's',
-        a: [{ piece: 'a', edge: 'e0' }],
-        b: [
-          { piece: 'b', edge: 'e0' },
-          { piece: 'b', edge: 'gone' },
-        ],
-      },
+  it('are laid in rows where the pattern has them in one long row', () => {
+    const placed = layOut(['a', 'b', 'c', 'd', 'e', 'f'].map((id, i) => squareOf(id, 150 * i, 0, 100)));
+    const width =
+      Math.max(...placed.map((piece) => piece.box.maxX)) - Math.min(...placed.map((piece) => piece.box.minX));
+    expect(width).toBeLessThan(600);
+  });
+
+  it('have as much of their name as fits', () => {
+    expect(nameThatFits('sleeve', 60)).toBe('sleeve');
+    expect(nameThatFits('left_sleeve_back', 70)).toBe('left_slee…');
+    expect(nameThatFits('left_sleeve_back', 20)).toBe('');
+  });
+
+  it('stay where they were shown when one is moved, and new ones come beside them', () => {
+    const kept = new Map<string, [number, number]>([
+      ['a', [0, 0]],
+      ['b', [120, 0]],
     ]);
-    expect(lines.map((line) => [line.piece, line.side, line.index])).toEqual([
-      ['a', 'a', 0],
-      ['b', 'b', 0],
+    const placed = layOut([squareOf('a', 0, 0, 100), squareOf('b', 0, 0, 100), squareOf('c', 50, 50, 100)], kept);
+    expect(placed.slice(0, 2).map((piece) => piece.offset)).toEqual([
+      [0, 0],
+      [120, 0],
     ]);
-    expect(seamHue(0)).not.toBe(seamHue(1));
+    expect(placed[2]!.box.minX).toBeGreaterThan(220);
+  });
+
+  it('give the part of a line between two fractions of its length', () => {
+    const bent: [number, number][] = [
+      [0, 0],
+      [10, 0],
+      [10, 10],
+    ];
+    expect(cutLine(bent, 0, 1)).toEqual(bent);
+    expect(cutLine(bent, 0.25, 0.75)).toEqual([
+      [5, 0],
+      [10, 0],
+      [10, 5],
+    ]);
+    expect(cutLine(bent, 0.75, 1)).toEqual([
+      [10, 5],
+      [10, 10],
+    ]);
   });
 
   it('have the fabric’s colour', () => {
@@ -135,6 +143,9 @@ describe('the flat view', () => {
   it('fits a box and zooms about the pointer', () => {
     const view = fit({ minX: 0, minY: 0, maxX: 1000, maxY: 500 }, 556, 456);
     expect(view).toEqual({ x: 500, y: -250, scale: 0.5 });
+    const below = fit({ minX: 0, minY: 0, maxX: 500, maxY: 500 }, 956, 556, 28, 100);
+    expect(below.scale).toBeCloseTo(0.8, 9);
+    expect(below.y).toBeCloseTo(-312.5, 9); // its top at 128 px: the margin under what is covered
     const closer = zoomed(view, 2, 100, 0);
     expect(closer.scale).toBe(1);
     expect(closer.x + 100 / closer.scale).toBeCloseTo(view.x + 100 / view.scale, 9);

@@ -1,14 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import sampleDxf from '../../samples/skirt/skirt.dxf?raw';
 import sampleProject from '../../samples/skirt/project.json?raw';
-import {
-  filesNamedBy,
-  kLargestDocument,
-  piecesNamedIn,
-  planIntake,
-  starterDocument,
-  type GivenFile,
-} from '../src/state/intake';
+import { filesNamedBy, kLargestDocument, planIntake, type GivenFile } from '../src/state/intake';
 
 const file = (name: string, text: string): GivenFile => ({ name, blob: new Blob([text]) });
 const project = () => file('project.json', sampleProject);
@@ -39,10 +32,18 @@ describe('files dropped on the page', () => {
     expect(plan.name).toBe('p');
   });
 
-  it('are told apart from a DXF alone, which holds shapes only', async () => {
-    const plan = await planIntake([dxf()]);
+  it('are a pattern to be read when no document came, with the body beside it', async () => {
+    const plan = await planIntake([dxf(), body()]);
     expect(plan.ready).toBe(false);
-    expect(plan.loose?.pieces).toEqual(['front', 'back', 'band_front', 'band_back']);
+    expect(plan.loose).toMatchObject({ kind: 'dxf', file: { name: 'skirt.dxf' }, bodies: [{ name: 'body.obj' }] });
+    expect(plan.unused).toEqual([]);
+  });
+
+  it('may be a specification, which is told from a project', async () => {
+    const plan = await planIntake([file('shirt.json', '{"pattern": {"panels": {}}}'), dxf()]);
+    expect(plan.problems).toEqual([]);
+    expect(plan.loose).toMatchObject({ kind: 'specification', file: { name: 'shirt.json' } });
+    expect(plan.unused).toEqual(['skirt.dxf']);
   });
 
   it('may be given bit by bit, the last of a name counting', async () => {
@@ -71,21 +72,5 @@ describe('files dropped on the page', () => {
 
   it('that nobody needs are named', async () => {
     expect((await planIntake([project(), dxf(), body(), file('more.dxf', '')])).unused).toEqual(['more.dxf']);
-  });
-});
-
-describe('a starter document', () => {
-  it('names the DXF, its pieces, a fabric and a mannequin', async () => {
-    const document = starterDocument('skirt.dxf', ['front', 'back']);
-    expect(filesNamedBy(document)).toEqual([{ name: 'skirt.dxf', kind: 'dxf' }]);
-    expect(document).toMatchObject({ toile: 1, name: 'skirt', seams: [], pieces: [{ id: 'front' }, { id: 'back' }] });
-    expect((await planIntake([file('project.json', JSON.stringify(document)), dxf()])).ready).toBe(true);
-  });
-
-  it('finds no pieces in what is no DXF', () => {
-    expect(piecesNamedIn('')).toEqual([]);
-    expect(piecesNamedIn('0\nBLOCK\n8\n1\n2')).toEqual([]);
-    expect(piecesNamedIn('0\r\nBLOCK\r\n8\r\n1\r\n2\r\nsleeve\r\n2\r\nnot this\r\n')).toEqual(['sleeve']);
-    expect(piecesNamedIn('0\nBLOCK\n2\n*Model_Space\n')).toEqual([]);
   });
 });

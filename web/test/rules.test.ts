@@ -8,7 +8,7 @@ const kAllowed: Record<string, string[]> = {
   workers: ['workers', 'api'],
   pattern: ['pattern', 'commands', 'state', 'api'],
   scene: ['scene', 'commands', 'state', 'api'],
-  panels: ['panels', 'commands', 'state', 'api'],
+  panels: ['panels', 'pattern', 'commands', 'state', 'api'],
 };
 
 const files = import.meta.glob<string>('../src/**/*.{ts,tsx}', { query: '?raw', import: 'default', eager: true });

@@ -1,8 +1,8 @@
 // The service's routes as functions. Everything above this file talks to the service through it.
 
 import { decodeBody, type BodyMesh } from './body';
-import { Http } from './http';
-import type { Asset, Job, Pieces, Project, Report } from './types';
+import { Http, kLongPatience } from './http';
+import type { Asset, Edit, EditStep, Import, Job, Pieces, Project, Report, SeamProposal, Unit } from './types';
 
 export type JobAction = 'pause' | 'resume' | 'cancel';
 
@@ -12,6 +12,18 @@ export interface Api {
   createProject(document: unknown, files: Record<string, string>): Promise<Project>;
   removeProject(id: string): Promise<void>;
   pieces(projectId: string): Promise<Pieces>;
+  /** All edits or none; `revision` is the one that they were made for. */
+  edit(projectId: string, revision: number, edits: Edit[]): Promise<Project>;
+  turn(projectId: string, revision: number, way: 'undo' | 'redo'): Promise<Project>;
+  /** Newest first. */
+  history(projectId: string): Promise<EditStep[]>;
+  proposals(projectId: string): Promise<SeamProposal[]>;
+  importPattern(asset: string, unit: Unit | '', size: string): Promise<Import>;
+  bodies(): Promise<Asset[]>;
+  /** Size tables for mannequins. */
+  bodyPresets(): Promise<{ id: string; title: string }[]>;
+  /** Stands the pieces around the body: one step of the history. */
+  arrange(projectId: string, revision: number): Promise<Project>;
   uploadAsset(kind: Asset['kind'], name: string, bytes: Blob): Promise<Asset>;
   jobs(): Promise<Job[]>;
   job(id: string): Promise<Job>;
@@ -26,6 +38,7 @@ export interface Api {
 }
 
 const part = encodeURIComponent;
+const matching = (revision: number): Record<string, string> => ({ 'If-Match': `"${revision}"` });
 
 export function makeApi(http = new Http('/api/v1')): Api {
   const result = (id: string, name: string): string =>
@@ -36,6 +49,19 @@ export function makeApi(http = new Http('/api/v1')): Api {
     createProject: (document, files) => http.post('/projects', { document, files }),
     removeProject: async (id) => void (await http.send(`/projects/${part(id)}`, { method: 'DELETE' })),
     pieces: (id) => http.get(`/projects/${part(id)}/pieces`),
+    edit: (id, revision, edits) => http.post(`/projects/${part(id)}/edits`, { edits }, matching(revision)),
+    turn: (id, revision, way) => http.post(`/projects/${part(id)}/${way}`, undefined, matching(revision)),
+    history: async (id) => (await http.get<{ edits: EditStep[] }>(`/projects/${part(id)}/edits?limit=100`)).edits,
+    proposals: async (id) =>
+      (await http.get<{ proposals: SeamProposal[] }>(`/projects/${part(id)}/proposals`, kLongPatience)).proposals,
+    importPattern: (asset, unit, size) =>
+      http.post('/imports', { asset, ...(unit && { unit }), ...(size && { size }) }, {}, kLongPatience),
+    bodies: async () => (await http.get<{ assets: Asset[] }>('/bodies')).assets,
+    bodyPresets: async () => {
+      const { presets } = await http.get<{ presets: { name: string; sex: string }[] }>('/bodies/presets');
+      return presets.map(({ name, sex }) => ({ id: name, title: `${name} (${sex})` }));
+    },
+    arrange: (id, revision) => http.post(`/projects/${part(id)}/arrange`, undefined, matching(revision)),
     uploadAsset: async (kind, name, bytes) => {
       const path = `/assets?kind=${kind}&name=${part(name)}`;
       const headers = { 'Content-Type': 'application/octet-stream' };

@@ -26,6 +26,8 @@ export type Fetch = (input: string, init?: RequestInit) => Promise<Response>;
 
 /** Longest wait for an answer, ms. Submitting reads the whole pattern, so it is generous. */
 const kPatience = 20_000;
+/** Where the service has to search: seams of a garment of many pieces, on a busy machine. */
+export const kLongPatience = 180_000;
 
 const text = (value: unknown): string => (typeof value === 'string' ? value : '');
 
@@ -71,12 +73,13 @@ export class Http {
     return response;
   }
 
-  async get<T>(path: string): Promise<T> {
-    return (await this.send(path)).json() as Promise<T>;
+  async get<T>(path: string, patience = kPatience): Promise<T> {
+    return (await this.send(path, { signal: AbortSignal.timeout(patience) })).json() as Promise<T>;
   }
 
-  async post<T>(path: string, body?: unknown, headers: Record<string, string> = {}): Promise<T> {
+  async post<T>(path: string, body?: unknown, headers: Record<string, string> = {}, patience = kPatience): Promise<T> {
     const response = await this.send(path, {
+      signal: AbortSignal.timeout(patience),
       method: 'POST',
       headers: body === undefined ? headers : { 'Content-Type': 'application/json', ...headers },
       body: body === undefined ? undefined : JSON.stringify(body),

@@ -82,13 +82,32 @@ export interface Project {
 
 export interface Asset {
   id: string;
-  kind: 'dxf' | 'body';
+  kind: 'dxf' | 'specification' | 'body';
   name: string;
   size: number;
   info?: Record<string, unknown>;
 }
 
 export type Point = [number, number];
+
+/** Four control points of a cubic Bézier. */
+export type Curve = [Point, Point, Point, Point];
+
+export interface PieceEdge {
+  id: string;
+  /** The curves flattened. */
+  points: Point[];
+  curves: Curve[];
+  length_mm: number;
+  /** 0 is the outline, 1 the first hole. */
+  loop: number;
+}
+
+export interface Notch {
+  at: Point;
+  depth_mm: number;
+  inwards: Point | null;
+}
 
 /** A piece of the pattern as it is cut; millimetres, y up. */
 export interface Piece {
@@ -99,25 +118,119 @@ export interface Piece {
   fabric: string;
   /** Linear RGB. */
   colour: [number, number, number];
-  edges: { id: string; points: Point[] }[];
+  edges: PieceEdge[];
+  notches: Notch[];
+  lines: { id: string; points: Point[] }[];
 }
 
 export interface SeamEdge {
   piece: string;
   edge: string;
   reversed?: boolean;
+  /** Fractions of the edge's length, in the outline's direction; 0 and 1 when they are missing. */
+  from?: number;
+  to?: number;
 }
 
-export interface Seam {
+export interface SeamSides {
   id: string;
   a: SeamEdge[];
   b: SeamEdge[];
   same_direction?: boolean;
 }
 
+export interface SeamIssue {
+  code: string;
+  error: boolean;
+  message: string;
+  where: string;
+}
+
+export interface Seam extends SeamSides {
+  length_a_mm: number;
+  length_b_mm: number;
+  issues: SeamIssue[];
+}
+
+export interface SeamProposal extends SeamSides {
+  confidence: number;
+  length_a_mm: number;
+  length_b_mm: number;
+}
+
 export interface Pieces {
   pieces: Piece[];
   seams: Seam[];
+}
+
+/** One edit of proto/schema/edit.schema.json. */
+export type Edit = { edit: string } & Record<string, unknown>;
+
+/** A step of a project's history. */
+export interface EditStep {
+  number: number;
+  undone: boolean;
+  created_ms: number;
+  edits: Edit[];
+}
+
+export type Unit = 'mm' | 'cm' | 'inch';
+
+export interface ImportedPiece {
+  name: string;
+  size?: string;
+  area_mm2?: number;
+  width_mm?: number;
+  height_mm?: number;
+  edges?: number;
+  notches?: number;
+  grain_deg: number | null;
+  quantity: number;
+  mirrored: number;
+  unfolded: boolean;
+  outline?: 'sew' | 'cut';
+  layer?: string;
+  line?: number;
+  material?: string;
+  edge_list?: { id: string; length_mm: number; points: Point[] }[];
+  notch_list?: { at: Point; depth_mm: number; angle_deg: number | null }[];
+  fault?: { code: string; message: string; where: string };
+  points: Point[];
+  hole_points: Point[][];
+}
+
+export interface ImportedEntity {
+  type: string;
+  layer: string;
+  block: string;
+  fate: 'kept' | 'converted' | 'dropped';
+  reason: string;
+  piece: string;
+  count: number;
+  lines: number[];
+}
+
+export interface ImportWarning {
+  line: number;
+  piece: string;
+  at: Point | null;
+  text: string;
+  count: number;
+}
+
+/** What a pattern file holds. */
+export interface Import {
+  asset: string;
+  file: string;
+  unit: { name: string; mm_per_unit?: number; confidence: number; evidence: string[] };
+  style: string;
+  sizes: string[];
+  size: string;
+  sample_size: string;
+  pieces: ImportedPiece[];
+  seams: SeamProposal[];
+  report: { counts: Record<string, number>; entities: ImportedEntity[]; warnings: ImportWarning[] };
+  document: Record<string, unknown> | null;
 }
 
 /** Text messages of a job's stream. */

@@ -1,13 +1,17 @@
 // What a person can do, each as one function. Panels and keys call these; nothing else changes the state on purpose.
 
 import type { Api, JobAction } from '../api/Api';
-import type { Job } from '../api/types';
+import { makeDressingApi, type DressingApi } from '../api/dressing';
+import type { Job, Project } from '../api/types';
 import type { AppState, View } from '../state/AppState';
 import { ready, valueOf } from '../state/AppState';
-import { planIntake, starterDocument, type GivenFile, type IntakePlan } from '../state/intake';
+import { planIntake, type GivenFile, type IntakePlan } from '../state/intake';
 import { commandsOf } from '../state/jobs';
 import { formatRoute, type Route } from '../state/routes';
+import { DressingCommands } from './DressingCommands';
+import { ImportCommands } from './ImportCommands';
 import { asApiError, notify, notifyError } from './notices';
+import { PatternCommands } from './PatternCommands';
 
 export interface Surroundings {
   /** Changes the address; the route follows from it. */
@@ -18,6 +22,10 @@ export interface Surroundings {
 }
 
 export class Commands {
+  readonly pattern: PatternCommands;
+  readonly imports: ImportCommands;
+  readonly dressing: DressingCommands;
+
   constructor(
     private readonly state_: AppState,
     private readonly api_: Api,
@@ -25,7 +33,12 @@ export class Commands {
     private readonly refresh_: () => void,
     /** Opens a job's stream at once. */
     private readonly watch_: (jobId: string) => void,
-  ) {}
+    dressing: DressingApi = makeDressingApi(),
+  ) {
+    this.pattern = new PatternCommands(state_, api_, refresh_);
+    this.dressing = new DressingCommands(state_, dressing, (ask) => this.pattern.change(ask));
+    this.imports = new ImportCommands(state_, api_, (project, drape) => this.made(project, drape), around_.save);
+  }
 
   open(route: Route, replace = false): void {
     this.around_.go(formatRoute(route), replace);
@@ -91,7 +104,9 @@ export class Commands {
     const all = [...(intake.value?.files ?? []).filter((old) => !replaced(old)), ...files];
     intake.value = { files: all, plan: intake.value?.plan ?? null, busy: 'Reading the files', error: null };
     const plan = await planIntake(all);
-    if (intake.value?.files === all) intake.value = { files: all, plan, busy: '', error: null };
+    if (intake.value?.files !== all) return;
+    intake.value = { files: all, plan, busy: '', error: null };
+    await this.imports.follow(plan.loose);
   }
 
   openIntake(): void {
@@ -99,7 +114,7 @@ export class Commands {
   }
 
   closeIntake(): void {
-    this.state_.intake.value = null;
+    this.state_.intake.value = this.state_.importing.value = null;
   }
 
   async removeFile(name: string): Promise<void> {
@@ -107,6 +122,7 @@ export class Commands {
     const files = (intake.value?.files ?? []).filter((file) => file.name !== name);
     const plan = files.length > 0 ? await planIntake(files) : null;
     intake.value = { files, plan, busy: '', error: null };
+    await this.imports.follow(plan?.loose ?? null);
   }
 
   /** Uploads the files, makes the project, shows it, and drapes it when asked to. */
@@ -116,22 +132,22 @@ export class Commands {
     if (!now?.plan?.ready || now.busy) return;
     const say = (busy: string): void => void (intake.value = { ...now, busy, error: null });
     try {
-      const project = await this.upload(now.plan, say);
-      this.state_.projects.value = ready([project, ...(valueOf(this.state_.projects.value) ?? [])]);
-      intake.value = null;
-      this.open({ name: 'project', id: project.id });
-      if (thenDrape) await this.startDrape();
-      else notify(this.state_, { tone: 'good', text: `Project “${project.name}” is there. Space drapes it.` });
+      await this.made(await this.upload(now.plan, say), thenDrape);
     } catch (error) {
       intake.value = { ...now, busy: '', error: asApiError(error) };
     }
     this.refresh_();
   }
 
-  saveStarter(): void {
-    const loose = this.state_.intake.value?.plan?.loose;
-    if (!loose) return;
-    this.around_.save('project.json', JSON.stringify(starterDocument(loose.dxf.name, loose.pieces), null, 2) + '\n');
+  /** A new project: shown, and draped when asked to. */
+  private async made(project: Project, thenDrape: boolean): Promise<void> {
+    const { projects, intake } = this.state_;
+    projects.value = ready([project, ...(valueOf(projects.value) ?? [])]);
+    intake.value = null;
+    this.open({ name: 'project', id: project.id });
+    if (thenDrape) await this.startDrape();
+    else notify(this.state_, { tone: 'good', text: `Project “${project.name}” is there. Space drapes it.` });
+    this.refresh_();
   }
 
   private async upload(

@@ -4,7 +4,7 @@
 import type { Api } from '../api/Api';
 import { ApiError } from '../api/http';
 import { backoff } from '../api/JobStream';
-import { ready, type AppState } from '../state/AppState';
+import { ready, valueOf, type AppState } from '../state/AppState';
 import { asApiError } from './notices';
 
 const kBusyMs = 1000;
@@ -46,7 +46,12 @@ export class Poller {
   private async ask(): Promise<void> {
     try {
       const [projects, jobs] = await Promise.all([this.api_.projects(), this.api_.jobs()]);
-      this.state_.projects.value = ready(projects);
+      const known = new Map((valueOf(this.state_.projects.value) ?? []).map((project) => [project.id, project]));
+      // An edit's own answer must not be overtaken by a list that was on its way before it.
+      const newest = projects.map((one) =>
+        (known.get(one.id)?.revision ?? 0) > one.revision ? known.get(one.id)! : one,
+      );
+      this.state_.projects.value = ready(newest);
       this.state_.jobs.value = ready(jobs);
       this.answered();
     } catch (error) {

@@ -60,7 +60,7 @@ export class Watcher {
     state.report.value = null;
     state.body.value = null;
     state.cloth.clear();
-    state.tab.value = 'drape';
+    state.tab.value = id ? 'drape' : 'pattern';
     if (!id) return this.stream_.leave();
     this.stream_.watch(this.api_.streamUrl(id));
     void this.loadBody(id);
@@ -152,11 +152,12 @@ export class Watcher {
     if (!same) selected.value = null;
     if (!id) return void (pieces.value = null);
     if (!same) pieces.value = loading;
+    const newest = (): boolean => projectId.value === id && this.piecesOf_ === key;
     try {
       const loaded = await this.api_.pieces(id);
-      if (projectId.value === id) pieces.value = ready(loaded);
+      if (newest()) pieces.value = ready(loaded);
     } catch (error) {
-      if (projectId.value === id) pieces.value = { state: 'failed', error: asApiError(error) };
+      if (newest()) pieces.value = { state: 'failed', error: asApiError(error) };
     }
   }
 

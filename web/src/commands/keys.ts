@@ -9,12 +9,56 @@ export interface Binding {
   shown: string;
   title: string;
   group: string;
+  /** With Ctrl, or the command key. */
+  ctrl?: boolean;
+  shift?: boolean;
   run(commands: Commands, state: AppState): void;
 }
 
 export const bindings: Binding[] = [
   { key: ' ', shown: 'Space', title: 'Start, pause or go on', group: 'Drape', run: (c) => void c.runOrPause() },
-  { key: 'n', shown: 'N', title: 'New project from files', group: 'Drape', run: (c) => c.openIntake() },
+  { key: 'o', shown: 'O', title: 'New project from files', group: 'Drape', run: (c) => c.openIntake() },
+  { key: 'a', shown: 'A', title: 'Move whole pieces', group: 'Pattern', run: (c) => c.pattern.takeTool('pieces') },
+  { key: 'z', shown: 'Z', title: 'Edit points and edges', group: 'Pattern', run: (c) => c.pattern.takeTool('points') },
+  { key: 'n', shown: 'N', title: 'Sew edges together', group: 'Pattern', run: (c) => c.pattern.takeTool('sew') },
+  {
+    key: 'enter',
+    shown: 'Enter',
+    title: 'Other side, then sew',
+    group: 'Pattern',
+    run: (c) => void c.pattern.finishSide(),
+  },
+  {
+    key: 'delete',
+    shown: 'Del',
+    title: 'Delete what is selected',
+    group: 'Pattern',
+    run: (c) => void c.pattern.remove(),
+  },
+  {
+    key: 'e',
+    shown: 'E',
+    title: 'Large or small pattern',
+    group: 'Pattern',
+    run: (_, s) => void (s.editing.large.value = !s.editing.large.value),
+  },
+  {
+    key: 'z',
+    shown: 'Ctrl Z',
+    title: 'Undo',
+    group: 'Pattern',
+    ctrl: true,
+    run: (c) => void c.pattern.undo(),
+  },
+  {
+    key: 'z',
+    shown: 'Ctrl Shift Z',
+    title: 'Redo',
+    group: 'Pattern',
+    ctrl: true,
+    shift: true,
+    run: (c) => void c.pattern.redo(),
+  },
   { key: '1', shown: '1', title: 'Front view', group: 'View', run: (c) => c.showView('front') },
   { key: '2', shown: '2', title: 'Back view', group: 'View', run: (c) => c.showView('back') },
   { key: '3', shown: '3', title: 'Side view', group: 'View', run: (c) => c.showView('side') },
@@ -52,7 +96,10 @@ export const bindings: Binding[] = [
     shown: 'Esc',
     title: 'Select nothing, close',
     group: 'Help',
-    run: (c, s) => (s.helpShown.value ? void (s.helpShown.value = false) : c.select(null)),
+    run: (c, s) => {
+      if (s.helpShown.value) s.helpShown.value = false;
+      else if (!c.pattern.cancel()) c.select(null);
+    },
   },
 ];
 
@@ -61,15 +108,21 @@ function belongsTo(target: EventTarget | null, key: string): boolean {
   const element = target instanceof Element ? target : null;
   if (!element) return false;
   if (element.closest('input, textarea, select, dialog, [contenteditable]')) return true;
-  return key === ' ' && element.closest('button, a, summary, [role=button], [role=tab]') !== null;
+  return (key === ' ' || key === 'enter') && element.closest('button, a, summary, [role=button], [role=tab]') !== null;
 }
 
 /** Listens on the window; returns how to stop. */
 export function listenForKeys(commands: Commands, state: AppState, target: Window = window): () => void {
   const listener = (event: KeyboardEvent): void => {
-    if (event.ctrlKey || event.metaKey || event.altKey || event.isComposing) return;
+    if (event.altKey || event.isComposing) return;
     const key = event.key.toLowerCase();
-    const binding = bindings.find((candidate) => candidate.key === key);
+    const ctrl = event.ctrlKey || event.metaKey;
+    const binding = bindings.find(
+      (candidate) =>
+        candidate.key === key &&
+        (candidate.ctrl ?? false) === ctrl &&
+        (!ctrl || (candidate.shift ?? false) === event.shiftKey),
+    );
     if (!binding || belongsTo(event.target, key) || (event.repeat && key === ' ')) return;
     event.preventDefault();
     binding.run(commands, state);

@@ -39,7 +39,7 @@ export function DropTarget() {
       <div>
         <Icon name="file" />
         <b>Drop to make a project</b>
-        <small>project.json + DXF + body</small>
+        <small>a pattern (DXF, GarmentCode), or project.json with its files</small>
       </div>
     </div>
   ) : null;

@@ -13,7 +13,10 @@ const kMouse: [string, string][] = [
   ['Drag', 'Turn the view'],
   ['Right drag', 'Move the view'],
   ['Wheel', 'Nearer, further'],
-  ['Click', 'Select a piece'],
+  ['Click', 'Select a piece or seam'],
+  ['Middle drag', 'Move the pattern'],
+  ['Double click', 'New point on an edge (Z)'],
+  ['Shift drag', 'In steps of 45°'],
 ];
 
 function Dialog({ close }: { close: () => void }) {
@@ -36,7 +39,7 @@ function Dialog({ close }: { close: () => void }) {
               {bindings
                 .filter((binding) => binding.group === group)
                 .map((binding) => (
-                  <div key={binding.key}>
+                  <div key={binding.shown}>
                     <dt>
                       <kbd>{binding.shown}</kbd>
                     </dt>

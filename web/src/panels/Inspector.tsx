@@ -2,11 +2,17 @@
 
 import type { Tab } from '../state/AppState';
 import { useAppState } from '../state/context';
+import { ArrangePanel } from './ArrangePanel';
+import { BodyPanel } from './BodyPanel';
 import { DrapeFigures } from './DrapeFigures';
 import { Results } from './Results';
+import { PatternPanel } from './PatternPanel';
 import type { PicturesProps } from './Rail';
 
 const kTabs: { tab: Tab; title: string }[] = [
+  { tab: 'pattern', title: 'Pattern' },
+  { tab: 'body', title: 'Body' },
+  { tab: 'arrange', title: 'Arrange' },
   { tab: 'drape', title: 'Drape' },
   { tab: 'result', title: 'Result' },
 ];
@@ -16,7 +22,8 @@ export function Inspector(props: PicturesProps) {
   const shown = state.tab.value;
   const turn = (event: KeyboardEvent): void => {
     if (event.key !== 'ArrowLeft' && event.key !== 'ArrowRight') return;
-    state.tab.value = shown === 'drape' ? 'result' : 'drape';
+    const step = event.key === 'ArrowRight' ? 1 : kTabs.length - 1;
+    state.tab.value = kTabs[(kTabs.findIndex(({ tab }) => tab === shown) + step) % kTabs.length]!.tab;
     document.getElementById(`tab-${state.tab.value}`)?.focus();
   };
   return (
@@ -37,7 +44,11 @@ export function Inspector(props: PicturesProps) {
         ))}
       </div>
       <div class="tab-panel" role="tabpanel" id="tab-panel" aria-labelledby={`tab-${shown}`} tabIndex={0}>
-        {shown === 'drape' ? <DrapeFigures /> : <Results {...props} />}
+        {shown === 'pattern' && <PatternPanel />}
+        {shown === 'body' && <BodyPanel />}
+        {shown === 'arrange' && <ArrangePanel />}
+        {shown === 'drape' && <DrapeFigures />}
+        {shown === 'result' && <Results {...props} />}
       </div>
     </section>
   );

@@ -5,8 +5,11 @@ import { useCommands } from '../commands/context';
 import type { Intake } from '../state/AppState';
 import { useAppState } from '../state/context';
 import type { IntakePlan } from '../state/intake';
-import { bytes, counted, sentence } from '../state/words';
+import { valueOf } from '../state/AppState';
+import { documentOf } from '../state/importDraft';
+import { bytes, sentence } from '../state/words';
 import { Icon } from './Icon';
+import { ImportPanel } from './ImportPanel';
 
 export function IntakeDialog() {
   const state = useAppState();
@@ -18,13 +21,23 @@ function Dialog({ intake }: { intake: Intake }) {
   const dialog = useRef<HTMLDialogElement>(null);
   const input = useRef<HTMLInputElement>(null);
   useEffect(() => dialog.current?.showModal(), []);
+  const state = useAppState();
   const { plan } = intake;
+  const draft = state.importing.value;
+  const report = draft && valueOf(draft.report);
+  const can = draft ? report !== null && documentOf(draft, report, null) !== null : (plan?.ready ?? false);
+  const make = (drape: boolean): void => void (draft ? commands.imports.make(drape) : commands.createProject(drape));
   const take = (list: FileList | null): void =>
     void commands.addFiles([...(list ?? [])].map((file) => ({ name: file.name, blob: file })));
   return (
-    <dialog class="sheet intake" ref={dialog} onClose={() => commands.closeIntake()} aria-labelledby="intake-title">
+    <dialog
+      class={`sheet intake${draft ? ' wide' : ''}`}
+      ref={dialog}
+      onClose={() => commands.closeIntake()}
+      aria-labelledby="intake-title"
+    >
       <header>
-        <h2 id="intake-title">New project</h2>
+        <h2 id="intake-title">{draft ? `New project from ${draft.source.file.name}` : 'New project'}</h2>
         <button class="tool flat" aria-label="Close" onClick={() => dialog.current?.close()}>
           <Icon name="cross" />
         </button>
@@ -33,7 +46,7 @@ function Dialog({ intake }: { intake: Intake }) {
         <button class="dropzone" autofocus onClick={() => input.current?.click()}>
           <Icon name="file" />
           <b>{intake.files.length === 0 ? 'Drop files here, or choose them' : 'Add more files'}</b>
-          <small>project.json, the DXF files it names, a body (OBJ, glTF, …)</small>
+          <small>A pattern (DXF, GarmentCode JSON), a body (OBJ, glTF, …), or a project.json with its files</small>
         </button>
         <input
           ref={input}
@@ -48,6 +61,7 @@ function Dialog({ intake }: { intake: Intake }) {
         />
         <Given intake={intake} />
         {plan && <Missing plan={plan} />}
+        {draft && <ImportPanel draft={draft} />}
         {intake.error && (
           <div class="problem" role="alert">
             <Icon name="alert" />
@@ -67,18 +81,10 @@ function Dialog({ intake }: { intake: Intake }) {
             </>
           )}
         </span>
-        <button
-          class="plain"
-          disabled={!plan?.ready || intake.busy !== ''}
-          onClick={() => void commands.createProject(false)}
-        >
+        <button class="plain" disabled={!can || intake.busy !== ''} onClick={() => make(false)}>
           Create
         </button>
-        <button
-          class="primary"
-          disabled={!plan?.ready || intake.busy !== ''}
-          onClick={() => void commands.createProject(true)}
-        >
+        <button class="primary" disabled={!can || intake.busy !== ''} onClick={() => make(true)}>
           <Icon name="play" /> Create and drape
         </button>
       </footer>
@@ -95,7 +101,8 @@ function Given({ intake }: { intake: Intake }) {
     if (plan.documentName === name) return 'Project';
     const need = plan.needed.find((one) => one.file?.name === name);
     if (need) return need.kind === 'dxf' ? 'Pattern' : 'Body';
-    if (plan.loose?.dxf.name === name) return `Pattern, ${counted(plan.loose.pieces.length, 'piece')}`;
+    if (plan.loose?.file.name === name) return 'Pattern';
+    if (plan.loose?.bodies.some((body) => body.name === name)) return 'Body';
     return plan.unused.includes(name) ? 'Not used' : '';
   };
   return (
@@ -149,48 +156,11 @@ function Missing({ plan }: { plan: IntakePlan }) {
           <p>It lies beside project.json where that was saved. Drop it here too.</p>
         </div>
       )}
-      {plan.loose && <LooseDxf plan={plan} />}
       {plan.ready && (
         <p class="complete">
           <Icon name="check" /> Everything is there.
         </p>
       )}
     </>
-  );
-}
-
-/** A DXF alone holds shapes only: says so, and gives the rest to begin with. */
-function LooseDxf({ plan }: { plan: IntakePlan }) {
-  const commands = useCommands();
-  const { dxf, pieces } = plan.loose!;
-  return (
-    <div class="missing" role="status">
-      {pieces.length > 0 ? (
-        <p>
-          <b>{dxf.name}</b> holds {counted(pieces.length, 'piece')}: {pieces.slice(0, 12).join(', ')}
-          {pieces.length > 12 && ', …'}.
-        </p>
-      ) : (
-        <p>
-          No pieces were found in <b>{dxf.name}</b>.
-        </p>
-      )}
-      <p>
-        A DXF says what is cut, not how it is sewn. To drape it, a <code>project.json</code> must say:
-      </p>
-      <ul>
-        <li>which edges are sewn to which</li>
-        <li>where the pieces stand around the body</li>
-        <li>the fabric, and the body or a mannequin's measurements</li>
-      </ul>
-      {pieces.length > 0 && (
-        <p>
-          <button class="link" onClick={() => commands.saveStarter()}>
-            Save a starter project.json
-          </button>{' '}
-          with these pieces, a cotton and a mannequin; add seams and placement, then drop both files here.
-        </p>
-      )}
-    </div>
   );
 }

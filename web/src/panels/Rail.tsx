@@ -21,7 +21,7 @@ export function Rail({ resultUrl }: PicturesProps) {
         <h2>Projects</h2>
         <button
           class="tool flat"
-          title="New project from files (N)"
+          title="New project from files (O)"
           aria-label="New project"
           onClick={() => commands.openIntake()}
         >
@@ -60,7 +60,7 @@ function ProjectList({ resultUrl }: PicturesProps) {
   if (projects.value.length === 0) {
     return (
       <p class="hint">
-        No projects yet. Drop <b>project.json</b>, its <b>DXF</b> and a <b>body</b> anywhere, or{' '}
+        No projects yet. Drop a <b>DXF</b> pattern anywhere, or{' '}
         <button class="link" onClick={() => commands.openIntake()}>
           choose files
         </button>

@@ -44,8 +44,8 @@ export function StartPage() {
   return (
     <Sheet title="Drape your first garment">
       <p>
-        Drop a <b>project.json</b> with its <b>DXF</b> pattern and a <b>body</b> anywhere on this page. Toile sews the
-        pieces around the body and lets them hang, here before your eyes.
+        Drop a <b>DXF</b> pattern anywhere on this page. Toile reads its pieces, proposes the seams, stands them around
+        a body and lets the cloth hang, here before your eyes.
       </p>
       <p>
         <button class="primary" onClick={() => commands.openIntake()}>

@@ -1,29 +1,27 @@
-// The flat pieces beside the 3D view: pan, zoom, fit; names, sizes, grain; seams in pairs of one colour; selecting.
+// The flat pieces beside the 3D view: pan, zoom, fit; names, sizes, grain; seams in pairs of one colour; selecting, editing
+// and sewing by hand.
 
-import { useComputed, useSignal, useSignalEffect } from '@preact/signals';
-import { useEffect, useRef } from 'preact/hooks';
-import type { Pieces } from '../api/types';
+import { useComputed, useSignalEffect } from '@preact/signals';
+import type { Pieces, Point, SeamSides } from '../api/types';
 import { useCommands } from '../commands/context';
 import { valueOf } from '../state/AppState';
 import { useAppState } from '../state/context';
-import { joined, layOut, seamLines } from '../state/patternGeometry';
+import { minus, nearestOn } from '../state/outline';
+import { layOut, type PlacedPiece } from '../state/patternGeometry';
+import { lengthsText, seamLengths, seamParts, seamsOfEdge, type SeamDraft } from '../state/seamView';
 import { sentence } from '../state/words';
+import { EditMarks } from './EditMarks';
+import { PatternTools } from './PatternTools';
 import { PieceShape } from './PieceShape';
-import { fit, panned, viewBox, zoomed, type Viewport } from './Viewport';
-
-const kWheelStep = 1.0015;
-const kPanKeys: Record<string, [number, number]> = {
-  arrowleft: [40, 0],
-  arrowright: [-40, 0],
-  arrowup: [0, 40],
-  arrowdown: [0, -40],
-};
+import { SeamShapes, Threads, type ShownSeam } from './SeamShapes';
+import { useHands, type Hands, type Held } from './useHands';
+import { usePlaneView } from './usePlaneView';
 
 export function PatternPane() {
   const state = useAppState();
   const pieces = state.pieces.value;
   return (
-    <section class="pattern" aria-label="Pattern">
+    <section class={`pattern tool-${state.editing.tool.value}`} aria-label="Pattern">
       {pieces === null && <p class="hint">The flat pieces of the garment appear here.</p>}
       {pieces?.state === 'loading' && (
         <div class="skeleton-pieces" role="status" aria-label="Loading the pattern">
@@ -48,134 +46,244 @@ export function PatternPane() {
   );
 }
 
+/** A piece that is dragged, where the pointer has it. */
+const movedAlong = (placed: PlacedPiece, held: Held | null): PlacedPiece => {
+  if (held?.kind !== 'piece' || held.piece !== placed.piece.id) return placed;
+  const offset: Point = [placed.offset[0] + held.by[0], placed.offset[1] + held.by[1]];
+  const centre: Point = [placed.centre[0] + held.by[0], placed.centre[1] + held.by[1]];
+  return { ...placed, offset, centre };
+};
+
 function Plane({ pieces }: { pieces: Pieces }) {
   const state = useAppState();
   const commands = useCommands();
-  const svg = useRef<SVGSVGElement>(null);
-  const size = useSignal({ width: 400, height: 400 });
-  const view = useSignal<Viewport>({ x: 0, y: 0, scale: 0.2 });
-  const touched = useRef(false);
-  const seam = useSignal<string | null>(null);
-  const placed = useComputed(() => layOut(valueOf(state.pieces.value ?? { state: 'loading' })?.pieces ?? []));
-  const lines = seamLines(pieces.pieces, pieces.seams);
-
-  const fitAll = (): void => {
-    if (placed.value.length === 0) return;
-    touched.current = false;
-    view.value = fit(joined(placed.value.map((piece) => piece.box)), size.value.width, size.value.height);
-  };
-  useEffect(() => {
-    const element = svg.current!;
-    const watcher = new ResizeObserver(
-      () => (size.value = { width: element.clientWidth || 1, height: element.clientHeight || 1 }),
-    );
-    watcher.observe(element);
-    return () => watcher.disconnect();
-  }, []);
+  const { editing } = state;
+  const placed = useComputed(() =>
+    layOut(valueOf(state.pieces.value ?? { state: 'loading' })?.pieces ?? [], editing.offsets.value),
+  );
   useSignalEffect(() => {
-    void size.value;
-    void placed.value;
-    if (!touched.current) fitAll();
+    const next = new Map(placed.value.map((one) => [one.piece.id, one.offset]));
+    const known = editing.offsets.peek();
+    if ([...next.keys()].some((id) => !known.has(id))) editing.offsets.value = new Map([...known, ...next]);
+  });
+  const plane = usePlaneView(
+    () => placed.value.map((piece) => piece.box),
+    () => state.projectId.value,
+  );
+  const clickPiece = (piece: string): void => {
+    commands.pattern.selectPart(null);
+    commands.select(state.selected.value === piece && editing.tool.value === 'pieces' ? null : piece);
+  };
+  const hands = useHands({
+    state,
+    commands: commands.pattern,
+    view: () => plane.view.value,
+    move: plane.move,
+    clickPaper: () => {
+      commands.pattern.selectPart(null);
+      commands.select(null);
+    },
+    clickPiece,
+    placed: () => placed.value,
   });
 
-  const move = (next: Viewport): void => {
-    touched.current = true;
-    view.value = next;
-  };
-  const wheel = (event: WheelEvent): void => {
-    event.preventDefault();
-    const box = svg.current!.getBoundingClientRect();
-    const px = event.clientX - box.left - box.width / 2,
-      py = event.clientY - box.top - box.height / 2;
-    move(zoomed(view.value, kWheelStep ** -event.deltaY, px, py));
-  };
-  const keys = (event: KeyboardEvent): void => {
-    const key = event.key.toLowerCase();
-    const pan = kPanKeys[key];
-    if (pan) move(panned(view.value, ...pan));
-    else if (key === '+' || key === '=') move(zoomed(view.value, 1.25));
-    else if (key === '-') move(zoomed(view.value, 0.8));
-    else if (key === 'f' || key === '0') fitAll();
-    else return;
-    event.preventDefault();
-  };
-
+  const { scale } = plane.view.value;
+  const shown = pieces.pieces.map(hands.shown);
+  const seams = seamsShown({ ...pieces, pieces: shown }, editing.draft.value);
+  const drafted = seams.find((one) => one.seam.id === kDraft);
+  const lit = drafted ? kDraft : (editing.litSeam.value ?? editing.seam.value);
+  const litSeam = seams.find((one) => one.seam.id === lit) ?? null;
+  const where = placed.value.map((one) => movedAlong(one, hands.held));
   return (
     <>
       <svg
-        ref={svg}
+        ref={plane.svg}
         class="plane"
         tabindex={0}
-        viewBox={viewBox(view.value, size.value.width, size.value.height)}
-        onWheel={wheel}
-        onKeyDown={keys}
-        {...dragging(
-          () => view.value,
-          move,
-          () => commands.select(null),
-        )}
+        viewBox={plane.viewBox}
+        onWheel={plane.wheel}
+        onKeyDown={plane.keys}
+        {...hands.plane}
         aria-label={`${pieces.pieces.length} pieces; arrow keys move, plus and minus zoom, F fits`}
         role="group"
       >
-        <Paper scale={view.value.scale} />
-        {placed.value.map((piece) => (
-          <PieceShape
-            key={piece.piece.id}
-            placed={piece}
-            scale={view.value.scale}
-            lines={lines.filter((line) => line.piece === piece.piece.id)}
-            selected={state.selected.value === piece.piece.id}
-            hovered={state.hovered.value === piece.piece.id}
-            seam={seam.value}
-            onSeam={(id) => (seam.value = id)}
-            onSelect={() => commands.select(state.selected.value === piece.piece.id ? null : piece.piece.id)}
-            onHover={(on) => commands.hover(on ? piece.piece.id : null)}
+        <Paper scale={scale} />
+        {where.map((one) => (
+          <PlacedPieceView
+            key={one.piece.id}
+            placed={{ ...one, piece: shown.find((piece) => piece.id === one.piece.id) ?? one.piece }}
+            pieces={pieces}
+            seams={seams}
+            lit={lit}
+            scale={scale}
+            hands={hands}
+            worldOf={plane.worldOf}
+            click={() => clickPiece(one.piece.id)}
           />
         ))}
+        {litSeam && <Threads shown={litSeam} placed={where} scale={scale} />}
+        <Guides held={hands.held} placed={where} />
       </svg>
+      <PatternTools />
       <div class="plane-tools" role="toolbar" aria-label="Pattern view">
-        <button class="tool" title="Zoom out (−)" aria-label="Zoom out" onClick={() => move(zoomed(view.value, 0.8))}>
+        <button class="tool" title="Zoom out (−)" aria-label="Zoom out" onClick={() => plane.zoom(0.8)}>
           −
         </button>
-        <button class="tool wide" title="Fit all pieces (F)" onClick={fitAll}>
+        <button class="tool wide" title="Fit all pieces (F)" onClick={plane.fitAll}>
           Fit
         </button>
-        <button class="tool" title="Zoom in (+)" aria-label="Zoom in" onClick={() => move(zoomed(view.value, 1.25))}>
+        <button class="tool" title="Zoom in (+)" aria-label="Zoom in" onClick={() => plane.zoom(1.25)}>
           +
         </button>
       </div>
-      {seam.value && (
-        <p class="seam-note" role="status">
-          Seam <b>{seam.value}</b>
-        </p>
-      )}
+      <Note pieces={{ ...pieces, pieces: shown }} held={hands.held} lit={litSeam} />
     </>
   );
 }
 
-/** Drags with the left button on empty paper or the middle one anywhere; a press that does not move is a click. */
-function dragging(view: () => Viewport, move: (next: Viewport) => void, click: () => void) {
-  let last: { x: number; y: number; far: boolean } | null = null;
-  const onPaper = (event: PointerEvent): boolean => !(event.target as Element).closest('.piece');
-  return {
-    onPointerDown: (event: PointerEvent) => {
-      if (event.button !== 1 && !(event.button === 0 && onPaper(event))) return;
-      last = { x: event.clientX, y: event.clientY, far: false };
-      (event.currentTarget as Element).setPointerCapture(event.pointerId);
-    },
-    onPointerMove: (event: PointerEvent) => {
-      if (!last || event.buttons === 0) return;
-      const dx = event.clientX - last.x,
-        dy = event.clientY - last.y;
-      if (!last.far && Math.hypot(dx, dy) < 4) return;
-      last = { x: event.clientX, y: event.clientY, far: true };
-      move(panned(view(), dx, dy));
-    },
-    onPointerUp: (event: PointerEvent) => {
-      if (last && !last.far && event.button === 0) click();
-      last = null;
-    },
+/** Id of the seam that is being made, among those that are shown. */
+const kDraft = 'new';
+
+function seamsShown({ pieces, seams }: Pieces, draft: SeamDraft): ShownSeam[] {
+  const all: SeamSides[] = [...seams];
+  if (draft.a.length > 0) all.push({ id: kDraft, a: draft.a, b: draft.b, same_direction: draft.sameDirection });
+  return all.map((seam, index) => ({ seam, index, parts: seamParts(pieces, seam) }));
+}
+
+interface PlacedPieceViewProps {
+  placed: PlacedPiece;
+  pieces: Pieces;
+  seams: ShownSeam[];
+  lit: string | null;
+  scale: number;
+  hands: Hands;
+  worldOf(event: MouseEvent): Point;
+  click(): void;
+}
+
+/** A piece with its seams and what can be taken hold of on it. */
+function PlacedPieceView({ placed, pieces, seams, lit, scale, hands, worldOf, click }: PlacedPieceViewProps) {
+  const state = useAppState();
+  const commands = useCommands();
+  const { pattern } = commands;
+  const { piece, offset } = placed;
+  const tool = state.editing.tool.value;
+  const draft = state.editing.draft.value;
+  const selected = state.selected.value === piece.id;
+  const pressEdge = (edge: string, event: PointerEvent | KeyboardEvent): void => {
+    if (event.type === 'pointerdown' && (event as PointerEvent).button !== 0) return;
+    event.stopPropagation();
+    if (tool === 'points') pattern.selectPart({ kind: 'edge', piece: piece.id, edge });
+    if (tool !== 'sew') return;
+    // Enter on an edge that is taken already goes on, as it does after clicks.
+    const taken = draft[draft.side].some((use) => use.piece === piece.id && use.edge === edge);
+    if (taken && (event as KeyboardEvent).key === 'Enter') void pattern.finishSide();
+    else pattern.sewEdge(piece.id, edge);
   };
+  const lightEdge = (edge: string | null): void => {
+    const [first] = edge === null ? [] : seamsOfEdge(pieces.seams, piece.id, edge);
+    pattern.lightSeam(first === undefined ? null : pieces.seams[first]!.id);
+  };
+  const insert = (edgeId: string, event: MouseEvent): void => {
+    const edge = piece.edges.find((other) => other.id === edgeId);
+    if (tool !== 'points' || !edge) return;
+    const { at } = nearestOn(edge, minus(worldOf(event), offset));
+    void pattern.edit({ edit: 'insert_point', piece: piece.id, edge: edgeId, at });
+  };
+  return (
+    <g onPointerDown={(event) => tool !== 'sew' && hands.pressPiece(piece.id, event)}>
+      <PieceShape
+        placed={placed}
+        scale={scale}
+        selected={selected}
+        hovered={state.hovered.value === piece.id}
+        onSelect={click}
+        onHover={(on) => commands.hover(on ? piece.id : null)}
+      >
+        <SeamShapes
+          shown={seams}
+          piece={piece.id}
+          scale={scale}
+          lit={lit}
+          onLight={(seam) => pattern.lightSeam(seam)}
+          onSelect={tool === 'pieces' ? (seam) => pattern.selectSeam(seam) : null}
+        />
+        <EditMarks
+          piece={piece}
+          scale={scale}
+          tool={tool}
+          open={tool === 'points' && selected}
+          part={state.editing.part.value}
+          draft={draft}
+          draftColour={pieces.seams.length}
+          onEdge={pressEdge}
+          onLight={lightEdge}
+          onInsert={insert}
+          onGrab={hands.grab}
+          onNudge={hands.nudge}
+        />
+      </PieceShape>
+    </g>
+  );
+}
+
+/** Lines to the points that the held one is in line with. */
+function Guides({ held, placed }: { held: Held | null; placed: readonly PlacedPiece[] }) {
+  if (held?.kind !== 'part') return null;
+  const [dx, dy] = placed.find((one) => one.piece.id === held.piece)?.offset ?? [0, 0];
+  return (
+    <g class="guides" transform={`translate(${dx} ${-dy})`} aria-hidden="true">
+      {held.guides.map(([x, y], i) => (
+        <path key={i} d={`M${x} ${-y}L${held.to[0]} ${-held.to[1]}`} />
+      ))}
+    </g>
+  );
+}
+
+/** What the hand or the pointer is at, in figures. */
+function Note({ pieces, held, lit }: { pieces: Pieces; held: Held | null; lit: ShownSeam | null }) {
+  const state = useAppState();
+  const { problem, tool, draft } = state.editing;
+  if (problem.value) {
+    return (
+      <div class="pattern-note bad" role="alert">
+        <p>{sentence(problem.value.detail)}</p>
+        <p class="code">{[problem.value.code, problem.value.where].filter(Boolean).join(' · ')}</p>
+      </div>
+    );
+  }
+  if (held?.kind === 'part') {
+    return (
+      <p class="pattern-note" role="status">
+        <b>{held.to[0].toFixed(1)}</b>, <b>{held.to[1].toFixed(1)}</b> mm
+      </p>
+    );
+  }
+  if (lit && lit.seam.b.length > 0) {
+    const { a, b } = seamLengths(pieces.pieces, lit.seam);
+    const { lengths, difference } = lengthsText(a, b);
+    return (
+      <p class="pattern-note" role="status">
+        <b>{lit.seam.id === kDraft ? 'New seam' : `${lit.index + 1} ${lit.seam.id}`}</b> {lengths} · {difference}
+      </p>
+    );
+  }
+  if (tool.value === 'sew') {
+    const side = draft.value.side === 'a' || draft.value.a.length === 0 ? 'one side' : 'the other side';
+    return (
+      <p class="pattern-note" role="status">
+        Click the edges of {side}, then press <kbd>Enter</kbd>
+      </p>
+    );
+  }
+  if (tool.value === 'points' && state.selected.value === null) {
+    return (
+      <p class="pattern-note" role="status">
+        Click a piece to see its points
+      </p>
+    );
+  }
+  return null;
 }
 
 /** Squares of 10 cm behind the pieces, of 1 cm when near. */

@@ -1,41 +1,52 @@
-// One flat piece: outline, holes, seams, grain arrow, name and size.
+// One flat piece: cloth, outline, inner lines, notches, grain arrow, name and size. Its seams and what can be taken hold of
+// are drawn over it by others.
 
-import type { Point } from '../api/types';
-import { boxOf, cssColour, lengthOf, seamHue, type PlacedPiece, type SeamLine } from '../state/patternGeometry';
+import type { Notch, Piece, Point } from '../api/types';
+import { piecePath } from '../state/outline';
+import { boxOf, cssColour, type Box, type PlacedPiece } from '../state/patternGeometry';
 
 export interface PieceShapeProps {
   placed: PlacedPiece;
-  lines: SeamLine[];
   scale: number;
   selected: boolean;
   hovered: boolean;
-  /** Seam that is lit up. */
-  seam: string | null;
   onSelect(): void;
   onHover(on: boolean): void;
-  onSeam(seam: string | null): void;
+  children?: preact.ComponentChildren;
 }
 
-const path = (points: readonly Point[], closed: boolean): string =>
+export const linePath = (points: readonly Point[], closed = false): string =>
   points.map(([x, y], i) => `${i === 0 ? 'M' : 'L'}${x.toFixed(2)} ${(-y).toFixed(2)}`).join('') + (closed ? 'Z' : '');
 
 /** Smallest piece, in pixels across, that still has its name and its size written on it. */
 const kNamePx = 34;
 const kSizePx = 120;
+/** About the width of a letter of the name. */
+const kLetterPx = 7;
+
+/** As much of a name as fits; nothing when that would be no name any more. */
+export function nameThatFits(name: string, px: number): string {
+  const letters = Math.floor(px / kLetterPx);
+  if (name.length <= letters) return name;
+  return letters >= 8 ? `${name.slice(0, letters - 1)}…` : '';
+}
 
 export function PieceShape(props: PieceShapeProps) {
-  const { placed, lines, scale, selected, hovered, seam, onSelect, onHover, onSeam } = props;
+  const { placed, scale, selected, hovered, onSelect, onHover, children } = props;
   const { piece, offset } = placed;
   const box = boxOf(piece.outline);
   const across = (box.maxX - box.minX) * scale,
     down = (box.maxY - box.minY) * scale;
   const press = (event: KeyboardEvent): void => {
-    if (event.key !== 'Enter' && event.key !== ' ') return;
+    if ((event.key !== 'Enter' && event.key !== ' ') || event.target !== event.currentTarget) return;
     event.preventDefault();
     event.stopPropagation();
     onSelect();
   };
   const size = `${Math.round(box.maxX - box.minX)} × ${Math.round(box.maxY - box.minY)} mm`;
+  const label = labelAt(placed);
+  const outline = piecePath(piece);
+  const name = Math.min(across, down * 2.2) > kNamePx ? nameThatFits(piece.id, across - 6) : '';
   return (
     <g
       class={`piece${selected ? ' selected' : ''}${hovered ? ' hovered' : ''}`}
@@ -45,112 +56,110 @@ export function PieceShape(props: PieceShapeProps) {
       aria-pressed={selected}
       aria-label={`Piece ${piece.id}, ${size}`}
       data-piece={piece.id}
-      onClick={onSelect}
       onKeyDown={press}
       onPointerEnter={() => onHover(true)}
       onPointerLeave={() => onHover(false)}
     >
-      <path
-        class="piece-cloth"
-        fill-rule="evenodd"
-        style={{ fill: cssColour(piece.colour) }}
-        d={path(piece.outline, true) + piece.holes.map((hole) => path(hole, true)).join('')}
-      />
-      <path
-        class="piece-outline"
-        fill="none"
-        d={path(piece.outline, true) + piece.holes.map((hole) => path(hole, true)).join('')}
-      />
-      {lines.map((line, i) => (
-        <SeamMark key={i} line={line} scale={scale} lit={seam === line.seam} onSeam={onSeam} />
+      <title>{`${piece.id}, ${size}`}</title>
+      <path class="piece-cloth" fill-rule="evenodd" style={{ fill: cssColour(piece.colour) }} d={outline} />
+      <path class="piece-outline" fill="none" d={outline} />
+      {piece.lines.map((line) => (
+        <path key={line.id} class="piece-line" d={linePath(line.points)}>
+          <title>{line.id}</title>
+        </path>
+      ))}
+      {piece.notches.map((notch, i) => (
+        <NotchMark key={i} notch={notch} piece={piece} scale={scale} />
       ))}
       {piece.grain && Math.min(across, down) > kNamePx && (
-        <Grain at={labelAt(placed)} along={piece.grain} box={box} scale={scale} down={down} />
+        <Grain at={label} along={piece.grain} box={box} scale={scale} down={down} name={name.length * kLetterPx} />
       )}
-      {Math.min(across, down * 2.2) > kNamePx && (
+      {name !== '' && (
         <text
           class="piece-name"
-          x={labelAt(placed)[0]}
-          y={-labelAt(placed)[1]}
+          x={label[0]}
+          y={-label[1]}
           font-size={12 / scale}
           dy={down > kSizePx ? '-0.2em' : '0.35em'}
         >
-          {piece.id}
+          {name}
         </text>
       )}
       {across > kSizePx && down > kSizePx && (
-        <text class="piece-size" x={labelAt(placed)[0]} y={-labelAt(placed)[1]} font-size={10.5 / scale} dy="1.15em">
+        <text class="piece-size" x={label[0]} y={-label[1]} font-size={10.5 / scale} dy="1.15em">
           {size}
         </text>
       )}
+      {children}
     </g>
   );
 }
 
 const labelAt = ({ centre, offset }: PlacedPiece): Point => [centre[0] - offset[0], centre[1] - offset[1]];
 
-/** The sewn edge in its seam's colour; under it a wider one that the pointer finds. */
-function SeamMark({
-  line,
-  scale,
-  lit,
-  onSeam,
-}: {
-  line: SeamLine;
-  scale: number;
-  lit: boolean;
-  onSeam(seam: string | null): void;
-}) {
-  const colour = { '--hue': String(seamHue(line.index)) };
-  return (
-    <g
-      class={`seam${lit ? ' lit' : ''}`}
-      style={colour}
-      onPointerEnter={() => onSeam(line.seam)}
-      onPointerLeave={() => onSeam(null)}
-    >
-      <title>{`${line.seam} · ${Math.round(lengthOf(line.points))} mm`}</title>
-      <path class="seam-catch" d={path(line.points, false)} stroke-width={12 / scale} />
-      <path class="seam-line" d={path(line.points, false)} stroke-width={(lit ? 5 : 3) / scale} />
-    </g>
-  );
+/** A tick from the outline inwards; of its own depth where that is told and can be seen. */
+function NotchMark({ notch, piece, scale }: { notch: Notch; piece: Piece; scale: number }) {
+  const [dx, dy] = notch.inwards ?? inwards(piece, notch.at);
+  const long = Math.max(Math.abs(notch.depth_mm), 7 / scale);
+  const [x, y] = notch.at;
+  return <path class="notch" d={`M${x} ${-y}L${x + dx * long} ${-(y + dy * long)}`} />;
 }
 
-/** A double-headed arrow along the warp, beside the name. */
-function Grain({
-  at,
-  along,
-  box,
-  scale,
-  down,
-}: {
+/** Across the outline at a point, towards the cloth: outlines run counter-clockwise. */
+function inwards(piece: Piece, at: Point): Point {
+  let best: Point = [0, 1];
+  let nearest = Infinity;
+  piece.outline.forEach(([x0, y0], i) => {
+    const [x1, y1] = piece.outline[(i + 1) % piece.outline.length]!;
+    const far = Math.hypot((x0 + x1) / 2 - at[0], (y0 + y1) / 2 - at[1]);
+    const long = Math.hypot(x1 - x0, y1 - y0);
+    if (far >= nearest || long === 0) return;
+    nearest = far;
+    best = [-(y1 - y0) / long, (x1 - x0) / long];
+  });
+  return best;
+}
+
+interface GrainProps {
   at: Point;
   along: Point;
-  box: ReturnType<typeof boxOf>;
+  box: Box;
   scale: number;
   down: number;
-}) {
+  /** Width of the piece's name, px. */
+  name: number;
+}
+
+/** A double-headed arrow along the warp: through the name's place with a gap for it, or beside it where a piece is low. */
+function Grain({ at, along, box, scale, down, name }: GrainProps) {
   const length = Math.hypot(along[0], along[1]) || 1;
   const [ux, uy] = [along[0] / length, along[1] / length];
+  const high = down > kSizePx;
   const room = Math.abs(uy) * (box.maxY - box.minY) + Math.abs(ux) * (box.maxX - box.minX);
-  const half = Math.min(room * 0.36, 90 / scale);
-  const beside = down > kSizePx ? 0 : 34 / scale;
-  const x = at[0] + uy * beside,
-    y = -(at[1] - ux * beside);
+  // Inside of the piece's box also where the name does not stand in its middle.
+  const upright = Math.abs(uy) > 0.5;
+  const ahead = upright ? Math.min(at[1] - box.minY, box.maxY - at[1]) - 6 / scale : Infinity;
+  const half = Math.min(room * 0.36, 90 / scale, ahead);
+  const aside = high ? 0 : (name / 2 + 14) / scale;
+  if (at[0] + aside > box.maxX - 8 / scale) return null;
   const degrees = (Math.atan2(-uy, ux) * 180) / Math.PI;
   const head = Math.min(6 / scale, half * 0.6);
-  const gap = down > kSizePx ? 24 / scale : 0;
-  if (half < gap * 1.2) return null;
+  // Across the name the gap is as long as the name, along it as high.
+  const gap = high ? (upright ? 24 : name / 2 + 8) / scale : 0;
+  if (half < Math.max(gap * 1.2, 10 / scale)) return null;
+  const ends = [
+    `M${-half} 0H${-gap}M${gap} 0H${half}`,
+    `M${-half + head} ${-head * 0.6}L${-half} 0L${-half + head} ${head * 0.6}`,
+    `M${half - head} ${-head * 0.6}L${half} 0L${half - head} ${head * 0.6}`,
+  ];
   return (
     <g
       class="grain"
-      transform={`translate(${x} ${y}) rotate(${degrees})`}
+      transform={`translate(${at[0] + aside} ${-at[1]}) rotate(${degrees})`}
       stroke-width={1.25 / scale}
       aria-hidden="true"
     >
-      <path
-        d={`M${-half} 0H${-gap}M${gap} 0H${half}M${-half + head} ${-head * 0.6}L${-half} 0L${-half + head} ${head * 0.6}M${half - head} ${-head * 0.6}L${half} 0L${half - head} ${head * 0.6}`}
-      />
+      <path d={ends.join('')} />
     </g>
   );
 }

@@ -4,10 +4,10 @@ import { effect, useSignal, useSignalEffect } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import { useCommands } from '../commands/context';
 import type { AppState, View } from '../state/AppState';
-import { valueOf } from '../state/AppState';
 import { useAppState } from '../state/context';
 import { activity, isActive, placeInQueue } from '../state/jobs';
 import { counted, sentence } from '../state/words';
+import type { BoxPlace } from './boxFaces';
 import type { SceneView } from './SceneView';
 
 const kViews: { view: View; title: string; key: string }[] = [
@@ -51,6 +51,7 @@ export function ScenePane({ load, drawn }: ScenePaneProps) {
         const events = {
           select: (p: string | null) => commands.select(p),
           hover: (p: string | null) => commands.hover(p),
+          place: (piece: string, at: BoxPlace) => void commands.dressing.drop(piece, at),
           drawn,
         };
         scene.current = new SceneView(canvas.current, state.cloth, events, token('--accent-3d'));
@@ -86,6 +87,7 @@ export function ScenePane({ load, drawn }: ScenePaneProps) {
       ) : (
         <Overlay />
       )}
+      <Busy />
       <div class="scene-tools" role="toolbar" aria-label="Views">
         {kViews.map(({ view, title, key }) => (
           <button
@@ -131,8 +133,16 @@ function connect(scene: SceneView, state: AppState): () => void {
   dark.addEventListener('change', paint);
   const turn = state.view.peek().turn;
   const stops = [
-    effect(() => scene.setBody(valueOf(state.body.value ?? { state: 'loading' }))),
-    effect(() => scene.show(state.bodyShown.value && state.body.value?.state === 'ready', state.meshShown.value)),
+    effect(() => scene.setBody(state.shownBody.value)),
+    effect(() => scene.setStart(state.beforeDrape.value ? state.dressing.start.value : null)),
+    effect(() => scene.setDraggable(state.beforeDrape.value && state.tab.value === 'arrange')),
+    effect(() => scene.setFigures(state.beforeDrape.value ? (state.dressing.bodies.value ?? []) : [])),
+    effect(() => scene.showMarks(state.shownMarks.value, state.dressing.lit.value)),
+    effect(() => {
+      const shown = state.beforeDrape.value ? state.dressing.finding.value : null;
+      scene.lookAt(shown?.finding ?? null, calm.matches);
+    }),
+    effect(() => scene.show(state.bodyShown.value && state.shownBody.value !== null, state.meshShown.value)),
     effect(() => scene.highlight(state.selected.value, state.hovered.value)),
     effect(() => {
       if (state.view.value.turn > turn) scene.look(state.view.value.view, calm.matches);
@@ -140,6 +150,17 @@ function connect(scene: SceneView, state: AppState): () => void {
     () => dark.removeEventListener('change', paint),
   ];
   return () => stops.forEach((stop) => stop());
+}
+
+/** A change of body or places under way. */
+function Busy() {
+  const { dressing } = useAppState();
+  if (!dressing.busy.value) return null;
+  return (
+    <p class="scene-busy" role="status">
+      <span class="spinner" aria-hidden="true" /> {dressing.busy.value}…
+    </p>
+  );
 }
 
 function Toggle({ on, title, label, flip }: { on: boolean; title: string; label: string; flip: () => void }) {
@@ -152,9 +173,9 @@ function Toggle({ on, title, label, flip }: { on: boolean; title: string; label:
 
 function Message({ title, text, children }: { title: string; text: string; children?: preact.ComponentChildren }) {
   return (
-    <div class="scene-message">
+    <div class={`scene-message${text ? '' : ' compact'}`}>
       <h2>{title}</h2>
-      <p>{text}</p>
+      {text && <p>{text}</p>}
       {children}
     </div>
   );
@@ -195,7 +216,7 @@ function Overlay() {
     return (
       <Message
         title="Not draped yet"
-        text="The pieces are read and ready. A drape sews them around the body and lets them hang."
+        text={state.dressing.start.value ? '' : 'The pieces are read and ready. A drape sews them around the body.'}
       >
         <button class="primary" disabled={state.submitting.value} onClick={() => void commands.startDrape()}>
           Start drape <kbd>Space</kbd>

@@ -17,9 +17,13 @@ import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import type { BodyMesh } from '../api/body';
 import type { View } from '../state/AppState';
 import type { LiveCloth } from '../state/LiveCloth';
+import type { Finding, ProjectBody, Start } from '../api/dressing';
+import type { Marks } from '../state/dressing';
+import { BodyMarks } from './BodyMarks';
 import { BodyObject } from './BodyObject';
+import type { BoxPlace } from './boxFaces';
 import { ClothObject } from './ClothObject';
-import { boundsOf, eased, poseFor, union, type Bounds, type Pose, type Vec3 } from './framing';
+import { boundsOf, closeUp, eased, poseFor, union, type Bounds, type Pose, type Vec3 } from './framing';
 import { Studio, type StudioColours } from './Studio';
 
 const kFov = 32;
@@ -39,6 +43,8 @@ const kBodyOnly: Bounds = { low: [-0.5, 0, -0.3], high: [0.5, 1.75, 0.3] };
 export interface SceneEvents {
   select(piece: string | null): void;
   hover(piece: string | null): void;
+  /** A piece was let go over a side of a box. */
+  place(piece: string, at: BoxPlace): void;
   /** A frame of the cloth has reached the screen. */
   drawn(): void;
 }
@@ -53,6 +59,9 @@ export class SceneView {
   private readonly studio_ = new Studio();
   private readonly cloth_: ClothObject;
   private readonly body_: BodyObject;
+  private readonly marks_ = new BodyMarks();
+  /** Shown in place of the drape's cloth. */
+  private start_: Start | null = null;
   private readonly raycaster_ = new Raycaster();
   private readonly resizer_: ResizeObserver;
   private readonly stopListening_: () => void;
@@ -64,6 +73,8 @@ export class SceneView {
   private newFrame_ = false;
   private request_ = 0;
   private press_: [number, number] | null = null;
+  private draggable_ = false;
+  private drag_: { piece: string; at: BoxPlace | null } | null = null;
   private lastDraw_ = 0;
   /** ms from picture to picture, a running mean. */
   private pace_ = 16;
@@ -95,7 +106,7 @@ export class SceneView {
       hovered: new Color('#ffffff'),
     });
     this.body_ = new BodyObject(0xcfc8bf);
-    this.scene_.add(this.studio_.group, this.body_.mesh, this.cloth_.group);
+    this.scene_.add(this.studio_.group, this.body_.mesh, this.cloth_.group, this.marks_.group);
     this.controls_ = this.makeControls();
     this.applyPose(poseFor('three-quarter', kBodyOnly, kFov, 1));
     this.renderer_.compile(this.scene_, this.camera_);
@@ -112,6 +123,42 @@ export class SceneView {
     this.bodyBounds_ = body ? boundsOf(body.positions) : null;
     if (body && !this.framed_ && !this.cloth_.positions) this.applyPose(this.pose());
     this.invalidate();
+  }
+
+  /** The pieces where a drape would begin, in place of the drape's cloth; null: the drape again. */
+  setStart(start: Start | null): void {
+    if (start === this.start_) return;
+    const other = (start === null) !== (this.start_ === null);
+    this.start_ = start;
+    if (other) this.framed_ = false;
+    this.takeAll();
+  }
+
+  setFigures(bodies: ProjectBody[]): void {
+    this.marks_.setBodies(bodies);
+    this.invalidate();
+  }
+
+  showMarks(marks: Marks, lit: string | null): void {
+    this.marks_.show(marks, lit);
+    this.invalidate();
+  }
+
+  /** Whether pieces can be dragged to the sides of boxes. */
+  setDraggable(draggable: boolean): void {
+    this.draggable_ = draggable;
+    if (!draggable) this.endDrag();
+  }
+
+  /** Marks the place of a finding and flies to it, to the outer side of the body there. */
+  lookAt(finding: Finding | null, still = false): void {
+    this.marks_.mark(finding);
+    this.invalidate();
+    if (!finding) return;
+    const middle = this.bodyBounds_ ?? kBodyOnly;
+    const to = closeUp(finding.place, middle, this.currentPose());
+    if (still) return this.applyPose(to);
+    this.turn_ = { from: this.currentPose(), to, start: performance.now() };
   }
 
   show(bodyShown: boolean, meshShown: boolean): void {
@@ -158,6 +205,7 @@ export class SceneView {
     this.stopListening_();
     this.controls_.dispose();
     this.cloth_.dispose();
+    this.marks_.dispose();
     this.body_.dispose();
     this.studio_.dispose();
     this.renderer_.dispose();
@@ -176,6 +224,7 @@ export class SceneView {
   }
 
   private take(event: 'topology' | 'frame' | 'cleared'): void {
+    if (this.start_) return;
     if (event === 'frame') {
       this.newFrame_ = true;
       return this.invalidate();
@@ -183,12 +232,17 @@ export class SceneView {
     this.takeAll();
   }
 
+  private get shown(): Pick<LiveCloth, 'topology' | 'positions'> {
+    return this.start_ ?? this.live_;
+  }
+
   private takeAll(): void {
-    if (this.live_.topology !== this.cloth_.topology) {
-      if (this.live_.topology === null) this.framed_ = false;
-      this.cloth_.setTopology(this.live_.topology);
+    const { topology, positions } = this.shown;
+    if (topology !== this.cloth_.topology) {
+      if (topology === null) this.framed_ = false;
+      this.cloth_.setTopology(topology);
     }
-    this.newFrame_ = this.live_.positions !== null;
+    this.newFrame_ = positions !== null;
     this.invalidate();
   }
 
@@ -201,9 +255,10 @@ export class SceneView {
     this.request_ = 0;
     this.advanceTurn(now);
     const fresh = this.newFrame_;
-    if (fresh && this.live_.positions) {
+    const { positions } = this.shown;
+    if (fresh && positions) {
       this.newFrame_ = false;
-      this.cloth_.setPositions(this.live_.positions);
+      this.cloth_.setPositions(positions);
       if (!this.framed_) {
         this.framed_ = true;
         this.applyPose(this.pose());
@@ -214,7 +269,7 @@ export class SceneView {
     this.stale_ = false;
     this.studio_.face(this.camera_.position, this.controls_.target);
     this.draw(now);
-    if (fresh) this.events_.drawn();
+    if (fresh && !this.start_) this.events_.drawn();
     if (this.turn_) this.invalidate();
   }
 
@@ -249,8 +304,10 @@ export class SceneView {
   private pose(): Pose {
     const positions = this.cloth_.positions;
     const cloth = positions ? boundsOf(positions) : null;
-    const bounds = cloth ?? this.bodyBounds_ ?? kBodyOnly;
     const body = this.bodyBounds_;
+    // Before the drape all of both is shown: the pieces stand around the body.
+    if (this.start_) return poseFor(this.view_, union(cloth, body) ?? kBodyOnly, kFov, this.camera_.aspect);
+    const bounds = cloth ?? body ?? kBodyOnly;
     const tall = body && cloth && cloth.high[1] - cloth.low[1] > 0.6 * (body.high[1] - body.low[1]);
     return poseFor(this.view_, tall ? union(bounds, body)! : bounds, kFov, this.camera_.aspect);
   }
@@ -271,6 +328,7 @@ export class SceneView {
     const width = Math.max(1, box.clientWidth),
       height = Math.max(1, box.clientHeight);
     this.renderer_.setSize(width, height, false);
+    this.marks_.resize(width, height);
     this.camera_.aspect = width / height;
     this.camera_.updateProjectionMatrix();
     this.invalidate();
@@ -278,29 +336,70 @@ export class SceneView {
 
   private listenForPointer(): void {
     const at = (event: PointerEvent): [number, number] => [event.clientX, event.clientY];
-    this.canvas_.addEventListener('pointerdown', (event) => (this.press_ = at(event)));
+    const still = (event: PointerEvent): boolean =>
+      this.press_ !== null && Math.hypot(event.clientX - this.press_[0], event.clientY - this.press_[1]) < kClickPx;
+    // Before the camera's own listeners, which a dragged piece keeps from turning.
+    const down = (event: PointerEvent): void => {
+      this.press_ = at(event);
+      const piece = this.draggable_ && event.button === 0 ? this.pieceUnder(event) : null;
+      if (piece) this.beginDrag(piece, event);
+    };
+    this.canvas_.addEventListener('pointerdown', down, { capture: true });
     this.canvas_.addEventListener('pointerup', (event) => {
-      const press = this.press_;
+      const click = still(event),
+        drag = this.drag_;
       this.press_ = null;
-      if (!press || event.button !== 0) return;
-      if (Math.hypot(event.clientX - press[0], event.clientY - press[1]) < kClickPx)
-        this.events_.select(this.pieceUnder(event));
+      this.endDrag();
+      if (click && event.button === 0) this.events_.select(this.pieceUnder(event));
+      else if (drag?.at) this.events_.place(drag.piece, drag.at);
     });
+    this.canvas_.addEventListener('pointercancel', () => this.endDrag());
     this.canvas_.addEventListener('pointermove', (event) => {
+      if (this.drag_ && !still(event)) this.aim(event);
       if (event.buttons === 0 && event.pointerType === 'mouse') this.events_.hover(this.pieceUnder(event));
     });
     this.canvas_.addEventListener('pointerleave', () => this.events_.hover(null));
   }
 
-  private pieceUnder(event: PointerEvent): string | null {
-    const mesh = this.cloth_.mesh;
-    if (!mesh || !this.cloth_.positions) return null;
+  private beginDrag(piece: string, event: PointerEvent): void {
+    this.drag_ = { piece, at: null };
+    this.controls_.enabled = false;
+    this.canvas_.setPointerCapture(event.pointerId);
+  }
+
+  private aim(event: PointerEvent): void {
+    if (!this.drag_) return;
+    if (!this.drag_.at) this.marks_.setDragging(true);
+    this.point(event);
+    this.drag_.at = this.marks_.aim(this.raycaster_) ?? null;
+    this.canvas_.style.cursor = this.drag_.at ? 'copy' : 'not-allowed';
+    this.events_.hover(this.drag_.piece);
+    this.invalidate();
+  }
+
+  private endDrag(): void {
+    if (!this.drag_) return;
+    this.drag_ = null;
+    this.controls_.enabled = true;
+    this.canvas_.style.cursor = '';
+    this.marks_.setDragging(false);
+    this.invalidate();
+  }
+
+  /** Sends the ray through the pointer. */
+  private point(event: PointerEvent): void {
     const box = this.canvas_.getBoundingClientRect();
     const pointer = new Vector2(
       ((event.clientX - box.left) / box.width) * 2 - 1,
       1 - ((event.clientY - box.top) / box.height) * 2,
     );
     this.raycaster_.setFromCamera(pointer, this.camera_);
+  }
+
+  private pieceUnder(event: PointerEvent): string | null {
+    const mesh = this.cloth_.mesh;
+    if (!mesh || !this.cloth_.positions) return null;
+    this.point(event);
     const hit = this.raycaster_.intersectObjects(this.body_.mesh.visible ? [mesh, this.body_.mesh] : [mesh], false)[0];
     return hit && hit.object === mesh ? this.cloth_.pieceAt(hit) : null;
   }

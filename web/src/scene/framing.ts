@@ -56,6 +56,21 @@ export function poseFor(view: View, bounds: Bounds, fov: number, aspect: number)
   return { eye: target.map((x, k) => x + away * direction[k]!) as Vec3, target };
 }
 
+/** Metres from the eye to what is looked at closely. */
+const kClose = 1.25;
+
+/** Close to a place, seen from outside of what stands around `around`'s middle; of a place on the middle's upright from where
+ *  the eye is now. */
+export function closeUp(place: Vec3, around: Bounds, now: Pose): Pose {
+  const middle = around.low.map((x, k) => (x + around.high[k]!) / 2) as Vec3;
+  const out: Vec3 = [place[0] - middle[0], 0, place[2] - middle[2]];
+  const seen: Vec3 = [now.eye[0] - now.target[0], 0, now.eye[2] - now.target[2]];
+  const flat = Math.hypot(...out) > 0.03 ? out : Math.hypot(...seen) > 1e-6 ? seen : ([0, 0, 1] as Vec3);
+  const level = normalized(flat);
+  const direction = normalized([level[0], 0.22, level[2]]);
+  return { eye: place.map((x, k) => x + kClose * direction[k]!) as Vec3, target: place };
+}
+
 function normalized(v: Vec3): Vec3 {
   const length = Math.hypot(...v);
   return v.map((x) => x / length) as Vec3;

@@ -5,6 +5,9 @@ import type { ApiError } from '../api/http';
 import type { BodyMesh } from '../api/body';
 import type { StreamConnection } from '../api/JobStream';
 import type { Job, Pieces, Progress, Project, Report } from '../api/types';
+import { DressingState, type Marks } from './dressing';
+import { EditingState } from './editing';
+import type { ImportDraft } from './importDraft';
 import type { IntakePlan } from './intake';
 import { isActive, newestJobOf, withProgress } from './jobs';
 import { LiveCloth } from './LiveCloth';
@@ -44,7 +47,7 @@ export interface Intake {
 }
 
 export type View = 'front' | 'back' | 'side' | 'three-quarter';
-export type Tab = 'drape' | 'result';
+export type Tab = 'pattern' | 'body' | 'arrange' | 'drape' | 'result';
 
 export class AppState {
   readonly route: Signal<Route> = signal({ name: 'home' });
@@ -65,13 +68,16 @@ export class AppState {
   readonly pieces: Signal<Loaded<Pieces> | null> = signal(null);
   readonly selected: Signal<string | null> = signal(null);
   readonly hovered: Signal<string | null> = signal(null);
+  readonly editing = new EditingState();
+  readonly dressing = new DressingState();
 
   readonly notices: Signal<Notice[]> = signal([]);
   readonly intake: Signal<Intake | null> = signal(null);
+  readonly importing: Signal<ImportDraft | null> = signal(null);
   readonly submitting: Signal<boolean> = signal(false);
   readonly helpShown: Signal<boolean> = signal(false);
   readonly railShown: Signal<boolean> = signal((globalThis.innerWidth ?? 1440) > 860);
-  readonly tab: Signal<Tab> = signal('drape');
+  readonly tab: Signal<Tab> = signal('pattern');
   /** Written by a command, read by the 3D view; `turn` rises so that the same view can be asked for again. */
   readonly view: Signal<{ view: View; turn: number }> = signal({ view: 'three-quarter', turn: 0 });
   readonly bodyShown: Signal<boolean> = signal(true);
@@ -100,6 +106,22 @@ export class AppState {
   readonly project: ReadonlySignal<Project | null> = computed(
     () => valueOf(this.projects.value)?.find((project) => project.id === this.projectId.value) ?? null,
   );
+
+  /** Whether the 3D view shows what a drape would begin with, not what it came to. */
+  readonly beforeDrape: ReadonlySignal<boolean> = computed(
+    () => this.projectId.value !== null && (this.job.value === null || ['body', 'arrange'].includes(this.tab.value)),
+  );
+
+  readonly shownBody: ReadonlySignal<BodyMesh | null> = computed(() =>
+    this.beforeDrape.value ? this.dressing.mesh.value : valueOf(this.body.value ?? loading),
+  );
+
+  /** Tape and landmarks belong to the body's panel, boxes to both. */
+  readonly shownMarks: ReadonlySignal<Marks> = computed(() => {
+    const { tape, landmarks, boxes } = this.dressing.marks.value;
+    const body = this.tab.value === 'body';
+    return { tape: body && tape, landmarks: body && landmarks, boxes: boxes && (body || this.tab.value === 'arrange') };
+  });
 
   readonly anyActive: ReadonlySignal<boolean> = computed(() => this.allJobs.value.some((job) => isActive(job.state)));
 

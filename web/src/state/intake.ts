@@ -17,9 +17,16 @@ export interface IntakePlan {
   /** Given, but the document does not name them. */
   unused: string[];
   problems: IntakeProblem[];
-  /** Pieces read out of a DXF that came without a document. */
-  loose: { dxf: GivenFile; pieces: string[] } | null;
+  /** A pattern that came without a document: the service reads it, and a project is made of what it holds. */
+  loose: LoosePattern | null;
   ready: boolean;
+}
+
+export interface LoosePattern {
+  kind: 'dxf' | 'specification';
+  file: GivenFile;
+  /** Files that may be the body. */
+  bodies: GivenFile[];
 }
 
 export interface IntakeProblem {
@@ -54,73 +61,33 @@ export function filesNamedBy(document: Record<string, unknown>): { name: string;
   return [...named].map(([name, kind]) => ({ name, kind }));
 }
 
-/** Names of the pieces (blocks) in a DXF's text, in the file's order. Enough to show what came; the service reads it properly. */
-export function piecesNamedIn(dxf: string): string[] {
-  const lines = dxf.split(/\r\n|\r|\n/);
-  const names: string[] = [];
-  let inBlock = false;
-  for (let i = 0; i + 1 < lines.length; i += 2) {
-    const code = lines[i]!.trim();
-    const value = lines[i + 1]!.trim();
-    if (code === '0') inBlock = value === 'BLOCK';
-    else if (inBlock && code === '2') {
-      if (!value.startsWith('*') && !names.includes(value)) names.push(value);
-      inBlock = false;
-    }
-  }
-  return names;
+interface ReadJson {
+  document: Record<string, unknown> | null;
+  specification: boolean;
 }
 
-/** A document to begin with: the DXF's pieces, one fabric, the program's mannequin; seams are for a person to add. */
-export function starterDocument(dxf: string, pieces: readonly string[]): Record<string, unknown> {
-  const placed = pieces.map((piece, i) => ({
-    id: piece,
-    from: { dxf, piece },
-    fabric: 'cotton',
-    placement: { wrapped: { radius: 0.3, angle: Math.round((360 * i) / pieces.length), height: 1.1 } },
-  }));
-  const cotton = {
-    id: 'cotton',
-    name: 'Plain-woven cotton',
-    areal_mass_g_m2: 150,
-    stretch_warp_n_m: 2500,
-    stretch_weft_n_m: 1800,
-    stretch_coupling_n_m: 400,
-    stretch_shear_n_m: 500,
-    bend_warp_un_m: 10,
-    bend_weft_un_m: 8,
-    bend_bias_un_m: 7,
-    thickness_mm: 0.4,
-    friction: 0.35,
-    colour: [0.55, 0.62, 0.72],
-  };
-  return {
-    toile: 1,
-    name: dxf.replace(/\.dxf$/i, ''),
-    pieces: placed,
-    fabrics: [cotton],
-    seams: [],
-    bodies: [{ id: 'body', mannequin: { height_cm: 170 } }],
-  };
-}
+/** A specification of GarmentCode has its panels under "pattern". */
+const isSpecification = (value: Record<string, unknown>): boolean =>
+  isObject(value.pattern) && isObject(value.pattern.panels);
 
-async function readDocument(file: GivenFile, problems: IntakeProblem[]): Promise<Record<string, unknown> | null> {
+async function readJson(file: GivenFile, problems: IntakeProblem[]): Promise<ReadJson> {
   if (file.blob.size > kLargestDocument) {
     problems.push({ code: 'json.too_large', text: 'A project document has at most 4 MiB.', where: file.name });
-    return null;
+    return { document: null, specification: false };
   }
   try {
     const value: unknown = JSON.parse(await file.blob.text());
-    if (isObject(value) && 'toile' in value) return value;
+    if (isObject(value) && 'toile' in value) return { document: value, specification: false };
+    if (isObject(value) && isSpecification(value)) return { document: null, specification: true };
     problems.push({
       code: 'project.format',
-      text: 'This JSON file is no Toile project: it has no key "toile".',
+      text: 'This JSON file is neither a Toile project (it has no key "toile") nor a GarmentCode specification.',
       where: file.name,
     });
   } catch (error) {
     problems.push({ code: 'json.malformed', text: `Not valid JSON: ${(error as Error).message}`, where: file.name });
   }
-  return null;
+  return { document: null, specification: false };
 }
 
 /** Looks at everything given so far; of files with the same name the last one counts. */
@@ -133,7 +100,7 @@ export async function planIntake(given: readonly GivenFile[]): Promise<IntakePla
     else if (!isDxf(name) && !isJson(name) && !kBodyFile.test(name)) {
       problems.push({
         code: 'file.kind',
-        text: 'Neither a project (.json), a pattern (.dxf) nor a body (.obj, .glb, …).',
+        text: 'Neither a project (.json), a pattern (.dxf, .json) nor a body (.obj, .glb, …).',
         where: name,
       });
     }
@@ -146,8 +113,9 @@ export async function planIntake(given: readonly GivenFile[]): Promise<IntakePla
       where: documents.map((d) => d.name).join(', '),
     });
   }
-  const document = documents.length === 1 ? await readDocument(documents[0]!, problems) : null;
-  return document ? planWith(document, documents[0]!.name, files, problems) : planWithout(files, problems);
+  const json = documents.length === 1 ? await readJson(documents[0]!, problems) : null;
+  if (json?.document) return planWith(json.document, documents[0]!.name, files, problems);
+  return planWithout(files, json?.specification ? documents[0]! : null, problems);
 }
 
 function planWith(
@@ -169,9 +137,30 @@ function planWith(
   return { document, documentName, name, needed, unused, problems, loose: null, ready };
 }
 
-async function planWithout(files: readonly GivenFile[], problems: IntakeProblem[]): Promise<IntakePlan> {
-  const dxf = files.find((file) => isDxf(file.name) && file.blob.size <= kLargestFile);
-  const loose = dxf ? { dxf, pieces: piecesNamedIn(await dxf.blob.text()) } : null;
-  const unused = files.filter((file) => file !== dxf && !isJson(file.name)).map((file) => file.name);
-  return { document: null, documentName: '', name: dxf?.name ?? '', needed: [], unused, problems, loose, ready: false };
+function planWithout(
+  files: readonly GivenFile[],
+  specification: GivenFile | null,
+  problems: IntakeProblem[],
+): IntakePlan {
+  // Of several the newest counts.
+  const drawings = files.filter((file) => isDxf(file.name) && file.blob.size <= kLargestFile);
+  const pattern = specification ?? drawings[drawings.length - 1] ?? null;
+  const bodies = files.filter((file) => kBodyFile.test(file.name) && file.blob.size <= kLargestFile);
+  const loose: LoosePattern | null = pattern && {
+    kind: specification ? 'specification' : 'dxf',
+    file: pattern,
+    bodies,
+  };
+  const used = (file: GivenFile): boolean => file === pattern || (loose !== null && bodies.includes(file));
+  const unused = files.filter((file) => !used(file) && !isJson(file.name)).map((file) => file.name);
+  return {
+    document: null,
+    documentName: '',
+    name: pattern?.name ?? '',
+    needed: [],
+    unused,
+    problems,
+    loose,
+    ready: false,
+  };
 }

@@ -1,6 +1,6 @@
 // Flat pieces as the 2D view lays them out: boxes, places, colours of seams. Pure; millimetres, y up.
 
-import type { Piece, Point, Seam } from '../api/types';
+import type { Piece, Point } from '../api/types';
 
 export interface Box {
   minX: number;
@@ -50,16 +50,44 @@ const overlap = (a: Box, b: Box): boolean => a.minX < b.maxX && b.minX < a.maxX 
 const kGap = 60;
 
 /**
- * Pieces stay where the pattern has them. Where that would put one on top of another, all are laid in rows instead,
- * tallest first, about as wide as high.
+ * Pieces stay where the pattern has them. Where that would put one on top of another, or all of them in one long row, they
+ * are laid in rows instead, tallest first, about as wide as high. Pieces in `kept` stay where they were shown; others come beside them when they
+ * would lie on one.
  */
-export function layOut(pieces: readonly Piece[]): PlacedPiece[] {
+export function layOut(pieces: readonly Piece[], kept: ReadonlyMap<string, Point> = new Map()): PlacedPiece[] {
   const boxes = pieces.map((piece) => boxOf(piece.outline));
-  const clash = boxes.some((a, i) => boxes.some((b, j) => j > i && overlap(a, b)));
-  const offsets = clash ? inRows(boxes) : boxes.map((): Point => [0, 0]);
+  const anyKept = pieces.some((piece) => kept.has(piece.id));
+  const anew = clash(boxes) || strungOut(boxes);
+  const offsets = anyKept ? besideKept(pieces, boxes, kept) : anew ? inRows(boxes) : boxes.map(unmoved);
   return pieces.map((piece, i) => {
     const box = moved(boxes[i]!, offsets[i]!);
     return { piece, offset: offsets[i]!, box, centre: add(insideOf(piece.outline), offsets[i]!) };
+  });
+}
+
+const unmoved = (): Point => [0, 0];
+/** So long a row that its pieces could hardly be seen. */
+const strungOut = (boxes: readonly Box[]): boolean => {
+  if (boxes.length < 4) return false;
+  const all = joined(boxes);
+  const [w, h] = [all.maxX - all.minX, all.maxY - all.minY];
+  return Math.max(w, h) > 4 * Math.min(w, h);
+};
+const clash = (boxes: readonly Box[]): boolean => boxes.some((a, i) => boxes.some((b, j) => j > i && overlap(a, b)));
+
+function besideKept(pieces: readonly Piece[], boxes: readonly Box[], kept: ReadonlyMap<string, Point>): Point[] {
+  const places = boxes.flatMap((box, i) => {
+    const offset = kept.get(pieces[i]!.id);
+    return offset ? [moved(box, offset)] : [];
+  });
+  return boxes.map((box, i): Point => {
+    const offset = kept.get(pieces[i]!.id);
+    if (offset) return offset;
+    const free = places.every((place) => !overlap(place, box));
+    const right = joined(places);
+    const found: Point = free ? [0, 0] : [right.maxX + kGap - box.minX, right.maxY - box.maxY];
+    places.push(moved(box, found));
+    return found;
   });
 }
 
@@ -117,39 +145,35 @@ function cutsAt(outline: readonly Point[], y: number): number[] {
   return cuts.sort((a, b) => a - b);
 }
 
-/** Hues that keep apart from each other and from the fabric fills, for seams; repeats after twelve. */
-const kSeamHues = [212, 28, 152, 330, 268, 92, 190, 8, 48, 292, 122, 240];
-
-export const seamHue = (index: number): number => kSeamHues[index % kSeamHues.length]!;
-
-export interface SeamLine {
-  seam: string;
-  index: number;
-  piece: string;
-  side: 'a' | 'b';
-  points: Point[];
-}
-
-/** Every sewn edge as a line in its piece's coordinates; edges the pieces do not have are left away. */
-export function seamLines(pieces: readonly Piece[], seams: readonly Seam[]): SeamLine[] {
-  const edges = new Map(
-    pieces.flatMap((piece) => piece.edges.map((edge) => [`${piece.id}\n${edge.id}`, edge.points] as const)),
-  );
-  return seams.flatMap((seam, index) =>
-    (['a', 'b'] as const).flatMap((side) =>
-      seam[side].flatMap((use): SeamLine[] => {
-        const points = edges.get(`${use.piece}\n${use.edge}`);
-        return points ? [{ seam: seam.id, index, piece: use.piece, side, points }] : [];
-      }),
-    ),
-  );
-}
-
 export function lengthOf(points: readonly Point[]): number {
   let sum = 0;
   for (let i = 1; i < points.length; ++i)
     sum += Math.hypot(points[i]![0] - points[i - 1]![0], points[i]![1] - points[i - 1]![1]);
   return sum;
+}
+
+/** The part of a polyline between two fractions of its length. */
+export function cutLine(points: readonly Point[], from: number, to: number): Point[] {
+  if ((from <= 0 && to >= 1) || points.length < 2) return [...points];
+  const whole = lengthOf(points);
+  const out: Point[] = [];
+  let gone = 0;
+  for (let i = 1; i < points.length; ++i) {
+    const [a, b] = [points[i - 1]!, points[i]!];
+    const step = Math.hypot(b[0] - a[0], b[1] - a[1]);
+    const at = (length: number): Point => {
+      const t = step > 0 ? (length - gone) / step : 0;
+      return [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])];
+    };
+    const first = Math.max(gone, from * whole),
+      last = Math.min(gone + step, to * whole);
+    if (last > first) {
+      if (out.length === 0) out.push(at(first));
+      out.push(at(last));
+    }
+    gone += step;
+  }
+  return out;
 }
 
 /** Linear RGB as a CSS colour. */

@@ -13,6 +13,9 @@ export function bytes(n: number): string {
   return `${(n / 1e6).toFixed(1)} MB`;
 }
 
+/** A file's name without its ending. */
+export const stem = (name: string): string => name.replace(/\.[^.]*$/, '');
+
 /** A message as a sentence of its own: programs say them in lower case and without a full stop. */
 export function sentence(text: string): string {
   const whole = text.charAt(0).toUpperCase() + text.slice(1);

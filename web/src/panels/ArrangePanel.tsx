@@ -1,0 +1,153 @@
+// Where the pieces stand before the drape, and what the look at them found.
+
+import { useEffect, useRef } from 'preact/hooks';
+import type { BoxSide, PieceWish } from '../api/dressing';
+import type { Piece } from '../api/types';
+import { useCommands } from '../commands/context';
+import { kAway_mm } from '../commands/DressingCommands';
+import { loading, valueOf } from '../state/AppState';
+import { useAppState } from '../state/context';
+import { kParts, partTitle } from '../state/dressing';
+import { cssColour } from '../state/patternGeometry';
+import { Refusal } from './BodyPanel';
+import { NumberField } from './NumberField';
+import { ProblemList } from './ProblemList';
+
+export function ArrangePanel() {
+  const state = useAppState();
+  const commands = useCommands();
+  const { dressing } = state;
+  if (!state.projectId.value) return <p class="hint">Open a project to arrange its pieces.</p>;
+  const marks = dressing.marks.value;
+  const busy = dressing.busy.value !== '';
+  return (
+    <>
+      <div class="arrange-head">
+        <button class="primary" disabled={busy} onClick={() => void commands.dressing.arrange()}>
+          Arrange the pieces
+        </button>
+        <button
+          class="plain"
+          aria-pressed={marks.boxes}
+          onClick={() => commands.dressing.showMarks({ boxes: !marks.boxes })}
+        >
+          Boxes
+        </button>
+      </div>
+      <Refusal problem={dressing.placeProblem.value} />
+      <ProblemList />
+      <PieceList />
+    </>
+  );
+}
+
+function PieceList() {
+  const state = useAppState();
+  const pieces = valueOf(state.pieces.value ?? loading)?.pieces ?? [];
+  if (pieces.length === 0) return null;
+  return (
+    <section class="piece-places" aria-label="Places of the pieces">
+      <h3>Pieces</h3>
+      <p class="hint">Drag a piece onto a side of a box in 3D, or choose its place here.</p>
+      <ul>
+        {pieces.map((piece) => (
+          <PieceRow key={piece.id} piece={piece} />
+        ))}
+      </ul>
+    </section>
+  );
+}
+
+function PieceRow({ piece }: { piece: Piece }) {
+  const state = useAppState();
+  const commands = useCommands();
+  const chosen = state.selected.value === piece.id;
+  const row = useRef<HTMLLIElement>(null);
+  useEffect(() => {
+    if (chosen) row.current?.scrollIntoView({ block: 'nearest' });
+  }, [chosen]);
+  const hand = state.dressing.check.value?.pieces.find((one) => one.id === piece.id)?.by_hand;
+  const made = state.dressing.arrangement.value?.pieces.find((one) => one.id === piece.id)?.place;
+  const where = hand ? `by hand: ${partTitle(hand.part).toLowerCase()}, ${hand.side}` : made;
+  return (
+    <li ref={row} class={chosen ? 'chosen' : ''}>
+      <button
+        class="piece-row"
+        aria-expanded={chosen}
+        onClick={() => commands.select(chosen ? null : piece.id)}
+        onPointerEnter={() => commands.hover(piece.id)}
+        onPointerLeave={() => commands.hover(null)}
+      >
+        <i style={{ background: cssColour(piece.colour) }} aria-hidden="true" />
+        <b>{piece.id}</b>
+        <small>{where ?? ''}</small>
+      </button>
+      {chosen && <PlaceForm key={piece.id} piece={piece.id} />}
+    </li>
+  );
+}
+
+const kSides: BoxSide[] = ['front', 'back', 'left', 'right'];
+
+/** Offered where nothing has been said of a piece. */
+const kFirstPlace: Omit<PieceWish, 'piece'> = {
+  part: 'torso',
+  side: 'front',
+  at_mm: [0, 0],
+  away_mm: kAway_mm,
+  turn: 0,
+  wrapped: false,
+};
+
+/** A place by hand: every change of it is sent. */
+function PlaceForm({ piece }: { piece: string }) {
+  const commands = useCommands();
+  const state = useAppState();
+  const { dressing } = state;
+  const wish = dressing.check.value?.pieces.find((one) => one.id === piece)?.by_hand ?? kFirstPlace;
+  const busy = dressing.busy.value !== '';
+  const put = (more: Partial<PieceWish>): void => void commands.dressing.place({ ...wish, piece, ...more });
+  const { part, side, at_mm, away_mm, turn, wrapped } = wish;
+  return (
+    <div class="place-form">
+      <label>
+        <span>Part</span>
+        <select value={part} disabled={busy} onChange={(event) => put({ part: event.currentTarget.value })}>
+          {kParts.map((one) => (
+            <option key={one} value={one}>
+              {partTitle(one)}
+            </option>
+          ))}
+        </select>
+      </label>
+      <span class="choice" role="radiogroup" aria-label="Side">
+        {kSides.map((one) => (
+          <button
+            key={one}
+            role="radio"
+            aria-checked={side === one}
+            disabled={busy}
+            onClick={() => put({ side: one })}
+          >
+            {partTitle(one)}
+          </button>
+        ))}
+      </span>
+      <div class="place-numbers">
+        <NumberField label="Across" value={at_mm[0]} unit="mm" digits={0} take={(x) => put({ at_mm: [x, at_mm[1]] })} />
+        <NumberField label="Up" value={at_mm[1]} unit="mm" digits={0} take={(y) => put({ at_mm: [at_mm[0], y] })} />
+        <NumberField label="Away" value={away_mm} unit="mm" digits={0} take={(away) => put({ away_mm: away })} />
+        <NumberField label="Turn" value={turn} unit="°" digits={0} take={(angle) => put({ turn: angle })} />
+      </div>
+      <label class="check">
+        <input
+          type="checkbox"
+          checked={wrapped}
+          disabled={busy}
+          onChange={(event) => put({ wrapped: event.currentTarget.checked })}
+        />
+        Rolled around the part
+      </label>
+    </div>
+  );
+}

@@ -1,0 +1,255 @@
+// What a pattern file holds, before it becomes a project: its pieces with their sizes, unit and size to overrule, seams to
+// accept, a body, and what became of every entity.
+
+import { useSignal } from '@preact/signals';
+import { useCommands } from '../commands/context';
+import type { Import, Unit } from '../api/types';
+import { ImportPreview } from '../pattern/ImportPreview';
+import { useAppState } from '../state/context';
+import { seamsInReach, sureness, type BodyChoice, type ImportDraft } from '../state/importDraft';
+import { count, counted, percent, sentence } from '../state/words';
+import { ImportReport } from './ImportReport';
+import { ImportSeams } from './ImportSeams';
+
+type Page = 'pieces' | 'seams' | 'report';
+
+export function ImportPanel({ draft }: { draft: ImportDraft }) {
+  const { report } = draft;
+  if (report.state === 'loading') {
+    return (
+      <div class="import-wait" role="status">
+        <span class="spinner" aria-hidden="true" />
+        <p>
+          Reading <b>{draft.source.file.name}</b>: outlines, layers, notches, grain, unit, seams…
+        </p>
+      </div>
+    );
+  }
+  if (report.state === 'failed') {
+    const { detail, code, where } = report.error;
+    return (
+      <div class="problem" role="alert">
+        <div>
+          <p>{sentence(detail)}</p>
+          <p class="code">{[code, where].filter(Boolean).join(' · ')}</p>
+          {(draft.unit || draft.size) && <Again />}
+        </div>
+      </div>
+    );
+  }
+  return <Read draft={draft} report={report.value} />;
+}
+
+function Again() {
+  const { imports } = useCommands();
+  return (
+    <button class="link" onClick={() => void imports.takeUnit('').then(() => imports.takeSize(''))}>
+      Read it as the file says
+    </button>
+  );
+}
+
+function Read({ draft, report }: { draft: ImportDraft; report: Import }) {
+  const page = useSignal<Page>('pieces');
+  const lit = useSignal<string | null>(null);
+  const seams = seamsInReach(report, draft.left);
+  const chosen = seams.filter((seam) => draft.chosen.has(seam.id)).length;
+  const pages: { page: Page; title: string }[] = [
+    { page: 'pieces', title: `Pieces ${report.pieces.length - draft.left.size}` },
+    { page: 'seams', title: `Seams ${chosen} of ${seams.length}` },
+    {
+      page: 'report',
+      title:
+        report.report.warnings.length > 0 ? `Report, ${counted(report.report.warnings.length, 'warning')}` : 'Report',
+    },
+  ];
+  const turn = (event: KeyboardEvent): void => {
+    if (event.key !== 'ArrowLeft' && event.key !== 'ArrowRight') return;
+    const step = event.key === 'ArrowRight' ? 1 : pages.length - 1;
+    page.value = pages[(pages.findIndex((one) => one.page === page.value) + step) % pages.length]!.page;
+    document.getElementById(`import-${page.value}`)?.focus();
+  };
+  return (
+    <div class="import">
+      <ImportPreview draft={draft} report={report} lit={lit.value} onLight={(seam) => (lit.value = seam)} />
+      <div class="import-side">
+        <div class="tabs" role="tablist" aria-label="What the file holds" onKeyDown={turn}>
+          {pages.map((one) => (
+            <button
+              key={one.page}
+              role="tab"
+              id={`import-${one.page}`}
+              aria-selected={page.value === one.page}
+              tabIndex={page.value === one.page ? 0 : -1}
+              onClick={() => (page.value = one.page)}
+            >
+              {one.title}
+            </button>
+          ))}
+        </div>
+        <div class="import-page" role="tabpanel" aria-labelledby={`import-${page.value}`} tabIndex={0}>
+          {page.value === 'pieces' && (
+            <>
+              <UnitAndSize draft={draft} report={report} />
+              <PieceRows draft={draft} report={report} />
+            </>
+          )}
+          {page.value === 'seams' && (
+            <ImportSeams draft={draft} report={report} onLight={(seam) => (lit.value = seam)} />
+          )}
+          {page.value === 'report' && <ImportReport report={report} />}
+        </div>
+        <NameAndBody draft={draft} />
+      </div>
+    </div>
+  );
+}
+
+const kUnits: { unit: Unit; title: string }[] = [
+  { unit: 'mm', title: 'mm' },
+  { unit: 'cm', title: 'cm' },
+  { unit: 'inch', title: 'inch' },
+];
+
+function UnitAndSize({ draft, report }: { draft: ImportDraft; report: Import }) {
+  const { imports } = useCommands();
+  const { unit } = report;
+  const fixed = draft.source.kind === 'specification';
+  return (
+    <section class="import-unit" aria-label="Unit and size">
+      <div class="unit-row">
+        <h3>Unit</h3>
+        <div class="choice" role="radiogroup" aria-label="Unit">
+          {kUnits.map((one) => (
+            <button
+              key={one.unit}
+              role="radio"
+              aria-checked={unit.name === one.unit}
+              disabled={fixed}
+              onClick={() => void imports.takeUnit(one.unit)}
+            >
+              {one.title}
+            </button>
+          ))}
+        </div>
+        <span class={`sure${unit.confidence < 0.6 ? ' warn' : ''}`}>
+          {draft.unit ? 'as you say' : `${sureness(unit.confidence)}, ${percent(unit.confidence, 0)}`}
+        </span>
+        {draft.unit && (
+          <button class="link" onClick={() => void imports.takeUnit('')}>
+            back to the guess
+          </button>
+        )}
+      </div>
+      <ul class="evidence">
+        {unit.evidence.map((text, i) => (
+          <li key={i}>{sentence(text)}</li>
+        ))}
+      </ul>
+      {report.sizes.length > 1 && (
+        <label class="select-field">
+          <span>Size</span>
+          <select value={report.size} onChange={(event) => void imports.takeSize(event.currentTarget.value)}>
+            {report.sizes.map((size) => (
+              <option key={size} value={size}>
+                {size}
+                {size === report.sample_size ? ' (sample size)' : ''}
+              </option>
+            ))}
+          </select>
+        </label>
+      )}
+    </section>
+  );
+}
+
+function PieceRows({ draft, report }: { draft: ImportDraft; report: Import }) {
+  const { imports } = useCommands();
+  return (
+    <ul class="import-pieces" aria-label="Pieces">
+      {report.pieces.map((piece, i) => (
+        <li key={`${piece.name} ${i}`} class={piece.fault ? 'faulty' : ''}>
+          <label>
+            <input
+              type="checkbox"
+              checked={!draft.left.has(piece.name)}
+              disabled={piece.fault !== undefined}
+              onChange={(event) => imports.takePiece(piece.name, event.currentTarget.checked)}
+            />
+            <b>{piece.name}</b>
+            {piece.width_mm !== undefined && piece.height_mm !== undefined && (
+              <span>
+                {count(piece.width_mm)} × {count(piece.height_mm)} mm
+              </span>
+            )}
+            <small>{remarks(piece).join(' · ')}</small>
+          </label>
+          {piece.fault && (
+            <p class="hint bad">
+              {sentence(piece.fault.message)} <span class="code">{piece.fault.code}</span>
+            </p>
+          )}
+        </li>
+      ))}
+    </ul>
+  );
+}
+
+function remarks(piece: Import['pieces'][number]): string[] {
+  const said: string[] = [];
+  if (piece.quantity > 1) said.push(`${piece.quantity} ×${piece.mirrored > 0 ? `, ${piece.mirrored} mirrored` : ''}`);
+  if (piece.unfolded) said.push('unfolded');
+  if (piece.outline === 'cut') said.push('along the cut line');
+  if (piece.edges) said.push(counted(piece.edges, 'edge'));
+  if (piece.notches) said.push(counted(piece.notches, 'notch', 'notches'));
+  if (piece.material) said.push(piece.material);
+  return said;
+}
+
+const bodyKey = (body: BodyChoice): string =>
+  body.kind === 'mannequin' ? `mannequin ${body.preset}` : body.kind === 'asset' ? `asset ${body.id}` : 'file';
+
+function NameAndBody({ draft }: { draft: ImportDraft }) {
+  const { imports } = useCommands();
+  const state = useAppState();
+  const files = draft.source.bodies;
+  const take = (key: string): void => {
+    const [kind, id = ''] = key.split(' ');
+    if (kind === 'mannequin') imports.takeBody({ kind: 'mannequin', preset: id });
+    const asset = draft.bodies.find((one) => one.id === id);
+    if (kind === 'asset' && asset) imports.takeBody({ kind: 'asset', id, name: asset.name });
+    const file = files[files.length - 1];
+    if (kind === 'file' && file) imports.takeBody({ kind: 'file', file });
+  };
+  const busy = state.intake.value?.busy !== '';
+  return (
+    <div class="import-make">
+      <label class="text-field">
+        <span>Name</span>
+        <input
+          value={draft.name}
+          maxLength={200}
+          disabled={busy}
+          onInput={(event) => imports.takeName(event.currentTarget.value)}
+        />
+      </label>
+      <label class="select-field">
+        <span>Body</span>
+        <select value={bodyKey(draft.body)} disabled={busy} onChange={(event) => take(event.currentTarget.value)}>
+          <option value="mannequin ">Mannequin, 170 cm</option>
+          {draft.presets.map((preset) => (
+            <option key={preset.id} value={`mannequin ${preset.id}`}>
+              Mannequin {preset.title}
+            </option>
+          ))}
+          {files.length > 0 && <option value="file">{files[files.length - 1]!.name} (dropped)</option>}
+          {draft.bodies.map((body) => (
+            <option key={body.id} value={`asset ${body.id}`}>
+              {body.name}
+            </option>
+          ))}
+        </select>
+      </label>
+    </div>
+  );
+}

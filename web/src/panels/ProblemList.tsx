@@ -1,0 +1,95 @@
+// What the look before a drape found: what it is, the way out, and where. A click flies there.
+
+import type { Finding } from '../api/dressing';
+import { useCommands } from '../commands/context';
+import { useAppState } from '../state/context';
+import { findingCounts, sortedFindings } from '../state/dressing';
+import { counted, sentence } from '../state/words';
+import { Icon, type IconName } from './Icon';
+
+const kIcons: Record<Finding['severity'], IconName> = { error: 'cross', warning: 'alert', note: 'help' };
+const kNames: Record<Finding['severity'], string> = { error: 'Error', warning: 'Warning', note: 'Note' };
+
+export function ProblemList() {
+  const { dressing } = useAppState();
+  const check = dressing.check.value;
+  const problem = dressing.startProblem.value;
+  if (problem) {
+    return (
+      <div class="problem" role="alert">
+        <Icon name="alert" />
+        <div>
+          <p>{sentence(problem.detail)}</p>
+          {problem.where && <p class="where">{problem.where}</p>}
+        </div>
+      </div>
+    );
+  }
+  if (!check) {
+    return (
+      <p class="busy" role="status">
+        <span class="spinner" aria-hidden="true" /> Looking at the start
+      </p>
+    );
+  }
+  const findings = sortedFindings(check.findings);
+  const open = findings.filter((finding) => !finding.repaired && finding.severity !== 'note');
+  const rest = findings.filter((finding) => !open.includes(finding));
+  const shown = dressing.finding.value?.finding;
+  return (
+    <section class="findings" aria-label="Problems">
+      <Verdict ready={check.ready} findings={check.findings} />
+      <Rows findings={open} />
+      {rest.length > 0 && (
+        <details open={shown !== undefined && rest.includes(shown)}>
+          <summary>{counted(rest.length, 'thing')} good to know</summary>
+          <Rows findings={rest} />
+        </details>
+      )}
+    </section>
+  );
+}
+
+const Rows = ({ findings }: { findings: Finding[] }) => (
+  <ul>
+    {findings.map((finding, i) => (
+      <Row key={`${finding.code} ${finding.where} ${i}`} finding={finding} />
+    ))}
+  </ul>
+);
+
+/** One line that says whether the drape can begin. */
+function Verdict({ ready, findings }: { ready: boolean; findings: Finding[] }) {
+  const counts = findingCounts(findings);
+  const parts = [
+    counts.error && counted(counts.error, 'error'),
+    counts.warning && counted(counts.warning, 'warning'),
+    counts.note && counted(counts.note, 'note'),
+    counts.repaired && `${counts.repaired} repaired`,
+  ].filter(Boolean);
+  return (
+    <p class={`verdict ${ready ? (counts.warning ? 'warn' : 'good') : 'bad'}`}>
+      <Icon name={ready ? 'check' : 'cross'} />
+      <b>{ready ? 'Ready to drape' : 'Not ready to drape'}</b>
+      <small>{parts.join(', ') || 'nothing to find fault with'}</small>
+    </p>
+  );
+}
+
+function Row({ finding }: { finding: Finding }) {
+  const { dressing } = useAppState();
+  const commands = useCommands();
+  const shown = dressing.finding.value?.finding === finding;
+  const kind = finding.repaired ? 'repaired' : finding.severity;
+  return (
+    <li>
+      <button class={`finding ${kind}`} aria-pressed={shown} onClick={() => commands.dressing.look(finding)}>
+        <Icon name={finding.repaired ? 'check' : kIcons[finding.severity]} />
+        <span>
+          <em>{finding.repaired ? 'Repaired' : kNames[finding.severity]}</em> {sentence(finding.message)}
+          <small>{finding.where}</small>
+        </span>
+      </button>
+    </li>
+  );
+}

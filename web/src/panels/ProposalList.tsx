@@ -1,0 +1,90 @@
+// Seams that the pieces ask for: looked for on request, accepted by ticks.
+
+import type { Pieces, SeamProposal } from '../api/types';
+import { useCommands } from '../commands/context';
+import { useAppState } from '../state/context';
+import { lengthsText, seriesText } from '../state/seamView';
+import { counted, percent, sentence } from '../state/words';
+
+export function ProposalList({ pieces }: { pieces: Pieces }) {
+  const state = useAppState();
+  const { pattern } = useCommands();
+  const { proposals, chosen, busy } = state.editing;
+  const found = proposals.value;
+  if (pieces.pieces.length === 0) return null;
+  return (
+    <section class="proposals" aria-label="Proposed seams">
+      <h3>Proposals</h3>
+      {(found === null || found.state === 'failed') && (
+        <>
+          {found && <p class="hint bad">{sentence(found.error.detail)}</p>}
+          <button class="plain" disabled={busy.value} onClick={() => void pattern.propose()}>
+            Look for seams
+          </button>
+        </>
+      )}
+      {found?.state === 'loading' && (
+        <p class="busy" role="status">
+          <span class="spinner" aria-hidden="true" /> Looking at lengths, notches and names…
+        </p>
+      )}
+      {found?.state === 'ready' && found.value.length === 0 && <p class="hint">No further seams are found.</p>}
+      {found?.state === 'ready' && found.value.length > 0 && (
+        <>
+          <ul>
+            {found.value.map((one) => (
+              <ProposalRow
+                key={one.id}
+                proposal={one}
+                on={chosen.value.has(one.id)}
+                turn={(on) => pattern.choose(one.id, on)}
+              />
+            ))}
+          </ul>
+          <button
+            class="primary"
+            disabled={chosen.value.size === 0 || busy.value}
+            onClick={() => void pattern.acceptProposals()}
+          >
+            Sew {counted(chosen.value.size, 'seam')}
+          </button>
+        </>
+      )}
+    </section>
+  );
+}
+
+export interface ProposalRowProps {
+  proposal: SeamProposal;
+  on: boolean;
+  turn(on: boolean): void;
+  light?(on: boolean): void;
+  colour?: string;
+}
+
+export function ProposalRow({ proposal, on, turn, light, colour }: ProposalRowProps) {
+  const { lengths, difference } = lengthsText(proposal.length_a_mm, proposal.length_b_mm);
+  return (
+    <li class="proposal" onPointerEnter={() => light?.(true)} onPointerLeave={() => light?.(false)}>
+      <label>
+        <input
+          type="checkbox"
+          checked={on}
+          onFocus={() => light?.(true)}
+          onBlur={() => light?.(false)}
+          onChange={(event) => turn(event.currentTarget.checked)}
+        />
+        {colour && <i style={{ background: colour }} aria-hidden="true" />}
+        <span class="proposal-text">
+          <b>
+            {seriesText(proposal.a)} <span aria-hidden="true">⇄</span> {seriesText(proposal.b)}
+          </b>
+          <small>
+            {lengths} · {difference}
+          </small>
+        </span>
+        <em title="Confidence">{percent(proposal.confidence, 0)}</em>
+      </label>
+    </li>
+  );
+}

@@ -1,0 +1,108 @@
+// All seams with both lengths and their difference; the one that is selected can be turned or taken away.
+
+import { useEffect, useRef } from 'preact/hooks';
+import type { Pieces, Seam } from '../api/types';
+import { useCommands } from '../commands/context';
+import { useAppState } from '../state/context';
+import { lengthsText, seamColour, seriesText } from '../state/seamView';
+import { counted, sentence } from '../state/words';
+import { Icon } from './Icon';
+
+export function SeamList({ pieces }: { pieces: Pieces }) {
+  const state = useAppState();
+  const wrong = pieces.seams.filter((seam) => seam.issues.length > 0).length;
+  return (
+    <section class="seams" aria-label="Seams">
+      <h3>
+        Seams <span class="head-note">{pieces.seams.length}</span>
+        {wrong > 0 && <span class="head-note warn">{counted(wrong, 'warning')}</span>}
+      </h3>
+      {pieces.seams.length === 0 && <p class="hint">Nothing is sewn yet.</p>}
+      <ul>
+        {pieces.seams.map((seam, index) => (
+          <Row key={seam.id} seam={seam} index={index} chosen={state.editing.seam.value === seam.id} />
+        ))}
+      </ul>
+    </section>
+  );
+}
+
+/** Two edges of one piece, named as add_dart names a dart's legs. */
+const isDart = ({ id, a, b }: Seam): boolean =>
+  a.length === 1 && b.length === 1 && a[0]!.edge === `${id}_a` && b[0]!.edge === `${id}_b`;
+
+function Row({ seam, index, chosen }: { seam: Seam; index: number; chosen: boolean }) {
+  const state = useAppState();
+  const { pattern } = useCommands();
+  const row = useRef<HTMLLIElement>(null);
+  const lit = state.editing.litSeam.value === seam.id;
+  const { lengths, difference } = lengthsText(seam.length_a_mm, seam.length_b_mm);
+  useEffect(() => {
+    if (chosen) row.current?.scrollIntoView({ block: 'nearest' });
+  }, [chosen]);
+  return (
+    <li
+      ref={row}
+      class={`seam-row${lit ? ' lit' : ''}${chosen ? ' chosen' : ''}`}
+      onPointerEnter={() => pattern.lightSeam(seam.id)}
+      onPointerLeave={() => pattern.lightSeam(null)}
+    >
+      <button
+        class="seam-main"
+        aria-expanded={chosen}
+        onFocus={() => pattern.lightSeam(seam.id)}
+        onBlur={() => pattern.lightSeam(null)}
+        onClick={() => pattern.selectSeam(chosen ? null : seam.id)}
+      >
+        <i style={{ background: seamColour(index) }} aria-hidden="true" />
+        <b>
+          {index + 1} {seam.id}
+        </b>
+        <span>{lengths}</span>
+        {seam.issues.length > 0 && <Icon name="alert" />}
+      </button>
+      {chosen && (
+        <div class="seam-more">
+          <p>
+            <em>A</em> {seriesText(seam.a)}
+          </p>
+          <p>
+            <em>B</em> {seriesText(seam.b)}
+          </p>
+          <p>
+            Difference <b>{difference}</b>
+            {seam.same_direction && ', sewn in the same direction'}
+          </p>
+          {seam.issues.map((issue, i) => (
+            <p key={i} class={issue.error ? 'bad' : 'warn'}>
+              {sentence(issue.message)} <span class="code">{issue.code}</span>
+            </p>
+          ))}
+          <div class="button-row">
+            <button class="plain" onClick={() => void pattern.edit({ edit: 'reverse_seam', seam: seam.id })}>
+              Reverse
+            </button>
+            {isDart(seam) && (
+              <button
+                class="plain"
+                title="Takes the wedge out of the outline too"
+                onClick={() => void pattern.edit({ edit: 'remove_dart', seam: seam.id })}
+              >
+                Remove dart
+              </button>
+            )}
+            <button
+              class="plain danger"
+              onClick={() => {
+                void pattern.edit({ edit: 'remove_seam', seam: seam.id });
+                pattern.selectSeam(null);
+              }}
+            >
+              Remove seam
+            </button>
+          </div>
+        </div>
+      )}
+    </li>
+  );
+}

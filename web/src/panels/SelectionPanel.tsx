@@ -1,0 +1,298 @@
+// The piece, edge or point that is selected, in figures, and what can be done with it.
+
+import { useSignal } from '@preact/signals';
+import type { Piece, PieceEdge, Pieces, Point } from '../api/types';
+import { useCommands } from '../commands/context';
+import { useAppState } from '../state/context';
+import { findPart, type Part } from '../state/editing';
+import { isStraight, nextEdge } from '../state/outline';
+import { boxOf, insideOf } from '../state/patternGeometry';
+import { seamColour, seamsOfEdge } from '../state/seamView';
+import { NumberField } from './NumberField';
+
+export function SelectionPanel({ pieces }: { pieces: Pieces }) {
+  const state = useAppState();
+  const { pattern } = useCommands();
+  const part = state.editing.part.value;
+  const found = findPart(pieces.pieces, part);
+  const piece = found?.piece ?? pieces.pieces.find((one) => one.id === state.selected.value);
+  if (!piece) {
+    return (
+      <p class="hint">
+        Select a piece to rename, mirror or copy it. <b>Points</b> (Z) changes its outline, <b>Sew</b> (N) joins edges.
+      </p>
+    );
+  }
+  return (
+    <section class="selection" aria-label="Selection">
+      <NameField
+        key={piece.id}
+        label="Name of the piece"
+        name={piece.id}
+        take={(to) => void pattern.renamePiece(piece.id, to)}
+      />
+      {found && part ? (
+        <>
+          {part.kind !== 'edge' && found.at && <PointFigures part={part} edge={found.edge} at={found.at} />}
+          <EdgeFigures piece={piece} edge={found.edge} pieces={pieces} part={part} />
+        </>
+      ) : (
+        <PieceFigures piece={piece} />
+      )}
+    </section>
+  );
+}
+
+/** A name that can be typed over. */
+function NameField({ label, name, take }: { label: string; name: string; take(to: string): void }) {
+  const typed = useSignal(name);
+  const done = (): void => {
+    const to = typed.value.trim();
+    if (to === '') typed.value = name;
+    else if (to !== name) take(to);
+  };
+  return (
+    <label class="name-field">
+      <span class="visually-hidden">{label}</span>
+      <input
+        value={typed.value}
+        maxLength={200}
+        spellcheck={false}
+        title={`${label}: type over it to rename`}
+        onInput={(event) => (typed.value = event.currentTarget.value)}
+        onBlur={done}
+        onKeyDown={(event) => {
+          if (event.key === 'Escape') typed.value = name;
+          if (event.key === 'Enter' || event.key === 'Escape') event.currentTarget.blur();
+        }}
+      />
+    </label>
+  );
+}
+
+function PieceFigures({ piece }: { piece: Piece }) {
+  const commands = useCommands();
+  const { pattern } = commands;
+  const box = boxOf(piece.outline);
+  const grain = piece.grain ?? [0, 1];
+  const move = (by: Point): Promise<void> => pattern.movePiece(piece.id, by);
+  const angle = (Math.atan2(grain[1], grain[0]) * 180) / Math.PI;
+  return (
+    <>
+      <p class="selection-facts">
+        {(box.maxX - box.minX).toFixed(1)} × {(box.maxY - box.minY).toFixed(1)} mm · {piece.edges.length} edges
+        {piece.notches.length > 0 && ` · ${piece.notches.length} notches`}
+      </p>
+      <div class="field-row">
+        <NumberField
+          label="Grain"
+          value={angle}
+          unit="°"
+          take={(wanted) => void pattern.edit({ edit: 'rotate_grain', piece: piece.id, angle: turn(wanted - angle) })}
+        />
+        <NumberField label="x" value={box.minX} unit="mm" take={(x) => void move([x - box.minX, 0])} />
+        <NumberField label="y" value={box.minY} unit="mm" take={(y) => void move([0, y - box.minY])} />
+      </div>
+      <div class="button-row">
+        <button class="plain" onClick={() => void pattern.edit({ edit: 'rotate_grain', piece: piece.id, angle: 45 })}>
+          Grain +45°
+        </button>
+        <button class="plain" onClick={() => void pattern.edit({ edit: 'mirror_piece', piece: piece.id })}>
+          Mirror
+        </button>
+        <button class="plain" onClick={() => void pattern.duplicatePiece(piece.id, false)}>
+          Duplicate
+        </button>
+        <button
+          class="plain"
+          title="A copy that is turned over"
+          onClick={() => void pattern.duplicatePiece(piece.id, true)}
+        >
+          Mirrored copy
+        </button>
+        <button class="plain danger" onClick={() => void pattern.removePiece(piece.id)}>
+          Delete
+        </button>
+      </div>
+      <EdgeChips piece={piece} />
+      <InnerDartFields piece={piece} />
+    </>
+  );
+}
+
+const turn = (degrees: number): number => Math.round((((degrees + 540) % 360) - 180) * 1000) / 1000;
+
+/** Each edge as a button: the way to edges without a pointer. */
+function EdgeChips({ piece }: { piece: Piece }) {
+  const commands = useCommands();
+  const pick = (edge: string): void => {
+    commands.pattern.takeTool('points');
+    commands.pattern.selectPart({ kind: 'edge', piece: piece.id, edge });
+  };
+  return (
+    <ul class="edge-chips" aria-label={`Edges of ${piece.id}`}>
+      {piece.edges.map((edge) => (
+        <li key={`${edge.loop} ${edge.id}`}>
+          <button class="part" title={`${edge.length_mm.toFixed(1)} mm`} onClick={() => pick(edge.id)}>
+            {edge.id} <small>{edge.length_mm.toFixed(0)}</small>
+          </button>
+        </li>
+      ))}
+    </ul>
+  );
+}
+
+function PointFigures({ part, edge, at }: { part: Part; edge: PieceEdge; at: Point }) {
+  const { pattern } = useCommands();
+  if (part.kind === 'edge') return null;
+  const move = (to: Point): void =>
+    void pattern.edit(
+      part.kind === 'handle'
+        ? { edit: 'move_handle', piece: part.piece, edge: part.edge, curve: part.curve, handle: part.handle, to }
+        : { edit: 'move_point', piece: part.piece, edge: part.edge, point: part.point, to },
+    );
+  const name =
+    part.kind === 'handle' ? `Handle of ${edge.id}` : part.point === 0 ? `Corner of ${edge.id}` : `Point of ${edge.id}`;
+  return (
+    <>
+      <h3>{name}</h3>
+      <div class="field-row">
+        <NumberField label="x" value={at[0]} unit="mm" digits={2} take={(x) => move([x, at[1]])} />
+        <NumberField label="y" value={at[1]} unit="mm" digits={2} take={(y) => move([at[0], y])} />
+      </div>
+      <div class="button-row">
+        <button class="plain danger" onClick={() => void pattern.remove()}>
+          {part.kind === 'handle' ? 'Make straight' : 'Delete point'}
+        </button>
+      </div>
+    </>
+  );
+}
+
+function edgeKind(edge: PieceEdge): string {
+  if (edge.curves.every(isStraight)) return 'straight';
+  return edge.curves.length === 1 ? 'curve' : `${edge.curves.length} curves`;
+}
+
+const kKeep = [
+  ['start', 'its start'],
+  ['middle', 'its middle'],
+  ['end', 'its end'],
+] as const;
+
+function EdgeFigures({ piece, edge, pieces, part }: { piece: Piece; edge: PieceEdge; pieces: Pieces; part: Part }) {
+  const { pattern } = useCommands();
+  const keep = useSignal<string>('start');
+  const curved = !edge.curves.every(isStraight);
+  const next = nextEdge(piece, edge.id);
+  const seams = seamsOfEdge(pieces.seams, piece.id, edge.id);
+  const of = { piece: piece.id, edge: edge.id };
+  return (
+    <>
+      <h3 class="edge-head">
+        Edge
+        <NameField
+          key={edge.id}
+          label="Name of the edge"
+          name={edge.id}
+          take={(to) => void pattern.renameEdge(piece.id, edge.id, to)}
+        />
+        <span class="head-note">{edgeKind(edge)}</span>
+      </h3>
+      <div class="field-row">
+        <NumberField
+          label="Length"
+          value={edge.length_mm}
+          unit="mm"
+          digits={2}
+          take={(length_mm) => void pattern.edit({ edit: 'set_edge_length', ...of, length_mm, keep: keep.value })}
+        />
+        <label class="select-field">
+          <span>Keep</span>
+          <select value={keep.value} onChange={(event) => (keep.value = event.currentTarget.value)}>
+            {kKeep.map(([value, text]) => (
+              <option key={value} value={value}>
+                {text}
+              </option>
+            ))}
+          </select>
+        </label>
+      </div>
+      <div class="button-row">
+        <button class="plain" onClick={() => void pattern.bendOrStraighten(piece.id, edge.id)}>
+          {curved ? 'Make straight' : 'Make a curve'}
+        </button>
+        <button class="plain" onClick={() => void pattern.edit({ edit: 'insert_point', ...of, at: 0.5 })}>
+          Insert point
+        </button>
+        <button class="plain" onClick={() => void pattern.edit({ edit: 'split_edge', ...of, at: 0.5 })}>
+          Split in the middle
+        </button>
+        {next && (
+          <button class="plain" onClick={() => void pattern.joinWithNext(piece.id, edge.id)}>
+            Join with {next.id}
+          </button>
+        )}
+        {part.kind !== 'edge' && (
+          <button class="plain" onClick={() => pattern.selectPart({ kind: 'edge', ...of })}>
+            Whole edge
+          </button>
+        )}
+      </div>
+      <DartFields piece={piece.id} edge={edge} />
+      {seams.length > 0 && (
+        <p class="sewn-in">
+          Sewn in{' '}
+          {seams.map((index) => (
+            <button class="seam-chip" key={index} onClick={() => pattern.selectSeam(pieces.seams[index]!.id)}>
+              <i style={{ background: seamColour(index) }} />
+              {pieces.seams[index]!.id}
+            </button>
+          ))}
+        </p>
+      )}
+    </>
+  );
+}
+
+function DartFields({ piece, edge }: { piece: string; edge: PieceEdge }) {
+  const { pattern } = useCommands();
+  const width = useSignal(30);
+  const depth = useSignal(100);
+  return (
+    <details class="dart">
+      <summary>Dart in the middle</summary>
+      <div class="field-row">
+        <NumberField label="Width" unit="mm" value={width.value} take={(mm) => (width.value = mm)} />
+        <NumberField label="Depth" unit="mm" value={depth.value} take={(mm) => (depth.value = mm)} />
+        <button class="plain" onClick={() => void pattern.addDart(piece, edge.id, width.value, depth.value)}>
+          Add dart
+        </button>
+      </div>
+    </details>
+  );
+}
+
+/** A dart within the cloth, upright through the middle of the piece. */
+function InnerDartFields({ piece }: { piece: Piece }) {
+  const { pattern } = useCommands();
+  const width = useSignal(20);
+  const length = useSignal(150);
+  const [x, y] = insideOf(piece.outline);
+  const half = length.value / 2;
+  return (
+    <details class="dart">
+      <summary>Dart within the piece</summary>
+      <div class="field-row">
+        <NumberField label="Width" unit="mm" value={width.value} take={(mm) => (width.value = mm)} />
+        <NumberField label="Length" unit="mm" value={length.value} take={(mm) => (length.value = mm)} />
+        <button
+          class="plain"
+          onClick={() => void pattern.addInnerDart(piece.id, [x, y - half], [x, y + half], width.value)}
+        >
+          Add dart
+        </button>
+      </div>
+    </details>
+  );
+}

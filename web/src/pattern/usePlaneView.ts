@@ -1,0 +1,97 @@
+// What part of the plane is shown: follows its place on the page, wheel and keys.
+
+import { useSignal, useSignalEffect, type Signal } from '@preact/signals';
+import { useEffect, useRef, type MutableRef } from 'preact/hooks';
+import type { Point } from '../api/types';
+import { joined, type Box } from '../state/patternGeometry';
+import { fit, panned, viewBox, zoomed, type Viewport } from './Viewport';
+
+const kWheelStep = 1.0015;
+/** Height that the tools take of the view. */
+const kToolsPx = 34;
+const kPanKeys: Record<string, [number, number]> = {
+  arrowleft: [40, 0],
+  arrowright: [-40, 0],
+  arrowup: [0, 40],
+  arrowdown: [0, -40],
+};
+
+export interface PlaneView {
+  svg: MutableRef<SVGSVGElement | null>;
+  view: Signal<Viewport>;
+  viewBox: string;
+  move(next: Viewport): void;
+  zoom(factor: number): void;
+  fitAll(): void;
+  /** The point of the plane under the pointer, mm, y up. */
+  worldOf(event: MouseEvent): Point;
+  wheel(event: WheelEvent): void;
+  keys(event: KeyboardEvent): void;
+}
+
+/** `boxes` of all that is shown; the view fits them until it is moved by hand, and again for another `subject`. */
+export function usePlaneView(boxes: () => readonly Box[], subject: () => string | null): PlaneView {
+  const svg = useRef<SVGSVGElement>(null);
+  const size = useSignal({ width: 400, height: 400 });
+  const view = useSignal<Viewport>({ x: 0, y: 0, scale: 0.2 });
+  const touched = useRef<string | null | false>(false);
+
+  const fitAll = (): void => {
+    const all = boxes();
+    if (all.length === 0) return;
+    touched.current = false;
+    view.value = fit(joined(all), size.value.width, size.value.height, 22, kToolsPx);
+  };
+  useEffect(() => {
+    const element = svg.current!;
+    const watcher = new ResizeObserver(
+      () => (size.value = { width: element.clientWidth || 1, height: element.clientHeight || 1 }),
+    );
+    watcher.observe(element);
+    return () => watcher.disconnect();
+  }, []);
+  useSignalEffect(() => {
+    void size.value;
+    const now = subject();
+    if (boxes().length > 0 && (touched.current === false || touched.current !== now)) fitAll();
+  });
+
+  const move = (next: Viewport): void => {
+    touched.current = subject();
+    view.value = next;
+  };
+  const zoom = (factor: number): void => move(zoomed(view.value, factor));
+  /** Pixels from the view's middle. */
+  const fromMiddle = (event: MouseEvent): Point => {
+    const box = svg.current!.getBoundingClientRect();
+    return [event.clientX - box.left - box.width / 2, event.clientY - box.top - box.height / 2];
+  };
+  return {
+    svg,
+    view,
+    viewBox: viewBox(view.value, size.value.width, size.value.height),
+    move,
+    zoom,
+    fitAll,
+    worldOf: (event) => {
+      const [px, py] = fromMiddle(event);
+      const { x, y, scale } = view.value;
+      return [x + px / scale, -(y + py / scale)];
+    },
+    wheel: (event) => {
+      event.preventDefault();
+      move(zoomed(view.value, kWheelStep ** -event.deltaY, ...fromMiddle(event)));
+    },
+    keys: (event) => {
+      const key = event.key.toLowerCase();
+      const pan = kPanKeys[key];
+      if (event.ctrlKey || event.metaKey) return;
+      if (pan) move(panned(view.value, ...pan));
+      else if (key === '+' || key === '=') zoom(1.25);
+      else if (key === '-') zoom(0.8);
+      else if (key === 'f' || key === '0') fitAll();
+      else return;
+      event.preventDefault();
+    },
+  };
+}

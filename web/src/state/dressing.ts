@@ -1,0 +1,184 @@
+// What the page knows of bodies, places and problems: who is dressed, where the pieces stand, what the look at them found.
+
+import { signal, type Signal } from '@preact/signals';
+import type { BodyMesh } from '../api/body';
+import type {
+  Arrangement,
+  BodyPreset,
+  BodyTables,
+  Check,
+  Finding,
+  Mannequin,
+  MeasureRule,
+  ProjectBody,
+  Severity,
+  Sex,
+  Stance,
+  Start,
+  TakenMeasure,
+} from '../api/dressing';
+import type { ApiError } from '../api/http';
+
+export type LengthUnit = 'cm' | 'inch';
+
+/** Kinds of marks on the body. */
+export interface Marks {
+  tape: boolean;
+  landmarks: boolean;
+  boxes: boolean;
+}
+
+export class DressingState {
+  readonly tables: Signal<BodyTables | null> = signal(null);
+  readonly bodies: Signal<ProjectBody[] | null> = signal(null);
+  readonly mesh: Signal<BodyMesh | null> = signal(null);
+  readonly check: Signal<Check | null> = signal(null);
+  readonly start: Signal<Start | null> = signal(null);
+  /** Why the start cannot be shown. */
+  readonly startProblem: Signal<ApiError | null> = signal(null);
+  /** Of the arrangement that was made last on this page: what was decided for each piece. */
+  readonly arrangement: Signal<Arrangement | null> = signal(null);
+  /** How the file that was taken last stood in itself. */
+  readonly stance: Signal<{ file: string; asset: string; stance: Stance | null } | null> = signal(null);
+
+  /** What is being done, in words; empty: nothing. */
+  readonly busy: Signal<string> = signal('');
+  /** Why the last wish for a body was refused. */
+  readonly problem: Signal<ApiError | null> = signal(null);
+  /** Why the last wish for a place was refused. */
+  readonly placeProblem: Signal<ApiError | null> = signal(null);
+  /** The body whose measures are shown, by its place in the list. */
+  readonly shown: Signal<number> = signal(0);
+  readonly unit: Signal<LengthUnit> = signal('cm');
+  readonly marks: Signal<Marks> = signal({ tape: true, landmarks: false, boxes: false });
+  /** The measure whose tape is lit. */
+  readonly lit: Signal<string | null> = signal(null);
+  /** The finding that is shown in space; `turn` rises with every click. */
+  readonly finding: Signal<{ finding: Finding; turn: number } | null> = signal(null);
+
+  /** Another project is shown. */
+  clear(): void {
+    this.bodies.value = this.mesh.value = this.check.value = this.start.value = null;
+    this.startProblem.value = this.arrangement.value = this.stance.value = null;
+    this.problem.value = this.placeProblem.value = this.finding.value = null;
+    this.shown.value = 0;
+  }
+}
+
+// ---- lengths
+
+const kCmPerInch = 2.54;
+
+export const shownLength = (cm: number, unit: LengthUnit): number => (unit === 'cm' ? cm : cm / kCmPerInch);
+export const centimetres = (shown: number, unit: LengthUnit): number => (unit === 'cm' ? shown : shown * kCmPerInch);
+export const lengthWords = (cm: number, unit: LengthUnit): string =>
+  unit === 'cm' ? `${cm.toFixed(1)} cm` : `${(cm / kCmPerInch).toFixed(2)} in`;
+
+/** "shoulder_width" → "Shoulder width". */
+export function measureTitle(name: string): string {
+  const words = name.replaceAll('_', ' ');
+  return words.charAt(0).toUpperCase() + words.slice(1);
+}
+
+// ---- mannequins
+
+const kSexNames: Record<Sex, string> = { female: 'Women', male: 'Men', child: 'Children' };
+
+/** "eu38" → "EU 38", "m50" → "Men 50", "child116" → "116 cm". */
+export function presetTitle(name: string): string {
+  const number = name.replace(/^\D+/, '');
+  if (name.startsWith('eu')) return `EU ${number}`;
+  return name.startsWith('child') ? `Child ${number}` : `Men ${number}`;
+}
+
+export function presetGroups(presets: BodyPreset[]): { title: string; presets: BodyPreset[] }[] {
+  return (Object.keys(kSexNames) as Sex[])
+    .map((sex) => ({ title: kSexNames[sex], presets: presets.filter((preset) => preset.sex === sex) }))
+    .filter((group) => group.presets.length > 0);
+}
+
+const key = (measure: string): `${string}_cm` => `${measure}_cm`;
+
+/** A size of a table in place of all measures; pose and fineness stay. */
+export function withPreset(mannequin: Mannequin | null, preset: string): Mannequin {
+  const { pose, arm_angle, triangles } = mannequin ?? {};
+  return plain({ preset, pose, arm_angle, triangles });
+}
+
+export const withMeasure = (mannequin: Mannequin, measure: string, cm: number): Mannequin => ({
+  ...mannequin,
+  [key(measure)]: Math.round(cm * 10) / 10,
+});
+
+/** The measure follows from the preset and from proportions again. */
+export function withoutMeasure(mannequin: Mannequin, measure: string): Mannequin {
+  const { [key(measure)]: _, ...rest } = mannequin;
+  return rest as Mannequin;
+}
+
+export const isOwn = (mannequin: Mannequin, measure: string): boolean => mannequin[key(measure)] !== undefined;
+
+function plain(mannequin: Mannequin): Mannequin {
+  return Object.fromEntries(Object.entries(mannequin).filter(([, value]) => value !== undefined)) as Mannequin;
+}
+
+/** The preset that a slider's way is laid around: the mannequin's own, or the one whose girths are nearest. */
+export function nearestPreset(presets: BodyPreset[], mannequin: Mannequin, taken: TakenMeasure[]): BodyPreset | null {
+  const own = presets.find((preset) => preset.name === mannequin.preset);
+  if (own) return own;
+  const off = (preset: BodyPreset): number =>
+    taken
+      .filter(({ name }) => ['height', 'bust', 'waist', 'hip'].includes(name))
+      .reduce((sum, { name, cm }) => sum + Math.abs(cm - (preset.measures_cm[name] ?? cm)), 0);
+  const alike = presets.filter((preset) => preset.sex === (mannequin.sex ?? 'female'));
+  return alike.reduce<BodyPreset | null>((best, one) => (best && off(best) <= off(one) ? best : one), null);
+}
+
+/** A slider's way, whole cm: a fifth below and a third above its preset, within what a document may say. */
+export function sliderWay(rule: MeasureRule, base: number, value: number): { least: number; most: number } {
+  return {
+    least: Math.floor(Math.max(rule.least_cm, Math.min(0.8 * base, value))),
+    most: Math.ceil(Math.min(rule.most_cm, Math.max(1.33 * base, value))),
+  };
+}
+
+/** A name for one more body, after its file: "chair.obj" → "chair", "chair_2". */
+export function freeBodyId(file: string, taken: string[]): string {
+  const stem = file.replace(/\.[^.]*$/, '') || 'object';
+  let id = stem;
+  for (let n = 2; taken.includes(id); ++n) id = `${stem}_${n}`;
+  return id;
+}
+
+// ---- findings
+
+const kSeverities: Severity[] = ['error', 'warning', 'note'];
+
+/** What keeps a drape from beginning first; what is repaired already last. */
+export function sortedFindings(findings: Finding[]): Finding[] {
+  const rank = (finding: Finding): number =>
+    (finding.repaired ? kSeverities.length : 0) + kSeverities.indexOf(finding.severity);
+  return findings
+    .map((finding, i) => ({ finding, i }))
+    .sort((a, b) => rank(a.finding) - rank(b.finding) || a.i - b.i)
+    .map(({ finding }) => finding);
+}
+
+export function findingCounts(findings: Finding[]): Record<Severity | 'repaired', number> {
+  const counts = { error: 0, warning: 0, note: 0, repaired: 0 };
+  for (const finding of findings) counts[finding.repaired ? 'repaired' : finding.severity] += 1;
+  return counts;
+}
+
+/** The piece that a finding names, if it is one of these. */
+export function pieceOf(finding: Finding, pieces: string[]): string | null {
+  const named = /piece ([^,]+)/.exec(finding.where)?.[1]?.trim();
+  return named !== undefined && pieces.includes(named) ? named : null;
+}
+
+// ---- places
+
+export const kParts = ['torso', 'hips', 'left_arm', 'right_arm', 'left_leg', 'right_leg', 'neck', 'head'] as const;
+
+/** "left_arm" → "Left arm". */
+export const partTitle = measureTitle;

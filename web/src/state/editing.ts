@@ -1,0 +1,123 @@
+// What the hand holds on the 2D view: the tool, what is selected within a piece, a seam that is being made, and what can be
+// undone. Commands write it, views read it.
+
+import { signal, type Signal } from '@preact/signals';
+import type { Edit, EditStep, Piece, PieceEdge, Point, SeamProposal } from '../api/types';
+import type { ApiError } from '../api/http';
+import type { Loaded } from './AppState';
+import { emptyDraft, type SeamDraft } from './seamView';
+
+/** pieces: move whole pieces; points: their outlines; sew: click edges together. */
+export type Tool = 'pieces' | 'points' | 'sew';
+
+/** A part of the piece that is selected. */
+export type Part =
+  | { kind: 'edge'; piece: string; edge: string }
+  | { kind: 'point'; piece: string; edge: string; point: number }
+  | { kind: 'handle'; piece: string; edge: string; curve: number; handle: 1 | 2 };
+
+export class EditingState {
+  readonly tool: Signal<Tool> = signal('pieces');
+  readonly part: Signal<Part | null> = signal(null);
+  readonly seam: Signal<string | null> = signal(null);
+  /** Under the pointer, on either view or in the list. */
+  readonly litSeam: Signal<string | null> = signal(null);
+  readonly draft: Signal<SeamDraft> = signal(emptyDraft);
+  readonly busy: Signal<boolean> = signal(false);
+  /** The last edit that was refused, until another one is tried. */
+  readonly problem: Signal<ApiError | null> = signal(null);
+  readonly history: Signal<EditStep[]> = signal([]);
+  readonly proposals: Signal<Loaded<SeamProposal[]> | null> = signal(null);
+  readonly chosen: Signal<ReadonlySet<string>> = signal(new Set());
+  /** The pattern has the large place, the 3D view the small one. */
+  readonly large: Signal<boolean> = signal(false);
+  /** Where pieces that lie on one another are shown instead, mm, by their id; kept while the project is shown. */
+  readonly offsets: Signal<ReadonlyMap<string, Point>> = signal(new Map());
+}
+
+const kWords: Record<string, string> = {
+  move_point: 'Move point',
+  move_handle: 'Move handle',
+  insert_point: 'Insert point',
+  delete_point: 'Delete point',
+  split_edge: 'Split edge',
+  join_edges: 'Join edges',
+  straighten_edge: 'Straighten',
+  bend_edge: 'Make a curve',
+  set_edge_length: 'Set length',
+  mirror_piece: 'Mirror piece',
+  rotate_grain: 'Turn grain',
+  add_line: 'Draw line',
+  remove_line: 'Remove line',
+  add_dart: 'Add dart',
+  add_inner_dart: 'Add dart',
+  rename_edge: 'Rename edge',
+  remove_dart: 'Remove dart',
+  add_hole: 'Cut hole',
+  remove_hole: 'Fill hole',
+  move_piece: 'Move piece',
+  rename_piece: 'Rename piece',
+  duplicate_piece: 'Duplicate piece',
+  delete_piece: 'Delete piece',
+  add_seam: 'Add seam',
+  remove_seam: 'Remove seam',
+  reverse_seam: 'Reverse seam',
+  set_fabric: 'Change fabric',
+  set_texture: 'Change print',
+  set_physical: 'Change cloth',
+};
+
+/** A step that changes lists of the document as a whole: who makes it says no more than which. */
+function restoreText(edit: Edit): string {
+  if ('bodies' in edit) return 'Change body';
+  if ('seams' in edit) return 'Change seams';
+  return 'pieces' in edit ? 'Place pieces' : 'Change project';
+}
+
+/** A step of the history in a few words. */
+export function stepText(edits: readonly Edit[]): string {
+  const first = edits[0];
+  if (!first) return 'Nothing';
+  if (first.edit === 'restore') return restoreText(first);
+  const words = kWords[first.edit] ?? first.edit.replace(/_/g, ' ');
+  const same = edits.every((edit) => edit.edit === first.edit);
+  if (edits.length > 1) return same ? `${words} × ${edits.length}` : `${words} and ${edits.length - 1} more`;
+  const what = [first.piece, first.edge ?? first.seam ?? first.line].filter((word) => typeof word === 'string');
+  return what.length > 0 ? `${words}, ${what.join(' · ')}` : words;
+}
+
+/** What Ctrl+Z and Ctrl+Shift+Z would do; null where there is nothing. */
+export function turnsOf(history: readonly EditStep[]): { undo: string | null; redo: string | null } {
+  const undo = history.find((step) => !step.undone);
+  const undone = history.filter((step) => step.undone);
+  const redo = undone[undone.length - 1];
+  return { undo: undo ? stepText(undo.edits) : null, redo: redo ? stepText(redo.edits) : null };
+}
+
+/** The selected part as it is in the pieces; null when they do not have it any more. */
+export function findPart(
+  pieces: readonly Piece[],
+  part: Part | null,
+): { piece: Piece; edge: PieceEdge; at: Point | null } | null {
+  if (!part) return null;
+  const piece = pieces.find((one) => one.id === part.piece);
+  const edge = piece?.edges.find((one) => one.id === part.edge);
+  if (!piece || !edge) return null;
+  if (part.kind === 'edge') return { piece, edge, at: null };
+  if (part.kind === 'point') {
+    const at = part.point === 0 ? edge.curves[0]?.[0] : edge.curves[part.point - 1]?.[3];
+    return at ? { piece, edge, at } : null;
+  }
+  const at = edge.curves[part.curve]?.[part.handle];
+  return at ? { piece, edge, at } : null;
+}
+
+export const sameFrom = (a: Part | null, b: Part | null): boolean => JSON.stringify(a) === JSON.stringify(b);
+
+/** A name that no piece has, from the one that is copied. */
+export function freePieceId(pieces: readonly { id: string }[], from: string): string {
+  const used = new Set(pieces.map((piece) => piece.id));
+  let n = 2;
+  while (used.has(`${from}_${n}`)) ++n;
+  return `${from}_${n}`;
+}

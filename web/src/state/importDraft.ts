@@ -1,0 +1,186 @@
+// A pattern file that is being made a project: what the service read, and what a person chose. Pure.
+
+import type { ApiError } from '../api/http';
+import type {
+  Asset,
+  Import,
+  ImportedEntity,
+  ImportedPiece,
+  ImportWarning,
+  Piece,
+  SeamProposal,
+  Unit,
+} from '../api/types';
+import type { GivenFile, LoosePattern } from './intake';
+import type { Loaded } from './AppState';
+import { stem } from './words';
+
+export type BodyChoice =
+  | { kind: 'mannequin'; preset: string }
+  | { kind: 'asset'; id: string; name: string }
+  | { kind: 'file'; file: GivenFile };
+
+export interface ImportDraft {
+  source: LoosePattern;
+  /** Id of the uploaded pattern. */
+  asset: string;
+  report: Loaded<Import>;
+  /** As overruled; empty: by the evidence. */
+  unit: Unit | '';
+  /** As chosen; empty: the file's sample size. */
+  size: string;
+  /** Pieces, by their name in the file, that stay away. */
+  left: ReadonlySet<string>;
+  /** Proposals that are accepted. */
+  chosen: ReadonlySet<string>;
+  body: BodyChoice;
+  name: string;
+  /** Bodies that the service has. */
+  bodies: Asset[];
+  presets: { id: string; title: string }[];
+  error: ApiError | null;
+}
+
+const isObject = (value: unknown): value is Record<string, unknown> =>
+  typeof value === 'object' && value !== null && !Array.isArray(value);
+const listOf = (value: unknown): Record<string, unknown>[] => (Array.isArray(value) ? value.filter(isObject) : []);
+
+/** For each piece of the document, in order, the piece of the file that it comes from. */
+export function sourceNames(report: Import): Map<string, string> {
+  const names = new Set(report.pieces.map((piece) => piece.name));
+  const sources = new Map<string, string>();
+  let last = '';
+  for (const piece of listOf(report.document?.pieces)) {
+    const id = String(piece.id);
+    const from = isObject(piece.from) ? String(piece.from.piece) : names.has(id) ? id : last;
+    last = from;
+    sources.set(id, from);
+  }
+  return sources;
+}
+
+/** Proposals whose pieces all stay. */
+export function seamsInReach(report: Import, left: ReadonlySet<string>): SeamProposal[] {
+  const sources = sourceNames(report);
+  const stays = ({ piece }: { piece: string }): boolean => !left.has(sources.get(piece) ?? piece);
+  return report.seams.filter((seam) => seam.a.every(stays) && seam.b.every(stays));
+}
+
+/** The document that makes the project, with the file names that it uses. */
+export function documentOf(
+  draft: ImportDraft,
+  report: Import,
+  bodyFile: string | null,
+): Record<string, unknown> | null {
+  if (!report.document) return null;
+  const sources = sourceNames(report);
+  const pieces = listOf(report.document.pieces).filter((piece) => !draft.left.has(sources.get(String(piece.id)) ?? ''));
+  if (pieces.length === 0) return null;
+  const seams = seamsInReach(report, draft.left)
+    .filter((seam) => draft.chosen.has(seam.id))
+    .map(({ id, a, b, same_direction }) => ({ id, a, b, same_direction: same_direction ?? false }));
+  const mannequin = draft.body.kind === 'mannequin' && draft.body.preset ? { preset: draft.body.preset } : {};
+  const body = bodyFile ? { id: 'body', file: bodyFile } : { id: 'body', mannequin };
+  return { ...report.document, name: draft.name.trim() || stem(report.file), pieces, seams, bodies: [body] };
+}
+
+/** Whether the document's pieces name the pattern file: those of a specification stand in the document itself. */
+export const namesPattern = (document: Record<string, unknown>): boolean =>
+  listOf(document.pieces).some((piece) => isObject(piece.from));
+
+/** A piece of the file as the 2D view draws pieces. */
+export function pictureOf(piece: ImportedPiece): Piece {
+  const radians = ((piece.grain_deg ?? 90) * Math.PI) / 180;
+  return {
+    id: piece.name,
+    outline: piece.points,
+    holes: piece.hole_points,
+    grain: piece.grain_deg === null ? null : [Math.cos(radians), Math.sin(radians)],
+    fabric: '',
+    colour: [0.55, 0.62, 0.72],
+    edges: (piece.edge_list ?? []).map(({ id, length_mm, points }) => ({ id, length_mm, points, curves: [], loop: 0 })),
+    notches: (piece.notch_list ?? []).map(({ at, depth_mm, angle_deg }) => {
+      const turn = ((angle_deg ?? 0) * Math.PI) / 180;
+      return { at, depth_mm, inwards: angle_deg === null ? null : [Math.cos(turn), Math.sin(turn)] };
+    }),
+    lines: [],
+  };
+}
+
+/** How sure the unit is, in a word. */
+export const sureness = (confidence: number): string =>
+  confidence >= 0.9 ? 'sure' : confidence >= 0.6 ? 'likely' : 'a guess';
+
+export interface CountShare {
+  fate: ImportedEntity['fate'];
+  count: number;
+}
+
+export interface Accounts {
+  shares: CountShare[];
+  entities: number;
+  /** "1,234 records: 1,000 vertices, 200 entities, 34 of structure". */
+  sum: string;
+  /** Whether the parts sum to the file. */
+  whole: boolean;
+}
+
+const grouped = new Intl.NumberFormat('en');
+
+/** The report's counts, added up. */
+export function accountsOf(report: Import['report']): Accounts {
+  const of = (fate: ImportedEntity['fate']): number =>
+    report.entities.filter((group) => group.fate === fate).reduce((sum, group) => sum + group.count, 0);
+  const shares = (['kept', 'converted', 'dropped'] as const).map((fate) => ({ fate, count: of(fate) }));
+  const entities = shares.reduce((sum, share) => sum + share.count, 0);
+  const { counts } = report;
+  if (counts.records === undefined) {
+    const parts = Object.entries(counts).map(([name, count]) => `${grouped.format(count)} ${name}`);
+    return { shares, entities, sum: parts.join(', '), whole: true };
+  }
+  const { records = 0, vertices = 0, structure = 0, elsewhere = 0 } = counts;
+  const parts = [
+    [entities, 'entities'],
+    [vertices, 'vertices'],
+    [structure, 'of structure'],
+    [elsewhere, 'in tables and objects'],
+  ] as const;
+  const text = parts.filter(([count]) => count > 0).map(([count, name]) => `${grouped.format(count)} ${name}`);
+  return {
+    shares,
+    entities,
+    sum: `${grouped.format(records)} records: ${text.join(', ')}`,
+    whole: records === entities + vertices + structure + elsewhere && entities === counts.entities,
+  };
+}
+
+export interface ReportFilter {
+  fate: ImportedEntity['fate'] | '';
+  piece: string;
+  text: string;
+}
+
+const has = (text: string, ...fields: string[]): boolean =>
+  text === '' || fields.some((field) => field.toLowerCase().includes(text.toLowerCase()));
+
+export const entitiesShown = (entities: readonly ImportedEntity[], filter: ReportFilter): ImportedEntity[] =>
+  entities.filter(
+    (one) =>
+      (filter.fate === '' || one.fate === filter.fate) &&
+      (filter.piece === '' || one.piece === filter.piece) &&
+      has(filter.text, one.type, one.layer, one.block, one.reason, one.piece),
+  );
+
+export const warningsShown = (warnings: readonly ImportWarning[], filter: ReportFilter): ImportWarning[] =>
+  warnings.filter(
+    (one) =>
+      (filter.piece === '' || one.piece === filter.piece) && has(filter.text, one.text, one.piece, String(one.line)),
+  );
+
+/** "lines 12, 48, 60 and 9 more". */
+export function linesText(lines: readonly number[], most = 4): string {
+  const known = lines.filter((line) => line > 0);
+  if (known.length === 0) return '';
+  const shown = known.slice(0, most).join(', ');
+  return `line${known.length > 1 ? 's' : ''} ${shown}${known.length > most ? ` and ${known.length - most} more` : ''}`;
+}

@@ -1,0 +1,69 @@
+import { describe, expect, it } from 'vitest';
+import type { Commands } from '../src/commands/Commands';
+import { bindings, listenForKeys } from '../src/commands/keys';
+import { AppState } from '../src/state/AppState';
+
+/** A window that hands its key listener out. */
+function begin() {
+  const called: string[] = [];
+  const pattern = {
+    undo: () => called.push('undo'),
+    redo: () => called.push('redo'),
+    takeTool: (tool: string) => called.push(tool),
+    remove: () => called.push('remove'),
+    finishSide: () => called.push('finish'),
+    cancel: () => called.push('cancel') > 0,
+  };
+  let press: (event: KeyboardEvent) => void = () => undefined;
+  const target = {
+    addEventListener: (_: string, listener: typeof press) => (press = listener),
+    removeEventListener: () => undefined,
+  };
+  const stop = listenForKeys(
+    { pattern } as unknown as Commands,
+    new AppState(),
+    target as unknown as Window & typeof globalThis,
+  );
+  let taken = 0;
+  const key = (name: string, more: Partial<KeyboardEvent> = {}): void =>
+    press({
+      key: name,
+      target: null,
+      shiftKey: false,
+      ctrlKey: false,
+      metaKey: false,
+      preventDefault: () => ++taken,
+      ...more,
+    } as KeyboardEvent);
+  return { called, key, stop, taken: () => taken };
+}
+
+describe('keys', () => {
+  // There is no DOM here: the listener asks whether the target is an Element.
+  (globalThis as { Element?: unknown }).Element ??= class {};
+
+  it('tell Z from Ctrl+Z and Ctrl+Shift+Z', () => {
+    const { called, key } = begin();
+    key('z');
+    key('z', { ctrlKey: true });
+    key('Z', { ctrlKey: true, shiftKey: true });
+    key('z', { metaKey: true });
+    expect(called).toEqual(['points', 'undo', 'redo', 'undo']);
+  });
+
+  it('leave what the browser has on Ctrl and Alt alone', () => {
+    const { called, key, taken } = begin();
+    key('n', { ctrlKey: true });
+    key('a', { ctrlKey: true });
+    key('z', { altKey: true });
+    expect(called).toEqual([]);
+    expect(taken()).toBe(0);
+  });
+
+  it('have one meaning each, and a name for the help', () => {
+    const pressed = bindings.map((one) => `${one.ctrl ?? false} ${one.shift ?? false} ${one.key}`);
+    expect(new Set(pressed).size).toBe(bindings.length);
+    expect(new Set(bindings.map((one) => one.shown)).size).toBe(bindings.length);
+    expect(bindings.every((one) => one.title !== '' && one.group !== '')).toBe(true);
+  });
+});

@@ -1,0 +1,206 @@
+import { describe, expect, it } from 'vitest';
+import type { Api } from '../src/api/Api';
+import { ApiError } from '../src/api/http';
+import type { Edit } from '../src/api/types';
+import { PatternCommands } from '../src/commands/PatternCommands';
+import { AppState, ready, valueOf } from '../src/state/AppState';
+import { fakeApi, projectOf, seamOf, squareOf } from './fakes';
+
+function begin(more: Partial<Api> = {}) {
+  const state = new AppState();
+  const sent: { revision: number; edits: Edit[] }[] = [];
+  const api = fakeApi({
+    edit: async (id, revision, edits) => {
+      sent.push({ revision, edits });
+      return projectOf({ id, revision: revision + 1 });
+    },
+    ...more,
+  });
+  state.projects.value = ready([projectOf()]);
+  state.jobs.value = ready([]);
+  state.route.value = { name: 'project', id: 'p_1' };
+  const pieces = [squareOf('a', 0, 0, 100), squareOf('b', 200, 0, 100)];
+  state.pieces.value = ready({ pieces, seams: [seamOf('s', ['a', 'e1'], ['b', 'e3'])] });
+  return { state, sent, commands: new PatternCommands(state, api, () => undefined) };
+}
+
+describe('an edit', () => {
+  it('names the revision that it was made for, also when they follow each other at once', async () => {
+    const { commands, sent, state } = begin();
+    await Promise.all([commands.edit({ edit: 'x' }), commands.edit({ edit: 'y' })]);
+    expect(sent.map(({ revision }) => revision)).toEqual([1, 2]);
+    expect(state.project.value?.revision).toBe(3);
+    expect(state.editing.busy.value).toBe(false);
+  });
+
+  it('that is refused says why and where, until the next one', async () => {
+    const refuse = new ApiError(422, 'pattern.self_crossing', 'the outline crosses itself', '/edits/0: piece a');
+    let first = true;
+    const { commands, state } = begin({
+      edit: async (id, revision) => {
+        if (first) throw ((first = false), refuse);
+        return projectOf({ id, revision: revision + 1 });
+      },
+    });
+    await commands.edit({ edit: 'move_point' });
+    expect(state.editing.problem.value).toBe(refuse);
+    expect(state.project.value?.revision).toBe(1);
+    await commands.edit({ edit: 'move_point' });
+    expect(state.editing.problem.value).toBeNull();
+  });
+
+  it('that comes too late takes the newest', async () => {
+    const { commands, state } = begin({
+      edit: () => Promise.reject(new ApiError(412, 'store.conflict', 'changed since')),
+      project: async () => projectOf({ revision: 7 }),
+    });
+    await commands.edit({ edit: 'x' });
+    expect(state.project.value?.revision).toBe(7);
+    expect(state.editing.problem.value?.detail).toMatch(/Somebody else/);
+  });
+});
+
+describe('deleting', () => {
+  it('takes a point within an edge out of it, and joins the edges of a corner', async () => {
+    const { commands, sent, state } = begin();
+    state.editing.part.value = { kind: 'point', piece: 'a', edge: 'e2', point: 0 };
+    await commands.remove();
+    expect(sent[0]!.edits).toEqual([
+      { edit: 'join_edges', piece: 'a', edge: 'e1', next: 'e2' },
+      { edit: 'delete_point', piece: 'a', edge: 'e1', point: 1 },
+    ]);
+  });
+
+  it('is of the seam before the piece, and of nothing when an edge is selected', async () => {
+    const { commands, sent, state } = begin();
+    state.selected.value = 'a';
+    state.editing.part.value = { kind: 'edge', piece: 'a', edge: 'e1' };
+    await commands.remove();
+    expect(sent).toEqual([]);
+    commands.selectSeam('s');
+    await commands.remove();
+    expect(sent[0]!.edits).toEqual([{ edit: 'remove_seam', seam: 's' }]);
+  });
+});
+
+describe('sewing', () => {
+  it('goes from side A to side B to the seam with Enter', async () => {
+    const { commands, sent, state } = begin();
+    commands.takeTool('sew');
+    await commands.finishSide();
+    commands.sewEdge('a', 'e0');
+    await commands.finishSide();
+    commands.sewEdge('b', 'e0');
+    commands.sewEdge('b', 'e1');
+    commands.turnDraft();
+    await commands.finishSide();
+    expect(sent[0]!.edits).toEqual([
+      {
+        edit: 'add_seam',
+        id: 'seam2',
+        a: [{ piece: 'a', edge: 'e0' }],
+        b: [
+          { piece: 'b', edge: 'e0' },
+          { piece: 'b', edge: 'e1' },
+        ],
+        same_direction: true,
+      },
+    ]);
+    expect(state.editing.draft.value.a).toEqual([]);
+    expect(state.editing.seam.value).toBe('seam2');
+  });
+
+  it('may take a part of an edge', async () => {
+    const { commands, sent } = begin();
+    commands.takeTool('sew');
+    commands.sewEdge('a', 'e0');
+    commands.cutDraft('a', 0, 0.25, 0.5);
+    commands.cutDraft('a', 0, 0.7, 0.5); // no part
+    await commands.finishSide();
+    commands.sewEdge('b', 'e0');
+    await commands.finishSide();
+    expect(sent[0]!.edits[0]!.a).toEqual([{ piece: 'a', edge: 'e0', from: 0.25, to: 0.5 }]);
+  });
+
+  it('is put down by Escape, from the inside out', () => {
+    const { commands, state } = begin();
+    commands.takeTool('sew');
+    commands.sewEdge('a', 'e0');
+    expect(commands.cancel()).toBe(true);
+    expect(state.editing.draft.value.a).toEqual([]);
+    expect(state.editing.tool.value).toBe('sew');
+    expect(commands.cancel()).toBe(true);
+    expect(state.editing.tool.value).toBe('pieces');
+    expect(commands.cancel()).toBe(false);
+  });
+
+  it('takes the ticked proposals as one step, the sure ones being ticked', async () => {
+    const of = (id: string, confidence: number) => ({ ...seamOf(id, ['a', 'e0'], ['b', 'e2']), confidence });
+    const { commands, sent, state } = begin({ proposals: async () => [of('seam0', 0.93), of('seam1', 0.4)] });
+    await commands.propose();
+    expect([...state.editing.chosen.value]).toEqual(['seam0']);
+    commands.choose('seam1', true);
+    commands.choose('seam0', false);
+    await commands.acceptProposals();
+    expect(sent[0]!.edits.map((edit) => edit.id)).toEqual(['seam1']);
+    expect(sent[0]!.edits[0]).not.toHaveProperty('confidence');
+  });
+});
+
+describe('pieces', () => {
+  it('that were shown apart keep their places when one is moved', async () => {
+    const { commands, sent, state } = begin();
+    state.editing.offsets.value = new Map([
+      ['a', [0, 0]],
+      ['b', [50, 0]],
+    ]);
+    await commands.movePiece('a', [5, 6]);
+    expect(sent[0]!.edits).toEqual([
+      { edit: 'move_piece', piece: 'b', by: [50, 0] },
+      { edit: 'move_piece', piece: 'a', by: [5, 6] },
+    ]);
+    expect([...state.editing.offsets.value.values()]).toEqual([
+      [0, 0],
+      [0, 0],
+    ]);
+  });
+
+  it('are copied beside themselves, and selected', async () => {
+    const { commands, sent, state } = begin();
+    await commands.duplicatePiece('a', true);
+    expect(sent[0]!.edits[0]).toEqual({ edit: 'duplicate_piece', piece: 'a', id: 'a_2', by: [140, 0], mirrored: true });
+    expect(state.selected.value).toBe('a_2');
+  });
+
+  it('are renamed only when the name is another one', async () => {
+    const { commands, sent, state } = begin();
+    state.selected.value = 'a';
+    await commands.renamePiece('a', ' a ');
+    await commands.renamePiece('a', '');
+    expect(sent).toEqual([]);
+    await commands.renamePiece('a', 'sleeve');
+    expect(state.selected.value).toBe('sleeve');
+  });
+
+  it('have darts under names that are free, and edges renamed', async () => {
+    const { commands, sent, state } = begin();
+    await commands.addDart('a', 'e0', 20, 60);
+    await commands.addInnerDart('a', [50, 20], [50, 80], 10);
+    expect(sent.map(({ edits }) => [edits[0]!.edit, edits[0]!.id])).toEqual([
+      ['add_dart', 'dart1'],
+      ['add_inner_dart', 'dart1'],
+    ]);
+    await commands.renameEdge('a', 'e0', 'hem');
+    expect(state.editing.part.value).toEqual({ kind: 'edge', piece: 'a', edge: 'hem' });
+  });
+
+  it('have straight edges bent and bent ones straightened', async () => {
+    const { commands, sent, state } = begin();
+    await commands.bendOrStraighten('a', 'e0');
+    expect(sent[0]!.edits[0]).toMatchObject({ edit: 'bend_edge', curve: 0 });
+    const bent = valueOf(state.pieces.value!)!.pieces[0]!;
+    bent.edges[0]!.curves[0]![1] = [20, -30];
+    await commands.bendOrStraighten('a', 'e0');
+    expect(sent[1]!.edits).toEqual([{ edit: 'straighten_edge', piece: 'a', edge: 'e0' }]);
+  });
+});
