@@ -27,8 +27,13 @@ Report make_report(const DrapeInput& input, const DrapeResult& result) {
   r.worst_frame_step = result.worst_frame_step;
   r.frames_checked = result.frames_checked;
   r.seam_gap_max_mm = 1e3 * result.seam_gap_max;
+  for (std::size_t a = 0; a < result.holds.size(); ++a) {
+    const HoldFigures& hold = result.holds[a];
+    r.attachments.push_back({input.attachments[a].id, hold.released, hold.released_at, 1e3 * hold.off});
+  }
   const GarmentStrain strain = garment_strain(input, result);
-  r.warp = figures_of(strain.warp), r.weft = figures_of(strain.weft), r.shear = figures_of(strain.shear);
+  r.warp = stretch_figures_of(strain.warp), r.weft = stretch_figures_of(strain.weft);
+  r.shear = figures_of(strain.shear);
   r.rms_speed = result.rms_speed, r.max_speed = result.max_speed;
   if (!result.positions.empty()) {
     const auto [low, high] = std::minmax_element(result.positions.begin(), result.positions.end(),

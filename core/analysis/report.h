@@ -8,6 +8,14 @@
 
 namespace toile {
 
+/// What an attachment did.
+struct AttachmentFigures {
+  std::string id;
+  bool released = false;
+  double released_s = 0;  ///< s of simulated time; 0 while it holds
+  double off_mm = 0;      ///< mm from where it should be, at most: when released, or else at the end
+};
+
 /// The numbers of a drape, as report.json gives them.
 struct Report {
   std::string name;
@@ -26,7 +34,9 @@ struct Report {
   int worst_frame_step = 0;
   int frames_checked = 0;
   double seam_gap_max_mm = 0;
-  StrainFigures warp, weft, shear;
+  std::vector<AttachmentFigures> attachments;
+  StretchFigures warp, weft;
+  StrainFigures shear;
   double rms_speed = 0, max_speed = 0;  ///< m/s
   double lowest_m = 0, highest_m = 0;   ///< of the cloth
   Findings findings;                    ///< of the look at the start, worst first

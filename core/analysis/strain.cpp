@@ -50,4 +50,10 @@ StrainFigures figures_of(std::vector<double> values) {
   return {sum / static_cast<double>(values.size()), values[at], values.back()};
 }
 
+StretchFigures stretch_figures_of(const std::vector<double>& values) {
+  std::vector<double> stretch, squeeze;
+  for (const double v : values) stretch.push_back(std::max(0.0, v)), squeeze.push_back(std::max(0.0, -v));
+  return {figures_of(values), figures_of(std::move(stretch)), figures_of(std::move(squeeze))};
+}
+
 }  // namespace toile

@@ -13,6 +13,12 @@ struct StrainFigures {
   double mean = 0, p99 = 0, max = 0;
 };
 
+/// Of a strain along threads: of its magnitude, and of stretch and squeeze apart, as a fabric's limits speak
+/// of stretch alone. Each over all triangles: one that is squeezed counts as not stretched.
+struct StretchFigures : StrainFigures {
+  StrainFigures tension, compression;
+};
+
 /// One entry a triangle. Warp and weft: length change over length; shear: cosine of the angle between the
 /// threads.
 struct GarmentStrain {
@@ -23,5 +29,7 @@ GarmentStrain garment_strain(const DrapeInput& input, const DrapeResult& result)
 
 /// Figures of the magnitudes; zeros for no values.
 StrainFigures figures_of(std::vector<double> values);
+/// `values`: length change over length, positive when stretched.
+StretchFigures stretch_figures_of(const std::vector<double>& values);
 
 }  // namespace toile

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/arrange/layout_measures.h"
 #include "core/arrange/piece_cover.h"
 #include "core/arrange/sheet_placement.h"
 #include "core/arrange/sleeve_places.h"
@@ -17,7 +18,7 @@ constexpr double kUnder = 0.025;     ///< m, how far beside an outline the body 
 constexpr double kSleeveOut = 0.03;  ///< m, sleeves begin beyond the arm's root
 constexpr double kTopBand = 0.10;    ///< m, what lies that far under the top is the top edge
 constexpr double kCrotchEase = 0.015, kMostSunk = 0.08;  // m
-constexpr double kBelowCrotch = 0.012;                   // m
+constexpr double kBelowCrotch = 0.022;                   // m
 constexpr double kApart = 0.02;                          ///< m, between sheets that face one way
 
 bool is_bottom(Cover c) { return c == Cover::kSkirt || c == Cover::kLeg || c == Cover::kWaistband; }
@@ -37,6 +38,8 @@ Result<Arranger> Arranger::make(const ArrangeInput& input, const BodyStand& stan
         "place it by hand",
         "piece " + arranger.graph_.pieces[p].id};
   }
+  part_pieces(arranger.graph_, arranger.trunk_, kGap, arranger.layout_);
+  arranger.set_legs_over_legs();
   part_pieces(arranger.graph_, arranger.trunk_, kGap, arranger.layout_);
   arranger.top_ = -HUGE_VAL;
   for (const Index p : arranger.trunk_) {
@@ -198,12 +201,11 @@ void Arranger::place_trunk(const ArrangeTrial& trial, double rise, Arrangement& 
   }
 }
 
-void Arranger::place_limb(BodySide side, const ArrangeTrial& trial, double rise, Arrangement& made) const {
+/// The pieces along an arm, `out` (m) beyond its root; without a sleeve among them nothing is laid out.
+FlatLayout Arranger::lay_limb(BodySide side, double out) const {
   const std::vector<Index>& limb = limb_[side];
   const ArmLine& arm = stand_.figure().arm[side];
-  const std::string hand = side == kWearersLeft ? "left " : "right ";
-  FlatLayout flat{std::vector<FlatMove>(graph_.pieces.size()), std::vector<int>(graph_.pieces.size(), 0),
-                  std::vector<Index>(graph_.pieces.size(), kNone)};
+  FlatLayout flat = empty_layout(graph_.pieces.size());
   // Each half that names its face or its side of the trunk lies along the arm; others follow by their seams.
   Index root = kNone;
   for (const Index p : limb) {
@@ -211,8 +213,7 @@ void Arranger::place_limb(BodySide side, const ArrangeTrial& trial, double rise,
     if (piece.cover != Cover::kSleeve) continue;
     if (root == kNone || (piece.face > 0 && graph_.pieces[root].face <= 0)) root = p;
   }
-  if (root == kNone) return;
-  const double out = kSleeveOut + trial.sleeve_out;
+  if (root == kNone) return flat;
   const int face = graph_.pieces[root].face < 0 ? -1 : 1;
   const SleeveLine line = line_of_sleeve(graph_, root, limb);
   lay_out_limb(graph_, limb, root, sleeve_pose(line, arm, out, graph_.pieces[root].outside * face < 0), face,
@@ -223,6 +224,37 @@ void Arranger::place_limb(BodySide side, const ArrangeTrial& trial, double rise,
         sleeve_pose(line_of_sleeve(graph_, p, limb), arm, out, graph_.pieces[p].outside * flat.face[p] < 0);
   }
   part_pieces(graph_, limb, kGap, flat);
+  return flat;
+}
+
+/// Whether a piece of the limb lies before or behind one of the trunk's that looks the same way.
+bool Arranger::covers_trunk(const FlatLayout& flat, double rise) const {
+  const auto meets = [](const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
+    return std::any_of(a.begin(), a.end(), [&](Vec2 p) { return contains(b, p); });
+  };
+  for (Index p = 0; p < static_cast<Index>(graph_.pieces.size()); ++p) {
+    if (!flat.has(p)) continue;
+    const std::vector<Vec2> sleeve = outline_on_sheet(graph_.pieces[p], flat.pose[p]);
+    for (const Index q : trunk_) {
+      if (layout_.face[q] != flat.face[p]) continue;
+      FlatMove pose = layout_.pose[q];
+      pose.t = pose.t + Vec2{stand_.figure().middle, rise};
+      const std::vector<Vec2> piece = outline_on_sheet(graph_.pieces[q], pose);
+      if (meets(sleeve, piece) || meets(piece, sleeve)) return true;
+    }
+  }
+  return false;
+}
+
+void Arranger::place_limb(BodySide side, const ArrangeTrial& trial, double rise, Arrangement& made) const {
+  const std::vector<Index>& limb = limb_[side];
+  const std::string hand = side == kWearersLeft ? "left " : "right ";
+  // A wide sleeve's lower corner would start under the trunk's piece, with that edge in its way.
+  constexpr double kStep = 0.01, kFarthest = 0.1, kLap = 0.02;
+  const double out = kSleeveOut + trial.sleeve_out;
+  double more = 0;
+  while (more < kFarthest && covers_trunk(lay_limb(side, out + more + kLap), rise)) more += kStep;
+  const FlatLayout flat = lay_limb(side, out + more);
   for (const int f : {1, -1}) {
     double most = -HUGE_VAL;
     for (const Index p : limb) {

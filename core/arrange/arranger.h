@@ -34,6 +34,8 @@ class Arranger {
   Arranger(const ArrangeInput& input, const BodyStand& stand) : input_(input), stand_(stand) {}
 
   void sort_pieces();
+  void set_legs_over_legs();
+  std::optional<Vec2> top_of_inner_seam(Index piece) const;
   BodySide side_of(Index piece) const;
   bool is_top() const;
   double rise_of_trunk(const ArrangeTrial& trial) const;
@@ -45,6 +47,8 @@ class Arranger {
   bool is_top_segment(Index piece, std::size_t i) const;
   double sheet_depth(int face, double rise, const ArrangeTrial& trial) const;
   void place_trunk(const ArrangeTrial& trial, double rise, Arrangement& made) const;
+  FlatLayout lay_limb(BodySide side, double out) const;
+  bool covers_trunk(const FlatLayout& flat, double rise) const;
   void place_limb(BodySide side, const ArrangeTrial& trial, double rise, Arrangement& made) const;
   void place_tube_sleeve(Index piece, BodySide side, const ArrangeTrial& trial, Arrangement& made) const;
   void place_hoods(double rise, Arrangement& made) const;

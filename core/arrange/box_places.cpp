@@ -40,8 +40,10 @@ RigidPlacement on_box_side(const PartBox& box, const OnBox& where) {
   const Vec3 along_u = right * c + up * s, along_v = up * c - right * s;
   RigidPlacement rigid;
   rigid.rotation = turn_angles({along_u, along_v, facing.normal});
+  rigid.flipped = where.flipped;
+  const double u = where.flipped ? -where.anchor.x : where.anchor.x;
   rigid.translation = box.centre + facing.normal * (facing.half + where.away) + right * where.at.x +
-                      up * where.at.y - along_u * where.anchor.x - along_v * where.anchor.y;
+                      up * where.at.y - along_u * u - along_v * where.anchor.y;
   return rigid;
 }
 
@@ -50,7 +52,8 @@ WrappedPlacement around_box(const PartBox& box, const OnBox& where, double part_
   w.axis = box.centre, w.up = box.axis[1];
   w.radius = part_radius + where.away;
   w.angle = facing_of(box, where.side).angle + where.at.x / w.radius;
-  w.height = where.at.y, w.anchor = where.anchor, w.turn = where.turn, w.slope = slope;
+  w.height = where.at.y, w.anchor = where.anchor, w.slope = slope;
+  w.flipped = where.flipped, w.turn = where.flipped ? -where.turn : where.turn;
   return w;
 }
 

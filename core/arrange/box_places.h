@@ -16,9 +16,10 @@ struct OnBox {
   double away = 0;  ///< m, from the side
   double turn = 0;  ///< radians, counter-clockwise as one looks at it
   Vec2 anchor;      ///< m, the piece's flat point that comes there
+  bool flipped = false;  ///< mirrored before the turn: the right side faces the body
 };
 
-/// Flat before the side, the right side outwards.
+/// Flat before the side, the right side outwards unless flipped.
 RigidPlacement on_box_side(const PartBox& box, const OnBox& where);
 
 /// Rolled around the box's axis at `where.away` (m) from what of the part stands out farthest, without

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "core/base/result.h"
 #include "core/geometry/triangle_mesh.h"
@@ -48,6 +49,9 @@ struct MeasureSet {
 struct TakenMeasure {
   double value = 0;   ///< m
   double height = 0;  ///< m above the floor: of the level, or of the middle of a slanting tape
+  /// m: where the tape lay, taut. A girth's closes by itself; that of an arm or leg is the one on +x. Empty
+  /// for the height.
+  std::vector<Vec3> line = {};
 };
 
 /// Points that the tape found on its way. Metres; the arm is the one on +x.

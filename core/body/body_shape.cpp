@@ -10,6 +10,10 @@ constexpr double kAnkle = 0.05, kChest = 0.785;  // heights that keep their dist
 constexpr double kLeastRise = 0.10, kLeastRibs = 0.06;  // crotch to waist, waist to chest
 // How much of a change of girth each direction takes: bellies and breasts grow forwards.
 constexpr double kWidthShare = 0.85, kFrontShare = 1.3, kBackShare = 1.0;
+// Breasts: their reach below the centre against the tape's place below them, for ribs as they usually are.
+constexpr double kUnderBust = 0.41;  // of the way from nape to crotch, where the tape goes
+constexpr double kRibsMove = 0.018;
+constexpr double kUsualReach = 1.25, kUsualFullness = 1.01, kReachPerFullness = 4;
 constexpr double kFineStroke = 0.0150;  // on the head, narrower ones need small triangles
 constexpr double kFingerStroke = 0.007;
 constexpr double kRaisedArm = 0.7071, kRaise = 0.045;  // shoulders rise with arms held higher than 45°
@@ -74,6 +78,23 @@ void PlacedFigure::set_heights() {
   waist = std::clamp(waist, crotch + kLeastRise, chest - kLeastRibs);
   heights_ = {{0, 0},          {kAnkle, kAnkle}, {f.crotch, crotch}, {f.waist, waist},
               {kChest, chest}, {f.nape, nape},   {f.chin, chin},     {1, 1}};
+  // The ribs' girth is set where the tape will go, which lies a share of the way down a longer or shorter
+  // trunk.
+  const double usual_tape = f.nape - kUnderBust * (f.nape - f.crotch);
+  const double moved = figure_height_of(tape_below_bust()) - usual_tape;
+  ribs_ = f.underbust + std::clamp(moved, -kRibsMove, kRibsMove);
+}
+
+double PlacedFigure::tape_below_bust() const {
+  const double nape = height_of(figure_.nape);
+  return nape - kUnderBust * (nape - height_of(figure_.crotch));
+}
+
+double PlacedFigure::figure_height_of(double y) const {
+  size_t i = 1;
+  while (i + 1 < heights_.size() && heights_[i].to < y) ++i;
+  const Anchor &a = heights_[i - 1], &b = heights_[i];
+  return a.from + (b.from - a.from) * (y - a.to) / (b.to - a.to);
 }
 
 double PlacedFigure::height_of(double y) const {
@@ -89,7 +110,7 @@ PlacedFigure::Scale PlacedFigure::trunk_scale(double y) const {
                under = shape_.of(Measure::kUnderbust), full = shape_.of(Measure::kBust);
   // With breasts, these take most of a change of the bust; a chest takes it whole.
   const double chest = f.bust_share > 0 ? mix(under, full, 0.45) : full;
-  const Knot girth[] = {{f.hip, hip},    {f.waist, waist},           {f.underbust, under},
+  const Knot girth[] = {{f.hip, hip},    {f.waist, waist},           {ribs_, under},
                         {f.bust, chest}, {0.800, grown(chest, 0.6)}, {0.840, grown(chest, 0.4)}};
   const double s = eased(girth, y);
   const double width = grown(s, kWidthShare), broad = shape_.of(Measure::kShoulderWidth);
@@ -200,6 +221,16 @@ void PlacedFigure::place_leg() {
   foot_origin = {leg[0].u, 0, leg[0].v};
 }
 
+// How far breasts reach down: no farther below the tape's place under them than ribs of this girth leave room
+// for. Without this, thinner ribs under full breasts made the tape there longer, not shorter.
+double PlacedFigure::breast_reach(double usual) const {
+  const double above_tape = height_of(figure_.breast.centre.y) - tape_below_bust();
+  const double ribs = 0.55 * shape_.of(Measure::kBust) + 0.45 * shape_.of(Measure::kWaist);
+  const double fullness = shape_.of(Measure::kUnderbust) / ribs;
+  const double most = std::clamp(kUsualReach + kReachPerFullness * (fullness - kUsualFullness), 0.75, 1.6);
+  return std::clamp(most * above_tape, 0.4 * usual, usual);
+}
+
 void PlacedFigure::place_masses() {
   const Figure& f = figure_;
   const Scale chest = trunk_scale(f.breast.centre.y), hips = trunk_scale(f.hip);
@@ -212,7 +243,7 @@ void PlacedFigure::place_masses() {
                  bust.centre.z + 0.6 * ribs.front * (chest.front - 1)};
   bust.low = bust.low * size, bust.high = bust.high * size;
   // Fuller breasts reach down little farther: the ribs below them stay the underbust's.
-  if (f.bust_share > 0) bust.low.y = f.breast.low.y * grown(size, 0.25);
+  if (f.bust_share > 0) bust.low.y = breast_reach(f.breast.low.y * grown(size, 0.25));
   buttock = f.buttock;
   const double s = shape_.of(Measure::kHip);
   buttock.centre = {buttock.centre.x * hips.width, height_of(buttock.centre.y),

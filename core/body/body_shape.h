@@ -53,6 +53,8 @@ class PlacedFigure {
   };
 
   void set_heights();
+  double tape_below_bust() const;           ///< height, placed
+  double figure_height_of(double y) const;  ///< the inverse of height_of
   Scale trunk_scale(double y) const;
   double leg_scale(double y) const;
   double arm_scale(double t) const;
@@ -62,6 +64,7 @@ class PlacedFigure {
   void place_arm();
   void place_leg();
   void place_masses();
+  double breast_reach(double usual) const;
   void place_strokes();
   Vec3 on_trunk(Vec3 p) const;
   Vec3 on_head(Vec3 p) const;
@@ -74,6 +77,7 @@ class PlacedFigure {
     double from, to;
   };
   std::vector<Anchor> heights_;
+  double ribs_ = 0;  ///< the figure's height at which the underbust's factor holds
 };
 
 }  // namespace toile

@@ -61,13 +61,37 @@ std::vector<Vec3> outer_part(const MeshCut& cut, Vec3 p, double reach) {
   return best;
 }
 
-// The tape's length around points of one plane.
-double around(const std::vector<Vec3>& points, Vec3 normal) {
+namespace {
+
+struct Axes {
+  Vec3 u, v;
+};
+
+Axes axes_of(Vec3 normal) {
   const Vec3 side = std::abs(normal.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
-  const Vec3 u = normalized(cross(side, normal)), v = cross(normal, u);
+  const Vec3 u = normalized(cross(side, normal));
+  return {u, cross(normal, u)};
+}
+
+std::vector<Vec2> in_plane(const std::vector<Vec3>& points, const Axes& axes) {
   std::vector<Vec2> out;
-  for (const Vec3& p : points) out.push_back({dot(p, u), dot(p, v)});
-  return hull_perimeter(std::move(out));
+  for (const Vec3& p : points) out.push_back({dot(p, axes.u), dot(p, axes.v)});
+  return out;
+}
+
+}  // namespace
+
+std::vector<Vec3> taut_loop(const std::vector<Vec3>& points, Vec3 normal) {
+  std::vector<Vec3> out;
+  if (points.empty()) return out;
+  const Axes axes = axes_of(normal);
+  const Vec3 off = normal * dot(points.front(), normal);
+  for (const Vec2& p : tape_hull(in_plane(points, axes))) out.push_back(axes.u * p.x + axes.v * p.y + off);
+  return out;
+}
+
+double around(const std::vector<Vec3>& points, Vec3 normal) {
+  return hull_perimeter(in_plane(points, axes_of(normal)));
 }
 
 }  // namespace toile

@@ -18,6 +18,9 @@ Vec3 middle_of(const std::vector<Vec3>& points);
 /// trunk beside it. Empty where there is none.
 std::vector<Vec3> outer_part(const MeshCut& cut, Vec3 p, double reach);
 
+/// The tape around points of one plane, m: the corners at which it bends.
+std::vector<Vec3> taut_loop(const std::vector<Vec3>& points, Vec3 normal);
+
 /// The tape's length around points of one plane, m.
 double around(const std::vector<Vec3>& points, Vec3 normal);
 

@@ -1,12 +1,15 @@
 #include "core/body/load_mesh.h"
 
-#include <assimp/DefaultIOSystem.h>
+#include <assimp/MemoryIOWrapper.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <assimp/IOSystem.hpp>
 
 #include <algorithm>
 #include <assimp/Importer.hpp>
+#include <cstring>
 #include <exception>
+#include <new>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -16,28 +19,35 @@
 namespace toile {
 namespace {
 
-constexpr std::uintmax_t kMostBytes = std::uintmax_t{256} << 20;
-constexpr std::size_t kMostTriangles = 2'000'000;
 constexpr int kDeepest = 256;          // levels of the scene's tree
 constexpr double kLeastArea2 = 1e-14;  // m², twice the area under which a triangle is a line
 
-Error fail(const char* code, std::string message, const std::filesystem::path& path, std::string place = {}) {
-  return {code, std::move(message), path.string() + (place.empty() ? "" : ": " + place)};
+Error fail(const char* code, std::string message, const std::string& file, const std::string& place = {}) {
+  return {code, std::move(message), file + (place.empty() ? "" : ": " + place)};
+}
+
+Error no_memory(const std::string& file) {
+  return fail(
+      "mesh.memory",
+      "Reading the mesh takes more memory than is allowed; export it with fewer triangles, or as STL.", file);
+}
+
+Status check_size(std::uintmax_t bytes, const std::string& file) {
+  if (bytes == 0) return fail("mesh.empty", "The file is empty.", file);
+  if (bytes <= kMostMeshBytes) return {};
+  return fail("mesh.too_large", "The file is larger than 256 MiB; export the mesh with fewer triangles.",
+              file);
 }
 
 Status check_file(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) {
-    return fail("mesh.not_found", "There is no such file.", path);
+    return fail("mesh.not_found", "There is no such file.", path.string());
   }
   const std::uintmax_t size = std::filesystem::file_size(path, error);
-  if (error) return fail("mesh.not_found", "The file cannot be opened: " + error.message() + ".", path);
-  if (size == 0) return fail("mesh.empty", "The file is empty.", path);
-  if (size > kMostBytes) {
-    return fail("mesh.too_large", "The file is larger than 256 MiB; export the mesh with fewer triangles.",
-                path);
-  }
-  return {};
+  if (error)
+    return fail("mesh.not_found", "The file cannot be opened: " + error.message() + ".", path.string());
+  return check_size(size, path.string());
 }
 
 Vec3 apply(const aiMatrix4x4& m, const aiVector3D& p) {
@@ -49,14 +59,14 @@ Vec3 apply(const aiMatrix4x4& m, const aiVector3D& p) {
 // Gathers a scene's triangles, node by node.
 class Gatherer {
  public:
-  Gatherer(const aiScene& scene, const std::filesystem::path& path) : scene_(scene), path_(path) {}
+  Gatherer(const aiScene& scene, const std::string& file) : scene_(scene), file_(file) {}
 
   Status add(const aiNode& node, const aiMatrix4x4& above, int depth) {
-    if (depth > kDeepest) return fail("mesh.unreadable", "The scene's tree is too deep.", path_);
+    if (depth > kDeepest) return fail("mesh.unreadable", "The scene's tree is too deep.", file_);
     const aiMatrix4x4 place = above * node.mTransformation;
     for (unsigned i = 0; i < node.mNumMeshes; ++i) {
       if (node.mMeshes[i] >= scene_.mNumMeshes) {
-        return fail("mesh.unreadable", "A node names a mesh that is not there.", path_);
+        return fail("mesh.unreadable", "A node names a mesh that is not there.", file_);
       }
       if (Status s = add_mesh(*scene_.mMeshes[node.mMeshes[i]], place); !s) return s;
     }
@@ -70,15 +80,15 @@ class Gatherer {
 
  private:
   Status add_mesh(const aiMesh& mesh, const aiMatrix4x4& place) {
-    if (mesh_.triangles.size() + mesh.mNumFaces > kMostTriangles ||
-        mesh_.vertices.size() + mesh.mNumVertices > 3 * kMostTriangles) {
-      return fail("mesh.too_large", "The mesh has more than two million triangles.", path_);
+    if (mesh_.triangles.size() + mesh.mNumFaces > kMostMeshTriangles ||
+        mesh_.vertices.size() + mesh.mNumVertices > 3 * kMostMeshTriangles) {
+      return fail("mesh.too_large", "The mesh has more than two million triangles.", file_);
     }
     const auto base = static_cast<Index>(mesh_.vertices.size());
     for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
       mesh_.vertices.push_back(apply(place, mesh.mVertices[v]));
       if (!is_finite(mesh_.vertices.back())) {
-        return fail("mesh.not_finite", "A coordinate is not a finite number.", path_,
+        return fail("mesh.not_finite", "A coordinate is not a finite number.", file_,
                     "vertex " + std::to_string(base + v + 1) + " in reading order");
       }
     }
@@ -89,7 +99,7 @@ class Gatherer {
       Tri t;
       for (int c = 0; c < 3; ++c) {
         if (face.mIndices[c] >= mesh.mNumVertices) {
-          return fail("mesh.unreadable", "A face names a vertex that is not there.", path_);
+          return fail("mesh.unreadable", "A face names a vertex that is not there.", file_);
         }
         t[c] = base + static_cast<Index>(face.mIndices[c]);
       }
@@ -100,7 +110,7 @@ class Gatherer {
   }
 
   const aiScene& scene_;
-  const std::filesystem::path& path_;
+  const std::string& file_;
   TriangleMesh mesh_;
 };
 
@@ -165,55 +175,85 @@ void to_metres(TriangleMesh& mesh, const MeshSettings& settings) {
   }
 }
 
-// Lets the reader see one file and no other.
-class OneFile final : public Assimp::DefaultIOSystem {
+// Lets the reader see these bytes and no file of the machine.
+class BytesOnly final : public Assimp::IOSystem {
  public:
-  explicit OneFile(std::string path) : path_(std::move(path)) {}
-  bool Exists(const char* file) const override { return path_ == file && DefaultIOSystem::Exists(file); }
+  BytesOnly(std::string name, std::string_view bytes) : name_(std::move(name)), bytes_(bytes) {}
+  bool Exists(const char* file) const override { return name_ == file; }
+  char getOsSeparator() const override { return '/'; }
   Assimp::IOStream* Open(const char* file, const char* mode) override {
-    return path_ == file ? DefaultIOSystem::Open(file, mode) : nullptr;
+    if (name_ != file || std::strchr(mode, 'r') == nullptr) return nullptr;
+    return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(bytes_.data()), bytes_.size());
   }
+  void Close(Assimp::IOStream* file) override { delete file; }
 
  private:
-  std::string path_;
+  std::string name_;
+  std::string_view bytes_;
 };
 
-Result<TriangleMesh> import(const std::filesystem::path& path, bool alone) {
-  Assimp::Importer importer;
-  if (alone) importer.SetIOHandler(new OneFile(path.string()));  // the importer's to delete
-  // No other processing: positions stay as the file says, and what is not geometry is not looked at.
-  const aiScene* scene = importer.ReadFile(path.string(), aiProcess_Triangulate);
-  if (scene == nullptr || scene->mRootNode == nullptr) {
-    const std::string reason = importer.GetErrorString();
-    return fail("mesh.unreadable",
-                "The file is no mesh that can be read" + (reason.empty() ? "." : ": " + reason), path);
+Result<TriangleMesh> gathered(const aiScene& scene, const std::string& file, const MeshSettings& settings) {
+  Gatherer gatherer(scene, file);
+  if (Status s = gatherer.add(*scene.mRootNode, aiMatrix4x4(), 0); !s) return s.error();
+  TriangleMesh all = gatherer.take();
+  if (all.triangles.empty()) return fail("mesh.no_triangles", "The file holds no triangles.", file);
+  to_metres(all, settings);
+  TriangleMesh mesh = merged(all);
+  if (mesh.triangles.empty()) return fail("mesh.no_triangles", "All triangles are without area.", file);
+  return mesh;
+}
+
+Result<TriangleMesh> import(Assimp::Importer& importer, const std::string& file,
+                            const MeshSettings& settings) {
+  if (!importer.IsExtensionSupported(std::filesystem::path(file).extension().string())) {
+    return fail("mesh.unreadable", "Files with this ending are no meshes that can be read.", file);
   }
-  Gatherer gatherer(*scene, path);
-  if (Status s = gatherer.add(*scene->mRootNode, aiMatrix4x4(), 0); !s) return s.error();
-  return gatherer.take();
+  // No other processing: positions stay as the file says, and what is not geometry is not looked at.
+  const aiScene* scene = importer.ReadFile(file, aiProcess_Triangulate);
+  if (scene != nullptr && scene->mRootNode != nullptr) return gathered(*scene, file, settings);
+  const std::string reason = importer.GetErrorString();
+  if (reason.find("bad_alloc") != std::string::npos) return no_memory(file);
+  return fail("mesh.unreadable",
+              "The file is no mesh that can be read" + (reason.empty() ? "." : ": " + reason), file);
+}
+
+Result<TriangleMesh> import_safely(Assimp::Importer& importer, const std::string& file,
+                                   const MeshSettings& settings) {
+  try {
+    return import(importer, file, settings);
+  } catch (const std::bad_alloc&) {
+    return no_memory(file);
+  } catch (const std::exception& e) {
+    return fail("mesh.unreadable", std::string("Reading the mesh failed: ") + e.what(), file);
+  } catch (...) {
+    return fail("mesh.unreadable", "Reading the mesh failed.", file);
+  }
+}
+
+Status check_settings(const MeshSettings& settings, const std::string& file) {
+  if (settings.unit_in_m >= 0 && settings.unit_in_m <= 1000) return {};
+  return fail("mesh.setting", "unit_in_m must lie between 0 and 1000.", file);
 }
 
 }  // namespace
 
 Result<TriangleMesh> load_mesh(const std::filesystem::path& path, const MeshSettings& settings) {
-  if (!(settings.unit_in_m >= 0 && settings.unit_in_m <= 1000)) {
-    return fail("mesh.setting", "unit_in_m must lie between 0 and 1000.", path);
-  }
+  const std::string file = path.string();
+  if (Status s = check_settings(settings, file); !s) return s.error();
   if (Status s = check_file(path); !s) return s.error();
-  if (Status s = sniff_mesh(path); !s) return s.error();
-  try {
-    Result<TriangleMesh> scene = import(path, settings.alone);
-    if (!scene) return scene.error();
-    if (scene->triangles.empty()) return fail("mesh.no_triangles", "The file holds no triangles.", path);
-    to_metres(*scene, settings);
-    TriangleMesh mesh = merged(*scene);
-    if (mesh.triangles.empty()) return fail("mesh.no_triangles", "All triangles are without area.", path);
-    return mesh;
-  } catch (const std::exception& e) {
-    return fail("mesh.unreadable", std::string("Reading the mesh failed: ") + e.what(), path);
-  } catch (...) {
-    return fail("mesh.unreadable", "Reading the mesh failed.", path);
-  }
+  if (Status s = sniff_mesh(path, settings.any_format); !s) return s.error();
+  Assimp::Importer importer;
+  return import_safely(importer, file, settings);
+}
+
+Result<TriangleMesh> load_mesh_bytes(const std::string& name, std::string_view bytes,
+                                     const MeshSettings& settings) {
+  if (Status s = check_settings(settings, name); !s) return s.error();
+  if (Status s = check_size(bytes.size(), name); !s) return s.error();
+  if (Status s = sniff_mesh_bytes(name, bytes, settings.any_format); !s) return s.error();
+  Assimp::Importer importer;
+  importer.SetIOHandler(new BytesOnly(name, bytes));  // the importer's to delete
+  return import_safely(importer, name, settings);
 }
 
 }  // namespace toile

@@ -19,6 +19,7 @@ constexpr double kCoarsestCell = 7.0e-3;  // fingertips and the gap between the 
 constexpr double kCellPerEdge = 0.5;
 constexpr int kRemeshRounds = 6;
 constexpr double kFold = 0.5, kFoldedMiss = 1000;  // cosine; worse than any miss
+constexpr double kAgreeing = 2;                    // least length of three normals' sum
 constexpr int kNewMeshes = 2;                      // tries after the first
 constexpr int kSecondThought = 8;  // corrections after which a search that has lost its way begins anew
 constexpr int kCorrections = 16, kEveningRounds = 3;  // corrections of the shape, by what the mesh measures
@@ -226,46 +227,56 @@ struct Fit {
   BodyShape shape;
   std::optional<BodyMeasures> measures;  ///< nothing: no round made a body
   double miss = HUGE_VAL;
+  BodyShape next = {};  ///< to go on from, with another mesh
 };
 
-// Smallest cosine between a triangle and the field's normals at its corners: a fold in the mesh has a low
-// one.
+// Smallest cosine between a triangle and the field's normals at its corners, where these agree: a fold in the
+// mesh has a low one. Across a thin edge, a hand's or a toe's, they do not, and the triangle stands between
+// them.
 double least_facing(const TriangleMesh& mesh, const BodyField& field) {
   std::vector<Vec3> normal;
   for (const Vec3& p : mesh.vertices) normal.push_back(normalized(field.at(p).gradient));
   double least = 1;
   for (const Tri& t : mesh.triangles) {
     const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
-    const Vec3 mean = normalized(normal[t[0]] + normal[t[1]] + normal[t[2]]);
-    least = std::min(least, dot(normalized(cross(b - a, c - a)), mean));
+    const Vec3 sum = normal[t[0]] + normal[t[1]] + normal[t[2]];
+    if (length(sum) < kAgreeing) continue;
+    least = std::min(least, dot(normalized(cross(b - a, c - a)), normalized(sum)));
   }
   return least;
 }
 
 Fit corrected(ShapeSolver& solver, Index triangle_count, double height) {
-  Fit best;
-  best.shape = solver.shape;
+  Fit best, nearest;  // the latter by its measures alone, folded or not
+  best.shape = nearest.shape = solver.shape;
   TriangleMesh unit = first_mesh(solver.shape, triangle_count);
+  int times_folded = 0;
   for (int i = 0; i <= kCorrections; ++i) {
     const bool folded = least_facing(unit, BodyField(solver.shape)) < kFold;
+    times_folded = folded ? times_folded + 1 : 0;
     TriangleMesh mesh = stand(unit, height);
     const Result<BodyMeasures> got = measure_body(mesh);
     if (!got) break;
-    const double miss = solver.miss(*got) + (folded ? kFoldedMiss : 0);
+    const double off = solver.miss(*got), miss = off + (folded ? kFoldedMiss : 0);
+    if (off < nearest.miss) nearest = {{}, solver.shape, *got, off};
     if (miss < best.miss) best = {std::move(mesh), solver.shape, *got, miss};
     if (miss <= 1) break;
-    if (i == kSecondThought && best.measures) {
-      solver.restart(best.shape);
-      solver.correct(*best.measures);
-    } else {
+    if (i == kSecondThought && nearest.measures) {
+      solver.restart(nearest.shape);
+      solver.correct(*nearest.measures);
+    } else if (off > 1) {
       solver.correct(*got);
     }
-    unit = fitted(std::move(unit), solver.shape, triangle_count, i < kRelaxing ? 1 : 0);
-    if (folded || i == kRelaxing) {
-      unit = evened(std::move(unit), solver.shape, triangle_count);
-      solver.restart();
+    // A mesh that is folded is evened, and one that stays folded made anew.
+    if (times_folded > 1) {
+      unit = first_mesh(solver.shape, triangle_count);
+    } else {
+      unit = fitted(std::move(unit), solver.shape, triangle_count, i < kRelaxing ? 1 : 0);
+      if (folded || i == kRelaxing) unit = evened(std::move(unit), solver.shape, triangle_count);
     }
+    if (folded || i == kRelaxing) solver.restart();
   }
+  best.next = nearest.shape;
   return best;
 }
 
@@ -307,8 +318,9 @@ Result<Mannequin> make_mannequin(const MannequinSettings& settings) {
   Fit fit = corrected(solver, settings.triangle_count, h);
   // What a crowded mesh has spoilt, a new one on the shape found so far may mend.
   for (int i = 0; i < kNewMeshes && fit.measures && !check_met(settings.asked, *fit.measures); ++i) {
-    solver.restart(fit.shape);
+    solver.restart(fit.next);
     Fit again = corrected(solver, settings.triangle_count, h);
+    fit.next = again.next;
     if (again.measures && again.miss < fit.miss) fit = std::move(again);
   }
   if (!fit.measures) return Error{"mannequin.measures", "These measures do not make a body.", ""};

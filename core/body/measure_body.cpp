@@ -68,8 +68,12 @@ class BodyTape {
   BodyMeasures measures;
 
  private:
-  void take(Measure m, double value, double height) {
-    if (value > 0) measures.taken[static_cast<size_t>(m)] = TakenMeasure{value, height};
+  void take(Measure m, double value, double height, std::vector<Vec3> line = {}) {
+    if (value > 0) measures.taken[static_cast<size_t>(m)] = TakenMeasure{value, height, std::move(line)};
+  }
+  void take_level(Measure m, const Level& level) {
+    const std::vector<Vec3> points = middle_points(level_.at(level.y), measures.points.middle);
+    take(m, level.girth, level.y, taut_loop(points, {0, 1, 0}));
   }
   BodyPoints& points() { return measures.points; }
 
@@ -120,7 +124,7 @@ class BodyTape {
     for (const Vec3& p : cut.points)
       if (p.y > 0.25 * stature_ && p.y < low) low = p.y, points().crotch = p;
     if (!(low < 0.6 * stature_)) return Error{"body.not_a_body", "There is no crotch to be found.", ""};
-    take(Measure::kInseam, low, low);
+    take(Measure::kInseam, low, low, {points().crotch, {points().crotch.x, 0, points().crotch.z}});
     return {};
   }
 
@@ -142,8 +146,8 @@ class BodyTape {
     if (!(p.armpit_height > waist.y + 0.03 * stature_))
       return Error{"body.not_a_body", "There are no armpits to be found above the waist.", ""};
     p.hip_height = hip.y, p.waist_height = waist.y;
-    take(Measure::kHip, hip.girth, hip.y);
-    take(Measure::kWaist, waist.girth, waist.y);
+    take_level(Measure::kHip, hip);
+    take_level(Measure::kWaist, waist);
     // A woman's bust is taken at the bust points, a chest at its widest, right below the armpits.
     const double torso = p.nape.y - p.crotch.y;
     const double top = std::min(p.armpit_height - kClearOfArmpit * stature_, p.nape.y - kChestTop * torso);
@@ -157,8 +161,8 @@ class BodyTape {
                                : extreme(ribs, top, wider);
     const Level under = level_at(ribs);
     p.bust_height = bust.y, p.underbust_height = ribs;
-    take(Measure::kBust, bust.girth, bust.y);
-    take(Measure::kUnderbust, under.girth, under.y);
+    take_level(Measure::kBust, bust);
+    take_level(Measure::kUnderbust, under);
     return {};
   }
 
@@ -194,16 +198,17 @@ class BodyTape {
     for (Index t = 0; t < static_cast<Index>(mesh_.triangles.size()); ++t)
       if (std::abs(mesh_.vertices[mesh_.triangles[t][0]].y - place) < 0.09 * stature_) near.push_back(t);
     double best = least, best_y = place;
+    std::vector<Vec3> line = taut_loop(middle_points(level_.at(place), middle), {0, 1, 0});
     for (double y = place - 0.025 * stature_; y <= place + 0.02 * stature_; y += 0.005 * stature_) {
       const Vec3 centre = middle_of(middle_points(level_.at(y), middle));
       for (double lean : kNeckLeans) {
         const Vec3 normal = normalized(Vec3{0, 1, lean});
         const std::vector<Vec3> ps = middle_points(plane_cut(mesh_, centre, normal, near), middle);
         const double g = around(ps, normal);
-        if (ps.size() > 5 && g < best) best = g, best_y = y;
+        if (ps.size() > 5 && g < best) best = g, best_y = y, line = taut_loop(ps, normal);
       }
     }
-    take(Measure::kNeck, best, best_y);
+    take(Measure::kNeck, best, best_y, std::move(line));
   }
 
   // The back's profile in the middle plane, from the small of the back up to the neck's hollow.
@@ -230,7 +235,9 @@ class BodyTape {
     }
     profile.resize(nape + 1);
     profile.push_back(p.nape);
-    take(Measure::kBackLength, taut_length(profile), low);
+    std::vector<Vec3> tape = taut(profile);
+    const double along = length_of(tape);
+    take(Measure::kBackLength, along, low, std::move(tape));
   }
 
   // The hindmost point near the middle plane; z is infinite where the cut has none.
@@ -263,8 +270,8 @@ class BodyTape {
     return (reach(1) + reach(-1)) / 2;
   }
 
-  // Length of a tape over the profile, which spans hollows.
-  static double taut_length(const std::vector<Vec3>& profile) {
+  // A tape over the profile, which spans hollows.
+  static std::vector<Vec3> taut(const std::vector<Vec3>& profile) {
     std::vector<Vec3> tape;
     for (const Vec3& q : profile) {
       while (tape.size() > 1) {
@@ -274,6 +281,10 @@ class BodyTape {
       }
       tape.push_back(q);
     }
+    return tape;
+  }
+
+  static double length_of(const std::vector<Vec3>& tape) {
     double sum = 0;
     for (size_t i = 1; i < tape.size(); ++i) sum += length(tape[i] - tape[i - 1]);
     return sum;
@@ -352,10 +363,19 @@ void BodyTape::find_arm() {
     const std::vector<Vec3> cut = arm_cut(at, straight);
     return cut.empty() ? at : middle_of(cut);
   };
-  const auto girth_at_share = [&](double s, Vec3* centre) {
+  const auto loop_at_share = [&](double s, Vec3* centre) {
     const Vec3 direction = normalized(axis_at(s + 0.06) - axis_at(s - 0.03));
     *centre = axis_at(s);
-    return around(arm_cut(*centre, direction), direction);
+    return std::pair(arm_cut(*centre, direction), direction);
+  };
+  const auto girth_at_share = [&](double s, Vec3* centre) {
+    const auto [points_of_cut, direction] = loop_at_share(s, centre);
+    return around(points_of_cut, direction);
+  };
+  const auto line_at_share = [&](double s) {
+    Vec3 centre;
+    const auto [points_of_cut, direction] = loop_at_share(s, &centre);
+    return taut_loop(points_of_cut, direction);
   };
   double least = HUGE_VAL, wrist = 0;
   for (double s = kWristFrom; s <= kWristTo; s += 0.01) {
@@ -367,13 +387,15 @@ void BodyTape::find_arm() {
   for (int i = 0; i <= kAxisCuts; ++i)
     axis.push_back(axis_at((kUpperFrom + (kUpperTo - kUpperFrom) * i / kAxisCuts) * wrist));
   p.shoulder = shoulder_point(axis);
-  take(Measure::kShoulderWidth, 2 * (p.shoulder.x - p.middle), p.shoulder.y);
-  take(Measure::kWrist, least, p.wrist.y);
+  const Vec3 other{2 * p.middle - p.shoulder.x, p.shoulder.y, p.shoulder.z};
+  take(Measure::kShoulderWidth, 2 * (p.shoulder.x - p.middle), p.shoulder.y, {p.shoulder, other});
+  take(Measure::kWrist, least, p.wrist.y, line_at_share(wrist));
   const Vec3 elbow = axis_at(kElbow * wrist);
-  take(Measure::kArmLength, length(elbow - p.shoulder) + length(p.wrist - elbow), p.wrist.y);
+  take(Measure::kArmLength, length(elbow - p.shoulder) + length(p.wrist - elbow), p.wrist.y,
+       {p.shoulder, elbow, p.wrist});
   Vec3 c;
   const double upper = girth_at_share(kUpperArm * wrist, &c);
-  take(Measure::kUpperArm, upper, c.y);
+  take(Measure::kUpperArm, upper, c.y, line_at_share(kUpperArm * wrist));
 }
 
 // The highest point of the skin right above x, between armpit and neck.
@@ -400,18 +422,19 @@ Vec3 BodyTape::shoulder_point(std::span<const Vec3> axis) const {
 
 void BodyTape::find_leg() {
   const double middle = points().middle, crotch = points().crotch.y;
-  const auto girth = [&](double y) {
+  const auto leg_at = [&](double y) {
     std::vector<Vec3> one;
     for (const Vec3& q : middle_points(level_.at(y), middle))
       if (q.x >= middle) one.push_back(q);
-    return hull_perimeter(flat(one));
+    return one;
   };
+  const auto girth = [&](double y) { return hull_perimeter(flat(leg_at(y))); };
   const double thigh = crotch - kThighBelowCrotch * stature_;
-  take(Measure::kThigh, girth(thigh), thigh);
+  take(Measure::kThigh, girth(thigh), thigh, taut_loop(leg_at(thigh), {0, 1, 0}));
   double most = 0, place = 0;
   for (double y = kCalfLow * crotch; y <= kCalfHigh * crotch; y += 2 * kLevelStep * stature_)
     if (const double g = girth(y); g > most) most = g, place = y;
-  take(Measure::kCalf, most, place);
+  take(Measure::kCalf, most, place, taut_loop(leg_at(place), {0, 1, 0}));
 }
 
 }  // namespace

@@ -28,8 +28,8 @@ Opening open(const std::filesystem::path& path) {
   return o;
 }
 
-std::string ending(const std::filesystem::path& path) {
-  std::string e = path.extension().string();
+std::string ending(const std::string& name) {
+  std::string e = std::filesystem::path(name).extension().string();
   std::transform(e.begin(), e.end(), e.begin(),
                  [](unsigned char c) { return c < 'A' || c > 'Z' ? c : c + 32; });
   return e;
@@ -66,6 +66,9 @@ bool is_ply(const Opening& o) {
   return false;
 }
 
+/// Text of two bytes a character, which assimp turns into what it knows.
+bool is_utf16(const Opening& o) { return starts(o, "\xff\xfe") || starts(o, "\xfe\xff"); }
+
 bool fits(const std::string& kind, const Opening& o) {
   if (kind == ".obj" || kind == ".gltf" || kind == ".dae" || kind == ".off") return is_text(o);
   if (kind == ".stl") return is_stl(o);
@@ -75,22 +78,28 @@ bool fits(const std::string& kind, const Opening& o) {
   return starts(o, "MM");  // .3ds
 }
 
-}  // namespace
-
-Status sniff_mesh(const std::filesystem::path& path) {
+Status sniff(const std::string& name, bool any_format, const Opening& opening) {
   static constexpr std::array<std::string_view, 9> kKinds{".obj", ".stl", ".ply", ".gltf", ".glb",
                                                           ".fbx", ".dae", ".3ds", ".off"};
-  const std::string kind = ending(path);
+  const std::string kind = ending(name);
   if (std::find(kKinds.begin(), kKinds.end(), kind) == kKinds.end()) {
+    if (any_format) return {};
     return Error{"mesh.unreadable",
-                 "Meshes are read from OBJ, STL, PLY, glTF, GLB, FBX, DAE, 3DS and OFF files.",
-                 path.string()};
+                 "Meshes are read from OBJ, STL, PLY, glTF, GLB, FBX, DAE, 3DS and OFF files.", name};
   }
-  if (!fits(kind, open(path))) {
-    return Error{"mesh.unreadable",
-                 "The file does not begin as a " + kind + " file should, or its header lies.", path.string()};
-  }
-  return {};
+  if (fits(kind, opening) || (any_format && is_utf16(opening))) return {};
+  return Error{"mesh.unreadable",
+               "The file does not begin as a " + kind + " file should, or its header lies.", name};
+}
+
+}  // namespace
+
+Status sniff_mesh(const std::filesystem::path& path, bool any_format) {
+  return sniff(path.string(), any_format, open(path));
+}
+
+Status sniff_mesh_bytes(const std::string& name, std::string_view bytes, bool any_format) {
+  return sniff(name, any_format, {std::string(bytes.substr(0, kLookAt)), bytes.size()});
 }
 
 }  // namespace toile

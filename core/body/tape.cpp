@@ -84,25 +84,6 @@ std::vector<Vec2> middle_points(const TriangleMesh& mesh, double height) {
   return points;
 }
 
-// Counter-clockwise; a single point or none where that is all there is.
-std::vector<Vec2> hull(std::vector<Vec2> points) {
-  std::sort(points.begin(), points.end(), [](Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  if (points.size() < 2) return points;
-  std::vector<Vec2> out;
-  for (int pass = 0; pass < 2; ++pass) {  // lower chain, then upper
-    const size_t base = out.size() + 1;
-    for (const Vec2& p : points) {
-      while (out.size() > base && cross(out.back() - out[out.size() - 2], p - out.back()) <= 0)
-        out.pop_back();
-      out.push_back(p);
-    }
-    out.pop_back();
-    std::reverse(points.begin(), points.end());
-  }
-  return out;
-}
-
 // The part of a convex polygon on which side·x <= limit. Cut, not dropped: a girth must not jump as a point
 // passes the limit.
 std::vector<Vec2> clipped(const std::vector<Vec2>& polygon, double limit, double side) {
@@ -136,10 +117,28 @@ Girth best_girth(const TriangleMesh& mesh, double low, double high, double half_
 
 }  // namespace
 
-double hull_perimeter(std::vector<Vec2> points) { return perimeter(hull(std::move(points))); }
+std::vector<Vec2> tape_hull(std::vector<Vec2> points) {
+  std::sort(points.begin(), points.end(), [](Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if (points.size() < 2) return points;
+  std::vector<Vec2> out;
+  for (int pass = 0; pass < 2; ++pass) {  // lower chain, then upper
+    const size_t base = out.size() + 1;
+    for (const Vec2& p : points) {
+      while (out.size() > base && cross(out.back() - out[out.size() - 2], p - out.back()) <= 0)
+        out.pop_back();
+      out.push_back(p);
+    }
+    out.pop_back();
+    std::reverse(points.begin(), points.end());
+  }
+  return out;
+}
+
+double hull_perimeter(std::vector<Vec2> points) { return perimeter(tape_hull(std::move(points))); }
 
 double girth_at(const TriangleMesh& mesh, double height, double half_breadth) {
-  std::vector<Vec2> around = hull(middle_points(mesh, height));
+  std::vector<Vec2> around = tape_hull(middle_points(mesh, height));
   if (half_breadth < kNoBreadth) around = clipped(clipped(around, half_breadth, 1), half_breadth, -1);
   return perimeter(around);
 }

@@ -14,6 +14,10 @@ struct Girth {
 
 inline constexpr double kNoBreadth = std::numeric_limits<double>::infinity();
 
+/// The corners of the convex hull of flat points, counter-clockwise; a single point or none where that is all
+/// there is.
+std::vector<Vec2> tape_hull(std::vector<Vec2> points);
+
 /// The perimeter of the convex hull of flat points; 0 for fewer than two.
 double hull_perimeter(std::vector<Vec2> points);
 

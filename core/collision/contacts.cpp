@@ -60,7 +60,7 @@ void FeatureBoxes::lay_around(const Surface& surface) {
 }
 
 Obstacle make_obstacle(std::span<const Vec3> vertices, std::span<const Tri> triangles, double friction,
-                       double skin_offset) {
+                       double skin_offset, double restitution) {
   Obstacle obstacle;
   obstacle.vertices.assign(vertices.begin(), vertices.end());
   obstacle.surface = make_surface(triangles, static_cast<Index>(vertices.size()));
@@ -71,6 +71,7 @@ Obstacle make_obstacle(std::span<const Vec3> vertices, std::span<const Tri> tria
   obstacle.boxes.lay_around(obstacle.surface);
   obstacle.friction = friction;
   obstacle.skin_offset = skin_offset;
+  obstacle.restitution = restitution;
   return obstacle;
 }
 
@@ -195,6 +196,7 @@ void ContactFinder::vertex_on_obstacle(const Obstacle& obstacle, Index vertex, c
     contact.count = 1, contact.v[0] = vertex, contact.w[0] = 1;
     contact.n = n, contact.c = dot(n, q);
     contact.rest = obstacle.skin_offset, contact.friction = obstacle.friction;
+    contact.restitution = obstacle.restitution;
     near_.push_back({gap, contact});
   }
 }
@@ -216,7 +218,8 @@ void ContactFinder::obstacle_vertex_on_cloth(const Obstacle& obstacle, Vec3 poin
                      n,
                      dot(n, point),
                      kRimShare * obstacle.skin_offset,
-                     obstacle.friction});
+                     obstacle.friction,
+                     obstacle.restitution});
   }
 }
 
@@ -238,7 +241,8 @@ void ContactFinder::edge_on_obstacle(const Obstacle& obstacle, Index a0, Index a
                      n,
                      dot(n, q),
                      kRimShare * obstacle.skin_offset,
-                     obstacle.friction});
+                     obstacle.friction,
+                     obstacle.restitution});
   }
 }
 

@@ -32,9 +32,10 @@ struct Obstacle {
   FeatureBoxes boxes;         ///< grown by the skin offset
   double friction = 0.4;      ///< Coulomb
   double skin_offset = 1e-3;  ///< m
+  double restitution = 0;     ///< share of the speed of a blow that cloth leaves with
 };
 Obstacle make_obstacle(std::span<const Vec3> vertices, std::span<const Tri> triangles, double friction,
-                       double skin_offset);
+                       double skin_offset, double restitution = 0);
 
 struct ContactSettings {
   double thickness = 1e-3;  ///< m, distance that layers of cloth keep
@@ -60,6 +61,7 @@ struct Contact {
   double c = 0;
   double rest = 0;
   double friction = 0;
+  double restitution = 0;
 };
 
 /// A half-space that a vertex stays in: n·(x − x0) ≥ −slack, x0 the measured position.

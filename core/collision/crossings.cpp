@@ -37,8 +37,47 @@ std::vector<ExactPoint> grid_of(std::span<const Vec3> positions) {
   return points;
 }
 
-bool any_edge_crosses(const std::array<const ExactPoint*, 3>& edges_of,
-                      const std::array<const ExactPoint*, 3>& face) {
+using Corners = std::array<const ExactPoint*, 3>;
+
+Corners corners(const Tri& t, const std::vector<ExactPoint>& points) {
+  return {&points[t[0]], &points[t[1]], &points[t[2]]};
+}
+
+CrossingFace face_of(const Corners& t) {
+  CrossingFace face{t};
+  double u[3], v[3], most = 0;
+  const auto at = [](const ExactPoint& p, int k) { return k == 0 ? p.x : k == 1 ? p.y : p.z; };
+  for (int k = 0; k < 3; ++k) {
+    u[k] = static_cast<double>(at(*t[1], k) - at(*t[0], k));
+    v[k] = static_cast<double>(at(*t[2], k) - at(*t[0], k));
+    most = std::max({most, std::abs(u[k]), std::abs(v[k])});
+  }
+  for (int k = 0; k < 3; ++k) {
+    const int l = (k + 1) % 3, m = (k + 2) % 3;
+    face.normal[k] = u[l] * v[m] - u[m] * v[l];
+  }
+  // Differences are exact; products and sums of three round by less than eight units of 2⁻⁵³ of 2 most².
+  face.slack = most * most * 0x1p-48;
+  return face;
+}
+
+/// Side of the face's plane that p lies on; 0 where doubles cannot tell.
+int side_of(const CrossingFace& face, const ExactPoint& p) {
+  const ExactPoint& origin = *face.corners[0];
+  const double d[3] = {static_cast<double>(p.x - origin.x), static_cast<double>(p.y - origin.y),
+                       static_cast<double>(p.z - origin.z)};
+  const double side = face.normal[0] * d[0] + face.normal[1] * d[1] + face.normal[2] * d[2];
+  const double unsure = face.slack * (std::abs(d[0]) + std::abs(d[1]) + std::abs(d[2]));
+  return (side > unsure) - (side < -unsure);
+}
+
+/// True when all of `t` certainly lies on one side of `face`.
+bool all_aside(const CrossingFace& face, const Corners& t) {
+  const int side = side_of(face, *t[0]);
+  return side != 0 && side == side_of(face, *t[1]) && side == side_of(face, *t[2]);
+}
+
+bool any_edge_crosses(const Corners& edges_of, const Corners& face) {
   for (int k = 0; k < 3; ++k) {
     if (segment_crosses_triangle(*edges_of[k], *edges_of[(k + 1) % 3], *face[0], *face[1], *face[2]))
       return true;
@@ -46,8 +85,10 @@ bool any_edge_crosses(const std::array<const ExactPoint*, 3>& edges_of,
   return false;
 }
 
-std::array<const ExactPoint*, 3> corners(const Tri& t, const std::vector<ExactPoint>& points) {
-  return {&points[t[0]], &points[t[1]], &points[t[2]]};
+/// Where an edge of one passes through the other, each has corners on both sides of the other.
+bool cross(const CrossingFace& a, const CrossingFace& b) {
+  if (all_aside(b, a.corners) || all_aside(a, b.corners)) return false;
+  return any_edge_crosses(a.corners, b.corners) || any_edge_crosses(b.corners, a.corners);
 }
 
 /// How two triangles of a cloth meet in the flat pattern.
@@ -67,9 +108,12 @@ Meeting meeting_of(const Surface& cloth, const Tri& a, const Tri& b) {
 }
 
 /// The edge opposite a shared corner is the only one that can pass through the other triangle.
-bool opposite_edge_crosses(const std::array<const ExactPoint*, 3>& a, int corner,
-                           const std::array<const ExactPoint*, 3>& b) {
-  return segment_crosses_triangle(*a[(corner + 1) % 3], *a[(corner + 2) % 3], *b[0], *b[1], *b[2]);
+bool opposite_edge_crosses(const CrossingFace& of, int corner, const CrossingFace& face) {
+  const ExactPoint &p = *of.corners[(corner + 1) % 3], &q = *of.corners[(corner + 2) % 3];
+  const int side = side_of(face, p);
+  if (side != 0 && side == side_of(face, q)) return false;
+  const Corners& t = face.corners;
+  return segment_crosses_triangle(p, q, *t[0], *t[1], *t[2]);
 }
 
 }  // namespace
@@ -104,42 +148,57 @@ bool segment_crosses_triangle(const ExactPoint& p, const ExactPoint& q, const Ex
 }
 
 CrossingBody make_crossing_body(std::span<const Vec3> vertices, std::span<const Tri> triangles) {
-  return {grid_of(vertices), {triangles.begin(), triangles.end()}, Bvh(boxes_of(triangles, vertices))};
+  return {grid_of(vertices), {triangles.begin(), triangles.end()}, BoxGroups(boxes_of(triangles, vertices))};
 }
 
-std::vector<std::array<Index, 2>> body_crossings(const Surface& cloth, std::span<const Vec3> positions,
-                                                 const CrossingBody& body) {
-  std::vector<std::array<Index, 2>> found;
-  const std::vector<ExactPoint> points = grid_of(positions);
-  const std::vector<Box3> boxes = boxes_of(cloth.triangles, positions);
-  for (Index t = 0; t < static_cast<Index>(boxes.size()); ++t) {
-    const auto a = corners(cloth.triangles[t], points);
-    body.tree.query(boxes[t], [&](Index s) {
-      const auto b = corners(body.triangles[s], body.points);
-      if (any_edge_crosses(a, b) || any_edge_crosses(b, a)) found.push_back({t, s});
-    });
+void CrossingCounter::place(std::span<const Vec3> positions) {
+  points_ = grid_of(positions);
+  faces_.clear();
+  for (const Tri& t : cloth_.triangles) faces_.push_back(face_of(corners(t, points_)));
+  const std::vector<Box3> boxes = boxes_of(cloth_.triangles, positions);
+  if (groups_.empty()) {
+    groups_ = BoxGroups(boxes);
+  } else {
+    groups_.refit(boxes);
   }
+}
+
+std::vector<std::array<Index, 2>> CrossingCounter::with(const CrossingBody& body) const {
+  std::vector<std::array<Index, 2>> found;
+  groups_.pairs(body.groups, [&](Index t, Index s) {
+    const Corners skin = corners(body.triangles[s], body.points);
+    if (!all_aside(faces_[t], skin) && cross(faces_[t], face_of(skin))) found.push_back({t, s});
+  });
   std::sort(found.begin(), found.end());
   return found;
 }
 
-std::vector<std::array<Index, 2>> self_crossings(const Surface& cloth, std::span<const Vec3> positions) {
+std::vector<std::array<Index, 2>> CrossingCounter::with_itself() const {
   std::vector<std::array<Index, 2>> found;
-  const std::vector<ExactPoint> points = grid_of(positions);
-  const Bvh tree(boxes_of(cloth.triangles, positions));
-  tree.self_pairs([&](Index s, Index t) {
-    const auto a = corners(cloth.triangles[s], points), b = corners(cloth.triangles[t], points);
-    const Meeting m = meeting_of(cloth, cloth.triangles[s], cloth.triangles[t]);
-    bool crosses = false;
-    if (m.shared == 0) {
-      crosses = any_edge_crosses(a, b) || any_edge_crosses(b, a);
-    } else if (m.shared == 1) {
-      crosses = opposite_edge_crosses(a, m.corner_a, b) || opposite_edge_crosses(b, m.corner_b, a);
-    }
+  groups_.self_pairs([&](Index s, Index t) {
+    const Meeting m = meeting_of(cloth_, cloth_.triangles[s], cloth_.triangles[t]);
+    if (m.shared > 1) return;
+    const CrossingFace &a = faces_[s], &b = faces_[t];
+    const bool crosses =
+        m.shared == 0 ? cross(a, b)
+                      : opposite_edge_crosses(a, m.corner_a, b) || opposite_edge_crosses(b, m.corner_b, a);
     if (crosses) found.push_back({std::min(s, t), std::max(s, t)});
   });
   std::sort(found.begin(), found.end());
   return found;
+}
+
+std::vector<std::array<Index, 2>> body_crossings(const Surface& cloth, std::span<const Vec3> positions,
+                                                 const CrossingBody& body) {
+  CrossingCounter counter(cloth);
+  counter.place(positions);
+  return counter.with(body);
+}
+
+std::vector<std::array<Index, 2>> self_crossings(const Surface& cloth, std::span<const Vec3> positions) {
+  CrossingCounter counter(cloth);
+  counter.place(positions);
+  return counter.with_itself();
 }
 
 }  // namespace toile

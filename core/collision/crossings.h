@@ -9,7 +9,7 @@
 
 #include "core/base/types.h"
 #include "core/collision/surface.h"
-#include "core/geometry/bvh.h"
+#include "core/geometry/box_groups.h"
 
 namespace toile {
 
@@ -27,11 +27,18 @@ int orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, c
 bool segment_crosses_triangle(const ExactPoint& p, const ExactPoint& q, const ExactPoint& a,
                               const ExactPoint& b, const ExactPoint& c);
 
+/// A triangle's corners, and its plane in doubles for the questions that need no exactness.
+struct CrossingFace {
+  std::array<const ExactPoint*, 3> corners;
+  double normal[3] = {};
+  double slack = 0;  ///< normal · d is right to slack · Σ|d|, d the way from the first corner
+};
+
 /// A solid's surface, ready for repeated counting.
 struct CrossingBody {
   std::vector<ExactPoint> points;
   std::vector<Tri> triangles;
-  Bvh tree;
+  BoxGroups groups;
 };
 CrossingBody make_crossing_body(std::span<const Vec3> vertices, std::span<const Tri> triangles);
 
@@ -41,5 +48,23 @@ std::vector<std::array<Index, 2>> body_crossings(const Surface& cloth, std::span
 
 /// Pairs of cloth triangles that cross, first < second. Pairs that share two vertices or more cannot.
 std::vector<std::array<Index, 2>> self_crossings(const Surface& cloth, std::span<const Vec3> positions);
+
+/// Counts for one cloth again and again while it moves: boxes are grouped once.
+class CrossingCounter {
+ public:
+  explicit CrossingCounter(Surface cloth) : cloth_(std::move(cloth)) {}
+
+  const Surface& cloth() const { return cloth_; }
+  /// Where the cloth is now; needed first. As many positions (m) as the surface has vertices.
+  void place(std::span<const Vec3> positions);
+  std::vector<std::array<Index, 2>> with(const CrossingBody& body) const;  ///< as body_crossings()
+  std::vector<std::array<Index, 2>> with_itself() const;                   ///< as self_crossings()
+
+ private:
+  Surface cloth_;
+  std::vector<ExactPoint> points_;
+  std::vector<CrossingFace> faces_;
+  BoxGroups groups_;
+};
 
 }  // namespace toile

@@ -25,9 +25,9 @@ void fields(Archive& a, RunState& run) {
   SessionState& s = run.session;
   a.value(s.phase), a.value(s.stop_reason), a.value(s.steps);
   a.value(s.time), a.value(s.phase_start), a.value(s.last_weld);
-  a.value(s.joined), a.value(s.released);
+  a.value(s.joined), a.value(s.released), a.value(s.off_at_release);
   a.value(s.watch.step), a.value(s.watch.window_start), a.value(s.watch.rms), a.value(s.watch.max_speed);
-  a.value(s.watch.drift_start), a.value(s.watch.drift);
+  a.value(s.watch.drift_start), a.value(s.watch.drift), a.value(s.watch.usual_drift);
   a.value(s.solver.positions), a.value(s.solver.velocities);
   a.value(s.solver.measured), a.value(s.solver.measured_speeds), a.value(s.solver.held_back),
       a.value(s.solver.hits);
@@ -65,9 +65,9 @@ bool sound(const SessionState& s) {
          all_counts(s.steps, s.watch.step, s.solver.held_back, s.solver.hits) &&
          all_times(s.time, s.phase_start, s.last_weld) && s.solver.velocities.size() == n &&
          (m == 0 || m == n) && s.solver.measured_speeds.size() == m && s.watch.window_start.size() == n &&
-         s.watch.drift_start.size() == n && s.watch.drift >= 0 &&
+         s.watch.drift_start.size() == n && s.watch.drift >= 0 && s.watch.usual_drift >= 0 &&
          s.watch.rms.size() <= SettleState::kMostWindows && s.watch.max_speed >= 0 &&
-         all_speeds(s.watch.rms) && all_speeds({s.watch.max_speed}) && all_speeds(s.solver.measured_speeds) &&
+         all_speeds(s.off_at_release) && all_speeds(s.watch.rms) && all_speeds({s.watch.max_speed}) && all_speeds(s.solver.measured_speeds) &&
          all_within(s.solver.positions, kFarthest) && all_within(s.solver.velocities, kFarthest) &&
          all_within(s.solver.measured, kFarthest) && all_within(s.watch.window_start, kFarthest) &&
          all_within(s.watch.drift_start, kFarthest);

@@ -24,7 +24,7 @@ namespace toile {
 
 /// Rises when the fields change, and whenever a change of the engine gives a drape other bytes: a drape begun
 /// by one engine and ended by another would be neither's.
-inline constexpr std::uint32_t kCheckpointVersion = 2;
+inline constexpr std::uint32_t kCheckpointVersion = 3;
 
 enum class DrapePhase : std::uint8_t { kSew, kDrape, kDone };
 
@@ -36,6 +36,7 @@ struct SessionState {
   double time = 0, phase_start = 0, last_weld = 0;  ///< s
   std::vector<bool> joined;                         ///< garment vertices welded to the least of their class
   std::vector<bool> released;                       ///< attachments
+  std::vector<double> off_at_release;               ///< m, of each
   SettleState watch;
   SolverState solver;
 };

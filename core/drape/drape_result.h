@@ -23,6 +23,13 @@ struct CrossingCount {
   int cloth_cloth = 0;
 };
 
+/// What became of an attachment.
+struct HoldFigures {
+  bool released = false;
+  double released_at = 0;  ///< s of simulated time
+  double off = 0;          ///< m, from where it should be, at most: when it was released, or else at the end
+};
+
 struct DrapeResult {
   GarmentMesh garment;
   std::vector<Vec3> positions;  ///< m, at the end
@@ -37,8 +44,9 @@ struct DrapeResult {
   CrossingCount worst;  ///< of all recorded frames
   int worst_frame_step = 0;
   int frames_checked = 0;
-  Findings findings;        ///< of the look at the start, worst first
-  double seam_gap_max = 0;  ///< m
+  Findings findings;               ///< of the look at the start, worst first
+  double seam_gap_max = 0;         ///< m
+  std::vector<HoldFigures> holds;  ///< one for each attachment
 };
 
 }  // namespace toile

@@ -75,12 +75,12 @@ void write_one(StateWriter& out, const TriangleMesh& mesh) {
   write(out, vertices, triangles);
 }
 void write_one(StateWriter& out, const Body& body) {
-  const auto& [id, mesh, friction, skin_offset] = body;
-  write(out, id, mesh, friction, skin_offset);
+  const auto& [id, mesh, friction, skin_offset, restitution, notes] = body;  // notes are words
+  write(out, id, mesh, friction, skin_offset, restitution);
 }
 void write_one(StateWriter& out, const Attachment& attachment) {
-  const auto& [id, panel, edges, hold, release_after] = attachment;
-  write(out, id, panel, edges, hold, release_after);
+  const auto& [id, panel, edges, hold, release_after, points, goal] = attachment;
+  write(out, id, panel, edges, hold, release_after, points, goal);
 }
 void write_one(StateWriter& out, const PanelPoint& point) {
   const auto& [panel, at] = point;
@@ -135,8 +135,8 @@ void write_one(StateWriter& out, const GarmentMesh& garment) {
   write(out, rest, triangles, panel_of_vertex, panel_of_triangle, first_vertex, sewn, seam_of_sewn, weld);
 }
 void write_one(StateWriter& out, const Assembly& assembly) {
-  const auto& [garment, positions, attached, notions] = assembly;
-  write(out, garment, positions, attached, notions);
+  const auto& [garment, positions, attached, led, notions] = assembly;
+  write(out, garment, positions, attached, led, notions);
 }
 
 template <typename T>

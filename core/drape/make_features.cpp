@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/mesh/topology.h"
+#include "core/sewing/attached_places.h"
 
 namespace toile {
 
@@ -94,12 +95,45 @@ std::vector<PressureChamber> chambers_of(const DrapeInput& input, const Assembly
   return chambers;
 }
 
+std::vector<Leash> leashes_of(const DrapeInput& input, const Assembly& assembly,
+                              std::span<const Index> vertex_of, const std::vector<bool>& released) {
+  std::vector<Leash> leashes;
+  for (std::size_t a = 0; a < input.attachments.size(); ++a) {
+    if (released[a] || assembly.led[a].empty()) continue;
+    const auto goal = std::make_shared<const std::vector<Vec3>>(input.attachments[a].goal);
+    for (const ClothPoint& point : assembly.led[a]) {
+      const double start = length_of({point, goal, 0}, assembly.positions);
+      leashes.push_back({mapped(point, vertex_of), goal, start});
+    }
+  }
+  return leashes;
+}
+
 }  // namespace
 
 ClothFeatures make_features(const DrapeInput& input, const Assembly& assembly,
-                            std::span<const Index> vertex_of, Index vertex_count) {
-  return {input.settings.air, ties_of(input, assembly, vertex_of), elastics_of(input, assembly, vertex_of),
-          folds_of(input, assembly, vertex_of), chambers_of(input, assembly, vertex_of, vertex_count)};
+                            std::span<const Index> vertex_of, Index vertex_count,
+                            const std::vector<bool>& released) {
+  return {input.settings.air,
+          ties_of(input, assembly, vertex_of),
+          elastics_of(input, assembly, vertex_of),
+          folds_of(input, assembly, vertex_of),
+          chambers_of(input, assembly, vertex_of, vertex_count),
+          leashes_of(input, assembly, vertex_of, released)};
+}
+
+double off_hold(const DrapeInput& input, const Assembly& assembly, std::size_t a, std::span<const Vec3> x) {
+  const Attachment& attachment = input.attachments[a];
+  double most = 0;
+  for (const ClothPoint& point : assembly.led[a]) {
+    const Vec3 p = position_of(point, x);
+    most = std::max(most, length(nearest_on_goal(attachment.goal, p) - p));
+  }
+  for (const Index v : assembly.attached[a]) {
+    const Vec3 d = x[v] - assembly.positions[v];
+    most = std::max(most, attachment.hold == Attachment::Hold::kHeight ? std::abs(d.y) : length(d));
+  }
+  return most;
 }
 
 }  // namespace toile

@@ -136,6 +136,7 @@ DrapeResult DrapeRun::conclude() {
   result.rms_speed = session_->rms_speed();
   result.max_speed = session_->max_speed();
   result.seam_gap_max = session_->seam_gap();
+  result.holds = session_->holds();
   return result;
 }
 

@@ -49,15 +49,17 @@ std::unique_ptr<DrapeSession> DrapeSession::start(const DrapeInput& input, const
 DrapeSession::DrapeSession(const DrapeInput& input, const PanelMeshes& meshes, Assembly assembly)
     : input_(input),
       assembly_(std::move(assembly)),
-      surface_(make_surface(assembly_.garment.triangles, assembly_.garment.vertex_count(),
-                            assembly_.garment.weld)),
+      crossings_(make_surface(assembly_.garment.triangles, assembly_.garment.vertex_count(),
+                              assembly_.garment.weld)),
       start_hash_(input_hash(input, assembly_)),
       released_(input.attachments.size(), false),
+      off_at_release_(input.attachments.size(), 0),
       watch_(input.settings.time_step, input.settings.settle_speed) {
   for (const PanelMesh& mesh : meshes.panels) warps_.push_back(mesh.warp);
   for (const Body& body : input.bodies) {
     obstacles_.push_back(
-        make_obstacle(body.mesh.vertices, body.mesh.triangles, body.friction, body.skin_offset));
+        make_obstacle(body.mesh.vertices, body.mesh.triangles, body.friction,
+                                       body.skin_offset, body.restitution));
     crossing_bodies_.push_back(make_crossing_body(body.mesh.vertices, body.mesh.triangles));
   }
   const Weld open = no_weld(assembly_.positions);
@@ -79,7 +81,7 @@ void DrapeSession::build_solver(ClothModel model, std::vector<Vec3> positions, s
                                           input_.settings.time_step, layout);
   if (!velocities.empty()) solver_->set_velocities(std::move(velocities));
   solver_->set_holds(held_now());
-  solver_->set_features(make_features(input_, assembly_, vertex_of_, solver_->model().vertex_count()));
+  solver_->set_features(features_now());
   watch_.restart(solver_->positions());
 }
 
@@ -123,6 +125,10 @@ std::vector<HeldVertex> DrapeSession::held_now() const {
   return held;
 }
 
+ClothFeatures DrapeSession::features_now() const {
+  return make_features(input_, assembly_, vertex_of_, solver_->model().vertex_count(), released_);
+}
+
 bool DrapeSession::dynamic() const { return input_.settings.mode == DrapeMode::kDynamic; }
 
 double DrapeSession::time_of_full_gravity() const { return phase_start_ + (dynamic() ? 0 : kGravityRamp); }
@@ -131,7 +137,7 @@ StepForces DrapeSession::forces_now() const {
   StepForces forces;
   const double since = time_ - phase_start_;
   if (phase_ == Phase::kSew) {
-    forces.gravity = 0, forces.friction = 0, forces.damping = kSewDamping;
+    forces.gravity = 0, forces.friction = forces.restitution = 0, forces.damping = kSewDamping;
     forces.stitch_length = std::max(0.0, 1 - since / input_.settings.sew_time);
     forces.features = {forces.stitch_length, 0, false};
     return forces;
@@ -153,19 +159,20 @@ SessionState DrapeSession::state() const {
   for (std::size_t i = 0; i < joined.size(); ++i) {
     joined[i] = vertex_of_[i] == vertex_of_[assembly_.garment.weld[i]];
   }
-  return {phase_,     stop_reason_, steps_,    time_,          phase_start_,
-          last_weld_, joined,       released_, watch_.state(), solver_->state()};
+  return {phase_, stop_reason_, steps_,          time_,          phase_start_,    last_weld_,
+          joined, released_,    off_at_release_, watch_.state(), solver_->state()};
 }
 
 Status DrapeSession::restore(SessionState state) {
-  if (state.joined.size() != vertex_of_.size() || state.released.size() != released_.size()) {
+  if (state.joined.size() != vertex_of_.size() || state.released.size() != released_.size() ||
+      state.off_at_release.size() != released_.size()) {
     return damaged_checkpoint();
   }
   const Weld weld = joined_as(assembly_.garment, state.joined);
   const auto count = static_cast<std::size_t>(weld.vertex_count);
   if (state.solver.positions.size() != count) return damaged_checkpoint();
   vertex_of_ = weld.vertex_of;
-  released_ = state.released;
+  released_ = state.released, off_at_release_ = state.off_at_release;
   build_solver(model_of(vertex_of_, weld.vertex_count), state.solver.positions, {});
   solver_->set_stitches(stitches_now());
   solver_->restore(std::move(state.solver));
@@ -243,7 +250,9 @@ void DrapeSession::settle_or_stop() {
     holding = true;
     if (time_ < time_of_full_gravity() + after) continue;
     released_[a] = true;
+    off_at_release_[a] = off_hold(input_, assembly_, a, positions());
     solver_->set_holds(held_now());
+    solver_->set_features(features_now());
     watch_.restart(solver_->positions());
   }
   const bool calm_medium = time_ >= time_of_full_gravity() + (dynamic() ? kFormTime : kFallTime);
@@ -273,6 +282,18 @@ std::string DrapeSession::reason_at_rest() const {
   return open.excess > kButtonTolerance ? "open button " + input_.notions.buttons[open.tie].id : "settled";
 }
 
+std::vector<HoldFigures> DrapeSession::holds() const {
+  const std::vector<Vec3> x = positions();
+  std::vector<HoldFigures> figures;
+  for (std::size_t a = 0; a < released_.size(); ++a) {
+    HoldFigures hold{released_[a], 0, off_at_release_[a]};
+    if (hold.released) hold.released_at = time_of_full_gravity() + input_.attachments[a].release_after;
+    if (!hold.released) hold.off = off_hold(input_, assembly_, a, x);
+    figures.push_back(hold);
+  }
+  return figures;
+}
+
 double DrapeSession::seam_gap() const {
   double gap = 0;
   for (const auto& [i, j] : assembly_.garment.sewn) {
@@ -299,13 +320,13 @@ std::vector<Vec3> DrapeSession::positions() const {
   return out;
 }
 
-CrossingCount DrapeSession::count_crossings() const {
-  const std::vector<Vec3> x = positions();
+CrossingCount DrapeSession::count_crossings() {
   CrossingCount count;
+  crossings_.place(positions());
   for (const CrossingBody& body : crossing_bodies_) {
-    count.cloth_body += static_cast<int>(body_crossings(surface_, x, body).size());
+    count.cloth_body += static_cast<int>(crossings_.with(body).size());
   }
-  count.cloth_cloth = static_cast<int>(self_crossings(surface_, x).size());
+  count.cloth_cloth = static_cast<int>(crossings_.with_itself().size());
   return count;
 }
 

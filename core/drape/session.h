@@ -48,11 +48,12 @@ class DrapeSession {
   const GarmentMesh& garment() const { return assembly_.garment; }
   double rms_speed() const { return watch_.rms_speed(); }
   double max_speed() const { return watch_.max_speed(); }
-  double seam_gap() const;  ///< m, the largest
+  double seam_gap() const;                 ///< m, the largest
+  std::vector<HoldFigures> holds() const;  ///< one for each attachment
 
   std::vector<Vec3> positions() const;  ///< m, of the garment's vertices
   const std::vector<Vec3>& start_positions() const { return assembly_.positions; }
-  CrossingCount count_crossings() const;  ///< exact, now
+  CrossingCount count_crossings();  ///< exact, now
 
  private:
   using Phase = DrapePhase;
@@ -62,6 +63,7 @@ class DrapeSession {
   ClothModel model_of(std::span<const Index> vertex_of, Index vertex_count) const;
   std::vector<Stitch> stitches_now() const;
   std::vector<HeldVertex> held_now() const;
+  ClothFeatures features_now() const;
   StepForces forces_now() const;
   void sew_or_weld();
   void weld();
@@ -75,14 +77,15 @@ class DrapeSession {
 
   const DrapeInput& input_;
   Assembly assembly_;
-  Surface surface_;  ///< of the garment's own vertices, for counting crossings
+  CrossingCounter crossings_;  ///< of the garment's own vertices
   std::string start_hash_;
   std::vector<Vec2> warps_;
   std::vector<Obstacle> obstacles_;
   std::vector<CrossingBody> crossing_bodies_;
   std::unique_ptr<ClothSolver> solver_;
   std::vector<Index> vertex_of_;
-  std::vector<bool> released_;  ///< attachments
+  std::vector<bool> released_;          ///< attachments
+  std::vector<double> off_at_release_;  ///< m, of each
 
   Phase phase_ = Phase::kSew;
   std::string stop_reason_;

@@ -10,10 +10,23 @@ constexpr double kWindow = 0.05;  // s
 constexpr std::size_t kQuietWindows = SettleState::kMostWindows;
 /// Of the speed at which cloth counts as at rest, what may be drift.
 constexpr double kDriftShare = 0.3;
+/// The same for 99 vertices of a hundred: a corner that creeps is little of the cloth, but goes far.
+constexpr double kUsualDriftShare = 0.6;
 
 struct Speeds {
   double rms = 0, most = 0;
 };
+
+/// What 99 of a hundred vertices stay under.
+double usual_speed(std::span<const Vec3> from, std::span<const Vec3> to, double seconds) {
+  if (to.empty()) return 0;
+  std::vector<double> squares;
+  squares.reserve(to.size());
+  for (std::size_t i = 0; i < to.size(); ++i) squares.push_back(dot(to[i] - from[i], to[i] - from[i]));
+  const auto at = squares.begin() + static_cast<std::ptrdiff_t>(squares.size() - 1 - squares.size() / 100);
+  std::nth_element(squares.begin(), at, squares.end());
+  return std::sqrt(*at) / seconds;
+}
 
 Speeds speeds_between(std::span<const Vec3> from, std::span<const Vec3> to, double seconds) {
   double sum = 0, most = 0;
@@ -49,6 +62,7 @@ void SettleWatch::observe(std::span<const Vec3> x) {
   constexpr int kRow = static_cast<int>(kQuietWindows);
   if (seen_.step % (kRow * window_steps_) != 0) return;
   seen_.drift = speeds_between(seen_.drift_start, x, kRow * seconds).rms;
+  seen_.usual_drift = usual_speed(seen_.drift_start, x, kRow * seconds);
   seen_.drift_start = seen_.window_start;
 }
 
@@ -56,7 +70,8 @@ bool SettleWatch::settled() const {
   if (seen_.rms.size() < kQuietWindows) return false;
   const double* last = seen_.rms.data() + seen_.rms.size() - kQuietWindows;
   const bool slow = std::all_of(last, last + kQuietWindows, [&](double v) { return v < speed_; });
-  return slow && seen_.drift <= kDriftShare * speed_ && last[2] + last[3] <= 1.2 * (last[0] + last[1]);
+  return slow && seen_.drift <= kDriftShare * speed_ && seen_.usual_drift <= kUsualDriftShare * speed_ &&
+         last[2] + last[3] <= 1.2 * (last[0] + last[1]);
 }
 
 }  // namespace toile

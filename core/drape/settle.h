@@ -21,6 +21,7 @@ struct SettleState {
   double max_speed = 0;            ///< m/s
   std::vector<Vec3> drift_start;   ///< m, where the last full row of kMostWindows windows ended
   double drift = 0;                ///< m/s RMS, over such a row; what swings to and fro does not count
+  double usual_drift = 0;          ///< m/s, what 99 vertices of a hundred stayed under over the same row
 };
 
 class SettleWatch {

@@ -12,6 +12,13 @@ nlohmann::ordered_json strain_json(const StrainFigures& f) {
   return {{"mean", f.mean}, {"p99", f.p99}, {"max", f.max}};
 }
 
+nlohmann::ordered_json stretch_json(const StretchFigures& f) {
+  nlohmann::ordered_json j = strain_json(f);
+  j["tension"] = strain_json(f.tension);
+  j["compression"] = strain_json(f.compression);
+  return j;
+}
+
 nlohmann::ordered_json finding_json(const Finding& f) {
   return {{"code", f.code},
           {"severity", name_of(f.severity)},
@@ -19,6 +26,12 @@ nlohmann::ordered_json finding_json(const Finding& f) {
           {"where", f.where},
           {"place", {f.place.x, f.place.y, f.place.z}},
           {"repaired", f.repaired}};
+}
+
+nlohmann::ordered_json attachment_json(const AttachmentFigures& a) {
+  nlohmann::ordered_json j{{"id", a.id}, {"released", a.released}, {"off_mm", a.off_mm}};
+  if (a.released) j["released_s"] = a.released_s;
+  return j;
 }
 
 }  // namespace
@@ -45,8 +58,10 @@ std::string report_json(const Report& r) {
                           {"cloth_cloth", r.worst_frame.cloth_cloth}}},
                         {"frames_checked", r.frames_checked}};
   j["seam_gap_max_mm"] = r.seam_gap_max_mm;
+  j["attachments"] = nlohmann::ordered_json::array();
+  for (const AttachmentFigures& a : r.attachments) j["attachments"].push_back(attachment_json(a));
   j["strain"] = {
-      {"warp", strain_json(r.warp)}, {"weft", strain_json(r.weft)}, {"shear", strain_json(r.shear)}};
+      {"warp", stretch_json(r.warp)}, {"weft", stretch_json(r.weft)}, {"shear", strain_json(r.shear)}};
   j["rms_speed"] = r.rms_speed;
   j["max_speed"] = r.max_speed;
   j["lowest_m"] = r.lowest_m;

@@ -23,6 +23,15 @@ class BoxGroups {
 
   bool empty() const { return groups_.empty(); }
 
+  /// Calls visit(item) for each box that overlaps `box`.
+  template <typename Visit>
+  void query(const Box3& box, Visit&& visit) const {
+    tree_.query(box, [&](Index g) {
+      for (unsigned hits = lanes_in(box, groups_[g]); hits != 0; hits &= hits - 1)
+        visit(groups_[g].item[std::countr_zero(hits)]);
+    });
+  }
+
   /// Calls visit(mine, theirs) for each pair of overlapping boxes of this and another.
   template <typename Visit>
   void pairs(const BoxGroups& other, Visit&& visit) const {

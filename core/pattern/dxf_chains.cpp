@@ -10,6 +10,7 @@
 
 #include "core/base/units.h"
 #include "core/geometry/polygon2.h"
+#include "core/pattern/dxf_branches.h"
 #include "core/pattern/dxf_groups.h"
 #include "core/pattern/dxf_pen.h"
 
@@ -19,20 +20,37 @@ namespace {
 constexpr int kMostAtOnePlace = 64;    // ends looked through around a joint
 constexpr std::size_t kMostRuns = 64;  // more entities than that are strokes, not edges
 
-/// One drawn curve that is still open.
-struct Stroke {
-  std::vector<Vec2> points;
-  int line = 0;
-  std::size_t entity = 0;
-  bool curved = false;
-  bool is_run = false;  // a POLYLINE, not a LINE
-  Vec2 end(bool last) const { return last ? points.back() : points.front(); }
-};
+/// The links' strokes as one line.
+DxfChain joined(const std::vector<DxfStroke>& strokes, const std::vector<DxfLink>& links, bool closed,
+                const std::string& layer) {
+  DxfChain chain;
+  std::size_t runs = 0;
+  bool strokes_only = true;
+  chain.closed = closed, chain.layer = layer, chain.line = strokes[links[0].stroke].line;
+  for (const DxfLink& link : links) {
+    std::vector<Vec2> points = strokes[link.stroke].points;
+    if (link.reversed) std::reverse(points.begin(), points.end());
+    const DxfStroke& stroke = strokes[link.stroke];
+    chain.line = std::min(chain.line, stroke.line);
+    chain.entities.push_back(stroke.entity);
+    chain.curved = chain.curved || stroke.curved;
+    runs += stroke.is_run ? 1 : 0;
+    strokes_only = strokes_only && !stroke.curved;
+    const bool first = chain.points.empty();
+    if (links.size() > 1 && (closed || !first))
+      chain.breaks.push_back(first ? points[0] : chain.points.back());
+    chain.points.insert(chain.points.end(), points.begin() + (first ? 0 : 1), points.end());
+  }
+  if (closed) chain.points.pop_back();
+  chain.breaks_are_edges =
+      strokes_only && links.size() > 1 && links.size() <= kMostRuns && 2 * runs >= links.size();
+  return chain;
+}
 
 /// The open curves of one layer, joined at their ends.
 class Chainer {
  public:
-  Chainer(std::vector<Stroke> strokes, double tolerance)
+  Chainer(std::vector<DxfStroke> strokes, double tolerance)
       : strokes_(std::move(strokes)), tolerance_(std::max(tolerance, 1e-6)) {
     for (std::size_t i = 0; i < strokes_.size(); ++i) {
       ends_.insert(entry(i, false));
@@ -48,10 +66,6 @@ class Chainer {
   }
 
  private:
-  struct Link {
-    std::size_t stroke = 0;
-    bool reversed = false;
-  };
   using Entry = std::tuple<std::int64_t, std::int64_t, std::size_t, bool>;  // cell, stroke, which end
 
   std::int64_t cell(double v) const { return static_cast<std::int64_t>(std::floor(v / tolerance_)); }
@@ -66,8 +80,8 @@ class Chainer {
   }
 
   /// The nearest unused end within tolerance, as the stroke to append there.
-  std::optional<Link> next_at(Vec2 p) const {
-    std::optional<Link> best;
+  std::optional<DxfLink> next_at(Vec2 p) const {
+    std::optional<DxfLink> best;
     double nearest = tolerance_;
     for (std::int64_t dx = -1; dx <= 1; ++dx) {
       for (std::int64_t dy = -1; dy <= 1; ++dy) {
@@ -78,25 +92,26 @@ class Chainer {
           const auto& [x, y, i, last] = *it;
           if (x != cx || y != cy) break;
           const double d = length(strokes_[i].end(last) - p);
-          if (d < nearest || (d == nearest && (!best || i < best->stroke))) nearest = d, best = Link{i, last};
+          if (d < nearest || (d == nearest && (!best || i < best->stroke)))
+            nearest = d, best = DxfLink{i, last};
         }
       }
     }
     return best;
   }
 
-  Vec2 end_of(const Link& link) const { return strokes_[link.stroke].end(!link.reversed); }
-  Vec2 start_of(const Link& link) const { return strokes_[link.stroke].end(link.reversed); }
+  Vec2 end_of(const DxfLink& link) const { return strokes_[link.stroke].end(!link.reversed); }
+  Vec2 start_of(const DxfLink& link) const { return strokes_[link.stroke].end(link.reversed); }
 
   DxfChain chain_from(std::size_t first, const std::string& layer) {
-    std::vector<Link> links{{first, false}};
+    std::vector<DxfLink> links{{first, false}};
     use(first);
     double total = polyline_length(strokes_[first].points);
     const auto closed = [&] {
       return total > 2 * tolerance_ && length(end_of(links.back()) - start_of(links.front())) <= tolerance_;
     };
-    const auto extend = [&](Vec2 at, std::vector<Link>& to) {
-      const std::optional<Link> next = next_at(at);
+    const auto extend = [&](Vec2 at, std::vector<DxfLink>& to) {
+      const std::optional<DxfLink> next = next_at(at);
       if (!next) return false;
       to.push_back(*next);
       use(next->stroke);
@@ -106,41 +121,16 @@ class Chainer {
     while (!closed() && extend(end_of(links.back()), links)) {
     }
     if (!closed()) {  // the other way from the start; those links run backwards
-      std::vector<Link> before;
+      std::vector<DxfLink> before;
       while (extend(before.empty() ? start_of(links.front()) : end_of(before.back()), before)) {
       }
-      for (Link& link : before) link.reversed = !link.reversed;
+      for (DxfLink& link : before) link.reversed = !link.reversed;
       links.insert(links.begin(), before.rbegin(), before.rend());
     }
-    return joined(links, closed(), layer);
+    return joined(strokes_, links, closed(), layer);
   }
 
-  DxfChain joined(const std::vector<Link>& links, bool closed, const std::string& layer) const {
-    DxfChain chain;
-    std::size_t runs = 0;
-    bool strokes_only = true;
-    chain.closed = closed, chain.layer = layer, chain.line = strokes_[links[0].stroke].line;
-    for (const Link& link : links) {
-      std::vector<Vec2> points = strokes_[link.stroke].points;
-      if (link.reversed) std::reverse(points.begin(), points.end());
-      const Stroke& stroke = strokes_[link.stroke];
-      chain.line = std::min(chain.line, stroke.line);
-      chain.entities.push_back(stroke.entity);
-      chain.curved = chain.curved || stroke.curved;
-      runs += stroke.is_run ? 1 : 0;
-      strokes_only = strokes_only && !stroke.curved;
-      const bool first = chain.points.empty();
-      if (links.size() > 1 && (closed || !first))
-        chain.breaks.push_back(first ? points[0] : chain.points.back());
-      chain.points.insert(chain.points.end(), points.begin() + (first ? 0 : 1), points.end());
-    }
-    if (closed) chain.points.pop_back();
-    chain.breaks_are_edges =
-        strokes_only && links.size() > 1 && links.size() <= kMostRuns && 2 * runs >= links.size();
-    return chain;
-  }
-
-  std::vector<Stroke> strokes_;
+  std::vector<DxfStroke> strokes_;
   double tolerance_;
   std::set<Entry> ends_;  // of unused strokes
 };
@@ -168,6 +158,30 @@ Result<std::vector<Vec2>> points_of(const DxfCurve& curve, const DxfTransform& t
 /// Points that the joint tolerance makes one.
 bool is_dot(const std::vector<Vec2>& points) { return points.size() < 2 || polyline_length(points) <= 0; }
 
+/// The open curves of one layer as chains: those that branch by their outer lines, the others end to end.
+void chain_layer(const std::string& layer, const std::vector<DxfStroke>& strokes, DxfContext& context,
+                 std::vector<DxfChain>& chains) {
+  const DxfBranches parts = part_branches(strokes, context.settings.chain_tolerance_mm);
+  for (const std::size_t i : parts.repeated)
+    context.log.mark(strokes[i].entity, DxfFate::dropped, "drawn a second time");
+  for (const std::size_t i : parts.parted)
+    context.log.warn(strokes[i].line,
+                     "lines on layer " + layer + " part an outline: it is taken around the outside", -1,
+                     strokes[i].end(false));
+  for (const DxfBranchLoop& loop : parts.loops) {
+    chains.push_back(joined(strokes, loop.links, true, layer));
+    chains.back().inner = loop.inner;
+  }
+  for (const std::vector<std::size_t>* list : {&parts.plain, &parts.inner}) {
+    std::vector<DxfStroke> some;
+    for (const std::size_t i : *list) some.push_back(strokes[i]);
+    for (DxfChain& chain : Chainer(std::move(some), context.settings.chain_tolerance_mm).run(layer)) {
+      chain.inner = list == &parts.inner;
+      chains.push_back(std::move(chain));
+    }
+  }
+}
+
 }  // namespace
 
 DxfTransform transform_of(const DxfInsert& insert, const DxfBlock& block) {
@@ -187,7 +201,7 @@ DxfTransform transform_of(const DxfInsert& insert, const DxfBlock& block) {
 Result<std::vector<DxfChain>> chains_of(const std::vector<DxfPart>& parts, DxfContext& context) {
   DxfPen pen(context.settings, context.mm_per_unit, context.drawn);
   std::vector<DxfChain> chains;
-  std::map<std::string, std::vector<Stroke>> open;
+  std::map<std::string, std::vector<DxfStroke>> open;
   for (const DxfPart& part : parts) {
     DxfTransform to_mm = part.transform;
     to_mm.origin = to_mm.origin * context.mm_per_unit;
@@ -206,9 +220,7 @@ Result<std::vector<DxfChain>> chains_of(const std::vector<DxfPart>& parts, DxfCo
       }
     }
   }
-  for (auto& [layer, strokes] : open)
-    for (DxfChain& chain : Chainer(std::move(strokes), context.settings.chain_tolerance_mm).run(layer))
-      chains.push_back(std::move(chain));
+  for (const auto& [layer, strokes] : open) chain_layer(layer, strokes, context, chains);
   std::stable_sort(chains.begin(), chains.end(),
                    [](const DxfChain& a, const DxfChain& b) { return a.line < b.line; });
   return chains;

@@ -57,6 +57,7 @@ struct DxfChain {
   bool breaks_are_edges = false;  ///< the entities are runs that a pattern program drew, not single strokes
   std::vector<std::size_t> entities;  ///< their numbers in the log
   bool curved = false;                ///< arcs, bulges or splines have been drawn out
+  bool inner = false;                 ///< branches off an outline: a line within it, no outline
 };
 
 /// The curves of the parts as chains, by line. Error: dxf.too_large.

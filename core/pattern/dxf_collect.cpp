@@ -189,6 +189,24 @@ void DxfCollector::end_polyline(int line) {
   target().curves.push_back(std::move(curve));
 }
 
+void DxfCollector::cut_off(const DxfDraft& d) {
+  if (d.type == DxfType::block) return file_.log.structure();
+  if (polyline_ && (d.type == DxfType::vertex || d.type == DxfType::seqend)) {
+    if (d.type == DxfType::seqend) return end_sequence(d);
+    return file_.log.vertex();
+  }
+  drop(d, "the file ends within it");
+  file_.log.warn(d.line, "the " + d.name + " is left out: the file ends within it");
+}
+
+bool DxfCollector::cut_polyline() {
+  if (!polyline_) return false;
+  file_.log.mark(polyline_->entity, DxfFate::dropped, "the file ends within it");
+  file_.log.warn(polyline_->line, "the POLYLINE is left out: the file ends within it");
+  polyline_.reset();
+  return true;
+}
+
 void DxfCollector::add_lwpolyline(DxfDraft& d) {
   if (d.vertices.size() < 2) return drop(d, "it has fewer than two vertices");
   DxfCurve c = curve_of(d);

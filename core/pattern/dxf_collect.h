@@ -19,6 +19,10 @@ class DxfCollector {
   std::optional<Error> store(DxfDraft& draft);
   /// What begins now is no part of a POLYLINE; `line` is where.
   void end_polyline(int line);
+  /// Leaves out an entity that the end of the file cuts off.
+  void cut_off(const DxfDraft& draft);
+  /// Leaves out the POLYLINE that awaits its SEQEND at the end of the file. Whether there was one.
+  bool cut_polyline();
   void end_block() { in_block_ = false; }
   bool in_block() const { return in_block_; }
   /// One more vertex, knot or entity. Error: dxf.too_large.

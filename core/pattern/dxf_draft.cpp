@@ -34,7 +34,7 @@ bool wants(DxfType type, int code) {
     case DxfType::vertex:
       return any({10, 20, 42, 70});
     case DxfType::lwpolyline:
-      return any({10, 20, 42, 70, 230});
+      return any({10, 20, 42, 70, 90, 230});
     case DxfType::line:
       return any({10, 20, 11, 21});
     case DxfType::arc:
@@ -44,7 +44,7 @@ bool wants(DxfType type, int code) {
     case DxfType::ellipse:
       return any({10, 20, 11, 21, 40, 41, 42, 230});
     case DxfType::spline:
-      return any({10, 20, 11, 21, 40, 41, 70, 71});
+      return any({10, 20, 11, 21, 40, 41, 70, 71, 72, 73});
     case DxfType::point:
       return any({10, 20, 30, 50});
     case DxfType::text:

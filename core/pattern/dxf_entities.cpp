@@ -63,21 +63,52 @@ class Parser {
     return std::nullopt;
   }
 
-  /// The text is at its end without EOF. Behind a whole section ENTITIES nothing is missing but that word.
+  /// The text is at its end without EOF: what stands before is kept, but for an entity that is not whole.
   Failure stopped() {
     const auto& error = reader_.error();
-    if (error && (started_ || error->code != "dxf.bad_group_code")) return *error;
+    const bool cut = error && error->code == "dxf.truncated";
+    if (error && !cut && (started_ || error->code != "dxf.bad_group_code")) return *error;
     if (!started_) return not_dxf(std::max(1, reader_.line()));
-    if (!section_.empty() || !had_entities_) return truncated("The file ends without EOF");
-    file_.log.warn(reader_.line(), "the file ends without EOF, though behind a whole section ENTITIES");
+    if (section_.empty() && had_entities_ && !cut) {
+      file_.log.warn(reader_.line(), "the file ends without EOF, though behind a whole section ENTITIES");
+      return std::nullopt;
+    }
+    if (draft_ && (cut || !reader_.ended_a_line() || !is_whole(*draft_))) {
+      collector_.cut_off(*draft_);
+      draft_.reset();
+    }
+    if (auto failure = finish_entity()) return failure;
+    const bool polyline_cut = collector_.cut_polyline();
+    file_.log.warn(reader_.line(), cut_text() + "; what stands before is read");
+    const int last = reader_.line() - (cut ? 1 : 0);
+    Error fault{"dxf.truncated", cut_text() + ": it is cut off. Get a whole copy.",
+                "last good " + line_text(last)};
+    if (!file_.fault || polyline_cut) file_.fault = std::move(fault);
     return std::nullopt;
   }
 
-  Error truncated(const std::string& what) const {
+  std::string cut_text() const {
     const std::string inside =
         section_.empty() ? "" : ", within section " + section_ + " that began in " + line_text(section_line_);
-    return {"dxf.truncated", what + inside + ": it is cut off. Get a whole copy.",
-            "last good line " + std::to_string(reader_.line())};
+    return "the file ends without EOF" + inside;
+  }
+
+  /// Whether nothing can be missing of an entity behind which the file ends.
+  static bool is_whole(const DxfDraft& d) {
+    const auto counted = [&](int code, std::size_t there) {
+      return d.numbers.contains(code) && d.number(code) == double(there);
+    };
+    switch (d.type) {
+      case DxfType::lwpolyline:
+        return counted(90, d.vertices.size()) && !d.awaits_y;
+      case DxfType::spline:
+        return counted(73, d.vertices.size()) && counted(72, d.knots.size()) && !d.awaits_y;
+      case DxfType::polyline:
+      case DxfType::vertex:
+        return false;  // SEQEND is missing
+      default:
+        return true;  // what a group is missing of is found out as ever
+    }
   }
 
   Failure start(const DxfGroup& group) {
@@ -91,6 +122,8 @@ class Parser {
     if (draft_->type == DxfType::vertex || draft_->type == DxfType::seqend ||
         draft_->type == DxfType::attribute)
       return std::nullopt;
+    if (!reader_.ended_a_line() && group.value != "ENDBLK")
+      return std::nullopt;  // half a word, perhaps VERTEX
     collector_.end_polyline(group.line);
     if (group.value != "ENDBLK") return std::nullopt;
     file_.log.structure();
@@ -109,7 +142,13 @@ class Parser {
       section_.clear();
       return std::nullopt;
     }
-    if (!section_.empty()) return truncated("ENDSEC is missing before " + std::string(group.value));
+    if (!section_.empty()) {
+      file_.log.warn(group.line, "ENDSEC is missing before " + std::string(group.value) + ": section " +
+                                     section_ + ", that began in " + line_text(section_line_) +
+                                     ", ends here");
+      had_entities_ = had_entities_ || section_ == "ENTITIES";
+      section_.clear();
+    }
     if (group.value == "EOF") done_ = true;
     if (group.value == "SECTION") section_ = "?", section_line_ = group.line;
     return std::nullopt;

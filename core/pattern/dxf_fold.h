@@ -29,8 +29,14 @@ bool spans_fold(const std::vector<Vec2>& points, const FoldAxis& axis);
 /// Whether both ends of an open line lie on the axis, so that the fold closes it.
 bool closes_at_fold(const std::vector<Vec2>& points, const FoldAxis& axis);
 
-/// The closed outline of both halves, from the half: its one run along the axis goes. Nothing when the
-/// outline does not run along the axis, does so more than once, or touches it elsewhere.
-std::optional<std::vector<Vec2>> unfolded_loop(const std::vector<Vec2>& half, const FoldAxis& axis);
+struct UnfoldedLoop {
+  std::vector<Vec2> outline;
+  std::vector<std::vector<Vec2>> holes;  ///< where the half leaves the fold and comes back to it
+};
+
+/// The closed outline of both halves, from the half: what of it runs along the axis goes. Where it does so in
+/// several stretches, what lies between two of them is a hole on the fold. Nothing when the outline does not
+/// run along the axis, touches it in a point, or would fall apart.
+std::optional<UnfoldedLoop> unfolded_loop(const std::vector<Vec2>& half, const FoldAxis& axis);
 
 }  // namespace toile

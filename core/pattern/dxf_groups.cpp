@@ -55,10 +55,14 @@ bool DxfGroupReader::next_line(std::string& line) {
   line.clear();
   if (peek() < 0) return false;
   ++line_;
+  ended_ = false;
   for (int c = peek(); c >= 0; c = peek()) {
     ++at_;
     if (c == '\r' && peek() == '\n') ++at_;
-    if (c == '\r' || c == '\n') break;
+    if (c == '\r' || c == '\n') {
+      ended_ = true;
+      break;
+    }
     line += static_cast<char>(c);
     if (line.size() > kLongestLine) {
       error_ = Error{"dxf.bad_group_code", "The line is too long for a DXF file.", line_text(line_)};

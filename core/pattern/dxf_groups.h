@@ -33,6 +33,8 @@ class DxfGroupReader {
   /// Set once next() met a code that is no number, a line too long, a code without a value, or the limit.
   const std::optional<Error>& error() const { return error_; }
   int line() const { return line_; }  ///< last line read
+  /// Whether the last line read had an end: without one, some of it may be missing.
+  bool ended_a_line() const { return ended_; }
   /// Whether all that follows is blank. Takes it.
   bool only_blanks_left();
 
@@ -45,6 +47,7 @@ class DxfGroupReader {
   std::vector<char> buffer_;
   std::size_t at_ = 0, end_ = 0, shown_ = 0, bytes_ = 0, max_bytes_;
   int line_ = 0;
+  bool ended_ = true;
   std::string code_, value_;
   std::optional<Error> error_;
 };

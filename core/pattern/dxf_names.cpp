@@ -60,8 +60,10 @@ std::string take_statement(DxfPiece& piece, const DxfStatement& s, DxfContext& c
       context.log.warn(line, "the quantity says '" + s.value + "'; one piece is read", id);
       return "quantity, of no use";
     }
-    piece.quantity = sum, piece.mirrored = quantity->mirrored;
-    return "quantity";
+    // Two of a kind are a left one and a right one; what is cut on the fold is its own mirror image.
+    const bool pairs = !quantity->told_apart && !piece.unfolded;
+    piece.quantity = sum, piece.mirrored = pairs ? sum / 2 : quantity->mirrored;
+    return piece.mirrored > 0 ? "quantity, some of them turned over" : "quantity";
   }
   if (s.key == "size") return "size of the piece";
   if (s.key == "category") return piece.category = s.value, "category";

@@ -80,6 +80,8 @@ class Sorter {
       roles_.push_back(!by_aama_       ? DxfRole::cut
                        : only_repeated ? repeated_role(c.layer)
                                        : role_of_layer(c.layer));
+    for (std::size_t i = 0; i < chains_.size(); ++i)
+      if (chains_[i].inner && makes_outlines(i)) roles_[i] = DxfRole::internal;
     used_.assign(chains_.size(), false);
     for (std::size_t i = 0; i < chains_.size(); ++i)
       if (by_aama_ && roles_[i] == DxfRole::mirror && !chains_[i].closed)

@@ -162,8 +162,9 @@ class Finder {
         if (statement->key == "size" && place.size.empty()) place.size = statement->value;
       }
     }
-    const std::size_t bar = place.block.rfind('_');
-    if (place.size.empty() && bar != std::string::npos && bar > 0)
+    std::size_t bar = place.block.rfind('_');
+    if (bar == std::string::npos) bar = place.block.rfind('-');
+    if (place.size.empty() && bar != std::string::npos && bar > 0 && bar + 1 < place.block.size())
       suffixes_[&place - layout_.places.data()] = place.block.substr(bar + 1);
     if (place.name_is_stated) return;
     place.name = place.block;
@@ -236,17 +237,55 @@ class Finder {
     for (const auto& [stem, suffixes] : stems)
       for (const std::string& suffix : suffixes) ++uses[suffix];
     const bool sample_is_there = uses.contains(layout_.style.sample_size);
+    const std::set<std::string> nested = nested_stems();
     for (const auto& [index, suffix] : suffixes_) {
       DxfPlace& place = layout_.places[std::size_t(index)];
       const std::string stem = place.block.substr(0, place.block.size() - suffix.size() - 1);
       const bool in_sizes =
           stems[stem].size() > 1 && sample_is_there && stems[stem].contains(layout_.style.sample_size);
       const bool sample_only = stems[stem].size() == 1 && suffix == layout_.style.sample_size;
-      const bool recurs = stems[stem].size() > 1 && stems.size() > 1 && uses[suffix] > 1;
+      const bool recurs = stems[stem].size() > 1 && stems.size() > 1 && uses[suffix] > 1 &&
+                          nested.contains(stem) && !are_places(stems[stem]);
       if (!in_sizes && !sample_only && !recurs) continue;
       place.size = suffix;
       if (!place.name_is_stated) place.name = stem;
     }
+  }
+
+  /// Stems whose blocks lie on one another, as the sizes of one piece do and its parts do not.
+  std::set<std::string> nested_stems() const {
+    constexpr double kCommon = 0.4;  // of both boxes together
+    std::map<std::string, std::vector<Box2>> boxes;
+    for (const auto& [index, suffix] : suffixes_) {
+      const DxfPlace& place = layout_.places[std::size_t(index)];
+      if (const auto box = box_of(*place.parts[0].block))
+        boxes[place.block.substr(0, place.block.size() - suffix.size() - 1)].push_back(*box);
+    }
+    const auto area = [](Vec2 low, Vec2 high) {
+      return std::max(0.0, high.x - low.x) * std::max(0.0, high.y - low.y);
+    };
+    std::set<std::string> nested;
+    for (const auto& [stem, all] : boxes) {
+      bool on_one_another = true;
+      for (std::size_t i = 1; i < all.size(); ++i) {
+        const Box2 &a = all[i - 1], &b = all[i];
+        const double common = area({std::max(a.min.x, b.min.x), std::max(a.min.y, b.min.y)},
+                                   {std::min(a.max.x, b.max.x), std::min(a.max.y, b.max.y)});
+        on_one_another =
+            on_one_another && common > kCommon * (area(a.min, a.max) + area(b.min, b.max) - common);
+      }
+      if (on_one_another) nested.insert(stem);
+    }
+    return nested;
+  }
+
+  /// Whether endings say where on the body a part belongs, and no size among them.
+  static bool are_places(const std::set<std::string>& suffixes) {
+    static const std::set<std::string> kPlaces{"l",     "r",     "left", "right", "lh",    "rh",   "f",
+                                               "b",     "fr",    "bk",   "front", "back",  "top",  "under",
+                                               "upper", "lower", "in",   "out",   "inner", "outer"};
+    return std::all_of(suffixes.begin(), suffixes.end(),
+                       [](const std::string& suffix) { return kPlaces.contains(lower(suffix)); });
   }
 
   /// The stated one; else the one with the most texts, since they stand on one size only; else the middle.

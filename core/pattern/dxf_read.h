@@ -31,7 +31,7 @@ struct DxfPiece {
   bool breaks_are_edges = false;  ///< the outline stands as runs: each is an edge of its own
   std::string size;               ///< of a graded file, empty otherwise
   int quantity = 1;               ///< how often it is cut, those turned over included
-  int mirrored = 0;               ///< how many of them are turned over
+  int mirrored = 0;               ///< how many of them are turned over: as told, else every second one
   std::string category, material, annotation;
   bool unfolded = false;    ///< the file holds a half, to be cut on the fold
   bool on_sew_line = true;  ///< false: on the cut line, with its seam allowance if it has one

@@ -118,9 +118,9 @@ void place_marks(const std::vector<DxfPart>& parts, bool by_aama, std::vector<Dx
 }
 
 bool unfold_piece(DxfPiece& piece, const FoldAxis& axis) {
-  std::optional<std::vector<Vec2>> whole = unfolded_loop(piece.outline, axis);
+  std::optional<UnfoldedLoop> whole = unfolded_loop(piece.outline, axis);
   if (!whole) return false;
-  piece.outline = std::move(*whole);
+  piece.outline = std::move(whole->outline);
   piece.unfolded = true;
   const auto off = [&](Vec2 p) { return std::abs(axis.side(p)) > kOnFold; };
   const auto mirror_points = [&](std::vector<Vec2>& points, bool keep_on_fold) {
@@ -143,6 +143,7 @@ bool unfold_piece(DxfPiece& piece, const FoldAxis& axis) {
   mirror_points(piece.turn_points, false);
   mirror_points(piece.drills, true);
   mirror_lines(piece.holes);
+  piece.holes.insert(piece.holes.end(), whole->holes.begin(), whole->holes.end());
   mirror_lines(piece.internals);
   for (std::size_t i = 0, n = piece.notches.size(); i < n; ++i) {
     const Notch notch = piece.notches[i];

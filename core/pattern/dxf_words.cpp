@@ -203,9 +203,12 @@ std::optional<DxfStatement> statement_of(const std::string& text) {
 std::optional<DxfQuantity> quantity_of(std::string_view value) {
   constexpr int kMost = 1000;
   std::array<int, 2> counts{};
+  bool told_apart = false;
   for (std::size_t i = 0; i < counts.size(); ++i) {
     value = trimmed(value);
     const auto [end, status] = std::from_chars(value.data(), value.data() + value.size(), counts[i]);
+    if (i == 1 && value.empty()) break;  // "2,"
+    told_apart = i == 1;
     if (status != std::errc() || counts[i] < 0 || counts[i] > kMost) return std::nullopt;
     value = trimmed(value.substr(static_cast<std::size_t>(end - value.data())));
     // "2.0" and "2 pcs" are two.
@@ -213,7 +216,8 @@ std::optional<DxfQuantity> quantity_of(std::string_view value) {
     if (value.empty() || (value.front() != ',' && value.front() != ';' && value.front() != '/')) break;
     value.remove_prefix(1);
   }
-  return DxfQuantity{counts[0], counts[1]};
+  if (!told_apart && lower(value).starts_with("pair")) return DxfQuantity{counts[0], counts[0], true};
+  return DxfQuantity{counts[0], counts[1], told_apart};
 }
 
 }  // namespace toile

@@ -40,6 +40,7 @@ std::optional<DxfStatement> statement_of(const std::string& text);
 /// "2" is two pieces, "1,1" one and one mirrored.
 struct DxfQuantity {
   int as_drawn = 0, mirrored = 0;
+  bool told_apart = false;  ///< two figures stand there
 };
 std::optional<DxfQuantity> quantity_of(std::string_view value);
 

@@ -88,6 +88,11 @@ struct RotateGrain {
   double angle = 0;
 };
 
+/// Gives an edge of an outline or a hole another name; seams and all else follow.
+struct RenameEdge {
+  std::string piece, edge, to;
+};
+
 struct AddLine {
   std::string piece;
   InnerLine line;
@@ -105,7 +110,18 @@ struct AddDart {
   std::string id;
 };
 
-/// Takes the dart that this seam closes away, by a straight line over its mouth.
+/// Cuts a fish-eye dart, a diamond within the cloth from one tip to the other, and sews its sides together: a
+/// seam of this id between edges <id>_a and <id>_b of a hole, of two straight curves each. `at` says how far
+/// along from the first tip it is widest.
+struct AddInnerDart {
+  std::string piece;
+  Vec2 from, to;
+  double width_mm = 0, at = 0.5;
+  std::string id;
+};
+
+/// Takes the dart that this seam closes away: by a straight line over its mouth, or, of one within the cloth,
+/// with its hole.
 struct RemoveDart {
   std::string seam;
 };
@@ -177,10 +193,11 @@ struct SetFabric {
   std::string piece, fabric;
 };
 
-using PatternEdit = std::variant<MovePoint, MoveHandle, InsertPoint, DeletePoint, SplitEdge, JoinEdges,
-                                 StraightenEdge, BendEdge, SetEdgeLength, MirrorPiece, RotateGrain, AddLine,
-                                 RemoveLine, AddDart, RemoveDart, AddHole, RemoveHole, MovePiece, RenamePiece,
-                                 DuplicatePiece, DeletePiece, AddSeam, RemoveSeam, ReverseSeam, SetFabric>;
+using PatternEdit =
+    std::variant<MovePoint, MoveHandle, InsertPoint, DeletePoint, SplitEdge, JoinEdges, StraightenEdge,
+                 BendEdge, SetEdgeLength, MirrorPiece, RotateGrain, RenameEdge, AddLine, RemoveLine, AddDart,
+                 AddInnerDart, RemoveDart, AddHole, RemoveHole, MovePiece, RenamePiece, DuplicatePiece,
+                 DeletePiece, AddSeam, RemoveSeam, ReverseSeam, SetFabric>;
 
 /// An edge or line of the edited piece that goes by other names now; by none when it is gone.
 struct RenamedPart {

@@ -151,7 +151,7 @@ Result<EdgePlace> first_leg(const Panel& panel, const Seam& seam) {
     if (!a) return a.error();
     if (!b) return b.error();
     const std::size_t n = loop_at(panel, a->loop).edges.size();
-    if (a->loop == b->loop && n >= 3 && (a->edge + 1) % n == b->edge) return *a;
+    if (a->loop == b->loop && n >= (a->loop > 0 ? 2u : 3u) && (a->edge + 1) % n == b->edge) return *a;
   }
   return no_dart(seam);
 }
@@ -226,6 +226,35 @@ Result<RenamedParts> edit_edges(Pattern& pattern, Index panel, const AddDart& ed
   return RenamedParts{{edit.edge, {edit.edge, rest}}};
 }
 
+Result<RenamedParts> edit_edges(Pattern& pattern, Index panel, const AddInnerDart& edit) {
+  Panel& piece = panel_at(pattern, panel);
+  const std::string where = piece_text(piece.id) + ", dart " + edit.id;
+  const Vec2 axis = edit.to - edit.from;
+  if (!(edit.width_mm >= 1 && length(axis) >= 1 && edit.at >= 0.05 && edit.at <= 0.95))
+    return Error{"edit.out_of_range",
+                 "A dart is at least 1 mm wide and long, and widest between 0.05 and 0.95 of its length.",
+                 where};
+  const Vec2 middle = edit.from + axis * edit.at,
+             half = perpendicular(normalized(axis)) * (edit.width_mm / 2);
+  const auto side = [](const std::string& id, Vec2 a, Vec2 b, Vec2 c) {
+    return PanelEdge{id, {line_segment(a, b), line_segment(b, c)}};
+  };
+  // Up along the left and down along the right: clockwise, as holes run.
+  piece.holes.push_back({{side(edit.id + "_a", edit.from, middle + half, edit.to),
+                          side(edit.id + "_b", edit.to, middle - half, edit.from)}});
+  const Index last = edge_count(piece) - 1;
+  pattern.seams.push_back({edit.id, {{panel, last - 1}}, {{panel, last}}, false});
+  return RenamedParts{};
+}
+
+Result<RenamedParts> edit_edges(Pattern& pattern, Index panel, const RenameEdge& edit) {
+  Panel& piece = panel_at(pattern, panel);
+  const Result<EdgePlace> at = find_edge(piece, edit.edge);
+  if (!at) return at.error();
+  loop_at(piece, at->loop).edges[at->edge].id = edit.to;
+  return edit.to == edit.edge ? RenamedParts{} : RenamedParts{{edit.edge, {edit.to}}};
+}
+
 Result<Index> piece_of_dart(const Pattern& pattern, const RemoveDart& edit) {
   const Result<std::size_t> at = find_seam(pattern, edit.seam);
   if (!at) return at.error();
@@ -243,6 +272,7 @@ Result<RenamedParts> edit_edges(Pattern& pattern, Index panel, const RemoveDart&
   const Result<EdgePlace> leg = first_leg(piece, pattern.seams[*at]);
   if (!leg) return leg.error();
   std::vector<PanelEdge>& edges = loop_at(piece, leg->loop).edges;
+  if (edges.size() == 2) return edit_edges(pattern, panel, RemoveHole{piece.id, edges[0].id});
   const std::size_t n = edges.size(), second = (leg->edge + 1) % n, behind = (second + 1) % n;
   const std::size_t before = (leg->edge + n - 1) % n;
   const Index first_of_loop = leg->index - Index(leg->edge);

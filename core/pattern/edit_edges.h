@@ -14,6 +14,8 @@ using RenamedParts = std::vector<RenamedPart>;
 Result<RenamedParts> edit_edges(Pattern& pattern, Index panel, const SplitEdge& edit);
 Result<RenamedParts> edit_edges(Pattern& pattern, Index panel, const JoinEdges& edit);
 Result<RenamedParts> edit_edges(Pattern& pattern, Index panel, const AddDart& edit);
+Result<RenamedParts> edit_edges(Pattern& pattern, Index panel, const AddInnerDart& edit);
+Result<RenamedParts> edit_edges(Pattern& pattern, Index panel, const RenameEdge& edit);
 Result<RenamedParts> edit_edges(Pattern& pattern, Index panel, const AddHole& edit);
 Result<RenamedParts> edit_edges(Pattern& pattern, Index panel, const RemoveHole& edit);
 

@@ -1,6 +1,7 @@
 #include "core/pattern/fit.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -8,6 +9,7 @@
 #include "core/base/units.h"
 #include "core/geometry/polygon2.h"
 #include "core/pattern/curve.h"
+#include "core/pattern/fit_cubic.h"
 
 namespace toile {
 namespace {
@@ -29,129 +31,42 @@ constexpr double kLeastSagitta = 0.1;              // mm
 constexpr double kStandsOut = 3;                   // times the curvature at the neighbours
 constexpr double kSharpBend = 35 * (kPi / 180);    // rad
 constexpr double kTangentBend = 10 * (kPi / 180);  // rad, up to here a line runs on into a curve
-constexpr double kTangentReach = 0.5;              // mm, nearer points would show rounding
-constexpr std::size_t kReparametrisations = 250;   // chord length starts far off where a curve bends unevenly
-constexpr std::size_t kMostWork = 500'000;         // points times reparametrisations for one cubic
-constexpr double kHopeless = 0.1;                  // of the run, an error that Newton does not mend
-constexpr double kLeastGain = 0.9998;  // factor on the error per Newton step; above, splitting is quicker
+// Runs of more points, or that halving parts into more curves, are no edges of a garment: one look must do.
+constexpr std::size_t kManyPoints = 1500, kManyCurves = 16;
 
-using Points = std::span<const Vec2>;
-
-double turn(Vec2 from, Vec2 to) { return std::abs(std::atan2(cross(from, to), dot(from, to))); }
-
-/// The first index from i in direction `step` whose point is kTangentReach away, or the last one in range.
-std::size_t reach(Points p, std::size_t i, int step) {
-  std::size_t j = i;
-  do {
-    j += static_cast<std::size_t>(step);
-  } while (j > 0 && j + 1 < p.size() && length(p[j] - p[i]) < kTangentReach);
-  return j;
-}
-
-/// Unit tangent at the middle of three points, of the parabola in chord length through them.
-Vec2 middle_tangent(Vec2 a, Vec2 b, Vec2 c) {
-  const double h0 = length(b - a), h1 = length(c - b);
-  if (!(h0 > 0) || !(h1 > 0)) return normalized(c - a);
-  return normalized((b - a) * (h1 / h0) + (c - b) * (h0 / h1));
-}
-
-/// Unit tangent at a of the parabola through a, b, c; the chord where it bends too sharply to trust.
-Vec2 end_tangent(Vec2 a, Vec2 b, Vec2 c) {
-  const double h0 = length(b - a), h1 = length(c - b);
-  if (!(h0 > 0) || !(h1 > 0) || turn(b - a, c - b) > kSharpBend) return normalized(b - a);
-  const Vec2 f0 = (b - a) * (1 / h0), f1 = (c - b) * (1 / h1);
-  return normalized(f0 - (f1 - f0) * (h0 / (h0 + h1)));
-}
-
-Vec2 start_tangent(Points p) {
-  const std::size_t b = reach(p, 0, 1);
-  return b + 1 < p.size() ? end_tangent(p[0], p[b], p[reach(p, b, 1)]) : normalized(p[b] - p[0]);
-}
-
-/// Forward tangent at the last point.
-Vec2 last_tangent(Points p) {
-  const std::size_t n = p.size() - 1, b = reach(p, n, -1);
-  return b > 0 ? -end_tangent(p[n], p[b], p[reach(p, b, -1)]) : normalized(p[n] - p[b]);
-}
-
-Vec2 inner_tangent(Points p, std::size_t i) {
-  return middle_tangent(p[reach(p, i, -1)], p[i], p[reach(p, i, 1)]);
-}
-
-std::vector<double> chord_parameters(Points p) {
-  std::vector<double> u(p.size(), 0);
-  for (std::size_t i = 1; i < p.size(); ++i) u[i] = u[i - 1] + length(p[i] - p[i - 1]);
-  for (double& v : u) v /= u.back();
-  return u;
-}
-
-/// Schneider's least squares: the handle lengths along the given forward tangents.
-CubicBezier fit_handles(Points p, const std::vector<double>& u, Vec2 t0, Vec2 t1, double run_length) {
-  const Vec2 a = p.front(), b = p.back();
-  double c00 = 0, c01 = 0, c11 = 0, x0 = 0, x1 = 0;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const double t = u[i], s = 1 - t;
-    const double b0 = s * s * s, b1 = 3 * s * s * t, b2 = 3 * s * t * t, b3 = t * t * t;
-    const Vec2 a0 = t0 * b1, a1 = -t1 * b2, rest = p[i] - (a * (b0 + b1) + b * (b2 + b3));
-    c00 += dot(a0, a0), c01 += dot(a0, a1), c11 += dot(a1, a1);
-    x0 += dot(a0, rest), x1 += dot(a1, rest);
-  }
-  const double det = c00 * c11 - c01 * c01;
-  double h0 = (x0 * c11 - x1 * c01) / det, h1 = (c00 * x1 - c01 * x0) / det;
-  // Negative, tiny or huge handles make hooks and loops; the heuristic of a third makes none.
-  const auto sound = [&](double h) { return h > 1e-3 * run_length && h < run_length; };
-  if (!(std::abs(det) > 1e-12 * c00 * c11) || !sound(h0) || !sound(h1)) h0 = h1 = run_length / 3;
-  return {a, a + t0 * h0, b - t1 * h1, b};
-}
-
-struct Worst {
-  double distance = 0;
-  std::size_t index = 0;
+/// How many ways are looked at side by side.
+struct Effort {
+  std::size_t ways, guesses;
 };
 
-Worst worst_point(Points p, const std::vector<double>& u, const CubicBezier& c) {
-  Worst worst{0, p.size() / 2};
-  for (std::size_t i = 1; i + 1 < p.size(); ++i) {
-    const double d = length(evaluate(c, u[i]) - p[i]);
-    if (d > worst.distance) worst = {d, i};
-  }
-  return worst;
-}
+using Points = std::span<const Vec2>;
+using Indices = std::span<const std::size_t>;  // ascending
 
-/// One Newton step of every parameter towards the foot of its point.
-void reparametrise(Points p, std::vector<double>& u, const CubicBezier& c) {
-  for (std::size_t i = 1; i + 1 < p.size(); ++i) {
-    const Vec2 d = evaluate(c, u[i]) - p[i], d1 = derivative(c, u[i]), d2 = second_derivative(c, u[i]);
-    const double slope = dot(d1, d1) + dot(d, d2);
-    if (slope > 0) u[i] = std::clamp(u[i] - dot(d, d1) / slope, 0.0, 1.0);
-  }
-}
+/// A way to tell the tangent at a point of a smooth run: over this reach, turned by so much.
+struct TangentGuess {
+  double reach;  // mm
+  double turn;   // rad
+};
+constexpr double kDegree = kPi / 180;
+constexpr std::array<TangentGuess, 8> kTangentGuesses{{{kTangentReach, 0},
+                                                       {2, 0},
+                                                       {5, 0},
+                                                       {10, 0},
+                                                       {5, -0.7 * kDegree},
+                                                       {5, 0.7 * kDegree},
+                                                       {5, -1.5 * kDegree},
+                                                       {5, 1.5 * kDegree}}};
 
-/// One cubic for the smooth run p with forward end tangents t0, t1; nothing when none comes close enough, and
-/// then the point farthest off it.
-std::optional<CubicBezier> fit_one(Points p, Vec2 t0, Vec2 t1, double tolerance, std::size_t& farthest) {
-  const double run_length = polyline_length(p);
-  std::vector<double> u = chord_parameters(p);
-  Worst worst{std::numeric_limits<double>::max(), 0};
-  const std::size_t rounds = std::min(kReparametrisations, 8 + kMostWork / p.size());
-  for (std::size_t i = 0; i <= rounds; ++i) {
-    const CubicBezier curve = fit_handles(p, u, t0, t1, run_length);
-    const double before = worst.distance;
-    worst = worst_point(p, u, curve);
-    if (p.size() == 2 || worst.distance <= tolerance) return curve;
-    if (worst.distance > std::max(tolerance, kHopeless * run_length) || worst.distance > kLeastGain * before)
-      break;
-    reparametrise(p, u, curve);
-  }
-  farthest = worst.index;
-  return std::nullopt;
+Vec2 guessed_tangent(Points p, std::size_t i, const TangentGuess& guess) {
+  const Vec2 t = inner_tangent(p, i, guess.reach);
+  return guess.turn == 0 ? t : t * std::cos(guess.turn) + perpendicular(t) * std::sin(guess.turn);
 }
 
 /// Indices where cubics for the smooth run p meet, by halving it at the worst point; ascending, both ends in.
 void halve_smooth(Points p, std::size_t offset, Vec2 t0, Vec2 t1, double tolerance,
                   std::vector<std::size_t>& joints) {
   std::size_t farthest = 0;
-  if (fit_one(p, t0, t1, tolerance, farthest)) {
+  if (fit_cubic(p, t0, t1, tolerance, farthest)) {
     joints.push_back(offset + p.size() - 1);
     return;
   }
@@ -163,36 +78,114 @@ void halve_smooth(Points p, std::size_t offset, Vec2 t0, Vec2 t1, double toleran
   halve_smooth(p.subspan(at), offset + at, tangent, t1, tolerance, joints);
 }
 
-/// Appends few cubics for the smooth run p with forward end tangents t0, t1: as far as each one reaches, from
-/// the start on. Where that takes no fewer, the halves stay.
-void fit_smooth(Points p, Vec2 t0, Vec2 t1, double tolerance, std::vector<CubicBezier>& out) {
-  std::vector<std::size_t> halves{0};
-  halve_smooth(p, 0, t0, t1, tolerance, halves);
-  const std::size_t last = p.size() - 1;
-  const auto tangent = [&](std::size_t i) { return i == 0 ? t0 : i == last ? t1 : inner_tangent(p, i); };
-  std::size_t farthest = 0;
-  const auto fit = [&](std::size_t i, std::size_t j) {
-    return fit_one(p.subspan(i, j - i + 1), tangent(i), tangent(j), tolerance, farthest);
-  };
-  std::vector<std::size_t> reached{0};
-  while (reached.back() < last && reached.size() < halves.size()) {
-    const std::size_t i = reached.back();
-    std::size_t good = i + 1, bad = last + 1;
-    while (bad - good > 1) {  // a longer run is harder to fit, but for exceptions that cost a curve at most
-      const std::size_t j = bad > last ? std::min(last, i + 2 * (good - i)) : (good + bad) / 2;
-      if (fit(i, j)) {
-        good = j;
-        if (j == last) break;
-      } else {
-        bad = j;
-      }
+/// A place where two cubics meet.
+struct Joint {
+  std::size_t at = 0;
+  Vec2 tangent;
+  std::size_t before = 0;  // the one that it was reached from
+};
+
+/// How far one cubic reaches from a joint, by each way to guess the tangent at its end: one joint each.
+void reach_from(Points p, Indices ends, const std::vector<Joint>& joints, std::size_t from, Vec2 t1,
+                double tolerance, const Effort& effort, std::vector<Joint>& reached) {
+  const std::size_t begin = joints[from].at;
+  const auto stop = std::upper_bound(ends.begin(), ends.end(), begin);
+  const std::size_t last = stop == ends.end() ? p.size() - 1 : *stop;
+  const Vec2 t0 = joints[from].tangent;
+  std::size_t farthest = 0, known = begin + 1;
+  for (const TangentGuess& guess : std::span(kTangentGuesses).first(effort.guesses)) {
+    const auto joint = [&](std::size_t j) {
+      return Joint{j, j + 1 == p.size() ? t1 : guessed_tangent(p, j, guess), from};
+    };
+    const auto fits = [&](std::size_t j) {
+      return fit_cubic(p.subspan(begin, j - begin + 1), t0, joint(j).tangent, tolerance, farthest)
+          .has_value();
+    };
+    // A longer run is harder to fit, but for exceptions that cost a curve at most.
+    std::size_t good = begin + 1, bad = last + 1;
+    if (known > good && fits(known))
+      good = known;
+    else if (known > good)
+      bad = known;
+    std::size_t step = std::max<std::size_t>(1, good - begin);
+    while (bad - good > 1 && good < last) {
+      const std::size_t j = bad > last ? std::min(last, good + step) : (good + bad) / 2;
+      (fits(j) ? good : bad) = j;
+      step *= 2;
     }
-    reached.push_back(good);
+    reached.push_back(joint(good));
+    known = std::max(known, good);
+    if (good + 1 == p.size()) return;
   }
-  const std::vector<std::size_t>& joints =
-      reached.back() == last && reached.size() < halves.size() ? reached : halves;
-  for (std::size_t k = 0; k + 1 < joints.size(); ++k)
-    if (const auto curve = fit(joints[k], joints[k + 1])) out.push_back(*curve);
+}
+
+/// As few cubics as a look at several ways finds: from each place on as far as a cubic reaches, with several
+/// tangents at its end, since those of files whose curves were sampled, rounded or made of arcs are not exact
+/// and which one serves best shows only later. Nothing when that takes `most` cubics or more.
+std::vector<Joint> reach_on(Points p, Indices ends, Vec2 t0, Vec2 t1, double tolerance, const Effort& effort,
+                            std::size_t most) {
+  const std::size_t last = p.size() - 1;
+  std::vector<Joint> joints{{0, t0, 0}};
+  std::size_t first = 0;  // of the newest
+  for (std::size_t count = 1; count < most; ++count) {
+    std::vector<Joint> reached;
+    for (std::size_t k = first, end = joints.size(); k < end; ++k)
+      reach_from(p, ends, joints, k, t1, tolerance, effort, reached);
+    std::stable_sort(reached.begin(), reached.end(),
+                     [](const Joint& a, const Joint& b) { return a.at > b.at; });
+    if (reached.front().at == last) {
+      std::vector<Joint> way{reached.front()};
+      while (way.back().at > 0) way.push_back(joints[way.back().before]);
+      std::reverse(way.begin(), way.end());
+      return way;
+    }
+    first = joints.size();
+    joints.insert(joints.end(), reached.begin(),
+                  reached.begin() + std::ptrdiff_t(std::min(effort.ways, reached.size())));
+  }
+  return {};
+}
+
+/// The same from the end on.
+std::vector<Joint> reach_back(Points p, Indices ends, Vec2 t0, Vec2 t1, double tolerance,
+                              const Effort& effort, std::size_t most) {
+  const std::vector<Vec2> turned(p.rbegin(), p.rend());
+  std::vector<std::size_t> turned_ends;
+  for (auto end = ends.rbegin(); end != ends.rend(); ++end) turned_ends.push_back(p.size() - 1 - *end);
+  std::vector<Joint> joints = reach_on(turned, turned_ends, -t1, -t0, tolerance, effort, most);
+  std::reverse(joints.begin(), joints.end());
+  for (Joint& joint : joints) joint = {p.size() - 1 - joint.at, -joint.tangent, 0};
+  return joints;
+}
+
+/// Appends few cubics for the smooth run p with forward end tangents t0, t1: from the start or from the end
+/// as far as each one reaches, or by halving where that takes no fewer. Cubics end at the points `ends`.
+void fit_smooth(Points p, Indices ends, Vec2 t0, Vec2 t1, double tolerance, std::vector<CubicBezier>& out) {
+  const std::size_t last = p.size() - 1;
+  std::vector<std::size_t> halves{0};
+  for (std::size_t k = 0; k <= ends.size(); ++k) {
+    const std::size_t i = k == 0 ? 0 : ends[k - 1], j = k == ends.size() ? last : ends[k];
+    halve_smooth(p.subspan(i, j - i + 1), i, i == 0 ? t0 : inner_tangent(p, i),
+                 j == last ? t1 : inner_tangent(p, j), tolerance, halves);
+  }
+  std::vector<Joint> joints;
+  for (const std::size_t i : halves)
+    joints.push_back({i, i == 0 ? t0 : i == last ? t1 : inner_tangent(p, i), 0});
+  const bool many = p.size() > kManyPoints || joints.size() > kManyCurves + 1;
+  const Effort effort = many ? Effort{1, 1} : Effort{4, kTangentGuesses.size()};
+  for (const auto& reach : {reach_on, reach_back}) {
+    if (joints.size() <= 2 + ends.size() || (many && reach == reach_back)) break;
+    std::vector<Joint> fewer = reach(p, ends, t0, t1, tolerance, effort, joints.size() - 1);
+    if (!fewer.empty()) joints = std::move(fewer);
+  }
+  std::size_t farthest = 0;
+  for (std::size_t k = 0; k + 1 < joints.size(); ++k) {
+    const std::size_t i = joints[k].at, j = joints[k + 1].at;
+    // Run backwards a cubic's handles may come out otherwise by the last bit.
+    if (const auto curve = fit_cubic(p.subspan(i, j - i + 1), joints[k].tangent, joints[k + 1].tangent,
+                                     1.001 * tolerance, farthest))
+      out.push_back(*curve);
+  }
 }
 
 /// Last index of the longest run from i whose points lie within kStraightDeviation of one line from p[i] and
@@ -258,30 +251,40 @@ bool is_straight_run(Points p) {
 
 /// The direction of the line beside a curve's end when the curve runs on smoothly from it.
 Vec2 joined_tangent(Vec2 own, std::optional<Vec2> line) {
-  return line && turn(own, *line) <= kTangentBend ? *line : own;
+  return line && turn_between(own, *line) <= kTangentBend ? *line : own;
 }
 
-/// Appends curves for points without sharp bends; ends have the given tangents where there are any.
-void fit_run(Points p, std::optional<Vec2> t0, std::optional<Vec2> t1, double tolerance,
-             std::vector<CubicBezier>& out) {
-  if (p.size() == 2 || is_straight_run(p)) {
-    out.push_back(line_segment(p.front(), p.back()));
-    return;
-  }
+/// Appends curves for points without sharp bends; curves end at the points `ends`.
+void fit_run(Points p, Indices ends, double tolerance, std::vector<CubicBezier>& out) {
+  const auto inside = [&](std::size_t i, std::size_t j) {
+    std::vector<std::size_t> some;
+    for (const std::size_t end : ends)
+      if (end > i && end < j) some.push_back(end - i);
+    return some;
+  };
+  const auto add_line = [&](std::size_t i, std::size_t j) {
+    std::size_t from = i;
+    for (const std::size_t end : inside(i, j)) {
+      out.push_back(line_segment(p[from], p[i + end]));
+      from = i + end;
+    }
+    out.push_back(line_segment(p[from], p[j]));
+  };
+  if (p.size() == 2 || is_straight_run(p)) return add_line(0, p.size() - 1);
   const std::vector<Run> runs = runs_of(p);
   const auto direction = [&](const Run& r) { return normalized(p[r.end] - p[r.begin]); };
   for (std::size_t k = 0; k < runs.size(); ++k) {
     const Run& r = runs[k];
     const Points q = p.subspan(r.begin, r.end - r.begin + 1);
     if (r.straight || (q.size() == 2 && runs.size() > 1)) {
-      out.push_back(line_segment(q.front(), q.back()));
+      add_line(r.begin, r.end);
       continue;
     }
-    std::optional<Vec2> before = t0, after = t1;
+    std::optional<Vec2> before, after;
     if (k > 0) before = direction(runs[k - 1]);
     if (k + 1 < runs.size()) after = direction(runs[k + 1]);
-    fit_smooth(q, joined_tangent(start_tangent(q), before), joined_tangent(last_tangent(q), after), tolerance,
-               out);
+    fit_smooth(q, inside(r.begin, r.end), joined_tangent(start_tangent(q), before),
+               joined_tangent(last_tangent(q), after), tolerance, out);
   }
 }
 
@@ -289,13 +292,13 @@ void fit_run(Points p, std::optional<Vec2> t0, std::optional<Vec2> t1, double to
 double curvature(Points p, std::size_t i) {
   if (i == 0 || i + 1 >= p.size()) return 0;
   const Vec2 in = p[i] - p[i - 1], out = p[i + 1] - p[i];
-  return 2 * turn(in, out) / (length(in) + length(out));
+  return 2 * turn_between(in, out) / (length(in) + length(out));
 }
 
 /// Whether the polyline bends at its inner point i more than samples of a curve would.
 bool is_sharp(Points p, std::size_t i) {
   const Vec2 in = p[i] - p[i - 1], out = p[i + 1] - p[i];
-  const double bend = turn(in, out), sagitta = std::min(length(in), length(out)) * bend / 8;
+  const double bend = turn_between(in, out), sagitta = std::min(length(in), length(out)) * bend / 8;
   if (bend > kSharpBend || sagitta > kCoarsestSagitta) return true;
   const double around = std::max(curvature(p, i - 1), curvature(p, i + 1));
   return sagitta > kLeastSagitta && curvature(p, i) > kStandsOut * around;
@@ -307,13 +310,13 @@ std::vector<CubicBezier> fit_polyline(std::span<const Vec2> p, double tolerance_
                                       std::span<const std::size_t> ends) {
   std::vector<CubicBezier> curves;
   std::size_t begin = 0;
-  std::optional<Vec2> tangent;  // at begin, where the line runs on smoothly
   for (std::size_t i = 1; i < p.size(); ++i) {
-    const bool last = i + 1 == p.size(), sharp = last || is_sharp(p, i);
-    if (!sharp && !std::binary_search(ends.begin(), ends.end(), i)) continue;
-    const std::optional<Vec2> here = sharp ? std::optional<Vec2>() : inner_tangent(p, i);
-    fit_run(p.subspan(begin, i - begin + 1), tangent, here, tolerance_mm, curves);
-    begin = i, tangent = here;
+    if (i + 1 < p.size() && !is_sharp(p, i)) continue;
+    std::vector<std::size_t> inner;
+    for (const std::size_t end : ends)
+      if (end > begin && end < i) inner.push_back(end - begin);
+    fit_run(p.subspan(begin, i - begin + 1), inner, tolerance_mm, curves);
+    begin = i;
   }
   return curves;
 }
@@ -343,7 +346,7 @@ std::vector<CubicBezier> fit_smooth_loop(std::span<const Vec2> loop, double tole
   std::vector<CubicBezier> curves;
   for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
     const Points q(points.data() + cuts[k], cuts[k + 1] - cuts[k] + 1);
-    fit_smooth(q, tangent(cuts[k]), tangent(cuts[k + 1]), tolerance_mm, curves);
+    fit_smooth(q, {}, tangent(cuts[k]), tangent(cuts[k + 1]), tolerance_mm, curves);
   }
   return curves;
 }

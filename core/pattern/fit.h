@@ -15,8 +15,9 @@ namespace toile {
 /// (more than about 35°, or a lesser one between segments too long to be samples of a curve) stays sharp.
 ///
 /// Method: P. J. Schneider, "An algorithm for automatically fitting digitized curves", Graphics Gems, 1990:
-/// least squares for the handle lengths with chord-length parameters, Newton reparametrisation, and a split
-/// at the worst point where that does not suffice. Tangents come from a parabola through neighbouring points.
+/// least squares for the handle lengths with chord-length parameters, Newton reparametrisation; and splits
+/// where that does not suffice, sought so that few curves come out. Tangents come from parabolas through
+/// neighbouring points, between two curves from whichever of several serves best.
 /// At the points `ends` (indices, ascending, none first or last) a curve ends too, smoothly.
 /// REQUIRES at least two points, finite, neighbours apart.
 std::vector<CubicBezier> fit_polyline(std::span<const Vec2> points, double tolerance_mm,

@@ -73,6 +73,19 @@ std::vector<FoundSeam> parts_of(const FoundSeams& found, const FoundSeam& seam) 
   return parts;
 }
 
+/// Where pieces lie upon others there is a seam for every edge in every layer, and nothing in their outlines
+/// says which belong to one: such seams are for a person to decide, the more where a layer takes part.
+double layer_share(const FoundSeams& found, const FoundSeam& seam) {
+  constexpr double kLayer = 0.6, kBeside = 0.85;
+  const auto is_layer = [](const PieceWords& words) { return words.layer; };
+  const std::vector<PieceWords>& words = found.model.words;
+  if (std::none_of(words.begin(), words.end(), is_layer)) return 1;
+  for (const std::vector<Index>* side : {&seam.a, &seam.b})
+    for (const Index r : *side)
+      if (words[found.model.runs[r].panel].layer) return kLayer;
+  return kBeside;
+}
+
 bool all_reversed(const std::vector<SeamEdge>& side) {
   return std::all_of(side.begin(), side.end(), [](const SeamEdge& e) { return e.reversed; });
 }
@@ -93,7 +106,7 @@ SeamProposal proposal_of(const FoundSeams& found, const FoundSeam& seam) {
   std::vector<Index> other(seam.b.rbegin(), seam.b.rend());  // walked with the cloth at the left, too
   p.seam.b = series_of(found, other, p.length_b);
   plainly(p.seam);
-  p.confidence = confidence_of(seam.margin, p.length_a, p.length_b);
+  p.confidence = confidence_of(seam.margin, p.length_a, p.length_b) * layer_share(found, seam);
   return p;
 }
 
@@ -122,6 +135,25 @@ std::vector<SeamProposal> propose_seams(const Pattern& pattern, const ProposalSe
     while (ids.contains(p.seam.id));
   }
   return proposals;
+}
+
+std::vector<bool> sewn_together(std::span<const SeamProposal> proposals, double least_confidence) {
+  constexpr double kTouching = 1e-6;  // of an edge's length: parts that meet share nothing
+  std::vector<SeamEdge> taken;
+  const auto is_taken = [&](const SeamEdge& e) {
+    return std::any_of(taken.begin(), taken.end(), [&](const SeamEdge& t) {
+      return t.panel == e.panel && t.edge == e.edge &&
+             std::min(t.to, e.to) - std::max(t.from, e.from) > kTouching;
+    });
+  };
+  std::vector<bool> sewn;
+  for (const SeamProposal& p : proposals) {
+    std::vector<SeamEdge> edges = p.seam.a;
+    edges.insert(edges.end(), p.seam.b.begin(), p.seam.b.end());
+    sewn.push_back(p.confidence >= least_confidence && std::none_of(edges.begin(), edges.end(), is_taken));
+    if (sewn.back()) taken.insert(taken.end(), edges.begin(), edges.end());
+  }
+  return sewn;
 }
 
 }  // namespace toile

@@ -49,8 +49,6 @@ void join_corners(const SeamModel& m, const SeamGluing& g, Classes& corners) {
   }
 }
 
-bool is_cut(const SeamRun& run) { return run.from > 0 || run.to < 1; }
-
 }  // namespace
 
 void Classes::reset(std::size_t count) {
@@ -59,18 +57,39 @@ void Classes::reset(std::size_t count) {
 }
 
 GluingJudge::GluingJudge(const SeamModel& model, const GluingSettings& settings)
-    : m_(model), settings_(settings) {}
+    : m_(model), settings_(settings) {
+  for (std::size_t i = 0; i < model.runs.size(); ++i) {
+    const SeamRun& run = model.runs[i];
+    runs_.push_back({run.next, run.panel, model.mirror[i], run.from > 0 || run.to<1, run.from> 0,
+                     run.turn.back() > kRound, std::abs(run.angle - 180) < kSmooth, run.angle, run.length,
+                     run.to - run.from});
+  }
+  root_.resize(runs_.size());
+}
+
+void GluingJudge::join_corners(const SeamGluing& g) {
+  corners_.reset(runs_.size());
+  const auto count = static_cast<Index>(runs_.size());
+  for (Index a = 0; a < count; ++a) {
+    const Index b = g.partner[a];
+    if (b <= a) continue;
+    const bool with = along(g, a, b);
+    corners_.join(a, with ? b : runs_[b].next);
+    corners_.join(runs_[a].next, with ? runs_[b].next : b);
+  }
+  for (Index i = 0; i < count; ++i) root_[i] = corners_.root(i);
+}
 
 /// Each by itself, and the same on mirrored pieces.
 double GluingJudge::pairs(const SeamGluing& g) const {
   double merit = 0;
-  for (Index a = 0; a < static_cast<Index>(m_.runs.size()); ++a) {
+  for (Index a = 0; a < static_cast<Index>(runs_.size()); ++a) {
     const Index b = g.partner[a];
     if (b <= a) continue;
-    merit += g.merit[a][g.along(m_, a, b)];
-    const Index ma = m_.mirror[a], mb = m_.mirror[b];
+    merit += g.merit[a][along(g, a, b)];
+    const Index ma = runs_[a].mirror, mb = runs_[b].mirror;
     if (ma != kNone && mb != kNone && ma != b && g.partner[ma] == mb)
-      merit += kMirrored * std::min(m_.runs[a].to - m_.runs[a].from, m_.runs[b].to - m_.runs[b].from);
+      merit += kMirrored * std::min(runs_[a].share, runs_[b].share);
   }
   return merit;
 }
@@ -98,9 +117,9 @@ double GluingJudge::sides(const SeamGluing& g) const {
 double GluingJudge::middles(const SeamGluing& g) {
   constexpr double kSecondLine = -4;
   lines_.assign(m_.words.size(), 0);
-  const auto in_middle = [&](Index r) { return g.partner[r] != kNone && g.partner[r] == m_.mirror[r]; };
-  for (Index r = 0; r < static_cast<Index>(m_.runs.size()); ++r)
-    lines_[m_.runs[r].panel] += in_middle(r) && !in_middle(m_.runs[r].next);
+  const auto in_middle = [&](Index r) { return g.partner[r] != kNone && g.partner[r] == runs_[r].mirror; };
+  for (Index r = 0; r < static_cast<Index>(runs_.size()); ++r)
+    lines_[runs_[r].panel] += in_middle(r) && !in_middle(runs_[r].next);
   double merit = 0;
   for (std::size_t p = 0; p < lines_.size(); ++p)
     if (m_.twin[p] > static_cast<Index>(p)) merit += kSecondLine * std::max(0, lines_[p] - 1);
@@ -111,27 +130,27 @@ double GluingJudge::middles(const SeamGluing& g) {
 double GluingJudge::free_edges(const SeamGluing& g) {
   open_.assign(m_.words.size(), 0);
   double merit = 0;
-  for (std::size_t r = 0; r < m_.runs.size(); ++r) {
-    const SeamRun& run = m_.runs[r];
+  for (std::size_t r = 0; r < runs_.size(); ++r) {
+    const Run& run = runs_[r];
     const bool free = g.partner[r] == kNone, next_free = g.partner[run.next] == kNone;
     if (free) open_[run.panel] = 1;
-    if (free && run.turn.back() > kRound) merit += kFreeRound;
-    if (free != next_free && std::abs(m_.runs[run.next].angle - 180) < kSmooth) merit += kTornLine;
+    if (free && run.round) merit += kFreeRound;
+    if (free != next_free && runs_[run.next].smooth) merit += kTornLine;
   }
   return merit + kShut * static_cast<double>(std::count(open_.begin(), open_.end(), 0));
 }
 
 /// How the cloth lies around the points where pieces meet.
 double GluingJudge::points(const SeamGluing& g) {
-  sums_.assign(m_.runs.size(), {});
-  for (Index i = 0; i < static_cast<Index>(m_.runs.size()); ++i) {
-    PointSums& s = sums_[corners_.root(i)];
-    s.angle += m_.runs[i].angle;
+  sums_.assign(runs_.size(), {});
+  for (Index i = 0; i < static_cast<Index>(runs_.size()); ++i) {
+    PointSums& s = sums_[root_[i]];
+    s.angle += runs_[i].angle;
     ++s.corners;
-    s.cut = s.cut || m_.runs[i].from > 0;
+    s.cut = s.cut || runs_[i].cut_start;
     if (g.partner[i] != kNone) continue;
     ++s.free_ends;
-    ++sums_[corners_.root(m_.runs[i].next)].free_ends;
+    ++sums_[root_[runs_[i].next]].free_ends;
   }
   double merit = 0;
   points_ = 0;
@@ -147,18 +166,18 @@ double GluingJudge::points(const SeamGluing& g) {
 /// Handles, openings and separate parts, from Euler's formula.
 double GluingJudge::surface(const SeamGluing& g) {
   const int panels = static_cast<int>(m_.words.size());
-  parts_.reset(m_.words.size()), borders_.reset(m_.runs.size());
+  parts_.reset(m_.words.size()), borders_.reset(runs_.size());
   int edges = 0, components = panels, border_count = 0;
-  free_at_.assign(m_.runs.size(), kNone);
-  for (Index i = 0; i < static_cast<Index>(m_.runs.size()); ++i) {
+  free_at_.assign(runs_.size(), kNone);
+  for (Index i = 0; i < static_cast<Index>(runs_.size()); ++i) {
     if (g.partner[i] != kNone) {
       edges += i < g.partner[i];
-      if (parts_.join(m_.runs[i].panel, m_.runs[g.partner[i]].panel)) --components;
+      if (parts_.join(runs_[i].panel, runs_[g.partner[i]].panel)) --components;
       continue;
     }
     ++edges, ++border_count;
-    for (const Index end : {i, m_.runs[i].next}) {
-      Index& there = free_at_[corners_.root(end)];
+    for (const Index end : {i, runs_[i].next}) {
+      Index& there = free_at_[root_[end]];
       if (there == kNone)
         there = i;
       else if (borders_.join(there, i))
@@ -172,12 +191,11 @@ double GluingJudge::surface(const SeamGluing& g) {
 
 double GluingJudge::gathers(const SeamGluing& g) {
   gathers_.clear();
-  for (Index a = 0; a < static_cast<Index>(m_.runs.size()); ++a) {
+  for (Index a = 0; a < static_cast<Index>(runs_.size()); ++a) {
     const Index b = g.partner[a];
-    if (b == kNone || m_.runs[a].length < kGathered * m_.runs[b].length) continue;
-    if (is_cut(m_.runs[a]) || is_cut(m_.runs[b])) continue;  // cuts are in proportion anyway
-    gathers_.push_back(
-        {m_.runs[a].length / m_.runs[b].length, {corners_.root(a), corners_.root(m_.runs[a].next)}, a});
+    if (b == kNone || runs_[a].length < kGathered * runs_[b].length) continue;
+    if (runs_[a].cut || runs_[b].cut) continue;  // cuts are in proportion anyway
+    gathers_.push_back({runs_[a].length / runs_[b].length, {root_[a], root_[runs_[a].next]}, a});
   }
   double merit = 0;
   for (std::size_t i = 0; i < gathers_.size(); ++i) {
@@ -185,7 +203,7 @@ double GluingJudge::gathers(const SeamGluing& g) {
       const Gather &x = gathers_[i], &y = gathers_[j];
       const bool meet = x.ends[0] == y.ends[0] || x.ends[0] == y.ends[1] || x.ends[1] == y.ends[0] ||
                         x.ends[1] == y.ends[1];
-      const bool mirrored = m_.mirror[x.run] == y.run;  // alike without any reason to be sewn
+      const bool mirrored = runs_[x.run].mirror == y.run;  // alike without any reason to be sewn
       if (meet && !mirrored && std::abs(x.ratio - y.ratio) < 0.015 * x.ratio) merit += kSameGather;
     }
   }
@@ -193,7 +211,7 @@ double GluingJudge::gathers(const SeamGluing& g) {
 }
 
 double GluingJudge::merit(const SeamGluing& g) {
-  join_corners(m_, g, corners_);
+  join_corners(g);
   const double around = points(g);  // counts the points for surface()
   return pairs(g) + sides(g) + middles(g) + free_edges(g) + around + surface(g) + gathers(g);
 }

@@ -72,6 +72,14 @@ class GluingJudge {
   double merit(const SeamGluing& gluing);
 
  private:
+  /// What is asked of a run in every garment, close together in memory.
+  struct Run {
+    Index next, panel, mirror;
+    bool cut, cut_start;  ///< one end, or the start, is no corner of the drawing
+    bool round;           ///< turns by more than an opening does
+    bool smooth;          ///< the outline runs on smoothly at its start
+    double angle, length, share;
+  };
   struct PointSums {
     double angle = 0;
     int corners = 0, free_ends = 0;
@@ -82,6 +90,10 @@ class GluingJudge {
     Index ends[2];
     Index run;
   };
+  bool along(const SeamGluing& g, Index a, Index b) const {
+    return g.turned[runs_[a].panel] != g.turned[runs_[b].panel];
+  }
+  void join_corners(const SeamGluing& g);
   double pairs(const SeamGluing& g) const;
   double sides(const SeamGluing& g) const;
   double middles(const SeamGluing& g);
@@ -92,7 +104,9 @@ class GluingJudge {
 
   const SeamModel& m_;
   GluingSettings settings_;
+  std::vector<Run> runs_;
   Classes corners_, parts_, borders_;
+  std::vector<Index> root_;  ///< of each corner, once they are joined
   std::vector<PointSums> sums_;
   std::vector<Gather> gathers_;
   std::vector<Index> free_at_;

@@ -195,6 +195,31 @@ void find_counterparts(SeamModel& m, Index p, Index q) {
   }
 }
 
+/// Whether run i of a is run j of b, with its corners.
+bool is_same(const SeamModel& m, Index i, Index j) {
+  const SeamRun &a = m.runs[i], &b = m.runs[j];
+  if (!alike(a.length, b.length) || std::abs(a.angle - b.angle) > 2) return false;
+  for (std::size_t k = 0; k + 1 < kSamples; ++k)
+    if (std::abs(a.turn[k] - b.turn[k]) > 4) return false;
+  return true;
+}
+
+/// Pairs up the runs of two pieces of one form.
+void find_same(SeamModel& m, Index p, Index q) {
+  const std::vector<Index> a = runs_of(m, p), b = runs_of(m, q);
+  const std::size_t n = a.size();
+  if (n != b.size()) return;
+  for (std::size_t shift = 0; shift < n; ++shift) {
+    bool all = true;
+    for (std::size_t k = 0; k < n && all; ++k) all = is_same(m, a[k], b[(k + shift) % n]);
+    if (!all) continue;
+    for (std::size_t k = 0; k < n; ++k) {
+      m.same[a[k]].push_back(b[(k + shift) % n]);
+      m.same[b[(k + shift) % n]].push_back(a[k]);
+    }
+  }
+}
+
 /// Lower-case words: a name falls apart at what is no letter and before capitals.
 std::vector<std::string> split_words(const std::string& name) {
   std::vector<std::string> words(1);
@@ -232,6 +257,9 @@ PieceWords words_of(const std::string& name) {
     if (is({"r", "rt", "rgt", "rh"}) || starts("right", 'r')) words.side = 1;
     if (is({"f", "fr", "frt", "fnt", "ft", "cf"}) || starts("front", 'f')) words.face = 1;
     if (is({"b", "bk", "bck", "rear", "cb"}) || starts("back", 'b')) words.face = -1;
+    if (is({"lining", "facing", "interfacing", "interlining", "fusing", "canvas", "pocket", "welt", "bag",
+            "flap"}))
+      words.layer = true;
     if (is({"slv", "sl", "arm"}) || w.ends_with("sleeve") || w.ends_with("cuff")) words.limb = true;
   }
   return words;
@@ -251,10 +279,14 @@ SeamModel make_seam_model(const Pattern& pattern) {
   find_mirrors(model);
   match_mirrors(model);
   model.counterparts.resize(model.runs.size());
+  model.same.resize(model.runs.size());
   const auto count = static_cast<Index>(model.words.size());
-  for (Index p = 0; p < count; ++p)
-    for (Index q = p + 1; q < count; ++q)
+  for (Index p = 0; p < count; ++p) {
+    for (Index q = p + 1; q < count; ++q) {
       if (model.twin[p] != q) find_counterparts(model, p, q);
+      find_same(model, p, q);
+    }
+  }
   return model;
 }
 
@@ -274,6 +306,7 @@ SeamModel with_cuts(const Pattern& pattern, SeamModel model, Index r, const std:
     at = model.runs[at].next;
     model.runs.push_back(std::move(rest));
     model.counterparts.emplace_back();
+    model.same.emplace_back();
   }
   for (Index i = r; i != whole.next; i = model.runs[i].next) {
     SeamRun& part = model.runs[i];

@@ -29,9 +29,10 @@ struct SeamRun {
 
 /// What a piece's name says of its place, as far as it says anything.
 struct PieceWords {
-  int side = 0;       ///< -1 left, +1 right
-  int face = 0;       ///< +1 front, -1 back
-  bool limb = false;  ///< a sleeve or a cuff: left and right never meet
+  int side = 0;        ///< -1 left, +1 right
+  int face = 0;        ///< +1 front, -1 back
+  bool limb = false;   ///< a sleeve or a cuff: left and right never meet
+  bool layer = false;  ///< a lining, a facing, a pocket: cloth that lies on other cloth
 };
 
 struct SeamModel {
@@ -40,6 +41,8 @@ struct SeamModel {
   /// Runs of two pieces that are drawn alike but for a few edges, as a sleeve's front and back: their lengths
   /// agree by design. Empty for each run without any.
   std::vector<std::vector<Index>> counterparts;
+  /// The same run of other pieces of the same form, not turned over. Empty for each run without any.
+  std::vector<std::vector<Index>> same;
   std::vector<PieceWords> words;  ///< one per panel
   std::vector<Vec2> up;           ///< unit vector of each panel's grain
   std::vector<char> upright;      ///< of each panel: whether `up` is likely to be up when it is worn

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 #include "core/pattern/seam_cuts.h"
@@ -18,7 +19,11 @@ constexpr std::size_t kSidedRestarts = 2;    // of each that keep to likely side
 constexpr double kThreshold = 13;            // as much as two good seams
 constexpr double kDoubtThreshold = 2.5;      // once the garment stands
 constexpr int kTriesPerRun = 2000, kDoubtsPerRun = 25;
-constexpr int kMostWork = 8000000;  // tries times runs, of one search: a jacket takes as long as a shirt
+constexpr int kMostWork = 3000000;      // tries times runs, of one search: a jacket takes as long as a shirt
+constexpr std::size_t kManyRuns = 70;   // a whole wardrobe: fewer and shorter searches
+constexpr int kManyRunsWork = 1000000;  // of one of them
+constexpr double kSameMerit = 1e-6;
+constexpr int kAgree = 2;  // searches that find the same best: others would, too
 
 /// SplitMix64 (Steele, Lea and Flood 2014).
 class Numbers {
@@ -73,8 +78,14 @@ class Annealer {
       if (!locked_[i] && !candidates_[i].empty()) open_.push_back(i);
   }
 
-  /// Never sews run a to run b.
-  void forbid(Index a, Index b) { forbidden_ = {a, b}; }
+  /// Never sews run a to run b, nor a run of another piece of the same form in place of one of them: the
+  /// garment with two such pieces changed round is the same garment.
+  void forbid(Index a, Index b) {
+    forbidden_.assign(1, {a, b});
+    for (const Index x : m_.same[a]) forbidden_.push_back({x, b});
+    for (const Index x : m_.same[b]) forbidden_.push_back({a, x});
+  }
+  void allow_all() { forbidden_.clear(); }
   /// Turns no panel over.
   void keep_sides() { may_turn_ = false; }
 
@@ -100,8 +111,10 @@ class Annealer {
 
  private:
   bool allowed(Index a, Index b) const {
-    return !locked_[a] && !locked_[b] && !(a == forbidden_[0] && b == forbidden_[1]) &&
-           !(a == forbidden_[1] && b == forbidden_[0]);
+    if (locked_[a] || locked_[b]) return false;
+    return std::none_of(forbidden_.begin(), forbidden_.end(), [&](const std::array<Index, 2>& pair) {
+      return (a == pair[0] && b == pair[1]) || (a == pair[1] && b == pair[0]);
+    });
   }
 
   bool sew(SeamGluing& g, Index a, const Candidate& c) const {
@@ -202,13 +215,14 @@ class Annealer {
   Candidates candidates_;
   std::vector<Index> open_;
   bool may_turn_;
-  std::array<Index, 2> forbidden_{kNone, kNone};
+  std::vector<std::array<Index, 2>> forbidden_;
 };
 
 /// Tries of one of `searches` that share the work.
 int tries_for(const SeamModel& m, int per_run, std::size_t searches = 1) {
   const int runs = static_cast<int>(m.runs.size());
-  const int most = kMostWork / std::max(1, runs) / static_cast<int>(std::max<std::size_t>(1, searches));
+  const int work = m.runs.size() > kManyRuns ? kManyRunsWork : kMostWork;
+  const int most = work / std::max(1, runs) / static_cast<int>(std::max<std::size_t>(1, searches));
   return std::clamp(most, 1, per_run * std::max(1, runs));
 }
 
@@ -259,7 +273,7 @@ void doubt_each(Annealer& annealer, FoundSeams& found, const std::vector<char>& 
     const double there = annealer.run(without, tries, kDoubtThreshold, 7, context);
     if (there > merit + 1e-6) found.gluing = std::move(without), merit = there;
   }
-  annealer.forbid(kNone, kNone);
+  annealer.allow_all();
 }
 
 /// Which panels may be drawn from the other side: none, as the drawing hints, or those called back.
@@ -282,11 +296,15 @@ void search(const Pattern& pattern, FoundSeams start, std::vector<char> locked,
             const GluingSettings& settings, const RunContext& context, FoundSeams& best, double& best_merit) {
   lengthen(start.gluing, locked, start.model.runs.size());
   const std::vector<std::vector<char>> sides = likely_sides(start.model, start.gluing, settings);
-  const std::size_t restarts = kRestarts + kSidedRestarts * sides.size();
-  for (std::size_t k = 0; k < restarts && !context.cancelled(); ++k) {
+  const bool many = start.model.runs.size() > kManyRuns;
+  const std::size_t sided = (many ? 1 : kSidedRestarts) * sides.size();
+  const std::size_t restarts = sided + (many ? 1 : kRestarts);
+  double top = -std::numeric_limits<double>::max();
+  int agreed = 0;
+  for (std::size_t k = 0; k < restarts && agreed < kAgree && !context.cancelled(); ++k) {
     Annealer annealer(start.model, locked, settings);
     FoundSeams found = start;
-    if (k < kSidedRestarts * sides.size()) {
+    if (k < sided) {
       found.gluing.turned = sides[k % sides.size()];
       annealer.keep_sides();
     }
@@ -296,6 +314,8 @@ void search(const Pattern& pattern, FoundSeams start, std::vector<char> locked,
     found.seams = sewn_seams(found.model, found.gluing, locked);
     sew_series(pattern, found, locked, settings, context);
     merit = gluing_merit(found.model, found.gluing, settings);
+    if (merit > top + kSameMerit) top = merit, agreed = 0;
+    agreed += merit > top - kSameMerit ? 1 : 0;
     if (merit > best_merit) best = std::move(found), best_merit = merit;
   }
 }

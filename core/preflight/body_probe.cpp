@@ -40,7 +40,7 @@ void BodyProbe::visit_hits(Vec3 from, Vec3 to, Visit&& visit) const {
   for (int k = 0; k < strides && going; ++k) {
     const Vec3 a = from + (to - from) * (static_cast<double>(k) / strides);
     const Vec3 b = from + (to - from) * (static_cast<double>(k + 1) / strides);
-    crossing_.tree.query(box_around({a, b}, 2e-6), [&](Index t) {
+    crossing_.groups.query(box_around({a, b}, 2e-6), [&](Index t) {
       if (!going) return;
       const Tri& tri = crossing_.triangles[t];
       if (segment_crosses_triangle(p, q, crossing_.points[tri[0]], crossing_.points[tri[1]],

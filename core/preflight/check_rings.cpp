@@ -21,6 +21,7 @@ struct Ring {
   std::vector<Vec3> points;     ///< m, where the start has them
   double girth = 0;             ///< m, of the cloth
   std::string pieces;           ///< names, in order of the pattern
+  std::set<Index> panels;
 };
 
 /// Flat lengths of the garment's border edges by the classes of their ends.
@@ -122,6 +123,7 @@ Ring measured(const std::vector<Index>& vertices, const Assembly& assembly, cons
   for (const Index p : pieces)
     ring.pieces += (ring.pieces.empty() ? "piece " : ", piece ") + pattern.panels[p].id;
   if (pieces.size() < 2) ring.vertices.clear();
+  ring.panels = std::move(pieces);
   return ring;
 }
 
@@ -189,6 +191,71 @@ std::optional<Finding> judged(const Ring& ring, std::span<const BodyProbe> probe
   return f;
 }
 
+/// The middle of what of a body goes through the ring, m, and how tall and where in the middle that body is.
+struct Enclosed {
+  Vec3 centre;
+  double height = 0, middle = 0;
+};
+
+std::optional<Enclosed> enclosed_by(const Ring& ring, std::span<const BodyProbe> probes) {
+  Vec3 middle;
+  for (const Vec3& p : ring.points) middle += p;
+  middle = middle * (1.0 / static_cast<double>(ring.points.size()));
+  const Vec3 normal = normal_of(ring.points, middle);
+  if (!(length(normal) > 1e-6)) return std::nullopt;
+  const PlaneFrame plane = make_plane_frame(middle, normal);
+  std::vector<Vec2> outline;
+  for (const Vec3& p : ring.points) outline.push_back(plane.flat(p));
+  for (const BodyProbe& probe : probes) {
+    for (const SlicePart& part : slice_parts(probe.body().mesh, plane)) {
+      if (!contains(outline, part.centre)) continue;
+      return Enclosed{plane.lifted(part.centre), probe.height(), (probe.low().x + probe.high().x) / 2};
+    }
+  }
+  return std::nullopt;
+}
+
+/// Two hems, cuffs or armholes that are alike belong on limbs that mirror each other: not both on one side of
+/// the body, and not at heights as far apart as an arm and a leg.
+bool on_unlike_limbs(const Enclosed& a, const Enclosed& b) {
+  constexpr double kBeside = 0.02, kApart = 0.25;  // of the height
+  const double xa = a.centre.x - a.middle, xb = b.centre.x - b.middle;
+  const bool one_side = xa * xb > 0 && std::min(std::abs(xa), std::abs(xb)) > kBeside * a.height;
+  return one_side || std::abs(a.centre.y - b.centre.y) > kApart * a.height;
+}
+
+bool are_alike(const Ring& a, const Ring& b) {
+  constexpr double kAlike = 0.02;
+  return a.panels.size() == b.panels.size() && std::abs(a.girth - b.girth) <= kAlike * a.girth &&
+         std::none_of(a.panels.begin(), a.panels.end(), [&](Index p) { return b.panels.contains(p); });
+}
+
+/// Of rings that are alike, each needs one that makes a pair with it.
+void check_limbs(const std::vector<Ring>& rings, std::span<const BodyProbe> probes, Findings& findings) {
+  std::vector<std::optional<Enclosed>> inside;
+  for (const Ring& ring : rings) {
+    const bool has_twin =
+        std::any_of(rings.begin(), rings.end(), [&](const Ring& r) { return are_alike(r, ring); });
+    inside.push_back(has_twin ? enclosed_by(ring, probes) : std::nullopt);
+  }
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    const Enclosed* other = nullptr;
+    bool paired = false;
+    for (std::size_t j = 0; j < rings.size() && inside[i]; ++j) {
+      if (!inside[j] || !are_alike(rings[i], rings[j])) continue;
+      paired |= !on_unlike_limbs(*inside[i], *inside[j]);
+      if (!other) other = &*inside[j];
+    }
+    if (paired || !other) continue;
+    findings.push_back({"ring.wrong_limb", Severity::kWarning,
+                        "this ring of " + length_text(rings[i].girth) +
+                            " and one that is like it go around limbs that are no pair, the other " +
+                            place_text(other->centre) +
+                            "; move the pieces of one to the other side of the body",
+                        rings[i].pieces, inside[i]->centre});
+  }
+}
+
 }  // namespace
 
 void check_rings(const PreflightInput& input, std::span<const BodyProbe> probes, const Assembly& assembly,
@@ -196,11 +263,14 @@ void check_rings(const PreflightInput& input, std::span<const BodyProbe> probes,
   if (probes.empty() || assembly.garment.sewn.empty()) return;
   const std::vector<Tri> triangles = sewn_triangles(assembly.garment);
   const BorderLengths lengths(assembly.garment);
+  std::vector<Ring> rings;
   for (const auto& vertices : rings_of(borders_of(triangles, assembly.garment.vertex_count()))) {
-    const Ring ring = measured(vertices, assembly, input.pattern, lengths);
+    Ring ring = measured(vertices, assembly, input.pattern, lengths);
     if (ring.vertices.empty()) continue;
     if (auto finding = judged(ring, probes)) findings.push_back(std::move(*finding));
+    rings.push_back(std::move(ring));
   }
+  check_limbs(rings, probes, findings);
 }
 
 }  // namespace toile

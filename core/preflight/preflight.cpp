@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/preflight/check_cloth_threads.h"
 #include "core/preflight/check_layers.h"
 #include "core/preflight/check_pattern.h"
 #include "core/preflight/check_rings.h"
@@ -53,6 +54,8 @@ Findings run_preflight(const PreflightInput& input, Assembly& assembly) {
   check_layers(input, assembly, findings);
   check_sides(input, probes, assembly, findings);
   check_threads(input, probes, assembly, findings);
+  check_cloth_threads(input, assembly, findings);
+  check_open_rings(input, assembly, findings);
   check_rings(input, probes, assembly, findings);
   sort_by_severity(findings);
   return findings;

@@ -80,7 +80,7 @@ Nearness StartField::to_body(const Piece& p, Vec3 at, const BodyProbe& probe, do
   for (const Index t : p.triangles) {
     const Tri& tri = assembly_.garment.triangles[t];
     const GapTriangle a{{position(tri[0], at), position(tri[1], at), position(tri[2], at)}, {0, 1, 2}};
-    probe.crossing().tree.query(box_around({a.x[0], a.x[1], a.x[2]}, reach), [&](Index s) {
+    probe.crossing().groups.query(box_around({a.x[0], a.x[1], a.x[2]}, reach), [&](Index s) {
       if (near.gap < enough || near.crosses) return;
       const Tri& face = mesh.triangles[s];
       const GapTriangle b{{mesh.vertices[face[0]], mesh.vertices[face[1]], mesh.vertices[face[2]]},

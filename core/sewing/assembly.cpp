@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/sewing/attached_places.h"
+
 namespace toile {
 
 namespace {
@@ -24,21 +26,6 @@ void append_seams(const PanelMeshes& meshes, GarmentMesh& garment) {
       garment.seam_of_sewn.push_back(seam.seam);
     }
   }
-}
-
-std::vector<Index> vertices_of(const Attachment& a, const PanelMeshes& meshes, const GarmentMesh& garment) {
-  const Index first = garment.first_vertex[a.panel];
-  std::vector<Index> vertices;
-  if (a.edges.empty()) {
-    vertices.resize(meshes.panels[a.panel].rest.size());
-    std::iota(vertices.begin(), vertices.end(), first);
-  }
-  for (const Index edge : a.edges) {
-    for (const Index v : meshes.panels[a.panel].edge_vertices[edge]) vertices.push_back(first + v);
-  }
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  return vertices;
 }
 
 /// Sines and cosines differ in their last bit between processors, and the same input must give the same
@@ -102,8 +89,7 @@ Result<Assembly> assemble(const PanelMeshes& meshes, const std::vector<Placement
   }
   assembly.garment.first_vertex.push_back(assembly.garment.vertex_count());
   append_seams(meshes, assembly.garment);
-  for (const Attachment& a : attachments)
-    assembly.attached.push_back(vertices_of(a, meshes, assembly.garment));
+  if (Status held = locate_attachments(attachments, meshes, assembly); !held) return held.error();
   assembly.garment.weld = least_of_class(assembly.garment.vertex_count(), assembly.garment.sewn);
   Result<NotionPlaces> places = locate_notions(notions, meshes, assembly.garment);
   if (!places) return places.error();

@@ -14,6 +14,7 @@ struct Assembly {
   GarmentMesh garment;
   std::vector<Vec3> positions;               ///< m, the start
   std::vector<std::vector<Index>> attached;  ///< garment vertices of each attachment, rising
+  std::vector<std::vector<ClothPoint>> led;  ///< what of each attachment goes to its goal
   NotionPlaces notions;
 };
 
@@ -25,7 +26,7 @@ std::vector<Index> least_of_class(Index vertex_count, const std::vector<std::arr
 std::vector<double> seam_held_by_pairs(const GarmentMesh& garment);
 
 /// Error: placement.count when there is not one placement for every panel, placement.not_finite with the
-/// panel, and those of locate_notions.
+/// panel, attachment.off_piece where a point lies beside its piece, and those of locate_notions.
 Result<Assembly> assemble(const PanelMeshes& meshes, const std::vector<Placement>& placements,
                           const std::vector<Attachment>& attachments, const Notions& notions = {});
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 
 namespace toile {
 
@@ -52,7 +51,14 @@ double mean_edge_of(const PanelMesh& mesh) {
   return mesh.triangles.empty() ? 0 : sum / static_cast<double>(mesh.triangles.size());
 }
 
-std::optional<ClothPoint> locate(const PanelMesh& mesh, Index first, Vec2 at) {
+std::vector<Index> shifted(std::vector<Index> vertices, Index first) {
+  for (Index& v : vertices) v += first;
+  return vertices;
+}
+
+}  // namespace
+
+std::optional<ClothPoint> locate_point(const PanelMesh& mesh, Index first, Vec2 at) {
   Nearest best;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Tri& v = mesh.triangles[t];
@@ -65,13 +71,6 @@ std::optional<ClothPoint> locate(const PanelMesh& mesh, Index first, Vec2 at) {
   return ClothPoint{{v[0] + first, v[1] + first, v[2] + first}, best.share};
 }
 
-std::vector<Index> shifted(std::vector<Index> vertices, Index first) {
-  for (Index& v : vertices) v += first;
-  return vertices;
-}
-
-}  // namespace
-
 Result<NotionPlaces> locate_notions(const Notions& notions, const PanelMeshes& meshes,
                                     const GarmentMesh& garment) {
   NotionPlaces places;
@@ -79,7 +78,8 @@ Result<NotionPlaces> locate_notions(const Notions& notions, const PanelMeshes& m
     std::array<ClothPoint, 2>& points = places.buttons.emplace_back();
     for (const int side : {0, 1}) {
       const PanelPoint& given = side == 0 ? button.a : button.b;
-      const auto point = locate(meshes.panels[given.panel], garment.first_vertex[given.panel], given.at);
+      const auto point =
+          locate_point(meshes.panels[given.panel], garment.first_vertex[given.panel], given.at);
       if (!point) {
         return Error{"button.off_piece", "a point of the button does not lie on its piece; move it there",
                      "button " + button.id + ", side " + (side == 0 ? "a" : "b")};

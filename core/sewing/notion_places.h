@@ -2,6 +2,7 @@
 // Where a garment's notions are on its mesh.
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,10 @@ struct ClothPoint {
 };
 
 Vec3 position_of(const ClothPoint& point, std::span<const Vec3> x);
+
+/// The point of a panel's mesh at a flat place (m); nothing where that lies more than a tenth of the mean
+/// edge beside the mesh. `first` is the panel's first vertex in the garment.
+std::optional<ClothPoint> locate_point(const PanelMesh& mesh, Index first, Vec2 at);
 
 /// Chains of vertices: one a line or an edge, from its start to its end.
 using VertexChains = std::vector<std::vector<Index>>;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/check.h"
+#include "core/solver/constraints/bounce.h"
 #include "core/solver/constraints/contact_pass.h"
 #include "core/solver/constraints/viscosity.h"
 
@@ -63,6 +64,7 @@ ClothSolver::ClothSolver(ClothModel model, std::vector<Vec3> positions, std::spa
   velocity_.resize(x_.size());
   lifted_.resize(x_.size());
   speed_.resize(x_.size());
+  for (const Obstacle& obstacle : obstacles_) bouncy_ |= obstacle.restitution > 0;
   if (layout.empty()) layout = x_;
   finder_.measure(layout, speed_, contacts_);  // lays out its tree
 }
@@ -106,8 +108,10 @@ StepReport ClothSolver::step(const StepForces& forces) {
   push_features(features_, forces.features, model_.triangles, inverse_mass_, h_, x_, feature_force_,
                 velocity_);
   predict(forces);
-  membrane_.solve(x_);
-  bending_.solve(x_);
+  spread(x_, points_);
+  membrane_.solve(points_);
+  bending_.solve(points_);
+  collect(points_, x_);
   solve_features(features_, forces.features, inverse_mass_, h_, x_);
   solve_height_holds(held_, x_);
   if (forces.stitch_length > 0) {  // after the holds: a thread wins over a hand
@@ -116,7 +120,7 @@ StepReport ClothSolver::step(const StepForces& forces) {
     close_groups(stitch_groups_, inverse_mass_, h_, x_);
   }
   const StepReport report = keep_bounds(forces);
-  finish();
+  finish(forces);
   if (forces.viscosity > 0) even_velocities(model_.triangles, model_.mass, forces.viscosity, velocity_);
   return report;
 }
@@ -199,9 +203,12 @@ StepReport ClothSolver::keep_bounds(const StepForces& forces) {
   return report;
 }
 
-void ClothSolver::finish() {
+void ClothSolver::finish(const StepForces& forces) {
   const double per_h = 1 / h_;
+  std::vector<Blow> blows;
+  if (bouncy_) blows = find_blows(contacts_.contacts, forces.restitution, proposal_, velocity_);
   for (std::size_t i = 0; i < x_.size(); ++i) velocity_[i] = (x_[i] - before_[i] - lifted_[i]) * per_h;
+  bounce(blows, inverse_mass_, velocity_);
 }
 
 }  // namespace toile

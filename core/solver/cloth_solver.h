@@ -19,6 +19,7 @@ struct StepForces {
   double damping = 1;        ///< 1/s, of the velocity, as if in a thick medium
   double viscosity = 0;      ///< share of velocity differences that triangles lose in this step, 0 to 1
   double friction = 1;       ///< factor on all coefficients
+  double restitution = 1;    ///< likewise
   double stitch_length = 0;  ///< 1: stitches as long as at the start, 0: closed
   FeatureProgress features;
 };
@@ -74,7 +75,7 @@ class ClothSolver {
   StepReport keep_bounds(const StepForces& forces);
   bool leaves_a_ball() const;
   int count_plane_hits() const;
-  void finish();
+  void finish(const StepForces& forces);
 
   ClothModel model_;
   std::span<const Obstacle> obstacles_;
@@ -89,7 +90,9 @@ class ClothSolver {
   std::vector<double> inverse_mass_;
 
   std::vector<Vec3> x_, before_, velocity_, lifted_, proposal_;
+  std::vector<LanePoint> points_;  ///< x_, while lanes work on it
   std::vector<double> speed_;
+  bool bouncy_ = false;  ///< an obstacle throws cloth back
   ContactFinder finder_;
   Contacts contacts_;
   bool measured_ = false;

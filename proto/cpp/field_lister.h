@@ -27,7 +27,8 @@ class FieldLister {
     ProjectKey& noted = add(path_ + '/' + std::string(key), "string", false);
     noted.choices.assign(words.begin(), words.end());
   }
-  void exactly_one(std::string_view, std::string_view) {}
+  template <typename... Keys>
+  void exactly_one(Keys...) {}
 
  private:
   ProjectKey& add(const std::string& path, const char* type, bool required) {

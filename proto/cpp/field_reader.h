@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <initializer_list>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -154,7 +155,8 @@ struct KeyNames {
   void choice(std::string_view key, std::string&, std::initializer_list<const char*>) {
     keys.emplace_back(key);
   }
-  void exactly_one(std::string_view, std::string_view) {}
+  template <typename... Keys>
+  void exactly_one(Keys...) {}
 };
 
 /// Visitor that fills an object's fields.
@@ -181,13 +183,19 @@ class FieldReader {
         "project.unknown_value", in_quotes(out) + " is not known; " + advice(out, names));
   }
 
-  void exactly_one(std::string_view first, std::string_view second) {
+  template <typename... Keys>
+  void exactly_one(Keys... given) {
     if (at_.error) return;
-    const bool has_first = at_.value.find(first) != nullptr;
-    if (has_first != (at_.value.find(second) != nullptr)) return;
-    const std::string both = in_quotes(first) + " or " + in_quotes(second);
-    at_.fail(has_first ? "project.two_ways" : "project.missing_key",
-             has_first ? "only one of " + both + " may stand here" : "one of " + both + " must stand here");
+    const std::string_view keys[] = {given...};
+    int found = 0;
+    std::string all;
+    for (std::size_t i = 0; i < std::size(keys); ++i) {
+      found += at_.value.find(keys[i]) != nullptr;
+      all += (i == 0 ? "" : i + 1 < std::size(keys) ? ", " : " or ") + in_quotes(keys[i]);
+    }
+    if (found == 1) return;
+    at_.fail(found > 1 ? "project.two_ways" : "project.missing_key",
+             found > 1 ? "only one of " + all + " may stand here" : "one of " + all + " must stand here");
   }
 
  private:

@@ -75,7 +75,8 @@ struct FieldWriter {
   void choice(std::string_view key, std::string& value, std::initializer_list<const char*>) {
     field(key, value);
   }
-  void exactly_one(std::string_view, std::string_view) {}
+  template <typename... Keys>
+  void exactly_one(Keys...) {}
 };
 
 template <typename T>

@@ -160,31 +160,64 @@ JsonValue import_json(const DxfDrawing& drawing, const std::vector<JsonValue>& s
                  {"report", report_json(drawing.report)}};
 }
 
+namespace {
+
+JsonValue kept_json(const char* type, std::size_t count) {
+  return Members{{"type", std::string(type)},   {"layer", std::string()},           {"block", std::string()},
+                 {"fate", std::string("kept")}, {"reason", std::string()},          {"piece", std::string()},
+                 {"count", count_of(count)},    {"lines", std::vector<JsonValue>{}}};
+}
+
+JsonValue panel_json(const Panel& panel) {
+  const PieceMeasures m = measures_of(panel);
+  return Members{{"name", panel.id},
+                 {"area_mm2", rounded(m.area_mm2)},
+                 {"width_mm", rounded(m.width_mm)},
+                 {"height_mm", rounded(m.height_mm)},
+                 {"edges", count_of(panel.outline.edges.size())},
+                 {"grain_deg", rounded(grain_degrees(panel.grain))},
+                 {"quantity", 1.0},
+                 {"mirrored", 0.0},
+                 {"unfolded", false},
+                 {"edge_list", edges_json(panel)}};
+}
+
+/// What the reader passed over, with its JSON pointer in the text.
+JsonValue note_json(const std::string& note) {
+  return Members{
+      {"line", 0.0}, {"piece", std::string()}, {"at", JsonValue()}, {"text", note}, {"count", 1.0}};
+}
+
+}  // namespace
+
 JsonValue specification_json(const Pattern& pattern, const std::vector<JsonValue>& seams,
                              const std::vector<std::string>& notes) {
-  std::vector<JsonValue> pieces, warnings;
+  std::vector<JsonValue> pieces, warnings, entities;
   std::size_t edges = 0;
   for (const Panel& panel : pattern.panels) {
-    const PieceMeasures m = measures_of(panel);
     edges += panel.outline.edges.size();
-    pieces.push_back(Members{{"name", panel.id},
-                             {"area_mm2", rounded(m.area_mm2)},
-                             {"width_mm", rounded(m.width_mm)},
-                             {"height_mm", rounded(m.height_mm)},
-                             {"edges", count_of(panel.outline.edges.size())},
-                             {"edge_list", edges_json(panel)}});
+    pieces.push_back(panel_json(panel));
   }
-  for (const std::string& note : notes) warnings.push_back(Members{{"text", note}});
-  const Members counts{{"panels", count_of(pattern.panels.size())},
-                       {"edges", count_of(edges)},
-                       {"stitches", count_of(pattern.seams.size())}};
+  for (const std::string& note : notes) warnings.push_back(note_json(note));
+  const std::size_t panels = pattern.panels.size(), stitches = pattern.seams.size();
+  if (panels > 0) entities.push_back(kept_json("panel", panels));
+  if (edges > 0) entities.push_back(kept_json("edge", edges));
+  if (stitches > 0) entities.push_back(kept_json("stitch", stitches));
+  const Members counts{
+      {"panels", count_of(panels)}, {"edges", count_of(edges)}, {"stitches", count_of(stitches)}};
   const Members unit{{"name", std::string("mm")},
                      {"confidence", 1.0},
                      {"evidence", texts({"the specification says how many of its units make a metre"})}};
-  return Members{{"unit", unit},
-                 {"pieces", std::move(pieces)},
-                 {"seams", seams},
-                 {"report", Members{{"counts", counts}, {"warnings", std::move(warnings)}}}};
+  return Members{
+      {"unit", unit},
+      {"style", std::string()},
+      {"sizes", std::vector<JsonValue>{}},
+      {"size", std::string()},
+      {"sample_size", std::string()},
+      {"pieces", std::move(pieces)},
+      {"seams", seams},
+      {"report",
+       Members{{"counts", counts}, {"entities", std::move(entities)}, {"warnings", std::move(warnings)}}}};
 }
 
 }  // namespace toile

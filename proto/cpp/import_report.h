@@ -22,8 +22,9 @@ namespace toile {
 /// caller knows.
 JsonValue import_json(const DxfDrawing& drawing, const std::vector<JsonValue>& seams = {});
 
-/// The same for a GarmentCode specification: pieces {name, area_mm2, width_mm, height_mm, edges, edge_list},
-/// and a report with counts {panels, edges, stitches} and the notes as warnings [{text}].
+/// The same for a GarmentCode specification: pieces {name, area_mm2, width_mm, height_mm, edges, grain_deg,
+/// quantity, mirrored, unfolded, edge_list}, the unit without mm_per_unit, and a report with counts {panels,
+/// edges, stitches} and the notes as warnings.
 JsonValue specification_json(const Pattern& pattern, const std::vector<JsonValue>& seams,
                              const std::vector<std::string>& notes);
 

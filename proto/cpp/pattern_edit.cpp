@@ -6,6 +6,7 @@
 #include "core/pattern/curve.h"
 #include "proto/cpp/names.h"
 #include "proto/cpp/pattern_edit_parts.h"
+#include "proto/cpp/project_bodies.h"
 #include "proto/cpp/project_new.h"
 #include "proto/cpp/project_pieces.h"
 
@@ -19,10 +20,9 @@ struct Editing {
   const ProjectFiles& files;
 };
 
-/// What the document means without its bodies: no edit touches them, and to read them takes long.
+/// The cloth alone: few edits touch the bodies, and to read them takes long.
 Result<DrapeInput> resolve_cloth(Project project, const ProjectFiles& files) {
-  project.bodies.clear();
-  return resolve_project(project, files);
+  return resolve_project(without_bodies(std::move(project)), files);
 }
 
 ProjectNotch project_notch(const Notch& notch) {
@@ -127,11 +127,12 @@ Status apply_one(Editing& editing, const RestoreLists& edit) {
 }
 
 /// The text of the edited document, once it is found to be one that can be draped.
-Result<std::string> checked_text(const Project& project, const ProjectFiles& files) {
+Result<std::string> checked_text(const Project& project, const ProjectFiles& files, bool other_bodies) {
   std::string text = write_project_line(project);
   const Result<Project> again = parse_project(text);
   if (!again) return error_at("/edits", again.error());
-  const Result<DrapeInput> input = resolve_cloth(*again, files);
+  const Result<DrapeInput> input =
+      other_bodies ? resolve_project(*again, files) : resolve_cloth(*again, files);
   if (!input) return error_at("/edits", input.error());
   return text;
 }
@@ -145,11 +146,13 @@ Result<EditedProject> apply_edits(const Project& project, std::span<const Projec
     const Status done = std::visit([&](const auto& edit) { return apply_one(editing, edit); }, edits[i]);
     if (!done) return error_at(pointer_to("/edits", i), done.error());
   }
-  Result<std::string> text = checked_text(editing.project, files);
+  Result<std::string> text = checked_text(editing.project, files, editing.project.bodies != project.bodies);
   if (!text) return text.error();
   EditedProject out{std::move(editing.project), std::move(*text), {}};
   if (!(out.project == project)) out.inverse = {difference(out.project, project)};
   return out;
 }
+
+ProjectEdit edit_between(const Project& now, const Project& wanted) { return difference(now, wanted); }
 
 }  // namespace toile

@@ -45,6 +45,7 @@ struct RestoreLists {
   std::optional<ListSplice<ProjectElastic>> elastics;
   std::optional<ListSplice<ProjectFold>> folds;
   std::optional<ListSplice<ProjectCushion>> cushions;
+  std::optional<ListSplice<ProjectBody>> bodies;
 };
 
 using ProjectEdit = std::variant<PatternEdit, SetTexture, SetPhysical, RestoreLists>;
@@ -61,6 +62,10 @@ JsonValue edits_json(std::span<const ProjectEdit> edits);
 
 /// The keys of the edits, "/move_point/to" and so on, as project_keys().
 std::vector<ProjectKey> edit_keys();
+
+/// The edit that makes `now` what `wanted` is. REQUIRES projects that differ in the lists of RestoreLists
+/// alone.
+ProjectEdit edit_between(const Project& now, const Project& wanted);
 
 struct EditedProject {
   Project project;

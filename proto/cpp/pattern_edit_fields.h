@@ -112,6 +112,22 @@ void describe(Visitor& v, AddDart& edit) {
 }
 
 template <typename Visitor>
+void describe(Visitor& v, AddInnerDart& edit) {
+  v.field("piece", edit.piece, Need::kRequired);
+  v.field("from", edit.from, Need::kRequired, kLength);
+  v.field("to", edit.to, Need::kRequired, kLength);
+  v.field("width_mm", edit.width_mm, Need::kRequired, Range{1, 1e5});
+  v.field("at", edit.at, Need::kOptional, Range{0.05, 0.95});
+  v.field("id", edit.id, Need::kRequired);
+}
+
+template <typename Visitor>
+void describe(Visitor& v, RenameEdge& edit) {
+  describe_edge(v, edit);
+  v.field("to", edit.to, Need::kRequired);
+}
+
+template <typename Visitor>
 void describe(Visitor& v, RemoveDart& edit) {
   v.field("seam", edit.seam, Need::kRequired);
 }
@@ -220,6 +236,7 @@ void describe(Visitor& v, RestoreLists& edit) {
   v.field("elastics", edit.elastics);
   v.field("folds", edit.folds);
   v.field("cushions", edit.cushions);
+  v.field("bodies", edit.bodies);
 }
 
 template <typename Edit>
@@ -237,6 +254,7 @@ inline constexpr auto kEditNames = std::tuple{
     NamedEdit<SetEdgeLength>{"set_edge_length"},  NamedEdit<MirrorPiece>{"mirror_piece"},
     NamedEdit<RotateGrain>{"rotate_grain"},       NamedEdit<AddLine>{"add_line"},
     NamedEdit<RemoveLine>{"remove_line"},         NamedEdit<AddDart>{"add_dart"},
+    NamedEdit<AddInnerDart>{"add_inner_dart"},    NamedEdit<RenameEdge>{"rename_edge"},
     NamedEdit<RemoveDart>{"remove_dart"},         NamedEdit<AddHole>{"add_hole"},
     NamedEdit<RemoveHole>{"remove_hole"},         NamedEdit<MovePiece>{"move_piece"},
     NamedEdit<RenamePiece>{"rename_piece"},       NamedEdit<DuplicatePiece>{"duplicate_piece"},

@@ -77,6 +77,14 @@ void follow_buttons(std::vector<ProjectButton>& buttons, const EditEffect& effec
   std::erase_if(buttons, [](const ProjectButton& b) { return b.a.piece.empty() || b.b.piece.empty(); });
 }
 
+void follow_points(std::vector<ProjectAttachment>& attachments, const EditEffect& effect) {
+  if (!effect.motion) return;
+  for (ProjectAttachment& attachment : attachments) {
+    if (attachment.piece != effect.was) continue;
+    for (Vec2& at : attachment.points) at = moved(at, *effect.motion);
+  }
+}
+
 /// A cushion with a wall less is none.
 void follow_cushions(std::vector<ProjectCushion>& cushions, const EditEffect& effect) {
   for (ProjectCushion& cushion : cushions)
@@ -116,6 +124,7 @@ Status follow_parts(Project& project, const EditEffect& effect) {
     return s;
   if (Status s = follow_names(project.elastics, &ProjectElastic::lines, effect, "elastic"); !s) return s;
   if (Status s = follow_names(project.folds, &ProjectFold::lines, effect, "fold"); !s) return s;
+  follow_points(project.attachments, effect);
   follow_piece(project.attachments, effect);
   follow_piece(project.elastics, effect);
   follow_piece(project.folds, effect);
@@ -129,6 +138,11 @@ void stay_in_space(ProjectPiece& piece, Vec2 by) {
     piece.placement.wrapped->anchor = piece.placement.wrapped->anchor + by;
     return;
   }
+  for (auto* anchor : {piece.placement.on_box ? &piece.placement.on_box->anchor : nullptr,
+                       piece.placement.around ? &piece.placement.around->anchor : nullptr}) {
+    if (anchor && *anchor) *anchor = **anchor + by;  // without an anchor the piece's middle stays where it is
+  }
+  if (!piece.placement.rigid) return;
   ProjectRigid& given = *piece.placement.rigid;
   RigidPlacement rigid;
   rigid.rotation = {radians_from_degrees(given.rotation.x), radians_from_degrees(given.rotation.y),
@@ -142,7 +156,7 @@ RestoreLists difference(const Project& now, const Project& wanted) {
   return {splice(now.pieces, wanted.pieces),           splice(now.seams, wanted.seams),
           splice(now.attachments, wanted.attachments), splice(now.buttons, wanted.buttons),
           splice(now.elastics, wanted.elastics),       splice(now.folds, wanted.folds),
-          splice(now.cushions, wanted.cushions)};
+          splice(now.cushions, wanted.cushions),       splice(now.bodies, wanted.bodies)};
 }
 
 Status restore(Project& project, const RestoreLists& edit) {
@@ -152,7 +166,8 @@ Status restore(Project& project, const RestoreLists& edit) {
   if (Status s = put_back(project.buttons, edit.buttons, "buttons"); !s) return s;
   if (Status s = put_back(project.elastics, edit.elastics, "elastics"); !s) return s;
   if (Status s = put_back(project.folds, edit.folds, "folds"); !s) return s;
-  return put_back(project.cushions, edit.cushions, "cushions");
+  if (Status s = put_back(project.cushions, edit.cushions, "cushions"); !s) return s;
+  return put_back(project.bodies, edit.bodies, "bodies");
 }
 
 }  // namespace toile

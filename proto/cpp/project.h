@@ -12,6 +12,7 @@
 
 #include "core/base/result.h"
 #include "core/base/types.h"
+#include "core/body/body_measures.h"
 #include "core/pattern/pattern.h"
 
 namespace toile {
@@ -55,9 +56,37 @@ struct ProjectWrapped {
   friend bool operator==(const ProjectWrapped&, const ProjectWrapped&) = default;
 };
 
+/// Flat before a side of the box around a part of the body. What it means in space follows from the body.
+struct ProjectOnBox {
+  std::string body;  ///< id; empty: the first that stands
+  std::string part = "torso", side = "front";
+  Vec2 at;                          ///< m from the side's middle: to the right as one looks at it, and up
+  double away = 0.03;               ///< m from the side
+  double turn = 0;                  ///< degrees, counter-clockwise as one looks at it
+  std::optional<Vec2> anchor = {};  ///< mm; the flat point that comes there; without it the piece's middle
+  bool flipped = false;             ///< the right side faces the body
+  friend bool operator==(const ProjectOnBox&, const ProjectOnBox&) = default;
+};
+
+/// Rolled around a part of the body.
+struct ProjectAround {
+  std::string body;
+  std::string part = "torso", side = "front";
+  Vec2 at;             ///< m from the side's middle: along the circle, and up along the part
+  double away = 0.02;  ///< m from what stands out farthest of the part under the piece
+  double turn = 0;     ///< degrees by which the flat piece is turned about the anchor first
+  double slope = 0;    ///< of a cone, as ProjectWrapped's
+  std::optional<Vec2> anchor = {};
+  bool flipped = false;
+  friend bool operator==(const ProjectAround&, const ProjectAround&) = default;
+};
+
+/// One of the four.
 struct ProjectPlacement {
-  std::optional<ProjectRigid> rigid;
-  std::optional<ProjectWrapped> wrapped;
+  std::optional<ProjectRigid> rigid = {};
+  std::optional<ProjectWrapped> wrapped = {};
+  std::optional<ProjectOnBox> on_box = {};
+  std::optional<ProjectAround> around = {};
   friend bool operator==(const ProjectPlacement&, const ProjectPlacement&) = default;
 };
 
@@ -142,10 +171,26 @@ struct ProjectSeam {
   friend bool operator==(const ProjectSeam&, const ProjectSeam&) = default;
 };
 
+/// What is not said follows from the preset, or else from proportions; project_bodies.h says how.
 struct ProjectMannequin {
-  double height_cm = 170, bust_cm = 90, waist_cm = 72, hip_cm = 96;
+  std::string preset = {};               ///< of a size table: "eu38", "m50", "child116"
+  std::string sex = {};                  ///< "female", "male", "child"; empty: the preset's, or female
+  std::string pose = {};                 ///< "a", "t"; empty: a
+  std::optional<double> arm_angle = {};  ///< degrees between a hanging arm and this one in pose a
+  std::array<std::optional<double>, kMeasureCount> measures_cm = {};  ///< in the order of Measure
   int triangles = 3300;
   friend bool operator==(const ProjectMannequin&, const ProjectMannequin&) = default;
+};
+
+/// A named place on a body, beside those that the program finds by itself: a point of a triangle of a mesh
+/// file, or told from another landmark.
+struct ProjectLandmark {
+  std::string name;
+  std::optional<int> triangle = {};                 ///< of the mesh, as the file counts, from 0
+  std::optional<std::array<double, 3>> share = {};  ///< of its corners; without it its middle
+  std::string near = {};                            ///< name of another landmark
+  std::optional<Vec3> offset_mm = {};               ///< from that one
+  friend bool operator==(const ProjectLandmark&, const ProjectLandmark&) = default;
 };
 
 /// A body or an object: a mesh file beside the document, or the program's own mannequin.
@@ -157,17 +202,31 @@ struct ProjectBody {
   std::optional<ProjectMannequin> mannequin;
   double friction = 0.4;
   double skin_offset_mm = 1;
+  double restitution = 0;
   Vec3 translation;  ///< m, after scale and rotation
   Vec3 rotation;     ///< degrees about x, then y, then z
   double scale = 1;
+  std::vector<ProjectLandmark> landmarks = {};
   friend bool operator==(const ProjectBody&, const ProjectBody&) = default;
+};
+
+/// Where an attachment leads: one of landmark, line, place.
+struct ProjectGoal {
+  std::string body;                  ///< id; empty: the first that stands
+  std::string landmark;              ///< its name
+  std::string line;                  ///< of core/body/body_lines.h: "waist", "neckline", …
+  std::optional<Vec3> place = {};    ///< m
+  std::optional<double> up_mm = {};  ///< of a line: shifts it up, along limbs towards the trunk
+  friend bool operator==(const ProjectGoal&, const ProjectGoal&) = default;
 };
 
 struct ProjectAttachment {
   std::string id, piece;
-  std::vector<std::string> edges;  ///< empty: the whole piece
-  std::string hold = "height";     ///< or "place"
+  std::vector<std::string> edges;  ///< no edges and no points: the whole piece
+  std::string hold = {};           ///< "height", "place"; empty: height, or what `to` says
   double release_after_s = 1;      ///< negative: never
+  std::vector<Vec2> points = {};   ///< mm
+  std::optional<ProjectGoal> to = {};
   friend bool operator==(const ProjectAttachment&, const ProjectAttachment&) = default;
 };
 

@@ -3,7 +3,7 @@
 // writers and the list of keys are visitors of these functions, so that they cannot disagree. A visitor has
 //   field(key, place, need, range)      any value; the range holds for numbers and for the count of a list
 //   choice(key, place, {words})         a string out of a few; absent: stays as it is
-//   exactly_one(key, key)               of two keys, one must be there
+//   exactly_one(key, key, …)            of these keys, one must be there
 
 #include <limits>
 
@@ -24,6 +24,11 @@ inline constexpr Range kStiffness{0.01, 1e6};
 inline constexpr Range kFriction{0, 2};
 inline constexpr Range kSome{1, 1000};  // elements of a list that must not be empty
 inline constexpr Range kMany{0, 1000};
+
+/// By Measure: what a tape may read of anybody. make_mannequin is stricter, and knows what goes together.
+inline constexpr Range kMeasureRange_cm[kMeasureCount] = {
+    {80, 220}, {30, 250}, {30, 250}, {30, 250}, {30, 250}, {15, 100}, {15, 90},
+    {8, 90},   {5, 40},   {15, 120}, {15, 150}, {10, 100}, {20, 150}, {10, 90}};
 
 /// What holds for an element of a list.
 inline Range element_range(const Vec2&) { return kLength; }
@@ -73,10 +78,41 @@ void describe(Visitor& v, ProjectWrapped& wrapped) {
 }
 
 template <typename Visitor>
+void choose_box_side(Visitor& v, std::string& part, std::string& side) {
+  v.choice("part", part, {"head", "neck", "torso", "hips", "left_arm", "right_arm", "left_leg", "right_leg"});
+  v.choice("side", side, {"front", "back", "left", "right"});
+}
+
+template <typename Visitor>
+void describe(Visitor& v, ProjectOnBox& box) {
+  v.field("body", box.body);
+  choose_box_side(v, box.part, box.side);
+  v.field("at", box.at, Need::kOptional, kLength);
+  v.field("away", box.away, Need::kOptional, Range{-100, 100});
+  v.field("turn", box.turn, Need::kOptional, kLength);
+  v.field("anchor", box.anchor, Need::kOptional, kLength);
+  v.field("flipped", box.flipped);
+}
+
+template <typename Visitor>
+void describe(Visitor& v, ProjectAround& around) {
+  v.field("body", around.body);
+  choose_box_side(v, around.part, around.side);
+  v.field("at", around.at, Need::kOptional, kLength);
+  v.field("away", around.away, Need::kOptional, Range{0, 100});
+  v.field("turn", around.turn, Need::kOptional, kLength);
+  v.field("slope", around.slope, Need::kOptional, Range{-0.99, 0.99});
+  v.field("anchor", around.anchor, Need::kOptional, kLength);
+  v.field("flipped", around.flipped);
+}
+
+template <typename Visitor>
 void describe(Visitor& v, ProjectPlacement& placement) {
   v.field("rigid", placement.rigid);
   v.field("wrapped", placement.wrapped);
-  v.exactly_one("rigid", "wrapped");
+  v.field("on_box", placement.on_box);
+  v.field("around", placement.around);
+  v.exactly_one("rigid", "wrapped", "on_box", "around");
 }
 
 template <typename Visitor>
@@ -171,11 +207,25 @@ void describe(Visitor& v, ProjectSeam& seam) {
 
 template <typename Visitor>
 void describe(Visitor& v, ProjectMannequin& mannequin) {
-  v.field("height_cm", mannequin.height_cm, Need::kOptional, Range{120, 220});
-  v.field("bust_cm", mannequin.bust_cm, Need::kOptional, Range{30, 250});
-  v.field("waist_cm", mannequin.waist_cm, Need::kOptional, Range{30, 250});
-  v.field("hip_cm", mannequin.hip_cm, Need::kOptional, Range{30, 250});
+  v.field("preset", mannequin.preset);
+  v.choice("sex", mannequin.sex, {"female", "male", "child"});
+  v.choice("pose", mannequin.pose, {"a", "t"});
+  v.field("arm_angle", mannequin.arm_angle, Need::kOptional, Range{30, 60});
+  for (int i = 0; i < kMeasureCount; ++i) {
+    const std::string key = std::string(measure_name(measure_at(i))) + "_cm";
+    v.field(key, mannequin.measures_cm[static_cast<std::size_t>(i)], Need::kOptional, kMeasureRange_cm[i]);
+  }
   v.field("triangles", mannequin.triangles, Need::kOptional, Range{1000, 60000});
+}
+
+template <typename Visitor>
+void describe(Visitor& v, ProjectLandmark& landmark) {
+  v.field("name", landmark.name, Need::kRequired);
+  v.field("triangle", landmark.triangle, Need::kOptional, Range{0, 1e8});
+  v.field("share", landmark.share, Need::kOptional, Range{0, 1});
+  v.field("near", landmark.near);
+  v.field("offset_mm", landmark.offset_mm, Need::kOptional, Range{-1000, 1000});
+  v.exactly_one("triangle", "near");
 }
 
 template <typename Visitor>
@@ -188,9 +238,21 @@ void describe(Visitor& v, ProjectBody& body) {
   v.exactly_one("file", "mannequin");
   v.field("friction", body.friction, Need::kOptional, kFriction);
   v.field("skin_offset_mm", body.skin_offset_mm, Need::kOptional, Range{0, 100});
+  v.field("restitution", body.restitution, Need::kOptional, Range{0, 1});
   v.field("translation", body.translation, Need::kOptional, kLength);
   v.field("rotation", body.rotation, Need::kOptional, kLength);
   v.field("scale", body.scale, Need::kOptional, Range{1e-4, 1e4});
+  v.field("landmarks", body.landmarks, Need::kOptional, kMany);
+}
+
+template <typename Visitor>
+void describe(Visitor& v, ProjectGoal& goal) {
+  v.field("body", goal.body);
+  v.field("landmark", goal.landmark);
+  v.field("line", goal.line);
+  v.field("place", goal.place, Need::kOptional, kLength);
+  v.exactly_one("landmark", "line", "place");
+  v.field("up_mm", goal.up_mm, Need::kOptional, Range{-1000, 1000});
 }
 
 template <typename Visitor>
@@ -198,7 +260,9 @@ void describe(Visitor& v, ProjectAttachment& attachment) {
   v.field("id", attachment.id);
   v.field("piece", attachment.piece, Need::kRequired);
   v.field("edges", attachment.edges, Need::kOptional, kMany);
+  v.field("points", attachment.points, Need::kOptional, kMany);
   v.choice("hold", attachment.hold, {"height", "place"});
+  v.field("to", attachment.to);
   v.field("release_after_s", attachment.release_after_s, Need::kOptional, Range{-1, 3600});
 }
 

@@ -55,17 +55,18 @@ Result<std::string> bytes_of(const fs::path& path, std::size_t limit, const char
 
 }  // namespace
 
-ProjectFiles files_in(const fs::path& folder) {
+ProjectFiles files_in(const fs::path& folder, const MeshImporter& importer) {
   ProjectFiles files;
   files.dxf_text = [folder](const std::string& name) {
     return bytes_of(folder / name, DxfSettings{}.max_bytes, "project.too_large");
   };
-  files.body_mesh = [folder](const std::string& name, const MeshSettings& settings) -> Result<TriangleMesh> {
+  files.body_mesh = [folder, importer](const std::string& name,
+                                       const MeshSettings& settings) -> Result<RepairedMesh> {
     const fs::path path = folder / name;
     std::error_code failure;
     const std::uintmax_t bytes = fs::file_size(path, failure);
     if (!failure && bytes > kMostBodyBytes) return too_large(path, "project.too_large", kMostBodyBytes);
-    return load_mesh(path, settings);
+    return importer.file(path, settings);
   };
   return files;
 }
@@ -74,12 +75,12 @@ Result<std::string> read_project_text(const fs::path& path) {
   return bytes_of(path, JsonLimits{}.bytes, "json.too_large");
 }
 
-Result<DrapeInput> read_project(const fs::path& path) {
+Result<DrapeInput> read_project(const fs::path& path, const MeshImporter& importer) {
   const Result<std::string> text = read_project_text(path);
   if (!text) return text.error();
   const Result<Project> project = parse_project(*text);
   if (!project) return error_at(clipped(path.string(), 300), project.error());
-  Result<DrapeInput> input = resolve_project(*project, files_in(path.parent_path()));
+  Result<DrapeInput> input = resolve_project(*project, files_in(path.parent_path(), importer));
   if (!input) return error_at(clipped(path.string(), 300), input.error());
   return input;
 }

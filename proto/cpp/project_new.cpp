@@ -21,6 +21,10 @@ ProjectPiece inline_piece(const Panel& panel, const ProjectRigid& placement) {
   piece.id = panel.id;
   piece.outline = outline_of(panel.outline);
   for (const Loop& hole : panel.holes) piece.holes.push_back(outline_of(hole));
+  for (const Notch& notch : panel.notches) {
+    ProjectNotch& out = piece.notches.emplace_back(ProjectNotch{notch.at, notch.depth, {}});
+    if (!(notch.inwards == Vec2{})) out.inwards = notch.inwards;
+  }
   if (panel.grain != Vec2{0, 1}) piece.grain = panel.grain;
   piece.fabric = "cotton";
   piece.placement.rigid = placement;
@@ -79,7 +83,7 @@ Status take_dxf_piece(const DxfPiece& drawn, const DxfDrawing& drawing, const Ne
     if (!over) {
       const std::string& unit = drawing.unit.name;
       const bool told = unit == "mm" || unit == "cm" || unit == "inch";
-      piece.outline.clear(), piece.holes.clear();
+      piece.outline.clear(), piece.holes.clear(), piece.notches.clear();
       piece.from = ProjectDxf{settings.pattern_file, drawn.name, {}, told ? unit : "", drawing.size};
     }
     made.project.pieces.push_back(std::move(piece));
@@ -149,8 +153,10 @@ Status sew(const ProposalSettings& sides, const NewProjectSettings& settings, co
   if (!made.pattern.seams.empty()) return {};
   made.proposals = propose_seams(made.pattern, sides, context);
   if (context.cancelled()) return Error{"cancelled", "the search for seams was cancelled", ""};
-  for (const SeamProposal& p : made.proposals)
-    if (settings.accept_seams && p.confidence >= *settings.accept_seams) made.pattern.seams.push_back(p.seam);
+  made.accepted.assign(made.proposals.size(), false);
+  if (settings.accept_seams) made.accepted = sewn_together(made.proposals, *settings.accept_seams);
+  for (std::size_t i = 0; i < made.proposals.size(); ++i)
+    if (made.accepted[i]) made.pattern.seams.push_back(made.proposals[i].seam);
   return {};
 }
 

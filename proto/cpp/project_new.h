@@ -24,7 +24,7 @@ struct NewProjectSettings {
   DxfSettings dxf = {};      ///< unit and size of a DXF file
   /// Corners of the box around the body, m, y up: pieces that come without a place stand around it.
   Vec3 body_low{-0.3, 0, -0.2}, body_high{0.3, 1.7, 0.2};
-  /// Accepts the proposals of this confidence and above; unset: none.
+  /// Accepts the proposals of this confidence and above that can be sewn together; unset: none.
   std::optional<double> accept_seams;
 };
 
@@ -33,6 +33,7 @@ struct NewProject {
   Pattern pattern;  ///< as the project has it, with its seams
   /// What was proposed, when the file had no seams of its own; seams name panels and edges of `pattern`.
   std::vector<SeamProposal> proposals;
+  std::vector<bool> accepted;      ///< which of them the project has: a proposal may be another's alternative
   std::vector<std::string> notes;  ///< what the file had that the project has not
 };
 

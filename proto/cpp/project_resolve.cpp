@@ -11,6 +11,8 @@
 #include "core/pattern/validate.h"
 #include "proto/cpp/json_codec.h"
 #include "proto/cpp/names.h"
+#include "proto/cpp/project_body_places.h"
+#include "proto/cpp/project_bodies.h"
 #include "proto/cpp/project_pieces.h"
 
 namespace toile {
@@ -61,25 +63,6 @@ Result<Index> index_of(const std::string& name, const std::vector<std::string>& 
 
 Vec3 radians(Vec3 degrees) {
   return {radians_from_degrees(degrees.x), radians_from_degrees(degrees.y), radians_from_degrees(degrees.z)};
-}
-
-Placement placement_of(const ProjectPlacement& placement) {
-  if (placement.rigid) {
-    return RigidPlacement{placement.rigid->translation, radians(placement.rigid->rotation),
-                          placement.rigid->flipped};
-  }
-  const ProjectWrapped& given = *placement.wrapped;
-  WrappedPlacement wrapped;
-  wrapped.axis = {given.axis.x, given.axis_height, given.axis.y};
-  wrapped.radius = given.radius;
-  wrapped.angle = radians_from_degrees(given.angle);
-  wrapped.height = given.height;
-  wrapped.anchor = {metres_from_mm(given.anchor.x), metres_from_mm(given.anchor.y)};
-  wrapped.slope = given.slope;
-  wrapped.up = normalized(given.up);
-  wrapped.turn = radians_from_degrees(given.turn);
-  wrapped.flipped = given.flipped;
-  return wrapped;
 }
 
 Result<Fabric> fabric_of(const ProjectFabric& given, const std::string& where) {
@@ -161,15 +144,11 @@ Vec3 turned(Vec3 p, Vec3 angles) {
   return p;
 }
 
-Result<TriangleMesh> mannequin_of(const ProjectMannequin& given) {
-  constexpr double kMetres = 1e-2;
-  MannequinSettings settings;
-  settings.asked[Measure::kHeight] = given.height_cm * kMetres;
-  settings.asked[Measure::kBust] = given.bust_cm * kMetres;
-  settings.asked[Measure::kWaist] = given.waist_cm * kMetres;
-  settings.asked[Measure::kHip] = given.hip_cm * kMetres;
-  settings.triangle_count = given.triangles;
-  Result<Mannequin> made = make_mannequin(settings);
+Result<TriangleMesh> mannequin_of(const ProjectMannequin& given, const ProjectFiles& files) {
+  const Result<MannequinSettings> settings = mannequin_settings(given);
+  if (!settings) return settings.error();
+  if (files.mannequin) return files.mannequin(*settings);
+  Result<Mannequin> made = make_mannequin(*settings);
   if (!made) return made.error();
   return std::move(made->mesh);
 }
@@ -183,29 +162,43 @@ MeshSettings mesh_settings(const ProjectBody& given) {
   return settings;
 }
 
-Result<TriangleMesh> mesh_of(const ProjectBody& given, const ProjectFiles& files, const std::string& where) {
+Result<RepairedMesh> mesh_of(const ProjectBody& given, const ProjectFiles& files, const std::string& where) {
   if (given.mannequin) {
-    Result<TriangleMesh> mesh = mannequin_of(*given.mannequin);
+    Result<TriangleMesh> mesh = mannequin_of(*given.mannequin, files);
     if (!mesh) return error_at(pointer_to(where, "mannequin"), mesh.error());
-    return mesh;
+    return RepairedMesh{std::move(*mesh), {}};
   }
   const std::string place = pointer_to(where, "file");
   if (Status name = check_file_name(given.file); !name) return error_at(place, name.error());
-  Result<TriangleMesh> mesh = files.body_mesh(given.file, mesh_settings(given));
+  Result<RepairedMesh> mesh = files.body_mesh(given.file, mesh_settings(given));
   if (!mesh) return error_at(place, mesh.error());
   return mesh;
 }
 
+bool is_near(Vec3 p) {
+  constexpr double kFar = 1000;  // m; crossings are counted on a grid that ends at two kilometres
+  return std::abs(p.x) <= kFar && std::abs(p.y) <= kFar && std::abs(p.z) <= kFar;
+}
+
 Result<Body> body_of(const ProjectBody& given, const ProjectFiles& files, const std::string& where) {
-  Result<TriangleMesh> mesh = mesh_of(given, files, where);
+  Result<RepairedMesh> mesh = mesh_of(given, files, where);
   if (!mesh) return mesh.error();
   Body body;
   body.id = given.id;
-  body.mesh = std::move(*mesh);
+  body.mesh = std::move(mesh->mesh);
   body.friction = given.friction;
   body.skin_offset = metres_from_mm(given.skin_offset_mm);
+  body.restitution = given.restitution;
+  body.notes = repair_words(mesh->repairs);
   const Vec3 angles = radians(given.rotation);
-  for (Vec3& p : body.mesh.vertices) p = turned(p * given.scale, angles) + given.translation;
+  for (Vec3& p : body.mesh.vertices) {
+    p = turned(p * given.scale, angles) + given.translation;
+    if (is_near(p)) continue;
+    return Error{"project.body_too_far",
+                 "body " + in_quotes(given.id) +
+                     " reaches more than a kilometre away; look at its unit, scale and translation",
+                 where};
+  }
   return body;
 }
 
@@ -273,20 +266,31 @@ Result<Seam> seam_of(const ProjectSeam& given, const Names& names, const std::st
   return Seam{given.id, std::move(*a), std::move(*b), given.same_direction};
 }
 
-Result<Attachment> attachment_of(const ProjectAttachment& given, const Names& names,
+Result<Attachment> attachment_of(const ProjectAttachment& given, const Names& names, BodyPlaces& places,
                                  const std::string& where) {
   const Result<Index> panel = names.panel(given.piece, pointer_to(where, "piece"));
   if (!panel) return panel.error();
   Attachment attachment;
-  attachment.id = given.id;
-  attachment.panel = *panel;
+  attachment.id = given.id, attachment.panel = *panel;
   for (std::size_t i = 0; i < given.edges.size(); ++i) {
     const Result<Index> edge = names.edge(*panel, given.edges[i], pointer_to(pointer_to(where, "edges"), i));
     if (!edge) return edge.error();
     attachment.edges.push_back(*edge);
   }
-  attachment.hold = given.hold == "place" ? Attachment::Hold::kPlace : Attachment::Hold::kHeight;
+  for (const Vec2 p : given.points) attachment.points.push_back({metres_from_mm(p.x), metres_from_mm(p.y)});
   attachment.release_after = given.release_after_s;
+  attachment.hold = given.hold == "place" ? Attachment::Hold::kPlace : Attachment::Hold::kHeight;
+  if (!given.to) return attachment;
+  if (!given.hold.empty()) {
+    return Error{"project.two_ways", "only one of \"hold\" or \"to\" may stand here", pointer_to(where, "hold")};
+  }
+  Result<std::vector<Vec3>> goal = places.goal(*given.to, pointer_to(where, "to"));
+  if (!goal) return goal.error();
+  if (goal->size() > 1 && given.edges.empty() && given.points.empty()) {
+    return Error{"project.attached_whole",
+                 "a whole piece cannot lie on a line; name the edges or points that do", where};
+  }
+  attachment.hold = Attachment::Hold::kGoal, attachment.goal = std::move(*goal);
   return attachment;
 }
 
@@ -365,6 +369,23 @@ Status add_notions(const Project& project, const Names& names, Notions& notions)
   return make_all(project.cushions, "/cushions", notions.cushions, named(cushion_of));
 }
 
+/// Placements and attachments: what may be told by a body. REQUIRES `input` with panels and bodies.
+Status add_told_by_bodies(const Project& project, const Names& names, DrapeInput& input) {
+  BodyPlaces places(project, input.bodies);
+  if (Status known = places.check_landmarks(); !known) return known;
+  for (std::size_t i = 0; i < project.pieces.size(); ++i) {
+    const std::string where = pointer_to(pointer_to("/pieces", i), "placement");
+    Result<Placement> placement =
+        places.placement(project.pieces[i].placement, input.pattern.panels[i], where);
+    if (!placement) return placement.error();
+    input.placements.push_back(std::move(*placement));
+  }
+  const auto hold = [&](const ProjectAttachment& given, const std::string& at) {
+    return attachment_of(given, names, places, at);
+  };
+  return make_all(project.attachments, "/attachments", input.attachments, hold);
+}
+
 }  // namespace
 
 Status check_file_name(const std::string& name) {
@@ -399,7 +420,6 @@ Result<DrapeInput> resolve_project(const Project& project, const ProjectFiles& f
         index_of(piece.fabric, fabrics, "fabric", pointer_to(pointer_to("/pieces", i), "fabric"));
     if (!fabric) return fabric.error();
     input.fabric_of_panel.push_back(*fabric);
-    input.placements.push_back(placement_of(piece.placement));
   }
   if (Status made = make_all(project.fabrics, "/fabrics", input.fabrics, fabric_of); !made)
     return made.error();
@@ -417,17 +437,12 @@ Result<DrapeInput> resolve_project(const Project& project, const ProjectFiles& f
     return error_at("/seams", valid.error());  // each piece by itself has been found valid
   }
 
-  const auto hold = [&](const ProjectAttachment& given, const std::string& at) {
-    return attachment_of(given, names, at);
-  };
-  if (Status made = make_all(project.attachments, "/attachments", input.attachments, hold); !made) {
-    return made.error();
-  }
   if (Status made = add_notions(project, names, input.notions); !made) return made.error();
   const auto body = [&](const ProjectBody& given, const std::string& at) {
     return body_of(given, files, at);
   };
   if (Status made = make_all(project.bodies, "/bodies", input.bodies, body); !made) return made.error();
+  if (Status told = add_told_by_bodies(project, names, input); !told) return told.error();
   return input;
 }
 

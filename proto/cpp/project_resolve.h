@@ -6,7 +6,8 @@
 #include <string>
 
 #include "core/base/result.h"
-#include "core/body/load_mesh.h"
+#include "core/body/import_mesh.h"
+#include "core/body/mannequin.h"
 #include "core/drape/drape_input.h"
 #include "proto/cpp/project.h"
 
@@ -17,26 +18,28 @@ namespace toile {
 struct ProjectFiles {
   /// The DXF file's bytes.
   std::function<Result<std::string>(const std::string& name)> dxf_text;
-  /// The mesh in metres, y up.
-  std::function<Result<TriangleMesh>(const std::string& name, const MeshSettings& settings)> body_mesh;
+  /// The mesh in metres, y up, mended.
+  std::function<Result<RepairedMesh>(const std::string& name, const MeshSettings& settings)> body_mesh;
+  /// The program's own figure, where one is kept; without it make_mannequin makes it.
+  std::function<Result<TriangleMesh>(const MannequinSettings& settings)> mannequin = {};
 };
 
 /// A name that stays inside its folder: relative, without "..", without "\". Error: project.path.
 Status check_file_name(const std::string& name);
 
 /// Errors: project.duplicate_id, project.unknown_piece, project.unknown_edge, project.unknown_fabric,
-/// project.unknown_line, project.unstable_fabric, project.path and whatever the files give; dxf.* and
+/// project.unknown_line, project.unstable_fabric, project.path, project.body_too_far and whatever the files give; dxf.* and
 /// pattern.* where a piece cannot be cut. `where` begins with the JSON pointer of the place.
 Result<DrapeInput> resolve_project(const Project& project, const ProjectFiles& files);
 
 /// The files of a folder. Errors of its functions: project.file (not there, not readable),
-/// project.too_large, body.*.
-ProjectFiles files_in(const std::filesystem::path& folder);
+/// project.too_large, mesh.*.
+ProjectFiles files_in(const std::filesystem::path& folder, const MeshImporter& importer = {});
 
 /// A document's bytes from disk. Errors: project.file, json.too_large.
 Result<std::string> read_project_text(const std::filesystem::path& path);
 
 /// Reads a document and the files beside it. Errors: json.*, project.* and those of resolve_project.
-Result<DrapeInput> read_project(const std::filesystem::path& path);
+Result<DrapeInput> read_project(const std::filesystem::path& path, const MeshImporter& importer = {});
 
 }  // namespace toile

@@ -4,12 +4,12 @@
 #include "core/base/units.h"
 #include "core/body/body_proportions.h"
 #include "core/body/body_stance.h"
-#include "core/body/load_mesh.h"
 #include "core/body/mannequin.h"
 #include "core/export/write_obj.h"
 #include "proto/cpp/json_codec.h"
 #include "server/app/commands.h"
 #include "server/app/console.h"
+#include "server/app/mesh_reader.h"
 
 namespace toile {
 namespace {
@@ -94,13 +94,14 @@ ExitCode body_make_command(const BodyMakeOptions& options) {
 }
 
 ExitCode body_measure_command(const BodyMeasureOptions& options) {
-  Result<TriangleMesh> file = load_mesh(options.file, {.unit_in_m = 1});
+  Result<RepairedMesh> file = own_mesh_importer().file(options.file, {.unit_in_m = 1});
   if (!file) return fail(file.error(), options.json);
-  const Result<StandingBody> body = stand_body(std::move(*file));
+  const Result<StandingBody> body = stand_body(std::move(file->mesh));
   if (!body) return fail({body.error().code, body.error().message, options.file}, options.json);
   const Result<BodyMeasures> taken = measure_body(body->mesh);
   if (!taken) return fail({taken.error().code, taken.error().message, options.file}, options.json);
   const BodyStance& s = body->stance;
+  const std::vector<std::string> notes = repair_words(file->repairs);
   if (options.json) {
     const std::vector<JsonMember> out{{"file", options.file},
                                       {"triangles", static_cast<double>(body->mesh.triangles.size())},
@@ -108,12 +109,14 @@ ExitCode body_measure_command(const BodyMeasureOptions& options) {
                                       {"up", std::string(1, s.up)},
                                       {"upside_down", s.upside_down},
                                       {"turned_degrees", 90.0 * s.quarter_turns},
+                                      {"notes", std::vector<JsonValue>(notes.begin(), notes.end())},
                                       {"measures", measures_json(*taken, {})}};
     std::printf("%s", write_json(out).c_str());
   } else {
     std::printf("%s: %zu triangles, unit %g m, %c up%s, turned by %d°\n", options.file.c_str(),
                 body->mesh.triangles.size(), s.unit_in_m, s.up, s.upside_down ? ", upside down" : "",
                 90 * s.quarter_turns);
+    for (const std::string& note : notes) std::printf("note: %s\n", note.c_str());
     print_measures(*taken, {});
   }
   return kDone;

@@ -10,6 +10,7 @@
 #include "proto/cpp/project_resolve.h"
 #include "server/app/commands.h"
 #include "server/app/console.h"
+#include "server/app/mesh_reader.h"
 #include "server/app/findings_text.h"
 
 namespace toile {
@@ -76,9 +77,11 @@ JsonValue project_json(const DrapeInput& input, const Findings& findings) {
                                             {"length_b_mm", rounded(series_length(input.pattern, seam.b))}});
   }
   for (const Body& body : input.bodies) {
+    const std::vector<JsonValue> notes(body.notes.begin(), body.notes.end());
     bodies.push_back(std::vector<JsonMember>{{"id", body.id},
                                              {"triangles", static_cast<double>(body.mesh.triangles.size())},
-                                             {"height_m", rounded(body_height(body))}});
+                                             {"height_m", rounded(body_height(body))},
+                                             {"notes", notes}});
   }
   return std::vector<JsonMember>{
       {"name", input.name}, {"pieces", pieces}, {"seams", seams}, {"bodies", bodies}, {"findings", found}};
@@ -112,13 +115,14 @@ void print_project(const DrapeInput& input) {
   for (const Body& body : input.bodies) {
     std::printf("body %s: %zu triangles, %s m high\n", body.id.c_str(), body.mesh.triangles.size(),
                 fixed(body_height(body), 2).c_str());
+    for (const std::string& note : body.notes) std::printf("body %s: %s\n", body.id.c_str(), note.c_str());
   }
 }
 
 }  // namespace
 
 ExitCode check_command(const CheckOptions& options) {
-  const Result<DrapeInput> input = read_project(options.project);
+  const Result<DrapeInput> input = read_project(options.project, own_mesh_importer());
   if (!input) return fail(input.error(), options.json);
   const Result<DrapeStart> start = prepare_start(*input, {});
   if (!start) return fail(start.error(), options.json);

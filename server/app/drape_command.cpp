@@ -11,6 +11,7 @@
 #include "proto/cpp/trace_file.h"
 #include "server/app/commands.h"
 #include "server/app/console.h"
+#include "server/app/mesh_reader.h"
 #include "server/app/interrupt.h"
 #include "server/app/progress_bar.h"
 #include "server/jobs/results.h"
@@ -44,8 +45,11 @@ void print_summary(const Report& report, const DrapeOptions& options) {
               report.intersections.cloth_body, report.intersections.cloth_cloth,
               report.worst_frame.cloth_body, report.worst_frame.cloth_cloth);
   std::printf("  seams      at most %s mm open\n", fixed(report.seam_gap_max_mm, 3).c_str());
+  const auto stretch = [](const StretchFigures& f) {
+    return percent(f.tension.p99) + " stretched (" + percent(f.compression.p99) + " pushed)";
+  };
   std::printf("  strain     99th percentile: warp %s, weft %s, shear %s degrees\n",
-              percent(report.warp.p99).c_str(), percent(report.weft.p99).c_str(),
+              stretch(report.warp).c_str(), stretch(report.weft).c_str(),
               fixed(degrees_from_radians(report.shear.p99), 1).c_str());
   std::printf("  speed      %s mm/s at most\n", fixed(mm_from_metres(report.max_speed), 2).c_str());
   std::printf("  results    %s\n", options.out.c_str());
@@ -77,7 +81,7 @@ Status deliver(const DrapeInput& input, const DrapeResult& result, const DrapeOp
 }  // namespace
 
 ExitCode drape_command(const DrapeOptions& options) {
-  const Result<DrapeInput> input = read_project(options.project);
+  const Result<DrapeInput> input = read_project(options.project, own_mesh_importer());
   if (!input) return fail(input.error(), options.json);
   if (Status folder = make_folder(options.out); !folder) return fail(folder.error(), options.json);
   std::unique_ptr<TraceWriter> trace;

@@ -4,15 +4,6 @@
 
 namespace toile {
 
-JsonValue finding_json(const Finding& f) {
-  return std::vector<JsonMember>{{"code", f.code},
-                                 {"severity", std::string(name_of(f.severity))},
-                                 {"message", f.message},
-                                 {"where", f.where},
-                                 {"place", std::vector<JsonValue>{f.place.x, f.place.y, f.place.z}},
-                                 {"repaired", f.repaired}};
-}
-
 void print_findings(const Findings& findings) {
   for (const Finding& f : findings) {
     std::printf("%s %s: %s (%s %s)\n", f.repaired ? "repaired" : name_of(f.severity), f.code.c_str(),

@@ -1,12 +1,10 @@
 #pragma once
-// What the look at a start found, for people and for programs.
+// What the look at a start found, for people.
 
 #include "core/preflight/finding.h"
-#include "proto/cpp/json_codec.h"
+#include "server/documents/findings.h"
 
 namespace toile {
-
-JsonValue finding_json(const Finding& finding);
 
 /// One line each; a word where there is none.
 void print_findings(const Findings& findings);

@@ -6,10 +6,12 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <optional>
 #include <string>
 
 #include "server/app/commands.h"
 #include "server/app/console.h"
+#include "server/app/mesh_reader.h"
 
 namespace toile {
 namespace {
@@ -243,13 +245,17 @@ CLI::App* add_project_arrange(CLI::App& project, ProjectArrangeOptions& options)
   verb->add_option("project", options.project, "Project document with seams and a standing body")->required();
   verb->add_option("-o,--out", options.out,
                    "Document to write; beside the files that it names (default: the same)");
+  verb->add_option("--as", options.as, "How places are written: as matrices, or told by the boxes of the body's parts")
+      ->check(CLI::IsMember({"matrix", "box"}))
+      ->capture_default_str();
   verb->add_flag("--json", options.json, "Print as JSON");
   verb->footer(
       std::string("Says where each piece went and what the look at the start then finds. Waistbands and\n"
                   "the upper edges of skirts and trousers are held until gravity is full.\n\n"
                   "Examples:\n"
                   "  toile project arrange project.json\n"
-                  "  toile project arrange project.json --out arranged.json --json\n\n") +
+                  "  toile project arrange project.json --out arranged.json --json\n"
+                  "  toile project arrange project.json --as box\n\n") +
       kExitCodes);
   return verb;
 }
@@ -311,6 +317,7 @@ ExitCode run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
+    if (const std::optional<int> code = toile::read_mesh_for_parent(argc, argv)) return *code;
     return toile::run(argc, argv);
   } catch (const std::bad_alloc&) {
     toile::print_error({"internal.memory", "there is not enough memory for this", ""}, false);

@@ -13,6 +13,7 @@
 #include "proto/cpp/project_resolve.h"
 #include "server/app/commands.h"
 #include "server/app/console.h"
+#include "server/app/mesh_reader.h"
 
 namespace toile {
 namespace {
@@ -131,7 +132,7 @@ ExitCode pattern_import_command(const PatternImportOptions& options) {
 }
 
 ExitCode pattern_export_command(const PatternExportOptions& options) {
-  const Result<DrapeInput> input = read_project(options.project);
+  const Result<DrapeInput> input = read_project(options.project, own_mesh_importer());
   if (!input) return fail(input.error(), options.json);
   const Result<std::string> text = write_dxf(input->pattern);
   if (!text) return fail(text.error(), options.json);

@@ -9,11 +9,11 @@
 #include <variant>
 
 #include "core/base/write_file.h"
-#include "core/body/load_mesh.h"
 #include "proto/cpp/json_codec.h"
 #include "proto/cpp/project_new.h"
 #include "server/app/commands.h"
 #include "server/app/console.h"
+#include "server/app/mesh_reader.h"
 
 namespace toile {
 namespace {
@@ -50,15 +50,11 @@ std::string side_text(const std::vector<ProjectSeamEdge>& side) {
   return text;
 }
 
-bool accepted(const SeamProposal& p, const ProjectNewOptions& options) {
-  return options.accept_seams >= 0 && p.confidence >= options.accept_seams;
-}
-
 void print_json(const NewProject& made, const ProjectNewOptions& options) {
   std::vector<JsonValue> proposals, notes;
-  for (const SeamProposal& p : made.proposals) {
-    JsonValue proposal = proposal_json(made.pattern, p);
-    std::get<std::vector<JsonMember>>(proposal.data).push_back({"accepted", accepted(p, options)});
+  for (std::size_t i = 0; i < made.proposals.size(); ++i) {
+    JsonValue proposal = proposal_json(made.pattern, made.proposals[i]);
+    std::get<std::vector<JsonMember>>(proposal.data).push_back({"accepted", bool{made.accepted[i]}});
     proposals.push_back(std::move(proposal));
   }
   for (const std::string& note : made.notes) notes.emplace_back(note);
@@ -74,12 +70,12 @@ void print_json(const NewProject& made, const ProjectNewOptions& options) {
 void print_text(const NewProject& made, const ProjectNewOptions& options) {
   std::printf("%s: %zu pieces, %zu seams\n", options.out.c_str(), made.project.pieces.size(),
               made.project.seams.size());
-  for (const SeamProposal& p : made.proposals) {
+  for (std::size_t i = 0; i < made.proposals.size(); ++i) {
+    const SeamProposal& p = made.proposals[i];
     const ProjectSeam seam = project_seam(made.pattern, p.seam);
-    std::printf("%s %s: %s to %s, %s mm to %s mm, confidence %s\n",
-                accepted(p, options) ? "seam" : "proposed", seam.id.c_str(), side_text(seam.a).c_str(),
-                side_text(seam.b).c_str(), fixed(p.length_a, 1).c_str(), fixed(p.length_b, 1).c_str(),
-                fixed(p.confidence, 2).c_str());
+    std::printf("%s %s: %s to %s, %s mm to %s mm, confidence %s\n", made.accepted[i] ? "seam" : "proposed",
+                seam.id.c_str(), side_text(seam.a).c_str(), side_text(seam.b).c_str(),
+                fixed(p.length_a, 1).c_str(), fixed(p.length_b, 1).c_str(), fixed(p.confidence, 2).c_str());
   }
   for (const std::string& note : made.notes) std::printf("note: %s\n", note.c_str());
 }
@@ -87,14 +83,15 @@ void print_text(const NewProject& made, const ProjectNewOptions& options) {
 Result<NewProject> make(const ProjectNewOptions& options) {
   const Result<std::string> text = bytes_of(options.pattern);
   if (!text) return text.error();
-  const Result<TriangleMesh> body = load_mesh(options.body);
-  if (!body) return body.error();
+  const Result<RepairedMesh> read = own_mesh_importer().file(options.body, {});
+  if (!read) return read.error();
+  const TriangleMesh& body = read->mesh;
   NewProjectSettings settings;
   settings.name = fs::path(options.pattern).stem().string();
   settings.pattern_file = fs::path(options.pattern).filename().string();
   settings.body_file = fs::path(options.body).filename().string();
-  settings.body_low = settings.body_high = body->vertices.front();
-  for (const Vec3 p : body->vertices) {
+  settings.body_low = settings.body_high = body.vertices.front();
+  for (const Vec3 p : body.vertices) {
     const auto lower = [](double& low, double& high, double x) {
       low = std::min(low, x), high = std::max(high, x);
     };

@@ -7,7 +7,9 @@
 
 #include "server/app/commands.h"
 #include "server/app/console.h"
+#include "server/app/mesh_reader.h"
 #include "server/app/wiring.h"
+#include "server/documents/bodies.h"
 
 namespace toile {
 namespace {
@@ -28,6 +30,7 @@ sigset_t hold_ending_signals() {
 ExitCode serve_command(const ServeOptions& given) {
   const ServeOptions options = completed(given);
   const sigset_t signals = hold_ending_signals();
+  shared_bodies().read_with(own_mesh_importer());
   Result<std::unique_ptr<Service>> service = Service::start(options);
   if (!service) return fail(service.error(), false);
   const bool six = options.address.find(':') != std::string::npos;

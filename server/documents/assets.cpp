@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/pattern/dxf_read.h"
+#include "proto/cpp/garmentcode_read.h"
 #include "proto/cpp/json_codec.h"
 #include "proto/cpp/names.h"
 #include "server/documents/bodies.h"
@@ -61,38 +62,70 @@ Result<std::string> dxf_info(const std::string& name, std::string_view bytes) {
   }));
 }
 
-Result<std::string> body_info(const Store& store, const std::string& name, std::string_view bytes) {
-  const Result<TriangleMesh> mesh = mesh_of_bytes(store, name, bytes);
-  if (!mesh) return mesh.error();
-  Vec3 low = mesh->vertices.front(), high = low;
-  for (const Vec3& p : mesh->vertices) {
+Result<std::string> specification_info(const std::string& name, std::string_view bytes) {
+  const Result<GarmentCodeGarment> garment = read_garmentcode(bytes);
+  if (!garment) {
+    Error error = garment.error();
+    error.where = error.where.empty() ? name : name + ": " + error.where;
+    return error;
+  }
+  return write_json_line(JsonValue(std::vector<JsonMember>{
+      {"pieces", count_of(garment->pattern.panels.size())},
+      {"seams", count_of(garment->pattern.seams.size())},
+  }));
+}
+
+Result<std::string> body_info(const std::string& name, std::string_view bytes) {
+  const Result<RepairedMesh> read = shared_bodies().importer().bytes(name, bytes, {});
+  if (!read) return read.error();
+  const TriangleMesh& mesh = read->mesh;
+  Vec3 low = mesh.vertices.front(), high = low;
+  for (const Vec3& p : mesh.vertices) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
+  std::vector<JsonValue> notes;
+  for (const std::string& words : repair_words(read->repairs)) notes.push_back(text_of(words));
   return write_json_line(JsonValue(std::vector<JsonMember>{
-      {"vertices", count_of(mesh->vertices.size())},
-      {"triangles", count_of(mesh->triangles.size())},
+      {"vertices", count_of(mesh.vertices.size())},
+      {"triangles", count_of(mesh.triangles.size())},
       {"width_m", rounded(high.x - low.x)},
       {"height_m", rounded(high.y - low.y)},
       {"depth_m", rounded(high.z - low.z)},
+      {"closed", JsonValue(read->repairs.open_shells == 0)},
+      {"notes", JsonValue(std::move(notes))},
   }));
+}
+
+Result<std::string> info_of(const std::string& kind, const std::string& name, std::string_view bytes) {
+  if (kind == "dxf") return dxf_info(name, bytes);
+  if (kind == "specification") return specification_info(name, bytes);
+  return body_info(name, bytes);
 }
 
 }  // namespace
 
+bool is_asset_kind(std::string_view kind) {
+  return kind == "dxf" || kind == "specification" || kind == "body";
+}
+
+std::size_t most_asset_bytes(std::string_view kind) {
+  return kind == "dxf" ? kMostDxfBytes : kind == "specification" ? kMostSpecificationBytes : kMostBodyBytes;
+}
+
 Result<AssetRow> add_asset(Store& store, const OwnerId& owner, const std::string& kind,
                            const std::string& name, std::string_view bytes) {
-  const bool dxf = kind == "dxf";
-  if (!dxf && kind != "body") {
-    return Error{"documents.kind", "a file is \"dxf\" or \"body\", not " + in_quotes(kind), ""};
+  if (!is_asset_kind(kind)) {
+    return Error{"documents.kind", "a file is \"dxf\", \"specification\" or \"body\", not " + in_quotes(kind),
+                 ""};
   }
   if (Status good = check_name(name); !good) return good.error();
-  const std::size_t most = dxf ? kMostDxfBytes : kMostBodyBytes;
+  const std::size_t most = most_asset_bytes(kind);
   if (bytes.size() > most) {
     return Error{"documents.too_large",
                  "the file has more than the " + std::to_string(most >> 20) + " MiB that are allowed", name};
   }
-  Result<std::string> info = dxf ? dxf_info(name, bytes) : body_info(store, name, bytes);
+  Result<std::string> info = info_of(kind, name, bytes);
   if (!info) return info.error();
   AssetRow row;
   row.kind = kind;

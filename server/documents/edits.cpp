@@ -62,9 +62,10 @@ Result<EditRow> next_step(Store& store, const OwnerId& owner, const std::string&
 }  // namespace
 
 Result<ProjectRow> edit_project(Store& store, const OwnerId& owner, const std::string& id,
-                                const JsonValue& edits, int expected) {
-  const Result<Standing> at = standing(store, owner, id, expected);
+                                const JsonValue& edits, int expected, const ProjectFileMap& more_files) {
+  Result<Standing> at = standing(store, owner, id, expected);
   if (!at) return at.error();
+  at->row.files.insert(more_files.begin(), more_files.end());
   const Result<std::vector<ProjectEdit>> wanted = read_edits(edits, "/edits");
   if (!wanted) return wanted.error();
   Result<EditedProject> edited = apply_in_store(store, owner, *at, *wanted);
@@ -74,6 +75,18 @@ Result<ProjectRow> edit_project(Store& store, const OwnerId& owner, const std::s
   step.inverse = write_json_line(edits_json(edited->inverse));
   if (write_project_line(at->project) != at->row.document) step.original = at->row.document;
   return keep(store, owner, at->row, std::move(edited->document), edited->project.name, EditStep::kDo, step);
+}
+
+Result<ProjectRow> change_project(Store& store, const OwnerId& owner, const std::string& id, int expected,
+                                  const ProjectChange& change) {
+  Result<Standing> at = standing(store, owner, id, expected);
+  if (!at) return at.error();
+  ProjectFileMap files = at->row.files;
+  const Result<Project> wanted = change(at->project, files);
+  if (!wanted) return wanted.error();
+  if (*wanted == at->project) return std::move(at->row);
+  const std::vector<ProjectEdit> edits{edit_between(at->project, *wanted)};
+  return edit_project(store, owner, id, edits_json(edits), at->row.revision, files);
 }
 
 Result<ProjectRow> undo_edit(Store& store, const OwnerId& owner, const std::string& id, int expected) {

@@ -2,19 +2,28 @@
 // Edits of a project in the store, and their history: each kept with what undoes it.
 
 #include <cstdint>
+#include <functional>
 #include <string>
 
 #include "core/base/result.h"
 #include "proto/cpp/json_codec.h"
+#include "server/documents/projects.h"
 #include "server/store/store.h"
 
 namespace toile {
 
 /// Does the edits (a JSON list, edit.schema.json) to the project when it stands at revision `expected` (0: at
 /// any), and forgets what was undone. Errors: those of read_edits and apply_edits; json.too_large when the
-/// document grows beyond its limit; store.*.
+/// document grows beyond its limit; store.*. `more_files` come to the project's own, and stay when the edits
+/// are undone.
 Result<ProjectRow> edit_project(Store& store, const OwnerId& owner, const std::string& id,
-                                const JsonValue& edits, int expected);
+                                const JsonValue& edits, int expected, const ProjectFileMap& more_files = {});
+
+/// Makes the project what `change` makes of it, as one step of its history. `change` gets the document and
+/// the files that it may add to. Errors: those of `change` and of edit_project.
+using ProjectChange = std::function<Result<Project>(const Project& now, ProjectFileMap& files)>;
+Result<ProjectRow> change_project(Store& store, const OwnerId& owner, const std::string& id, int expected,
+                                  const ProjectChange& change);
 
 /// Undoes the newest step that is not undone: the document gets back the bytes of before. Errors:
 /// edit.nothing_to_undo, store.*.

@@ -9,6 +9,7 @@
 #include "proto/cpp/names.h"
 #include "proto/cpp/project.h"
 #include "server/documents/bodies.h"
+#include "server/documents/mannequins.h"
 #include "server/documents/used_files.h"
 
 namespace toile {
@@ -124,13 +125,18 @@ ProjectFiles files_in_store(Store& store, const OwnerId& owner, ProjectFileMap f
     return store.asset_bytes(owner, *id);
   };
   out.body_mesh = [&store, owner, map](const std::string& name,
-                                       const MeshSettings& settings) -> Result<TriangleMesh> {
+                                       const MeshSettings& settings) -> Result<RepairedMesh> {
     const Result<std::string> id = asset_id_of(*map, name);
     if (!id) return id.error();
-    const Result<std::shared_ptr<const TriangleMesh>> mesh =
+    const Result<std::shared_ptr<const RepairedMesh>> mesh =
         shared_bodies().mesh(store, owner, *id, settings);
     if (!mesh) return mesh.error();
     return **mesh;
+  };
+  out.mannequin = [](const MannequinSettings& settings) -> Result<TriangleMesh> {
+    const Result<std::shared_ptr<const Mannequin>> made = shared_mannequins().get(settings);
+    if (!made) return made.error();
+    return (*made)->mesh;
   };
   return out;
 }

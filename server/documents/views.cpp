@@ -5,11 +5,15 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "core/pattern/curve.h"
+#include "core/pattern/seam_check.h"
 #include "proto/cpp/json_codec.h"
 #include "proto/cpp/project.h"
+#include "proto/cpp/project_bodies.h"
 
 namespace toile {
 namespace {
@@ -27,21 +31,52 @@ JsonValue points_json(const std::vector<Vec2>& points) {
   return out;
 }
 
+/// Thousandths: figures that an edit may be made of.
+double fine(double value) { return std::round(value * 1000) / 1000 + 0.0; }
+
+JsonValue fine_point(Vec2 p) { return std::vector<JsonValue>{fine(p.x), fine(p.y)}; }
+
+JsonValue edge_json(const PanelEdge& edge, std::size_t loop) {
+  std::vector<JsonValue> curves;
+  for (const CubicBezier& c : edge.curves) {
+    curves.push_back(
+        std::vector<JsonValue>{fine_point(c.p0), fine_point(c.p1), fine_point(c.p2), fine_point(c.p3)});
+  }
+  return std::vector<JsonMember>{{"id", edge.id},
+                                 {"points", points_json(flatten(edge, kFlatness_mm))},
+                                 {"curves", std::move(curves)},
+                                 {"length_mm", fine(arc_length(edge))},
+                                 {"loop", static_cast<double>(loop)}};
+}
+
+JsonValue notch_json(const Notch& notch) {
+  const bool turned = !(notch.inwards == Vec2{});
+  return std::vector<JsonMember>{{"at", fine_point(notch.at)},
+                                 {"depth_mm", fine(notch.depth)},
+                                 {"inwards", turned ? fine_point(notch.inwards) : JsonValue()}};
+}
+
 JsonValue piece_json(const Panel& panel, const Fabric& fabric) {
-  std::vector<JsonValue> holes, edges, colour;
-  for (const Loop& hole : panel.holes) holes.push_back(points_json(flatten(hole, kFlatness_mm)));
-  for (const PanelEdge* edge : edges_of(panel)) {
-    edges.push_back(
-        std::vector<JsonMember>{{"id", edge->id}, {"points", points_json(flatten(*edge, kFlatness_mm))}});
+  std::vector<JsonValue> holes, edges, colour, notches, lines;
+  for (const PanelEdge& edge : panel.outline.edges) edges.push_back(edge_json(edge, 0));
+  for (std::size_t k = 0; k < panel.holes.size(); ++k) {
+    holes.push_back(points_json(flatten(panel.holes[k], kFlatness_mm)));
+    for (const PanelEdge& edge : panel.holes[k].edges) edges.push_back(edge_json(edge, k + 1));
   }
   for (const double channel : fabric.colour) colour.push_back(channel);
+  for (const Notch& notch : panel.notches) notches.push_back(notch_json(notch));
+  for (const InnerLine& line : panel.lines) {
+    lines.push_back(std::vector<JsonMember>{{"id", line.id}, {"points", points_json(line.points)}});
+  }
   return std::vector<JsonMember>{{"id", panel.id},
                                  {"fabric", fabric.id},
                                  {"colour", std::move(colour)},
                                  {"grain", std::vector<JsonValue>{panel.grain.x, panel.grain.y}},
                                  {"outline", points_json(flatten(panel.outline, kFlatness_mm))},
                                  {"holes", std::move(holes)},
-                                 {"edges", std::move(edges)}};
+                                 {"edges", std::move(edges)},
+                                 {"notches", std::move(notches)},
+                                 {"lines", std::move(lines)}};
 }
 
 JsonValue series_json(const std::vector<ProjectSeamEdge>& series) {
@@ -56,11 +91,27 @@ JsonValue series_json(const std::vector<ProjectSeamEdge>& series) {
   return out;
 }
 
-JsonValue seam_json(const ProjectSeam& seam) {
-  return std::vector<JsonMember>{{"id", seam.id},
-                                 {"a", series_json(seam.a)},
-                                 {"b", series_json(seam.b)},
-                                 {"same_direction", seam.same_direction}};
+/// What is said of one seam: check_seams names it first in each place.
+JsonValue issues_json(const std::vector<SeamIssue>& issues, const std::string& seam) {
+  const std::string place = "seam " + seam;
+  std::vector<JsonValue> out;
+  for (const SeamIssue& issue : issues) {
+    if (issue.where != place && !issue.where.starts_with(place + ", side ")) continue;
+    out.push_back(std::vector<JsonMember>{
+        {"code", issue.code}, {"error", issue.error}, {"message", issue.message}, {"where", issue.where}});
+  }
+  return out;
+}
+
+JsonValue seam_json(const Pattern& pattern, const Seam& seam, const ProjectSeam& told,
+                    const std::vector<SeamIssue>& issues) {
+  return std::vector<JsonMember>{{"id", told.id},
+                                 {"a", series_json(told.a)},
+                                 {"b", series_json(told.b)},
+                                 {"same_direction", told.same_direction},
+                                 {"length_a_mm", fine(series_length(pattern, seam.a))},
+                                 {"length_b_mm", fine(series_length(pattern, seam.b))},
+                                 {"issues", issues_json(issues, told.id)}};
 }
 
 struct Read {
@@ -68,9 +119,11 @@ struct Read {
   DrapeInput input;
 };
 
-Result<Read> read(const std::string& document, const ProjectFiles& files) {
+/// Bodies take long to make; a drawing of the pieces does without.
+Result<Read> read(const std::string& document, const ProjectFiles& files, bool with_bodies) {
   Result<Project> project = parse_project(document);
   if (!project) return project.error();
+  if (!with_bodies) *project = without_bodies(std::move(*project));
   Result<DrapeInput> input = resolve_project(*project, files);
   if (!input) return input.error();
   return Read{std::move(*project), std::move(*input)};
@@ -87,7 +140,7 @@ void put(std::string& out, double value) {
 }  // namespace
 
 Result<std::string> pieces_json(const std::string& document, const ProjectFiles& files) {
-  const Result<Read> read_in = read(document, files);
+  const Result<Read> read_in = read(document, files, false);
   if (!read_in) return read_in.error();
   const DrapeInput& input = read_in->input;
   std::vector<JsonValue> pieces, seams;
@@ -95,14 +148,17 @@ Result<std::string> pieces_json(const std::string& document, const ProjectFiles&
     const auto fabric = static_cast<std::size_t>(input.fabric_of_panel[i]);
     pieces.push_back(piece_json(input.pattern.panels[i], input.fabrics[fabric]));
   }
-  for (const ProjectSeam& seam : read_in->project.seams) seams.push_back(seam_json(seam));
+  const std::vector<SeamIssue> issues = check_seams(input.pattern);
+  for (std::size_t i = 0; i < input.pattern.seams.size(); ++i) {
+    seams.push_back(seam_json(input.pattern, input.pattern.seams[i], read_in->project.seams[i], issues));
+  }
   return write_json_line(
              std::vector<JsonMember>{{"pieces", std::move(pieces)}, {"seams", std::move(seams)}}) +
          "\n";
 }
 
 Result<std::string> body_bytes(const std::string& document, const ProjectFiles& files) {
-  const Result<Read> read_in = read(document, files);
+  const Result<Read> read_in = read(document, files, true);
   if (!read_in) return read_in.error();
   std::size_t vertices = 0, triangles = 0;
   for (const Body& body : read_in->input.bodies) {

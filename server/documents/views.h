@@ -8,10 +8,12 @@
 
 namespace toile {
 
-/// {"pieces": [{"id", "fabric", "colour", "grain", "outline", "holes", "edges": [{"id", "points"}]}],
-/// "seams": […]}. Millimetres, y up, curves flattened to 0.2 mm; outlines counter-clockwise, first point not
-/// repeated; colour is linear RGB. Errors: json.*, project.*, dxf.*, pattern.*, … as reading the project
-/// gives them.
+/// {"pieces": [{"id", "fabric", "colour", "grain", "outline", "holes", "edges": [{"id", "points", "curves",
+/// "length_mm", "loop"}], "notches": [{"at", "depth_mm", "inwards"}], "lines": [{"id", "points"}]}], "seams":
+/// [{…, "length_a_mm", "length_b_mm", "issues": [{"code", "error", "message", "where"}]}]}. Millimetres, y
+/// up; points are curves flattened to 0.2 mm, curves their four control points; loop 0 is the outline, 1 the
+/// first hole. Outlines counter-clockwise, first point not repeated; colour is linear RGB. Errors: json.*,
+/// project.*, dxf.*, pattern.*, … as reading the project gives them.
 Result<std::string> pieces_json(const std::string& document, const ProjectFiles& files);
 
 /// All bodies of a project in their places as one mesh, little endian: uint32 vertices, uint32 triangles,

@@ -19,7 +19,7 @@ const std::map<std::string_view, int>& known_codes() {
       {"store.bad_name", 422},       {"store.idempotency_mismatch", 409},
       {"jobs.state", 409},           {"jobs.too_many_paused", 429},
       {"jobs.queue_full", 429},      {"jobs.stopped", 503},
-      {"documents.scratch", 500},    {"documents.kind", 400},
+      {"mesh.reader", 500},          {"documents.kind", 400},
       {"edit.nothing_to_undo", 409}, {"edit.nothing_to_redo", 409},
   };
   return codes;

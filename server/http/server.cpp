@@ -36,6 +36,8 @@ class HttpServer::Impl {
     add_asset_routes(router_, api_);
     add_project_routes(router_, api_);
     add_edit_routes(router_, api_);
+    add_body_routes(router_, api_);
+    add_arrangement_routes(router_, api_);
     add_job_routes(router_, api_);
     router_.add_page([this](const HttpRequest& request) { return page_.get(request); });
   }

@@ -92,6 +92,7 @@ Result<ProjectRow> SqliteStore::edit_project(const OwnerId& owner, const Project
   ProjectRow changed = *now;
   changed.name = row.name;
   changed.document = row.document;
+  changed.files = row.files;
   const Result<ProjectRow> kept = update_project(owner, *now, changed);
   if (!kept) return kept;
   const Status noted = step == EditStep::kDo ? append_edit(owner, row.id, edit)

@@ -112,7 +112,7 @@ class Store {
   /// store.not_found, store.conflict.
   virtual Status remove_project(const OwnerId& owner, const std::string& id, int expected) = 0;
 
-  /// Replaces document and name when the stored revision is `expected`, together with a step of the history:
+  /// Replaces document, name and files when the stored revision is `expected`, together with a step of the history:
   /// kDo forgets what was undone and appends `edit` (number, time and undone are the store's to give); kUndo
   /// and kRedo turn over what edit.number names. A history holds at most 500 steps and 64 MiB, the newest.
   /// Errors: store.not_found (the project; the step), store.conflict.

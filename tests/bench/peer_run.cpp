@@ -59,21 +59,20 @@ class PauseClock {
 class FrameCheck {
  public:
   explicit FrameCheck(const PeerTask& task)
-      : surface_(make_surface(task.cloth.triangles, static_cast<Index>(task.cloth.vertices.size()),
-                              sewn_classes(task))),
+      : cloth_(make_surface(task.cloth.triangles, static_cast<Index>(task.cloth.vertices.size()),
+                            sewn_classes(task))),
         body_(make_crossing_body(task.body.vertices, task.body.triangles)) {}
 
   void look(std::span<const Vec3> x) {
     ++worst_.frames;
-    worst_.body_crossings =
-        std::max(worst_.body_crossings, static_cast<int>(body_crossings(surface_, x, body_).size()));
-    worst_.self_crossings =
-        std::max(worst_.self_crossings, static_cast<int>(self_crossings(surface_, x).size()));
+    cloth_.place(x);
+    worst_.body_crossings = std::max(worst_.body_crossings, static_cast<int>(cloth_.with(body_).size()));
+    worst_.self_crossings = std::max(worst_.self_crossings, static_cast<int>(cloth_.with_itself().size()));
   }
   const WorstFrame& worst() const { return worst_; }
 
  private:
-  Surface surface_;
+  CrossingCounter cloth_;
   CrossingBody body_;
   WorstFrame worst_;
 };

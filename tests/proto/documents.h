@@ -41,6 +41,16 @@ inline const char* const kFullDocument = R"({
                    "bend_weft_un_m": 28, "bend_bias_un_m": 20, "thickness_mm": 0.9, "friction": 0.4},
       "fabric": "wool",
       "placement": {"rigid": {"translation": [0, 1, -0.3], "rotation": [0, 180, 5], "flipped": true}}
+    },
+    {
+      "id": "pocket", "outline": [{"id": "rim", "points": [[0, 0], [50, 0], [25, 60], [0, 0]]}], "fabric": "wool",
+      "placement": {"on_box": {"body": "form", "part": "hips", "side": "left", "at": [0.01, -0.02], "away": 0.04,
+                               "turn": 15, "anchor": [20, 10], "flipped": true}}
+    },
+    {
+      "id": "cuff", "outline": [{"id": "rim", "points": [[0, 0], [50, 0], [25, 60], [0, 0]]}], "fabric": "wool",
+      "placement": {"around": {"body": "form", "part": "left_arm", "side": "back", "at": [0, 0.05], "away": 0.01,
+                               "turn": 90, "slope": -0.1, "anchor": [25, 20], "flipped": true}}
     }
   ],
   "fabrics": [
@@ -55,12 +65,21 @@ inline const char* const kFullDocument = R"({
      "same_direction": true}
   ],
   "bodies": [
-    {"id": "person", "file": "people/ann.obj", "unit": "cm", "up": "z", "friction": 0.5, "skin_offset_mm": 2,
-     "translation": [0, 0.1, 0], "rotation": [0, 90, 0], "scale": 1.1},
-    {"id": "form", "mannequin": {"height_cm": 171, "bust_cm": 91, "waist_cm": 73, "hip_cm": 98, "triangles": 3000}}
+    {"id": "person", "file": "people/ann.obj", "unit": "cm", "up": "z", "friction": 0.5, "skin_offset_mm": 2, "restitution": 0.2,
+     "translation": [0, 0.1, 0], "rotation": [0, 90, 0], "scale": 1.1,
+     "landmarks": [{"name": "mole", "triangle": 7, "share": [0.5, 0.25, 0.25]},
+                   {"name": "pocket", "near": "mole", "offset_mm": [-20, 0, 5]}]},
+    {"id": "form", "mannequin": {"preset": "eu38", "sex": "female", "pose": "a", "arm_angle": 50, "height_cm": 171,
+     "bust_cm": 91, "underbust_cm": 77, "waist_cm": 73, "hip_cm": 98, "neck_cm": 34, "shoulder_width_cm": 38,
+     "upper_arm_cm": 28, "wrist_cm": 16, "arm_length_cm": 57, "thigh_cm": 56, "calf_cm": 36, "inseam_cm": 78,
+     "back_length_cm": 40, "triangles": 3000}}
   ],
   "attachments": [
-    {"id": "hold", "piece": "back", "edges": ["top"], "hold": "place", "release_after_s": 0.5}
+    {"id": "hold", "piece": "back", "edges": ["top"], "hold": "place", "release_after_s": 0.5},
+    {"id": "pin", "piece": "back", "points": [[50, 50]],
+     "to": {"body": "person", "line": "waist", "up_mm": -30}, "release_after_s": -1},
+    {"id": "nape", "piece": "back", "edges": ["top"], "to": {"landmark": "neck_back"}},
+    {"id": "hook", "piece": "back", "edges": ["hem"], "to": {"place": [0, 1, 0.2]}}
   ],
   "buttons": [
     {"id": "b1", "a": {"piece": "back", "at": [10, 90]}, "b": {"piece": "back", "at": [80, 15]}, "distance_mm": 3}

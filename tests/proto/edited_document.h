@@ -18,7 +18,7 @@ inline std::string square_dxf() {
 
 inline ProjectFiles square_files() {
   return {.dxf_text = [](const std::string&) -> Result<std::string> { return square_dxf(); },
-          .body_mesh = [](const std::string&, const MeshSettings&) -> Result<TriangleMesh> {
+          .body_mesh = [](const std::string&, const MeshSettings&) -> Result<RepairedMesh> {
             return Error{"test.body", "an edit has no need of bodies", ""};
           }};
 }

@@ -26,6 +26,9 @@ constexpr const char* kEveryEdit = R"([
   {"edit": "add_line", "piece": "front", "id": "l", "points": [[1.0, 2.0], [3.0, 4.0]]},
   {"edit": "remove_line", "piece": "front", "line": "l"},
   {"edit": "add_dart", "piece": "front", "edge": "hem", "at": 0.5, "width_mm": 20.0, "depth_mm": 80.0, "id": "d"},
+  {"edit": "add_inner_dart", "piece": "front", "from": [1.0, 2.0], "to": [3.0, 200.0], "width_mm": 20.0, "at": 0.4,
+   "id": "d"},
+  {"edit": "rename_edge", "piece": "front", "edge": "hem", "to": "bottom"},
   {"edit": "remove_dart", "seam": "d"},
   {"edit": "add_hole", "piece": "front", "edges": [{"id": "h1", "points": [[1.0, 2.0], [3.0, 4.0]]},
     {"id": "h2", "curves": [[[3.0, 4.0], [5.0, 6.0], [7.0, 8.0], [1.0, 2.0]]]}]},
@@ -46,7 +49,7 @@ constexpr const char* kEveryEdit = R"([
     [{"id": "s", "a": [{"piece": "p", "edge": "e", "reversed": false, "from": 0.0, "to": 1.0}],
       "b": [{"piece": "p", "edge": "f", "reversed": false, "from": 0.0, "to": 1.0}], "same_direction": false}]},
    "attachments": {"at": 1, "remove": 1}, "buttons": {"at": 1, "remove": 1}, "elastics": {"at": 1, "remove": 1},
-   "folds": {"at": 1, "remove": 1}, "cushions": {"at": 1, "remove": 1}}
+   "folds": {"at": 1, "remove": 1}, "cushions": {"at": 1, "remove": 1}, "bodies": {"at": 0, "remove": 1}}
 ])";
 
 JsonValue schema_of(const std::string& name) {

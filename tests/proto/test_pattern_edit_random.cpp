@@ -100,6 +100,10 @@ class RandomEdits {
       case 13:
         return PatternEdit(RemoveLine{p, panel.lines.empty() ? "none" : any(panel.lines).id});
       case 14:
+        if (chance_.happens(0.5))
+          return PatternEdit(
+              AddInnerDart{p, at, at + near({0, 15}, 10), chance_.between(1, 6), 0.5, fresh("i")});
+        if (chance_.happens(0.5)) return PatternEdit(RenameEdge{p, edge.id, fresh("r")});
         return PatternEdit(RemoveHole{p, edge.id});
       case 15:
         return PatternEdit(MovePiece{p, near({0, 0}, 50)});

@@ -25,15 +25,25 @@ TEST(Project, ReadsEveryField) {
   const auto project = parse_project(kFullDocument);
   ASSERT_TRUE(project) << to_string(project.error());
   EXPECT_EQ(project->name, "All of it");
-  ASSERT_EQ(project->pieces.size(), 2u);
+  ASSERT_EQ(project->pieces.size(), 4u);
   EXPECT_EQ(project->pieces[0].from->corners[1], (Vec2{10.5, 20}));
   EXPECT_EQ(project->pieces[0].placement.wrapped->angle, -45);
   EXPECT_EQ(project->pieces[1].outline[1].curves[0][2], (Vec2{110, 60}));
   EXPECT_TRUE(project->pieces[1].placement.rigid->flipped);
   EXPECT_EQ(project->fabrics[0].bend_bias_un_m, 7);
   EXPECT_TRUE(project->seams[0].b[0].reversed);
+  EXPECT_EQ(project->bodies[0].restitution, 0.2);
   EXPECT_EQ(project->bodies[1].mannequin->triangles, 3000);
+  EXPECT_EQ(project->pieces[2].placement.on_box->part, "hips");
+  EXPECT_EQ(project->pieces[2].placement.on_box->anchor, (Vec2{20, 10}));
+  EXPECT_EQ(project->pieces[3].placement.around->slope, -0.1);
+  EXPECT_EQ(project->bodies[0].landmarks[0].share, (std::array<double, 3>{0.5, 0.25, 0.25}));
+  EXPECT_EQ(project->bodies[0].landmarks[1].near, "mole");
   EXPECT_EQ(project->attachments[0].hold, "place");
+  EXPECT_EQ(project->attachments[1].to->line, "waist");
+  EXPECT_EQ(project->attachments[1].points[0], (Vec2{50, 50}));
+  EXPECT_EQ(project->attachments[2].to->landmark, "neck_back");
+  EXPECT_EQ(project->attachments[3].to->place, (Vec3{0, 1, 0.2}));
   EXPECT_EQ(project->settings.frame_interval_steps, 25);
 }
 

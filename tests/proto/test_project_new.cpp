@@ -88,6 +88,35 @@ TEST(ProjectNew, CutsAPieceAsOftenAsTheDrawingSays) {
   EXPECT_NEAR(signed_area(a.outline), signed_area(b.outline), 1e-6) << "both counter-clockwise";
 }
 
+TEST(ProjectNew, OfTwoOfAKindOneIsTurnedOver) {
+  // What `quantity` says → how many pieces, and how many of them are the drawing's mirror images.
+  const std::initializer_list<std::tuple<const char*, std::size_t, std::size_t>> cases{
+      {"2", 2, 1}, {"1,1", 2, 1}, {"1,0", 1, 0}, {"2,0", 2, 0}, {"4", 4, 2}, {"0", 1, 0}};
+  const Panel front = garments::piece("front", {{0, 0}, {300, 0}, {260, 500}, {0, 520}});
+  for (const auto& [words, count, mirrored] : cases) {
+    std::string text = drawing_of({front});
+    const std::size_t at = text.find("Quantity: 1");
+    ASSERT_NE(at, std::string::npos);
+    text.replace(at, 11, std::string("Quantity: ") + words);
+    const auto made = new_project(text, settings());
+    ASSERT_TRUE(made.ok()) << to_string(made.error());
+    ASSERT_EQ(made->project.pieces.size(), count) << words;
+    std::size_t turned = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const ProjectPiece& piece = made->project.pieces[i];
+      turned += piece.from ? 0 : 1;
+      EXPECT_EQ(piece.id.find("mirrored") != std::string::npos, !piece.from) << piece.id;
+      // The slanted side: to the right in the drawing, to the left in its mirror image.
+      double top = 0;
+      for (const PanelEdge& edge : made->pattern.panels[i].outline.edges)
+        for (const CubicBezier& c : edge.curves)
+          if (c.p0.y > 499 && c.p0.y < 501) top = c.p0.x;
+      EXPECT_NEAR(top, piece.from ? 260 : -260, 1e-6) << words;
+    }
+    EXPECT_EQ(turned, mirrored) << words;
+  }
+}
+
 TEST(ProjectNew, SaysWhatIsWrongWithAPattern) {
   EXPECT_EQ(new_project("", settings()).error().code, "dxf.empty");
   EXPECT_EQ(new_project("{", settings()).error().code, "json.syntax");

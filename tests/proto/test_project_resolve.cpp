@@ -27,13 +27,14 @@ struct Shelf {
   std::string dxf = square_dxf();
   TriangleMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 2, 0}}, {{0, 1, 2}}};
   int dxf_reads = 0;
+  MeshRepairs repairs{.holes = 1, .hole_triangles = 2};
   MeshSettings asked;
 
   ProjectFiles files() {
     return {.dxf_text = [this](const std::string&) -> Result<std::string> { return ++dxf_reads, dxf; },
-            .body_mesh = [this](const std::string&, const MeshSettings& settings) -> Result<TriangleMesh> {
+            .body_mesh = [this](const std::string&, const MeshSettings& settings) -> Result<RepairedMesh> {
               asked = settings;
-              return mesh;
+              return RepairedMesh{mesh, repairs};
             }};
   }
 };
@@ -63,7 +64,7 @@ constexpr const char* kSmall = R"({
       "bend_bias_un_m": 7, "thickness_mm": 0.6, "friction": 0.25, "colour": [0.2, 0.3, 0.9]}],
   "seams": [{"id": "top", "a": [{"piece": "front", "edge": "waist"}],
              "b": [{"piece": "back", "edge": "top", "reversed": true}], "same_direction": true}],
-  "bodies": [{"id": "person", "file": "people/ann.obj", "unit": "cm", "skin_offset_mm": 2,
+  "bodies": [{"id": "person", "file": "people/ann.obj", "unit": "cm", "skin_offset_mm": 2, "restitution": 0.3,
               "translation": [0, 0, 5], "rotation": [0, 90, 0], "scale": 2}],
   "attachments": [{"piece": "back", "edges": ["eye", "top"], "hold": "place", "release_after_s": 0.5}],
   "settings": {"particle_distance_mm": 20, "settle_speed_mm_s": 3}
@@ -173,6 +174,8 @@ TEST(ProjectResolve, ScalesThenTurnsThenMovesABody) {
   EXPECT_NEAR(p.x, 0, 1e-12);
   EXPECT_NEAR(p.z, -2 + 5, 1e-12);
   EXPECT_DOUBLE_EQ(input->bodies[0].skin_offset, 2e-3);
+  EXPECT_EQ(input->bodies[0].restitution, 0.3);
+  EXPECT_EQ(input->bodies[0].notes, std::vector<std::string>{"1 small hole was filled with 2 triangles."});
 }
 
 TEST(ProjectResolve, MakesAMannequinOfTheAskedSize) {

@@ -15,6 +15,9 @@ constexpr double kBeyondLimit = 0.01;
 /// it would ring (one_pass.h).
 constexpr double kLimitShare = 1;
 
+/// π²B/l² times the area √3/4 l² of an equilateral triangle, over B: the same for all sizes.
+constexpr double kBuckling = 4.2736;
+
 MembraneTriangle make_triangle(const Tri& v, const RestTriangle& rest, const Fabric& f) {
   const Vec2 e1 = rest[1] - rest[0], e2 = rest[2] - rest[0];
   const double det = cross(e1, e2), area = 0.5 * std::abs(det);
@@ -23,6 +26,7 @@ MembraneTriangle make_triangle(const Tri& v, const RestTriangle& rest, const Fab
           {e2.y / det, -e1.y / det, -e2.x / det, e1.x / det},
           {f.stretch_warp / (k * area), f.stretch_weft / (k * area), -f.stretch_coupling / (k * area),
            1 / (f.stretch_shear * area)},
+          kBuckling * 0.5 * (f.bend_warp + f.bend_weft),
           {f.limit_weft, f.limit_warp, f.limit_shear}};
 }
 

@@ -3,10 +3,12 @@
 // Müller and Chentanez 2016; small steps of one iteration: Macklin et al. 2019). Energy per area ½ εᵀ K ε
 // with ε = (|f_weft| − 1, |f_warp| − 1, f_weft · f_warp), f the deformation gradient's columns.
 //
-// Two things change with the stress, neither of them by a jump: warp and weft that are pushed together resist
-// with a tenth of their stiffness (cloth buckles between the vertices; tension fields do the same), and
-// beyond the fabric's limits a hard second spring works beside the first. The pass itself is in
-// core/solver/lanes.
+// Two things change with the stress, neither of them by a jump. Cloth that is pushed together buckles: a mesh
+// with edges of length l can fold no narrower than 2l, for which Euler's load is π²B/l²; beyond that load it
+// resists with a twentieth of its stiffness, along warp, weft and on the bias. Without the bias, shear
+// keeps coarse triangles from giving way. (Tension
+// fields, and Choi and Ko, "Stable but Responsive Cloth", 2002, do the like.) And beyond the fabric's limits
+// a hard second spring works beside the first. The pass itself is in core/solver/lanes.
 
 #include <span>
 #include <vector>
@@ -20,6 +22,7 @@ struct MembraneTriangle {
   Tri v{};
   double b[4] = {};  ///< inverse of the rest edges' matrix: f_weft = e1·b0 + e2·b1, f_warp = e1·b2 + e2·b3
   double compliance[4] = {};  ///< of (weft, warp, coupling, shear), K⁻¹ / area, 1/J
+  double buckling = 0;        ///< Euler's load times area, J
   double limit[3] = {};       ///< strain along weft and warp, shear; 0: none
   double stop[3] = {};  ///< what the limits take off the system, J/h² of strain; set by prepare_membrane
   double share = 1;     ///< of the mobility, see one_pass.h; set by prepare_membrane

@@ -9,7 +9,19 @@ namespace {
 /// How far ahead a constraint is looked for that shares no vertex with those of a group.
 constexpr std::size_t kLookAhead = 96;
 
+/// Least compliance / h² of a direction, as a share of its mobility: a system that rounding cannot turn over.
+/// One pass a step never makes cloth that hard.
+constexpr double kLeastSoft = 1e-5;
+
 float single(double value) { return static_cast<float>(value); }
+
+/// What the mobility along weft, warp and shear is about, 1/(kg m²).
+double mobility_of(const MembraneTriangle& t, std::span<const double> w) {
+  double steep = 0;
+  for (const double b : t.b) steep += b * b;
+  const double most = std::max({w[t.v[0]], w[t.v[1]], w[t.v[2]]});
+  return steep * (most > 0 ? most : 1);
+}
 
 }  // namespace
 
@@ -46,25 +58,33 @@ std::vector<LaneGroup> group_apart(Index count, Index vertex_count,
 }
 
 std::vector<MembranePack> pack_membrane(std::span<const MembraneTriangle> triangles,
-                                        std::span<const LaneGroup> groups, std::span<const double> w) {
+                                        std::span<const LaneGroup> groups, std::span<const double> w,
+                                        double h) {
   std::vector<MembranePack> packs(groups.size());
   for (std::size_t g = 0; g < groups.size(); ++g) {
     MembranePack& p = packs[g];
     for (int lane = 0; lane < kLanes; ++lane) {
       const bool used = groups[g][lane] != kNone;
-      p.count += used;
       const MembraneTriangle& t = triangles[used ? groups[g][lane] : groups[g][0]];
-      for (int i = 0; i < 3; ++i) p.v[i][lane] = t.v[i], p.w[i].at[lane] = single(w[t.v[i]]);
-      for (int i = 0; i < 4; ++i)
-        p.b[i].at[lane] = single(t.b[i]), p.compliance[i].at[lane] = single(t.compliance[i]);
+      const double unit = 1 / mobility_of(t, w);
+      for (int i = 0; i < 3; ++i) {
+        p.v[i][lane] = offset_of(t.v[i]);
+        p.w[i].at[lane] = used ? single(w[t.v[i]] * unit) : 0;
+      }
+      for (int i = 0; i < 4; ++i) {
+        const double soft = t.compliance[i] * unit / (h * h);
+        p.b[i].at[lane] = single(t.b[i]);
+        p.soft[i].at[lane] = single(i == 2 ? soft : std::max(soft, kLeastSoft));
+      }
       p.share.at[lane] = single(t.share);
+      p.buckling.at[lane] = single(t.buckling * h * h / unit);
     }
   }
   return packs;
 }
 
 std::vector<LimitPack> pack_limits(std::span<const MembraneTriangle> triangles,
-                                   std::span<const LaneGroup> groups) {
+                                   std::span<const LaneGroup> groups, std::span<const double> w) {
   const bool any = std::any_of(triangles.begin(), triangles.end(), [](const MembraneTriangle& t) {
     return std::max({t.stop[0], t.stop[1], t.stop[2]}) > 0;
   });
@@ -72,9 +92,10 @@ std::vector<LimitPack> pack_limits(std::span<const MembraneTriangle> triangles,
   for (std::size_t g = 0; g < packs.size(); ++g) {
     for (int lane = 0; lane < kLanes; ++lane) {
       const MembraneTriangle& t = triangles[groups[g][lane] == kNone ? groups[g][0] : groups[g][lane]];
+      const double unit = mobility_of(t, w);
       for (int k = 0; k < 3; ++k) {
         packs[g].limit[k].at[lane] = single(t.limit[k]);
-        packs[g].stop[k].at[lane] = single(t.stop[k]);
+        packs[g].stop[k].at[lane] = single(t.stop[k] * unit);
       }
     }
   }
@@ -88,11 +109,10 @@ std::vector<BendPack> pack_bending(std::span<const BendTriangle> triangles, std:
     BendPack& p = packs[g];
     for (int lane = 0; lane < kLanes; ++lane) {
       const bool used = groups[g][lane] != kNone;
-      p.count += used;
       const BendTriangle& t = triangles[used ? groups[g][lane] : groups[g][0]];
       for (int i = 0; i < 6; ++i) {
-        p.v[i][lane] = t.v[i] == kNone ? t.v[0] : t.v[i];
-        p.w[i].at[lane] = t.v[i] == kNone ? 0 : single(w[t.v[i]]);
+        p.v[i][lane] = offset_of(t.v[i] == kNone ? t.v[0] : t.v[i]);
+        p.w[i].at[lane] = !used || t.v[i] == kNone ? 0 : single(w[t.v[i]]);
         p.response[i].at[lane] = single(t.response[i]);
       }
       p.hard.at[lane] = single(t.hard);

@@ -1,11 +1,12 @@
 #pragma once
-// Constraints four at a time. A pack holds four triangles without a common vertex, so that they can be solved
-// side by side; which four belong together is part of the data, so the bytes do not depend on how wide the
-// processor is. The same kernels are compiled twice, for every x86-64 and for AVX2; kernels() chooses at run
-// time. Only + − × ÷ √ and comparisons: both give the same bytes.
+// Constraints eight at a time. A pack holds eight triangles without a common vertex, so that they can be
+// solved side by side; which four belong together is part of the data, so the bytes do not depend on how wide
+// the processor is. The same kernels are compiled twice, for every x86-64 and for AVX2; kernels() chooses at
+// run time. Only + − × ÷ √ and comparisons: both give the same bytes.
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
@@ -16,21 +17,32 @@
 
 namespace toile {
 
-inline constexpr int kLanes = 4;
+inline constexpr int kLanes = 8;
 
-/// Four coefficients side by side, as floats: packs are read whole in every step, and half the bytes are half
-/// the way. Positions and sums are doubles.
-struct alignas(16) Lanes {
+/// Eight coefficients side by side.
+struct alignas(32) Lanes {
   float at[kLanes] = {};
 };
+
+/// A position (m) that a register loads at once; the fourth place is 0.
+struct alignas(32) LanePoint {
+  double at[4] = {};
+};
+
+/// Where a vertex's LanePoint begins, in bytes from the first: what its address takes no arithmetic for.
+using LaneOffset = std::uint32_t;
+constexpr LaneOffset offset_of(Index v) { return static_cast<LaneOffset>(v) * sizeof(LanePoint); }
 
 /// Constraints of one pack, kNone where it has fewer.
 using LaneGroup = std::array<Index, kLanes>;
 
+/// Lanes without a triangle repeat the first one's vertices with inverse masses of 0. Inverse masses,
+/// compliances / h² and what limits take off come divided by the triangle's mobility: as they are, their
+/// products leave the range of a float.
 struct MembranePack {
-  Index v[3][kLanes];
-  int count = 0;  ///< lanes in use; the others repeat the first one's vertices and move nothing
-  Lanes w[3], b[4], compliance[4], share;
+  LaneOffset v[3][kLanes];
+  Lanes w[3], b[4], soft[4], share;
+  Lanes buckling;  ///< how far λ goes until cloth that is pushed together buckles
 };
 
 /// Beside each membrane pack, where the cloth has strain limits.
@@ -39,31 +51,30 @@ struct LimitPack {
 };
 
 struct BendPack {
-  Index v[6][kLanes];  ///< a missing neighbour repeats corner 0, with weight 0
-  int count = 0;
+  LaneOffset v[6][kLanes];  ///< a missing neighbour repeats corner 0, with weight 0; lanes as in MembranePack
   Lanes w[6], own[3][2], far[3], response[6], hard;  ///< own: of corners 1 and 2; corner 0 takes what is left
 };
 
-/// Indices of constraints that share no vertex, up to four together, each constraint once; in order, but for
+/// Indices of constraints that share no vertex, up to eight together, each constraint once; in order, but for
 /// what had to wait. `vertices(i)` lists those of constraint i, kNone for none.
 std::vector<LaneGroup> group_apart(Index count, Index vertex_count,
                                    const std::function<std::span<const Index>(Index)>& vertices);
 
-/// Packs of prepared triangles, by groups of them.
+/// Packs of triangles that were prepared for inverse masses `w` (1/kg) and substep `h` (s), by groups of
+/// them.
 std::vector<MembranePack> pack_membrane(std::span<const MembraneTriangle> triangles,
-                                        std::span<const LaneGroup> groups, std::span<const double> w);
+                                        std::span<const LaneGroup> groups, std::span<const double> w,
+                                        double h);
 /// Empty where no triangle has a limit.
 std::vector<LimitPack> pack_limits(std::span<const MembraneTriangle> triangles,
-                                   std::span<const LaneGroup> groups);
+                                   std::span<const LaneGroup> groups, std::span<const double> w);
 std::vector<BendPack> pack_bending(std::span<const BendTriangle> triangles, std::span<const LaneGroup> groups,
                                    std::span<const double> w);
 
-/// One Gauss-Seidel pass over packs; `limits` is null where there are none, `per_h2` 1 / h², `x` the
-/// positions.
+/// One Gauss-Seidel pass over packs; `limits` is null where there are none, `x` the positions.
 struct LaneKernels {
-  void (*solve_membrane)(const MembranePack* packs, const LimitPack* limits, std::size_t count, double per_h2,
-                         Vec3* x);
-  void (*solve_bending)(const BendPack* packs, std::size_t count, Vec3* x);
+  void (*solve_membrane)(const MembranePack* packs, const LimitPack* limits, std::size_t count, LanePoint* x);
+  void (*solve_bending)(const BendPack* packs, std::size_t count, LanePoint* x);
 };
 
 /// For this processor.

@@ -12,19 +12,27 @@ std::vector<LaneGroup> groups_of(const std::vector<Triangle>& triangles, Index v
 
 }  // namespace
 
+void spread(std::span<const Vec3> x, std::vector<LanePoint>& points) {
+  points.resize(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) points[i] = {{x[i].x, x[i].y, x[i].z, 0}};
+}
+
+void collect(std::span<const LanePoint> points, std::span<Vec3> x) {
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] = {points[i].at[0], points[i].at[1], points[i].at[2]};
+}
+
 MembranePass::MembranePass(const ClothModel& model)
     : triangles_(make_membrane(model)), groups_(groups_of(triangles_, model.vertex_count())) {}
 
 void MembranePass::prepare(std::span<const double> w, double h) {
   prepare_membrane(triangles_, w, h);
-  packs_ = pack_membrane(triangles_, groups_, w);
-  limits_ = pack_limits(triangles_, groups_);
-  per_h2_ = 1 / (h * h);
+  packs_ = pack_membrane(triangles_, groups_, w, h);
+  limits_ = pack_limits(triangles_, groups_, w);
 }
 
-void MembranePass::solve(std::span<Vec3> x, const LaneKernels& kernels) const {
+void MembranePass::solve(std::span<LanePoint> x, const LaneKernels& kernels) const {
   const LimitPack* limits = limits_.empty() ? nullptr : limits_.data();
-  kernels.solve_membrane(packs_.data(), limits, packs_.size(), per_h2_, x.data());
+  kernels.solve_membrane(packs_.data(), limits, packs_.size(), x.data());
 }
 
 BendPass::BendPass(const ClothModel& model)
@@ -35,7 +43,7 @@ void BendPass::prepare(std::span<const double> w, double h) {
   packs_ = pack_bending(triangles_, groups_, w);
 }
 
-void BendPass::solve(std::span<Vec3> x, const LaneKernels& kernels) const {
+void BendPass::solve(std::span<LanePoint> x, const LaneKernels& kernels) const {
   kernels.solve_bending(packs_.data(), packs_.size(), x.data());
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// The two sweeps that every step makes over all triangles: membrane and bending, four triangles at a time.
+// The two sweeps that every step makes over all triangles: membrane and bending, eight triangles at a time.
 
 #include <array>
 #include <span>
@@ -11,6 +11,10 @@
 
 namespace toile {
 
+/// Copies of positions that lanes load and store, and back.
+void spread(std::span<const Vec3> x, std::vector<LanePoint>& points);
+void collect(std::span<const LanePoint> points, std::span<Vec3> x);
+
 class MembranePass {
  public:
   explicit MembranePass(const ClothModel& model);
@@ -18,14 +22,13 @@ class MembranePass {
   /// Fits it to inverse masses `w` (1/kg) and substep `h` (s); needed first, and when either changes.
   void prepare(std::span<const double> w, double h);
   /// One Gauss-Seidel pass over positions x (m).
-  void solve(std::span<Vec3> x, const LaneKernels& kernels = lane_kernels()) const;
+  void solve(std::span<LanePoint> x, const LaneKernels& kernels = lane_kernels()) const;
 
  private:
   std::vector<MembraneTriangle> triangles_;
   std::vector<LaneGroup> groups_;
   std::vector<MembranePack> packs_;
   std::vector<LimitPack> limits_;
-  double per_h2_ = 0;
 };
 
 class BendPass {
@@ -33,7 +36,7 @@ class BendPass {
   explicit BendPass(const ClothModel& model);
 
   void prepare(std::span<const double> w, double h);
-  void solve(std::span<Vec3> x, const LaneKernels& kernels = lane_kernels()) const;
+  void solve(std::span<LanePoint> x, const LaneKernels& kernels = lane_kernels()) const;
 
  private:
   std::vector<BendTriangle> triangles_;

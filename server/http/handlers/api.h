@@ -24,6 +24,8 @@ void add_health_routes(Router& router, const Api& api);
 void add_asset_routes(Router& router, const Api& api);
 void add_project_routes(Router& router, const Api& api);
 void add_edit_routes(Router& router, const Api& api);
+void add_body_routes(Router& router, const Api& api);
+void add_arrangement_routes(Router& router, const Api& api);
 void add_job_routes(Router& router, const Api& api);
 
 }  // namespace toile

@@ -5,20 +5,12 @@
 #include "server/documents/assets.h"
 #include "server/http/handlers/answer.h"
 #include "server/http/handlers/api.h"
+#include "server/http/handlers/asset_answer.h"
 #include "server/http/problem.h"
 #include "server/http/static_files.h"
 
 namespace toile {
 namespace {
-
-std::string asset_json(const AssetRow& asset) {
-  std::vector<JsonMember> members{{"id", asset.id},
-                                  {"kind", asset.kind},
-                                  {"name", asset.name},
-                                  {"size", static_cast<double>(asset.size)},
-                                  {"created_ms", static_cast<double>(asset.created_ms)}};
-  return json_with(std::move(members), "info", asset.info.empty() ? "{}" : asset.info);
-}
 
 HttpResponse upload(const Api& api, const HttpRequest& request, const std::string& kind) {
   const Result<AssetRow> asset =
@@ -28,8 +20,8 @@ HttpResponse upload(const Api& api, const HttpRequest& request, const std::strin
 }
 
 HttpResponse list(const Api& api, const std::string& kind) {
-  if (!kind.empty() && kind != "dxf" && kind != "body") {
-    return problem(400, {"documents.kind", "kind is \"dxf\" or \"body\"", "kind"});
+  if (!kind.empty() && !is_asset_kind(kind)) {
+    return problem(400, {"documents.kind", "kind is \"dxf\", \"specification\" or \"body\"", "kind"});
   }
   const Result<std::vector<AssetRow>> assets = api.store.assets(kLocalOwner, kind);
   if (!assets) return problem(assets.error());
@@ -76,7 +68,7 @@ void add_asset_routes(Router& router, const Api& api) {
   });
   assets.limit = [](const HttpRequest& request) {
     const std::string kind = request.parameter("kind");
-    return kind == "body" ? kMostBodyBytes : kind == "dxf" ? kMostDxfBytes : kSmallBody;
+    return is_asset_kind(kind) ? most_asset_bytes(kind) : kSmallBody;
   };
   router.add(std::move(assets));
   Route bodies = upload_route("/api/v1/bodies",

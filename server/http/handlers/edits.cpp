@@ -1,4 +1,4 @@
-// /api/v1/projects/{id}/edits, undo and redo; /api/v1/imports.
+// /api/v1/projects/{id}/edits, undo, redo and proposals; /api/v1/imports.
 
 #include "server/documents/edits.h"
 
@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "server/documents/imports.h"
+#include "server/documents/projects.h"
+#include "server/documents/proposals.h"
 #include "server/http/handlers/answer.h"
 #include "server/http/handlers/api.h"
 #include "server/http/handlers/project_answer.h"
@@ -51,6 +53,17 @@ HttpResponse history(const Api& api, const HttpRequest& request) {
   return text ? json_answer(200, std::move(*text)) : problem(text.error());
 }
 
+HttpResponse proposals(const Api& api, const HttpRequest& request) {
+  const Result<ProjectRow> project = api.store.project(kLocalOwner, request.captures[0]);
+  if (!project) return problem(project.error());
+  const ProjectFiles files = files_in_store(api.store, kLocalOwner, project->files);
+  const Result<std::string> text = proposals_json(project->document, files);
+  if (!text) return problem(text.error());
+  HttpResponse response = json_answer(200, *text);
+  response.headers.emplace_back("ETag", etag_of(*project));
+  return response;
+}
+
 /// The text under a key, empty when there is none. Error: request.import.
 Result<std::string> text_of(const JsonValue& tree, const char* key) {
   const JsonValue* value = tree.find(key);
@@ -89,6 +102,11 @@ void add_edit_routes(Router& router, const Api& api) {
   };
   add_turn("/api/v1/projects/{id}/undo", undo_edit);
   add_turn("/api/v1/projects/{id}/redo", redo_edit);
+  Route look{.method = "GET",
+             .pattern = "/api/v1/projects/{id}/proposals",
+             .handler = [&api](const HttpRequest& r) { return proposals(api, r); }};
+  look.heavy = true;
+  router.add(std::move(look));
   Route imports{.method = "POST", .pattern = "/api/v1/imports", .handler = [&api](const HttpRequest& r) {
                   return import(api, r);
                 }};

@@ -32,6 +32,18 @@ TEST(Strain, TurningTheGrainSwapsWarpAndWeft) {
   EXPECT_NEAR(s.warp[0], std::hypot(1.1, 0.05) - 1, 1e-9);
 }
 
+TEST(Strain, StretchAndSqueezeAreToldApart) {
+  std::vector<double> values(100, 0);
+  values[3] = 0.04, values[4] = 0.02, values[5] = -0.2, values[6] = -0.1;
+  const StretchFigures f = stretch_figures_of(values);
+  EXPECT_EQ(f.max, 0.2) << "of magnitudes";
+  EXPECT_EQ(f.tension.max, 0.04);
+  EXPECT_NEAR(f.tension.mean, 0.06 / 100, 1e-12);
+  EXPECT_EQ(f.compression.max, 0.2);
+  EXPECT_NEAR(f.compression.mean, 0.3 / 100, 1e-12);
+  EXPECT_EQ(stretch_figures_of({0.01, -0.5}).tension.p99, 0.01) << "squeezed cloth is not overstretched";
+}
+
 TEST(Strain, FiguresAreOfMagnitudes) {
   std::vector<double> values(100, -0.01);
   values[0] = 0.5;

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 
@@ -26,6 +27,33 @@ TEST(MeasureBody, FindsThePointsWhereTheJointsAre) {
   EXPECT_GT(p.underbust_height, p.waist_height);
   EXPECT_GT(p.waist_height, p.hip_height);
   EXPECT_GT(p.hip_height, p.crotch.y);
+}
+
+double line_length(const TakenMeasure& taken, bool closed) {
+  double sum = 0;
+  for (size_t i = 0; i + (closed ? 0 : 1) < taken.line.size(); ++i)
+    sum += length(taken.line[(i + 1) % taken.line.size()] - taken.line[i]);
+  return sum;
+}
+
+TEST(MeasureBody, TellsWhereTheTapeLay) {
+  for (int i = 0; i < kMeasureCount; ++i) {
+    const Measure m = measure_at(i);
+    if (m == Measure::kHeight) continue;
+    const TakenMeasure& taken = *figure().measures[m];
+    EXPECT_NEAR(line_length(taken, is_girth(m)), taken.value, 1e-6) << measure_name(m);
+  }
+}
+
+TEST(MeasureBody, LaysTheTapeAroundTheSkin) {
+  for (const Measure m : {Measure::kBust, Measure::kWaist, Measure::kHip, Measure::kNeck, Measure::kUpperArm,
+                          Measure::kWrist, Measure::kThigh, Measure::kCalf}) {
+    for (const Vec3& p : figure().measures[m]->line) {
+      double nearest = HUGE_VAL;
+      for (const Vec3& q : figure().mesh.vertices) nearest = std::min(nearest, length(p - q));
+      EXPECT_LT(nearest, 0.03) << measure_name(m);
+    }
+  }
 }
 
 TEST(MeasureBody, RefusesWhatIsNoBody) {

@@ -20,7 +20,8 @@ double median(std::vector<double> values) {
 constexpr double kHead = 0.035, kTop = 0.3;
 
 TEST(ContactDistance, ASheetOnAHeadLiesWithinAMillimetreOfTheOffset) {
-  const DrapeInput input = test::tablecloth();
+  DrapeInput input = test::tablecloth();
+  input.settings.particle_distance = 0.012;  // with fewer, the bow over the rim reaches the middle
   const DrapeResult r = drape(input, {}, nullptr).value();
   std::vector<double> gaps;
   for (const Vec3& p : r.positions) {

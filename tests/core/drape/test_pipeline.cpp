@@ -107,8 +107,8 @@ TEST(Pipeline, PiecesThatTouchAtTheStartAreMovedApart) {
 TEST(Pipeline, ASeamThatCannotCloseStopsTheDrapeWithItsName) {
   // Both panels before the column, sewn to a third behind that is far too short to go around.
   DrapeInput input = test::tube();
-  input.pattern.panels[0] = test::rectangle("front", 150, 120);
-  input.pattern.panels[1] = test::rectangle("back", 150, 120);
+  input.pattern.panels[0] = test::rectangle("front", 140, 120);
+  input.pattern.panels[1] = test::rectangle("back", 140, 120);
   const auto r = drape(input, {}, nullptr);
   ASSERT_TRUE(r.ok());
   EXPECT_FALSE(r->settled);

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <string>
+#include <utility>
 
 #include "core/geometry/polygon2.h"
 #include "core/pattern/curve.h"
@@ -59,6 +61,19 @@ inline std::string open_sides(Vec2 at, double width, double height, const std::s
   const Vec2 b = at + Vec2{width, 0}, c = at + Vec2{width, height}, d = at + Vec2{0, height};
   return polyline({at, b}, layer, 0) + polyline({b, c}, layer, 0) + polyline({c, d}, layer, 0) +
          polyline({d, at}, layer, 0);
+}
+
+/// One block of a piece, as pattern systems write it.
+inline std::string piece_block(const std::string& name, const std::string& body) { return block(name, body); }
+
+inline std::string blocks_and_inserts(std::initializer_list<std::pair<std::string, std::string>> list,
+                                      const std::string& more = "") {
+  std::string blocks, inserts;
+  for (const auto& [name, body] : list) {
+    blocks += piece_block(name, body);
+    inserts += insert(name, {0, 0});
+  }
+  return section("BLOCKS", blocks) + entities(inserts + more);
 }
 
 }  // namespace toile::dxf_text

@@ -11,19 +11,6 @@ namespace {
 
 using namespace dxf_text;
 
-/// One block of a piece, as pattern systems write it.
-std::string piece_block(const std::string& name, const std::string& body) { return block(name, body); }
-
-std::string blocks_and_inserts(std::initializer_list<std::pair<std::string, std::string>> list,
-                               const std::string& more = "") {
-  std::string blocks, inserts;
-  for (const auto& [name, body] : list) {
-    blocks += piece_block(name, body);
-    inserts += insert(name, {0, 0});
-  }
-  return section("BLOCKS", blocks) + entities(inserts + more);
-}
-
 TEST(DxfOutline, TheBreaksOfOpenPolylinesAreEdgeBoundaries) {
   // A side in two runs, straight on; a doubled vertex; an edge of 0.0001 inch.
   const std::string body =
@@ -157,6 +144,24 @@ TEST(DxfFold, AMirrorLineUnfoldsTheHalfWithItsMarks) {
   EXPECT_EQ(panel.outline.edges.size(), 5u) << "the hem is one edge, the neck two";
 }
 
+TEST(DxfFold, AFoldInTwoStretchesLeavesAHoleBetweenThem) {
+  // A slit for a drawstring, half of it cut out of the fold.
+  const std::string half =
+      polyline({{0, 0}, {250, 0}, {230, 600}, {0, 600}, {0, 350}, {15, 350}, {15, 250}, {0, 250}}, "1");
+  const std::string whole_line = line({0, 0}, {0, 600}, "6");
+  const std::string two_lines = line({0, 350}, {0, 600}, "6") + line({0, 0}, {0, 250}, "6");
+  for (const std::string& fold : {whole_line, two_lines}) {
+    const DxfDrawing d = read_trial(blocks_and_inserts({{"FRONT", half + fold}}));
+    ASSERT_EQ(d.pieces.size(), 1u);
+    EXPECT_TRUE(d.pieces[0].unfolded);
+    EXPECT_NEAR(area_of(d.pieces[0]), 480 * 600, 1e-6);
+    ASSERT_EQ(d.pieces[0].holes.size(), 1u);
+    EXPECT_NEAR(std::abs(signed_area(d.pieces[0].holes[0])), 30 * 100, 1e-6);
+    EXPECT_TRUE(validate(panel_of(d.pieces[0])));
+    EXPECT_TRUE(d.report.warnings.empty());
+  }
+}
+
 TEST(DxfFold, APieceThatLiesOnBothSidesStaysAsItIs) {
   const DxfDrawing d = read_trial(
       blocks_and_inserts({{"YOKE", rectangle({-200, 0}, 400, 150, "1") + line({0, 0}, {0, 150}, "6")}}));
@@ -250,6 +255,24 @@ TEST(DxfGrading, PartsWithNumbersInTheirNamesAreNoSizes) {
   EXPECT_TRUE(d.sizes.empty());
 }
 
+TEST(DxfGrading, LeftAndRightAndPartsThatLieApartAreNoSizes) {
+  const auto shape = [](double x) { return rectangle({x, 0}, 300, 500, "1"); };
+  EXPECT_EQ(read_trial(blocks_and_inserts(
+                           {{"FR_L", shape(0)}, {"FR_R", shape(0)}, {"BK_L", shape(0)}, {"BK_R", shape(0)}}))
+                .pieces.size(),
+            4u);
+  EXPECT_EQ(
+      read_trial(blocks_and_inserts(
+                     {{"FR_1", shape(0)}, {"FR_2", shape(400)}, {"BK_1", shape(800)}, {"BK_2", shape(1200)}}))
+          .pieces.size(),
+      4u);
+  EXPECT_EQ(read_trial(blocks_and_inserts(
+                           {{"FR-S", shape(0)}, {"FR-L", shape(5)}, {"BK-S", shape(0)}, {"BK-L", shape(5)}}))
+                .pieces.size(),
+            2u)
+      << "sizes, behind a dash";
+}
+
 TEST(DxfLayers, RepeatedLayersAreNoPieces) {
   const std::string body = rectangle({0, 0}, 300, 500, "1") + rectangle({0, 0}, 300, 500, "84") +
                            rectangle({10, 10}, 280, 480, "14") + rectangle({10, 10}, 280, 480, "87") +
@@ -330,12 +353,21 @@ TEST(DxfText, KeysComeInAnyCaseAndWithoutTheBlank) {
 
 TEST(DxfText, QuantitiesComeAsNumbersAndPairs) {
   const std::initializer_list<std::tuple<std::string, int, int>> cases{
-      {"Quantity: 2", 2, 0}, {"QUANTITY:1,1", 2, 1},   {"Quantity: 1,0", 1, 0},
-      {"Quantity: 0", 1, 0}, {"Quantity: 2, 2", 4, 2}, {"quantity: many", 1, 0}};
+      {"Quantity: 2", 2, 1},    {"QUANTITY:1,1", 2, 1},     {"Quantity: 1,0", 1, 0},  {"Quantity: 0", 1, 0},
+      {"Quantity: 2, 2", 4, 2}, {"quantity: many", 1, 0},   {"Quantity: 2,0", 2, 0},  {"Quantity: 3", 3, 1},
+      {"Quantity: 2.0", 2, 1},  {"Quantity: 1 pair", 2, 1}, {"Quantity: 4 pcs", 4, 2}};
   for (const auto& [words, quantity, mirrored] : cases) {
     EXPECT_EQ(with_text(words).quantity, quantity) << words;
     EXPECT_EQ(with_text(words).mirrored, mirrored) << words;
   }
+}
+
+TEST(DxfText, WhatIsCutTwiceOnTheFoldIsTwiceTheSame) {
+  const DxfDrawing d = read_trial(blocks_and_inserts(
+      {{"COLLAR", kHalf + line({0, 0}, {0, 520}, "6") + text({50, 50}, "Quantity: 2", "1")}}));
+  ASSERT_EQ(d.pieces.size(), 1u);
+  EXPECT_EQ(d.pieces[0].quantity, 2);
+  EXPECT_EQ(d.pieces[0].mirrored, 0);
 }
 
 TEST(DxfText, ChineseWithoutADeclarationIsReadAndLostLettersAreNot) {
@@ -357,103 +389,6 @@ TEST(DxfText, MtextAndAttributesNamePieces) {
                                     {1, "{\\fArial|b0|i0;Piece Name: }\\H2x;Back"}});
   const DxfDrawing d = read_trial(entities(rectangle({0, 0}, 300, 500) + mtext));
   EXPECT_EQ(d.pieces.at(0).name, "Back");
-}
-
-TEST(DxfStructure, BlocksOfOneNameAreTakenByTheirOrder) {
-  const DxfDrawing d = read_trial(
-      blocks_and_inserts({{"P", rectangle({0, 0}, 300, 500, "1")}, {"P", rectangle({0, 0}, 200, 400, "1")}}));
-  ASSERT_EQ(d.pieces.size(), 2u);
-  EXPECT_NEAR(area_of(d.pieces[0]), 150'000, 1e-6);
-  EXPECT_NEAR(area_of(d.pieces[1]), 80'000, 1e-6);
-  EXPECT_TRUE(told(d, "several blocks are called 'P'"));
-}
-
-TEST(DxfStructure, OffsetsOfInsertsArePassedOverWhereTheVerticesAreAbsolute) {
-  const std::string blocks =
-      block("A", rectangle({0, 0}, 300, 500, "1")) + block("B", rectangle({400, 0}, 300, 500, "1"));
-  const DxfDrawing d =
-      read_trial(section("BLOCKS", blocks) + entities(insert("A", {0, 0}) + insert("B", {400, 0})));
-  ASSERT_EQ(d.pieces.size(), 2u);
-  EXPECT_EQ(d.pieces[1].outline[0], (Vec2{400, 0}));
-  EXPECT_TRUE(told(d, "have their place in the drawing already"));
-}
-
-TEST(DxfStructure, BlocksWithinBlocksAndMirroredInserts) {
-  const std::string inner = block("INNER", polyline({{0, 0}, {300, 0}, {0, 500}}, "1"));
-  const std::string mirrored =
-      groups({{0, "INSERT"}, {8, "1"}, {2, "INNER"}, {10, "100"}, {20, "0"}, {41, "-1"}, {42, "1"}});
-  const DxfDrawing d =
-      read_trial(section("BLOCKS", inner + block("OUTER", mirrored)) + entities(insert("OUTER", {50, 0})));
-  ASSERT_EQ(d.pieces.size(), 1u);
-  EXPECT_EQ(d.pieces[0].outline[1], (Vec2{-150, 0}));
-  const std::string itself = block("LOOP", insert("LOOP", {1, 1}) + rectangle({0, 0}, 300, 500, "1"));
-  EXPECT_TRUE(told(read_trial(section("BLOCKS", itself) + entities(insert("LOOP", {0, 0}))), "too deeply"));
-}
-
-TEST(DxfStructure, CommentsAttributeTemplatesAndForeignCodesDoNoHarm) {
-  const std::string polyline_with_codes =
-      groups({{0, "POLYLINE"}, {8, "1"}, {66, "1"}, {70, "1"}, {71, "0"}, {250, "2"}, {39, "0.0"}}) +
-      groups({{0, "VERTEX"},
-              {8, "1"},
-              {10, "-0.0"},
-              {20, "0,0"},
-              {0, "VERTEX"},
-              {8, "1"},
-              {10, "300"},
-              {20, "0"},
-              {0, "VERTEX"},
-              {8, "1"},
-              {10, "300,5"},
-              {20, "500"},
-              {0, "SEQEND"}});
-  const std::string attribute = groups({{0, "ATTDEF"}, {8, "1"}, {10, "0"}, {20, "0"}, {1, "x"}, {2, "TAG"}});
-  const std::string insert_with_attribute = groups({{0, "INSERT"},
-                                                    {8, "1"},
-                                                    {66, "1"},
-                                                    {2, "A"},
-                                                    {10, "0"},
-                                                    {20, "0"},
-                                                    {0, "ATTRIB"},
-                                                    {8, "1"},
-                                                    {10, "0"},
-                                                    {20, "0"},
-                                                    {1, "value"},
-                                                    {2, "TAG"},
-                                                    {0, "SEQEND"},
-                                                    {8, "1"}});
-  const DxfDrawing d = read_trial("999\nANSI/AAMA\n999\nsecond comment\n" +
-                                  section("BLOCKS", block("A", attribute + polyline_with_codes)) +
-                                  entities(insert_with_attribute));
-  ASSERT_EQ(d.pieces.size(), 1u);
-  EXPECT_NEAR(area_of(d.pieces[0]), 75'000, 1e-6);
-  EXPECT_TRUE(told(d, "ATTDEF makes no outline"));
-}
-
-TEST(DxfStructure, ADrawingMayStandInTheBlockOfTheModelSpace) {
-  const DxfDrawing d =
-      read_trial(section("BLOCKS", block("*MODEL_SPACE", rectangle({0, 0}, 300, 500))) + entities(""));
-  EXPECT_EQ(d.pieces.size(), 1u);
-}
-
-TEST(DxfStructure, BlocksWithAPieceNameThatNothingInsertsAreReadAndTold) {
-  const std::string blocks =
-      block("A", rectangle({0, 0}, 300, 500, "1")) +
-      block("B", rectangle({0, 0}, 200, 500, "1") + text({9, 9}, "Piece Name: B", "1")) +
-      block("SYMBOL", rectangle({0, 0}, 20, 20, "1"));
-  const DxfDrawing d = read_trial(section("BLOCKS", blocks) + entities(insert("A", {0, 0})));
-  EXPECT_EQ(d.pieces.size(), 2u);
-  EXPECT_TRUE(told(d, "holds a piece that nothing inserts"));
-}
-
-TEST(DxfReport, WarningsNameThePieceAndThePlace) {
-  const DxfDrawing d = read_trial(
-      blocks_and_inserts({{"FRONT", rectangle({20, 0}, 400, 150, "1") + line({0, 0}, {0, 150}, "6")}}));
-  ASSERT_EQ(d.report.warnings.size(), 1u);
-  const DxfWarning& warning = d.report.warnings[0];
-  EXPECT_EQ(warning.piece, "FRONT");
-  ASSERT_TRUE(warning.at);
-  EXPECT_EQ(*warning.at, (Vec2{0, 0}));
-  EXPECT_EQ(warning_text(warning).substr(0, 5 + 2 + 2), "line " + std::to_string(warning.line) + ", ");
 }
 
 }  // namespace

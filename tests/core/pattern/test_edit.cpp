@@ -238,6 +238,37 @@ TEST(PatternEdit, TakesADartAwayAgain) {
   EXPECT_EQ(refused(was, RemoveDart{"side"}).code, "edit.no_dart");
 }
 
+TEST(PatternEdit, CutsAFishEyeDartWithinTheClothAndTakesItAway) {
+  const Pattern was = two_sheets();
+  const Pattern now = edited(was, AddInnerDart{"back", {350, 40}, {350, 160}, 16, 0.25, "waist"});
+  ASSERT_EQ(now.panels[1].holes.size(), 1u);
+  EXPECT_NEAR(signed_area(now.panels[1].holes[0]), -0.5 * 16 * 120, 1e-6) << "clockwise";
+  ASSERT_EQ(now.seams.size(), 3u);
+  const PanelEdge &a = edge(now, 1, "waist_a"), &b = edge(now, 1, "waist_b");
+  EXPECT_NEAR(arc_length(a), arc_length(b), 1e-9);
+  EXPECT_NEAR(arc_length(a.curves[0]), std::hypot(30, 8), 1e-9) << "widest a quarter of the way up";
+  EXPECT_EQ(a.curves.front().p0, b.curves.back().p3);
+  EXPECT_FALSE(now.seams[2].same_direction) << "tips stay where they are";
+  const Pattern back = edited(now, RemoveDart{"waist"});
+  EXPECT_TRUE(back.panels[1].holes.empty());
+  EXPECT_EQ(back.seams.size(), 2u);
+  expect_same_path(along(was, was.seams[0].b), along(back, back.seams[0].b));
+  EXPECT_EQ(refused(was, AddInnerDart{"back", {350, 40}, {350, 300}, 16, 0.5, "d"}).code,
+            "pattern.self_crossing");
+  EXPECT_EQ(refused(was, AddInnerDart{"back", {350, 40}, {350, 40}, 16, 0.5, "d"}).code, "edit.out_of_range");
+  EXPECT_EQ(refused(now, AddInnerDart{"back", {310, 40}, {310, 60}, 4, 0.5, "waist"}).code,
+            "pattern.duplicate_id");
+}
+
+TEST(PatternEdit, RenamesAnEdgeThatStaysSewn) {
+  const Pattern was = two_sheets();
+  const Pattern now = edited(was, RenameEdge{"back", "left", "side"});
+  EXPECT_NEAR(arc_length(edge(now, 1, "side")), arc_length(edge(was, 1, "left")), 1e-12);
+  expect_same_path(along(was, was.seams[0].b), along(now, now.seams[0].b));
+  EXPECT_EQ(refused(was, RenameEdge{"back", "none", "side"}).code, "edit.unknown_edge");
+  EXPECT_EQ(refused(was, RenameEdge{"back", "left", "top"}).code, "pattern.duplicate_id");
+}
+
 TEST(PatternEdit, RefusesADartThatDoesNotFit) {
   EXPECT_EQ(refused(two_sheets(), AddDart{"back", "left", 0.01, 20, 50, "dart"}).code, "edit.out_of_range");
   EXPECT_EQ(refused(two_sheets(), AddDart{"back", "left", 0.5, 20, 150, "dart"}).code,

@@ -182,6 +182,57 @@ TEST(ProposeSeams, TakeNotchesIntoAccount) {
   EXPECT_TRUE(found);
 }
 
+TEST(ProposeSeams, AreSureOfPiecesThatMayChangeRound) {
+  // A tube skirt of two like pieces and a band in two like halves: which half comes to which piece is all
+  // one.
+  const auto sheet = [](const std::string& id, double height) {
+    return garments::piece(id, {{0, 0}, {420, 0}, {400, height}, {20, height}});
+  };
+  const auto band = [](const std::string& id) {
+    return garments::piece(id, {{0, 0}, {380, 0}, {380, 40}, {0, 40}});
+  };
+  const Pattern pattern{{sheet("a", 600), sheet("b", 600), band("c"), band("d")}, {}};
+  int waists = 0;
+  for (const SeamProposal& p : propose_seams(pattern, {true}))
+    waists += p.confidence >= 0.8 && (p.seam.a[0].panel < 2) != (p.seam.b[0].panel < 2) ? 1 : 0;
+  EXPECT_EQ(waists, 2);
+}
+
+TEST(ProposeSeams, AreUnsureWhereClothLiesOnCloth) {
+  Pattern pattern = pattern_of(garments::trousers());
+  int sure = 0;
+  for (const SeamProposal& p : propose_seams(pattern, {true})) sure += p.confidence >= 0.8 ? 1 : 0;
+  EXPECT_GE(sure, 5);
+  for (std::size_t i = 0, n = pattern.panels.size(); i < n; ++i) {
+    pattern.panels.push_back(pattern.panels[i]);
+    pattern.panels.back().id += " lining";
+  }
+  for (const SeamProposal& p : propose_seams(pattern, {true})) {
+    bool lining = false;
+    for (const auto* side : {&p.seam.a, &p.seam.b})
+      for (const SeamEdge& e : *side) lining = lining || pattern.panels[e.panel].id.ends_with("lining");
+    if (lining) {
+      EXPECT_LE(p.confidence, 0.6) << p.seam.id;
+    }
+  }
+}
+
+TEST(ProposeSeams, OfAlternativesTheSurerOneIsSewn) {
+  const auto proposal = [](double confidence, SeamEdge a, SeamEdge b) {
+    SeamProposal p;
+    p.confidence = confidence, p.seam.a = {a}, p.seam.b = {b};
+    return p;
+  };
+  const std::vector<SeamProposal> proposals{
+      proposal(0.9, {0, 0}, {1, 0}),                     // sewn
+      proposal(0.8, {1, 0}, {2, 0}),                     // wants an edge that is taken
+      proposal(0.7, {2, 0}, {3, 1, false, 0, 0.5}),      // sewn: what it wants was not taken after all
+      proposal(0.6, {2, 1}, {3, 1, false, 0.5, 1}),      // sewn: the other half
+      proposal(0.55, {4, 0}, {3, 1, false, 0.4, 0.45}),  // a part of a taken part
+      proposal(0.4, {5, 0}, {6, 0})};                    // not sure enough
+  EXPECT_EQ(sewn_together(proposals, 0.5), (std::vector<bool>{true, false, true, true, false, false}));
+}
+
 TEST(PieceWords, AreReadFromNamesInManyWays) {
   EXPECT_EQ(words_of("left_sleeve_f").side, -1);
   EXPECT_EQ(words_of("left_sleeve_f").face, 1);

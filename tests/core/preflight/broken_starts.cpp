@@ -141,6 +141,69 @@ DrapeInput out_of_sight() {
   return input;
 }
 
+/// A patch beside the column, between the front's and the back's side edges.
+DrapeInput with_patch_between() { return with_patch({0.13, 0.16, 0}, {}, 60); }
+
+/// A strip sewn on around the tube's upper edge, across both of its side seams.
+DrapeInput with_collar() {
+  DrapeInput input = tube();
+  input.pattern.panels.push_back(rectangle("collar", 520, 40));
+  input.pattern.seams.push_back({"neck", {{2, 0, false}}, {{0, 2, true}, {1, 2, false}}, true});
+  input.fabric_of_panel.push_back(0);
+  WrappedPlacement around;
+  around.radius = 0.13, around.height = 0.32, around.angle = kHalfTurn / 2;
+  input.placements.push_back(around);
+  return input;
+}
+
+/// Two legs of trousers about one leg of two.
+DrapeInput both_about_one_leg() {
+  DrapeInput input = tube();
+  input.pattern.panels.push_back(rectangle("front_2", 260, 120));
+  input.pattern.panels.push_back(rectangle("back_2", 260, 120));
+  input.pattern.seams.push_back({"left_2", {{2, 3, false}}, {{3, 3, false}}, true});
+  input.pattern.seams.push_back({"right_2", {{2, 1, false}}, {{3, 1, false}}, true});
+  input.fabric_of_panel = {0, 0, 0, 0};
+  for (const double y : {0.12, 0.25}) {
+    for (const double z : {0.1, -0.1}) {
+      const std::size_t p = (y > 0.2 ? 2 : 0) + (z < 0 ? 1 : 0);
+      if (p >= input.placements.size()) input.placements.resize(p + 1, RigidPlacement{});
+      placed(input, p).translation = {0.2, y, z};
+    }
+  }
+  Body legs = column(0.07, 0, 0.6);
+  const Body other = column(0.07, 0, 0.6);
+  for (Vec3& v : legs.mesh.vertices) v.x += 0.2;
+  const auto first = static_cast<Index>(legs.mesh.vertices.size());
+  for (const Vec3& v : other.mesh.vertices) legs.mesh.vertices.push_back({v.x - 0.2, v.y, v.z});
+  for (const Tri& t : other.mesh.triangles)
+    legs.mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  input.bodies = {legs};
+  return input;
+}
+
+/// The tube's back is cut as if seen from the front: sewn, its wrong side lies beside the front's right side.
+DrapeInput wound_the_other_way() { return tube(); }
+
+DrapeInput tilted_into_the_body() {
+  DrapeInput input = tube();
+  placed(input, 0).rotation = {0.3, 0, 0};
+  placed(input, 0).translation.z = 0.055;
+  return input;
+}
+
+DrapeInput both_in_the_body() {
+  DrapeInput input = tube();
+  placed(input, 0).translation.z = 0.062, placed(input, 1).translation.z = -0.062;
+  return input;
+}
+
+/// A slit in one sheet through which another passes.
+DrapeInput crossed_patches() {
+  DrapeInput input = with_patch({0, 0.15, 0.2}, {0, 0.3, 0}, 60, "one");
+  return with_patch({0.025, 0.16, 0.2}, {0, -0.3, 0}, 60, "two", input);
+}
+
 }  // namespace
 
 const std::vector<BrokenStart>& broken_starts() {
@@ -207,6 +270,17 @@ const std::vector<BrokenStart>& broken_starts() {
       {"threads over a shoulder", "seam.thread_through_body", false, over_a_shoulder},
       {"threads beside a limb", "seam.thread_near_limb", false, beside_a_limb},
       {"tube beside the body", "ring.around_nothing", false, beside_the_body},
+      {"threads through a third piece", "seam.thread_through_cloth", false, with_patch_between},
+      {"collar across open side seams", "seam.on_open_ring", false, with_collar},
+      {"both hems about one leg", "ring.wrong_limb", false, both_about_one_leg},
+      {"back wound the other way", "piece.winds_other_way", false, wound_the_other_way},
+      {"front tilted into the body", "start.crosses_body", true, tilted_into_the_body},
+      {"front and back in the body", "start.crosses_body", true, both_in_the_body},
+      {"two patches through each other", "start.crosses_cloth", true, crossed_patches},
+      {"patch 0.2 mm under the skin", "start.inside_body", true,
+       [] {
+         return with_patch({0, 0.05, 0.0655}, {}, 10);
+       }},
   };
   return all;
 }

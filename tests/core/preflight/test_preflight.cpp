@@ -151,6 +151,46 @@ TEST(Preflight, ShortThreadsBesideAThickBodyAreNearNoLimb) {
       << start.findings.front().code << ": " << start.findings.front().message;
 }
 
+TEST(Preflight, ABackThatIsCutAsItIsWornWindsLikeTheFront) {
+  DrapeInput input = test::tube();
+  std::get<RigidPlacement>(input.placements[1]).rotation = {0, 3.14159265358979, 0};
+  input.pattern.seams = {{"left", {{0, 3, false}}, {{1, 1, false}}, false},
+                         {"right", {{0, 1, false}}, {{1, 3, false}}, false}};
+  const auto start = prepare_start(input, {}).value();
+  EXPECT_EQ(find(start.findings, "piece.winds_other_way"), nullptr);
+}
+
+TEST(Preflight, ThreadsBesideAThirdPieceDoNotMeetIt) {
+  DrapeInput input = broken("threads through a third piece");
+  std::get<RigidPlacement>(input.placements[2]).translation.x = 0.4;
+  EXPECT_EQ(find(prepare_start(input, {}).value().findings, "seam.thread_through_cloth"), nullptr);
+}
+
+TEST(Preflight, AThreadThroughAPiecesRimIsNotedAndThroughItsMiddleIsAWarning) {
+  DrapeInput input = broken("threads through a third piece");
+  EXPECT_EQ(find(prepare_start(input, {}).value().findings, "seam.thread_through_cloth")->severity,
+            Severity::kWarning);
+  std::get<RigidPlacement>(input.placements[2]).translation.x = 0.158;  // 2 mm of it are in the way
+  const auto start = prepare_start(input, {}).value();
+  const Finding* rim = find(start.findings, "seam.thread_through_cloth");
+  ASSERT_NE(rim, nullptr);
+  EXPECT_EQ(rim->severity, Severity::kNote) << rim->message;
+}
+
+TEST(Preflight, HemsAboutTheTwoLegsOfAPairAreRight) {
+  DrapeInput input = broken("both hems about one leg");
+  for (const std::size_t p : {2, 3}) std::get<RigidPlacement>(input.placements[p]).translation.x = -0.2;
+  EXPECT_EQ(find(prepare_start(input, {}).value().findings, "ring.wrong_limb"), nullptr);
+  std::get<RigidPlacement>(input.placements[2]).translation.y = 0.5;
+  std::get<RigidPlacement>(input.placements[3]).translation.y = 0.5;
+  EXPECT_NE(find(prepare_start(input, {}).value().findings, "ring.wrong_limb"), nullptr)
+      << "one low and one high are no pair";
+}
+
+TEST(Preflight, ASeamThatRunsStraightOnIsNoOpenRing) {
+  EXPECT_EQ(find(prepare_start(test::tube(), {}).value().findings, "seam.on_open_ring"), nullptr);
+}
+
 TEST(Preflight, ErrorsComeFirstAndNotesLast) {
   for (const test::BrokenStart& b : test::broken_starts()) {
     const auto start = prepare_start(b.make(), {}).value();

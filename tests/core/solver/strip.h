@@ -52,4 +52,13 @@ inline Strip make_strip(std::vector<double> cuts, double height, double h, Vec2 
   return strip;
 }
 
+/// One pass over positions as the rest of the program has them.
+template <typename Pass>
+void sweep(const Pass& pass, std::vector<Vec3>& x, const LaneKernels& kernels = lane_kernels()) {
+  std::vector<LanePoint> points;
+  spread(x, points);
+  pass.solve(points, kernels);
+  collect(points, x);
+}
+
 }  // namespace toile::test

@@ -18,9 +18,10 @@ struct Shaken {
 };
 
 /// A rectangle, bent, stretched and shaken out of shape; one vertex is held, one triangle has collapsed.
-Shaken shaken() {
+Shaken shaken(double strain_limit = 0) {
   Fabric fabric;
   fabric.bend_warp *= 3;
+  fabric.limit_warp = fabric.limit_weft = fabric.limit_shear = strain_limit;
   const test::Strip strip = test::make_strip({0, 90, 130}, 70, 0.008, {0, 1}, fabric);
   std::mt19937 random(11);
   std::uniform_real_distribution<double> shake(-2e-3, 2e-3);
@@ -41,8 +42,8 @@ std::vector<Vec3> swept(const Shaken& s, const LaneKernels& kernels) {
   bending.prepare(s.w, 1.0 / 3000);
   std::vector<Vec3> x = s.x;
   for (int i = 0; i < 20; ++i) {
-    membrane.solve(x, kernels);
-    bending.solve(x, kernels);
+    test::sweep(membrane, x, kernels);
+    test::sweep(bending, x, kernels);
   }
   return x;
 }
@@ -50,10 +51,12 @@ std::vector<Vec3> swept(const Shaken& s, const LaneKernels& kernels) {
 TEST(Lanes, MakeTheSameBytesOnEveryProcessor) {
   const LaneKernels* wide = avx2_lane_kernels();
   if (wide == nullptr || &lane_kernels() != wide) GTEST_SKIP() << "SKIPPED: no AVX2 here to compare with";
-  const Shaken s = shaken();
-  const std::vector<Vec3> plain = swept(s, plain_lane_kernels), fast = swept(s, *wide);
-  EXPECT_EQ(std::memcmp(plain.data(), fast.data(), plain.size() * sizeof(Vec3)), 0);
-  EXPECT_NE(std::memcmp(plain.data(), s.x.data(), plain.size() * sizeof(Vec3)), 0);
+  for (const double strain_limit : {0.0, 0.02}) {
+    const Shaken s = shaken(strain_limit);
+    const std::vector<Vec3> plain = swept(s, plain_lane_kernels), fast = swept(s, *wide);
+    EXPECT_EQ(std::memcmp(plain.data(), fast.data(), plain.size() * sizeof(Vec3)), 0);
+    EXPECT_NE(std::memcmp(plain.data(), s.x.data(), plain.size() * sizeof(Vec3)), 0);
+  }
 }
 
 TEST(Lanes, LeaveNumbersAndHeldVerticesInPlace) {
@@ -79,14 +82,19 @@ TEST(Lanes, AGroupSharesNoVertexAndEveryConstraintIsInOne) {
     }
   }
   for (const int n : seen) EXPECT_EQ(n, 1);
-  EXPECT_GT(lanes, 3.5 * static_cast<double>(groups.size())) << "packs are nearly full";
+  EXPECT_GT(lanes, 7 * static_cast<double>(groups.size())) << "packs are nearly full";
 }
 
 TEST(Lanes, ConstraintsThatAllShareAVertexStandAlone) {
   const std::vector<Tri> fan{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}};
   const auto groups = group_apart(3, 5, [&](Index t) { return std::span<const Index>(fan[t]); });
-  EXPECT_EQ(groups, (std::vector<LaneGroup>{
-                        {0, kNone, kNone, kNone}, {1, kNone, kNone, kNone}, {2, kNone, kNone, kNone}}));
+  ASSERT_EQ(groups.size(), 3u);
+  for (Index t = 0; t < 3; ++t) {
+    LaneGroup alone;
+    alone.fill(kNone);
+    alone[0] = t;
+    EXPECT_EQ(groups[t], alone);
+  }
 }
 
 }  // namespace

@@ -108,9 +108,9 @@ TEST(MembraneLimit, DoesNothingBelowItself) {
     EXPECT_EQ(length(without.solver.positions()[i] - limited.solver.positions()[i]), 0);
 }
 
-/// How far one pass moves corner 1 of a triangle whose weft is drawn out (or pushed together) by `strain`. It
-/// is so soft in so short a step that this is its force.
-double answer_to(double strain, double limit) {
+/// How far one pass moves a triangle's corners back along n (weft, warp; of length 1), when it has been drawn
+/// out (or pushed together) by `strain` along n. It is so soft in so short a step that this is its force.
+double answer_to(double strain, double limit, Vec2 n = {1, 0}) {
   Fabric fabric;
   fabric.stretch_coupling = 0, fabric.limit_weft = limit;
   ClothModel model;
@@ -121,14 +121,45 @@ double answer_to(double strain, double limit) {
   model.mass.assign(3, 1e-5);
   MembranePass membrane(model);
   membrane.prepare(std::vector<double>(3, 1e5), 1e-6);
-  std::vector<Vec3> x{{0, 0, 0}, {0.01 * (1 + strain), 0, 0}, {0, 0.01, 0}};
-  const double before = x[1].x;
-  membrane.solve(x);
-  return before - x[1].x;
+  std::vector<Vec3> x;
+  for (const Vec2& p : model.rest[0]) {
+    const Vec2 q = p + n * (strain * dot(n, p));
+    x.push_back({q.x, q.y, 0});
+  }
+  const std::vector<Vec3> before = x;
+  test::sweep(membrane, x);
+  const Vec3 moved = (before[1] - x[1]) * n.x + (before[2] - x[2]) * n.y;
+  return moved.x * n.x + moved.y * n.y;
 }
 
-TEST(Membrane, PushedTogetherItResistsWithATenthOfItsStiffness) {
-  EXPECT_NEAR(answer_to(-0.01, 0) / answer_to(0.01, 0), -0.1, 0.001);
+/// Stiffness along n between two strains.
+double stiffness(double from, double to, Vec2 n) {
+  return (answer_to(to, 0, n) - answer_to(from, 0, n)) / (to - from);
+}
+
+TEST(Membrane, BuckledItIsSoftAlongEitherThreadAndOnTheBias) {
+  const auto left = [](Vec2 n) { return stiffness(-0.003, -0.002, n) / stiffness(0, 0.001, n); };
+  EXPECT_NEAR(left({1, 0}), 0.05, 5e-4);
+  EXPECT_NEAR(left({0, 1}), 0.05, 5e-4);
+  const double r = std::sqrt(0.5);
+  for (const Vec2 bias : {Vec2{r, r}, Vec2{r, -r}}) {  // where both threads have buckled as well
+    EXPECT_LT(left(bias), 0.05);
+    EXPECT_GT(left(bias), 0.04);
+  }
+}
+
+TEST(Membrane, BucklesUnderEulersLoadOfItsOwnSize) {
+  const Fabric fabric;  // as in answer_to, of triangles of 0.5 cm²: as wide as equilateral ones of this edge
+  const double edge2 = 4 * 0.5e-4 / std::sqrt(3.0), pi = std::acos(-1.0);
+  const double strain = pi * pi * fabric.bend_warp / edge2 / fabric.stretch_weft;
+  EXPECT_NEAR(answer_to(-0.9 * strain, 0) / answer_to(0.9 * strain, 0), -1, 0.01) << "stiff before";
+  EXPECT_LT(stiffness(-1.2 * strain, -1.1 * strain, {1, 0}), 0.06 * stiffness(0, 0.9 * strain, {1, 0}));
+}
+
+TEST(Membrane, BucklingIsNoJumpOfTheForce) {
+  for (double s = 0; s < 0.01; s += 1e-5) {
+    EXPECT_LE(answer_to(-s, 0) - answer_to(-s - 1e-5, 0), 1.01 * answer_to(1e-5, 0)) << s;
+  }
 }
 
 TEST(MembraneLimit, IsNoJumpOfTheForce) {

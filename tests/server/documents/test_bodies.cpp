@@ -28,7 +28,7 @@ TEST(BodyCache, ReadsABodyOnceForEachSetting) {
   const auto z_up = cache.mesh(*store, kLocalOwner, id, {.z_up = true});
   ASSERT_TRUE(first && again && in_cm && z_up);
   EXPECT_EQ(*first, *again) << "the same object";
-  EXPECT_NEAR((*in_cm)->vertices[0].x, (*first)->vertices[0].x / 100, 1e-9);
+  EXPECT_NEAR((*in_cm)->mesh.vertices[0].x, (*first)->mesh.vertices[0].x / 100, 1e-9);
   EXPECT_NE(*z_up, *first);
   EXPECT_EQ(cache.bytes(), 3 * kPostBytes);
 }
@@ -76,7 +76,7 @@ TEST(BodyCache, ServesManyThreads) {
     threads.emplace_back([&, t] {
       for (std::size_t i = 0; i < 30; ++i) {
         const auto mesh = cache.mesh(*store, kLocalOwner, ids[(t + i) % ids.size()], {});
-        if (!mesh || (*mesh)->vertices.size() != 8) ++faults;
+        if (!mesh || (*mesh)->mesh.vertices.size() != 8) ++faults;
       }
     });
   }

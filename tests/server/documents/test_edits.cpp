@@ -4,6 +4,8 @@
 
 #include "proto/cpp/project.h"
 #include "server/documents/imports.h"
+#include "server/documents/proposals.h"
+#include "server/documents/views.h"
 #include "tests/server/documents/documents_fixture.h"
 
 namespace toile {
@@ -121,6 +123,94 @@ TEST(Imports, TakeAPersonsWordForTheUnit) {
   const JsonValue report = json(import_pattern(*at.store, kLocalOwner, at.dxf, {"cm", ""}).value());
   EXPECT_EQ(*report.find("pieces")->array()->front().find("width_mm")->number(), 3000);
   EXPECT_EQ(*report.find("pieces")->array()->front().find("from")->find("units")->text(), "cm");
+}
+
+TEST(Imports, GiveADocumentThatMakesAProjectOnceItIsSent) {
+  ClothStore at;
+  const JsonValue report = json(import_pattern(*at.store, kLocalOwner, at.dxf, {"mm", ""}).value());
+  EXPECT_EQ(*report.find("file")->text(), "cloth.dxf");
+  const std::string document = write_json_line(*report.find("document"));
+  const Result<Project> project = parse_project(document);
+  ASSERT_TRUE(project) << to_string(project.error());
+  EXPECT_TRUE(project->seams.empty());
+  EXPECT_TRUE(project->bodies.front().mannequin);
+  EXPECT_EQ(project->name, "cloth");
+  const auto made = create_project(*at.store, kLocalOwner, document, {{"cloth.dxf", at.dxf}});
+  ASSERT_TRUE(made) << to_string(made.error());
+}
+
+constexpr const char* kTwoSquares = R"({"pattern": {"panels": {
+  "left": {"translation": [0, 0, 0], "rotation": [0, 0, 0], "vertices": [[0, 0], [10, 0], [10, 10], [0, 10]],
+    "edges": [{"endpoints": [0, 1]}, {"endpoints": [1, 2]}, {"endpoints": [2, 3]}, {"endpoints": [3, 0]}]},
+  "right": {"translation": [20, 0, 0], "rotation": [0, 0, 0], "vertices": [[0, 0], [10, 0], [10, 10], [0, 10]],
+    "edges": [{"endpoints": [0, 1]}, {"endpoints": [1, 2]}, {"endpoints": [2, 3]}, {"endpoints": [3, 0]}]}},
+  "stitches": [[{"panel": "left", "edge": 1}, {"panel": "right", "edge": 3}]]},
+  "properties": {"units_in_meter": 100}})";
+
+TEST(Imports, TakeASpecificationWithItsSeamsAndPlaces) {
+  ClothStore at;
+  const Result<AssetRow> asset = add_asset(*at.store, kLocalOwner, "specification", "two.json", kTwoSquares);
+  ASSERT_TRUE(asset) << to_string(asset.error());
+  EXPECT_EQ(asset->info, "{\"pieces\": 2, \"seams\": 1}");
+  const Result<std::string> text = import_pattern(*at.store, kLocalOwner, asset->id, {});
+  ASSERT_TRUE(text) << to_string(text.error());
+  const JsonValue report = json(*text);
+  ASSERT_EQ(report.find("pieces")->array()->size(), 2u);
+  EXPECT_EQ(*report.find("pieces")->array()->front().find("width_mm")->number(), 100);
+  EXPECT_EQ(report.find("pieces")->array()->front().find("points")->array()->size(), 4u);
+  ASSERT_EQ(report.find("seams")->array()->size(), 1u);
+  EXPECT_EQ(*report.find("seams")->array()->front().find("confidence")->number(), 1);
+  const auto made = create_project(*at.store, kLocalOwner, write_json_line(*report.find("document")), {});
+  ASSERT_TRUE(made) << to_string(made.error());
+  EXPECT_EQ(import_pattern(*at.store, kLocalOwner, asset->id, {"mm", ""}).error().code, "documents.unit");
+  EXPECT_EQ(import_pattern(*at.store, kLocalOwner, asset->id, {"", "42"}).error().code, "documents.size");
+  EXPECT_EQ(add_asset(*at.store, kLocalOwner, "specification", "no.json", "{}").error().code,
+            "garmentcode.missing");
+}
+
+TEST(Views, ShowCurvesLengthsAndWhatIsWrongWithSeams) {
+  ClothStore at;
+  const AssetRow asset = add_asset(*at.store, kLocalOwner, "specification", "two.json", kTwoSquares).value();
+  const JsonValue report = json(import_pattern(*at.store, kLocalOwner, asset.id, {}).value());
+  const std::string id =
+      create_project(*at.store, kLocalOwner, write_json_line(*report.find("document")), {})->id;
+  const auto seam = [&](const std::string& edge) {
+    return json(R"([{"edit": "add_seam", "id": "s", "a": [{"piece": "left", "edge": "e1"}],
+                     "b": [{"piece": "right", "edge": ")" +
+                edge + R"(", "to": 0.25}]}])");
+  };
+  ASSERT_TRUE(edit_project(*at.store, kLocalOwner, id, seam("e3"), 0));
+  const auto view = [&] {
+    const ProjectRow row = at.store->project(kLocalOwner, id).value();
+    return json(pieces_json(row.document, files_in_store(*at.store, kLocalOwner, row.files)).value());
+  };
+  const JsonValue shown = view();
+  const JsonValue& edge = shown.find("pieces")->array()->front().find("edges")->array()->at(1);
+  EXPECT_EQ(*edge.find("id")->text(), "e1");
+  EXPECT_EQ(*edge.find("length_mm")->number(), 100);
+  EXPECT_EQ(edge.find("curves")->array()->front().array()->size(), 4u);
+  const JsonValue& sewn = shown.find("seams")->array()->front();
+  EXPECT_EQ(*sewn.find("length_a_mm")->number(), 100);
+  EXPECT_EQ(*sewn.find("length_b_mm")->number(), 25);
+  ASSERT_EQ(sewn.find("issues")->array()->size(), 1u);
+  EXPECT_EQ(*sewn.find("issues")->array()->front().find("code")->text(), "seam.length_ratio");
+}
+
+TEST(Proposals, AreThoseThatNoSeamHasYet) {
+  ClothStore at;
+  const AssetRow asset = add_asset(*at.store, kLocalOwner, "specification", "two.json", kTwoSquares).value();
+  const JsonValue report = json(import_pattern(*at.store, kLocalOwner, asset.id, {}).value());
+  const auto proposed = [&] {
+    const std::string document = write_json_line(*report.find("document"));
+    return json(proposals_json(document, files_in_store(*at.store, kLocalOwner, {})).value());
+  };
+  const JsonValue found = proposed();
+  ASSERT_NE(found.find("proposals")->array(), nullptr);
+  for (const JsonValue& seam : *found.find("proposals")->array()) {
+    EXPECT_GT(*seam.find("confidence")->number(), 0);
+    EXPECT_FALSE(seam.find("a")->array()->empty());
+  }
+  EXPECT_FALSE(proposals_json("{", files_in_store(*at.store, kLocalOwner, {})));
 }
 
 TEST(Imports, RefuseWhatIsNoPattern) {

@@ -56,11 +56,13 @@ TEST_F(BadUploads, DxfFilesThatAreNone) {
   expect_bad_file("dxf", "cut.dxf", square_dxf("10\nnan\n20\ninf\n10\n1e300\n20\n0\n10\n9\n20\n9\n"), "dxf.");
 }
 
-TEST_F(BadUploads, DxfFilesCutOffAnywhere) {
-  const std::string whole = square_dxf();
-  for (std::size_t length = 0; length + 8 < whole.size(); length += 5) {
+TEST_F(BadUploads, DxfFilesCutOffBeforeTheirOutlineEnds) {
+  const std::string whole = square_dxf(), outline = whole.substr(0, whole.find("0\nTEXT"));
+  for (std::size_t length = 0; length < outline.size(); length += 5)
     expect_bad_file("dxf", "cut.dxf", whole.substr(0, length), "dxf.");
-  }
+  for (std::size_t length = outline.size(); length < whole.size(); length += 5)
+    EXPECT_EQ(upload("dxf", "cut.dxf", whole.substr(0, length)).status, 201)
+        << "its piece is whole: " << length;
 }
 
 TEST_F(BadUploads, BodiesThatAreNone) {

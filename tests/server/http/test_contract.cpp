@@ -10,10 +10,13 @@
 #include <thread>
 #include <vector>
 
+#include "tests/server/http/dressed.h"
 #include "tests/server/http/served.h"
 
 namespace toile::test {
 namespace {
+
+constexpr const char* kJson = "Content-Type: application/json\r\n";
 
 class Contract : public Served {
  protected:
@@ -62,6 +65,36 @@ class Contract : public Served {
     recorded("GET", project + "/edits");
   }
 
+  void record_bodies(const std::string& post) {
+    recorded("GET", "/api/v1/bodies/presets");
+    recorded("GET", "/api/v1/bodies/" + post + "/figure");
+    recorded("GET", "/api/v1/bodies/a_0/figure");
+    const std::string slim = R"({"mannequin": {"preset": "eu38", "triangles": 1000}, "name": "anna"})";
+    recorded("POST", "/api/v1/bodies/mannequins", R"({"mannequin": {"preset": "eu39"}})", kJson);
+    const Answer made = recorded("POST", "/api/v1/bodies/mannequins", slim, kJson);
+    EXPECT_EQ(made.status, 201) << made.body;
+  }
+
+  void record_arrangement(const std::string& post) {
+    const std::string any = std::string(kJson) + "If-Match: *\r\n";
+    const std::string one =
+        "/api/v1/projects/" + member(recorded("POST", "/api/v1/projects", dressed_pair(post), kJson), "id");
+    recorded("GET", one + "/bodies");
+    recorded("GET", one + "/body");
+    recorded("PUT", one + "/bodies/anna", R"({"mannequin": {"preset": "eu40", "triangles": 1000}})", any);
+    recorded("PUT", one + "/bodies/anna", R"({"asset": "a_0"})", any);
+    recorded("PUT", one + "/bodies/anna", "{}", kJson);
+    recorded("PUT", one + "/bodies/post", "{\"asset\": \"" + post + "\"}", any);
+    EXPECT_EQ(recorded("DELETE", one + "/bodies/post", "", any).status, 200);
+    recorded("DELETE", one + "/bodies/post", "", any);
+    EXPECT_EQ(recorded("POST", one + "/arrange", "", any).status, 200);
+    recorded("POST", one + "/arrange", "");
+    EXPECT_EQ(recorded("POST", one + "/place", R"({"piece": "back", "side": "back"})", any).status, 200);
+    recorded("POST", one + "/place", R"({"piece": "back", "side": "below"})", any);
+    EXPECT_EQ(recorded("GET", one + "/check").status, 200);
+    EXPECT_EQ(recorded("GET", one + "/start").status, 200);
+  }
+
   int check(const std::string& recordings) {
     const std::string root = TOILE_SOURCE_DIR;
     const std::string command =
@@ -73,8 +106,6 @@ class Contract : public Served {
   std::string lines;
   int frames = 0;
 };
-
-constexpr const char* kJson = "Content-Type: application/json\r\n";
 
 TEST_F(Contract, EveryAnswerAndMessageFitsItsSchema) {
   recorded("GET", "/healthz");
@@ -89,12 +120,22 @@ TEST_F(Contract, EveryAnswerAndMessageFitsItsSchema) {
   const std::string pattern = member(recorded("POST", "/api/v1/assets?kind=dxf&name=a.dxf", dxf), "id");
   recorded("POST", "/api/v1/imports", "{\"asset\": \"" + pattern + "\", \"unit\": \"cm\"}", kJson);
   recorded("POST", "/api/v1/imports", "{\"asset\": \"a_0\"}", kJson);
+  const std::string panel =
+      R"({"translation": [0, 0, 0], "rotation": [0, 0, 0], "vertices": [[0, 0], [9, 0], [9, 9]], "edges":
+          [{"endpoints": [0, 1]}, {"endpoints": [1, 2]}, {"endpoints": [2, 0]}]})";
+  const std::string specification = "{\"pattern\": {\"panels\": {\"a\": " + panel + "}}}";
+  const Answer kept = recorded("POST", "/api/v1/assets?kind=specification&name=a.json", specification);
+  EXPECT_EQ(kept.status, 201) << kept.body;
+  const std::string given = "{\"asset\": \"" + member(kept, "id") + "\"}";
+  EXPECT_EQ(recorded("POST", "/api/v1/imports", given, kJson).status, 200);
   const std::string asset = member(recorded("POST", "/api/v1/bodies?name=post.obj", kPost), "id");
   recorded("GET", "/api/v1/assets");
   recorded("GET", "/api/v1/bodies");
   recorded("GET", "/api/v1/assets/" + asset);
   recorded("GET", "/api/v1/assets/" + asset + "/content");
   recorded("GET", "/api/v1/assets/a_0");
+  record_bodies(asset);
+  record_arrangement(asset);
 
   const std::string request = napkin_request(asset);
   const std::string once = std::string(kJson) + "Idempotency-Key: once\r\n";
@@ -107,6 +148,7 @@ TEST_F(Contract, EveryAnswerAndMessageFitsItsSchema) {
   recorded("GET", "/api/v1/projects?limit=0");
   recorded("GET", one);
   recorded("GET", one + "/pieces");
+  recorded("GET", one + "/proposals");
   recorded("PUT", one, request, kJson);
   recorded("PUT", one, request, std::string(kJson) + "If-Match: \"9\"\r\n");
   recorded("PUT", one, request, std::string(kJson) + "If-Match: \"1\"\r\n");

@@ -85,6 +85,14 @@ TEST_F(Edits, StandInTheHistoryNewestFirst) {
   EXPECT_EQ(get(one + "/edits").body, "{\"edits\": [], \"next\": null}\n") << "a replaced document has none";
 }
 
+TEST_F(Edits, ProposalsOfSeamsComeWithTheRevisionThatTheyAreFor) {
+  const Answer answer = get(one + "/proposals");
+  ASSERT_EQ(answer.status, 200) << answer.body;
+  EXPECT_EQ(answer.body.find("{\"proposals\": ["), 0u);
+  EXPECT_EQ(answer.headers.at("etag"), "\"1\"");
+  EXPECT_PROBLEM(get("/api/v1/projects/p_0/proposals"), 404, "store.not_found");
+}
+
 TEST_F(Edits, ImportsReportOnAnUploadedPattern) {
   const std::string dxf =
       "0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\nA\n90\n4\n70\n1\n10\n0\n20\n0\n10\n90\n20\n0\n10\n90\n20\n9"

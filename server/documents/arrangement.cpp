@@ -1,0 +1,153 @@
+#include "server/documents/arrangement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/base/units.h"
+#include "core/body/segments.h"
+#include "core/mesh/make_panel_meshes.h"
+#include "proto/cpp/names.h"
+#include "proto/cpp/project_places.h"
+#include "proto/cpp/project_resolve.h"
+#include "server/documents/edits.h"
+#include "server/documents/findings.h"
+#include "server/documents/projects.h"
+
+namespace toile {
+namespace {
+
+constexpr double kFarthest_mm = 5000;  // of a place from a box
+const std::vector<std::string> kSides{"front", "back", "left", "right"};
+
+std::vector<std::string> part_names() {
+  std::vector<std::string> names;
+  for (int p = 0; p < kBodyParts; ++p) names.emplace_back(name_of(static_cast<BodyPart>(p)));
+  return names;
+}
+
+Result<Arrangement> arrangement_of(const DrapeInput& input) {
+  const Result<PanelMeshes> meshes = make_panel_meshes(input.pattern, input.settings.particle_distance, {});
+  if (!meshes) return meshes.error();
+  return arrange({input.pattern, *meshes, input.bodies});
+}
+
+/// Told by the body, so that the piece goes along when the measures change.
+ProjectPlacement placement_of(const PieceWish& wish) {
+  const Vec2 at{metres_from_mm(wish.at_mm.x), metres_from_mm(wish.at_mm.y)};
+  const double away = metres_from_mm(wish.away_mm);
+  ProjectPlacement out;
+  if (wish.wrapped) {
+    ProjectAround& around = out.around.emplace();
+    around.part = wish.part, around.side = wish.side, around.at = at;
+    around.away = std::max(away, 0.0), around.turn = wish.turn;
+  } else {
+    ProjectOnBox& box = out.on_box.emplace();
+    box.part = wish.part, box.side = wish.side, box.at = at, box.away = away, box.turn = wish.turn;
+  }
+  return out;
+}
+
+Error bad_place(const std::string& message, const std::string& key) {
+  return {"request.place", message, pointer_to("", key)};
+}
+
+Status read_word(const JsonValue& object, const char* key, const std::vector<std::string>& words,
+                 std::string& out) {
+  const JsonValue* value = object.find(key);
+  if (!value) return {};
+  if (!value->text() || std::find(words.begin(), words.end(), *value->text()) == words.end())
+    return bad_place("this is one of a few words; " + advice(value->text() ? *value->text() : "", words),
+                     key);
+  out = *value->text();
+  return {};
+}
+
+Status read_length(const JsonValue* value, const std::string& key, double most, double& out) {
+  if (!value) return {};
+  if (!value->number() || !(std::abs(*value->number()) <= most))
+    return bad_place("this is a number of at most " + std::to_string(static_cast<int>(most)), key);
+  out = *value->number();
+  return {};
+}
+
+Status read_numbers(const JsonValue& object, PieceWish& wish) {
+  if (const JsonValue* at = object.find("at_mm")) {
+    if (!at->array() || at->array()->size() != 2) return bad_place("this is a list of two numbers", "at_mm");
+    const auto& xy = *at->array();
+    if (Status s = read_length(&xy[0], "at_mm", kFarthest_mm, wish.at_mm.x); !s) return s;
+    if (Status s = read_length(&xy[1], "at_mm", kFarthest_mm, wish.at_mm.y); !s) return s;
+  }
+  if (Status s = read_length(object.find("away_mm"), "away_mm", kFarthest_mm, wish.away_mm); !s) return s;
+  return read_length(object.find("turn"), "turn", 360, wish.turn);
+}
+
+}  // namespace
+
+void take_arrangement(const Arrangement& made, const Pattern& pattern, Project& project) {
+  for (std::size_t p = 0; p < project.pieces.size(); ++p) {
+    project.pieces[p].placement = project_placement(made.placements[p]);
+  }
+  std::erase_if(project.attachments, [](const ProjectAttachment& a) { return a.id.starts_with("hold_"); });
+  for (const Attachment& a : made.attachments) project.attachments.push_back(project_attachment(pattern, a));
+}
+
+std::vector<JsonMember> arrangement_members(const Arrangement& made) {
+  std::vector<JsonValue> pieces, holds, findings;
+  for (const ArrangedPiece& p : made.pieces)
+    pieces.push_back(std::vector<JsonMember>{{"id", p.id}, {"place", p.where}});
+  for (const Attachment& a : made.attachments) holds.emplace_back(a.id);
+  for (const Finding& f : made.findings) findings.push_back(finding_json(f));
+  return {{"pieces", std::move(pieces)}, {"holds", std::move(holds)}, {"findings", std::move(findings)}};
+}
+
+Result<ArrangedProject> arrange_project(Store& store, const OwnerId& owner, const std::string& id,
+                                        int expected) {
+  JsonValue arrangement;
+  const ProjectChange change = [&](const Project& now, ProjectFileMap& files) -> Result<Project> {
+    const Result<DrapeInput> input = resolve_project(now, files_in_store(store, owner, files));
+    if (!input) return input.error();
+    const Result<Arrangement> made = arrangement_of(*input);
+    if (!made) return made.error();
+    arrangement = arrangement_members(*made);
+    Project wanted = now;
+    take_arrangement(*made, input->pattern, wanted);
+    return wanted;
+  };
+  Result<ProjectRow> project = change_project(store, owner, id, expected, change);
+  if (!project) return project.error();
+  return ArrangedProject{std::move(*project), std::move(arrangement)};
+}
+
+Result<PieceWish> read_piece_wish(const JsonValue& object) {
+  PieceWish wish;
+  const JsonValue* piece = object.find("piece");
+  if (!piece || !piece->text()) return bad_place("\"piece\" is the id of a piece", "piece");
+  wish.piece = *piece->text();
+  if (Status s = read_word(object, "part", part_names(), wish.part); !s) return s.error();
+  if (Status s = read_word(object, "side", kSides, wish.side); !s) return s.error();
+  if (Status s = read_numbers(object, wish); !s) return s.error();
+  if (const JsonValue* wrapped = object.find("wrapped")) {
+    if (!wrapped->boolean()) return bad_place("this is true or false", "wrapped");
+    wish.wrapped = *wrapped->boolean();
+  }
+  return wish;
+}
+
+Result<ProjectRow> place_piece(Store& store, const OwnerId& owner, const std::string& id,
+                               const PieceWish& wish, int expected) {
+  const ProjectChange change = [&](const Project& now, ProjectFileMap& files) -> Result<Project> {
+    const auto at = std::find_if(now.pieces.begin(), now.pieces.end(),
+                                 [&](const ProjectPiece& piece) { return piece.id == wish.piece; });
+    if (at == now.pieces.end())
+      return Error{"edit.unknown_piece", "There is no piece of that name.", "piece " + clipped(wish.piece)};
+    Project wanted = now;
+    wanted.pieces[static_cast<std::size_t>(at - now.pieces.begin())].placement = placement_of(wish);
+    const Result<DrapeInput> input = resolve_project(wanted, files_in_store(store, owner, files));
+    if (!input) return input.error();
+    return wanted;
+  };
+  return change_project(store, owner, id, expected, change);
+}
+
+}  // namespace toile

@@ -1,0 +1,48 @@
+#pragma once
+// Where the pieces of a project stand. Each change is one step of the project's history.
+
+#include <string>
+#include <vector>
+
+#include "core/arrange/arrange.h"
+#include "core/base/result.h"
+#include "proto/cpp/json_codec.h"
+#include "proto/cpp/project.h"
+#include "server/store/store.h"
+
+namespace toile {
+
+/// The arrangement's places and holds in the document; holds of an arrangement before this one are replaced,
+/// others stay. REQUIRES that `project` and `pattern` have the same pieces.
+void take_arrangement(const Arrangement& made, const Pattern& pattern, Project& project);
+
+/// {"pieces": [{"id", "place"}], "holds": [id], "findings": […]}
+std::vector<JsonMember> arrangement_members(const Arrangement& made);
+
+struct ArrangedProject {
+  ProjectRow project;
+  JsonValue arrangement;  ///< its members
+};
+/// Places all pieces around the body (core/arrange/arrange.h) when the project stands at revision `expected`
+/// (0: at any). Errors: those of reading it, of arrange(), store.*.
+Result<ArrangedProject> arrange_project(Store& store, const OwnerId& owner, const std::string& id,
+                                        int expected);
+
+/// Where a person puts a piece.
+struct PieceWish {
+  std::string piece;
+  std::string part = "torso";  ///< name_of(BodyPart)
+  std::string side = "front";  ///< "front", "back", "left", "right": the wearer's
+  Vec2 at_mm;                  ///< from the side's middle: to the right as one looks at it, and up
+  double away_mm = 50;         ///< from the side; of a wrapped piece from what stands out farthest
+  double turn = 0;             ///< degrees, counter-clockwise as one looks at it
+  bool wrapped = false;        ///< rolled around the part
+};
+/// Keys as in PieceWish; all but "piece" may be missing. Errors: request.unknown_key, request.place.
+Result<PieceWish> read_piece_wish(const JsonValue& object);
+/// The middle of the piece comes there. Errors: edit.unknown_piece, body.not_standing, arrange.no_body,
+/// store.*.
+Result<ProjectRow> place_piece(Store& store, const OwnerId& owner, const std::string& id,
+                               const PieceWish& wish, int expected);
+
+}  // namespace toile

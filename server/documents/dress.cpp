@@ -1,0 +1,178 @@
+#include "server/documents/dress.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/body/body_stance.h"
+#include "proto/cpp/names.h"
+#include "proto/cpp/project_bodies.h"
+#include "proto/cpp/project_pieces.h"
+#include "server/documents/bodies.h"
+#include "server/documents/edits.h"
+#include "server/documents/mannequins.h"
+
+namespace toile {
+namespace {
+
+Error bad_wish(const std::string& message, const std::string& key) {
+  return {"request.body", message, pointer_to("", key)};
+}
+
+/// What of the wish goes into the document as it stands there.
+JsonValue document_part(const JsonValue& wish, const std::string& id) {
+  std::vector<JsonMember> members{{"id", id}};
+  for (const JsonMember& member : *wish.object())
+    if (member.key != "asset" && member.key != "turn") members.push_back(member);
+  return members;
+}
+
+double lowest(const TriangleMesh& mesh) {
+  double low = HUGE_VAL;
+  for (const Vec3& p : mesh.vertices) low = std::min(low, p.y);
+  return mesh.vertices.empty() ? 0 : low;
+}
+
+/// The body of a document that stands as stand_body() put it. It turns about the upright axis last, and a
+/// document about z last; after half a turn about z the one is the other, backwards.
+void stand_up(ProjectBody& body, const BodyStance& stance) {
+  body.unit = stance.unit_in_m == 1e-2 ? "cm" : stance.unit_in_m == 1e-3 ? "mm" : "m";
+  if (stance.unit_in_m == 0.1) body.scale = 0.1;
+  body.up = std::string(1, stance.up);
+  const double turn = 90.0 * stance.quarter_turns;
+  body.rotation = stance.upside_down ? Vec3{0, -turn, 180} : Vec3{0, turn, 0};
+}
+
+/// A name under which no other file of the project goes.
+std::string free_name(const ProjectFileMap& files, const AssetRow& asset) {
+  const auto taken = files.find(asset.name);
+  if (taken == files.end() || taken->second == asset.id) return asset.name;
+  return asset.id.substr(0, 10) + "-" + asset.name;
+}
+
+/// Guessed where nothing is said.
+Status place_file(Store& store, const OwnerId& owner, const JsonValue& wish, const AssetRow& asset,
+                  ProjectBody& body) {
+  const auto raw = shared_bodies().mesh(store, owner, asset.id, {.unit_in_m = 1});
+  if (!raw) return raw.error();
+  const std::string unit = body.unit, up = body.up;
+  const Result<StandingBody> standing = stand_body((*raw)->mesh);
+  if (standing) stand_up(body, standing->stance);
+  if (!unit.empty()) body.unit = unit, body.scale = 1;
+  if (!up.empty() && up != body.up) body.up = up, body.rotation = {};
+  if (const JsonValue* turn = wish.find("turn")) body.rotation.y += *turn->number();
+  return {};
+}
+
+/// Its feet on the floor, once everything else is said.
+Status put_on_floor(Store& store, const OwnerId& owner, ProjectFileMap& files, ProjectBody& body) {
+  Project alone;
+  alone.bodies = {body};
+  const Result<DrapeInput> input = resolve_project(alone, files_in_store(store, owner, files));
+  if (!input) return input.error();
+  const double floor = lowest(input->bodies[0].mesh);
+  body.translation.y = -std::round(floor * 1e6) / 1e6 + 0.0;
+  return {};
+}
+
+/// A figure that can be made, so that the refusal names the measure and not the document's place.
+Result<ProjectBody> made_body(const JsonValue& part) {
+  Result<ProjectBody> body = read_body(part, "");
+  if (!body) return body;
+  const Result<MannequinSettings> settings = mannequin_settings(*body->mannequin);
+  if (!settings) return error_at("/mannequin", settings.error());
+  const auto figure = shared_mannequins().get(*settings);
+  if (!figure) return error_at("/mannequin", figure.error());
+  return body;
+}
+
+Result<ProjectBody> body_of(Store& store, const OwnerId& owner, const std::string& id, const JsonValue& wish,
+                            ProjectFileMap& files) {
+  const JsonValue* given = wish.find("asset");
+  if (!given) return made_body(document_part(wish, id));
+  if (!given->text()) return bad_wish("\"asset\" is the id of an uploaded body", "asset");
+  if (const JsonValue* turn = wish.find("turn");
+      turn && (!turn->number() || !(std::abs(*turn->number()) <= 360)))
+    return bad_wish("this is an angle of at most 360 degrees", "turn");
+  Result<AssetRow> asset = store.asset(owner, *given->text());
+  if (!asset) return asset.error();
+  if (asset->kind != "body")
+    return Error{"documents.wrong_kind", in_quotes(asset->name) + " is no body", "/asset"};
+  const std::string name = free_name(files, *asset);
+  JsonValue part = document_part(wish, id);
+  std::get<std::vector<JsonMember>>(part.data).push_back({"file", name});
+  Result<ProjectBody> body = read_body(part, "");
+  if (!body) return body;
+  if (Status s = place_file(store, owner, wish, *asset, *body); !s) return s.error();
+  files[name] = asset->id;
+  if (Status s = put_on_floor(store, owner, files, *body); !s) return s.error();
+  return body;
+}
+
+/// What of the body before stays: how cloth lies on it, where a figure stands, and the landmarks that mean
+/// the same on the other.
+void carry_over(const ProjectBody& was, const JsonValue& wish, ProjectBody& body) {
+  if (!wish.find("friction")) body.friction = was.friction;
+  if (!wish.find("skin_offset_mm")) body.skin_offset_mm = was.skin_offset_mm;
+  body.restitution = was.restitution;
+  if (was.mannequin && body.mannequin) {
+    body.translation = was.translation, body.rotation = was.rotation, body.scale = was.scale;
+  }
+  body.landmarks = was.landmarks;
+  if (was.file == body.file) return;
+  std::erase_if(body.landmarks, [](const ProjectLandmark& l) { return l.triangle.has_value(); });
+}
+
+Status check_keys(const JsonValue& wish) {
+  const std::vector<std::string> known{"mannequin", "asset", "friction", "skin_offset_mm",
+                                       "unit",      "up",    "turn"};
+  if (!wish.object()) return Error{"request.body", "a body is a JSON object", ""};
+  for (const JsonMember& member : *wish.object()) {
+    if (std::find(known.begin(), known.end(), member.key) != known.end()) continue;
+    return Error{"request.unknown_key",
+                 "the key " + in_quotes(member.key) + " is not known here; " + advice(member.key, known),
+                 pointer_to("", member.key)};
+  }
+  const bool made = wish.find("mannequin") != nullptr, file = wish.find("asset") != nullptr;
+  if (made == file) return Error{"request.body", "one of \"mannequin\" and \"asset\" must stand here", ""};
+  for (const char* key : {"unit", "up", "turn"})
+    if (made && wish.find(key)) return bad_wish("this is for a body from a file", key);
+  return {};
+}
+
+}  // namespace
+
+Result<ProjectRow> dress_project(Store& store, const OwnerId& owner, const std::string& id,
+                                 const std::string& body, const JsonValue& wish, int expected) {
+  if (Status keys = check_keys(wish); !keys) return keys.error();
+  const ProjectChange change = [&](const Project& now, ProjectFileMap& files) -> Result<Project> {
+    Result<ProjectBody> made = body_of(store, owner, body, wish, files);
+    if (!made) return made.error();
+    Project wanted = now;
+    const auto at = std::find_if(wanted.bodies.begin(), wanted.bodies.end(),
+                                 [&](const ProjectBody& one) { return one.id == body; });
+    if (at == wanted.bodies.end()) {
+      wanted.bodies.push_back(std::move(*made));
+    } else {
+      carry_over(*at, wish, *made);
+      *at = std::move(*made);
+    }
+    return wanted;
+  };
+  return change_project(store, owner, id, expected, change);
+}
+
+Result<ProjectRow> undress_project(Store& store, const OwnerId& owner, const std::string& id,
+                                   const std::string& body, int expected) {
+  const ProjectChange change = [&](const Project& now, ProjectFileMap&) -> Result<Project> {
+    Project wanted = now;
+    if (std::erase_if(wanted.bodies, [&](const ProjectBody& one) { return one.id == body; }) > 0)
+      return wanted;
+    return Error{"edit.unknown_body", "There is no body of that name.", "body " + clipped(body)};
+  };
+  return change_project(store, owner, id, expected, change);
+}
+
+}  // namespace toile

@@ -1,0 +1,279 @@
+#include "server/documents/figures.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <list>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "core/base/hash.h"
+#include "core/body/body_proportions.h"
+#include "core/body/body_stance.h"
+#include "core/body/segments.h"
+#include "proto/cpp/project_bodies.h"
+#include "proto/cpp/project_pieces.h"
+#include "server/documents/assets.h"
+#include "server/documents/bodies.h"
+#include "server/documents/mannequins.h"
+#include "server/store/file_name.h"
+
+namespace toile {
+namespace {
+
+constexpr double kMetres = 1e-2;  // per cm
+
+/// Hundredths of a centimetre, and of a millimetre: finer than any tape.
+double cm(double metres) { return std::round(metres / kMetres * 100) / 100 + 0.0; }
+double fine(double metres) { return std::round(metres * 1e5) / 1e5 + 0.0; }
+
+JsonValue count_of(std::size_t count) { return static_cast<double>(count); }
+JsonValue vector_json(Vec3 p) { return std::vector<JsonValue>{fine(p.x), fine(p.y), fine(p.z)}; }
+
+JsonValue measures_json(const MeasureSet& set) {
+  std::vector<JsonMember> out;
+  for (int i = 0; i < kMeasureCount; ++i)
+    if (set[measure_at(i)])
+      out.push_back({std::string(measure_name(measure_at(i))), cm(*set[measure_at(i)])});
+  return out;
+}
+
+JsonValue taken_json(Measure m, const TakenMeasure& taken, const std::optional<double>& asked, double floor) {
+  std::vector<JsonValue> line;
+  for (const Vec3& p : taken.line) line.push_back(vector_json(p + Vec3{0, floor, 0}));
+  return std::vector<JsonMember>{{"name", std::string(measure_name(m))},
+                                 {"girth", is_girth(m)},
+                                 {"cm", cm(taken.value)},
+                                 {"at_cm", cm(taken.height)},
+                                 {"asked_cm", asked ? JsonValue(cm(*asked)) : JsonValue()},
+                                 {"rule", std::string(measure_rule(m))},
+                                 {"line", std::move(line)}};
+}
+
+JsonValue box_json(const PartBox& box) {
+  std::vector<JsonValue> axes;
+  for (const Vec3& axis : box.axis) axes.push_back(vector_json(axis));
+  return std::vector<JsonMember>{{"part", std::string(name_of(box.part))},
+                                 {"centre", vector_json(box.centre)},
+                                 {"axes", std::move(axes)},
+                                 {"half", vector_json(box.half)}};
+}
+
+struct Extent {
+  Vec3 low, high;
+};
+
+Extent extent_of(const TriangleMesh& mesh) {
+  Extent e;
+  if (!mesh.vertices.empty()) e.low = e.high = mesh.vertices.front();
+  for (const Vec3& p : mesh.vertices) {
+    e.low = {std::min(e.low.x, p.x), std::min(e.low.y, p.y), std::min(e.low.z, p.z)};
+    e.high = {std::max(e.high.x, p.x), std::max(e.high.y, p.y), std::max(e.high.z, p.z)};
+  }
+  return e;
+}
+
+/// The tape wants the floor at y = 0.
+Result<BodyMeasures> measured(const TriangleMesh& mesh, double floor) {
+  if (floor == 0) return measure_body(mesh);
+  TriangleMesh standing = mesh;
+  for (Vec3& p : standing.vertices) p.y -= floor;
+  return measure_body(standing);
+}
+
+struct Parts {
+  std::vector<JsonValue> measures, landmarks, boxes;
+};
+
+Status find_parts(const TriangleMesh& mesh, const MeasureSet& asked, double floor, Parts& parts) {
+  const Result<BodyFigure> figure = find_figure(mesh);
+  if (!figure) return figure.error();
+  for (const Landmark& landmark : find_landmarks(mesh, *figure)) {
+    parts.landmarks.push_back(
+        std::vector<JsonMember>{{"name", landmark.name}, {"place", vector_json(landmark.place)}});
+  }
+  for (const PartBox& box : part_boxes(mesh, *figure)) parts.boxes.push_back(box_json(box));
+  const Result<BodyMeasures> taken = measured(mesh, floor);
+  if (!taken) return taken.error();
+  for (int i = 0; i < kMeasureCount; ++i) {
+    const Measure m = measure_at(i);
+    if ((*taken)[m]) parts.measures.push_back(taken_json(m, *(*taken)[m], asked[m], floor));
+  }
+  return {};
+}
+
+std::string obj_text(const TriangleMesh& mesh) {
+  std::string out;
+  std::array<char, 32> buffer;
+  const auto number = [&](auto value) {
+    out += ' ';
+    out.append(buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr);
+  };
+  for (const Vec3& p : mesh.vertices) {
+    out += 'v';
+    for (const double x : {p.x, p.y, p.z}) number(x);
+    out += '\n';
+  }
+  for (const Tri& t : mesh.triangles) {
+    out += 'f';
+    for (const Index corner : t) number(corner + 1);
+    out += '\n';
+  }
+  return out;
+}
+
+/// Figures that were found before, by mesh and wish: a scan takes seconds, and a project is looked at after
+/// every change of its pattern. Thread-safe.
+class FigureCache {
+ public:
+  std::vector<JsonMember> get(const TriangleMesh& mesh, const MeasureSet& asked) {
+    const std::string key = key_of(mesh, asked);
+    {
+      const std::lock_guard hold(mutex_);
+      const auto found = std::find_if(entries_.begin(), entries_.end(),
+                                      [&](const Entry& entry) { return entry.first == key; });
+      if (found != entries_.end()) {
+        entries_.splice(entries_.begin(), entries_, found);
+        return found->second;
+      }
+    }
+    std::vector<JsonMember> made = figure_members(mesh, asked);
+    const std::lock_guard hold(mutex_);
+    entries_.emplace_front(key, made);
+    if (entries_.size() > kMost) entries_.pop_back();
+    return made;
+  }
+
+ private:
+  using Entry = std::pair<std::string, std::vector<JsonMember>>;
+  static constexpr std::size_t kMost = 32;  // some hundred kilobytes each
+
+  static std::string key_of(const TriangleMesh& mesh, const MeasureSet& asked) {
+    const std::string_view corners(reinterpret_cast<const char*>(mesh.triangles.data()),
+                                   mesh.triangles.size() * sizeof(Tri));
+    return hash_of(mesh.vertices) + hash_of(corners) + write_json_line(measures_json(asked));
+  }
+
+  std::mutex mutex_;
+  std::list<Entry> entries_;  // newest use first
+};
+
+FigureCache& shared_figures() {
+  static FigureCache cache;
+  return cache;
+}
+
+/// The bodies alone, so that no pattern is read for them.
+Result<DrapeInput> resolve_bodies(const Project& project, const ProjectFiles& files) {
+  Project bodies;
+  bodies.bodies = project.bodies;
+  return resolve_project(bodies, files);
+}
+
+}  // namespace
+
+std::string body_presets_json() {
+  std::vector<JsonValue> presets, measures;
+  for (const BodyPreset& preset : body_presets()) {
+    presets.push_back(std::vector<JsonMember>{
+        {"name", std::string(preset.name)},
+        {"sex", std::string(name_of(preset.sex))},
+        {"measures_cm", measures_json(with_proportions(preset.sex, preset.measures()))}});
+  }
+  for (int i = 0; i < kMeasureCount; ++i) {
+    const Measure m = measure_at(i);
+    const auto [least, most] = measure_range_cm(m);
+    measures.push_back(std::vector<JsonMember>{{"name", std::string(measure_name(m))},
+                                               {"rule", std::string(measure_rule(m))},
+                                               {"girth", is_girth(m)},
+                                               {"least_cm", least},
+                                               {"most_cm", most}});
+  }
+  return write_json_line(
+             std::vector<JsonMember>{{"presets", std::move(presets)}, {"measures", std::move(measures)}}) +
+         "\n";
+}
+
+std::vector<JsonMember> figure_members(const TriangleMesh& mesh, const MeasureSet& asked) {
+  const Extent extent = extent_of(mesh);
+  Parts parts;
+  JsonValue why;
+  const Status found = find_parts(mesh, asked, extent.low.y, parts);
+  if (!found) {
+    why = std::vector<JsonMember>{{"code", found.error().code}, {"detail", found.error().message}};
+  }
+  return {{"stands", static_cast<bool>(found)},
+          {"why", std::move(why)},
+          {"vertices", count_of(mesh.vertices.size())},
+          {"triangles", count_of(mesh.triangles.size())},
+          {"low", vector_json(extent.low)},
+          {"high", vector_json(extent.high)},
+          {"measures", std::move(parts.measures)},
+          {"landmarks", std::move(parts.landmarks)},
+          {"boxes", std::move(parts.boxes)}};
+}
+
+Result<std::string> asset_figure_json(Store& store, const OwnerId& owner, const std::string& asset) {
+  const auto read = shared_bodies().mesh(store, owner, asset, {.unit_in_m = 1});
+  if (!read) return read.error();
+  const TriangleMesh& raw = (*read)->mesh;
+  const Result<StandingBody> standing = stand_body(raw);
+  std::vector<JsonMember> out;
+  JsonValue stance;
+  if (standing) {
+    const BodyStance& s = standing->stance;
+    stance = std::vector<JsonMember>{{"unit_in_m", s.unit_in_m},
+                                     {"up", std::string(1, s.up)},
+                                     {"upside_down", s.upside_down},
+                                     {"turned_degrees", 90.0 * s.quarter_turns}};
+  }
+  out.push_back({"stance", std::move(stance)});
+  for (JsonMember& member : figure_members(standing ? standing->mesh : raw, {}))
+    out.push_back(std::move(member));
+  return write_json_line(std::move(out)) + "\n";
+}
+
+Result<MadeBody> make_body(Store& store, const OwnerId& owner, const JsonValue& wish,
+                           const std::string& name) {
+  const Result<ProjectMannequin> given = read_mannequin(wish, "/mannequin");
+  if (!given) return given.error();
+  const Result<MannequinSettings> settings = mannequin_settings(*given);
+  if (!settings) return error_at("/mannequin", settings.error());
+  const auto made = shared_mannequins().get(*settings);
+  if (!made) return error_at("/mannequin", made.error());
+  const std::string file = ending_of(name) == ".obj" ? name : name + ".obj";
+  Result<AssetRow> asset = add_asset(store, owner, "body", file, obj_text((*made)->mesh));
+  if (!asset) return asset.error();
+  return MadeBody{std::move(*asset), figure_members((*made)->mesh, settings->asked)};
+}
+
+Result<std::string> project_bodies_json(const std::string& document, const ProjectFiles& files) {
+  const Result<Project> project = parse_project(document);
+  if (!project) return project.error();
+  const Result<DrapeInput> input = resolve_bodies(*project, files);
+  if (!input) return input.error();
+  std::vector<JsonValue> bodies;
+  for (std::size_t i = 0; i < project->bodies.size(); ++i) {
+    const ProjectBody& given = project->bodies[i];
+    MeasureSet asked;
+    if (given.mannequin) {
+      if (const Result<MannequinSettings> settings = mannequin_settings(*given.mannequin))
+        asked = settings->asked;
+    }
+    std::vector<JsonMember> body{
+        {"id", given.id},
+        {"file", given.file.empty() ? JsonValue() : JsonValue(given.file)},
+        {"mannequin", given.mannequin ? mannequin_json(*given.mannequin) : JsonValue()},
+        {"friction", given.friction},
+        {"skin_offset_mm", given.skin_offset_mm}};
+    for (JsonMember& member : shared_figures().get(input->bodies[i].mesh, asked)) {
+      body.push_back(std::move(member));
+    }
+    bodies.emplace_back(std::move(body));
+  }
+  return write_json_line(std::vector<JsonMember>{{"bodies", std::move(bodies)}}) + "\n";
+}
+
+}  // namespace toile

@@ -1,0 +1,42 @@
+#pragma once
+// Bodies as people look at them: what the tape says, where landmarks are, and the boxes of their parts.
+
+#include <string>
+
+#include "core/base/result.h"
+#include "proto/cpp/json_codec.h"
+#include "proto/cpp/project_resolve.h"
+#include "server/store/store.h"
+
+namespace toile {
+
+/// {"presets": [{"name", "sex", "measures_cm": {…}}], "measures": [{"name", "rule", "girth", "least_cm",
+/// "most_cm"}]}: the size tables with all fourteen measures, what proportions give filled in.
+std::string body_presets_json();
+
+/// The members of a figure: "stands" and, when it does not, "why" {"code", "detail"}; "vertices",
+/// "triangles", "low", "high"; "measures" [{"name", "girth", "cm", "at_cm", "rule", "line", "asked_cm" or
+/// null}]; "landmarks" [{"name", "place"}]; "boxes" [{"part", "centre", "axes", "half"}]. Places in metres. A
+/// mesh that is no standing person has the first four members and empty lists.
+std::vector<JsonMember> figure_members(const TriangleMesh& mesh, const MeasureSet& asked);
+
+/// How an uploaded body stands in its file, and its figure once it stands on the floor and looks to the
+/// front: {"stance": {"unit_in_m", "up", "upside_down", "turned_degrees"} or null, …figure}. Errors:
+/// store.not_found, documents.wrong_kind, mesh.*.
+Result<std::string> asset_figure_json(Store& store, const OwnerId& owner, const std::string& asset);
+
+/// A body made from measures and kept as a file: {"asset": its row, …figure}. `wish` is a mannequin as a
+/// project document has it; `name` is the file's, with or without ".obj". Errors: project.* with a pointer,
+/// mannequin.*, store.*.
+struct MadeBody {
+  AssetRow asset;
+  std::vector<JsonMember> figure;
+};
+Result<MadeBody> make_body(Store& store, const OwnerId& owner, const JsonValue& wish,
+                           const std::string& name);
+
+/// {"bodies": [{"id", "file" or null, "mannequin" or null, "friction", "skin_offset_mm", …figure}]}, each in
+/// its place. Errors: those of reading the document and its bodies.
+Result<std::string> project_bodies_json(const std::string& document, const ProjectFiles& files);
+
+}  // namespace toile

@@ -1,0 +1,17 @@
+#include "server/documents/findings.h"
+
+#include <string>
+#include <vector>
+
+namespace toile {
+
+JsonValue finding_json(const Finding& f) {
+  return std::vector<JsonMember>{{"code", f.code},
+                                 {"severity", std::string(name_of(f.severity))},
+                                 {"message", f.message},
+                                 {"where", f.where},
+                                 {"place", std::vector<JsonValue>{f.place.x, f.place.y, f.place.z}},
+                                 {"repaired", f.repaired}};
+}
+
+}  // namespace toile

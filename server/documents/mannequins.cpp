@@ -1,0 +1,62 @@
+#include "server/documents/mannequins.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace toile {
+namespace {
+
+constexpr std::size_t kMost = 32;  // of 4,000 triangles each: a few megabytes
+
+/// Equal for equal settings, bit for bit.
+std::string key_of(const MannequinSettings& settings) {
+  std::string key =
+      std::to_string(static_cast<int>(settings.sex)) + " " + std::to_string(settings.triangle_count);
+  const auto add = [&key](double value) {
+    std::array<char, 32> text;
+    key += ' ';
+    key.append(text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr);
+  };
+  add(settings.arm_angle);
+  for (const std::optional<double>& value : settings.asked.values) {
+    if (value) add(*value);
+    key += ',';
+  }
+  return key;
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const Mannequin>> MannequinCache::get(const MannequinSettings& settings) {
+  const std::string key = key_of(settings);
+  if (std::shared_ptr<const Mannequin> kept = find(key)) return kept;
+  Result<Mannequin> made = make_mannequin(settings);
+  if (!made) return made.error();
+  auto figure = std::make_shared<const Mannequin>(std::move(*made));
+  const std::lock_guard hold(mutex_);
+  entries_.emplace_front(key, figure);
+  if (entries_.size() > most_) entries_.pop_back();
+  return std::shared_ptr<const Mannequin>(std::move(figure));
+}
+
+std::shared_ptr<const Mannequin> MannequinCache::find(const std::string& key) {
+  const std::lock_guard hold(mutex_);
+  const auto found =
+      std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) { return entry.first == key; });
+  if (found == entries_.end()) return nullptr;
+  entries_.splice(entries_.begin(), entries_, found);
+  return found->second;
+}
+
+std::size_t MannequinCache::count() const {
+  const std::lock_guard hold(mutex_);
+  return entries_.size();
+}
+
+MannequinCache& shared_mannequins() {
+  static MannequinCache cache(kMost);
+  return cache;
+}
+
+}  // namespace toile

@@ -1,0 +1,161 @@
+#include "server/documents/starts.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/base/units.h"
+#include "core/drape/pipeline.h"
+#include "proto/cpp/frame_codec.h"
+#include "proto/cpp/message_bytes.h"
+#include "proto/cpp/project.h"
+#include "server/documents/findings.h"
+#include "server/documents/projects.h"
+
+namespace toile {
+namespace {
+
+constexpr std::size_t kMostBytes = std::size_t{64} << 20;
+
+struct Extent {
+  Vec3 low, high;
+};
+
+/// REQUIRES first < last.
+Extent extent_of(const std::vector<Vec3>& points, Index first, Index last) {
+  Extent e{points[static_cast<std::size_t>(first)], points[static_cast<std::size_t>(first)]};
+  for (Index i = first; i < last; ++i) {
+    const Vec3& p = points[static_cast<std::size_t>(i)];
+    e.low = {std::min(e.low.x, p.x), std::min(e.low.y, p.y), std::min(e.low.z, p.z)};
+    e.high = {std::max(e.high.x, p.x), std::max(e.high.y, p.y), std::max(e.high.z, p.z)};
+  }
+  return e;
+}
+
+std::vector<StreamPiece> pieces_of(const DrapeInput& input, const GarmentMesh& garment) {
+  std::vector<StreamPiece> pieces;
+  for (std::size_t p = 0; p < input.pattern.panels.size(); ++p) {
+    const double* colour = input.fabrics[static_cast<std::size_t>(input.fabric_of_panel[p])].colour;
+    pieces.push_back({input.pattern.panels[p].id,
+                      garment.first_vertex[p],
+                      garment.first_vertex[p + 1] - garment.first_vertex[p],
+                      {colour[0], colour[1], colour[2]}});
+  }
+  return pieces;
+}
+
+std::string geometry_of(const DrapeInput& input, const Assembly& assembly) {
+  const std::vector<Vec3>& points = assembly.positions;
+  const Extent extent = points.empty() ? Extent{} : extent_of(points, 0, static_cast<Index>(points.size()));
+  const std::string topology = encode_topology(1, grid_for(extent.low, extent.high), assembly.garment,
+                                               pieces_of(input, assembly.garment));
+  std::string out;
+  out.reserve(4 + topology.size() + 12 * points.size());
+  put(out, static_cast<std::uint32_t>(topology.size()));
+  out += topology;
+  for (const Vec3& p : points)
+    for (const double x : {p.x, p.y, p.z}) put(out, static_cast<float>(x));
+  return out;
+}
+
+JsonValue vector_json(Vec3 p) { return std::vector<JsonValue>{p.x, p.y, p.z}; }
+
+/// What a hand said of the place, in the words of a request to place the piece; null where nothing did.
+JsonValue by_hand(const ProjectPlacement& placement) {
+  const auto told = [](const auto& place, bool wrapped) -> JsonValue {
+    return std::vector<JsonMember>{
+        {"part", place.part},
+        {"side", place.side},
+        {"at_mm", std::vector<JsonValue>{mm_from_metres(place.at.x), mm_from_metres(place.at.y)}},
+        {"away_mm", mm_from_metres(place.away)},
+        {"turn", place.turn},
+        {"wrapped", wrapped}};
+  };
+  if (placement.on_box) return told(*placement.on_box, false);
+  if (placement.around) return told(*placement.around, true);
+  return {};
+}
+
+std::string check_of(const Project& project, const DrapeInput& input, const DrapeStart& start) {
+  std::vector<JsonValue> findings, pieces;
+  for (const Finding& finding : start.findings) findings.push_back(finding_json(finding));
+  const GarmentMesh& garment = start.assembly.garment;
+  for (std::size_t p = 0; p < input.pattern.panels.size(); ++p) {
+    const Extent e =
+        extent_of(start.assembly.positions, garment.first_vertex[p], garment.first_vertex[p + 1]);
+    pieces.push_back(std::vector<JsonMember>{{"id", input.pattern.panels[p].id},
+                                             {"low", vector_json(e.low)},
+                                             {"high", vector_json(e.high)},
+                                             {"by_hand", by_hand(project.pieces[p].placement)}});
+  }
+  return write_json_line(std::vector<JsonMember>{{"ready", !first_error(start.findings)},
+                                                 {"findings", std::move(findings)},
+                                                 {"pieces", std::move(pieces)}}) +
+         "\n";
+}
+
+Result<StartView> make_view(Store& store, const OwnerId& owner, const ProjectRow& row) {
+  const Result<Project> project = parse_project(row.document);
+  if (!project) return project.error();
+  const Result<DrapeInput> input = resolve_project(*project, files_in_store(store, owner, row.files));
+  if (!input) return input.error();
+  const Result<DrapeStart> start = prepare_start(*input, {});
+  if (!start) return start.error();
+  return StartView{check_of(*project, *input, *start), geometry_of(*input, start->assembly)};
+}
+
+std::string key_of(const OwnerId& owner, const ProjectRow& row) {
+  std::string key = owner + '\n' + row.document;
+  for (const auto& [name, id] : row.files) key += '\n' + name + '\t' + id;
+  return key;
+}
+
+std::size_t bytes_of(const std::string& key, const StartView& view) {
+  return key.size() + view.check.size() + view.geometry.size();
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const StartView>> StartCache::get(Store& store, const OwnerId& owner,
+                                                         const ProjectRow& project) {
+  std::string key = key_of(owner, project);
+  if (std::shared_ptr<const StartView> kept = find(key)) return kept;
+  Result<StartView> made = make_view(store, owner, project);
+  if (!made) return made.error();
+  auto view = std::make_shared<const StartView>(std::move(*made));
+  keep(std::move(key), view);
+  return std::shared_ptr<const StartView>(std::move(view));
+}
+
+std::shared_ptr<const StartView> StartCache::find(const std::string& key) {
+  const std::lock_guard hold(mutex_);
+  const auto found =
+      std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) { return entry.first == key; });
+  if (found == entries_.end()) return nullptr;
+  entries_.splice(entries_.begin(), entries_, found);
+  return found->second;
+}
+
+void StartCache::keep(std::string key, std::shared_ptr<const StartView> view) {
+  const std::lock_guard hold(mutex_);
+  if (bytes_of(key, *view) > most_bytes_) return;
+  bytes_ += bytes_of(key, *view);
+  entries_.emplace_front(std::move(key), std::move(view));
+  while (bytes_ > most_bytes_) {
+    bytes_ -= bytes_of(entries_.back().first, *entries_.back().second);
+    entries_.pop_back();
+  }
+}
+
+std::size_t StartCache::bytes() const {
+  const std::lock_guard hold(mutex_);
+  return bytes_;
+}
+
+StartCache& shared_starts() {
+  static StartCache cache(kMostBytes);
+  return cache;
+}
+
+}  // namespace toile

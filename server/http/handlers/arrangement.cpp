@@ -1,0 +1,91 @@
+// Where the pieces of a project stand, and what the look at them before a drape finds.
+
+#include "server/documents/arrangement.h"
+
+#include <utility>
+
+#include "server/documents/starts.h"
+#include "server/http/handlers/answer.h"
+#include "server/http/handlers/api.h"
+#include "server/http/handlers/project_answer.h"
+#include "server/http/problem.h"
+
+namespace toile {
+namespace {
+
+HttpResponse arrange_all(const Api& api, const HttpRequest& request) {
+  const Result<int> revision = required_revision(request);
+  if (!revision) return revision_problem(revision.error());
+  const Result<ArrangedProject> made =
+      arrange_project(api.store, kLocalOwner, request.captures[0], *revision);
+  if (!made) return revision_problem(made.error());
+  std::vector<JsonMember> members = project_members(made->project);
+  members.push_back({"arrangement", made->arrangement});
+  HttpResponse response = json_answer(200, std::move(members), "document", made->project.document);
+  response.headers.emplace_back("ETag", etag_of(made->project));
+  return response;
+}
+
+HttpResponse place_one(const Api& api, const HttpRequest& request) {
+  const Result<int> revision = required_revision(request);
+  if (!revision) return revision_problem(revision.error());
+  const Result<JsonValue> tree =
+      read_object(request, {"piece", "part", "side", "at_mm", "away_mm", "turn", "wrapped"},
+                  {.bytes = kSmallBody, .depth = 8});
+  if (!tree) return problem(tree.error());
+  const Result<PieceWish> wish = read_piece_wish(*tree);
+  if (!wish) return problem(wish.error());
+  const Result<ProjectRow> project =
+      place_piece(api.store, kLocalOwner, request.captures[0], *wish, *revision);
+  return project ? project_answer(*project) : revision_problem(project.error());
+}
+
+/// The start of the project that a request names, and the project.
+struct Shown {
+  ProjectRow project;
+  std::shared_ptr<const StartView> start;
+};
+
+Result<Shown> shown(const Api& api, const HttpRequest& request) {
+  Result<ProjectRow> project = api.store.project(kLocalOwner, request.captures[0]);
+  if (!project) return project.error();
+  const auto start = shared_starts().get(api.store, kLocalOwner, *project);
+  if (!start) return start.error();
+  return Shown{std::move(*project), *start};
+}
+
+HttpResponse check(const Api& api, const HttpRequest& request) {
+  const Result<Shown> at = shown(api, request);
+  if (!at) return problem(at.error());
+  HttpResponse response = json_answer(200, at->start->check);
+  response.headers.emplace_back("ETag", etag_of(at->project));
+  return response;
+}
+
+HttpResponse start(const Api& api, const HttpRequest& request) {
+  const Result<Shown> at = shown(api, request);
+  if (!at) return problem(at.error());
+  HttpResponse response = file_answer(at->start->geometry, "application/octet-stream", "start.bin");
+  response.headers.emplace_back("Cache-Control", "no-cache");
+  response.headers.emplace_back("ETag", etag_of(at->project));
+  return response;
+}
+
+}  // namespace
+
+void add_arrangement_routes(Router& router, const Api& api) {
+  const auto add = [&](const char* method, const char* pattern, auto handler, BodyKind body) {
+    Route route{.method = method, .pattern = pattern, .handler = [&api, handler](const HttpRequest& r) {
+                  return handler(api, r);
+                }};
+    route.body = body;
+    route.heavy = true;
+    router.add(std::move(route));
+  };
+  add("POST", "/api/v1/projects/{id}/arrange", arrange_all, BodyKind::kUnused);
+  add("POST", "/api/v1/projects/{id}/place", place_one, BodyKind::kJson);
+  add("GET", "/api/v1/projects/{id}/check", check, BodyKind::kUnused);
+  add("GET", "/api/v1/projects/{id}/start", start, BodyKind::kUnused);
+}
+
+}  // namespace toile

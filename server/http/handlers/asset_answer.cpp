@@ -1,0 +1,18 @@
+#include "server/http/handlers/asset_answer.h"
+
+#include <utility>
+
+#include "server/http/handlers/answer.h"
+
+namespace toile {
+
+std::string asset_json(const AssetRow& asset) {
+  std::vector<JsonMember> members{{"id", asset.id},
+                                  {"kind", asset.kind},
+                                  {"name", asset.name},
+                                  {"size", static_cast<double>(asset.size)},
+                                  {"created_ms", static_cast<double>(asset.created_ms)}};
+  return json_with(std::move(members), "info", asset.info.empty() ? "{}" : asset.info);
+}
+
+}  // namespace toile

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "server/store/store.h"
+
+namespace toile {
+
+/// An asset as answers have it: JSON on one line, without a line feed.
+std::string asset_json(const AssetRow& asset);
+
+}  // namespace toile

@@ -1,0 +1,117 @@
+// Bodies: size tables, figures made from measures, what the tape says of uploads, and who a project dresses.
+
+#include <utility>
+
+#include "server/documents/dress.h"
+#include "server/documents/figures.h"
+#include "server/documents/projects.h"
+#include "server/documents/views.h"
+#include "server/http/handlers/answer.h"
+#include "server/http/handlers/api.h"
+#include "server/http/handlers/asset_answer.h"
+#include "server/http/handlers/project_answer.h"
+#include "server/http/problem.h"
+
+namespace toile {
+namespace {
+
+HttpResponse make(const Api& api, const HttpRequest& request) {
+  const Result<JsonValue> tree =
+      read_object(request, {"mannequin", "name"}, {.bytes = kSmallBody, .depth = 8});
+  if (!tree) return problem(tree.error());
+  const JsonValue* mannequin = tree->find("mannequin");
+  if (!mannequin) return problem({"request.body", "\"mannequin\" says what it measures", "/mannequin"});
+  std::string name = "mannequin.obj";
+  if (const JsonValue* given = tree->find("name")) {
+    if (!given->text()) return problem({"request.body", "this is a text in quotes", "/name"});
+    name = *given->text();
+  }
+  Result<MadeBody> made = make_body(api.store, kLocalOwner, *mannequin, name);
+  if (!made) return problem(made.error());
+  std::vector<JsonMember> members = std::move(made->figure);
+  return created(json_answer(201, std::move(members), "asset", asset_json(made->asset)),
+                 "/api/v1/assets/" + made->asset.id);
+}
+
+HttpResponse figure(const Api& api, const HttpRequest& request) {
+  Result<std::string> text = asset_figure_json(api.store, kLocalOwner, request.captures[0]);
+  return text ? json_answer(200, std::move(*text)) : problem(text.error());
+}
+
+HttpResponse bodies(const Api& api, const HttpRequest& request) {
+  const Result<ProjectRow> project = api.store.project(kLocalOwner, request.captures[0]);
+  if (!project) return problem(project.error());
+  Result<std::string> text =
+      project_bodies_json(project->document, files_in_store(api.store, kLocalOwner, project->files));
+  if (!text) return problem(text.error());
+  HttpResponse response = json_answer(200, std::move(*text));
+  response.headers.emplace_back("ETag", etag_of(*project));
+  return response;
+}
+
+HttpResponse body(const Api& api, const HttpRequest& request) {
+  const Result<ProjectRow> project = api.store.project(kLocalOwner, request.captures[0]);
+  if (!project) return problem(project.error());
+  Result<std::string> bytes =
+      body_bytes(project->document, files_in_store(api.store, kLocalOwner, project->files));
+  if (!bytes) return problem(bytes.error());
+  HttpResponse response = file_answer(std::move(*bytes), "application/octet-stream", "body.bin");
+  response.headers.emplace_back("Cache-Control", "no-cache");
+  response.headers.emplace_back("ETag", etag_of(*project));
+  return response;
+}
+
+HttpResponse dress(const Api& api, const HttpRequest& request) {
+  const Result<int> revision = required_revision(request);
+  if (!revision) return revision_problem(revision.error());
+  const Result<JsonValue> wish = parse_json(request.body, {.bytes = kSmallBody, .depth = 8});
+  if (!wish) return problem(wish.error());
+  const Result<ProjectRow> project =
+      dress_project(api.store, kLocalOwner, request.captures[0], request.captures[1], *wish, *revision);
+  return project ? project_answer(*project) : revision_problem(project.error());
+}
+
+HttpResponse undress(const Api& api, const HttpRequest& request) {
+  const Result<int> revision = required_revision(request);
+  if (!revision) return revision_problem(revision.error());
+  const Result<ProjectRow> project =
+      undress_project(api.store, kLocalOwner, request.captures[0], request.captures[1], *revision);
+  return project ? project_answer(*project) : revision_problem(project.error());
+}
+
+}  // namespace
+
+void add_body_routes(Router& router, const Api& api) {
+  const auto get = [&](const char* pattern, auto handler) {
+    Route route{.method = "GET", .pattern = pattern, .handler = [&api, handler](const HttpRequest& r) {
+                  return handler(api, r);
+                }};
+    route.heavy = true;
+    router.add(std::move(route));
+  };
+  router.add({.method = "GET", .pattern = "/api/v1/bodies/presets", .handler = [](const HttpRequest&) {
+                return json_answer(200, body_presets_json());
+              }});
+  Route making{.method = "POST",
+               .pattern = "/api/v1/bodies/mannequins",
+               .handler = [&api](const HttpRequest& r) { return make(api, r); }};
+  making.body = BodyKind::kJson;
+  making.heavy = true;
+  router.add(std::move(making));
+  get("/api/v1/bodies/{id}/figure", figure);
+  get("/api/v1/projects/{id}/bodies", bodies);
+  get("/api/v1/projects/{id}/body", body);
+  Route dressing{.method = "PUT",
+                 .pattern = "/api/v1/projects/{id}/bodies/{body}",
+                 .handler = [&api](const HttpRequest& r) { return dress(api, r); }};
+  dressing.body = BodyKind::kJson;
+  dressing.heavy = true;
+  router.add(std::move(dressing));
+  Route undressing{.method = "DELETE",
+                   .pattern = "/api/v1/projects/{id}/bodies/{body}",
+                   .handler = [&api](const HttpRequest& r) { return undress(api, r); }};
+  undressing.heavy = true;
+  router.add(std::move(undressing));
+}
+
+}  // namespace toile

@@ -1,0 +1,202 @@
+// Bodies and arrangement over HTTP: figures, dressing, places, the look at a start, and undo of all of it.
+
+#include <cmath>
+#include <cstring>
+#include <string>
+
+#include "tests/server/http/dressed.h"
+#include "tests/server/http/served.h"
+
+namespace toile::test {
+namespace {
+
+class Dressing : public Served {
+ protected:
+  void SetUp() override {
+    serve();
+    const Answer made = send_json("POST", "/api/v1/projects", dressed_pair(post_asset()));
+    ASSERT_EQ(made.status, 201) << made.body;
+    id = member(made, "id");
+    one = "/api/v1/projects/" + id;
+  }
+  Answer change(const std::string& method, const std::string& what, const std::string& body = "",
+                const std::string& match = "*") {
+    return send_json(method, one + what, body, match.empty() ? "" : "If-Match: " + match + "\r\n");
+  }
+  std::string document() { return store->project(kLocalOwner, id)->document; }
+  JsonValue tree_of(const Answer& answer) {
+    EXPECT_EQ(answer.status, 200) << answer.body.substr(0, 500);
+    const Result<JsonValue> tree = parse_json(answer.body, {.bytes = answer.body.size(), .depth = 64});
+    return tree ? *tree : JsonValue();
+  }
+  static double measure(const JsonValue& figure, const std::string& name) {
+    for (const JsonValue& one_of : *figure.find("measures")->array())
+      if (*one_of.find("name")->text() == name) return *one_of.find("cm")->number();
+    return NAN;
+  }
+  JsonValue first_body() { return (*tree_of(get(one + "/bodies")).find("bodies")->array())[0]; }
+  std::string id, one;
+};
+
+TEST_F(Dressing, MeasuresTheBodiesOfAProject) {
+  const JsonValue body = first_body();
+  EXPECT_EQ(*body.find("id")->text(), "anna");
+  EXPECT_TRUE(*body.find("stands")->boolean());
+  EXPECT_NEAR(measure(body, "height"), 170, 0.5);
+  EXPECT_NEAR(measure(body, "waist"), 72, 0.5);
+  EXPECT_EQ(body.find("boxes")->array()->size(), 8u);
+  EXPECT_GE(body.find("landmarks")->array()->size(), 30u);
+}
+
+TEST_F(Dressing, ChangesAndUndoesTheMannequin) {
+  const std::string first = document();
+  const Answer dressed = change("PUT", "/bodies/anna",
+                                R"({"mannequin": {"preset": "m50", "waist_cm": 92, "triangles": 1000},
+                                    "skin_offset_mm": 3})",
+                                "\"1\"");
+  ASSERT_EQ(dressed.status, 200) << dressed.body;
+  EXPECT_EQ(dressed.headers.at("etag"), "\"2\"");
+  const JsonValue body = first_body();
+  EXPECT_NEAR(measure(body, "waist"), 92, 0.5);
+  EXPECT_EQ(*body.find("skin_offset_mm")->number(), 3);
+  EXPECT_EQ(*body.find("mannequin")->find("preset")->text(), "m50");
+  ASSERT_EQ(
+      change("PUT", "/bodies/anna", R"({"mannequin": {"preset": "m50", "waist_cm": 90, "triangles": 1000}})")
+          .status,
+      200);
+  EXPECT_EQ(*first_body().find("skin_offset_mm")->number(), 3) << "what is not said stays";
+  ASSERT_EQ(change("POST", "/undo").status, 200);
+  ASSERT_EQ(change("POST", "/undo").status, 200);
+  EXPECT_EQ(document(), first);
+  ASSERT_EQ(change("POST", "/redo").status, 200);
+  EXPECT_NEAR(measure(first_body(), "waist"), 92, 0.5);
+}
+
+TEST_F(Dressing, PutsAnUploadedFigureOnItsFeet) {
+  const Answer made = send_json("POST", "/api/v1/bodies/mannequins",
+                                R"({"mannequin": {"sex": "male", "height_cm": 180, "triangles": 1000}})");
+  ASSERT_EQ(made.status, 201) << made.body;
+  const Result<std::string> obj = store->asset_bytes(
+      kLocalOwner, *parse_json(made.body, {.depth = 64})->find("asset")->find("id")->text());
+  std::string lying;  // centimetres, z up, facing the other way
+  for (std::size_t at = 0; at < obj->size();) {
+    const std::size_t end = obj->find('\n', at);
+    double x = 0, y = 0, z = 0;
+    const std::string line = obj->substr(at, end - at);
+    if (std::sscanf(line.c_str(), "v %lf %lf %lf", &x, &y, &z) == 3) {
+      lying += "v " + std::to_string(-100 * x) + " " + std::to_string(100 * z) + " " +
+               std::to_string(100 * y + 30) + "\n";
+    } else {
+      lying += line + "\n";
+    }
+    at = end + 1;
+  }
+  const std::string asset = member(upload("body", "scan.obj", lying), "id");
+  const JsonValue figure = tree_of(get("/api/v1/bodies/" + asset + "/figure"));
+  EXPECT_EQ(*figure.find("stance")->find("unit_in_m")->number(), 0.01);
+  EXPECT_EQ(*figure.find("stance")->find("up")->text(), "z");
+  const Answer dressed = change("PUT", "/bodies/anna", "{\"asset\": \"" + asset + "\"}");
+  ASSERT_EQ(dressed.status, 200) << dressed.body;
+  const JsonValue body = first_body();
+  EXPECT_TRUE(*body.find("stands")->boolean()) << dressed.body;
+  EXPECT_NEAR(measure(body, "height"), 180, 0.5);
+  EXPECT_NEAR(*(*body.find("low")->array())[1].number(), 0, 1e-4);
+  for (const char* name : {"bust", "waist", "hip", "inseam"})
+    EXPECT_NEAR(measure(body, name), measure(figure, name), 0.1) << name;
+  EXPECT_EQ(change("POST", "/undo").status, 200);
+  EXPECT_EQ(change("POST", "/redo").status, 200) << "its file is still the project's";
+}
+
+TEST_F(Dressing, TakesAnObjectThatIsNoPerson) {
+  const Answer dressed = change("PUT", "/bodies/post", "{\"asset\": \"" + post_asset() + "\"}");
+  ASSERT_EQ(dressed.status, 200) << dressed.body;
+  const JsonValue all = tree_of(get(one + "/bodies"));
+  ASSERT_EQ(all.find("bodies")->array()->size(), 2u);
+  EXPECT_FALSE(*(*all.find("bodies")->array())[1].find("stands")->boolean());
+  EXPECT_EQ(change("DELETE", "/bodies/post").status, 200);
+  EXPECT_EQ(tree_of(get(one + "/bodies")).find("bodies")->array()->size(), 1u);
+  EXPECT_EQ(change("POST", "/undo").status, 200);
+  EXPECT_EQ(tree_of(get(one + "/bodies")).find("bodies")->array()->size(), 2u);
+  EXPECT_PROBLEM(change("DELETE", "/bodies/nobody"), 422, "edit.unknown_body");
+}
+
+TEST_F(Dressing, IsRefusedWithTheMeasureAtFault) {
+  const Answer thin = change("PUT", "/bodies/anna", R"({"mannequin": {"sex": "female", "waist_cm": 31}})");
+  EXPECT_PROBLEM(thin, 422, "mannequin.setting");
+  EXPECT_EQ(member(thin, "where"), "/mannequin: waist");
+  EXPECT_PROBLEM(change("PUT", "/bodies/anna", R"({"mannequin": {"preset": "eu39"}})"), 422,
+                 "project.unknown_preset");
+  EXPECT_PROBLEM(change("PUT", "/bodies/anna", R"({"mannequin": {"wiast_cm": 70}})"), 422,
+                 "project.unknown_key");
+  EXPECT_PROBLEM(change("PUT", "/bodies/anna", "{}"), 422, "request.body");
+  EXPECT_PROBLEM(change("PUT", "/bodies/anna", "[]"), 422, "request.body");
+  EXPECT_PROBLEM(change("PUT", "/bodies/anna", R"({"asset": "a_0"})"), 404, "store.not_found");
+  EXPECT_PROBLEM(change("PUT", "/bodies/anna", R"({"asset": "a_0", "size": 3})"), 422, "request.unknown_key");
+  EXPECT_PROBLEM(change("PUT", "/bodies/anna", R"({"mannequin": {}})", ""), 428, "request.if_match");
+  EXPECT_PROBLEM(change("PUT", "/bodies/anna", R"({"mannequin": {}})", "\"7\""), 412, "store.conflict");
+}
+
+TEST_F(Dressing, ArrangesAllPiecesAsOneStepThatCanBeUndone) {
+  const std::string first = document();
+  const JsonValue before = tree_of(get(one + "/check"));
+  EXPECT_FALSE(*before.find("ready")->boolean()) << "four pieces lie on one another";
+  const Answer arranged = change("POST", "/arrange", "", "\"1\"");
+  const JsonValue tree = tree_of(arranged);
+  EXPECT_EQ(arranged.headers.at("etag"), "\"2\"");
+  EXPECT_EQ(tree.find("arrangement")->find("pieces")->array()->size(), 4u);
+  const JsonValue after = tree_of(get(one + "/check"));
+  EXPECT_TRUE(*after.find("ready")->boolean()) << write_json(after);
+  ASSERT_EQ(change("POST", "/undo").status, 200);
+  EXPECT_EQ(document(), first);
+  EXPECT_PROBLEM(change("POST", "/arrange", "", ""), 428, "request.if_match");
+}
+
+TEST_F(Dressing, PlacesAPieceOnASideOfABox) {
+  const Answer placed =
+      change("POST", "/place", R"({"piece": "front", "part": "hips", "side": "front", "away_mm": 80})");
+  ASSERT_EQ(placed.status, 200) << placed.body;
+  const JsonValue check = tree_of(get(one + "/check"));
+  const JsonValue body = first_body();
+  const auto number = [](const JsonValue& list, std::size_t k) { return *(*list.array())[k].number(); };
+  const JsonValue& hips = (*body.find("boxes")->array())[3];
+  ASSERT_EQ(*hips.find("part")->text(), "hips");
+  const JsonValue& front = (*check.find("pieces")->array())[0];
+  const double z = number(*front.find("low"), 2);
+  EXPECT_NEAR(z, number(*hips.find("centre"), 2) + number(*hips.find("half"), 2) + 0.08, 0.02)
+      << write_json(check);
+  EXPECT_EQ(*front.find("by_hand")->find("part")->text(), "hips");
+  EXPECT_NEAR(*front.find("by_hand")->find("away_mm")->number(), 80, 1e-6);
+  EXPECT_EQ(get(one + "/pieces").status, 200) << "the flat pieces need no body";
+  EXPECT_EQ(change("POST", "/edits", R"({"edits": [{"edit": "mirror_piece", "piece": "front"}]})").status,
+            200);
+  EXPECT_PROBLEM(change("POST", "/place", R"({"piece": "sleeve"})"), 422, "edit.unknown_piece");
+  EXPECT_PROBLEM(change("POST", "/place", R"({"piece": "front", "part": "tail"})"), 422, "request.place");
+  EXPECT_PROBLEM(change("POST", "/place", R"({"piece": "front", "away_mm": 1e9})"), 422, "request.place");
+  EXPECT_PROBLEM(change("POST", "/place", R"({"side": "front"})"), 422, "request.place");
+}
+
+TEST_F(Dressing, ShowsTheStartAsTheStreamWould) {
+  ASSERT_EQ(change("POST", "/arrange").status, 200);
+  const Answer start = get(one + "/start");
+  ASSERT_EQ(start.status, 200) << start.body;
+  std::uint32_t size = 0;
+  ASSERT_GT(start.body.size(), 8u);
+  std::memcpy(&size, start.body.data(), 4);
+  ASSERT_LT(size, start.body.size());
+  EXPECT_EQ(start.body.substr(4, 2), "TL");
+  EXPECT_EQ((start.body.size() - 4 - size) % 12, 0u);
+  EXPECT_PROBLEM(get("/api/v1/projects/p_0/start"), 404, "store.not_found");
+  EXPECT_PROBLEM(get("/api/v1/projects/p_0/check"), 404, "store.not_found");
+  EXPECT_PROBLEM(get("/api/v1/projects/p_0/bodies"), 404, "store.not_found");
+  EXPECT_PROBLEM(get("/api/v1/projects/p_0/body"), 404, "store.not_found");
+}
+
+TEST_F(Dressing, ListsPresetsWithAllTheirMeasures) {
+  const JsonValue tree = tree_of(get("/api/v1/bodies/presets"));
+  EXPECT_EQ(tree.find("measures")->array()->size(), 14u);
+  for (const JsonValue& preset : *tree.find("presets")->array())
+    EXPECT_EQ(preset.find("measures_cm")->object()->size(), 14u) << write_json(preset);
+}
+
+}  // namespace
+}  // namespace toile::test
