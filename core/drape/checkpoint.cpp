@@ -67,10 +67,10 @@ bool sound(const SessionState& s) {
          (m == 0 || m == n) && s.solver.measured_speeds.size() == m && s.watch.window_start.size() == n &&
          s.watch.drift_start.size() == n && s.watch.drift >= 0 && s.watch.usual_drift >= 0 &&
          s.watch.rms.size() <= SettleState::kMostWindows && s.watch.max_speed >= 0 &&
-         all_speeds(s.off_at_release) && all_speeds(s.watch.rms) && all_speeds({s.watch.max_speed}) && all_speeds(s.solver.measured_speeds) &&
-         all_within(s.solver.positions, kFarthest) && all_within(s.solver.velocities, kFarthest) &&
-         all_within(s.solver.measured, kFarthest) && all_within(s.watch.window_start, kFarthest) &&
-         all_within(s.watch.drift_start, kFarthest);
+         all_speeds(s.off_at_release) && all_speeds(s.watch.rms) && all_speeds({s.watch.max_speed}) &&
+         all_speeds(s.solver.measured_speeds) && all_within(s.solver.positions, kFarthest) &&
+         all_within(s.solver.velocities, kFarthest) && all_within(s.solver.measured, kFarthest) &&
+         all_within(s.watch.window_start, kFarthest) && all_within(s.watch.drift_start, kFarthest);
 }
 
 bool sound(const RunState& run) {

@@ -57,8 +57,7 @@ DrapeSession::DrapeSession(const DrapeInput& input, const PanelMeshes& meshes, A
       watch_(input.settings.time_step, input.settings.settle_speed) {
   for (const PanelMesh& mesh : meshes.panels) warps_.push_back(mesh.warp);
   for (const Body& body : input.bodies) {
-    obstacles_.push_back(
-        make_obstacle(body.mesh.vertices, body.mesh.triangles, body.friction,
+    obstacles_.push_back(make_obstacle(body.mesh.vertices, body.mesh.triangles, body.friction,
                                        body.skin_offset, body.restitution));
     crossing_bodies_.push_back(make_crossing_body(body.mesh.vertices, body.mesh.triangles));
   }

@@ -11,8 +11,8 @@
 #include "core/pattern/validate.h"
 #include "proto/cpp/json_codec.h"
 #include "proto/cpp/names.h"
-#include "proto/cpp/project_body_places.h"
 #include "proto/cpp/project_bodies.h"
+#include "proto/cpp/project_body_places.h"
 #include "proto/cpp/project_pieces.h"
 
 namespace toile {
@@ -282,7 +282,8 @@ Result<Attachment> attachment_of(const ProjectAttachment& given, const Names& na
   attachment.hold = given.hold == "place" ? Attachment::Hold::kPlace : Attachment::Hold::kHeight;
   if (!given.to) return attachment;
   if (!given.hold.empty()) {
-    return Error{"project.two_ways", "only one of \"hold\" or \"to\" may stand here", pointer_to(where, "hold")};
+    return Error{"project.two_ways", "only one of \"hold\" or \"to\" may stand here",
+                 pointer_to(where, "hold")};
   }
   Result<std::vector<Vec3>> goal = places.goal(*given.to, pointer_to(where, "to"));
   if (!goal) return goal.error();

@@ -28,8 +28,8 @@ struct ProjectFiles {
 Status check_file_name(const std::string& name);
 
 /// Errors: project.duplicate_id, project.unknown_piece, project.unknown_edge, project.unknown_fabric,
-/// project.unknown_line, project.unstable_fabric, project.path, project.body_too_far and whatever the files give; dxf.* and
-/// pattern.* where a piece cannot be cut. `where` begins with the JSON pointer of the place.
+/// project.unknown_line, project.unstable_fabric, project.path, project.body_too_far and whatever the files
+/// give; dxf.* and pattern.* where a piece cannot be cut. `where` begins with the JSON pointer of the place.
 Result<DrapeInput> resolve_project(const Project& project, const ProjectFiles& files);
 
 /// The files of a folder. Errors of its functions: project.file (not there, not readable),

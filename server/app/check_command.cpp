@@ -10,8 +10,8 @@
 #include "proto/cpp/project_resolve.h"
 #include "server/app/commands.h"
 #include "server/app/console.h"
-#include "server/app/mesh_reader.h"
 #include "server/app/findings_text.h"
+#include "server/app/mesh_reader.h"
 
 namespace toile {
 namespace {

@@ -99,8 +99,8 @@ struct ProjectNewOptions {
 ExitCode project_new_command(const ProjectNewOptions& options);
 
 struct ProjectArrangeOptions {
-  std::string project;  ///< path of the document
-  std::string out;      ///< path of the document to write; empty: the same
+  std::string project;        ///< path of the document
+  std::string out;            ///< path of the document to write; empty: the same
   std::string as = "matrix";  ///< or "box": sheets are told by the boxes of the body's parts
   bool json = false;
 };

@@ -11,8 +11,8 @@
 #include "proto/cpp/trace_file.h"
 #include "server/app/commands.h"
 #include "server/app/console.h"
-#include "server/app/mesh_reader.h"
 #include "server/app/interrupt.h"
+#include "server/app/mesh_reader.h"
 #include "server/app/progress_bar.h"
 #include "server/jobs/results.h"
 

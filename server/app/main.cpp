@@ -245,7 +245,8 @@ CLI::App* add_project_arrange(CLI::App& project, ProjectArrangeOptions& options)
   verb->add_option("project", options.project, "Project document with seams and a standing body")->required();
   verb->add_option("-o,--out", options.out,
                    "Document to write; beside the files that it names (default: the same)");
-  verb->add_option("--as", options.as, "How places are written: as matrices, or told by the boxes of the body's parts")
+  verb->add_option("--as", options.as,
+                   "How places are written: as matrices, or told by the boxes of the body's parts")
       ->check(CLI::IsMember({"matrix", "box"}))
       ->capture_default_str();
   verb->add_flag("--json", options.json, "Print as JSON");

@@ -26,8 +26,8 @@ class BodyCache {
   void read_with(MeshImporter importer) { importer_ = std::move(importer); }
   const MeshImporter& importer() const { return importer_; }
 
-  /// The asset's mesh, mended, in metres, y up. Errors: store.not_found (whether or not somebody else has it),
-  /// store.corrupt, documents.wrong_kind, mesh.* with the asset's name as place.
+  /// The asset's mesh, mended, in metres, y up. Errors: store.not_found (whether or not somebody else has
+  /// it), store.corrupt, documents.wrong_kind, mesh.* with the asset's name as place.
   Result<std::shared_ptr<const RepairedMesh>> mesh(Store& store, const OwnerId& owner,
                                                    const std::string& asset_id, const MeshSettings& settings);
   /// Of the meshes held.
@@ -46,8 +46,8 @@ class BodyCache {
   std::size_t bytes_ = 0;
 };
 
-/// The cache of this process. Assets are named by their content, so that it serves any store. Its importer reads
-/// in this process until it is given another: a server's reads in a process of its own.
+/// The cache of this process. Assets are named by their content, so that it serves any store. Its importer
+/// reads in this process until it is given another: a server's reads in a process of its own.
 BodyCache& shared_bodies();
 
 }  // namespace toile

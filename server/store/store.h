@@ -112,10 +112,10 @@ class Store {
   /// store.not_found, store.conflict.
   virtual Status remove_project(const OwnerId& owner, const std::string& id, int expected) = 0;
 
-  /// Replaces document, name and files when the stored revision is `expected`, together with a step of the history:
-  /// kDo forgets what was undone and appends `edit` (number, time and undone are the store's to give); kUndo
-  /// and kRedo turn over what edit.number names. A history holds at most 500 steps and 64 MiB, the newest.
-  /// Errors: store.not_found (the project; the step), store.conflict.
+  /// Replaces document, name and files when the stored revision is `expected`, together with a step of the
+  /// history: kDo forgets what was undone and appends `edit` (number, time and undone are the store's to
+  /// give); kUndo and kRedo turn over what edit.number names. A history holds at most 500 steps and 64 MiB,
+  /// the newest. Errors: store.not_found (the project; the step), store.conflict.
   virtual Result<ProjectRow> edit_project(const OwnerId& owner, const ProjectRow& row, int expected,
                                           EditStep step, const EditRow& edit) = 0;
   /// Steps of the history with numbers below `before` (0: all), newest first, at most `limit` (and 1,000);
