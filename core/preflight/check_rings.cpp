@@ -164,15 +164,28 @@ std::optional<double> slip_to_fit(const Ring& ring, std::span<const BodyProbe> p
   return std::nullopt;
 }
 
-std::optional<Finding> judged(const Ring& ring, std::span<const BodyProbe> probes) {
+/// The plane that a ring lies in about, and its outline there; none where it is too narrow to have one.
+struct FlatRing {
+  Vec3 middle;
+  PlaneFrame plane;
+  std::vector<Vec2> outline;
+};
+
+std::optional<FlatRing> flattened(const Ring& ring) {
   Vec3 middle;
   for (const Vec3& p : ring.points) middle += p;
   middle = middle * (1.0 / static_cast<double>(ring.points.size()));
   const Vec3 normal = normal_of(ring.points, middle);
   if (!(length(normal) > 1e-6)) return std::nullopt;
-  const PlaneFrame plane = make_plane_frame(middle, normal);
-  std::vector<Vec2> outline;
-  for (const Vec3& p : ring.points) outline.push_back(plane.flat(p));
+  FlatRing flat{middle, make_plane_frame(middle, normal), {}};
+  for (const Vec3& p : ring.points) flat.outline.push_back(flat.plane.flat(p));
+  return flat;
+}
+
+std::optional<Finding> judged(const Ring& ring, std::span<const BodyProbe> probes) {
+  const std::optional<FlatRing> flat = flattened(ring);
+  if (!flat) return std::nullopt;
+  const auto& [middle, plane, outline] = *flat;
   const double girth = girth_within(probes, plane, outline);
   const std::string cloth = "the ring of " + length_text(ring.girth) + " that is sewn here ";
   Finding f{"ring.around_nothing", Severity::kNote, cloth + "goes around no part of a body", ring.pieces,
@@ -198,14 +211,9 @@ struct Enclosed {
 };
 
 std::optional<Enclosed> enclosed_by(const Ring& ring, std::span<const BodyProbe> probes) {
-  Vec3 middle;
-  for (const Vec3& p : ring.points) middle += p;
-  middle = middle * (1.0 / static_cast<double>(ring.points.size()));
-  const Vec3 normal = normal_of(ring.points, middle);
-  if (!(length(normal) > 1e-6)) return std::nullopt;
-  const PlaneFrame plane = make_plane_frame(middle, normal);
-  std::vector<Vec2> outline;
-  for (const Vec3& p : ring.points) outline.push_back(plane.flat(p));
+  const std::optional<FlatRing> flat = flattened(ring);
+  if (!flat) return std::nullopt;
+  const auto& [middle, plane, outline] = *flat;
   for (const BodyProbe& probe : probes) {
     for (const SlicePart& part : slice_parts(probe.body().mesh, plane)) {
       if (!contains(outline, part.centre)) continue;

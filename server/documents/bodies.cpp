@@ -32,40 +32,14 @@ Result<std::shared_ptr<const RepairedMesh>> BodyCache::mesh(Store& store, const 
                  asset->name};
   }
   const std::string key = key_of(asset_id, settings);
-  if (std::shared_ptr<const RepairedMesh> kept = find(key)) return kept;
+  if (std::shared_ptr<const RepairedMesh> kept = kept_.find(key)) return kept;
   const Result<std::string> path = store.asset_path(owner, asset_id);
   if (!path) return path.error();
   Result<RepairedMesh> read = importer_.stored(*path, asset->name, settings);
   if (!read) return read.error();
   auto made = std::make_shared<const RepairedMesh>(std::move(*read));
-  keep(key, made);
+  kept_.keep(key, made, bytes_of(*made));
   return std::shared_ptr<const RepairedMesh>(std::move(made));
-}
-
-std::shared_ptr<const RepairedMesh> BodyCache::find(const std::string& key) {
-  const std::lock_guard hold(mutex_);
-  const auto found = by_key_.find(key);
-  if (found == by_key_.end()) return nullptr;
-  entries_.splice(entries_.begin(), entries_, found->second);
-  return found->second->second;
-}
-
-void BodyCache::keep(const std::string& key, std::shared_ptr<const RepairedMesh> mesh) {
-  const std::lock_guard hold(mutex_);
-  if (by_key_.contains(key) || bytes_of(*mesh) > most_bytes_) return;
-  bytes_ += bytes_of(*mesh);
-  entries_.emplace_front(key, std::move(mesh));
-  by_key_[key] = entries_.begin();
-  while (bytes_ > most_bytes_) {
-    bytes_ -= bytes_of(*entries_.back().second);
-    by_key_.erase(entries_.back().first);
-    entries_.pop_back();
-  }
-}
-
-std::size_t BodyCache::bytes() const {
-  const std::lock_guard hold(mutex_);
-  return bytes_;
 }
 
 BodyCache& shared_bodies() {

@@ -3,15 +3,13 @@
 // every drape, and a scan takes a second to read.
 
 #include <cstddef>
-#include <list>
-#include <map>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <utility>
 
 #include "core/base/result.h"
 #include "core/body/import_mesh.h"
+#include "server/documents/recent_cache.h"
 #include "server/store/store.h"
 
 namespace toile {
@@ -20,7 +18,7 @@ namespace toile {
 class BodyCache {
  public:
   explicit BodyCache(std::size_t most_bytes, MeshImporter importer = {})
-      : most_bytes_(most_bytes), importer_(std::move(importer)) {}
+      : kept_(most_bytes), importer_(std::move(importer)) {}
 
   /// Who reads from now on. Before other threads ask for meshes.
   void read_with(MeshImporter importer) { importer_ = std::move(importer); }
@@ -31,19 +29,11 @@ class BodyCache {
   Result<std::shared_ptr<const RepairedMesh>> mesh(Store& store, const OwnerId& owner,
                                                    const std::string& asset_id, const MeshSettings& settings);
   /// Of the meshes held.
-  std::size_t bytes() const;
+  std::size_t bytes() const { return kept_.size(); }
 
  private:
-  using Entry = std::pair<std::string, std::shared_ptr<const RepairedMesh>>;
-  std::shared_ptr<const RepairedMesh> find(const std::string& key);
-  void keep(const std::string& key, std::shared_ptr<const RepairedMesh> mesh);
-
-  const std::size_t most_bytes_;
+  RecentCache<RepairedMesh> kept_;
   MeshImporter importer_;
-  mutable std::mutex mutex_;
-  std::list<Entry> entries_;  // newest use first
-  std::map<std::string, std::list<Entry>::iterator> by_key_;
-  std::size_t bytes_ = 0;
 };
 
 /// The cache of this process. Assets are named by their content, so that it serves any store. Its importer

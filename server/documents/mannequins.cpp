@@ -1,6 +1,5 @@
 #include "server/documents/mannequins.h"
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 
@@ -30,28 +29,12 @@ std::string key_of(const MannequinSettings& settings) {
 
 Result<std::shared_ptr<const Mannequin>> MannequinCache::get(const MannequinSettings& settings) {
   const std::string key = key_of(settings);
-  if (std::shared_ptr<const Mannequin> kept = find(key)) return kept;
+  if (std::shared_ptr<const Mannequin> kept = kept_.find(key)) return kept;
   Result<Mannequin> made = make_mannequin(settings);
   if (!made) return made.error();
   auto figure = std::make_shared<const Mannequin>(std::move(*made));
-  const std::lock_guard hold(mutex_);
-  entries_.emplace_front(key, figure);
-  if (entries_.size() > most_) entries_.pop_back();
+  kept_.keep(key, figure, 1);
   return std::shared_ptr<const Mannequin>(std::move(figure));
-}
-
-std::shared_ptr<const Mannequin> MannequinCache::find(const std::string& key) {
-  const std::lock_guard hold(mutex_);
-  const auto found =
-      std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) { return entry.first == key; });
-  if (found == entries_.end()) return nullptr;
-  entries_.splice(entries_.begin(), entries_, found);
-  return found->second;
-}
-
-std::size_t MannequinCache::count() const {
-  const std::lock_guard hold(mutex_);
-  return entries_.size();
 }
 
 MannequinCache& shared_mannequins() {

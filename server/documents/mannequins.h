@@ -3,33 +3,26 @@
 // takes half a second to make.
 
 #include <cstddef>
-#include <list>
 #include <memory>
-#include <mutex>
 #include <string>
-#include <utility>
 
 #include "core/base/result.h"
 #include "core/body/mannequin.h"
+#include "server/documents/recent_cache.h"
 
 namespace toile {
 
 /// Figures by what was asked for; those that were used longest ago go first. Thread-safe.
 class MannequinCache {
  public:
-  explicit MannequinCache(std::size_t most) : most_(most) {}
+  explicit MannequinCache(std::size_t most) : kept_(most) {}
 
   /// Errors: those of make_mannequin, which are not kept.
   Result<std::shared_ptr<const Mannequin>> get(const MannequinSettings& settings);
-  std::size_t count() const;
+  std::size_t count() const { return kept_.size(); }
 
  private:
-  using Entry = std::pair<std::string, std::shared_ptr<const Mannequin>>;
-  std::shared_ptr<const Mannequin> find(const std::string& key);
-
-  const std::size_t most_;
-  mutable std::mutex mutex_;
-  std::list<Entry> entries_;  // newest use first
+  RecentCache<Mannequin> kept_;
 };
 
 /// The cache of this process.

@@ -119,38 +119,13 @@ std::size_t bytes_of(const std::string& key, const StartView& view) {
 
 Result<std::shared_ptr<const StartView>> StartCache::get(Store& store, const OwnerId& owner,
                                                          const ProjectRow& project) {
-  std::string key = key_of(owner, project);
-  if (std::shared_ptr<const StartView> kept = find(key)) return kept;
+  const std::string key = key_of(owner, project);
+  if (std::shared_ptr<const StartView> kept = kept_.find(key)) return kept;
   Result<StartView> made = make_view(store, owner, project);
   if (!made) return made.error();
   auto view = std::make_shared<const StartView>(std::move(*made));
-  keep(std::move(key), view);
+  kept_.keep(key, view, bytes_of(key, *view));
   return std::shared_ptr<const StartView>(std::move(view));
-}
-
-std::shared_ptr<const StartView> StartCache::find(const std::string& key) {
-  const std::lock_guard hold(mutex_);
-  const auto found =
-      std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) { return entry.first == key; });
-  if (found == entries_.end()) return nullptr;
-  entries_.splice(entries_.begin(), entries_, found);
-  return found->second;
-}
-
-void StartCache::keep(std::string key, std::shared_ptr<const StartView> view) {
-  const std::lock_guard hold(mutex_);
-  if (bytes_of(key, *view) > most_bytes_) return;
-  bytes_ += bytes_of(key, *view);
-  entries_.emplace_front(std::move(key), std::move(view));
-  while (bytes_ > most_bytes_) {
-    bytes_ -= bytes_of(entries_.back().first, *entries_.back().second);
-    entries_.pop_back();
-  }
-}
-
-std::size_t StartCache::bytes() const {
-  const std::lock_guard hold(mutex_);
-  return bytes_;
 }
 
 StartCache& shared_starts() {

@@ -2,13 +2,11 @@
 // What a drape of a project would begin with: the pieces where they stand, and what the look at them finds.
 
 #include <cstddef>
-#include <list>
 #include <memory>
-#include <mutex>
 #include <string>
-#include <utility>
 
 #include "core/base/result.h"
+#include "server/documents/recent_cache.h"
 #include "server/store/store.h"
 
 namespace toile {
@@ -26,21 +24,14 @@ struct StartView {
 /// Starts of documents; those that were used longest ago go first. Thread-safe.
 class StartCache {
  public:
-  explicit StartCache(std::size_t most_bytes) : most_bytes_(most_bytes) {}
+  explicit StartCache(std::size_t most_bytes) : kept_(most_bytes) {}
 
   /// Of the project as it stands. Errors: those of reading it, pattern.*, mesh.*, placement.*.
   Result<std::shared_ptr<const StartView>> get(Store& store, const OwnerId& owner, const ProjectRow& project);
-  std::size_t bytes() const;
+  std::size_t bytes() const { return kept_.size(); }
 
  private:
-  using Entry = std::pair<std::string, std::shared_ptr<const StartView>>;
-  std::shared_ptr<const StartView> find(const std::string& key);
-  void keep(std::string key, std::shared_ptr<const StartView> view);
-
-  const std::size_t most_bytes_;
-  mutable std::mutex mutex_;
-  std::list<Entry> entries_;  // newest use first
-  std::size_t bytes_ = 0;
+  RecentCache<StartView> kept_;
 };
 
 /// The cache of this process. Files are named by their content, so that it serves any store.
