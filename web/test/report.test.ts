@@ -65,6 +65,13 @@ describe('a report in words', () => {
   it('gives the measures of the garment', () => {
     expect(line('Garment').value).toBe('62.5 cm tall');
     expect(line('Stretch').value).toBe('0.8 % warp, 1.8 % weft');
+    const squeezed = {
+      mean: 0.01, p99: 0.12, max: 0.2,
+      tension: { mean: 0.001, p99: 0.012, max: 0.03 },
+      compression: { mean: 0.009, p99: 0.12, max: 0.2 },
+    };
+    const gathered = { ...report.strain, weft: squeezed };
+    expect(line('Stretch', { strain: gathered })).toMatchObject({ value: '0.8 % warp, 1.2 % weft', verdict: 'plain' });
   });
 });
 

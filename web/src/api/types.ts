@@ -42,6 +42,12 @@ export interface Strain {
   max: number;
 }
 
+/** Magnitudes, and what is stretched and what is squeezed apart; older reports have magnitudes only. */
+export interface Stretch extends Strain {
+  tension?: Strain;
+  compression?: Strain;
+}
+
 /** report.json; lengths in metres unless the key says otherwise. */
 export interface Report {
   name: string;
@@ -62,7 +68,7 @@ export interface Report {
     frames_checked: number;
   };
   seam_gap_max_mm: number;
-  strain: { warp: Strain; weft: Strain; shear: Strain };
+  strain: { warp: Stretch; weft: Stretch; shear: Strain };
   rms_speed: number;
   max_speed: number;
   lowest_m: number;

@@ -57,11 +57,11 @@ function seams({ seam_gap_max_mm: gap }: Report): ReportLine {
 }
 
 function stretch({ strain }: Report): ReportLine {
-  const most = Math.max(strain.warp.p99, strain.weft.p99);
-  const value = `${percent(strain.warp.p99)} warp, ${percent(strain.weft.p99)} weft`;
-  const mean = Math.max(Math.abs(strain.warp.mean), Math.abs(strain.weft.mean));
+  const warp = strain.warp.tension ?? strain.warp, weft = strain.weft.tension ?? strain.weft;
+  const value = `${percent(warp.p99)} warp, ${percent(weft.p99)} weft`;
+  const mean = Math.max(Math.abs(warp.mean), Math.abs(weft.mean));
   const sentence = `99 % of the cloth is stretched by less than this; ${percent(mean, 2)} on average.`;
-  return { label: 'Stretch', value, sentence, verdict: most < kTight ? 'plain' : 'warn' };
+  return { label: 'Stretch', value, sentence, verdict: Math.max(warp.p99, weft.p99) < kTight ? 'plain' : 'warn' };
 }
 
 function rest(report: Report): ReportLine {
