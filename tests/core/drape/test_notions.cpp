@@ -68,7 +68,9 @@ TEST(Notions, AButtonThatABodyKeepsOpenIsToldByName) {
   DrapeInput input = floating(60, 60, {0.1, -0.1});
   input.bodies = {test::column(0.07, 0.8, 1.3)};
   for (const Index sheet : {0, 1}) {  // held by their lower edges, so that they cannot slide around it
-    input.attachments.push_back({"", sheet, {0}, Attachment::Hold::kPlace, -1});
+    Attachment lower;
+    lower.panel = sheet, lower.edges = {0}, lower.hold = Attachment::Hold::kPlace, lower.release_after = -1;
+    input.attachments.push_back(lower);
   }
   input.notions.buttons = {{"cuff", {0, {0, 0.03}}, {1, {0, 0.03}}, 2e-3}};
   const DrapeResult r = drape(input, {}, nullptr).value();
