@@ -24,7 +24,7 @@ template <typename Archive>
 void fields(Archive& a, RunState& run) {
   SessionState& s = run.session;
   a.value(s.phase), a.value(s.stop_reason), a.value(s.steps);
-  a.value(s.time), a.value(s.phase_start), a.value(s.last_weld);
+  a.value(s.time), a.value(s.phase_start), a.value(s.last_weld), a.value(s.slackened);
   a.value(s.joined), a.value(s.released), a.value(s.off_at_release);
   a.value(s.watch.step), a.value(s.watch.window_start), a.value(s.watch.rms), a.value(s.watch.max_speed);
   a.value(s.watch.drift_start), a.value(s.watch.drift), a.value(s.watch.usual_drift);
@@ -62,7 +62,7 @@ bool sound(const SessionState& s) {
   const std::size_t m = s.solver.measured.size();
   return s.phase <= DrapePhase::kDone && (s.phase == DrapePhase::kDone) == !s.stop_reason.empty() &&
          s.stop_reason.size() <= kMostWords &&
-         all_counts(s.steps, s.watch.step, s.solver.held_back, s.solver.hits) &&
+         all_counts(s.steps, s.watch.step, s.solver.held_back, s.solver.hits, s.slackened) &&
          all_times(s.time, s.phase_start, s.last_weld) && s.solver.velocities.size() == n &&
          (m == 0 || m == n) && s.solver.measured_speeds.size() == m && s.watch.window_start.size() == n &&
          s.watch.drift_start.size() == n && s.watch.drift >= 0 && s.watch.usual_drift >= 0 &&

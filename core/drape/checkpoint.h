@@ -34,6 +34,7 @@ struct SessionState {
   std::string stop_reason;
   int steps = 0;
   double time = 0, phase_start = 0, last_weld = 0;  ///< s
+  int slackened = 0;                                ///< how often threads were let out again
   std::vector<bool> joined;                         ///< garment vertices welded to the least of their class
   std::vector<bool> released;                       ///< attachments
   std::vector<double> off_at_release;               ///< m, of each

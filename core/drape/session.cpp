@@ -29,6 +29,10 @@ constexpr double kFormTime = 0.5;  // s
 constexpr double kSeamShut = 0.3e-3;  // m
 /// Threads have this much longer than sew_time before a seam counts as stalled.
 constexpr double kStallTime = 1.5;  // s
+/// Threads that do not close the seams in this time are let out to this share of their first lengths, so that
+/// a fold that was caught between two sides can slip out, and pulled again, so many times.
+constexpr double kJamTime = 0.4, kSlack = 0.15;  // s, 1
+constexpr int kMostSlackened = 2;
 /// A seam is open when its sides are further apart than this.
 constexpr double kSeamTolerance = 0.5e-3;  // m
 /// A button is open when its thread is longer than it is by more than this: layers between may be thick.
@@ -158,8 +162,8 @@ SessionState DrapeSession::state() const {
   for (std::size_t i = 0; i < joined.size(); ++i) {
     joined[i] = vertex_of_[i] == vertex_of_[assembly_.garment.weld[i]];
   }
-  return {phase_, stop_reason_, steps_,          time_,          phase_start_,    last_weld_,
-          joined, released_,    off_at_release_, watch_.state(), solver_->state()};
+  return {phase_,     stop_reason_, steps_,    time_,           phase_start_,   last_weld_,
+          slackened_, joined,       released_, off_at_release_, watch_.state(), solver_->state()};
 }
 
 Status DrapeSession::restore(SessionState state) {
@@ -178,7 +182,7 @@ Status DrapeSession::restore(SessionState state) {
   watch_.restore(std::move(state.watch));
   phase_ = state.phase, stop_reason_ = std::move(state.stop_reason);
   steps_ = state.steps, time_ = state.time;
-  phase_start_ = state.phase_start, last_weld_ = state.last_weld;
+  phase_start_ = state.phase_start, last_weld_ = state.last_weld, slackened_ = state.slackened;
   return {};
 }
 
@@ -202,6 +206,11 @@ void DrapeSession::sew_or_weld() {
   if (since < input_.settings.sew_time) return;
   const double gap = largest_gap(solver_->stitches(), solver_->positions());
   const bool shut = gap <= kSeamShut && open_button().excess <= kSeamShut;
+  if (!shut && slackened_ < kMostSlackened && since >= input_.settings.sew_time + kJamTime) {
+    ++slackened_;
+    phase_start_ = time_ - (1 - kSlack) * input_.settings.sew_time;
+    return;
+  }
   if (!shut && since < input_.settings.sew_time + kStallTime) return;
   if (gap > kSeamLost) {
     phase_ = Phase::kDone, stop_reason_ = "stalled seam " + name_of_widest_seam();
@@ -327,6 +336,10 @@ CrossingCount DrapeSession::count_crossings() {
   }
   count.cloth_cloth = static_cast<int>(crossings_.with_itself().size());
   return count;
+}
+
+double longest_sewing(const DrapeSettings& settings) {
+  return settings.sew_time + kMostSlackened * (kJamTime + kSlack * settings.sew_time) + kStallTime;
 }
 
 }  // namespace toile

@@ -92,6 +92,10 @@ class DrapeSession {
   SettleWatch watch_;
   int steps_ = 0;
   double time_ = 0, phase_start_ = 0, last_weld_ = 0;
+  int slackened_ = 0;  ///< how often threads were let out again
 };
+
+/// Simulated s after which a drape is sewn or has stopped with a stalled seam.
+double longest_sewing(const DrapeSettings& settings);
 
 }  // namespace toile

@@ -150,7 +150,7 @@ class Watch final : public FrameSink {
 
 /// Steps after which a drape has had all the time that it may have, seams that do not close included.
 int step_limit(const DrapeSettings& s) {
-  return static_cast<int>((std::max(s.max_time, s.sew_time + 1.5) + 0.1) / s.time_step) + 10;
+  return static_cast<int>((std::max(s.max_time, longest_sewing(s)) + 0.1) / s.time_step) + 10;
 }
 
 double fastest(const std::vector<Vec3>& before, const std::vector<Vec3>& now, double seconds) {
