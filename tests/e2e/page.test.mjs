@@ -46,7 +46,7 @@ async function makeSlowProject() {
     'skirt.dxf': await service.upload('dxf', 'skirt.dxf', readFileSync(sample('skirt.dxf'))),
     'body.obj': await service.upload('body', 'body.obj', readFileSync(sample('body.obj'))),
   };
-  const settings = { ...document.settings, time_step_s: 1 / 24000 };
+  const settings = { ...document.settings, time_step_s: 1 / 80000 };
   return service.post('/projects', { document: { ...document, name: 'Slow', settings }, files });
 }
 
