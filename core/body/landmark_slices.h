@@ -15,7 +15,7 @@ struct BodyCut {
   Vec3 centre() const { return (low + high) * 0.5; }
 };
 
-/// The parts in which the plane through `origin` with `normal` cuts the mesh, in the order of its triangles.
+/// The parts in which the plane through `origin` with `normal` cuts the mesh, in plane_cut()'s order.
 std::vector<BodyCut> cut_body(const TriangleMesh& mesh, Vec3 origin, Vec3 normal);
 
 /// The tape around points of a plane, over hollows, m. `normal` as it was cut.

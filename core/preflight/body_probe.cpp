@@ -1,8 +1,8 @@
 #include "core/preflight/body_probe.h"
 
 #include <algorithm>
-#include <map>
 
+#include "core/body/mesh_cut.h"
 #include "core/geometry/polygon2.h"
 
 namespace toile {
@@ -12,11 +12,6 @@ namespace {
 constexpr double kStride = 0.06;  // m; a long slanting line is asked for in pieces, whose boxes are small
 
 double volume(Vec3 a, Vec3 b, Vec3 c, Vec3 p) { return dot(cross(b - a, c - a), p - a); }
-
-Index root_of(std::vector<Index>& parent, Index i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
 
 }  // namespace
 
@@ -100,37 +95,10 @@ PlaneFrame make_plane_frame(Vec3 origin, Vec3 normal) {
 }
 
 std::vector<SlicePart> slice_parts(const TriangleMesh& mesh, const PlaneFrame& plane) {
-  std::vector<double> side;
-  side.reserve(mesh.vertices.size());
-  for (const Vec3& p : mesh.vertices) side.push_back(dot(p - plane.origin, plane.normal));
-  std::vector<Vec2> points;
-  std::vector<Index> parent;
-  std::map<std::pair<Index, Index>, Index> point_of_edge;
-  for (const Tri& t : mesh.triangles) {
-    Index ends[2] = {kNone, kNone};
-    int found = 0;
-    for (int c = 0; c < 3 && found < 2; ++c) {
-      const Index a = std::min(t[c], t[(c + 1) % 3]), b = std::max(t[c], t[(c + 1) % 3]);
-      if ((side[a] < 0) == (side[b] < 0)) continue;
-      const auto [it, is_new] = point_of_edge.try_emplace({a, b}, static_cast<Index>(points.size()));
-      if (is_new) {
-        const double s = side[a] / (side[a] - side[b]);
-        points.push_back(plane.flat(mesh.vertices[a] + (mesh.vertices[b] - mesh.vertices[a]) * s));
-        parent.push_back(it->second);
-      }
-      ends[found++] = it->second;
-    }
-    if (found < 2) continue;
-    const Index p = root_of(parent, ends[0]), q = root_of(parent, ends[1]);
-    parent[std::max(p, q)] = std::min(p, q);
-  }
-  std::vector<SlicePart> parts;
-  std::vector<Index> part_of(points.size(), kNone);
-  for (Index i = 0; i < static_cast<Index>(points.size()); ++i) {
-    const Index r = root_of(parent, i);
-    if (part_of[r] == kNone) part_of[r] = static_cast<Index>(parts.size()), parts.emplace_back();
-    parts[part_of[r]].points.push_back(points[i]);
-  }
+  const MeshCut cut = plane_cut(mesh, plane.origin, plane.normal);
+  std::vector<SlicePart> parts(static_cast<std::size_t>(cut.part_count));
+  for (std::size_t i = 0; i < cut.points.size(); ++i)
+    parts[cut.part[i]].points.push_back(plane.flat(cut.points[i]));
   for (SlicePart& part : parts) {
     const Box2 box = bounding_box(part.points);
     part.centre = (box.min + box.max) * 0.5;

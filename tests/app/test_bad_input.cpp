@@ -80,6 +80,15 @@ TEST_F(BadInput, ADxfFileCutOffBeforeItsOutlineEnds) {
   }
 }
 
+TEST_F(BadInput, ADxfFileCutOffBehindItsOutline) {
+  const std::string whole = square_dxf();  // the text that names the piece is lost, its outline is not
+  for (std::size_t length = whole.find("0\nTEXT"); length < whole.find("\nFRONT\n0\nENDSEC"); length += 9) {
+    cut_from(whole.substr(0, length));
+    expect_refused("project.unknown_piece", "cut.dxf");
+    fs::remove_all(folder);
+  }
+}
+
 TEST_F(BadInput, AnOpenOutlineInADxfFile) {
   cut_from(square_dxf("10\n0\n20\n0\n10\n100\n20\n0\n10\n100\n20\n100\n10\n0\n20\n100\n", "0"));
   expect_refused("dxf.open_outline", "line");

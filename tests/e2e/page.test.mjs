@@ -244,7 +244,7 @@ describe('the page', { timeout: 600_000 }, () => {
       const { step } = await ask(first, 'moment');
       await other.locator('.actions').getByText('Resume').click();
       await Promise.all(
-        [first, other].map((one) => waitFor(one, (before) => window.__toile.moment().step > before, 60_000, step)),
+        [first, other].map((one) => waitFor(one, (before) => window.__toile.moment().step > before, 20_000, step)),
       );
     }
     assert.equal(steps.size, 2);
