@@ -69,6 +69,9 @@ Obstacle make_obstacle(std::span<const Vec3> vertices, std::span<const Tri> tria
     obstacle.boxes.vertices[v] = box_around({vertices[v]}, skin_offset);
   }
   obstacle.boxes.lay_around(obstacle.surface);
+  for (const auto& [a, b] : obstacle.surface.edges) {
+    obstacle.edge_lines.push_back(edge_line(vertices[a], vertices[b], 0));
+  }
   obstacle.friction = friction;
   obstacle.skin_offset = skin_offset;
   obstacle.restitution = restitution;
@@ -111,7 +114,11 @@ double Contacts::reach(Index v, Vec3 from, Vec3 to) const {
 }
 
 ContactFinder::ContactFinder(Surface cloth, std::span<const Obstacle> obstacles, ContactSettings settings)
-    : cloth_(std::move(cloth)), obstacles_(obstacles), settings_(settings) {}
+    : cloth_(std::move(cloth)), obstacles_(obstacles), settings_(settings) {
+  for (const auto& [a, b] : cloth_.edges) {
+    edge_classes_.push_back({cloth_.vertex_class[a], cloth_.vertex_class[b]});
+  }
+}
 
 void ContactFinder::measure(std::span<const Vec3> positions, std::span<const double> speeds, Contacts& out) {
   out.measured.assign(positions.begin(), positions.end());
@@ -121,6 +128,7 @@ void ContactFinder::measure(std::span<const Vec3> positions, std::span<const dou
   rims_.clear();
   size_balls(speeds, out);
   lay_boxes(positions, out);
+  lay_edge_lines(positions, out);
   pair_with_obstacles(out);
   pair_with_itself(out);
   sort_planes(out);
@@ -155,6 +163,14 @@ void ContactFinder::lay_boxes(std::span<const Vec3> positions, const Contacts& o
   boxes_.lay_around(cloth_);
 }
 
+void ContactFinder::lay_edge_lines(std::span<const Vec3> positions, const Contacts& out) {
+  edge_lines_.resize(cloth_.edges.size());
+  for (std::size_t e = 0; e < edge_lines_.size(); ++e) {
+    const auto [a, b] = cloth_.edges[e];
+    edge_lines_[e] = edge_line(positions[a], positions[b], std::max(out.ball[a], out.ball[b]));
+  }
+}
+
 void ContactFinder::pair_with_obstacles(Contacts& out) {
   for (const Obstacle& obstacle : obstacles_) {
     const Surface& body = obstacle.surface;
@@ -165,7 +181,10 @@ void ContactFinder::pair_with_obstacles(Contacts& out) {
     boxes_.face_groups.pairs(obstacle.boxes.vertex_groups, [&](Index t, Index v) {
       obstacle_vertex_on_cloth(obstacle, points[v], cloth_.triangles[t], out);
     });
-    boxes_.edge_groups.pairs(obstacle.boxes.edge_groups, [&](Index e, Index f) {
+    edge_pairs_.clear();
+    boxes_.edge_groups.pairs(obstacle.boxes.edge_groups,
+                             [&](Index e, Index f) { edge_pairs_.emplace_back(e, f); });
+    visit_near(edge_pairs_, edge_lines_, obstacle.edge_lines, [&](Index e, Index f) {
       const auto [a0, a1] = cloth_.edges[e];
       edge_on_obstacle(obstacle, a0, a1, points[body.edges[f][0]], points[body.edges[f][1]], out);
     });
@@ -175,7 +194,13 @@ void ContactFinder::pair_with_obstacles(Contacts& out) {
 void ContactFinder::pair_with_itself(Contacts& out) {
   boxes_.vertex_groups.pairs(boxes_.face_groups,
                              [&](Index v, Index t) { vertex_on_cloth(v, cloth_.triangles[t], out); });
+  edge_pairs_.clear();
   boxes_.edge_groups.self_pairs([&](Index e, Index f) {
+    const auto [a0, a1] = edge_classes_[e];
+    const auto [b0, b1] = edge_classes_[f];
+    if (!((a0 == b0) | (a0 == b1) | (a1 == b0) | (a1 == b1))) edge_pairs_.emplace_back(e, f);
+  });
+  visit_near(edge_pairs_, edge_lines_, edge_lines_, [&](Index e, Index f) {
     edges_of_cloth(cloth_.edges[e][0], cloth_.edges[e][1], cloth_.edges[f][0], cloth_.edges[f][1], out);
   });
 }
@@ -273,7 +298,6 @@ void ContactFinder::vertex_on_cloth(Index vertex, const Tri& triangle, Contacts&
 }
 
 void ContactFinder::edges_of_cloth(Index a0, Index a1, Index b0, Index b1, Contacts& out) {
-  if (neighbours(a0, b0) || neighbours(a0, b1) || neighbours(a1, b0) || neighbours(a1, b1)) return;
   const Vec3 p0 = out.measured[a0], p1 = out.measured[a1], q0 = out.measured[b0], q1 = out.measured[b1];
   const double reach = std::max(out.ball[a0], out.ball[a1]) + std::max(out.ball[b0], out.ball[b1]);
   const EdgePoints at = closest_on_edges(p0, p1, q0, q1);

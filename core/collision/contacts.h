@@ -5,11 +5,13 @@
 // a vertex's ball covers all pairs that are not listed. Bounds limit the way from the positions at which was
 // measured, not the move of one step, so they cannot add up.
 
+#include <array>
 #include <initializer_list>
 #include <span>
 #include <vector>
 
 #include "core/base/types.h"
+#include "core/collision/near_edges.h"
 #include "core/collision/surface.h"
 #include "core/geometry/box_groups.h"
 
@@ -29,7 +31,8 @@ struct FeatureBoxes {
 struct Obstacle {
   std::vector<Vec3> vertices;
   Surface surface;
-  FeatureBoxes boxes;         ///< grown by the skin offset
+  FeatureBoxes boxes;  ///< grown by the skin offset
+  std::vector<EdgeLine> edge_lines;
   double friction = 0.4;      ///< Coulomb
   double skin_offset = 1e-3;  ///< m
   double restitution = 0;     ///< share of the speed of a blow that cloth leaves with
@@ -43,9 +46,9 @@ struct ContactSettings {
   /// thick, neighbours in the flat would push each other apart.
   std::vector<double> vertex_thickness;
   double cloth_friction = 0.3;
-  double ball_least = 1e-3;      ///< m
-  double ball_most = 5e-3;       ///< m; at most 0.35 of the mean edge
-  double ball_seconds = 4.5e-3;  ///< s, time ahead that a ball covers at 1.5 times the present speed
+  double ball_least = 1e-3;    ///< m
+  double ball_most = 5e-3;     ///< m; at most 0.35 of the mean edge
+  double ball_seconds = 6e-3;  ///< s, time ahead that a ball covers at 1.5 times the present speed
 };
 
 /// Gap under which a side may not approach further. More than the rounding of the exact crossing test (1 µm).
@@ -113,6 +116,7 @@ class ContactFinder {
 
   void size_balls(std::span<const double> speeds, Contacts& out) const;
   void lay_boxes(std::span<const Vec3> positions, const Contacts& out);
+  void lay_edge_lines(std::span<const Vec3> positions, const Contacts& out);
   void pair_with_obstacles(Contacts& out);
   void pair_with_itself(Contacts& out);
   void vertex_on_obstacle(const Obstacle& obstacle, Index vertex, const Tri& face, Contacts& out);
@@ -133,6 +137,9 @@ class ContactFinder {
   std::span<const Obstacle> obstacles_;
   ContactSettings settings_;
   FeatureBoxes boxes_;
+  std::vector<std::array<Index, 2>> edge_classes_;  ///< of the ends of each edge
+  std::vector<EdgeLine> edge_lines_;
+  std::vector<EdgePair> edge_pairs_;  ///< with boxes that overlap
   struct Near {
     double gap;
     Contact contact;

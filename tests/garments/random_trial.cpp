@@ -217,6 +217,15 @@ void write_end(const std::string& dump, const RandomGarment& garment, const std:
   if (!written) report.faults.push_back(to_string(written.error()));
 }
 
+/// The drape once more, as far as the frame with the most crossings: the same bytes come again.
+void write_worst(const std::string& dump, const RandomGarment& garment, int step, TrialReport& report) {
+  auto again = DrapeRun::start(garment.input, RunContext{}, nullptr);
+  if (!again) return report.faults.push_back(to_string(again.error()));
+  DrapeRun& run = **again;
+  for (int taken = 0; taken < step && !run.done();) taken += run.advance(step - taken, RunContext{});
+  write_end(dump, garment, "worst", run.session().garment(), run.session().positions(), report);
+}
+
 }  // namespace
 
 TrialReport try_garment(const RandomGarment& garment, const std::string& dump) {
@@ -246,6 +255,8 @@ TrialReport try_garment(const RandomGarment& garment, const std::string& dump) {
   const DrapeResult result = run.conclude();
   check_end(garment, result, cancel, report);
   if (!dump.empty()) write_end(dump, garment, "end", result.garment, result.positions, report);
+  if (!dump.empty() && result.worst.cloth_body + result.worst.cloth_cloth > 0)
+    write_worst(dump, garment, result.worst_frame_step, report);
   return report;
 }
 

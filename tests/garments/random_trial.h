@@ -24,8 +24,8 @@ struct TrialReport {
 /// Faults: a crossing at a frame; a position that is no number or far from where anything can be; a vertex
 /// faster than anything falls or is pulled; cloth stretched beyond what forces there are; a drape that does
 /// not end by itself or without a reason; fewer than 100 frames of a drape that ran to its end in 100 steps
-/// or more; a cancel that is not obeyed; a refusal that names no place. With `dump`, a folder, the ends and
-/// the worst frame are written there as OBJ.
+/// or more; a cancel that is not obeyed; a refusal that names no place. With `dump`, a folder, starts, ends
+/// and, where there was a crossing, the worst frame are written there as OBJ.
 TrialReport try_garment(const RandomGarment& garment, const std::string& dump);
 
 /// One line about a trial, for people.

@@ -101,7 +101,7 @@ TEST(Contacts, FasterVerticesGetLargerBalls) {
   Contacts contacts;
   finder.measure(sheet.x, std::vector<double>{0, 0.3, 0.5, 100}, contacts);
   EXPECT_NEAR(contacts.ball[0], 1e-3, 1e-4);
-  EXPECT_NEAR(contacts.ball[1], 1.5 * 0.3 * 4.5e-3, 1e-4);
+  EXPECT_NEAR(contacts.ball[1], 1.5 * 0.3 * ContactSettings{}.ball_seconds, 1e-4);
   EXPECT_NEAR(contacts.ball[3], 5e-3, 1e-4);
 }
 
