@@ -97,6 +97,46 @@ TEST(MembraneLimit, AStripLoadedBeyondItStretchesByHardlyMore) {
   EXPECT_LT(largest_speed(limited.solver), 0.005) << "it rests";
 }
 
+/// A sheet torn out to `times` its size, let go without gravity: the fastest vertex while it springs back,
+/// and what strain is left.
+struct SprungBack {
+  double fastest = 0, strain = 0;
+};
+SprungBack spring_back(Vec2 weft, Vec2 warp) {
+  Fabric fabric;
+  fabric.limit_warp = fabric.limit_weft = 0.04, fabric.limit_shear = 0.1;
+  test::Strip strip = test::make_strip({0, 60}, 60, 0.01, {0, 1}, fabric);
+  std::vector<Vec3> x;
+  for (const Vec2& p : strip.rest) {
+    const Vec2 q = weft * (p.x - 0.03) + warp * (p.y - 0.03);
+    x.push_back({q.x, q.y, 1e-4 * std::sin(300 * p.x)});
+  }
+  Hung sheet{strip, ClothSolver(strip.model, x, {}, 1.0 / 3000)};
+  StepForces forces;
+  forces.gravity = 0, forces.damping = 20;
+  SprungBack result;
+  for (int i = 0; i < 3000; ++i) {
+    sheet.solver.step(forces);
+    result.fastest = std::max(result.fastest, largest_speed(sheet.solver));
+  }
+  for (const int way : {0, 1, 2}) {
+    const Extent left = strains(sheet, way);
+    result.strain = std::max({result.strain, left.most, -left.least});
+  }
+  return result;
+}
+
+TEST(MembraneLimit, ClothTornOutFarBeyondItComesBack) {
+  const std::pair<Vec2, Vec2> tears[] = {{{3, 0}, {0, 3}},     {{8, 0}, {0, 8}},      {{8, 0}, {0, 1}},
+                                         {{3, 0}, {2.9, 0.3}}, {{4, 0}, {3.9, 0.05}}, {{1.5, 0}, {1.4, 0.2}}};
+  for (const auto& [weft, warp] : tears) {
+    const SprungBack back = spring_back(weft, warp);
+    EXPECT_LT(back.fastest, 12) << weft.x << ' ' << warp.x
+                                << ": no corner moves by more than its triangle's height";
+    EXPECT_LT(back.strain, 1e-4) << weft.x << ' ' << warp.x;
+  }
+}
+
 TEST(MembraneLimit, DoesNothingBelowItself) {
   Fabric fabric = heavy_knit();
   Hung without = hang(fabric, 0.05, 0.1, 0.01, 3000);
