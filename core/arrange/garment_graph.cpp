@@ -264,6 +264,47 @@ std::optional<FlatMove> lay_on(const GarmentPiece& from, const GarmentPiece& to,
   return best ? std::optional(best->move) : std::nullopt;
 }
 
+namespace {
+
+// Whether two pieces are sewn together all around: a front and a back, not a left and a right. Seen from the
+// piece's middle, a seam down the centre lies on one side, side seams lie on both.
+bool sewn_around(const GarmentGraph& graph, Index piece, Index other) {
+  constexpr double kOneSided = 0.4;
+  const Vec2 middle = graph.pieces[static_cast<size_t>(piece)].centroid;
+  Vec2 sum;
+  int count = 0;
+  for (const GarmentTie& t : graph.ties) {
+    if (std::minmax(t.a, t.b) != std::minmax(piece, other)) continue;
+    const Vec2 d = (t.a == piece ? t.at_a : t.at_b) - middle;
+    if (const double l = std::sqrt(d.x * d.x + d.y * d.y); l > 0) sum = sum + d * (1 / l), ++count;
+  }
+  return count > 0 && std::sqrt(sum.x * sum.x + sum.y * sum.y) < kOneSided * count;
+}
+
+}  // namespace
+
+Index mirror_partner(const GarmentGraph& graph, Index piece) {
+  const GarmentPiece& own = graph.pieces[static_cast<size_t>(piece)];
+  const auto rank = [&](const GarmentPiece& other) {  // how much speaks for it; negative: it cannot be
+    if (own.hand != 0 && other.hand == own.hand) return -1;
+    if (own.face * other.face < 0 || !lay_on(other, own, true)) return -1;
+    const auto q = static_cast<Index>(&other - graph.pieces.data());
+    if (own.hand * other.hand == 0 && sewn_around(graph, piece, q)) return -1;
+    return 2 * (own.hand * other.hand < 0) + (own.cover == other.cover) + (own.face == other.face);
+  };
+  Index best = kNone;
+  int most = -1;
+  bool alone = false;
+  for (Index q = 0; q < static_cast<Index>(graph.pieces.size()); ++q) {
+    if (q == piece) continue;
+    const int r = rank(graph.pieces[static_cast<size_t>(q)]);
+    if (r < 0 || r < most) continue;
+    alone = r > most;
+    most = r, best = q;
+  }
+  return alone ? best : kNone;
+}
+
 std::vector<FlatMove> own_mirrors(const GarmentPiece& piece) {
   const std::vector<Vec2> points = around(piece, piece.corners.front(), false);
   std::vector<FlatMove> found;

@@ -49,6 +49,10 @@ GarmentGraph make_garment_graph(const Pattern& pattern, const PanelMeshes& meshe
 /// their size.
 std::optional<FlatMove> lay_on(const GarmentPiece& from, const GarmentPiece& to, bool mirrored);
 
+/// The other piece that is `piece`'s mirror image in the garment: of one outline, mirrored, and worn on the
+/// other side where names tell that. kNone where there is none, or several of which none stands out.
+Index mirror_partner(const GarmentGraph& graph, Index piece);
+
 /// All mirrorings that lay a piece on itself.
 std::vector<FlatMove> own_mirrors(const GarmentPiece& piece);
 

@@ -145,7 +145,7 @@ double BodyField::fineness(Vec3 p, double detail) const {
   const double head = smooth_step(chin_ - 0.05, chin_ + 0.01, p.y);
   const double face = detail * smooth_step(0.02, 0.05, p.z) * head;
   const double crotch = 1 - smooth_step(0.03, 0.07, length(p - Vec3{0, crotch_, -0.012}));
-  return 1 - std::max({0.68 * hand, 0.45 * foot, 0.25 * head + 0.35 * face, 0.4 * crotch});
+  return 1 - std::max({0.68 * hand, 0.45 * foot, 0.25 * head + 0.35 * face, 0.6 * crotch});
 }
 
 }  // namespace toile

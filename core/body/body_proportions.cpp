@@ -111,7 +111,7 @@ MeasureSet with_proportions(Sex sex, const MeasureSet& asked) {
   const double broad = 0.28 * (bust - h * f.of(Measure::kBust));
   fill(m, Measure::kShoulderWidth, h * f.of(Measure::kShoulderWidth) * (child ? 0.96 : 1) + broad);
   fill(m, Measure::kUpperArm, child ? 0.29 * bust : girth(r.upper_arm, r.upper_per_bust));
-  fill(m, Measure::kWrist, child ? 0.095 + 0.065 * bust : girth(r.wrist, r.wrist_per_bust));
+  fill(m, Measure::kWrist, child ? 0.075 + 0.090 * bust : girth(r.wrist, r.wrist_per_bust));
   fill(m, Measure::kArmLength, h * f.of(Measure::kArmLength) * (child ? 0.95 : 1));
   fill(m, Measure::kThigh, r.thigh * hip);
   fill(m, Measure::kCalf, r.calf * hip);

@@ -7,15 +7,22 @@ namespace toile {
 namespace {
 
 constexpr double kAnkle = 0.05, kChest = 0.785;  // heights that keep their distance to the floor, to the nape
-constexpr double kLeastRise = 0.10, kLeastRibs = 0.06;  // crotch to waist, waist to chest
+constexpr double kLeastRise = 0.08, kLeastRibs = 0.06;  // crotch to waist, waist to chest
 // How much of a change of girth each direction takes: bellies and breasts grow forwards.
 constexpr double kWidthShare = 0.85, kFrontShare = 1.3, kBackShare = 1.0;
+// Between a leg and the middle, and from how far below the crotch: what lies nearer grows together.
+constexpr double kLegGap = 0.0110, kThighsFree = 0.05;
+// A small child's trunk is rounder than a grown-up's; children's heads tell how small they are.
+constexpr double kSmallChild = 0.33, kRoundTrunk = 0.08;
+constexpr double kBellyFront = 0.6, kBellyBack = 0.7;
 // Breasts: their reach below the centre against the tape's place below them, for ribs as they usually are.
 constexpr double kUnderBust = 0.41;  // of the way from nape to crotch, where the tape goes
 constexpr double kRibsMove = 0.018;
 constexpr double kUsualReach = 1.25, kUsualFullness = 1.01, kReachPerFullness = 4;
 constexpr double kFineStroke = 0.0150;  // on the head, narrower ones need small triangles
 constexpr double kFingerStroke = 0.007;
+constexpr double kArmRoot = 0.01, kArmClear = 0.07;    // along the arm: where it leaves the trunk
+constexpr double kArmReach = 0.05;                     // from the arm's axis
 constexpr double kRaisedArm = 0.7071, kRaise = 0.045;  // shoulders rise with arms held higher than 45°
 
 double smooth_step(double low, double high, double x) {
@@ -104,6 +111,20 @@ double PlacedFigure::height_of(double y) const {
   return a.to + (b.to - a.to) * (y - a.from) / (b.from - a.from);
 }
 
+Vec3 PlacedFigure::carried_from(const PlacedFigure& other, Vec3 p) const {
+  const double side = p.x < 0 ? -1 : 1;
+  const Vec3 trunk{side * p.x, height_of(other.figure_height_of(p.y)), p.z};
+  const Vec3 d = Vec3{side * p.x, p.y, p.z} - other.shoulder;
+  const double along = dot(d, other.along_arm), out = dot(d, other.out_of_arm);
+  const double off = std::sqrt(out * out + d.z * d.z);
+  const double arm_share =
+      smooth_step(kArmRoot, kArmClear, along) * (1 - smooth_step(kArmReach, 2 * kArmReach, off));
+  const double longer = along < other.wrist ? along * (wrist / other.wrist) : along + wrist - other.wrist;
+  const Vec3 on_arm = shoulder + along_arm * longer + out_of_arm * out + Vec3{0, 0, d.z};
+  const Vec3 q = trunk + (on_arm - trunk) * arm_share;
+  return {side * q.x, q.y, q.z};
+}
+
 PlacedFigure::Scale PlacedFigure::trunk_scale(double y) const {
   const Figure& f = figure_;
   const double hip = shape_.of(Measure::kHip), waist = shape_.of(Measure::kWaist),
@@ -113,8 +134,14 @@ PlacedFigure::Scale PlacedFigure::trunk_scale(double y) const {
   const Knot girth[] = {{f.hip, hip},    {f.waist, waist},           {ribs_, under},
                         {f.bust, chest}, {0.800, grown(chest, 0.6)}, {0.840, grown(chest, 0.4)}};
   const double s = eased(girth, y);
+  // A waist fuller than hip and chest are is a belly: it grows forwards, and the small of the back stays.
+  const double belly = std::max(0.0, s - mix(hip, chest, smooth_step(f.hip, f.bust, y)));
   const double width = grown(s, kWidthShare), broad = shape_.of(Measure::kShoulderWidth);
-  return {mix(width, broad, smooth_step(f.bust, 0.80, y)), grown(s, kFrontShare), grown(s, kBackShare)};
+  const double young = std::min((shape_.head - 1) / kSmallChild, 1.0);
+  const double flat = 1 - kRoundTrunk * young, deep = 1 + kRoundTrunk * young;
+  return {mix(width * flat, broad, smooth_step(f.bust, 0.80, y)),
+          grown(s + kBellyFront * belly, kFrontShare) * deep,
+          grown(s - kBellyBack * belly, kBackShare) * deep};
 }
 
 void PlacedFigure::place_trunk() {
@@ -207,6 +234,8 @@ LoftSection PlacedFigure::leg_section(double y) const {
   const double s = leg_scale(y), hip = grown(shape_.of(Measure::kHip), kWidthShare);
   r.u += std::max(1.04 * (s - 1) * r.half, 0.45 * (s - 1) * r.half + 0.45 * (hip - 1) * r.half);
   r.half *= s, r.front *= s, r.back *= s;
+  const double free_legs = 1 - smooth_step(figure_.crotch - kThighsFree, figure_.crotch, y);
+  r.u = std::max(r.u, free_legs * (r.half + kLegGap));
   r.t = height_of(y);
   return r;
 }
@@ -249,6 +278,10 @@ void PlacedFigure::place_masses() {
   buttock.centre = {buttock.centre.x * hips.width, height_of(buttock.centre.y),
                     buttock.centre.z - 0.03 * (s - 1)};
   buttock.low = buttock.low * s, buttock.high = buttock.high * s;
+  // Between crotch and waist they are as high as there is room.
+  const double rise = (height_of(f.waist) - height_of(f.crotch)) / (f.waist - f.crotch);
+  const double room = std::min(1.0, rise);
+  buttock.low.y *= room, buttock.high.y *= room;
 }
 
 Vec3 PlacedFigure::on_trunk(Vec3 p) const {

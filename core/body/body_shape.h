@@ -45,6 +45,9 @@ class PlacedFigure {
   Vec3 thumb[2];
 
   double height_of(double y) const;  ///< where a height of the figure has gone to
+  /// About where a point of `other`, this figure stretched otherwise, lies on this one: heights and arms go
+  /// along, girths stay.
+  Vec3 carried_from(const PlacedFigure& other, Vec3 p) const;
   BodyJoints joints() const;
 
  private:

@@ -13,7 +13,8 @@ namespace {
 // children roughly; what is found there is decided by the mesh.
 constexpr double kScan = 0.0025;
 constexpr double kTrunkDepth = 0.045;  ///< thighs that touch are thinner than this at the mid-plane
-constexpr double kArmJump = 0.022;     ///< half breadth grows by so much where an arm joins the trunk
+constexpr double kUsualWaist = 0.60, kUnusualWaist = 0.53;  ///< of the way from crotch to armpit
+constexpr double kArmJump = 0.022;  ///< half breadth grows by so much where an arm joins the trunk
 constexpr double kHandLow = 0.07, kHandHigh = 0.14;  ///< from the finger tips, where the wrist lies
 constexpr double kUpperArmShare = 0.56;              ///< of the way from the shoulder to the wrist
 
@@ -114,7 +115,10 @@ class FigureFinder {
     f_.waist = at(0.62);
     for (double y = std::max(f_.hip + 0.04 * height(), at(0.56));
          y < std::min(armpit - 0.04 * height(), at(0.68)); y += kScan * height()) {
-      if (const double g = girth_at_height(y); g < narrowest) narrowest = g, f_.waist = y;
+      // As the tape has it: the narrowest, the more so the nearer it is to where waists usually are.
+      const double off = (y - f_.crotch) / (armpit - f_.crotch) - kUsualWaist;
+      const double weighed = girth_at_height(y) * (1 + kUnusualWaist * off * off);
+      if (weighed > 0 && weighed < narrowest) narrowest = weighed, f_.waist = y;
     }
   }
 
@@ -275,13 +279,21 @@ class FigureFinder {
 
   void find_bust(int side) {
     Vec3& point = f_.bust_point[side];
+    const BodyCut chest = middle_cut(mesh_, f_.armpit[side].y - 0.02 * height(), f_.middle);
+    const double half_way = chest.points.empty() ? -HUGE_VAL : chest.centre().z;
     point = {f_.middle + sign_of(side) * 0.05 * height(), at(0.72), -HUGE_VAL};
     for (const Vec3& p : mesh_.vertices) {
       const double x = sign_of(side) * (p.x - f_.middle);
       if (x < 0.025 * height() || x > 0.09 * height()) continue;
       if (p.y < f_.waist + 0.05 * height() || p.y > f_.armpit[side].y + 0.015 * height()) continue;
-      if (p.z > point.z) point = p;
+      if (p.z > std::max(point.z, half_way)) point = p;
     }
+    if (std::isfinite(point.z)) return;
+    // No corner of a coarse mesh lies there: the skin's own front below the armpit.
+    point.z = 0;
+    double most = -HUGE_VAL;
+    for (const Vec3& p : chest.points)
+      if (sign_of(side) * (p.x - f_.middle) > 0 && p.z > most) most = p.z, point = p;
   }
 
   /// Where the mid-plane's profile turns most from chest to neck, and from back to neck.

@@ -18,15 +18,16 @@ constexpr double kFinestCell = 5.0e-3;    // of the stature; remeshing refines f
 constexpr double kCoarsestCell = 7.0e-3;  // fingertips and the gap between the legs need this
 constexpr double kCellPerEdge = 0.5;
 constexpr int kRemeshRounds = 6;
-constexpr double kFold = 0.5, kFoldedMiss = 1000;  // cosine; worse than any miss
-constexpr double kAgreeing = 2;                    // least length of three normals' sum
-constexpr int kNewMeshes = 2;                      // tries after the first
-constexpr int kSecondThought = 8;  // corrections after which a search that has lost its way begins anew
+constexpr double kFold = 0.5, kFoldedMiss = 1000;     // cosine; worse than any miss
+constexpr double kAgreeing = 2;                       // least length of three normals' sum
+constexpr int kNewMeshes = 2;                         // tries after the first
+constexpr double kWorse = 1.5, kShorter = 0.5;        // than the best step so far; a share of the next
 constexpr int kCorrections = 16, kEveningRounds = 3;  // corrections of the shape, by what the mesh measures
 constexpr int kRelaxing = 2;                          // corrections after which triangles are evened out
 constexpr double kGoodGirth = 0.0007, kGoodLength = 0.0025;          // m, good enough to stop correcting
 constexpr double kGirthTolerance = 0.005, kLengthTolerance = 0.010;  // m
-constexpr double kGreatestGirth = 2.2, kGreatestLength = 1.35;       // factors; their inverses are the least
+constexpr Index kSureTriangles = 2000;  // fewer do not always hold what a tape should read
+constexpr double kGreatestGirth = 2.2, kGreatestLength = 1.35;  // factors; their inverses are the least
 constexpr double kGreatestStep = 0.12, kGreatestOff = 0.15;  // of a factor, of a measure, in one correction
 constexpr double kLeastEffect = 0.25;                        // of a step on the measures, to learn from it
 
@@ -37,34 +38,54 @@ struct Limit {
 // By Measure. Wide enough for most people, narrow enough for one surface without folds.
 constexpr Limit kLimits[kMeasureCount] = {
     {1, 1},       {0.42, 0.78}, {0.36, 0.72}, {0.31, 0.74}, {0.45, 0.80}, {0.15, 0.32}, {0.16, 0.27},
-    {0.10, 0.28}, {0.07, 0.14}, {0.27, 0.39}, {0.24, 0.48}, {0.15, 0.32}, {0.38, 0.52}, {0.17, 0.30}};
+    {0.10, 0.28}, {0.07, 0.15}, {0.27, 0.39}, {0.24, 0.48}, {0.15, 0.32}, {0.38, 0.52}, {0.17, 0.30}};
 
-Status check_range(std::string_view name, double value, double low, double high, double unit,
-                   const char* unit_name) {
+// With one decimal at most: "92", "61.5".
+std::string decimal(double value) {
+  const double tenths = std::round(value * 10);
+  const double whole = std::trunc(tenths / 10), rest = std::abs(tenths - whole * 10);
+  std::string text = (value < 0 && whole == 0 ? "-" : "") + std::to_string(static_cast<long long>(whole));
+  if (rest > 0) text += "." + std::to_string(static_cast<int>(rest));
+  return text;
+}
+
+/// What a setting is written in: times `scale`, then the unit's name.
+struct Written {
+  double scale;
+  std::string unit;
+};
+
+// Bounds are rounded inwards, so that what is proposed is taken.
+Status check_range(std::string_view name, double value, double low, double high, const Written& as,
+                   const std::string& why = "") {
   if (value >= low * (1 - 1e-12) && value <= high * (1 + 1e-12)) return {};  // false for NaN too
-  const auto text = [&](double x) { return std::to_string(static_cast<int>(std::lround(x * unit))); };
-  const std::string given = std::isfinite(value) ? std::to_string(value * unit) : "no number";
+  const double least = std::ceil(low * as.scale * 10 - 1e-6) / 10,
+               most = std::floor(high * as.scale * 10 + 1e-6) / 10;
+  const bool readable = std::isfinite(value) && std::abs(value) < 1e12;
+  const std::string given = readable ? decimal(value * as.scale) + as.unit : "no number that can be";
   return Error{"mannequin.setting",
-               std::string(name) + " is " + given + "; it must lie between " + text(low) + " and " +
-                   text(high) + unit_name + ".",
+               std::string(name) + " is " + given + "; " + why + "it must lie between " + decimal(least) +
+                   " and " + decimal(most) + as.unit + ".",
                std::string(name)};
 }
 
 Status check(const MannequinSettings& s, const MeasureSet& wanted) {
   const double h = *wanted[Measure::kHeight];
   const bool child = s.sex == Sex::kChild;
-  if (Status r = check_range("height", h, child ? 0.8 : 1.3, child ? 1.75 : 2.2, 100, " cm"); !r) return r;
+  if (Status r = check_range("height", h, child ? 0.8 : 1.3, child ? 1.75 : 2.2, {100, " cm"}); !r) return r;
   for (int i = 1; i < kMeasureCount; ++i) {
     const Measure m = measure_at(i);
     const Limit l = kLimits[i];
     if (!s.asked[m]) continue;
-    if (Status r = check_range(measure_name(m), *s.asked[m], l.low * h, l.high * h, 100, " cm"); !r) return r;
+    const std::string why = "for a height of " + decimal(h * 100) + " cm ";
+    if (Status r = check_range(measure_name(m), *s.asked[m], l.low * h, l.high * h, {100, " cm"}, why); !r)
+      return r;
   }
   const double angle = degrees_from_radians(s.arm_angle);
   if (!(std::abs(angle - 90) < 1e-6)) {
-    if (Status r = check_range("arm_angle", angle, 30, 60, 1, "°, or 90°"); !r) return r;
+    if (Status r = check_range("arm_angle", angle, 30, 60, {1, "°"}, "unless it is 90° "); !r) return r;
   }
-  return check_range("triangles", s.triangle_count, 1000, 60000, 1, "");
+  return check_range("triangles", s.triangle_count, 1000, 60000, {1, ""});
 }
 
 // Taylor series: rounds alike everywhere, which the library's sine does not promise. |x| < 1.6.
@@ -92,8 +113,13 @@ TriangleMesh first_mesh(const BodyShape& shape, Index triangle_count) {
   return remesh(polygonise(surface, box), surface, remesh_settings(field, triangle_count));
 }
 
-TriangleMesh fitted(TriangleMesh mesh, const BodyShape& shape, Index triangle_count, int relaxations) {
+// The mesh of one shape on another. Carried along first: what only went to the nearest skin left a web where
+// the crotch had risen.
+TriangleMesh fitted(TriangleMesh mesh, const BodyShape& before, const BodyShape& shape, Index triangle_count,
+                    int relaxations) {
   const BodyField field(shape);
+  const PlacedFigure from(before);
+  for (Vec3& p : mesh.vertices) p = field.placed().carried_from(from, p);
   const ImplicitSurface surface = [&field](Vec3 p) { return field.at(p); };
   return refit(std::move(mesh), surface, remesh_settings(field, triangle_count), relaxations);
 }
@@ -131,13 +157,13 @@ class ShapeSolver {
     restart();
   }
 
-  /// Forgets the last step, as when the mesh is another; keeps what was learnt.
-  void restart() { last_step_.clear(); }
+  /// Forgets where it was, as when the mesh is another; keeps what was learnt.
+  void restart() { last_step_.clear(), least_miss_ = HUGE_VAL, bad_steps_ = 0; }
   /// Begins anew from a shape.
   void restart(const BodyShape& from) {
     shape = from;
     inverse_.clear();
-    last_step_.clear();
+    restart();
   }
 
   /// How far the worst of all measures is off, as a share of what is good enough.
@@ -152,28 +178,20 @@ class ShapeSolver {
   }
 
   void correct(const BodyMeasures& got) {
-    const size_t n = free_.size();
-    std::vector<double> off(n);
-    for (size_t k = 0; k < n; ++k) {
-      const Measure m = measure_at(free_[k]);
-      off[k] = got[m] ? std::clamp(got[m]->value / *asked_[m] - 1, -kGreatestOff, kGreatestOff) : 0;
-    }
-    if (inverse_.empty()) {
-      inverse_.assign(n * n, 0);
-      for (size_t k = 0; k < n; ++k) inverse_[k * n + k] = 1;
-    }
+    std::vector<double> off = offs(got);
+    if (inverse_.empty()) forget();
     if (!last_step_.empty()) learn(off);
-    last_off_ = off;
-    last_step_.assign(n, 0);
-    for (size_t k = 0; k < n; ++k) {
-      double step = 0;
-      for (size_t j = 0; j < n; ++j) step -= inverse_[k * n + j] * off[j];
-      double& factor = shape.factor[free_[k]];
-      const double next = limited(free_[k], factor * (1 + std::clamp(step, -kGreatestStep, kGreatestStep)));
-      last_step_[k] = next / factor - 1;
-      factor = next;
+    const double missed = miss(got);
+    double share = 1;
+    if (missed < kWorse * least_miss_) {
+      bad_steps_ = 0;
+      if (missed < least_miss_) least_miss_ = missed, best_ = shape, best_off_ = off;
+    } else {
+      // From the best place so far, with a shorter step; what keeps leading astray is not worth keeping.
+      if (++bad_steps_ > 1) forget();
+      shape = best_, off = best_off_, share = kShorter;
     }
-    follow();
+    step(off, share);
   }
 
   BodyShape shape;
@@ -182,6 +200,37 @@ class ShapeSolver {
   static double limited(int measure, double factor) {
     const double most = is_girth(measure_at(measure)) ? kGreatestGirth : kGreatestLength;
     return std::clamp(factor, 1 / most, most);
+  }
+
+  void forget() {
+    const size_t n = free_.size();
+    inverse_.assign(n * n, 0);
+    for (size_t k = 0; k < n; ++k) inverse_[k * n + k] = 1;
+  }
+
+  // How far each measure asked for is off, as a share of itself.
+  std::vector<double> offs(const BodyMeasures& got) const {
+    std::vector<double> off;
+    for (int i : free_) {
+      const Measure m = measure_at(i);
+      off.push_back(got[m] ? std::clamp(got[m]->value / *asked_[m] - 1, -kGreatestOff, kGreatestOff) : 0);
+    }
+    return off;
+  }
+
+  void step(const std::vector<double>& off, double share) {
+    const size_t n = free_.size();
+    last_off_ = off;
+    last_step_.assign(n, 0);
+    for (size_t k = 0; k < n; ++k) {
+      double change = 0;
+      for (size_t j = 0; j < n; ++j) change -= share * inverse_[k * n + j] * off[j];
+      double& factor = shape.factor[free_[k]];
+      const double next = limited(free_[k], factor * (1 + std::clamp(change, -kGreatestStep, kGreatestStep)));
+      last_step_[k] = next / factor - 1;
+      factor = next;
+    }
+    follow();
   }
 
   // The rank-one change of the inverse that explains the last step's effect.
@@ -211,6 +260,10 @@ class ShapeSolver {
   const MeasureSet& asked_;
   std::vector<int> free_;  ///< measures asked for
   std::vector<double> inverse_, last_off_, last_step_;
+  BodyShape best_;  ///< of those on this mesh
+  std::vector<double> best_off_;
+  double least_miss_ = HUGE_VAL;
+  int bad_steps_ = 0;
 };
 
 BodyJoints scaled(const BodyJoints& joints, double height) {
@@ -261,17 +314,13 @@ Fit corrected(ShapeSolver& solver, Index triangle_count, double height) {
     if (off < nearest.miss) nearest = {{}, solver.shape, *got, off};
     if (miss < best.miss) best = {std::move(mesh), solver.shape, *got, miss};
     if (miss <= 1) break;
-    if (i == kSecondThought && nearest.measures) {
-      solver.restart(nearest.shape);
-      solver.correct(*nearest.measures);
-    } else if (off > 1) {
-      solver.correct(*got);
-    }
+    const BodyShape before = solver.shape;
+    if (off > 1) solver.correct(*got);
     // A mesh that is folded is evened, and one that stays folded made anew.
     if (times_folded > 1) {
       unit = first_mesh(solver.shape, triangle_count);
     } else {
-      unit = fitted(std::move(unit), solver.shape, triangle_count, i < kRelaxing ? 1 : 0);
+      unit = fitted(std::move(unit), before, solver.shape, triangle_count, i < kRelaxing ? 1 : 0);
       if (folded || i == kRelaxing) unit = evened(std::move(unit), solver.shape, triangle_count);
     }
     if (folded || i == kRelaxing) solver.restart();
@@ -280,22 +329,35 @@ Fit corrected(ShapeSolver& solver, Index triangle_count, double height) {
   return best;
 }
 
+// Names the measure, what was asked, what the nearest body has, and what would do.
+Error not_met(Measure m, double asked, const std::optional<TakenMeasure>& got, Index triangle_count) {
+  const std::string name(measure_name(m)), bound = is_girth(m) ? "5 mm" : "10 mm";
+  std::string text = "These measures do not go together in one body: " + name + " was asked at " +
+                     decimal(asked * 100) + " cm, ";
+  if (got) {
+    text += "and the nearest body has " + decimal(got->value * 100) + " cm, off by more than " + bound +
+            ". Ask for about " + decimal(got->value * 100) + " cm, or leave it out";
+  } else {
+    text += "and cannot be taken on the nearest body. Leave it out";
+  }
+  if (triangle_count < kSureTriangles)
+    text += ", or ask for " + std::to_string(kSureTriangles) + " triangles or more";
+  return {"mannequin.measures", text + ".", name};
+}
+
 // Only what was asked for has to be met.
-Status check_met(const MeasureSet& asked, const BodyMeasures& got) {
+Status check_met(const MannequinSettings& settings, const BodyMeasures& got) {
   double worst = 1;
   Status status;
   for (int i = 0; i < kMeasureCount; ++i) {
     const Measure m = measure_at(i);
-    if (!asked[m]) continue;
-    const double off = got[m] ? std::abs(got[m]->value - *asked[m]) : 1;
+    const std::optional<double>& asked = settings.asked[m];
+    if (!asked) continue;
+    const double off = got[m] ? std::abs(got[m]->value - *asked) : 1;
     const double share = off / (is_girth(m) ? kGirthTolerance : kLengthTolerance);
     if (share <= worst) continue;
     worst = share;
-    const std::string name(measure_name(m));
-    status = Error{"mannequin.measures",
-                   "These measures do not go together in one body: " + name + " is off by " +
-                       std::to_string(static_cast<int>(std::lround(off * 1000))) + " mm.",
-                   name};
+    status = not_met(m, *asked, got[m], settings.triangle_count);
   }
   return status;
 }
@@ -317,14 +379,14 @@ Result<Mannequin> make_mannequin(const MannequinSettings& settings) {
 
   Fit fit = corrected(solver, settings.triangle_count, h);
   // What a crowded mesh has spoilt, a new one on the shape found so far may mend.
-  for (int i = 0; i < kNewMeshes && fit.measures && !check_met(settings.asked, *fit.measures); ++i) {
+  for (int i = 0; i < kNewMeshes && fit.measures && !check_met(settings, *fit.measures); ++i) {
     solver.restart(fit.next);
     Fit again = corrected(solver, settings.triangle_count, h);
     fit.next = again.next;
     if (again.measures && again.miss < fit.miss) fit = std::move(again);
   }
   if (!fit.measures) return Error{"mannequin.measures", "These measures do not make a body.", ""};
-  if (Status s = check_met(settings.asked, *fit.measures); !s) return s.error();
+  if (Status s = check_met(settings, *fit.measures); !s) return s.error();
   return Mannequin{std::move(fit.mesh), wanted, *fit.measures, scaled(PlacedFigure(fit.shape).joints(), h)};
 }
 

@@ -14,7 +14,9 @@ struct MannequinSettings {
   Sex sex = Sex::kFemale;
   MeasureSet asked;                     ///< what is not asked for follows from proportions
   double arm_angle = kQuarterTurn / 2;  ///< radians between a hanging arm and this one: 30° to 60°, or 90°
-  Index triangle_count = 4562;          ///< 1,000 to 60,000; met exactly, or off by one when odd
+  /// 1,000 to 60,000; met exactly, or off by one when odd. With fewer than 2,000 some bodies cannot be told
+  /// to the millimetre, and are refused.
+  Index triangle_count = 4562;
 };
 
 struct Mannequin {

@@ -14,10 +14,14 @@ namespace {
 // Shares of the stature.
 constexpr double kLevelStep = 0.0018;
 constexpr double kTrunkLow = 0.36, kTrunkHigh = 0.86;
-constexpr double kRibs = 0.66;            // below any armpit, above any waist that matters here
+constexpr double kRibs = 0.66;            // below a grown-up's armpit, above any waist that matters here
+constexpr double kLowRibs = 0.60;         // the same of small children, who have arms at the former
 constexpr double kArmJump = 1.35;         // the trunk's breadth grows so much where arms join it
 constexpr double kClearOfArmpit = 0.004;  // below the armpit, where the bust may still be
 constexpr double kWaistLow = 0.26, kWaistHigh = 0.54;
+// Where waists usually are, and by what share of the girth places farther off must be narrower (per share
+// squared): a trunk without a waist would be measured at the ribs else, or anywhere.
+constexpr double kUsualWaist = 0.44, kUnusualWaist = 1.0;
 constexpr double kHipFrom = 0.012, kHipTo = 0.105;  // above the crotch
 constexpr double kThighBelowCrotch = 0.008;
 constexpr double kCalfLow = 0.30, kCalfHigh = 0.62;  // of the crotch's height
@@ -30,7 +34,8 @@ constexpr double kBustBelow = 0.020, kBustAbove = 0.012;  // about the level of 
 constexpr double kBreastFold = 0.0045;                    // how deep the profile turns in below a breast
 // Shares of the way from crotch to neck.
 constexpr double kHollowAbove = 0.055;  // of the narrowest level, in statures: the nape of the neck is hollow
-constexpr double kLumbarLow = 0.28, kLumbarHigh = 0.66, kBladeFrom = 0.86, kLumbarDepth = 0.005;
+constexpr double kLumbarLeast = 0.16, kLumbarLow = 0.28, kLumbarHigh = 0.66, kBladeFrom = 0.86,
+                 kLumbarDepth = 0.005;
 constexpr double kNapeShare = 0.44;  // of the way from the neck's hollow back to the blades
 constexpr double kSpine = 0.025;     // of the middle plane, in statures: what counts as mid-back
 constexpr int kAxisCuts = 10;
@@ -78,8 +83,14 @@ class BodyTape {
   BodyPoints& points() { return measures.points; }
 
   void find_middle() {
-    const std::vector<Vec3> ribs = middle_points(level_.at(kRibs * stature_), 0);
-    if (!ribs.empty()) points().middle = middle_of(ribs).x;
+    double least = HUGE_VAL;  // breadth: at one of the levels an arm may have joined the trunk
+    for (double share : {kRibs, kLowRibs}) {
+      const std::vector<Vec3> ribs = middle_points(level_.at(share * stature_), 0);
+      const double x = middle_of(ribs).x;
+      double breadth = 0;
+      for (const Vec3& p : ribs) breadth = std::max(breadth, std::abs(p.x - x));
+      if (!ribs.empty() && breadth < least) least = breadth, points().middle = x;
+    }
   }
 
   Level level_at(double y) const {
@@ -105,7 +116,9 @@ class BodyTape {
 
   // Upwards from the ribs, to where arms join the trunk.
   void find_armpit() {
-    const size_t ribs = index_of(kRibs * stature_);
+    size_t ribs = index_of(kRibs * stature_);
+    const size_t low_ribs = index_of(kLowRibs * stature_);
+    if (trunk_[ribs].half > kArmJump * trunk_[low_ribs].half) ribs = low_ribs;
     size_t i = ribs;
     while (i + 1 < trunk_.size() && trunk_[i + 1].half < kArmJump * trunk_[ribs].half) ++i;
     double low = trunk_[i].y, high = low + kLevelStep * stature_;
@@ -136,13 +149,27 @@ class BodyTape {
     return best;
   }
 
+  // The narrowest place, the more so the nearer it is to where waists usually are.
+  Level waist_level() const {
+    const BodyPoints& p = measures.points;
+    const double torso = p.nape.y - p.crotch.y;
+    const auto weighed = [&](const Level& l) {
+      const double off = (l.y - p.crotch.y) / torso - kUsualWaist;
+      return l.girth * (1 + kUnusualWaist * off * off);
+    };
+    Level best = level_at(p.crotch.y + kWaistLow * torso);
+    for (const Level& l : trunk_) {
+      const double share = (l.y - p.crotch.y) / torso;
+      if (share > kWaistLow && share <= kWaistHigh && weighed(l) < weighed(best)) best = l;
+    }
+    return best;
+  }
+
   Status find_trunk_girths() {
     const auto wider = [](double a, double b) { return a > b; };
-    const auto narrower = [](double a, double b) { return a < b; };
     BodyPoints& p = points();
     const Level hip = extreme(p.crotch.y + kHipFrom * stature_, p.crotch.y + kHipTo * stature_, wider);
-    const Level waist = extreme(p.crotch.y + kWaistLow * (p.nape.y - p.crotch.y),
-                                p.crotch.y + kWaistHigh * (p.nape.y - p.crotch.y), narrower);
+    const Level waist = waist_level();
     if (!(p.armpit_height > waist.y + 0.03 * stature_))
       return Error{"body.not_a_body", "There are no armpits to be found above the waist.", ""};
     p.hip_height = hip.y, p.waist_height = waist.y;
@@ -262,9 +289,10 @@ class BodyTape {
     for (size_t i = low; i <= high; ++i)
       if (trunk_[i].back > trunk_[hollow].back) hollow = i;
     const double edge = trunk_[hollow].back - kLumbarDepth * stature_;
+    const size_t least = index_of(p.crotch.y + kLumbarLeast * torso);
     const auto reach = [&](int step) {
       size_t i = hollow;
-      while (i > low && i < high && trunk_[i].back > edge) i += static_cast<size_t>(step);
+      while (i > least && i < high && trunk_[i].back > edge) i += static_cast<size_t>(step);
       return trunk_[i].y;
     };
     return (reach(1) + reach(-1)) / 2;

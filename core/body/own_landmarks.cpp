@@ -35,13 +35,21 @@ Result<SkinPoint> skin_point_of(const OwnLandmark& own, const TriangleMesh& mesh
 
 Status add_own_landmarks(const TriangleMesh& mesh, std::span<const OwnLandmark> own,
                          std::vector<Landmark>& landmarks) {
-  for (const OwnLandmark& mark : own) {
-    if (landmark_named(landmarks, mark.name) != nullptr) {
-      return Error{"landmark.duplicate", "the body has another landmark of that name", mark.name};
-    }
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    const OwnLandmark& mark = own[i];
+    const auto same = [&](const auto& other) { return other.name == mark.name; };
+    const auto before = own.begin() + static_cast<std::ptrdiff_t>(i);
+    if (std::any_of(own.begin(), before, same))
+      return Error{"landmark.duplicate", "another landmark here has that name", mark.name};
     const Result<SkinPoint> at = skin_point_of(mark, mesh, landmarks);
     if (!at) return at.error();
-    landmarks.push_back({mark.name, *at, position_of(*at, mesh)});
+    const Landmark placed{mark.name, *at, position_of(*at, mesh)};
+    const auto found = std::find_if(landmarks.begin(), landmarks.end(), same);
+    if (found != landmarks.end()) {
+      *found = placed;
+    } else {
+      landmarks.push_back(placed);
+    }
   }
   return {};
 }

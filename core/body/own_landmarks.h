@@ -20,8 +20,9 @@ struct OwnLandmark {
   Vec3 offset;       ///< m from that one; the skin nearest to there is meant
 };
 
-/// Puts `own` behind `landmarks`, each on the skin. Errors, `where` being the landmark's name:
-/// landmark.duplicate, landmark.unknown (near), landmark.no_triangle (triangle or shares not of this mesh).
+/// Puts `own` behind `landmarks`, each on the skin; one that has the name of a landmark already there moves
+/// that one, and may be told from it. Errors, `where` being the landmark's name: landmark.duplicate (two of
+/// `own`), landmark.unknown (near), landmark.no_triangle (triangle or shares not of this mesh).
 Status add_own_landmarks(const TriangleMesh& mesh, std::span<const OwnLandmark> own,
                          std::vector<Landmark>& landmarks);
 

@@ -1,6 +1,7 @@
 #include "core/body/polygonise.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <unordered_map>
@@ -8,9 +9,62 @@
 namespace toile {
 namespace {
 
-constexpr int kBlock = 4;             // cells per side of the blocks that are skipped as a whole
-constexpr double kNearBlock = 0.75;   // of a block's diagonal; 0.5 would do for an exact distance
+constexpr int kBlock = 4, kSmallBlock = 2;  // cells per side of the blocks that are skipped as a whole
+constexpr double kNearBlock = 0.60;         // of a block's diagonal; 0.5 would do for an exact distance
 constexpr double kEdgeMargin = 0.03;  // keeps crossings off the lattice points, so that no triangle vanishes
+
+// Corner i of a cube lies at (i & 1, i >> 1 & 1, i >> 2); edge 4a + k runs along axis a.
+struct CubeEdge {
+  int low, axis;  // its lower corner
+};
+constexpr CubeEdge kEdges[12] = {{0, 0}, {2, 0}, {4, 0}, {6, 0}, {0, 1}, {1, 1},
+                                 {4, 1}, {5, 1}, {0, 2}, {1, 2}, {2, 2}, {3, 2}};
+// Corners of the faces, counter-clockwise from outside.
+constexpr int kFaces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                              {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+
+int edge_between(int a, int b) {
+  const int low = std::min(a, b), step = std::abs(a - b), axis = step == 1 ? 0 : step == 2 ? 1 : 2;
+  for (int e = 4 * axis; e < 4 * axis + 4; ++e)
+    if (kEdges[e].low == low) return e;
+  return -1;
+}
+
+/// How the surface runs through a cube whose inner corners are the bits of `inside`: loops from edge to edge,
+/// counter-clockwise from outside. Inner corners across a face from each other are kept apart, which both
+/// cubes of the face see alike.
+struct CubeCase {
+  std::int8_t next[12];  ///< the edge that follows an edge, or −1
+  bool twice = false;    ///< whether a loop may visit a face twice
+};
+
+CubeCase cube_case(int inside) {
+  CubeCase c{};
+  std::fill(std::begin(c.next), std::end(c.next), std::int8_t{-1});
+  const auto in = [&](int corner) { return (inside >> corner & 1) != 0; };
+  for (const auto& face : kFaces) {
+    int runs = 0;
+    for (int i = 0; i < 4; ++i) {
+      if (in(face[i]) || !in(face[(i + 1) % 4])) continue;
+      int j = (i + 1) % 4;  // a run of inner corners starts here
+      const int enters = edge_between(face[i], face[j]);
+      while (in(face[(j + 1) % 4])) j = (j + 1) % 4;
+      c.next[enters] = static_cast<std::int8_t>(edge_between(face[j], face[(j + 1) % 4]));
+      ++runs;
+    }
+    c.twice = c.twice || runs > 1;
+  }
+  return c;
+}
+
+const std::array<CubeCase, 256>& cube_cases() {
+  static const std::array<CubeCase, 256> cases = [] {
+    std::array<CubeCase, 256> all;
+    for (int i = 0; i < 256; ++i) all[static_cast<size_t>(i)] = cube_case(i);
+    return all;
+  }();
+  return cases;
+}
 
 struct Lattice {
   Vec3 low;
@@ -20,6 +74,9 @@ struct Lattice {
 
   std::int64_t index(int x, int y, int z) const {
     return (static_cast<std::int64_t>(z) * n[1] + y) * n[0] + x;
+  }
+  std::int64_t stride(int axis) const {
+    return axis == 0 ? 1 : axis == 1 ? n[0] : static_cast<std::int64_t>(n[0]) * n[1];
   }
   Vec3 point(int x, int y, int z) const { return low + Vec3{x * cell, y * cell, z * cell}; }
   Vec3 point(std::int64_t i) const {
@@ -51,88 +108,134 @@ Lattice make_lattice(const GridBox& box) {
 class Marcher {
  public:
   Marcher(const ImplicitSurface& surface, const GridBox& box)
-      : surface_(surface), lattice_(make_lattice(box)) {}
+      : surface_(surface), lattice_(make_lattice(box)), marched_(lattice_.values.size(), 0) {}
 
   TriangleMesh run() {
     for (int z = 0; z + kBlock < lattice_.n[2]; z += kBlock)
       for (int y = 0; y + kBlock < lattice_.n[1]; y += kBlock)
         for (int x = 0; x + kBlock < lattice_.n[0]; x += kBlock)
-          if (is_near(x, y, z)) march_block(x, y, z);
+          if (is_near(x, y, z, kBlock)) march_block(x, y, z);
     return std::move(mesh_);
   }
 
  private:
-  bool is_near(int x, int y, int z) {
-    double least = std::numeric_limits<double>::max();
-    for (int c = 0; c < 8; ++c) {
-      const double v = value_at(surface_, lattice_, x + kBlock * (c & 1), y + kBlock * (c >> 1 & 1),
-                                z + kBlock * (c >> 2));
-      least = std::min(least, std::abs(v));
-    }
-    return least < kNearBlock * std::sqrt(3.0) * kBlock * lattice_.cell;
+  /// Whether the surface may pass through the block of `cells` per side.
+  bool is_near(int x, int y, int z, int cells) {
+    const double half = cells / 2.0 * lattice_.cell;
+    const double v = surface_(lattice_.point(x, y, z) + Vec3{half, half, half}).value;
+    return std::abs(v) < kNearBlock * std::sqrt(3.0) * cells * lattice_.cell;
   }
 
   void march_block(int x0, int y0, int z0) {
-    for (int z = z0; z < z0 + kBlock; ++z)
-      for (int y = y0; y < y0 + kBlock; ++y)
-        for (int x = x0; x < x0 + kBlock; ++x) march_cube(x, y, z);
+    for (int z = z0; z < z0 + kBlock; z += kSmallBlock)
+      for (int y = y0; y < y0 + kBlock; y += kSmallBlock)
+        for (int x = x0; x < x0 + kBlock; x += kSmallBlock)
+          if (is_near(x, y, z, kSmallBlock)) visit({x, y, z});
   }
 
-  // Six tetrahedra around the cube's main diagonal, all positively oriented; neighbours agree on faces.
+  using Place = std::array<int, 3>;
+
+  // Marches a small block once, and then those beside it that the surface goes on into: `value` may be far
+  // from the distance here and there.
+  void visit(const Place& first) {
+    std::vector<Place> waiting{first};
+    while (!waiting.empty()) {
+      const Place at = waiting.back();
+      waiting.pop_back();
+      char& done = marched_[static_cast<size_t>(lattice_.index(at[0], at[1], at[2]))];
+      if (done != 0) continue;
+      done = 1;
+      march_cubes(at[0], at[1], at[2]);
+      for (int axis = 0; axis < 3; ++axis) {
+        for (int side : {-kSmallBlock, kSmallBlock}) {
+          Place beside = at;
+          beside[static_cast<size_t>(axis)] += side;
+          const int to = beside[static_cast<size_t>(axis)];
+          if (to >= 0 && to + kSmallBlock < lattice_.n[axis] && is_crossed(at, axis, side > 0))
+            waiting.push_back(beside);
+        }
+      }
+    }
+  }
+
+  // Whether the surface meets a face of a small block that has been marched.
+  bool is_crossed(const Place& at, int axis, bool far) const {
+    int inside = 0, points = 0;
+    for (int i = 0; i <= kSmallBlock; ++i) {
+      for (int j = 0; j <= kSmallBlock; ++j, ++points) {
+        const int across = far ? kSmallBlock : 0;
+        const Place d = axis == 0   ? Place{across, i, j}
+                        : axis == 1 ? Place{i, across, j}
+                                    : Place{i, j, across};
+        inside +=
+            lattice_.values[static_cast<size_t>(lattice_.index(at[0] + d[0], at[1] + d[1], at[2] + d[2]))] <
+            0;
+      }
+    }
+    return inside > 0 && inside < points;
+  }
+
+  void march_cubes(int x0, int y0, int z0) {
+    for (int z = z0; z < z0 + kSmallBlock; ++z)
+      for (int y = y0; y < y0 + kSmallBlock; ++y)
+        for (int x = x0; x < x0 + kSmallBlock; ++x) march_cube(x, y, z);
+  }
+
   void march_cube(int x, int y, int z) {
-    static constexpr int kTets[6][4] = {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7},
-                                        {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}};
     std::int64_t corner[8];
     int inside = 0;
     for (int c = 0; c < 8; ++c) {
       const int cx = x + (c & 1), cy = y + (c >> 1 & 1), cz = z + (c >> 2);
       corner[c] = lattice_.index(cx, cy, cz);
-      inside += value_at(surface_, lattice_, cx, cy, cz) < 0;
+      inside |= (value_at(surface_, lattice_, cx, cy, cz) < 0) << c;
     }
-    if (inside == 0 || inside == 8) return;
-    for (const auto& t : kTets) march_tet({corner[t[0]], corner[t[1]], corner[t[2]], corner[t[3]]});
-  }
-
-  void march_tet(std::array<std::int64_t, 4> t) {
-    // Bring the inner corners to the front by swaps; an odd number of them turns the tetrahedron over.
-    int inside = 0;
-    bool odd = false;
-    for (int i = 0; i < 4; ++i) {
-      if (lattice_.values[t[i]] >= 0) continue;
-      if (i != inside) std::swap(t[i], t[inside]), odd = !odd;
-      ++inside;
-    }
-    if (inside == 1) add(odd, crossing(t[0], t[1]), crossing(t[0], t[2]), crossing(t[0], t[3]));
-    if (inside == 3) add(odd, crossing(t[0], t[3]), crossing(t[1], t[3]), crossing(t[2], t[3]));
-    if (inside == 2) {
-      const Index a = crossing(t[0], t[2]), b = crossing(t[0], t[3]), c = crossing(t[1], t[3]),
-                  d = crossing(t[1], t[2]);
-      add(odd, a, b, c), add(odd, a, c, d);
+    if (inside == 0 || inside == 255) return;
+    const CubeCase& way = cube_cases()[static_cast<size_t>(inside)];
+    bool seen[12] = {};
+    for (int e = 0; e < 12; ++e) {
+      if (way.next[e] < 0 || seen[e]) continue;
+      loop_.clear();
+      for (int at = e; !seen[at]; at = way.next[at]) {
+        seen[at] = true;
+        loop_.push_back(crossing(corner[kEdges[at].low], kEdges[at].axis));
+      }
+      fill_loop(way.twice);
     }
   }
 
-  void add(bool odd, Index a, Index b, Index c) {
-    if (odd) std::swap(b, c);
-    mesh_.triangles.push_back({a, b, c});
+  // Triangles from the first corner; from the middle where a chord could lie in a face, and two cubes draw
+  // the same.
+  void fill_loop(bool from_middle) {
+    const size_t n = loop_.size();
+    if (from_middle && n > 3) {
+      Vec3 sum;
+      for (Index v : loop_) sum += mesh_.vertices[static_cast<size_t>(v)];
+      const auto middle = static_cast<Index>(mesh_.vertices.size());
+      mesh_.vertices.push_back(sum * (1.0 / static_cast<double>(n)));
+      for (size_t i = 0; i < n; ++i) mesh_.triangles.push_back({middle, loop_[i], loop_[(i + 1) % n]});
+      return;
+    }
+    for (size_t i = 1; i + 1 < n; ++i) mesh_.triangles.push_back({loop_[0], loop_[i], loop_[i + 1]});
   }
 
-  Index crossing(std::int64_t a, std::int64_t b) {
-    if (a > b) std::swap(a, b);
-    const auto total = static_cast<std::uint64_t>(lattice_.values.size());
-    const auto [it, is_new] = vertex_of_edge_.try_emplace(static_cast<std::uint64_t>(a) * total + b,
-                                                          static_cast<Index>(mesh_.vertices.size()));
+  Index crossing(std::int64_t low, int axis) {
+    const auto [it, is_new] =
+        vertex_of_edge_.try_emplace(3 * low + axis, static_cast<Index>(mesh_.vertices.size()));
     if (is_new) {
-      const double va = lattice_.values[a], vb = lattice_.values[b];
+      const std::int64_t high = low + lattice_.stride(axis);
+      const double va = lattice_.values[low], vb = lattice_.values[high];
       const double s = std::clamp(va / (va - vb), kEdgeMargin, 1 - kEdgeMargin);
-      const Vec3 p = lattice_.point(a);
-      mesh_.vertices.push_back(p + (lattice_.point(b) - p) * s);
+      const Vec3 p = lattice_.point(low);
+      mesh_.vertices.push_back(p + (lattice_.point(high) - p) * s);
     }
     return it->second;
   }
 
   const ImplicitSurface& surface_;
   Lattice lattice_;
-  std::unordered_map<std::uint64_t, Index> vertex_of_edge_;  // looked up only, never walked
+  std::vector<char> marched_;                               ///< by a small block's first point
+  std::unordered_map<std::int64_t, Index> vertex_of_edge_;  // looked up only, never walked
+  std::vector<Index> loop_;
   TriangleMesh mesh_;
 };
 

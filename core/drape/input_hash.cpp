@@ -27,16 +27,16 @@ void write_one(StateWriter& out, const Loop& loop) {
   write(out, edges);
 }
 void write_one(StateWriter& out, const InnerLine& line) {
-  const auto& [id, points] = line;
-  write(out, id, points);
+  const auto& [id, points, drawn] = line;
+  write(out, id, points, drawn);
 }
 void write_one(StateWriter& out, const Notch& notch) {
   const auto& [at, depth, inwards] = notch;
   write(out, at, depth, inwards);
 }
 void write_one(StateWriter& out, const Panel& panel) {
-  const auto& [id, outline, holes, grain, fabric, lines, layer, notches] = panel;
-  write(out, id, outline, holes, grain, fabric, lines, layer, notches);
+  const auto& [id, outline, holes, grain, fabric, lines, layer, notches, spacing] = panel;
+  write(out, id, outline, holes, grain, fabric, lines, layer, notches, spacing);
 }
 void write_one(StateWriter& out, const SeamEdge& at) {
   const auto& [panel, edge, reversed, from, to] = at;

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/write_file.h"
+#include "core/export/glb_looks.h"
 #include "core/mesh/vertex_normals.h"
 
 namespace toile {
@@ -21,6 +22,7 @@ constexpr std::uint32_t kJsonChunk = 0x4E4F534A;  // "JSON"
 constexpr std::uint32_t kBinChunk = 0x004E4942;   // "BIN"
 constexpr int kFloat = 5126, kUnsignedInt = 5125;
 constexpr int kArrayBuffer = 34962, kElementArrayBuffer = 34963;
+constexpr int kRepeat = 10497, kLinear = 9729, kLinearMipmapLinear = 9987;
 constexpr double kClothRoughness = 0.9, kBodyRoughness = 0.75;
 
 void append_u32(std::string& bytes, std::uint32_t value) {
@@ -36,7 +38,7 @@ struct Part {
   std::string name;
   int material = 0;
   std::vector<Vec3> positions, normals;
-  std::vector<Vec2> rest;  // empty for a body
+  std::vector<Vec2> texture_coordinates;  // empty for a body
   std::vector<Tri> triangles;
 };
 
@@ -85,6 +87,14 @@ class GltfBuffer {
     return add_accessor(begin, kElementArrayBuffer, kUnsignedInt, "SCALAR", triangles.size() * 3);
   }
 
+  /// The view of an image file; what comes after it starts aligned again.
+  int add_image(const std::string& file) {
+    views_.push_back({{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", file.size()}});
+    bytes_ += file;
+    bytes_.resize((bytes_.size() + 3) / 4 * 4, '\0');
+    return static_cast<int>(views_.size()) - 1;
+  }
+
   const std::string& bytes() const { return bytes_; }
   const json& views() const { return views_; }
   const json& accessors() const { return accessors_; }
@@ -98,7 +108,7 @@ class GltfBuffer {
     return static_cast<int>(accessors_.size()) - 1;
   }
 
-  std::string bytes_;  // all components have four bytes, so every view starts aligned
+  std::string bytes_;  // all components have four bytes and images are filled up: every view starts aligned
   json views_ = json::array(), accessors_ = json::array();
 };
 
@@ -177,17 +187,32 @@ Status check_body(const Body& body) {
   return {};
 }
 
-void append_panels(const GlbModel& model, std::vector<Part>& parts) {
+/// Of the fabrics' materials, the bodies', and the looks', in this order.
+int first_look(const GlbModel& model) { return static_cast<int>(model.fabrics.size()) + 1; }
+
+/// Its own fabric's material, or that of its picture too.
+void dress(const GlbModel& model, const GlbLooks& looks, std::size_t panel, std::span<const Vec2> rest,
+           Part& part) {
+  const int look = looks.look_of_panel.empty() ? kNone : looks.look_of_panel[panel];
+  if (look == kNone) {
+    part.material = model.fabric_of_panel[panel];
+    part.texture_coordinates.assign(rest.begin(), rest.end());
+    return;
+  }
+  part.material = first_look(model) + look;
+  part.texture_coordinates = glb_coordinates(*texture_of(*model.textures, static_cast<Index>(panel)), rest);
+}
+
+void append_panels(const GlbModel& model, const GlbLooks& looks, std::vector<Part>& parts) {
   const GarmentMesh& g = *model.garment;
   const std::vector<Vec3> normals = vertex_normals(model.positions, g.triangles, g.weld);
   std::vector<Part> panels(g.first_vertex.size() - 1);
   for (std::size_t p = 0; p < panels.size(); ++p) {
     const Index begin = g.first_vertex[p], end = g.first_vertex[p + 1];
     panels[p].name = model.panel_names[p];
-    panels[p].material = model.fabric_of_panel[p];
     panels[p].positions.assign(model.positions.begin() + begin, model.positions.begin() + end);
     panels[p].normals.assign(normals.begin() + begin, normals.begin() + end);
-    panels[p].rest.assign(g.rest.begin() + begin, g.rest.begin() + end);
+    dress(model, looks, p, std::span(g.rest).subspan(begin, end - begin), panels[p]);
   }
   for (std::size_t t = 0; t < g.triangles.size(); ++t) {
     const Index panel = g.panel_of_triangle[t], begin = g.first_vertex[panel];
@@ -221,23 +246,47 @@ json material(const std::string& name, const double* colour, double roughness, b
             {"roughnessFactor", roughness}}}};
 }
 
-json materials(const GlbModel& model) {
+json materials(const GlbModel& model, const GlbLooks& looks) {
   json all = json::array();
-  for (const Fabric& fabric : model.fabrics) {
-    all.push_back(
-        material(fabric.name.empty() ? fabric.id : fabric.name, fabric.colour, kClothRoughness, true));
-  }
+  const auto name_of = [](const Fabric& fabric) { return fabric.name.empty() ? fabric.id : fabric.name; };
+  for (const Fabric& fabric : model.fabrics)
+    all.push_back(material(name_of(fabric), fabric.colour, kClothRoughness, true));
   all.push_back(material("body", model.body_colour.data(), kBodyRoughness, false));
+  constexpr double kAsThePicture[] = {1, 1, 1};
+  for (const GlbLook& look : looks.looks) {
+    const std::string name = name_of(model.fabrics[look.fabric]) + ", " + looks.images[look.image].name;
+    json one = material(name, kAsThePicture, kClothRoughness, true);
+    one["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", look.image}};
+    all.push_back(std::move(one));
+  }
   return all;
 }
 
+/// Images, how they are repeated, and textures: one per image.
+void add_images(const GlbLooks& looks, GltfBuffer& buffer, json& doc) {
+  if (looks.images.empty()) return;  // glTF allows no empty lists
+  json images = json::array(), textures = json::array();
+  for (const GlbImage& image : looks.images) {
+    textures.push_back({{"sampler", 0}, {"source", images.size()}});
+    images.push_back({{"name", image.name},
+                      {"mimeType", image.media_type},
+                      {"bufferView", buffer.add_image(image.bytes)}});
+  }
+  doc["samplers"] = json::array(
+      {{{"wrapS", kRepeat}, {"wrapT", kRepeat}, {"magFilter", kLinear}, {"minFilter", kLinearMipmapLinear}}});
+  doc["images"] = std::move(images);
+  doc["textures"] = std::move(textures);
+}
+
 /// The document, whose parts' arrays go to `buffer`.
-json document(const GlbModel& model, const std::vector<Part>& parts, GltfBuffer& buffer) {
+json document(const GlbModel& model, const GlbLooks& looks, const std::vector<Part>& parts,
+              GltfBuffer& buffer) {
   json meshes = json::array(), nodes = json::array(), roots = json::array();
   for (const Part& part : parts) {
     json attributes = {{"POSITION", buffer.add_positions(part.positions)},
                        {"NORMAL", buffer.add_vectors(part.normals)}};
-    if (!part.rest.empty()) attributes["TEXCOORD_0"] = buffer.add_texture_coordinates(part.rest);
+    if (!part.texture_coordinates.empty())
+      attributes["TEXCOORD_0"] = buffer.add_texture_coordinates(part.texture_coordinates);
     const json primitive = {{"attributes", attributes},
                             {"indices", buffer.add_indices(part.triangles)},
                             {"material", part.material}};
@@ -246,13 +295,16 @@ json document(const GlbModel& model, const std::vector<Part>& parts, GltfBuffer&
     meshes.push_back({{"name", part.name}, {"primitives", json::array({primitive})}});
   }
   json doc = {{"asset", {{"version", "2.0"}, {"generator", "Toile"}}}, {"scene", 0}};
-  doc["materials"] = materials(model);
+  doc["materials"] = materials(model, looks);
+  add_images(looks, buffer, doc);
   doc["scenes"] = json::array({json::object()});
-  if (parts.empty()) return doc;  // glTF allows no empty lists
-  doc["scenes"][0]["nodes"] = roots;
-  doc["nodes"] = nodes;
-  doc["meshes"] = meshes;
-  doc["accessors"] = buffer.accessors();
+  if (buffer.views().empty()) return doc;  // glTF allows no empty lists
+  if (!parts.empty()) {
+    doc["scenes"][0]["nodes"] = roots;
+    doc["nodes"] = nodes;
+    doc["meshes"] = meshes;
+    doc["accessors"] = buffer.accessors();
+  }
   doc["bufferViews"] = buffer.views();
   doc["buffers"] = json::array({json{{"byteLength", buffer.bytes().size()}}});
   return doc;
@@ -283,16 +335,22 @@ Result<std::string> container(std::string text, const std::string& binary) {
 
 Result<std::string> glb_bytes(const GlbModel& model) {
   std::vector<Part> parts;
+  GlbLooks looks;
   if (model.garment != nullptr) {
     if (Status bad = check_garment(*model.garment, model); !bad.ok()) return bad.error();
-    append_panels(model, parts);
+    if (model.textures != nullptr) {
+      Result<GlbLooks> made = glb_looks(*model.textures, model.fabric_of_panel, model.fabrics);
+      if (!made.ok()) return made.error();
+      looks = std::move(*made);
+    }
+    append_panels(model, looks, parts);
   }
   for (const Body& body : model.bodies) {
     if (Status bad = check_body(body); !bad.ok()) return bad.error();
   }
   append_bodies(model, parts);
   GltfBuffer buffer;
-  const json doc = document(model, parts, buffer);
+  const json doc = document(model, looks, parts, buffer);
   // Names come from files: what is no UTF-8 is replaced rather than refused.
   return container(doc.dump(-1, ' ', false, json::error_handler_t::replace), buffer.bytes());
 }

@@ -87,10 +87,13 @@ MatchedSeam matched_seam(Index index, const SampledSeam& sampled, const std::vec
   return seam;
 }
 
-Status check_size(const std::vector<std::vector<Polygon>>& panels, double particle_distance) {
-  double area = 0;
-  for (const std::vector<Polygon>& polygons : panels) area += std::fabs(enclosed_area(polygons));
-  const double particles = particle_estimate(area, particle_distance);
+Status check_size(const Pattern& pattern, const std::vector<std::vector<Polygon>>& panels,
+                  double particle_distance) {
+  double particles = 0;
+  for (std::size_t p = 0; p < panels.size(); ++p) {
+    const double area = std::fabs(enclosed_area(panels[p]));
+    particles += particle_estimate(area, spacing_on(pattern.panels[p], particle_distance));
+  }
   if (particles <= kMaxParticles) return {};
   return Error{"mesh.too_many_particles",
                "The pattern would have about " + std::to_string(std::llround(std::min(particles, 1e15))) +
@@ -111,12 +114,12 @@ Result<PanelMeshes> make_panel_meshes(const Pattern& pattern, double particle_di
   for (std::size_t p = 0; p < count; ++p) {
     polygons.push_back(polygons_of(pattern.panels[p], sampled->edges[p]));
   }
-  if (Status status = check_size(polygons, particle_distance); !status) return status.error();
+  if (Status status = check_size(pattern, polygons, particle_distance); !status) return status.error();
   PanelMeshes meshes;
   for (std::size_t p = 0; p < count; ++p) {
     context.progress("mesh", static_cast<double>(p) / static_cast<double>(count));
     Result<PanelMesh> mesh = mesh_panel(pattern.panels[p], sampled->edges[p], polygons[p], (*lines)[p],
-                                        particle_distance, context);
+                                        spacing_on(pattern.panels[p], particle_distance), context);
     if (!mesh) return mesh.error();
     meshes.panels.push_back(std::move(*mesh));
   }

@@ -7,7 +7,8 @@
 
 namespace toile {
 
-/// Homogeneous triangles of edge length `particle_distance` (m) on every panel, both sides of each seam with
+/// Homogeneous triangles of edge length `particle_distance` (m) on every panel that asks for no spacing of
+/// its own, both sides of each seam with
 /// the same number of particles, as in S. Kim and C. K. Park, "Fast Garment Drape Simulation Using
 /// Geometrically Constrained Particle System" (2003). A small piece keeps at least one segment per edge.
 /// Where a dart's two sides meet in one vertex, its seam has no pair for that vertex.

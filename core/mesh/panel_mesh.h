@@ -18,7 +18,8 @@ struct PanelMesh {
   /// edge's start to its end, both ends included.
   std::vector<std::vector<Index>> edge_vertices;
 
-  /// For every line of the panel: its vertices from start to end; edges of the mesh join them.
+  /// For every line of the panel: its vertices from start to end; edges of the mesh join them;
+  /// none for a line that is only drawn.
   std::vector<std::vector<Index>> line_vertices = {};
 };
 

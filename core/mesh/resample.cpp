@@ -199,6 +199,15 @@ struct CutSeam {
   std::vector<Run> runs;
 };
 
+/// What the panels on both sides of a seam ask for: the finest.
+double spacing_of(const Pattern& pattern, const Seam& seam, double usual) {
+  double finest = spacing_on(pattern.panels[seam.a.front().panel], usual);
+  for (const auto* side : {&seam.a, &seam.b}) {
+    for (const SeamEdge& e : *side) finest = std::min(finest, spacing_on(pattern.panels[e.panel], usual));
+  }
+  return finest;
+}
+
 CutSeam cut_seam(Side a, Side b, std::vector<MeasuredPanel>& panels, double particle_distance) {
   std::vector<Run> runs;
   for (const SeamInterval& interval : seam_intervals(a.breaks, b.breaks, particle_distance)) {
@@ -259,10 +268,15 @@ Result<std::vector<MeasuredPanel>> measure(const Pattern& pattern, double partic
   for (const Panel& panel : pattern.panels) {
     Result<MeasuredPanel> measured = measure(panel);
     if (!measured) return measured.error();
-    for (const MeasuredEdge& m : *measured) total += m.length;
+    const double spacing = spacing_on(panel, particle_distance);
+    if (!(spacing >= kLeastDistance && std::isfinite(spacing))) {
+      return Error{"mesh.particle_distance", "The particle distance must be at least 0.5 mm.",
+                   panel.spacing > 0 ? "piece " + panel.id : ""};
+    }
+    for (const MeasuredEdge& m : *measured) total += m.length / spacing;
     panels.push_back(std::move(*measured));
   }
-  if (!(total / particle_distance <= kMaxParticles)) {
+  if (!(total <= kMaxParticles)) {
     return Error{
         "mesh.too_many_particles",
         "The outlines alone would have over half a million particles; choose a larger particle distance.",
@@ -274,9 +288,6 @@ Result<std::vector<MeasuredPanel>> measure(const Pattern& pattern, double partic
 }  // namespace
 
 Result<SampledPattern> resample(const Pattern& pattern, double particle_distance) {
-  if (!(particle_distance >= kLeastDistance && std::isfinite(particle_distance))) {
-    return Error{"mesh.particle_distance", "The particle distance must be at least 0.5 mm.", ""};
-  }
   Result<std::vector<MeasuredPanel>> measured = measure(pattern, particle_distance);
   if (!measured) return measured.error();
   std::vector<MeasuredPanel>& panels = *measured;
@@ -288,11 +299,14 @@ Result<SampledPattern> resample(const Pattern& pattern, double particle_distance
     if (!a) return a.error();
     Result<Side> b = side_of(pattern, panels, seam, seam.b, !seam.same_direction);
     if (!b) return b.error();
-    cuts.push_back(cut_seam(std::move(*a), std::move(*b), panels, particle_distance));
+    cuts.push_back(
+        cut_seam(std::move(*a), std::move(*b), panels, spacing_of(pattern, seam, particle_distance)));
   }
-  for (std::size_t p = 0; p < panels.size(); ++p)
+  for (std::size_t p = 0; p < panels.size(); ++p) {
+    const double spacing = spacing_on(pattern.panels[p], particle_distance);
     for (std::size_t e = 0; e < panels[p].size(); ++e)
-      sampled.edges[p][e] = points_at(panels[p][e], points_of(panels[p][e], particle_distance));
+      sampled.edges[p][e] = points_at(panels[p][e], points_of(panels[p][e], spacing));
+  }
   for (const CutSeam& cut : cuts) sampled.seams.push_back(sampled_seam(cut, panels));
   return sampled;
 }

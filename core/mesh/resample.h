@@ -30,7 +30,8 @@ struct SampledPattern {
   std::vector<SampledSeam> seams;  ///< one per seam of the pattern
 };
 
-/// Divides every edge evenly by arc length into segments of about `particle_distance` (m); edges of a seam
+/// Divides every edge evenly by arc length into segments of about `particle_distance` (m), or of the panel's
+/// own spacing; where a seam joins panels of different spacing the finer one counts on it. Edges of a seam
 /// or parts of edges of a seam so that both sides have the same number of points (see seam_intervals), and
 /// the ends of the parts are points. A loop of one edge has at least three segments, the edges of a loop of
 /// two at least two.

@@ -30,7 +30,7 @@ struct OutlinePlace {
 
 class LineEnds {
  public:
-  LineEnds(const SampledPattern& sampled, double reach) : reach_(reach) {
+  explicit LineEnds(const SampledPattern& sampled) {
     for (const SampledSeam& seam : sampled.seams) {
       for (const SampledSeam::Pair& pair : seam.pairs) {
         partner_.emplace(key_of(pair.a), pair.b);
@@ -39,9 +39,9 @@ class LineEnds {
     }
   }
 
-  /// Where a line's end at p comes to lie.
-  Vec2 settle(SampledPattern& sampled, Index panel, Vec2 p) {
-    const std::optional<OutlinePlace> place = nearest(sampled.edges[panel], p);
+  /// Where a line's end at p comes to lie, when the outline is within `reach` (m).
+  Vec2 settle(SampledPattern& sampled, Index panel, Vec2 p, double reach) {
+    const std::optional<OutlinePlace> place = nearest(sampled.edges[panel], p, reach);
     if (!place) return p;
     std::vector<Vec2>& edge = sampled.edges[panel][place->edge];
     const auto last = static_cast<Index>(edge.size()) - 1;
@@ -58,9 +58,10 @@ class LineEnds {
   }
 
  private:
-  std::optional<OutlinePlace> nearest(const std::vector<std::vector<Vec2>>& edges, Vec2 p) const {
+  std::optional<OutlinePlace> nearest(const std::vector<std::vector<Vec2>>& edges, Vec2 p,
+                                      double reach) const {
     OutlinePlace best;
-    best.distance = reach_;
+    best.distance = reach;
     for (std::size_t e = 0; e < edges.size(); ++e) {
       for (std::size_t k = 0; k + 1 < edges[e].size(); ++k) {
         const Vec2 a = edges[e][k], d = edges[e][k + 1] - a;
@@ -100,7 +101,6 @@ class LineEnds {
     taken_.insert(key_of(a));
   }
 
-  double reach_;
   std::map<Key, EdgeSample> partner_;
   std::set<Key> taken_;  ///< samples that stay where they are
 };
@@ -120,9 +120,11 @@ std::vector<Vec2> sampled_line(const std::vector<Vec2>& corners, double particle
 Status check_length(const Pattern& pattern, double particle_distance) {
   double total = 0;
   for (const Panel& panel : pattern.panels) {
+    const double spacing = spacing_on(panel, particle_distance);
     for (const InnerLine& line : panel.lines) {
+      if (line.drawn) continue;
       for (std::size_t i = 0; i + 1 < line.points.size(); ++i) {
-        total += 1 + metres_from_mm(length(line.points[i + 1] - line.points[i])) / particle_distance;
+        total += 1 + metres_from_mm(length(line.points[i + 1] - line.points[i])) / spacing;
       }
     }
   }
@@ -144,15 +146,18 @@ Result<std::vector<std::vector<std::vector<Vec2>>>> sample_lines(const Pattern& 
     return lines;
   }
   if (Status status = check_length(pattern, particle_distance); !status) return status.error();
-  LineEnds ends(sampled, kReach * particle_distance);
+  LineEnds ends(sampled);
   for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
+    const double spacing = spacing_on(pattern.panels[p], particle_distance);
     for (const InnerLine& line : pattern.panels[p].lines) {
+      std::vector<Vec2>& points = lines[p].emplace_back();
+      if (line.drawn) continue;
       std::vector<Vec2> corners;
       for (const Vec2 q : line.points) corners.push_back({metres_from_mm(q.x), metres_from_mm(q.y)});
       for (Vec2* end : {&corners.front(), &corners.back()}) {
-        *end = ends.settle(sampled, static_cast<Index>(p), *end);
+        *end = ends.settle(sampled, static_cast<Index>(p), *end, kReach * spacing);
       }
-      lines[p].push_back(sampled_line(corners, particle_distance));
+      points = sampled_line(corners, spacing);
     }
   }
   return lines;

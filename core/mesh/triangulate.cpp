@@ -228,7 +228,7 @@ Result<FlatMesh> triangulate(std::span<const Polygon> loops, double particle_dis
   }
   if (Status status = check_lines(piece, lines); !status) return status.error();
   add_lines(piece, lines);
-  if (!lines.empty()) {
+  if (!piece.links.empty()) {
     if (const auto conflict = GridTriangulation(piece.points).build(piece.segments, piece.links)) {
       return line_error(*conflict, piece);
     }

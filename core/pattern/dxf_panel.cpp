@@ -40,6 +40,25 @@ std::vector<Notch> notches_on_outline(const DxfPiece& piece) {
   return notches;
 }
 
+/// The line without points that repeat the one before; empty when nothing is left of it.
+std::vector<Vec2> without_repeats(const std::vector<Vec2>& line) {
+  std::vector<Vec2> points;
+  for (const Vec2 p : line)
+    if (points.empty() || length(p - points.back()) >= kJointTolerance) points.push_back(p);
+  return points.size() < 2 ? std::vector<Vec2>{} : points;
+}
+
+/// What is drawn within the piece: pockets, buttonholes, fold lines, as i0, i1, …
+std::vector<InnerLine> drawn_lines(const DxfPiece& piece) {
+  std::vector<InnerLine> lines;
+  for (const std::vector<Vec2>& internal : piece.internals) {
+    std::vector<Vec2> points = without_repeats(internal);
+    if (points.empty()) continue;
+    lines.push_back({std::string("i").append(std::to_string(lines.size())), std::move(points), true});
+  }
+  return lines;
+}
+
 }  // namespace
 
 Result<Panel> panel_from_piece(const DxfPiece& piece, std::span<const Vec2> forced_corners,
@@ -68,6 +87,7 @@ Result<Panel> panel_from_piece(const DxfPiece& piece, std::span<const Vec2> forc
     for (PanelEdge& edge : panel.holes.back().edges)
       edge.id = std::string("h").append(std::to_string(h)).append(edge.id);
   }
+  panel.lines = drawn_lines(piece);
   return panel;
 }
 

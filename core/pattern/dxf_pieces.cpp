@@ -20,6 +20,8 @@ constexpr double kBoxSlack = 1;        // mm, by which a line may stick out of t
 constexpr double kWidestGap = 1;       // mm that are closed without a question
 constexpr double kSliver = 1e-3;       // of the line's length squared: less area than that is no outline
 constexpr double kWidestShare = 2e-3;  // of the line's length, likewise
+constexpr std::size_t kMostInternals = 500;  // lines within a piece: unfolded, a document takes twice as many
+constexpr std::size_t kMostInternalPoints = 4999;  // likewise of one of them, and one that closes it
 
 /// The error that a chain should close and does not.
 Error open_outline(const DxfChain& chain) {
@@ -315,6 +317,12 @@ class Sorter {
   }
 
   void keep_internal(const DxfChain& chain, DxfFound& owner) {
+    if (polyline_length(chain.points) < kJointTolerance)
+      return drop(chain, "a line without length", owner.id);
+    if (owner.piece.internals.size() == kMostInternals)
+      return drop(chain, "a piece takes " + std::to_string(kMostInternals) + " lines within it", owner.id);
+    if (chain.points.size() > kMostInternalPoints)
+      return drop(chain, "a line within a piece has 5,000 points at most", owner.id);
     owner.piece.internals.push_back(chain.points);
     if (chain.closed) owner.piece.internals.back().push_back(chain.points.front());
     mark(chain, chain.curved ? DxfFate::converted : DxfFate::kept, "line within the piece", owner.id);

@@ -84,7 +84,8 @@ Result<DxfDrawing> read_dxf(std::istream& in, const DxfSettings& settings = {});
 /// The piece as a panel of its own name, in the drawing's coordinates: outline counter-clockwise with edges
 /// e0, e1, …, holes clockwise with edges h0e0, … Without forced corners edges end where the outline turns
 /// sharply and where the file's own runs meet; with them, at exactly those places. Curves end at notches and
-/// turn points; notches move onto the outline. The fabric is left empty. Errors: those of
+/// turn points; notches move onto the outline. Lines within it come as lines i0, i1, … that are only drawn.
+/// The fabric is left empty. Errors: those of
 /// loop_from_polyline, with the piece in `where`.
 Result<Panel> panel_from_piece(const DxfPiece& piece, std::span<const Vec2> forced_corners = {},
                                const OutlineSettings& settings = {});

@@ -45,6 +45,27 @@ void add_notch(std::vector<Notch>& notches, const Notch& notch) {
   notches.push_back(notch);
 }
 
+bool is_off(Vec2 p, const FoldAxis& axis) { return std::abs(axis.side(p)) > kOnFold; }
+
+/// Adds the lines' mirror images. Lines that end on the fold go on behind it, those within it stay.
+void unfold_lines(std::vector<std::vector<Vec2>>& lines, const FoldAxis& axis) {
+  const auto off = [&](Vec2 p) { return is_off(p, axis); };
+  std::vector<std::vector<Vec2>> copies;
+  for (std::vector<Vec2>& line : lines) {
+    if (std::none_of(line.begin(), line.end(), off)) continue;
+    std::vector<Vec2> other(line.rbegin(), line.rend());
+    for (Vec2& p : other) p = axis.mirrored(p);
+    if (!off(line.back())) {
+      line.insert(line.end(), other.begin() + 1, other.end());
+    } else if (!off(line.front())) {
+      line.insert(line.begin(), other.begin(), other.end() - 1);
+    } else {
+      copies.push_back(std::move(other));
+    }
+  }
+  lines.insert(lines.end(), copies.begin(), copies.end());
+}
+
 class Marker {
  public:
   Marker(bool by_aama, std::vector<DxfTrimmings>& pieces, DxfContext& context)
@@ -122,7 +143,7 @@ bool unfold_piece(DxfPiece& piece, const FoldAxis& axis) {
   if (!whole) return false;
   piece.outline = std::move(whole->outline);
   piece.unfolded = true;
-  const auto off = [&](Vec2 p) { return std::abs(axis.side(p)) > kOnFold; };
+  const auto off = [&](Vec2 p) { return is_off(p, axis); };
   const auto mirror_points = [&](std::vector<Vec2>& points, bool keep_on_fold) {
     std::vector<Vec2> both;
     for (const Vec2 p : points) {
@@ -144,7 +165,7 @@ bool unfold_piece(DxfPiece& piece, const FoldAxis& axis) {
   mirror_points(piece.drills, true);
   mirror_lines(piece.holes);
   piece.holes.insert(piece.holes.end(), whole->holes.begin(), whole->holes.end());
-  mirror_lines(piece.internals);
+  unfold_lines(piece.internals, axis);
   for (std::size_t i = 0, n = piece.notches.size(); i < n; ++i) {
     const Notch notch = piece.notches[i];
     if (!off(notch.at)) continue;

@@ -31,7 +31,18 @@ constexpr double kTypical = 700;                        // mm
 
 std::string figure(double v) {
   char text[40];
-  std::snprintf(text, sizeof text, "%.4g", v);
+  std::snprintf(text, sizeof text, std::abs(v) < 1000 ? "%.4g" : "%.0f", v);
+  return text;
+}
+
+/// A length as people say it: "13.6 m", "136 mm", "5.4 mm".
+std::string length_words(double mm) {
+  constexpr double kLong = 10000, kShort = 10;  // mm
+  char text[40];
+  if (mm >= kLong)
+    std::snprintf(text, sizeof text, "%.1f m", mm / 1000);
+  else
+    std::snprintf(text, sizeof text, mm < kShort ? "%.1f mm" : "%.0f mm", mm);
   return text;
 }
 
@@ -100,7 +111,7 @@ class Judge {
     for (std::size_t i = 0; i < kCandidates.size(); ++i) {
       scores_[i] += likelihood_of_size(largest * kCandidates[i].mm);
       if (i < 3)
-        as += (i == 0 ? "" : ", ") + figure(largest * kCandidates[i].mm) + " mm as " + kCandidates[i].name;
+        as += (i == 0 ? "" : ", ") + length_words(largest * kCandidates[i].mm) + " as " + kCandidates[i].name;
     }
     evidence_.push_back("the largest piece measures " + figure(largest) + " units: " + as);
   }

@@ -3,6 +3,7 @@
 #include <type_traits>
 
 #include "core/pattern/edit_edges.h"
+#include "core/pattern/edit_notches.h"
 #include "core/pattern/edit_pieces.h"
 #include "core/pattern/edit_places.h"
 #include "core/pattern/edit_shape.h"

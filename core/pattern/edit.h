@@ -93,6 +93,28 @@ struct RenameEdge {
   std::string piece, edge, to;
 };
 
+/// Marks a place on an edge, with a cut of that depth into the cloth. The edge gets a point there, unless it
+/// has one within half a millimetre, which is marked instead.
+struct AddNotch {
+  std::string piece, edge;
+  double at = 0.5, depth_mm = 0;
+};
+
+/// Moves a notch to a place on any edge of its piece. Notches count from 0, in the piece's order. Its depth
+/// stays when none is given.
+struct MoveNotch {
+  std::string piece;
+  int notch = 0;
+  std::string edge;
+  double at = 0.5;
+  std::optional<double> depth_mm;
+};
+
+struct RemoveNotch {
+  std::string piece;
+  int notch = 0;
+};
+
 struct AddLine {
   std::string piece;
   InnerLine line;
@@ -197,7 +219,7 @@ using PatternEdit =
     std::variant<MovePoint, MoveHandle, InsertPoint, DeletePoint, SplitEdge, JoinEdges, StraightenEdge,
                  BendEdge, SetEdgeLength, MirrorPiece, RotateGrain, RenameEdge, AddLine, RemoveLine, AddDart,
                  AddInnerDart, RemoveDart, AddHole, RemoveHole, MovePiece, RenamePiece, DuplicatePiece,
-                 DeletePiece, AddSeam, RemoveSeam, ReverseSeam, SetFabric>;
+                 DeletePiece, AddSeam, RemoveSeam, ReverseSeam, SetFabric, AddNotch, MoveNotch, RemoveNotch>;
 
 /// An edge or line of the edited piece that goes by other names now; by none when it is gone.
 struct RenamedPart {
@@ -229,9 +251,9 @@ struct EditedPattern {
 
 /// The pattern after the edit; the given one is not touched. REQUIRES a pattern that validate() accepts;
 /// gives one. Errors, with the piece and edge in `where`: edit.unknown_piece, edit.unknown_edge,
-/// edit.unknown_line, edit.unknown_seam, edit.unknown_point, edit.out_of_range (a figure that cannot be met),
-/// edit.not_neighbours, edit.no_dart, edit.sewn (what a dart would cut away is sewn by itself),
-/// edit.last_piece; and pattern.* where the result could not be cut or sewn.
+/// edit.unknown_line, edit.unknown_notch, edit.unknown_seam, edit.unknown_point, edit.out_of_range (a figure
+/// that cannot be met), edit.not_neighbours, edit.no_dart, edit.sewn (what a dart would cut away is sewn by
+/// itself), edit.last_piece; and pattern.* where the result could not be cut or sewn.
 Result<EditedPattern> apply_edit(const Pattern& pattern, const PatternEdit& edit);
 
 }  // namespace toile

@@ -126,12 +126,6 @@ NotchSpot spot_of(const Panel& panel, Vec2 at) {
   return best;
 }
 
-Vec2 direction_at(const PanelEdge& edge, double along) {
-  constexpr double kStep = 0.5;  // mm
-  return normalized(point_at_length(edge, along + kStep) -
-                    point_at_length(edge, std::max(along - kStep, 0.0)));
-}
-
 /// `v` turned as `from` is turned into `to`, unit vectors.
 Vec2 turned_like(Vec2 v, Vec2 from, Vec2 to) {
   const double c = dot(from, to), s = cross(from, to);
@@ -167,6 +161,12 @@ Result<CurvePlace> place_on_edge(const PanelEdge& edge, double at, const std::st
     s -= l;
   }
   return out_of_range("This place is the edge's end.");
+}
+
+Vec2 direction_at(const PanelEdge& edge, double along) {
+  constexpr double kStep = 0.5;  // mm
+  return normalized(point_at_length(edge, along + kStep) -
+                    point_at_length(edge, std::max(along - kStep, 0.0)));
 }
 
 void carry_notches(const Panel& was, Panel& panel) {

@@ -24,6 +24,9 @@ struct CurvePlace {
 /// that is an end of the edge, or no number between 0 and 1.
 Result<CurvePlace> place_on_edge(const PanelEdge& edge, double at, const std::string& where);
 
+/// Unit vector of the edge's way about a place, mm from its start; null where it has none.
+Vec2 direction_at(const PanelEdge& edge, double along);
+
 /// The notches of `was` that lay on edges which are other curves now, moved to the like places of `panel`: at
 /// the same joint, or as far along the edge.
 void carry_notches(const Panel& was, Panel& panel);

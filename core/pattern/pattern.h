@@ -26,10 +26,13 @@ struct Loop {
   std::vector<PanelEdge> edges;
 };
 
-/// A line that is drawn on a piece: where it is folded, or an elastic is sewn to it.
+/// A line on a piece: where it is folded, or an elastic is sewn to it; the mesh follows it. Of a line that is
+/// only drawn, a mark for people, the mesh takes no notice: it may leave the piece and cross others.
 struct InnerLine {
   std::string id;            ///< unique within its panel, beside those of the edges
   std::vector<Vec2> points;  ///< mm; straight from each to the next, inside the outline; ends may lie on it
+  bool drawn = false;        ///< only drawn
+  friend bool operator==(const InnerLine&, const InnerLine&) = default;
 };
 
 /// A mark on the outline, where two pieces meet when they are sewn. Curves end there.
@@ -49,7 +52,13 @@ struct Panel {
   std::vector<InnerLine> lines = {};
   int layer = 0;  ///< order outwards: cloth of a higher layer is worn over that of a lower one
   std::vector<Notch> notches = {};
+  double spacing = 0;  ///< m, wanted edge length of this panel's triangles; 0: as the whole pattern's
 };
+
+/// Wanted edge length of the panel's triangles, m, where the pattern's is `usual`.
+inline double spacing_on(const Panel& panel, double usual) {
+  return panel.spacing > 0 ? panel.spacing : usual;
+}
 
 /// One edge, or a part of one, in a seam's series. Traversed in the outline's own direction, or against it.
 struct SeamEdge {

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 #include <utility>
 
 #include "core/geometry/polygon2.h"
+#include "core/pattern/curve.h"
 #include "core/pattern/seam_search.h"
 
 namespace toile {
@@ -86,6 +88,22 @@ double layer_share(const FoundSeams& found, const FoundSeam& seam) {
   return kBeside;
 }
 
+/// How far the garment that was found is to be believed in. Where few names tell fronts from backs, and it is
+/// not known which side of the pieces one sees, another garment is often as good; and of very many edges, as
+/// in a whole wardrobe, the best garment is seldom found. What is then proposed is for a person to decide.
+double puzzle_share(const FoundSeams& found, bool sides_known) {
+  constexpr double kNameless = 0.78, kEnoughNames = 0.5, kManyEdges = 0.79;
+  constexpr std::ptrdiff_t kMany = 70;
+  double named = 0;
+  for (const PieceWords& words : found.model.words)
+    named += words.side != 0 || words.face != 0 || words.limb || words.layer ? 1 : 0;
+  const double share = named / std::max(1.0, static_cast<double>(found.model.words.size())) / kEnoughNames;
+  const double names = sides_known ? 1 : std::min(1.0, kNameless + (1 - kNameless) * share);
+  const std::ptrdiff_t edges = std::count_if(found.model.runs.begin(), found.model.runs.end(),
+                                             [](const SeamRun& run) { return run.from == 0; });
+  return std::min(names, edges > kMany ? kManyEdges : 1);
+}
+
 bool all_reversed(const std::vector<SeamEdge>& side) {
   return std::all_of(side.begin(), side.end(), [](const SeamEdge& e) { return e.reversed; });
 }
@@ -100,14 +118,61 @@ void plainly(Seam& seam) {
   }
 }
 
-SeamProposal proposal_of(const FoundSeams& found, const FoundSeam& seam) {
+SeamProposal proposal_of(const FoundSeams& found, const FoundSeam& seam, double belief) {
   SeamProposal p;
   p.seam.a = series_of(found, seam.a, p.length_a);
   std::vector<Index> other(seam.b.rbegin(), seam.b.rend());  // walked with the cloth at the left, too
   p.seam.b = series_of(found, other, p.length_b);
   plainly(p.seam);
-  p.confidence = confidence_of(seam.margin, p.length_a, p.length_b) * layer_share(found, seam);
+  p.confidence = confidence_of(seam.margin, p.length_a, p.length_b) * layer_share(found, seam) * belief;
   return p;
+}
+
+/// An order of the pieces that does not depend on the file's: large ones first, those of one size by name.
+std::vector<Index> order_of_pieces(const Pattern& pattern) {
+  constexpr double kSameArea = 10;  // mm²: mirror images differ by less
+  std::vector<double> area;
+  for (const Panel& panel : pattern.panels)
+    area.push_back(std::round(std::abs(signed_area(panel.outline)) / kSameArea));
+  std::vector<Index> order(pattern.panels.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](Index a, Index b) {
+    return area[a] != area[b] ? area[a] > area[b] : pattern.panels[a].id < pattern.panels[b].id;
+  });
+  return order;
+}
+
+/// The pattern with its pieces in another order.
+Pattern in_order(const Pattern& pattern, const std::vector<Index>& order) {
+  std::vector<Index> place(order.size());
+  Pattern sorted;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    place[order[i]] = static_cast<Index>(i);
+    sorted.panels.push_back(pattern.panels[order[i]]);
+  }
+  sorted.seams = pattern.seams;
+  for (Seam& seam : sorted.seams)
+    for (std::vector<SeamEdge>* side : {&seam.a, &seam.b})
+      for (SeamEdge& e : *side) e.panel = place[e.panel];
+  return sorted;
+}
+
+/// The proposals for one order of the pieces, surest first.
+std::vector<SeamProposal> proposals_in_order(const Pattern& pattern, const ProposalSettings& settings,
+                                             const RunContext& context) {
+  std::vector<std::array<Index, 2>> sewn;
+  std::vector<Index> blocked;
+  sort_sewn(pattern, sewn, blocked);
+  const FoundSeams found =
+      search_seams(pattern, sewn, blocked, {settings.sides_known, settings.clockwise}, context);
+  std::vector<SeamProposal> proposals;
+  if (context.cancelled()) return proposals;
+  const double belief = puzzle_share(found, settings.sides_known);
+  for (const FoundSeam& seam : found.seams)
+    for (const FoundSeam& part : parts_of(found, seam)) proposals.push_back(proposal_of(found, part, belief));
+  std::stable_sort(proposals.begin(), proposals.end(),
+                   [](const SeamProposal& x, const SeamProposal& y) { return x.confidence > y.confidence; });
+  return proposals;
 }
 
 }  // namespace
@@ -116,17 +181,14 @@ bool runs_clockwise(std::span<const Vec2> outline) { return signed_area(outline)
 
 std::vector<SeamProposal> propose_seams(const Pattern& pattern, const ProposalSettings& settings,
                                         const RunContext& context) {
-  std::vector<std::array<Index, 2>> sewn;
-  std::vector<Index> blocked;
-  sort_sewn(pattern, sewn, blocked);
-  const FoundSeams found =
-      search_seams(pattern, sewn, blocked, {settings.sides_known, settings.clockwise}, context);
-  if (context.cancelled()) return {};
-  std::vector<SeamProposal> proposals;
-  for (const FoundSeam& seam : found.seams)
-    for (const FoundSeam& part : parts_of(found, seam)) proposals.push_back(proposal_of(found, part));
-  std::stable_sort(proposals.begin(), proposals.end(),
-                   [](const SeamProposal& x, const SeamProposal& y) { return x.confidence > y.confidence; });
+  const std::vector<Index> order = order_of_pieces(pattern);
+  ProposalSettings sorted = settings;
+  for (std::size_t i = 0; i < settings.clockwise.size(); ++i)
+    sorted.clockwise[i] = settings.clockwise[order[i]];
+  std::vector<SeamProposal> proposals = proposals_in_order(in_order(pattern, order), sorted, context);
+  for (SeamProposal& p : proposals)
+    for (std::vector<SeamEdge>* side : {&p.seam.a, &p.seam.b})
+      for (SeamEdge& e : *side) e.panel = order[e.panel];
   std::set<std::string> ids;
   for (const Seam& seam : pattern.seams) ids.insert(seam.id);
   int number = 0;

@@ -35,8 +35,9 @@ bool runs_clockwise(std::span<const Vec2> outline);
 /// along the grain); cloth that lies about flat around the points where pieces meet; borders that run on
 /// straight; openings that stay open, no handles; the same seams on mirrored pieces; and names that say left,
 /// right, front, back or sleeve, where they do. Confidence is how much worse the best garment without the
-/// seam would be. REQUIRES a pattern that validate() accepts. Some 0.1 to 2 s; a cancelled run proposes
-/// nothing.
+/// seam would be, and lower where few names say what is what, where cloth lies on cloth, and in a wardrobe of
+/// many pieces. The order of the pieces does not matter. REQUIRES a pattern that validate() accepts. Some 0.1
+/// to 2 s; a cancelled run proposes nothing.
 std::vector<SeamProposal> propose_seams(const Pattern& pattern, const ProposalSettings& settings = {},
                                         const RunContext& context = {});
 

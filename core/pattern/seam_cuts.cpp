@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kAlike = 0.01;   // of the length
 constexpr double kEase = 0.045;   // that a long edge may have over the two
+constexpr double kExact = 0.004;  // that lengths may differ which were drawn to fit
 constexpr double kShortest = 60;  // mm; shorter edges are sewn to one other
 
 double difference(double a, double b) { return std::abs(a - b) / std::max(a, b); }
@@ -74,8 +75,8 @@ struct Two {
   double worth = 0;
 };
 
-/// The best two lines to sew run r to.
-Two best_two(const SeamModel& m, const std::vector<Line>& lines, Index r) {
+/// The best two lines to sew run r to, that have up to `ease` less than its length.
+Two best_two(const SeamModel& m, const std::vector<Line>& lines, Index r, double ease) {
   const double length = m.runs[r].length;
   const auto other_piece = [&](const Line& line) { return m.runs[line.runs[0]].panel != m.runs[r].panel; };
   Two best;
@@ -83,7 +84,7 @@ Two best_two(const SeamModel& m, const std::vector<Line>& lines, Index r) {
     if (!other_piece(lines[i])) continue;
     for (std::size_t j = i + 1; j < lines.size(); ++j) {
       const double sum = lines[i].length + lines[j].length;
-      if (sum > length * (1 + kAlike) || sum < length * (1 - kEase)) continue;
+      if (sum > length * (1 + std::min(kAlike, ease)) || sum < length * (1 - ease)) continue;
       // The two shoulders of one front never lie end to end.
       const bool same_piece = m.runs[lines[i].runs[0]].panel == m.runs[lines[j].runs[0]].panel;
       if (same_piece || !other_piece(lines[j]) || std::min(lines[i].length, lines[j].length) < length / 5)
@@ -129,30 +130,66 @@ std::vector<double> places_on(const SeamModel& m, const Two& two, double length,
   return places;
 }
 
+/// How much runs from one to another rise along their piece's grain, -1 to 1.
+double climb(const SeamModel& m, Index first, Index last) {
+  const Vec2 chord = m.runs[last].at.back() - m.runs[first].at.front();
+  return dot(normalized(chord), m.up[m.runs[first].panel]);
+}
+
+/// Distances of the darts of a line, seen from the start of run r that is sewn to it. Pieces mostly lie as
+/// they are worn: where both rise, lower ends meet.
+std::vector<double> darts_on(const SeamModel& m, const Line& line, Index r) {
+  constexpr double kRising = 0.5;
+  const double length = m.runs[r].length;
+  std::vector<double> places = places_on(m, {&line, nullptr, 0}, length, false);
+  const double a = climb(m, line.runs.front(), line.runs.back()), b = climb(m, r, r);
+  if (std::min(std::abs(a), std::abs(b)) < kRising || a * b < 0) return places;
+  for (double& place : places) place = length - place;
+  std::reverse(places.begin(), places.end());
+  return places;
+}
+
+/// Cuts run r where its mirror image is cut.
+void cut_like_mirror(const SeamModel& m, Index r, std::vector<std::vector<double>>& cuts) {
+  const Index twin = m.mirror[r];
+  for (const double s : cuts[twin]) cuts[r].push_back(m.runs[r].length - s);
+  std::reverse(cuts[r].begin(), cuts[r].end());
+}
+
 }  // namespace
 
-SeamModel with_likely_cuts(const Pattern& pattern, SeamModel model, bool second_first) {
+SeamModel with_likely_cuts(const Pattern& pattern, SeamModel model, CutKind kind) {
   const SeamModel whole = model;
   const std::vector<Line> lines = lines_of(whole);
   const Index count = static_cast<Index>(whole.runs.size());
   std::vector<std::vector<double>> cuts(whole.runs.size());
-  for (Index r = 0; r < count; ++r) {
-    if (whole.runs[r].length < kShortest || has_partner(whole, r)) continue;
-    const Index twin = whole.mirror[r];
-    if (twin != kNone && twin < r && !cuts[twin].empty()) {
-      for (const double s : cuts[twin]) cuts[r].push_back(whole.runs[r].length - s);
-      std::reverse(cuts[r].begin(), cuts[r].end());
-      continue;
+  std::vector<char> met(whole.runs.size(), 0);  // parts of a line with darts that has found its partner
+  for (const bool darts : {true, false}) {
+    for (Index r = 0; r < count; ++r) {
+      if (whole.runs[r].length < kShortest || !cuts[r].empty() || met[r] || has_partner(whole, r)) continue;
+      const Index twin = whole.mirror[r];
+      if (twin != kNone && twin < r && !cuts[twin].empty()) {
+        cut_like_mirror(whole, r, cuts);
+        continue;
+      }
+      const bool exact = kind == CutKind::exact_first || kind == CutKind::exact_second;
+      const Two two = best_two(whole, lines, r, exact && !darts ? kExact : kEase);
+      if (darts) {
+        const Line* one = best_one(whole, lines, r);
+        if (one == nullptr || two.worth >= 2) continue;
+        cuts[r] = darts_on(whole, *one, r);
+        for (const Index part : one->runs) {
+          met[part] = 1;
+          if (whole.mirror[part] != kNone) met[whole.mirror[part]] = 1;
+        }
+      } else if (two.first != nullptr && kind != CutKind::darts) {
+        cuts[r] = places_on(whole, two, whole.runs[r].length,
+                            kind == CutKind::second_first || kind == CutKind::exact_second);
+      }
     }
-    const Two two = best_two(whole, lines, r);
-    const Line* one = best_one(whole, lines, r);
-    if (one != nullptr && two.worth < 2)
-      cuts[r] = places_on(whole, {one, nullptr, 0}, whole.runs[r].length, false);
-    else if (two.first != nullptr)
-      cuts[r] = places_on(whole, two, whole.runs[r].length, second_first);
   }
   for (Index r = 0; r < count; ++r)
-    if (!cuts[r].empty()) model = with_cuts(pattern, std::move(model), r, cuts[r]);
+    if (!cuts[r].empty() && !met[r]) model = with_cuts(pattern, std::move(model), r, cuts[r]);
   return model;
 }
 

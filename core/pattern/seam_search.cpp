@@ -320,17 +320,28 @@ void search(const Pattern& pattern, FoundSeams start, std::vector<char> locked,
   }
 }
 
+/// Where the runs end: the same for models that are cut alike.
+std::vector<double> cuts_of(const SeamModel& m) {
+  std::vector<double> ends;
+  for (const SeamRun& run : m.runs) ends.push_back(run.to);
+  return ends;
+}
+
 FoundSeams best_garment(const Pattern& pattern, const FoundSeams& start, const std::vector<char>& locked,
                         const GluingSettings& settings, const RunContext& context) {
   FoundSeams best = start;
   double merit = gluing_merit(start.model, start.gluing, settings);
   search(pattern, start, locked, settings, context, best, merit);
-  for (const bool second_first : {false, true}) {
-    context.progress("seams", second_first ? 0.45 : 0.2);
+  std::vector<std::vector<double>> known{cuts_of(start.model)};
+  for (const CutKind kind : {CutKind::darts, CutKind::exact_first, CutKind::exact_second,
+                             CutKind::first_first, CutKind::second_first}) {
+    context.progress("seams", 0.1 * static_cast<double>(1 + static_cast<int>(kind)));
     FoundSeams cut = start;
-    cut.model = with_likely_cuts(pattern, start.model, second_first);
-    if (cut.model.runs.size() > start.model.runs.size())
-      search(pattern, std::move(cut), locked, settings, context, best, merit);
+    cut.model = with_likely_cuts(pattern, start.model, kind);
+    std::vector<double> cuts = cuts_of(cut.model);
+    if (std::find(known.begin(), known.end(), cuts) != known.end()) continue;
+    known.push_back(std::move(cuts));
+    search(pattern, std::move(cut), locked, settings, context, best, merit);
   }
   return best;
 }

@@ -151,6 +151,7 @@ Failure check_line(const InnerLine& line, const std::vector<std::vector<Vec2>>& 
   for (std::size_t i = 0; i < line.points.size(); ++i) {
     const Vec2 p = line.points[i];
     if (!is_finite(p)) return Error{"pattern.not_finite", "A coordinate is not a finite number.", where};
+    if (line.drawn) continue;
     if (i > 0 && length(p - line.points[i - 1]) < kJointTolerance)
       return bad("Two of the line's points are one, at " + place_text(p) + ".");
     const bool end = i == 0 || i + 1 == line.points.size();

@@ -142,14 +142,15 @@ void check_places(const PreflightInput& in, std::span<const BodyProbe> probes, c
 void check_edges(const PreflightInput& in, const Assembly& assembly, Findings& findings) {
   for (std::size_t p = 0; p < in.pattern.panels.size(); ++p) {
     const auto edges = edges_of(in.pattern.panels[p]);
+    const double spacing = spacing_on(in.pattern.panels[p], in.particle_distance);
     for (std::size_t e = 0; e < edges.size(); ++e) {
       const double long_m = metres_from_mm(arc_length(*edges[e]));
-      if (long_m >= kShortEdge * in.particle_distance) continue;
+      if (long_m >= kShortEdge * spacing) continue;
       const Index v = in.meshes.panels[p].edge_vertices[e].front();
       findings.push_back(
           {"edge.short", Severity::kWarning,
            "the edge measures " + length_text(long_m) + ", less than half the particle distance of " +
-               length_text(in.particle_distance) +
+               length_text(spacing) +
                ", and will read as overstretched; join it to its neighbour, or take smaller particles",
            "piece " + in.pattern.panels[p].id + ", edge " + edges[e]->id,
            assembly.positions[assembly.garment.first_vertex[p] + v]});

@@ -48,6 +48,16 @@ JsonValue notches_json(const std::vector<Notch>& notches) {
   return list;
 }
 
+JsonValue lines_json(const std::vector<InnerLine>& lines) {
+  std::vector<JsonValue> list;
+  for (const InnerLine& line : lines) {
+    std::vector<JsonValue> points;
+    for (const Vec2 p : line.points) points.push_back(place(p));
+    list.push_back(Members{{"id", line.id}, {"points", std::move(points)}});
+  }
+  return list;
+}
+
 JsonValue fault_json(const Error& error) {
   return Members{{"code", error.code}, {"message", error.message}, {"where", error.where}};
 }
@@ -62,7 +72,8 @@ JsonValue piece_json(const DxfPiece& piece) {
                                    {"height_mm", rounded(m.height_mm)},
                                    {"edges", count_of(panel->outline.edges.size())},
                                    {"notches", count_of(panel->notches.size())},
-                                   {"holes", count_of(panel->holes.size())}});
+                                   {"holes", count_of(panel->holes.size())},
+                                   {"lines", count_of(panel->lines.size())}});
   }
   members.insert(members.end(),
                  {{"grain_deg", piece.grain ? rounded(grain_degrees(*piece.grain)) : JsonValue()},
@@ -81,6 +92,7 @@ JsonValue piece_json(const DxfPiece& piece) {
   if (panel) {
     members.push_back({"edge_list", edges_json(*panel)});
     members.push_back({"notch_list", notches_json(panel->notches)});
+    members.push_back({"line_list", lines_json(panel->lines)});
   } else {
     members.push_back({"fault", fault_json(panel.error())});
   }

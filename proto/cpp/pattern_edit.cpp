@@ -44,11 +44,25 @@ void write_shape(ProjectPiece& piece, const Panel& panel) {
   piece.grain = panel.grain;
 }
 
+/// The number of lines that stand in the piece's file: they are the panel's first.
+std::size_t lines_of_file(const ProjectPiece& piece, const Panel& panel) {
+  return piece.from ? panel.lines.size() - piece.lines.size() : 0;
+}
+
+/// A piece stays in its file while its shape and what is drawn in it there are the same.
 void write_panel(ProjectPiece& piece, const Panel& panel, const Panel* before, bool reshaped) {
-  if (reshaped) write_shape(piece, panel);
+  std::size_t filed = before ? lines_of_file(piece, *before) : 0;
+  const auto first = panel.lines.begin();
+  const bool lines_stay = panel.lines.size() >= filed && std::equal(first, first + std::ptrdiff_t(filed),
+                                                                    before ? before->lines.begin() : first);
+  if (reshaped || !lines_stay) {
+    write_shape(piece, panel);
+    filed = 0;
+  }
   if (before && !(before->grain == panel.grain)) piece.grain = panel.grain;
   piece.lines.clear();
-  for (const InnerLine& line : panel.lines) piece.lines.push_back({line.id, line.points});
+  for (auto line = first + std::ptrdiff_t(filed); line != panel.lines.end(); ++line)
+    piece.lines.push_back({line->id, line->points, line->drawn});
   piece.fabric = panel.fabric;
 }
 
@@ -76,6 +90,8 @@ void write_pieces(Project& project, const Pattern& before, const EditedPattern& 
   const auto index = static_cast<std::size_t>(at - pieces.begin());
   const Panel* old = index < before.panels.size() ? &before.panels[index] : nullptr;
   write_panel(*at, edited.pattern.panels[index], old, effect.reshaped);
+  // A picture stays where it lies on the cloth; of a piece that is turned over it shows its right side still.
+  if (effect.motion && at->texture) at->texture->offset = moved(at->texture->offset, *effect.motion);
   if (old && effect.motion && !effect.motion->middle) stay_in_space(*at, effect.motion->by);
 }
 

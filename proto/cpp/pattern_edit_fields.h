@@ -94,12 +94,35 @@ void describe(Visitor& v, AddLine& edit) {
   v.field("piece", edit.piece, Need::kRequired);
   v.field("id", edit.line.id, Need::kRequired);
   v.field("points", edit.line.points, Need::kRequired, Range{2, 10000});
+  v.field("drawn", edit.line.drawn);
 }
 
 template <typename Visitor>
 void describe(Visitor& v, RemoveLine& edit) {
   v.field("piece", edit.piece, Need::kRequired);
   v.field("line", edit.line, Need::kRequired);
+}
+
+template <typename Visitor>
+void describe(Visitor& v, AddNotch& edit) {
+  describe_edge(v, edit);
+  v.field("at", edit.at, Need::kRequired, kFraction);
+  v.field("depth_mm", edit.depth_mm, Need::kOptional, Range{-1000, 1000});
+}
+
+template <typename Visitor>
+void describe(Visitor& v, MoveNotch& edit) {
+  v.field("piece", edit.piece, Need::kRequired);
+  v.field("notch", edit.notch, Need::kRequired, kIndex);
+  v.field("edge", edit.edge, Need::kRequired);
+  v.field("at", edit.at, Need::kRequired, kFraction);
+  v.field("depth_mm", edit.depth_mm, Need::kOptional, Range{-1000, 1000});
+}
+
+template <typename Visitor>
+void describe(Visitor& v, RemoveNotch& edit) {
+  v.field("piece", edit.piece, Need::kRequired);
+  v.field("notch", edit.notch, Need::kRequired, kIndex);
 }
 
 template <typename Visitor>
@@ -247,21 +270,39 @@ struct NamedEdit {
 
 /// Every edit under the name that stands in "edit".
 inline constexpr auto kEditNames = std::tuple{
-    NamedEdit<MovePoint>{"move_point"},           NamedEdit<MoveHandle>{"move_handle"},
-    NamedEdit<InsertPoint>{"insert_point"},       NamedEdit<DeletePoint>{"delete_point"},
-    NamedEdit<SplitEdge>{"split_edge"},           NamedEdit<JoinEdges>{"join_edges"},
-    NamedEdit<StraightenEdge>{"straighten_edge"}, NamedEdit<BendEdge>{"bend_edge"},
-    NamedEdit<SetEdgeLength>{"set_edge_length"},  NamedEdit<MirrorPiece>{"mirror_piece"},
-    NamedEdit<RotateGrain>{"rotate_grain"},       NamedEdit<AddLine>{"add_line"},
-    NamedEdit<RemoveLine>{"remove_line"},         NamedEdit<AddDart>{"add_dart"},
-    NamedEdit<AddInnerDart>{"add_inner_dart"},    NamedEdit<RenameEdge>{"rename_edge"},
-    NamedEdit<RemoveDart>{"remove_dart"},         NamedEdit<AddHole>{"add_hole"},
-    NamedEdit<RemoveHole>{"remove_hole"},         NamedEdit<MovePiece>{"move_piece"},
-    NamedEdit<RenamePiece>{"rename_piece"},       NamedEdit<DuplicatePiece>{"duplicate_piece"},
-    NamedEdit<DeletePiece>{"delete_piece"},       NamedEdit<AddSeam>{"add_seam"},
-    NamedEdit<RemoveSeam>{"remove_seam"},         NamedEdit<ReverseSeam>{"reverse_seam"},
-    NamedEdit<SetFabric>{"set_fabric"},           NamedEdit<SetTexture>{"set_texture"},
-    NamedEdit<SetPhysical>{"set_physical"},       NamedEdit<RestoreLists>{"restore"},
+    NamedEdit<MovePoint>{"move_point"},
+    NamedEdit<MoveHandle>{"move_handle"},
+    NamedEdit<InsertPoint>{"insert_point"},
+    NamedEdit<DeletePoint>{"delete_point"},
+    NamedEdit<SplitEdge>{"split_edge"},
+    NamedEdit<JoinEdges>{"join_edges"},
+    NamedEdit<StraightenEdge>{"straighten_edge"},
+    NamedEdit<BendEdge>{"bend_edge"},
+    NamedEdit<SetEdgeLength>{"set_edge_length"},
+    NamedEdit<MirrorPiece>{"mirror_piece"},
+    NamedEdit<RotateGrain>{"rotate_grain"},
+    NamedEdit<AddLine>{"add_line"},
+    NamedEdit<RemoveLine>{"remove_line"},
+    NamedEdit<AddDart>{"add_dart"},
+    NamedEdit<AddInnerDart>{"add_inner_dart"},
+    NamedEdit<RenameEdge>{"rename_edge"},
+    NamedEdit<RemoveDart>{"remove_dart"},
+    NamedEdit<AddHole>{"add_hole"},
+    NamedEdit<RemoveHole>{"remove_hole"},
+    NamedEdit<MovePiece>{"move_piece"},
+    NamedEdit<RenamePiece>{"rename_piece"},
+    NamedEdit<DuplicatePiece>{"duplicate_piece"},
+    NamedEdit<DeletePiece>{"delete_piece"},
+    NamedEdit<AddSeam>{"add_seam"},
+    NamedEdit<RemoveSeam>{"remove_seam"},
+    NamedEdit<ReverseSeam>{"reverse_seam"},
+    NamedEdit<SetFabric>{"set_fabric"},
+    NamedEdit<SetTexture>{"set_texture"},
+    NamedEdit<SetPhysical>{"set_physical"},
+    NamedEdit<RestoreLists>{"restore"},
+    NamedEdit<AddNotch>{"add_notch"},
+    NamedEdit<MoveNotch>{"move_notch"},
+    NamedEdit<RemoveNotch>{"remove_notch"},
 };
 
 static_assert(std::tuple_size_v<decltype(kEditNames)> ==

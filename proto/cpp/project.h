@@ -94,6 +94,7 @@ struct ProjectPlacement {
 struct ProjectLine {
   std::string id;
   std::vector<Vec2> points;  ///< mm; two or more
+  bool drawn = false;        ///< only drawn, unless an elastic or a fold lies on it
   friend bool operator==(const ProjectLine&, const ProjectLine&) = default;
 };
 
@@ -105,12 +106,12 @@ struct ProjectNotch {
   friend bool operator==(const ProjectNotch&, const ProjectNotch&) = default;
 };
 
-/// A picture on the cloth's right side, repeated over it.
+/// A picture on the cloth, repeated over it; it turns with the grain.
 struct ProjectTexture {
   std::string image;      ///< file name, relative to the document
   double scale_mm = 100;  ///< width of one repeat on the flat piece; its height goes by the picture's form
-  Vec2 offset;            ///< mm; where a lower left corner of the picture lies
-  double angle = 0;       ///< degrees, counter-clockwise
+  Vec2 offset = {};       ///< mm; where a lower left corner of the picture lies
+  double angle = 0;       ///< degrees, counter-clockwise, from the warp to the picture's upright
   friend bool operator==(const ProjectTexture&, const ProjectTexture&) = default;
 };
 
@@ -122,6 +123,7 @@ struct ProjectPhysical {
   std::optional<double> bend_warp_un_m = {}, bend_weft_un_m = {}, bend_bias_un_m = {};
   std::optional<double> thickness_mm = {};
   std::optional<double> friction = {};
+  std::optional<double> particle_distance_mm = {};
   friend bool operator==(const ProjectPhysical&, const ProjectPhysical&) = default;
 };
 
@@ -182,14 +184,16 @@ struct ProjectMannequin {
   friend bool operator==(const ProjectMannequin&, const ProjectMannequin&) = default;
 };
 
-/// A named place on a body, beside those that the program finds by itself: a point of a triangle of a mesh
-/// file, or told from another landmark.
+/// A named place on a body, beside those that the program finds by itself, or in place of one of them: a point
+/// of a triangle of a mesh file, or told from another landmark.
 struct ProjectLandmark {
   std::string name;
   std::optional<int> triangle = {};                 ///< of the mesh, as the file counts, from 0
   std::optional<std::array<double, 3>> share = {};  ///< of its corners; without it its middle
   std::string near = {};                            ///< name of another landmark
   std::optional<Vec3> offset_mm = {};               ///< from that one
+  /// The body's when the offset was told: on a taller body it is longer in proportion. Nothing: it stays.
+  std::optional<double> body_height_mm = {};
   friend bool operator==(const ProjectLandmark&, const ProjectLandmark&) = default;
 };
 

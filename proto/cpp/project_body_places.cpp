@@ -93,7 +93,9 @@ const Result<std::vector<Landmark>>& BodyPlaces::landmarks_of(Index body) {
   std::vector<OwnLandmark> own;
   for (const ProjectLandmark& given : project_.bodies[static_cast<std::size_t>(body)].landmarks) {
     constexpr std::array<double, 3> kMiddle{1.0 / 3, 1.0 / 3, 1.0 / 3};
-    const Vec3 offset = given.offset_mm.value_or(Vec3{}) * 1e-3;
+    Vec3 offset = given.offset_mm.value_or(Vec3{}) * 1e-3;
+    if (const BodyFigure* figure = figure_of(body); figure && given.body_height_mm)
+      offset = offset * (figure->height() / (*given.body_height_mm * 1e-3));
     own.push_back(
         {given.name, {given.triangle.value_or(kNone), given.share.value_or(kMiddle)}, given.near, offset});
   }

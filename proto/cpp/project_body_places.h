@@ -28,6 +28,9 @@ class BodyPlaces {
   /// landmark.unknown, landmark.no_triangle.
   Status check_landmarks();
 
+  /// Those that a body has by itself, moved where the document says so, and the document's own.
+  const Result<std::vector<Landmark>>& landmarks_of(Index body);
+
   /// Errors: project.unknown_body, body.not_standing, project.no_body; `where` is the pointer of what the
   /// placement says. `panel` is the piece in its own plane, mm.
   Result<Placement> placement(const ProjectPlacement& given, const Panel& panel, const std::string& where);
@@ -44,7 +47,6 @@ class BodyPlaces {
   };
 
   const BodyFigure* figure_of(Index body);
-  const Result<std::vector<Landmark>>& landmarks_of(Index body);
   /// The body of that id, which must stand; of no id, the first that stands.
   Result<Index> standing(const std::string& id, const std::string& where);
   /// The body of that id; of no id, the first that bears the landmark.

@@ -119,6 +119,7 @@ template <typename Visitor>
 void describe(Visitor& v, ProjectLine& line) {
   v.field("id", line.id, Need::kRequired);
   v.field("points", line.points, Need::kRequired, Range{2, 10000});
+  v.field("drawn", line.drawn);
 }
 
 template <typename Visitor>
@@ -148,6 +149,7 @@ void describe(Visitor& v, ProjectPhysical& physical) {
   v.field("bend_bias_un_m", physical.bend_bias_un_m, Need::kOptional, Range{0, 1e6});
   v.field("thickness_mm", physical.thickness_mm, Need::kOptional, Range{0.01, 50});
   v.field("friction", physical.friction, Need::kOptional, kFriction);
+  v.field("particle_distance_mm", physical.particle_distance_mm, Need::kOptional, Range{0.5, 1000});
 }
 
 template <typename Visitor>
@@ -225,6 +227,7 @@ void describe(Visitor& v, ProjectLandmark& landmark) {
   v.field("share", landmark.share, Need::kOptional, Range{0, 1});
   v.field("near", landmark.near);
   v.field("offset_mm", landmark.offset_mm, Need::kOptional, Range{-1000, 1000});
+  v.field("body_height_mm", landmark.body_height_mm, Need::kOptional, Range{100, 10000});
   v.exactly_one("triangle", "near");
 }
 

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "core/image/read_picture.h"
 #include "core/pattern/dxf_read.h"
 #include "proto/cpp/json_codec.h"
 #include "proto/cpp/names.h"
@@ -67,6 +68,10 @@ ProjectFiles files_in(const fs::path& folder, const MeshImporter& importer) {
     const std::uintmax_t bytes = fs::file_size(path, failure);
     if (!failure && bytes > kMostBodyBytes) return too_large(path, "project.too_large", kMostBodyBytes);
     return importer.file(path, settings);
+  };
+  files.image_bytes = [folder](const std::string& name) -> Result<std::string> {
+    if (Status inside = check_file_name(name); !inside) return inside.error();
+    return bytes_of(folder / name, PictureLimits{}.bytes, "image.too_large");
   };
   return files;
 }

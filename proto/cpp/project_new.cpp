@@ -25,6 +25,7 @@ ProjectPiece inline_piece(const Panel& panel, const ProjectRigid& placement) {
     ProjectNotch& out = piece.notches.emplace_back(ProjectNotch{notch.at, notch.depth, {}});
     if (!(notch.inwards == Vec2{})) out.inwards = notch.inwards;
   }
+  for (const InnerLine& line : panel.lines) piece.lines.push_back({line.id, line.points, line.drawn});
   if (panel.grain != Vec2{0, 1}) piece.grain = panel.grain;
   piece.fabric = "cotton";
   piece.placement.rigid = placement;
@@ -56,6 +57,8 @@ Panel turned_over(const Panel& panel, std::string id) {
   for (Loop& hole : other.holes) turn(hole);
   mirror(other.grain);
   for (Notch& notch : other.notches) mirror(notch.at), mirror(notch.inwards);
+  for (InnerLine& line : other.lines)
+    for (Vec2& p : line.points) mirror(p);
   return other;
 }
 
@@ -83,7 +86,7 @@ Status take_dxf_piece(const DxfPiece& drawn, const DxfDrawing& drawing, const Ne
     if (!over) {
       const std::string& unit = drawing.unit.name;
       const bool told = unit == "mm" || unit == "cm" || unit == "inch";
-      piece.outline.clear(), piece.holes.clear(), piece.notches.clear();
+      piece.outline.clear(), piece.holes.clear(), piece.notches.clear(), piece.lines.clear();
       piece.from = ProjectDxf{settings.pattern_file, drawn.name, {}, told ? unit : "", drawing.size};
     }
     made.project.pieces.push_back(std::move(piece));

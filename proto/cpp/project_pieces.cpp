@@ -4,8 +4,11 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <set>
+#include <string>
 #include <utility>
 
+#include "core/base/units.h"
 #include "core/pattern/curve.h"
 #include "core/pattern/dxf_read.h"
 #include "core/pattern/outline.h"
@@ -118,6 +121,18 @@ Status rename_edges(const ProjectPiece& piece, Panel& panel, const std::string& 
   return {};
 }
 
+/// The document's lines behind those of the file, which go out of the way of ids that are taken.
+void add_lines(const ProjectPiece& piece, Panel& panel) {
+  std::set<std::string> taken;
+  for (const PanelEdge* edge : edges_of(panel)) taken.insert(edge->id);
+  for (const ProjectLine& line : piece.lines) taken.insert(line.id);
+  for (InnerLine& line : panel.lines) {
+    const std::string wanted = line.id;
+    for (int n = 2; !taken.insert(line.id).second; ++n) line.id = wanted + "_" + std::to_string(n);
+  }
+  for (const ProjectLine& line : piece.lines) panel.lines.push_back({line.id, line.points, line.drawn});
+}
+
 Status set_grain(const ProjectPiece& piece, Panel& panel, const std::string& where) {
   if (!piece.grain) return {};
   panel.grain = normalized(*piece.grain);
@@ -147,10 +162,11 @@ Result<Panel> panel_of(const ProjectPiece& piece, const ProjectFiles& files, Dra
   panel->id = piece.id;
   panel->fabric = piece.fabric;
   panel->layer = piece.layer;
-  for (const ProjectLine& line : piece.lines) panel->lines.push_back({line.id, line.points});
+  if (piece.physical) panel->spacing = metres_from_mm(piece.physical->particle_distance_mm.value_or(0));
   for (const ProjectNotch& n : piece.notches)
     panel->notches.push_back({n.at, n.depth_mm, normalized(n.inwards.value_or(Vec2{}))});
   if (Status renamed = rename_edges(piece, *panel, where); !renamed) return renamed.error();
+  add_lines(piece, *panel);
   if (Status grain = set_grain(piece, *panel, where); !grain) return grain.error();
   if (Status texture = check_texture(piece, where); !texture) return texture.error();
   if (Status valid = validate(*panel); !valid) return error_at(where, valid.error());
@@ -188,6 +204,27 @@ Result<std::vector<Panel>> panels_of(const std::vector<ProjectPiece>& pieces, co
     panels.push_back(std::move(*panel));
   }
   return panels;
+}
+
+Status follow_used_lines(const Notions& notions, Pattern& pattern) {
+  const auto follow = [&](Index panel, const std::vector<Index>& lines, const std::string& where) -> Status {
+    Panel& piece = pattern.panels[std::size_t(panel)];
+    bool drawn = false;
+    for (const Index line : lines)
+      drawn = std::exchange(piece.lines[std::size_t(line)].drawn, false) || drawn;
+    if (!drawn) return {};
+    const Status valid = validate(piece);
+    return valid ? valid : error_at(where, valid.error());
+  };
+  for (std::size_t i = 0; i < notions.elastics.size(); ++i) {
+    const Elastic& elastic = notions.elastics[i];
+    if (Status s = follow(elastic.panel, elastic.lines, pointer_to("/elastics", i)); !s) return s;
+  }
+  for (std::size_t i = 0; i < notions.creases.size(); ++i) {
+    const Crease& crease = notions.creases[i];
+    if (Status s = follow(crease.panel, crease.lines, pointer_to("/folds", i)); !s) return s;
+  }
+  return {};
 }
 
 }  // namespace toile

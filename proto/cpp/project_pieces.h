@@ -6,6 +6,7 @@
 
 #include "core/base/result.h"
 #include "core/pattern/pattern.h"
+#include "core/sewing/notions.h"
 #include "proto/cpp/project.h"
 #include "proto/cpp/project_resolve.h"
 
@@ -20,5 +21,9 @@ Result<std::vector<Panel>> panels_of(const std::vector<ProjectPiece>& pieces, co
 
 /// The fabric as a piece has it.
 ProjectFabric with_physical(ProjectFabric fabric, const ProjectPhysical& own);
+
+/// Makes lines that elastics or creases lie on ones that the mesh follows. Error: pattern.bad_line, where
+/// such a line does not lie in its piece; the notions' place in the document.
+Status follow_used_lines(const Notions& notions, Pattern& pattern);
 
 }  // namespace toile

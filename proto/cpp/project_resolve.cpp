@@ -437,8 +437,8 @@ Result<DrapeInput> resolve_project(const Project& project, const ProjectFiles& f
   if (Status valid = validate(input.pattern); !valid) {
     return error_at("/seams", valid.error());  // each piece by itself has been found valid
   }
-
   if (Status made = add_notions(project, names, input.notions); !made) return made.error();
+  if (Status used = follow_used_lines(input.notions, input.pattern); !used) return used.error();
   const auto body = [&](const ProjectBody& given, const std::string& at) {
     return body_of(given, files, at);
   };

@@ -22,6 +22,8 @@ struct ProjectFiles {
   std::function<Result<RepairedMesh>(const std::string& name, const MeshSettings& settings)> body_mesh;
   /// The program's own figure, where one is kept; without it make_mannequin makes it.
   std::function<Result<TriangleMesh>(const MannequinSettings& settings)> mannequin = {};
+  /// A picture file's bytes. No drape asks for it: see project_textures.h.
+  std::function<Result<std::string>(const std::string& name)> image_bytes = {};
 };
 
 /// A name that stays inside its folder: relative, without "..", without "\". Error: project.path.

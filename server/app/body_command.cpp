@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "core/base/units.h"
 #include "core/body/body_proportions.h"
 #include "core/body/body_stance.h"
 #include "core/body/mannequin.h"
 #include "core/export/write_obj.h"
 #include "proto/cpp/json_codec.h"
+#include "proto/cpp/project_bodies.h"
 #include "server/app/commands.h"
 #include "server/app/console.h"
 #include "server/app/mesh_reader.h"
@@ -15,10 +15,6 @@ namespace toile {
 namespace {
 
 constexpr double kMetres = 1e-2;  // per cm
-
-constexpr const char* kSexNames[] = {"female", "male", "child"};
-
-std::string name_of(Sex sex) { return kSexNames[static_cast<int>(sex)]; }
 
 /// Centimetres with a tenth of a millimetre.
 double cm(double metres) { return std::round(metres / kMetres * 100) / 100; }
@@ -47,29 +43,22 @@ void print_measures(const BodyMeasures& taken, const MeasureSet& asked) {
   }
 }
 
-/// What the options say: the preset first, single measures over it.
-Result<MannequinSettings> settings_of(const BodyMakeOptions& options) {
-  MannequinSettings settings;
-  for (int i = 0; i < 3; ++i)
-    if (options.sex == kSexNames[i]) settings.sex = static_cast<Sex>(i);
-  if (!options.preset.empty()) {
-    const BodyPreset* preset = find_preset(options.preset);
-    if (preset == nullptr)
-      return Error{"mannequin.preset", "There is no such preset; see toile body presets.", options.preset};
-    settings.sex = preset->sex;
-    settings.asked = preset->measures();
-  }
-  for (int i = 0; i < kMeasureCount; ++i)
-    if (options.measures_cm[i]) settings.asked[measure_at(i)] = *options.measures_cm[i] * kMetres;
-  settings.arm_angle = options.pose == "t" ? kQuarterTurn : radians_from_degrees(options.arm_angle);
-  settings.triangle_count = options.triangles;
-  return settings;
+/// What a document would say, so that both make the same body.
+ProjectMannequin document_of(const BodyMakeOptions& options) {
+  ProjectMannequin out;
+  out.preset = options.preset;
+  out.sex = options.sex.empty() && options.preset.empty() ? "female" : options.sex;
+  out.pose = options.pose;
+  out.arm_angle = options.arm_angle;
+  out.measures_cm = options.measures_cm;
+  out.triangles = options.triangles;
+  return out;
 }
 
 }  // namespace
 
 ExitCode body_make_command(const BodyMakeOptions& options) {
-  const Result<MannequinSettings> settings = settings_of(options);
+  const Result<MannequinSettings> settings = mannequin_settings(document_of(options));
   if (!settings) return fail(settings.error(), options.json);
   const Result<Mannequin> made = make_mannequin(*settings);
   if (!made) return fail(made.error(), options.json);
@@ -80,7 +69,7 @@ ExitCode body_make_command(const BodyMakeOptions& options) {
   const std::size_t vertices = mesh.vertices.size(), triangles = mesh.triangles.size();
   if (options.json) {
     const std::vector<JsonMember> out{{"file", options.out},
-                                      {"sex", name_of(settings->sex)},
+                                      {"sex", std::string(name_of(settings->sex))},
                                       {"pose", options.pose},
                                       {"vertices", static_cast<double>(vertices)},
                                       {"triangles", static_cast<double>(triangles)},
@@ -127,11 +116,10 @@ ExitCode body_presets_command(const BodyPresetsOptions& options) {
   for (const BodyPreset& p : body_presets()) {
     if (!options.json) {
       std::printf("%-9s %-7s height %5.1f  bust %5.1f  waist %5.1f  hip %5.1f\n", std::string(p.name).c_str(),
-                  name_of(p.sex).c_str(), p.height / kMetres, p.bust / kMetres, p.waist / kMetres,
-                  p.hip / kMetres);
+                  name_of(p.sex), p.height / kMetres, p.bust / kMetres, p.waist / kMetres, p.hip / kMetres);
     }
     list.push_back(std::vector<JsonMember>{{"name", std::string(p.name)},
-                                           {"sex", name_of(p.sex)},
+                                           {"sex", std::string(name_of(p.sex))},
                                            {"height_cm", cm(p.height)},
                                            {"bust_cm", cm(p.bust)},
                                            {"waist_cm", cm(p.waist)},

@@ -8,6 +8,7 @@
 #include "core/pattern/curve.h"
 #include "proto/cpp/json_codec.h"
 #include "proto/cpp/project_resolve.h"
+#include "proto/cpp/project_textures.h"
 #include "server/app/commands.h"
 #include "server/app/console.h"
 #include "server/app/findings_text.h"
@@ -124,6 +125,8 @@ void print_project(const DrapeInput& input) {
 ExitCode check_command(const CheckOptions& options) {
   const Result<DrapeInput> input = read_project(options.project, own_mesh_importer());
   if (!input) return fail(input.error(), options.json);
+  const Result<Textures> textures = read_project_textures(options.project, input->pattern);
+  if (!textures) return fail(textures.error(), options.json);
   const Result<DrapeStart> start = prepare_start(*input, {});
   if (!start) return fail(start.error(), options.json);
   if (options.json) {

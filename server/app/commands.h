@@ -33,9 +33,9 @@ struct CheckOptions {
 ExitCode check_command(const CheckOptions& options);
 
 struct BodyMakeOptions {
-  std::string out;                                               ///< path of an .obj
-  std::string sex = "female";                                    ///< female, male or child
-  std::string preset;                                            ///< name of a size; empty: none
+  std::string out;     ///< path of an .obj
+  std::string sex;     ///< female, male or child; empty: the preset's, or female
+  std::string preset;  ///< name of a size; empty: none
   std::array<std::optional<double>, kMeasureCount> measures_cm;  ///< what is asked for, by Measure
   std::string pose = "a";                                        ///< a or t
   double arm_angle = 45;                                         ///< degrees from the vertical, of pose a

@@ -8,6 +8,7 @@
 #include "core/drape/pipeline.h"
 #include "core/export/write_report.h"
 #include "proto/cpp/project_resolve.h"
+#include "proto/cpp/project_textures.h"
 #include "proto/cpp/trace_file.h"
 #include "server/app/commands.h"
 #include "server/app/console.h"
@@ -61,14 +62,15 @@ ExitCode exit_code_of(const DrapeResult& result) {
 }
 
 /// Writes what a drape leaves and prints its figures.
-Status deliver(const DrapeInput& input, const DrapeResult& result, const DrapeOptions& options) {
+Status deliver(const DrapeInput& input, const DrapeResult& result, const Textures& textures,
+               const DrapeOptions& options) {
   const Report report = make_report(input, result);
-  if (Status models = write_models(input, result, options.out, options.check_data); !models) return models;
+  const Status models = write_models(input, result, textures, options.out, options.check_data);
+  if (!models) return models;
   if (Status written = write_report(fs::path(options.out) / "report.json", report); !written) return written;
   if (options.stills && exit_code_of(result) != kCancelled) {
-    if (Status stills = write_stills(input, result, options.out, options.width, options.height); !stills) {
-      return stills;
-    }
+    Status stills = write_stills(input, result, textures, options.out, options.width, options.height);
+    if (!stills) return stills;
   }
   if (options.json) {
     std::printf("%s", report_json(report).c_str());
@@ -83,6 +85,8 @@ Status deliver(const DrapeInput& input, const DrapeResult& result, const DrapeOp
 ExitCode drape_command(const DrapeOptions& options) {
   const Result<DrapeInput> input = read_project(options.project, own_mesh_importer());
   if (!input) return fail(input.error(), options.json);
+  const Result<Textures> textures = read_project_textures(options.project, input->pattern);
+  if (!textures) return fail(textures.error(), options.json);
   if (Status folder = make_folder(options.out); !folder) return fail(folder.error(), options.json);
   std::unique_ptr<TraceWriter> trace;
   if (!options.trace.empty()) {
@@ -105,7 +109,7 @@ ExitCode drape_command(const DrapeOptions& options) {
     print_error({"cancelled", "nothing was draped yet, and nothing is written", ""}, options.json);
     return kCancelled;
   }
-  if (Status delivered = deliver(*input, *result, options); !delivered) {
+  if (Status delivered = deliver(*input, *result, *textures, options); !delivered) {
     return fail(delivered.error(), options.json);
   }
   return exit_code_of(*result);

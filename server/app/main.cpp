@@ -106,9 +106,8 @@ CLI::App* add_body_make(CLI::App& body, BodyMakeOptions& make) {
   CLI::App* verb =
       body.add_subcommand("make", "Make a mannequin from measures; write it as OBJ, metres, y up");
   verb->add_option("-o,--out", make.out, "OBJ file to write")->required();
-  verb->add_option("--sex", make.sex, "Figure to start from")
-      ->check(CLI::IsMember({"female", "male", "child"}))
-      ->capture_default_str();
+  verb->add_option("--sex", make.sex, "Figure to start from (default: the preset's, or female)")
+      ->check(CLI::IsMember({"female", "male", "child"}));
   verb->add_option("--preset", make.preset, "Size to start from, e.g. eu38, m50, child116; see body presets");
   for (int i = 0; i < kMeasureCount; ++i) {
     const Measure m = measure_at(i);

@@ -64,6 +64,7 @@ void print_piece(const DxfPiece& piece) {
   if (piece.mirrored > 0) more += " (" + std::to_string(piece.mirrored) + " turned over)";
   if (piece.unfolded) more += ", unfolded";
   if (!panel->notches.empty()) more += ", " + std::to_string(panel->notches.size()) + " notches";
+  if (!panel->lines.empty()) more += ", " + std::to_string(panel->lines.size()) + " lines within";
   if (!panel->holes.empty()) more += ", " + std::to_string(panel->holes.size()) + " holes";
   std::printf(
       "piece %s: %s x %s mm, %s cm2, %zu edges%s, %s line, grain %s (line %d)\n", piece.name.c_str(),

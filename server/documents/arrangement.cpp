@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
+#include "core/arrange/garment_graph.h"
 #include "core/base/units.h"
 #include "core/body/segments.h"
 #include "core/mesh/make_panel_meshes.h"
@@ -24,6 +26,41 @@ std::vector<std::string> part_names() {
   std::vector<std::string> names;
   for (int p = 0; p < kBodyParts; ++p) names.emplace_back(name_of(static_cast<BodyPart>(p)));
   return names;
+}
+
+/// The wearer's other side: "left_arm" ↔ "right_arm", "left" ↔ "right"; what has no side stays.
+std::string other_side(const std::string& name) {
+  if (name.starts_with("left")) return "right" + name.substr(4);
+  if (name.starts_with("right")) return "left" + name.substr(5);
+  return name;
+}
+
+/// Where the mirror image of a piece comes; the piece's own pattern may lie turned by `angle` (radians)
+/// against its partner's.
+PieceWish mirrored(const PieceWish& wish, const std::string& partner, double angle) {
+  PieceWish out = wish;
+  out.piece = partner, out.part = other_side(wish.part), out.side = other_side(wish.side);
+  out.at_mm.x = -wish.at_mm.x;
+  out.turn = -wish.turn - degrees_from_radians(angle);
+  while (out.turn <= -180) out.turn += 360;
+  while (out.turn > 180) out.turn -= 360;
+  out.turn = std::round(out.turn * 1e6) / 1e6 + 0.0;
+  return out;
+}
+
+/// Nothing where the piece has no mirror image.
+std::optional<PieceWish> partners_wish(const DrapeInput& input, const PieceWish& wish) {
+  const Result<PanelMeshes> meshes = make_panel_meshes(input.pattern, input.settings.particle_distance, {});
+  if (!meshes) return std::nullopt;
+  const GarmentGraph graph = make_garment_graph(input.pattern, *meshes);
+  const auto at = std::find_if(graph.pieces.begin(), graph.pieces.end(),
+                               [&](const GarmentPiece& p) { return p.id == wish.piece; });
+  if (at == graph.pieces.end()) return std::nullopt;
+  const Index partner = mirror_partner(graph, static_cast<Index>(at - graph.pieces.begin()));
+  if (partner == kNone) return std::nullopt;
+  const GarmentPiece& other = graph.pieces[static_cast<std::size_t>(partner)];
+  const std::optional<FlatMove> onto = lay_on(other, *at, true);
+  return onto ? std::optional(mirrored(wish, other.id, onto->angle())) : std::nullopt;
 }
 
 Result<Arrangement> arrangement_of(const DrapeInput& input) {
@@ -127,9 +164,11 @@ Result<PieceWish> read_piece_wish(const JsonValue& object) {
   if (Status s = read_word(object, "part", part_names(), wish.part); !s) return s.error();
   if (Status s = read_word(object, "side", kSides, wish.side); !s) return s.error();
   if (Status s = read_numbers(object, wish); !s) return s.error();
-  if (const JsonValue* wrapped = object.find("wrapped")) {
-    if (!wrapped->boolean()) return bad_place("this is true or false", "wrapped");
-    wish.wrapped = *wrapped->boolean();
+  for (const auto& [key, out] : {std::pair{"wrapped", &wish.wrapped}, {"with_partner", &wish.with_partner}}) {
+    const JsonValue* given = object.find(key);
+    if (!given) continue;
+    if (!given->boolean()) return bad_place("this is true or false", key);
+    *out = *given->boolean();
   }
   return wish;
 }
@@ -145,6 +184,9 @@ Result<ProjectRow> place_piece(Store& store, const OwnerId& owner, const std::st
     wanted.pieces[static_cast<std::size_t>(at - now.pieces.begin())].placement = placement_of(wish);
     const Result<DrapeInput> input = resolve_project(wanted, files_in_store(store, owner, files));
     if (!input) return input.error();
+    const std::optional<PieceWish> more = wish.with_partner ? partners_wish(*input, wish) : std::nullopt;
+    for (ProjectPiece& piece : wanted.pieces)
+      if (more && piece.id == more->piece) piece.placement = placement_of(*more);
     return wanted;
   };
   return change_project(store, owner, id, expected, change);

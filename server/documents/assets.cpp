@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -97,27 +98,42 @@ Result<std::string> body_info(const std::string& name, std::string_view bytes) {
   }));
 }
 
+/// All of it is decoded: a picture that is kept can be drawn.
+Result<std::string> image_info(const std::string& name, std::string_view bytes) {
+  const Result<ReadPicture> read = read_picture(bytes);
+  if (!read) return Error{read.error().code, read.error().message, name};
+  return write_json_line(JsonValue(std::vector<JsonMember>{
+      {"format", JsonValue(std::string(read->format == PictureFormat::kPng ? "png" : "jpeg"))},
+      {"width", JsonValue(static_cast<double>(read->width))},
+      {"height", JsonValue(static_cast<double>(read->height))},
+      {"opaque", JsonValue(read->picture.opaque)},
+  }));
+}
+
 Result<std::string> info_of(const std::string& kind, const std::string& name, std::string_view bytes) {
   if (kind == "dxf") return dxf_info(name, bytes);
   if (kind == "specification") return specification_info(name, bytes);
+  if (kind == "image") return image_info(name, bytes);
   return body_info(name, bytes);
 }
 
 }  // namespace
 
 bool is_asset_kind(std::string_view kind) {
-  return kind == "dxf" || kind == "specification" || kind == "body";
+  return kind == "dxf" || kind == "specification" || kind == "body" || kind == "image";
 }
 
 std::size_t most_asset_bytes(std::string_view kind) {
-  return kind == "dxf" ? kMostDxfBytes : kind == "specification" ? kMostSpecificationBytes : kMostBodyBytes;
+  if (kind == "dxf") return kMostDxfBytes;
+  if (kind == "specification") return kMostSpecificationBytes;
+  return kind == "image" ? kMostImageBytes : kMostBodyBytes;
 }
 
 Result<AssetRow> add_asset(Store& store, const OwnerId& owner, const std::string& kind,
                            const std::string& name, std::string_view bytes) {
   if (!is_asset_kind(kind)) {
-    return Error{"documents.kind", "a file is \"dxf\", \"specification\" or \"body\", not " + in_quotes(kind),
-                 ""};
+    return Error{"documents.kind",
+                 "a file is \"dxf\", \"specification\", \"body\" or \"image\", not " + in_quotes(kind), ""};
   }
   if (Status good = check_name(name); !good) return good.error();
   const std::size_t most = most_asset_bytes(kind);
@@ -132,6 +148,11 @@ Result<AssetRow> add_asset(Store& store, const OwnerId& owner, const std::string
   row.name = name;
   row.info = std::move(*info);
   return store.put_asset(owner, std::move(row), bytes);
+}
+
+std::string image_media_type(std::string_view bytes) {
+  const std::optional<PictureFormat> format = picture_format(bytes);
+  return format ? std::string(media_type(*format)) : "application/octet-stream";
 }
 
 }  // namespace toile

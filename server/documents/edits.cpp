@@ -59,17 +59,32 @@ Result<EditRow> next_step(Store& store, const OwnerId& owner, const std::string&
   return Error{"edit.nothing_to_redo", "nothing has been undone that could be done again", ""};
 }
 
+/// Whether the pictures that the edits put on pieces are there.
+Status check_pictures(Store& store, const OwnerId& owner, const ProjectFileMap& files,
+                      const std::vector<ProjectEdit>& edits) {
+  for (std::size_t i = 0; i < edits.size(); ++i) {
+    const auto* const edit = std::get_if<SetTexture>(&edits[i]);
+    if (edit == nullptr || !edit->texture) continue;
+    const std::string texture = pointer_to(pointer_to("/edits", i), "texture");
+    const Status there = check_image(store, owner, files, edit->texture->image, pointer_to(texture, "image"));
+    if (!there) return there;
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<ProjectRow> edit_project(Store& store, const OwnerId& owner, const std::string& id,
                                 const JsonValue& edits, int expected, const ProjectFileMap& more_files) {
   Result<Standing> at = standing(store, owner, id, expected);
   if (!at) return at.error();
+  if (Status free = check_more_files(store, owner, at->row.files, more_files); !free) return free.error();
   at->row.files.insert(more_files.begin(), more_files.end());
   const Result<std::vector<ProjectEdit>> wanted = read_edits(edits, "/edits");
   if (!wanted) return wanted.error();
   Result<EditedProject> edited = apply_in_store(store, owner, *at, *wanted);
   if (!edited) return edited.error();
+  if (Status there = check_pictures(store, owner, at->row.files, *wanted); !there) return there.error();
   EditRow step;
   step.edits = write_json_line(edits_json(*wanted));
   step.inverse = write_json_line(edits_json(edited->inverse));

@@ -14,7 +14,8 @@ namespace toile {
 
 /// Does the edits (a JSON list, edit.schema.json) to the project when it stands at revision `expected` (0: at
 /// any), and forgets what was undone. Errors: those of read_edits and apply_edits; json.too_large when the
-/// document grows beyond its limit; store.*. `more_files` come to the project's own, and stay when the edits
+/// document grows beyond its limit; documents.missing_file and documents.wrong_kind of a picture that an edit
+/// names; those of check_more_files; store.*. `more_files` come to the project's own, and stay when the edits
 /// are undone.
 Result<ProjectRow> edit_project(Store& store, const OwnerId& owner, const std::string& id,
                                 const JsonValue& edits, int expected, const ProjectFileMap& more_files = {});

@@ -14,6 +14,7 @@
 #include "core/body/body_stance.h"
 #include "core/body/segments.h"
 #include "proto/cpp/project_bodies.h"
+#include "proto/cpp/project_body_places.h"
 #include "proto/cpp/project_pieces.h"
 #include "server/documents/assets.h"
 #include "server/documents/bodies.h"
@@ -215,6 +216,20 @@ std::vector<JsonMember> figure_members(const TriangleMesh& mesh, const MeasureSe
           {"boxes", std::move(parts.boxes)}};
 }
 
+/// With those of the document, and which these are.
+static JsonValue landmarks_json(const ProjectBody& body, const Result<std::vector<Landmark>>& landmarks) {
+  std::vector<JsonValue> out;
+  if (!landmarks) return out;
+  for (const Landmark& mark : *landmarks) {
+    const bool own = std::any_of(body.landmarks.begin(), body.landmarks.end(),
+                                 [&](const ProjectLandmark& one) { return one.name == mark.name; });
+    std::vector<JsonMember> one{{"name", mark.name}, {"place", vector_json(mark.place)}};
+    if (own) one.push_back({"own", true});
+    out.emplace_back(std::move(one));
+  }
+  return out;
+}
+
 Result<std::string> asset_figure_json(Store& store, const OwnerId& owner, const std::string& asset) {
   const auto read = shared_bodies().mesh(store, owner, asset, {.unit_in_m = 1});
   if (!read) return read.error();
@@ -254,6 +269,7 @@ Result<std::string> project_bodies_json(const std::string& document, const Proje
   if (!project) return project.error();
   const Result<DrapeInput> input = resolve_bodies(*project, files);
   if (!input) return input.error();
+  BodyPlaces places(*project, input->bodies);
   std::vector<JsonValue> bodies;
   for (std::size_t i = 0; i < project->bodies.size(); ++i) {
     const ProjectBody& given = project->bodies[i];
@@ -269,6 +285,8 @@ Result<std::string> project_bodies_json(const std::string& document, const Proje
         {"friction", given.friction},
         {"skin_offset_mm", given.skin_offset_mm}};
     for (JsonMember& member : shared_figures().get(input->bodies[i].mesh, asked)) {
+      if (member.key == "landmarks" && !given.landmarks.empty())
+        member.value = landmarks_json(given, places.landmarks_of(static_cast<Index>(i)));
       body.push_back(std::move(member));
     }
     bodies.emplace_back(std::move(body));

@@ -16,7 +16,8 @@ std::string body_presets_json();
 
 /// The members of a figure: "stands" and, when it does not, "why" {"code", "detail"}; "vertices",
 /// "triangles", "low", "high"; "measures" [{"name", "girth", "cm", "at_cm", "rule", "line", "asked_cm" or
-/// null}]; "landmarks" [{"name", "place"}]; "boxes" [{"part", "centre", "axes", "half"}]. Places in metres. A
+/// null}]; "landmarks" [{"name", "place", "own": true where the
+/// document sets it}]; "boxes" [{"part", "centre", "axes", "half"}]. Places in metres. A
 /// mesh that is no standing person has the first four members and empty lists.
 std::vector<JsonMember> figure_members(const TriangleMesh& mesh, const MeasureSet& asked);
 

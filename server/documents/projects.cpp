@@ -113,17 +113,42 @@ Result<ProjectRow> replace_project(Store& store, const OwnerId& owner, const std
   return store.replace_project(owner, *row, expected);
 }
 
+Status check_more_files(Store& store, const OwnerId& owner, const ProjectFileMap& has,
+                        const ProjectFileMap& more) {
+  ProjectFileMap all = has;
+  for (const auto& [name, id] : more) {
+    const auto [at, anew] = all.emplace(name, id);
+    if (anew || at->second == id) continue;
+    return Error{"documents.file_taken",
+                 "the project has another file of the name " + in_quotes(name) + "; give this one another",
+                 pointer_to("/files", name)};
+  }
+  if (all.size() > kMostFiles) return check_assets(store, owner, all);
+  return check_assets(store, owner, more);
+}
+
+Status check_image(Store& store, const OwnerId& owner, const ProjectFileMap& files, const std::string& name,
+                   const std::string& where) {
+  const std::vector<UsedFile> used{{name, "image", where}};
+  if (Status missing = check_missing(used, files); !missing) return missing;
+  return check_kinds(store, owner, used, files);
+}
+
 ProjectFiles files_in_store(Store& store, const OwnerId& owner, ProjectFileMap files) {
   const auto map = std::make_shared<const ProjectFileMap>(std::move(files));
   ProjectFiles out;
-  out.dxf_text = [&store, owner, map](const std::string& name) -> Result<std::string> {
-    const Result<std::string> id = asset_id_of(*map, name);
-    if (!id) return id.error();
-    const Result<AssetRow> asset = store.asset(owner, *id);
-    if (!asset) return asset.error();
-    if (asset->kind != "dxf") return wrong_kind(*asset, "dxf", "");
-    return store.asset_bytes(owner, *id);
+  const auto bytes_of = [&store, owner, map](const char* kind) {
+    return [&store, owner, map, kind](const std::string& name) -> Result<std::string> {
+      const Result<std::string> id = asset_id_of(*map, name);
+      if (!id) return id.error();
+      const Result<AssetRow> asset = store.asset(owner, *id);
+      if (!asset) return asset.error();
+      if (asset->kind != kind) return wrong_kind(*asset, kind, "");
+      return store.asset_bytes(owner, *id);
+    };
   };
+  out.dxf_text = bytes_of("dxf");
+  out.image_bytes = bytes_of("image");
   out.body_mesh = [&store, owner, map](const std::string& name,
                                        const MeshSettings& settings) -> Result<RepairedMesh> {
     const Result<std::string> id = asset_id_of(*map, name);

@@ -27,8 +27,18 @@ Result<Made<ProjectRow>> create_project(Store& store, const OwnerId& owner, cons
 Result<ProjectRow> replace_project(Store& store, const OwnerId& owner, const std::string& id,
                                    const std::string& document, const ProjectFileMap& files, int expected);
 
-/// The files of a project or a job, for resolve_project. `store` outlives it. Errors of its functions:
-/// documents.missing_file, documents.wrong_kind, mesh.*, store.*.
+/// Whether the files may come to those that a project has: they are this owner's, not too many, and none
+/// bears the name of another. Errors: documents.unknown_asset, documents.too_many_files,
+/// documents.file_taken, each with a pointer into {"files": …}; store.*.
+Status check_more_files(Store& store, const OwnerId& owner, const ProjectFileMap& has,
+                        const ProjectFileMap& more);
+/// Whether `name` stands for an uploaded image. Errors, at `where`: documents.missing_file,
+/// documents.wrong_kind; store.*.
+Status check_image(Store& store, const OwnerId& owner, const ProjectFileMap& files, const std::string& name,
+                   const std::string& where);
+
+/// The files of a project or a job, for resolve_project and read_textures. `store` outlives it. Errors of its
+/// functions: documents.missing_file, documents.wrong_kind, mesh.*, store.*.
 ProjectFiles files_in_store(Store& store, const OwnerId& owner, ProjectFileMap files);
 
 /// The setting that holds the sample project's id once it has been added.

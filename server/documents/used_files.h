@@ -10,7 +10,7 @@ namespace toile {
 /// A place of the document that names a file.
 struct UsedFile {
   std::string name;
-  std::string kind;   ///< "dxf" or "body"
+  std::string kind;   ///< "dxf", "body" or "image"
   std::string where;  ///< JSON pointer
 };
 

@@ -56,7 +56,15 @@ JsonValue notch_json(const Notch& notch) {
                                  {"inwards", turned ? fine_point(notch.inwards) : JsonValue()}};
 }
 
-JsonValue piece_json(const Panel& panel, const Fabric& fabric) {
+JsonValue texture_json(const std::optional<ProjectTexture>& texture) {
+  if (!texture) return JsonValue();
+  return std::vector<JsonMember>{{"image", texture->image},
+                                 {"scale_mm", texture->scale_mm},
+                                 {"offset", std::vector<JsonValue>{texture->offset.x, texture->offset.y}},
+                                 {"angle", texture->angle}};
+}
+
+JsonValue piece_json(const Panel& panel, const ProjectPiece& told, const Fabric& fabric) {
   std::vector<JsonValue> holes, edges, colour, notches, lines;
   for (const PanelEdge& edge : panel.outline.edges) edges.push_back(edge_json(edge, 0));
   for (std::size_t k = 0; k < panel.holes.size(); ++k) {
@@ -66,7 +74,8 @@ JsonValue piece_json(const Panel& panel, const Fabric& fabric) {
   for (const double channel : fabric.colour) colour.push_back(channel);
   for (const Notch& notch : panel.notches) notches.push_back(notch_json(notch));
   for (const InnerLine& line : panel.lines) {
-    lines.push_back(std::vector<JsonMember>{{"id", line.id}, {"points", points_json(line.points)}});
+    lines.push_back(std::vector<JsonMember>{
+        {"id", line.id}, {"points", points_json(line.points)}, {"drawn", line.drawn}});
   }
   return std::vector<JsonMember>{{"id", panel.id},
                                  {"fabric", fabric.id},
@@ -76,6 +85,7 @@ JsonValue piece_json(const Panel& panel, const Fabric& fabric) {
                                  {"holes", std::move(holes)},
                                  {"edges", std::move(edges)},
                                  {"notches", std::move(notches)},
+                                 {"texture", texture_json(told.texture)},
                                  {"lines", std::move(lines)}};
 }
 
@@ -146,7 +156,7 @@ Result<std::string> pieces_json(const std::string& document, const ProjectFiles&
   std::vector<JsonValue> pieces, seams;
   for (std::size_t i = 0; i < input.pattern.panels.size(); ++i) {
     const auto fabric = static_cast<std::size_t>(input.fabric_of_panel[i]);
-    pieces.push_back(piece_json(input.pattern.panels[i], input.fabrics[fabric]));
+    pieces.push_back(piece_json(input.pattern.panels[i], read_in->project.pieces[i], input.fabrics[fabric]));
   }
   const std::vector<SeamIssue> issues = check_seams(input.pattern);
   for (std::size_t i = 0; i < input.pattern.seams.size(); ++i) {

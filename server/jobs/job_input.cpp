@@ -1,6 +1,7 @@
 #include "server/jobs/job_input.h"
 
 #include "proto/cpp/project_resolve.h"
+#include "proto/cpp/project_textures.h"
 #include "server/documents/projects.h"
 
 namespace toile {
@@ -10,6 +11,13 @@ Result<DrapeInput> drape_input_of(Store& store, const OwnerId& owner, const std:
   const Result<Project> project = parse_project(document);
   if (!project) return project.error();
   return resolve_project(*project, files_in_store(store, owner, files));
+}
+
+Result<Textures> textures_of(Store& store, const OwnerId& owner, const std::string& document,
+                             const std::map<std::string, std::string>& files, const Pattern& pattern) {
+  const Result<Project> project = parse_project(document);
+  if (!project) return project.error();
+  return read_textures(*project, pattern, files_in_store(store, owner, files));
 }
 
 }  // namespace toile

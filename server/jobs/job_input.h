@@ -5,6 +5,7 @@
 
 #include "core/base/result.h"
 #include "core/drape/drape_input.h"
+#include "core/image/texture.h"
 #include "server/store/store.h"
 
 namespace toile {
@@ -13,5 +14,10 @@ namespace toile {
 /// json.*, project.*, dxf.*, pattern.*, body.*, store.*; `where` is the place in the document.
 Result<DrapeInput> drape_input_of(Store& store, const OwnerId& owner, const std::string& document,
                                   const std::map<std::string, std::string>& files);
+
+/// The pictures of the same document, for whoever draws it. REQUIRES the pattern that it resolves to. Errors:
+/// json.*, project.*, image.*, documents.*, store.*.
+Result<Textures> textures_of(Store& store, const OwnerId& owner, const std::string& document,
+                             const std::map<std::string, std::string>& files, const Pattern& pattern);
 
 }  // namespace toile

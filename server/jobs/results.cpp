@@ -27,13 +27,14 @@ std::vector<std::string> panel_names(const Pattern& pattern) {
   return names;
 }
 
-Scene scene_of(const DrapeInput& input, const DrapeResult& result) {
+Scene scene_of(const DrapeInput& input, const DrapeResult& result, const Textures& textures) {
   Scene scene;
   scene.cloth.positions = result.positions;
   scene.cloth.triangles = result.garment.triangles;
   scene.cloth.panel_of_triangle = result.garment.panel_of_triangle;
   scene.cloth.weld = result.garment.weld;
   scene.cloth.rest = result.garment.rest;
+  scene.cloth.textures = &textures;
   for (const Index fabric : input.fabric_of_panel) {
     const double* colour = input.fabrics[static_cast<std::size_t>(fabric)].colour;
     scene.cloth.colour_of_panel.push_back({colour[0], colour[1], colour[2]});
@@ -57,8 +58,8 @@ Result<std::string> bytes_of(const fs::path& path) {
 
 }  // namespace
 
-Status write_models(const DrapeInput& input, const DrapeResult& result, const fs::path& folder,
-                    bool check_data) {
+Status write_models(const DrapeInput& input, const DrapeResult& result, const Textures& textures,
+                    const fs::path& folder, bool check_data) {
   const GarmentMesh& garment = result.garment;
   const std::vector<std::string> names = panel_names(input.pattern);
   Status objects = check_data ? write_check_data(folder, garment, result.positions, input.bodies)
@@ -72,12 +73,13 @@ Status write_models(const DrapeInput& input, const DrapeResult& result, const fs
   model.fabrics = input.fabrics;
   model.fabric_of_panel = input.fabric_of_panel;
   model.bodies = input.bodies;
+  model.textures = &textures;
   return write_glb(folder / "final.glb", model);
 }
 
-Status write_stills(const DrapeInput& input, const DrapeResult& result, const fs::path& folder, int width,
-                    int height, const RunContext& context) {
-  const Scene scene = scene_of(input, result);
+Status write_stills(const DrapeInput& input, const DrapeResult& result, const Textures& textures,
+                    const fs::path& folder, int width, int height, const RunContext& context) {
+  const Scene scene = scene_of(input, result, textures);
   const StillSettings settings{.width = width, .height = height};
   for (const auto& [view, name] :
        {std::pair{View::kFront, "front"}, std::pair{View::kBack, "back"}, std::pair{View::kSide, "side"},
@@ -90,8 +92,9 @@ Status write_stills(const DrapeInput& input, const DrapeResult& result, const fs
   return {};
 }
 
-Status write_thumbnail(const DrapeInput& input, const DrapeResult& result, const fs::path& folder) {
-  return write_view(scene_of(input, result), View::kThreeQuarter,
+Status write_thumbnail(const DrapeInput& input, const DrapeResult& result, const Textures& textures,
+                       const fs::path& folder) {
+  return write_view(scene_of(input, result, textures), View::kThreeQuarter,
                     {.width = kThumbnailWidth, .height = kThumbnailHeight}, folder / "thumbnail.png");
 }
 

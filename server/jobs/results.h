@@ -11,22 +11,24 @@
 #include "core/base/run_context.h"
 #include "core/drape/drape_input.h"
 #include "core/drape/drape_result.h"
+#include "core/image/texture.h"
 #include "server/store/store.h"
 
 namespace toile {
 
 /// Writes final.obj and final.glb into `folder`; with `check_data` final.obj is plain and rest.obj, body.obj
 /// and sewn.json lie beside it, for programs that judge the drape. Errors: export.*.
-Status write_models(const DrapeInput& input, const DrapeResult& result, const std::filesystem::path& folder,
-                    bool check_data);
+Status write_models(const DrapeInput& input, const DrapeResult& result, const Textures& textures,
+                    const std::filesystem::path& folder, bool check_data);
 
 /// Writes front.png, back.png, side.png and three-quarter.png into `folder`, drawn on the calling thread.
 /// Errors: render.*, export.write; "cancelled" when the context was, between two pictures.
-Status write_stills(const DrapeInput& input, const DrapeResult& result, const std::filesystem::path& folder,
-                    int width, int height, const RunContext& context = {});
+Status write_stills(const DrapeInput& input, const DrapeResult& result, const Textures& textures,
+                    const std::filesystem::path& folder, int width, int height,
+                    const RunContext& context = {});
 
 /// Writes thumbnail.png, 320 by 400 pixels, drawn on the calling thread. Errors: render.*, export.write.
-Status write_thumbnail(const DrapeInput& input, const DrapeResult& result,
+Status write_thumbnail(const DrapeInput& input, const DrapeResult& result, const Textures& textures,
                        const std::filesystem::path& folder);
 
 /// A folder of its own for as long as it is held.

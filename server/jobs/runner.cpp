@@ -39,6 +39,7 @@ RunEnd failed(const Error& error) {
 struct Delivery {
   std::shared_ptr<const DrapeInput> input;
   std::shared_ptr<const DrapeResult> result;
+  Textures textures;
   std::unique_ptr<TemporaryFolder> folder;
 };
 
@@ -46,9 +47,10 @@ Status draw(const RunPlace& place, const RunControl& control, std::shared_ptr<co
   const auto drawing = [delivery = std::move(delivery), width = place.still_width,
                         height = place.still_height](const RunContext& context) -> Status {
     const std::filesystem::path& path = delivery->folder->path();
-    Status stills = write_stills(*delivery->input, *delivery->result, path, width, height, context);
+    Status stills =
+        write_stills(*delivery->input, *delivery->result, delivery->textures, path, width, height, context);
     if (!stills) return stills;
-    return write_thumbnail(*delivery->input, *delivery->result, path);
+    return write_thumbnail(*delivery->input, *delivery->result, delivery->textures, path);
   };
   return place.renderer->draw(drawing, control.abandon);
 }
@@ -196,6 +198,12 @@ void JobRun::tell(const RunControl& control, std::string_view phase, double frac
   control.on_progress(progress_);
 }
 
+Result<Textures> JobRun::read_pictures() {
+  const Result<JobRow> row = place_.store->job(owner_, job_id_);
+  if (!row) return row.error();
+  return textures_of(*place_.store, owner_, row->document, row->files, input_->pattern);
+}
+
 /// Results first: the state that names them is written by whoever gets the end.
 Result<RunEnd> JobRun::deliver(const RunControl& control) {
   tell(control, "stills", 0);
@@ -209,7 +217,13 @@ Result<RunEnd> JobRun::deliver(const RunControl& control) {
 
   RunEnd end = verdict_on(*input_, *result_);
   end.report = report_json(make_report(*input_, *result_));
-  if (Status models = write_models(*input_, *result_, path, true); !models) return models.error();
+  if (Result<Textures> textures = read_pictures(); textures) {
+    delivery->textures = std::move(*textures);
+  } else {  // the drape is worth keeping without them
+    end.reason += "; it is shown without the pictures on its pieces: " + textures.error().message;
+  }
+  const Status models = write_models(*input_, *result_, delivery->textures, path, true);
+  if (!models) return models.error();
   if (Status report = write_file(path / "report.json", end.report); !report) return report.error();
   if (Status stills = draw(place_, control, delivery); !stills) {
     if (stills.error().code == "render.given_up") return stills.error();

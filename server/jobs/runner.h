@@ -14,6 +14,7 @@
 #include "core/drape/drape_input.h"
 #include "core/drape/drape_result.h"
 #include "core/drape/pipeline.h"
+#include "core/image/texture.h"
 #include "server/jobs/publisher.h"
 #include "server/jobs/render_worker.h"
 #include "server/jobs/run_end.h"
@@ -57,6 +58,7 @@ class JobRun {
   void keep_checkpoint();
   void drape_on(const RunControl& control);
   void advance_slice(const RunControl& control);
+  Result<Textures> read_pictures();
   Result<RunEnd> deliver(const RunControl& control);
   void tell(const RunControl& control, std::string_view phase, double fraction);
   void read_figures();

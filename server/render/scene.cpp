@@ -63,6 +63,24 @@ Status check_cloth(const ClothView& cloth) {
   return {};
 }
 
+Status check_textures(const ClothView& cloth) {
+  if (cloth.textures == nullptr) return {};
+  for (const auto& image : cloth.textures->images) {
+    const Picture& picture = image->read.picture;
+    const auto pixels = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
+    if (pixels == 0 || picture.rgba.size() != 4 * pixels)
+      return Error{"render.bad_scene", "a picture's pixels do not fit its size", image->name};
+  }
+  for (const std::optional<PanelTexture>& texture : cloth.textures->of_panel) {
+    if (!texture) continue;
+    if (texture->image < 0 || static_cast<std::size_t>(texture->image) >= cloth.textures->images.size())
+      return Error{"render.bad_index", "a panel names a picture that is not there", ""};
+    if (!is_finite(texture->origin) || !is_finite(texture->across) || !is_finite(texture->up))
+      return Error{"render.not_finite", "a picture does not lie at finite places; nothing was drawn", ""};
+  }
+  return {};
+}
+
 void add_used(SceneBox& box, std::span<const Vec3> positions, std::span<const Tri> triangles) {
   for (const Tri& t : triangles) {
     for (const Index corner : t) box.add(positions[corner]);
@@ -100,6 +118,7 @@ double floor_height(const Scene& scene) {
 
 Status check_scene(const Scene& scene) {
   if (Status bad = check_cloth(scene.cloth); !bad.ok()) return bad;
+  if (Status bad = check_textures(scene.cloth); !bad.ok()) return bad;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const std::string owner = "body " + std::to_string(b);
     const TriangleMesh* mesh = scene.bodies[b].mesh;

@@ -9,6 +9,7 @@
 #include "core/base/result.h"
 #include "core/base/types.h"
 #include "core/body/body.h"
+#include "core/image/texture.h"
 
 namespace toile {
 
@@ -21,7 +22,8 @@ struct ClothView {
   std::span<const Index> panel_of_triangle;  ///< one per triangle; may be empty: all panel 0
   std::span<const Index> weld;               ///< one per vertex: least sewn vertex; may be empty
   std::vector<LinearRgb> colour_of_panel;    ///< one per panel; panels past its end take kClothColour
-  std::span<const Vec2> rest;                ///< m, one per vertex, carries the weave; may be empty
+  std::span<const Vec2> rest;                ///< m, one per vertex, carries weave and pictures; may be empty
+  const Textures* textures = nullptr;        ///< pictures on panels; may be null
 };
 
 inline constexpr LinearRgb kClothColour{0.30, 0.40, 0.55};

@@ -148,10 +148,12 @@ layout(location = 2) in vec3 colour;
 layout(location = 3) in vec2 rest;
 layout(location = 4) in vec3 line_distance;
 layout(location = 5) in vec3 line_strength;
+layout(location = 6) in vec2 picture_at;
 out vec3 v_colour;
 out vec2 v_rest;
 out vec3 v_line_distance;
 flat out vec3 v_line_strength;
+out vec2 v_picture_at;
 #endif
 uniform mat4 camera_matrix;
 uniform vec3 eye;
@@ -168,6 +170,7 @@ void main() {
   v_rest = rest;
   v_line_distance = line_distance;
   v_line_strength = line_strength;
+  v_picture_at = picture_at;
 #endif
   gl_Position = camera_matrix * vec4(position, 1.0);
   vec4 deeper = camera_matrix * vec4(position + normalize(position - eye) * sink, 1.0);
@@ -188,7 +191,10 @@ in vec3 v_colour;
 in vec2 v_rest;
 in vec3 v_line_distance;
 flat in vec3 v_line_strength;
+in vec2 v_picture_at;
 uniform float line_half_width;        // m
+uniform bool pictured;                // the panel shows a picture
+uniform sampler2D picture;
 
 float value_noise(vec2 at) {
   vec2 cell = floor(at), f = at - cell;
@@ -259,6 +265,10 @@ void main() {
   light += vec3(0.95, 0.98, 1.0) * 0.40 * rim * openness;
 #if CLOTH
   vec3 base = v_colour;
+  if (pictured) {
+    vec4 shown = texture(picture, v_picture_at);
+    base = mix(base, shown.rgb, shown.a);
+  }
   if (side < 0.0) base = mix(base, vec3(dot(base, vec3(0.2126, 0.7152, 0.0722))), 0.18) * 0.80;
   base *= weave() * (1.0 - lines());
   light += vec3(1.0, 0.93, 0.82) * (0.18 * max(-key, 0.0) * lit + 0.10 * through);   // shines through

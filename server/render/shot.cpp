@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "server/render/picture_texture.h"
 #include "server/render/shaders.h"
-#include "server/render/surface_vertices.h"
 
 namespace toile {
 namespace {
@@ -15,7 +15,7 @@ constexpr double kGroundReach = 2.2;       // radius of caught shadows, of the s
 constexpr float kSkyBlur = 5;              // texels of a sky map, on the ground
 constexpr float kBodySink = 0.002f;        // m; more than a coarse skin bulges through the cloth upon it
 constexpr float kLineHalfWidth = 0.0008f;  // m
-constexpr GLint kKeyUnit = 0, kSkyUnit = 1;
+constexpr GLint kKeyUnit = 0, kSkyUnit = 1, kPictureUnit = 2;
 
 void attribute(const GlFunctions& gl, GLuint location, int size, std::size_t stride, std::size_t offset) {
   gl.EnableVertexAttribArray(location);
@@ -42,6 +42,7 @@ DrawnSurface upload_cloth(GlScope& scope, const ClothView& cloth) {
   attribute(gl, 3, 2, sizeof(ClothVertex), offsetof(ClothVertex, rest));
   attribute(gl, 4, 3, sizeof(ClothVertex), offsetof(ClothVertex, line_distance));
   attribute(gl, 5, 3, sizeof(ClothVertex), offsetof(ClothVertex, line_strength));
+  attribute(gl, 6, 2, sizeof(ClothVertex), offsetof(ClothVertex, picture_at));
   return surface;
 }
 
@@ -137,6 +138,11 @@ Shot::Shot(const GlFunctions& gl, const Programs& programs, const Scene& scene, 
 
 void Shot::upload() {
   cloth_ = upload_cloth(scope_, scene_.cloth);
+  runs_ = cloth_runs(scene_.cloth);
+  if (scene_.cloth.textures != nullptr) {
+    for (const auto& image : scene_.cloth.textures->images)
+      pictures_.push_back(upload_picture(scope_, image->read.picture));
+  }
   for (const BodyView& body : scene_.bodies) {
     bodies_.push_back(upload_indexed(scope_, body_vertices(*body.mesh), body.mesh->triangles, body.colour));
   }
@@ -234,6 +240,25 @@ void Shot::set_viewer(const GlProgram& program) {
   set(gl_, program.at("eye"), camera_.eye);
 }
 
+/// Cloth without a picture first, then picture by picture.
+void Shot::draw_cloth() {
+  const GlProgram& program = programs_.cloth;
+  program.use();
+  gl_.Uniform1f(program.at("sink"), 0);
+  gl_.Uniform1f(program.at("line_half_width"), kLineHalfWidth);
+  gl_.Uniform1i(program.at("picture"), kPictureUnit);
+  gl_.BindVertexArray(cloth_.vertex_array);
+  for (const ClothRun& run : runs_) {
+    gl_.Uniform1i(program.at("pictured"), run.image == kNone ? 0 : 1);
+    if (run.image != kNone) {
+      gl_.ActiveTexture(GL_TEXTURE0 + kPictureUnit);
+      gl_.BindTexture(GL_TEXTURE_2D, pictures_[static_cast<std::size_t>(run.image)]);
+      gl_.ActiveTexture(GL_TEXTURE0);
+    }
+    gl_.DrawArrays(GL_TRIANGLES, run.first, run.count);
+  }
+}
+
 void Shot::draw_picture(int width, int height) {
   gl_.Viewport(0, 0, width, height);
   gl_.Enable(GL_DEPTH_TEST);
@@ -249,10 +274,7 @@ void Shot::draw_picture(int width, int height) {
     set_lights(*program, width, height);
     set_viewer(*program);
   }
-  programs_.cloth.use();
-  gl_.Uniform1f(programs_.cloth.at("sink"), 0);
-  gl_.Uniform1f(programs_.cloth.at("line_half_width"), kLineHalfWidth);
-  draw(gl_, cloth_);
+  draw_cloth();
   programs_.body.use();
   gl_.Uniform1f(programs_.body.at("sink"), cloth_.count > 0 ? kBodySink : 0);
   for (const DrawnSurface& body : bodies_) {

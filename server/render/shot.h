@@ -9,6 +9,7 @@
 #include "server/render/gl_objects.h"
 #include "server/render/scene.h"
 #include "server/render/studio.h"
+#include "server/render/surface_vertices.h"
 
 namespace toile {
 
@@ -41,6 +42,7 @@ class Shot {
   void draw_key_map();
   void draw_sky_map();
   void draw_casters();
+  void draw_cloth();
   void draw_picture(int width, int height);
   void set_lights(const GlProgram& program, int width, int height);
   void set_viewer(const GlProgram& program);
@@ -56,6 +58,8 @@ class Shot {
   GlScope scope_;
   DrawnSurface cloth_, ground_;
   std::vector<DrawnSurface> bodies_;
+  std::vector<ClothRun> runs_;    // of the cloth
+  std::vector<GLuint> pictures_;  // as Textures::images
   GLuint key_map_ = 0, sky_map_ = 0;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "core/mesh/vertex_normals.h"
@@ -111,8 +112,31 @@ void set(float (&out)[3], Vec3 v) {
   out[2] = static_cast<float>(v.z);
 }
 
+Index panel_of(const ClothView& cloth, std::size_t triangle) {
+  return cloth.panel_of_triangle.empty() ? 0 : cloth.panel_of_triangle[triangle];
+}
+
+/// The picture on a triangle's panel, or null.
+const PanelTexture* texture_on(const ClothView& cloth, std::size_t triangle) {
+  if (cloth.textures == nullptr || cloth.rest.empty()) return nullptr;
+  return texture_of(*cloth.textures, panel_of(cloth, triangle));
+}
+
+Index image_on(const ClothView& cloth, std::size_t triangle) {
+  const PanelTexture* const texture = texture_on(cloth, triangle);
+  return texture == nullptr ? kNone : texture->image;
+}
+
+std::vector<std::size_t> drawing_order(const ClothView& cloth) {
+  std::vector<std::size_t> order(cloth.triangles.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return image_on(cloth, a) < image_on(cloth, b); });
+  return order;
+}
+
 LinearRgb colour_of(const ClothView& cloth, std::size_t triangle) {
-  const Index panel = cloth.panel_of_triangle.empty() ? 0 : cloth.panel_of_triangle[triangle];
+  const Index panel = panel_of(cloth, triangle);
   const bool known = panel >= 0 && static_cast<std::size_t>(panel) < cloth.colour_of_panel.size();
   return known ? cloth.colour_of_panel[panel] : kClothColour;
 }
@@ -124,8 +148,9 @@ std::vector<ClothVertex> cloth_vertices(const ClothView& cloth) {
   const LineMarker lines(cloth);
   std::vector<ClothVertex> out;
   out.reserve(cloth.triangles.size() * 3);
-  for (std::size_t t = 0; t < cloth.triangles.size(); ++t) {
+  for (const std::size_t t : drawing_order(cloth)) {
     const LinearRgb colour = colour_of(cloth, t);
+    const PanelTexture* const texture = texture_on(cloth, t);
     ClothVertex corners[3];
     for (int i = 0; i < 3; ++i) {
       const Index v = cloth.triangles[t][i];
@@ -135,11 +160,25 @@ std::vector<ClothVertex> cloth_vertices(const ClothView& cloth) {
       const Vec2 rest = cloth.rest.empty() ? Vec2{} : cloth.rest[v];
       corners[i].rest[0] = static_cast<float>(rest.x);
       corners[i].rest[1] = static_cast<float>(rest.y);
+      const Vec2 repeats = texture == nullptr ? Vec2{} : texture_at(*texture, rest);
+      corners[i].picture_at[0] = static_cast<float>(repeats.x);
+      corners[i].picture_at[1] = static_cast<float>(1 - repeats.y);
     }
     lines.mark(cloth.triangles[t], corners);
     out.insert(out.end(), corners, corners + 3);
   }
   return out;
+}
+
+std::vector<ClothRun> cloth_runs(const ClothView& cloth) {
+  std::vector<ClothRun> runs;
+  for (const std::size_t t : drawing_order(cloth)) {
+    const Index image = image_on(cloth, t);
+    if (runs.empty() || runs.back().image != image)
+      runs.push_back({image, runs.empty() ? 0 : runs.back().first + runs.back().count, 0});
+    runs.back().count += 3;
+  }
+  return runs;
 }
 
 std::vector<BodyVertex> body_vertices(const TriangleMesh& mesh) {

@@ -8,6 +8,7 @@
 #include "proto/cpp/json_codec.h"
 #include "tests/app/napkin.h"
 #include "tests/app/program.h"
+#include "tests/core/image/pictures.h"
 
 namespace toile {
 namespace {
@@ -113,6 +114,40 @@ TEST(CommandLine, CheckTellsWhatADrapeRepairsByItself) {
   const JsonValue& finding = report->find("findings")->array()->front();
   EXPECT_EQ(*finding.find("code")->text(), "start.touches");
   EXPECT_TRUE(*finding.find("repaired")->boolean());
+  fs::remove_all(folder);
+}
+
+constexpr const char* kChecked =
+    R"("texture": {"image": "cloth/checks.png", "scale_mm": 40}, "fabric": "cotton",)";
+
+TEST(CommandLine, ADrapeShowsThePictureThatLiesBesideTheProject) {
+  const fs::path folder = napkin_folder("toile_textured", R"("fabric": "cotton",)", kChecked);
+  fs::create_directories(folder / "cloth");
+  const std::string png = test::png_of(test::squares());
+  write_text(folder / "cloth" / "checks.png", png);
+  const Ran run = run_toile({"drape", folder / "project.json", "--out", folder / "out", "--no-stills"}, 120);
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(has(text_of(folder / "out" / "final.glb"), png)) << "the model carries it";
+  fs::remove_all(folder);
+}
+
+TEST(CommandLine, APictureThatIsMissingOrBrokenIsToldBeforeTheDrape) {
+  const fs::path folder = napkin_folder("toile_textured", R"("fabric": "cotton",)", kChecked);
+  for (const char* verb : {"check", "drape"}) {
+    std::vector<std::string> arguments{verb, folder / "project.json"};
+    if (verb == std::string("drape")) arguments.insert(arguments.end(), {"--out", folder / "out"});
+    fs::remove_all(folder / "cloth");
+    const Ran missing = run_toile(arguments);
+    EXPECT_EQ(missing.code, 2);
+    EXPECT_TRUE(has(missing.err, "project.file: ")) << missing.err;
+    EXPECT_TRUE(has(missing.err, "/pieces/0/texture/image")) << missing.err;
+    fs::create_directories(folder / "cloth");
+    write_text(folder / "cloth" / "checks.png", "GIF89a");
+    const Ran broken = run_toile(arguments);
+    EXPECT_EQ(broken.code, 2);
+    EXPECT_TRUE(has(broken.err, "image.format: ")) << broken.err;
+  }
+  EXPECT_FALSE(fs::exists(folder / "out"));
   fs::remove_all(folder);
 }
 

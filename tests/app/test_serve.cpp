@@ -16,6 +16,7 @@
 #include "tests/app/napkin.h"
 #include "tests/app/program.h"
 #include "tests/app/serving.h"
+#include "tests/core/image/pictures.h"
 
 namespace toile {
 namespace {
@@ -103,7 +104,11 @@ TEST_F(Serve, RefusesOtherAddressesAndAFolderThatIsInUse) {
 }
 
 TEST_F(Serve, ADrapeFromAfarLeavesWhatADrapeAtHomeLeaves) {
-  const fs::path napkin = napkin_folder("toile_submit");
+  const fs::path napkin =
+      napkin_folder("toile_submit", R"("fabric": "cotton",)",
+                    R"("texture": {"image": "checks.png", "scale_mm": 40}, "fabric": "cotton",)");
+  const std::string checks = test::png_of(test::squares());
+  write_text(napkin / "checks.png", checks);
   const Ran home = run_toile(
       {"drape", napkin / "project.json", "--out", folder / "home", "--check-data", "--no-stills"}, 120);
   ASSERT_EQ(home.code, 0) << home.err;
@@ -118,6 +123,7 @@ TEST_F(Serve, ADrapeFromAfarLeavesWhatADrapeAtHomeLeaves) {
     EXPECT_GT(text_of(folder / "afar" / name).size(), 1u) << name;
     EXPECT_TRUE(text_of(folder / "afar" / name) == text_of(folder / "home" / name)) << name;
   }
+  EXPECT_NE(text_of(folder / "afar" / "final.glb").find(checks), std::string::npos) << "with its picture";
   for (const char* name : {"report.json", "front.png", "back.png", "side.png", "three-quarter.png"}) {
     EXPECT_GT(text_of(folder / "afar" / name).size(), 100u) << name;
   }

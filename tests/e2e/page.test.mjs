@@ -6,6 +6,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, describe, it } from 'node:test';
 import { ask, openBrowser, openPage, shoot, waitFor, waitForState } from './browser.mjs';
+import { checks, shareOfBlue } from './pictures.mjs';
 import { Service, root } from './service.mjs';
 
 const service = new Service();
@@ -52,7 +53,7 @@ async function makeSlowProject() {
 
 /** The project on the page, with its document, as the service has it. */
 async function shownProject() {
-  const id = (await ask(page, 'route')).split('/').at(-1);
+  const id = (await ask(page, 'project'))?.id ?? (await ask(page, 'route')).split('/').at(-1);
   return (await service.get(`/projects/${id}`)).json();
 }
 
@@ -266,6 +267,43 @@ describe('the page', { timeout: 600_000 }, () => {
     await page.locator('.plane [data-piece=front][aria-pressed=true]').waitFor();
     await page.waitForTimeout(500);
     await shoot(page, '08-selected');
+    await page.keyboard.press('Escape');
+  });
+
+  it('puts a picture on a piece and on all, in both views, and undoes it', async () => {
+    await page.keyboard.press('1');
+    await page.getByRole('tab', { name: 'Pattern' }).click();
+    await page.locator('.plane [data-piece=front]').press('Enter');
+    const scene = page.locator('.scene canvas');
+    const plane = page.locator('.plane');
+    const plain = { scene: await shareOfBlue(page, scene), plane: await shareOfBlue(page, plane) };
+    const before = await shownProject();
+    await page.getByLabel('Picture file').setInputFiles({ name: 'checks.png', mimeType: 'image/png', buffer: checks });
+    const first = await revisionAfter(before.revision);
+    const texture = { image: 'checks.png', scale_mm: 100, offset: [0, 0], angle: 0 };
+    assert.deepEqual(first.document.pieces[0].texture, texture);
+    await waitFor(page, () => window.__toile.looks().includes('front'));
+    const repeat = page.getByRole('textbox', { name: /^Repeat/ });
+    await repeat.fill('40');
+    await repeat.press('Enter');
+    await revisionAfter(first.revision);
+    await page.getByRole('button', { name: 'Same on all pieces' }).click();
+    const all = await revisionAfter(first.revision + 1);
+    for (const piece of all.document.pieces) assert.equal(piece.texture.scale_mm, 40);
+    await waitFor(page, () => window.__toile.looks().length === 4);
+    await page.waitForTimeout(1500);
+    await shoot(page, '27-picture');
+    const shown = { scene: await shareOfBlue(page, scene), plane: await shareOfBlue(page, plane) };
+    assert.ok(shown.scene > plain.scene + 0.05, `3D: ${plain.scene} of the view was blue, ${shown.scene} is`);
+    assert.ok(shown.plane > plain.plane + 0.1, `2D: ${plain.plane} of the view was blue, ${shown.plane} is`);
+    for (let turn = 0; turn < 3; ++turn) {
+      await page.locator('.plane').press('Control+z');
+      await revisionAfter(all.revision + turn);
+    }
+    await waitFor(page, () => window.__toile.looks().length === 0);
+    assert.deepEqual((await shownProject()).document, before.document);
+    await page.waitForTimeout(800);
+    assert.ok((await shareOfBlue(page, scene)) < plain.scene + 0.02, 'the cloth is as it was');
     await page.keyboard.press('Escape');
   });
 

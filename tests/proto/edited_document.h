@@ -7,12 +7,14 @@
 
 namespace toile::test {
 
-/// A square of 100 mm with its lower left corner at the origin, as a DXF polyline on layer FRONT.
+/// A square of 100 mm with its lower left corner at the origin, as a DXF polyline on layer FRONT, with a line
+/// drawn within.
 inline std::string square_dxf() {
   std::string text = "0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\nFRONT\n90\n4\n70\n1\n";
   for (const char* corner : {"0\n20\n0", "100\n20\n0", "100\n20\n100", "0\n20\n100"}) {
     text += std::string("10\n") + corner + "\n";
   }
+  text += "0\nLINE\n8\nMARK\n10\n30\n20\n30\n11\n70\n21\n30\n";
   return text + "0\nTEXT\n8\nFRONT\n10\n50\n20\n50\n40\n5\n1\nFRONT\n0\nENDSEC\n0\nEOF\n";
 }
 

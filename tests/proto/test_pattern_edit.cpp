@@ -80,7 +80,7 @@ TEST(ProjectEdit, LeavesAPieceInItsFileWhenOnlyItsLinesGrainOrClothChange) {
     {"edit": "rotate_grain", "piece": "front", "angle": 45},
     {"edit": "set_fabric", "piece": "front", "fabric": "silk"},
     {"edit": "set_texture", "piece": "front", "texture": {"image": "a.png", "scale_mm": 50}},
-    {"edit": "set_physical", "piece": "front", "physical": {"thickness_mm": 2}}])");
+    {"edit": "set_physical", "piece": "front", "physical": {"thickness_mm": 2, "particle_distance_mm": 4}}])");
   const ProjectPiece& front = now.pieces[0];
   ASSERT_TRUE(front.from);
   EXPECT_EQ(front.lines.size(), 2u);
@@ -88,7 +88,73 @@ TEST(ProjectEdit, LeavesAPieceInItsFileWhenOnlyItsLinesGrainOrClothChange) {
   EXPECT_EQ(front.fabric, "silk");
   EXPECT_EQ(front.texture->scale_mm, 50);
   EXPECT_EQ(front.physical->thickness_mm, 2);
+  EXPECT_EQ(front.physical->particle_distance_mm, 4);
   EXPECT_FALSE(after(now, R"([{"edit": "set_texture", "piece": "front"}])").pieces[0].texture);
+}
+
+TEST(ProjectEdit, LinesOfTheFileComeAlongWhenAPieceLeavesIt) {
+  const Project project = base();
+  Project cloth = project;
+  cloth.bodies.clear();
+  const Panel drawn = resolve_project(cloth, square_files()).value().pattern.panels[0];
+  ASSERT_EQ(drawn.lines.size(), 2u);
+  EXPECT_EQ(drawn.lines[0].id, "i0");
+  EXPECT_TRUE(drawn.lines[0].drawn);
+  EXPECT_FALSE(drawn.lines[1].drawn) << "the document's own line is followed";
+  const auto lines = [](const Project& p) { return named(p.pieces, "front").lines; };
+  const Project reshaped = after(project, R"([{"edit": "mirror_piece", "piece": "front"}])");
+  ASSERT_EQ(lines(reshaped).size(), 2u);
+  EXPECT_TRUE(lines(reshaped)[0].drawn);
+  EXPECT_EQ(lines(reshaped)[0].points, (std::vector<Vec2>{{70, 30}, {30, 30}}));
+  const Project rubbed = after(project, R"([{"edit": "remove_line", "piece": "front", "line": "i0"}])");
+  EXPECT_FALSE(named(rubbed.pieces, "front").from) << "the file would draw it again";
+  ASSERT_EQ(lines(rubbed).size(), 1u);
+  EXPECT_EQ(lines(rubbed)[0].id, "pleat");
+}
+
+TEST(ProjectEdit, ALineOfTheFileGivesWayToTheDocumentsIds) {
+  Project project = base();
+  project.bodies.clear();
+  project.pieces[0].lines[0].id = "i0", project.folds[0].lines[0] = "i0";
+  const Panel panel = resolve_project(project, square_files()).value().pattern.panels[0];
+  ASSERT_EQ(panel.lines.size(), 2u);
+  EXPECT_EQ(panel.lines[0].id, "i0_2");
+  EXPECT_EQ(panel.lines[1].id, "i0");
+}
+
+TEST(ProjectEdit, MarksMovesAndUnmarksANotch) {
+  const Project marked =
+      after(base(), R"([{"edit": "add_notch", "piece": "band", "edge": "low", "at": 0.25, "depth_mm": 4}])");
+  const std::vector<ProjectNotch>& one = named(marked.pieces, "band").notches;
+  ASSERT_EQ(one.size(), 1u);
+  EXPECT_LT(length(one[0].at - Vec2{50, 0}), 1e-9);
+  EXPECT_EQ(one[0].depth_mm, 4);
+  EXPECT_EQ(*one[0].inwards, (Vec2{0, 1}));
+  const Project moved = after(marked, R"([{"edit": "move_notch", "piece": "band", "notch": 0, "edge": "high",
+                                          "at": 0.25}])");
+  EXPECT_LT(length(named(moved.pieces, "band").notches[0].at - Vec2{150, 30}), 1e-9);
+  EXPECT_EQ(named(moved.pieces, "band").notches[0].depth_mm, 4);
+  const Project bare = after(moved, R"([{"edit": "remove_notch", "piece": "band", "notch": 0}])");
+  EXPECT_TRUE(named(bare.pieces, "band").notches.empty());
+  EXPECT_EQ(refused(bare, R"([{"edit": "remove_notch", "piece": "band", "notch": 0}])").code,
+            "edit.unknown_notch");
+}
+
+TEST(ProjectEdit, LeavesAPictureWhereItLiesOnTheCloth) {
+  const Project project = after(base(), R"([{"edit": "set_texture", "piece": "front",
+      "texture": {"image": "a.png", "scale_mm": 50, "offset": [10, 20], "angle": 5}}])");
+  const auto offset = [](const Project& p, const char* piece) {
+    return named(p.pieces, piece).texture->offset;
+  };
+  EXPECT_EQ(offset(after(project, R"([{"edit": "move_piece", "piece": "front", "by": [7, -3]}])"), "front"),
+            (Vec2{17, 17}));
+  const Project copied =
+      after(project, R"([{"edit": "duplicate_piece", "piece": "front", "id": "copy", "by": [300, 0]}])");
+  EXPECT_EQ(offset(copied, "front"), (Vec2{10, 20}));
+  EXPECT_EQ(offset(copied, "copy"), (Vec2{310, 20}));
+  const Project turned = after(project, R"([{"edit": "mirror_piece", "piece": "front"}])");
+  EXPECT_EQ(offset(turned, "front"), (Vec2{90, 20})) << "the piece is 100 mm wide";
+  EXPECT_EQ(named(turned.pieces, "front").texture->angle, 5);
 }
 
 TEST(ProjectEdit, GivesAPieceItsOwnCloth) {

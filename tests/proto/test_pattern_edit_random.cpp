@@ -46,7 +46,7 @@ class RandomEdits {
     const PanelEdge& edge = *any(edges_of(panel));
     const int curves = static_cast<int>(edge.curves.size());
     const CubicBezier& curve = any(edge.curves);
-    const int kind = chance_.whole(0, 25);
+    const int kind = chance_.whole(0, 27);
     if (kind < 10) return of_edge(kind, panel, edge, curves, curve);
     if (kind < 18) return of_piece(kind, project, panel, edge);
     return of_more(kind, project, pattern, panel);
@@ -96,7 +96,7 @@ class RandomEdits {
       case 11:
         return PatternEdit(RotateGrain{p, chance_.between(-180, 180)});
       case 12:
-        return PatternEdit(AddLine{p, {fresh("l"), {at, at + Vec2{5, 5}}}});
+        return PatternEdit(AddLine{p, {fresh("l"), {at, at + Vec2{5, 5}}, chance_.happens(0.3)}});
       case 13:
         return PatternEdit(RemoveLine{p, panel.lines.empty() ? "none" : any(panel.lines).id});
       case 14:
@@ -144,6 +144,13 @@ class RandomEdits {
       case 24:
         return SetTexture{panel.id,
                           ProjectTexture{"a.png", chance_.between(1, 90), near({0, 0}, 9), chance_.unit()}};
+      case 25:
+        return PatternEdit(AddNotch{panel.id, any(edges_of(panel))->id, chance_.unit(), 5});
+      case 26: {
+        const int notch = chance_.whole(0, static_cast<int>(panel.notches.size()));
+        if (chance_.happens(0.5)) return PatternEdit(RemoveNotch{panel.id, notch});
+        return PatternEdit(MoveNotch{panel.id, notch, any(edges_of(panel))->id, chance_.unit(), {}});
+      }
       default: {
         ProjectPhysical physical;
         physical.thickness_mm = chance_.between(0.1, 2);

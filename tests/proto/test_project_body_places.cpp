@@ -169,7 +169,6 @@ TEST(ProjectBodyPlaces, RefuseWhatTheBodyHasNotAndSayWhatThereIs) {
   expect_refused("\"triangle\": 40", "\"triangle\": 4000000", "landmark.no_triangle", "/bodies/1/landmarks");
   expect_refused("\"near\": \"hip_front\"", "\"near\": \"hip_frnot\"", "landmark.unknown",
                  "/bodies/1/landmarks");
-  expect_refused("\"name\": \"mole\"", "\"name\": \"crotch\"", "landmark.duplicate", "/bodies/1/landmarks");
   const auto slip = resolved(changed(kDressed, "\"line\": \"waist\"", "\"line\": \"wiast\""));
   EXPECT_NE(slip.error().message.find("did you mean \"waist\"?"), std::string::npos) << slip.error().message;
 }

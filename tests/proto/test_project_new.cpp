@@ -8,6 +8,7 @@
 #include "core/pattern/dxf_write.h"
 #include "core/pattern/validate.h"
 #include "proto/cpp/project_new.h"
+#include "proto/cpp/project_resolve.h"
 #include "tests/core/pattern/garments.h"
 
 namespace toile {
@@ -86,6 +87,35 @@ TEST(ProjectNew, CutsAPieceAsOftenAsTheDrawingSays) {
   EXPECT_NE(made->project.pieces[0].id, made->project.pieces[1].id);
   const Panel &a = made->pattern.panels[0], &b = made->pattern.panels[1];
   EXPECT_NEAR(signed_area(a.outline), signed_area(b.outline), 1e-6) << "both counter-clockwise";
+}
+
+TEST(ProjectNew, WhatIsDrawnWithinAPieceReachesTheProject) {
+  Panel front = garments::piece("front", {{0, 0}, {300, 0}, {260, 500}, {0, 520}});
+  front.lines = {{"pocket", {{50, 300}, {120, 300}, {120.5, 400.25}}}};
+  std::string text = drawing_of({front});
+  text.replace(text.find("Quantity: 1"), 11, "Quantity: 2");
+  const auto made = new_project(text, settings());
+  ASSERT_TRUE(made.ok()) << to_string(made.error());
+  ASSERT_EQ(made->project.pieces.size(), 2u);
+  EXPECT_TRUE(made->project.pieces[0].lines.empty()) << "they stand in the file";
+  ASSERT_EQ(made->project.pieces[1].lines.size(), 1u) << "the one turned over stands in the document";
+  EXPECT_TRUE(made->project.pieces[1].lines[0].drawn);
+  Project cloth = parse_project(write_project(made->project)).value();
+  cloth.bodies.clear();
+  ProjectFiles files;
+  files.dxf_text = [&](const std::string&) -> Result<std::string> { return text; };
+  const Result<DrapeInput> input = resolve_project(cloth, files);
+  ASSERT_TRUE(input) << to_string(input.error());
+  for (const double side : {1.0, -1.0}) {
+    const Panel& panel = input->pattern.panels[side > 0 ? 0 : 1];
+    ASSERT_EQ(panel.lines.size(), 1u);
+    ASSERT_EQ(panel.lines[0].points.size(), 3u);
+    EXPECT_TRUE(panel.lines[0].drawn);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec2 p = front.lines[0].points[i];
+      EXPECT_LT(length(panel.lines[0].points[i] - Vec2{side * p.x, p.y}), 0.1);
+    }
+  }
 }
 
 TEST(ProjectNew, OfTwoOfAKindOneIsTurnedOver) {

@@ -30,6 +30,26 @@ Vec3 middle_at(const DrapeResult& r, Index panel, double flat_y) {
   return sum * (1.0 / std::max(1, count));
 }
 
+TEST(ProjectNotions, ADrawnLineIsFollowedOnceAFoldLiesOnIt) {
+  const Project project = parse_project(example_text()).value();
+  const auto lines = [](Project p) {
+    p.pieces[2].lines[0].drawn = true;
+    return resolve_project(p, files_in("."));
+  };
+  EXPECT_FALSE(lines(project)->pattern.panels[2].lines[0].drawn);
+  Project unfolded = project;
+  unfolded.folds.clear();
+  EXPECT_TRUE(lines(unfolded)->pattern.panels[2].lines[0].drawn);
+  Project outside = project;
+  outside.pieces[2].lines[0].points.back().x += 1e4;
+  const Result<DrapeInput> refused = lines(outside);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, "pattern.bad_line");
+  EXPECT_NE(refused.error().where.find("/folds/0"), std::string::npos) << refused.error().where;
+  outside.folds.clear();
+  EXPECT_TRUE(lines(outside)) << "only drawn, it may lie anywhere";
+}
+
 TEST(ProjectNotions, AreReadInTheCoresUnits) {
   const DrapeInput input = read_project(kExample).value();
   const Notions& n = input.notions;

@@ -67,6 +67,9 @@ TEST(IncludeRules, KeepEachLibraryBehindItsDoor) {
   EXPECT_TRUE(allowed("proto/cpp/json_codec.cpp", "<nlohmann/json.hpp>"));
   EXPECT_TRUE(allowed("core/export/write_glb.cpp", "<nlohmann/json.hpp>"));
   EXPECT_FALSE(allowed("core/export/write_obj.cpp", "<nlohmann/json.hpp>"));
+  EXPECT_TRUE(allowed("core/image/read_png.cpp", "<png.h>"));
+  EXPECT_TRUE(allowed("core/image/read_jpeg.cpp", "<jpeglib.h>"));
+  EXPECT_FALSE(allowed("server/render/png.cpp", "<png.h>"));
   EXPECT_FALSE(allowed("core/drape/pipeline.cpp", "<nlohmann/json_fwd.hpp>"));
   EXPECT_FALSE(allowed("core/base/types.cpp", "<Eigen/Core>"));
   EXPECT_FALSE(allowed("server/http/a.cpp", "<CLI/CLI.hpp>"));

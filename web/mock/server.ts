@@ -164,6 +164,7 @@ function pieces(): object {
     grain: [0, 1],
     holes: [],
     notches: [],
+    texture: null,
     lines: [],
     outline: p.map(([a, b]) => [a! + x, b]),
     edges: names.map((name, i) =>

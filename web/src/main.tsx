@@ -146,6 +146,11 @@ effect(() => {
   if (id && revision.value > 0) untracked(() => void commands.pattern.loadHistory(id));
 });
 effect(() => {
+  void state.pieces.value;
+  void state.project.value;
+  untracked(() => void commands.textures.follow());
+});
+effect(() => {
   const shown = state.job.value?.name ?? state.project.value?.name;
   document.title = shown ? `${shown} · Toile` : 'Toile';
 });
@@ -163,6 +168,7 @@ Object.assign(window, {
     frames: () => state.cloth.frames,
     drawn: () => hook.drawn,
     firstDrawnMs: () => hook.firstDrawnMs,
+    looks: () => [...state.looks.value.keys()],
     start: () => state.dressing.start.value?.positions.length ?? 0,
     startHash: () => (state.dressing.start.value ? positionsHash(state.dressing.start.value.positions) : ''),
     bodyHash: () => (state.shownBody.value ? positionsHash(state.shownBody.value.positions) : ''),

@@ -6,6 +6,8 @@ import {
   type DressingApi,
   type Figure,
   type Finding,
+  type PieceWish,
+  type Place,
   type ProjectBody,
 } from '../src/api/dressing';
 import { ApiError, Http } from '../src/api/http';
@@ -204,6 +206,8 @@ function begin(more: Partial<DressingApi> = {}) {
     stance: async () => ({ ...figure, stance: null }),
     dress: async (project) => ({ ...project, revision: project.revision + 1 }),
     undress: missing,
+    mark: missing,
+    unmark: missing,
     arrange: missing,
     place: missing,
     check: async () => check,
@@ -241,6 +245,49 @@ describe('dressing', () => {
     expect(state.dressing.problem.value).toMatchObject({ code: 'mannequin.measures' });
     expect(state.notices.value).toEqual([]);
     expect(taken).toEqual([1]);
+  });
+
+  it('moves a landmark of the body that has it, and lets one be picked', async () => {
+    const mark = vi.fn(async (project) => project);
+    const { state, commands } = begin({ mark });
+    const navel = { name: 'navel', place: [0, 1, 0.1] as Place };
+    state.dressing.bodies.value = [body(), body({ id: 'bea', landmarks: [navel] })];
+    await commands.mark('navel', [0, 1.1, 0.1]);
+    expect(mark.mock.calls[0]!.slice(1)).toEqual(['bea', 'navel', [0, 1.1, 0.1]]);
+    commands.pick('  mole ');
+    expect(state.dressing.picking.value).toBe('mole');
+    expect(state.dressing.marks.value.landmarks).toBe(true);
+    await commands.mark('mole', [0, 1.2, 0.1]);
+    expect(mark.mock.calls[1]!.slice(1)).toEqual(['anna', 'mole', [0, 1.2, 0.1]]);
+    expect(state.dressing.picking.value).toBeNull();
+  });
+
+  it('takes the mirror image along unless that is switched off', async () => {
+    const place = vi.fn<DressingApi['place']>(async (project) => project);
+    const { state, commands } = begin({ place });
+    const at: PieceWish = {
+      piece: 'sleeve',
+      part: 'left_arm',
+      side: 'front',
+      at_mm: [0, 0],
+      away_mm: 50,
+      turn: 0,
+      wrapped: false,
+    };
+    await commands.place(at);
+    state.dressing.partners.value = false;
+    await commands.place(at);
+    expect(place.mock.calls.map((call) => call[1].with_partner)).toEqual([true, false]);
+  });
+
+  it('shows all pieces again when they stood arranged already', async () => {
+    const arrange = vi.fn(async (project) => ({ ...project, arrangement: { pieces: [], holds: [], findings: [] } }));
+    const { state, commands } = begin({ arrange });
+    const before = state.view.value.turn;
+    commands.look(finding());
+    await commands.arrange();
+    expect(state.view.value.turn).toBe(before + 1);
+    expect(state.dressing.finding.value).toBeNull();
   });
 
   it('puts a file into the project that has no body yet', async () => {

@@ -130,6 +130,7 @@ export function fakeApi(more: Partial<Api> = {}): Api {
     proposals: async () => [],
     importPattern: missing,
     bodies: async () => [],
+    images: async () => [],
     bodyPresets: async () => [],
     arrange: async (id, revision) => projectOf({ id, revision: revision + 1 }),
     uploadAsset: async (kind, name) => ({ id: `a_${name}`, kind, name, size: 1 }),
@@ -141,6 +142,7 @@ export function fakeApi(more: Partial<Api> = {}): Api {
     resultText: missing,
     body: missing,
     resultUrl: (id, name) => `${id}/${name}`,
+    assetUrl: (id) => `assets/${id}`,
     streamUrl: (id) => `ws://here/${id}`,
     ...more,
   };
@@ -168,6 +170,7 @@ export function pieceOf(id: string, corners: Point[]): Piece {
     colour: [1, 1, 1],
     edges,
     notches: [],
+    texture: null,
     lines: [],
   };
 }

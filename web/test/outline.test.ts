@@ -9,6 +9,7 @@ import {
   lengthOfCurves,
   nearestOn,
   nextEdge,
+  notchAt,
   pathOf,
   piecePath,
   snapped45,
@@ -115,5 +116,13 @@ describe('edges', () => {
       [0, 0],
       [10, 0],
     ]);
+  });
+});
+
+describe('notches', () => {
+  it('are found at the point of the outline that they mark', () => {
+    const piece = { ...squareOf('front', 0, 0, 100), notches: [{ at: [100, 50] as Point, depth_mm: 5, inwards: null }] };
+    expect(notchAt(piece, [100, 50.05])).toBe(0);
+    expect(notchAt(piece, [100, 60])).toBe(-1);
   });
 });

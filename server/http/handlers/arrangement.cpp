@@ -30,7 +30,7 @@ HttpResponse place_one(const Api& api, const HttpRequest& request) {
   const Result<int> revision = required_revision(request);
   if (!revision) return revision_problem(revision.error());
   const Result<JsonValue> tree =
-      read_object(request, {"piece", "part", "side", "at_mm", "away_mm", "turn", "wrapped"},
+      read_object(request, {"piece", "part", "side", "at_mm", "away_mm", "turn", "wrapped", "with_partner"},
                   {.bytes = kSmallBody, .depth = 8});
   if (!tree) return problem(tree.error());
   const Result<PieceWish> wish = read_piece_wish(*tree);

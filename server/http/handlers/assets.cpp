@@ -1,5 +1,6 @@
 // /api/v1/assets and /api/v1/bodies: uploaded files.
 
+#include <string_view>
 #include <utility>
 
 #include "server/documents/assets.h"
@@ -21,7 +22,8 @@ HttpResponse upload(const Api& api, const HttpRequest& request, const std::strin
 
 HttpResponse list(const Api& api, const std::string& kind) {
   if (!kind.empty() && !is_asset_kind(kind)) {
-    return problem(400, {"documents.kind", "kind is \"dxf\", \"specification\" or \"body\"", "kind"});
+    return problem(400,
+                   {"documents.kind", "kind is \"dxf\", \"specification\", \"body\" or \"image\"", "kind"});
   }
   const Result<std::vector<AssetRow>> assets = api.store.assets(kLocalOwner, kind);
   if (!assets) return problem(assets.error());
@@ -37,8 +39,9 @@ HttpResponse show(const Api& api, const HttpRequest& request) {
 }
 
 /// Only types that a browser does not run: the name is the uploader's own.
-std::string type_of(const AssetRow& asset) {
+std::string type_of(const AssetRow& asset, std::string_view bytes) {
   if (asset.kind == "dxf") return "image/vnd.dxf";
+  if (asset.kind == "image") return image_media_type(bytes);
   const std::string type = content_type_of(asset.name);
   return type.starts_with("model/") ? type : "application/octet-stream";
 }
@@ -48,7 +51,8 @@ HttpResponse content(const Api& api, const HttpRequest& request) {
   if (!asset) return problem(asset.error());
   Result<std::string> bytes = api.store.asset_bytes(kLocalOwner, asset->id);
   if (!bytes) return problem(bytes.error());
-  HttpResponse response = file_answer(std::move(*bytes), type_of(*asset), asset->name);
+  const std::string type = type_of(*asset, *bytes);
+  HttpResponse response = file_answer(std::move(*bytes), type, asset->name);
   response.headers.emplace_back("Cache-Control", "private, max-age=31536000, immutable");
   return response;
 }

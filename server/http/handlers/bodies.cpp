@@ -4,6 +4,7 @@
 
 #include "server/documents/dress.h"
 #include "server/documents/figures.h"
+#include "server/documents/landmarks.h"
 #include "server/documents/projects.h"
 #include "server/documents/views.h"
 #include "server/http/handlers/answer.h"
@@ -79,6 +80,35 @@ HttpResponse undress(const Api& api, const HttpRequest& request) {
   return project ? project_answer(*project) : revision_problem(project.error());
 }
 
+HttpResponse mark(const Api& api, const HttpRequest& request) {
+  const Result<int> revision = required_revision(request);
+  if (!revision) return revision_problem(revision.error());
+  const Result<JsonValue> tree = read_object(request, {"place"}, {.bytes = kSmallBody, .depth = 8});
+  if (!tree) return problem(tree.error());
+  const JsonValue* given = tree->find("place");
+  const auto* list = given ? given->array() : nullptr;
+  Vec3 place;
+  double* const at[] = {&place.x, &place.y, &place.z};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double* number = list && list->size() == 3 ? (*list)[k].number() : nullptr;
+    if (!number)
+      return problem({"request.landmark", "\"place\" is a list of three numbers, metres", "/place"});
+    *at[k] = *number;
+  }
+  const Result<ProjectRow> project =
+      move_landmark(api.store, kLocalOwner, request.captures[0], request.captures[1], request.captures[2],
+                    place, *revision);
+  return project ? project_answer(*project) : revision_problem(project.error());
+}
+
+HttpResponse unmark(const Api& api, const HttpRequest& request) {
+  const Result<int> revision = required_revision(request);
+  if (!revision) return revision_problem(revision.error());
+  const Result<ProjectRow> project = forget_landmark(api.store, kLocalOwner, request.captures[0],
+                                                     request.captures[1], request.captures[2], *revision);
+  return project ? project_answer(*project) : revision_problem(project.error());
+}
+
 }  // namespace
 
 void add_body_routes(Router& router, const Api& api) {
@@ -112,6 +142,17 @@ void add_body_routes(Router& router, const Api& api) {
                    .handler = [&api](const HttpRequest& r) { return undress(api, r); }};
   undressing.heavy = true;
   router.add(std::move(undressing));
+  Route marking{.method = "PUT",
+                .pattern = "/api/v1/projects/{id}/bodies/{body}/landmarks/{landmark}",
+                .handler = [&api](const HttpRequest& r) { return mark(api, r); }};
+  marking.body = BodyKind::kJson;
+  marking.heavy = true;
+  router.add(std::move(marking));
+  Route unmarking{.method = "DELETE",
+                  .pattern = "/api/v1/projects/{id}/bodies/{body}/landmarks/{landmark}",
+                  .handler = [&api](const HttpRequest& r) { return unmark(api, r); }};
+  unmarking.heavy = true;
+  router.add(std::move(unmarking));
 }
 
 }  // namespace toile

@@ -23,11 +23,14 @@ HttpResponse answer(const Result<ProjectRow>& project) {
 HttpResponse edit(const Api& api, const HttpRequest& request) {
   const Result<int> revision = required_revision(request);
   if (!revision) return revision_problem(revision.error());
-  const Result<JsonValue> tree = read_object(request, {"edits"}, {.bytes = kMostRequestBytes, .depth = 32});
+  const Result<JsonValue> tree =
+      read_object(request, {"edits", "files"}, {.bytes = kMostRequestBytes, .depth = 32});
   if (!tree) return problem(tree.error());
   const JsonValue* edits = tree->find("edits");
   if (!edits) return problem({"request.edits", "\"edits\" is a list of edits", "/edits"});
-  return answer(edit_project(api.store, kLocalOwner, request.captures[0], *edits, *revision));
+  const Result<ProjectFileMap> files = read_files(*tree);
+  if (!files) return problem(files.error());
+  return answer(edit_project(api.store, kLocalOwner, request.captures[0], *edits, *revision, *files));
 }
 
 using Turn = Result<ProjectRow> (*)(Store&, const OwnerId&, const std::string&, int);

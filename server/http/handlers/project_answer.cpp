@@ -54,6 +54,21 @@ HttpResponse revision_problem(const Error& error) {
   return problem(412, {"store.conflict", "the project has changed since; read it again", "If-Match"});
 }
 
+Result<std::map<std::string, std::string>> read_files(const JsonValue& request) {
+  std::map<std::string, std::string> out;
+  const JsonValue* files = request.find("files");
+  if (!files) return out;
+  if (!files->object())
+    return Error{"request.files", "\"files\" is an object of file name to asset id", "/files"};
+  for (const JsonMember& file : *files->object()) {
+    if (!file.value.text()) {
+      return Error{"request.files", "a file stands for the id of an asset", pointer_to("/files", file.key)};
+    }
+    out[file.key] = *file.value.text();
+  }
+  return out;
+}
+
 Route document_route(const char* method, const char* pattern, HttpHandler handler) {
   Route route{.method = method, .pattern = pattern, .handler = std::move(handler)};
   route.body = BodyKind::kJson;

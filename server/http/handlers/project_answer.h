@@ -1,6 +1,7 @@
 #pragma once
 // What all handlers of projects share: the project as JSON, its ETag, and the revision that a request names.
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,9 @@ HttpResponse project_answer(const ProjectRow& project);
 Result<int> required_revision(const HttpRequest& request);
 /// problem() of an error that may be one of required_revision, or store.conflict of any call.
 HttpResponse revision_problem(const Error& error);
+
+/// "files" of a request: file name → asset id; none when it is not there. Error: request.files.
+Result<std::map<std::string, std::string>> read_files(const JsonValue& request);
 
 /// A route that takes a document, or as much.
 Route document_route(const char* method, const char* pattern, HttpHandler handler);

@@ -38,16 +38,9 @@ Result<Given> read_given(const HttpRequest& request) {
   if (const JsonValue* name = tree->find("name")) rename_document(whole, *name);
   Given given;
   given.document = write_json_line(whole);
-  const JsonValue* files = tree->find("files");
-  if (!files) return given;
-  if (!files->object())
-    return Error{"request.files", "\"files\" is an object of file name to asset id", "/files"};
-  for (const JsonMember& file : *files->object()) {
-    if (!file.value.text()) {
-      return Error{"request.files", "a file stands for the id of an asset", pointer_to("/files", file.key)};
-    }
-    given.files[file.key] = *file.value.text();
-  }
+  Result<ProjectFileMap> files = read_files(*tree);
+  if (!files) return files.error();
+  given.files = std::move(*files);
   return given;
 }
 

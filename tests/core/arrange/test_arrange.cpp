@@ -8,6 +8,7 @@
 #include <numbers>
 #include <set>
 
+#include "core/arrange/garment_graph.h"
 #include "core/body/landmarks.h"
 #include "core/body/load_mesh.h"
 #include "core/collision/crossings.h"
@@ -184,6 +185,33 @@ TEST(Arrange, SymmetricPartnersStandAsMirrorImages) {
   EXPECT_NEAR(left.y, right.y, 2e-3);
   EXPECT_NEAR(left.z, right.z, 2e-3);
   EXPECT_NEAR(centre_of(s, 0).x, figure().middle, 2e-3);
+}
+
+TEST(MirrorPartner, IsTheSleeveOnTheOtherSideAndNeverTheBackOfAFront) {
+  const auto partners = [](const Pattern& pattern) {
+    const PanelMeshes meshes = make_panel_meshes(pattern, 0.02, {}).value();
+    const GarmentGraph graph = make_garment_graph(pattern, meshes);
+    std::map<std::string, std::string> out;
+    for (Index p = 0; p < static_cast<Index>(graph.pieces.size()); ++p) {
+      const Index q = mirror_partner(graph, p);
+      out[graph.pieces[p].id] = q == kNone ? "" : graph.pieces[q].id;
+    }
+    return out;
+  };
+  for (const auto& [piece, partner] : partners(test::skirt())) EXPECT_EQ(partner, "") << piece;
+  for (const auto& [piece, partner] : partners(test::gored_skirt())) EXPECT_EQ(partner, "") << piece;
+  Pattern unnamed = test::skirt();
+  for (std::size_t p = 0; p < unnamed.panels.size(); ++p) unnamed.panels[p].id = "p" + std::to_string(p);
+  for (const auto& [piece, partner] : partners(unnamed)) EXPECT_EQ(partner, "") << piece;
+  const auto shirt = partners(test::shirt());
+  int pairs = 0;
+  for (const auto& [piece, partner] : shirt) {
+    if (partner.empty()) continue;
+    ++pairs;
+    EXPECT_NE(partner, piece);
+    EXPECT_EQ(shirt.at(partner), piece);
+  }
+  EXPECT_EQ(pairs, 2) << "the two sleeves";
 }
 
 TEST(Arrange, WithoutNamesFrontAndBackAreToldBySeams) {

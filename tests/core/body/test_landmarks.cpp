@@ -6,7 +6,9 @@
 #include <filesystem>
 #include <set>
 
+#include "core/body/body_proportions.h"
 #include "core/body/load_mesh.h"
+#include "core/body/mannequin.h"
 
 namespace toile {
 namespace {
@@ -67,6 +69,28 @@ TEST(Landmarks, AreAtLeastThirtyWithNamesOfTheirOwnOnTheSkin) {
     EXPECT_TRUE(names.insert(mark.name).second) << mark.name;
     EXPECT_NEAR(mark.at.share[0] + mark.at.share[1] + mark.at.share[2], 1, 1e-12);
     EXPECT_EQ(position_of(mark.at, mannequin()), mark.place);
+  }
+}
+
+TEST(Landmarks, AreOnTheSkinOfTheCoarsestFigures) {
+  for (const char* size : {"eu34", "m50", "child92"}) {
+    MannequinSettings settings;
+    settings.sex = find_preset(size)->sex, settings.asked = find_preset(size)->measures();
+    settings.triangle_count = 1000;
+    if (settings.sex == Sex::kMale) settings.asked[Measure::kWaist] = 0.92;  // no waist to speak of
+    const Result<Mannequin> made = make_mannequin(settings);
+    ASSERT_TRUE(made) << size << ": " << to_string(made.error());
+    const Result<BodyFigure> figure = find_figure(made->mesh);
+    ASSERT_TRUE(figure) << size << ": " << to_string(figure.error());
+    const double h = figure->height();
+    EXPECT_NEAR((figure->waist - figure->crotch) / h, 0.155, 0.06) << size;
+    for (const Landmark& mark : find_landmarks(made->mesh, *figure)) {
+      ASSERT_NE(mark.at.triangle, kNone) << size << ": " << mark.name;
+      EXPECT_GE(mark.place.y, -1e-9) << size << ": " << mark.name;
+      EXPECT_LE(mark.place.y, h + 1e-9) << size << ": " << mark.name;
+    }
+    EXPECT_GT(figure->bust_point[0].z, 0) << size;
+    EXPECT_GT(figure->bust_point[1].z, 0) << size;
   }
 }
 

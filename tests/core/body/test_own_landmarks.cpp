@@ -75,7 +75,21 @@ TEST(OwnLandmarks, RefuseWhatIsNotOnTheBody) {
   EXPECT_EQ(code_of({"x", {3, {0.5, 0.5, 0.5}}, "", {}}), "landmark.no_triangle");
   EXPECT_EQ(code_of({"x", {3, {1.5, -0.5, 0}}, "", {}}), "landmark.no_triangle");
   EXPECT_EQ(code_of({"x", {}, "navel", {}}), "landmark.unknown");
-  EXPECT_EQ(code_of({"hip_front", {3, {1, 0, 0}}, "", {}}), "landmark.duplicate");
+  std::vector<Landmark> marks = person.landmarks;
+  const OwnLandmark twice[] = {{"mole", {3, {1, 0, 0}}, "", {}}, {"mole", {4, {1, 0, 0}}, "", {}}};
+  EXPECT_EQ(add_own_landmarks(person.mesh, twice, marks).error().code, "landmark.duplicate");
+}
+
+TEST(OwnLandmarks, MoveTheNamedOnesAndAreToldFromTheirFirstPlaces) {
+  const Person person = with_waist(0.74);
+  std::vector<Landmark> marks = person.landmarks;
+  const Vec3 before = landmark_named(marks, "hip_front")->place;
+  const OwnLandmark moved{"hip_front", {}, "hip_front", {0.04, 0.02, 0}};
+  ASSERT_TRUE(add_own_landmarks(person.mesh, {&moved, 1}, marks));
+  EXPECT_EQ(marks.size(), person.landmarks.size());
+  const Vec3 after = landmark_named(marks, "hip_front")->place;
+  EXPECT_NEAR(after.x - before.x, 0.04, 0.015);
+  EXPECT_NEAR(after.y - before.y, 0.02, 0.015);
 }
 
 }  // namespace

@@ -1,13 +1,20 @@
 #include "core/export/write_glb.h"
 
+#include <assimp/GltfMaterial.h>
+#include <assimp/material.h>
+#include <assimp/scene.h>
 #include <gtest/gtest.h>
 
+#include <assimp/Importer.hpp>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "tests/core/export/two_panels.h"
+#include "tests/core/image/jpegs.h"
+#include "tests/core/image/pictures.h"
 
 namespace toile {
 namespace {
@@ -169,6 +176,123 @@ TEST_F(WriteGlb, GivesEachPanelItsFabricDoubleSided) {
   EXPECT_EQ(wool["pbrMetallicRoughness"]["metallicFactor"], 0.0);
   EXPECT_EQ(glb.doc["materials"][primitive(glb, 1)["material"].get<int>()]["name"], "linen");
   EXPECT_EQ(glb.doc["materials"][primitive(glb, 2)["material"].get<int>()]["name"], "body");
+}
+
+std::shared_ptr<const TextureImage> image_of(const std::string& name, std::string bytes) {
+  ReadPicture read = read_picture(bytes).value();
+  return std::make_shared<const TextureImage>(TextureImage{name, std::move(bytes), std::move(read)});
+}
+
+/// What the file has behind image `index`.
+std::string image_bytes(const Glb& glb, int index) {
+  const json& view = glb.doc["bufferViews"][glb.doc["images"][index]["bufferView"].get<int>()];
+  EXPECT_FALSE(view.contains("target"));
+  return glb.binary.substr(view["byteOffset"].get<std::size_t>(), view["byteLength"].get<std::size_t>());
+}
+
+TEST_F(WriteGlb, EmbedsThePictureOfAPanelAndLaysItOnTheCloth) {
+  Textures textures;
+  textures.images = {image_of("squares.png", test::png_of(test::squares(15)))};
+  textures.of_panel = {lay_texture(0, {0, 1}, {0.01, 0.02}, 0.05, 1, 0)};
+  GlbModel model = model_of(garment_, bodies_);
+  model.textures = &textures;
+  const Glb glb = parse(*glb_bytes(model));
+  EXPECT_EQ(image_bytes(glb, 0), textures.images[0]->bytes);
+  EXPECT_EQ(glb.doc["images"][0]["mimeType"], "image/png");
+  EXPECT_EQ(glb.doc["samplers"][0]["wrapS"], 10497);
+  EXPECT_EQ(glb.doc["samplers"][0]["wrapT"], 10497);
+  const json& material = glb.doc["materials"][primitive(glb, 0)["material"].get<int>()];
+  const json& surface = material["pbrMetallicRoughness"];
+  EXPECT_EQ(glb.doc["textures"][surface["baseColorTexture"]["index"].get<int>()]["source"], 0);
+  EXPECT_EQ(surface["baseColorFactor"], json({1.0, 1.0, 1.0, 1.0}));
+  EXPECT_EQ(material["doubleSided"], true);
+  const std::vector<float> at = floats(glb, primitive(glb, 0)["attributes"]["TEXCOORD_0"]);
+  const std::vector<float> wanted{-0.2f, 1.4f, 1.8f, 1.4f, 1.8f, -2.6f, -0.2f, -2.6f};
+  for (std::size_t i = 0; i < wanted.size(); ++i) EXPECT_NEAR(at[i], wanted[i], 1e-6) << i;
+  // The other panel is as it was.
+  EXPECT_EQ(primitive(glb, 1)["material"], 0);
+  EXPECT_EQ(floats(glb, primitive(glb, 1)["attributes"]["TEXCOORD_0"])[2], 0.1f);
+  for (const json& view : glb.doc["bufferViews"]) EXPECT_EQ(view["byteOffset"].get<std::size_t>() % 4, 0u);
+}
+
+TEST_F(WriteGlb, SharesOnePictureBetweenFabricsUnlessTheyShineThrough) {
+  Textures textures;
+  textures.images = {image_of("squares.png", test::png_of(test::squares()))};
+  textures.of_panel = {lay_texture(0, {0, 1}, {}, 0.1, 1, 0), lay_texture(0, {1, 0}, {}, 0.2, 1, 0)};
+  GlbModel model = model_of(garment_);
+  model.textures = &textures;
+  const Glb opaque = parse(*glb_bytes(model));
+  EXPECT_EQ(opaque.doc["images"].size(), 1u);
+  EXPECT_EQ(opaque.doc["materials"].size(), 5u);
+  EXPECT_NE(primitive(opaque, 0)["material"], primitive(opaque, 1)["material"]);
+
+  Picture lace = test::squares();
+  for (std::size_t i = 3; i < lace.rgba.size(); i += 4) lace.rgba[i] = 0;
+  textures.images = {image_of("lace.png", test::png_of(lace))};
+  const Glb clear = parse(*glb_bytes(model));
+  ASSERT_EQ(clear.doc["images"].size(), 2u);
+  const Picture on_wool = read_picture(image_bytes(clear, 0)).value().picture;
+  EXPECT_TRUE(on_wool.opaque);
+  EXPECT_NEAR(on_wool.rgba[0], 225, 1);  // 0.75 of light as sRGB
+  EXPECT_NEAR(read_picture(image_bytes(clear, 1)).value().picture.rgba[0], 137, 1);
+}
+
+TEST_F(WriteGlb, EmbedsAPhotographThatWasHeldUprightAsItIsSeen) {
+  Textures textures;
+  textures.images = {image_of("photo.jpg", test::jpeg_of(test::squares(24), {.orientation = 6}))};
+  textures.of_panel = {lay_texture(0, {0, 1}, {}, 0.1, 1, 0)};
+  GlbModel model = model_of(garment_);
+  model.textures = &textures;
+  const Glb glb = parse(*glb_bytes(model));
+  EXPECT_EQ(glb.doc["images"][0]["mimeType"], "image/png");
+  EXPECT_EQ(read_picture(image_bytes(glb, 0)).value().picture, textures.images[0]->read.picture);
+}
+
+TEST_F(WriteGlb, KeepsAJpegAsItIs) {
+  Textures textures;
+  textures.images = {image_of("photo.jpg", test::jpeg_of(test::squares(24)))};
+  textures.of_panel = {lay_texture(0, {0, 1}, {}, 0.1, 1, 0)};
+  GlbModel model = model_of(garment_);
+  model.textures = &textures;
+  const Glb glb = parse(*glb_bytes(model));
+  EXPECT_EQ(glb.doc["images"][0]["mimeType"], "image/jpeg");
+  EXPECT_EQ(image_bytes(glb, 0), textures.images[0]->bytes);
+}
+
+TEST_F(WriteGlb, IsReadBackWithItsPictureByAssimp) {
+  Textures textures;
+  textures.images = {image_of("squares.png", test::png_of(test::squares()))};
+  textures.of_panel = {lay_texture(0, {0, 1}, {0.01, 0.02}, 0.05, 1, 0)};
+  GlbModel model = model_of(garment_, bodies_);
+  model.textures = &textures;
+  const std::string bytes = *glb_bytes(model);
+  Assimp::Importer importer;
+  const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, "glb");
+  ASSERT_NE(scene, nullptr) << importer.GetErrorString();
+  ASSERT_EQ(scene->mNumMeshes, 3u);
+  const aiMesh& front = *scene->mMeshes[0];
+  ASSERT_TRUE(front.HasTextureCoords(0));
+  EXPECT_NEAR(front.mTextureCoords[0][2].x, 1.8, 1e-6);
+  EXPECT_NEAR(front.mTextureCoords[0][2].y, 1 + 2.6, 1e-6);  // assimp counts upwards
+  aiString path;
+  const aiMaterial& material = *scene->mMaterials[front.mMaterialIndex];
+  ASSERT_EQ(material.GetTexture(AI_MATKEY_BASE_COLOR_TEXTURE, &path), aiReturn_SUCCESS);
+  const aiTexture* const picture = scene->GetEmbeddedTexture(path.C_Str());
+  ASSERT_NE(picture, nullptr);
+  EXPECT_STREQ(picture->achFormatHint, "png");
+  EXPECT_EQ(std::string(reinterpret_cast<const char*>(picture->pcData), picture->mWidth),
+            textures.images[0]->bytes);
+  aiTextureMapMode mode{};
+  ASSERT_EQ(material.Get(AI_MATKEY_MAPPINGMODE_U(aiTextureType_BASE_COLOR, 0), mode), aiReturn_SUCCESS);
+  EXPECT_EQ(mode, aiTextureMapMode_Wrap);
+}
+
+TEST_F(WriteGlb, RefusesAPictureThatIsNotThere) {
+  Textures textures;
+  textures.of_panel = {lay_texture(0, {0, 1}, {}, 0.1, 1, 0)};
+  GlbModel model = model_of(garment_);
+  model.textures = &textures;
+  EXPECT_EQ(glb_bytes(model).error().code, "export.bad_index");
 }
 
 TEST_F(WriteGlb, LeavesOutAPanelWithoutTriangles) {

@@ -74,6 +74,20 @@ TEST(InnerLines, BentAndSlantedLinesInsideAreLaidToo) {
   EXPECT_EQ(mesh.line_vertices[0].back(), mesh.line_vertices[1].front()) << "they share a point";
 }
 
+TEST(InnerLines, TheMeshIsTheSameWhateverIsOnlyDrawn) {
+  const Pattern bare = one_piece({{"fold", {{0, 41}, {202, 53}}}});
+  const Pattern drawn = one_piece({{"mark", {{20, -50}, {20, 80}, {180, 80}}, true},
+                                   {"fold", {{0, 41}, {202, 53}}},
+                                   {"cross", {{20, 80}, {180, 30}}, true}});
+  const PanelMesh a = make_panel_meshes(bare, kH, {})->panels[0];
+  const PanelMesh b = make_panel_meshes(drawn, kH, {})->panels[0];
+  EXPECT_EQ(a.rest, b.rest);
+  EXPECT_EQ(a.triangles, b.triangles);
+  ASSERT_EQ(b.line_vertices.size(), 3u);
+  EXPECT_TRUE(b.line_vertices[0].empty() && b.line_vertices[2].empty());
+  EXPECT_EQ(b.line_vertices[1], a.line_vertices[0]);
+}
+
 TEST(InnerLines, AnEndOnASewnEdgeMovesItsPartnerAlong) {
   Pattern pattern;
   pattern.panels = {rectangle_panel("front", 200, 100), rectangle_panel("back", 200, 150)};

@@ -294,6 +294,32 @@ TEST(MakePanelMeshes, RefusesTooManyParticlesWithTheirNumber) {
   EXPECT_EQ(code_of(pattern, 5e-4), "mesh.too_many_particles");
 }
 
+TEST(MakePanelMeshes, APanelWithASpacingOfItsOwnIsMeshedByIt) {
+  Pattern pattern;
+  pattern.panels = {rectangle_panel("skirt", 300, 300), rectangle_panel("cuff", 300, 60)};
+  pattern.panels[1].spacing = 0.006;
+  pattern.seams = {{"s", {{0, 0, false}}, {{1, 2, false}}, false}};
+  const PanelMeshes meshes = meshed(pattern);
+  EXPECT_NEAR(quality_of(meshes.panels[1].rest, meshes.panels[1].triangles).mean_edge, 0.006, 0.001);
+  EXPECT_GT(quality_of(meshes.panels[0].rest, meshes.panels[0].triangles).mean_edge, 0.011);
+  EXPECT_EQ(meshes.panels[0].edge_vertices[2].size(), 21u) << "300 / 15, away from the seam";
+  EXPECT_EQ(meshes.panels[0].edge_vertices[0].size(), 51u) << "300 / 6, as the cuff asks";
+  EXPECT_EQ(meshes.panels[1].edge_vertices[2].size(), 51u);
+  EXPECT_EQ(meshes.seams[0].pairs.size(), 51u);
+  for (const PanelMesh& mesh : meshes.panels)
+    EXPECT_GT(quality_of(mesh.rest, mesh.triangles).min_angle, 0.26);  // 15 degrees
+}
+
+TEST(MakePanelMeshes, ASpacingOfItsOwnThatIsTooFineNamesThePiece) {
+  Pattern pattern;
+  pattern.panels = {rectangle_panel("a", 200, 300), rectangle_panel("b", 200, 300)};
+  pattern.panels[1].spacing = 1e-4;
+  const Result<PanelMeshes> meshes = make_panel_meshes(pattern, kH, {});
+  ASSERT_FALSE(meshes.ok());
+  EXPECT_EQ(meshes.error().code, "mesh.particle_distance");
+  EXPECT_EQ(meshes.error().where, "piece b");
+}
+
 TEST(MakePanelMeshes, RefusesBrokenPatterns) {
   Pattern pattern;
   pattern.panels = {rectangle_panel("a", 200, 300)};

@@ -144,6 +144,21 @@ TEST(DxfFold, AMirrorLineUnfoldsTheHalfWithItsMarks) {
   EXPECT_EQ(panel.outline.edges.size(), 5u) << "the hem is one edge, the neck two";
 }
 
+TEST(DxfFold, ALineThatEndsOnTheFoldGoesOnBehindIt) {
+  const std::string body = kHalf + line({0, 520}, {0, 0}, "6") +
+                           polyline({{0, 300}, {60, 300}, {80, 350}}, "8", 0) +
+                           polyline({{70, 100}, {0, 90}}, "8", 0) + line({0, 40}, {0, 60}, "8") +
+                           polyline({{0, 200}, {40, 200}, {40, 240}, {0, 240}}, "8", 0);
+  const DxfDrawing d = read_trial(blocks_and_inserts({{"FRONT", body}}));
+  ASSERT_EQ(d.pieces.size(), 1u);
+  ASSERT_EQ(d.pieces[0].internals.size(), 4u);
+  EXPECT_EQ(d.pieces[0].internals[0],
+            (std::vector<Vec2>{{-80, 350}, {-60, 300}, {0, 300}, {60, 300}, {80, 350}}));
+  EXPECT_EQ(d.pieces[0].internals[1], (std::vector<Vec2>{{70, 100}, {0, 90}, {-70, 100}}));
+  EXPECT_EQ(d.pieces[0].internals[2].size(), 2u) << "it lies in the fold";
+  EXPECT_EQ(d.pieces[0].internals[3].size(), 7u) << "a pocket across the middle";
+}
+
 TEST(DxfFold, AFoldInTwoStretchesLeavesAHoleBetweenThem) {
   // A slit for a drawstring, half of it cut out of the fold.
   const std::string half =

@@ -54,6 +54,17 @@ TEST(DxfUnits, WithoutAWordTheSizeDecidesAndTheDoubtIsTold) {
   EXPECT_TRUE(told(unsure, "the unit is not sure"));
 }
 
+TEST(DxfUnits, EvidenceNamesLengthsAsPeopleSayThem) {
+  const auto says = [](double height, const std::string& words) {
+    for (const std::string& evidence : read_trial(drawing(height)).unit.evidence)
+      if (evidence.find(words) != std::string::npos) return true;
+    return false;
+  };
+  EXPECT_TRUE(says(1363, "measures 1363 units: 1363 mm as mm, 13.6 m as cm, 34.6 m as inch"));
+  EXPECT_TRUE(says(27.5, "measures 27.5 units: 28 mm as mm, 275 mm as cm, 698 mm as inch"));
+  EXPECT_TRUE(says(5.25, "5.2 mm as mm")) << "and small ones to the tenth";
+}
+
 TEST(DxfUnits, TheUserOverrulesThem) {
   DxfSettings settings;
   settings.mm_per_unit = 10;

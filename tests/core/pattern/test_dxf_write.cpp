@@ -90,6 +90,31 @@ TEST(DxfWrite, EdgesInOneLineNotchesAndGrainComeBack) {
     EXPECT_LT(length(read->notches[i].inwards - panel.notches[i].inwards), 1e-4);
   }
   EXPECT_EQ(read->grain, panel.grain);
+  ASSERT_EQ(read->lines.size(), 1u);
+  EXPECT_TRUE(read->lines[0].drawn);
+}
+
+TEST(DxfWrite, LinesWithinAPieceComeBackAndGoOutAgain) {
+  Panel panel;
+  panel.id = "front";
+  panel.outline = box({0, 0}, {300, 400}, false);
+  panel.lines = {{"fold", {{10, 200}, {290, 200}}},
+                 {"pocket", {{50, 50.05}, {110, 50}, {110, 120}, {50, 120}, {50, 50.05}}, true},
+                 {"curve", {{200, 50}, {210, 61.5}, {222, 70.25}, {240.125, 75}}, true}};
+  std::string text = write_dxf({{panel}, {}}).value();
+  for (int round = 0; round < 2; ++round) {
+    const Result<DxfDrawing> drawing = read_dxf(text);
+    ASSERT_TRUE(drawing) << to_string(drawing.error());
+    const Panel read = panel_from_piece(drawing->pieces[0]).value();
+    ASSERT_EQ(read.lines.size(), 3u);
+    for (std::size_t l = 0; l < 3; ++l) {
+      EXPECT_EQ(read.lines[l].id, "i" + std::to_string(l));
+      ASSERT_EQ(read.lines[l].points.size(), panel.lines[l].points.size()) << l;
+      for (std::size_t i = 0; i < read.lines[l].points.size(); ++i)
+        EXPECT_LT(length(read.lines[l].points[i] - panel.lines[l].points[i]), 0.1) << l << ", " << i;
+    }
+    text = write_dxf({{read}, {}}).value();
+  }
 }
 
 TEST(DxfWrite, RefusesPiecesWithoutNameOrOutline) {

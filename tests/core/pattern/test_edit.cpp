@@ -216,6 +216,56 @@ TEST(PatternEdit, AddsAndRemovesALine) {
   EXPECT_EQ(refused(now, AddLine{"back", {"out", {{310, 50}, {500, 50}}}}).code, "pattern.bad_line");
 }
 
+TEST(PatternEdit, ANotchIsAPointOfItsEdgeThatPointsIntoTheCloth) {
+  Pattern was = two_sheets();
+  was = edited(was, BendEdge{"back", "right", 0, {430, 60}, {430, 140}});
+  const PanelEdge bare = edge(was, 1, "right");
+  const Pattern now = edited(was, AddNotch{"back", "right", 0.5, 6});
+  ASSERT_EQ(now.panels[1].notches.size(), 1u);
+  const Notch& notch = now.panels[1].notches[0];
+  EXPECT_NEAR(notch.at.y, 100, 1e-6);
+  EXPECT_NEAR(notch.inwards.x, -1, 1e-6);
+  EXPECT_EQ(notch.depth, 6);
+  ASSERT_EQ(edge(now, 1, "right").curves.size(), 2u);
+  EXPECT_EQ(edge(now, 1, "right").curves[1].p0, notch.at);
+  const Pattern back = edited(now, RemoveNotch{"back", 0});
+  EXPECT_TRUE(back.panels[1].notches.empty());
+  ASSERT_EQ(edge(back, 1, "right").curves.size(), 1u) << "nobody needs the point any more";
+  EXPECT_LT(length(edge(back, 1, "right").curves[0].p1 - bare.curves[0].p1), 1e-6);
+}
+
+TEST(PatternEdit, ANotchMovesAlongItsPieceAndLeavesNoPointBehind) {
+  const Pattern was = two_sheets();  // front has one in the middle of its right side
+  const Pattern now = edited(was, MoveNotch{"front", 0, "top", 0.25, {}});
+  ASSERT_EQ(now.panels[0].notches.size(), 1u);
+  EXPECT_LT(length(now.panels[0].notches[0].at - Vec2{75, 200}), 1e-9);
+  EXPECT_EQ(now.panels[0].notches[0].depth, 5);
+  EXPECT_LT(length(now.panels[0].notches[0].inwards - Vec2{0, -1}), 1e-9);
+  EXPECT_EQ(edge(now, 0, "right").curves.size(), 1u);
+  const Pattern corner = edited(now, MoveNotch{"front", 0, "top", 0, 8});
+  EXPECT_EQ(corner.panels[0].notches[0].at, (Vec2{100, 200}));
+  EXPECT_EQ(corner.panels[0].notches[0].depth, 8);
+  EXPECT_EQ(edge(corner, 0, "top").curves.size(), 1u);
+  const Pattern beside = edited(was, MoveNotch{"front", 0, "right", 0.502, {}});
+  EXPECT_EQ(beside.panels[0].notches[0].at, (Vec2{100, 100})) << "a point near by is meant";
+  EXPECT_EQ(edge(beside, 0, "right").curves.size(), 2u);
+  Pattern bent = edited(was, MovePoint{"front", "right", 1, {110, 100}});
+  bent = edited(bent, RemoveNotch{"front", 0});
+  EXPECT_EQ(edge(bent, 0, "right").curves.size(), 2u) << "a point that shapes the edge stays";
+}
+
+TEST(PatternEdit, RefusesNotchesWhereThereAreNone) {
+  const Pattern was = two_sheets();
+  EXPECT_EQ(refused(was, RemoveNotch{"front", 1}).code, "edit.unknown_notch");
+  EXPECT_EQ(refused(was, RemoveNotch{"back", 0}).code, "edit.unknown_notch");
+  EXPECT_EQ(refused(was, MoveNotch{"front", -1, "top", 0.5, {}}).code, "edit.unknown_notch");
+  EXPECT_EQ(refused(was, MoveNotch{"front", 0, "hem", 0.5, {}}).code, "edit.unknown_edge");
+  EXPECT_EQ(refused(was, AddNotch{"front", "right", 0.5, 5}).code, "edit.out_of_range") << "there is one";
+  EXPECT_EQ(refused(was, AddNotch{"front", "top", 1.5, 5}).code, "edit.out_of_range");
+  EXPECT_EQ(refused(was, AddNotch{"front", "top", NAN, 5}).code, "edit.out_of_range");
+  EXPECT_EQ(refused(was, AddNotch{"front", "top", 0.5, NAN}).code, "edit.out_of_range");
+}
+
 TEST(PatternEdit, CutsADartThatKeepsTheSeamOnBothSidesOfIt) {
   const Pattern was = two_sheets();
   const Pattern now = edited(was, AddDart{"back", "left", 0.5, 20, 50, "dart"});

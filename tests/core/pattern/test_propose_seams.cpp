@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <map>
+#include <numeric>
 #include <set>
 
 #include "core/pattern/propose_seams.h"
@@ -124,6 +125,85 @@ TEST(ProposeSeams, FindThemWithoutHelpfulNames) {
   }
   EXPECT_GE(sum(scores).precision(), 0.95);
   EXPECT_GE(sum(scores).recall(), 0.75) << "without names less is sure, and what is sure is right";
+}
+
+/// What is proposed for the pieces in another order, by names.
+std::map<SeamKey, double> confidences(const Garment& g, const std::vector<std::size_t>& order) {
+  Pattern pattern;
+  for (const std::size_t i : order) pattern.panels.push_back(g.panels[i]);
+  std::map<SeamKey, double> found;
+  for (const SeamProposal& p : propose_seams(pattern)) found[key_of(pattern, p.seam)] = p.confidence;
+  return found;
+}
+
+TEST(ProposeSeams, DoNotDependOnTheOrderOfThePieces) {
+  for (const Garment& g : {garments::trousers(), garments::hooded_top()}) {
+    std::vector<std::size_t> order(g.panels.size());
+    std::iota(order.begin(), order.end(), 0u);
+    const std::map<SeamKey, double> as_drawn = confidences(g, order);
+    EXPECT_GE(as_drawn.size(), 6u);
+    std::rotate(order.begin(), order.begin() + 1, order.end());
+    std::reverse(order.begin() + 1, order.end());
+    EXPECT_EQ(confidences(g, order), as_drawn) << g.name;
+  }
+}
+
+TEST(ProposeSeams, SewAFrontsBustDartAgainstASmoothBack) {
+  // The side of each front is parted by a dart; closed, it is as long as the back's.
+  const Panel front = garments::piece("front_r", {{0, 0},
+                                                  {240, 0},
+                                                  {248, 250},
+                                                  {120, 262},
+                                                  {246, 290},
+                                                  {250, 400, Vec2{185, 440}},
+                                                  {190, 600},
+                                                  {80, 640, Vec2{10, 550}},
+                                                  {0, 520}});
+  const Panel back = garments::piece("back", {{-240, 0},
+                                              {240, 0},
+                                              {250, 360, Vec2{195, 400}},
+                                              {190, 560},
+                                              {80, 600, Vec2{0, 560}},
+                                              {-80, 600},
+                                              {-190, 560, Vec2{-195, 400}},
+                                              {-250, 360}});
+  const Pattern pattern{{front, garments::mirrored(front, "front_l"), back}, {}};
+  ASSERT_TRUE(validate(pattern)) << to_string(validate(pattern).error());
+  std::set<SeamKey> sure;
+  for (const SeamProposal& p : propose_seams(pattern))
+    if (p.confidence >= 0.8) sure.insert(key_of(pattern, p.seam));
+  for (const std::string id : {"front_r", "front_l"}) {
+    EXPECT_TRUE(sure.contains(ordered({{id, "e2"}}, {{id, "e3"}}))) << "the dart";
+    const SeamKey right = ordered({{id, "e1"}, {id, "e4"}}, {{"back", "e1"}});
+    const SeamKey left = ordered({{id, "e1"}, {id, "e4"}}, {{"back", "e7"}});
+    EXPECT_TRUE(sure.contains(right) || sure.contains(left)) << id;
+  }
+}
+
+TEST(ProposeSeams, LeaveNamelessPiecesOfUnknownSidesToAPerson) {
+  Garment g = garments::shirt();
+  const std::map<SeamKey, double> named = confidences(g, {0, 1, 2, 3});
+  EXPECT_TRUE(std::any_of(named.begin(), named.end(), [](const auto& one) { return one.second >= 0.8; }));
+  for (std::size_t p = 0; p < g.panels.size(); ++p) g.panels[p].id = "p" + std::to_string(p);
+  const std::map<SeamKey, double> nameless = confidences(g, {0, 1, 2, 3});
+  EXPECT_GE(nameless.size(), 4u) << "they are proposed all the same";
+  for (const auto& [key, confidence] : nameless) EXPECT_LT(confidence, 0.8);
+}
+
+TEST(ProposeSeams, LeaveAWardrobeToAPerson) {
+  Pattern wardrobe;
+  for (const Garment& g : garments::all()) {
+    for (Panel panel : g.panels) {
+      panel.id = g.name + " " + panel.id;
+      wardrobe.panels.push_back(std::move(panel));
+    }
+  }
+  std::size_t edges = 0;
+  for (const Panel& panel : wardrobe.panels) edges += panel.outline.edges.size();
+  ASSERT_GT(edges, 70u);
+  const std::vector<SeamProposal> proposals = propose_seams(wardrobe);
+  EXPECT_GE(proposals.size(), 20u);
+  for (const SeamProposal& p : proposals) EXPECT_LT(p.confidence, 0.8);
 }
 
 TEST(ProposeSeams, GiveTheSameAnswerEveryTime) {

@@ -148,6 +148,20 @@ TEST(Validate, ALineMayRunAnywhereInTheClothAndEndOnTheOutline) {
   EXPECT_TRUE(validate(pattern));
 }
 
+TEST(Validate, ALineThatIsOnlyDrawnMayLeaveTheClothButHasAnIdAndPlaces) {
+  const auto drawn = [](InnerLine line) {
+    line.drawn = true;
+    Pattern pattern = two_squares();
+    pattern.panels[0].lines = {std::move(line)};
+    return validate(pattern);
+  };
+  EXPECT_TRUE(drawn(line_through("mark", {{50, 50}, {50, 50}, {150, 50}})));
+  EXPECT_EQ(drawn(line_through("", {{50, 50}, {60, 50}})).error().code, "pattern.missing_id");
+  EXPECT_EQ(drawn(line_through("e0", {{50, 50}, {60, 50}})).error().code, "pattern.duplicate_id");
+  EXPECT_EQ(drawn(line_through("mark", {{NAN, 50}, {60, 50}})).error().code, "pattern.not_finite");
+  EXPECT_EQ(drawn(line_through("mark", {{50, 50}})).error().code, "pattern.bad_line");
+}
+
 TEST(Validate, ALineThatIsNoneIsRefusedWithItsName) {
   const auto with = [](std::vector<InnerLine> lines) {
     return broken([&](Pattern& p) { p.panels[0].lines = std::move(lines); });

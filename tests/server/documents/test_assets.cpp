@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "proto/cpp/json_codec.h"
+#include "tests/core/image/pictures.h"
 #include "tests/server/documents/documents_fixture.h"
 
 namespace toile {
@@ -100,7 +101,25 @@ TEST(Assets, DoNotReadOtherFilesThatAnUploadedOneNames) {
   EXPECT_TRUE(add_asset(*store, kLocalOwner, "body", "a.obj", with_material)) << "without the material";
 }
 
-TEST(Assets, HaveOneOfTwoKinds) {
+TEST(Assets, TellTheSizeOfAPictureByItsBytes) {
+  const TemporaryFolder folder;
+  const auto store = opened(folder.path());
+  const std::string png = test::png_of(test::squares(24));
+  const Result<AssetRow> row = add_asset(*store, kLocalOwner, "image", "checks.jpg", png);
+  ASSERT_TRUE(row) << to_string(row.error());
+  EXPECT_EQ(row->info, R"({"format": "png", "width": 24, "height": 24, "opaque": true})");
+  EXPECT_EQ(image_media_type(*store->asset_bytes(kLocalOwner, row->id)), "image/png");
+  const Result<AssetRow> cut = add_asset(*store, kLocalOwner, "image", "cut.png", png.substr(0, 60));
+  ASSERT_FALSE(cut);
+  EXPECT_EQ(cut.error().code, "image.truncated");
+  EXPECT_EQ(cut.error().where, "cut.png");
+  EXPECT_EQ(code_of(add_asset(*store, kLocalOwner, "image", "a.png", "<svg/>")), "image.format");
+  const std::string large = png + std::string(std::size_t{20} << 20, ' ');
+  EXPECT_EQ(code_of(add_asset(*store, kLocalOwner, "image", "a.png", large)), "documents.too_large");
+  EXPECT_EQ(store->assets(kLocalOwner, "image")->size(), 1u);
+}
+
+TEST(Assets, HaveOneOfAFewKinds) {
   const TemporaryFolder folder;
   const auto store = opened(folder.path());
   EXPECT_EQ(code_of(add_asset(*store, kLocalOwner, "picture", "a.png", "x")), "documents.kind");

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include "proto/cpp/project.h"
+#include "proto/cpp/project_textures.h"
 #include "server/documents/imports.h"
 #include "server/documents/proposals.h"
 #include "server/documents/views.h"
+#include "tests/core/image/pictures.h"
 #include "tests/server/documents/documents_fixture.h"
 
 namespace toile {
@@ -221,6 +223,78 @@ TEST(Imports, RefuseWhatIsNoPattern) {
   EXPECT_EQ(size.code, "dxf.unknown_size");
   EXPECT_TRUE(size.where.starts_with("cloth.dxf")) << size.where;
   EXPECT_EQ(import_pattern(*at.store, kLocalOwner, "a_0", {}).error().code, "store.not_found");
+}
+
+constexpr const char* kChecked =
+    R"([{"edit": "set_texture", "piece": "cloth", "texture": {"image": "checks.png", "scale_mm": 40}}])";
+
+struct TexturedCloth : EditedCloth {
+  std::string upload(const std::string& kind, const std::string& name, const std::string& bytes) {
+    return add_asset(*store, kLocalOwner, kind, name, bytes)->id;
+  }
+  std::string picture = upload("image", "checks.png", test::png_of(test::squares()));
+
+  Result<ProjectRow> edit_with(const std::string& edits, const ProjectFileMap& more) {
+    return edit_project(*store, kLocalOwner, id, json(edits), 0, more);
+  }
+  std::size_t file_count() { return store->project(kLocalOwner, id)->files.size(); }
+};
+
+TEST(EditsInStore, BringThePictureThatTheyPutOnAPiece) {
+  TexturedCloth at;
+  const Result<ProjectRow> row = at.edit_with(kChecked, {{"checks.png", at.picture}});
+  ASSERT_TRUE(row) << to_string(row.error());
+  EXPECT_EQ(row->files.at("checks.png"), at.picture);
+  const Result<Project> project = parse_project(row->document);
+  const ProjectFiles files = files_in_store(*at.store, kLocalOwner, row->files);
+  const DrapeInput input = resolve_project(*project, files).value();
+  const Result<Textures> textures = read_textures(*project, input.pattern, files);
+  ASSERT_TRUE(textures) << to_string(textures.error());
+  ASSERT_EQ(textures->images.size(), 1u);
+  EXPECT_EQ(textures->images[0]->read.picture, test::squares());
+  ASSERT_NE(texture_of(*textures, 0), nullptr);
+  EXPECT_NEAR(texture_at(*texture_of(*textures, 0), {0.04, 0}).x, 1, 1e-12);
+  ASSERT_TRUE(at.undo());
+  EXPECT_EQ(at.document(), kClothDocument);
+  EXPECT_EQ(at.file_count(), 3u) << "the picture stays";
+  ASSERT_TRUE(at.redo());
+  ASSERT_TRUE(at.edit(kChecked)) << "the picture is there now";
+}
+
+TEST(EditsInStore, RefuseAPictureThatIsNotThere) {
+  TexturedCloth at;
+  const auto expect = [&](const Result<ProjectRow>& row, const char* code, const char* where) {
+    ASSERT_FALSE(row) << code;
+    EXPECT_EQ(row.error().code, code);
+    EXPECT_EQ(row.error().where, where);
+  };
+  expect(at.edit(kChecked), "documents.missing_file", "/edits/0/texture/image");
+  expect(at.edit_with(kChecked, {{"checks.png", at.dxf}}), "documents.wrong_kind", "/edits/0/texture/image");
+  expect(at.edit_with(kChecked, {{"checks.png", "a_0"}}), "documents.unknown_asset", "/files/checks.png");
+  expect(at.edit_with(kChecked, {{"checks.png", at.picture}, {"post.obj", at.picture}}),
+         "documents.file_taken", "/files/post.obj");
+  EXPECT_EQ(at.file_count(), 2u);
+  EXPECT_EQ(at.document(), kClothDocument);
+}
+
+TEST(EditsInStore, AProjectWithoutItsPictureIsMissingAFile) {
+  TexturedCloth at;
+  const std::string document =
+      cloth_document(R"("fabric": "cotton",)", R"("texture": {"image": "checks.png", "scale_mm": 40},
+      "fabric": "cotton",)");
+  const auto missing = create_project(*at.store, kLocalOwner, document, at.files);
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.error().code, "documents.missing_file");
+  EXPECT_EQ(missing.error().where, "/pieces/0/texture/image");
+  ProjectFileMap files = at.files;
+  files["checks.png"] = at.picture;
+  const auto made = create_project(*at.store, kLocalOwner, document, files);
+  ASSERT_TRUE(made) << to_string(made.error());
+  const std::string pieces = pieces_json(document, files_in_store(*at.store, kLocalOwner, files)).value();
+  EXPECT_NE(
+      pieces.find(R"("texture": {"image": "checks.png", "scale_mm": 40, "offset": [0, 0], "angle": 0})"),
+      std::string::npos)
+      << pieces;
 }
 
 }  // namespace

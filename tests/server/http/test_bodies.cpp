@@ -173,6 +173,77 @@ TEST_F(Dressing, PlacesAPieceOnASideOfABox) {
   EXPECT_PROBLEM(change("POST", "/place", R"({"piece": "front", "part": "tail"})"), 422, "request.place");
   EXPECT_PROBLEM(change("POST", "/place", R"({"piece": "front", "away_mm": 1e9})"), 422, "request.place");
   EXPECT_PROBLEM(change("POST", "/place", R"({"side": "front"})"), 422, "request.place");
+  EXPECT_PROBLEM(change("POST", "/place", R"({"piece": "front", "with_partner": 1})"), 422, "request.place");
+}
+
+TEST_F(Dressing, KeepsLandmarksThatArePutElsewhereAndTheyGrowWithTheBody) {
+  const auto mark = [&](const std::string& name) -> std::optional<Vec3> {
+    const JsonValue body = first_body();
+    for (const JsonValue& one : *body.find("landmarks")->array()) {
+      const auto& at = *one.find("place")->array();
+      if (*one.find("name")->text() == name) return Vec3{*at[0].number(), *at[1].number(), *at[2].number()};
+    }
+    return std::nullopt;
+  };
+  const auto text = [](Vec3 p) {
+    return "{\"place\": [" + std::to_string(p.x) + ", " + std::to_string(p.y) + ", " + std::to_string(p.z) +
+           "]}";
+  };
+  ASSERT_EQ(change("PUT", "/bodies/anna", R"({"mannequin": {"preset": "eu38", "triangles": 2000}})").status,
+            200);
+  const std::string first = document();
+  const Vec3 front = *mark("waist_front");
+  const Vec3 wish = front + Vec3{0.05, 0.03, 0};
+  const Answer moved = change("PUT", "/bodies/anna/landmarks/waist_front", text(wish));
+  ASSERT_EQ(moved.status, 200) << moved.body;
+  EXPECT_LT(length(*mark("waist_front") - wish), 0.03);
+  EXPECT_GT(length(*mark("waist_front") - front), 0.03);
+  ASSERT_EQ(change("PUT", "/bodies/anna/landmarks/navel", text(front - Vec3{0, 0.04, 0})).status, 200);
+  const double below = front.y - mark("navel")->y;
+  EXPECT_NEAR(below, 0.04, 0.02);
+  ASSERT_EQ(change("PUT", "/bodies/anna",
+                   R"({"mannequin": {"preset": "eu38", "height_cm": 185, "triangles": 2000}})")
+                .status,
+            200);
+  ASSERT_TRUE(mark("navel"));
+  EXPECT_NE(document().find("\"body_height_mm\""), std::string::npos);
+  ASSERT_EQ(change("POST", "/undo").status, 200);
+  ASSERT_EQ(change("DELETE", "/bodies/anna/landmarks/waist_front").status, 200);
+  EXPECT_LT(length(*mark("waist_front") - front), 1e-6);
+  ASSERT_EQ(change("DELETE", "/bodies/anna/landmarks/navel").status, 200);
+  EXPECT_FALSE(mark("navel"));
+  EXPECT_EQ(document(), first);
+  EXPECT_PROBLEM(change("DELETE", "/bodies/anna/landmarks/navel"), 422, "edit.unknown_landmark");
+  EXPECT_PROBLEM(change("PUT", "/bodies/bob/landmarks/navel", text(front)), 422, "edit.unknown_body");
+  EXPECT_PROBLEM(change("PUT", "/bodies/anna/landmarks/navel", R"({"place": [1, 2]})"), 422,
+                 "request.landmark");
+  EXPECT_PROBLEM(change("PUT", "/bodies/anna/landmarks/navel", R"({"place": [1e9, 2, 0]})"), 422,
+                 "request.landmark");
+}
+
+TEST_F(Dressing, PlacesTheMirrorImageOnTheOtherSideWhenAsked) {
+  // Two pieces alike but mirrored, which nothing sews to each other all around.
+  const std::string copies = R"({"edits": [{"edit": "duplicate_piece", "piece": "front", "id": "left_sleeve"},
+      {"edit": "duplicate_piece", "piece": "front", "id": "right_sleeve", "mirrored": true}]})";
+  const Answer copied = change("POST", "/edits", copies);
+  ASSERT_EQ(copied.status, 200) << copied.body;
+  const Answer placed =
+      change("POST", "/place", R"({"piece": "left_sleeve", "part": "left_arm", "side": "left",
+      "at_mm": [12, -30], "away_mm": 80, "turn": 20, "with_partner": true})");
+  ASSERT_EQ(placed.status, 200) << placed.body;
+  const JsonValue check = tree_of(get(one + "/check"));
+  int seen = 0;
+  for (const JsonValue& piece : *check.find("pieces")->array()) {
+    if (*piece.find("id")->text() != "right_sleeve") continue;
+    const JsonValue& hand = *piece.find("by_hand");
+    ASSERT_TRUE(hand.object()) << write_json(check);
+    EXPECT_EQ(*hand.find("part")->text(), "right_arm");
+    EXPECT_EQ(*hand.find("side")->text(), "right");
+    EXPECT_NEAR(*(*hand.find("at_mm")->array())[0].number(), -12, 1e-6);
+    EXPECT_NEAR(*(*hand.find("at_mm")->array())[1].number(), -30, 1e-6);
+    ++seen;
+  }
+  EXPECT_EQ(seen, 1);
 }
 
 TEST_F(Dressing, ShowsTheStartAsTheStreamWould) {

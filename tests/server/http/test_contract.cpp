@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "tests/core/image/pictures.h"
 #include "tests/server/http/dressed.h"
 #include "tests/server/http/served.h"
 
@@ -57,6 +58,14 @@ class Contract : public Served {
     const std::string any = std::string("Content-Type: application/json\r\n") + "If-Match: *\r\n";
     EXPECT_EQ(recorded("POST", project + "/edits", edits, any).status, 200);
     recorded("POST", project + "/edits", R"({"edits": [{"edit": "tear"}]})", any);
+    const std::string printed =
+        R"({"edits": [{"edit": "set_texture", "piece": "napkin", "texture": {"image": "a.png", "scale_mm": 40}}])";
+    const std::string image =
+        member(recorded("POST", "/api/v1/assets?kind=image&name=checks.png", png_of(squares())), "id");
+    recorded("POST", project + "/edits", printed + "}", any);
+    const std::string with_file = printed + R"(, "files": {"a.png": ")" + image + "\"}}";
+    EXPECT_EQ(recorded("POST", project + "/edits", with_file, any).status, 200);
+    EXPECT_EQ(recorded("GET", project + "/pieces").status, 200);
     recorded("GET", project + "/edits?limit=1");
     EXPECT_EQ(recorded("POST", project + "/undo", "", any).status, 200);
     recorded("POST", project + "/undo", "", any);
@@ -84,12 +93,21 @@ class Contract : public Served {
     recorded("PUT", one + "/bodies/anna", R"({"mannequin": {"preset": "eu40", "triangles": 1000}})", any);
     recorded("PUT", one + "/bodies/anna", R"({"asset": "a_0"})", any);
     recorded("PUT", one + "/bodies/anna", "{}", kJson);
+    const std::string mark = one + "/bodies/anna/landmarks/navel";
+    EXPECT_EQ(recorded("PUT", mark, R"({"place": [0, 1, 0.2]})", any).status, 200);
+    recorded("PUT", mark, R"({"place": [0, 1]})", any);
+    recorded("GET", one + "/bodies");
+    EXPECT_EQ(recorded("DELETE", mark, "", any).status, 200);
+    recorded("DELETE", mark, "", any);
     recorded("PUT", one + "/bodies/post", "{\"asset\": \"" + post + "\"}", any);
     EXPECT_EQ(recorded("DELETE", one + "/bodies/post", "", any).status, 200);
     recorded("DELETE", one + "/bodies/post", "", any);
     EXPECT_EQ(recorded("POST", one + "/arrange", "", any).status, 200);
     recorded("POST", one + "/arrange", "");
-    EXPECT_EQ(recorded("POST", one + "/place", R"({"piece": "back", "side": "back"})", any).status, 200);
+    EXPECT_EQ(
+        recorded("POST", one + "/place", R"({"piece": "back", "side": "back", "with_partner": true})", any)
+            .status,
+        200);
     recorded("POST", one + "/place", R"({"piece": "back", "side": "below"})", any);
     EXPECT_EQ(recorded("GET", one + "/check").status, 200);
     EXPECT_EQ(recorded("GET", one + "/start").status, 200);
@@ -134,6 +152,12 @@ TEST_F(Contract, EveryAnswerAndMessageFitsItsSchema) {
   recorded("GET", "/api/v1/assets/" + asset);
   recorded("GET", "/api/v1/assets/" + asset + "/content");
   recorded("GET", "/api/v1/assets/a_0");
+  const std::string picture = png_of(squares());
+  const std::string image =
+      member(recorded("POST", "/api/v1/assets?kind=image&name=checks.png", picture), "id");
+  recorded("GET", "/api/v1/assets/" + image);
+  recorded("GET", "/api/v1/assets/" + image + "/content");
+  recorded("POST", "/api/v1/assets?kind=image&name=cut.png", picture.substr(0, 60));
   record_bodies(asset);
   record_arrangement(asset);
 

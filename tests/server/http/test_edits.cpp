@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "tests/core/image/pictures.h"
 #include "tests/server/http/served.h"
 
 namespace toile::test {
@@ -108,6 +109,32 @@ TEST_F(Edits, ImportsReportOnAnUploadedPattern) {
   EXPECT_PROBLEM(send_json("POST", "/api/v1/imports", "{\"asset\": \"a_0\"}"), 404, "store.not_found");
   EXPECT_PROBLEM(send_json("POST", "/api/v1/imports", "{\"asset\": \"" + post_asset() + "\"}"), 422,
                  "documents.wrong_kind");
+}
+
+TEST_F(Edits, PutAnUploadedPictureOnAPiece) {
+  const std::string png = png_of(squares());
+  const Answer kept = ask(port, "POST", "/api/v1/assets?kind=image&name=checks.png", png);
+  ASSERT_EQ(kept.status, 201) << kept.body;
+  const std::string id = member(kept, "id");
+  const std::string edits =
+      R"({"edits": [{"edit": "set_texture", "piece": "napkin", "texture": {"image": "checks.png", "scale_mm": 40}}])";
+  EXPECT_PROBLEM(post("/edits", edits + "}"), 422, "documents.missing_file");
+  EXPECT_PROBLEM(post("/edits", edits + R"(, "files": {"checks.png": 3}})"), 422, "request.files");
+  const Answer done = post("/edits", edits + R"(, "files": {"checks.png": ")" + id + "\"}}");
+  ASSERT_EQ(done.status, 200) << done.body;
+  EXPECT_NE(done.body.find("\"checks.png\": \"" + id + "\""), std::string::npos);
+  const Answer content = ask(port, "GET", "/api/v1/assets/" + id + "/content");
+  EXPECT_EQ(content.headers.at("content-type"), "image/png");
+  EXPECT_EQ(content.body, png);
+  EXPECT_EQ(post("/undo").status, 200);
+}
+
+TEST_F(Edits, ABrokenPictureIsNotKept) {
+  const Answer cut =
+      ask(port, "POST", "/api/v1/assets?kind=image&name=cut.png", png_of(squares()).substr(0, 70));
+  EXPECT_PROBLEM(cut, 422, "image.truncated");
+  EXPECT_EQ(member(cut, "where"), "cut.png");
+  EXPECT_PROBLEM(ask(port, "POST", "/api/v1/assets?kind=image&name=a.png", "GIF89a"), 422, "image.format");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "proto/cpp/frame_codec.h"
 #include "proto/cpp/json_codec.h"
+#include "tests/core/image/pictures.h"
 #include "tests/server/jobs/house.h"
 
 namespace toile {
@@ -55,6 +56,33 @@ TEST_F(Jobs, ALoneDrapeLeavesItsReportModelsCheckDataAndPictures) {
   for (const auto& entry : std::filesystem::directory_iterator(store.scratch_folder())) {
     EXPECT_TRUE(entry.is_regular_file()) << entry.path() << " is left over";
   }
+}
+
+TEST_F(Jobs, ShowThePicturesOnTheirPieces) {
+  ASSERT_TRUE(service->start().ok());
+  const std::string checks = test::png_of(test::squares());
+  AssetRow asset;
+  asset.kind = "image", asset.name = "checks.png";
+  const std::string picture = store.put_asset(kOwner, asset, checks).value().id;
+  std::string document = cloth_over_block(200, 0.1);
+  const std::string cloth = R"("fabric": "cotton", "placement")";
+  document.replace(document.find(cloth), cloth.size(),
+                   R"("texture": {"image": "checks.png", "scale_mm": 40}, )" + cloth);
+  const auto submit_with = [&](const std::map<std::string, std::string>& more) {
+    ProjectRow project = store.project(kOwner, project_of(document)).value();
+    project.files.insert(more.begin(), more.end());
+    const std::string id = store.create_project(kOwner, project, "").value().id;
+    const std::string job = service->submit(kOwner, id, "").value().id;
+    EXPECT_TRUE(publisher.wait_for_end(job));
+    return row(job);
+  };
+  const JobRow shown = submit_with({{"checks.png", picture}});
+  EXPECT_EQ(shown.state, "succeeded") << shown.reason;
+  EXPECT_NE(store.result_bytes(kOwner, shown.id, "final.glb").value().find(checks), std::string::npos);
+  const JobRow plain = submit_with({});
+  EXPECT_EQ(plain.state, "succeeded") << "a drape is worth keeping without its pictures";
+  EXPECT_NE(plain.reason.find("checks.png"), std::string::npos) << plain.reason;
+  EXPECT_EQ(hash_in(shown), hash_in(plain)) << "looks move no cloth";
 }
 
 TEST_F(Jobs, ViewersSeeTheTopologyFirstThenFramesWithoutGapsThatEndWhereTheReportDoes) {

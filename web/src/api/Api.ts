@@ -12,14 +12,16 @@ export interface Api {
   createProject(document: unknown, files: Record<string, string>): Promise<Project>;
   removeProject(id: string): Promise<void>;
   pieces(projectId: string): Promise<Pieces>;
-  /** All edits or none; `revision` is the one that they were made for. */
-  edit(projectId: string, revision: number, edits: Edit[]): Promise<Project>;
+  /** All edits or none; `revision` is the one that they were made for. `files` (name → asset) come to the project's own. */
+  edit(projectId: string, revision: number, edits: Edit[], files?: Record<string, string>): Promise<Project>;
   turn(projectId: string, revision: number, way: 'undo' | 'redo'): Promise<Project>;
   /** Newest first. */
   history(projectId: string): Promise<EditStep[]>;
   proposals(projectId: string): Promise<SeamProposal[]>;
   importPattern(asset: string, unit: Unit | '', size: string): Promise<Import>;
   bodies(): Promise<Asset[]>;
+  /** Uploaded pictures, newest first. */
+  images(): Promise<Asset[]>;
   /** Size tables for mannequins. */
   bodyPresets(): Promise<{ id: string; title: string }[]>;
   /** Stands the pieces around the body: one step of the history. */
@@ -34,6 +36,7 @@ export interface Api {
   resultText(id: string, name: string): Promise<string>;
   body(id: string): Promise<BodyMesh>;
   resultUrl(id: string, name: string): string;
+  assetUrl(id: string): string;
   streamUrl(id: string): string;
 }
 
@@ -49,7 +52,8 @@ export function makeApi(http = new Http('/api/v1')): Api {
     createProject: (document, files) => http.post('/projects', { document, files }),
     removeProject: async (id) => void (await http.send(`/projects/${part(id)}`, { method: 'DELETE' })),
     pieces: (id) => http.get(`/projects/${part(id)}/pieces`),
-    edit: (id, revision, edits) => http.post(`/projects/${part(id)}/edits`, { edits }, matching(revision)),
+    edit: (id, revision, edits, files = {}) =>
+      http.post(`/projects/${part(id)}/edits`, { edits, files }, matching(revision)),
     turn: (id, revision, way) => http.post(`/projects/${part(id)}/${way}`, undefined, matching(revision)),
     history: async (id) => (await http.get<{ edits: EditStep[] }>(`/projects/${part(id)}/edits?limit=100`)).edits,
     proposals: async (id) =>
@@ -57,6 +61,7 @@ export function makeApi(http = new Http('/api/v1')): Api {
     importPattern: (asset, unit, size) =>
       http.post('/imports', { asset, ...(unit && { unit }), ...(size && { size }) }, {}, kLongPatience),
     bodies: async () => (await http.get<{ assets: Asset[] }>('/bodies')).assets,
+    images: async () => (await http.get<{ assets: Asset[] }>('/assets?kind=image')).assets,
     bodyPresets: async () => {
       const { presets } = await http.get<{ presets: { name: string; sex: string }[] }>('/bodies/presets');
       return presets.map(({ name, sex }) => ({ id: name, title: `${name} (${sex})` }));
@@ -75,6 +80,7 @@ export function makeApi(http = new Http('/api/v1')): Api {
     resultText: async (id, name) => (await http.send(result(id, name))).text(),
     body: async (id) => decodeBody(await http.bytes(`/jobs/${part(id)}/body`)),
     resultUrl: (id, name) => http.url(result(id, name)),
+    assetUrl: (id) => http.url(`/assets/${part(id)}/content`),
     streamUrl: (id) => http.socketUrl(`/jobs/${part(id)}/stream`),
   };
 }

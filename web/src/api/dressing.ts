@@ -48,6 +48,13 @@ export interface TakenMeasure {
   line: Place[];
 }
 
+export interface Landmark {
+  name: string;
+  place: Place;
+  /** Whether the project says where it is: put elsewhere by hand, or added. */
+  own?: boolean;
+}
+
 export interface PartBox {
   part: string;
   centre: Place;
@@ -63,7 +70,7 @@ export interface Figure {
   low: Place;
   high: Place;
   measures: TakenMeasure[];
-  landmarks: { name: string; place: Place }[];
+  landmarks: Landmark[];
   boxes: PartBox[];
 }
 
@@ -126,6 +133,8 @@ export interface PieceWish {
   away_mm: number;
   turn: number;
   wrapped: boolean;
+  /** The piece's mirror image goes to the other side. */
+  with_partner?: boolean;
 }
 
 /** The pieces where a drape would begin. */
@@ -141,6 +150,9 @@ export interface DressingApi {
   stance(asset: string): Promise<Figure & { stance: Stance | null }>;
   dress(project: Project, body: string, wish: BodyWish): Promise<Project>;
   undress(project: Project, body: string): Promise<Project>;
+  /** Moves a landmark to the skin nearest to the place, or adds one. */
+  mark(project: Project, body: string, landmark: string, place: Place): Promise<Project>;
+  unmark(project: Project, body: string, landmark: string): Promise<Project>;
   arrange(project: Project): Promise<Project & { arrangement: Arrangement }>;
   place(project: Project, wish: PieceWish): Promise<Project>;
   check(project: string): Promise<Check>;
@@ -181,6 +193,17 @@ export function makeDressingApi(http = new Http('/api/v1')): DressingApi {
       }),
     undress: (project, body) =>
       json(`${one(project.id)}/bodies/${part(body)}`, { method: 'DELETE', headers: changing(project) }),
+    mark: (project, body, landmark, place) =>
+      json(`${one(project.id)}/bodies/${part(body)}/landmarks/${part(landmark)}`, {
+        method: 'PUT',
+        headers: { 'Content-Type': 'application/json', ...changing(project) },
+        body: JSON.stringify({ place }),
+      }),
+    unmark: (project, body, landmark) =>
+      json(`${one(project.id)}/bodies/${part(body)}/landmarks/${part(landmark)}`, {
+        method: 'DELETE',
+        headers: changing(project),
+      }),
     arrange: (project) => http.post(`${one(project.id)}/arrange`, undefined, changing(project)),
     place: (project, wish) => http.post(`${one(project.id)}/place`, wish, changing(project)),
     check: (id) => http.get(`${one(id)}/check`),

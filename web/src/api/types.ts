@@ -88,7 +88,7 @@ export interface Project {
 
 export interface Asset {
   id: string;
-  kind: 'dxf' | 'specification' | 'body';
+  kind: 'dxf' | 'specification' | 'body' | 'image';
   name: string;
   size: number;
   info?: Record<string, unknown>;
@@ -115,6 +115,18 @@ export interface Notch {
   inwards: Point | null;
 }
 
+/** A picture on a piece; its file is among the project's. */
+export interface Texture {
+  /** Name of the file in the project. */
+  image: string;
+  /** Width of one repeat. */
+  scale_mm: number;
+  /** Where a lower left corner of the picture lies. */
+  offset: Point;
+  /** Degrees, counter-clockwise from the grain. */
+  angle: number;
+}
+
 /** A piece of the pattern as it is cut; millimetres, y up. */
 export interface Piece {
   id: string;
@@ -126,7 +138,8 @@ export interface Piece {
   colour: [number, number, number];
   edges: PieceEdge[];
   notches: Notch[];
-  lines: { id: string; points: Point[] }[];
+  texture: Texture | null;
+  lines: { id: string; points: Point[]; drawn: boolean }[];
 }
 
 export interface SeamEdge {
@@ -200,6 +213,7 @@ export interface ImportedPiece {
   material?: string;
   edge_list?: { id: string; length_mm: number; points: Point[] }[];
   notch_list?: { at: Point; depth_mm: number; angle_deg: number | null }[];
+  line_list?: { id: string; points: Point[] }[];
   fault?: { code: string; message: string; where: string };
   points: Point[];
   hole_points: Point[][];

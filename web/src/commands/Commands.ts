@@ -4,14 +4,15 @@ import type { Api, JobAction } from '../api/Api';
 import { makeDressingApi, type DressingApi } from '../api/dressing';
 import type { Job, Project } from '../api/types';
 import type { AppState, View } from '../state/AppState';
-import { ready, valueOf } from '../state/AppState';
-import { planIntake, type GivenFile, type IntakePlan } from '../state/intake';
+import { loading, ready, valueOf } from '../state/AppState';
+import { isPicture, planIntake, type GivenFile, type IntakePlan } from '../state/intake';
 import { commandsOf } from '../state/jobs';
 import { formatRoute, type Route } from '../state/routes';
 import { DressingCommands } from './DressingCommands';
 import { ImportCommands } from './ImportCommands';
 import { asApiError, notify, notifyError } from './notices';
 import { PatternCommands } from './PatternCommands';
+import { TextureCommands } from './TextureCommands';
 
 export interface Surroundings {
   /** Changes the address; the route follows from it. */
@@ -25,6 +26,7 @@ export class Commands {
   readonly pattern: PatternCommands;
   readonly imports: ImportCommands;
   readonly dressing: DressingCommands;
+  readonly textures: TextureCommands;
 
   constructor(
     private readonly state_: AppState,
@@ -37,6 +39,7 @@ export class Commands {
   ) {
     this.pattern = new PatternCommands(state_, api_, refresh_);
     this.dressing = new DressingCommands(state_, dressing, (ask) => this.pattern.change(ask));
+    this.textures = new TextureCommands(state_, api_, (ask) => this.pattern.change(ask));
     this.imports = new ImportCommands(state_, api_, (project, drape) => this.made(project, drape), around_.save);
   }
 
@@ -99,6 +102,7 @@ export class Commands {
   async addFiles(files: GivenFile[]): Promise<void> {
     if (files.length === 0) return;
     const { intake } = this.state_;
+    if (await this.tookPicture(files)) return;
     const replaced = (old: GivenFile): boolean =>
       files.some((file) => file.name.toLowerCase() === old.name.toLowerCase());
     const all = [...(intake.value?.files ?? []).filter((old) => !replaced(old)), ...files];
@@ -107,6 +111,18 @@ export class Commands {
     if (intake.value?.files !== all) return;
     intake.value = { files: all, plan, busy: '', error: null };
     await this.imports.follow(plan.loose);
+  }
+
+  /** A picture that comes alone while pieces are shown lies on the selected one, or on all. */
+  private async tookPicture(files: readonly GivenFile[]): Promise<boolean> {
+    const { intake, pieces, selected } = this.state_;
+    const [picture] = files;
+    const shown = valueOf(pieces.value ?? loading)?.pieces ?? [];
+    if (!picture || files.length > 1 || !isPicture(picture.name) || intake.value || shown.length === 0) return false;
+    const chosen = shown.filter((piece) => piece.id === selected.value);
+    const ids = (chosen.length > 0 ? chosen : shown).map((piece) => piece.id);
+    await this.textures.upload(ids, picture.name, picture.blob);
+    return true;
   }
 
   openIntake(): void {

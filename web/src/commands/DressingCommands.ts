@@ -2,11 +2,11 @@
 // it, like the edits of the pattern.
 
 import type { Signal } from '@preact/signals';
-import type { BodyWish, DressingApi, Finding, Mannequin, PieceWish, ProjectBody } from '../api/dressing';
+import type { BodyWish, DressingApi, Finding, Mannequin, PieceWish, Place, ProjectBody } from '../api/dressing';
 import type { ApiError } from '../api/http';
 import type { Project } from '../api/types';
 import { valueOf, loading, type AppState } from '../state/AppState';
-import { freeBodyId, pieceOf, withMeasure, withoutMeasure, withPreset, type Marks } from '../state/dressing';
+import { bearerOf, freeBodyId, pieceOf, withMeasure, withoutMeasure, withPreset, type Marks } from '../state/dressing';
 import { asApiError, notify, notifyError } from './notices';
 
 /** Does one change after those that are under way; the project that comes back is shown. */
@@ -81,7 +81,7 @@ export class DressingCommands {
   }
 
   private async loadStart(id: string, key: string): Promise<void> {
-    const { dressing, view } = this.state_;
+    const { dressing } = this.state_;
     try {
       const start = await this.api_.start(id);
       const check = await this.api_.check(id);
@@ -89,10 +89,10 @@ export class DressingCommands {
       dressing.start.value = start;
       dressing.check.value = check;
       dressing.startProblem.value = dressing.finding.value = null;
-      if (this.reframe_) view.value = { view: view.value.view, turn: view.value.turn + 1 };
-      this.reframe_ = false;
+      if (this.reframe_) this.seeAll();
     } catch (error) {
       if (this.of_ !== key) return;
+      this.reframe_ = false;
       dressing.start.value = dressing.check.value = null;
       dressing.startProblem.value = asApiError(error);
     }
@@ -170,21 +170,62 @@ export class DressingCommands {
     }
   }
 
+  // ---- landmarks
+
+  /** The landmark of this name goes to the skin nearest to the place; the shown body gets one that nobody has. */
+  mark(landmark: string, place: Place): Promise<void> {
+    const { problem, bodies, shown, picking } = this.state_.dressing;
+    picking.value = null;
+    const body = bearerOf(bodies.value ?? [], shown.value, landmark) ?? this.body;
+    if (!body) return Promise.resolve();
+    return this.change('Moving the landmark', problem, (project) => this.api_.mark(project, body.id, landmark, place));
+  }
+
+  /** Puts a landmark back to where the body has it by itself, or takes away one that was added. */
+  unmark(landmark: string): Promise<void> {
+    const { problem } = this.state_.dressing;
+    const body = this.body;
+    if (!body) return Promise.resolve();
+    return this.change('Putting the landmark back', problem, (project) =>
+      this.api_.unmark(project, body.id, landmark),
+    );
+  }
+
+  /** The next click on the body says where the landmark is; an empty name: never mind. */
+  pick(landmark: string): void {
+    const { picking } = this.state_.dressing;
+    picking.value = landmark.trim() || null;
+    if (picking.value) this.showMarks({ landmarks: true });
+  }
+
   // ---- places
 
-  arrange(): Promise<void> {
+  async arrange(): Promise<void> {
     const { arrangement, placeProblem } = this.state_.dressing;
-    return this.change('Arranging the pieces', placeProblem, async (project) => {
+    let changed = false;
+    await this.change('Arranging the pieces', placeProblem, async (project) => {
       const { arrangement: made, ...row } = await this.api_.arrange(project);
       arrangement.value = made;
       this.reframe_ = true;
+      changed = row.revision !== project.revision;
       return row;
     });
+    // They stood there already: nothing will be fetched, and all are to be seen all the same.
+    if (this.reframe_ && !changed) this.seeAll();
+  }
+
+  /** Back from what was looked at closely. */
+  private seeAll(): void {
+    const { view, dressing } = this.state_;
+    this.reframe_ = false;
+    dressing.finding.value = null;
+    view.value = { view: view.value.view, turn: view.value.turn + 1 };
   }
 
   place(wish: PieceWish): Promise<void> {
-    const { placeProblem } = this.state_.dressing;
-    return this.change('Placing the piece', placeProblem, (project) => this.api_.place(project, wish));
+    const { placeProblem, partners } = this.state_.dressing;
+    const whole = { ...wish, with_partner: partners.value };
+    return this.change('Placing the piece', placeProblem, (project) => this.api_.place(project, whole));
   }
 
   /** A piece let go over a side of a box: it comes there flat, as far away as it was told before. */

@@ -49,6 +49,14 @@ function PieceList() {
     <section class="piece-places" aria-label="Places of the pieces">
       <h3>Pieces</h3>
       <p class="hint">Drag a piece onto a side of a box in 3D, or choose its place here.</p>
+      <label class="check">
+        <input
+          type="checkbox"
+          checked={state.dressing.partners.value}
+          onChange={(event) => (state.dressing.partners.value = event.currentTarget.checked)}
+        />
+        The mirror image goes along on the other side
+      </label>
       <ul>
         {pieces.map((piece) => (
           <PieceRow key={piece.id} piece={piece} />

@@ -35,6 +35,7 @@ export function BodyPanel() {
       <Chooser bodies={bodies} body={body} />
       <Refusal problem={dressing.problem.value} />
       {body && <Marks body={body} />}
+      {body && dressing.marks.value.landmarks && <Landmarks body={body} />}
       {body?.stands && <Measures body={body} />}
       {body && !body.stands && (
         <p class="hint">
@@ -171,6 +172,55 @@ function Marks({ body }: { body: ProjectBody }) {
         </span>
       )}
     </div>
+  );
+}
+
+/** What is said of landmarks by hand: they are dragged in 3D, or named here and placed by a click. */
+function Landmarks({ body }: { body: ProjectBody }) {
+  const { dressing } = useAppState();
+  const commands = useCommands();
+  const name = useSignal('');
+  const picking = dressing.picking.value;
+  const own = body.landmarks.filter((one) => one.own);
+  return (
+    <section class="landmarks" aria-label="Landmarks">
+      <p class="hint">Drag a point over the body to move it.</p>
+      {own.map((one) => (
+        <p key={one.name} class="landmark">
+          <span>{measureTitle(one.name)}</span>
+          <button
+            class="plain small"
+            aria-label={`Put ${one.name} back`}
+            onClick={() => void commands.dressing.unmark(one.name)}
+          >
+            Put back
+          </button>
+        </p>
+      ))}
+      <form
+        class="landmark"
+        onSubmit={(event) => {
+          event.preventDefault();
+          commands.dressing.pick(picking ? '' : name.value);
+          name.value = '';
+        }}
+      >
+        {picking ? (
+          <span role="status">Click the body where {picking} is.</span>
+        ) : (
+          <input
+            aria-label="Name of a new landmark"
+            placeholder="New landmark"
+            value={name.value}
+            maxLength={60}
+            onInput={(event) => (name.value = event.currentTarget.value)}
+          />
+        )}
+        <button class="plain small" type="submit" disabled={!picking && name.value.trim() === ''}>
+          {picking ? 'Cancel' : 'Place'}
+        </button>
+      </form>
+    </section>
   );
 }
 

@@ -39,7 +39,7 @@ export function DropTarget() {
       <div>
         <Icon name="file" />
         <b>Drop to make a project</b>
-        <small>a pattern (DXF, GarmentCode), or project.json with its files</small>
+        <small>a pattern (DXF, GarmentCode), or project.json with its files; a picture alone goes on the cloth</small>
       </div>
     </div>
   ) : null;

@@ -53,7 +53,7 @@ function Dialog({ intake }: { intake: Intake }) {
           type="file"
           multiple
           hidden
-          accept=".json,.dxf,.obj,.glb,.gltf,.ply,.stl,.fbx,.dae"
+          accept=".json,.dxf,.obj,.glb,.gltf,.ply,.stl,.fbx,.dae,.png,.jpg,.jpeg"
           onChange={(event) => {
             take(event.currentTarget.files);
             event.currentTarget.value = '';
@@ -100,7 +100,7 @@ function Given({ intake }: { intake: Intake }) {
     if (!plan) return '';
     if (plan.documentName === name) return 'Project';
     const need = plan.needed.find((one) => one.file?.name === name);
-    if (need) return need.kind === 'dxf' ? 'Pattern' : 'Body';
+    if (need) return { dxf: 'Pattern', body: 'Body', image: 'Picture' }[need.kind];
     if (plan.loose?.file.name === name) return 'Pattern';
     if (plan.loose?.bodies.some((body) => body.name === name)) return 'Body';
     return plan.unused.includes(name) ? 'Not used' : '';

@@ -5,10 +5,11 @@ import type { Piece, PieceEdge, Pieces, Point } from '../api/types';
 import { useCommands } from '../commands/context';
 import { useAppState } from '../state/context';
 import { findPart, type Part } from '../state/editing';
-import { isStraight, nextEdge } from '../state/outline';
+import { isStraight, nearestOn, nextEdge, notchAt } from '../state/outline';
 import { boxOf, insideOf } from '../state/patternGeometry';
 import { seamColour, seamsOfEdge } from '../state/seamView';
 import { NumberField } from './NumberField';
+import { TextureFields } from './TextureFields';
 
 export function SelectionPanel({ pieces }: { pieces: Pieces }) {
   const state = useAppState();
@@ -18,9 +19,13 @@ export function SelectionPanel({ pieces }: { pieces: Pieces }) {
   const piece = found?.piece ?? pieces.pieces.find((one) => one.id === state.selected.value);
   if (!piece) {
     return (
-      <p class="hint">
-        Select a piece to rename, mirror or copy it. <b>Points</b> (Z) changes its outline, <b>Sew</b> (N) joins edges.
-      </p>
+      <>
+        <p class="hint">
+          Select a piece to rename, mirror or copy it. <b>Points</b> (Z) changes its outline, <b>Sew</b> (N) joins
+          edges.
+        </p>
+        <TextureFields pieces={pieces.pieces} all={pieces.pieces} />
+      </>
     );
   }
   return (
@@ -33,11 +38,13 @@ export function SelectionPanel({ pieces }: { pieces: Pieces }) {
       />
       {found && part ? (
         <>
-          {part.kind !== 'edge' && found.at && <PointFigures part={part} edge={found.edge} at={found.at} />}
+          {part.kind !== 'edge' && found.at && (
+            <PointFigures piece={piece} part={part} edge={found.edge} at={found.at} />
+          )}
           <EdgeFigures piece={piece} edge={found.edge} pieces={pieces} part={part} />
         </>
       ) : (
-        <PieceFigures piece={piece} />
+        <PieceFigures piece={piece} all={pieces.pieces} />
       )}
     </section>
   );
@@ -70,7 +77,7 @@ function NameField({ label, name, take }: { label: string; name: string; take(to
   );
 }
 
-function PieceFigures({ piece }: { piece: Piece }) {
+function PieceFigures({ piece, all }: { piece: Piece; all: readonly Piece[] }) {
   const commands = useCommands();
   const { pattern } = commands;
   const box = boxOf(piece.outline);
@@ -114,6 +121,7 @@ function PieceFigures({ piece }: { piece: Piece }) {
           Delete
         </button>
       </div>
+      <TextureFields key={piece.id} pieces={[piece]} all={all} />
       <EdgeChips piece={piece} />
       <InnerDartFields piece={piece} />
     </>
@@ -142,7 +150,34 @@ function EdgeChips({ piece }: { piece: Piece }) {
   );
 }
 
-function PointFigures({ part, edge, at }: { part: Part; edge: PieceEdge; at: Point }) {
+/** Marks a point of the outline with a notch, or takes its notch away. */
+function NotchButton({ piece, edge, at }: { piece: Piece; edge: PieceEdge; at: Point }) {
+  const { pattern } = useCommands();
+  const notch = notchAt(piece, at);
+  if (notch >= 0) {
+    const remove = { edit: 'remove_notch', piece: piece.id, notch };
+    return (
+      <button class="plain" onClick={() => void pattern.edit(remove)}>
+        Remove notch
+      </button>
+    );
+  }
+  const mark = { edit: 'add_notch', piece: piece.id, edge: edge.id, at: nearestOn(edge, at).at, depth_mm: 5 };
+  return (
+    <button class="plain" title="A mark where pieces meet when they are sewn" onClick={() => void pattern.edit(mark)}>
+      Notch
+    </button>
+  );
+}
+
+interface PointFiguresProps {
+  piece: Piece;
+  part: Part;
+  edge: PieceEdge;
+  at: Point;
+}
+
+function PointFigures({ piece, part, edge, at }: PointFiguresProps) {
   const { pattern } = useCommands();
   if (part.kind === 'edge') return null;
   const move = (to: Point): void =>
@@ -164,6 +199,7 @@ function PointFigures({ part, edge, at }: { part: Part; edge: PieceEdge; at: Poi
         <button class="plain danger" onClick={() => void pattern.remove()}>
           {part.kind === 'handle' ? 'Make straight' : 'Delete point'}
         </button>
+        {part.kind === 'point' && <NotchButton piece={piece} edge={edge} at={at} />}
       </div>
     </>
   );

@@ -197,6 +197,7 @@ function PlacedPieceView({ placed, pieces, seams, lit, scale, hands, worldOf, cl
         scale={scale}
         selected={selected}
         hovered={state.hovered.value === piece.id}
+        look={state.looks.value.get(piece.id) ?? null}
         onSelect={click}
         onHover={(on) => commands.hover(on ? piece.id : null)}
       >

@@ -1,15 +1,19 @@
 // One flat piece: cloth, outline, inner lines, notches, grain arrow, name and size. Its seams and what can be taken hold of
 // are drawn over it by others.
 
+import { useId } from 'preact/hooks';
 import type { Notch, Piece, Point } from '../api/types';
 import { piecePath } from '../state/outline';
 import { boxOf, cssColour, type Box, type PlacedPiece } from '../state/patternGeometry';
+import { patternTransform, type Look } from '../state/texture';
 
 export interface PieceShapeProps {
   placed: PlacedPiece;
   scale: number;
   selected: boolean;
   hovered: boolean;
+  /** The picture on it. */
+  look?: Look | null;
   onSelect(): void;
   onHover(on: boolean): void;
   children?: preact.ComponentChildren;
@@ -32,7 +36,7 @@ export function nameThatFits(name: string, px: number): string {
 }
 
 export function PieceShape(props: PieceShapeProps) {
-  const { placed, scale, selected, hovered, onSelect, onHover, children } = props;
+  const { placed, scale, selected, hovered, look = null, onSelect, onHover, children } = props;
   const { piece, offset } = placed;
   const box = boxOf(piece.outline);
   const across = (box.maxX - box.minX) * scale,
@@ -49,7 +53,8 @@ export function PieceShape(props: PieceShapeProps) {
   const name = Math.min(across, down * 2.2) > kNamePx ? nameThatFits(piece.id, across - 6) : '';
   return (
     <g
-      class={`piece${selected ? ' selected' : ''}${hovered ? ' hovered' : ''}`}
+      class={`piece${selected ? ' selected' : ''}${hovered ? ' hovered' : ''}${look ? ' printed' : ''}`}
+      style={{ '--halo': `${3 / scale}px` }}
       transform={`translate(${offset[0]} ${-offset[1]})`}
       tabindex={0}
       role="button"
@@ -62,9 +67,10 @@ export function PieceShape(props: PieceShapeProps) {
     >
       <title>{`${piece.id}, ${size}`}</title>
       <path class="piece-cloth" fill-rule="evenodd" style={{ fill: cssColour(piece.colour) }} d={outline} />
+      {look && <Print piece={piece} look={look} outline={outline} />}
       <path class="piece-outline" fill="none" d={outline} />
       {piece.lines.map((line) => (
-        <path key={line.id} class="piece-line" d={linePath(line.points)}>
+        <path key={line.id} class={line.drawn ? 'piece-line drawn' : 'piece-line'} d={linePath(line.points)}>
           <title>{line.id}</title>
         </path>
       ))}
@@ -92,6 +98,30 @@ export function PieceShape(props: PieceShapeProps) {
       )}
       {children}
     </g>
+  );
+}
+
+/** The piece's picture, repeated over it in its own size. */
+function Print({ piece, look, outline }: { piece: Piece; look: Look; outline: string }) {
+  const id = useId();
+  const { texture, picture } = look;
+  const width = texture.scale_mm;
+  const height = (width * picture.height) / picture.width;
+  return (
+    <>
+      <defs>
+        <pattern
+          id={id}
+          width={width}
+          height={height}
+          patternUnits="userSpaceOnUse"
+          patternTransform={patternTransform(piece.grain, texture)}
+        >
+          <image href={picture.url} width={width} height={height} preserveAspectRatio="none" />
+        </pattern>
+      </defs>
+      <path class="piece-print" fill-rule="evenodd" fill={`url(#${id})`} d={outline} />
+    </>
   );
 }
 

@@ -67,6 +67,8 @@ export class BodyMarks {
   );
   private dragging_ = false;
   private bodies_: ProjectBody[] = [];
+  /** Of the landmarks, in the order in which they are drawn. */
+  private names_: string[] = [];
   private marks_: Marks = { tape: false, landmarks: false, boxes: false };
   private litMeasure_: string | null = null;
 
@@ -85,6 +87,7 @@ export class BodyMarks {
   setBodies(bodies: ProjectBody[]): void {
     this.bodies_ = bodies;
     const places = bodies.flatMap((body) => body.landmarks.flatMap((landmark) => landmark.place));
+    this.names_ = bodies.flatMap((body) => body.landmarks.map((landmark) => landmark.name));
     this.landmarks_.geometry.dispose();
     this.landmarks_.geometry = new BufferGeometry();
     this.landmarks_.geometry.setAttribute('position', new Float32BufferAttribute(places, 3));
@@ -160,6 +163,24 @@ export class BodyMarks {
       mapped.map?.dispose();
       mapped.dispose();
     }
+  }
+
+  /** The landmark that the ray meets, at most `near` metres off it; null where they are not shown. */
+  landmarkAt(raycaster: Raycaster, near: number): string | null {
+    if (!this.landmarks_.visible) return null;
+    raycaster.params.Points.threshold = near;
+    const hits = raycaster.intersectObject(this.landmarks_, false);
+    const hit = hits.sort((a, b) => (a.distanceToRay ?? 0) - (b.distanceToRay ?? 0))[0];
+    return hit?.index === undefined ? null : (this.names_[hit.index] ?? null);
+  }
+
+  /** Shows a landmark elsewhere while it is dragged. */
+  moveLandmark(name: string, place: Vector3): void {
+    const positions = this.landmarks_.geometry.getAttribute('position');
+    const at = this.names_.indexOf(name);
+    if (at < 0) return;
+    positions.setXYZ(at, place.x, place.y, place.z);
+    positions.needsUpdate = true;
   }
 
   private draw(): void {

@@ -13,9 +13,12 @@ import {
   MeshStandardMaterial,
   type DataTexture,
   type Intersection,
+  type Material,
 } from 'three';
 import type { ClothTopology } from '../api/frames';
-import { rimEdges, seamEdges, shareNormals, vertexNormals, weldGroups, widestGap, type WeldGroups } from './surface';
+import { fillRepeats, type Look } from '../state/texture';
+import { PrintMaterials } from './PrintMaterials';
+import { byMaterial, rimEdges, seamEdges, shareNormals, vertexNormals, weldGroups, widestGap, type WeldGroups } from './surface';
 import { kTileMetres, weaveTexture } from './weave';
 
 /** Sewn pairs further apart than this still have their threads drawn, m. */
@@ -58,9 +61,12 @@ export class ClothObject {
   private selected_: string | null = null;
   private hovered_: string | null = null;
   private wiresShown_ = false;
+  private looks_: ReadonlyMap<string, Look> = new Map();
+  private readonly prints_: PrintMaterials;
 
   constructor(private readonly colours_: ClothColours) {
     this.threadMaterial_ = new LineBasicMaterial({ color: colours_.thread, transparent: true, opacity: 0.9 });
+    this.prints_ = new PrintMaterials(this.material_);
     this.rimMaterial_ = new LineBasicMaterial({ color: colours_.selected, depthTest: false, transparent: true });
     this.addStandIn();
   }
@@ -114,6 +120,14 @@ export class ClothObject {
     this.paint();
   }
 
+  /** Pictures on pieces, by the pieces' ids. */
+  setLooks(looks: ReadonlyMap<string, Look>): void {
+    if (looks === this.looks_) return;
+    this.looks_ = looks;
+    this.dress();
+    this.paint();
+  }
+
   showWires(shown: boolean): void {
     this.wiresShown_ = shown;
     if (this.wires_) this.wires_.visible = shown;
@@ -136,6 +150,7 @@ export class ClothObject {
   dispose(): void {
     this.clear();
     this.weave_.dispose();
+    this.prints_.dispose();
     for (const material of [
       this.material_,
       this.seamMaterial_,
@@ -174,21 +189,41 @@ export class ClothObject {
     this.group.add(surface, lines);
   }
 
-  private addSurface({ vertexCount, triangles, rest }: ClothTopology): void {
+  /** Gives each piece its weave or its picture: triangles in groups by their material. */
+  private dress(): void {
+    if (!this.topology_ || !this.mesh_) return;
+    const { triangles, rest, pieces, vertexCount } = this.topology_;
+    const uv = this.geometry_.getAttribute('uv') as BufferAttribute;
+    const coordinates = uv.array as Float32Array;
+    coordinates.set(rest.map((metres) => metres / kTileMetres));
+    const materials: Material[] = [this.material_];
+    const materialOf = new Uint16Array(vertexCount);
+    for (const { id, firstVertex, vertexCount: count } of pieces) {
+      const look = this.looks_.get(id);
+      if (!look) continue;
+      fillRepeats(look.frame, rest, firstVertex, count, coordinates);
+      const material = this.prints_.of(look);
+      if (!materials.includes(material)) materials.push(material);
+      materialOf.fill(materials.indexOf(material), firstVertex, firstVertex + count);
+    }
+    this.prints_.keep(materials);
+    uv.needsUpdate = true;
+    const { index, groups } = byMaterial(triangles, materialOf, materials.length);
+    this.geometry_.setIndex(new BufferAttribute(index, 1));
+    this.geometry_.clearGroups();
+    for (const { start, count, material } of groups) this.geometry_.addGroup(start, count, material);
+    this.mesh_.material = materials;
+  }
+
+  private addSurface({ vertexCount }: ClothTopology): void {
     const dynamic = (): BufferAttribute =>
       new BufferAttribute(new Float32Array(3 * vertexCount), 3).setUsage(DynamicDrawUsage);
     this.geometry_.setAttribute('position', dynamic());
     this.geometry_.setAttribute('normal', dynamic());
     this.geometry_.setAttribute('color', new BufferAttribute(new Float32Array(3 * vertexCount), 3));
-    this.geometry_.setAttribute(
-      'uv',
-      new BufferAttribute(
-        rest.map((metres) => metres / kTileMetres),
-        2,
-      ),
-    );
-    this.geometry_.setIndex(new BufferAttribute(triangles, 1));
+    this.geometry_.setAttribute('uv', new BufferAttribute(new Float32Array(2 * vertexCount), 2));
     this.mesh_ = new Mesh(this.geometry_, this.material_);
+    this.dress();
     this.mesh_.castShadow = this.mesh_.receiveShadow = true;
     this.mesh_.frustumCulled = false;
     this.group.add(this.mesh_);
@@ -210,7 +245,7 @@ export class ClothObject {
     if (!this.topology_) return;
     const attribute = this.geometry_.getAttribute('color') as BufferAttribute;
     for (const piece of this.topology_.pieces) {
-      const colour = new Color().setRGB(...piece.colour);
+      const colour = this.looks_.has(piece.id) ? new Color(1, 1, 1) : new Color().setRGB(...piece.colour);
       if (piece.id === this.selected_) colour.lerp(this.colours_.selected, 0.24);
       else if (piece.id === this.hovered_) colour.lerp(this.colours_.hovered, 0.22);
       for (let v = 0; v < piece.vertexCount; ++v) attribute.setXYZ(piece.firstVertex + v, colour.r, colour.g, colour.b);

@@ -52,6 +52,10 @@ export function ScenePane({ load, drawn }: ScenePaneProps) {
           select: (p: string | null) => commands.select(p),
           hover: (p: string | null) => commands.hover(p),
           place: (piece: string, at: BoxPlace) => void commands.dressing.drop(piece, at),
+          mark: (landmark: string | null, place: [number, number, number]) => {
+            const name = landmark ?? state.dressing.picking.peek();
+            if (name) void commands.dressing.mark(name, place);
+          },
           drawn,
         };
         scene.current = new SceneView(canvas.current, state.cloth, events, token('--accent-3d'));
@@ -136,6 +140,10 @@ function connect(scene: SceneView, state: AppState): () => void {
     effect(() => scene.setBody(state.shownBody.value)),
     effect(() => scene.setStart(state.beforeDrape.value ? state.dressing.start.value : null)),
     effect(() => scene.setDraggable(state.beforeDrape.value && state.tab.value === 'arrange')),
+    effect(() => {
+      const shown = state.beforeDrape.value && state.shownMarks.value.landmarks;
+      scene.setMarkable(shown, shown && state.dressing.picking.value !== null);
+    }),
     effect(() => scene.setFigures(state.beforeDrape.value ? (state.dressing.bodies.value ?? []) : [])),
     effect(() => scene.showMarks(state.shownMarks.value, state.dressing.lit.value)),
     effect(() => {
@@ -143,6 +151,7 @@ function connect(scene: SceneView, state: AppState): () => void {
       scene.lookAt(shown?.finding ?? null, calm.matches);
     }),
     effect(() => scene.show(state.bodyShown.value && state.shownBody.value !== null, state.meshShown.value)),
+    effect(() => scene.setLooks(state.looks.value)),
     effect(() => scene.highlight(state.selected.value, state.hovered.value)),
     effect(() => {
       if (state.view.value.turn > turn) scene.look(state.view.value.view, calm.matches);

@@ -6,10 +6,8 @@ import {
   NeutralToneMapping,
   PCFShadowMap,
   PerspectiveCamera,
-  Raycaster,
   Scene,
   SRGBColorSpace,
-  Vector2,
   Vector3,
   WebGLRenderer,
 } from 'three';
@@ -19,17 +17,16 @@ import type { View } from '../state/AppState';
 import type { LiveCloth } from '../state/LiveCloth';
 import type { Finding, ProjectBody, Start } from '../api/dressing';
 import type { Marks } from '../state/dressing';
+import type { Look } from '../state/texture';
 import { BodyMarks } from './BodyMarks';
 import { BodyObject } from './BodyObject';
-import type { BoxPlace } from './boxFaces';
 import { ClothObject } from './ClothObject';
 import { boundsOf, closeUp, eased, poseFor, union, type Bounds, type Pose, type Vec3 } from './framing';
+import { SceneHands, type HandEvents } from './SceneHands';
 import { Studio, type StudioColours } from './Studio';
 
 const kFov = 32;
 const kTurnMs = 320;
-/** A press that moves less than this, in pixels, is a click. */
-const kClickPx = 4;
 /** Slower than this, the picture gets coarser; faster, finer again. */
 const kSlowMs = 50,
   kFastMs = 24;
@@ -40,11 +37,7 @@ const kRestMs = 250;
 /** A body alone is framed whole; cloth with this much more room around it, m. */
 const kBodyOnly: Bounds = { low: [-0.5, 0, -0.3], high: [0.5, 1.75, 0.3] };
 
-export interface SceneEvents {
-  select(piece: string | null): void;
-  hover(piece: string | null): void;
-  /** A piece was let go over a side of a box. */
-  place(piece: string, at: BoxPlace): void;
+export interface SceneEvents extends HandEvents {
   /** A frame of the cloth has reached the screen. */
   drawn(): void;
 }
@@ -56,13 +49,13 @@ export class SceneView {
   private readonly scene_ = new Scene();
   private readonly camera_ = new PerspectiveCamera(kFov, 1, 0.05, 40);
   private readonly controls_: OrbitControls;
+  private readonly hands_: SceneHands;
   private readonly studio_ = new Studio();
   private readonly cloth_: ClothObject;
   private readonly body_: BodyObject;
   private readonly marks_ = new BodyMarks();
   /** Shown in place of the drape's cloth. */
   private start_: Start | null = null;
-  private readonly raycaster_ = new Raycaster();
   private readonly resizer_: ResizeObserver;
   private readonly stopListening_: () => void;
   private bodyBounds_: Bounds | null = null;
@@ -71,10 +64,9 @@ export class SceneView {
   private turn_: { from: Pose; to: Pose; start: number } | null = null;
   private stale_ = true;
   private newFrame_ = false;
+  /** Positions have come into the scene since the last picture. */
+  private caughtUp_ = false;
   private request_ = 0;
-  private press_: [number, number] | null = null;
-  private draggable_ = false;
-  private drag_: { piece: string; at: BoxPlace | null } | null = null;
   private lastDraw_ = 0;
   /** ms from picture to picture, a running mean. */
   private pace_ = 16;
@@ -114,7 +106,12 @@ export class SceneView {
     this.resizer_.observe(canvas_.parentElement ?? canvas_);
     this.stopListening_ = live_.listen((event) => this.take(event));
     this.takeAll();
-    this.listenForPointer();
+    this.hands_ = new SceneHands(
+      canvas_,
+      { camera: this.camera_, controls: this.controls_, cloth: this.cloth_, body: this.body_, marks: this.marks_ },
+      events_,
+      () => this.invalidate(),
+    );
     this.resize();
   }
 
@@ -146,8 +143,7 @@ export class SceneView {
 
   /** Whether pieces can be dragged to the sides of boxes. */
   setDraggable(draggable: boolean): void {
-    this.draggable_ = draggable;
-    if (!draggable) this.endDrag();
+    this.hands_.setDraggable(draggable);
   }
 
   /** Marks the place of a finding and flies to it, to the outer side of the body there. */
@@ -159,6 +155,16 @@ export class SceneView {
     const to = closeUp(finding.place, middle, this.currentPose());
     if (still) return this.applyPose(to);
     this.turn_ = { from: this.currentPose(), to, start: performance.now() };
+  }
+
+  /** Whether landmarks can be dragged, and whether the next click on the body places one. */
+  setMarkable(markable: boolean, picking: boolean): void {
+    this.hands_.setMarkable(markable, picking);
+  }
+
+  setLooks(looks: ReadonlyMap<string, Look>): void {
+    this.cloth_.setLooks(looks);
+    this.invalidate();
   }
 
   show(bodyShown: boolean, meshShown: boolean): void {
@@ -180,6 +186,7 @@ export class SceneView {
   /** Turns to a view, swiftly or at once where motion is not wanted. */
   look(view: View, still = false): void {
     this.view_ = view;
+    this.catchUp(); // what came with the wish, as pieces arranged anew, is what is to be seen
     const to = this.pose();
     if (still) return this.applyPose(to);
     this.turn_ = { from: this.currentPose(), to, start: performance.now() };
@@ -246,6 +253,16 @@ export class SceneView {
     this.invalidate();
   }
 
+  /** Puts the newest positions into the picture; whether there were any. */
+  private catchUp(): boolean {
+    const { positions } = this.shown;
+    if (!this.newFrame_ || !positions) return false;
+    this.newFrame_ = false;
+    this.caughtUp_ = true;
+    this.cloth_.setPositions(positions);
+    return true;
+  }
+
   private invalidate(): void {
     this.stale_ = true;
     if (this.request_ === 0) this.request_ = requestAnimationFrame((now) => this.tick(now));
@@ -254,15 +271,12 @@ export class SceneView {
   private tick(now: number): void {
     this.request_ = 0;
     this.advanceTurn(now);
-    const fresh = this.newFrame_;
-    const { positions } = this.shown;
-    if (fresh && positions) {
-      this.newFrame_ = false;
-      this.cloth_.setPositions(positions);
-      if (!this.framed_) {
-        this.framed_ = true;
-        this.applyPose(this.pose());
-      }
+    this.catchUp();
+    const fresh = this.caughtUp_;
+    this.caughtUp_ = false;
+    if (fresh && !this.framed_) {
+      this.framed_ = true;
+      this.applyPose(this.pose());
     }
     this.controls_.update();
     if (!this.stale_) return;
@@ -332,76 +346,6 @@ export class SceneView {
     this.camera_.aspect = width / height;
     this.camera_.updateProjectionMatrix();
     this.invalidate();
-  }
-
-  private listenForPointer(): void {
-    const at = (event: PointerEvent): [number, number] => [event.clientX, event.clientY];
-    const still = (event: PointerEvent): boolean =>
-      this.press_ !== null && Math.hypot(event.clientX - this.press_[0], event.clientY - this.press_[1]) < kClickPx;
-    // Before the camera's own listeners, which a dragged piece keeps from turning.
-    const down = (event: PointerEvent): void => {
-      this.press_ = at(event);
-      const piece = this.draggable_ && event.button === 0 ? this.pieceUnder(event) : null;
-      if (piece) this.beginDrag(piece, event);
-    };
-    this.canvas_.addEventListener('pointerdown', down, { capture: true });
-    this.canvas_.addEventListener('pointerup', (event) => {
-      const click = still(event),
-        drag = this.drag_;
-      this.press_ = null;
-      this.endDrag();
-      if (click && event.button === 0) this.events_.select(this.pieceUnder(event));
-      else if (drag?.at) this.events_.place(drag.piece, drag.at);
-    });
-    this.canvas_.addEventListener('pointercancel', () => this.endDrag());
-    this.canvas_.addEventListener('pointermove', (event) => {
-      if (this.drag_ && !still(event)) this.aim(event);
-      if (event.buttons === 0 && event.pointerType === 'mouse') this.events_.hover(this.pieceUnder(event));
-    });
-    this.canvas_.addEventListener('pointerleave', () => this.events_.hover(null));
-  }
-
-  private beginDrag(piece: string, event: PointerEvent): void {
-    this.drag_ = { piece, at: null };
-    this.controls_.enabled = false;
-    this.canvas_.setPointerCapture(event.pointerId);
-  }
-
-  private aim(event: PointerEvent): void {
-    if (!this.drag_) return;
-    if (!this.drag_.at) this.marks_.setDragging(true);
-    this.point(event);
-    this.drag_.at = this.marks_.aim(this.raycaster_) ?? null;
-    this.canvas_.style.cursor = this.drag_.at ? 'copy' : 'not-allowed';
-    this.events_.hover(this.drag_.piece);
-    this.invalidate();
-  }
-
-  private endDrag(): void {
-    if (!this.drag_) return;
-    this.drag_ = null;
-    this.controls_.enabled = true;
-    this.canvas_.style.cursor = '';
-    this.marks_.setDragging(false);
-    this.invalidate();
-  }
-
-  /** Sends the ray through the pointer. */
-  private point(event: PointerEvent): void {
-    const box = this.canvas_.getBoundingClientRect();
-    const pointer = new Vector2(
-      ((event.clientX - box.left) / box.width) * 2 - 1,
-      1 - ((event.clientY - box.top) / box.height) * 2,
-    );
-    this.raycaster_.setFromCamera(pointer, this.camera_);
-  }
-
-  private pieceUnder(event: PointerEvent): string | null {
-    const mesh = this.cloth_.mesh;
-    if (!mesh || !this.cloth_.positions) return null;
-    this.point(event);
-    const hit = this.raycaster_.intersectObjects(this.body_.mesh.visible ? [mesh, this.body_.mesh] : [mesh], false)[0];
-    return hit && hit.object === mesh ? this.cloth_.pieceAt(hit) : null;
   }
 }
 

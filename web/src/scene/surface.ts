@@ -121,3 +121,31 @@ export function widestGap(positions: Float32Array, sewn: Uint32Array): number {
     widest = Math.max(widest, distance(positions, 3 * sewn[i]!, 3 * sewn[i + 1]!));
   return widest;
 }
+
+/** A run of triangles that are drawn with the same material; in numbers of the index. */
+export interface MaterialGroup {
+  start: number;
+  count: number;
+  material: number;
+}
+
+/** The triangles put together by the material of their first vertex; groups of none are left out. */
+export function byMaterial(
+  triangles: Uint32Array,
+  materialOf: Uint16Array,
+  count: number,
+): { index: Uint32Array; groups: MaterialGroup[] } {
+  const index = new Uint32Array(triangles.length);
+  const groups: MaterialGroup[] = [];
+  let at = 0;
+  for (let material = 0; material < count; ++material) {
+    const start = at;
+    for (let t = 0; t < triangles.length; t += 3) {
+      if (materialOf[triangles[t]!] !== material) continue;
+      index.set(triangles.subarray(t, t + 3), at);
+      at += 3;
+    }
+    if (at > start) groups.push({ start, count: at - start, material });
+  }
+  return { index, groups };
+}

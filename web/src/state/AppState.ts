@@ -4,6 +4,7 @@ import { computed, signal, type ReadonlySignal, type Signal } from '@preact/sign
 import type { ApiError } from '../api/http';
 import type { BodyMesh } from '../api/body';
 import type { StreamConnection } from '../api/JobStream';
+import type { Picture } from '../api/pictures';
 import type { Job, Pieces, Progress, Project, Report } from '../api/types';
 import { DressingState, type Marks } from './dressing';
 import { EditingState } from './editing';
@@ -12,6 +13,7 @@ import type { IntakePlan } from './intake';
 import { isActive, newestJobOf, withProgress } from './jobs';
 import { LiveCloth } from './LiveCloth';
 import type { Route } from './routes';
+import { looksOf, type Look } from './texture';
 
 /** Something that is fetched. */
 export type Loaded<T> = { state: 'loading' } | { state: 'ready'; value: T } | { state: 'failed'; error: ApiError };
@@ -66,6 +68,8 @@ export class AppState {
 
   // Of the project that is shown.
   readonly pieces: Signal<Loaded<Pieces> | null> = signal(null);
+  /** Of the pieces, by the id of their file, as they come. */
+  readonly pictures: Signal<ReadonlyMap<string, Picture>> = signal(new Map());
   readonly selected: Signal<string | null> = signal(null);
   readonly hovered: Signal<string | null> = signal(null);
   readonly editing = new EditingState();
@@ -105,6 +109,11 @@ export class AppState {
 
   readonly project: ReadonlySignal<Project | null> = computed(
     () => valueOf(this.projects.value)?.find((project) => project.id === this.projectId.value) ?? null,
+  );
+
+  /** Pictures on pieces, by the piece's id. */
+  readonly looks: ReadonlySignal<ReadonlyMap<string, Look>> = computed(() =>
+    looksOf(valueOf(this.pieces.value ?? loading)?.pieces ?? [], this.project.value, this.pictures.value),
   );
 
   /** Whether the 3D view shows what a drape would begin with, not what it came to. */

@@ -51,6 +51,10 @@ export class DressingState {
   readonly shown: Signal<number> = signal(0);
   readonly unit: Signal<LengthUnit> = signal('cm');
   readonly marks: Signal<Marks> = signal({ tape: true, landmarks: false, boxes: false });
+  /** Whether the mirror image of a piece that is placed by hand goes along, on the other side. */
+  readonly partners: Signal<boolean> = signal(true);
+  /** The landmark that the next click on the body places; null: none. */
+  readonly picking: Signal<string | null> = signal(null);
   /** The measure whose tape is lit. */
   readonly lit: Signal<string | null> = signal(null);
   /** The finding that is shown in space; `turn` rises with every click. */
@@ -61,6 +65,7 @@ export class DressingState {
     this.bodies.value = this.mesh.value = this.check.value = this.start.value = null;
     this.startProblem.value = this.arrangement.value = this.stance.value = null;
     this.problem.value = this.placeProblem.value = this.finding.value = null;
+    this.picking.value = null;
     this.shown.value = 0;
   }
 }
@@ -148,6 +153,13 @@ export function freeBodyId(file: string, taken: string[]): string {
   let id = stem;
   for (let n = 2; taken.includes(id); ++n) id = `${stem}_${n}`;
   return id;
+}
+
+/** The body whose landmark this is, the shown one first; null where there is none of that name. */
+export function bearerOf(bodies: ProjectBody[], shown: number, landmark: string): ProjectBody | null {
+  const bears = (body: ProjectBody): boolean => body.landmarks.some((one) => one.name === landmark);
+  const first = bodies[shown];
+  return first && bears(first) ? first : (bodies.find(bears) ?? null);
 }
 
 // ---- findings

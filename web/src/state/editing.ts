@@ -2,7 +2,7 @@
 // undone. Commands write it, views read it.
 
 import { signal, type Signal } from '@preact/signals';
-import type { Edit, EditStep, Piece, PieceEdge, Point, SeamProposal } from '../api/types';
+import type { Asset, Edit, EditStep, Piece, PieceEdge, Point, SeamProposal } from '../api/types';
 import type { ApiError } from '../api/http';
 import type { Loaded } from './AppState';
 import { emptyDraft, type SeamDraft } from './seamView';
@@ -27,6 +27,9 @@ export class EditingState {
   /** The last edit that was refused, until another one is tried. */
   readonly problem: Signal<ApiError | null> = signal(null);
   readonly history: Signal<EditStep[]> = signal([]);
+  /** Uploaded pictures, for choosing. */
+  readonly images: Signal<Asset[]> = signal([]);
+  readonly uploading: Signal<boolean> = signal(false);
   readonly proposals: Signal<Loaded<SeamProposal[]> | null> = signal(null);
   readonly chosen: Signal<ReadonlySet<string>> = signal(new Set());
   /** The pattern has the large place, the 3D view the small one. */
@@ -49,6 +52,9 @@ const kWords: Record<string, string> = {
   rotate_grain: 'Turn grain',
   add_line: 'Draw line',
   remove_line: 'Remove line',
+  add_notch: 'Mark with a notch',
+  move_notch: 'Move notch',
+  remove_notch: 'Remove notch',
   add_dart: 'Add dart',
   add_inner_dart: 'Add dart',
   rename_edge: 'Rename edge',
@@ -63,7 +69,7 @@ const kWords: Record<string, string> = {
   remove_seam: 'Remove seam',
   reverse_seam: 'Reverse seam',
   set_fabric: 'Change fabric',
-  set_texture: 'Change print',
+  set_texture: 'Change picture',
   set_physical: 'Change cloth',
 };
 

@@ -103,7 +103,8 @@ export function pictureOf(piece: ImportedPiece): Piece {
       const turn = ((angle_deg ?? 0) * Math.PI) / 180;
       return { at, depth_mm, inwards: angle_deg === null ? null : [Math.cos(turn), Math.sin(turn)] };
     }),
-    lines: [],
+    texture: null,
+    lines: (piece.line_list ?? []).map((line) => ({ ...line, drawn: true })),
   };
 }
 

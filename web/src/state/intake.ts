@@ -13,7 +13,7 @@ export interface IntakePlan {
   documentName: string;
   name: string;
   /** Files that the document names, with their kind and, when it was given, the file. */
-  needed: { name: string; kind: 'dxf' | 'body'; file: GivenFile | null }[];
+  needed: { name: string; kind: 'dxf' | 'body' | 'image'; file: GivenFile | null }[];
   /** Given, but the document does not name them. */
   unused: string[];
   problems: IntakeProblem[];
@@ -40,6 +40,8 @@ export const kLargestDocument = 4 * 1024 * 1024;
 export const kLargestFile = 64 * 1024 * 1024;
 
 const kBodyFile = /\.(obj|gltf|glb|ply|stl|fbx|dae)$/i;
+/** A file that can lie on cloth. */
+export const isPicture = (name: string): boolean => /\.(png|jpe?g)$/i.test(name);
 const isDxf = (name: string): boolean => /\.dxf$/i.test(name);
 const isJson = (name: string): boolean => /\.json$/i.test(name);
 const baseName = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
@@ -50,10 +52,11 @@ const isObject = (value: unknown): value is Record<string, unknown> =>
 const listOf = (value: unknown): Record<string, unknown>[] => (Array.isArray(value) ? value.filter(isObject) : []);
 
 /** The files that a project document names, each once, in the order of their first mention. */
-export function filesNamedBy(document: Record<string, unknown>): { name: string; kind: 'dxf' | 'body' }[] {
-  const named = new Map<string, 'dxf' | 'body'>();
+export function filesNamedBy(document: Record<string, unknown>): { name: string; kind: 'dxf' | 'body' | 'image' }[] {
+  const named = new Map<string, 'dxf' | 'body' | 'image'>();
   for (const piece of listOf(document.pieces)) {
     if (isObject(piece.from) && typeof piece.from.dxf === 'string') named.set(piece.from.dxf, 'dxf');
+    if (isObject(piece.texture) && typeof piece.texture.image === 'string') named.set(piece.texture.image, 'image');
   }
   for (const body of listOf(document.bodies)) {
     if (typeof body.file === 'string' && body.file !== '') named.set(body.file, 'body');
@@ -97,10 +100,10 @@ export async function planIntake(given: readonly GivenFile[]): Promise<IntakePla
   for (const { name, blob } of files) {
     if (blob.size > kLargestFile)
       problems.push({ code: 'file.too_large', text: 'Files have at most 64 MiB.', where: name });
-    else if (!isDxf(name) && !isJson(name) && !kBodyFile.test(name)) {
+    else if (!isDxf(name) && !isJson(name) && !kBodyFile.test(name) && !isPicture(name)) {
       problems.push({
         code: 'file.kind',
-        text: 'Neither a project (.json), a pattern (.dxf, .json) nor a body (.obj, .glb, …).',
+        text: 'Neither a project (.json), a pattern (.dxf, .json), a body (.obj, .glb, …) nor a picture (.png, .jpg).',
         where: name,
       });
     }

@@ -168,6 +168,10 @@ export function withHandleMoved(piece: Piece, edgeId: string, curve: number, han
   });
 }
 
+/** Which notch of the piece lies at a point of its outline; -1 for none. */
+export const notchAt = (piece: Piece, at: Point): number =>
+  piece.notches.findIndex((notch) => distance(notch.at, at) < 0.1);
+
 /** Handles that bend a straight curve outwards by a tenth of its length, for bend_edge. */
 export function bentHandles([p0, , , p3]: Curve): [Point, Point] {
   const [dx, dy] = minus(p3, p0);

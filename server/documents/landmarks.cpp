@@ -1,0 +1,120 @@
+#include "server/documents/landmarks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "core/base/units.h"
+#include "core/body/own_landmarks.h"
+#include "proto/cpp/names.h"
+#include "proto/cpp/project_body_places.h"
+#include "proto/cpp/project_resolve.h"
+#include "server/documents/edits.h"
+#include "server/documents/projects.h"
+
+namespace toile {
+namespace {
+
+constexpr std::size_t kLongestName = 100;  // bytes
+constexpr double kFarthest = 100;          // m from the origin
+
+double rounded(double value, double step) { return std::round(value / step) * step + 0.0; }
+
+/// In tenths of a millimetre: nobody points better.
+Vec3 rounded_mm(Vec3 metres) {
+  const auto mm = [](double x) { return rounded(mm_from_metres(x), 0.1); };
+  return {mm(metres.x), mm(metres.y), mm(metres.z)};
+}
+
+/// `known`: those from which the document can tell it.
+ProjectLandmark told(const std::string& name, Vec3 place, const TriangleMesh& mesh,
+                     const std::vector<Landmark>& known) {
+  const SkinPoint at = nearest_on_skin(mesh, place);
+  const Result<BodyFigure> figure = find_figure(mesh);
+  if (!figure || known.empty()) return {.name = name, .triangle = at.triangle, .share = at.share};
+  const Landmark* own = landmark_named(known, name);
+  const OwnLandmark mark = own ? OwnLandmark{name, {}, name, position_of(at, mesh) - own->place}
+                               : told_from_nearest(name, at, mesh, known);
+  return {.name = name,
+          .near = mark.near,
+          .offset_mm = rounded_mm(mark.offset),
+          .body_height_mm = rounded(mm_from_metres(figure->height()), 0.1)};
+}
+
+Result<std::size_t> index_of(const Project& project, const std::string& body) {
+  for (std::size_t b = 0; b < project.bodies.size(); ++b)
+    if (project.bodies[b].id == body) return b;
+  return Error{"edit.unknown_body", "There is no body of that name.", "body " + clipped(body)};
+}
+
+std::vector<ProjectLandmark>::iterator named(std::vector<ProjectLandmark>& list, const std::string& name) {
+  return std::find_if(list.begin(), list.end(), [&](const ProjectLandmark& l) { return l.name == name; });
+}
+
+Status check(const std::string& name, Vec3 place) {
+  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < ' '; };
+  if (name.empty() || name.size() > kLongestName || std::any_of(name.begin(), name.end(), is_control))
+    return Error{"request.landmark", "a landmark's name is a word or a few, of at most 100 letters", "name"};
+  for (const double x : {place.x, place.y, place.z})
+    if (!(std::abs(x) <= kFarthest))
+      return Error{"request.landmark", "a place is three numbers of at most 100 (metres)", "/place"};
+  return {};
+}
+
+}  // namespace
+
+Result<ProjectRow> move_landmark(Store& store, const OwnerId& owner, const std::string& id,
+                                 const std::string& body, const std::string& name, Vec3 place, int expected) {
+  if (Status s = check(name, place); !s) return s.error();
+  const ProjectChange change = [&](const Project& now, ProjectFileMap& files) -> Result<Project> {
+    const Result<std::size_t> b = index_of(now, body);
+    if (!b) return b.error();
+    const ProjectFiles read = files_in_store(store, owner, files);
+    const Result<DrapeInput> input = resolve_project(now, read);
+    if (!input) return input.error();
+    // What stands before it in the document's list can tell it, and what the body has by itself.
+    Project before = now;
+    std::vector<ProjectLandmark>& earlier = before.bodies[*b].landmarks;
+    earlier.erase(named(earlier, name), earlier.end());
+    BodyPlaces places(before, input->bodies);
+    const Result<std::vector<Landmark>>& known = places.landmarks_of(static_cast<Index>(*b));
+    if (!known) return known.error();
+    ProjectLandmark mark = told(name, place, input->bodies[*b].mesh, *known);
+    if (now.bodies[*b].mannequin && mark.triangle)
+      return Error{"landmark.of_mannequin", "this body has no landmark from which another could be told",
+                   name};
+    Project wanted = now;
+    std::vector<ProjectLandmark>& list = wanted.bodies[*b].landmarks;
+    const auto at = named(list, name);
+    if (at == list.end()) {
+      list.push_back(std::move(mark));
+    } else {
+      *at = std::move(mark);
+    }
+    if (const Result<DrapeInput> again = resolve_project(wanted, read); !again) return again.error();
+    return wanted;
+  };
+  return change_project(store, owner, id, expected, change);
+}
+
+Result<ProjectRow> forget_landmark(Store& store, const OwnerId& owner, const std::string& id,
+                                   const std::string& body, const std::string& name, int expected) {
+  const ProjectChange change = [&](const Project& now, ProjectFileMap& files) -> Result<Project> {
+    const Result<std::size_t> b = index_of(now, body);
+    if (!b) return b.error();
+    Project wanted = now;
+    std::vector<ProjectLandmark>& list = wanted.bodies[*b].landmarks;
+    const auto at = named(list, name);
+    if (at == list.end())
+      return Error{"edit.unknown_landmark", "The document says nothing of a landmark of that name.",
+                   "landmark " + clipped(name)};
+    list.erase(at);
+    const Result<DrapeInput> input = resolve_project(wanted, files_in_store(store, owner, files));
+    if (!input) return input.error();
+    return wanted;
+  };
+  return change_project(store, owner, id, expected, change);
+}
+
+}  // namespace toile

@@ -1,0 +1,39 @@
+#include "server/render/picture_texture.h"
+
+#include <algorithm>
+
+namespace toile {
+namespace {
+
+// Of the extension EXT_texture_filter_anisotropic, which Mesa has had for long.
+constexpr GLenum kMaxAnisotropy = 0x84FF, kAnisotropy = 0x84FE;
+constexpr GLint kEnough = 8;
+
+/// What OpenGL can do of that; 1 where it has not got the extension.
+GLint anisotropy(const GlFunctions& gl) {
+  GLint most = 1;
+  gl.GetIntegerv(kMaxAnisotropy, &most);
+  if (gl.GetError() != GL_NO_ERROR) return 1;
+  return std::clamp(most, 1, kEnough);
+}
+
+}  // namespace
+
+GLuint upload_picture(GlScope& scope, const Picture& picture) {
+  const GlFunctions& gl = scope.gl();
+  const GLuint texture = scope.texture();
+  gl.BindTexture(GL_TEXTURE_2D, texture);
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, picture.width, picture.height, 0, GL_RGBA,
+                GL_UNSIGNED_BYTE, picture.rgba.data());
+  gl.GenerateMipmap(GL_TEXTURE_2D);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
+  const GLint along = anisotropy(gl);
+  if (along > 1) gl.TexParameteri(GL_TEXTURE_2D, kAnisotropy, along);
+  return texture;
+}
+
+}  // namespace toile
