@@ -209,21 +209,19 @@ void ContactFinder::vertex_on_obstacle(const Obstacle& obstacle, Index vertex, c
                                        Contacts& out) {
   const Vec3 p = out.measured[vertex];
   const Vec3 a = obstacle.vertices[face[0]], b = obstacle.vertices[face[1]], c = obstacle.vertices[face[2]];
-  const double reach = std::max(out.ball[vertex], obstacle.skin_offset);
+  const double reach = out.ball[vertex] + obstacle.skin_offset;
   const TrianglePoint at = closest_on_triangle(p, a, b, c);
   const Vec3 q = a * at.a + b * at.b + c * at.c;
   const double gap = length(p - q);
   if (!has_gap(gap, reach, vertex, out)) return;
   const Vec3 n = (p - q) * (1 / gap);
   bound(vertex, n, p, body_allowance(gap), out);
-  if (gap < obstacle.skin_offset + out.ball[vertex]) {
-    Contact contact;
-    contact.count = 1, contact.v[0] = vertex, contact.w[0] = 1;
-    contact.n = n, contact.c = dot(n, q);
-    contact.rest = obstacle.skin_offset, contact.friction = obstacle.friction;
-    contact.restitution = obstacle.restitution;
-    near_.push_back({gap, contact});
-  }
+  Contact contact;
+  contact.count = 1, contact.v[0] = vertex, contact.w[0] = 1;
+  contact.n = n, contact.c = dot(n, q);
+  contact.rest = obstacle.skin_offset, contact.friction = obstacle.friction;
+  contact.restitution = obstacle.restitution;
+  near_.push_back({gap, contact});
 }
 
 void ContactFinder::obstacle_vertex_on_cloth(const Obstacle& obstacle, Vec3 point, const Tri& triangle,

@@ -48,7 +48,7 @@ struct ContactSettings {
   double cloth_friction = 0.3;
   double ball_least = 1e-3;    ///< m
   double ball_most = 5e-3;     ///< m; at most 0.35 of the mean edge
-  double ball_seconds = 5e-3;  ///< s, time ahead that a ball covers at 1.5 times the present speed
+  double ball_seconds = 4e-3;  ///< s, time ahead that a ball covers at 1.5 times the present speed
 };
 
 /// Gap under which a side may not approach further. More than the rounding of the exact crossing test (1 µm).

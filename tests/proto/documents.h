@@ -38,7 +38,7 @@ inline const char* const kFullDocument = R"({
       "texture": {"image": "cloth/tartan.png", "scale_mm": 240, "offset": [3, -4], "angle": 45},
       "physical": {"areal_mass_g_m2": 300, "stretch_warp_n_m": 2500, "stretch_weft_n_m": 1800,
                    "stretch_coupling_n_m": 400, "stretch_shear_n_m": 220, "bend_warp_un_m": 30,
-                   "bend_weft_un_m": 28, "bend_bias_un_m": 20, "thickness_mm": 0.9, "friction": 0.4},
+                   "bend_weft_un_m": 28, "bend_bias_un_m": 20, "thickness_mm": 0.9, "friction": 0.4, "particle_distance_mm": 8},
       "fabric": "wool",
       "placement": {"rigid": {"translation": [0, 1, -0.3], "rotation": [0, 180, 5], "flipped": true}}
     },
