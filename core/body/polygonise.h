@@ -12,8 +12,8 @@ struct GridBox {
 
 /// The zero surface of `surface` inside the box as a closed manifold with outward triangles, by marching
 /// cubes (W. Lorensen and H. Cline, 1987) whose loops are followed face by face, so that neighbours always
-/// agree. The surface must not touch the box. Only blocks of cells that lie near the surface are looked at, so
-/// `value` must be close to the distance there.
+/// agree. The surface must not touch the box. Only blocks of cells that lie near the surface are looked at,
+/// so `value` must be close to the distance there.
 TriangleMesh polygonise(const ImplicitSurface& surface, const GridBox& box);
 
 }  // namespace toile

@@ -184,8 +184,8 @@ struct ProjectMannequin {
   friend bool operator==(const ProjectMannequin&, const ProjectMannequin&) = default;
 };
 
-/// A named place on a body, beside those that the program finds by itself, or in place of one of them: a point
-/// of a triangle of a mesh file, or told from another landmark.
+/// A named place on a body, beside those that the program finds by itself, or in place of one of them: a
+/// point of a triangle of a mesh file, or told from another landmark.
 struct ProjectLandmark {
   std::string name;
   std::optional<int> triangle = {};                 ///< of the mesh, as the file counts, from 0
