@@ -29,9 +29,21 @@ void append_vertex(std::string& text, Vec3 p) {
   text += '\n';
 }
 
-void append_face(std::string& text, const Tri& t) {
+void append_flat(std::string& text, Vec2 p) {
+  text += "vt ";
+  append_number(text, p.x);
+  text += ' ';
+  append_number(text, p.y);
+  text += '\n';
+}
+
+void append_face(std::string& text, const Tri& t, bool flat = false) {
   text += 'f';
-  for (const Index corner : t) text += ' ' + std::to_string(corner + 1);
+  for (const Index corner : t) {
+    const std::string number = std::to_string(corner + 1);
+    text += ' ' + number;
+    if (flat) text += '/' + number;
+  }
   text += '\n';
 }
 
@@ -62,8 +74,11 @@ Status check_mesh(std::span<const Vec3> positions, std::span<const Tri> triangle
   return {};
 }
 
-Status check_panels(std::size_t triangle_count, const ObjPanels& panels) {
+Status check_panels(std::size_t position_count, std::size_t triangle_count, const ObjPanels& panels) {
   if (panels.names.empty()) return {};
+  if (!panels.rest.empty() && panels.rest.size() != position_count) {
+    return Error{"export.bad_index", "not every vertex has a flat place", ""};
+  }
   if (panels.panel_of_triangle.size() != triangle_count) {
     return Error{"export.bad_index", "panels are named, but not every triangle has one", ""};
   }
@@ -87,6 +102,8 @@ std::string obj_text(std::span<const Vec3> positions, std::span<const Tri> trian
     for (const Tri& t : triangles) append_face(text, t);
     return text;
   }
+  const bool flat = !panels.rest.empty();
+  for (const Vec2& p : panels.rest) append_flat(text, p);
   std::vector<std::vector<Index>> of_panel(panels.names.size());
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     of_panel[panels.panel_of_triangle[t]].push_back(static_cast<Index>(t));
@@ -94,7 +111,7 @@ std::string obj_text(std::span<const Vec3> positions, std::span<const Tri> trian
   for (std::size_t panel = 0; panel < of_panel.size(); ++panel) {
     if (of_panel[panel].empty()) continue;
     text += "o " + obj_name(panels.names[panel]) + '\n';
-    for (const Index t : of_panel[panel]) append_face(text, triangles[t]);
+    for (const Index t : of_panel[panel]) append_face(text, triangles[t], flat);
   }
   return text;
 }
@@ -174,7 +191,7 @@ std::string sewn_text(const std::vector<std::array<Index, 2>>& sewn) {
 Status write_obj(const std::filesystem::path& path, std::span<const Vec3> positions,
                  std::span<const Tri> triangles, const ObjPanels& panels) {
   if (Status bad = check_mesh(positions, triangles); !bad.ok()) return bad;
-  if (Status bad = check_panels(triangles.size(), panels); !bad.ok()) return bad;
+  if (Status bad = check_panels(positions.size(), triangles.size(), panels); !bad.ok()) return bad;
   return write_file(path, obj_text(positions, triangles, panels));
 }
 

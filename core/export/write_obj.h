@@ -17,6 +17,8 @@ namespace toile {
 struct ObjPanels {
   std::vector<std::string> names;            ///< one per panel; blanks become "_"
   std::span<const Index> panel_of_triangle;  ///< one per triangle, index into names
+  /// Flat places of the vertices, m, written as texture coordinates (`vt`, faces `v/vt`); empty: none.
+  std::span<const Vec2> rest = {};
 };
 
 /// Writes `positions` (m, 9 significant decimals, in their order) and `triangles` (counted from 1 in the

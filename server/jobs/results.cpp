@@ -62,9 +62,11 @@ Status write_models(const DrapeInput& input, const DrapeResult& result, const Te
                     const fs::path& folder, bool check_data) {
   const GarmentMesh& garment = result.garment;
   const std::vector<std::string> names = panel_names(input.pattern);
-  Status objects = check_data ? write_check_data(folder, garment, result.positions, input.bodies)
-                              : write_obj(folder / "final.obj", result.positions, garment.triangles,
-                                          {.names = names, .panel_of_triangle = garment.panel_of_triangle});
+  Status objects =
+      check_data
+          ? write_check_data(folder, garment, result.positions, input.bodies)
+          : write_obj(folder / "final.obj", result.positions, garment.triangles,
+                      {.names = names, .panel_of_triangle = garment.panel_of_triangle, .rest = garment.rest});
   if (!objects) return objects;
   GlbModel model;
   model.garment = &garment;

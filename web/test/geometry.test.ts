@@ -176,6 +176,9 @@ describe('meshes from the service', () => {
     ]);
     expect([...topology.sewn]).toEqual([1, 3, 2, 4]);
     expect(xyz.length).toBe(18);
+    expect([...topology.rest.slice(2, 4)]).toEqual([xyz[3], xyz[4]]); // without flat places: as seen from ahead
+    const flat = clothFromObj(`${text}vt 5 6\n${'vt 7 8\n'.repeat(5)}`, () => null).topology.rest;
+    expect([...flat.slice(0, 4)]).toEqual([5, 6, 7, 8]);
     expect(() => clothFromObj('v 0 0 0\nf 1 2 3\n', () => null)).toThrow(RangeError);
     expect(() => clothFromObj('', () => null)).toThrow(RangeError);
   });

@@ -60,6 +60,19 @@ TEST_F(WriteObj, GroupsTrianglesByPanelInTheOrderOfThePanels) {
   EXPECT_EQ(read_obj(directory_ / "a.obj").vertices.size(), t.positions.size());
 }
 
+TEST_F(WriteObj, GivesFlatPlacesAsTextureCoordinates) {
+  const TwoPanels t = two_panels();
+  ObjPanels panels{{"front", "back"}, t.garment.panel_of_triangle, t.garment.rest};
+  ASSERT_TRUE(write_obj(directory_ / "a.obj", t.positions, t.garment.triangles, panels).ok());
+  const PlainObj obj = read_obj(directory_ / "a.obj");
+  EXPECT_EQ(obj.other.size(), t.positions.size()) << "a vt line for each vertex";
+  EXPECT_NE(file_text(directory_ / "a.obj").find("o front\nf 1/1 2/2 3/3\n"), std::string::npos);
+  panels.rest = panels.rest.first(3);
+  const Status status = write_obj(directory_ / "b.obj", t.positions, t.garment.triangles, panels);
+  ASSERT_FALSE(status.ok());
+  EXPECT_EQ(status.error().code, "export.bad_index");
+}
+
 TEST_F(WriteObj, CannotBeBrokenByAPanelsName) {
   const TwoPanels t = two_panels();
   ASSERT_TRUE(write_obj(directory_ / "a.obj", t.positions, t.garment.triangles,

@@ -9,14 +9,16 @@ export interface ClothFromObj {
 
 const kColour: [number, number, number] = [0.55, 0.62, 0.72];
 
-/** Reads "v", "o" and three-cornered "f" lines; one object is one piece. @throws RangeError on anything unusable. */
+/** Reads "v", "vt" (flat places), "o" and three-cornered "f" lines; one object is one piece. @throws RangeError on anything unusable. */
 export function clothFromObj(text: string, colourOf: (piece: string) => readonly number[] | null): ClothFromObj {
   const xyz: number[] = [];
+  const flat: number[] = [];
   const corners: number[] = [];
   const pieces: { id: string; first: number; last: number }[] = [];
   for (const line of text.split('\n')) {
     const words = line.trim().split(/\s+/);
     if (words[0] === 'v') xyz.push(Number(words[1]), Number(words[2]), Number(words[3]));
+    else if (words[0] === 'vt') flat.push(Number(words[1]), Number(words[2]));
     else if (words[0] === 'o') pieces.push({ id: words.slice(1).join(' '), first: Infinity, last: -1 });
     else if (words[0] === 'f') addFace(words, corners, pieces);
   }
@@ -40,11 +42,16 @@ export function clothFromObj(text: string, colourOf: (piece: string) => readonly
     origin: [0, 0, 0],
     step: 1e-4,
     pieces: listed,
-    rest: new Float32Array(2 * vertexCount),
+    rest: new Float32Array(flat.length === 2 * vertexCount ? flat : seenFromAhead(xyz)),
     triangles: new Uint32Array(corners),
     sewn: sewnByPlace(xyz),
   };
   return { topology, positions: new Float32Array(xyz) };
+}
+
+/** Flat places for cloth that comes without: all in one point a texture could not be drawn at all. */
+function seenFromAhead(xyz: readonly number[]): number[] {
+  return xyz.filter((_, i) => i % 3 < 2);
 }
 
 function addFace(words: string[], corners: number[], pieces: { first: number; last: number }[]): void {
