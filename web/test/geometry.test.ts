@@ -179,6 +179,8 @@ describe('meshes from the service', () => {
     expect([...topology.rest.slice(2, 4)]).toEqual([xyz[3], xyz[4]]); // without flat places: as seen from ahead
     const flat = clothFromObj(`${text}vt 5 6\n${'vt 7 8\n'.repeat(5)}`, () => null).topology.rest;
     expect([...flat.slice(0, 4)]).toEqual([5, 6, 7, 8]);
+    const plain = clothFromObj(text.replace(/^o .*$/gm, ''), () => [1, 0, 0]).topology; // no piece would be drawn black
+    expect(plain.pieces).toEqual([{ id: '', firstVertex: 0, vertexCount: 6, colour: [1, 0, 0] }]);
     expect(() => clothFromObj('v 0 0 0\nf 1 2 3\n', () => null)).toThrow(RangeError);
     expect(() => clothFromObj('', () => null)).toThrow(RangeError);
   });

@@ -9,7 +9,7 @@ export interface ClothFromObj {
 
 const kColour: [number, number, number] = [0.55, 0.62, 0.72];
 
-/** Reads "v", "vt" (flat places), "o" and three-cornered "f" lines; one object is one piece. @throws RangeError on anything unusable. */
+/** Reads "v", "vt" (flat places), "o" and three-cornered "f" lines; one object is one piece, a plain file one piece without a name. @throws RangeError on anything unusable. */
 export function clothFromObj(text: string, colourOf: (piece: string) => readonly number[] | null): ClothFromObj {
   const xyz: number[] = [];
   const flat: number[] = [];
@@ -36,6 +36,9 @@ export function clothFromObj(text: string, colourOf: (piece: string) => readonly
         colour: [...(colourOf(piece.id) ?? kColour)] as [number, number, number],
       }),
     );
+  if (listed.length === 0) {
+    listed.push({ id: '', firstVertex: 0, vertexCount, colour: [...(colourOf('') ?? kColour)] as [number, number, number] });
+  }
   const topology: ClothTopology = {
     epoch: 0,
     vertexCount,

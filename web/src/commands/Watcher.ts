@@ -184,7 +184,7 @@ export class Watcher {
       const text = await this.api_.resultText(id, 'final.obj');
       if (watched.value !== id || cloth.topology) return;
       const known = valueOf(pieces.value ?? loading)?.pieces ?? [];
-      const read = clothFromObj(text, (name) => known.find((piece) => piece.id === name)?.colour ?? null);
+      const read = clothFromObj(text, (name) => (name ? known.find((piece) => piece.id === name) : known[0])?.colour ?? null);
       cloth.setTopology(read.topology);
       cloth.setPositions(read.positions, { epoch: 0, seq: 1, step: 0, time: 0 });
     } catch {
