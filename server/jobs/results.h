@@ -16,8 +16,8 @@
 
 namespace toile {
 
-/// Writes final.obj and final.glb into `folder`; with `check_data` final.obj is plain and rest.obj, body.obj
-/// and sewn.json lie beside it, for programs that judge the drape. Errors: export.*.
+/// Writes final.obj and final.glb into `folder`; with `check_data` rest.obj, body.obj and sewn.json
+/// lie beside them, for programs that judge the drape. Errors: export.*.
 Status write_models(const DrapeInput& input, const DrapeResult& result, const Textures& textures,
                     const std::filesystem::path& folder, bool check_data);
 
