@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/base/result.h"
@@ -64,6 +65,10 @@ struct BodyPoints {
 struct BodyMeasures {
   std::array<std::optional<TakenMeasure>, kMeasureCount> taken;
   BodyPoints points;
+  /// Notes a measure (arguments as TakenMeasure); one that is not above 0 was not to be found.
+  void take(Measure m, double value, double height, std::vector<Vec3> line = {}) {
+    if (value > 0) taken[static_cast<size_t>(m)] = TakenMeasure{value, height, std::move(line)};
+  }
   const std::optional<TakenMeasure>& operator[](Measure m) const { return taken[static_cast<size_t>(m)]; }
 };
 

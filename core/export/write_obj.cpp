@@ -196,7 +196,8 @@ Status write_obj(const std::filesystem::path& path, std::span<const Vec3> positi
 }
 
 Status write_check_data(const std::filesystem::path& directory, const GarmentMesh& garment,
-                        std::span<const Vec3> positions, std::span<const Body> bodies) {
+                        std::span<const Vec3> positions, std::span<const Body> bodies,
+                        const ObjPanels& panels) {
   if (Status bad = check_garment(garment, positions.size()); !bad.ok()) return bad;
   std::error_code failed;
   std::filesystem::create_directories(directory, failed);
@@ -204,7 +205,7 @@ Status write_check_data(const std::filesystem::path& directory, const GarmentMes
     return Error{"export.write", "cannot make the directory: " + failed.message(), directory.string()};
 
   if (Status s = write_obj(directory / "rest.obj", laid_out(garment), garment.triangles); !s.ok()) return s;
-  if (Status s = write_obj(directory / "final.obj", positions, garment.triangles); !s.ok()) return s;
+  if (Status s = write_obj(directory / "final.obj", positions, garment.triangles, panels); !s.ok()) return s;
   if (Status s = write_bodies(directory / "body.obj", bodies); !s.ok()) return s;
   return write_file(directory / "sewn.json", sewn_text(garment.sewn));
 }

@@ -30,11 +30,13 @@ Status write_obj(const std::filesystem::path& path, std::span<const Vec3> positi
 /// Writes into `directory`, which is made if need be, what a program that is not Toile needs to judge a
 /// drape:
 /// - rest.obj: the flat pieces, m, z = 0, side by side along x without overlap
-/// - final.obj: the same vertices and triangles in the same order, at `positions` (m)
+/// - final.obj: the same vertices and triangles in the same order, at `positions` (m), with `panels` as
+///   write_obj takes them
 /// - body.obj: all bodies as one mesh
 /// - sewn.json: [[i, j], …], the sewn pairs of vertices, counted from 0
 /// Errors: as write_obj, and "export.bad_garment" when arrays of the garment disagree in length.
 Status write_check_data(const std::filesystem::path& directory, const GarmentMesh& garment,
-                        std::span<const Vec3> positions, std::span<const Body> bodies);
+                        std::span<const Vec3> positions, std::span<const Body> bodies,
+                        const ObjPanels& panels = {});
 
 }  // namespace toile

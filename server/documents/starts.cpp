@@ -12,6 +12,7 @@
 #include "proto/cpp/project.h"
 #include "server/documents/findings.h"
 #include "server/documents/projects.h"
+#include "server/documents/stream_pieces.h"
 
 namespace toile {
 namespace {
@@ -33,23 +34,11 @@ Extent extent_of(const std::vector<Vec3>& points, Index first, Index last) {
   return e;
 }
 
-std::vector<StreamPiece> pieces_of(const DrapeInput& input, const GarmentMesh& garment) {
-  std::vector<StreamPiece> pieces;
-  for (std::size_t p = 0; p < input.pattern.panels.size(); ++p) {
-    const double* colour = input.fabrics[static_cast<std::size_t>(input.fabric_of_panel[p])].colour;
-    pieces.push_back({input.pattern.panels[p].id,
-                      garment.first_vertex[p],
-                      garment.first_vertex[p + 1] - garment.first_vertex[p],
-                      {colour[0], colour[1], colour[2]}});
-  }
-  return pieces;
-}
-
 std::string geometry_of(const DrapeInput& input, const Assembly& assembly) {
   const std::vector<Vec3>& points = assembly.positions;
   const Extent extent = points.empty() ? Extent{} : extent_of(points, 0, static_cast<Index>(points.size()));
   const std::string topology = encode_topology(1, grid_for(extent.low, extent.high), assembly.garment,
-                                               pieces_of(input, assembly.garment));
+                                               stream_pieces(input, assembly.garment));
   std::string out;
   out.reserve(4 + topology.size() + 12 * points.size());
   put(out, static_cast<std::uint32_t>(topology.size()));

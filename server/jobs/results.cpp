@@ -62,13 +62,9 @@ Status write_models(const DrapeInput& input, const DrapeResult& result, const Te
                     const fs::path& folder, bool check_data) {
   const GarmentMesh& garment = result.garment;
   const std::vector<std::string> names = panel_names(input.pattern);
-  if (check_data) {
-    Status data = write_check_data(folder, garment, result.positions, input.bodies);
-    if (!data) return data;
-  }
-  Status objects =
-      write_obj(folder / "final.obj", result.positions, garment.triangles,
-                {.names = names, .panel_of_triangle = garment.panel_of_triangle, .rest = garment.rest});
+  const ObjPanels panels{names, garment.panel_of_triangle, garment.rest};
+  Status objects = check_data ? write_check_data(folder, garment, result.positions, input.bodies, panels)
+                              : write_obj(folder / "final.obj", result.positions, garment.triangles, panels);
   if (!objects) return objects;
   GlbModel model;
   model.garment = &garment;

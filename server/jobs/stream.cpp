@@ -3,20 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "server/documents/stream_pieces.h"
+
 namespace toile {
 namespace {
-
-std::vector<StreamPiece> pieces_of(const DrapeInput& input, const GarmentMesh& garment) {
-  std::vector<StreamPiece> pieces;
-  for (std::size_t p = 0; p < input.pattern.panels.size(); ++p) {
-    const double* colour = input.fabrics[static_cast<std::size_t>(input.fabric_of_panel[p])].colour;
-    pieces.push_back({input.pattern.panels[p].id,
-                      garment.first_vertex[p],
-                      garment.first_vertex[p + 1] - garment.first_vertex[p],
-                      {colour[0], colour[1], colour[2]}});
-  }
-  return pieces;
-}
 
 /// The grid of the cloth at its start. What it is to fall on says nothing about how far it falls.
 FrameGrid grid_of(const std::vector<Vec3>& start) {
@@ -36,7 +26,7 @@ JobStream::JobStream(Publisher& publisher, std::string job_id, std::uint32_t epo
     : publisher_(publisher), job_id_(std::move(job_id)), epoch_(epoch), grid_(grid_of(start)) {
   auto topology = std::make_shared<StreamTopology>();
   topology->epoch = epoch_;
-  topology->bytes = encode_topology(epoch_, grid_, garment, pieces_of(input, garment));
+  topology->bytes = encode_topology(epoch_, grid_, garment, stream_pieces(input, garment));
   publisher_.topology(job_id_, std::move(topology));
 }
 

@@ -179,9 +179,9 @@ TEST_F(Dressing, PlacesAPieceOnASideOfABox) {
 TEST_F(Dressing, KeepsLandmarksThatArePutElsewhereAndTheyGrowWithTheBody) {
   const auto mark = [&](const std::string& name) -> std::optional<Vec3> {
     const JsonValue body = first_body();
-    for (const JsonValue& one : *body.find("landmarks")->array()) {
-      const auto& at = *one.find("place")->array();
-      if (*one.find("name")->text() == name) return Vec3{*at[0].number(), *at[1].number(), *at[2].number()};
+    for (const JsonValue& landmark : *body.find("landmarks")->array()) {
+      const auto& at = *landmark.find("place")->array();
+      if (*landmark.find("name")->text() == name) return Vec3{*at[0].number(), *at[1].number(), *at[2].number()};
     }
     return std::nullopt;
   };
