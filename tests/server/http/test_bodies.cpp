@@ -181,7 +181,8 @@ TEST_F(Dressing, KeepsLandmarksThatArePutElsewhereAndTheyGrowWithTheBody) {
     const JsonValue body = first_body();
     for (const JsonValue& landmark : *body.find("landmarks")->array()) {
       const auto& at = *landmark.find("place")->array();
-      if (*landmark.find("name")->text() == name) return Vec3{*at[0].number(), *at[1].number(), *at[2].number()};
+      if (*landmark.find("name")->text() == name)
+        return Vec3{*at[0].number(), *at[1].number(), *at[2].number()};
     }
     return std::nullopt;
   };
