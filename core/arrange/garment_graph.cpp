@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <set>
 
 #include "core/arrange/piece_cover.h"
+#include "core/base/disjoint_sets.h"
 #include "core/geometry/polygon2.h"
 #include "core/pattern/seam_model.h"
 
@@ -124,24 +124,16 @@ void find_outsides(const std::vector<std::array<Index, 3>>& parities, std::vecto
 int count_rings(const PanelMeshes& meshes) {
   std::vector<Index> first{0};
   for (const PanelMesh& m : meshes.panels) first.push_back(first.back() + static_cast<Index>(m.rest.size()));
-  std::vector<Index> parent(first.back());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&parent](Index i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
-  const auto join = [&](Index i, Index j) {
-    const Index a = root(i), b = root(j);
-    parent[std::max(a, b)] = std::min(a, b);
-  };
+  DisjointSets vertices(static_cast<std::size_t>(first.back()));
   for (const MatchedSeam& seam : meshes.seams) {
-    for (const SewnPair& p : seam.pairs) join(first[p.a.panel] + p.a.vertex, first[p.b.panel] + p.b.vertex);
+    for (const SewnPair& p : seam.pairs)
+      vertices.join(first[p.a.panel] + p.a.vertex, first[p.b.panel] + p.b.vertex);
   }
   std::map<std::pair<Index, Index>, int> count;
   for (std::size_t m = 0; m < meshes.panels.size(); ++m) {
     for (const Tri& t : meshes.panels[m].triangles) {
       for (int k = 0; k < 3; ++k) {
-        const Index i = root(first[m] + t[k]), j = root(first[m] + t[(k + 1) % 3]);
+        const Index i = vertices.root(first[m] + t[k]), j = vertices.root(first[m] + t[(k + 1) % 3]);
         ++count[{std::min(i, j), std::max(i, j)}];
       }
     }
@@ -149,10 +141,10 @@ int count_rings(const PanelMeshes& meshes) {
   // Borders are counted after their vertices have been joined along them.
   std::set<Index> borders;
   for (const auto& [edge, times] : count) {
-    if (times == 1) join(edge.first, edge.second);
+    if (times == 1) vertices.join(edge.first, edge.second);
   }
   for (const auto& [edge, times] : count) {
-    if (times == 1) borders.insert(root(edge.first));
+    if (times == 1) borders.insert(vertices.root(edge.first));
   }
   return static_cast<int>(borders.size());
 }

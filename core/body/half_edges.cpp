@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <span>
 #include <utility>
+
+#include "core/base/disjoint_sets.h"
 
 namespace toile {
 namespace {
@@ -58,30 +59,13 @@ std::vector<Leaf> leaves_around(const TriangleMesh& mesh, std::span<const Side> 
 
 void join(std::vector<Index>& mate, Index a, Index b) { mate[a] = b, mate[b] = a; }
 
-/// Sets of triangles or corners that grow together.
-class GrowingSets {
- public:
-  explicit GrowingSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-  Index root(Index i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void unite(Index a, Index b) {
-    a = root(a), b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<Index> parent_;
-};
-
 /// Of each triangle, whether its patch ends at a border somewhere: what hangs together across edges at which
 /// two triangles meet.
 std::vector<bool> bordered(const TriangleMesh& mesh, std::span<const Side> sides,
                            std::span<const Index> mate) {
-  GrowingSets patches(mesh.triangles.size());
+  DisjointSets patches(mesh.triangles.size());
   for (std::size_t h = 0; h < mate.size(); ++h) {
-    if (mate[h] != kNone) patches.unite(triangle_of(static_cast<Index>(h)), triangle_of(mate[h]));
+    if (mate[h] != kNone) patches.join(triangle_of(static_cast<Index>(h)), triangle_of(mate[h]));
   }
   std::vector<bool> by_root(mesh.triangles.size(), false), out(mesh.triangles.size(), false);
   const auto same = [&](std::size_t i, std::size_t j) {
@@ -150,20 +134,20 @@ void fill_shell(const TriangleMesh& mesh, const HalfEdges& edges, Index first, M
 }
 
 /// Corners that go around a vertex together.
-GrowingSets fans_of(const TriangleMesh& mesh, const HalfEdges& edges) {
-  GrowingSets corners(edges.mate.size());
+DisjointSets fans_of(const TriangleMesh& mesh, const HalfEdges& edges) {
+  DisjointSets corners(edges.mate.size());
   for (Index h = 0; h < static_cast<Index>(edges.mate.size()); ++h) {
     const Index mate = edges.mate[h];
     if (mate < h) continue;  // none, or seen before
     const bool against = start_of(mesh, h) == start_of(mesh, mate);
-    corners.unite(h, against ? mate : next_in_triangle(mate));
-    corners.unite(next_in_triangle(h), against ? next_in_triangle(mate) : mate);
+    corners.join(h, against ? mate : next_in_triangle(mate));
+    corners.join(next_in_triangle(h), against ? next_in_triangle(mate) : mate);
   }
   return corners;
 }
 
 /// By root, whether a fan ends at borders and does not go all the way round.
-std::vector<bool> fans_with_ends(const HalfEdges& edges, GrowingSets& corners) {
+std::vector<bool> fans_with_ends(const HalfEdges& edges, DisjointSets& corners) {
   std::vector<bool> ends(edges.mate.size(), false);
   for (Index h = 0; h < static_cast<Index>(edges.mate.size()); ++h) {
     if (edges.mate[h] == kNone) ends[corners.root(h)] = ends[corners.root(next_in_triangle(h))] = true;
@@ -205,7 +189,7 @@ MeshShells find_shells(const TriangleMesh& mesh, const HalfEdges& edges) {
 }
 
 int split_fans(TriangleMesh& mesh, const HalfEdges& edges, const MeshShells& shells) {
-  GrowingSets corners = fans_of(mesh, edges);
+  DisjointSets corners = fans_of(mesh, edges);
   const std::vector<bool> ends = fans_with_ends(edges, corners);
   std::vector<bool> taken(mesh.vertices.size(), false);    // by its first fan
   std::vector<Index> vertex_of(edges.mate.size(), kNone);  // of each fan, by its root

@@ -4,15 +4,12 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/base/disjoint_sets.h"
+
 namespace toile {
 namespace {
 
 constexpr size_t kBins = 256;
-
-Index root(std::vector<Index>& parent, Index i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
 
 /// Gathers the crossed edges of a few triangles; equal edges become one point.
 class CutBuilder {
@@ -39,13 +36,12 @@ class CutBuilder {
     const auto place = [&](std::uint64_t e) {
       return static_cast<Index>(std::lower_bound(edges.begin(), edges.end(), e) - edges.begin());
     };
-    std::vector<Index> parent(edges.size());
-    std::iota(parent.begin(), parent.end(), 0);
-    for (const auto& s : segments_) parent[root(parent, place(s[0]))] = root(parent, place(s[1]));
+    DisjointSets parts(edges.size());
+    for (const auto& s : segments_) parts.join(place(s[0]), place(s[1]));
     MeshCut cut;
     cut.points.reserve(edges.size());
     for (std::uint64_t e : edges) cut.points.push_back(on_edge(e));
-    number_parts(parent, cut);
+    number_parts(parts, cut);
     return cut;
   }
 
@@ -56,10 +52,10 @@ class CutBuilder {
     return mesh_.vertices[a] + (mesh_.vertices[b] - mesh_.vertices[a]) * s;
   }
 
-  static void number_parts(std::vector<Index>& parent, MeshCut& cut) {
-    std::vector<Index> number(parent.size(), kNone);
-    for (Index i = 0; i < static_cast<Index>(parent.size()); ++i) {
-      Index& n = number[root(parent, i)];
+  static void number_parts(DisjointSets& parts, MeshCut& cut) {
+    std::vector<Index> number(cut.points.size(), kNone);
+    for (Index i = 0; i < static_cast<Index>(number.size()); ++i) {
+      Index& n = number[parts.root(i)];
       if (n == kNone) n = cut.part_count++;
       cut.part.push_back(n);
     }

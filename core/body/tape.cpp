@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
+
+#include "core/base/disjoint_sets.h"
 
 namespace toile {
 namespace {
@@ -17,11 +18,6 @@ struct Slice {
   std::vector<Index> part;
 };
 
-Index root(std::vector<Index>& parent, Index i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
-
 Vec2 on_edge(const Vec3& a, const Vec3& b, double height) {
   const double s = (height - a.y) / (b.y - a.y);
   return {a.x + (b.x - a.x) * s, a.z + (b.z - a.z) * s};
@@ -29,6 +25,7 @@ Vec2 on_edge(const Vec3& a, const Vec3& b, double height) {
 
 Slice slice(const TriangleMesh& mesh, double height) {
   Slice out;
+  DisjointSets parts;
   std::map<std::pair<Index, Index>, Index> point_of_edge;
   for (const Tri& t : mesh.triangles) {
     Index ends[2] = {kNone, kNone};
@@ -40,13 +37,13 @@ Slice slice(const TriangleMesh& mesh, double height) {
       const auto [it, is_new] = point_of_edge.try_emplace({a, b}, static_cast<Index>(out.points.size()));
       if (is_new) {
         out.points.push_back(on_edge(p, q, height));
-        out.part.push_back(it->second);
+        parts.add();
       }
       ends[found++] = it->second;
     }
-    if (found == 2) out.part[root(out.part, ends[0])] = root(out.part, ends[1]);
+    if (found == 2) parts.join(ends[0], ends[1]);
   }
-  for (Index i = 0; i < static_cast<Index>(out.part.size()); ++i) out.part[i] = root(out.part, i);
+  for (Index i = 0; i < static_cast<Index>(out.points.size()); ++i) out.part.push_back(parts.root(i));
   return out;
 }
 

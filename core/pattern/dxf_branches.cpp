@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/base/disjoint_sets.h"
 #include "core/geometry/polygon2.h"
 
 namespace toile {
@@ -18,24 +19,7 @@ constexpr int kDeepest = 8;            // lines within lines within lines
 constexpr int kMostAtOnePlace = 64;    // ends compared around a place
 constexpr double kDirectionReach = 2;  // mm along a stroke, where its direction at its end is measured
 
-/// Numbers that may be made one.
-class Union {
- public:
-  explicit Union(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
-  std::size_t root(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::size_t a, std::size_t b) {
-    a = root(a), b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::size_t> parent_;
-};
+Index index(std::size_t i) { return static_cast<Index>(i); }
 
 /// The place of each end: number 2 i + (0 start, 1 end) of stroke i.
 std::vector<std::size_t> places_of(const std::vector<DxfStroke>& strokes, double tolerance) {
@@ -46,20 +30,21 @@ std::vector<std::size_t> places_of(const std::vector<DxfStroke>& strokes, double
   for (std::size_t e = 0; e < 2 * strokes.size(); ++e)
     entries.emplace_back(cell(point(e).x), cell(point(e).y), e);
   std::sort(entries.begin(), entries.end());
-  Union places(entries.size());
+  DisjointSets places(entries.size());
   for (const auto& [x, y, e] : entries) {
     for (std::int64_t dx = 0; dx <= 1; ++dx) {
       for (std::int64_t dy = dx == 0 ? 0 : -1; dy <= 1; ++dy) {
         auto it = std::lower_bound(entries.begin(), entries.end(), Entry{x + dx, y + dy, 0});
         for (int seen = 0; it != entries.end() && seen < kMostAtOnePlace; ++it, ++seen) {
           if (std::get<0>(*it) != x + dx || std::get<1>(*it) != y + dy) break;
-          if (length(point(std::get<2>(*it)) - point(e)) <= tolerance) places.join(e, std::get<2>(*it));
+          if (length(point(std::get<2>(*it)) - point(e)) <= tolerance)
+            places.join(index(e), index(std::get<2>(*it)));
         }
       }
     }
   }
   std::vector<std::size_t> roots(entries.size());
-  for (std::size_t e = 0; e < roots.size(); ++e) roots[e] = places.root(e);
+  for (std::size_t e = 0; e < roots.size(); ++e) roots[e] = static_cast<std::size_t>(places.root(index(e)));
   return roots;
 }
 
@@ -115,12 +100,12 @@ class Brancher {
 
   /// Strokes that hang together, by their first.
   std::vector<std::vector<std::size_t>> parts_of(const std::vector<std::size_t>& strokes) const {
-    Union places(place_.size());
-    for (const std::size_t i : strokes) places.join(place_[2 * i], place_[2 * i + 1]);
-    std::map<std::size_t, std::size_t> number;
+    DisjointSets places(place_.size());
+    for (const std::size_t i : strokes) places.join(index(place_[2 * i]), index(place_[2 * i + 1]));
+    std::map<Index, std::size_t> number;
     std::vector<std::vector<std::size_t>> parts;
     for (const std::size_t i : strokes) {
-      const auto [it, fresh] = number.emplace(places.root(place_[2 * i]), parts.size());
+      const auto [it, fresh] = number.emplace(places.root(index(place_[2 * i])), parts.size());
       if (fresh) parts.emplace_back();
       parts[it->second].push_back(i);
     }

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/base/disjoint_sets.h"
 #include "core/pattern/curve.h"
 #include "core/pattern/outline.h"
 
@@ -57,27 +58,26 @@ class Meetings {
            seam.same_direction ? finish_of(pattern, seam.b) : start_of(pattern, seam.b));
     }
   }
-  bool meet(const End& x, const End& y) { return root(place_of(x)) == root(place_of(y)); }
+  bool meet(const End& x, const End& y) {
+    const Index a = place_of(x), b = place_of(y);
+    return places_.root(a) == places_.root(b);
+  }
 
  private:
-  std::size_t place_of(const End& end) {
+  Index place_of(const End& end) {
     for (std::size_t i = 0; i < ends_.size(); ++i)
-      if (ends_[i].panel == end.panel && length(ends_[i].at - end.at) <= kMeet) return i;
+      if (ends_[i].panel == end.panel && length(ends_[i].at - end.at) <= kMeet) return static_cast<Index>(i);
     ends_.push_back(end);
-    parent_.push_back(ends_.size() - 1);
-    return ends_.size() - 1;
-  }
-  std::size_t root(std::size_t i) const {
-    while (parent_[i] != i) i = parent_[i];
-    return i;
+    places_.add();
+    return static_cast<Index>(ends_.size() - 1);
   }
   void join(const End& x, const End& y) {
-    const std::size_t a = root(place_of(x)), b = root(place_of(y));
-    parent_[std::max(a, b)] = std::min(a, b);
+    const Index a = place_of(x);
+    places_.join(a, place_of(y));
   }
 
   std::vector<End> ends_;
-  std::vector<std::size_t> parent_;
+  DisjointSets places_;
 };
 
 struct Checker {

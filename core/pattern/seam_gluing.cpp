@@ -1,7 +1,6 @@
 #include "core/pattern/seam_gluing.h"
 
 #include <cmath>
-#include <numeric>
 
 namespace toile {
 namespace {
@@ -38,7 +37,7 @@ constexpr double kTornLine = -2.5;  ///< a smooth line that is sewn up to some p
 constexpr double kSmooth = 15;      ///< degrees
 
 /// Corners by the point that they come to; corner i is the start of run i.
-void join_corners(const SeamModel& m, const SeamGluing& g, Classes& corners) {
+void join_corners(const SeamModel& m, const SeamGluing& g, DisjointSets& corners) {
   corners.reset(m.runs.size());
   for (Index a = 0; a < static_cast<Index>(m.runs.size()); ++a) {
     const Index b = g.partner[a];
@@ -50,11 +49,6 @@ void join_corners(const SeamModel& m, const SeamGluing& g, Classes& corners) {
 }
 
 }  // namespace
-
-void Classes::reset(std::size_t count) {
-  parent_.resize(count);
-  std::iota(parent_.begin(), parent_.end(), 0);
-}
 
 GluingJudge::GluingJudge(const SeamModel& model, const GluingSettings& settings)
     : m_(model), settings_(settings) {
@@ -226,7 +220,7 @@ double gluing_merit(const SeamModel& m, const SeamGluing& g, const GluingSetting
 }
 
 std::vector<std::vector<Index>> free_borders(const SeamModel& m, const SeamGluing& g) {
-  Classes corners;
+  DisjointSets corners;
   join_corners(m, g, corners);
   const auto start = [&](Index i) { return corners.root(g.turned[m.runs[i].panel] ? m.runs[i].next : i); };
   const auto end = [&](Index i) { return corners.root(g.turned[m.runs[i].panel] ? i : m.runs[i].next); };

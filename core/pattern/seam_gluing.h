@@ -6,6 +6,7 @@
 #include <array>
 #include <vector>
 
+#include "core/base/disjoint_sets.h"
 #include "core/pattern/seam_model.h"
 
 namespace toile {
@@ -45,24 +46,6 @@ std::array<double, 2> pair_merit(const SeamModel& model, Index a, Index b, bool 
 
 /// What a difference of lengths says: 6 for equal ones, 0 at a sixth.
 double length_merit(double a, double b);
-
-/// Sets of small numbers that are one.
-class Classes {
- public:
-  void reset(std::size_t count);
-  Index root(Index i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  bool join(Index a, Index b) {
-    a = root(a), b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-    return a != b;
-  }
-
- private:
-  std::vector<Index> parent_;
-};
 
 /// Says what garments are worth, one after the other, without asking for memory. The model must outlive it.
 class GluingJudge {
@@ -105,7 +88,7 @@ class GluingJudge {
   const SeamModel& m_;
   GluingSettings settings_;
   std::vector<Run> runs_;
-  Classes corners_, parts_, borders_;
+  DisjointSets corners_, parts_, borders_;
   std::vector<Index> root_;  ///< of each corner, once they are joined
   std::vector<PointSums> sums_;
   std::vector<Gather> gathers_;

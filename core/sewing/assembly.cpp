@@ -1,8 +1,8 @@
 #include "core/sewing/assembly.h"
 
 #include <algorithm>
-#include <numeric>
 
+#include "core/base/disjoint_sets.h"
 #include "core/sewing/attached_places.h"
 
 namespace toile {
@@ -39,18 +39,11 @@ Vec3 snapped(Vec3 p) {
 }  // namespace
 
 std::vector<Index> least_of_class(Index vertex_count, const std::vector<std::array<Index, 2>>& joined) {
-  std::vector<Index> parent(vertex_count);
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](Index i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
-  for (const auto& [i, j] : joined) {
-    const Index a = root(i), b = root(j);
-    parent[std::max(a, b)] = std::min(a, b);  // the least stays the root
-  }
-  for (Index i = 0; i < vertex_count; ++i) parent[i] = root(i);
-  return parent;
+  DisjointSets classes(static_cast<std::size_t>(vertex_count));
+  for (const auto& [i, j] : joined) classes.join(i, j);
+  std::vector<Index> least;
+  for (Index i = 0; i < vertex_count; ++i) least.push_back(classes.root(i));
+  return least;
 }
 
 std::vector<double> seam_held_by_pairs(const GarmentMesh& g) {
