@@ -7,7 +7,6 @@
 
 #include "core/body/cut_points.h"
 #include "core/body/mesh_cut.h"
-#include "core/body/tape.h"
 
 namespace toile {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/body/tape.h"
+#include "core/geometry/convex_hull.h"
 
 namespace toile {
 
@@ -86,7 +86,7 @@ std::vector<Vec3> taut_loop(const std::vector<Vec3>& points, Vec3 normal) {
   if (points.empty()) return out;
   const Axes axes = axes_of(normal);
   const Vec3 off = normal * dot(points.front(), normal);
-  for (const Vec2& p : tape_hull(in_plane(points, axes))) out.push_back(axes.u * p.x + axes.v * p.y + off);
+  for (const Vec2& p : convex_hull(in_plane(points, axes))) out.push_back(axes.u * p.x + axes.v * p.y + off);
   return out;
 }
 

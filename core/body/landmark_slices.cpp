@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/body/mesh_cut.h"
-#include "core/body/tape.h"
+#include "core/geometry/convex_hull.h"
 
 namespace toile {
 

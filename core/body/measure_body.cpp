@@ -7,7 +7,7 @@
 #include "core/body/body_measures.h"
 #include "core/body/cut_points.h"
 #include "core/body/mesh_cut.h"
-#include "core/body/tape.h"
+#include "core/geometry/convex_hull.h"
 
 namespace toile {
 namespace {

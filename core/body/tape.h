@@ -14,13 +14,6 @@ struct Girth {
 
 inline constexpr double kNoBreadth = std::numeric_limits<double>::infinity();
 
-/// The corners of the convex hull of flat points, counter-clockwise; a single point or none where that is all
-/// there is.
-std::vector<Vec2> tape_hull(std::vector<Vec2> points);
-
-/// The perimeter of the convex hull of flat points; 0 for fewer than two.
-double hull_perimeter(std::vector<Vec2> points);
-
 /// Girth of the trunk (or of both legs together) in the level plane at `height`: the parts of the slice that
 /// cross x = 0, or where none does, the nearest part on each side. Arms that stand off are not counted, nor
 /// what lies farther than `half_breadth` from x = 0. 0 where the plane misses the mesh.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "core/body/tape.h"
+#include "core/geometry/convex_hull.h"
 #include "core/geometry/polygon2.h"
 #include "core/mesh/topology.h"
 

@@ -62,11 +62,5 @@ TEST(Tape, FindsTheNarrowestAndTheWidestPlace) {
   EXPECT_NEAR(widest_girth(mesh, 0.8, 1.4).height, 1.4, 1e-9);
 }
 
-TEST(Tape, SpansHollowsStraight) {
-  EXPECT_NEAR(hull_perimeter({{0, 0}, {1, 0}, {1, 1}, {0.5, 0.2}, {0, 1}, {0.5, 0}}), 4, 1e-12);
-  EXPECT_EQ(hull_perimeter({{1, 2}}), 0);
-  EXPECT_EQ(hull_perimeter({}), 0);
-}
-
 }  // namespace
 }  // namespace toile
