@@ -27,7 +27,7 @@ void fields(Archive& a, RunState& run) {
   a.value(s.time), a.value(s.phase_start), a.value(s.last_weld), a.value(s.slackened);
   a.value(s.joined), a.value(s.released), a.value(s.off_at_release);
   a.value(s.watch.step), a.value(s.watch.window_start), a.value(s.watch.rms), a.value(s.watch.max_speed);
-  a.value(s.watch.drift_start), a.value(s.watch.drift), a.value(s.watch.usual_drift);
+  a.value(s.watch.ways), a.value(s.watch.drift), a.value(s.watch.usual_drift), a.value(s.watch.swings);
   a.value(s.solver.positions), a.value(s.solver.velocities);
   a.value(s.solver.measured), a.value(s.solver.measured_speeds), a.value(s.solver.held_back),
       a.value(s.solver.hits);
@@ -45,6 +45,13 @@ bool all_within(const std::vector<Vec3>& list, double most) {
 
 bool all_speeds(const std::vector<double>& list) {
   return std::all_of(list.begin(), list.end(), [](double v) { return v >= 0 && v <= kFarthest; });
+}
+
+/// Whole windows of `vertices` ways each.
+bool sound_ways(const std::vector<float>& ways, std::size_t vertices) {
+  return (vertices == 0 ? ways.empty() : ways.size() % (3 * vertices) == 0) &&
+         ways.size() <= 3 * vertices * (SettleState::kMostWindows - 1) &&
+         std::all_of(ways.begin(), ways.end(), [](float v) { return std::abs(v) <= 2 * kFarthest; });
 }
 
 template <typename... Times>
@@ -65,12 +72,13 @@ bool sound(const SessionState& s) {
          all_counts(s.steps, s.watch.step, s.solver.held_back, s.solver.hits, s.slackened) &&
          all_times(s.time, s.phase_start, s.last_weld) && s.solver.velocities.size() == n &&
          (m == 0 || m == n) && s.solver.measured_speeds.size() == m && s.watch.window_start.size() == n &&
-         s.watch.drift_start.size() == n && s.watch.drift >= 0 && s.watch.usual_drift >= 0 &&
-         s.watch.rms.size() <= SettleState::kMostWindows && s.watch.max_speed >= 0 &&
-         all_speeds(s.off_at_release) && all_speeds(s.watch.rms) && all_speeds({s.watch.max_speed}) &&
+         sound_ways(s.watch.ways, n) && s.watch.rms.size() <= SettleState::kMostWindows &&
+         s.watch.swings.size() <= SettleState::kMostWindows && all_speeds(s.watch.swings) &&
+         all_speeds(s.off_at_release) && all_speeds(s.watch.rms) &&
+         all_speeds({s.watch.max_speed, s.watch.drift, s.watch.usual_drift}) &&
          all_speeds(s.solver.measured_speeds) && all_within(s.solver.positions, kFarthest) &&
          all_within(s.solver.velocities, kFarthest) && all_within(s.solver.measured, kFarthest) &&
-         all_within(s.watch.window_start, kFarthest) && all_within(s.watch.drift_start, kFarthest);
+         all_within(s.watch.window_start, kFarthest);
 }
 
 bool sound(const RunState& run) {

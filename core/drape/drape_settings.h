@@ -18,7 +18,7 @@ struct DrapeSettings {
   double sew_time = 1.0;             ///< s, in which the seams close, without gravity
   double settle_speed = 0.005;       ///< m/s, RMS speed under which the cloth counts as at rest
   double max_time = 8.0;             ///< s of simulated time after which an unsettled drape ends
-  int frame_interval = 50;           ///< substeps between frames that viewers see
+  int frame_interval = 50;           ///< substeps between frames that viewers see, at most
   DrapeMode mode = DrapeMode::kDrape;
   bool until_settled = true;  ///< ends when the cloth is at rest; otherwise at max_time
   AirDrag air = {};           ///< while draping, not while sewing

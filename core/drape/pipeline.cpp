@@ -1,5 +1,6 @@
 #include "core/drape/pipeline.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "core/base/stopwatch.h"
@@ -13,6 +14,16 @@ namespace {
 
 /// Progress is told this often, in steps; a cancel is seen at every step.
 constexpr int kProgressInterval = 100;
+
+/// Crossings are looked for in so many frames at least, however soon the drape ends.
+constexpr double kFewestFrames = 100;
+
+int frame_interval_of(const DrapeInput& input) {
+  const DrapeSettings& s = input.settings;
+  const double shortest = std::min(shortest_drape(input), s.max_time);
+  return std::clamp(static_cast<int>(shortest / s.time_step / kFewestFrames), 1,
+                    std::max(1, s.frame_interval));
+}
 
 /// Adds the times of a go to those of the run when it ends.
 class GoTimer {
@@ -41,6 +52,9 @@ Result<DrapeStart> prepare_start(const DrapeInput& input, const RunContext& cont
       {input.pattern, start.meshes, input.bodies, input.settings.particle_distance}, start.assembly);
   return start;
 }
+
+DrapeRun::DrapeRun(const DrapeInput& input, FrameSink* sink)
+    : input_(input), sink_(sink), frame_interval_(frame_interval_of(input)) {}
 
 Result<std::unique_ptr<DrapeRun>> DrapeRun::start(const DrapeInput& input, const RunContext& context,
                                                   FrameSink* sink) {
@@ -117,7 +131,7 @@ int DrapeRun::advance(int max_steps, const RunContext& context) {
       const Progress p = session_->progress();
       context.progress(p.phase, p.fraction);
     }
-    if (session_->steps() % input_.settings.frame_interval == 0) record_frame();
+    if (session_->steps() % frame_interval_ == 0 || session_->just_welded()) record_frame();
   }
   return taken;
 }

@@ -31,7 +31,8 @@ Result<DrapeStart> prepare_start(const DrapeInput& input, const RunContext& cont
 
 /// A drape from its input to its result, in as many goes as the caller likes: between two of them it may lie
 /// in memory, and any thread may take it up again. How it is cut into goes changes nothing in the result but
-/// its times.
+/// its times. Frames are recorded every `frame_interval` substeps, after a weld, and more often where the
+/// drape might end before it was looked at a hundred times.
 class DrapeRun {
  public:
   /// Meshes, places, checks, and records the first frame. `input` must outlive the run; so must `sink`, which
@@ -61,7 +62,7 @@ class DrapeRun {
   CrossingCount crossings() const { return result_.at_end; }
 
  private:
-  DrapeRun(const DrapeInput& input, FrameSink* sink) : input_(input), sink_(sink) {}
+  DrapeRun(const DrapeInput& input, FrameSink* sink);
   Status prepare(const RunContext& context);
   Status restore(std::string_view checkpoint);
   void record_frame();
@@ -70,6 +71,7 @@ class DrapeRun {
   FrameSink* sink_;
   std::unique_ptr<DrapeSession> session_;
   DrapeResult result_;  ///< so far: the garment, times and crossings
+  int frame_interval_;  ///< steps
   int recorded_ = -1;   ///< step of the newest recorded frame
 };
 

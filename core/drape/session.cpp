@@ -17,17 +17,15 @@ namespace {
 constexpr double kGravityRamp = 0.5;  // s
 /// A thick medium while threads pull: the pieces are led, not thrown.
 constexpr double kSewDamping = 6;  // 1/s
-/// Cloth falls and folds freely first, then comes to rest near critically damped (a hem swings at about 1
-/// Hz).
-constexpr double kFallDamping = 2, kRestDamping = 4;  // 1/s
-constexpr double kFallTime = 0.8;                     // s after gravity is full
 /// Inner friction, so that what shivers comes to rest; wide folds hardly feel it.
 constexpr double kViscosity = 20;  // 1/s
 /// Elastic, creases and air come in over this time, once the garment is sewn.
 constexpr double kFormTime = 0.5;  // s
+/// Cloth is at rest at the soonest this long after sewing: all forces are in, and it was watched under them.
+constexpr double kSoonestRest = std::max(kGravityRamp, kFormTime) + 0.2;  // s
 /// Seams this close are shut.
 constexpr double kSeamShut = 0.3e-3;  // m
-/// Threads have this much longer than sew_time before a seam counts as stalled.
+/// Threads have this much longer than sew_time before a seam counts as stalled, or until nothing moves.
 constexpr double kStallTime = 1.5;  // s
 /// Threads that do not close the seams in this time are let out to this share of their first lengths, so that
 /// a fold that was caught between two sides can slip out, and pulled again, so many times.
@@ -151,8 +149,7 @@ StepForces DrapeSession::forces_now() const {
     return forces;
   }
   forces.gravity = input_.settings.gravity * std::min(1.0, since / kGravityRamp);
-  const double falling = since - kGravityRamp;
-  forces.damping = falling < kFallTime ? kFallDamping : kRestDamping;
+  forces.damping = watch_.damping();
   forces.viscosity = viscous_share(kViscosity, input_.settings.time_step, steps_);
   return forces;
 }
@@ -188,10 +185,11 @@ Status DrapeSession::restore(SessionState state) {
 
 void DrapeSession::step() {
   TOILE_CHECK(phase_ != Phase::kDone);
-  const StepReport report = solver_->step(forces_now());
+  const StepForces forces = forces_now();
+  const StepReport report = solver_->step(forces);
   ++steps_;
   time_ += input_.settings.time_step;
-  watch_.observe(solver_->positions());
+  watch_.observe(solver_->positions(), forces.damping);
   if (report.not_finite) {
     phase_ = Phase::kDone, stop_reason_ = "not finite";
   } else if (phase_ == Phase::kSew) {
@@ -211,7 +209,8 @@ void DrapeSession::sew_or_weld() {
     phase_start_ = time_ - (1 - kSlack) * input_.settings.sew_time;
     return;
   }
-  if (!shut && since < input_.settings.sew_time + kStallTime) return;
+  const bool still = slackened_ == kMostSlackened && watch_.rms_speed() < input_.settings.settle_speed;
+  if (!shut && !still && since < input_.settings.sew_time + kStallTime) return;
   if (gap > kSeamLost) {
     phase_ = Phase::kDone, stop_reason_ = "stalled seam " + name_of_widest_seam();
     return;
@@ -221,6 +220,7 @@ void DrapeSession::sew_or_weld() {
 }
 
 void DrapeSession::weld() {
+  welded_at_ = steps_;
   const std::vector<Vec3> velocities = solver_->velocities();
   const std::vector<Index> before = vertex_of_;
   Weld weld = weld_seams(assembly_.garment, positions(), kSeamTolerance, crossing_bodies_);
@@ -263,8 +263,8 @@ void DrapeSession::settle_or_stop() {
     solver_->set_features(features_now());
     watch_.restart(solver_->positions());
   }
-  const bool calm_medium = time_ >= time_of_full_gravity() + (dynamic() ? kFormTime : kFallTime);
-  if (input_.settings.until_settled && !holding && calm_medium && watch_.settled()) {
+  const bool forces_stand = time_ >= phase_start_ + kSoonestRest;
+  if (input_.settings.until_settled && !holding && forces_stand && watch_.settled(forces_now().damping)) {
     phase_ = Phase::kDone;
     stop_reason_ = reason_at_rest();
   } else if (time_ >= input_.settings.max_time) {
@@ -336,6 +336,10 @@ CrossingCount DrapeSession::count_crossings() {
   }
   count.cloth_cloth = static_cast<int>(crossings_.with_itself().size());
   return count;
+}
+
+double shortest_drape(const DrapeInput& input) {
+  return (input.pattern.seams.empty() ? 0 : input.settings.sew_time) + kSoonestRest;
 }
 
 double longest_sewing(const DrapeSettings& settings) {

@@ -43,7 +43,8 @@ class DrapeSession {
   bool settled() const { return stop_reason_ == "settled"; }
 
   int steps() const { return steps_; }
-  double time() const { return time_; }  ///< s, simulated
+  double time() const { return time_; }                      ///< s, simulated
+  bool just_welded() const { return welded_at_ == steps_; }  ///< in the last step
   Progress progress() const;
   const GarmentMesh& garment() const { return assembly_.garment; }
   double rms_speed() const { return watch_.rms_speed(); }
@@ -92,9 +93,12 @@ class DrapeSession {
   SettleWatch watch_;
   int steps_ = 0;
   double time_ = 0, phase_start_ = 0, last_weld_ = 0;
-  int slackened_ = 0;  ///< how often threads were let out again
+  int welded_at_ = -1;  ///< step of the last weld; not kept by checkpoints, which lie between steps
+  int slackened_ = 0;   ///< how often threads were let out again
 };
 
+/// Simulated s that a drape takes at least, if it runs until it is at rest.
+double shortest_drape(const DrapeInput& input);
 /// Simulated s after which a drape is sewn or has stopped with a stalled seam.
 double longest_sewing(const DrapeSettings& settings);
 

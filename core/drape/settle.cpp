@@ -3,39 +3,49 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/drape/swing.h"
+
 namespace toile {
 
 namespace {
 constexpr double kWindow = 0.05;  // s
 constexpr std::size_t kQuietWindows = SettleState::kMostWindows;
-/// Of the speed at which cloth counts as at rest, what may be drift.
-constexpr double kDriftShare = 0.3;
-/// The same for 99 vertices of a hundred: a corner that creeps is little of the cloth, but goes far.
-constexpr double kUsualDriftShare = 0.6;
+/// What way may be left, as a time at the speed of rest, in the RMS over the vertices; and to 99 of a
+/// hundred: a corner that creeps is little of the cloth, but goes far.
+constexpr double kWayLeft = 0.12, kUsualWayLeft = 0.3;  // s
 
-struct Speeds {
-  double rms = 0, most = 0;
+struct Sizes {
+  double rms = 0, usual = 0, most = 0;  ///< m; usual: what 99 of a hundred stay under
 };
 
-/// What 99 of a hundred vertices stay under.
-double usual_speed(std::span<const Vec3> from, std::span<const Vec3> to, double seconds) {
-  if (to.empty()) return 0;
-  std::vector<double> squares;
-  squares.reserve(to.size());
-  for (std::size_t i = 0; i < to.size(); ++i) squares.push_back(dot(to[i] - from[i], to[i] - from[i]));
-  const auto at = squares.begin() + static_cast<std::ptrdiff_t>(squares.size() - 1 - squares.size() / 100);
-  std::nth_element(squares.begin(), at, squares.end());
-  return std::sqrt(*at) / seconds;
+Sizes sizes_of(std::span<const float> ways) {
+  std::vector<double> squares(ways.size() / 3);
+  double sum = 0, most = 0;
+  for (std::size_t i = 0; i < squares.size(); ++i) {
+    const Vec3 d{ways[3 * i], ways[3 * i + 1], ways[3 * i + 2]};
+    squares[i] = dot(d, d);
+    sum += squares[i], most = std::max(most, squares[i]);
+  }
+  if (squares.empty()) return {};
+  const auto usual = squares.begin() + static_cast<std::ptrdiff_t>(squares.size() - 1 - squares.size() / 100);
+  std::nth_element(squares.begin(), usual, squares.end());
+  return {std::sqrt(sum / static_cast<double>(squares.size())), std::sqrt(*usual), std::sqrt(most)};
 }
 
-Speeds speeds_between(std::span<const Vec3> from, std::span<const Vec3> to, double seconds) {
-  double sum = 0, most = 0;
+std::vector<float> ways_between(std::span<const Vec3> from, std::span<const Vec3> to) {
+  std::vector<float> ways;
+  ways.reserve(3 * to.size());
   for (std::size_t i = 0; i < to.size(); ++i) {
     const Vec3 d = to[i] - from[i];
-    sum += dot(d, d), most = std::max(most, dot(d, d));
+    for (const double c : {d.x, d.y, d.z}) ways.push_back(static_cast<float>(c));
   }
-  const double rms = to.empty() ? 0 : std::sqrt(sum / static_cast<double>(to.size()));
-  return {rms / seconds, std::sqrt(most) / seconds};
+  return ways;
+}
+
+/// Keeps the newest.
+void note(std::vector<double>& values, double value) {
+  if (values.size() == kQuietWindows) values.erase(values.begin());
+  values.push_back(value);
 }
 }  // namespace
 
@@ -47,30 +57,52 @@ SettleWatch::SettleWatch(double time_step, double speed)
 void SettleWatch::restart(std::span<const Vec3> x) {
   seen_ = {};
   seen_.window_start.assign(x.begin(), x.end());
-  seen_.drift_start = seen_.window_start;
 }
 
-void SettleWatch::observe(std::span<const Vec3> x) {
+void SettleWatch::observe(std::span<const Vec3> x, double damping) {
   if (seen_.window_start.size() != x.size()) restart(x);
   if (++seen_.step % window_steps_ != 0) return;
   const double seconds = window_steps_ * time_step_;
-  const Speeds speeds = speeds_between(seen_.window_start, x, seconds);
-  if (seen_.rms.size() == SettleState::kMostWindows) seen_.rms.erase(seen_.rms.begin());
-  seen_.rms.push_back(speeds.rms);
-  seen_.max_speed = speeds.most;
+  const std::vector<float> newest = ways_between(seen_.window_start, x);
   seen_.window_start.assign(x.begin(), x.end());
-  constexpr int kRow = static_cast<int>(kQuietWindows);
-  if (seen_.step % (kRow * window_steps_) != 0) return;
-  seen_.drift = speeds_between(seen_.drift_start, x, kRow * seconds).rms;
-  seen_.usual_drift = usual_speed(seen_.drift_start, x, kRow * seconds);
-  seen_.drift_start = seen_.window_start;
+  const Sizes now = sizes_of(newest);
+  note(seen_.rms, now.rms / seconds);
+  seen_.max_speed = now.most / seconds;
+
+  const std::size_t count = newest.size(), before = count > 0 ? seen_.ways.size() / count : 0;
+  const auto window = [&](std::size_t k) {
+    return std::span<const float>(seen_.ways).subspan(k * count, count);
+  };
+  if (before >= 2) {
+    note(seen_.swings, swing_rate(window(before - 2), window(before - 1), newest, seconds, damping));
+  }
+  if (before == kQuietWindows - 1) {
+    std::vector<float> whole = newest;
+    for (std::size_t k = 0; k < before; ++k) {
+      const std::span<const float> way = window(k);
+      for (std::size_t i = 0; i < count; ++i) whole[i] += way[i];
+    }
+    const Sizes drift = sizes_of(whole);
+    seen_.drift = drift.rms / (kQuietWindows * seconds),
+    seen_.usual_drift = drift.usual / (kQuietWindows * seconds);
+    seen_.ways.erase(seen_.ways.begin(), seen_.ways.begin() + static_cast<std::ptrdiff_t>(count));
+  }
+  seen_.ways.insert(seen_.ways.end(), newest.begin(), newest.end());
 }
 
-bool SettleWatch::settled() const {
+/// The slowest of late: fast swings come and go, and a slow one waits behind them.
+double SettleWatch::slowest_swing() const {
+  return seen_.swings.empty() ? 0 : *std::min_element(seen_.swings.begin(), seen_.swings.end());
+}
+
+double SettleWatch::damping() const { return calming_damping(slowest_swing()); }
+
+bool SettleWatch::settled(double damping) const {
   if (seen_.rms.size() < kQuietWindows) return false;
-  const double* last = seen_.rms.data() + seen_.rms.size() - kQuietWindows;
-  const bool slow = std::all_of(last, last + kQuietWindows, [&](double v) { return v < speed_; });
-  return slow && seen_.drift <= kDriftShare * speed_ && seen_.usual_drift <= kUsualDriftShare * speed_ &&
+  const std::vector<double>& last = seen_.rms;
+  const bool slow = std::all_of(last.begin(), last.end(), [&](double v) { return v < speed_; });
+  return slow && way_left(seen_.drift, damping, slowest_swing()) <= kWayLeft * speed_ &&
+         way_left(seen_.usual_drift, damping, 0) <= kUsualWayLeft * speed_ &&
          last[2] + last[3] <= 1.2 * (last[0] + last[1]);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // When is cloth at rest? Speeds are measured over windows of a twentieth of a second: over single steps they
-// carry the jitter of contacts, and a displacement alone would pass cloth that shakes on the spot.
+// carry the jitter of contacts, and a displacement alone would pass cloth that shakes on the spot. The same
+// windows tell how fast it swings, and so how much damping it wants (swing.h).
 
 #include <cstddef>
 #include <span>
@@ -17,11 +18,14 @@ struct SettleState {
 
   int step = 0;                    ///< steps since the last restart
   std::vector<Vec3> window_start;  ///< m
-  std::vector<double> rms;         ///< m/s, of the newest windows, the last one last
-  double max_speed = 0;            ///< m/s
-  std::vector<Vec3> drift_start;   ///< m, where the last full row of kMostWindows windows ended
-  double drift = 0;                ///< m/s RMS, over such a row; what swings to and fro does not count
-  double usual_drift = 0;          ///< m/s, what 99 vertices of a hundred stayed under over the same row
+  /// m, three coordinates a vertex: the ways of up to kMostWindows − 1 full windows before the newest, one
+  /// window after the other, the oldest first.
+  std::vector<float> ways;
+  std::vector<double> rms;     ///< m/s, of the newest windows, the last one last
+  double max_speed = 0;        ///< m/s
+  double drift = 0;            ///< m/s RMS, over kMostWindows windows; what swings to and fro does not count
+  double usual_drift = 0;      ///< m/s, what 99 vertices of a hundred stayed under over the same windows
+  std::vector<double> swings;  ///< 1/s, of the newest kMostWindows windows that told one
 };
 
 class SettleWatch {
@@ -31,12 +35,14 @@ class SettleWatch {
 
   /// Forgets what was seen, e.g. when a hold is released.
   void restart(std::span<const Vec3> x);
-  /// Takes note of the positions after a step.
-  void observe(std::span<const Vec3> x);
+  /// Takes note of the positions after a step that was damped so (1/s).
+  void observe(std::span<const Vec3> x, double damping);
 
-  /// Slow in each of the last four windows, not speeding up, and hardly drifting: folds that creep through
-  /// a thick medium are slow, and go far once it is gone.
-  bool settled() const;
+  /// Slow in each of the last four windows, not speeding up, and with hardly any way left under this damping
+  /// (1/s): folds that creep through a thick medium are slow, and go far once it is gone.
+  bool settled(double damping) const;
+  /// 1/s, under which the cloth comes to rest soon.
+  double damping() const;
   double rms_speed() const {
     return seen_.rms.empty() ? 0 : seen_.rms.back();
   }  ///< m/s, of the last full window
@@ -46,6 +52,8 @@ class SettleWatch {
   void restore(SettleState state) { seen_ = std::move(state); }
 
  private:
+  double slowest_swing() const;
+
   double time_step_, speed_;
   int window_steps_;
   SettleState seen_;

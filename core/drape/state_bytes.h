@@ -22,6 +22,7 @@ class StateWriter {
     for (std::size_t k = 0; k < sizeof(T); ++k, bits >>= 8) bytes_.push_back(static_cast<char>(bits & 0xff));
   }
   void value(double v) { value(std::bit_cast<std::uint64_t>(v)); }
+  void value(float v) { value(std::bit_cast<std::uint32_t>(v)); }
   void value(Vec2 p) { value(p.x), value(p.y); }
   void value(Vec3 p) { value(p.x), value(p.y), value(p.z); }
   void value(std::string_view text) { size(text.size()), bytes_.append(text); }
@@ -77,6 +78,11 @@ class StateReader {
     value(bits);
     v = std::bit_cast<double>(bits);
   }
+  void value(float& v) {
+    std::uint32_t bits = 0;
+    value(bits);
+    v = std::bit_cast<float>(bits);
+  }
   void value(Vec3& p) { value(p.x), value(p.y), value(p.z); }
   void value(std::string& text) { text = raw(size(1)); }
   void value(std::vector<bool>& bits) {
@@ -89,6 +95,7 @@ class StateReader {
     }
   }
   void value(std::vector<double>& list) { values(list, sizeof(double)); }
+  void value(std::vector<float>& list) { values(list, sizeof(float)); }
   void value(std::vector<Vec3>& list) { values(list, 3 * sizeof(double)); }
   /// The next `n` bytes; none when there are fewer.
   std::string_view raw(std::size_t n) {

@@ -1,10 +1,9 @@
 // Runs the tasks that other cloth simulators were given:
 //   bench_peers T1|T2|T3|T4 --tasks DIR --out DIR [--mode drape|dynamic] [--time-step S] [--turn DEGREES]
 //               [--shuffle SEED] [--flip] [--bend-factor F]
-// and some settings for trials: [--settle-speed M/S] [--fall-damping 1/S] [--rest-damping 1/S] [--fall-time
-// S]. Writes final.obj, after.obj (one second of true motion later), prev.obj (0.04 s before that),
-// most_contact.obj and info.json. Ends with 0 when no frame has a crossing and the cloth is at rest. See
-// README.md beside this.
+// and some settings for trials: [--settle-speed M/S] [--viscosity 1/S] [--friction F]. Writes final.obj,
+// after.obj (one second of true motion later), prev.obj (0.04 s before that), most_contact.obj and info.json.
+// Ends with 0 when no frame has a crossing and the cloth is at rest. See README.md beside this.
 
 #include <cmath>
 #include <cstdio>
@@ -36,11 +35,10 @@ bool parse_number(const std::string& text, double& number) {
 
 Status set_number(Options& o, const std::string& key, double value) {
   const std::map<std::string, double*> numbers{
-      {"--time-step", &o.run.time_step},       {"--turn", &o.disguise.turn_degrees},
-      {"--bend-factor", &o.run.bend_factor},   {"--settle-speed", &o.run.settle_speed},
-      {"--fall-damping", &o.run.fall_damping}, {"--rest-damping", &o.run.rest_damping},
-      {"--fall-time", &o.run.fall_time},       {"--viscosity", &o.run.viscosity},
-      {"--friction", &o.run.friction},         {"--stretch-factor", &o.run.stretch_factor}};
+      {"--time-step", &o.run.time_step},          {"--turn", &o.disguise.turn_degrees},
+      {"--bend-factor", &o.run.bend_factor},      {"--settle-speed", &o.run.settle_speed},
+      {"--viscosity", &o.run.viscosity},          {"--friction", &o.run.friction},
+      {"--stretch-factor", &o.run.stretch_factor}};
   const auto found = numbers.find(key);
   if (key == "--shuffle") {
     o.disguise.shuffle = static_cast<std::uint64_t>(value);

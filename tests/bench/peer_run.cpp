@@ -89,7 +89,6 @@ class PeerRun {
       : task_(task),
         settings_(settings),
         h_(settings.time_step > 0 ? settings.time_step : time_step_for(task.cloth)),
-        fall_time_(settings.fall_time > 0 ? settings.fall_time : fall_time_for(task.cloth)),
         sewing_(!task.sewn.empty()),
         watch_(h_, settings.settle_speed) {
     obstacles_.push_back(
@@ -111,13 +110,15 @@ class PeerRun {
   double rest_at() const { return rest_at_; }
   double rms_speed() const { return watch_.rms_speed(); }
   double max_speed() const { return watch_.max_speed(); }
+  double damping() const { return watch_.damping(); }
   double weld_gap() const { return weld_gap_; }
 
   StepReport step() {
     lead();
-    const StepReport report = solver_->step(forces());
+    const StepForces now = forces();
+    const StepReport report = solver_->step(now);
     ++steps_;
-    watch_.observe(solver_->positions());
+    watch_.observe(solver_->positions(), now.damping);
     if (report.not_finite) {
       reason_ = "not finite";
     } else if (sewing_) {
@@ -180,9 +181,7 @@ class PeerRun {
     f.stitch_length = std::max(0.0, 1 - time() / kLeadTime);
     f.damping = 0;
     if (resting_ || settings_.dynamic) return f;
-    f.damping = sewing_
-                    ? kSewDamping
-                    : (time() - fall_start_ < fall_time_ ? settings_.fall_damping : settings_.rest_damping);
+    f.damping = sewing_ ? kSewDamping : watch_.damping();
     f.viscosity = viscous_share(settings_.viscosity, h_, steps_);
     return f;
   }
@@ -211,14 +210,12 @@ class PeerRun {
     build(weld, std::move(momentum));
     led_ = false;
     sewing_ = false;
-    fall_start_ = time();
     watch_.restart(solver_->positions());
   }
 
   void end_if_due() {
     if (resting_) return;
-    const bool still =
-        !sewing_ && (time() - fall_start_ >= fall_time_ || settings_.dynamic) && watch_.settled();
+    const bool still = !sewing_ && watch_.settled(forces().damping);
     if (!still) rest_at_ = -1;
     if (still && rest_at_ < 0) rest_at_ = time();
     if (still && !settings_.dynamic) reason_ = "settled";
@@ -227,7 +224,7 @@ class PeerRun {
 
   const PeerTask& task_;
   const RunSettings settings_;
-  const double h_, fall_time_;
+  const double h_;
   bool sewing_, led_ = false, resting_ = false;
   SettleWatch watch_;
   std::vector<Obstacle> obstacles_;
@@ -235,7 +232,7 @@ class PeerRun {
   std::vector<Index> vertex_of_;
   std::string reason_;
   int steps_ = 0;
-  double fall_start_ = 0, rest_at_ = -1, weld_gap_ = 0;
+  double rest_at_ = -1, weld_gap_ = 0;
 };
 
 int steps_in(double seconds, double time_step) {
@@ -283,21 +280,14 @@ Fabric fabric_of(const RunSettings& settings) {
 
 double time_step_for(const TriangleMesh& cloth) { return mean_edge_of(cloth) / kWaveSpeed; }
 
-double fall_time_for(const TriangleMesh& cloth) {
-  Vec3 low{1e9, 1e9, 1e9}, high{-1e9, -1e9, -1e9};
-  for (const Vec3& p : cloth.vertices) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  const Vec3 size = high - low;
-  return 2 * std::sqrt(2 * std::max({size.x, size.y, size.z}) / kGravity);
-}
-
 namespace {
 
 void print_line(const PeerRun& run, const PeerEnd& end) {
-  std::fprintf(stderr, "%7.3f s  rms %8.5f  max %8.5f m/s  measured %6ld  bounded %8ld  gap %.4f mm\n",
-               run.time(), run.rms_speed(), run.max_speed(), end.measurements, end.bounded, 1e3 * run.gap());
+  std::fprintf(
+      stderr,
+      "%7.3f s  rms %8.5f  max %8.5f m/s  damping %5.2f/s  measured %6ld  bounded %8ld  gap %.4f mm\n",
+      run.time(), run.rms_speed(), run.max_speed(), run.damping(), end.measurements, end.bounded,
+      1e3 * run.gap());
 }
 
 }  // namespace

@@ -15,10 +15,7 @@ struct RunSettings {
   double stretch_factor = 1;   ///< on its membrane's stiffness
   double friction = 0.3;       ///< Coulomb, on body and cloth
   double settle_speed = 5e-3;  ///< m/s RMS at which a drape ends
-  double fall_damping = 2;     ///< 1/s, while the cloth falls and folds
-  double rest_damping = 4;     ///< 1/s, afterwards
   double viscosity = 20;       ///< 1/s, of the cloth's inner friction
-  double fall_time = 0;        ///< s of the first; 0: from the mesh, fall_time_for
   bool trace = false;          ///< a line on stderr every 50 ms
 };
 
@@ -26,8 +23,6 @@ struct RunSettings {
 Fabric fabric_of(const RunSettings& settings);
 /// A substep in which a wave of the cloth's own stiffness goes the same share of an edge on every mesh.
 double time_step_for(const TriangleMesh& cloth);
-/// Twice the time in which something falls as far as the cloth is wide.
-double fall_time_for(const TriangleMesh& cloth);
 
 /// The worst of all frames looked at.
 struct WorstFrame {

@@ -36,6 +36,7 @@ struct EightResponses {
   /// Where `here`: A d dᵀ of `more` comes into A where d·λ is past `from`, so that λ does not jump there
   /// (Sherman and Morrison). q = A⁻¹ d.
   TOILE_INLINE void change(EightFlags here, const Eight3& q, Eight dq, Eight over, Eight more) {
+    if (!any(here)) return;
     const Eight k = here ? more / (kOne + more * dq) : kNothing;
     lambda = lambda - q * (k * over);
     const Eight3 p = q * k;
@@ -118,7 +119,8 @@ TOILE_INLINE void solve(const MembranePack& t, const LimitPack* limits, LanePoin
   const Eight steep = larger(larger(b0 * b0 + b2 * b2, b1 * b1 + b3 * b3), s0 * s0 + s1 * s1);
   const Eight way =
       steep * larger(larger(dot(d1, d1) * w1 * w1, dot(d2, d2) * w2 * w2), dot(d0, d0) * w0 * w0);
-  const Eight scale = way > 1 ? kOne / root(way) : kOne;
+  const EightFlags far = way > 1;
+  const Eight scale = any(far) ? (far ? kOne / root(way) : kOne) : kOne;
   const auto kept = [&](const Eight3& d, Eight s) {
     return Eight3{sound ? d.x * s : kNothing, sound ? d.y * s : kNothing, sound ? d.z * s : kNothing};
   };

@@ -7,14 +7,16 @@ namespace {
 
 constexpr double kStep = 1e-3;
 
+constexpr double kDamping = 4;  // 1/s
+
 /// Watches one particle whose position after each step is `at(step)`; says whether it ever settled in 1 s.
 template <typename Motion>
-bool settles(Motion at) {
+bool settles(Motion at, double damping = kDamping) {
   SettleWatch watch(kStep, 0.005);
   watch.restart(std::vector<Vec3>{at(0)});
   for (int i = 1; i <= 1000; ++i) {
-    watch.observe(std::vector<Vec3>{at(i)});
-    if (watch.settled()) return true;
+    watch.observe(std::vector<Vec3>{at(i)}, damping);
+    if (watch.settled(damping)) return true;
   }
   return false;
 }
@@ -27,6 +29,12 @@ TEST(Settle, WhatHardlyCreepsIsAtRestAndWhatSinksIsNot) {
   EXPECT_TRUE(settles([](int i) { return Vec3{0, -0.0014 * kStep * i, 0}; }));
   EXPECT_FALSE(settles([](int i) { return Vec3{0, -0.002 * kStep * i, 0}; }));
   EXPECT_FALSE(settles([](int i) { return Vec3{0, -0.02 * kStep * i, 0}; }));
+}
+
+TEST(Settle, WhatCreepsThroughAThickMediumGoesFarOnceItIsGone) {
+  const auto creeps = [](int i) { return Vec3{0, -0.0014 * kStep * i, 0}; };
+  EXPECT_TRUE(settles(creeps, 2));
+  EXPECT_FALSE(settles(creeps, 16));
 }
 
 TEST(Settle, AParticleThatSpeedsUpHasNotSettledThoughItIsStillSlow) {
@@ -43,14 +51,27 @@ TEST(Settle, AJitterOfSingleStepsDoesNotCount) {
   EXPECT_TRUE(settles([](int i) { return Vec3{i % 2 * 1e-4, 0, 0}; }));  // 0.1 m/s from step to step
 }
 
+TEST(Settle, TheDampingFollowsTheSwing) {
+  const auto damping_for = [](double rate) {
+    SettleWatch watch(kStep, 0.005);
+    watch.restart(std::vector<Vec3>{{1, 0, 0}});
+    for (int i = 1; i <= 1000; ++i) watch.observe(std::vector<Vec3>{{std::cos(rate * kStep * i), 0, 0}}, 0);
+    return watch.damping();
+  };
+  EXPECT_NEAR(damping_for(10), 2 * 0.3 * 10, 0.2);
+  EXPECT_NEAR(damping_for(20), 2 * 0.3 * 20, 1);  // windows of 0.05 s see a swing of 0.3 s a little slow
+  EXPECT_EQ(damping_for(1), 2);
+  EXPECT_EQ(damping_for(40), 16);
+}
+
 TEST(Settle, RestartForgets) {
   SettleWatch watch(kStep, 0.005);
   const std::vector<Vec3> x(1);
   watch.restart(x);
-  for (int i = 0; i < 300; ++i) watch.observe(x);
-  EXPECT_TRUE(watch.settled());
+  for (int i = 0; i < 300; ++i) watch.observe(x, kDamping);
+  EXPECT_TRUE(watch.settled(kDamping));
   watch.restart(x);
-  EXPECT_FALSE(watch.settled());
+  EXPECT_FALSE(watch.settled(kDamping));
 }
 
 }  // namespace
