@@ -147,24 +147,27 @@ void ClothSolver::measure() {
   measured_ = true;
 }
 
-/// A vertex that a plane stops within its ball asks for nothing.
-bool ClothSolver::leaves_a_ball() const {
+/// Few vertices come near a bound in a step: those are looked at closely.
+void ClothSolver::note_who_went_far() {
+  far_.clear();
   for (std::size_t i = 0; i < x_.size(); ++i) {
     const auto v = static_cast<Index>(i);
-    if (contacts_.surely_inside(v, x_[i]) || contacts_.inside_ball(v, x_[i])) continue;
-    const double t = contacts_.plane_reach(v, before_[i], x_[i]);
-    if (!contacts_.inside_ball(v, before_[i] + (x_[i] - before_[i]) * t)) return true;
+    if (!contacts_.surely_inside(v, x_[i])) far_.push_back(v);
   }
-  return false;
+}
+
+/// A vertex that a plane stops within its ball asks for nothing.
+bool ClothSolver::leaves_a_ball() const {
+  return std::any_of(far_.begin(), far_.end(), [&](Index v) {
+    if (contacts_.inside_ball(v, x_[v])) return false;
+    const double t = contacts_.plane_reach(v, before_[v], x_[v]);
+    return !contacts_.inside_ball(v, before_[v] + (x_[v] - before_[v]) * t);
+  });
 }
 
 int ClothSolver::count_plane_hits() const {
-  int hits = 0;
-  for (std::size_t i = 0; i < x_.size(); ++i) {
-    const auto v = static_cast<Index>(i);
-    hits += !contacts_.surely_inside(v, x_[i]) && !contacts_.inside_planes(v, x_[i]);
-  }
-  return hits;
+  return static_cast<int>(
+      std::count_if(far_.begin(), far_.end(), [&](Index v) { return !contacts_.inside_planes(v, x_[v]); }));
 }
 
 /// Look before clamping: where a vertex would leave its ball, or many run into planes, measure again at this
@@ -182,6 +185,7 @@ StepReport ClothSolver::keep_bounds(const StepForces& forces) {
   if (!measured_) measure(), ++report.measurements;
   const auto push_apart = [&] {
     solve_contacts(contacts_.contacts, before_, inverse_mass_, forces.friction, h_, x_, lifted_);
+    note_who_went_far();
   };
   push_apart();
   if (report.measurements == 0) hits_ += std::max(0, count_plane_hits() - held_back_);
@@ -193,11 +197,9 @@ StepReport ClothSolver::keep_bounds(const StepForces& forces) {
     std::fill(lifted_.begin(), lifted_.end(), Vec3{});
     push_apart();
   }
-  for (std::size_t i = 0; i < x_.size(); ++i) {
-    const auto v = static_cast<Index>(i);
-    if (contacts_.surely_inside(v, x_[i])) continue;
-    const double t = contacts_.reach(v, before_[i], x_[i]);
-    if (t < 1) x_[i] = before_[i] + (x_[i] - before_[i]) * t, ++report.bounded;
+  for (const Index v : far_) {
+    const double t = contacts_.reach(v, before_[v], x_[v]);
+    if (t < 1) x_[v] = before_[v] + (x_[v] - before_[v]) * t, ++report.bounded;
   }
   if (report.measurements > 0) held_back_ = report.bounded, hits_ = 0;
   return report;

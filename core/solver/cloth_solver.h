@@ -73,6 +73,7 @@ class ClothSolver {
   void predict(const StepForces& forces);
   void measure();
   StepReport keep_bounds(const StepForces& forces);
+  void note_who_went_far();
   bool leaves_a_ball() const;
   int count_plane_hits() const;
   void finish(const StepForces& forces);
@@ -92,7 +93,8 @@ class ClothSolver {
   std::vector<Vec3> x_, before_, velocity_, lifted_, proposal_;
   std::vector<LanePoint> points_;  ///< x_, while lanes work on it
   std::vector<double> speed_;
-  bool bouncy_ = false;  ///< an obstacle throws cloth back
+  std::vector<Index> far_;  ///< vertices that may have met a bound in this step
+  bool bouncy_ = false;     ///< an obstacle throws cloth back
   ContactFinder finder_;
   Contacts contacts_;
   bool measured_ = false;
