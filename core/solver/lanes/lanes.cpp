@@ -7,7 +7,7 @@ namespace toile {
 namespace {
 
 /// How far ahead a constraint is looked for that shares no vertex with those of a group.
-constexpr std::size_t kLookAhead = 96;
+constexpr std::size_t kLookAhead = 192;
 
 /// Least compliance / h² of a direction, as a share of its mobility: a system that rounding cannot turn over.
 /// One pass a step never makes cloth that hard.
@@ -60,6 +60,7 @@ std::vector<LaneGroup> group_apart(Index count, Index vertex_count,
 std::vector<MembranePack> pack_membrane(std::span<const MembraneTriangle> triangles,
                                         std::span<const LaneGroup> groups, std::span<const double> w,
                                         double h) {
+  const auto nobody = static_cast<Index>(w.size());
   std::vector<MembranePack> packs(groups.size());
   for (std::size_t g = 0; g < groups.size(); ++g) {
     MembranePack& p = packs[g];
@@ -68,7 +69,7 @@ std::vector<MembranePack> pack_membrane(std::span<const MembraneTriangle> triang
       const MembraneTriangle& t = triangles[used ? groups[g][lane] : groups[g][0]];
       const double unit = 1 / mobility_of(t, w);
       for (int i = 0; i < 3; ++i) {
-        p.v[i][lane] = offset_of(t.v[i]);
+        p.v[i][lane] = offset_of(used ? t.v[i] : nobody);
         p.w[i].at[lane] = used ? single(w[t.v[i]] * unit) : 0;
       }
       for (int i = 0; i < 4; ++i) {
@@ -104,6 +105,7 @@ std::vector<LimitPack> pack_limits(std::span<const MembraneTriangle> triangles,
 
 std::vector<BendPack> pack_bending(std::span<const BendTriangle> triangles, std::span<const LaneGroup> groups,
                                    std::span<const double> w) {
+  const auto nobody = static_cast<Index>(w.size());
   std::vector<BendPack> packs(groups.size());
   for (std::size_t g = 0; g < groups.size(); ++g) {
     BendPack& p = packs[g];
@@ -111,8 +113,9 @@ std::vector<BendPack> pack_bending(std::span<const BendTriangle> triangles, std:
       const bool used = groups[g][lane] != kNone;
       const BendTriangle& t = triangles[used ? groups[g][lane] : groups[g][0]];
       for (int i = 0; i < 6; ++i) {
-        p.v[i][lane] = offset_of(t.v[i] == kNone ? t.v[0] : t.v[i]);
-        p.w[i].at[lane] = !used || t.v[i] == kNone ? 0 : single(w[t.v[i]]);
+        const Index v = t.v[i] == kNone ? t.v[0] : t.v[i];
+        p.v[i][lane] = offset_of(used ? v : nobody);
+        p.w[i].at[lane] = used && t.v[i] != kNone ? single(w[t.v[i]]) : 0;
         p.response[i].at[lane] = single(t.response[i]);
       }
       p.hard.at[lane] = single(t.hard);
@@ -125,12 +128,21 @@ std::vector<BendPack> pack_bending(std::span<const BendTriangle> triangles, std:
   return packs;
 }
 
-const LaneKernels& lane_kernels() {
+std::vector<const LaneKernels*> runnable_lane_kernels() {
+  std::vector<const LaneKernels*> sets{&plain_lane_kernels};
 #if defined(__x86_64__) && defined(__GNUC__)
-  static const bool wide = avx2_lane_kernels() != nullptr && __builtin_cpu_supports("avx2");
-  if (wide) return *avx2_lane_kernels();
+  const bool avx2 = __builtin_cpu_supports("avx2");
+  const bool avx512 = avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+                      __builtin_cpu_supports("avx512vl");
+  if (avx2 && avx2_lane_kernels() != nullptr) sets.push_back(avx2_lane_kernels());
+  if (avx512 && avx512_lane_kernels() != nullptr) sets.push_back(avx512_lane_kernels());
 #endif
-  return plain_lane_kernels;
+  return sets;
+}
+
+const LaneKernels& lane_kernels() {
+  static const LaneKernels& widest = *runnable_lane_kernels().back();
+  return widest;
 }
 
 }  // namespace toile

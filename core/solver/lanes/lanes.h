@@ -1,8 +1,9 @@
 #pragma once
-// Constraints eight at a time. A pack holds eight triangles without a common vertex, so that they can be
-// solved side by side; which four belong together is part of the data, so the bytes do not depend on how wide
-// the processor is. The same kernels are compiled twice, for every x86-64 and for AVX2; kernels() chooses at
-// run time. Only + − × ÷ √ and comparisons: both give the same bytes.
+// Constraints side by side. A pack holds sixteen triangles without a common vertex, so that they can be
+// solved all at once or in parts one after the other; which sixteen belong together is part of the data, so
+// the bytes do not depend on how wide the processor is. The same kernels are compiled three times, for every
+// x86-64, for AVX2 and for AVX-512; lane_kernels() chooses at run time. Only + − × ÷ √ and comparisons: all
+// give the same bytes.
 
 #include <array>
 #include <cstddef>
@@ -17,10 +18,10 @@
 
 namespace toile {
 
-inline constexpr int kLanes = 8;
+inline constexpr int kLanes = 16;
 
-/// Eight coefficients side by side.
-struct alignas(32) Lanes {
+/// Coefficients side by side.
+struct alignas(64) Lanes {
   float at[kLanes] = {};
 };
 
@@ -36,9 +37,9 @@ constexpr LaneOffset offset_of(Index v) { return static_cast<LaneOffset>(v) * si
 /// Constraints of one pack, kNone where it has fewer.
 using LaneGroup = std::array<Index, kLanes>;
 
-/// Lanes without a triangle repeat the first one's vertices with inverse masses of 0. Inverse masses,
-/// compliances / h² and what limits take off come divided by the triangle's mobility: as they are, their
-/// products leave the range of a float.
+/// Lanes without a triangle move a point that is nobody's, behind the vertices, with inverse masses of 0.
+/// Inverse masses, compliances / h² and what limits take off come divided by the triangle's mobility: as they
+/// are, their products leave the range of a float.
 struct MembranePack {
   LaneOffset v[3][kLanes];
   Lanes w[3], b[4], soft[4], share;
@@ -55,8 +56,8 @@ struct BendPack {
   Lanes w[6], own[3][2], far[3], response[6], hard;  ///< own: of corners 1 and 2; corner 0 takes what is left
 };
 
-/// Indices of constraints that share no vertex, up to eight together, each constraint once; in order, but for
-/// what had to wait. `vertices(i)` lists those of constraint i, kNone for none.
+/// Indices of constraints that share no vertex, up to sixteen together, each constraint once; in order, but
+/// for what had to wait. `vertices(i)` lists those of constraint i, kNone for none.
 std::vector<LaneGroup> group_apart(Index count, Index vertex_count,
                                    const std::function<std::span<const Index>(Index)>& vertices);
 
@@ -71,17 +72,20 @@ std::vector<LimitPack> pack_limits(std::span<const MembraneTriangle> triangles,
 std::vector<BendPack> pack_bending(std::span<const BendTriangle> triangles, std::span<const LaneGroup> groups,
                                    std::span<const double> w);
 
-/// One Gauss-Seidel pass over packs; `limits` is null where there are none, `x` the positions.
+/// One Gauss-Seidel pass over packs; `limits` is null where there are none, `x` the positions and nobody's
+/// point behind them.
 struct LaneKernels {
   void (*solve_membrane)(const MembranePack* packs, const LimitPack* limits, std::size_t count, LanePoint* x);
   void (*solve_bending)(const BendPack* packs, std::size_t count, LanePoint* x);
 };
 
-/// For this processor.
+/// The widest set that this processor can run, and all of them, the widest last.
 const LaneKernels& lane_kernels();
+std::vector<const LaneKernels*> runnable_lane_kernels();
 
-/// One set for every processor, one for those with AVX2 (null when the compiler has none).
+/// One set for every processor, and those for some of them (null when the compiler has none).
 extern const LaneKernels plain_lane_kernels;
 const LaneKernels* avx2_lane_kernels();
+const LaneKernels* avx512_lane_kernels();
 
 }  // namespace toile

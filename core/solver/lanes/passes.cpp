@@ -13,8 +13,10 @@ std::vector<LaneGroup> groups_of(const std::vector<Triangle>& triangles, Index v
 }  // namespace
 
 void spread(std::span<const Vec3> x, std::vector<LanePoint>& points) {
-  points.resize(x.size());
-  for (std::size_t i = 0; i < x.size(); ++i) points[i] = {{x[i].x, x[i].y, x[i].z, 0}};
+  points.resize(x.size() + 1);
+  // + 0.0 turns −0 into 0. No sum makes it −0 again, so that the sign of a move by nothing leaves no trace.
+  for (std::size_t i = 0; i < x.size(); ++i) points[i] = {{x[i].x + 0.0, x[i].y + 0.0, x[i].z + 0.0, 0}};
+  points.back() = {};
 }
 
 void collect(std::span<const LanePoint> points, std::span<Vec3> x) {

@@ -1,5 +1,6 @@
 #pragma once
-// The two sweeps that every step makes over all triangles: membrane and bending, eight triangles at a time.
+// The two sweeps that every step makes over all triangles: membrane and bending, a pack of triangles at a
+// time.
 
 #include <array>
 #include <span>
@@ -11,7 +12,8 @@
 
 namespace toile {
 
-/// Copies of positions that lanes load and store, and back.
+/// Copies of positions that lanes load and store, followed by the point of lanes without a triangle; and
+/// back.
 void spread(std::span<const Vec3> x, std::vector<LanePoint>& points);
 void collect(std::span<const LanePoint> points, std::span<Vec3> x);
 

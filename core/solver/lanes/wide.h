@@ -1,0 +1,60 @@
+#pragma once
+// Floats side by side, as GCC's vectors: what the kernels are written in. How many is the target's: eight.h
+// and sixteen.h hold what differs. Included by lanes_plain.cpp, lanes_avx2.cpp and lanes_avx512.cpp alone,
+// and all in an unnamed namespace, so that no code for one target ends up in another.
+//
+// Positions are doubles. Their differences within a triangle are taken in double and then rounded: a float
+// holds them to a few parts in 10⁸ of an edge, wherever in the room the cloth is.
+
+#include "core/solver/lanes/lanes.h"
+
+#define TOILE_INLINE inline __attribute__((always_inline))
+
+namespace toile {
+namespace {
+
+/// Lanes of a pack that are solved at a time, one part of it after the other.
+#ifdef __AVX512F__
+constexpr int kWide = 16;
+#else
+constexpr int kWide = 8;
+#endif
+static_assert(kLanes % kWide == 0);
+
+typedef float Wide __attribute__((vector_size(sizeof(float) * kWide)));
+
+struct Wide3 {
+  Wide x, y, z;
+};
+
+constexpr Wide kNothing = {}, kOne = kNothing + 1;
+
+}  // namespace
+}  // namespace toile
+
+#ifdef __AVX512F__
+#include "core/solver/lanes/sixteen.h"
+#else
+#include "core/solver/lanes/eight.h"
+#endif
+
+namespace toile {
+namespace {
+
+TOILE_INLINE WideFlags above(Wide a, float b) { return above(a, kOne * b); }
+TOILE_INLINE Wide larger(Wide a, Wide b) { return either(above(a, b), a, b); }
+TOILE_INLINE Wide magnitude(Wide a) { return either(above(kNothing, a), -a, a); }
+TOILE_INLINE Wide3 operator+(const Wide3& a, const Wide3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+TOILE_INLINE Wide3 operator-(const Wide3& a, const Wide3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+TOILE_INLINE Wide3 operator*(const Wide3& a, Wide s) { return {a.x * s, a.y * s, a.z * s}; }
+TOILE_INLINE Wide dot(const Wide3& a, const Wide3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+/// Reads a pack's coefficients from lane `first` on.
+struct LaneReader {
+  int first = 0;
+  TOILE_INLINE Wide operator()(const Lanes& l) const { return *reinterpret_cast<const Wide*>(l.at + first); }
+  TOILE_INLINE const LaneOffset* operator()(const LaneOffset (&v)[kLanes]) const { return v + first; }
+};
+
+}  // namespace
+}  // namespace toile
