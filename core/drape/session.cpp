@@ -37,7 +37,9 @@ constexpr double kSeamTolerance = 0.5e-3;  // m
 constexpr double kButtonTolerance = 3e-3;  // m
 /// A seam that is still this far open when the threads have had their time will not close. A narrower one
 /// may, once gravity and friction have moved the cloth: its threads stay.
-constexpr double kSeamLost = 10e-3;     // m
+constexpr double kSeamLost = 10e-3;  // m
+/// How much calmer cloth must be than at rest before a seam or button is given up as open.
+constexpr double kOpenCalm = 0.2;
 constexpr double kWeldInterval = 0.25;  // s between tries to weld what was left open
 constexpr double kPullPerMetre = 150;   // N/m, pull of all threads along a seam's length
 
@@ -263,13 +265,22 @@ void DrapeSession::settle_or_stop() {
     solver_->set_features(features_now());
     watch_.restart(solver_->positions());
   }
-  const bool forces_stand = time_ >= phase_start_ + kSoonestRest;
-  if (input_.settings.until_settled && !holding && forces_stand && watch_.settled(forces_now().damping)) {
+  const bool may_rest =
+      input_.settings.until_settled && !holding && time_ >= phase_start_ + kSoonestRest && lies_still();
+  const bool out_of_time = time_ >= input_.settings.max_time;
+  if (may_rest && (out_of_time || nothing_closes())) {
     phase_ = Phase::kDone;
     stop_reason_ = reason_at_rest();
-  } else if (time_ >= input_.settings.max_time) {
+  } else if (out_of_time) {
     phase_ = Phase::kDone, stop_reason_ = "time";
   }
+}
+
+bool DrapeSession::lies_still() const { return watch_.settled(forces_now().damping); }
+
+/// What threads still hold open may close while the cloth creeps: that is waited for.
+bool DrapeSession::nothing_closes() const {
+  return reason_at_rest() == "settled" || watch_.settled(forces_now().damping, kOpenCalm);
 }
 
 Progress DrapeSession::progress() const {

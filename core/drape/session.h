@@ -73,6 +73,8 @@ class DrapeSession {
   double time_of_full_gravity() const;
   bool dynamic() const;
   OpenTie open_button() const;
+  bool lies_still() const;
+  bool nothing_closes() const;
   std::string reason_at_rest() const;
   std::string name_of_widest_seam() const;
 

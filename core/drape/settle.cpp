@@ -97,12 +97,13 @@ double SettleWatch::slowest_swing() const {
 
 double SettleWatch::damping() const { return calming_damping(slowest_swing()); }
 
-bool SettleWatch::settled(double damping) const {
+bool SettleWatch::settled(double damping, double calm) const {
   if (seen_.rms.size() < kQuietWindows) return false;
   const std::vector<double>& last = seen_.rms;
-  const bool slow = std::all_of(last.begin(), last.end(), [&](double v) { return v < speed_; });
-  return slow && way_left(seen_.drift, damping, slowest_swing()) <= kWayLeft * speed_ &&
-         way_left(seen_.usual_drift, damping, 0) <= kUsualWayLeft * speed_ &&
+  const double speed = calm * speed_;
+  const bool slow = std::all_of(last.begin(), last.end(), [&](double v) { return v < speed; });
+  return slow && way_left(seen_.drift, damping, slowest_swing()) <= kWayLeft * speed &&
+         way_left(seen_.usual_drift, damping, 0) <= kUsualWayLeft * speed &&
          last[2] + last[3] <= 1.2 * (last[0] + last[1]);
 }
 

@@ -40,7 +40,8 @@ class SettleWatch {
 
   /// Slow in each of the last four windows, not speeding up, and with hardly any way left under this damping
   /// (1/s): folds that creep through a thick medium are slow, and go far once it is gone.
-  bool settled(double damping) const;
+  /// `calm`: share of the speed at which cloth counts as at rest.
+  bool settled(double damping, double calm = 1) const;
   /// 1/s, under which the cloth comes to rest soon.
   double damping() const;
   double rms_speed() const {

@@ -37,6 +37,14 @@ TEST(Settle, WhatCreepsThroughAThickMediumGoesFarOnceItIsGone) {
   EXPECT_FALSE(settles(creeps, 16));
 }
 
+TEST(Settle, CalmerRestIsAShareOfIt) {
+  SettleWatch watch(kStep, 0.005);
+  watch.restart(std::vector<Vec3>(1));
+  for (int i = 1; i <= 400; ++i) watch.observe(std::vector<Vec3>{{0, 0.0014 * kStep * i, 0}}, kDamping);
+  EXPECT_TRUE(watch.settled(kDamping));
+  EXPECT_FALSE(watch.settled(kDamping, 0.2));
+}
+
 TEST(Settle, AParticleThatSpeedsUpHasNotSettledThoughItIsStillSlow) {
   // 1 mm/s at the start, doubling every 0.1 s: above the limit soon, and never steady before.
   EXPECT_FALSE(settles([](int i) { return Vec3{0, 0.001 / 6.93 * std::exp(6.93 * kStep * i), 0}; }));
