@@ -83,8 +83,8 @@ void SettleWatch::observe(std::span<const Vec3> x, double damping) {
       for (std::size_t i = 0; i < count; ++i) whole[i] += way[i];
     }
     const Sizes drift = sizes_of(whole);
-    seen_.drift = drift.rms / (kQuietWindows * seconds),
-    seen_.usual_drift = drift.usual / (kQuietWindows * seconds);
+    const double row = kQuietWindows * seconds;
+    seen_.drift = drift.rms / row, seen_.usual_drift = drift.usual / row;
     seen_.ways.erase(seen_.ways.begin(), seen_.ways.begin() + static_cast<std::ptrdiff_t>(count));
   }
   seen_.ways.insert(seen_.ways.end(), newest.begin(), newest.end());
