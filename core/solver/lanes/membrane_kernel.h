@@ -9,8 +9,8 @@ namespace {
 /// Share of its stiffness that cloth has left once it has buckled between the vertices (membrane.h).
 constexpr float kBuckled = 0.05F;
 
-/// What eight triangles' strains ask for: symmetric systems A λ = r, solved, that can still change along one
-/// direction after another. Entries (00, 11, 22, 01, 02, 12); λ > 0 pushes apart.
+/// What the triangles' strains ask for, lane by lane: symmetric systems A λ = r, solved, that can still
+/// change along one direction after another. Entries (00, 11, 22, 01, 02, 12); λ > 0 pushes apart.
 struct WideResponses {
   Wide inverse[6];
   Wide3 lambda;
