@@ -59,13 +59,19 @@ void limit(int what, rlim_t soft, rlim_t hard) {
   ::setrlimit(static_cast<__rlimit_resource_t>(what), &values);
 }
 
+#ifdef __SANITIZE_THREAD__
+constexpr bool kCanLimitFiles = false;  // its runtime writes a file of its own as a program starts
+#else
+constexpr bool kCanLimitFiles = true;
+#endif
+
 [[noreturn]] void become(const Launch& launch) {
   ::setpgid(0, 0);  // so that what it starts can be killed with it
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != launch.parent) ::_exit(kCouldNotStart);
   for (int signal = 1; signal < NSIG; ++signal) ::signal(signal, SIG_DFL);
   limit(RLIMIT_CORE, 0, 0);
-  limit(RLIMIT_FSIZE, 0, 0);  // pipes are no files
+  if (kCanLimitFiles) limit(RLIMIT_FSIZE, 0, 0);  // pipes are no files
   const auto cpu = static_cast<rlim_t>(launch.limits.cpu_s);
   limit(RLIMIT_CPU, cpu, cpu + 1);  // SIGXCPU, and SIGKILL for who ignores it
   if (launch.limits.memory_bytes > 0) {
