@@ -92,11 +92,13 @@ TEST(MeshReader, BringsNoServerDown) {
   EXPECT_EQ(deep.status, 422);
   EXPECT_NE(deep.body.find("mesh.crashed"), std::string::npos) << deep.body;
   EXPECT_NE(deep.body.find("deep.ac"), std::string::npos) << deep.body;
+#ifndef __SANITIZE_THREAD__  // which has no limit of memory: the reader goes on until its time is up
   const HttpReply boast = upload(server, "boast.off", kBoast);
   EXPECT_EQ(boast.status, 422);
   EXPECT_TRUE(boast.body.find("mesh.memory") != std::string::npos ||
-              boast.body.find("mesh.crashed") != std::string::npos)  // sanitizers end at once
+              boast.body.find("mesh.crashed") != std::string::npos)  // AddressSanitizer ends at once
       << boast.body;
+#endif
   const HttpReply good = upload(server, "post.obj", kTornPost);
   EXPECT_EQ(good.status, 201) << good.body;
   EXPECT_NE(good.body.find("turned over, to look outward"), std::string::npos) << good.body;
