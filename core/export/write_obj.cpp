@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <initializer_list>
+#include <string_view>
 #include <system_error>
 
 #include "core/base/write_file.h"
@@ -19,23 +21,18 @@ void append_number(std::string& text, double value) {
   text.append(digits, end.ptr);
 }
 
-void append_vertex(std::string& text, Vec3 p) {
-  text += "v ";
-  append_number(text, p.x);
-  text += ' ';
-  append_number(text, p.y);
-  text += ' ';
-  append_number(text, p.z);
+/// A line of numbers after its keyword.
+void append_line(std::string& text, std::string_view keyword, std::initializer_list<double> numbers) {
+  text += keyword;
+  for (const double number : numbers) {
+    text += ' ';
+    append_number(text, number);
+  }
   text += '\n';
 }
 
-void append_flat(std::string& text, Vec2 p) {
-  text += "vt ";
-  append_number(text, p.x);
-  text += ' ';
-  append_number(text, p.y);
-  text += '\n';
-}
+void append_vertex(std::string& text, Vec3 p) { append_line(text, "v", {p.x, p.y, p.z}); }
+void append_flat(std::string& text, Vec2 p) { append_line(text, "vt", {p.x, p.y}); }
 
 void append_face(std::string& text, const Tri& t, bool flat = false) {
   text += 'f';

@@ -120,14 +120,27 @@ TEST(Pipeline, ASeamThatCannotCloseStopsTheDrapeWithItsName) {
   EXPECT_EQ(r->worst.cloth_body + r->worst.cloth_cloth, 0) << "a thread is never stronger than contact";
 }
 
+/// The seam with the two sewn vertices that ended furthest from each other.
+std::string widest_seam(const DrapeInput& input, const DrapeResult& r) {
+  const auto gap = [&](std::size_t k) {
+    const auto [i, j] = r.garment.sewn[k];
+    return length(r.positions[i] - r.positions[j]);
+  };
+  std::size_t widest = 0;
+  for (std::size_t k = 1; k < r.garment.sewn.size(); ++k) {
+    if (gap(k) > gap(widest)) widest = k;
+  }
+  return input.pattern.seams[r.garment.seam_of_sewn[widest]].id;
+}
+
 TEST(Pipeline, ASeamThatNearlyClosesIsNamedAsWell) {
-  const auto r = drape(too_short_around(150), {}, nullptr);  // 10 mm open, where a seam counts as lost
+  const DrapeInput input = too_short_around(150);  // 10 mm open, where a seam counts as lost
+  const auto r = drape(input, {}, nullptr);
   ASSERT_TRUE(r.ok());
   EXPECT_FALSE(r->settled);
-  const std::string kind = r->stop_reason.substr(0, r->stop_reason.rfind(' '));
-  const std::string seam = r->stop_reason.substr(kind.size());
-  EXPECT_TRUE(kind == "stalled seam" || kind == "open seam") << r->stop_reason;
-  EXPECT_TRUE(seam == " left" || seam == " right") << r->stop_reason << ", both are equally open";
+  const std::string widest = widest_seam(input, *r);
+  EXPECT_TRUE(r->stop_reason == "stalled seam " + widest || r->stop_reason == "open seam " + widest)
+      << r->stop_reason << ", but " << widest << " is open the most";
   EXPECT_EQ(r->worst.cloth_body + r->worst.cloth_cloth, 0);
 }
 

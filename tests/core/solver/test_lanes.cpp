@@ -95,7 +95,7 @@ TEST(Lanes, LeaveNumbersAndHeldVerticesInPlace) {
 }
 
 TEST(Lanes, AGroupSharesNoVertexAndEveryConstraintIsInOne) {
-  const Shaken s = shaken();
+  const Shaken s = shaken(0, 140);
   const auto groups = group_apart(static_cast<Index>(s.model.triangles.size()), s.model.vertex_count(),
                                   [&](Index t) { return std::span<const Index>(s.model.triangles[t]); });
   std::vector<int> seen(s.model.triangles.size(), 0);
@@ -110,7 +110,7 @@ TEST(Lanes, AGroupSharesNoVertexAndEveryConstraintIsInOne) {
     }
   }
   for (const int n : seen) EXPECT_EQ(n, 1);
-  EXPECT_GT(lanes, 13 * static_cast<double>(groups.size())) << "packs are nearly full";
+  EXPECT_GT(lanes, 7.0 / 8 * kLanes * static_cast<double>(groups.size())) << "packs are nearly full";
 }
 
 TEST(Lanes, ConstraintsThatAllShareAVertexStandAlone) {
