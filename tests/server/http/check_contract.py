@@ -1,10 +1,13 @@
 #!/usr/bin/env python3
 """check_contract.py PROTO [RECORDINGS]
 
-Looks over PROTO/openapi.yaml and PROTO/asyncapi.yaml, and holds recorded answers and messages (JSON, one a line)
-against their schemas. Every operation must have been answered well at least once. Prints what is wrong; exit code 1.
+Looks over PROTO/openapi.yaml, PROTO/asyncapi.yaml and the schemas that they refer to, and holds recorded answers and
+messages (JSON, one a line) against them. Every operation must have been answered well at least once. Prints what is
+wrong; exit code 1.
 """
 import json
+import os
+import posixpath
 import re
 import sys
 
@@ -14,17 +17,6 @@ import yaml
 METHODS = ("get", "put", "post", "delete", "patch", "head")
 
 
-def pointer(document, reference):
-    node = document
-    for part in reference.removeprefix("#/").split("/"):
-        node = node[part.replace("~1", "/").replace("~0", "~")]
-    return node
-
-
-def follow(document, node):
-    return pointer(document, node["$ref"]) if "$ref" in node else node
-
-
 def walk(node, place=""):
     yield place, node
     children = node.items() if isinstance(node, dict) else enumerate(node) if isinstance(node, list) else ()
@@ -32,38 +24,90 @@ def walk(node, place=""):
         yield from walk(child, f"{place}/{key}")
 
 
-def faults_of(document, schema, value):
-    # With the components beside it, the schema's references lead somewhere by themselves.
-    whole = {"allOf": [schema], "components": document.get("components", {})}
-    validator = jsonschema.Draft202012Validator(whole)
+def escaped(part):
+    return part.replace("~", "~0").replace("/", "~1")
+
+
+def load(folder, name, files):
+    """Adds a file, and those that it refers to, to `files`, by their paths from `folder`.
+
+    Every $ref becomes a pointer from the root of {"files": files}, so that a schema of one file can be used with all
+    that it needs from the others, whatever the version of jsonschema knows of files.
+    """
+    if name in files:
+        return
+    with open(os.path.join(folder, name), encoding="utf-8") as text:
+        files[name] = json.load(text) if name.endswith(".json") else yaml.safe_load(text)
+    for _, node in walk(files[name]):
+        if isinstance(node, dict) and isinstance(node.get("$ref"), str):
+            other, _, place = node["$ref"].partition("#")
+            target = posixpath.normpath(posixpath.join(posixpath.dirname(name), other)) if other else name
+            load(folder, target, files)
+            node["$ref"] = f"#/files/{escaped(target)}{place}"
+
+
+def pointer(files, reference):
+    node = {"files": files}
+    for part in reference.removeprefix("#/").split("/"):
+        node = node[part.replace("~1", "/").replace("~0", "~")]
+    return node
+
+
+def follow(files, node):
+    return pointer(files, node["$ref"]) if "$ref" in node else node
+
+
+def faults_of(files, schema, value):
+    # With the files beside it, the schema's references lead somewhere by themselves.
+    validator = jsonschema.Draft202012Validator({"allOf": [schema], "files": files})
     return [f"{'/'.join(map(str, e.absolute_path))}: {e.message[:300]}" for e in validator.iter_errors(value)]
 
 
-def check_common(name, document, faults):
-    """References lead somewhere, schemas are schemas, examples fit theirs, nothing lies about unused."""
+def close_messages(files):
+    """What asyncapi.yaml says in words: a message has no other members than those that are described.
+
+    Schemas that are only parts of others (allOf) stay open.
+    """
+    schemas = files["asyncapi.yaml"]["components"]["schemas"]
+    parts = {part.get("$ref") for schema in schemas.values() for part in schema.get("allOf", [])}
+    for name, schema in schemas.items():
+        if f"#/files/asyncapi.yaml/components/schemas/{name}" not in parts:
+            schema["unevaluatedProperties"] = False
+
+
+def check_references(files, faults):
+    """References lead somewhere, and nothing lies about unused."""
     used = set()
-    for place, node in walk(document):
-        if not isinstance(node, dict):
-            continue
-        if isinstance(node.get("$ref"), str):
+    for name, document in files.items():
+        for place, node in walk(document):
+            if not isinstance(node, dict) or not isinstance(node.get("$ref"), str):
+                continue
             try:
-                pointer(document, node["$ref"])
+                pointer(files, node["$ref"])
                 used.add(node["$ref"])
             except (KeyError, TypeError):
                 faults.append(f"{name}{place}: {node['$ref']} leads nowhere")
-        if "example" in node and isinstance(node.get("schema", node), dict) and "/properties/" not in place:
-            schema = node.get("schema", node)
-            for fault in faults_of(document, schema, node["example"]):
-                faults.append(f"{name}{place}: example: {fault}")
-    for kind, parts in document.get("components", {}).items():
-        for part, value in parts.items():
-            if f"#/components/{kind}/{part}" not in used:
-                faults.append(f"{name}: components/{kind}/{part} is not used")
-            if kind == "schemas":
-                try:
-                    jsonschema.Draft202012Validator.check_schema(value)
-                except jsonschema.SchemaError as error:
-                    faults.append(f"{name}: schemas/{part}: {error.message}")
+    for name, document in files.items():
+        for kind, parts in {**document.get("components", {}), "$defs": document.get("$defs", {})}.items():
+            folder = "$defs" if kind == "$defs" else f"components/{kind}"
+            for part in parts:
+                if f"#/files/{escaped(name)}/{folder}/{part}" not in used:
+                    faults.append(f"{name}: {folder}/{part} is not used")
+
+
+def check_schemas(files, faults):
+    """Schemas are schemas, and examples fit theirs."""
+    for name, document in files.items():
+        schemas = document.get("components", {}).get("schemas", {}) if name.endswith(".yaml") else {"": document}
+        for part, schema in schemas.items():
+            try:
+                jsonschema.Draft202012Validator.check_schema(schema)
+            except jsonschema.SchemaError as error:
+                faults.append(f"{name}: {part}: {error.message}")
+        for place, node in walk(document):
+            if isinstance(node, dict) and "example" in node and "/properties/" not in place:
+                schema = node.get("schema", node)
+                faults.extend(f"{name}{place}: example: {fault}" for fault in faults_of(files, schema, node["example"]))
 
 
 def operations(openapi):
@@ -73,8 +117,8 @@ def operations(openapi):
                 yield path, method, item, item[method]
 
 
-def check_openapi(openapi, faults):
-    check_common("openapi.yaml", openapi, faults)
+def check_openapi(files, faults):
+    openapi = files["openapi.yaml"]
     if not openapi["openapi"].startswith("3.1"):
         faults.append("openapi.yaml: not 3.1")
     ids, tags = set(), {tag["name"] for tag in openapi["tags"]}
@@ -85,7 +129,7 @@ def check_openapi(openapi, faults):
         ids.add(operation.get("operationId"))
         if not operation.get("summary") or not set(operation.get("tags", [])) <= tags or not operation.get("tags"):
             faults.append(f"{where}: summary or a declared tag is missing")
-        given = [follow(openapi, p) for p in item.get("parameters", []) + operation.get("parameters", [])]
+        given = [follow(files, p) for p in item.get("parameters", []) + operation.get("parameters", [])]
         named = {p["name"] for p in given if p["in"] == "path"}
         if named != set(re.findall(r"{(\w+)}", path)) or not all(p.get("required") for p in given if p["in"] == "path"):
             faults.append(f"{where}: path parameters do not agree with the path")
@@ -93,12 +137,11 @@ def check_openapi(openapi, faults):
         if "default" not in responses or not any(code[0] in "123" for code in responses):
             faults.append(f"{where}: a good answer or the default is missing")
         for code, response in responses.items():
-            if not follow(openapi, response).get("description"):
+            if not follow(files, response).get("description"):
                 faults.append(f"{where}: {code} has no description")
 
 
 def check_asyncapi(asyncapi, faults):
-    check_common("asyncapi.yaml", asyncapi, faults)
     if not asyncapi["asyncapi"].startswith("3.0"):
         faults.append("asyncapi.yaml: not 3.0")
     for name, channel in asyncapi["channels"].items():
@@ -120,7 +163,8 @@ def matching(openapi, path):
     return None
 
 
-def check_answer(openapi, answer, answered, faults):
+def check_answer(files, answer, answered, faults):
+    openapi = files["openapi.yaml"]
     where = f"{answer['method']} {answer['path']} -> {int(answer['status'])}"
     path = matching(openapi, answer["path"])
     operation = openapi["paths"].get(path, {}).get(answer["method"].lower())
@@ -134,7 +178,7 @@ def check_answer(openapi, answer, answered, faults):
         return
     if code[0] in "12":
         answered.add((path, answer["method"].lower()))
-    content = follow(openapi, response).get("content")
+    content = follow(files, response).get("content")
     media = answer["content_type"].split(";")[0]
     if not content:
         if media:
@@ -145,30 +189,30 @@ def check_answer(openapi, answer, answered, faults):
         return
     schema = content[media].get("schema")
     if schema is not None and "json" in media:
-        faults.extend(f"{where}: {fault}" for fault in faults_of(openapi, schema, json.loads(answer["body"])))
+        faults.extend(f"{where}: {fault}" for fault in faults_of(files, schema, json.loads(answer["body"])))
 
 
-def check_message(asyncapi, text, said, faults):
+def check_message(files, text, said, faults):
     message = json.loads(text)
     name = message.get("type")
-    known = asyncapi["components"]["messages"].get(name)
+    known = files["asyncapi.yaml"]["components"]["messages"].get(name)
     if known is None:
         faults.append(f"message {name}: not described")
         return
     said.add(name)
-    faults.extend(f"message {name}: {fault}" for fault in faults_of(asyncapi, known["payload"], message))
+    faults.extend(f"message {name}: {fault}" for fault in faults_of(files, known["payload"], message))
 
 
-def check_recordings(openapi, asyncapi, path, faults):
+def check_recordings(files, path, faults):
     answered, said = set(), set()
     with open(path, encoding="utf-8") as lines:
         for line in lines:
             record = json.loads(line)
             if "message" in record:
-                check_message(asyncapi, record["message"], said, faults)
+                check_message(files, record["message"], said, faults)
             else:
-                check_answer(openapi, record, answered, faults)
-    for described, method, _, _ in operations(openapi):
+                check_answer(files, record, answered, faults)
+    for described, method, _, _ in operations(files["openapi.yaml"]):
         if (described, method) not in answered:
             faults.append(f"{method.upper()} {described}: was never answered well in the recordings")
     for name in {"job", "progress", "error", "ended"} - said:
@@ -176,16 +220,16 @@ def check_recordings(openapi, asyncapi, path, faults):
 
 
 def main():
-    proto = sys.argv[1]
-    faults = []
-    with open(f"{proto}/openapi.yaml", encoding="utf-8") as file:
-        openapi = yaml.safe_load(file)
-    with open(f"{proto}/asyncapi.yaml", encoding="utf-8") as file:
-        asyncapi = yaml.safe_load(file)
-    check_openapi(openapi, faults)
-    check_asyncapi(asyncapi, faults)
+    files, faults = {}, []
+    for name in ("openapi.yaml", "asyncapi.yaml"):
+        load(sys.argv[1], name, files)
+    close_messages(files)
+    check_references(files, faults)
+    check_schemas(files, faults)
+    check_openapi(files, faults)
+    check_asyncapi(files["asyncapi.yaml"], faults)
     if len(sys.argv) > 2:
-        check_recordings(openapi, asyncapi, sys.argv[2], faults)
+        check_recordings(files, sys.argv[2], faults)
     for fault in faults:
         print(fault)
     return 1 if faults else 0
