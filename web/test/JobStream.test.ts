@@ -142,14 +142,6 @@ describe('a job’s stream', () => {
     expect(sockets.length).toBe(2);
   });
 
-  it('sends only while it is connected', () => {
-    const { socket, stream } = begin();
-    expect(stream.send({ type: 'pause' })).toBe(false);
-    socket().open();
-    expect(stream.send({ type: 'pause' })).toBe(true);
-    expect(socket().sent).toEqual(['{"type":"pause"}']);
-  });
-
   it('passes over text that is no message', () => {
     const { socket, texts } = begin();
     socket().open();

@@ -13,7 +13,7 @@ import {
 import { ApiError, Http } from '../src/api/http';
 import { DressingCommands, type Queue } from '../src/commands/DressingCommands';
 import { segmentsOf } from '../src/scene/BodyMarks';
-import { faceOf, onFace } from '../src/scene/boxFaces';
+import { faceOf, onFace, type BoxPlace } from '../src/scene/boxFaces';
 import { closeUp, type Bounds, type Pose } from '../src/scene/framing';
 import { AppState, ready } from '../src/state/AppState';
 import {
@@ -34,7 +34,7 @@ import {
   withoutMeasure,
   withPreset,
 } from '../src/state/dressing';
-import { jobOf, projectOf } from './fakes';
+import { assetOf, jobOf, projectOf } from './fakes';
 
 const finding = (more: Partial<Finding> = {}): Finding => ({
   code: 'start.touches',
@@ -99,11 +99,11 @@ describe('a mannequin', () => {
   });
 
   it('has its sliders laid around the nearest size of its sex', () => {
-    const taken = [{ ...figure.measures[0]!, name: 'waist', cm: 83 }];
+    const taken = [{ ...figure.measures[0]!, name: 'waist' as const, cm: 83 }];
     expect(nearestPreset(tables, {}, taken)?.name).toBe('eu44');
     expect(nearestPreset(tables, { sex: 'male' }, taken)?.name).toBe('m50');
     expect(nearestPreset(tables, { preset: 'eu38' }, taken)?.name).toBe('eu38');
-    const rule = { name: 'waist', rule: '', girth: true, least_cm: 30, most_cm: 250 };
+    const rule = { name: 'waist' as const, rule: '', girth: true, least_cm: 30, most_cm: 250 };
     expect(sliderWay(rule, 72, 72)).toEqual({ least: 57, most: 96 });
     expect(sliderWay(rule, 72, 120)).toEqual({ least: 57, most: 120 });
     expect(sliderWay({ ...rule, least_cm: 60 }, 72, 72).least).toBe(60);
@@ -212,7 +212,7 @@ function begin(more: Partial<DressingApi> = {}) {
     place: missing,
     check: async () => check,
     start: missing,
-    upload: async (name) => ({ id: 'a_1', kind: 'body', name, size: 1 }),
+    upload: async (name) => assetOf({ name }),
     ...more,
   };
   const taken: number[] = [];
@@ -351,7 +351,7 @@ describe('a piece let go over a box', () => {
   it('keeps the distance that it was told before', async () => {
     const place = vi.fn<DressingApi['place']>(async (project) => project);
     const { state, commands } = begin({ place });
-    const there = { part: 'hips', side: 'back' as const, at_mm: [0, 0] as [number, number] };
+    const there: BoxPlace = { part: 'hips', side: 'back', at_mm: [0, 0] };
     await commands.drop('front', there);
     expect(place.mock.calls[0]![1]).toMatchObject({ piece: 'front', part: 'hips', side: 'back', away_mm: 50 });
     const by_hand = { ...there, away_mm: 80, turn: 10, wrapped: true };

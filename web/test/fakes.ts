@@ -3,7 +3,7 @@
 import type { Api } from '../src/api/Api';
 import { ApiError } from '../src/api/http';
 import type { Clock, Socket } from '../src/api/JobStream';
-import type { Curve, Job, Piece, Point, Progress, Project, Seam } from '../src/api/types';
+import type { Asset, Curve, Job, Piece, Point, Progress, Project, Seam } from '../src/api/types';
 import { straight } from '../src/state/outline';
 
 export class FakeClock implements Clock {
@@ -38,26 +38,19 @@ export class FakeClock implements Clock {
 
 export class FakeSocket implements Socket {
   binaryType = '';
-  readyState = 0;
   onopen: Socket['onopen'] = null;
   onmessage: Socket['onmessage'] = null;
   onclose: Socket['onclose'] = null;
   onerror: Socket['onerror'] = null;
-  sent: string[] = [];
   closedByUs = false;
 
   constructor(readonly url: string) {}
-
-  send(data: string): void {
-    this.sent.push(data);
-  }
 
   close(): void {
     this.closedByUs = true;
   }
 
   open(): void {
-    this.readyState = 1;
     this.onopen?.(undefined as never);
   }
 
@@ -67,7 +60,6 @@ export class FakeSocket implements Socket {
   }
 
   breakOff(code = 1006, reason = ''): void {
-    this.readyState = 3;
     this.onclose?.({ code, reason });
   }
 }
@@ -114,6 +106,16 @@ export const projectOf = (more: Partial<Project> = {}): Project => ({
   ...more,
 });
 
+export const assetOf = (more: Partial<Asset> = {}): Asset => ({
+  id: 'a_1',
+  kind: 'body',
+  name: 'body.obj',
+  size: 1,
+  created_ms: 1,
+  info: { vertices: 3, triangles: 1, width_m: 1, height_m: 1, depth_m: 1 },
+  ...more,
+});
+
 const missing = (): Promise<never> => Promise.reject(new ApiError(404, 'store.not_found', 'Not there.'));
 
 /** A service that answers everything; tests put in what they look at. */
@@ -133,7 +135,7 @@ export function fakeApi(more: Partial<Api> = {}): Api {
     images: async () => [],
     bodyPresets: async () => [],
     arrange: async (id, revision) => projectOf({ id, revision: revision + 1 }),
-    uploadAsset: async (kind, name) => ({ id: `a_${name}`, kind, name, size: 1 }),
+    uploadAsset: async (kind, name) => assetOf({ id: `a_${name}`, kind, name }),
     jobs: async () => [jobOf()],
     job: async () => jobOf(),
     submit: async () => jobOf({ id: 'j_new', state: 'queued', created_ms: 5000 }),
@@ -185,8 +187,8 @@ export const squareOf = (id: string, x: number, y: number, size: number): Piece 
 
 export const seamOf = (id: string, a: [string, string], b: [string, string], more: Partial<Seam> = {}): Seam => ({
   id,
-  a: [{ piece: a[0], edge: a[1] }],
-  b: [{ piece: b[0], edge: b[1] }],
+  a: [{ piece: a[0], edge: a[1], reversed: false }],
+  b: [{ piece: b[0], edge: b[1], reversed: false }],
   same_direction: false,
   length_a_mm: 0,
   length_b_mm: 0,

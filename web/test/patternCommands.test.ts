@@ -24,10 +24,12 @@ function begin(more: Partial<Api> = {}) {
   return { state, sent, commands: new PatternCommands(state, api, () => undefined) };
 }
 
+const move: Edit = { edit: 'move_point', piece: 'a', edge: 'e0', point: 0, to: [1, 2] };
+
 describe('an edit', () => {
   it('names the revision that it was made for, also when they follow each other at once', async () => {
     const { commands, sent, state } = begin();
-    await Promise.all([commands.edit({ edit: 'x' }), commands.edit({ edit: 'y' })]);
+    await Promise.all([commands.edit(move), commands.edit(move)]);
     expect(sent.map(({ revision }) => revision)).toEqual([1, 2]);
     expect(state.project.value?.revision).toBe(3);
     expect(state.editing.busy.value).toBe(false);
@@ -42,10 +44,10 @@ describe('an edit', () => {
         return projectOf({ id, revision: revision + 1 });
       },
     });
-    await commands.edit({ edit: 'move_point' });
+    await commands.edit(move);
     expect(state.editing.problem.value).toBe(refuse);
     expect(state.project.value?.revision).toBe(1);
-    await commands.edit({ edit: 'move_point' });
+    await commands.edit(move);
     expect(state.editing.problem.value).toBeNull();
   });
 
@@ -54,7 +56,7 @@ describe('an edit', () => {
       edit: () => Promise.reject(new ApiError(412, 'store.conflict', 'changed since')),
       project: async () => projectOf({ revision: 7 }),
     });
-    await commands.edit({ edit: 'x' });
+    await commands.edit(move);
     expect(state.project.value?.revision).toBe(7);
     expect(state.editing.problem.value?.detail).toMatch(/Somebody else/);
   });
@@ -119,7 +121,7 @@ describe('sewing', () => {
     await commands.finishSide();
     commands.sewEdge('b', 'e0');
     await commands.finishSide();
-    expect(sent[0]!.edits[0]!.a).toEqual([{ piece: 'a', edge: 'e0', from: 0.25, to: 0.5 }]);
+    expect(sent[0]!.edits[0]).toMatchObject({ a: [{ piece: 'a', edge: 'e0', from: 0.25, to: 0.5 }] });
   });
 
   it('is put down by Escape, from the inside out', () => {
@@ -142,7 +144,7 @@ describe('sewing', () => {
     commands.choose('seam1', true);
     commands.choose('seam0', false);
     await commands.acceptProposals();
-    expect(sent[0]!.edits.map((edit) => edit.id)).toEqual(['seam1']);
+    expect(sent[0]!.edits).toMatchObject([{ edit: 'add_seam', id: 'seam1' }]);
     expect(sent[0]!.edits[0]).not.toHaveProperty('confidence');
   });
 });
@@ -186,9 +188,9 @@ describe('pieces', () => {
     const { commands, sent, state } = begin();
     await commands.addDart('a', 'e0', 20, 60);
     await commands.addInnerDart('a', [50, 20], [50, 80], 10);
-    expect(sent.map(({ edits }) => [edits[0]!.edit, edits[0]!.id])).toEqual([
-      ['add_dart', 'dart1'],
-      ['add_inner_dart', 'dart1'],
+    expect(sent.map(({ edits }) => edits[0])).toMatchObject([
+      { edit: 'add_dart', id: 'dart1' },
+      { edit: 'add_inner_dart', id: 'dart1' },
     ]);
     await commands.renameEdge('a', 'e0', 'hem');
     expect(state.editing.part.value).toEqual({ kind: 'edge', piece: 'a', edge: 'hem' });

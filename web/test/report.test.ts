@@ -8,6 +8,7 @@ const report: Report = {
   stop_reason: 'settled',
   cpu_s: 7.4,
   wall_s: 7.45,
+  resumed: 0,
   steps: 10502,
   simulated_s: 3.5007,
   particles: 3286,
@@ -21,6 +22,7 @@ const report: Report = {
     frames_checked: 212,
   },
   seam_gap_max_mm: 0,
+  attachments: [],
   strain: {
     warp: { mean: 0.0014, p99: 0.0078, max: 0.02 },
     weft: { mean: 0.0015, p99: 0.0184, max: 0.05 },
@@ -30,6 +32,7 @@ const report: Report = {
   max_speed: 0.0156,
   lowest_m: 0.4774,
   highest_m: 1.1024,
+  findings: [],
   hash: 'a5',
 };
 const line = (label: string, changes: Partial<Report> = {}) =>

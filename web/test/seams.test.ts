@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import type { Edit } from '../src/api/types';
 import { findPart, freePieceId, stepText, turnsOf } from '../src/state/editing';
 import {
   alongLine,
@@ -127,11 +128,13 @@ describe('a seam that is clicked together', () => {
 });
 
 describe('the history', () => {
+  // Its words look at names only, also at those of a newer service.
+  const editOf = (edit: string, more: object = {}) => ({ edit, ...more }) as Edit;
   const step = (number: number, undone: boolean, edit: string) => ({
     number,
     undone,
     created_ms: 0,
-    edits: [{ edit, piece: 'front', edge: 'hem' }],
+    edits: [editOf(edit, { piece: 'front', edge: 'hem' })],
   });
 
   it('says what undo and redo would do', () => {
@@ -141,12 +144,12 @@ describe('the history', () => {
   });
 
   it('counts edits of one step', () => {
-    const seam = { edit: 'add_seam', id: 's' };
+    const seam = editOf('add_seam', { id: 's' });
     expect(stepText([seam, seam, seam])).toBe('Add seam × 3');
-    expect(stepText([{ edit: 'join_edges' }, { edit: 'delete_point' }])).toBe('Join edges and 1 more');
-    expect(stepText([{ edit: 'knit_sleeve' }])).toBe('knit sleeve');
-    expect(stepText([{ edit: 'restore', pieces: {}, attachments: {} }])).toBe('Place pieces');
-    expect(stepText([{ edit: 'restore', bodies: {} }])).toBe('Change body');
+    expect(stepText([editOf('join_edges'), editOf('delete_point')])).toBe('Join edges and 1 more');
+    expect(stepText([editOf('knit_sleeve')])).toBe('knit sleeve');
+    expect(stepText([editOf('restore', { pieces: {}, attachments: {} })])).toBe('Place pieces');
+    expect(stepText([editOf('restore', { bodies: {} })])).toBe('Change body');
   });
 });
 

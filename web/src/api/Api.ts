@@ -2,7 +2,20 @@
 
 import { decodeBody, type BodyMesh } from './body';
 import { Http, kLongPatience } from './http';
-import type { Asset, Edit, EditStep, Import, Job, Pieces, Project, Report, SeamProposal, Unit } from './types';
+import type {
+  Answer,
+  Asset,
+  Edit,
+  EditStep,
+  Import,
+  Job,
+  Pieces,
+  Project,
+  Question,
+  Report,
+  SeamProposal,
+  Unit,
+} from './types';
 
 export type JobAction = 'pause' | 'resume' | 'cancel';
 
@@ -47,23 +60,32 @@ export function makeApi(http = new Http('/api/v1')): Api {
   const result = (id: string, name: string): string =>
     `/jobs/${part(id)}/results/${name.split('/').map(part).join('/')}`;
   return {
-    projects: async () => (await http.get<{ projects: Project[] }>('/projects?limit=100')).projects,
+    projects: async () => (await http.get<Answer<'listProjects'>>('/projects?limit=100')).projects,
     project: (id) => http.get(`/projects/${part(id)}`),
     createProject: (document, files) => http.post('/projects', { document, files }),
     removeProject: async (id) => void (await http.send(`/projects/${part(id)}`, { method: 'DELETE' })),
     pieces: (id) => http.get(`/projects/${part(id)}/pieces`),
     edit: (id, revision, edits, files = {}) =>
-      http.post(`/projects/${part(id)}/edits`, { edits, files }, matching(revision)),
+      http.post(
+        `/projects/${part(id)}/edits`,
+        { edits, files } satisfies Question<'editProject'>,
+        matching(revision),
+      ),
     turn: (id, revision, way) => http.post(`/projects/${part(id)}/${way}`, undefined, matching(revision)),
-    history: async (id) => (await http.get<{ edits: EditStep[] }>(`/projects/${part(id)}/edits?limit=100`)).edits,
+    history: async (id) => (await http.get<Answer<'listEdits'>>(`/projects/${part(id)}/edits?limit=100`)).edits,
     proposals: async (id) =>
-      (await http.get<{ proposals: SeamProposal[] }>(`/projects/${part(id)}/proposals`, kLongPatience)).proposals,
+      (await http.get<Answer<'proposeSeams'>>(`/projects/${part(id)}/proposals`, kLongPatience)).proposals,
     importPattern: (asset, unit, size) =>
-      http.post('/imports', { asset, ...(unit && { unit }), ...(size && { size }) }, {}, kLongPatience),
-    bodies: async () => (await http.get<{ assets: Asset[] }>('/bodies')).assets,
-    images: async () => (await http.get<{ assets: Asset[] }>('/assets?kind=image')).assets,
+      http.post(
+        '/imports',
+        { asset, ...(unit && { unit }), ...(size && { size }) } satisfies Question<'importPattern'>,
+        {},
+        kLongPatience,
+      ),
+    bodies: async () => (await http.get<Answer<'listBodies'>>('/bodies')).assets,
+    images: async () => (await http.get<Answer<'listAssets'>>('/assets?kind=image')).assets,
     bodyPresets: async () => {
-      const { presets } = await http.get<{ presets: { name: string; sex: string }[] }>('/bodies/presets');
+      const { presets } = await http.get<Answer<'listBodyPresets'>>('/bodies/presets');
       return presets.map(({ name, sex }) => ({ id: name, title: `${name} (${sex})` }));
     },
     arrange: (id, revision) => http.post(`/projects/${part(id)}/arrange`, undefined, matching(revision)),
@@ -72,9 +94,10 @@ export function makeApi(http = new Http('/api/v1')): Api {
       const headers = { 'Content-Type': 'application/octet-stream' };
       return (await http.send(path, { method: 'POST', headers, body: bytes })).json() as Promise<Asset>;
     },
-    jobs: async () => (await http.get<{ jobs: Job[] }>('/jobs?limit=100')).jobs,
+    jobs: async () => (await http.get<Answer<'listJobs'>>('/jobs?limit=100')).jobs,
     job: (id) => http.get(`/jobs/${part(id)}`),
-    submit: (id, key) => http.post('/jobs', { project_id: id }, { 'Idempotency-Key': key }),
+    submit: (id, key) =>
+      http.post('/jobs', { project_id: id } satisfies Question<'submitJob'>, { 'Idempotency-Key': key }),
     act: (id, action) => http.post(`/jobs/${part(id)}/${action}`),
     report: (id) => http.get(result(id, 'report.json')),
     resultText: async (id, name) => (await http.send(result(id, name))).text(),

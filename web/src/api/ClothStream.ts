@@ -43,10 +43,6 @@ export class ClothStream {
     this.port_.postMessage({ type: 'poke' });
   }
 
-  send(message: object): void {
-    this.port_.postMessage({ type: 'send', message });
-  }
-
   private receive(message: FromWorker): void {
     if (message.watch !== this.watch_) return;
     switch (message.type) {

@@ -1,15 +1,15 @@
 // The WebSocket of one job that stays connected: it opens, hands on what comes, and after a loss tries again with
 // growing pauses until it is told to leave or the drape has ended. Knows nothing of frames or of the page.
 
+import type { JobState } from './types';
+
 /** The part of a WebSocket that is used here, so that tests can stand in for it. */
 export interface Socket {
   binaryType: string;
-  readyState: number;
   onopen: ((event: never) => void) | null;
   onmessage: ((event: { data: unknown }) => void) | null;
   onclose: ((event: { code: number; reason: string }) => void) | null;
   onerror: ((event: never) => void) | null;
-  send(data: string): void;
   close(code?: number, reason?: string): void;
 }
 
@@ -33,8 +33,7 @@ export interface StreamHandlers {
   binary(bytes: Uint8Array): void;
 }
 
-const kOpen = 1;
-const kFinalStates = ['succeeded', 'failed', 'cancelled'];
+const kFinalStates: readonly string[] = ['succeeded', 'failed', 'cancelled'] satisfies JobState[];
 const kFirstPause = 250;
 const kLongestPause = 5000;
 
@@ -87,13 +86,6 @@ export class JobStream {
     this.drop();
     this.stopWaiting();
     this.lost();
-  }
-
-  /** False when there is no connection to send it on. */
-  send(message: object): boolean {
-    if (this.socket_?.readyState !== kOpen) return false;
-    this.socket_.send(JSON.stringify(message));
-    return true;
   }
 
   private connect(): void {

@@ -43,10 +43,6 @@ export class StreamReceiver {
     this.stream_.poke();
   }
 
-  send(message: object): boolean {
-    return this.stream_.send(message);
-  }
-
   giveBack(positions: Float32Array<ArrayBuffer>): void {
     this.slot_?.giveBack(positions);
   }

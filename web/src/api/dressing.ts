@@ -3,139 +3,36 @@
 import { decodeBody, type BodyMesh } from './body';
 import { decodeTopology, type ClothTopology } from './frames';
 import { ApiError, Http } from './http';
-import type { Asset, Project } from './types';
+import type { Answer, Asset, One, Project, Question, Schemas } from './types';
 
-export type Place = [number, number, number];
-export type Sex = 'female' | 'male' | 'child';
+export type Place = Schemas['Place'];
+export type Mannequin = Schemas['Mannequin'];
+export type Sex = BodyPreset['sex'];
+export type MeasureName = Schemas['MeasureName'];
+export type BodyTables = Schemas['BodyPresets'];
+export type BodyPreset = One<BodyTables['presets']>;
+export type MeasureRule = One<BodyTables['measures']>;
 
-/** As a project document has it; measures as "waist_cm". */
-export interface Mannequin {
-  preset?: string;
-  sex?: Sex;
-  pose?: 'a' | 't';
-  arm_angle?: number;
-  triangles?: number;
-  [measure_cm: `${string}_cm`]: number | undefined;
-}
-
-export interface BodyPreset {
-  name: string;
-  sex: Sex;
-  measures_cm: Record<string, number>;
-}
-
-export interface MeasureRule {
-  name: string;
-  rule: string;
-  girth: boolean;
-  least_cm: number;
-  most_cm: number;
-}
-
-export interface BodyTables {
-  presets: BodyPreset[];
-  measures: MeasureRule[];
-}
-
-export interface TakenMeasure {
-  name: string;
-  girth: boolean;
-  cm: number;
-  at_cm: number;
-  asked_cm: number | null;
-  rule: string;
-  /** Where the tape lies; that of a girth closes by itself. */
-  line: Place[];
-}
-
-export interface Landmark {
-  name: string;
-  place: Place;
-  /** Whether the project says where it is: put elsewhere by hand, or added. */
-  own?: boolean;
-}
-
-export interface PartBox {
-  part: string;
-  centre: Place;
-  axes: [Place, Place, Place];
-  half: Place;
-}
-
-export interface Figure {
-  stands: boolean;
-  why: { code: string; detail: string } | null;
-  vertices: number;
-  triangles: number;
-  low: Place;
-  high: Place;
-  measures: TakenMeasure[];
-  landmarks: Landmark[];
-  boxes: PartBox[];
-}
-
-export interface ProjectBody extends Figure {
-  id: string;
-  file: string | null;
-  mannequin: Mannequin | null;
-  friction: number;
-  skin_offset_mm: number;
-}
-
-export interface Stance {
-  unit_in_m: number;
-  up: 'y' | 'z';
-  upside_down: boolean;
-  turned_degrees: number;
-}
+export type Figure = Schemas['Figure'];
+export type TakenMeasure = One<Figure['measures']>;
+export type Landmark = One<Figure['landmarks']>;
+export type PartBox = One<Figure['boxes']>;
+export type ProjectBody = Schemas['ProjectBody'];
+export type Stance = NonNullable<Schemas['Stance']>;
 
 /** Who is to be dressed. */
-export interface BodyWish {
-  mannequin?: Mannequin;
-  asset?: string;
-  unit?: string;
-  up?: string;
-  turn?: number;
-  friction?: number;
-  skin_offset_mm?: number;
-}
+export type BodyWish = Question<'dressProject'>;
 
-export type Severity = 'error' | 'warning' | 'note';
+export type Finding = Schemas['Finding'];
+export type Severity = Finding['severity'];
+export type Check = Schemas['Check'];
+export type Arrangement = Schemas['Arrangement'];
+export type BodyPart = Schemas['BodyPart'];
+export type BoxSide = Schemas['BoxSide'];
 
-export interface Finding {
-  code: string;
-  severity: Severity;
-  message: string;
-  where: string;
-  place: Place;
-  repaired: boolean;
-}
-
-export interface Check {
-  ready: boolean;
-  findings: Finding[];
-  pieces: { id: string; low: Place; high: Place; by_hand: Omit<PieceWish, 'piece'> | null }[];
-}
-
-export interface Arrangement {
-  pieces: { id: string; place: string }[];
-  holds: string[];
-  findings: Finding[];
-}
-
-export type BoxSide = 'front' | 'back' | 'left' | 'right';
-
-export interface PieceWish {
-  piece: string;
-  part: string;
-  side: BoxSide;
-  at_mm: [number, number];
-  away_mm: number;
-  turn: number;
-  wrapped: boolean;
-  /** The piece's mirror image goes to the other side. */
-  with_partner?: boolean;
-}
+/** Where a hand puts a piece: all that may be left out is said. */
+export type PieceWish = NonNullable<One<Check['pieces']>['by_hand']> &
+  Pick<Question<'placePiece'>, 'piece' | 'with_partner'>;
 
 /** The pieces where a drape would begin. */
 export interface Start {
@@ -147,13 +44,13 @@ export interface DressingApi {
   tables(): Promise<BodyTables>;
   bodies(project: string): Promise<ProjectBody[]>;
   mesh(project: string): Promise<BodyMesh>;
-  stance(asset: string): Promise<Figure & { stance: Stance | null }>;
+  stance(asset: string): Promise<Answer<'showBodyFigure'>>;
   dress(project: Project, body: string, wish: BodyWish): Promise<Project>;
   undress(project: Project, body: string): Promise<Project>;
   /** Moves a landmark to the skin nearest to the place, or adds one. */
   mark(project: Project, body: string, landmark: string, place: Place): Promise<Project>;
   unmark(project: Project, body: string, landmark: string): Promise<Project>;
-  arrange(project: Project): Promise<Project & { arrangement: Arrangement }>;
+  arrange(project: Project): Promise<Answer<'arrangeProject'>>;
   place(project: Project, wish: PieceWish): Promise<Project>;
   check(project: string): Promise<Check>;
   start(project: string): Promise<Start>;
@@ -182,7 +79,7 @@ export function makeDressingApi(http = new Http('/api/v1')): DressingApi {
   const changing = (project: Project): Record<string, string> => ({ 'If-Match': `"${project.revision}"` });
   return {
     tables: () => http.get('/bodies/presets'),
-    bodies: async (id) => (await http.get<{ bodies: ProjectBody[] }>(`${one(id)}/bodies`)).bodies,
+    bodies: async (id) => (await http.get<Answer<'showProjectBodies'>>(`${one(id)}/bodies`)).bodies,
     mesh: async (id) => decodeBody(await http.bytes(`${one(id)}/body`)),
     stance: (asset) => http.get(`/bodies/${part(asset)}/figure`),
     dress: (project, body, wish) =>
@@ -197,7 +94,7 @@ export function makeDressingApi(http = new Http('/api/v1')): DressingApi {
       json(`${one(project.id)}/bodies/${part(body)}/landmarks/${part(landmark)}`, {
         method: 'PUT',
         headers: { 'Content-Type': 'application/json', ...changing(project) },
-        body: JSON.stringify({ place }),
+        body: JSON.stringify({ place } satisfies Question<'moveLandmark'>),
       }),
     unmark: (project, body, landmark) =>
       json(`${one(project.id)}/bodies/${part(body)}/landmarks/${part(landmark)}`, {

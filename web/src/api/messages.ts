@@ -10,7 +10,6 @@ export type ToWorker =
   | { type: 'watch'; watch: number; url: string }
   | { type: 'leave' }
   | { type: 'poke' }
-  | { type: 'send'; message: object }
   | { type: 'buffer'; positions: Float32Array<ArrayBuffer> };
 
 export type FromWorker =

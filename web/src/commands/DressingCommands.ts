@@ -2,7 +2,16 @@
 // it, like the edits of the pattern.
 
 import type { Signal } from '@preact/signals';
-import type { BodyWish, DressingApi, Finding, Mannequin, PieceWish, Place, ProjectBody } from '../api/dressing';
+import type {
+  BodyWish,
+  DressingApi,
+  Finding,
+  Mannequin,
+  MeasureName,
+  PieceWish,
+  Place,
+  ProjectBody,
+} from '../api/dressing';
 import type { ApiError } from '../api/http';
 import type { Project } from '../api/types';
 import { valueOf, loading, type AppState } from '../state/AppState';
@@ -123,12 +132,12 @@ export class DressingCommands {
     return this.dress({ mannequin: withPreset(this.body?.mannequin ?? null, preset) });
   }
 
-  setMeasure(measure: string, cm: number): Promise<void> {
+  setMeasure(measure: MeasureName, cm: number): Promise<void> {
     const mannequin = this.body?.mannequin;
     return mannequin ? this.dress({ mannequin: withMeasure(mannequin, measure, cm) }) : Promise.resolve();
   }
 
-  freeMeasure(measure: string): Promise<void> {
+  freeMeasure(measure: MeasureName): Promise<void> {
     const mannequin = this.body?.mannequin;
     return mannequin ? this.dress({ mannequin: withoutMeasure(mannequin, measure) }) : Promise.resolve();
   }

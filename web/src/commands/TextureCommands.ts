@@ -2,9 +2,9 @@
 
 import type { Api } from '../api/Api';
 import { loadPicture, type LoadPicture } from '../api/pictures';
-import type { Asset, Edit, Piece, Project, Texture } from '../api/types';
+import type { Asset, Piece, Project, Texture } from '../api/types';
 import { loading, valueOf, type AppState } from '../state/AppState';
-import { assetsShown, kMostEdits, nameInProject, textureEdits } from '../state/texture';
+import { assetsShown, kMostEdits, nameInProject, textureEdits, type TextureEdit } from '../state/texture';
 import { notify, notifyError } from './notices';
 
 export type TextureApi = Pick<Api, 'uploadAsset' | 'images' | 'edit' | 'assetUrl'>;
@@ -120,16 +120,17 @@ export class TextureCommands {
   }
 
   /** As few steps as the service allows; none when nothing changes. */
-  private async send(project: Project, edits: readonly Edit[], files: Record<string, string> = {}): Promise<Project> {
+  private async send(
+    project: Project,
+    edits: readonly TextureEdit[],
+    files: Record<string, string> = {},
+  ): Promise<Project> {
     let now = project;
     for (let i = 0; i < edits.length; i += kMostEdits) {
       now = await this.api_.edit(now.id, now.revision, edits.slice(i, i + kMostEdits), files);
     }
     const before = this.sent_.revision === project.revision ? this.sent_.textures : [];
-    const changed = edits.map((edit): [string, Texture | null] => [
-      edit.piece as string,
-      (edit.texture as Texture | undefined) ?? null,
-    ]);
+    const changed = edits.map(({ piece, texture }): [string, Texture | null] => [piece, texture ?? null]);
     this.sent_ = { revision: now.revision, textures: new Map([...before, ...changed]) };
     return now;
   }

@@ -1,7 +1,7 @@
 // Where the pieces stand before the drape, and what the look at them found.
 
 import { useEffect, useRef } from 'preact/hooks';
-import type { BoxSide, PieceWish } from '../api/dressing';
+import type { BodyPart, BoxSide, PieceWish } from '../api/dressing';
 import type { Piece } from '../api/types';
 import { useCommands } from '../commands/context';
 import { kAway_mm } from '../commands/DressingCommands';
@@ -120,7 +120,7 @@ function PlaceForm({ piece }: { piece: string }) {
     <div class="place-form">
       <label>
         <span>Part</span>
-        <select value={part} disabled={busy} onChange={(event) => put({ part: event.currentTarget.value })}>
+        <select value={part} disabled={busy} onChange={(event) => put({ part: event.currentTarget.value as BodyPart })}>
           {kParts.map((one) => (
             <option key={one} value={one}>
               {partTitle(one)}

@@ -1,7 +1,7 @@
 // The piece, edge or point that is selected, in figures, and what can be done with it.
 
 import { useSignal } from '@preact/signals';
-import type { Piece, PieceEdge, Pieces, Point } from '../api/types';
+import type { Edit, Piece, PieceEdge, Pieces, Point } from '../api/types';
 import { useCommands } from '../commands/context';
 import { useAppState } from '../state/context';
 import { findPart, type Part } from '../state/editing';
@@ -155,14 +155,14 @@ function NotchButton({ piece, edge, at }: { piece: Piece; edge: PieceEdge; at: P
   const { pattern } = useCommands();
   const notch = notchAt(piece, at);
   if (notch >= 0) {
-    const remove = { edit: 'remove_notch', piece: piece.id, notch };
+    const remove: Edit = { edit: 'remove_notch', piece: piece.id, notch };
     return (
       <button class="plain" onClick={() => void pattern.edit(remove)}>
         Remove notch
       </button>
     );
   }
-  const mark = { edit: 'add_notch', piece: piece.id, edge: edge.id, at: nearestOn(edge, at).at, depth_mm: 5 };
+  const mark: Edit = { edit: 'add_notch', piece: piece.id, edge: edge.id, at: nearestOn(edge, at).at, depth_mm: 5 };
   return (
     <button class="plain" title="A mark where pieces meet when they are sewn" onClick={() => void pattern.edit(mark)}>
       Notch
@@ -215,10 +215,11 @@ const kKeep = [
   ['middle', 'its middle'],
   ['end', 'its end'],
 ] as const;
+type Keep = (typeof kKeep)[number][0];
 
 function EdgeFigures({ piece, edge, pieces, part }: { piece: Piece; edge: PieceEdge; pieces: Pieces; part: Part }) {
   const { pattern } = useCommands();
-  const keep = useSignal<string>('start');
+  const keep = useSignal<Keep>('start');
   const curved = !edge.curves.every(isStraight);
   const next = nextEdge(piece, edge.id);
   const seams = seamsOfEdge(pieces.seams, piece.id, edge.id);
@@ -245,7 +246,7 @@ function EdgeFigures({ piece, edge, pieces, part }: { piece: Piece; edge: PieceE
         />
         <label class="select-field">
           <span>Keep</span>
-          <select value={keep.value} onChange={(event) => (keep.value = event.currentTarget.value)}>
+          <select value={keep.value} onChange={(event) => (keep.value = event.currentTarget.value as Keep)}>
             {kKeep.map(([value, text]) => (
               <option key={value} value={value}>
                 {text}

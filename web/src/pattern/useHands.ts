@@ -4,7 +4,7 @@
 import { useSignal, useSignalEffect } from '@preact/signals';
 import { useRef } from 'preact/hooks';
 import type { PatternCommands } from '../commands/PatternCommands';
-import type { Piece, Point } from '../api/types';
+import type { Edit, Piece, Point } from '../api/types';
 import type { AppState } from '../state/AppState';
 import type { Part } from '../state/editing';
 import { add, aligned, distance, jointsOf, minus, snapped45, withHandleMoved, withPointMoved } from '../state/outline';
@@ -190,7 +190,7 @@ const heldPart = (part: Part, to: Point, guides: Point[]): Held => ({
 const rounded = ([x, y]: Point): Point => [Math.round(x * 100) / 100, Math.round(y * 100) / 100];
 
 /** The edit that a drag of a point or a handle comes to. */
-export function moveEdit(part: Part, to: Point): { edit: string } & Record<string, unknown> {
+export function moveEdit(part: Part, to: Point): Edit {
   const { piece, edge } = part;
   if (part.kind === 'handle')
     return { edit: 'move_handle', piece, edge, curve: part.curve, handle: part.handle, to: rounded(to) };

@@ -1,11 +1,11 @@
 // Sides of a body part's box, as a hand meets them. Pure. The box's own axes: x to the wearer's left, y along the part,
 // z to the front.
 
-import type { BoxSide } from '../api/dressing';
+import type { BodyPart, BoxSide } from '../api/dressing';
 
 /** Where on a box something comes to lie, as the service takes it. */
 export interface BoxPlace {
-  part: string;
+  part: BodyPart;
   side: BoxSide;
   /** From the side's middle: to the right as one looks at it, and up along the part. */
   at_mm: [number, number];

@@ -9,6 +9,7 @@ import type {
   Check,
   Finding,
   Mannequin,
+  MeasureName,
   MeasureRule,
   ProjectBody,
   Severity,
@@ -102,7 +103,7 @@ export function presetGroups(presets: BodyPreset[]): { title: string; presets: B
     .filter((group) => group.presets.length > 0);
 }
 
-const key = (measure: string): `${string}_cm` => `${measure}_cm`;
+const key = (measure: MeasureName): `${MeasureName}_cm` => `${measure}_cm`;
 
 /** A size of a table in place of all measures; pose and fineness stay. */
 export function withPreset(mannequin: Mannequin | null, preset: string): Mannequin {
@@ -110,18 +111,18 @@ export function withPreset(mannequin: Mannequin | null, preset: string): Mannequ
   return plain({ preset, pose, arm_angle, triangles });
 }
 
-export const withMeasure = (mannequin: Mannequin, measure: string, cm: number): Mannequin => ({
+export const withMeasure = (mannequin: Mannequin, measure: MeasureName, cm: number): Mannequin => ({
   ...mannequin,
   [key(measure)]: Math.round(cm * 10) / 10,
 });
 
 /** The measure follows from the preset and from proportions again. */
-export function withoutMeasure(mannequin: Mannequin, measure: string): Mannequin {
+export function withoutMeasure(mannequin: Mannequin, measure: MeasureName): Mannequin {
   const { [key(measure)]: _, ...rest } = mannequin;
   return rest as Mannequin;
 }
 
-export const isOwn = (mannequin: Mannequin, measure: string): boolean => mannequin[key(measure)] !== undefined;
+export const isOwn = (mannequin: Mannequin, measure: MeasureName): boolean => mannequin[key(measure)] !== undefined;
 
 function plain(mannequin: Mannequin): Mannequin {
   return Object.fromEntries(Object.entries(mannequin).filter(([, value]) => value !== undefined)) as Mannequin;

@@ -88,7 +88,8 @@ export function stepText(edits: readonly Edit[]): string {
   const words = kWords[first.edit] ?? first.edit.replace(/_/g, ' ');
   const same = edits.every((edit) => edit.edit === first.edit);
   if (edits.length > 1) return same ? `${words} × ${edits.length}` : `${words} and ${edits.length - 1} more`;
-  const what = [first.piece, first.edge ?? first.seam ?? first.line].filter((word) => typeof word === 'string');
+  const on: Record<string, unknown> = { ...first };
+  const what = [on.piece, on.edge ?? on.seam ?? on.line].filter((word) => typeof word === 'string');
   return what.length > 0 ? `${words}, ${what.join(' · ')}` : words;
 }
 

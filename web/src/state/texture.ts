@@ -1,7 +1,7 @@
 // Pictures on pieces: how they lie on the flat cloth, as the service lays them too. Pure; millimetres unless it says so.
 
 import type { Picture } from '../api/pictures';
-import type { Edit, Piece, Point, Project, Texture } from '../api/types';
+import type { EditOf, Piece, Point, Project, Texture } from '../api/types';
 
 /** The service takes so many edits at once. */
 export const kMostEdits = 200;
@@ -108,9 +108,12 @@ export function commonTexture(pieces: readonly Piece[]): Texture | null | 'mixed
   return pieces.every((piece) => sameTexture(piece.texture, first)) ? first : 'mixed';
 }
 
+/** It says all of the texture. */
+export type TextureEdit = EditOf<'set_texture'> & { texture?: Texture };
+
 /** Edits that give each of the pieces what `texture` makes of it; those that have it already are left out. */
-export function textureEdits(pieces: readonly Piece[], texture: (piece: Piece) => Texture | null): Edit[] {
-  return pieces.flatMap((piece): Edit[] => {
+export function textureEdits(pieces: readonly Piece[], texture: (piece: Piece) => Texture | null): TextureEdit[] {
+  return pieces.flatMap((piece): TextureEdit[] => {
     const wanted = texture(piece);
     if (sameTexture(piece.texture, wanted)) return [];
     return [{ edit: 'set_texture', piece: piece.id, ...(wanted && { texture: wanted }) }];

@@ -40,8 +40,6 @@ scope.onmessage = ({ data }) => {
       return;
     case 'poke':
       return receiver?.poke();
-    case 'send':
-      return void receiver?.send(data.message);
     case 'buffer':
       return receiver?.giveBack(data.positions);
   }

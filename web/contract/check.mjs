@@ -1,0 +1,25 @@
+// npm run check: the contract keeps Redocly's recommended rules (as "redocly lint" looks at them), and the page's types
+// are those that follow from it. Asks nothing of the network.
+
+import { existsSync, readFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import { createConfig, formatProblems, getTotals, lint } from '@redocly/openapi-core';
+import { typesFile, typesText } from './types.mjs';
+
+/** How many problems a file has; they are written on stderr. */
+async function problemsOf(name, config) {
+  const ref = fileURLToPath(new URL(`../../proto/${name}`, import.meta.url));
+  const problems = await lint({ ref, config });
+  if (problems.length > 0) formatProblems(problems, { format: 'stylish', totals: getTotals(problems), version: '' });
+  return problems.length;
+}
+
+const config = await createConfig({ extends: ['recommended'] });
+for (const name of ['openapi.yaml', 'asyncapi.yaml'])
+  if ((await problemsOf(name, config)) > 0) process.exitCode = 1;
+
+const kept = existsSync(typesFile) ? readFileSync(typesFile, 'utf8') : '';
+if (kept !== (await typesText())) {
+  console.error(`${fileURLToPath(typesFile)} is not what follows from proto/: npm run generate makes it anew`);
+  process.exitCode = 1;
+}
