@@ -51,11 +51,10 @@ void keep_shifts(const Assembly& before, const Assembly& repaired, std::vector<P
 Result<Findings> look(const ArrangeInput& input, Arrangement& made) {
   Findings findings;
   for (int round = 0; round < 2; ++round) {
-    Result<Assembly> assembly = assemble(input.meshes, made.placements, made.attachments);
-    if (!assembly) return assembly.error();
-    const Assembly before = *assembly;
-    findings = run_preflight({input.pattern, input.meshes, input.bodies}, *assembly);
-    keep_shifts(before, *assembly, made.placements);
+    Assembly assembly = TRY(assemble(input.meshes, made.placements, made.attachments));
+    const Assembly before = assembly;
+    findings = run_preflight({input.pattern, input.meshes, input.bodies}, assembly);
+    keep_shifts(before, assembly, made.placements);
   }
   return findings;
 }
@@ -72,17 +71,15 @@ Result<Arrangement> arrange(const ArrangeInput& input) {
       continue;
     }
     const BodyStand stand(body.mesh, *figure);
-    Result<Arranger> arranger = Arranger::make(input, stand);
-    if (!arranger) return arranger.error();
+    Arranger arranger = TRY(Arranger::make(input, stand));
     std::optional<Arrangement> best;
     Faults fewest{};
     // Higher or lower on the body, and farther out along the arms: the start with the fewest faults is taken,
     // the first of several.
-    for (const ArrangeTrial& trial : arranger->trials()) {
-      Arrangement made = arranger->place(trial);
-      Result<Findings> findings = look(input, made);
-      if (!findings) return findings.error();
-      made.findings = std::move(*findings);
+    for (const ArrangeTrial& trial : arranger.trials()) {
+      Arrangement made = arranger.place(trial);
+      Findings findings = TRY(look(input, made));
+      made.findings = std::move(findings);
       const Faults faults = faults_of(made.findings, stand.figure().armpit[0].y);
       if (!best || faults < fewest) fewest = faults, best = std::move(made);
       if (fewest == Faults{}) break;

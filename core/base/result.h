@@ -1,5 +1,6 @@
 #pragma once
 // Bad input is not an exception but a value: Result<T> holds a T, or an Error that names the place.
+// TRY(…) takes the T out, or leaves the function with the Error.
 
 #include <cassert>
 #include <optional>
@@ -29,9 +30,18 @@ class [[nodiscard]] Result {
   explicit operator bool() const { return ok(); }
 
   /// REQUIRES ok().
-  T& value() & { return assert(ok()), *std::get_if<0>(&state_); }
-  const T& value() const& { return assert(ok()), *std::get_if<0>(&state_); }
-  T&& value() && { return assert(ok()), std::move(*std::get_if<0>(&state_)); }
+  T& value() & {
+    assert(ok());
+    return *std::get_if<0>(&state_);
+  }
+  const T& value() const& {
+    assert(ok());
+    return *std::get_if<0>(&state_);
+  }
+  T&& value() && {
+    assert(ok());
+    return std::move(*std::get_if<0>(&state_));
+  }
   T* operator->() { return &value(); }
   const T* operator->() const { return &value(); }
   T& operator*() & { return value(); }
@@ -39,7 +49,14 @@ class [[nodiscard]] Result {
   T&& operator*() && { return std::move(*this).value(); }
 
   /// REQUIRES !ok().
-  const Error& error() const { return assert(!ok()), *std::get_if<1>(&state_); }
+  const Error& error() const& {
+    assert(!ok());
+    return *std::get_if<1>(&state_);
+  }
+  Error&& error() && {
+    assert(!ok());
+    return std::move(*std::get_if<1>(&state_));
+  }
 
  private:
   std::variant<T, Error> state_;
@@ -53,10 +70,31 @@ class [[nodiscard]] Status {
   bool ok() const { return !error_; }
   explicit operator bool() const { return ok(); }
   /// REQUIRES !ok().
-  const Error& error() const { return assert(!ok()), *error_; }
+  const Error& error() const& {
+    assert(!ok());
+    return *error_;
+  }
+  Error&& error() && {
+    assert(!ok());
+    return *std::move(error_);
+  }
+  /// Nothing, so that TRY(…) reads alike for both.
+  void value() && { assert(ok()); }
 
  private:
   std::optional<Error> error_;
 };
 
 }  // namespace toile
+
+/// The value of a Result, or, when it holds an Error, `return` of that Error from the enclosing function,
+/// which gives back a Result or a Status itself: `const Panel panel = TRY(read_panel(file));`. It stands
+/// alone on the right of `=` or as a statement: a return out of the middle of a larger expression would leave
+/// open which of its other parts were evaluated. A statement expression is an extension of GCC and Clang, our
+/// compilers.
+#define TRY(...)                                                  \
+  __extension__({                                                 \
+    auto toile_tried = (__VA_ARGS__);                             \
+    if (!toile_tried.ok()) return std::move(toile_tried).error(); \
+    std::move(toile_tried).value();                               \
+  })

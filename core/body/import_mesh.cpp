@@ -120,9 +120,8 @@ Result<RepairedMesh> read_as_told(const std::vector<std::string>& arguments) {
   const MeshSettings settings = settings_of(arguments[2], arguments[3]);
   if (arguments[0] == "file") return mended(load_mesh(arguments[1], settings));
   give_up_rights();
-  const Result<std::string> bytes = read_whole(0, arguments[1]);
-  if (!bytes) return bytes.error();
-  return mended(load_mesh_bytes(arguments[1], *bytes, settings));
+  const std::string bytes = TRY(read_whole(0, arguments[1]));
+  return mended(load_mesh_bytes(arguments[1], bytes, settings));
 }
 
 }  // namespace
@@ -216,9 +215,8 @@ Result<RepairedMesh> MeshImporter::stored(const std::filesystem::path& path, con
     return Error{"mesh.not_found", "The file cannot be opened: " + reason_of(errno) + ".", name};
   }
   if (reader_) return reader_->run("bytes", name, file.fd, settings);
-  const Result<std::string> read = read_whole(file.fd, name);
-  if (!read) return read.error();
-  return mended(load_mesh_bytes(name, *read, settings));
+  const std::string read = TRY(read_whole(file.fd, name));
+  return mended(load_mesh_bytes(name, read, settings));
 }
 
 int run_mesh_import(const std::vector<std::string>& arguments) {

@@ -194,7 +194,7 @@ class BytesOnly final : public Assimp::IOSystem {
 
 Result<TriangleMesh> gathered(const aiScene& scene, const std::string& file, const MeshSettings& settings) {
   Gatherer gatherer(scene, file);
-  if (Status s = gatherer.add(*scene.mRootNode, aiMatrix4x4(), 0); !s) return s.error();
+  TRY(gatherer.add(*scene.mRootNode, aiMatrix4x4(), 0));
   TriangleMesh all = gatherer.take();
   if (all.triangles.empty()) return fail("mesh.no_triangles", "The file holds no triangles.", file);
   to_metres(all, settings);
@@ -239,18 +239,18 @@ Status check_settings(const MeshSettings& settings, const std::string& file) {
 
 Result<TriangleMesh> load_mesh(const std::filesystem::path& path, const MeshSettings& settings) {
   const std::string file = path.string();
-  if (Status s = check_settings(settings, file); !s) return s.error();
-  if (Status s = check_file(path); !s) return s.error();
-  if (Status s = sniff_mesh(path, settings.any_format); !s) return s.error();
+  TRY(check_settings(settings, file));
+  TRY(check_file(path));
+  TRY(sniff_mesh(path, settings.any_format));
   Assimp::Importer importer;
   return import_safely(importer, file, settings);
 }
 
 Result<TriangleMesh> load_mesh_bytes(const std::string& name, std::string_view bytes,
                                      const MeshSettings& settings) {
-  if (Status s = check_settings(settings, name); !s) return s.error();
-  if (Status s = check_size(bytes.size(), name); !s) return s.error();
-  if (Status s = sniff_mesh_bytes(name, bytes, settings.any_format); !s) return s.error();
+  TRY(check_settings(settings, name));
+  TRY(check_size(bytes.size(), name));
+  TRY(sniff_mesh_bytes(name, bytes, settings.any_format));
   Assimp::Importer importer;
   importer.SetIOHandler(new BytesOnly(name, bytes));  // the importer's to delete
   return import_safely(importer, name, settings);

@@ -72,7 +72,7 @@ Status check_range(std::string_view name, double value, double low, double high,
 Status check(const MannequinSettings& s, const MeasureSet& wanted) {
   const double h = *wanted[Measure::kHeight];
   const bool child = s.sex == Sex::kChild;
-  if (Status r = check_range("height", h, child ? 0.8 : 1.3, child ? 1.75 : 2.2, {100, " cm"}); !r) return r;
+  TRY(check_range("height", h, child ? 0.8 : 1.3, child ? 1.75 : 2.2, {100, " cm"}));
   for (int i = 1; i < kMeasureCount; ++i) {
     const Measure m = measure_at(i);
     const Limit l = kLimits[i];
@@ -366,7 +366,7 @@ Status check_met(const MannequinSettings& settings, const BodyMeasures& got) {
 
 Result<Mannequin> make_mannequin(const MannequinSettings& settings) {
   const MeasureSet wanted = with_proportions(settings.sex, settings.asked);
-  if (Status s = check(settings, wanted); !s) return s.error();
+  TRY(check(settings, wanted));
   const double h = *wanted[Measure::kHeight];
   BodyShape start;
   start.figure = &figure_of(settings.sex);
@@ -386,7 +386,7 @@ Result<Mannequin> make_mannequin(const MannequinSettings& settings) {
     if (again.measures && again.miss < fit.miss) fit = std::move(again);
   }
   if (!fit.measures) return Error{"mannequin.measures", "These measures do not make a body.", ""};
-  if (Status s = check_met(settings, *fit.measures); !s) return s.error();
+  TRY(check_met(settings, *fit.measures));
   return Mannequin{std::move(fit.mesh), wanted, *fit.measures, scaled(PlacedFigure(fit.shape).joints(), h)};
 }
 

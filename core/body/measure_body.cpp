@@ -55,10 +55,10 @@ class BodyTape {
     find_middle();
     scan_trunk();
     find_armpit();
-    if (Status s = find_crotch(); !s) return s;
+    TRY(find_crotch());
     find_neck();
     find_nape();
-    if (Status s = find_trunk_girths(); !s) return s;
+    TRY(find_trunk_girths());
     measure_arm(mesh_, stature_, measures);
     find_leg();
     return {};
@@ -342,7 +342,7 @@ void BodyTape::find_leg() {
 Result<BodyMeasures> measure_body(const TriangleMesh& standing) {
   if (standing.triangles.empty()) return Error{"body.not_a_body", "The mesh has no triangles.", ""};
   BodyTape tape(standing);
-  if (Status s = tape.run(); !s) return s.error();
+  TRY(tape.run());
   return tape.measures;
 }
 

@@ -41,9 +41,8 @@ Status add_own_landmarks(const TriangleMesh& mesh, std::span<const OwnLandmark> 
     const auto before = own.begin() + static_cast<std::ptrdiff_t>(i);
     if (std::any_of(own.begin(), before, same))
       return Error{"landmark.duplicate", "another landmark here has that name", mark.name};
-    const Result<SkinPoint> at = skin_point_of(mark, mesh, landmarks);
-    if (!at) return at.error();
-    const Landmark placed{mark.name, *at, position_of(*at, mesh)};
+    const SkinPoint at = TRY(skin_point_of(mark, mesh, landmarks));
+    const Landmark placed{mark.name, at, position_of(at, mesh)};
     const auto found = std::find_if(landmarks.begin(), landmarks.end(), same);
     if (found != landmarks.end()) {
       *found = placed;

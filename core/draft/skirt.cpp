@@ -165,7 +165,7 @@ double skirt_band_bottom(const SkirtMeasures& m) {
 }
 
 Result<Pattern> draft_skirt(const SkirtMeasures& measures) {
-  if (Status s = check(measures); !s) return s.error();
+  TRY(check(measures));
   // Edges in the order hem, +x side, waist, -x side; bands: skirt, +x end, top, -x end.
   enum : Index { kFront, kBack, kBandFront, kBandBack };
   enum : Index { kLow, kPlusX, kHigh, kMinusX };

@@ -32,10 +32,9 @@ Vec2 middle_of(const PanelEdge& edge) { return point_at_length(edge, arc_length(
 Result<std::vector<EdgeName>> edge_names(const Panel& drafted, const DxfDrawing& drawing) {
   for (const DxfPiece& piece : drawing.pieces) {
     if (piece.name != drafted.id) continue;
-    Result<Panel> read = panel_from_piece(piece);
-    if (!read) return read.error();
+    Panel read = TRY(panel_from_piece(piece));
     std::vector<EdgeName> names;
-    for (const PanelEdge& r : read->outline.edges) {
+    for (const PanelEdge& r : read.outline.edges) {
       for (const PanelEdge& d : drafted.outline.edges) {
         if (length(middle_of(r) - middle_of(d)) < kSameEdge) names.push_back({r.id, d.id});
       }
@@ -137,21 +136,17 @@ std::vector<Wrap> wraps(const TriangleMesh& body, const SkirtSampleSettings& s) 
 
 Result<std::vector<SampleFile>> make_skirt_sample(const TriangleMesh& body,
                                                   const SkirtSampleSettings& settings) {
-  Result<Pattern> pattern = draft_skirt(settings.skirt);
-  if (!pattern) return pattern.error();
-  Result<std::string> dxf = write_dxf(*pattern);
-  if (!dxf) return dxf.error();
-  Result<DxfDrawing> drawing = read_dxf(*dxf);
-  if (!drawing) return drawing.error();
+  Pattern pattern = TRY(draft_skirt(settings.skirt));
+  std::string dxf = TRY(write_dxf(pattern));
+  DxfDrawing drawing = TRY(read_dxf(dxf));
   const std::vector<Wrap> placed = wraps(body, settings);
   std::vector<std::string> pieces;
-  for (size_t i = 0; i < pattern->panels.size(); ++i) {
-    Result<std::vector<EdgeName>> names = edge_names(pattern->panels[i], *drawing);
-    if (!names) return names.error();
-    pieces.push_back(piece_json(pattern->panels[i], *names, placed[i]));
+  for (size_t i = 0; i < pattern.panels.size(); ++i) {
+    std::vector<EdgeName> names = TRY(edge_names(pattern.panels[i], drawing));
+    pieces.push_back(piece_json(pattern.panels[i], names, placed[i]));
   }
-  return std::vector<SampleFile>{{"skirt.dxf", *dxf},
-                                 {"project.json", project_json(*pattern, pieces, settings)}};
+  return std::vector<SampleFile>{{"skirt.dxf", dxf},
+                                 {"project.json", project_json(pattern, pieces, settings)}};
 }
 
 }  // namespace toile

@@ -42,12 +42,10 @@ class GoTimer {
 
 Result<DrapeStart> prepare_start(const DrapeInput& input, const RunContext& context) {
   context.progress("mesh", 0);
-  auto meshes = make_panel_meshes(input.pattern, input.settings.particle_distance, context);
-  if (!meshes) return meshes.error();
+  auto meshes = TRY(make_panel_meshes(input.pattern, input.settings.particle_distance, context));
   context.progress("place", 0);
-  auto assembly = assemble(*meshes, input.placements, input.attachments, input.notions);
-  if (!assembly) return assembly.error();
-  DrapeStart start{std::move(*meshes), std::move(*assembly), {}};
+  auto assembly = TRY(assemble(meshes, input.placements, input.attachments, input.notions));
+  DrapeStart start{std::move(meshes), std::move(assembly), {}};
   start.findings = run_preflight(
       {input.pattern, start.meshes, input.bodies, input.settings.particle_distance}, start.assembly);
   return start;
@@ -59,7 +57,7 @@ DrapeRun::DrapeRun(const DrapeInput& input, FrameSink* sink)
 Result<std::unique_ptr<DrapeRun>> DrapeRun::start(const DrapeInput& input, const RunContext& context,
                                                   FrameSink* sink) {
   std::unique_ptr<DrapeRun> run(new DrapeRun(input, sink));
-  if (const Status prepared = run->prepare(context); !prepared) return prepared.error();
+  TRY(run->prepare(context));
   const GoTimer timer(run->result_);
   run->record_frame();
   return run;
@@ -68,21 +66,20 @@ Result<std::unique_ptr<DrapeRun>> DrapeRun::start(const DrapeInput& input, const
 Result<std::unique_ptr<DrapeRun>> DrapeRun::resume(const DrapeInput& input, std::string_view checkpoint,
                                                    const RunContext& context, FrameSink* sink) {
   std::unique_ptr<DrapeRun> run(new DrapeRun(input, sink));
-  if (const Status prepared = run->prepare(context); !prepared) return prepared.error();
-  if (const Status restored = run->restore(checkpoint); !restored) return restored.error();
+  TRY(run->prepare(context));
+  TRY(run->restore(checkpoint));
   return run;
 }
 
 Status DrapeRun::restore(std::string_view checkpoint) {
   const GoTimer timer(result_);
-  Result<RunState> state = decode_checkpoint(checkpoint, session_->start_hash());
-  if (!state) return state.error();
-  if (const Status restored = session_->restore(std::move(state->session)); !restored) return restored;
-  result_.at_end = state->at_end, result_.worst = state->worst;
-  result_.worst_frame_step = state->worst_frame_step, result_.frames_checked = state->frames_checked;
-  result_.cpu_s += state->cpu_s, result_.wall_s += state->wall_s;
-  result_.resumed = state->resumed + 1;
-  recorded_ = state->recorded;
+  RunState state = TRY(decode_checkpoint(checkpoint, session_->start_hash()));
+  TRY(session_->restore(std::move(state.session)));
+  result_.at_end = state.at_end, result_.worst = state.worst;
+  result_.worst_frame_step = state.worst_frame_step, result_.frames_checked = state.frames_checked;
+  result_.cpu_s += state.cpu_s, result_.wall_s += state.wall_s;
+  result_.resumed = state.resumed + 1;
+  recorded_ = state.recorded;
   return {};
 }
 
@@ -95,11 +92,10 @@ std::string DrapeRun::checkpoint() const {
 
 Status DrapeRun::prepare(const RunContext& context) {
   const GoTimer timer(result_);
-  auto start = prepare_start(input_, context);
-  if (!start) return start.error();
-  if (auto refused = first_error(start->findings)) return *refused;
-  result_.findings = std::move(start->findings);
-  session_ = DrapeSession::start(input_, start->meshes, std::move(start->assembly));
+  auto start = TRY(prepare_start(input_, context));
+  if (auto refused = first_error(start.findings)) return *refused;
+  result_.findings = std::move(start.findings);
+  session_ = DrapeSession::start(input_, start.meshes, std::move(start.assembly));
   result_.garment = session_->garment();
   if (sink_) sink_->begin(result_.garment);
   return {};

@@ -20,9 +20,8 @@ Result<GlbImage> image_of(const TextureImage& image, const Fabric& fabric) {
   rgb.reserve(shown.rgba.size() / 4 * 3);
   for (std::size_t i = 0; i < shown.rgba.size(); i += 4)
     rgb.insert(rgb.end(), {shown.rgba[i], shown.rgba[i + 1], shown.rgba[i + 2]});
-  Result<std::string> bytes = encode_png(shown.width, shown.height, 3, rgb);
-  if (!bytes) return bytes.error();
-  return GlbImage{image.name, std::string(media_type(PictureFormat::kPng)), std::move(*bytes)};
+  std::string bytes = TRY(encode_png(shown.width, shown.height, 3, rgb));
+  return GlbImage{image.name, std::string(media_type(PictureFormat::kPng)), std::move(bytes)};
 }
 
 /// Index into looks.looks, made when there is none yet. An opaque picture is one image for all fabrics.
@@ -37,9 +36,8 @@ Result<int> look_for(const TextureImage& image, Index picture, Index fabric, con
   if (shared != looks.looks.end()) {
     index = shared->image;
   } else {
-    Result<GlbImage> made = image_of(image, cloth);
-    if (!made) return made.error();
-    looks.images.push_back(std::move(*made));
+    GlbImage made = TRY(image_of(image, cloth));
+    looks.images.push_back(std::move(made));
   }
   looks.looks.push_back({fabric, picture, index});
   return static_cast<int>(looks.looks.size()) - 1;

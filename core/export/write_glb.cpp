@@ -158,7 +158,7 @@ Status check_garment(const GarmentMesh& g, const GlbModel& model) {
       g.panel_of_triangle.size() != g.triangles.size()) {
     return bad_garment("the garment's arrays differ in length");
   }
-  if (Status bad = check_panels(g, model); !bad.ok()) return bad;
+  TRY(check_panels(g, model));
   for (std::size_t v = 0; v < g.rest.size(); ++v) {
     const std::string where = "vertex " + std::to_string(v);
     if (!is_storable(model.positions[v]) || !is_storable({g.rest[v].x, g.rest[v].y, 0})) {
@@ -337,11 +337,10 @@ Result<std::string> glb_bytes(const GlbModel& model) {
   std::vector<Part> parts;
   GlbLooks looks;
   if (model.garment != nullptr) {
-    if (Status bad = check_garment(*model.garment, model); !bad.ok()) return bad.error();
+    TRY(check_garment(*model.garment, model));
     if (model.textures != nullptr) {
-      Result<GlbLooks> made = glb_looks(*model.textures, model.fabric_of_panel, model.fabrics);
-      if (!made.ok()) return made.error();
-      looks = std::move(*made);
+      GlbLooks made = TRY(glb_looks(*model.textures, model.fabric_of_panel, model.fabrics));
+      looks = std::move(made);
     }
     append_panels(model, looks, parts);
   }
@@ -356,9 +355,8 @@ Result<std::string> glb_bytes(const GlbModel& model) {
 }
 
 Status write_glb(const std::filesystem::path& path, const GlbModel& model) {
-  const Result<std::string> bytes = glb_bytes(model);
-  if (!bytes.ok()) return bytes.error();
-  return write_file(path, *bytes);
+  const std::string bytes = TRY(glb_bytes(model));
+  return write_file(path, bytes);
 }
 
 }  // namespace toile

@@ -167,7 +167,7 @@ Status write_bodies(const std::filesystem::path& path, std::span<const Body> bod
   TriangleMesh all;
   for (const Body& body : bodies) {
     const auto first = static_cast<Index>(all.vertices.size());
-    if (Status bad = check_mesh(body.mesh.vertices, body.mesh.triangles); !bad.ok()) return bad;
+    TRY(check_mesh(body.mesh.vertices, body.mesh.triangles));
     all.vertices.insert(all.vertices.end(), body.mesh.vertices.begin(), body.mesh.vertices.end());
     for (const Tri& t : body.mesh.triangles)
       all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
@@ -187,23 +187,23 @@ std::string sewn_text(const std::vector<std::array<Index, 2>>& sewn) {
 
 Status write_obj(const std::filesystem::path& path, std::span<const Vec3> positions,
                  std::span<const Tri> triangles, const ObjPanels& panels) {
-  if (Status bad = check_mesh(positions, triangles); !bad.ok()) return bad;
-  if (Status bad = check_panels(positions.size(), triangles.size(), panels); !bad.ok()) return bad;
+  TRY(check_mesh(positions, triangles));
+  TRY(check_panels(positions.size(), triangles.size(), panels));
   return write_file(path, obj_text(positions, triangles, panels));
 }
 
 Status write_check_data(const std::filesystem::path& directory, const GarmentMesh& garment,
                         std::span<const Vec3> positions, std::span<const Body> bodies,
                         const ObjPanels& panels) {
-  if (Status bad = check_garment(garment, positions.size()); !bad.ok()) return bad;
+  TRY(check_garment(garment, positions.size()));
   std::error_code failed;
   std::filesystem::create_directories(directory, failed);
   if (failed)
     return Error{"export.write", "cannot make the directory: " + failed.message(), directory.string()};
 
-  if (Status s = write_obj(directory / "rest.obj", laid_out(garment), garment.triangles); !s.ok()) return s;
-  if (Status s = write_obj(directory / "final.obj", positions, garment.triangles, panels); !s.ok()) return s;
-  if (Status s = write_bodies(directory / "body.obj", bodies); !s.ok()) return s;
+  TRY(write_obj(directory / "rest.obj", laid_out(garment), garment.triangles));
+  TRY(write_obj(directory / "final.obj", positions, garment.triangles, panels));
+  TRY(write_bodies(directory / "body.obj", bodies));
   return write_file(directory / "sewn.json", sewn_text(garment.sewn));
 }
 

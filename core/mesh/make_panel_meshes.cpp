@@ -105,26 +105,23 @@ Status check_size(const Pattern& pattern, const std::vector<std::vector<Polygon>
 
 Result<PanelMeshes> make_panel_meshes(const Pattern& pattern, double particle_distance,
                                       const RunContext& context) {
-  Result<SampledPattern> sampled = resample(pattern, particle_distance);
-  if (!sampled) return sampled.error();
-  const auto lines = sample_lines(pattern, particle_distance, *sampled);
-  if (!lines) return lines.error();
+  SampledPattern sampled = TRY(resample(pattern, particle_distance));
+  const auto lines = TRY(sample_lines(pattern, particle_distance, sampled));
   const std::size_t count = pattern.panels.size();
   std::vector<std::vector<Polygon>> polygons;
   for (std::size_t p = 0; p < count; ++p) {
-    polygons.push_back(polygons_of(pattern.panels[p], sampled->edges[p]));
+    polygons.push_back(polygons_of(pattern.panels[p], sampled.edges[p]));
   }
-  if (Status status = check_size(pattern, polygons, particle_distance); !status) return status.error();
+  TRY(check_size(pattern, polygons, particle_distance));
   PanelMeshes meshes;
   for (std::size_t p = 0; p < count; ++p) {
     context.progress("mesh", static_cast<double>(p) / static_cast<double>(count));
-    Result<PanelMesh> mesh = mesh_panel(pattern.panels[p], sampled->edges[p], polygons[p], (*lines)[p],
-                                        spacing_on(pattern.panels[p], particle_distance), context);
-    if (!mesh) return mesh.error();
-    meshes.panels.push_back(std::move(*mesh));
+    PanelMesh mesh = TRY(mesh_panel(pattern.panels[p], sampled.edges[p], polygons[p], lines[p],
+                                    spacing_on(pattern.panels[p], particle_distance), context));
+    meshes.panels.push_back(std::move(mesh));
   }
   for (std::size_t s = 0; s < pattern.seams.size(); ++s) {
-    meshes.seams.push_back(matched_seam(static_cast<Index>(s), sampled->seams[s], meshes.panels));
+    meshes.seams.push_back(matched_seam(static_cast<Index>(s), sampled.seams[s], meshes.panels));
   }
   context.progress("mesh", 1);
   return meshes;

@@ -81,13 +81,12 @@ Result<MeasuredPanel> measure(const Panel& panel) {
   const auto measure_loop = [&](const Loop& loop) -> Status {
     const Index least = loop.edges.size() == 1 ? 3 : loop.edges.size() == 2 ? 2 : 1;
     for (const PanelEdge& edge : loop.edges) {
-      Result<MeasuredEdge> m = measure(panel, edge, least);
-      if (!m) return m.error();
-      measured.push_back(std::move(*m));
+      MeasuredEdge m = TRY(measure(panel, edge, least));
+      measured.push_back(std::move(m));
     }
     return check_closed(panel, loop);
   };
-  if (Status status = measure_loop(panel.outline); !status) return status.error();
+  TRY(measure_loop(panel.outline));
   for (const Loop& hole : panel.holes) {
     if (Status status = measure_loop(hole); !status) return status.error();
   }
@@ -149,9 +148,8 @@ Result<Side> side_of(const Pattern& pattern, std::vector<MeasuredPanel>& panels,
     const bool exists = e.panel >= 0 && e.panel < static_cast<Index>(panels.size()) && e.edge >= 0 &&
                         e.edge < static_cast<Index>(panels[e.panel].size());
     if (!exists) return Error{"mesh.seam_edge", "The seam names an edge that does not exist.", where};
-    const Result<std::size_t> part = take_part(panels[e.panel][e.edge], e, pattern.panels[e.panel], where);
-    if (!part) return part.error();
-    side.path.push_back({e.panel, e.edge, *part, e.reversed != backwards, {}});
+    const std::size_t part = TRY(take_part(panels[e.panel][e.edge], e, pattern.panels[e.panel], where));
+    side.path.push_back({e.panel, e.edge, part, e.reversed != backwards, {}});
   }
   if (backwards) std::reverse(side.path.begin(), side.path.end());
   for (const PathEdge& e : side.path) {
@@ -266,15 +264,14 @@ Result<std::vector<MeasuredPanel>> measure(const Pattern& pattern, double partic
   std::vector<MeasuredPanel> panels;
   double total = 0;
   for (const Panel& panel : pattern.panels) {
-    Result<MeasuredPanel> measured = measure(panel);
-    if (!measured) return measured.error();
+    MeasuredPanel measured = TRY(measure(panel));
     const double spacing = spacing_on(panel, particle_distance);
     if (!(spacing >= kLeastDistance && std::isfinite(spacing))) {
       return Error{"mesh.particle_distance", "The particle distance must be at least 0.5 mm.",
                    panel.spacing > 0 ? "piece " + panel.id : ""};
     }
-    for (const MeasuredEdge& m : *measured) total += m.length / spacing;
-    panels.push_back(std::move(*measured));
+    for (const MeasuredEdge& m : measured) total += m.length / spacing;
+    panels.push_back(std::move(measured));
   }
   if (!(total <= kMaxParticles)) {
     return Error{
@@ -288,19 +285,16 @@ Result<std::vector<MeasuredPanel>> measure(const Pattern& pattern, double partic
 }  // namespace
 
 Result<SampledPattern> resample(const Pattern& pattern, double particle_distance) {
-  Result<std::vector<MeasuredPanel>> measured = measure(pattern, particle_distance);
-  if (!measured) return measured.error();
-  std::vector<MeasuredPanel>& panels = *measured;
+  std::vector<MeasuredPanel> measured = TRY(measure(pattern, particle_distance));
+  std::vector<MeasuredPanel>& panels = measured;
   SampledPattern sampled;
   for (const MeasuredPanel& panel : panels) sampled.edges.emplace_back(panel.size());
   std::vector<CutSeam> cuts;
   for (const Seam& seam : pattern.seams) {
-    Result<Side> a = side_of(pattern, panels, seam, seam.a, false);
-    if (!a) return a.error();
-    Result<Side> b = side_of(pattern, panels, seam, seam.b, !seam.same_direction);
-    if (!b) return b.error();
+    Side a = TRY(side_of(pattern, panels, seam, seam.a, false));
+    Side b = TRY(side_of(pattern, panels, seam, seam.b, !seam.same_direction));
     cuts.push_back(
-        cut_seam(std::move(*a), std::move(*b), panels, spacing_of(pattern, seam, particle_distance)));
+        cut_seam(std::move(a), std::move(b), panels, spacing_of(pattern, seam, particle_distance)));
   }
   for (std::size_t p = 0; p < panels.size(); ++p) {
     const double spacing = spacing_on(pattern.panels[p], particle_distance);

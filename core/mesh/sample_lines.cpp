@@ -145,7 +145,7 @@ Result<std::vector<std::vector<std::vector<Vec2>>>> sample_lines(const Pattern& 
                   [](const Panel& p) { return p.lines.empty(); })) {
     return lines;
   }
-  if (Status status = check_length(pattern, particle_distance); !status) return status.error();
+  TRY(check_length(pattern, particle_distance));
   LineEnds ends(sampled);
   for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
     const double spacing = spacing_on(pattern.panels[p], particle_distance);

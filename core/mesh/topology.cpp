@@ -103,7 +103,7 @@ std::vector<MeshEdge> edges_of(std::span<const Tri> triangles, Index vertex_coun
 }
 
 Status check_manifold(std::span<const Tri> triangles, Index vertex_count) {
-  if (Status indices = check_indices(triangles, vertex_count); !indices) return indices;
+  TRY(check_indices(triangles, vertex_count));
   const std::vector<HalfEdge> half_edges = sorted_half_edges(triangles);
   for (std::size_t begin = 0; begin < half_edges.size();) {
     const std::size_t end = group_end(half_edges, begin);

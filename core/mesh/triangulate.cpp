@@ -220,13 +220,13 @@ double particle_estimate(double area, double particle_distance) {
 
 Result<FlatMesh> triangulate(std::span<const Polygon> loops, double particle_distance,
                              const RunContext& context, std::span<const std::vector<Vec2>> lines) {
-  if (Status status = check_loops(loops, particle_distance); !status) return status.error();
+  TRY(check_loops(loops, particle_distance));
   GridPiece piece = border_on_grid(loops);
   // The border alone first: where it crosses itself, its area says nothing of how many points would fill it.
   if (const auto conflict = GridTriangulation(piece.points).build(piece.segments)) {
     return error_of(*conflict, piece, loops);
   }
-  if (Status status = check_lines(piece, lines); !status) return status.error();
+  TRY(check_lines(piece, lines));
   add_lines(piece, lines);
   if (!piece.links.empty()) {
     if (const auto conflict = GridTriangulation(piece.points).build(piece.segments, piece.links)) {

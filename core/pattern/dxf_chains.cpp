@@ -140,9 +140,8 @@ bool within(Vec2 p, double limit) { return std::abs(p.x) <= limit && std::abs(p.
 /// The curve's points in the drawing, mm; empty when they lead beyond it.
 Result<std::vector<Vec2>> points_of(const DxfCurve& curve, const DxfTransform& to_mm, DxfPen& pen,
                                     DxfContext& context) {
-  Result<std::vector<Vec2>> points = pen.draw(curve);
-  if (!points) return points;
-  for (Vec2& p : *points) {
+  std::vector<Vec2> points = TRY(pen.draw(curve));
+  for (Vec2& p : points) {
     if (curve.mirrored) p.x = -p.x;
     p = to_mm(p);
     if (is_finite(p) && within(p, context.settings.max_coordinate_mm)) continue;
@@ -206,17 +205,16 @@ Result<std::vector<DxfChain>> chains_of(const std::vector<DxfPart>& parts, DxfCo
     DxfTransform to_mm = part.transform;
     to_mm.origin = to_mm.origin * context.mm_per_unit;
     for (const DxfCurve& curve : part.block->curves) {
-      Result<std::vector<Vec2>> points = points_of(curve, to_mm, pen, context);
-      if (!points) return points.error();
-      if (points->empty()) continue;
+      std::vector<Vec2> points = TRY(points_of(curve, to_mm, pen, context));
+      if (points.empty()) continue;
       const bool curved = !curve.is_straight();
-      if (is_dot(*points)) {
+      if (is_dot(points)) {
         context.log.mark(curve.entity, DxfFate::dropped, "it has no length");
       } else if (curve.closed) {
         chains.push_back(
-            {std::move(*points), true, curve.layer, curve.line, {}, false, {curve.entity}, curved});
+            {std::move(points), true, curve.layer, curve.line, {}, false, {curve.entity}, curved});
       } else {
-        open[curve.layer].push_back({std::move(*points), curve.line, curve.entity, curved, curve.is_run});
+        open[curve.layer].push_back({std::move(points), curve.line, curve.entity, curved, curve.is_run});
       }
     }
   }

@@ -40,9 +40,8 @@ class Sorter {
       : parts_(parts), context_(context), log_(context.log), next_id_(next_id) {}
 
   Result<std::vector<DxfFound>> run() {
-    Result<std::vector<DxfChain>> chains = chains_of(parts_, context_);
-    if (!chains) return chains.error();
-    chains_ = std::move(*chains);
+    std::vector<DxfChain> chains = TRY(chains_of(parts_, context_));
+    chains_ = std::move(chains);
     find_roles();
     close_chains();
     if (auto error = collect()) return *error;

@@ -60,13 +60,11 @@ class Reader {
   Reader(DxfFile file, const DxfSettings& settings) : file_(std::move(file)), settings_(settings) {}
 
   Result<DxfDrawing> run() {
-    Result<DxfLayout> layout = layout_of(file_, settings_);
-    if (!layout) return layout.error();
-    layout_ = std::move(*layout);
-    Result<Attempt> attempt = read_in_its_unit();
-    if (!attempt) return attempt.error();
-    if (attempt->pieces.empty()) return nothing_found(*attempt);
-    return finished(*attempt);
+    DxfLayout layout = TRY(layout_of(file_, settings_));
+    layout_ = std::move(layout);
+    Attempt attempt = TRY(read_in_its_unit());
+    if (attempt.pieces.empty()) return nothing_found(attempt);
+    return finished(attempt);
   }
 
  private:
@@ -94,10 +92,9 @@ class Reader {
     DxfContext context{settings_, mm_per_unit, attempt.log, 0, file_.fault, {}};
     for (const DxfPlace& place : layout_.places) {
       context.drawn += 1;
-      Result<std::vector<DxfFound>> pieces = pieces_of(place.parts, context, attempt.ids);
-      if (!pieces) return pieces.error();
-      name_pieces(*pieces, place, context);
-      for (DxfFound& found : *pieces) attempt.pieces.push_back(std::move(found));
+      std::vector<DxfFound> pieces = TRY(pieces_of(place.parts, context, attempt.ids));
+      name_pieces(pieces, place, context);
+      for (DxfFound& found : pieces) attempt.pieces.push_back(std::move(found));
       if (attempt.pieces.size() > settings_.max_loops || context.drawn > settings_.max_drawn_points)
         return Error{"dxf.too_large",
                      "The drawing has more than " + std::to_string(settings_.max_loops) +
@@ -203,9 +200,8 @@ Result<DxfDrawing> read_dxf(std::string_view text, const DxfSettings& settings) 
 }
 
 Result<DxfDrawing> read_dxf(std::istream& in, const DxfSettings& settings) {
-  Result<DxfFile> file = parse_dxf(in, settings);
-  if (!file) return file.error();
-  return Reader(std::move(*file), settings).run();
+  DxfFile file = TRY(parse_dxf(in, settings));
+  return Reader(std::move(file), settings).run();
 }
 
 }  // namespace toile

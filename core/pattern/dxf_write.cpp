@@ -138,7 +138,7 @@ Status check(const Pattern& pattern) {
 }  // namespace
 
 Result<std::string> write_dxf(const Pattern& pattern, const DxfWriteSettings& settings) {
-  if (Status s = check(pattern); !s) return s.error();
+  TRY(check(pattern));
   Groups out;
   write_header(out);
   out.add(0, "SECTION");

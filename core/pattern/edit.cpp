@@ -31,11 +31,10 @@ EditEffect reshaped(const std::string& piece) {
 
 template <ShapesCurves Edit>
 Result<EditEffect> edit_pattern(Pattern& pattern, const Edit& edit) {
-  const Result<Index> at = find_piece(pattern, edit.piece);
-  if (!at) return at.error();
-  Panel& panel = pattern.panels[std::size_t(*at)];
+  const Index at = TRY(find_piece(pattern, edit.piece));
+  Panel& panel = pattern.panels[std::size_t(at)];
   const Panel was = panel;
-  if (Status done = edit_shape(panel, edit); !done) return done.error();
+  TRY(edit_shape(panel, edit));
   carry_notches(was, panel);
   return reshaped(edit.piece);
 }
@@ -50,9 +49,8 @@ Result<EditEffect> edit_pattern(Pattern& pattern, const Edit& edit) {
   }
   if (!at) return at.error();
   EditEffect effect = reshaped(pattern.panels[std::size_t(*at)].id);
-  Result<RenamedParts> parts = edit_edges(pattern, *at, edit);
-  if (!parts) return parts.error();
-  effect.parts = std::move(*parts);
+  RenamedParts parts = TRY(edit_edges(pattern, *at, edit));
+  effect.parts = std::move(parts);
   return effect;
 }
 
@@ -74,7 +72,7 @@ Result<EditedPattern> apply_edit(const Pattern& pattern, const PatternEdit& edit
   Result<EditEffect> effect =
       std::visit([&](const auto& one) { return edit_pattern(out.pattern, one); }, edit);
   if (!effect) return effect.error();
-  if (Status valid = validate(out.pattern); !valid) return valid.error();
+  TRY(validate(out.pattern));
   out.effect = std::move(*effect);
   return out;
 }

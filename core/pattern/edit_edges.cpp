@@ -160,69 +160,62 @@ Result<EdgePlace> first_leg(const Panel& panel, const Seam& seam) {
 
 Result<RenamedParts> edit_edges(Pattern& pattern, Index panel, const SplitEdge& edit) {
   Panel& piece = panel_at(pattern, panel);
-  const Result<EdgePlace> at = find_edge(piece, edit.edge);
-  if (!at) return at.error();
-  std::vector<PanelEdge>& edges = loop_at(piece, at->loop).edges;
-  const Result<CurvePlace> place = place_on_edge(edges[at->edge], edit.at, edge_text(piece.id, edit.edge));
-  if (!place) return place.error();
-  auto [first, second] = parted(edges[at->edge], *place);
+  const EdgePlace at = TRY(find_edge(piece, edit.edge));
+  std::vector<PanelEdge>& edges = loop_at(piece, at.loop).edges;
+  const CurvePlace place = TRY(place_on_edge(edges[at.edge], edit.at, edge_text(piece.id, edit.edge)));
+  auto [first, second] = parted(edges[at.edge], place);
   second.id = edit.id.empty() ? free_part_id(piece, edit.edge) : edit.id;
   const double a = arc_length(first), share = a / (a + arc_length(second));
 
-  EdgeShares shares = with_room(edge_count(piece), at->index, 1);
-  shares[std::size_t(at->index)] = {{0, share, at->index, 0, 1}, {share, 1, at->index + 1, 0, 1}};
+  EdgeShares shares = with_room(edge_count(piece), at.index, 1);
+  shares[std::size_t(at.index)] = {{0, share, at.index, 0, 1}, {share, 1, at.index + 1, 0, 1}};
   RenamedParts parts{{edit.edge, {edit.edge, second.id}}};
-  edges[at->edge] = std::move(first);
-  edges.insert(edges.begin() + std::ptrdiff_t(at->edge) + 1, std::move(second));
+  edges[at.edge] = std::move(first);
+  edges.insert(edges.begin() + std::ptrdiff_t(at.edge) + 1, std::move(second));
   carry_seams(pattern, panel, shares);
   return parts;
 }
 
 Result<RenamedParts> edit_edges(Pattern& pattern, Index panel, const JoinEdges& edit) {
   Panel& piece = panel_at(pattern, panel);
-  const Result<EdgePlace> at = find_edge(piece, edit.edge);
-  if (!at) return at.error();
-  const Result<EdgePlace> next = find_edge(piece, edit.next);
-  if (!next) return next.error();
-  std::vector<PanelEdge>& edges = loop_at(piece, at->loop).edges;
+  const EdgePlace at = TRY(find_edge(piece, edit.edge));
+  const EdgePlace next = TRY(find_edge(piece, edit.next));
+  std::vector<PanelEdge>& edges = loop_at(piece, at.loop).edges;
   const std::size_t n = edges.size();
-  if (next->loop != at->loop || n < 2 || (at->edge + 1) % n != next->edge) {
+  if (next.loop != at.loop || n < 2 || (at.edge + 1) % n != next.edge) {
     return Error{"edit.not_neighbours", "Edge " + edit.next + " does not follow this one.",
                  edge_text(piece.id, edit.edge)};
   }
-  const double a = arc_length(edges[at->edge]), share = a / (a + arc_length(edges[next->edge]));
+  const double a = arc_length(edges[at.edge]), share = a / (a + arc_length(edges[next.edge]));
   EdgeShares shares = same_edges(edge_count(piece));
-  for (std::size_t e = std::size_t(next->index) + 1; e < shares.size(); ++e) shares[e].front().edge -= 1;
-  const Index now = at->index - (next->index < at->index ? 1 : 0);  // the loop's last edge with its first
-  shares[std::size_t(at->index)] = {{0, 1, now, 0, share}};
-  shares[std::size_t(next->index)] = {{0, 1, now, share, 1}};
-  append(edges[at->edge], edges[next->edge]);
-  edges.erase(edges.begin() + std::ptrdiff_t(next->edge));
+  for (std::size_t e = std::size_t(next.index) + 1; e < shares.size(); ++e) shares[e].front().edge -= 1;
+  const Index now = at.index - (next.index < at.index ? 1 : 0);  // the loop's last edge with its first
+  shares[std::size_t(at.index)] = {{0, 1, now, 0, share}};
+  shares[std::size_t(next.index)] = {{0, 1, now, share, 1}};
+  append(edges[at.edge], edges[next.edge]);
+  edges.erase(edges.begin() + std::ptrdiff_t(next.edge));
   carry_seams(pattern, panel, shares);
   return RenamedParts{{edit.next, {edit.edge}}};
 }
 
 Result<RenamedParts> edit_edges(Pattern& pattern, Index panel, const AddDart& edit) {
   Panel& piece = panel_at(pattern, panel);
-  const Result<EdgePlace> at = find_edge(piece, edit.edge);
-  if (!at) return at.error();
-  std::vector<PanelEdge>& edges = loop_at(piece, at->loop).edges;
+  const EdgePlace at = TRY(find_edge(piece, edit.edge));
+  std::vector<PanelEdge>& edges = loop_at(piece, at.loop).edges;
   const std::string where = edge_text(piece.id, edit.edge);
-  const Result<Mouth> mouth = mouth_of(edges[at->edge], edit, where);
-  if (!mouth) return mouth.error();
-  if (sewn_within(pattern, panel, at->index, *mouth)) {
+  const Mouth mouth = TRY(mouth_of(edges[at.edge], edit, where));
+  if (sewn_within(pattern, panel, at.index, mouth)) {
     return Error{"edit.sewn", "The dart would cut away a sewn part of the edge.", where};
   }
   const std::string rest = free_part_id(piece, edit.edge);
-  std::vector<PanelEdge> four = darted(edges[at->edge], *mouth, edit, rest);
-  EdgeShares shares = with_room(edge_count(piece), at->index, 3);
-  shares[std::size_t(at->index)] = {{0, mouth->at_from, at->index, 0, 1},
-                                    {mouth->at_to, 1, at->index + 3, 0, 1}};
-  const auto place = edges.erase(edges.begin() + std::ptrdiff_t(at->edge));
+  std::vector<PanelEdge> four = darted(edges[at.edge], mouth, edit, rest);
+  EdgeShares shares = with_room(edge_count(piece), at.index, 3);
+  shares[std::size_t(at.index)] = {{0, mouth.at_from, at.index, 0, 1}, {mouth.at_to, 1, at.index + 3, 0, 1}};
+  const auto place = edges.erase(edges.begin() + std::ptrdiff_t(at.edge));
   edges.insert(place, std::make_move_iterator(four.begin()), std::make_move_iterator(four.end()));
   drop_loose_notches(piece);
   carry_seams(pattern, panel, shares);
-  pattern.seams.push_back({edit.id, {{panel, at->index + 1}}, {{panel, at->index + 2}}, false});
+  pattern.seams.push_back({edit.id, {{panel, at.index + 1}}, {{panel, at.index + 2}}, false});
   return RenamedParts{{edit.edge, {edit.edge, rest}}};
 }
 
@@ -249,16 +242,14 @@ Result<RenamedParts> edit_edges(Pattern& pattern, Index panel, const AddInnerDar
 
 Result<RenamedParts> edit_edges(Pattern& pattern, Index panel, const RenameEdge& edit) {
   Panel& piece = panel_at(pattern, panel);
-  const Result<EdgePlace> at = find_edge(piece, edit.edge);
-  if (!at) return at.error();
-  loop_at(piece, at->loop).edges[at->edge].id = edit.to;
+  const EdgePlace at = TRY(find_edge(piece, edit.edge));
+  loop_at(piece, at.loop).edges[at.edge].id = edit.to;
   return edit.to == edit.edge ? RenamedParts{} : RenamedParts{{edit.edge, {edit.to}}};
 }
 
 Result<Index> piece_of_dart(const Pattern& pattern, const RemoveDart& edit) {
-  const Result<std::size_t> at = find_seam(pattern, edit.seam);
-  if (!at) return at.error();
-  const Seam& seam = pattern.seams[*at];
+  const std::size_t at = TRY(find_seam(pattern, edit.seam));
+  const Seam& seam = pattern.seams[at];
   const bool dart = seam.a.size() == 1 && seam.b.size() == 1 && whole(seam.a[0]) && whole(seam.b[0]) &&
                     seam.a[0].panel == seam.b[0].panel && !seam.same_direction;
   if (!dart) return no_dart(seam);
@@ -266,28 +257,26 @@ Result<Index> piece_of_dart(const Pattern& pattern, const RemoveDart& edit) {
 }
 
 Result<RenamedParts> edit_edges(Pattern& pattern, Index panel, const RemoveDart& edit) {
-  const Result<std::size_t> at = find_seam(pattern, edit.seam);
-  if (!at) return at.error();
+  const std::size_t at = TRY(find_seam(pattern, edit.seam));
   Panel& piece = panel_at(pattern, panel);
-  const Result<EdgePlace> leg = first_leg(piece, pattern.seams[*at]);
-  if (!leg) return leg.error();
-  std::vector<PanelEdge>& edges = loop_at(piece, leg->loop).edges;
+  const EdgePlace leg = TRY(first_leg(piece, pattern.seams[at]));
+  std::vector<PanelEdge>& edges = loop_at(piece, leg.loop).edges;
   if (edges.size() == 2) return edit_edges(pattern, panel, RemoveHole{piece.id, edges[0].id});
-  const std::size_t n = edges.size(), second = (leg->edge + 1) % n, behind = (second + 1) % n;
-  const std::size_t before = (leg->edge + n - 1) % n;
-  const Index first_of_loop = leg->index - Index(leg->edge);
+  const std::size_t n = edges.size(), second = (leg.edge + 1) % n, behind = (second + 1) % n;
+  const std::size_t before = (leg.edge + n - 1) % n;
+  const Index first_of_loop = leg.index - Index(leg.edge);
   close_gap(edges[before], edges[behind].curves.front().p0);
-  RenamedParts parts{{edges[leg->edge].id, {}}, {edges[second].id, {}}};
+  RenamedParts parts{{edges[leg.edge].id, {}}, {edges[second].id, {}}};
 
   EdgeShares shares = same_edges(edge_count(piece));
-  const Index removed[] = {first_of_loop + Index(leg->edge), first_of_loop + Index(second)};
+  const Index removed[] = {first_of_loop + Index(leg.edge), first_of_loop + Index(second)};
   for (std::vector<EdgeShare>& share : shares) {
     const Index own = share.front().edge;
     for (const Index r : removed) share.front().edge -= r < own ? 1 : 0;
   }
   for (const Index r : removed) shares[std::size_t(r)].clear();
-  edges.erase(edges.begin() + std::ptrdiff_t(std::max(leg->edge, second)));
-  edges.erase(edges.begin() + std::ptrdiff_t(std::min(leg->edge, second)));
+  edges.erase(edges.begin() + std::ptrdiff_t(std::max(leg.edge, second)));
+  edges.erase(edges.begin() + std::ptrdiff_t(std::min(leg.edge, second)));
   carry_seams(pattern, panel, shares);
   return parts;
 }
@@ -312,14 +301,13 @@ Result<RenamedParts> edit_edges(Pattern& pattern, Index panel, const AddHole& ed
 
 Result<RenamedParts> edit_edges(Pattern& pattern, Index panel, const RemoveHole& edit) {
   Panel& piece = panel_at(pattern, panel);
-  const Result<EdgePlace> at = find_edge(piece, edit.edge);
-  if (!at) return at.error();
-  if (at->loop == 0) {
+  const EdgePlace at = TRY(find_edge(piece, edit.edge));
+  if (at.loop == 0) {
     return Error{"edit.unknown_edge", "This edge belongs to the outline and to no hole.",
                  edge_text(piece.id, edit.edge)};
   }
-  const Loop& hole = loop_at(piece, at->loop);
-  const Index first = at->index - Index(at->edge), count = Index(hole.edges.size());
+  const Loop& hole = loop_at(piece, at.loop);
+  const Index first = at.index - Index(at.edge), count = Index(hole.edges.size());
   EdgeShares shares = same_edges(edge_count(piece));
   for (std::size_t e = std::size_t(first); e < shares.size(); ++e) {
     if (Index(e) < first + count) {
@@ -329,7 +317,7 @@ Result<RenamedParts> edit_edges(Pattern& pattern, Index panel, const RemoveHole&
     }
   }
   RenamedParts parts = gone(hole);
-  piece.holes.erase(piece.holes.begin() + std::ptrdiff_t(at->loop) - 1);
+  piece.holes.erase(piece.holes.begin() + std::ptrdiff_t(at.loop) - 1);
   carry_seams(pattern, panel, shares);
   return parts;
 }

@@ -56,13 +56,12 @@ Vec2 part_at(PanelEdge& edge, double along) {
 
 /// A notch at a fraction of the edge's length, cut from there into the cloth. The edge gets a point there.
 Result<Notch> notch_on(Panel& panel, const std::string& edge_id, double at, double depth) {
-  const Result<EdgePlace> found = find_edge(panel, edge_id);
-  if (!found) return found.error();
+  const EdgePlace found = TRY(find_edge(panel, edge_id));
   const std::string where = edge_text(panel.id, edge_id);
   if (!(at >= 0 && at <= 1))
     return out_of_range("A place on an edge is a fraction of its length, 0 to 1.", where);
   if (!(std::abs(depth) <= kDeepest)) return out_of_range("A notch is at most 1 m deep.", where);
-  PanelEdge& edge = loop_at(panel, found->loop).edges[found->edge];
+  PanelEdge& edge = loop_at(panel, found.loop).edges[found.edge];
   const double along = joint_near(edge, at * arc_length(edge));
   // Cloth lies on the left of every edge.
   const Vec2 inwards = perpendicular(direction_at(edge, along));
@@ -125,36 +124,29 @@ Result<Notch> take_notch(Panel& panel, int notch) {
 }  // namespace
 
 Result<EditEffect> edit_piece(Pattern& pattern, const AddNotch& edit) {
-  const Result<Index> at = find_piece(pattern, edit.piece);
-  if (!at) return at.error();
-  Panel& panel = pattern.panels[std::size_t(*at)];
-  const Result<Notch> notch = notch_on(panel, edit.edge, edit.at, edit.depth_mm);
-  if (!notch) return notch.error();
-  panel.notches.push_back(*notch);
+  const Index at = TRY(find_piece(pattern, edit.piece));
+  Panel& panel = pattern.panels[std::size_t(at)];
+  const Notch notch = TRY(notch_on(panel, edit.edge, edit.at, edit.depth_mm));
+  panel.notches.push_back(notch);
   return reshaped(edit.piece);
 }
 
 Result<EditEffect> edit_piece(Pattern& pattern, const MoveNotch& edit) {
-  const Result<Index> at = find_piece(pattern, edit.piece);
-  if (!at) return at.error();
-  Panel& panel = pattern.panels[std::size_t(*at)];
-  const Result<Notch> was = take_notch(panel, edit.notch);
-  if (!was) return was.error();
+  const Index at = TRY(find_piece(pattern, edit.piece));
+  Panel& panel = pattern.panels[std::size_t(at)];
+  const Notch was = TRY(take_notch(panel, edit.notch));
   // The new place first: its fraction counts on the curves as they are.
-  const Result<Notch> now = notch_on(panel, edit.edge, edit.at, edit.depth_mm.value_or(was->depth));
-  if (!now) return now.error();
-  if (length(now->at - was->at) > kJointTolerance) forget_point(panel, was->at);
-  panel.notches.insert(panel.notches.begin() + edit.notch, *now);
+  const Notch now = TRY(notch_on(panel, edit.edge, edit.at, edit.depth_mm.value_or(was.depth)));
+  if (length(now.at - was.at) > kJointTolerance) forget_point(panel, was.at);
+  panel.notches.insert(panel.notches.begin() + edit.notch, now);
   return reshaped(edit.piece);
 }
 
 Result<EditEffect> edit_piece(Pattern& pattern, const RemoveNotch& edit) {
-  const Result<Index> at = find_piece(pattern, edit.piece);
-  if (!at) return at.error();
-  Panel& panel = pattern.panels[std::size_t(*at)];
-  const Result<Notch> notch = take_notch(panel, edit.notch);
-  if (!notch) return notch.error();
-  forget_point(panel, notch->at);
+  const Index at = TRY(find_piece(pattern, edit.piece));
+  Panel& panel = pattern.panels[std::size_t(at)];
+  const Notch notch = TRY(take_notch(panel, edit.notch));
+  forget_point(panel, notch.at);
   return reshaped(edit.piece);
 }
 

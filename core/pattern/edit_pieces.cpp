@@ -74,11 +74,9 @@ void turn_seams(Pattern& pattern, Index panel, const std::vector<Index>& places)
 Result<std::vector<SeamEdge>> series_of(const Pattern& pattern, const std::vector<NamedSeamEdge>& given) {
   std::vector<SeamEdge> series;
   for (const NamedSeamEdge& item : given) {
-    const Result<Index> panel = find_piece(pattern, item.piece);
-    if (!panel) return panel.error();
-    const Result<EdgePlace> edge = find_edge(pattern.panels[std::size_t(*panel)], item.edge);
-    if (!edge) return edge.error();
-    series.push_back({*panel, edge->index, item.reversed, item.from, item.to});
+    const Index panel = TRY(find_piece(pattern, item.piece));
+    const EdgePlace edge = TRY(find_edge(pattern.panels[std::size_t(panel)], item.edge));
+    series.push_back({panel, edge.index, item.reversed, item.from, item.to});
   }
   return series;
 }
@@ -91,40 +89,36 @@ void forget_panel(std::vector<SeamEdge>& series, Index panel) {
 }  // namespace
 
 Result<EditEffect> edit_piece(Pattern& pattern, const MirrorPiece& edit) {
-  const Result<Index> at = find_piece(pattern, edit.piece);
-  if (!at) return at.error();
-  Panel& panel = pattern.panels[std::size_t(*at)];
+  const Index at = TRY(find_piece(pattern, edit.piece));
+  Panel& panel = pattern.panels[std::size_t(at)];
   EditEffect effect = on(edit.piece, true);
   effect.motion = PieceMotion{middle_of(panel), {}};
   move_panel(panel, *effect.motion);
-  turn_seams(pattern, *at, reversed_places(panel));
+  turn_seams(pattern, at, reversed_places(panel));
   return effect;
 }
 
 Result<EditEffect> edit_piece(Pattern& pattern, const RotateGrain& edit) {
-  const Result<Index> at = find_piece(pattern, edit.piece);
-  if (!at) return at.error();
+  const Index at = TRY(find_piece(pattern, edit.piece));
   if (!(std::abs(edit.angle) <= 360)) {
     return Error{"edit.out_of_range", "An angle is -360 to 360 degrees.", piece_text(edit.piece)};
   }
-  Vec2& grain = pattern.panels[std::size_t(*at)].grain;
+  Vec2& grain = pattern.panels[std::size_t(at)].grain;
   const double c = std::cos(radians_from_degrees(edit.angle)), s = std::sin(radians_from_degrees(edit.angle));
   grain = normalized(Vec2{c * grain.x - s * grain.y, s * grain.x + c * grain.y});
   return on(edit.piece, false);
 }
 
 Result<EditEffect> edit_piece(Pattern& pattern, const AddLine& edit) {
-  const Result<Index> at = find_piece(pattern, edit.piece);
-  if (!at) return at.error();
-  pattern.panels[std::size_t(*at)].lines.push_back(edit.line);
+  const Index at = TRY(find_piece(pattern, edit.piece));
+  pattern.panels[std::size_t(at)].lines.push_back(edit.line);
   return on(edit.piece, false);
 }
 
 Result<EditEffect> edit_piece(Pattern& pattern, const RemoveLine& edit) {
-  const Result<Index> at = find_piece(pattern, edit.piece);
-  if (!at) return at.error();
+  const Index at = TRY(find_piece(pattern, edit.piece));
   const auto same = [&](const InnerLine& line) { return line.id == edit.line; };
-  if (std::erase_if(pattern.panels[std::size_t(*at)].lines, same) == 0) {
+  if (std::erase_if(pattern.panels[std::size_t(at)].lines, same) == 0) {
     return Error{"edit.unknown_line", "The piece has no line of that name.",
                  piece_text(edit.piece) + ", line " + edit.line};
   }
@@ -134,27 +128,24 @@ Result<EditEffect> edit_piece(Pattern& pattern, const RemoveLine& edit) {
 }
 
 Result<EditEffect> edit_piece(Pattern& pattern, const MovePiece& edit) {
-  const Result<Index> at = find_piece(pattern, edit.piece);
-  if (!at) return at.error();
+  const Index at = TRY(find_piece(pattern, edit.piece));
   EditEffect effect = on(edit.piece, true);
   effect.motion = PieceMotion{std::nullopt, edit.by};
-  move_panel(pattern.panels[std::size_t(*at)], *effect.motion);
+  move_panel(pattern.panels[std::size_t(at)], *effect.motion);
   return effect;
 }
 
 Result<EditEffect> edit_piece(Pattern& pattern, const RenamePiece& edit) {
-  const Result<Index> at = find_piece(pattern, edit.piece);
-  if (!at) return at.error();
-  pattern.panels[std::size_t(*at)].id = edit.to;
+  const Index at = TRY(find_piece(pattern, edit.piece));
+  pattern.panels[std::size_t(at)].id = edit.to;
   EditEffect effect = on(edit.to, false);
   effect.was = edit.piece;
   return effect;
 }
 
 Result<EditEffect> edit_piece(Pattern& pattern, const DuplicatePiece& edit) {
-  const Result<Index> at = find_piece(pattern, edit.piece);
-  if (!at) return at.error();
-  Panel copy = pattern.panels[std::size_t(*at)];
+  const Index at = TRY(find_piece(pattern, edit.piece));
+  Panel copy = pattern.panels[std::size_t(at)];
   copy.id = edit.id;
   EditEffect effect = on(edit.id, true);
   effect.was.clear();
@@ -166,49 +157,43 @@ Result<EditEffect> edit_piece(Pattern& pattern, const DuplicatePiece& edit) {
 }
 
 Result<EditEffect> edit_piece(Pattern& pattern, const DeletePiece& edit) {
-  const Result<Index> at = find_piece(pattern, edit.piece);
-  if (!at) return at.error();
+  const Index at = TRY(find_piece(pattern, edit.piece));
   if (pattern.panels.size() == 1) {
     return Error{"edit.last_piece", "A pattern keeps at least one piece.", piece_text(edit.piece)};
   }
   for (Seam& seam : pattern.seams) {
-    forget_panel(seam.a, *at);
-    forget_panel(seam.b, *at);
+    forget_panel(seam.a, at);
+    forget_panel(seam.b, at);
   }
   std::erase_if(pattern.seams, [](const Seam& seam) { return seam.a.empty() || seam.b.empty(); });
-  pattern.panels.erase(pattern.panels.begin() + *at);
+  pattern.panels.erase(pattern.panels.begin() + at);
   EditEffect effect;
   effect.was = edit.piece;
   return effect;
 }
 
 Result<EditEffect> edit_piece(Pattern& pattern, const SetFabric& edit) {
-  const Result<Index> at = find_piece(pattern, edit.piece);
-  if (!at) return at.error();
-  pattern.panels[std::size_t(*at)].fabric = edit.fabric;
+  const Index at = TRY(find_piece(pattern, edit.piece));
+  pattern.panels[std::size_t(at)].fabric = edit.fabric;
   return on(edit.piece, false);
 }
 
 Result<EditEffect> edit_piece(Pattern& pattern, const AddSeam& edit) {
-  Result<std::vector<SeamEdge>> a = series_of(pattern, edit.a);
-  if (!a) return a.error();
-  Result<std::vector<SeamEdge>> b = series_of(pattern, edit.b);
-  if (!b) return b.error();
-  pattern.seams.push_back({edit.id, std::move(*a), std::move(*b), edit.same_direction});
+  std::vector<SeamEdge> a = TRY(series_of(pattern, edit.a));
+  std::vector<SeamEdge> b = TRY(series_of(pattern, edit.b));
+  pattern.seams.push_back({edit.id, std::move(a), std::move(b), edit.same_direction});
   return EditEffect{};
 }
 
 Result<EditEffect> edit_piece(Pattern& pattern, const RemoveSeam& edit) {
-  const Result<std::size_t> at = find_seam(pattern, edit.seam);
-  if (!at) return at.error();
-  pattern.seams.erase(pattern.seams.begin() + std::ptrdiff_t(*at));
+  const std::size_t at = TRY(find_seam(pattern, edit.seam));
+  pattern.seams.erase(pattern.seams.begin() + std::ptrdiff_t(at));
   return EditEffect{};
 }
 
 Result<EditEffect> edit_piece(Pattern& pattern, const ReverseSeam& edit) {
-  const Result<std::size_t> at = find_seam(pattern, edit.seam);
-  if (!at) return at.error();
-  Seam& seam = pattern.seams[*at];
+  const std::size_t at = TRY(find_seam(pattern, edit.seam));
+  Seam& seam = pattern.seams[at];
   seam.same_direction = !seam.same_direction;
   return EditEffect{};
 }

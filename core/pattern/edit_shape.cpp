@@ -24,10 +24,9 @@ struct Found {
 };
 
 Result<Found> found(Panel& panel, const std::string& edge) {
-  const Result<EdgePlace> place = find_edge(panel, edge);
-  if (!place) return place.error();
-  Loop& loop = loop_at(panel, place->loop);
-  return Found{&loop, place->edge, &loop.edges[place->edge], edge_text(panel.id, edge)};
+  const EdgePlace place = TRY(find_edge(panel, edge));
+  Loop& loop = loop_at(panel, place.loop);
+  return Found{&loop, place.edge, &loop.edges[place.edge], edge_text(panel.id, edge)};
 }
 
 Error no_point(const Found& at, int point, std::size_t least, std::size_t most) {
@@ -181,12 +180,11 @@ void carry_notches(const Panel& was, Panel& panel) {
 }
 
 Status edit_shape(Panel& panel, const MovePoint& edit) {
-  const Result<Found> at = found(panel, edit.edge);
-  if (!at) return at.error();
-  if (!counts(edit.point, 0, at->edge->curves.size())) {
-    return no_point(*at, edit.point, 0, at->edge->curves.size());
+  const Found at = TRY(found(panel, edit.edge));
+  if (!counts(edit.point, 0, at.edge->curves.size())) {
+    return no_point(at, edit.point, 0, at.edge->curves.size());
   }
-  const auto [before, after] = curves_at(*at, std::size_t(edit.point));
+  const auto [before, after] = curves_at(at, std::size_t(edit.point));
   const bool line_before = is_straight(*before), line_after = is_straight(*after);
   end_at(*before, edit.to, line_before);
   start_at(*after, edit.to, line_after);
@@ -194,41 +192,37 @@ Status edit_shape(Panel& panel, const MovePoint& edit) {
 }
 
 Status edit_shape(Panel& panel, const MoveHandle& edit) {
-  const Result<Found> at = found(panel, edit.edge);
-  if (!at) return at.error();
-  if (!counts(edit.curve, 0, at->edge->curves.size() - 1)) {
-    return no_point(*at, edit.curve, 0, at->edge->curves.size() - 1);
+  const Found at = TRY(found(panel, edit.edge));
+  if (!counts(edit.curve, 0, at.edge->curves.size() - 1)) {
+    return no_point(at, edit.curve, 0, at.edge->curves.size() - 1);
   }
   if (edit.handle != 1 && edit.handle != 2) {
-    return Error{"edit.unknown_point", "A curve has handles 1 and 2.", at->where};
+    return Error{"edit.unknown_point", "A curve has handles 1 and 2.", at.where};
   }
-  CubicBezier& curve = at->edge->curves[std::size_t(edit.curve)];
+  CubicBezier& curve = at.edge->curves[std::size_t(edit.curve)];
   (edit.handle == 1 ? curve.p1 : curve.p2) = edit.to;
   return {};
 }
 
 Status edit_shape(Panel& panel, const InsertPoint& edit) {
-  const Result<Found> at = found(panel, edit.edge);
-  if (!at) return at.error();
-  const Result<CurvePlace> place = place_on_edge(*at->edge, edit.at, at->where);
-  if (!place) return place.error();
-  if (place->t == 0) return Error{"edit.out_of_range", "There is a point already.", at->where};
-  std::vector<CubicBezier>& curves = at->edge->curves;
-  const auto [first, second] = split(curves[place->curve], place->t);
-  curves[place->curve] = first;
-  curves.insert(curves.begin() + std::ptrdiff_t(place->curve) + 1, second);
+  const Found at = TRY(found(panel, edit.edge));
+  const CurvePlace place = TRY(place_on_edge(*at.edge, edit.at, at.where));
+  if (place.t == 0) return Error{"edit.out_of_range", "There is a point already.", at.where};
+  std::vector<CubicBezier>& curves = at.edge->curves;
+  const auto [first, second] = split(curves[place.curve], place.t);
+  curves[place.curve] = first;
+  curves.insert(curves.begin() + std::ptrdiff_t(place.curve) + 1, second);
   return {};
 }
 
 Status edit_shape(Panel& panel, const DeletePoint& edit) {
-  const Result<Found> at = found(panel, edit.edge);
-  if (!at) return at.error();
-  std::vector<CubicBezier>& curves = at->edge->curves;
+  const Found at = TRY(found(panel, edit.edge));
+  std::vector<CubicBezier>& curves = at.edge->curves;
   if (curves.size() < 2) {
     return Error{"edit.unknown_point", "The edge is one curve; to remove a corner, join its edges first.",
-                 at->where};
+                 at.where};
   }
-  if (!counts(edit.point, 1, curves.size() - 1)) return no_point(*at, edit.point, 1, curves.size() - 1);
+  if (!counts(edit.point, 1, curves.size() - 1)) return no_point(at, edit.point, 1, curves.size() - 1);
   const auto second = curves.begin() + edit.point;
   CubicBezier& first = *(second - 1);
   const double a = length(first.p3 - first.p2), b = length(second->p1 - second->p0);
@@ -242,46 +236,43 @@ Status edit_shape(Panel& panel, const DeletePoint& edit) {
 }
 
 Status edit_shape(Panel& panel, const StraightenEdge& edit) {
-  const Result<Found> at = found(panel, edit.edge);
-  if (!at) return at.error();
-  std::vector<CubicBezier>& curves = at->edge->curves;
+  const Found at = TRY(found(panel, edit.edge));
+  std::vector<CubicBezier>& curves = at.edge->curves;
   if (edit.curve == -1) {
     curves = {line_segment(curves.front().p0, curves.back().p3)};
     return {};
   }
-  if (!counts(edit.curve, 0, curves.size() - 1)) return no_point(*at, edit.curve, 0, curves.size() - 1);
+  if (!counts(edit.curve, 0, curves.size() - 1)) return no_point(at, edit.curve, 0, curves.size() - 1);
   CubicBezier& curve = curves[std::size_t(edit.curve)];
   curve = line_segment(curve.p0, curve.p3);
   return {};
 }
 
 Status edit_shape(Panel& panel, const BendEdge& edit) {
-  const Result<Found> at = found(panel, edit.edge);
-  if (!at) return at.error();
-  std::vector<CubicBezier>& curves = at->edge->curves;
-  if (!counts(edit.curve, 0, curves.size() - 1)) return no_point(*at, edit.curve, 0, curves.size() - 1);
+  const Found at = TRY(found(panel, edit.edge));
+  std::vector<CubicBezier>& curves = at.edge->curves;
+  if (!counts(edit.curve, 0, curves.size() - 1)) return no_point(at, edit.curve, 0, curves.size() - 1);
   curves[std::size_t(edit.curve)].p1 = edit.handle1;
   curves[std::size_t(edit.curve)].p2 = edit.handle2;
   return {};
 }
 
 Status edit_shape(Panel& panel, const SetEdgeLength& edit) {
-  const Result<Found> at = found(panel, edit.edge);
-  if (!at) return at.error();
-  const double now = arc_length(*at->edge);
+  const Found at = TRY(found(panel, edit.edge));
+  const double now = arc_length(*at.edge);
   if (!(edit.length_mm >= kShortest && edit.length_mm <= kLongest) || !(now > 0)) {
-    return Error{"edit.out_of_range", "An edge is 0.1 mm to 100 m long.", at->where};
+    return Error{"edit.out_of_range", "An edge is 0.1 mm to 100 m long.", at.where};
   }
   if (edit.keep != "start" && edit.keep != "end" && edit.keep != "middle") {
-    return Error{"edit.out_of_range", "What stays is the edge's start, its end or the middle.", at->where};
+    return Error{"edit.out_of_range", "What stays is the edge's start, its end or the middle.", at.where};
   }
-  const Vec2 start = at->edge->curves.front().p0, end = at->edge->curves.back().p3;
-  const auto [before, own_start] = curves_at(*at, 0);
-  const auto [own_end, after] = curves_at(*at, at->edge->curves.size());
-  const bool alone = at->loop->edges.size() == 1;
+  const Vec2 start = at.edge->curves.front().p0, end = at.edge->curves.back().p3;
+  const auto [before, own_start] = curves_at(at, 0);
+  const auto [own_end, after] = curves_at(at, at.edge->curves.size());
+  const bool alone = at.loop->edges.size() == 1;
   const bool line_before = is_straight(*before), line_after = is_straight(*after);
   const Vec2 centre = edit.keep == "start" ? start : edit.keep == "end" ? end : (start + end) * 0.5;
-  scale_about(*at->edge, centre, edit.length_mm / now);
+  scale_about(*at.edge, centre, edit.length_mm / now);
   // Rounding must not open a joint that stays.
   if (edit.keep == "start") own_start->p0 = start;
   if (edit.keep == "end") own_end->p3 = end;

@@ -207,9 +207,8 @@ void add_corners(Points loop, Points places, std::vector<std::size_t>& corners) 
 
 Result<Loop> loop_from_polyline(const std::vector<Vec2>& points_mm, std::span<const Vec2> forced_corners,
                                 const OutlineSettings& settings) {
-  Result<std::vector<Vec2>> cleaned = clean_outline(points_mm);
-  if (!cleaned) return cleaned.error();
-  std::vector<Vec2> loop = *cleaned;
+  std::vector<Vec2> cleaned = TRY(clean_outline(points_mm));
+  std::vector<Vec2> loop = cleaned;
   const std::size_t n = loop.size();
   const bool clockwise = signed_area(loop) < 0;
   if (clockwise) std::reverse(loop.begin() + 1, loop.end());
@@ -217,9 +216,8 @@ Result<Loop> loop_from_polyline(const std::vector<Vec2>& points_mm, std::span<co
   std::vector<std::size_t> corners;
   std::size_t first = kNothing;
   if (!forced_corners.empty()) {
-    Result<std::vector<std::size_t>> forced = forced_vertices(loop, forced_corners);
-    if (!forced) return forced.error();
-    corners = *forced;
+    std::vector<std::size_t> forced = TRY(forced_vertices(loop, forced_corners));
+    corners = forced;
     first = corners.front();
   } else {
     corners = find_corners(loop, settings.corner_angle);

@@ -82,11 +82,10 @@ Result<Assembly> assemble(const PanelMeshes& meshes, const std::vector<Placement
   }
   assembly.garment.first_vertex.push_back(assembly.garment.vertex_count());
   append_seams(meshes, assembly.garment);
-  if (Status held = locate_attachments(attachments, meshes, assembly); !held) return held.error();
+  TRY(locate_attachments(attachments, meshes, assembly));
   assembly.garment.weld = least_of_class(assembly.garment.vertex_count(), assembly.garment.sewn);
-  Result<NotionPlaces> places = locate_notions(notions, meshes, assembly.garment);
-  if (!places) return places.error();
-  assembly.notions = std::move(*places);
+  NotionPlaces places = TRY(locate_notions(notions, meshes, assembly.garment));
+  assembly.notions = std::move(places);
   return assembly;
 }
 

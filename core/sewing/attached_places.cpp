@@ -110,11 +110,10 @@ Status locate_attachments(const std::vector<Attachment>& attachments, const Pane
   for (const Attachment& a : attachments) {
     const PanelMesh& mesh = meshes.panels[a.panel];
     const Index first = assembly.garment.first_vertex[a.panel];
-    Result<std::vector<ClothPoint>> points = points_of(a, mesh, first);
-    if (!points) return points.error();
+    std::vector<ClothPoint> points = TRY(points_of(a, mesh, first));
     const bool led = a.hold == Attachment::Hold::kGoal;
-    assembly.attached.push_back(led ? std::vector<Index>{} : held_vertices(a, *points, mesh, first));
-    assembly.led.push_back(led ? led_points(a, std::move(*points), mesh, first) : std::vector<ClothPoint>{});
+    assembly.attached.push_back(led ? std::vector<Index>{} : held_vertices(a, points, mesh, first));
+    assembly.led.push_back(led ? led_points(a, std::move(points), mesh, first) : std::vector<ClothPoint>{});
   }
   return {};
 }

@@ -110,11 +110,10 @@ struct Parts {
 };
 
 Result<Parts> take_apart(std::string_view bytes) {
-  const auto type = message_type(bytes);
-  if (!type) return type.error();
-  if (*type == MessageType::kTopology) return malformed("a frame was expected, and this is a topology");
+  const auto type = TRY(message_type(bytes));
+  if (type == MessageType::kTopology) return malformed("a frame was expected, and this is a topology");
   Parts parts;
-  parts.key = *type == MessageType::kKey;
+  parts.key = type == MessageType::kKey;
   ByteReader in(bytes.substr(kPrefixSize - sizeof(parts.header.epoch)));
   parts.header.epoch = in.take<std::uint32_t>();
   parts.header.seq = in.take<std::uint32_t>();
@@ -171,18 +170,17 @@ std::string encode_delta(const FrameHeader& header, std::span<const std::int16_t
 }
 
 Result<DecodedFrame> decode_frame(std::string_view bytes, std::span<const std::int16_t> before) {
-  const auto parts = take_apart(bytes);
-  if (!parts) return parts.error();
-  DecodedFrame frame{.header = parts->header, .key = parts->key, .grid = {}};
-  if (parts->key) {
-    frame.grid.resize(kAxes * parts->vertices);
-  } else if (before.size() == kAxes * parts->vertices) {
+  const auto parts = TRY(take_apart(bytes));
+  DecodedFrame frame{.header = parts.header, .key = parts.key, .grid = {}};
+  if (parts.key) {
+    frame.grid.resize(kAxes * parts.vertices);
+  } else if (before.size() == kAxes * parts.vertices) {
     frame.grid.assign(before.begin(), before.end());
   } else {
     return Error{"frame.wrong_base", "the delta is against a frame of another size; wait for a key",
-                 "frame " + std::to_string(parts->header.seq)};
+                 "frame " + std::to_string(parts.header.seq)};
   }
-  apply(*parts, frame.grid);
+  apply(parts, frame.grid);
   return frame;
 }
 

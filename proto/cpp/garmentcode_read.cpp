@@ -64,22 +64,19 @@ Result<double> number(const Place& place, const char* what) {
 
 /// A whole number from 0 up to but not including `end`.
 Result<std::size_t> index(const Place& place, const char* what, std::size_t end) {
-  const Result<double> value = number(place, what);
-  if (!value) return value.error();
-  if (*value != std::floor(*value) || *value < 0 || *value >= static_cast<double>(end))
+  const double value = TRY(number(place, what));
+  if (value != std::floor(value) || value < 0 || value >= static_cast<double>(end))
     return Error{"garmentcode.reference", std::string("there is no such ") + what, place.pointer};
-  return static_cast<std::size_t>(*value);
+  return static_cast<std::size_t>(value);
 }
 
 template <std::size_t N>
 Result<std::array<double, N>> numbers(const Place& place, const char* what) {
-  const Result<Place> given = list(place, what, N, N);
-  if (!given) return given.error();
+  TRY(list(place, what, N, N));
   std::array<double, N> values{};
   for (std::size_t i = 0; i < N; ++i) {
-    const Result<double> value = number(place.at(i), what);
-    if (!value) return value.error();
-    values[i] = *value;
+    const double value = TRY(number(place.at(i), what));
+    values[i] = value;
   }
   return values;
 }
@@ -95,11 +92,10 @@ Result<Conventions> conventions_of(const Place& root) {
   const Place properties = root.find("properties");
   if (properties.value == nullptr) return conventions;
   if (const Place units = properties.find("units_in_meter"); units.value != nullptr) {
-    const Result<double> per_metre = number(units, "a number of units");
-    if (!per_metre) return per_metre.error();
-    if (!(*per_metre >= 1e-3 && *per_metre <= 1e6))
+    const double per_metre = TRY(number(units, "a number of units"));
+    if (!(per_metre >= 1e-3 && per_metre <= 1e6))
       return Error{"garmentcode.unit", "units_in_meter must be between 0.001 and 1000000", units.pointer};
-    conventions.mm = 1000 / *per_metre;
+    conventions.mm = 1000 / per_metre;
   }
   if (const Place coords = properties.find("curvature_coords"); coords.value != nullptr) {
     const std::string* name = coords.value->text();
@@ -111,18 +107,16 @@ Result<Conventions> conventions_of(const Place& root) {
 }
 
 Result<Vec2> point_mm(const Place& place, const Conventions& conventions) {
-  const auto xy = numbers<2>(place, "a point");
-  if (!xy) return xy.error();
-  const Vec2 p{(*xy)[0] * conventions.mm, (*xy)[1] * conventions.mm};
+  const auto xy = TRY(numbers<2>(place, "a point"));
+  const Vec2 p{xy[0] * conventions.mm, xy[1] * conventions.mm};
   if (std::abs(p.x) <= kFarthest_mm && std::abs(p.y) <= kFarthest_mm) return p;
   return Error{"garmentcode.range", "the point is over a hundred metres away", place.pointer};
 }
 
 Result<Vec2> control_point(const Place& place, Vec2 a, Vec2 b, const Conventions& conventions) {
   if (!conventions.relative) return point_mm(place, conventions);
-  const auto given = numbers<2>(place, "a control point");
-  if (!given) return given.error();
-  const Vec2 p = relative_to_edge(a, b, {(*given)[0], (*given)[1]});
+  const auto given = TRY(numbers<2>(place, "a control point"));
+  const Vec2 p = relative_to_edge(a, b, {given[0], given[1]});
   if (std::abs(p.x) <= kFarthest_mm && std::abs(p.y) <= kFarthest_mm) return p;
   return Error{"garmentcode.range", "the control point is over a hundred metres away", place.pointer};
 }
@@ -132,33 +126,27 @@ using Curves = std::vector<CubicBezier>;
 /// Booleans are written as 0 and 1 or as false and true.
 Result<bool> flag(const Place& place) {
   if (const bool* value = place.value->boolean()) return *value;
-  const Result<double> value = number(place, "a flag");
-  if (!value) return value.error();
-  return *value != 0;
+  const double value = TRY(number(place, "a flag"));
+  return value != 0;
 }
 
 Result<Curves> arc(const Place& params, Vec2 a, Vec2 b, const Conventions& conventions) {
-  const Result<Place> given = list(params, "an arc's radius and two flags", 3, 3);
-  if (!given) return given.error();
-  const Result<double> radius = number(params.at(0), "a radius");
-  if (!radius) return radius.error();
-  if (!(*radius > 0 && *radius * conventions.mm <= kFarthest_mm))
+  TRY(list(params, "an arc's radius and two flags", 3, 3));
+  const double radius = TRY(number(params.at(0), "a radius"));
+  if (!(radius > 0 && radius * conventions.mm <= kFarthest_mm))
     return Error{"garmentcode.range", "the radius is not within a hundred metres", params.at(0).pointer};
-  const Result<bool> large = flag(params.at(1)), left = flag(params.at(2));
-  if (!large) return large.error();
-  if (!left) return left.error();
-  return cubics_from_arc(a, b, *radius * conventions.mm, *large, *left);
+  const bool large = TRY(flag(params.at(1)));
+  const bool left = TRY(flag(params.at(2)));
+  return cubics_from_arc(a, b, radius * conventions.mm, large, left);
 }
 
 Result<Curves> bezier(const Place& params, std::size_t controls, Vec2 a, Vec2 b,
                       const Conventions& conventions) {
-  const Result<Place> given = list(params, "the list of control points", controls, controls);
-  if (!given) return given.error();
+  TRY(list(params, "the list of control points", controls, controls));
   std::vector<Vec2> c;
   for (std::size_t i = 0; i < controls; ++i) {
-    const Result<Vec2> p = control_point(params.at(i), a, b, conventions);
-    if (!p) return p.error();
-    c.push_back(*p);
+    const Vec2 p = TRY(control_point(params.at(i), a, b, conventions));
+    c.push_back(p);
   }
   return Curves{controls == 1 ? cubic_from_quadratic(a, c[0], b) : CubicBezier{a, c[0], c[1], b}};
 }
@@ -167,12 +155,10 @@ Result<Curves> curves_of(const Place& edge, Vec2 a, Vec2 b, const Conventions& c
   const Place curvature = edge.find("curvature");
   if (curvature.value == nullptr) return Curves{line_segment(a, b)};
   if (curvature.value->array()) {
-    const Result<Vec2> c = control_point(curvature, a, b, conventions);
-    if (!c) return c.error();
-    return Curves{cubic_from_quadratic(a, *c, b)};
+    const Vec2 c = TRY(control_point(curvature, a, b, conventions));
+    return Curves{cubic_from_quadratic(a, c, b)};
   }
-  const Result<Place> given = object(curvature, "a curvature");
-  if (!given) return given.error();
+  TRY(object(curvature, "a curvature"));
   const Place type = curvature.find("type");
   const std::string* name = type.value == nullptr ? nullptr : type.value->text();
   if (name == nullptr) return wrong_type(type, "the curve's type");
@@ -186,13 +172,11 @@ Result<Curves> curves_of(const Place& edge, Vec2 a, Vec2 b, const Conventions& c
 }
 
 Result<std::vector<Vec2>> vertices_of(const Place& panel, const Conventions& conventions) {
-  const Result<Place> given = list(panel.find("vertices"), "the list of vertices", 2, kMostEdges);
-  if (!given) return given.error();
+  const Place given = TRY(list(panel.find("vertices"), "the list of vertices", 2, kMostEdges));
   std::vector<Vec2> vertices;
-  for (std::size_t i = 0; i < given->value->array()->size(); ++i) {
-    const Result<Vec2> p = point_mm(given->at(i), conventions);
-    if (!p) return p.error();
-    vertices.push_back(*p);
+  for (std::size_t i = 0; i < given.value->array()->size(); ++i) {
+    const Vec2 p = TRY(point_mm(given.at(i), conventions));
+    vertices.push_back(p);
   }
   return vertices;
 }
@@ -204,37 +188,33 @@ std::string label_of(const Place& place) {
 
 /// The edges as they stand in the file, mm.
 Result<Loop> loop_of(const Place& panel, const Conventions& conventions, std::vector<std::string>& labels) {
-  const Result<std::vector<Vec2>> vertices = vertices_of(panel, conventions);
-  if (!vertices) return vertices.error();
-  const Result<Place> edges = list(panel.find("edges"), "the list of edges", 2, kMostEdges);
-  if (!edges) return edges.error();
+  const std::vector<Vec2> vertices = TRY(vertices_of(panel, conventions));
+  const Place edges = TRY(list(panel.find("edges"), "the list of edges", 2, kMostEdges));
   Loop loop;
   std::optional<std::size_t> first, end;
-  for (std::size_t i = 0; i < edges->value->array()->size(); ++i) {
-    const Result<Place> edge = object(edges->at(i), "an edge");
-    if (!edge) return edge.error();
-    const Place ends = edge->find("endpoints");
-    if (const Result<Place> two = list(ends, "an edge's two end points", 2, 2); !two) return two.error();
-    const Result<std::size_t> from = index(ends.at(0), "vertex", vertices->size());
-    const Result<std::size_t> to = index(ends.at(1), "vertex", vertices->size());
+  for (std::size_t i = 0; i < edges.value->array()->size(); ++i) {
+    const Place edge = TRY(object(edges.at(i), "an edge"));
+    const Place ends = edge.find("endpoints");
+    TRY(list(ends, "an edge's two end points", 2, 2));
+    const Result<std::size_t> from = index(ends.at(0), "vertex", vertices.size());
+    const Result<std::size_t> to = index(ends.at(1), "vertex", vertices.size());
     if (!from) return from.error();
     if (!to) return to.error();
     if (end && *end != *from)
       return Error{"garmentcode.open_outline", "the edge does not start where the one before it ends",
-                   edge->pointer};
-    const Vec2 a = (*vertices)[*from], b = (*vertices)[*to];
+                   edge.pointer};
+    const Vec2 a = vertices[*from], b = vertices[*to];
     if (length(b - a) < kLeastLength_mm)
-      return Error{"garmentcode.edge_without_length", "the edge ends where it starts", edge->pointer};
-    Result<Curves> curves = curves_of(*edge, a, b, conventions);
-    if (!curves) return curves.error();
-    loop.edges.push_back({"e" + std::to_string(i), std::move(*curves)});
-    labels.push_back(label_of(*edge));
+      return Error{"garmentcode.edge_without_length", "the edge ends where it starts", edge.pointer};
+    Curves curves = TRY(curves_of(edge, a, b, conventions));
+    loop.edges.push_back({"e" + std::to_string(i), std::move(curves)});
+    labels.push_back(label_of(edge));
     if (!first) first = *from;
     end = *to;
   }
   if (*end != *first)
     return Error{"garmentcode.open_outline", "the last edge does not end where the first starts",
-                 edges->pointer};
+                 edges.pointer};
   return loop;
 }
 
@@ -283,34 +263,30 @@ Vec3 fixed_angles(const std::array<double, 3>& own) {
 Result<ProjectRigid> placement_of(const Place& panel, const Conventions& conventions) {
   ProjectRigid rigid;
   if (const Place t = panel.find("translation"); t.value != nullptr) {
-    const auto given = numbers<3>(t, "a translation");
-    if (!given) return given.error();
+    const auto given = TRY(numbers<3>(t, "a translation"));
     const double m = metres_from_mm(conventions.mm);
-    rigid.translation = {(*given)[0] * m, (*given)[1] * m, (*given)[2] * m};
+    rigid.translation = {given[0] * m, given[1] * m, given[2] * m};
     if (!(length(rigid.translation) <= 100))
       return Error{"garmentcode.range", "the panel stands over a hundred metres away", t.pointer};
   }
   if (const Place r = panel.find("rotation"); r.value != nullptr) {
-    const auto given = numbers<3>(r, "a rotation");
-    if (!given) return given.error();
-    rigid.rotation = fixed_angles(*given);
+    const auto given = TRY(numbers<3>(r, "a rotation"));
+    rigid.rotation = fixed_angles(given);
   }
   return rigid;
 }
 
 Status add_panel(const std::string& name, const Place& place, const Conventions& conventions,
                  GarmentCodeGarment& garment) {
-  if (const Result<Place> given = object(place, "a panel"); !given) return given.error();
+  TRY(object(place, "a panel"));
   Panel panel;
   panel.id = name;
   GarmentCodePanel extra;
-  Result<Loop> loop = loop_of(place, conventions, extra.edge_labels);
-  if (!loop) return loop.error();
-  const Result<ProjectRigid> placement = placement_of(place, conventions);
-  if (!placement) return placement.error();
-  extra.placement = *placement;
+  Loop loop = TRY(loop_of(place, conventions, extra.edge_labels));
+  const ProjectRigid placement = TRY(placement_of(place, conventions));
+  extra.placement = placement;
   extra.label = label_of(place);
-  panel.outline = std::move(*loop);
+  panel.outline = std::move(loop);
   if (signed_area(panel.outline) < 0) {
     mirror_x(panel.outline);
     extra.placement.flipped = true;
@@ -336,8 +312,7 @@ std::vector<std::string> order_of(const Place& pattern, const Place& panels) {
 }
 
 Result<SeamEdge> seam_edge_of(const Place& side, const Pattern& pattern) {
-  const Result<Place> given = object(side, "a side of a stitch");
-  if (!given) return given.error();
+  TRY(object(side, "a side of a stitch"));
   const Place name = side.find("panel");
   if (name.value == nullptr || !name.value->text()) return wrong_type(name, "a panel's name");
   const auto found = std::find_if(pattern.panels.begin(), pattern.panels.end(),
@@ -345,24 +320,20 @@ Result<SeamEdge> seam_edge_of(const Place& side, const Pattern& pattern) {
   if (found == pattern.panels.end())
     return Error{"garmentcode.reference", "there is no panel " + in_quotes(*name.value->text()),
                  name.pointer};
-  const Result<std::size_t> edge = index(side.find("edge"), "edge", found->outline.edges.size());
-  if (!edge) return edge.error();
-  return SeamEdge{static_cast<Index>(found - pattern.panels.begin()), static_cast<Index>(*edge), false};
+  const std::size_t edge = TRY(index(side.find("edge"), "edge", found->outline.edges.size()));
+  return SeamEdge{static_cast<Index>(found - pattern.panels.begin()), static_cast<Index>(edge), false};
 }
 
 Status add_stitches(const Place& stitches, GarmentCodeGarment& garment) {
   if (stitches.value == nullptr) return {};
-  if (const Result<Place> given = list(stitches, "the list of stitches", 0, kMostStitches); !given)
-    return given.error();
+  TRY(list(stitches, "the list of stitches", 0, kMostStitches));
   std::set<std::pair<Index, Index>> sewn;
   for (std::size_t i = 0; i < stitches.value->array()->size(); ++i) {
     const Place stitch = stitches.at(i);
-    if (const Result<Place> given = list(stitch, "a stitch of two sides", 2, 3); !given) return given.error();
-    const Result<SeamEdge> a = seam_edge_of(stitch.at(0), garment.pattern);
-    if (!a) return a.error();
-    const Result<SeamEdge> b = seam_edge_of(stitch.at(1), garment.pattern);
-    if (!b) return b.error();
-    const std::pair at_a{a->panel, a->edge}, at_b{b->panel, b->edge};
+    TRY(list(stitch, "a stitch of two sides", 2, 3));
+    const SeamEdge a = TRY(seam_edge_of(stitch.at(0), garment.pattern));
+    const SeamEdge b = TRY(seam_edge_of(stitch.at(1), garment.pattern));
+    const std::pair at_a{a.panel, a.edge}, at_b{b.panel, b.edge};
     if (sewn.contains(at_a) || sewn.contains(at_b) || at_a == at_b) {
       garment.notes.push_back(stitch.pointer + ": an edge of it is stitched already; left out");
       continue;
@@ -371,7 +342,7 @@ Status add_stitches(const Place& stitches, GarmentCodeGarment& garment) {
     if (stitch.value->array()->size() == 3)
       garment.notes.push_back(stitch.pointer +
                               "/2: what is said of the stitch beyond its sides is passed over");
-    garment.pattern.seams.push_back({"seam" + std::to_string(i), {*a}, {*b}, false});
+    garment.pattern.seams.push_back({"seam" + std::to_string(i), {a}, {b}, false});
   }
   return {};
 }
@@ -379,25 +350,20 @@ Status add_stitches(const Place& stitches, GarmentCodeGarment& garment) {
 }  // namespace
 
 Result<GarmentCodeGarment> read_garmentcode(std::string_view text) {
-  const Result<JsonValue> json = parse_json(text);
-  if (!json) return json.error();
-  const Result<Place> root = object({&*json, ""}, "a specification");
-  if (!root) return root.error();
-  const Result<Conventions> conventions = conventions_of(*root);
-  if (!conventions) return conventions.error();
-  const Result<Place> pattern = object(root->find("pattern"), "the pattern");
-  if (!pattern) return pattern.error();
-  const Result<Place> panels = object(pattern->find("panels"), "the panels");
-  if (!panels) return panels.error();
-  const std::size_t count = panels->value->object()->size();
+  const JsonValue json = TRY(parse_json(text));
+  const Place root = TRY(object({&json, ""}, "a specification"));
+  const Conventions conventions = TRY(conventions_of(root));
+  const Place pattern = TRY(object(root.find("pattern"), "the pattern"));
+  const Place panels = TRY(object(pattern.find("panels"), "the panels"));
+  const std::size_t count = panels.value->object()->size();
   if (count == 0 || count > kMostPanels)
-    return Error{"garmentcode.no_panels", "a specification has 1 to 1000 panels", panels->pointer};
+    return Error{"garmentcode.no_panels", "a specification has 1 to 1000 panels", panels.pointer};
   GarmentCodeGarment garment;
-  for (const std::string& name : order_of(*pattern, *panels)) {
-    if (const Status added = add_panel(name, panels->find(name), *conventions, garment); !added)
+  for (const std::string& name : order_of(pattern, panels)) {
+    if (const Status added = add_panel(name, panels.find(name), conventions, garment); !added)
       return added.error();
   }
-  if (const Status added = add_stitches(pattern->find("stitches"), garment); !added) return added.error();
+  TRY(add_stitches(pattern.find("stitches"), garment));
   return garment;
 }
 

@@ -101,19 +101,17 @@ Status apply_one(Editing& editing, const PatternEdit& edit) {
     return Error{"edit.unknown_fabric", "the project has no fabric " + in_quotes(fabric->fabric), ""};
   }
   if (!editing.pattern) {
-    Result<DrapeInput> input = resolve_cloth(editing.project, editing.files);
-    if (!input) return input.error();
-    editing.pattern = std::move(input->pattern);
+    DrapeInput input = TRY(resolve_cloth(editing.project, editing.files));
+    editing.pattern = std::move(input.pattern);
   }
-  Result<EditedPattern> edited = apply_edit(*editing.pattern, edit);
-  if (!edited) return edited.error();
-  if (Status parts = follow_parts(editing.project, edited->effect); !parts) return parts;
-  write_pieces(editing.project, *editing.pattern, *edited);
+  EditedPattern edited = TRY(apply_edit(*editing.pattern, edit));
+  TRY(follow_parts(editing.project, edited.effect));
+  write_pieces(editing.project, *editing.pattern, edited);
   editing.project.seams.clear();
-  for (const Seam& seam : edited->pattern.seams) {
-    editing.project.seams.push_back(project_seam(edited->pattern, seam));
+  for (const Seam& seam : edited.pattern.seams) {
+    editing.project.seams.push_back(project_seam(edited.pattern, seam));
   }
-  editing.pattern = std::move(edited->pattern);
+  editing.pattern = std::move(edited.pattern);
   return {};
 }
 
@@ -124,16 +122,14 @@ Result<ProjectPiece*> piece_of(Project& project, const std::string& id) {
 }
 
 Status apply_one(Editing& editing, const SetTexture& edit) {
-  const Result<ProjectPiece*> piece = piece_of(editing.project, edit.piece);
-  if (!piece) return piece.error();
-  (*piece)->texture = edit.texture;
+  ProjectPiece* piece = TRY(piece_of(editing.project, edit.piece));
+  piece->texture = edit.texture;
   return {};
 }
 
 Status apply_one(Editing& editing, const SetPhysical& edit) {
-  const Result<ProjectPiece*> piece = piece_of(editing.project, edit.piece);
-  if (!piece) return piece.error();
-  (*piece)->physical = edit.physical;
+  ProjectPiece* piece = TRY(piece_of(editing.project, edit.piece));
+  piece->physical = edit.physical;
   return {};
 }
 
@@ -162,9 +158,8 @@ Result<EditedProject> apply_edits(const Project& project, std::span<const Projec
     const Status done = std::visit([&](const auto& edit) { return apply_one(editing, edit); }, edits[i]);
     if (!done) return error_at(pointer_to("/edits", i), done.error());
   }
-  Result<std::string> text = checked_text(editing.project, files, editing.project.bodies != project.bodies);
-  if (!text) return text.error();
-  EditedProject out{std::move(editing.project), std::move(*text), {}};
+  std::string text = TRY(checked_text(editing.project, files, editing.project.bodies != project.bodies));
+  EditedProject out{std::move(editing.project), std::move(text), {}};
   if (!(out.project == project)) out.inverse = {difference(out.project, project)};
   return out;
 }

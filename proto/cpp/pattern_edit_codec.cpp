@@ -90,9 +90,8 @@ Result<std::vector<ProjectEdit>> read_edits(const JsonValue& list, const std::st
   }
   std::vector<ProjectEdit> edits;
   for (std::size_t i = 0; i < elements->size(); ++i) {
-    Result<ProjectEdit> edit = read_edit((*elements)[i], pointer_to(where, i));
-    if (!edit) return edit.error();
-    edits.push_back(std::move(*edit));
+    ProjectEdit edit = TRY(read_edit((*elements)[i], pointer_to(where, i)));
+    edits.push_back(std::move(edit));
   }
   return edits;
 }

@@ -120,10 +120,9 @@ Status put_back(std::vector<T>& list, const std::optional<ListSplice<T>>& given,
 
 Status follow_parts(Project& project, const EditEffect& effect) {
   if (effect.was.empty()) return {};
-  if (Status s = follow_names(project.attachments, &ProjectAttachment::edges, effect, "attachment"); !s)
-    return s;
-  if (Status s = follow_names(project.elastics, &ProjectElastic::lines, effect, "elastic"); !s) return s;
-  if (Status s = follow_names(project.folds, &ProjectFold::lines, effect, "fold"); !s) return s;
+  TRY(follow_names(project.attachments, &ProjectAttachment::edges, effect, "attachment"));
+  TRY(follow_names(project.elastics, &ProjectElastic::lines, effect, "elastic"));
+  TRY(follow_names(project.folds, &ProjectFold::lines, effect, "fold"));
   follow_points(project.attachments, effect);
   follow_piece(project.attachments, effect);
   follow_piece(project.elastics, effect);
@@ -160,13 +159,13 @@ RestoreLists difference(const Project& now, const Project& wanted) {
 }
 
 Status restore(Project& project, const RestoreLists& edit) {
-  if (Status s = put_back(project.pieces, edit.pieces, "pieces"); !s) return s;
-  if (Status s = put_back(project.seams, edit.seams, "seams"); !s) return s;
-  if (Status s = put_back(project.attachments, edit.attachments, "attachments"); !s) return s;
-  if (Status s = put_back(project.buttons, edit.buttons, "buttons"); !s) return s;
-  if (Status s = put_back(project.elastics, edit.elastics, "elastics"); !s) return s;
-  if (Status s = put_back(project.folds, edit.folds, "folds"); !s) return s;
-  if (Status s = put_back(project.cushions, edit.cushions, "cushions"); !s) return s;
+  TRY(put_back(project.pieces, edit.pieces, "pieces"));
+  TRY(put_back(project.seams, edit.seams, "seams"));
+  TRY(put_back(project.attachments, edit.attachments, "attachments"));
+  TRY(put_back(project.buttons, edit.buttons, "buttons"));
+  TRY(put_back(project.elastics, edit.elastics, "elastics"));
+  TRY(put_back(project.folds, edit.folds, "folds"));
+  TRY(put_back(project.cushions, edit.cushions, "cushions"));
   return put_back(project.bodies, edit.bodies, "bodies");
 }
 

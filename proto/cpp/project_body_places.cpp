@@ -153,17 +153,15 @@ const PartBox& BodyPlaces::box_of(Index body, const std::string& part) {
 
 Result<Placement> BodyPlaces::on_box(const ProjectOnBox& given, const Panel& panel,
                                      const std::string& where) {
-  const Result<Index> body = standing(given.body, where);
-  if (!body) return body.error();
+  const Index body = TRY(standing(given.body, where));
   const OnBox at =
       where_on_box(given.side, given.at, given.away, given.turn, given.anchor, given.flipped, hull_of(panel));
-  return Placement{on_box_side(box_of(*body, given.part), at)};
+  return Placement{on_box_side(box_of(body, given.part), at)};
 }
 
 Result<Placement> BodyPlaces::around(const ProjectAround& given, const Panel& panel,
                                      const std::string& where) {
-  const Result<Index> body = standing(given.body, where);
-  if (!body) return body.error();
+  const Index body = TRY(standing(given.body, where));
   const std::vector<Vec2> hull = hull_of(panel);
   const OnBox at =
       where_on_box(given.side, given.at, given.away, given.turn, given.anchor, given.flipped, hull);
@@ -174,9 +172,9 @@ Result<Placement> BodyPlaces::around(const ProjectAround& given, const Panel& pa
     const double up = s * (p.x - at.anchor.x) + c * (p.y - at.anchor.y);
     low = std::min(low, up), high = std::max(high, up);
   }
-  const PartBox& box = box_of(*body, given.part);
+  const PartBox& box = box_of(body, given.part);
   const double radius =
-      radius_of_part(bodies_[*body].mesh, *figure_of(*body), box, at.at.y + low, at.at.y + high);
+      radius_of_part(bodies_[body].mesh, *figure_of(body), box, at.at.y + low, at.at.y + high);
   if (!(radius + at.away > 1e-3)) {
     return Error{"project.around_nothing",
                  "the body has nothing of this part where the piece would go around it", where};
@@ -213,11 +211,10 @@ Result<Index> BodyPlaces::bearer(const ProjectGoal& given, const std::string& wh
 }
 
 Result<std::vector<Vec3>> BodyPlaces::landmark_goal(const ProjectGoal& given, const std::string& where) {
-  const Result<Index> body = bearer(given, where);
-  if (!body) return body.error();
-  const TriangleMesh& mesh = bodies_[*body].mesh;
-  const Landmark* mark = landmark_named(*landmarks_of(*body), given.landmark);
-  const double away = bodies_[*body].skin_offset + kClear;
+  const Index body = TRY(bearer(given, where));
+  const TriangleMesh& mesh = bodies_[body].mesh;
+  const Landmark* mark = landmark_named(*landmarks_of(body), given.landmark);
+  const double away = bodies_[body].skin_offset + kClear;
   return std::vector<Vec3>{snapped(mark->place + skin_normal(mark->at, mesh) * away)};
 }
 
@@ -228,11 +225,10 @@ Result<std::vector<Vec3>> BodyPlaces::line_goal(const ProjectGoal& given, const 
                  "there is no line " + in_quotes(given.line) + " on a body; " + advice(given.line, names),
                  pointer_to(where, "line")};
   }
-  const Result<Index> body = standing(given.body, where);
-  if (!body) return body.error();
+  const Index body = TRY(standing(given.body, where));
   Result<std::vector<Vec3>> line =
-      body_line(bodies_[*body].mesh, *figure_of(*body), given.line, metres_from_mm(given.up_mm.value_or(0)),
-                bodies_[*body].skin_offset + kClear);
+      body_line(bodies_[body].mesh, *figure_of(body), given.line, metres_from_mm(given.up_mm.value_or(0)),
+                bodies_[body].skin_offset + kClear);
   if (!line) return error_at(pointer_to(where, "line"), line.error());
   for (Vec3& p : *line) p = snapped(p);
   return line;

@@ -70,7 +70,7 @@ ProjectFiles files_in(const fs::path& folder, const MeshImporter& importer) {
     return importer.file(path, settings);
   };
   files.image_bytes = [folder](const std::string& name) -> Result<std::string> {
-    if (Status inside = check_file_name(name); !inside) return inside.error();
+    TRY(check_file_name(name));
     return bytes_of(folder / name, PictureLimits{}.bytes, "image.too_large");
   };
   return files;
@@ -81,9 +81,8 @@ Result<std::string> read_project_text(const fs::path& path) {
 }
 
 Result<DrapeInput> read_project(const fs::path& path, const MeshImporter& importer) {
-  const Result<std::string> text = read_project_text(path);
-  if (!text) return text.error();
-  const Result<Project> project = parse_project(*text);
+  const std::string text = TRY(read_project_text(path));
+  const Result<Project> project = parse_project(text);
   if (!project) return error_at(clipped(path.string(), 300), project.error());
   Result<DrapeInput> input = resolve_project(*project, files_in(path.parent_path(), importer));
   if (!input) return error_at(clipped(path.string(), 300), input.error());

@@ -33,12 +33,11 @@ ProjectPiece inline_piece(const Panel& panel, const ProjectRigid& placement) {
 }
 
 Status take_garmentcode(std::string_view text, NewProject& made) {
-  Result<GarmentCodeGarment> garment = read_garmentcode(text);
-  if (!garment) return garment.error();
-  for (std::size_t p = 0; p < garment->panels.size(); ++p)
-    made.project.pieces.push_back(inline_piece(garment->pattern.panels[p], garment->panels[p].placement));
-  made.pattern = std::move(garment->pattern);
-  made.notes = std::move(garment->notes);
+  GarmentCodeGarment garment = TRY(read_garmentcode(text));
+  for (std::size_t p = 0; p < garment.panels.size(); ++p)
+    made.project.pieces.push_back(inline_piece(garment.pattern.panels[p], garment.panels[p].placement));
+  made.pattern = std::move(garment.pattern);
+  made.notes = std::move(garment.notes);
   return {};
 }
 
@@ -72,15 +71,14 @@ std::string unused_id(const std::string& wanted, std::set<std::string>& used) {
 Status take_dxf_piece(const DxfPiece& drawn, const DxfDrawing& drawing, const NewProjectSettings& settings,
                       std::set<std::string>& used, NewProject& made, std::vector<char>& clockwise) {
   constexpr int kMostCopies = 20;
-  Result<Panel> panel = panel_from_piece(drawn);
-  if (!panel) return panel.error();
-  if (drawn.grain) panel->grain = *drawn.grain;
-  if (Status valid = validate(*panel); !valid) return valid;
+  Panel panel = TRY(panel_from_piece(drawn));
+  if (drawn.grain) panel.grain = *drawn.grain;
+  TRY(validate(panel));
   const int count = std::clamp(drawn.quantity, 1, kMostCopies);
   const int mirrored = std::clamp(drawn.mirrored, 0, count);
   for (int k = 0; k < count; ++k) {
     const bool over = k >= count - mirrored;
-    Panel copy = over ? turned_over(*panel, "") : *panel;
+    Panel copy = over ? turned_over(panel, "") : panel;
     copy.id = unused_id(over && count > 1 ? drawn.name + "_mirrored" : drawn.name, used);
     ProjectPiece piece = inline_piece(copy, {});
     if (!over) {
@@ -247,8 +245,8 @@ Result<NewProject> new_project(const DxfDrawing& drawing, const NewProjectSettin
                                const RunContext& context) {
   NewProject made;
   ProposalSettings sides;
-  if (Status taken = take_dxf(drawing, settings, made, sides.clockwise); !taken) return taken.error();
-  if (Status sewn = sew(sides, settings, context, made); !sewn) return sewn.error();
+  TRY(take_dxf(drawing, settings, made, sides.clockwise));
+  TRY(sew(sides, settings, context, made));
   complete(settings, made);
   return made;
 }
@@ -256,13 +254,12 @@ Result<NewProject> new_project(const DxfDrawing& drawing, const NewProjectSettin
 Result<NewProject> new_project(std::string_view text, const NewProjectSettings& settings,
                                const RunContext& context) {
   if (!is_specification(text)) {
-    const Result<DxfDrawing> drawing = read_dxf(text, settings.dxf);
-    if (!drawing) return drawing.error();
-    return new_project(*drawing, settings, context);
+    const DxfDrawing drawing = TRY(read_dxf(text, settings.dxf));
+    return new_project(drawing, settings, context);
   }
   NewProject made;
-  if (Status taken = take_garmentcode(text, made); !taken) return taken.error();
-  if (Status sewn = sew({true, {}}, settings, context, made); !sewn) return sewn.error();
+  TRY(take_garmentcode(text, made));
+  TRY(sew({true, {}}, settings, context, made));
   complete(settings, made);
   return made;
 }

@@ -30,13 +30,12 @@ std::optional<double> mm_per_unit(const std::string& unit) {
 }
 
 Result<DxfDrawing> read_drawing(const ProjectDxf& from, const ProjectFiles& files) {
-  if (Status name = check_file_name(from.dxf); !name) return name.error();
-  Result<std::string> text = files.dxf_text(from.dxf);
-  if (!text) return text.error();
+  TRY(check_file_name(from.dxf));
+  std::string text = TRY(files.dxf_text(from.dxf));
   DxfSettings settings;
   settings.mm_per_unit = mm_per_unit(from.units);
   if (!from.size.empty()) settings.size = from.size;
-  Result<DxfDrawing> drawing = read_dxf(*text, settings);
+  Result<DxfDrawing> drawing = read_dxf(text, settings);
   if (!drawing) return error_at(clipped(from.dxf), drawing.error());
   return drawing;
 }
@@ -85,14 +84,12 @@ Result<Loop> loop_of(const std::vector<ProjectEdge>& given, const std::string& w
 }
 
 Result<Panel> inline_panel(const ProjectPiece& piece, const std::string& where) {
-  Result<Loop> outline = loop_of(piece.outline, pointer_to(where, "outline"));
-  if (!outline) return outline.error();
+  Loop outline = TRY(loop_of(piece.outline, pointer_to(where, "outline")));
   Panel panel;
-  panel.outline = std::move(*outline);
+  panel.outline = std::move(outline);
   for (std::size_t i = 0; i < piece.holes.size(); ++i) {
-    Result<Loop> hole = loop_of(piece.holes[i], pointer_to(pointer_to(where, "holes"), i));
-    if (!hole) return hole.error();
-    panel.holes.push_back(reversed(*hole));  // loops come counter-clockwise, holes run clockwise
+    Loop hole = TRY(loop_of(piece.holes[i], pointer_to(pointer_to(where, "holes"), i)));
+    panel.holes.push_back(reversed(hole));  // loops come counter-clockwise, holes run clockwise
   }
   return panel;
 }
@@ -156,20 +153,19 @@ Result<Panel> panel_of(const ProjectPiece& piece, const ProjectFiles& files, Dra
     return Error{"project.two_ways", "the notches of a piece from a file stand in the file",
                  pointer_to(where, "notches")};
   }
-  Result<Panel> panel = piece.from ? panel_from_file(*piece.from, files, drawings, pointer_to(where, "from"))
-                                   : inline_panel(piece, where);
-  if (!panel) return panel;
-  panel->id = piece.id;
-  panel->fabric = piece.fabric;
-  panel->layer = piece.layer;
-  if (piece.physical) panel->spacing = metres_from_mm(piece.physical->particle_distance_mm.value_or(0));
+  Panel panel = TRY(piece.from ? panel_from_file(*piece.from, files, drawings, pointer_to(where, "from"))
+                               : inline_panel(piece, where));
+  panel.id = piece.id;
+  panel.fabric = piece.fabric;
+  panel.layer = piece.layer;
+  if (piece.physical) panel.spacing = metres_from_mm(piece.physical->particle_distance_mm.value_or(0));
   for (const ProjectNotch& n : piece.notches)
-    panel->notches.push_back({n.at, n.depth_mm, normalized(n.inwards.value_or(Vec2{}))});
-  if (Status renamed = rename_edges(piece, *panel, where); !renamed) return renamed.error();
-  add_lines(piece, *panel);
-  if (Status grain = set_grain(piece, *panel, where); !grain) return grain.error();
-  if (Status texture = check_texture(piece, where); !texture) return texture.error();
-  if (Status valid = validate(*panel); !valid) return error_at(where, valid.error());
+    panel.notches.push_back({n.at, n.depth_mm, normalized(n.inwards.value_or(Vec2{}))});
+  TRY(rename_edges(piece, panel, where));
+  add_lines(piece, panel);
+  TRY(set_grain(piece, panel, where));
+  TRY(check_texture(piece, where));
+  if (Status valid = validate(panel); !valid) return error_at(where, valid.error());
   return panel;
 }
 
@@ -199,9 +195,8 @@ Result<std::vector<Panel>> panels_of(const std::vector<ProjectPiece>& pieces, co
   Drawings drawings;
   std::vector<Panel> panels;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    Result<Panel> panel = panel_of(pieces[i], files, drawings, pointer_to("/pieces", i));
-    if (!panel) return panel.error();
-    panels.push_back(std::move(*panel));
+    Panel panel = TRY(panel_of(pieces[i], files, drawings, pointer_to("/pieces", i)));
+    panels.push_back(std::move(panel));
   }
   return panels;
 }

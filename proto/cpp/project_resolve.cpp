@@ -145,12 +145,10 @@ Vec3 turned(Vec3 p, Vec3 angles) {
 }
 
 Result<TriangleMesh> mannequin_of(const ProjectMannequin& given, const ProjectFiles& files) {
-  const Result<MannequinSettings> settings = mannequin_settings(given);
-  if (!settings) return settings.error();
-  if (files.mannequin) return files.mannequin(*settings);
-  Result<Mannequin> made = make_mannequin(*settings);
-  if (!made) return made.error();
-  return std::move(made->mesh);
+  const MannequinSettings settings = TRY(mannequin_settings(given));
+  if (files.mannequin) return files.mannequin(settings);
+  Mannequin made = TRY(make_mannequin(settings));
+  return std::move(made.mesh);
 }
 
 MeshSettings mesh_settings(const ProjectBody& given) {
@@ -181,15 +179,14 @@ bool is_near(Vec3 p) {
 }
 
 Result<Body> body_of(const ProjectBody& given, const ProjectFiles& files, const std::string& where) {
-  Result<RepairedMesh> mesh = mesh_of(given, files, where);
-  if (!mesh) return mesh.error();
+  RepairedMesh mesh = TRY(mesh_of(given, files, where));
   Body body;
   body.id = given.id;
-  body.mesh = std::move(mesh->mesh);
+  body.mesh = std::move(mesh.mesh);
   body.friction = given.friction;
   body.skin_offset = metres_from_mm(given.skin_offset_mm);
   body.restitution = given.restitution;
-  body.notes = repair_words(mesh->repairs);
+  body.notes = repair_words(mesh.repairs);
   const Vec3 angles = radians(given.rotation);
   for (Vec3& p : body.mesh.vertices) {
     p = turned(p * given.scale, angles) + given.translation;
@@ -249,33 +246,27 @@ Result<std::vector<SeamEdge>> series_of(const std::vector<ProjectSeamEdge>& give
   std::vector<SeamEdge> series;
   for (std::size_t i = 0; i < given.size(); ++i) {
     const std::string place = pointer_to(where, i);
-    const Result<Index> panel = names.panel(given[i].piece, pointer_to(place, "piece"));
-    if (!panel) return panel.error();
-    const Result<Index> edge = names.edge(*panel, given[i].edge, pointer_to(place, "edge"));
-    if (!edge) return edge.error();
-    series.push_back({*panel, *edge, given[i].reversed, given[i].from, given[i].to});
+    const Index panel = TRY(names.panel(given[i].piece, pointer_to(place, "piece")));
+    const Index edge = TRY(names.edge(panel, given[i].edge, pointer_to(place, "edge")));
+    series.push_back({panel, edge, given[i].reversed, given[i].from, given[i].to});
   }
   return series;
 }
 
 Result<Seam> seam_of(const ProjectSeam& given, const Names& names, const std::string& where) {
-  Result<std::vector<SeamEdge>> a = series_of(given.a, names, pointer_to(where, "a"));
-  if (!a) return a.error();
-  Result<std::vector<SeamEdge>> b = series_of(given.b, names, pointer_to(where, "b"));
-  if (!b) return b.error();
-  return Seam{given.id, std::move(*a), std::move(*b), given.same_direction};
+  std::vector<SeamEdge> a = TRY(series_of(given.a, names, pointer_to(where, "a")));
+  std::vector<SeamEdge> b = TRY(series_of(given.b, names, pointer_to(where, "b")));
+  return Seam{given.id, std::move(a), std::move(b), given.same_direction};
 }
 
 Result<Attachment> attachment_of(const ProjectAttachment& given, const Names& names, BodyPlaces& places,
                                  const std::string& where) {
-  const Result<Index> panel = names.panel(given.piece, pointer_to(where, "piece"));
-  if (!panel) return panel.error();
+  const Index panel = TRY(names.panel(given.piece, pointer_to(where, "piece")));
   Attachment attachment;
-  attachment.id = given.id, attachment.panel = *panel;
+  attachment.id = given.id, attachment.panel = panel;
   for (std::size_t i = 0; i < given.edges.size(); ++i) {
-    const Result<Index> edge = names.edge(*panel, given.edges[i], pointer_to(pointer_to(where, "edges"), i));
-    if (!edge) return edge.error();
-    attachment.edges.push_back(*edge);
+    const Index edge = TRY(names.edge(panel, given.edges[i], pointer_to(pointer_to(where, "edges"), i)));
+    attachment.edges.push_back(edge);
   }
   for (const Vec2 p : given.points) attachment.points.push_back({metres_from_mm(p.x), metres_from_mm(p.y)});
   attachment.release_after = given.release_after_s;
@@ -285,39 +276,34 @@ Result<Attachment> attachment_of(const ProjectAttachment& given, const Names& na
     return Error{"project.two_ways", "only one of \"hold\" or \"to\" may stand here",
                  pointer_to(where, "hold")};
   }
-  Result<std::vector<Vec3>> goal = places.goal(*given.to, pointer_to(where, "to"));
-  if (!goal) return goal.error();
-  if (goal->size() > 1 && given.edges.empty() && given.points.empty()) {
+  std::vector<Vec3> goal = TRY(places.goal(*given.to, pointer_to(where, "to")));
+  if (goal.size() > 1 && given.edges.empty() && given.points.empty()) {
     return Error{"project.attached_whole",
                  "a whole piece cannot lie on a line; name the edges or points that do", where};
   }
-  attachment.hold = Attachment::Hold::kGoal, attachment.goal = std::move(*goal);
+  attachment.hold = Attachment::Hold::kGoal, attachment.goal = std::move(goal);
   return attachment;
 }
 
 Result<PanelPoint> point_of(const ProjectButtonPoint& given, const Names& names, const std::string& where) {
-  const Result<Index> panel = names.panel(given.piece, pointer_to(where, "piece"));
-  if (!panel) return panel.error();
-  return PanelPoint{*panel, {metres_from_mm(given.at.x), metres_from_mm(given.at.y)}};
+  const Index panel = TRY(names.panel(given.piece, pointer_to(where, "piece")));
+  return PanelPoint{panel, {metres_from_mm(given.at.x), metres_from_mm(given.at.y)}};
 }
 
 Result<Button> button_of(const ProjectButton& given, const Names& names, const std::string& where) {
-  const Result<PanelPoint> a = point_of(given.a, names, pointer_to(where, "a"));
-  if (!a) return a.error();
-  const Result<PanelPoint> b = point_of(given.b, names, pointer_to(where, "b"));
-  if (!b) return b.error();
-  return Button{given.id, *a, *b, metres_from_mm(given.distance_mm)};
+  const PanelPoint a = TRY(point_of(given.a, names, pointer_to(where, "a")));
+  const PanelPoint b = TRY(point_of(given.b, names, pointer_to(where, "b")));
+  return Button{given.id, a, b, metres_from_mm(given.distance_mm)};
 }
 
 Result<Elastic> elastic_of(const ProjectElastic& given, const Names& names, const std::string& where) {
-  const Result<Index> panel = names.panel(given.piece, pointer_to(where, "piece"));
-  if (!panel) return panel.error();
-  Elastic elastic{given.id, *panel, {}, {}, given.factor, given.stiffness_n};
+  const Index panel = TRY(names.panel(given.piece, pointer_to(where, "piece")));
+  Elastic elastic{given.id, panel, {}, {}, given.factor, given.stiffness_n};
   for (std::size_t i = 0; i < given.lines.size(); ++i) {
     const std::string place = pointer_to(pointer_to(where, "lines"), i);
-    const bool edge = names.has_edge(*panel, given.lines[i]);
+    const bool edge = names.has_edge(panel, given.lines[i]);
     const Result<Index> found =
-        edge ? names.edge(*panel, given.lines[i], place) : names.line(*panel, given.lines[i], place);
+        edge ? names.edge(panel, given.lines[i], place) : names.line(panel, given.lines[i], place);
     if (!found) return found.error();
     (edge ? elastic.edges : elastic.lines).push_back(*found);
   }
@@ -325,14 +311,12 @@ Result<Elastic> elastic_of(const ProjectElastic& given, const Names& names, cons
 }
 
 Result<Crease> crease_of(const ProjectFold& given, const Names& names, const std::string& where) {
-  const Result<Index> panel = names.panel(given.piece, pointer_to(where, "piece"));
-  if (!panel) return panel.error();
+  const Index panel = TRY(names.panel(given.piece, pointer_to(where, "piece")));
   constexpr double kNewtons = 1e-3;
-  Crease crease{given.id, *panel, {}, radians_from_degrees(given.angle), given.stiffness_mn * kNewtons};
+  Crease crease{given.id, panel, {}, radians_from_degrees(given.angle), given.stiffness_mn * kNewtons};
   for (std::size_t i = 0; i < given.lines.size(); ++i) {
-    const Result<Index> line = names.line(*panel, given.lines[i], pointer_to(pointer_to(where, "lines"), i));
-    if (!line) return line.error();
-    crease.lines.push_back(*line);
+    const Index line = TRY(names.line(panel, given.lines[i], pointer_to(pointer_to(where, "lines"), i)));
+    crease.lines.push_back(line);
   }
   return crease;
 }
@@ -341,9 +325,8 @@ Result<Cushion> cushion_of(const ProjectCushion& given, const Names& names, cons
   constexpr double kCubicMetres = 1e-3;
   Cushion cushion{given.id, {}, given.pressure_pa, given.volume_l * kCubicMetres};
   for (std::size_t i = 0; i < given.pieces.size(); ++i) {
-    const Result<Index> panel = names.panel(given.pieces[i], pointer_to(pointer_to(where, "pieces"), i));
-    if (!panel) return panel.error();
-    cushion.panels.push_back(*panel);
+    const Index panel = TRY(names.panel(given.pieces[i], pointer_to(pointer_to(where, "pieces"), i)));
+    cushion.panels.push_back(panel);
   }
   return cushion;
 }
@@ -353,9 +336,8 @@ template <typename Given, typename Made, typename Make>
 Status make_all(const std::vector<Given>& things, const std::string& list, std::vector<Made>& made,
                 Make make) {
   for (std::size_t i = 0; i < things.size(); ++i) {
-    auto result = make(things[i], pointer_to(list, i));
-    if (!result) return result.error();
-    made.push_back(std::move(*result));
+    auto result = TRY(make(things[i], pointer_to(list, i)));
+    made.push_back(std::move(result));
   }
   return {};
 }
@@ -364,16 +346,16 @@ Status add_notions(const Project& project, const Names& names, Notions& notions)
   const auto named = [&](auto make) {
     return [&names, make](const auto& given, const std::string& at) { return make(given, names, at); };
   };
-  if (Status s = make_all(project.buttons, "/buttons", notions.buttons, named(button_of)); !s) return s;
-  if (Status s = make_all(project.elastics, "/elastics", notions.elastics, named(elastic_of)); !s) return s;
-  if (Status s = make_all(project.folds, "/folds", notions.creases, named(crease_of)); !s) return s;
+  TRY(make_all(project.buttons, "/buttons", notions.buttons, named(button_of)));
+  TRY(make_all(project.elastics, "/elastics", notions.elastics, named(elastic_of)));
+  TRY(make_all(project.folds, "/folds", notions.creases, named(crease_of)));
   return make_all(project.cushions, "/cushions", notions.cushions, named(cushion_of));
 }
 
 /// Placements and attachments: what may be told by a body. REQUIRES `input` with panels and bodies.
 Status add_told_by_bodies(const Project& project, const Names& names, DrapeInput& input) {
   BodyPlaces places(project, input.bodies);
-  if (Status known = places.check_landmarks(); !known) return known;
+  TRY(places.check_landmarks());
   for (std::size_t i = 0; i < project.pieces.size(); ++i) {
     const std::string where = pointer_to(pointer_to("/pieces", i), "placement");
     Result<Placement> placement =
@@ -409,7 +391,7 @@ Status check_file_name(const std::string& name) {
 }
 
 Result<DrapeInput> resolve_project(const Project& project, const ProjectFiles& files) {
-  if (Status unique = check_ids(project); !unique) return unique.error();
+  TRY(check_ids(project));
   DrapeInput input;
   input.name = project.name;
   input.settings = settings_of(project.settings);
@@ -422,28 +404,26 @@ Result<DrapeInput> resolve_project(const Project& project, const ProjectFiles& f
     if (!fabric) return fabric.error();
     input.fabric_of_panel.push_back(*fabric);
   }
-  if (Status made = make_all(project.fabrics, "/fabrics", input.fabrics, fabric_of); !made)
-    return made.error();
-  if (Status own = add_own_fabrics(project, input); !own) return own.error();
+  TRY(make_all(project.fabrics, "/fabrics", input.fabrics, fabric_of));
+  TRY(add_own_fabrics(project, input));
 
-  Result<std::vector<Panel>> panels = panels_of(project.pieces, files);
-  if (!panels) return panels.error();
-  input.pattern.panels = std::move(*panels);
+  std::vector<Panel> panels = TRY(panels_of(project.pieces, files));
+  input.pattern.panels = std::move(panels);
   const Names names(input.pattern);
   const auto seam = [&](const ProjectSeam& given, const std::string& at) {
     return seam_of(given, names, at);
   };
-  if (Status made = make_all(project.seams, "/seams", input.pattern.seams, seam); !made) return made.error();
+  TRY(make_all(project.seams, "/seams", input.pattern.seams, seam));
   if (Status valid = validate(input.pattern); !valid) {
     return error_at("/seams", valid.error());  // each piece by itself has been found valid
   }
-  if (Status made = add_notions(project, names, input.notions); !made) return made.error();
-  if (Status used = follow_used_lines(input.notions, input.pattern); !used) return used.error();
+  TRY(add_notions(project, names, input.notions));
+  TRY(follow_used_lines(input.notions, input.pattern));
   const auto body = [&](const ProjectBody& given, const std::string& at) {
     return body_of(given, files, at);
   };
-  if (Status made = make_all(project.bodies, "/bodies", input.bodies, body); !made) return made.error();
-  if (Status told = add_told_by_bodies(project, names, input); !told) return told.error();
+  TRY(make_all(project.bodies, "/bodies", input.bodies, body));
+  TRY(add_told_by_bodies(project, names, input));
   return input;
 }
 

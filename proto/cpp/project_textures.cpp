@@ -73,12 +73,11 @@ Result<Textures> read_textures(const Project& project, const Pattern& pattern, c
   std::map<std::string, Index> index;
   std::size_t bytes = 0;
   for (const NamedImage& named : images) {
-    auto image = read_image(named, files, images.size() > kFewImages ? kSideOfMany : kSideOfFew);
-    if (!image) return image.error();
-    bytes += (*image)->bytes.size();
+    auto image = TRY(read_image(named, files, images.size() > kFewImages ? kSideOfMany : kSideOfFew));
+    bytes += image->bytes.size();
     if (bytes > kMostTextureBytes) return too_many(named.where);
     index[named.name] = static_cast<Index>(textures.images.size());
-    textures.images.push_back(std::move(*image));
+    textures.images.push_back(std::move(image));
   }
   for (std::size_t i = 0; i < project.pieces.size(); ++i) {
     const std::optional<ProjectTexture>& texture = project.pieces[i].texture;
@@ -92,9 +91,8 @@ Result<Textures> read_textures(const Project& project, const Pattern& pattern, c
 }
 
 Result<Textures> read_project_textures(const std::filesystem::path& path, const Pattern& pattern) {
-  const Result<std::string> text = read_project_text(path);
-  if (!text) return text.error();
-  const Result<Project> project = parse_project(*text);
+  const std::string text = TRY(read_project_text(path));
+  const Result<Project> project = parse_project(text);
   if (!project) return error_at(clipped(path.string(), 300), project.error());
   Result<Textures> textures = read_textures(*project, pattern, files_in(path.parent_path()));
   if (!textures) return error_at(clipped(path.string(), 300), textures.error());

@@ -123,9 +123,8 @@ std::string encode_topology(std::uint32_t epoch, const FrameGrid& grid, const Ga
 }
 
 Result<DecodedTopology> decode_topology(std::string_view bytes) {
-  const auto type = message_type(bytes);
-  if (!type) return type.error();
-  if (*type != MessageType::kTopology) return malformed("a topology was expected, and this is a frame");
+  const auto type = TRY(message_type(bytes));
+  if (type != MessageType::kTopology) return malformed("a topology was expected, and this is a frame");
   DecodedTopology topology;
   ByteReader in(bytes.substr(kPrefixSize - sizeof(topology.epoch)));
   topology.epoch = in.take<std::uint32_t>();
@@ -140,10 +139,10 @@ Result<DecodedTopology> decode_topology(std::string_view bytes) {
   if (!is_finite(grid.origin) || !std::isfinite(grid.step) || grid.step <= 0) {
     return malformed("the topology's grid is none");
   }
-  if (const Status s = read_rest(in, counts.vertices, topology); !s) return s.error();
-  if (const Status s = read_pieces(in, counts.pieces, topology); !s) return s.error();
-  if (const Status s = read_triangles(in, counts.triangles, topology); !s) return s.error();
-  if (const Status s = read_sewn(in, counts.sewn, topology); !s) return s.error();
+  TRY(read_rest(in, counts.vertices, topology));
+  TRY(read_pieces(in, counts.pieces, topology));
+  TRY(read_triangles(in, counts.triangles, topology));
+  TRY(read_sewn(in, counts.sewn, topology));
   if (!in.ok() || in.left() != 0) return malformed("the topology is longer or shorter than it says");
   return topology;
 }

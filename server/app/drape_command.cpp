@@ -65,12 +65,10 @@ ExitCode exit_code_of(const DrapeResult& result) {
 Status deliver(const DrapeInput& input, const DrapeResult& result, const Textures& textures,
                const DrapeOptions& options) {
   const Report report = make_report(input, result);
-  const Status models = write_models(input, result, textures, options.out, options.check_data);
-  if (!models) return models;
-  if (Status written = write_report(fs::path(options.out) / "report.json", report); !written) return written;
+  TRY(write_models(input, result, textures, options.out, options.check_data));
+  TRY(write_report(fs::path(options.out) / "report.json", report));
   if (options.stills && exit_code_of(result) != kCancelled) {
-    Status stills = write_stills(input, result, textures, options.out, options.width, options.height);
-    if (!stills) return stills;
+    TRY(write_stills(input, result, textures, options.out, options.width, options.height));
   }
   if (options.json) {
     std::printf("%s", report_json(report).c_str());

@@ -81,11 +81,9 @@ void print_text(const NewProject& made, const ProjectNewOptions& options) {
 }
 
 Result<NewProject> make(const ProjectNewOptions& options) {
-  const Result<std::string> text = bytes_of(options.pattern);
-  if (!text) return text.error();
-  const Result<RepairedMesh> read = own_mesh_importer().file(options.body, {});
-  if (!read) return read.error();
-  const TriangleMesh& body = read->mesh;
+  const std::string text = TRY(bytes_of(options.pattern));
+  const RepairedMesh read = TRY(own_mesh_importer().file(options.body, {}));
+  const TriangleMesh& body = read.mesh;
   NewProjectSettings settings;
   settings.name = fs::path(options.pattern).stem().string();
   settings.pattern_file = fs::path(options.pattern).filename().string();
@@ -100,7 +98,7 @@ Result<NewProject> make(const ProjectNewOptions& options) {
     lower(settings.body_low.z, settings.body_high.z, p.z);
   }
   if (options.accept_seams >= 0) settings.accept_seams = options.accept_seams;
-  Result<NewProject> made = new_project(*text, settings);
+  Result<NewProject> made = new_project(text, settings);
   if (made) return made;
   Error error = made.error();
   error.where = options.pattern + (error.where.empty() ? "" : ": " + error.where);
@@ -117,7 +115,7 @@ Status keep(const NewProject& made, const ProjectNewOptions& options) {
   if (names_pattern) {
     if (Status brought = bring(options.pattern, folder); !brought) return brought;
   }
-  if (Status brought = bring(options.body, folder); !brought) return brought;
+  TRY(bring(options.body, folder));
   return write_file(options.out, write_project(made.project));
 }
 

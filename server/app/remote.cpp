@@ -45,24 +45,21 @@ std::string text_member(const JsonValue& object, std::string_view key) {
 }
 
 Result<std::string> Remote::text(const HttpClient::Request& request) {
-  Result<HttpReply> reply = client_.ask(request);
-  if (!reply) return reply.error();
-  if (reply->status < 200 || reply->status > 299) return error_of(*reply);
-  return std::move(reply->body);
+  HttpReply reply = TRY(client_.ask(request));
+  if (reply.status < 200 || reply.status > 299) return error_of(reply);
+  return std::move(reply.body);
 }
 
 Result<JsonValue> Remote::json(const HttpClient::Request& request) {
-  const Result<std::string> body = text(request);
-  if (!body) return body.error();
-  Result<JsonValue> tree = parse_json(*body, kReplyLimits);
+  const std::string body = TRY(text(request));
+  Result<JsonValue> tree = parse_json(body, kReplyLimits);
   if (tree) return tree;
   return Error{"client.malformed", "the server's answer is no JSON: " + tree.error().message, request.target};
 }
 
 Result<std::string> Remote::id_of(const HttpClient::Request& request) {
-  const Result<JsonValue> made = json(request);
-  if (!made) return made.error();
-  std::string id = text_member(*made, "id");
+  const JsonValue made = TRY(json(request));
+  std::string id = text_member(made, "id");
   if (!id.empty()) return id;
   return Error{"client.malformed", "the server's answer has no id", request.target};
 }

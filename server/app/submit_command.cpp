@@ -45,25 +45,22 @@ Result<std::string> read_file(const fs::path& path, const std::string& where) {
 
 /// Sends the document and what it names; the new project's id.
 Result<std::string> send_project(Remote& remote, const std::string& path) {
-  const Result<std::string> document = read_project_text(path);
-  if (!document) return document.error();
-  const Result<Project> project = parse_project(*document);
-  if (!project) return project.error();
+  const std::string document = TRY(read_project_text(path));
+  const Project project = TRY(parse_project(document));
   std::vector<std::pair<std::string, std::string>> files;
   std::map<std::string, std::string> sent;
-  for (const UsedFile& used : used_files(*project)) {
+  for (const UsedFile& used : used_files(project)) {
     if (sent.contains(used.name)) continue;
     if (Status name = check_file_name(used.name); !name)
       return Error{name.error().code, name.error().message, used.where};
-    Result<std::string> bytes = read_file(fs::path(path).parent_path() / used.name, used.where);
-    if (!bytes) return bytes.error();
+    std::string bytes = TRY(read_file(fs::path(path).parent_path() / used.name, used.where));
     const Result<std::string> id =
-        remote.upload(used.kind, fs::path(used.name).filename().string(), std::move(*bytes));
+        remote.upload(used.kind, fs::path(used.name).filename().string(), std::move(bytes));
     if (!id) return id.error();
     sent[used.name] = *id;
     files.emplace_back(used.name, *id);
   }
-  return remote.create_project(*document, files);
+  return remote.create_project(document, files);
 }
 
 bool has_ended(const JsonValue& job) {
@@ -112,9 +109,8 @@ Status bring_home(Remote& remote, const JsonValue& job, const fs::path& folder) 
     if (file.key.find('/') != std::string::npos || !check_file_name(file.key).ok()) {
       return Error{"client.malformed", "the server names a result " + in_quotes(file.key), ""};
     }
-    const Result<std::string> bytes = remote.result(text_member(job, "id"), file.key);
-    if (!bytes) return bytes.error();
-    if (Status written = write_file(folder / file.key, *bytes); !written) return written;
+    const std::string bytes = TRY(remote.result(text_member(job, "id"), file.key));
+    if (Status written = write_file(folder / file.key, bytes); !written) return written;
   }
   return {};
 }

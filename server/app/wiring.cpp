@@ -14,7 +14,7 @@ namespace {
 /// however often the server starts; once the project has been removed there is nothing to do.
 Status drape_sample(Store& store, JobService& jobs, const std::string& folder) {
   if (folder.empty()) return {};
-  if (Status added = add_sample_project(store, kLocalOwner, folder); !added) return added;
+  TRY(add_sample_project(store, kLocalOwner, folder));
   const Result<std::optional<std::string>> project = store.get_setting(kLocalOwner, kSampleSetting);
   if (!project) return project.error();
   if (!*project) return {};
@@ -26,9 +26,8 @@ Status drape_sample(Store& store, JobService& jobs, const std::string& folder) {
 
 Result<std::unique_ptr<Service>> Service::start(const ServeOptions& options) {
   std::unique_ptr<Service> service(new Service);
-  Result<std::unique_ptr<Store>> store = open_sqlite_store(options.data);
-  if (!store) return store.error();
-  service->store_ = std::move(*store);
+  std::unique_ptr<Store> store = TRY(open_sqlite_store(options.data));
+  service->store_ = std::move(store);
   service->hub_ = std::make_unique<Hub>();
   JobServiceSettings jobs;
   jobs.workers = options.workers;
@@ -39,8 +38,8 @@ Result<std::unique_ptr<Service>> Service::start(const ServeOptions& options) {
   http.port = options.port;
   http.web = options.web;
   service->server_ = std::make_unique<HttpServer>(*service->store_, *service->jobs_, *service->hub_, http);
-  if (Status listening = service->server_->start(); !listening) return listening.error();
-  if (Status working = service->jobs_->start(); !working) return working.error();
+  TRY(service->server_->start());
+  TRY(service->jobs_->start());
   if (Status sample = drape_sample(*service->store_, *service->jobs_, options.sample); !sample) {
     print_error(sample.error(), false);  // no reason not to serve
   }

@@ -64,9 +64,8 @@ std::optional<PieceWish> partners_wish(const DrapeInput& input, const PieceWish&
 }
 
 Result<Arrangement> arrangement_of(const DrapeInput& input) {
-  const Result<PanelMeshes> meshes = make_panel_meshes(input.pattern, input.settings.particle_distance, {});
-  if (!meshes) return meshes.error();
-  return arrange({input.pattern, *meshes, input.bodies});
+  const PanelMeshes meshes = TRY(make_panel_meshes(input.pattern, input.settings.particle_distance, {}));
+  return arrange({input.pattern, meshes, input.bodies});
 }
 
 /// Told by the body, so that the piece goes along when the measures change.
@@ -112,10 +111,10 @@ Status read_numbers(const JsonValue& object, PieceWish& wish) {
   if (const JsonValue* at = object.find("at_mm")) {
     if (!at->array() || at->array()->size() != 2) return bad_place("this is a list of two numbers", "at_mm");
     const auto& xy = *at->array();
-    if (Status s = read_length(&xy[0], "at_mm", kFarthest_mm, wish.at_mm.x); !s) return s;
+    TRY(read_length(&xy[0], "at_mm", kFarthest_mm, wish.at_mm.x));
     if (Status s = read_length(&xy[1], "at_mm", kFarthest_mm, wish.at_mm.y); !s) return s;
   }
-  if (Status s = read_length(object.find("away_mm"), "away_mm", kFarthest_mm, wish.away_mm); !s) return s;
+  TRY(read_length(object.find("away_mm"), "away_mm", kFarthest_mm, wish.away_mm));
   return read_length(object.find("turn"), "turn", 360, wish.turn);
 }
 
@@ -142,18 +141,15 @@ Result<ArrangedProject> arrange_project(Store& store, const OwnerId& owner, cons
                                         int expected) {
   JsonValue arrangement;
   const ProjectChange change = [&](const Project& now, ProjectFileMap& files) -> Result<Project> {
-    const Result<DrapeInput> input = resolve_project(now, files_in_store(store, owner, files));
-    if (!input) return input.error();
-    const Result<Arrangement> made = arrangement_of(*input);
-    if (!made) return made.error();
-    arrangement = arrangement_members(*made);
+    const DrapeInput input = TRY(resolve_project(now, files_in_store(store, owner, files)));
+    const Arrangement made = TRY(arrangement_of(input));
+    arrangement = arrangement_members(made);
     Project wanted = now;
-    take_arrangement(*made, input->pattern, wanted);
+    take_arrangement(made, input.pattern, wanted);
     return wanted;
   };
-  Result<ProjectRow> project = change_project(store, owner, id, expected, change);
-  if (!project) return project.error();
-  return ArrangedProject{std::move(*project), std::move(arrangement)};
+  ProjectRow project = TRY(change_project(store, owner, id, expected, change));
+  return ArrangedProject{std::move(project), std::move(arrangement)};
 }
 
 Result<PieceWish> read_piece_wish(const JsonValue& object) {
@@ -161,9 +157,9 @@ Result<PieceWish> read_piece_wish(const JsonValue& object) {
   const JsonValue* piece = object.find("piece");
   if (!piece || !piece->text()) return bad_place("\"piece\" is the id of a piece", "piece");
   wish.piece = *piece->text();
-  if (Status s = read_word(object, "part", part_names(), wish.part); !s) return s.error();
-  if (Status s = read_word(object, "side", kSides, wish.side); !s) return s.error();
-  if (Status s = read_numbers(object, wish); !s) return s.error();
+  TRY(read_word(object, "part", part_names(), wish.part));
+  TRY(read_word(object, "side", kSides, wish.side));
+  TRY(read_numbers(object, wish));
   for (const auto& [key, out] : {std::pair{"wrapped", &wish.wrapped}, {"with_partner", &wish.with_partner}}) {
     const JsonValue* given = object.find(key);
     if (!given) continue;
@@ -182,9 +178,8 @@ Result<ProjectRow> place_piece(Store& store, const OwnerId& owner, const std::st
       return Error{"edit.unknown_piece", "There is no piece of that name.", "piece " + clipped(wish.piece)};
     Project wanted = now;
     wanted.pieces[static_cast<std::size_t>(at - now.pieces.begin())].placement = placement_of(wish);
-    const Result<DrapeInput> input = resolve_project(wanted, files_in_store(store, owner, files));
-    if (!input) return input.error();
-    const std::optional<PieceWish> more = wish.with_partner ? partners_wish(*input, wish) : std::nullopt;
+    const DrapeInput input = TRY(resolve_project(wanted, files_in_store(store, owner, files)));
+    const std::optional<PieceWish> more = wish.with_partner ? partners_wish(input, wish) : std::nullopt;
     for (ProjectPiece& piece : wanted.pieces)
       if (more && piece.id == more->piece) piece.placement = placement_of(*more);
     return wanted;

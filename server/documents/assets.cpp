@@ -77,23 +77,22 @@ Result<std::string> specification_info(const std::string& name, std::string_view
 }
 
 Result<std::string> body_info(const std::string& name, std::string_view bytes) {
-  const Result<RepairedMesh> read = shared_bodies().importer().bytes(name, bytes, {});
-  if (!read) return read.error();
-  const TriangleMesh& mesh = read->mesh;
+  const RepairedMesh read = TRY(shared_bodies().importer().bytes(name, bytes, {}));
+  const TriangleMesh& mesh = read.mesh;
   Vec3 low = mesh.vertices.front(), high = low;
   for (const Vec3& p : mesh.vertices) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
   std::vector<JsonValue> notes;
-  for (const std::string& words : repair_words(read->repairs)) notes.push_back(text_of(words));
+  for (const std::string& words : repair_words(read.repairs)) notes.push_back(text_of(words));
   return write_json_line(JsonValue(std::vector<JsonMember>{
       {"vertices", count_of(mesh.vertices.size())},
       {"triangles", count_of(mesh.triangles.size())},
       {"width_m", rounded(high.x - low.x)},
       {"height_m", rounded(high.y - low.y)},
       {"depth_m", rounded(high.z - low.z)},
-      {"closed", JsonValue(read->repairs.open_shells == 0)},
+      {"closed", JsonValue(read.repairs.open_shells == 0)},
       {"notes", JsonValue(std::move(notes))},
   }));
 }
@@ -135,18 +134,17 @@ Result<AssetRow> add_asset(Store& store, const OwnerId& owner, const std::string
     return Error{"documents.kind",
                  "a file is \"dxf\", \"specification\", \"body\" or \"image\", not " + in_quotes(kind), ""};
   }
-  if (Status good = check_name(name); !good) return good.error();
+  TRY(check_name(name));
   const std::size_t most = most_asset_bytes(kind);
   if (bytes.size() > most) {
     return Error{"documents.too_large",
                  "the file has more than the " + std::to_string(most >> 20) + " MiB that are allowed", name};
   }
-  Result<std::string> info = info_of(kind, name, bytes);
-  if (!info) return info.error();
+  std::string info = TRY(info_of(kind, name, bytes));
   AssetRow row;
   row.kind = kind;
   row.name = name;
-  row.info = std::move(*info);
+  row.info = std::move(info);
   return store.put_asset(owner, std::move(row), bytes);
 }
 

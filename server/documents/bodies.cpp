@@ -33,11 +33,9 @@ Result<std::shared_ptr<const RepairedMesh>> BodyCache::mesh(Store& store, const 
   }
   const std::string key = key_of(asset_id, settings);
   if (std::shared_ptr<const RepairedMesh> kept = kept_.find(key)) return kept;
-  const Result<std::string> path = store.asset_path(owner, asset_id);
-  if (!path) return path.error();
-  Result<RepairedMesh> read = importer_.stored(*path, asset->name, settings);
-  if (!read) return read.error();
-  auto made = std::make_shared<const RepairedMesh>(std::move(*read));
+  const std::string path = TRY(store.asset_path(owner, asset_id));
+  RepairedMesh read = TRY(importer_.stored(path, asset->name, settings));
+  auto made = std::make_shared<const RepairedMesh>(std::move(read));
   kept_.keep(key, made, bytes_of(*made));
   return std::shared_ptr<const RepairedMesh>(std::move(made));
 }

@@ -55,10 +55,9 @@ std::string free_name(const ProjectFileMap& files, const AssetRow& asset) {
 /// Guessed where nothing is said.
 Status place_file(Store& store, const OwnerId& owner, const JsonValue& wish, const AssetRow& asset,
                   ProjectBody& body) {
-  const auto raw = shared_bodies().mesh(store, owner, asset.id, {.unit_in_m = 1});
-  if (!raw) return raw.error();
+  const auto raw = TRY(shared_bodies().mesh(store, owner, asset.id, {.unit_in_m = 1}));
   const std::string unit = body.unit, up = body.up;
-  const Result<StandingBody> standing = stand_body((*raw)->mesh);
+  const Result<StandingBody> standing = stand_body(raw->mesh);
   if (standing) stand_up(body, standing->stance);
   if (!unit.empty()) body.unit = unit, body.scale = 1;
   if (!up.empty() && up != body.up) body.up = up, body.rotation = {};
@@ -70,18 +69,16 @@ Status place_file(Store& store, const OwnerId& owner, const JsonValue& wish, con
 Status put_on_floor(Store& store, const OwnerId& owner, ProjectFileMap& files, ProjectBody& body) {
   Project alone;
   alone.bodies = {body};
-  const Result<DrapeInput> input = resolve_project(alone, files_in_store(store, owner, files));
-  if (!input) return input.error();
-  const double floor = lowest(input->bodies[0].mesh);
+  const DrapeInput input = TRY(resolve_project(alone, files_in_store(store, owner, files)));
+  const double floor = lowest(input.bodies[0].mesh);
   body.translation.y = -std::round(floor * 1e6) / 1e6 + 0.0;
   return {};
 }
 
 /// A figure that can be made, so that the refusal names the measure and not the document's place.
 Result<ProjectBody> made_body(const JsonValue& part) {
-  Result<ProjectBody> body = read_body(part, "");
-  if (!body) return body;
-  const Result<MannequinSettings> settings = mannequin_settings(*body->mannequin);
+  ProjectBody body = TRY(read_body(part, ""));
+  const Result<MannequinSettings> settings = mannequin_settings(*body.mannequin);
   if (!settings) return error_at("/mannequin", settings.error());
   const auto figure = shared_mannequins().get(*settings);
   if (!figure) return error_at("/mannequin", figure.error());
@@ -96,18 +93,16 @@ Result<ProjectBody> body_of(Store& store, const OwnerId& owner, const std::strin
   if (const JsonValue* turn = wish.find("turn");
       turn && (!turn->number() || !(std::abs(*turn->number()) <= 360)))
     return bad_wish("this is an angle of at most 360 degrees", "turn");
-  Result<AssetRow> asset = store.asset(owner, *given->text());
-  if (!asset) return asset.error();
-  if (asset->kind != "body")
-    return Error{"documents.wrong_kind", in_quotes(asset->name) + " is no body", "/asset"};
-  const std::string name = free_name(files, *asset);
+  AssetRow asset = TRY(store.asset(owner, *given->text()));
+  if (asset.kind != "body")
+    return Error{"documents.wrong_kind", in_quotes(asset.name) + " is no body", "/asset"};
+  const std::string name = free_name(files, asset);
   JsonValue part = document_part(wish, id);
   std::get<std::vector<JsonMember>>(part.data).push_back({"file", name});
-  Result<ProjectBody> body = read_body(part, "");
-  if (!body) return body;
-  if (Status s = place_file(store, owner, wish, *asset, *body); !s) return s.error();
-  files[name] = asset->id;
-  if (Status s = put_on_floor(store, owner, files, *body); !s) return s.error();
+  ProjectBody body = TRY(read_body(part, ""));
+  TRY(place_file(store, owner, wish, asset, body));
+  files[name] = asset.id;
+  TRY(put_on_floor(store, owner, files, body));
   return body;
 }
 
@@ -146,18 +141,17 @@ Status check_keys(const JsonValue& wish) {
 
 Result<ProjectRow> dress_project(Store& store, const OwnerId& owner, const std::string& id,
                                  const std::string& body, const JsonValue& wish, int expected) {
-  if (Status keys = check_keys(wish); !keys) return keys.error();
+  TRY(check_keys(wish));
   const ProjectChange change = [&](const Project& now, ProjectFileMap& files) -> Result<Project> {
-    Result<ProjectBody> made = body_of(store, owner, body, wish, files);
-    if (!made) return made.error();
+    ProjectBody made = TRY(body_of(store, owner, body, wish, files));
     Project wanted = now;
     const auto at = std::find_if(wanted.bodies.begin(), wanted.bodies.end(),
                                  [&](const ProjectBody& one) { return one.id == body; });
     if (at == wanted.bodies.end()) {
-      wanted.bodies.push_back(std::move(*made));
+      wanted.bodies.push_back(std::move(made));
     } else {
-      carry_over(*at, wish, *made);
-      *at = std::move(*made);
+      carry_over(*at, wish, made);
+      *at = std::move(made);
     }
     return wanted;
   };

@@ -17,15 +17,13 @@ struct Standing {
 };
 
 Result<Standing> standing(Store& store, const OwnerId& owner, const std::string& id, int expected) {
-  Result<ProjectRow> row = store.project(owner, id);
-  if (!row) return row.error();
-  if (expected != 0 && row->revision != expected) {
+  ProjectRow row = TRY(store.project(owner, id));
+  if (expected != 0 && row.revision != expected) {
     return Error{"store.conflict",
-                 "the project has changed since; it is at revision " + std::to_string(row->revision), ""};
+                 "the project has changed since; it is at revision " + std::to_string(row.revision), ""};
   }
-  Result<Project> project = parse_project(row->document);
-  if (!project) return project.error();
-  return Standing{std::move(*row), std::move(*project)};
+  Project project = TRY(parse_project(row.document));
+  return Standing{std::move(row), std::move(project)};
 }
 
 Result<EditedProject> apply_in_store(Store& store, const OwnerId& owner, const Standing& at,
@@ -52,9 +50,8 @@ Result<std::vector<ProjectEdit>> kept_edits(const std::string& text, const std::
 }
 
 Result<EditRow> next_step(Store& store, const OwnerId& owner, const std::string& id, EditStep step) {
-  Result<std::optional<EditRow>> next = store.next_edit(owner, id, step);
-  if (!next) return next.error();
-  if (*next) return std::move(**next);
+  std::optional<EditRow> next = TRY(store.next_edit(owner, id, step));
+  if (next) return std::move(*next);
   if (step == EditStep::kUndo) return Error{"edit.nothing_to_undo", "there is nothing to undo", ""};
   return Error{"edit.nothing_to_redo", "nothing has been undone that could be done again", ""};
 }
@@ -66,8 +63,7 @@ Status check_pictures(Store& store, const OwnerId& owner, const ProjectFileMap& 
     const auto* const edit = std::get_if<SetTexture>(&edits[i]);
     if (edit == nullptr || !edit->texture) continue;
     const std::string texture = pointer_to(pointer_to("/edits", i), "texture");
-    const Status there = check_image(store, owner, files, edit->texture->image, pointer_to(texture, "image"));
-    if (!there) return there;
+    TRY(check_image(store, owner, files, edit->texture->image, pointer_to(texture, "image")));
   }
   return {};
 }
@@ -76,72 +72,56 @@ Status check_pictures(Store& store, const OwnerId& owner, const ProjectFileMap& 
 
 Result<ProjectRow> edit_project(Store& store, const OwnerId& owner, const std::string& id,
                                 const JsonValue& edits, int expected, const ProjectFileMap& more_files) {
-  Result<Standing> at = standing(store, owner, id, expected);
-  if (!at) return at.error();
-  if (Status free = check_more_files(store, owner, at->row.files, more_files); !free) return free.error();
-  at->row.files.insert(more_files.begin(), more_files.end());
-  const Result<std::vector<ProjectEdit>> wanted = read_edits(edits, "/edits");
-  if (!wanted) return wanted.error();
-  Result<EditedProject> edited = apply_in_store(store, owner, *at, *wanted);
-  if (!edited) return edited.error();
-  if (Status there = check_pictures(store, owner, at->row.files, *wanted); !there) return there.error();
+  Standing at = TRY(standing(store, owner, id, expected));
+  TRY(check_more_files(store, owner, at.row.files, more_files));
+  at.row.files.insert(more_files.begin(), more_files.end());
+  const std::vector<ProjectEdit> wanted = TRY(read_edits(edits, "/edits"));
+  EditedProject edited = TRY(apply_in_store(store, owner, at, wanted));
+  TRY(check_pictures(store, owner, at.row.files, wanted));
   EditRow step;
-  step.edits = write_json_line(edits_json(*wanted));
-  step.inverse = write_json_line(edits_json(edited->inverse));
-  if (write_project_line(at->project) != at->row.document) step.original = at->row.document;
-  return keep(store, owner, at->row, std::move(edited->document), edited->project.name, EditStep::kDo, step);
+  step.edits = write_json_line(edits_json(wanted));
+  step.inverse = write_json_line(edits_json(edited.inverse));
+  if (write_project_line(at.project) != at.row.document) step.original = at.row.document;
+  return keep(store, owner, at.row, std::move(edited.document), edited.project.name, EditStep::kDo, step);
 }
 
 Result<ProjectRow> change_project(Store& store, const OwnerId& owner, const std::string& id, int expected,
                                   const ProjectChange& change) {
-  Result<Standing> at = standing(store, owner, id, expected);
-  if (!at) return at.error();
-  ProjectFileMap files = at->row.files;
-  const Result<Project> wanted = change(at->project, files);
-  if (!wanted) return wanted.error();
-  if (*wanted == at->project) return std::move(at->row);
-  const std::vector<ProjectEdit> edits{edit_between(at->project, *wanted)};
-  return edit_project(store, owner, id, edits_json(edits), at->row.revision, files);
+  Standing at = TRY(standing(store, owner, id, expected));
+  ProjectFileMap files = at.row.files;
+  const Project wanted = TRY(change(at.project, files));
+  if (wanted == at.project) return std::move(at.row);
+  const std::vector<ProjectEdit> edits{edit_between(at.project, wanted)};
+  return edit_project(store, owner, id, edits_json(edits), at.row.revision, files);
 }
 
 Result<ProjectRow> undo_edit(Store& store, const OwnerId& owner, const std::string& id, int expected) {
-  const Result<Standing> at = standing(store, owner, id, expected);
-  if (!at) return at.error();
-  const Result<EditRow> step = next_step(store, owner, id, EditStep::kUndo);
-  if (!step) return step.error();
-  const Result<std::vector<ProjectEdit>> inverse = kept_edits(step->inverse, id);
-  if (!inverse) return inverse.error();
-  const Result<EditedProject> edited = apply_in_store(store, owner, *at, *inverse);
-  if (!edited) return edited.error();
-  const std::string& document = step->original.empty() ? edited->document : step->original;
-  return keep(store, owner, at->row, document, edited->project.name, EditStep::kUndo, *step);
+  const Standing at = TRY(standing(store, owner, id, expected));
+  const EditRow step = TRY(next_step(store, owner, id, EditStep::kUndo));
+  const std::vector<ProjectEdit> inverse = TRY(kept_edits(step.inverse, id));
+  const EditedProject edited = TRY(apply_in_store(store, owner, at, inverse));
+  const std::string& document = step.original.empty() ? edited.document : step.original;
+  return keep(store, owner, at.row, document, edited.project.name, EditStep::kUndo, step);
 }
 
 Result<ProjectRow> redo_edit(Store& store, const OwnerId& owner, const std::string& id, int expected) {
-  const Result<Standing> at = standing(store, owner, id, expected);
-  if (!at) return at.error();
-  const Result<EditRow> step = next_step(store, owner, id, EditStep::kRedo);
-  if (!step) return step.error();
-  const Result<std::vector<ProjectEdit>> edits = kept_edits(step->edits, id);
-  if (!edits) return edits.error();
-  Result<EditedProject> edited = apply_in_store(store, owner, *at, *edits);
-  if (!edited) return edited.error();
-  return keep(store, owner, at->row, std::move(edited->document), edited->project.name, EditStep::kRedo,
-              *step);
+  const Standing at = TRY(standing(store, owner, id, expected));
+  const EditRow step = TRY(next_step(store, owner, id, EditStep::kRedo));
+  const std::vector<ProjectEdit> edits = TRY(kept_edits(step.edits, id));
+  EditedProject edited = TRY(apply_in_store(store, owner, at, edits));
+  return keep(store, owner, at.row, std::move(edited.document), edited.project.name, EditStep::kRedo, step);
 }
 
 Result<std::string> history_json(Store& store, const OwnerId& owner, const std::string& id,
                                  std::int64_t before, int limit) {
-  const Result<ProjectRow> row = store.project(owner, id);
-  if (!row) return row.error();
-  Result<std::vector<EditRow>> steps = store.edits(owner, id, before, limit + 1);
-  if (!steps) return steps.error();
+  TRY(store.project(owner, id));
+  std::vector<EditRow> steps = TRY(store.edits(owner, id, before, limit + 1));
   std::string next = "null", items;
-  if (steps->size() > static_cast<std::size_t>(limit)) {
-    steps->pop_back();
-    next = "\"" + std::to_string(steps->back().number) + "\"";
+  if (steps.size() > static_cast<std::size_t>(limit)) {
+    steps.pop_back();
+    next = "\"" + std::to_string(steps.back().number) + "\"";
   }
-  for (const EditRow& step : *steps) {
+  for (const EditRow& step : steps) {
     items += items.empty() ? "" : ", ";
     items += "{\"number\": " + std::to_string(step.number);
     items += step.undone ? ", \"undone\": true" : ", \"undone\": false";

@@ -89,18 +89,16 @@ struct Parts {
 };
 
 Status find_parts(const TriangleMesh& mesh, const MeasureSet& asked, double floor, Parts& parts) {
-  const Result<BodyFigure> figure = find_figure(mesh);
-  if (!figure) return figure.error();
-  for (const Landmark& landmark : find_landmarks(mesh, *figure)) {
+  const BodyFigure figure = TRY(find_figure(mesh));
+  for (const Landmark& landmark : find_landmarks(mesh, figure)) {
     parts.landmarks.push_back(
         std::vector<JsonMember>{{"name", landmark.name}, {"place", vector_json(landmark.place)}});
   }
-  for (const PartBox& box : part_boxes(mesh, *figure)) parts.boxes.push_back(box_json(box));
-  const Result<BodyMeasures> taken = measured(mesh, floor);
-  if (!taken) return taken.error();
+  for (const PartBox& box : part_boxes(mesh, figure)) parts.boxes.push_back(box_json(box));
+  const BodyMeasures taken = TRY(measured(mesh, floor));
   for (int i = 0; i < kMeasureCount; ++i) {
     const Measure m = measure_at(i);
-    if ((*taken)[m]) parts.measures.push_back(taken_json(m, *(*taken)[m], asked[m], floor));
+    if (taken[m]) parts.measures.push_back(taken_json(m, *taken[m], asked[m], floor));
   }
   return {};
 }
@@ -231,9 +229,8 @@ static JsonValue landmarks_json(const ProjectBody& body, const Result<std::vecto
 }
 
 Result<std::string> asset_figure_json(Store& store, const OwnerId& owner, const std::string& asset) {
-  const auto read = shared_bodies().mesh(store, owner, asset, {.unit_in_m = 1});
-  if (!read) return read.error();
-  const TriangleMesh& raw = (*read)->mesh;
+  const auto read = TRY(shared_bodies().mesh(store, owner, asset, {.unit_in_m = 1}));
+  const TriangleMesh& raw = read->mesh;
   const Result<StandingBody> standing = stand_body(raw);
   std::vector<JsonMember> out;
   JsonValue stance;
@@ -252,27 +249,23 @@ Result<std::string> asset_figure_json(Store& store, const OwnerId& owner, const 
 
 Result<MadeBody> make_body(Store& store, const OwnerId& owner, const JsonValue& wish,
                            const std::string& name) {
-  const Result<ProjectMannequin> given = read_mannequin(wish, "/mannequin");
-  if (!given) return given.error();
-  const Result<MannequinSettings> settings = mannequin_settings(*given);
+  const ProjectMannequin given = TRY(read_mannequin(wish, "/mannequin"));
+  const Result<MannequinSettings> settings = mannequin_settings(given);
   if (!settings) return error_at("/mannequin", settings.error());
   const auto made = shared_mannequins().get(*settings);
   if (!made) return error_at("/mannequin", made.error());
   const std::string file = ending_of(name) == ".obj" ? name : name + ".obj";
-  Result<AssetRow> asset = add_asset(store, owner, "body", file, obj_text((*made)->mesh));
-  if (!asset) return asset.error();
-  return MadeBody{std::move(*asset), figure_members((*made)->mesh, settings->asked)};
+  AssetRow asset = TRY(add_asset(store, owner, "body", file, obj_text((*made)->mesh)));
+  return MadeBody{std::move(asset), figure_members((*made)->mesh, settings->asked)};
 }
 
 Result<std::string> project_bodies_json(const std::string& document, const ProjectFiles& files) {
-  const Result<Project> project = parse_project(document);
-  if (!project) return project.error();
-  const Result<DrapeInput> input = resolve_bodies(*project, files);
-  if (!input) return input.error();
-  BodyPlaces places(*project, input->bodies);
+  const Project project = TRY(parse_project(document));
+  const DrapeInput input = TRY(resolve_bodies(project, files));
+  BodyPlaces places(project, input.bodies);
   std::vector<JsonValue> bodies;
-  for (std::size_t i = 0; i < project->bodies.size(); ++i) {
-    const ProjectBody& given = project->bodies[i];
+  for (std::size_t i = 0; i < project.bodies.size(); ++i) {
+    const ProjectBody& given = project.bodies[i];
     MeasureSet asked;
     if (given.mannequin) {
       if (const Result<MannequinSettings> settings = mannequin_settings(*given.mannequin))
@@ -284,7 +277,7 @@ Result<std::string> project_bodies_json(const std::string& document, const Proje
         {"mannequin", given.mannequin ? mannequin_json(*given.mannequin) : JsonValue()},
         {"friction", given.friction},
         {"skin_offset_mm", given.skin_offset_mm}};
-    for (JsonMember& member : shared_figures().get(input->bodies[i].mesh, asked)) {
+    for (JsonMember& member : shared_figures().get(input.bodies[i].mesh, asked)) {
       if (member.key == "landmarks" && !given.landmarks.empty())
         member.value = landmarks_json(given, places.landmarks_of(static_cast<Index>(i)));
       body.push_back(std::move(member));

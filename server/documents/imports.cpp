@@ -127,9 +127,8 @@ DxfDrawing without_faults(DxfDrawing drawing) {
 }
 
 Result<JsonValue> import_dxf(const std::string& bytes, const ImportWishes& wishes, const AssetRow& asset) {
-  const Result<DxfSettings> settings = settings_of(wishes);
-  if (!settings) return settings.error();
-  const Result<DxfDrawing> drawing = read_dxf(bytes, *settings);
+  const DxfSettings settings = TRY(settings_of(wishes));
+  const Result<DxfDrawing> drawing = read_dxf(bytes, settings);
   if (!drawing) return error_at(clipped(asset.name), drawing.error());
   std::optional<NewProject> made;
   const DxfDrawing good = without_faults(*drawing);
@@ -160,15 +159,13 @@ Result<JsonValue> import_specification(const std::string& bytes, const ImportWis
 
 Result<std::string> import_pattern(Store& store, const OwnerId& owner, const std::string& asset,
                                    const ImportWishes& wishes) {
-  const Result<AssetRow> row = store.asset(owner, asset);
-  if (!row) return row.error();
-  if (row->kind != "dxf" && row->kind != "specification") {
-    return Error{"documents.wrong_kind", in_quotes(row->name) + " is no pattern file", "/asset"};
+  const AssetRow row = TRY(store.asset(owner, asset));
+  if (row.kind != "dxf" && row.kind != "specification") {
+    return Error{"documents.wrong_kind", in_quotes(row.name) + " is no pattern file", "/asset"};
   }
-  const Result<std::string> bytes = store.asset_bytes(owner, asset);
-  if (!bytes) return bytes.error();
+  const std::string bytes = TRY(store.asset_bytes(owner, asset));
   const Result<JsonValue> report =
-      row->kind == "dxf" ? import_dxf(*bytes, wishes, *row) : import_specification(*bytes, wishes, *row);
+      row.kind == "dxf" ? import_dxf(bytes, wishes, row) : import_specification(bytes, wishes, row);
   if (!report) return report.error();
   return write_json_line(*report) + "\n";
 }

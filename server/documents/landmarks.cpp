@@ -66,33 +66,31 @@ Status check(const std::string& name, Vec3 place) {
 
 Result<ProjectRow> move_landmark(Store& store, const OwnerId& owner, const std::string& id,
                                  const std::string& body, const std::string& name, Vec3 place, int expected) {
-  if (Status s = check(name, place); !s) return s.error();
+  TRY(check(name, place));
   const ProjectChange change = [&](const Project& now, ProjectFileMap& files) -> Result<Project> {
-    const Result<std::size_t> b = index_of(now, body);
-    if (!b) return b.error();
+    const std::size_t b = TRY(index_of(now, body));
     const ProjectFiles read = files_in_store(store, owner, files);
-    const Result<DrapeInput> input = resolve_project(now, read);
-    if (!input) return input.error();
+    const DrapeInput input = TRY(resolve_project(now, read));
     // What stands before it in the document's list can tell it, and what the body has by itself.
     Project before = now;
-    std::vector<ProjectLandmark>& earlier = before.bodies[*b].landmarks;
+    std::vector<ProjectLandmark>& earlier = before.bodies[b].landmarks;
     earlier.erase(named(earlier, name), earlier.end());
-    BodyPlaces places(before, input->bodies);
-    const Result<std::vector<Landmark>>& known = places.landmarks_of(static_cast<Index>(*b));
+    BodyPlaces places(before, input.bodies);
+    const Result<std::vector<Landmark>>& known = places.landmarks_of(static_cast<Index>(b));
     if (!known) return known.error();
-    ProjectLandmark mark = told(name, place, input->bodies[*b].mesh, *known);
-    if (now.bodies[*b].mannequin && mark.triangle)
+    ProjectLandmark mark = told(name, place, input.bodies[b].mesh, *known);
+    if (now.bodies[b].mannequin && mark.triangle)
       return Error{"landmark.of_mannequin", "this body has no landmark from which another could be told",
                    name};
     Project wanted = now;
-    std::vector<ProjectLandmark>& list = wanted.bodies[*b].landmarks;
+    std::vector<ProjectLandmark>& list = wanted.bodies[b].landmarks;
     const auto at = named(list, name);
     if (at == list.end()) {
       list.push_back(std::move(mark));
     } else {
       *at = std::move(mark);
     }
-    if (const Result<DrapeInput> again = resolve_project(wanted, read); !again) return again.error();
+    TRY(resolve_project(wanted, read));
     return wanted;
   };
   return change_project(store, owner, id, expected, change);
@@ -101,17 +99,15 @@ Result<ProjectRow> move_landmark(Store& store, const OwnerId& owner, const std::
 Result<ProjectRow> forget_landmark(Store& store, const OwnerId& owner, const std::string& id,
                                    const std::string& body, const std::string& name, int expected) {
   const ProjectChange change = [&](const Project& now, ProjectFileMap& files) -> Result<Project> {
-    const Result<std::size_t> b = index_of(now, body);
-    if (!b) return b.error();
+    const std::size_t b = TRY(index_of(now, body));
     Project wanted = now;
-    std::vector<ProjectLandmark>& list = wanted.bodies[*b].landmarks;
+    std::vector<ProjectLandmark>& list = wanted.bodies[b].landmarks;
     const auto at = named(list, name);
     if (at == list.end())
       return Error{"edit.unknown_landmark", "The document says nothing of a landmark of that name.",
                    "landmark " + clipped(name)};
     list.erase(at);
-    const Result<DrapeInput> input = resolve_project(wanted, files_in_store(store, owner, files));
-    if (!input) return input.error();
+    TRY(resolve_project(wanted, files_in_store(store, owner, files)));
     return wanted;
   };
   return change_project(store, owner, id, expected, change);

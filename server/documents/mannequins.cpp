@@ -30,9 +30,8 @@ std::string key_of(const MannequinSettings& settings) {
 Result<std::shared_ptr<const Mannequin>> MannequinCache::get(const MannequinSettings& settings) {
   const std::string key = key_of(settings);
   if (std::shared_ptr<const Mannequin> kept = kept_.find(key)) return kept;
-  Result<Mannequin> made = make_mannequin(settings);
-  if (!made) return made.error();
-  auto figure = std::make_shared<const Mannequin>(std::move(*made));
+  Mannequin made = TRY(make_mannequin(settings));
+  auto figure = std::make_shared<const Mannequin>(std::move(made));
   kept_.keep(key, figure, 1);
   return std::shared_ptr<const Mannequin>(std::move(figure));
 }

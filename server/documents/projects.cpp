@@ -62,9 +62,8 @@ Error wrong_kind(const AssetRow& asset, const std::string& wanted, const std::st
 Status check_kinds(Store& store, const OwnerId& owner, const std::vector<UsedFile>& used,
                    const ProjectFileMap& files) {
   for (const UsedFile& file : used) {
-    const Result<AssetRow> asset = store.asset(owner, files.at(file.name));
-    if (!asset) return asset.error();
-    if (asset->kind != file.kind) return wrong_kind(*asset, file.kind, file.where);
+    const AssetRow asset = TRY(store.asset(owner, files.at(file.name)));
+    if (asset.kind != file.kind) return wrong_kind(asset, file.kind, file.where);
   }
   return {};
 }
@@ -72,16 +71,14 @@ Status check_kinds(Store& store, const OwnerId& owner, const std::vector<UsedFil
 /// A row of the document with its name, once a drape could be made of it.
 Result<ProjectRow> checked(Store& store, const OwnerId& owner, const std::string& document,
                            const ProjectFileMap& files) {
-  const Result<Project> project = parse_project(document);
-  if (!project) return project.error();
-  const std::vector<UsedFile> used = used_files(*project);
-  if (Status missing = check_missing(used, files); !missing) return missing.error();
-  if (Status assets = check_assets(store, owner, files); !assets) return assets.error();
-  if (Status kinds = check_kinds(store, owner, used, files); !kinds) return kinds.error();
-  const Result<DrapeInput> input = resolve_project(*project, files_in_store(store, owner, files));
-  if (!input) return input.error();
+  const Project project = TRY(parse_project(document));
+  const std::vector<UsedFile> used = used_files(project);
+  TRY(check_missing(used, files));
+  TRY(check_assets(store, owner, files));
+  TRY(check_kinds(store, owner, used, files));
+  TRY(resolve_project(project, files_in_store(store, owner, files)));
   ProjectRow row;
-  row.name = project->name;
+  row.name = project.name;
   row.document = document;
   row.files = files;
   return row;
@@ -98,19 +95,17 @@ Result<std::string> asset_id_of(const ProjectFileMap& files, const std::string& 
 
 Result<Made<ProjectRow>> create_project(Store& store, const OwnerId& owner, const std::string& document,
                                         const ProjectFileMap& files, const std::string& idempotency_key) {
-  Result<ProjectRow> row = checked(store, owner, document, files);
-  if (!row) return row.error();
-  return store.create_project(owner, std::move(*row), idempotency_key);
+  ProjectRow row = TRY(checked(store, owner, document, files));
+  return store.create_project(owner, std::move(row), idempotency_key);
 }
 
 Result<ProjectRow> replace_project(Store& store, const OwnerId& owner, const std::string& id,
                                    const std::string& document, const ProjectFileMap& files, int expected) {
   const Result<ProjectRow> there = store.project(owner, id);  // before any work is done for it
   if (!there) return there;
-  Result<ProjectRow> row = checked(store, owner, document, files);
-  if (!row) return row;
-  row->id = id;
-  return store.replace_project(owner, *row, expected);
+  ProjectRow row = TRY(checked(store, owner, document, files));
+  row.id = id;
+  return store.replace_project(owner, row, expected);
 }
 
 Status check_more_files(Store& store, const OwnerId& owner, const ProjectFileMap& has,
@@ -130,7 +125,7 @@ Status check_more_files(Store& store, const OwnerId& owner, const ProjectFileMap
 Status check_image(Store& store, const OwnerId& owner, const ProjectFileMap& files, const std::string& name,
                    const std::string& where) {
   const std::vector<UsedFile> used{{name, "image", where}};
-  if (Status missing = check_missing(used, files); !missing) return missing;
+  TRY(check_missing(used, files));
   return check_kinds(store, owner, used, files);
 }
 
@@ -139,29 +134,24 @@ ProjectFiles files_in_store(Store& store, const OwnerId& owner, ProjectFileMap f
   ProjectFiles out;
   const auto bytes_of = [&store, owner, map](const char* kind) {
     return [&store, owner, map, kind](const std::string& name) -> Result<std::string> {
-      const Result<std::string> id = asset_id_of(*map, name);
-      if (!id) return id.error();
-      const Result<AssetRow> asset = store.asset(owner, *id);
-      if (!asset) return asset.error();
-      if (asset->kind != kind) return wrong_kind(*asset, kind, "");
-      return store.asset_bytes(owner, *id);
+      const std::string id = TRY(asset_id_of(*map, name));
+      const AssetRow asset = TRY(store.asset(owner, id));
+      if (asset.kind != kind) return wrong_kind(asset, kind, "");
+      return store.asset_bytes(owner, id);
     };
   };
   out.dxf_text = bytes_of("dxf");
   out.image_bytes = bytes_of("image");
   out.body_mesh = [&store, owner, map](const std::string& name,
                                        const MeshSettings& settings) -> Result<RepairedMesh> {
-    const Result<std::string> id = asset_id_of(*map, name);
-    if (!id) return id.error();
-    const Result<std::shared_ptr<const RepairedMesh>> mesh =
-        shared_bodies().mesh(store, owner, *id, settings);
+    const std::string id = TRY(asset_id_of(*map, name));
+    const Result<std::shared_ptr<const RepairedMesh>> mesh = shared_bodies().mesh(store, owner, id, settings);
     if (!mesh) return mesh.error();
     return **mesh;
   };
   out.mannequin = [](const MannequinSettings& settings) -> Result<TriangleMesh> {
-    const Result<std::shared_ptr<const Mannequin>> made = shared_mannequins().get(settings);
-    if (!made) return made.error();
-    return (*made)->mesh;
+    const std::shared_ptr<const Mannequin> made = TRY(shared_mannequins().get(settings));
+    return made->mesh;
   };
   return out;
 }

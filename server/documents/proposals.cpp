@@ -11,14 +11,12 @@
 namespace toile {
 
 Result<std::string> proposals_json(const std::string& document, const ProjectFiles& files) {
-  Result<Project> project = parse_project(document);
-  if (!project) return project.error();
-  *project = without_bodies(std::move(*project));  // they take long to make, and say nothing of seams
-  const Result<DrapeInput> input = resolve_project(*project, files);
-  if (!input) return input.error();
+  Project project = TRY(parse_project(document));
+  project = without_bodies(std::move(project));  // they take long to make, and say nothing of seams
+  const DrapeInput input = TRY(resolve_project(project, files));
   std::vector<JsonValue> proposals;
-  for (const SeamProposal& proposal : propose_seams(input->pattern))
-    proposals.push_back(proposal_json(input->pattern, proposal));
+  for (const SeamProposal& proposal : propose_seams(input.pattern))
+    proposals.push_back(proposal_json(input.pattern, proposal));
   return write_json_line(std::vector<JsonMember>{{"proposals", std::move(proposals)}}) + "\n";
 }
 

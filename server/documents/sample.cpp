@@ -29,47 +29,38 @@ Result<std::optional<std::string>> added_before(Store& store, const OwnerId& own
   constexpr int kPage = 100;
   std::string cursor;
   for (;;) {
-    const Result<std::vector<ProjectRow>> page = store.projects(owner, cursor, kPage);
-    if (!page) return page.error();
-    for (const ProjectRow& row : *page) {
+    const std::vector<ProjectRow> page = TRY(store.projects(owner, cursor, kPage));
+    for (const ProjectRow& row : page) {
       if (row.document == document) return std::optional(row.id);
     }
-    if (page->size() < kPage) return std::optional<std::string>();
-    cursor = page->back().id;
+    if (page.size() < kPage) return std::optional<std::string>();
+    cursor = page.back().id;
   }
 }
 
 Result<std::string> add(Store& store, const OwnerId& owner, const std::filesystem::path& folder,
                         const std::string& document) {
-  const Result<Project> project = parse_project(document);
-  if (!project) return project.error();
+  const Project project = TRY(parse_project(document));
   ProjectFileMap files;
-  for (const UsedFile& used : used_files(*project)) {
+  for (const UsedFile& used : used_files(project)) {
     if (files.contains(used.name)) continue;
-    const Result<std::string> bytes = read_file(folder / used.name);
-    if (!bytes) return bytes.error();
+    const std::string bytes = TRY(read_file(folder / used.name));
     const std::string name = std::filesystem::path(used.name).filename().string();
-    const Result<AssetRow> asset = add_asset(store, owner, used.kind, name, *bytes);
-    if (!asset) return asset.error();
-    files[used.name] = asset->id;
+    const AssetRow asset = TRY(add_asset(store, owner, used.kind, name, bytes));
+    files[used.name] = asset.id;
   }
-  const Result<Made<ProjectRow>> row = create_project(store, owner, document, files);
-  if (!row) return row.error();
-  return row->id;
+  const Made<ProjectRow> row = TRY(create_project(store, owner, document, files));
+  return row.id;
 }
 
 }  // namespace
 
 Status add_sample_project(Store& store, const OwnerId& owner, const std::filesystem::path& folder) {
-  const Result<std::optional<std::string>> known = store.get_setting(owner, kSampleSetting);
-  if (!known) return known.error();
-  if (*known) return {};
-  const Result<std::string> document = read_project_text(folder / "project.json");
-  if (!document) return document.error();
-  const Result<std::optional<std::string>> before = added_before(store, owner, *document);
-  if (!before) return before.error();
-  const Result<std::string> id =
-      *before ? Result<std::string>(**before) : add(store, owner, folder, *document);
+  const std::optional<std::string> known = TRY(store.get_setting(owner, kSampleSetting));
+  if (known) return {};
+  const std::string document = TRY(read_project_text(folder / "project.json"));
+  const std::optional<std::string> before = TRY(added_before(store, owner, document));
+  const Result<std::string> id = before ? Result<std::string>(*before) : add(store, owner, folder, document);
   if (!id) return id.error();
   return store.put_setting(owner, kSampleSetting, *id);
 }

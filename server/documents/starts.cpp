@@ -85,13 +85,10 @@ std::string check_of(const Project& project, const DrapeInput& input, const Drap
 }
 
 Result<StartView> make_view(Store& store, const OwnerId& owner, const ProjectRow& row) {
-  const Result<Project> project = parse_project(row.document);
-  if (!project) return project.error();
-  const Result<DrapeInput> input = resolve_project(*project, files_in_store(store, owner, row.files));
-  if (!input) return input.error();
-  const Result<DrapeStart> start = prepare_start(*input, {});
-  if (!start) return start.error();
-  return StartView{check_of(*project, *input, *start), geometry_of(*input, start->assembly)};
+  const Project project = TRY(parse_project(row.document));
+  const DrapeInput input = TRY(resolve_project(project, files_in_store(store, owner, row.files)));
+  const DrapeStart start = TRY(prepare_start(input, {}));
+  return StartView{check_of(project, input, start), geometry_of(input, start.assembly)};
 }
 
 std::string key_of(const OwnerId& owner, const ProjectRow& row) {
@@ -110,9 +107,8 @@ Result<std::shared_ptr<const StartView>> StartCache::get(Store& store, const Own
                                                          const ProjectRow& project) {
   const std::string key = key_of(owner, project);
   if (std::shared_ptr<const StartView> kept = kept_.find(key)) return kept;
-  Result<StartView> made = make_view(store, owner, project);
-  if (!made) return made.error();
-  auto view = std::make_shared<const StartView>(std::move(*made));
+  StartView made = TRY(make_view(store, owner, project));
+  auto view = std::make_shared<const StartView>(std::move(made));
   kept_.keep(key, view, bytes_of(key, *view));
   return std::shared_ptr<const StartView>(std::move(view));
 }

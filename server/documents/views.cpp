@@ -131,12 +131,10 @@ struct Read {
 
 /// Bodies take long to make; a drawing of the pieces does without.
 Result<Read> read(const std::string& document, const ProjectFiles& files, bool with_bodies) {
-  Result<Project> project = parse_project(document);
-  if (!project) return project.error();
-  if (!with_bodies) *project = without_bodies(std::move(*project));
-  Result<DrapeInput> input = resolve_project(*project, files);
-  if (!input) return input.error();
-  return Read{std::move(*project), std::move(*input)};
+  Project project = TRY(parse_project(document));
+  if (!with_bodies) project = without_bodies(std::move(project));
+  DrapeInput input = TRY(resolve_project(project, files));
+  return Read{std::move(project), std::move(input)};
 }
 
 void put(std::string& out, std::uint32_t word) {
@@ -150,17 +148,16 @@ void put(std::string& out, double value) {
 }  // namespace
 
 Result<std::string> pieces_json(const std::string& document, const ProjectFiles& files) {
-  const Result<Read> read_in = read(document, files, false);
-  if (!read_in) return read_in.error();
-  const DrapeInput& input = read_in->input;
+  const Read read_in = TRY(read(document, files, false));
+  const DrapeInput& input = read_in.input;
   std::vector<JsonValue> pieces, seams;
   for (std::size_t i = 0; i < input.pattern.panels.size(); ++i) {
     const auto fabric = static_cast<std::size_t>(input.fabric_of_panel[i]);
-    pieces.push_back(piece_json(input.pattern.panels[i], read_in->project.pieces[i], input.fabrics[fabric]));
+    pieces.push_back(piece_json(input.pattern.panels[i], read_in.project.pieces[i], input.fabrics[fabric]));
   }
   const std::vector<SeamIssue> issues = check_seams(input.pattern);
   for (std::size_t i = 0; i < input.pattern.seams.size(); ++i) {
-    seams.push_back(seam_json(input.pattern, input.pattern.seams[i], read_in->project.seams[i], issues));
+    seams.push_back(seam_json(input.pattern, input.pattern.seams[i], read_in.project.seams[i], issues));
   }
   return write_json_line(
              std::vector<JsonMember>{{"pieces", std::move(pieces)}, {"seams", std::move(seams)}}) +
@@ -168,10 +165,9 @@ Result<std::string> pieces_json(const std::string& document, const ProjectFiles&
 }
 
 Result<std::string> body_bytes(const std::string& document, const ProjectFiles& files) {
-  const Result<Read> read_in = read(document, files, true);
-  if (!read_in) return read_in.error();
+  const Read read_in = TRY(read(document, files, true));
   std::size_t vertices = 0, triangles = 0;
-  for (const Body& body : read_in->input.bodies) {
+  for (const Body& body : read_in.input.bodies) {
     vertices += body.mesh.vertices.size();
     triangles += body.mesh.triangles.size();
   }
@@ -179,11 +175,11 @@ Result<std::string> body_bytes(const std::string& document, const ProjectFiles& 
   out.reserve(8 + 12 * (vertices + triangles));
   put(out, static_cast<std::uint32_t>(vertices));
   put(out, static_cast<std::uint32_t>(triangles));
-  for (const Body& body : read_in->input.bodies) {
+  for (const Body& body : read_in.input.bodies) {
     for (const Vec3 p : body.mesh.vertices) put(out, p.x), put(out, p.y), put(out, p.z);
   }
   std::uint32_t first = 0;
-  for (const Body& body : read_in->input.bodies) {
+  for (const Body& body : read_in.input.bodies) {
     for (const Tri& triangle : body.mesh.triangles) {
       for (const Index corner : triangle) put(out, first + static_cast<std::uint32_t>(corner));
     }

@@ -43,7 +43,7 @@ class HttpServer::Impl {
   }
 
   Status start() {
-    if (Status open = listener_.open(settings_.address, settings_.port); !open) return open;
+    TRY(listener_.open(settings_.address, settings_.port));
     listener_.start();
     for (int i = 0; i < settings_.io_threads; ++i) {
       threads_.emplace_back([this] { io_.run(); });

@@ -8,16 +8,14 @@ namespace toile {
 
 Result<DrapeInput> drape_input_of(Store& store, const OwnerId& owner, const std::string& document,
                                   const std::map<std::string, std::string>& files) {
-  const Result<Project> project = parse_project(document);
-  if (!project) return project.error();
-  return resolve_project(*project, files_in_store(store, owner, files));
+  const Project project = TRY(parse_project(document));
+  return resolve_project(project, files_in_store(store, owner, files));
 }
 
 Result<Textures> textures_of(Store& store, const OwnerId& owner, const std::string& document,
                              const std::map<std::string, std::string>& files, const Pattern& pattern) {
-  const Result<Project> project = parse_project(document);
-  if (!project) return project.error();
-  return read_textures(*project, pattern, files_in_store(store, owner, files));
+  const Project project = TRY(parse_project(document));
+  return read_textures(project, pattern, files_in_store(store, owner, files));
 }
 
 }  // namespace toile

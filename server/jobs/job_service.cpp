@@ -78,11 +78,10 @@ class QueueingJobService final : public JobService {
 
 /// Why a job that is not in the table, or in a closed one, cannot change.
 Error QueueingJobService::refusal(const OwnerId& owner, const std::string& id, JobEvent event) {
-  const Result<JobRow> row = store_.job(owner, id);
-  if (!row) return row.error();
-  const std::optional<JobState> state = job_state_from(row->state);
+  const JobRow row = TRY(store_.job(owner, id));
+  const std::optional<JobState> state = job_state_from(row.state);
   if (!state) return {"jobs.state", "the job is in a state that this version does not know", ""};
-  if (const Result<JobTransition> next = next_state(*state, event); !next) return next.error();
+  TRY(next_state(*state, event));
   return {"jobs.stopped", "the server takes no jobs up just now; try again when it has started", ""};
 }
 
@@ -102,7 +101,7 @@ Result<JobRow> QueueingJobService::on_request(const OwnerId& owner, const std::s
   if (event == JobEvent::kPause) {
     if (Status room = check_parking(changing, *job); !room) return room.error();
   }
-  if (Status changed = table_.change(changing, *job, event, edit); !changed) return changed.error();
+  TRY(table_.change(changing, *job, event, edit));
   if (job->held) return job->row;  // the worker tells when it lets go
   table_.announce(changing, *job);
   if (is_terminal(job->state)) {
@@ -131,47 +130,40 @@ Status QueueingJobService::check_queue() const {
 
 /// A drape of the project as it is now, once it is known that one can be made.
 Result<JobRow> QueueingJobService::row_of_drape(const OwnerId& owner, const std::string& project_id) {
-  const Result<ProjectRow> project = store_.project(owner, project_id);
-  if (!project) return project.error();
-  if (const auto input = drape_input_of(store_, owner, project->document, project->files); !input) {
-    return input.error();
-  }
+  const ProjectRow project = TRY(store_.project(owner, project_id));
+  TRY(drape_input_of(store_, owner, project.document, project.files));
   JobRow row;
-  row.project_id = project->id;
-  row.project_revision = project->revision;
-  row.name = project->name;
-  row.document = project->document;
-  row.files = project->files;
+  row.project_id = project.id;
+  row.project_revision = project.revision;
+  row.name = project.name;
+  row.document = project.document;
+  row.files = project.files;
   return row;
 }
 
 Result<Made<JobRow>> QueueingJobService::submit(const OwnerId& owner, const std::string& project_id,
                                                 const std::string& idempotency_key) {
-  Result<std::optional<JobRow>> before = store_.job_of_key(owner, idempotency_key);
-  if (!before) return before.error();
-  if (*before && (*before)->project_id == project_id) {
-    return Made<JobRow>{without_document(std::move(**before)), false};
+  std::optional<JobRow> before = TRY(store_.job_of_key(owner, idempotency_key));
+  if (before && before->project_id == project_id) {
+    return Made<JobRow>{without_document(std::move(*before)), false};
   }
-  if (Status room = check_queue(); !room) return room.error();
-  Result<JobRow> row = row_of_drape(owner, project_id);
-  if (!row) return row.error();
+  TRY(check_queue());
+  JobRow row = TRY(row_of_drape(owner, project_id));
 
   const Changing changing = table_.changing();
-  if (Status room = check_queue(); !room) return room.error();  // others came while the document was read
-  const Result<Made<JobRow>> made = store_.create_job(owner, std::move(*row), idempotency_key);
-  if (!made) return made.error();
-  if (made->anew) {
-    const LiveJobPtr job = table_.insert(changing, owner, *made, JobState::kQueued);
+  TRY(check_queue());  // others came while the document was read
+  const Made<JobRow> made = TRY(store_.create_job(owner, std::move(row), idempotency_key));
+  if (made.anew) {
+    const LiveJobPtr job = table_.insert(changing, owner, made, JobState::kQueued);
     if (job) table_.announce(changing, *job);
   }
-  return Made<JobRow>{without_document(*made), made->anew};
+  return Made<JobRow>{without_document(made), made.anew};
 }
 
 Result<JobProgress> QueueingJobService::progress(const OwnerId& owner, const std::string& id) {
   if (const LiveJobPtr job = table_.find(owner, id)) return table_.progress(*job);
-  const Result<JobRow> row = store_.job(owner, id);
-  if (!row) return row.error();
-  return progress_of_row(*row);
+  const JobRow row = TRY(store_.job(owner, id));
+  return progress_of_row(row);
 }
 
 // --- Start and stop ---------------------------------------------------------------------------------------
@@ -179,7 +171,7 @@ Result<JobProgress> QueueingJobService::progress(const OwnerId& owner, const std
 Status QueueingJobService::start() {
   const std::lock_guard life(lifecycle_mutex_);
   if (pool_) return {};
-  if (Status taken = take_up_all(); !taken) return taken;
+  TRY(take_up_all());
   renderer_ = std::make_unique<RenderWorker>();
   pool_ = std::make_unique<WorkerPool>(std::max(1, settings_.workers), [this] { return work_once(); });
   return {};
@@ -187,13 +179,12 @@ Status QueueingJobService::start() {
 
 Status QueueingJobService::take_up_all() {
   const Changing changing = table_.changing();
-  Result<std::vector<Store::OwnedJob>> found = store_.unfinished_jobs();
-  if (!found) return found.error();
-  std::stable_sort(found->begin(), found->end(), [](const auto& a, const auto& b) {
+  std::vector<Store::OwnedJob> found = TRY(store_.unfinished_jobs());
+  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
     return std::pair(a.job.created_ms, a.job.id) < std::pair(b.job.created_ms, b.job.id);
   });
   table_.open(changing);
-  for (const Store::OwnedJob& job : *found) {
+  for (const Store::OwnedJob& job : found) {
     Status taken = take_up(changing, job);
     if (taken) continue;
     table_.close(changing);
@@ -218,10 +209,7 @@ Status QueueingJobService::take_up(const Changing& changing, const Store::OwnedJ
   }
   const std::string reason =
       "the server broke down " + std::to_string(found.job.attempt) + " times while this was draped";
-  if (Status failed = table_.change(changing, *job, JobEvent::kFail, with_reason("jobs.attempts", reason));
-      !failed) {
-    return failed;
-  }
+  TRY(table_.change(changing, *job, JobEvent::kFail, with_reason("jobs.attempts", reason)));
   forget_checkpoint(*job);
   table_.announce(changing, *job);
   table_.remove(changing, job);

@@ -24,22 +24,21 @@ RowEdit with_reason(std::string code, std::string reason, std::string where) {
 }
 
 Status JobTable::change(const Changing&, LiveJob& job, JobEvent event, const RowEdit& edit) {
-  const Result<JobTransition> next = next_state(job.state, event);
-  if (!next) return next.error();
+  const JobTransition next = TRY(next_state(job.state, event));
   JobRow row = job.row;
-  row.state = name_of(next->state);
-  if (is_terminal(next->state)) row.ended_ms = unix_ms();
+  row.state = name_of(next.state);
+  if (is_terminal(next.state)) row.ended_ms = unix_ms();
   if (edit) edit(row);
-  if (next->effects.persist) {
+  if (next.effects.persist) {
     if (Status written = store_.update_job(job.owner, row); !written) return written;
   }
   {
     const std::lock_guard lock(mutex_);
     job.row = std::move(row);
-    job.state = next->state;
-    queue_.put(job.id, next->effects.queue);
-    if (next->effects.interrupt) job.interrupt.store(true, std::memory_order_relaxed);
-    if (next->effects.ends) count_end(job.state);
+    job.state = next.state;
+    queue_.put(job.id, next.effects.queue);
+    if (next.effects.interrupt) job.interrupt.store(true, std::memory_order_relaxed);
+    if (next.effects.ends) count_end(job.state);
   }
   bell_.notify_all();
   return {};

@@ -44,9 +44,8 @@ Scene scene_of(const DrapeInput& input, const DrapeResult& result, const Texture
 }
 
 Status write_view(const Scene& scene, View view, const StillSettings& settings, const fs::path& path) {
-  const Result<Image> image = render_still(scene, view, settings);
-  if (!image) return image.error();
-  return write_png(path, *image);
+  const Image image = TRY(render_still(scene, view, settings));
+  return write_png(path, image);
 }
 
 Result<std::string> bytes_of(const fs::path& path) {
@@ -63,9 +62,8 @@ Status write_models(const DrapeInput& input, const DrapeResult& result, const Te
   const GarmentMesh& garment = result.garment;
   const std::vector<std::string> names = panel_names(input.pattern);
   const ObjPanels panels{names, garment.panel_of_triangle, garment.rest};
-  Status objects = check_data ? write_check_data(folder, garment, result.positions, input.bodies, panels)
-                              : write_obj(folder / "final.obj", result.positions, garment.triangles, panels);
-  if (!objects) return objects;
+  TRY(check_data ? write_check_data(folder, garment, result.positions, input.bodies, panels)
+                 : write_obj(folder / "final.obj", result.positions, garment.triangles, panels));
   GlbModel model;
   model.garment = &garment;
   model.positions = result.positions;
@@ -85,9 +83,7 @@ Status write_stills(const DrapeInput& input, const DrapeResult& result, const Te
        {std::pair{View::kFront, "front"}, std::pair{View::kBack, "back"}, std::pair{View::kSide, "side"},
         std::pair{View::kThreeQuarter, "three-quarter"}}) {
     if (context.cancelled()) return Error{"cancelled", "the pictures are not wanted any more", ""};
-    if (Status drawn = write_view(scene, view, settings, folder / (std::string(name) + ".png")); !drawn) {
-      return drawn;
-    }
+    TRY(write_view(scene, view, settings, folder / (std::string(name) + ".png")));
   }
   return {};
 }
@@ -122,10 +118,9 @@ Result<std::map<std::string, std::int64_t>> keep_results(Store& store, const Own
   if (failure) return Error{"export.read", "cannot list the results: " + failure.message(), folder.string()};
   std::map<std::string, std::int64_t> sizes;
   for (const auto& [name, path] : files) {
-    const Result<std::string> bytes = bytes_of(path);
-    if (!bytes) return bytes.error();
-    if (Status kept = store.put_result(owner, job_id, name, *bytes); !kept) return kept.error();
-    sizes[name] = static_cast<std::int64_t>(bytes->size());
+    const std::string bytes = TRY(bytes_of(path));
+    TRY(store.put_result(owner, job_id, name, bytes));
+    sizes[name] = static_cast<std::int64_t>(bytes.size());
   }
   return sizes;
 }

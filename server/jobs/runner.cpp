@@ -106,17 +106,14 @@ RunContext JobRun::context_of(const RunControl& control) {
 Status JobRun::begin(const RunControl& control) {
   tell(control, "mesh", 0);
   if (!input_) {
-    const Result<JobRow> row = place_.store->job(owner_, job_id_);
-    if (!row) return row.error();
-    Result<DrapeInput> input = drape_input_of(*place_.store, owner_, row->document, row->files);
-    if (!input) return input.error();
-    input_ = std::make_shared<const DrapeInput>(std::move(*input));
+    const JobRow row = TRY(place_.store->job(owner_, job_id_));
+    DrapeInput input = TRY(drape_input_of(*place_.store, owner_, row.document, row.files));
+    input_ = std::make_shared<const DrapeInput>(std::move(input));
   }
   RunContext context = context_of(control);
   context.on_progress = [&](const Progress& p) { tell(control, "mesh", p.phase == "mesh" ? p.fraction : 1); };
-  Result<std::unique_ptr<DrapeRun>> run = start_or_resume(context);
-  if (!run) return run.error();
-  run_ = std::move(*run);
+  std::unique_ptr<DrapeRun> run = TRY(start_or_resume(context));
+  run_ = std::move(run);
   const DrapeSession& session = run_->session();
   progress_.first_step = checkpoint_step_ = session.steps();
   next_checkpoint_ = later(place_.checkpoint_every);
@@ -199,20 +196,18 @@ void JobRun::tell(const RunControl& control, std::string_view phase, double frac
 }
 
 Result<Textures> JobRun::read_pictures() {
-  const Result<JobRow> row = place_.store->job(owner_, job_id_);
-  if (!row) return row.error();
-  return textures_of(*place_.store, owner_, row->document, row->files, input_->pattern);
+  const JobRow row = TRY(place_.store->job(owner_, job_id_));
+  return textures_of(*place_.store, owner_, row.document, row.files, input_->pattern);
 }
 
 /// Results first: the state that names them is written by whoever gets the end.
 Result<RunEnd> JobRun::deliver(const RunControl& control) {
   tell(control, "stills", 0);
-  Result<std::unique_ptr<TemporaryFolder>> folder = TemporaryFolder::make(place_.store->scratch_folder());
-  if (!folder) return folder.error();
+  std::unique_ptr<TemporaryFolder> folder = TRY(TemporaryFolder::make(place_.store->scratch_folder()));
   auto delivery = std::make_shared<Delivery>();
   delivery->input = input_;
   delivery->result = result_;
-  delivery->folder = std::move(*folder);
+  delivery->folder = std::move(folder);
   const std::filesystem::path& path = delivery->folder->path();
 
   RunEnd end = verdict_on(*input_, *result_);
@@ -222,16 +217,14 @@ Result<RunEnd> JobRun::deliver(const RunControl& control) {
   } else {  // the drape is worth keeping without them
     end.reason += "; it is shown without the pictures on its pieces: " + textures.error().message;
   }
-  const Status models = write_models(*input_, *result_, delivery->textures, path, true);
-  if (!models) return models.error();
-  if (Status report = write_file(path / "report.json", end.report); !report) return report.error();
+  TRY(write_models(*input_, *result_, delivery->textures, path, true));
+  TRY(write_file(path / "report.json", end.report));
   if (Status stills = draw(place_, control, delivery); !stills) {
     if (stills.error().code == "render.given_up") return stills.error();
     end.reason += "; there are no pictures of it: " + stills.error().message;  // the drape is worth keeping
   }
-  auto results = keep_results(*place_.store, owner_, job_id_, path);
-  if (!results) return results.error();
-  end.results = std::move(*results);
+  auto results = TRY(keep_results(*place_.store, owner_, job_id_, path));
+  end.results = std::move(results);
   tell(control, "stills", 1);
   return end;
 }

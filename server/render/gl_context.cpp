@@ -44,7 +44,7 @@ class OsMesaContext : public GlContext {
                           0};
     context_ = OSMesaCreateContextAttribs(wanted, nullptr);
     if (context_ == nullptr) return no_context("no OpenGL context could be made");
-    if (Status s = make_current(); !s.ok()) return s;
+    TRY(make_current());
     return load_functions();
   }
 
@@ -74,7 +74,7 @@ class OsMesaContext : public GlContext {
 
 Result<std::unique_ptr<GlContext>> GlContext::create() {
   auto context = std::make_unique<OsMesaContext>();
-  if (Status s = context->open(); !s.ok()) return s.error();
+  TRY(context->open());
   return std::unique_ptr<GlContext>(std::move(context));
 }
 

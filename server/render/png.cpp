@@ -12,9 +12,8 @@ Result<std::string> png_bytes(const Image& image) {
 }
 
 Status write_png(const std::filesystem::path& path, const Image& image) {
-  const Result<std::string> bytes = png_bytes(image);
-  if (!bytes.ok()) return bytes.error();
-  return write_file(path, *bytes);
+  const std::string bytes = TRY(png_bytes(image));
+  return write_file(path, bytes);
 }
 
 }  // namespace toile

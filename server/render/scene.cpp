@@ -41,8 +41,8 @@ Error bad_length(const std::string& which) {
 
 Status check_cloth(const ClothView& cloth) {
   const std::size_t count = cloth.positions.size();
-  if (Status bad = check_points(cloth.positions, "cloth"); !bad.ok()) return bad;
-  if (Status bad = check_triangles(cloth.triangles, count, "cloth"); !bad.ok()) return bad;
+  TRY(check_points(cloth.positions, "cloth"));
+  TRY(check_triangles(cloth.triangles, count, "cloth"));
   if (!cloth.weld.empty() && cloth.weld.size() != count) return bad_length("weld");
   if (!cloth.rest.empty() && cloth.rest.size() != count) return bad_length("rest");
   if (!cloth.panel_of_triangle.empty() && cloth.panel_of_triangle.size() != cloth.triangles.size()) {
@@ -117,13 +117,13 @@ double floor_height(const Scene& scene) {
 }
 
 Status check_scene(const Scene& scene) {
-  if (Status bad = check_cloth(scene.cloth); !bad.ok()) return bad;
-  if (Status bad = check_textures(scene.cloth); !bad.ok()) return bad;
+  TRY(check_cloth(scene.cloth));
+  TRY(check_textures(scene.cloth));
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const std::string owner = "body " + std::to_string(b);
     const TriangleMesh* mesh = scene.bodies[b].mesh;
     if (mesh == nullptr) return Error{"render.bad_scene", "a body has no mesh", owner};
-    if (Status bad = check_points(mesh->vertices, owner); !bad.ok()) return bad;
+    TRY(check_points(mesh->vertices, owner));
     if (Status bad = check_triangles(mesh->triangles, mesh->vertices.size(), owner); !bad.ok()) return bad;
   }
   if (scene.floor && !(std::abs(*scene.floor) <= kFarthest)) {

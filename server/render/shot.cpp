@@ -111,19 +111,16 @@ Result<Programs> Programs::link(const GlFunctions& gl) {
   Result<GlProgram> depth =
       GlProgram::link(gl, {s::kVersion, s::kDepthVertex}, {s::kVersion, s::kDepthFragment});
   if (!depth.ok()) return depth.error();
-  Result<GlProgram> cloth = GlProgram::link(gl, {s::kVersion, kCloth, s::kSky, s::kSurfaceVertex},
-                                            {s::kVersion, kCloth, s::kStudio, s::kSurfaceFragment});
-  if (!cloth.ok()) return cloth.error();
-  Result<GlProgram> body = GlProgram::link(gl, {s::kVersion, kBody, s::kSky, s::kSurfaceVertex},
-                                           {s::kVersion, kBody, s::kStudio, s::kSurfaceFragment});
-  if (!body.ok()) return body.error();
-  Result<GlProgram> ground = GlProgram::link(gl, {s::kVersion, s::kSky, s::kGroundVertex},
-                                             {s::kVersion, s::kStudio, s::kGroundFragment});
-  if (!ground.ok()) return ground.error();
+  GlProgram cloth = TRY(GlProgram::link(gl, {s::kVersion, kCloth, s::kSky, s::kSurfaceVertex},
+                                        {s::kVersion, kCloth, s::kStudio, s::kSurfaceFragment}));
+  GlProgram body = TRY(GlProgram::link(gl, {s::kVersion, kBody, s::kSky, s::kSurfaceVertex},
+                                       {s::kVersion, kBody, s::kStudio, s::kSurfaceFragment}));
+  GlProgram ground = TRY(GlProgram::link(gl, {s::kVersion, s::kSky, s::kGroundVertex},
+                                         {s::kVersion, s::kStudio, s::kGroundFragment}));
   Result<GlProgram> backdrop =
       GlProgram::link(gl, {s::kVersion, s::kBackdropVertex}, {s::kVersion, s::kStudio, s::kBackdropFragment});
   if (!backdrop.ok()) return backdrop.error();
-  return Programs{std::move(*depth), std::move(*cloth), std::move(*body), std::move(*ground),
+  return Programs{std::move(*depth), std::move(cloth), std::move(body), std::move(ground),
                   std::move(*backdrop)};
 }
 

@@ -56,43 +56,39 @@ StillRenderer::~StillRenderer() {
 }
 
 Result<std::unique_ptr<StillRenderer>> StillRenderer::create() {
-  Result<std::unique_ptr<GlContext>> context = GlContext::create();
-  if (!context.ok()) return context.error();
-  const GlFunctions& gl = (*context)->gl();
-  Result<Programs> programs = Programs::link(gl);
-  if (!programs.ok()) return programs.error();
+  std::unique_ptr<GlContext> context = TRY(GlContext::create());
+  const GlFunctions& gl = context->gl();
+  Programs programs = TRY(Programs::link(gl));
   GLint most = 1;
   gl.GetIntegerv(GL_MAX_SAMPLES, &most);
-  auto parts = std::make_unique<Parts>(Parts{std::move(*context), std::move(*programs), most});
+  auto parts = std::make_unique<Parts>(Parts{std::move(context), std::move(programs), most});
   return std::unique_ptr<StillRenderer>(new StillRenderer(std::move(parts)));
 }
 
 Result<Image> StillRenderer::render(const Scene& scene, View view, const StillSettings& settings) {
-  if (Status bad = check_settings(settings); !bad.ok()) return bad.error();
-  if (Status bad = check_scene(scene); !bad.ok()) return bad.error();
+  TRY(check_settings(settings));
+  TRY(check_scene(scene));
   return render(scene, frame_scene(scene, view, static_cast<double>(settings.width) / settings.height),
                 settings);
 }
 
 Result<Image> StillRenderer::render(const Scene& scene, const Camera& camera, const StillSettings& settings) {
-  if (Status bad = check_settings(settings); !bad.ok()) return bad.error();
-  if (Status bad = check_scene(scene); !bad.ok()) return bad.error();
-  if (Status bad = parts_->context->make_current(); !bad.ok()) return bad.error();
+  TRY(check_settings(settings));
+  TRY(check_scene(scene));
+  TRY(parts_->context->make_current());
   // Four samples more than OpenGL has are two by two pixels each.
   const int factor = settings.samples > parts_->most_samples ? 2 : 1;
   const int samples = std::clamp(settings.samples / (factor * factor), 1, parts_->most_samples);
   Shot shot(parts_->context->gl(), parts_->programs, scene, camera);
-  const auto rgba = shot.take(settings.width * factor, settings.height * factor, samples);
-  if (!rgba.ok()) return rgba.error();
-  return reduced(*rgba, settings.width, settings.height, factor);
+  const auto rgba = TRY(shot.take(settings.width * factor, settings.height * factor, samples));
+  return reduced(rgba, settings.width, settings.height, factor);
 }
 
 Result<Image> render_still(const Scene& scene, View view, const StillSettings& settings) {
   thread_local std::unique_ptr<StillRenderer> kept;
   if (kept == nullptr) {
-    Result<std::unique_ptr<StillRenderer>> made = StillRenderer::create();
-    if (!made.ok()) return made.error();
-    kept = std::move(*made);
+    std::unique_ptr<StillRenderer> made = TRY(StillRenderer::create());
+    kept = std::move(made);
   }
   return kept->render(scene, view, settings);
 }

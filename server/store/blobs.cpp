@@ -65,7 +65,7 @@ Status write_all(int fd, std::string_view bytes, const fs::path& path) {
 Status write_new(const fs::path& path, std::string_view bytes) {
   const Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
   if (!file.ok()) return system_error(path, "make");
-  if (Status written = write_all(file.get(), bytes, path); !written) return written;
+  TRY(write_all(file.get(), bytes, path));
   if (::fsync(file.get()) != 0) return system_error(path, "keep");
   return {};
 }
@@ -159,11 +159,11 @@ Result<std::string> Blobs::put_blob(std::string_view bytes, std::string_view fil
   if (there && *there == bytes) {
     // Its writer may have been killed, or be at it still, between giving the name and making it durable.
     const fs::path folder = place_of(blob).parent_path();
-    if (Status synced = make_folder(folder); !synced) return synced.error();
-    if (Status synced = sync_folder(folder); !synced) return synced.error();
+    TRY(make_folder(folder));
+    TRY(sync_folder(folder));
     return blob;
   }
-  if (Status written = write(place_of(blob), bytes); !written) return written.error();
+  TRY(write(place_of(blob), bytes));
   return blob;
 }
 
@@ -176,20 +176,19 @@ Result<fs::path> Blobs::blob_path(const std::string& blob, std::int64_t size) co
 }
 
 Result<std::string> Blobs::blob(const std::string& blob, std::int64_t size) const {
-  const Result<fs::path> path = blob_path(blob, size);
-  if (!path) return path.error();
-  Result<std::string> bytes = read_all(*path);
+  const fs::path path = TRY(blob_path(blob, size));
+  Result<std::string> bytes = read_all(path);
   if (!bytes || hash_of(std::string_view(*bytes)) == blob.substr(0, kHashDigits)) return bytes;
   return Error{"store.corrupt", "a file of the store has changed; upload it again", blob};
 }
 
 Status Blobs::put_result(const std::string& job_id, const std::string& name, std::string_view bytes) const {
-  if (Status good = check_name(name); !good) return good;
+  TRY(check_name(name));
   return write(folder_ / "results" / job_id / name, bytes);
 }
 
 Result<std::string> Blobs::result(const std::string& job_id, const std::string& name) const {
-  if (Status good = check_name(name); !good) return good.error();
+  TRY(check_name(name));
   const fs::path path = folder_ / "results" / job_id / name;
   std::error_code failure;
   if (fs::is_regular_file(path, failure)) return read_all(path);
@@ -243,9 +242,8 @@ Result<Store::KeptCheckpoint> Blobs::checkpoint(const std::string& job_id) const
   if (::stat(path.c_str(), &about) != 0) {
     return Error{"store.not_found", "the job has no checkpoint", ""};
   }
-  Result<std::string> bytes = read_all(path);
-  if (!bytes) return bytes.error();
-  return Store::KeptCheckpoint{std::move(*bytes),
+  std::string bytes = TRY(read_all(path));
+  return Store::KeptCheckpoint{std::move(bytes),
                                std::int64_t{about.st_mtim.tv_sec} * 1000 + about.st_mtim.tv_nsec / 1000000};
 }
 

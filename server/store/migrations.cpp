@@ -101,21 +101,18 @@ CREATE TABLE IF NOT EXISTS schema_migrations (
 
 /// The number of the newest step that the database has been through, 0 for none.
 Result<int> newest_of(SqlDatabase& database) {
-  Result<SqlStatement> newest = database.prepare("SELECT max(number) FROM schema_migrations");
-  if (!newest) return newest.error();
-  const Result<bool> row = newest->step();
-  if (!row) return row.error();
-  return static_cast<int>(newest->integer(0));
+  SqlStatement newest = TRY(database.prepare("SELECT max(number) FROM schema_migrations"));
+  TRY(newest.step());
+  return static_cast<int>(newest.integer(0));
 }
 
 Status apply(SqlDatabase& database, const Migration& step) {
-  Result<SqlTransaction> transaction = SqlTransaction::begin(database);
-  if (!transaction) return transaction.error();
-  if (Status changed = database.run_script(step.sql); !changed) return changed;
+  SqlTransaction transaction = TRY(SqlTransaction::begin(database));
+  TRY(database.run_script(step.sql));
   const Result<int> kept = database.run("INSERT INTO schema_migrations (number, name) VALUES (?, ?)",
                                         {std::int64_t{step.number}, std::string_view(step.name)});
   if (!kept) return kept.error();
-  return transaction->commit();
+  return transaction.commit();
 }
 
 }  // namespace
@@ -123,19 +120,18 @@ Status apply(SqlDatabase& database, const Migration& step) {
 std::span<const Migration> migrations() { return kMigrations; }
 
 Status migrate(SqlDatabase& database, std::span<const Migration> steps) {
-  if (Status made = database.run_script(kRemembered); !made) return made;
-  const Result<int> newest = newest_of(database);
-  if (!newest) return newest.error();
+  TRY(database.run_script(kRemembered));
+  const int newest = TRY(newest_of(database));
   const int known = steps.empty() ? 0 : steps.back().number;
-  if (*newest > known) {
+  if (newest > known) {
     return Error{"store.newer_schema",
-                 "a newer toile has written this database (schema " + std::to_string(*newest) +
+                 "a newer toile has written this database (schema " + std::to_string(newest) +
                      ", and this one knows up to " + std::to_string(known) +
                      "); start that version, or give this one a folder of its own",
                  ""};
   }
   for (const Migration& step : steps) {
-    if (step.number <= *newest) continue;
+    if (step.number <= newest) continue;
     if (Status applied = apply(database, step); !applied) return applied;
   }
   return {};

@@ -30,9 +30,8 @@ Result<std::vector<Row>> rows_of(Result<SqlStatement> statement, Result<Row> (*r
     const Result<bool> more = statement->step();
     if (!more) return more.error();
     if (!*more) return rows;
-    Result<Row> row = read(*statement);
-    if (!row) return row.error();
-    rows.push_back(std::move(*row));
+    Row row = TRY(read(*statement));
+    rows.push_back(std::move(row));
   }
 }
 
@@ -40,10 +39,9 @@ Result<std::vector<Row>> rows_of(Result<SqlStatement> statement, Result<Row> (*r
 template <typename Row>
 Result<Row> row_of(Result<SqlStatement> statement, Result<Row> (*read)(const SqlStatement&),
                    const char* thing, const std::string& id) {
-  Result<std::vector<Row>> rows = rows_of(std::move(statement), read);
-  if (!rows) return rows.error();
-  if (rows->empty()) return not_found(thing, id);
-  return std::move(rows->front());
+  std::vector<Row> rows = TRY(rows_of(std::move(statement), read));
+  if (rows.empty()) return not_found(thing, id);
+  return std::move(rows.front());
 }
 
 }  // namespace toile

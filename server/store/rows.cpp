@@ -58,9 +58,8 @@ Result<ProjectRow> project_from(const SqlStatement& row) {
   project.revision = static_cast<int>(row.integer(2));
   project.created_ms = row.integer(3);
   project.updated_ms = row.integer(4);
-  Result<FileIds> files = files_from(row.text(5), project.id);
-  if (!files) return files.error();
-  project.files = std::move(*files);
+  FileIds files = TRY(files_from(row.text(5), project.id));
+  project.files = std::move(files);
   project.document = row.text(6);
   return project;
 }
@@ -79,12 +78,10 @@ Result<JobRow> job_from(const SqlStatement& row) {
   job.created_ms = row.integer(9);
   job.started_ms = row.integer(10);
   job.ended_ms = row.integer(11);
-  Result<ResultSizes> results = results_from(row.text(12), job.id);
-  if (!results) return results.error();
-  job.results = std::move(*results);
-  Result<FileIds> files = files_from(row.text(13), job.id);
-  if (!files) return files.error();
-  job.files = std::move(*files);
+  ResultSizes results = TRY(results_from(row.text(12), job.id));
+  job.results = std::move(results);
+  FileIds files = TRY(files_from(row.text(13), job.id));
+  job.files = std::move(files);
   job.report = row.text(14);
   job.document = row.text(15);
   return job;

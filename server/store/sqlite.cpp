@@ -47,11 +47,9 @@ int bind(sqlite3_stmt* statement, int place, const SqlValue& value) {
 
 /// The file system may be one that cannot share memory, where SQLite quietly stays with its older journal.
 Status use_write_ahead_log(SqlDatabase& database) {
-  Result<SqlStatement> mode = database.prepare("PRAGMA journal_mode=WAL");
-  if (!mode) return mode.error();
-  const Result<bool> row = mode->step();
-  if (!row) return row.error();
-  if (*row && mode->text(0) == "wal") return {};
+  SqlStatement mode = TRY(database.prepare("PRAGMA journal_mode=WAL"));
+  const bool row = TRY(mode.step());
+  if (row && mode.text(0) == "wal") return {};
   return Error{"store.failed", "this file system does not allow a write-ahead log; use a local disk", ""};
 }
 
@@ -89,7 +87,7 @@ Result<SqlDatabase> SqlDatabase::open(const std::string& path) {
   if (raw == nullptr) return Error{"store.failed", "there is no memory for a connection", path};
   if (code != SQLITE_OK) return error_of(raw);
   sqlite3_busy_timeout(raw, kBusyTimeoutMs);
-  if (Status wal = use_write_ahead_log(made); !wal) return wal.error();
+  TRY(use_write_ahead_log(made));
   if (Status set = made.run_script("PRAGMA synchronous=FULL; PRAGMA foreign_keys=ON"); !set) {
     return set.error();
   }
@@ -112,10 +110,9 @@ Result<SqlStatement> SqlDatabase::prepare(std::string_view sql, std::initializer
 }
 
 Result<int> SqlDatabase::run(std::string_view sql, std::initializer_list<SqlValue> values) {
-  Result<SqlStatement> statement = prepare(sql, values);
-  if (!statement) return statement.error();
+  SqlStatement statement = TRY(prepare(sql, values));
   for (;;) {
-    const Result<bool> row = statement->step();
+    const Result<bool> row = statement.step();
     if (!row) return row.error();
     if (!*row) return sqlite3_changes(database_.get());
   }
@@ -130,7 +127,7 @@ Status SqlDatabase::run_script(const char* sql) {
 }
 
 Result<SqlTransaction> SqlTransaction::begin(SqlDatabase& database) {
-  if (Status begun = database.run_script("BEGIN IMMEDIATE"); !begun) return begun.error();
+  TRY(database.run_script("BEGIN IMMEDIATE"));
   return SqlTransaction(database);
 }
 

@@ -57,17 +57,15 @@ Status SqliteStore::trim_edits(const OwnerId& owner, const std::string& project_
 }
 
 Status SqliteStore::append_edit(const OwnerId& owner, const std::string& project_id, const EditRow& edit) {
-  const Result<int> gone = database_.run(
-      "DELETE FROM project_edits WHERE owner = ? AND project_id = ? AND undone = 1", {owner, project_id});
-  if (!gone) return gone.error();
+  TRY(database_.run("DELETE FROM project_edits WHERE owner = ? AND project_id = ? AND undone = 1",
+                    {owner, project_id}));
   const auto bytes =
       static_cast<std::int64_t>(edit.edits.size() + edit.inverse.size() + edit.original.size());
-  const Result<int> kept = database_.run(
+  TRY(database_.run(
       "INSERT INTO project_edits (owner, project_id, number, undone, created_ms, bytes, edits, inverse,"
       " original) SELECT ?1, ?2, coalesce(max(number), 0) + 1, 0, ?3, ?4, ?5, ?6, ?7 FROM project_edits"
       " WHERE owner = ?1 AND project_id = ?2",
-      {owner, project_id, store_now_ms(), bytes, edit.edits, edit.inverse, edit.original});
-  if (!kept) return kept.error();
+      {owner, project_id, store_now_ms(), bytes, edit.edits, edit.inverse, edit.original}));
   return trim_edits(owner, project_id);
 }
 
@@ -84,21 +82,17 @@ Status SqliteStore::turn_edit(const OwnerId& owner, const std::string& project_i
 Result<ProjectRow> SqliteStore::edit_project(const OwnerId& owner, const ProjectRow& row, int expected,
                                              EditStep step, const EditRow& edit) {
   const std::lock_guard hold(mutex_);
-  Result<SqlTransaction> transaction = SqlTransaction::begin(database_);
-  if (!transaction) return transaction.error();
-  const Result<ProjectRow> now = find_project(owner, row.id);
-  if (!now) return now;
-  if (Status same = check_revision(*now, expected); !same) return same.error();
-  ProjectRow changed = *now;
+  SqlTransaction transaction = TRY(SqlTransaction::begin(database_));
+  const ProjectRow now = TRY(find_project(owner, row.id));
+  TRY(check_revision(now, expected));
+  ProjectRow changed = now;
   changed.name = row.name;
   changed.document = row.document;
   changed.files = row.files;
-  const Result<ProjectRow> kept = update_project(owner, *now, changed);
-  if (!kept) return kept;
-  const Status noted = step == EditStep::kDo ? append_edit(owner, row.id, edit)
-                                             : turn_edit(owner, row.id, edit.number, step == EditStep::kUndo);
-  if (!noted) return noted.error();
-  if (Status committed = transaction->commit(); !committed) return committed.error();
+  const ProjectRow kept = TRY(update_project(owner, now, changed));
+  TRY(step == EditStep::kDo ? append_edit(owner, row.id, edit)
+                            : turn_edit(owner, row.id, edit.number, step == EditStep::kUndo));
+  TRY(transaction.commit());
   return kept;
 }
 
@@ -121,10 +115,9 @@ Result<std::optional<EditRow>> SqliteStore::next_edit(const OwnerId& owner, cons
             " WHERE owner = ? AND project_id = ? AND undone = 0 ORDER BY number DESC LIMIT 1"
           : "SELECT number, undone, created_ms, edits, inverse, original FROM project_edits"
             " WHERE owner = ? AND project_id = ? AND undone = 1 ORDER BY number LIMIT 1";
-  Result<std::vector<EditRow>> rows = rows_of(database_.prepare(sql, {owner, project_id}), edit_from);
-  if (!rows) return rows.error();
-  if (rows->empty()) return std::optional<EditRow>();
-  return std::optional(std::move(rows->front()));
+  std::vector<EditRow> rows = TRY(rows_of(database_.prepare(sql, {owner, project_id}), edit_from));
+  if (rows.empty()) return std::optional<EditRow>();
+  return std::optional(std::move(rows.front()));
 }
 
 }  // namespace toile

@@ -8,9 +8,8 @@ namespace toile {
 namespace {
 
 Result<Store::OwnedJob> owned_job_from(const SqlStatement& row) {
-  Result<JobRow> job = job_from(row);
-  if (!job) return job.error();
-  return Store::OwnedJob{row.text(kJobColumnCount), std::move(*job)};
+  JobRow job = TRY(job_from(row));
+  return Store::OwnedJob{row.text(kJobColumnCount), std::move(job)};
 }
 
 }  // namespace
@@ -28,7 +27,7 @@ Result<std::optional<JobRow>> SqliteStore::find_job_of_key(const OwnerId& owner,
 
 Result<std::optional<JobRow>> SqliteStore::job_of_key(const OwnerId& owner,
                                                       const std::string& idempotency_key) {
-  if (Status good = check_key(idempotency_key); !good) return good.error();
+  TRY(check_key(idempotency_key));
   const std::lock_guard hold(mutex_);
   return find_job_of_key(owner, idempotency_key);
 }
@@ -49,25 +48,22 @@ Status SqliteStore::insert_job(const OwnerId& owner, const JobRow& row, const st
 
 Result<Made<JobRow>> SqliteStore::create_job(const OwnerId& owner, JobRow row,
                                              const std::string& idempotency_key) {
-  if (Status good = check_key(idempotency_key); !good) return good.error();
+  TRY(check_key(idempotency_key));
   const std::lock_guard hold(mutex_);
-  Result<SqlTransaction> transaction = SqlTransaction::begin(database_);
-  if (!transaction) return transaction.error();
-  Result<std::optional<JobRow>> made = find_job_of_key(owner, idempotency_key);
-  if (!made) return made.error();
-  if (*made) {
-    if ((*made)->project_id == row.project_id) return Made<JobRow>{std::move(**made), false};
-    return Error{"store.idempotency_mismatch",
-                 "this idempotency key was used for project " + (*made)->project_id +
-                     "; use a new one for another drape",
-                 ""};
+  SqlTransaction transaction = TRY(SqlTransaction::begin(database_));
+  std::optional<JobRow> made = TRY(find_job_of_key(owner, idempotency_key));
+  if (made) {
+    if (made->project_id == row.project_id) return Made<JobRow>{std::move(*made), false};
+    return Error{
+        "store.idempotency_mismatch",
+        "this idempotency key was used for project " + made->project_id + "; use a new one for another drape",
+        ""};
   }
   row.created_ms = store_now_ms();
-  Result<std::string> id = ids_.next('j', row.created_ms);
-  if (!id) return id.error();
-  row.id = std::move(*id);
-  if (Status kept = insert_job(owner, row, idempotency_key); !kept) return kept.error();
-  if (Status committed = transaction->commit(); !committed) return committed.error();
+  std::string id = TRY(ids_.next('j', row.created_ms));
+  row.id = std::move(id);
+  TRY(insert_job(owner, row, idempotency_key));
+  TRY(transaction.commit());
   return Made<JobRow>{std::move(row), true};
 }
 
@@ -78,12 +74,11 @@ Result<JobRow> SqliteStore::job(const OwnerId& owner, const std::string& id) {
 }
 
 Result<std::vector<JobRow>> SqliteStore::jobs(const OwnerId& owner, const std::string& cursor, int limit) {
-  const Result<std::string> before = before_what(cursor, 'j');
-  if (!before) return before.error();
+  const std::string before = TRY(before_what(cursor, 'j'));
   const std::lock_guard hold(mutex_);
   return rows_of(database_.prepare(
                      select(kJobListColumns, "FROM jobs WHERE owner = ? AND id < ? ORDER BY id DESC LIMIT ?"),
-                     {owner, *before, page_limit(limit)}),
+                     {owner, before, page_limit(limit)}),
                  job_from);
 }
 
@@ -112,43 +107,42 @@ Result<std::vector<Store::OwnedJob>> SqliteStore::unfinished_jobs() {
 
 Status SqliteStore::check_job(const OwnerId& owner, const std::string& id) {
   const std::lock_guard hold(mutex_);
-  const Result<std::string> there = row_of(
-      database_.prepare("SELECT id FROM jobs WHERE owner = ? AND id = ?", {owner, id}), text_from, "job", id);
-  if (!there) return there.error();
+  TRY(row_of(database_.prepare("SELECT id FROM jobs WHERE owner = ? AND id = ?", {owner, id}), text_from,
+             "job", id));
   return {};
 }
 
 Status SqliteStore::put_result(const OwnerId& owner, const std::string& job_id, const std::string& name,
                                std::string_view bytes) {
-  if (Status there = check_job(owner, job_id); !there) return there;
+  TRY(check_job(owner, job_id));
   return blobs_.put_result(job_id, name, bytes);
 }
 
 Result<std::string> SqliteStore::result_bytes(const OwnerId& owner, const std::string& job_id,
                                               const std::string& name) {
-  if (Status there = check_job(owner, job_id); !there) return there.error();
+  TRY(check_job(owner, job_id));
   return blobs_.result(job_id, name);
 }
 
 Status SqliteStore::remove_results(const OwnerId& owner, const std::string& job_id) {
-  if (Status there = check_job(owner, job_id); !there) return there;
+  TRY(check_job(owner, job_id));
   return blobs_.remove_results(job_id);
 }
 
 // Checkpoints
 
 Status SqliteStore::put_checkpoint(const OwnerId& owner, const std::string& job_id, std::string_view bytes) {
-  if (Status there = check_job(owner, job_id); !there) return there;
+  TRY(check_job(owner, job_id));
   return blobs_.put_checkpoint(job_id, bytes);
 }
 
 Result<Store::KeptCheckpoint> SqliteStore::checkpoint(const OwnerId& owner, const std::string& job_id) {
-  if (Status there = check_job(owner, job_id); !there) return there.error();
+  TRY(check_job(owner, job_id));
   return blobs_.checkpoint(job_id);
 }
 
 Status SqliteStore::remove_checkpoint(const OwnerId& owner, const std::string& job_id) {
-  if (Status there = check_job(owner, job_id); !there) return there;
+  TRY(check_job(owner, job_id));
   return blobs_.remove_checkpoint(job_id);
 }
 

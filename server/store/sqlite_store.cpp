@@ -67,19 +67,17 @@ std::int64_t page_limit(int limit) {
 // Assets
 
 Result<AssetRow> SqliteStore::put_asset(const OwnerId& owner, AssetRow row, std::string_view bytes) {
-  if (Status good = check_name(row.name); !good) return good.error();
+  TRY(check_name(row.name));
   row.id = "a_" + hash_of(row.kind + '/' + row.name + '/' + hash_of(bytes));  // no kind, no name has a slash
   row.size = static_cast<std::int64_t>(bytes.size());
   row.created_ms = store_now_ms();
-  const Result<std::string> blob = blobs_.put_blob(bytes, row.name);
-  if (!blob) return blob.error();
+  const std::string blob = TRY(blobs_.put_blob(bytes, row.name));
   const std::lock_guard hold(mutex_);
-  const Result<int> kept = database_.run(
+  TRY(database_.run(
       "INSERT INTO assets (owner, id, kind, name, size, blob, created_ms, info) VALUES (?, ?, ?, ?, ?, ?, ?, "
       "?)"
       " ON CONFLICT DO NOTHING",
-      {owner, row.id, row.kind, row.name, row.size, *blob, row.created_ms, row.info});
-  if (!kept) return kept.error();
+      {owner, row.id, row.kind, row.name, row.size, blob, row.created_ms, row.info}));
   return row_of(
       database_.prepare(select(kAssetColumns, "FROM assets WHERE owner = ? AND id = ?"), {owner, row.id}),
       asset_from, "asset", row.id);
@@ -99,17 +97,14 @@ Result<BlobPlace> SqliteStore::blob_place(const OwnerId& owner, const std::strin
 }
 
 Result<std::string> SqliteStore::asset_bytes(const OwnerId& owner, const std::string& id) {
-  const Result<BlobPlace> place = blob_place(owner, id);
-  if (!place) return place.error();
-  return blobs_.blob(place->blob, place->size);
+  const BlobPlace place = TRY(blob_place(owner, id));
+  return blobs_.blob(place.blob, place.size);
 }
 
 Result<std::string> SqliteStore::asset_path(const OwnerId& owner, const std::string& id) {
-  const Result<BlobPlace> place = blob_place(owner, id);
-  if (!place) return place.error();
-  const Result<fs::path> path = blobs_.blob_path(place->blob, place->size);
-  if (!path) return path.error();
-  return path->string();
+  const BlobPlace place = TRY(blob_place(owner, id));
+  const fs::path path = TRY(blobs_.blob_path(place.blob, place.size));
+  return path.string();
 }
 
 Result<std::vector<AssetRow>> SqliteStore::assets(const OwnerId& owner, const std::string& kind) {
@@ -138,9 +133,8 @@ Result<std::optional<ProjectRow>> SqliteStore::project_of_key(const OwnerId& own
                      made->front().id + "; use a new one for another project",
                  ""};
   }
-  Result<ProjectRow> project = find_project(owner, made->front().id);
-  if (!project) return project.error();
-  return std::optional(std::move(*project));
+  ProjectRow project = TRY(find_project(owner, made->front().id));
+  return std::optional(std::move(project));
 }
 
 Status SqliteStore::insert_project(const OwnerId& owner, const ProjectRow& row) {
@@ -156,43 +150,37 @@ Status SqliteStore::insert_project(const OwnerId& owner, const ProjectRow& row) 
 
 Result<Made<ProjectRow>> SqliteStore::create_project(const OwnerId& owner, ProjectRow row,
                                                      const std::string& idempotency_key) {
-  if (Status good = check_key(idempotency_key); !good) return good.error();
+  TRY(check_key(idempotency_key));
   const std::string request = hash_of(row.document + '\n' + column_text(row.files));
   const std::lock_guard hold(mutex_);
-  Result<SqlTransaction> transaction = SqlTransaction::begin(database_);
-  if (!transaction) return transaction.error();
+  SqlTransaction transaction = TRY(SqlTransaction::begin(database_));
   if (!idempotency_key.empty()) {
-    Result<std::optional<ProjectRow>> made = project_of_key(owner, idempotency_key, request);
-    if (!made) return made.error();
-    if (*made) return Made<ProjectRow>{std::move(**made), false};
+    std::optional<ProjectRow> made = TRY(project_of_key(owner, idempotency_key, request));
+    if (made) return Made<ProjectRow>{std::move(*made), false};
   }
   row.created_ms = row.updated_ms = store_now_ms();
   row.revision = 1;
-  Result<std::string> id = ids_.next('p', row.created_ms);
-  if (!id) return id.error();
-  row.id = std::move(*id);
-  if (Status kept = insert_project(owner, row); !kept) return kept.error();
+  std::string id = TRY(ids_.next('p', row.created_ms));
+  row.id = std::move(id);
+  TRY(insert_project(owner, row));
   if (!idempotency_key.empty()) {
     const Result<int> keyed =
         database_.run("INSERT INTO project_keys (owner, key, project_id, request) VALUES (?, ?, ?, ?)",
                       {owner, idempotency_key, row.id, request});
     if (!keyed) return keyed.error();
   }
-  if (Status committed = transaction->commit(); !committed) return committed.error();
+  TRY(transaction.commit());
   return Made<ProjectRow>{std::move(row), true};
 }
 
 Result<ProjectRow> SqliteStore::replace_project(const OwnerId& owner, const ProjectRow& row, int expected) {
   const std::lock_guard hold(mutex_);
-  Result<SqlTransaction> transaction = SqlTransaction::begin(database_);
-  if (!transaction) return transaction.error();
-  const Result<ProjectRow> now = find_project(owner, row.id);
-  if (!now) return now;
-  if (Status same = check_revision(*now, expected); !same) return same.error();
-  const Result<ProjectRow> kept = update_project(owner, *now, row);
-  if (!kept) return kept;
-  if (Status forgotten = forget_edits(owner, row.id); !forgotten) return forgotten.error();
-  if (Status committed = transaction->commit(); !committed) return committed.error();
+  SqlTransaction transaction = TRY(SqlTransaction::begin(database_));
+  const ProjectRow now = TRY(find_project(owner, row.id));
+  TRY(check_revision(now, expected));
+  const ProjectRow kept = TRY(update_project(owner, now, row));
+  TRY(forget_edits(owner, row.id));
+  TRY(transaction.commit());
   return kept;
 }
 
@@ -227,56 +215,50 @@ Result<ProjectRow> SqliteStore::project(const OwnerId& owner, const std::string&
 
 Result<std::vector<ProjectRow>> SqliteStore::projects(const OwnerId& owner, const std::string& cursor,
                                                       int limit) {
-  const Result<std::string> before = before_what(cursor, 'p');
-  if (!before) return before.error();
+  const std::string before = TRY(before_what(cursor, 'p'));
   const std::lock_guard hold(mutex_);
   return rows_of(
       database_.prepare(
           select(kProjectColumns, "FROM projects WHERE owner = ? AND id < ? ORDER BY id DESC LIMIT ?"),
-          {owner, *before, page_limit(limit)}),
+          {owner, before, page_limit(limit)}),
       project_from);
 }
 
 Status SqliteStore::remove_project(const OwnerId& owner, const std::string& id, int expected) {
   const std::lock_guard hold(mutex_);
-  Result<SqlTransaction> transaction = SqlTransaction::begin(database_);
-  if (!transaction) return transaction.error();
-  const Result<ProjectRow> now = find_project(owner, id);
-  if (!now) return now.error();
-  if (Status same = check_revision(*now, expected); !same) return same;
+  SqlTransaction transaction = TRY(SqlTransaction::begin(database_));
+  const ProjectRow now = TRY(find_project(owner, id));
+  TRY(check_revision(now, expected));
   for (const char* sql : {"DELETE FROM projects WHERE owner = ? AND id = ?",
                           "DELETE FROM project_keys WHERE owner = ? AND project_id = ?"}) {
     if (const Result<int> gone = database_.run(sql, {owner, id}); !gone) return gone.error();
   }
-  if (Status forgotten = forget_edits(owner, id); !forgotten) return forgotten;
-  return transaction->commit();
+  TRY(forget_edits(owner, id));
+  return transaction.commit();
 }
 
 // The rest
 
 Result<std::optional<std::string>> SqliteStore::get_setting(const OwnerId& owner, const std::string& key) {
   const std::lock_guard hold(mutex_);
-  Result<std::vector<std::string>> values = rows_of(
-      database_.prepare("SELECT value FROM settings WHERE owner = ? AND key = ?", {owner, key}), text_from);
-  if (!values) return values.error();
-  if (values->empty()) return std::optional<std::string>();
-  return std::optional(std::move(values->front()));
+  std::vector<std::string> values = TRY(rows_of(
+      database_.prepare("SELECT value FROM settings WHERE owner = ? AND key = ?", {owner, key}), text_from));
+  if (values.empty()) return std::optional<std::string>();
+  return std::optional(std::move(values.front()));
 }
 
 Status SqliteStore::put_setting(const OwnerId& owner, const std::string& key, const std::string& value) {
   const std::lock_guard hold(mutex_);
-  const Result<int> kept = database_.run(
-      "INSERT INTO settings (owner, key, value) VALUES (?, ?, ?)"
-      " ON CONFLICT (owner, key) DO UPDATE SET value = excluded.value",
-      {owner, key, value});
-  if (!kept) return kept.error();
+  TRY(
+      database_.run("INSERT INTO settings (owner, key, value) VALUES (?, ?, ?)"
+                    " ON CONFLICT (owner, key) DO UPDATE SET value = excluded.value",
+                    {owner, key, value}));
   return {};
 }
 
 Status SqliteStore::ping() {
   const std::lock_guard hold(mutex_);
-  const Result<int> read = database_.run("SELECT number FROM schema_migrations LIMIT 1");
-  if (!read) return read.error();
+  TRY(database_.run("SELECT number FROM schema_migrations LIMIT 1"));
   return {};
 }
 
@@ -286,9 +268,8 @@ namespace {
 Result<IdSource> ids_after(SqlDatabase& database) {
   IdSource ids;
   for (const char* newest : {"SELECT max(id) FROM projects", "SELECT max(id) FROM jobs"}) {
-    const Result<std::string> id = row_of(database.prepare(newest), text_from, "id", "");
-    if (!id) return id.error();
-    ids.start_after(*id);
+    const std::string id = TRY(row_of(database.prepare(newest), text_from, "id", ""));
+    ids.start_after(id);
   }
   return ids;
 }
@@ -308,8 +289,7 @@ Result<std::unique_ptr<Store>> open_sqlite_store(const std::string& folder) {
   if (!fs::is_directory(root)) {
     return Error{"store.open", "cannot make the folder: " + failure.message(), root.string()};
   }
-  Result<FolderLock> lock = FolderLock::take(root);
-  if (!lock) return lock.error();
+  FolderLock lock = TRY(FolderLock::take(root));
   Result<Blobs> blobs = Blobs::open(root);
   if (!blobs) return opening(root, blobs.error());
   const fs::path file = root / "toile.db";
@@ -324,7 +304,7 @@ Result<std::unique_ptr<Store>> open_sqlite_store(const std::string& folder) {
   if (!ids) return opening(file, ids.error());
   if (Status synced = sync_folder(root); !synced) return opening(root, synced.error());
   return std::unique_ptr<Store>(
-      std::make_unique<SqliteStore>(std::move(*lock), std::move(*blobs), std::move(*database), *ids));
+      std::make_unique<SqliteStore>(std::move(lock), std::move(*blobs), std::move(*database), *ids));
 }
 
 }  // namespace toile

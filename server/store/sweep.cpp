@@ -17,13 +17,12 @@ Names set_of(std::vector<std::string> names) { return {names.begin(), names.end(
 
 Status sweep_blobs(SqlDatabase& database, const Blobs& blobs) {
   Names unnamed = set_of(blobs.blob_names());  // before the rows are read, so that it can only be too few
-  Result<SqlStatement> row = database.prepare("SELECT blob FROM assets");
-  if (!row) return row.error();
+  SqlStatement row = TRY(database.prepare("SELECT blob FROM assets"));
   for (;;) {
-    const Result<bool> more = row->step();
+    const Result<bool> more = row.step();
     if (!more) return more.error();
     if (!*more) break;
-    unnamed.erase(row->text(0));
+    unnamed.erase(row.text(0));
   }
   for (const std::string& blob : unnamed) blobs.remove_blob(blob);
   return {};
@@ -37,15 +36,14 @@ void keep_only(const Blobs& blobs, const std::string& job_id, const ResultSizes&
 
 Status sweep_results(SqlDatabase& database, const Blobs& blobs) {
   Names unnamed = set_of(blobs.jobs_with_results());
-  Result<SqlStatement> row = database.prepare("SELECT id, results FROM jobs");
-  if (!row) return row.error();
+  SqlStatement row = TRY(database.prepare("SELECT id, results FROM jobs"));
   for (;;) {
-    const Result<bool> more = row->step();
+    const Result<bool> more = row.step();
     if (!more) return more.error();
     if (!*more) break;
-    const std::string id = row->text(0);
+    const std::string id = row.text(0);
     if (!unnamed.contains(id)) continue;
-    const Result<ResultSizes> named = results_from(row->text(1), id);
+    const Result<ResultSizes> named = results_from(row.text(1), id);
     if (named && named->empty()) continue;
     unnamed.erase(id);
     if (named) keep_only(blobs, id, *named);  // a damaged row says nothing about its files
@@ -58,18 +56,17 @@ Status sweep_results(SqlDatabase& database, const Blobs& blobs) {
 
 /// A crash between a job's end and the removal of its checkpoint leaves one.
 Status sweep_checkpoints(SqlDatabase& database, const Blobs& blobs) {
-  const Result<std::vector<std::string>> ids = rows_of(
-      database.prepare("SELECT id FROM jobs WHERE state IN ('queued', 'running', 'paused')"), text_from);
-  if (!ids) return ids.error();
-  blobs.keep_checkpoints_of({ids->begin(), ids->end()});
+  const std::vector<std::string> ids = TRY(rows_of(
+      database.prepare("SELECT id FROM jobs WHERE state IN ('queued', 'running', 'paused')"), text_from));
+  blobs.keep_checkpoints_of({ids.begin(), ids.end()});
   return {};
 }
 
 }  // namespace
 
 Status sweep_files(SqlDatabase& database, const Blobs& blobs) {
-  if (Status swept = sweep_blobs(database, blobs); !swept) return swept;
-  if (Status swept = sweep_results(database, blobs); !swept) return swept;
+  TRY(sweep_blobs(database, blobs));
+  TRY(sweep_results(database, blobs));
   return sweep_checkpoints(database, blobs);
 }
 

@@ -6,9 +6,8 @@
 namespace toile {
 
 Result<Control> parse_control(std::string_view text) {
-  const Result<JsonValue> tree = parse_json(text, {.bytes = 4096, .depth = 4});
-  if (!tree) return tree.error();
-  const JsonValue* type = tree->find("type");
+  const JsonValue tree = TRY(parse_json(text, {.bytes = 4096, .depth = 4}));
+  const JsonValue* type = tree.find("type");
   const std::string word = type && type->text() ? *type->text() : "";
   if (word == "pause") return Control::kPause;
   if (word == "resume") return Control::kResume;

@@ -136,19 +136,14 @@ RestTriangle flat(const TriangleMesh& cloth, const Tri& t) {
 Result<PeerTask> read_task(const fs::path& folder, const std::string& name) {
   PeerTask task;
   task.name = name;
-  auto cloth = read_obj(folder / (name + "_cloth.obj"));
-  if (!cloth) return cloth.error();
-  auto body = read_obj(folder / (name + "_body.obj"));
-  if (!body) return body.error();
-  task.cloth = std::move(cloth).value(), task.body = std::move(body).value();
+  auto cloth = TRY(read_obj(folder / (name + "_cloth.obj")));
+  auto body = TRY(read_obj(folder / (name + "_body.obj")));
+  task.cloth = std::move(cloth), task.body = std::move(body);
   const std::size_t count = task.cloth.vertices.size();
-  const auto seams = read_numbers(folder / (name + "_seams.txt"), 2, 2, count);
-  if (!seams) return seams.error();
-  for (const auto& row : *seams)
-    task.sewn.push_back({static_cast<Index>(row[0]), static_cast<Index>(row[1])});
-  const auto pins = read_numbers(folder / (name + "_pins.txt"), 4, 1, count);
-  if (!pins) return pins.error();
-  for (const auto& row : *pins) task.led.push_back({static_cast<Index>(row[0]), {row[1], row[2], row[3]}});
+  const auto seams = TRY(read_numbers(folder / (name + "_seams.txt"), 2, 2, count));
+  for (const auto& row : seams) task.sewn.push_back({static_cast<Index>(row[0]), static_cast<Index>(row[1])});
+  const auto pins = TRY(read_numbers(folder / (name + "_pins.txt"), 4, 1, count));
+  for (const auto& row : pins) task.led.push_back({static_cast<Index>(row[0]), {row[1], row[2], row[3]}});
   return task;
 }
 

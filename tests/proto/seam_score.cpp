@@ -134,16 +134,14 @@ SeamPoint point_of(const TrueSide& side, const Pattern& pattern, double fraction
 
 /// Stitched edges run against each other.
 Result<SewnPoints> true_seam(const JsonValue& file, const JsonValue& stitch, const Pattern& pattern) {
-  const Result<TrueSide> a = side_in(file, *stitch.find("a"), pattern);
-  if (!a) return a.error();
-  const Result<TrueSide> b = side_in(file, *stitch.find("b"), pattern);
-  if (!b) return b.error();
-  SewnPoints seam{a->name + " to " + b->name,
+  const TrueSide a = TRY(side_in(file, *stitch.find("a"), pattern));
+  const TrueSide b = TRY(side_in(file, *stitch.find("b"), pattern));
+  SewnPoints seam{a.name + " to " + b.name,
                   std::max(*stitch.find("len_a")->number(), *stitch.find("len_b")->number()),
                   {}};
   for (int k = 0; k < kPoints; ++k) {
     const double f = (k + 0.5) / kPoints;
-    seam.pairs.push_back({point_of(*a, pattern, f), point_of(*b, pattern, 1 - f)});
+    seam.pairs.push_back({point_of(a, pattern, f), point_of(b, pattern, 1 - f)});
   }
   return seam;
 }
@@ -204,24 +202,19 @@ SeamScore score_of(const Pattern& pattern, std::span<const SeamProposal> proposa
 
 Result<TrueGarment> read_true_garment(const std::filesystem::path& dxf) {
   std::ifstream in(dxf, std::ios::binary);
-  const Result<DxfDrawing> drawing = read_dxf(in);
-  if (!drawing) return drawing.error();
+  const DxfDrawing drawing = TRY(read_dxf(in));
   TrueGarment garment;
-  for (const DxfPiece& piece : drawing->pieces) {
-    Result<Panel> panel = panel_from_piece(piece);
-    if (!panel) return panel.error();
-    garment.pattern.panels.push_back(std::move(*panel));
+  for (const DxfPiece& piece : drawing.pieces) {
+    Panel panel = TRY(panel_from_piece(piece));
+    garment.pattern.panels.push_back(std::move(panel));
     garment.clockwise.push_back(runs_clockwise(piece.outline));
   }
   std::filesystem::path seams = dxf;
-  const Result<std::string> text = bytes_of(seams.replace_extension(".seams.json"));
-  if (!text) return text.error();
-  const Result<JsonValue> file = parse_json(*text);
-  if (!file) return file.error();
-  for (const JsonValue& stitch : *file->find("stitches")->array()) {
-    Result<SewnPoints> seam = true_seam(*file, stitch, garment.pattern);
-    if (!seam) return seam.error();
-    garment.truth.push_back(std::move(*seam));
+  const std::string text = TRY(bytes_of(seams.replace_extension(".seams.json")));
+  const JsonValue file = TRY(parse_json(text));
+  for (const JsonValue& stitch : *file.find("stitches")->array()) {
+    SewnPoints seam = TRY(true_seam(file, stitch, garment.pattern));
+    garment.truth.push_back(std::move(seam));
   }
   return garment;
 }

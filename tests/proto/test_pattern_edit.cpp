@@ -17,11 +17,9 @@ using test::square_files;
 Project base() { return parse_project(kEditedDocument).value(); }
 
 Result<EditedProject> edited(const Project& project, const std::string& edits) {
-  const Result<JsonValue> list = parse_json(edits);
-  if (!list) return list.error();
-  const Result<std::vector<ProjectEdit>> read = read_edits(*list, "/edits");
-  if (!read) return read.error();
-  return apply_edits(project, *read, square_files());
+  const JsonValue list = TRY(parse_json(edits));
+  const std::vector<ProjectEdit> read = TRY(read_edits(list, "/edits"));
+  return apply_edits(project, read, square_files());
 }
 
 /// The project after the edits; undoing them has given the same bytes again.

@@ -26,9 +26,8 @@ Result<Project> dressed(const std::string& mannequin) {
 }
 
 Result<MannequinSettings> settings_of(const std::string& mannequin) {
-  const Result<Project> project = dressed(mannequin);
-  if (!project) return project.error();
-  return mannequin_settings(*project->bodies[0].mannequin);
+  const Project project = TRY(dressed(mannequin));
+  return mannequin_settings(*project.bodies[0].mannequin);
 }
 
 TEST(ProjectMannequin, OfBeforeIsTheSameWoman) {

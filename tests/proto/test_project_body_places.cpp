@@ -47,15 +47,14 @@ const TriangleMesh& ann() {
 }
 
 Result<DrapeInput> resolved(const std::string& text) {
-  const Result<Project> project = parse_project(text);
-  if (!project) return project.error();
+  const Project project = TRY(parse_project(text));
   const TriangleMesh table{{{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, 1, 0}},
                            {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}};
   const ProjectFiles files{
       .dxf_text = {}, .body_mesh = [&](const std::string& name, const MeshSettings&) -> Result<RepairedMesh> {
         return RepairedMesh{name == "table.obj" ? table : ann(), {}};
       }};
-  return resolve_project(*project, files);
+  return resolve_project(project, files);
 }
 
 DrapeInput dressed() { return resolved(kDressed).value(); }

@@ -15,9 +15,8 @@ const std::string kExample = std::string(TOILE_SOURCE_DIR) + "/tests/data/notion
 std::string example_text() { return read_project_text(kExample).value(); }
 
 Result<DrapeInput> resolved(const std::string& text) {
-  const Result<Project> project = parse_project(text);
-  if (!project) return project.error();
-  return resolve_project(*project, files_in("."));
+  const Project project = TRY(parse_project(text));
+  return resolve_project(project, files_in("."));
 }
 
 /// The mean place of a panel's vertices at a flat height, m.

@@ -71,9 +71,8 @@ constexpr const char* kSmall = R"({
 })";
 
 Result<DrapeInput> resolved(const std::string& text, Shelf& shelf) {
-  const Result<Project> project = parse_project(text);
-  if (!project) return project.error();
-  return resolve_project(*project, shelf.files());
+  const Project project = TRY(parse_project(text));
+  return resolve_project(project, shelf.files());
 }
 
 DrapeInput small_input() {

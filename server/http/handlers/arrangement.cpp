@@ -47,11 +47,9 @@ struct Shown {
 };
 
 Result<Shown> shown(const Api& api, const HttpRequest& request) {
-  Result<ProjectRow> project = api.store.project(kLocalOwner, request.captures[0]);
-  if (!project) return project.error();
-  const auto start = shared_starts().get(api.store, kLocalOwner, *project);
-  if (!start) return start.error();
-  return Shown{std::move(*project), *start};
+  ProjectRow project = TRY(api.store.project(kLocalOwner, request.captures[0]));
+  const auto start = TRY(shared_starts().get(api.store, kLocalOwner, project));
+  return Shown{std::move(project), start};
 }
 
 HttpResponse check(const Api& api, const HttpRequest& request) {

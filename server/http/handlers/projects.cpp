@@ -38,9 +38,8 @@ Result<Given> read_given(const HttpRequest& request) {
   if (const JsonValue* name = tree->find("name")) rename_document(whole, *name);
   Given given;
   given.document = write_json_line(whole);
-  Result<ProjectFileMap> files = read_files(*tree);
-  if (!files) return files.error();
-  given.files = std::move(*files);
+  ProjectFileMap files = TRY(read_files(*tree));
+  given.files = std::move(files);
   return given;
 }
 

@@ -274,8 +274,8 @@ Status write_messages(const std::filesystem::path& folder, const std::vector<Cas
 }
 
 Status write_all(const std::filesystem::path& folder) {
-  if (const Status s = write_messages(folder, frame_cases()); !s) return s;
-  if (const Status s = write_messages(folder, topology_cases()); !s) return s;
+  TRY(write_messages(folder, frame_cases()));
+  TRY(write_messages(folder, topology_cases()));
   const std::string text = "{\n" + json_list("frames", frame_cases()) + ",\n" +
                            json_list("topologies", topology_cases()) + ",\n" +
                            json_list("refused_frames", refused_frames()) + ",\n" +

@@ -25,14 +25,13 @@ class ScriptedJobs final : public JobService {
   void stop() override {}
   Result<Made<JobRow>> submit(const OwnerId& owner, const std::string& project_id,
                               const std::string& key) override {
-    const Result<ProjectRow> project = store_.project(owner, project_id);
-    if (!project) return project.error();
+    const ProjectRow project = TRY(store_.project(owner, project_id));
     JobRow row;
-    row.project_id = project->id;
-    row.project_revision = project->revision;
-    row.name = project->name;
-    row.document = project->document;
-    row.files = project->files;
+    row.project_id = project.id;
+    row.project_revision = project.revision;
+    row.name = project.name;
+    row.document = project.document;
+    row.files = project.files;
     return store_.create_job(owner, row, key);
   }
   Result<JobRow> pause(const OwnerId& owner, const std::string& id) override {
@@ -45,22 +44,20 @@ class ScriptedJobs final : public JobService {
     return become(owner, id, "cancelled");
   }
   Result<JobProgress> progress(const OwnerId& owner, const std::string& id) override {
-    const Result<JobRow> row = store_.job(owner, id);
-    if (!row) return row.error();
+    const JobRow row = TRY(store_.job(owner, id));
     JobProgress progress;
-    progress.state = row->state;
+    progress.state = row.state;
     return progress;
   }
   Counts counts() const override { return {}; }
 
   Result<JobRow> become(const OwnerId& owner, const std::string& id, const std::string& state) {
-    Result<JobRow> row = store_.job(owner, id);
-    if (!row) return row;
-    if (row->state == "succeeded" || row->state == "cancelled" || row->state == state) {
-      return Error{"jobs.state", "the job is " + row->state, id};
+    JobRow row = TRY(store_.job(owner, id));
+    if (row.state == "succeeded" || row.state == "cancelled" || row.state == state) {
+      return Error{"jobs.state", "the job is " + row.state, id};
     }
-    row->state = state;
-    if (Status updated = store_.update_job(owner, *row); !updated) return updated.error();
+    row.state = state;
+    TRY(store_.update_job(owner, row));
     return row;
   }
 
