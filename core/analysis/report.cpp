@@ -13,7 +13,8 @@ Report make_report(const DrapeInput& input, const DrapeResult& result) {
   r.name = input.name;
   r.settled = result.settled;
   r.stop_reason = result.stop_reason;
-  r.cpu_s = result.cpu_s, r.wall_s = result.wall_s;
+  r.cpu_s = result.cpu_s;
+  r.wall_s = result.wall_s;
   r.resumed = result.resumed;
   r.steps = result.steps;
   r.simulated_s = result.simulated_time;
@@ -32,13 +33,16 @@ Report make_report(const DrapeInput& input, const DrapeResult& result) {
     r.attachments.push_back({input.attachments[a].id, hold.released, hold.released_at, 1e3 * hold.off});
   }
   const GarmentStrain strain = garment_strain(input, result);
-  r.warp = stretch_figures_of(strain.warp), r.weft = stretch_figures_of(strain.weft);
+  r.warp = stretch_figures_of(strain.warp);
+  r.weft = stretch_figures_of(strain.weft);
   r.shear = figures_of(strain.shear);
-  r.rms_speed = result.rms_speed, r.max_speed = result.max_speed;
+  r.rms_speed = result.rms_speed;
+  r.max_speed = result.max_speed;
   if (!result.positions.empty()) {
     const auto [low, high] = std::minmax_element(result.positions.begin(), result.positions.end(),
                                                  [](Vec3 a, Vec3 b) { return a.y < b.y; });
-    r.lowest_m = low->y, r.highest_m = high->y;
+    r.lowest_m = low->y;
+    r.highest_m = high->y;
   }
   r.findings = result.findings;
   r.hash = hash_of(result.positions);

@@ -43,7 +43,10 @@ GarmentStrain garment_strain(const DrapeInput& input, const DrapeResult& result)
 StrainFigures figures_of(std::vector<double> values) {
   if (values.empty()) return {};
   double sum = 0;
-  for (double& v : values) v = std::abs(v), sum += v;
+  for (double& v : values) {
+    v = std::abs(v);
+    sum += v;
+  }
   std::sort(values.begin(), values.end());
   const auto at =
       std::min(values.size() - 1, static_cast<std::size_t>(0.99 * static_cast<double>(values.size())));
@@ -52,7 +55,10 @@ StrainFigures figures_of(std::vector<double> values) {
 
 StretchFigures stretch_figures_of(const std::vector<double>& values) {
   std::vector<double> stretch, squeeze;
-  for (const double v : values) stretch.push_back(std::max(0.0, v)), squeeze.push_back(std::max(0.0, -v));
+  for (const double v : values) {
+    stretch.push_back(std::max(0.0, v));
+    squeeze.push_back(std::max(0.0, -v));
+  }
   return {figures_of(values), figures_of(std::move(stretch)), figures_of(std::move(squeeze))};
 }
 

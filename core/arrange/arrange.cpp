@@ -67,7 +67,8 @@ Result<Arrangement> arrange(const ArrangeInput& input) {
   for (const Body& body : input.bodies) {
     const Result<BodyFigure> figure = find_figure(body.mesh);
     if (!figure) {
-      why = figure.error(), why->where = "body " + body.id;
+      why = figure.error();
+      why->where = "body " + body.id;
       continue;
     }
     const BodyStand stand(body.mesh, *figure);
@@ -81,7 +82,10 @@ Result<Arrangement> arrange(const ArrangeInput& input) {
       Findings findings = TRY(look(input, made));
       made.findings = std::move(findings);
       const Faults faults = faults_of(made.findings, stand.figure().armpit[0].y);
-      if (!best || faults < fewest) fewest = faults, best = std::move(made);
+      if (!best || faults < fewest) {
+        fewest = faults;
+        best = std::move(made);
+      }
       if (fewest == Faults{}) break;
     }
     return std::move(*best);

@@ -89,7 +89,8 @@ BodySide Arranger::side_of(Index piece) const {
         if (std::find(open.begin(), open.end(), mine) == open.end()) continue;
         if (layout_.has(other)) x += layout_.pose[other](first ? t.at_b : t.at_a).x;
         if (std::find(seen.begin(), seen.end(), other) == seen.end() && !layout_.has(other)) {
-          next.push_back(other), seen.push_back(other);
+          next.push_back(other);
+          seen.push_back(other);
         }
       }
     }
@@ -146,7 +147,8 @@ std::array<double, 2> Arranger::top_edge() const {
       if (!is_top_segment(piece, i)) continue;
       const Vec2 a = layout_.pose[piece](p.outline[i]),
                  b = layout_.pose[piece](p.outline[(i + 1) % p.outline.size()]);
-      total += length(b - a), moment += length(b - a) * (a.y + b.y) / 2;
+      total += length(b - a);
+      moment += length(b - a) * (a.y + b.y) / 2;
     }
   }
   return {total, total > 0 ? moment / total : top_};
@@ -303,7 +305,8 @@ Vec2 Arranger::mean_tie_on_trunk(Index piece, bool& any) const {
   for (const GarmentTie& t : graph_.ties) {
     const Index other = t.a == piece ? t.b : t.b == piece ? t.a : kNone;
     if (other == kNone || other == piece || !layout_.has(other)) continue;
-    sum = sum + layout_.pose[other](t.a == piece ? t.at_b : t.at_a), ++count;
+    sum = sum + layout_.pose[other](t.a == piece ? t.at_b : t.at_a);
+    ++count;
   }
   any = count > 0;
   return any ? sum * (1.0 / count) : sum;
@@ -317,7 +320,9 @@ void Arranger::hold_bottoms(Arrangement& made) const {
   for (Index p = 0; p < static_cast<Index>(graph_.pieces.size()); ++p) {
     const GarmentPiece& piece = graph_.pieces[p];
     Attachment hold;
-    hold.id = "hold_" + piece.id, hold.panel = p, hold.hold = Attachment::Hold::kHeight;
+    hold.id = "hold_" + piece.id;
+    hold.panel = p;
+    hold.hold = Attachment::Hold::kHeight;
     if (banded) {
       if (piece.cover == Cover::kWaistband) made.attachments.push_back(std::move(hold));
       continue;

@@ -50,7 +50,10 @@ FlatMove Arranger::hood_pose(Index p, BodySide side, double rise) const {
     points.push_back(first ? t.at_a : t.at_b);
     targets.push_back({f.neck_side[side].z + layout_.face[other] * depth, there.y + rise});
   }
-  if (points.empty()) points = {piece.centroid}, targets = {{0, f.chin + 0.05}};
+  if (points.empty()) {
+    points = {piece.centroid};
+    targets = {{0, f.chin + 0.05}};
+  }
   const bool mirrored = piece.outside * (side == kWearersLeft ? 1 : -1) > 0;
   const double free = fit_move(points, targets, mirrored).move.angle();
   const Vec2 grain = turn_by(0, mirrored).turned(piece.grain);
@@ -58,7 +61,10 @@ FlatMove Arranger::hood_pose(Index p, BodySide side, double rise) const {
   for (int k = 0; k < 4; ++k) {
     const double angle = (k + 1) * std::numbers::pi / 2 - std::atan2(grain.y, grain.x);
     const double d = std::abs(std::remainder(angle - free, 2 * std::numbers::pi));
-    if (d < least) least = d, best = angle;
+    if (d < least) {
+      least = d;
+      best = angle;
+    }
   }
   FlatMove pose = turn_by(best, mirrored);
   Vec2 shift;
@@ -79,7 +85,8 @@ double Arranger::angle_of_band(Index piece, const WrappedPlacement& w) const {
     const Vec2 d = (first ? t.at_a : t.at_b) - w.anchor;
     const double along = (c * d.x - s * d.y) * (w.flipped ? -1 : 1);
     const double angle = std::atan2(there.x, layout_.face[other] * 0.5 * w.radius) - along / w.radius;
-    sines += std::sin(angle), cosines += std::cos(angle);
+    sines += std::sin(angle);
+    cosines += std::cos(angle);
   }
   return std::atan2(sines, cosines);
 }
@@ -109,7 +116,9 @@ WrappedPlacement Arranger::band_around(Index p, double rise) const {
     const Vec2 axis = stand_.middle_at(neck ? f.neck : y);
     const double body = stand_.radius_about(axis, y - 0.02, y + tall + 0.02, neck ? 0.09 : 0.25);
     if (body + kClose >= w.radius) continue;
-    w.radius = body + kClose, w.axis = {axis.x, 0, axis.y}, w.height = y;
+    w.radius = body + kClose;
+    w.axis = {axis.x, 0, axis.y};
+    w.height = y;
   }
   w.radius = std::max(w.radius, 1.02 * wide / (2 * std::numbers::pi));
   // The sewn edge comes to the height of what it is sewn to, the free one away from it.
@@ -117,7 +126,8 @@ WrappedPlacement Arranger::band_around(Index p, double rise) const {
   int count = 0;
   for (const GarmentTie& t : graph_.ties) {
     if (t.a == t.b || (t.a != p && t.b != p)) continue;
-    sewn = sewn + (t.a == p ? t.at_a : t.at_b), ++count;
+    sewn = sewn + (t.a == p ? t.at_a : t.at_b);
+    ++count;
   }
   w.anchor = count > 0 ? sewn * (1.0 / count) : piece.centroid;
   const Vec2 up = count > 0 ? normalized(piece.centroid - w.anchor) : piece.grain;

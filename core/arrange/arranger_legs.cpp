@@ -46,7 +46,10 @@ void Arranger::set_legs_over_legs() {
     double inner = HUGE_VAL, outer = -HUGE_VAL;
     const double side = sign_of(layout_.pose[p](graph_.pieces[p].centroid).x);
     for (const Vec2 q : outline) {
-      if (q.y < low->y + kHem) inner = std::min(inner, side * q.x), outer = std::max(outer, side * q.x);
+      if (q.y < low->y + kHem) {
+        inner = std::min(inner, side * q.x);
+        outer = std::max(outer, side * q.x);
+      }
     }
     const double drop = pivot->y - low->y;
     const LegLine& leg = stand_.figure().leg[side > 0 ? kWearersLeft : kWearersRight];

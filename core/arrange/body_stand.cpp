@@ -29,11 +29,16 @@ bool is_within(const std::vector<Vec2>& outline, const Box2& box, Vec2 p, double
 }  // namespace
 
 BodyFigure alike_on_both_sides(BodyFigure f) {
-  even(f.armpit[0], f.armpit[1], f.middle), even(f.shoulder[0], f.shoulder[1], f.middle);
-  even(f.neck_side[0], f.neck_side[1], f.middle), even(f.bust_point[0], f.bust_point[1], f.middle);
-  even(f.arm[0].root, f.arm[1].root, f.middle), even(f.arm[0].elbow, f.arm[1].elbow, f.middle);
-  even(f.arm[0].wrist, f.arm[1].wrist, f.middle), even(f.arm[0].tip, f.arm[1].tip, f.middle);
-  even(f.leg[0].top, f.leg[1].top, f.middle), even(f.leg[0].knee, f.leg[1].knee, f.middle);
+  even(f.armpit[0], f.armpit[1], f.middle);
+  even(f.shoulder[0], f.shoulder[1], f.middle);
+  even(f.neck_side[0], f.neck_side[1], f.middle);
+  even(f.bust_point[0], f.bust_point[1], f.middle);
+  even(f.arm[0].root, f.arm[1].root, f.middle);
+  even(f.arm[0].elbow, f.arm[1].elbow, f.middle);
+  even(f.arm[0].wrist, f.arm[1].wrist, f.middle);
+  even(f.arm[0].tip, f.arm[1].tip, f.middle);
+  even(f.leg[0].top, f.leg[1].top, f.middle);
+  even(f.leg[0].knee, f.leg[1].knee, f.middle);
   even(f.leg[0].ankle, f.leg[1].ankle, f.middle);
   f.arm[0].girth = f.arm[1].girth = std::max(f.arm[0].girth, f.arm[1].girth);
   return f;
@@ -57,7 +62,10 @@ double BodyStand::height_of_ring(double girth) const {
   for (double y = figure_.waist; y > figure_.hip; y -= kStep) {
     const double g = trunk_girth(mesh_, figure_, y);
     if (g * kTight >= girth) return y;
-    if (g > widest) widest = g, loosest = y;
+    if (g > widest) {
+      widest = g;
+      loosest = y;
+    }
   }
   return loosest;
 }

@@ -49,11 +49,15 @@ RigidPlacement on_box_side(const PartBox& box, const OnBox& where) {
 
 WrappedPlacement around_box(const PartBox& box, const OnBox& where, double part_radius, double slope) {
   WrappedPlacement w;
-  w.axis = box.centre, w.up = box.axis[1];
+  w.axis = box.centre;
+  w.up = box.axis[1];
   w.radius = part_radius + where.away;
   w.angle = facing_of(box, where.side).angle + where.at.x / w.radius;
-  w.height = where.at.y, w.anchor = where.anchor, w.slope = slope;
-  w.flipped = where.flipped, w.turn = where.flipped ? -where.turn : where.turn;
+  w.height = where.at.y;
+  w.anchor = where.anchor;
+  w.slope = slope;
+  w.flipped = where.flipped;
+  w.turn = where.flipped ? -where.turn : where.turn;
   return w;
 }
 

@@ -85,7 +85,10 @@ class Layer {
       std::size_t most = 0;
       for (const Unit& unit : units_) {
         if (layout_.has(unit.piece)) continue;
-        if (const std::size_t n = ties_to_placed(unit).points.size(); n > most) most = n, next = &unit;
+        if (const std::size_t n = ties_to_placed(unit).points.size(); n > most) {
+          most = n;
+          next = &unit;
+        }
       }
       if (next == nullptr) return;
       place_by_seams(*next);
@@ -110,7 +113,10 @@ class Layer {
     double best = 0, most = -HUGE_VAL;
     for (const double angle : upright_angles(unit_of(root), face)) {
       const double y = turn_by(angle, is_mirrored(root, face)).turned(up).y;
-      if (y > most) most = y, best = angle;
+      if (y > most) {
+        most = y;
+        best = angle;
+      }
     }
     return best;
   }
@@ -148,7 +154,8 @@ class Layer {
       // On one sheet, both right side out or both not, a mirror image is cut as one.
       const auto onto = lay_on(other, mine, other.outside == mine.outside);
       if (onto && can_be_images(unit.piece, q)) {
-        unit.partner = q, unit.onto = *onto;
+        unit.partner = q;
+        unit.onto = *onto;
         return;
       }
     }
@@ -214,7 +221,8 @@ class Layer {
       // Legs hang together at their upper ends.
       if (sign == 0 && piece(p).cover == Cover::kLeg && layout_.partner[p] == other) sign = 1;
       if (sign == 0) continue;
-      sum = sum + at * (sign > 0 ? 1.0 : -1.0), ++count;
+      sum = sum + at * (sign > 0 ? 1.0 : -1.0);
+      ++count;
     }
     return count > 0 ? up + sum * (1 / static_cast<double>(count)) : up;
   }
@@ -246,7 +254,10 @@ class Layer {
     double nearest = free.angle();
     double least = HUGE_VAL;
     for (const double angle : upright_angles(unit, face)) {
-      if (const double d = std::abs(turn_between(free.angle(), angle)); d < least) least = d, nearest = angle;
+      if (const double d = std::abs(turn_between(free.angle(), angle)); d < least) {
+        least = d;
+        nearest = angle;
+      }
     }
     if (least > kSnap && unit.partner != unit.piece) return free;
     FlatMove snapped = turn_by(nearest, free.mirrored);
@@ -285,7 +296,8 @@ class Layer {
       double low = HUGE_VAL, high = -HUGE_VAL;
       for (const Vec2 q : graph_.pieces[p].outline) {
         const double across = cross(graph_.pieces[p].grain, q);
-        low = std::min(low, across), high = std::max(high, across);
+        low = std::min(low, across);
+        high = std::max(high, across);
       }
       around += high - low;
     }
@@ -310,13 +322,17 @@ class Layer {
           covered(unit.piece, face, pose) + away / (quarter * static_cast<double>(pulls.points.size()));
       if (pulls.faces * face < 0) demerit += kFolded;
       if (std::abs(pose(piece(unit.piece).centroid).x) > 1.05 * quarter) demerit += kTooFarAside;
-      if (demerit < least - 0.02) least = demerit, best_face = face;
+      if (demerit < least - 0.02) {
+        least = demerit;
+        best_face = face;
+      }
     }
     place(unit, unit.piece, fitted(unit, best_face, pulls), best_face);
   }
 
   void place(const Unit& unit, Index p, const FlatMove& pose, int face) {
-    layout_.pose[p] = pose, layout_.face[p] = face;
+    layout_.pose[p] = pose;
+    layout_.face[p] = face;
     if (unit.partner != kNone && p == unit.partner && p != unit.piece) {
       layout_.pose[unit.piece] = after(mirror_at_zero(), after(pose, inverse_image(unit)));
       layout_.face[unit.piece] = face;
@@ -331,7 +347,8 @@ class Layer {
     int count = 0;
     for (const GarmentTie& tie : graph_.ties) {
       if (!is_own(tie, unit)) continue;
-      sum += layout_.pose[unit.piece](tie.a == unit.piece ? tie.at_a : tie.at_b).x, ++count;
+      sum += layout_.pose[unit.piece](tie.a == unit.piece ? tie.at_a : tie.at_b).x;
+      ++count;
     }
     if (count > 0) shift(unit, {-sum / count, 0});
   }
@@ -345,7 +362,8 @@ class Layer {
   FlatMove inverse_image(const Unit& unit) const {
     FlatMove inverse;
     inverse.mirrored = unit.onto.mirrored;
-    inverse.c = unit.onto.c, inverse.s = unit.onto.mirrored ? unit.onto.s : -unit.onto.s;
+    inverse.c = unit.onto.c;
+    inverse.s = unit.onto.mirrored ? unit.onto.s : -unit.onto.s;
     inverse.t = -inverse.turned(unit.onto.t);
     return inverse;
   }
@@ -376,7 +394,8 @@ class Layer {
       for (const GarmentTie& tie : graph_.ties) {
         if (!is_own(tie, unit)) continue;
         const Vec2 at = tie.a == unit.piece ? tie.at_a : tie.at_b;
-        sum.x -= layout_.pose[unit.piece](at).x, ++count_x;
+        sum.x -= layout_.pose[unit.piece](at).x;
+        ++count_x;
       }
     }
     return {count_x > 0 ? sum.x / static_cast<double>(count_x) : 0,

@@ -17,15 +17,23 @@ FlatFit fit_move(std::span<const Vec2> points, std::span<const Vec2> targets, bo
   const double count = static_cast<double>(points.size());
   const auto seen = [&](Vec2 p) { return mirrored ? Vec2{-p.x, p.y} : p; };
   Vec2 a, b;
-  for (std::size_t i = 0; i < points.size(); ++i) a = a + seen(points[i]), b = b + targets[i];
-  a = a * (1 / count), b = b * (1 / count);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    a = a + seen(points[i]);
+    b = b + targets[i];
+  }
+  a = a * (1 / count);
+  b = b * (1 / count);
   double along = 0, across = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    along += dot(seen(points[i]) - a, targets[i] - b), across += cross(seen(points[i]) - a, targets[i] - b);
+    along += dot(seen(points[i]) - a, targets[i] - b);
+    across += cross(seen(points[i]) - a, targets[i] - b);
   }
   FlatFit fit;
   fit.move.mirrored = mirrored;
-  if (const double l = std::hypot(along, across); l > 1e-12) fit.move.c = along / l, fit.move.s = across / l;
+  if (const double l = std::hypot(along, across); l > 1e-12) {
+    fit.move.c = along / l;
+    fit.move.s = across / l;
+  }
   fit.move.t = b - Vec2{fit.move.c * a.x - fit.move.s * a.y, fit.move.s * a.x + fit.move.c * a.y};
   double sum = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -38,7 +46,9 @@ FlatFit fit_move(std::span<const Vec2> points, std::span<const Vec2> targets, bo
 
 FlatMove turn_by(double angle, bool mirrored) {
   FlatMove move;
-  move.c = std::cos(angle), move.s = std::sin(angle), move.mirrored = mirrored;
+  move.c = std::cos(angle);
+  move.s = std::sin(angle);
+  move.mirrored = mirrored;
   return move;
 }
 

@@ -38,7 +38,8 @@ void measure(GarmentPiece& piece) {
   Vec2 sum;
   for (std::size_t i = 0; i < piece.outline.size(); ++i) {
     const Vec2 p = piece.outline[i], q = piece.outline[(i + 1) % piece.outline.size()];
-    area += cross(p, q), sum = sum + (p + q) * cross(p, q);
+    area += cross(p, q);
+    sum = sum + (p + q) * cross(p, q);
   }
   piece.area = area / 2;
   piece.centroid = area != 0 ? sum * (1 / (3 * area)) : piece.outline.front();
@@ -58,7 +59,8 @@ std::vector<TieRun> runs_of(const PanelMeshes& meshes) {
       const bool goes_on =
           before != nullptr && before->a.panel == pair.a.panel && before->b.panel == pair.b.panel;
       if (!goes_on) runs.push_back({{}, seam.seam});
-      runs.back().pairs.push_back(pair), before = &pair;
+      runs.back().pairs.push_back(pair);
+      before = &pair;
     }
   }
   return runs;
@@ -103,11 +105,13 @@ void find_outsides(const std::vector<std::array<Index, 3>>& parities, std::vecto
     std::vector<Index> open{static_cast<Index>(root)}, group;
     while (!open.empty()) {
       const Index p = open.back();
-      open.pop_back(), group.push_back(p);
+      open.pop_back();
+      group.push_back(p);
       for (const auto& [a, b, sign] : parities) {
         const Index other = a == p ? b : b == p ? a : kNone;
         if (other == kNone || known[other] || sign == 0) continue;
-        known[other] = true, pieces[other].outside = pieces[p].outside * sign;
+        known[other] = true;
+        pieces[other].outside = pieces[p].outside * sign;
         open.push_back(other);
       }
     }
@@ -218,7 +222,8 @@ GarmentGraph make_garment_graph(const Pattern& pattern, const PanelMeshes& meshe
     piece.grain = meshes.panels[p].warp;
     piece.cover = cover_of_name(piece.id);
     const PieceWords words = words_of(piece.id);
-    piece.face = face_of_name(piece.id), piece.hand = -words.side;
+    piece.face = face_of_name(piece.id);
+    piece.hand = -words.side;
     graph.pieces.push_back(std::move(piece));
   }
   for (const MatchedSeam& seam : meshes.seams) {
@@ -268,7 +273,10 @@ bool sewn_around(const GarmentGraph& graph, Index piece, Index other) {
   for (const GarmentTie& t : graph.ties) {
     if (std::minmax(t.a, t.b) != std::minmax(piece, other)) continue;
     const Vec2 d = (t.a == piece ? t.at_a : t.at_b) - middle;
-    if (const double l = std::sqrt(d.x * d.x + d.y * d.y); l > 0) sum = sum + d * (1 / l), ++count;
+    if (const double l = std::sqrt(d.x * d.x + d.y * d.y); l > 0) {
+      sum = sum + d * (1 / l);
+      ++count;
+    }
   }
   return count > 0 && std::sqrt(sum.x * sum.x + sum.y * sum.y) < kOneSided * count;
 }
@@ -292,7 +300,8 @@ Index mirror_partner(const GarmentGraph& graph, Index piece) {
     const int r = rank(graph.pieces[static_cast<size_t>(q)]);
     if (r < 0 || r < most) continue;
     alone = r > most;
-    most = r, best = q;
+    most = r;
+    best = q;
   }
   return alone ? best : kNone;
 }

@@ -36,7 +36,8 @@ void stand_in_the_middle(const GarmentGraph& graph, const std::vector<Index>& me
     if (layout.partner[p] != kNone) return;
     if (!layout.has(p)) continue;
     for (const Vec2 q : outline_on_sheet(graph.pieces[p], layout.pose[p])) {
-      low = std::min(low, q.x), high = std::max(high, q.x);
+      low = std::min(low, q.x);
+      high = std::max(high, q.x);
     }
   }
   for (const Index p : members) layout.pose[p].t.x -= (low + high) / 2;

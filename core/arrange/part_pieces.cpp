@@ -60,7 +60,8 @@ void part_pieces(const GarmentGraph& graph, const std::vector<Index>& members, d
           move(p,
                {way.x == 0 ? (layout.pose[p](graph.pieces[p].centroid).x < 0 ? -kStep : kStep) : -way.x, 0});
         } else {
-          move(p, -way), move(q, way);
+          move(p, -way);
+          move(q, way);
         }
         moved = true;
       }

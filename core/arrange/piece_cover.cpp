@@ -23,7 +23,10 @@ std::vector<std::string> words_in(const std::string& name) {
       open = after_small = false;
       continue;
     }
-    if (!open || (std::isupper(u) && after_small)) words.emplace_back(), open = true;
+    if (!open || (std::isupper(u) && after_small)) {
+      words.emplace_back();
+      open = true;
+    }
     words.back() += static_cast<char>(std::tolower(u));
     after_small = std::islower(u);
   }

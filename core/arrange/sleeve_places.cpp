@@ -13,7 +13,10 @@ struct Chord {
   Vec2 first, last;
   bool any = false;
   void add(Vec2 p) {
-    if (!any) first = p, any = true;
+    if (!any) {
+      first = p;
+      any = true;
+    }
     last = p;
   }
 };
@@ -35,7 +38,8 @@ SleeveLine line_of_sleeve(const GarmentGraph& graph, Index piece, const std::vec
       if (mine != piece) continue;
       const Vec2 at = side == 0 ? tie.at_a : tie.at_b;
       if (!is_in(limb, other)) {
-        cap = cap + at, ++caps;
+        cap = cap + at;
+        ++caps;
       } else if (graph.pieces[other].cover == Cover::kSleeve) {
         chords[{tie.seam, other, side}].add(at);
       }
@@ -56,13 +60,15 @@ SleeveLine line_of_sleeve(const GarmentGraph& graph, Index piece, const std::vec
   Vec2 middle;
   for (const auto& [key, c] : chords) {
     middle = middle + (c.first + c.last) * 0.5;
-    begin = std::min(begin, dot(c.first, line.along)),
+    begin = std::min(begin, dot(c.first, line.along));
     line.length = std::max(line.length, length(c.last - c.first));
   }
   middle = chords.empty() ? p.centroid : middle * (1.0 / static_cast<double>(chords.size()));
   if (chords.empty()) begin = dot(p.centroid, line.along);
-  for (const Vec2 q : p.outline)
-    left = std::min(left, dot(q, across)), right = std::max(right, dot(q, across));
+  for (const Vec2 q : p.outline) {
+    left = std::min(left, dot(q, across));
+    right = std::max(right, dot(q, across));
+  }
   line.breadth = right - left;
   line.begin = line.along * begin + across * dot(middle, across);
   return line;
@@ -80,8 +86,12 @@ FlatMove sleeve_pose(const SleeveLine& line, const ArmLine& arm, double out, boo
 WrappedPlacement around_arm(const SleeveLine& line, const ArmLine& arm, BodySide side, double radius,
                             double out, bool flipped) {
   WrappedPlacement w;
-  w.axis = arm.root, w.up = -arm.along();
-  w.radius = radius, w.height = -out, w.anchor = line.begin, w.flipped = flipped;
+  w.axis = arm.root;
+  w.up = -arm.along();
+  w.radius = radius;
+  w.height = -out;
+  w.anchor = line.begin;
+  w.flipped = flipped;
   // Opposite the seam, so that it closes below.
   w.angle = (side == kWearersLeft ? 0.5 : -0.5) * std::numbers::pi;
   w.turn = std::numbers::pi / 2 - std::atan2(-line.along.y, -line.along.x);

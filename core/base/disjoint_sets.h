@@ -28,7 +28,8 @@ class DisjointSets {
   }
   /// False: they were one already.
   bool join(Index a, Index b) {
-    a = root(a), b = root(b);
+    a = root(a);
+    b = root(b);
     parent_[std::max(a, b)] = std::min(a, b);
     return a != b;
   }

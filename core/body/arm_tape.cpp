@@ -57,9 +57,15 @@ std::vector<Index> ArmTape::arm_triangles() const {
     const Index v = queue.back();
     queue.pop_back();
     for (Index t : fans[v]) {
-      if (!taken[t]) taken[t] = true, out.push_back(t);
+      if (!taken[t]) {
+        taken[t] = true;
+        out.push_back(t);
+      }
       for (Index w : mesh_.triangles[t])
-        if (!seen[w] && mesh_.vertices[w].x > limit) seen[w] = true, queue.push_back(w);
+        if (!seen[w] && mesh_.vertices[w].x > limit) {
+          seen[w] = true;
+          queue.push_back(w);
+        }
     }
   }
   std::sort(out.begin(), out.end());
@@ -80,14 +86,18 @@ std::vector<Index> ArmTape::side_triangles() const {
 
 void ArmTape::run() {
   BodyPoints& p = measures_.points;
-  arm_ = arm_triangles(), side_triangles_ = side_triangles();
+  arm_ = arm_triangles();
+  side_triangles_ = side_triangles();
   const Vec3 shoulder = top_at(p.armpit.x);
   if (!(shoulder.y > p.armpit_height)) return;
   const Vec3 root = (shoulder + p.armpit) * 0.5;
   double reach = 0;
   for (Index t : arm_) {
     const Vec3& q = mesh_.vertices[mesh_.triangles[t][0]];
-    if (const double d = length(q - shoulder); d > reach) reach = d, p.hand_tip = q;
+    if (const double d = length(q - shoulder); d > reach) {
+      reach = d;
+      p.hand_tip = q;
+    }
   }
   // The axis bends with the arm: middles of cuts across the straight line.
   const Vec3 straight = normalized(p.hand_tip - root);
@@ -114,7 +124,11 @@ void ArmTape::run() {
   double least = HUGE_VAL, wrist = 0;
   for (double s = kWristFrom; s <= kWristTo; s += 0.01) {
     Vec3 c;
-    if (const double g = girth_at_share(s, &c); g > 0 && g < least) least = g, wrist = s, p.wrist = c;
+    if (const double g = girth_at_share(s, &c); g > 0 && g < least) {
+      least = g;
+      wrist = s;
+      p.wrist = c;
+    }
   }
   if (!(least < HUGE_VAL)) return;
   std::vector<Vec3> axis;
@@ -147,8 +161,10 @@ Vec3 ArmTape::shoulder_point(std::span<const Vec3> axis) const {
   Vec3 mean;
   for (const Vec3& q : axis) mean += q * (1.0 / static_cast<double>(axis.size()));
   double along = 0, fall = 0;  // the line's slope, by least squares along x
-  for (const Vec3& q : axis)
-    along += (q.x - mean.x) * (q.x - mean.x), fall -= (q.x - mean.x) * (q.y - mean.y);
+  for (const Vec3& q : axis) {
+    along += (q.x - mean.x) * (q.x - mean.x);
+    fall -= (q.x - mean.x) * (q.y - mean.y);
+  }
   if (!(fall > kLevelArm * along)) return top_at(p.armpit.x);
   const double joint = p.nape.y - kJointLevel * (p.nape.y - p.crotch.y);
   return top_at(mean.x - (joint - mean.y) * along / fall);

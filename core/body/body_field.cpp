@@ -61,7 +61,8 @@ BodyField::BodyField(const BodyShape& shape) : figure_(shape) {
   parts_.push_back({{f.arm, {0.0071, 0.0179, 0.01}}, f.shoulder, f.out_of_arm, kZ, f.along_arm, 0.0270});
   parts_.push_back({{f.hand, {0.0048, 0.0119, 0.0179}}, f.shoulder, f.out_of_arm, kZ, f.along_arm, 0.0119});
   half_breadth_ = std::max(f.shoulder.x + f.along_arm.x * f.hand_end + 0.03, 0.2);
-  chin_ = f.height_of(shape.figure->chin), crotch_ = f.height_of(shape.figure->crotch);
+  chin_ = f.height_of(shape.figure->chin);
+  crotch_ = f.height_of(shape.figure->crotch);
   sort_ridges();
 }
 

@@ -62,7 +62,10 @@ std::vector<Vec3> points_on(const TriangleMesh& mesh, const BodyFigure& f, const
       continue;
     }
     const Vec3 d = cut.centre() - plane.origin;
-    if (dot(d, d) < least) least = dot(d, d), points = cut.points;
+    if (dot(d, d) < least) {
+      least = dot(d, d);
+      points = cut.points;
+    }
   }
   return points;
 }

@@ -55,7 +55,10 @@ void fill_trunk(Sex sex, MeasureSet& m) {
   double shift = 0;
   int known = 0;
   for (const auto& [measure, value] : table)
-    if (m[measure]) shift += *m[measure] - value, ++known;
+    if (m[measure]) {
+      shift += *m[measure] - value;
+      ++known;
+    }
   if (known > 0) shift /= known;
   for (const auto& [measure, value] : table) fill(m, measure, value + shift);
   const double bust = *m[Measure::kBust], waist = *m[Measure::kWaist];
@@ -77,7 +80,10 @@ constexpr Ratios kMaleRatios{0.378, 0.18, 0.310, 0.30, 0.172, 0.06, 1.00, 0.575,
 
 MeasureSet BodyPreset::measures() const {
   MeasureSet m;
-  m[Measure::kHeight] = height, m[Measure::kBust] = bust, m[Measure::kWaist] = waist, m[Measure::kHip] = hip;
+  m[Measure::kHeight] = height;
+  m[Measure::kBust] = bust;
+  m[Measure::kWaist] = waist;
+  m[Measure::kHip] = hip;
   return m;
 }
 

@@ -148,7 +148,9 @@ void PlacedFigure::place_trunk() {
   torso = copied(figure_.torso);
   for (LoftSection& r : torso) {
     const Scale s = trunk_scale(r.t);
-    r.half *= s.width, r.front *= s.front, r.back *= s.back;
+    r.half *= s.width;
+    r.front *= s.front;
+    r.back *= s.back;
     r.t = height_of(r.t);
   }
   const double broad = shape_.of(Measure::kShoulderWidth);
@@ -158,7 +160,8 @@ void PlacedFigure::place_trunk() {
     const double outer = smooth_step(0.05, 0.12, r.t);
     const double sleeve = grown(shape_.of(Measure::kUpperArm), 0.55);
     r.half *= mix(1, sleeve, outer);
-    r.front *= mix(s.front, sleeve, outer), r.back *= mix(s.back, sleeve, outer);
+    r.front *= mix(s.front, sleeve, outer);
+    r.back *= mix(s.back, sleeve, outer);
     r.u = height_of(r.u);
     r.t *= broad;
   }
@@ -169,13 +172,18 @@ void PlacedFigure::place_neck_and_head() {
   neck = copied(figure_.neck);
   for (LoftSection& r : neck) {
     const double s = mix(grown(girth, 0.7), girth, smooth_step(0.82, 0.85, r.t));
-    r.half *= s, r.front *= s, r.back *= s;
+    r.half *= s;
+    r.front *= s;
+    r.back *= s;
     r.v = mix(r.v, r.v * size, smooth_step(0.84, 0.90, r.t));
     r.t = height_of(r.t);
   }
   head = copied(figure_.head);
   for (LoftSection& r : head) {
-    r.half *= size, r.front *= size, r.back *= size, r.v *= size;
+    r.half *= size;
+    r.front *= size;
+    r.back *= size;
+    r.v *= size;
     r.t = height_of(r.t);
   }
 }
@@ -198,19 +206,26 @@ void PlacedFigure::place_arm() {
               figure_.shoulder.z};
   along_arm = {shape_.arm_sine, -shape_.arm_cosine, 0};
   out_of_arm = {shape_.arm_cosine, shape_.arm_sine, 0};
-  arm = copied(figure_.arm), hand = copied(figure_.hand);
+  arm = copied(figure_.arm);
+  hand = copied(figure_.hand);
   for (LoftSection& r : arm) {
     const double s = arm_scale(r.t);
-    r.half *= s, r.front *= s, r.back *= s;
+    r.half *= s;
+    r.front *= s;
+    r.back *= s;
     r.t *= stretch;
   }
   const double fist = grown(shape_.of(Measure::kWrist), 0.4);
   for (LoftSection& r : hand) {
     const double s = mix(arm_scale(r.t), fist, smooth_step(figure_.wrist, figure_.wrist + 0.02, r.t));
-    r.half *= s, r.front *= s, r.back *= s;
+    r.half *= s;
+    r.front *= s;
+    r.back *= s;
     r.t += longer;
   }
-  elbow = figure_.elbow * stretch, wrist = figure_.wrist * stretch, hand_end = figure_.hand_end + longer;
+  elbow = figure_.elbow * stretch;
+  wrist = figure_.wrist * stretch;
+  hand_end = figure_.hand_end + longer;
   thumb[0] = on_arm({-0.003, figure_.wrist + 0.016, 0.0300});
   thumb[1] = on_arm({-0.008, figure_.wrist + 0.050, 0.0405});
 }
@@ -233,7 +248,9 @@ LoftSection PlacedFigure::leg_section(double y) const {
   LoftSection r = section_at(figure_.leg, y);
   const double s = leg_scale(y), hip = grown(shape_.of(Measure::kHip), kWidthShare);
   r.u += std::max(1.04 * (s - 1) * r.half, 0.45 * (s - 1) * r.half + 0.45 * (hip - 1) * r.half);
-  r.half *= s, r.front *= s, r.back *= s;
+  r.half *= s;
+  r.front *= s;
+  r.back *= s;
   const double free_legs = 1 - smooth_step(figure_.crotch - kThighsFree, figure_.crotch, y);
   r.u = std::max(r.u, free_legs * (r.half + kLegGap));
   r.t = height_of(y);
@@ -244,7 +261,11 @@ void PlacedFigure::place_leg() {
   leg = copied(figure_.leg);
   for (LoftSection& r : leg) {
     const LoftSection s = leg_section(r.t);
-    r.u = s.u, r.half = s.half, r.front = s.front, r.back = s.back, r.t = s.t;
+    r.u = s.u;
+    r.half = s.half;
+    r.front = s.front;
+    r.back = s.back;
+    r.t = s.t;
   }
   foot = copied(figure_.foot);
   foot_origin = {leg[0].u, 0, leg[0].v};
@@ -270,18 +291,21 @@ void PlacedFigure::place_masses() {
   bust = f.breast;
   bust.centre = {bust.centre.x * mix(chest.width, size, 0.25), height_of(bust.centre.y),
                  bust.centre.z + 0.6 * ribs.front * (chest.front - 1)};
-  bust.low = bust.low * size, bust.high = bust.high * size;
+  bust.low = bust.low * size;
+  bust.high = bust.high * size;
   // Fuller breasts reach down little farther: the ribs below them stay the underbust's.
   if (f.bust_share > 0) bust.low.y = breast_reach(f.breast.low.y * grown(size, 0.25));
   buttock = f.buttock;
   const double s = shape_.of(Measure::kHip);
   buttock.centre = {buttock.centre.x * hips.width, height_of(buttock.centre.y),
                     buttock.centre.z - 0.03 * (s - 1)};
-  buttock.low = buttock.low * s, buttock.high = buttock.high * s;
+  buttock.low = buttock.low * s;
+  buttock.high = buttock.high * s;
   // Between crotch and waist they are as high as there is room.
   const double rise = (height_of(f.waist) - height_of(f.crotch)) / (f.waist - f.crotch);
   const double room = std::min(1.0, rise);
-  buttock.low.y *= room, buttock.high.y *= room;
+  buttock.low.y *= room;
+  buttock.high.y *= room;
 }
 
 Vec3 PlacedFigure::on_trunk(Vec3 p) const {
@@ -321,11 +345,13 @@ void PlacedFigure::place_strokes() {
       }
       return p;
     };
-    s.a = placed(s.a), s.b = placed(s.b);
+    s.a = placed(s.a);
+    s.b = placed(s.b);
     if (s.carrier == Carrier::kArm && s.radius < kFingerStroke) s.height *= shape_.face;
-    if (s.carrier == Carrier::kHead)
-      s.radius *= shape_.head,
-          s.height *= shape_.head * (s.radius < kFineStroke * shape_.head ? shape_.face : 1);
+    if (s.carrier == Carrier::kHead) {
+      s.radius *= shape_.head;
+      s.height *= shape_.head * (s.radius < kFineStroke * shape_.head ? shape_.face : 1);
+    }
     strokes.push_back(s);
   };
   for (const Stroke& s : figure_.strokes) add(s);
@@ -346,9 +372,13 @@ BodyJoints PlacedFigure::joints() const {
   j.head_top = {0, 1, head.back().v};
   j.chin = {0, height_of(figure_.chin), head.front().v + head.front().front};
   j.neck = {0, height_of(figure_.nape), base.v};
-  j.shoulder = shoulder, j.elbow = in_arm(elbow), j.wrist = in_arm(wrist);
+  j.shoulder = shoulder;
+  j.elbow = in_arm(elbow);
+  j.wrist = in_arm(wrist);
   j.hand_tip = shoulder + along_arm * tip.t + out_of_arm * tip.u + Vec3{0, 0, tip.v};
-  j.hip = in_leg(figure_.hip), j.knee = in_leg(figure_.knee), j.ankle = in_leg(kAnkle);
+  j.hip = in_leg(figure_.hip);
+  j.knee = in_leg(figure_.knee);
+  j.ankle = in_leg(kAnkle);
   const double cosine = std::sqrt(1 - kToeOut * kToeOut);
   j.toe = foot_origin + Vec3{kToeOut, 0, cosine} * foot.back().t;
   return j;

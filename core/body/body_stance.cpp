@@ -47,7 +47,8 @@ bool faces_back(const TriangleMesh& mesh, double stature) {
   double toes = 0, heels = 0;
   for (const Vec3& p : mesh.vertices) {
     if (p.y > kSoles * stature) continue;
-    toes = std::max(toes, p.z - ankle), heels = std::max(heels, ankle - p.z);
+    toes = std::max(toes, p.z - ankle);
+    heels = std::max(heels, ankle - p.z);
   }
   return heels > toes;
 }

@@ -19,7 +19,8 @@ std::vector<Vec3> middle_points(const MeshCut& cut, double middle) {
   for (size_t i = 0; i < cut.points.size(); ++i) {
     const double x = cut.points[i].x - middle;
     double &l = low[cut.part[i]], &h = high[cut.part[i]];
-    l = std::min(l, x), h = std::max(h, x);
+    l = std::min(l, x);
+    h = std::max(h, x);
   }
   std::vector<bool> chosen(cut.part_count, false);
   bool any = false;
@@ -56,7 +57,10 @@ std::vector<Vec3> outer_part(const MeshCut& cut, Vec3 p, double reach) {
   for (std::vector<Vec3>& points : parts) {
     if (points.size() < 3) continue;
     const Vec3 middle = middle_of(points);
-    if (length(middle - p) < reach && middle.x > most) most = middle.x, best = std::move(points);
+    if (length(middle - p) < reach && middle.x > most) {
+      most = middle.x;
+      best = std::move(points);
+    }
   }
   return best;
 }

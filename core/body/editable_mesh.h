@@ -16,7 +16,10 @@ class EditableMesh {
   using Edge = std::array<Index, 2>;
 
   const Vec3& position(Index v) const { return positions_[v]; }
-  void move(Index v, const SurfacePoint& p) { positions_[v] = p.position, normals_[v] = p.normal; }
+  void move(Index v, const SurfacePoint& p) {
+    positions_[v] = p.position;
+    normals_[v] = p.normal;
+  }
   Index vertex_count() const { return static_cast<Index>(positions_.size()); }
   Index triangle_count() const { return live_; }
   bool is_live(Index v) const { return !fans_[v].empty(); }

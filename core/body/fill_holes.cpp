@@ -141,7 +141,8 @@ class LeastFilling {
  public:
   LeastFilling(const TriangleMesh& mesh, const Ring& ring, const EdgeSet& taken)
       : mesh_(mesh), ring_(ring), taken_(taken), n_(ring.size()) {
-    area_.assign(n_ * n_, 0), middle_.assign(n_ * n_, 0);
+    area_.assign(n_ * n_, 0);
+    middle_.assign(n_ * n_, 0);
     for (std::size_t span = 2; span < n_; ++span) {
       for (std::size_t i = 0; i + span < n_; ++i) choose(i, i + span);
     }
@@ -162,7 +163,10 @@ class LeastFilling {
     for (std::size_t k = i + 1; k < j && may_cut(i, j); ++k) {
       const double own = area_of(mesh_, ring_[i], ring_[k], ring_[j]);
       const double area = area_[i * n_ + k] + area_[k * n_ + j] + own;
-      if (own > kLeastHole && area < best) best = area, middle_[i * n_ + j] = k;
+      if (own > kLeastHole && area < best) {
+        best = area;
+        middle_[i * n_ + j] = k;
+      }
     }
     area_[i * n_ + j] = best;
   }
@@ -170,7 +174,8 @@ class LeastFilling {
     if (i + 1 >= j) return;
     const std::size_t k = middle_[i * n_ + j];
     out.push_back({ring_[i], ring_[k], ring_[j]});
-    add(i, k, out), add(k, j, out);
+    add(i, k, out);
+    add(k, j, out);
   }
 
   const TriangleMesh& mesh_;
@@ -238,7 +243,8 @@ FilledHoles fill_holes(TriangleMesh& mesh, const HalfEdges& edges, const MeshShe
       for (int c = 0; c < 3; ++c) taken.insert(std::minmax({t[c], t[(c + 1) % 3]}));
     }
     mesh.triangles.insert(mesh.triangles.end(), filling.begin(), filling.end());
-    ++out.filled, out.triangles += static_cast<int>(filling.size());
+    ++out.filled;
+    out.triangles += static_cast<int>(filling.size());
   }
   return out;
 }

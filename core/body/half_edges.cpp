@@ -57,7 +57,10 @@ std::vector<Leaf> leaves_around(const TriangleMesh& mesh, std::span<const Side> 
   return leaves;
 }
 
-void join(std::vector<Index>& mate, Index a, Index b) { mate[a] = b, mate[b] = a; }
+void join(std::vector<Index>& mate, Index a, Index b) {
+  mate[a] = b;
+  mate[b] = a;
+}
 
 /// Of each triangle, whether its patch ends at a border somewhere: what hangs together across edges at which
 /// two triangles meet.
@@ -119,7 +122,8 @@ void fill_shell(const TriangleMesh& mesh, const HalfEdges& edges, Index first, M
       const bool against = start_of(mesh, h) == start_of(mesh, mate);
       const bool turn = out.turned[t] != against;
       if (out.shell_of[other] == kNone) {
-        out.shell_of[other] = out.count, out.turned[other] = turn;
+        out.shell_of[other] = out.count;
+        out.turned[other] = turn;
         queue.push_back(other);
       } else {
         one_sided = one_sided || out.turned[other] != turn;

@@ -30,7 +30,8 @@ double depth_at(const BodyCut& cut, double middle, double within) {
   double low = HUGE_VAL, high = -HUGE_VAL;
   for (const Vec3& p : cut.points) {
     if (std::abs(p.x - middle) > within) continue;
-    low = std::min(low, p.z), high = std::max(high, p.z);
+    low = std::min(low, p.z);
+    high = std::max(high, p.z);
   }
   return high > low ? high - low : 0;
 }
@@ -50,7 +51,10 @@ class FigureFinder {
       find_leg(side);
     }
     find_neck();
-    for (int side = 0; side < 2; ++side) find_shoulder(side), find_bust(side);
+    for (int side = 0; side < 2; ++side) {
+      find_shoulder(side);
+      find_bust(side);
+    }
     find_neck_profile();
     f_.bust = (f_.bust_point[0].y + f_.bust_point[1].y) / 2;
     return f_;
@@ -69,7 +73,9 @@ class FigureFinder {
       low = {std::min(low.x, p.x), std::min(low.y, p.y), 0};
       high = {std::max(high.x, p.x), std::max(high.y, p.y), 0};
     }
-    f_.floor = low.y, f_.top = high.y, f_.middle = (low.x + high.x) / 2;
+    f_.floor = low.y;
+    f_.top = high.y;
+    f_.middle = (low.x + high.x) / 2;
   }
 
   bool find_crotch() {
@@ -97,9 +103,11 @@ class FigureFinder {
         });
         const double half = sign_of(side) * (outer.x - f_.middle);
         if (before[side] > 0 && half > before[side] + kArmJump * height()) {
-          found[side] = true, f_.armpit[side] = edge[side];
+          found[side] = true;
+          f_.armpit[side] = edge[side];
         }
-        before[side] = half, edge[side] = outer;
+        before[side] = half;
+        edge[side] = outer;
       }
     }
     return found[0] && found[1];
@@ -110,7 +118,10 @@ class FigureFinder {
     double widest = 0, narrowest = HUGE_VAL;
     f_.hip = f_.crotch;
     for (double y = f_.crotch; y < f_.crotch + 0.09 * height(); y += kScan * height()) {
-      if (const double g = girth_at_height(y); g > widest) widest = g, f_.hip = y;
+      if (const double g = girth_at_height(y); g > widest) {
+        widest = g;
+        f_.hip = y;
+      }
     }
     f_.waist = at(0.62);
     for (double y = std::max(f_.hip + 0.04 * height(), at(0.56));
@@ -118,7 +129,10 @@ class FigureFinder {
       // As the tape has it: the narrowest, the more so the nearer it is to where waists usually are.
       const double off = (y - f_.crotch) / (armpit - f_.crotch) - kUsualWaist;
       const double weighed = girth_at_height(y) * (1 + kUnusualWaist * off * off);
-      if (weighed > 0 && weighed < narrowest) narrowest = weighed, f_.waist = y;
+      if (weighed > 0 && weighed < narrowest) {
+        narrowest = weighed;
+        f_.waist = y;
+      }
     }
   }
 
@@ -136,7 +150,10 @@ class FigureFinder {
       double best = 0.06 * height();
       const std::vector<BodyCut> cuts = cut_body(mesh_, p, along);
       for (const BodyCut& cut : cuts) {
-        if (const double d = length(cut.centre() - p); d < best) best = d, nearest = &cut;
+        if (const double d = length(cut.centre() - p); d < best) {
+          best = d;
+          nearest = &cut;
+        }
       }
       if (nearest == nullptr) continue;
       const double girth = tape_around(*nearest, along);
@@ -187,7 +204,9 @@ class FigureFinder {
     // Where the arm's own section begins, the armpit is passed.
     const double armpit = dot(f_.armpit[side] - sections.front().centre, along) + sections.front().s;
     const ArmSection first = nearest(std::max(armpit + 0.01 * height(), sections.front().s));
-    arm.root = first.centre, arm.girth = first.girth, arm.wrist = wrist->centre;
+    arm.root = first.centre;
+    arm.girth = first.girth;
+    arm.wrist = wrist->centre;
     const double shoulder = first.s - 0.05 * height();
     arm.elbow = nearest(shoulder + kUpperArmShare * (wrist->s - shoulder)).centre;
     return true;
@@ -200,7 +219,10 @@ class FigureFinder {
       const Vec3 c = cut.centre();
       const double x = sign_of(side) * (c.x - f_.middle);
       const double girth = tape_around(cut, {0, 1, 0});
-      if (x > 0 && x < 0.2 * height() && girth > widest) widest = girth, centre = c;
+      if (x > 0 && x < 0.2 * height() && girth > widest) {
+        widest = girth;
+        centre = c;
+      }
     }
     return centre;
   }
@@ -215,7 +237,8 @@ class FigureFinder {
         const double x = sign_of(side) * (cut.centre().x - f_.middle);
         const double girth = tape_around(cut, {0, 1, 0});
         if (x <= 0 || x > 0.25 * height() || girth < 0.07 * height() || girth > narrowest) continue;
-        narrowest = girth, leg.ankle = cut.centre();
+        narrowest = girth;
+        leg.ankle = cut.centre();
       }
     }
     if (narrowest == HUGE_VAL) leg.ankle = leg_centre(side, at(0.05));
@@ -226,7 +249,10 @@ class FigureFinder {
     double narrowest = HUGE_VAL;
     const double low = std::max(f_.armpit[0].y, f_.armpit[1].y) + 0.05 * height();
     for (double y = low; y < at(0.91); y += kScan * height()) {
-      if (const double g = girth_at_height(y); g > 0 && g < narrowest) narrowest = g, f_.neck = y;
+      if (const double g = girth_at_height(y); g > 0 && g < narrowest) {
+        narrowest = g;
+        f_.neck = y;
+      }
     }
     f_.chin = f_.neck + 0.02 * height();
     for (double y = f_.neck; y < at(0.94); y += kScan * height()) {
@@ -273,7 +299,10 @@ class FigureFinder {
       const double x = sign_of(side) * (line[i].x - f_.middle);
       if (x < 0.088 * height() || x > 0.135 * height()) continue;
       const double turn = slope(i, i + kWindow) - slope(i - kWindow, i);
-      if (turn > sharpest) sharpest = turn, f_.shoulder[side] = line[i];
+      if (turn > sharpest) {
+        sharpest = turn;
+        f_.shoulder[side] = line[i];
+      }
     }
   }
 
@@ -293,7 +322,10 @@ class FigureFinder {
     point.z = 0;
     double most = -HUGE_VAL;
     for (const Vec3& p : chest.points)
-      if (sign_of(side) * (p.x - f_.middle) > 0 && p.z > most) most = p.z, point = p;
+      if (sign_of(side) * (p.x - f_.middle) > 0 && p.z > most) {
+        most = p.z;
+        point = p;
+      }
   }
 
   /// Where the mid-plane's profile turns most from chest to neck, and from back to neck.
@@ -319,7 +351,10 @@ class FigureFinder {
     Vec3 found = line[line.size() / 2];
     for (std::size_t i = kWindow; i + kWindow < line.size(); ++i) {
       const double turn = facing * (line[i + kWindow].z - 2 * line[i].z + line[i - kWindow].z);
-      if (turn > sharpest) sharpest = turn, found = line[i];
+      if (turn > sharpest) {
+        sharpest = turn;
+        found = line[i];
+      }
     }
     return found;
   }

@@ -17,7 +17,10 @@ class Places {
 
   std::vector<Landmark> all() {
     head_and_neck();
-    for (int side = 0; side < 2; ++side) upper_body(side), limbs(side);
+    for (int side = 0; side < 2; ++side) {
+      upper_body(side);
+      limbs(side);
+    }
     around("bust", f_.bust, false);
     around("underbust", f_.bust - 0.04 * f_.height(), false);
     around("waist", f_.waist, true);
@@ -48,8 +51,10 @@ class Places {
       if (p.y > crown.y) crown = p;
     }
     add("head_top", crown);
-    add("neck_front", f_.neck_front), add("neck_back", f_.neck_back);
-    add("neck_left", f_.neck_side[0]), add("neck_right", f_.neck_side[1]);
+    add("neck_front", f_.neck_front);
+    add("neck_back", f_.neck_back);
+    add("neck_left", f_.neck_side[0]);
+    add("neck_right", f_.neck_side[1]);
   }
 
   void upper_body(int side) {
@@ -84,13 +89,20 @@ class Places {
       double most = -HUGE_VAL;
       for (const Vec3& p : cut.points) {
         const bool beside = way.x == 0 && std::abs(p.x - f_.middle) > within;
-        if (!beside && dot(p, way) > most) most = dot(p, way), best = p;
+        if (!beside && dot(p, way) > most) {
+          most = dot(p, way);
+          best = p;
+        }
       }
       return best;
     };
     const double within = 0.012 * f_.height();
-    add(name + "_front", farthest({0, 0, 1}, within)), add(name + "_back", farthest({0, 0, -1}, within));
-    if (sides) add(name + "_left", farthest({1, 0, 0}, 0)), add(name + "_right", farthest({-1, 0, 0}, 0));
+    add(name + "_front", farthest({0, 0, 1}, within));
+    add(name + "_back", farthest({0, 0, -1}, within));
+    if (sides) {
+      add(name + "_left", farthest({1, 0, 0}, 0));
+      add(name + "_right", farthest({-1, 0, 0}, 0));
+    }
   }
 
   const TriangleMesh& mesh_;
@@ -115,7 +127,10 @@ SkinPoint nearest_on_skin(const TriangleMesh& mesh, Vec3 p) {
     const Vec3 &a = mesh.vertices[tri[0]], &b = mesh.vertices[tri[1]], &c = mesh.vertices[tri[2]];
     const TrianglePoint w = closest_on_triangle(p, a, b, c);
     const Vec3 d = a * w.a + b * w.b + c * w.c - p;
-    if (dot(d, d) < least) least = dot(d, d), best = {static_cast<Index>(t), {w.a, w.b, w.c}};
+    if (dot(d, d) < least) {
+      least = dot(d, d);
+      best = {static_cast<Index>(t), {w.a, w.b, w.c}};
+    }
   }
   return best;
 }

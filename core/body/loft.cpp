@@ -126,9 +126,13 @@ FieldSample Loft::at(Vec3 uvt) const {
   // Way into a cap; its slope is the sign of the end.
   double over = 0, sign = 0, cap = 1;
   if (uvt.z < start_ + shape_.cap_start) {
-    over = start_ + shape_.cap_start - uvt.z, sign = -1, cap = shape_.cap_start;
+    over = start_ + shape_.cap_start - uvt.z;
+    sign = -1;
+    cap = shape_.cap_start;
   } else if (uvt.z > end_ - shape_.cap_end) {
-    over = uvt.z - (end_ - shape_.cap_end), sign = 1, cap = shape_.cap_end;
+    over = uvt.z - (end_ - shape_.cap_end);
+    sign = 1;
+    cap = shape_.cap_end;
   }
   const double tau = over / cap;
   const double k = std::sqrt(n.g * n.g + tau * tau + kLeast * kLeast);

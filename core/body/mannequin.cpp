@@ -136,7 +136,10 @@ TriangleMesh evened(TriangleMesh mesh, const BodyShape& shape, Index triangle_co
 // The finished mesh stands on the floor and is as tall as asked; chords had cut a little off both.
 TriangleMesh stand(TriangleMesh mesh, double height) {
   double low = mesh.vertices[0].y, high = low;
-  for (const Vec3& p : mesh.vertices) low = std::min(low, p.y), high = std::max(high, p.y);
+  for (const Vec3& p : mesh.vertices) {
+    low = std::min(low, p.y);
+    high = std::max(high, p.y);
+  }
   for (Vec3& p : mesh.vertices) p = Vec3{p.x * height, (p.y - low) * (height / (high - low)), p.z * height};
   return mesh;
 }
@@ -158,7 +161,11 @@ class ShapeSolver {
   }
 
   /// Forgets where it was, as when the mesh is another; keeps what was learnt.
-  void restart() { last_step_.clear(), least_miss_ = HUGE_VAL, bad_steps_ = 0; }
+  void restart() {
+    last_step_.clear();
+    least_miss_ = HUGE_VAL;
+    bad_steps_ = 0;
+  }
   /// Begins anew from a shape.
   void restart(const BodyShape& from) {
     shape = from;
@@ -185,11 +192,17 @@ class ShapeSolver {
     double share = 1;
     if (missed < kWorse * least_miss_) {
       bad_steps_ = 0;
-      if (missed < least_miss_) least_miss_ = missed, best_ = shape, best_off_ = off;
+      if (missed < least_miss_) {
+        least_miss_ = missed;
+        best_ = shape;
+        best_off_ = off;
+      }
     } else {
       // From the best place so far, with a shorter step; what keeps leading astray is not worth keeping.
       if (++bad_steps_ > 1) forget();
-      shape = best_, off = best_off_, share = kShorter;
+      shape = best_;
+      off = best_off_;
+      share = kShorter;
     }
     step(off, share);
   }
@@ -243,7 +256,8 @@ class ShapeSolver {
         by_effect[k] += inverse_[k * n + j] * (off[j] - last_off_[j]);
         by_step[k] += last_step_[j] * inverse_[j * n + k];
       }
-      weight += last_step_[k] * by_effect[k], steps += last_step_[k] * last_step_[k];
+      weight += last_step_[k] * by_effect[k];
+      steps += last_step_[k] * last_step_[k];
     }
     if (!(weight > kLeastEffect * steps) || !(steps > 1e-8)) return;
     for (size_t k = 0; k < n; ++k)
@@ -372,7 +386,8 @@ Result<Mannequin> make_mannequin(const MannequinSettings& settings) {
   start.figure = &figure_of(settings.sex);
   start.head = head_size(settings.sex, h);
   start.face = std::clamp((settings.triangle_count - 5000) / 10000.0, 0.0, 1.0);
-  start.arm_sine = sine(settings.arm_angle), start.arm_cosine = sine(kQuarterTurn - settings.arm_angle);
+  start.arm_sine = sine(settings.arm_angle);
+  start.arm_cosine = sine(kQuarterTurn - settings.arm_angle);
   MeasureSet targets = settings.asked;
   for (Measure m : {Measure::kBust, Measure::kWaist, Measure::kHip}) targets[m] = wanted[m];
   ShapeSolver solver(targets, wanted, start);

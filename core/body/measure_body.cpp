@@ -83,7 +83,10 @@ class BodyTape {
       const double x = middle_of(ribs).x;
       double breadth = 0;
       for (const Vec3& p : ribs) breadth = std::max(breadth, std::abs(p.x - x));
-      if (!ribs.empty() && breadth < least) least = breadth, points().middle = x;
+      if (!ribs.empty() && breadth < least) {
+        least = breadth;
+        points().middle = x;
+      }
     }
   }
 
@@ -93,7 +96,8 @@ class BodyTape {
     Level l{y, hull_perimeter(flat(ps)), 0, -HUGE_VAL, HUGE_VAL};
     for (const Vec3& p : ps) {
       l.half = std::max(l.half, std::abs(p.x - middle));
-      l.front = std::max(l.front, p.z), l.back = std::min(l.back, p.z);
+      l.front = std::max(l.front, p.z);
+      l.back = std::min(l.back, p.z);
     }
     return l;
   }
@@ -129,7 +133,10 @@ class BodyTape {
     const MeshCut cut = plane_cut(mesh_, {points().middle, 0, 0}, {1, 0, 0});
     double low = HUGE_VAL;
     for (const Vec3& p : cut.points)
-      if (p.y > 0.25 * stature_ && p.y < low) low = p.y, points().crotch = p;
+      if (p.y > 0.25 * stature_ && p.y < low) {
+        low = p.y;
+        points().crotch = p;
+      }
     if (!(low < 0.6 * stature_)) return Error{"body.not_a_body", "There is no crotch to be found.", ""};
     take(Measure::kInseam, low, low, {points().crotch, {points().crotch.x, 0, points().crotch.z}});
     return {};
@@ -166,7 +173,8 @@ class BodyTape {
     const Level waist = waist_level();
     if (!(p.armpit_height > waist.y + 0.03 * stature_))
       return Error{"body.not_a_body", "There are no armpits to be found above the waist.", ""};
-    p.hip_height = hip.y, p.waist_height = waist.y;
+    p.hip_height = hip.y;
+    p.waist_height = waist.y;
     take_level(Measure::kHip, hip);
     take_level(Measure::kWaist, waist);
     // A woman's bust is taken at the bust points, a chest at its widest, right below the armpits.
@@ -181,7 +189,8 @@ class BodyTape {
                                          std::min(profile.apex + kBustAbove * stature_, top), wider)
                                : extreme(ribs, top, wider);
     const Level under = level_at(ribs);
-    p.bust_height = bust.y, p.underbust_height = ribs;
+    p.bust_height = bust.y;
+    p.underbust_height = ribs;
     take_level(Measure::kBust, bust);
     take_level(Measure::kUnderbust, under);
     return {};
@@ -211,7 +220,10 @@ class BodyTape {
     double least = HUGE_VAL, place = 0;
     for (double y = points().armpit_height; y < 0.95 * stature_; y += 2 * kLevelStep * stature_) {
       const Level l = level_at(y);
-      if (l.girth > 0 && l.girth < least) least = l.girth, place = y;
+      if (l.girth > 0 && l.girth < least) {
+        least = l.girth;
+        place = y;
+      }
     }
     if (!(least < HUGE_VAL)) return;
     neck_y_ = place;
@@ -226,7 +238,11 @@ class BodyTape {
         const Vec3 normal = normalized(Vec3{0, 1, lean});
         const std::vector<Vec3> ps = middle_points(plane_cut(mesh_, centre, normal, near), middle);
         const double g = around(ps, normal);
-        if (ps.size() > 5 && g < best) best = g, best_y = y, line = taut_loop(ps, normal);
+        if (ps.size() > 5 && g < best) {
+          best = g;
+          best_y = y;
+          line = taut_loop(ps, normal);
+        }
       }
     }
     take(Measure::kNeck, best, best_y, std::move(line));
@@ -333,7 +349,10 @@ void BodyTape::find_leg() {
   take(Measure::kThigh, girth(thigh), thigh, taut_loop(leg_at(thigh), {0, 1, 0}));
   double most = 0, place = 0;
   for (double y = kCalfLow * crotch; y <= kCalfHigh * crotch; y += 2 * kLevelStep * stature_)
-    if (const double g = girth(y); g > most) most = g, place = y;
+    if (const double g = girth(y); g > most) {
+      most = g;
+      place = y;
+    }
   take(Measure::kCalf, most, place, taut_loop(leg_at(place), {0, 1, 0}));
 }
 

@@ -86,8 +86,12 @@ MeshCutter::MeshCutter(const TriangleMesh& mesh, Vec3 direction, std::span<const
     const Tri& k = mesh.triangles[t];
     return std::minmax({height_[k[0]], height_[k[1]], height_[k[2]]});
   };
-  low_ = HUGE_VAL, high_ = -HUGE_VAL;
-  for (Index t : chosen) low_ = std::min(low_, range(t).first), high_ = std::max(high_, range(t).second);
+  low_ = HUGE_VAL;
+  high_ = -HUGE_VAL;
+  for (Index t : chosen) {
+    low_ = std::min(low_, range(t).first);
+    high_ = std::max(high_, range(t).second);
+  }
   if (chosen.empty() || !(high_ > low_)) {
     low_ = high_ = 0;
     return;

@@ -174,7 +174,9 @@ void Remesher::relax() {
       const Vec3 n = mesh_.normal(t);
       const Vec3 centre = (mesh_.position(k[0]) + mesh_.position(k[1]) + mesh_.position(k[2])) * (1.0 / 3);
       const double w = ::toile::length(n) / (wanted(centre) * wanted(centre));
-      sum += centre * w, weight += w, normal += n;
+      sum += centre * w;
+      weight += w;
+      normal += n;
     }
     if (weight <= 0) continue;
     normal = normalized(normal);
@@ -195,7 +197,10 @@ void Remesher::meet_count() {
       if (excess == 0) break;
       if (!mesh_.is_live(e[0]) || !mesh_.is_live(e[1]) || !mesh_.has_edge(e)) continue;
       if (excess < 0) {
-        if (const SurfacePoint p = middle(e); p.found) mesh_.split(e, p), ++excess;
+        if (const SurfacePoint p = middle(e); p.found) {
+          mesh_.split(e, p);
+          ++excess;
+        }
       } else {
         excess -= collapse(e, 2);
       }
@@ -220,7 +225,12 @@ TriangleMesh remesh(TriangleMesh mesh, const ImplicitSurface& surface, const Rem
   Remesher r(std::move(mesh), surface, settings);
   for (int i = 0; i < settings.rounds; ++i) r.round();
   r.meet_count();
-  for (int i = 0; i < 3; ++i) r.even_valences(), r.remove_slivers(), r.meet_count(), r.relax();
+  for (int i = 0; i < 3; ++i) {
+    r.even_valences();
+    r.remove_slivers();
+    r.meet_count();
+    r.relax();
+  }
   return r.take();
 }
 

@@ -30,7 +30,10 @@ double diagonal_of(const TriangleMesh& mesh) {
 std::vector<Index> border_vertices(const TriangleMesh& mesh, const HalfEdges& edges) {
   std::vector<Index> out;
   for (Index h = 0; h < static_cast<Index>(edges.mate.size()); ++h) {
-    if (edges.mate[h] == kNone) out.push_back(start_of(mesh, h)), out.push_back(end_of(mesh, h));
+    if (edges.mate[h] == kNone) {
+      out.push_back(start_of(mesh, h));
+      out.push_back(end_of(mesh, h));
+    }
   }
   std::sort(out.begin(), out.end());
   out.erase(std::unique(out.begin(), out.end()), out.end());
@@ -52,7 +55,10 @@ int weld_borders(TriangleMesh& mesh) {
     for (std::size_t j = i + 1; j < border.size(); ++j) {
       const Vec3 way = mesh.vertices[border[j]] - mesh.vertices[border[i]];
       if (way.x > reach) break;
-      if (onto[border[j]] == border[j] && length(way) <= reach) onto[border[j]] = border[i], ++welded;
+      if (onto[border[j]] == border[j] && length(way) <= reach) {
+        onto[border[j]] = border[i];
+        ++welded;
+      }
     }
   }
   if (welded == 0) return 0;
@@ -281,7 +287,9 @@ RepairedMesh repair_mesh(TriangleMesh mesh) {
     shells = find_shells(mesh, edges);
   }
   const FilledHoles holes = fill_holes(mesh, edges, shells, kHole);
-  repairs.holes = holes.filled, repairs.hole_triangles = holes.triangles, repairs.open_borders = holes.left;
+  repairs.holes = holes.filled;
+  repairs.hole_triangles = holes.triangles;
+  repairs.open_borders = holes.left;
   repairs.turned = turn_outward(mesh, turned, repairs);
   return {std::move(mesh), repairs};
 }

@@ -76,14 +76,16 @@ std::array<PartBox, kBodyParts> part_boxes(const TriangleMesh& mesh, const BodyF
   for (int k = 0; k < kBodyParts; ++k) {
     boxes[k].part = static_cast<BodyPart>(k);
     boxes[k].axis = axes_of(boxes[k].part, figure);
-    low[k].fill(HUGE_VAL), high[k].fill(-HUGE_VAL);
+    low[k].fill(HUGE_VAL);
+    high[k].fill(-HUGE_VAL);
   }
   const std::vector<BodyPart> parts = part_of_vertices(mesh, figure);
   for (std::size_t v = 0; v < parts.size(); ++v) {
     const int k = static_cast<int>(parts[v]);
     for (int a = 0; a < 3; ++a) {
       const double d = dot(mesh.vertices[v], boxes[k].axis[a]);
-      low[k][a] = std::min(low[k][a], d), high[k][a] = std::max(high[k][a], d);
+      low[k][a] = std::min(low[k][a], d);
+      high[k][a] = std::max(high[k][a], d);
     }
   }
   for (int k = 0; k < kBodyParts; ++k) {

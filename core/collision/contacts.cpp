@@ -41,7 +41,8 @@ bool inside_both(EdgePoints at) { return at.s > 0 && at.s < 1 && at.t > 0 && at.
 }  // namespace
 
 void FeatureBoxes::lay_around(const Surface& surface) {
-  edges.resize(surface.edges.size()), faces.resize(surface.triangles.size());
+  edges.resize(surface.edges.size());
+  faces.resize(surface.triangles.size());
   for (std::size_t e = 0; e < edges.size(); ++e) {
     edges[e] = join(vertices[surface.edges[e][0]], vertices[surface.edges[e][1]]);
   }
@@ -122,7 +123,8 @@ ContactFinder::ContactFinder(Surface cloth, std::span<const Obstacle> obstacles,
 
 void ContactFinder::measure(std::span<const Vec3> positions, std::span<const double> speeds, Contacts& out) {
   out.measured.assign(positions.begin(), positions.end());
-  out.least_gap = 1, out.least_gap_vertex = kNone;
+  out.least_gap = 1;
+  out.least_gap_vertex = kNone;
   found_.clear();
   near_.clear();
   rims_.clear();
@@ -217,9 +219,13 @@ void ContactFinder::vertex_on_obstacle(const Obstacle& obstacle, Index vertex, c
   const Vec3 n = (p - q) * (1 / gap);
   bound(vertex, n, p, body_allowance(gap), out);
   Contact contact;
-  contact.count = 1, contact.v[0] = vertex, contact.w[0] = 1;
-  contact.n = n, contact.c = dot(n, q);
-  contact.rest = obstacle.skin_offset, contact.friction = obstacle.friction;
+  contact.count = 1;
+  contact.v[0] = vertex;
+  contact.w[0] = 1;
+  contact.n = n;
+  contact.c = dot(n, q);
+  contact.rest = obstacle.skin_offset;
+  contact.friction = obstacle.friction;
   contact.restitution = obstacle.restitution;
   near_.push_back({gap, contact});
 }
@@ -329,7 +335,10 @@ double ContactFinder::thickness_at(std::initializer_list<Index> vertices) const 
 
 bool ContactFinder::has_gap(double gap, double reach, Index vertex, Contacts& out) {
   if (gap >= reach) return false;
-  if (gap < out.least_gap) out.least_gap = gap, out.least_gap_vertex = vertex;
+  if (gap < out.least_gap) {
+    out.least_gap = gap;
+    out.least_gap_vertex = vertex;
+  }
   return gap > 0;
 }
 
@@ -360,7 +369,10 @@ void ContactFinder::keep_nearest(Contacts& out) {
   std::size_t first = 0;  // of the vertex's contacts in near_
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < near_.size(); ++i) {
-    if (near_[i].contact.v[0] != near_[first].contact.v[0]) first = i, kept.clear();
+    if (near_[i].contact.v[0] != near_[first].contact.v[0]) {
+      first = i;
+      kept.clear();
+    }
     const bool hidden = std::any_of(kept.begin(), kept.end(), [&](std::size_t k) {
       return dot(near_[i].contact.n, near_[k].contact.n) > kSameSide &&
              near_[i].gap > 1.05 * near_[k].gap + kContactFloor;

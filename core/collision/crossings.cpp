@@ -101,7 +101,11 @@ Meeting meeting_of(const Surface& cloth, const Tri& a, const Tri& b) {
   Meeting m;
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
-      if (cloth.vertex_class[a[i]] == cloth.vertex_class[b[j]]) ++m.shared, m.corner_a = i, m.corner_b = j;
+      if (cloth.vertex_class[a[i]] == cloth.vertex_class[b[j]]) {
+        ++m.shared;
+        m.corner_a = i;
+        m.corner_b = j;
+      }
     }
   }
   return m;

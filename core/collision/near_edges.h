@@ -36,7 +36,8 @@ void visit_near(std::span<const EdgePair> pairs, std::span<const EdgeLine> mine,
     const std::size_t count = std::min<std::size_t>(2, pairs.size() - first);
     for (std::size_t k = 0; k < 2; ++k) {
       const EdgePair& pair = pairs[first + std::min(k, count - 1)];
-      a[k] = &mine[pair.first], b[k] = &theirs[pair.second];
+      a[k] = &mine[pair.first];
+      b[k] = &theirs[pair.second];
     }
     const unsigned near = near_ones(a, b);
     for (std::size_t k = 0; k < count; ++k) {

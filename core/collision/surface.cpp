@@ -27,7 +27,10 @@ Surface make_surface(std::span<const Tri> triangles, Index vertex_count,
     for (int k = 0; k < 3; ++k) {
       const Index i = triangles[t][k], j = triangles[t][(k + 1) % 3];
       halves.push_back({std::min(i, j), std::max(i, j), t, k});
-      if (!vertex_taken[i]) vertex_taken[i] = true, surface.owned[t] |= 1u << k;
+      if (!vertex_taken[i]) {
+        vertex_taken[i] = true;
+        surface.owned[t] |= 1u << k;
+      }
     }
   }
   std::stable_sort(halves.begin(), halves.end(),

@@ -114,7 +114,8 @@ double middle_z(const TriangleMesh& body, double height) {
   double low = HUGE_VAL, high = -HUGE_VAL;
   for (const Vec3& p : body.vertices) {
     if (std::abs(p.y - height) > 0.03 || std::abs(p.x) > half) continue;
-    low = std::min(low, p.z), high = std::max(high, p.z);
+    low = std::min(low, p.z);
+    high = std::max(high, p.z);
   }
   return (low + high) / 2;
 }

@@ -23,18 +23,40 @@ constexpr std::size_t kMostWords = 1000;  // bytes of a reason
 template <typename Archive>
 void fields(Archive& a, RunState& run) {
   SessionState& s = run.session;
-  a.value(s.phase), a.value(s.stop_reason), a.value(s.steps);
-  a.value(s.time), a.value(s.phase_start), a.value(s.last_weld), a.value(s.slackened);
-  a.value(s.joined), a.value(s.released), a.value(s.off_at_release);
-  a.value(s.watch.step), a.value(s.watch.window_start), a.value(s.watch.rms), a.value(s.watch.max_speed);
-  a.value(s.watch.ways), a.value(s.watch.drift), a.value(s.watch.usual_drift), a.value(s.watch.swings);
-  a.value(s.solver.positions), a.value(s.solver.velocities);
-  a.value(s.solver.measured), a.value(s.solver.measured_speeds), a.value(s.solver.held_back),
-      a.value(s.solver.hits);
-  a.value(run.at_end.cloth_body), a.value(run.at_end.cloth_cloth);
-  a.value(run.worst.cloth_body), a.value(run.worst.cloth_cloth);
-  a.value(run.worst_frame_step), a.value(run.frames_checked), a.value(run.resumed), a.value(run.recorded);
-  a.value(run.cpu_s), a.value(run.wall_s);
+  a.value(s.phase);
+  a.value(s.stop_reason);
+  a.value(s.steps);
+  a.value(s.time);
+  a.value(s.phase_start);
+  a.value(s.last_weld);
+  a.value(s.slackened);
+  a.value(s.joined);
+  a.value(s.released);
+  a.value(s.off_at_release);
+  a.value(s.watch.step);
+  a.value(s.watch.window_start);
+  a.value(s.watch.rms);
+  a.value(s.watch.max_speed);
+  a.value(s.watch.ways);
+  a.value(s.watch.drift);
+  a.value(s.watch.usual_drift);
+  a.value(s.watch.swings);
+  a.value(s.solver.positions);
+  a.value(s.solver.velocities);
+  a.value(s.solver.measured);
+  a.value(s.solver.measured_speeds);
+  a.value(s.solver.held_back);
+  a.value(s.solver.hits);
+  a.value(run.at_end.cloth_body);
+  a.value(run.at_end.cloth_cloth);
+  a.value(run.worst.cloth_body);
+  a.value(run.worst.cloth_cloth);
+  a.value(run.worst_frame_step);
+  a.value(run.frames_checked);
+  a.value(run.resumed);
+  a.value(run.recorded);
+  a.value(run.cpu_s);
+  a.value(run.wall_s);
 }
 
 bool all_within(const std::vector<Vec3>& list, double most) {

@@ -25,7 +25,8 @@ std::vector<PointTie> ties_of(const DrapeInput& input, const Assembly& assembly,
   for (std::size_t i = 0; i < input.notions.buttons.size(); ++i) {
     const auto& [a, b] = assembly.notions.buttons[i];
     PointTie tie;
-    tie.a = mapped(a, vertex_of), tie.b = mapped(b, vertex_of);
+    tie.a = mapped(a, vertex_of);
+    tie.b = mapped(b, vertex_of);
     tie.start_length = length(position_of(b, assembly.positions) - position_of(a, assembly.positions));
     tie.end_length = input.notions.buttons[i].distance;
     ties.push_back(tie);

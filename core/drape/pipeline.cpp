@@ -29,7 +29,10 @@ int frame_interval_of(const DrapeInput& input) {
 class GoTimer {
  public:
   explicit GoTimer(DrapeResult& result) : result_(result) {}
-  ~GoTimer() { result_.cpu_s += watch_.cpu_s(), result_.wall_s += watch_.wall_s(); }
+  ~GoTimer() {
+    result_.cpu_s += watch_.cpu_s();
+    result_.wall_s += watch_.wall_s();
+  }
   GoTimer(const GoTimer&) = delete;
   GoTimer& operator=(const GoTimer&) = delete;
 
@@ -75,9 +78,12 @@ Status DrapeRun::restore(std::string_view checkpoint) {
   const GoTimer timer(result_);
   RunState state = TRY(decode_checkpoint(checkpoint, session_->start_hash()));
   TRY(session_->restore(std::move(state.session)));
-  result_.at_end = state.at_end, result_.worst = state.worst;
-  result_.worst_frame_step = state.worst_frame_step, result_.frames_checked = state.frames_checked;
-  result_.cpu_s += state.cpu_s, result_.wall_s += state.wall_s;
+  result_.at_end = state.at_end;
+  result_.worst = state.worst;
+  result_.worst_frame_step = state.worst_frame_step;
+  result_.frames_checked = state.frames_checked;
+  result_.cpu_s += state.cpu_s;
+  result_.wall_s += state.wall_s;
   result_.resumed = state.resumed + 1;
   recorded_ = state.recorded;
   return {};

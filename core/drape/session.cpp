@@ -116,7 +116,8 @@ std::vector<HeldVertex> DrapeSession::held_now() const {
     if (released_[a]) continue;
     for (const Index i : assembly_.attached[a]) {
       Sum& sum = sums[vertex_of_[i]];
-      sum.target += assembly_.positions[i], ++sum.count;
+      sum.target += assembly_.positions[i];
+      ++sum.count;
       sum.height_only &= input_.attachments[a].hold == Attachment::Hold::kHeight;
     }
   }
@@ -140,14 +141,17 @@ StepForces DrapeSession::forces_now() const {
   StepForces forces;
   const double since = time_ - phase_start_;
   if (phase_ == Phase::kSew) {
-    forces.gravity = 0, forces.friction = forces.restitution = 0, forces.damping = kSewDamping;
+    forces.gravity = 0;
+    forces.friction = forces.restitution = 0;
+    forces.damping = kSewDamping;
     forces.stitch_length = std::max(0.0, 1 - since / input_.settings.sew_time);
     forces.features = {forces.stitch_length, 0, false};
     return forces;
   }
   forces.features = {0, std::min(1.0, since / kFormTime), input_.settings.air.density > 0};
   if (dynamic()) {
-    forces.gravity = input_.settings.gravity, forces.damping = 0;
+    forces.gravity = input_.settings.gravity;
+    forces.damping = 0;
     return forces;
   }
   forces.gravity = input_.settings.gravity * std::min(1.0, since / kGravityRamp);
@@ -174,14 +178,19 @@ Status DrapeSession::restore(SessionState state) {
   const auto count = static_cast<std::size_t>(weld.vertex_count);
   if (state.solver.positions.size() != count) return damaged_checkpoint();
   vertex_of_ = weld.vertex_of;
-  released_ = state.released, off_at_release_ = state.off_at_release;
+  released_ = state.released;
+  off_at_release_ = state.off_at_release;
   build_solver(model_of(vertex_of_, weld.vertex_count), state.solver.positions, {});
   solver_->set_stitches(stitches_now());
   solver_->restore(std::move(state.solver));
   watch_.restore(std::move(state.watch));
-  phase_ = state.phase, stop_reason_ = std::move(state.stop_reason);
-  steps_ = state.steps, time_ = state.time;
-  phase_start_ = state.phase_start, last_weld_ = state.last_weld, slackened_ = state.slackened;
+  phase_ = state.phase;
+  stop_reason_ = std::move(state.stop_reason);
+  steps_ = state.steps;
+  time_ = state.time;
+  phase_start_ = state.phase_start;
+  last_weld_ = state.last_weld;
+  slackened_ = state.slackened;
   return {};
 }
 
@@ -193,7 +202,8 @@ void DrapeSession::step() {
   time_ += input_.settings.time_step;
   watch_.observe(solver_->positions(), forces.damping);
   if (report.not_finite) {
-    phase_ = Phase::kDone, stop_reason_ = "not finite";
+    phase_ = Phase::kDone;
+    stop_reason_ = "not finite";
   } else if (phase_ == Phase::kSew) {
     sew_or_weld();
   } else {
@@ -214,11 +224,13 @@ void DrapeSession::sew_or_weld() {
   const bool still = slackened_ == kMostSlackened && watch_.rms_speed() < input_.settings.settle_speed;
   if (!shut && !still && since < input_.settings.sew_time + kStallTime) return;
   if (gap > kSeamLost) {
-    phase_ = Phase::kDone, stop_reason_ = "stalled seam " + name_of_widest_seam();
+    phase_ = Phase::kDone;
+    stop_reason_ = "stalled seam " + name_of_widest_seam();
     return;
   }
   weld();
-  phase_ = Phase::kDrape, phase_start_ = last_weld_ = time_;
+  phase_ = Phase::kDrape;
+  phase_start_ = last_weld_ = time_;
 }
 
 void DrapeSession::weld() {
@@ -234,7 +246,8 @@ void DrapeSession::weld() {
   std::vector<double> mass(weld.vertex_count, 0);
   for (std::size_t i = 0; i < before.size(); ++i) {
     const double m = solver_->model().mass[before[i]];
-    momentum[vertex_of_[i]] += velocities[before[i]] * m, mass[vertex_of_[i]] += m;
+    momentum[vertex_of_[i]] += velocities[before[i]] * m;
+    mass[vertex_of_[i]] += m;
   }
   for (std::size_t v = 0; v < momentum.size(); ++v) momentum[v] = momentum[v] * (1 / mass[v]);
   build_solver(std::move(model), std::move(weld.positions), std::move(momentum));
@@ -272,7 +285,8 @@ void DrapeSession::settle_or_stop() {
     phase_ = Phase::kDone;
     stop_reason_ = reason_at_rest();
   } else if (out_of_time) {
-    phase_ = Phase::kDone, stop_reason_ = "time";
+    phase_ = Phase::kDone;
+    stop_reason_ = "time";
   }
 }
 
@@ -327,7 +341,10 @@ std::string DrapeSession::name_of_widest_seam() const {
   for (std::size_t k = 0; k < assembly_.garment.sewn.size(); ++k) {
     const auto [i, j] = assembly_.garment.sewn[k];
     const double gap = length(solver_->positions()[vertex_of_[i]] - solver_->positions()[vertex_of_[j]]);
-    if (gap > widest) widest = gap, seam = assembly_.garment.seam_of_sewn[k];
+    if (gap > widest) {
+      widest = gap;
+      seam = assembly_.garment.seam_of_sewn[k];
+    }
   }
   return seam == kNone ? "" : input_.pattern.seams[seam].id;
 }

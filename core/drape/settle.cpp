@@ -24,7 +24,8 @@ Sizes sizes_of(std::span<const float> ways) {
   for (std::size_t i = 0; i < squares.size(); ++i) {
     const Vec3 d{ways[3 * i], ways[3 * i + 1], ways[3 * i + 2]};
     squares[i] = dot(d, d);
-    sum += squares[i], most = std::max(most, squares[i]);
+    sum += squares[i];
+    most = std::max(most, squares[i]);
   }
   if (squares.empty()) return {};
   const auto usual = squares.begin() + static_cast<std::ptrdiff_t>(squares.size() - 1 - squares.size() / 100);
@@ -84,7 +85,8 @@ void SettleWatch::observe(std::span<const Vec3> x, double damping) {
     }
     const Sizes drift = sizes_of(whole);
     const double row = kQuietWindows * seconds;
-    seen_.drift = drift.rms / row, seen_.usual_drift = drift.usual / row;
+    seen_.drift = drift.rms / row;
+    seen_.usual_drift = drift.usual / row;
     seen_.ways.erase(seen_.ways.begin(), seen_.ways.begin() + static_cast<std::ptrdiff_t>(count));
   }
   seen_.ways.insert(seen_.ways.end(), newest.begin(), newest.end());

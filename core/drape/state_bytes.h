@@ -23,9 +23,19 @@ class StateWriter {
   }
   void value(double v) { value(std::bit_cast<std::uint64_t>(v)); }
   void value(float v) { value(std::bit_cast<std::uint32_t>(v)); }
-  void value(Vec2 p) { value(p.x), value(p.y); }
-  void value(Vec3 p) { value(p.x), value(p.y), value(p.z); }
-  void value(std::string_view text) { size(text.size()), bytes_.append(text); }
+  void value(Vec2 p) {
+    value(p.x);
+    value(p.y);
+  }
+  void value(Vec3 p) {
+    value(p.x);
+    value(p.y);
+    value(p.z);
+  }
+  void value(std::string_view text) {
+    size(text.size());
+    bytes_.append(text);
+  }
   void value(const std::string& text) { value(std::string_view(text)); }
   /// Eight to a byte.
   void value(const std::vector<bool>& bits) {
@@ -83,7 +93,11 @@ class StateReader {
     value(bits);
     v = std::bit_cast<float>(bits);
   }
-  void value(Vec3& p) { value(p.x), value(p.y), value(p.z); }
+  void value(Vec3& p) {
+    value(p.x);
+    value(p.y);
+    value(p.z);
+  }
   void value(std::string& text) { text = raw(size(1)); }
   void value(std::vector<bool>& bits) {
     std::uint32_t n = 0;
@@ -99,7 +113,10 @@ class StateReader {
   void value(std::vector<Vec3>& list) { values(list, 3 * sizeof(double)); }
   /// The next `n` bytes; none when there are fewer.
   std::string_view raw(std::size_t n) {
-    if (!ok_ || n > rest_.size()) return ok_ = false, std::string_view();
+    if (!ok_ || n > rest_.size()) {
+      ok_ = false;
+      return std::string_view();
+    }
     const std::string_view bytes = rest_.substr(0, n);
     rest_.remove_prefix(n);
     return bytes;

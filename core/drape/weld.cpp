@@ -11,8 +11,10 @@ namespace {
 std::vector<Vec3> class_means(const GarmentMesh& garment, std::span<const Vec3> positions) {
   std::vector<Vec3> mean(positions.size());
   std::vector<int> count(positions.size(), 0);
-  for (std::size_t i = 0; i < positions.size(); ++i)
-    mean[garment.weld[i]] += positions[i], ++count[garment.weld[i]];
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    mean[garment.weld[i]] += positions[i];
+    ++count[garment.weld[i]];
+  }
   for (std::size_t i = 0; i < positions.size(); ++i) {
     if (count[i] > 1) mean[i] = mean[i] * (1.0 / count[i]);
   }
@@ -29,7 +31,10 @@ bool open_crossing_classes(const GarmentMesh& garment, std::span<const Vec3> pos
       if (!open[garment.weld[v]]) open[garment.weld[v]] = any = true;
     }
   };
-  for (const auto& [a, b] : self_crossings(surface, positions)) mark(a), mark(b);
+  for (const auto& [a, b] : self_crossings(surface, positions)) {
+    mark(a);
+    mark(b);
+  }
   for (const CrossingBody& body : bodies) {
     for (const auto& [a, b] : body_crossings(surface, positions, body)) mark(a);
   }

@@ -31,7 +31,10 @@ void BoxGroups::refit_groups(std::span<const Box3> boxes) {
     group.around = nothing;
     for (int i = 0; i < kSize; ++i) {
       const Box3& box = group.item[i] == kNone ? nothing : boxes[group.item[i]];
-      for (int k = 0; k < 3; ++k) group.lo[k][i] = box.lo[k], group.hi[k][i] = box.hi[k];
+      for (int k = 0; k < 3; ++k) {
+        group.lo[k][i] = box.lo[k];
+        group.hi[k][i] = box.hi[k];
+      }
       group.around = join(group.around, box);
     }
     around_[g] = group.around;

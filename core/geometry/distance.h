@@ -61,9 +61,11 @@ inline EdgePoints closest_on_edges(Vec3 p0, Vec3 p1, Vec3 q0, Vec3 q1) {
   double s = denominator > 1e-12 * a * e ? std::clamp((b * f - c * e) / denominator, 0.0, 1.0) : 0.5;
   double t = (b * s + f) / e;
   if (t < 0) {
-    t = 0, s = std::clamp(-c / a, 0.0, 1.0);
+    t = 0;
+    s = std::clamp(-c / a, 0.0, 1.0);
   } else if (t > 1) {
-    t = 1, s = std::clamp((b - c) / a, 0.0, 1.0);
+    t = 1;
+    s = std::clamp((b - c) / a, 0.0, 1.0);
   }
   return {s, t};
 }

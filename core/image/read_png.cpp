@@ -74,7 +74,8 @@ bool make_room(PngReading& reading, png_structp png, png_infop info) {
     reading.refused = fits.error();
     return false;
   }
-  reading.width = static_cast<int>(width), reading.height = static_cast<int>(height);
+  reading.width = static_cast<int>(width);
+  reading.height = static_cast<int>(height);
   reading.deep = png_get_bit_depth(png, info) > 8;
   reading.rows.emplace(reading.width, reading.height, reading.limits.shown_side);
   const std::size_t stride = std::size_t{4} * width;

@@ -50,8 +50,13 @@ MeshQuality quality_of(std::span<const Vec2> rest, std::span<const Tri> triangle
   q.triangles = static_cast<Index>(triangles.size());
   q.edges = static_cast<Index>(lengths.size());
   const Spread edge = spread_of(lengths), area = spread_of(areas);
-  q.min_edge = edge.min, q.max_edge = edge.max, q.mean_edge = edge.mean, q.edge_deviation = edge.deviation;
-  q.min_area = area.min, q.max_area = area.max, q.area_deviation = area.deviation;
+  q.min_edge = edge.min;
+  q.max_edge = edge.max;
+  q.mean_edge = edge.mean;
+  q.edge_deviation = edge.deviation;
+  q.min_area = area.min;
+  q.max_area = area.max;
+  q.area_deviation = area.deviation;
   return q;
 }
 

@@ -30,8 +30,10 @@ std::vector<double> wanted_lengths(std::span<const GridPoint> points, std::span<
   std::vector<int> count(border, 0);
   for (const auto& [a, b] : segments) {
     const double whole = distance(points[a], points[b]);
-    own[a] += whole, ++count[a];
-    own[b] += whole, ++count[b];
+    own[a] += whole;
+    ++count[a];
+    own[b] += whole;
+    ++count[b];
   }
   bool graded = false;
   for (Index v = 0; v < border; ++v) {
@@ -44,8 +46,14 @@ std::vector<double> wanted_lengths(std::span<const GridPoint> points, std::span<
       for (int i = 0; i < 3; ++i) {
         const Index a = t[i], b = t[(i + 1) % 3];
         const double step = kGrading * distance(points[a], points[b]);
-        if (wanted[a] + step < wanted[b]) wanted[b] = wanted[a] + step, graded = true;
-        if (wanted[b] + step < wanted[a]) wanted[a] = wanted[b] + step, graded = true;
+        if (wanted[a] + step < wanted[b]) {
+          wanted[b] = wanted[a] + step;
+          graded = true;
+        }
+        if (wanted[b] + step < wanted[a]) {
+          wanted[a] = wanted[b] + step;
+          graded = true;
+        }
       }
     }
   }
@@ -116,7 +124,10 @@ bool is_clear(const GridPoint& p, const MeshEdge& e, std::span<const GridPoint> 
 std::vector<std::vector<Index>> border_neighbours(std::span<const std::array<Index, 2>> segments,
                                                   Index border) {
   std::vector<std::vector<Index>> next(border);
-  for (const auto& [a, b] : segments) next[a].push_back(b), next[b].push_back(a);
+  for (const auto& [a, b] : segments) {
+    next[a].push_back(b);
+    next[b].push_back(a);
+  }
   return next;
 }
 

@@ -181,7 +181,8 @@ void store_side(const Side& side, std::vector<MeasuredPanel>& panels) {
     part.at = e.at;
     if (e.reversed) std::reverse(part.at.begin(), part.at.end());
     for (double& s : part.at) s = e.reversed ? part.to - s : part.from + s;
-    part.at.front() = part.from, part.at.back() = part.to;
+    part.at.front() = part.from;
+    part.at.back() = part.to;
   }
 }
 

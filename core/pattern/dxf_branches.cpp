@@ -240,7 +240,10 @@ class Brancher {
     std::size_t outer = 0;
     double least = std::numeric_limits<double>::max();
     for (std::size_t f = 0; f < faces.size(); ++f)
-      if (const double area = area_of(faces[f]); area < least) least = area, outer = f;
+      if (const double area = area_of(faces[f]); area < least) {
+        least = area;
+        outer = f;
+      }
     std::vector<std::vector<DxfLink>> loops;
     if (!faces.empty()) loops = simple_loops(faces[outer]);
     // What an outline holds by one line at most is a hole of its own; what it holds by several is a part of

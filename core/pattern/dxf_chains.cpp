@@ -26,7 +26,9 @@ DxfChain joined(const std::vector<DxfStroke>& strokes, const std::vector<DxfLink
   DxfChain chain;
   std::size_t runs = 0;
   bool strokes_only = true;
-  chain.closed = closed, chain.layer = layer, chain.line = strokes[links[0].stroke].line;
+  chain.closed = closed;
+  chain.layer = layer;
+  chain.line = strokes[links[0].stroke].line;
   for (const DxfLink& link : links) {
     std::vector<Vec2> points = strokes[link.stroke].points;
     if (link.reversed) std::reverse(points.begin(), points.end());
@@ -92,8 +94,10 @@ class Chainer {
           const auto& [x, y, i, last] = *it;
           if (x != cx || y != cy) break;
           const double d = length(strokes_[i].end(last) - p);
-          if (d < nearest || (d == nearest && (!best || i < best->stroke)))
-            nearest = d, best = DxfLink{i, last};
+          if (d < nearest || (d == nearest && (!best || i < best->stroke))) {
+            nearest = d;
+            best = DxfLink{i, last};
+          }
         }
       }
     }
@@ -193,7 +197,11 @@ DxfTransform transform_of(const DxfInsert& insert, const DxfBlock& block) {
   DxfTransform t{Vec2{c, s} * insert.scale.x, Vec2{-s, c} * insert.scale.y, insert.at};
   t.origin = insert.at - (block.base.x * t.x + block.base.y * t.y);
   // The plane seen from behind: x counts the other way.
-  if (insert.mirrored) t.x.x = -t.x.x, t.y.x = -t.y.x, t.origin.x = -t.origin.x;
+  if (insert.mirrored) {
+    t.x.x = -t.x.x;
+    t.y.x = -t.y.x;
+    t.origin.x = -t.origin.x;
+  }
   return t;
 }
 

@@ -137,7 +137,10 @@ void DxfCollector::begin_block(const DxfDraft& d) {
 
 DxfCurve DxfCollector::curve_of(const DxfDraft& d) {
   DxfCurve c;
-  c.layer = d.layer, c.line = d.line, c.mirrored = d.mirrored(), c.entity = add(d);
+  c.layer = d.layer;
+  c.line = d.line;
+  c.mirrored = d.mirrored();
+  c.entity = add(d);
   return c;
 }
 
@@ -210,7 +213,8 @@ bool DxfCollector::cut_polyline() {
 void DxfCollector::add_lwpolyline(DxfDraft& d) {
   if (d.vertices.size() < 2) return drop(d, "it has fewer than two vertices");
   DxfCurve c = curve_of(d);
-  c.closed = (d.flags() & 1) != 0, c.is_run = true;
+  c.closed = (d.flags() & 1) != 0;
+  c.is_run = true;
   c.vertices = std::move(d.vertices);
   target().curves.push_back(std::move(c));
 }
@@ -225,7 +229,9 @@ void DxfCollector::add_arc(const DxfDraft& d) {
   DxfCurve c = curve_of(d);
   c.kind = DxfCurve::Kind::arc;
   c.vertices = {{d.at(), 0}};
-  c.radius = std::abs(d.number(40)), c.start = d.number(50), c.end = d.number(51);
+  c.radius = std::abs(d.number(40));
+  c.start = d.number(50);
+  c.end = d.number(51);
   c.closed = d.type == DxfType::circle;
   target().curves.push_back(std::move(c));
 }
@@ -235,7 +241,9 @@ void DxfCollector::add_ellipse(const DxfDraft& d) {
   DxfCurve c = curve_of(d);
   c.kind = DxfCurve::Kind::ellipse;
   c.vertices = {{d.at(), 0}, {{d.number(11), d.number(21)}, 0}};
-  c.radius = std::abs(d.number(40, 1)), c.start = d.number(41), c.end = d.number(42, kWhole);
+  c.radius = std::abs(d.number(40, 1));
+  c.start = d.number(41);
+  c.end = d.number(42, kWhole);
   c.closed = std::abs(c.end - c.start) >= kWhole - 1e-5;
   target().curves.push_back(std::move(c));
 }
@@ -254,9 +262,11 @@ void DxfCollector::add_spline(DxfDraft& d) {
   }
   DxfCurve c = curve_of(d);
   c.kind = sound ? DxfCurve::Kind::spline : DxfCurve::Kind::through;
-  c.degree = int(degree), c.closed = !sound && (d.flags() & 1) != 0;
+  c.degree = int(degree);
+  c.closed = !sound && (d.flags() & 1) != 0;
   c.vertices = std::move(sound ? d.vertices : d.through);
-  c.knots = std::move(d.knots), c.weights = std::move(d.weights);
+  c.knots = std::move(d.knots);
+  c.weights = std::move(d.weights);
   target().curves.push_back(std::move(c));
 }
 

@@ -150,7 +150,10 @@ class Parser {
       section_.clear();
     }
     if (group.value == "EOF") done_ = true;
-    if (group.value == "SECTION") section_ = "?", section_line_ = group.line;
+    if (group.value == "SECTION") {
+      section_ = "?";
+      section_line_ = group.line;
+    }
     return std::nullopt;
   }
 

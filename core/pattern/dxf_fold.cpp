@@ -18,7 +18,10 @@ std::optional<FoldAxis> fold_axis(const std::vector<Vec2>& line) {
 
 bool spans_fold(const std::vector<Vec2>& points, const FoldAxis& axis) {
   double left = 0, right = 0;
-  for (const Vec2 p : points) left = std::max(left, axis.side(p)), right = std::max(right, -axis.side(p));
+  for (const Vec2 p : points) {
+    left = std::max(left, axis.side(p));
+    right = std::max(right, -axis.side(p));
+  }
   return std::min(left, right) > std::max(kBothSides, kBothSidesShare * std::max(left, right));
 }
 
@@ -44,7 +47,8 @@ OffRun run_from(const std::vector<Vec2>& half, std::size_t first, const FoldAxis
   run.points.push_back(axis.snapped(half[i]));
   const double a = dot(run.points.front() - axis.at, axis.along),
                b = dot(run.points.back() - axis.at, axis.along);
-  run.low = std::min(a, b), run.high = std::max(a, b);
+  run.low = std::min(a, b);
+  run.high = std::max(a, b);
   return run;
 }
 

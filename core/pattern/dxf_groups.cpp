@@ -36,7 +36,8 @@ DxfGroupReader::DxfGroupReader(std::istream& in, std::size_t max_bytes)
 bool DxfGroupReader::fill() {
   if (error_) return false;
   in_.read(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
-  at_ = 0, end_ = static_cast<std::size_t>(in_.gcount());
+  at_ = 0;
+  end_ = static_cast<std::size_t>(in_.gcount());
   bytes_ += end_;
   if (bytes_ > max_bytes_) {
     error_ = Error{"dxf.too_large",

@@ -62,7 +62,8 @@ std::string take_statement(DxfPiece& piece, const DxfStatement& s, DxfContext& c
     }
     // Two of a kind are a left one and a right one; what is cut on the fold is its own mirror image.
     const bool pairs = !quantity->told_apart && !piece.unfolded;
-    piece.quantity = sum, piece.mirrored = pairs ? sum / 2 : quantity->mirrored;
+    piece.quantity = sum;
+    piece.mirrored = pairs ? sum / 2 : quantity->mirrored;
     return piece.mirrored > 0 ? "quantity, some of them turned over" : "quantity";
   }
   if (s.key == "size") return "size of the piece";
@@ -113,7 +114,8 @@ void name_pieces(std::vector<DxfFound>& pieces, const DxfPlace& place, DxfContex
   }
   for (const DxfPart& part : place.parts) {
     DxfTransform to_mm = part.transform;
-    to_mm.x = to_mm.x * context.mm_per_unit, to_mm.y = to_mm.y * context.mm_per_unit;
+    to_mm.x = to_mm.x * context.mm_per_unit;
+    to_mm.y = to_mm.y * context.mm_per_unit;
     to_mm.origin = to_mm.origin * context.mm_per_unit;
     std::vector<DxfText> rest;
     for (const DxfText& text : part.block->texts)
@@ -142,7 +144,10 @@ void name_by_texts(std::vector<DxfFound>& pieces, const std::vector<DxfText>& te
     std::optional<std::size_t> nearest;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       const std::optional<double> off = nearness(pieces[i].piece, boxes[i], to_mm(text.at));
-      if (off && (!nearest || *off < title.off)) nearest = i, title.off = *off;
+      if (off && (!nearest || *off < title.off)) {
+        nearest = i;
+        title.off = *off;
+      }
     }
     if (!nearest) continue;
     if (statement && !stated) {

@@ -201,10 +201,14 @@ class Sorter {
       const DxfChain& c = *taken.chain;
       DxfPlaced placed{{}, &taken, sew_of_[i] ? &cut : nullptr};
       DxfPiece& piece = placed.found.piece;
-      piece.outline = c.points, piece.breaks = c.breaks, piece.breaks_are_edges = c.breaks_are_edges;
-      piece.layer = c.layer, piece.line = c.line;
+      piece.outline = c.points;
+      piece.breaks = c.breaks;
+      piece.breaks_are_edges = c.breaks_are_edges;
+      piece.layer = c.layer;
+      piece.line = c.line;
       piece.on_sew_line = sew_of_[i] != nullptr || cut.role == DxfRole::sew;
-      placed.found.id = next_id_++, placed.found.entities = c.entities;
+      placed.found.id = next_id_++;
+      placed.found.entities = c.entities;
       mark(c, c.curved ? DxfFate::converted : DxfFate::kept,
            c.curved ? "outline, its arcs drawn out and fitted anew" : "outline", placed.found.id);
       if (sew_of_[i]) {

@@ -71,11 +71,18 @@ class Finder {
       if (!statement) continue;
       DxfStyle& style = layout_.style;
       const auto told = [&](const char* what) { file_.log.mark(text.entity, DxfFate::converted, what); };
-      if (statement->key == "style name") style.name = statement->value, told("name of the style");
-      if (statement->key == "sample size" || statement->key == "base size")
-        style.sample_size = statement->value, told("sample size");
-      if (statement->key == "units" || statement->key == "unit")
-        style.units.push_back({statement->value, text.line}), told("unit of the drawing");
+      if (statement->key == "style name") {
+        style.name = statement->value;
+        told("name of the style");
+      }
+      if (statement->key == "sample size" || statement->key == "base size") {
+        style.sample_size = statement->value;
+        told("sample size");
+      }
+      if (statement->key == "units" || statement->key == "unit") {
+        style.units.push_back({statement->value, text.line});
+        told("unit of the drawing");
+      }
     }
   }
 
@@ -84,7 +91,9 @@ class Finder {
       const DxfBlock* block = take_block(insert);
       if (!block) continue;
       DxfPlace place;
-      place.is_block = true, place.block = block->name, place.line = insert.line;
+      place.is_block = true;
+      place.block = block->name;
+      place.line = insert.line;
       add_parts(place, *block, transform_of(insert, *block), 1);
       file_.log.mark(insert.entity, DxfFate::kept, "puts a block in its place");
       layout_.places.push_back(std::move(place));
@@ -143,7 +152,9 @@ class Finder {
       if (!nothing_else)
         file_.log.warn(block.line, "the block '" + block.name + "' holds a piece that nothing inserts");
       DxfPlace place;
-      place.is_block = true, place.block = block.name, place.line = block.line;
+      place.is_block = true;
+      place.block = block.name;
+      place.line = block.line;
       add_parts(place, block, {}, 1);
       layout_.places.push_back(std::move(place));
     }
@@ -157,8 +168,10 @@ class Finder {
         if (!statement) continue;
         place.statements.push_back(&text);
         if (statement->key == "piece name" && !place.name_is_stated && !is_lost(statement->value) &&
-            !statement->value.empty())
-          place.name = statement->value, place.name_is_stated = true;
+            !statement->value.empty()) {
+          place.name = statement->value;
+          place.name_is_stated = true;
+        }
         if (statement->key == "size" && place.size.empty()) place.size = statement->value;
       }
     }

@@ -102,7 +102,8 @@ class Reader {
                      ""};
     }
     DxfTransform to_mm;
-    to_mm.x = {mm_per_unit, 0}, to_mm.y = {0, mm_per_unit};
+    to_mm.x = {mm_per_unit, 0};
+    to_mm.y = {0, mm_per_unit};
     name_by_texts(attempt.pieces, file_.entities.texts, to_mm, context);
     finish_names(attempt.pieces);
     names_.assign(std::size_t(attempt.ids), {});
@@ -158,9 +159,12 @@ class Reader {
                               " is the likeliest; compare the sizes of the "
                               "pieces, and give the unit if they are wrong");
     for (DxfFound& found : attempt.pieces) drawing.pieces.push_back(std::move(found.piece));
-    drawing.mm_per_unit = unit_.mm, drawing.unit = unit_;
-    drawing.style = layout_.style.name, drawing.sample_size = layout_.style.sample_size;
-    drawing.sizes = layout_.sizes, drawing.size = layout_.size;
+    drawing.mm_per_unit = unit_.mm;
+    drawing.unit = unit_;
+    drawing.style = layout_.style.name;
+    drawing.sample_size = layout_.style.sample_size;
+    drawing.sizes = layout_.sizes;
+    drawing.size = layout_.size;
     drawing.report = attempt.log.report(names_);
     for (const DxfWarning& w : drawing.report.warnings) drawing.notes.push_back(warning_text(w));
     return drawing;

@@ -29,15 +29,19 @@ int DxfLog::number_of_word(std::string_view word) {
 
 std::size_t DxfLog::add(std::string_view type, std::string_view layer, std::string_view block, int line) {
   Entity entity;
-  entity.type = number_of_word(type), entity.layer = number_of_word(layer);
-  entity.block = number_of_word(block), entity.line = line;
+  entity.type = number_of_word(type);
+  entity.layer = number_of_word(layer);
+  entity.block = number_of_word(block);
+  entity.line = line;
   entities_.push_back(entity);
   return entities_.size() - 1;
 }
 
 void DxfLog::mark(std::size_t entity, DxfFate fate, std::string_view reason, int piece) {
   Entity& e = entities_[entity];
-  e.fate = fate, e.reason = number_of_word(reason), e.piece = piece;
+  e.fate = fate;
+  e.reason = number_of_word(reason);
+  e.piece = piece;
 }
 
 void DxfLog::warn(int line, std::string text, int piece, std::optional<Vec2> at) {
@@ -68,8 +72,11 @@ DxfReport DxfLog::report(const std::vector<std::string>& names) const {
     const auto [it, fresh] = groups.emplace(key, report.groups.size());
     if (fresh) {
       DxfEntityGroup group;
-      group.type = words_[std::size_t(e.type)], group.layer = words_[std::size_t(e.layer)];
-      group.block = words_[std::size_t(e.block)], group.fate = e.fate, group.piece = name(e.piece);
+      group.type = words_[std::size_t(e.type)];
+      group.layer = words_[std::size_t(e.layer)];
+      group.block = words_[std::size_t(e.block)];
+      group.fate = e.fate;
+      group.piece = name(e.piece);
       group.reason = e.reason < 0 ? "nothing is made of it" : words_[std::size_t(e.reason)];
       report.groups.push_back(std::move(group));
     }

@@ -28,7 +28,10 @@ DxfFound* owner_of(Vec2 at, std::vector<DxfTrimmings>& pieces) {
     if (!p.box.grown(kMarkReach).contains(at)) continue;
     const std::vector<Vec2>& outline = p.found->piece.outline;
     const double off = pieces.size() == 1 || contains(outline, at) ? 0 : distance_to_outline(at, outline);
-    if (off < nearest) nearest = off, best = p.found;
+    if (off < nearest) {
+      nearest = off;
+      best = p.found;
+    }
   }
   return best;
 }
@@ -129,7 +132,8 @@ void place_marks(const std::vector<DxfPart>& parts, bool by_aama, std::vector<Dx
   Marker marker(by_aama, pieces, context);
   for (const DxfPart& part : parts) {
     DxfTransform to_mm = part.transform;
-    to_mm.x = to_mm.x * context.mm_per_unit, to_mm.y = to_mm.y * context.mm_per_unit;
+    to_mm.x = to_mm.x * context.mm_per_unit;
+    to_mm.y = to_mm.y * context.mm_per_unit;
     to_mm.origin = to_mm.origin * context.mm_per_unit;
     for (const DxfMark& mark : part.block->marks) marker.place(mark, to_mm);
     for (const DxfCurve& curve : part.block->curves)

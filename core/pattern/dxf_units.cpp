@@ -87,15 +87,18 @@ class Judge {
     const auto says = [&](const char* word) { return words.find(word) != std::string::npos; };
     std::string meaning;
     if (says("metric")) {
-      add("mm", kMetricMm), add("cm", kMetricCm);
+      add("mm", kMetricMm);
+      add("cm", kMetricCm);
       meaning = "mm in one system, cm in another";
     } else if (says("english") || says("imperial") || says("inch") || words == "in") {
       add("inch", says("inch") || words == "in" ? kStated : kEnglish);
       meaning = "inch";
     } else if (says("millim") || words == "mm") {
-      add("mm", kStated), meaning = "mm";
+      add("mm", kStated);
+      meaning = "mm";
     } else if (says("centim") || words == "cm") {
-      add("cm", kStated), meaning = "cm";
+      add("cm", kStated);
+      meaning = "cm";
     } else {
       meaning = "no unit known here";
     }

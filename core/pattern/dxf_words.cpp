@@ -24,9 +24,12 @@ void append_utf8(std::string& out, std::uint32_t c) {
   if (c < 0x80) {
     out += char(c);
   } else if (c < 0x800) {
-    out += char(0xC0 | (c >> 6)), out += char(0x80 | (c & 0x3F));
+    out += char(0xC0 | (c >> 6));
+    out += char(0x80 | (c & 0x3F));
   } else {
-    out += char(0xE0 | (c >> 12)), out += char(0x80 | ((c >> 6) & 0x3F)), out += char(0x80 | (c & 0x3F));
+    out += char(0xE0 | (c >> 12));
+    out += char(0x80 | ((c >> 6) & 0x3F));
+    out += char(0x80 | (c & 0x3F));
   }
 }
 
@@ -186,7 +189,10 @@ std::optional<DxfStatement> statement_of(const std::string& text) {
   std::size_t colon = text.find(':');
   std::size_t width = 1;
   constexpr std::string_view kWideColon = "\xEF\xBC\x9A";  // of Chinese and Japanese keyboards
-  if (const std::size_t wide = text.find(kWideColon); wide < colon) colon = wide, width = kWideColon.size();
+  if (const std::size_t wide = text.find(kWideColon); wide < colon) {
+    colon = wide;
+    width = kWideColon.size();
+  }
   if (colon == std::string::npos || colon == 0 || colon > kLongestKey) return std::nullopt;
   DxfStatement statement;
   for (char c : lower(std::string_view(text).substr(0, colon))) {

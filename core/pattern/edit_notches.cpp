@@ -32,7 +32,10 @@ Error out_of_range(const char* what, const std::string& where) { return {"edit.o
 double joint_near(const PanelEdge& edge, double along) {
   double joint = 0, best = along, least = kSnap;
   for (std::size_t k = 0; k <= edge.curves.size(); ++k) {
-    if (std::abs(joint - along) < least) least = std::abs(joint - along), best = joint;
+    if (std::abs(joint - along) < least) {
+      least = std::abs(joint - along);
+      best = joint;
+    }
     if (k < edge.curves.size()) joint += arc_length(edge.curves[k]);
   }
   return best;

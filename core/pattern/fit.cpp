@@ -199,7 +199,9 @@ std::size_t straight_until(Points p, std::size_t i) {
     const double distance = length(d), angle = std::atan2(cross(axis, d), dot(axis, d));
     if (distance <= far || angle < low || angle > high) break;
     const double slack = std::asin(std::min(1.0, kStraightDeviation / distance));
-    low = std::max(low, angle - slack), high = std::min(high, angle + slack), far = distance;
+    low = std::max(low, angle - slack);
+    high = std::min(high, angle + slack);
+    far = distance;
   }
   return j - 1;
 }

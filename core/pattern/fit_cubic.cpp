@@ -78,8 +78,11 @@ CubicBezier fit_handles(Points p, const std::vector<double>& u, Vec2 t0, Vec2 t1
     const double t = u[i], s = 1 - t;
     const double b0 = s * s * s, b1 = 3 * s * s * t, b2 = 3 * s * t * t, b3 = t * t * t;
     const Vec2 a0 = t0 * b1, a1 = -t1 * b2, rest = p[i] - (a * (b0 + b1) + b * (b2 + b3));
-    c00 += dot(a0, a0), c01 += dot(a0, a1), c11 += dot(a1, a1);
-    x0 += dot(a0, rest), x1 += dot(a1, rest);
+    c00 += dot(a0, a0);
+    c01 += dot(a0, a1);
+    c11 += dot(a1, a1);
+    x0 += dot(a0, rest);
+    x1 += dot(a1, rest);
   }
   const double det = c00 * c11 - c01 * c01;
   double h0 = (x0 * c11 - x1 * c01) / det, h1 = (c00 * x1 - c01 * x0) / det;

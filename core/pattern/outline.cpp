@@ -35,7 +35,8 @@ Vec2 point_along(Points loop, std::size_t i, double window, bool forward) {
     i = (i + (forward ? 1 : n - 1)) % n;
     const double l = length(loop[i] - at);
     if (l >= window) return at + (loop[i] - at) * (window / l);
-    window -= l, at = loop[i];
+    window -= l;
+    at = loop[i];
   }
   return at;
 }
@@ -143,7 +144,11 @@ std::optional<std::size_t> vertex_at(std::vector<Vec2>& line, Vec2 p) {
   bool found = false;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     const double off = distance_to_segment(p, line[i], line[i + 1]);
-    if (off < nearest) nearest = off, best = i, found = true;
+    if (off < nearest) {
+      nearest = off;
+      best = i;
+      found = true;
+    }
   }
   if (!found) return std::nullopt;
   for (const std::size_t i : {best, best + 1})

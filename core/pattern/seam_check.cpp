@@ -192,7 +192,10 @@ class Sides {
 
  private:
   std::size_t root(std::size_t i, bool& side) const {
-    while (parent_[i] != i) side = side != other_[i], i = parent_[i];
+    while (parent_[i] != i) {
+      side = side != other_[i];
+      i = parent_[i];
+    }
     return i;
   }
   std::vector<std::size_t> parent_;

@@ -104,7 +104,10 @@ const Line* best_one(const SeamModel& m, const std::vector<Line>& lines, Index r
   for (const Line& line : lines) {
     if (line.runs.size() < 2 || m.runs[line.runs[0]].panel == m.runs[r].panel) continue;
     const double off = difference(line.length, m.runs[r].length);
-    if (off < least) least = off, best = &line;
+    if (off < least) {
+      least = off;
+      best = &line;
+    }
   }
   return best;
 }

@@ -160,7 +160,8 @@ double GluingJudge::points(const SeamGluing& g) {
 /// Handles, openings and separate parts, from Euler's formula.
 double GluingJudge::surface(const SeamGluing& g) {
   const int panels = static_cast<int>(m_.words.size());
-  parts_.reset(m_.words.size()), borders_.reset(runs_.size());
+  parts_.reset(m_.words.size());
+  borders_.reset(runs_.size());
   int edges = 0, components = panels, border_count = 0;
   free_at_.assign(runs_.size(), kNone);
   for (Index i = 0; i < static_cast<Index>(runs_.size()); ++i) {
@@ -169,7 +170,8 @@ double GluingJudge::surface(const SeamGluing& g) {
       if (parts_.join(runs_[i].panel, runs_[g.partner[i]].panel)) --components;
       continue;
     }
-    ++edges, ++border_count;
+    ++edges;
+    ++border_count;
     for (const Index end : {i, runs_[i].next}) {
       Index& there = free_at_[root_[end]];
       if (there == kNone)

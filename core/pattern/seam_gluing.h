@@ -19,7 +19,8 @@ struct SeamGluing {
   std::vector<char> turned;  ///< of each panel: sewn as if the drawing showed its wrong side
 
   void sew(Index a, Index b, const std::array<double, 2>& value) {
-    partner[a] = b, partner[b] = a;
+    partner[a] = b;
+    partner[b] = a;
     merit[a] = merit[b] = value;
   }
   void undo(Index a) {

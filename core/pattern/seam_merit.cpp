@@ -58,7 +58,10 @@ Vec2 chord(const SeamRun& run) { return run.at[kSamples - 1] - run.at[0]; }
 double heights(const SeamModel& m, const SeamRun& run, std::array<double, kSamples>& h) {
   double mean = 0, square = 0;
   for (std::size_t i = 0; i < kSamples; ++i) mean += (h[i] = dot(run.at[i], m.up[run.panel])) / kSamples;
-  for (double& x : h) x -= mean, square += x * x / kSamples;
+  for (double& x : h) {
+    x -= mean;
+    square += x * x / kSamples;
+  }
   return std::sqrt(square);
 }
 

@@ -61,7 +61,10 @@ std::vector<double> notches_on(const Panel& panel, const PanelEdge& edge) {
     for (int i = 0; i <= steps; ++i) {
       const double s = whole * i / steps;
       const double d = length(point_at_length(edge, s) - notch.at);
-      if (d < best) best = d, where = s;
+      if (d < best) {
+        best = d;
+        where = s;
+      }
     }
     if (where > kNear && where < whole - kNear) found.push_back(where);
   }
@@ -75,7 +78,8 @@ void add_panel(const Panel& panel, Index index, SeamModel& model) {
   const std::size_t count = edges.size();
   for (std::size_t e = 0; e < count; ++e) {
     SeamRun run;
-    run.panel = index, run.edge = static_cast<Index>(e);
+    run.panel = index;
+    run.edge = static_cast<Index>(e);
     run.next = first + static_cast<Index>((e + 1) % count);
     measure(edges[e], run);
     run.angle = corner_angle(edges[(e + count - 1) % count], edges[e]);
@@ -125,11 +129,14 @@ void set_mirror(SeamModel& m, Index p, const std::vector<Index>& image) {
   const std::vector<Index> runs = runs_of(m, p);
   for (std::size_t k = 0; k < runs.size(); ++k) {
     SeamRun &a = m.runs[runs[k]], &b = m.runs[image[k]];
-    a.mirror_panel = b.panel, a.mirror_edge = b.edge;
-    b.mirror_panel = a.panel, b.mirror_edge = a.edge;
+    a.mirror_panel = b.panel;
+    a.mirror_edge = b.edge;
+    b.mirror_panel = a.panel;
+    b.mirror_edge = a.edge;
   }
   const Index q = m.runs[image[0]].panel;
-  m.twin[p] = q, m.twin[q] = p;
+  m.twin[p] = q;
+  m.twin[q] = p;
 }
 
 /// Pieces whose names say left and right go first, then any two, then those that mirror themselves.
@@ -168,7 +175,8 @@ void match_mirrors(SeamModel& m) {
       const SeamRun& b = m.runs[j];
       if (b.panel != a.mirror_panel || b.edge != a.mirror_edge) continue;
       if (std::abs(a.from - (1 - b.to)) > kSame || std::abs(a.to - (1 - b.from)) > kSame) continue;
-      m.mirror[i] = j, m.mirror[j] = i;
+      m.mirror[i] = j;
+      m.mirror[j] = i;
     }
   }
 }
@@ -298,7 +306,9 @@ SeamModel with_cuts(const Pattern& pattern, SeamModel model, Index r, const std:
   for (const double cut : cuts) {
     const double f = whole.from + cut * per_mm;
     SeamRun rest = whole;
-    rest.from = f, rest.angle = 180, rest.next = whole.next;
+    rest.from = f;
+    rest.angle = 180;
+    rest.next = whole.next;
     model.runs[at].to = f;
     model.runs[at].next = static_cast<Index>(model.runs.size());
     measure(edge, model.runs[at]);

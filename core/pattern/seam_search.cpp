@@ -102,8 +102,12 @@ class Annealer {
       if (!change(next, numbers)) continue;
       const double merit = judge_.merit(next);
       if (merit < now - threshold * left * left) continue;
-      std::swap(gluing, next), now = merit;
-      if (now > best_merit + 1e-9) best = gluing, best_merit = now;
+      std::swap(gluing, next);
+      now = merit;
+      if (now > best_merit + 1e-9) {
+        best = gluing;
+        best_merit = now;
+      }
     }
     gluing = std::move(best);
     return best_merit;
@@ -119,7 +123,8 @@ class Annealer {
 
   bool sew(SeamGluing& g, Index a, const Candidate& c) const {
     if (!allowed(a, c.run) || g.partner[a] == c.run) return false;
-    g.undo(a), g.undo(c.run);
+    g.undo(a);
+    g.undo(c.run);
     g.sew(a, c.run, c.merit);
     return true;
   }
@@ -154,7 +159,8 @@ class Annealer {
         if (!in[p]) continue;
         for (const Index q : {g.partner[r] == kNone ? p : m_.runs[g.partner[r]].panel, m_.twin[p]}) {
           if (q == kNone || in[q]) continue;
-          in[q] = 1, grown = true;
+          in[q] = 1;
+          grown = true;
         }
       }
     }
@@ -176,7 +182,10 @@ class Annealer {
     const Index d = g.partner[c.run];
     const Candidate* rest = d == kNone || d == a ? nullptr : candidate(a, d);
     if (rest == nullptr || !sew(g, b, c) || !sew(g, a, *rest)) return false;
-    if (both) sew_mirrored(g, b, c.run), sew_mirrored(g, a, d);
+    if (both) {
+      sew_mirrored(g, b, c.run);
+      sew_mirrored(g, a, d);
+    }
     return true;
   }
 
@@ -244,7 +253,10 @@ std::vector<FoundSeam> sewn_seams(const SeamModel& m, const SeamGluing& g, const
     for (const Index part : a)
       if (g.partner[part] != kNone && whole(g.partner[part])) b.push_back(g.partner[part]);
     if (a.size() != b.size()) continue;
-    if (g.turned[m.runs[r].panel]) std::reverse(a.begin(), a.end()), std::reverse(b.begin(), b.end());
+    if (g.turned[m.runs[r].panel]) {
+      std::reverse(a.begin(), a.end());
+      std::reverse(b.begin(), b.end());
+    }
     for (const Index x : a) done[x] = done[g.partner[x]] = true;
     seams.push_back({a, b, 0});
   }
@@ -271,7 +283,10 @@ void doubt_each(Annealer& annealer, FoundSeams& found, const std::vector<char>& 
     without.undo(r);
     annealer.forbid(r, other);
     const double there = annealer.run(without, tries, kDoubtThreshold, 7, context);
-    if (there > merit + 1e-6) found.gluing = std::move(without), merit = there;
+    if (there > merit + 1e-6) {
+      found.gluing = std::move(without);
+      merit = there;
+    }
   }
   annealer.allow_all();
 }
@@ -314,9 +329,15 @@ void search(const Pattern& pattern, FoundSeams start, std::vector<char> locked,
     found.seams = sewn_seams(found.model, found.gluing, locked);
     sew_series(pattern, found, locked, settings, context);
     merit = gluing_merit(found.model, found.gluing, settings);
-    if (merit > top + kSameMerit) top = merit, agreed = 0;
+    if (merit > top + kSameMerit) {
+      top = merit;
+      agreed = 0;
+    }
     agreed += merit > top - kSameMerit ? 1 : 0;
-    if (merit > best_merit) best = std::move(found), best_merit = merit;
+    if (merit > best_merit) {
+      best = std::move(found);
+      best_merit = merit;
+    }
   }
 }
 

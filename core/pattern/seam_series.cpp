@@ -172,7 +172,10 @@ void sew_series(const Pattern& pattern, FoundSeams& found, const std::vector<cha
       auto next = with_series(pattern, found, chains[trial.a], chains[trial.b], trial.worth);
       if (!next) continue;
       const double merit = gluing_merit(next->model, next->gluing, settings) - now;
-      if (merit > gain) gain = merit, best = std::move(next);
+      if (merit > gain) {
+        gain = merit;
+        best = std::move(next);
+      }
     }
     if (!best) return;
     found = std::move(*best);

@@ -48,7 +48,10 @@ void BodyProbe::visit_hits(Vec3 from, Vec3 to, Visit&& visit) const {
 
 std::vector<double> BodyProbe::hits(Vec3 from, Vec3 to) const {
   std::vector<Index> met;
-  visit_hits(from, to, [&](Index t) { return met.push_back(t), true; });
+  visit_hits(from, to, [&](Index t) {
+    met.push_back(t);
+    return true;
+  });
   std::sort(met.begin(), met.end());
   met.erase(std::unique(met.begin(), met.end()), met.end());
   std::vector<double> at;
@@ -65,7 +68,10 @@ std::vector<double> BodyProbe::hits(Vec3 from, Vec3 to) const {
 
 bool BodyProbe::meets(Vec3 from, Vec3 to) const {
   bool met = false;
-  visit_hits(from, to, [&](Index) { return met = true, false; });
+  visit_hits(from, to, [&](Index) {
+    met = true;
+    return false;
+  });
   return met;
 }
 

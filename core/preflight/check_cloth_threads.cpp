@@ -85,7 +85,10 @@ std::optional<Finding> look(const std::vector<Thread>& threads, const BodyProbe&
   for (std::size_t i = 0; i < looked_at; ++i) {
     const Thread& t = through[i * (through.size() - 1) / std::max<std::size_t>(1, looked_at - 1)];
     const WayOff off = way_off(probe, t);
-    if (off.distance > worst.distance) worst = off, place = (t.a + t.b) * 0.5;
+    if (off.distance > worst.distance) {
+      worst = off;
+      place = (t.a + t.b) * 0.5;
+    }
   }
   Finding f{"seam.thread_through_cloth", Severity::kNote, "", "seam " + seam + ", piece " + piece, place};
   f.message = std::to_string(through.size()) + " of " + std::to_string(threads.size()) +
@@ -129,7 +132,8 @@ void check_cloth_threads(const PreflightInput& input, const Assembly& assembly, 
       if (g.seam_of_sewn[k] != s) continue;
       const auto [i, j] = g.sewn[k];
       threads.push_back({assembly.positions[i], assembly.positions[j]});
-      joined.insert(g.panel_of_vertex[i]), joined.insert(g.panel_of_vertex[j]);
+      joined.insert(g.panel_of_vertex[i]);
+      joined.insert(g.panel_of_vertex[j]);
     }
     for (Index p = 0; p < pieces; ++p) {
       if (joined.contains(p)) continue;

@@ -38,7 +38,10 @@ class Skin {
         const auto& [a, b, c] = corners_[t];
         const TrianglePoint w = closest_on_triangle(p, a, b, c);
         const Vec3 q = a * w.a + b * w.b + c * w.c;
-        if (length(q - p) < best) best = length(q - p), found = q;
+        if (length(q - p) < best) {
+          best = length(q - p);
+          found = q;
+        }
       });
       if (found) return found;
     }

@@ -54,7 +54,8 @@ Vec3 centre_of(const Assembly& assembly, Index panel) {
 double extent_of(const PanelMesh& mesh) {
   Vec2 low = mesh.rest.front(), high = low;
   for (const Vec2 p : mesh.rest) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)}, high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
   return std::max(high.x - low.x, high.y - low.y);
 }
@@ -69,7 +70,10 @@ void check_scale(const PreflightInput& in, std::span<const BodyProbe> probes, co
   Index at = kNone;
   for (std::size_t p = 0; p < in.meshes.panels.size(); ++p) {
     const double extent = extent_of(in.meshes.panels[p]);
-    if (extent > largest) largest = extent, at = static_cast<Index>(p);
+    if (extent > largest) {
+      largest = extent;
+      at = static_cast<Index>(p);
+    }
   }
   if (at == kNone || (largest < kHuge * tallest && largest > kTiny * tallest)) return;
   const bool huge = largest >= kHuge * tallest;
@@ -105,7 +109,9 @@ void check_partners(const PreflightInput& in, const Assembly& assembly, Findings
       const bool on_a = side_only(seam.a, p), on_b = side_only(seam.b, p);
       if (on_a == on_b) continue;
       const double r = on_a ? m.length_a / m.length_b : m.length_b / m.length_a;
-      ratio.low = std::min(ratio.low, r), ratio.high = std::max(ratio.high, r), ++seams;
+      ratio.low = std::min(ratio.low, r);
+      ratio.high = std::max(ratio.high, r);
+      ++seams;
     }
     if (seams < 2 || ratio.high > ratio.low * 1.05) continue;
     const double mean = 0.5 * (ratio.low + ratio.high);
@@ -167,7 +173,8 @@ void check_lengths(const PreflightInput& in, const Assembly& assembly, Findings&
               place_of_seam(assembly, m.seam)};
     const std::string lengths = length_text(longer) + " are sewn to " + length_text(shorter);
     if (ratio > kMostGathered) {
-      f.code = "seam.length_ratio", f.severity = Severity::kError;
+      f.code = "seam.length_ratio";
+      f.severity = Severity::kError;
       f.message = lengths + ", 1:" + ratio_text(ratio) +
                   "; more than 1:3 cannot be gathered: see to the edges and units";
     } else if (ratio > kGathered) {
@@ -187,7 +194,10 @@ Vec3 place_of_seam(const Assembly& assembly, Index seam) {
   int count = 0;
   for (std::size_t k = 0; k < assembly.garment.sewn.size(); ++k) {
     if (assembly.garment.seam_of_sewn[k] != seam) continue;
-    for (const Index v : assembly.garment.sewn[k]) sum += assembly.positions[v], ++count;
+    for (const Index v : assembly.garment.sewn[k]) {
+      sum += assembly.positions[v];
+      ++count;
+    }
   }
   return count > 0 ? sum * (1.0 / count) : sum;
 }

@@ -86,7 +86,8 @@ std::vector<std::vector<Index>> rings_of(const std::vector<MeshEdge>& borders) {
   };
   std::vector<Half> halves;
   for (Index e = 0; e < static_cast<Index>(borders.size()); ++e) {
-    halves.push_back({borders[e].v0, borders[e].v1, e}), halves.push_back({borders[e].v1, borders[e].v0, e});
+    halves.push_back({borders[e].v0, borders[e].v1, e});
+    halves.push_back({borders[e].v1, borders[e].v0, e});
   }
   std::stable_sort(halves.begin(), halves.end(),
                    [](const Half& x, const Half& y) { return x.from < y.from; });
@@ -103,7 +104,8 @@ std::vector<std::vector<Index>> rings_of(const std::vector<MeshEdge>& borders) {
                                    [](const Half& h, Index v) { return h.from < v; });
       while (next != halves.end() && next->from == at && used[next->edge]) ++next;
       if (next == halves.end() || next->from != at) break;
-      used[next->edge] = true, at = next->to;
+      used[next->edge] = true;
+      at = next->to;
     }
     if (at == ring.front() && ring.size() > 2) rings.push_back(std::move(ring));
   }
@@ -117,7 +119,8 @@ Ring measured(const std::vector<Index>& vertices, const Assembly& assembly, cons
   std::set<Index> pieces;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const auto& edge = lengths.between(vertices[i], vertices[(i + 1) % vertices.size()]);
-    ring.girth += edge.length, pieces.insert(edge.panel);
+    ring.girth += edge.length;
+    pieces.insert(edge.panel);
     ring.points.push_back(assembly.positions[vertices[i]]);
   }
   for (const Index p : pieces)

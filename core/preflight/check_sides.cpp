@@ -35,7 +35,8 @@ int facing_of(const Assembly& assembly, std::span<const BodyProbe> probes, Index
     const std::vector<Vec3>& x = assembly.positions;
     const Vec3 n = normalized(cross(x[b] - x[a], x[c] - x[a])), middle = (x[a] + x[b] + x[c]) * (1.0 / 3);
     const double before = sight(probes, middle, n), behind = sight(probes, middle, -n);
-    outward += behind < before, inward += before < behind;
+    outward += behind < before;
+    inward += before < behind;
   }
   if (outward + inward == 0) return 0;
   const double share = static_cast<double>(outward) / (outward + inward);
@@ -58,7 +59,8 @@ Sides sides_of(const Pattern& pattern) {
   for (Index root = 0; root < count; ++root) {
     if (s.group[root] != kNone) continue;
     std::vector<Index> open{root};
-    s.group[root] = root, s.side[root] = 1;
+    s.group[root] = root;
+    s.side[root] = 1;
     while (!open.empty()) {
       const Index p = open.back();
       open.pop_back();
@@ -66,7 +68,11 @@ Sides sides_of(const Pattern& pattern) {
         const Index a = seam.a[0].panel, b = seam.b[0].panel;
         if (a == b || (a != p && b != p)) continue;
         const Index q = a == p ? b : a;
-        if (s.group[q] == kNone) s.group[q] = root, s.side[q] = s.side[p] * sign(seam), open.push_back(q);
+        if (s.group[q] == kNone) {
+          s.group[q] = root;
+          s.side[q] = s.side[p] * sign(seam);
+          open.push_back(q);
+        }
       }
     }
   }

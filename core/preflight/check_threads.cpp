@@ -130,7 +130,9 @@ class SeamThreads {
       const Thread& t = through[i * (through.size() - 1) / std::max<std::size_t>(1, looked_at - 1)];
       const Clearance c = clearance_of(probe, t);
       if (!c.is_stuck() || c.nearer <= worst.nearer) continue;
-      worst = c, f.place = middle(t), f.severity = Severity::kError;
+      worst = c;
+      f.place = middle(t);
+      f.severity = Severity::kError;
     }
     f.message = count_text(through.size(), threads_.size()) + " run through " + body;
     f.message += f.severity == Severity::kNote

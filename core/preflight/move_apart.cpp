@@ -118,8 +118,10 @@ class Mover {
       const Vec3 apart = normalized(field_.centre(c.piece) - field_.centre(c.with.index));
       out.insert(out.end(), {m, -m, apart});
     }
-    for (const Vec3 axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}})
-      out.push_back(axis), out.push_back(-axis);
+    for (const Vec3 axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
+      out.push_back(axis);
+      out.push_back(-axis);
+    }
     return out;
   }
 
@@ -168,7 +170,8 @@ class Mover {
       Move move = unit;
       for (PieceShift& s : move) s.by = s.by * shift;
       if (!clears(c, move, clearance)) continue;
-      best = std::move(move), cost = price * shift * longest;
+      best = std::move(move);
+      cost = price * shift * longest;
       return;
     }
   }

@@ -51,12 +51,14 @@ void StartField::add_piece(Index piece) {
     boxes.push_back(box_around({a, b, c}, 1e-6));
     p.box = join(p.box, boxes.back());
     const Vec3 twice = cross(b - a, c - a);
-    p.normal += twice, p.area += 0.5 * length(twice);
+    p.normal += twice;
+    p.area += 0.5 * length(twice);
   }
   p.tree = Bvh(boxes);
   p.normal = normalized(p.normal);
   const Vec3 lo{p.box.lo[0], p.box.lo[1], p.box.lo[2]}, hi{p.box.hi[0], p.box.hi[1], p.box.hi[2]};
-  p.centre = (lo + hi) * 0.5, p.half_size = (hi - lo) * 0.5;
+  p.centre = (lo + hi) * 0.5;
+  p.half_size = (hi - lo) * 0.5;
   p.inner_vertex = assembly_.garment.first_vertex[piece];
 }
 
@@ -87,13 +89,19 @@ Nearness StartField::to_body(const Piece& p, Vec3 at, const BodyProbe& probe, do
                           {-2, -3, -4}};
       const double gap = triangle_gap(a, b);
       const bool crosses = gap == 0 && !near.crosses && triangles_cross(a, b);
-      if (gap < near.gap || crosses) near.gap = gap, near.crosses |= crosses, near.place = middle(a);
+      if (gap < near.gap || crosses) {
+        near.gap = gap;
+        near.crosses |= crosses;
+        near.place = middle(a);
+      }
     });
     if (near.gap < enough || near.crosses) return near;
   }
   // A piece that does not cross the skin lies on one side of it as a whole.
   if (p.inner_vertex != kNone && probe.contains(position(p.inner_vertex, at))) {
-    near.gap = 0, near.inside = true, near.place = position(p.inner_vertex, at);
+    near.gap = 0;
+    near.inside = true;
+    near.place = position(p.inner_vertex, at);
   }
   return near;
 }

@@ -56,7 +56,11 @@ bool triangles_cross(const GapTriangle& a, const GapTriangle& b) {
   int shared = 0, corner_a = 0, corner_b = 0;
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
-      if (a.type[i] == b.type[j]) ++shared, corner_a = i, corner_b = j;
+      if (a.type[i] == b.type[j]) {
+        ++shared;
+        corner_a = i;
+        corner_b = j;
+      }
     }
   }
   if (shared > 1) return false;

@@ -24,8 +24,10 @@ Ties ties_of(const GarmentMesh& g, Index piece) {
   for (std::size_t k = 0; k < g.sewn.size(); ++k) {
     const Index p = g.panel_of_vertex[g.sewn[k][0]], q = g.panel_of_vertex[g.sewn[k][1]];
     if ((p == piece) == (q == piece)) continue;
-    t.mine.push_back(g.sewn[k][p == piece ? 0 : 1]), t.theirs.push_back(g.sewn[k][p == piece ? 1 : 0]);
-    t.seams += g.seam_of_sewn[k] != last, last = g.seam_of_sewn[k];
+    t.mine.push_back(g.sewn[k][p == piece ? 0 : 1]);
+    t.theirs.push_back(g.sewn[k][p == piece ? 1 : 0]);
+    t.seams += g.seam_of_sewn[k] != last;
+    last = g.seam_of_sewn[k];
   }
   return t;
 }
@@ -47,7 +49,8 @@ bool axes_of(const Assembly& assembly, Index piece, Axes& out) {
     const Vec2 r1 = g.rest[b] - g.rest[a], r2 = g.rest[c] - g.rest[a];
     along_u += x1 * r2.y - x2 * r1.y;  // the gradient along u times twice the area
     const Vec3 n = cross(x1, x2);
-    facing += n, area += length(n);
+    facing += n;
+    area += length(n);
   }
   if (length(facing) < kFlat * area || area == 0) return false;
   Vec3 low = assembly.positions[g.first_vertex[piece]], high = low;
@@ -92,7 +95,10 @@ Turn best_turn(const Assembly& assembly, Index piece) {
   best.before = thread(-1);
   // Top and bottom swapped looks the same as seams sewn upside down: that is left to untwist_seams.
   for (int k = 1; k < 3; ++k) {
-    if (const double after = thread(k); after < best.after) best.after = after, best.axis = k;
+    if (const double after = thread(k); after < best.after) {
+      best.after = after;
+      best.axis = k;
+    }
   }
   return best.after < kMuchShorter * best.before ? best : Turn{};
 }

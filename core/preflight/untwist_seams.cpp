@@ -44,7 +44,9 @@ double correlation(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   const Vec3 ca = mean_of(a), cb = mean_of(b);
   double ab = 0, aa = 0, bb = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
-    ab += dot(a[i] - ca, b[i] - cb), aa += dot(a[i] - ca, a[i] - ca), bb += dot(b[i] - cb, b[i] - cb);
+    ab += dot(a[i] - ca, b[i] - cb);
+    aa += dot(a[i] - ca, a[i] - ca);
+    bb += dot(b[i] - cb, b[i] - cb);
   }
   return aa > 0 && bb > 0 ? ab / std::sqrt(aa * bb) : 0;
 }

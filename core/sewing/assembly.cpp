@@ -54,7 +54,8 @@ std::vector<double> seam_held_by_pairs(const GarmentMesh& g) {
       const Index a = g.sewn[k - 1][side], b = g.sewn[k][side];
       if (g.panel_of_vertex[a] != g.panel_of_vertex[b]) continue;  // the seam goes on to another piece
       const double half = 0.5 * length(g.rest[b] - g.rest[a]);
-      sides[k - 1][side] += half, sides[k][side] += half;
+      sides[k - 1][side] += half;
+      sides[k][side] += half;
     }
   }
   std::vector<double> held;

@@ -14,7 +14,10 @@ Vec3 nearest_on_goal(const std::vector<Vec3>& goal, Vec3 p) {
     const double squared = dot(d, d);
     if (!(squared > 0)) continue;
     const Vec3 q = a + d * std::clamp(dot(p - a, d) / squared, 0.0, 1.0);
-    if (dot(p - q, p - q) < least) least = dot(p - q, p - q), best = q;
+    if (dot(p - q, p - q) < least) {
+      least = dot(p - q, p - q);
+      best = q;
+    }
   }
   return best;
 }

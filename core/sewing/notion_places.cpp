@@ -40,7 +40,8 @@ Nearest nearest_on(const std::array<Vec2, 3>& c, Vec2 p) {
     const double distance = length(p - (c[k] + (c[next] - c[k]) * t));
     if (distance >= best.distance) continue;
     best = {kNone, {}, distance};
-    best.share[k] = 1 - t, best.share[next] = t;
+    best.share[k] = 1 - t;
+    best.share[next] = t;
   }
   return best;
 }
@@ -64,7 +65,8 @@ std::optional<ClothPoint> locate_point(const PanelMesh& mesh, Index first, Vec2 
     const Tri& v = mesh.triangles[t];
     Nearest here = nearest_on({mesh.rest[v[0]], mesh.rest[v[1]], mesh.rest[v[2]]}, at);
     if (here.distance >= best.distance) continue;
-    best = here, best.triangle = static_cast<Index>(t);
+    best = here;
+    best.triangle = static_cast<Index>(t);
   }
   if (best.triangle == kNone || best.distance > kBeside * mean_edge_of(mesh)) return std::nullopt;
   const Tri& v = mesh.triangles[best.triangle];

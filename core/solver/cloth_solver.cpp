@@ -97,7 +97,8 @@ void ClothSolver::restore(SolverState state) {
   TOILE_CHECK(state.positions.size() == x_.size() && state.velocities.size() == x_.size());
   x_ = std::move(state.positions);
   velocity_ = std::move(state.velocities);
-  held_back_ = state.held_back, hits_ = state.hits;
+  held_back_ = state.held_back;
+  hits_ = state.hits;
   measured_ = !state.measured.empty();
   if (!measured_) return;
   speed_ = std::move(state.measured_speeds);
@@ -182,7 +183,10 @@ StepReport ClothSolver::keep_bounds(const StepForces& forces) {
   }
   std::fill(lifted_.begin(), lifted_.end(), Vec3{});
   proposal_ = x_;
-  if (!measured_) measure(), ++report.measurements;
+  if (!measured_) {
+    measure();
+    ++report.measurements;
+  }
   const auto push_apart = [&] {
     solve_contacts(contacts_.contacts, before_, inverse_mass_, forces.friction, h_, x_, lifted_);
     note_who_went_far();
@@ -199,9 +203,15 @@ StepReport ClothSolver::keep_bounds(const StepForces& forces) {
   }
   for (const Index v : far_) {
     const double t = contacts_.reach(v, before_[v], x_[v]);
-    if (t < 1) x_[v] = before_[v] + (x_[v] - before_[v]) * t, ++report.bounded;
+    if (t < 1) {
+      x_[v] = before_[v] + (x_[v] - before_[v]) * t;
+      ++report.bounded;
+    }
   }
-  if (report.measurements > 0) held_back_ = report.bounded, hits_ = 0;
+  if (report.measurements > 0) {
+    held_back_ = report.bounded;
+    hits_ = 0;
+  }
   return report;
 }
 

@@ -230,11 +230,17 @@ using Matrix = std::array<std::array<double, 3>, 3>;
 Matrix rotation_about(std::size_t k, double degrees) {
   const double quarter = std::remainder(degrees, 360) / 90;
   double c = std::cos(quarter * (kPi / 2)), s = std::sin(quarter * (kPi / 2));
-  if (quarter == std::round(quarter)) c = std::round(c), s = std::round(s);
+  if (quarter == std::round(quarter)) {
+    c = std::round(c);
+    s = std::round(s);
+  }
   const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
   Matrix m{};
   m[k][k] = 1;
-  m[i][i] = c, m[i][j] = -s, m[j][i] = s, m[j][j] = c;
+  m[i][i] = c;
+  m[i][j] = -s;
+  m[j][i] = s;
+  m[j][j] = c;
   return m;
 }
 
@@ -338,7 +344,8 @@ Status add_stitches(const Place& stitches, GarmentCodeGarment& garment) {
       garment.notes.push_back(stitch.pointer + ": an edge of it is stitched already; left out");
       continue;
     }
-    sewn.insert(at_a), sewn.insert(at_b);
+    sewn.insert(at_a);
+    sewn.insert(at_b);
     if (stitch.value->array()->size() == 3)
       garment.notes.push_back(stitch.pointer +
                               "/2: what is said of the stitch beyond its sides is passed over");

@@ -32,8 +32,10 @@ Result<T> read_alone(const JsonValue& object, const std::string& where) {
 
 MeasureSet first_measures() {
   MeasureSet set;
-  set[Measure::kHeight] = 170 * kMetres, set[Measure::kBust] = 90 * kMetres;
-  set[Measure::kWaist] = 72 * kMetres, set[Measure::kHip] = 96 * kMetres;
+  set[Measure::kHeight] = 170 * kMetres;
+  set[Measure::kBust] = 90 * kMetres;
+  set[Measure::kWaist] = 72 * kMetres;
+  set[Measure::kHip] = 96 * kMetres;
   return set;
 }
 

@@ -65,7 +65,8 @@ std::vector<Vec2> hull_of(const Panel& panel) {
 Vec2 middle_of(const std::vector<Vec2>& points) {
   Vec2 low = points.front(), high = low;
   for (const Vec2 p : points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)}, high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
   return (low + high) * 0.5;
 }
@@ -170,7 +171,8 @@ Result<Placement> BodyPlaces::around(const ProjectAround& given, const Panel& pa
   double low = 0, high = 0;
   for (const Vec2 p : hull) {
     const double up = s * (p.x - at.anchor.x) + c * (p.y - at.anchor.y);
-    low = std::min(low, up), high = std::max(high, up);
+    low = std::min(low, up);
+    high = std::max(high, up);
   }
   const PartBox& box = box_of(body, given.part);
   const double radius =

@@ -55,7 +55,10 @@ Panel turned_over(const Panel& panel, std::string id) {
   turn(other.outline);
   for (Loop& hole : other.holes) turn(hole);
   mirror(other.grain);
-  for (Notch& notch : other.notches) mirror(notch.at), mirror(notch.inwards);
+  for (Notch& notch : other.notches) {
+    mirror(notch.at);
+    mirror(notch.inwards);
+  }
   for (InnerLine& line : other.lines)
     for (Vec2& p : line.points) mirror(p);
   return other;
@@ -84,7 +87,10 @@ Status take_dxf_piece(const DxfPiece& drawn, const DxfDrawing& drawing, const Ne
     if (!over) {
       const std::string& unit = drawing.unit.name;
       const bool told = unit == "mm" || unit == "cm" || unit == "inch";
-      piece.outline.clear(), piece.holes.clear(), piece.notches.clear(), piece.lines.clear();
+      piece.outline.clear();
+      piece.holes.clear();
+      piece.notches.clear();
+      piece.lines.clear();
       piece.from = ProjectDxf{settings.pattern_file, drawn.name, {}, told ? unit : "", drawing.size};
     }
     made.project.pieces.push_back(std::move(piece));
@@ -167,7 +173,8 @@ void complete(const NewProjectSettings& settings, NewProject& made) {
   for (const Seam& seam : made.pattern.seams) project.seams.push_back(project_seam(made.pattern, seam));
   project.fabrics = {plain_cotton()};
   ProjectBody body;
-  body.id = "body", body.file = settings.body_file;
+  body.id = "body";
+  body.file = settings.body_file;
   project.bodies = {body};
 }
 
@@ -211,11 +218,17 @@ std::vector<JsonValue> seams_json(const NewProject& made) {
 
 ProjectFabric plain_cotton() {
   ProjectFabric fabric;
-  fabric.id = "cotton", fabric.name = "Plain cotton";
+  fabric.id = "cotton";
+  fabric.name = "Plain cotton";
   fabric.areal_mass_g_m2 = 150;
-  fabric.stretch_coupling_n_m = 20, fabric.stretch_shear_n_m = 100;
-  fabric.limit_warp_percent = 4, fabric.limit_weft_percent = 6, fabric.limit_shear_rad = 0.35;
-  fabric.bend_warp_un_m = 12, fabric.bend_weft_un_m = 8, fabric.bend_bias_un_m = 9;
+  fabric.stretch_coupling_n_m = 20;
+  fabric.stretch_shear_n_m = 100;
+  fabric.limit_warp_percent = 4;
+  fabric.limit_weft_percent = 6;
+  fabric.limit_shear_rad = 0.35;
+  fabric.bend_warp_un_m = 12;
+  fabric.bend_weft_un_m = 8;
+  fabric.bend_bias_un_m = 9;
   return fabric;
 }
 

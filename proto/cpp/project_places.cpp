@@ -17,9 +17,14 @@ ProjectWrapped wrapped_of(const WrappedPlacement& w) {
   ProjectWrapped out;
   out.axis = {metres(w.axis.x), metres(w.axis.z)};
   out.axis_height = metres(w.axis.y);
-  out.radius = metres(w.radius), out.angle = degrees(w.angle), out.height = metres(w.height);
+  out.radius = metres(w.radius);
+  out.angle = degrees(w.angle);
+  out.height = metres(w.height);
   out.anchor = {millimetres(w.anchor.x), millimetres(w.anchor.y)};
-  out.slope = w.slope, out.up = w.up, out.turn = degrees(w.turn), out.flipped = w.flipped;
+  out.slope = w.slope;
+  out.up = w.up;
+  out.turn = degrees(w.turn);
+  out.flipped = w.flipped;
   return out;
 }
 
@@ -55,9 +60,12 @@ std::optional<ProjectOnBox> project_on_box(const RigidPlacement& rigid, Vec2 anc
       if (best && length(d) >= least) continue;
       least = length(d);
       best.emplace();
-      best->part = name_of(box.part), best->side = name;
-      best->at = {metres(dot(d, right)), metres(dot(d, up))}, best->away = metres(dot(d, way));
-      best->turn = degrees(std::atan2(dot(u, up), dot(u, right))), best->flipped = rigid.flipped;
+      best->part = name_of(box.part);
+      best->side = name;
+      best->at = {metres(dot(d, right)), metres(dot(d, up))};
+      best->away = metres(dot(d, way));
+      best->turn = degrees(std::atan2(dot(u, up), dot(u, right)));
+      best->flipped = rigid.flipped;
       best->anchor = Vec2{mm_from_metres(anchor.x), mm_from_metres(anchor.y)};
     }
   }
@@ -77,7 +85,8 @@ int tell_by_boxes(const DrapeInput& input, Project& project) {
       auto on_box = project_on_box(*rigid, {metres_from_mm(corner.x), metres_from_mm(corner.y)}, boxes);
       if (!on_box) continue;
       project.pieces[i].placement = {};
-      project.pieces[i].placement.on_box = std::move(on_box), ++told;
+      project.pieces[i].placement.on_box = std::move(on_box);
+      ++told;
     }
     return told;
   }
@@ -87,7 +96,8 @@ int tell_by_boxes(const DrapeInput& input, Project& project) {
 ProjectAttachment project_attachment(const Pattern& pattern, const Attachment& attachment) {
   const Panel& panel = pattern.panels[static_cast<std::size_t>(attachment.panel)];
   ProjectAttachment out;
-  out.id = attachment.id, out.piece = panel.id;
+  out.id = attachment.id;
+  out.piece = panel.id;
   for (const Vec2 at : attachment.points) out.points.push_back({millimetres(at.x), millimetres(at.y)});
   for (const Index e : attachment.edges)
     out.edges.push_back(edges_of(panel)[static_cast<std::size_t>(e)]->id);

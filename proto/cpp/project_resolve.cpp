@@ -263,7 +263,8 @@ Result<Attachment> attachment_of(const ProjectAttachment& given, const Names& na
                                  const std::string& where) {
   const Index panel = TRY(names.panel(given.piece, pointer_to(where, "piece")));
   Attachment attachment;
-  attachment.id = given.id, attachment.panel = panel;
+  attachment.id = given.id;
+  attachment.panel = panel;
   for (std::size_t i = 0; i < given.edges.size(); ++i) {
     const Index edge = TRY(names.edge(panel, given.edges[i], pointer_to(pointer_to(where, "edges"), i)));
     attachment.edges.push_back(edge);
@@ -281,7 +282,8 @@ Result<Attachment> attachment_of(const ProjectAttachment& given, const Names& na
     return Error{"project.attached_whole",
                  "a whole piece cannot lie on a line; name the edges or points that do", where};
   }
-  attachment.hold = Attachment::Hold::kGoal, attachment.goal = std::move(goal);
+  attachment.hold = Attachment::Hold::kGoal;
+  attachment.goal = std::move(goal);
   return attachment;
 }
 

@@ -292,8 +292,11 @@ ExitCode run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() == 0) return app.exit(e), kDone;  // --help, --version
-    const auto verbs = app.get_subcommands();               // those on the command line
+    if (e.get_exit_code() == 0) {
+      app.exit(e);
+      return kDone;
+    }                                          // --help, --version
+    const auto verbs = app.get_subcommands();  // those on the command line
     const std::string verb = verbs.empty() ? "" : verbs.front()->get_name() + " ";
     print_error({"usage.arguments", std::string(e.what()) + "; see toile " + verb + "--help", ""}, false);
     return kBadInput;

@@ -91,7 +91,8 @@ Result<NewProject> make(const ProjectNewOptions& options) {
   settings.body_low = settings.body_high = body.vertices.front();
   for (const Vec3 p : body.vertices) {
     const auto lower = [](double& low, double& high, double x) {
-      low = std::min(low, x), high = std::max(high, x);
+      low = std::min(low, x);
+      high = std::max(high, x);
     };
     lower(settings.body_low.x, settings.body_high.x, p.x);
     lower(settings.body_low.y, settings.body_high.y, p.y);

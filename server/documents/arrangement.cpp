@@ -39,7 +39,9 @@ std::string other_side(const std::string& name) {
 /// against its partner's.
 PieceWish mirrored(const PieceWish& wish, const std::string& partner, double angle) {
   PieceWish out = wish;
-  out.piece = partner, out.part = other_side(wish.part), out.side = other_side(wish.side);
+  out.piece = partner;
+  out.part = other_side(wish.part);
+  out.side = other_side(wish.side);
   out.at_mm.x = -wish.at_mm.x;
   out.turn = -wish.turn - degrees_from_radians(angle);
   while (out.turn <= -180) out.turn += 360;
@@ -75,11 +77,18 @@ ProjectPlacement placement_of(const PieceWish& wish) {
   ProjectPlacement out;
   if (wish.wrapped) {
     ProjectAround& around = out.around.emplace();
-    around.part = wish.part, around.side = wish.side, around.at = at;
-    around.away = std::max(away, 0.0), around.turn = wish.turn;
+    around.part = wish.part;
+    around.side = wish.side;
+    around.at = at;
+    around.away = std::max(away, 0.0);
+    around.turn = wish.turn;
   } else {
     ProjectOnBox& box = out.on_box.emplace();
-    box.part = wish.part, box.side = wish.side, box.at = at, box.away = away, box.turn = wish.turn;
+    box.part = wish.part;
+    box.side = wish.side;
+    box.at = at;
+    box.away = away;
+    box.turn = wish.turn;
   }
   return out;
 }

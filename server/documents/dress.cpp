@@ -59,8 +59,14 @@ Status place_file(Store& store, const OwnerId& owner, const JsonValue& wish, con
   const std::string unit = body.unit, up = body.up;
   const Result<StandingBody> standing = stand_body(raw->mesh);
   if (standing) stand_up(body, standing->stance);
-  if (!unit.empty()) body.unit = unit, body.scale = 1;
-  if (!up.empty() && up != body.up) body.up = up, body.rotation = {};
+  if (!unit.empty()) {
+    body.unit = unit;
+    body.scale = 1;
+  }
+  if (!up.empty() && up != body.up) {
+    body.up = up;
+    body.rotation = {};
+  }
   if (const JsonValue* turn = wish.find("turn")) body.rotation.y += *turn->number();
   return {};
 }
@@ -113,7 +119,9 @@ void carry_over(const ProjectBody& was, const JsonValue& wish, ProjectBody& body
   if (!wish.find("skin_offset_mm")) body.skin_offset_mm = was.skin_offset_mm;
   body.restitution = was.restitution;
   if (was.mannequin && body.mannequin) {
-    body.translation = was.translation, body.rotation = was.rotation, body.scale = was.scale;
+    body.translation = was.translation;
+    body.rotation = was.rotation;
+    body.scale = was.scale;
   }
   body.landmarks = was.landmarks;
   if (was.file == body.file) return;

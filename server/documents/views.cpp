@@ -176,7 +176,11 @@ Result<std::string> body_bytes(const std::string& document, const ProjectFiles& 
   put(out, static_cast<std::uint32_t>(vertices));
   put(out, static_cast<std::uint32_t>(triangles));
   for (const Body& body : read_in.input.bodies) {
-    for (const Vec3 p : body.mesh.vertices) put(out, p.x), put(out, p.y), put(out, p.z);
+    for (const Vec3 p : body.mesh.vertices) {
+      put(out, p.x);
+      put(out, p.y);
+      put(out, p.z);
+    }
   }
   std::uint32_t first = 0;
   for (const Body& body : read_in.input.bodies) {

@@ -279,8 +279,13 @@ LiveJobPtr QueueingJobService::claim() {
 Status QueueingJobService::claim(const Changing& changing, LiveJob& job) {
   const bool anew = job.run == nullptr;
   Status claimed = table_.change(changing, job, JobEvent::kClaim, [&](JobRow& row) {
-    row.reason_code.clear(), row.reason.clear(), row.reason_where.clear();
-    if (anew) ++row.attempt, row.started_ms = unix_ms();
+    row.reason_code.clear();
+    row.reason.clear();
+    row.reason_where.clear();
+    if (anew) {
+      ++row.attempt;
+      row.started_ms = unix_ms();
+    }
   });
   if (!claimed) return claimed;
   table_.hand_out(changing, job, [&](std::uint32_t epoch) {

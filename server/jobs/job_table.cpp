@@ -19,7 +19,9 @@ JobRow without_document(JobRow row) {
 
 RowEdit with_reason(std::string code, std::string reason, std::string where) {
   return [code = std::move(code), reason = std::move(reason), where = std::move(where)](JobRow& row) {
-    row.reason_code = code, row.reason = reason, row.reason_where = where;
+    row.reason_code = code;
+    row.reason = reason;
+    row.reason_where = where;
   };
 }
 

@@ -42,8 +42,8 @@ TEST(ArrangeCommand, PlacesAllPiecesHoldsTheWaistAndTellsWhatItDid) {
   bool front = false, back = false;
   for (const ProjectPiece& piece : made.pieces) {
     ASSERT_TRUE(piece.placement.rigid) << piece.id;
-    front |= piece.placement.rigid->translation.z > 0.05,
-        back |= piece.placement.rigid->translation.z < -0.05;
+    front |= piece.placement.rigid->translation.z > 0.05;
+    back |= piece.placement.rigid->translation.z < -0.05;
   }
   EXPECT_TRUE(front && back);
   EXPECT_EQ(text_of(folder / "project.json"), before) << "with --out the document itself stays";

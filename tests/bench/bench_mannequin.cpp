@@ -12,7 +12,9 @@ int main() {
     for (Index count : {2204, 3304, 4562, 5624, 20000}) {
       const BodyPreset* preset = find_preset(size);
       MannequinSettings settings;
-      settings.sex = preset->sex, settings.asked = preset->measures(), settings.triangle_count = count;
+      settings.sex = preset->sex;
+      settings.asked = preset->measures();
+      settings.triangle_count = count;
       const std::clock_t start = std::clock();
       const Result<Mannequin> made = make_mannequin(settings);
       const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;

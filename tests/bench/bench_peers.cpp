@@ -92,7 +92,9 @@ std::string info_json(const Options& o, const PeerEnd& end) {
     std::snprintf(line, sizeof line, "  \"%s\": %.9g,\n", key, value);
     text += line;
   };
-  word("peer", "toile"), word("task", o.task), word("mode", o.run.dynamic ? "dynamic" : "drape");
+  word("peer", "toile");
+  word("task", o.task);
+  word("mode", o.run.dynamic ? "dynamic" : "drape");
   char fabric[320];
   std::snprintf(fabric, sizeof fabric,
                 "  \"fabric\": {\"areal_mass\": %g, \"stretch_warp\": %.6g, \"stretch_weft\": %.6g, "
@@ -101,16 +103,23 @@ std::string info_json(const Options& o, const PeerEnd& end) {
                 f.areal_mass, f.stretch_warp, f.stretch_weft, f.stretch_coupling, f.stretch_shear,
                 f.bend_warp, f.thickness, f.friction);
   text += fabric;
-  number("cpu_s", end.cpu_s), number("user_s", end.cpu_s), number("wall_s", end.wall_s);
-  number("steps", end.steps), number("time_step", end.time_step), number("rest_at_s", end.rest_at);
-  number("simulated_s", end.steps * end.time_step), number("dt_out", 0.04);
+  number("cpu_s", end.cpu_s);
+  number("user_s", end.cpu_s);
+  number("wall_s", end.wall_s);
+  number("steps", end.steps);
+  number("time_step", end.time_step);
+  number("rest_at_s", end.rest_at);
+  number("simulated_s", end.steps * end.time_step);
+  number("dt_out", 0.04);
   word("stop_reason", end.stop_reason);
   number("measurements", static_cast<double>(end.measurements));
-  number("bounded", static_cast<double>(end.bounded)), number("most_bounded", end.most_bounded);
+  number("bounded", static_cast<double>(end.bounded));
+  number("most_bounded", end.most_bounded);
   number("frames_checked", end.worst.frames);
   number("worst_body_crossings", end.worst.body_crossings);
   number("worst_self_crossings", end.worst.self_crossings);
-  number("weld_gap_mm", 1e3 * end.weld_gap), number("seam_gap_mm", 1e3 * end.final_gap);
+  number("weld_gap_mm", 1e3 * end.weld_gap);
+  number("seam_gap_mm", 1e3 * end.final_gap);
   char rest[256];
   std::snprintf(rest, sizeof rest,
                 "  \"rest\": {\"passes\": %s, \"moved_over_5mm\": %.6g, \"largest_move_mm\": %.4g, "
@@ -137,7 +146,8 @@ Status write_all(const Options& o, const DisguisedTask& put, const PeerTask& tas
 
 int run(int count, char** words) {
   const auto fail = [](const Error& error) {
-    return std::fprintf(stderr, "%s\n", to_string(error).c_str()), 2;
+    std::fprintf(stderr, "%s\n", to_string(error).c_str());
+    return 2;
   };
   const Result<Options> options = parse(count, words);
   if (!options) return fail(options.error());

@@ -31,8 +31,14 @@ constexpr double kWaveSpeed = 45;                                  // m/s, edges
 /// CPU (user and system, all threads and children) and wall time; stands still while paused.
 class PauseClock {
  public:
-  void pause() { cpu_ += cpu_now() - cpu_start_, wall_ += wall_now() - wall_start_; }
-  void resume() { cpu_start_ = cpu_now(), wall_start_ = wall_now(); }
+  void pause() {
+    cpu_ += cpu_now() - cpu_start_;
+    wall_ += wall_now() - wall_start_;
+  }
+  void resume() {
+    cpu_start_ = cpu_now();
+    wall_start_ = wall_now();
+  }
   double cpu_s() const { return cpu_; }    ///< up to the last pause
   double wall_s() const { return wall_; }  ///< up to the last pause
 
@@ -256,11 +262,13 @@ RestTest test_rest(PeerRun& run, FrameCheck& check, const std::vector<Vec3>& fro
     const double way = length(rest.end[v] - from[v]), last = length(rest.end[v] - rest.before[v]);
     moved += way > 5e-3;
     rest.largest_move = std::max(rest.largest_move, way);
-    sum += last * last, most = std::max(most, last);
+    sum += last * last;
+    most = std::max(most, last);
   }
   const double count = static_cast<double>(from.size()), seconds = window * run.time_step();
   rest.moved_share = moved / count;
-  rest.rms_speed = std::sqrt(sum / count) / seconds, rest.max_speed = most / seconds;
+  rest.rms_speed = std::sqrt(sum / count) / seconds;
+  rest.max_speed = most / seconds;
   return rest;
 }
 
@@ -302,21 +310,29 @@ PeerEnd run_task(const PeerTask& task, const RunSettings& settings) {
   const int traced = steps_in(kTraceInterval, run.time_step());
   while (!run.done()) {
     const StepReport report = run.step();
-    end.measurements += report.measurements, end.bounded += report.bounded;
+    end.measurements += report.measurements;
+    end.bounded += report.bounded;
     if (settings.trace && run.steps() % traced == 0) print_line(run, end);
     const bool most = report.bounded > end.most_bounded;
     if (run.steps() % interval != 0 && !most) continue;
     clock.pause();
-    if (most) end.most_bounded = report.bounded, end.most_contact = run.positions();
+    if (most) {
+      end.most_bounded = report.bounded;
+      end.most_contact = run.positions();
+    }
     if (run.steps() % interval == 0) check.look(run.positions());
     clock.resume();
   }
   clock.pause();
-  end.cpu_s = clock.cpu_s(), end.wall_s = clock.wall_s();
+  end.cpu_s = clock.cpu_s();
+  end.wall_s = clock.wall_s();
   end.final_positions = run.positions();
   end.stop_reason = run.reason();
-  end.time_step = run.time_step(), end.steps = run.steps(), end.rest_at = run.rest_at();
-  end.weld_gap = run.weld_gap(), end.final_gap = run.gap();
+  end.time_step = run.time_step();
+  end.steps = run.steps();
+  end.rest_at = run.rest_at();
+  end.weld_gap = run.weld_gap();
+  end.final_gap = run.gap();
   check.look(end.final_positions);
   end.rest = test_rest(run, check, end.final_positions);
   end.worst = check.worst();

@@ -138,7 +138,8 @@ Result<PeerTask> read_task(const fs::path& folder, const std::string& name) {
   task.name = name;
   auto cloth = TRY(read_obj(folder / (name + "_cloth.obj")));
   auto body = TRY(read_obj(folder / (name + "_body.obj")));
-  task.cloth = std::move(cloth), task.body = std::move(body);
+  task.cloth = std::move(cloth);
+  task.body = std::move(body);
   const std::size_t count = task.cloth.vertices.size();
   const auto seams = TRY(read_numbers(folder / (name + "_seams.txt"), 2, 2, count));
   for (const auto& row : seams) task.sewn.push_back({static_cast<Index>(row[0]), static_cast<Index>(row[1])});

@@ -15,7 +15,8 @@ Status write_garmentcode_project(const std::filesystem::path& data, const std::s
   std::ifstream in(file, std::ios::binary);
   if (!in) return Error{"test.specification", "no such file", file.string()};
   NewProjectSettings settings;
-  settings.name = name, settings.body_file = body;
+  settings.name = name;
+  settings.body_file = body;
   Result<NewProject> made = new_project(std::string{std::istreambuf_iterator<char>(in), {}}, settings);
   if (!made) return made.error();
   Project& project = made->project;

@@ -75,7 +75,8 @@ void measure(Form& form) {
     form.low = form.high = {0, 1, 0};
     return;
   }
-  form.low = {1e9, 1e9, 1e9}, form.high = {-1e9, -1e9, -1e9};
+  form.low = {1e9, 1e9, 1e9};
+  form.high = {-1e9, -1e9, -1e9};
   for (const Body& body : form.bodies) {
     for (const Vec3& p : body.mesh.vertices) {
       form.low = {std::min(form.low.x, p.x), std::min(form.low.y, p.y), std::min(form.low.z, p.z)};

@@ -70,7 +70,9 @@ void sew_edges(Maker& m, std::vector<SeamEdge> a, std::vector<SeamEdge> b, bool 
   }
   Seam seam;
   seam.id = "s" + std::to_string(m.out.input.pattern.seams.size());
-  seam.a = std::move(a), seam.b = std::move(b), seam.same_direction = same_direction;
+  seam.a = std::move(a);
+  seam.b = std::move(b);
+  seam.same_direction = same_direction;
   m.out.input.pattern.seams.push_back(std::move(seam));
 }
 
@@ -151,8 +153,11 @@ void wrapped(Maker& m) {
     const auto begin = static_cast<Index>(m.pieces.size());
     for (int k = 0; k < around; ++k) {
       WrappedPlacement w;
-      w.radius = radius, w.slope = slope, w.anchor = first.middle() * 1e-3;
-      w.angle = 2 * kPi * k / around, w.height = top - metres_high(first) / 2;
+      w.radius = radius;
+      w.slope = slope;
+      w.anchor = first.middle() * 1e-3;
+      w.angle = 2 * kPi * k / around;
+      w.height = top - metres_high(first) / 2;
       add(m, copy_of(first, "p" + std::to_string(m.pieces.size())), w);
     }
     for (int k = 0; k < around; ++k) sew(m, begin + k, kRight, begin + (k + 1) % around, kLeft, false);
@@ -192,7 +197,10 @@ void side_by_side(Maker& m) {
   double x = 0, back = 0;
   const int across = m.count > 3 ? (m.count + 1) / 2 : m.count;
   for (int k = 0; k < m.count; ++k) {
-    if (k == across) x = 0, back = 1.5 * m.size + m.gap();
+    if (k == across) {
+      x = 0;
+      back = 1.5 * m.size + m.gap();
+    }
     const double taller = m.chance.happens(0.4) ? m.chance.log_between(1.0 / 3, 3) : 1;
     CutPiece piece = m.cut(m.size * m.chance.between(0.4, 1), m.size * std::min(taller, 1.4));
     x += metres_wide(piece) / 2;

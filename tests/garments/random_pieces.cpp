@@ -123,7 +123,8 @@ void notched(Chance& chance, CutPiece& piece, double w, double h, double opening
 }
 
 void measure(CutPiece& piece) {
-  piece.low = {1e9, 1e9}, piece.high = {-1e9, -1e9};
+  piece.low = {1e9, 1e9};
+  piece.high = {-1e9, -1e9};
   for (const Vec2& p : flatten(piece.panel.outline, 0.1)) {
     piece.low = {std::min(piece.low.x, p.x), std::min(piece.low.y, p.y)};
     piece.high = {std::max(piece.high.x, p.x), std::max(piece.high.y, p.y)};

@@ -82,7 +82,8 @@ double most_stretch(const DrapeInput& input, double extent) {
   for (const Fabric& f : input.fabrics) {
     const double coupled = 1 - f.stretch_coupling * f.stretch_coupling / (f.stretch_warp * f.stretch_weft);
     weakest = std::min({weakest, f.stretch_warp * coupled, f.stretch_weft * coupled, f.stretch_shear});
-    mass = std::max(mass, f.areal_mass), lightest = std::min(lightest, f.areal_mass);
+    mass = std::max(mass, f.areal_mass);
+    lightest = std::min(lightest, f.areal_mass);
   }
   // A pass that hands a pull on by a triangle a substep cannot hold more than this.
   const double reach = input.settings.particle_distance / input.settings.time_step;
@@ -189,7 +190,9 @@ void check_refusal(const Error& error, TrialReport& report) {
 }
 
 void check_end(const RandomGarment& garment, const DrapeResult& result, bool cancelled, TrialReport& report) {
-  report.end = result.stop_reason, report.steps = result.steps, report.cpu_s = result.cpu_s;
+  report.end = result.stop_reason;
+  report.steps = result.steps;
+  report.cpu_s = result.cpu_s;
   if (result.worst.cloth_body + result.worst.cloth_cloth > 0) {
     report.faults.push_back(text_of("%g crossings with a body and %g of cloth with cloth at step %g",
                                     result.worst.cloth_body, result.worst.cloth_cloth,

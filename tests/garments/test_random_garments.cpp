@@ -44,7 +44,9 @@ void expect_all_end_well(Seeds usual) {
     std::printf("%s\n", line.c_str());
     std::fflush(stdout);
     EXPECT_TRUE(report.faults.empty()) << "TOILE_SEED=" << seed << "\n" << line;
-    ++total, refused += report.refused(), cpu += report.cpu_s;
+    ++total;
+    refused += report.refused();
+    cpu += report.cpu_s;
     ++ends[report.end.substr(0, report.end.find(" s"))];
   }
   for (const auto& [end, count] : ends) std::printf("%4d %s\n", count, end.c_str());

@@ -33,7 +33,8 @@ std::pair<double, double> heights(const Draped& d, const std::string& prefix) {
   double low = 10, high = -10;
   for (Index i = 0; i < d.result.garment.vertex_count(); ++i) {
     if (d.input.pattern.panels[d.result.garment.panel_of_vertex[i]].id.rfind(prefix, 0) != 0) continue;
-    low = std::min(low, d.result.positions[i].y), high = std::max(high, d.result.positions[i].y);
+    low = std::min(low, d.result.positions[i].y);
+    high = std::max(high, d.result.positions[i].y);
   }
   return {low, high};
 }
@@ -78,7 +79,8 @@ TEST(SampleSkirt, HangsInFoldsAroundTheLegs) {
   for (const Vec3& p : d.result.positions) {
     if (p.y > low + 0.06) continue;
     const double r = std::hypot(p.x, p.z);
-    least = std::min(least, r), most = std::max(most, r);
+    least = std::min(least, r);
+    most = std::max(most, r);
   }
   EXPECT_GT(most - least, 0.04);
   EXPECT_GT(high - low, 0.5);

@@ -87,7 +87,10 @@ SeamPoint nearest_on(const Panel& panel, Index index, Vec2 at) {
     const int steps = static_cast<int>(whole) + 8;
     for (int k = 0; k <= steps; ++k) {
       const double d = length(point_at_length(edge, whole * k / steps) - at);
-      if (d < least) least = d, best = {index, static_cast<Index>(e), static_cast<double>(k) / steps};
+      if (d < least) {
+        least = d;
+        best = {index, static_cast<Index>(e), static_cast<double>(k) / steps};
+      }
     }
   }
   return best;
@@ -155,7 +158,10 @@ Result<std::string> bytes_of(const std::filesystem::path& path) {
 }  // namespace
 
 void SeamScore::add(const SeamScore& other) {
-  proposed += other.proposed, right += other.right, known += other.known, found += other.found;
+  proposed += other.proposed;
+  right += other.right;
+  known += other.known;
+  found += other.found;
 }
 
 SewnPoints points_of(const Pattern& pattern, const Seam& seam) {

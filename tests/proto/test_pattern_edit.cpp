@@ -113,7 +113,8 @@ TEST(ProjectEdit, LinesOfTheFileComeAlongWhenAPieceLeavesIt) {
 TEST(ProjectEdit, ALineOfTheFileGivesWayToTheDocumentsIds) {
   Project project = base();
   project.bodies.clear();
-  project.pieces[0].lines[0].id = "i0", project.folds[0].lines[0] = "i0";
+  project.pieces[0].lines[0].id = "i0";
+  project.folds[0].lines[0] = "i0";
   const Panel panel = resolve_project(project, square_files()).value().pattern.panels[0];
   ASSERT_EQ(panel.lines.size(), 2u);
   EXPECT_EQ(panel.lines[0].id, "i0_2");

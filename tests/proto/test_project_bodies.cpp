@@ -33,8 +33,10 @@ Result<MannequinSettings> settings_of(const std::string& mannequin) {
 TEST(ProjectMannequin, OfBeforeIsTheSameWoman) {
   MannequinSettings before;  // as documents were read before they knew presets
   constexpr double kMetres = 1e-2;
-  before.asked[Measure::kHeight] = 165.0 * kMetres, before.asked[Measure::kBust] = 90.0 * kMetres;
-  before.asked[Measure::kWaist] = 72.0 * kMetres, before.asked[Measure::kHip] = 96.0 * kMetres;
+  before.asked[Measure::kHeight] = 165.0 * kMetres;
+  before.asked[Measure::kBust] = 90.0 * kMetres;
+  before.asked[Measure::kWaist] = 72.0 * kMetres;
+  before.asked[Measure::kHip] = 96.0 * kMetres;
   before.triangle_count = 3300;
   const Result<MannequinSettings> now = settings_of(R"({"height_cm": 165})");
   ASSERT_TRUE(now) << to_string(now.error());

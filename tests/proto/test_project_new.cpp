@@ -32,7 +32,10 @@ std::string drawing_of(std::vector<Panel> panels) {
 
 NewProjectSettings settings(std::optional<double> accept = {}) {
   NewProjectSettings s;
-  s.name = "trial", s.pattern_file = "trial.dxf", s.body_file = "body.obj", s.accept_seams = accept;
+  s.name = "trial";
+  s.pattern_file = "trial.dxf";
+  s.body_file = "body.obj";
+  s.accept_seams = accept;
   return s;
 }
 
@@ -78,7 +81,8 @@ TEST(ProjectNew, CutsAPieceAsOftenAsTheDrawingSays) {
   const Panel front = garments::piece("front", {{0, 0}, {300, 0}, {260, 500}, {0, 520}});
   DxfDrawing drawing = read_dxf(drawing_of({front})).value();
   ASSERT_EQ(drawing.pieces.size(), 1u);
-  drawing.pieces[0].quantity = 2, drawing.pieces[0].mirrored = 1;
+  drawing.pieces[0].quantity = 2;
+  drawing.pieces[0].mirrored = 1;
   const auto made = new_project(drawing, settings());
   ASSERT_TRUE(made.ok()) << to_string(made.error());
   ASSERT_EQ(made->project.pieces.size(), 2u);

@@ -24,7 +24,10 @@ Vec3 middle_at(const DrapeResult& r, Index panel, double flat_y) {
   Vec3 sum;
   int count = 0;
   for (Index v = r.garment.first_vertex[panel]; v < r.garment.first_vertex[panel + 1]; ++v) {
-    if (std::abs(r.garment.rest[v].y - flat_y) < 1e-9) sum += r.positions[v], ++count;
+    if (std::abs(r.garment.rest[v].y - flat_y) < 1e-9) {
+      sum += r.positions[v];
+      ++count;
+    }
   }
   return sum * (1.0 / std::max(1, count));
 }

@@ -26,7 +26,8 @@ struct Sheet {
   Sheet(const PanelTexture& texture, const Picture& picture) {
     TextureImage image;
     image.read.picture = picture;
-    image.read.width = picture.width, image.read.height = picture.height;
+    image.read.width = picture.width;
+    image.read.height = picture.height;
     textures.images = {std::make_shared<const TextureImage>(image)};
     textures.of_panel = {texture};
   }

@@ -32,7 +32,10 @@ std::string code_in(const std::string& text) {
     if (in == kCode && two == "/*") in = kBlock;
     if (in == kLine && text[i] == '\n') in = kCode;
     if (in == kCode || text[i] == '\n') code += text[i];
-    if (in == kBlock && two == "*/") in = kCode, ++i;
+    if (in == kBlock && two == "*/") {
+      in = kCode;
+      ++i;
+    }
   }
   return code;
 }

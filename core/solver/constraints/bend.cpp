@@ -48,7 +48,9 @@ Hinge make_hinge(const RestTriangle& rest, int k, EdgeFrame far_frame) {
   const auto monomials = [](Vec2 p) { return Vec3{0.5 * p.x * p.x, 0.5 * p.y * p.y, p.x * p.y}; };
   const Vec3 jump = monomials(d) * hinge.far + monomials(c - a) * hinge.own[(k + 2) % 3] +
                     monomials(e) * hinge.own[(k + 1) % 3];
-  hinge.jump[0] = jump.x, hinge.jump[1] = jump.y, hinge.jump[2] = jump.z;
+  hinge.jump[0] = jump.x;
+  hinge.jump[1] = jump.y;
+  hinge.jump[2] = jump.z;
   return hinge;
 }
 

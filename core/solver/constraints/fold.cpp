@@ -23,7 +23,9 @@ Shape shape_of(const FoldHinge& f, std::span<const Vec3> x) {
   s.edge = x[f.e1] - x[f.e0];
   s.left = cross(s.edge, x[f.left] - x[f.e0]);
   s.right = cross(x[f.right] - x[f.e0], s.edge);
-  s.length_edge = length(s.edge), s.length_left = length(s.left), s.length_right = length(s.right);
+  s.length_edge = length(s.edge);
+  s.length_left = length(s.left);
+  s.length_right = length(s.right);
   return s;
 }
 

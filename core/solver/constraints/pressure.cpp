@@ -102,7 +102,9 @@ void add_pressure(const PressureChamber& chamber, double pressure, std::span<con
   const double share = pressure / 6;  // a third of the area, which is half the cross product
   for (const auto& [a, b, c] : chamber.skin) {
     const Vec3 push = cross(x[b] - x[a], x[c] - x[a]) * share;
-    out[a] += push, out[b] += push, out[c] += push;
+    out[a] += push;
+    out[b] += push;
+    out[c] += push;
   }
   for (const std::vector<Index>& ring : chamber.openings) {
     const Vec3 middle = middle_of(ring, x);
@@ -110,7 +112,9 @@ void add_pressure(const PressureChamber& chamber, double pressure, std::span<con
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Index from = ring[(i + 1) % ring.size()], to = ring[i];
       const Vec3 push = cross(x[from] - middle, x[to] - middle) * share;
-      out[from] += push, out[to] += push, on_middle += push;
+      out[from] += push;
+      out[to] += push;
+      on_middle += push;
     }
     on_middle = on_middle * (1.0 / static_cast<double>(ring.size()));
     for (const Index v : ring) out[v] += on_middle;

@@ -49,7 +49,8 @@ void close_groups(std::span<const StitchGroup> groups, std::span<const double> w
     double mass = 0;
     for (const Index v : g.vertices) {
       const double m = 1 / std::max(w[v], 1e-9);  // a held vertex weighs so much that the others come to it
-      centre += x[v] * m, mass += m;
+      centre += x[v] * m;
+      mass += m;
     }
     centre = centre * (1 / mass);
     // One factor for all: capped one by one, forces would not add up to nothing, and the garment would fly.

@@ -26,7 +26,9 @@ struct WideResponses {
     const Wide c00 = m[1] * m[2] - m[5] * m[5], c01 = m[4] * m[5] - m[3] * m[2],
                c02 = m[3] * m[5] - m[4] * m[1];
     const Wide per = kOne / (m[0] * c00 + m[3] * c01 + m[4] * c02);
-    inverse[0] = c00 * per, inverse[3] = c01 * per, inverse[4] = c02 * per;
+    inverse[0] = c00 * per;
+    inverse[3] = c01 * per;
+    inverse[4] = c02 * per;
     inverse[1] = (m[0] * m[2] - m[4] * m[4]) * per;
     inverse[2] = (m[0] * m[1] - m[3] * m[3]) * per;
     inverse[5] = (m[3] * m[4] - m[0] * m[5]) * per;
@@ -41,8 +43,12 @@ struct WideResponses {
     const Wide k = either(here, more / (kOne + more * dq), kNothing);
     lambda = lambda - q * (k * over);
     const Wide3 p = q * k;
-    inverse[0] -= p.x * q.x, inverse[1] -= p.y * q.y, inverse[2] -= p.z * q.z;
-    inverse[3] -= p.x * q.y, inverse[4] -= p.x * q.z, inverse[5] -= p.y * q.z;
+    inverse[0] -= p.x * q.x;
+    inverse[1] -= p.y * q.y;
+    inverse[2] -= p.z * q.z;
+    inverse[3] -= p.x * q.y;
+    inverse[4] -= p.x * q.z;
+    inverse[5] -= p.y * q.z;
   }
   TOILE_INLINE void change(WideFlags here, const Wide3& d, Wide more, Wide from) {
     const Wide3 q = times(d);

@@ -34,7 +34,10 @@ TEST(Strain, TurningTheGrainSwapsWarpAndWeft) {
 
 TEST(Strain, StretchAndSqueezeAreToldApart) {
   std::vector<double> values(100, 0);
-  values[3] = 0.04, values[4] = 0.02, values[5] = -0.2, values[6] = -0.1;
+  values[3] = 0.04;
+  values[4] = 0.02;
+  values[5] = -0.2;
+  values[6] = -0.1;
   const StretchFigures f = stretch_figures_of(values);
   EXPECT_EQ(f.max, 0.2) << "of magnitudes";
   EXPECT_EQ(f.tension.max, 0.04);

@@ -89,7 +89,10 @@ std::vector<std::vector<Index>> rings(const GarmentMesh& g) {
   }
   std::map<Index, std::vector<Index>> next;
   for (const auto& [edge, times] : count) {
-    if (times == 1) next[edge.first].push_back(edge.second), next[edge.second].push_back(edge.first);
+    if (times == 1) {
+      next[edge.first].push_back(edge.second);
+      next[edge.second].push_back(edge.first);
+    }
   }
   std::vector<std::vector<Index>> found;
   std::set<Index> seen;
@@ -100,7 +103,8 @@ std::vector<std::vector<Index>> rings(const GarmentMesh& g) {
       ring.push_back(at);
       const auto& ways = next[at];
       const Index to = ways[0] != before ? ways[0] : ways[1];
-      before = at, at = to;
+      before = at;
+      at = to;
     }
     found.push_back(std::move(ring));
   }

@@ -37,7 +37,8 @@ void take_places(DrapeInput& input, const std::string& name) {
     const bool open_hood = f.where.find("hood") != std::string::npos;
     EXPECT_TRUE(f.code != "ring.around_nothing" || open_hood) << name << ": " << f.where;
   }
-  input.placements = made->placements, input.attachments = made->attachments;
+  input.placements = made->placements;
+  input.attachments = made->attachments;
 }
 
 const char* shared_folder() { return std::getenv("TOILE_SHARED"); }

@@ -27,7 +27,10 @@ TEST(BoxPlaces, APieceStandsBeforeItsSideWithItsRightSideOutwards) {
     const PartBox& box = boxed().of(part);
     for (const BoxSide side : {BoxSide::kFront, BoxSide::kBack, BoxSide::kLeft, BoxSide::kRight}) {
       OnBox where;
-      where.side = side, where.at = {0.02, 0.05}, where.away = 0.03, where.turn = 0.4,
+      where.side = side;
+      where.at = {0.02, 0.05};
+      where.away = 0.03;
+      where.turn = 0.4;
       where.anchor = {0.1, 0.2};
       const auto p = place({{0.1, 0.2}, {0.2, 0.2}, {0.1, 0.3}}, on_box_side(box, where));
       const Vec3 normal = cross(p[1] - p[0], p[2] - p[0]) * 100.0;
@@ -43,7 +46,8 @@ TEST(BoxPlaces, APieceRolledAroundAnArmKeepsItsDistanceAndIsNotStretched) {
   const PartBox& box = boxed().of(BodyPart::kLeftArm);
   const double radius = radius_of_part(boxed().mesh, boxed().figure, box, -0.05, 0.25);
   OnBox where;
-  where.away = 0.01, where.at = {0, 0.1};
+  where.away = 0.01;
+  where.at = {0, 0.1};
   std::vector<Vec2> flat;
   for (int i = 0; i <= 30; ++i) flat.push_back({0.01 * i - 0.15, 0.002 * i});
   const auto p = place(flat, around_box(box, where, radius));

@@ -18,13 +18,15 @@ TEST(DisjointSets, AreStoodForByTheirLeastMember) {
 
 TEST(DisjointSets, SayWhetherTwoWereOneAlready) {
   DisjointSets sets(3);
-  sets.join(0, 1), sets.join(1, 2);
+  sets.join(0, 1);
+  sets.join(1, 2);
   EXPECT_FALSE(sets.join(2, 0));
 }
 
 TEST(DisjointSets, GrowByOneAndBeginAnew) {
   DisjointSets sets;
-  sets.add(), sets.add();
+  sets.add();
+  sets.add();
   sets.join(0, 1);
   sets.add();
   EXPECT_EQ(sets.root(1), 0);

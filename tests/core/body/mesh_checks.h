@@ -29,7 +29,8 @@ inline bool fans_are_whole(const TriangleMesh& mesh) {
     if (ring.empty()) return false;
     size_t steps = 0;
     for (Index v = ring.begin()->first; steps < ring.size() + 1 && ring.contains(v);) {
-      v = ring.at(v), ++steps;
+      v = ring.at(v);
+      ++steps;
       if (v == ring.begin()->first) break;
     }
     if (steps != ring.size()) return false;

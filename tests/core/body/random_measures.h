@@ -41,7 +41,9 @@ class PeopleByChance {
 
  private:
   double in(double low, double high) {
-    state_ ^= state_ << 13, state_ ^= state_ >> 7, state_ ^= state_ << 17;
+    state_ ^= state_ << 13;
+    state_ ^= state_ >> 7;
+    state_ ^= state_ << 17;
     return low + (high - low) * static_cast<double>(state_ >> 11) * (1.0 / 9007199254740992.0);
   }
 

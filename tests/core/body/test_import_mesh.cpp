@@ -43,7 +43,9 @@ class ImportMesh : public testing::Test {
     const std::string path = write("reader.sh", "#!/bin/sh\n" + script + "\n");
     ::chmod(path.c_str(), 0700);
     ChildLimits limits = mesh_import_limits();
-    limits.memory_bytes = std::uint64_t{256} << 20, limits.cpu_s = 1, limits.wall_s = 0.5;
+    limits.memory_bytes = std::uint64_t{256} << 20;
+    limits.cpu_s = 1;
+    limits.wall_s = 0.5;
     limits.output_bytes = 1 << 20;
     return MeshImporter(path, limits);
   }

@@ -75,7 +75,8 @@ TEST(Landmarks, AreAtLeastThirtyWithNamesOfTheirOwnOnTheSkin) {
 TEST(Landmarks, AreOnTheSkinOfTheCoarsestFigures) {
   for (const char* size : {"eu34", "m50", "child92"}) {
     MannequinSettings settings;
-    settings.sex = find_preset(size)->sex, settings.asked = find_preset(size)->measures();
+    settings.sex = find_preset(size)->sex;
+    settings.asked = find_preset(size)->measures();
     settings.triangle_count = 1000;
     if (settings.sex == Sex::kMale) settings.asked[Measure::kWaist] = 0.92;  // no waist to speak of
     const Result<Mannequin> made = make_mannequin(settings);

@@ -34,8 +34,10 @@ void expect_met(const Mannequin& made, const MeasureSet& asked) {
 
 MannequinSettings woman(double height, double bust, double waist, double hip) {
   MannequinSettings s;
-  s.asked[Measure::kHeight] = height, s.asked[Measure::kBust] = bust;
-  s.asked[Measure::kWaist] = waist, s.asked[Measure::kHip] = hip;
+  s.asked[Measure::kHeight] = height;
+  s.asked[Measure::kBust] = bust;
+  s.asked[Measure::kWaist] = waist;
+  s.asked[Measure::kHip] = hip;
   return s;
 }
 
@@ -54,9 +56,14 @@ TEST(Mannequin, StandsOnTheFloorAsTallAsAskedAndFacesFront) {
   ASSERT_TRUE(made) << to_string(made.error());
   double low = 1e9, high = -1e9, left = 0, right = 0, toes = 0, heels = 0;
   for (const Vec3& p : made->mesh.vertices) {
-    low = std::min(low, p.y), high = std::max(high, p.y);
-    left = std::max(left, p.x), right = std::max(right, -p.x);
-    if (p.y < 0.05) toes = std::max(toes, p.z), heels = std::max(heels, -p.z);
+    low = std::min(low, p.y);
+    high = std::max(high, p.y);
+    left = std::max(left, p.x);
+    right = std::max(right, -p.x);
+    if (p.y < 0.05) {
+      toes = std::max(toes, p.z);
+      heels = std::max(heels, -p.z);
+    }
   }
   EXPECT_NEAR(low, 0, 1e-12);
   EXPECT_NEAR(high, 1.62, 1e-9);
@@ -132,7 +139,9 @@ TEST(Mannequin, RefusesMeasuresThatNoBodyHas) {
     EXPECT_EQ(made.error().where, "waist");
   }
   MannequinSettings few, stiff, giant;
-  few.triangle_count = 10, stiff.arm_angle = 0, giant.asked[Measure::kHeight] = 3;
+  few.triangle_count = 10;
+  stiff.arm_angle = 0;
+  giant.asked[Measure::kHeight] = 3;
   EXPECT_EQ(make_mannequin(few).error().where, "triangles");
   EXPECT_EQ(make_mannequin(stiff).error().where, "arm_angle");
   EXPECT_EQ(make_mannequin(giant).error().where, "height");
@@ -140,7 +149,8 @@ TEST(Mannequin, RefusesMeasuresThatNoBodyHas) {
 
 TEST(BodyProportions, FillTheGapsAndKeepWhatWasAsked) {
   MeasureSet asked;
-  asked[Measure::kHeight] = 1.75, asked[Measure::kWaist] = 0.80;
+  asked[Measure::kHeight] = 1.75;
+  asked[Measure::kWaist] = 0.80;
   const MeasureSet all = with_proportions(Sex::kFemale, asked);
   for (int i = 0; i < kMeasureCount; ++i) EXPECT_TRUE(all[measure_at(i)]) << measure_name(measure_at(i));
   EXPECT_EQ(*all[Measure::kWaist], 0.80);
@@ -204,7 +214,9 @@ TEST(BodyProportions, HaveChildrenInStepsOf6Cm) {
     EXPECT_GT(p->bust, bust);
     EXPECT_GT(p->waist, waist);
     EXPECT_GT(p->hip, hip);
-    bust = p->bust, waist = p->waist, hip = p->hip;
+    bust = p->bust;
+    waist = p->waist;
+    hip = p->hip;
   }
   EXPECT_EQ(body_presets().size(), 8u + 8u + 14u);
   EXPECT_EQ(find_preset("eu37"), nullptr);
@@ -237,7 +249,8 @@ TEST_P(LongMannequin, MakesEverySizeOfTheTables) {
   for (const BodyPreset& p : body_presets()) {
     if (p.sex != GetParam()) continue;
     MannequinSettings s;
-    s.sex = p.sex, s.asked = p.measures();
+    s.sex = p.sex;
+    s.asked = p.measures();
     const Result<Mannequin> made = make_mannequin(s);
     ASSERT_TRUE(made) << p.name << ": " << to_string(made.error());
     expect_met(*made, s.asked);

@@ -119,7 +119,8 @@ TEST(RepairMesh, CountsWhatWasTurnedTwiceAsUnturned) {
 TEST(RepairMesh, JoinsBordersThatLieOnEachOther) {
   TriangleMesh mesh = cube();  // its top lid as a piece of its own, a hair above
   for (const Index v : {2, 3, 6, 7}) mesh.vertices.push_back(mesh.vertices[v] + Vec3{1e-6, 5e-6, 0});
-  mesh.triangles[6] = {8, 10, 9}, mesh.triangles[7] = {9, 10, 11};
+  mesh.triangles[6] = {8, 10, 9};
+  mesh.triangles[7] = {9, 10, 11};
   ASSERT_GT(open_edges(mesh), 0);
   const RepairedMesh r = repair_mesh(mesh);
   expect_closed(r, 1);
@@ -190,7 +191,8 @@ TEST(RepairMesh, FillsAHoleOfManyCornersAroundItsMiddle) {
   mesh.vertices.push_back({});
   for (Index i = 0; i < kSides; ++i) {
     const Index a = 2 * i, b = 2 * ((i + 1) % kSides);
-    mesh.triangles.push_back({a, b, a + 1}), mesh.triangles.push_back({b, b + 1, a + 1});
+    mesh.triangles.push_back({a, b, a + 1});
+    mesh.triangles.push_back({b, b + 1, a + 1});
     mesh.triangles.push_back({2 * kSides, b, a});
   }
   const RepairedMesh r = repair_mesh(mesh);
@@ -238,7 +240,8 @@ TEST(RepairMesh, PartsTwoCubesThatShareAnEdge) {
 
 TEST(RepairMesh, CutsAnInnerWallOff) {
   TriangleMesh mesh = cube();
-  mesh.triangles.push_back({0, 3, 7}), mesh.triangles.push_back({0, 7, 4});  // through the middle
+  mesh.triangles.push_back({0, 3, 7});
+  mesh.triangles.push_back({0, 7, 4});  // through the middle
   const RepairedMesh r = repair_mesh(mesh);
   EXPECT_GT(r.repairs.crowded_edges, 0);
   EXPECT_EQ(r.repairs.shells, 2);
@@ -287,7 +290,8 @@ TEST(RepairMesh, LeavesATwistedStripAlone) {
   for (Index i = 0; i < kParts; ++i) {
     const bool last = i + 1 == kParts;
     const Index a = 2 * i, b = a + 1, c = last ? 1 : a + 2, d = last ? 0 : a + 3;
-    mesh.triangles.push_back({a, b, c}), mesh.triangles.push_back({b, d, c});
+    mesh.triangles.push_back({a, b, c});
+    mesh.triangles.push_back({b, d, c});
   }
   const RepairedMesh r = repair_mesh(mesh);
   EXPECT_EQ(r.repairs.one_sided, 1);
@@ -299,7 +303,9 @@ TEST(RepairMesh, SurvivesASoupOfTriangles) {
   TriangleMesh mesh;
   std::uint64_t state = 12345;
   const auto random = [&state] {
-    state ^= state << 13, state ^= state >> 7, state ^= state << 17;
+    state ^= state << 13;
+    state ^= state >> 7;
+    state ^= state << 17;
     return state;
   };
   for (int i = 0; i < 60; ++i) {

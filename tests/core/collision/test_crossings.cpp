@@ -45,7 +45,10 @@ int brute_force_self(const std::vector<Tri>& triangles, const std::vector<Vec3>&
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     for (std::size_t j = i + 1; j < triangles.size(); ++j) {
       ExactPoint a[3], b[3];
-      for (int k = 0; k < 3; ++k) a[k] = to_grid(x[triangles[i][k]]), b[k] = to_grid(x[triangles[j][k]]);
+      for (int k = 0; k < 3; ++k) {
+        a[k] = to_grid(x[triangles[i][k]]);
+        b[k] = to_grid(x[triangles[j][k]]);
+      }
       bool crosses = false;
       for (int k = 0; k < 3; ++k) {
         crosses |= segment_crosses_triangle(a[k], a[(k + 1) % 3], b[0], b[1], b[2]);

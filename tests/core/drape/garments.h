@@ -31,8 +31,10 @@ inline Body column(double radius, double low, double high, int sides = 16) {
   }
   for (Index i = 0; i < sides; ++i) {
     const Index a = 2 + 2 * i, b = 2 + 2 * ((i + 1) % sides);
-    t.push_back({a, b, a + 1}), t.push_back({b, b + 1, a + 1});
-    t.push_back({0, b, a}), t.push_back({1, a + 1, b + 1});
+    t.push_back({a, b, a + 1});
+    t.push_back({b, b + 1, a + 1});
+    t.push_back({0, b, a});
+    t.push_back({1, a + 1, b + 1});
   }
   return body;
 }
@@ -67,7 +69,10 @@ inline DrapeInput tube() {
   input.fabric_of_panel = {0, 0};
   input.bodies = {column(0.07, 0, 0.3)};
   Attachment top;
-  top.id = "top", top.panel = 0, top.edges = {2}, top.release_after = -1;
+  top.id = "top";
+  top.panel = 0;
+  top.edges = {2};
+  top.release_after = -1;
   input.attachments = {top};
   input.settings.particle_distance = 0.02;
   input.settings.time_step = 1.0 / 2000;

@@ -24,8 +24,12 @@ std::vector<Vec3> ring(double radius, double height, int corners = 32) {
 
 Attachment to_goal(Index panel, std::vector<Index> edges, std::vector<Vec3> goal, double release_after) {
   Attachment a;
-  a.id = "to_goal", a.panel = panel, a.edges = std::move(edges);
-  a.hold = Attachment::Hold::kGoal, a.goal = std::move(goal), a.release_after = release_after;
+  a.id = "to_goal";
+  a.panel = panel;
+  a.edges = std::move(edges);
+  a.hold = Attachment::Hold::kGoal;
+  a.goal = std::move(goal);
+  a.release_after = release_after;
   return a;
 }
 

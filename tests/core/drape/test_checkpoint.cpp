@@ -30,7 +30,8 @@ std::unique_ptr<DrapeRun> resumed(const DrapeInput& input, const std::string& ch
 std::string state_in(const DrapeRun& run) {
   const std::string hash = run.session().start_hash();
   RunState state = decode_checkpoint(run.checkpoint(), hash).value();
-  state.cpu_s = state.wall_s = 0, state.resumed = 0;
+  state.cpu_s = state.wall_s = 0;
+  state.resumed = 0;
   return encode_checkpoint(hash, state);
 }
 
@@ -139,7 +140,8 @@ DrapeInput layers() {
   for (int k = 1; k < 3; ++k) {
     input.pattern.panels.push_back(test::rectangle("sheet" + std::to_string(k), 240 - 30 * k, 240 - 20 * k));
     auto above = std::get<RigidPlacement>(input.placements[0]);
-    above.translation.y += 0.004 * k, above.rotation.y = 0.2 * k;
+    above.translation.y += 0.004 * k;
+    above.rotation.y = 0.2 * k;
     input.placements.push_back(above);
     input.fabric_of_panel.push_back(0);
   }

@@ -68,7 +68,10 @@ TEST(ContactDistance, ASheetOnASheetLiesWithinTwoMillimetresOfIt) {
     double nearest = 1, below = 0;
     for (std::size_t j = 0; j < half; ++j) {
       const double side = std::hypot(p.x - r.positions[j].x, p.z - r.positions[j].z);
-      if (side < nearest) nearest = side, below = r.positions[j].y;
+      if (side < nearest) {
+        nearest = side;
+        below = r.positions[j].y;
+      }
     }
     gaps.push_back(p.y - below);
   }

@@ -69,7 +69,10 @@ TEST(Notions, AButtonThatABodyKeepsOpenIsToldByName) {
   input.bodies = {test::column(0.07, 0.8, 1.3)};
   for (const Index sheet : {0, 1}) {  // held by their lower edges, so that they cannot slide around it
     Attachment lower;
-    lower.panel = sheet, lower.edges = {0}, lower.hold = Attachment::Hold::kPlace, lower.release_after = -1;
+    lower.panel = sheet;
+    lower.edges = {0};
+    lower.hold = Attachment::Hold::kPlace;
+    lower.release_after = -1;
     input.attachments.push_back(lower);
   }
   input.notions.buttons = {{"cuff", {0, {0, 0.03}}, {1, {0, 0.03}}, 2e-3}};
@@ -109,7 +112,8 @@ TEST(Notions, AnElasticWaistbandStretchesToTheGirthThatItIsOn) {
   input.settings.sew_time = 0.5;
   input.notions.elastics = {{"front band", 0, {2}, {}, 0.7, 15}, {"back band", 1, {2}, {}, 0.7, 15}};
   Attachment back = input.attachments[0];
-  back.id = "top back", back.panel = 1;
+  back.id = "top back";
+  back.panel = 1;
   input.attachments.push_back(back);
   const DrapeResult r = drape(input, {}, nullptr).value();
   EXPECT_TRUE(r.settled) << r.stop_reason;
@@ -122,7 +126,8 @@ TEST(Notions, ACreaseAlongALineComesToRestAtItsAngle) {
   DrapeInput input = floating(100, 60, {0});
   input.pattern.panels[0].lines = {{"fold", {{0, 0}, {0, 60}}}};
   input.notions.creases = {{"c", 0, {0}, kPi / 2, 0.05}};
-  input.settings.until_settled = false, input.settings.max_time = 2;  // nothing holds it: it may drift
+  input.settings.until_settled = false;
+  input.settings.max_time = 2;  // nothing holds it: it may drift
   const DrapeResult r = drape(input, {}, nullptr).value();
   EXPECT_LT(r.rms_speed, 0.005);
   expect_clean(r);
@@ -145,7 +150,8 @@ DrapeInput cushion(double pressure, double full_volume) {
   input.notions.cushions = {{"bolster", {0, 1}, pressure, full_volume}};
   input.settings.particle_distance = 0.012;
   input.settings.time_step = 1.0 / 3000;
-  input.settings.until_settled = false, input.settings.max_time = 2;
+  input.settings.until_settled = false;
+  input.settings.max_time = 2;
   return input;
 }
 

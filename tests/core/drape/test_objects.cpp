@@ -57,7 +57,8 @@ DrapeInput table_and_ball() {
   std::get<RigidPlacement>(input.placements[0]).translation = {0, 0.40, 0.22};
   input.bodies = {box("table", {-0.12, 0.20, -0.12}, {0.12, 0.22, 0.12}),
                   ball("ball", {0.03, 0.302, 0}, 0.08)};
-  input.bodies[0].friction = 0.1, input.bodies[1].friction = 0.6;
+  input.bodies[0].friction = 0.1;
+  input.bodies[1].friction = 0.6;
   input.bodies[1].skin_offset = 3e-3;
   return input;
 }

@@ -23,7 +23,10 @@ TEST(Pipeline, ASheetFallsOnAColumnAndHangsAroundIt) {
   EXPECT_EQ(r.worst.cloth_body + r.worst.cloth_cloth, 0);
   EXPECT_GT(r.frames_checked, 30);
   double highest = 0, lowest = 1;
-  for (const Vec3& p : r.positions) highest = std::max(highest, p.y), lowest = std::min(lowest, p.y);
+  for (const Vec3& p : r.positions) {
+    highest = std::max(highest, p.y);
+    lowest = std::min(lowest, p.y);
+  }
   EXPECT_NEAR(highest, 0.301, 0.004) << "it lies on the head";
   EXPECT_LT(lowest, 0.26) << "and its corners hang";
 }
@@ -36,7 +39,10 @@ TEST(Pipeline, TwoPanelsAreSewnIntoATubeAroundAColumn) {
   // The tube goes around: cloth on all four sides.
   bool sides[4] = {};
   for (const Vec3& p : r.positions) {
-    sides[0] |= p.x > 0.07, sides[1] |= p.x<-0.07, sides[2] |= p.z> 0.07, sides[3] |= p.z < -0.07;
+    sides[0] |= p.x > 0.07;
+    sides[1] |= p.x < -0.07;
+    sides[2] |= p.z > 0.07;
+    sides[3] |= p.z < -0.07;
   }
   for (const bool side : sides) EXPECT_TRUE(side);
 }

@@ -42,9 +42,12 @@ TEST(Weld, AWeldThatWouldCrossTheBodyIsNotDone) {
       {0.09, -1e-4, -0.05}, {0.12, -1e-4, -0.05}, {0.09, -1e-4, 0.05}, {0.12, -1e-4, 0.05}};
   const std::vector<CrossingBody> bodies{make_crossing_body(wall, std::vector<Tri>{{0, 1, 2}, {1, 3, 2}})};
   std::vector<Vec3> x = side_by_side(2e-4);
-  x[2].y = 0.1, x[5].y = -0.1;
-  x[0].y = 2e-4, x[1].y = 2e-4;  // the upper piece above the wall
-  x[3].y = -4e-4, x[4].y = -8e-4;
+  x[2].y = 0.1;
+  x[5].y = -0.1;
+  x[0].y = 2e-4;
+  x[1].y = 2e-4;  // the upper piece above the wall
+  x[3].y = -4e-4;
+  x[4].y = -8e-4;
   const Weld w = weld_seams(two_triangles(), x, 1e-3, bodies);
   EXPECT_FALSE(w.refused.empty());
   std::vector<Vec3> end;

@@ -29,7 +29,10 @@ TEST(Bvh, FindsEveryOverlapOnceAlsoAfterRefitting) {
   for (int round = 0; round < 2; ++round) {
     Pairs self, pairs, self_expected, expected;
     int visits = 0;
-    tree.self_pairs([&](Index a, Index b) { self.insert(std::minmax(a, b)), ++visits; });
+    tree.self_pairs([&](Index a, Index b) {
+      self.insert(std::minmax(a, b));
+      ++visits;
+    });
     EXPECT_EQ(visits, static_cast<int>(self.size()));
     tree.pairs(other, [&](Index a, Index b) { EXPECT_TRUE(pairs.insert({a, b}).second); });
     for (Index i = 0; i < 200; ++i) {

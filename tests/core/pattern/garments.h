@@ -24,8 +24,14 @@ inline Panel piece(const std::string& id, const std::vector<Node>& nodes) {
     const Node &n = nodes[i], &m = nodes[(i + 1) % nodes.size()];
     const Vec2 a{n.x, n.y}, b{m.x, m.y};
     CubicBezier c = line_segment(a, b);
-    if (n.control) c.p1 = a + (*n.control - a) * (2.0 / 3), c.p2 = b + (*n.control - b) * (2.0 / 3);
-    if (n.second) c.p1 = *n.control, c.p2 = *n.second;
+    if (n.control) {
+      c.p1 = a + (*n.control - a) * (2.0 / 3);
+      c.p2 = b + (*n.control - b) * (2.0 / 3);
+    }
+    if (n.second) {
+      c.p1 = *n.control;
+      c.p2 = *n.second;
+    }
     panel.outline.edges.push_back({"e" + std::to_string(i), {c}});
   }
   return panel;

@@ -200,7 +200,8 @@ TEST(DxfOutline, ASleeveCapIsTwoToSixCurvesHoweverFinelyItIsDrawn) {
   for (const int steps : {7, 10, 20, 100}) {
     std::string out = groups({{0, "LWPOLYLINE"}, {8, "1"}, {70, "1"}});
     const auto vertex = [&](Vec2 p) { out += groups({{10, number(p.x)}, {20, number(p.y)}}); };
-    vertex({-150, -400}), vertex({150, -400});
+    vertex({-150, -400});
+    vertex({150, -400});
     for (const CubicBezier& c : cap)
       for (int i = c.p0.x == 180 ? 0 : 1; i <= steps; ++i) vertex(evaluate(c, double(i) / steps));
     const DxfDrawing d = read_trial(header(4) + entities(out));

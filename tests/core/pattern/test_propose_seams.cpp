@@ -73,7 +73,11 @@ Score score_of(const Garment& g, const Pattern& pattern, bool sides_known, const
 
 Score sum(const std::vector<Score>& scores) {
   Score all;
-  for (const Score& s : scores) all.known += s.known, all.proposed += s.proposed, all.correct += s.correct;
+  for (const Score& s : scores) {
+    all.known += s.known;
+    all.proposed += s.proposed;
+    all.correct += s.correct;
+  }
   return all;
 }
 
@@ -300,7 +304,9 @@ TEST(ProposeSeams, AreUnsureWhereClothLiesOnCloth) {
 TEST(ProposeSeams, OfAlternativesTheSurerOneIsSewn) {
   const auto proposal = [](double confidence, SeamEdge a, SeamEdge b) {
     SeamProposal p;
-    p.confidence = confidence, p.seam.a = {a}, p.seam.b = {b};
+    p.confidence = confidence;
+    p.seam.a = {a};
+    p.seam.b = {b};
     return p;
   };
   const std::vector<SeamProposal> proposals{

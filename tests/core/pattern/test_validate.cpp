@@ -84,7 +84,8 @@ TEST(Validate, OutlinesRunCounterClockwiseAndHolesClockwise) {
 TEST(Validate, AnOutlineThatCrossesItselfIsPlaced) {
   const Error e = broken([](Pattern& p) {
     CubicBezier& c = p.panels[1].outline.edges[1].curves[0];  // from (100, 0) up; bend it over the left side
-    c.p1 = {-200, 30}, c.p2 = {-200, 60};
+    c.p1 = {-200, 30};
+    c.p2 = {-200, 60};
   });
   EXPECT_EQ(e.code, "pattern.self_crossing");
   EXPECT_EQ(e.where, "piece back, edge e1");

@@ -108,7 +108,9 @@ DrapeInput rolled_onto_itself() {
   DrapeInput input = tube();
   input.pattern.seams.clear();
   WrappedPlacement roll;
-  roll.axis = {0.4, 0, 0}, roll.radius = 0.03, roll.height = 0.1;  // 188 mm around for 260 mm of cloth
+  roll.axis = {0.4, 0, 0};
+  roll.radius = 0.03;
+  roll.height = 0.1;  // 188 mm around for 260 mm of cloth
   input.placements[0] = roll;
   return input;
 }
@@ -151,7 +153,9 @@ DrapeInput with_collar() {
   input.pattern.seams.push_back({"neck", {{2, 0, false}}, {{0, 2, true}, {1, 2, false}}, true});
   input.fabric_of_panel.push_back(0);
   WrappedPlacement around;
-  around.radius = 0.13, around.height = 0.32, around.angle = kHalfTurn / 2;
+  around.radius = 0.13;
+  around.height = 0.32;
+  around.angle = kHalfTurn / 2;
   input.placements.push_back(around);
   return input;
 }
@@ -194,7 +198,8 @@ DrapeInput tilted_into_the_body() {
 
 DrapeInput both_in_the_body() {
   DrapeInput input = tube();
-  placed(input, 0).translation.z = 0.062, placed(input, 1).translation.z = -0.062;
+  placed(input, 0).translation.z = 0.062;
+  placed(input, 1).translation.z = -0.062;
   return input;
 }
 

@@ -43,7 +43,8 @@ TEST(BrokenStarts, AreAllFoundWithAPlaceAndWordsAndRepairedWhereExpected) {
       EXPECT_FALSE(f.message.empty() || f.where.empty());
       EXPECT_TRUE(is_finite(f.place));
       if (f.code != broken.code) continue;
-      found = true, repaired &= f.repaired;
+      found = true;
+      repaired &= f.repaired;
     }
     EXPECT_TRUE(found) << text_of(start->findings);
     EXPECT_EQ(found && repaired, broken.repaired) << text_of(start->findings);

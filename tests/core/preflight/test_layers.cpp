@@ -13,7 +13,8 @@ namespace {
 Findings findings_of(double z0, int layer0, double z1, int layer1) {
   Pattern pattern;
   pattern.panels = {test::rectangle("shirt", 120, 100), test::rectangle("jacket", 120, 100)};
-  pattern.panels[0].layer = layer0, pattern.panels[1].layer = layer1;
+  pattern.panels[0].layer = layer0;
+  pattern.panels[1].layer = layer1;
   const PanelMeshes meshes = make_panel_meshes(pattern, 0.02, {}).value();
   Assembly assembly =
       assemble(meshes, {RigidPlacement{{0, 0.1, z0}, {}, false}, RigidPlacement{{0, 0.1, z1}, {}, false}}, {})

@@ -140,7 +140,9 @@ TEST(Preflight, ShortThreadsBesideAThickBodyAreNearNoLimb) {
   input.bodies = {test::column(0.12, 0, 0.3)};
   for (std::size_t p : {0, 1}) {  // two half shells around the column, a few millimetres apart at their sides
     WrappedPlacement shell;
-    shell.radius = 0.13, shell.height = 0.15, shell.angle = p == 0 ? 0 : 3.14159265358979;
+    shell.radius = 0.13;
+    shell.height = 0.15;
+    shell.angle = p == 0 ? 0 : 3.14159265358979;
     input.placements[p] = shell;
     input.pattern.panels[p] = test::rectangle(p == 0 ? "front" : "back", 400, 120);
   }

@@ -53,7 +53,8 @@ TEST(Assembly, APairHoldsTheSeamHalfWayToItsNeighboursOnTheShorterSide) {
 
 TEST(Assembly, AnAttachmentNamesTheVerticesOfItsEdgesOnce) {
   Attachment edges;
-  edges.panel = 1, edges.edges = {0, 1};
+  edges.panel = 1;
+  edges.edges = {0, 1};
   Attachment whole;
   whole.panel = 2;
   const Assembly a = assemble(three_triangles(), apart(), {edges, whole}).value();

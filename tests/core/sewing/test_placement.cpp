@@ -53,7 +53,9 @@ TEST(Placement, WrappingAroundACylinderDoesNotStretch) {
 TEST(Placement, WrappingAroundAConeDoesNotStretchWhicheverWayItOpens) {
   for (const double slope : {0.3, -0.3, 0.8}) {
     WrappedPlacement w;
-    w.radius = 0.5, w.slope = slope, w.angle = 1;
+    w.radius = 0.5;
+    w.slope = slope;
+    w.angle = 1;
     EXPECT_LT(stretch(w), 1e-5) << "slope " << slope;
   }
 }
@@ -61,7 +63,10 @@ TEST(Placement, WrappingAroundAConeDoesNotStretchWhicheverWayItOpens) {
 TEST(Placement, AConeWidensDownwardsAndTurnsTheRightWay) {
   WrappedPlacement w;
   w.axis = {0.1, 0, -0.1};
-  w.radius = 0.3, w.slope = 0.25, w.height = 1, w.anchor = {0.05, 0};
+  w.radius = 0.3;
+  w.slope = 0.25;
+  w.height = 1;
+  w.anchor = {0.05, 0};
   const std::vector<Vec3> x = place({{0.05, 0}, {0.05, -0.4}, {0.15, 0}}, w);
   EXPECT_NEAR(length(x[0] - Vec3{0.1, 1, 0.2}), 0, 1e-12) << "the anchor stands in front at its height";
   EXPECT_NEAR(x[1].z + 0.1, 0.3 + 0.25 * 0.4, 1e-12);
@@ -78,8 +83,12 @@ TEST(Placement, ANearlyUprightConeIsTheCylinder) {
 
 TEST(Placement, AroundATiltedAxisNothingStretchesAndTheDistanceStays) {
   WrappedPlacement w;
-  w.axis = {0.2, 1.3, 0}, w.up = normalized(Vec3{-0.7, 0.7, 0.1});
-  w.radius = 0.08, w.height = -0.1, w.turn = 0.7, w.angle = 1.5;
+  w.axis = {0.2, 1.3, 0};
+  w.up = normalized(Vec3{-0.7, 0.7, 0.1});
+  w.radius = 0.08;
+  w.height = -0.1;
+  w.turn = 0.7;
+  w.angle = 1.5;
   EXPECT_LT(stretch(w), 1e-5);
   for (const Vec3& p : place(flat_grid(), w)) {
     EXPECT_NEAR(length(cross(p - w.axis, w.up)), w.radius, 1e-12);

@@ -23,7 +23,9 @@ ClothSolver sheet_in(const AirDrag& air, double time_step) {
 
 StepForces in_air(double gravity) {
   StepForces forces;
-  forces.gravity = gravity, forces.damping = 0, forces.features.air = true;
+  forces.gravity = gravity;
+  forces.damping = 0;
+  forces.features.air = true;
   return forces;
 }
 

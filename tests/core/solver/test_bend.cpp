@@ -37,7 +37,9 @@ double bending_energy(const std::vector<BendTriangle>& triangles, const std::vec
 
 Fabric anisotropic() {
   Fabric fabric;
-  fabric.bend_warp = 4e-5, fabric.bend_weft = 1e-5, fabric.bend_bias = 2e-5;
+  fabric.bend_warp = 4e-5;
+  fabric.bend_weft = 1e-5;
+  fabric.bend_bias = 2e-5;
   return fabric;
 }
 
@@ -129,7 +131,9 @@ TEST(Bend, APassNeitherMovesTheCentreOfMassNorTurnsTheCloth) {
   double moved = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {
     const Vec3 d = (x[i] - before[i]) * strip.model.mass[i];
-    momentum += d, turning += cross(before[i], d), moved += length(d);
+    momentum += d;
+    turning += cross(before[i], d);
+    moved += length(d);
   }
   EXPECT_GT(moved, 0);
   EXPECT_LT(length(momentum), 1e-6 * moved) << "weights are floats";

@@ -42,7 +42,8 @@ Fall fall(double restitution, double seconds, double factor = 1) {
   const std::vector<Obstacle> obstacles{floor_of(restitution)};
   ClothSolver solver(strip.model, lying(strip, kDrop + 1e-3), obstacles, kStep);
   StepForces forces;
-  forces.damping = 0, forces.restitution = factor;
+  forces.damping = 0;
+  forces.restitution = factor;
   Fall out;
   bool struck = false;
   for (int i = 0; i < seconds / kStep; ++i) {
@@ -84,7 +85,12 @@ TEST(Bounce, CanBeTurnedOffForAStep) { EXPECT_EQ(fall(1, 0.2, 0).end, fall(0, 0.
 
 TEST(Bounce, ThrowsBackOnlyWhatStrikesAtSpeed) {
   Contact c;
-  c.count = 1, c.v[0] = 0, c.w[0] = 1, c.n = {0, 1, 0}, c.rest = 1e-3, c.restitution = 0.5;
+  c.count = 1;
+  c.v[0] = 0;
+  c.w[0] = 1;
+  c.n = {0, 1, 0};
+  c.rest = 1e-3;
+  c.restitution = 0.5;
   const std::vector<Contact> contacts{c};
   const std::vector<double> inverse_mass{2.0};
   const std::vector<Vec3> near{{0, 0.5e-3, 0}}, far{{0, 2e-3, 0}};
@@ -104,7 +110,12 @@ TEST(Bounce, ThrowsBackOnlyWhatStrikesAtSpeed) {
 
 TEST(Bounce, GivesALayersPartsTheirShares) {
   Contact c;  // the middle of an edge between a light and a held vertex
-  c.count = 2, c.v[0] = 0, c.v[1] = 1, c.w[0] = c.w[1] = 0.5, c.n = {0, 1, 0}, c.rest = 1e-3,
+  c.count = 2;
+  c.v[0] = 0;
+  c.v[1] = 1;
+  c.w[0] = c.w[1] = 0.5;
+  c.n = {0, 1, 0};
+  c.rest = 1e-3;
   c.restitution = 1;
   std::vector<Vec3> after(2);
   bounce(std::vector<Blow>{{&c, 1.0}}, std::vector<double>{1.0, 0.0}, after);

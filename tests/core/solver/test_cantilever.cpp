@@ -71,7 +71,10 @@ double chord_angle(const Fabric& fabric, Vec2 grain, double h, double width, dou
   Vec3 tip;
   int count = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {
-    if (strip.rest[i].x > 1e-3 * end - 1e-4) tip += solver.positions()[i], ++count;
+    if (strip.rest[i].x > 1e-3 * end - 1e-4) {
+      tip += solver.positions()[i];
+      ++count;
+    }
   }
   tip = tip * (1.0 / count);
   return chord_fall({tip.x, tip.y});
@@ -81,7 +84,8 @@ Fabric stiff_along_warp_only() {
   Fabric fabric;
   fabric.areal_mass = 0.2;
   const double b = rigidity_for(fabric.areal_mass);
-  fabric.bend_warp = b, fabric.bend_weft = b / 8;
+  fabric.bend_warp = b;
+  fabric.bend_weft = b / 8;
   fabric.bend_bias = (fabric.bend_warp + fabric.bend_weft) / 2;
   return fabric;
 }

@@ -80,7 +80,10 @@ TEST(ClothSolver, ASheetSlidesFreelyWithoutFriction) {
 TEST(ClothSolver, AClothOnATableRestsAtTheSkinOffset) {
   const test::Strip strip = test::make_strip({0, 200}, 200, 0.02, {0, 1}, Fabric{});
   std::vector<Vec3> x = lying(strip, 0.01);
-  for (Vec3& p : x) p.x -= 0.1, p.z -= 0.1;
+  for (Vec3& p : x) {
+    p.x -= 0.1;
+    p.z -= 0.1;
+  }
   const std::vector<Obstacle> obstacles{slope(0, 0.4)};
   ClothSolver solver(strip.model, x, obstacles, 1.0 / 2000);
   run(solver, damped(5), 1);

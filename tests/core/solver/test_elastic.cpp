@@ -48,8 +48,10 @@ double hung_length(const Fabric& fabric, double factor, double stiffness) {
 
 Fabric weak_cloth(double stiffness) {
   Fabric fabric;
-  fabric.areal_mass = 1, fabric.stretch_warp = fabric.stretch_weft = stiffness;
-  fabric.stretch_coupling = 0, fabric.stretch_shear = 200;
+  fabric.areal_mass = 1;
+  fabric.stretch_warp = fabric.stretch_weft = stiffness;
+  fabric.stretch_coupling = 0;
+  fabric.stretch_shear = 200;
   return fabric;
 }
 

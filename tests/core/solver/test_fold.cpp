@@ -29,9 +29,18 @@ double wing_angle(const test::Strip& strip, std::span<const Vec3> x) {
   int on = 0, l = 0, r = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {
     const double u = strip.rest[i].x;
-    if (std::abs(u - 0.05) < 1e-9) line += x[i], ++on;
-    if (u < 1e-9) left += x[i], ++l;
-    if (u > 0.1 - 1e-9) right += x[i], ++r;
+    if (std::abs(u - 0.05) < 1e-9) {
+      line += x[i];
+      ++on;
+    }
+    if (u < 1e-9) {
+      left += x[i];
+      ++l;
+    }
+    if (u > 0.1 - 1e-9) {
+      right += x[i];
+      ++r;
+    }
   }
   const Vec3 to_left = normalized(line * (1.0 / on) - left * (1.0 / l));
   const Vec3 to_right = normalized(right * (1.0 / r) - line * (1.0 / on));
@@ -52,7 +61,8 @@ Folded fold_strip(double degrees, double seconds) {
   features.folds = crease(strip, 0.05, degrees, 0.02);
   solver.set_features(features);
   StepForces forces;
-  forces.gravity = 0, forces.damping = 8;
+  forces.gravity = 0;
+  forces.damping = 8;
   const int steps = static_cast<int>(seconds * 2000);
   for (int i = 0; i < steps; ++i) {
     forces.features.formed = std::min(1.0, i / (0.25 * steps));
@@ -62,8 +72,14 @@ Folded fold_strip(double degrees, double seconds) {
   int e = 0, l = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {
     const double u = strip.rest[i].x;
-    if (std::abs(u - 0.05) < 1e-9) line += solver.positions()[i].z, ++l;
-    if (u < 1e-9 || u > 0.1 - 1e-9) ends += solver.positions()[i].z, ++e;
+    if (std::abs(u - 0.05) < 1e-9) {
+      line += solver.positions()[i].z;
+      ++l;
+    }
+    if (u < 1e-9 || u > 0.1 - 1e-9) {
+      ends += solver.positions()[i].z;
+      ++e;
+    }
   }
   return {wing_angle(strip, solver.positions()), ends / e - line / l};
 }

@@ -72,7 +72,8 @@ TEST(Lanes, MakeTheSameBytesOfFewTriangles) {
   const Shaken all = shaken(0.02);
   for (std::size_t count = 1; count < 2 * kLanes + 2; ++count) {
     Shaken s = all;
-    s.model.triangles.resize(count), s.model.rest.resize(count);
+    s.model.triangles.resize(count);
+    s.model.rest.resize(count);
     s.model.fabric_of_triangle.resize(count);
     expect_same_bytes(s);
   }
@@ -105,7 +106,8 @@ TEST(Lanes, AGroupSharesNoVertexAndEveryConstraintIsInOne) {
     EXPECT_NE(group[0], kNone);
     for (const Index t : group) {
       if (t == kNone) continue;
-      ++seen[t], ++lanes;
+      ++seen[t];
+      ++lanes;
       for (const Index v : s.model.triangles[t]) EXPECT_EQ(++used[v], 1);
     }
   }

@@ -20,7 +20,9 @@ void run(ClothSolver& solver, double damping, double seconds) {
 Fabric heavy(double warp, double weft, double coupling) {
   Fabric fabric;
   fabric.areal_mass = 4;
-  fabric.stretch_warp = warp, fabric.stretch_weft = weft, fabric.stretch_coupling = coupling;
+  fabric.stretch_warp = warp;
+  fabric.stretch_weft = weft;
+  fabric.stretch_coupling = coupling;
   fabric.stretch_shear = 800;
   return fabric;
 }
@@ -50,7 +52,11 @@ double strain_over_load(const Fabric& fabric, Vec2 grain, double along, double a
     if (p < kLow || p > kHigh) continue;
     const double q = p - (kLow + kHigh) / 2, u = solver.positions()[i].y - (p - kHeight);
     const double bow = weight / stiffness * q * q / 2;  // the load grows upwards: known, taken out
-    s0 += 1, s1 += q, s2 += q * q, t0 += u - bow, t1 += q * (u - bow);
+    s0 += 1;
+    s1 += q;
+    s2 += q * q;
+    t0 += u - bow;
+    t1 += q * (u - bow);
   }
   const double slope = (s0 * t1 - s1 * t0) / (s0 * s2 - s1 * s1);
   return slope / (weight * (kLow + kHigh) / 2 / stiffness);

@@ -57,7 +57,8 @@ Extent strains(const Hung& hung, int which) {
 
 TEST(Membrane, HangsSmoothHoweverMuchSofterItsShearIs) {
   Fabric fabric;  // of a real cotton but for the least shear that was measured
-  fabric.stretch_coupling = 10, fabric.stretch_shear = 3;
+  fabric.stretch_coupling = 10;
+  fabric.stretch_shear = 3;
   Hung hung = hang(fabric, 0.1, 0.15, 0.01, 3000);
   run(hung.solver, 0.5);
   EXPECT_LT(largest_speed(hung.solver), 0.002);
@@ -67,7 +68,8 @@ TEST(Membrane, HangsSmoothHoweverMuchSofterItsShearIs) {
 
 TEST(Membrane, HangsSmoothHoweverMuchSofterItsWeftIs) {
   Fabric fabric;
-  fabric.stretch_weft = 5, fabric.stretch_coupling = 0;
+  fabric.stretch_weft = 5;
+  fabric.stretch_coupling = 0;
   Hung hung = hang(fabric, 0.1, 0.15, 0.01, 3000);
   run(hung.solver, 0.5);
   EXPECT_LT(largest_speed(hung.solver), 0.002);
@@ -78,7 +80,9 @@ TEST(Membrane, HangsSmoothHoweverMuchSofterItsWeftIs) {
 Fabric heavy_knit() {
   Fabric fabric;
   fabric.areal_mass = 4;
-  fabric.stretch_warp = 40, fabric.stretch_weft = 25, fabric.stretch_coupling = 5;
+  fabric.stretch_warp = 40;
+  fabric.stretch_weft = 25;
+  fabric.stretch_coupling = 5;
   fabric.stretch_shear = 30;
   return fabric;
 }
@@ -104,7 +108,8 @@ struct SprungBack {
 };
 SprungBack spring_back(Vec2 weft, Vec2 warp) {
   Fabric fabric;
-  fabric.limit_warp = fabric.limit_weft = 0.04, fabric.limit_shear = 0.1;
+  fabric.limit_warp = fabric.limit_weft = 0.04;
+  fabric.limit_shear = 0.1;
   test::Strip strip = test::make_strip({0, 60}, 60, 0.01, {0, 1}, fabric);
   std::vector<Vec3> x;
   for (const Vec2& p : strip.rest) {
@@ -113,7 +118,8 @@ SprungBack spring_back(Vec2 weft, Vec2 warp) {
   }
   Hung sheet{strip, ClothSolver(strip.model, x, {}, 1.0 / 3000)};
   StepForces forces;
-  forces.gravity = 0, forces.damping = 20;
+  forces.gravity = 0;
+  forces.damping = 20;
   SprungBack result;
   for (int i = 0; i < 3000; ++i) {
     sheet.solver.step(forces);
@@ -141,7 +147,9 @@ TEST(MembraneLimit, DoesNothingBelowItself) {
   Fabric fabric = heavy_knit();
   Hung without = hang(fabric, 0.05, 0.1, 0.01, 3000);
   run(without.solver, 0.3);
-  fabric.limit_warp = 0.5, fabric.limit_weft = 0.5, fabric.limit_shear = 0.5;
+  fabric.limit_warp = 0.5;
+  fabric.limit_weft = 0.5;
+  fabric.limit_shear = 0.5;
   Hung limited = hang(fabric, 0.05, 0.1, 0.01, 3000);
   run(limited.solver, 0.3);
   for (std::size_t i = 0; i < without.solver.positions().size(); ++i)
@@ -152,7 +160,8 @@ TEST(MembraneLimit, DoesNothingBelowItself) {
 /// out (or pushed together) by `strain` along n. It is so soft in so short a step that this is its force.
 double answer_to(double strain, double limit, Vec2 n = {1, 0}) {
   Fabric fabric;
-  fabric.stretch_coupling = 0, fabric.limit_weft = limit;
+  fabric.stretch_coupling = 0;
+  fabric.limit_weft = limit;
   ClothModel model;
   model.fabrics = {fabric};
   model.triangles = {{0, 1, 2}};

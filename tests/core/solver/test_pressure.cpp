@@ -52,7 +52,8 @@ TEST(Pressure, ForcesArePressureTimesTheVolumesGradient) {
   for (std::size_t i = 0; i < 8; ++i) {
     for (const Vec3 d : {Vec3{1e-4, 0, 0}, Vec3{0, 1e-4, 0}, Vec3{0, 0, 1e-4}}) {
       std::vector<Vec3> more = kBox, less = kBox;
-      more[i] += d, less[i] -= d;
+      more[i] += d;
+      less[i] -= d;
       const double gradient = (volume_of(chamber, more) - volume_of(chamber, less)) / 2e-4;
       EXPECT_NEAR(dot(forces[i], d) * 1e4, 7 * gradient, 1e-6);
     }

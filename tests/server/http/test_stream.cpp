@@ -37,16 +37,25 @@ struct Seen {
 /// Takes in one message; false at the end.
 bool take(Seen& seen, const std::optional<Socket::Message>& message) {
   if (!message) return false;
-  if (message->opcode == Socket::kClose) return seen.close = message->close_code(), false;
+  if (message->opcode == Socket::kClose) {
+    seen.close = message->close_code();
+    return false;
+  }
   if (message->opcode == Socket::kText) {
     const Result<JsonValue> tree = parse_json(message->payload);
     seen.texts.push_back(tree && tree->find("type") ? *tree->find("type")->text() : "?");
     seen.last_text = message->payload;
     return true;
   }
-  if (message->payload == "topology") return ++seen.topologies, true;
+  if (message->payload == "topology") {
+    ++seen.topologies;
+    return true;
+  }
   const Result<DecodedFrame> frame = decode_frame(message->payload, seen.grid);
-  if (!frame) return ++seen.bad, true;
+  if (!frame) {
+    ++seen.bad;
+    return true;
+  }
   seen.grid = frame->grid;
   seen.order.push_back(frame->header.seq);
   (frame->key ? seen.keys : seen.deltas)[frame->header.seq] = message->payload;
@@ -125,7 +134,10 @@ TEST_F(Stream, ShowsTwoViewersTheSameStepsWithTheSameBytes) {
   Socket one(port, target()), two(port, target());
   ASSERT_TRUE(viewers_become(2));
   hub.topology(id, topology(1));
-  std::thread worker([this] { publish(1, 60, 15), finish(); });
+  std::thread worker([this] {
+    publish(1, 60, 15);
+    finish();
+  });
   Seen first;
   std::thread other([&] { first = watch(one); });
   const Seen second = watch(two);

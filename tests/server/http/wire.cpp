@@ -70,7 +70,10 @@ bool Wire::fill(double within_s) {
   if (::poll(&waiting, 1, static_cast<int>(std::max(0.0, within_s) * 1000)) <= 0) return false;
   char chunk[16384];
   const ssize_t size = ::recv(socket_, chunk, sizeof chunk, 0);
-  if (size <= 0) return ended_ = true, false;
+  if (size <= 0) {
+    ended_ = true;
+    return false;
+  }
   buffer_.append(chunk, static_cast<std::size_t>(size));
   return true;
 }

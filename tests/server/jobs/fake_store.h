@@ -115,10 +115,15 @@ class FakeStore final : public Store {
     const auto found = jobs_.find({owner, row.id});
     if (found == jobs_.end()) return Error{"store.not_found", "", ""};
     JobRow& kept = found->second;
-    kept.state = row.state, kept.attempt = row.attempt;
-    kept.reason_code = row.reason_code, kept.reason = row.reason, kept.reason_where = row.reason_where;
-    kept.started_ms = row.started_ms, kept.ended_ms = row.ended_ms;
-    kept.report = row.report, kept.results = row.results;
+    kept.state = row.state;
+    kept.attempt = row.attempt;
+    kept.reason_code = row.reason_code;
+    kept.reason = row.reason;
+    kept.reason_where = row.reason_where;
+    kept.started_ms = row.started_ms;
+    kept.ended_ms = row.ended_ms;
+    kept.report = row.report;
+    kept.results = row.results;
     return {};
   }
   Result<std::vector<OwnedJob>> unfinished_jobs() override {

@@ -60,7 +60,8 @@ class JobHouse : public testing::Test {
   JobHouse()
       : store(std::filesystem::path(testing::TempDir()) /
               ("toile_jobs_" + test_name() + std::to_string(::getpid()))) {
-    settings.still_width = 64, settings.still_height = 80;
+    settings.still_width = 64;
+    settings.still_height = 80;
     make(2);
   }
 
@@ -74,7 +75,8 @@ class JobHouse : public testing::Test {
   std::string project_of(const std::string& document) {
     if (block.empty()) {
       AssetRow row;
-      row.kind = "body", row.name = "block.obj";
+      row.kind = "body";
+      row.name = "block.obj";
       block = store.put_asset(kOwner, row, kBlock).value().id;
     }
     ProjectRow row;

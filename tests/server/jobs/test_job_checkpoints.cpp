@@ -147,7 +147,8 @@ TEST_F(JobCheckpoints, AJobThatComesFurtherBetweenCrashesIsTriedOnAndOneThatDoes
   service.reset();
 
   store.tamper(kOwner, further, [&](JobRow& row) {
-    row.state = "running", row.attempt = 3;
+    row.state = "running";
+    row.attempt = 3;
     row.started_ms = kept + 1000000;
   });
   house(1, kNever);

@@ -123,9 +123,13 @@ TEST_F(JobFailures, ResultsThatTheStoreDoesNotTakeFailTheJobWithItsReason) {
 
 TEST_F(JobFailures, TheStateThatNamesTheResultsIsWrittenAfterAllOfThem) {
   std::string order;
-  store.on_put_result = [&](const std::string&) { return order += 'r', Status(); };
+  store.on_put_result = [&](const std::string&) {
+    order += 'r';
+    return Status();
+  };
   store.on_update_job = [&](const JobRow& row) {
-    return order += row.state == "succeeded" ? 'S' : 's', Status();
+    order += row.state == "succeeded" ? 'S' : 's';
+    return Status();
   };
   make(1);
   ASSERT_TRUE(service->start().ok());

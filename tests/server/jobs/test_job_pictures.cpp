@@ -13,7 +13,8 @@ class JobsInTheirPictures : public test::JobHouse {
  protected:
   /// A job whose pictures take a while, and are just being drawn.
   std::string drawing() {
-    settings.still_width = 640, settings.still_height = 800;
+    settings.still_width = 640;
+    settings.still_height = 800;
     make(1);
     EXPECT_TRUE(service->start().ok());
     const std::string id = submit(cloth_over_block(200));

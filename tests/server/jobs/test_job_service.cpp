@@ -62,7 +62,8 @@ TEST_F(Jobs, ShowThePicturesOnTheirPieces) {
   ASSERT_TRUE(service->start().ok());
   const std::string checks = test::png_of(test::squares());
   AssetRow asset;
-  asset.kind = "image", asset.name = "checks.png";
+  asset.kind = "image";
+  asset.name = "checks.png";
   const std::string picture = store.put_asset(kOwner, asset, checks).value().id;
   std::string document = cloth_over_block(200, 0.1);
   const std::string cloth = R"("fabric": "cotton", "placement")";
@@ -409,9 +410,18 @@ TEST_F(Jobs, WhatIsSubmittedBeforeTheStartIsDrapedAfterIt) {
 TEST_F(Jobs, ADrapeThatACrashCutOffIsTriedThreeTimesAndThenFails) {
   const std::string again = submit(cloth_over_block(200)), never = submit(cloth_over_block(190));
   const std::string paused = submit(cloth_over_block(180));
-  store.tamper(kOwner, again, [](JobRow& row) { row.state = "running", row.attempt = 2; });
-  store.tamper(kOwner, never, [](JobRow& row) { row.state = "running", row.attempt = 3; });
-  store.tamper(kOwner, paused, [](JobRow& row) { row.state = "paused", row.attempt = 3; });
+  store.tamper(kOwner, again, [](JobRow& row) {
+    row.state = "running";
+    row.attempt = 2;
+  });
+  store.tamper(kOwner, never, [](JobRow& row) {
+    row.state = "running";
+    row.attempt = 3;
+  });
+  store.tamper(kOwner, paused, [](JobRow& row) {
+    row.state = "paused";
+    row.attempt = 3;
+  });
   ASSERT_TRUE(service->start().ok());
   EXPECT_EQ(row(never).state, "failed");
   EXPECT_EQ(row(never).reason_code, "jobs.attempts");

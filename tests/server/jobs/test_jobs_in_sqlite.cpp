@@ -29,7 +29,8 @@ class JobsInSqlite : public testing::Test {
   void open() {
     store_ = open_sqlite_store(folder_.string()).value();
     JobServiceSettings settings;
-    settings.still_width = 64, settings.still_height = 80;
+    settings.still_width = 64;
+    settings.still_height = 80;
     service_ = make_job_service(*store_, publisher_, settings);
     EXPECT_TRUE(service_->start().ok());
   }

@@ -45,8 +45,12 @@ TEST(RenderWorker, ThrowsAtTheCallerWhatTheDrawingThrowsAndDrawsOn) {
 TEST(RenderWorker, DoesNotWaitForADrawingThatIsGivenUp) {
   std::latch go(1);
   RenderWorker worker;
-  const Status status =
-      worker.draw([&](const RunContext&) { return go.wait(), Status(); }, [] { return true; });
+  const Status status = worker.draw(
+      [&](const RunContext&) {
+        go.wait();
+        return Status();
+      },
+      [] { return true; });
   ASSERT_FALSE(status.ok());
   EXPECT_EQ(status.error().code, "render.given_up");
   go.count_down();
@@ -59,7 +63,8 @@ TEST(RenderWorker, TellsADrawingThatItIsGivenUp) {
       [&](const RunContext& context) {
         begun.count_down();
         while (!context.cancelled()) std::this_thread::yield();
-        return seen.count_down(), Status();
+        seen.count_down();
+        return Status();
       },
       [&] { return begun.try_wait(); });
   EXPECT_EQ(status.error().code, "render.given_up");

@@ -85,7 +85,8 @@ TEST(StoreSweep, RemovesNothingWhenTheDatabaseIsNew) {
     const auto store = opened(folder.path());
     ASSERT_TRUE(store->put_asset(kLocalOwner, toile::named("dxf", "a.dxf"), "content"));
     job_with(*store, "succeeded", {"report.json"}, {"report.json"});
-    blobs = files_in(folder.path(), "blobs"), results = files_in(folder.path(), "results");
+    blobs = files_in(folder.path(), "blobs");
+    results = files_in(folder.path(), "results");
   }
   for (const char* name : {"toile.db", "toile.db-wal", "toile.db-shm"})
     fs::remove(fs::path(folder.path()) / name);

@@ -46,7 +46,8 @@ TEST_F(FeedTest, SendsTopologyThenAKeyThenDeltas) {
 TEST_F(FeedTest, SendsAKeyOfTheNewestToAViewerThatMissedOne) {
   channel.set_topology(topology(1));
   channel.set_frame(frame(1));
-  next(), next();
+  next();
+  next();
   channel.set_frame(frame(2));
   channel.set_frame(frame(3));
   channel.set_frame(frame(4));
@@ -74,7 +75,8 @@ TEST_F(FeedTest, SendsAKeyEveryThirtiethFrame) {
 TEST_F(FeedTest, BeginsAgainWithANewEpoch) {
   channel.set_topology(topology(1));
   channel.set_frame(frame(1));
-  next(), next();
+  next();
+  next();
   channel.set_topology(topology(2));
   channel.set_frame(frame(2));  // of the epoch before: passed over
   channel.set_frame(frame(1, 2));
