@@ -1,12 +1,17 @@
 # toile_room(core/mesh USES pattern geometry): a static library named after the folder (proto/cpp becomes
-# proto_cpp) from all its .cpp files; a room of headers only becomes an interface.
+# proto_cpp) from all its .cpp files, and those of the folders within it that PARTS names; other folders within
+# it are rooms of their own. A room of headers only becomes an interface.
 function(toile_room FOLDER)
-  cmake_parse_arguments(ROOM "" "" "USES" ${ARGN})
+  cmake_parse_arguments(ROOM "" "" "USES;PARTS" ${ARGN})
   get_filename_component(NAME ${FOLDER} NAME)
   if(FOLDER STREQUAL "proto/cpp")
     set(NAME proto_cpp)
   endif()
-  file(GLOB_RECURSE SOURCES CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${FOLDER}/*.cpp)
+  set(PLACES ${CMAKE_CURRENT_SOURCE_DIR}/${FOLDER}/*.cpp)
+  foreach(PART ${ROOM_PARTS})
+    list(APPEND PLACES ${CMAKE_CURRENT_SOURCE_DIR}/${FOLDER}/${PART}/*.cpp)
+  endforeach()
+  file(GLOB SOURCES CONFIGURE_DEPENDS ${PLACES})
   if(SOURCES)
     add_library(${NAME} STATIC ${SOURCES})
     target_include_directories(${NAME} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})

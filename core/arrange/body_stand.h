@@ -6,7 +6,7 @@
 
 #include "core/arrange/garment_graph.h"
 #include "core/body/body.h"
-#include "core/body/landmarks.h"
+#include "core/body/measure/landmarks.h"
 
 namespace toile {
 

@@ -1,7 +1,7 @@
 #pragma once
 // Places by hand: a piece on a side of a body part's box, or rolled around the part.
 
-#include "core/body/segments.h"
+#include "core/body/measure/segments.h"
 #include "core/sewing/placement.h"
 
 namespace toile {

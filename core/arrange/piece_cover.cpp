@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/pattern/seam_model.h"
+#include "core/pattern/seams/model.h"
 
 namespace toile {
 

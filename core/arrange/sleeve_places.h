@@ -6,7 +6,7 @@
 
 #include "core/arrange/flat_layout.h"
 #include "core/arrange/garment_graph.h"
-#include "core/body/landmarks.h"
+#include "core/body/measure/landmarks.h"
 #include "core/sewing/placement.h"
 
 namespace toile {

@@ -4,10 +4,10 @@
 #include <charconv>
 #include <cmath>
 
-#include "core/body/tape.h"
+#include "core/body/measure/tape.h"
 #include "core/pattern/curve.h"
-#include "core/pattern/dxf_read.h"
-#include "core/pattern/dxf_write.h"
+#include "core/pattern/dxf/read.h"
+#include "core/pattern/dxf/write.h"
 
 namespace toile {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/body/mesh_cut.h"
+#include "core/body/measure/mesh_cut.h"
 #include "core/geometry/polygon2.h"
 
 namespace toile {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/pattern/dxf_read.h"
+#include "core/pattern/dxf/read.h"
 #include "core/pattern/pattern.h"
 #include "proto/cpp/json_codec.h"
 

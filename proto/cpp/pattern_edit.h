@@ -1,7 +1,7 @@
 #pragma once
-// Edits of a project document: those of its pattern (core/pattern/edit.h) and of what a project says of its
-// pieces beside their shape. The same JSON (proto/schema/edit.schema.json) stands in requests, in the undo
-// history and in a replay.
+// Edits of a project document: those of its pattern (core/pattern/edit/edit.h) and of what a project says of
+// its pieces beside their shape. The same JSON (proto/schema/edit.schema.json) stands in requests, in the
+// undo history and in a replay.
 
 #include <optional>
 #include <span>
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/pattern/edit.h"
+#include "core/pattern/edit/edit.h"
 #include "proto/cpp/json_codec.h"
 #include "proto/cpp/project.h"
 #include "proto/cpp/project_resolve.h"

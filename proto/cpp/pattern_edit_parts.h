@@ -2,7 +2,7 @@
 // What edits do to the parts of a document that are no pattern. Internal to pattern_edit.
 
 #include "core/base/result.h"
-#include "core/pattern/edit.h"
+#include "core/pattern/edit/edit.h"
 #include "proto/cpp/pattern_edit.h"
 #include "proto/cpp/project.h"
 

@@ -12,7 +12,7 @@
 
 #include "core/base/result.h"
 #include "core/base/types.h"
-#include "core/body/body_measures.h"
+#include "core/body/measure/measures.h"
 #include "core/pattern/pattern.h"
 
 namespace toile {
@@ -218,7 +218,7 @@ struct ProjectBody {
 struct ProjectGoal {
   std::string body;                  ///< id; empty: the first that stands
   std::string landmark;              ///< its name
-  std::string line;                  ///< of core/body/body_lines.h: "waist", "neckline", …
+  std::string line;                  ///< of core/body/measure/lines.h: "waist", "neckline", …
   std::optional<Vec3> place = {};    ///< m
   std::optional<double> up_mm = {};  ///< of a line: shifts it up, along limbs towards the trunk
   friend bool operator==(const ProjectGoal&, const ProjectGoal&) = default;

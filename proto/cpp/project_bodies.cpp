@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/base/units.h"
-#include "core/body/body_proportions.h"
+#include "core/body/mannequin/proportions.h"
 #include "proto/cpp/field_reader.h"
 #include "proto/cpp/field_writer.h"
 #include "proto/cpp/names.h"

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/base/result.h"
-#include "core/body/mannequin.h"
+#include "core/body/mannequin/mannequin.h"
 #include "proto/cpp/json_codec.h"
 #include "proto/cpp/project.h"
 

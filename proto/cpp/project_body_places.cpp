@@ -5,8 +5,8 @@
 
 #include "core/arrange/box_places.h"
 #include "core/base/units.h"
-#include "core/body/body_lines.h"
-#include "core/body/own_landmarks.h"
+#include "core/body/measure/lines.h"
+#include "core/body/measure/own_landmarks.h"
 #include "proto/cpp/json_codec.h"
 #include "proto/cpp/names.h"
 #include "proto/cpp/project_pieces.h"

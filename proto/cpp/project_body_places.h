@@ -9,8 +9,8 @@
 
 #include "core/base/result.h"
 #include "core/body/body.h"
-#include "core/body/landmarks.h"
-#include "core/body/segments.h"
+#include "core/body/measure/landmarks.h"
+#include "core/body/measure/segments.h"
 #include "core/pattern/pattern.h"
 #include "core/sewing/placement.h"
 #include "proto/cpp/project.h"

@@ -8,7 +8,7 @@
 #include <system_error>
 
 #include "core/image/read_picture.h"
-#include "core/pattern/dxf_read.h"
+#include "core/pattern/dxf/read.h"
 #include "proto/cpp/json_codec.h"
 #include "proto/cpp/names.h"
 #include "proto/cpp/project_pieces.h"

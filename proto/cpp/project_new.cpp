@@ -8,8 +8,8 @@
 
 #include "core/base/units.h"
 #include "core/pattern/curve.h"
-#include "core/pattern/seam_check.h"
-#include "core/pattern/seam_model.h"
+#include "core/pattern/seams/check.h"
+#include "core/pattern/seams/model.h"
 #include "core/pattern/validate.h"
 #include "proto/cpp/garmentcode_read.h"
 

@@ -9,9 +9,9 @@
 #include "core/base/result.h"
 #include "core/base/run_context.h"
 #include "core/base/types.h"
-#include "core/pattern/dxf_read.h"
+#include "core/pattern/dxf/read.h"
 #include "core/pattern/pattern.h"
-#include "core/pattern/propose_seams.h"
+#include "core/pattern/seams/propose.h"
 #include "proto/cpp/json_codec.h"
 #include "proto/cpp/project.h"
 

@@ -10,7 +10,7 @@
 
 #include "core/base/units.h"
 #include "core/pattern/curve.h"
-#include "core/pattern/dxf_read.h"
+#include "core/pattern/dxf/read.h"
 #include "core/pattern/outline.h"
 #include "core/pattern/validate.h"
 #include "proto/cpp/json_codec.h"

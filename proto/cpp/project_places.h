@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "core/body/segments.h"
+#include "core/body/measure/segments.h"
 #include "core/drape/drape_input.h"
 #include "core/pattern/pattern.h"
 #include "core/sewing/attachment.h"

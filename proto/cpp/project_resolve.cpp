@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/base/units.h"
-#include "core/body/mannequin.h"
+#include "core/body/mannequin/mannequin.h"
 #include "core/pattern/validate.h"
 #include "proto/cpp/json_codec.h"
 #include "proto/cpp/names.h"

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "core/base/result.h"
-#include "core/body/import_mesh.h"
-#include "core/body/mannequin.h"
+#include "core/body/mannequin/mannequin.h"
+#include "core/body/mesh_import/import.h"
 #include "core/drape/drape_input.h"
 #include "proto/cpp/project.h"
 

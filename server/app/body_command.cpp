@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "core/body/body_proportions.h"
-#include "core/body/body_stance.h"
-#include "core/body/mannequin.h"
-#include "core/export/write_obj.h"
+#include "core/body/mannequin/mannequin.h"
+#include "core/body/mannequin/proportions.h"
+#include "core/body/measure/stance.h"
+#include "core/exports/write_obj.h"
 #include "proto/cpp/json_codec.h"
 #include "proto/cpp/project_bodies.h"
 #include "server/app/commands.h"

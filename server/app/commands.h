@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "core/body/body_measures.h"
+#include "core/body/measure/measures.h"
 #include "server/app/config.h"
 #include "server/app/exit_code.h"
 

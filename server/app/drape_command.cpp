@@ -6,7 +6,7 @@
 #include "core/analysis/report.h"
 #include "core/base/units.h"
 #include "core/drape/pipeline.h"
-#include "core/export/write_report.h"
+#include "core/exports/write_report.h"
 #include "proto/cpp/project_resolve.h"
 #include "proto/cpp/project_textures.h"
 #include "proto/cpp/trace_file.h"

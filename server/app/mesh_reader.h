@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "core/body/import_mesh.h"
+#include "core/body/mesh_import/import.h"
 
 namespace toile {
 

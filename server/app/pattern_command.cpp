@@ -6,8 +6,8 @@
 #include <string>
 
 #include "core/base/write_file.h"
-#include "core/pattern/dxf_read.h"
-#include "core/pattern/dxf_write.h"
+#include "core/pattern/dxf/read.h"
+#include "core/pattern/dxf/write.h"
 #include "proto/cpp/import_report.h"
 #include "proto/cpp/project_new.h"
 #include "proto/cpp/project_resolve.h"

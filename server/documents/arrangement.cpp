@@ -7,7 +7,7 @@
 
 #include "core/arrange/garment_graph.h"
 #include "core/base/units.h"
-#include "core/body/segments.h"
+#include "core/body/measure/segments.h"
 #include "core/mesh/make_panel_meshes.h"
 #include "proto/cpp/names.h"
 #include "proto/cpp/project_places.h"

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/pattern/dxf_read.h"
+#include "core/pattern/dxf/read.h"
 #include "proto/cpp/garmentcode_read.h"
 #include "proto/cpp/json_codec.h"
 #include "proto/cpp/names.h"

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/base/result.h"
-#include "core/body/import_mesh.h"
+#include "core/body/mesh_import/import.h"
 #include "server/documents/recent_cache.h"
 #include "server/store/store.h"
 

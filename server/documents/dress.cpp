@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/body/body_stance.h"
+#include "core/body/measure/stance.h"
 #include "proto/cpp/names.h"
 #include "proto/cpp/project_bodies.h"
 #include "proto/cpp/project_pieces.h"

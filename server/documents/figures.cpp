@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "core/base/hash.h"
-#include "core/body/body_proportions.h"
-#include "core/body/body_stance.h"
-#include "core/body/segments.h"
+#include "core/body/mannequin/proportions.h"
+#include "core/body/measure/segments.h"
+#include "core/body/measure/stance.h"
 #include "proto/cpp/project_bodies.h"
 #include "proto/cpp/project_body_places.h"
 #include "proto/cpp/project_pieces.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/pattern/curve.h"
-#include "core/pattern/dxf_read.h"
+#include "core/pattern/dxf/read.h"
 #include "core/pattern/validate.h"
 #include "proto/cpp/import_report.h"
 #include "proto/cpp/json_codec.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/units.h"
-#include "core/body/own_landmarks.h"
+#include "core/body/measure/own_landmarks.h"
 #include "proto/cpp/names.h"
 #include "proto/cpp/project_body_places.h"
 #include "proto/cpp/project_resolve.h"

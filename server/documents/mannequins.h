@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/base/result.h"
-#include "core/body/mannequin.h"
+#include "core/body/mannequin/mannequin.h"
 #include "server/documents/recent_cache.h"
 
 namespace toile {

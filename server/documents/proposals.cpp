@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/pattern/propose_seams.h"
+#include "core/pattern/seams/propose.h"
 #include "proto/cpp/json_codec.h"
 #include "proto/cpp/project.h"
 #include "proto/cpp/project_bodies.h"

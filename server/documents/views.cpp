@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/pattern/curve.h"
-#include "core/pattern/seam_check.h"
+#include "core/pattern/seams/check.h"
 #include "proto/cpp/json_codec.h"
 #include "proto/cpp/project.h"
 #include "proto/cpp/project_bodies.h"

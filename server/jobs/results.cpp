@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/export/write_glb.h"
-#include "core/export/write_obj.h"
+#include "core/exports/write_glb.h"
+#include "core/exports/write_obj.h"
 #include "server/render/png.h"
 #include "server/render/still.h"
 

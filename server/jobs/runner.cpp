@@ -10,7 +10,7 @@
 #include "core/analysis/report.h"
 #include "core/base/units.h"
 #include "core/base/write_file.h"
-#include "core/export/write_report.h"
+#include "core/exports/write_report.h"
 #include "server/jobs/job_input.h"
 #include "server/jobs/results.h"
 

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "core/body/import_mesh.h"
+#include "core/body/mesh_import/import.h"
 #include "tests/app/junk.h"
 #include "tests/app/napkin.h"
 #include "tests/app/program.h"

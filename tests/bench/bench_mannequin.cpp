@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <ctime>
 
-#include "core/body/body_proportions.h"
-#include "core/body/mannequin.h"
+#include "core/body/mannequin/mannequin.h"
+#include "core/body/mannequin/proportions.h"
 
 int main() {
   using namespace toile;

@@ -13,7 +13,7 @@
 #include <string>
 
 #include "core/base/write_file.h"
-#include "core/export/write_obj.h"
+#include "core/exports/write_obj.h"
 #include "tests/bench/peer_run.h"
 
 namespace toile::peers {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/units.h"
-#include "core/body/mannequin.h"
+#include "core/body/mannequin/mannequin.h"
 
 namespace toile::test {
 namespace {

@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "core/drape/pipeline.h"
-#include "core/export/write_obj.h"
+#include "core/exports/write_obj.h"
 #include "core/pattern/curve.h"
 #include "core/pattern/validate.h"
 

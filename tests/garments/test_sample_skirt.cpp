@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/analysis/report.h"
-#include "core/body/tape.h"
+#include "core/body/measure/tape.h"
 #include "core/drape/pipeline.h"
 #include "proto/cpp/project_resolve.h"
 #include "tests/garments/golden.h"

@@ -7,7 +7,7 @@
 #include <iterator>
 
 #include "core/pattern/curve.h"
-#include "core/pattern/dxf_read.h"
+#include "core/pattern/dxf/read.h"
 #include "proto/cpp/json_codec.h"
 
 namespace toile::test {

@@ -9,7 +9,7 @@
 
 #include "core/base/result.h"
 #include "core/pattern/pattern.h"
-#include "core/pattern/propose_seams.h"
+#include "core/pattern/seams/propose.h"
 
 namespace toile::test {
 

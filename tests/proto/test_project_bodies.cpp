@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/units.h"
-#include "core/body/body_proportions.h"
+#include "core/body/mannequin/proportions.h"
 #include "proto/cpp/pattern_edit.h"
 #include "proto/cpp/project_bodies.h"
 #include "tests/proto/documents.h"

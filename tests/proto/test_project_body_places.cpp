@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "core/arrange/box_places.h"
-#include "core/body/body_lines.h"
-#include "core/body/load_mesh.h"
+#include "core/body/measure/lines.h"
+#include "core/body/mesh_import/load.h"
 #include "proto/cpp/project_places.h"
 #include "proto/cpp/project_resolve.h"
 #include "tests/proto/documents.h"

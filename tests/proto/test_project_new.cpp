@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/pattern/curve.h"
-#include "core/pattern/dxf_write.h"
+#include "core/pattern/dxf/write.h"
 #include "core/pattern/validate.h"
 #include "proto/cpp/project_new.h"
 #include "proto/cpp/project_resolve.h"

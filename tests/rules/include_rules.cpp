@@ -5,6 +5,7 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <set>
 #include <sstream>
 
 namespace toile::rules {
@@ -19,31 +20,36 @@ const std::map<std::string, Names>& table() {
       {"base", {}},
       {"geometry", {}},
       {"image", {}},
-      {"pattern", {"geometry"}},
       {"material", {}},
+      {"pattern", {"geometry"}},
+      {"dxf", {"geometry", "pattern"}},
+      {"edit", {"geometry", "pattern"}},
+      {"seams", {"geometry", "pattern"}},
       {"body", {"geometry"}},
+      {"measure", {"geometry"}},
+      {"mesh_import", {"geometry"}},
       {"collision", {"geometry"}},
-      {"draft", {"pattern", "body", "geometry"}},
-      {"mesh", {"pattern", "geometry"}},
-      {"sewing", {"mesh", "pattern", "body", "collision", "geometry"}},
-      {"preflight", {"sewing", "mesh", "pattern", "body", "collision", "geometry"}},
-      {"arrange", {"preflight", "sewing", "mesh", "pattern", "body", "collision", "geometry"}},
-      {"solver", {"sewing", "mesh", "material", "collision", "geometry"}},
-      {"drape",
-       {"preflight", "solver", "sewing", "mesh", "pattern", "material", "body", "collision", "geometry"}},
-      {"analysis",
-       {"drape", "solver", "sewing", "mesh", "pattern", "material", "body", "collision", "geometry"}},
-      {"export", {"drape", "image", "mesh", "pattern", "material", "analysis"}},
-      {"proto", {"analysis", "arrange", "drape", "image", "sewing", "mesh", "pattern", "material", "body"}},
+      {"draft", {"dxf", "geometry", "measure", "pattern"}},
+      {"mesh", {"geometry", "pattern"}},
+      {"sewing", {"mesh"}},
+      {"solver", {"collision", "material", "mesh", "sewing"}},
+      {"render", {"body", "image", "mesh"}},
+      {"mannequin", {"geometry", "measure"}},
+      {"preflight", {"body", "collision", "geometry", "measure", "mesh", "pattern", "sewing"}},
+      {"arrange", {"body", "geometry", "measure", "mesh", "pattern", "preflight", "seams", "sewing"}},
+      {"drape", {"body", "collision", "material", "mesh", "pattern", "preflight", "sewing", "solver"}},
+      {"proto",
+       {"arrange", "body", "drape", "dxf", "edit", "image", "mannequin", "measure", "mesh_import", "pattern",
+        "seams", "sewing"}},
       {"store", {"proto"}},
-      {"auth", {"store"}},
-      {"render", {"drape", "image", "mesh", "body", "pattern", "material", "analysis"}},
+      {"analysis", {"drape"}},
+      {"exports", {"analysis", "drape", "image", "material", "mesh"}},
       {"documents",
-       {"store", "proto", "arrange", "drape", "image", "preflight", "sewing", "mesh", "pattern", "body",
-        "draft"}},
-      {"jobs", {"documents", "store", "proto", "render", "export", "image", "analysis", "drape"}},
-      {"ws", {"jobs", "store", "proto", "auth"}},
-      {"http", {"ws", "jobs", "documents", "auth", "store", "proto"}},
+       {"arrange", "drape", "dxf", "image", "mannequin", "measure", "mesh", "mesh_import", "pattern",
+        "preflight", "proto", "seams", "sewing", "store"}},
+      {"jobs", {"analysis", "documents", "drape", "exports", "image", "proto", "render", "store"}},
+      {"ws", {"jobs", "proto", "store"}},
+      {"http", {"documents", "jobs", "proto", "store", "ws"}},
   };
   return rooms;
 }
@@ -58,18 +64,12 @@ struct Door {
 
 const std::vector<Door>& doors() {
   static const std::vector<Door> all{
-      {"assimp/", "assimp", {"core/body/load_mesh."}, false},
+      {"assimp/", "assimp", {"core/body/mesh_import/load."}, false},
       {"GL/osmesa", "OSMesa", {"server/render/gl_context."}, false},
-      {"EGL/", "EGL", {"server/render/gl_context."}, false},
       {"GL/", "OpenGL", {"server/render/"}, true},
       {"nlohmann/",
        "nlohmann-json",
-       {"proto/cpp/", "server/app/config.", "core/pattern/garmentcode_read.", "core/export/write_glb.",
-        "core/export/write_report."},
-       false},
-      {"Eigen/",
-       "Eigen",
-       {"core/pattern/", "core/solver/", "core/analysis/", "core/body/", "core/mesh/"},
+       {"proto/cpp/", "core/exports/write_glb.", "core/exports/write_report."},
        false},
       {"xxhash", "xxHash", {"core/base/hash."}, false},
       {"png", "libpng", {"core/image/"}, false},
@@ -78,7 +78,6 @@ const std::vector<Door>& doors() {
       {"CLI/", "CLI11", {"server/app/"}, true},
       {"boost/", "Boost", {"server/http/", "server/ws/"}, true},
       {"sqlite3", "SQLite", {"server/store/"}, false},
-      {"pqxx", "libpqxx", {"server/store/"}, false},
   };
   return all;
 }
@@ -88,17 +87,23 @@ bool starts_with_any(std::string_view text, const Names& prefixes) {
                      [&](const std::string& prefix) { return text.starts_with(prefix); });
 }
 
-/// "core/mesh/topology.h" → "mesh", "proto/cpp/…" → "proto", "server/app/…" → "app"; nothing for other
-/// folders.
+/// The folders within a room that are part of it, and no rooms of their own.
+const Names& alcoves() {
+  static const Names folders{"core/solver/constraints", "core/solver/lanes", "server/http/handlers"};
+  return folders;
+}
+
+/// "core/mesh/topology.h" → "mesh", "core/pattern/dxf/read.h" → "dxf", "proto/cpp/…" → "proto",
+/// "server/app/…" → "app"; nothing for other folders.
 std::optional<std::string> room_of(std::string_view path) {
   if (path.starts_with("proto/cpp/")) return "proto";
-  for (const std::string_view top : {"core/", "server/"}) {
-    if (!path.starts_with(top)) continue;
-    const std::string_view rest = path.substr(top.size());
-    const std::size_t slash = rest.find('/');
-    if (slash != std::string_view::npos) return std::string(rest.substr(0, slash));
-  }
-  return std::nullopt;
+  if (!path.starts_with("core/") && !path.starts_with("server/")) return std::nullopt;
+  fs::path folder = fs::path(path).parent_path();
+  const Names& parts = alcoves();
+  if (std::find(parts.begin(), parts.end(), folder.generic_string()) != parts.end())
+    folder = folder.parent_path();
+  if (!folder.has_parent_path()) return std::nullopt;
+  return folder.filename().string();
 }
 
 struct Include {
@@ -148,6 +153,20 @@ std::string text_of(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+/// Every header and source of the house.
+std::vector<fs::path> sources_of(const fs::path& root) {
+  std::vector<fs::path> files;
+  for (const char* top : {"core", "proto/cpp", "server"}) {
+    if (!fs::exists(root / top)) continue;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / top)) {
+      const fs::path extension = entry.path().extension();
+      if (entry.is_regular_file() && (extension == ".h" || extension == ".cpp"))
+        files.push_back(entry.path());
+    }
+  }
+  return files;
+}
+
 }  // namespace
 
 Violations check_file(const std::string& path, std::string_view text, bool sibling_header) {
@@ -167,22 +186,52 @@ Violations check_file(const std::string& path, std::string_view text, bool sibli
   return out;
 }
 
+Violations unused_arrows(const fs::path& root) {
+  std::set<std::pair<std::string, std::string>> used;
+  Names paths;
+  for (const fs::path& file : sources_of(root)) {
+    const std::string path = fs::relative(file, root).generic_string();
+    paths.push_back(path);
+    for (const Include& include : includes_of(text_of(file))) {
+      const auto from = room_of(path), to = include.angled ? std::nullopt : room_of(include.name);
+      if (from && to) used.insert({*from, *to});
+    }
+  }
+  Violations out;
+  for (const auto& [room, others] : table()) {
+    const bool lived_in =
+        std::any_of(paths.begin(), paths.end(), [&](const auto& p) { return room_of(p) == room; });
+    if (!lived_in) out.push_back(room + " is no room");
+    for (const std::string& other : others)
+      if (!used.contains({room, other})) out.push_back(room + " never includes " + other);
+  }
+  for (const Door& door : doors()) {
+    for (const std::string& file : door.files) {
+      const auto through = [&](const auto& p) {
+        if (!p.starts_with(file)) return false;
+        const std::vector<Include> includes = includes_of(text_of(root / p));
+        return std::any_of(includes.begin(), includes.end(), [&](const Include& include) {
+          return include.angled && include.name.starts_with(door.include);
+        });
+      };
+      if (std::none_of(paths.begin(), paths.end(), through))
+        out.push_back(std::string(door.library) + " never comes through " + file);
+    }
+  }
+  return out;
+}
+
 Violations check_tree(const fs::path& root) {
   Violations out;
-  for (const char* top : {"core", "proto/cpp", "server"}) {
-    if (!fs::exists(root / top)) continue;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / top)) {
-      const fs::path extension = entry.path().extension();
-      if (!entry.is_regular_file() || (extension != ".h" && extension != ".cpp")) continue;
-      const std::string path = fs::relative(entry.path(), root).generic_string();
-      const std::string text = text_of(entry.path());
-      const bool sibling = fs::exists(fs::path(entry.path()).replace_extension(".h"));
-      const Violations here = check_file(path, text, sibling);
-      out.insert(out.end(), here.begin(), here.end());
-      for (const Include& include : includes_of(text)) {
-        if (include.angled || fs::exists(root / include.name)) continue;
-        out.push_back(path + ":" + std::to_string(include.line) + ": " + include.name + " is not there");
-      }
+  for (const fs::path& file : sources_of(root)) {
+    const std::string path = fs::relative(file, root).generic_string();
+    const std::string text = text_of(file);
+    const bool sibling = fs::exists(fs::path(file).replace_extension(".h"));
+    const Violations here = check_file(path, text, sibling);
+    out.insert(out.end(), here.begin(), here.end());
+    for (const Include& include : includes_of(text)) {
+      if (include.angled || fs::exists(root / include.name)) continue;
+      out.push_back(path + ":" + std::to_string(include.line) + ": " + include.name + " is not there");
     }
   }
   std::sort(out.begin(), out.end());

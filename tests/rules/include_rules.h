@@ -19,4 +19,7 @@ Violations check_file(const std::string& path, std::string_view text, bool sibli
 /// there.
 Violations check_tree(const std::filesystem::path& root);
 
+/// What the table allows and nobody under `root` uses: arrows, rooms, and libraries' doors.
+Violations unused_arrows(const std::filesystem::path& root);
+
 }  // namespace toile::rules

@@ -9,8 +9,8 @@
 #include <set>
 
 #include "core/arrange/garment_graph.h"
-#include "core/body/landmarks.h"
-#include "core/body/load_mesh.h"
+#include "core/body/measure/landmarks.h"
+#include "core/body/mesh_import/load.h"
 #include "core/collision/crossings.h"
 #include "core/mesh/make_panel_meshes.h"
 #include "core/preflight/preflight.h"

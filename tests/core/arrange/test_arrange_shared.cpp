@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "core/arrange/arrange.h"
-#include "core/body/load_mesh.h"
+#include "core/body/mesh_import/load.h"
 #include "core/drape/pipeline.h"
 #include "core/mesh/make_panel_meshes.h"
 #include "proto/cpp/project_resolve.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/arrange/sheet_placement.h"
-#include "core/body/load_mesh.h"
+#include "core/body/mesh_import/load.h"
 
 namespace toile {
 namespace {

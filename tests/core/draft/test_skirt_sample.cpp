@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include "core/base/write_file.h"
-#include "core/body/load_mesh.h"
-#include "core/pattern/dxf_read.h"
+#include "core/body/mesh_import/load.h"
+#include "core/pattern/dxf/read.h"
 
 namespace toile {
 namespace {

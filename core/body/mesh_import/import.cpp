@@ -1,0 +1,228 @@
+#include "core/body/mesh_import/import.h"
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <semaphore>
+#include <system_error>
+#include <utility>
+
+#include "core/body/mesh_import/message.h"
+
+namespace toile {
+namespace {
+
+constexpr int kAtOnce = 2;  // readers, of one importer
+constexpr std::uint64_t kMemory = std::uint64_t{3} << 30;
+constexpr int kCpuSeconds = 30;
+constexpr double kWallSeconds = 90;
+/// Of the largest mesh that load_mesh gives, and what is filled into it.
+constexpr std::size_t kMostOutput = (3 * sizeof(Vec3) + 2 * sizeof(Tri)) * kMostMeshTriangles;
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kCanLimitMemory = false;  // a sanitizer reserves terabytes for its shadow
+#else
+constexpr bool kCanLimitMemory = true;
+#endif
+
+Result<RepairedMesh> mended(Result<TriangleMesh> mesh) {
+  if (!mesh) return mesh.error();
+  return repair_mesh(std::move(*mesh));
+}
+
+/// The settings as arguments, and back.
+std::vector<std::string> words_of(const MeshSettings& settings) {
+  char unit[32];
+  const auto end = std::to_chars(unit, unit + sizeof unit, settings.unit_in_m).ptr;
+  return {std::string(unit, end), settings.z_up ? "z" : "y"};
+}
+
+MeshSettings settings_of(const std::string& unit, const std::string& up) {
+  MeshSettings settings{-1, up == "z", true};  // refused where the unit is no number
+  std::from_chars(unit.data(), unit.data() + unit.size(), settings.unit_in_m);
+  return settings;
+}
+
+/// Closed when this goes.
+struct Descriptor {
+  int fd = -1;
+  ~Descriptor() {
+    if (fd >= 0) ::close(fd);
+  }
+};
+
+Error reader_error(const std::string& name, const std::string& reason) {
+  return {"mesh.reader", "The mesh reader could not be started: " + reason + ".", name};
+}
+
+std::string reason_of(int number) { return std::generic_category().message(number); }
+
+bool write_whole(int fd, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(fd, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+Result<std::string> read_whole(int fd, const std::string& name) {
+  constexpr std::size_t kChunk = std::size_t{1} << 20;
+  std::string bytes;
+  struct stat about {};
+  if (::fstat(fd, &about) == 0 && about.st_size > 0 &&
+      static_cast<std::uint64_t>(about.st_size) <= kMostMeshBytes) {
+    bytes.reserve(static_cast<std::size_t>(about.st_size) + kChunk);
+  }
+  while (bytes.size() <= kMostMeshBytes) {
+    const std::size_t had = bytes.size();
+    bytes.resize(had + kChunk);
+    const ssize_t got = ::read(fd, bytes.data() + had, kChunk);
+    bytes.resize(had + static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) return Error{"mesh.not_found", "The file cannot be read: " + reason_of(errno) + ".", name};
+    if (got == 0) break;
+  }
+  return bytes;
+}
+
+/// `text` with one name in place of another.
+std::string renamed(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
+    text.replace(at, from.size(), to);
+  }
+  return text;
+}
+
+/// No further file, no further process: what is read next may be anything. Failing is no reason to stop.
+void give_up_rights() {
+  const rlimit three{3, 3}, none{0, 0};
+  ::setrlimit(RLIMIT_NOFILE, &three);  // those that are open stay open
+  ::setrlimit(RLIMIT_NPROC, &none);
+}
+
+Result<RepairedMesh> read_as_told(const std::vector<std::string>& arguments) {
+  if (arguments.size() != 4 || (arguments[0] != "bytes" && arguments[0] != "file")) {
+    return Error{"mesh.reader", "The mesh reader was called in a way that it does not know.", ""};
+  }
+  const MeshSettings settings = settings_of(arguments[2], arguments[3]);
+  if (arguments[0] == "file") return mended(load_mesh(arguments[1], settings));
+  give_up_rights();
+  const std::string bytes = TRY(read_whole(0, arguments[1]));
+  return mended(load_mesh_bytes(arguments[1], bytes, settings));
+}
+
+}  // namespace
+
+struct MeshImporter::Reader {
+  std::string program;
+  ChildLimits limits;
+  using Places = std::counting_semaphore<kAtOnce>;
+  mutable Places free{kAtOnce};
+
+  struct Release {
+    Places& places;
+    ~Release() { places.release(); }
+  };
+
+  Result<RepairedMesh> run(const char* how, const std::string& name, int input,
+                           const MeshSettings& settings) const {
+    ChildCommand command{program, {kMeshImportVerb, how, name}, input};
+    for (std::string& word : words_of(settings)) command.arguments.push_back(std::move(word));
+    free.acquire();
+    const Release release{free};
+    return answer_of(run_child(command, limits), name);
+  }
+
+  Result<RepairedMesh> answer_of(const ChildOutcome& outcome, const std::string& name) const {
+    using End = ChildOutcome::End;
+    switch (outcome.end) {
+      case End::kExited:
+        break;
+      case End::kNotStarted:
+        return reader_error(name, reason_of(outcome.code));
+      case End::kTookTooLong:
+        return Error{
+            "mesh.too_long",
+            "Reading the file took more than " + std::to_string(limits.cpu_s) +
+                " s and was broken off. It is damaged or far too large; export it anew, as OBJ, STL or "
+                "GLB, with fewer triangles.",
+            name};
+      case End::kWroteTooMuch:
+        return Error{"mesh.too_large", "The mesh has too many triangles; export it with fewer.", name};
+      case End::kKilledBySignal:
+        return Error{
+            "mesh.crashed",
+            "The file brought the mesh reader down (signal " + std::to_string(outcome.code) +
+                "); nothing else is harmed. It is damaged, or of a kind that the reader cannot take; "
+                "export it anew, as OBJ, STL or GLB.",
+            name};
+    }
+    Result<RepairedMesh> mesh = parse_mesh_message(outcome.output);
+    if (mesh || !mesh.error().where.empty()) return mesh;
+    return Error{mesh.error().code, mesh.error().message, name};
+  }
+};
+
+ChildLimits mesh_import_limits() {
+  return {kCanLimitMemory ? kMemory : 0, kCpuSeconds, kWallSeconds, kMostOutput};
+}
+
+MeshImporter::MeshImporter() = default;
+
+MeshImporter::MeshImporter(std::string program, const ChildLimits& limits)
+    : reader_(new Reader{std::move(program), limits}) {}
+
+Result<RepairedMesh> MeshImporter::file(const std::filesystem::path& path,
+                                        const MeshSettings& settings) const {
+  if (!reader_) return mended(load_mesh(path, settings));
+  std::error_code error;
+  const std::filesystem::path whole = std::filesystem::absolute(path, error);  // the reader works elsewhere
+  Result<RepairedMesh> mesh = reader_->run("file", whole.string(), -1, settings);
+  if (mesh) return mesh;
+  const Error& e = mesh.error();
+  return Error{e.code, renamed(e.message, whole.string(), path.string()),
+               renamed(e.where, whole.string(), path.string())};
+}
+
+Result<RepairedMesh> MeshImporter::bytes(const std::string& name, std::string_view bytes,
+                                         const MeshSettings& settings) const {
+  if (!reader_) return mended(load_mesh_bytes(name, bytes, settings));
+  const Descriptor memory{::memfd_create("mesh", MFD_CLOEXEC)};
+  if (memory.fd < 0) return reader_error(name, reason_of(errno));
+  if (!write_whole(memory.fd, bytes) || ::lseek(memory.fd, 0, SEEK_SET) != 0) {
+    return reader_error(name, reason_of(errno));
+  }
+  return reader_->run("bytes", name, memory.fd, settings);
+}
+
+Result<RepairedMesh> MeshImporter::stored(const std::filesystem::path& path, const std::string& name,
+                                          const MeshSettings& settings) const {
+  const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
+  if (file.fd < 0) {
+    return Error{"mesh.not_found", "The file cannot be opened: " + reason_of(errno) + ".", name};
+  }
+  if (reader_) return reader_->run("bytes", name, file.fd, settings);
+  const std::string read = TRY(read_whole(file.fd, name));
+  return mended(load_mesh_bytes(name, read, settings));
+}
+
+int run_mesh_import(const std::vector<std::string>& arguments) {
+  const std::string message = mesh_message(read_as_told(arguments));
+  if (!write_whole(1, message)) return 1;
+  std::_Exit(0);  // the mesh's memory goes with the process, which is faster than piece by piece
+}
+
+}  // namespace toile

@@ -1,0 +1,67 @@
+#pragma once
+// An entity of a DXF file while its groups come in.
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/pattern/dxf/entities.h"
+
+namespace toile {
+
+/// Group code that is 1 for things on the printed sheet.
+inline constexpr int kPaperSpace = 67;
+
+/// What is read; all else is skipped.
+enum class DxfType {
+  skipped,
+  polyline,
+  vertex,
+  seqend,
+  lwpolyline,
+  line,
+  arc,
+  circle,
+  ellipse,
+  spline,
+  point,
+  text,
+  mtext,
+  insert,
+  attribute,
+  block
+};
+
+DxfType dxf_type_of(std::string_view name);
+
+/// Whether the numbers of this group code matter to an entity of this type.
+bool wants(DxfType type, int code);
+
+/// Whether an entity of this type is of no use when a number of it cannot be read.
+bool needs_numbers(DxfType type);
+
+/// An entity while its groups come in.
+struct DxfDraft {
+  DxfType type = DxfType::skipped;
+  std::string name, layer = "0", text, reference;  // reference: group 2, a block's name
+  int line = 0;
+  std::map<int, double> numbers;
+  std::vector<DxfVertex> vertices;  // of LWPOLYLINE and SPLINE
+  std::vector<DxfVertex> through;   // of SPLINE: points that it passes
+  bool awaits_y = false, through_awaits_y = false;
+  std::vector<double> knots, weights;
+  std::optional<Error> fault;  // its first number that is none
+
+  double number(int code, double otherwise = 0) const {
+    const auto it = numbers.find(code);
+    return it == numbers.end() ? otherwise : it->second;
+  }
+  int flags(int code = 70) const { return static_cast<int>(std::clamp(number(code), 0.0, 1e6)); }
+  bool mirrored() const { return number(230, 1) < 0; }
+  Vec2 at() const { return {number(10), number(20)}; }
+};
+
+}  // namespace toile

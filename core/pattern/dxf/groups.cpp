@@ -1,0 +1,121 @@
+#include "core/pattern/dxf/groups.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "core/pattern/dxf/words.h"
+
+namespace toile {
+namespace {
+
+constexpr std::size_t kLongestLine = 4096;  // the format allows 2049 characters
+constexpr std::size_t kBuffer = std::size_t{64} << 10;
+constexpr std::size_t kShown = 1024;
+
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+
+std::string_view trimmed(std::string_view s) {
+  while (!s.empty() && is_blank(s.front())) s.remove_prefix(1);
+  while (!s.empty() && is_blank(s.back())) s.remove_suffix(1);
+  return s;
+}
+
+}  // namespace
+
+std::string line_text(int line) { return "line " + std::to_string(line); }
+
+DxfGroupReader::DxfGroupReader(std::istream& in, std::size_t max_bytes)
+    : in_(in), buffer_(kBuffer), max_bytes_(max_bytes) {
+  fill();
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";  // byte order mark
+  if (std::string_view(buffer_.data(), end_).starts_with(kMark)) at_ = kMark.size();
+  shown_ = std::min(kShown, end_ - at_);
+}
+
+bool DxfGroupReader::fill() {
+  if (error_) return false;
+  in_.read(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+  at_ = 0;
+  end_ = static_cast<std::size_t>(in_.gcount());
+  bytes_ += end_;
+  if (bytes_ > max_bytes_) {
+    error_ = Error{"dxf.too_large",
+                   "The file has more than " + std::to_string(max_bytes_) + " bytes, the limit.", ""};
+    end_ = 0;
+  }
+  return end_ > 0;
+}
+
+int DxfGroupReader::peek() {
+  if (at_ == end_ && !fill()) return -1;
+  return static_cast<unsigned char>(buffer_[at_]);
+}
+
+bool DxfGroupReader::next_line(std::string& line) {
+  line.clear();
+  if (peek() < 0) return false;
+  ++line_;
+  ended_ = false;
+  for (int c = peek(); c >= 0; c = peek()) {
+    ++at_;
+    if (c == '\r' && peek() == '\n') ++at_;
+    if (c == '\r' || c == '\n') {
+      ended_ = true;
+      break;
+    }
+    line += static_cast<char>(c);
+    if (line.size() > kLongestLine) {
+      error_ = Error{"dxf.bad_group_code", "The line is too long for a DXF file.", line_text(line_)};
+      return false;
+    }
+  }
+  return !error_;
+}
+
+bool DxfGroupReader::only_blanks_left() {
+  for (int c = peek(); c >= 0; c = peek(), ++at_)
+    if (c != '\n' && c != 0x1A && !is_blank(static_cast<char>(c))) return false;  // 1A ends DOS texts
+  return true;
+}
+
+std::optional<DxfGroup> DxfGroupReader::next() {
+  if (error_ || !next_line(code_)) return std::nullopt;
+  const std::string_view code = trimmed(code_);
+  int number = 0;
+  const auto [end, status] = std::from_chars(code.data(), code.data() + code.size(), number);
+  if (status != std::errc() || end != code.data() + code.size()) {
+    // A last line without a value is where a cut file ends; blank lines at the end are harmless.
+    if ((code.empty() || code == "\x1A") && only_blanks_left()) return std::nullopt;
+    error_ = Error{
+        "dxf.bad_group_code",
+        "A group code is expected here, a whole number, and not '" + clean_text(code.substr(0, 40)) + "'.",
+        line_text(line_)};
+    return std::nullopt;
+  }
+  if (next_line(value_)) return DxfGroup{number, trimmed(value_), line_};
+  if (!error_)
+    error_ = Error{"dxf.truncated",
+                   "The file ends after group code " + std::to_string(number) +
+                       ", without its value: it is cut off. Get a whole copy.",
+                   "last good " + line_text(line_ - 1)};
+  return std::nullopt;
+}
+
+std::optional<double> number_of(std::string_view text) {
+  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  std::string with_point;
+  if (const std::size_t comma = text.find(',');
+      comma != std::string_view::npos && text.find_first_of(".,", comma + 1) == std::string_view::npos &&
+      text.find('.') == std::string_view::npos) {
+    with_point = text;
+    with_point[comma] = '.';
+    text = with_point;
+  }
+  double value = 0;
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (status != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+}  // namespace toile

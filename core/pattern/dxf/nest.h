@@ -1,0 +1,45 @@
+#pragma once
+// Which closed lines of a drawing lie in which, and which of them are one line drawn twice or its seam line.
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/geometry/polygon2.h"
+#include "core/pattern/dxf/chains.h"
+#include "core/pattern/dxf/layers.h"
+
+namespace toile {
+
+/// A closed chain with what is asked of it again and again.
+struct DxfLoop {
+  const DxfChain* chain = nullptr;
+  DxfRole role = DxfRole::other;
+  Box2 box;
+  double area = 0;
+  std::optional<std::size_t> parent;  ///< the smallest loop of its layer around it
+  int depth = 0;                      ///< number of such loops: an odd one is a hole
+};
+
+DxfLoop loop_of(const DxfChain& chain, DxfRole role);
+
+/// Whether the inner loop lies wholly inside, without touching.
+bool lies_within(const DxfLoop& inner, const DxfLoop& outer);
+
+/// Finds each loop's parent among those of its layer.
+void nest(std::vector<DxfLoop>& loops);
+
+/// Whether the inner loop lies within the outer one or along it, judged by a sample of its vertices.
+bool is_covered(const DxfLoop& inner, const DxfLoop& outer);
+
+/// Whether one box holds the other, nearly.
+bool same_place(const Box2& a, const Box2& b);
+
+/// Whether the two are the same line, drawn twice.
+bool is_repeated(const DxfLoop& a, const DxfLoop& b);
+
+/// Whether the inner loop runs along the outer one at the width of a seam allowance (a few mm to a few cm)
+/// all the way round, but for folds and hems.
+bool is_seam_line(const DxfLoop& inner, const DxfLoop& outer);
+
+}  // namespace toile

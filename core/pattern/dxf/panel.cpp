@@ -1,0 +1,94 @@
+// The panel of a piece: which corners part its edges, and where its curves end.
+
+#include <algorithm>
+#include <utility>
+
+#include "core/geometry/polygon2.h"
+#include "core/pattern/curve.h"
+#include "core/pattern/dxf/read.h"
+
+namespace toile {
+namespace {
+
+constexpr double kNotchReach = 60;  // mm between a notch on the cut line and the sew line: a hem's allowance
+constexpr double kTurnReach = 0.5;  // mm
+
+struct Foot {
+  Vec2 at;
+  double off = 0;
+};
+
+/// The outline's point nearest to p.
+Foot foot_on(const std::vector<Vec2>& loop, Vec2 p) {
+  Foot best{loop[0], length(loop[0] - p)};
+  for (std::size_t i = 0, n = loop.size(); i < n; ++i) {
+    const Vec2 a = loop[i], d = loop[(i + 1) % n] - a;
+    const double l2 = dot(d, d), t = l2 > 0 ? std::clamp(dot(p - a, d) / l2, 0.0, 1.0) : 0;
+    const Vec2 at = a + d * t;
+    if (length(at - p) < best.off) best = {at, length(at - p)};
+  }
+  return best;
+}
+
+std::vector<Notch> notches_on_outline(const DxfPiece& piece) {
+  std::vector<Notch> notches;
+  for (const Notch& notch : piece.notches) {
+    const Foot foot = foot_on(piece.outline, notch.at);
+    if (foot.off > (piece.on_sew_line ? kNotchReach : kNotchReach / 4)) continue;
+    notches.push_back({foot.at, notch.depth, notch.inwards});
+  }
+  return notches;
+}
+
+/// The line without points that repeat the one before; empty when nothing is left of it.
+std::vector<Vec2> without_repeats(const std::vector<Vec2>& line) {
+  std::vector<Vec2> points;
+  for (const Vec2 p : line)
+    if (points.empty() || length(p - points.back()) >= kJointTolerance) points.push_back(p);
+  return points.size() < 2 ? std::vector<Vec2>{} : points;
+}
+
+/// What is drawn within the piece: pockets, buttonholes, fold lines, as i0, i1, …
+std::vector<InnerLine> drawn_lines(const DxfPiece& piece) {
+  std::vector<InnerLine> lines;
+  for (const std::vector<Vec2>& internal : piece.internals) {
+    std::vector<Vec2> points = without_repeats(internal);
+    if (points.empty()) continue;
+    lines.push_back({std::string("i").append(std::to_string(lines.size())), std::move(points), true});
+  }
+  return lines;
+}
+
+}  // namespace
+
+Result<Panel> panel_from_piece(const DxfPiece& piece, std::span<const Vec2> forced_corners,
+                               const OutlineSettings& settings) {
+  const auto place = [&](Error error) {
+    error.where = "piece " + piece.name + (error.where.empty() ? "" : ", " + error.where);
+    return error;
+  };
+  Panel panel;
+  panel.id = piece.name;
+  panel.notches = notches_on_outline(piece);
+  OutlineSettings own = settings;
+  for (const Notch& notch : panel.notches) own.curve_ends.push_back(notch.at);
+  for (const Vec2 turn : piece.turn_points)
+    if (const Foot foot = foot_on(piece.outline, turn); foot.off <= kTurnReach)
+      own.curve_ends.push_back(foot.at);
+  if (piece.breaks_are_edges) own.further_corners = piece.breaks;
+  Result<Loop> outline = loop_from_polyline(piece.outline, forced_corners, own);
+  if (!outline) return place(outline.error());
+  panel.outline = std::move(*outline);
+  panel.grain = piece.grain.value_or(Vec2{0, 1});
+  for (std::size_t h = 0; h < piece.holes.size(); ++h) {
+    Result<Loop> hole = loop_from_polyline(piece.holes[h], {}, settings);
+    if (!hole) return place(hole.error());
+    panel.holes.push_back(reversed(*hole));
+    for (PanelEdge& edge : panel.holes.back().edges)
+      edge.id = std::string("h").append(std::to_string(h)).append(edge.id);
+  }
+  panel.lines = drawn_lines(piece);
+  return panel;
+}
+
+}  // namespace toile

@@ -1,0 +1,30 @@
+#pragma once
+// Which unit a drawing is in.
+
+#include <vector>
+
+#include "core/pattern/dxf/entities.h"
+#include "core/pattern/dxf/read.h"
+
+namespace toile {
+
+/// What a text of the drawing says of its unit.
+struct DxfUnitText {
+  std::string words;  ///< "METRIC", "ENGLISH", "mm", …
+  int line = 0;
+};
+
+/// The unit that agrees best with the header, the texts and the sizes of the pieces. `extents`: width or
+/// height of each piece, whichever is larger, in drawing units.
+///
+/// Each unit starts with a small preference and gathers evidence as logarithms of likelihood: what $INSUNITS
+/// states counts e¹⁰, "METRIC" makes millimetres and centimetres likely, "ENGLISH" inches, $MEASUREMENT a
+/// little, and a largest piece far off 0.3 to 2.5 m makes a unit unlikely. The confidence is the winner's
+/// share.
+DxfUnit decide_unit(const DxfFile& file, const std::vector<DxfUnitText>& texts,
+                    const std::vector<double>& extents);
+
+/// The unit that the settings ask for.
+DxfUnit given_unit(double mm_per_unit);
+
+}  // namespace toile

@@ -1,0 +1,80 @@
+#include "core/pattern/edit/edit.h"
+
+#include <type_traits>
+
+#include "core/pattern/edit/edges.h"
+#include "core/pattern/edit/notches.h"
+#include "core/pattern/edit/pieces.h"
+#include "core/pattern/edit/places.h"
+#include "core/pattern/edit/shape.h"
+#include "core/pattern/validate.h"
+
+namespace toile {
+namespace {
+
+/// The edits that edit_shape, edit_edges and edit_piece know.
+template <typename Edit>
+concept ShapesCurves = requires(Panel& panel, const Edit& edit) {
+  edit_shape(panel, edit);
+};
+template <typename Edit>
+concept ChangesEdges = requires(Pattern& pattern, const Edit& edit) {
+  edit_edges(pattern, Index{}, edit);
+};
+
+EditEffect reshaped(const std::string& piece) {
+  EditEffect effect;
+  effect.piece = effect.was = piece;
+  effect.reshaped = true;
+  return effect;
+}
+
+template <ShapesCurves Edit>
+Result<EditEffect> edit_pattern(Pattern& pattern, const Edit& edit) {
+  const Index at = TRY(find_piece(pattern, edit.piece));
+  Panel& panel = pattern.panels[std::size_t(at)];
+  const Panel was = panel;
+  TRY(edit_shape(panel, edit));
+  carry_notches(was, panel);
+  return reshaped(edit.piece);
+}
+
+template <ChangesEdges Edit>
+Result<EditEffect> edit_pattern(Pattern& pattern, const Edit& edit) {
+  Result<Index> at = Index{};
+  if constexpr (std::is_same_v<Edit, RemoveDart>) {
+    at = piece_of_dart(pattern, edit);
+  } else {
+    at = find_piece(pattern, edit.piece);
+  }
+  if (!at) return at.error();
+  EditEffect effect = reshaped(pattern.panels[std::size_t(*at)].id);
+  RenamedParts parts = TRY(edit_edges(pattern, *at, edit));
+  effect.parts = std::move(parts);
+  return effect;
+}
+
+template <typename Edit>
+requires(!ShapesCurves<Edit> && !ChangesEdges<Edit>) Result<EditEffect> edit_pattern(Pattern& pattern,
+                                                                                     const Edit& edit) {
+  return edit_piece(pattern, edit);
+}
+
+}  // namespace
+
+Vec2 moved(Vec2 p, const PieceMotion& motion) {
+  if (motion.middle) p.x = *motion.middle * 2 - p.x;
+  return p + motion.by;
+}
+
+Result<EditedPattern> apply_edit(const Pattern& pattern, const PatternEdit& edit) {
+  EditedPattern out{pattern, {}};
+  Result<EditEffect> effect =
+      std::visit([&](const auto& one) { return edit_pattern(out.pattern, one); }, edit);
+  if (!effect) return effect.error();
+  TRY(validate(out.pattern));
+  out.effect = std::move(*effect);
+  return out;
+}
+
+}  // namespace toile

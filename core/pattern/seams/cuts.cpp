@@ -1,0 +1,199 @@
+#include "core/pattern/seams/cuts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace toile {
+namespace {
+
+constexpr double kAlike = 0.01;   // of the length
+constexpr double kEase = 0.045;   // that a long edge may have over the two
+constexpr double kExact = 0.004;  // that lengths may differ which were drawn to fit
+constexpr double kShortest = 60;  // mm; shorter edges are sewn to one other
+
+double difference(double a, double b) { return std::abs(a - b) / std::max(a, b); }
+
+/// Runs of one piece that lie end to end once its darts are closed.
+struct Line {
+  std::vector<Index> runs;
+  Index before = kNone, after = kNone;  ///< runs that meet its ends
+  double length = 0;
+};
+
+bool starts_dart(const SeamModel& m, Index r) {
+  const SeamRun &leg = m.runs[r], &other = m.runs[leg.next];
+  return other.angle > 310 && other.angle < 359.5 && difference(leg.length, other.length) < 0.04;
+}
+
+std::vector<Line> lines_of(const SeamModel& m) {
+  std::vector<Index> before(m.runs.size(), kNone);
+  for (Index r = 0; r < static_cast<Index>(m.runs.size()); ++r) before[m.runs[r].next] = r;
+  const auto is_leg = [&](Index r) { return starts_dart(m, r) || starts_dart(m, before[r]); };
+  std::vector<Line> lines;
+  for (Index r = 0; r < static_cast<Index>(m.runs.size()); ++r) {
+    if (is_leg(r) || is_leg(before[r])) continue;  // not where a line begins
+    Line line;
+    line.before = before[r];
+    for (Index at = r;;) {
+      line.runs.push_back(at);
+      line.length += m.runs[at].length;
+      at = m.runs[at].next;
+      if (!starts_dart(m, at) || line.runs.size() > m.runs.size()) {
+        line.after = at;
+        break;
+      }
+      at = m.runs[m.runs[at].next].next;
+    }
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+/// How surely the two lie end to end: one for each end at which their neighbours are alike.
+int meeting_ends(const SeamModel& m, const Line& a, const Line& b) {
+  const auto alike = [&](Index x, Index y) {
+    return x != kNone && y != kNone && x != y && difference(m.runs[x].length, m.runs[y].length) < kAlike;
+  };
+  const int against = alike(a.after, b.before) + alike(a.before, b.after);
+  const int along = alike(a.after, b.after) + alike(a.before, b.before);
+  return std::max(against, along);
+}
+
+bool has_partner(const SeamModel& m, Index r) {
+  for (Index other = 0; other < static_cast<Index>(m.runs.size()); ++other) {
+    if (m.runs[other].panel == m.runs[r].panel || other == m.mirror[r]) continue;
+    if (difference(m.runs[other].length, m.runs[r].length) < kAlike) return true;
+  }
+  return false;
+}
+
+struct Two {
+  const Line* first = nullptr;
+  const Line* second = nullptr;
+  double worth = 0;
+};
+
+/// The best two lines to sew run r to, that have up to `ease` less than its length.
+Two best_two(const SeamModel& m, const std::vector<Line>& lines, Index r, double ease) {
+  const double length = m.runs[r].length;
+  const auto other_piece = [&](const Line& line) { return m.runs[line.runs[0]].panel != m.runs[r].panel; };
+  Two best;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (!other_piece(lines[i])) continue;
+    for (std::size_t j = i + 1; j < lines.size(); ++j) {
+      const double sum = lines[i].length + lines[j].length;
+      if (sum > length * (1 + std::min(kAlike, ease)) || sum < length * (1 - ease)) continue;
+      // The two shoulders of one front never lie end to end.
+      const bool same_piece = m.runs[lines[i].runs[0]].panel == m.runs[lines[j].runs[0]].panel;
+      if (same_piece || !other_piece(lines[j]) || std::min(lines[i].length, lines[j].length) < length / 5)
+        continue;
+      const int ends = meeting_ends(m, lines[i], lines[j]);
+      const double worth = ends - difference(sum, length) / kEase;
+      if (ends > 0 && worth > best.worth) best = {&lines[i], &lines[j], worth};
+    }
+  }
+  return best;
+}
+
+/// The line with darts in it that is as long as run r: a front's side to a back's.
+const Line* best_one(const SeamModel& m, const std::vector<Line>& lines, Index r) {
+  const Line* best = nullptr;
+  double least = kEase;
+  for (const Line& line : lines) {
+    if (line.runs.size() < 2 || m.runs[line.runs[0]].panel == m.runs[r].panel) continue;
+    const double off = difference(line.length, m.runs[r].length);
+    if (off < least) {
+      least = off;
+      best = &line;
+    }
+  }
+  return best;
+}
+
+/// Distances of the inner corners of the two lines (or of one), seen from the start of a run that is sewn to
+/// them.
+std::vector<double> places_on(const SeamModel& m, const Two& two, double length, bool second_first) {
+  std::vector<double> parts;
+  double sum = 0;
+  for (const Line* line : {two.second, two.first}) {  // outlines run against each other
+    if (line == nullptr) continue;
+    sum += line->length;
+    for (auto r = line->runs.rbegin(); r != line->runs.rend(); ++r) parts.push_back(m.runs[*r].length);
+  }
+  if (second_first) {
+    const auto middle = static_cast<std::ptrdiff_t>(two.second->runs.size());
+    std::rotate(parts.begin(), parts.begin() + middle, parts.end());
+  }
+  const double scale = length / sum;
+  std::vector<double> places;
+  double at = 0;
+  for (std::size_t k = 0; k + 1 < parts.size(); ++k) places.push_back(at += parts[k] * scale);
+  return places;
+}
+
+/// How much runs from one to another rise along their piece's grain, -1 to 1.
+double climb(const SeamModel& m, Index first, Index last) {
+  const Vec2 chord = m.runs[last].at.back() - m.runs[first].at.front();
+  return dot(normalized(chord), m.up[m.runs[first].panel]);
+}
+
+/// Distances of the darts of a line, seen from the start of run r that is sewn to it. Pieces mostly lie as
+/// they are worn: where both rise, lower ends meet.
+std::vector<double> darts_on(const SeamModel& m, const Line& line, Index r) {
+  constexpr double kRising = 0.5;
+  const double length = m.runs[r].length;
+  std::vector<double> places = places_on(m, {&line, nullptr, 0}, length, false);
+  const double a = climb(m, line.runs.front(), line.runs.back()), b = climb(m, r, r);
+  if (std::min(std::abs(a), std::abs(b)) < kRising || a * b < 0) return places;
+  for (double& place : places) place = length - place;
+  std::reverse(places.begin(), places.end());
+  return places;
+}
+
+/// Cuts run r where its mirror image is cut.
+void cut_like_mirror(const SeamModel& m, Index r, std::vector<std::vector<double>>& cuts) {
+  const Index twin = m.mirror[r];
+  for (const double s : cuts[twin]) cuts[r].push_back(m.runs[r].length - s);
+  std::reverse(cuts[r].begin(), cuts[r].end());
+}
+
+}  // namespace
+
+SeamModel with_likely_cuts(const Pattern& pattern, SeamModel model, CutKind kind) {
+  const SeamModel whole = model;
+  const std::vector<Line> lines = lines_of(whole);
+  const Index count = static_cast<Index>(whole.runs.size());
+  std::vector<std::vector<double>> cuts(whole.runs.size());
+  std::vector<char> met(whole.runs.size(), 0);  // parts of a line with darts that has found its partner
+  for (const bool darts : {true, false}) {
+    for (Index r = 0; r < count; ++r) {
+      if (whole.runs[r].length < kShortest || !cuts[r].empty() || met[r] || has_partner(whole, r)) continue;
+      const Index twin = whole.mirror[r];
+      if (twin != kNone && twin < r && !cuts[twin].empty()) {
+        cut_like_mirror(whole, r, cuts);
+        continue;
+      }
+      const bool exact = kind == CutKind::exact_first || kind == CutKind::exact_second;
+      const Two two = best_two(whole, lines, r, exact && !darts ? kExact : kEase);
+      if (darts) {
+        const Line* one = best_one(whole, lines, r);
+        if (one == nullptr || two.worth >= 2) continue;
+        cuts[r] = darts_on(whole, *one, r);
+        for (const Index part : one->runs) {
+          met[part] = 1;
+          if (whole.mirror[part] != kNone) met[whole.mirror[part]] = 1;
+        }
+      } else if (two.first != nullptr && kind != CutKind::darts) {
+        cuts[r] = places_on(whole, two, whole.runs[r].length,
+                            kind == CutKind::second_first || kind == CutKind::exact_second);
+      }
+    }
+  }
+  for (Index r = 0; r < count; ++r)
+    if (!cuts[r].empty() && !met[r]) model = with_cuts(pattern, std::move(model), r, cuts[r]);
+  return model;
+}
+
+}  // namespace toile

@@ -1,0 +1,23 @@
+#pragma once
+// Where an edge is likely to be sewn to several: a sleeve's cap at the armholes' ends, a band at a waist's.
+
+#include "core/pattern/seams/model.h"
+
+namespace toile {
+
+enum class CutKind {
+  darts,         ///< only edges that meet a line with darts in it
+  exact_first,   ///< those, and edges that meet two others end to end and are as long as these together
+  exact_second,  ///< the same, the two in the other order
+  first_first,   ///< those, and edges that meet two others end to end, with a little ease
+  second_first,  ///< the same, the two in the other order
+};
+
+/// The model with runs cut at the ends of what they are probably sewn to, in proportion. A run that is as
+/// long as a line of another piece with darts in it (a back's side and a front's) is cut at the darts, and
+/// the line's own parts are left whole. One that is as long as two others together whose neighbours are
+/// alike, so that these two would lie end to end when sewn, is cut where they meet. Runs with a partner of
+/// their own length are left whole.
+SeamModel with_likely_cuts(const Pattern& pattern, SeamModel model, CutKind kind);
+
+}  // namespace toile

@@ -1,0 +1,247 @@
+#include "core/pattern/seams/gluing.h"
+
+#include <cmath>
+
+namespace toile {
+namespace {
+
+/// Around a point inside the cloth 360° lie flat, 180° would be a fold's end.
+double inner_merit(double angle) {
+  constexpr double kFlat = 40, kFair = 100, kFull = 1.5;
+  const double off = std::abs(angle - 360);
+  if (off <= kFlat) return kFull;
+  if (off <= kFair) return kFull * (kFair - off) / (kFair - kFlat);
+  return -(off - kFair) / 100 * (angle < 360 ? 10 : 2);
+}
+
+/// A border mostly runs on straight across a seam.
+double border_merit(double angle) {
+  constexpr double kStraight = 25, kFair = 70, kFull = 0.7;
+  const double off = std::abs(angle - 180);
+  if (off <= kStraight) return kFull;
+  if (off <= kFair) return kFull * (kFair - off) / (kFair - kStraight);
+  return -std::min(angle > 180 ? 1.2 : 2.5, (off - kFair) / 100 * 2.5);  // a slit ends at 360°
+}
+
+constexpr double kHandle = -25;      ///< a ring sewn to a ring of the same cloth
+constexpr double kPart = -2.5;       ///< cloth that hangs on nothing
+constexpr double kOpening = 1.5;     ///< a way in or out for the body, beyond the first
+constexpr int kOpenings = 3;         ///< that count
+constexpr double kShut = -1.5;       ///< a piece without any free edge
+constexpr double kFreeRound = -2.5;  ///< openings run straight or hollow: a round edge is there to be sewn
+constexpr double kRound = 45;        ///< degrees that it turns by
+constexpr double kMirrored = 1;      ///< the same seam on the other side
+constexpr double kSameGather = 3;    ///< neighbours gathered alike
+constexpr double kGathered = 1.05;
+constexpr double kTornLine = -2.5;  ///< a smooth line that is sewn up to some point of it and no further
+constexpr double kSmooth = 15;      ///< degrees
+
+/// Corners by the point that they come to; corner i is the start of run i.
+void join_corners(const SeamModel& m, const SeamGluing& g, DisjointSets& corners) {
+  corners.reset(m.runs.size());
+  for (Index a = 0; a < static_cast<Index>(m.runs.size()); ++a) {
+    const Index b = g.partner[a];
+    if (b <= a) continue;
+    const bool along = g.along(m, a, b);
+    corners.join(a, along ? b : m.runs[b].next);
+    corners.join(m.runs[a].next, along ? m.runs[b].next : b);
+  }
+}
+
+}  // namespace
+
+GluingJudge::GluingJudge(const SeamModel& model, const GluingSettings& settings)
+    : m_(model), settings_(settings) {
+  for (std::size_t i = 0; i < model.runs.size(); ++i) {
+    const SeamRun& run = model.runs[i];
+    runs_.push_back({run.next, run.panel, model.mirror[i], run.from > 0 || run.to<1, run.from> 0,
+                     run.turn.back() > kRound, std::abs(run.angle - 180) < kSmooth, run.angle, run.length,
+                     run.to - run.from});
+  }
+  root_.resize(runs_.size());
+}
+
+void GluingJudge::join_corners(const SeamGluing& g) {
+  corners_.reset(runs_.size());
+  const auto count = static_cast<Index>(runs_.size());
+  for (Index a = 0; a < count; ++a) {
+    const Index b = g.partner[a];
+    if (b <= a) continue;
+    const bool with = along(g, a, b);
+    corners_.join(a, with ? b : runs_[b].next);
+    corners_.join(runs_[a].next, with ? runs_[b].next : b);
+  }
+  for (Index i = 0; i < count; ++i) root_[i] = corners_.root(i);
+}
+
+/// Each by itself, and the same on mirrored pieces.
+double GluingJudge::pairs(const SeamGluing& g) const {
+  double merit = 0;
+  for (Index a = 0; a < static_cast<Index>(runs_.size()); ++a) {
+    const Index b = g.partner[a];
+    if (b <= a) continue;
+    merit += g.merit[a][along(g, a, b)];
+    const Index ma = runs_[a].mirror, mb = runs_[b].mirror;
+    if (ma != kNone && mb != kNone && ma != b && g.partner[ma] == mb)
+      merit += kMirrored * std::min(runs_[a].share, runs_[b].share);
+  }
+  return merit;
+}
+
+/// Pieces are mostly drawn from their right side, and mirrored ones from the same side.
+double GluingJudge::sides(const SeamGluing& g) const {
+  constexpr double kTurned = -0.3, kKnown = -50, kTwinTurned = -3, kFaceTurned = -0.6;
+  double turned = 0;
+  for (std::size_t p = 0; p < g.turned.size(); ++p)
+    turned += (g.turned[p] != 0) != (!settings_.turned.empty() && settings_.turned[p] != 0);
+  double merit = settings_.sides_known
+                     ? kKnown * turned
+                     : kTurned * std::min(turned, static_cast<double>(g.turned.size()) - turned);
+  double faces[2][2] = {};  // pieces named front and back, as drawn and turned
+  for (std::size_t p = 0; p < m_.twin.size(); ++p) {
+    const Index q = m_.twin[p];
+    if (m_.words[p].face != 0) ++faces[m_.words[p].face > 0][g.turned[p] != 0];
+    if (q > static_cast<Index>(p) && g.turned[p] != g.turned[q]) merit += kTwinTurned;
+  }
+  for (const auto& face : faces) merit += kFaceTurned * std::min(face[0], face[1]);
+  return merit;
+}
+
+/// Two pieces that mirror each other meet along one line, the middle of the body, seldom along two.
+double GluingJudge::middles(const SeamGluing& g) {
+  constexpr double kSecondLine = -4;
+  lines_.assign(m_.words.size(), 0);
+  const auto in_middle = [&](Index r) { return g.partner[r] != kNone && g.partner[r] == runs_[r].mirror; };
+  for (Index r = 0; r < static_cast<Index>(runs_.size()); ++r)
+    lines_[runs_[r].panel] += in_middle(r) && !in_middle(runs_[r].next);
+  double merit = 0;
+  for (std::size_t p = 0; p < lines_.size(); ++p)
+    if (m_.twin[p] > static_cast<Index>(p)) merit += kSecondLine * std::max(0, lines_[p] - 1);
+  return merit;
+}
+
+/// Nearly every piece has an edge that is sewn to nothing: a hem, a neck.
+double GluingJudge::free_edges(const SeamGluing& g) {
+  open_.assign(m_.words.size(), 0);
+  double merit = 0;
+  for (std::size_t r = 0; r < runs_.size(); ++r) {
+    const Run& run = runs_[r];
+    const bool free = g.partner[r] == kNone, next_free = g.partner[run.next] == kNone;
+    if (free) open_[run.panel] = 1;
+    if (free && run.round) merit += kFreeRound;
+    if (free != next_free && runs_[run.next].smooth) merit += kTornLine;
+  }
+  return merit + kShut * static_cast<double>(std::count(open_.begin(), open_.end(), 0));
+}
+
+/// How the cloth lies around the points where pieces meet.
+double GluingJudge::points(const SeamGluing& g) {
+  sums_.assign(runs_.size(), {});
+  for (Index i = 0; i < static_cast<Index>(runs_.size()); ++i) {
+    PointSums& s = sums_[root_[i]];
+    s.angle += runs_[i].angle;
+    ++s.corners;
+    s.cut = s.cut || runs_[i].cut_start;
+    if (g.partner[i] != kNone) continue;
+    ++s.free_ends;
+    ++sums_[root_[runs_[i].next]].free_ends;
+  }
+  double merit = 0;
+  points_ = 0;
+  for (const PointSums& s : sums_) {
+    if (s.corners == 0) continue;
+    ++points_;
+    const double here = s.free_ends == 0 ? inner_merit(s.angle) : s.corners > 1 ? border_merit(s.angle) : 0;
+    merit += s.cut ? std::min(0.0, here) : here;  // a cut is no corner of the drawing: it proves nothing
+  }
+  return merit;
+}
+
+/// Handles, openings and separate parts, from Euler's formula.
+double GluingJudge::surface(const SeamGluing& g) {
+  const int panels = static_cast<int>(m_.words.size());
+  parts_.reset(m_.words.size());
+  borders_.reset(runs_.size());
+  int edges = 0, components = panels, border_count = 0;
+  free_at_.assign(runs_.size(), kNone);
+  for (Index i = 0; i < static_cast<Index>(runs_.size()); ++i) {
+    if (g.partner[i] != kNone) {
+      edges += i < g.partner[i];
+      if (parts_.join(runs_[i].panel, runs_[g.partner[i]].panel)) --components;
+      continue;
+    }
+    ++edges;
+    ++border_count;
+    for (const Index end : {i, runs_[i].next}) {
+      Index& there = free_at_[root_[end]];
+      if (there == kNone)
+        there = i;
+      else if (borders_.join(there, i))
+        --border_count;
+    }
+  }
+  const int twice_handles = 2 * components - (points_ - edges + panels) - border_count;
+  return kHandle * twice_handles / 2 + kPart * (components - 1) +
+         kOpening * std::min(kOpenings, border_count - components);
+}
+
+double GluingJudge::gathers(const SeamGluing& g) {
+  gathers_.clear();
+  for (Index a = 0; a < static_cast<Index>(runs_.size()); ++a) {
+    const Index b = g.partner[a];
+    if (b == kNone || runs_[a].length < kGathered * runs_[b].length) continue;
+    if (runs_[a].cut || runs_[b].cut) continue;  // cuts are in proportion anyway
+    gathers_.push_back({runs_[a].length / runs_[b].length, {root_[a], root_[runs_[a].next]}, a});
+  }
+  double merit = 0;
+  for (std::size_t i = 0; i < gathers_.size(); ++i) {
+    for (std::size_t j = i + 1; j < gathers_.size(); ++j) {
+      const Gather &x = gathers_[i], &y = gathers_[j];
+      const bool meet = x.ends[0] == y.ends[0] || x.ends[0] == y.ends[1] || x.ends[1] == y.ends[0] ||
+                        x.ends[1] == y.ends[1];
+      const bool mirrored = runs_[x.run].mirror == y.run;  // alike without any reason to be sewn
+      if (meet && !mirrored && std::abs(x.ratio - y.ratio) < 0.015 * x.ratio) merit += kSameGather;
+    }
+  }
+  return std::min(merit, 2 * kSameGather);
+}
+
+double GluingJudge::merit(const SeamGluing& g) {
+  join_corners(g);
+  const double around = points(g);  // counts the points for surface()
+  return pairs(g) + sides(g) + middles(g) + free_edges(g) + around + surface(g) + gathers(g);
+}
+
+SeamGluing nothing_sewn(const SeamModel& model) {
+  return {std::vector<Index>(model.runs.size(), kNone), std::vector<std::array<double, 2>>(model.runs.size()),
+          std::vector<char>(model.words.size(), 0)};
+}
+
+double gluing_merit(const SeamModel& m, const SeamGluing& g, const GluingSettings& settings) {
+  return GluingJudge(m, settings).merit(g);
+}
+
+std::vector<std::vector<Index>> free_borders(const SeamModel& m, const SeamGluing& g) {
+  DisjointSets corners;
+  join_corners(m, g, corners);
+  const auto start = [&](Index i) { return corners.root(g.turned[m.runs[i].panel] ? m.runs[i].next : i); };
+  const auto end = [&](Index i) { return corners.root(g.turned[m.runs[i].panel] ? i : m.runs[i].next); };
+  const Index count = static_cast<Index>(m.runs.size());
+  std::vector<Index> starts_at(m.runs.size(), kNone);
+  for (Index i = 0; i < count; ++i)
+    if (g.partner[i] == kNone) starts_at[start(i)] = i;
+  std::vector<bool> seen(m.runs.size(), false);
+  std::vector<std::vector<Index>> borders;
+  for (Index i = 0; i < count; ++i) {
+    if (g.partner[i] != kNone || seen[i]) continue;
+    std::vector<Index> border;
+    for (Index at = i; at != kNone && !seen[at]; at = starts_at[end(at)]) {
+      seen[at] = true;
+      border.push_back(at);
+    }
+    borders.push_back(std::move(border));
+  }
+  return borders;
+}
+
+}  // namespace toile

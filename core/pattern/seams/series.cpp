@@ -1,0 +1,185 @@
+#include "core/pattern/seams/series.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace toile {
+namespace {
+
+constexpr std::size_t kLongest = 8;       // runs on a side
+constexpr std::size_t kMostTrials = 150;  // that are looked at closely, at a time
+constexpr double kMeet = 0.012;           // of the seam's length: corners this close meet
+constexpr double kMeetAtLeast = 3;        // mm
+constexpr double kWorthwhile = 1.5;
+constexpr double kPerCorner = 0.7;  // for corners of both sides that meet
+
+/// Free runs one after the other along a border.
+struct Chain {
+  std::size_t border = 0, first = 0;
+  std::vector<Index> runs;
+  double length = 0;
+  bool whole = false;  ///< all of its border
+};
+
+struct Trial {
+  std::size_t a, b;
+  double worth;
+};
+
+std::vector<Chain> chains_of(const SeamModel& m, const std::vector<std::vector<Index>>& borders,
+                             const std::vector<char>& locked) {
+  std::vector<Chain> chains;
+  for (std::size_t l = 0; l < borders.size(); ++l) {
+    const std::size_t n = borders[l].size();
+    for (std::size_t first = 0; first < n; ++first) {
+      Chain chain{l, first, {}, 0, false};
+      for (std::size_t k = 0; k < std::min(n, kLongest); ++k) {
+        const Index r = borders[l][(first + k) % n];
+        if (r < static_cast<Index>(locked.size()) && locked[r]) break;
+        chain.runs.push_back(r);
+        chain.length += m.runs[r].length;
+        chain.whole = k + 1 == n;
+        chains.push_back(chain);
+      }
+    }
+  }
+  return chains;
+}
+
+bool overlap(const Chain& a, const Chain& b) {
+  return a.border == b.border && std::any_of(a.runs.begin(), a.runs.end(), [&](Index r) {
+           return std::find(b.runs.begin(), b.runs.end(), r) != b.runs.end();
+         });
+}
+
+/// Distances of the inner corners from the chain's start.
+std::vector<double> corners_of(const SeamModel& m, const std::vector<Index>& runs) {
+  std::vector<double> at;
+  double s = 0;
+  for (std::size_t k = 0; k + 1 < runs.size(); ++k) at.push_back(s += m.runs[runs[k]].length);
+  return at;
+}
+
+double meeting_distance(double length_mm) { return std::max(kMeetAtLeast, kMeet * length_mm); }
+
+/// Corners of b run backwards, scaled to a's length, ascending.
+std::vector<double> seen_from(const SeamModel& m, const Chain& a, const Chain& b) {
+  std::vector<double> at = corners_of(m, b.runs);
+  std::reverse(at.begin(), at.end());
+  for (double& s : at) s = (b.length - s) * a.length / b.length;
+  return at;
+}
+
+std::size_t meeting_corners(const SeamModel& m, const Chain& a, const Chain& b) {
+  const std::vector<double> other = seen_from(m, a, b);
+  const double near = meeting_distance(a.length);
+  std::size_t met = 0;
+  for (const double s : corners_of(m, a.runs))
+    met += std::any_of(other.begin(), other.end(), [&](double x) { return std::abs(x - s) <= near; });
+  return met;
+}
+
+/// What speaks for the two chains before the surface is looked at.
+double series_merit(const SeamModel& m, const Chain& a, const Chain& b) {
+  double merit = length_merit(a.length, b.length);
+  merit += std::min(2.5, kPerCorner * static_cast<double>(meeting_corners(m, a, b)));
+  if (a.whole && b.whole) merit += 2.5;
+  return merit;
+}
+
+std::vector<Trial> trials_of(const SeamModel& m, const std::vector<Chain>& chains) {
+  std::vector<Trial> trials;
+  for (std::size_t i = 0; i < chains.size(); ++i) {
+    for (std::size_t j = i + 1; j < chains.size(); ++j) {
+      const Chain &a = chains[i], &b = chains[j];
+      if (a.runs.size() + b.runs.size() < 3 || overlap(a, b)) continue;
+      const double ratio = std::max(a.length, b.length) / std::min(a.length, b.length);
+      if (ratio > (a.whole && b.whole ? 1.7 : 1.12)) continue;
+      trials.push_back({i, j, series_merit(m, a, b)});
+    }
+  }
+  std::stable_sort(trials.begin(), trials.end(),
+                   [](const Trial& x, const Trial& y) { return x.worth > y.worth; });
+  if (trials.size() > kMostTrials) trials.resize(kMostTrials);
+  return trials;
+}
+
+/// Cuts the chain's runs at the distances that are no corner of it yet; gives its runs after that.
+std::vector<Index> cut_chain(const Pattern& pattern, SeamModel& m, const SeamGluing& g,
+                             const std::vector<Index>& runs, const std::vector<double>& places, double near) {
+  std::vector<Index> parts;
+  double start = 0;
+  for (const Index r : runs) {
+    const double length = m.runs[r].length;
+    const bool backwards = g.turned[m.runs[r].panel] != 0;
+    std::vector<double> cuts;
+    for (const double s : places)
+      if (s > start + near && s < start + length - near)
+        cuts.push_back(backwards ? start + length - s : s - start);
+    std::sort(cuts.begin(), cuts.end());
+    if (!cuts.empty()) m = with_cuts(pattern, std::move(m), r, cuts);
+    std::vector<Index> here{r};
+    for (std::size_t k = 0; k < cuts.size(); ++k) here.push_back(m.runs[here.back()].next);
+    if (backwards) std::reverse(here.begin(), here.end());
+    parts.insert(parts.end(), here.begin(), here.end());
+    start += length;
+  }
+  return parts;
+}
+
+void grow(SeamGluing& g, std::size_t runs) {
+  g.partner.resize(runs, kNone);
+  g.merit.resize(runs);
+}
+
+/// `found` with the two chains sewn, or nothing when their corners do not come out even.
+std::optional<FoundSeams> with_series(const Pattern& pattern, const FoundSeams& found, const Chain& a,
+                                      const Chain& b, double worth) {
+  FoundSeams next{found.model, found.gluing, found.seams};
+  const double near = meeting_distance(a.length);
+  std::vector<double> from_a = corners_of(found.model, a.runs);
+  for (double& s : from_a) s = b.length - s * b.length / a.length;
+  std::reverse(from_a.begin(), from_a.end());
+  const std::vector<double> from_b = seen_from(found.model, a, b);
+  FoundSeam seam;
+  seam.a = cut_chain(pattern, next.model, next.gluing, a.runs, from_b, near);
+  seam.b = cut_chain(pattern, next.model, next.gluing, b.runs, from_a, near * b.length / a.length);
+  if (seam.a.size() != seam.b.size()) return std::nullopt;
+  std::reverse(seam.b.begin(), seam.b.end());
+  grow(next.gluing, next.model.runs.size());
+  const double share = 1.0 / static_cast<double>(seam.a.size());
+  for (std::size_t k = 0; k < seam.a.size(); ++k) {
+    std::array<double, 2> merit = pair_merit(next.model, seam.a[k], seam.b[k], false);
+    for (double& x : merit) x = (x + worth) * share;
+    next.gluing.sew(seam.a[k], seam.b[k], merit);
+  }
+  next.seams.push_back(std::move(seam));
+  return next;
+}
+
+}  // namespace
+
+void sew_series(const Pattern& pattern, FoundSeams& found, const std::vector<char>& locked,
+                const GluingSettings& settings, const RunContext& context) {
+  for (int round = 0; round < 20 && !context.cancelled(); ++round) {
+    const std::vector<Chain> chains = chains_of(found.model, free_borders(found.model, found.gluing), locked);
+    const double now = gluing_merit(found.model, found.gluing, settings);
+    std::optional<FoundSeams> best;
+    double gain = kWorthwhile;
+    for (const Trial& trial : trials_of(found.model, chains)) {
+      auto next = with_series(pattern, found, chains[trial.a], chains[trial.b], trial.worth);
+      if (!next) continue;
+      const double merit = gluing_merit(next->model, next->gluing, settings) - now;
+      if (merit > gain) {
+        gain = merit;
+        best = std::move(next);
+      }
+    }
+    if (!best) return;
+    found = std::move(*best);
+  }
+}
+
+}  // namespace toile

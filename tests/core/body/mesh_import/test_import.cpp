@@ -1,0 +1,186 @@
+#include "core/body/mesh_import/import.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "core/body/mesh_import/message.h"
+#include "tests/core/body/mesh_checks.h"
+
+namespace toile {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A cube with one lid turned over and another missing.
+constexpr const char* kCube =
+    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+    "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 2 3 7 6\nf 1 4 8 5\n";
+
+/// A program that stands in for the reader of another process, and does what the script says.
+class ImportMesh : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("toile_import_mesh_" + std::to_string(::getpid()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string write(const std::string& name, const std::string& bytes) {
+    std::ofstream(folder_ / name, std::ios::binary) << bytes;
+    return (folder_ / name).string();
+  }
+  MeshImporter played_by(const std::string& script) {
+    const std::string path = write("reader.sh", "#!/bin/sh\n" + script + "\n");
+    ::chmod(path.c_str(), 0700);
+    ChildLimits limits = mesh_import_limits();
+    limits.memory_bytes = std::uint64_t{256} << 20;
+    limits.cpu_s = 1;
+    limits.wall_s = 0.5;
+    limits.output_bytes = 1 << 20;
+    return MeshImporter(path, limits);
+  }
+  Error error_of(const std::string& script) {
+    const Result<RepairedMesh> mesh = played_by(script).bytes("given.obj", kCube, {});
+    return mesh ? Error{"ok", "", ""} : mesh.error();
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(ImportMesh, ReadsAndMendsInThisProcessWithoutAReader) {
+  const MeshImporter here;
+  const std::string path = write("cube.obj", kCube);
+  for (const Result<RepairedMesh>& mesh :
+       {here.file(path, {}), here.bytes("cube.obj", kCube, {}), here.stored(path, "cube.obj", {})}) {
+    ASSERT_TRUE(mesh) << to_string(mesh.error());
+    EXPECT_EQ(mesh->repairs.turned, 2);
+    EXPECT_EQ(open_edges(mesh->mesh), 0);
+    EXPECT_NEAR(volume(mesh->mesh), 1, 1e-12);
+  }
+}
+
+TEST_F(ImportMesh, TakesWhatTheReaderSends) {
+  const Result<RepairedMesh> mesh = MeshImporter().bytes("cube.obj", kCube, {});
+  const std::string path = write("message", mesh_message(mesh));
+  const Result<RepairedMesh> sent = played_by("cat " + path).bytes("cube.obj", kCube, {});
+  ASSERT_TRUE(sent) << to_string(sent.error());
+  EXPECT_EQ(sent->mesh.vertices, mesh->mesh.vertices);
+  EXPECT_EQ(sent->mesh.triangles, mesh->mesh.triangles);
+  EXPECT_EQ(sent->repairs, mesh->repairs);
+}
+
+TEST_F(ImportMesh, GivesTheReaderTheBytesAndTheSettings) {
+  const std::string script =
+      "read first; text=\"$* [$first]\"; printf 'TOILEMSH\\0\\0\\0\\0'"
+      "; for part in mesh.unreadable \"$text\" here; do printf \"\\\\$(printf %o ${#part})\\\\0\\\\0\\\\0\"; "
+      "printf %s \"$part\"; done";
+  const Result<RepairedMesh> mesh =
+      played_by(script).bytes("given.obj", kCube, {.unit_in_m = 0.01, .z_up = true});
+  ASSERT_FALSE(mesh);
+  EXPECT_EQ(mesh.error().code, "mesh.unreadable");
+  EXPECT_EQ(mesh.error().message, "import-mesh bytes given.obj 0.01 z [v 0 0 0]");
+  EXPECT_EQ(mesh.error().where, "here");
+}
+
+TEST_F(ImportMesh, TellsOfAReaderThatCrashes) {
+  const Error error = error_of("kill -SEGV $$");
+  EXPECT_EQ(error.code, "mesh.crashed");
+  EXPECT_EQ(error.where, "given.obj");
+  EXPECT_NE(error.message.find("signal 11"), std::string::npos) << error.message;
+  EXPECT_NE(error.message.find("export it anew"), std::string::npos) << error.message;
+  EXPECT_EQ(error_of("kill -ABRT $$").code, "mesh.crashed");
+}
+
+TEST_F(ImportMesh, TellsOfAReaderThatHangs) {
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(error_of("exec sleep 1000").code, "mesh.too_long");
+  EXPECT_EQ(error_of("while :; do :; done").code, "mesh.too_long");
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+}
+
+TEST_F(ImportMesh, TellsOfAReaderThatEatsMemory) {
+  const Error error = error_of("x=aaaaaaaaaaaaaaaa; while :; do x=$x$x; done; echo never");
+  EXPECT_TRUE(error.code == "mesh.crashed" || error.code == "mesh.too_long") << to_string(error);
+}
+
+TEST_F(ImportMesh, TellsOfAReaderThatFloodsItsOutput) {
+  EXPECT_EQ(error_of("exec cat /dev/zero").code, "mesh.too_large");
+}
+
+TEST_F(ImportMesh, TellsOfAReaderThatTalksNonsense) {
+  EXPECT_EQ(error_of("exit 0").code, "mesh.crashed");
+  EXPECT_EQ(error_of("exit 7").code, "mesh.crashed");
+  EXPECT_EQ(error_of("echo hello").code, "mesh.crashed");
+  EXPECT_EQ(error_of("printf 'TOILEMSH\\1\\0\\0\\0'").code, "mesh.crashed");
+}
+
+TEST_F(ImportMesh, SaysThatTheReaderIsMissing) {
+  const Result<RepairedMesh> mesh = MeshImporter("/no/such/reader").bytes("a.obj", kCube, {});
+  ASSERT_FALSE(mesh);
+  EXPECT_EQ(mesh.error().code, "mesh.reader");
+  EXPECT_EQ(mesh.error().where, "a.obj");
+}
+
+TEST_F(ImportMesh, ServesManyThreadsTwoAtATime) {
+  const std::string path = write("message", mesh_message(MeshImporter().bytes("cube.obj", kCube, {})));
+  const MeshImporter importer = played_by("cat " + path);
+  std::atomic<int> good{0};
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 6; ++i) {
+    threads.emplace_back([&] { good += importer.bytes("cube.obj", kCube, {}).ok(); });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(good, 6);
+}
+
+TEST(MeshMessage, ComesBackAsItWasSent) {
+  const Result<RepairedMesh> mesh = MeshImporter().bytes("cube.obj", kCube, {});
+  const Result<RepairedMesh> back = parse_mesh_message(mesh_message(mesh));
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->mesh.vertices, mesh->mesh.vertices);
+  EXPECT_EQ(back->repairs, mesh->repairs);
+  const Error error{"mesh.unreadable", "Words.", "a.obj: vertex 3"};
+  const Result<RepairedMesh> told = parse_mesh_message(mesh_message(error));
+  ASSERT_FALSE(told);
+  EXPECT_EQ(to_string(told.error()), to_string(error));
+}
+
+TEST(MeshMessage, IsRefusedWhenItIsCutOrChangedAnywhere) {
+  const std::string whole = mesh_message(MeshImporter().bytes("cube.obj", kCube, {}));
+  for (std::size_t length = 0; length < whole.size(); ++length) {
+    EXPECT_FALSE(parse_mesh_message(whole.substr(0, length))) << length;
+  }
+  EXPECT_FALSE(parse_mesh_message(whole + "x"));
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    std::string changed = whole;
+    changed[i] = static_cast<char>(0xff);
+    const Result<RepairedMesh> mesh = parse_mesh_message(changed);
+    if (!mesh) continue;
+    for (const Tri& t : mesh->mesh.triangles) {
+      for (const Index v : t) ASSERT_LT(static_cast<std::size_t>(v), mesh->mesh.vertices.size());
+    }
+    for (const Vec3& p : mesh->mesh.vertices) ASSERT_TRUE(is_finite(p));
+  }
+}
+
+TEST(MeshMessage, TakesNoStrangeCodesFromAReader) {
+  EXPECT_EQ(parse_mesh_message(mesh_message(Error{"store.full", "", ""})).error().code, "mesh.crashed");
+  EXPECT_EQ(parse_mesh_message(mesh_message(Error{"mesh.<b>", "", ""})).error().code, "mesh.crashed");
+  const Error long_one{"mesh.unreadable", std::string(5000, 'x') + "\x1b[31m", "a\nb"};
+  const Error back = parse_mesh_message(mesh_message(long_one)).error();
+  EXPECT_LE(back.message.size(), 1000u);
+  EXPECT_EQ(back.where, "a b");
+}
+
+}  // namespace
+}  // namespace toile

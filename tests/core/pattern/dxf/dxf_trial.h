@@ -1,0 +1,79 @@
+#pragma once
+// Reading small drawings in tests, and asking what came of it.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <string>
+#include <utility>
+
+#include "core/geometry/polygon2.h"
+#include "core/pattern/curve.h"
+#include "core/pattern/dxf/read.h"
+#include "tests/core/pattern/dxf/dxf_text.h"
+
+namespace toile::dxf_text {
+
+/// The drawing; a failure when it cannot be read, or when its report leaves anything out.
+inline DxfDrawing read_trial(const std::string& text, const DxfSettings& settings = {}) {
+  Result<DxfDrawing> drawing = read_dxf(text, settings);
+  if (!drawing) {
+    ADD_FAILURE() << to_string(drawing.error());
+    return {};
+  }
+  const DxfReport& r = drawing->report;
+  EXPECT_EQ(r.records, r.structure + r.elsewhere + r.vertices + r.entities);
+  EXPECT_EQ(r.entities, r.kept + r.converted + r.dropped);
+  std::size_t listed = 0;
+  for (const DxfEntityGroup& g : r.groups) {
+    listed += g.lines.size();
+    EXPECT_NE(g.reason, "nothing is made of it") << g.type << " on layer " << g.layer;
+  }
+  EXPECT_EQ(listed, r.entities);
+  return *drawing;
+}
+
+/// Whether a warning or the reason of any entity has these words.
+inline bool told(const DxfDrawing& drawing, const std::string& words) {
+  const auto has = [&](const std::string& text) { return text.find(words) != std::string::npos; };
+  return std::any_of(drawing.notes.begin(), drawing.notes.end(), has) ||
+         std::any_of(drawing.report.groups.begin(), drawing.report.groups.end(),
+                     [&](const DxfEntityGroup& g) { return has(g.reason); });
+}
+
+inline double area_of(const DxfPiece& piece) { return std::abs(signed_area(piece.outline)); }
+
+/// The panel; a failure when the piece makes none.
+inline Panel panel_of(const DxfPiece& piece) {
+  const Result<Panel> panel = panel_from_piece(piece);
+  EXPECT_TRUE(panel) << (panel ? "" : to_string(panel.error()));
+  return panel ? *panel : Panel{};
+}
+
+inline std::string point(Vec2 at, const std::string& layer) {
+  return groups({{0, "POINT"}, {8, layer}, {10, number(at.x)}, {20, number(at.y)}});
+}
+
+/// A rectangle as four open POLYLINEs, one for each side, from the lower left corner counter-clockwise.
+inline std::string open_sides(Vec2 at, double width, double height, const std::string& layer) {
+  const Vec2 b = at + Vec2{width, 0}, c = at + Vec2{width, height}, d = at + Vec2{0, height};
+  return polyline({at, b}, layer, 0) + polyline({b, c}, layer, 0) + polyline({c, d}, layer, 0) +
+         polyline({d, at}, layer, 0);
+}
+
+/// One block of a piece, as pattern systems write it.
+inline std::string piece_block(const std::string& name, const std::string& body) { return block(name, body); }
+
+inline std::string blocks_and_inserts(std::initializer_list<std::pair<std::string, std::string>> list,
+                                      const std::string& more = "") {
+  std::string blocks, inserts;
+  for (const auto& [name, body] : list) {
+    blocks += piece_block(name, body);
+    inserts += insert(name, {0, 0});
+  }
+  return section("BLOCKS", blocks) + entities(inserts + more);
+}
+
+}  // namespace toile::dxf_text

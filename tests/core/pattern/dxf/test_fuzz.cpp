@@ -1,0 +1,261 @@
+// Random damage to files of every dialect: reading them ends with a drawing whose report sums up, or with an
+// error; never with a crash, a hang or a piece that is none. Deterministic: a case is its number.
+
+#include <chrono>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <vector>
+
+#include "core/pattern/validate.h"
+#include "tests/core/pattern/dxf/dxf_trial.h"
+
+namespace toile {
+namespace {
+
+using namespace dxf_text;
+
+/// S. Vigna's splitmix64.
+class Chance {
+ public:
+  explicit Chance(std::uint64_t seed) : state_(seed) {}
+  std::uint64_t next() {
+    state_ += 0x9E3779B97F4A7C15u;
+    std::uint64_t z = state_;
+    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
+    z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
+    return z ^ (z >> 31);
+  }
+  std::size_t below(std::size_t n) { return n == 0 ? 0 : static_cast<std::size_t>(next() % n); }
+
+ private:
+  std::uint64_t state_;
+};
+
+std::string graded_blocks() {
+  std::string blocks, inserts;
+  for (int size = 42; size <= 44; size += 2) {
+    const std::string name = "FR_" + std::to_string(size);
+    blocks += block(name, open_sides({0, 0}, 200 + size, 600, "1") + line({0, 0}, {0, 600}, "6") +
+                              open_sides({10, 10}, 180 + size, 580, "14") + line({50, 100}, {50, 300}, "7") +
+                              groups({{0, "POINT"}, {8, "4"}, {10, "0"}, {20, "30"}, {30, "6"}, {50, "90"}}) +
+                              text({9, 9}, "SIZE: " + std::to_string(size), "1") +
+                              text({9, 19}, "Piece Name: FR", "1") + text({9, 29}, "Quantity:1,1", "1"));
+    inserts += insert(name, {0, 0});
+  }
+  return "999\ncomment\n" + section("BLOCKS", blocks) +
+         entities(text({0, 0}, "Sample Size: 42") + text({0, 0}, "Units: METRIC") + inserts);
+}
+
+std::string free_lines() {
+  return header(4) +
+         entities(
+             line({0, 0}, {300, 0}) + line({300, 400}, {300, 0}) +
+             groups({{0, "ARC"}, {8, "0"}, {10, "150"}, {20, "400"}, {40, "150"}, {50, "0"}, {51, "180"}}) +
+             line({0, 400}, {0, 0}) +
+             groups({{0, "SPLINE"},
+                     {8, "a"},
+                     {71, "2"},
+                     {40, "0"},
+                     {40, "0"},
+                     {40, "0"},
+                     {40, "1"},
+                     {40, "1"},
+                     {40, "1"},
+                     {10, "500"},
+                     {20, "0"},
+                     {10, "700"},
+                     {20, "300"},
+                     {10, "900"},
+                     {20, "0"}}) +
+             line({500, 0}, {900, 0}, "a") +
+             groups({{0, "LWPOLYLINE"},
+                     {8, "b"},
+                     {70, "1"},
+                     {10, "1000"},
+                     {20, "0"},
+                     {42, "0.5"},
+                     {10, "1200"},
+                     {20, "0"},
+                     {10, "1200"},
+                     {20, "300"}}) +
+             groups({{0, "ELLIPSE"},
+                     {8, "c"},
+                     {10, "1500"},
+                     {20, "0"},
+                     {11, "200"},
+                     {21, "9"},
+                     {40, "0.5"},
+                     {41, "0"},
+                     {42, "6.283185307179586"}}) +
+             text({150, 100}, "FRONT \xC7\xB0") + rectangle({100, 100}, 30, 30));
+}
+
+std::string nested_blocks() {
+  const std::string mirrored = groups({{0, "INSERT"},
+                                       {2, "A"},
+                                       {10, "10"},
+                                       {20, "5"},
+                                       {41, "-1"},
+                                       {42, "2"},
+                                       {50, "30"},
+                                       {66, "1"},
+                                       {0, "ATTRIB"},
+                                       {1, "x"},
+                                       {0, "SEQEND"}});
+  return section("TABLES", groups({{0, "TABLE"}, {2, "LAYER"}, {0, "ENDTAB"}})) +
+         section("BLOCKS", block("A", rectangle({0, 0}, 90, 200, "CUT") + rectangle({5, 5}, 80, 190, "SEW")) +
+                               block("B", mirrored + insert("B", {1, 1})) +
+                               block("A", rectangle({0, 0}, 9, 9))) +
+         entities(insert("B", {0, 0}) + insert("A", {500, 0}) + insert("A", {900, 0}));
+}
+
+/// The dialects, and the outside drawings where there are any.
+std::vector<std::string> seeds() {
+  std::vector<std::string> texts{graded_blocks(), free_lines(), nested_blocks()};
+  const char* shared = std::getenv("TOILE_SHARED");
+  if (shared == nullptr) return texts;
+  const auto folder = std::filesystem::path(shared) / "data" / "freesewing";
+  for (const char* name : {"penelope-cisFemaleAdult34.aama.dxf", "teagan-cisFemaleAdult34.aama.dxf",
+                           "variants/titan-cisFemaleAdult34.r2000-line-spline-shuffled.dxf"}) {
+    std::ifstream in(folder / name, std::ios::binary);
+    std::stringstream text;
+    text << in.rdbuf();
+    if (!text.str().empty()) texts.push_back(text.str());
+  }
+  return texts;
+}
+
+/// Damages a text in one of the ways that transfers, editors and careless writers do.
+void damage(std::string& text, Chance& chance) {
+  static const std::vector<std::string> kValues{
+      "0",     "-1",     "1e300",  "nan", "1e-300", "999999", "1",    "POINT", "EOF",    "",  "ENDSEC",
+      "BLOCK", "INSERT", "VERTEX", "14",  "8",      "6",      "-0.0", "0,5",   "SEQEND", "42"};
+  const std::size_t at = chance.below(text.size());
+  const auto line_at = [&](std::size_t from) {
+    const std::size_t begin = text.rfind('\n', from);
+    const std::size_t end = text.find('\n', from);
+    return std::pair{begin == std::string::npos ? 0 : begin + 1,
+                     end == std::string::npos ? text.size() : end};
+  };
+  switch (chance.below(7)) {
+    case 0:
+      text[at] = static_cast<char>(chance.next());
+      break;
+    case 1:
+      text.erase(at, 1 + chance.below(40));
+      break;
+    case 2: {
+      const auto [begin, end] = line_at(at);
+      if (begin <= end) text.replace(begin, end - begin, kValues[chance.below(kValues.size())]);
+      break;
+    }
+    case 3:  // a part twice
+      text.insert(at, text.substr(chance.below(text.size()), 1 + chance.below(400)));
+      break;
+    case 4: {  // an odd number of lines less: codes and values change places
+      const auto [begin, end] = line_at(at);
+      if (begin < end) text.erase(begin, std::min(text.size(), end + 1) - begin);
+      break;
+    }
+    case 5:  // a coordinate moves
+      if (const std::size_t digit = text.find_first_of("0123456789", at); digit != std::string::npos)
+        text[digit] = static_cast<char>('0' + chance.below(10));
+      break;
+    default:
+      if (chance.below(20) == 0) text.resize(at);
+  }
+}
+
+void try_case(const std::vector<std::string>& texts, std::uint64_t number) {
+  Chance chance(number);
+  std::string text = texts[chance.below(texts.size())];
+  for (std::size_t i = 0, n = 1 + chance.below(12); i < n && !text.empty(); ++i) damage(text, chance);
+  DxfSettings settings;
+  settings.max_drawn_points = 20'000;
+  if (chance.below(4) == 0) settings.size = "44";
+  const Result<DxfDrawing> drawing = read_dxf(text, settings);
+  if (!drawing) {
+    ASSERT_TRUE(drawing.error().code.starts_with("dxf.")) << number << " " << to_string(drawing.error());
+    return;
+  }
+  const DxfReport& r = drawing->report;
+  ASSERT_EQ(r.entities, r.kept + r.converted + r.dropped) << number;
+  ASSERT_FALSE(drawing->pieces.empty()) << number;
+  for (const DxfPiece& piece : drawing->pieces) {
+    for (const Vec2 p : piece.outline) ASSERT_TRUE(is_finite(p)) << number << " " << piece.name;
+    const Result<Panel> panel = panel_from_piece(piece);
+    ASSERT_TRUE(panel) << number << " " << piece.name << " " << to_string(panel.error());
+  }
+}
+
+TEST(DxfFuzz, DamagedFilesAreReadOrRefused) {
+  const std::vector<std::string> texts = seeds();
+  for (std::uint64_t number = 0; number < 800 && !testing::Test::HasFatalFailure(); ++number)
+    try_case(texts, number);
+}
+
+TEST(LongDxfFuzz, AMinuteOfDamagedFiles) {
+  const std::vector<std::string> texts = seeds();
+  const auto start = std::chrono::steady_clock::now();
+  std::uint64_t number = 1'000'000;
+  while (std::chrono::steady_clock::now() - start < std::chrono::seconds(60) &&
+         !testing::Test::HasFatalFailure())
+    try_case(texts, number++);
+  std::printf("cases 1000000 to %llu\n", static_cast<unsigned long long>(number));
+}
+
+/// A star-shaped outline of random radii, counter-clockwise.
+std::vector<Vec2> random_outline(Chance& chance) {
+  const std::size_t n = 4 + chance.below(60);
+  std::vector<Vec2> points;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double angle = 6.283185307179586 * double(i) / double(n), r = 250 + double(chance.below(200));
+    points.push_back({500 + r * std::cos(angle), 500 + r * std::sin(angle)});
+  }
+  return points;
+}
+
+TEST(DxfProperty, AnOutlineInPiecesOfAnyOrderAndDirectionReadsAsItself) {
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    Chance chance(seed);
+    const std::vector<Vec2> points = random_outline(chance);
+    std::vector<std::string> strokes;
+    for (std::size_t i = 0, n = points.size(); i < n; ++i) {
+      const Vec2 a = points[i], b = points[(i + 1) % n];
+      strokes.push_back(chance.below(2) == 0 ? line(a, b, "1") : line(b, a, "1"));
+    }
+    for (std::size_t i = strokes.size() - 1; i > 0; --i) std::swap(strokes[i], strokes[chance.below(i + 1)]);
+    std::string body;
+    for (const std::string& stroke : strokes) body += stroke;
+    const DxfDrawing d = read_trial(header(4) + entities(body));
+    ASSERT_EQ(d.pieces.size(), 1u) << seed;
+    EXPECT_NEAR(area_of(d.pieces[0]), signed_area(points), 1) << seed;
+    EXPECT_EQ(d.pieces[0].outline.size(), points.size()) << seed;
+  }
+}
+
+TEST(DxfProperty, AHalfUnfoldsToTwiceItsArea) {
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    Chance chance(seed);
+    std::vector<Vec2> half{{0, 0}};
+    for (int i = 1; i < 20; ++i) {  // from the fold's lower end round to its upper end, away from the fold
+      const double angle = -1.5707963 + 3.1415926 * i / 20, r = 250 + double(chance.below(100));
+      half.push_back({std::max(20.0, r * std::cos(angle)), 400 + r * std::sin(angle)});
+    }
+    half.push_back({0, 800});
+    std::string body = groups({{0, "LWPOLYLINE"}, {8, "1"}, {70, "1"}});
+    for (const Vec2 p : half) body += groups({{10, number(p.x)}, {20, number(p.y)}});
+    const DxfDrawing d =
+        read_trial(header(4) + section("BLOCKS", block("A", body + line({0, 0}, {0, 800}, "6"))) +
+                   entities(insert("A", {0, 0})));
+    ASSERT_EQ(d.pieces.size(), 1u) << seed;
+    EXPECT_TRUE(d.pieces[0].unfolded) << seed;
+    EXPECT_NEAR(area_of(d.pieces[0]), 2 * std::abs(signed_area(half)), 1) << seed;
+  }
+}
+
+}  // namespace
+}  // namespace toile
