@@ -17,7 +17,7 @@ void even(Vec3& left, Vec3& right, double middle) {
   right = image(left);
 }
 
-bool is_within(const std::vector<Vec2>& outline, const Box2& box, Vec2 p, double margin) {
+bool is_within(const std::vector<Vec2>& outline, const Aabb2& box, Vec2 p, double margin) {
   if (!box.contains(p)) return false;
   if (contains(outline, p)) return true;
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -45,7 +45,7 @@ BodyFigure alike_on_both_sides(BodyFigure f) {
 }
 
 double BodyStand::reach(const std::vector<Vec2>& outline, int face, double margin) const {
-  const Box2 box = bounding_box(outline).grown(margin);
+  const Aabb2 box = bounding_box(outline).grown(margin);
   double most = face * figure_.armpit[0].z;
   for (const Vec3& p : mesh_.vertices) {
     if (face * p.z <= most) continue;
@@ -72,7 +72,7 @@ double BodyStand::height_of_ring(double girth) const {
 
 Vec2 BodyStand::middle_at(double height) const {
   const BodyCut cut = middle_cut(mesh_, height, figure_.middle);
-  return {figure_.middle, cut.points.empty() ? figure_.armpit[0].z : cut.centre().z};
+  return {figure_.middle, cut.points.empty() ? figure_.armpit[0].z : cut.box.middle().z};
 }
 
 double BodyStand::half_breadth_above(double height) const {

@@ -10,9 +10,9 @@ namespace {
 
 /// Whether two outlines lie in each other or are nearer than `gap`.
 bool too_near(const std::vector<Vec2>& a, const std::vector<Vec2>& b, double gap) {
-  const Box2 box_a = bounding_box(a).grown(gap), box_b = bounding_box(b);
-  if (box_a.min.x > box_b.max.x || box_b.min.x > box_a.max.x || box_a.min.y > box_b.max.y ||
-      box_b.min.y > box_a.max.y)
+  const Aabb2 box_a = bounding_box(a).grown(gap), box_b = bounding_box(b);
+  if (box_a.low.x > box_b.high.x || box_b.low.x > box_a.high.x || box_a.low.y > box_b.high.y ||
+      box_b.low.y > box_a.high.y)
     return false;
   const auto near_one = [&](const std::vector<Vec2>& points, const std::vector<Vec2>& loop) {
     return std::any_of(points.begin(), points.end(), [&](Vec2 p) {
@@ -27,8 +27,8 @@ bool too_near(const std::vector<Vec2>& a, const std::vector<Vec2>& b, double gap
 }
 
 /// Upwards, downwards or sideways, as the two lie to each other.
-Vec2 way_apart(const Box2& a, const Box2& b) {
-  const Vec2 d = (b.min + b.max) * 0.5 - (a.min + a.max) * 0.5;
+Vec2 way_apart(const Aabb2& a, const Aabb2& b) {
+  const Vec2 d = b.middle() - a.middle();
   const Vec2 room = (a.size() + b.size()) * 0.5;
   const bool sideways = std::abs(d.x) / std::max(room.x, 1e-6) >= std::abs(d.y) / std::max(room.y, 1e-6);
   return sideways ? Vec2{d.x < 0 ? -1.0 : 1.0, 0} : Vec2{0, d.y < 0 ? -1.0 : 1.0};

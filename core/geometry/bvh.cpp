@@ -2,6 +2,8 @@
 
 #include <numeric>
 
+#include "core/base/aabb.h"
+
 namespace toile {
 
 namespace {
@@ -50,11 +52,7 @@ void part_by_place(std::span<Index> order, std::span<const Box3> boxes, std::siz
 }
 
 Box3 box_around(std::initializer_list<Vec3> points, double margin) {
-  Vec3 lo = *points.begin(), hi = lo;
-  for (const Vec3& p : points) {
-    lo = {std::min(lo.x, p.x), std::min(lo.y, p.y), std::min(lo.z, p.z)};
-    hi = {std::max(hi.x, p.x), std::max(hi.y, p.y), std::max(hi.z, p.z)};
-  }
+  const auto [lo, hi] = bounding_box({points.begin(), points.size()});
   const double scale = std::max(
       {1.0, std::abs(lo.x), std::abs(lo.y), std::abs(lo.z), std::abs(hi.x), std::abs(hi.y), std::abs(hi.z)});
   const double m = margin + kRounding * scale;

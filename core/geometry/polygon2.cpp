@@ -6,19 +6,9 @@
 
 namespace toile {
 
-Box2 bounding_box(std::span<const Vec2> points) {
-  if (points.empty()) return {};
-  Box2 box{points[0], points[0]};
-  for (Vec2 p : points) {
-    box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y)};
-    box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y)};
-  }
-  return box;
-}
-
-double distance(const Box2& box, Vec2 p) {
-  return length(Vec2{std::max({box.min.x - p.x, 0.0, p.x - box.max.x}),
-                     std::max({box.min.y - p.y, 0.0, p.y - box.max.y})});
+double distance(const Aabb2& box, Vec2 p) {
+  return length(Vec2{std::max({box.low.x - p.x, 0.0, p.x - box.high.x}),
+                     std::max({box.low.y - p.y, 0.0, p.y - box.high.y})});
 }
 
 double signed_area(std::span<const Vec2> loop) {

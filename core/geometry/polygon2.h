@@ -7,24 +7,12 @@
 #include <span>
 #include <vector>
 
-#include "core/base/types.h"
+#include "core/base/aabb.h"
 
 namespace toile {
 
-struct Box2 {
-  Vec2 min, max;
-
-  Vec2 size() const { return max - min; }
-  bool contains(Vec2 p) const { return p.x >= min.x && p.x <= max.x && p.y >= min.y && p.y <= max.y; }
-  bool contains(const Box2& b) const { return contains(b.min) && contains(b.max); }
-  Box2 grown(double by) const { return {min - Vec2{by, by}, max + Vec2{by, by}}; }
-};
-
-/// The smallest box around the points; a null box at the origin when there are none.
-Box2 bounding_box(std::span<const Vec2> points);
-
 /// Distance from p to the box, 0 inside.
-double distance(const Box2& box, Vec2 p);
+double distance(const Aabb2& box, Vec2 p);
 
 /// Area of the loop, positive when it runs counter-clockwise; areas wound twice count twice.
 double signed_area(std::span<const Vec2> loop);

@@ -92,8 +92,8 @@ std::vector<Vec2> lattice_points(std::span<const Polygon> loops, double spacing,
   if (segments.empty()) return {};
   std::vector<Vec2> corners;
   for (const Segment& s : segments) corners.push_back(s.a);
-  const Box2 box = bounding_box(corners);
-  const Vec2 low = box.min, size = box.size();
+  const Aabb2 box = bounding_box(corners);
+  const Vec2 low = box.low, size = box.size();
   const double dy = size.y / std::max(1.0, std::round(size.y / (spacing * std::sqrt(0.75))));
   const double dx = size.x / std::max(1.0, std::round(size.x / spacing));
   if (!(dx > 0 && dy > 0)) return {};

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "core/base/aabb.h"
 #include "core/base/units.h"
 #include "core/geometry/polygon2.h"
 #include "core/mesh/grid_triangulation.h"
@@ -58,18 +59,17 @@ Vec2 off_grid(const GridPoint& p, Vec2 origin) {
 /// Refuses what has no place on the grid or would need too much memory.
 Status check_loops(std::span<const Polygon> loops, double particle_distance) {
   if (loops.empty()) return Error{"mesh.too_few_points", "The piece has no outline.", ""};
-  Vec2 low{1e300, 1e300}, high{-1e300, -1e300};
+  Aabb2 box;
   for (const Polygon& loop : loops) {
     if (loop.size() < 3) {
       return Error{"mesh.too_few_points", "An outline needs three points to enclose anything.", ""};
     }
     for (const Vec2 p : loop) {
       if (!is_finite(p)) return Error{"mesh.not_finite", "An outline has a point that is not a number.", ""};
-      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+      box.add(p);
     }
   }
-  if (std::max(high.x - low.x, high.y - low.y) >= GridTriangulation::kGridExtent * kGrid) {
+  if (std::max(box.size().x, box.size().y) >= GridTriangulation::kGridExtent * kGrid) {
     return Error{"mesh.piece_too_large", "The piece is larger than 13 m; check the unit of its file.", ""};
   }
   const double particles = particle_estimate(std::fabs(enclosed_area(loops)), particle_distance);
@@ -86,9 +86,7 @@ GridPiece border_on_grid(std::span<const Polygon> loops) {
   GridPiece piece;
   piece.origin = loops[0][0];
   for (const Polygon& loop : loops) {
-    for (const Vec2 p : loop) {
-      piece.origin = {std::min(piece.origin.x, p.x), std::min(piece.origin.y, p.y)};
-    }
+    for (const Vec2 p : loop) piece.origin = least_of(piece.origin, p);
   }
   for (const Polygon& loop : loops) {
     const auto first = static_cast<Index>(piece.points.size()), n = static_cast<Index>(loop.size());

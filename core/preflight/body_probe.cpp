@@ -16,14 +16,9 @@ double volume(Vec3 a, Vec3 b, Vec3 c, Vec3 p) { return dot(cross(b - a, c - a), 
 }  // namespace
 
 BodyProbe::BodyProbe(const Body& body)
-    : body_(&body), crossing_(make_crossing_body(body.mesh.vertices, body.mesh.triangles)) {
-  if (body.mesh.vertices.empty()) return;
-  low_ = high_ = body.mesh.vertices[0];
-  for (const Vec3& p : body.mesh.vertices) {
-    low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y), std::min(low_.z, p.z)};
-    high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y), std::max(high_.z, p.z)};
-  }
-}
+    : body_(&body),
+      crossing_(make_crossing_body(body.mesh.vertices, body.mesh.triangles)),
+      box_(bounding_box(body.mesh.vertices)) {}
 
 /// Calls visit(triangle) for every triangle that the segment passes through, some of them more than once,
 /// until it returns false.
@@ -76,11 +71,10 @@ bool BodyProbe::meets(Vec3 from, Vec3 to) const {
 }
 
 bool BodyProbe::contains(Vec3 p) const {
-  if (p.x < low_.x || p.y < low_.y || p.z < low_.z || p.x > high_.x || p.y > high_.y || p.z > high_.z)
-    return false;
+  if (!box_.contains(p)) return false;
   // Slanted, so that a ray hardly runs along an edge of a body that is built on axes.
   constexpr Vec3 kWays[3] = {{0.0131, 1, 0.0217}, {1, 0.0173, -0.0291}, {-0.0253, 0.0119, 1}};
-  const double far = 1.1 * length(high_ - low_) + 0.01;
+  const double far = 1.1 * length(box_.size()) + 0.01;
   return std::all_of(kWays, kWays + 3, [&](Vec3 way) { return hits(p, p + way * far).size() % 2 == 1; });
 }
 
@@ -106,8 +100,8 @@ std::vector<SlicePart> slice_parts(const TriangleMesh& mesh, const PlaneFrame& p
   for (std::size_t i = 0; i < cut.points.size(); ++i)
     parts[cut.part[i]].points.push_back(plane.flat(cut.points[i]));
   for (SlicePart& part : parts) {
-    const Box2 box = bounding_box(part.points);
-    part.centre = (box.min + box.max) * 0.5;
+    const Aabb2 box = bounding_box(part.points);
+    part.centre = box.middle();
   }
   return parts;
 }

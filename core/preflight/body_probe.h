@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/aabb.h"
 #include "core/body/body.h"
 #include "core/collision/crossings.h"
 #include "core/geometry/bvh.h"
@@ -19,9 +20,8 @@ class BodyProbe {
 
   const Body& body() const { return *body_; }
   const CrossingBody& crossing() const { return crossing_; }
-  Vec3 low() const { return low_; }    ///< m, corner of the bounding box
-  Vec3 high() const { return high_; }  ///< m
-  double height() const { return high_.y - low_.y; }
+  const Aabb3& box() const { return box_; }  ///< m, around the body
+  double height() const { return box_.size().y; }
 
   /// Parameters t in (0, 1), rising, at which the segment passes through a triangle; exact but for t itself.
   std::vector<double> hits(Vec3 from, Vec3 to) const;
@@ -35,7 +35,7 @@ class BodyProbe {
 
   const Body* body_;
   CrossingBody crossing_;
-  Vec3 low_, high_;
+  Aabb3 box_;
 };
 
 std::vector<BodyProbe> make_probes(std::span<const Body> bodies);

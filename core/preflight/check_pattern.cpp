@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/base/aabb.h"
 #include "core/base/units.h"
 #include "core/pattern/curve.h"
 
@@ -50,21 +51,17 @@ Vec3 centre_of(const Assembly& assembly, Index panel) {
   return sum * (1.0 / std::max<Index>(1, g.first_vertex[panel + 1] - g.first_vertex[panel]));
 }
 
-/// Diagonal of the flat piece's box, m.
+/// The longer side of the flat piece's box, m.
 double extent_of(const PanelMesh& mesh) {
-  Vec2 low = mesh.rest.front(), high = low;
-  for (const Vec2 p : mesh.rest) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  return std::max(high.x - low.x, high.y - low.y);
+  const Vec2 size = bounding_box(mesh.rest).size();
+  return std::max(size.x, size.y);
 }
 
 /// The garment against the bodies.
 void check_scale(const PreflightInput& in, std::span<const BodyProbe> probes, const Assembly& assembly,
                  Findings& findings) {
   double tallest = 0;
-  for (const BodyProbe& probe : probes) tallest = std::max(tallest, length(probe.high() - probe.low()));
+  for (const BodyProbe& probe : probes) tallest = std::max(tallest, length(probe.box().size()));
   if (!(tallest > 0)) return;
   double largest = 0;
   Index at = kNone;
@@ -133,7 +130,7 @@ void check_places(const PreflightInput& in, std::span<const BodyProbe> probes, c
     const Vec3 c = centre_of(assembly, p);
     double least = 1e9;
     for (const BodyProbe& probe : probes) {
-      const Vec3 lo = probe.low(), hi = probe.high();
+      const auto& [lo, hi] = probe.box();
       const Vec3 out{std::max({lo.x - c.x, c.x - hi.x, 0.0}), std::max({lo.y - c.y, c.y - hi.y, 0.0}),
                      std::max({lo.z - c.z, c.z - hi.z, 0.0})};
       least = std::min(least, length(out) - kFar * length(hi - lo));

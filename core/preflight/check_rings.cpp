@@ -220,7 +220,7 @@ std::optional<Enclosed> enclosed_by(const Ring& ring, std::span<const BodyProbe>
   for (const BodyProbe& probe : probes) {
     for (const SlicePart& part : slice_parts(probe.body().mesh, plane)) {
       if (!contains(outline, part.centre)) continue;
-      return Enclosed{plane.lifted(part.centre), probe.height(), (probe.low().x + probe.high().x) / 2};
+      return Enclosed{plane.lifted(part.centre), probe.height(), probe.box().middle().x};
     }
   }
   return std::nullopt;

@@ -157,7 +157,7 @@ std::vector<Opponent> StartField::neighbours(Index piece, Vec3 extra, double rea
   std::vector<Opponent> found;
   const Box3 box = moved(pieces_[piece].box, pieces_[piece].shift + extra, reach);
   for (Index b = 0; b < static_cast<Index>(probes_.size()); ++b) {
-    const Box3 body = box_around({probes_[b].low(), probes_[b].high()}, 0);
+    const Box3 body = box_around({probes_[b].box().low, probes_[b].box().high}, 0);
     if (overlap(box, body)) found.push_back({true, b});
   }
   for (Index q = 0; q < piece_count(); ++q) {

@@ -1,6 +1,6 @@
-#include <algorithm>
 #include <cmath>
 
+#include "core/base/aabb.h"
 #include "core/preflight/check_sides.h"
 #include "core/preflight/start_field.h"
 
@@ -53,13 +53,9 @@ bool axes_of(const Assembly& assembly, Index piece, Axes& out) {
     area += length(n);
   }
   if (length(facing) < kFlat * area || area == 0) return false;
-  Vec3 low = assembly.positions[g.first_vertex[piece]], high = low;
-  for (Index v = g.first_vertex[piece]; v < g.first_vertex[piece + 1]; ++v) {
-    const Vec3 p = assembly.positions[v];
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  out.centre = (low + high) * 0.5;
+  Aabb3 box;
+  for (Index v = g.first_vertex[piece]; v < g.first_vertex[piece + 1]; ++v) box.add(assembly.positions[v]);
+  out.centre = box.middle();
   out.axis[2] = normalized(facing);
   out.axis[0] = normalized(along_u - out.axis[2] * dot(along_u, out.axis[2]));
   out.axis[1] = cross(out.axis[2], out.axis[0]);

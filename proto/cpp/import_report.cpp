@@ -1,9 +1,9 @@
 #include "proto/cpp/import_report.h"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 
+#include "core/base/aabb.h"
 #include "core/base/units.h"
 #include "core/pattern/curve.h"
 
@@ -140,14 +140,10 @@ JsonValue report_json(const DxfReport& report) {
 PieceMeasures measures_of(const Panel& panel) {
   constexpr double kTolerance = 0.05;  // mm
   const std::vector<Vec2> outline = flatten(panel.outline, kTolerance);
-  Vec2 low = outline.front(), high = low;
-  for (const Vec2 p : outline) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
+  const Vec2 size = bounding_box(outline).size();
   double area = signed_area(panel.outline);
   for (const Loop& hole : panel.holes) area -= std::abs(signed_area(hole));
-  return {high.x - low.x, high.y - low.y, area};
+  return {size.x, size.y, area};
 }
 
 double grain_degrees(Vec2 grain) {

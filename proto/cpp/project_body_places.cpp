@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/arrange/box_places.h"
+#include "core/base/aabb.h"
 #include "core/base/units.h"
 #include "core/body/measure/lines.h"
 #include "core/body/measure/own_landmarks.h"
@@ -62,18 +63,13 @@ std::vector<Vec2> hull_of(const Panel& panel) {
   return points;
 }
 
-Vec2 middle_of(const std::vector<Vec2>& points) {
-  Vec2 low = points.front(), high = low;
-  for (const Vec2 p : points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  return (low + high) * 0.5;
-}
-
 OnBox where_on_box(const std::string& side, Vec2 at, double away, double turn,
                    const std::optional<Vec2>& anchor, bool flipped, const std::vector<Vec2>& hull) {
-  return {side_named(side), at, away, radians_from_degrees(turn), anchor ? metres(*anchor) : middle_of(hull),
+  return {side_named(side),
+          at,
+          away,
+          radians_from_degrees(turn),
+          anchor ? metres(*anchor) : bounding_box(hull).middle(),
           flipped};
 }
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 #include <utility>
 
+#include "core/base/aabb.h"
 #include "core/base/units.h"
 #include "core/pattern/curve.h"
 #include "core/pattern/seams/check.h"
@@ -100,19 +100,7 @@ Status take_dxf_piece(const DxfPiece& drawn, const DxfDrawing& drawing, const Ne
   return {};
 }
 
-struct Box {
-  Vec2 low{std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
-  Vec2 high{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::lowest()};
-};
-
-Box box_of(const Panel& panel) {
-  Box box;
-  for (const Vec2 p : flatten(panel.outline, 1)) {
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-  }
-  return box;
-}
+Aabb2 box_of(const Panel& panel) { return bounding_box(flatten(panel.outline, 1)); }
 
 /// Rows before and behind the body, each from the wearer's right to the left; right sides face outwards.
 void stand_in_rows(const NewProjectSettings& settings, NewProject& made) {
@@ -123,21 +111,20 @@ void stand_in_rows(const NewProjectSettings& settings, NewProject& made) {
     for (std::size_t p = 0; p < made.pattern.panels.size(); ++p) {
       if ((words_of(made.pattern.panels[p].id).face < 0) != back) continue;
       row.push_back(p);
-      const Box box = box_of(made.pattern.panels[p]);
-      width += metres_from_mm(box.high.x - box.low.x) + kGap;
+      width += metres_from_mm(box_of(made.pattern.panels[p]).size().x) + kGap;
     }
     std::stable_sort(row.begin(), row.end(), [&](std::size_t x, std::size_t y) {
       return words_of(made.pattern.panels[x].id).side > words_of(made.pattern.panels[y].id).side;
     });
-    double x = (settings.body_low.x + settings.body_high.x - width) / 2;  // the wearer's right is at -x
-    const double middle = (settings.body_low.y + settings.body_high.y) / 2;
+    double x = (settings.body.low.x + settings.body.high.x - width) / 2;  // the wearer's right is at -x
+    const double middle = settings.body.middle().y;
     for (const std::size_t p : row) {
-      const Box box = box_of(made.pattern.panels[p]);
+      const Aabb2 box = box_of(made.pattern.panels[p]);
       const double left = metres_from_mm(box.low.x), right = metres_from_mm(box.high.x);
       ProjectRigid& rigid = *made.project.pieces[p].placement.rigid;
       rigid.rotation.y = back ? 180 : 0;
       rigid.translation = {back ? x + right : x - left, middle - metres_from_mm(box.low.y + box.high.y) / 2,
-                           back ? settings.body_low.z - kAway : settings.body_high.z + kAway};
+                           back ? settings.body.low.z - kAway : settings.body.high.z + kAway};
       x += right - left + kGap;
     }
   }

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/aabb.h"
 #include "core/base/result.h"
 #include "core/base/run_context.h"
 #include "core/base/types.h"
@@ -23,7 +24,7 @@ struct NewProjectSettings {
   std::string body_file;     ///< and for the body
   DxfSettings dxf = {};      ///< unit and size of a DXF file
   /// Corners of the box around the body, m, y up: pieces that come without a place stand around it.
-  Vec3 body_low{-0.3, 0, -0.2}, body_high{0.3, 1.7, 0.2};
+  Aabb3 body{{-0.3, 0, -0.2}, {0.3, 1.7, 0.2}};
   /// Accepts the proposals of this confidence and above that can be sewn together; unset: none.
   std::optional<double> accept_seams;
 };

@@ -1,8 +1,8 @@
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <span>
 
+#include "core/base/aabb.h"
 #include "core/base/units.h"
 #include "core/drape/pipeline.h"
 #include "core/pattern/curve.h"
@@ -17,19 +17,10 @@
 namespace toile {
 namespace {
 
-struct Size {
-  double width = 0, height = 0;
-};
-
-Size size_of(const Panel& panel) {
+/// Breadth and height, mm.
+Vec2 size_of(const Panel& panel) {
   constexpr double kTolerance = 0.1;  // mm
-  const std::vector<Vec2> outline = flatten(panel.outline, kTolerance);
-  Vec2 low = outline.front(), high = low;
-  for (const Vec2 p : outline) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  return {high.x - low.x, high.y - low.y};
+  return bounding_box(flatten(panel.outline, kTolerance)).size();
 }
 
 double area_cm2(const Panel& panel) {
@@ -47,11 +38,7 @@ double series_length(const Pattern& pattern, const std::vector<SeamEdge>& series
   return sum;
 }
 
-double body_height(const Body& body) {
-  const auto [low, high] = std::minmax_element(body.mesh.vertices.begin(), body.mesh.vertices.end(),
-                                               [](Vec3 a, Vec3 b) { return a.y < b.y; });
-  return body.mesh.vertices.empty() ? 0 : high->y - low->y;
-}
+double body_height(const Body& body) { return bounding_box(body.mesh.vertices).size().y; }
 
 double rounded(double value) { return std::round(value * 100) / 100; }
 
@@ -60,10 +47,10 @@ JsonValue piece_json(const Panel& panel) {
   for (const PanelEdge* edge : edges_of(panel)) {
     edges.push_back(std::vector<JsonMember>{{"id", edge->id}, {"length_mm", rounded(arc_length(*edge))}});
   }
-  const Size size = size_of(panel);
+  const Vec2 size = size_of(panel);
   return std::vector<JsonMember>{{"id", panel.id},
-                                 {"width_mm", rounded(size.width)},
-                                 {"height_mm", rounded(size.height)},
+                                 {"width_mm", rounded(size.x)},
+                                 {"height_mm", rounded(size.y)},
                                  {"area_cm2", rounded(area_cm2(panel))},
                                  {"edges", edges}};
 }
@@ -89,9 +76,9 @@ JsonValue project_json(const DrapeInput& input, const Findings& findings) {
 }
 
 void print_piece(const Panel& panel, const std::string& fabric) {
-  const Size size = size_of(panel);
-  std::printf("piece %s: %s x %s mm, %s cm2, %s\n", panel.id.c_str(), fixed(size.width, 1).c_str(),
-              fixed(size.height, 1).c_str(), fixed(area_cm2(panel), 0).c_str(), fabric.c_str());
+  const Vec2 size = size_of(panel);
+  std::printf("piece %s: %s x %s mm, %s cm2, %s\n", panel.id.c_str(), fixed(size.x, 1).c_str(),
+              fixed(size.y, 1).c_str(), fixed(area_cm2(panel), 0).c_str(), fabric.c_str());
   std::string edges;
   for (const PanelEdge* edge : edges_of(panel)) {
     edges += (edges.empty() ? "" : ", ") + edge->id + " " + fixed(arc_length(*edge), 1);

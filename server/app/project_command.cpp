@@ -8,6 +8,7 @@
 #include <utility>
 #include <variant>
 
+#include "core/base/aabb.h"
 #include "core/base/write_file.h"
 #include "proto/cpp/json_codec.h"
 #include "proto/cpp/project_new.h"
@@ -83,21 +84,11 @@ void print_text(const NewProject& made, const ProjectNewOptions& options) {
 Result<NewProject> make(const ProjectNewOptions& options) {
   const std::string text = TRY(bytes_of(options.pattern));
   const RepairedMesh read = TRY(own_mesh_importer().file(options.body, {}));
-  const TriangleMesh& body = read.mesh;
   NewProjectSettings settings;
   settings.name = fs::path(options.pattern).stem().string();
   settings.pattern_file = fs::path(options.pattern).filename().string();
   settings.body_file = fs::path(options.body).filename().string();
-  settings.body_low = settings.body_high = body.vertices.front();
-  for (const Vec3 p : body.vertices) {
-    const auto lower = [](double& low, double& high, double x) {
-      low = std::min(low, x);
-      high = std::max(high, x);
-    };
-    lower(settings.body_low.x, settings.body_high.x, p.x);
-    lower(settings.body_low.y, settings.body_high.y, p.y);
-    lower(settings.body_low.z, settings.body_high.z, p.z);
-  }
+  settings.body = bounding_box(read.mesh.vertices);
   if (options.accept_seams >= 0) settings.accept_seams = options.accept_seams;
   Result<NewProject> made = new_project(text, settings);
   if (made) return made;

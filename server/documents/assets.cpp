@@ -1,12 +1,12 @@
 #include "server/documents/assets.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "core/base/aabb.h"
 #include "core/pattern/dxf/read.h"
 #include "proto/cpp/garmentcode_read.h"
 #include "proto/cpp/json_codec.h"
@@ -28,15 +28,11 @@ JsonValue rounded(double value) { return JsonValue(std::round(value * 1000) / 10
 JsonValue text_of(const std::string& text) { return JsonValue(clipped(text, kLongestText)); }
 
 JsonValue summary_of(const DxfPiece& piece) {
-  Vec2 low = piece.outline.front(), high = low;
-  for (const Vec2& p : piece.outline) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
+  const Vec2 size = bounding_box(piece.outline).size();
   return JsonValue(std::vector<JsonMember>{
       {"name", JsonValue(piece.name)},  // whole: a document refers to it
-      {"width_mm", rounded(high.x - low.x)},
-      {"height_mm", rounded(high.y - low.y)},
+      {"width_mm", rounded(size.x)},
+      {"height_mm", rounded(size.y)},
       {"points", count_of(piece.outline.size())},
       {"holes", count_of(piece.holes.size())},
       {"layer", text_of(piece.layer)},
@@ -79,19 +75,15 @@ Result<std::string> specification_info(const std::string& name, std::string_view
 Result<std::string> body_info(const std::string& name, std::string_view bytes) {
   const RepairedMesh read = TRY(shared_bodies().importer().bytes(name, bytes, {}));
   const TriangleMesh& mesh = read.mesh;
-  Vec3 low = mesh.vertices.front(), high = low;
-  for (const Vec3& p : mesh.vertices) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
+  const Vec3 size = bounding_box(mesh.vertices).size();
   std::vector<JsonValue> notes;
   for (const std::string& words : repair_words(read.repairs)) notes.push_back(text_of(words));
   return write_json_line(JsonValue(std::vector<JsonMember>{
       {"vertices", count_of(mesh.vertices.size())},
       {"triangles", count_of(mesh.triangles.size())},
-      {"width_m", rounded(high.x - low.x)},
-      {"height_m", rounded(high.y - low.y)},
-      {"depth_m", rounded(high.z - low.z)},
+      {"width_m", rounded(size.x)},
+      {"height_m", rounded(size.y)},
+      {"depth_m", rounded(size.z)},
       {"closed", JsonValue(read.repairs.open_shells == 0)},
       {"notes", JsonValue(std::move(notes))},
   }));

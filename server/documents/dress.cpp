@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/aabb.h"
 #include "core/body/measure/stance.h"
 #include "proto/cpp/names.h"
 #include "proto/cpp/project_bodies.h"
@@ -29,11 +30,7 @@ JsonValue document_part(const JsonValue& wish, const std::string& id) {
   return members;
 }
 
-double lowest(const TriangleMesh& mesh) {
-  double low = HUGE_VAL;
-  for (const Vec3& p : mesh.vertices) low = std::min(low, p.y);
-  return mesh.vertices.empty() ? 0 : low;
-}
+double lowest(const TriangleMesh& mesh) { return bounding_box(mesh.vertices).low.y; }
 
 /// The body of a document that stands as stand_body() put it. It turns about the upright axis last, and a
 /// document about z last; after half a turn about z the one is the other, backwards.

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/aabb.h"
 #include "core/base/hash.h"
 #include "core/body/mannequin/proportions.h"
 #include "core/body/measure/segments.h"
@@ -60,20 +61,6 @@ JsonValue box_json(const PartBox& box) {
                                  {"centre", vector_json(box.centre)},
                                  {"axes", std::move(axes)},
                                  {"half", vector_json(box.half)}};
-}
-
-struct Extent {
-  Vec3 low, high;
-};
-
-Extent extent_of(const TriangleMesh& mesh) {
-  Extent e;
-  if (!mesh.vertices.empty()) e.low = e.high = mesh.vertices.front();
-  for (const Vec3& p : mesh.vertices) {
-    e.low = {std::min(e.low.x, p.x), std::min(e.low.y, p.y), std::min(e.low.z, p.z)};
-    e.high = {std::max(e.high.x, p.x), std::max(e.high.y, p.y), std::max(e.high.z, p.z)};
-  }
-  return e;
 }
 
 /// The tape wants the floor at y = 0.
@@ -196,7 +183,7 @@ std::string body_presets_json() {
 }
 
 std::vector<JsonMember> figure_members(const TriangleMesh& mesh, const MeasureSet& asked) {
-  const Extent extent = extent_of(mesh);
+  const Aabb3 extent = bounding_box(mesh.vertices);
   Parts parts;
   JsonValue why;
   const Status found = find_parts(mesh, asked, extent.low.y, parts);

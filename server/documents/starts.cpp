@@ -1,10 +1,11 @@
 #include "server/documents/starts.h"
 
-#include <algorithm>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
+#include "core/base/aabb.h"
 #include "core/base/units.h"
 #include "core/drape/pipeline.h"
 #include "proto/cpp/frame_codec.h"
@@ -19,24 +20,9 @@ namespace {
 
 constexpr std::size_t kMostBytes = std::size_t{64} << 20;
 
-struct Extent {
-  Vec3 low, high;
-};
-
-/// REQUIRES first < last.
-Extent extent_of(const std::vector<Vec3>& points, Index first, Index last) {
-  Extent e{points[static_cast<std::size_t>(first)], points[static_cast<std::size_t>(first)]};
-  for (Index i = first; i < last; ++i) {
-    const Vec3& p = points[static_cast<std::size_t>(i)];
-    e.low = {std::min(e.low.x, p.x), std::min(e.low.y, p.y), std::min(e.low.z, p.z)};
-    e.high = {std::max(e.high.x, p.x), std::max(e.high.y, p.y), std::max(e.high.z, p.z)};
-  }
-  return e;
-}
-
 std::string geometry_of(const DrapeInput& input, const Assembly& assembly) {
   const std::vector<Vec3>& points = assembly.positions;
-  const Extent extent = points.empty() ? Extent{} : extent_of(points, 0, static_cast<Index>(points.size()));
+  const Aabb3 extent = bounding_box(points);
   const std::string topology = encode_topology(1, grid_for(extent.low, extent.high), assembly.garment,
                                                stream_pieces(input, assembly.garment));
   std::string out;
@@ -71,8 +57,9 @@ std::string check_of(const Project& project, const DrapeInput& input, const Drap
   for (const Finding& finding : start.findings) findings.push_back(finding_json(finding));
   const GarmentMesh& garment = start.assembly.garment;
   for (std::size_t p = 0; p < input.pattern.panels.size(); ++p) {
-    const Extent e =
-        extent_of(start.assembly.positions, garment.first_vertex[p], garment.first_vertex[p + 1]);
+    const auto first = static_cast<std::size_t>(garment.first_vertex[p]);
+    const auto end = static_cast<std::size_t>(garment.first_vertex[p + 1]);
+    const Aabb3 e = bounding_box(std::span(start.assembly.positions).subspan(first, end - first));
     pieces.push_back(std::vector<JsonMember>{{"id", input.pattern.panels[p].id},
                                              {"low", vector_json(e.low)},
                                              {"high", vector_json(e.high)},

@@ -1,8 +1,8 @@
 #include "server/jobs/stream.h"
 
-#include <algorithm>
 #include <utility>
 
+#include "core/base/aabb.h"
 #include "server/documents/stream_pieces.h"
 
 namespace toile {
@@ -10,13 +10,8 @@ namespace {
 
 /// The grid of the cloth at its start. What it is to fall on says nothing about how far it falls.
 FrameGrid grid_of(const std::vector<Vec3>& start) {
-  Vec3 lo, hi;
-  if (!start.empty()) lo = hi = start.front();
-  for (const Vec3& p : start) {
-    lo = {std::min(lo.x, p.x), std::min(lo.y, p.y), std::min(lo.z, p.z)};
-    hi = {std::max(hi.x, p.x), std::max(hi.y, p.y), std::max(hi.z, p.z)};
-  }
-  return grid_for(lo, hi);
+  const Aabb3 box = bounding_box(start);
+  return grid_for(box.low, box.high);
 }
 
 }  // namespace

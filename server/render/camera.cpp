@@ -45,9 +45,9 @@ Vec3 turned(const Camera& c, Vec3 p) { return {dot(p, c.right), dot(p, c.up), do
 /// Puts the eye where all points lie inside the picture shrunk by 1 + margin; returns the distance to their
 /// middle.
 double fit(Camera& camera, const std::vector<Vec3>& points, double margin) {
-  SceneBox box;
+  Aabb3 box;
   for (const Vec3& p : points) box.add(turned(camera, p));
-  const Vec3 middle = (box.low + box.high) * 0.5;
+  const Vec3 middle = box.middle();
   const double tangent_y = camera.half_height / (1 + margin), tangent_x = tangent_y * camera.aspect;
   double distance = 0.2;
   for (const Vec3& p : points) {
@@ -61,10 +61,10 @@ double fit(Camera& camera, const std::vector<Vec3>& points, double margin) {
 
 /// Radians above the horizon: what is broader than high is seen more from above.
 double elevation_for(const Scene& scene) {
-  SceneBox box = cloth_box(scene);
+  Aabb3 box = cloth_box(scene);
   if (box.empty()) box = whole_box(scene);
   if (box.empty()) return kElevation;
-  const Vec3 size = box.high - box.low;
+  const Vec3 size = box.size();
   const double upright = size.y / std::max({size.x, size.z, 1e-9});
   return kElevation + (kLyingElevation - kElevation) * std::clamp(1 - 2 * upright, 0.0, 1.0);
 }
@@ -115,8 +115,8 @@ Camera frame_scene(const Scene& scene, View view, double aspect) {
     if (distance > close * kWholeBodyWithin) wide = camera;
   }
   camera = wide;
-  const SceneBox box = [&] {
-    SceneBox b;
+  const Aabb3 box = [&] {
+    Aabb3 b;
     for (const Vec3& p : all) b.add(turned(camera, p - camera.eye));
     return b;
   }();
@@ -125,12 +125,12 @@ Camera frame_scene(const Scene& scene, View view, double aspect) {
   return camera;
 }
 
-Matrix4 parallel_matrix(const SceneBox& box, Vec3 direction) {
+Matrix4 parallel_matrix(const Aabb3& box, Vec3 direction) {
   const Vec3 back = normalized(-direction);
   const Vec3 helper = std::abs(back.y) < 0.95 ? Vec3{0, 1, 0} : Vec3{1, 0, 0};
   const Vec3 right = normalized(cross(helper, back)), up = cross(back, right);
-  const Vec3 middle = (box.low + box.high) * 0.5;
-  const double r = 1 / std::max(length(box.high - box.low) * 0.5, 1e-3);
+  const Vec3 middle = box.middle();
+  const double r = 1 / std::max(length(box.size()) * 0.5, 1e-3);
   const auto f = [](double v) { return static_cast<float>(v); };
   return {f(right.x * r),
           f(up.x * r),

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "core/base/aabb.h"
 #include "core/base/types.h"
 #include "server/render/scene.h"
 
@@ -32,6 +33,6 @@ struct Camera {
 Camera frame_scene(const Scene& scene, View view, double aspect);
 
 /// Scene points seen along `direction` in parallel, the box's ball filling [-1, 1]³. For shadow maps.
-Matrix4 parallel_matrix(const SceneBox& box, Vec3 direction);
+Matrix4 parallel_matrix(const Aabb3& box, Vec3 direction);
 
 }  // namespace toile

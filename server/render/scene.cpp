@@ -81,7 +81,7 @@ Status check_textures(const ClothView& cloth) {
   return {};
 }
 
-void add_used(SceneBox& box, std::span<const Vec3> positions, std::span<const Tri> triangles) {
+void add_used(Aabb3& box, std::span<const Vec3> positions, std::span<const Tri> triangles) {
   for (const Tri& t : triangles) {
     for (const Index corner : t) box.add(positions[corner]);
   }
@@ -89,30 +89,21 @@ void add_used(SceneBox& box, std::span<const Vec3> positions, std::span<const Tr
 
 }  // namespace
 
-void SceneBox::add(Vec3 p) {
-  if (empty()) {
-    low = high = p;
-    return;
-  }
-  low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-  high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-}
-
-SceneBox cloth_box(const Scene& scene) {
-  SceneBox box;
+Aabb3 cloth_box(const Scene& scene) {
+  Aabb3 box;
   add_used(box, scene.cloth.positions, scene.cloth.triangles);
   return box;
 }
 
-SceneBox whole_box(const Scene& scene) {
-  SceneBox box = cloth_box(scene);
+Aabb3 whole_box(const Scene& scene) {
+  Aabb3 box = cloth_box(scene);
   for (const BodyView& body : scene.bodies) add_used(box, body.mesh->vertices, body.mesh->triangles);
   return box;
 }
 
 double floor_height(const Scene& scene) {
   if (scene.floor) return *scene.floor;
-  const SceneBox box = whole_box(scene);
+  const Aabb3 box = whole_box(scene);
   return box.empty() ? 0 : box.low.y;
 }
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/aabb.h"
 #include "core/base/result.h"
 #include "core/base/types.h"
 #include "core/body/body.h"
@@ -40,16 +41,10 @@ struct Scene {
   std::optional<double> floor;  ///< m, height of the ground; without it, the lowest point of all
 };
 
-/// Axis-aligned box, m. Empty while low.x > high.x.
-struct SceneBox {
-  Vec3 low{1, 1, 1}, high{-1, -1, -1};
-  bool empty() const { return low.x > high.x; }
-  void add(Vec3 p);
-};
-
-SceneBox cloth_box(const Scene& scene);
+/// Around what of the cloth is drawn, m; empty without cloth.
+Aabb3 cloth_box(const Scene& scene);
 /// Of the cloth and all bodies.
-SceneBox whole_box(const Scene& scene);
+Aabb3 whole_box(const Scene& scene);
 
 /// Height of the ground, m; 0 for an empty scene.
 double floor_height(const Scene& scene);

@@ -148,8 +148,8 @@ void Shot::upload() {
 
 /// A grid about the scene, since soft light is taken per vertex. It grows coarser outwards.
 void Shot::upload_ground() {
-  const Vec3 middle = box_.empty() ? Vec3{} : (box_.low + box_.high) * 0.5;
-  const double reach = kGroundReach * (box_.empty() ? 0.5 : length(box_.high - box_.low) * 0.5);
+  const Vec3 middle = box_.empty() ? Vec3{} : box_.middle();
+  const double reach = kGroundReach * (box_.empty() ? 0.5 : length(box_.size()) * 0.5);
   const auto height = static_cast<float>(floor_height(scene_));
   const auto along = [&](int i) {
     const double s = 2.0 * i / kGroundCells - 1;
@@ -279,8 +279,8 @@ void Shot::draw_picture(int width, int height) {
     draw(gl_, body);
   }
   programs_.ground.use();
-  const Vec3 middle = box_.empty() ? Vec3{} : (box_.low + box_.high) * 0.5;
-  const double reach = kGroundReach * (box_.empty() ? 0.5 : length(box_.high - box_.low) * 0.5);
+  const Vec3 middle = box_.empty() ? Vec3{} : box_.middle();
+  const double reach = kGroundReach * (box_.empty() ? 0.5 : length(box_.size()) * 0.5);
   gl_.Uniform4f(programs_.ground.at("ground"), static_cast<float>(middle.x), static_cast<float>(middle.z),
                 static_cast<float>(reach), 0);
   draw(gl_, ground_);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/aabb.h"
 #include "core/base/result.h"
 #include "server/render/camera.h"
 #include "server/render/gl_objects.h"
@@ -53,7 +54,7 @@ class Shot {
   const Programs& programs_;
   const Scene& scene_;
   const Camera& camera_;
-  SceneBox box_;
+  Aabb3 box_;
   Lights lights_;
   GlScope scope_;
   DrawnSurface cloth_, ground_;

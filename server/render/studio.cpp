@@ -12,7 +12,7 @@ constexpr double kLowestSky = 0.08;  // sine of the lowest sky light's elevation
 
 /// Directions spread evenly over the upper half sphere along a spiral; brighter overhead, as in an overcast
 /// sky.
-void add_sky(Lights& lights, const SceneBox& box) {
+void add_sky(Lights& lights, const Aabb3& box) {
   const double golden = kPi * (3 - std::sqrt(5.0));
   double level = 0;  // irradiance of a level plane, to be 1
   for (int i = 0; i < shaders::kSkyLights; ++i) {
@@ -30,11 +30,10 @@ void add_sky(Lights& lights, const SceneBox& box) {
 
 }  // namespace
 
-Lights studio(const Camera& camera, SceneBox box) {
+Lights studio(const Camera& camera, Aabb3 box) {
   if (box.empty()) box.add({0, 0, 0});
-  const double reach = std::max(0.02 * length(box.high - box.low), 0.01);
-  box.low -= Vec3{reach, reach, reach};
-  box.high += Vec3{reach, reach, reach};
+  const double reach = std::max(0.02 * length(box.size()), 0.01);
+  box = box.grown(reach);
   const Vec3 right = normalized(Vec3{camera.right.x, 0, camera.right.z}), up{0, 1, 0},
              front = cross(right, up);
   Lights lights;
@@ -43,7 +42,7 @@ Lights studio(const Camera& camera, SceneBox box) {
   lights.rim = normalized(right * 0.70 + up * 0.55 - front * 0.80);
   lights.key_matrix = parallel_matrix(box, -lights.key);
   add_sky(lights, box);
-  lights.sky_offset = static_cast<float>(length(box.high - box.low) / kSkyTileSide);
+  lights.sky_offset = static_cast<float>(length(box.size()) / kSkyTileSide);
   return lights;
 }
 

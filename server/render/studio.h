@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "core/base/aabb.h"
 #include "server/render/camera.h"
 
 namespace toile {
@@ -20,6 +21,6 @@ struct Lights {
 
 /// Lamps for what lies in `box`. They turn with the camera: the key light stands to its upper left, grazing,
 /// so that folds show from every side. Soft light comes from an overcast sky, which does not turn.
-Lights studio(const Camera& camera, SceneBox box);
+Lights studio(const Camera& camera, Aabb3 box);
 
 }  // namespace toile

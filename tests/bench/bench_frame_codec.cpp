@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/aabb.h"
 #include "proto/cpp/frame_codec.h"
 #include "proto/cpp/trace_file.h"
 
@@ -90,12 +91,8 @@ void print_sizes(const char* what, const std::vector<std::string>& messages) {
 }
 
 FrameGrid grid_of(const Moves& moves) {
-  Vec3 lo = moves.frames[0][0], hi = lo;
-  for (const Vec3& p : moves.frames[0]) {
-    lo = {std::min(lo.x, p.x), std::min(lo.y, p.y), std::min(lo.z, p.z)};
-    hi = {std::max(hi.x, p.x), std::max(hi.y, p.y), std::max(hi.z, p.z)};
-  }
-  return grid_for(lo, hi);
+  const Aabb3 box = bounding_box(moves.frames[0]);
+  return grid_for(box.low, box.high);
 }
 
 void measure(const Moves& moves) {

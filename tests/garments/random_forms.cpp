@@ -72,16 +72,11 @@ const TriangleMesh& mannequin() {
 
 void measure(Form& form) {
   if (form.bodies.empty()) {
-    form.low = form.high = {0, 1, 0};
+    form.box.add({0, 1, 0});
     return;
   }
-  form.low = {1e9, 1e9, 1e9};
-  form.high = {-1e9, -1e9, -1e9};
   for (const Body& body : form.bodies) {
-    for (const Vec3& p : body.mesh.vertices) {
-      form.low = {std::min(form.low.x, p.x), std::min(form.low.y, p.y), std::min(form.low.z, p.z)};
-      form.high = {std::max(form.high.x, p.x), std::max(form.high.y, p.y), std::max(form.high.z, p.z)};
-    }
+    for (const Vec3& p : body.mesh.vertices) form.box.add(p);
   }
 }
 
@@ -109,7 +104,7 @@ void add_limbs(Form& form, Chance& chance, double size, int count) {
 
 }  // namespace
 
-double Form::reach() const { return std::max({-low.x, high.x, -low.z, high.z}); }
+double Form::reach() const { return std::max({-box.low.x, box.high.x, -box.low.z, box.high.z}); }
 
 Form make_form(Chance& chance, double size) {
   static const char* const kKinds[] = {"sphere", "box", "limb", "cone", "slab", "limbs", "none", "mannequin"};

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/aabb.h"
 #include "core/body/body.h"
 #include "tests/garments/random_chance.h"
 
@@ -12,7 +13,7 @@ namespace toile::test {
 struct Form {
   std::string kind;
   std::vector<Body> bodies;
-  Vec3 low, high;  ///< m, of all bodies; a point when there is none
+  Aabb3 box;  ///< m, around all bodies; a point when there is none
 
   /// m, the farthest that a solid reaches sideways.
   double reach() const;

@@ -40,8 +40,8 @@ struct Maker {
   double gap() { return chance.log_between(1.5e-3, 30e-3); }
 };
 
-double metres_wide(const CutPiece& p) { return metres_from_mm(p.high.x - p.low.x); }
-double metres_high(const CutPiece& p) { return metres_from_mm(p.high.y - p.low.y); }
+double metres_wide(const CutPiece& p) { return metres_from_mm(p.box.size().x); }
+double metres_high(const CutPiece& p) { return metres_from_mm(p.box.size().y); }
 
 void add(Maker& m, CutPiece piece, Placement placement) {
   m.out.shapes += (m.pieces.empty() ? "" : ",") + piece.shape;
@@ -54,7 +54,7 @@ void add(Maker& m, CutPiece piece, Placement placement) {
 /// The flat middle of the piece comes to `centre`.
 RigidPlacement centred(const CutPiece& piece, Vec3 centre, Vec3 rotation, bool flipped = false) {
   RigidPlacement p{{}, rotation, flipped};
-  const Vec2 middle = piece.middle() * 1e-3;
+  const Vec2 middle = piece.box.middle() * 1e-3;
   p.translation = centre - place({middle}, p)[0];
   return p;
 }
@@ -89,7 +89,7 @@ void sew(Maker& m, Index p, int side_p, Index q, int side_q, bool same_direction
 
 /// Sheets one above the other over the form, like pages; some sewn to the next along some sides.
 void stack(Maker& m) {
-  double y = m.form.high.y + m.gap() + 0.004;
+  double y = m.form.box.high.y + m.gap() + 0.004;
   const double tilt = m.chance.happens(0.3) ? m.chance.between(-0.5, 0.5) : 0;
   y += std::abs(std::sin(tilt)) * m.size;
   const bool alike = m.chance.happens(0.5);
@@ -115,14 +115,14 @@ void before_and_behind(Maker& m) {
   const double away = m.form.reach() + m.chance.log_between(3e-3, 80e-3) + 1e-3;
   const double slack = m.chance.log_between(0.8, 2.5);
   const double width = std::clamp(2 * m.form.reach() * 1.6 * slack, 0.3 * m.size, 2.5 * m.size);
-  double top = m.form.low.y + (m.form.high.y - m.form.low.y) * m.chance.between(0.4, 1.1);
+  double top = m.form.box.low.y + m.form.box.size().y * m.chance.between(0.4, 1.1);
   for (int row = 0; row < std::max(1, m.count / 2); ++row) {
     const double gather = row == 0 || m.chance.happens(0.5) ? 1 : m.chance.log_between(1.0 / 3, 3);
     CutPiece front = m.cut(width * gather, m.size * m.size / width * m.chance.between(0.3, 1));
     CutPiece back = m.chance.happens(0.8)
                         ? copy_of(front, "p" + std::to_string(m.pieces.size() + 1))
-                        : cut_piece(m.chance, "p" + std::to_string(m.pieces.size() + 1),
-                                    front.high.x - front.low.x, front.high.y - front.low.y, 1e3 * m.spacing);
+                        : cut_piece(m.chance, "p" + std::to_string(m.pieces.size() + 1), front.box.size().x,
+                                    front.box.size().y, 1e3 * m.spacing);
     const double high = std::max(metres_high(front), metres_high(back));
     const Vec3 centre{0, top - high / 2, away};
     const Index f = static_cast<Index>(m.pieces.size()), b = f + 1;
@@ -145,7 +145,7 @@ void wrapped(Maker& m) {
   const double radius = m.form.reach() * 1.4 + 1e-3 + m.chance.log_between(2e-3, 60e-3);
   const int around = m.chance.whole(1, std::min(3, m.count)), rows = m.count / around;
   const double slope = m.chance.happens(0.3) ? m.chance.between(-0.3, 0.3) : 0;
-  double top = m.form.low.y + (m.form.high.y - m.form.low.y) * m.chance.between(0.5, 1.05);
+  double top = m.form.box.low.y + m.form.box.size().y * m.chance.between(0.5, 1.05);
   for (int row = 0; row < rows; ++row) {
     const double width = 2 * kPi * radius / around * m.chance.between(0.6, 0.93);
     const double height = std::min(m.size * m.size / width, 3 * radius + 0.1) * m.chance.between(0.3, 1);
@@ -155,7 +155,7 @@ void wrapped(Maker& m) {
       WrappedPlacement w;
       w.radius = radius;
       w.slope = slope;
-      w.anchor = first.middle() * 1e-3;
+      w.anchor = first.box.middle() * 1e-3;
       w.angle = 2 * kPi * k / around;
       w.height = top - metres_high(first) / 2;
       add(m, copy_of(first, "p" + std::to_string(m.pieces.size())), w);
@@ -178,10 +178,10 @@ void hold(Maker& m, Index piece, int side, double release) {
 
 /// Upright sheets behind each other before the form, held at the top or not.
 void hanging(Maker& m) {
-  double z = m.form.high.z + m.gap() + 2e-3;
+  double z = m.form.box.high.z + m.gap() + 2e-3;
   for (int k = 0; k < m.count; ++k) {
     CutPiece piece = m.cut();
-    const double y = m.form.high.y + m.chance.between(-0.5, 0.5) * metres_high(piece);
+    const double y = m.form.box.high.y + m.chance.between(-0.5, 0.5) * metres_high(piece);
     const RigidPlacement at = centred(piece, {m.chance.between(-0.3, 0.3) * m.size, y, z},
                                       {0, 0, m.chance.between(-0.3, 0.3)}, m.chance.happens(0.3));
     add(m, std::move(piece), at);
@@ -193,7 +193,7 @@ void hanging(Maker& m) {
 
 /// Pieces side by side in a plane over the form, sewn like a quilt: seams of unlike lengths, seams that meet.
 void side_by_side(Maker& m) {
-  const double y = m.form.high.y + m.gap() + 0.004;
+  const double y = m.form.box.high.y + m.gap() + 0.004;
   double x = 0, back = 0;
   const int across = m.count > 3 ? (m.count + 1) / 2 : m.count;
   for (int k = 0; k < m.count; ++k) {
@@ -217,13 +217,13 @@ void ringed(Maker& m) {
   const double hole =
       std::max(2 * m.spacing, m.chance.log_between(0.008, 0.25) * std::min(1.0, 2.5 * m.size));
   m.form = make_pole(m.chance, hole * m.chance.between(0.2, 0.85), m.size * 2 + 0.1);
-  double y = m.form.low.y + (m.form.high.y - m.form.low.y) * m.chance.between(0.5, 0.9);
+  double y = m.form.box.low.y + m.form.box.size().y * m.chance.between(0.5, 0.9);
   const bool slit = m.chance.happens(0.5);
   for (int k = 0; k < m.count; ++k) {
     const double outer = hole + m.size * m.chance.between(0.25, 0.6);
     CutPiece ring =
         cut_ring(m.chance, "p" + std::to_string(k), mm_from_metres(hole), mm_from_metres(outer), slit);
-    const Vec2 flat = ring.middle() * 1e-3;  // the hole's middle is the flat origin
+    const Vec2 flat = ring.box.middle() * 1e-3;  // the hole's middle is the flat origin
     add(m, ring, centred(ring, {flat.x, y, -flat.y}, {-kPi / 2, 0, 0}));
     if (slit && m.chance.happens(0.7)) sew(m, k, kRight, k, kLeft, false);
     if (k > 0 && m.chance.happens(0.5)) sew(m, k - 1, kBottom, k, kBottom, true);

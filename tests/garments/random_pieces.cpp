@@ -122,14 +122,7 @@ void notched(Chance& chance, CutPiece& piece, double w, double h, double opening
   if (sewn) piece.darts.push_back({1, 2});
 }
 
-void measure(CutPiece& piece) {
-  piece.low = {1e9, 1e9};
-  piece.high = {-1e9, -1e9};
-  for (const Vec2& p : flatten(piece.panel.outline, 0.1)) {
-    piece.low = {std::min(piece.low.x, p.x), std::min(piece.low.y, p.y)};
-    piece.high = {std::max(piece.high.x, p.x), std::max(piece.high.y, p.y)};
-  }
-}
+void measure(CutPiece& piece) { piece.box = bounding_box(flatten(piece.panel.outline, 0.1)); }
 
 void add_holes(Chance& chance, CutPiece& piece, double w, double h) {
   const double radius = std::min(w, h) * chance.between(0.05, 0.2);

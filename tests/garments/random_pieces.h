@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/aabb.h"
 #include "core/pattern/pattern.h"
 #include "tests/garments/random_chance.h"
 
@@ -19,9 +20,7 @@ struct CutPiece {
   Panel panel;
   std::array<std::vector<Index>, 4> sides;
   std::vector<std::pair<Index, Index>> darts;  ///< pairs of edges to be sewn to each other
-  Vec2 low, high;                              ///< mm, of the outline
-
-  Vec2 middle() const { return (low + high) * 0.5; }
+  Aabb2 box;                                   ///< mm, of the outline
 };
 
 /// A piece of about `width` × `height` mm. `narrow` (mm) is what counts as narrow: slits, slivers.

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "core/base/aabb.h"
 #include "core/drape/pipeline.h"
 #include "core/exports/write_obj.h"
 #include "core/pattern/curve.h"
@@ -26,18 +27,6 @@ double fastest_expected(const DrapeSettings& settings, double longest_thread) {
 
 /// The threads of a seam pull with at most this along its length; a seam may gather several layers.
 constexpr double kThreads = 3 * 150;  // N/m
-
-struct Box {
-  Vec3 low{1e9, 1e9, 1e9}, high{-1e9, -1e9, -1e9};
-  void take(Vec3 p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  bool holds(Vec3 p, double around, double below) const {
-    return p.x >= low.x - around && p.x <= high.x + around && p.y >= low.y - around - below &&
-           p.y <= high.y + around && p.z >= low.z - around && p.z <= high.z + around;
-  }
-};
 
 std::string text_of(const char* format, double a, double b = 0, double c = 0, double d = 0) {
   char text[160];
@@ -64,13 +53,9 @@ constexpr double kMostStretch = 150;
 double narrowness(const DrapeInput& input) {
   double longest = 0, narrowest = 1e9;
   for (const Panel& panel : input.pattern.panels) {
-    Vec2 low{1e9, 1e9}, high{-1e9, -1e9};
-    for (const Vec2& p : flatten(panel.outline, 0.1)) {
-      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-    longest = std::max({longest, high.x - low.x, high.y - low.y});
-    narrowest = std::min({narrowest, high.x - low.x, high.y - low.y});
+    const Vec2 size = bounding_box(flatten(panel.outline, 0.1)).size();
+    longest = std::max({longest, size.x, size.y});
+    narrowest = std::min({narrowest, size.x, size.y});
   }
   return longest / narrowest;
 }
@@ -104,10 +89,10 @@ class Watch final : public FrameSink {
 
   void frame(const Frame& f) override {
     if (f.step == 0) {
-      for (const Vec3& p : f.positions) around_.take(p);
+      for (const Vec3& p : f.positions) around_.add(p);
       for (const Body& body : input_.bodies)
-        for (const Vec3& p : body.mesh.vertices) around_.take(p);
-      most_ = most_stretch(input_, length(around_.high - around_.low));
+        for (const Vec3& p : body.mesh.vertices) around_.add(p);
+      most_ = most_stretch(input_, length(around_.size()));
     }
     ++report_.frames;
     check_places(f);
@@ -116,9 +101,10 @@ class Watch final : public FrameSink {
 
  private:
   void check_places(const Frame& f) {
-    const double fallen = 0.5 * input_.settings.gravity * f.time * f.time;
+    Aabb3 room = around_.grown(2);
+    room.low.y -= 0.5 * input_.settings.gravity * f.time * f.time;  // it may fall past its bodies
     for (const Vec3& p : f.positions) {
-      if (is_finite(p) && around_.holds(p, 2, fallen)) continue;
+      if (is_finite(p) && room.contains(p)) continue;
       fault(text_of("a vertex is at (%g, %g, %g) m at step %g", p.x, p.y, p.z, f.step));
       return;
     }
@@ -145,7 +131,7 @@ class Watch final : public FrameSink {
   const DrapeInput& input_;
   TrialReport& report_;
   const GarmentMesh* garment_ = nullptr;
-  Box around_;
+  Aabb3 around_;
   double most_ = 0;
 };
 

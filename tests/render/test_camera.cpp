@@ -11,8 +11,8 @@ namespace {
 
 constexpr View kViews[] = {View::kFront, View::kBack, View::kSide, View::kThreeQuarter};
 
-SceneBox picture_box(const Camera& camera, const std::vector<Vec3>& points, int width, int height) {
-  SceneBox box;
+Aabb3 picture_box(const Camera& camera, const std::vector<Vec3>& points, int width, int height) {
+  Aabb3 box;
   for (const Vec3& p : points) box.add(camera.project(p, width, height));
   return box;
 }
@@ -22,8 +22,7 @@ TEST(Camera, NeverCropsTheGarmentAndLeavesAMargin) {
   for (const View view : kViews) {
     for (const double aspect : {0.5, 0.8, 2.0}) {
       const auto width = static_cast<int>(1000 * aspect);
-      const SceneBox box =
-          picture_box(frame_scene(skirt.scene(), view, aspect), skirt.positions, width, 1000);
+      const Aabb3 box = picture_box(frame_scene(skirt.scene(), view, aspect), skirt.positions, width, 1000);
       EXPECT_GT(box.low.x, 0.05 * width);
       EXPECT_LT(box.high.x, 0.95 * width);
       EXPECT_GT(box.low.y, 50);
@@ -36,7 +35,7 @@ TEST(Camera, NeverCropsTheGarmentAndLeavesAMargin) {
 TEST(Camera, ShowsTheGarmentLarge) {
   const Draped skirt = folded_skirt();
   for (const View view : kViews) {
-    const SceneBox box = picture_box(frame_scene(skirt.scene(), view, 0.8), skirt.positions, 800, 1000);
+    const Aabb3 box = picture_box(frame_scene(skirt.scene(), view, 0.8), skirt.positions, 800, 1000);
     EXPECT_GT(std::max((box.high.x - box.low.x) / 800, (box.high.y - box.low.y) / 1000), 0.70);
   }
 }
@@ -46,11 +45,11 @@ TEST(Camera, LooksAtASmallGarmentCloselyAndAtALargeOneWithTheWholeBody) {
   const TriangleMesh body = form();
   Scene scene = skirt.scene();
   scene.bodies.push_back({&body});
-  const SceneBox close = picture_box(frame_scene(scene, View::kFront, 0.8), body.vertices, 800, 1000);
+  const Aabb3 close = picture_box(frame_scene(scene, View::kFront, 0.8), body.vertices, 800, 1000);
   EXPECT_LT(close.low.y, 0);
 
   for (Vec3& p : skirt.positions) p.y = 1.4 - 2.4 * (1 - p.y);  // down to 0.2 m
-  const SceneBox wide = picture_box(frame_scene(scene, View::kFront, 0.8), body.vertices, 800, 1000);
+  const Aabb3 wide = picture_box(frame_scene(scene, View::kFront, 0.8), body.vertices, 800, 1000);
   EXPECT_GT(wide.low.y, 0);
   EXPECT_LT(wide.high.y, 1000);
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/base/aabb.h"
 #include "core/base/units.h"
 #include "core/body/mannequin/field.h"
 #include "core/body/mannequin/polygonise.h"
@@ -135,12 +136,9 @@ TriangleMesh evened(TriangleMesh mesh, const BodyShape& shape, Index triangle_co
 
 // The finished mesh stands on the floor and is as tall as asked; chords had cut a little off both.
 TriangleMesh stand(TriangleMesh mesh, double height) {
-  double low = mesh.vertices[0].y, high = low;
-  for (const Vec3& p : mesh.vertices) {
-    low = std::min(low, p.y);
-    high = std::max(high, p.y);
-  }
-  for (Vec3& p : mesh.vertices) p = Vec3{p.x * height, (p.y - low) * (height / (high - low)), p.z * height};
+  const Aabb3 box = bounding_box(mesh.vertices);
+  const double upright = height / box.size().y;
+  for (Vec3& p : mesh.vertices) p = Vec3{p.x * height, (p.y - box.low.y) * upright, p.z * height};
   return mesh;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/aabb.h"
 #include "core/geometry/convex_hull.h"
 
 namespace toile {
@@ -38,15 +39,6 @@ std::vector<Vec3> middle_points(const MeshCut& cut, double middle) {
   return out;
 }
 
-Vec3 middle_of(const std::vector<Vec3>& points) {
-  Vec3 low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high = -low;
-  for (const Vec3& p : points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  return (low + high) * 0.5;
-}
-
 // The outermost part of a cut among those whose middle lies within reach of p: the arm, not the trunk beside
 // it.
 std::vector<Vec3> outer_part(const MeshCut& cut, Vec3 p, double reach) {
@@ -56,7 +48,7 @@ std::vector<Vec3> outer_part(const MeshCut& cut, Vec3 p, double reach) {
   double most = -HUGE_VAL;
   for (std::vector<Vec3>& points : parts) {
     if (points.size() < 3) continue;
-    const Vec3 middle = middle_of(points);
+    const Vec3 middle = bounding_box(points).middle();
     if (length(middle - p) < reach && middle.x > most) {
       most = middle.x;
       best = std::move(points);

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/aabb.h"
 #include "core/body/measure/landmark_slices.h"
 #include "core/body/measure/landmarks.h"
 
@@ -68,14 +69,10 @@ class FigureFinder {
 
   void measure_box() {
     if (mesh_.vertices.empty()) return;
-    Vec3 low = mesh_.vertices[0], high = low;
-    for (const Vec3& p : mesh_.vertices) {
-      low = {std::min(low.x, p.x), std::min(low.y, p.y), 0};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y), 0};
-    }
-    f_.floor = low.y;
-    f_.top = high.y;
-    f_.middle = (low.x + high.x) / 2;
+    const Aabb3 box = bounding_box(mesh_.vertices);
+    f_.floor = box.low.y;
+    f_.top = box.high.y;
+    f_.middle = box.middle().x;
   }
 
   bool find_crotch() {
@@ -150,7 +147,7 @@ class FigureFinder {
       double best = 0.06 * height();
       const std::vector<BodyCut> cuts = cut_body(mesh_, p, along);
       for (const BodyCut& cut : cuts) {
-        if (const double d = length(cut.centre() - p); d < best) {
+        if (const double d = length(cut.box.middle() - p); d < best) {
           best = d;
           nearest = &cut;
         }
@@ -158,7 +155,7 @@ class FigureFinder {
       if (nearest == nullptr) continue;
       const double girth = tape_around(*nearest, along);
       if (girth > 0.03 * height() && girth < 0.28 * height())
-        sections.push_back({s, nearest->centre(), girth});
+        sections.push_back({s, nearest->box.middle(), girth});
     }
     return sections;
   }
@@ -216,7 +213,7 @@ class FigureFinder {
     Vec3 centre{f_.middle + sign_of(side) * 0.05 * height(), y, 0};
     double widest = 0;
     for (const BodyCut& cut : cut_body(mesh_, {0, y, 0}, {0, 1, 0})) {
-      const Vec3 c = cut.centre();
+      const Vec3 c = cut.box.middle();
       const double x = sign_of(side) * (c.x - f_.middle);
       const double girth = tape_around(cut, {0, 1, 0});
       if (x > 0 && x < 0.2 * height() && girth > widest) {
@@ -234,11 +231,11 @@ class FigureFinder {
     double narrowest = HUGE_VAL;
     for (double s = 0.035; s < 0.10; s += kScan) {
       for (const BodyCut& cut : cut_body(mesh_, {0, at(s), 0}, {0, 1, 0})) {
-        const double x = sign_of(side) * (cut.centre().x - f_.middle);
+        const double x = sign_of(side) * (cut.box.middle().x - f_.middle);
         const double girth = tape_around(cut, {0, 1, 0});
         if (x <= 0 || x > 0.25 * height() || girth < 0.07 * height() || girth > narrowest) continue;
         narrowest = girth;
-        leg.ankle = cut.centre();
+        leg.ankle = cut.box.middle();
       }
     }
     if (narrowest == HUGE_VAL) leg.ankle = leg_centre(side, at(0.05));
@@ -309,7 +306,7 @@ class FigureFinder {
   void find_bust(int side) {
     Vec3& point = f_.bust_point[side];
     const BodyCut chest = middle_cut(mesh_, f_.armpit[side].y - 0.02 * height(), f_.middle);
-    const double half_way = chest.points.empty() ? -HUGE_VAL : chest.centre().z;
+    const double half_way = chest.points.empty() ? -HUGE_VAL : chest.box.middle().z;
     point = {f_.middle + sign_of(side) * 0.05 * height(), at(0.72), -HUGE_VAL};
     for (const Vec3& p : mesh_.vertices) {
       const double x = sign_of(side) * (p.x - f_.middle);

@@ -1,7 +1,5 @@
 #include "core/body/measure/landmark_slices.h"
 
-#include <algorithm>
-
 #include "core/body/measure/mesh_cut.h"
 #include "core/geometry/convex_hull.h"
 
@@ -10,9 +8,7 @@ namespace toile {
 namespace {
 
 void grow(BodyCut& cut, Vec3 p) {
-  if (cut.points.empty()) cut.low = cut.high = p;
-  cut.low = {std::min(cut.low.x, p.x), std::min(cut.low.y, p.y), std::min(cut.low.z, p.z)};
-  cut.high = {std::max(cut.high.x, p.x), std::max(cut.high.y, p.y), std::max(cut.high.z, p.z)};
+  cut.box.add(p);
   cut.points.push_back(p);
 }
 
@@ -38,7 +34,7 @@ double tape_around(const BodyCut& cut, Vec3 normal) {
 BodyCut middle_cut(const TriangleMesh& mesh, double height, double middle) {
   BodyCut out;
   for (const BodyCut& cut : cut_body(mesh, {0, height, 0}, {0, 1, 0})) {
-    if (cut.low.x > middle || cut.high.x < middle) continue;
+    if (cut.box.low.x > middle || cut.box.high.x < middle) continue;
     for (const Vec3& p : cut.points) grow(out, p);
   }
   return out;

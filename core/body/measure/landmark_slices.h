@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/aabb.h"
 #include "core/geometry/triangle_mesh.h"
 
 namespace toile {
@@ -11,8 +12,7 @@ namespace toile {
 /// A connected line in which a plane cuts a body, as loose points.
 struct BodyCut {
   std::vector<Vec3> points;  ///< m
-  Vec3 low, high;            ///< m, corners of the box around them
-  Vec3 centre() const { return (low + high) * 0.5; }
+  Aabb3 box;                 ///< m, around them
 };
 
 /// The parts in which the plane through `origin` with `normal` cuts the mesh, in plane_cut()'s order.

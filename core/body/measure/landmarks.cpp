@@ -42,7 +42,7 @@ class Places {
 
   double middle_depth(double y) const {
     const BodyCut cut = middle_cut(mesh_, y, f_.middle);
-    return cut.points.empty() ? 0 : cut.centre().z;
+    return cut.points.empty() ? 0 : cut.box.middle().z;
   }
 
   void head_and_neck() {
@@ -85,7 +85,7 @@ class Places {
     const BodyCut cut = middle_cut(mesh_, y, f_.middle);
     if (cut.points.empty()) return;
     const auto farthest = [&](Vec3 way, double within) {
-      Vec3 best = cut.centre();
+      Vec3 best = cut.box.middle();
       double most = -HUGE_VAL;
       for (const Vec3& p : cut.points) {
         const bool beside = way.x == 0 && std::abs(p.x - f_.middle) > within;

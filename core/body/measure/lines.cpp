@@ -57,11 +57,11 @@ std::vector<Vec3> points_on(const TriangleMesh& mesh, const BodyFigure& f, const
   double least = HUGE_VAL;
   for (const BodyCut& cut : cut_body(mesh, plane.origin, plane.normal)) {
     if (plane.trunk) {
-      if (cut.low.x > f.middle || cut.high.x < f.middle) continue;
+      if (cut.box.low.x > f.middle || cut.box.high.x < f.middle) continue;
       points.insert(points.end(), cut.points.begin(), cut.points.end());
       continue;
     }
-    const Vec3 d = cut.centre() - plane.origin;
+    const Vec3 d = cut.box.middle() - plane.origin;
     if (dot(d, d) < least) {
       least = dot(d, d);
       points = cut.points;

@@ -1,8 +1,8 @@
 #include "core/body/measure/stance.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "core/base/aabb.h"
 #include "core/body/measure/mesh_cut.h"
 
 namespace toile {
@@ -11,39 +11,20 @@ namespace {
 constexpr double kLeastStature = 0.55, kUnits[] = {1, 0.1, 0.01, 0.001};
 constexpr double kShins = 0.15, kFace = 0.93, kAnkles = 0.075, kSoles = 0.045;  // shares of the stature
 
-struct Box {
-  Vec3 low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-  Vec3 size() const { return high - low; }
-};
-
-Box box_of(const std::vector<Vec3>& points) {
-  Box b;
-  for (const Vec3& p : points) {
-    b.low = {std::min(b.low.x, p.x), std::min(b.low.y, p.y), std::min(b.low.z, p.z)};
-    b.high = {std::max(b.high.x, p.x), std::max(b.high.y, p.y), std::max(b.high.z, p.z)};
-  }
-  return b;
-}
-
 template <typename Turn>
 void turn(TriangleMesh& mesh, Turn to) {
   for (Vec3& p : mesh.vertices) p = to(p);
 }
 
 bool two_legs_at(const TriangleMesh& mesh, double share) {
-  const Box box = box_of(mesh.vertices);
+  const Aabb3 box = bounding_box(mesh.vertices);
   const MeshCut cut = MeshCutter(mesh, {0, 1, 0}).at(box.low.y + share * box.size().y);
   return cut.part_count >= 2;
 }
 
-double middle_z(const std::vector<Vec3>& points) {
-  const Box b = box_of(points);
-  return (b.low.z + b.high.z) / 2;
-}
-
 // Toes reach farther from the ankles than heels do.
 bool faces_back(const TriangleMesh& mesh, double stature) {
-  const double ankle = middle_z(MeshCutter(mesh, {0, 1, 0}).at(kAnkles * stature).points);
+  const double ankle = bounding_box(MeshCutter(mesh, {0, 1, 0}).at(kAnkles * stature).points).middle().z;
   double toes = 0, heels = 0;
   for (const Vec3& p : mesh.vertices) {
     if (p.y > kSoles * stature) continue;
@@ -60,11 +41,11 @@ Result<StandingBody> stand_body(TriangleMesh mesh) {
   if (mesh.triangles.empty()) return none;
   StandingBody out{std::move(mesh), {}};
   TriangleMesh& m = out.mesh;
-  if (const Vec3 size = box_of(m.vertices).size(); size.z > size.y) {
+  if (const Vec3 size = bounding_box(m.vertices).size(); size.z > size.y) {
     out.stance.up = 'z';
     turn(m, [](Vec3 p) { return Vec3{p.x, p.z, -p.y}; });
   }
-  double stature = box_of(m.vertices).size().y;
+  double stature = bounding_box(m.vertices).size().y;
   if (!(stature > 0)) return none;
   for (double unit : kUnits)
     if (stature * unit >= kLeastStature) out.stance.unit_in_m = unit;
@@ -75,11 +56,11 @@ Result<StandingBody> stand_body(TriangleMesh mesh) {
     turn(m, [](Vec3 p) { return Vec3{-p.x, -p.y, p.z}; });
   }
   if (!two_legs_at(m, kShins) || two_legs_at(m, kFace + 0.05)) return none;
-  if (const Vec3 size = box_of(m.vertices).size(); size.z > size.x) {
+  if (const Vec3 size = bounding_box(m.vertices).size(); size.z > size.x) {
     out.stance.quarter_turns = 1;
     turn(m, [](Vec3 p) { return Vec3{p.z, p.y, -p.x}; });
   }
-  const double floor = box_of(m.vertices).low.y;
+  const double floor = bounding_box(m.vertices).low.y;
   turn(m, [&](Vec3 p) { return Vec3{p.x, p.y - floor, p.z}; });
   if (faces_back(m, stature)) {
     out.stance.quarter_turns += 2;

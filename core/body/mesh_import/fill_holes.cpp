@@ -6,6 +6,8 @@
 #include <set>
 #include <utility>
 
+#include "core/base/aabb.h"
+
 namespace toile {
 namespace {
 
@@ -105,18 +107,12 @@ std::vector<Border> borders_of(const TriangleMesh& mesh, const HalfEdges& edges,
 }
 
 std::vector<double> diagonals_of(const TriangleMesh& mesh, const MeshShells& shells) {
-  const double far = std::numeric_limits<double>::max();
-  std::vector<Vec3> low(shells.count, {far, far, far}), high(shells.count, {-far, -far, -far});
+  std::vector<Aabb3> boxes(shells.count);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    Vec3 &l = low[shells.shell_of[t]], &h = high[shells.shell_of[t]];
-    for (const Index v : mesh.triangles[t]) {
-      const Vec3 p = mesh.vertices[v];
-      l = {std::min(l.x, p.x), std::min(l.y, p.y), std::min(l.z, p.z)};
-      h = {std::max(h.x, p.x), std::max(h.y, p.y), std::max(h.z, p.z)};
-    }
+    for (const Index v : mesh.triangles[t]) boxes[shells.shell_of[t]].add(mesh.vertices[v]);
   }
   std::vector<double> out;
-  for (Index s = 0; s < shells.count; ++s) out.push_back(length(high[s] - low[s]));
+  for (const Aabb3& box : boxes) out.push_back(length(box.size()));
   return out;
 }
 

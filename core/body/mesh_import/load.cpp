@@ -14,6 +14,7 @@
 #include <string>
 #include <utility>
 
+#include "core/base/aabb.h"
 #include "core/body/mesh_import/sniff.h"
 
 namespace toile {
@@ -158,12 +159,8 @@ TriangleMesh merged(const TriangleMesh& mesh) {
 }
 
 double guessed_unit(const TriangleMesh& mesh) {
-  Vec3 low = mesh.vertices.front(), high = low;
-  for (const Vec3& p : mesh.vertices) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  const double e = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+  const Vec3 size = bounding_box(mesh.vertices).size();
+  const double e = std::max({size.x, size.y, size.z});
   return e < 5 ? 1 : e < 50 ? 0.1 : e < 500 ? 0.01 : 0.001;
 }
 

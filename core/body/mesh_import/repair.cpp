@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/base/aabb.h"
 #include "core/body/mesh_import/fill_holes.h"
 #include "core/body/mesh_import/half_edges.h"
 
@@ -15,16 +16,6 @@ constexpr double kHole = 0.35;         // of a shell's diagonal
 constexpr double kLeastArea2 = 1e-14;  // m², twice the area under which a triangle is a line
 constexpr double kFlatShell = 0.01;    // of area^1.5: an open shell with less volume than this has no outside
 constexpr std::size_t kMostHollows = 64;  // shells looked at for lying within others
-
-double diagonal_of(const TriangleMesh& mesh) {
-  if (mesh.vertices.empty()) return 0;
-  Vec3 low = mesh.vertices.front(), high = low;
-  for (const Vec3& p : mesh.vertices) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  return length(high - low);
-}
 
 /// The vertices of borders, by x.
 std::vector<Index> border_vertices(const TriangleMesh& mesh, const HalfEdges& edges) {
@@ -46,7 +37,7 @@ std::vector<Index> border_vertices(const TriangleMesh& mesh, const HalfEdges& ed
 int weld_borders(TriangleMesh& mesh) {
   const std::vector<Index> border = border_vertices(mesh, pair_half_edges(mesh));
   if (border.empty()) return 0;
-  const double reach = kWeld * diagonal_of(mesh);
+  const double reach = kWeld * length(bounding_box(mesh.vertices).size());
   std::vector<Index> onto(mesh.vertices.size());
   std::iota(onto.begin(), onto.end(), 0);
   int welded = 0;
@@ -129,8 +120,8 @@ void turn_over(Tri& t) { std::swap(t[1], t[2]); }
 struct ShellMass {
   double area = 0, volume = 0;  ///< m², m³; negative when the inner side is outside
   Vec3 middle;                  ///< of the area
-  Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
-  Index vertex = kNone;  ///< one of its own
+  Aabb3 box;                    ///< m
+  Index vertex = kNone;         ///< one of its own
 };
 
 std::vector<ShellMass> masses_of(const TriangleMesh& mesh, const MeshShells& shells) {
@@ -143,11 +134,7 @@ std::vector<ShellMass> masses_of(const TriangleMesh& mesh, const MeshShells& she
     s.area += area;
     s.middle += (corner(t, 0) + corner(t, 1) + corner(t, 2)) * (area / 3);
     s.vertex = t[0];
-    for (const Index v : t) {
-      const Vec3 p = mesh.vertices[v];
-      s.low = {std::min(s.low.x, p.x), std::min(s.low.y, p.y), std::min(s.low.z, p.z)};
-      s.high = {std::max(s.high.x, p.x), std::max(s.high.y, p.y), std::max(s.high.z, p.z)};
-    }
+    for (const Index v : t) s.box.add(mesh.vertices[v]);
   }
   for (ShellMass& s : out) s.middle = s.middle * (1 / s.area);
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -156,11 +143,6 @@ std::vector<ShellMass> masses_of(const TriangleMesh& mesh, const MeshShells& she
     s.volume += dot(corner(t, 0) - s.middle, cross(corner(t, 1) - s.middle, corner(t, 2) - s.middle)) / 6;
   }
   return out;
-}
-
-bool box_holds(const ShellMass& outer, const ShellMass& inner) {
-  return outer.low.x <= inner.low.x && outer.low.y <= inner.low.y && outer.low.z <= inner.low.z &&
-         inner.high.x <= outer.high.x && inner.high.y <= outer.high.y && inner.high.z <= outer.high.z;
 }
 
 /// How often a closed shell winds around a point.
@@ -182,7 +164,7 @@ bool is_hollow(const TriangleMesh& mesh, const MeshShells& shells, const std::ve
                const std::vector<bool>& open, Index shell) {
   for (Index outer = 0; outer < shells.count; ++outer) {
     if (outer == shell || open[outer] || masses[outer].volume <= 0) continue;
-    if (!box_holds(masses[outer], masses[shell])) continue;
+    if (!masses[outer].box.contains(masses[shell].box)) continue;
     if (winding(mesh, shells, outer, mesh.vertices[masses[shell].vertex]) > 0.5) return true;
   }
   return false;

@@ -15,7 +15,7 @@ namespace {
 
 /// Distance from the outline, 0 inside; nothing when the text stands too far beside the piece to belong to
 /// it.
-std::optional<double> nearness(const DxfPiece& piece, const Box2& box, Vec2 at) {
+std::optional<double> nearness(const DxfPiece& piece, const Aabb2& box, Vec2 at) {
   constexpr double kTextReach = 20;  // mm
   if (!box.grown(kTextReach).contains(at)) return std::nullopt;
   if (contains(piece.outline, at)) return 0.0;
@@ -128,7 +128,7 @@ void name_pieces(std::vector<DxfFound>& pieces, const DxfPlace& place, DxfContex
 void name_by_texts(std::vector<DxfFound>& pieces, const std::vector<DxfText>& texts,
                    const DxfTransform& to_mm, DxfContext& context) {
   constexpr std::size_t kMostTexts = 5000;  // bounds the work on files of nothing but text
-  std::vector<Box2> boxes;
+  std::vector<Aabb2> boxes;
   for (const DxfFound& p : pieces) boxes.push_back(bounding_box(p.piece.outline));
   std::vector<std::optional<Title>> titles(pieces.size());
   for (std::size_t t = 0; t < texts.size(); ++t) {

@@ -86,7 +86,7 @@ bool is_covered(const DxfLoop& inner, const DxfLoop& outer) {
   return true;
 }
 
-bool same_place(const Box2& a, const Box2& b) {
+bool same_place(const Aabb2& a, const Aabb2& b) {
   return a.grown(kBoxSlack).contains(b) || b.grown(kBoxSlack).contains(a);
 }
 

@@ -15,7 +15,7 @@ namespace toile {
 struct DxfLoop {
   const DxfChain* chain = nullptr;
   DxfRole role = DxfRole::other;
-  Box2 box;
+  Aabb2 box;
   double area = 0;
   std::optional<std::size_t> parent;  ///< the smallest loop of its layer around it
   int depth = 0;                      ///< number of such loops: an odd one is a hole
@@ -33,7 +33,7 @@ void nest(std::vector<DxfLoop>& loops);
 bool is_covered(const DxfLoop& inner, const DxfLoop& outer);
 
 /// Whether one box holds the other, nearly.
-bool same_place(const Box2& a, const Box2& b);
+bool same_place(const Aabb2& a, const Aabb2& b);
 
 /// Whether the two are the same line, drawn twice.
 bool is_repeated(const DxfLoop& a, const DxfLoop& b);

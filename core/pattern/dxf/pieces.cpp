@@ -272,10 +272,10 @@ class Sorter {
   }
 
   /// The piece that a line belongs to: the smallest whose box holds it.
-  DxfPlaced* owner_of(const Box2& box, bool overlap_is_enough) {
+  DxfPlaced* owner_of(const Aabb2& box, bool overlap_is_enough) {
     DxfPlaced* best = nullptr;
     for (DxfPlaced& p : placed_) {
-      const Box2& around = p.cut ? p.cut->box : p.loop->box;
+      const Aabb2& around = p.cut ? p.cut->box : p.loop->box;
       const bool inside = around.grown(kBoxSlack).contains(box);
       if (!inside && !(overlap_is_enough && same_place(around, box))) continue;
       if (!best || p.loop->area < best->loop->area) best = &p;
@@ -285,7 +285,7 @@ class Sorter {
 
   /// Lines that are no outlines.
   void place_rest(const DxfChain& chain, DxfRole role) {
-    const Box2 box = bounding_box(chain.points);
+    const Aabb2 box = bounding_box(chain.points);
     const bool outline = by_aama_ && (role == DxfRole::cut || role == DxfRole::sew);
     DxfPlaced* owner = owner_of(box, outline);
     if (by_aama_ && role == DxfRole::mirror) return;  // unfold() tells
@@ -332,8 +332,8 @@ class Sorter {
   }
 
   void keep_drill(const DxfChain& chain, DxfFound& owner) {
-    const Box2 box = bounding_box(chain.points);
-    owner.piece.drills.push_back((box.min + box.max) * 0.5);
+    const Aabb2 box = bounding_box(chain.points);
+    owner.piece.drills.push_back(box.middle());
     mark(chain, DxfFate::converted, "drill hole", owner.id);
   }
 

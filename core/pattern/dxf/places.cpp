@@ -26,7 +26,7 @@ bool is_model_space(const DxfBlock& block) {
 }
 
 /// The box of all that is drawn in the block, in its own coordinates.
-std::optional<Box2> box_of(const DxfBlock& block) {
+std::optional<Aabb2> box_of(const DxfBlock& block) {
   std::vector<Vec2> points;
   for (const DxfCurve& c : block.curves)
     for (const DxfVertex& v : c.vertices) points.push_back(v.at);
@@ -188,8 +188,8 @@ class Finder {
   /// Some programs write the place of a piece into its vertices and into its INSERT. Pieces that lie apart by
   /// their vertices alone need no further offsets.
   void forget_offsets() {
-    std::vector<std::pair<DxfPlace*, Box2>> moved;
-    std::vector<Box2> boxes;
+    std::vector<std::pair<DxfPlace*, Aabb2>> moved;
+    std::vector<Aabb2> boxes;
     for (DxfPlace& place : layout_.places) {
       if (!place.is_block || place.parts.size() != 1) continue;
       const DxfTransform& t = place.parts[0].transform;
@@ -203,8 +203,8 @@ class Finder {
     if (moved.empty() || boxes.size() < 2 || boxes.size() > kMost) return;
     for (std::size_t i = 0; i < boxes.size(); ++i)
       for (std::size_t k = i + 1; k < boxes.size(); ++k)
-        if (boxes[i].min.x < boxes[k].max.x && boxes[k].min.x < boxes[i].max.x &&
-            boxes[i].min.y < boxes[k].max.y && boxes[k].min.y < boxes[i].max.y)
+        if (boxes[i].low.x < boxes[k].high.x && boxes[k].low.x < boxes[i].high.x &&
+            boxes[i].low.y < boxes[k].high.y && boxes[k].low.y < boxes[i].high.y)
           return;
     for (auto& [place, box] : moved) place->parts[0].transform.origin = {};
     file_.log.warn(moved[0].first->line,
@@ -268,7 +268,7 @@ class Finder {
   /// Stems whose blocks lie on one another, as the sizes of one piece do and its parts do not.
   std::set<std::string> nested_stems() const {
     constexpr double kCommon = 0.4;  // of both boxes together
-    std::map<std::string, std::vector<Box2>> boxes;
+    std::map<std::string, std::vector<Aabb2>> boxes;
     for (const auto& [index, suffix] : suffixes_) {
       const DxfPlace& place = layout_.places[std::size_t(index)];
       if (const auto box = box_of(*place.parts[0].block))
@@ -281,11 +281,10 @@ class Finder {
     for (const auto& [stem, all] : boxes) {
       bool on_one_another = true;
       for (std::size_t i = 1; i < all.size(); ++i) {
-        const Box2 &a = all[i - 1], &b = all[i];
-        const double common = area({std::max(a.min.x, b.min.x), std::max(a.min.y, b.min.y)},
-                                   {std::min(a.max.x, b.max.x), std::min(a.max.y, b.max.y)});
+        const Aabb2 &a = all[i - 1], &b = all[i];
+        const double common = area(most_of(a.low, b.low), least_of(a.high, b.high));
         on_one_another =
-            on_one_another && common > kCommon * (area(a.min, a.max) + area(b.min, b.max) - common);
+            on_one_another && common > kCommon * (area(a.low, a.high) + area(b.low, b.high) - common);
       }
       if (on_one_another) nested.insert(stem);
     }

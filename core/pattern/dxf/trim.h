@@ -13,7 +13,7 @@ namespace toile {
 /// A piece that marks may belong to.
 struct DxfTrimmings {
   DxfFound* found = nullptr;
-  Box2 box;
+  Aabb2 box;
 };
 
 /// Gives the POINTs of the parts, and the short LINEs on layers of notches, to the pieces that they lie on.

@@ -86,8 +86,8 @@ void write_text(Groups& out, Vec2 at, double height, const std::string& words) {
 
 // The grain through the middle of the piece, and what it is beside it.
 void write_grain_and_texts(Groups& out, const Panel& panel, double tolerance) {
-  const Box2 box = bounding_box(flatten(panel.outline, tolerance));
-  const Vec2 middle = (box.min + box.max) * 0.5, size = box.size();
+  const Aabb2 box = bounding_box(flatten(panel.outline, tolerance));
+  const Vec2 middle = box.middle(), size = box.size();
   const double half = kGrainShare / 2 * std::min(size.x, size.y), height = std::min(kTextHeight, half);
   out.add(0, "LINE");
   out.add(8, kGrain);

@@ -26,9 +26,9 @@ TEST(Polygon2, AreaIsPositiveCounterClockwiseAndKeepsItsDigitsFarFromTheOrigin) 
 }
 
 TEST(Polygon2, BoxesHoldTheirPointsAndMeasureDistance) {
-  const Box2 box = bounding_box(std::vector<Vec2>{{3, 1}, {-2, 5}, {0, 0}});
-  EXPECT_EQ(box.min, (Vec2{-2, 0}));
-  EXPECT_EQ(box.max, (Vec2{3, 5}));
+  const Aabb2 box = bounding_box(std::vector<Vec2>{{3, 1}, {-2, 5}, {0, 0}});
+  EXPECT_EQ(box.low, (Vec2{-2, 0}));
+  EXPECT_EQ(box.high, (Vec2{3, 5}));
   EXPECT_EQ(distance(box, {0, 2}), 0);
   EXPECT_DOUBLE_EQ(distance(box, {6, 9}), 5);
   EXPECT_TRUE(box.grown(5).contains(Vec2{6, 9}));

@@ -1,5 +1,6 @@
 // Single checks and what a repair may not do.
 
+#include "core/base/aabb.h"
 #include "core/preflight/preflight.h"
 
 #include <gtest/gtest.h>
@@ -31,13 +32,9 @@ const Finding* find(const Findings& findings, const std::string& code) {
 /// Of the piece's box.
 Vec3 centre_of(const Assembly& assembly, Index piece) {
   const auto& first = assembly.garment.first_vertex;
-  Vec3 low = assembly.positions[first[piece]], high = low;
-  for (Index v = first[piece]; v < first[piece + 1]; ++v) {
-    const Vec3 p = assembly.positions[v];
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  return (low + high) * 0.5;
+  Aabb3 box;
+  for (Index v = first[piece]; v < first[piece + 1]; ++v) box.add(assembly.positions[v]);
+  return box.middle();
 }
 
 TEST(Preflight, OverlappingMirrorImagesPartAndStayMirrorImages) {
