@@ -10,8 +10,8 @@
 
 #include "core/base/aabb.h"
 #include "core/base/write_file.h"
-#include "proto/cpp/json_codec.h"
-#include "proto/cpp/project_new.h"
+#include "core/json/tree.h"
+#include "core/project/create/create.h"
 #include "server/app/commands.h"
 #include "server/app/console.h"
 #include "server/app/mesh_reader.h"

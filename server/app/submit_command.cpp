@@ -8,10 +8,10 @@
 #include <thread>
 #include <utility>
 
+#include "core/base/names.h"
 #include "core/base/write_file.h"
-#include "proto/cpp/names.h"
-#include "proto/cpp/project.h"
-#include "proto/cpp/project_resolve.h"
+#include "core/project/project.h"
+#include "core/project/resolve/resolve.h"
 #include "server/app/commands.h"
 #include "server/app/console.h"
 #include "server/app/interrupt.h"

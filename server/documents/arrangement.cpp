@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "core/arrange/garment_graph.h"
+#include "core/base/names.h"
 #include "core/base/units.h"
 #include "core/body/measure/segments.h"
 #include "core/mesh/make_panel_meshes.h"
-#include "proto/cpp/names.h"
-#include "proto/cpp/project_places.h"
-#include "proto/cpp/project_resolve.h"
+#include "core/project/create/places.h"
+#include "core/project/resolve/resolve.h"
 #include "server/documents/edits.h"
 #include "server/documents/findings.h"
 #include "server/documents/projects.h"

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "core/base/aabb.h"
+#include "core/base/names.h"
+#include "core/json/tree.h"
 #include "core/pattern/dxf/read.h"
-#include "proto/cpp/garmentcode_read.h"
-#include "proto/cpp/json_codec.h"
-#include "proto/cpp/names.h"
+#include "core/pattern/garmentcode/read.h"
 #include "server/documents/bodies.h"
 #include "server/store/file_name.h"
 

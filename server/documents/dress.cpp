@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "core/base/aabb.h"
+#include "core/base/names.h"
 #include "core/body/measure/stance.h"
-#include "proto/cpp/names.h"
-#include "proto/cpp/project_bodies.h"
-#include "proto/cpp/project_pieces.h"
+#include "core/json/tree.h"
+#include "core/project/bodies.h"
 #include "server/documents/bodies.h"
 #include "server/documents/edits.h"
 #include "server/documents/mannequins.h"

@@ -3,8 +3,8 @@
 #include <utility>
 #include <vector>
 
-#include "proto/cpp/pattern_edit.h"
-#include "proto/cpp/project.h"
+#include "core/project/editing/edits.h"
+#include "core/project/project.h"
 #include "server/documents/projects.h"
 
 namespace toile {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/base/result.h"
-#include "proto/cpp/json_codec.h"
+#include "core/json/tree.h"
 #include "server/documents/projects.h"
 #include "server/store/store.h"
 

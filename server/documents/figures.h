@@ -4,8 +4,8 @@
 #include <string>
 
 #include "core/base/result.h"
-#include "proto/cpp/json_codec.h"
-#include "proto/cpp/project_resolve.h"
+#include "core/json/tree.h"
+#include "core/project/resolve/resolve.h"
 #include "server/store/store.h"
 
 namespace toile {

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/json/tree.h"
 #include "core/preflight/finding.h"
-#include "proto/cpp/json_codec.h"
 
 namespace toile {
 

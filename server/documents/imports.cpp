@@ -6,14 +6,13 @@
 #include <variant>
 #include <vector>
 
+#include "core/base/names.h"
+#include "core/json/tree.h"
 #include "core/pattern/curve.h"
 #include "core/pattern/dxf/read.h"
 #include "core/pattern/validate.h"
-#include "proto/cpp/import_report.h"
-#include "proto/cpp/json_codec.h"
-#include "proto/cpp/names.h"
-#include "proto/cpp/project_new.h"
-#include "proto/cpp/project_pieces.h"
+#include "core/project/create/create.h"
+#include "core/project/create/import_report.h"
 #include "server/documents/assets.h"
 
 namespace toile {

@@ -5,11 +5,11 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/names.h"
 #include "core/base/units.h"
 #include "core/body/measure/own_landmarks.h"
-#include "proto/cpp/names.h"
-#include "proto/cpp/project_body_places.h"
-#include "proto/cpp/project_resolve.h"
+#include "core/project/resolve/body_places.h"
+#include "core/project/resolve/resolve.h"
 #include "server/documents/edits.h"
 #include "server/documents/projects.h"
 

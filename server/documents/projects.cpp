@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "proto/cpp/json_codec.h"
-#include "proto/cpp/names.h"
-#include "proto/cpp/project.h"
+#include "core/base/names.h"
+#include "core/json/tree.h"
+#include "core/project/project.h"
 #include "server/documents/bodies.h"
 #include "server/documents/mannequins.h"
 #include "server/documents/used_files.h"

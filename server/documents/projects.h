@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/base/result.h"
-#include "proto/cpp/project_resolve.h"
+#include "core/project/resolve/resolve.h"
 #include "server/store/store.h"
 
 namespace toile {

@@ -2,11 +2,11 @@
 
 #include <vector>
 
+#include "core/json/tree.h"
 #include "core/pattern/seams/propose.h"
-#include "proto/cpp/json_codec.h"
-#include "proto/cpp/project.h"
-#include "proto/cpp/project_bodies.h"
-#include "proto/cpp/project_new.h"
+#include "core/project/bodies.h"
+#include "core/project/create/create.h"
+#include "core/project/project.h"
 
 namespace toile {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "proto/cpp/names.h"
-#include "proto/cpp/project.h"
+#include "core/base/names.h"
+#include "core/project/project.h"
 #include "server/documents/assets.h"
 #include "server/documents/projects.h"
 #include "server/documents/used_files.h"

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "proto/cpp/json_codec.h"
+#include "core/json/tree.h"
 
 namespace toile {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "proto/cpp/project.h"
+#include "core/project/project.h"
 
 namespace toile {
 

@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
+#include "core/json/tree.h"
 #include "core/pattern/curve.h"
 #include "core/pattern/seams/check.h"
-#include "proto/cpp/json_codec.h"
-#include "proto/cpp/project.h"
-#include "proto/cpp/project_bodies.h"
+#include "core/project/bodies.h"
+#include "core/project/project.h"
 
 namespace toile {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/base/result.h"
-#include "proto/cpp/project_resolve.h"
+#include "core/project/resolve/resolve.h"
 
 namespace toile {
 

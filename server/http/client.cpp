@@ -15,7 +15,7 @@
 #include <cctype>
 #include <optional>
 
-#include "proto/cpp/names.h"
+#include "core/base/names.h"
 
 namespace toile {
 namespace {

@@ -1,6 +1,6 @@
 #include "server/http/guard.h"
 
-#include "proto/cpp/names.h"
+#include "core/base/names.h"
 #include "server/http/problem.h"
 #include "server/http/url.h"
 

@@ -13,7 +13,7 @@
 #include <memory>
 #include <utility>
 
-#include "proto/cpp/names.h"
+#include "core/base/names.h"
 #include "server/http/session.h"
 
 namespace toile {

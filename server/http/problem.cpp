@@ -3,8 +3,8 @@
 #include <map>
 #include <string_view>
 
-#include "proto/cpp/json_codec.h"
-#include "proto/cpp/names.h"
+#include "core/base/names.h"
+#include "core/json/tree.h"
 
 namespace toile {
 namespace {

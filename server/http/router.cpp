@@ -4,7 +4,7 @@
 #include <cctype>
 #include <utility>
 
-#include "proto/cpp/names.h"
+#include "core/base/names.h"
 #include "server/http/problem.h"
 #include "server/http/url.h"
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <system_error>
 
-#include "proto/cpp/names.h"
+#include "core/base/names.h"
 #include "server/http/problem.h"
 
 namespace toile {

@@ -1,7 +1,7 @@
 #include "server/jobs/job_input.h"
 
-#include "proto/cpp/project_resolve.h"
-#include "proto/cpp/project_textures.h"
+#include "core/project/resolve/resolve.h"
+#include "core/project/resolve/textures.h"
 #include "server/documents/projects.h"
 
 namespace toile {

@@ -1,6 +1,6 @@
 #include "server/jobs/row_progress.h"
 
-#include "proto/cpp/json_codec.h"
+#include "core/json/tree.h"
 
 namespace toile {
 namespace {

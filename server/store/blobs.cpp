@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "core/base/hash.h"
-#include "proto/cpp/names.h"
+#include "core/base/names.h"
 #include "server/store/file_name.h"
 #include "server/store/ids.h"
 

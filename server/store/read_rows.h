@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/names.h"
 #include "core/base/result.h"
-#include "proto/cpp/names.h"
 #include "server/store/sqlite.h"
 
 namespace toile {

@@ -1,43 +1,47 @@
 #include "server/store/rows.h"
 
 #include <utility>
-#include <vector>
 
-#include "proto/cpp/json_codec.h"
+#include <nlohmann/json.hpp>
 
 namespace toile {
 namespace {
 
-/// The members of the object in a column of `thing`'s row. `read` gives a pointer to a member's value, or
-/// null where it has another type.
-template <typename Value, typename Read>
-Result<std::map<std::string, Value>> map_from(const std::string& text, const std::string& thing, Read read) {
-  const Result<JsonValue> object = parse_json(text);
-  if (!object || object->object() == nullptr) {
-    return Error{"store.corrupt", "a row of the database is damaged", thing};
-  }
+using Json = nlohmann::json;
+
+/// The members of the object in a column of `thing`'s row that `is_one` takes; others are passed over.
+template <typename Value, typename IsOne>
+Result<std::map<std::string, Value>> map_from(const std::string& text, const std::string& thing,
+                                              IsOne is_one) {
+  const Json object = Json::parse(text, nullptr, false);
+  if (!object.is_object()) return Error{"store.corrupt", "a row of the database is damaged", thing};
   std::map<std::string, Value> map;
-  for (const JsonMember& member : *object->object()) {
-    if (const auto* value = read(member.value)) map[member.key] = static_cast<Value>(*value);
+  for (const auto& [name, value] : object.items()) {
+    if (is_one(value)) map[name] = value.template get<Value>();
   }
   return map;
 }
 
 Result<FileIds> files_from(const std::string& text, const std::string& thing) {
-  return map_from<std::string>(text, thing, [](const JsonValue& value) { return value.text(); });
+  return map_from<std::string>(text, thing, [](const Json& value) { return value.is_string(); });
 }
 
-template <typename Map, typename Make>
-std::string text_of(const Map& map, Make make) {
-  std::vector<JsonMember> members;
-  for (const auto& [name, value] : map) members.push_back({name, make(value)});
-  return write_json_line(JsonValue(std::move(members)));
+/// One line, with blanks as the rows that are there already have them.
+template <typename Map>
+std::string text_of(const Map& map) {
+  const auto quoted = [](const Json& value) {
+    return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+  };
+  std::string text;
+  for (const auto& [name, value] : map)
+    text += (text.empty() ? "" : ", ") + quoted(name) + ": " + quoted(value);
+  return "{" + text + "}";
 }
 
 }  // namespace
 
 Result<ResultSizes> results_from(const std::string& text, const std::string& thing) {
-  return map_from<std::int64_t>(text, thing, [](const JsonValue& value) { return value.number(); });
+  return map_from<std::int64_t>(text, thing, [](const Json& value) { return value.is_number(); });
 }
 
 Result<AssetRow> asset_from(const SqlStatement& row) {
@@ -87,12 +91,8 @@ Result<JobRow> job_from(const SqlStatement& row) {
   return job;
 }
 
-std::string column_text(const FileIds& files) {
-  return text_of(files, [](const std::string& id) { return JsonValue(id); });
-}
+std::string column_text(const FileIds& files) { return text_of(files); }
 
-std::string column_text(const ResultSizes& results) {
-  return text_of(results, [](std::int64_t bytes) { return JsonValue(static_cast<double>(bytes)); });
-}
+std::string column_text(const ResultSizes& results) { return text_of(results); }
 
 }  // namespace toile

@@ -8,7 +8,7 @@
 #include <system_error>
 
 #include "core/base/hash.h"
-#include "proto/cpp/names.h"
+#include "core/base/names.h"
 #include "server/store/file_name.h"
 #include "server/store/migrations.h"
 #include "server/store/read_rows.h"

@@ -1,7 +1,7 @@
 #include "server/ws/control.h"
 
-#include "proto/cpp/json_codec.h"
-#include "proto/cpp/names.h"
+#include "core/base/names.h"
+#include "core/json/tree.h"
 
 namespace toile {
 

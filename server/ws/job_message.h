@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "proto/cpp/json_codec.h"
+#include "core/json/tree.h"
 #include "server/jobs/publisher.h"
 #include "server/store/store.h"
 

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <string>
 
-#include "proto/cpp/json_codec.h"
-#include "proto/cpp/project.h"
+#include "core/json/tree.h"
+#include "core/project/project.h"
 #include "tests/app/program.h"
 
 namespace toile {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "proto/cpp/json_codec.h"
+#include "core/json/tree.h"
 #include "tests/app/napkin.h"
 #include "tests/app/program.h"
 #include "tests/core/image/pictures.h"

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "proto/cpp/json_codec.h"
+#include "core/json/tree.h"
 #include "tests/app/napkin.h"
 #include "tests/app/program.h"
 

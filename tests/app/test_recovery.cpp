@@ -9,7 +9,7 @@
 #include <string>
 #include <thread>
 
-#include "proto/cpp/json_codec.h"
+#include "core/json/tree.h"
 #include "tests/app/napkin.h"
 #include "tests/app/program.h"
 #include "tests/app/serving.h"

@@ -12,7 +12,7 @@
 #include <thread>
 #include <vector>
 
-#include "proto/cpp/json_codec.h"
+#include "core/json/tree.h"
 #include "tests/app/napkin.h"
 #include "tests/app/program.h"
 #include "tests/app/serving.h"

@@ -4,7 +4,7 @@
 #include <iterator>
 
 #include "core/base/write_file.h"
-#include "proto/cpp/project_new.h"
+#include "core/project/create/create.h"
 
 namespace toile::test {
 

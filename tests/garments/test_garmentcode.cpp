@@ -6,7 +6,7 @@
 
 #include "core/analysis/report.h"
 #include "core/drape/pipeline.h"
-#include "proto/cpp/project_resolve.h"
+#include "core/project/resolve/resolve.h"
 #include "tests/garmentcode/to_project.h"
 
 namespace toile {

@@ -5,7 +5,7 @@
 #include "core/analysis/report.h"
 #include "core/body/measure/tape.h"
 #include "core/drape/pipeline.h"
-#include "proto/cpp/project_resolve.h"
+#include "core/project/resolve/resolve.h"
 #include "tests/garments/golden.h"
 
 namespace toile {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "core/json/tree.h"
 #include "proto/cpp/frame_codec.h"
-#include "proto/cpp/json_codec.h"
 
 namespace toile {
 

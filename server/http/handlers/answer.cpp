@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "proto/cpp/names.h"
+#include "core/base/names.h"
 
 namespace toile {
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "proto/cpp/names.h"
+#include "core/base/names.h"
 #include "server/documents/projects.h"
 #include "server/documents/views.h"
 #include "server/http/handlers/answer.h"

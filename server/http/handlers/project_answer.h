@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "proto/cpp/json_codec.h"
+#include "core/json/tree.h"
 #include "server/http/message.h"
 #include "server/http/router.h"
 #include "server/store/store.h"

@@ -9,7 +9,7 @@
 #include "core/body/mesh_import/load.h"
 #include "core/drape/pipeline.h"
 #include "core/mesh/make_panel_meshes.h"
-#include "proto/cpp/project_resolve.h"
+#include "core/project/resolve/resolve.h"
 #include "tests/garmentcode/to_project.h"
 
 namespace toile {

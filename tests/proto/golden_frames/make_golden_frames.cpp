@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "core/base/write_file.h"
+#include "core/json/tree.h"
 #include "proto/cpp/frame_codec.h"
-#include "proto/cpp/json_codec.h"
 
 namespace toile {
 namespace {

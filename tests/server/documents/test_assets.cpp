@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "proto/cpp/json_codec.h"
+#include "core/json/tree.h"
 #include "tests/core/image/pictures.h"
 #include "tests/server/documents/documents_fixture.h"
 

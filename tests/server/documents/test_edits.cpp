@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "proto/cpp/project.h"
-#include "proto/cpp/project_textures.h"
+#include "core/project/project.h"
+#include "core/project/resolve/textures.h"
 #include "server/documents/imports.h"
 #include "server/documents/proposals.h"
 #include "server/documents/views.h"

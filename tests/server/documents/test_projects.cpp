@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "proto/cpp/project.h"
+#include "core/project/project.h"
 #include "tests/server/documents/documents_fixture.h"
 
 namespace toile {

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "proto/cpp/project.h"
+#include "core/project/project.h"
 #include "tests/server/documents/documents_fixture.h"
 
 namespace toile {

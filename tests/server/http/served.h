@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-#include "proto/cpp/json_codec.h"
+#include "core/json/tree.h"
 #include "server/documents/assets.h"
 #include "server/documents/projects.h"
 #include "server/http/server.h"

@@ -8,7 +8,7 @@
 
 #include "core/base/hash.h"
 #include "core/drape/pipeline.h"
-#include "proto/cpp/json_codec.h"
+#include "core/json/tree.h"
 #include "server/jobs/job_input.h"
 #include "server/jobs/job_service.h"
 #include "tests/server/jobs/fake_store.h"

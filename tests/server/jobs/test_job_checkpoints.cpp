@@ -3,7 +3,7 @@
 #include <chrono>
 #include <thread>
 
-#include "proto/cpp/json_codec.h"
+#include "core/json/tree.h"
 #include "tests/server/jobs/house.h"
 
 namespace toile {

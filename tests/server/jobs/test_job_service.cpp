@@ -4,8 +4,8 @@
 #include <cmath>
 #include <thread>
 
+#include "core/json/tree.h"
 #include "proto/cpp/frame_codec.h"
-#include "proto/cpp/json_codec.h"
 #include "tests/core/image/pictures.h"
 #include "tests/server/jobs/house.h"
 

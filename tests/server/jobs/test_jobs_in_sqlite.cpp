@@ -2,7 +2,7 @@
 
 #include <unistd.h>
 
-#include "proto/cpp/json_codec.h"
+#include "core/json/tree.h"
 #include "server/documents/assets.h"
 #include "server/documents/projects.h"
 #include "server/jobs/job_service.h"

@@ -1,0 +1,90 @@
+#pragma once
+// Whatever describe() lists → JSON.
+
+#include <array>
+#include <cstddef>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/base/types.h"
+#include "core/json/fields/range.h"
+#include "core/json/tree.h"
+
+namespace toile::fields {
+
+inline JsonValue json_of(bool value) { return value; }
+inline JsonValue json_of(int value) { return static_cast<double>(value); }
+inline JsonValue json_of(double value) { return value; }
+inline JsonValue json_of(std::string& value) { return value; }
+inline JsonValue json_of(Vec2 value) { return std::vector<JsonValue>{value.x, value.y}; }
+inline JsonValue json_of(Vec3 value) { return std::vector<JsonValue>{value.x, value.y, value.z}; }
+
+inline JsonValue json_of(std::vector<std::pair<std::string, std::string>>& names) {
+  std::vector<JsonMember> members;
+  for (const auto& [from, to] : names) members.push_back({from, to});
+  return members;
+}
+
+template <typename T, std::size_t N>
+JsonValue json_of(std::array<T, N>& values) {
+  std::vector<JsonValue> elements;
+  for (T& value : values) elements.push_back(json_of(value));
+  return elements;
+}
+
+template <typename T>
+JsonValue json_of(T& object);
+
+template <typename T>
+JsonValue json_of(std::vector<T>& values) {
+  std::vector<JsonValue> elements;
+  for (T& value : values) elements.push_back(json_of(value));
+  return elements;
+}
+
+template <typename T>
+JsonValue json_of(std::optional<T>& value) {
+  return json_of(*value);
+}
+
+/// What says nothing is left out: an empty text, an empty list, an absent part.
+inline bool is_absent(const std::string& value) { return value.empty(); }
+template <typename T>
+bool is_absent(const std::vector<T>& values) {
+  return values.empty();
+}
+template <typename T>
+bool is_absent(const std::optional<T>& value) {
+  return !value;
+}
+template <typename T>
+bool is_absent(const T&) {
+  return false;
+}
+
+struct FieldWriter {
+  std::vector<JsonMember> members;
+
+  template <typename T>
+  void field(std::string_view key, T& value, Need = Need::kOptional, Range = kAnything) {
+    if (!is_absent(value)) members.push_back({std::string(key), json_of(value)});
+  }
+  void choice(std::string_view key, std::string& value, std::initializer_list<const char*>) {
+    field(key, value);
+  }
+  template <typename... Keys>
+  void exactly_one(Keys...) {}
+};
+
+template <typename T>
+JsonValue json_of(T& object) {
+  FieldWriter writer;
+  describe(writer, object);
+  return std::move(writer.members);
+}
+
+}  // namespace toile::fields

@@ -1,0 +1,376 @@
+#include "core/pattern/garmentcode/read.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "core/base/names.h"
+#include "core/base/units.h"
+#include "core/json/tree.h"
+#include "core/pattern/curve.h"
+#include "core/pattern/garmentcode/curves.h"
+#include "core/pattern/validate.h"
+
+namespace toile {
+namespace {
+
+constexpr double kFarthest_mm = 1e5;  // as project documents allow
+constexpr std::size_t kMostPanels = 1000;
+constexpr std::size_t kMostEdges = 10000;  // of a panel
+constexpr std::size_t kMostStitches = 1000;
+constexpr double kLeastLength_mm = 1e-3;
+
+/// A value with its place, so that every error can name it.
+struct Place {
+  const JsonValue* value = nullptr;
+  std::string pointer;
+
+  Place at(std::size_t i) const { return {&(*value->array())[i], pointer_to(pointer, i)}; }
+  /// The member of that name; its value is null when it is not there.
+  Place find(std::string_view key) const { return {value->find(key), pointer_to(pointer, key)}; }
+};
+
+Error wrong_type(const Place& place, const char* wanted) {
+  if (place.value == nullptr)
+    return {"garmentcode.missing", std::string(wanted) + " is missing", place.pointer};
+  return {"garmentcode.type", std::string("this should be ") + wanted, place.pointer};
+}
+
+Result<Place> object(const Place& place, const char* what) {
+  if (place.value == nullptr || !place.value->object()) return wrong_type(place, what);
+  return place;
+}
+
+/// A list of `least` to `most` elements.
+Result<Place> list(const Place& place, const char* what, std::size_t least, std::size_t most) {
+  if (place.value == nullptr || !place.value->array()) return wrong_type(place, what);
+  const std::size_t size = place.value->array()->size();
+  if (size >= least && size <= most) return place;
+  return Error{"garmentcode.range", std::string(what) + " has " + std::to_string(size) + " elements",
+               place.pointer};
+}
+
+Result<double> number(const Place& place, const char* what) {
+  const double* value = place.value == nullptr ? nullptr : place.value->number();
+  if (value == nullptr) return wrong_type(place, what);
+  if (!std::isfinite(*value) || std::abs(*value) > 1e9)
+    return Error{"garmentcode.range", std::string(what) + " is out of all proportion", place.pointer};
+  return *value;
+}
+
+/// A whole number from 0 up to but not including `end`.
+Result<std::size_t> index(const Place& place, const char* what, std::size_t end) {
+  const double value = TRY(number(place, what));
+  if (value != std::floor(value) || value < 0 || value >= static_cast<double>(end))
+    return Error{"garmentcode.reference", std::string("there is no such ") + what, place.pointer};
+  return static_cast<std::size_t>(value);
+}
+
+template <std::size_t N>
+Result<std::array<double, N>> numbers(const Place& place, const char* what) {
+  TRY(list(place, what, N, N));
+  std::array<double, N> values{};
+  for (std::size_t i = 0; i < N; ++i) {
+    const double value = TRY(number(place.at(i), what));
+    values[i] = value;
+  }
+  return values;
+}
+
+/// What properties say about the file's figures.
+struct Conventions {
+  double mm = 10;  ///< per unit of the file
+  bool relative = true;
+};
+
+Result<Conventions> conventions_of(const Place& root) {
+  Conventions conventions;
+  const Place properties = root.find("properties");
+  if (properties.value == nullptr) return conventions;
+  if (const Place units = properties.find("units_in_meter"); units.value != nullptr) {
+    const double per_metre = TRY(number(units, "a number of units"));
+    if (!(per_metre >= 1e-3 && per_metre <= 1e6))
+      return Error{"garmentcode.unit", "units_in_meter must be between 0.001 and 1000000", units.pointer};
+    conventions.mm = 1000 / per_metre;
+  }
+  if (const Place coords = properties.find("curvature_coords"); coords.value != nullptr) {
+    const std::string* name = coords.value->text();
+    if (name == nullptr || (*name != "relative" && *name != "absolute"))
+      return Error{"garmentcode.type", "curvature_coords is \"relative\" or \"absolute\"", coords.pointer};
+    conventions.relative = *name == "relative";
+  }
+  return conventions;
+}
+
+Result<Vec2> point_mm(const Place& place, const Conventions& conventions) {
+  const auto xy = TRY(numbers<2>(place, "a point"));
+  const Vec2 p{xy[0] * conventions.mm, xy[1] * conventions.mm};
+  if (std::abs(p.x) <= kFarthest_mm && std::abs(p.y) <= kFarthest_mm) return p;
+  return Error{"garmentcode.range", "the point is over a hundred metres away", place.pointer};
+}
+
+Result<Vec2> control_point(const Place& place, Vec2 a, Vec2 b, const Conventions& conventions) {
+  if (!conventions.relative) return point_mm(place, conventions);
+  const auto given = TRY(numbers<2>(place, "a control point"));
+  const Vec2 p = relative_to_edge(a, b, {given[0], given[1]});
+  if (std::abs(p.x) <= kFarthest_mm && std::abs(p.y) <= kFarthest_mm) return p;
+  return Error{"garmentcode.range", "the control point is over a hundred metres away", place.pointer};
+}
+
+using Curves = std::vector<CubicBezier>;
+
+/// Booleans are written as 0 and 1 or as false and true.
+Result<bool> flag(const Place& place) {
+  if (const bool* value = place.value->boolean()) return *value;
+  const double value = TRY(number(place, "a flag"));
+  return value != 0;
+}
+
+Result<Curves> arc(const Place& params, Vec2 a, Vec2 b, const Conventions& conventions) {
+  TRY(list(params, "an arc's radius and two flags", 3, 3));
+  const double radius = TRY(number(params.at(0), "a radius"));
+  if (!(radius > 0 && radius * conventions.mm <= kFarthest_mm))
+    return Error{"garmentcode.range", "the radius is not within a hundred metres", params.at(0).pointer};
+  const bool large = TRY(flag(params.at(1)));
+  const bool left = TRY(flag(params.at(2)));
+  return cubics_from_arc(a, b, radius * conventions.mm, large, left);
+}
+
+Result<Curves> bezier(const Place& params, std::size_t controls, Vec2 a, Vec2 b,
+                      const Conventions& conventions) {
+  TRY(list(params, "the list of control points", controls, controls));
+  std::vector<Vec2> c;
+  for (std::size_t i = 0; i < controls; ++i) {
+    const Vec2 p = TRY(control_point(params.at(i), a, b, conventions));
+    c.push_back(p);
+  }
+  return Curves{controls == 1 ? cubic_from_quadratic(a, c[0], b) : CubicBezier{a, c[0], c[1], b}};
+}
+
+Result<Curves> curves_of(const Place& edge, Vec2 a, Vec2 b, const Conventions& conventions) {
+  const Place curvature = edge.find("curvature");
+  if (curvature.value == nullptr) return Curves{line_segment(a, b)};
+  if (curvature.value->array()) {
+    const Vec2 c = TRY(control_point(curvature, a, b, conventions));
+    return Curves{cubic_from_quadratic(a, c, b)};
+  }
+  TRY(object(curvature, "a curvature"));
+  const Place type = curvature.find("type");
+  const std::string* name = type.value == nullptr ? nullptr : type.value->text();
+  if (name == nullptr) return wrong_type(type, "the curve's type");
+  const Place params = curvature.find("params");
+  if (*name == "quadratic") return bezier(params, 1, a, b, conventions);
+  if (*name == "cubic") return bezier(params, 2, a, b, conventions);
+  if (*name == "circle") return arc(params, a, b, conventions);
+  return Error{"garmentcode.curve",
+               "there is no curve " + in_quotes(*name) + " here; curves are quadratic, cubic or circle",
+               type.pointer};
+}
+
+Result<std::vector<Vec2>> vertices_of(const Place& panel, const Conventions& conventions) {
+  const Place given = TRY(list(panel.find("vertices"), "the list of vertices", 2, kMostEdges));
+  std::vector<Vec2> vertices;
+  for (std::size_t i = 0; i < given.value->array()->size(); ++i) {
+    const Vec2 p = TRY(point_mm(given.at(i), conventions));
+    vertices.push_back(p);
+  }
+  return vertices;
+}
+
+std::string label_of(const Place& place) {
+  const JsonValue* label = place.value->find("label");
+  return label != nullptr && label->text() ? *label->text() : "";
+}
+
+/// The edges as they stand in the file, mm.
+Result<Loop> loop_of(const Place& panel, const Conventions& conventions, std::vector<std::string>& labels) {
+  const std::vector<Vec2> vertices = TRY(vertices_of(panel, conventions));
+  const Place edges = TRY(list(panel.find("edges"), "the list of edges", 2, kMostEdges));
+  Loop loop;
+  std::optional<std::size_t> first, end;
+  for (std::size_t i = 0; i < edges.value->array()->size(); ++i) {
+    const Place edge = TRY(object(edges.at(i), "an edge"));
+    const Place ends = edge.find("endpoints");
+    TRY(list(ends, "an edge's two end points", 2, 2));
+    const Result<std::size_t> from = index(ends.at(0), "vertex", vertices.size());
+    const Result<std::size_t> to = index(ends.at(1), "vertex", vertices.size());
+    if (!from) return from.error();
+    if (!to) return to.error();
+    if (end && *end != *from)
+      return Error{"garmentcode.open_outline", "the edge does not start where the one before it ends",
+                   edge.pointer};
+    const Vec2 a = vertices[*from], b = vertices[*to];
+    if (length(b - a) < kLeastLength_mm)
+      return Error{"garmentcode.edge_without_length", "the edge ends where it starts", edge.pointer};
+    Curves curves = TRY(curves_of(edge, a, b, conventions));
+    loop.edges.push_back({"e" + std::to_string(i), std::move(curves)});
+    labels.push_back(label_of(edge));
+    if (!first) first = *from;
+    end = *to;
+  }
+  if (*end != *first)
+    return Error{"garmentcode.open_outline", "the last edge does not end where the first starts",
+                 edges.pointer};
+  return loop;
+}
+
+void mirror_x(Loop& loop) {
+  for (PanelEdge& edge : loop.edges)
+    for (CubicBezier& c : edge.curves)
+      for (Vec2* p : {&c.p0, &c.p1, &c.p2, &c.p3}) p->x = -p->x;
+}
+
+using Matrix = std::array<std::array<double, 3>, 3>;
+
+/// The rotation about axis k by `degrees`; right angles exactly.
+Matrix rotation_about(std::size_t k, double degrees) {
+  const double quarter = std::remainder(degrees, 360) / 90;
+  double c = std::cos(quarter * (kPi / 2)), s = std::sin(quarter * (kPi / 2));
+  if (quarter == std::round(quarter)) {
+    c = std::round(c);
+    s = std::round(s);
+  }
+  const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+  Matrix m{};
+  m[k][k] = 1;
+  m[i][i] = c;
+  m[i][j] = -s;
+  m[j][i] = s;
+  m[j][j] = c;
+  return m;
+}
+
+Matrix times(const Matrix& a, const Matrix& b) {
+  Matrix m{};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      for (std::size_t k = 0; k < 3; ++k) m[i][j] += a[i][k] * b[k][j];
+  return m;
+}
+
+/// Degrees about the fixed axes x, then y, then z, which a project counts in, of a turn about x, then the
+/// turned y, then the turned z, which the file counts in.
+Vec3 fixed_angles(const std::array<double, 3>& own) {
+  const Matrix r =
+      times(times(rotation_about(0, own[0]), rotation_about(1, own[1])), rotation_about(2, own[2]));
+  const double across = std::sqrt(r[0][0] * r[0][0] + r[1][0] * r[1][0]);
+  const double y = std::atan2(-r[2][0], across);
+  // Looking along ±x after the turn about y, turns about x and z are one: all of it is given to x.
+  const bool locked = across < 1e-9;
+  const double x = locked ? std::atan2(-r[1][2], r[1][1]) : std::atan2(r[2][1], r[2][2]);
+  const double z = locked ? 0 : std::atan2(r[1][0], r[0][0]);
+  return {degrees_from_radians(x), degrees_from_radians(y), degrees_from_radians(z)};
+}
+
+Result<GarmentCodePlace> placement_of(const Place& panel, const Conventions& conventions) {
+  GarmentCodePlace rigid;
+  if (const Place t = panel.find("translation"); t.value != nullptr) {
+    const auto given = TRY(numbers<3>(t, "a translation"));
+    const double m = metres_from_mm(conventions.mm);
+    rigid.translation = {given[0] * m, given[1] * m, given[2] * m};
+    if (!(length(rigid.translation) <= 100))
+      return Error{"garmentcode.range", "the panel stands over a hundred metres away", t.pointer};
+  }
+  if (const Place r = panel.find("rotation"); r.value != nullptr) {
+    const auto given = TRY(numbers<3>(r, "a rotation"));
+    rigid.rotation = fixed_angles(given);
+  }
+  return rigid;
+}
+
+Status add_panel(const std::string& name, const Place& place, const Conventions& conventions,
+                 GarmentCodeGarment& garment) {
+  TRY(object(place, "a panel"));
+  Panel panel;
+  panel.id = name;
+  GarmentCodePanel extra;
+  Loop loop = TRY(loop_of(place, conventions, extra.edge_labels));
+  const GarmentCodePlace placement = TRY(placement_of(place, conventions));
+  extra.placement = placement;
+  extra.label = label_of(place);
+  panel.outline = std::move(loop);
+  if (signed_area(panel.outline) < 0) {
+    mirror_x(panel.outline);
+    extra.placement.flipped = true;
+  }
+  if (const Status valid = validate(panel); !valid) return error_at(place.pointer, valid.error());
+  garment.pattern.panels.push_back(std::move(panel));
+  garment.panels.push_back(std::move(extra));
+  return {};
+}
+
+/// The names in panel_order, then the others in the file's order.
+std::vector<std::string> order_of(const Place& pattern, const Place& panels) {
+  std::vector<std::string> order;
+  std::set<std::string> seen;
+  const auto add = [&](const std::string& name) {
+    if (panels.value->find(name) != nullptr && seen.insert(name).second) order.push_back(name);
+  };
+  if (const JsonValue* given = pattern.value->find("panel_order"); given != nullptr && given->array())
+    for (const JsonValue& name : *given->array())
+      if (name.text()) add(*name.text());
+  for (const JsonMember& member : *panels.value->object()) add(member.key);
+  return order;
+}
+
+Result<SeamEdge> seam_edge_of(const Place& side, const Pattern& pattern) {
+  TRY(object(side, "a side of a stitch"));
+  const Place name = side.find("panel");
+  if (name.value == nullptr || !name.value->text()) return wrong_type(name, "a panel's name");
+  const auto found = std::find_if(pattern.panels.begin(), pattern.panels.end(),
+                                  [&](const Panel& p) { return p.id == *name.value->text(); });
+  if (found == pattern.panels.end())
+    return Error{"garmentcode.reference", "there is no panel " + in_quotes(*name.value->text()),
+                 name.pointer};
+  const std::size_t edge = TRY(index(side.find("edge"), "edge", found->outline.edges.size()));
+  return SeamEdge{static_cast<Index>(found - pattern.panels.begin()), static_cast<Index>(edge), false};
+}
+
+Status add_stitches(const Place& stitches, GarmentCodeGarment& garment) {
+  if (stitches.value == nullptr) return {};
+  TRY(list(stitches, "the list of stitches", 0, kMostStitches));
+  std::set<std::pair<Index, Index>> sewn;
+  for (std::size_t i = 0; i < stitches.value->array()->size(); ++i) {
+    const Place stitch = stitches.at(i);
+    TRY(list(stitch, "a stitch of two sides", 2, 3));
+    const SeamEdge a = TRY(seam_edge_of(stitch.at(0), garment.pattern));
+    const SeamEdge b = TRY(seam_edge_of(stitch.at(1), garment.pattern));
+    const std::pair at_a{a.panel, a.edge}, at_b{b.panel, b.edge};
+    if (sewn.contains(at_a) || sewn.contains(at_b) || at_a == at_b) {
+      garment.notes.push_back(stitch.pointer + ": an edge of it is stitched already; left out");
+      continue;
+    }
+    sewn.insert(at_a);
+    sewn.insert(at_b);
+    if (stitch.value->array()->size() == 3)
+      garment.notes.push_back(stitch.pointer +
+                              "/2: what is said of the stitch beyond its sides is passed over");
+    garment.pattern.seams.push_back({"seam" + std::to_string(i), {a}, {b}, false});
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<GarmentCodeGarment> read_garmentcode(std::string_view text) {
+  const JsonValue json = TRY(parse_json(text));
+  const Place root = TRY(object({&json, ""}, "a specification"));
+  const Conventions conventions = TRY(conventions_of(root));
+  const Place pattern = TRY(object(root.find("pattern"), "the pattern"));
+  const Place panels = TRY(object(pattern.find("panels"), "the panels"));
+  const std::size_t count = panels.value->object()->size();
+  if (count == 0 || count > kMostPanels)
+    return Error{"garmentcode.no_panels", "a specification has 1 to 1000 panels", panels.pointer};
+  GarmentCodeGarment garment;
+  for (const std::string& name : order_of(pattern, panels)) {
+    if (const Status added = add_panel(name, panels.find(name), conventions, garment); !added)
+      return added.error();
+  }
+  TRY(add_stitches(pattern.find("stitches"), garment));
+  return garment;
+}
+
+}  // namespace toile

@@ -1,0 +1,35 @@
+#pragma once
+// The document's bodies by themselves: read and written without the rest of a document, and the mannequin in
+// the core's own terms.
+
+#include <string>
+#include <utility>
+
+#include "core/base/result.h"
+#include "core/body/mannequin/mannequin.h"
+#include "core/json/tree.h"
+#include "core/project/project.h"
+
+namespace toile {
+
+/// "female", "male", "child".
+const char* name_of(Sex sex);
+
+/// The preset's sex and measures first, what the document says over them. With neither preset nor sex it is a
+/// woman of 170 cm, 90-72-96, where these are not given: so documents have meant it from the first. Errors,
+/// with the key as place: project.unknown_preset.
+Result<MannequinSettings> mannequin_settings(const ProjectMannequin& given);
+
+/// Errors: project.* as for a document, `where` begins with the object's own pointer.
+Result<ProjectMannequin> read_mannequin(const JsonValue& object, const std::string& where);
+Result<ProjectBody> read_body(const JsonValue& object, const std::string& where);
+/// As a document has it.
+JsonValue mannequin_json(const ProjectMannequin& mannequin);
+
+/// What the document means without its bodies, which take long to read: what is told by them goes with them.
+Project without_bodies(Project project);
+
+/// Least and most that a document may ask of a measure, cm.
+std::pair<double, double> measure_range_cm(Measure m);
+
+}  // namespace toile

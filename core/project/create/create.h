@@ -1,0 +1,73 @@
+#pragma once
+// A project document for a pattern that has none yet.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/aabb.h"
+#include "core/base/result.h"
+#include "core/base/run_context.h"
+#include "core/base/types.h"
+#include "core/json/tree.h"
+#include "core/pattern/dxf/read.h"
+#include "core/pattern/pattern.h"
+#include "core/pattern/seams/propose.h"
+#include "core/project/project.h"
+
+namespace toile {
+
+struct NewProjectSettings {
+  std::string name;          ///< of the project
+  std::string pattern_file;  ///< the document's name for the pattern
+  std::string body_file;     ///< and for the body
+  DxfSettings dxf = {};      ///< unit and size of a DXF file
+  /// Corners of the box around the body, m, y up: pieces that come without a place stand around it.
+  Aabb3 body{{-0.3, 0, -0.2}, {0.3, 1.7, 0.2}};
+  /// Accepts the proposals of this confidence and above that can be sewn together; unset: none.
+  std::optional<double> accept_seams;
+};
+
+struct NewProject {
+  Project project;
+  Pattern pattern;  ///< as the project has it, with its seams
+  /// What was proposed, when the file had no seams of its own; seams name panels and edges of `pattern`.
+  std::vector<SeamProposal> proposals;
+  std::vector<bool> accepted;      ///< which of them the project has: a proposal may be another's alternative
+  std::vector<std::string> notes;  ///< what the file had that the project has not
+};
+
+/// A project with the pieces of a GarmentCode specification (text that begins with "{"), their seams and
+/// places, or with those of a DXF file. Pieces of a DXF are cut as often as it says, mirrored ones as
+/// outlines of the document; they stand flat in rows before and behind the body, after what their names say,
+/// to be arranged. Cloth: a plain cotton. Errors: those of read_garmentcode and read_dxf, pattern.* with the
+/// piece; "cancelled".
+Result<NewProject> new_project(std::string_view pattern_text, const NewProjectSettings& settings,
+                               const RunContext& context = {});
+
+/// The same for a drawing that is read already; settings.dxf is of no effect.
+Result<NewProject> new_project(const DxfDrawing& drawing, const NewProjectSettings& settings,
+                               const RunContext& context = {});
+
+/// Whether the text is a GarmentCode specification rather than a DXF: it begins with "{".
+bool is_specification(std::string_view text);
+
+/// {id, confidence, a, b [{piece, edge, reversed, from, to}], same_direction, length_a_mm, length_b_mm}.
+/// Parts of an edge are fractions of its length.
+JsonValue proposal_json(const Pattern& pattern, const SeamProposal& proposal);
+
+/// The file's own seams, with confidence 1, or all proposals.
+std::vector<JsonValue> seams_json(const NewProject& made);
+
+/// A plain cotton shirting, id "cotton": mass, bending and stretch of the order of Wang et al. 2011 and Feng
+/// et al. 2022.
+ProjectFabric plain_cotton();
+
+/// The panel's outline as a document says it, curve by curve.
+std::vector<ProjectEdge> outline_of(const Loop& loop);
+
+/// The seam by the names of its pieces and edges.
+ProjectSeam project_seam(const Pattern& pattern, const Seam& seam);
+
+}  // namespace toile

@@ -1,0 +1,32 @@
+#pragma once
+// What the arrangement decides, in the document's own words and units.
+
+#include <optional>
+#include <span>
+
+#include "core/body/measure/segments.h"
+#include "core/drape/drape_input.h"
+#include "core/pattern/pattern.h"
+#include "core/project/project.h"
+#include "core/sewing/attachment.h"
+#include "core/sewing/placement.h"
+
+namespace toile {
+
+/// Lengths are rounded to a hundredth of a millimetre, angles to a millionth of a degree.
+ProjectPlacement project_placement(const Placement& placement);
+
+/// The same sheet told by the box side that it is parallel to and nearest to, with the flat point `anchor`
+/// (m) in place; nothing when it is parallel to none.
+std::optional<ProjectOnBox> project_on_box(const RigidPlacement& rigid, Vec2 anchor,
+                                           std::span<const PartBox> boxes);
+
+/// Tells every stiff sheet of the document by the boxes of the first body that stands, where it is parallel
+/// to a side of one; others stay as they are. `input` is the document resolved. Gives back how many were told
+/// so.
+int tell_by_boxes(const DrapeInput& input, Project& project);
+
+/// By the ids of its piece and edges. REQUIRES that the pattern has them.
+ProjectAttachment project_attachment(const Pattern& pattern, const Attachment& attachment);
+
+}  // namespace toile

@@ -1,0 +1,170 @@
+#include "core/project/editing/edits.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/names.h"
+#include "core/pattern/curve.h"
+#include "core/project/bodies.h"
+#include "core/project/create/create.h"
+#include "core/project/editing/parts.h"
+#include "core/project/resolve/pieces.h"
+#include "core/project/resolve/resolve.h"
+
+namespace toile {
+namespace {
+
+/// A project while it is edited, with its pattern once an edit needs it.
+struct Editing {
+  Project project;
+  std::optional<Pattern> pattern;
+  const ProjectFiles& files;
+};
+
+/// The cloth alone: few edits touch the bodies, and to read them takes long.
+Result<DrapeInput> resolve_cloth(Project project, const ProjectFiles& files) {
+  return resolve_project(without_bodies(std::move(project)), files);
+}
+
+ProjectNotch project_notch(const Notch& notch) {
+  ProjectNotch out{notch.at, notch.depth, std::nullopt};
+  if (!(notch.inwards == Vec2{})) out.inwards = notch.inwards;
+  return out;
+}
+
+/// The panel's shape as an outline of the document.
+void write_shape(ProjectPiece& piece, const Panel& panel) {
+  piece.from.reset();
+  piece.edge_names.clear();
+  piece.outline = outline_of(panel.outline);
+  piece.holes.clear();
+  // Read back, a hole is run the other way; so it is written.
+  for (const Loop& hole : panel.holes) piece.holes.push_back(outline_of(reversed(hole)));
+  piece.notches.clear();
+  for (const Notch& notch : panel.notches) piece.notches.push_back(project_notch(notch));
+  piece.grain = panel.grain;
+}
+
+/// The number of lines that stand in the piece's file: they are the panel's first.
+std::size_t lines_of_file(const ProjectPiece& piece, const Panel& panel) {
+  return piece.from ? panel.lines.size() - piece.lines.size() : 0;
+}
+
+/// A piece stays in its file while its shape and what is drawn in it there are the same.
+void write_panel(ProjectPiece& piece, const Panel& panel, const Panel* before, bool reshaped) {
+  std::size_t filed = before ? lines_of_file(piece, *before) : 0;
+  const auto first = panel.lines.begin();
+  const bool lines_stay = panel.lines.size() >= filed && std::equal(first, first + std::ptrdiff_t(filed),
+                                                                    before ? before->lines.begin() : first);
+  if (reshaped || !lines_stay) {
+    write_shape(piece, panel);
+    filed = 0;
+  }
+  if (before && !(before->grain == panel.grain)) piece.grain = panel.grain;
+  piece.lines.clear();
+  for (auto line = first + std::ptrdiff_t(filed); line != panel.lines.end(); ++line)
+    piece.lines.push_back({line->id, line->points, line->drawn});
+  piece.fabric = panel.fabric;
+}
+
+template <typename T>
+auto named(std::vector<T>& list, const std::string& id) {
+  return std::find_if(list.begin(), list.end(), [&](const T& one) { return one.id == id; });
+}
+
+/// The pieces of the document as the edited pattern has them.
+void write_pieces(Project& project, const Pattern& before, const EditedPattern& edited) {
+  const EditEffect& effect = edited.effect;
+  std::vector<ProjectPiece>& pieces = project.pieces;
+  if (effect.piece.empty()) {
+    if (!effect.was.empty()) pieces.erase(named(pieces, effect.was));
+    return;
+  }
+  if (!effect.copy_of.empty()) {
+    ProjectPiece copy = *named(pieces, effect.copy_of);
+    copy.id = effect.piece;
+    pieces.push_back(std::move(copy));
+  } else {
+    named(pieces, effect.was)->id = effect.piece;
+  }
+  const auto at = named(pieces, effect.piece);
+  const auto index = static_cast<std::size_t>(at - pieces.begin());
+  const Panel* old = index < before.panels.size() ? &before.panels[index] : nullptr;
+  write_panel(*at, edited.pattern.panels[index], old, effect.reshaped);
+  // A picture stays where it lies on the cloth; of a piece that is turned over it shows its right side still.
+  if (effect.motion && at->texture) at->texture->offset = moved(at->texture->offset, *effect.motion);
+  if (old && effect.motion && !effect.motion->middle) stay_in_space(*at, effect.motion->by);
+}
+
+Status apply_one(Editing& editing, const PatternEdit& edit) {
+  if (const auto* fabric = std::get_if<SetFabric>(&edit);
+      fabric && named(editing.project.fabrics, fabric->fabric) == editing.project.fabrics.end()) {
+    return Error{"edit.unknown_fabric", "the project has no fabric " + in_quotes(fabric->fabric), ""};
+  }
+  if (!editing.pattern) {
+    DrapeInput input = TRY(resolve_cloth(editing.project, editing.files));
+    editing.pattern = std::move(input.pattern);
+  }
+  EditedPattern edited = TRY(apply_edit(*editing.pattern, edit));
+  TRY(follow_parts(editing.project, edited.effect));
+  write_pieces(editing.project, *editing.pattern, edited);
+  editing.project.seams.clear();
+  for (const Seam& seam : edited.pattern.seams) {
+    editing.project.seams.push_back(project_seam(edited.pattern, seam));
+  }
+  editing.pattern = std::move(edited.pattern);
+  return {};
+}
+
+Result<ProjectPiece*> piece_of(Project& project, const std::string& id) {
+  const auto found = named(project.pieces, id);
+  if (found != project.pieces.end()) return &*found;
+  return Error{"edit.unknown_piece", "There is no piece of that name.", "piece " + id};
+}
+
+Status apply_one(Editing& editing, const SetTexture& edit) {
+  ProjectPiece* piece = TRY(piece_of(editing.project, edit.piece));
+  piece->texture = edit.texture;
+  return {};
+}
+
+Status apply_one(Editing& editing, const SetPhysical& edit) {
+  ProjectPiece* piece = TRY(piece_of(editing.project, edit.piece));
+  piece->physical = edit.physical;
+  return {};
+}
+
+Status apply_one(Editing& editing, const RestoreLists& edit) {
+  editing.pattern.reset();
+  return restore(editing.project, edit);
+}
+
+/// The text of the edited document, once it is found to be one that can be draped.
+Result<std::string> checked_text(const Project& project, const ProjectFiles& files, bool other_bodies) {
+  std::string text = write_project_line(project);
+  const Result<Project> again = parse_project(text);
+  if (!again) return error_at("/edits", again.error());
+  const Result<DrapeInput> input =
+      other_bodies ? resolve_project(*again, files) : resolve_cloth(*again, files);
+  if (!input) return error_at("/edits", input.error());
+  return text;
+}
+
+}  // namespace
+
+Result<EditedProject> apply_edits(const Project& project, std::span<const ProjectEdit> edits,
+                                  const ProjectFiles& files) {
+  Editing editing{project, std::nullopt, files};
+  for (std::size_t i = 0; i < edits.size(); ++i) {
+    const Status done = std::visit([&](const auto& edit) { return apply_one(editing, edit); }, edits[i]);
+    if (!done) return error_at(pointer_to("/edits", i), done.error());
+  }
+  std::string text = TRY(checked_text(editing.project, files, editing.project.bodies != project.bodies));
+  EditedProject out{std::move(editing.project), std::move(text), {}};
+  if (!(out.project == project)) out.inverse = {difference(out.project, project)};
+  return out;
+}
+
+ProjectEdit edit_between(const Project& now, const Project& wanted) { return difference(now, wanted); }
+
+}  // namespace toile

@@ -1,0 +1,88 @@
+#pragma once
+// Edits of a project document: those of its pattern (core/pattern/edit/edit.h) and of what a project says of
+// its pieces beside their shape. The same JSON (proto/schema/edit.schema.json) stands in requests, in the
+// undo history and in a replay.
+
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/json/fields/lister.h"
+#include "core/json/tree.h"
+#include "core/pattern/edit/edit.h"
+#include "core/project/project.h"
+#include "core/project/resolve/files.h"
+
+namespace toile {
+
+/// Without a texture: takes the one away that is there.
+struct SetTexture {
+  std::string piece;
+  std::optional<ProjectTexture> texture = {};
+};
+
+/// Replaces all that the piece has otherwise than its fabric; nothing given: it is as its fabric.
+struct SetPhysical {
+  std::string piece;
+  std::optional<ProjectPhysical> physical = {};
+};
+
+/// In place of `remove` elements of a list from `at` on: those of `insert`.
+template <typename T>
+struct ListSplice {
+  int at = 0, remove = 0;
+  std::vector<T> insert = {};
+};
+
+/// Puts back parts of the document's lists: what an undo does.
+struct RestoreLists {
+  std::optional<ListSplice<ProjectPiece>> pieces;
+  std::optional<ListSplice<ProjectSeam>> seams;
+  std::optional<ListSplice<ProjectAttachment>> attachments;
+  std::optional<ListSplice<ProjectButton>> buttons;
+  std::optional<ListSplice<ProjectElastic>> elastics;
+  std::optional<ListSplice<ProjectFold>> folds;
+  std::optional<ListSplice<ProjectCushion>> cushions;
+  std::optional<ListSplice<ProjectBody>> bodies;
+};
+
+using ProjectEdit = std::variant<PatternEdit, SetTexture, SetPhysical, RestoreLists>;
+
+/// Edits of one call at most.
+inline constexpr std::size_t kMostEdits = 200;
+
+/// A JSON list of edits, each an object with its kind in "edit". `where` is the list's JSON pointer. Errors:
+/// edit.unknown, edit.too_many, and project.* as for a document.
+Result<std::vector<ProjectEdit>> read_edits(const JsonValue& list, const std::string& where);
+
+/// The list; read_edits gives the same edits back.
+JsonValue edits_json(std::span<const ProjectEdit> edits);
+
+/// The keys of the edits, "/move_point/to" and so on, as project_keys().
+std::vector<fields::FieldKey> edit_keys();
+
+/// The edit that makes `now` what `wanted` is. REQUIRES projects that differ in the lists of RestoreLists
+/// alone.
+ProjectEdit edit_between(const Project& now, const Project& wanted);
+
+struct EditedProject {
+  Project project;
+  std::string document;              ///< its text, one line
+  std::vector<ProjectEdit> inverse;  ///< gives the project of before, every value the same
+};
+
+/// The project after the edits, one after the other: all of them or none. A piece from a file becomes an
+/// outline of the document when its shape is changed. Attachments, buttons, elastics, folds and cushions
+/// follow the names and places of what they are on, and go with it.
+///
+/// Errors: those of apply_edit, edit.in_use (of two edges to be joined only one is held),
+/// edit.unknown_fabric, with "/edits/2" first in `where`; and those of reading and resolving the document
+/// that comes out, with
+/// "/edits" first.
+Result<EditedProject> apply_edits(const Project& project, std::span<const ProjectEdit> edits,
+                                  const ProjectFiles& files);
+
+}  // namespace toile

@@ -1,0 +1,243 @@
+#include "core/project/resolve/body_places.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/arrange/box_places.h"
+#include "core/base/aabb.h"
+#include "core/base/names.h"
+#include "core/base/units.h"
+#include "core/body/measure/lines.h"
+#include "core/body/measure/own_landmarks.h"
+#include "core/json/tree.h"
+#include "core/project/resolve/pieces.h"
+
+namespace toile {
+
+namespace {
+
+/// m, goals lie so far outside the distance that cloth keeps from the skin: contact and hold agree there.
+constexpr double kClear = 0.5e-3;
+
+Vec3 radians(Vec3 degrees) {
+  return {radians_from_degrees(degrees.x), radians_from_degrees(degrees.y), radians_from_degrees(degrees.z)};
+}
+
+Vec2 metres(Vec2 mm) { return {metres_from_mm(mm.x), metres_from_mm(mm.y)}; }
+
+/// Sines differ in their last bit between processors, and the same input must give the same bytes.
+Vec3 snapped(Vec3 p) {
+  constexpr double kGrid = 0x1p26;
+  return {std::nearbyint(p.x * kGrid) / kGrid, std::nearbyint(p.y * kGrid) / kGrid,
+          std::nearbyint(p.z * kGrid) / kGrid};
+}
+
+WrappedPlacement wrapped_of(const ProjectWrapped& given) {
+  WrappedPlacement wrapped;
+  wrapped.axis = {given.axis.x, given.axis_height, given.axis.y};
+  wrapped.radius = given.radius;
+  wrapped.angle = radians_from_degrees(given.angle);
+  wrapped.height = given.height;
+  wrapped.anchor = metres(given.anchor);
+  wrapped.slope = given.slope;
+  wrapped.up = normalized(given.up);
+  wrapped.turn = radians_from_degrees(given.turn);
+  wrapped.flipped = given.flipped;
+  return wrapped;
+}
+
+BoxSide side_named(const std::string& name) {
+  if (name == "back") return BoxSide::kBack;
+  if (name == "left") return BoxSide::kLeft;
+  return name == "right" ? BoxSide::kRight : BoxSide::kFront;
+}
+
+/// Corners and handles of the outline, m: its curves lie within them.
+std::vector<Vec2> hull_of(const Panel& panel) {
+  std::vector<Vec2> points;
+  for (const PanelEdge& edge : panel.outline.edges) {
+    for (const CubicBezier& curve : edge.curves) {
+      for (const Vec2 p : {curve.p0, curve.p1, curve.p2, curve.p3}) points.push_back(metres(p));
+    }
+  }
+  return points;
+}
+
+OnBox where_on_box(const std::string& side, Vec2 at, double away, double turn,
+                   const std::optional<Vec2>& anchor, bool flipped, const std::vector<Vec2>& hull) {
+  return {side_named(side),
+          at,
+          away,
+          radians_from_degrees(turn),
+          anchor ? metres(*anchor) : bounding_box(hull).middle(),
+          flipped};
+}
+
+}  // namespace
+
+BodyPlaces::BodyPlaces(const Project& project, std::span<const Body> bodies)
+    : project_(project), bodies_(bodies), known_(bodies.size()) {}
+
+const BodyFigure* BodyPlaces::figure_of(Index body) {
+  std::optional<Result<BodyFigure>>& figure = known_[body].figure;
+  if (!figure) figure = find_figure(bodies_[body].mesh);
+  return figure->ok() ? &**figure : nullptr;
+}
+
+const Result<std::vector<Landmark>>& BodyPlaces::landmarks_of(Index body) {
+  std::optional<Result<std::vector<Landmark>>>& known = known_[body].landmarks;
+  if (known) return *known;
+  std::vector<OwnLandmark> own;
+  for (const ProjectLandmark& given : project_.bodies[static_cast<std::size_t>(body)].landmarks) {
+    constexpr std::array<double, 3> kMiddle{1.0 / 3, 1.0 / 3, 1.0 / 3};
+    Vec3 offset = given.offset_mm.value_or(Vec3{}) * 1e-3;
+    if (const BodyFigure* figure = figure_of(body); figure && given.body_height_mm)
+      offset = offset * (figure->height() / (*given.body_height_mm * 1e-3));
+    own.push_back(
+        {given.name, {given.triangle.value_or(kNone), given.share.value_or(kMiddle)}, given.near, offset});
+  }
+  const TriangleMesh& mesh = bodies_[body].mesh;
+  std::vector<Landmark> landmarks;
+  if (const BodyFigure* figure = figure_of(body)) landmarks = find_landmarks(mesh, *figure);
+  if (Status added = add_own_landmarks(mesh, own, landmarks); !added) {
+    known = added.error();
+  } else {
+    known = std::move(landmarks);
+  }
+  return *known;
+}
+
+Status BodyPlaces::check_landmarks() {
+  for (std::size_t b = 0; b < project_.bodies.size(); ++b) {
+    const ProjectBody& body = project_.bodies[b];
+    const std::string list = pointer_to(pointer_to("/bodies", b), "landmarks");
+    for (std::size_t i = 0; i < body.landmarks.size(); ++i) {
+      if (!body.mannequin || !body.landmarks[i].triangle) continue;
+      return Error{
+          "landmark.of_mannequin",
+          "the triangles of a mannequin change with its measures; tell the landmark from another one "
+          "with \"near\" and \"offset_mm\"",
+          pointer_to(pointer_to(list, i), "triangle")};
+    }
+    if (body.landmarks.empty()) continue;
+    if (const auto& known = landmarks_of(static_cast<Index>(b)); !known) return error_at(list, known.error());
+  }
+  return {};
+}
+
+Result<Index> BodyPlaces::standing(const std::string& id, const std::string& where) {
+  std::optional<Error> why;
+  bool named = false;
+  for (Index b = 0; b < static_cast<Index>(bodies_.size()); ++b) {
+    if (!id.empty() && bodies_[b].id != id) continue;
+    named = true;
+    if (figure_of(b)) return b;
+    if (!why) why = known_[b].figure->error();
+  }
+  if (!id.empty() && !named) {
+    return Error{"project.unknown_body", "there is no body " + in_quotes(id), pointer_to(where, "body")};
+  }
+  if (why) return error_at(where, *why);
+  return Error{"project.no_body", "this is told by a body, and the project has none", where};
+}
+
+const PartBox& BodyPlaces::box_of(Index body, const std::string& part) {
+  std::optional<std::array<PartBox, kBodyParts>>& boxes = known_[body].boxes;
+  if (!boxes) boxes = part_boxes(bodies_[body].mesh, *figure_of(body));
+  return *std::find_if(boxes->begin(), boxes->end(),
+                       [&](const PartBox& b) { return part == name_of(b.part); });
+}
+
+Result<Placement> BodyPlaces::on_box(const ProjectOnBox& given, const Panel& panel,
+                                     const std::string& where) {
+  const Index body = TRY(standing(given.body, where));
+  const OnBox at =
+      where_on_box(given.side, given.at, given.away, given.turn, given.anchor, given.flipped, hull_of(panel));
+  return Placement{on_box_side(box_of(body, given.part), at)};
+}
+
+Result<Placement> BodyPlaces::around(const ProjectAround& given, const Panel& panel,
+                                     const std::string& where) {
+  const Index body = TRY(standing(given.body, where));
+  const std::vector<Vec2> hull = hull_of(panel);
+  const OnBox at =
+      where_on_box(given.side, given.at, given.away, given.turn, given.anchor, given.flipped, hull);
+  // What of the part lies under the piece, along the part.
+  const double c = std::cos(at.turn), s = std::sin(at.turn);
+  double low = 0, high = 0;
+  for (const Vec2 p : hull) {
+    const double up = s * (p.x - at.anchor.x) + c * (p.y - at.anchor.y);
+    low = std::min(low, up);
+    high = std::max(high, up);
+  }
+  const PartBox& box = box_of(body, given.part);
+  const double radius =
+      radius_of_part(bodies_[body].mesh, *figure_of(body), box, at.at.y + low, at.at.y + high);
+  if (!(radius + at.away > 1e-3)) {
+    return Error{"project.around_nothing",
+                 "the body has nothing of this part where the piece would go around it", where};
+  }
+  return Placement{around_box(box, at, radius, given.slope)};
+}
+
+Result<Placement> BodyPlaces::placement(const ProjectPlacement& given, const Panel& panel,
+                                        const std::string& where) {
+  if (given.rigid) {
+    return Placement{
+        RigidPlacement{given.rigid->translation, radians(given.rigid->rotation), given.rigid->flipped}};
+  }
+  if (given.wrapped) return Placement{wrapped_of(*given.wrapped)};
+  if (given.on_box) return on_box(*given.on_box, panel, pointer_to(where, "on_box"));
+  return around(*given.around, panel, pointer_to(where, "around"));
+}
+
+Result<Index> BodyPlaces::bearer(const ProjectGoal& given, const std::string& where) {
+  std::vector<std::string> names;
+  bool any = false;
+  for (Index b = 0; b < static_cast<Index>(bodies_.size()); ++b) {
+    if (!given.body.empty() && bodies_[b].id != given.body) continue;
+    any = true;
+    const auto& known = landmarks_of(b);
+    if (!known) continue;  // check_landmarks says why
+    if (landmark_named(*known, given.landmark)) return b;
+    for (const Landmark& mark : *known) names.push_back(mark.name);
+  }
+  if (!any || names.empty()) return standing(given.body, where);
+  return Error{"project.unknown_landmark",
+               "there is no landmark " + in_quotes(given.landmark) + "; " + advice(given.landmark, names),
+               pointer_to(where, "landmark")};
+}
+
+Result<std::vector<Vec3>> BodyPlaces::landmark_goal(const ProjectGoal& given, const std::string& where) {
+  const Index body = TRY(bearer(given, where));
+  const TriangleMesh& mesh = bodies_[body].mesh;
+  const Landmark* mark = landmark_named(*landmarks_of(body), given.landmark);
+  const double away = bodies_[body].skin_offset + kClear;
+  return std::vector<Vec3>{snapped(mark->place + skin_normal(mark->at, mesh) * away)};
+}
+
+Result<std::vector<Vec3>> BodyPlaces::line_goal(const ProjectGoal& given, const std::string& where) {
+  const std::vector<std::string>& names = body_line_names();
+  if (std::find(names.begin(), names.end(), given.line) == names.end()) {
+    return Error{"project.unknown_line",
+                 "there is no line " + in_quotes(given.line) + " on a body; " + advice(given.line, names),
+                 pointer_to(where, "line")};
+  }
+  const Index body = TRY(standing(given.body, where));
+  Result<std::vector<Vec3>> line =
+      body_line(bodies_[body].mesh, *figure_of(body), given.line, metres_from_mm(given.up_mm.value_or(0)),
+                bodies_[body].skin_offset + kClear);
+  if (!line) return error_at(pointer_to(where, "line"), line.error());
+  for (Vec3& p : *line) p = snapped(p);
+  return line;
+}
+
+Result<std::vector<Vec3>> BodyPlaces::goal(const ProjectGoal& given, const std::string& where) {
+  if (given.up_mm && given.line.empty()) {
+    return Error{"project.two_ways", "only a line can be shifted up", pointer_to(where, "up_mm")};
+  }
+  if (given.place) return std::vector<Vec3>{*given.place};
+  return given.line.empty() ? landmark_goal(given, where) : line_goal(given, where);
+}
+
+}  // namespace toile

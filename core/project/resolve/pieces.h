@@ -1,0 +1,26 @@
+#pragma once
+// The pieces of a project document as panels: outlines from DXF files or from the document itself.
+
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/pattern/pattern.h"
+#include "core/project/project.h"
+#include "core/project/resolve/files.h"
+#include "core/sewing/notions.h"
+
+namespace toile {
+
+/// One panel per piece, in their order. Each file is opened once, however many pieces it holds. Errors:
+/// project.unknown_piece (in the file), project.unknown_edge (in edge_names), project.path, dxf.*, pattern.*.
+Result<std::vector<Panel>> panels_of(const std::vector<ProjectPiece>& pieces, const ProjectFiles& files);
+
+/// The fabric as a piece has it.
+ProjectFabric with_physical(ProjectFabric fabric, const ProjectPhysical& own);
+
+/// Makes lines that elastics or creases lie on ones that the mesh follows. Error: pattern.bad_line, where
+/// such a line does not lie in its piece; the notions' place in the document.
+Status follow_used_lines(const Notions& notions, Pattern& pattern);
+
+}  // namespace toile

@@ -1,0 +1,22 @@
+#pragma once
+// Project document → DrapeInput: files are opened, names become indices, units become the core's.
+
+#include <filesystem>
+
+#include "core/base/result.h"
+#include "core/body/mesh_import/import.h"
+#include "core/drape/drape_input.h"
+#include "core/project/project.h"
+#include "core/project/resolve/files.h"
+
+namespace toile {
+
+/// Errors: project.duplicate_id, project.unknown_piece, project.unknown_edge, project.unknown_fabric,
+/// project.unknown_line, project.unstable_fabric, project.path, project.body_too_far and whatever the files
+/// give; dxf.* and pattern.* where a piece cannot be cut. `where` begins with the JSON pointer of the place.
+Result<DrapeInput> resolve_project(const Project& project, const ProjectFiles& files);
+
+/// Reads a document and the files beside it. Errors: json.*, project.* and those of resolve_project.
+Result<DrapeInput> read_project(const std::filesystem::path& path, const MeshImporter& importer = {});
+
+}  // namespace toile

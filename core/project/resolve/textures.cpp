@@ -1,0 +1,102 @@
+#include "core/project/resolve/textures.h"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/names.h"
+#include "core/base/units.h"
+#include "core/json/tree.h"
+#include "core/project/resolve/pieces.h"
+
+namespace toile {
+namespace {
+
+constexpr std::size_t kFewImages = 4;
+constexpr int kSideOfFew = 2048, kSideOfMany = 1024;  // pixels
+
+Error too_many(const std::string& where) {
+  return {"image.too_many",
+          "a project shows at most " + std::to_string(kMostTextureImages) + " different pictures of " +
+              std::to_string(kMostTextureBytes >> 20) + " MiB together",
+          where};
+}
+
+/// A picture's name and the first place that names it.
+struct NamedImage {
+  std::string name, where;
+};
+
+std::vector<NamedImage> images_of(const Project& project) {
+  std::vector<NamedImage> images;
+  for (std::size_t i = 0; i < project.pieces.size(); ++i) {
+    const ProjectPiece& piece = project.pieces[i];
+    if (!piece.texture) continue;
+    const auto same = [&](const NamedImage& one) { return one.name == piece.texture->image; };
+    if (std::any_of(images.begin(), images.end(), same)) continue;
+    const std::string texture = pointer_to(pointer_to("/pieces", i), "texture");
+    images.push_back({piece.texture->image, pointer_to(texture, "image")});
+  }
+  return images;
+}
+
+Result<std::shared_ptr<const TextureImage>> read_image(const NamedImage& named, const ProjectFiles& files,
+                                                       int side) {
+  if (!files.image_bytes) return Error{"project.file", "there are no pictures here", named.where};
+  Result<std::string> bytes = files.image_bytes(named.name);
+  if (!bytes) return error_at(named.where, bytes.error());
+  Result<ReadPicture> read = read_picture(*bytes, {.shown_side = side});
+  if (!read) {
+    Error error = read.error();
+    error.message = in_quotes(named.name) + ": " + error.message;
+    return error_at(named.where, std::move(error));
+  }
+  return std::make_shared<const TextureImage>(TextureImage{named.name, std::move(*bytes), std::move(*read)});
+}
+
+PanelTexture lay(const ProjectTexture& texture, Index image, const ReadPicture& picture, Vec2 grain) {
+  const Vec2 origin{metres_from_mm(texture.offset.x), metres_from_mm(texture.offset.y)};
+  return lay_texture(image, grain, origin, metres_from_mm(texture.scale_mm),
+                     static_cast<double>(picture.width) / picture.height,
+                     radians_from_degrees(texture.angle));
+}
+
+}  // namespace
+
+Result<Textures> read_textures(const Project& project, const Pattern& pattern, const ProjectFiles& files) {
+  const std::vector<NamedImage> images = images_of(project);
+  if (images.size() > kMostTextureImages) return too_many(images[kMostTextureImages].where);
+  Textures textures;
+  std::map<std::string, Index> index;
+  std::size_t bytes = 0;
+  for (const NamedImage& named : images) {
+    auto image = TRY(read_image(named, files, images.size() > kFewImages ? kSideOfMany : kSideOfFew));
+    bytes += image->bytes.size();
+    if (bytes > kMostTextureBytes) return too_many(named.where);
+    index[named.name] = static_cast<Index>(textures.images.size());
+    textures.images.push_back(std::move(image));
+  }
+  for (std::size_t i = 0; i < project.pieces.size(); ++i) {
+    const std::optional<ProjectTexture>& texture = project.pieces[i].texture;
+    textures.of_panel.emplace_back();
+    if (!texture) continue;
+    const Index image = index.at(texture->image);
+    textures.of_panel.back() =
+        lay(*texture, image, textures.images[static_cast<std::size_t>(image)]->read, pattern.panels[i].grain);
+  }
+  return textures;
+}
+
+Result<Textures> read_project_textures(const std::filesystem::path& path, const Pattern& pattern) {
+  const std::string text = TRY(read_project_text(path));
+  const Result<Project> project = parse_project(text);
+  if (!project) return error_at(clipped(path.string(), 300), project.error());
+  Result<Textures> textures = read_textures(*project, pattern, files_in(path.parent_path()));
+  if (!textures) return error_at(clipped(path.string(), 300), textures.error());
+  return textures;
+}
+
+}  // namespace toile
