@@ -19,7 +19,7 @@ constexpr double kShareOfClothGap = 0.45;
 /// off to a share of the distance that vertices keep, so that on even ground vertices alone carry the cloth.
 constexpr double kRimShare = 0.5;
 
-/// Keeps what rounds to the rim of a vertex's free ball within its bounds.
+/// Keeps what rounds to the rim of a vertex's free radius within its bounds.
 constexpr double kInsideRounding = 1 - 1e-9;
 
 /// Cosine above which two contacts of a vertex count as on the same side.
@@ -32,8 +32,8 @@ double cloth_allowance(double gap) {
   return std::max(0.0, std::min(kShareOfClothGap * gap, 0.5 * (gap - kContactFloor)));
 }
 
-double max_ball(const std::vector<double>& ball, const Tri& t) {
-  return std::max({ball[t[0]], ball[t[1]], ball[t[2]]});
+double largest_radius(const std::vector<double>& radius, const Tri& t) {
+  return std::max({radius[t[0]], radius[t[1]], radius[t[2]]});
 }
 
 bool inside_both(EdgePoints at) { return at.s > 0 && at.s < 1 && at.t > 0 && at.t < 1; }
@@ -79,13 +79,13 @@ Obstacle make_obstacle(std::span<const Vec3> vertices, std::span<const Tri> tria
   return obstacle;
 }
 
-bool Contacts::inside_ball(Index v, Vec3 x) const {
-  const Vec3 d = x - measured[v];
-  return dot(d, d) <= ball[v] * ball[v];
+bool Contacts::inside_trust_region(Index v, Vec3 x) const {
+  const Vec3 d = x - centre[v];
+  return dot(d, d) <= trust_radius[v] * trust_radius[v];
 }
 
 bool Contacts::inside_planes(Index v, Vec3 x) const {
-  const Vec3 d = x - measured[v];
+  const Vec3 d = x - centre[v];
   for (Index k = plane_start[v]; k < plane_start[v + 1]; ++k) {
     if (dot(planes[k].n, d) < -planes[k].slack) return false;
   }
@@ -93,7 +93,7 @@ bool Contacts::inside_planes(Index v, Vec3 x) const {
 }
 
 double Contacts::plane_reach(Index v, Vec3 from, Vec3 to) const {
-  const Vec3 start = from - measured[v], way = to - from;
+  const Vec3 start = from - centre[v], way = to - from;
   double t = 1;
   for (Index k = plane_start[v]; k < plane_start[v + 1]; ++k) {
     const double speed = dot(planes[k].n, way);
@@ -106,10 +106,11 @@ double Contacts::plane_reach(Index v, Vec3 from, Vec3 to) const {
 
 double Contacts::reach(Index v, Vec3 from, Vec3 to) const {
   const double t = plane_reach(v, from, to);
-  const Vec3 start = from - measured[v], way = to - from, end = start + way * t;
-  if (dot(end, end) <= ball[v] * ball[v]) return t;
-  // |start + t·way| = ball, the larger root; start lies inside.
-  const double a = dot(way, way), b = dot(start, way), c = dot(start, start) - ball[v] * ball[v];
+  const Vec3 start = from - centre[v], way = to - from, end = start + way * t;
+  if (dot(end, end) <= trust_radius[v] * trust_radius[v]) return t;
+  // |start + t·way| = trust radius, the larger root; start lies inside.
+  const double a = dot(way, way), b = dot(start, way),
+               c = dot(start, start) - trust_radius[v] * trust_radius[v];
   const double root = b * b - a * c;
   return root > 0 && a > 0 ? std::clamp((std::sqrt(root) - b) / a, 0.0, t) : 0;
 }
@@ -121,46 +122,47 @@ ContactFinder::ContactFinder(Surface cloth, std::span<const Obstacle> obstacles,
   }
 }
 
-void ContactFinder::measure(std::span<const Vec3> positions, std::span<const double> speeds, Contacts& out) {
-  out.measured.assign(positions.begin(), positions.end());
+void ContactFinder::detect(std::span<const Vec3> positions, std::span<const double> speeds, Contacts& out) {
+  out.centre.assign(positions.begin(), positions.end());
   out.least_gap = 1;
   out.least_gap_vertex = kNone;
   found_.clear();
   near_.clear();
   rims_.clear();
-  size_balls(speeds, out);
+  size_trust_regions(speeds, out);
   lay_boxes(positions, out);
   lay_edge_lines(positions, out);
   pair_with_obstacles(out);
   pair_with_itself(out);
   sort_planes(out);
   keep_nearest(out);
-  // Two vertices whose pair is not listed may both use their balls whole, and must not touch even then.
-  for (double& ball : out.ball) ball -= 0.5 * kContactFloor;
-  measure_freedom(out);
+  // Two vertices whose pair is not listed may both use their trust regions whole, and must not touch even
+  // then.
+  for (double& radius : out.trust_radius) radius -= 0.5 * kContactFloor;
+  find_free_radii(out);
 }
 
-void ContactFinder::measure_freedom(Contacts& out) const {
-  out.free = out.ball;
-  for (std::size_t v = 0; v < out.free.size(); ++v) {
+void ContactFinder::find_free_radii(Contacts& out) const {
+  out.free_radius = out.trust_radius;
+  for (std::size_t v = 0; v < out.free_radius.size(); ++v) {
     for (Index k = out.plane_start[v]; k < out.plane_start[v + 1]; ++k)
-      out.free[v] = std::min(out.free[v], out.planes[k].slack);
-    out.free[v] *= kInsideRounding;
+      out.free_radius[v] = std::min(out.free_radius[v], out.planes[k].slack);
+    out.free_radius[v] *= kInsideRounding;
   }
 }
 
-void ContactFinder::size_balls(std::span<const double> speeds, Contacts& out) const {
-  out.ball.resize(speeds.size());
+void ContactFinder::size_trust_regions(std::span<const double> speeds, Contacts& out) const {
+  out.trust_radius.resize(speeds.size());
   for (std::size_t i = 0; i < speeds.size(); ++i) {
-    out.ball[i] =
-        std::clamp(1.5 * speeds[i] * settings_.ball_seconds, settings_.ball_least, settings_.ball_most);
+    out.trust_radius[i] = std::clamp(1.5 * speeds[i] * settings_.trust_radius_seconds,
+                                     settings_.trust_radius_least, settings_.trust_radius_most);
   }
 }
 
 void ContactFinder::lay_boxes(std::span<const Vec3> positions, const Contacts& out) {
   boxes_.vertices.resize(positions.size());
   for (const Index v : cloth_.vertices) {
-    boxes_.vertices[v] = box_around({positions[v]}, std::max(out.ball[v], 0.5 * settings_.thickness));
+    boxes_.vertices[v] = box_around({positions[v]}, std::max(out.trust_radius[v], 0.5 * settings_.thickness));
   }
   boxes_.lay_around(cloth_);
 }
@@ -169,7 +171,8 @@ void ContactFinder::lay_edge_lines(std::span<const Vec3> positions, const Contac
   edge_lines_.resize(cloth_.edges.size());
   for (std::size_t e = 0; e < edge_lines_.size(); ++e) {
     const auto [a, b] = cloth_.edges[e];
-    edge_lines_[e] = edge_line(positions[a], positions[b], std::max(out.ball[a], out.ball[b]));
+    edge_lines_[e] =
+        edge_line(positions[a], positions[b], std::max(out.trust_radius[a], out.trust_radius[b]));
   }
 }
 
@@ -209,9 +212,9 @@ void ContactFinder::pair_with_itself(Contacts& out) {
 
 void ContactFinder::vertex_on_obstacle(const Obstacle& obstacle, Index vertex, const Tri& face,
                                        Contacts& out) {
-  const Vec3 p = out.measured[vertex];
+  const Vec3 p = out.centre[vertex];
   const Vec3 a = obstacle.vertices[face[0]], b = obstacle.vertices[face[1]], c = obstacle.vertices[face[2]];
-  const double reach = out.ball[vertex] + obstacle.skin_offset;
+  const double reach = out.trust_radius[vertex] + obstacle.skin_offset;
   const TrianglePoint at = closest_on_triangle(p, a, b, c);
   const Vec3 q = a * at.a + b * at.b + c * at.c;
   const double gap = length(p - q);
@@ -232,8 +235,8 @@ void ContactFinder::vertex_on_obstacle(const Obstacle& obstacle, Index vertex, c
 
 void ContactFinder::obstacle_vertex_on_cloth(const Obstacle& obstacle, Vec3 point, const Tri& triangle,
                                              Contacts& out) {
-  const Vec3 a = out.measured[triangle[0]], b = out.measured[triangle[1]], c = out.measured[triangle[2]];
-  const double reach = max_ball(out.ball, triangle);
+  const Vec3 a = out.centre[triangle[0]], b = out.centre[triangle[1]], c = out.centre[triangle[2]];
+  const double reach = largest_radius(out.trust_radius, triangle);
   const TrianglePoint at = closest_on_triangle(point, a, b, c);
   const Vec3 q = a * at.a + b * at.b + c * at.c;
   const double gap = length(q - point);
@@ -254,8 +257,8 @@ void ContactFinder::obstacle_vertex_on_cloth(const Obstacle& obstacle, Vec3 poin
 
 void ContactFinder::edge_on_obstacle(const Obstacle& obstacle, Index a0, Index a1, Vec3 b0, Vec3 b1,
                                      Contacts& out) {
-  const Vec3 p0 = out.measured[a0], p1 = out.measured[a1];
-  const double reach = std::max(out.ball[a0], out.ball[a1]);
+  const Vec3 p0 = out.centre[a0], p1 = out.centre[a1];
+  const double reach = std::max(out.trust_radius[a0], out.trust_radius[a1]);
   const EdgePoints at = closest_on_edges(p0, p1, b0, b1);
   const Vec3 p = p0 + (p1 - p0) * at.s, q = b0 + (b1 - b0) * at.t;
   const double gap = length(p - q);
@@ -279,10 +282,10 @@ void ContactFinder::vertex_on_cloth(Index vertex, const Tri& triangle, Contacts&
   for (const Index v : triangle) {
     if (neighbours(v, vertex)) return;
   }
-  const Vec3 p = out.measured[vertex];
-  const Vec3 a = out.measured[triangle[0]], b = out.measured[triangle[1]], c = out.measured[triangle[2]];
-  const double balls = out.ball[vertex] + max_ball(out.ball, triangle);
-  const double reach = std::max(balls, settings_.thickness);
+  const Vec3 p = out.centre[vertex];
+  const Vec3 a = out.centre[triangle[0]], b = out.centre[triangle[1]], c = out.centre[triangle[2]];
+  const double both = out.trust_radius[vertex] + largest_radius(out.trust_radius, triangle);
+  const double reach = std::max(both, settings_.thickness);
   const TrianglePoint at = closest_on_triangle(p, a, b, c);
   const Vec3 q = a * at.a + b * at.b + c * at.c;
   const double gap = length(p - q);
@@ -302,8 +305,9 @@ void ContactFinder::vertex_on_cloth(Index vertex, const Tri& triangle, Contacts&
 }
 
 void ContactFinder::edges_of_cloth(Index a0, Index a1, Index b0, Index b1, Contacts& out) {
-  const Vec3 p0 = out.measured[a0], p1 = out.measured[a1], q0 = out.measured[b0], q1 = out.measured[b1];
-  const double reach = std::max(out.ball[a0], out.ball[a1]) + std::max(out.ball[b0], out.ball[b1]);
+  const Vec3 p0 = out.centre[a0], p1 = out.centre[a1], q0 = out.centre[b0], q1 = out.centre[b1];
+  const double reach = std::max(out.trust_radius[a0], out.trust_radius[a1]) +
+                       std::max(out.trust_radius[b0], out.trust_radius[b1]);
   const EdgePoints at = closest_on_edges(p0, p1, q0, q1);
   const Vec3 p = p0 + (p1 - p0) * at.s, q = q0 + (q1 - q0) * at.t;
   const double gap = length(p - q);
@@ -343,14 +347,14 @@ bool ContactFinder::has_gap(double gap, double reach, Index vertex, Contacts& ou
 }
 
 /// The plane through `closest` separates the pair; a vertex behind it by some way may come that much closer.
-/// What its ball never reaches needs no plane.
+/// What its trust region never reaches needs no plane.
 void ContactFinder::bound(Index vertex, Vec3 n, Vec3 closest, double allowance, const Contacts& out) {
-  const double slack = std::max(0.0, dot(n, out.measured[vertex] - closest)) + allowance;
-  if (slack < out.ball[vertex]) found_.push_back({vertex, {n, slack}});
+  const double slack = std::max(0.0, dot(n, out.centre[vertex] - closest)) + allowance;
+  if (slack < out.trust_radius[vertex]) found_.push_back({vertex, {n, slack}});
 }
 
 void ContactFinder::sort_planes(Contacts& out) {
-  out.plane_start.assign(out.ball.size() + 1, 0);
+  out.plane_start.assign(out.trust_radius.size() + 1, 0);
   for (const VertexPlane& f : found_) ++out.plane_start[f.vertex + 1];
   for (std::size_t i = 1; i < out.plane_start.size(); ++i) out.plane_start[i] += out.plane_start[i - 1];
   out.planes.resize(found_.size());

@@ -1,9 +1,9 @@
 #pragma once
-// What keeps cloth from going through: a measurement lists every pair of features that could meet before
+// What keeps cloth from going through: a detection lists every pair of features that could meet before
 // the next one, and bounds how far each vertex may go. After Chen et al., "Offset Geometric Contact" (2025):
 // a pair's certificate is the plane between its closest points, which each side may approach but not reach;
-// a vertex's ball covers all pairs that are not listed. Bounds limit the way from the positions at which was
-// measured, not the move of one step, so they cannot add up.
+// a vertex's trust region covers all pairs that are not listed. Bounds limit the way from each vertex's
+// centre, its place at the last detection, not the move of one step, so they cannot add up.
 
 #include <array>
 #include <initializer_list>
@@ -35,7 +35,7 @@ struct Obstacle {
   std::vector<EdgeLine> edge_lines;
   double friction = 0.4;      ///< Coulomb
   double skin_offset = 1e-3;  ///< m
-  double restitution = 0;     ///< share of the speed of a blow that cloth leaves with
+  double restitution = 0;     ///< share of the speed of a impact that cloth leaves with
 };
 Obstacle make_obstacle(std::span<const Vec3> vertices, std::span<const Tri> triangles, double friction,
                        double skin_offset, double restitution = 0);
@@ -46,16 +46,17 @@ struct ContactSettings {
   /// thick, neighbours in the flat would push each other apart.
   std::vector<double> vertex_thickness;
   double cloth_friction = 0.3;
-  double ball_least = 1e-3;    ///< m
-  double ball_most = 5e-3;     ///< m; at most 0.35 of the mean edge
-  double ball_seconds = 4e-3;  ///< s, time ahead that a ball covers at 1.5 times the present speed
+  double trust_radius_least = 1e-3;  ///< m
+  double trust_radius_most = 5e-3;   ///< m; at most 0.35 of the mean edge
+  double trust_radius_seconds =
+      4e-3;  ///< s, time ahead that a trust region covers at 1.5 times the present speed
 };
 
 /// Gap under which a side may not approach further. More than the rounding of the exact crossing test (1 µm).
 inline constexpr double kContactFloor = 20e-6;
 
-/// Two features that are pushed apart to `rest` and rub on each other. Signed distance along the plane
-/// measured: s(x) = n·(Σ wᵢ xᵢ) − c over the cloth vertices; what the solid contributes stands in c.
+/// Two features that are pushed apart to `rest` and rub on each other. Signed distance along the division
+/// plane: s(x) = n·(Σ wᵢ xᵢ) − c over the cloth vertices; what the solid contributes stands in c.
 struct Contact {
   int count = 0;  ///< of cloth vertices: 1 to 3 on a solid, 4 between layers
   Index v[4] = {kNone, kNone, kNone, kNone};
@@ -67,29 +68,29 @@ struct Contact {
   double restitution = 0;
 };
 
-/// A half-space that a vertex stays in: n·(x − x0) ≥ −slack, x0 the measured position.
-struct BoundPlane {
+/// A half-space that a vertex stays in: n·(x − x0) ≥ −slack, x0 the centre.
+struct DivisionPlane {
   Vec3 n;
   double slack = 0;
 };
 
-/// The result of a measurement: valid while every vertex keeps its bounds.
+/// The result of a detection: valid while every vertex keeps its bounds.
 struct Contacts {
-  std::vector<Vec3> measured;      ///< x0
-  std::vector<double> ball;        ///< m, radius around x0
-  std::vector<double> free;        ///< m, radius around x0 in which neither ball nor plane is met
-  std::vector<Index> plane_start;  ///< first plane of each vertex, one more at the end
-  std::vector<BoundPlane> planes;
+  std::vector<Vec3> centre;          ///< x0
+  std::vector<double> trust_radius;  ///< m, radius around x0
+  std::vector<double> free_radius;   ///< m, radius around x0 in which neither trust region nor plane is met
+  std::vector<Index> plane_start;    ///< first plane of each vertex, one more at the end
+  std::vector<DivisionPlane> planes;
   std::vector<Contact> contacts;
   double least_gap = 1;            ///< m, of all pairs that came near; 1 when none did
   Index least_gap_vertex = kNone;  ///< a vertex of that pair
 
   /// True when x is too near x0 to meet any bound: what most vertices are, most of the time.
   bool surely_inside(Index v, Vec3 x) const {
-    const Vec3 d = x - measured[v];
-    return dot(d, d) <= free[v] * free[v];
+    const Vec3 d = x - centre[v];
+    return dot(d, d) <= free_radius[v] * free_radius[v];
   }
-  bool inside_ball(Index v, Vec3 x) const;
+  bool inside_trust_region(Index v, Vec3 x) const;
   bool inside_planes(Index v, Vec3 x) const;
   /// As reach, but for the planes alone.
   double plane_reach(Index v, Vec3 from, Vec3 to) const;
@@ -102,8 +103,8 @@ class ContactFinder {
  public:
   ContactFinder(Surface cloth, std::span<const Obstacle> obstacles, ContactSettings settings);
 
-  /// Measures at `positions` (m); `speeds` (m/s, one a vertex) size the balls.
-  void measure(std::span<const Vec3> positions, std::span<const double> speeds, Contacts& out);
+  /// Measures at `positions` (m); `speeds` (m/s, one a vertex) size the trust regions.
+  void detect(std::span<const Vec3> positions, std::span<const double> speeds, Contacts& out);
 
   const Surface& cloth() const { return cloth_; }
   ContactSettings& settings() { return settings_; }
@@ -111,10 +112,10 @@ class ContactFinder {
  private:
   struct VertexPlane {
     Index vertex;
-    BoundPlane plane;
+    DivisionPlane plane;
   };
 
-  void size_balls(std::span<const double> speeds, Contacts& out) const;
+  void size_trust_regions(std::span<const double> speeds, Contacts& out) const;
   void lay_boxes(std::span<const Vec3> positions, const Contacts& out);
   void lay_edge_lines(std::span<const Vec3> positions, const Contacts& out);
   void pair_with_obstacles(Contacts& out);
@@ -128,7 +129,7 @@ class ContactFinder {
   bool has_gap(double gap, double reach, Index vertex, Contacts& out);
   void bound(Index vertex, Vec3 n, Vec3 closest, double allowance, const Contacts& out);
   void sort_planes(Contacts& out);
-  void measure_freedom(Contacts& out) const;
+  void find_free_radii(Contacts& out) const;
   void keep_nearest(Contacts& out);
   double thickness_at(std::initializer_list<Index> vertices) const;
   bool neighbours(Index a, Index b) const { return cloth_.vertex_class[a] == cloth_.vertex_class[b]; }

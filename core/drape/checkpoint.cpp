@@ -40,11 +40,11 @@ void fields(Archive& a, RunState& run) {
   a.value(s.watch.ways);
   a.value(s.watch.drift);
   a.value(s.watch.usual_drift);
-  a.value(s.watch.swings);
+  a.value(s.watch.rates);
   a.value(s.solver.positions);
   a.value(s.solver.velocities);
-  a.value(s.solver.measured);
-  a.value(s.solver.measured_speeds);
+  a.value(s.solver.centres);
+  a.value(s.solver.detection_speeds);
   a.value(s.solver.held_back);
   a.value(s.solver.hits);
   a.value(run.at_end.cloth_body);
@@ -88,18 +88,18 @@ bool all_counts(Counts... counts) {
 
 bool sound(const SessionState& s) {
   const std::size_t n = s.solver.positions.size();
-  const std::size_t m = s.solver.measured.size();
+  const std::size_t m = s.solver.centres.size();
   return s.phase <= DrapePhase::kDone && (s.phase == DrapePhase::kDone) == !s.stop_reason.empty() &&
          s.stop_reason.size() <= kMostWords &&
          all_counts(s.steps, s.watch.step, s.solver.held_back, s.solver.hits, s.slackened) &&
          all_times(s.time, s.phase_start, s.last_weld) && s.solver.velocities.size() == n &&
-         (m == 0 || m == n) && s.solver.measured_speeds.size() == m && s.watch.window_start.size() == n &&
+         (m == 0 || m == n) && s.solver.detection_speeds.size() == m && s.watch.window_start.size() == n &&
          sound_ways(s.watch.ways, n) && s.watch.rms.size() <= SettleState::kMostWindows &&
-         s.watch.swings.size() <= SettleState::kMostWindows && all_speeds(s.watch.swings) &&
+         s.watch.rates.size() <= SettleState::kMostWindows && all_speeds(s.watch.rates) &&
          all_speeds(s.off_at_release) && all_speeds(s.watch.rms) &&
          all_speeds({s.watch.max_speed, s.watch.drift, s.watch.usual_drift}) &&
-         all_speeds(s.solver.measured_speeds) && all_within(s.solver.positions, kFarthest) &&
-         all_within(s.solver.velocities, kFarthest) && all_within(s.solver.measured, kFarthest) &&
+         all_speeds(s.solver.detection_speeds) && all_within(s.solver.positions, kFarthest) &&
+         all_within(s.solver.velocities, kFarthest) && all_within(s.solver.centres, kFarthest) &&
          all_within(s.watch.window_start, kFarthest);
 }
 

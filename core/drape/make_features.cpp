@@ -96,18 +96,18 @@ std::vector<PressureChamber> chambers_of(const DrapeInput& input, const Assembly
   return chambers;
 }
 
-std::vector<Leash> leashes_of(const DrapeInput& input, const Assembly& assembly,
-                              std::span<const Index> vertex_of, const std::vector<bool>& released) {
-  std::vector<Leash> leashes;
+std::vector<Tether> tethers_of(const DrapeInput& input, const Assembly& assembly,
+                               std::span<const Index> vertex_of, const std::vector<bool>& released) {
+  std::vector<Tether> tethers;
   for (std::size_t a = 0; a < input.attachments.size(); ++a) {
     if (released[a] || assembly.led[a].empty()) continue;
     const auto goal = std::make_shared<const std::vector<Vec3>>(input.attachments[a].goal);
     for (const ClothPoint& point : assembly.led[a]) {
       const double start = length_of({point, goal, 0}, assembly.positions);
-      leashes.push_back({mapped(point, vertex_of), goal, start});
+      tethers.push_back({mapped(point, vertex_of), goal, start});
     }
   }
-  return leashes;
+  return tethers;
 }
 
 }  // namespace
@@ -120,7 +120,7 @@ ClothFeatures make_features(const DrapeInput& input, const Assembly& assembly,
           elastics_of(input, assembly, vertex_of),
           folds_of(input, assembly, vertex_of),
           chambers_of(input, assembly, vertex_of, vertex_count),
-          leashes_of(input, assembly, vertex_of, released)};
+          tethers_of(input, assembly, vertex_of, released)};
 }
 
 double off_hold(const DrapeInput& input, const Assembly& assembly, std::size_t a, std::span<const Vec3> x) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/drape/swing.h"
+#include "core/drape/rayleigh.h"
 
 namespace toile {
 
@@ -75,7 +75,7 @@ void SettleWatch::observe(std::span<const Vec3> x, double damping) {
     return std::span<const float>(seen_.ways).subspan(k * count, count);
   };
   if (before >= 2) {
-    note(seen_.swings, swing_rate(window(before - 2), window(before - 1), newest, seconds, damping));
+    note(seen_.rates, rayleigh_rate(window(before - 2), window(before - 1), newest, seconds, damping));
   }
   if (before == kQuietWindows - 1) {
     std::vector<float> whole = newest;
@@ -93,18 +93,18 @@ void SettleWatch::observe(std::span<const Vec3> x, double damping) {
 }
 
 /// The slowest of late: fast swings come and go, and a slow one waits behind them.
-double SettleWatch::slowest_swing() const {
-  return seen_.swings.empty() ? 0 : *std::min_element(seen_.swings.begin(), seen_.swings.end());
+double SettleWatch::slowest_rate() const {
+  return seen_.rates.empty() ? 0 : *std::min_element(seen_.rates.begin(), seen_.rates.end());
 }
 
-double SettleWatch::damping() const { return calming_damping(slowest_swing()); }
+double SettleWatch::damping() const { return calming_damping(slowest_rate()); }
 
 bool SettleWatch::settled(double damping, double calm) const {
   if (seen_.rms.size() < kQuietWindows) return false;
   const std::vector<double>& last = seen_.rms;
   const double speed = calm * speed_;
   const bool slow = std::all_of(last.begin(), last.end(), [&](double v) { return v < speed; });
-  return slow && way_left(seen_.drift, damping, slowest_swing()) <= kWayLeft * speed &&
+  return slow && way_left(seen_.drift, damping, slowest_rate()) <= kWayLeft * speed &&
          way_left(seen_.usual_drift, damping, 0) <= kUsualWayLeft * speed &&
          last[2] + last[3] <= 1.2 * (last[0] + last[1]);
 }

@@ -1,7 +1,7 @@
 #pragma once
 // When is cloth at rest? Speeds are measured over windows of a twentieth of a second: over single steps they
 // carry the jitter of contacts, and a displacement alone would pass cloth that shakes on the spot. The same
-// windows tell how fast it swings, and so how much damping it wants (swing.h).
+// windows tell how fast it swings, and so how much damping it wants (rayleigh.h).
 
 #include <cstddef>
 #include <span>
@@ -21,11 +21,11 @@ struct SettleState {
   /// m, three coordinates a vertex: the ways of up to kMostWindows − 1 full windows before the newest, one
   /// window after the other, the oldest first.
   std::vector<float> ways;
-  std::vector<double> rms;     ///< m/s, of the newest windows, the last one last
-  double max_speed = 0;        ///< m/s
-  double drift = 0;            ///< m/s RMS, over kMostWindows windows; what swings to and fro does not count
-  double usual_drift = 0;      ///< m/s, what 99 vertices of a hundred stayed under over the same windows
-  std::vector<double> swings;  ///< 1/s, of the newest kMostWindows windows that told one
+  std::vector<double> rms;    ///< m/s, of the newest windows, the last one last
+  double max_speed = 0;       ///< m/s
+  double drift = 0;           ///< m/s RMS, over kMostWindows windows; what swings to and fro does not count
+  double usual_drift = 0;     ///< m/s, what 99 vertices of a hundred stayed under over the same windows
+  std::vector<double> rates;  ///< 1/s, of the newest kMostWindows windows that told one
 };
 
 class SettleWatch {
@@ -53,7 +53,7 @@ class SettleWatch {
   void restore(SettleState state) { seen_ = std::move(state); }
 
  private:
-  double slowest_swing() const;
+  double slowest_rate() const;
 
   double time_step_, speed_;
   int window_steps_;

@@ -14,7 +14,7 @@ void solve_features(const ClothFeatures& features, const FeatureProgress& progre
   solve_folds(features.folds, progress.formed, w, h, x);
   solve_elastics(features.elastics, progress.formed, w, h, x);
   solve_ties(features.ties, progress.open, w, h, x);
-  solve_leashes(features.leashes, progress.open, w, h, x);
+  solve_tethers(features.tethers, progress.open, w, h, x);
 }
 
 }  // namespace toile

@@ -9,8 +9,8 @@
 #include "core/solver/constraints/button.h"
 #include "core/solver/constraints/elastic.h"
 #include "core/solver/constraints/fold.h"
-#include "core/solver/constraints/leash.h"
 #include "core/solver/constraints/pressure.h"
+#include "core/solver/constraints/tether.h"
 
 namespace toile {
 
@@ -21,12 +21,12 @@ struct ClothFeatures {
   std::vector<ElasticSegment> elastics;
   std::vector<FoldHinge> folds;
   std::vector<PressureChamber> chambers;
-  std::vector<Leash> leashes;
+  std::vector<Tether> tethers;
 };
 
 /// How far features have come in a step.
 struct FeatureProgress {
-  double open = 0;    ///< buttons, leashes: 1 as far as at the start, 0 closed
+  double open = 0;    ///< buttons, tethers: 1 as far as at the start, 0 closed
   double formed = 1;  ///< elastic, creases, pressure: 0 not yet there, 1 whole
   bool air = false;   ///< whether the air resists
 };

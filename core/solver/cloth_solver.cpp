@@ -3,15 +3,15 @@
 #include <algorithm>
 
 #include "core/base/check.h"
-#include "core/solver/constraints/bounce.h"
 #include "core/solver/constraints/contact_pass.h"
+#include "core/solver/constraints/restitution.h"
 #include "core/solver/constraints/viscosity.h"
 
 namespace toile {
 
 namespace {
 
-/// Runs of vertices into planes, per vertex of the cloth and summed over steps, before a fresh measurement
+/// Runs of vertices into planes, per vertex of the cloth and summed over steps, before a fresh detection
 /// gives them their way back. What few planes hold for long would hang in the air as on pins.
 constexpr double kPlaneHitShare = 0.03;
 
@@ -43,8 +43,8 @@ ContactSettings contact_settings(const ClothModel& model) {
     for (const Index v : model.triangles[t])
       settings.vertex_thickness[v] = std::min(settings.vertex_thickness[v], most);
   }
-  settings.ball_most = 0.35 * edge;
-  settings.ball_least = std::min(settings.ball_least, settings.ball_most);
+  settings.trust_radius_most = 0.35 * edge;
+  settings.trust_radius_least = std::min(settings.trust_radius_least, settings.trust_radius_most);
   return settings;
 }
 
@@ -62,11 +62,11 @@ ClothSolver::ClothSolver(ClothModel model, std::vector<Vec3> positions, std::spa
   TOILE_CHECK(h_ > 0);
   set_holds({});
   velocity_.resize(x_.size());
-  lifted_.resize(x_.size());
+  depenetration_.resize(x_.size());
   speed_.resize(x_.size());
   for (const Obstacle& obstacle : obstacles_) bouncy_ |= obstacle.restitution > 0;
   if (layout.empty()) layout = x_;
-  finder_.measure(layout, speed_, contacts_);  // lays out its tree
+  finder_.detect(layout, speed_, contacts_);  // lays out its tree
 }
 
 void ClothSolver::set_stitches(std::vector<Stitch> stitches) {
@@ -89,8 +89,8 @@ void ClothSolver::set_holds(std::vector<HeldVertex> held) {
 }
 
 SolverState ClothSolver::state() const {
-  if (!measured_) return {x_, velocity_, {}, {}, held_back_, hits_};
-  return {x_, velocity_, contacts_.measured, speed_, held_back_, hits_};
+  if (!detected_) return {x_, velocity_, {}, {}, held_back_, hits_};
+  return {x_, velocity_, contacts_.centre, speed_, held_back_, hits_};
 }
 
 void ClothSolver::restore(SolverState state) {
@@ -99,10 +99,10 @@ void ClothSolver::restore(SolverState state) {
   velocity_ = std::move(state.velocities);
   held_back_ = state.held_back;
   hits_ = state.hits;
-  measured_ = !state.measured.empty();
-  if (!measured_) return;
-  speed_ = std::move(state.measured_speeds);
-  finder_.measure(state.measured, speed_, contacts_);
+  detected_ = !state.centres.empty();
+  if (!detected_) return;
+  speed_ = std::move(state.detection_speeds);
+  finder_.detect(state.centres, speed_, contacts_);
 }
 
 StepReport ClothSolver::step(const StepForces& forces) {
@@ -120,7 +120,7 @@ StepReport ClothSolver::step(const StepForces& forces) {
   } else {
     close_groups(stitch_groups_, inverse_mass_, h_, x_);
   }
-  const StepReport report = keep_bounds(forces);
+  const StepReport report = truncate(forces);
   finish(forces);
   if (forces.viscosity > 0) even_velocities(model_.triangles, model_.mass, forces.viscosity, velocity_);
   return report;
@@ -142,10 +142,10 @@ void ClothSolver::predict(const StepForces& forces) {
   }
 }
 
-void ClothSolver::measure() {
+void ClothSolver::detect_contacts() {
   for (std::size_t i = 0; i < velocity_.size(); ++i) speed_[i] = length(velocity_[i]);
-  finder_.measure(before_, speed_, contacts_);
-  measured_ = true;
+  finder_.detect(before_, speed_, contacts_);
+  detected_ = true;
 }
 
 /// Few vertices come near a bound in a step: those are looked at closely.
@@ -157,12 +157,12 @@ void ClothSolver::note_who_went_far() {
   }
 }
 
-/// A vertex that a plane stops within its ball asks for nothing.
-bool ClothSolver::leaves_a_ball() const {
+/// A vertex that a plane stops within its trust region asks for nothing.
+bool ClothSolver::leaves_trust_region() const {
   return std::any_of(far_.begin(), far_.end(), [&](Index v) {
-    if (contacts_.inside_ball(v, x_[v])) return false;
+    if (contacts_.inside_trust_region(v, x_[v])) return false;
     const double t = contacts_.plane_reach(v, before_[v], x_[v]);
-    return !contacts_.inside_ball(v, before_[v] + (x_[v] - before_[v]) * t);
+    return !contacts_.inside_trust_region(v, before_[v] + (x_[v] - before_[v]) * t);
   });
 }
 
@@ -171,34 +171,34 @@ int ClothSolver::count_plane_hits() const {
       std::count_if(far_.begin(), far_.end(), [&](Index v) { return !contacts_.inside_planes(v, x_[v]); }));
 }
 
-/// Look before clamping: where a vertex would leave its ball, or many run into planes, measure again at this
-/// step's start and cut the proposal with fresh bounds. What fresh bounds hold back as well is no reason to
-/// ask again. Clamping on and on would pin the cloth in the air.
-StepReport ClothSolver::keep_bounds(const StepForces& forces) {
+/// Look before clamping: where a vertex would leave its trust region, or many run into planes, detect
+/// contacts again at this step's start and cut the proposal with fresh bounds. What fresh bounds hold back as
+/// well is no reason to ask again. Clamping on and on would pin the cloth in the air.
+StepReport ClothSolver::truncate(const StepForces& forces) {
   StepReport report;
   for (const Vec3& p : x_) report.not_finite |= !is_finite(p);
   if (report.not_finite) {
     x_ = before_;
     std::fill(velocity_.begin(), velocity_.end(), Vec3{});
   }
-  std::fill(lifted_.begin(), lifted_.end(), Vec3{});
+  std::fill(depenetration_.begin(), depenetration_.end(), Vec3{});
   proposal_ = x_;
-  if (!measured_) {
-    measure();
-    ++report.measurements;
+  if (!detected_) {
+    detect_contacts();
+    ++report.detections;
   }
   const auto push_apart = [&] {
-    solve_contacts(contacts_.contacts, before_, inverse_mass_, forces.friction, h_, x_, lifted_);
+    solve_contacts(contacts_.contacts, before_, inverse_mass_, forces.friction, h_, x_, depenetration_);
     note_who_went_far();
   };
   push_apart();
-  if (report.measurements == 0) hits_ += std::max(0, count_plane_hits() - held_back_);
-  if (report.measurements == 0 &&
-      (leaves_a_ball() || hits_ > kPlaneHitShare * static_cast<double>(x_.size()))) {
-    measure();
-    ++report.measurements;
+  if (report.detections == 0) hits_ += std::max(0, count_plane_hits() - held_back_);
+  if (report.detections == 0 &&
+      (leaves_trust_region() || hits_ > kPlaneHitShare * static_cast<double>(x_.size()))) {
+    detect_contacts();
+    ++report.detections;
     x_ = proposal_;
-    std::fill(lifted_.begin(), lifted_.end(), Vec3{});
+    std::fill(depenetration_.begin(), depenetration_.end(), Vec3{});
     push_apart();
   }
   for (const Index v : far_) {
@@ -208,7 +208,7 @@ StepReport ClothSolver::keep_bounds(const StepForces& forces) {
       ++report.bounded;
     }
   }
-  if (report.measurements > 0) {
+  if (report.detections > 0) {
     held_back_ = report.bounded;
     hits_ = 0;
   }
@@ -217,10 +217,10 @@ StepReport ClothSolver::keep_bounds(const StepForces& forces) {
 
 void ClothSolver::finish(const StepForces& forces) {
   const double per_h = 1 / h_;
-  std::vector<Blow> blows;
-  if (bouncy_) blows = find_blows(contacts_.contacts, forces.restitution, proposal_, velocity_);
-  for (std::size_t i = 0; i < x_.size(); ++i) velocity_[i] = (x_[i] - before_[i] - lifted_[i]) * per_h;
-  bounce(blows, inverse_mass_, velocity_);
+  std::vector<Impact> impacts;
+  if (bouncy_) impacts = find_impacts(contacts_.contacts, forces.restitution, proposal_, velocity_);
+  for (std::size_t i = 0; i < x_.size(); ++i) velocity_[i] = (x_[i] - before_[i] - depenetration_[i]) * per_h;
+  give_back(impacts, inverse_mass_, velocity_);
 }
 
 }  // namespace toile

@@ -26,7 +26,7 @@ struct StepForces {
 
 /// What a step saw. Numerical trouble is a flag here, never a NaN that leaves the step.
 struct StepReport {
-  int measurements = 0;     ///< contact measurements in this step
+  int detections = 0;       ///< contact detections in this step
   int bounded = 0;          ///< vertices that a bound stopped
   bool not_finite = false;  ///< a position left the numbers; the step was undone
 };
@@ -35,10 +35,10 @@ struct StepReport {
 /// made of.
 struct SolverState {
   std::vector<Vec3> positions, velocities;  ///< m, m/s
-  std::vector<Vec3> measured;           ///< m, where contacts were measured last; empty before the first time
-  std::vector<double> measured_speeds;  ///< m/s, that sized the balls then
-  int held_back = 0;                    ///< vertices that the bounds stopped right after
-  int hits = 0;                         ///< more than those, summed over the steps since
+  std::vector<Vec3> centres;                ///< m, of the trust regions; empty before the first time
+  std::vector<double> detection_speeds;     ///< m/s, that sized the trust regions then
+  int held_back = 0;                        ///< vertices that the bounds stopped right after
+  int hits = 0;                             ///< more than those, summed over the steps since
 };
 
 class ClothSolver {
@@ -71,10 +71,10 @@ class ClothSolver {
 
  private:
   void predict(const StepForces& forces);
-  void measure();
-  StepReport keep_bounds(const StepForces& forces);
+  void detect_contacts();
+  StepReport truncate(const StepForces& forces);
   void note_who_went_far();
-  bool leaves_a_ball() const;
+  bool leaves_trust_region() const;
   int count_plane_hits() const;
   void finish(const StepForces& forces);
 
@@ -90,20 +90,20 @@ class ClothSolver {
   std::vector<Vec3> feature_force_;
   std::vector<double> inverse_mass_;
 
-  std::vector<Vec3> x_, before_, velocity_, lifted_, proposal_;
+  std::vector<Vec3> x_, before_, velocity_, depenetration_, proposal_;
   std::vector<LanePoint> points_;  ///< x_, while lanes work on it
   std::vector<double> speed_;
   std::vector<Index> far_;  ///< vertices that may have met a bound in this step
   bool bouncy_ = false;     ///< an obstacle throws cloth back
   ContactFinder finder_;
   Contacts contacts_;
-  bool measured_ = false;
-  int held_back_ = 0;  ///< vertices that the bounds stopped right after the last measurement
+  bool detected_ = false;
+  int held_back_ = 0;  ///< vertices that the bounds stopped right after the last detection
   int hits_ = 0;       ///< more than those, summed over the steps since
 };
 
-/// Thickness, friction and ball sizes for a cloth: thickness at most 0.3 and balls at most 0.35 of the mean
-/// edge.
+/// Thickness, friction and trust region sizes for a cloth: thickness at most 0.3 and trust regions at most
+/// 0.35 of the mean edge.
 ContactSettings contact_settings(const ClothModel& model);
 
 }  // namespace toile

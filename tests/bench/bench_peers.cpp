@@ -112,7 +112,7 @@ std::string info_json(const Options& o, const PeerEnd& end) {
   number("simulated_s", end.steps * end.time_step);
   number("dt_out", 0.04);
   word("stop_reason", end.stop_reason);
-  number("measurements", static_cast<double>(end.measurements));
+  number("detections", static_cast<double>(end.detections));
   number("bounded", static_cast<double>(end.bounded));
   number("most_bounded", end.most_bounded);
   number("frames_checked", end.worst.frames);

@@ -294,7 +294,7 @@ void print_line(const PeerRun& run, const PeerEnd& end) {
   std::fprintf(
       stderr,
       "%7.3f s  rms %8.5f  max %8.5f m/s  damping %5.2f/s  measured %6ld  bounded %8ld  gap %.4f mm\n",
-      run.time(), run.rms_speed(), run.max_speed(), run.damping(), end.measurements, end.bounded,
+      run.time(), run.rms_speed(), run.max_speed(), run.damping(), end.detections, end.bounded,
       1e3 * run.gap());
 }
 
@@ -310,7 +310,7 @@ PeerEnd run_task(const PeerTask& task, const RunSettings& settings) {
   const int traced = steps_in(kTraceInterval, run.time_step());
   while (!run.done()) {
     const StepReport report = run.step();
-    end.measurements += report.measurements;
+    end.detections += report.detections;
     end.bounded += report.bounded;
     if (settings.trace && run.steps() % traced == 0) print_line(run, end);
     const bool most = report.bounded > end.most_bounded;

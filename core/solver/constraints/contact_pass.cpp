@@ -17,7 +17,7 @@ Vec3 point_of(const Contact& c, std::span<const Vec3> x) {
 
 void solve_contacts(std::span<const Contact> contacts, std::span<const Vec3> before,
                     std::span<const double> w, double friction, double h, std::span<Vec3> x,
-                    std::span<Vec3> lifted) {
+                    std::span<Vec3> depenetration) {
   for (const Contact& c : contacts) {
     const Vec3 now = point_of(c, x);
     const double distance = dot(c.n, now) - c.c;
@@ -29,16 +29,17 @@ void solve_contacts(std::span<const Contact> contacts, std::span<const Vec3> bef
     const Vec3 start = point_of(c, before);
     const double floor = std::min(c.rest, dot(c.n, start) - c.c);  // where it rested is no approach
     const double approach = std::max(0.0, floor - distance);
-    const double lift = std::clamp(kLiftShare * c.rest - std::max(distance, floor), 0.0, kPushOutSpeed * h);
+    const double raise =
+        std::clamp(kDepenetrationShare * c.rest - std::max(distance, floor), 0.0, kPushOutSpeed * h);
 
     const Vec3 moved = now - start, slip = moved - c.n * dot(c.n, moved);
     const double slipped = length(slip), hold = friction * c.friction * approach;
     const Vec3 rub = slipped > hold && slipped > 0 ? slip * (hold / slipped) : slip;
-    const Vec3 stop = c.n * approach - (hold > 0 ? rub : Vec3{}), push = c.n * lift;
+    const Vec3 stop = c.n * approach - (hold > 0 ? rub : Vec3{}), push = c.n * raise;
     for (int i = 0; i < c.count; ++i) {
       const double share = w[c.v[i]] * c.w[i] / mass;
       x[c.v[i]] += (stop + push) * share;
-      lifted[c.v[i]] += push * share;
+      depenetration[c.v[i]] += push * share;
     }
   }
 }

@@ -51,7 +51,7 @@ TEST(Contacts, BoundsKeepTwoSheetsApartWhateverTheMoves) {
     const std::vector<double> speeds(sheet.x.size(), 0.5);
     Contacts contacts;
     for (int k = 0; k < 40; ++k) {
-      finder.measure(sheet.x, speeds, contacts);
+      finder.detect(sheet.x, speeds, contacts);
       for (int m = 0; m < 3; ++m) move_at_random(contacts, random, 0.004, sheet.x);
       ASSERT_TRUE(self_crossings(surface, sheet.x).empty()) << "round " << round << ", move " << k;
     }
@@ -72,7 +72,7 @@ TEST(Contacts, BoundsKeepASheetOutOfABodyWithEdgesAndPoints) {
   const std::vector<double> speeds(sheet.x.size(), 1.0);
   Contacts contacts;
   for (int k = 0; k < 300; ++k) {
-    finder.measure(sheet.x, speeds, contacts);
+    finder.detect(sheet.x, speeds, contacts);
     move_at_random(contacts, random, 0.006, sheet.x);
     for (Vec3& p : sheet.x) {  // and a steady pull down
       const auto i = static_cast<Index>(&p - sheet.x.data());
@@ -89,7 +89,7 @@ TEST(Contacts, AVertexAloneMayUseItsWholeBall) {
   append_sheet(sheet, 2, 0);
   ContactFinder finder(make_surface(sheet.triangles, 4), {}, ContactSettings{});
   Contacts contacts;
-  finder.measure(sheet.x, std::vector<double>(4, 0.0), contacts);
+  finder.detect(sheet.x, std::vector<double>(4, 0.0), contacts);
   EXPECT_NEAR(contacts.reach(0, sheet.x[0], sheet.x[0] + Vec3{0, 0.002, 0}), 0.5, 0.02);
   EXPECT_EQ(contacts.reach(0, sheet.x[0], sheet.x[0] + Vec3{0, 0.0005, 0}), 1);
 }
@@ -99,10 +99,10 @@ TEST(Contacts, FasterVerticesGetLargerBalls) {
   append_sheet(sheet, 2, 0);
   ContactFinder finder(make_surface(sheet.triangles, 4), {}, ContactSettings{});
   Contacts contacts;
-  finder.measure(sheet.x, std::vector<double>{0, 0.3, 0.5, 100}, contacts);
-  EXPECT_NEAR(contacts.ball[0], 1e-3, 1e-4);
-  EXPECT_NEAR(contacts.ball[1], 1.5 * 0.3 * ContactSettings{}.ball_seconds, 1e-4);
-  EXPECT_NEAR(contacts.ball[3], 5e-3, 1e-4);
+  finder.detect(sheet.x, std::vector<double>{0, 0.3, 0.5, 100}, contacts);
+  EXPECT_NEAR(contacts.trust_radius[0], 1e-3, 1e-4);
+  EXPECT_NEAR(contacts.trust_radius[1], 1.5 * 0.3 * ContactSettings{}.trust_radius_seconds, 1e-4);
+  EXPECT_NEAR(contacts.trust_radius[3], 5e-3, 1e-4);
 }
 
 }  // namespace

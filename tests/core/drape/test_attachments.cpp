@@ -118,7 +118,7 @@ TEST(Attachments, ABodyInTheWayMakesTheClothWaitAndIsNotCrossed) {
   EXPECT_NEAR(r.holds[0].off, 0.1, 0.01) << "it rests on the head of the column, at 0.3 m";
 }
 
-TEST(Attachments, ADrapeBrokenOffWhileALeashHoldsGoesOnToTheSameBytes) {
+TEST(Attachments, ADrapeBrokenOffWhileATetherHoldsGoesOnToTheSameBytes) {
   const DrapeInput input = tube_on_a_line(0.2);
   auto whole = DrapeRun::start(input, {}, nullptr).value();
   whole->advance(1700, {});

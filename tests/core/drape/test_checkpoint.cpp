@@ -258,7 +258,7 @@ TEST(Checkpoint, ThatDoesNotFitTheGarmentIsRefused) {
   EXPECT_EQ(code([](RunState& s) { s.session.joined.flip(); }), damaged) << "other numbers of vertices";
   EXPECT_EQ(code([](RunState& s) { s.session.released.clear(); }), damaged);
   EXPECT_EQ(code([](RunState& s) { s.session.solver.velocities.pop_back(); }), damaged);
-  EXPECT_EQ(code([](RunState& s) { s.session.solver.measured.pop_back(); }), damaged);
+  EXPECT_EQ(code([](RunState& s) { s.session.solver.centres.pop_back(); }), damaged);
   EXPECT_EQ(code([](RunState& s) { s.session.solver.positions[3].y = std::nan(""); }), damaged);
   EXPECT_EQ(code([](RunState& s) { s.session.solver.velocities[0].x = 1e300; }), damaged);
   EXPECT_EQ(code([](RunState& s) { s.session.watch.window_start.clear(); }), damaged);

@@ -12,8 +12,8 @@ namespace toile {
 /// ω² = (u·K u)/(u·M u) = −u·(ü + c u̇)/(u·u), all vertices alike. `ways`: how far the vertices went (m, three
 /// coordinates each) in three windows of `seconds` that follow each other. 0 for what does not swing: what
 /// falls, creeps evenly or speeds up.
-double swing_rate(std::span<const float> first, std::span<const float> second, std::span<const float> third,
-                  double seconds, double damping);
+double rayleigh_rate(std::span<const float> first, std::span<const float> second,
+                     std::span<const float> third, double seconds, double damping);
 
 /// Damping (1/s) for cloth that swings at `rate` (1/s).
 double calming_damping(double rate);

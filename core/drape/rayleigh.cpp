@@ -1,4 +1,4 @@
-#include "core/drape/swing.h"
+#include "core/drape/rayleigh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +15,8 @@ constexpr double kLeastDamping = 2, kMostDamping = 16;  // 1/s
 constexpr double kSlowest = 5;  // 1/s
 }  // namespace
 
-double swing_rate(std::span<const float> first, std::span<const float> second, std::span<const float> third,
-                  double seconds, double damping) {
+double rayleigh_rate(std::span<const float> first, std::span<const float> second,
+                     std::span<const float> third, double seconds, double damping) {
   const double bent = 1 / (seconds * seconds), slowed = damping / (2 * seconds);
   double pull = 0, motion = 0;
   for (std::size_t i = 0; i < second.size(); ++i) {

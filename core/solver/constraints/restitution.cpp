@@ -1,4 +1,4 @@
-#include "core/solver/constraints/bounce.h"
+#include "core/solver/constraints/restitution.h"
 
 namespace toile {
 
@@ -13,24 +13,25 @@ double along_normal(const Contact& c, std::span<const Vec3> vectors) {
 
 }  // namespace
 
-std::vector<Blow> find_blows(std::span<const Contact> contacts, double factor, std::span<const Vec3> proposed,
-                             std::span<const Vec3> velocities) {
-  std::vector<Blow> blows;
+std::vector<Impact> find_impacts(std::span<const Contact> contacts, double factor,
+                                 std::span<const Vec3> proposed, std::span<const Vec3> velocities) {
+  std::vector<Impact> impacts;
   for (const Contact& c : contacts) {
     const double restitution = factor * c.restitution;
     if (restitution <= 0 || along_normal(c, proposed) - c.c >= c.rest) continue;
     const double speed = -along_normal(c, velocities);
-    if (speed > kLeastBlow) blows.push_back({&c, restitution * speed});
+    if (speed > kLeastImpact) impacts.push_back({&c, restitution * speed});
   }
-  return blows;
+  return impacts;
 }
 
-void bounce(std::span<const Blow> blows, std::span<const double> inverse_mass, std::span<Vec3> velocities) {
-  for (const Blow& blow : blows) {
-    const Contact& c = *blow.contact;
+void give_back(std::span<const Impact> impacts, std::span<const double> inverse_mass,
+               std::span<Vec3> velocities) {
+  for (const Impact& impact : impacts) {
+    const Contact& c = *impact.contact;
     double mass = 0;
     for (int i = 0; i < c.count; ++i) mass += inverse_mass[c.v[i]] * c.w[i] * c.w[i];
-    const double lacking = blow.away - along_normal(c, velocities);
+    const double lacking = impact.away - along_normal(c, velocities);
     if (mass <= 0 || lacking <= 0) continue;
     for (int i = 0; i < c.count; ++i) {
       velocities[c.v[i]] += c.n * (lacking * inverse_mass[c.v[i]] * c.w[i] / mass);

@@ -1,4 +1,4 @@
-#include "core/solver/constraints/bounce.h"
+#include "core/solver/constraints/restitution.h"
 
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ double mean_height(const std::vector<Vec3>& x) {
 
 /// What became of a flat square that fell on a floor.
 struct Fall {
-  double lowest = 1, rebound = 0;  ///< m above where cloth rests; the latter after the first blow
+  double lowest = 1, rebound = 0;  ///< m above where cloth rests; the latter after the first impact
   double fastest_up = 0;           ///< m/s
   std::vector<Vec3> end;
 };
@@ -94,17 +94,17 @@ TEST(Bounce, ThrowsBackOnlyWhatStrikesAtSpeed) {
   const std::vector<Contact> contacts{c};
   const std::vector<double> inverse_mass{2.0};
   const std::vector<Vec3> near{{0, 0.5e-3, 0}}, far{{0, 2e-3, 0}};
-  const std::vector<Vec3> fast{{3, -1, 0}}, slow{{3, -0.9 * kLeastBlow, 0}}, away{{0, 1, 0}};
-  EXPECT_EQ(find_blows(contacts, 1, near, fast).size(), 1u);
-  EXPECT_TRUE(find_blows(contacts, 1, far, fast).empty()) << "it is not there yet";
-  EXPECT_TRUE(find_blows(contacts, 1, near, slow).empty());
-  EXPECT_TRUE(find_blows(contacts, 1, near, away).empty());
-  EXPECT_TRUE(find_blows(contacts, 0, near, fast).empty());
+  const std::vector<Vec3> fast{{3, -1, 0}}, slow{{3, -0.9 * kLeastImpact, 0}}, away{{0, 1, 0}};
+  EXPECT_EQ(find_impacts(contacts, 1, near, fast).size(), 1u);
+  EXPECT_TRUE(find_impacts(contacts, 1, far, fast).empty()) << "it is not there yet";
+  EXPECT_TRUE(find_impacts(contacts, 1, near, slow).empty());
+  EXPECT_TRUE(find_impacts(contacts, 1, near, away).empty());
+  EXPECT_TRUE(find_impacts(contacts, 0, near, fast).empty());
   std::vector<Vec3> after{{3, 0, 0}};
-  const std::vector<Blow> blows = find_blows(contacts, 1, near, fast);
-  bounce(blows, inverse_mass, after);
+  const std::vector<Impact> impacts = find_impacts(contacts, 1, near, fast);
+  give_back(impacts, inverse_mass, after);
   EXPECT_EQ(after[0], (Vec3{3, 0.5, 0})) << "along the normal, whatever it weighs";
-  bounce(blows, inverse_mass, after);
+  give_back(impacts, inverse_mass, after);
   EXPECT_EQ(after[0], (Vec3{3, 0.5, 0})) << "not twice";
 }
 
@@ -118,7 +118,7 @@ TEST(Bounce, GivesALayersPartsTheirShares) {
   c.rest = 1e-3;
   c.restitution = 1;
   std::vector<Vec3> after(2);
-  bounce(std::vector<Blow>{{&c, 1.0}}, std::vector<double>{1.0, 0.0}, after);
+  give_back(std::vector<Impact>{{&c, 1.0}}, std::vector<double>{1.0, 0.0}, after);
   EXPECT_NEAR(0.5 * after[0].y + 0.5 * after[1].y, 1, 1e-12);
   EXPECT_EQ(after[1], Vec3{}) << "a held vertex is not thrown";
 }

@@ -1,4 +1,4 @@
-#include "core/drape/swing.h"
+#include "core/drape/rayleigh.h"
 
 #include <gtest/gtest.h>
 
@@ -18,36 +18,36 @@ double rate_of(Motion x, double damping, double start = 0) {
     const double t = start + k * kSeconds;
     for (int c = 0; c < 3; ++c) ways[k].push_back(static_cast<float>(x(t + kSeconds, c) - x(t, c)));
   }
-  return swing_rate(ways[0], ways[1], ways[2], kSeconds, damping);
+  return rayleigh_rate(ways[0], ways[1], ways[2], kSeconds, damping);
 }
 
-TEST(SwingRate, IsThatOfAnUndampedSwingWhereverItIs) {
+TEST(RayleighRate, IsThatOfAnUndampedSwingWhereverItIs) {
   for (const double start : {0.0, 0.1, 0.3}) {
     EXPECT_NEAR(rate_of([](double t, int) { return std::cos(6 * t); }, 0, start), 6, 0.05);
   }
 }
 
-TEST(SwingRate, IsThatOfADampedSwing) {
+TEST(RayleighRate, IsThatOfADampedSwing) {
   // ẍ + c ẋ + ω² x = 0 with c = 4, ω = 7: x = e^(−2t) cos(√(49 − 4) t).
   const auto x = [](double t, int) { return std::exp(-2 * t) * std::cos(std::sqrt(45.0) * t); };
   EXPECT_NEAR(rate_of(x, 4), 7, 0.1);
 }
 
-TEST(SwingRate, IsThatOfACreepBackThroughAThickMedium) {
+TEST(RayleighRate, IsThatOfACreepBackThroughAThickMedium) {
   // c = 30, ω = 5: it creeps as e^(−λt), λ² − 30 λ + 25 = 0.
   const double lambda = 15 - std::sqrt(200.0);
   EXPECT_NEAR(rate_of([&](double t, int) { return std::exp(-lambda * t); }, 30), 5, 0.1);
 }
 
-TEST(SwingRate, IsNothingForWhatIsNotDrawnBack) {
+TEST(RayleighRate, IsNothingForWhatIsNotDrawnBack) {
   EXPECT_EQ(rate_of([](double, int) { return 1.0; }, 4), 0);                // rests
   EXPECT_LT(rate_of([](double t, int) { return 2 * t; }, 4), 0.1);          // goes evenly
   EXPECT_LT(rate_of([](double t, int) { return 4.905 * t * t; }, 0), 0.1);  // falls
   EXPECT_EQ(rate_of([](double t, int) { return std::exp(5 * t); }, 2), 0);  // tips over
-  EXPECT_EQ(swing_rate({}, {}, {}, kSeconds, 2), 0);
+  EXPECT_EQ(rayleigh_rate({}, {}, {}, kSeconds, 2), 0);
 }
 
-TEST(SwingRate, WeighsSwingsBySizeOfMotion) {
+TEST(RayleighRate, WeighsSwingsBySizeOfMotion) {
   const auto both = [](double t, int c) { return c == 0 ? std::cos(4 * t) : 0.001 * std::cos(40 * t); };
   EXPECT_NEAR(rate_of(both, 0, 0.2), 4, 0.2);
 }
