@@ -11,7 +11,6 @@ namespace toile {
 Report make_report(const DrapeInput& input, const DrapeResult& result) {
   Report r;
   r.name = input.name;
-  r.settled = result.settled;
   r.stop_reason = result.stop_reason;
   r.cpu_s = result.cpu_s;
   r.wall_s = result.wall_s;

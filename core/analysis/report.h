@@ -5,6 +5,7 @@
 #include "core/analysis/strain.h"
 #include "core/drape/drape_input.h"
 #include "core/drape/drape_result.h"
+#include "core/drape/stop_reason.h"
 
 namespace toile {
 
@@ -19,8 +20,7 @@ struct AttachmentFigures {
 /// The numbers of a drape, as report.json gives them.
 struct Report {
   std::string name;
-  bool settled = false;
-  std::string stop_reason;
+  StopReason stop_reason;
   double cpu_s = 0, wall_s = 0;
   int resumed = 0;  ///< how often the drape went on from a checkpoint
   int steps = 0;
@@ -41,6 +41,8 @@ struct Report {
   double lowest_m = 0, highest_m = 0;   ///< of the cloth
   Findings findings;                    ///< of the look at the start, worst first
   std::string hash;                     ///< of the final positions
+
+  bool settled() const { return stop_reason.kind == Stop::kSettled; }
 };
 
 Report make_report(const DrapeInput& input, const DrapeResult& result);

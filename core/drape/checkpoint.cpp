@@ -19,12 +19,26 @@ constexpr int kMostSteps = 1 << 30;       // so that counting on cannot overflow
 constexpr double kLongest = 1e9;          // s
 constexpr std::size_t kMostWords = 1000;  // bytes of a reason
 
+/// As its words, so that a checkpoint does not depend on the order of an enum; none are empty words.
+void stop_value(StateWriter& out, const std::optional<StopReason>& stop) {
+  out.value(stop ? to_string(*stop) : std::string());
+}
+
+void stop_value(StateReader& in, std::optional<StopReason>& stop) {
+  std::string words;
+  in.value(words);
+  if (words.empty()) return;
+  Result<StopReason> read = stop_reason_from(words);
+  if (!read || words.size() > kMostWords) return in.refuse();
+  stop = std::move(*read);
+}
+
 /// Every field in its order, for writing and for reading alike, so that the two cannot disagree.
 template <typename Archive>
 void fields(Archive& a, RunState& run) {
   SessionState& s = run.session;
   a.value(s.phase);
-  a.value(s.stop_reason);
+  stop_value(a, s.stop_reason);
   a.value(s.steps);
   a.value(s.time);
   a.value(s.phase_start);
@@ -89,8 +103,7 @@ bool all_counts(Counts... counts) {
 bool sound(const SessionState& s) {
   const std::size_t n = s.solver.positions.size();
   const std::size_t m = s.solver.centres.size();
-  return s.phase <= DrapePhase::kDone && (s.phase == DrapePhase::kDone) == !s.stop_reason.empty() &&
-         s.stop_reason.size() <= kMostWords &&
+  return s.phase <= DrapePhase::kDone && (s.phase == DrapePhase::kDone) == s.stop_reason.has_value() &&
          all_counts(s.steps, s.watch.step, s.solver.held_back, s.solver.hits, s.slackened) &&
          all_times(s.time, s.phase_start, s.last_weld) && s.solver.velocities.size() == n &&
          (m == 0 || m == n) && s.solver.detection_speeds.size() == m && s.watch.window_start.size() == n &&

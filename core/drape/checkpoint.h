@@ -11,6 +11,7 @@
 // Little endian; doubles as they are. 140 bytes a particle: about 420 kB for 3,000.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,7 @@
 #include "core/base/result.h"
 #include "core/drape/drape_result.h"
 #include "core/drape/settle.h"
+#include "core/drape/stop_reason.h"
 #include "core/solver/cloth_solver.h"
 
 namespace toile {
@@ -31,7 +33,7 @@ enum class DrapePhase : std::uint8_t { kSew, kDrape, kDone };
 /// What a DrapeSession remembers.
 struct SessionState {
   DrapePhase phase = DrapePhase::kSew;
-  std::string stop_reason;
+  std::optional<StopReason> stop_reason;  ///< while phase is kDone
   int steps = 0;
   double time = 0, phase_start = 0, last_weld = 0;  ///< s
   int slackened = 0;                                ///< how often threads were let out again

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/base/types.h"
+#include "core/drape/stop_reason.h"
 #include "core/preflight/finding.h"
 #include "core/sewing/garment_mesh.h"
 
@@ -33,8 +34,7 @@ struct HoldFigures {
 struct DrapeResult {
   GarmentMesh garment;
   std::vector<Vec3> positions;  ///< m, at the end
-  bool settled = false;
-  std::string stop_reason;  ///< "settled", "time", "cancelled", "stalled seam …"
+  StopReason stop_reason;       ///< kCancelled also when it never began
   int steps = 0;
   double simulated_time = 0;  ///< s
   double cpu_s = 0, wall_s = 0;
@@ -47,6 +47,8 @@ struct DrapeResult {
   Findings findings;               ///< of the look at the start, worst first
   double seam_gap_max = 0;         ///< m
   std::vector<HoldFigures> holds;  ///< one for each attachment
+
+  bool settled() const { return stop_reason.kind == Stop::kSettled; }
 };
 
 }  // namespace toile

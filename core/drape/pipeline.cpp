@@ -145,8 +145,7 @@ DrapeResult DrapeRun::conclude() {
   }
   DrapeResult result = result_;
   result.positions = session_->positions();
-  result.settled = session_->done() && session_->settled();
-  result.stop_reason = session_->done() ? session_->stop_reason() : "cancelled";
+  result.stop_reason = session_->stop_reason().value_or(StopReason{Stop::kCancelled, "", 0});
   result.steps = session_->steps();
   result.simulated_time = session_->time();
   result.rms_speed = session_->rms_speed();
@@ -160,9 +159,7 @@ Result<DrapeResult> drape(const DrapeInput& input, const RunContext& context, Fr
   const auto run = DrapeRun::start(input, context, sink);
   if (!run) {
     if (run.error().code != "cancelled") return run.error();
-    DrapeResult nothing;
-    nothing.stop_reason = "cancelled";
-    return nothing;
+    return DrapeResult{};  // no cloth, and stop_reason says kCancelled
   }
   (*run)->advance(std::numeric_limits<int>::max(), context);
   return (*run)->conclude();

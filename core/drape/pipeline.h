@@ -53,7 +53,7 @@ class DrapeRun {
   /// At most `max_steps` substeps: fewer when the drape is done or the context is cancelled before. Progress
   /// phases: "sew", "drape". Gives back the number of substeps taken.
   int advance(int max_steps, const RunContext& context);
-  /// What there is, finished or not; stop_reason is "cancelled" for a drape that is not done. Records a last
+  /// What there is, finished or not; stop_reason is kCancelled for a drape that is not done. Records a last
   /// frame if the newest step was not.
   DrapeResult conclude();
 
@@ -76,7 +76,7 @@ class DrapeRun {
 };
 
 /// Drapes `input` in one go and returns the end, settled or not. `sink` may be null. Progress phases: "mesh",
-/// "place", "sew", "drape". A cancelled drape is no error: it returns what there is, stop_reason "cancelled";
+/// "place", "sew", "drape". A cancelled drape is no error: it returns what there is, stop_reason kCancelled;
 /// no positions when it had not begun. Errors: pattern.*, mesh.*, placement.*, start.* with the piece or seam
 /// at fault.
 Result<DrapeResult> drape(const DrapeInput& input, const RunContext& context, FrameSink* sink);

@@ -186,6 +186,8 @@ Status DrapeSession::restore(SessionState state) {
   watch_.restore(std::move(state.watch));
   phase_ = state.phase;
   stop_reason_ = std::move(state.stop_reason);
+  if (stop_reason_)
+    stop_reason_->gap = gap_at(stop_reason_->kind);  // no checkpoint keeps what positions tell
   steps_ = state.steps;
   time_ = state.time;
   phase_start_ = state.phase_start;
@@ -202,8 +204,7 @@ void DrapeSession::step() {
   time_ += input_.settings.time_step;
   watch_.observe(solver_->positions(), forces.damping);
   if (report.not_finite) {
-    phase_ = Phase::kDone;
-    stop_reason_ = "not finite";
+    end(Stop::kNotFinite);
   } else if (phase_ == Phase::kSew) {
     sew_or_weld();
   } else {
@@ -224,8 +225,7 @@ void DrapeSession::sew_or_weld() {
   const bool still = slackened_ == kMostSlackened && watch_.rms_speed() < input_.settings.settle_speed;
   if (!shut && !still && since < input_.settings.sew_time + kStallTime) return;
   if (gap > kSeamLost) {
-    phase_ = Phase::kDone;
-    stop_reason_ = "stalled seam " + name_of_widest_seam();
+    end(Stop::kStalledSeam);
     return;
   }
   weld();
@@ -282,11 +282,9 @@ void DrapeSession::settle_or_stop() {
       input_.settings.until_settled && !holding && time_ >= phase_start_ + kSoonestRest && lies_still();
   const bool out_of_time = time_ >= input_.settings.max_time;
   if (may_rest && (out_of_time || nothing_closes())) {
-    phase_ = Phase::kDone;
-    stop_reason_ = reason_at_rest();
+    end(stop_at_rest());
   } else if (out_of_time) {
-    phase_ = Phase::kDone;
-    stop_reason_ = "time";
+    end(Stop::kTime);
   }
 }
 
@@ -294,7 +292,7 @@ bool DrapeSession::lies_still() const { return watch_.settled(forces_now().dampi
 
 /// What threads still hold open may close while the cloth creeps: that is waited for.
 bool DrapeSession::nothing_closes() const {
-  return reason_at_rest() == "settled" || watch_.settled(forces_now().damping, kOpenCalm);
+  return stop_at_rest() == Stop::kSettled || watch_.settled(forces_now().damping, kOpenCalm);
 }
 
 Progress DrapeSession::progress() const {
@@ -309,10 +307,27 @@ OpenTie DrapeSession::open_button() const {
   return widest_tie(solver_->features().ties, solver_->positions());
 }
 
-std::string DrapeSession::reason_at_rest() const {
-  if (seam_gap() > kSeamTolerance) return "open seam " + name_of_widest_seam();
-  const OpenTie open = open_button();
-  return open.excess > kButtonTolerance ? "open button " + input_.notions.buttons[open.tie].id : "settled";
+/// A seam goes before a button: what lies on open cloth is hardly the button's fault.
+Stop DrapeSession::stop_at_rest() const {
+  if (seam_gap() > kSeamTolerance) return Stop::kOpenSeam;
+  return open_button().excess > kButtonTolerance ? Stop::kOpenButton : Stop::kSettled;
+}
+
+/// m, how far open the seam or button is that a stop is about, as the cloth lies now.
+double DrapeSession::gap_at(Stop kind) const {
+  if (!has_name(kind)) return 0;
+  return kind == Stop::kOpenButton ? open_button().excess : seam_gap();
+}
+
+void DrapeSession::end(Stop kind) {
+  phase_ = Phase::kDone;
+  std::string name;
+  if (kind == Stop::kOpenButton) {
+    name = input_.notions.buttons[open_button().tie].id;
+  } else if (has_name(kind)) {
+    name = name_of_widest_seam();
+  }
+  stop_reason_ = StopReason{kind, std::move(name), gap_at(kind)};
 }
 
 std::vector<HoldFigures> DrapeSession::holds() const {

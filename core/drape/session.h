@@ -13,6 +13,7 @@
 #include "core/drape/drape_input.h"
 #include "core/drape/drape_result.h"
 #include "core/drape/settle.h"
+#include "core/drape/stop_reason.h"
 #include "core/sewing/assembly.h"
 #include "core/solver/cloth_solver.h"
 
@@ -37,10 +38,8 @@ class DrapeSession {
   const std::string& start_hash() const { return start_hash_; }
 
   bool done() const { return phase_ == Phase::kDone; }
-  /// Once done: "settled", "time", "stalled seam NAME" (threads could not close it), "open seam NAME" (at
-  /// rest, but not shut), "open button NAME", "not finite".
-  const std::string& stop_reason() const { return stop_reason_; }
-  bool settled() const { return stop_reason_ == "settled"; }
+  /// Why it ended; nothing until done(). Never Stop::kCancelled: that is for whoever runs the session to say.
+  const std::optional<StopReason>& stop_reason() const { return stop_reason_; }
 
   int steps() const { return steps_; }
   double time() const { return time_; }                      ///< s, simulated
@@ -75,7 +74,9 @@ class DrapeSession {
   OpenTie open_button() const;
   bool lies_still() const;
   bool nothing_closes() const;
-  std::string reason_at_rest() const;
+  Stop stop_at_rest() const;
+  double gap_at(Stop kind) const;
+  void end(Stop kind);
   std::string name_of_widest_seam() const;
 
   const DrapeInput& input_;
@@ -91,7 +92,7 @@ class DrapeSession {
   std::vector<double> off_at_release_;  ///< m, of each
 
   Phase phase_ = Phase::kSew;
-  std::string stop_reason_;
+  std::optional<StopReason> stop_reason_;  ///< while phase_ is kDone
   SettleWatch watch_;
   int steps_ = 0;
   double time_ = 0, phase_start_ = 0, last_weld_ = 0;

@@ -72,6 +72,8 @@ class StateReader {
   /// False once anything was missing; what was read since then is zero or empty.
   bool ok() const { return ok_; }
   bool at_end() const { return rest_.empty(); }
+  /// What was read can be no value of its field: ok() is false from now on.
+  void refuse() { ok_ = false; }
 
   template <typename T>
   requires std::is_integral_v<T> || std::is_enum_v<T>

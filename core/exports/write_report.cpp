@@ -39,8 +39,8 @@ nlohmann::ordered_json attachment_json(const AttachmentFigures& a) {
 std::string report_json(const Report& r) {
   nlohmann::ordered_json j;
   j["name"] = r.name;
-  j["settled"] = r.settled;
-  j["stop_reason"] = r.stop_reason;
+  j["settled"] = r.settled();
+  j["stop_reason"] = to_string(r.stop_reason);
   j["cpu_s"] = r.cpu_s;
   j["wall_s"] = r.wall_s;
   j["resumed"] = r.resumed;

@@ -37,7 +37,7 @@ void print_summary(const Report& report, const DrapeOptions& options) {
   std::printf(
       "%s: %s after %s s of simulated time (%d substeps, %s s by the clock, %s s of processor time)\n",
       report.name.empty() ? "drape" : report.name.c_str(),
-      report.settled ? "settled" : ("not settled (" + report.stop_reason + ")").c_str(),
+      report.settled() ? "settled" : ("not settled (" + to_string(report.stop_reason) + ")").c_str(),
       fixed(report.simulated_s, 2).c_str(), report.steps, fixed(report.wall_s, 1).c_str(),
       fixed(report.cpu_s, 1).c_str());
   std::printf("  cloth      %d particles (%d once sewn), %d triangles; bodies %d triangles\n",
@@ -57,8 +57,8 @@ void print_summary(const Report& report, const DrapeOptions& options) {
 }
 
 ExitCode exit_code_of(const DrapeResult& result) {
-  if (result.settled) return kDone;
-  return result.stop_reason == "cancelled" ? kCancelled : kUnsettled;
+  if (result.settled()) return kDone;
+  return result.stop_reason.kind == Stop::kCancelled ? kCancelled : kUnsettled;
 }
 
 /// Writes what a drape leaves and prints its figures.

@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cstdio>
-#include <string_view>
 #include <utility>
+
+#include "core/base/units.h"
+#include "core/drape/stop_reason.h"
 
 namespace toile {
 namespace {
@@ -12,6 +14,16 @@ std::string seconds(double s) {
   std::array<char, 48> text;
   std::snprintf(text.data(), text.size(), "%.2f s", s);
   return text.data();
+}
+
+std::string millimetres(double m) {
+  std::array<char, 48> text;
+  std::snprintf(text.data(), text.size(), "%.1f mm", mm_from_metres(m));
+  return text.data();
+}
+
+std::string at_rest(const DrapeResult& result) {
+  return "the cloth came to rest after " + seconds(result.simulated_time) + " with ";
 }
 
 RunEnd succeeded(std::string code, std::string reason) {
@@ -33,26 +45,37 @@ RunEnd failed(std::string code, std::string reason, std::string where) {
 }  // namespace
 
 RunEnd verdict_on(const DrapeInput& input, const DrapeResult& result) {
-  constexpr std::string_view kStalled = "stalled ";  // and the seam
-  const std::string& why = result.stop_reason;
-  if (result.settled) {
-    return succeeded("settled", "the cloth came to rest after " + seconds(result.simulated_time));
+  const StopReason& why = result.stop_reason;
+  switch (why.kind) {
+    case Stop::kSettled:
+      return succeeded("settled", "the cloth came to rest after " + seconds(result.simulated_time));
+    case Stop::kTime:
+      return succeeded("time", "the cloth still moved after " + seconds(input.settings.max_time) +
+                                   "; a higher settings.max_time_s or settle_speed_mm_s lets it settle");
+    case Stop::kStalledSeam:
+      return failed(
+          "drape.stalled_seam",
+          "the seam did not close; place its pieces nearer to each other, with nothing between them",
+          "seam " + why.name);
+    case Stop::kOpenSeam:
+      return failed("drape.open_seam",
+                    at_rest(result) + "the seam still " + millimetres(why.gap) +
+                        " open; see whether its sides are as long as each other and nothing lies between",
+                    "seam " + why.name);
+    case Stop::kOpenButton:
+      return failed("drape.open_button",
+                    at_rest(result) + "the button's thread still " + millimetres(why.gap) +
+                        " too long; see whether the button and its hole can reach each other",
+                    "button " + why.name);
+    case Stop::kNotFinite:
+      return failed(
+          "drape.not_finite",
+          "the simulation left the numbers; a smaller settings.time_step_s or a softer fabric helps", "");
+    case Stop::kCancelled:
+      break;
   }
-  if (why == "time") {
-    return succeeded("time", "the cloth still moved after " + seconds(input.settings.max_time) +
-                                 "; a higher settings.max_time_s or settle_speed_mm_s lets it settle");
-  }
-  if (why.starts_with(kStalled)) {
-    return failed("drape.stalled_seam",
-                  "the seam did not close; place its pieces nearer to each other, with nothing between them",
-                  why.substr(kStalled.size()));
-  }
-  if (why == "not finite") {
-    return failed("drape.not_finite",
-                  "the simulation left the numbers; a smaller settings.time_step_s or a softer fabric helps",
-                  "");
-  }
-  return failed("drape.stopped", "the drape stopped before its end: " + why, "");
+  // Who cancels a job asks for no verdict; a drape that was cut off all the same is told as that.
+  return failed("drape.stopped", "the drape stopped before its end: " + to_string(why), "");
 }
 
 }  // namespace toile

@@ -176,7 +176,7 @@ void check_refusal(const Error& error, TrialReport& report) {
 }
 
 void check_end(const RandomGarment& garment, const DrapeResult& result, bool cancelled, TrialReport& report) {
-  report.end = result.stop_reason;
+  report.end = to_string(result.stop_reason);
   report.steps = result.steps;
   report.cpu_s = result.cpu_s;
   if (result.worst.cloth_body + result.worst.cloth_cloth > 0) {
@@ -186,9 +186,9 @@ void check_end(const RandomGarment& garment, const DrapeResult& result, bool can
   }
   if (report.speed > fastest_expected(garment.input.settings, report.thread))
     report.faults.push_back(text_of("a vertex went %g m/s", report.speed));
-  if (result.stop_reason.empty()) report.faults.push_back("it ended without a reason");
-  if (result.stop_reason == "not finite") report.faults.push_back("a position was no number");
-  if (cancelled != (result.stop_reason == "cancelled")) report.faults.push_back("cancelled or not?");
+  if (result.stop_reason.kind == Stop::kNotFinite) report.faults.push_back("a position was no number");
+  if (cancelled != (result.stop_reason.kind == Stop::kCancelled))
+    report.faults.push_back("cancelled or not?");
   for (const Vec3& p : result.positions) {
     if (is_finite(p)) continue;
     report.faults.push_back("a position at the end is no number");

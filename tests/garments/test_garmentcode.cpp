@@ -26,7 +26,7 @@ TEST(GarmentCode, TheTwoPanelSkirtComesToRestOnItsBody) {
   const auto result = drape(*input, {}, nullptr);
   ASSERT_TRUE(result.ok()) << to_string(result.error());
   const Report r = make_report(*input, *result);
-  EXPECT_TRUE(r.settled) << r.stop_reason;
+  EXPECT_TRUE(r.settled()) << to_string(r.stop_reason);
   EXPECT_EQ(r.worst_frame.cloth_body + r.worst_frame.cloth_cloth, 0);
   EXPECT_LE(r.seam_gap_max_mm, 0.5);
   EXPECT_GT(r.highest_m, 1.0) << "the waistband stayed up";

@@ -41,7 +41,7 @@ std::pair<double, double> heights(const Draped& d, const std::string& prefix) {
 
 TEST(SampleSkirt, SettlesWithoutACrossingInAnyFrameAndWithShutSeams) {
   const Report& r = skirt().report;
-  EXPECT_TRUE(r.settled) << r.stop_reason;
+  EXPECT_TRUE(r.settled()) << to_string(r.stop_reason);
   EXPECT_EQ(r.intersections.cloth_body + r.intersections.cloth_cloth, 0);
   EXPECT_EQ(r.worst_frame.cloth_body + r.worst_frame.cloth_cloth, 0);
   EXPECT_GE(r.frames_checked, 100);

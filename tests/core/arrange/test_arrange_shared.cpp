@@ -68,7 +68,7 @@ TEST(LongArrangeShared, TheBlouseIsSewnAndComesToRestWhereItWasArranged) {
     take_places(input, name);
     const auto result = drape(input, {}, nullptr);
     ASSERT_TRUE(result.ok()) << name << ": " << to_string(result.error());
-    EXPECT_TRUE(result->settled) << name << ": " << result->stop_reason;
+    EXPECT_TRUE(result->settled()) << name << ": " << to_string(result->stop_reason);
     EXPECT_EQ(result->worst.cloth_body + result->worst.cloth_cloth, 0) << name;
     EXPECT_LE(result->seam_gap_max, 5e-4) << name;
   }

@@ -82,7 +82,7 @@ TEST(Attachments, AlongALineClothIsFreeToSlide) {
   // The ends are drawn together at the back: from where the line took them first, they must slide there.
   const DrapeInput input = tube_on_a_line(-1);
   const DrapeResult r = drape(input, {}, nullptr).value();
-  EXPECT_LE(r.seam_gap_max, 5e-4) << r.stop_reason;
+  EXPECT_LE(r.seam_gap_max, 5e-4) << to_string(r.stop_reason);
 }
 
 TEST(Attachments, APointComesToAPlaceAndHangsThere) {
@@ -92,7 +92,7 @@ TEST(Attachments, APointComesToAPlaceAndHangsThere) {
   input.attachments = {pin};
   input.settings.max_time = 2;
   const DrapeResult r = drape(input, {}, nullptr).value();
-  EXPECT_LT(r.holds[0].off, 1e-3) << r.stop_reason;
+  EXPECT_LT(r.holds[0].off, 1e-3) << to_string(r.stop_reason);
   const double highest =
       std::max_element(r.positions.begin(), r.positions.end(), [](Vec3 a, Vec3 b) { return a.y < b.y; })->y;
   EXPECT_NEAR(highest, 0.4, 0.01);

@@ -20,7 +20,7 @@ DrapeInput falling(DrapeMode mode, double seconds) {
 
 double fallen(const DrapeInput& input) {
   const DrapeResult r = drape(input, {}, nullptr).value();
-  EXPECT_EQ(r.stop_reason, "time");
+  EXPECT_EQ(r.stop_reason.kind, Stop::kTime);
   double sum = 0;
   for (const Vec3& p : r.positions) sum += p.y;
   return 0.305 - sum / static_cast<double>(r.positions.size());
@@ -51,7 +51,7 @@ TEST(Modes, InDynamicAClothMaySettleToo) {
   input.settings.air.across = 40;  // thick enough to come to rest within seconds
   input.settings.max_time = 20;
   const DrapeResult r = drape(input, {}, nullptr).value();
-  EXPECT_TRUE(r.settled) << r.stop_reason;
+  EXPECT_TRUE(r.settled()) << to_string(r.stop_reason);
   EXPECT_EQ(r.worst.cloth_body + r.worst.cloth_cloth, 0);
 }
 
@@ -60,7 +60,7 @@ TEST(Modes, ADrapeThatIsToTakeItsTimeDoes) {
   input.settings.until_settled = false;
   input.settings.max_time = 3;
   const DrapeResult r = drape(input, {}, nullptr).value();
-  EXPECT_EQ(r.stop_reason, "time");
+  EXPECT_EQ(r.stop_reason.kind, Stop::kTime);
   EXPECT_NEAR(r.simulated_time, 3, 1e-3);
 }
 

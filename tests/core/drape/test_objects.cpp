@@ -73,7 +73,7 @@ TEST(Objects, ASquareHangsOverATableAndABallAtOnce) {
   const DrapeInput input = table_and_ball();
   const Result<DrapeResult> result = drape(input, {}, nullptr);
   ASSERT_TRUE(result) << to_string(result.error());
-  EXPECT_TRUE(result->settled) << result->stop_reason;
+  EXPECT_TRUE(result->settled()) << to_string(result->stop_reason);
   EXPECT_EQ(result->worst.cloth_body, 0);
   EXPECT_EQ(result->worst.cloth_cloth, 0);
   double lowest = 1, on_table = 0;

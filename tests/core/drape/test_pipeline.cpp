@@ -19,7 +19,7 @@ struct Recorder final : FrameSink {
 
 TEST(Pipeline, ASheetFallsOnAColumnAndHangsAroundIt) {
   const DrapeResult r = drape(test::tablecloth(), {}, nullptr).value();
-  EXPECT_TRUE(r.settled) << r.stop_reason;
+  EXPECT_TRUE(r.settled()) << to_string(r.stop_reason);
   EXPECT_EQ(r.worst.cloth_body + r.worst.cloth_cloth, 0);
   EXPECT_GT(r.frames_checked, 30);
   double highest = 0, lowest = 1;
@@ -33,7 +33,7 @@ TEST(Pipeline, ASheetFallsOnAColumnAndHangsAroundIt) {
 
 TEST(Pipeline, TwoPanelsAreSewnIntoATubeAroundAColumn) {
   const DrapeResult r = drape(test::tube(), {}, nullptr).value();
-  EXPECT_TRUE(r.settled) << r.stop_reason;
+  EXPECT_TRUE(r.settled()) << to_string(r.stop_reason);
   EXPECT_EQ(r.worst.cloth_body + r.worst.cloth_cloth, 0);
   EXPECT_EQ(r.seam_gap_max, 0) << "welded";
   // The tube goes around: cloth on all four sides.
@@ -72,8 +72,8 @@ TEST(Pipeline, ACancelledDrapeSaysSoAndKeepsWhatThereIs) {
   context.cancel = &cancel;
   context.on_progress = [&](const Progress& p) { cancel = p.phase == "drape" && p.fraction > 0.05; };
   const DrapeResult r = drape(test::tablecloth(), context, nullptr).value();
-  EXPECT_EQ(r.stop_reason, "cancelled");
-  EXPECT_FALSE(r.settled);
+  EXPECT_EQ(r.stop_reason.kind, Stop::kCancelled);
+  EXPECT_FALSE(r.settled());
   EXPECT_FALSE(r.positions.empty());
 }
 
@@ -121,8 +121,8 @@ DrapeInput too_short_around(double width_mm) {
 TEST(Pipeline, ASeamThatCannotCloseStopsTheDrapeWithItsName) {
   const auto r = drape(too_short_around(140), {}, nullptr);
   ASSERT_TRUE(r.ok());
-  EXPECT_FALSE(r->settled);
-  EXPECT_EQ(r->stop_reason.rfind("stalled seam", 0), 0u) << r->stop_reason;
+  EXPECT_FALSE(r->settled());
+  EXPECT_EQ(r->stop_reason.kind, Stop::kStalledSeam) << to_string(r->stop_reason);
   EXPECT_EQ(r->worst.cloth_body + r->worst.cloth_cloth, 0) << "a thread is never stronger than contact";
 }
 
@@ -143,10 +143,12 @@ TEST(Pipeline, ASeamThatNearlyClosesIsNamedAsWell) {
   const DrapeInput input = too_short_around(150);  // 10 mm open, where a seam counts as lost
   const auto r = drape(input, {}, nullptr);
   ASSERT_TRUE(r.ok());
-  EXPECT_FALSE(r->settled);
+  EXPECT_FALSE(r->settled());
   const std::string widest = widest_seam(input, *r);
-  EXPECT_TRUE(r->stop_reason == "stalled seam " + widest || r->stop_reason == "open seam " + widest)
-      << r->stop_reason << ", but " << widest << " is open the most";
+  EXPECT_TRUE(r->stop_reason.kind == Stop::kStalledSeam || r->stop_reason.kind == Stop::kOpenSeam)
+      << to_string(r->stop_reason);
+  EXPECT_EQ(r->stop_reason.name, widest) << "is open the most";
+  EXPECT_EQ(r->stop_reason.gap, r->seam_gap_max);
   EXPECT_EQ(r->worst.cloth_body + r->worst.cloth_cloth, 0);
 }
 
@@ -154,8 +156,8 @@ TEST(Pipeline, AnUnsettledDrapeEndsAtItsTimeLimit) {
   DrapeInput input = test::tablecloth();
   input.settings.max_time = 0.3;
   const DrapeResult r = drape(input, {}, nullptr).value();
-  EXPECT_FALSE(r.settled);
-  EXPECT_EQ(r.stop_reason, "time");
+  EXPECT_FALSE(r.settled());
+  EXPECT_EQ(r.stop_reason.kind, Stop::kTime);
   EXPECT_NEAR(r.simulated_time, 0.3, 0.01);
 }
 

@@ -114,7 +114,7 @@ TEST(ProjectNotions, TheExampleDrapes) {
   const Result<DrapeResult> draped = drape(input, {}, nullptr);
   ASSERT_TRUE(draped.ok()) << to_string(draped.error());
   const DrapeResult& r = *draped;
-  EXPECT_EQ(r.stop_reason, "time");
+  EXPECT_EQ(r.stop_reason.kind, Stop::kTime);
   EXPECT_EQ(r.worst.cloth_body + r.worst.cloth_cloth, 0);
   EXPECT_EQ(r.seam_gap_max, 0);
   std::vector<Tri> pad;

@@ -1,0 +1,111 @@
+#include "core/arrange/arrange_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/arrange/trouser_legs.h"
+
+namespace toile {
+namespace {
+
+bool is_sewn_to_sleeve(const GarmentGraph& graph, Index piece) {
+  return std::any_of(graph.ties.begin(), graph.ties.end(), [&](const GarmentTie& t) {
+    const Index other = t.a == piece ? t.b : t.b == piece ? t.a : kNone;
+    return other != kNone && other != piece && graph.pieces[other].cover == Cover::kSleeve;
+  });
+}
+
+/// The trunk's pieces on their sheets, clear of each other, legs over legs.
+Result<FlatLayout> trunk_layout(GarmentGraph& graph, const std::vector<Index>& trunk,
+                                const BodyStand& stand) {
+  FlatLayout layout = lay_out_trunk(graph, trunk);
+  for (const Index p : trunk) {
+    if (layout.has(p)) continue;
+    return Error{
+        "arrange.no_seams",
+        "no seam leads from the other pieces to this one, so that nothing tells where it goes; sew it, or "
+        "place it by hand",
+        "piece " + graph.pieces[p].id};
+  }
+  part_pieces(graph, trunk, kSheetGap, layout);
+  layout = with_legs_over_legs(graph, trunk, stand, std::move(layout));
+  part_pieces(graph, trunk, kSheetGap, layout);  // turned legs may have come to lie on each other
+  return layout;
+}
+
+double top_of(const GarmentGraph& graph, const std::vector<Index>& trunk, const FlatLayout& layout) {
+  double top = -HUGE_VAL;
+  for (const Index p : trunk) {
+    for (const Vec2 q : outline_on_sheet(graph.pieces[p], layout.pose[p])) top = std::max(top, q.y);
+  }
+  return top;
+}
+
+/// In order: where nothing else tells, a piece goes where those before it have left room.
+ArmPieces arm_pieces_of(const GarmentGraph& graph, const std::vector<Index>& on_arms,
+                        const FlatLayout& layout) {
+  ArmPieces arms;
+  for (const Index p : on_arms) {
+    auto& kind = graph.pieces[p].tube ? arms.tube : arms.limb;
+    kind[side_of(graph, layout, arms, p)].push_back(p);
+  }
+  return arms;
+}
+
+}  // namespace
+
+PieceRoles roles_of(const GarmentGraph& graph) {
+  PieceRoles roles;
+  for (Index p = 0; p < static_cast<Index>(graph.pieces.size()); ++p) {
+    const GarmentPiece& piece = graph.pieces[p];
+    if (piece.cover == Cover::kSleeve || (piece.cover == Cover::kCuff && is_sewn_to_sleeve(graph, p))) {
+      roles.on_arms.push_back(p);
+    } else if (piece.cover == Cover::kHood) {
+      roles.hoods.push_back(p);
+    } else if (piece.tube) {
+      roles.bands.push_back(p);
+    } else {
+      roles.trunk.push_back(p);
+    }
+  }
+  return roles;
+}
+
+BodySide side_of(const GarmentGraph& graph, const FlatLayout& layout, const ArmPieces& arms, Index piece) {
+  const auto as_side = [](double x) { return x >= 0 ? kWearersLeft : kWearersRight; };
+  if (graph.pieces[piece].hand != 0) return as_side(graph.pieces[piece].hand);
+  std::vector<Index> open{piece}, seen{piece};
+  while (!open.empty()) {
+    double x = 0;
+    std::vector<Index> next;
+    for (const GarmentTie& t : graph.ties) {
+      for (const bool first : {true, false}) {
+        const Index mine = first ? t.a : t.b, other = first ? t.b : t.a;
+        if (std::find(open.begin(), open.end(), mine) == open.end()) continue;
+        if (layout.has(other)) x += layout.pose[other](first ? t.at_b : t.at_a).x;
+        if (std::find(seen.begin(), seen.end(), other) == seen.end() && !layout.has(other)) {
+          next.push_back(other);
+          seen.push_back(other);
+        }
+      }
+    }
+    if (x != 0) return as_side(x);
+    open = std::move(next);
+  }
+  const auto count = [&](BodySide s) { return arms.limb[s].size() + arms.tube[s].size(); };
+  return count(kWearersLeft) <= count(kWearersRight) ? kWearersLeft : kWearersRight;
+}
+
+Result<ArrangePlan> plan_arrangement(const ArrangeInput& input, const BodyStand& stand) {
+  ArrangePlan plan;
+  plan.graph = make_garment_graph(input.pattern, input.meshes);
+  plan.roles = roles_of(plan.graph);
+  FlatLayout layout = TRY(trunk_layout(plan.graph, plan.roles.trunk, stand));
+  plan.layout = std::move(layout);
+  plan.arms = arm_pieces_of(plan.graph, plan.roles.on_arms, plan.layout);
+  plan.top = top_of(plan.graph, plan.roles.trunk, plan.layout);
+  return plan;
+}
+
+}  // namespace toile
