@@ -1,8 +1,8 @@
 #include "core/arrange/arrange.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <compare>
 #include <optional>
 
 #include "core/arrange/arranger.h"
@@ -13,21 +13,29 @@ namespace toile {
 
 namespace {
 
-/// Less is better: what hinders the drape, what may go wrong, and threads that must first slide off an arm
-/// from below or pass close to one. Those over a shoulder slide up it by themselves.
-using Faults = std::array<std::ptrdiff_t, 3>;
+/// What speaks against a start, compared in this order; less is better.
+struct Faults {
+  int errors = 0;    ///< what hinders the drape
+  int warnings = 0;  ///< what may go wrong and another place might mend
+  int slides = 0;    ///< threads that must first slide off an arm from below, or pass close to one
+  friend auto operator<=>(const Faults&, const Faults&) = default;
+};
 
+/// How much a thread has to slide that can come free: through a limb is worse than beside one.
+int slide_of(FindingKind kind) {
+  if (kind == FindingKind::kThreadThroughBody) return 2;
+  return kind == FindingKind::kThreadNearLimb ? 1 : 0;
+}
+
+/// `armpit`: m; threads over a shoulder, above it, slide up the shoulder by themselves.
 Faults faults_of(const Findings& findings, double armpit) {
-  Faults faults{0, 0, 0};
+  Faults faults;
   for (const Finding& f : findings) {
-    // These lie in the pattern, wherever its pieces stand.
-    const bool of_pattern =
-        f.code == "ring.tight" || f.code == "edge.short" || f.code.starts_with("seam.length");
-    if (f.severity == Severity::kError) ++faults[0];
-    if (f.severity == Severity::kWarning && !f.repaired && !of_pattern) ++faults[1];
-    if (f.severity != Severity::kNote || f.place.y > armpit) continue;
-    if (f.code == "seam.thread_through_body") faults[2] += 2;
-    if (f.code == "seam.thread_near_limb") ++faults[2];
+    // What lies in the pattern is there wherever its pieces stand, and tells nothing of this start.
+    const bool of_start = traits_of(f.kind).cause == Cause::kPlacement;
+    if (f.severity == Severity::kError) ++faults.errors;
+    if (f.severity == Severity::kWarning && !f.repaired && of_start) ++faults.warnings;
+    if (f.severity == Severity::kNote && f.place.y <= armpit) faults.slides += slide_of(f.kind);
   }
   return faults;
 }

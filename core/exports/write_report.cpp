@@ -20,10 +20,10 @@ nlohmann::ordered_json stretch_json(const StretchFigures& f) {
 }
 
 nlohmann::ordered_json finding_json(const Finding& f) {
-  return {{"code", f.code},
+  return {{"code", code_of(f.kind)},
           {"severity", name_of(f.severity)},
           {"message", f.message},
-          {"where", f.where},
+          {"where", where_text(f)},
           {"place", {f.place.x, f.place.y, f.place.z}},
           {"repaired", f.repaired}};
 }

@@ -90,7 +90,7 @@ std::optional<Finding> look(const std::vector<Thread>& threads, const BodyProbe&
       place = (t.a + t.b) * 0.5;
     }
   }
-  Finding f{"seam.thread_through_cloth", Severity::kNote, "", "seam " + seam + ", piece " + piece, place};
+  Finding f = found(FindingKind::kThreadThroughCloth, "", {seam_named(seam), piece_named(piece)}, place);
   f.message = std::to_string(through.size()) + " of " + std::to_string(threads.size()) +
               " threads run through piece " + piece + ", which the seam does not join";
   if (worst.distance <= kNearEdge) {
@@ -137,8 +137,8 @@ void check_cloth_threads(const PreflightInput& input, const Assembly& assembly, 
     }
     for (Index p = 0; p < pieces; ++p) {
       if (joined.contains(p)) continue;
-      auto found = look(threads, probes[p], input.pattern.seams[s].id, input.pattern.panels[p].id);
-      if (found) findings.push_back(std::move(*found));
+      auto finding = look(threads, probes[p], input.pattern.seams[s].id, input.pattern.panels[p].id);
+      if (finding) findings.push_back(std::move(*finding));
     }
   }
 }
@@ -172,11 +172,11 @@ void check_open_rings(const PreflightInput& input, const Assembly& assembly, Fin
     std::string seams;
     for (const Index s : across[p]) seams += (seams.empty() ? "" : ", ") + input.pattern.seams[s].id;
     findings.push_back(
-        {"seam.on_open_ring", Severity::kNote,
-         "it is sewn on across " + seams +
-             ", open itself when the threads begin to pull; place the pieces so that the threads "
-             "there are short, or it may close last",
-         "piece " + input.pattern.panels[p].id, place[p]});
+        found(FindingKind::kOnOpenRing,
+              "it is sewn on across " + seams +
+                  ", open itself when the threads begin to pull; place the pieces so that the threads "
+                  "there are short, or it may close last",
+              {piece_named(input.pattern.panels[p].id)}, place[p]));
   }
 }
 

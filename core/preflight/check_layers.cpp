@@ -131,11 +131,11 @@ void check_layers(const PreflightInput& input, const Assembly& assembly, Finding
   for (const auto& [pair, sight] : Watch(input, assembly).look()) {
     if (sight.away <= sight.towards) continue;
     const Panel &lower = panels[pair.first], &higher = panels[pair.second];
-    findings.push_back({"layer.inside", Severity::kWarning,
-                        "the piece is of layer " + std::to_string(higher.layer) +
-                            ", but starts nearer to the body than piece " + lower.id + " of layer " +
-                            std::to_string(lower.layer) + "; place it farther out, or change the layers",
-                        "piece " + higher.id, sight.place});
+    findings.push_back(found(FindingKind::kLayerInside,
+                             "the piece is of layer " + std::to_string(higher.layer) +
+                                 ", but starts nearer to the body than piece " + lower.id + " of layer " +
+                                 std::to_string(lower.layer) + "; place it farther out, or change the layers",
+                             {piece_named(higher.id)}, sight.place));
   }
 }
 

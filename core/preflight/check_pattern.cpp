@@ -74,8 +74,8 @@ void check_scale(const PreflightInput& in, std::span<const BodyProbe> probes, co
   }
   if (at == kNone || (largest < kHuge * tallest && largest > kTiny * tallest)) return;
   const bool huge = largest >= kHuge * tallest;
-  Finding f{"piece.scale", Severity::kWarning, "", "piece " + in.pattern.panels[at].id,
-            centre_of(assembly, at)};
+  Finding f =
+      found(FindingKind::kScale, "", {piece_named(in.pattern.panels[at].id)}, centre_of(assembly, at));
   f.message = "the largest piece measures " + length_text(largest) + (huge ? ", far more" : ", far less") +
               " than the body's " + length_text(tallest);
   std::string hints;
@@ -114,12 +114,12 @@ void check_partners(const PreflightInput& in, const Assembly& assembly, Findings
     const double mean = 0.5 * (ratio.low + ratio.high);
     const UnitSlip* slip = slip_like(mean > 1 ? mean : 1 / mean);
     if (slip == nullptr) continue;
-    findings.push_back({"piece.scale", Severity::kWarning,
-                        "all seams of the piece are " + ratio_text(mean > 1 ? mean : 1 / mean) +
-                            " times as " + (mean > 1 ? "long" : "short") +
-                            " as what they are sewn to, as of " + slip->words +
-                            "; see to the unit of its file",
-                        "piece " + in.pattern.panels[p].id, centre_of(assembly, p)});
+    findings.push_back(found(FindingKind::kScale,
+                             "all seams of the piece are " + ratio_text(mean > 1 ? mean : 1 / mean) +
+                                 " times as " + (mean > 1 ? "long" : "short") +
+                                 " as what they are sewn to, as of " + slip->words +
+                                 "; see to the unit of its file",
+                             {piece_named(in.pattern.panels[p].id)}, centre_of(assembly, p)));
   }
 }
 
@@ -136,9 +136,10 @@ void check_places(const PreflightInput& in, std::span<const BodyProbe> probes, c
       least = std::min(least, length(out) - kFar * length(hi - lo));
     }
     if (least < 1) continue;
-    findings.push_back({"piece.far", Severity::kWarning,
-                        "the piece is placed far from every body; its place is in metres, not in millimetres",
-                        "piece " + in.pattern.panels[p].id, c});
+    findings.push_back(
+        found(FindingKind::kFar,
+              "the piece is placed far from every body; its place is in metres, not in millimetres",
+              {piece_named(in.pattern.panels[p].id)}, c));
   }
 }
 
@@ -151,12 +152,12 @@ void check_edges(const PreflightInput& in, const Assembly& assembly, Findings& f
       if (long_m >= kShortEdge * spacing) continue;
       const Index v = in.meshes.panels[p].edge_vertices[e].front();
       findings.push_back(
-          {"edge.short", Severity::kWarning,
-           "the edge measures " + length_text(long_m) + ", less than half the particle distance of " +
-               length_text(spacing) +
-               ", and will read as overstretched; join it to its neighbour, or take smaller particles",
-           "piece " + in.pattern.panels[p].id + ", edge " + edges[e]->id,
-           assembly.positions[assembly.garment.first_vertex[p] + v]});
+          found(FindingKind::kShortEdge,
+                "the edge measures " + length_text(long_m) + ", less than half the particle distance of " +
+                    length_text(spacing) +
+                    ", and will read as overstretched; join it to its neighbour, or take smaller particles",
+                {piece_named(in.pattern.panels[p].id), edge_named(edges[e]->id)},
+                assembly.positions[assembly.garment.first_vertex[p] + v]));
     }
   }
 }
@@ -166,11 +167,11 @@ void check_lengths(const PreflightInput& in, const Assembly& assembly, Findings&
     const double longer = std::max(m.length_a, m.length_b), shorter = std::min(m.length_a, m.length_b);
     const double ratio = longer / shorter;
     if (ratio <= kEased) continue;
-    Finding f{"seam.length_difference", Severity::kNote, "", "seam " + in.pattern.seams[m.seam].id,
-              place_of_seam(assembly, m.seam)};
+    Finding f = found(FindingKind::kLengthDifference, "", {seam_named(in.pattern.seams[m.seam].id)},
+                      place_of_seam(assembly, m.seam));
     const std::string lengths = length_text(longer) + " are sewn to " + length_text(shorter);
     if (ratio > kMostGathered) {
-      f.code = "seam.length_ratio";
+      f.kind = FindingKind::kLengthRatio;
       f.severity = Severity::kError;
       f.message = lengths + ", 1:" + ratio_text(ratio) +
                   "; more than 1:3 cannot be gathered: see to the edges and units";

@@ -20,7 +20,7 @@ struct Ring {
   std::vector<Index> vertices;  ///< classes in order
   std::vector<Vec3> points;     ///< m, where the start has them
   double girth = 0;             ///< m, of the cloth
-  std::string pieces;           ///< names, in order of the pattern
+  Concerns pieces;              ///< in order of the pattern
   std::set<Index> panels;
 };
 
@@ -123,8 +123,7 @@ Ring measured(const std::vector<Index>& vertices, const Assembly& assembly, cons
     pieces.insert(edge.panel);
     ring.points.push_back(assembly.positions[vertices[i]]);
   }
-  for (const Index p : pieces)
-    ring.pieces += (ring.pieces.empty() ? "piece " : ", piece ") + pattern.panels[p].id;
+  for (const Index p : pieces) ring.pieces.push_back(piece_named(pattern.panels[p].id));
   if (pieces.size() < 2) ring.vertices.clear();
   ring.panels = std::move(pieces);
   return ring;
@@ -191,11 +190,11 @@ std::optional<Finding> judged(const Ring& ring, std::span<const BodyProbe> probe
   const auto& [middle, plane, outline] = *flat;
   const double girth = girth_within(probes, plane, outline);
   const std::string cloth = "the ring of " + length_text(ring.girth) + " that is sewn here ";
-  Finding f{"ring.around_nothing", Severity::kNote, cloth + "goes around no part of a body", ring.pieces,
-            middle};
+  Finding f =
+      found(FindingKind::kRingAroundNothing, cloth + "goes around no part of a body", ring.pieces, middle);
   if (girth == 0) return f;
   if (ring.girth >= (1 - kTight) * girth) return std::nullopt;
-  f.code = "ring.tight";
+  f.kind = FindingKind::kTightRing;
   f.message = cloth + "is " + length_text(girth - ring.girth) + " less than the body's girth of " +
               length_text(girth);
   if (const auto slip = slip_to_fit(ring, probes, plane, outline)) {
@@ -258,12 +257,12 @@ void check_limbs(const std::vector<Ring>& rings, std::span<const BodyProbe> prob
       if (!other) other = &*inside[j];
     }
     if (paired || !other) continue;
-    findings.push_back({"ring.wrong_limb", Severity::kWarning,
-                        "this ring of " + length_text(rings[i].girth) +
-                            " and one that is like it go around limbs that are no pair, the other " +
-                            place_text(other->centre) +
-                            "; move the pieces of one to the other side of the body",
-                        rings[i].pieces, inside[i]->centre});
+    findings.push_back(found(FindingKind::kRingOnWrongLimb,
+                             "this ring of " + length_text(rings[i].girth) +
+                                 " and one that is like it go around limbs that are no pair, the other " +
+                                 place_text(other->centre) +
+                                 "; move the pieces of one to the other side of the body",
+                             rings[i].pieces, inside[i]->centre));
   }
 }
 

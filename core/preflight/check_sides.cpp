@@ -98,21 +98,19 @@ void check_sides(const PreflightInput& input, std::span<const BodyProbe> probes,
   const Sides sides = sides_of(input.pattern);
   for (const Index k : sides.one_sided) {
     findings.push_back(
-        {"seam.one_sided", Severity::kWarning,
-         "with this seam the right side of the cloth meets its wrong side somewhere, whichever way the "
-         "pieces are turned; see to its direction",
-         "seam " + input.pattern.seams[k].id, place_of_seam(assembly, k)});
+        found(FindingKind::kOneSided,
+              "with this seam the right side of the cloth meets its wrong side somewhere, whichever way the "
+              "pieces are turned; see to its direction",
+              {seam_named(input.pattern.seams[k].id)}, place_of_seam(assembly, k)));
   }
   const auto count = static_cast<Index>(input.pattern.panels.size());
   std::vector<int> facing(count);
   for (Index p = 0; p < count; ++p) facing[p] = facing_of(assembly, probes, p);
-  Finding winding{
-      "piece.winds_other_way",
-      Severity::kNote,
-      "outlines that wind the other way than those of the pieces that they are sewn to: the wrong side "
-      "of the one comes to lie beside the right side of the other",
-      "",
-      {}};
+  Finding winding =
+      found(FindingKind::kWindsOtherWay,
+            "outlines that wind the other way than those of the pieces that they are sewn to: the wrong side "
+            "of the one comes to lie beside the right side of the other",
+            {}, {});
   for (Index p = 0; p < count; ++p) {
     int agree = 0, differ = 0, like = 0, other = 0;
     for (Index q = 0; q < count; ++q) {
@@ -121,19 +119,19 @@ void check_sides(const PreflightInput& input, std::span<const BodyProbe> probes,
       if (facing[p] == 0 || facing[q] == 0) continue;
       (facing[q] * sides.side[q] == facing[p] * sides.side[p] ? agree : differ) += 1;
     }
-    const std::string where = "piece " + input.pattern.panels[p].id;
+    const Concern piece = piece_named(input.pattern.panels[p].id);
     const Vec3 place = middle_of(assembly, p);
     if (differ > agree || (differ == agree && differ > 0 && facing[p] < 0)) {
-      findings.push_back({"piece.inside_out", Severity::kWarning,
-                          std::string("the piece shows its ") + (facing[p] < 0 ? "right" : "wrong") +
-                              " side to the body, unlike what it is sewn to; turn the piece over",
-                          where, place});
+      findings.push_back(found(FindingKind::kInsideOut,
+                               std::string("the piece shows its ") + (facing[p] < 0 ? "right" : "wrong") +
+                                   " side to the body, unlike what it is sewn to; turn the piece over",
+                               {piece}, place));
     } else if (other > like || (other == like && sides.side[p] < 0)) {
-      if (winding.where.empty()) winding.place = place;
-      winding.where += (winding.where.empty() ? "" : ", ") + where;
+      if (winding.about.empty()) winding.place = place;
+      winding.about.push_back(piece);
     }
   }
-  if (!winding.where.empty()) findings.push_back(std::move(winding));
+  if (!winding.about.empty()) findings.push_back(std::move(winding));
 }
 
 }  // namespace toile

@@ -119,12 +119,13 @@ class SeamThreads {
       t.inside = inside_length(probe, t.a, t.b);
       if (t.inside > 0) through.push_back(t);
     }
-    const std::string body = "body " + probe.body().id, where = "seam " + seam;
-    if (through.empty()) return near_limb(probe, body, where);
+    const Concerns about{seam_named(seam), body_named(probe.body().id)};
+    const std::string body = "body " + probe.body().id;
+    if (through.empty()) return near_limb(probe, body, about);
     std::stable_sort(through.begin(), through.end(),
                      [](const Thread& s, const Thread& t) { return s.inside > t.inside; });
     const std::size_t looked_at = std::min(kLookedAt, through.size());
-    Finding f{"seam.thread_through_body", Severity::kNote, "", where, middle(through[0])};
+    Finding f = found(FindingKind::kThreadThroughBody, "", about, middle(through[0]));
     Clearance worst;
     for (std::size_t i = 0; i < looked_at; ++i) {
       const Thread& t = through[i * (through.size() - 1) / std::max<std::size_t>(1, looked_at - 1)];
@@ -147,14 +148,14 @@ class SeamThreads {
   static Vec3 middle(const Thread& t) { return (t.a + t.b) * 0.5; }
 
   std::optional<Finding> near_limb(const BodyProbe& probe, const std::string& body,
-                                   const std::string& where) const {
+                                   const Concerns& about) const {
     const std::size_t stride = std::max<std::size_t>(1, threads_.size() / kLookedAt);
     for (std::size_t i = 0; i < threads_.size(); i += stride) {
       if (length(threads_[i].b - threads_[i].a) < kNearLimb || !is_near_limb(probe, threads_[i])) continue;
-      return Finding{"seam.thread_near_limb", Severity::kNote,
-                     "a slim limb of " + body + " stands within " + length_text(kNearLimb) +
-                         " of the thread, beside it; the seam closes if that is its right side",
-                     where, middle(threads_[i])};
+      return found(FindingKind::kThreadNearLimb,
+                   "a slim limb of " + body + " stands within " + length_text(kNearLimb) +
+                       " of the thread, beside it; the seam closes if that is its right side",
+                   about, middle(threads_[i]));
     }
     return std::nullopt;
   }
@@ -169,7 +170,9 @@ void check_threads(const PreflightInput& input, std::span<const BodyProbe> probe
   for (Index s = 0; s < static_cast<Index>(input.pattern.seams.size()); ++s) {
     const SeamThreads threads(assembly, s);
     for (const BodyProbe& probe : probes) {
-      if (auto found = threads.look(probe, input.pattern.seams[s].id)) findings.push_back(std::move(*found));
+      if (auto finding = threads.look(probe, input.pattern.seams[s].id)) {
+        findings.push_back(std::move(*finding));
+      }
     }
   }
 }

@@ -2,19 +2,50 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 namespace toile {
 
-const char* name_of(Severity severity) {
-  switch (severity) {
-    case Severity::kError:
-      return "error";
-    case Severity::kWarning:
-      return "warning";
-    case Severity::kNote:
+namespace {
+
+const char* name_of(Concern::Thing thing) {
+  switch (thing) {
+    case Concern::Thing::kPiece:
+      return "piece ";
+    case Concern::Thing::kEdge:
+      return "edge ";
+    case Concern::Thing::kSeam:
+      return "seam ";
+    case Concern::Thing::kBody:
       break;
   }
-  return "note";
+  return "body ";
+}
+
+/// Two pieces that get in each other's way are a pair; pieces of a ring or of one kind are a list.
+bool is_of_pair(FindingKind kind) {
+  return kind == FindingKind::kCrossesCloth || kind == FindingKind::kTouches || kind == FindingKind::kGap;
+}
+
+}  // namespace
+
+Concern piece_named(const std::string& id) { return {Concern::Thing::kPiece, id}; }
+Concern edge_named(const std::string& id) { return {Concern::Thing::kEdge, id}; }
+Concern seam_named(const std::string& id) { return {Concern::Thing::kSeam, id}; }
+Concern body_named(const std::string& id) { return {Concern::Thing::kBody, id}; }
+
+Finding found(FindingKind kind, std::string message, Concerns about, Vec3 place) {
+  return {kind, traits_of(kind).usual, std::move(message), std::move(about), place, false};
+}
+
+std::string where_text(const Finding& finding) {
+  std::string text;
+  for (const Concern& c : finding.about) {
+    if (c.thing == Concern::Thing::kBody) continue;
+    if (!text.empty()) text += is_of_pair(finding.kind) ? " and " : ", ";
+    text += name_of(c.thing) + c.id;
+  }
+  return text;
 }
 
 std::string place_text(Vec3 p) {
@@ -40,7 +71,9 @@ void sort_by_severity(Findings& findings) {
 
 std::optional<Error> first_error(const Findings& findings) {
   for (const Finding& f : findings) {
-    if (f.severity == Severity::kError) return Error{f.code, f.message, f.where + " " + place_text(f.place)};
+    if (f.severity == Severity::kError) {
+      return Error{std::string(code_of(f.kind)), f.message, where_text(f) + " " + place_text(f.place)};
+    }
   }
   return std::nullopt;
 }

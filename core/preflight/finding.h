@@ -1,34 +1,49 @@
 #pragma once
-// What the look at a start found: a code for programs, words for people, the place in both.
+// What the look at a start found: a kind for programs, words for people, the place in both.
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/result.h"
 #include "core/base/types.h"
+#include "core/preflight/finding_kind.h"
 
 namespace toile {
 
-enum class Severity {
-  kNote,     ///< good to know; nothing to do
-  kWarning,  ///< the drape begins, but may not be what was meant
-  kError,    ///< the drape does not begin
+/// A thing of the garment or the scene that a finding is about, by its id.
+struct Concern {
+  enum class Thing : std::uint8_t { kPiece, kEdge, kSeam, kBody };
+  Thing thing = Thing::kPiece;
+  std::string id;
+  friend bool operator==(const Concern&, const Concern&) = default;
 };
+using Concerns = std::vector<Concern>;
 
-/// "note", "warning", "error".
-const char* name_of(Severity severity);
+Concern piece_named(const std::string& id);
+/// Of the piece before it.
+Concern edge_named(const std::string& id);
+Concern seam_named(const std::string& id);
+Concern body_named(const std::string& id);
 
 struct Finding {
-  std::string code;  ///< stable, lower case with dots, e.g. "start.crosses_body"
+  FindingKind kind = FindingKind::kGap;
   Severity severity = Severity::kNote;
   std::string message;    ///< what it is and the way out
-  std::string where;      ///< ids: "piece back", "seam side_left", "piece front, edge e3"
+  Concerns about;         ///< what has to be seen to first; bodies last
   Vec3 place;             ///< m, at the start as it was placed
   bool repaired = false;  ///< the start was changed so that it is gone
 };
 
 using Findings = std::vector<Finding>;
+
+/// A finding as grave as its kind usually is.
+Finding found(FindingKind kind, std::string message, Concerns about, Vec3 place);
+
+/// The ids in words: "piece back", "seam side_left", "piece front, edge e3", "piece a and piece b" where two
+/// pieces get in each other's way. Bodies stand in the message.
+std::string where_text(const Finding& finding);
 
 /// "at (0.100, 1.250, -0.030) m"
 std::string place_text(Vec3 p);

@@ -214,35 +214,39 @@ std::string name_of(const Opponent& o, const Pattern& pattern, std::span<const B
   return o.is_body ? "body " + probes[o.index].body().id : "piece " + pattern.panels[o.index].id;
 }
 
+Concern concern_of(const Opponent& o, const Pattern& pattern, std::span<const BodyProbe> probes) {
+  return o.is_body ? body_named(probes[o.index].body().id) : piece_named(pattern.panels[o.index].id);
+}
+
 /// What was found, in words, as of a thing of the present.
 Finding described(const Conflict& c, const Pattern& pattern, std::span<const BodyProbe> probes) {
-  const std::string piece = "piece " + pattern.panels[c.piece].id, other = name_of(c.with, pattern, probes);
+  const std::string other = name_of(c.with, pattern, probes);
   const bool itself = !c.with.is_body && c.with.index == c.piece;
   Finding f;
-  f.severity = Severity::kError;
   f.place = c.at.place;
-  f.where = c.with.is_body || itself ? piece : piece + " and " + other;
+  f.about = {piece_named(pattern.panels[c.piece].id)};
+  if (!itself) f.about.push_back(concern_of(c.with, pattern, probes));
   if (itself) {
-    f.code = c.at.crosses ? "start.crosses_cloth" : "start.touches";
+    f.kind = c.at.crosses ? FindingKind::kCrossesCloth : FindingKind::kTouches;
     f.message =
         "the piece passes through itself or lies on itself where it is placed; a larger radius parts it";
   } else if (c.at.crosses) {
-    f.code = c.with.is_body ? "start.crosses_body" : "start.crosses_cloth";
+    f.kind = c.with.is_body ? FindingKind::kCrossesBody : FindingKind::kCrossesCloth;
     f.message = c.with.is_body
                     ? "the piece passes through " + other + " where it is placed; move it clear of it"
                     : "two pieces pass through each other where they are placed; move them apart";
   } else if (c.at.inside) {
-    f.code = "start.inside_body";
+    f.kind = FindingKind::kInsideBody;
     f.message = "the piece lies inside " + other + "; place it outside, before the skin";
   } else if (c.at.gap < kContactFloor) {
-    f.code = "start.touches";
+    f.kind = FindingKind::kTouches;
     f.message = "the piece touches " + other + " where it is placed; leave a millimetre or more";
   } else {
-    f.code = "start.gap";
-    f.severity = Severity::kWarning;
+    f.kind = FindingKind::kGap;
     f.message = "the piece is placed only " + length_text(c.at.gap) + " from " + other +
                 "; leave a millimetre or more, or it may stick there";
   }
+  f.severity = traits_of(f.kind).usual;
   return f;
 }
 
@@ -253,7 +257,7 @@ std::string moved_text(Index piece, const StartField& field, const Pattern& patt
 
 void tell_repair(Finding& f, const Conflict& c, const StartField& field, const Pattern& pattern) {
   f.repaired = true;
-  f.severity = f.code == "start.gap" ? Severity::kNote : Severity::kWarning;
+  f.severity = f.kind == FindingKind::kGap ? Severity::kNote : Severity::kWarning;
   const std::string first = moved_text(c.piece, field, pattern);
   const std::string second = c.with.is_body ? "" : moved_text(c.with.index, field, pattern);
   f.message += "; for this drape " + first + (!first.empty() && !second.empty() ? " and " : "") + second +

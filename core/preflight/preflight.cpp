@@ -14,9 +14,9 @@ namespace toile {
 
 namespace {
 
-bool has_error(const Findings& findings, const char* code) {
+bool has_error(const Findings& findings, FindingKind kind) {
   return std::any_of(findings.begin(), findings.end(),
-                     [&](const Finding& f) { return f.severity == Severity::kError && f.code == code; });
+                     [&](const Finding& f) { return f.severity == Severity::kError && f.kind == kind; });
 }
 
 /// The last word: the count that every frame of the drape will go through, on what the repairs left.
@@ -24,21 +24,21 @@ void verify(const PreflightInput& in, std::span<const BodyProbe> probes, const A
             Findings& findings) {
   const GarmentMesh& g = assembly.garment;
   const Surface surface = make_surface(g.triangles, g.vertex_count(), g.weld);
-  const auto piece = [&](Index t) { return "piece " + in.pattern.panels[g.panel_of_triangle[t]].id; };
+  const auto piece = [&](Index t) { return piece_named(in.pattern.panels[g.panel_of_triangle[t]].id); };
   const auto place = [&](Index t) { return assembly.positions[g.triangles[t][0]]; };
   for (const BodyProbe& probe : probes) {
-    const auto found = body_crossings(surface, assembly.positions, probe.crossing());
-    if (found.empty() || has_error(findings, "start.crosses_body")) continue;
+    const auto crossings = body_crossings(surface, assembly.positions, probe.crossing());
+    if (crossings.empty() || has_error(findings, FindingKind::kCrossesBody)) continue;
     findings.push_back(
-        {"start.crosses_body", Severity::kError,
-         "the piece passes through body " + probe.body().id + " where it is placed; move it clear of it",
-         piece(found[0][0]), place(found[0][0])});
+        found(FindingKind::kCrossesBody,
+              "the piece passes through body " + probe.body().id + " where it is placed; move it clear of it",
+              {piece(crossings[0][0]), body_named(probe.body().id)}, place(crossings[0][0])));
   }
-  const auto found = self_crossings(surface, assembly.positions);
-  if (found.empty() || has_error(findings, "start.crosses_cloth")) return;
-  findings.push_back({"start.crosses_cloth", Severity::kError,
-                      "two pieces pass through each other where they are placed; move them apart",
-                      piece(found[0][0]) + " and " + piece(found[0][1]), place(found[0][0])});
+  const auto crossings = self_crossings(surface, assembly.positions);
+  if (crossings.empty() || has_error(findings, FindingKind::kCrossesCloth)) return;
+  findings.push_back(found(FindingKind::kCrossesCloth,
+                           "two pieces pass through each other where they are placed; move them apart",
+                           {piece(crossings[0][0]), piece(crossings[0][1])}, place(crossings[0][0])));
 }
 
 }  // namespace

@@ -26,11 +26,7 @@ struct PreflightInput {
 /// Nothing is repaired in a way that makes something else worse. Findings are sorted by severity; without an
 /// error among them the start has no crossing and no contact.
 ///
-/// Codes of errors: start.crosses_body, start.inside_body, start.crosses_cloth, start.touches,
-/// seam.length_ratio, seam.thread_through_body. Of warnings and notes: start.gap, piece.turned,
-/// piece.inside_out, piece.winds_other_way, piece.scale, piece.far, layer.inside, edge.short, seam.twisted,
-/// seam.length_difference, seam.one_sided, seam.thread_near_limb, seam.thread_through_body,
-/// seam.thread_through_cloth, seam.on_open_ring, ring.tight, ring.around_nothing, ring.wrong_limb.
+/// finding_kind.h has the table of all kinds.
 Findings run_preflight(const PreflightInput& input, Assembly& assembly);
 
 }  // namespace toile

@@ -133,8 +133,8 @@ void turn_pieces(const PreflightInput& input, std::span<const BodyProbe> probes,
     }
     if (worst.piece == kNone) return;
     seen[worst.piece] = true;
-    Finding f{"piece.turned", Severity::kWarning, "", "piece " + input.pattern.panels[worst.piece].id,
-              worst.axes.centre};
+    Finding f = found(FindingKind::kTurned, "", {piece_named(input.pattern.panels[worst.piece].id)},
+                      worst.axes.centre);
     f.message = "the piece stands the wrong way round for its seams: its threads measure " +
                 length_text(worst.before) + " in all, and " + length_text(worst.after) +
                 " after half a turn" + (worst.axis == 2 ? " in its own plane" : " that swaps left and right");

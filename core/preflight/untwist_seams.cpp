@@ -69,10 +69,10 @@ void untwist_seams(const PreflightInput& input, Assembly& assembly, Findings& fi
     const double now = total_length(t.a, t.b), then = total_length(t.a, back);
     if (correlation(t.a, t.b) > kAgainst || correlation(t.a, back) < kAlong || then >= now) continue;
     const Seam& seam = input.pattern.seams[s];
-    Finding f{"seam.twisted", Severity::kWarning,
-              "the threads of the seam cross over: " + length_text(now) + " of thread in all, and " +
-                  length_text(then) + " with one side reversed; reverse the seam",
-              "seam " + seam.id, place_of_seam(assembly, s)};
+    Finding f = found(FindingKind::kTwisted,
+                      "the threads of the seam cross over: " + length_text(now) + " of thread in all, and " +
+                          length_text(then) + " with one side reversed; reverse the seam",
+                      {seam_named(seam.id)}, place_of_seam(assembly, s));
     // Only the points of single edges lie alike both ways.
     if (seam.a.size() == 1 && seam.b.size() == 1 && seam.a[0].panel != seam.b[0].panel) {
       reverse_seam(t, assembly);

@@ -27,9 +27,9 @@ class GarmentStarts : public testing::Test {
     EXPECT_TRUE(written.ok()) << to_string(written.error());
     return read_project(folder / "project.json").value();
   }
-  static int count(const Findings& findings, const std::string& code, Severity severity) {
+  static int count(const Findings& findings, FindingKind kind, Severity severity) {
     int n = 0;
-    for (const Finding& f : findings) n += f.code == code && f.severity == severity;
+    for (const Finding& f : findings) n += f.kind == kind && f.severity == severity;
     return n;
   }
 };
@@ -52,9 +52,9 @@ TEST_F(GarmentStarts, TheTrousersOverlappingTipsArePartedLeftAndRightAlike) {
   const DrapeInput input = garment("pants", 25);
   const auto start = prepare_start(input, {}).value();
   ASSERT_FALSE(start.findings.empty());
-  EXPECT_EQ(start.findings.front().code, "start.touches");
+  EXPECT_EQ(start.findings.front().kind, FindingKind::kTouches);
   EXPECT_TRUE(start.findings.front().repaired);
-  EXPECT_NE(start.findings.front().where.find("pant_b_"), std::string::npos) << start.findings.front().where;
+  EXPECT_NE(where_text(start.findings.front()).find("pant_b_"), std::string::npos);
   const auto placed = assemble(start.meshes, input.placements, input.attachments)->positions;
   std::vector<Vec3> shifts;
   for (std::size_t p = 0; p < input.pattern.panels.size(); ++p) {
@@ -71,7 +71,7 @@ TEST_F(GarmentStarts, TrousersPlacedAsideAreRefusedForThreadsThroughTheLegs) {
   DrapeInput input = garment("pants", 25);
   for (Placement& p : input.placements) std::get<RigidPlacement>(p).translation.x += 0.1;
   const auto start = prepare_start(input, {}).value();
-  EXPECT_GE(count(start.findings, "seam.thread_through_body", Severity::kError), 1);
+  EXPECT_GE(count(start.findings, FindingKind::kThreadThroughBody, Severity::kError), 1);
 }
 
 TEST_F(GarmentStarts, ASkirtForAChildIsTooTightForThisBody) {
@@ -86,7 +86,7 @@ TEST_F(GarmentStarts, ASkirtForAChildIsTooTightForThisBody) {
     }
   }
   const auto start = prepare_start(input, {}).value();
-  EXPECT_GE(count(start.findings, "ring.tight", Severity::kWarning), 1);
+  EXPECT_GE(count(start.findings, FindingKind::kTightRing, Severity::kWarning), 1);
 }
 
 TEST_F(LongGarmentStarts, TheTrousersDrapeOnceTheirTipsAreParted) {

@@ -53,7 +53,9 @@ Start started(Pattern pattern) {
 
 std::string text_of(const Findings& findings) {
   std::string text;
-  for (const Finding& f : findings) text += f.code + " " + f.where + ": " + f.message + "\n";
+  for (const Finding& f : findings) {
+    text += std::string(code_of(f.kind)) + " " + where_text(f) + ": " + f.message + "\n";
+  }
   return text;
 }
 
@@ -62,7 +64,7 @@ void expect_clean(const Start& s) {
   for (const Finding& f : s.made.findings) {
     EXPECT_NE(f.severity, Severity::kError) << text_of(s.made.findings);
     EXPECT_FALSE(f.repaired) << text_of(s.made.findings);
-    EXPECT_NE(f.code, "ring.around_nothing") << f.where;
+    EXPECT_NE(f.kind, FindingKind::kRingAroundNothing) << where_text(f);
   }
   const GarmentMesh& g = s.assembly.garment;
   const Surface surface = make_surface(g.triangles, g.vertex_count(), g.weld);

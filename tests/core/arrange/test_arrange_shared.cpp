@@ -32,10 +32,11 @@ void take_places(DrapeInput& input, const std::string& name) {
   const auto made = arrange({input.pattern, meshes, input.bodies});
   ASSERT_TRUE(made.ok()) << name << ": " << to_string(made.error());
   for (const Finding& f : made->findings) {
-    EXPECT_NE(f.severity, Severity::kError) << name << ": " << f.code << " " << f.where << ": " << f.message;
-    EXPECT_FALSE(f.repaired) << name << ": " << f.code << " " << f.where;
-    const bool open_hood = f.where.find("hood") != std::string::npos;
-    EXPECT_TRUE(f.code != "ring.around_nothing" || open_hood) << name << ": " << f.where;
+    EXPECT_NE(f.severity, Severity::kError)
+        << name << ": " << code_of(f.kind) << " " << where_text(f) << ": " << f.message;
+    EXPECT_FALSE(f.repaired) << name << ": " << code_of(f.kind) << " " << where_text(f);
+    const bool open_hood = where_text(f).find("hood") != std::string::npos;
+    EXPECT_TRUE(f.kind != FindingKind::kRingAroundNothing || open_hood) << name << ": " << where_text(f);
   }
   input.placements = made->placements;
   input.attachments = made->attachments;

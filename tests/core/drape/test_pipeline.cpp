@@ -105,7 +105,7 @@ TEST(Pipeline, PiecesThatTouchAtTheStartAreMovedApart) {
   const auto r = drape(input, {}, nullptr);
   ASSERT_TRUE(r.ok()) << to_string(r.error());
   ASSERT_FALSE(r->findings.empty());
-  EXPECT_EQ(r->findings.front().code, "start.touches");
+  EXPECT_EQ(r->findings.front().kind, FindingKind::kTouches);
   EXPECT_TRUE(r->findings.front().repaired);
   EXPECT_EQ(r->worst.cloth_body + r->worst.cloth_cloth, 0);
 }

@@ -6,13 +6,14 @@
 #include <vector>
 
 #include "core/drape/drape_input.h"
+#include "core/preflight/finding.h"
 
 namespace toile::test {
 
 struct BrokenStart {
   std::string name;
-  std::string code;       ///< that must be found
-  bool repaired = false;  ///< and whether the start is repaired
+  FindingKind kind = FindingKind::kGap;  ///< that must be found
+  bool repaired = false;                 ///< and whether the start is repaired
   std::function<DrapeInput()> make;
 };
 

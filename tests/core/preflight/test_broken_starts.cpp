@@ -14,8 +14,9 @@ namespace {
 std::string text_of(const Findings& findings) {
   std::string text;
   for (const Finding& f : findings) {
-    text += std::string("  ") + name_of(f.severity) + " " + f.code + (f.repaired ? " (repaired)" : "") +
-            ": " + f.message + " [" + f.where + " " + place_text(f.place) + "]\n";
+    text += std::string("  ") + name_of(f.severity) + " " + std::string(code_of(f.kind)) +
+            (f.repaired ? " (repaired)" : "") + ": " + f.message + " [" + where_text(f) + " " +
+            place_text(f.place) + "]\n";
   }
   return text;
 }
@@ -40,9 +41,11 @@ TEST(BrokenStarts, AreAllFoundWithAPlaceAndWordsAndRepairedWhereExpected) {
     ASSERT_TRUE(start.ok()) << to_string(start.error());
     bool found = false, repaired = true;
     for (const Finding& f : start->findings) {
-      EXPECT_FALSE(f.message.empty() || f.where.empty());
+      EXPECT_FALSE(f.message.empty() || where_text(f).empty());
       EXPECT_TRUE(is_finite(f.place));
-      if (f.code != broken.code) continue;
+      EXPECT_LE(f.severity, traits_of(f.kind).gravest) << text_of(start->findings);
+      EXPECT_LE(f.repaired, traits_of(f.kind).repairable) << text_of(start->findings);
+      if (f.kind != broken.kind) continue;
       found = true;
       repaired &= f.repaired;
     }

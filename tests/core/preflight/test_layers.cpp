@@ -25,7 +25,7 @@ Findings findings_of(double z0, int layer0, double z1, int layer1) {
 
 const Finding* layer_finding(const Findings& findings) {
   const auto found = std::find_if(findings.begin(), findings.end(),
-                                  [](const Finding& f) { return f.code == "layer.inside"; });
+                                  [](const Finding& f) { return f.kind == FindingKind::kLayerInside; });
   return found == findings.end() ? nullptr : &*found;
 }
 
@@ -34,7 +34,7 @@ TEST(Layers, AHigherLayerThatStartsNearerToTheBodyIsToldWithBothPieces) {
   const Finding* f = layer_finding(findings);
   ASSERT_NE(f, nullptr);
   EXPECT_EQ(f->severity, Severity::kWarning);
-  EXPECT_EQ(f->where, "piece jacket");
+  EXPECT_EQ(where_text(*f), "piece jacket");
   EXPECT_NE(f->message.find("shirt"), std::string::npos);
   EXPECT_NEAR(f->place.z, 0.09, 1e-3);
 }

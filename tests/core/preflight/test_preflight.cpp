@@ -23,9 +23,9 @@ DrapeInput broken(const std::string& name) {
   return found->make();
 }
 
-const Finding* find(const Findings& findings, const std::string& code) {
+const Finding* find(const Findings& findings, FindingKind kind) {
   const auto found =
-      std::find_if(findings.begin(), findings.end(), [&](const Finding& f) { return f.code == code; });
+      std::find_if(findings.begin(), findings.end(), [&](const Finding& f) { return f.kind == kind; });
   return found == findings.end() ? nullptr : &*found;
 }
 
@@ -67,7 +67,7 @@ TEST(Preflight, AReversedSeamIsSewnAsIfItHadBeenRight) {
   const auto right = prepare_start(test::tube(), {}).value();
   EXPECT_EQ(start.assembly.garment.sewn, right.assembly.garment.sewn);
   EXPECT_EQ(start.assembly.garment.weld, right.assembly.garment.weld);
-  const Finding* f = find(start.findings, "seam.twisted");
+  const Finding* f = find(start.findings, FindingKind::kTwisted);
   ASSERT_NE(f, nullptr);
   EXPECT_NE(f->message.find(" of thread in all, and "), std::string::npos) << f->message;
 }
@@ -87,9 +87,9 @@ TEST(Preflight, APieceThatStandsOnItsHeadIsToldToBeInsideOut) {
   input.placements = {RigidPlacement{{-0.035, 0.1, 0.1}, {}, false},
                       RigidPlacement{{0.035, 0.22, 0.1}, {3.14159265358979, 0, 0}, false}};
   const auto start = prepare_start(input, {}).value();
-  const Finding* f = find(start.findings, "piece.inside_out");
+  const Finding* f = find(start.findings, FindingKind::kInsideOut);
   ASSERT_NE(f, nullptr);
-  EXPECT_EQ(f->where, "piece right");
+  EXPECT_EQ(where_text(*f), "piece right");
   EXPECT_EQ(f->severity, Severity::kWarning);
 }
 
@@ -97,14 +97,14 @@ TEST(Preflight, ASeamThatMakesAMobiusStripIsToldByName) {
   DrapeInput input = test::tube();
   input.pattern.seams[1].same_direction = false;
   const auto start = prepare_start(input, {}).value();
-  const Finding* f = find(start.findings, "seam.one_sided");
+  const Finding* f = find(start.findings, FindingKind::kOneSided);
   ASSERT_NE(f, nullptr);
-  EXPECT_EQ(f->where, "seam right");
+  EXPECT_EQ(where_text(*f), "seam right");
 }
 
 TEST(Preflight, TheTightRingIsGivenWithBothGirths) {
   const auto start = prepare_start(broken("girth under the body's"), {}).value();
-  const Finding* f = find(start.findings, "ring.tight");
+  const Finding* f = find(start.findings, FindingKind::kTightRing);
   ASSERT_NE(f, nullptr);
   EXPECT_EQ(f->severity, Severity::kWarning);
   EXPECT_NE(f->message.find("the ring of 400 mm"), std::string::npos) << f->message;
@@ -115,8 +115,8 @@ TEST(Preflight, ThreadsThroughTheMiddleAreRefusedAndThoseOverAShoulderAreNot) {
   const auto through = prepare_start(broken("threads through the body"), {}).value();
   // The strips are 20 mm wide: one step aside a thread grazes the upright edges of the column.
   const auto over = prepare_start(broken("threads over a shoulder"), {}).value();
-  EXPECT_EQ(find(through.findings, "seam.thread_through_body")->severity, Severity::kError);
-  EXPECT_EQ(find(over.findings, "seam.thread_through_body")->severity, Severity::kNote);
+  EXPECT_EQ(find(through.findings, FindingKind::kThreadThroughBody)->severity, Severity::kError);
+  EXPECT_EQ(find(over.findings, FindingKind::kThreadThroughBody)->severity, Severity::kNote);
 }
 
 TEST(Preflight, AHeapOfPiecesInOnePlaceIsRefusedAndNotShuffled) {
@@ -147,7 +147,7 @@ TEST(Preflight, ShortThreadsBesideAThickBodyAreNearNoLimb) {
                          {"right", {{0, 1, false}}, {{1, 3, false}}, false}};
   const auto start = prepare_start(input, {}).value();
   EXPECT_TRUE(start.findings.empty())
-      << start.findings.front().code << ": " << start.findings.front().message;
+      << code_of(start.findings.front().kind) << ": " << start.findings.front().message;
 }
 
 TEST(Preflight, ABackThatIsCutAsItIsWornWindsLikeTheFront) {
@@ -156,22 +156,22 @@ TEST(Preflight, ABackThatIsCutAsItIsWornWindsLikeTheFront) {
   input.pattern.seams = {{"left", {{0, 3, false}}, {{1, 1, false}}, false},
                          {"right", {{0, 1, false}}, {{1, 3, false}}, false}};
   const auto start = prepare_start(input, {}).value();
-  EXPECT_EQ(find(start.findings, "piece.winds_other_way"), nullptr);
+  EXPECT_EQ(find(start.findings, FindingKind::kWindsOtherWay), nullptr);
 }
 
 TEST(Preflight, ThreadsBesideAThirdPieceDoNotMeetIt) {
   DrapeInput input = broken("threads through a third piece");
   std::get<RigidPlacement>(input.placements[2]).translation.x = 0.4;
-  EXPECT_EQ(find(prepare_start(input, {}).value().findings, "seam.thread_through_cloth"), nullptr);
+  EXPECT_EQ(find(prepare_start(input, {}).value().findings, FindingKind::kThreadThroughCloth), nullptr);
 }
 
 TEST(Preflight, AThreadThroughAPiecesRimIsNotedAndThroughItsMiddleIsAWarning) {
   DrapeInput input = broken("threads through a third piece");
-  EXPECT_EQ(find(prepare_start(input, {}).value().findings, "seam.thread_through_cloth")->severity,
+  EXPECT_EQ(find(prepare_start(input, {}).value().findings, FindingKind::kThreadThroughCloth)->severity,
             Severity::kWarning);
   std::get<RigidPlacement>(input.placements[2]).translation.x = 0.158;  // 2 mm of it are in the way
   const auto start = prepare_start(input, {}).value();
-  const Finding* rim = find(start.findings, "seam.thread_through_cloth");
+  const Finding* rim = find(start.findings, FindingKind::kThreadThroughCloth);
   ASSERT_NE(rim, nullptr);
   EXPECT_EQ(rim->severity, Severity::kNote) << rim->message;
 }
@@ -179,15 +179,15 @@ TEST(Preflight, AThreadThroughAPiecesRimIsNotedAndThroughItsMiddleIsAWarning) {
 TEST(Preflight, HemsAboutTheTwoLegsOfAPairAreRight) {
   DrapeInput input = broken("both hems about one leg");
   for (const std::size_t p : {2, 3}) std::get<RigidPlacement>(input.placements[p]).translation.x = -0.2;
-  EXPECT_EQ(find(prepare_start(input, {}).value().findings, "ring.wrong_limb"), nullptr);
+  EXPECT_EQ(find(prepare_start(input, {}).value().findings, FindingKind::kRingOnWrongLimb), nullptr);
   std::get<RigidPlacement>(input.placements[2]).translation.y = 0.5;
   std::get<RigidPlacement>(input.placements[3]).translation.y = 0.5;
-  EXPECT_NE(find(prepare_start(input, {}).value().findings, "ring.wrong_limb"), nullptr)
+  EXPECT_NE(find(prepare_start(input, {}).value().findings, FindingKind::kRingOnWrongLimb), nullptr)
       << "one low and one high are no pair";
 }
 
 TEST(Preflight, ASeamThatRunsStraightOnIsNoOpenRing) {
-  EXPECT_EQ(find(prepare_start(test::tube(), {}).value().findings, "seam.on_open_ring"), nullptr);
+  EXPECT_EQ(find(prepare_start(test::tube(), {}).value().findings, FindingKind::kOnOpenRing), nullptr);
 }
 
 TEST(Preflight, ErrorsComeFirstAndNotesLast) {
