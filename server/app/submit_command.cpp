@@ -19,6 +19,7 @@
 #include "server/app/remote.h"
 #include "server/documents/assets.h"
 #include "server/documents/used_files.h"
+#include "server/store/job_state.h"
 
 namespace toile {
 namespace {
@@ -63,9 +64,12 @@ Result<std::string> send_project(Remote& remote, const std::string& path) {
   return remote.create_project(document, files);
 }
 
-bool has_ended(const JsonValue& job) {
-  const std::string state = text_member(job, "state");
-  return state == "succeeded" || state == "failed" || state == "cancelled";
+Result<JobState> state_of(const JsonValue& job) {
+  const std::string word = text_member(job, "state");
+  const Result<JobState> state = job_state_from(word);
+  if (state) return *state;
+  return Error{"client.malformed", "the server names a state of the job that this program does not know",
+               word};
 }
 
 void show(ProgressBar& bar, const JsonValue& job) {
@@ -87,7 +91,8 @@ Result<JsonValue> follow(Remote& remote, const std::string& id) {
     Result<JsonValue> job = remote.job(id);
     if (job) {
       heard = Clock::now();
-      if (has_ended(*job)) return job;
+      const JobState state = TRY(state_of(*job));
+      if (is_final(state)) return job;
       show(bar, *job);
     } else if (job.error().code != "client.unreachable" || Clock::now() - heard > kPatience) {
       return job;
@@ -115,8 +120,8 @@ Status bring_home(Remote& remote, const JsonValue& job, const fs::path& folder) 
   return {};
 }
 
-ExitCode exit_code_of(const JsonValue& job) {
-  if (text_member(job, "state") == "cancelled") return kCancelled;
+ExitCode exit_code_of(JobState end, const JsonValue& job) {
+  if (end == JobState::kCancelled) return kCancelled;
   const JsonValue* report = job.find("report");
   const JsonValue* settled = report ? report->find("settled") : nullptr;
   return settled && settled->boolean() && *settled->boolean() ? kDone : kUnsettled;
@@ -144,7 +149,9 @@ void print_end(const JsonValue& job, const SubmitOptions& options) {
 ExitCode watch(Remote& remote, const std::string& id, const SubmitOptions& options) {
   const Result<JsonValue> job = follow(remote, id);
   if (!job) return fail_remote(job.error(), options.json);
-  if (text_member(*job, "state") == "failed") {
+  const Result<JobState> end = state_of(*job);
+  if (!end) return fail_remote(end.error(), options.json);
+  if (*end == JobState::kFailed) {
     const Error reason{text_member(*job, "reason_code"), text_member(*job, "reason"),
                        text_member(*job, "reason_where")};
     return fail(reason, options.json);
@@ -154,7 +161,7 @@ ExitCode watch(Remote& remote, const std::string& id, const SubmitOptions& optio
       return fail_remote(home.error(), options.json);
   }
   print_end(*job, options);
-  return exit_code_of(*job);
+  return exit_code_of(*end, *job);
 }
 
 }  // namespace

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "server/jobs/job_input.h"
-#include "server/jobs/job_state.h"
 #include "server/jobs/job_table.h"
+#include "server/jobs/job_transition.h"
 #include "server/jobs/render_worker.h"
 #include "server/jobs/row_progress.h"
 #include "server/jobs/runner.h"
@@ -79,9 +79,7 @@ class QueueingJobService final : public JobService {
 /// Why a job that is not in the table, or in a closed one, cannot change.
 Error QueueingJobService::refusal(const OwnerId& owner, const std::string& id, JobEvent event) {
   const JobRow row = TRY(store_.job(owner, id));
-  const std::optional<JobState> state = job_state_from(row.state);
-  if (!state) return {"jobs.state", "the job is in a state that this version does not know", ""};
-  TRY(next_state(*state, event));
+  TRY(next_state(row.state, event));
   return {"jobs.stopped", "the server takes no jobs up just now; try again when it has started", ""};
 }
 
@@ -104,7 +102,7 @@ Result<JobRow> QueueingJobService::on_request(const OwnerId& owner, const std::s
   TRY(table_.change(changing, *job, event, edit));
   if (job->held) return job->row;  // the worker tells when it lets go
   table_.announce(changing, *job);
-  if (is_terminal(job->state)) {
+  if (is_final(job->state)) {
     forget_checkpoint(*job);
     run = table_.remove(changing, job);
   }
@@ -195,12 +193,12 @@ Status QueueingJobService::take_up_all() {
 }
 
 Status QueueingJobService::take_up(const Changing& changing, const Store::OwnedJob& found) {
-  const std::optional<JobState> state = job_state_from(found.job.state);
-  if (!state || is_terminal(*state)) return {};
-  const LiveJobPtr job = table_.insert(changing, found.owner, found.job, *state);
-  if (!job || *state == JobState::kQueued) return {};
-  const bool further = *state == JobState::kRunning && has_come_further(found);
-  if (*state == JobState::kPaused || found.job.attempt < kMaxAttempts || further) {
+  const JobState state = found.job.state;
+  if (is_final(state)) return {};
+  const LiveJobPtr job = table_.insert(changing, found.owner, found.job, state);
+  if (!job || state == JobState::kQueued) return {};
+  const bool further = state == JobState::kRunning && has_come_further(found);
+  if (state == JobState::kPaused || found.job.attempt < kMaxAttempts || further) {
     const RowEdit reason = requeued();
     return table_.change(changing, *job, JobEvent::kRequeue, [&](JobRow& row) {
       reason(row);
@@ -309,7 +307,7 @@ bool QueueingJobService::work_once() {
   control.interrupt = &job->interrupt;
   // A stop waits for pictures of a finished drape; a person who paused or cancelled does not.
   control.abandon = [&] { return table_.state(*job) != JobState::kRunning; };
-  control.worth_keeping = [&] { return !is_terminal(table_.state(*job)); };
+  control.worth_keeping = [&] { return !is_final(table_.state(*job)); };
   control.on_progress = [&](const JobProgress& progress) { table_.hear(*job, progress); };
   let_go(job, job->run->go_on(control));
   return true;
@@ -322,7 +320,7 @@ void QueueingJobService::let_go(const LiveJobPtr& job, const std::optional<RunEn
     const Changing changing = table_.changing();
     table_.take_back(changing, *job);
     if (run_end) end(changing, *job, *run_end);
-    if (is_terminal(job->state)) {
+    if (is_final(job->state)) {
       forget_checkpoint(*job);
       unnamed_results = job->row.results.empty();
       table_.announce(changing, *job);
@@ -342,7 +340,7 @@ void QueueingJobService::forget_results(const LiveJob& job) {
 }
 
 void QueueingJobService::end(const Changing& changing, LiveJob& job, const RunEnd& run_end) {
-  if (is_terminal(job.state)) return;  // cancelled before: the end comes too late
+  if (is_final(job.state)) return;  // cancelled before: the end comes too late
   const RowEdit reason = with_reason(run_end.code, run_end.reason, run_end.where);
   const JobEvent event = run_end.succeeded ? JobEvent::kFinish : JobEvent::kFail;
   Status ended = table_.change(changing, job, event, [&](JobRow& row) {

@@ -28,8 +28,8 @@ RowEdit with_reason(std::string code, std::string reason, std::string where) {
 Status JobTable::change(const Changing&, LiveJob& job, JobEvent event, const RowEdit& edit) {
   const JobTransition next = TRY(next_state(job.state, event));
   JobRow row = job.row;
-  row.state = name_of(next.state);
-  if (is_terminal(next.state)) row.ended_ms = unix_ms();
+  row.state = next.state;
+  if (is_final(next.state)) row.ended_ms = unix_ms();
   if (edit) edit(row);
   if (next.effects.persist) {
     if (Status written = store_.update_job(job.owner, row); !written) return written;
@@ -63,14 +63,14 @@ void JobTable::count_end(JobState state) {
 /// REQUIRES mutex_.
 JobProgress JobTable::progress_now(const LiveJob& job) const {
   JobProgress progress = job.progress;
-  progress.state = name_of(job.state);
+  progress.state = job.state;
   if (progress.phase.empty()) progress.phase = "queued";
   return progress;
 }
 
 void JobTable::announce(const Changing&, const LiveJob& job) {
   const JobProgress now = progress(job);
-  if (is_terminal(job.state) || !open_) {
+  if (is_final(job.state) || !open_) {
     publisher_.ended(job.id, now);
   } else {
     publisher_.progress(job.id, now);
@@ -96,7 +96,7 @@ std::unique_ptr<JobRun> JobTable::remove(const Changing&, const LiveJobPtr& job)
   const std::lock_guard lock(mutex_);
   queue_.put(job->id, QueuePlace::kOut);
   jobs_.erase(job->id);
-  if (is_terminal(job->state)) epochs_.erase(job->id);
+  if (is_final(job->state)) epochs_.erase(job->id);
   return std::move(job->run);
 }
 

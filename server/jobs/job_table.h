@@ -13,7 +13,7 @@
 
 #include "core/base/result.h"
 #include "server/jobs/job_service.h"
-#include "server/jobs/job_state.h"
+#include "server/jobs/job_transition.h"
 #include "server/jobs/publisher.h"
 #include "server/jobs/queue.h"
 #include "server/jobs/runner.h"

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/types.h"
+#include "server/store/job_state.h"
 
 namespace toile {
 
@@ -29,7 +30,7 @@ struct StreamFrame {
 
 /// Figures that go along with a running job, for progress displays.
 struct JobProgress {
-  std::string state;  ///< as JobRow::state
+  JobState state = JobState::kQueued;
   std::string phase;  ///< "queued", "mesh", "sew", "drape", "stills"
   double fraction = 0;
   int step = 0;

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "server/jobs/job_state.h"
+#include "server/jobs/job_transition.h"
 
 namespace toile {
 

@@ -16,7 +16,7 @@ double number_in(const JsonValue& object, std::string_view key) {
 JobProgress progress_of_row(const JobRow& row) {
   JobProgress progress;
   progress.state = row.state;
-  progress.phase = row.state == "queued" ? "queued" : "";
+  progress.phase = row.state == JobState::kQueued ? "queued" : "";
   if (row.report.empty()) return progress;
   const Result<JsonValue> report = parse_json(row.report);
   if (!report) return progress;

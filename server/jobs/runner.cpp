@@ -59,7 +59,7 @@ Status draw(const RunPlace& place, const RunControl& control, std::shared_ptr<co
 
 JobRun::JobRun(const RunPlace& place, OwnerId owner, std::string job_id, std::uint32_t epoch)
     : place_(place), owner_(std::move(owner)), job_id_(std::move(job_id)), epoch_(epoch) {
-  progress_.state = "running";
+  progress_.state = JobState::kRunning;
 }
 
 std::optional<RunEnd> JobRun::go_on(const RunControl& control) {

@@ -9,12 +9,16 @@ namespace {
 
 using Json = nlohmann::json;
 
+Error damaged(const std::string& thing) {
+  return {"store.corrupt", "a row of the database is damaged", thing};
+}
+
 /// The members of the object in a column of `thing`'s row that `is_one` takes; others are passed over.
 template <typename Value, typename IsOne>
 Result<std::map<std::string, Value>> map_from(const std::string& text, const std::string& thing,
                                               IsOne is_one) {
   const Json object = Json::parse(text, nullptr, false);
-  if (!object.is_object()) return Error{"store.corrupt", "a row of the database is damaged", thing};
+  if (!object.is_object()) return damaged(thing);
   std::map<std::string, Value> map;
   for (const auto& [name, value] : object.items()) {
     if (is_one(value)) map[name] = value.template get<Value>();
@@ -74,7 +78,9 @@ Result<JobRow> job_from(const SqlStatement& row) {
   job.project_id = row.text(1);
   job.project_revision = static_cast<int>(row.integer(2));
   job.name = row.text(3);
-  job.state = row.text(4);
+  const Result<JobState> state = job_state_from(row.text(4));
+  if (!state) return damaged(job.id);
+  job.state = *state;
   job.reason_code = row.text(5);
   job.reason = row.text(6);
   job.reason_where = row.text(7);

@@ -40,8 +40,8 @@ Status SqliteStore::insert_job(const OwnerId& owner, const JobRow& row, const st
       " reason, reason_where, attempt, created_ms, started_ms, ended_ms, report, results, idempotency_key)"
       " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
       {owner, row.id, row.project_id, std::int64_t{row.project_revision}, row.name, row.document, files,
-       row.state, row.reason_code, row.reason, row.reason_where, std::int64_t{row.attempt}, row.created_ms,
-       row.started_ms, row.ended_ms, row.report, results, key});
+       name_of(row.state), row.reason_code, row.reason, row.reason_where, std::int64_t{row.attempt},
+       row.created_ms, row.started_ms, row.ended_ms, row.report, results, key});
   if (!kept) return kept.error();
   return {};
 }
@@ -88,8 +88,8 @@ Status SqliteStore::update_job(const OwnerId& owner, const JobRow& row) {
   const Result<int> changed = database_.run(
       "UPDATE jobs SET state = ?, reason_code = ?, reason = ?, reason_where = ?, attempt = ?, started_ms = ?,"
       " ended_ms = ?, report = ?, results = ? WHERE owner = ? AND id = ?",
-      {row.state, row.reason_code, row.reason, row.reason_where, std::int64_t{row.attempt}, row.started_ms,
-       row.ended_ms, row.report, results, owner, row.id});
+      {name_of(row.state), row.reason_code, row.reason, row.reason_where, std::int64_t{row.attempt},
+       row.started_ms, row.ended_ms, row.report, results, owner, row.id});
   if (!changed) return changed.error();
   if (*changed == 0) return not_found("job", row.id);
   return {};
@@ -98,8 +98,8 @@ Status SqliteStore::update_job(const OwnerId& owner, const JobRow& row) {
 Result<std::vector<Store::OwnedJob>> SqliteStore::unfinished_jobs() {
   const std::lock_guard hold(mutex_);
   return rows_of(
-      database_.prepare(std::string("SELECT ") + kJobColumns +
-                        ", owner FROM jobs WHERE state IN ('queued', 'running', 'paused') ORDER BY id"),
+      database_.prepare(std::string("SELECT ") + kJobColumns + ", owner FROM jobs WHERE state IN (" +
+                        unfinished_states_in_sql() + ") ORDER BY id"),
       owned_job_from);
 }
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "server/store/job_state.h"
 
 namespace toile {
 
@@ -60,9 +61,9 @@ struct JobRow {
   std::string name;
   std::string document;
   std::map<std::string, std::string> files;
-  std::string state = "queued";  ///< queued, running, paused, succeeded, failed, cancelled
-  std::string reason_code;       ///< of a terminal state, e.g. "settled", "time", "start.crosses_body"
-  std::string reason;            ///< a sentence for a person
+  JobState state = JobState::kQueued;
+  std::string reason_code;  ///< of a final state, e.g. "settled", "time", "start.crosses_body"
+  std::string reason;       ///< a sentence for a person
   std::string reason_where;
   int attempt = 0;
   std::int64_t created_ms = 0, started_ms = 0, ended_ms = 0;

@@ -7,6 +7,8 @@ namespace {
 
 double number(std::int64_t value) { return static_cast<double>(value); }
 
+std::string word_of(JobState state) { return std::string(name_of(state)); }
+
 std::string line_of(std::vector<JsonMember> members) { return write_json_line(std::move(members)); }
 
 std::vector<JsonMember> message(const char* type, std::vector<JsonMember> members) {
@@ -23,7 +25,7 @@ std::vector<JsonMember> job_members(const JobRow& job) {
           {"project_id", job.project_id},
           {"project_revision", number(job.project_revision)},
           {"name", job.name},
-          {"state", job.state},
+          {"state", word_of(job.state)},
           {"reason_code", job.reason_code},
           {"reason", job.reason},
           {"reason_where", job.reason_where},
@@ -35,7 +37,7 @@ std::vector<JsonMember> job_members(const JobRow& job) {
 }
 
 std::vector<JsonMember> progress_members(const JobProgress& progress) {
-  return {{"state", progress.state},
+  return {{"state", word_of(progress.state)},
           {"phase", progress.phase},
           {"fraction", progress.fraction},
           {"step", number(progress.step)},
@@ -65,10 +67,6 @@ std::string ended_message(const JobRow& job, const JobProgress& last) {
 
 std::string error_message(const Error& error) {
   return line_of(message("error", {{"code", error.code}, {"detail", error.message}, {"where", error.where}}));
-}
-
-bool is_final_state(const std::string& state) {
-  return state == "succeeded" || state == "failed" || state == "cancelled";
 }
 
 }  // namespace toile

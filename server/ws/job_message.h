@@ -24,7 +24,4 @@ std::string ended_message(const JobRow& job, const JobProgress& last);
 /// {"type": "error", "code", "detail", "where"}: a command of the viewer was refused; the stream goes on.
 std::string error_message(const Error& error);
 
-/// Whether a job in this state will change no more.
-bool is_final_state(const std::string& state);
-
 }  // namespace toile

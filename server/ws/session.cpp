@@ -87,7 +87,7 @@ asio::awaitable<bool> StreamSession::greet() {
     ask_to_close(websocket::close_code::internal_error, "the job cannot be read");
     co_return false;
   }
-  row_is_final_ = is_final_state(found.job->state);
+  row_is_final_ = is_final(found.job->state);
   const std::string hello = job_message(*found.job, *found.progress);
   co_return co_await write(hello, true);
 }

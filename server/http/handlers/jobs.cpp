@@ -20,7 +20,7 @@ std::string place_of(const JobRow& job) { return "/api/v1/jobs/" + job.id; }
 std::vector<JsonMember> members_with_progress(const Api& api, const JobRow& job) {
   std::vector<JsonMember> members = job_members(job);
   JsonValue progress;
-  if (!is_final_state(job.state)) {
+  if (!is_final(job.state)) {
     const Result<JobProgress> now = api.jobs.progress(kLocalOwner, job.id);
     if (now) progress = JsonValue(progress_members(*now));
   }

@@ -35,13 +35,13 @@ class ScriptedJobs final : public JobService {
     return store_.create_job(owner, row, key);
   }
   Result<JobRow> pause(const OwnerId& owner, const std::string& id) override {
-    return become(owner, id, "paused");
+    return become(owner, id, JobState::kPaused);
   }
   Result<JobRow> resume(const OwnerId& owner, const std::string& id) override {
-    return become(owner, id, "queued");
+    return become(owner, id, JobState::kQueued);
   }
   Result<JobRow> cancel(const OwnerId& owner, const std::string& id) override {
-    return become(owner, id, "cancelled");
+    return become(owner, id, JobState::kCancelled);
   }
   Result<JobProgress> progress(const OwnerId& owner, const std::string& id) override {
     const JobRow row = TRY(store_.job(owner, id));
@@ -51,10 +51,10 @@ class ScriptedJobs final : public JobService {
   }
   Counts counts() const override { return {}; }
 
-  Result<JobRow> become(const OwnerId& owner, const std::string& id, const std::string& state) {
+  Result<JobRow> become(const OwnerId& owner, const std::string& id, JobState state) {
     JobRow row = TRY(store_.job(owner, id));
-    if (row.state == "succeeded" || row.state == "cancelled" || row.state == state) {
-      return Error{"jobs.state", "the job is " + row.state, id};
+    if (row.state == JobState::kSucceeded || row.state == JobState::kCancelled || row.state == state) {
+      return Error{"jobs.state", "the job is " + std::string(name_of(row.state)), id};
     }
     row.state = state;
     TRY(store_.update_job(owner, row));

@@ -140,7 +140,7 @@ TEST_F(BadUploads, ANapkinOfAMillionParticlesIsRefusedAtTheLatestWhenItIsSubmitt
   ASSERT_TRUE(real->start());
   for (int i = 0; i < 400; ++i) {
     const Result<JobRow> now = store->job(kLocalOwner, job->id);
-    if (now && now->state == "failed") {
+    if (now && now->state == JobState::kFailed) {
       EXPECT_EQ(now->reason_code, "mesh.too_many_particles");
       real->stop();
       return;

@@ -254,7 +254,7 @@ TEST_F(Routes, GiveOutResultsAndTheReport) {
   EXPECT_EQ(count(get(address + "/results"), "results"), 0u);
   ASSERT_TRUE(store->put_result(kLocalOwner, id, "front.png", "\x89PNG"));
   auto row = store->job(kLocalOwner, id);
-  row->state = "succeeded";
+  row->state = JobState::kSucceeded;
   row->report = "{\"settled\": true}\n";
   row->results = {{"front.png", 4}};
   ASSERT_TRUE(store->update_job(kLocalOwner, *row));

@@ -88,8 +88,8 @@ class Stream : public Served {
     }
   }
   void finish() {
-    EXPECT_TRUE(static_cast<ScriptedJobs&>(*jobs).become(kLocalOwner, id, "succeeded"));
-    hub.ended(id, progress("succeeded", 4711));
+    EXPECT_TRUE(static_cast<ScriptedJobs&>(*jobs).become(kLocalOwner, id, JobState::kSucceeded));
+    hub.ended(id, progress(JobState::kSucceeded, 4711));
   }
   /// Waits until so many look on.
   bool viewers_become(std::size_t count, double within_s = 10) {
@@ -111,7 +111,7 @@ TEST_F(Stream, TellsTheJobThenTheClothThenTheEnd) {
   hub.topology(id, topology(1));
   std::thread worker([this] {
     publish(1, 65, 10);
-    hub.progress(id, progress("running", 3250));
+    hub.progress(id, progress(JobState::kRunning, 3250));
     finish();
   });
   const Seen seen = watch(viewer);
@@ -184,7 +184,7 @@ TEST_F(Stream, ShowsTheLastMomentOfAJobThatHasEnded) {
 }
 
 TEST_F(Stream, SaysOfAJobFromLongAgoThatItHasEnded) {
-  EXPECT_TRUE(static_cast<ScriptedJobs&>(*jobs).become(kLocalOwner, id, "succeeded"));
+  EXPECT_TRUE(static_cast<ScriptedJobs&>(*jobs).become(kLocalOwner, id, JobState::kSucceeded));
   Socket viewer(port, target());
   const Seen seen = watch(viewer);
   EXPECT_EQ(seen.texts, (std::vector<std::string>{"job", "ended"}));
@@ -202,12 +202,12 @@ TEST_F(Stream, TakesCommandsAndSaysWhenOneIsRefused) {
   const Result<JsonValue> error = parse_json(refused->payload);
   EXPECT_EQ(*error->find("type")->text(), "error");
   EXPECT_EQ(*error->find("code")->text(), "jobs.state");
-  EXPECT_EQ(store->job(kLocalOwner, id)->state, "paused");
+  EXPECT_EQ(store->job(kLocalOwner, id)->state, JobState::kPaused);
   viewer.send(Socket::kText, R"({"type": "cancel"})");
   viewer.send(Socket::kClose, "\x03\xe8");
   EXPECT_EQ(viewer.read_to_close(), 1000);
   EXPECT_TRUE(viewers_become(0));
-  EXPECT_EQ(store->job(kLocalOwner, id)->state, "cancelled");
+  EXPECT_EQ(store->job(kLocalOwner, id)->state, JobState::kCancelled);
 }
 
 TEST_F(Stream, RefusesHandshakesThatAreNone) {

@@ -130,7 +130,7 @@ class FakeStore final : public Store {
     const std::lock_guard lock(mutex_);
     std::vector<OwnedJob> found;
     for (const auto& [key, row] : jobs_) {
-      if (row.state == "queued" || row.state == "running" || row.state == "paused") {
+      if (!is_final(row.state)) {
         found.push_back({key.first, row});
       }
     }

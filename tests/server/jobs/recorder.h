@@ -64,7 +64,7 @@ class Recorder final : public Publisher {
     return wait(id, [&](const JobLog& log) { return log.frames.size() >= count; });
   }
   /// Until the newest that was told is that state.
-  bool wait_for_state(const std::string& id, const std::string& state) const {
+  bool wait_for_state(const std::string& id, JobState state) const {
     return wait(id, [&](const JobLog& log) {
       return !log.progress.empty() && log.progress.back().progress.state == state;
     });

@@ -25,7 +25,7 @@ class JobFailures : public test::JobHouse {
   void expect_alive() {
     const std::string id = submit(cloth_over_block(210));
     ASSERT_TRUE(publisher.wait_for_end(id));
-    EXPECT_EQ(row(id).state, "succeeded") << row(id).reason;
+    EXPECT_EQ(row(id).state, JobState::kSucceeded) << row(id).reason;
   }
 };
 
@@ -48,11 +48,11 @@ TEST_F(JobFailures, ADocumentThatHasGoneBadInTheStoreFailsItsJobWithCodeAndPlace
   });
   ASSERT_TRUE(service->start().ok());
   ASSERT_TRUE(publisher.wait_for_end(id));
-  EXPECT_EQ(row(id).state, "failed");
+  EXPECT_EQ(row(id).state, JobState::kFailed);
   EXPECT_EQ(row(id).reason_code, "project.unknown_fabric");
   EXPECT_EQ(row(id).reason_where.rfind("/pieces/0/fabric", 0), 0u) << row(id).reason_where;
   EXPECT_FALSE(row(id).reason.empty());
-  EXPECT_EQ(publisher.log(id).ended.at(0).state, "failed");
+  EXPECT_EQ(publisher.log(id).ended.at(0).state, JobState::kFailed);
   EXPECT_EQ(service->counts().failed, 1);
   expect_alive();
 }
@@ -61,7 +61,7 @@ TEST_F(JobFailures, AStartInsideTheBodyFailsWithThePiece) {
   ASSERT_TRUE(service->start().ok());
   const std::string id = submit(cloth_over_block(200, 1, "0.05"));
   ASSERT_TRUE(publisher.wait_for_end(id));
-  EXPECT_EQ(row(id).state, "failed");
+  EXPECT_EQ(row(id).state, JobState::kFailed);
   EXPECT_EQ(row(id).reason_code, "start.crosses_body");
   EXPECT_NE(row(id).reason_where.find("piece cloth"), std::string::npos) << row(id).reason_where;
   EXPECT_TRUE(publisher.log(id).topologies.empty());
@@ -82,10 +82,10 @@ TEST_F(JobFailures, WhatIsThrownInADrapeFailsThatJobAloneAndCleanly) {
   ASSERT_TRUE(service->start().ok());
   ASSERT_TRUE(publisher.wait_for_end(bad));
   ASSERT_TRUE(publisher.wait_for_end(good));
-  EXPECT_EQ(row(bad).state, "failed");
+  EXPECT_EQ(row(bad).state, JobState::kFailed);
   EXPECT_EQ(row(bad).reason_code, "internal.exception");
   EXPECT_NE(row(bad).reason.find("the wire is cut"), std::string::npos) << row(bad).reason;
-  EXPECT_EQ(row(good).state, "succeeded");
+  EXPECT_EQ(row(good).state, JobState::kSucceeded);
 }
 
 TEST_F(JobFailures, TooLittleMemoryFailsTheJobAndNotTheServer) {
@@ -93,7 +93,7 @@ TEST_F(JobFailures, TooLittleMemoryFailsTheJobAndNotTheServer) {
   ASSERT_TRUE(service->start().ok());
   const std::string id = submit(cloth_over_block(200));
   ASSERT_TRUE(publisher.wait_for_end(id));
-  EXPECT_EQ(row(id).state, "failed");
+  EXPECT_EQ(row(id).state, JobState::kFailed);
   EXPECT_EQ(row(id).reason_code, "internal.memory");
   service->stop();
   store.on_put_result = {};
@@ -116,7 +116,7 @@ TEST_F(JobFailures, ResultsThatTheStoreDoesNotTakeFailTheJobWithItsReason) {
   ASSERT_TRUE(service->start().ok());
   const std::string id = submit(cloth_over_block(200));
   ASSERT_TRUE(publisher.wait_for_end(id));
-  EXPECT_EQ(row(id).state, "failed");
+  EXPECT_EQ(row(id).state, JobState::kFailed);
   EXPECT_EQ(row(id).reason_code, "store.full");
   EXPECT_TRUE(row(id).results.empty());
 }
@@ -128,7 +128,7 @@ TEST_F(JobFailures, TheStateThatNamesTheResultsIsWrittenAfterAllOfThem) {
     return Status();
   };
   store.on_update_job = [&](const JobRow& row) {
-    order += row.state == "succeeded" ? 'S' : 's';
+    order += row.state == JobState::kSucceeded ? 'S' : 's';
     return Status();
   };
   make(1);
@@ -145,24 +145,25 @@ TEST_F(JobFailures, AChangeThatTheStoreRefusesHasNotHappened) {
   std::atomic<bool> full{true};
   service->stop();
   store.on_update_job = [&](const JobRow& row) {
-    return full && row.state == "paused" ? Status(Error{"store.full", "the disk is full", ""}) : Status();
+    return full && row.state == JobState::kPaused ? Status(Error{"store.full", "the disk is full", ""})
+                                                  : Status();
   };
   ASSERT_TRUE(service->start().ok());
   ASSERT_TRUE(publisher.wait_for_frames(id, publisher.log(id).frames.size() + 2));
   EXPECT_EQ(service->pause(kOwner, id).error().code, "store.full");
-  EXPECT_EQ(service->progress(kOwner, id)->state, "running");
+  EXPECT_EQ(service->progress(kOwner, id)->state, JobState::kRunning);
   full = false;
   EXPECT_TRUE(service->pause(kOwner, id).ok());
 }
 
 TEST_F(JobFailures, AnEndThatTheStoreRefusesIsAFailureWithTheStoresReason) {
   store.on_update_job = [](const JobRow& row) {
-    return row.state == "succeeded" ? Status(Error{"store.full", "the disk is full", ""}) : Status();
+    return row.state == JobState::kSucceeded ? Status(Error{"store.full", "the disk is full", ""}) : Status();
   };
   ASSERT_TRUE(service->start().ok());
   const std::string id = submit(cloth_over_block(200));
   ASSERT_TRUE(publisher.wait_for_end(id));
-  EXPECT_EQ(row(id).state, "failed");
+  EXPECT_EQ(row(id).state, JobState::kFailed);
   EXPECT_EQ(row(id).reason_code, "store.full");
 }
 
@@ -187,7 +188,7 @@ TEST_F(JobFailures, ASeamThatCannotCloseFailsWithItsNameAndKeepsWhatThereIs) {
   const std::string id = submit(document);
   ASSERT_TRUE(publisher.wait_for_end(id));
   const JobRow job = row(id);
-  EXPECT_EQ(job.state, "failed");
+  EXPECT_EQ(job.state, JobState::kFailed);
   EXPECT_EQ(job.reason_code, "drape.stalled_seam") << job.reason << " " << job.reason_where;
   EXPECT_TRUE(job.reason_where == "seam side" || job.reason_where == "seam other") << job.reason_where;
   EXPECT_FALSE(job.report.empty());
@@ -207,7 +208,7 @@ TEST_F(JobFailures, ACancelWhileResultsAreKeptLeavesNone) {
   ASSERT_TRUE(service->start().ok());
   ASSERT_TRUE(publisher.wait_for_end(id));
   service->stop();
-  EXPECT_EQ(row(id).state, "cancelled");
+  EXPECT_EQ(row(id).state, JobState::kCancelled);
   EXPECT_TRUE(row(id).results.empty());
   EXPECT_EQ(store.kept_results(kOwner, id), 0u);
 }

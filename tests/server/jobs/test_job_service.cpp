@@ -26,7 +26,7 @@ TEST_F(Jobs, FourAtOnceOnTwoWorkersEndAsEachDoesAlone) {
   for (const std::string& id : ids) {
     ASSERT_TRUE(publisher.wait_for_end(id));
     const JobRow job = row(id);
-    EXPECT_EQ(job.state, "succeeded") << job.reason_code << ": " << job.reason;
+    EXPECT_EQ(job.state, JobState::kSucceeded) << job.reason_code << ": " << job.reason;
     EXPECT_EQ(hash_in(job), hash_of_alone(job));
   }
   EXPECT_EQ(service->counts().succeeded, 4);
@@ -38,7 +38,7 @@ TEST_F(Jobs, ALoneDrapeLeavesItsReportModelsCheckDataAndPictures) {
   const std::string id = submit(cloth_over_block(200));
   ASSERT_TRUE(publisher.wait_for_end(id));
   const JobRow job = row(id);
-  EXPECT_EQ(job.state, "succeeded");
+  EXPECT_EQ(job.state, JobState::kSucceeded);
   EXPECT_EQ(job.reason_code, "time");
   EXPECT_EQ(job.attempt, 1);
   EXPECT_GT(job.started_ms, 0);
@@ -78,10 +78,10 @@ TEST_F(Jobs, ShowThePicturesOnTheirPieces) {
     return row(job);
   };
   const JobRow shown = submit_with({{"checks.png", picture}});
-  EXPECT_EQ(shown.state, "succeeded") << shown.reason;
+  EXPECT_EQ(shown.state, JobState::kSucceeded) << shown.reason;
   EXPECT_NE(store.result_bytes(kOwner, shown.id, "final.glb").value().find(checks), std::string::npos);
   const JobRow plain = submit_with({});
-  EXPECT_EQ(plain.state, "succeeded") << "a drape is worth keeping without its pictures";
+  EXPECT_EQ(plain.state, JobState::kSucceeded) << "a drape is worth keeping without its pictures";
   EXPECT_NE(plain.reason.find("checks.png"), std::string::npos) << plain.reason;
   EXPECT_EQ(hash_in(shown), hash_in(plain)) << "looks move no cloth";
 }
@@ -138,13 +138,13 @@ TEST_F(Jobs, ProgressIsToldWithFiguresAndNotMoreThanTenTimesASecond) {
   ASSERT_TRUE(publisher.wait_for_end(id));
   const Log log = publisher.log(id);
   ASSERT_GE(log.progress.size(), 4u);
-  EXPECT_EQ(log.progress.front().progress.state, "queued");
+  EXPECT_EQ(log.progress.front().progress.state, JobState::kQueued);
   EXPECT_EQ(log.progress.front().progress.phase, "queued");
   std::string phases;
   std::vector<test::Recorder::Clock::time_point> draping;
   for (std::size_t i = 1; i < log.progress.size(); ++i) {
     const JobProgress& now = log.progress[i].progress;
-    EXPECT_EQ(now.state, "running");
+    EXPECT_EQ(now.state, JobState::kRunning);
     EXPECT_GE(now.step, log.progress[i - 1].progress.step);
     if (now.phase != log.progress[i - 1].progress.phase) phases += now.phase + " ";
     if (now.phase == "drape") draping.push_back(log.progress[i].at);
@@ -154,13 +154,13 @@ TEST_F(Jobs, ProgressIsToldWithFiguresAndNotMoreThanTenTimesASecond) {
   EXPECT_EQ(phases, "mesh drape stills ") << "a running job that has not begun is still in phase queued";
   ASSERT_EQ(log.ended.size(), 1u);
   const JobProgress& last = log.ended[0];
-  EXPECT_EQ(last.state, "succeeded");
+  EXPECT_EQ(last.state, JobState::kSucceeded);
   EXPECT_EQ(last.step, static_cast<int>(*parse_json(row(id).report).value().find("steps")->number()));
   EXPECT_NEAR(last.simulated_s, 6, 1e-3);
   EXPECT_GT(last.step_ms, 0);
   EXPECT_EQ(service->counts().steps, last.step);
   const JobProgress later = service->progress(kOwner, id).value();
-  EXPECT_EQ(later.state, "succeeded");
+  EXPECT_EQ(later.state, JobState::kSucceeded);
   EXPECT_EQ(later.step, last.step) << "from the row's report";
 }
 
@@ -171,9 +171,9 @@ TEST_F(Jobs, APausedDrapeFreesItsWorkerAndEndsAsIfNothingHadHappened) {
   ASSERT_TRUE(publisher.wait_for_frames(first, 3));
   const Result<JobRow> paused = service->pause(kOwner, first);
   ASSERT_TRUE(paused.ok()) << to_string(paused.error());
-  EXPECT_EQ(paused->state, "paused");
-  EXPECT_EQ(row(first).state, "paused");
-  ASSERT_TRUE(publisher.wait_for_state(first, "paused"));
+  EXPECT_EQ(paused->state, JobState::kPaused);
+  EXPECT_EQ(row(first).state, JobState::kPaused);
+  ASSERT_TRUE(publisher.wait_for_state(first, JobState::kPaused));
   EXPECT_EQ(service->counts().paused, 1);
   const std::size_t frames = publisher.log(first).frames.size();
 
@@ -181,10 +181,10 @@ TEST_F(Jobs, APausedDrapeFreesItsWorkerAndEndsAsIfNothingHadHappened) {
   ASSERT_TRUE(publisher.wait_for_end(second)) << "the only worker takes other work";
   EXPECT_EQ(publisher.log(first).frames.size(), frames) << "and does not touch the paused drape";
 
-  EXPECT_EQ(service->resume(kOwner, first)->state, "queued");
+  EXPECT_EQ(service->resume(kOwner, first)->state, JobState::kQueued);
   ASSERT_TRUE(publisher.wait_for_end(first));
   const JobRow job = row(first);
-  EXPECT_EQ(job.state, "succeeded");
+  EXPECT_EQ(job.state, JobState::kSucceeded);
   EXPECT_EQ(job.attempt, 1) << "a pause is no new attempt";
   EXPECT_EQ(publisher.log(first).topologies.size(), 1u) << "and no new epoch";
   EXPECT_EQ(hash_in(job), hash_of_alone(job));
@@ -203,7 +203,7 @@ TEST_F(Jobs, AResumedDrapeGoesBeforeThoseThatWait) {
   ASSERT_TRUE(service->cancel(kOwner, second).ok());
   const std::size_t had = publisher.log(first).frames.size();
   ASSERT_TRUE(publisher.wait_for_frames(first, had + 1));
-  EXPECT_EQ(row(third).state, "queued");
+  EXPECT_EQ(row(third).state, JobState::kQueued);
   ASSERT_TRUE(service->cancel(kOwner, first).ok());
   ASSERT_TRUE(publisher.wait_for_end(third));
 }
@@ -220,7 +220,7 @@ TEST_F(Jobs, APauseIsUndoneAtOnceWithoutLosingTheDrape) {
     static_cast<void>(service->resume(kOwner, id).ok());
   }
   ASSERT_TRUE(publisher.wait_for_end(id));
-  EXPECT_EQ(row(id).state, "succeeded");
+  EXPECT_EQ(row(id).state, JobState::kSucceeded);
   EXPECT_EQ(hash_in(row(id)), hash_of_alone(row(id)));
 }
 
@@ -235,11 +235,11 @@ TEST_F(Jobs, AQueuedJobIsPausedAndCancelledWithoutAWorker) {
   EXPECT_EQ(service->counts().queued, 0);
   EXPECT_EQ(service->counts().paused, 1);
   EXPECT_EQ(service->pause(kOwner, waiting).error().code, "jobs.state");
-  EXPECT_EQ(service->resume(kOwner, waiting)->state, "queued");
+  EXPECT_EQ(service->resume(kOwner, waiting)->state, JobState::kQueued);
   const Result<JobRow> cancelled = service->cancel(kOwner, waiting);
   ASSERT_TRUE(cancelled.ok());
-  EXPECT_EQ(cancelled->state, "cancelled");
-  EXPECT_EQ(publisher.log(waiting).ended.at(0).state, "cancelled");
+  EXPECT_EQ(cancelled->state, JobState::kCancelled);
+  EXPECT_EQ(publisher.log(waiting).ended.at(0).state, JobState::kCancelled);
   EXPECT_EQ(row(waiting).reason_code, "cancelled");
   EXPECT_GT(row(waiting).ended_ms, 0);
   EXPECT_TRUE(publisher.log(waiting).topologies.empty());
@@ -250,16 +250,16 @@ TEST_F(Jobs, ARunningDrapeThatIsCancelledSaysSoLast) {
   ASSERT_TRUE(service->start().ok());
   const std::string id = submit(cloth_over_block(200, kEndless));
   ASSERT_TRUE(publisher.wait_for_frames(id, 5));
-  EXPECT_EQ(service->cancel(kOwner, id)->state, "cancelled");
+  EXPECT_EQ(service->cancel(kOwner, id)->state, JobState::kCancelled);
   ASSERT_TRUE(publisher.wait_for_end(id));
   service->stop();
   EXPECT_EQ(publisher.log(id).ended.size(), 1u);
-  EXPECT_EQ(publisher.log(id).ended[0].state, "cancelled");
+  EXPECT_EQ(publisher.log(id).ended[0].state, JobState::kCancelled);
   EXPECT_EQ(publisher.log(id).order.back(), 'e') << "nothing comes after the last word";
-  EXPECT_EQ(row(id).state, "cancelled");
+  EXPECT_EQ(row(id).state, JobState::kCancelled);
   EXPECT_TRUE(row(id).report.empty());
   EXPECT_EQ(service->counts().cancelled, 1);
-  EXPECT_EQ(service->progress(kOwner, id)->state, "cancelled");
+  EXPECT_EQ(service->progress(kOwner, id)->state, JobState::kCancelled);
 }
 
 TEST_F(Jobs, ARunningDrapeSeesACancelWithinFiftyMilliseconds) {
@@ -282,7 +282,7 @@ TEST_F(Jobs, APausedDrapeIsCancelledAtOnce) {
   const std::string id = submit(cloth_over_block(200, kEndless));
   ASSERT_TRUE(publisher.wait_for_frames(id, 2));
   ASSERT_TRUE(service->pause(kOwner, id).ok());
-  ASSERT_TRUE(publisher.wait_for_state(id, "paused"));
+  ASSERT_TRUE(publisher.wait_for_state(id, JobState::kPaused));
   ASSERT_TRUE(service->cancel(kOwner, id).ok());
   EXPECT_EQ(publisher.log(id).ended.size(), 1u);
   EXPECT_EQ(service->counts().paused, 0);
@@ -374,10 +374,10 @@ TEST_F(Jobs, AStopPutsDrapesBackIntoTheQueueAndANewStartEndsThem) {
   service->stop();
   service->stop();
   for (const std::string& id : {parked, running, waiting}) {
-    EXPECT_EQ(row(id).state, "queued");
+    EXPECT_EQ(row(id).state, JobState::kQueued);
     EXPECT_EQ(row(id).attempt, 0) << "an orderly stop is no attempt";
     ASSERT_EQ(publisher.log(id).ended.size(), 1u);
-    EXPECT_EQ(publisher.log(id).ended[0].state, "queued");
+    EXPECT_EQ(publisher.log(id).ended[0].state, JobState::kQueued);
     EXPECT_EQ(publisher.log(id).order.back(), 'e');
   }
   EXPECT_EQ(row(running).reason_code, "requeued");
@@ -389,7 +389,7 @@ TEST_F(Jobs, AStopPutsDrapesBackIntoTheQueueAndANewStartEndsThem) {
   for (const std::string& id : {parked, running, waiting}) {
     ASSERT_TRUE(publisher.wait_for_end(id, 2));
     const JobRow job = row(id);
-    EXPECT_EQ(job.state, "succeeded") << job.reason;
+    EXPECT_EQ(job.state, JobState::kSucceeded) << job.reason;
     EXPECT_EQ(job.attempt, 1);
     EXPECT_EQ(hash_in(job), hash_of_alone(job));
   }
@@ -401,37 +401,37 @@ TEST_F(Jobs, AStopPutsDrapesBackIntoTheQueueAndANewStartEndsThem) {
 
 TEST_F(Jobs, WhatIsSubmittedBeforeTheStartIsDrapedAfterIt) {
   const std::string id = submit(cloth_over_block(200));
-  EXPECT_EQ(row(id).state, "queued");
+  EXPECT_EQ(row(id).state, JobState::kQueued);
   ASSERT_TRUE(service->start().ok());
   ASSERT_TRUE(publisher.wait_for_end(id));
-  EXPECT_EQ(row(id).state, "succeeded");
+  EXPECT_EQ(row(id).state, JobState::kSucceeded);
 }
 
 TEST_F(Jobs, ADrapeThatACrashCutOffIsTriedThreeTimesAndThenFails) {
   const std::string again = submit(cloth_over_block(200)), never = submit(cloth_over_block(190));
   const std::string paused = submit(cloth_over_block(180));
   store.tamper(kOwner, again, [](JobRow& row) {
-    row.state = "running";
+    row.state = JobState::kRunning;
     row.attempt = 2;
   });
   store.tamper(kOwner, never, [](JobRow& row) {
-    row.state = "running";
+    row.state = JobState::kRunning;
     row.attempt = 3;
   });
   store.tamper(kOwner, paused, [](JobRow& row) {
-    row.state = "paused";
+    row.state = JobState::kPaused;
     row.attempt = 3;
   });
   ASSERT_TRUE(service->start().ok());
-  EXPECT_EQ(row(never).state, "failed");
+  EXPECT_EQ(row(never).state, JobState::kFailed);
   EXPECT_EQ(row(never).reason_code, "jobs.attempts");
   EXPECT_NE(row(never).reason.find("3 times"), std::string::npos) << row(never).reason;
   ASSERT_TRUE(publisher.wait_for_end(again));
-  EXPECT_EQ(row(again).state, "succeeded");
+  EXPECT_EQ(row(again).state, JobState::kSucceeded);
   EXPECT_EQ(row(again).attempt, 3);
   EXPECT_EQ(row(again).reason_code, "time");
   ASSERT_TRUE(publisher.wait_for_end(paused));
-  EXPECT_EQ(row(paused).state, "succeeded") << "a pause breaks nothing down";
+  EXPECT_EQ(row(paused).state, JobState::kSucceeded) << "a pause breaks nothing down";
 }
 
 TEST_F(Jobs, ManyHandsAtOnceLeaveEveryJobWithOneLastWord) {
@@ -458,13 +458,14 @@ TEST_F(Jobs, ManyHandsAtOnceLeaveEveryJobWithOneLastWord) {
   }
   for (const std::string& id : ids) static_cast<void>(service->resume(kOwner, id).ok());
   for (const std::string& id : ids) {
-    ASSERT_TRUE(publisher.wait_for_end(id)) << row(id).state;
+    ASSERT_TRUE(publisher.wait_for_end(id)) << name_of(row(id).state);
     const Log log = publisher.log(id);
     EXPECT_EQ(log.ended.size(), 1u);
     EXPECT_EQ(log.order.back(), 'e');
     EXPECT_EQ(log.ended[0].state, row(id).state);
-    EXPECT_TRUE(row(id).state == "succeeded" || row(id).state == "cancelled") << row(id).reason;
-    if (row(id).state == "succeeded") {
+    EXPECT_TRUE(row(id).state == JobState::kSucceeded || row(id).state == JobState::kCancelled)
+        << row(id).reason;
+    if (row(id).state == JobState::kSucceeded) {
       EXPECT_EQ(hash_in(row(id)), hash_of_alone(row(id)));
     }
   }

@@ -59,7 +59,7 @@ TEST_F(JobsInSqlite, ADrapeAndItsResultsAreThereAfterARestart) {
   close();
   open();
   const JobRow job = store_->job(kOwner, id).value();
-  EXPECT_EQ(job.state, "succeeded") << job.reason;
+  EXPECT_EQ(job.state, JobState::kSucceeded) << job.reason;
   EXPECT_EQ(job.results.size(), 11u);
   for (const auto& [name, size] : job.results) {
     EXPECT_EQ(static_cast<std::int64_t>(store_->result_bytes(kOwner, id, name).value().size()), size) << name;
@@ -73,11 +73,11 @@ TEST_F(JobsInSqlite, ADrapeThatAStopCutOffIsEndedByTheNextServer) {
   ASSERT_TRUE(publisher_.wait_for_frames(id, 2));
   close();
   ASSERT_EQ(publisher_.log(id).ended.size(), 1u);
-  EXPECT_EQ(publisher_.log(id).ended[0].state, "queued");
+  EXPECT_EQ(publisher_.log(id).ended[0].state, JobState::kQueued);
   open();
   ASSERT_TRUE(publisher_.wait_for_end(id, 2));
   const JobRow job = store_->job(kOwner, id).value();
-  EXPECT_EQ(job.state, "succeeded") << job.reason;
+  EXPECT_EQ(job.state, JobState::kSucceeded) << job.reason;
   EXPECT_EQ(job.attempt, 1);
 }
 

@@ -49,7 +49,7 @@ TEST(StoreCheckpoints, OfJobsThatHaveEndedGoWhenTheStoreIsOpened) {
     for (const auto& [owner, id] : {std::pair{"ann", ended}, {"bob", running}}) {
       EXPECT_TRUE(store->put_checkpoint(owner, id, "state").ok());
     }
-    row.state = "succeeded";
+    row.state = JobState::kSucceeded;
     EXPECT_TRUE(store->update_job("ann", row).ok());  // and then it was killed
   }
   const auto store = opened(folder.path());

@@ -170,8 +170,8 @@ TEST(SqliteStore, KeepsAJobAndWhatBecomesOfItOverAReopening) {
   {
     const auto store = opened(folder.path());
     job = *store->create_job(kLocalOwner, job, "");
-    EXPECT_EQ(job.state, "queued");
-    job.state = "failed";
+    EXPECT_EQ(job.state, JobState::kQueued);
+    job.state = JobState::kFailed;
     job.reason_code = "start.crosses_body";
     job.reason = "The piece begins inside the body.";
     job.reason_where = "/pieces/0";
@@ -190,7 +190,7 @@ TEST(SqliteStore, KeepsAJobAndWhatBecomesOfItOverAReopening) {
   EXPECT_EQ(row->name, "drape");
   EXPECT_EQ(row->document, job.document);
   EXPECT_EQ(row->files, job.files);
-  EXPECT_EQ(row->state, "failed");
+  EXPECT_EQ(row->state, JobState::kFailed);
   EXPECT_EQ(row->reason_code, "start.crosses_body");
   EXPECT_EQ(row->reason, job.reason);
   EXPECT_EQ(row->reason_where, "/pieces/0");
@@ -206,13 +206,13 @@ TEST(SqliteStore, KeepsAJobAndWhatBecomesOfItOverAReopening) {
 TEST(SqliteStore, NamesTheUnfinishedJobsOfAllOwnersOldestFirst) {
   const TemporaryFolder folder;
   const auto store = opened(folder.path());
-  for (const auto& [owner, state] : std::vector<std::pair<std::string, std::string>>{{"b", "running"},
-                                                                                     {"a", "succeeded"},
-                                                                                     {"a", "paused"},
-                                                                                     {"b", "cancelled"},
-                                                                                     {"b", "failed"},
-                                                                                     {"a", "queued"}}) {
-    JobRow job = *store->create_job(owner, some_job(state), "");
+  for (const auto& [owner, state] : std::vector<std::pair<std::string, JobState>>{{"b", JobState::kRunning},
+                                                                                  {"a", JobState::kSucceeded},
+                                                                                  {"a", JobState::kPaused},
+                                                                                  {"b", JobState::kCancelled},
+                                                                                  {"b", JobState::kFailed},
+                                                                                  {"a", JobState::kQueued}}) {
+    JobRow job = *store->create_job(owner, some_job(std::string(name_of(state))), "");
     job.state = state;
     ASSERT_TRUE(store->update_job(owner, job));
   }

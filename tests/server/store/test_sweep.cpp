@@ -27,9 +27,9 @@ void put_file(const fs::path& path) {
 }
 
 /// A job in the state, of which `kept` are result files and `named` those that its row names.
-JobRow job_with(Store& store, const std::string& state, const std::vector<std::string>& kept,
+JobRow job_with(Store& store, JobState state, const std::vector<std::string>& kept,
                 const std::vector<std::string>& named) {
-  JobRow job = *store.create_job(kLocalOwner, some_job(state), "");
+  JobRow job = *store.create_job(kLocalOwner, some_job(std::string(name_of(state))), "");
   for (const std::string& name : kept) EXPECT_TRUE(store.put_result(kLocalOwner, job.id, name, "bytes"));
   job.state = state;
   for (const std::string& name : named) job.results[name] = 5;
@@ -63,11 +63,11 @@ TEST(StoreSweep, RemovesResultsThatNoJobNamesAndNoOthers) {
   std::string done, cancelled, cut_off;
   {
     const auto store = opened(folder.path());
-    done =
-        job_with(*store, "succeeded", {"report.json", "front.png", "late.png"}, {"report.json", "front.png"})
-            .id;
-    cancelled = job_with(*store, "cancelled", {"report.json"}, {}).id;
-    cut_off = job_with(*store, "running", {"report.json", "front.png"}, {}).id;
+    done = job_with(*store, JobState::kSucceeded, {"report.json", "front.png", "late.png"},
+                    {"report.json", "front.png"})
+               .id;
+    cancelled = job_with(*store, JobState::kCancelled, {"report.json"}, {}).id;
+    cut_off = job_with(*store, JobState::kRunning, {"report.json", "front.png"}, {}).id;
   }
   put_file(fs::path(folder.path()) / "results" / "j_0000000000000000000a" / "report.json");
   put_file(fs::path(folder.path()) / "results" / "mine" / "notes.txt");
@@ -84,7 +84,7 @@ TEST(StoreSweep, RemovesNothingWhenTheDatabaseIsNew) {
   {
     const auto store = opened(folder.path());
     ASSERT_TRUE(store->put_asset(kLocalOwner, toile::named("dxf", "a.dxf"), "content"));
-    job_with(*store, "succeeded", {"report.json"}, {"report.json"});
+    job_with(*store, JobState::kSucceeded, {"report.json"}, {"report.json"});
     blobs = files_in(folder.path(), "blobs");
     results = files_in(folder.path(), "results");
   }
@@ -98,8 +98,8 @@ TEST(StoreSweep, RemovesNothingWhenTheDatabaseIsNew) {
 TEST(StoreSweep, RemovesTheResultsOfOneJobOnRequest) {
   const TemporaryFolder folder;
   const auto store = opened(folder.path());
-  const std::string id = job_with(*store, "cancelled", {"report.json"}, {}).id;
-  const std::string other = job_with(*store, "succeeded", {"report.json"}, {"report.json"}).id;
+  const std::string id = job_with(*store, JobState::kCancelled, {"report.json"}, {}).id;
+  const std::string other = job_with(*store, JobState::kSucceeded, {"report.json"}, {"report.json"}).id;
   EXPECT_EQ(code_of(store->remove_results("somebody else", id)), "store.not_found");
   EXPECT_TRUE(store->remove_results(kLocalOwner, id));
   EXPECT_TRUE(store->remove_results(kLocalOwner, id)) << "twice is no error";

@@ -34,7 +34,7 @@ TEST(StoreThreads, GiveEachJobItsOwnIdAndLoseNone) {
         ++faults;
         continue;
       }
-      job->state = "running";
+      job->state = JobState::kRunning;
       if (!store->update_job(kLocalOwner, *job)) ++faults;
       if (!store->put_result(kLocalOwner, job->id, "r", job->id)) ++faults;
       if (store->asset_bytes(kLocalOwner, asset->id).value() != content) ++faults;

@@ -38,7 +38,7 @@ inline std::shared_ptr<const StreamFrame> frame(std::uint32_t seq, std::uint32_t
   return made;
 }
 
-inline JobProgress progress(const std::string& state, int step) {
+inline JobProgress progress(JobState state, int step) {
   JobProgress made;
   made.state = state;
   made.phase = "drape";

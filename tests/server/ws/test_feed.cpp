@@ -90,7 +90,7 @@ TEST_F(FeedTest, LetsFramesAndProgressTakeTurns) {
   std::string got;
   for (std::uint32_t seq = 1; seq <= 6; ++seq) {  // both are always due
     channel.set_frame(frame(seq));
-    channel.set_progress(progress("running", static_cast<int>(seq)));
+    channel.set_progress(progress(JobState::kRunning, static_cast<int>(seq)));
     got += next()[0];
   }
   EXPECT_EQ(got, "kpkpkp");
@@ -99,7 +99,7 @@ TEST_F(FeedTest, LetsFramesAndProgressTakeTurns) {
 TEST_F(FeedTest, IsFinishedAfterTheLastFrameOnly) {
   channel.set_topology(topology(1));
   channel.set_frame(frame(7));
-  channel.end(progress("succeeded", 350));
+  channel.end(progress(JobState::kSucceeded, 350));
   EXPECT_FALSE(feed.finished(channel.look()));
   EXPECT_EQ(next(), "topology");
   EXPECT_FALSE(feed.finished(channel.look()));

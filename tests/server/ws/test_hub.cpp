@@ -27,8 +27,8 @@ TEST(Hub, WakesOnlyThoseWhoFollowTheJob) {
   const Subscription first = hub.subscribe("j_1", &one), second = hub.subscribe("j_2", &other);
   hub.topology("j_1", topology(1));
   hub.frame("j_1", frame(1));
-  hub.progress("j_1", progress("running", 50));
-  hub.ended("j_1", progress("succeeded", 50));
+  hub.progress("j_1", progress(JobState::kRunning, 50));
+  hub.ended("j_1", progress(JobState::kSucceeded, 50));
   EXPECT_EQ(one.woken, 4);
   EXPECT_EQ(other.woken, 0);
   EXPECT_EQ(hub.viewers(), 2u);
@@ -59,15 +59,15 @@ TEST(Hub, ShowsTheEndOfAJobUntil64LaterOnesHaveEnded) {
   Counter one;
   hub.topology("j_0", topology(1));
   hub.frame("j_0", frame(9));
-  hub.ended("j_0", progress("succeeded", 450));
-  for (int i = 1; i < 64; ++i) hub.ended("j_" + std::to_string(i), progress("failed", 0));
+  hub.ended("j_0", progress(JobState::kSucceeded, 450));
+  for (int i = 1; i < 64; ++i) hub.ended("j_" + std::to_string(i), progress(JobState::kFailed, 0));
   {
     const Subscription late = hub.subscribe("j_0", &one);
     ASSERT_TRUE(late.look().frame);
     EXPECT_EQ((*late.look().frame)->seq, 9u);
     EXPECT_TRUE(late.look().ended);
   }
-  hub.ended("j_64", progress("failed", 0));
+  hub.ended("j_64", progress(JobState::kFailed, 0));
   EXPECT_EQ(hub.channels(), 64u);
   const Subscription later = hub.subscribe("j_0", &one);
   EXPECT_FALSE(later.look().topology);
@@ -76,9 +76,9 @@ TEST(Hub, ShowsTheEndOfAJobUntil64LaterOnesHaveEnded) {
 
 TEST(Hub, DoesNotForgetAJobThatRunsAgain) {
   Hub hub;
-  hub.ended("j_0", progress("queued", 0));  // a drain
+  hub.ended("j_0", progress(JobState::kQueued, 0));  // a drain
   hub.topology("j_0", topology(2));
-  for (int i = 1; i < 100; ++i) hub.ended("j_" + std::to_string(i), progress("failed", 0));
+  for (int i = 1; i < 100; ++i) hub.ended("j_" + std::to_string(i), progress(JobState::kFailed, 0));
   Counter one;
   const Subscription viewer = hub.subscribe("j_0", &one);
   ASSERT_TRUE(viewer.look().topology);
@@ -131,10 +131,10 @@ TEST(Hub, LosesNoTopologyToAViewerThatLeavesJustThen) {
   for (int i = 0; i < kJobs; at = ++i) {
     const std::string id = "j_" + std::to_string(i);
     hub.topology(id, topology(1));
-    hub.progress(id, progress("running", 1));
+    hub.progress(id, progress(JobState::kRunning, 1));
     Counter counter;
     if (!hub.subscribe(id, &counter).look().topology) ++lost;
-    hub.ended(id, progress("succeeded", 1));
+    hub.ended(id, progress(JobState::kSucceeded, 1));
   }
   viewer.join();
   EXPECT_EQ(lost, 0);

@@ -8,7 +8,7 @@ namespace {
 JobRow row() {
   JobRow job;
   job.id = "j_1";
-  job.state = "succeeded";
+  job.state = JobState::kSucceeded;
   job.reason = "it lies \"still\"";
   job.created_ms = 1795229571125;
   job.document = "{}";
@@ -33,7 +33,7 @@ TEST(JobMessage, WritesTimesToTheMillisecond) {
 
 TEST(JobMessage, TellsAtTheEndBothTheFiguresAndTheJob) {
   JobProgress last;
-  last.state = "succeeded";
+  last.state = JobState::kSucceeded;
   last.step = 77;
   const Result<JsonValue> ended = parse_json(ended_message(row(), last));
   ASSERT_TRUE(ended);

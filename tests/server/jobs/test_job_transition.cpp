@@ -1,4 +1,4 @@
-#include "server/jobs/job_state.h"
+#include "server/jobs/job_transition.h"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ void for_all_pairs(F&& f) {
   }
 }
 
-TEST(JobState, EveryPairOfStateAndEventIsEitherInTheTableOrRefusedWithWords) {
+TEST(JobTransition, EveryPairOfStateAndEventIsEitherInTheTableOrRefusedWithWords) {
   for_all_pairs([](S state, E event) {
     const Result<JobTransition> next = next_state(state, event);
     const auto expected = legal().find({state, event});
@@ -51,22 +51,20 @@ TEST(JobState, EveryPairOfStateAndEventIsEitherInTheTableOrRefusedWithWords) {
   });
 }
 
-TEST(JobState, TheListsHoldEveryStateAndEventOnce) {
-  for (std::size_t i = 0; i < kJobStates.size(); ++i) EXPECT_EQ(static_cast<std::size_t>(kJobStates[i]), i);
+TEST(JobTransition, TheListHoldsEveryEventOnce) {
   for (std::size_t i = 0; i < kJobEvents.size(); ++i) EXPECT_EQ(static_cast<std::size_t>(kJobEvents[i]), i);
-  EXPECT_EQ(kJobStates.back(), S::kCancelled);
   EXPECT_EQ(kJobEvents.back(), E::kRequeue);
 }
 
-TEST(JobState, TerminalStatesHaveNoWayOut) {
+TEST(JobTransition, FinalStatesHaveNoWayOut) {
   for_all_pairs([](S state, E event) {
-    if (is_terminal(state)) {
+    if (is_final(state)) {
       EXPECT_FALSE(next_state(state, event).ok());
     }
   });
 }
 
-TEST(JobState, AChangeOfStateIsAlwaysWrittenDown) {
+TEST(JobTransition, AChangeOfStateIsAlwaysWrittenDown) {
   for_all_pairs([](S state, E event) {
     const Result<JobTransition> next = next_state(state, event);
     if (next && next->state != state) {
@@ -75,7 +73,7 @@ TEST(JobState, AChangeOfStateIsAlwaysWrittenDown) {
   });
 }
 
-TEST(JobState, AJobStandsInTheQueueExactlyWhileItIsQueued) {
+TEST(JobTransition, AJobStandsInTheQueueExactlyWhileItIsQueued) {
   for_all_pairs([](S state, E event) {
     const Result<JobTransition> next = next_state(state, event);
     if (!next) return;
@@ -83,15 +81,15 @@ TEST(JobState, AJobStandsInTheQueueExactlyWhileItIsQueued) {
   });
 }
 
-TEST(JobState, TheLastWordIsSaidExactlyOnReachingATerminalState) {
+TEST(JobTransition, TheLastWordIsSaidExactlyOnReachingAFinalState) {
   for_all_pairs([](S state, E event) {
     const Result<JobTransition> next = next_state(state, event);
     if (!next) return;
-    EXPECT_EQ(next->effects.ends, is_terminal(next->state)) << name_of(state);
+    EXPECT_EQ(next->effects.ends, is_final(next->state)) << name_of(state);
   });
 }
 
-TEST(JobState, WhateverLeavesRunningTellsTheWorker) {
+TEST(JobTransition, WhateverLeavesRunningTellsTheWorker) {
   for (const E event : kJobEvents) {
     const Result<JobTransition> next = next_state(S::kRunning, event);
     if (next && next->state != S::kRunning) {
@@ -100,16 +98,10 @@ TEST(JobState, WhateverLeavesRunningTellsTheWorker) {
   }
 }
 
-TEST(JobState, AResumedJobGoesToTheHeadOfTheQueueAndARequeuedOneToItsEnd) {
+TEST(JobTransition, AResumedJobGoesToTheHeadOfTheQueueAndARequeuedOneToItsEnd) {
   EXPECT_EQ(next_state(S::kPaused, E::kResume)->effects.queue, QueuePlace::kFront);
   EXPECT_EQ(next_state(S::kRunning, E::kRequeue)->effects.queue, QueuePlace::kBack);
   EXPECT_EQ(next_state(S::kPaused, E::kRequeue)->effects.queue, QueuePlace::kBack);
-}
-
-TEST(JobState, NamesReadBackAsTheirStates) {
-  for (const S state : kJobStates) EXPECT_EQ(job_state_from(name_of(state)), state);
-  EXPECT_FALSE(job_state_from("sleeping").has_value());
-  EXPECT_FALSE(job_state_from("").has_value());
 }
 
 }  // namespace

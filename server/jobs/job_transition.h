@@ -17,20 +17,14 @@
 // The worker that drapes learns of a pause or a cancel up to 50 ms after the state has changed. Until then it
 // may come with its end: finish and fail are therefore legal wherever a worker may still hold the job, that
 // is also from paused and from queued (paused, then resumed at once). After cancel the end comes too late and
-// is refused. Terminal states have no way out.
+// is refused. Final states have no way out.
 
 #include <array>
-#include <optional>
-#include <string>
-#include <string_view>
 
 #include "core/base/result.h"
+#include "server/store/job_state.h"
 
 namespace toile {
-
-enum class JobState { kQueued, kRunning, kPaused, kSucceeded, kFailed, kCancelled };
-inline constexpr std::array kJobStates{JobState::kQueued,    JobState::kRunning, JobState::kPaused,
-                                       JobState::kSucceeded, JobState::kFailed,  JobState::kCancelled};
 
 enum class JobEvent {
   kClaim,     ///< a worker takes it
@@ -65,12 +59,5 @@ struct JobTransition {
 
 /// Error: jobs.state, with words for a person, when `event` cannot happen in `state`.
 Result<JobTransition> next_state(JobState state, JobEvent event);
-
-/// succeeded, failed, cancelled.
-bool is_terminal(JobState state);
-
-/// As JobRow::state has it: "queued", "running", …
-std::string_view name_of(JobState state);
-std::optional<JobState> job_state_from(std::string_view name);
 
 }  // namespace toile

@@ -1,0 +1,71 @@
+#include "server/store/job_state.h"
+
+#include <gtest/gtest.h>
+
+#include "server/store/migrations.h"
+#include "tests/server/store/store_folder.h"
+
+namespace toile {
+namespace {
+
+TEST(JobState, EveryStateHasAWordThatReadsBackAsIt) {
+  for (std::size_t i = 0; i < kJobStates.size(); ++i) {
+    EXPECT_EQ(static_cast<std::size_t>(kJobStates[i]), i) << "the list has every state once, in its order";
+    const Result<JobState> read = job_state_from(name_of(kJobStates[i]));
+    ASSERT_TRUE(read.ok()) << name_of(kJobStates[i]);
+    EXPECT_EQ(*read, kJobStates[i]);
+  }
+}
+
+TEST(JobState, UnknownWordsAreRefusedAndQuotedAsThePlace) {
+  for (const char* word : {"", "sleeping", "Queued", "queued ", "done"}) {
+    const Result<JobState> read = job_state_from(word);
+    ASSERT_FALSE(read.ok()) << word;
+    EXPECT_EQ(read.error().code, "store.unknown_state");
+    EXPECT_EQ(read.error().where, word);
+  }
+}
+
+TEST(JobState, TheListForSqlHoldsJustTheStatesThatAreNotFinal) {
+  const std::string list = unfinished_states_in_sql();
+  for (const JobState state : kJobStates) {
+    const bool listed = list.find("'" + std::string(name_of(state)) + "'") != std::string::npos;
+    EXPECT_EQ(listed, !is_final(state)) << name_of(state);
+  }
+}
+
+SqlDatabase database_in(const TemporaryFolder& folder) {
+  Result<SqlDatabase> database = SqlDatabase::open(folder.path() + "/toile.db");
+  EXPECT_TRUE(database);
+  return std::move(*database);
+}
+
+TEST(JobState, TheListForSqlReadsAsInTheIndexOfUnfinishedJobs) {
+  const TemporaryFolder folder;
+  SqlDatabase database = database_in(folder);
+  ASSERT_TRUE(migrate(database));
+  Result<SqlStatement> plan = database.prepare("EXPLAIN QUERY PLAN SELECT id FROM jobs WHERE state IN (" +
+                                               unfinished_states_in_sql() + ") ORDER BY id");
+  ASSERT_TRUE(plan);
+  ASSERT_TRUE(*plan->step());
+  const std::string words = plan->text(3);
+  EXPECT_NE(words.find("jobs_unfinished"), std::string::npos) << words;
+}
+
+TEST(JobState, ARowOfAnUnknownStateIsToldAsDamagedWithItsJob) {
+  const TemporaryFolder folder;
+  std::string id;
+  {
+    const auto store = opened(folder.path());
+    id = store->create_job(kLocalOwner, some_job("drape"), "").value().id;
+  }
+  ASSERT_TRUE(database_in(folder).run("UPDATE jobs SET state = 'sleeping'"));
+  const auto store = opened(folder.path());
+  const Result<JobRow> row = store->job(kLocalOwner, id);
+  ASSERT_FALSE(row.ok());
+  EXPECT_EQ(row.error().code, "store.corrupt");
+  EXPECT_EQ(row.error().where, id);
+}
+
+}  // namespace
+}  // namespace toile
