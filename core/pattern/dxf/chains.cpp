@@ -141,48 +141,52 @@ class Chainer {
 
 bool within(Vec2 p, double limit) { return std::abs(p.x) <= limit && std::abs(p.y) <= limit; }
 
-/// The curve's points in the drawing, mm; empty when they lead beyond it.
-Result<std::vector<Vec2>> points_of(const DxfCurve& curve, const DxfTransform& to_mm, DxfPen& pen,
-                                    DxfContext& context) {
-  std::vector<Vec2> points = TRY(pen.draw(curve));
-  for (Vec2& p : points) {
-    if (curve.mirrored) p.x = -p.x;
-    p = to_mm(p);
-    if (is_finite(p) && within(p, context.settings.max_coordinate_mm)) continue;
-    const Error error{"dxf.coordinate_range", "The line leads beyond any pattern.", line_text(curve.line)};
-    context.fail(error);
-    context.log.mark(curve.entity, DxfFate::dropped, "it leads beyond any pattern");
-    context.log.warn(curve.line, "a line leads beyond any pattern and is left out");
-    return std::vector<Vec2>{};
-  }
-  return points;
+/// Whether the points lie in the plane that patterns are drawn in.
+bool in_range(const std::vector<Vec2>& points, double limit) {
+  return std::all_of(points.begin(), points.end(), [&](Vec2 p) { return is_finite(p) && within(p, limit); });
+}
+
+/// Tells of a line that leads out of that plane.
+void tell_out_of_range(const DxfCurve& curve, DxfNotes& notes) {
+  notes.fail({"dxf.coordinate_range", "The line leads beyond any pattern.", line_text(curve.line)});
+  notes.mark(curve.entity, DxfFate::dropped, "it leads beyond any pattern");
+  notes.warn(curve.line, "a line leads beyond any pattern and is left out");
 }
 
 /// Points that the joint tolerance makes one.
 bool is_dot(const std::vector<Vec2>& points) { return points.size() < 2 || polyline_length(points) <= 0; }
 
 /// The open curves of one layer as chains: those that branch by their outer lines, the others end to end.
-void chain_layer(const std::string& layer, const std::vector<DxfStroke>& strokes, DxfContext& context,
-                 std::vector<DxfChain>& chains) {
-  const DxfBranches parts = part_branches(strokes, context.settings.chain_tolerance_mm);
+void chain_layer(const std::string& layer, const std::vector<DxfStroke>& strokes, double tolerance,
+                 DxfChains& out) {
+  const DxfBranches parts = part_branches(strokes, tolerance);
   for (const std::size_t i : parts.repeated)
-    context.log.mark(strokes[i].entity, DxfFate::dropped, "drawn a second time");
+    out.notes.mark(strokes[i].entity, DxfFate::dropped, "drawn a second time");
   for (const std::size_t i : parts.parted)
-    context.log.warn(strokes[i].line,
-                     "lines on layer " + layer + " part an outline: it is taken around the outside", -1,
-                     strokes[i].end(false));
+    out.notes.warn(strokes[i].line,
+                   "lines on layer " + layer + " part an outline: it is taken around the outside", -1,
+                   strokes[i].end(false));
   for (const DxfBranchLoop& loop : parts.loops) {
-    chains.push_back(joined(strokes, loop.links, true, layer));
-    chains.back().inner = loop.inner;
+    out.chains.push_back(joined(strokes, loop.links, true, layer));
+    out.chains.back().inner = loop.inner;
   }
   for (const std::vector<std::size_t>* list : {&parts.plain, &parts.inner}) {
     std::vector<DxfStroke> some;
     for (const std::size_t i : *list) some.push_back(strokes[i]);
-    for (DxfChain& chain : Chainer(std::move(some), context.settings.chain_tolerance_mm).run(layer)) {
+    for (DxfChain& chain : Chainer(std::move(some), tolerance).run(layer)) {
       chain.inner = list == &parts.inner;
-      chains.push_back(std::move(chain));
+      out.chains.push_back(std::move(chain));
     }
   }
+}
+
+/// The curve's points in the drawing, mm.
+std::vector<Vec2> placed(std::vector<Vec2> points, const DxfCurve& curve, const DxfTransform& to_mm) {
+  for (Vec2& p : points) {
+    if (curve.mirrored) p.x = -p.x;
+    p = to_mm(p);
+  }
+  return points;
 }
 
 }  // namespace
@@ -205,31 +209,39 @@ DxfTransform transform_of(const DxfInsert& insert, const DxfBlock& block) {
   return t;
 }
 
-Result<std::vector<DxfChain>> chains_of(const std::vector<DxfPart>& parts, DxfContext& context) {
-  DxfPen pen(context.settings, context.mm_per_unit, context.drawn);
-  std::vector<DxfChain> chains;
-  std::map<std::string, std::vector<DxfStroke>> open;
+Result<DxfChains> chains_of(const std::vector<DxfPart>& parts, const DxfReading& reading, std::size_t drawn) {
+  const DxfSettings& settings = reading.settings;
+  DxfChains out;
+  out.drawn = drawn;
+  std::map<std::string, std::vector<DxfStroke>> open;  // by layer
   for (const DxfPart& part : parts) {
-    DxfTransform to_mm = part.transform;
-    to_mm.origin = to_mm.origin * context.mm_per_unit;
+    DxfTransform to_mm = part.transform;  // of points that the pen gives in millimetres
+    to_mm.origin = to_mm.origin * reading.mm_per_unit;
     for (const DxfCurve& curve : part.block->curves) {
-      std::vector<Vec2> points = TRY(points_of(curve, to_mm, pen, context));
+      const std::size_t room = settings.max_drawn_points - std::min(settings.max_drawn_points, out.drawn);
+      DxfDrawn line = TRY(drawn_out(curve, reading.mm_per_unit, settings, room));
+      out.drawn += line.cost;
+      std::vector<Vec2> points = placed(std::move(line.points), curve, to_mm);
+      if (!in_range(points, settings.max_coordinate_mm)) {
+        tell_out_of_range(curve, out.notes);
+        continue;
+      }
       if (points.empty()) continue;
       const bool curved = !curve.is_straight();
       if (is_dot(points)) {
-        context.log.mark(curve.entity, DxfFate::dropped, "it has no length");
+        out.notes.mark(curve.entity, DxfFate::dropped, "it has no length");
       } else if (curve.closed) {
-        chains.push_back(
+        out.chains.push_back(
             {std::move(points), true, curve.layer, curve.line, {}, false, {curve.entity}, curved});
       } else {
         open[curve.layer].push_back({std::move(points), curve.line, curve.entity, curved, curve.is_run});
       }
     }
   }
-  for (const auto& [layer, strokes] : open) chain_layer(layer, strokes, context, chains);
-  std::stable_sort(chains.begin(), chains.end(),
+  for (const auto& [layer, strokes] : open) chain_layer(layer, strokes, settings.chain_tolerance_mm, out);
+  std::stable_sort(out.chains.begin(), out.chains.end(),
                    [](const DxfChain& a, const DxfChain& b) { return a.line < b.line; });
-  return chains;
+  return out;
 }
 
 }  // namespace toile

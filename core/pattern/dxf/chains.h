@@ -12,18 +12,10 @@
 
 namespace toile {
 
-/// What one reading of a file's pieces works with and leaves.
-struct DxfContext {
+/// In what way a drawing is read: the same for all of its places.
+struct DxfReading {
   const DxfSettings& settings;
   double mm_per_unit;
-  DxfLog& log;
-  std::size_t drawn = 0;       ///< points so far, over the whole drawing
-  std::optional<Error> fault;  ///< the first thing that could not be read; an error when nothing else could
-  std::optional<Error> open;   ///< the first line that does not close, where it may have been meant to
-
-  void fail(const Error& error) {
-    if (!fault) fault = error;
-  }
 };
 
 /// x·a + y·b + origin.
@@ -32,6 +24,8 @@ struct DxfTransform {
   Vec2 operator()(Vec2 p) const { return turned(p) + origin; }
   /// Without the shift.
   Vec2 turned(Vec2 p) const { return p.x * x + p.y * y; }
+  /// With everything drawn `s` times as large, as from the drawing's units to millimetres.
+  DxfTransform scaled(double s) const { return {x * s, y * s, origin * s}; }
   /// First `inner`, then this.
   DxfTransform after(const DxfTransform& inner) const {
     return {turned(inner.x), turned(inner.y), (*this)(inner.origin)};
@@ -60,7 +54,15 @@ struct DxfChain {
   bool inner = false;                 ///< branches off an outline: a line within it, no outline
 };
 
-/// The curves of the parts as chains, by line. Error: dxf.too_large.
-Result<std::vector<DxfChain>> chains_of(const std::vector<DxfPart>& parts, DxfContext& context);
+/// What the curves of one place chain up to.
+struct DxfChains {
+  std::vector<DxfChain> chains;  ///< by line
+  std::size_t drawn = 0;         ///< points over the whole drawing so far
+  DxfNotes notes;
+};
+
+/// The curves of the parts as chains. `drawn`: points over the drawing so far, which are limited as a whole.
+/// Error: dxf.too_large.
+Result<DxfChains> chains_of(const std::vector<DxfPart>& parts, const DxfReading& reading, std::size_t drawn);
 
 }  // namespace toile

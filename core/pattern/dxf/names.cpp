@@ -51,121 +51,160 @@ bool is_word(const std::string& text) {
   return letters >= 2 && text.front() != '#';
 }
 
-/// Gives the piece what the statement says. What it tells in the report; empty: nothing for a piece.
-std::string take_statement(DxfPiece& piece, const DxfStatement& s, DxfContext& context, int id, int line) {
-  if (s.key == "quantity" || s.key == "qty") {
-    const auto quantity = quantity_of(s.value);
-    const int sum = quantity ? quantity->as_drawn + quantity->mirrored : 0;
-    if (sum < 1) {
-      context.log.warn(line, "the quantity says '" + s.value + "'; one piece is read", id);
-      return "quantity, of no use";
-    }
-    // Two of a kind are a left one and a right one; what is cut on the fold is its own mirror image.
-    const bool pairs = !quantity->told_apart && !piece.unfolded;
-    piece.quantity = sum;
-    piece.mirrored = pairs ? sum / 2 : quantity->mirrored;
-    return piece.mirrored > 0 ? "quantity, some of them turned over" : "quantity";
+/// "Quantity: 2" and the like. Two of a kind are a left one and a right one; what is cut on the fold is its
+/// own mirror image.
+std::string take_quantity(DxfFound& found, const std::string& value, int line, DxfNotes& notes) {
+  const auto quantity = quantity_of(value);
+  const int sum = quantity ? quantity->as_drawn + quantity->mirrored : 0;
+  if (sum < 1) {
+    notes.warn(line, "the quantity says '" + value + "'; one piece is read", found.id);
+    return "quantity, of no use";
   }
+  DxfPiece& piece = found.piece;
+  const bool pairs = !quantity->told_apart && !piece.unfolded;
+  piece.quantity = sum;
+  piece.mirrored = pairs ? sum / 2 : quantity->mirrored;
+  return piece.mirrored > 0 ? "quantity, some of them turned over" : "quantity";
+}
+
+std::string take_annotation(DxfFound& found, const std::string& value, int line, DxfNotes& notes) {
+  DxfPiece& piece = found.piece;
+  if (piece.annotation.empty()) piece.annotation = value;
+  if (!piece.unfolded && lower(value).find("on fold") != std::string::npos)
+    notes.warn(line, "the piece is to be cut on the fold, but no mirror line says where it lies", found.id);
+  return "annotation";
+}
+
+/// Gives the piece what the statement says. What it tells in the report; empty: nothing for a piece.
+std::string take_statement(DxfFound& found, const DxfStatement& s, int line, DxfNotes& notes) {
+  if (s.key == "quantity" || s.key == "qty") return take_quantity(found, s.value, line, notes);
+  if (s.key == "annotation") return take_annotation(found, s.value, line, notes);
   if (s.key == "size") return "size of the piece";
-  if (s.key == "category") return piece.category = s.value, "category";
-  if (s.key == "material" || s.key == "fabric") return piece.material = s.value, "material";
-  if (s.key == "annotation") {
-    if (piece.annotation.empty()) piece.annotation = s.value;
-    const std::string words = lower(s.value);
-    if (!piece.unfolded && words.find("on fold") != std::string::npos)
-      context.log.warn(line, "the piece is to be cut on the fold, but no mirror line says where it lies", id);
-    return "annotation";
+  if (s.key == "category") {
+    found.piece.category = s.value;
+    return "category";
+  }
+  if (s.key == "material" || s.key == "fabric") {
+    found.piece.material = s.value;
+    return "material";
   }
   return "";
 }
 
-void finish_name(DxfPiece& piece, const std::string& name) {
-  if (piece.name.empty() && !is_lost(name)) piece.name = name;
+/// What the only piece of a place has heard from the place's statements.
+struct Heard {
+  std::set<std::string> keys;
+  std::set<std::size_t> entities;  ///< texts that said something
+};
+
+void hear(const DxfText& text, const DxfPlace& place, DxfFound& found, Heard& heard, DxfNotes& notes) {
+  const std::optional<DxfStatement> s = statement_of(text.text);
+  const bool name = s->key == "piece name";
+  if (name && is_lost(s->value))
+    notes.warn(text.line, "the piece's name was lost ('" + s->value + "'): it is called " + place.name,
+               found.id);
+  const std::string told = name ? "name of the piece" : take_statement(found, *s, text.line, notes);
+  if (told.empty()) return;
+  heard.keys.insert(s->key);
+  heard.entities.insert(text.entity);
+  notes.mark(text.entity, DxfFate::converted, told, found.id);
+}
+
+/// Gives the place's only piece its statements; those of the sample size where it has none of its own.
+Heard hear_statements(DxfFound& found, const DxfPlace& place, DxfNotes& notes) {
+  Heard heard;
+  if (place.name_is_stated) found.piece.name = place.name;
+  for (const DxfText* text : place.statements) hear(*text, place, found, heard, notes);
+  for (const DxfText* text : place.inherited)
+    if (const auto s = statement_of(text->text);
+        s && !heard.keys.contains(s->key) && s->key != "size" && s->key != "piece name")
+      hear(*text, place, found, heard, notes);
+  return heard;
+}
+
+/// A text as a title: its statement's value when it states a name.
+Title title_of(const DxfText& text, const std::optional<DxfStatement>& statement) {
+  const bool stated = statement && statement->key == "piece name" && !statement->value.empty();
+  Title title{stated, false, text.height, 0, text.line, stated ? statement->value : text.text, text.entity};
+  title.named = is_word(title.name) && !is_lost(title.name);
+  return title;
+}
+
+struct Nearest {
+  std::size_t piece = 0;
+  double off = 0;  ///< mm
+};
+
+std::optional<Nearest> nearest_piece(const std::vector<DxfFound>& pieces, const std::vector<Aabb2>& boxes,
+                                     Vec2 at) {
+  std::optional<Nearest> nearest;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const std::optional<double> off = nearness(pieces[i].piece, boxes[i], at);
+    if (off && (!nearest || *off < nearest->off)) nearest = Nearest{i, *off};
+  }
+  return nearest;
 }
 
 }  // namespace
 
-void name_pieces(std::vector<DxfFound>& pieces, const DxfPlace& place, DxfContext& context) {
-  if (!place.is_block) return;
-  std::set<std::size_t> taken;
-  for (DxfFound& found : pieces) found.piece.size = place.size;
-  if (pieces.size() == 1) {
-    DxfPiece& piece = pieces[0].piece;
-    if (place.name_is_stated) piece.name = place.name;
-    std::set<std::string> own;
-    const auto hear = [&](const DxfText& text) {
-      const std::optional<DxfStatement> s = statement_of(text.text);
-      std::string told = s->key == "piece name" ? "name of the piece" : "";
-      if (s->key == "piece name" && is_lost(s->value))
-        context.log.warn(text.line,
-                         "the piece's name was lost ('" + s->value + "'): it is called " + place.name,
-                         pieces[0].id);
-      if (told.empty()) told = take_statement(piece, *s, context, pieces[0].id, text.line);
-      if (told.empty()) return;
-      own.insert(s->key);
-      taken.insert(text.entity);
-      context.log.mark(text.entity, DxfFate::converted, told, pieces[0].id);
-    };
-    for (const DxfText* text : place.statements) hear(*text);
-    for (const DxfText* text : place.inherited)
-      if (const auto s = statement_of(text->text);
-          s && !own.contains(s->key) && s->key != "size" && s->key != "piece name")
-        hear(*text);
-  }
+DxfNamed named_by_place(std::vector<DxfFound> pieces, const DxfPlace& place, double mm_per_unit,
+                        const DxfLog& log) {
+  DxfNamed named{std::move(pieces), {}};
+  if (!place.is_block) return named;
+  for (DxfFound& found : named.pieces) found.piece.size = place.size;
+  std::set<std::size_t> taken;  // texts that this place has told of
+  if (named.pieces.size() == 1) taken = hear_statements(named.pieces[0], place, named.notes).entities;
   for (const DxfPart& part : place.parts) {
-    DxfTransform to_mm = part.transform;
-    to_mm.x = to_mm.x * context.mm_per_unit;
-    to_mm.y = to_mm.y * context.mm_per_unit;
-    to_mm.origin = to_mm.origin * context.mm_per_unit;
     std::vector<DxfText> rest;
     for (const DxfText& text : part.block->texts)
       if (!taken.contains(text.entity)) rest.push_back(text);
-    name_by_texts(pieces, rest, to_mm, context);
+    DxfNamed more = named_by_texts(std::move(named.pieces), rest, part.transform.scaled(mm_per_unit), log);
+    named.pieces = std::move(more.pieces);
+    named.notes.add(std::move(more.notes));
+    for (const DxfText& text : rest) taken.insert(text.entity);
   }
-  for (DxfFound& found : pieces) finish_name(found.piece, place.name);
+  for (DxfFound& found : named.pieces)
+    if (found.piece.name.empty() && !is_lost(place.name)) found.piece.name = place.name;
+  return named;
 }
 
-void name_by_texts(std::vector<DxfFound>& pieces, const std::vector<DxfText>& texts,
-                   const DxfTransform& to_mm, DxfContext& context) {
+DxfNamed named_by_texts(std::vector<DxfFound> pieces, const std::vector<DxfText>& texts,
+                        const DxfTransform& to_mm, const DxfLog& log) {
   constexpr std::size_t kMostTexts = 5000;  // bounds the work on files of nothing but text
+  DxfNamed named{std::move(pieces), {}};
   std::vector<Aabb2> boxes;
-  for (const DxfFound& p : pieces) boxes.push_back(bounding_box(p.piece.outline));
-  std::vector<std::optional<Title>> titles(pieces.size());
+  for (const DxfFound& p : named.pieces) boxes.push_back(bounding_box(p.piece.outline));
+  std::vector<std::optional<Title>> titles(named.pieces.size());
   for (std::size_t t = 0; t < texts.size(); ++t) {
     const DxfText& text = texts[t];
-    if (context.log.is_marked(text.entity)) continue;
+    if (log.is_marked(text.entity)) continue;
     const std::optional<DxfStatement> statement = statement_of(text.text);
-    const bool stated = statement && statement->key == "piece name" && !statement->value.empty();
-    context.log.mark(text.entity, DxfFate::dropped,
+    named.notes.mark(text.entity, DxfFate::dropped,
                      statement ? "says nothing of a piece's shape" : "a label");
     if (t >= kMostTexts) continue;
-    Title title{stated, false, text.height, 0, text.line, stated ? statement->value : text.text, text.entity};
-    title.named = is_word(title.name) && !is_lost(title.name);
-    std::optional<std::size_t> nearest;
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-      const std::optional<double> off = nearness(pieces[i].piece, boxes[i], to_mm(text.at));
-      if (off && (!nearest || *off < title.off)) {
-        nearest = i;
-        title.off = *off;
-      }
-    }
+    const std::optional<Nearest> nearest = nearest_piece(named.pieces, boxes, to_mm(text.at));
     if (!nearest) continue;
-    if (statement && !stated) {
-      const std::string told =
-          take_statement(pieces[*nearest].piece, *statement, context, pieces[*nearest].id, text.line);
-      if (!told.empty()) context.log.mark(text.entity, DxfFate::converted, told, pieces[*nearest].id);
+    Title title = title_of(text, statement);
+    title.off = nearest->off;
+    DxfFound& found = named.pieces[nearest->piece];
+    if (statement && !title.stated) {
+      const std::string told = take_statement(found, *statement, text.line, named.notes);
+      if (!told.empty()) named.notes.mark(text.entity, DxfFate::converted, told, found.id);
       continue;
     }
-    if (!titles[*nearest] || title.better(*titles[*nearest])) titles[*nearest] = title;
+    std::optional<Title>& best = titles[nearest->piece];
+    if (!best || title.better(*best)) best = title;
   }
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    if (!titles[i] || !pieces[i].piece.name.empty() || is_lost(titles[i]->name)) continue;
-    pieces[i].piece.name = titles[i]->name;
-    context.log.mark(titles[i]->entity, DxfFate::converted, "name of the piece", pieces[i].id);
+  for (std::size_t i = 0; i < titles.size(); ++i) {
+    DxfFound& found = named.pieces[i];
+    if (!titles[i] || !found.piece.name.empty() || is_lost(titles[i]->name)) continue;
+    found.piece.name = titles[i]->name;
+    named.notes.mark(titles[i]->entity, DxfFate::converted, "name of the piece", found.id);
   }
+  return named;
 }
 
-void finish_names(std::vector<DxfFound>& pieces) {
+std::vector<DxfFound> named_apart(std::vector<DxfFound> pieces) {
   std::set<std::string> taken;
   for (const DxfFound& p : pieces) taken.insert(p.piece.name);
   std::set<std::string> used;
@@ -178,6 +217,7 @@ void finish_names(std::vector<DxfFound>& pieces) {
       name = stem + "-" + std::to_string(std::max(2, ++twins[stem] + 1));
     used.insert(name);
   }
+  return pieces;
 }
 
 }  // namespace toile

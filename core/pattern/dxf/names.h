@@ -3,21 +3,28 @@
 
 #include <vector>
 
-#include "core/pattern/dxf/chains.h"
-#include "core/pattern/dxf/pieces.h"
+#include "core/pattern/dxf/found.h"
 #include "core/pattern/dxf/places.h"
 
 namespace toile {
 
-/// Gives the pieces of a place what its texts state, and names after the texts in or beside them.
-void name_pieces(std::vector<DxfFound>& pieces, const DxfPlace& place, DxfContext& context);
+/// Pieces with what texts say of them.
+struct DxfNamed {
+  std::vector<DxfFound> pieces;
+  DxfNotes notes;
+};
 
-/// Names the nameless after the texts of the drawing that stand in them or up to 20 mm beside them, each text
+/// The pieces of a place with what its texts state, and named after the texts in or beside them. Texts that
+/// the log tells of already say nothing more.
+DxfNamed named_by_place(std::vector<DxfFound> pieces, const DxfPlace& place, double mm_per_unit,
+                        const DxfLog& log);
+
+/// The nameless named after the texts of the drawing that stand in them or up to 20 mm beside them, each text
 /// the nearest piece; tells of all other texts.
-void name_by_texts(std::vector<DxfFound>& pieces, const std::vector<DxfText>& texts,
-                   const DxfTransform& to_mm, DxfContext& context);
+DxfNamed named_by_texts(std::vector<DxfFound> pieces, const std::vector<DxfText>& texts,
+                        const DxfTransform& to_mm, const DxfLog& log);
 
-/// Gives those without a name a number and twins a suffix.
-void finish_names(std::vector<DxfFound>& pieces);
+/// Those without a name get a number and twins a suffix.
+std::vector<DxfFound> named_apart(std::vector<DxfFound> pieces);
 
 }  // namespace toile

@@ -7,7 +7,6 @@ namespace toile {
 namespace {
 
 constexpr double kSameArea = 1e-3;  // share by which two drawings of one outline may differ
-constexpr double kBoxSlack = 1;     // mm, by which a line may stick out of the piece it belongs to
 
 double distance_to_loop(Vec2 p, const std::vector<Vec2>& loop) {
   double nearest = length(loop[0] - p);
@@ -45,8 +44,8 @@ std::vector<double> distances(const DxfLoop& from, const DxfLoop& to) {
 
 }  // namespace
 
-DxfLoop loop_of(const DxfChain& chain, DxfRole role) {
-  return {&chain, role, bounding_box(chain.points), std::abs(signed_area(chain.points)), {}, 0};
+DxfLoop loop_of(const DxfChain& chain, std::size_t number, DxfRole role) {
+  return {&chain, number, role, bounding_box(chain.points), std::abs(signed_area(chain.points)), {}, 0};
 }
 
 bool lies_within(const DxfLoop& inner, const DxfLoop& outer) {
@@ -58,7 +57,7 @@ bool lies_within(const DxfLoop& inner, const DxfLoop& outer) {
   return !crossing || crossing->loop_a == crossing->loop_b;
 }
 
-void nest(std::vector<DxfLoop>& loops) {
+std::vector<DxfLoop> nested(std::vector<DxfLoop> loops) {
   std::vector<std::size_t> by_area(loops.size());
   for (std::size_t i = 0; i < loops.size(); ++i) by_area[i] = i;
   std::stable_sort(by_area.begin(), by_area.end(),
@@ -72,6 +71,7 @@ void nest(std::vector<DxfLoop>& loops) {
       inner.depth = outer.depth + 1;
     }
   }
+  return loops;
 }
 
 bool is_covered(const DxfLoop& inner, const DxfLoop& outer) {

@@ -11,9 +11,13 @@
 
 namespace toile {
 
+/// mm, by which a line may stick out of the piece it belongs to.
+inline constexpr double kBoxSlack = 1;
+
 /// A closed chain with what is asked of it again and again.
 struct DxfLoop {
-  const DxfChain* chain = nullptr;
+  const DxfChain* chain = nullptr;  ///< outlives the loop
+  std::size_t number = 0;           ///< the chain's, among those of its place
   DxfRole role = DxfRole::other;
   Aabb2 box;
   double area = 0;
@@ -21,13 +25,13 @@ struct DxfLoop {
   int depth = 0;                      ///< number of such loops: an odd one is a hole
 };
 
-DxfLoop loop_of(const DxfChain& chain, DxfRole role);
+DxfLoop loop_of(const DxfChain& chain, std::size_t number, DxfRole role);
 
 /// Whether the inner loop lies wholly inside, without touching.
 bool lies_within(const DxfLoop& inner, const DxfLoop& outer);
 
-/// Finds each loop's parent among those of its layer.
-void nest(std::vector<DxfLoop>& loops);
+/// The loops with each one's parent among those of its layer.
+std::vector<DxfLoop> nested(std::vector<DxfLoop> loops);
 
 /// Whether the inner loop lies within the outer one or along it, judged by a sample of its vertices.
 bool is_covered(const DxfLoop& inner, const DxfLoop& outer);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "core/base/units.h"
 #include "core/pattern/dxf/groups.h"
@@ -43,36 +45,50 @@ Vec2 spline_point(const DxfCurve& c, std::size_t span, double u) {
   return {d[p].x / d[p].z, d[p].y / d[p].z};
 }
 
-}  // namespace
+/// Draws one curve. Each kind takes its points' number from the room before it makes them, so that a file
+/// cannot ask for more memory than the limit.
+class Pen {
+ public:
+  Pen(const DxfSettings& settings, double mm_per_unit, std::size_t room)
+      : settings_(settings), unit_(mm_per_unit), room_(room) {}
 
-Result<std::vector<Vec2>> DxfPen::draw(const DxfCurve& c) {
-  std::vector<Vec2> points;
-  bool room = true;
-  switch (c.kind) {
-    case DxfCurve::Kind::polyline:
-      room = polyline(c, points);
-      break;
-    case DxfCurve::Kind::arc:
-      room = arc(c, points);
-      break;
-    case DxfCurve::Kind::ellipse:
-      room = ellipse(c, points);
-      break;
-    case DxfCurve::Kind::spline:
-      room = spline(c, points);
-      break;
-    case DxfCurve::Kind::through:
-      room = through(c, points);
-      break;
+  /// Nothing when the room does not suffice.
+  std::optional<DxfDrawn> draw(const DxfCurve& c) {
+    std::vector<Vec2> points;
+    if (!draw_kind(c, points)) return std::nullopt;
+    return DxfDrawn{std::move(points), cost_};
   }
-  if (room) return points;
-  return Error{"dxf.too_large",
-               "With its arcs and splines drawn out the drawing has more than " +
-                   std::to_string(settings_.max_drawn_points) + " points, the limit.",
-               line_text(c.line)};
-}
 
-bool DxfPen::polyline(const DxfCurve& c, std::vector<Vec2>& points) {
+ private:
+  bool draw_kind(const DxfCurve& c, std::vector<Vec2>& points) {
+    switch (c.kind) {
+      case DxfCurve::Kind::polyline:
+        return polyline(c, points);
+      case DxfCurve::Kind::arc:
+        return arc(c, points);
+      case DxfCurve::Kind::ellipse:
+        return ellipse(c, points);
+      case DxfCurve::Kind::spline:
+        return spline(c, points);
+      case DxfCurve::Kind::through:
+        return through(c, points);
+    }
+    return true;
+  }
+  bool take(std::size_t n) { return (cost_ += n) <= room_; }
+  bool polyline(const DxfCurve& c, std::vector<Vec2>& points);
+  bool bulge(Vec2 a, Vec2 b, double bulge, std::vector<Vec2>& points);
+  bool arc(const DxfCurve& c, std::vector<Vec2>& points);
+  bool ellipse(const DxfCurve& c, std::vector<Vec2>& points);
+  bool spline(const DxfCurve& c, std::vector<Vec2>& points);
+  bool through(const DxfCurve& c, std::vector<Vec2>& points);
+
+  const DxfSettings& settings_;
+  double unit_;
+  std::size_t room_, cost_ = 0;
+};
+
+bool Pen::polyline(const DxfCurve& c, std::vector<Vec2>& points) {
   const std::size_t n = c.vertices.size();
   if (!take(n + 1)) return false;
   for (std::size_t i = 0; i < n; ++i) {
@@ -85,7 +101,7 @@ bool DxfPen::polyline(const DxfCurve& c, std::vector<Vec2>& points) {
 }
 
 /// The inner points of the arc from a to b. Its bulge is the tangent of a quarter of its angle.
-bool DxfPen::bulge(Vec2 a, Vec2 b, double bulge, std::vector<Vec2>& points) {
+bool Pen::bulge(Vec2 a, Vec2 b, double bulge, std::vector<Vec2>& points) {
   const double chord = length(b - a), sweep = 4 * std::atan(bulge);
   if (chord * std::abs(bulge) / 2 < kFlatArc) return true;
   const double radius = chord / (2 * std::abs(std::sin(sweep / 2)));
@@ -101,7 +117,7 @@ bool DxfPen::bulge(Vec2 a, Vec2 b, double bulge, std::vector<Vec2>& points) {
   return true;
 }
 
-bool DxfPen::arc(const DxfCurve& c, std::vector<Vec2>& points) {
+bool Pen::arc(const DxfCurve& c, std::vector<Vec2>& points) {
   double degrees = c.closed ? 360 : std::fmod(c.end - c.start, 360.0);
   if (degrees <= 0) degrees += 360;
   const double sweep = radians_from_degrees(degrees), first = radians_from_degrees(std::fmod(c.start, 360.0));
@@ -116,7 +132,7 @@ bool DxfPen::arc(const DxfCurve& c, std::vector<Vec2>& points) {
   return true;
 }
 
-bool DxfPen::ellipse(const DxfCurve& c, std::vector<Vec2>& points) {
+bool Pen::ellipse(const DxfCurve& c, std::vector<Vec2>& points) {
   const Vec2 major = c.vertices[1].at * unit_, minor = perpendicular(major) * c.radius;
   const double whole = 2 * kPi;
   double sweep = c.closed ? whole : std::fmod(c.end - c.start, whole);
@@ -133,7 +149,7 @@ bool DxfPen::ellipse(const DxfCurve& c, std::vector<Vec2>& points) {
   return true;
 }
 
-bool DxfPen::spline(const DxfCurve& c, std::vector<Vec2>& points) {
+bool Pen::spline(const DxfCurve& c, std::vector<Vec2>& points) {
   const auto p = std::size_t(c.degree);
   for (std::size_t span = p; span < c.vertices.size(); ++span) {
     const double u0 = c.knots[span], u1 = c.knots[span + 1];
@@ -151,7 +167,7 @@ bool DxfPen::spline(const DxfCurve& c, std::vector<Vec2>& points) {
 }
 
 /// Each span as a cubic whose ends lean as the neighbouring points do, spaced by the chords' lengths.
-bool DxfPen::through(const DxfCurve& c, std::vector<Vec2>& points) {
+bool Pen::through(const DxfCurve& c, std::vector<Vec2>& points) {
   const std::size_t n = c.vertices.size(), spans = c.closed ? n : n - 1;
   const auto at = [&](std::size_t i) { return c.vertices[i % n].at * unit_; };
   const auto slope = [&](std::size_t i) {  // per mm, of the parabola through the point and its neighbours
@@ -176,6 +192,18 @@ bool DxfPen::through(const DxfCurve& c, std::vector<Vec2>& points) {
   }
   if (!c.closed) points.push_back(at(n - 1));
   return true;
+}
+
+}  // namespace
+
+Result<DxfDrawn> drawn_out(const DxfCurve& curve, double mm_per_unit, const DxfSettings& settings,
+                           std::size_t room) {
+  std::optional<DxfDrawn> drawn = Pen(settings, mm_per_unit, room).draw(curve);
+  if (drawn) return *std::move(drawn);
+  return Error{"dxf.too_large",
+               "With its arcs and splines drawn out the drawing has more than " +
+                   std::to_string(settings.max_drawn_points) + " points, the limit.",
+               line_text(curve.line)};
 }
 
 }  // namespace toile

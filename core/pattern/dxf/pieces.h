@@ -1,23 +1,23 @@
 #pragma once
-// Which lines of a drawing are outlines, which belong to them, and which say nothing about the cloth's shape.
+// From the lines of one place of a drawing to its pieces: the passes in their order.
 
 #include <vector>
 
 #include "core/base/result.h"
 #include "core/pattern/dxf/chains.h"
-#include "core/pattern/dxf/read.h"
+#include "core/pattern/dxf/found.h"
 
 namespace toile {
 
-/// A piece in the making.
-struct DxfFound {
-  DxfPiece piece;
-  int id = 0;                         ///< its number in the log
-  std::vector<std::size_t> entities;  ///< those of its outline
+struct DxfPlacePieces {
+  std::vector<DxfFound> pieces;  ///< by line, without names; none when nothing there closes
+  std::size_t drawn = 0;         ///< points over the whole drawing so far
+  DxfNotes notes;
 };
 
-/// The pieces, without names, that the parts of one place make, by line; none when nothing there closes.
-/// `next_id` counts them. Error: dxf.too_large; what else is wrong is told in the context.
-Result<std::vector<DxfFound>> pieces_of(const std::vector<DxfPart>& parts, DxfContext& context, int& next_id);
+/// The pieces that the parts of one place make, numbered from `first_id`. `drawn`: points over the drawing so
+/// far. Error: dxf.too_large; what else is wrong is told in the notes.
+Result<DxfPlacePieces> pieces_of(const std::vector<DxfPart>& parts, const DxfReading& reading,
+                                 std::size_t drawn, int first_id);
 
 }  // namespace toile

@@ -1,10 +1,12 @@
 #pragma once
 // Where a drawing holds its pieces: in its entities, or in blocks, one for each piece and size.
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/geometry/polygon2.h"
 #include "core/pattern/dxf/chains.h"
 #include "core/pattern/dxf/entities.h"
 #include "core/pattern/dxf/units.h"
@@ -18,10 +20,14 @@ struct DxfPlace {
   std::string block;  ///< the block's name
   std::string name;   ///< what its texts state, else the block's name without its size
   bool name_is_stated = false;
-  std::string size;                        ///< empty: none
+  std::string size;    ///< empty: none
+  std::string ending;  ///< of the block's name, where it may be a size: "42" of "FRONT_42"
   std::vector<const DxfText*> statements;  ///< "Key: value" of the block
   std::vector<const DxfText*> inherited;   ///< those of the sample size, where this one has none
   int line = 0;
+
+  /// The block's name without its ending.
+  std::string stem() const { return block.substr(0, block.size() - ending.size() - 1); }
 };
 
 /// What the file says of itself as a whole.
@@ -30,15 +36,17 @@ struct DxfStyle {
   std::vector<DxfUnitText> units;
 };
 
-struct DxfLayout {
-  std::vector<DxfPlace> places;
+/// The places of all sizes. They refer to the file, which must outlive them.
+struct DxfPlaces {
+  std::vector<DxfPlace> places;  ///< in the file's order
   DxfStyle style;
-  std::vector<std::string> sizes;  ///< of a graded file, in its order
-  std::string size;                ///< the one that `places` hold
+  DxfNotes notes;
 };
 
-/// The places of one size, in the file's order; what is left out is told in the log. Error: dxf.unknown_size,
-/// dxf.too_large.
-Result<DxfLayout> layout_of(DxfFile& file, const DxfSettings& settings);
+/// Error: dxf.too_large.
+Result<DxfPlaces> places_of(const DxfFile& file);
+
+/// The box of all that is drawn in the block, in its own coordinates.
+std::optional<Aabb2> box_of(const DxfBlock& block);
 
 }  // namespace toile

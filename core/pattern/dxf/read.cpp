@@ -13,17 +13,26 @@
 #include "core/pattern/dxf/pieces.h"
 #include "core/pattern/dxf/places.h"
 #include "core/pattern/dxf/repair.h"
+#include "core/pattern/dxf/sizes.h"
 #include "core/pattern/dxf/units.h"
 
 namespace toile {
 namespace {
 
+/// A file as its tables tell it, and where in it the pieces lie. The layout refers to the file.
+struct Drawing {
+  const DxfFile& file;
+  DxfLayout layout;
+  DxfLog log;                  ///< what the tables and the layout told
+  std::optional<Error> fault;  ///< the first
+};
+
 /// One reading of all places in one unit.
 struct Attempt {
   std::vector<DxfFound> pieces;
   DxfLog log;
-  std::optional<Error> fault;
-  int ids = 0;
+  std::vector<std::string> names;    ///< by the pieces' numbers in the log, those left out included
+  std::optional<Error> fault, open;  ///< DxfNotes'; an open line is the last thing to complain of
 };
 
 /// Width or height of all that stands in a place, drawing units: a guess where nothing closes.
@@ -54,137 +63,157 @@ Error as_dxf(const Error& error, const std::string& where) {
           where + (error.where.empty() ? "" : ", " + error.where)};
 }
 
-/// Reads all places into pieces.
-class Reader {
- public:
-  Reader(DxfFile file, const DxfSettings& settings) : file_(std::move(file)), settings_(settings) {}
+Error too_many_pieces(const DxfSettings& settings) {
+  return {"dxf.too_large",
+          "The drawing has more than " + std::to_string(settings.max_loops) +
+              " pieces, the limit, or too many points.",
+          ""};
+}
 
-  Result<DxfDrawing> run() {
-    DxfLayout layout = TRY(layout_of(file_, settings_));
-    layout_ = std::move(layout);
-    Attempt attempt = TRY(read_in_its_unit());
-    if (attempt.pieces.empty()) return nothing_found(attempt);
-    return finished(attempt);
+/// The piece with clean outlines, or why it cannot be cut.
+std::optional<Error> clean(DxfFound& found, const std::string& where, DxfNotes& notes) {
+  DxfPiece& piece = found.piece;
+  const RepairedOutline repaired = without_small_loops(piece.outline);
+  for (const Vec2 at : repaired.cut_at)
+    notes.warn(piece.line, "a loop of less than 5 mm was cut off the outline at " + place_text(at), found.id,
+               at);
+  Result<std::vector<Vec2>> outline = clean_outline(repaired.points);
+  if (!outline) return as_dxf(outline.error(), where);
+  piece.outline = std::move(*outline);
+  for (std::vector<Vec2>& hole : piece.holes) {
+    Result<std::vector<Vec2>> cleaned = clean_outline(hole);
+    if (!cleaned) return as_dxf(cleaned.error(), where + ", hole");
+    hole = std::move(*cleaned);
   }
+  return std::nullopt;
+}
 
- private:
-  /// The unit depends on how large the pieces are: they are read in a likely one first.
-  Result<Attempt> read_in_its_unit() {
-    unit_ = settings_.mm_per_unit ? given_unit(*settings_.mm_per_unit)
-                                  : decide_unit(file_, layout_.style.units, {});
-    Result<Attempt> attempt = read_all(unit_.mm);
-    if (!attempt || settings_.mm_per_unit) return attempt;
-    std::vector<double> extents;
-    for (const DxfFound& found : attempt->pieces) {
-      const Vec2 size = bounding_box(found.piece.outline).size();
-      extents.push_back(std::max(size.x, size.y) / unit_.mm);
-    }
-    if (extents.empty())
-      for (const DxfPlace& place : layout_.places) extents.push_back(extent_of(place));
-    const double first = unit_.mm;
-    unit_ = decide_unit(file_, layout_.style.units, extents);
-    return unit_.mm == first ? std::move(attempt) : read_all(unit_.mm);
-  }
-
-  Result<Attempt> read_all(double mm_per_unit) {
-    Attempt attempt;
-    attempt.log = file_.log;
-    DxfContext context{settings_, mm_per_unit, attempt.log, 0, file_.fault, {}};
-    for (const DxfPlace& place : layout_.places) {
-      context.drawn += 1;
-      std::vector<DxfFound> pieces = TRY(pieces_of(place.parts, context, attempt.ids));
-      name_pieces(pieces, place, context);
-      for (DxfFound& found : pieces) attempt.pieces.push_back(std::move(found));
-      if (attempt.pieces.size() > settings_.max_loops || context.drawn > settings_.max_drawn_points)
-        return Error{"dxf.too_large",
-                     "The drawing has more than " + std::to_string(settings_.max_loops) +
-                         " pieces, the limit, or too many points.",
-                     ""};
-    }
-    DxfTransform to_mm;
-    to_mm.x = {mm_per_unit, 0};
-    to_mm.y = {0, mm_per_unit};
-    name_by_texts(attempt.pieces, file_.entities.texts, to_mm, context);
-    finish_names(attempt.pieces);
-    names_.assign(std::size_t(attempt.ids), {});
-    for (const DxfFound& found : attempt.pieces) names_[std::size_t(found.id)] = found.piece.name;
-    check(attempt.pieces, context);
-    attempt.fault = context.fault ? context.fault : context.open;
-    return attempt;
-  }
-
-  /// Cleans the outlines; leaves out the pieces that cannot be cut.
-  static void check(std::vector<DxfFound>& pieces, DxfContext& context) {
-    std::vector<DxfFound> good;
-    for (DxfFound& found : pieces) {
-      const DxfPiece& piece = found.piece;
-      const std::string where = line_text(piece.line) + ", piece " + piece.name;
-      const std::optional<Error> error = clean(found, context, where);
-      if (!error) {
-        good.push_back(std::move(found));
-        continue;
-      }
-      context.fail(*error);
-      for (const std::size_t entity : found.entities)
-        context.log.mark(entity, DxfFate::dropped, error->message, found.id);
-      context.log.warn(piece.line, "the piece is left out: " + error->message, found.id);
-    }
-    pieces = std::move(good);
-  }
-
-  static std::optional<Error> clean(DxfFound& found, DxfContext& context, const std::string& where) {
-    DxfPiece& piece = found.piece;
-    const RepairedOutline repaired = without_small_loops(piece.outline);
-    for (const Vec2 at : repaired.cut_at)
-      context.log.warn(piece.line, "a loop of less than 5 mm was cut off the outline at " + place_text(at),
-                       found.id, at);
-    Result<std::vector<Vec2>> outline = clean_outline(repaired.points);
-    if (!outline) return as_dxf(outline.error(), where);
-    piece.outline = std::move(*outline);
-    for (std::vector<Vec2>& hole : piece.holes) {
-      Result<std::vector<Vec2>> cleaned = clean_outline(hole);
-      if (!cleaned) return as_dxf(cleaned.error(), where + ", hole");
-      hole = std::move(*cleaned);
-    }
-    return std::nullopt;
-  }
-
-  Result<DxfDrawing> finished(Attempt& attempt) {
-    DxfDrawing drawing;
-    for (const DxfBlock& block : file_.blocks)
-      mark_the_rest(block, attempt.log, "stands in a block that is not part of the drawing");
-    mark_the_rest(file_.entities, attempt.log, "belongs to no piece");
-    if (unit_.confidence < 0.8)
-      attempt.log.warn(0, "the unit is not sure: " + unit_.name +
-                              " is the likeliest; compare the sizes of the "
-                              "pieces, and give the unit if they are wrong");
-    for (DxfFound& found : attempt.pieces) drawing.pieces.push_back(std::move(found.piece));
-    drawing.mm_per_unit = unit_.mm;
-    drawing.unit = unit_;
-    drawing.style = layout_.style.name;
-    drawing.sample_size = layout_.style.sample_size;
-    drawing.sizes = layout_.sizes;
-    drawing.size = layout_.size;
-    drawing.report = attempt.log.report(names_);
-    for (const DxfWarning& w : drawing.report.warnings) drawing.notes.push_back(warning_text(w));
-    return drawing;
-  }
-
-  static Error nothing_found(const Attempt& attempt) {
-    if (attempt.fault) return *attempt.fault;
-    return {
-        "dxf.no_outline",
-        "The drawing holds no closed outline: neither POLYLINE, LWPOLYLINE, LINE, ARC, CIRCLE, ELLIPSE nor "
-        "SPLINE makes one.",
-        ""};
-  }
-
-  DxfFile file_;
-  const DxfSettings& settings_;
-  DxfLayout layout_;
-  DxfUnit unit_;
-  std::vector<std::string> names_;  // by the pieces' numbers in the log
+struct Checked {
+  std::vector<DxfFound> pieces;
+  DxfNotes notes;
 };
+
+/// The pieces that can be cut, their outlines cleaned.
+Checked checked(std::vector<DxfFound> pieces) {
+  Checked good;
+  for (DxfFound& found : pieces) {
+    const DxfPiece& piece = found.piece;
+    const std::string where = line_text(piece.line) + ", piece " + piece.name;
+    const std::optional<Error> error = clean(found, where, good.notes);
+    if (!error) {
+      good.pieces.push_back(std::move(found));
+      continue;
+    }
+    good.notes.fail(*error);
+    for (const std::size_t entity : found.entities)
+      good.notes.mark(entity, DxfFate::dropped, error->message, found.id);
+    good.notes.warn(piece.line, "the piece is left out: " + error->message, found.id);
+  }
+  return good;
+}
+
+/// The pieces of all places, with what the places' own texts say of them.
+Result<Attempt> pieces_in_places(const Drawing& drawing, const DxfReading& reading) {
+  const DxfSettings& settings = reading.settings;
+  Attempt attempt{{}, drawing.log, {}, drawing.fault, {}};
+  std::size_t drawn = 0;
+  int ids = 0;
+  for (const DxfPlace& place : drawing.layout.places) {
+    DxfPlacePieces made = TRY(pieces_of(place.parts, reading, drawn + 1, ids));
+    drawn = made.drawn;
+    ids += static_cast<int>(made.pieces.size());
+    attempt.log.take(made.notes);
+    if (!attempt.fault) attempt.fault = made.notes.fault;
+    if (!attempt.open) attempt.open = made.notes.open;
+    DxfNamed named = named_by_place(std::move(made.pieces), place, reading.mm_per_unit, attempt.log);
+    attempt.log.take(named.notes);
+    for (DxfFound& found : named.pieces) attempt.pieces.push_back(std::move(found));
+    if (attempt.pieces.size() > settings.max_loops || drawn > settings.max_drawn_points)
+      return too_many_pieces(settings);
+  }
+  attempt.names.resize(std::size_t(ids));
+  return attempt;
+}
+
+Result<Attempt> read_all(const Drawing& drawing, const DxfReading& reading) {
+  Attempt attempt = TRY(pieces_in_places(drawing, reading));
+  const DxfTransform to_mm = DxfTransform{}.scaled(reading.mm_per_unit);
+  DxfNamed named = named_by_texts(std::move(attempt.pieces), drawing.file.entities.texts, to_mm, attempt.log);
+  attempt.log.take(named.notes);
+  named.pieces = named_apart(std::move(named.pieces));
+  for (const DxfFound& found : named.pieces) attempt.names[std::size_t(found.id)] = found.piece.name;
+  Checked good = checked(std::move(named.pieces));
+  attempt.log.take(good.notes);
+  if (!attempt.fault) attempt.fault = good.notes.fault;
+  attempt.pieces = std::move(good.pieces);
+  return attempt;
+}
+
+/// Width or height of each piece, whichever is larger, in drawing units; of each place where nothing closes.
+std::vector<double> extents_of(const Attempt& attempt, const DxfLayout& layout, double mm_per_unit) {
+  std::vector<double> extents;
+  for (const DxfFound& found : attempt.pieces) {
+    const Vec2 size = bounding_box(found.piece.outline).size();
+    extents.push_back(std::max(size.x, size.y) / mm_per_unit);
+  }
+  if (extents.empty())
+    for (const DxfPlace& place : layout.places) extents.push_back(extent_of(place));
+  return extents;
+}
+
+struct InUnit {
+  DxfUnit unit;
+  Attempt attempt;
+};
+
+/// The unit depends on how large the pieces are: they are read in a likely one first.
+Result<InUnit> read_in_its_unit(const Drawing& drawing, const DxfSettings& settings) {
+  const std::vector<DxfUnitText>& texts = drawing.layout.style.units;
+  const DxfUnit first =
+      settings.mm_per_unit ? given_unit(*settings.mm_per_unit) : decide_unit(drawing.file, texts, {});
+  Attempt attempt = TRY(read_all(drawing, {settings, first.mm}));
+  if (settings.mm_per_unit) return InUnit{first, std::move(attempt)};
+  DxfUnit unit = decide_unit(drawing.file, texts, extents_of(attempt, drawing.layout, first.mm));
+  if (unit.mm != first.mm) attempt = TRY(read_all(drawing, {settings, unit.mm}));
+  return InUnit{std::move(unit), std::move(attempt)};
+}
+
+/// Tells of what no place has used.
+void tell_the_rest(const DxfFile& file, DxfLog& log) {
+  for (const DxfBlock& block : file.blocks)
+    mark_the_rest(block, log, "stands in a block that is not part of the drawing");
+  mark_the_rest(file.entities, log, "belongs to no piece");
+}
+
+DxfDrawing finished(InUnit read, const Drawing& from) {
+  constexpr double kSure = 0.8;  // confidence below which a person should look at the unit
+  Attempt& attempt = read.attempt;
+  tell_the_rest(from.file, attempt.log);
+  if (read.unit.confidence < kSure)
+    attempt.log.warn(0, "the unit is not sure: " + read.unit.name +
+                            " is the likeliest; compare the sizes of the "
+                            "pieces, and give the unit if they are wrong");
+  DxfDrawing drawing;
+  for (DxfFound& found : attempt.pieces) drawing.pieces.push_back(std::move(found.piece));
+  drawing.mm_per_unit = read.unit.mm;
+  drawing.unit = std::move(read.unit);
+  drawing.style = from.layout.style.name;
+  drawing.sample_size = from.layout.style.sample_size;
+  drawing.sizes = from.layout.sizes;
+  drawing.size = from.layout.size;
+  drawing.report = attempt.log.report(attempt.names);
+  for (const DxfWarning& w : drawing.report.warnings) drawing.notes.push_back(warning_text(w));
+  return drawing;
+}
+
+Error nothing_found(const Attempt& attempt) {
+  if (attempt.fault) return *attempt.fault;
+  if (attempt.open) return *attempt.open;
+  return {"dxf.no_outline",
+          "The drawing holds no closed outline: neither POLYLINE, LWPOLYLINE, LINE, ARC, CIRCLE, ELLIPSE nor "
+          "SPLINE makes one.",
+          ""};
+}
 
 /// A text in memory as a stream.
 class TextBuffer : public std::streambuf {
@@ -204,8 +233,15 @@ Result<DxfDrawing> read_dxf(std::string_view text, const DxfSettings& settings) 
 }
 
 Result<DxfDrawing> read_dxf(std::istream& in, const DxfSettings& settings) {
-  DxfFile file = TRY(parse_dxf(in, settings));
-  return Reader(std::move(file), settings).run();
+  const DxfFile file = TRY(parse_dxf(in, settings));
+  DxfPlaces places = TRY(places_of(file));
+  DxfLayout layout = TRY(in_one_size(std::move(places), settings));
+  Drawing drawing{file, std::move(layout), file.log, file.fault};
+  drawing.log.take(drawing.layout.notes);
+  if (!drawing.fault) drawing.fault = drawing.layout.notes.fault;
+  InUnit read = TRY(read_in_its_unit(drawing, settings));
+  if (read.attempt.pieces.empty()) return nothing_found(read.attempt);
+  return finished(std::move(read), drawing);
 }
 
 }  // namespace toile

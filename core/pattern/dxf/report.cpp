@@ -1,6 +1,7 @@
 #include "core/pattern/dxf/report.h"
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 #include <utility>
 
@@ -18,6 +19,27 @@ std::string warning_text(const DxfWarning& w) {
   text += (text.empty() ? "" : ": ") + w.text;
   if (w.count > 1) text += " (" + std::to_string(w.count) + " times)";
   return text;
+}
+
+void DxfNotes::mark(std::size_t entity, DxfFate fate, std::string reason, int piece) {
+  marks.push_back({entity, fate, std::move(reason), piece});
+}
+
+void DxfNotes::warn(int line, std::string text, int piece, std::optional<Vec2> at) {
+  warnings.push_back({line, std::move(text), piece, at});
+}
+
+void DxfNotes::fail(const Error& error) {
+  if (!fault) fault = error;
+}
+
+void DxfNotes::add(DxfNotes later) {
+  marks.insert(marks.end(), std::make_move_iterator(later.marks.begin()),
+               std::make_move_iterator(later.marks.end()));
+  warnings.insert(warnings.end(), std::make_move_iterator(later.warnings.begin()),
+                  std::make_move_iterator(later.warnings.end()));
+  if (!fault) fault = std::move(later.fault);
+  if (!open) open = std::move(later.open);
 }
 
 int DxfLog::number_of_word(std::string_view word) {
@@ -52,6 +74,11 @@ void DxfLog::warn(int line, std::string text, int piece, std::optional<Vec2> at)
   } else if (warnings_.size() < kMostWarnings) {
     warnings_.emplace(std::move(key), Warning{line, piece, at, 1});
   }
+}
+
+void DxfLog::take(const DxfNotes& notes) {
+  for (const DxfNotes::Mark& m : notes.marks) mark(m.entity, m.fate, m.reason, m.piece);
+  for (const DxfNotes::Warning& w : notes.warnings) warn(w.line, w.text, w.piece, w.at);
 }
 
 DxfReport DxfLog::report(const std::vector<std::string>& names) const {

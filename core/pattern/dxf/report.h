@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/result.h"
 #include "core/base/types.h"
 
 namespace toile {
@@ -52,6 +53,34 @@ struct DxfReport {
 /// "line 12, piece front: …", as a person reads it.
 std::string warning_text(const DxfWarning& warning);
 
+/// What a pass over the drawing tells of the file. It gives this back with what it makes, so that a pass can
+/// be read (and run again, in another unit) by itself; the log takes it in. Entities go by their numbers in
+/// the log, pieces by the numbers that DxfLog::report() resolves.
+struct DxfNotes {
+  struct Mark {
+    std::size_t entity = 0;
+    DxfFate fate = DxfFate::dropped;
+    std::string reason;
+    int piece = -1;
+  };
+  struct Warning {
+    int line = 0;
+    std::string text;
+    int piece = -1;
+    std::optional<Vec2> at;  ///< mm, in the drawing
+  };
+  std::vector<Mark> marks;  ///< in order: the last one on an entity counts
+  std::vector<Warning> warnings;
+  std::optional<Error> fault;  ///< the first thing that could not be read; an error when nothing else could
+  std::optional<Error> open;   ///< the first line that does not close, where it may have been meant to
+
+  void mark(std::size_t entity, DxfFate fate, std::string reason, int piece = -1);
+  void warn(int line, std::string text, int piece = -1, std::optional<Vec2> at = {});
+  void fail(const Error& error);
+  /// What a later pass told.
+  void add(DxfNotes later);
+};
+
 /// The report in the making.
 class DxfLog {
  public:
@@ -65,6 +94,8 @@ class DxfLog {
   void mark(std::size_t entity, DxfFate fate, std::string_view reason, int piece = -1);
   bool is_marked(std::size_t entity) const { return entities_[entity].reason >= 0; }
   void warn(int line, std::string text, int piece = -1, std::optional<Vec2> at = {});
+  /// Takes in what a pass has told; its faults are for the reader.
+  void take(const DxfNotes& notes);
 
   DxfReport report(const std::vector<std::string>& piece_names) const;
 

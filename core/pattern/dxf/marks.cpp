@@ -1,0 +1,127 @@
+#include "core/pattern/dxf/marks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/base/units.h"
+#include "core/geometry/polygon2.h"
+#include "core/pattern/dxf/layers.h"
+
+namespace toile {
+namespace {
+
+constexpr double kMarkReach = 60;  // mm from the outline: an allowance or a hem lies between
+constexpr double kOnePlace = 0.1;  // mm; points nearer than this are one
+
+double distance_to_outline(Vec2 p, const std::vector<Vec2>& loop) {
+  double nearest = length(loop[0] - p);
+  for (std::size_t i = 0, n = loop.size(); i < n; ++i)
+    nearest = std::min(nearest, distance_to_segment(p, loop[i], loop[(i + 1) % n]));
+  return nearest;
+}
+
+/// The piece nearest to the mark, within reach; null when there is none.
+DxfFound* owner_of(Vec2 at, std::vector<DxfPlaced>& placed) {
+  DxfFound* best = nullptr;
+  double nearest = kMarkReach;
+  for (DxfPlaced& p : placed) {
+    if (!p.loop->box.grown(kMarkReach).contains(at)) continue;
+    const std::vector<Vec2>& outline = p.found.piece.outline;
+    const double off = placed.size() == 1 || contains(outline, at) ? 0 : distance_to_outline(at, outline);
+    if (off < nearest) {
+      nearest = off;
+      best = &p.found;
+    }
+  }
+  return best;
+}
+
+void add_apart(std::vector<Vec2>& points, Vec2 p) {
+  for (const Vec2 q : points)
+    if (length(p - q) < kOnePlace) return;
+  points.push_back(p);
+}
+
+void add_notch(std::vector<Notch>& notches, const Notch& notch) {
+  for (const Notch& n : notches)
+    if (length(n.at - notch.at) < kOnePlace) return;
+  notches.push_back(notch);
+}
+
+/// A notch of a POINT; its direction is told as an angle in the drawing.
+Notch notch_of(const DxfMark& mark, Vec2 at, const DxfTransform& to_mm, double mm_per_unit) {
+  Notch notch{at, mark.depth * mm_per_unit, {}};
+  if (mark.angle) {
+    const double angle = radians_from_degrees(std::fmod(*mark.angle, 360.0));
+    notch.inwards = normalized(to_mm.turned({std::cos(angle), std::sin(angle)}));
+  }
+  return notch;
+}
+
+/// What has become of a mark.
+struct Told {
+  DxfFate fate;
+  const char* reason;
+};
+
+/// Gives the mark to the piece.
+Told give(const DxfMark& mark, DxfRole role, Vec2 at, const DxfTransform& to_mm, double mm_per_unit,
+          DxfPiece& piece) {
+  switch (role) {
+    case DxfRole::notch:
+      add_notch(piece.notches, notch_of(mark, at, to_mm, mm_per_unit));
+      return {DxfFate::kept, "notch"};
+    case DxfRole::turn:
+      add_apart(piece.turn_points, at);
+      return {DxfFate::kept, "turn point: a curve ends there"};
+    case DxfRole::curve:
+      return {DxfFate::dropped, "curve point: the outline passes it already"};
+    case DxfRole::drill:
+      add_apart(piece.drills, at);
+      return {DxfFate::kept, "drill hole"};
+    case DxfRole::grade:
+      return {DxfFate::dropped, "grade point"};
+    default:
+      return {DxfFate::dropped, "a point without a meaning"};
+  }
+}
+
+void place_mark(const DxfMark& mark, DxfRole role, const DxfTransform& to_mm, double mm_per_unit,
+                DxfPieces& pieces) {
+  const Vec2 at = to_mm(mark.at);
+  DxfFound* owner = is_finite(at) ? owner_of(at, pieces.placed) : nullptr;
+  if (!owner) return pieces.notes.mark(mark.entity, DxfFate::dropped, "a point that belongs to no piece");
+  const Told told = give(mark, role, at, to_mm, mm_per_unit, owner->piece);
+  pieces.notes.mark(mark.entity, told.fate, told.reason, owner->id);
+}
+
+/// A notch drawn as a line: it begins at the outline.
+void place_line(const DxfCurve& curve, const DxfTransform& to_mm, DxfPieces& pieces) {
+  if (curve.vertices.size() < 2 || curve.kind != DxfCurve::Kind::polyline) return;
+  Vec2 a = to_mm(curve.vertices.front().at), b = to_mm(curve.vertices.back().at);
+  DxfFound* owner = is_finite(a) && is_finite(b) ? owner_of(a, pieces.placed) : nullptr;
+  if (!owner) return pieces.notes.mark(curve.entity, DxfFate::dropped, "a notch that belongs to no piece");
+  const std::vector<Vec2>& outline = owner->piece.outline;
+  if (distance_to_outline(b, outline) < distance_to_outline(a, outline)) std::swap(a, b);
+  add_notch(owner->piece.notches, {a, length(b - a), normalized(b - a)});
+  pieces.notes.mark(curve.entity, DxfFate::converted, "notch", owner->id);
+}
+
+}  // namespace
+
+DxfPieces with_marks(DxfPieces pieces, const std::vector<DxfPart>& parts, bool by_aama, double mm_per_unit) {
+  for (const DxfPart& part : parts) {
+    const DxfTransform to_mm = part.transform.scaled(mm_per_unit);
+    for (const DxfMark& mark : part.block->marks) {
+      const DxfRole role = by_aama ? role_of_layer(mark.layer) : DxfRole::other;
+      place_mark(mark, role, to_mm, mm_per_unit, pieces);
+    }
+    for (const DxfCurve& curve : part.block->curves)
+      if (by_aama && !curve.closed && role_of_layer(curve.layer) == DxfRole::notch)
+        place_line(curve, to_mm, pieces);
+  }
+  return pieces;
+}
+
+}  // namespace toile

@@ -1,0 +1,83 @@
+#include "core/pattern/dxf/roles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "core/geometry/polygon2.h"
+
+namespace toile {
+namespace {
+
+constexpr double kWidestGap = 1;       // mm that are closed without a question
+constexpr double kWidestShare = 2e-3;  // of the line's length, likewise
+constexpr double kSliver = 1e-3;       // of the line's length squared: less area than that is no outline
+
+/// Whether the open chain is a half that the fold closes.
+bool ends_at_a_fold(const DxfChain& chain, const std::vector<DxfFold>& folds) {
+  return std::any_of(folds.begin(), folds.end(), [&](const DxfFold& fold) {
+    return closes_at_fold(chain.points, fold.axis) && !spans_fold(chain.points, fold.axis);
+  });
+}
+
+/// Whether the open chain stops so little short that it was meant to close.
+bool nearly_closes(const DxfChain& chain) {
+  const double gap = length(chain.points.front() - chain.points.back());
+  const double way = polyline_length(chain.points);
+  return !(gap > std::max(kWidestGap, kWidestShare * way) || gap > way / 4 ||
+           std::abs(signed_area(chain.points)) < kSliver * way * way);
+}
+
+void tell_gap(const DxfChain& chain, DxfNotes& notes) {
+  char width[40];
+  std::snprintf(width, sizeof width, "%.3g", length(chain.points.front() - chain.points.back()));
+  notes.warn(chain.line,
+             "the outline on layer " + chain.layer + " had a gap of " + width + " mm and was closed", -1,
+             chain.points.back());
+}
+
+}  // namespace
+
+DxfRoles roles_of(const std::vector<DxfChain>& chains) {
+  bool by_aama = false, repeated = false;
+  for (const DxfChain& c : chains) {
+    const DxfRole role = role_of_layer(c.layer), deep = repeated_role(c.layer);
+    by_aama = by_aama || role == DxfRole::cut || role == DxfRole::sew;
+    repeated = repeated || (deep != role && (deep == DxfRole::cut || deep == DxfRole::sew));
+  }
+  const bool only_repeated = !by_aama && repeated;
+  DxfRoles roles;
+  roles.by_aama = by_aama || repeated;
+  for (const DxfChain& c : chains)
+    roles.of.push_back(!roles.by_aama  ? DxfRole::cut
+                       : only_repeated ? repeated_role(c.layer)
+                                       : role_of_layer(c.layer));
+  for (std::size_t i = 0; i < chains.size(); ++i)
+    if (chains[i].inner && roles.makes_outlines(i)) roles.of[i] = DxfRole::internal;
+  return roles;
+}
+
+std::vector<DxfFold> folds_of(const std::vector<DxfChain>& chains, const DxfRoles& roles) {
+  std::vector<DxfFold> folds;
+  for (std::size_t i = 0; i < chains.size(); ++i)
+    if (roles.by_aama && roles.of[i] == DxfRole::mirror && !chains[i].closed)
+      if (const auto axis = fold_axis(chains[i].points)) folds.push_back({i, *axis});
+  return folds;
+}
+
+DxfClosed closed_at_gaps(std::vector<DxfChain> chains, const DxfRoles& roles,
+                         const std::vector<DxfFold>& folds) {
+  DxfNotes notes;
+  for (std::size_t i = 0; i < chains.size(); ++i) {
+    DxfChain& chain = chains[i];
+    if (chain.closed || !roles.makes_outlines(i) || chain.points.size() < 3) continue;
+    const bool at_fold = ends_at_a_fold(chain, folds);
+    if (!at_fold && !nearly_closes(chain)) continue;
+    chain.closed = true;
+    if (!at_fold) tell_gap(chain, notes);
+  }
+  return {std::move(chains), std::move(notes)};
+}
+
+}  // namespace toile

@@ -1,0 +1,41 @@
+#pragma once
+// What the chains of a place are drawn for, and which of them close.
+
+#include <cstddef>
+#include <vector>
+
+#include "core/pattern/dxf/chains.h"
+#include "core/pattern/dxf/fold.h"
+#include "core/pattern/dxf/layers.h"
+
+namespace toile {
+
+struct DxfRoles {
+  bool by_aama = false;  ///< layers have the meaning of their numbers; else any closed line may be an outline
+  std::vector<DxfRole> of;  ///< each chain
+
+  /// Whether chain i may be the outline of a piece.
+  bool makes_outlines(std::size_t i) const { return of[i] == DxfRole::cut || of[i] == DxfRole::sew; }
+};
+
+/// Layers have AAMA's meaning where any line stands on those of outlines. Where outlines stand on the layers
+/// that repeat others alone, those count as the others.
+DxfRoles roles_of(const std::vector<DxfChain>& chains);
+
+/// A mirror line of the place.
+struct DxfFold {
+  std::size_t chain = 0;
+  FoldAxis axis;
+};
+std::vector<DxfFold> folds_of(const std::vector<DxfChain>& chains, const DxfRoles& roles);
+
+struct DxfClosed {
+  std::vector<DxfChain> chains;
+  DxfNotes notes;
+};
+
+/// The chains, with those outlines closed that end at a fold or stop a little short.
+DxfClosed closed_at_gaps(std::vector<DxfChain> chains, const DxfRoles& roles,
+                         const std::vector<DxfFold>& folds);
+
+}  // namespace toile
