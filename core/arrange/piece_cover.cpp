@@ -2,36 +2,16 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <initializer_list>
 #include <string_view>
 #include <vector>
 
+#include "core/base/text.h"
 #include "core/pattern/seams/model.h"
 
 namespace toile {
 
 namespace {
-
-/// Lower-case words of a name: parted at signs, digits, and where a capital follows a small letter.
-std::vector<std::string> words_in(const std::string& name) {
-  std::vector<std::string> words;
-  bool after_small = false, open = false;
-  for (const char c : name) {
-    const auto u = static_cast<unsigned char>(c);
-    if (!std::isalpha(u)) {
-      open = after_small = false;
-      continue;
-    }
-    if (!open || (std::isupper(u) && after_small)) {
-      words.emplace_back();
-      open = true;
-    }
-    words.back() += static_cast<char>(std::tolower(u));
-    after_small = std::islower(u);
-  }
-  return words;
-}
 
 struct CoverWord {
   Cover cover;
@@ -100,7 +80,7 @@ const char* name_of(Cover cover) {
 
 int face_of_name(const std::string& name) {
   if (const int told = words_of(name).face; told != 0) return told;
-  for (const std::string& w : words_in(name)) {
+  for (const std::string& w : words_of_name(name)) {
     if (w.find("front") != std::string::npos) return 1;
     if (w.find("back") != std::string::npos) return -1;
     if ((w[0] == 'f' || w[0] == 'b') && holds_cover(w, 1)) return w[0] == 'f' ? 1 : -1;
@@ -109,7 +89,7 @@ int face_of_name(const std::string& name) {
 }
 
 Cover cover_of_name(const std::string& name) {
-  const std::vector<std::string> words = words_in(name);
+  const std::vector<std::string> words = words_of_name(name);
   for (const CoverWord& known : kWords) {
     const bool met = std::any_of(words.begin(), words.end(), [&](const std::string& w) {
       return known.inside ? w.find(known.text) != std::string::npos : w == known.text;

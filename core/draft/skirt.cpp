@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/pattern/curve.h"
 
@@ -30,8 +31,8 @@ Status check(const SkirtMeasures& m) {
   for (const Check& c : checks) {
     if (c.value >= c.low && c.value <= c.high) continue;
     return Error{"draft.measure",
-                 std::string(c.name) + " is " + std::to_string(c.value) + " mm; it must lie between " +
-                     std::to_string(c.low) + " and " + std::to_string(c.high) + ".",
+                 std::string(c.name) + " is " + fixed_text(c.value, 6) + " mm; it must lie between " +
+                     fixed_text(c.low, 6) + " and " + fixed_text(c.high, 6) + ".",
                  c.name};
   }
   return {};

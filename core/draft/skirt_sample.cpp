@@ -1,9 +1,9 @@
 #include "core/draft/skirt_sample.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
+#include "core/base/text.h"
 #include "core/body/measure/tape.h"
 #include "core/pattern/curve.h"
 #include "core/pattern/dxf/read.h"
@@ -13,12 +13,6 @@ namespace toile {
 namespace {
 
 constexpr double kSameEdge = 0.5;  // mm between the middles of an edge as drafted and as read
-
-std::string fixed(double value, int decimals) {
-  char buffer[64];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed, decimals);
-  return {buffer, end.ptr};
-}
 
 std::string quoted(const std::string& text) { return "\"" + text + "\""; }
 
@@ -60,9 +54,10 @@ std::string piece_json(const Panel& panel, const std::vector<EdgeName>& names, c
          "},\n      \"edge_names\": {" + edges +
          "},\n      \"grain\": [0, 1],\n      \"fabric\": \"cotton\",\n      \"placement\": {\"wrapped\": "
          "{\"axis\": [0, " +
-         fixed(w.axis_z, 4) + "], \"radius\": " + fixed(w.radius, 4) + ", \"angle\": " + fixed(w.angle, 0) +
-         ", \"height\": " + fixed(w.height, 4) + ", \"anchor\": [" + fixed(w.anchor.x, 2) + ", " +
-         fixed(w.anchor.y, 2) + "], \"slope\": " + fixed(w.slope, 6) + "}}\n    }";
+         fixed_text(w.axis_z, 4) + "], \"radius\": " + fixed_text(w.radius, 4) +
+         ", \"angle\": " + fixed_text(w.angle, 0) + ", \"height\": " + fixed_text(w.height, 4) +
+         ", \"anchor\": [" + fixed_text(w.anchor.x, 2) + ", " + fixed_text(w.anchor.y, 2) +
+         "], \"slope\": " + fixed_text(w.slope, 6) + "}}\n    }";
 }
 
 std::string seam_json(const Pattern& pattern, const Seam& seam) {
@@ -104,7 +99,7 @@ std::string project_json(const Pattern& pattern, const std::vector<std::string>&
          "  ],\n  \"bodies\": [\n    {\"id\": \"body\", \"file\": \"body.obj\", \"unit\": \"m\"}\n  ],\n"
          "  \"attachments\": [\n" +
          kAttachments +
-         "  ],\n  \"settings\": {\"particle_distance_mm\": " + fixed(settings.particle_distance_mm, 2) +
+         "  ],\n  \"settings\": {\"particle_distance_mm\": " + fixed_text(settings.particle_distance_mm, 2) +
          "}\n}\n";
 }
 

@@ -1,56 +1,15 @@
 #include "core/exports/write_obj.h"
 
-#include <algorithm>
-#include <charconv>
-#include <initializer_list>
-#include <string_view>
 #include <system_error>
 
+#include "core/base/aabb.h"
 #include "core/base/write_file.h"
+#include "core/geometry/obj_text.h"
 
 namespace toile {
 namespace {
 
-constexpr int kSignificantDecimals = 9;
 constexpr double kPieceGap = 0.05;  // m between the pieces of rest.obj
-
-void append_number(std::string& text, double value) {
-  char digits[32];
-  const auto end = std::to_chars(digits, digits + sizeof digits, value + 0.0,  // -0.0 + 0.0 is 0.0
-                                 std::chars_format::general, kSignificantDecimals);
-  text.append(digits, end.ptr);
-}
-
-/// A line of numbers after its keyword.
-void append_line(std::string& text, std::string_view keyword, std::initializer_list<double> numbers) {
-  text += keyword;
-  for (const double number : numbers) {
-    text += ' ';
-    append_number(text, number);
-  }
-  text += '\n';
-}
-
-void append_vertex(std::string& text, Vec3 p) { append_line(text, "v", {p.x, p.y, p.z}); }
-void append_flat(std::string& text, Vec2 p) { append_line(text, "vt", {p.x, p.y}); }
-
-void append_face(std::string& text, const Tri& t, bool flat = false) {
-  text += 'f';
-  for (const Index corner : t) {
-    const std::string number = std::to_string(corner + 1);
-    text += ' ' + number;
-    if (flat) text += '/' + number;
-  }
-  text += '\n';
-}
-
-/// OBJ names end at a blank and cannot hold control characters.
-std::string obj_name(std::string name) {
-  for (char& c : name) {
-    if (static_cast<unsigned char>(c) <= ' ' || c == 127) c = '_';
-  }
-  return name.empty() ? "_" : name;
-}
 
 Status check_mesh(std::span<const Vec3> positions, std::span<const Tri> triangles) {
   for (std::size_t v = 0; v < positions.size(); ++v) {
@@ -92,25 +51,31 @@ Status check_panels(std::size_t position_count, std::size_t triangle_count, cons
 
 std::string obj_text(std::span<const Vec3> positions, std::span<const Tri> triangles,
                      const ObjPanels& panels) {
-  std::string text;
-  text.reserve(positions.size() * 40 + triangles.size() * 20);
-  for (const Vec3& p : positions) append_vertex(text, p);
+  ObjText text;
+  text.reserve(positions.size(), triangles.size());
+  for (const Vec3& p : positions) text.vertex(p);
   if (panels.names.empty()) {
-    for (const Tri& t : triangles) append_face(text, t);
-    return text;
+    for (const Tri& t : triangles) text.face(t);
+    return text.take();
   }
   const bool flat = !panels.rest.empty();
-  for (const Vec2& p : panels.rest) append_flat(text, p);
+  for (const Vec2& p : panels.rest) text.texture_place(p);
   std::vector<std::vector<Index>> of_panel(panels.names.size());
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     of_panel[panels.panel_of_triangle[t]].push_back(static_cast<Index>(t));
   }
   for (std::size_t panel = 0; panel < of_panel.size(); ++panel) {
     if (of_panel[panel].empty()) continue;
-    text += "o " + obj_name(panels.names[panel]) + '\n';
-    for (const Index t : of_panel[panel]) append_face(text, triangles[t], flat);
+    text.object(panels.names[panel]);
+    for (const Index t : of_panel[panel]) {
+      if (flat) {
+        text.textured_face(triangles[t]);
+      } else {
+        text.face(triangles[t]);
+      }
+    }
   }
-  return text;
+  return text.take();
 }
 
 Status check_garment(const GarmentMesh& garment, std::size_t position_count) {
@@ -135,26 +100,18 @@ Status check_garment(const GarmentMesh& garment, std::size_t position_count) {
   return {};
 }
 
-struct Extent {
-  double low = 0, high = 0;
-  bool used = false;
-};
-
 /// The flat pieces with z = 0, moved along x only: each starts a gap after the one before.
 std::vector<Vec3> laid_out(const GarmentMesh& garment) {
   const std::size_t panel_count = garment.first_vertex.empty() ? 0 : garment.first_vertex.size() - 1;
-  std::vector<Extent> extent(panel_count);
-  for (std::size_t v = 0; v < garment.rest.size(); ++v) {
-    Extent& e = extent[garment.panel_of_vertex[v]];
-    const double x = garment.rest[v].x;
-    e = e.used ? Extent{std::min(e.low, x), std::max(e.high, x), true} : Extent{x, x, true};
-  }
+  std::vector<Aabb2> boxes(panel_count);
+  for (std::size_t v = 0; v < garment.rest.size(); ++v)
+    boxes[garment.panel_of_vertex[v]].add(garment.rest[v]);
   std::vector<double> shift(panel_count);
   double next = 0;
   for (std::size_t panel = 0; panel < panel_count; ++panel) {
-    if (!extent[panel].used) continue;
-    shift[panel] = next - extent[panel].low;
-    next += extent[panel].high - extent[panel].low + kPieceGap;
+    if (boxes[panel].empty()) continue;
+    shift[panel] = next - boxes[panel].low.x;
+    next += boxes[panel].size().x + kPieceGap;
   }
   std::vector<Vec3> flat(garment.rest.size());
   for (std::size_t v = 0; v < flat.size(); ++v) {

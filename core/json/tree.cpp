@@ -1,8 +1,6 @@
 #include "core/json/tree.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -12,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/names.h"
+#include "core/base/text.h"
 
 namespace toile {
 
@@ -174,12 +173,9 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
 
 constexpr std::size_t kLineWidth = 100;
 
-std::string number_text(double value) {
+std::string json_number(double value) {
   if (!std::isfinite(value)) return "null";  // JSON has no other word for it
-  if (value == 0) return "0";
-  std::array<char, 32> buffer;
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-  return {buffer.data(), end};
+  return value == 0 ? "0" : number_text(value);
 }
 
 std::string string_text(const std::string& value) {
@@ -188,7 +184,7 @@ std::string string_text(const std::string& value) {
 
 std::string scalar_text(const JsonValue& value) {
   if (const bool* b = value.boolean()) return *b ? "true" : "false";
-  if (const double* n = value.number()) return number_text(*n);
+  if (const double* n = value.number()) return json_number(*n);
   if (const std::string* s = value.text()) return string_text(*s);
   return "null";
 }

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <string>
 #include <utility>
 
 #include "core/base/aabb.h"
+#include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/geometry/polygon2.h"
 #include "core/mesh/grid_triangulation.h"
@@ -43,9 +43,7 @@ struct GridPiece {
 };
 
 std::string place_name(Vec2 p) {
-  char text[64];
-  std::snprintf(text, sizeof text, "(%.1f, %.1f) mm", mm_from_metres(p.x), mm_from_metres(p.y));
-  return text;
+  return "(" + fixed_text(mm_from_metres(p.x), 1) + ", " + fixed_text(mm_from_metres(p.y), 1) + ") mm";
 }
 
 GridPoint on_grid(Vec2 p, Vec2 origin) {

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <optional>
 #include <set>
 
+#include "core/base/text.h"
 #include "core/geometry/polygon2.h"
 #include "core/pattern/curve.h"
 #include "core/pattern/fit.h"
@@ -14,9 +14,7 @@
 namespace toile {
 
 std::string place_text(Vec2 p) {
-  char text[80];
-  std::snprintf(text, sizeof text, "(%.6g, %.6g) mm", p.x, p.y);
-  return text;
+  return "(" + significant_text(p.x, 6) + ", " + significant_text(p.y, 6) + ") mm";
 }
 
 namespace {
@@ -281,11 +279,9 @@ std::optional<Error> snap(const CubicBezier& previous, CubicBezier& next, const 
     if (line) next = line_segment(next.p0, next.p3);
     return std::nullopt;
   }
-  char width[40];
-  std::snprintf(width, sizeof width, "%.4g", gap);
   return Error{"pattern.open_outline",
                "Edge " + edge + " starts at " + place_text(next.p0) + " but the curve before it ends at " +
-                   place_text(previous.p3) + ": a gap of " + width + " mm.",
+                   place_text(previous.p3) + ": a gap of " + significant_text(gap, 4) + " mm.",
                "edge " + edge};
 }
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/base/aabb.h"
+#include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/pattern/curve.h"
 
@@ -31,11 +31,7 @@ constexpr UnitSlip kSlips[] = {
     {2.54, "inches taken for centimetres"},    {39.37, "metres taken for inches"},
     {1000, "metres taken for millimetres"},    {100, "metres taken for centimetres"}};
 
-std::string ratio_text(double ratio) {
-  char text[48];
-  std::snprintf(text, sizeof text, ratio < 10 ? "%.2f" : "%.1f", ratio);
-  return text;
-}
+std::string ratio_text(double ratio) { return fixed_text(ratio, ratio < 10 ? 2 : 1); }
 
 const UnitSlip* slip_like(double ratio) {
   for (const UnitSlip& slip : kSlips) {

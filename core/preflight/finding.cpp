@@ -1,8 +1,9 @@
 #include "core/preflight/finding.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <utility>
+
+#include "core/base/text.h"
 
 namespace toile {
 
@@ -49,19 +50,12 @@ std::string where_text(const Finding& finding) {
 }
 
 std::string place_text(Vec3 p) {
-  char text[128];
-  std::snprintf(text, sizeof text, "at (%.3f, %.3f, %.3f) m", p.x, p.y, p.z);
-  return text;
+  return "at (" + fixed_text(p.x, 3) + ", " + fixed_text(p.y, 3) + ", " + fixed_text(p.z, 3) + ") m";
 }
 
 std::string length_text(double metres) {
-  char text[64];
-  if (metres >= 1) {
-    std::snprintf(text, sizeof text, "%.2f m", metres);
-  } else {
-    std::snprintf(text, sizeof text, metres < 0.1 ? "%.1f mm" : "%.0f mm", 1e3 * metres);
-  }
-  return text;
+  if (metres >= 1) return fixed_text(metres, 2) + " m";
+  return fixed_text(1e3 * metres, metres < 0.1 ? 1 : 0) + " mm";
 }
 
 void sort_by_severity(Findings& findings) {

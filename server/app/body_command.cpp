@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "core/base/text.h"
 #include "core/body/mannequin/mannequin.h"
 #include "core/body/mannequin/proportions.h"
 #include "core/body/measure/stance.h"
@@ -37,7 +38,7 @@ void print_measures(const BodyMeasures& taken, const MeasureSet& asked) {
   for (int i = 0; i < kMeasureCount; ++i) {
     const Measure m = measure_at(i);
     if (!taken[m]) continue;
-    const std::string wanted = asked[m] ? fixed(cm(*asked[m]), 1) : "-";
+    const std::string wanted = asked[m] ? fixed_text(cm(*asked[m]), 1) : "-";
     std::printf("  %-15s %7.1f cm  asked %6s  at %6.1f cm\n", std::string(measure_name(m)).c_str(),
                 taken[m]->value / kMetres, wanted.c_str(), taken[m]->height / kMetres);
   }

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "core/base/aabb.h"
+#include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/drape/pipeline.h"
 #include "core/json/tree.h"
@@ -77,19 +78,19 @@ JsonValue project_json(const DrapeInput& input, const Findings& findings) {
 
 void print_piece(const Panel& panel, const std::string& fabric) {
   const Vec2 size = size_of(panel);
-  std::printf("piece %s: %s x %s mm, %s cm2, %s\n", panel.id.c_str(), fixed(size.x, 1).c_str(),
-              fixed(size.y, 1).c_str(), fixed(area_cm2(panel), 0).c_str(), fabric.c_str());
+  std::printf("piece %s: %s x %s mm, %s cm2, %s\n", panel.id.c_str(), fixed_text(size.x, 1).c_str(),
+              fixed_text(size.y, 1).c_str(), fixed_text(area_cm2(panel), 0).c_str(), fabric.c_str());
   std::string edges;
   for (const PanelEdge* edge : edges_of(panel)) {
-    edges += (edges.empty() ? "" : ", ") + edge->id + " " + fixed(arc_length(*edge), 1);
+    edges += (edges.empty() ? "" : ", ") + edge->id + " " + fixed_text(arc_length(*edge), 1);
   }
   std::printf("  edges (mm): %s\n", edges.c_str());
 }
 
 void print_seam(const Pattern& pattern, const Seam& seam) {
   const double a = series_length(pattern, seam.a), b = series_length(pattern, seam.b);
-  std::printf("seam %s: %s mm to %s mm", seam.id.c_str(), fixed(a, 1).c_str(), fixed(b, 1).c_str());
-  if (std::abs(a - b) >= 0.05) std::printf(", %s mm eased in", fixed(std::abs(a - b), 1).c_str());
+  std::printf("seam %s: %s mm to %s mm", seam.id.c_str(), fixed_text(a, 1).c_str(), fixed_text(b, 1).c_str());
+  if (std::abs(a - b) >= 0.05) std::printf(", %s mm eased in", fixed_text(std::abs(a - b), 1).c_str());
   std::printf("\n");
 }
 
@@ -102,7 +103,7 @@ void print_project(const DrapeInput& input) {
   for (const Seam& seam : input.pattern.seams) print_seam(input.pattern, seam);
   for (const Body& body : input.bodies) {
     std::printf("body %s: %zu triangles, %s m high\n", body.id.c_str(), body.mesh.triangles.size(),
-                fixed(body_height(body), 2).c_str());
+                fixed_text(body_height(body), 2).c_str());
     for (const std::string& note : body.notes) std::printf("body %s: %s\n", body.id.c_str(), note.c_str());
   }
 }

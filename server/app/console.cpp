@@ -1,6 +1,5 @@
 #include "server/app/console.h"
 
-#include <array>
 #include <cstdio>
 
 #include "core/base/names.h"
@@ -30,12 +29,6 @@ ExitCode exit_code_of(const Error& error) {
 ExitCode fail(const Error& error, bool json) {
   print_error(error, json);
   return exit_code_of(error);
-}
-
-std::string fixed(double value, int decimals) {
-  std::array<char, 64> buffer;
-  std::snprintf(buffer.data(), buffer.size(), "%.*f", decimals, value);
-  return buffer.data();
 }
 
 }  // namespace toile

@@ -17,7 +17,4 @@ ExitCode exit_code_of(const Error& error);
 /// Prints the error; returns its exit code.
 ExitCode fail(const Error& error, bool json);
 
-/// `value` with `decimals` digits behind the point.
-std::string fixed(double value, int decimals);
-
 }  // namespace toile

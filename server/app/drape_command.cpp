@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "core/analysis/report.h"
+#include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/drape/pipeline.h"
 #include "core/exports/write_report.h"
@@ -31,28 +32,28 @@ Status make_folder(const fs::path& folder) {
                folder.string()};
 }
 
-std::string percent(double ratio) { return fixed(100 * ratio, 2) + "%"; }
+std::string percent(double ratio) { return fixed_text(100 * ratio, 2) + "%"; }
 
 void print_summary(const Report& report, const DrapeOptions& options) {
   std::printf(
       "%s: %s after %s s of simulated time (%d substeps, %s s by the clock, %s s of processor time)\n",
       report.name.empty() ? "drape" : report.name.c_str(),
       report.settled() ? "settled" : ("not settled (" + to_string(report.stop_reason) + ")").c_str(),
-      fixed(report.simulated_s, 2).c_str(), report.steps, fixed(report.wall_s, 1).c_str(),
-      fixed(report.cpu_s, 1).c_str());
+      fixed_text(report.simulated_s, 2).c_str(), report.steps, fixed_text(report.wall_s, 1).c_str(),
+      fixed_text(report.cpu_s, 1).c_str());
   std::printf("  cloth      %d particles (%d once sewn), %d triangles; bodies %d triangles\n",
               report.particles, report.sewn_particles, report.triangles, report.body_triangles);
   std::printf("  crossings  %d cloth-body, %d cloth-cloth; worst frame %d and %d\n",
               report.intersections.cloth_body, report.intersections.cloth_cloth,
               report.worst_frame.cloth_body, report.worst_frame.cloth_cloth);
-  std::printf("  seams      at most %s mm open\n", fixed(report.seam_gap_max_mm, 3).c_str());
+  std::printf("  seams      at most %s mm open\n", fixed_text(report.seam_gap_max_mm, 3).c_str());
   const auto stretch = [](const StretchFigures& f) {
     return percent(f.tension.p99) + " stretched (" + percent(f.compression.p99) + " pushed)";
   };
   std::printf("  strain     99th percentile: warp %s, weft %s, shear %s degrees\n",
               stretch(report.warp).c_str(), stretch(report.weft).c_str(),
-              fixed(degrees_from_radians(report.shear.p99), 1).c_str());
-  std::printf("  speed      %s mm/s at most\n", fixed(mm_from_metres(report.max_speed), 2).c_str());
+              fixed_text(degrees_from_radians(report.shear.p99), 1).c_str());
+  std::printf("  speed      %s mm/s at most\n", fixed_text(mm_from_metres(report.max_speed), 2).c_str());
   std::printf("  results    %s\n", options.out.c_str());
 }
 

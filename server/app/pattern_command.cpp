@@ -5,6 +5,7 @@
 #include <iterator>
 #include <string>
 
+#include "core/base/text.h"
 #include "core/base/write_file.h"
 #include "core/pattern/dxf/read.h"
 #include "core/pattern/dxf/write.h"
@@ -66,17 +67,18 @@ void print_piece(const DxfPiece& piece) {
   if (!panel->notches.empty()) more += ", " + std::to_string(panel->notches.size()) + " notches";
   if (!panel->lines.empty()) more += ", " + std::to_string(panel->lines.size()) + " lines within";
   if (!panel->holes.empty()) more += ", " + std::to_string(panel->holes.size()) + " holes";
-  std::printf(
-      "piece %s: %s x %s mm, %s cm2, %zu edges%s, %s line, grain %s (line %d)\n", piece.name.c_str(),
-      fixed(m.width_mm, 1).c_str(), fixed(m.height_mm, 1).c_str(), fixed(m.area_mm2 * 1e-2, 1).c_str(),
-      panel->outline.edges.size(), more.c_str(), piece.on_sew_line ? "sew" : "cut",
-      piece.grain ? (fixed(grain_degrees(*piece.grain), 1) + " deg").c_str() : "not told", piece.line);
+  std::printf("piece %s: %s x %s mm, %s cm2, %zu edges%s, %s line, grain %s (line %d)\n", piece.name.c_str(),
+              fixed_text(m.width_mm, 1).c_str(), fixed_text(m.height_mm, 1).c_str(),
+              fixed_text(m.area_mm2 * 1e-2, 1).c_str(), panel->outline.edges.size(), more.c_str(),
+              piece.on_sew_line ? "sew" : "cut",
+              piece.grain ? (fixed_text(grain_degrees(*piece.grain), 1) + " deg").c_str() : "not told",
+              piece.line);
 }
 
 void print_drawing(const DxfDrawing& drawing) {
   if (!drawing.style.empty()) std::printf("%s\n", drawing.style.c_str());
   std::printf("unit %s, confidence %s\n", drawing.unit.name.c_str(),
-              fixed(drawing.unit.confidence, 2).c_str());
+              fixed_text(drawing.unit.confidence, 2).c_str());
   for (const std::string& evidence : drawing.unit.evidence) std::printf("  %s\n", evidence.c_str());
   if (drawing.sizes.size() > 1)
     std::printf("size %s of %s\n", drawing.size.c_str(), join(drawing.sizes).c_str());
@@ -90,9 +92,9 @@ void print_drawing(const DxfDrawing& drawing) {
 void print_specification(const NewProject& made) {
   for (const Panel& panel : made.pattern.panels) {
     const PieceMeasures m = measures_of(panel);
-    std::printf("piece %s: %s x %s mm, %s cm2, %zu edges\n", panel.id.c_str(), fixed(m.width_mm, 1).c_str(),
-                fixed(m.height_mm, 1).c_str(), fixed(m.area_mm2 * 1e-2, 1).c_str(),
-                panel.outline.edges.size());
+    std::printf("piece %s: %s x %s mm, %s cm2, %zu edges\n", panel.id.c_str(),
+                fixed_text(m.width_mm, 1).c_str(), fixed_text(m.height_mm, 1).c_str(),
+                fixed_text(m.area_mm2 * 1e-2, 1).c_str(), panel.outline.edges.size());
   }
   std::printf("%zu pieces and %zu seams, with their places\n", made.pattern.panels.size(),
               made.pattern.seams.size());

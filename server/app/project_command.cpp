@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "core/base/aabb.h"
+#include "core/base/text.h"
 #include "core/base/write_file.h"
 #include "core/json/tree.h"
 #include "core/project/create/create.h"
@@ -76,7 +77,8 @@ void print_text(const NewProject& made, const ProjectNewOptions& options) {
     const ProjectSeam seam = project_seam(made.pattern, p.seam);
     std::printf("%s %s: %s to %s, %s mm to %s mm, confidence %s\n", made.accepted[i] ? "seam" : "proposed",
                 seam.id.c_str(), side_text(seam.a).c_str(), side_text(seam.b).c_str(),
-                fixed(p.length_a, 1).c_str(), fixed(p.length_b, 1).c_str(), fixed(p.confidence, 2).c_str());
+                fixed_text(p.length_a, 1).c_str(), fixed_text(p.length_b, 1).c_str(),
+                fixed_text(p.confidence, 2).c_str());
   }
   for (const std::string& note : made.notes) std::printf("note: %s\n", note.c_str());
 }

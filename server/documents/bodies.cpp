@@ -1,7 +1,6 @@
 #include "server/documents/bodies.h"
 
-#include <array>
-#include <charconv>
+#include "core/base/text.h"
 
 namespace toile {
 namespace {
@@ -15,9 +14,7 @@ std::size_t bytes_of(const RepairedMesh& kept) {
 }
 
 std::string key_of(const std::string& asset_id, const MeshSettings& settings) {
-  std::array<char, 32> unit;
-  const auto end = std::to_chars(unit.data(), unit.data() + unit.size(), settings.unit_in_m).ptr;
-  return asset_id + (settings.z_up ? " z " : " y ") + std::string(unit.data(), end);
+  return asset_id + (settings.z_up ? " z " : " y ") + number_text(settings.unit_in_m);
 }
 
 }  // namespace

@@ -1,8 +1,6 @@
 #include "server/documents/figures.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <list>
 #include <mutex>
@@ -14,6 +12,8 @@
 #include "core/body/mannequin/proportions.h"
 #include "core/body/measure/segments.h"
 #include "core/body/measure/stance.h"
+#include "core/body/mesh_import/formats.h"
+#include "core/geometry/obj_text.h"
 #include "core/json/tree.h"
 #include "core/project/bodies.h"
 #include "core/project/resolve/body_places.h"
@@ -90,26 +90,6 @@ Status find_parts(const TriangleMesh& mesh, const MeasureSet& asked, double floo
   return {};
 }
 
-std::string obj_text(const TriangleMesh& mesh) {
-  std::string out;
-  std::array<char, 32> buffer;
-  const auto number = [&](auto value) {
-    out += ' ';
-    out.append(buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr);
-  };
-  for (const Vec3& p : mesh.vertices) {
-    out += 'v';
-    for (const double x : {p.x, p.y, p.z}) number(x);
-    out += '\n';
-  }
-  for (const Tri& t : mesh.triangles) {
-    out += 'f';
-    for (const Index corner : t) number(corner + 1);
-    out += '\n';
-  }
-  return out;
-}
-
 /// Figures that were found before, by mesh and wish: a scan takes seconds, and a project is looked at after
 /// every change of its pattern. Thread-safe.
 class FigureCache {
@@ -161,7 +141,7 @@ Result<DrapeInput> resolve_bodies(const Project& project, const ProjectFiles& fi
 }  // namespace
 
 std::string body_presets_json() {
-  std::vector<JsonValue> presets, measures;
+  std::vector<JsonValue> presets, measures, formats;
   for (const BodyPreset& preset : body_presets()) {
     presets.push_back(std::vector<JsonMember>{
         {"name", std::string(preset.name)},
@@ -177,8 +157,13 @@ std::string body_presets_json() {
                                                {"least_cm", least},
                                                {"most_cm", most}});
   }
-  return write_json_line(
-             std::vector<JsonMember>{{"presets", std::move(presets)}, {"measures", std::move(measures)}}) +
+  for (const MeshFormat& format : mesh_formats()) {
+    formats.push_back(
+        std::vector<JsonMember>{{"name", std::string(format.name)}, {"ending", std::string(format.ending)}});
+  }
+  return write_json_line(std::vector<JsonMember>{{"presets", std::move(presets)},
+                                                 {"measures", std::move(measures)},
+                                                 {"formats", std::move(formats)}}) +
          "\n";
 }
 
@@ -242,7 +227,7 @@ Result<MadeBody> make_body(Store& store, const OwnerId& owner, const JsonValue& 
   const auto made = shared_mannequins().get(*settings);
   if (!made) return error_at("/mannequin", made.error());
   const std::string file = ending_of(name) == ".obj" ? name : name + ".obj";
-  AssetRow asset = TRY(add_asset(store, owner, "body", file, obj_text((*made)->mesh)));
+  AssetRow asset = TRY(add_asset(store, owner, "body", file, obj_text((*made)->mesh, ObjDigits::kAll)));
   return MadeBody{std::move(asset), figure_members((*made)->mesh, settings->asked)};
 }
 

@@ -1,7 +1,6 @@
 #include "server/documents/mannequins.h"
 
-#include <array>
-#include <charconv>
+#include "core/base/text.h"
 
 namespace toile {
 namespace {
@@ -12,11 +11,7 @@ constexpr std::size_t kMost = 32;  // of 4,000 triangles each: a few megabytes
 std::string key_of(const MannequinSettings& settings) {
   std::string key =
       std::to_string(static_cast<int>(settings.sex)) + " " + std::to_string(settings.triangle_count);
-  const auto add = [&key](double value) {
-    std::array<char, 32> text;
-    key += ' ';
-    key.append(text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr);
-  };
+  const auto add = [&key](double value) { key += ' ' + number_text(value); };
   add(settings.arm_angle);
   for (const std::optional<double>& value : settings.asked.values) {
     if (value) add(*value);

@@ -12,10 +12,10 @@
 #include <boost/beast/http.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 
 #include "core/base/names.h"
+#include "core/base/text.h"
 
 namespace toile {
 namespace {
@@ -27,13 +27,6 @@ using asio::ip::tcp;
 
 constexpr auto kTuple = asio::as_tuple(asio::use_awaitable);
 constexpr std::uint64_t kMostReplyBytes = std::uint64_t{1} << 30;
-
-std::string lower(beast::string_view text) {
-  std::string out(text.data(), text.size());
-  std::transform(out.begin(), out.end(), out.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return out;
-}
 
 bool may_repeat(const HttpClient::Request& request) {
   const auto is_key = [](const auto& header) { return header.first == "Idempotency-Key"; };
@@ -90,7 +83,8 @@ struct HttpClient::Impl {
     }
     reply.status = static_cast<int>(parser.get().result_int());
     for (const auto& field : parser.get()) {
-      reply.headers[lower(field.name_string())] = std::string(field.value().data(), field.value().size());
+      reply.headers[lower_case({field.name_string().data(), field.name_string().size()})] =
+          std::string(field.value().data(), field.value().size());
     }
     reply.body = std::move(parser.get().body());
     if (unsent || !parser.get().keep_alive()) stream.reset();

@@ -2,9 +2,9 @@
 
 #include <unistd.h>
 
-#include <array>
-#include <cstdio>
 #include <fstream>
+
+#include "core/base/text.h"
 
 namespace toile {
 namespace {
@@ -17,11 +17,7 @@ std::string known_method(const std::string& method) {
   return "other";
 }
 
-std::string number(double value) {
-  std::array<char, 32> buffer;
-  std::snprintf(buffer.data(), buffer.size(), "%.9g", value);
-  return buffer.data();
-}
+std::string number(double value) { return significant_text(value, 9); }
 
 void head(std::string& out, const char* name, const char* type, const char* help) {
   out += std::string("# HELP ") + name + " " + help + "\n# TYPE " + name + " " + type + "\n";

@@ -1,10 +1,10 @@
 #include "server/http/router.h"
 
 #include <algorithm>
-#include <cctype>
 #include <utility>
 
 #include "core/base/names.h"
+#include "core/base/text.h"
 #include "server/http/problem.h"
 #include "server/http/url.h"
 
@@ -43,10 +43,7 @@ std::optional<std::vector<std::string>> captured(const std::vector<std::string>&
 std::string media_type(std::string_view value) {
   value = value.substr(0, std::min(value.find(';'), value.size()));
   while (!value.empty() && value.back() == ' ') value.remove_suffix(1);
-  std::string out(value);
-  std::transform(out.begin(), out.end(), out.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return out;
+  return lower_case(value);
 }
 
 bool is_file_type(const std::string& type) {

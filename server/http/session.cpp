@@ -11,11 +11,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <exception>
 #include <new>
 #include <utility>
 
+#include "core/base/text.h"
 #include "server/http/admission.h"
 #include "server/http/problem.h"
 #include "server/ws/on_pool.h"
@@ -41,10 +41,7 @@ HttpRequest request_of(const Header& header) {
   request.method = text_of(header.method_string());
   request.target = text_of(header.target());
   for (const auto& field : header) {
-    std::string name = text_of(field.name_string());
-    std::transform(name.begin(), name.end(), name.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    request.headers[name] = text_of(field.value());
+    request.headers[lower_case(text_of(field.name_string()))] = text_of(field.value());
   }
   return request;
 }

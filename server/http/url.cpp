@@ -1,8 +1,8 @@
 #include "server/http/url.h"
 
 #include <algorithm>
-#include <cctype>
-#include <charconv>
+
+#include "core/base/text.h"
 
 namespace toile {
 namespace {
@@ -28,10 +28,8 @@ bool is_loopback_v4(std::string_view name) {
   int parts = 0;
   for (std::size_t at = 0; at <= name.size(); ++parts) {
     const std::size_t end = std::min(name.find('.', at), name.size());
-    unsigned value = 256;
-    const auto [stop, failure] = std::from_chars(name.data() + at, name.data() + end, value);
-    if (failure != std::errc() || stop != name.data() + end || value > 255) return false;
-    if (parts == 0 && value != 127) return false;
+    const auto value = number_in<unsigned>(name.substr(at, end - at));
+    if (!value || *value > 255 || (parts == 0 && *value != 127)) return false;
     at = end + 1;
   }
   return parts == 4;
@@ -99,10 +97,7 @@ std::optional<std::string> host_name(std::string_view host) {
     has_port = true;
   }
   if (name.empty() || (has_port && !is_port(port))) return std::nullopt;
-  std::string out(name);
-  std::transform(out.begin(), out.end(), out.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return out;
+  return lower_case(name);
 }
 
 bool is_loopback_name(std::string_view name) {

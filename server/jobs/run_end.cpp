@@ -1,26 +1,17 @@
 #include "server/jobs/run_end.h"
 
-#include <array>
-#include <cstdio>
 #include <utility>
 
+#include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/drape/stop_reason.h"
 
 namespace toile {
 namespace {
 
-std::string seconds(double s) {
-  std::array<char, 48> text;
-  std::snprintf(text.data(), text.size(), "%.2f s", s);
-  return text.data();
-}
+std::string seconds(double s) { return fixed_text(s, 2) + " s"; }
 
-std::string millimetres(double m) {
-  std::array<char, 48> text;
-  std::snprintf(text.data(), text.size(), "%.1f mm", mm_from_metres(m));
-  return text.data();
-}
+std::string millimetres(double m) { return fixed_text(mm_from_metres(m), 1) + " mm"; }
 
 std::string at_rest(const DrapeResult& result) {
   return "the cloth came to rest after " + seconds(result.simulated_time) + " with ";

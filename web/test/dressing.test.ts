@@ -200,7 +200,7 @@ function begin(more: Partial<DressingApi> = {}) {
   const missing = (): Promise<never> => Promise.reject(new ApiError(404, 'store.not_found', 'Not there.'));
   const check: Check = { ready: true, findings: [finding()], pieces: [] };
   const api: DressingApi = {
-    tables: async () => ({ presets: [], measures: [] }),
+    tables: async () => ({ presets: [], measures: [], formats: [] }),
     bodies: async () => [body()],
     mesh: async () => ({ positions: new Float32Array(3), indices: new Uint32Array(0) }),
     stance: async () => ({ ...figure, stance: null }),

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/base/aabb.h"
+#include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/body/mannequin/field.h"
 #include "core/body/mannequin/polygonise.h"
@@ -43,10 +44,8 @@ constexpr Limit kLimits[kMeasureCount] = {
 
 // With one decimal at most: "92", "61.5".
 std::string decimal(double value) {
-  const double tenths = std::round(value * 10);
-  const double whole = std::trunc(tenths / 10), rest = std::abs(tenths - whole * 10);
-  std::string text = (value < 0 && whole == 0 ? "-" : "") + std::to_string(static_cast<long long>(whole));
-  if (rest > 0) text += "." + std::to_string(static_cast<int>(rest));
+  std::string text = fixed_text(std::round(value * 10) / 10, 1);
+  if (text.ends_with(".0")) text.resize(text.size() - 2);
   return text;
 }
 

@@ -8,8 +8,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
-#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -18,6 +16,7 @@
 #include <system_error>
 #include <utility>
 
+#include "core/base/text.h"
 #include "core/body/mesh_import/message.h"
 
 namespace toile {
@@ -43,15 +42,11 @@ Result<RepairedMesh> mended(Result<TriangleMesh> mesh) {
 
 /// The settings as arguments, and back.
 std::vector<std::string> words_of(const MeshSettings& settings) {
-  char unit[32];
-  const auto end = std::to_chars(unit, unit + sizeof unit, settings.unit_in_m).ptr;
-  return {std::string(unit, end), settings.z_up ? "z" : "y"};
+  return {number_text(settings.unit_in_m), settings.z_up ? "z" : "y"};
 }
 
 MeshSettings settings_of(const std::string& unit, const std::string& up) {
-  MeshSettings settings{-1, up == "z", true};  // refused where the unit is no number
-  std::from_chars(unit.data(), unit.data() + unit.size(), settings.unit_in_m);
-  return settings;
+  return {number_in<double>(unit).value_or(-1), up == "z", true};  // -1 m is refused
 }
 
 /// Closed when this goes.

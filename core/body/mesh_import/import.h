@@ -21,7 +21,7 @@ ChildLimits mesh_import_limits();
 /// Reads and mends mesh files. Safe to use from many threads.
 class MeshImporter {
  public:
-  /// Reads in this process: for files that one trusts. Only the nine usual formats.
+  /// Reads in this process: for files that one trusts. Only the formats of mesh_formats().
   MeshImporter();
   /// Has `program` read, in a process of its own, with kMeshImportVerb and the arguments that
   /// run_mesh_import() takes: any format that assimp knows. At most two at once; further calls wait.

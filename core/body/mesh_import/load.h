@@ -14,12 +14,12 @@ struct MeshSettings {
   /// so e < 5 means metres, e < 50 decimetres, e < 500 centimetres, more millimetres.
   double unit_in_m = 0;
   bool z_up = false;  ///< the file's z points up: turned so that y does
-  /// Takes every format that assimp knows by its ending, not only the nine whose opening we look at first:
-  /// for a process that may crash (core/body/mesh_import/import.h).
+  /// Takes every format that assimp knows by its ending, not only those whose opening we look at first
+  /// (core/body/mesh_import/formats.h): for a process that may crash (core/body/mesh_import/import.h).
   bool any_format = false;
 };
 
-/// Every triangle of a mesh file (OBJ, STL, PLY, glTF, GLB, FBX, DAE, 3DS, OFF), metres, y up: the scene's
+/// Every triangle of a mesh file (of any of mesh_formats()), metres, y up: the scene's
 /// meshes in their places, polygons cut into triangles, equal positions merged, so that a surface that was
 /// closed is closed here, and triangles without area removed. Vertices are numbered as they first appear.
 /// Files that this one names (materials of an OBJ, buffers of a glTF) are opened too.

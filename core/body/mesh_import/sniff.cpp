@@ -1,24 +1,17 @@
 #include "core/body/mesh_import/sniff.h"
 
-#include <algorithm>
-#include <array>
 #include <fstream>
-#include <sstream>
 #include <string>
 #include <string_view>
+#include <system_error>
+
+#include "core/body/mesh_import/formats.h"
 
 namespace toile {
 namespace {
 
-constexpr std::size_t kLookAt = 64 << 10;  // bytes; longer than any honest header
-
-struct Opening {
-  std::string bytes;        ///< the first kLookAt
-  std::uintmax_t size = 0;  ///< of the file
-};
-
-Opening open(const std::filesystem::path& path) {
-  Opening o;
+FileOpening open(const std::filesystem::path& path) {
+  FileOpening o;
   std::error_code error;
   o.size = std::filesystem::file_size(path, error);
   o.bytes.resize(kLookAt);
@@ -28,68 +21,28 @@ Opening open(const std::filesystem::path& path) {
   return o;
 }
 
-std::string ending(const std::string& name) {
-  std::string e = std::filesystem::path(name).extension().string();
-  std::transform(e.begin(), e.end(), e.begin(),
-                 [](unsigned char c) { return c < 'A' || c > 'Z' ? c : c + 32; });
-  return e;
-}
-
-bool starts(const Opening& o, std::string_view with) { return o.bytes.rfind(with, 0) == 0; }
-
-bool is_text(const Opening& o) {
-  return o.bytes.find('\0') == std::string::npos &&
-         (o.bytes.size() < kLookAt || o.bytes.find('\n') != std::string::npos);
-}
-
-// Binary: 80 bytes, a count, 50 bytes each.
-bool is_stl(const Opening& o) {
-  if (o.size >= 84 && o.bytes.size() >= 84) {
-    std::uintmax_t count = 0;
-    for (int i = 3; i >= 0; --i) count = count * 256 + static_cast<unsigned char>(o.bytes[80 + i]);
-    if (o.size == 84 + 50 * count && count > 0) return true;
+/// "OBJ, STL and OFF".
+std::string format_names() {
+  std::string names;
+  const std::span<const MeshFormat> formats = mesh_formats();
+  for (std::size_t i = 0; i < formats.size(); ++i) {
+    if (i > 0) names += i + 1 < formats.size() ? ", " : " and ";
+    names += formats[i].name;
   }
-  return is_text(o) && o.bytes.find("solid") != std::string::npos &&
-         o.bytes.find("facet") != std::string::npos;
+  return names;
 }
 
-// A header that ends, and that counts no more elements than the file has bytes.
-bool is_ply(const Opening& o) {
-  if (!starts(o, "ply")) return false;
-  std::istringstream words(o.bytes);
-  for (std::string word; words >> word;) {
-    if (word == "end_header") return true;
-    std::string name;
-    std::uintmax_t count = 0;
-    if (word == "element" && (!(words >> name >> count) || count > o.size)) return false;
-  }
-  return false;
-}
-
-/// Text of two bytes a character, which assimp turns into what it knows.
-bool is_utf16(const Opening& o) { return starts(o, "\xff\xfe") || starts(o, "\xfe\xff"); }
-
-bool fits(const std::string& kind, const Opening& o) {
-  if (kind == ".obj" || kind == ".gltf" || kind == ".dae" || kind == ".off") return is_text(o);
-  if (kind == ".stl") return is_stl(o);
-  if (kind == ".ply") return is_ply(o);
-  if (kind == ".glb") return starts(o, "glTF");
-  if (kind == ".fbx") return starts(o, "Kaydara FBX Binary") || is_text(o);
-  return starts(o, "MM");  // .3ds
-}
-
-Status sniff(const std::string& name, bool any_format, const Opening& opening) {
-  static constexpr std::array<std::string_view, 9> kKinds{".obj", ".stl", ".ply", ".gltf", ".glb",
-                                                          ".fbx", ".dae", ".3ds", ".off"};
-  const std::string kind = ending(name);
-  if (std::find(kKinds.begin(), kKinds.end(), kind) == kKinds.end()) {
+Status sniff(const std::string& name, bool any_format, const FileOpening& opening) {
+  const MeshFormat* const format = format_of_name(name);
+  if (format == nullptr) {
     if (any_format) return {};
-    return Error{"mesh.unreadable",
-                 "Meshes are read from OBJ, STL, PLY, glTF, GLB, FBX, DAE, 3DS and OFF files.", name};
+    return Error{"mesh.unreadable", "Meshes are read from " + format_names() + " files.", name};
   }
-  if (fits(kind, opening) || (any_format && is_utf16(opening))) return {};
-  return Error{"mesh.unreadable",
-               "The file does not begin as a " + kind + " file should, or its header lies.", name};
+  if (format->begins(opening) || (any_format && is_utf16(opening))) return {};
+  return Error{
+      "mesh.unreadable",
+      std::string("The file does not begin as a ") + format->ending + " file should, or its header lies.",
+      name};
 }
 
 }  // namespace

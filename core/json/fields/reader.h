@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <initializer_list>
 #include <iterator>
@@ -15,6 +14,7 @@
 #include <vector>
 
 #include "core/base/names.h"
+#include "core/base/text.h"
 #include "core/base/types.h"
 #include "core/json/fields/range.h"
 #include "core/json/tree.h"
@@ -35,15 +35,10 @@ struct FieldPlace {
   void want(std::string_view kind) const { fail("project.wrong_type", "this must be " + std::string(kind)); }
 };
 
-inline std::string plain(double value) {
-  std::array<char, 32> buffer;
-  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
-}
-
 inline std::string said(Range range) {
-  if (range.least == kAnything.least) return "at most " + plain(range.most);
-  if (range.most == kAnything.most) return "at least " + plain(range.least);
-  return "between " + plain(range.least) + " and " + plain(range.most);
+  if (range.least == kAnything.least) return "at most " + number_text(range.most);
+  if (range.most == kAnything.most) return "at least " + number_text(range.least);
+  return "between " + number_text(range.least) + " and " + number_text(range.most);
 }
 
 inline void read(const FieldPlace& at, bool& out, Range) {
@@ -56,7 +51,7 @@ inline void read(const FieldPlace& at, double& out, Range range) {
   const double* value = at.value.number();
   if (!value) return at.want("a number");
   if (*value < range.least || *value > range.most) {
-    return at.fail("project.out_of_range", plain(*value) + " is not " + said(range));
+    return at.fail("project.out_of_range", number_text(*value) + " is not " + said(range));
   }
   out = *value;
 }
@@ -131,7 +126,7 @@ void read(const FieldPlace& at, std::vector<T>& out, Range count) {
   const auto size = static_cast<double>(elements->size());
   if (size < count.least || size > count.most) {
     return at.fail("project.out_of_range",
-                   "a list of " + plain(size) + " stands here, and its length must be " + said(count));
+                   "a list of " + number_text(size) + " stands here, and its length must be " + said(count));
   }
   for (std::size_t i = 0; i < elements->size() && !at.error; ++i) {
     T element{};

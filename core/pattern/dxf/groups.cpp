@@ -1,9 +1,9 @@
 #include "core/pattern/dxf/groups.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
+#include "core/base/text.h"
 #include "core/pattern/dxf/words.h"
 
 namespace toile {
@@ -14,12 +14,6 @@ constexpr std::size_t kBuffer = std::size_t{64} << 10;
 constexpr std::size_t kShown = 1024;
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
-
-std::string_view trimmed(std::string_view s) {
-  while (!s.empty() && is_blank(s.front())) s.remove_prefix(1);
-  while (!s.empty() && is_blank(s.back())) s.remove_suffix(1);
-  return s;
-}
 
 }  // namespace
 
@@ -82,9 +76,8 @@ bool DxfGroupReader::only_blanks_left() {
 std::optional<DxfGroup> DxfGroupReader::next() {
   if (error_ || !next_line(code_)) return std::nullopt;
   const std::string_view code = trimmed(code_);
-  int number = 0;
-  const auto [end, status] = std::from_chars(code.data(), code.data() + code.size(), number);
-  if (status != std::errc() || end != code.data() + code.size()) {
+  const std::optional<int> number = number_in<int>(code);
+  if (!number) {
     // A last line without a value is where a cut file ends; blank lines at the end are harmless.
     if ((code.empty() || code == "\x1A") && only_blanks_left()) return std::nullopt;
     error_ = Error{
@@ -93,10 +86,10 @@ std::optional<DxfGroup> DxfGroupReader::next() {
         line_text(line_)};
     return std::nullopt;
   }
-  if (next_line(value_)) return DxfGroup{number, trimmed(value_), line_};
+  if (next_line(value_)) return DxfGroup{*number, trimmed(value_), line_};
   if (!error_)
     error_ = Error{"dxf.truncated",
-                   "The file ends after group code " + std::to_string(number) +
+                   "The file ends after group code " + std::to_string(*number) +
                        ", without its value: it is cut off. Get a whole copy.",
                    "last good " + line_text(line_ - 1)};
   return std::nullopt;
@@ -112,10 +105,8 @@ std::optional<double> number_of(std::string_view text) {
     with_point[comma] = '.';
     text = with_point;
   }
-  double value = 0;
-  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (status != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
+  const std::optional<double> value = number_in<double>(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 }  // namespace toile

@@ -1,9 +1,9 @@
 #include "core/pattern/dxf/layers.h"
 
-#include <charconv>
 #include <map>
 #include <optional>
 
+#include "core/base/text.h"
 #include "core/pattern/dxf/words.h"
 
 namespace toile {
@@ -11,7 +11,7 @@ namespace {
 
 /// The number of "1", "01", "Layer 1", "LAYER_14", "AAMA-8".
 std::optional<int> layer_number(const std::string& layer) {
-  std::string name = lower(layer);
+  std::string name = lower_case(layer);
   for (const char* prefix : {"layer", "aama", "astm", "l"}) {
     if (!name.starts_with(prefix)) continue;
     name.erase(0, std::string(prefix).size());
@@ -19,10 +19,7 @@ std::optional<int> layer_number(const std::string& layer) {
   }
   const std::size_t begin = name.find_first_not_of(" _-");
   if (begin == std::string::npos) return std::nullopt;
-  int number = 0;
-  const auto [end, status] = std::from_chars(name.data() + begin, name.data() + name.size(), number);
-  if (status != std::errc() || end != name.data() + name.size()) return std::nullopt;
-  return number;
+  return number_in<int>(std::string_view(name).substr(begin));
 }
 
 DxfRole role_of_number(int number) {
@@ -72,7 +69,7 @@ DxfRole role_of_name(const std::string& layer) {
                                                      {"text", DxfRole::text},
                                                      {"annotation", DxfRole::text}};
   std::string name;
-  for (const char c : lower(layer))
+  for (const char c : lower_case(layer))
     if (c != ' ' && c != '_' && c != '-') name += c;
   const auto it = kRoles.find(name);
   return it == kRoles.end() ? DxfRole::other : it->second;

@@ -1,9 +1,9 @@
 #include "core/pattern/dxf/lines.h"
 
-#include <cstdio>
 #include <optional>
 #include <string>
 
+#include "core/base/text.h"
 #include "core/geometry/polygon2.h"
 #include "core/pattern/dxf/groups.h"
 #include "core/pattern/outline.h"
@@ -17,11 +17,10 @@ constexpr std::size_t kMostInternalPoints = 4999;  // likewise of one of them, a
 /// The error that a chain should close and does not.
 Error open_outline(const DxfChain& chain) {
   const Vec2 a = chain.points.front(), b = chain.points.back();
-  char width[40];
-  std::snprintf(width, sizeof width, "%.4g", length(a - b));
   return {"dxf.open_outline",
           "The outline on layer " + chain.layer + " is open between " + place_text(a) + " and " +
-              place_text(b) + ": a gap of " + width + " mm. Close it in the drawing, or allow wider joints.",
+              place_text(b) + ": a gap of " + significant_text(length(a - b), 4) +
+              " mm. Close it in the drawing, or allow wider joints.",
           line_text(chain.line)};
 }
 

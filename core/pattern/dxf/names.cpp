@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "core/base/text.h"
 #include "core/geometry/polygon2.h"
 #include "core/pattern/dxf/words.h"
 
@@ -70,7 +71,7 @@ std::string take_quantity(DxfFound& found, const std::string& value, int line, D
 std::string take_annotation(DxfFound& found, const std::string& value, int line, DxfNotes& notes) {
   DxfPiece& piece = found.piece;
   if (piece.annotation.empty()) piece.annotation = value;
-  if (!piece.unfolded && lower(value).find("on fold") != std::string::npos)
+  if (!piece.unfolded && lower_case(value).find("on fold") != std::string::npos)
     notes.warn(line, "the piece is to be cut on the fold, but no mirror line says where it lies", found.id);
   return "annotation";
 }

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "core/base/text.h"
 #include "core/pattern/dxf/groups.h"
 #include "core/pattern/dxf/words.h"
 
@@ -20,7 +21,7 @@ bool is_internal(const DxfBlock& block) {
 }
 
 bool is_model_space(const DxfBlock& block) {
-  const std::string name = lower(block.name);
+  const std::string name = lower_case(block.name);
   return name == "*model_space" || name == "$model_space";
 }
 
@@ -165,7 +166,7 @@ DxfPlace described(DxfPlace place) {
   if (place.size.empty()) place.ending = ending_of(place.block);
   if (place.name_is_stated) return place;
   place.name = place.block;
-  if (!place.size.empty() && lower(place.name).ends_with("_" + lower(place.size)))
+  if (!place.size.empty() && lower_case(place.name).ends_with("_" + lower_case(place.size)))
     place.name.resize(place.name.size() - place.size.size() - 1);
   return place;
 }

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
+#include "core/base/text.h"
 #include "core/geometry/polygon2.h"
 
 namespace toile {
@@ -30,11 +30,11 @@ bool nearly_closes(const DxfChain& chain) {
 }
 
 void tell_gap(const DxfChain& chain, DxfNotes& notes) {
-  char width[40];
-  std::snprintf(width, sizeof width, "%.3g", length(chain.points.front() - chain.points.back()));
+  const double gap = length(chain.points.front() - chain.points.back());
   notes.warn(chain.line,
-             "the outline on layer " + chain.layer + " had a gap of " + width + " mm and was closed", -1,
-             chain.points.back());
+             "the outline on layer " + chain.layer + " had a gap of " + significant_text(gap, 3) +
+                 " mm and was closed",
+             -1, chain.points.back());
 }
 
 }  // namespace

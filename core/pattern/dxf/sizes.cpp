@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "core/base/text.h"
 #include "core/pattern/dxf/words.h"
 
 namespace toile {
@@ -45,7 +46,7 @@ bool are_places(const std::set<std::string>& endings) {
                                              "b",     "fr",    "bk",   "front", "back",  "top",  "under",
                                              "upper", "lower", "in",   "out",   "inner", "outer"};
   return std::all_of(endings.begin(), endings.end(),
-                     [](const std::string& ending) { return kPlaces.contains(lower(ending)); });
+                     [](const std::string& ending) { return kPlaces.contains(lower_case(ending)); });
 }
 
 /// The places with the sizes that their blocks' names end with: "FRONT_42" is size 42 of FRONT where FRONT
@@ -94,7 +95,7 @@ bool is_graded(const std::vector<DxfPlace>& places) {
 
 bool has_size(const std::vector<std::string>& sizes, const std::string& size) {
   return std::any_of(sizes.begin(), sizes.end(),
-                     [&](const std::string& s) { return lower(s) == lower(size); });
+                     [&](const std::string& s) { return lower_case(s) == lower_case(size); });
 }
 
 /// The size with the most texts, since they stand on one size only; else the middle one.
@@ -128,14 +129,15 @@ void tell_other_size(const DxfPlace& place, DxfNotes& notes) {
 
 /// The layout with the pieces of its size, and those without a size.
 DxfLayout of_its_size(DxfLayout layout) {
-  const std::string wanted = lower(layout.size);
-  const std::string sample = lower(layout.style.sample_size.empty() ? layout.size : layout.style.sample_size);
-  const auto is_wanted = [&](const DxfPlace& p) { return p.size.empty() || lower(p.size) == wanted; };
+  const std::string wanted = lower_case(layout.size);
+  const std::string sample =
+      lower_case(layout.style.sample_size.empty() ? layout.size : layout.style.sample_size);
+  const auto is_wanted = [&](const DxfPlace& p) { return p.size.empty() || lower_case(p.size) == wanted; };
   std::map<std::string, const DxfPlace*> of_sample;
   std::map<std::string, bool> there;
   for (const DxfPlace& p : layout.places) {
     there[p.name] = there[p.name] || is_wanted(p);
-    if (lower(p.size) == sample) of_sample.emplace(p.name, &p);
+    if (lower_case(p.size) == sample) of_sample.emplace(p.name, &p);
   }
   std::vector<DxfPlace> kept;
   for (const DxfPlace& p : layout.places) {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
+#include "core/base/text.h"
 #include "core/pattern/dxf/groups.h"
 #include "core/pattern/dxf/words.h"
 
@@ -29,21 +29,13 @@ constexpr double kSmallest = 300, kLargest = 2500;      // mm, of the largest pi
 constexpr double kPerDecadeBelow = 5, kPerDecade = 12;  // nobody wears 20 m, but a collar may stand alone
 constexpr double kTypical = 700;                        // mm
 
-std::string figure(double v) {
-  char text[40];
-  std::snprintf(text, sizeof text, std::abs(v) < 1000 ? "%.4g" : "%.0f", v);
-  return text;
-}
+std::string figure(double v) { return std::abs(v) < 1000 ? significant_text(v, 4) : fixed_text(v, 0); }
 
 /// A length as people say it: "13.6 m", "136 mm", "5.4 mm".
 std::string length_words(double mm) {
   constexpr double kLong = 10000, kShort = 10;  // mm
-  char text[40];
-  if (mm >= kLong)
-    std::snprintf(text, sizeof text, "%.1f m", mm / 1000);
-  else
-    std::snprintf(text, sizeof text, mm < kShort ? "%.1f mm" : "%.0f mm", mm);
-  return text;
+  if (mm >= kLong) return fixed_text(mm / 1000, 1) + " m";
+  return fixed_text(mm, mm < kShort ? 1 : 0) + " mm";
 }
 
 double likelihood_of_size(double mm) {
@@ -83,7 +75,7 @@ class Judge {
   }
 
   void hear(const DxfUnitText& text) {
-    const std::string words = lower(text.words);
+    const std::string words = lower_case(text.words);
     const auto says = [&](const char* word) { return words.find(word) != std::string::npos; };
     std::string meaning;
     if (says("metric")) {

@@ -7,18 +7,13 @@
 #include <charconv>
 #include <cstdint>
 
+#include "core/base/text.h"
+
 namespace toile {
 namespace {
 
 constexpr std::size_t kLongestText = 120;  // characters kept of a name
 constexpr std::size_t kLongestKey = 24;
-
-std::string_view trimmed(std::string_view s) {
-  const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-  while (!s.empty() && blank(s.front())) s.remove_prefix(1);
-  while (!s.empty() && blank(s.back())) s.remove_suffix(1);
-  return s;
-}
 
 void append_utf8(std::string& out, std::uint32_t c) {
   if (c < 0x80) {
@@ -102,10 +97,8 @@ std::optional<std::string> from_gbk(std::string_view s) {
 /// The character of an escape \U+XXXX at the start of s, if it is one that stands for itself.
 std::optional<std::uint32_t> escaped_character(std::string_view s) {
   if (s.size() < 7 || s.substr(0, 3) != "\\U+") return std::nullopt;
-  std::uint32_t c = 0;
-  const auto [end, status] = std::from_chars(s.data() + 3, s.data() + 7, c, 16);
-  if (status != std::errc() || end != s.data() + 7 || c < 0x20 || (c >= 0xD800 && c < 0xE000))
-    return std::nullopt;
+  const auto c = number_in<std::uint32_t>(s.substr(3, 4), 16);
+  if (!c || *c < 0x20 || (*c >= 0xD800 && *c < 0xE000)) return std::nullopt;
   return c;
 }
 
@@ -122,7 +115,7 @@ std::optional<std::uint32_t> percent_character(std::string_view s) {
 }  // namespace
 
 DxfEncoding encoding_of(std::string_view code_page) {
-  const std::string name = lower(code_page);
+  const std::string name = lower_case(code_page);
   if (name.find("936") != std::string::npos || name.find("gb") == 0) return DxfEncoding::gbk;
   // Many programs declare 1252 whatever they write: that says nothing.
   if (name.find("850") != std::string::npos || name.find("8859") != std::string::npos)
@@ -174,13 +167,6 @@ std::string plain_text(std::string_view s) {
   return out;
 }
 
-std::string lower(std::string_view s) {
-  std::string out(s);
-  for (char& c : out)
-    if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
-  return out;
-}
-
 bool is_lost(std::string_view text) {
   return text.find('?') != std::string_view::npos && text.find_first_not_of("? _-") == std::string_view::npos;
 }
@@ -195,7 +181,7 @@ std::optional<DxfStatement> statement_of(const std::string& text) {
   }
   if (colon == std::string::npos || colon == 0 || colon > kLongestKey) return std::nullopt;
   DxfStatement statement;
-  for (char c : lower(std::string_view(text).substr(0, colon))) {
+  for (char c : lower_case(std::string_view(text).substr(0, colon))) {
     const bool blank = c == ' ' || c == '_';
     if (!blank) statement.key += c;
     if (blank && !statement.key.empty() && statement.key.back() != ' ') statement.key += ' ';
@@ -222,7 +208,7 @@ std::optional<DxfQuantity> quantity_of(std::string_view value) {
     if (value.empty() || (value.front() != ',' && value.front() != ';' && value.front() != '/')) break;
     value.remove_prefix(1);
   }
-  if (!told_apart && lower(value).starts_with("pair")) return DxfQuantity{counts[0], counts[0], true};
+  if (!told_apart && lower_case(value).starts_with("pair")) return DxfQuantity{counts[0], counts[0], true};
   return DxfQuantity{counts[0], counts[1], told_apart};
 }
 

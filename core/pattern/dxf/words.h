@@ -24,9 +24,6 @@ std::string clean_text(std::string_view text, DxfEncoding encoding = DxfEncoding
 /// The words of an MTEXT without its formatting codes.
 std::string plain_text(std::string_view mtext);
 
-/// ASCII letters in lower case.
-std::string lower(std::string_view s);
-
 /// Nothing but question marks and blanks: what a program leaves of letters that it cannot write.
 bool is_lost(std::string_view text);
 

@@ -1,9 +1,9 @@
 #include "core/pattern/dxf/write.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
+#include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/geometry/polygon2.h"
 #include "core/pattern/curve.h"
@@ -25,11 +25,8 @@ class Groups {
   void add(int code, const char* value) { add(code, std::string(value)); }
   void add(int code, int value) { add(code, std::to_string(value)); }
   void number(int code, double value) {
-    char buffer[64];
     const double unsigned_zero = std::abs(value) < 0.5e-4 ? 0.0 : value;
-    const auto end =
-        std::to_chars(buffer, buffer + sizeof buffer, unsigned_zero, std::chars_format::fixed, kDecimals);
-    add(code, std::string(buffer, end.ptr));
+    add(code, fixed_text(unsigned_zero, kDecimals));
   }
   void point(int code, Vec2 p) {
     number(code, p.x);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/disjoint_sets.h"
+#include "core/base/text.h"
 #include "core/pattern/curve.h"
 #include "core/pattern/outline.h"
 
@@ -24,9 +25,7 @@ const PanelEdge* edge_of(const Pattern& pattern, const SeamEdge& e) {
 }
 
 std::string mm_text(double mm) {
-  const double tenths = std::round(mm * 10);
-  const auto whole = static_cast<long long>(tenths);
-  return std::to_string(whole / 10) + "." + std::to_string(std::llabs(whole % 10)) + " mm";
+  return fixed_text(std::round(mm * 10) / 10, 1) + " mm";  // a half goes up, whatever its last bit
 }
 
 /// An end of a side, or of an item in it.

@@ -1,12 +1,12 @@
 #include "core/pattern/seams/model.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <iterator>
 #include <string>
 #include <utility>
 
+#include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/pattern/curve.h"
 
@@ -228,20 +228,6 @@ void find_same(SeamModel& m, Index p, Index q) {
   }
 }
 
-/// Lower-case words: a name falls apart at what is no letter and before capitals.
-std::vector<std::string> split_words(const std::string& name) {
-  std::vector<std::string> words(1);
-  bool was_small = false;
-  for (const char c : name) {
-    const auto u = static_cast<unsigned char>(c);
-    const bool letter = std::isalpha(u) != 0, capital = std::isupper(u) != 0;
-    if (!letter || (capital && was_small)) words.emplace_back();
-    if (letter) words.back().push_back(static_cast<char>(std::tolower(u)));
-    was_small = letter && !capital;
-  }
-  return words;
-}
-
 bool is_part_word(const std::string& w) {
   static const char* const kParts[] = {"torso", "bodice", "body", "panel", "skirt",
                                        "pant",  "leg",    "yoke", "sleeve"};
@@ -252,7 +238,7 @@ bool is_part_word(const std::string& w) {
 
 PieceWords words_of(const std::string& name) {
   PieceWords words;
-  for (const std::string& w : split_words(name)) {
+  for (const std::string& w : words_of_name(name)) {
     const auto is = [&](std::initializer_list<const char*> any) {
       return std::any_of(any.begin(), any.end(), [&](const char* x) { return w == x; });
     };
@@ -260,7 +246,6 @@ PieceWords words_of(const std::string& name) {
     const auto starts = [&](const char* start, char letter) {
       return w.starts_with(start) || (w[0] == letter && is_part_word(w.substr(1)));
     };
-    if (w.empty()) continue;
     if (is({"l", "lf", "lt", "lft"}) || starts("left", 'l')) words.side = -1;
     if (is({"r", "rt", "rgt", "rh"}) || starts("right", 'r')) words.side = 1;
     if (is({"f", "fr", "frt", "fnt", "ft", "cf"}) || starts("front", 'f')) words.face = 1;

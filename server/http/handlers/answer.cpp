@@ -1,9 +1,9 @@
 #include "server/http/handlers/answer.h"
 
 #include <algorithm>
-#include <charconv>
 
 #include "core/base/names.h"
+#include "core/base/text.h"
 
 namespace toile {
 
@@ -64,12 +64,9 @@ Result<Page> read_page(const HttpRequest& request) {
   page.cursor = request.parameter("cursor");
   const std::string limit = request.parameter("limit");
   if (limit.empty()) return page;
-  const auto [end, failure] = std::from_chars(limit.data(), limit.data() + limit.size(), page.limit);
   constexpr int kMost = 100;
-  if (failure == std::errc() && end == limit.data() + limit.size() && page.limit >= 1 &&
-      page.limit <= kMost) {
-    return page;
-  }
+  page.limit = number_in<int>(limit).value_or(0);
+  if (page.limit >= 1 && page.limit <= kMost) return page;
   return Error{"request.limit", "limit is a number from 1 to 100", "limit"};
 }
 

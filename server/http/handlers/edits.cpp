@@ -1,8 +1,8 @@
 // /api/v1/projects/{id}/edits, undo, redo and proposals; /api/v1/imports.
 
 #include "server/documents/edits.h"
+#include "core/base/text.h"
 
-#include <charconv>
 #include <utility>
 
 #include "server/documents/imports.h"
@@ -46,11 +46,8 @@ HttpResponse history(const Api& api, const HttpRequest& request) {
   if (!page) return problem(400, page.error());
   std::int64_t before = 0;
   if (!page->cursor.empty()) {
-    const char* const end = page->cursor.data() + page->cursor.size();
-    const auto [stop, failure] = std::from_chars(page->cursor.data(), end, before);
-    if (failure != std::errc() || stop != end || before < 1) {
-      return problem({"store.cursor", "the cursor is not one that a list gave", "cursor"});
-    }
+    before = number_in<std::int64_t>(page->cursor).value_or(0);
+    if (before < 1) return problem({"store.cursor", "the cursor is not one that a list gave", "cursor"});
   }
   Result<std::string> text = history_json(api.store, kLocalOwner, request.captures[0], before, page->limit);
   return text ? json_answer(200, std::move(*text)) : problem(text.error());

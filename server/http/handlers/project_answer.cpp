@@ -1,9 +1,9 @@
 #include "server/http/handlers/project_answer.h"
 
-#include <charconv>
 #include <string_view>
 #include <utility>
 
+#include "core/base/text.h"
 #include "server/http/handlers/answer.h"
 #include "server/http/problem.h"
 
@@ -41,11 +41,9 @@ Result<int> required_revision(const HttpRequest& request) {
   if (tag == "*") return 0;
   const Error other{"store.conflict", "this is no revision of the project", "If-Match"};
   if (tag.size() < 3 || tag.front() != '"' || tag.back() != '"') return other;
-  int revision = 0;
-  const char* const end = tag.data() + tag.size() - 1;
-  const auto [stop, failure] = std::from_chars(tag.data() + 1, end, revision);
-  if (failure != std::errc() || stop != end || revision < 1) return other;
-  return revision;
+  const auto revision = number_in<int>(std::string_view(tag).substr(1, tag.size() - 2));
+  if (!revision || *revision < 1) return other;
+  return *revision;
 }
 
 HttpResponse revision_problem(const Error& error) {

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <cstring>
 #include <string>
+#include <vector>
 
+#include "core/body/mesh_import/formats.h"
 #include "tests/server/http/dressed.h"
 #include "tests/server/http/served.h"
 
@@ -268,6 +270,15 @@ TEST_F(Dressing, ListsPresetsWithAllTheirMeasures) {
   EXPECT_EQ(tree.find("measures")->array()->size(), 14u);
   for (const JsonValue& preset : *tree.find("presets")->array())
     EXPECT_EQ(preset.find("measures_cm")->object()->size(), 14u) << write_json(preset);
+}
+
+TEST_F(Dressing, TellsThePageEveryFormatOfMeshFiles) {
+  const JsonValue tree = tree_of(get("/api/v1/bodies/presets"));
+  std::vector<std::string> told, known;
+  for (const JsonValue& format : *tree.find("formats")->array())
+    told.push_back(*format.find("ending")->text());
+  for (const MeshFormat& format : mesh_formats()) known.emplace_back(format.ending);
+  EXPECT_EQ(told, known);
 }
 
 }  // namespace

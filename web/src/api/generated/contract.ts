@@ -49,7 +49,7 @@ export interface paths {
             cookie?: never;
         };
         /**
-         * Size tables, and what a tape measures
+         * Size tables, what a tape measures, and the formats of mesh files
          * @description Every preset has all fourteen measures; what its table does not have comes from proportions.
          */
         get: operations["listBodyPresets"];
@@ -884,6 +884,13 @@ export interface components {
                 /** @description What a document may say at least */
                 least_cm: number;
                 most_cm: number;
+            }[];
+            /** @description What a body's file may be, in the order in which people are told */
+            formats: {
+                /** @description As people call it */
+                name: string;
+                /** @description Of the file's name */
+                ending: string;
             }[];
         };
         /** @description How the body stands in its file */
