@@ -39,6 +39,12 @@ std::vector<Vec3> middle_points(const MeshCut& cut, double middle) {
   return out;
 }
 
+Vec3 middle_of(const std::vector<Vec3>& points) {
+  Aabb3 box;
+  for (const Vec3& p : points) box.add(p);
+  return box.middle();
+}
+
 // The outermost part of a cut among those whose middle lies within reach of p: the arm, not the trunk beside
 // it.
 std::vector<Vec3> outer_part(const MeshCut& cut, Vec3 p, double reach) {
@@ -48,7 +54,7 @@ std::vector<Vec3> outer_part(const MeshCut& cut, Vec3 p, double reach) {
   double most = -HUGE_VAL;
   for (std::vector<Vec3>& points : parts) {
     if (points.size() < 3) continue;
-    const Vec3 middle = bounding_box(points).middle();
+    const Vec3 middle = middle_of(points);
     if (length(middle - p) < reach && middle.x > most) {
       most = middle.x;
       best = std::move(points);

@@ -11,7 +11,7 @@ std::vector<Vec2> flat(const std::vector<Vec3>& points);
 /// Points of the parts of a level cut that cross x = middle, or else of the nearest part on each side.
 std::vector<Vec3> middle_points(const MeshCut& cut, double middle);
 
-/// The middle of the points' box.
+/// The middle of the box around the points; not a number where there are none.
 Vec3 middle_of(const std::vector<Vec3>& points);
 
 /// The outermost part (greatest x) of a cut among those whose middle lies within reach of p: the arm, not the

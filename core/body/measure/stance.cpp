@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/aabb.h"
+#include "core/body/measure/cut_points.h"
 #include "core/body/measure/mesh_cut.h"
 
 namespace toile {
@@ -24,7 +25,7 @@ bool two_legs_at(const TriangleMesh& mesh, double share) {
 
 // Toes reach farther from the ankles than heels do.
 bool faces_back(const TriangleMesh& mesh, double stature) {
-  const double ankle = bounding_box(MeshCutter(mesh, {0, 1, 0}).at(kAnkles * stature).points).middle().z;
+  const double ankle = middle_of(MeshCutter(mesh, {0, 1, 0}).at(kAnkles * stature).points).z;
   double toes = 0, heels = 0;
   for (const Vec3& p : mesh.vertices) {
     if (p.y > kSoles * stature) continue;
