@@ -5,13 +5,12 @@
 #include <utility>
 #include <vector>
 
+#include "core/pattern/seams/weights.h"
+
 namespace toile {
 namespace {
 
-constexpr double kAlike = 0.01;   // of the length
-constexpr double kEase = 0.045;   // that a long edge may have over the two
-constexpr double kExact = 0.004;  // that lengths may differ which were drawn to fit
-constexpr double kShortest = 60;  // mm; shorter edges are sewn to one other
+constexpr const CutWeights& kWeights = kCutWeights;
 
 double difference(double a, double b) { return std::abs(a - b) / std::max(a, b); }
 
@@ -24,7 +23,8 @@ struct Line {
 
 bool starts_dart(const SeamModel& m, Index r) {
   const SeamRun &leg = m.runs[r], &other = m.runs[leg.next];
-  return other.angle > 310 && other.angle < 359.5 && difference(leg.length, other.length) < 0.04;
+  return other.angle > 360 - kWeights.dart_deg && other.angle < 360 - kWeights.dart_least_deg &&
+         difference(leg.length, other.length) < kWeights.dart_ease;
 }
 
 std::vector<Line> lines_of(const SeamModel& m) {
@@ -54,7 +54,8 @@ std::vector<Line> lines_of(const SeamModel& m) {
 /// How surely the two lie end to end: one for each end at which their neighbours are alike.
 int meeting_ends(const SeamModel& m, const Line& a, const Line& b) {
   const auto alike = [&](Index x, Index y) {
-    return x != kNone && y != kNone && x != y && difference(m.runs[x].length, m.runs[y].length) < kAlike;
+    return x != kNone && y != kNone && x != y &&
+           difference(m.runs[x].length, m.runs[y].length) < kWeights.alike;
   };
   const int against = alike(a.after, b.before) + alike(a.before, b.after);
   const int along = alike(a.after, b.after) + alike(a.before, b.before);
@@ -64,7 +65,7 @@ int meeting_ends(const SeamModel& m, const Line& a, const Line& b) {
 bool has_partner(const SeamModel& m, Index r) {
   for (Index other = 0; other < static_cast<Index>(m.runs.size()); ++other) {
     if (m.runs[other].panel == m.runs[r].panel || other == m.mirror[r]) continue;
-    if (difference(m.runs[other].length, m.runs[r].length) < kAlike) return true;
+    if (difference(m.runs[other].length, m.runs[r].length) < kWeights.alike) return true;
   }
   return false;
 }
@@ -84,13 +85,14 @@ Two best_two(const SeamModel& m, const std::vector<Line>& lines, Index r, double
     if (!other_piece(lines[i])) continue;
     for (std::size_t j = i + 1; j < lines.size(); ++j) {
       const double sum = lines[i].length + lines[j].length;
-      if (sum > length * (1 + std::min(kAlike, ease)) || sum < length * (1 - ease)) continue;
+      if (sum > length * (1 + std::min(kWeights.alike, ease)) || sum < length * (1 - ease)) continue;
       // The two shoulders of one front never lie end to end.
       const bool same_piece = m.runs[lines[i].runs[0]].panel == m.runs[lines[j].runs[0]].panel;
-      if (same_piece || !other_piece(lines[j]) || std::min(lines[i].length, lines[j].length) < length / 5)
+      if (same_piece || !other_piece(lines[j]) ||
+          std::min(lines[i].length, lines[j].length) < length / kWeights.most_parts)
         continue;
       const int ends = meeting_ends(m, lines[i], lines[j]);
-      const double worth = ends - difference(sum, length) / kEase;
+      const double worth = ends - difference(sum, length) / kWeights.ease;
       if (ends > 0 && worth > best.worth) best = {&lines[i], &lines[j], worth};
     }
   }
@@ -100,7 +102,7 @@ Two best_two(const SeamModel& m, const std::vector<Line>& lines, Index r, double
 /// The line with darts in it that is as long as run r: a front's side to a back's.
 const Line* best_one(const SeamModel& m, const std::vector<Line>& lines, Index r) {
   const Line* best = nullptr;
-  double least = kEase;
+  double least = kWeights.ease;
   for (const Line& line : lines) {
     if (line.runs.size() < 2 || m.runs[line.runs[0]].panel == m.runs[r].panel) continue;
     const double off = difference(line.length, m.runs[r].length);
@@ -142,11 +144,10 @@ double climb(const SeamModel& m, Index first, Index last) {
 /// Distances of the darts of a line, seen from the start of run r that is sewn to it. Pieces mostly lie as
 /// they are worn: where both rise, lower ends meet.
 std::vector<double> darts_on(const SeamModel& m, const Line& line, Index r) {
-  constexpr double kRising = 0.5;
   const double length = m.runs[r].length;
   std::vector<double> places = places_on(m, {&line, nullptr, 0}, length, false);
   const double a = climb(m, line.runs.front(), line.runs.back()), b = climb(m, r, r);
-  if (std::min(std::abs(a), std::abs(b)) < kRising || a * b < 0) return places;
+  if (std::min(std::abs(a), std::abs(b)) < kWeights.rising || a * b < 0) return places;
   for (double& place : places) place = length - place;
   std::reverse(places.begin(), places.end());
   return places;
@@ -169,14 +170,15 @@ SeamModel with_likely_cuts(const Pattern& pattern, SeamModel model, CutKind kind
   std::vector<char> met(whole.runs.size(), 0);  // parts of a line with darts that has found its partner
   for (const bool darts : {true, false}) {
     for (Index r = 0; r < count; ++r) {
-      if (whole.runs[r].length < kShortest || !cuts[r].empty() || met[r] || has_partner(whole, r)) continue;
+      if (whole.runs[r].length < kWeights.shortest_mm || !cuts[r].empty() || met[r] || has_partner(whole, r))
+        continue;
       const Index twin = whole.mirror[r];
       if (twin != kNone && twin < r && !cuts[twin].empty()) {
         cut_like_mirror(whole, r, cuts);
         continue;
       }
       const bool exact = kind == CutKind::exact_first || kind == CutKind::exact_second;
-      const Two two = best_two(whole, lines, r, exact && !darts ? kExact : kEase);
+      const Two two = best_two(whole, lines, r, exact && !darts ? kWeights.exact : kWeights.ease);
       if (darts) {
         const Line* one = best_one(whole, lines, r);
         if (one == nullptr || two.worth >= 2) continue;

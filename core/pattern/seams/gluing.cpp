@@ -2,39 +2,29 @@
 
 #include <cmath>
 
+#include "core/pattern/seams/weights.h"
+
 namespace toile {
 namespace {
 
-/// Around a point inside the cloth 360° lie flat, 180° would be a fold's end.
+constexpr const GarmentWeights& kWeights = kGarmentWeights;
+
 double inner_merit(double angle) {
-  constexpr double kFlat = 40, kFair = 100, kFull = 1.5;
+  constexpr double flat = kWeights.inner_flat_deg, fair = kWeights.inner_fair_deg;
   const double off = std::abs(angle - 360);
-  if (off <= kFlat) return kFull;
-  if (off <= kFair) return kFull * (kFair - off) / (kFair - kFlat);
-  return -(off - kFair) / 100 * (angle < 360 ? 10 : 2);
+  if (off <= flat) return kWeights.inner;
+  if (off <= fair) return kWeights.inner * (fair - off) / (fair - flat);
+  return (off - fair) / 100 * (angle < 360 ? kWeights.inner_cone : kWeights.inner_ruffle);
 }
 
-/// A border mostly runs on straight across a seam.
 double border_merit(double angle) {
-  constexpr double kStraight = 25, kFair = 70, kFull = 0.7;
+  constexpr double straight = kWeights.border_straight_deg, fair = kWeights.border_fair_deg;
   const double off = std::abs(angle - 180);
-  if (off <= kStraight) return kFull;
-  if (off <= kFair) return kFull * (kFair - off) / (kFair - kStraight);
-  return -std::min(angle > 180 ? 1.2 : 2.5, (off - kFair) / 100 * 2.5);  // a slit ends at 360°
+  if (off <= straight) return kWeights.border;
+  if (off <= fair) return kWeights.border * (fair - off) / (fair - straight);
+  return std::max(angle > 180 ? kWeights.border_slit : kWeights.border_corner,
+                  (off - fair) / 100 * kWeights.border_bent);
 }
-
-constexpr double kHandle = -25;      ///< a ring sewn to a ring of the same cloth
-constexpr double kPart = -2.5;       ///< cloth that hangs on nothing
-constexpr double kOpening = 1.5;     ///< a way in or out for the body, beyond the first
-constexpr int kOpenings = 3;         ///< that count
-constexpr double kShut = -1.5;       ///< a piece without any free edge
-constexpr double kFreeRound = -2.5;  ///< openings run straight or hollow: a round edge is there to be sewn
-constexpr double kRound = 45;        ///< degrees that it turns by
-constexpr double kMirrored = 1;      ///< the same seam on the other side
-constexpr double kSameGather = 3;    ///< neighbours gathered alike
-constexpr double kGathered = 1.05;
-constexpr double kTornLine = -2.5;  ///< a smooth line that is sewn up to some point of it and no further
-constexpr double kSmooth = 15;      ///< degrees
 
 /// Corners by the point that they come to; corner i is the start of run i.
 void join_corners(const SeamModel& m, const SeamGluing& g, DisjointSets& corners) {
@@ -55,8 +45,8 @@ GluingJudge::GluingJudge(const SeamModel& model, const GluingSettings& settings)
   for (std::size_t i = 0; i < model.runs.size(); ++i) {
     const SeamRun& run = model.runs[i];
     runs_.push_back({run.next, run.panel, model.mirror[i], run.from > 0 || run.to<1, run.from> 0,
-                     run.turn.back() > kRound, std::abs(run.angle - 180) < kSmooth, run.angle, run.length,
-                     run.to - run.from});
+                     run.turn.back() > kWeights.round_deg, std::abs(run.angle - 180) < kWeights.smooth_deg,
+                     run.angle, run.length, run.to - run.from});
   }
   root_.resize(runs_.size());
 }
@@ -83,40 +73,38 @@ double GluingJudge::pairs(const SeamGluing& g) const {
     merit += g.merit[a][along(g, a, b)];
     const Index ma = runs_[a].mirror, mb = runs_[b].mirror;
     if (ma != kNone && mb != kNone && ma != b && g.partner[ma] == mb)
-      merit += kMirrored * std::min(runs_[a].share, runs_[b].share);
+      merit += kWeights.mirrored * std::min(runs_[a].share, runs_[b].share);
   }
   return merit;
 }
 
 /// Pieces are mostly drawn from their right side, and mirrored ones from the same side.
 double GluingJudge::sides(const SeamGluing& g) const {
-  constexpr double kTurned = -0.3, kKnown = -50, kTwinTurned = -3, kFaceTurned = -0.6;
   double turned = 0;
   for (std::size_t p = 0; p < g.turned.size(); ++p)
     turned += (g.turned[p] != 0) != (!settings_.turned.empty() && settings_.turned[p] != 0);
   double merit = settings_.sides_known
-                     ? kKnown * turned
-                     : kTurned * std::min(turned, static_cast<double>(g.turned.size()) - turned);
+                     ? kWeights.turned_known * turned
+                     : kWeights.turned * std::min(turned, static_cast<double>(g.turned.size()) - turned);
   double faces[2][2] = {};  // pieces named front and back, as drawn and turned
   for (std::size_t p = 0; p < m_.twin.size(); ++p) {
     const Index q = m_.twin[p];
     if (m_.words[p].face != 0) ++faces[m_.words[p].face > 0][g.turned[p] != 0];
-    if (q > static_cast<Index>(p) && g.turned[p] != g.turned[q]) merit += kTwinTurned;
+    if (q > static_cast<Index>(p) && g.turned[p] != g.turned[q]) merit += kWeights.twin_turned;
   }
-  for (const auto& face : faces) merit += kFaceTurned * std::min(face[0], face[1]);
+  for (const auto& face : faces) merit += kWeights.face_turned * std::min(face[0], face[1]);
   return merit;
 }
 
 /// Two pieces that mirror each other meet along one line, the middle of the body, seldom along two.
 double GluingJudge::middles(const SeamGluing& g) {
-  constexpr double kSecondLine = -4;
   lines_.assign(m_.words.size(), 0);
   const auto in_middle = [&](Index r) { return g.partner[r] != kNone && g.partner[r] == runs_[r].mirror; };
   for (Index r = 0; r < static_cast<Index>(runs_.size()); ++r)
     lines_[runs_[r].panel] += in_middle(r) && !in_middle(runs_[r].next);
   double merit = 0;
   for (std::size_t p = 0; p < lines_.size(); ++p)
-    if (m_.twin[p] > static_cast<Index>(p)) merit += kSecondLine * std::max(0, lines_[p] - 1);
+    if (m_.twin[p] > static_cast<Index>(p)) merit += kWeights.second_line * std::max(0, lines_[p] - 1);
   return merit;
 }
 
@@ -128,10 +116,10 @@ double GluingJudge::free_edges(const SeamGluing& g) {
     const Run& run = runs_[r];
     const bool free = g.partner[r] == kNone, next_free = g.partner[run.next] == kNone;
     if (free) open_[run.panel] = 1;
-    if (free && run.round) merit += kFreeRound;
-    if (free != next_free && runs_[run.next].smooth) merit += kTornLine;
+    if (free && run.round) merit += kWeights.free_round;
+    if (free != next_free && runs_[run.next].smooth) merit += kWeights.torn_line;
   }
-  return merit + kShut * static_cast<double>(std::count(open_.begin(), open_.end(), 0));
+  return merit + kWeights.shut * static_cast<double>(std::count(open_.begin(), open_.end(), 0));
 }
 
 /// How the cloth lies around the points where pieces meet.
@@ -181,15 +169,15 @@ double GluingJudge::surface(const SeamGluing& g) {
     }
   }
   const int twice_handles = 2 * components - (points_ - edges + panels) - border_count;
-  return kHandle * twice_handles / 2 + kPart * (components - 1) +
-         kOpening * std::min(kOpenings, border_count - components);
+  return kWeights.handle * twice_handles / 2 + kWeights.part * (components - 1) +
+         kWeights.opening * std::min(kWeights.openings, border_count - components);
 }
 
 double GluingJudge::gathers(const SeamGluing& g) {
   gathers_.clear();
   for (Index a = 0; a < static_cast<Index>(runs_.size()); ++a) {
     const Index b = g.partner[a];
-    if (b == kNone || runs_[a].length < kGathered * runs_[b].length) continue;
+    if (b == kNone || runs_[a].length < kWeights.gathered * runs_[b].length) continue;
     if (runs_[a].cut || runs_[b].cut) continue;  // cuts are in proportion anyway
     gathers_.push_back({runs_[a].length / runs_[b].length, {root_[a], root_[runs_[a].next]}, a});
   }
@@ -200,10 +188,11 @@ double GluingJudge::gathers(const SeamGluing& g) {
       const bool meet = x.ends[0] == y.ends[0] || x.ends[0] == y.ends[1] || x.ends[1] == y.ends[0] ||
                         x.ends[1] == y.ends[1];
       const bool mirrored = runs_[x.run].mirror == y.run;  // alike without any reason to be sewn
-      if (meet && !mirrored && std::abs(x.ratio - y.ratio) < 0.015 * x.ratio) merit += kSameGather;
+      if (meet && !mirrored && std::abs(x.ratio - y.ratio) < kWeights.like_gather * x.ratio)
+        merit += kWeights.same_gather;
     }
   }
-  return std::min(merit, 2 * kSameGather);
+  return std::min(merit, kWeights.gathers * kWeights.same_gather);
 }
 
 double GluingJudge::merit(const SeamGluing& g) {

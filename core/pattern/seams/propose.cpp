@@ -9,9 +9,12 @@
 #include "core/geometry/polygon2.h"
 #include "core/pattern/curve.h"
 #include "core/pattern/seams/search.h"
+#include "core/pattern/seams/weights.h"
 
 namespace toile {
 namespace {
+
+constexpr const ConfidenceWeights& kWeights = kConfidenceWeights;
 
 /// Runs of uncut outlines are counted panel after panel.
 std::vector<Index> first_runs(const Pattern& pattern) {
@@ -39,12 +42,10 @@ void sort_sewn(const Pattern& pattern, std::vector<std::array<Index, 2>>& sewn, 
   }
 }
 
-/// Margins of about 4 mean four in five; gathers are never quite sure.
 double confidence_of(double margin, double a, double b) {
-  constexpr double kEven = 1.8, kSlope = 1.7;
-  const double chance = 1 / (1 + std::exp(-(margin - kEven) / kSlope));
+  const double chance = 1 / (1 + std::exp(-(margin - kWeights.even) / kWeights.slope));
   const double difference = std::abs(a - b) / std::max(a, b);
-  return chance * (1 - 0.35 * std::max(0.0, difference - 0.03));
+  return chance * (1 - kWeights.gathers * std::max(0.0, difference - kWeights.gathers_begin));
 }
 
 /// The edges of one side, parts of one edge put together again.
@@ -78,30 +79,28 @@ std::vector<FoundSeam> parts_of(const FoundSeams& found, const FoundSeam& seam) 
 /// Where pieces lie upon others there is a seam for every edge in every layer, and nothing in their outlines
 /// says which belong to one: such seams are for a person to decide, the more where a layer takes part.
 double layer_share(const FoundSeams& found, const FoundSeam& seam) {
-  constexpr double kLayer = 0.6, kBeside = 0.85;
   const auto is_layer = [](const PieceWords& words) { return words.layer; };
   const std::vector<PieceWords>& words = found.model.words;
   if (std::none_of(words.begin(), words.end(), is_layer)) return 1;
   for (const std::vector<Index>* side : {&seam.a, &seam.b})
     for (const Index r : *side)
-      if (words[found.model.runs[r].panel].layer) return kLayer;
-  return kBeside;
+      if (words[found.model.runs[r].panel].layer) return kWeights.layer;
+  return kWeights.beside_layer;
 }
 
 /// How far the garment that was found is to be believed in. Where few names tell fronts from backs, and it is
 /// not known which side of the pieces one sees, another garment is often as good; and of very many edges, as
 /// in a whole wardrobe, the best garment is seldom found. What is then proposed is for a person to decide.
 double puzzle_share(const FoundSeams& found, bool sides_known) {
-  constexpr double kNameless = 0.78, kEnoughNames = 0.5, kManyEdges = 0.79;
-  constexpr std::ptrdiff_t kMany = 70;
   double named = 0;
   for (const PieceWords& words : found.model.words)
     named += words.side != 0 || words.face != 0 || words.limb || words.layer ? 1 : 0;
-  const double share = named / std::max(1.0, static_cast<double>(found.model.words.size())) / kEnoughNames;
-  const double names = sides_known ? 1 : std::min(1.0, kNameless + (1 - kNameless) * share);
+  const double share =
+      named / std::max(1.0, static_cast<double>(found.model.words.size())) / kWeights.enough_names;
+  const double names = sides_known ? 1 : std::min(1.0, kWeights.nameless + (1 - kWeights.nameless) * share);
   const std::ptrdiff_t edges = std::count_if(found.model.runs.begin(), found.model.runs.end(),
                                              [](const SeamRun& run) { return run.from == 0; });
-  return std::min(names, edges > kMany ? kManyEdges : 1);
+  return std::min(names, edges > kWeights.many ? kWeights.many_edges : 1);
 }
 
 bool all_reversed(const std::vector<SeamEdge>& side) {

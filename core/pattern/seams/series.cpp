@@ -5,15 +5,14 @@
 #include <optional>
 #include <utility>
 
+#include "core/pattern/seams/weights.h"
+
 namespace toile {
 namespace {
 
 constexpr std::size_t kLongest = 8;       // runs on a side
 constexpr std::size_t kMostTrials = 150;  // that are looked at closely, at a time
-constexpr double kMeet = 0.012;           // of the seam's length: corners this close meet
-constexpr double kMeetAtLeast = 3;        // mm
-constexpr double kWorthwhile = 1.5;
-constexpr double kPerCorner = 0.7;  // for corners of both sides that meet
+constexpr const SeriesWeights& kWeights = kSeriesWeights;
 
 /// Free runs one after the other along a border.
 struct Chain {
@@ -62,7 +61,9 @@ std::vector<double> corners_of(const SeamModel& m, const std::vector<Index>& run
   return at;
 }
 
-double meeting_distance(double length_mm) { return std::max(kMeetAtLeast, kMeet * length_mm); }
+double meeting_distance(double length_mm) {
+  return std::max(kWeights.meet_least_mm, kWeights.meet * length_mm);
+}
 
 /// Corners of b run backwards, scaled to a's length, ascending.
 std::vector<double> seen_from(const SeamModel& m, const Chain& a, const Chain& b) {
@@ -84,8 +85,8 @@ std::size_t meeting_corners(const SeamModel& m, const Chain& a, const Chain& b) 
 /// What speaks for the two chains before the surface is looked at.
 double series_merit(const SeamModel& m, const Chain& a, const Chain& b) {
   double merit = length_merit(a.length, b.length);
-  merit += std::min(2.5, kPerCorner * static_cast<double>(meeting_corners(m, a, b)));
-  if (a.whole && b.whole) merit += 2.5;
+  merit += std::min(kWeights.corners_most, kWeights.corner * static_cast<double>(meeting_corners(m, a, b)));
+  if (a.whole && b.whole) merit += kWeights.whole_borders;
   return merit;
 }
 
@@ -96,7 +97,7 @@ std::vector<Trial> trials_of(const SeamModel& m, const std::vector<Chain>& chain
       const Chain &a = chains[i], &b = chains[j];
       if (a.runs.size() + b.runs.size() < 3 || overlap(a, b)) continue;
       const double ratio = std::max(a.length, b.length) / std::min(a.length, b.length);
-      if (ratio > (a.whole && b.whole ? 1.7 : 1.12)) continue;
+      if (ratio > (a.whole && b.whole ? kWeights.ratio_whole : kWeights.ratio)) continue;
       trials.push_back({i, j, series_merit(m, a, b)});
     }
   }
@@ -167,7 +168,7 @@ void sew_series(const Pattern& pattern, FoundSeams& found, const std::vector<cha
     const std::vector<Chain> chains = chains_of(found.model, free_borders(found.model, found.gluing), locked);
     const double now = gluing_merit(found.model, found.gluing, settings);
     std::optional<FoundSeams> best;
-    double gain = kWorthwhile;
+    double gain = kWeights.worthwhile;
     for (const Trial& trial : trials_of(found.model, chains)) {
       auto next = with_series(pattern, found, chains[trial.a], chains[trial.b], trial.worth);
       if (!next) continue;
