@@ -1,5 +1,7 @@
 #include "core/pattern/fit_cubic.h"
 
+#include <Eigen/Core>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -70,8 +72,26 @@ std::vector<double> chord_parameters(Points p) {
   return u;
 }
 
-/// Schneider's least squares: the handle lengths along the given forward tangents.
-CubicBezier fit_handles(Points p, const std::vector<double>& u, Vec2 t0, Vec2 t1, double run_length) {
+/// Two unknowns that are to agree with many points, by least squares.
+struct NormalEquations {
+  Eigen::Matrix2d matrix;  ///< symmetric
+  Eigen::Vector2d right;
+
+  double determinant() const { return matrix.determinant(); }
+  /// Whether the two are told apart at all.
+  bool is_sound() const { return std::abs(determinant()) > 1e-12 * matrix(0, 0) * matrix(1, 1); }
+  /// By Cramer's rule. Eigen's inverse would multiply by 1 / det; dividing last keeps the last bit, and so
+  /// the outlines of projects that were made before.
+  Eigen::Vector2d solution() const {
+    Eigen::Matrix2d adjugate;
+    adjugate << matrix(1, 1), -matrix(0, 1), -matrix(1, 0), matrix(0, 0);
+    return (adjugate * right) / determinant();
+  }
+};
+
+/// For the lengths of the two handles, along the given forward tangents. Summed in plain numbers: with a
+/// matrix for each point reading a drawing takes twice as long.
+NormalEquations handle_equations(Points p, const std::vector<double>& u, Vec2 t0, Vec2 t1) {
   const Vec2 a = p.front(), b = p.back();
   double c00 = 0, c01 = 0, c11 = 0, x0 = 0, x1 = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -84,12 +104,17 @@ CubicBezier fit_handles(Points p, const std::vector<double>& u, Vec2 t0, Vec2 t1
     x0 += dot(a0, rest);
     x1 += dot(a1, rest);
   }
-  const double det = c00 * c11 - c01 * c01;
-  double h0 = (x0 * c11 - x1 * c01) / det, h1 = (c00 * x1 - c01 * x0) / det;
+  return {Eigen::Matrix2d{{c00, c01}, {c01, c11}}, Eigen::Vector2d{x0, x1}};
+}
+
+/// Schneider's least squares: the cubic with the handle lengths that come closest to the points.
+CubicBezier fit_handles(Points p, const std::vector<double>& u, Vec2 t0, Vec2 t1, double run_length) {
+  const NormalEquations equations = handle_equations(p, u, t0, t1);
+  Eigen::Vector2d h = equations.solution();
   // Negative, tiny or huge handles make hooks and loops; the heuristic of a third makes none.
-  const auto sound = [&](double h) { return h > 1e-3 * run_length && h < run_length; };
-  if (!(std::abs(det) > 1e-12 * c00 * c11) || !sound(h0) || !sound(h1)) h0 = h1 = run_length / 3;
-  return {a, a + t0 * h0, b - t1 * h1, b};
+  const auto sound = [&](double length) { return length > 1e-3 * run_length && length < run_length; };
+  if (!equations.is_sound() || !sound(h[0]) || !sound(h[1])) h.setConstant(run_length / 3);
+  return {p.front(), p.front() + t0 * h[0], p.back() - t1 * h[1], p.back()};
 }
 
 struct Worst {
