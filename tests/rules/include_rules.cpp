@@ -73,7 +73,7 @@ struct Door {
 const std::vector<Door>& doors() {
   static const std::vector<Door> all{
       {"assimp/", "assimp", {"core/body/mesh_import/load."}, false},
-      {"Eigen/", "Eigen", {"core/pattern/fit_cubic."}, false},
+      {"Eigen/", "Eigen", {"core/body/mannequin/broyden.", "core/pattern/fit_cubic."}, false},
       {"GL/osmesa", "OSMesa", {"server/render/gl_context."}, false},
       {"GL/", "OpenGL", {"server/render/"}, true},
       {"nlohmann/",

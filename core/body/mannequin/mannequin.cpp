@@ -7,6 +7,7 @@
 #include "core/base/aabb.h"
 #include "core/base/text.h"
 #include "core/base/units.h"
+#include "core/body/mannequin/broyden.h"
 #include "core/body/mannequin/field.h"
 #include "core/body/mannequin/polygonise.h"
 #include "core/body/mannequin/proportions.h"
@@ -31,7 +32,6 @@ constexpr double kGirthTolerance = 0.005, kLengthTolerance = 0.010;  // m
 constexpr Index kSureTriangles = 2000;  // fewer do not always hold what a tape should read
 constexpr double kGreatestGirth = 2.2, kGreatestLength = 1.35;  // factors; their inverses are the least
 constexpr double kGreatestStep = 0.12, kGreatestOff = 0.15;  // of a factor, of a measure, in one correction
-constexpr double kLeastEffect = 0.25;                        // of a step on the measures, to learn from it
 
 struct Limit {
   double low, high;  // shares of the height
@@ -166,7 +166,7 @@ class ShapeSolver {
   /// Begins anew from a shape.
   void restart(const BodyShape& from) {
     shape = from;
-    inverse_.clear();
+    broyden_.clear();
     restart();
   }
 
@@ -183,8 +183,8 @@ class ShapeSolver {
 
   void correct(const BodyMeasures& got) {
     std::vector<double> off = offs(got);
-    if (inverse_.empty()) forget();
-    if (!last_step_.empty()) learn(off);
+    if (broyden_.empty()) broyden_.begin(free_.size());
+    if (!last_step_.empty()) broyden_.learn(last_step_, last_off_, off);
     const double missed = miss(got);
     double share = 1;
     if (missed < kWorse * least_miss_) {
@@ -196,7 +196,7 @@ class ShapeSolver {
       }
     } else {
       // From the best place so far, with a shorter step; what keeps leading astray is not worth keeping.
-      if (++bad_steps_ > 1) forget();
+      if (++bad_steps_ > 1) broyden_.begin(free_.size());
       shape = best_;
       off = best_off_;
       share = kShorter;
@@ -212,12 +212,6 @@ class ShapeSolver {
     return std::clamp(factor, 1 / most, most);
   }
 
-  void forget() {
-    const size_t n = free_.size();
-    inverse_.assign(n * n, 0);
-    for (size_t k = 0; k < n; ++k) inverse_[k * n + k] = 1;
-  }
-
   // How far each measure asked for is off, as a share of itself.
   std::vector<double> offs(const BodyMeasures& got) const {
     std::vector<double> off;
@@ -229,37 +223,16 @@ class ShapeSolver {
   }
 
   void step(const std::vector<double>& off, double share) {
-    const size_t n = free_.size();
     last_off_ = off;
-    last_step_.assign(n, 0);
-    for (size_t k = 0; k < n; ++k) {
-      double change = 0;
-      for (size_t j = 0; j < n; ++j) change -= share * inverse_[k * n + j] * off[j];
+    last_step_ = broyden_.step(off, share);
+    for (size_t k = 0; k < free_.size(); ++k) {
       double& factor = shape.factor[free_[k]];
-      const double next = limited(free_[k], factor * (1 + std::clamp(change, -kGreatestStep, kGreatestStep)));
-      last_step_[k] = next / factor - 1;
+      const double change = std::clamp(last_step_[k], -kGreatestStep, kGreatestStep);
+      const double next = limited(free_[k], factor * (1 + change));
+      last_step_[k] = next / factor - 1;  // as it was taken within the limits
       factor = next;
     }
     follow();
-  }
-
-  // The rank-one change of the inverse that explains the last step's effect.
-  void learn(const std::vector<double>& off) {
-    const size_t n = off.size();
-    std::vector<double> by_effect(n, 0), by_step(n, 0);
-    double weight = 0, steps = 0;
-    for (size_t k = 0; k < n; ++k) {
-      for (size_t j = 0; j < n; ++j) {
-        by_effect[k] += inverse_[k * n + j] * (off[j] - last_off_[j]);
-        by_step[k] += last_step_[j] * inverse_[j * n + k];
-      }
-      weight += last_step_[k] * by_effect[k];
-      steps += last_step_[k] * last_step_[k];
-    }
-    if (!(weight > kLeastEffect * steps) || !(steps > 1e-8)) return;
-    for (size_t k = 0; k < n; ++k)
-      for (size_t j = 0; j < n; ++j)
-        inverse_[k * n + j] += (last_step_[k] - by_effect[k]) * by_step[j] / weight;
   }
 
   // Nobody asked: ribs lie between chest and waist, so that the trunk has no step.
@@ -270,7 +243,8 @@ class ShapeSolver {
 
   const MeasureSet& asked_;
   std::vector<int> free_;  ///< measures asked for
-  std::vector<double> inverse_, last_off_, last_step_;
+  Broyden broyden_;
+  std::vector<double> last_off_, last_step_;
   BodyShape best_;  ///< of those on this mesh
   std::vector<double> best_off_;
   double least_miss_ = HUGE_VAL;
