@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "core/pattern/dxf/entities.h"
+#include "core/pattern/dxf/groups.h"
+#include "core/pattern/dxf/words.h"
 
 namespace toile {
 
@@ -63,5 +65,16 @@ struct DxfDraft {
   bool mirrored() const { return number(230, 1) < 0; }
   Vec2 at() const { return {number(10), number(20)}; }
 };
+
+/// The draft takes in what a group says of its layer, its words or the block that it names. Whether the group
+/// was one of these.
+bool take_words(DxfDraft& draft, const DxfGroup& group, DxfEncoding encoding);
+
+/// Whether the number of this group is one more vertex or knot, of which a file may hold so many.
+bool counts_as_vertex(const DxfDraft& draft, int code);
+
+/// The draft takes in a number; its first that is none, or lies beyond `max_coordinate` (drawing units), is
+/// its fault and counts as 0.
+void take_number(DxfDraft& draft, const DxfGroup& group, double max_coordinate);
 
 }  // namespace toile

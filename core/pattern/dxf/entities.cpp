@@ -13,7 +13,34 @@
 namespace toile {
 namespace {
 
-constexpr double kMostBulge = 1e3;  // beyond, an arc is a full circle but for a thousandth
+/// What the HEADER says, one variable after the other.
+struct Header {
+  std::string variable;  // whose groups come now
+  DxfEncoding encoding = DxfEncoding::unknown;
+
+  void hear(const DxfGroup& group, DxfFile& file) {
+    if (group.code == 9) variable = std::string(group.value);
+    if (variable == "$ACADVER" && group.code == 1) file.version = clean_text(group.value);
+    if (variable == "$DWGCODEPAGE" && group.code == 3) encoding = encoding_of(group.value);
+    if (group.code != 70 || (variable != "$INSUNITS" && variable != "$MEASUREMENT")) return;
+    const std::optional<double> value = number_of(group.value);
+    if (!value) return file.log.warn(group.line, variable + " is no number and says nothing");
+    (variable == "$INSUNITS" ? file.insunits : file.measurement) = DxfVariable{*value, group.line};
+  }
+};
+
+/// Where in the file the groups stand.
+struct Section {
+  std::string name;           // empty outside sections, "?" until its name is read
+  int line = 0;               // where it began
+  bool had_entities = false;  // a section ENTITIES has ended
+
+  bool holds_drawing() const { return name == "ENTITIES" || name == "BLOCKS"; }
+  void end() {
+    had_entities = had_entities || name == "ENTITIES";
+    name.clear();
+  }
+};
 
 class Parser {
  public:
@@ -69,7 +96,7 @@ class Parser {
     const bool cut = error && error->code == "dxf.truncated";
     if (error && !cut && (started_ || error->code != "dxf.bad_group_code")) return *error;
     if (!started_) return not_dxf(std::max(1, reader_.line()));
-    if (section_.empty() && had_entities_ && !cut) {
+    if (section_.name.empty() && section_.had_entities && !cut) {
       file_.log.warn(reader_.line(), "the file ends without EOF, though behind a whole section ENTITIES");
       return std::nullopt;
     }
@@ -88,8 +115,9 @@ class Parser {
   }
 
   std::string cut_text() const {
-    const std::string inside =
-        section_.empty() ? "" : ", within section " + section_ + " that began in " + line_text(section_line_);
+    const std::string inside = section_.name.empty() ? ""
+                                                     : ", within section " + section_.name +
+                                                           " that began in " + line_text(section_.line);
     return "the file ends without EOF" + inside;
   }
 
@@ -113,7 +141,10 @@ class Parser {
 
   Failure start(const DxfGroup& group) {
     if (group.value == "SECTION" || group.value == "ENDSEC" || group.value == "EOF") return boundary(group);
-    if (!collecting()) return file_.log.elsewhere(), std::nullopt;
+    if (!section_.holds_drawing()) {
+      file_.log.elsewhere();
+      return std::nullopt;
+    }
     if (auto error = finish_entity()) return error;
     draft_ = DxfDraft{};
     draft_->type = dxf_type_of(group.value);
@@ -138,127 +169,37 @@ class Parser {
     collector_.end_block();
     file_.log.structure();
     if (group.value == "ENDSEC") {
-      had_entities_ = had_entities_ || section_ == "ENTITIES";
-      section_.clear();
+      section_.end();
       return std::nullopt;
     }
-    if (!section_.empty()) {
+    if (!section_.name.empty()) {
       file_.log.warn(group.line, "ENDSEC is missing before " + std::string(group.value) + ": section " +
-                                     section_ + ", that began in " + line_text(section_line_) +
+                                     section_.name + ", that began in " + line_text(section_.line) +
                                      ", ends here");
-      had_entities_ = had_entities_ || section_ == "ENTITIES";
-      section_.clear();
+      section_.end();
     }
     if (group.value == "EOF") done_ = true;
     if (group.value == "SECTION") {
-      section_ = "?";
-      section_line_ = group.line;
+      section_.name = "?";
+      section_.line = group.line;
     }
     return std::nullopt;
   }
-
-  bool collecting() const { return section_ == "ENTITIES" || section_ == "BLOCKS"; }
 
   Failure take(const DxfGroup& group) {
-    if (section_ == "?") {
-      section_ = group.code == 2 && !group.value.empty() ? clean_text(group.value) : "without a name";
+    if (section_.name == "?") {
+      section_.name = group.code == 2 && !group.value.empty() ? clean_text(group.value) : "without a name";
       return std::nullopt;
     }
-    if (section_ == "HEADER") return header_value(group), std::nullopt;
-    if (!draft_) return std::nullopt;
-    DxfDraft& d = *draft_;
-    switch (group.code) {
-      case 8:
-        d.layer = clean_text(group.value, encoding_);
-        return std::nullopt;
-      case 1:
-      case 3:
-        return words(group), std::nullopt;
-      case 2:
-        d.reference = clean_text(group.value, encoding_);
-        return std::nullopt;
-      default:
-        return wants(d.type, group.code) ? number(group) : std::nullopt;
+    if (section_.name == "HEADER") {
+      header_.hear(group, file_);
+      return std::nullopt;
     }
-  }
-
-  /// Long MTEXTs come in several groups 3 and a last group 1.
-  void words(const DxfGroup& group) {
-    DxfDraft& d = *draft_;
-    if (d.type == DxfType::mtext) {
-      d.text = clean_text(d.text + clean_text(plain_text(group.value), encoding_), DxfEncoding::latin);
-    } else if (group.code == 1) {
-      d.text = clean_text(group.value, encoding_);
-    }
-  }
-
-  void header_value(const DxfGroup& group) {
-    if (group.code == 9) variable_ = std::string(group.value);
-    if (variable_ == "$ACADVER" && group.code == 1) file_.version = clean_text(group.value);
-    if (variable_ == "$DWGCODEPAGE" && group.code == 3) encoding_ = encoding_of(group.value);
-    if (group.code != 70 || (variable_ != "$INSUNITS" && variable_ != "$MEASUREMENT")) return;
-    const std::optional<double> value = number_of(group.value);
-    if (!value) return file_.log.warn(group.line, variable_ + " is no number and says nothing");
-    (variable_ == "$INSUNITS" ? file_.insunits : file_.measurement) = DxfVariable{*value, group.line};
-  }
-
-  Failure number(const DxfGroup& group) {
-    DxfDraft& d = *draft_;
-    std::optional<double> v = number_of(group.value);
-    const std::string held = "Group " + std::to_string(group.code) + " of " + d.name + " holds ";
-    const auto fault = [&](const char* code, const std::string& message) {
-      if (!d.fault) d.fault = Error{code, message, line_text(group.line)};
-      v = 0;
-    };
-    if (!v) {
-      fault("dxf.bad_number",
-            held + "'" + clean_text(group.value.substr(0, 40)) + "' where a finite number belongs.");
-    } else if (out_of_range(d, group.code, *v)) {
-      fault("dxf.coordinate_range",
-            held + clean_text(group.value.substr(0, 40)) + ", which is beyond any pattern.");
-    }
-    if (d.type == DxfType::lwpolyline || d.type == DxfType::spline) return listed(group, *v);
-    d.numbers[group.code] = *v;
-    return std::nullopt;
-  }
-
-  bool out_of_range(const DxfDraft& d, int code, double v) const {
-    if (code == 42 && d.type != DxfType::insert && d.type != DxfType::ellipse)
-      return std::abs(v) > kMostBulge;
-    const bool length = code == 10 || code == 20 || code == 11 || code == 21 ||
-                        (code == 40 && d.type != DxfType::spline && d.type != DxfType::ellipse);
-    return length && std::abs(v) > settings_.max_coordinate_mm;
-  }
-
-  /// Groups that repeat within one entity.
-  Failure listed(const DxfGroup& group, double v) {
-    DxfDraft& d = *draft_;
-    const auto point = [&](std::vector<DxfVertex>& list, bool& awaits_y, bool is_x) {
-      if (is_x && awaits_y && !d.fault)
-        d.fault = Error{"dxf.missing_coordinate",
-                        "The " + d.name + " has no group " + std::to_string(group.code + 10) + ".",
-                        line_text(d.line)};
-      if (is_x) list.push_back({{v, 0}, 0});
-      if (!is_x && awaits_y) list.back().at.y = v;
-      awaits_y = is_x;
-    };
-    const bool spline = d.type == DxfType::spline;
-    const bool counts = group.code == 10 || (spline && (group.code == 11 || group.code == 40));
-    if (counts)
+    if (!draft_ || take_words(*draft_, group, header_.encoding) || !wants(draft_->type, group.code))
+      return std::nullopt;
+    if (counts_as_vertex(*draft_, group.code))
       if (auto error = collector_.count_vertex(group.line)) return error;
-    if (group.code == 10 || group.code == 20) {
-      point(d.vertices, d.awaits_y, group.code == 10);
-    } else if (spline && (group.code == 11 || group.code == 21)) {
-      point(d.through, d.through_awaits_y, group.code == 11);
-    } else if (group.code == 42 && !d.vertices.empty()) {
-      d.vertices.back().bulge = v;
-    } else if (group.code == 40) {
-      d.knots.push_back(v);
-    } else if (group.code == 41) {
-      d.weights.push_back(v);
-    } else {
-      d.numbers[group.code] = v;
-    }
+    take_number(*draft_, group, settings_.max_coordinate_mm);
     return std::nullopt;
   }
 
@@ -267,8 +208,10 @@ class Parser {
     DxfDraft draft = std::move(*draft_);
     draft_.reset();
     // Between two blocks there is nothing but what a careless program left there.
-    if (section_ == "BLOCKS" && !collector_.in_block() && draft.type != DxfType::block)
-      return file_.log.elsewhere(), std::nullopt;
+    if (section_.name == "BLOCKS" && !collector_.in_block() && draft.type != DxfType::block) {
+      file_.log.elsewhere();
+      return std::nullopt;
+    }
     return collector_.store(draft);
   }
 
@@ -276,11 +219,10 @@ class Parser {
   const DxfSettings& settings_;
   DxfFile file_;
   DxfCollector collector_;
-  bool started_ = false, done_ = false, had_entities_ = false;
-  std::string section_, variable_;  // section_: empty outside sections, "?" until its name is read
-  int section_line_ = 0;
-  std::optional<DxfDraft> draft_;
-  DxfEncoding encoding_ = DxfEncoding::unknown;
+  bool started_ = false, done_ = false;
+  Section section_;
+  Header header_;
+  std::optional<DxfDraft> draft_;  // the entity whose groups come now
 };
 
 }  // namespace

@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "core/base/text.h"
 #include "core/pattern/dxf/groups.h"
@@ -21,13 +25,22 @@ struct Candidate {
 // Metres and feet are believed only when the file states them.
 constexpr std::array<Candidate, 5> kCandidates{
     {{"mm", 1, 4, 1}, {"cm", 10, 5, 0}, {"inch", 25.4, 1, 0}, {"m", 1000, 6, -6}, {"foot", 304.8, 2, -6}}};
-using Scores = std::array<double, kCandidates.size()>;
 
-constexpr double kStated = 10, kEnglish = 4, kMeasurement = 0.7;
-constexpr double kMetricMm = 3, kMetricCm = 2.2;        // both are written, millimetres more often
-constexpr double kSmallest = 300, kLargest = 2500;      // mm, of the largest piece of a garment
-constexpr double kPerDecadeBelow = 5, kPerDecade = 12;  // nobody wears 20 m, but a collar may stand alone
-constexpr double kTypical = 700;                        // mm
+/// Logarithms of likelihood, set by hand so that the dialects of the tests (test_units.cpp) and the drawings
+/// of GarmentCode and FreeSewing, in millimetres and inches, come out in their unit: all of these do.
+struct UnitWeights {
+  double stated = 10;                          ///< the file says so
+  double english = 4;                          ///< "ENGLISH": inches, mostly
+  double measurement = 0.7;                    ///< $MEASUREMENT, which programs write without thought
+  double metric_mm = 3, metric_cm = 2.2;       ///< "METRIC": both are written, millimetres more often
+  double smallest = 300, largest = 2500;       ///< mm, of the largest piece of a garment …
+  double decade_below = 5, decade_above = 12;  ///< … against each decade beyond; nobody wears 20 m, but a
+                                               ///< collar may stand alone
+  double typical = 700;       ///< mm
+  double off_typical = 0.25;  ///< times the squared logarithm of the size over it, …
+  double off_most = 2;        ///< … which counts up to this: a gentle preference within what is possible
+};
+constexpr UnitWeights kWeights;
 
 std::string figure(double v) { return std::abs(v) < 1000 ? significant_text(v, 4) : fixed_text(v, 0); }
 
@@ -39,106 +52,106 @@ std::string length_words(double mm) {
 }
 
 double likelihood_of_size(double mm) {
-  const double off = std::log(mm / kTypical);
-  double score = -0.25 * std::min(off * off, 2.0);  // a gentle preference within what is possible
-  if (mm < kSmallest) score -= kPerDecadeBelow * std::log10(kSmallest / mm);
-  if (mm > kLargest) score -= kPerDecade * std::log10(mm / kLargest);
+  const double off = std::log(mm / kWeights.typical);
+  double score = -kWeights.off_typical * std::min(off * off, kWeights.off_most);
+  if (mm < kWeights.smallest) score -= kWeights.decade_below * std::log10(kWeights.smallest / mm);
+  if (mm > kWeights.largest) score -= kWeights.decade_above * std::log10(mm / kWeights.largest);
   return score;
 }
 
-class Judge {
- public:
-  explicit Judge(const DxfFile& file) : file_(file) {
-    for (std::size_t i = 0; i < kCandidates.size(); ++i) scores_[i] = kCandidates[i].at_first;
-  }
-
-  void hear_header() {
-    if (!file_.version.empty())
-      evidence_.push_back("$ACADVER is " + file_.version +
-                          (file_.insunits ? "" : "; the header states no unit ($INSUNITS)"));
-    if (file_.insunits) {
-      const std::string said =
-          line_text(file_.insunits->line) + ": $INSUNITS is " + figure(file_.insunits->value) + ", ";
-      const auto it = std::find_if(kCandidates.begin(), kCandidates.end(),
-                                   [&](const Candidate& c) { return c.insunits == file_.insunits->value; });
-      evidence_.push_back(said + (it == kCandidates.end() ? "which states no unit" : it->name));
-      if (it != kCandidates.end()) add(it->name, kStated - it->at_first);
-    }
-    if (file_.measurement && (file_.measurement->value == 0 || file_.measurement->value == 1)) {
-      const bool metric = file_.measurement->value == 1;
-      evidence_.push_back(line_text(file_.measurement->line) + ": $MEASUREMENT is " +
-                          (metric ? "metric" : "imperial"));
-      for (const char* name : {"mm", "cm"})
-        if (metric) add(name, kMeasurement);
-      if (!metric) add("inch", kMeasurement);
-    }
-  }
-
-  void hear(const DxfUnitText& text) {
-    const std::string words = lower_case(text.words);
-    const auto says = [&](const char* word) { return words.find(word) != std::string::npos; };
-    std::string meaning;
-    if (says("metric")) {
-      add("mm", kMetricMm);
-      add("cm", kMetricCm);
-      meaning = "mm in one system, cm in another";
-    } else if (says("english") || says("imperial") || says("inch") || words == "in") {
-      add("inch", says("inch") || words == "in" ? kStated : kEnglish);
-      meaning = "inch";
-    } else if (says("millim") || words == "mm") {
-      add("mm", kStated);
-      meaning = "mm";
-    } else if (says("centim") || words == "cm") {
-      add("cm", kStated);
-      meaning = "cm";
-    } else {
-      meaning = "no unit known here";
-    }
-    evidence_.push_back(line_text(text.line) + ": a text says units are '" + text.words + "' (" + meaning +
-                        ")");
-  }
-
-  void measure(const std::vector<double>& extents) {
-    double largest = 0;
-    for (const double e : extents) largest = std::max(largest, e);
-    if (!(largest > 0)) return;
-    std::string as;
-    for (std::size_t i = 0; i < kCandidates.size(); ++i) {
-      scores_[i] += likelihood_of_size(largest * kCandidates[i].mm);
-      if (i < 3)
-        as += (i == 0 ? "" : ", ") + length_words(largest * kCandidates[i].mm) + " as " + kCandidates[i].name;
-    }
-    evidence_.push_back("the largest piece measures " + figure(largest) + " units: " + as);
-  }
-
-  DxfUnit decide() {
-    const auto best = std::max_element(scores_.begin(), scores_.end());
-    double sum = 0;
-    for (const double s : scores_) sum += std::exp(s - *best);
-    const Candidate& c = kCandidates[std::size_t(best - scores_.begin())];
-    return {c.name, c.mm, 1 / sum, std::move(evidence_)};
-  }
-
- private:
-  void add(const std::string& name, double score) {
-    for (std::size_t i = 0; i < kCandidates.size(); ++i)
-      if (kCandidates[i].name == name) scores_[i] += score;
-  }
-
-  const DxfFile& file_;
-  Scores scores_{};
-  std::vector<std::string> evidence_;
+/// What something in the file says of the unit: in words for the report, and as logarithms of likelihood.
+struct Evidence {
+  std::string words;
+  std::vector<std::pair<std::string, double>> scores;  // of units, by name
 };
+
+std::vector<Evidence> header_evidence(const DxfFile& file) {
+  std::vector<Evidence> all;
+  if (!file.version.empty())
+    all.push_back(
+        {"$ACADVER is " + file.version + (file.insunits ? "" : "; the header states no unit ($INSUNITS)"),
+         {}});
+  if (file.insunits) {
+    const std::string said =
+        line_text(file.insunits->line) + ": $INSUNITS is " + figure(file.insunits->value) + ", ";
+    const auto it = std::find_if(kCandidates.begin(), kCandidates.end(),
+                                 [&](const Candidate& c) { return c.insunits == file.insunits->value; });
+    Evidence& e = all.emplace_back();
+    e.words = said + (it == kCandidates.end() ? "which states no unit" : it->name);
+    if (it != kCandidates.end()) e.scores = {{it->name, kWeights.stated - it->at_first}};
+  }
+  if (file.measurement && (file.measurement->value == 0 || file.measurement->value == 1)) {
+    const bool metric = file.measurement->value == 1;
+    Evidence& e = all.emplace_back();
+    e.words = line_text(file.measurement->line) + ": $MEASUREMENT is " + (metric ? "metric" : "imperial");
+    if (metric) e.scores = {{"mm", kWeights.measurement}, {"cm", kWeights.measurement}};
+    if (!metric) e.scores = {{"inch", kWeights.measurement}};
+  }
+  return all;
+}
+
+/// What a text means that says "Units: …".
+Evidence meaning_of(const std::string& text) {
+  const std::string words = lower_case(text);
+  const auto says = [&](const char* word) { return words.find(word) != std::string::npos; };
+  if (says("metric"))
+    return {"mm in one system, cm in another", {{"mm", kWeights.metric_mm}, {"cm", kWeights.metric_cm}}};
+  const bool inches = says("inch") || words == "in";
+  if (says("english") || says("imperial") || inches)
+    return {"inch", {{"inch", inches ? kWeights.stated : kWeights.english}}};
+  if (says("millim") || words == "mm") return {"mm", {{"mm", kWeights.stated}}};
+  if (says("centim") || words == "cm") return {"cm", {{"cm", kWeights.stated}}};
+  return {"no unit known here", {}};
+}
+
+Evidence text_evidence(const DxfUnitText& text) {
+  Evidence e = meaning_of(text.words);
+  e.words = line_text(text.line) + ": a text says units are '" + text.words + "' (" + e.words + ")";
+  return e;
+}
+
+/// Nothing when no piece has a size.
+std::optional<Evidence> size_evidence(const std::vector<double>& extents) {
+  double largest = 0;
+  for (const double e : extents) largest = std::max(largest, e);
+  if (!(largest > 0)) return std::nullopt;
+  Evidence e;
+  std::string as;
+  for (std::size_t i = 0; i < kCandidates.size(); ++i) {
+    const Candidate& c = kCandidates[i];
+    e.scores.emplace_back(c.name, likelihood_of_size(largest * c.mm));
+    if (i < 3) as += (i == 0 ? "" : ", ") + length_words(largest * c.mm) + " as " + c.name;
+  }
+  e.words = "the largest piece measures " + figure(largest) + " units: " + as;
+  return e;
+}
+
+/// The unit with the highest sum; its confidence is its share of all likelihoods.
+DxfUnit likeliest(const std::vector<Evidence>& all) {
+  std::array<double, kCandidates.size()> scores{};
+  for (std::size_t i = 0; i < scores.size(); ++i) scores[i] = kCandidates[i].at_first;
+  std::vector<std::string> words;
+  for (const Evidence& e : all) {
+    for (const auto& [name, score] : e.scores)
+      for (std::size_t i = 0; i < scores.size(); ++i)
+        if (kCandidates[i].name == name) scores[i] += score;
+    words.push_back(e.words);
+  }
+  const auto best = std::max_element(scores.begin(), scores.end());
+  double sum = 0;
+  for (const double s : scores) sum += std::exp(s - *best);
+  const Candidate& c = kCandidates[std::size_t(best - scores.begin())];
+  return {c.name, c.mm, 1 / sum, std::move(words)};
+}
 
 }  // namespace
 
 DxfUnit decide_unit(const DxfFile& file, const std::vector<DxfUnitText>& texts,
                     const std::vector<double>& extents) {
-  Judge judge(file);
-  judge.hear_header();
-  for (const DxfUnitText& text : texts) judge.hear(text);
-  judge.measure(extents);
-  return judge.decide();
+  std::vector<Evidence> all = header_evidence(file);
+  for (const DxfUnitText& text : texts) all.push_back(text_evidence(text));
+  if (std::optional<Evidence> sizes = size_evidence(extents)) all.push_back(*std::move(sizes));
+  return likeliest(all);
 }
 
 DxfUnit given_unit(double mm_per_unit) {
