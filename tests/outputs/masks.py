@@ -39,8 +39,8 @@ TEXT = [
     Field("port", rb"(?:127\.0\.0\.1|localhost|\[::1\]):(?P<value>[0-9]+)"),
 ]
 
-# Every figure of the service's own statistics; their names stay.
-METRICS = [Field("figure", rb"(?m)^toile_[^ \n]* (?P<value>[-+.0-9eE]+)$")]
+# Every figure of the service's own statistics; their names and labels stay.
+METRICS = [Field("figure", rb"(?m)^(?!#)[^ \n]+ (?P<value>[-+.0-9eE]+)$")]
 
 
 class Ids:

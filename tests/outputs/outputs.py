@@ -60,10 +60,13 @@ def collect_area(name, options, keep):
 
 def collect(options):
     areas = chosen_areas(options)
-    unknown = [name for name in areas if name not in AREAS]
-    if unknown:
-        print(f"There is no area {', '.join(unknown)}; there are {', '.join(AREAS)}", file=sys.stderr)
-        return 2
+    for name in areas:
+        if name not in AREAS:
+            print(f"There is no area {name}; there are {', '.join(AREAS)}", file=sys.stderr)
+            return 2
+        if AREAS[name].needs_shared and not options.shared:
+            print(f"The area {name} needs --shared", file=sys.stderr)
+            return 2
     manifest = {"areas": areas, "outputs": {}}
     all_whole = True
     for name in areas:
