@@ -27,6 +27,6 @@ AREAS = {
     "checkpoints": Area(checkpoints.collect, quick=False),
     "shared_patterns": Area(shared_patterns.collect, quick=False, needs_shared=True),
     "shared_bodies": Area(shared_bodies.collect, needs_shared=True),
-    "shared_projects": Area(shared_projects.collect, needs_shared=True),
+    "shared_projects": Area(shared_projects.collect, quick=False, needs_shared=True),
     "shared_drapes": Area(shared_drapes.collect, quick=False, needs_shared=True),
 }
