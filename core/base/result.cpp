@@ -8,4 +8,9 @@ std::string to_string(const Error& error) {
   return text;
 }
 
+Error placed_at(Error error, std::string where) {
+  error.where = std::move(where);
+  return error;
+}
+
 }  // namespace toile

@@ -3,6 +3,7 @@
 // TRY(…) takes the T out, or leaves the function with the Error.
 
 #include <cassert>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,12 +11,34 @@
 
 namespace toile {
 
-/// What went wrong with an input.
+/// What an error means to whoever called: what it is answered with, and whether trying again helps. Code of
+/// ours branches on this, never on the words of Error::code.
+enum class ErrorKind : std::uint8_t {
+  kInput,          ///< what was given cannot be used
+  kMalformed,      ///< it has not even the form that it should have: no JSON, no cursor that a list gave
+  kTooLarge,       ///< it is more than is taken
+  kNotFound,       ///< there is no such thing, or it is somebody else's
+  kConflict,       ///< as things stand this cannot be done
+  kStale,          ///< it was changed since it was looked at
+  kUnconditional,  ///< a change must say what it changes
+  kTooMany,        ///< too much is under way; it may go well later
+  kUnavailable,    ///< whoever does it is not there just now; it may go well later
+  kNoRoom,         ///< the disk is full
+  kCancelled,      ///< nobody wants it any more
+  kSystem,         ///< disk, database or child process let us down, or what was kept is damaged
+  kInternal,       ///< a fault of ours
+};
+
+/// What went wrong.
 struct Error {
-  std::string code;     ///< stable, lower case with dots, e.g. "dxf.truncated"; programs match on it
+  std::string code;     ///< stable, lower case with dots, e.g. "dxf.truncated", for programs outside
   std::string message;  ///< one sentence for a person, with the way out
   std::string where;    ///< the place: file and line, piece, edge, JSON pointer; empty when there is none
+  ErrorKind kind = ErrorKind::kInput;
 };
+
+/// The same error, seen from further up: with another place.
+Error placed_at(Error error, std::string where);
 
 /// "code: message (where)", as the command line prints it.
 std::string to_string(const Error& error);

@@ -15,7 +15,7 @@ namespace {
 Error write_error(const std::filesystem::path& path, const char* act, int reason) {
   return {"export.write",
           std::string("cannot ") + act + " the file: " + std::generic_category().message(reason),
-          path.string()};
+          path.string(), ErrorKind::kInternal};
 }
 
 /// A name beside `path` (a rename across file systems would copy), unlike that of any other writer.

@@ -126,7 +126,8 @@ bool sound(const RunState& run) {
 }  // namespace
 
 Error damaged_checkpoint() {
-  return {"checkpoint.damaged", "the checkpoint is cut off or has changed; drape from the start", ""};
+  return {"checkpoint.damaged", "the checkpoint is cut off or has changed; drape from the start", "",
+          ErrorKind::kSystem};
 }
 
 std::string encode_checkpoint(const std::string& input_hash, RunState state) {
@@ -148,11 +149,12 @@ Result<RunState> decode_checkpoint(std::string_view bytes, const std::string& in
   std::uint32_t version = 0;
   in.value(version);
   if (version != kCheckpointVersion) {
-    return Error{"checkpoint.version", "the checkpoint is of another version; drape from the start", ""};
+    return Error{"checkpoint.version", "the checkpoint is of another version; drape from the start", "",
+                 ErrorKind::kSystem};
   }
   if (in.raw(kHashDigits) != input_hash) {
     return Error{"checkpoint.other_input", "the checkpoint is of another drape; go on with that one's input",
-                 ""};
+                 "", ErrorKind::kSystem};
   }
   RunState state;
   fields(in, state);

@@ -158,7 +158,7 @@ DrapeResult DrapeRun::conclude() {
 Result<DrapeResult> drape(const DrapeInput& input, const RunContext& context, FrameSink* sink) {
   const auto run = DrapeRun::start(input, context, sink);
   if (!run) {
-    if (run.error().code != "cancelled") return run.error();
+    if (run.error().kind != ErrorKind::kCancelled) return run.error();
     return DrapeResult{};  // no cloth, and stop_reason says kCancelled
   }
   (*run)->advance(std::numeric_limits<int>::max(), context);

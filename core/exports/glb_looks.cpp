@@ -54,7 +54,7 @@ Result<GlbLooks> glb_looks(const Textures& textures, std::span<const Index> fabr
     if (texture == nullptr) continue;
     if (texture->image < 0 || static_cast<std::size_t>(texture->image) >= textures.images.size()) {
       return Error{"export.bad_index", "a panel names a picture that is not there",
-                   "panel " + std::to_string(p)};
+                   "panel " + std::to_string(p), ErrorKind::kInternal};
     }
     const TextureImage& image = *textures.images[static_cast<std::size_t>(texture->image)];
     const Index fabric = fabric_of_panel[p];

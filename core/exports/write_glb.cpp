@@ -118,7 +118,9 @@ bool is_storable(Vec3 p) {
   return std::abs(p.x) <= most && std::abs(p.y) <= most && std::abs(p.z) <= most;
 }
 
-Error bad_garment(const std::string& message) { return {"export.bad_garment", message, ""}; }
+Error bad_garment(const std::string& message) {
+  return {"export.bad_garment", message, "", ErrorKind::kInternal};
+}
 
 Status check_panels(const GarmentMesh& g, const GlbModel& model) {
   if (g.first_vertex.empty()) return bad_garment("the garment does not say where its panels start");
@@ -132,7 +134,7 @@ Status check_panels(const GarmentMesh& g, const GlbModel& model) {
   }
   for (const Index fabric : model.fabric_of_panel) {
     if (fabric < 0 || fabric >= static_cast<Index>(model.fabrics.size())) {
-      return Error{"export.bad_index", "a panel names a fabric that is not there", ""};
+      return Error{"export.bad_index", "a panel names a fabric that is not there", "", ErrorKind::kInternal};
     }
   }
   return {};
@@ -146,7 +148,7 @@ Status check_triangles(const GarmentMesh& g) {
     for (const Index corner : g.triangles[t]) {
       if (!known || corner < g.first_vertex[panel] || corner >= g.first_vertex[panel + 1]) {
         return Error{"export.bad_index", "a triangle names a vertex outside its panel",
-                     "triangle " + std::to_string(t)};
+                     "triangle " + std::to_string(t), ErrorKind::kInternal};
       }
     }
   }
@@ -162,10 +164,12 @@ Status check_garment(const GarmentMesh& g, const GlbModel& model) {
   for (std::size_t v = 0; v < g.rest.size(); ++v) {
     const std::string where = "vertex " + std::to_string(v);
     if (!is_storable(model.positions[v]) || !is_storable({g.rest[v].x, g.rest[v].y, 0})) {
-      return Error{"export.not_finite", "a vertex has no finite position; nothing was written", where};
+      return Error{"export.not_finite", "a vertex has no finite position; nothing was written", where,
+                   ErrorKind::kInternal};
     }
     if (g.weld[v] < 0 || g.weld[v] >= static_cast<Index>(g.rest.size())) {
-      return Error{"export.bad_index", "a vertex is sewn to one that is not there", where};
+      return Error{"export.bad_index", "a vertex is sewn to one that is not there", where,
+                   ErrorKind::kInternal};
     }
   }
   return check_triangles(g);
@@ -174,13 +178,15 @@ Status check_garment(const GarmentMesh& g, const GlbModel& model) {
 Status check_body(const Body& body) {
   for (const Vec3& p : body.mesh.vertices) {
     if (!is_finite(p))
-      return Error{"export.not_finite", "a body has a vertex without finite position", body.id};
+      return Error{"export.not_finite", "a body has a vertex without finite position", body.id,
+                   ErrorKind::kInternal};
   }
   const auto count = static_cast<Index>(body.mesh.vertices.size());
   for (const Tri& t : body.mesh.triangles) {
     for (const Index corner : t) {
       if (corner < 0 || corner >= count) {
-        return Error{"export.bad_index", "a body's triangle names a vertex that is not there", body.id};
+        return Error{"export.bad_index", "a body's triangle names a vertex that is not there", body.id,
+                     ErrorKind::kInternal};
       }
     }
   }
@@ -315,7 +321,8 @@ Result<std::string> container(std::string text, const std::string& binary) {
   text.resize((text.size() + 3) / 4 * 4, ' ');
   const std::uint64_t length = 12 + 8 + text.size() + (binary.empty() ? 0 : 8 + binary.size());
   if (length > std::numeric_limits<std::uint32_t>::max()) {
-    return Error{"export.too_large", "a .glb file holds at most 4 GiB; export fewer pieces at once", ""};
+    return Error{"export.too_large", "a .glb file holds at most 4 GiB; export fewer pieces at once", "",
+                 ErrorKind::kInternal};
   }
   std::string bytes;
   bytes.reserve(length);

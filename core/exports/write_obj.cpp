@@ -15,7 +15,7 @@ Status check_mesh(std::span<const Vec3> positions, std::span<const Tri> triangle
   for (std::size_t v = 0; v < positions.size(); ++v) {
     if (!is_finite(positions[v])) {
       return Error{"export.not_finite", "a vertex has no finite position; nothing was written",
-                   "vertex " + std::to_string(v)};
+                   "vertex " + std::to_string(v), ErrorKind::kInternal};
     }
   }
   const auto count = static_cast<Index>(positions.size());
@@ -23,7 +23,7 @@ Status check_mesh(std::span<const Vec3> positions, std::span<const Tri> triangle
     for (const Index corner : triangles[t]) {
       if (corner < 0 || corner >= count) {
         return Error{"export.bad_index", "a triangle names a vertex that is not there",
-                     "triangle " + std::to_string(t)};
+                     "triangle " + std::to_string(t), ErrorKind::kInternal};
       }
     }
   }
@@ -33,17 +33,18 @@ Status check_mesh(std::span<const Vec3> positions, std::span<const Tri> triangle
 Status check_panels(std::size_t position_count, std::size_t triangle_count, const ObjPanels& panels) {
   if (panels.names.empty()) return {};
   if (!panels.rest.empty() && panels.rest.size() != position_count) {
-    return Error{"export.bad_index", "not every vertex has a flat place", ""};
+    return Error{"export.bad_index", "not every vertex has a flat place", "", ErrorKind::kInternal};
   }
   if (panels.panel_of_triangle.size() != triangle_count) {
-    return Error{"export.bad_index", "panels are named, but not every triangle has one", ""};
+    return Error{"export.bad_index", "panels are named, but not every triangle has one", "",
+                 ErrorKind::kInternal};
   }
   const auto count = static_cast<Index>(panels.names.size());
   for (std::size_t t = 0; t < triangle_count; ++t) {
     const Index panel = panels.panel_of_triangle[t];
     if (panel < 0 || panel >= count) {
       return Error{"export.bad_index", "a triangle names a panel that is not there",
-                   "triangle " + std::to_string(t)};
+                   "triangle " + std::to_string(t), ErrorKind::kInternal};
     }
   }
   return {};
@@ -82,19 +83,20 @@ Status check_garment(const GarmentMesh& garment, std::size_t position_count) {
   const std::size_t count = garment.rest.size();
   if (position_count != count || garment.panel_of_vertex.size() != count) {
     return Error{"export.bad_garment", "rest shape, panels and positions differ in their count of vertices",
-                 ""};
+                 "", ErrorKind::kInternal};
   }
   const auto panel_count = static_cast<Index>(garment.first_vertex.size()) - 1;
   for (std::size_t v = 0; v < count; ++v) {
     if (garment.panel_of_vertex[v] < 0 || garment.panel_of_vertex[v] >= panel_count) {
-      return Error{"export.bad_garment", "a vertex belongs to no panel", "vertex " + std::to_string(v)};
+      return Error{"export.bad_garment", "a vertex belongs to no panel", "vertex " + std::to_string(v),
+                   ErrorKind::kInternal};
     }
   }
   const auto in_range = [&](Index v) { return v >= 0 && static_cast<std::size_t>(v) < count; };
   for (std::size_t s = 0; s < garment.sewn.size(); ++s) {
     if (!in_range(garment.sewn[s][0]) || !in_range(garment.sewn[s][1])) {
       return Error{"export.bad_index", "a sewn pair names a vertex that is not there",
-                   "pair " + std::to_string(s)};
+                   "pair " + std::to_string(s), ErrorKind::kInternal};
     }
   }
   return {};
@@ -156,7 +158,8 @@ Status write_check_data(const std::filesystem::path& directory, const GarmentMes
   std::error_code failed;
   std::filesystem::create_directories(directory, failed);
   if (failed)
-    return Error{"export.write", "cannot make the directory: " + failed.message(), directory.string()};
+    return Error{"export.write", "cannot make the directory: " + failed.message(), directory.string(),
+                 ErrorKind::kInternal};
 
   TRY(write_obj(directory / "rest.obj", laid_out(garment), garment.triangles));
   TRY(write_obj(directory / "final.obj", positions, garment.triangles, panels));

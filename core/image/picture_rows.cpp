@@ -15,7 +15,7 @@ Status check_size(std::int64_t width, std::int64_t height, bool whole, const Pic
   return Error{"image.too_large",
                "the picture has " + size + "; at most " + std::to_string(limits.side) + " a side and " +
                    std::to_string(most >> 20) + " million are read; save it smaller",
-               ""};
+               "", ErrorKind::kTooLarge};
 }
 
 PictureRows::PictureRows(int width, int height, int shown_side)

@@ -71,7 +71,8 @@ void on_output(j_common_ptr) {}
 void watch_scans(j_common_ptr jpeg) {
   JpegReading& reading = reading_of(jpeg);
   if (reading.jpeg.input_scan_number <= reading.limits.scans) return;
-  reading.refused = Error{"image.too_large", "the JPEG file has too many scans; save it anew", ""};
+  reading.refused =
+      Error{"image.too_large", "the JPEG file has too many scans; save it anew", "", ErrorKind::kTooLarge};
   std::longjmp(reading.way_out, 1);
 }
 

@@ -46,7 +46,7 @@ Result<ReadPicture> read_picture(std::string_view bytes, const PictureLimits& li
   if (bytes.size() > limits.bytes) {
     return Error{"image.too_large",
                  "the file has more than the " + std::to_string(limits.bytes >> 20) + " MiB that are allowed",
-                 ""};
+                 "", ErrorKind::kTooLarge};
   }
   return *format == PictureFormat::kPng ? read_png(bytes, limits) : read_jpeg(bytes, limits);
 }

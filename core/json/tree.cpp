@@ -103,7 +103,7 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
   }
   bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception& e) override {
     error_ = Error{"json.syntax", "this is not valid JSON: " + reason_of(e.what()),
-                   line_and_column(text_, position > 0 ? position - 1 : 0)};
+                   line_and_column(text_, position > 0 ? position - 1 : 0), ErrorKind::kMalformed};
     return false;
   }
 
@@ -129,7 +129,7 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
   bool open(JsonValue container) {
     if (open_.size() == max_depth_) {
       error_ = Error{"json.too_deep", "the text nests deeper than " + std::to_string(max_depth_) + " levels",
-                     pointer()};
+                     pointer(), ErrorKind::kMalformed};
       return false;
     }
     JsonValue* place = slot();
@@ -146,8 +146,8 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
     std::sort(keys.begin(), keys.end());
     const auto twin = std::adjacent_find(keys.begin(), keys.end());
     if (twin == keys.end()) return false;
-    error_ =
-        Error{"json.duplicate_key", "the key " + in_quotes(*twin) + " stands twice in one object", pointer()};
+    error_ = Error{"json.duplicate_key", "the key " + in_quotes(*twin) + " stands twice in one object",
+                   pointer(), ErrorKind::kMalformed};
     return true;
   }
 
@@ -233,12 +233,13 @@ Result<JsonValue> parse_json(std::string_view text, const JsonLimits& limits) {
     return Error{"json.too_large",
                  "the text has " + std::to_string(text.size()) + " bytes, and " +
                      std::to_string(limits.bytes) + " are allowed",
-                 ""};
+                 "", ErrorKind::kTooLarge};
   }
   TreeBuilder builder(text, limits.depth);
   const bool whole = nlohmann::json::sax_parse(text.begin(), text.end(), &builder);
   if (builder.error()) return *std::move(builder.error());
-  if (!whole) return Error{"json.syntax", "this is not valid JSON", "line 1, column 1"};
+  if (!whole)
+    return Error{"json.syntax", "this is not valid JSON", "line 1, column 1", ErrorKind::kMalformed};
   return std::move(builder.root());
 }
 

@@ -62,7 +62,7 @@ Result<PanelMesh> mesh_panel(const Panel& panel, const EdgePoints& edges,
                              const std::vector<std::vector<Vec2>>& lines, double particle_distance,
                              const RunContext& context) {
   Result<FlatMesh> flat = triangulate(polygons, particle_distance, context, lines);
-  if (!flat) return Error{flat.error().code, flat.error().message, "piece " + panel.id};
+  if (!flat) return placed_at(flat.error(), "piece " + panel.id);
   PanelMesh mesh;
   mesh.edge_vertices = edge_vertices_of(panel, edges, flat->border);
   mesh.line_vertices = std::move(flat->lines);

@@ -233,7 +233,7 @@ Result<FlatMesh> triangulate(std::span<const Polygon> loops, double particle_dis
   add_lattice(piece, loops, particle_distance, lines);
   const double spacing = particle_distance / kGrid;
   for (int round = 0;; ++round) {
-    if (context.cancelled()) return Error{"cancelled", "Meshing was cancelled.", ""};
+    if (context.cancelled()) return Error{"cancelled", "Meshing was cancelled.", "", ErrorKind::kCancelled};
     GridTriangulation mesh(piece.points);
     if (const auto conflict = mesh.build(piece.segments, piece.links)) {
       return error_of(*conflict, piece, loops);

@@ -34,7 +34,8 @@ Failure check_edge(const PanelEdge& edge, const std::string& where) {
   for (const CubicBezier& c : edge.curves) {
     if (!is_finite(c.p0) || !is_finite(c.p1) || !is_finite(c.p2) || !is_finite(c.p3))
       return Error{"pattern.not_finite", "A coordinate is not a finite number.", where};
-    if (!sound(c)) return Error{"pattern.too_large", "A coordinate is beyond a kilometre.", where};
+    if (!sound(c))
+      return Error{"pattern.too_large", "A coordinate is beyond a kilometre.", where, ErrorKind::kTooLarge};
   }
   return std::nullopt;
 }
@@ -69,7 +70,8 @@ Failure check_edges(const Panel& panel, const std::string& piece) {
                    where};
     for (const CubicBezier& c : edge.curves) points += flat_steps(c, kFlatness);
     if (points > kMostPoints)
-      return Error{"pattern.too_large", "The piece has more curves than a pattern needs.", where};
+      return Error{"pattern.too_large", "The piece has more curves than a pattern needs.", where,
+                   ErrorKind::kTooLarge};
   }
   return std::nullopt;
 }
@@ -88,17 +90,23 @@ const PanelEdge& edge_at(const Loop& loop, std::size_t segment) {
   return loop.edges.back();
 }
 
-Failure check_areas(const std::vector<const Loop*>& loops, const std::string& piece) {
+struct AreaFault {
+  bool flat;  ///< it encloses nothing; else it runs the wrong way round
+  Error error;
+};
+
+std::optional<AreaFault> area_fault(const std::vector<const Loop*>& loops, const std::string& piece) {
   for (std::size_t l = 0; l < loops.size(); ++l) {
     const double area = signed_area(*loops[l]) * (l == 0 ? 1 : -1);
     const std::string where = piece + loop_text(l);
     if (std::abs(area) < kLeastArea)
-      return Error{"pattern.zero_area", "The outline encloses no area.", where};
+      return AreaFault{true, {"pattern.zero_area", "The outline encloses no area.", where}};
     if (area < 0)
-      return Error{"pattern.clockwise",
-                   l == 0 ? "The outline runs clockwise; pieces run counter-clockwise."
-                          : "The hole runs counter-clockwise; holes run clockwise.",
-                   where};
+      return AreaFault{false,
+                       {"pattern.clockwise",
+                        l == 0 ? "The outline runs clockwise; pieces run counter-clockwise."
+                               : "The hole runs counter-clockwise; holes run clockwise.",
+                        where}};
   }
   return std::nullopt;
 }
@@ -192,10 +200,10 @@ Failure check_panel(const Panel& panel, const std::string& piece) {
     return Error{"pattern.bad_grain", "The grain is not a direction of length 1.", piece};
   if (auto error = check_crossings(loops, piece)) {
     // A flat outline touches itself everywhere: that it is flat says more.
-    if (auto flat = check_areas(loops, piece); flat && flat->code == "pattern.zero_area") return flat;
+    if (auto fault = area_fault(loops, piece); fault && fault->flat) return fault->error;
     return error;
   }
-  if (auto error = check_areas(loops, piece)) return error;
+  if (auto fault = area_fault(loops, piece)) return fault->error;
   return check_lines(panel, piece);
 }
 

@@ -33,7 +33,7 @@ TraceWriter::TraceWriter(const std::filesystem::path& path, int every) : path_(p
 Result<std::unique_ptr<TraceWriter>> TraceWriter::open(const std::filesystem::path& path, int every) {
   TOILE_CHECK(every >= 1);
   std::unique_ptr<TraceWriter> writer(new TraceWriter(path, every));
-  if (!writer->out_) return Error{"export.write", std::strerror(errno), path.string()};
+  if (!writer->out_) return Error{"export.write", std::strerror(errno), path.string(), ErrorKind::kInternal};
   return writer;
 }
 
@@ -72,7 +72,7 @@ Status TraceWriter::finish() {
   if (has_skipped_) write(skipped_);
   has_skipped_ = false;
   out_.close();
-  if (!out_) return Error{"export.write", "cannot write the trace", path_.string()};
+  if (!out_) return Error{"export.write", "cannot write the trace", path_.string(), ErrorKind::kInternal};
   return {};
 }
 

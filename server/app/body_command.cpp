@@ -87,9 +87,9 @@ ExitCode body_measure_command(const BodyMeasureOptions& options) {
   Result<RepairedMesh> file = own_mesh_importer().file(options.file, {.unit_in_m = 1});
   if (!file) return fail(file.error(), options.json);
   const Result<StandingBody> body = stand_body(std::move(file->mesh));
-  if (!body) return fail({body.error().code, body.error().message, options.file}, options.json);
+  if (!body) return fail(placed_at(body.error(), options.file), options.json);
   const Result<BodyMeasures> taken = measure_body(body->mesh);
-  if (!taken) return fail({taken.error().code, taken.error().message, options.file}, options.json);
+  if (!taken) return fail(placed_at(taken.error(), options.file), options.json);
   const BodyStance& s = body->stance;
   const std::vector<std::string> notes = repair_words(file->repairs);
   if (options.json) {

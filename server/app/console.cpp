@@ -20,10 +20,7 @@ void print_error(const Error& error, bool json) {
 }
 
 ExitCode exit_code_of(const Error& error) {
-  for (const char* prefix : {"internal", "render.", "export."}) {
-    if (error.code.starts_with(prefix)) return kInternal;
-  }
-  return kBadInput;
+  return error.kind == ErrorKind::kInternal ? kInternal : kBadInput;
 }
 
 ExitCode fail(const Error& error, bool json) {

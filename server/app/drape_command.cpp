@@ -105,7 +105,8 @@ ExitCode drape_command(const DrapeOptions& options) {
     if (Status traced = trace->finish(); !traced) return fail(traced.error(), options.json);
   }
   if (result->positions.empty()) {  // cancelled before there was any cloth
-    print_error({"cancelled", "nothing was draped yet, and nothing is written", ""}, options.json);
+    print_error({"cancelled", "nothing was draped yet, and nothing is written", "", ErrorKind::kCancelled},
+                options.json);
     return kCancelled;
   }
   if (Status delivered = deliver(*input, *result, *textures, options); !delivered) {

@@ -28,7 +28,7 @@ Result<std::string> bytes_of(const std::string& path) {
   if (!std::filesystem::is_regular_file(status) || !in)
     return Error{"pattern.file", "this is no file that can be read", path};
   if (std::filesystem::file_size(path, failure) > kMost || failure)
-    return Error{"pattern.too_large", "a pattern file has at most 64 MiB", path};
+    return Error{"pattern.too_large", "a pattern file has at most 64 MiB", path, ErrorKind::kTooLarge};
   return std::string{std::istreambuf_iterator<char>(in), {}};
 }
 

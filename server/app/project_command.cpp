@@ -29,7 +29,8 @@ Result<std::string> bytes_of(const fs::path& path) {
   if (!fs::is_regular_file(path, failure))
     return Error{"pattern.file", "there is no such file", path.string()};
   if (fs::file_size(path, failure) > kMost || failure)
-    return Error{"pattern.too_large", "a pattern file has at most 64 MiB", path.string()};
+    return Error{"pattern.too_large", "a pattern file has at most 64 MiB", path.string(),
+                 ErrorKind::kTooLarge};
   std::ifstream in(path, std::ios::binary);
   std::string bytes{std::istreambuf_iterator<char>(in), {}};
   if (!in) return Error{"pattern.file", "this is no file that can be read", path.string()};
@@ -43,7 +44,8 @@ Status bring(const fs::path& file, const fs::path& folder) {
   if (fs::equivalent(file, there, failure)) return {};
   fs::copy_file(file, there, fs::copy_options::overwrite_existing, failure);
   if (!failure) return {};
-  return Error{"export.write", "the file cannot be copied here: " + failure.message(), there.string()};
+  return Error{"export.write", "the file cannot be copied here: " + failure.message(), there.string(),
+               ErrorKind::kInternal};
 }
 
 std::string side_text(const std::vector<ProjectSeamEdge>& side) {

@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cstdio>
+#include <string_view>
+#include <utility>
 
 namespace toile {
 namespace {
@@ -20,13 +22,20 @@ std::string percent_encoded(const std::string& text) {
   return out;
 }
 
+/// The kinds by the first word of a code. Here text comes in from another program: it is read once, and
+/// nothing behind this line looks at codes.
+constexpr std::pair<std::string_view, ErrorKind> kKinds[] = {
+    {"internal", ErrorKind::kInternal}, {"render.", ErrorKind::kInternal}, {"export.", ErrorKind::kInternal},
+    {"store.", ErrorKind::kSystem},     {"jobs.", ErrorKind::kSystem},     {"server.", ErrorKind::kSystem}};
+
 /// What the server says went wrong.
 Error error_of(const HttpReply& reply) {
   const Result<JsonValue> tree = parse_json(reply.body, kReplyLimits);
   const std::string code = tree ? text_member(*tree, "code") : "";
-  if (!code.empty()) return {code, text_member(*tree, "detail"), text_member(*tree, "where")};
+  if (!code.empty()) return told_by_server(code, text_member(*tree, "detail"), text_member(*tree, "where"));
   return {"client.malformed",
-          "the server answers with status " + std::to_string(reply.status) + " and no reason", ""};
+          "the server answers with status " + std::to_string(reply.status) + " and no reason", "",
+          ErrorKind::kSystem};
 }
 
 HttpClient::Request post(const std::string& target, const std::string& body, const std::string& type) {
@@ -44,6 +53,14 @@ std::string text_member(const JsonValue& object, std::string_view key) {
   return member && member->text() ? *member->text() : std::string();
 }
 
+Error told_by_server(std::string code, std::string message, std::string where) {
+  ErrorKind kind = ErrorKind::kInput;
+  for (const auto& [room, its_kind] : kKinds) {
+    if (code.starts_with(room)) kind = its_kind;
+  }
+  return {std::move(code), std::move(message), std::move(where), kind};
+}
+
 Result<std::string> Remote::text(const HttpClient::Request& request) {
   HttpReply reply = TRY(client_.ask(request));
   if (reply.status < 200 || reply.status > 299) return error_of(reply);
@@ -54,14 +71,15 @@ Result<JsonValue> Remote::json(const HttpClient::Request& request) {
   const std::string body = TRY(text(request));
   Result<JsonValue> tree = parse_json(body, kReplyLimits);
   if (tree) return tree;
-  return Error{"client.malformed", "the server's answer is no JSON: " + tree.error().message, request.target};
+  return Error{"client.malformed", "the server's answer is no JSON: " + tree.error().message, request.target,
+               ErrorKind::kSystem};
 }
 
 Result<std::string> Remote::id_of(const HttpClient::Request& request) {
   const JsonValue made = TRY(json(request));
   std::string id = text_member(made, "id");
   if (!id.empty()) return id;
-  return Error{"client.malformed", "the server's answer has no id", request.target};
+  return Error{"client.malformed", "the server's answer has no id", request.target, ErrorKind::kSystem};
 }
 
 Result<std::string> Remote::upload(const std::string& kind, const std::string& name, std::string bytes) {

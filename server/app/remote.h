@@ -35,6 +35,9 @@ class Remote {
   HttpClient client_;
 };
 
+/// An error in the words of a server, which knows it by its code only.
+Error told_by_server(std::string code, std::string message, std::string where);
+
 /// A text member of a JSON object; empty when it is not there.
 std::string text_member(const JsonValue& object, std::string_view key);
 

@@ -35,7 +35,8 @@ Result<std::string> read_file(const fs::path& path, const std::string& where) {
   std::error_code failure;
   const auto size = fs::is_regular_file(path, failure) ? fs::file_size(path, failure) : 0;
   if (!failure && size > kMostBodyBytes) {
-    return Error{"project.too_large", "the file has more than the 100 MiB that are allowed", where};
+    return Error{"project.too_large", "the file has more than the 100 MiB that are allowed", where,
+                 ErrorKind::kTooLarge};
   }
   std::ifstream in(path, std::ios::binary);
   if (failure || !fs::is_regular_file(path, failure) || !in) {
@@ -52,8 +53,7 @@ Result<std::string> send_project(Remote& remote, const std::string& path) {
   std::map<std::string, std::string> sent;
   for (const UsedFile& used : used_files(project)) {
     if (sent.contains(used.name)) continue;
-    if (Status name = check_file_name(used.name); !name)
-      return Error{name.error().code, name.error().message, used.where};
+    if (Status name = check_file_name(used.name); !name) return placed_at(name.error(), used.where);
     std::string bytes = TRY(read_file(fs::path(path).parent_path() / used.name, used.where));
     const Result<std::string> id =
         remote.upload(used.kind, fs::path(used.name).filename().string(), std::move(bytes));
@@ -69,7 +69,7 @@ Result<JobState> state_of(const JsonValue& job) {
   const Result<JobState> state = job_state_from(word);
   if (state) return *state;
   return Error{"client.malformed", "the server names a state of the job that this program does not know",
-               word};
+               word, ErrorKind::kSystem};
 }
 
 void show(ProgressBar& bar, const JsonValue& job) {
@@ -94,7 +94,7 @@ Result<JsonValue> follow(Remote& remote, const std::string& id) {
       const JobState state = TRY(state_of(*job));
       if (is_final(state)) return job;
       show(bar, *job);
-    } else if (job.error().code != "client.unreachable" || Clock::now() - heard > kPatience) {
+    } else if (job.error().kind != ErrorKind::kUnavailable || Clock::now() - heard > kPatience) {
       return job;
     }
     std::this_thread::sleep_for(kPoll);
@@ -112,7 +112,8 @@ Status bring_home(Remote& remote, const JsonValue& job, const fs::path& folder) 
   if (!results || !results->object()) return {};
   for (const JsonMember& file : *results->object()) {
     if (file.key.find('/') != std::string::npos || !check_file_name(file.key).ok()) {
-      return Error{"client.malformed", "the server names a result " + in_quotes(file.key), ""};
+      return Error{"client.malformed", "the server names a result " + in_quotes(file.key), "",
+                   ErrorKind::kSystem};
     }
     const std::string bytes = TRY(remote.result(text_member(job, "id"), file.key));
     if (Status written = write_file(folder / file.key, bytes); !written) return written;
@@ -129,8 +130,7 @@ ExitCode exit_code_of(JobState end, const JsonValue& job) {
 
 ExitCode fail_remote(const Error& error, bool json) {
   print_error(error, json);
-  const bool ours = error.code.starts_with("client.") || error.code.starts_with("store.") ||
-                    error.code.starts_with("jobs.") || error.code.starts_with("server.");
+  const bool ours = error.kind == ErrorKind::kSystem || error.kind == ErrorKind::kUnavailable;
   return ours ? kInternal : exit_code_of(error);
 }
 
@@ -152,9 +152,9 @@ ExitCode watch(Remote& remote, const std::string& id, const SubmitOptions& optio
   const Result<JobState> end = state_of(*job);
   if (!end) return fail_remote(end.error(), options.json);
   if (*end == JobState::kFailed) {
-    const Error reason{text_member(*job, "reason_code"), text_member(*job, "reason"),
-                       text_member(*job, "reason_where")};
-    return fail(reason, options.json);
+    return fail(told_by_server(text_member(*job, "reason_code"), text_member(*job, "reason"),
+                               text_member(*job, "reason_where")),
+                options.json);
   }
   if (!options.out.empty()) {
     if (Status home = bring_home(remote, *job, options.out); !home)

@@ -19,7 +19,7 @@ Status drape_sample(Store& store, JobService& jobs, const std::string& folder) {
   if (!project) return project.error();
   if (!*project) return {};
   const Result<Made<JobRow>> job = jobs.submit(kLocalOwner, **project, "sample-first-drape");
-  return job || job.error().code == "store.not_found" ? Status() : Status(job.error());
+  return job || job.error().kind == ErrorKind::kNotFound ? Status() : Status(job.error());
 }
 
 }  // namespace

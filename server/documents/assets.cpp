@@ -92,7 +92,7 @@ Result<std::string> body_info(const std::string& name, std::string_view bytes) {
 /// All of it is decoded: a picture that is kept can be drawn.
 Result<std::string> image_info(const std::string& name, std::string_view bytes) {
   const Result<ReadPicture> read = read_picture(bytes);
-  if (!read) return Error{read.error().code, read.error().message, name};
+  if (!read) return placed_at(read.error(), name);
   return write_json_line(JsonValue(std::vector<JsonMember>{
       {"format", JsonValue(std::string(read->format == PictureFormat::kPng ? "png" : "jpeg"))},
       {"width", JsonValue(static_cast<double>(read->width))},
@@ -124,13 +124,15 @@ Result<AssetRow> add_asset(Store& store, const OwnerId& owner, const std::string
                            const std::string& name, std::string_view bytes) {
   if (!is_asset_kind(kind)) {
     return Error{"documents.kind",
-                 "a file is \"dxf\", \"specification\", \"body\" or \"image\", not " + in_quotes(kind), ""};
+                 "a file is \"dxf\", \"specification\", \"body\" or \"image\", not " + in_quotes(kind), "",
+                 ErrorKind::kMalformed};
   }
   TRY(check_name(name));
   const std::size_t most = most_asset_bytes(kind);
   if (bytes.size() > most) {
     return Error{"documents.too_large",
-                 "the file has more than the " + std::to_string(most >> 20) + " MiB that are allowed", name};
+                 "the file has more than the " + std::to_string(most >> 20) + " MiB that are allowed", name,
+                 ErrorKind::kTooLarge};
   }
   std::string info = TRY(info_of(kind, name, bytes));
   AssetRow row;

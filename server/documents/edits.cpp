@@ -20,7 +20,8 @@ Result<Standing> standing(Store& store, const OwnerId& owner, const std::string&
   ProjectRow row = TRY(store.project(owner, id));
   if (expected != 0 && row.revision != expected) {
     return Error{"store.conflict",
-                 "the project has changed since; it is at revision " + std::to_string(row.revision), ""};
+                 "the project has changed since; it is at revision " + std::to_string(row.revision), "",
+                 ErrorKind::kStale};
   }
   Project project = TRY(parse_project(row.document));
   return Standing{std::move(row), std::move(project)};
@@ -46,14 +47,16 @@ Result<std::vector<ProjectEdit>> kept_edits(const std::string& text, const std::
     Result<std::vector<ProjectEdit>> edits = read_edits(*tree, "/edits");
     if (edits) return edits;
   }
-  return Error{"store.corrupt", "a step of the project's history is damaged", id};
+  return Error{"store.corrupt", "a step of the project's history is damaged", id, ErrorKind::kSystem};
 }
 
 Result<EditRow> next_step(Store& store, const OwnerId& owner, const std::string& id, EditStep step) {
   std::optional<EditRow> next = TRY(store.next_edit(owner, id, step));
   if (next) return std::move(*next);
-  if (step == EditStep::kUndo) return Error{"edit.nothing_to_undo", "there is nothing to undo", ""};
-  return Error{"edit.nothing_to_redo", "nothing has been undone that could be done again", ""};
+  if (step == EditStep::kUndo)
+    return Error{"edit.nothing_to_undo", "there is nothing to undo", "", ErrorKind::kConflict};
+  return Error{"edit.nothing_to_redo", "nothing has been undone that could be done again", "",
+               ErrorKind::kConflict};
 }
 
 /// Whether the pictures that the edits put on pieces are there.

@@ -25,7 +25,7 @@ Status check_assets(Store& store, const OwnerId& owner, const ProjectFileMap& fi
   for (const auto& [name, id] : files) {
     const Result<AssetRow> asset = store.asset(owner, id);
     if (asset) continue;
-    if (asset.error().code != "store.not_found") return asset.error();
+    if (asset.error().kind != ErrorKind::kNotFound) return asset.error();
     return Error{"documents.unknown_asset", "there is no uploaded file " + in_quotes(id),
                  pointer_to("/files", name)};
   }

@@ -101,27 +101,29 @@ JsonValue series_json(const std::vector<ProjectSeamEdge>& series) {
   return out;
 }
 
-/// What is said of one seam: check_seams names it first in each place.
-JsonValue issues_json(const std::vector<SeamIssue>& issues, const std::string& seam) {
-  const std::string place = "seam " + seam;
+/// What is said of one seam.
+JsonValue issues_json(const std::vector<SeamIssue>& issues, Index seam) {
   std::vector<JsonValue> out;
   for (const SeamIssue& issue : issues) {
-    if (issue.where != place && !issue.where.starts_with(place + ", side ")) continue;
-    out.push_back(std::vector<JsonMember>{
-        {"code", issue.code}, {"error", issue.error}, {"message", issue.message}, {"where", issue.where}});
+    if (issue.seam != seam) continue;
+    out.push_back(std::vector<JsonMember>{{"code", std::string(code_of(issue.kind))},
+                                          {"error", is_error(issue.kind)},
+                                          {"message", issue.message},
+                                          {"where", issue.where}});
   }
   return out;
 }
 
 JsonValue seam_json(const Pattern& pattern, const Seam& seam, const ProjectSeam& told,
                     const std::vector<SeamIssue>& issues) {
-  return std::vector<JsonMember>{{"id", told.id},
-                                 {"a", series_json(told.a)},
-                                 {"b", series_json(told.b)},
-                                 {"same_direction", told.same_direction},
-                                 {"length_a_mm", fine(series_length(pattern, seam.a))},
-                                 {"length_b_mm", fine(series_length(pattern, seam.b))},
-                                 {"issues", issues_json(issues, told.id)}};
+  return std::vector<JsonMember>{
+      {"id", told.id},
+      {"a", series_json(told.a)},
+      {"b", series_json(told.b)},
+      {"same_direction", told.same_direction},
+      {"length_a_mm", fine(series_length(pattern, seam.a))},
+      {"length_b_mm", fine(series_length(pattern, seam.b))},
+      {"issues", issues_json(issues, static_cast<Index>(&seam - pattern.seams.data()))}};
 }
 
 struct Read {

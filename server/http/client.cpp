@@ -139,11 +139,14 @@ Result<HttpReply> HttpClient::ask(const Request& request, std::chrono::seconds w
   impl_->io.run();
   if (!failure) return reply;
   const std::string place = impl_->host + ":" + impl_->port;
-  if (failure == beast::error::timeout) return Error{"client.timeout", "the server does not answer", place};
+  if (failure == beast::error::timeout)
+    return Error{"client.timeout", "the server does not answer", place, ErrorKind::kSystem};
   if (failure.category() == http::make_error_code(http::error::bad_version).category()) {
-    return Error{"client.malformed", "what answers there is no Toile server: " + failure.message(), place};
+    return Error{"client.malformed", "what answers there is no Toile server: " + failure.message(), place,
+                 ErrorKind::kSystem};
   }
-  return Error{"client.unreachable", "the server cannot be reached: " + failure.message(), place};
+  return Error{"client.unreachable", "the server cannot be reached: " + failure.message(), place,
+               ErrorKind::kUnavailable};
 }
 
 }  // namespace toile

@@ -1,7 +1,6 @@
 #include "server/http/problem.h"
 
 #include <map>
-#include <string_view>
 
 #include "core/base/names.h"
 #include "core/json/tree.h"
@@ -10,20 +9,6 @@ namespace toile {
 namespace {
 
 constexpr std::size_t kMostWords = 2000;  // of a message that quotes its input
-
-const std::map<std::string_view, int>& known_codes() {
-  static const std::map<std::string_view, int> codes{
-      {"store.not_found", 404},      {"store.conflict", 412},
-      {"store.full", 507},           {"store.busy", 503},
-      {"store.cursor", 400},         {"store.idempotency_key", 400},
-      {"store.bad_name", 422},       {"store.idempotency_mismatch", 409},
-      {"jobs.state", 409},           {"jobs.too_many_paused", 429},
-      {"jobs.queue_full", 429},      {"jobs.stopped", 503},
-      {"mesh.reader", 500},          {"documents.kind", 400},
-      {"edit.nothing_to_undo", 409}, {"edit.nothing_to_redo", 409},
-  };
-  return codes;
-}
 
 }  // namespace
 
@@ -56,15 +41,34 @@ std::string status_phrase(int status) {
   return found == phrases.end() ? "Status" : found->second;
 }
 
-int status_of(const Error& error) {
-  const std::string_view code = error.code;
-  if (const auto found = known_codes().find(code); found != known_codes().end()) return found->second;
-  if (code.ends_with(".too_large")) return 413;
-  if (code.starts_with("json.")) return 400;
-  for (const std::string_view ours : {"store.", "jobs.", "internal", "render.", "export."}) {
-    if (code.starts_with(ours)) return 500;
+int status_of(ErrorKind kind) {
+  switch (kind) {
+    case ErrorKind::kInput:
+      return 422;
+    case ErrorKind::kMalformed:
+      return 400;
+    case ErrorKind::kTooLarge:
+      return 413;
+    case ErrorKind::kNotFound:
+      return 404;
+    case ErrorKind::kConflict:
+      return 409;
+    case ErrorKind::kStale:
+      return 412;
+    case ErrorKind::kUnconditional:
+      return 428;
+    case ErrorKind::kTooMany:
+      return 429;
+    case ErrorKind::kUnavailable:
+      return 503;
+    case ErrorKind::kNoRoom:
+      return 507;
+    case ErrorKind::kCancelled:  // nobody reads the answer to what he has given up
+    case ErrorKind::kSystem:
+    case ErrorKind::kInternal:
+      break;
   }
-  return 422;
+  return 500;
 }
 
 HttpResponse problem(int status, const Error& error) {
@@ -80,6 +84,6 @@ HttpResponse problem(int status, const Error& error) {
   return response;
 }
 
-HttpResponse problem(const Error& error) { return problem(status_of(error), error); }
+HttpResponse problem(const Error& error) { return problem(status_of(error.kind), error); }
 
 }  // namespace toile

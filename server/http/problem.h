@@ -11,10 +11,10 @@ namespace toile {
 /// The phrase of a status, "Not Found".
 std::string status_phrase(int status);
 
-/// What an error of the core or of a service means to whoever asked: 404 for what is not there, 409 and 412
-/// for conflicts, 413 for too much, 400 for what is no JSON, 422 for documents and files that cannot be used,
-/// 429, 503 and 507 for what may go well later, 500 for faults of ours.
-int status_of(const Error& error);
+/// What an error of the core or of a service means to whoever asked: 404 for what is not there, 409, 412 and
+/// 428 for conflicts, 413 for too much, 400 for what is no JSON, 422 for documents and files that cannot be
+/// used, 429, 503 and 507 for what may go well later, 500 for faults of ours and of what lies under us.
+int status_of(ErrorKind kind);
 
 /// {"type": "about:blank", "title", "status", "code", "detail", "where"}. With 429 and 503 goes a
 /// Retry-After.

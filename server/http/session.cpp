@@ -153,8 +153,8 @@ asio::awaitable<bool> HttpSession::serve_one() {
   Taken taken(context_.budget);
   const std::size_t most = incoming.has_body ? incoming.length.value_or(route.limit(request)) : 0;
   if (!taken.take(most)) {
-    HttpResponse busy =
-        problem(503, {"server.busy", "too many uploads at once; try again in a few seconds", ""});
+    HttpResponse busy = problem(503, {"server.busy", "too many uploads at once; try again in a few seconds",
+                                      "", ErrorKind::kUnavailable});
     co_return co_await refuse(request, std::move(busy));
   }
   if (incoming.has_body) {

@@ -80,14 +80,16 @@ class QueueingJobService final : public JobService {
 Error QueueingJobService::refusal(const OwnerId& owner, const std::string& id, JobEvent event) {
   const JobRow row = TRY(store_.job(owner, id));
   TRY(next_state(row.state, event));
-  return {"jobs.stopped", "the server takes no jobs up just now; try again when it has started", ""};
+  return {"jobs.stopped", "the server takes no jobs up just now; try again when it has started", "",
+          ErrorKind::kUnavailable};
 }
 
 Status QueueingJobService::check_parking(const Changing& changing, const LiveJob& job) const {
   if (job.state != JobState::kRunning) return {};  // takes no memory
   if (table_.begun(changing) < settings_.workers + settings_.max_parked) return {};
   return Error{"jobs.too_many_paused",
-               "as many drapes lie paused in memory as there is room for; resume or cancel one first", ""};
+               "as many drapes lie paused in memory as there is room for; resume or cancel one first", "",
+               ErrorKind::kTooMany};
 }
 
 Result<JobRow> QueueingJobService::on_request(const OwnerId& owner, const std::string& id, JobEvent event,
@@ -123,7 +125,8 @@ Result<JobRow> QueueingJobService::cancel(const OwnerId& owner, const std::strin
 
 Status QueueingJobService::check_queue() const {
   if (table_.counts().queued < settings_.max_queued) return {};
-  return Error{"jobs.queue_full", "the queue is full; try again when some drapes have ended", ""};
+  return Error{"jobs.queue_full", "the queue is full; try again when some drapes have ended", "",
+               ErrorKind::kTooMany};
 }
 
 /// A drape of the project as it is now, once it is known that one can be made.

@@ -55,7 +55,7 @@ Error refusal(JobState state, JobEvent event) {
   return {"jobs.state",
           "a job that " + verb + std::string(name_of(state)) + " cannot be " +
               std::string(kEventWords.at(static_cast<std::size_t>(event))),
-          ""};
+          "", ErrorKind::kConflict};
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ Status RenderWorker::draw(Drawing drawing, const std::function<bool()>& given_up
   {
     const std::lock_guard lock(mutex_);
     if (orders_.size() >= max_waiting_) {
-      return Error{"render.busy", "too many drapes wait for their pictures", ""};
+      return Error{"render.busy", "too many drapes wait for their pictures", "", ErrorKind::kInternal};
     }
     orders_.push_back({std::move(task), dropped});
   }
@@ -37,7 +37,7 @@ Status RenderWorker::draw(Drawing drawing, const std::function<bool()>& given_up
   while (drawn.wait_for(kAskEvery) != std::future_status::ready) {
     if (!given_up()) continue;
     dropped->store(true, std::memory_order_relaxed);
-    return Error{"render.given_up", "nobody waits for the pictures any more", ""};
+    return Error{"render.given_up", "nobody waits for the pictures any more", "", ErrorKind::kCancelled};
   }
   return drawn.get();
 }

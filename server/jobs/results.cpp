@@ -51,7 +51,8 @@ Status write_view(const Scene& scene, View view, const StillSettings& settings, 
 Result<std::string> bytes_of(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
   std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  if (in.bad() || !in.is_open()) return Error{"export.read", "cannot read the file back", path.string()};
+  if (in.bad() || !in.is_open())
+    return Error{"export.read", "cannot read the file back", path.string(), ErrorKind::kInternal};
   return bytes;
 }
 
@@ -82,7 +83,8 @@ Status write_stills(const DrapeInput& input, const DrapeResult& result, const Te
   for (const auto& [view, name] :
        {std::pair{View::kFront, "front"}, std::pair{View::kBack, "back"}, std::pair{View::kSide, "side"},
         std::pair{View::kThreeQuarter, "three-quarter"}}) {
-    if (context.cancelled()) return Error{"cancelled", "the pictures are not wanted any more", ""};
+    if (context.cancelled())
+      return Error{"cancelled", "the pictures are not wanted any more", "", ErrorKind::kCancelled};
     TRY(write_view(scene, view, settings, folder / (std::string(name) + ".png")));
   }
   return {};
@@ -98,7 +100,7 @@ Result<std::unique_ptr<TemporaryFolder>> TemporaryFolder::make(const fs::path& p
   std::string path = parent / "results-XXXXXX";
   if (::mkdtemp(path.data()) == nullptr) {
     return Error{"export.write", "cannot make a temporary folder: " + std::generic_category().message(errno),
-                 path};
+                 path, ErrorKind::kInternal};
   }
   return std::unique_ptr<TemporaryFolder>(new TemporaryFolder(path));
 }
@@ -115,7 +117,9 @@ Result<std::map<std::string, std::int64_t>> keep_results(Store& store, const Own
   for (fs::directory_iterator at(folder, failure), end; !failure && at != end; at.increment(failure)) {
     files.emplace(at->path().filename().string(), at->path());
   }
-  if (failure) return Error{"export.read", "cannot list the results: " + failure.message(), folder.string()};
+  if (failure)
+    return Error{"export.read", "cannot list the results: " + failure.message(), folder.string(),
+                 ErrorKind::kInternal};
   std::map<std::string, std::int64_t> sizes;
   for (const auto& [name, path] : files) {
     const std::string bytes = TRY(bytes_of(path));

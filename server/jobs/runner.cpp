@@ -67,11 +67,14 @@ std::optional<RunEnd> JobRun::go_on(const RunControl& control) {
     return through_all_stages(control);
   } catch (const std::bad_alloc&) {
     return failed({"internal.memory",
-                   "there was not enough memory for this drape; a larger particle distance needs less", ""});
+                   "there was not enough memory for this drape; a larger particle distance needs less", "",
+                   ErrorKind::kInternal});
   } catch (const std::exception& e) {
-    return failed({"internal.exception", std::string("the drape broke off: ") + e.what(), ""});
+    return failed(
+        {"internal.exception", std::string("the drape broke off: ") + e.what(), "", ErrorKind::kInternal});
   } catch (...) {
-    return failed({"internal.unknown", "the drape broke off for a reason that it did not name", ""});
+    return failed({"internal.unknown", "the drape broke off for a reason that it did not name", "",
+                   ErrorKind::kInternal});
   }
 }
 
@@ -80,7 +83,7 @@ std::optional<RunEnd> JobRun::through_all_stages(const RunControl& control) {
   if (!run_ && !result_) {
     if (interrupted()) return std::nullopt;
     if (const Status begun = begin(control); !begun) {
-      if (begun.error().code == "cancelled") return std::nullopt;
+      if (begun.error().kind == ErrorKind::kCancelled) return std::nullopt;
       return failed(begun.error());
     }
   }
@@ -93,7 +96,7 @@ std::optional<RunEnd> JobRun::through_all_stages(const RunControl& control) {
   }
   const Result<RunEnd> end = deliver(control);
   if (end) return *end;
-  if (end.error().code == "render.given_up") return std::nullopt;
+  if (end.error().kind == ErrorKind::kCancelled) return std::nullopt;
   return failed(end.error());
 }
 
@@ -127,7 +130,7 @@ Status JobRun::begin(const RunControl& control) {
 Result<std::unique_ptr<DrapeRun>> JobRun::start_or_resume(const RunContext& context) {
   if (const auto kept = place_.store->checkpoint(owner_, job_id_)) {
     auto run = DrapeRun::resume(*input_, kept->bytes, context, nullptr);
-    if (run || !run.error().code.starts_with("checkpoint.")) return run;
+    if (run || run.error().kind != ErrorKind::kSystem) return run;
   }
   return DrapeRun::start(*input_, context, nullptr);
 }
@@ -220,7 +223,7 @@ Result<RunEnd> JobRun::deliver(const RunControl& control) {
   TRY(write_models(*input_, *result_, delivery->textures, path, true));
   TRY(write_file(path / "report.json", end.report));
   if (Status stills = draw(place_, control, delivery); !stills) {
-    if (stills.error().code == "render.given_up") return stills.error();
+    if (stills.error().kind == ErrorKind::kCancelled) return stills.error();
     end.reason += "; there are no pictures of it: " + stills.error().message;  // the drape is worth keeping
   }
   auto results = TRY(keep_results(*place_.store, owner_, job_id_, path));

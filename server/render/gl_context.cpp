@@ -20,7 +20,7 @@ namespace {
 
 Error no_context(const std::string& why) {
   return {"render.no_context", why + "; stills need Mesa's off-screen library (libOSMesa) with OpenGL 3.3",
-          ""};
+          "", ErrorKind::kInternal};
 }
 
 /// Mesa draws on the processor, without a display or a graphics card.

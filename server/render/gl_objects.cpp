@@ -55,11 +55,12 @@ Result<GlProgram> GlProgram::link(const GlFunctions& gl, const std::vector<const
                                   const std::vector<const char*>& fragment) {
   std::string log;
   const GLuint vertex_shader = compiled(gl, GL_VERTEX_SHADER, vertex, log);
-  if (vertex_shader == 0) return Error{"render.shader", "a vertex shader does not compile: " + log, ""};
+  if (vertex_shader == 0)
+    return Error{"render.shader", "a vertex shader does not compile: " + log, "", ErrorKind::kInternal};
   const GLuint fragment_shader = compiled(gl, GL_FRAGMENT_SHADER, fragment, log);
   if (fragment_shader == 0) {
     gl.DeleteShader(vertex_shader);
-    return Error{"render.shader", "a fragment shader does not compile: " + log, ""};
+    return Error{"render.shader", "a fragment shader does not compile: " + log, "", ErrorKind::kInternal};
   }
   GlProgram program(gl, gl.CreateProgram());
   for (const GLuint shader : {vertex_shader, fragment_shader}) {
@@ -69,7 +70,7 @@ Result<GlProgram> GlProgram::link(const GlFunctions& gl, const std::vector<const
   gl.LinkProgram(program.name_);
   GLint fine = 0;
   gl.GetProgramiv(program.name_, GL_LINK_STATUS, &fine);
-  if (!fine) return Error{"render.shader", "a shader program does not link", ""};
+  if (!fine) return Error{"render.shader", "a shader program does not link", "", ErrorKind::kInternal};
   return program;
 }
 

@@ -7,7 +7,7 @@ namespace toile {
 
 Result<std::string> png_bytes(const Image& image) {
   Result<std::string> bytes = encode_png(image.width, image.height, 3, image.rgb);
-  if (!bytes) return Error{"render.bad_image", bytes.error().message, ""};
+  if (!bytes) return Error{"render.bad_image", bytes.error().message, "", ErrorKind::kInternal};
   return bytes;
 }
 

@@ -13,11 +13,11 @@ Status check_points(std::span<const Vec3> points, const std::string& owner) {
     const Vec3 p = points[i];
     if (!is_finite(p)) {
       return Error{"render.not_finite", "a position is not a finite number; nothing was drawn",
-                   owner + " vertex " + std::to_string(i)};
+                   owner + " vertex " + std::to_string(i), ErrorKind::kInternal};
     }
     if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > kFarthest) {
       return Error{"render.too_far", "a position is more than 1 km away; positions are metres",
-                   owner + " vertex " + std::to_string(i)};
+                   owner + " vertex " + std::to_string(i), ErrorKind::kInternal};
     }
   }
   return {};
@@ -28,7 +28,7 @@ Status check_triangles(std::span<const Tri> triangles, std::size_t vertex_count,
     for (const Index corner : triangles[t]) {
       if (corner < 0 || static_cast<std::size_t>(corner) >= vertex_count) {
         return Error{"render.bad_index", "a triangle names a vertex that is not there",
-                     owner + " triangle " + std::to_string(t)};
+                     owner + " triangle " + std::to_string(t), ErrorKind::kInternal};
       }
     }
   }
@@ -36,7 +36,7 @@ Status check_triangles(std::span<const Tri> triangles, std::size_t vertex_count,
 }
 
 Error bad_length(const std::string& which) {
-  return {"render.bad_scene", "an array of the cloth has the wrong length", which};
+  return {"render.bad_scene", "an array of the cloth has the wrong length", which, ErrorKind::kInternal};
 }
 
 Status check_cloth(const ClothView& cloth) {
@@ -51,13 +51,13 @@ Status check_cloth(const ClothView& cloth) {
   for (std::size_t v = 0; v < cloth.weld.size(); ++v) {
     if (cloth.weld[v] < 0 || static_cast<std::size_t>(cloth.weld[v]) >= count) {
       return Error{"render.bad_index", "a vertex is sewn to one that is not there",
-                   "cloth vertex " + std::to_string(v)};
+                   "cloth vertex " + std::to_string(v), ErrorKind::kInternal};
     }
   }
   for (std::size_t v = 0; v < cloth.rest.size(); ++v) {
     if (!is_finite(cloth.rest[v])) {
       return Error{"render.not_finite", "a rest position is not a finite number; nothing was drawn",
-                   "cloth vertex " + std::to_string(v)};
+                   "cloth vertex " + std::to_string(v), ErrorKind::kInternal};
     }
   }
   return {};
@@ -69,14 +69,16 @@ Status check_textures(const ClothView& cloth) {
     const Picture& picture = image->read.picture;
     const auto pixels = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
     if (pixels == 0 || picture.rgba.size() != 4 * pixels)
-      return Error{"render.bad_scene", "a picture's pixels do not fit its size", image->name};
+      return Error{"render.bad_scene", "a picture's pixels do not fit its size", image->name,
+                   ErrorKind::kInternal};
   }
   for (const std::optional<PanelTexture>& texture : cloth.textures->of_panel) {
     if (!texture) continue;
     if (texture->image < 0 || static_cast<std::size_t>(texture->image) >= cloth.textures->images.size())
-      return Error{"render.bad_index", "a panel names a picture that is not there", ""};
+      return Error{"render.bad_index", "a panel names a picture that is not there", "", ErrorKind::kInternal};
     if (!is_finite(texture->origin) || !is_finite(texture->across) || !is_finite(texture->up))
-      return Error{"render.not_finite", "a picture does not lie at finite places; nothing was drawn", ""};
+      return Error{"render.not_finite", "a picture does not lie at finite places; nothing was drawn", "",
+                   ErrorKind::kInternal};
   }
   return {};
 }
@@ -113,12 +115,13 @@ Status check_scene(const Scene& scene) {
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const std::string owner = "body " + std::to_string(b);
     const TriangleMesh* mesh = scene.bodies[b].mesh;
-    if (mesh == nullptr) return Error{"render.bad_scene", "a body has no mesh", owner};
+    if (mesh == nullptr) return Error{"render.bad_scene", "a body has no mesh", owner, ErrorKind::kInternal};
     TRY(check_points(mesh->vertices, owner));
     if (Status bad = check_triangles(mesh->triangles, mesh->vertices.size(), owner); !bad.ok()) return bad;
   }
   if (scene.floor && !(std::abs(*scene.floor) <= kFarthest)) {
-    return Error{"render.not_finite", "the height of the ground is not within 1 km", "floor"};
+    return Error{"render.not_finite", "the height of the ground is not within 1 km", "floor",
+                 ErrorKind::kInternal};
   }
   return {};
 }

@@ -100,7 +100,9 @@ void bind_depth_target(GlScope& scope, GLuint map) {
   gl.Clear(GL_DEPTH_BUFFER_BIT);
 }
 
-Error failed() { return {"render.failed", "OpenGL could not draw the picture; try a smaller one", ""}; }
+Error failed() {
+  return {"render.failed", "OpenGL could not draw the picture; try a smaller one", "", ErrorKind::kInternal};
+}
 
 }  // namespace
 

@@ -10,10 +10,11 @@ namespace {
 
 Status check_settings(const StillSettings& s) {
   if (s.width < 16 || s.height < 16 || s.width > 4096 || s.height > 4096) {
-    return Error{"render.settings", "width and height of a still must be 16 to 4096 pixels", ""};
+    return Error{"render.settings", "width and height of a still must be 16 to 4096 pixels", "",
+                 ErrorKind::kInternal};
   }
   if (s.samples != 1 && s.samples != 4 && s.samples != 16) {
-    return Error{"render.settings", "a still takes 1, 4 or 16 samples per pixel", ""};
+    return Error{"render.settings", "a still takes 1, 4 or 16 samples per pixel", "", ErrorKind::kInternal};
   }
   return {};
 }

@@ -43,12 +43,12 @@ class Descriptor {
 Error system_error(const fs::path& path, const char* deed) {
   const int reason = errno;
   if (reason == ENOSPC || reason == EDQUOT || reason == EFBIG) {
-    return {"store.full", "the disk has no room for this; free some and try again", ""};
+    return {"store.full", "the disk has no room for this; free some and try again", "", ErrorKind::kNoRoom};
   }
   return {"store.failed",
           std::string("cannot ") + deed + " " + in_quotes(path.filename().string()) + ": " +
               std::generic_category().message(reason),
-          ""};
+          "", ErrorKind::kSystem};
 }
 
 Status write_all(int fd, std::string_view bytes, const fs::path& path) {
@@ -154,7 +154,8 @@ Result<std::string> Blobs::put_blob(std::string_view bytes, std::string_view fil
   const Result<std::string> there = read_all(place_of(blob));
   // XXH3 is quick, but somebody may make two files for it; theirs must not become another's.
   if (there && *there != bytes && hash_of(std::string_view(*there)) == hash) {
-    return Error{"store.hash_collision", "another file with other bytes has the same hash", ""};
+    return Error{"store.hash_collision", "another file with other bytes has the same hash", "",
+                 ErrorKind::kSystem};
   }
   if (there && *there == bytes) {
     // Its writer may have been killed, or be at it still, between giving the name and making it durable.
@@ -172,14 +173,15 @@ Result<fs::path> Blobs::blob_path(const std::string& blob, std::int64_t size) co
   const fs::path path = place_of(blob);
   const std::uintmax_t found = fs::file_size(path, failure);
   if (!failure && found == static_cast<std::uintmax_t>(size)) return path;
-  return Error{"store.corrupt", "a file of the store is gone or has another length; upload it again", blob};
+  return Error{"store.corrupt", "a file of the store is gone or has another length; upload it again", blob,
+               ErrorKind::kSystem};
 }
 
 Result<std::string> Blobs::blob(const std::string& blob, std::int64_t size) const {
   const fs::path path = TRY(blob_path(blob, size));
   Result<std::string> bytes = read_all(path);
   if (!bytes || hash_of(std::string_view(*bytes)) == blob.substr(0, kHashDigits)) return bytes;
-  return Error{"store.corrupt", "a file of the store has changed; upload it again", blob};
+  return Error{"store.corrupt", "a file of the store has changed; upload it again", blob, ErrorKind::kSystem};
 }
 
 Status Blobs::put_result(const std::string& job_id, const std::string& name, std::string_view bytes) const {
@@ -192,14 +194,14 @@ Result<std::string> Blobs::result(const std::string& job_id, const std::string& 
   const fs::path path = folder_ / "results" / job_id / name;
   std::error_code failure;
   if (fs::is_regular_file(path, failure)) return read_all(path);
-  return Error{"store.not_found", "the job has no result " + in_quotes(name), ""};
+  return Error{"store.not_found", "the job has no result " + in_quotes(name), "", ErrorKind::kNotFound};
 }
 
 Status Blobs::remove_results(const std::string& job_id) const {
   std::error_code failure;
   fs::remove_all(folder_ / "results" / job_id, failure);
   if (!failure) return {};
-  return Error{"store.failed", "cannot remove the results: " + failure.message(), ""};
+  return Error{"store.failed", "cannot remove the results: " + failure.message(), "", ErrorKind::kSystem};
 }
 
 std::vector<std::string> Blobs::blob_names() const {
@@ -240,7 +242,7 @@ Result<Store::KeptCheckpoint> Blobs::checkpoint(const std::string& job_id) const
   const fs::path path = folder_ / "checkpoints" / job_id;
   struct stat about {};
   if (::stat(path.c_str(), &about) != 0) {
-    return Error{"store.not_found", "the job has no checkpoint", ""};
+    return Error{"store.not_found", "the job has no checkpoint", "", ErrorKind::kNotFound};
   }
   std::string bytes = TRY(read_all(path));
   return Store::KeptCheckpoint{std::move(bytes),

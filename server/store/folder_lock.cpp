@@ -15,11 +15,11 @@ Result<FolderLock> FolderLock::take(const std::filesystem::path& folder) {
   lock.fd_ = ::open((folder / "toile.lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
   if (lock.fd_ < 0) {
     return Error{"store.open", "cannot write here: " + std::generic_category().message(errno),
-                 folder.string()};
+                 folder.string(), ErrorKind::kSystem};
   }
   if (::flock(lock.fd_, LOCK_EX | LOCK_NB) == 0) return lock;
   return Error{"store.in_use", "another toile has this folder open; stop it, or give this one its own",
-               folder.string()};
+               folder.string(), ErrorKind::kConflict};
 }
 
 FolderLock::FolderLock(FolderLock&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}

@@ -38,7 +38,7 @@ void IdSource::start_after(std::string_view id) {
 Result<std::string> IdSource::next(char letter, std::int64_t now_ms) {
   std::array<unsigned char, kChanceDigits> chance;
   if (getrandom(chance.data(), chance.size(), 0) != static_cast<ssize_t>(chance.size())) {
-    return Error{"store.failed", "the system gives no random numbers", ""};
+    return Error{"store.failed", "the system gives no random numbers", "", ErrorKind::kSystem};
   }
   // Two ids of one millisecond, or a clock that was set back: the time is then one more than the last.
   last_ = std::min(std::max(now_ms - kFirstMs, last_ + 1), kLastTick);

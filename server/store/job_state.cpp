@@ -29,7 +29,8 @@ Result<JobState> job_state_from(std::string_view word) {
   for (const StateRow& row : kTable) {
     if (row.word == word) return row.state;
   }
-  return Error{"store.unknown_state", "this version knows no such state of a job", std::string(word)};
+  return Error{"store.unknown_state", "this version knows no such state of a job", std::string(word),
+               ErrorKind::kSystem};
 }
 
 std::string unfinished_states_in_sql() {

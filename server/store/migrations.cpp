@@ -128,7 +128,7 @@ Status migrate(SqlDatabase& database, std::span<const Migration> steps) {
                  "a newer toile has written this database (schema " + std::to_string(newest) +
                      ", and this one knows up to " + std::to_string(known) +
                      "); start that version, or give this one a folder of its own",
-                 ""};
+                 "", ErrorKind::kConflict};
   }
   for (const Migration& step : steps) {
     if (step.number <= newest) continue;

@@ -12,7 +12,8 @@ namespace toile {
 
 /// What belongs to somebody else is not found either, in the same words.
 inline Error not_found(const char* thing, const std::string& id) {
-  return {"store.not_found", std::string("there is no ") + thing + " " + in_quotes(id), ""};
+  return {"store.not_found", std::string("there is no ") + thing + " " + in_quotes(id), "",
+          ErrorKind::kNotFound};
 }
 
 inline std::string select(const char* columns, const char* rest) {

@@ -10,7 +10,7 @@ namespace {
 using Json = nlohmann::json;
 
 Error damaged(const std::string& thing) {
-  return {"store.corrupt", "a row of the database is damaged", thing};
+  return {"store.corrupt", "a row of the database is damaged", thing, ErrorKind::kSystem};
 }
 
 /// The members of the object in a column of `thing`'s row that `is_one` takes; others are passed over.

@@ -23,15 +23,15 @@ Error error_of(sqlite3* database, int system_reason = 0) {
   const int code = sqlite3_errcode(database) & 0xff;
   const std::string reason = sqlite3_errmsg(database);
   if (out_of_room(code, system_reason)) {
-    return {"store.full", "the disk has no room for this; free some and try again", ""};
+    return {"store.full", "the disk has no room for this; free some and try again", "", ErrorKind::kNoRoom};
   }
   if (code == SQLITE_BUSY || code == SQLITE_LOCKED) {
-    return {"store.busy", "another program holds the database; try again", ""};
+    return {"store.busy", "another program holds the database; try again", "", ErrorKind::kUnavailable};
   }
   if (code == SQLITE_CORRUPT || code == SQLITE_NOTADB) {
-    return {"store.corrupt", "the database file is damaged: " + reason, ""};
+    return {"store.corrupt", "the database file is damaged: " + reason, "", ErrorKind::kSystem};
   }
-  return {"store.failed", "the database says: " + reason, ""};
+  return {"store.failed", "the database says: " + reason, "", ErrorKind::kSystem};
 }
 
 int bind(sqlite3_stmt* statement, int place, const SqlValue& value) {
@@ -50,7 +50,8 @@ Status use_write_ahead_log(SqlDatabase& database) {
   SqlStatement mode = TRY(database.prepare("PRAGMA journal_mode=WAL"));
   const bool row = TRY(mode.step());
   if (row && mode.text(0) == "wal") return {};
-  return Error{"store.failed", "this file system does not allow a write-ahead log; use a local disk", ""};
+  return Error{"store.failed", "this file system does not allow a write-ahead log; use a local disk", "",
+               ErrorKind::kSystem};
 }
 
 }  // namespace
@@ -84,7 +85,8 @@ Result<SqlDatabase> SqlDatabase::open(const std::string& path) {
       SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_EXRESCODE;
   const int code = sqlite3_open_v2(path.c_str(), &raw, kFlags, nullptr);
   made.database_.reset(raw);
-  if (raw == nullptr) return Error{"store.failed", "there is no memory for a connection", path};
+  if (raw == nullptr)
+    return Error{"store.failed", "there is no memory for a connection", path, ErrorKind::kSystem};
   if (code != SQLITE_OK) return error_of(raw);
   sqlite3_busy_timeout(raw, kBusyTimeoutMs);
   TRY(use_write_ahead_log(made));

@@ -57,7 +57,7 @@ Result<Made<JobRow>> SqliteStore::create_job(const OwnerId& owner, JobRow row,
     return Error{
         "store.idempotency_mismatch",
         "this idempotency key was used for project " + made->project_id + "; use a new one for another drape",
-        ""};
+        "", ErrorKind::kConflict};
   }
   row.created_ms = store_now_ms();
   std::string id = TRY(ids_.next('j', row.created_ms));

@@ -43,20 +43,22 @@ Status check_revision(const ProjectRow& now, int expected) {
   return Error{"store.conflict",
                "the project has been changed since: it is at revision " + std::to_string(now.revision) +
                    ", and this was made from revision " + std::to_string(expected),
-               ""};
+               "", ErrorKind::kStale};
 }
 
 Result<std::string> before_what(const std::string& cursor, char letter) {
   if (cursor.empty()) return std::string(1, letter) + "~";
   if (is_id(cursor, letter)) return cursor;
-  return Error{"store.cursor", "the cursor " + in_quotes(cursor) + " is not one that a list gave", ""};
+  return Error{"store.cursor", "the cursor " + in_quotes(cursor) + " is not one that a list gave", "",
+               ErrorKind::kMalformed};
 }
 
 Status check_key(const std::string& key) {
   constexpr std::size_t kLongestKey = 200;
   const bool printable = std::all_of(key.begin(), key.end(), [](char c) { return c > 0x20 && c < 0x7f; });
   if (printable && key.size() <= kLongestKey) return {};
-  return Error{"store.idempotency_key", "an idempotency key has at most 200 printable ASCII characters", ""};
+  return Error{"store.idempotency_key", "an idempotency key has at most 200 printable ASCII characters", "",
+               ErrorKind::kMalformed};
 }
 
 std::int64_t page_limit(int limit) {
@@ -131,7 +133,7 @@ Result<std::optional<ProjectRow>> SqliteStore::project_of_key(const OwnerId& own
     return Error{"store.idempotency_mismatch",
                  "this idempotency key was used for another document or other files, for project " +
                      made->front().id + "; use a new one for another project",
-                 ""};
+                 "", ErrorKind::kConflict};
   }
   ProjectRow project = TRY(find_project(owner, made->front().id));
   return std::optional(std::move(project));
@@ -276,8 +278,8 @@ Result<IdSource> ids_after(SqlDatabase& database) {
 
 /// The error of a part of the store as one of opening it. What a person must tell apart keeps its code.
 Error opening(const fs::path& path, const Error& error) {
-  const bool own_words = error.code == "store.newer_schema" || error.code == "store.in_use";
-  return {own_words ? error.code : "store.open", error.message, path.string()};
+  if (error.kind == ErrorKind::kConflict) return placed_at(error, path.string());  // in use, or too new
+  return {"store.open", error.message, path.string(), ErrorKind::kSystem};
 }
 
 }  // namespace
@@ -287,7 +289,8 @@ Result<std::unique_ptr<Store>> open_sqlite_store(const std::string& folder) {
   const fs::path root = fs::absolute(folder, failure);
   if (fs::create_directories(root, failure)) fs::permissions(root, fs::perms::owner_all, failure);
   if (!fs::is_directory(root)) {
-    return Error{"store.open", "cannot make the folder: " + failure.message(), root.string()};
+    return Error{"store.open", "cannot make the folder: " + failure.message(), root.string(),
+                 ErrorKind::kSystem};
   }
   FolderLock lock = TRY(FolderLock::take(root));
   Result<Blobs> blobs = Blobs::open(root);

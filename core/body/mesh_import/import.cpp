@@ -58,7 +58,7 @@ struct Descriptor {
 };
 
 Error reader_error(const std::string& name, const std::string& reason) {
-  return {"mesh.reader", "The mesh reader could not be started: " + reason + ".", name};
+  return {"mesh.reader", "The mesh reader could not be started: " + reason + ".", name, ErrorKind::kSystem};
 }
 
 std::string reason_of(int number) { return std::generic_category().message(number); }
@@ -110,7 +110,8 @@ void give_up_rights() {
 
 Result<RepairedMesh> read_as_told(const std::vector<std::string>& arguments) {
   if (arguments.size() != 4 || (arguments[0] != "bytes" && arguments[0] != "file")) {
-    return Error{"mesh.reader", "The mesh reader was called in a way that it does not know.", ""};
+    return Error{"mesh.reader", "The mesh reader was called in a way that it does not know.", "",
+                 ErrorKind::kSystem};
   }
   const MeshSettings settings = settings_of(arguments[2], arguments[3]);
   if (arguments[0] == "file") return mended(load_mesh(arguments[1], settings));
@@ -156,7 +157,8 @@ struct MeshImporter::Reader {
                 "GLB, with fewer triangles.",
             name};
       case End::kWroteTooMuch:
-        return Error{"mesh.too_large", "The mesh has too many triangles; export it with fewer.", name};
+        return Error{"mesh.too_large", "The mesh has too many triangles; export it with fewer.", name,
+                     ErrorKind::kTooLarge};
       case End::kKilledBySignal:
         return Error{
             "mesh.crashed",
@@ -167,7 +169,7 @@ struct MeshImporter::Reader {
     }
     Result<RepairedMesh> mesh = parse_mesh_message(outcome.output);
     if (mesh || !mesh.error().where.empty()) return mesh;
-    return Error{mesh.error().code, mesh.error().message, name};
+    return placed_at(mesh.error(), name);
   }
 };
 

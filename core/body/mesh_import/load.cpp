@@ -27,6 +27,10 @@ Error fail(const char* code, std::string message, const std::string& file, const
   return {code, std::move(message), file + (place.empty() ? "" : ": " + place)};
 }
 
+Error too_large(std::string message, const std::string& file) {
+  return {"mesh.too_large", std::move(message), file, ErrorKind::kTooLarge};
+}
+
 Error no_memory(const std::string& file) {
   return fail(
       "mesh.memory",
@@ -36,8 +40,7 @@ Error no_memory(const std::string& file) {
 Status check_size(std::uintmax_t bytes, const std::string& file) {
   if (bytes == 0) return fail("mesh.empty", "The file is empty.", file);
   if (bytes <= kMostMeshBytes) return {};
-  return fail("mesh.too_large", "The file is larger than 256 MiB; export the mesh with fewer triangles.",
-              file);
+  return too_large("The file is larger than 256 MiB; export the mesh with fewer triangles.", file);
 }
 
 Status check_file(const std::filesystem::path& path) {
@@ -83,7 +86,7 @@ class Gatherer {
   Status add_mesh(const aiMesh& mesh, const aiMatrix4x4& place) {
     if (mesh_.triangles.size() + mesh.mNumFaces > kMostMeshTriangles ||
         mesh_.vertices.size() + mesh.mNumVertices > 3 * kMostMeshTriangles) {
-      return fail("mesh.too_large", "The mesh has more than two million triangles.", file_);
+      return too_large("The mesh has more than two million triangles.", file_);
     }
     const auto base = static_cast<Index>(mesh_.vertices.size());
     for (unsigned v = 0; v < mesh.mNumVertices; ++v) {

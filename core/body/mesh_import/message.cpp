@@ -71,6 +71,9 @@ class MessageReader {
   bool whole_ = true;
 };
 
+/// What the other side may name: the kinds of an error by their number.
+constexpr auto kLastKind = static_cast<std::uint32_t>(ErrorKind::kInternal);
+
 Error no_message() {
   return {
       "mesh.crashed",
@@ -94,10 +97,11 @@ bool is_code(std::string_view text) {
 }
 
 Error error_of(MessageReader& reader) {
+  const std::uint32_t kind = reader.number();
   std::string texts[3];
   for (std::string& text : texts) text = text_of(reader.take(reader.number()));
-  if (!reader.at_end() || !is_code(texts[0])) return no_message();
-  return {texts[0], texts[1], texts[2]};
+  if (!reader.at_end() || !is_code(texts[0]) || kind > kLastKind) return no_message();
+  return {texts[0], texts[1], texts[2], static_cast<ErrorKind>(kind)};
 }
 
 bool is_sound(const TriangleMesh& mesh) {
@@ -116,6 +120,7 @@ std::string mesh_message(const Result<RepairedMesh>& mesh) {
   std::string out(kOpening);
   if (!mesh) {
     put(out, kError);
+    put(out, static_cast<std::uint32_t>(mesh.error().kind));
     for (const std::string& text : {mesh.error().code, mesh.error().message, mesh.error().where}) {
       put(out, static_cast<std::uint32_t>(text.size()));
       out += text;

@@ -11,7 +11,7 @@ namespace {
 
 Error too_large(const std::string& what, std::size_t limit, int line) {
   return {"dxf.too_large", "The drawing has more than " + std::to_string(limit) + " " + what + ", the limit.",
-          line_text(line)};
+          line_text(line), ErrorKind::kTooLarge};
 }
 
 /// The groups without which the entity has no place.

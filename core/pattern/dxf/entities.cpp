@@ -93,8 +93,9 @@ class Parser {
   /// The text is at its end without EOF: what stands before is kept, but for an entity that is not whole.
   Failure stopped() {
     const auto& error = reader_.error();
-    const bool cut = error && error->code == "dxf.truncated";
-    if (error && !cut && (started_ || error->code != "dxf.bad_group_code")) return *error;
+    const auto kind = reader_.fault();
+    const bool cut = kind == DxfGroupReader::Fault::kCutOff;
+    if (error && !cut && (started_ || kind != DxfGroupReader::Fault::kNoGroup)) return *error;
     if (!started_) return not_dxf(std::max(1, reader_.line()));
     if (section_.name.empty() && section_.had_entities && !cut) {
       file_.log.warn(reader_.line(), "the file ends without EOF, though behind a whole section ENTITIES");

@@ -27,6 +27,11 @@ DxfGroupReader::DxfGroupReader(std::istream& in, std::size_t max_bytes)
   shown_ = std::min(kShown, end_ - at_);
 }
 
+void DxfGroupReader::fail(Fault fault, Error error) {
+  fault_ = fault;
+  error_ = std::move(error);
+}
+
 bool DxfGroupReader::fill() {
   if (error_) return false;
   in_.read(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
@@ -34,8 +39,9 @@ bool DxfGroupReader::fill() {
   end_ = static_cast<std::size_t>(in_.gcount());
   bytes_ += end_;
   if (bytes_ > max_bytes_) {
-    error_ = Error{"dxf.too_large",
-                   "The file has more than " + std::to_string(max_bytes_) + " bytes, the limit.", ""};
+    fail(Fault::kTooLong,
+         {"dxf.too_large", "The file has more than " + std::to_string(max_bytes_) + " bytes, the limit.", "",
+          ErrorKind::kTooLarge});
     end_ = 0;
   }
   return end_ > 0;
@@ -60,7 +66,7 @@ bool DxfGroupReader::next_line(std::string& line) {
     }
     line += static_cast<char>(c);
     if (line.size() > kLongestLine) {
-      error_ = Error{"dxf.bad_group_code", "The line is too long for a DXF file.", line_text(line_)};
+      fail(Fault::kNoGroup, {"dxf.bad_group_code", "The line is too long for a DXF file.", line_text(line_)});
       return false;
     }
   }
@@ -80,18 +86,18 @@ std::optional<DxfGroup> DxfGroupReader::next() {
   if (!number) {
     // A last line without a value is where a cut file ends; blank lines at the end are harmless.
     if ((code.empty() || code == "\x1A") && only_blanks_left()) return std::nullopt;
-    error_ = Error{
-        "dxf.bad_group_code",
-        "A group code is expected here, a whole number, and not '" + clean_text(code.substr(0, 40)) + "'.",
-        line_text(line_)};
+    fail(Fault::kNoGroup,
+         {"dxf.bad_group_code",
+          "A group code is expected here, a whole number, and not '" + clean_text(code.substr(0, 40)) + "'.",
+          line_text(line_)});
     return std::nullopt;
   }
   if (next_line(value_)) return DxfGroup{*number, trimmed(value_), line_};
   if (!error_)
-    error_ = Error{"dxf.truncated",
-                   "The file ends after group code " + std::to_string(*number) +
-                       ", without its value: it is cut off. Get a whole copy.",
-                   "last good " + line_text(line_ - 1)};
+    fail(Fault::kCutOff, {"dxf.truncated",
+                          "The file ends after group code " + std::to_string(*number) +
+                              ", without its value: it is cut off. Get a whole copy.",
+                          "last good " + line_text(line_ - 1)});
   return std::nullopt;
 }
 

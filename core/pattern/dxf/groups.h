@@ -32,7 +32,14 @@ class DxfGroupReader {
 
   /// Set once next() met a code that is no number, a line too long, a code without a value, or the limit.
   const std::optional<Error>& error() const { return error_; }
-  int line() const { return line_; }  ///< last line read
+  enum class Fault {
+    kSound,
+    kCutOff,   ///< the text ends within a group
+    kNoGroup,  ///< what stands there is no group of a DXF file
+    kTooLong,  ///< more than max_bytes
+  };
+  Fault fault() const { return fault_; }  ///< what error() is about
+  int line() const { return line_; }      ///< last line read
   /// Whether the last line read had an end: without one, some of it may be missing.
   bool ended_a_line() const { return ended_; }
   /// Whether all that follows is blank. Takes it.
@@ -49,7 +56,10 @@ class DxfGroupReader {
   int line_ = 0;
   bool ended_ = true;
   std::string code_, value_;
+  void fail(Fault fault, Error error);
+
   std::optional<Error> error_;
+  Fault fault_ = Fault::kSound;
 };
 
 /// The number, or nothing when `text` is not wholly one finite number. A comma may stand for the point.

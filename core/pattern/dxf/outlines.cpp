@@ -118,7 +118,8 @@ Result<DxfLoops> loops_of(const std::vector<DxfChain>& chains, const DxfRoles& r
   }
   if (loops.outlines.size() > most)
     return Error{"dxf.too_large",
-                 "The drawing has more than " + std::to_string(most) + " closed outlines, the limit.", ""};
+                 "The drawing has more than " + std::to_string(most) + " closed outlines, the limit.", "",
+                 ErrorKind::kTooLarge};
   loops.outlines = nested(std::move(loops.outlines));
   return loops;
 }

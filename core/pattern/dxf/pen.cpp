@@ -203,7 +203,7 @@ Result<DxfDrawn> drawn_out(const DxfCurve& curve, double mm_per_unit, const DxfS
   return Error{"dxf.too_large",
                "With its arcs and splines drawn out the drawing has more than " +
                    std::to_string(settings.max_drawn_points) + " points, the limit.",
-               line_text(curve.line)};
+               line_text(curve.line), ErrorKind::kTooLarge};
 }
 
 }  // namespace toile

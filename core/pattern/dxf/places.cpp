@@ -236,7 +236,8 @@ Result<DxfPlaces> places_of(const DxfFile& file) {
   add_left_over(named, file, out, inserted);
   if (inserted.parts > kMostParts)
     return Error{"dxf.too_large",
-                 "The drawing inserts more than " + std::to_string(kMostParts) + " blocks, the limit.", ""};
+                 "The drawing inserts more than " + std::to_string(kMostParts) + " blocks, the limit.", "",
+                 ErrorKind::kTooLarge};
   for (DxfPlace& place : out.places) place = described(std::move(place));
   const std::vector<std::size_t> moved = moved_twice(out.places);
   for (const std::size_t i : moved) out.places[i].parts[0].transform.origin = {};

@@ -60,14 +60,14 @@ void mark_the_rest(const DxfBlock& block, DxfLog& log, const char* reason) {
 Error as_dxf(const Error& error, const std::string& where) {
   const std::string fault = error.code.substr(error.code.find('.') + 1);
   return {"dxf." + (fault == "too_few_points" ? "zero_area" : fault), error.message,
-          where + (error.where.empty() ? "" : ", " + error.where)};
+          where + (error.where.empty() ? "" : ", " + error.where), error.kind};
 }
 
 Error too_many_pieces(const DxfSettings& settings) {
   return {"dxf.too_large",
           "The drawing has more than " + std::to_string(settings.max_loops) +
               " pieces, the limit, or too many points.",
-          ""};
+          "", ErrorKind::kTooLarge};
 }
 
 /// The piece with clean outlines, or why it cannot be cut.

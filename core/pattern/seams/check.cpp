@@ -1,6 +1,7 @@
 #include "core/pattern/seams/check.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -90,8 +91,9 @@ struct Checker {
       text += " (piece " + pattern.panels[e.panel].id + ", edge " + edge->id + ")";
     return text;
   }
-  void add(const char* code, bool error, std::string message, std::string where, const End& end) {
-    issues.push_back({code, error, std::move(message), std::move(where), end.panel, end.at});
+  void add(SeamIssueKind kind, const Seam& seam, std::string message, std::string where, const End& end) {
+    const auto index = static_cast<Index>(&seam - pattern.seams.data());
+    issues.push_back({kind, index, std::move(message), std::move(where), end.panel, end.at});
   }
 
   struct Taken {
@@ -104,14 +106,14 @@ struct Checker {
     const SeamEdge& e = (side == 'a' ? seam.a : seam.b)[item];
     const std::string where = place(seam, side, item);
     if (edge_of(pattern, e) == nullptr)
-      return add("seam.reference", true, "There is no such edge.", where, {kNone, {}});
+      return add(SeamIssueKind::kReference, seam, "There is no such edge.", where, {kNone, {}});
     if (!(e.from >= 0 && e.to <= 1 && e.to - e.from > kTouch))
-      return add("seam.range", true, "From and to are fractions of the edge, from below to.", where,
+      return add(SeamIssueKind::kRange, seam, "From and to are fractions of the edge, from below to.", where,
                  {e.panel, edge_of(pattern, e)->curves.front().p0});
     for (const Taken& t : taken) {
       if (t.part.panel != e.panel || t.part.edge != e.edge) continue;
       if (std::min(t.part.to, e.to) - std::max(t.part.from, e.from) <= kTouch) continue;
-      add("seam.sewn_twice", true, "This is sewn in " + t.place + " already.", where,
+      add(SeamIssueKind::kSewnTwice, seam, "This is sewn in " + t.place + " already.", where,
           end_of(pattern, e, false));
     }
     taken.push_back({e, where});
@@ -122,7 +124,7 @@ struct Checker {
     for (const char side : {'a', 'b'}) {
       const std::vector<SeamEdge>& items = side == 'a' ? seam.a : seam.b;
       if (items.empty())
-        add("seam.empty_side", true, "This side has no edges.", "seam " + seam.id + ", side " + side,
+        add(SeamIssueKind::kEmptySide, seam, "This side has no edges.", "seam " + seam.id + ", side " + side,
             {kNone, {}});
       for (std::size_t i = 0; i < items.size(); ++i) check_item(seam, side, i);
     }
@@ -134,7 +136,7 @@ struct Checker {
       const End before = end_of(pattern, items[i - 1], true), after = end_of(pattern, items[i], false);
       if (others.meet(before, after)) continue;
       const bool here = before.panel == after.panel;
-      add("seam.not_continuous", false,
+      add(SeamIssueKind::kNotContinuous, seam,
           here ? "The edge starts " + mm_text(length(after.at - before.at)) +
                      " from where the one before it ends, at " + place_text(before.at) + "."
                : "No seam brings its start to where the edge before it ends, at " + place_text(before.at) +
@@ -146,7 +148,7 @@ struct Checker {
   void check_lengths(const Seam& seam) {
     const double a = series_length(pattern, seam.a), b = series_length(pattern, seam.b);
     if (std::max(a, b) <= kRatio * std::max(std::min(a, b), kSliver)) return;
-    add("seam.length_ratio", false, mm_text(a) + " are sewn to " + mm_text(b) + ": over 1 to 3.",
+    add(SeamIssueKind::kLengthRatio, seam, mm_text(a) + " are sewn to " + mm_text(b) + ": over 1 to 3.",
         "seam " + seam.id, start_of(pattern, seam.a));
   }
 
@@ -155,7 +157,7 @@ struct Checker {
     const bool round_b = others.meet(start_of(pattern, seam.b), finish_of(pattern, seam.b));
     if (round_a == round_b) return;
     const std::vector<SeamEdge>& open = round_a ? seam.b : seam.a;
-    add("seam.open_loop", false,
+    add(SeamIssueKind::kOpenLoop, seam,
         std::string("Side ") + (round_a ? "a" : "b") +
             " goes round and comes back to its start, but the other side does not.",
         "seam " + seam.id, finish_of(pattern, open));
@@ -213,7 +215,28 @@ bool join_sides(const Seam& seam, Sides& sides) {
   return agrees;
 }
 
+struct IssueRow {
+  SeamIssueKind kind;
+  std::string_view code;
+  bool error;
+};
+
+// A row for each kind, in the order of the enumerators.
+constexpr std::array<IssueRow, kSeamIssueKindCount> kIssueTable{
+    {{SeamIssueKind::kReference, "seam.reference", true},
+     {SeamIssueKind::kRange, "seam.range", true},
+     {SeamIssueKind::kSewnTwice, "seam.sewn_twice", true},
+     {SeamIssueKind::kEmptySide, "seam.empty_side", true},
+     {SeamIssueKind::kNotContinuous, "seam.not_continuous", false},
+     {SeamIssueKind::kTwisted, "seam.twisted", false},
+     {SeamIssueKind::kLengthRatio, "seam.length_ratio", false},
+     {SeamIssueKind::kOpenLoop, "seam.open_loop", false}}};
+
 }  // namespace
+
+std::string_view code_of(SeamIssueKind kind) { return kIssueTable.at(static_cast<std::size_t>(kind)).code; }
+
+bool is_error(SeamIssueKind kind) { return kIssueTable.at(static_cast<std::size_t>(kind)).error; }
 
 double series_length(const Pattern& pattern, const std::vector<SeamEdge>& series) {
   double sum = 0;
@@ -224,7 +247,7 @@ double series_length(const Pattern& pattern, const std::vector<SeamEdge>& series
 std::vector<SeamIssue> check_seams(const Pattern& pattern) {
   Checker checker{pattern, {}, {}};
   for (const Seam& seam : pattern.seams) checker.check_parts(seam);
-  const auto broken = [](const SeamIssue& i) { return i.code != "seam.sewn_twice"; };
+  const auto broken = [](const SeamIssue& i) { return i.kind != SeamIssueKind::kSewnTwice; };
   if (std::any_of(checker.issues.begin(), checker.issues.end(), broken)) return std::move(checker.issues);
   const std::size_t count = pattern.seams.size();
   const std::vector<bool> all(count, false);
@@ -245,7 +268,7 @@ std::vector<SeamIssue> check_seams(const Pattern& pattern) {
     checker.check_loop(seam, others);
     const bool one_sided = !join_sides(seam, sides);
     if (one_sided || checker.ends_say_twisted(seam, others))
-      checker.add("seam.twisted", false,
+      checker.add(SeamIssueKind::kTwisted, seam,
                   "The seam runs the other way than the seams beside it; turn its direction.",
                   "seam " + seam.id, start_of(pattern, seam.a));
   }

@@ -151,7 +151,8 @@ Status sew(const ProposalSettings& sides, const NewProjectSettings& settings, co
            NewProject& made) {
   if (!made.pattern.seams.empty()) return {};
   made.proposals = propose_seams(made.pattern, sides, context);
-  if (context.cancelled()) return Error{"cancelled", "the search for seams was cancelled", ""};
+  if (context.cancelled())
+    return Error{"cancelled", "the search for seams was cancelled", "", ErrorKind::kCancelled};
   made.accepted.assign(made.proposals.size(), false);
   if (settings.accept_seams) made.accepted = sewn_together(made.proposals, *settings.accept_seams);
   for (std::size_t i = 0; i < made.proposals.size(); ++i)

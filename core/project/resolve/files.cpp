@@ -28,7 +28,7 @@ constexpr std::uintmax_t kMostBodyBytes = std::uintmax_t{32} << 20;
 
 Error too_large(const fs::path& path, const char* code, std::uintmax_t limit) {
   return Error{code, "the file has more than the " + std::to_string(limit >> 20) + " MiB that are allowed",
-               clipped(path.string(), 300)};
+               clipped(path.string(), 300), ErrorKind::kTooLarge};
 }
 
 /// The bytes of a regular file of at most `limit` bytes. A device or a pipe could go on for ever and is

@@ -22,8 +22,8 @@ HttpResponse upload(const Api& api, const HttpRequest& request, const std::strin
 
 HttpResponse list(const Api& api, const std::string& kind) {
   if (!kind.empty() && !is_asset_kind(kind)) {
-    return problem(400,
-                   {"documents.kind", "kind is \"dxf\", \"specification\", \"body\" or \"image\"", "kind"});
+    return problem(400, {"documents.kind", "kind is \"dxf\", \"specification\", \"body\" or \"image\"",
+                         "kind", ErrorKind::kMalformed});
   }
   const Result<std::vector<AssetRow>> assets = api.store.assets(kLocalOwner, kind);
   if (!assets) return problem(assets.error());

@@ -47,7 +47,9 @@ HttpResponse history(const Api& api, const HttpRequest& request) {
   std::int64_t before = 0;
   if (!page->cursor.empty()) {
     before = number_in<std::int64_t>(page->cursor).value_or(0);
-    if (before < 1) return problem({"store.cursor", "the cursor is not one that a list gave", "cursor"});
+    if (before < 1)
+      return problem(
+          {"store.cursor", "the cursor is not one that a list gave", "cursor", ErrorKind::kMalformed});
   }
   Result<std::string> text = history_json(api.store, kLocalOwner, request.captures[0], before, page->limit);
   return text ? json_answer(200, std::move(*text)) : problem(text.error());

@@ -8,7 +8,8 @@ namespace toile {
 namespace {
 
 HttpResponse ready(const Api& api) {
-  if (!api.ready.load()) return problem(503, {"server.draining", "the server is stopping", ""});
+  if (!api.ready.load())
+    return problem(503, {"server.draining", "the server is stopping", "", ErrorKind::kUnavailable});
   if (Status alive = api.store.ping(); !alive) return problem(503, alive.error());
   return json_answer(200, {{"status", std::string("ready")}});
 }

@@ -43,8 +43,9 @@ HttpResponse submit(const Api& api, const HttpRequest& request) {
   const Result<Made<JobRow>> job =
       api.jobs.submit(kLocalOwner, *id->text(), request.header("idempotency-key"));
   if (job) return made_answer(job_answer(api, *job), job->anew, place_of(*job));
-  if (job.error().code != "store.not_found") return problem(job.error());
-  return problem(404, {"store.not_found", "there is no project " + in_quotes(*id->text()), "/project_id"});
+  if (job.error().kind != ErrorKind::kNotFound) return problem(job.error());
+  return problem(404, {"store.not_found", "there is no project " + in_quotes(*id->text()), "/project_id",
+                       ErrorKind::kNotFound});
 }
 
 HttpResponse list(const Api& api, const HttpRequest& request) {
@@ -86,7 +87,8 @@ HttpResponse result(const Api& api, const HttpRequest& request) {
   if (!job) return problem(job.error());
   const std::string& name = request.captures[1];
   if (!job->results.contains(name)) {
-    return problem(404, {"store.not_found", "the job has no result of that name", clipped(name)});
+    return problem(
+        404, {"store.not_found", "the job has no result of that name", clipped(name), ErrorKind::kNotFound});
   }
   Result<std::string> bytes = api.store.result_bytes(kLocalOwner, job->id, name);
   if (!bytes) return problem(bytes.error());

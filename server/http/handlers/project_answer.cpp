@@ -36,10 +36,10 @@ Result<int> required_revision(const HttpRequest& request) {
   const std::string tag = request.header("if-match");
   if (tag.empty()) {
     return Error{"request.if_match", "say which revision this changes: If-Match with the ETag, or *",
-                 "If-Match"};
+                 "If-Match", ErrorKind::kUnconditional};
   }
   if (tag == "*") return 0;
-  const Error other{"store.conflict", "this is no revision of the project", "If-Match"};
+  const Error other{"store.conflict", "this is no revision of the project", "If-Match", ErrorKind::kStale};
   if (tag.size() < 3 || tag.front() != '"' || tag.back() != '"') return other;
   const auto revision = number_in<int>(std::string_view(tag).substr(1, tag.size() - 2));
   if (!revision || *revision < 1) return other;
@@ -47,9 +47,9 @@ Result<int> required_revision(const HttpRequest& request) {
 }
 
 HttpResponse revision_problem(const Error& error) {
-  if (error.code == "request.if_match") return problem(428, error);
-  if (error.code != "store.conflict") return problem(error);
-  return problem(412, {"store.conflict", "the project has changed since; read it again", "If-Match"});
+  if (error.kind != ErrorKind::kStale) return problem(error);
+  return problem(
+      412, {"store.conflict", "the project has changed since; read it again", "If-Match", ErrorKind::kStale});
 }
 
 Result<std::map<std::string, std::string>> read_files(const JsonValue& request) {

@@ -54,7 +54,7 @@ class ScriptedJobs final : public JobService {
   Result<JobRow> become(const OwnerId& owner, const std::string& id, JobState state) {
     JobRow row = TRY(store_.job(owner, id));
     if (row.state == JobState::kSucceeded || row.state == JobState::kCancelled || row.state == state) {
-      return Error{"jobs.state", "the job is " + std::string(name_of(row.state)), id};
+      return Error{"jobs.state", "the job is " + std::string(name_of(row.state)), id, ErrorKind::kConflict};
     }
     row.state = state;
     TRY(store_.update_job(owner, row));

@@ -113,7 +113,7 @@ class FakeStore final : public Store {
     }
     const std::lock_guard lock(mutex_);
     const auto found = jobs_.find({owner, row.id});
-    if (found == jobs_.end()) return Error{"store.not_found", "", ""};
+    if (found == jobs_.end()) return Error{"store.not_found", "", "", ErrorKind::kNotFound};
     JobRow& kept = found->second;
     kept.state = row.state;
     kept.attempt = row.attempt;
@@ -223,7 +223,8 @@ class FakeStore final : public Store {
   Result<Out> one(const Map& map, const OwnerId& owner, const std::string& id, Read read) {
     const std::lock_guard lock(mutex_);
     const auto found = map.find({owner, id});
-    if (found == map.end()) return Error{"store.not_found", "there is no such thing", ""};
+    if (found == map.end())
+      return Error{"store.not_found", "there is no such thing", "", ErrorKind::kNotFound};
     return read(found->second);
   }
 

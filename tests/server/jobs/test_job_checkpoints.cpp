@@ -107,7 +107,9 @@ TEST_F(JobCheckpoints, OneOfNoUseMeansAStartFromTheBeginning) {
 }
 
 TEST_F(JobCheckpoints, AStoreThatTakesNoneDoesNotDisturbTheDrape) {
-  store.on_put_checkpoint = [](const std::string&) { return Error{"store.full", "no room", ""}; };
+  store.on_put_checkpoint = [](const std::string&) {
+    return Error{"store.full", "no room", "", ErrorKind::kNoRoom};
+  };
   house(1, kOften);
   const std::string id = submit(cloth_over_block(200));
   ASSERT_TRUE(publisher.wait_for_end(id));

@@ -111,7 +111,8 @@ TEST_F(JobFailures, SomethingThatIsNoExceptionIsCaughtToo) {
 
 TEST_F(JobFailures, ResultsThatTheStoreDoesNotTakeFailTheJobWithItsReason) {
   store.on_put_result = [](const std::string& name) {
-    return name == "final.obj" ? Status(Error{"store.full", "the disk is full", ""}) : Status();
+    return name == "final.obj" ? Status(Error{"store.full", "the disk is full", "", ErrorKind::kNoRoom})
+                               : Status();
   };
   ASSERT_TRUE(service->start().ok());
   const std::string id = submit(cloth_over_block(200));
@@ -145,8 +146,9 @@ TEST_F(JobFailures, AChangeThatTheStoreRefusesHasNotHappened) {
   std::atomic<bool> full{true};
   service->stop();
   store.on_update_job = [&](const JobRow& row) {
-    return full && row.state == JobState::kPaused ? Status(Error{"store.full", "the disk is full", ""})
-                                                  : Status();
+    return full && row.state == JobState::kPaused
+               ? Status(Error{"store.full", "the disk is full", "", ErrorKind::kNoRoom})
+               : Status();
   };
   ASSERT_TRUE(service->start().ok());
   ASSERT_TRUE(publisher.wait_for_frames(id, publisher.log(id).frames.size() + 2));
@@ -158,7 +160,9 @@ TEST_F(JobFailures, AChangeThatTheStoreRefusesHasNotHappened) {
 
 TEST_F(JobFailures, AnEndThatTheStoreRefusesIsAFailureWithTheStoresReason) {
   store.on_update_job = [](const JobRow& row) {
-    return row.state == JobState::kSucceeded ? Status(Error{"store.full", "the disk is full", ""}) : Status();
+    return row.state == JobState::kSucceeded
+               ? Status(Error{"store.full", "the disk is full", "", ErrorKind::kNoRoom})
+               : Status();
   };
   ASSERT_TRUE(service->start().ok());
   const std::string id = submit(cloth_over_block(200));
@@ -215,7 +219,8 @@ TEST_F(JobFailures, ACancelWhileResultsAreKeptLeavesNone) {
 
 TEST_F(JobFailures, ADiskThatFillsUpWhileResultsAreKeptLeavesNone) {
   store.on_put_result = [](const std::string& name) -> Status {
-    return name == "report.json" ? Status(Error{"store.full", "the disk has no room", ""}) : Status();
+    return name == "report.json" ? Status(Error{"store.full", "the disk has no room", "", ErrorKind::kNoRoom})
+                                 : Status();
   };
   const std::string id = submit(cloth_over_block(200));
   ASSERT_TRUE(service->start().ok());

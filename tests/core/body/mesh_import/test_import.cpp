@@ -173,6 +173,16 @@ TEST(MeshMessage, IsRefusedWhenItIsCutOrChangedAnywhere) {
   }
 }
 
+TEST(MeshMessage, CarriesWhatAnErrorMeansAndNoKindThatIsNone) {
+  for (const ErrorKind kind :
+       {ErrorKind::kInput, ErrorKind::kTooLarge, ErrorKind::kSystem, ErrorKind::kInternal}) {
+    EXPECT_EQ(parse_mesh_message(mesh_message(Error{"mesh.x", "", "", kind})).error().kind, kind);
+  }
+  const auto beyond = static_cast<ErrorKind>(static_cast<int>(ErrorKind::kInternal) + 1);
+  const Error refused = parse_mesh_message(mesh_message(Error{"mesh.x", "", "", beyond})).error();
+  EXPECT_EQ(refused.code, "mesh.crashed");
+}
+
 TEST(MeshMessage, TakesNoStrangeCodesFromAReader) {
   EXPECT_EQ(parse_mesh_message(mesh_message(Error{"store.full", "", ""})).error().code, "mesh.crashed");
   EXPECT_EQ(parse_mesh_message(mesh_message(Error{"mesh.<b>", "", ""})).error().code, "mesh.crashed");

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
+#include <string_view>
 
 #include "core/pattern/curve.h"
 #include "core/pattern/seams/check.h"
@@ -32,17 +34,17 @@ Pattern skirt() {
   return p;
 }
 
-std::vector<std::string> codes(const Pattern& p) {
-  std::vector<std::string> found;
-  for (const SeamIssue& issue : check_seams(p)) found.push_back(issue.code);
+std::vector<SeamIssueKind> kinds(const Pattern& p) {
+  std::vector<SeamIssueKind> found;
+  for (const SeamIssue& issue : check_seams(p)) found.push_back(issue.kind);
   return found;
 }
 
-using Codes = std::vector<std::string>;
+using Kinds = std::vector<SeamIssueKind>;
 
 TEST(SeamCheck, HasNothingToSayOfASkirtWithItsBand) {
   // Walking the front's top with the cloth at the left leads to the left side, and there to the back's right.
-  EXPECT_EQ(codes(skirt()), Codes{});
+  EXPECT_EQ(kinds(skirt()), Kinds{});
   EXPECT_TRUE(validate(skirt()).ok());
 }
 
@@ -51,7 +53,7 @@ TEST(SeamCheck, FindsASeriesThatIsNotContinuous) {
   p.seams[3].a = {{0, 2}, {0, 0}};  // top, then bottom
   const auto issues = check_seams(p);
   ASSERT_FALSE(issues.empty());
-  EXPECT_EQ(issues[0].code, "seam.not_continuous");
+  EXPECT_EQ(issues[0].kind, SeamIssueKind::kNotContinuous);
   EXPECT_EQ(issues[0].where, "seam waist, side a, item 1 (piece front, edge bottom)");
   EXPECT_EQ(issues[0].panel, 0);
   EXPECT_EQ(issues[0].at, (Vec2{0, 0})) << "where the second edge starts";
@@ -61,8 +63,8 @@ TEST(SeamCheck, FindsASeriesThatIsNotContinuous) {
 TEST(SeamCheck, FindsASeriesOverTwoPiecesThatNoSeamJoins) {
   Pattern p = skirt();
   p.seams.erase(p.seams.begin() + 1);  // the side where the front's top goes over to the back's
-  const Codes found = codes(p);
-  EXPECT_NE(std::find(found.begin(), found.end(), "seam.not_continuous"), found.end());
+  const Kinds found = kinds(p);
+  EXPECT_NE(std::find(found.begin(), found.end(), SeamIssueKind::kNotContinuous), found.end());
 }
 
 TEST(SeamCheck, FindsATwistedSeam) {
@@ -71,7 +73,7 @@ TEST(SeamCheck, FindsATwistedSeam) {
   const auto issues = check_seams(p);
   ASSERT_FALSE(issues.empty());
   EXPECT_TRUE(std::any_of(issues.begin(), issues.end(), [](const SeamIssue& i) {
-    return i.code == "seam.twisted" && i.where == "seam side_2" && !i.error;
+    return i.kind == SeamIssueKind::kTwisted && i.where == "seam side_2" && !is_error(i.kind);
   }));
 }
 
@@ -80,22 +82,22 @@ TEST(SeamCheck, FindsATwistByTheEndsThatOtherSeamsBringTogether) {
   p.panels = {rectangle("a", 100, 100), rectangle("b", 100, 100)};
   p.panels[0].outline.edges[0].curves = {line_segment({0, 0}, {50, 0}), line_segment({50, 0}, {100, 0})};
   p.seams = {{"long", {{0, 1}}, {{1, 3}}, false}, {"next", {{0, 2}}, {{1, 2}}, false}};
-  EXPECT_EQ(codes(p), Codes{}) << "the tops go on from the sides";
+  EXPECT_EQ(kinds(p), Kinds{}) << "the tops go on from the sides";
   p.seams[1].a[0].reversed = p.seams[1].b[0].reversed = true;
-  EXPECT_EQ(codes(p), Codes{}) << "both the other way is the same seam";
+  EXPECT_EQ(kinds(p), Kinds{}) << "both the other way is the same seam";
   p.seams[1].b[0].reversed = false;
-  EXPECT_EQ(codes(p), (Codes{"seam.twisted"}));
+  EXPECT_EQ(kinds(p), (Kinds{SeamIssueKind::kTwisted}));
 }
 
 TEST(SeamCheck, FindsLengthsOfOverOneToThree) {
   Pattern p;
   p.panels = {rectangle("a", 299, 100), rectangle("b", 100, 50), rectangle("c", 301, 100)};
   p.seams = {{"s", {{0, 0}}, {{1, 0}}, false}};
-  EXPECT_EQ(codes(p), Codes{});
+  EXPECT_EQ(kinds(p), Kinds{});
   p.seams = {{"s", {{2, 0}}, {{1, 0}}, false}};
   const auto issues = check_seams(p);
   ASSERT_EQ(issues.size(), 1u);
-  EXPECT_EQ(issues[0].code, "seam.length_ratio");
+  EXPECT_EQ(issues[0].kind, SeamIssueKind::kLengthRatio);
   EXPECT_NE(issues[0].message.find("301.0 mm are sewn to 100.0 mm"), std::string::npos);
 }
 
@@ -104,7 +106,7 @@ TEST(SeamCheck, FindsARingSewnToWhatIsNoRing) {
   p.seams.erase(p.seams.begin() + 2);  // the band's ends stay open
   const auto issues = check_seams(p);
   ASSERT_EQ(issues.size(), 1u);
-  EXPECT_EQ(issues[0].code, "seam.open_loop");
+  EXPECT_EQ(issues[0].kind, SeamIssueKind::kOpenLoop);
   EXPECT_EQ(issues[0].panel, 2) << "the gap is in the band";
 }
 
@@ -113,21 +115,39 @@ TEST(SeamCheck, LetsPartsOfAnEdgeBeSewnOnceEach) {
   p.panels = {rectangle("long", 200, 50), rectangle("b", 100, 50), rectangle("c", 100, 50)};
   p.seams = {{"one", {{0, 0, false, 0, 0.5}}, {{1, 2}}, false},
              {"two", {{0, 0, false, 0.5, 1}}, {{2, 2}}, false}};
-  EXPECT_EQ(codes(p), Codes{});
+  EXPECT_EQ(kinds(p), Kinds{});
   EXPECT_TRUE(validate(p).ok());
   EXPECT_DOUBLE_EQ(series_length(p, p.seams[0].a), 100);
   p.seams[1].a[0].from = 0.4;
   const auto issues = check_seams(p);
   ASSERT_EQ(issues.size(), 1u);
-  EXPECT_EQ(issues[0].code, "seam.sewn_twice");
-  EXPECT_TRUE(issues[0].error);
+  EXPECT_EQ(issues[0].kind, SeamIssueKind::kSewnTwice);
+  EXPECT_TRUE(is_error(issues[0].kind));
   EXPECT_NEAR(issues[0].at.x, 80, 1e-9);
   EXPECT_EQ(validate(p).error().code, "pattern.edge_sewn_twice");
   p.seams[1].a[0].from = 1;
-  EXPECT_EQ(codes(p), (Codes{"seam.range"}));
+  EXPECT_EQ(kinds(p), (Kinds{SeamIssueKind::kRange}));
   EXPECT_EQ(validate(p).error().code, "pattern.seam_range");
   p.seams[1].a[0] = {0, 7};
-  EXPECT_EQ(codes(p), (Codes{"seam.reference"}));
+  EXPECT_EQ(kinds(p), (Kinds{SeamIssueKind::kReference}));
+}
+
+TEST(SeamCheck, EveryKindHasACodeOfItsOwn) {
+  std::set<std::string_view> codes;
+  for (std::size_t i = 0; i < kSeamIssueKindCount; ++i) codes.insert(code_of(static_cast<SeamIssueKind>(i)));
+  EXPECT_EQ(codes.size(), kSeamIssueKindCount);
+  EXPECT_EQ(code_of(SeamIssueKind::kReference), "seam.reference");
+  EXPECT_EQ(code_of(SeamIssueKind::kOpenLoop), "seam.open_loop");
+}
+
+TEST(SeamCheck, EveryIssueNamesTheSeamThatItIsAbout) {
+  Pattern p = skirt();
+  p.seams[1].same_direction = true;
+  for (const SeamIssue& issue : check_seams(p)) {
+    ASSERT_GE(issue.seam, 0);
+    EXPECT_EQ(issue.where.rfind("seam " + p.seams[static_cast<std::size_t>(issue.seam)].id, 0), 0u)
+        << issue.where;
+  }
 }
 
 }  // namespace
