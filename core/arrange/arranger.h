@@ -4,11 +4,12 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/arrange/arrange.h"
+#include "core/arrange/arrange_plan.h"
 #include "core/arrange/body_stand.h"
-#include "core/arrange/flat_layout.h"
 
 namespace toile {
 
@@ -21,22 +22,24 @@ struct ArrangeTrial {
 
 class Arranger {
  public:
-  /// `stand` and what `input` names must outlive the arranger. Error: arrange.no_seams.
+  /// `stand` must outlive the arranger. Error: arrange.no_seams.
   static Result<Arranger> make(const ArrangeInput& input, const BodyStand& stand);
 
   std::vector<ArrangeTrial> trials() const;
   Arrangement place(const ArrangeTrial& trial) const;
 
  private:
-  static constexpr double kGap = 0.012;  ///< m, between pieces of a sheet
   static constexpr double kAway = 0.03;  ///< m, between pieces and what of the body stands out under them
 
-  Arranger(const ArrangeInput& input, const BodyStand& stand) : input_(input), stand_(stand) {}
+  /// Where one piece goes, and that in words.
+  struct Placed {
+    Index piece = kNone;
+    Placement placement;
+    std::string where;
+  };
 
-  void sort_pieces();
-  void set_legs_over_legs();
-  std::optional<Vec2> top_of_inner_seam(Index piece) const;
-  BodySide side_of(Index piece) const;
+  Arranger(ArrangePlan plan, const BodyStand& stand) : plan_(std::move(plan)), stand_(stand) {}
+
   bool is_top() const;
   double rise_of_trunk(const ArrangeTrial& trial) const;
   double rise_of_top() const;
@@ -46,28 +49,23 @@ class Arranger {
   std::array<double, 2> top_edge() const;
   bool is_top_segment(Index piece, std::size_t i) const;
   double sheet_depth(int face, double rise, const ArrangeTrial& trial) const;
-  void place_trunk(const ArrangeTrial& trial, double rise, Arrangement& made) const;
   FlatLayout lay_limb(BodySide side, double out) const;
   bool covers_trunk(const FlatLayout& flat, double rise) const;
-  void place_limb(BodySide side, const ArrangeTrial& trial, double rise, Arrangement& made) const;
-  void place_tube_sleeve(Index piece, BodySide side, const ArrangeTrial& trial, Arrangement& made) const;
-  void place_hoods(double rise, Arrangement& made) const;
   FlatMove hood_pose(Index piece, BodySide side, double rise) const;
-  void place_bands(double rise, Arrangement& made) const;
   double angle_of_band(Index piece, const WrappedPlacement& w) const;
   WrappedPlacement band_around(Index piece, double rise) const;
-  static void put(Arrangement& made, Index piece, const Placement& placement, std::string where);
-  void hold_bottoms(Arrangement& made) const;
-  Vec2 mean_tie_on_trunk(Index piece, bool& any) const;
+  std::optional<Vec2> mean_tie_on_trunk(Index piece) const;
 
-  ArrangeInput input_;
+  // The places of each kind of piece; `rise`: m, added to heights on the sheet.
+  std::vector<Placed> trunk_places(const ArrangeTrial& trial, double rise) const;
+  std::vector<Placed> limb_places(BodySide side, const ArrangeTrial& trial, double rise) const;
+  Placed tube_place(Index piece, BodySide side, const ArrangeTrial& trial) const;
+  std::vector<Placed> hood_places(double rise) const;
+  std::vector<Placed> band_places(double rise) const;
+  std::vector<Attachment> holds() const;
+
+  ArrangePlan plan_;  ///< never changes
   const BodyStand& stand_;
-  GarmentGraph graph_;
-  FlatLayout layout_;
-  std::vector<Index> trunk_, on_arms_, hoods_, bands_;  ///< bands close in themselves around trunk or neck
-  std::array<std::vector<Index>, 2> limb_;              ///< flat pieces along each arm
-  std::array<std::vector<Index>, 2> tube_;              ///< pieces rolled around each arm
-  double top_ = 0;                                      ///< highest y of the trunk's pieces on the sheet
 };
 
 }  // namespace toile

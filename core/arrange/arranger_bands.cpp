@@ -19,36 +19,38 @@ constexpr double kNeckDepth = 0.07, kNeckHalf = 0.1;  // m, of a neckline
 }  // namespace
 
 /// A half of a hood stands beside the head, its front edge to the front, over the shoulder.
-void Arranger::place_hoods(double rise, Arrangement& made) const {
+std::vector<Arranger::Placed> Arranger::hood_places(double rise) const {
+  std::vector<Placed> places;
   const BodyFigure& f = stand_.figure();
-  for (const Index p : hoods_) {
-    const BodySide side = side_of(p);
+  for (const Index p : plan_.roles.hoods) {
+    const BodySide side = side_of(plan_.graph, plan_.layout, plan_.arms, p);
     const int hand = side == kWearersLeft ? 1 : -1;
-    const GarmentPiece& piece = graph_.pieces[p];
+    const GarmentPiece& piece = plan_.graph.pieces[p];
     FlatMove pose = hood_pose(p, side, rise);
     const double x = stand_.half_breadth_above(f.neck) + kAway;
     double low = HUGE_VAL;
     for (const Vec2 q : outline_on_sheet(piece, pose)) low = std::min(low, q.y);
     pose.t.y += std::max(0.0, stand_.top_beside(x) + kAway / 2 - low);
-    put(made, p, on_side_sheet(pose, f.middle + hand * x),
-        std::string("hood, ") + (hand > 0 ? "left" : "right") + " of the head");
+    places.push_back({p, on_side_sheet(pose, f.middle + hand * x),
+                      std::string("hood, ") + (hand > 0 ? "left" : "right") + " of the head"});
   }
+  return places;
 }
 
 /// On the sheet beside the head, where its stitches lie as near to the neckline as can be, upright.
 FlatMove Arranger::hood_pose(Index p, BodySide side, double rise) const {
   const BodyFigure& f = stand_.figure();
-  const GarmentPiece& piece = graph_.pieces[p];
+  const GarmentPiece& piece = plan_.graph.pieces[p];
   std::vector<Vec2> points, targets;
-  for (const GarmentTie& t : graph_.ties) {
+  for (const GarmentTie& t : plan_.graph.ties) {
     const bool first = t.a == p;
     const Index other = first ? t.b : t.b == p ? t.a : kNone;
-    if (other == kNone || !layout_.has(other)) continue;
-    const Vec2 there = layout_.pose[other](first ? t.at_b : t.at_a);
+    if (other == kNone || !plan_.layout.has(other)) continue;
+    const Vec2 there = plan_.layout.pose[other](first ? t.at_b : t.at_a);
     // Fronts of the neckline lie before the neck, backs behind it, farther the nearer to the middle.
     const double depth = kNeckDepth * std::max(0.0, 1 - std::abs(there.x) / kNeckHalf);
     points.push_back(first ? t.at_a : t.at_b);
-    targets.push_back({f.neck_side[side].z + layout_.face[other] * depth, there.y + rise});
+    targets.push_back({f.neck_side[side].z + plan_.layout.face[other] * depth, there.y + rise});
   }
   if (points.empty()) {
     points = {piece.centroid};
@@ -77,14 +79,14 @@ FlatMove Arranger::hood_pose(Index p, BodySide side, double rise) const {
 double Arranger::angle_of_band(Index piece, const WrappedPlacement& w) const {
   const double c = std::cos(w.turn), s = std::sin(w.turn);
   double sines = 0, cosines = 0;
-  for (const GarmentTie& t : graph_.ties) {
+  for (const GarmentTie& t : plan_.graph.ties) {
     const bool first = t.a == piece;
     const Index other = first ? t.b : t.b == piece ? t.a : kNone;
-    if (other == kNone || other == piece || !layout_.has(other)) continue;
-    const Vec2 there = layout_.pose[other](first ? t.at_b : t.at_a);
+    if (other == kNone || other == piece || !plan_.layout.has(other)) continue;
+    const Vec2 there = plan_.layout.pose[other](first ? t.at_b : t.at_a);
     const Vec2 d = (first ? t.at_a : t.at_b) - w.anchor;
     const double along = (c * d.x - s * d.y) * (w.flipped ? -1 : 1);
-    const double angle = std::atan2(there.x, layout_.face[other] * 0.5 * w.radius) - along / w.radius;
+    const double angle = std::atan2(there.x, plan_.layout.face[other] * 0.5 * w.radius) - along / w.radius;
     sines += std::sin(angle);
     cosines += std::cos(angle);
   }
@@ -93,21 +95,23 @@ double Arranger::angle_of_band(Index piece, const WrappedPlacement& w) const {
 
 /// Strips that close in themselves go around the trunk, or the neck, at the height of what they are sewn to;
 /// a collar as much higher as the neck is slimmer there.
-void Arranger::place_bands(double rise, Arrangement& made) const {
-  for (const Index p : bands_) {
-    const bool neck = graph_.pieces[p].cover == Cover::kCollar;
-    put(made, p, band_around(p, rise),
-        std::string(name_of(graph_.pieces[p].cover)) + (neck ? ", around the neck" : ", around the trunk"));
+std::vector<Arranger::Placed> Arranger::band_places(double rise) const {
+  std::vector<Placed> places;
+  for (const Index p : plan_.roles.bands) {
+    const bool neck = plan_.graph.pieces[p].cover == Cover::kCollar;
+    places.push_back({p, band_around(p, rise),
+                      std::string(name_of(plan_.graph.pieces[p].cover)) +
+                          (neck ? ", around the neck" : ", around the trunk")});
   }
+  return places;
 }
 
 WrappedPlacement Arranger::band_around(Index p, double rise) const {
   const BodyFigure& f = stand_.figure();
-  const GarmentPiece& piece = graph_.pieces[p];
+  const GarmentPiece& piece = plan_.graph.pieces[p];
   const bool neck = piece.cover == Cover::kCollar;
-  bool any = false;
-  const Vec2 tie = mean_tie_on_trunk(p, any);
-  const double lowest = any ? tie.y + rise : neck ? f.neck : f.waist;
+  const std::optional<Vec2> tie = mean_tie_on_trunk(p);
+  const double lowest = tie ? tie->y + rise : neck ? f.neck : f.waist;
   const Vec2 outline = bounding_box(piece.outline).size();
   const double tall = std::min(outline.x, outline.y), wide = std::max(outline.x, outline.y);
   WrappedPlacement w;
@@ -124,7 +128,7 @@ WrappedPlacement Arranger::band_around(Index p, double rise) const {
   // The sewn edge comes to the height of what it is sewn to, the free one away from it.
   Vec2 sewn;
   int count = 0;
-  for (const GarmentTie& t : graph_.ties) {
+  for (const GarmentTie& t : plan_.graph.ties) {
     if (t.a == t.b || (t.a != p && t.b != p)) continue;
     sewn = sewn + (t.a == p ? t.at_a : t.at_b);
     ++count;
@@ -133,7 +137,7 @@ WrappedPlacement Arranger::band_around(Index p, double rise) const {
   const Vec2 up = count > 0 ? normalized(piece.centroid - w.anchor) : piece.grain;
   const bool downwards = piece.cover == Cover::kCuff || (piece.cover == Cover::kSkirt && is_top());
   w.turn = (downwards ? -0.5 : 0.5) * std::numbers::pi - std::atan2(up.y, up.x);
-  w.height += downwards ? -kGap : kGap;
+  w.height += downwards ? -kSheetGap : kSheetGap;
   w.flipped = piece.outside < 0;
   w.angle = angle_of_band(p, w);
   return w;
