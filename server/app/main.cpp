@@ -323,10 +323,10 @@ int main(int argc, char** argv) {
     if (const std::optional<int> code = toile::read_mesh_for_parent(argc, argv)) return *code;
     return toile::run(argc, argv);
   } catch (const std::bad_alloc&) {
-    toile::print_error({"internal.memory", "there is not enough memory for this", "", ErrorKind::kInternal},
-                       false);
+    toile::print_error(
+        {"internal.memory", "there is not enough memory for this", "", toile::ErrorKind::kInternal}, false);
   } catch (const std::exception& e) {
-    toile::print_error({"internal.exception", e.what(), "", ErrorKind::kInternal}, false);
+    toile::print_error({"internal.exception", e.what(), "", toile::ErrorKind::kInternal}, false);
   }
   return toile::kInternal;
 }

@@ -191,7 +191,7 @@ Result<RepairedMesh> MeshImporter::file(const std::filesystem::path& path,
   if (mesh) return mesh;
   const Error& e = mesh.error();
   return Error{e.code, renamed(e.message, whole.string(), path.string()),
-               renamed(e.where, whole.string(), path.string())};
+               renamed(e.where, whole.string(), path.string()), e.kind};
 }
 
 Result<RepairedMesh> MeshImporter::bytes(const std::string& name, std::string_view bytes,
