@@ -228,7 +228,7 @@ TrialReport try_garment(const RandomGarment& garment, const std::string& dump) {
   context.cancel = &cancel;
   Watch watch(garment.input, report);
   auto started = DrapeRun::start(garment.input, context, &watch);
-  if (!started && started.error().code == "cancelled") {
+  if (!started && started.error().kind == ErrorKind::kCancelled) {
     report.end = "cancelled";
     if (!cancel) report.faults.push_back("cancelled by nobody");
     return report;
