@@ -228,13 +228,16 @@ std::string text_of(const JsonValue& value, std::size_t indent, std::size_t widt
 
 }  // namespace
 
+Status check_size(std::string_view text, const JsonLimits& limits) {
+  if (text.size() <= limits.bytes) return {};
+  return Error{"json.too_large",
+               "the text has " + std::to_string(text.size()) + " bytes, and " + std::to_string(limits.bytes) +
+                   " are allowed",
+               "", ErrorKind::kTooLarge};
+}
+
 Result<JsonValue> parse_json(std::string_view text, const JsonLimits& limits) {
-  if (text.size() > limits.bytes) {
-    return Error{"json.too_large",
-                 "the text has " + std::to_string(text.size()) + " bytes, and " +
-                     std::to_string(limits.bytes) + " are allowed",
-                 "", ErrorKind::kTooLarge};
-  }
+  TRY(check_size(text, limits));
   TreeBuilder builder(text, limits.depth);
   const bool whole = nlohmann::json::sax_parse(text.begin(), text.end(), &builder);
   if (builder.error()) return *std::move(builder.error());

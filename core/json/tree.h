@@ -60,6 +60,9 @@ std::string write_json(const JsonValue& value);
 /// The same on one line, without the line feed.
 std::string write_json_line(const JsonValue& value);
 
+/// Error: json.too_large.
+Status check_size(std::string_view text, const JsonLimits& limits);
+
 /// `pointer` with one more reference token, escaped as RFC 6901 wants it and clipped when it is very long.
 std::string pointer_to(std::string_view pointer, std::string_view key);
 std::string pointer_to(std::string_view pointer, std::size_t index);

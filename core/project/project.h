@@ -319,4 +319,14 @@ std::string write_project(const Project& project);
 /// The same on one line, without the line feed.
 std::string write_project_line(const Project& project);
 
+/// A document's text on one line, and what parse_project makes of it: where nothing is said, the default.
+struct WrittenProject {
+  std::string line;
+  Project read_back;
+};
+
+/// For a document that was changed: says what parse_project would say, without parsing the text. Errors:
+/// json.too_large, project.*.
+Result<WrittenProject> write_checked(const Project& project);
+
 }  // namespace toile

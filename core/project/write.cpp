@@ -1,20 +1,37 @@
 // Project → document text, by the same list of fields that the reader uses.
 
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "core/json/fields/reader.h"
 #include "core/json/fields/writer.h"
 #include "core/json/tree.h"
 #include "core/project/fields.h"
 #include "core/project/project.h"
 
 namespace toile {
+namespace {
 
-std::string write_project(const Project& project) {
+JsonValue tree_of(const Project& project) {
   Project copy = project;  // a visitor takes places, and writes to none of them here
-  return write_json(fields::json_of(copy));
+  return fields::json_of(copy);
 }
 
-std::string write_project_line(const Project& project) {
-  Project copy = project;
-  return write_json_line(fields::json_of(copy));
+}  // namespace
+
+std::string write_project(const Project& project) { return write_json(tree_of(project)); }
+
+std::string write_project_line(const Project& project) { return write_json_line(tree_of(project)); }
+
+Result<WrittenProject> write_checked(const Project& project) {
+  const JsonValue tree = tree_of(project);
+  WrittenProject written{write_json_line(tree), {}};
+  TRY(check_size(written.line, JsonLimits{}));
+  std::optional<Error> error;
+  fields::read(fields::FieldPlace{tree, "", error}, written.read_back, fields::kAnything);
+  if (error) return *std::move(error);
+  return written;
 }
 
 }  // namespace toile

@@ -9,7 +9,6 @@
 #include "core/json/tree.h"
 #include "core/pattern/curve.h"
 #include "core/project/resolve/resolve.h"
-#include "core/project/resolve/textures.h"
 #include "server/app/commands.h"
 #include "server/app/console.h"
 #include "server/app/findings_text.h"
@@ -111,16 +110,17 @@ void print_project(const DrapeInput& input) {
 }  // namespace
 
 ExitCode check_command(const CheckOptions& options) {
-  const Result<DrapeInput> input = read_project(options.project, own_mesh_importer());
-  if (!input) return fail(input.error(), options.json);
-  const Result<Textures> textures = read_project_textures(options.project, input->pattern);
+  const Result<ResolvedProject> read = read_project(options.project, own_mesh_importer());
+  if (!read) return fail(read.error(), options.json);
+  const DrapeInput& input = read->input;
+  const Result<Textures> textures = read_textures(*read);
   if (!textures) return fail(textures.error(), options.json);
-  const Result<DrapeStart> start = prepare_start(*input, {});
+  const Result<DrapeStart> start = prepare_start(input, {});
   if (!start) return fail(start.error(), options.json);
   if (options.json) {
-    std::printf("%s", write_json(project_json(*input, start->findings)).c_str());
+    std::printf("%s", write_json(project_json(input, start->findings)).c_str());
   } else {
-    print_project(*input);
+    print_project(input);
     print_findings(start->findings);
   }
   const std::optional<Error> refused = first_error(start->findings);

@@ -9,7 +9,6 @@
 #include "core/drape/pipeline.h"
 #include "core/exports/write_report.h"
 #include "core/project/resolve/resolve.h"
-#include "core/project/resolve/textures.h"
 #include "proto/cpp/trace_file.h"
 #include "server/app/commands.h"
 #include "server/app/console.h"
@@ -82,9 +81,10 @@ Status deliver(const DrapeInput& input, const DrapeResult& result, const Texture
 }  // namespace
 
 ExitCode drape_command(const DrapeOptions& options) {
-  const Result<DrapeInput> input = read_project(options.project, own_mesh_importer());
-  if (!input) return fail(input.error(), options.json);
-  const Result<Textures> textures = read_project_textures(options.project, input->pattern);
+  const Result<ResolvedProject> read = read_project(options.project, own_mesh_importer());
+  if (!read) return fail(read.error(), options.json);
+  const DrapeInput& input = read->input;
+  const Result<Textures> textures = read_textures(*read);
   if (!textures) return fail(textures.error(), options.json);
   if (Status folder = make_folder(options.out); !folder) return fail(folder.error(), options.json);
   std::unique_ptr<TraceWriter> trace;
@@ -98,7 +98,7 @@ ExitCode drape_command(const DrapeOptions& options) {
   RunContext context;
   context.cancel = &cancel_on_interrupt();
   context.on_progress = [&](const Progress& progress) { bar.show(progress); };
-  const Result<DrapeResult> result = drape(*input, context, trace.get());
+  const Result<DrapeResult> result = drape(input, context, trace.get());
   bar.clear();
   if (!result) return fail(result.error(), options.json);
   if (trace) {
@@ -109,7 +109,7 @@ ExitCode drape_command(const DrapeOptions& options) {
                 options.json);
     return kCancelled;
   }
-  if (Status delivered = deliver(*input, *result, *textures, options); !delivered) {
+  if (Status delivered = deliver(input, *result, *textures, options); !delivered) {
     return fail(delivered.error(), options.json);
   }
   return exit_code_of(*result);

@@ -135,12 +135,13 @@ ExitCode pattern_import_command(const PatternImportOptions& options) {
 }
 
 ExitCode pattern_export_command(const PatternExportOptions& options) {
-  const Result<DrapeInput> input = read_project(options.project, own_mesh_importer());
-  if (!input) return fail(input.error(), options.json);
-  const Result<std::string> text = write_dxf(input->pattern);
+  const Result<ResolvedProject> read = read_project(options.project, own_mesh_importer());
+  if (!read) return fail(read.error(), options.json);
+  const Pattern& pattern = read->input.pattern;
+  const Result<std::string> text = write_dxf(pattern);
   if (!text) return fail(text.error(), options.json);
   if (Status written = write_file(options.out, *text); !written) return fail(written.error(), options.json);
-  const std::size_t pieces = input->pattern.panels.size();
+  const std::size_t pieces = pattern.panels.size();
   if (options.json) {
     std::printf("%s", write_json(std::vector<JsonMember>{{"file", options.out},
                                                          {"pieces", static_cast<double>(pieces)}})

@@ -25,7 +25,7 @@ class GarmentStarts : public testing::Test {
         test::write_garmentcode_project(std::filesystem::path(std::getenv("TOILE_SHARED")) / "data", name,
                                         "garmentcode-mean_all.obj", {"wb_"}, particle_distance_mm, folder);
     EXPECT_TRUE(written.ok()) << to_string(written.error());
-    return read_project(folder / "project.json").value();
+    return read_project(folder / "project.json").value().input;
   }
   static int count(const Findings& findings, FindingKind kind, Severity severity) {
     int n = 0;

@@ -21,11 +21,12 @@ TEST(GarmentCode, TheTwoPanelSkirtComesToRestOnItsBody) {
       test::write_garmentcode_project(std::filesystem::path(shared) / "data", "skirt_2panel",
                                       "garmentcode-mean_all.obj", {"wb_"}, 20, folder);
   ASSERT_TRUE(written.ok()) << to_string(written.error());
-  const auto input = read_project(folder / "project.json");
-  ASSERT_TRUE(input.ok()) << to_string(input.error());
-  const auto result = drape(*input, {}, nullptr);
+  const auto read = read_project(folder / "project.json");
+  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  const DrapeInput& input = read->input;
+  const auto result = drape(input, {}, nullptr);
   ASSERT_TRUE(result.ok()) << to_string(result.error());
-  const Report r = make_report(*input, *result);
+  const Report r = make_report(input, *result);
   EXPECT_TRUE(r.settled()) << to_string(r.stop_reason);
   EXPECT_EQ(r.worst_frame.cloth_body + r.worst_frame.cloth_cloth, 0);
   EXPECT_LE(r.seam_gap_max_mm, 0.5);

@@ -20,7 +20,7 @@ struct Draped {
 const Draped& skirt() {
   static const Draped draped = [] {
     Draped d;
-    d.input = read_project(TOILE_SOURCE_DIR "/samples/skirt/project.json").value();
+    d.input = read_project(TOILE_SOURCE_DIR "/samples/skirt/project.json").value().input;
     d.result = drape(d.input, {}, nullptr).value();
     d.report = make_report(d.input, d.result);
     return d;

@@ -2,6 +2,7 @@
 // Whatever describe() lists → JSON.
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <initializer_list>
 #include <optional>
@@ -18,10 +19,13 @@ namespace toile::fields {
 
 inline JsonValue json_of(bool value) { return value; }
 inline JsonValue json_of(int value) { return static_cast<double>(value); }
-inline JsonValue json_of(double value) { return value; }
+/// As the text of it reads back: JSON has no word for what is not finite, and -0 is written as 0.
+inline JsonValue json_of(double value) { return std::isfinite(value) ? JsonValue(value + 0.0) : JsonValue(); }
 inline JsonValue json_of(std::string& value) { return value; }
-inline JsonValue json_of(Vec2 value) { return std::vector<JsonValue>{value.x, value.y}; }
-inline JsonValue json_of(Vec3 value) { return std::vector<JsonValue>{value.x, value.y, value.z}; }
+inline JsonValue json_of(Vec2 value) { return std::vector<JsonValue>{json_of(value.x), json_of(value.y)}; }
+inline JsonValue json_of(Vec3 value) {
+  return std::vector<JsonValue>{json_of(value.x), json_of(value.y), json_of(value.z)};
+}
 
 inline JsonValue json_of(std::vector<std::pair<std::string, std::string>>& names) {
   std::vector<JsonMember> members;

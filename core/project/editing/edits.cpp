@@ -18,11 +18,11 @@ namespace {
 struct Editing {
   Project project;
   std::optional<Pattern> pattern;
-  const ProjectFiles& files;
+  OpenedFiles& files;
 };
 
 /// The cloth alone: few edits touch the bodies, and to read them takes long.
-Result<DrapeInput> resolve_cloth(Project project, const ProjectFiles& files) {
+Result<DrapeInput> resolve_cloth(Project project, OpenedFiles& files) {
   return resolve_project(without_bodies(std::move(project)), files);
 }
 
@@ -140,20 +140,19 @@ Status apply_one(Editing& editing, const RestoreLists& edit) {
 }
 
 /// The text of the edited document, once it is found to be one that can be draped.
-Result<std::string> checked_text(const Project& project, const ProjectFiles& files, bool other_bodies) {
-  std::string text = write_project_line(project);
-  const Result<Project> again = parse_project(text);
-  if (!again) return error_at("/edits", again.error());
-  const Result<DrapeInput> input =
-      other_bodies ? resolve_project(*again, files) : resolve_cloth(*again, files);
+Result<std::string> checked_text(const Project& project, OpenedFiles& files, bool other_bodies) {
+  Result<WrittenProject> written = write_checked(project);
+  if (!written) return error_at("/edits", written.error());
+  const Result<DrapeInput> input = other_bodies ? resolve_project(written->read_back, files)
+                                                : resolve_cloth(std::move(written->read_back), files);
   if (!input) return error_at("/edits", input.error());
-  return text;
+  return std::move(written->line);
 }
 
 }  // namespace
 
 Result<EditedProject> apply_edits(const Project& project, std::span<const ProjectEdit> edits,
-                                  const ProjectFiles& files) {
+                                  OpenedFiles& files) {
   Editing editing{project, std::nullopt, files};
   for (std::size_t i = 0; i < edits.size(); ++i) {
     const Status done = std::visit([&](const auto& edit) { return apply_one(editing, edit); }, edits[i]);
@@ -163,6 +162,12 @@ Result<EditedProject> apply_edits(const Project& project, std::span<const Projec
   EditedProject out{std::move(editing.project), std::move(text), {}};
   if (!(out.project == project)) out.inverse = {difference(out.project, project)};
   return out;
+}
+
+Result<EditedProject> apply_edits(const Project& project, std::span<const ProjectEdit> edits,
+                                  const ProjectFiles& files) {
+  OpenedFiles opened(files);
+  return apply_edits(project, edits, opened);
 }
 
 ProjectEdit edit_between(const Project& now, const Project& wanted) { return difference(now, wanted); }

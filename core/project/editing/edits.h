@@ -14,7 +14,7 @@
 #include "core/json/tree.h"
 #include "core/pattern/edit/edit.h"
 #include "core/project/project.h"
-#include "core/project/resolve/files.h"
+#include "core/project/resolve/opened_files.h"
 
 namespace toile {
 
@@ -82,6 +82,8 @@ struct EditedProject {
 /// edit.unknown_fabric, with "/edits/2" first in `where`; and those of reading and resolving the document
 /// that comes out, with
 /// "/edits" first.
+Result<EditedProject> apply_edits(const Project& project, std::span<const ProjectEdit> edits,
+                                  OpenedFiles& files);
 Result<EditedProject> apply_edits(const Project& project, std::span<const ProjectEdit> edits,
                                   const ProjectFiles& files);
 

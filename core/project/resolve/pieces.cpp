@@ -1,8 +1,6 @@
 #include "core/project/resolve/pieces.h"
 
 #include <algorithm>
-#include <array>
-#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -19,37 +17,11 @@
 namespace toile {
 namespace {
 
-/// Drawings already read, by file name, unit and size.
-using Drawings = std::map<std::array<std::string, 3>, DxfDrawing>;
-
-std::optional<double> mm_per_unit(const std::string& unit) {
-  if (unit == "mm") return 1;
-  if (unit == "cm") return 10;
-  if (unit == "inch") return 25.4;
-  return std::nullopt;
-}
-
-Result<DxfDrawing> read_drawing(const ProjectDxf& from, const ProjectFiles& files) {
-  TRY(check_file_name(from.dxf));
-  std::string text = TRY(files.dxf_text(from.dxf));
-  DxfSettings settings;
-  settings.mm_per_unit = mm_per_unit(from.units);
-  if (!from.size.empty()) settings.size = from.size;
-  Result<DxfDrawing> drawing = read_dxf(text, settings);
-  if (!drawing) return error_at(clipped(from.dxf), drawing.error());
-  return drawing;
-}
-
-Result<Panel> panel_from_file(const ProjectDxf& from, const ProjectFiles& files, Drawings& drawings,
-                              const std::string& where) {
-  const std::array<std::string, 3> key{from.dxf, from.units, from.size};
-  if (!drawings.contains(key)) {
-    Result<DxfDrawing> read = read_drawing(from, files);
-    if (!read) return error_at(pointer_to(where, "dxf"), read.error());
-    drawings.emplace(key, std::move(*read));
-  }
+Result<Panel> panel_from_file(const ProjectDxf& from, OpenedFiles& files, const std::string& where) {
+  const Result<const DxfDrawing*> drawing = files.drawing(from);
+  if (!drawing) return error_at(pointer_to(where, "dxf"), drawing.error());
   std::vector<std::string> names;
-  for (const DxfPiece& piece : drawings.at(key).pieces) {
+  for (const DxfPiece& piece : (*drawing)->pieces) {
     if (piece.name == from.piece) {
       Result<Panel> panel = panel_from_piece(piece, from.corners);
       if (!panel) return error_at(where, panel.error());
@@ -143,8 +115,7 @@ Status check_texture(const ProjectPiece& piece, const std::string& where) {
   return name ? name : error_at(pointer_to(pointer_to(where, "texture"), "image"), name.error());
 }
 
-Result<Panel> panel_of(const ProjectPiece& piece, const ProjectFiles& files, Drawings& drawings,
-                       const std::string& where) {
+Result<Panel> panel_of(const ProjectPiece& piece, OpenedFiles& files, const std::string& where) {
   if (piece.from && !piece.holes.empty()) {
     return Error{"project.two_ways", "the holes of a piece from a file stand in the file",
                  pointer_to(where, "holes")};
@@ -153,7 +124,7 @@ Result<Panel> panel_of(const ProjectPiece& piece, const ProjectFiles& files, Dra
     return Error{"project.two_ways", "the notches of a piece from a file stand in the file",
                  pointer_to(where, "notches")};
   }
-  Panel panel = TRY(piece.from ? panel_from_file(*piece.from, files, drawings, pointer_to(where, "from"))
+  Panel panel = TRY(piece.from ? panel_from_file(*piece.from, files, pointer_to(where, "from"))
                                : inline_panel(piece, where));
   panel.id = piece.id;
   panel.fabric = piece.fabric;
@@ -186,11 +157,10 @@ ProjectFabric with_physical(ProjectFabric fabric, const ProjectPhysical& own) {
   return fabric;
 }
 
-Result<std::vector<Panel>> panels_of(const std::vector<ProjectPiece>& pieces, const ProjectFiles& files) {
-  Drawings drawings;
+Result<std::vector<Panel>> panels_of(const std::vector<ProjectPiece>& pieces, OpenedFiles& files) {
   std::vector<Panel> panels;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    Panel panel = TRY(panel_of(pieces[i], files, drawings, pointer_to("/pieces", i)));
+    Panel panel = TRY(panel_of(pieces[i], files, pointer_to("/pieces", i)));
     panels.push_back(std::move(panel));
   }
   return panels;

@@ -7,14 +7,14 @@
 #include "core/base/result.h"
 #include "core/pattern/pattern.h"
 #include "core/project/project.h"
-#include "core/project/resolve/files.h"
+#include "core/project/resolve/opened_files.h"
 #include "core/sewing/notions.h"
 
 namespace toile {
 
-/// One panel per piece, in their order. Each file is opened once, however many pieces it holds. Errors:
+/// One panel per piece, in their order. Errors:
 /// project.unknown_piece (in the file), project.unknown_edge (in edge_names), project.path, dxf.*, pattern.*.
-Result<std::vector<Panel>> panels_of(const std::vector<ProjectPiece>& pieces, const ProjectFiles& files);
+Result<std::vector<Panel>> panels_of(const std::vector<ProjectPiece>& pieces, OpenedFiles& files);
 
 /// The fabric as a piece has it.
 ProjectFabric with_physical(ProjectFabric fabric, const ProjectPhysical& own);

@@ -144,31 +144,15 @@ Vec3 turned(Vec3 p, Vec3 angles) {
   return p;
 }
 
-Result<TriangleMesh> mannequin_of(const ProjectMannequin& given, const ProjectFiles& files) {
-  const MannequinSettings settings = TRY(mannequin_settings(given));
-  if (files.mannequin) return files.mannequin(settings);
-  Mannequin made = TRY(make_mannequin(settings));
-  return std::move(made.mesh);
-}
-
-MeshSettings mesh_settings(const ProjectBody& given) {
-  MeshSettings settings;
-  if (given.unit == "m") settings.unit_in_m = 1;
-  if (given.unit == "cm") settings.unit_in_m = 1e-2;
-  if (given.unit == "mm") settings.unit_in_m = 1e-3;
-  settings.z_up = given.up == "z";
-  return settings;
-}
-
-Result<RepairedMesh> mesh_of(const ProjectBody& given, const ProjectFiles& files, const std::string& where) {
+Result<RepairedMesh> mesh_of(const ProjectBody& given, OpenedFiles& files, const std::string& where) {
   if (given.mannequin) {
-    Result<TriangleMesh> mesh = mannequin_of(*given.mannequin, files);
+    Result<TriangleMesh> mesh = files.mannequin(*given.mannequin);
     if (!mesh) return error_at(pointer_to(where, "mannequin"), mesh.error());
     return RepairedMesh{std::move(*mesh), {}};
   }
   const std::string place = pointer_to(where, "file");
   if (Status name = check_file_name(given.file); !name) return error_at(place, name.error());
-  Result<RepairedMesh> mesh = files.body_mesh(given.file, mesh_settings(given));
+  Result<RepairedMesh> mesh = files.body_mesh(given);
   if (!mesh) return error_at(place, mesh.error());
   return mesh;
 }
@@ -178,7 +162,7 @@ bool is_near(Vec3 p) {
   return std::abs(p.x) <= kFar && std::abs(p.y) <= kFar && std::abs(p.z) <= kFar;
 }
 
-Result<Body> body_of(const ProjectBody& given, const ProjectFiles& files, const std::string& where) {
+Result<Body> body_of(const ProjectBody& given, OpenedFiles& files, const std::string& where) {
   RepairedMesh mesh = TRY(mesh_of(given, files, where));
   Body body;
   body.id = given.id;
@@ -392,7 +376,7 @@ Status check_file_name(const std::string& name) {
   return {};
 }
 
-Result<DrapeInput> resolve_project(const Project& project, const ProjectFiles& files) {
+Result<DrapeInput> resolve_project(const Project& project, OpenedFiles& files) {
   TRY(check_ids(project));
   DrapeInput input;
   input.name = project.name;
@@ -429,13 +413,26 @@ Result<DrapeInput> resolve_project(const Project& project, const ProjectFiles& f
   return input;
 }
 
-Result<DrapeInput> read_project(const std::filesystem::path& path, const MeshImporter& importer) {
+Result<DrapeInput> resolve_project(const Project& project, const ProjectFiles& files) {
+  OpenedFiles opened(files);
+  return resolve_project(project, opened);
+}
+
+Result<ResolvedProject> read_project(const std::filesystem::path& path, const MeshImporter& importer) {
+  const auto in_document = [&](const Error& error) { return error_at(clipped(path.string(), 300), error); };
   const std::string text = TRY(read_project_text(path));
-  const Result<Project> project = parse_project(text);
-  if (!project) return error_at(clipped(path.string(), 300), project.error());
-  Result<DrapeInput> input = resolve_project(*project, files_in(path.parent_path(), importer));
-  if (!input) return error_at(clipped(path.string(), 300), input.error());
-  return input;
+  Result<Project> project = parse_project(text);
+  if (!project) return in_document(project.error());
+  ProjectFiles files = files_in(path.parent_path(), importer);
+  Result<DrapeInput> input = resolve_project(*project, files);
+  if (!input) return in_document(input.error());
+  return ResolvedProject{std::move(*project), std::move(*input), std::move(files), path};
+}
+
+Result<Textures> read_textures(const ResolvedProject& read) {
+  Result<Textures> textures = read_textures(read.project, read.input.pattern, read.files);
+  if (!textures) return error_at(clipped(read.path.string(), 300), textures.error());
+  return textures;
 }
 
 }  // namespace toile

@@ -10,7 +10,6 @@
 #include "core/base/names.h"
 #include "core/base/units.h"
 #include "core/json/tree.h"
-#include "core/project/resolve/pieces.h"
 
 namespace toile {
 namespace {
@@ -87,15 +86,6 @@ Result<Textures> read_textures(const Project& project, const Pattern& pattern, c
     textures.of_panel.back() =
         lay(*texture, image, textures.images[static_cast<std::size_t>(image)]->read, pattern.panels[i].grain);
   }
-  return textures;
-}
-
-Result<Textures> read_project_textures(const std::filesystem::path& path, const Pattern& pattern) {
-  const std::string text = TRY(read_project_text(path));
-  const Result<Project> project = parse_project(text);
-  if (!project) return error_at(clipped(path.string(), 300), project.error());
-  Result<Textures> textures = read_textures(*project, pattern, files_in(path.parent_path()));
-  if (!textures) return error_at(clipped(path.string(), 300), textures.error());
   return textures;
 }
 

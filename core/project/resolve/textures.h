@@ -2,7 +2,7 @@
 // The pictures that a project document puts on its pieces. A drape does without them: whoever draws reads
 // them.
 
-#include <filesystem>
+#include <cstddef>
 
 #include "core/base/result.h"
 #include "core/image/texture.h"
@@ -20,8 +20,5 @@ inline constexpr std::size_t kMostTextureBytes = std::size_t{64} << 20;
 /// half as many pixels a side. REQUIRES the pattern that the project resolves to. Errors: image.*,
 /// image.too_many, and whatever the files give; `where` is the JSON pointer of the piece's picture.
 Result<Textures> read_textures(const Project& project, const Pattern& pattern, const ProjectFiles& files);
-
-/// The same for a document on disk and the pictures beside it. Errors: those, json.*, project.*.
-Result<Textures> read_project_textures(const std::filesystem::path& path, const Pattern& pattern);
 
 }  // namespace toile

@@ -21,7 +21,7 @@ DrapeInput unplaced(const std::string& shared, const std::string& name) {
   const Status written = test::write_garmentcode_project(std::filesystem::path(shared) / "data", name,
                                                          "garmentcode-mean_all.obj", {}, 20, folder);
   EXPECT_TRUE(written.ok()) << to_string(written.error());
-  DrapeInput input = read_project(folder / "project.json").value();
+  DrapeInput input = read_project(folder / "project.json").value().input;
   for (Placement& p : input.placements) p = RigidPlacement{};
   return input;
 }

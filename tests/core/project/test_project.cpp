@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+#include <vector>
+
 #include "tests/core/project/documents.h"
 
 namespace toile {
@@ -146,6 +150,35 @@ TEST(Project, RefusesAnotherVersionAndAnotherDocument) {
   expect_refused({"\"toile\": 1,", "", "project.version", ""});
   EXPECT_EQ(parse_project("[]").error().code, "project.wrong_type");
   EXPECT_EQ(parse_project("").error().code, "json.syntax");
+}
+
+TEST(WriteChecked, SaysWhatReadingTheTextWouldSay) {
+  const Project whole = parse_project(kFullDocument).value();
+  std::vector<Project> changed(6, whole);
+  changed[1].pieces[0].layer = 101;
+  changed[2].fabrics[0].thickness_mm = std::nan("");
+  changed[3].settings.gravity = std::numeric_limits<double>::infinity();
+  changed[4].pieces[0].id = "";
+  changed[5].fabrics.clear();
+  for (const Project& project : changed) {
+    const Result<WrittenProject> written = write_checked(project);
+    const Result<Project> read = parse_project(write_project_line(project));
+    ASSERT_EQ(bool(written), bool(read));
+    if (written) {
+      EXPECT_EQ(written->line, write_project_line(project));
+      EXPECT_EQ(written->read_back, *read);
+    } else {
+      EXPECT_EQ(to_string(written.error()), to_string(read.error()));
+    }
+  }
+  EXPECT_TRUE(write_checked(changed[0]));
+}
+
+TEST(WriteChecked, RefusesWhatIsTooLargeToBeReadAgain) {
+  Project project = parse_project(kFullDocument).value();
+  const ProjectLine line{"l", std::vector<Vec2>(10000, {12345.678, 12345.678}), true};
+  project.pieces[0].lines.assign(25, line);
+  EXPECT_EQ(write_checked(project).error().code, "json.too_large");
 }
 
 }  // namespace

@@ -313,5 +313,50 @@ TEST(ProjectEdit, NoEditsChangeNothing) {
   EXPECT_EQ(out->project, base());
 }
 
+/// Files that count how often each is read. The body is one triangle.
+struct CountedFiles {
+  int dxf = 0, body = 0;
+
+  ProjectFiles files() {
+    ProjectFiles files = square_files();
+    files.dxf_text = [this, read = files.dxf_text](const std::string& name) {
+      ++dxf;
+      return read(name);
+    };
+    files.body_mesh = [this](const std::string&, const MeshSettings&) -> Result<RepairedMesh> {
+      ++body;
+      return RepairedMesh{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, {}};
+    };
+    return files;
+  }
+};
+
+Result<EditedProject> edited_with(CountedFiles& counted, const Project& project, const std::string& edits) {
+  const JsonValue list = TRY(parse_json(edits));
+  const std::vector<ProjectEdit> read = TRY(read_edits(list, "/edits"));
+  return apply_edits(project, read, counted.files());
+}
+
+TEST(PatternEdits, ReadAFileOnceThoughTheDocumentIsResolvedBeforeAndAfter) {
+  CountedFiles counted;
+  const auto out = edited_with(counted, base(), R"([
+    {"edit": "rename_edge", "piece": "back", "edge": "hem", "to": "low"},
+    {"edit": "restore", "seams": {"at": 0, "remove": 1}},
+    {"edit": "move_piece", "piece": "band", "by": [5, 0]}])");
+  ASSERT_TRUE(out) << to_string(out.error());
+  EXPECT_EQ(counted.dxf, 1);
+  EXPECT_EQ(counted.body, 0) << "the bodies are the same";
+}
+
+TEST(PatternEdits, ReadABodyOnceWhenBodiesChange) {
+  CountedFiles counted;
+  const auto out = edited_with(counted, base(), R"([
+    {"edit": "restore", "bodies": {"at": 0, "remove": 1, "insert": [
+      {"id": "bea", "file": "bea.obj"}, {"id": "bob", "file": "bea.obj", "translation": [3, 0, 0]}]}}])");
+  ASSERT_TRUE(out) << to_string(out.error());
+  EXPECT_EQ(counted.body, 1);
+  EXPECT_EQ(counted.dxf, 1);
+}
+
 }  // namespace
 }  // namespace toile

@@ -53,7 +53,7 @@ TEST(ProjectNotions, ADrawnLineIsFollowedOnceAFoldLiesOnIt) {
 }
 
 TEST(ProjectNotions, AreReadInTheCoresUnits) {
-  const DrapeInput input = read_project(kExample).value();
+  const DrapeInput input = read_project(kExample).value().input;
   const Notions& n = input.notions;
   ASSERT_EQ(n.buttons.size(), 1u);
   EXPECT_EQ(n.buttons[0].a.panel, 0);
@@ -110,7 +110,7 @@ TEST(ProjectNotions, NamesThatNothingBearsAreErrorsWithTheirPlace) {
 }
 
 TEST(ProjectNotions, TheExampleDrapes) {
-  const DrapeInput input = read_project(kExample).value();
+  const DrapeInput input = read_project(kExample).value().input;
   const Result<DrapeResult> draped = drape(input, {}, nullptr);
   ASSERT_TRUE(draped.ok()) << to_string(draped.error());
   const DrapeResult& r = *draped;

@@ -303,9 +303,18 @@ class ProjectFolder : public testing::Test {
 };
 
 TEST_F(ProjectFolder, IsReadWithTheFilesBesideTheDocument) {
-  const auto input = read_project(folder / "project.json");
-  ASSERT_TRUE(input) << to_string(input.error());
-  EXPECT_EQ(input->bodies[0].mesh.triangles.size(), 1u);
+  const auto read = read_project(folder / "project.json");
+  ASSERT_TRUE(read) << to_string(read.error());
+  EXPECT_EQ(read->input.bodies[0].mesh.triangles.size(), 1u);
+}
+
+TEST_F(ProjectFolder, IsNotReadAgainForItsPictures) {
+  const auto read = read_project(folder / "project.json");
+  ASSERT_TRUE(read) << to_string(read.error());
+  std::filesystem::remove_all(folder);
+  const Result<Textures> textures = read_textures(*read);
+  ASSERT_TRUE(textures) << to_string(textures.error());
+  EXPECT_EQ(textures->of_panel.size(), read->project.pieces.size());
 }
 
 TEST_F(ProjectFolder, NamesTheFileThatIsMissing) {

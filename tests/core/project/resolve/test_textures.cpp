@@ -5,6 +5,7 @@
 
 #include <fstream>
 
+#include "core/project/resolve/resolve.h"
 #include "tests/core/image/pictures.h"
 
 namespace toile {
@@ -105,13 +106,13 @@ TEST(ProjectTextures, OfADocumentOnDiskLieBesideIt) {
     "areal_mass_g_m2": 150, "stretch_warp_n_m": 2000, "stretch_weft_n_m": 1500, "stretch_shear_n_m": 500,
     "bend_warp_un_m": 10, "bend_weft_un_m": 8, "bend_bias_un_m": 7, "thickness_mm": 0.4}], "seams": [],
     "bodies": []})";
-  Pattern pattern;
-  pattern.panels.emplace_back();
-  const Result<Textures> textures = read_project_textures(folder / "project.json", pattern);
+  const Result<ResolvedProject> read = read_project(folder / "project.json");
+  ASSERT_TRUE(read) << to_string(read.error());
+  const Result<Textures> textures = read_textures(*read);
   ASSERT_TRUE(textures) << to_string(textures.error());
   EXPECT_EQ(textures->images[0]->read.width, 20);
   std::filesystem::remove(folder / "cloth" / "a.png");
-  const Result<Textures> gone = read_project_textures(folder / "project.json", pattern);
+  const Result<Textures> gone = read_textures(*read);
   ASSERT_FALSE(gone);
   EXPECT_EQ(gone.error().code, "project.file");
   EXPECT_NE(gone.error().where.find("/pieces/0/texture/image"), std::string::npos) << gone.error().where;

@@ -1,0 +1,46 @@
+#pragma once
+// The files of a document while somebody works on it, each read once.
+
+#include <array>
+#include <map>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/body/mesh_import/repair.h"
+#include "core/pattern/dxf/read.h"
+#include "core/project/project.h"
+#include "core/project/resolve/files.h"
+
+namespace toile {
+
+/// Keeps what it has read, so that a document which is resolved again (before and after an edit) does not
+/// read its files again. What failed is asked for again. Not for several threads at once.
+class OpenedFiles {
+ public:
+  explicit OpenedFiles(ProjectFiles source) : source_(std::move(source)) {}
+
+  /// In the unit and size that the piece asks for; the pointer holds as long as the object. Errors:
+  /// project.path, dxf.*, and what the source gives.
+  Result<const DxfDrawing*> drawing(const ProjectDxf& from);
+  /// REQUIRES a body from a file, whose name has passed check_file_name. Errors: what the source gives.
+  Result<RepairedMesh> body_mesh(const ProjectBody& body);
+  /// Errors: project.unknown_preset, mannequin.*, and what the source gives.
+  Result<TriangleMesh> mannequin(const ProjectMannequin& given);
+
+  /// For what is read but once: pictures.
+  const ProjectFiles& source() const { return source_; }
+
+ private:
+  Result<const std::string*> dxf_text(const std::string& name);
+
+  ProjectFiles source_;
+  std::map<std::string, std::string> texts_;                              ///< of DXF files
+  std::map<std::array<std::string, 3>, DxfDrawing> drawings_;             ///< by file, unit, size
+  std::map<std::tuple<std::string, double, bool>, RepairedMesh> meshes_;  ///< by file, unit, whether z is up
+  std::vector<std::pair<ProjectMannequin, TriangleMesh>> mannequins_;
+};
+
+}  // namespace toile

@@ -1,0 +1,91 @@
+#include "core/project/resolve/opened_files.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "tests/core/project/editing/edited_document.h"
+
+namespace toile {
+namespace {
+
+/// Files that count how often each is asked for.
+struct CountedFiles {
+  std::map<std::string, int> reads;
+
+  ProjectFiles files() {
+    return {.dxf_text = [this](const std::string& name) -> Result<std::string> {
+              ++reads[name];
+              if (name == "none.dxf") return Error{"project.file", "it is not there", ""};
+              return test::square_dxf();
+            },
+            .body_mesh = [this](const std::string& name, const MeshSettings&) -> Result<RepairedMesh> {
+              ++reads[name];
+              return RepairedMesh{};
+            },
+            .mannequin = [this](const MannequinSettings&) -> Result<TriangleMesh> {
+              ++reads["a mannequin"];
+              return TriangleMesh{};
+            }};
+  }
+};
+
+ProjectDxf front_in(const std::string& units) {
+  return {.dxf = "cut.dxf", .piece = "FRONT", .corners = {}, .units = units};
+}
+
+TEST(OpenedFiles, ReadADrawingOnceHoweverOftenItIsAskedFor) {
+  CountedFiles counted;
+  OpenedFiles files(counted.files());
+  const Result<const DxfDrawing*> first = files.drawing(front_in("mm"));
+  ASSERT_TRUE(first) << to_string(first.error());
+  EXPECT_EQ(files.drawing(front_in("mm")).value(), *first) << "the same drawing, not a second one";
+  EXPECT_EQ(counted.reads["cut.dxf"], 1);
+}
+
+TEST(OpenedFiles, TakeOneFileInTwoUnitsFromTheSameBytes) {
+  CountedFiles counted;
+  OpenedFiles files(counted.files());
+  const DxfDrawing* small = files.drawing(front_in("mm")).value();
+  const DxfDrawing* large = files.drawing(front_in("cm")).value();
+  EXPECT_NE(small, large);
+  EXPECT_EQ(counted.reads["cut.dxf"], 1);
+}
+
+TEST(OpenedFiles, KeepBodiesByTheirFileUnitAndAxis) {
+  CountedFiles counted;
+  OpenedFiles files(counted.files());
+  ProjectBody ann;
+  ann.file = "ann.obj";
+  ASSERT_TRUE(files.body_mesh(ann));
+  ASSERT_TRUE(files.body_mesh(ann));
+  EXPECT_EQ(counted.reads["ann.obj"], 1);
+  ann.up = "z";
+  ASSERT_TRUE(files.body_mesh(ann));
+  EXPECT_EQ(counted.reads["ann.obj"], 2) << "turned, it is another mesh";
+}
+
+TEST(OpenedFiles, MakeAMannequinOnceForTheSameMeasures) {
+  CountedFiles counted;
+  OpenedFiles files(counted.files());
+  ProjectMannequin figure;
+  ASSERT_TRUE(files.mannequin(figure));
+  ASSERT_TRUE(files.mannequin(figure));
+  EXPECT_EQ(counted.reads["a mannequin"], 1);
+  figure.pose = "t";
+  ASSERT_TRUE(files.mannequin(figure));
+  EXPECT_EQ(counted.reads["a mannequin"], 2);
+}
+
+TEST(OpenedFiles, AskAgainForWhatCouldNotBeRead) {
+  CountedFiles counted;
+  OpenedFiles files(counted.files());
+  ProjectDxf from = front_in("mm");
+  from.dxf = "none.dxf";
+  EXPECT_EQ(files.drawing(from).error().code, "project.file");
+  EXPECT_EQ(files.drawing(from).error().code, "project.file");
+  EXPECT_EQ(counted.reads["none.dxf"], 2);
+}
+
+}  // namespace
+}  // namespace toile
