@@ -10,7 +10,8 @@
 
 namespace toile::fields {
 
-inline constexpr Range kLength{-1e5, 1e5};  // mm or m: every coordinate, so that sums stay far from overflow
+inline constexpr Range kLength{
+    -1e5, 1e5, "coordinate"};  // mm or m: every coordinate, so that sums stay far from overflow
 inline constexpr Range kStiffness{0.01, 1e6};
 inline constexpr Range kFriction{0, 2};
 inline constexpr Range kSome{1, 1000};  // elements of a list that must not be empty
@@ -20,320 +21,565 @@ inline constexpr Range kMany{0, 1000};
 inline constexpr Range kMeasureRange_cm[kMeasureCount] = {
     {80, 220}, {30, 250}, {30, 250}, {30, 250}, {30, 250}, {15, 100}, {15, 90},
     {8, 90},   {5, 40},   {15, 120}, {15, 150}, {10, 100}, {20, 150}, {10, 90}};
+inline constexpr const char* kMeasureMeaning[kMeasureCount] = {
+    "cm, from the floor to the top of the head.",
+    "cm; a woman's bust at the bust points, a chest at its widest below the armpits.",
+    "cm around the ribs below the breasts.",
+    "cm around the narrowest place.",
+    "cm around the widest place.",
+    "cm around the narrowest place of the neck.",
+    "cm from shoulder point to shoulder point, straight.",
+    "cm around the upper arm.",
+    "cm around the narrowest place of the wrist.",
+    "cm from the shoulder point over the elbow to the wrist.",
+    "cm around the thigh, right below the crotch.",
+    "cm around the widest place of the calf.",
+    "cm from the crotch to the floor.",
+    "cm from the nape to the waist, along the back."};
 
 template <>
-inline constexpr Range kElementRange<Vec2> = kLength;
+inline constexpr ElementRule kElement<Vec2> = {kLength};
 template <>
-inline constexpr Range kElementRange<std::array<Vec2, 4>> = kLength;
+inline constexpr ElementRule kElement<std::array<Vec2, 4>> = {kLength, "Start, two handles, end, mm."};
 template <>
-inline constexpr Range kElementRange<std::vector<ProjectEdge>> = kSome;
+inline constexpr ElementRule kElement<std::vector<ProjectEdge>> = {
+    kSome, "The edges of one hole, as in an outline."};
 
 template <typename Visitor>
 void describe(Visitor& v, ProjectDxf& dxf) {
-  v.field("dxf", dxf.dxf, Need::kRequired);
-  v.field("piece", dxf.piece, Need::kRequired);
-  v.field("corners", dxf.corners, Need::kOptional, kMany);
-  v.choice("units", dxf.units, {"mm", "cm", "inch"});
-  v.field("size", dxf.size);
+  v.object("dxf", "A piece in a DXF file.");
+  v.file("dxf", dxf.dxf, "", Need::kRequired);
+  v.field("piece", dxf.piece, "The piece's name in the file.", Need::kRequired);
+  v.field("corners", dxf.corners,
+          "Points (mm) of the outline where edges begin and end, instead of its sharp bends; each within 0.5 "
+          "mm of the outline.",
+          Need::kOptional, kMany);
+  v.choice("units", dxf.units, "Length unit of the file, when the file does not say or says it wrong.",
+           {"mm", "cm", "inch"});
+  v.field("size", dxf.size, "Size to take of a graded file, instead of its sample size.");
 }
 
 template <typename Visitor>
 void describe(Visitor& v, ProjectEdge& edge) {
-  v.field("id", edge.id, Need::kRequired);
-  v.field("points", edge.points, Need::kOptional, Range{2, 100000});
-  v.field("curves", edge.curves, Need::kOptional, Range{1, 10000});
+  v.object("edge", "A run of the outline between two corners: what seams and attachments name.");
+  v.field("id", edge.id, "Unique within its piece, and stable when the outline is edited.", Need::kRequired);
+  v.field("points", edge.points,
+          "The edge passes through these points, mm: smoothly where they bend gently, within 0.1 mm of each.",
+          Need::kOptional, Range{2, 100000});
+  v.field("curves", edge.curves, "Cubic Béziers, each beginning where the one before it ends.",
+          Need::kOptional, Range{1, 10000});
   v.exactly_one("points", "curves");
 }
 
 template <typename Visitor>
 void describe(Visitor& v, ProjectRigid& rigid) {
-  v.field("translation", rigid.translation, Need::kOptional, kLength);
-  v.field("rotation", rigid.rotation, Need::kOptional, kLength);
-  v.field("flipped", rigid.flipped);
+  v.object("",
+           "The flat point (u, v) goes to translation + R (u, v, 0). The right side of the cloth faces R (0, "
+           "0, 1).");
+  v.field("translation", rigid.translation, "m; where the piece's origin goes. Default [0, 0, 0].",
+          Need::kOptional, kLength);
+  v.field("rotation", rigid.rotation, "Degrees about the fixed axes x, then y, then z. Default [0, 0, 0].",
+          Need::kOptional, kLength);
+  v.field("flipped", rigid.flipped, "Mirror u first: the piece seen from its wrong side. Default false.");
 }
 
 template <typename Visitor>
 void describe(Visitor& v, ProjectWrapped& wrapped) {
-  v.field("axis", wrapped.axis, Need::kOptional, kLength);
-  v.field("radius", wrapped.radius, Need::kRequired, Range{0.001, 1000});
-  v.field("angle", wrapped.angle, Need::kOptional, kLength);
-  v.field("height", wrapped.height, Need::kRequired, kLength);
-  v.field("anchor", wrapped.anchor, Need::kOptional, kLength);
-  v.field("slope", wrapped.slope, Need::kOptional, Range{-0.99, 0.99});
-  v.field("axis_height", wrapped.axis_height, Need::kOptional, kLength);
-  v.field("up", wrapped.up, Need::kOptional, Range{-1, 1});
-  v.field("turn", wrapped.turn, Need::kOptional, kLength);
-  v.field("flipped", wrapped.flipped);
+  v.object("",
+           "The piece rolled without stretching around an axis, upright unless told otherwise: u along the "
+           "circle, counter-clockwise seen from above, v upwards.");
+  v.field("axis", wrapped.axis, "m; x and z of the axis. Default [0, 0].", Need::kOptional, kLength);
+  v.field("radius", wrapped.radius, "m, at the anchor.", Need::kRequired, Range{0.001, 1000});
+  v.field("angle", wrapped.angle,
+          "Degrees; where the anchor comes to: 0 is the front (+z), 90 is +x. Default 0.", Need::kOptional,
+          kLength);
+  v.field("height", wrapped.height, "m; y of the anchor.", Need::kRequired, kLength);
+  v.field("anchor", wrapped.anchor, "mm; the flat point that angle and height speak of. Default [0, 0].",
+          Need::kOptional, kLength);
+  v.field("slope", wrapped.slope,
+          "Metres by which the radius grows for each metre of cloth downwards: a cone. Default 0.",
+          Need::kOptional, Range{-0.99, 0.99});
+  v.field("axis_height", wrapped.axis_height,
+          "m; y of the axis's point, from which heights count along the axis. Default 0.", Need::kOptional,
+          kLength);
+  v.field("up", wrapped.up, "Direction of the axis; about one along z, angle 0 is +y. Default [0, 1, 0].",
+          Need::kOptional, Range{-1, 1});
+  v.field("turn", wrapped.turn,
+          "Degrees by which the flat piece is turned about the anchor first. Default 0.", Need::kOptional,
+          kLength);
+  v.field("flipped", wrapped.flipped,
+          "Mirror u about the anchor after the turn: the right side faces the axis. Default false.");
 }
 
 template <typename Visitor>
 void choose_box_side(Visitor& v, std::string& part, std::string& side) {
-  v.choice("part", part, {"head", "neck", "torso", "hips", "left_arm", "right_arm", "left_leg", "right_leg"});
-  v.choice("side", side, {"front", "back", "left", "right"});
+  v.shared_choice("body_part", "Whose box. Default torso. Left and right are the wearer's.", "part", part,
+                  {"head", "neck", "torso", "hips", "left_arm", "right_arm", "left_leg", "right_leg"});
+  v.shared_choice("box_side", "Which side of the box. Default front. Left and right are the wearer's.",
+                  "side", side, {"front", "back", "left", "right"});
 }
 
 template <typename Visitor>
 void describe(Visitor& v, ProjectOnBox& box) {
-  v.field("body", box.body);
+  v.object("",
+           "A stiff sheet before a side of the box around a part of the body, along that part. It goes where "
+           "the body is.");
+  v.field("body", box.body, "Id of a standing body. Default: the first one.");
   choose_box_side(v, box.part, box.side);
-  v.field("at", box.at, Need::kOptional, kLength);
-  v.field("away", box.away, Need::kOptional, Range{-100, 100});
-  v.field("turn", box.turn, Need::kOptional, kLength);
-  v.field("anchor", box.anchor, Need::kOptional, kLength);
-  v.field("flipped", box.flipped);
+  v.field("at", box.at,
+          "m from the side's middle: to the right as one looks at it, and up along the part. Default [0, 0].",
+          Need::kOptional, kLength);
+  v.field("away", box.away, "m before the side. Default 0.03.", Need::kOptional, Range{-100, 100});
+  v.field("turn", box.turn, "Degrees, counter-clockwise as one looks at the side. Default 0.",
+          Need::kOptional, kLength);
+  v.field("anchor", box.anchor,
+          "mm; the flat point that comes there. Default: the middle of the piece's bounding box.",
+          Need::kOptional, kLength);
+  v.field("flipped", box.flipped, "Mirror u first: the right side faces the body. Default false.");
 }
 
 template <typename Visitor>
 void describe(Visitor& v, ProjectAround& around) {
-  v.field("body", around.body);
+  v.object(
+      "",
+      "Rolled around a part of the body, along its box, clear of all that stands out of it under the piece.");
+  v.field("body", around.body, "Id of a standing body. Default: the first one.");
   choose_box_side(v, around.part, around.side);
-  v.field("at", around.at, Need::kOptional, kLength);
-  v.field("away", around.away, Need::kOptional, Range{0, 100});
-  v.field("turn", around.turn, Need::kOptional, kLength);
-  v.field("slope", around.slope, Need::kOptional, Range{-0.99, 0.99});
-  v.field("anchor", around.anchor, Need::kOptional, kLength);
-  v.field("flipped", around.flipped);
+  v.field("at", around.at,
+          "m from the side's middle: along the circle, and up along the part. Default [0, 0].",
+          Need::kOptional, kLength);
+  v.field("away", around.away, "m from what stands out farthest. Default 0.02.", Need::kOptional,
+          Range{0, 100});
+  v.field("turn", around.turn, "Degrees, counter-clockwise as one looks at the side. Default 0.",
+          Need::kOptional, kLength);
+  v.field("slope", around.slope,
+          "Metres by which the radius grows for each metre of cloth downwards: a cone. Default 0.",
+          Need::kOptional, Range{-0.99, 0.99});
+  v.field("anchor", around.anchor,
+          "mm; the flat point that comes there. Default: the middle of the piece's bounding box.",
+          Need::kOptional, kLength);
+  v.field("flipped", around.flipped, "Mirror u first: the right side faces the body. Default false.");
 }
 
 template <typename Visitor>
 void describe(Visitor& v, ProjectPlacement& placement) {
-  v.field("rigid", placement.rigid);
-  v.field("wrapped", placement.wrapped);
-  v.field("on_box", placement.on_box);
-  v.field("around", placement.around);
+  v.object("placement",
+           "Where the flat piece stands before it is sewn: as a stiff sheet, or rolled around an axis; in "
+           "space, or told by a part of the body.");
+  v.field("rigid", placement.rigid, "");
+  v.field("wrapped", placement.wrapped, "");
+  v.field("on_box", placement.on_box, "");
+  v.field("around", placement.around, "");
   v.exactly_one("rigid", "wrapped", "on_box", "around");
 }
 
 template <typename Visitor>
 void describe(Visitor& v, ProjectLine& line) {
-  v.field("id", line.id, Need::kRequired);
-  v.field("points", line.points, Need::kRequired, Range{2, 10000});
-  v.field("drawn", line.drawn);
+  v.object("line",
+           "A line on a piece, straight from point to point. An end at the outline joins it; elsewhere lines "
+           "may meet each other only in points that both have.");
+  v.field("id", line.id, "Unique within its piece, beside the ids of the edges.", Need::kRequired);
+  v.field("points", line.points, "mm; inside the outline, or on it at the ends.", Need::kRequired,
+          Range{2, 10000});
+  v.field("drawn", line.drawn,
+          "Only drawn: the mesh takes no notice of it, and it may run anywhere, until an elastic or a fold "
+          "lies on it. Default false.");
 }
 
 template <typename Visitor>
 void describe(Visitor& v, ProjectNotch& notch) {
-  v.field("at", notch.at, Need::kRequired, kLength);
-  v.field("depth_mm", notch.depth_mm, Need::kOptional, Range{-1000, 1000});
-  v.field("inwards", notch.inwards, Need::kOptional, kLength);
+  v.object("notch", "A mark on the outline, where two pieces meet when they are sewn.");
+  v.field("at", notch.at, "mm.", Need::kRequired, kLength);
+  v.field("depth_mm", notch.depth_mm, "Of the cut into the allowance. Default 0: not told.", Need::kOptional,
+          Range{-1000, 1000});
+  v.field("inwards", notch.inwards, "Direction of the cut; its length does not matter.", Need::kOptional,
+          kLength);
 }
 
 template <typename Visitor>
 void describe(Visitor& v, ProjectTexture& texture) {
-  v.field("image", texture.image, Need::kRequired);
-  v.field("scale_mm", texture.scale_mm, Need::kRequired, Range{0.1, 1e5});
-  v.field("offset", texture.offset, Need::kOptional, kLength);
-  v.field("angle", texture.angle, Need::kOptional, Range{-360, 360});
+  v.object("texture",
+           "A picture on the cloth, repeated over the piece; it turns with the grain. Looks alone: a drape "
+           "comes out the same with it.");
+  v.file("image", texture.image,
+         "A PNG or JPEG file of at most 20 MiB and 64 million pixels, beside the document.", Need::kRequired);
+  v.field("scale_mm", texture.scale_mm,
+          "Width of one repeat on the flat piece; its height goes by the picture's form.", Need::kRequired,
+          Range{0.1, 1e5});
+  v.field("offset", texture.offset, "mm; where a lower left corner of the picture lies. Default [0, 0].",
+          Need::kOptional, kLength);
+  v.field("angle", texture.angle,
+          "Degrees, counter-clockwise, from the warp to the upright of the picture. Default 0.",
+          Need::kOptional, Range{-360, 360});
 }
 
 template <typename Visitor>
 void describe(Visitor& v, ProjectPhysical& physical) {
-  v.field("areal_mass_g_m2", physical.areal_mass_g_m2, Need::kOptional, Range{1, 10000});
-  v.field("stretch_warp_n_m", physical.stretch_warp_n_m, Need::kOptional, kStiffness);
-  v.field("stretch_weft_n_m", physical.stretch_weft_n_m, Need::kOptional, kStiffness);
-  v.field("stretch_coupling_n_m", physical.stretch_coupling_n_m, Need::kOptional, Range{-1e6, 1e6});
-  v.field("stretch_shear_n_m", physical.stretch_shear_n_m, Need::kOptional, kStiffness);
-  v.field("bend_warp_un_m", physical.bend_warp_un_m, Need::kOptional, Range{0, 1e6});
-  v.field("bend_weft_un_m", physical.bend_weft_un_m, Need::kOptional, Range{0, 1e6});
-  v.field("bend_bias_un_m", physical.bend_bias_un_m, Need::kOptional, Range{0, 1e6});
-  v.field("thickness_mm", physical.thickness_mm, Need::kOptional, Range{0.01, 50});
-  v.field("friction", physical.friction, Need::kOptional, kFriction);
-  v.field("particle_distance_mm", physical.particle_distance_mm, Need::kOptional, Range{0.5, 1000});
+  v.object("physical",
+           "What the piece has otherwise than its fabric (interlined, pressed, of another lot; keys as of a "
+           "fabric), and how finely it is meshed.");
+  v.field("areal_mass_g_m2", physical.areal_mass_g_m2, "g/m².", Need::kOptional, Range{1, 10000});
+  v.field("stretch_warp_n_m", physical.stretch_warp_n_m, "N/m along the warp.", Need::kOptional, kStiffness);
+  v.field("stretch_weft_n_m", physical.stretch_weft_n_m, "N/m along the weft.", Need::kOptional, kStiffness);
+  v.field("stretch_coupling_n_m", physical.stretch_coupling_n_m, "N/m between warp and weft.",
+          Need::kOptional, Range{-1e6, 1e6});
+  v.field("stretch_shear_n_m", physical.stretch_shear_n_m, "N/m in shear.", Need::kOptional, kStiffness);
+  v.field("bend_warp_un_m", physical.bend_warp_un_m, "µN·m along the warp.", Need::kOptional, Range{0, 1e6});
+  v.field("bend_weft_un_m", physical.bend_weft_un_m, "µN·m along the weft.", Need::kOptional, Range{0, 1e6});
+  v.field("bend_bias_un_m", physical.bend_bias_un_m, "µN·m along the bias.", Need::kOptional, Range{0, 1e6});
+  v.field("thickness_mm", physical.thickness_mm, "mm.", Need::kOptional, Range{0.01, 50});
+  v.field("friction", physical.friction, "Coefficient against anything.", Need::kOptional, kFriction);
+  v.field("particle_distance_mm", physical.particle_distance_mm,
+          "mm; wanted edge length of the piece's own triangles. On a seam the finer of both sides counts.",
+          Need::kOptional, Range{0.5, 1000});
 }
 
 template <typename Visitor>
 void describe(Visitor& v, ProjectPiece& piece) {
-  v.field("id", piece.id, Need::kRequired);
-  v.field("from", piece.from);
-  v.field("outline", piece.outline, Need::kOptional, kSome);
+  v.object("piece", "One piece of cloth. Its outline stands here or in a DXF file.");
+  v.field("id", piece.id, "Name that seams and attachments use.", Need::kRequired);
+  v.field("from", piece.from, "");
+  v.field("outline", piece.outline,
+          "The edges one after the other, counter-clockwise with y up (a clockwise one is run the other "
+          "way); each begins where the one before it ends, the first where the last ends, to 0.01 mm.",
+          Need::kOptional, kSome);
   v.exactly_one("from", "outline");
-  v.field("holes", piece.holes, Need::kOptional, kMany);
-  v.field("edge_names", piece.edge_names);
-  v.field("grain", piece.grain, Need::kOptional, kLength);
-  v.field("fabric", piece.fabric, Need::kRequired);
-  v.field("lines", piece.lines, Need::kOptional, kMany);
-  v.field("layer", piece.layer, Need::kOptional, Range{-100, 100});
-  v.field("notches", piece.notches, Need::kOptional, kMany);
-  v.field("texture", piece.texture);
-  v.field("physical", piece.physical);
-  v.field("placement", piece.placement, Need::kRequired);
+  v.field("holes", piece.holes,
+          "Closed lines inside the outline, run clockwise. Only beside an inline outline.", Need::kOptional,
+          kMany);
+  v.field("edge_names", piece.edge_names,
+          "Other ids for the edges of a piece from a file, e.g. {\"e0\": \"waist\"}. `toile check` lists the "
+          "ids.");
+  v.field("grain", piece.grain,
+          "Direction of the warp in the flat piece; its length does not matter. Without it, the file's grain "
+          "line, or [0, 1].",
+          Need::kOptional, kLength);
+  v.field("fabric", piece.fabric, "Id of a fabric.", Need::kRequired);
+  v.field("lines", piece.lines,
+          "Lines on the piece, beside those that stand in its file. Edges of the mesh lie on those that are "
+          "not only drawn.",
+          Need::kOptional, kMany);
+  v.field("layer", piece.layer,
+          "Order outwards: a piece of a higher layer is worn over those of lower ones. Default 0.",
+          Need::kOptional, Range{-100, 100});
+  v.field("notches", piece.notches,
+          "Marks on the outline. Only beside an inline outline; those of a file stand there.",
+          Need::kOptional, kMany);
+  v.field("texture", piece.texture, "");
+  v.field("physical", piece.physical, "");
+  v.field("placement", piece.placement, "", Need::kRequired);
 }
 
 template <typename Visitor>
 void describe(Visitor& v, ProjectFabric& fabric) {
-  v.field("id", fabric.id, Need::kRequired);
-  v.field("name", fabric.name);
-  v.field("areal_mass_g_m2", fabric.areal_mass_g_m2, Need::kRequired, Range{1, 10000});
-  v.field("stretch_warp_n_m", fabric.stretch_warp_n_m, Need::kRequired, kStiffness);
-  v.field("stretch_weft_n_m", fabric.stretch_weft_n_m, Need::kRequired, kStiffness);
-  v.field("stretch_coupling_n_m", fabric.stretch_coupling_n_m, Need::kOptional, Range{-1e6, 1e6});
-  v.field("stretch_shear_n_m", fabric.stretch_shear_n_m, Need::kRequired, kStiffness);
-  v.field("limit_warp_percent", fabric.limit_warp_percent, Need::kOptional, Range{0, 500});
-  v.field("limit_weft_percent", fabric.limit_weft_percent, Need::kOptional, Range{0, 500});
-  v.field("limit_shear_rad", fabric.limit_shear_rad, Need::kOptional, Range{0, 1.5});
-  v.field("bend_warp_un_m", fabric.bend_warp_un_m, Need::kRequired, Range{0, 1e6});
-  v.field("bend_weft_un_m", fabric.bend_weft_un_m, Need::kRequired, Range{0, 1e6});
-  v.field("bend_bias_un_m", fabric.bend_bias_un_m, Need::kRequired, Range{0, 1e6});
-  v.field("thickness_mm", fabric.thickness_mm, Need::kRequired, Range{0.01, 50});
-  v.field("friction", fabric.friction, Need::kOptional, kFriction);
-  v.field("colour", fabric.colour, Need::kOptional, Range{0, 1});
+  v.object("fabric", "A fabric in measured units.");
+  v.field("id", fabric.id, "Name that pieces use.", Need::kRequired);
+  v.field("name", fabric.name, "What people call the fabric.");
+  v.field("areal_mass_g_m2", fabric.areal_mass_g_m2, "g/m².", Need::kRequired, Range{1, 10000});
+  v.field("stretch_warp_n_m", fabric.stretch_warp_n_m, "N/m; tension per strain along the warp.",
+          Need::kRequired, kStiffness);
+  v.field("stretch_weft_n_m", fabric.stretch_weft_n_m, "N/m; tension per strain along the weft.",
+          Need::kRequired, kStiffness);
+  v.field("stretch_coupling_n_m", fabric.stretch_coupling_n_m,
+          "N/m; tension along one per strain along the other; its square is less than warp times weft. "
+          "Default 600.",
+          Need::kOptional, Range{-1e6, 1e6});
+  v.field("stretch_shear_n_m", fabric.stretch_shear_n_m, "N/m per radian of shear.", Need::kRequired,
+          kStiffness);
+  v.field("limit_warp_percent", fabric.limit_warp_percent,
+          "%; strain along the warp beyond which the cloth is much stiffer. 0, the default: never.",
+          Need::kOptional, Range{0, 500});
+  v.field("limit_weft_percent", fabric.limit_weft_percent, "%; the same along the weft.", Need::kOptional,
+          Range{0, 500});
+  v.field("limit_shear_rad", fabric.limit_shear_rad, "Radians; the same for shear.", Need::kOptional,
+          Range{0, 1.5});
+  v.field("bend_warp_un_m", fabric.bend_warp_un_m,
+          "µN·m; bending rigidity per width of a strip cut along the warp.", Need::kRequired, Range{0, 1e6});
+  v.field("bend_weft_un_m", fabric.bend_weft_un_m, "µN·m; of a strip cut along the weft.", Need::kRequired,
+          Range{0, 1e6});
+  v.field("bend_bias_un_m", fabric.bend_bias_un_m, "µN·m; of a strip cut at 45°.", Need::kRequired,
+          Range{0, 1e6});
+  v.field("thickness_mm", fabric.thickness_mm, "mm; also the distance that layers keep.", Need::kRequired,
+          Range{0.01, 50});
+  v.field("friction", fabric.friction, "Coulomb's coefficient, cloth on cloth. Default 0.3.", Need::kOptional,
+          kFriction);
+  v.field("colour", fabric.colour, "Linear red, green and blue for pictures, 0 to 1.", Need::kOptional,
+          Range{0, 1});
 }
 
 template <typename Visitor>
 void describe(Visitor& v, ProjectSeamEdge& edge) {
-  v.field("piece", edge.piece, Need::kRequired);
-  v.field("edge", edge.edge, Need::kRequired);
-  v.field("reversed", edge.reversed);
-  v.field("from", edge.from, Need::kOptional, Range{0, 1});
-  v.field("to", edge.to, Need::kOptional, Range{0, 1});
+  v.object("seam_edge", "An edge of a piece, or a part of one.");
+  v.field("piece", edge.piece, "Id of a piece.", Need::kRequired);
+  v.field("edge", edge.edge, "Id of one of its edges.", Need::kRequired);
+  v.field("reversed", edge.reversed, "Traversed against the outline's own direction. Default false.");
+  v.field("from", edge.from,
+          "Where the sewn part begins: a fraction of the edge's length, in the outline's own direction. "
+          "Default 0.",
+          Need::kOptional, Range{0, 1});
+  v.field("to", edge.to, "Where it ends. Default 1.", Need::kOptional, Range{0, 1});
 }
 
 template <typename Visitor>
 void describe(Visitor& v, ProjectSeam& seam) {
-  v.field("id", seam.id, Need::kRequired);
-  v.field("a", seam.a, Need::kRequired, kSome);
-  v.field("b", seam.b, Need::kRequired, kSome);
-  v.field("same_direction", seam.same_direction);
+  v.object("seam",
+           "Sews the path that series a makes to the path that series b makes. Two outlines that both run "
+           "counter-clockwise meet with their edges against each other: the start of a meets the end of b.");
+  v.field("id", seam.id, "Name that messages use.", Need::kRequired);
+  v.field("a", seam.a, "Edges in the order in which they are sewn.", Need::kRequired, kSome);
+  v.field("b", seam.b, "Edges in the order in which they are sewn.", Need::kRequired, kSome);
+  v.field("same_direction", seam.same_direction, "The start of a meets the start of b. Default false.");
 }
 
 template <typename Visitor>
 void describe(Visitor& v, ProjectMannequin& mannequin) {
-  v.field("preset", mannequin.preset);
-  v.choice("sex", mannequin.sex, {"female", "male", "child"});
-  v.choice("pose", mannequin.pose, {"a", "t"});
-  v.field("arm_angle", mannequin.arm_angle, Need::kOptional, Range{30, 60});
+  v.object("mannequin", "A standing figure made from measures.");
+  v.field("preset", mannequin.preset,
+          "Of a size table: \"eu34\" to \"eu48\", \"m44\" to \"m58\", \"child92\" to \"child170\". Its sex "
+          "and measures hold where no other stand here.");
+  v.choice("sex", mannequin.sex,
+           "Default: the preset's, or female. With neither preset nor sex, height, bust, waist and hip are "
+           "170, 90, 72 and 96 where they are not given; else what is not given follows from proportions.",
+           {"female", "male", "child"});
+  v.choice("pose", mannequin.pose, "a: the arms hang at an angle (default); t: they stand out level.",
+           {"a", "t"});
+  v.field("arm_angle", mannequin.arm_angle,
+          "Degrees between a hanging arm and the arm in pose a. Default 45.", Need::kOptional, Range{30, 60});
   for (int i = 0; i < kMeasureCount; ++i) {
     const std::string key = std::string(measure_name(measure_at(i))) + "_cm";
-    v.field(key, mannequin.measures_cm[static_cast<std::size_t>(i)], Need::kOptional, kMeasureRange_cm[i]);
+    v.field(key, mannequin.measures_cm[static_cast<std::size_t>(i)], kMeasureMeaning[i], Need::kOptional,
+            kMeasureRange_cm[i]);
   }
-  v.field("triangles", mannequin.triangles, Need::kOptional, Range{1000, 60000});
+  v.field("triangles", mannequin.triangles, "How many triangles the figure has. Default 3300.",
+          Need::kOptional, Range{1000, 60000});
 }
 
 template <typename Visitor>
 void describe(Visitor& v, ProjectLandmark& landmark) {
-  v.field("name", landmark.name, Need::kRequired);
-  v.field("triangle", landmark.triangle, Need::kOptional, Range{0, 1e8});
-  v.field("share", landmark.share, Need::kOptional, Range{0, 1});
-  v.field("near", landmark.near);
-  v.field("offset_mm", landmark.offset_mm, Need::kOptional, Range{-1000, 1000});
-  v.field("body_height_mm", landmark.body_height_mm, Need::kOptional, Range{100, 10000});
+  v.object("landmark",
+           "A named place on a body, beside those that every standing body has, or in place of the one of "
+           "that name: a point of a triangle of a mesh file, or told from another landmark (for a mannequin "
+           "always: its triangles change with its measures).");
+  v.field("name", landmark.name, "Unlike those of the other landmarks here.", Need::kRequired);
+  v.field("triangle", landmark.triangle, "Of the mesh as it is read, counted from 0.", Need::kOptional,
+          Range{0, 1e8});
+  v.field("share", landmark.share, "Of the triangle's three corners, summing to 1. Default: its middle.",
+          Need::kOptional, Range{0, 1});
+  v.field("near", landmark.near,
+          "Name of a landmark of this body that stands before it; of one that is moved, its own.");
+  v.field("offset_mm", landmark.offset_mm,
+          "mm from that one; the skin nearest to there is meant. Default [0, 0, 0].", Need::kOptional,
+          Range{-1000, 1000});
+  v.field("body_height_mm", landmark.body_height_mm,
+          "mm; the body's height when the offset was told. On a taller body it is longer in proportion. "
+          "Default: it stays.",
+          Need::kOptional, Range{100, 10000});
   v.exactly_one("triangle", "near");
 }
 
 template <typename Visitor>
 void describe(Visitor& v, ProjectBody& body) {
-  v.field("id", body.id, Need::kRequired);
-  v.field("file", body.file);
-  v.choice("unit", body.unit, {"m", "cm", "mm"});
-  v.choice("up", body.up, {"y", "z"});
-  v.field("mannequin", body.mannequin);
+  v.object("body",
+           "Something solid that cloth meets, a person as well as a table or a cushion: a mesh from a file, "
+           "or the program's own mannequin. There may be several.");
+  v.field("id", body.id, "Name that messages use.", Need::kRequired);
+  v.file("file", body.file, "");
+  v.choice("unit", body.unit, "Length unit of the file. Without it, the mesh's size decides.",
+           {"m", "cm", "mm"});
+  v.choice("up", body.up, "Which axis of the file points upwards. Default y.", {"y", "z"});
+  v.field("mannequin", body.mannequin, "");
   v.exactly_one("file", "mannequin");
-  v.field("friction", body.friction, Need::kOptional, kFriction);
-  v.field("skin_offset_mm", body.skin_offset_mm, Need::kOptional, Range{0, 100});
-  v.field("restitution", body.restitution, Need::kOptional, Range{0, 1});
-  v.field("translation", body.translation, Need::kOptional, kLength);
-  v.field("rotation", body.rotation, Need::kOptional, kLength);
-  v.field("scale", body.scale, Need::kOptional, Range{1e-4, 1e4});
-  v.field("landmarks", body.landmarks, Need::kOptional, kMany);
+  v.field("friction", body.friction, "Coulomb's coefficient, cloth on this body. Default 0.4.",
+          Need::kOptional, kFriction);
+  v.field("skin_offset_mm", body.skin_offset_mm, "mm; distance that cloth keeps from the skin. Default 1.",
+          Need::kOptional, Range{0, 100});
+  v.field("restitution", body.restitution,
+          "Reflection coefficient: the share of its speed towards the skin that cloth keeps, turned round, "
+          "when it strikes. 0: none (default); 1: all.",
+          Need::kOptional, Range{0, 1});
+  v.field("translation", body.translation, "m; applied last. Default [0, 0, 0].", Need::kOptional, kLength);
+  v.field("rotation", body.rotation,
+          "Degrees about the fixed axes x, then y, then z; applied after the scale. Default [0, 0, 0].",
+          Need::kOptional, kLength);
+  v.field("scale", body.scale, "Applied first. Default 1.", Need::kOptional, Range{1e-4, 1e4});
+  v.field("landmarks", body.landmarks, "Named places on it, beside those that the program finds.",
+          Need::kOptional, kMany);
 }
 
 template <typename Visitor>
 void describe(Visitor& v, ProjectGoal& goal) {
-  v.field("body", goal.body);
-  v.field("landmark", goal.landmark);
-  v.field("line", goal.line);
-  v.field("place", goal.place, Need::kOptional, kLength);
+  v.object("goal",
+           "A place to which cloth is led while the seams close. Contact is stronger than the hold: what is "
+           "in the way makes it wait.");
+  v.field("body", goal.body, "Id of a body. Default: the first that stands, or that bears the landmark.");
+  v.field("landmark", goal.landmark,
+          "Name of a landmark, e.g. neck_front, waist_left, or one of the body's own. Points go there; of "
+          "edges their middle.");
+  v.field("line", goal.line,
+          "A line around the body, as a tape lies: neck, neckline, bust, underbust, waist, high_hip, hip, "
+          "and with _left or _right upper_arm, elbow, wrist, thigh, knee, ankle. Points and whole edges come "
+          "to lie on it, and may slide along it.");
+  v.field("place", goal.place, "m; a fixed place in space. Points go there; of edges their middle.",
+          Need::kOptional, kLength);
   v.exactly_one("landmark", "line", "place");
-  v.field("up_mm", goal.up_mm, Need::kOptional, Range{-1000, 1000});
+  v.field("up_mm", goal.up_mm, "mm by which a line is shifted up, along limbs towards the trunk. Default 0.",
+          Need::kOptional, Range{-1000, 1000});
 }
 
 template <typename Visitor>
 void describe(Visitor& v, ProjectAttachment& attachment) {
-  v.field("id", attachment.id);
-  v.field("piece", attachment.piece, Need::kRequired);
-  v.field("edges", attachment.edges, Need::kOptional, kMany);
-  v.field("points", attachment.points, Need::kOptional, kMany);
-  v.choice("hold", attachment.hold, {"height", "place"});
-  v.field("to", attachment.to);
-  v.field("release_after_s", attachment.release_after_s, Need::kOptional, Range{-1, 3600});
+  v.object("attachment",
+           "Holds part of a piece, e.g. a waistband at its height until friction carries it, or leads it to "
+           "a place on the body.");
+  v.field("id", attachment.id, "Name that messages use.");
+  v.field("piece", attachment.piece, "Id of a piece.", Need::kRequired);
+  v.field("edges", attachment.edges, "Ids of its edges; neither edges nor points: the whole piece.",
+          Need::kOptional, kMany);
+  v.field("points", attachment.points, "mm; points of the flat piece.", Need::kOptional, kMany);
+  v.choice("hold", attachment.hold,
+           "height: keeps its height and may move sideways (default); place: does not move. Not beside to.",
+           {"height", "place"});
+  v.field("to", attachment.to, "");
+  v.field("release_after_s", attachment.release_after_s,
+          "s after gravity has come to its full strength; negative: never. Default 1.", Need::kOptional,
+          Range{-1, 3600});
 }
 
 template <typename Visitor>
 void describe(Visitor& v, ProjectButtonPoint& point) {
-  v.field("piece", point.piece, Need::kRequired);
-  v.field("at", point.at, Need::kRequired, kLength);
+  v.object("button_point", "A point of a flat piece.");
+  v.field("piece", point.piece, "Id of a piece.", Need::kRequired);
+  v.field("at", point.at, "mm; on the piece.", Need::kRequired, kLength);
 }
 
 template <typename Visitor>
 void describe(Visitor& v, ProjectButton& button) {
-  v.field("id", button.id, Need::kRequired);
-  v.field("a", button.a, Need::kRequired);
-  v.field("b", button.b, Need::kRequired);
-  v.field("distance_mm", button.distance_mm, Need::kOptional, Range{0, 1000});
+  v.object("button",
+           "A short thread from a point of a piece to another point. Cloth and body between are stronger "
+           "than it.");
+  v.field("id", button.id, "Name that messages use.", Need::kRequired);
+  v.field("a", button.a, "One end.", Need::kRequired);
+  v.field("b", button.b, "The other end.", Need::kRequired);
+  v.field("distance_mm", button.distance_mm, "mm; the thread's length once it is closed. Default 2.",
+          Need::kOptional, Range{0, 1000});
 }
 
 template <typename Visitor>
 void describe(Visitor& v, ProjectElastic& elastic) {
-  v.field("id", elastic.id, Need::kRequired);
-  v.field("piece", elastic.piece, Need::kRequired);
-  v.field("lines", elastic.lines, Need::kRequired, kSome);
-  v.field("factor", elastic.factor, Need::kOptional, Range{0.05, 2});
-  v.field("stiffness_n", elastic.stiffness_n, Need::kOptional, Range{0.01, 10000});
+  v.object("elastic",
+           "A band that pulls with stiffness times strain where it is longer than its own length, and never "
+           "pushes.");
+  v.field("id", elastic.id, "Name that messages use.", Need::kRequired);
+  v.field("piece", elastic.piece, "Id of a piece.", Need::kRequired);
+  v.field("lines", elastic.lines, "Ids of edges or lines of the piece.", Need::kRequired, kSome);
+  v.field("factor", elastic.factor,
+          "Length of the band without load, per length of the flat cloth: under 1 it gathers. Default 1.",
+          Need::kOptional, Range{0.05, 2});
+  v.field("stiffness_n", elastic.stiffness_n, "N; tension per strain of the band. Default 20.",
+          Need::kOptional, Range{0.01, 10000});
 }
 
 template <typename Visitor>
 void describe(Visitor& v, ProjectFold& fold) {
-  v.field("id", fold.id, Need::kRequired);
-  v.field("piece", fold.piece, Need::kRequired);
-  v.field("lines", fold.lines, Need::kRequired, kSome);
-  v.field("angle", fold.angle, Need::kRequired, Range{-180, 180});
-  v.field("stiffness_mn", fold.stiffness_mn, Need::kOptional, Range{0.001, 10000});
+  v.object("fold", "Presses the cloth to an angle along lines.");
+  v.field("id", fold.id, "Name that messages use.", Need::kRequired);
+  v.field("piece", fold.piece, "Id of a piece.", Need::kRequired);
+  v.field("lines", fold.lines, "Ids of lines of the piece.", Need::kRequired, kSome);
+  v.field("angle", fold.angle,
+          "Degrees from flat: 180 folds the piece onto itself with the side outside that is up in the flat "
+          "piece, -180 with that side inside.",
+          Need::kRequired, Range{-180, 180});
+  v.field("stiffness_mn", fold.stiffness_mn,
+          "mN·m per radian and metre of line. The cloth's own bending holds against it. Default 20.",
+          Need::kOptional, Range{0.001, 10000});
 }
 
 template <typename Visitor>
 void describe(Visitor& v, ProjectCushion& cushion) {
-  v.field("id", cushion.id, Need::kRequired);
-  v.field("pieces", cushion.pieces, Need::kRequired, kSome);
-  v.field("pressure_pa", cushion.pressure_pa, Need::kOptional, Range{-20000, 20000});
-  v.field("volume_l", cushion.volume_l, Need::kOptional, Range{0, 1e6});
+  v.object("cushion", "Pieces that hold air. Openings that seams leave count as closed by a lid.");
+  v.field("id", cushion.id, "Name that messages use.", Need::kRequired);
+  v.field("pieces", cushion.pieces,
+          "Ids of pieces. The side of the first that is up in the flat piece is the outside.",
+          Need::kRequired, kSome);
+  v.field("pressure_pa", cushion.pressure_pa, "Pa above the air outside; negative sucks. Default 100.",
+          Need::kOptional, Range{-20000, 20000});
+  v.field("volume_l", cushion.volume_l,
+          "l; the amount of air is fixed, and has that pressure at this volume (pressure times volume stays "
+          "the same). 0, the default: pumped at constant pressure.",
+          Need::kOptional, Range{0, 1e6});
 }
 
 template <typename Visitor>
 void describe(Visitor& v, ProjectAir& air) {
-  v.field("density_kg_m3", air.density_kg_m3, Need::kOptional, Range{0, 2000});
-  v.field("drag_across", air.drag_across, Need::kOptional, Range{0, 10});
-  v.field("drag_along", air.drag_along, Need::kOptional, Range{0, 10});
-  v.field("wind_m_s", air.wind_m_s, Need::kOptional, Range{-100, 100});
+  v.object("air", "Air that resists the cloth, by the speed between them.");
+  v.field("density_kg_m3", air.density_kg_m3, "kg/m³. Default 1.2.", Need::kOptional, Range{0, 2000});
+  v.field("drag_across", air.drag_across, "Drag coefficient of cloth that moves face-on. Default 1.2.",
+          Need::kOptional, Range{0, 10});
+  v.field("drag_along", air.drag_along, "Of cloth that slides in its own plane. Default 0.05.",
+          Need::kOptional, Range{0, 10});
+  v.field("wind_m_s", air.wind_m_s, "m/s; the air's own speed. Default [0, 0, 0].", Need::kOptional,
+          Range{-100, 100});
 }
 
 template <typename Visitor>
 void describe(Visitor& v, ProjectSettings& settings) {
-  v.field("particle_distance_mm", settings.particle_distance_mm, Need::kOptional, Range{0.5, 1000});
-  v.field("time_step_s", settings.time_step_s, Need::kOptional, Range{1e-6, 0.1});
-  v.field("gravity", settings.gravity, Need::kOptional, Range{0, 1000});
-  v.field("sew_time_s", settings.sew_time_s, Need::kOptional, Range{0, 600});
-  v.field("settle_speed_mm_s", settings.settle_speed_mm_s, Need::kOptional, Range{0.001, 1e5});
-  v.field("max_time_s", settings.max_time_s, Need::kOptional, Range{0, 3600});
-  v.field("frame_interval_steps", settings.frame_interval_steps, Need::kOptional, Range{1, 1e6});
-  v.choice("mode", settings.mode, {"drape", "dynamic"});
-  v.choice("end", settings.end, {"settled", "time"});
-  v.field("air", settings.air);
+  v.object("settings", "How to drape. Every key has a default that suits a garment.");
+  v.field("particle_distance_mm", settings.particle_distance_mm,
+          "mm; wanted edge length of the triangles. Default 15.", Need::kOptional, Range{0.5, 1000});
+  v.field("time_step_s", settings.time_step_s, "s; one substep of the solver. Default 1/3000.",
+          Need::kOptional, Range{1e-6, 0.1});
+  v.field("gravity", settings.gravity, "m/s², downwards. Default 9.81.", Need::kOptional, Range{0, 1000});
+  v.field("sew_time_s", settings.sew_time_s, "s in which the seams close, without gravity. Default 1.",
+          Need::kOptional, Range{0, 600});
+  v.field("settle_speed_mm_s", settings.settle_speed_mm_s,
+          "mm/s; root mean square speed under which the cloth counts as at rest. Default 5.", Need::kOptional,
+          Range{0.001, 1e5});
+  v.field("max_time_s", settings.max_time_s,
+          "s of simulated time after which a drape that has not settled ends. Default 8.", Need::kOptional,
+          Range{0, 3600});
+  v.field("frame_interval_steps", settings.frame_interval_steps,
+          "Substeps between frames that viewers see, at most. Default 50.", Need::kOptional, Range{1, 1e6});
+  v.choice("mode", settings.mode,
+           "drape: only the end matters, and added damping brings the cloth to rest (default); dynamic: true "
+           "time once the garment is sewn, slowed by air and friction only.",
+           {"drape", "dynamic"});
+  v.choice("end", settings.end,
+           "settled: when the cloth is at rest, at max_time_s at the latest; time: at max_time_s. Default "
+           "settled in mode drape, time in mode dynamic.",
+           {"settled", "time"});
+  v.field("air", settings.air,
+          "The air around the cloth. Without it: still air in mode dynamic, none in mode drape.");
 }
 
 template <typename Visitor>
 void describe(Visitor& v, Project& project) {
-  v.field("toile", project.toile, Need::kRequired, Range{1, 1});
-  v.field("name", project.name);
-  v.field("pieces", project.pieces, Need::kRequired, kSome);
-  v.field("fabrics", project.fabrics, Need::kRequired, kSome);
-  v.field("seams", project.seams, Need::kOptional, kMany);
-  v.field("bodies", project.bodies, Need::kOptional, kMany);
-  v.field("attachments", project.attachments, Need::kOptional, kMany);
-  v.field("buttons", project.buttons, Need::kOptional, kMany);
-  v.field("elastics", project.elastics, Need::kOptional, kMany);
-  v.field("folds", project.folds, Need::kOptional, kMany);
-  v.field("cushions", project.cushions, Need::kOptional, kMany);
-  v.field("settings", project.settings);
+  v.object("",
+           "A garment to drape: flat pieces, what they are made of, how they are sewn, what they hang on. "
+           "Millimetres in the pattern, metres in space (y up, right-handed, the body looks along +z), "
+           "degrees for angles. A document has at most 4 MiB and nests at most 32 levels deep.");
+  v.field("toile", project.toile, "Version of this format.", Need::kRequired, Range{1, 1});
+  v.field("name", project.name, "What people call the project.");
+  v.field("pieces", project.pieces, "The pieces of cloth, as they are cut. Their ids are unique.",
+          Need::kRequired, kSome);
+  v.field("fabrics", project.fabrics, "What the pieces are made of. Their ids are unique.", Need::kRequired,
+          kSome);
+  v.field("seams", project.seams, "What is sewn to what. Their ids are unique.", Need::kOptional, kMany);
+  v.field("bodies", project.bodies,
+          "Bodies and objects that the cloth hangs on or falls on. Their ids are unique.", Need::kOptional,
+          kMany);
+  v.field("attachments", project.attachments, "Parts of pieces that are held while the drape begins.",
+          Need::kOptional, kMany);
+  v.field("buttons", project.buttons,
+          "Points that are tied to each other; closed while the seams are sewn. Their ids are unique.",
+          Need::kOptional, kMany);
+  v.field("elastics", project.elastics,
+          "Bands sewn along edges and lines; they draw in once the garment is sewn. Their ids are unique.",
+          Need::kOptional, kMany);
+  v.field("folds", project.folds, "Creases pressed in along lines of pieces. Their ids are unique.",
+          Need::kOptional, kMany);
+  v.field("cushions", project.cushions,
+          "Closed or nearly closed shapes with air inside. Their ids are unique.", Need::kOptional, kMany);
+  v.field("settings", project.settings, "");
 }
 
 }  // namespace toile::fields

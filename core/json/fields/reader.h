@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <initializer_list>
 #include <iterator>
 #include <optional>
 #include <string>
@@ -20,8 +19,6 @@
 #include "core/json/tree.h"
 
 namespace toile::fields {
-
-inline constexpr std::size_t kLongestText = 200;  // bytes of an id or a file name
 
 /// A value in the document together with its place, and the slot for the first error of the whole reading.
 struct FieldPlace {
@@ -130,7 +127,7 @@ void read(const FieldPlace& at, std::vector<T>& out, Range count) {
   }
   for (std::size_t i = 0; i < elements->size() && !at.error; ++i) {
     T element{};
-    read(FieldPlace{(*elements)[i], pointer_to(at.pointer, i), at.error}, element, kElementRange<T>);
+    read(FieldPlace{(*elements)[i], pointer_to(at.pointer, i), at.error}, element, kElement<T>.range);
     out.push_back(std::move(element));
   }
 }
@@ -144,11 +141,16 @@ void read(const FieldPlace& at, std::optional<T>& out, Range range) {
 struct KeyNames {
   std::vector<std::string> keys;
 
+  void object(const char*, const char*) {}
   template <typename T>
-  void field(std::string_view key, T&, Need = Need::kOptional, Range = kAnything) {
+  void field(std::string_view key, T&, const char*, Need = Need::kOptional, Range = kAnything) {
     keys.emplace_back(key);
   }
-  void choice(std::string_view key, std::string&, std::initializer_list<const char*>) {
+  void file(std::string_view key, std::string&, const char*, Need = Need::kOptional) {
+    keys.emplace_back(key);
+  }
+  void choice(std::string_view key, std::string&, const char*, Words) { keys.emplace_back(key); }
+  void shared_choice(const char*, const char*, std::string_view key, std::string&, Words) {
     keys.emplace_back(key);
   }
   template <typename... Keys>
@@ -160,8 +162,11 @@ class FieldReader {
  public:
   explicit FieldReader(const FieldPlace& at) : at_(at) {}
 
+  void object(const char*, const char*) {}
+
   template <typename T>
-  void field(std::string_view key, T& out, Need need = Need::kOptional, Range range = kAnything) {
+  void field(std::string_view key, T& out, const char*, Need need = Need::kOptional,
+             Range range = kAnything) {
     if (at_.error) return;
     if (const JsonValue* value = at_.value.find(key)) {
       read(FieldPlace{*value, pointer_to(at_.pointer, key), at_.error}, out, range);
@@ -170,13 +175,20 @@ class FieldReader {
     }
   }
 
-  void choice(std::string_view key, std::string& out, std::initializer_list<const char*> words) {
-    field(key, out);
+  void file(std::string_view key, std::string& out, const char* meaning, Need need = Need::kOptional) {
+    field(key, out, meaning, need);
+  }
+
+  void choice(std::string_view key, std::string& out, const char* meaning, Words words) {
+    field(key, out, meaning);
     if (at_.error || !at_.value.find(key)) return;
     const std::vector<std::string> names(words.begin(), words.end());
     if (std::find(names.begin(), names.end(), out) != names.end()) return;
     FieldPlace{at_.value, pointer_to(at_.pointer, key), at_.error}.fail(
         "project.unknown_value", in_quotes(out) + " is not known; " + advice(out, names));
+  }
+  void shared_choice(const char*, const char* meaning, std::string_view key, std::string& out, Words words) {
+    choice(key, out, meaning, words);
   }
 
   template <typename... Keys>

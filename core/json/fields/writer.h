@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -73,12 +72,19 @@ bool is_absent(const T&) {
 struct FieldWriter {
   std::vector<JsonMember> members;
 
+  void object(const char*, const char*) {}
   template <typename T>
-  void field(std::string_view key, T& value, Need = Need::kOptional, Range = kAnything) {
+  void field(std::string_view key, T& value, const char*, Need = Need::kOptional, Range = kAnything) {
     if (!is_absent(value)) members.push_back({std::string(key), json_of(value)});
   }
-  void choice(std::string_view key, std::string& value, std::initializer_list<const char*>) {
-    field(key, value);
+  void file(std::string_view key, std::string& value, const char* meaning, Need = Need::kOptional) {
+    field(key, value, meaning);
+  }
+  void choice(std::string_view key, std::string& value, const char* meaning, Words) {
+    field(key, value, meaning);
+  }
+  void shared_choice(const char*, const char* meaning, std::string_view key, std::string& value, Words) {
+    field(key, value, meaning);
   }
   template <typename... Keys>
   void exactly_one(Keys...) {}

@@ -6,9 +6,11 @@
 
 #include "core/base/names.h"
 #include "core/json/fields/reader.h"
+#include "core/json/fields/schema.h"
 #include "core/json/fields/writer.h"
 #include "core/project/editing/edits.h"
 #include "core/project/editing/fields.h"
+#include "core/project/schema.h"
 
 namespace toile {
 namespace {
@@ -19,12 +21,6 @@ constexpr const char* kKind = "edit";
 template <typename Act>
 void for_each_edit(Act act) {
   std::apply([&](const auto&... named) { (act(named), ...); }, fields::kEditNames);
-}
-
-std::vector<std::string> names_of_edits() {
-  std::vector<std::string> names;
-  for_each_edit([&](const auto& named) { names.emplace_back(named.name); });
-  return names;
 }
 
 template <typename Edit>
@@ -61,8 +57,7 @@ Result<ProjectEdit> read_edit(const JsonValue& value, const std::string& where) 
   });
   if (error) return *std::move(error);
   if (edit) return *std::move(edit);
-  return Error{"edit.unknown",
-               "there is no edit " + in_quotes(*name) + "; " + advice(*name, names_of_edits()),
+  return Error{"edit.unknown", "there is no edit " + in_quotes(*name) + "; " + advice(*name, edit_names()),
                pointer_to(where, kKind)};
 }
 
@@ -112,14 +107,31 @@ JsonValue edits_json(std::span<const ProjectEdit> edits) {
   return list;
 }
 
-std::vector<fields::FieldKey> edit_keys() {
-  std::vector<fields::FieldKey> keys;
+std::vector<std::string> edit_names() {
+  std::vector<std::string> names;
+  for_each_edit([&](const auto& named) { names.emplace_back(named.name); });
+  return names;
+}
+
+JsonValue edit_schema() {
+  const fields::Definitions of_projects = project_definitions();
+  fields::Definitions definitions(of_projects, "project.schema.json");
+  std::vector<JsonValue> kinds;
   for_each_edit([&](const auto& named) {
     typename std::decay_t<decltype(named)>::Type edit{};
-    fields::FieldLister lister(keys, std::string("/") + named.name);
-    describe(lister, edit);
+    kinds.push_back(definitions.refer(named.name, [&] {
+      fields::SchemaWriter writer(definitions);
+      writer.constant(kKind, "Which edit this is.", named.name);
+      describe(writer, edit);
+      return writer.schema();
+    }));
   });
-  return keys;
+  const JsonValue list = fields::list_schema(std::vector<JsonMember>{{"oneOf", std::move(kinds)}},
+                                             {0, static_cast<double>(kMostEdits)});
+  return fields::schema_file(
+      "Toile edits",
+      "Edits of a project, one after the other: in requests, in the undo history and in a replay.", list,
+      definitions);
 }
 
 }  // namespace toile

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/json/fields/lister.h"
 #include "core/json/tree.h"
 #include "core/pattern/edit/edit.h"
 #include "core/project/project.h"
@@ -61,8 +60,11 @@ Result<std::vector<ProjectEdit>> read_edits(const JsonValue& list, const std::st
 /// The list; read_edits gives the same edits back.
 JsonValue edits_json(std::span<const ProjectEdit> edits);
 
-/// The keys of the edits, "/move_point/to" and so on, as project_keys().
-std::vector<fields::FieldKey> edit_keys();
+/// The names of all edits, as they stand in "edit".
+std::vector<std::string> edit_names();
+
+/// The edits' format as JSON Schema: what proto/schema/edit.schema.json holds.
+JsonValue edit_schema();
 
 /// The edit that makes `now` what `wanted` is. REQUIRES projects that differ in the lists of RestoreLists
 /// alone.

@@ -1,5 +1,5 @@
 #pragma once
-// The edits' fields, said once as project_fields.h says the document's, and their names in JSON.
+// The edits' fields, said once as core/project/fields.h says the document's, and their names in JSON.
 
 #include <tuple>
 
@@ -11,255 +11,321 @@ namespace toile::fields {
 inline constexpr Range kFraction{0, 1};
 inline constexpr Range kIndex{0, 1e6};
 
+/// The piece and the edge that an edit is about.
 template <typename Visitor, typename Edit>
-void describe_edge(Visitor& v, Edit& edit) {
-  v.field("piece", edit.piece, Need::kRequired);
-  v.field("edge", edit.edge, Need::kRequired);
+void describe_edge(Visitor& v, Edit& edit,
+                   const char* which = "Id of one of its edges or of its holes' edges.") {
+  v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
+  v.field("edge", edit.edge, which, Need::kRequired);
 }
 
 template <typename Visitor>
 void describe(Visitor& v, MovePoint& edit) {
+  v.object("move_point",
+           "Moves a point of an outline; handles beside it move along, straight curves stay straight.");
   describe_edge(v, edit);
-  v.field("point", edit.point, Need::kRequired, kIndex);
-  v.field("to", edit.to, Need::kRequired, kLength);
+  v.field("point", edit.point,
+          "Joint of the edge's curves: 0 is its start, their number its end. A corner belongs to both edges.",
+          Need::kRequired, kIndex);
+  v.field("to", edit.to, "mm.", Need::kRequired, kLength);
 }
 
 template <typename Visitor>
 void describe(Visitor& v, MoveHandle& edit) {
+  v.object("move_handle", "Moves a handle of a curve.");
   describe_edge(v, edit);
-  v.field("curve", edit.curve, Need::kRequired, kIndex);
-  v.field("handle", edit.handle, Need::kRequired, Range{1, 2});
-  v.field("to", edit.to, Need::kRequired, kLength);
+  v.field("curve", edit.curve, "Of the edge, from 0.", Need::kRequired, kIndex);
+  v.field("handle", edit.handle, "The first or the second.", Need::kRequired, Range{1, 2});
+  v.field("to", edit.to, "mm.", Need::kRequired, kLength);
 }
 
 template <typename Visitor>
 void describe(Visitor& v, InsertPoint& edit) {
+  v.object("insert_point", "Parts a curve in two that look the same.");
   describe_edge(v, edit);
-  v.field("at", edit.at, Need::kRequired, kFraction);
+  v.field("at", edit.at, "Fraction of the edge's length, in the outline's direction.", Need::kRequired,
+          kFraction);
 }
 
 template <typename Visitor>
 void describe(Visitor& v, DeletePoint& edit) {
+  v.object("delete_point", "Makes one curve of the two beside a point within an edge.");
   describe_edge(v, edit);
-  v.field("point", edit.point, Need::kRequired, kIndex);
+  v.field("point", edit.point, "Joint of the edge's curves, neither its start nor its end.", Need::kRequired,
+          kIndex);
 }
 
 template <typename Visitor>
 void describe(Visitor& v, SplitEdge& edit) {
+  v.object("split_edge", "Parts an edge in two. What was sewn stays sewn.");
   describe_edge(v, edit);
-  v.field("at", edit.at, Need::kRequired, kFraction);
-  v.field("id", edit.id);
+  v.field("at", edit.at, "Fraction of the edge's length; a joint of its curves within 0.01 mm is taken.",
+          Need::kRequired, kFraction);
+  v.field("id", edit.id, "Of the second part. Without it, the edge's id with a number.");
 }
 
 template <typename Visitor>
 void describe(Visitor& v, JoinEdges& edit) {
+  v.object(
+      "join_edges",
+      "Makes one edge, under the first one's id, of two that follow each other. What was sewn stays sewn.");
   describe_edge(v, edit);
-  v.field("next", edit.next, Need::kRequired);
+  v.field("next", edit.next, "Id of the edge that follows in the outline's direction.", Need::kRequired);
 }
 
 template <typename Visitor>
 void describe(Visitor& v, StraightenEdge& edit) {
+  v.object("straighten_edge", "Makes a curve straight, or the whole edge one straight line.");
   describe_edge(v, edit);
-  v.field("curve", edit.curve, Need::kOptional, Range{-1, kIndex.most});
+  v.field("curve", edit.curve, "Of the edge, from 0. Default -1: the whole edge.", Need::kOptional,
+          Range{-1, kIndex.most});
 }
 
 template <typename Visitor>
 void describe(Visitor& v, BendEdge& edit) {
+  v.object("bend_edge", "Gives a curve both its handles.");
   describe_edge(v, edit);
-  v.field("curve", edit.curve, Need::kRequired, kIndex);
-  v.field("handle1", edit.handle1, Need::kRequired, kLength);
-  v.field("handle2", edit.handle2, Need::kRequired, kLength);
+  v.field("curve", edit.curve, "Of the edge, from 0.", Need::kRequired, kIndex);
+  v.field("handle1", edit.handle1, "mm.", Need::kRequired, kLength);
+  v.field("handle2", edit.handle2, "mm.", Need::kRequired, kLength);
 }
 
 template <typename Visitor>
 void describe(Visitor& v, SetEdgeLength& edit) {
+  v.object("set_edge_length", "Scales the edge to a length; the edges beside it follow.");
   describe_edge(v, edit);
-  v.field("length_mm", edit.length_mm, Need::kRequired, Range{0.1, 1e5});
-  v.choice("keep", edit.keep, {"start", "middle", "end"});
+  v.field("length_mm", edit.length_mm, "mm, along its curves.", Need::kRequired, Range{0.1, 1e5});
+  v.choice("keep", edit.keep, "What stays in place. Default start.", {"start", "middle", "end"});
 }
 
 template <typename Visitor>
 void describe(Visitor& v, MirrorPiece& edit) {
-  v.field("piece", edit.piece, Need::kRequired);
+  v.object("mirror_piece", "Turns the piece over, about the upright middle line of its box.");
+  v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
 }
 
 template <typename Visitor>
 void describe(Visitor& v, RotateGrain& edit) {
-  v.field("piece", edit.piece, Need::kRequired);
-  v.field("angle", edit.angle, Need::kRequired, Range{-360, 360});
+  v.object("rotate_grain", "Turns the direction of the warp.");
+  v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
+  v.field("angle", edit.angle, "Degrees, counter-clockwise.", Need::kRequired, Range{-360, 360});
 }
 
 template <typename Visitor>
 void describe(Visitor& v, AddLine& edit) {
-  v.field("piece", edit.piece, Need::kRequired);
-  v.field("id", edit.line.id, Need::kRequired);
-  v.field("points", edit.line.points, Need::kRequired, Range{2, 10000});
-  v.field("drawn", edit.line.drawn);
+  v.object("add_line", "Draws a line on the piece.");
+  v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
+  v.field("id", edit.line.id, "Unique within the piece.", Need::kRequired);
+  v.field("points", edit.line.points, "mm; inside the outline, or on it at the ends.", Need::kRequired,
+          Range{2, 10000});
+  v.field("drawn", edit.line.drawn, "Only drawn: the mesh takes no notice of it. Default false.");
 }
 
 template <typename Visitor>
 void describe(Visitor& v, RemoveLine& edit) {
-  v.field("piece", edit.piece, Need::kRequired);
-  v.field("line", edit.line, Need::kRequired);
+  v.object("remove_line", "Takes a line away.");
+  v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
+  v.field("line", edit.line, "Id of the line.", Need::kRequired);
 }
 
 template <typename Visitor>
 void describe(Visitor& v, AddNotch& edit) {
-  describe_edge(v, edit);
-  v.field("at", edit.at, Need::kRequired, kFraction);
-  v.field("depth_mm", edit.depth_mm, Need::kOptional, Range{-1000, 1000});
+  v.object("add_notch", "Marks a place on an edge, with a cut into the cloth; the edge gets a point there.");
+  describe_edge(v, edit, "Id of one of its edges.");
+  v.field("at", edit.at, "Fraction of the edge's length, in the outline's direction.", Need::kRequired,
+          kFraction);
+  v.field("depth_mm", edit.depth_mm, "Depth of the cut. Default 0.", Need::kOptional, Range{-1000, 1000});
 }
 
 template <typename Visitor>
 void describe(Visitor& v, MoveNotch& edit) {
-  v.field("piece", edit.piece, Need::kRequired);
-  v.field("notch", edit.notch, Need::kRequired, kIndex);
-  v.field("edge", edit.edge, Need::kRequired);
-  v.field("at", edit.at, Need::kRequired, kFraction);
-  v.field("depth_mm", edit.depth_mm, Need::kOptional, Range{-1000, 1000});
+  v.object("move_notch", "Moves a notch to a place on any edge of its piece.");
+  v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
+  v.field("notch", edit.notch, "Which one, from 0, in the piece's order.", Need::kRequired, kIndex);
+  v.field("edge", edit.edge, "Id of the edge to which it comes.", Need::kRequired);
+  v.field("at", edit.at, "Fraction of the edge's length, in the outline's direction.", Need::kRequired,
+          kFraction);
+  v.field("depth_mm", edit.depth_mm, "Its depth from here on; without it, as it was.", Need::kOptional,
+          Range{-1000, 1000});
 }
 
 template <typename Visitor>
 void describe(Visitor& v, RemoveNotch& edit) {
-  v.field("piece", edit.piece, Need::kRequired);
-  v.field("notch", edit.notch, Need::kRequired, kIndex);
+  v.object("remove_notch", "Takes a notch away, and its point where the edge looks the same without it.");
+  v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
+  v.field("notch", edit.notch, "Which one, from 0, in the piece's order.", Need::kRequired, kIndex);
 }
 
 template <typename Visitor>
 void describe(Visitor& v, AddDart& edit) {
+  v.object(
+      "add_dart",
+      "Cuts a wedge into an edge and sews its legs together. What was sewn stays sewn on both sides of it.");
   describe_edge(v, edit);
-  v.field("at", edit.at, Need::kRequired, kFraction);
-  v.field("width_mm", edit.width_mm, Need::kRequired, Range{1, 1e5});
-  v.field("depth_mm", edit.depth_mm, Need::kRequired, Range{1, 1e5});
-  v.field("id", edit.id, Need::kRequired);
+  v.field("at", edit.at, "Where its middle is, as a fraction of the edge's length.", Need::kRequired,
+          kFraction);
+  v.field("width_mm", edit.width_mm, "mm, along the edge.", Need::kRequired, Range{1, 1e5});
+  v.field("depth_mm", edit.depth_mm, "mm, from the edge to the tip.", Need::kRequired, Range{1, 1e5});
+  v.field("id", edit.id, "Of its seam; the legs are <id>_a and <id>_b.", Need::kRequired);
 }
 
 template <typename Visitor>
 void describe(Visitor& v, AddInnerDart& edit) {
-  v.field("piece", edit.piece, Need::kRequired);
-  v.field("from", edit.from, Need::kRequired, kLength);
-  v.field("to", edit.to, Need::kRequired, kLength);
-  v.field("width_mm", edit.width_mm, Need::kRequired, Range{1, 1e5});
-  v.field("at", edit.at, Need::kOptional, Range{0.05, 0.95});
-  v.field("id", edit.id, Need::kRequired);
+  v.object("add_inner_dart",
+           "Cuts a fish-eye dart, a diamond within the cloth, and sews its sides together.");
+  v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
+  v.field("from", edit.from, "mm, one tip.", Need::kRequired, kLength);
+  v.field("to", edit.to, "mm, the other tip.", Need::kRequired, kLength);
+  v.field("width_mm", edit.width_mm, "mm, where it is widest.", Need::kRequired, Range{1, 1e5});
+  v.field("at", edit.at, "Where it is widest, as a fraction of the way from the first tip. Default 0.5.",
+          Need::kOptional, Range{0.05, 0.95});
+  v.field("id", edit.id, "Of its seam; its sides are <id>_a and <id>_b.", Need::kRequired);
 }
 
 template <typename Visitor>
 void describe(Visitor& v, RenameEdge& edit) {
+  v.object("rename_edge", "Gives an edge another name; seams and all else that names it follow.");
   describe_edge(v, edit);
-  v.field("to", edit.to, Need::kRequired);
+  v.field("to", edit.to, "Its new id, that no edge or line of the piece has.", Need::kRequired);
 }
 
 template <typename Visitor>
 void describe(Visitor& v, RemoveDart& edit) {
-  v.field("seam", edit.seam, Need::kRequired);
+  v.object("remove_dart",
+           "Takes a dart away: by a straight line over its mouth, or with its hole where it lies within the "
+           "cloth.");
+  v.field("seam", edit.seam, "Id of the seam that closes it.", Need::kRequired);
 }
 
 template <typename Visitor>
 void describe(Visitor& v, DrawnEdge& edge) {
-  v.field("id", edge.id, Need::kRequired);
-  v.field("points", edge.points, Need::kOptional, Range{2, 100000});
-  v.field("curves", edge.curves, Need::kOptional, Range{1, 10000});
+  v.object("edge", "A run of the outline between two corners: what seams and attachments name.");
+  v.field("id", edge.id, "Unique within its piece, and stable when the outline is edited.", Need::kRequired);
+  v.field("points", edge.points,
+          "The edge passes through these points, mm: smoothly where they bend gently, within 0.1 mm of each.",
+          Need::kOptional, Range{2, 100000});
+  v.field("curves", edge.curves, "Cubic Béziers, each beginning where the one before it ends.",
+          Need::kOptional, Range{1, 10000});
   v.exactly_one("points", "curves");
 }
 
 template <typename Visitor>
 void describe(Visitor& v, AddHole& edit) {
-  v.field("piece", edit.piece, Need::kRequired);
-  v.field("edges", edit.edges, Need::kRequired, kSome);
+  v.object("add_hole", "Cuts a hole.");
+  v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
+  v.field("edges", edit.edges, "Its edges in order, either way round.", Need::kRequired, kSome);
 }
 
 template <typename Visitor>
 void describe(Visitor& v, RemoveHole& edit) {
-  describe_edge(v, edit);
+  v.object("remove_hole", "Fills a hole; seams of its edges go.");
+  describe_edge(v, edit, "Id of one of its edges.");
 }
 
 template <typename Visitor>
 void describe(Visitor& v, MovePiece& edit) {
-  v.field("piece", edit.piece, Need::kRequired);
-  v.field("by", edit.by, Need::kRequired, kLength);
+  v.object("move_piece", "Moves a piece in its drawing. In space it stays where it stands.");
+  v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
+  v.field("by", edit.by, "mm.", Need::kRequired, kLength);
 }
 
 template <typename Visitor>
 void describe(Visitor& v, RenamePiece& edit) {
-  v.field("piece", edit.piece, Need::kRequired);
-  v.field("to", edit.to, Need::kRequired);
+  v.object("rename_piece", "Gives a piece another id, wherever it is named.");
+  v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
+  v.field("to", edit.to, "The new id.", Need::kRequired);
 }
 
 template <typename Visitor>
 void describe(Visitor& v, DuplicatePiece& edit) {
-  v.field("piece", edit.piece, Need::kRequired);
-  v.field("id", edit.id, Need::kRequired);
-  v.field("by", edit.by, Need::kOptional, kLength);
-  v.field("mirrored", edit.mirrored);
+  v.object("duplicate_piece", "Adds a copy at the end of the list, without seams.");
+  v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
+  v.field("id", edit.id, "Of the copy.", Need::kRequired);
+  v.field("by", edit.by, "mm that it lies and stands away from its original. Default [0, 0].",
+          Need::kOptional, kLength);
+  v.field("mirrored", edit.mirrored, "Turned over first. Default false.");
 }
 
 template <typename Visitor>
 void describe(Visitor& v, DeletePiece& edit) {
-  v.field("piece", edit.piece, Need::kRequired);
+  v.object("delete_piece", "Removes a piece, its part of all seams, and what is on it.");
+  v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
 }
 
 template <typename Visitor>
 void describe(Visitor& v, NamedSeamEdge& edge) {
-  describe_edge(v, edge);
-  v.field("reversed", edge.reversed);
-  v.field("from", edge.from, Need::kOptional, kFraction);
-  v.field("to", edge.to, Need::kOptional, kFraction);
+  v.object("seam_edge", "An edge of a piece, or a part of one.");
+  describe_edge(v, edge, "Id of one of its edges.");
+  v.field("reversed", edge.reversed, "Traversed against the outline's own direction. Default false.");
+  v.field("from", edge.from,
+          "Where the sewn part begins: a fraction of the edge's length, in the outline's own direction. "
+          "Default 0.",
+          Need::kOptional, kFraction);
+  v.field("to", edge.to, "Where it ends. Default 1.", Need::kOptional, kFraction);
 }
 
 template <typename Visitor>
 void describe(Visitor& v, AddSeam& edit) {
-  v.field("id", edit.id, Need::kRequired);
-  v.field("a", edit.a, Need::kRequired, kSome);
-  v.field("b", edit.b, Need::kRequired, kSome);
-  v.field("same_direction", edit.same_direction);
+  v.object("add_seam", "Sews two series of edges together.");
+  v.field("id", edit.id, "Unique among the seams.", Need::kRequired);
+  v.field("a", edit.a, "One side.", Need::kRequired, kSome);
+  v.field("b", edit.b, "The other side.", Need::kRequired, kSome);
+  v.field("same_direction", edit.same_direction,
+          "The start of a meets the start of b. Default false: its end.");
 }
 
 template <typename Visitor>
 void describe(Visitor& v, RemoveSeam& edit) {
-  v.field("seam", edit.seam, Need::kRequired);
+  v.object("remove_seam", "Takes a seam away.");
+  v.field("seam", edit.seam, "Its id.", Need::kRequired);
 }
 
 template <typename Visitor>
 void describe(Visitor& v, ReverseSeam& edit) {
-  v.field("seam", edit.seam, Need::kRequired);
+  v.object("reverse_seam", "Turns the direction of a seam over.");
+  v.field("seam", edit.seam, "Its id.", Need::kRequired);
 }
 
 template <typename Visitor>
 void describe(Visitor& v, SetFabric& edit) {
-  v.field("piece", edit.piece, Need::kRequired);
-  v.field("fabric", edit.fabric, Need::kRequired);
+  v.object("set_fabric", "Cuts a piece of another fabric.");
+  v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
+  v.field("fabric", edit.fabric, "Id of a fabric.", Need::kRequired);
 }
 
 template <typename Visitor>
 void describe(Visitor& v, SetTexture& edit) {
-  v.field("piece", edit.piece, Need::kRequired);
-  v.field("texture", edit.texture);
+  v.object("set_texture", "Prints a picture on a piece, or takes it away.");
+  v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
+  v.field("texture", edit.texture, "Without it, the piece has none.");
 }
 
 template <typename Visitor>
 void describe(Visitor& v, SetPhysical& edit) {
-  v.field("piece", edit.piece, Need::kRequired);
-  v.field("physical", edit.physical);
+  v.object("set_physical", "Says what a piece has otherwise than its fabric, or that it has nothing.");
+  v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
+  v.field("physical", edit.physical, "All of it; what is not given is as the fabric has it.");
 }
 
 template <typename Visitor, typename T>
 void describe(Visitor& v, ListSplice<T>& splice) {
-  v.field("at", splice.at, Need::kRequired, kIndex);
-  v.field("remove", splice.remove, Need::kRequired, kIndex);
-  v.field("insert", splice.insert, Need::kOptional, kMany);
+  v.object("", "");
+  v.field("at", splice.at, "First element, from 0.", Need::kRequired, kIndex);
+  v.field("remove", splice.remove, "How many go from there on.", Need::kRequired, kIndex);
+  v.field("insert", splice.insert, "What comes there instead.", Need::kOptional, kMany);
 }
 
 template <typename Visitor>
 void describe(Visitor& v, RestoreLists& edit) {
-  v.field("pieces", edit.pieces);
-  v.field("seams", edit.seams);
-  v.field("attachments", edit.attachments);
-  v.field("buttons", edit.buttons);
-  v.field("elastics", edit.elastics);
-  v.field("folds", edit.folds);
-  v.field("cushions", edit.cushions);
-  v.field("bodies", edit.bodies);
+  v.object("restore", "Puts back parts of the document's lists: what an undo does.");
+  v.field("pieces", edit.pieces, "Of this list.");
+  v.field("seams", edit.seams, "Of this list.");
+  v.field("attachments", edit.attachments, "Of this list.");
+  v.field("buttons", edit.buttons, "Of this list.");
+  v.field("elastics", edit.elastics, "Of this list.");
+  v.field("folds", edit.folds, "Of this list.");
+  v.field("cushions", edit.cushions, "Of this list.");
+  v.field("bodies", edit.bodies, "Of this list.");
 }
 
 template <typename Edit>

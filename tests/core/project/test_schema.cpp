@@ -1,54 +1,23 @@
-// The schema and the reader say the same: the schema's keys, types, ranges and words, written out flat, are
-// those that the reader lists.
+// The schema is made of the fields by which the reader reads, and says of each what it means.
+
+#include "core/project/schema.h"
 
 #include <gtest/gtest.h>
 
-#include <map>
+#include <set>
 
-#include "core/json/tree.h"
-#include "core/project/keys.h"
 #include "core/project/project.h"
 #include "tests/core/project/documents.h"
-#include "tests/core/project/schema_keys.h"
+#include "tests/proto/schemas/kept_schema.h"
 
 namespace toile {
 namespace {
 
-class ProjectSchema : public testing::Test {
- protected:
-  void SetUp() override {
-    Result<JsonValue> parsed =
-        parse_json(file_text(std::string(TOILE_SOURCE_DIR) + "/proto/schema/project.schema.json"));
-    ASSERT_TRUE(parsed) << to_string(parsed.error());
-    schema = std::move(*parsed);
-  }
-  JsonValue schema;
-};
-
-TEST_F(ProjectSchema, DescribesAndClosesEveryObject) {
-  const SchemaKeys listed(schema);
-  EXPECT_TRUE(listed.complaints.empty()) << listed.complaints.front();
-}
-
-TEST_F(ProjectSchema, HasTheKeysThatTheReaderKnows) {
-  const SchemaKeys listed(schema);
-  std::size_t known = 0;
-  for (const fields::FieldKey& key : project_keys()) {
-    const auto found = listed.keys.find(key.path);
-    ASSERT_NE(found, listed.keys.end()) << key.path << " is not in the schema";
-    EXPECT_EQ(key.type, found->second.type) << key.path;
-    EXPECT_EQ(key.required, found->second.required) << key.path;
-    EXPECT_EQ(key.minimum, found->second.minimum) << key.path;
-    EXPECT_EQ(key.maximum, found->second.maximum) << key.path;
-    EXPECT_EQ(key.choices, found->second.choices) << key.path;
-    ++known;
-  }
-  EXPECT_EQ(known, listed.keys.size()) << "the schema has keys that the reader does not know";
-}
+TEST(ProjectSchema, IsKeptAsTheFieldsSayIt) { test::expect_kept("project.schema.json", project_schema()); }
 
 /// Every path of the full document, with list elements as "*".
-void paths_of(const JsonValue& value, const std::string& path, std::map<std::string, bool>& seen) {
-  seen[path] = true;
+void paths_of(const JsonValue& value, const std::string& path, std::set<std::string>& seen) {
+  seen.insert(path);
   if (const auto* elements = value.array()) {
     for (const JsonValue& element : *elements) paths_of(element, path + "/*", seen);
   }
@@ -57,13 +26,54 @@ void paths_of(const JsonValue& value, const std::string& path, std::map<std::str
   }
 }
 
-TEST_F(ProjectSchema, HasNoKeyThatTheReaderWouldRefuse) {
+/// Goes through a schema of objects and lists, and notes its paths and what of them says nothing of itself.
+struct Walk {
+  const JsonValue& root;
+  std::set<std::string> paths = {}, silent = {};
+
+  void over(const JsonValue& given, const std::string& path) {
+    paths.insert(path);
+    const JsonValue& schema = test::resolved(root, given);
+    const bool says = given.find("description") || schema.find("description");
+    if (!says && !path.ends_with("*")) silent.insert(path);
+    if (const JsonValue* items = schema.find("items")) over(*items, path + "/*");
+    const JsonValue* properties = schema.find("properties");
+    if (!properties) return;
+    for (const JsonMember& member : *properties->object()) over(member.value, path + "/" + member.key);
+  }
+};
+
+TEST(ProjectSchema, SaysOfEveryKeyWhatItMeans) {
+  const JsonValue schema = project_schema();
+  ASSERT_TRUE(parse_json(write_json(schema))) << "a key stands twice";
+  Walk walk{schema};
+  walk.over(schema, "");
+  EXPECT_TRUE(walk.silent.empty()) << *walk.silent.begin();
+}
+
+TEST(ProjectSchema, HasNoKeyThatTheReaderWouldRefuse) {
   ASSERT_TRUE(parse_project(kFullDocument));
-  std::map<std::string, bool> seen;
+  std::set<std::string> seen;
   paths_of(*parse_json(kFullDocument), "", seen);
-  for (const auto& [path, key] : SchemaKeys(schema).keys) {
+  const JsonValue schema = project_schema();
+  Walk walk{schema};
+  walk.over(schema, "");
+  for (const std::string& path : walk.paths) {
     EXPECT_TRUE(seen.contains(path)) << path << " does not stand in the full document of the tests";
   }
+}
+
+TEST(ProjectSchema, SaysRangesWordsAndWhatMustStandThere) {
+  const JsonValue schema = project_schema();
+  const JsonValue& settings = *schema.find("$defs")->find("settings")->find("properties");
+  EXPECT_EQ(
+      write_json_line(*settings.find("gravity")),
+      R"({"description": "m/s², downwards. Default 9.81.", "type": "number", "minimum": 0, "maximum": 1000})");
+  EXPECT_EQ(write_json_line(*settings.find("end")->find("enum")), R"(["settled", "time"])");
+  const JsonValue& body = *schema.find("$defs")->find("body");
+  EXPECT_EQ(write_json_line(*body.find("required")), R"(["id"])");
+  EXPECT_EQ(write_json_line(*body.find("oneOf")), R"([{"required": ["file"]}, {"required": ["mannequin"]}])");
+  EXPECT_EQ(write_json_line(*body.find("additionalProperties")), "false");
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "core/project/editing/edits.h"
-#include "tests/core/project/schema_keys.h"
+#include "tests/proto/schemas/kept_schema.h"
 
 namespace toile {
 namespace {
@@ -55,13 +55,6 @@ constexpr const char* kEveryEdit = R"([
    "folds": {"at": 1, "remove": 1}, "cushions": {"at": 1, "remove": 1}, "bodies": {"at": 0, "remove": 1}}
 ])";
 
-JsonValue schema_of(const std::string& name) {
-  return parse_json(file_text(std::string(TOILE_SOURCE_DIR) + "/proto/schema/" + name)).value();
-}
-
-/// "/move_point/to" → "move_point".
-std::string edit_of(const std::string& path) { return path.substr(1, path.find('/', 1) - 1); }
-
 TEST(EditCodec, WritesEveryEditAsItWasRead) {
   const JsonValue list = parse_json(kEveryEdit).value();
   const Result<std::vector<ProjectEdit>> edits = read_edits(list, "/edits");
@@ -70,49 +63,32 @@ TEST(EditCodec, WritesEveryEditAsItWasRead) {
 }
 
 TEST(EditCodec, TriesEveryEditThatThereIs) {
-  std::set<std::string> there, tried;
-  for (const fields::FieldKey& key : edit_keys()) there.insert(edit_of(key.path));
+  const std::vector<std::string> names = edit_names();
+  std::set<std::string> tried;
   const JsonValue list = parse_json(kEveryEdit).value();
   for (const JsonValue& edit : *list.array()) tried.insert(*edit.find("edit")->text());
-  EXPECT_EQ(tried, there);
+  EXPECT_EQ(tried, std::set<std::string>(names.begin(), names.end()));
   EXPECT_EQ(tried.size(), list.array()->size());
 }
 
-TEST(EditCodec, TheSchemaListsEveryEditUnderItsName) {
-  const JsonValue schema = schema_of("edit.schema.json");
-  std::set<std::string> listed, there;
+TEST(EditSchema, IsKeptAsTheFieldsSayIt) { test::expect_kept("edit.schema.json", edit_schema()); }
+
+TEST(EditSchema, DefinesEveryEditUnderItsName) {
+  const JsonValue schema = edit_schema();
+  std::vector<std::string> listed;
   for (const JsonValue& one : *schema.find("items")->find("oneOf")->array()) {
-    const std::string name = one.find("$ref")->text()->substr(std::string("#/$defs/").size());
-    listed.insert(name);
-    const JsonValue* definition = schema.find("$defs")->find(name);
-    ASSERT_NE(definition, nullptr) << name;
-    EXPECT_EQ(*definition->find("properties")->find("edit")->find("const")->text(), name);
+    const JsonValue& edit = test::resolved(schema, one);
+    listed.push_back(*edit.find("properties")->find("edit")->find("const")->text());
+    EXPECT_NE(edit.find("description"), nullptr) << listed.back();
   }
-  for (const fields::FieldKey& key : edit_keys()) there.insert(edit_of(key.path));
-  EXPECT_EQ(listed, there);
+  EXPECT_EQ(listed, edit_names());
 }
 
-TEST(EditCodec, TheSchemaHasTheKeysThatTheReaderKnows) {
-  const JsonValue schema = schema_of("edit.schema.json"), project = schema_of("project.schema.json");
-  std::map<std::string, fields::FieldKey> listed;
-  for (const JsonMember& definition : *schema.find("$defs")->object()) {
-    if (definition.key == "text" || definition.key == "pair") continue;
-    const SchemaKeys keys(schema, project, definition.key);
-    EXPECT_TRUE(keys.complaints.empty()) << keys.complaints.front();
-    listed.insert(keys.keys.begin(), keys.keys.end());
-  }
-  std::size_t known = 0;
-  for (const fields::FieldKey& key : edit_keys()) {
-    const auto found = listed.find(key.path);
-    ASSERT_NE(found, listed.end()) << key.path << " is not in the schema";
-    EXPECT_EQ(key.type, found->second.type) << key.path;
-    EXPECT_EQ(key.required, found->second.required) << key.path;
-    EXPECT_EQ(key.minimum, found->second.minimum) << key.path;
-    EXPECT_EQ(key.maximum, found->second.maximum) << key.path;
-    EXPECT_EQ(key.choices, found->second.choices) << key.path;
-    ++known;
-  }
-  EXPECT_EQ(known, listed.size()) << "the schema has keys that the reader does not know";
+TEST(EditSchema, SendsToTheProjectsSchemaForItsObjects) {
+  const JsonValue schema = edit_schema();
+  const JsonValue& hole = *schema.find("$defs")->find("add_hole")->find("properties")->find("edges");
+  EXPECT_EQ(*hole.find("items")->find("$ref")->text(), "project.schema.json#/$defs/edge");
+  EXPECT_EQ(schema.find("$defs")->find("edge"), nullptr);
 }
 
 }  // namespace

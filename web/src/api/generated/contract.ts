@@ -1349,9 +1349,9 @@ export interface components {
          * @enum {string}
          */
         body_part: "head" | "neck" | "torso" | "hips" | "left_arm" | "right_arm" | "left_leg" | "right_leg";
-        coordinate: number;
         /** @description A file in the document's folder or below it, with '/' between folders. Absolute paths and '..' are refused. */
         file: string;
+        coordinate: number;
         /** @description Two numbers, x and y (or x and z where the key says so). */
         pair: [
             components["schemas"]["coordinate"],
@@ -1440,55 +1440,19 @@ export interface components {
             /** @description mm; wanted edge length of the piece's own triangles. On a seam the finer of both sides counts. */
             particle_distance_mm?: number;
         };
-        /**
-         * @description Which side of the box. Default front. Left and right are the wearer's.
-         * @enum {string}
-         */
-        box_side: "front" | "back" | "left" | "right";
         /** @description Three numbers, x, y and z. */
         triple: [
             components["schemas"]["coordinate"],
             components["schemas"]["coordinate"],
             components["schemas"]["coordinate"]
         ];
+        /**
+         * @description Which side of the box. Default front. Left and right are the wearer's.
+         * @enum {string}
+         */
+        box_side: "front" | "back" | "left" | "right";
         /** @description Where the flat piece stands before it is sewn: as a stiff sheet, or rolled around an axis; in space, or told by a part of the body. */
         placement: {
-            /** @description A stiff sheet before a side of the box around a part of the body, along that part. It goes where the body is. */
-            on_box?: {
-                /** @description Id of a standing body. Default: the first one. */
-                body?: components["schemas"]["text"];
-                part?: components["schemas"]["body_part"];
-                side?: components["schemas"]["box_side"];
-                /** @description m from the side's middle: to the right as one looks at it, and up along the part. Default [0, 0]. */
-                at?: components["schemas"]["pair"];
-                /** @description m before the side. Default 0.03. */
-                away?: number;
-                /** @description Degrees, counter-clockwise as one looks at the side. Default 0. */
-                turn?: components["schemas"]["coordinate"];
-                /** @description mm; the flat point that comes there. Default: the middle of the piece's bounding box. */
-                anchor?: components["schemas"]["pair"];
-                /** @description Mirror u first: the right side faces the body. Default false. */
-                flipped?: boolean;
-            };
-            /** @description Rolled around a part of the body, along its box, clear of all that stands out of it under the piece. */
-            around?: {
-                /** @description Id of a standing body. Default: the first one. */
-                body?: components["schemas"]["text"];
-                part?: components["schemas"]["body_part"];
-                side?: components["schemas"]["box_side"];
-                /** @description m from the side's middle: along the circle, and up along the part. Default [0, 0]. */
-                at?: components["schemas"]["pair"];
-                /** @description m from what stands out farthest. Default 0.02. */
-                away?: number;
-                /** @description Degrees, counter-clockwise as one looks at the side. Default 0. */
-                turn?: components["schemas"]["coordinate"];
-                /** @description Metres by which the radius grows for each metre of cloth downwards: a cone. Default 0. */
-                slope?: number;
-                /** @description mm; the flat point that comes there. Default: the middle of the piece's bounding box. */
-                anchor?: components["schemas"]["pair"];
-                /** @description Mirror u first: the right side faces the body. Default false. */
-                flipped?: boolean;
-            };
             /** @description The flat point (u, v) goes to translation + R (u, v, 0). The right side of the cloth faces R (0, 0, 1). */
             rigid?: {
                 /** @description m; where the piece's origin goes. Default [0, 0, 0]. */
@@ -1525,10 +1489,43 @@ export interface components {
                 /** @description Mirror u about the anchor after the turn: the right side faces the axis. Default false. */
                 flipped?: boolean;
             };
+            /** @description A stiff sheet before a side of the box around a part of the body, along that part. It goes where the body is. */
+            on_box?: {
+                /** @description Id of a standing body. Default: the first one. */
+                body?: components["schemas"]["text"];
+                part?: components["schemas"]["body_part"];
+                side?: components["schemas"]["box_side"];
+                /** @description m from the side's middle: to the right as one looks at it, and up along the part. Default [0, 0]. */
+                at?: components["schemas"]["pair"];
+                /** @description m before the side. Default 0.03. */
+                away?: number;
+                /** @description Degrees, counter-clockwise as one looks at the side. Default 0. */
+                turn?: components["schemas"]["coordinate"];
+                /** @description mm; the flat point that comes there. Default: the middle of the piece's bounding box. */
+                anchor?: components["schemas"]["pair"];
+                /** @description Mirror u first: the right side faces the body. Default false. */
+                flipped?: boolean;
+            };
+            /** @description Rolled around a part of the body, along its box, clear of all that stands out of it under the piece. */
+            around?: {
+                /** @description Id of a standing body. Default: the first one. */
+                body?: components["schemas"]["text"];
+                part?: components["schemas"]["body_part"];
+                side?: components["schemas"]["box_side"];
+                /** @description m from the side's middle: along the circle, and up along the part. Default [0, 0]. */
+                at?: components["schemas"]["pair"];
+                /** @description m from what stands out farthest. Default 0.02. */
+                away?: number;
+                /** @description Degrees, counter-clockwise as one looks at the side. Default 0. */
+                turn?: components["schemas"]["coordinate"];
+                /** @description Metres by which the radius grows for each metre of cloth downwards: a cone. Default 0. */
+                slope?: number;
+                /** @description mm; the flat point that comes there. Default: the middle of the piece's bounding box. */
+                anchor?: components["schemas"]["pair"];
+                /** @description Mirror u first: the right side faces the body. Default false. */
+                flipped?: boolean;
+            };
         } & (unknown | unknown | unknown | unknown);
-        stiffness: number;
-        rigidity: number;
-        friction: number;
         /** @description An edge of a piece, or a part of one. */
         seam_edge: {
             /** @description Id of a piece. */
@@ -1636,13 +1633,13 @@ export interface components {
             /** @description g/m². */
             areal_mass_g_m2: number;
             /** @description N/m; tension per strain along the warp. */
-            stretch_warp_n_m: components["schemas"]["stiffness"];
+            stretch_warp_n_m: number;
             /** @description N/m; tension per strain along the weft. */
-            stretch_weft_n_m: components["schemas"]["stiffness"];
+            stretch_weft_n_m: number;
             /** @description N/m; tension along one per strain along the other; its square is less than warp times weft. Default 600. */
             stretch_coupling_n_m?: number;
             /** @description N/m per radian of shear. */
-            stretch_shear_n_m: components["schemas"]["stiffness"];
+            stretch_shear_n_m: number;
             /** @description %; strain along the warp beyond which the cloth is much stiffer. 0, the default: never. */
             limit_warp_percent?: number;
             /** @description %; the same along the weft. */
@@ -1650,15 +1647,15 @@ export interface components {
             /** @description Radians; the same for shear. */
             limit_shear_rad?: number;
             /** @description µN·m; bending rigidity per width of a strip cut along the warp. */
-            bend_warp_un_m: components["schemas"]["rigidity"];
+            bend_warp_un_m: number;
             /** @description µN·m; of a strip cut along the weft. */
-            bend_weft_un_m: components["schemas"]["rigidity"];
+            bend_weft_un_m: number;
             /** @description µN·m; of a strip cut at 45°. */
-            bend_bias_un_m: components["schemas"]["rigidity"];
+            bend_bias_un_m: number;
             /** @description mm; also the distance that layers keep. */
             thickness_mm: number;
             /** @description Coulomb's coefficient, cloth on cloth. Default 0.3. */
-            friction?: components["schemas"]["friction"];
+            friction?: number;
             /** @description Linear red, green and blue for pictures, 0 to 1. */
             colour?: [
                 number,
@@ -1694,7 +1691,7 @@ export interface components {
             up?: "y" | "z";
             mannequin?: components["schemas"]["mannequin"];
             /** @description Coulomb's coefficient, cloth on this body. Default 0.4. */
-            friction?: components["schemas"]["friction"];
+            friction?: number;
             /** @description mm; distance that cloth keeps from the skin. Default 1. */
             skin_offset_mm?: number;
             /** @description Reflection coefficient: the share of its speed towards the skin that cloth keeps, turned round, when it strikes. 0: none (default); 1: all. */
@@ -1833,11 +1830,6 @@ export interface components {
             cushions?: components["schemas"]["cushion"][];
             settings?: components["schemas"]["settings"];
         };
-        /** @description x and y. */
-        "$defs-pair": [
-            number,
-            number
-        ];
         /** @description Moves a point of an outline; handles beside it move along, straight curves stay straight. */
         move_point: {
             /**
@@ -1852,7 +1844,7 @@ export interface components {
             /** @description Joint of the edge's curves: 0 is its start, their number its end. A corner belongs to both edges. */
             point: number;
             /** @description mm. */
-            to: components["schemas"]["$defs-pair"];
+            to: components["schemas"]["pair"];
         };
         /** @description Moves a handle of a curve. */
         move_handle: {
@@ -1870,7 +1862,7 @@ export interface components {
             /** @description The first or the second. */
             handle: number;
             /** @description mm. */
-            to: components["schemas"]["$defs-pair"];
+            to: components["schemas"]["pair"];
         };
         /** @description Parts a curve in two that look the same. */
         insert_point: {
@@ -1958,9 +1950,9 @@ export interface components {
             /** @description Of the edge, from 0. */
             curve: number;
             /** @description mm. */
-            handle1: components["schemas"]["$defs-pair"];
+            handle1: components["schemas"]["pair"];
             /** @description mm. */
-            handle2: components["schemas"]["$defs-pair"];
+            handle2: components["schemas"]["pair"];
         };
         /** @description Scales the edge to a length; the edges beside it follow. */
         set_edge_length: {
@@ -2015,7 +2007,7 @@ export interface components {
             /** @description Unique within the piece. */
             id: components["schemas"]["text"];
             /** @description mm; inside the outline, or on it at the ends. */
-            points: components["schemas"]["$defs-pair"][];
+            points: components["schemas"]["pair"][];
             /** @description Only drawn: the mesh takes no notice of it. Default false. */
             drawn?: boolean;
         };
@@ -2030,52 +2022,6 @@ export interface components {
             piece: components["schemas"]["text"];
             /** @description Id of the line. */
             line: components["schemas"]["text"];
-        };
-        /** @description Marks a place on an edge, with a cut into the cloth; the edge gets a point there. */
-        add_notch: {
-            /**
-             * @description Which edit this is.
-             * @constant
-             */
-            edit: "add_notch";
-            /** @description Id of a piece. */
-            piece: components["schemas"]["text"];
-            /** @description Id of one of its edges. */
-            edge: components["schemas"]["text"];
-            /** @description Fraction of the edge's length, in the outline's direction. */
-            at: number;
-            /** @description Depth of the cut. Default 0. */
-            depth_mm?: number;
-        };
-        /** @description Moves a notch to a place on any edge of its piece. */
-        move_notch: {
-            /**
-             * @description Which edit this is.
-             * @constant
-             */
-            edit: "move_notch";
-            /** @description Id of a piece. */
-            piece: components["schemas"]["text"];
-            /** @description Which one, from 0, in the piece's order. */
-            notch: number;
-            /** @description Id of the edge to which it comes. */
-            edge: components["schemas"]["text"];
-            /** @description Fraction of the edge's length, in the outline's direction. */
-            at: number;
-            /** @description Its depth from here on; without it, as it was. */
-            depth_mm?: number;
-        };
-        /** @description Takes a notch away, and its point where the edge looks the same without it. */
-        remove_notch: {
-            /**
-             * @description Which edit this is.
-             * @constant
-             */
-            edit: "remove_notch";
-            /** @description Id of a piece. */
-            piece: components["schemas"]["text"];
-            /** @description Which one, from 0, in the piece's order. */
-            notch: number;
         };
         /** @description Cuts a wedge into an edge and sews its legs together. What was sewn stays sewn on both sides of it. */
         add_dart: {
@@ -2107,15 +2053,12 @@ export interface components {
             /** @description Id of a piece. */
             piece: components["schemas"]["text"];
             /** @description mm, one tip. */
-            from: components["schemas"]["$defs-pair"];
+            from: components["schemas"]["pair"];
             /** @description mm, the other tip. */
-            to: components["schemas"]["$defs-pair"];
+            to: components["schemas"]["pair"];
             /** @description mm, where it is widest. */
             width_mm: number;
-            /**
-             * @description Where it is widest, as a fraction of the way from the first tip.
-             * @default 0.5
-             */
+            /** @description Where it is widest, as a fraction of the way from the first tip. Default 0.5. */
             at?: number;
             /** @description Of its seam; its sides are <id>_a and <id>_b. */
             id: components["schemas"]["text"];
@@ -2178,7 +2121,7 @@ export interface components {
             /** @description Id of a piece. */
             piece: components["schemas"]["text"];
             /** @description mm. */
-            by: components["schemas"]["$defs-pair"];
+            by: components["schemas"]["pair"];
         };
         /** @description Gives a piece another id, wherever it is named. */
         rename_piece: {
@@ -2204,7 +2147,7 @@ export interface components {
             /** @description Of the copy. */
             id: components["schemas"]["text"];
             /** @description mm that it lies and stands away from its original. Default [0, 0]. */
-            by?: components["schemas"]["$defs-pair"];
+            by?: components["schemas"]["pair"];
             /** @description Turned over first. Default false. */
             mirrored?: boolean;
         };
@@ -2370,11 +2313,57 @@ export interface components {
                 insert?: components["schemas"]["body"][];
             };
         };
+        /** @description Marks a place on an edge, with a cut into the cloth; the edge gets a point there. */
+        add_notch: {
+            /**
+             * @description Which edit this is.
+             * @constant
+             */
+            edit: "add_notch";
+            /** @description Id of a piece. */
+            piece: components["schemas"]["text"];
+            /** @description Id of one of its edges. */
+            edge: components["schemas"]["text"];
+            /** @description Fraction of the edge's length, in the outline's direction. */
+            at: number;
+            /** @description Depth of the cut. Default 0. */
+            depth_mm?: number;
+        };
+        /** @description Moves a notch to a place on any edge of its piece. */
+        move_notch: {
+            /**
+             * @description Which edit this is.
+             * @constant
+             */
+            edit: "move_notch";
+            /** @description Id of a piece. */
+            piece: components["schemas"]["text"];
+            /** @description Which one, from 0, in the piece's order. */
+            notch: number;
+            /** @description Id of the edge to which it comes. */
+            edge: components["schemas"]["text"];
+            /** @description Fraction of the edge's length, in the outline's direction. */
+            at: number;
+            /** @description Its depth from here on; without it, as it was. */
+            depth_mm?: number;
+        };
+        /** @description Takes a notch away, and its point where the edge looks the same without it. */
+        remove_notch: {
+            /**
+             * @description Which edit this is.
+             * @constant
+             */
+            edit: "remove_notch";
+            /** @description Id of a piece. */
+            piece: components["schemas"]["text"];
+            /** @description Which one, from 0, in the piece's order. */
+            notch: number;
+        };
         /**
          * Toile edits
          * @description Edits of a project, one after the other: in requests, in the undo history and in a replay.
          */
-        "edit.schema": (components["schemas"]["move_point"] | components["schemas"]["move_handle"] | components["schemas"]["insert_point"] | components["schemas"]["delete_point"] | components["schemas"]["split_edge"] | components["schemas"]["join_edges"] | components["schemas"]["straighten_edge"] | components["schemas"]["bend_edge"] | components["schemas"]["set_edge_length"] | components["schemas"]["mirror_piece"] | components["schemas"]["rotate_grain"] | components["schemas"]["add_line"] | components["schemas"]["remove_line"] | components["schemas"]["add_notch"] | components["schemas"]["move_notch"] | components["schemas"]["remove_notch"] | components["schemas"]["add_dart"] | components["schemas"]["add_inner_dart"] | components["schemas"]["rename_edge"] | components["schemas"]["remove_dart"] | components["schemas"]["add_hole"] | components["schemas"]["remove_hole"] | components["schemas"]["move_piece"] | components["schemas"]["rename_piece"] | components["schemas"]["duplicate_piece"] | components["schemas"]["delete_piece"] | components["schemas"]["add_seam"] | components["schemas"]["remove_seam"] | components["schemas"]["reverse_seam"] | components["schemas"]["set_fabric"] | components["schemas"]["set_texture"] | components["schemas"]["set_physical"] | components["schemas"]["restore"])[];
+        "edit.schema": (components["schemas"]["move_point"] | components["schemas"]["move_handle"] | components["schemas"]["insert_point"] | components["schemas"]["delete_point"] | components["schemas"]["split_edge"] | components["schemas"]["join_edges"] | components["schemas"]["straighten_edge"] | components["schemas"]["bend_edge"] | components["schemas"]["set_edge_length"] | components["schemas"]["mirror_piece"] | components["schemas"]["rotate_grain"] | components["schemas"]["add_line"] | components["schemas"]["remove_line"] | components["schemas"]["add_dart"] | components["schemas"]["add_inner_dart"] | components["schemas"]["rename_edge"] | components["schemas"]["remove_dart"] | components["schemas"]["add_hole"] | components["schemas"]["remove_hole"] | components["schemas"]["move_piece"] | components["schemas"]["rename_piece"] | components["schemas"]["duplicate_piece"] | components["schemas"]["delete_piece"] | components["schemas"]["add_seam"] | components["schemas"]["remove_seam"] | components["schemas"]["reverse_seam"] | components["schemas"]["set_fabric"] | components["schemas"]["set_texture"] | components["schemas"]["set_physical"] | components["schemas"]["restore"] | components["schemas"]["add_notch"] | components["schemas"]["move_notch"] | components["schemas"]["remove_notch"])[];
         finding: {
             /** @description Stable, for programs, e.g. "start.crosses_body". */
             code: string;

@@ -1,0 +1,27 @@
+// Writes the JSON schemas that the program's own field descriptions make: make_schemas FOLDER.
+
+#include <cstdio>
+#include <filesystem>
+
+#include "core/base/write_file.h"
+#include "core/project/editing/edits.h"
+#include "core/project/schema.h"
+
+int main(int count, char** arguments) {
+  if (count != 2) {
+    std::fprintf(stderr, "make_schemas FOLDER, e.g. proto/schema\n");
+    return 2;
+  }
+  const std::filesystem::path folder = arguments[1];
+  const std::pair<const char*, toile::JsonValue> files[] = {
+      {"project.schema.json", toile::project_schema()},
+      {"edit.schema.json", toile::edit_schema()},
+  };
+  for (const auto& [name, schema] : files) {
+    const toile::Status written = toile::write_file(folder / name, toile::write_json(schema));
+    if (written) continue;
+    std::fprintf(stderr, "%s\n", toile::to_string(written.error()).c_str());
+    return 1;
+  }
+  return 0;
+}
