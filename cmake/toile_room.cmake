@@ -1,6 +1,17 @@
+# Headers parsed once for many files, one library each: rooms reuse those of the one that SPEAKS names.
+# GCC takes a precompiled header only for the same optimisation, so each kind of room has its own.
+function(toile_precompiled NAME HEADER)
+  file(WRITE ${CMAKE_BINARY_DIR}/precompiled/${NAME}.cpp "")
+  add_library(${NAME} STATIC ${CMAKE_BINARY_DIR}/precompiled/${NAME}.cpp)
+  target_include_directories(${NAME} PRIVATE ${CMAKE_SOURCE_DIR})
+  target_compile_options(${NAME} PRIVATE ${ARGN})
+  target_precompile_headers(${NAME} PRIVATE ${CMAKE_SOURCE_DIR}/cmake/precompiled/${HEADER})
+endfunction()
+
 # toile_room(core/mesh USES pattern geometry): a static library named after the folder (proto/cpp becomes
 # proto_cpp) from all its .cpp files, and those of the folders within it that PARTS names; other folders within
-# it are rooms of their own. A room of headers only becomes an interface.
+# it are rooms of their own. A room of headers only becomes an interface. A room of
+# TOILE_LIGHT_ROOMS has no hot loop: it is compiled with -O1, which takes two thirds of the time.
 function(toile_room FOLDER)
   cmake_parse_arguments(ROOM "" "" "USES;PARTS" ${ARGN})
   get_filename_component(NAME ${FOLDER} NAME)
@@ -16,6 +27,15 @@ function(toile_room FOLDER)
     add_library(${NAME} STATIC ${SOURCES})
     target_include_directories(${NAME} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
     target_link_libraries(${NAME} PUBLIC ${ROOM_USES})
+    if(FOLDER IN_LIST TOILE_NETWORK_ROOMS)
+      target_compile_options(${NAME} PRIVATE ${TOILE_LIGHT})
+      target_precompile_headers(${NAME} REUSE_FROM precompiled_network)
+    elseif(FOLDER IN_LIST TOILE_LIGHT_ROOMS)
+      target_compile_options(${NAME} PRIVATE ${TOILE_LIGHT})
+      target_precompile_headers(${NAME} REUSE_FROM precompiled_light)
+    else()
+      target_precompile_headers(${NAME} REUSE_FROM precompiled_standard)
+    endif()
   else()
     add_library(${NAME} INTERFACE)
     target_include_directories(${NAME} INTERFACE ${CMAKE_CURRENT_SOURCE_DIR})
@@ -28,6 +48,8 @@ function(toile_test_program NAME FOLDER)
   file(GLOB SOURCES CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${FOLDER}/*.cpp)
   add_executable(${NAME} ${SOURCES})
   target_link_libraries(${NAME} PRIVATE ${ARGN} GTest::gtest_main)
+  target_compile_options(${NAME} PRIVATE ${TOILE_LIGHT})
+  target_precompile_headers(${NAME} REUSE_FROM precompiled_tests)
   target_compile_definitions(${NAME} PRIVATE TOILE_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
                              TOILE_BINARY_DIR="${CMAKE_BINARY_DIR}")
 endfunction()

@@ -1,6 +1,9 @@
 # Configures and builds one preset of CMakePresets.json. Sourced by ./run and ./test:
 #   build_preset release toile      (without a target: everything)
 
+# ccache may reuse objects made with precompiled headers: our sources use no __TIME__.
+export CCACHE_SLOPPINESS=pch_defines,time_macros
+
 build_preset() {
   local preset=$1
   shift
