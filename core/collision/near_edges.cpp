@@ -1,18 +1,15 @@
 #include "core/collision/near_edges.h"
 
+#include "core/base/simd.h"
+
 namespace toile {
 
 namespace {
 
-using Two = double __attribute__((vector_size(16)));
+using Two = Doubles2;
 using TwoFlags = decltype(Two{} < Two{});
+using Two3 = Vec3s<Two>;
 
-struct Two3 {
-  Two x, y, z;
-};
-
-Two3 operator-(const Two3& a, const Two3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-Two dot(const Two3& a, const Two3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 Two3 beside(Vec3 a, Vec3 b) { return {Two{a.x, b.x}, Two{a.y, b.y}, Two{a.z, b.z}}; }
 Two unit_range(Two x) {
   const Two none{}, one = none + 1;

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/simd.h"
 #include "core/base/types.h"
 #include "core/geometry/bvh.h"
 
@@ -89,31 +90,14 @@ class BoxGroups {
   Bvh tree_;
 };
 
-#ifdef __SSE2__
 inline unsigned BoxGroups::lanes_in(const float (&lo)[3], const float (&hi)[3], const Group& g) {
-  __m128 near = _mm_and_ps(_mm_cmple_ps(_mm_load_ps(g.lo[0]), _mm_set1_ps(hi[0])),
-                           _mm_cmple_ps(_mm_set1_ps(lo[0]), _mm_load_ps(g.hi[0])));
-  __m128 far = _mm_and_ps(_mm_cmple_ps(_mm_load_ps(g.lo[0] + 4), _mm_set1_ps(hi[0])),
-                          _mm_cmple_ps(_mm_set1_ps(lo[0]), _mm_load_ps(g.hi[0] + 4)));
-  for (int k = 1; k < 3; ++k) {
-    const __m128 low = _mm_set1_ps(lo[k]), high = _mm_set1_ps(hi[k]);
-    near = _mm_and_ps(
-        near, _mm_and_ps(_mm_cmple_ps(_mm_load_ps(g.lo[k]), high), _mm_cmple_ps(low, _mm_load_ps(g.hi[k]))));
-    far = _mm_and_ps(far, _mm_and_ps(_mm_cmple_ps(_mm_load_ps(g.lo[k] + 4), high),
-                                     _mm_cmple_ps(low, _mm_load_ps(g.hi[k] + 4))));
+  Flags4 near{-1, -1, -1, -1}, far = near;  // all set: the first and the last four boxes
+  for (int k = 0; k < 3; ++k) {
+    const Floats4 low = four_of(lo[k]), high = four_of(hi[k]);
+    near &= (floats_at(g.lo[k]) <= high) & (low <= floats_at(g.hi[k]));
+    far &= (floats_at(g.lo[k] + 4) <= high) & (low <= floats_at(g.hi[k] + 4));
   }
-  return static_cast<unsigned>(_mm_movemask_ps(near) | _mm_movemask_ps(far) << 4);
+  return bits_of(near) | bits_of(far) << 4;
 }
-#else
-inline unsigned BoxGroups::lanes_in(const float (&lo)[3], const float (&hi)[3], const Group& g) {
-  unsigned bits = 0;
-  for (int i = 0; i < kSize; ++i) {
-    bool in = true;
-    for (int k = 0; k < 3; ++k) in &= g.lo[k][i] <= hi[k] && lo[k] <= g.hi[k][i];
-    bits |= static_cast<unsigned>(in) << i;
-  }
-  return bits;
-}
-#endif
 
 }  // namespace toile

@@ -2,15 +2,12 @@
 // A bounding volume tree over boxes: built once, refitted while things move. Boxes are floats, rounded
 // outwards, so that a query never misses; the tree's shape and the order of visits depend only on the input.
 
-#ifdef __SSE2__
-#include <emmintrin.h>
-#endif
-
 #include <algorithm>
 #include <functional>
 #include <span>
 #include <vector>
 
+#include "core/base/simd.h"
 #include "core/base/types.h"
 
 namespace toile {
@@ -25,31 +22,16 @@ struct alignas(16) Box3 {
 /// The box around points, grown by `margin` and by the rounding to float.
 Box3 box_around(std::initializer_list<Vec3> points, double margin);
 
-#ifdef __SSE2__
 inline bool overlap(const Box3& a, const Box3& b) {
-  const __m128 below = _mm_cmple_ps(_mm_load_ps(a.lo), _mm_load_ps(b.hi));
-  const __m128 above = _mm_cmple_ps(_mm_load_ps(b.lo), _mm_load_ps(a.hi));
-  return _mm_movemask_ps(_mm_and_ps(below, above)) == 15;
+  return bits_of((floats_at(a.lo) <= floats_at(b.hi)) & (floats_at(b.lo) <= floats_at(a.hi))) == 15;
 }
 /// The least box that holds both.
 inline Box3 join(const Box3& a, const Box3& b) {
   Box3 c;
-  _mm_store_ps(c.lo, _mm_min_ps(_mm_load_ps(a.lo), _mm_load_ps(b.lo)));
-  _mm_store_ps(c.hi, _mm_max_ps(_mm_load_ps(a.hi), _mm_load_ps(b.hi)));
+  store(least(floats_at(a.lo), floats_at(b.lo)), c.lo);
+  store(most(floats_at(a.hi), floats_at(b.hi)), c.hi);
   return c;
 }
-#else
-inline bool overlap(const Box3& a, const Box3& b) {
-  return a.lo[0] <= b.hi[0] && b.lo[0] <= a.hi[0] && a.lo[1] <= b.hi[1] && b.lo[1] <= a.hi[1] &&
-         a.lo[2] <= b.hi[2] && b.lo[2] <= a.hi[2];
-}
-/// The least box that holds both.
-inline Box3 join(const Box3& a, const Box3& b) {
-  Box3 c;
-  for (int k = 0; k < 3; ++k) c.lo[k] = std::min(a.lo[k], b.lo[k]), c.hi[k] = std::max(a.hi[k], b.hi[k]);
-  return c;
-}
-#endif
 
 /// Parts primitives by their boxes' centres, in halves along the widest axis, until `most` or fewer are
 /// together; calls emit(members) for each part, all but the last of exactly `most`, neighbours after one

@@ -10,10 +10,7 @@
 namespace toile {
 namespace {
 
-typedef float FourFloats __attribute__((vector_size(16)));
-typedef double FourDoubles __attribute__((vector_size(32)));
-/// All bits of a lane, or none.
-typedef std::int32_t WideFlags __attribute__((vector_size(32)));
+using WideFlags = Flags8;
 
 TOILE_INLINE WideFlags above(Wide a, Wide b) { return a > b; }
 TOILE_INLINE Wide either(WideFlags f, Wide a, Wide b) { return f ? a : b; }
@@ -29,8 +26,8 @@ TOILE_INLINE Wide root(Wide a) {
 #ifdef __AVX__
   return _mm256_sqrt_ps(a);
 #elif defined(__SSE2__)
-  const FourFloats low = _mm_sqrt_ps(__builtin_shufflevector(a, a, 0, 1, 2, 3));
-  const FourFloats high = _mm_sqrt_ps(__builtin_shufflevector(a, a, 4, 5, 6, 7));
+  const Floats4 low = _mm_sqrt_ps(__builtin_shufflevector(a, a, 0, 1, 2, 3));
+  const Floats4 high = _mm_sqrt_ps(__builtin_shufflevector(a, a, 4, 5, 6, 7));
   return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
 #else
   for (int i = 0; i < 8; ++i) a[i] = std::sqrt(a[i]);
@@ -39,25 +36,25 @@ TOILE_INLINE Wide root(Wide a) {
 }
 
 // GCC 12 takes conversions between four floats and four doubles apart; as instructions they are one each.
-TOILE_INLINE FourFloats single(FourDoubles a) {
+TOILE_INLINE Floats4 single(Doubles4 a) {
 #ifdef __AVX__
   return _mm256_cvtpd_ps(a);
 #else
-  return __builtin_convertvector(a, FourFloats);
+  return __builtin_convertvector(a, Floats4);
 #endif
 }
-TOILE_INLINE FourDoubles twice_as_long(FourFloats a) {
+TOILE_INLINE Doubles4 twice_as_long(Floats4 a) {
 #ifdef __AVX__
   return _mm256_cvtps_pd(a);
 #else
-  return __builtin_convertvector(a, FourDoubles);
+  return __builtin_convertvector(a, Doubles4);
 #endif
 }
 
-TOILE_INLINE FourDoubles& at(LanePoint* x, LaneOffset v) {
-  return *reinterpret_cast<FourDoubles*>(reinterpret_cast<char*>(x) + v);
+TOILE_INLINE Doubles4& at(LanePoint* x, LaneOffset v) {
+  return *reinterpret_cast<Doubles4*>(reinterpret_cast<char*>(x) + v);
 }
-TOILE_INLINE FourFloats difference(LanePoint* x, LaneOffset to, LaneOffset from) {
+TOILE_INLINE Floats4 difference(LanePoint* x, LaneOffset to, LaneOffset from) {
   return single(at(x, to) - at(x, from));
 }
 

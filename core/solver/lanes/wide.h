@@ -6,9 +6,8 @@
 // Positions are doubles. Their differences within a triangle are taken in double and then rounded: a float
 // holds them to a few parts in 10⁸ of an edge, wherever in the room the cloth is.
 
+#include "core/base/simd.h"
 #include "core/solver/lanes/lanes.h"
-
-#define TOILE_INLINE inline __attribute__((always_inline))
 
 namespace toile {
 namespace {
@@ -23,9 +22,7 @@ static_assert(kLanes % kWide == 0);
 
 typedef float Wide __attribute__((vector_size(sizeof(float) * kWide)));
 
-struct Wide3 {
-  Wide x, y, z;
-};
+using Wide3 = Vec3s<Wide>;
 
 constexpr Wide kNothing = {}, kOne = kNothing + 1;
 
@@ -44,10 +41,6 @@ namespace {
 TOILE_INLINE WideFlags above(Wide a, float b) { return above(a, kOne * b); }
 TOILE_INLINE Wide larger(Wide a, Wide b) { return either(above(a, b), a, b); }
 TOILE_INLINE Wide magnitude(Wide a) { return either(above(kNothing, a), -a, a); }
-TOILE_INLINE Wide3 operator+(const Wide3& a, const Wide3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-TOILE_INLINE Wide3 operator-(const Wide3& a, const Wide3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-TOILE_INLINE Wide3 operator*(const Wide3& a, Wide s) { return {a.x * s, a.y * s, a.z * s}; }
-TOILE_INLINE Wide dot(const Wide3& a, const Wide3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 /// Reads a pack's coefficients from lane `first` on.
 struct LaneReader {
