@@ -1,15 +1,15 @@
 // Sizes and times of the stream's frames over a drape's trace (toile drape … --trace FILE), or over a waving
 // sheet when no trace is given:
 //   bench_frame_codec [FILE]
-// One line a quantity. Times are the least of several runs, on one core.
+// One line a quantity; options of Google Benchmark are taken (--benchmark_repetitions=9).
+
+#include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
-#include <functional>
 #include <iterator>
 #include <numeric>
 #include <string>
@@ -69,18 +69,6 @@ Moves waving_sheet() {
   return moves;
 }
 
-/// Microseconds that `work` takes a frame, over all frames; the least of nine rounds.
-double microseconds(std::size_t frames, const std::function<void(std::size_t)>& work) {
-  double least = 1e300;
-  for (int round = 0; round < 9; ++round) {
-    const auto start = std::chrono::steady_clock::now();
-    for (std::size_t f = 1; f < frames; ++f) work(f);
-    const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - start;
-    least = std::min(least, took.count() / static_cast<double>(frames - 1));
-  }
-  return least;
-}
-
 void print_sizes(const char* what, const std::vector<std::string>& messages) {
   std::vector<std::size_t> sizes;
   for (std::size_t f = 1; f < messages.size(); ++f) sizes.push_back(messages[f].size());
@@ -95,41 +83,76 @@ FrameGrid grid_of(const Moves& moves) {
   return grid_for(box.low, box.high);
 }
 
-void measure(const Moves& moves) {
-  const FrameGrid grid = grid_of(moves);
+/// The frames on their grid, and as messages.
+struct Encoded {
+  FrameGrid grid;
+  std::vector<std::vector<std::int16_t>> numbers;
+  std::vector<std::string> keys, deltas;  ///< the first delta is empty
+};
+
+Encoded encode(const Moves& moves) {
+  Encoded all{grid_of(moves), {}, {}, {}};
+  for (const std::vector<Vec3>& frame : moves.frames) {
+    all.numbers.push_back(quantise(frame, all.grid));
+    all.keys.push_back(encode_key({}, all.numbers.back()));
+    const bool first = all.numbers.size() == 1;
+    all.deltas.push_back(first ? "" : encode_delta({}, all.numbers.back(), all.numbers.end()[-2]));
+  }
+  return all;
+}
+
+/// Every frame but the first is `work`ed on in turn; times are of one frame.
+template <typename Work>
+void each_frame(benchmark::State& state, std::size_t frames, Work work) {
+  std::size_t f = 0;
+  for (auto _ : state) {
+    f = f % (frames - 1) + 1;
+    benchmark::DoNotOptimize(work(f));
+  }
+}
+
+void register_times(const Moves& moves, const Encoded& all) {
   const std::size_t count = moves.frames.size();
-  std::vector<std::vector<std::int16_t>> numbers(count);
-  std::vector<std::string> keys(count), deltas(count);
-  std::printf("%zu frames of %zu vertices, grid %g mm\n", count, moves.frames[0].size(), grid.step * 1e3);
-  const double quantising =
-      microseconds(count, [&](std::size_t f) { numbers[f] = quantise(moves.frames[f], grid); });
-  numbers[0] = quantise(moves.frames[0], grid);
-  const double key = microseconds(count, [&](std::size_t f) { keys[f] = encode_key({}, numbers[f]); });
-  const double delta =
-      microseconds(count, [&](std::size_t f) { deltas[f] = encode_delta({}, numbers[f], numbers[f - 1]); });
-  bool same = true;
-  const double decoding = microseconds(count, [&](std::size_t f) {
-    same = same && decode_frame(deltas[f], numbers[f - 1])->grid == numbers[f];
+  benchmark::RegisterBenchmark("quantise", [&, count](benchmark::State& state) {
+    each_frame(state, count, [&](std::size_t f) { return quantise(moves.frames[f], all.grid); });
   });
+  benchmark::RegisterBenchmark("encode_key", [&, count](benchmark::State& state) {
+    each_frame(state, count, [&](std::size_t f) { return encode_key({}, all.numbers[f]); });
+  });
+  benchmark::RegisterBenchmark("encode_delta", [&, count](benchmark::State& state) {
+    each_frame(state, count,
+               [&](std::size_t f) { return encode_delta({}, all.numbers[f], all.numbers[f - 1]); });
+  });
+  benchmark::RegisterBenchmark("decode_delta", [&, count](benchmark::State& state) {
+    each_frame(state, count,
+               [&](std::size_t f) { return decode_frame(all.deltas[f], all.numbers[f - 1]).ok(); });
+  });
+}
+
+void print_all_sizes(const Moves& moves, const Encoded& all) {
+  std::printf("%zu frames of %zu vertices, grid %g mm\n", moves.frames.size(), moves.frames[0].size(),
+              all.grid.step * 1e3);
+  print_sizes("key", all.keys);
+  print_sizes("delta", all.deltas);
   GarmentMesh garment;
   for (const Vec3& p : moves.frames[0]) garment.rest.push_back({p.x, p.y});
   garment.triangles = moves.triangles;
-  print_sizes("key", keys);
-  print_sizes("delta", deltas);
   std::printf("topology   bytes: %zu (%zu triangles, no sewn pairs)\n",
-              encode_topology(1, grid, garment, {}).size(), moves.triangles.size());
-  std::printf("time       µs: quantise %.1f, encode key %.1f, encode delta %.1f, decode delta %.1f%s\n",
-              quantising, key, delta, decoding, same ? "" : "  WRONG: decoded frames differ");
+              encode_topology(1, all.grid, garment, {}).size(), moves.triangles.size());
 }
 
 }  // namespace
 }  // namespace toile
 
-int main(int argc, char** argv) {
-  const toile::Moves moves = argc > 1 ? toile::read_trace(argv[1]) : toile::waving_sheet();
+int main(int count, char** words) {
+  benchmark::Initialize(&count, words);
+  const toile::Moves moves = count > 1 ? toile::read_trace(words[1]) : toile::waving_sheet();
   if (moves.frames.size() < 2 || moves.frames[0].empty()) {
-    std::fprintf(stderr, "%s: no trace of two frames or more\n", argv[1]);
+    std::fprintf(stderr, "%s: no trace of two frames or more\n", words[1]);
     return 2;
   }
-  toile::measure(moves);
+  const toile::Encoded all = toile::encode(moves);
+  toile::print_all_sizes(moves, all);
+  toile::register_times(moves, all);
+  benchmark::RunSpecifiedBenchmarks();
 }

@@ -1,24 +1,42 @@
-// By hand: CPU seconds that a mannequin takes, by figure and number of triangles.
+// CPU time that a mannequin takes, by size and number of triangles:
+//   bench_mannequin [--benchmark_filter=eu38 …]
 
-#include <cstdio>
-#include <ctime>
+#include <benchmark/benchmark.h>
+
+#include <string>
 
 #include "core/body/mannequin/mannequin.h"
 #include "core/body/mannequin/proportions.h"
 
-int main() {
-  using namespace toile;
-  for (const char* size : {"eu38", "eu48", "m50", "child116"}) {
-    for (Index count : {2204, 3304, 4562, 5624, 20000}) {
-      const BodyPreset* preset = find_preset(size);
-      MannequinSettings settings;
-      settings.sex = preset->sex;
-      settings.asked = preset->measures();
-      settings.triangle_count = count;
-      const std::clock_t start = std::clock();
-      const Result<Mannequin> made = make_mannequin(settings);
-      const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-      std::printf("%-9s %5d triangles  %.3f s%s\n", size, count, seconds, made ? "" : "  NOT MADE");
-    }
+namespace toile {
+namespace {
+
+void make_one(benchmark::State& state, const BodyPreset& preset) {
+  MannequinSettings settings;
+  settings.sex = preset.sex;
+  settings.asked = preset.measures();
+  settings.triangle_count = static_cast<Index>(state.range(0));
+  for (auto _ : state) {
+    if (!make_mannequin(settings)) return state.SkipWithError("not made");
   }
+}
+
+}  // namespace
+}  // namespace toile
+
+int main(int count, char** words) {
+  using namespace toile;
+  for (const std::string size : {"eu38", "eu48", "m50", "child116"}) {
+    benchmark::RegisterBenchmark(size.c_str(), make_one, *find_preset(size))
+        ->ArgName("triangles")
+        ->Arg(2204)
+        ->Arg(3304)
+        ->Arg(4562)
+        ->Arg(5624)
+        ->Arg(20000)
+        ->Unit(benchmark::kMillisecond);
+  }
+  benchmark::Initialize(&count, words);
+  if (benchmark::ReportUnrecognizedArguments(count, words)) return 2;
+  benchmark::RunSpecifiedBenchmarks();
 }

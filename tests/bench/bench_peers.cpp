@@ -1,9 +1,10 @@
 // Runs the tasks that other cloth simulators were given:
 //   bench_peers T1|T2|T3|T4 --tasks DIR --out DIR [--mode drape|dynamic] [--time-step S] [--turn DEGREES]
-//               [--shuffle SEED] [--flip] [--bend-factor F]
+//               [--shuffle SEED] [--flip] [--bend-factor F] [--csv FILE --label TEXT]
 // and some settings for trials: [--settle-speed M/S] [--viscosity 1/S] [--friction F]. Writes final.obj,
 // after.obj (one second of true motion later), prev.obj (0.04 s before that), most_contact.obj and info.json.
-// Ends with 0 when no frame has a crossing and the cloth is at rest. See README.md beside this.
+// --csv adds a line to a table of figures (tests/bench/peers.csv is the one that is kept), with a label of
+// one's own. Ends with 0 when no frame has a crossing and the cloth is at rest. See README.md beside this.
 
 #include <cmath>
 #include <cstdio>
@@ -21,6 +22,7 @@ namespace {
 
 struct Options {
   std::string task, tasks, out;
+  std::string csv, label;  ///< a table to add the figures to, and what this run is called there
   Disguise disguise;
   RunSettings run;
 };
@@ -67,13 +69,17 @@ Result<Options> parse(int count, char** words) {
       o.tasks = words[i];
     } else if (key == "--out") {
       o.out = words[i];
+    } else if (key == "--csv") {
+      o.csv = words[i];
+    } else if (key == "--label") {
+      o.label = words[i];
     } else if (key == "--mode") {
       o.run.dynamic = std::string(words[i]) == "dynamic";
       if (!o.run.dynamic && std::string(words[i]) != "drape") return bad_option(words[i]);
     } else {
       double value = 0;
       if (!parse_number(words[i], value)) return bad_option(key + " " + words[i]);
-      if (const Status status = set_number(o, key, value); !status) return status.error();
+      TRY(set_number(o, key, value));
     }
   }
   if (o.task.empty() || o.tasks.empty() || o.out.empty())
@@ -129,6 +135,25 @@ std::string info_json(const Options& o, const PeerEnd& end) {
   return text + rest;
 }
 
+/// One line a run, so that figures of one task stand below each other from change to change.
+Status add_to_table(const Options& o, const PeerEnd& end) {
+  const bool is_new = !std::filesystem::exists(o.csv);
+  std::FILE* table = std::fopen(o.csv.c_str(), "a");
+  if (table == nullptr)
+    return Error{"bench.csv", "the table cannot be written; name one in a folder of yours", o.csv};
+  if (is_new) {
+    std::fputs(
+        "label,task,cpu_s,steps,rest_at_s,frames_checked,crossings,seam_gap_mm,moved_over_5mm,largest_move_"
+        "mm\n",
+        table);
+  }
+  std::fprintf(table, "%s,%s,%.3f,%d,%.4f,%d,%d,%.4f,%.5f,%.3f\n", o.label.c_str(), o.task.c_str(), end.cpu_s,
+               end.steps, end.rest_at, end.worst.frames, end.worst.body_crossings + end.worst.self_crossings,
+               1e3 * end.final_gap, end.rest.moved_share, 1e3 * end.rest.largest_move);
+  if (std::fclose(table) != 0) return Error{"bench.csv", "the table could not be written to its end", o.csv};
+  return {};
+}
+
 Status write_all(const Options& o, const DisguisedTask& put, const PeerTask& task, const PeerEnd& end) {
   std::error_code ignored;  // a folder that cannot be made shows at the first file
   std::filesystem::create_directories(o.out, ignored);
@@ -139,7 +164,7 @@ Status write_all(const Options& o, const DisguisedTask& put, const PeerTask& tas
                                                                     {"most_contact.obj", &end.most_contact}};
   for (const auto& [name, positions] : files) {
     if (positions->empty()) continue;
-    if (const Status s = write_obj(out / name, put.undo(*positions), task.cloth.triangles); !s) return s;
+    TRY(write_obj(out / name, put.undo(*positions), task.cloth.triangles));
   }
   return write_file(out / "info.json", info_json(o, end));
 }
@@ -156,6 +181,9 @@ int run(int count, char** words) {
   const DisguisedTask put = put_on(*task, options->disguise);
   const PeerEnd end = run_task(put.task, options->run);
   if (const Status status = write_all(*options, put, *task, end); !status) return fail(status.error());
+  if (!options->csv.empty()) {
+    if (const Status status = add_to_table(*options, end); !status) return fail(status.error());
+  }
   std::fputs(info_json(*options, end).c_str(), stdout);
   const bool clean = end.worst.body_crossings + end.worst.self_crossings == 0;
   return clean && end.rest.passes() ? 0 : 1;
