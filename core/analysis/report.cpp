@@ -6,9 +6,9 @@
 #include "core/analysis/strain.h"
 #include "core/base/hash.h"
 
-namespace toile {
+namespace toile::analysis {
 
-Report make_report(const DrapeInput& input, const DrapeResult& result) {
+Report make_report(const drape::DrapeInput& input, const drape::DrapeResult& result) {
   Report r;
   r.name = input.name;
   r.stop_reason = result.stop_reason;
@@ -21,14 +21,14 @@ Report make_report(const DrapeInput& input, const DrapeResult& result) {
   r.sewn_particles =
       static_cast<int>(std::set<Index>(result.garment.weld.begin(), result.garment.weld.end()).size());
   r.triangles = static_cast<int>(result.garment.triangles.size());
-  for (const Body& body : input.bodies) r.body_triangles += static_cast<int>(body.mesh.triangles.size());
+  for (const body::Body& body : input.bodies) r.body_triangles += static_cast<int>(body.mesh.triangles.size());
   r.intersections = result.at_end;
   r.worst_frame = result.worst;
   r.worst_frame_step = result.worst_frame_step;
   r.frames_checked = result.frames_checked;
   r.seam_gap_max_mm = 1e3 * result.seam_gap_max;
   for (std::size_t a = 0; a < result.holds.size(); ++a) {
-    const HoldFigures& hold = result.holds[a];
+    const drape::HoldFigures& hold = result.holds[a];
     r.attachments.push_back({input.attachments[a].id, hold.released, hold.released_at, 1e3 * hold.off});
   }
   const GarmentStrain strain = garment_strain(input, result);
@@ -48,4 +48,4 @@ Report make_report(const DrapeInput& input, const DrapeResult& result) {
   return r;
 }
 
-}  // namespace toile
+}  // namespace toile::analysis

@@ -7,7 +7,7 @@
 #include "core/drape/drape_result.h"
 #include "core/drape/stop_reason.h"
 
-namespace toile {
+namespace toile::analysis {
 
 /// What an attachment did.
 struct AttachmentFigures {
@@ -20,7 +20,7 @@ struct AttachmentFigures {
 /// The numbers of a drape, as report.json gives them.
 struct Report {
   std::string name;
-  StopReason stop_reason;
+  drape::StopReason stop_reason;
   double cpu_s = 0, wall_s = 0;
   int resumed = 0;  ///< how often the drape went on from a checkpoint
   int steps = 0;
@@ -29,8 +29,8 @@ struct Report {
   int sewn_particles = 0;  ///< of the garment: what is sewn together counts once
   int triangles = 0;
   int body_triangles = 0;
-  CrossingCount intersections;  ///< at the end
-  CrossingCount worst_frame;
+  drape::CrossingCount intersections;  ///< at the end
+  drape::CrossingCount worst_frame;
   int worst_frame_step = 0;
   int frames_checked = 0;
   double seam_gap_max_mm = 0;
@@ -39,12 +39,12 @@ struct Report {
   StrainFigures shear;
   double rms_speed = 0, max_speed = 0;  ///< m/s
   double lowest_m = 0, highest_m = 0;   ///< of the cloth
-  Findings findings;                    ///< of the look at the start, worst first
+  preflight::Findings findings;                    ///< of the look at the start, worst first
   std::string hash;                     ///< of the final positions
 
-  bool settled() const { return stop_reason.kind == Stop::kSettled; }
+  bool settled() const { return stop_reason.kind == drape::Stop::kSettled; }
 };
 
-Report make_report(const DrapeInput& input, const DrapeResult& result);
+Report make_report(const drape::DrapeInput& input, const drape::DrapeResult& result);
 
-}  // namespace toile
+}  // namespace toile::analysis

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace toile {
+namespace toile::analysis {
 
 namespace {
 
@@ -23,9 +23,9 @@ Threads threads_of(const std::array<Vec2, 3>& rest, const std::array<Vec3, 3>& x
 
 }  // namespace
 
-GarmentStrain garment_strain(const DrapeInput& input, const DrapeResult& result) {
+GarmentStrain garment_strain(const drape::DrapeInput& input, const drape::DrapeResult& result) {
   GarmentStrain out;
-  const GarmentMesh& g = result.garment;
+  const sewing::GarmentMesh& g = result.garment;
   for (std::size_t t = 0; t < g.triangles.size(); ++t) {
     const Tri& tri = g.triangles[t];
     const Threads f =
@@ -62,4 +62,4 @@ StretchFigures stretch_figures_of(const std::vector<double>& values) {
   return {figures_of(values), figures_of(std::move(stretch)), figures_of(std::move(squeeze))};
 }
 
-}  // namespace toile
+}  // namespace toile::analysis

@@ -6,7 +6,7 @@
 #include "core/drape/drape_input.h"
 #include "core/drape/drape_result.h"
 
-namespace toile {
+namespace toile::analysis {
 
 /// Mean, 99th percentile and maximum of a strain's magnitude over the triangles.
 struct StrainFigures {
@@ -25,11 +25,11 @@ struct GarmentStrain {
   std::vector<double> warp, weft, shear;
 };
 
-GarmentStrain garment_strain(const DrapeInput& input, const DrapeResult& result);
+GarmentStrain garment_strain(const drape::DrapeInput& input, const drape::DrapeResult& result);
 
 /// Figures of the magnitudes; zeros for no values.
 StrainFigures figures_of(std::vector<double> values);
 /// `values`: length change over length, positive when stretched.
 StretchFigures stretch_figures_of(const std::vector<double>& values);
 
-}  // namespace toile
+}  // namespace toile::analysis

@@ -9,7 +9,7 @@
 #include "core/preflight/preflight.h"
 #include "core/sewing/assembly.h"
 
-namespace toile {
+namespace toile::arrange {
 
 namespace {
 
@@ -22,27 +22,27 @@ struct Faults {
 };
 
 /// How much a thread has to slide that can come free: through a limb is worse than beside one.
-int slide_of(FindingKind kind) {
-  if (kind == FindingKind::kThreadThroughBody) return 2;
-  return kind == FindingKind::kThreadNearLimb ? 1 : 0;
+int slide_of(preflight::FindingKind kind) {
+  if (kind == preflight::FindingKind::kThreadThroughBody) return 2;
+  return kind == preflight::FindingKind::kThreadNearLimb ? 1 : 0;
 }
 
 /// `armpit`: m; threads over a shoulder, above it, slide up the shoulder by themselves.
-Faults faults_of(const Findings& findings, double armpit) {
+Faults faults_of(const preflight::Findings& findings, double armpit) {
   Faults faults;
-  for (const Finding& f : findings) {
+  for (const preflight::Finding& f : findings) {
     // What lies in the pattern is there wherever its pieces stand, and tells nothing of this start.
-    const bool of_start = traits_of(f.kind).cause == Cause::kPlacement;
-    if (f.severity == Severity::kError) ++faults.errors;
-    if (f.severity == Severity::kWarning && !f.repaired && of_start) ++faults.warnings;
-    if (f.severity == Severity::kNote && f.place.y <= armpit) faults.slides += slide_of(f.kind);
+    const bool of_start = preflight::traits_of(f.kind).cause == preflight::Cause::kPlacement;
+    if (f.severity == preflight::Severity::kError) ++faults.errors;
+    if (f.severity == preflight::Severity::kWarning && !f.repaired && of_start) ++faults.warnings;
+    if (f.severity == preflight::Severity::kNote && f.place.y <= armpit) faults.slides += slide_of(f.kind);
   }
   return faults;
 }
 
 /// What the pre-flight shifted, put into the placements, so that the start needs no repair.
-void keep_shifts(const Assembly& before, const Assembly& repaired, std::vector<Placement>& placements) {
-  const GarmentMesh& g = before.garment;
+void keep_shifts(const sewing::Assembly& before, const sewing::Assembly& repaired, std::vector<sewing::Placement>& placements) {
+  const sewing::GarmentMesh& g = before.garment;
   for (std::size_t p = 0; p < placements.size(); ++p) {
     const Index first = g.first_vertex[p], end = g.first_vertex[p + 1];
     const Vec3 by = repaired.positions[first] - before.positions[first];
@@ -51,17 +51,17 @@ void keep_shifts(const Assembly& before, const Assembly& repaired, std::vector<P
       shifted = length(repaired.positions[v] - before.positions[v] - by) < 1e-6;
     }
     if (!shifted) continue;
-    if (auto* rigid = std::get_if<RigidPlacement>(&placements[p])) rigid->translation += by;
-    if (auto* wrapped = std::get_if<WrappedPlacement>(&placements[p])) wrapped->axis += by;
+    if (auto* rigid = std::get_if<sewing::RigidPlacement>(&placements[p])) rigid->translation += by;
+    if (auto* wrapped = std::get_if<sewing::WrappedPlacement>(&placements[p])) wrapped->axis += by;
   }
 }
 
-Result<Findings> look(const ArrangeInput& input, Arrangement& made) {
-  Findings findings;
+Result<preflight::Findings> look(const ArrangeInput& input, Arrangement& made) {
+  preflight::Findings findings;
   for (int round = 0; round < 2; ++round) {
-    Assembly assembly = TRY(assemble(input.meshes, made.placements, made.attachments));
-    const Assembly before = assembly;
-    findings = run_preflight({input.pattern, input.meshes, input.bodies}, assembly);
+    sewing::Assembly assembly = TRY(sewing::assemble(input.meshes, made.placements, made.attachments));
+    const sewing::Assembly before = assembly;
+    findings = preflight::run_preflight({input.pattern, input.meshes, input.bodies}, assembly);
     keep_shifts(before, assembly, made.placements);
   }
   return findings;
@@ -72,8 +72,8 @@ Result<Findings> look(const ArrangeInput& input, Arrangement& made) {
 Result<Arrangement> arrange(const ArrangeInput& input) {
   std::optional<Error> why =
       Error{"arrange.no_body", "there is no body to dress; add one to the project", ""};
-  for (const Body& body : input.bodies) {
-    const Result<BodyFigure> figure = find_figure(body.mesh);
+  for (const body::Body& body : input.bodies) {
+    const Result<measure::BodyFigure> figure = measure::find_figure(body.mesh);
     if (!figure) {
       why = figure.error();
       why->where = "body " + body.id;
@@ -87,7 +87,7 @@ Result<Arrangement> arrange(const ArrangeInput& input) {
     // the first of several.
     for (const ArrangeTrial& trial : arranger.trials()) {
       Arrangement made = arranger.place(trial);
-      Findings findings = TRY(look(input, made));
+      preflight::Findings findings = TRY(look(input, made));
       made.findings = std::move(findings);
       const Faults faults = faults_of(made.findings, stand.figure().armpit[0].y);
       if (!best || faults < fewest) {
@@ -101,4 +101,4 @@ Result<Arrangement> arrange(const ArrangeInput& input) {
   return *why;
 }
 
-}  // namespace toile
+}  // namespace toile::arrange

@@ -13,12 +13,12 @@
 #include "core/sewing/attachment.h"
 #include "core/sewing/placement.h"
 
-namespace toile {
+namespace toile::arrange {
 
 struct ArrangeInput {
-  const Pattern& pattern;
-  const PanelMeshes& meshes;     ///< of any particle distance that shows the outlines
-  std::span<const Body> bodies;  ///< the first that stands like a person is dressed
+  const pattern::Pattern& pattern;
+  const mesh::PanelMeshes& meshes;     ///< of any particle distance that shows the outlines
+  std::span<const body::Body> bodies;  ///< the first that stands like a person is dressed
 };
 
 /// What was decided for a piece, in words: "torso, front", "left sleeve, around the arm".
@@ -27,10 +27,10 @@ struct ArrangedPiece {
 };
 
 struct Arrangement {
-  std::vector<Placement> placements;    ///< one per panel
-  std::vector<Attachment> attachments;  ///< what holds a skirt or trousers up until friction does
+  std::vector<sewing::Placement> placements;    ///< one per panel
+  std::vector<sewing::Attachment> attachments;  ///< what holds a skirt or trousers up until friction does
   std::vector<ArrangedPiece> pieces;    ///< one per panel
-  Findings findings;                    ///< what the look at this start finds
+  preflight::Findings findings;                    ///< what the look at this start finds
 };
 
 /// Fronts stand flat before the body and backs behind it, sleeves before and behind the arms or around them,
@@ -43,4 +43,4 @@ struct Arrangement {
 /// nothing leads to.
 Result<Arrangement> arrange(const ArrangeInput& input);
 
-}  // namespace toile
+}  // namespace toile::arrange

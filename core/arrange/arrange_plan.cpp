@@ -6,7 +6,7 @@
 
 #include "core/arrange/trouser_legs.h"
 
-namespace toile {
+namespace toile::arrange {
 namespace {
 
 bool is_sewn_to_sleeve(const GarmentGraph& graph, Index piece) {
@@ -72,8 +72,8 @@ PieceRoles roles_of(const GarmentGraph& graph) {
   return roles;
 }
 
-BodySide side_of(const GarmentGraph& graph, const FlatLayout& layout, const ArmPieces& arms, Index piece) {
-  const auto as_side = [](double x) { return x >= 0 ? kWearersLeft : kWearersRight; };
+measure::BodySide side_of(const GarmentGraph& graph, const FlatLayout& layout, const ArmPieces& arms, Index piece) {
+  const auto as_side = [](double x) { return x >= 0 ? measure::kWearersLeft : measure::kWearersRight; };
   if (graph.pieces[piece].hand != 0) return as_side(graph.pieces[piece].hand);
   std::vector<Index> open{piece}, seen{piece};
   while (!open.empty()) {
@@ -93,8 +93,8 @@ BodySide side_of(const GarmentGraph& graph, const FlatLayout& layout, const ArmP
     if (x != 0) return as_side(x);
     open = std::move(next);
   }
-  const auto count = [&](BodySide s) { return arms.limb[s].size() + arms.tube[s].size(); };
-  return count(kWearersLeft) <= count(kWearersRight) ? kWearersLeft : kWearersRight;
+  const auto count = [&](measure::BodySide s) { return arms.limb[s].size() + arms.tube[s].size(); };
+  return count(measure::kWearersLeft) <= count(measure::kWearersRight) ? measure::kWearersLeft : measure::kWearersRight;
 }
 
 Result<ArrangePlan> plan_arrangement(const ArrangeInput& input, const BodyStand& stand) {
@@ -108,4 +108,4 @@ Result<ArrangePlan> plan_arrangement(const ArrangeInput& input, const BodyStand&
   return plan;
 }
 
-}  // namespace toile
+}  // namespace toile::arrange

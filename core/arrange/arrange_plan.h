@@ -9,7 +9,7 @@
 #include "core/arrange/body_stand.h"
 #include "core/arrange/flat_layout.h"
 
-namespace toile {
+namespace toile::arrange {
 
 inline constexpr double kSheetGap = 0.012;  ///< m, between pieces of a sheet
 
@@ -30,7 +30,7 @@ struct ArmPieces {
 
 /// The side of the body that a piece belongs to: by its name, by where on the trunk it is sewn, or as what it
 /// is sewn to. Where nothing tells, the side that has fewer of `arms` yet.
-BodySide side_of(const GarmentGraph& graph, const FlatLayout& layout, const ArmPieces& arms, Index piece);
+measure::BodySide side_of(const GarmentGraph& graph, const FlatLayout& layout, const ArmPieces& arms, Index piece);
 
 struct ArrangePlan {
   GarmentGraph graph;
@@ -43,4 +43,4 @@ struct ArrangePlan {
 /// Error: arrange.no_seams, with the piece that none leads to.
 Result<ArrangePlan> plan_arrangement(const ArrangeInput& input, const BodyStand& stand);
 
-}  // namespace toile
+}  // namespace toile::arrange

@@ -11,7 +11,7 @@
 #include "core/arrange/sleeve_places.h"
 #include "core/geometry/polygon2.h"
 
-namespace toile {
+namespace toile::arrange {
 
 namespace {
 
@@ -139,9 +139,9 @@ std::vector<Arranger::Placed> Arranger::trunk_places(const ArrangeTrial& trial, 
 }
 
 /// The pieces along an arm, `out` (m) beyond its root; without a sleeve among them nothing is laid out.
-FlatLayout Arranger::lay_limb(BodySide side, double out) const {
+FlatLayout Arranger::lay_limb(measure::BodySide side, double out) const {
   const std::vector<Index>& limb = plan_.arms.limb[side];
-  const ArmLine& arm = stand_.figure().arm[side];
+  const measure::ArmLine& arm = stand_.figure().arm[side];
   FlatLayout flat = empty_layout(plan_.graph.pieces.size());
   // Each half that names its face or its side of the trunk lies along the arm; others follow by their seams.
   Index root = kNone;
@@ -167,7 +167,7 @@ FlatLayout Arranger::lay_limb(BodySide side, double out) const {
 /// Whether a piece of the limb lies before or behind one of the trunk's that looks the same way.
 bool Arranger::covers_trunk(const FlatLayout& flat, double rise) const {
   const auto meets = [](const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
-    return std::any_of(a.begin(), a.end(), [&](Vec2 p) { return contains(b, p); });
+    return std::any_of(a.begin(), a.end(), [&](Vec2 p) { return geometry::contains(b, p); });
   };
   for (Index p = 0; p < static_cast<Index>(plan_.graph.pieces.size()); ++p) {
     if (!flat.has(p)) continue;
@@ -183,11 +183,11 @@ bool Arranger::covers_trunk(const FlatLayout& flat, double rise) const {
   return false;
 }
 
-std::vector<Arranger::Placed> Arranger::limb_places(BodySide side, const ArrangeTrial& trial,
+std::vector<Arranger::Placed> Arranger::limb_places(measure::BodySide side, const ArrangeTrial& trial,
                                                     double rise) const {
   std::vector<Placed> places;
   const std::vector<Index>& limb = plan_.arms.limb[side];
-  const std::string hand = side == kWearersLeft ? "left " : "right ";
+  const std::string hand = side == measure::kWearersLeft ? "left " : "right ";
   // A wide sleeve's lower corner would start under the trunk's piece, with that edge in its way.
   constexpr double kStep = 0.01, kFarthest = 0.1, kLap = 0.02;
   const double out = kSleeveOut + trial.sleeve_out;
@@ -214,8 +214,8 @@ std::vector<Arranger::Placed> Arranger::limb_places(BodySide side, const Arrange
   return places;
 }
 
-Arranger::Placed Arranger::tube_place(Index piece, BodySide side, const ArrangeTrial& trial) const {
-  const ArmLine& arm = stand_.figure().arm[side];
+Arranger::Placed Arranger::tube_place(Index piece, measure::BodySide side, const ArrangeTrial& trial) const {
+  const measure::ArmLine& arm = stand_.figure().arm[side];
   const SleeveLine line = line_of_sleeve(plan_.graph, piece, {piece});
   const double radius = std::max(1.1 * line.breadth, 1.6 * arm.girth) / (2 * std::numbers::pi);
   const auto rolled = [&](bool flipped) {
@@ -228,14 +228,14 @@ Arranger::Placed Arranger::tube_place(Index piece, BodySide side, const ArrangeT
       if (t.a == t.b || (t.a != piece && t.b != piece)) continue;
       const Index other = t.a == piece ? t.b : t.a;
       if (!plan_.layout.has(other)) continue;
-      const Vec3 p = toile::place({t.a == piece ? t.at_a : t.at_b}, rolled(flipped))[0];
+      const Vec3 p = toile::sewing::place({t.a == piece ? t.at_a : t.at_b}, rolled(flipped))[0];
       fits[flipped] += plan_.layout.face[other] * (p.z - arm.root.z);
     }
   }
   const bool as_told = plan_.graph.pieces[piece].outside < 0;
   const bool flipped = std::abs(fits[0] - fits[1]) > 1e-9 ? fits[1] > fits[0] : as_told;
   return {piece, rolled(flipped),
-          side == kWearersLeft ? "left sleeve, around the arm" : "right sleeve, around the arm"};
+          side == measure::kWearersLeft ? "left sleeve, around the arm" : "right sleeve, around the arm"};
 }
 
 /// On the sheet; nothing for a piece that is not sewn to the trunk.
@@ -253,17 +253,17 @@ std::optional<Vec2> Arranger::mean_tie_on_trunk(Index piece) const {
 }
 
 /// A skirt or trousers stay at their height until gravity is full and friction carries them.
-std::vector<Attachment> Arranger::holds() const {
-  std::vector<Attachment> holds;
+std::vector<sewing::Attachment> Arranger::holds() const {
+  std::vector<sewing::Attachment> holds;
   if (is_top()) return holds;
   const bool banded = std::any_of(plan_.graph.pieces.begin(), plan_.graph.pieces.end(),
                                   [](const GarmentPiece& p) { return p.cover == Cover::kWaistband; });
   for (Index p = 0; p < static_cast<Index>(plan_.graph.pieces.size()); ++p) {
     const GarmentPiece& piece = plan_.graph.pieces[p];
-    Attachment hold;
+    sewing::Attachment hold;
     hold.id = "hold_" + piece.id;
     hold.panel = p;
-    hold.hold = Attachment::Hold::kHeight;
+    hold.hold = sewing::Attachment::Hold::kHeight;
     if (banded) {
       if (piece.cover == Cover::kWaistband) holds.push_back(std::move(hold));
       continue;
@@ -281,7 +281,7 @@ std::vector<Attachment> Arranger::holds() const {
 
 Arrangement Arranger::place(const ArrangeTrial& trial) const {
   Arrangement made;
-  made.placements.assign(plan_.graph.pieces.size(), RigidPlacement{});
+  made.placements.assign(plan_.graph.pieces.size(), sewing::RigidPlacement{});
   for (const GarmentPiece& p : plan_.graph.pieces) made.pieces.push_back({p.id, ""});
   const auto take = [&](std::vector<Placed> places) {
     for (Placed& placed : places) {
@@ -291,7 +291,7 @@ Arrangement Arranger::place(const ArrangeTrial& trial) const {
   };
   const double rise = plan_.roles.trunk.empty() ? 0 : rise_of_trunk(trial);
   take(trunk_places(trial, rise));
-  for (const BodySide side : {kWearersLeft, kWearersRight}) {
+  for (const measure::BodySide side : {measure::kWearersLeft, measure::kWearersRight}) {
     take(limb_places(side, trial, rise));
     for (const Index p : plan_.arms.tube[side]) take({tube_place(p, side, trial)});
   }
@@ -301,4 +301,4 @@ Arrangement Arranger::place(const ArrangeTrial& trial) const {
   return made;
 }
 
-}  // namespace toile
+}  // namespace toile::arrange

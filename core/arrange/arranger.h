@@ -11,7 +11,7 @@
 #include "core/arrange/arrange_plan.h"
 #include "core/arrange/body_stand.h"
 
-namespace toile {
+namespace toile::arrange {
 
 /// A choice that only the whole start can judge.
 struct ArrangeTrial {
@@ -34,7 +34,7 @@ class Arranger {
   /// Where one piece goes, and that in words.
   struct Placed {
     Index piece = kNone;
-    Placement placement;
+    sewing::Placement placement;
     std::string where;
   };
 
@@ -49,23 +49,23 @@ class Arranger {
   std::array<double, 2> top_edge() const;
   bool is_top_segment(Index piece, std::size_t i) const;
   double sheet_depth(int face, double rise, const ArrangeTrial& trial) const;
-  FlatLayout lay_limb(BodySide side, double out) const;
+  FlatLayout lay_limb(measure::BodySide side, double out) const;
   bool covers_trunk(const FlatLayout& flat, double rise) const;
-  FlatMove hood_pose(Index piece, BodySide side, double rise) const;
-  double angle_of_band(Index piece, const WrappedPlacement& w) const;
-  WrappedPlacement band_around(Index piece, double rise) const;
+  FlatMove hood_pose(Index piece, measure::BodySide side, double rise) const;
+  double angle_of_band(Index piece, const sewing::WrappedPlacement& w) const;
+  sewing::WrappedPlacement band_around(Index piece, double rise) const;
   std::optional<Vec2> mean_tie_on_trunk(Index piece) const;
 
   // The places of each kind of piece; `rise`: m, added to heights on the sheet.
   std::vector<Placed> trunk_places(const ArrangeTrial& trial, double rise) const;
-  std::vector<Placed> limb_places(BodySide side, const ArrangeTrial& trial, double rise) const;
-  Placed tube_place(Index piece, BodySide side, const ArrangeTrial& trial) const;
+  std::vector<Placed> limb_places(measure::BodySide side, const ArrangeTrial& trial, double rise) const;
+  Placed tube_place(Index piece, measure::BodySide side, const ArrangeTrial& trial) const;
   std::vector<Placed> hood_places(double rise) const;
   std::vector<Placed> band_places(double rise) const;
-  std::vector<Attachment> holds() const;
+  std::vector<sewing::Attachment> holds() const;
 
   ArrangePlan plan_;  ///< never changes
   const BodyStand& stand_;
 };
 
-}  // namespace toile
+}  // namespace toile::arrange

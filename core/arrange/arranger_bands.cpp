@@ -9,7 +9,7 @@
 #include "core/arrange/sheet_placement.h"
 #include "core/geometry/polygon2.h"
 
-namespace toile {
+namespace toile::arrange {
 
 namespace {
 
@@ -21,10 +21,10 @@ constexpr double kNeckDepth = 0.07, kNeckHalf = 0.1;  // m, of a neckline
 /// A half of a hood stands beside the head, its front edge to the front, over the shoulder.
 std::vector<Arranger::Placed> Arranger::hood_places(double rise) const {
   std::vector<Placed> places;
-  const BodyFigure& f = stand_.figure();
+  const measure::BodyFigure& f = stand_.figure();
   for (const Index p : plan_.roles.hoods) {
-    const BodySide side = side_of(plan_.graph, plan_.layout, plan_.arms, p);
-    const int hand = side == kWearersLeft ? 1 : -1;
+    const measure::BodySide side = side_of(plan_.graph, plan_.layout, plan_.arms, p);
+    const int hand = side == measure::kWearersLeft ? 1 : -1;
     const GarmentPiece& piece = plan_.graph.pieces[p];
     FlatMove pose = hood_pose(p, side, rise);
     const double x = stand_.half_breadth_above(f.neck) + kAway;
@@ -38,8 +38,8 @@ std::vector<Arranger::Placed> Arranger::hood_places(double rise) const {
 }
 
 /// On the sheet beside the head, where its stitches lie as near to the neckline as can be, upright.
-FlatMove Arranger::hood_pose(Index p, BodySide side, double rise) const {
-  const BodyFigure& f = stand_.figure();
+FlatMove Arranger::hood_pose(Index p, measure::BodySide side, double rise) const {
+  const measure::BodyFigure& f = stand_.figure();
   const GarmentPiece& piece = plan_.graph.pieces[p];
   std::vector<Vec2> points, targets;
   for (const GarmentTie& t : plan_.graph.ties) {
@@ -56,7 +56,7 @@ FlatMove Arranger::hood_pose(Index p, BodySide side, double rise) const {
     points = {piece.centroid};
     targets = {{0, f.chin + 0.05}};
   }
-  const bool mirrored = piece.outside * (side == kWearersLeft ? 1 : -1) > 0;
+  const bool mirrored = piece.outside * (side == measure::kWearersLeft ? 1 : -1) > 0;
   const double free = fit_move(points, targets, mirrored).move.angle();
   const Vec2 grain = turn_by(0, mirrored).turned(piece.grain);
   double best = 0, least = HUGE_VAL;
@@ -76,7 +76,7 @@ FlatMove Arranger::hood_pose(Index p, BodySide side, double rise) const {
 }
 
 /// The angle at which the strip's stitches stand nearest to those that they are sewn to, radians.
-double Arranger::angle_of_band(Index piece, const WrappedPlacement& w) const {
+double Arranger::angle_of_band(Index piece, const sewing::WrappedPlacement& w) const {
   const double c = std::cos(w.turn), s = std::sin(w.turn);
   double sines = 0, cosines = 0;
   for (const GarmentTie& t : plan_.graph.ties) {
@@ -106,15 +106,15 @@ std::vector<Arranger::Placed> Arranger::band_places(double rise) const {
   return places;
 }
 
-WrappedPlacement Arranger::band_around(Index p, double rise) const {
-  const BodyFigure& f = stand_.figure();
+sewing::WrappedPlacement Arranger::band_around(Index p, double rise) const {
+  const measure::BodyFigure& f = stand_.figure();
   const GarmentPiece& piece = plan_.graph.pieces[p];
   const bool neck = piece.cover == Cover::kCollar;
   const std::optional<Vec2> tie = mean_tie_on_trunk(p);
   const double lowest = tie ? tie->y + rise : neck ? f.neck : f.waist;
   const Vec2 outline = bounding_box(piece.outline).size();
   const double tall = std::min(outline.x, outline.y), wide = std::max(outline.x, outline.y);
-  WrappedPlacement w;
+  sewing::WrappedPlacement w;
   w.radius = HUGE_VAL;
   for (double y = lowest; y == lowest || (neck && y < f.chin); y += 0.01) {
     const Vec2 axis = stand_.middle_at(neck ? f.neck : y);
@@ -143,4 +143,4 @@ WrappedPlacement Arranger::band_around(Index p, double rise) const {
   return w;
 }
 
-}  // namespace toile
+}  // namespace toile::arrange

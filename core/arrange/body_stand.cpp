@@ -6,7 +6,7 @@
 #include "core/body/measure/landmark_slices.h"
 #include "core/geometry/polygon2.h"
 
-namespace toile {
+namespace toile::arrange {
 
 namespace {
 
@@ -19,16 +19,16 @@ void even(Vec3& left, Vec3& right, double middle) {
 
 bool is_within(const std::vector<Vec2>& outline, const Aabb2& box, Vec2 p, double margin) {
   if (!box.contains(p)) return false;
-  if (contains(outline, p)) return true;
+  if (geometry::contains(outline, p)) return true;
   for (std::size_t i = 0; i < outline.size(); ++i) {
-    if (distance_to_segment(p, outline[i], outline[(i + 1) % outline.size()]) < margin) return true;
+    if (geometry::distance_to_segment(p, outline[i], outline[(i + 1) % outline.size()]) < margin) return true;
   }
   return false;
 }
 
 }  // namespace
 
-BodyFigure alike_on_both_sides(BodyFigure f) {
+measure::BodyFigure alike_on_both_sides(measure::BodyFigure f) {
   even(f.armpit[0], f.armpit[1], f.middle);
   even(f.shoulder[0], f.shoulder[1], f.middle);
   even(f.neck_side[0], f.neck_side[1], f.middle);
@@ -60,7 +60,7 @@ double BodyStand::height_of_ring(double girth) const {
   constexpr double kStep = 0.005, kTight = 1.03;
   double loosest = figure_.waist, widest = 0;
   for (double y = figure_.waist; y > figure_.hip; y -= kStep) {
-    const double g = trunk_girth(mesh_, figure_, y);
+    const double g = measure::trunk_girth(mesh_, figure_, y);
     if (g * kTight >= girth) return y;
     if (g > widest) {
       widest = g;
@@ -71,7 +71,7 @@ double BodyStand::height_of_ring(double girth) const {
 }
 
 Vec2 BodyStand::middle_at(double height) const {
-  const BodyCut cut = middle_cut(mesh_, height, figure_.middle);
+  const measure::BodyCut cut = measure::middle_cut(mesh_, height, figure_.middle);
   return {figure_.middle, cut.points.empty() ? figure_.armpit[0].z : cut.box.middle().z};
 }
 
@@ -101,4 +101,4 @@ double BodyStand::radius_about(Vec2 axis, double low, double high, double breadt
   return most;
 }
 
-}  // namespace toile
+}  // namespace toile::arrange

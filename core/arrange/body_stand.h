@@ -8,19 +8,19 @@
 #include "core/body/body.h"
 #include "core/body/measure/landmarks.h"
 
-namespace toile {
+namespace toile::arrange {
 
 /// The figure with its left and right sides made alike about x = middle.
-BodyFigure alike_on_both_sides(BodyFigure figure);
+measure::BodyFigure alike_on_both_sides(measure::BodyFigure figure);
 
 /// What a body has under outlines on a sheet before or behind it.
 class BodyStand {
  public:
-  BodyStand(const TriangleMesh& mesh, const BodyFigure& figure)
+  BodyStand(const geometry::TriangleMesh& mesh, const measure::BodyFigure& figure)
       : mesh_(mesh), figure_(alike_on_both_sides(figure)) {}
 
-  const TriangleMesh& mesh() const { return mesh_; }
-  const BodyFigure& figure() const { return figure_; }
+  const geometry::TriangleMesh& mesh() const { return mesh_; }
+  const measure::BodyFigure& figure() const { return figure_; }
 
   /// The farthest z towards the front (face 1) or back (-1) of what lies within `margin` (m) of the outline,
   /// seen along z; nothing there: the mid-plane's.
@@ -43,8 +43,8 @@ class BodyStand {
   double top_beside(double x) const;
 
  private:
-  const TriangleMesh& mesh_;
-  BodyFigure figure_;
+  const geometry::TriangleMesh& mesh_;
+  measure::BodyFigure figure_;
 };
 
-}  // namespace toile
+}  // namespace toile::arrange

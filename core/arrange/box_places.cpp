@@ -6,7 +6,7 @@
 
 #include "core/arrange/sheet_placement.h"
 
-namespace toile {
+namespace toile::arrange {
 
 namespace {
 
@@ -17,7 +17,7 @@ struct Facing {
   double angle;  ///< about the box's own axis
 };
 
-Facing facing_of(const PartBox& box, BoxSide side) {
+Facing facing_of(const measure::PartBox& box, BoxSide side) {
   constexpr double kPi = std::numbers::pi;
   switch (side) {
     case BoxSide::kFront:
@@ -33,12 +33,12 @@ Facing facing_of(const PartBox& box, BoxSide side) {
 
 }  // namespace
 
-RigidPlacement on_box_side(const PartBox& box, const OnBox& where) {
+sewing::RigidPlacement on_box_side(const measure::PartBox& box, const OnBox& where) {
   const Facing facing = facing_of(box, where.side);
   const Vec3 up = box.axis[1], right = cross(up, facing.normal);
   const double c = std::cos(where.turn), s = std::sin(where.turn);
   const Vec3 along_u = right * c + up * s, along_v = up * c - right * s;
-  RigidPlacement rigid;
+  sewing::RigidPlacement rigid;
   rigid.rotation = turn_angles({along_u, along_v, facing.normal});
   rigid.flipped = where.flipped;
   const double u = where.flipped ? -where.anchor.x : where.anchor.x;
@@ -47,8 +47,8 @@ RigidPlacement on_box_side(const PartBox& box, const OnBox& where) {
   return rigid;
 }
 
-WrappedPlacement around_box(const PartBox& box, const OnBox& where, double part_radius, double slope) {
-  WrappedPlacement w;
+sewing::WrappedPlacement around_box(const measure::PartBox& box, const OnBox& where, double part_radius, double slope) {
+  sewing::WrappedPlacement w;
   w.axis = box.centre;
   w.up = box.axis[1];
   w.radius = part_radius + where.away;
@@ -61,9 +61,9 @@ WrappedPlacement around_box(const PartBox& box, const OnBox& where, double part_
   return w;
 }
 
-double radius_of_part(const TriangleMesh& mesh, const BodyFigure& figure, const PartBox& box, double low,
+double radius_of_part(const geometry::TriangleMesh& mesh, const measure::BodyFigure& figure, const measure::PartBox& box, double low,
                       double high) {
-  const std::vector<BodyPart> parts = part_of_vertices(mesh, figure);
+  const std::vector<measure::BodyPart> parts = measure::part_of_vertices(mesh, figure);
   double most = 0;
   for (std::size_t v = 0; v < parts.size(); ++v) {
     const Vec3 d = mesh.vertices[v] - box.centre;
@@ -74,4 +74,4 @@ double radius_of_part(const TriangleMesh& mesh, const BodyFigure& figure, const 
   return most;
 }
 
-}  // namespace toile
+}  // namespace toile::arrange

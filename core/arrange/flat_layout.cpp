@@ -7,7 +7,7 @@
 #include "core/arrange/layout_measures.h"
 #include "core/geometry/polygon2.h"
 
-namespace toile {
+namespace toile::arrange {
 
 namespace {
 
@@ -278,7 +278,7 @@ class Layer {
       ++count;
       for (std::size_t q = 0; q < graph_.pieces.size(); ++q) {
         if (layout_.face[q] != face || static_cast<Index>(q) == p) continue;
-        if (contains(outline_on_sheet(graph_.pieces[q], layout_.pose[q]), at)) {
+        if (geometry::contains(outline_on_sheet(graph_.pieces[q], layout_.pose[q]), at)) {
           ++hits;
           break;
         }
@@ -437,4 +437,4 @@ void lay_out_limb(const GarmentGraph& graph, const std::vector<Index>& members, 
   layer.grow_from(root, root_pose, root_face);
 }
 
-}  // namespace toile
+}  // namespace toile::arrange

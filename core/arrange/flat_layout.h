@@ -6,7 +6,7 @@
 
 #include "core/arrange/garment_graph.h"
 
-namespace toile {
+namespace toile::arrange {
 
 struct FlatLayout {
   std::vector<FlatMove> pose;  ///< of each piece: its own plane → the sheet, m; x to the wearer's left, y up
@@ -32,4 +32,4 @@ void part_pieces(const GarmentGraph& graph, const std::vector<Index>& members, d
 /// The piece's outline on the sheet.
 std::vector<Vec2> outline_on_sheet(const GarmentPiece& piece, const FlatMove& pose);
 
-}  // namespace toile
+}  // namespace toile::arrange

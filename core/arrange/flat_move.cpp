@@ -1,6 +1,6 @@
 #include "core/arrange/flat_move.h"
 
-namespace toile {
+namespace toile::arrange {
 
 FlatMove after(const FlatMove& outer, const FlatMove& inner) {
   // A mirror before a turn turns the other way after it.
@@ -52,4 +52,4 @@ FlatMove turn_by(double angle, bool mirrored) {
   return move;
 }
 
-}  // namespace toile
+}  // namespace toile::arrange

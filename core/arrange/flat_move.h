@@ -6,7 +6,7 @@
 
 #include "core/base/types.h"
 
-namespace toile {
+namespace toile::arrange {
 
 /// p ↦ R·p + t, with p.x negated first when `mirrored`; R turns by the angle whose cosine and sine are c, s.
 struct FlatMove {
@@ -36,4 +36,4 @@ FlatFit fit_move(std::span<const Vec2> points, std::span<const Vec2> targets, bo
 /// A move that turns by `angle` (radians), without a shift.
 FlatMove turn_by(double angle, bool mirrored);
 
-}  // namespace toile
+}  // namespace toile::arrange

@@ -9,7 +9,7 @@
 #include "core/geometry/polygon2.h"
 #include "core/pattern/seams/model.h"
 
-namespace toile {
+namespace toile::arrange {
 
 namespace {
 
@@ -18,7 +18,7 @@ constexpr double kDartPoint = 2e-3;  ///< m; a dart's sides end that near to eac
 constexpr std::size_t kSamples = 96;
 
 /// Number of each vertex along its panel's outline, kNone inside.
-std::vector<Index> outline_numbers(const Panel& panel, const PanelMesh& mesh, GarmentPiece& piece) {
+std::vector<Index> outline_numbers(const pattern::Panel& panel, const mesh::PanelMesh& mesh, GarmentPiece& piece) {
   std::vector<Index> number(mesh.rest.size(), kNone);
   Index next = 0;
   for (std::size_t e = 0; e < panel.outline.edges.size(); ++e) {
@@ -47,15 +47,15 @@ void measure(GarmentPiece& piece) {
 
 /// A run of stitches between the same two pieces.
 struct TieRun {
-  std::vector<SewnPair> pairs;
+  std::vector<mesh::SewnPair> pairs;
   Index seam = kNone;
 };
 
-std::vector<TieRun> runs_of(const PanelMeshes& meshes) {
+std::vector<TieRun> runs_of(const mesh::PanelMeshes& meshes) {
   std::vector<TieRun> runs;
-  for (const MatchedSeam& seam : meshes.seams) {
-    const SewnPair* before = nullptr;
-    for (const SewnPair& pair : seam.pairs) {
+  for (const mesh::MatchedSeam& seam : meshes.seams) {
+    const mesh::SewnPair* before = nullptr;
+    for (const mesh::SewnPair& pair : seam.pairs) {
       const bool goes_on =
           before != nullptr && before->a.panel == pair.a.panel && before->b.panel == pair.b.panel;
       if (!goes_on) runs.push_back({{}, seam.seam});
@@ -66,12 +66,12 @@ std::vector<TieRun> runs_of(const PanelMeshes& meshes) {
   return runs;
 }
 
-bool is_dart(const TieRun& run, const PanelMeshes& meshes) {
-  const auto gap = [&](const SewnPair& p) {
+bool is_dart(const TieRun& run, const mesh::PanelMeshes& meshes) {
+  const auto gap = [&](const mesh::SewnPair& p) {
     const std::vector<Vec2>& rest = meshes.panels[p.a.panel].rest;
     return length(rest[p.a.vertex] - rest[p.b.vertex]);
   };
-  const SewnPair &first = run.pairs.front(), &last = run.pairs.back();
+  const mesh::SewnPair &first = run.pairs.front(), &last = run.pairs.back();
   if (first.a.panel != first.b.panel) return false;
   const std::vector<Vec2>& rest = meshes.panels[first.a.panel].rest;
   const double long_side = length(rest[first.a.vertex] - rest[last.a.vertex]);
@@ -83,7 +83,7 @@ bool is_dart(const TieRun& run, const PanelMeshes& meshes) {
 /// both inside; -1 where one is turned; 0 when it is too short to tell.
 int parity_of(const TieRun& run, const std::vector<std::vector<Index>>& numbers,
               const std::vector<GarmentPiece>& pieces) {
-  const auto step = [&](PanelVertex from, PanelVertex to) {
+  const auto step = [&](mesh::PanelVertex from, mesh::PanelVertex to) {
     const Index i = numbers[from.panel][from.vertex], j = numbers[to.panel][to.vertex];
     const Index count = static_cast<Index>(pieces[from.panel].outline.size());
     if (i == kNone || j == kNone || i == j) return 0;
@@ -125,12 +125,12 @@ void find_outsides(const std::vector<std::array<Index, 3>>& parities, std::vecto
 }
 
 /// Borders of the sewn garment.
-int count_rings(const PanelMeshes& meshes) {
+int count_rings(const mesh::PanelMeshes& meshes) {
   std::vector<Index> first{0};
-  for (const PanelMesh& m : meshes.panels) first.push_back(first.back() + static_cast<Index>(m.rest.size()));
+  for (const mesh::PanelMesh& m : meshes.panels) first.push_back(first.back() + static_cast<Index>(m.rest.size()));
   DisjointSets vertices(static_cast<std::size_t>(first.back()));
-  for (const MatchedSeam& seam : meshes.seams) {
-    for (const SewnPair& p : seam.pairs)
+  for (const mesh::MatchedSeam& seam : meshes.seams) {
+    for (const mesh::SewnPair& p : seam.pairs)
       vertices.join(first[p.a.panel] + p.a.vertex, first[p.b.panel] + p.b.vertex);
   }
   std::map<std::pair<Index, Index>, int> count;
@@ -182,7 +182,7 @@ std::vector<Vec2> around(const GarmentPiece& piece, Vec2 start, bool backwards) 
   const auto first = std::find(line.begin(), line.end(), start);
   std::rotate(line.begin(), first == line.end() ? line.begin() : first, line.end());
   line.push_back(line.front());
-  const double step = polyline_length(line) / kSamples;
+  const double step = geometry::polyline_length(line) / kSamples;
   std::vector<Vec2> out;
   double at = 0;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
@@ -210,7 +210,7 @@ std::optional<FlatFit> fit_at(const std::vector<Vec2>& points, const GarmentPiec
 
 }  // namespace
 
-GarmentGraph make_garment_graph(const Pattern& pattern, const PanelMeshes& meshes) {
+GarmentGraph make_garment_graph(const pattern::Pattern& pattern, const mesh::PanelMeshes& meshes) {
   GarmentGraph graph;
   std::vector<std::vector<Index>> numbers;
   for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
@@ -221,14 +221,14 @@ GarmentGraph make_garment_graph(const Pattern& pattern, const PanelMeshes& meshe
     piece.sewn.assign(piece.outline.size(), false);
     piece.grain = meshes.panels[p].warp;
     piece.cover = cover_of_name(piece.id);
-    const PieceWords words = words_of(piece.id);
+    const seams::PieceWords words = seams::words_of(piece.id);
     piece.face = face_of_name(piece.id);
     piece.hand = -words.side;
     graph.pieces.push_back(std::move(piece));
   }
-  for (const MatchedSeam& seam : meshes.seams) {
-    for (const SewnPair& pair : seam.pairs) {
-      for (const PanelVertex& v : {pair.a, pair.b}) {
+  for (const mesh::MatchedSeam& seam : meshes.seams) {
+    for (const mesh::SewnPair& pair : seam.pairs) {
+      for (const mesh::PanelVertex& v : {pair.a, pair.b}) {
         if (const Index i = numbers[v.panel][v.vertex]; i != kNone) graph.pieces[v.panel].sewn[i] = true;
       }
     }
@@ -239,7 +239,7 @@ GarmentGraph make_garment_graph(const Pattern& pattern, const PanelMeshes& meshe
     if (is_dart(run, meshes)) continue;
     if (a == b) graph.pieces[a].tube = true;
     parities.push_back({a, b, a == b ? 0 : parity_of(run, numbers, graph.pieces)});
-    for (const SewnPair& pair : run.pairs) {
+    for (const mesh::SewnPair& pair : run.pairs) {
       graph.ties.push_back(
           {a, b, meshes.panels[a].rest[pair.a.vertex], meshes.panels[b].rest[pair.b.vertex], run.seam});
     }
@@ -315,4 +315,4 @@ std::vector<FlatMove> own_mirrors(const GarmentPiece& piece) {
   return found;
 }
 
-}  // namespace toile
+}  // namespace toile::arrange

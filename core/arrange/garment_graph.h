@@ -9,7 +9,7 @@
 #include "core/mesh/panel_mesh.h"
 #include "core/pattern/pattern.h"
 
-namespace toile {
+namespace toile::arrange {
 
 /// What a piece covers, after its name or, where that says nothing, after how the garment hangs together.
 enum class Cover { kUnknown, kTorso, kSkirt, kLeg, kSleeve, kWaistband, kCuff, kCollar, kHood };
@@ -43,7 +43,7 @@ struct GarmentGraph {
   int rings = 0;                 ///< borders that the sewn garment has
 };
 
-GarmentGraph make_garment_graph(const Pattern& pattern, const PanelMeshes& meshes);
+GarmentGraph make_garment_graph(const pattern::Pattern& pattern, const mesh::PanelMeshes& meshes);
 
 /// The isometry that lays piece `from` on piece `to`, mirrored or not as told, when they are alike to 1 % of
 /// their size.
@@ -56,4 +56,4 @@ Index mirror_partner(const GarmentGraph& graph, Index piece);
 /// All mirrorings that lay a piece on itself.
 std::vector<FlatMove> own_mirrors(const GarmentPiece& piece);
 
-}  // namespace toile
+}  // namespace toile::arrange

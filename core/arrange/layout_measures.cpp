@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace toile {
+namespace toile::arrange {
 
 FlatLayout empty_layout(std::size_t count) {
   return {std::vector<FlatMove>(count), std::vector<int>(count, 0), std::vector<Index>(count, kNone)};
@@ -50,4 +50,4 @@ std::vector<Vec2> outline_on_sheet(const GarmentPiece& piece, const FlatMove& po
   return out;
 }
 
-}  // namespace toile
+}  // namespace toile::arrange

@@ -5,7 +5,7 @@
 
 #include "core/arrange/flat_layout.h"
 
-namespace toile {
+namespace toile::arrange {
 
 /// Nothing laid out yet.
 FlatLayout empty_layout(std::size_t pieces);
@@ -20,4 +20,4 @@ double hands_right(const GarmentGraph& graph, const FlatLayout& layout);
 /// Brings a garment's middle to x = 0 that no piece holds there, itself its own image or another's.
 void stand_in_the_middle(const GarmentGraph& graph, const std::vector<Index>& members, FlatLayout& layout);
 
-}  // namespace toile
+}  // namespace toile::arrange

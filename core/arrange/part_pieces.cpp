@@ -4,7 +4,7 @@
 #include "core/arrange/flat_layout.h"
 #include "core/geometry/polygon2.h"
 
-namespace toile {
+namespace toile::arrange {
 
 namespace {
 
@@ -16,9 +16,9 @@ bool too_near(const std::vector<Vec2>& a, const std::vector<Vec2>& b, double gap
     return false;
   const auto near_one = [&](const std::vector<Vec2>& points, const std::vector<Vec2>& loop) {
     return std::any_of(points.begin(), points.end(), [&](Vec2 p) {
-      if (contains(loop, p)) return true;
+      if (geometry::contains(loop, p)) return true;
       for (std::size_t i = 0; i < loop.size(); ++i) {
-        if (distance_to_segment(p, loop[i], loop[(i + 1) % loop.size()]) < gap) return true;
+        if (geometry::distance_to_segment(p, loop[i], loop[(i + 1) % loop.size()]) < gap) return true;
       }
       return false;
     });
@@ -70,4 +70,4 @@ void part_pieces(const GarmentGraph& graph, const std::vector<Index>& members, d
   }
 }
 
-}  // namespace toile
+}  // namespace toile::arrange

@@ -9,7 +9,7 @@
 #include "core/base/text.h"
 #include "core/pattern/seams/model.h"
 
-namespace toile {
+namespace toile::arrange {
 
 namespace {
 
@@ -79,7 +79,7 @@ const char* name_of(Cover cover) {
 }
 
 int face_of_name(const std::string& name) {
-  if (const int told = words_of(name).face; told != 0) return told;
+  if (const int told = seams::words_of(name).face; told != 0) return told;
   for (const std::string& w : words_of_name(name)) {
     if (w.find("front") != std::string::npos) return 1;
     if (w.find("back") != std::string::npos) return -1;
@@ -99,4 +99,4 @@ Cover cover_of_name(const std::string& name) {
   return Cover::kUnknown;
 }
 
-}  // namespace toile
+}  // namespace toile::arrange

@@ -4,7 +4,7 @@
 
 #include "core/arrange/garment_graph.h"
 
-namespace toile {
+namespace toile::arrange {
 
 /// "torso", "sleeve", …
 const char* name_of(Cover cover);
@@ -15,4 +15,4 @@ Cover cover_of_name(const std::string& name);
 /// 1 when it is worn in front by its name ("ftorso", "FrontPanel"), -1 when behind, 0 when that is not told.
 int face_of_name(const std::string& name);
 
-}  // namespace toile
+}  // namespace toile::arrange

@@ -5,7 +5,7 @@
 #include <map>
 #include <numbers>
 
-namespace toile {
+namespace toile::arrange {
 
 namespace {
 
@@ -74,7 +74,7 @@ SleeveLine line_of_sleeve(const GarmentGraph& graph, Index piece, const std::vec
   return line;
 }
 
-FlatMove sleeve_pose(const SleeveLine& line, const ArmLine& arm, double out, bool mirrored) {
+FlatMove sleeve_pose(const SleeveLine& line, const measure::ArmLine& arm, double out, bool mirrored) {
   const Vec3 along3 = arm.along();
   const Vec2 along = normalized(Vec2{along3.x, along3.y});
   const Vec2 seen = turn_by(0, mirrored).turned(line.along);
@@ -83,9 +83,9 @@ FlatMove sleeve_pose(const SleeveLine& line, const ArmLine& arm, double out, boo
   return pose;
 }
 
-WrappedPlacement around_arm(const SleeveLine& line, const ArmLine& arm, BodySide side, double radius,
+sewing::WrappedPlacement around_arm(const SleeveLine& line, const measure::ArmLine& arm, measure::BodySide side, double radius,
                             double out, bool flipped) {
-  WrappedPlacement w;
+  sewing::WrappedPlacement w;
   w.axis = arm.root;
   w.up = -arm.along();
   w.radius = radius;
@@ -93,9 +93,9 @@ WrappedPlacement around_arm(const SleeveLine& line, const ArmLine& arm, BodySide
   w.anchor = line.begin;
   w.flipped = flipped;
   // Opposite the seam, so that it closes below.
-  w.angle = (side == kWearersLeft ? 0.5 : -0.5) * std::numbers::pi;
+  w.angle = (side == measure::kWearersLeft ? 0.5 : -0.5) * std::numbers::pi;
   w.turn = std::numbers::pi / 2 - std::atan2(-line.along.y, -line.along.x);
   return w;
 }
 
-}  // namespace toile
+}  // namespace toile::arrange

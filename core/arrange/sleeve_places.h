@@ -9,7 +9,7 @@
 #include "core/body/measure/landmarks.h"
 #include "core/sewing/placement.h"
 
-namespace toile {
+namespace toile::arrange {
 
 /// A tube's own line in its flat piece: from the end that is sewn to the garment (the cap) to the free one.
 struct SleeveLine {
@@ -24,10 +24,10 @@ SleeveLine line_of_sleeve(const GarmentGraph& graph, Index piece, const std::vec
 
 /// The pose at which the sleeve's middle lies on the arm's, its long seams beginning `out` (m) beyond where
 /// the arm leaves the trunk.
-FlatMove sleeve_pose(const SleeveLine& line, const ArmLine& arm, double out, bool mirrored);
+FlatMove sleeve_pose(const SleeveLine& line, const measure::ArmLine& arm, double out, bool mirrored);
 
 /// The sleeve rolled around the arm, its seam under the arm, `out` as above.
-WrappedPlacement around_arm(const SleeveLine& line, const ArmLine& arm, BodySide side, double radius,
+sewing::WrappedPlacement around_arm(const SleeveLine& line, const measure::ArmLine& arm, measure::BodySide side, double radius,
                             double out, bool flipped);
 
-}  // namespace toile
+}  // namespace toile::arrange

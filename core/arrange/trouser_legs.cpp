@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-namespace toile {
+namespace toile::arrange {
 
 namespace {
 
@@ -45,7 +45,7 @@ std::optional<FlatMove> move_over_leg(const GarmentGraph& graph, const FlatLayou
     }
   }
   const double drop = pivot->y - low->y;
-  const LegLine& leg = stand.figure().leg[side > 0 ? kWearersLeft : kWearersRight];
+  const measure::LegLine& leg = stand.figure().leg[side > 0 ? measure::kWearersLeft : measure::kWearersRight];
   const double below = std::min(drop, stand.figure().crotch - leg.ankle.y);
   if (!(below > 0.1)) return std::nullopt;
   const double share = below / (leg.top.y - leg.ankle.y);
@@ -71,4 +71,4 @@ FlatLayout with_legs_over_legs(const GarmentGraph& graph, const std::vector<Inde
   return layout;
 }
 
-}  // namespace toile
+}  // namespace toile::arrange

@@ -5,12 +5,12 @@
 
 #include "core/geometry/triangle_mesh.h"
 
-namespace toile {
+namespace toile::body {
 
 /// Something solid that cloth falls on: a person, a form, a table. Outward normals. Metres, y up.
 struct Body {
   std::string id;
-  TriangleMesh mesh;
+  geometry::TriangleMesh mesh;
   double friction = 0.4;      ///< Coulomb, cloth on this body
   double skin_offset = 1e-3;  ///< m, distance that cloth keeps from the skin
   /// Share of its speed towards the skin that cloth keeps, turned round, when it strikes: 0 stays, 1 leaves
@@ -19,4 +19,4 @@ struct Body {
   std::vector<std::string> notes = {};  ///< what was mended when its file was read, in sentences
 };
 
-}  // namespace toile
+}  // namespace toile::body

@@ -6,7 +6,7 @@
 
 #include "core/geometry/distance.h"
 
-namespace toile {
+namespace toile::collision {
 
 namespace {
 
@@ -36,7 +36,7 @@ double largest_radius(const std::vector<double>& radius, const Tri& t) {
   return std::max({radius[t[0]], radius[t[1]], radius[t[2]]});
 }
 
-bool inside_both(EdgePoints at) { return at.s > 0 && at.s < 1 && at.t > 0 && at.t < 1; }
+bool inside_both(geometry::EdgePoints at) { return at.s > 0 && at.s < 1 && at.t > 0 && at.t < 1; }
 
 }  // namespace
 
@@ -44,16 +44,16 @@ void FeatureBoxes::lay_around(const Surface& surface) {
   edges.resize(surface.edges.size());
   faces.resize(surface.triangles.size());
   for (std::size_t e = 0; e < edges.size(); ++e) {
-    edges[e] = join(vertices[surface.edges[e][0]], vertices[surface.edges[e][1]]);
+    edges[e] = geometry::join(vertices[surface.edges[e][0]], vertices[surface.edges[e][1]]);
   }
   for (std::size_t t = 0; t < faces.size(); ++t) {
     const Tri& v = surface.triangles[t];
-    faces[t] = join(join(vertices[v[0]], vertices[v[1]]), vertices[v[2]]);
+    faces[t] = geometry::join(geometry::join(vertices[v[0]], vertices[v[1]]), vertices[v[2]]);
   }
   for (const auto& [groups, boxes] :
        {std::pair{&vertex_groups, &vertices}, {&edge_groups, &edges}, {&face_groups, &faces}}) {
     if (groups->empty()) {
-      *groups = BoxGroups(*boxes);
+      *groups = geometry::BoxGroups(*boxes);
     } else {
       groups->refit(*boxes);
     }
@@ -67,7 +67,7 @@ Obstacle make_obstacle(std::span<const Vec3> vertices, std::span<const Tri> tria
   obstacle.surface = make_surface(triangles, static_cast<Index>(vertices.size()));
   obstacle.boxes.vertices.resize(vertices.size());
   for (const Index v : obstacle.surface.vertices) {
-    obstacle.boxes.vertices[v] = box_around({vertices[v]}, skin_offset);
+    obstacle.boxes.vertices[v] = geometry::box_around({vertices[v]}, skin_offset);
   }
   obstacle.boxes.lay_around(obstacle.surface);
   for (const auto& [a, b] : obstacle.surface.edges) {
@@ -162,7 +162,7 @@ void ContactFinder::size_trust_regions(std::span<const double> speeds, Contacts&
 void ContactFinder::lay_boxes(std::span<const Vec3> positions, const Contacts& out) {
   boxes_.vertices.resize(positions.size());
   for (const Index v : cloth_.vertices) {
-    boxes_.vertices[v] = box_around({positions[v]}, std::max(out.trust_radius[v], 0.5 * settings_.thickness));
+    boxes_.vertices[v] = geometry::box_around({positions[v]}, std::max(out.trust_radius[v], 0.5 * settings_.thickness));
   }
   boxes_.lay_around(cloth_);
 }
@@ -215,7 +215,7 @@ void ContactFinder::vertex_on_obstacle(const Obstacle& obstacle, Index vertex, c
   const Vec3 p = out.centre[vertex];
   const Vec3 a = obstacle.vertices[face[0]], b = obstacle.vertices[face[1]], c = obstacle.vertices[face[2]];
   const double reach = out.trust_radius[vertex] + obstacle.skin_offset;
-  const TrianglePoint at = closest_on_triangle(p, a, b, c);
+  const geometry::TrianglePoint at = geometry::closest_on_triangle(p, a, b, c);
   const Vec3 q = a * at.a + b * at.b + c * at.c;
   const double gap = length(p - q);
   if (!has_gap(gap, reach, vertex, out)) return;
@@ -237,7 +237,7 @@ void ContactFinder::obstacle_vertex_on_cloth(const Obstacle& obstacle, Vec3 poin
                                              Contacts& out) {
   const Vec3 a = out.centre[triangle[0]], b = out.centre[triangle[1]], c = out.centre[triangle[2]];
   const double reach = largest_radius(out.trust_radius, triangle);
-  const TrianglePoint at = closest_on_triangle(point, a, b, c);
+  const geometry::TrianglePoint at = geometry::closest_on_triangle(point, a, b, c);
   const Vec3 q = a * at.a + b * at.b + c * at.c;
   const double gap = length(q - point);
   if (!has_gap(gap, reach, triangle[0], out)) return;
@@ -259,7 +259,7 @@ void ContactFinder::edge_on_obstacle(const Obstacle& obstacle, Index a0, Index a
                                      Contacts& out) {
   const Vec3 p0 = out.centre[a0], p1 = out.centre[a1];
   const double reach = std::max(out.trust_radius[a0], out.trust_radius[a1]);
-  const EdgePoints at = closest_on_edges(p0, p1, b0, b1);
+  const geometry::EdgePoints at = geometry::closest_on_edges(p0, p1, b0, b1);
   const Vec3 p = p0 + (p1 - p0) * at.s, q = b0 + (b1 - b0) * at.t;
   const double gap = length(p - q);
   if (!has_gap(gap, reach, a0, out)) return;
@@ -286,7 +286,7 @@ void ContactFinder::vertex_on_cloth(Index vertex, const Tri& triangle, Contacts&
   const Vec3 a = out.centre[triangle[0]], b = out.centre[triangle[1]], c = out.centre[triangle[2]];
   const double both = out.trust_radius[vertex] + largest_radius(out.trust_radius, triangle);
   const double reach = std::max(both, settings_.thickness);
-  const TrianglePoint at = closest_on_triangle(p, a, b, c);
+  const geometry::TrianglePoint at = geometry::closest_on_triangle(p, a, b, c);
   const Vec3 q = a * at.a + b * at.b + c * at.c;
   const double gap = length(p - q);
   if (!has_gap(gap, reach, vertex, out)) return;
@@ -308,7 +308,7 @@ void ContactFinder::edges_of_cloth(Index a0, Index a1, Index b0, Index b1, Conta
   const Vec3 p0 = out.centre[a0], p1 = out.centre[a1], q0 = out.centre[b0], q1 = out.centre[b1];
   const double reach = std::max(out.trust_radius[a0], out.trust_radius[a1]) +
                        std::max(out.trust_radius[b0], out.trust_radius[b1]);
-  const EdgePoints at = closest_on_edges(p0, p1, q0, q1);
+  const geometry::EdgePoints at = geometry::closest_on_edges(p0, p1, q0, q1);
   const Vec3 p = p0 + (p1 - p0) * at.s, q = q0 + (q1 - q0) * at.t;
   const double gap = length(p - q);
   if (!has_gap(gap, reach, a0, out)) return;
@@ -388,4 +388,4 @@ void ContactFinder::keep_nearest(Contacts& out) {
   out.contacts.insert(out.contacts.end(), rims_.begin(), rims_.end());
 }
 
-}  // namespace toile
+}  // namespace toile::collision

@@ -15,13 +15,13 @@
 #include "core/collision/surface.h"
 #include "core/geometry/box_groups.h"
 
-namespace toile {
+namespace toile::collision {
 
 /// Boxes around each feature of a surface, by kind: what is asked for pairs.
 struct FeatureBoxes {
   /// Of all places where a feature may be; edges and faces in the surface's order, vertices by index.
-  std::vector<Box3> vertices, edges, faces;
-  BoxGroups vertex_groups, edge_groups, face_groups;
+  std::vector<geometry::Box3> vertices, edges, faces;
+  geometry::BoxGroups vertex_groups, edge_groups, face_groups;
 
   /// Edges and faces from `vertices`, then the groups: made the first time, refitted from then on.
   void lay_around(const Surface& surface);
@@ -150,4 +150,4 @@ class ContactFinder {
   std::vector<Contact> rims_;       ///< triangles on points, edges on edges
 };
 
-}  // namespace toile
+}  // namespace toile::collision

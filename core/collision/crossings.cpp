@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace toile {
+namespace toile::collision {
 
 namespace {
 
@@ -20,12 +20,12 @@ int orientation_exact(Int128 ax, Int128 ay, Int128 az, Int128 bx, Int128 by, Int
   return sign_of(ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx));
 }
 
-std::vector<Box3> boxes_of(std::span<const Tri> triangles, std::span<const Vec3> positions) {
-  std::vector<Box3> boxes;
+std::vector<geometry::Box3> boxes_of(std::span<const Tri> triangles, std::span<const Vec3> positions) {
+  std::vector<geometry::Box3> boxes;
   boxes.reserve(triangles.size());
   // The grid moves a point by up to half a unit.
   for (const Tri& t : triangles) {
-    boxes.push_back(box_around({positions[t[0]], positions[t[1]], positions[t[2]]}, 1 / kGridPerMetre));
+    boxes.push_back(geometry::box_around({positions[t[0]], positions[t[1]], positions[t[2]]}, 1 / kGridPerMetre));
   }
   return boxes;
 }
@@ -152,16 +152,16 @@ bool segment_crosses_triangle(const ExactPoint& p, const ExactPoint& q, const Ex
 }
 
 CrossingBody make_crossing_body(std::span<const Vec3> vertices, std::span<const Tri> triangles) {
-  return {grid_of(vertices), {triangles.begin(), triangles.end()}, BoxGroups(boxes_of(triangles, vertices))};
+  return {grid_of(vertices), {triangles.begin(), triangles.end()}, geometry::BoxGroups(boxes_of(triangles, vertices))};
 }
 
 void CrossingCounter::place(std::span<const Vec3> positions) {
   points_ = grid_of(positions);
   faces_.clear();
   for (const Tri& t : cloth_.triangles) faces_.push_back(face_of(corners(t, points_)));
-  const std::vector<Box3> boxes = boxes_of(cloth_.triangles, positions);
+  const std::vector<geometry::Box3> boxes = boxes_of(cloth_.triangles, positions);
   if (groups_.empty()) {
-    groups_ = BoxGroups(boxes);
+    groups_ = geometry::BoxGroups(boxes);
   } else {
     groups_.refit(boxes);
   }
@@ -205,4 +205,4 @@ std::vector<std::array<Index, 2>> self_crossings(const Surface& cloth, std::span
   return counter.with_itself();
 }
 
-}  // namespace toile
+}  // namespace toile::collision

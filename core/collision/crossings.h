@@ -11,7 +11,7 @@
 #include "core/collision/surface.h"
 #include "core/geometry/box_groups.h"
 
-namespace toile {
+namespace toile::collision {
 
 /// A position in units of 2⁻²⁰ m. |x| stays below 2³¹ for positions within two kilometres.
 struct ExactPoint {
@@ -38,7 +38,7 @@ struct CrossingFace {
 struct CrossingBody {
   std::vector<ExactPoint> points;
   std::vector<Tri> triangles;
-  BoxGroups groups;
+  geometry::BoxGroups groups;
 };
 CrossingBody make_crossing_body(std::span<const Vec3> vertices, std::span<const Tri> triangles);
 
@@ -64,7 +64,7 @@ class CrossingCounter {
   Surface cloth_;
   std::vector<ExactPoint> points_;
   std::vector<CrossingFace> faces_;
-  BoxGroups groups_;
+  geometry::BoxGroups groups_;
 };
 
-}  // namespace toile
+}  // namespace toile::collision

@@ -2,7 +2,7 @@
 
 #include "core/base/simd.h"
 
-namespace toile {
+namespace toile::collision {
 
 namespace {
 
@@ -46,4 +46,4 @@ unsigned near_ones(const EdgeLine* const (&a)[2], const EdgeLine* const (&b)[2])
   return static_cast<unsigned>(far[0] == 0) | static_cast<unsigned>(far[1] == 0) << 1;
 }
 
-}  // namespace toile
+}  // namespace toile::collision

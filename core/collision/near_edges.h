@@ -10,7 +10,7 @@
 
 #include "core/base/types.h"
 
-namespace toile {
+namespace toile::collision {
 
 /// An edge as the filter reads it: one cache line.
 struct alignas(64) EdgeLine {
@@ -46,4 +46,4 @@ void visit_near(std::span<const EdgePair> pairs, std::span<const EdgeLine> mine,
   }
 }
 
-}  // namespace toile
+}  // namespace toile::collision

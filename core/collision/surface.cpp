@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace toile {
+namespace toile::collision {
 
 Surface make_surface(std::span<const Tri> triangles, Index vertex_count,
                      std::span<const Index> vertex_class) {
@@ -49,4 +49,4 @@ Surface make_surface(std::span<const Tri> triangles, Index vertex_count,
   return surface;
 }
 
-}  // namespace toile
+}  // namespace toile::collision

@@ -9,7 +9,7 @@
 
 #include "core/base/types.h"
 
-namespace toile {
+namespace toile::collision {
 
 struct Surface {
   std::vector<Tri> triangles;
@@ -27,4 +27,4 @@ struct Surface {
 Surface make_surface(std::span<const Tri> triangles, Index vertex_count,
                      std::span<const Index> vertex_class = {});
 
-}  // namespace toile
+}  // namespace toile::collision

@@ -8,7 +8,7 @@
 #include "core/base/units.h"
 #include "core/pattern/curve.h"
 
-namespace toile {
+namespace toile::draft {
 namespace {
 
 constexpr double kApart = 60;              // mm between pieces of the layout
@@ -57,9 +57,9 @@ class Sector {
   }
 
   /// The arc at `down` between two angles.
-  std::vector<CubicBezier> arc(double down, double from, double to) const {
+  std::vector<pattern::CubicBezier> arc(double down, double from, double to) const {
     const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(to - from) / kMostPerCurve)));
-    std::vector<CubicBezier> out;
+    std::vector<pattern::CubicBezier> out;
     Vec2 start = at(down, from);
     for (int i = 0; i < parts; ++i) {
       const double a = from + (to - from) * i / parts, b = from + (to - from) * (i + 1) / parts;
@@ -83,10 +83,10 @@ double hip_swell(const SkirtMeasures& m) {
 }
 
 // The side seam from the hem up to the waist, at positive angles.
-std::vector<CubicBezier> side(const Sector& piece, const SkirtMeasures& m, double half) {
+std::vector<pattern::CubicBezier> side(const Sector& piece, const SkirtMeasures& m, double half) {
   const Vec2 hem = piece.at(m.length, half), waist = piece.at(0, half);
   const double swell = hip_swell(m);
-  if (swell <= 0) return {line_segment(hem, waist)};
+  if (swell <= 0) return {pattern::line_segment(hem, waist)};
   const Vec2 out{std::cos(half), std::sin(half)}, up = normalized(waist - hem);
   const Vec2 hip = piece.at(m.waist_to_hip, half) + out * swell;
   const double below = (m.length - m.waist_to_hip) / 3, above = m.waist_to_hip / 3;
@@ -94,41 +94,41 @@ std::vector<CubicBezier> side(const Sector& piece, const SkirtMeasures& m, doubl
           {hip, hip + up * above, waist + (hip - waist) * (1.0 / 3), waist}};
 }
 
-std::vector<CubicBezier> mirrored(const std::vector<CubicBezier>& curves, double middle) {
-  std::vector<CubicBezier> out;
+std::vector<pattern::CubicBezier> mirrored(const std::vector<pattern::CubicBezier>& curves, double middle) {
+  std::vector<pattern::CubicBezier> out;
   const auto flip = [&](Vec2 p) { return Vec2{2 * middle - p.x, p.y}; };
   for (size_t i = curves.size(); i-- > 0;) {
-    const CubicBezier& c = curves[i];
+    const pattern::CubicBezier& c = curves[i];
     out.push_back({flip(c.p3), flip(c.p2), flip(c.p1), flip(c.p0)});
   }
   return out;
 }
 
 // Corners are computed once and shared, so that edges meet exactly.
-void close_exactly(Loop& loop) {
+void close_exactly(pattern::Loop& loop) {
   for (size_t i = 0; i < loop.edges.size(); ++i) {
     loop.edges[(i + 1) % loop.edges.size()].curves.front().p0 = loop.edges[i].curves.back().p3;
   }
 }
 
-Panel skirt_piece(const SkirtMeasures& m, bool back) {
+pattern::Panel skirt_piece(const SkirtMeasures& m, bool back) {
   const double angle = sector(m), middle = skirt_middle(m, back);
-  Panel panel;
+  pattern::Panel panel;
   panel.id = back ? "back" : "front";
   const std::string right_hand = back ? "side_right" : "side_left",
                     left_hand = back ? "side_left" : "side_right";
   if (angle < 1e-9) {  // no flare: a rectangle, with the hips no wider than the waist
     const double w = half_waist(m) / 2;
     const Vec2 a{middle - w, -m.length}, b{middle + w, -m.length}, c{middle + w, 0}, d{middle - w, 0};
-    panel.outline.edges = {{"hem", {line_segment(a, b)}},
-                           {right_hand, {line_segment(b, c)}},
-                           {"waist", {line_segment(c, d)}},
-                           {left_hand, {line_segment(d, a)}}};
+    panel.outline.edges = {{"hem", {pattern::line_segment(a, b)}},
+                           {right_hand, {pattern::line_segment(b, c)}},
+                           {"waist", {pattern::line_segment(c, d)}},
+                           {left_hand, {pattern::line_segment(d, a)}}};
     return panel;
   }
   Sector piece(m);
   piece.move_to(middle);
-  const std::vector<CubicBezier> right = side(piece, m, angle / 2);
+  const std::vector<pattern::CubicBezier> right = side(piece, m, angle / 2);
   panel.outline.edges = {{"hem", piece.arc(m.length, -angle / 2, angle / 2)},
                          {right_hand, right},
                          {"waist", piece.arc(0, angle / 2, -angle / 2)},
@@ -137,16 +137,16 @@ Panel skirt_piece(const SkirtMeasures& m, bool back) {
   return panel;
 }
 
-Panel band_piece(const SkirtMeasures& m, bool back) {
+pattern::Panel band_piece(const SkirtMeasures& m, bool back) {
   const double w = half_waist(m) / 2, low = skirt_band_bottom(m), high = low + m.band_height;
   const double x = skirt_middle(m, back);
-  Panel panel;
+  pattern::Panel panel;
   panel.id = back ? "band_back" : "band_front";
   const Vec2 a{x - w, low}, b{x + w, low}, c{x + w, high}, d{x - w, high};
-  panel.outline.edges = {{"skirt", {line_segment(a, b)}},
-                         {back ? "end_right" : "end_left", {line_segment(b, c)}},
-                         {"top", {line_segment(c, d)}},
-                         {back ? "end_left" : "end_right", {line_segment(d, a)}}};
+  panel.outline.edges = {{"skirt", {pattern::line_segment(a, b)}},
+                         {back ? "end_right" : "end_left", {pattern::line_segment(b, c)}},
+                         {"top", {pattern::line_segment(c, d)}},
+                         {back ? "end_left" : "end_right", {pattern::line_segment(d, a)}}};
   return panel;
 }
 
@@ -165,7 +165,7 @@ double skirt_band_bottom(const SkirtMeasures& m) {
   return std::ceil(rise + kApart);
 }
 
-Result<Pattern> draft_skirt(const SkirtMeasures& measures) {
+Result<pattern::Pattern> draft_skirt(const SkirtMeasures& measures) {
   TRY(check(measures));
   // Edges in the order hem, +x side, waist, -x side; bands: skirt, +x end, top, -x end.
   enum : Index { kFront, kBack, kBandFront, kBandBack };
@@ -177,7 +177,7 @@ Result<Pattern> draft_skirt(const SkirtMeasures& measures) {
   if (sector(measures) < 1e-9 && hip_swell(measures) > 0) {
     return Error{"draft.measure", "Without flare the hips must be no wider than the waist.", "hem"};
   }
-  Pattern p;
+  pattern::Pattern p;
   p.panels = {skirt_piece(measures, false), skirt_piece(measures, true), band_piece(measures, false),
               band_piece(measures, true)};
   const auto seam = [&](const char* id, Index a, Index edge_a, Index b, Index edge_b) {
@@ -192,4 +192,4 @@ Result<Pattern> draft_skirt(const SkirtMeasures& measures) {
   return p;
 }
 
-}  // namespace toile
+}  // namespace toile::draft

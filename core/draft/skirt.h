@@ -3,7 +3,7 @@
 #include "core/base/result.h"
 #include "core/pattern/pattern.h"
 
-namespace toile {
+namespace toile::draft {
 
 /// Millimetres. Girths are full, around the body.
 struct SkirtMeasures {
@@ -26,7 +26,7 @@ struct SkirtMeasures {
 /// so there are no darts. Where the cone is narrower at the hip than hip + hip_ease, the side seams swell to
 /// a hip curve. Seams: side_left, side_right, band_left, band_right, waist_front, waist_back. Error:
 /// "draft.measure" with the measure's name.
-Result<Pattern> draft_skirt(const SkirtMeasures& measures);
+Result<pattern::Pattern> draft_skirt(const SkirtMeasures& measures);
 
 /// x of the middle of the front's pieces (`back` false) or the back's, mm; the skirt's waist passes y = 0
 /// there.
@@ -39,4 +39,4 @@ double skirt_waist_radius(const SkirtMeasures& measures);
 /// mm: y of the band pieces' lower edge.
 double skirt_band_bottom(const SkirtMeasures& measures);
 
-}  // namespace toile
+}  // namespace toile::draft

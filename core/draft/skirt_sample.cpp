@@ -9,7 +9,7 @@
 #include "core/pattern/dxf/read.h"
 #include "core/pattern/dxf/write.h"
 
-namespace toile {
+namespace toile::draft {
 namespace {
 
 constexpr double kSameEdge = 0.5;  // mm between the middles of an edge as drafted and as read
@@ -21,15 +21,15 @@ struct EdgeName {
   std::string read, drafted;
 };
 
-Vec2 middle_of(const PanelEdge& edge) { return point_at_length(edge, arc_length(edge) / 2); }
+Vec2 middle_of(const pattern::PanelEdge& edge) { return pattern::point_at_length(edge, pattern::arc_length(edge) / 2); }
 
-Result<std::vector<EdgeName>> edge_names(const Panel& drafted, const DxfDrawing& drawing) {
-  for (const DxfPiece& piece : drawing.pieces) {
+Result<std::vector<EdgeName>> edge_names(const pattern::Panel& drafted, const dxf::DxfDrawing& drawing) {
+  for (const dxf::DxfPiece& piece : drawing.pieces) {
     if (piece.name != drafted.id) continue;
-    Panel read = TRY(panel_from_piece(piece));
+    pattern::Panel read = TRY(dxf::panel_from_piece(piece));
     std::vector<EdgeName> names;
-    for (const PanelEdge& r : read.outline.edges) {
-      for (const PanelEdge& d : drafted.outline.edges) {
+    for (const pattern::PanelEdge& r : read.outline.edges) {
+      for (const pattern::PanelEdge& d : drafted.outline.edges) {
         if (length(middle_of(r) - middle_of(d)) < kSameEdge) names.push_back({r.id, d.id});
       }
     }
@@ -45,7 +45,7 @@ struct Wrap {
   double slope;
 };
 
-std::string piece_json(const Panel& panel, const std::vector<EdgeName>& names, const Wrap& w) {
+std::string piece_json(const pattern::Panel& panel, const std::vector<EdgeName>& names, const Wrap& w) {
   std::string edges;
   for (const EdgeName& n : names)
     edges += (edges.empty() ? "" : ", ") + quoted(n.read) + ": " + quoted(n.drafted);
@@ -60,9 +60,9 @@ std::string piece_json(const Panel& panel, const std::vector<EdgeName>& names, c
          "], \"slope\": " + fixed_text(w.slope, 6) + "}}\n    }";
 }
 
-std::string seam_json(const Pattern& pattern, const Seam& seam) {
-  const auto side = [&](const SeamEdge& e) {
-    const Panel& panel = pattern.panels[e.panel];
+std::string seam_json(const pattern::Pattern& pattern, const pattern::Seam& seam) {
+  const auto side = [&](const pattern::SeamEdge& e) {
+    const pattern::Panel& panel = pattern.panels[e.panel];
     return "[{\"piece\": " + quoted(panel.id) + ", \"edge\": " + quoted(panel.outline.edges[e.edge].id) +
            "}]";
   };
@@ -90,10 +90,10 @@ constexpr const char* kAttachments =
     {"id": "hold_back", "piece": "band_back", "hold": "height", "release_after_s": 1}
 )";
 
-std::string project_json(const Pattern& pattern, const std::vector<std::string>& pieces,
+std::string project_json(const pattern::Pattern& pattern, const std::vector<std::string>& pieces,
                          const SkirtSampleSettings& settings) {
   std::vector<std::string> seams;
-  for (const Seam& s : pattern.seams) seams.push_back(seam_json(pattern, s));
+  for (const pattern::Seam& s : pattern.seams) seams.push_back(seam_json(pattern, s));
   return "{\n  \"toile\": 1,\n  \"name\": \"A-line skirt\",\n  \"pieces\": [\n" + joined(pieces) +
          "  ],\n  \"fabrics\": [\n" + kFabric + "  ],\n  \"seams\": [\n" + joined(seams) +
          "  ],\n  \"bodies\": [\n    {\"id\": \"body\", \"file\": \"body.obj\", \"unit\": \"m\"}\n  ],\n"
@@ -104,8 +104,8 @@ std::string project_json(const Pattern& pattern, const std::vector<std::string>&
 }
 
 // Middle of the body's depth at a height, m.
-double middle_z(const TriangleMesh& body, double height) {
-  const double half = half_breadth_at(body, height);  // leaves the arms out
+double middle_z(const geometry::TriangleMesh& body, double height) {
+  const double half = measure::half_breadth_at(body, height);  // leaves the arms out
   double low = HUGE_VAL, high = -HUGE_VAL;
   for (const Vec3& p : body.vertices) {
     if (std::abs(p.y - height) > 0.03 || std::abs(p.x) > half) continue;
@@ -115,8 +115,8 @@ double middle_z(const TriangleMesh& body, double height) {
   return (low + high) / 2;
 }
 
-std::vector<Wrap> wraps(const TriangleMesh& body, const SkirtSampleSettings& s) {
-  const double waist = trunk_girths(body).waist.height, z = middle_z(body, waist);
+std::vector<Wrap> wraps(const geometry::TriangleMesh& body, const SkirtSampleSettings& s) {
+  const double waist = measure::trunk_girths(body).waist.height, z = middle_z(body, waist);
   const double band = waist - s.skirt.band_height / 2000, skirt = band - s.gap;
   // The cone whose apex is the pieces' own: their waist line then stands level.
   const double slope = 1000 * s.wrap_radius / skirt_waist_radius(s.skirt);
@@ -130,11 +130,11 @@ std::vector<Wrap> wraps(const TriangleMesh& body, const SkirtSampleSettings& s) 
 
 }  // namespace
 
-Result<std::vector<SampleFile>> make_skirt_sample(const TriangleMesh& body,
+Result<std::vector<SampleFile>> make_skirt_sample(const geometry::TriangleMesh& body,
                                                   const SkirtSampleSettings& settings) {
-  Pattern pattern = TRY(draft_skirt(settings.skirt));
-  std::string dxf = TRY(write_dxf(pattern));
-  DxfDrawing drawing = TRY(read_dxf(dxf));
+  pattern::Pattern pattern = TRY(draft_skirt(settings.skirt));
+  std::string dxf = TRY(dxf::write_dxf(pattern));
+  dxf::DxfDrawing drawing = TRY(dxf::read_dxf(dxf));
   const std::vector<Wrap> placed = wraps(body, settings);
   std::vector<std::string> pieces;
   for (size_t i = 0; i < pattern.panels.size(); ++i) {
@@ -145,4 +145,4 @@ Result<std::vector<SampleFile>> make_skirt_sample(const TriangleMesh& body,
                                  {"project.json", project_json(pattern, pieces, settings)}};
 }
 
-}  // namespace toile
+}  // namespace toile::draft

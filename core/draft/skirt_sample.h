@@ -9,7 +9,7 @@
 #include "core/draft/skirt.h"
 #include "core/geometry/triangle_mesh.h"
 
-namespace toile {
+namespace toile::draft {
 
 struct SkirtSampleSettings {
   SkirtMeasures skirt;
@@ -25,7 +25,7 @@ struct SampleFile {
 
 /// skirt.dxf and project.json: the drafted skirt wrapped around `body` (the sample's body.obj), its bands at
 /// the waist. Errors: those of draft_skirt, write_dxf and read_dxf.
-Result<std::vector<SampleFile>> make_skirt_sample(const TriangleMesh& body,
+Result<std::vector<SampleFile>> make_skirt_sample(const geometry::TriangleMesh& body,
                                                   const SkirtSampleSettings& settings = {});
 
-}  // namespace toile
+}  // namespace toile::draft

@@ -7,7 +7,7 @@
 #include "core/base/hash.h"
 #include "core/drape/state_bytes.h"
 
-namespace toile {
+namespace toile::drape {
 namespace {
 
 constexpr std::string_view kMagic = "TOILECP\n";
@@ -162,4 +162,4 @@ Result<RunState> decode_checkpoint(std::string_view bytes, const std::string& in
   return state;
 }
 
-}  // namespace toile
+}  // namespace toile::drape

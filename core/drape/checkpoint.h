@@ -22,7 +22,7 @@
 #include "core/drape/stop_reason.h"
 #include "core/solver/cloth_solver.h"
 
-namespace toile {
+namespace toile::drape {
 
 /// Rises when the fields change, and whenever a change of the engine gives a drape other bytes: a drape begun
 /// by one engine and ended by another would be neither's.
@@ -41,7 +41,7 @@ struct SessionState {
   std::vector<bool> released;                       ///< attachments
   std::vector<double> off_at_release;               ///< m, of each
   SettleState watch;
-  SolverState solver;
+  solver::SolverState solver;
 };
 
 /// What a DrapeRun remembers.
@@ -64,4 +64,4 @@ Result<RunState> decode_checkpoint(std::string_view bytes, const std::string& in
 /// A checkpoint that cannot be what it says it is.
 Error damaged_checkpoint();
 
-}  // namespace toile
+}  // namespace toile::drape

@@ -12,18 +12,18 @@
 #include "core/sewing/notions.h"
 #include "core/sewing/placement.h"
 
-namespace toile {
+namespace toile::drape {
 
 struct DrapeInput {
   std::string name;
-  Pattern pattern;
-  std::vector<Placement> placements;  ///< one per panel
-  std::vector<Fabric> fabrics;
+  pattern::Pattern pattern;
+  std::vector<sewing::Placement> placements;  ///< one per panel
+  std::vector<material::Fabric> fabrics;
   std::vector<Index> fabric_of_panel;  ///< index into fabrics, one per panel
-  std::vector<Body> bodies;
-  std::vector<Attachment> attachments;
-  Notions notions;
+  std::vector<body::Body> bodies;
+  std::vector<sewing::Attachment> attachments;
+  sewing::Notions notions;
   DrapeSettings settings;
 };
 
-}  // namespace toile
+}  // namespace toile::drape

@@ -8,7 +8,7 @@
 #include "core/preflight/finding.h"
 #include "core/sewing/garment_mesh.h"
 
-namespace toile {
+namespace toile::drape {
 
 /// A moment of a drape.
 struct Frame {
@@ -32,7 +32,7 @@ struct HoldFigures {
 };
 
 struct DrapeResult {
-  GarmentMesh garment;
+  sewing::GarmentMesh garment;
   std::vector<Vec3> positions;  ///< m, at the end
   StopReason stop_reason;       ///< kCancelled also when it never began
   int steps = 0;
@@ -44,11 +44,11 @@ struct DrapeResult {
   CrossingCount worst;  ///< of all recorded frames
   int worst_frame_step = 0;
   int frames_checked = 0;
-  Findings findings;               ///< of the look at the start, worst first
+  preflight::Findings findings;               ///< of the look at the start, worst first
   double seam_gap_max = 0;         ///< m
   std::vector<HoldFigures> holds;  ///< one for each attachment
 
   bool settled() const { return stop_reason.kind == Stop::kSettled; }
 };
 
-}  // namespace toile
+}  // namespace toile::drape

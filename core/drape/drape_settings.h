@@ -2,7 +2,7 @@
 
 #include "core/solver/constraints/air.h"
 
-namespace toile {
+namespace toile::drape {
 
 enum class DrapeMode {
   kDrape,    ///< only the end matters: added damping brings the cloth to rest
@@ -21,7 +21,7 @@ struct DrapeSettings {
   int frame_interval = 50;           ///< substeps between frames that viewers see, at most
   DrapeMode mode = DrapeMode::kDrape;
   bool until_settled = true;  ///< ends when the cloth is at rest; otherwise at max_time
-  AirDrag air = {};           ///< while draping, not while sewing
+  solver::constraints::AirDrag air = {};           ///< while draping, not while sewing
 };
 
-}  // namespace toile
+}  // namespace toile::drape

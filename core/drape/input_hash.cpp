@@ -5,7 +5,7 @@
 #include "core/base/hash.h"
 #include "core/drape/state_bytes.h"
 
-namespace toile {
+namespace toile::drape {
 namespace {
 
 // Each function takes its struct apart with a structured binding that names every field. A field that is
@@ -14,55 +14,55 @@ namespace {
 template <typename... Fields>
 void write(StateWriter& out, const Fields&... fields);
 
-void write_one(StateWriter& out, const CubicBezier& curve) {
+void write_one(StateWriter& out, const pattern::CubicBezier& curve) {
   const auto& [p0, p1, p2, p3] = curve;
   write(out, p0, p1, p2, p3);
 }
-void write_one(StateWriter& out, const PanelEdge& edge) {
+void write_one(StateWriter& out, const pattern::PanelEdge& edge) {
   const auto& [id, curves] = edge;
   write(out, id, curves);
 }
-void write_one(StateWriter& out, const Loop& loop) {
+void write_one(StateWriter& out, const pattern::Loop& loop) {
   const auto& [edges] = loop;
   write(out, edges);
 }
-void write_one(StateWriter& out, const InnerLine& line) {
+void write_one(StateWriter& out, const pattern::InnerLine& line) {
   const auto& [id, points, drawn] = line;
   write(out, id, points, drawn);
 }
-void write_one(StateWriter& out, const Notch& notch) {
+void write_one(StateWriter& out, const pattern::Notch& notch) {
   const auto& [at, depth, inwards] = notch;
   write(out, at, depth, inwards);
 }
-void write_one(StateWriter& out, const Panel& panel) {
+void write_one(StateWriter& out, const pattern::Panel& panel) {
   const auto& [id, outline, holes, grain, fabric, lines, layer, notches, spacing] = panel;
   write(out, id, outline, holes, grain, fabric, lines, layer, notches, spacing);
 }
-void write_one(StateWriter& out, const SeamEdge& at) {
+void write_one(StateWriter& out, const pattern::SeamEdge& at) {
   const auto& [panel, edge, reversed, from, to] = at;
   write(out, panel, edge, reversed, from, to);
 }
-void write_one(StateWriter& out, const Seam& seam) {
+void write_one(StateWriter& out, const pattern::Seam& seam) {
   const auto& [id, a, b, same_direction] = seam;
   write(out, id, a, b, same_direction);
 }
-void write_one(StateWriter& out, const Pattern& pattern) {
+void write_one(StateWriter& out, const pattern::Pattern& pattern) {
   const auto& [panels, seams] = pattern;
   write(out, panels, seams);
 }
-void write_one(StateWriter& out, const RigidPlacement& placement) {
+void write_one(StateWriter& out, const sewing::RigidPlacement& placement) {
   const auto& [translation, rotation, flipped] = placement;
   write(out, translation, rotation, flipped);
 }
-void write_one(StateWriter& out, const WrappedPlacement& placement) {
+void write_one(StateWriter& out, const sewing::WrappedPlacement& placement) {
   const auto& [axis, radius, angle, height, anchor, slope, up, turn, flipped] = placement;
   write(out, axis, radius, angle, height, anchor, slope, up, turn, flipped);
 }
-void write_one(StateWriter& out, const Placement& placement) {
+void write_one(StateWriter& out, const sewing::Placement& placement) {
   out.size(placement.index());
   std::visit([&](const auto& kind) { write(out, kind); }, placement);
 }
-void write_one(StateWriter& out, const Fabric& fabric) {
+void write_one(StateWriter& out, const material::Fabric& fabric) {
   const auto& [id, name, areal_mass, stretch_warp, stretch_weft, stretch_coupling, stretch_shear, limit_warp,
                limit_weft, limit_shear, bend_warp, bend_weft, bend_bias, thickness, friction, colour] =
       fabric;
@@ -70,51 +70,51 @@ void write_one(StateWriter& out, const Fabric& fabric) {
         limit_weft, limit_shear, bend_warp, bend_weft, bend_bias, thickness, friction, colour[0], colour[1],
         colour[2]);
 }
-void write_one(StateWriter& out, const TriangleMesh& mesh) {
+void write_one(StateWriter& out, const geometry::TriangleMesh& mesh) {
   const auto& [vertices, triangles] = mesh;
   write(out, vertices, triangles);
 }
-void write_one(StateWriter& out, const Body& body) {
+void write_one(StateWriter& out, const body::Body& body) {
   const auto& [id, mesh, friction, skin_offset, restitution, notes] = body;  // notes are words
   write(out, id, mesh, friction, skin_offset, restitution);
 }
-void write_one(StateWriter& out, const Attachment& attachment) {
+void write_one(StateWriter& out, const sewing::Attachment& attachment) {
   const auto& [id, panel, edges, hold, release_after, points, goal] = attachment;
   write(out, id, panel, edges, hold, release_after, points, goal);
 }
-void write_one(StateWriter& out, const PanelPoint& point) {
+void write_one(StateWriter& out, const sewing::PanelPoint& point) {
   const auto& [panel, at] = point;
   write(out, panel, at);
 }
-void write_one(StateWriter& out, const Button& button) {
+void write_one(StateWriter& out, const sewing::Button& button) {
   const auto& [id, a, b, distance] = button;
   write(out, id, a, b, distance);
 }
-void write_one(StateWriter& out, const Elastic& elastic) {
+void write_one(StateWriter& out, const sewing::Elastic& elastic) {
   const auto& [id, panel, edges, lines, factor, stiffness] = elastic;
   write(out, id, panel, edges, lines, factor, stiffness);
 }
-void write_one(StateWriter& out, const Crease& crease) {
+void write_one(StateWriter& out, const sewing::Crease& crease) {
   const auto& [id, panel, lines, angle, stiffness] = crease;
   write(out, id, panel, lines, angle, stiffness);
 }
-void write_one(StateWriter& out, const Cushion& cushion) {
+void write_one(StateWriter& out, const sewing::Cushion& cushion) {
   const auto& [id, panels, pressure, full_volume] = cushion;
   write(out, id, panels, pressure, full_volume);
 }
-void write_one(StateWriter& out, const Notions& notions) {
+void write_one(StateWriter& out, const sewing::Notions& notions) {
   const auto& [buttons, elastics, creases, cushions] = notions;
   write(out, buttons, elastics, creases, cushions);
 }
-void write_one(StateWriter& out, const ClothPoint& point) {
+void write_one(StateWriter& out, const sewing::ClothPoint& point) {
   const auto& [v, share] = point;
   write(out, v, share);
 }
-void write_one(StateWriter& out, const NotionPlaces& places) {
+void write_one(StateWriter& out, const sewing::NotionPlaces& places) {
   const auto& [buttons, elastics, creases] = places;
   write(out, buttons, elastics, creases);
 }
-void write_one(StateWriter& out, const AirDrag& air) {
+void write_one(StateWriter& out, const solver::constraints::AirDrag& air) {
   const auto& [density, across, along, wind] = air;
   write(out, density, across, along, wind);
 }
@@ -129,12 +129,12 @@ void write_one(StateWriter& out, const DrapeInput& input) {
       input;
   write(out, name, pattern, placements, fabrics, fabric_of_panel, bodies, attachments, notions, settings);
 }
-void write_one(StateWriter& out, const GarmentMesh& garment) {
+void write_one(StateWriter& out, const sewing::GarmentMesh& garment) {
   const auto& [rest, triangles, panel_of_vertex, panel_of_triangle, first_vertex, sewn, seam_of_sewn, weld] =
       garment;
   write(out, rest, triangles, panel_of_vertex, panel_of_triangle, first_vertex, sewn, seam_of_sewn, weld);
 }
-void write_one(StateWriter& out, const Assembly& assembly) {
+void write_one(StateWriter& out, const sewing::Assembly& assembly) {
   const auto& [garment, positions, attached, led, notions] = assembly;
   write(out, garment, positions, attached, led, notions);
 }
@@ -163,10 +163,10 @@ void write(StateWriter& out, const Fields&... fields) {
 
 }  // namespace
 
-std::string input_hash(const DrapeInput& input, const Assembly& start) {
+std::string input_hash(const DrapeInput& input, const sewing::Assembly& start) {
   StateWriter out;
   write(out, input, start);
   return hash_of(std::string_view(out.bytes()));
 }
 
-}  // namespace toile
+}  // namespace toile::drape

@@ -8,37 +8,37 @@
 #include "core/mesh/topology.h"
 #include "core/sewing/attached_places.h"
 
-namespace toile {
+namespace toile::drape {
 
 namespace {
 
 /// Sines differ in their last bit between processors; the same input must give the same bytes.
 double rounded(double value) { return std::nearbyint(value * 0x1p40) / 0x1p40; }
 
-ClothPoint mapped(const ClothPoint& point, std::span<const Index> vertex_of) {
+sewing::ClothPoint mapped(const sewing::ClothPoint& point, std::span<const Index> vertex_of) {
   return {{vertex_of[point.v[0]], vertex_of[point.v[1]], vertex_of[point.v[2]]}, point.share};
 }
 
-std::vector<PointTie> ties_of(const DrapeInput& input, const Assembly& assembly,
+std::vector<solver::constraints::PointTie> ties_of(const DrapeInput& input, const sewing::Assembly& assembly,
                               std::span<const Index> vertex_of) {
-  std::vector<PointTie> ties;
+  std::vector<solver::constraints::PointTie> ties;
   for (std::size_t i = 0; i < input.notions.buttons.size(); ++i) {
     const auto& [a, b] = assembly.notions.buttons[i];
-    PointTie tie;
+    solver::constraints::PointTie tie;
     tie.a = mapped(a, vertex_of);
     tie.b = mapped(b, vertex_of);
-    tie.start_length = length(position_of(b, assembly.positions) - position_of(a, assembly.positions));
+    tie.start_length = length(sewing::position_of(b, assembly.positions) - sewing::position_of(a, assembly.positions));
     tie.end_length = input.notions.buttons[i].distance;
     ties.push_back(tie);
   }
   return ties;
 }
 
-std::vector<ElasticSegment> elastics_of(const DrapeInput& input, const Assembly& assembly,
+std::vector<solver::constraints::ElasticSegment> elastics_of(const DrapeInput& input, const sewing::Assembly& assembly,
                                         std::span<const Index> vertex_of) {
-  std::vector<ElasticSegment> segments;
+  std::vector<solver::constraints::ElasticSegment> segments;
   for (std::size_t i = 0; i < input.notions.elastics.size(); ++i) {
-    const Elastic& elastic = input.notions.elastics[i];
+    const sewing::Elastic& elastic = input.notions.elastics[i];
     for (const std::vector<Index>& chain : assembly.notions.elastics[i]) {
       for (std::size_t k = 0; k + 1 < chain.size(); ++k) {
         const Index v0 = vertex_of[chain[k]], v1 = vertex_of[chain[k + 1]];
@@ -50,23 +50,23 @@ std::vector<ElasticSegment> elastics_of(const DrapeInput& input, const Assembly&
   return segments;
 }
 
-std::vector<FoldHinge> folds_of(const DrapeInput& input, const Assembly& assembly,
+std::vector<solver::constraints::FoldHinge> folds_of(const DrapeInput& input, const sewing::Assembly& assembly,
                                 std::span<const Index> vertex_of) {
-  std::vector<FoldHinge> hinges;
+  std::vector<solver::constraints::FoldHinge> hinges;
   if (input.notions.creases.empty()) return hinges;
-  const GarmentMesh& garment = assembly.garment;
-  std::map<std::pair<Index, Index>, MeshEdge> edges;
-  for (const MeshEdge& e : edges_of(garment.triangles, garment.vertex_count())) {
+  const sewing::GarmentMesh& garment = assembly.garment;
+  std::map<std::pair<Index, Index>, mesh::MeshEdge> edges;
+  for (const mesh::MeshEdge& e : mesh::edges_of(garment.triangles, garment.vertex_count())) {
     edges.emplace(std::minmax(e.v0, e.v1), e);
   }
   for (std::size_t i = 0; i < input.notions.creases.size(); ++i) {
-    const Crease& crease = input.notions.creases[i];
+    const sewing::Crease& crease = input.notions.creases[i];
     const double sine = rounded(std::sin(crease.angle / 2)), cosine = rounded(std::cos(crease.angle / 2));
     for (const std::vector<Index>& chain : assembly.notions.creases[i]) {
       for (std::size_t k = 0; k + 1 < chain.size(); ++k) {
         const auto found = edges.find(std::minmax(chain[k], chain[k + 1]));
         if (found == edges.end() || found->second.t1 == kNone) continue;
-        const MeshEdge& e = found->second;
+        const mesh::MeshEdge& e = found->second;
         hinges.push_back({vertex_of[e.v0], vertex_of[e.v1], vertex_of[e.opposite0], vertex_of[e.opposite1],
                           sine, cosine, crease.stiffness * length(garment.rest[e.v1] - garment.rest[e.v0])});
       }
@@ -75,11 +75,11 @@ std::vector<FoldHinge> folds_of(const DrapeInput& input, const Assembly& assembl
   return hinges;
 }
 
-std::vector<PressureChamber> chambers_of(const DrapeInput& input, const Assembly& assembly,
+std::vector<solver::constraints::PressureChamber> chambers_of(const DrapeInput& input, const sewing::Assembly& assembly,
                                          std::span<const Index> vertex_of, Index vertex_count) {
-  std::vector<PressureChamber> chambers;
-  const GarmentMesh& garment = assembly.garment;
-  for (const Cushion& cushion : input.notions.cushions) {
+  std::vector<solver::constraints::PressureChamber> chambers;
+  const sewing::GarmentMesh& garment = assembly.garment;
+  for (const sewing::Cushion& cushion : input.notions.cushions) {
     std::vector<Tri> skin;
     for (const Index panel : cushion.panels) {
       for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
@@ -91,19 +91,19 @@ std::vector<PressureChamber> chambers_of(const DrapeInput& input, const Assembly
         skin.push_back(joined);
       }
     }
-    chambers.push_back(make_chamber(skin, vertex_count, cushion.pressure, cushion.full_volume));
+    chambers.push_back(solver::constraints::make_chamber(skin, vertex_count, cushion.pressure, cushion.full_volume));
   }
   return chambers;
 }
 
-std::vector<Tether> tethers_of(const DrapeInput& input, const Assembly& assembly,
+std::vector<solver::constraints::Tether> tethers_of(const DrapeInput& input, const sewing::Assembly& assembly,
                                std::span<const Index> vertex_of, const std::vector<bool>& released) {
-  std::vector<Tether> tethers;
+  std::vector<solver::constraints::Tether> tethers;
   for (std::size_t a = 0; a < input.attachments.size(); ++a) {
     if (released[a] || assembly.led[a].empty()) continue;
     const auto goal = std::make_shared<const std::vector<Vec3>>(input.attachments[a].goal);
-    for (const ClothPoint& point : assembly.led[a]) {
-      const double start = length_of({point, goal, 0}, assembly.positions);
+    for (const sewing::ClothPoint& point : assembly.led[a]) {
+      const double start = solver::constraints::length_of({point, goal, 0}, assembly.positions);
       tethers.push_back({mapped(point, vertex_of), goal, start});
     }
   }
@@ -112,7 +112,7 @@ std::vector<Tether> tethers_of(const DrapeInput& input, const Assembly& assembly
 
 }  // namespace
 
-ClothFeatures make_features(const DrapeInput& input, const Assembly& assembly,
+solver::ClothFeatures make_features(const DrapeInput& input, const sewing::Assembly& assembly,
                             std::span<const Index> vertex_of, Index vertex_count,
                             const std::vector<bool>& released) {
   return {input.settings.air,
@@ -123,18 +123,18 @@ ClothFeatures make_features(const DrapeInput& input, const Assembly& assembly,
           tethers_of(input, assembly, vertex_of, released)};
 }
 
-double off_hold(const DrapeInput& input, const Assembly& assembly, std::size_t a, std::span<const Vec3> x) {
-  const Attachment& attachment = input.attachments[a];
+double off_hold(const DrapeInput& input, const sewing::Assembly& assembly, std::size_t a, std::span<const Vec3> x) {
+  const sewing::Attachment& attachment = input.attachments[a];
   double most = 0;
-  for (const ClothPoint& point : assembly.led[a]) {
-    const Vec3 p = position_of(point, x);
-    most = std::max(most, length(nearest_on_goal(attachment.goal, p) - p));
+  for (const sewing::ClothPoint& point : assembly.led[a]) {
+    const Vec3 p = sewing::position_of(point, x);
+    most = std::max(most, length(sewing::nearest_on_goal(attachment.goal, p) - p));
   }
   for (const Index v : assembly.attached[a]) {
     const Vec3 d = x[v] - assembly.positions[v];
-    most = std::max(most, attachment.hold == Attachment::Hold::kHeight ? std::abs(d.y) : length(d));
+    most = std::max(most, attachment.hold == sewing::Attachment::Hold::kHeight ? std::abs(d.y) : length(d));
   }
   return most;
 }
 
-}  // namespace toile
+}  // namespace toile::drape

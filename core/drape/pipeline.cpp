@@ -8,7 +8,7 @@
 #include "core/preflight/preflight.h"
 #include "core/sewing/assembly.h"
 
-namespace toile {
+namespace toile::drape {
 
 namespace {
 
@@ -45,11 +45,11 @@ class GoTimer {
 
 Result<DrapeStart> prepare_start(const DrapeInput& input, const RunContext& context) {
   context.progress("mesh", 0);
-  auto meshes = TRY(make_panel_meshes(input.pattern, input.settings.particle_distance, context));
+  auto meshes = TRY(mesh::make_panel_meshes(input.pattern, input.settings.particle_distance, context));
   context.progress("place", 0);
-  auto assembly = TRY(assemble(meshes, input.placements, input.attachments, input.notions));
+  auto assembly = TRY(sewing::assemble(meshes, input.placements, input.attachments, input.notions));
   DrapeStart start{std::move(meshes), std::move(assembly), {}};
-  start.findings = run_preflight(
+  start.findings = preflight::run_preflight(
       {input.pattern, start.meshes, input.bodies, input.settings.particle_distance}, start.assembly);
   return start;
 }
@@ -99,7 +99,7 @@ std::string DrapeRun::checkpoint() const {
 Status DrapeRun::prepare(const RunContext& context) {
   const GoTimer timer(result_);
   auto start = TRY(prepare_start(input_, context));
-  if (auto refused = first_error(start.findings)) return *refused;
+  if (auto refused = preflight::first_error(start.findings)) return *refused;
   result_.findings = std::move(start.findings);
   session_ = DrapeSession::start(input_, start.meshes, std::move(start.assembly));
   result_.garment = session_->garment();
@@ -165,4 +165,4 @@ Result<DrapeResult> drape(const DrapeInput& input, const RunContext& context, Fr
   return (*run)->conclude();
 }
 
-}  // namespace toile
+}  // namespace toile::drape

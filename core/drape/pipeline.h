@@ -16,13 +16,13 @@
 #include "core/preflight/finding.h"
 #include "core/sewing/assembly.h"
 
-namespace toile {
+namespace toile::drape {
 
 /// What a drape begins with.
 struct DrapeStart {
-  PanelMeshes meshes;
-  Assembly assembly;  ///< repaired where that could be done
-  Findings findings;  ///< of run_preflight, worst first; with an error among them no drape begins
+  mesh::PanelMeshes meshes;
+  sewing::Assembly assembly;  ///< repaired where that could be done
+  preflight::Findings findings;  ///< of run_preflight, worst first; with an error among them no drape begins
 };
 
 /// Meshes, places and looks at the start. Progress phases: "mesh", "place". Errors: pattern.*, mesh.*,
@@ -81,4 +81,4 @@ class DrapeRun {
 /// at fault.
 Result<DrapeResult> drape(const DrapeInput& input, const RunContext& context, FrameSink* sink);
 
-}  // namespace toile
+}  // namespace toile::drape

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace toile {
+namespace toile::drape {
 
 namespace {
 /// Share of the critical damping. The quotient sees the fast swings rather than the slow ones, on which a
@@ -36,4 +36,4 @@ double way_left(double speed, double damping, double rate) {
   return speed * (damping + swing) / (swing * swing);
 }
 
-}  // namespace toile
+}  // namespace toile::drape

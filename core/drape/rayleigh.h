@@ -6,7 +6,7 @@
 
 #include <span>
 
-namespace toile {
+namespace toile::drape {
 
 /// Rate (1/s) at which a motion swings, by Rayleigh's quotient: with M ü + c M u̇ + K u = 0 for velocities u,
 /// ω² = (u·K u)/(u·M u) = −u·(ü + c u̇)/(u·u), all vertices alike. `ways`: how far the vertices went (m, three
@@ -22,4 +22,4 @@ double calming_damping(double rate);
 /// v/ω at most if it swings, v c/ω² if it creeps.
 double way_left(double speed, double damping, double rate);
 
-}  // namespace toile
+}  // namespace toile::drape

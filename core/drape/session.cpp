@@ -9,7 +9,7 @@
 #include "core/drape/weld.h"
 #include "core/solver/constraints/viscosity.h"
 
-namespace toile {
+namespace toile::drape {
 
 namespace {
 
@@ -45,25 +45,25 @@ constexpr double kPullPerMetre = 150;   // N/m, pull of all threads along a seam
 
 }  // namespace
 
-std::unique_ptr<DrapeSession> DrapeSession::start(const DrapeInput& input, const PanelMeshes& meshes,
-                                                  Assembly assembly) {
+std::unique_ptr<DrapeSession> DrapeSession::start(const DrapeInput& input, const mesh::PanelMeshes& meshes,
+                                                  sewing::Assembly assembly) {
   return std::unique_ptr<DrapeSession>(new DrapeSession(input, meshes, std::move(assembly)));
 }
 
-DrapeSession::DrapeSession(const DrapeInput& input, const PanelMeshes& meshes, Assembly assembly)
+DrapeSession::DrapeSession(const DrapeInput& input, const mesh::PanelMeshes& meshes, sewing::Assembly assembly)
     : input_(input),
       assembly_(std::move(assembly)),
-      crossings_(make_surface(assembly_.garment.triangles, assembly_.garment.vertex_count(),
+      crossings_(collision::make_surface(assembly_.garment.triangles, assembly_.garment.vertex_count(),
                               assembly_.garment.weld)),
       start_hash_(input_hash(input, assembly_)),
       released_(input.attachments.size(), false),
       off_at_release_(input.attachments.size(), 0),
       watch_(input.settings.time_step, input.settings.settle_speed) {
-  for (const PanelMesh& mesh : meshes.panels) warps_.push_back(mesh.warp);
-  for (const Body& body : input.bodies) {
-    obstacles_.push_back(make_obstacle(body.mesh.vertices, body.mesh.triangles, body.friction,
+  for (const mesh::PanelMesh& mesh : meshes.panels) warps_.push_back(mesh.warp);
+  for (const body::Body& body : input.bodies) {
+    obstacles_.push_back(collision::make_obstacle(body.mesh.vertices, body.mesh.triangles, body.friction,
                                        body.skin_offset, body.restitution));
-    crossing_bodies_.push_back(make_crossing_body(body.mesh.vertices, body.mesh.triangles));
+    crossing_bodies_.push_back(collision::make_crossing_body(body.mesh.vertices, body.mesh.triangles));
   }
   const Weld open = no_weld(assembly_.positions);
   vertex_of_ = open.vertex_of;
@@ -72,15 +72,15 @@ DrapeSession::DrapeSession(const DrapeInput& input, const PanelMeshes& meshes, A
   if (assembly_.garment.sewn.empty() && input.notions.buttons.empty()) phase_ = Phase::kDrape;
 }
 
-ClothModel DrapeSession::model_of(std::span<const Index> vertex_of, Index vertex_count) const {
-  return make_cloth_model(assembly_.garment, vertex_of, vertex_count, warps_, input_.fabrics,
+solver::ClothModel DrapeSession::model_of(std::span<const Index> vertex_of, Index vertex_count) const {
+  return solver::make_cloth_model(assembly_.garment, vertex_of, vertex_count, warps_, input_.fabrics,
                           input_.fabric_of_panel);
 }
 
-void DrapeSession::build_solver(ClothModel model, std::vector<Vec3> positions, std::vector<Vec3> velocities) {
+void DrapeSession::build_solver(solver::ClothModel model, std::vector<Vec3> positions, std::vector<Vec3> velocities) {
   std::vector<Vec3> layout(positions.size());  // of the start, so that a checkpoint need not keep it
   for (std::size_t i = vertex_of_.size(); i-- > 0;) layout[vertex_of_[i]] = assembly_.positions[i];
-  solver_ = std::make_unique<ClothSolver>(std::move(model), std::move(positions), obstacles_,
+  solver_ = std::make_unique<solver::ClothSolver>(std::move(model), std::move(positions), obstacles_,
                                           input_.settings.time_step, layout);
   if (!velocities.empty()) solver_->set_velocities(std::move(velocities));
   solver_->set_holds(held_now());
@@ -90,10 +90,10 @@ void DrapeSession::build_solver(ClothModel model, std::vector<Vec3> positions, s
 
 /// Each thread pulls for the seam that it holds: where a side is sampled finely, more and weaker threads
 /// pull.
-std::vector<Stitch> DrapeSession::stitches_now() const {
-  const GarmentMesh& g = assembly_.garment;
-  const std::vector<double> held = seam_held_by_pairs(g);
-  std::vector<Stitch> stitches;
+std::vector<solver::constraints::Stitch> DrapeSession::stitches_now() const {
+  const sewing::GarmentMesh& g = assembly_.garment;
+  const std::vector<double> held = sewing::seam_held_by_pairs(g);
+  std::vector<solver::constraints::Stitch> stitches;
   for (std::size_t k = 0; k < g.sewn.size(); ++k) {
     const auto [i, j] = g.sewn[k];
     if (vertex_of_[i] == vertex_of_[j]) continue;
@@ -105,7 +105,7 @@ std::vector<Stitch> DrapeSession::stitches_now() const {
 }
 
 /// Targets are where the attached vertices stood at the start; welded ones share the mean of theirs.
-std::vector<HeldVertex> DrapeSession::held_now() const {
+std::vector<solver::constraints::HeldVertex> DrapeSession::held_now() const {
   struct Sum {
     Vec3 target;
     int count = 0;
@@ -118,10 +118,10 @@ std::vector<HeldVertex> DrapeSession::held_now() const {
       Sum& sum = sums[vertex_of_[i]];
       sum.target += assembly_.positions[i];
       ++sum.count;
-      sum.height_only &= input_.attachments[a].hold == Attachment::Hold::kHeight;
+      sum.height_only &= input_.attachments[a].hold == sewing::Attachment::Hold::kHeight;
     }
   }
-  std::vector<HeldVertex> held;
+  std::vector<solver::constraints::HeldVertex> held;
   for (std::size_t v = 0; v < sums.size(); ++v) {
     if (sums[v].count == 0) continue;
     held.push_back({static_cast<Index>(v), sums[v].height_only, sums[v].target * (1.0 / sums[v].count)});
@@ -129,7 +129,7 @@ std::vector<HeldVertex> DrapeSession::held_now() const {
   return held;
 }
 
-ClothFeatures DrapeSession::features_now() const {
+solver::ClothFeatures DrapeSession::features_now() const {
   return make_features(input_, assembly_, vertex_of_, solver_->model().vertex_count(), released_);
 }
 
@@ -137,8 +137,8 @@ bool DrapeSession::dynamic() const { return input_.settings.mode == DrapeMode::k
 
 double DrapeSession::time_of_full_gravity() const { return phase_start_ + (dynamic() ? 0 : kGravityRamp); }
 
-StepForces DrapeSession::forces_now() const {
-  StepForces forces;
+solver::StepForces DrapeSession::forces_now() const {
+  solver::StepForces forces;
   const double since = time_ - phase_start_;
   if (phase_ == Phase::kSew) {
     forces.gravity = 0;
@@ -156,7 +156,7 @@ StepForces DrapeSession::forces_now() const {
   }
   forces.gravity = input_.settings.gravity * std::min(1.0, since / kGravityRamp);
   forces.damping = watch_.damping();
-  forces.viscosity = viscous_share(kViscosity, input_.settings.time_step, steps_);
+  forces.viscosity = solver::constraints::viscous_share(kViscosity, input_.settings.time_step, steps_);
   return forces;
 }
 
@@ -198,8 +198,8 @@ Status DrapeSession::restore(SessionState state) {
 
 void DrapeSession::step() {
   TOILE_CHECK(phase_ != Phase::kDone);
-  const StepForces forces = forces_now();
-  const StepReport report = solver_->step(forces);
+  const solver::StepForces forces = forces_now();
+  const solver::StepReport report = solver_->step(forces);
   ++steps_;
   time_ += input_.settings.time_step;
   watch_.observe(solver_->positions(), forces.damping);
@@ -215,7 +215,7 @@ void DrapeSession::step() {
 void DrapeSession::sew_or_weld() {
   const double since = time_ - phase_start_;
   if (since < input_.settings.sew_time) return;
-  const double gap = largest_gap(solver_->stitches(), solver_->positions());
+  const double gap = solver::constraints::largest_gap(solver_->stitches(), solver_->positions());
   const bool shut = gap <= kSeamShut && open_button().excess <= kSeamShut;
   if (!shut && slackened_ < kMostSlackened && since >= input_.settings.sew_time + kJamTime) {
     ++slackened_;
@@ -240,7 +240,7 @@ void DrapeSession::weld() {
   Weld weld = weld_seams(assembly_.garment, positions(), kSeamTolerance, crossing_bodies_);
   vertex_of_ = weld.vertex_of;
 
-  ClothModel model = model_of(vertex_of_, weld.vertex_count);
+  solver::ClothModel model = model_of(vertex_of_, weld.vertex_count);
   std::vector<Vec3> momentum(
       weld.vertex_count);  // of the parts, so that a weld neither starts nor stops anything
   std::vector<double> mass(weld.vertex_count, 0);
@@ -260,7 +260,7 @@ void DrapeSession::weld_what_closed() {
   const std::vector<Vec3>& x = solver_->positions();
   const auto& open = solver_->stitches();
   const bool closed = std::any_of(open.begin(), open.end(),
-                                  [&](const Stitch& s) { return length(x[s.v1] - x[s.v0]) <= kSeamShut; });
+                                  [&](const solver::constraints::Stitch& s) { return length(x[s.v1] - x[s.v0]) <= kSeamShut; });
   if (closed) weld();
 }
 
@@ -303,8 +303,8 @@ Progress DrapeSession::progress() const {
   return {"drape", std::min(1.0, since / left)};
 }
 
-OpenTie DrapeSession::open_button() const {
-  return widest_tie(solver_->features().ties, solver_->positions());
+solver::constraints::OpenTie DrapeSession::open_button() const {
+  return solver::constraints::widest_tie(solver_->features().ties, solver_->positions());
 }
 
 /// A seam goes before a button: what lies on open cloth is hardly the button's fault.
@@ -374,7 +374,7 @@ std::vector<Vec3> DrapeSession::positions() const {
 CrossingCount DrapeSession::count_crossings() {
   CrossingCount count;
   crossings_.place(positions());
-  for (const CrossingBody& body : crossing_bodies_) {
+  for (const collision::CrossingBody& body : crossing_bodies_) {
     count.cloth_body += static_cast<int>(crossings_.with(body).size());
   }
   count.cloth_cloth = static_cast<int>(crossings_.with_itself().size());
@@ -389,4 +389,4 @@ double longest_sewing(const DrapeSettings& settings) {
   return settings.sew_time + kMostSlackened * (kJamTime + kSlack * settings.sew_time) + kStallTime;
 }
 
-}  // namespace toile
+}  // namespace toile::drape

@@ -17,14 +17,14 @@
 #include "core/sewing/assembly.h"
 #include "core/solver/cloth_solver.h"
 
-namespace toile {
+namespace toile::drape {
 
 class DrapeSession {
  public:
   /// Prepares a drape. `input` must outlive the session. `assembly` has passed run_preflight without an
   /// error: from a start without crossings none will come.
-  static std::unique_ptr<DrapeSession> start(const DrapeInput& input, const PanelMeshes& meshes,
-                                             Assembly assembly);
+  static std::unique_ptr<DrapeSession> start(const DrapeInput& input, const mesh::PanelMeshes& meshes,
+                                             sewing::Assembly assembly);
 
   /// One substep. REQUIRES !done().
   void step();
@@ -45,7 +45,7 @@ class DrapeSession {
   double time() const { return time_; }                      ///< s, simulated
   bool just_welded() const { return welded_at_ == steps_; }  ///< in the last step
   Progress progress() const;
-  const GarmentMesh& garment() const { return assembly_.garment; }
+  const sewing::GarmentMesh& garment() const { return assembly_.garment; }
   double rms_speed() const { return watch_.rms_speed(); }
   double max_speed() const { return watch_.max_speed(); }
   double seam_gap() const;                 ///< m, the largest
@@ -58,20 +58,20 @@ class DrapeSession {
  private:
   using Phase = DrapePhase;
 
-  DrapeSession(const DrapeInput& input, const PanelMeshes& meshes, Assembly assembly);
-  void build_solver(ClothModel model, std::vector<Vec3> positions, std::vector<Vec3> velocities);
-  ClothModel model_of(std::span<const Index> vertex_of, Index vertex_count) const;
-  std::vector<Stitch> stitches_now() const;
-  std::vector<HeldVertex> held_now() const;
-  ClothFeatures features_now() const;
-  StepForces forces_now() const;
+  DrapeSession(const DrapeInput& input, const mesh::PanelMeshes& meshes, sewing::Assembly assembly);
+  void build_solver(solver::ClothModel model, std::vector<Vec3> positions, std::vector<Vec3> velocities);
+  solver::ClothModel model_of(std::span<const Index> vertex_of, Index vertex_count) const;
+  std::vector<solver::constraints::Stitch> stitches_now() const;
+  std::vector<solver::constraints::HeldVertex> held_now() const;
+  solver::ClothFeatures features_now() const;
+  solver::StepForces forces_now() const;
   void sew_or_weld();
   void weld();
   void weld_what_closed();
   void settle_or_stop();
   double time_of_full_gravity() const;
   bool dynamic() const;
-  OpenTie open_button() const;
+  solver::constraints::OpenTie open_button() const;
   bool lies_still() const;
   bool nothing_closes() const;
   Stop stop_at_rest() const;
@@ -80,13 +80,13 @@ class DrapeSession {
   std::string name_of_widest_seam() const;
 
   const DrapeInput& input_;
-  Assembly assembly_;
-  CrossingCounter crossings_;  ///< of the garment's own vertices
+  sewing::Assembly assembly_;
+  collision::CrossingCounter crossings_;  ///< of the garment's own vertices
   std::string start_hash_;
   std::vector<Vec2> warps_;
-  std::vector<Obstacle> obstacles_;
-  std::vector<CrossingBody> crossing_bodies_;
-  std::unique_ptr<ClothSolver> solver_;
+  std::vector<collision::Obstacle> obstacles_;
+  std::vector<collision::CrossingBody> crossing_bodies_;
+  std::unique_ptr<solver::ClothSolver> solver_;
   std::vector<Index> vertex_of_;
   std::vector<bool> released_;          ///< attachments
   std::vector<double> off_at_release_;  ///< m, of each
@@ -105,4 +105,4 @@ double shortest_drape(const DrapeInput& input);
 /// Simulated s after which a drape is sewn or has stopped with a stalled seam.
 double longest_sewing(const DrapeSettings& settings);
 
-}  // namespace toile
+}  // namespace toile::drape

@@ -5,7 +5,7 @@
 
 #include "core/drape/rayleigh.h"
 
-namespace toile {
+namespace toile::drape {
 
 namespace {
 constexpr double kWindow = 0.05;  // s
@@ -109,4 +109,4 @@ bool SettleWatch::settled(double damping, double calm) const {
          last[2] + last[3] <= 1.2 * (last[0] + last[1]);
 }
 
-}  // namespace toile
+}  // namespace toile::drape

@@ -10,7 +10,7 @@
 
 #include "core/base/types.h"
 
-namespace toile {
+namespace toile::drape {
 
 /// What a SettleWatch remembers.
 struct SettleState {
@@ -60,4 +60,4 @@ class SettleWatch {
   SettleState seen_;
 };
 
-}  // namespace toile
+}  // namespace toile::drape

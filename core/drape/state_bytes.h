@@ -11,7 +11,7 @@
 
 #include "core/base/types.h"
 
-namespace toile {
+namespace toile::drape {
 
 class StateWriter {
  public:
@@ -142,4 +142,4 @@ class StateReader {
   bool ok_ = true;
 };
 
-}  // namespace toile
+}  // namespace toile::drape

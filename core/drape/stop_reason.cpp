@@ -1,6 +1,6 @@
 #include "core/drape/stop_reason.h"
 
-namespace toile {
+namespace toile::drape {
 namespace {
 
 struct Words {
@@ -42,4 +42,4 @@ Result<StopReason> stop_reason_from(std::string_view words) {
   return Error{"drape.unknown_stop", "a drape does not end for this reason", std::string(words)};
 }
 
-}  // namespace toile
+}  // namespace toile::drape

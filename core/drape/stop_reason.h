@@ -9,7 +9,7 @@
 
 #include "core/base/result.h"
 
-namespace toile {
+namespace toile::drape {
 
 enum class Stop : std::uint8_t {
   kSettled,      ///< the cloth is at rest, everything is shut
@@ -40,4 +40,4 @@ std::string to_string(const StopReason& reason);
 /// words as its place.
 Result<StopReason> stop_reason_from(std::string_view words);
 
-}  // namespace toile
+}  // namespace toile::drape

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <numeric>
 
-namespace toile {
+namespace toile::drape {
 
 namespace {
 
 /// Mean position of each class, stored at its least vertex.
-std::vector<Vec3> class_means(const GarmentMesh& garment, std::span<const Vec3> positions) {
+std::vector<Vec3> class_means(const sewing::GarmentMesh& garment, std::span<const Vec3> positions) {
   std::vector<Vec3> mean(positions.size());
   std::vector<int> count(positions.size(), 0);
   for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -22,26 +22,26 @@ std::vector<Vec3> class_means(const GarmentMesh& garment, std::span<const Vec3> 
 }
 
 /// Marks the classes of every vertex that takes part in a crossing; true when there was one.
-bool open_crossing_classes(const GarmentMesh& garment, std::span<const Vec3> positions,
-                           std::span<const CrossingBody> bodies, std::vector<bool>& open) {
-  const Surface surface = make_surface(garment.triangles, garment.vertex_count(), garment.weld);
+bool open_crossing_classes(const sewing::GarmentMesh& garment, std::span<const Vec3> positions,
+                           std::span<const collision::CrossingBody> bodies, std::vector<bool>& open) {
+  const collision::Surface surface = collision::make_surface(garment.triangles, garment.vertex_count(), garment.weld);
   bool any = false;
   const auto mark = [&](Index triangle) {
     for (const Index v : garment.triangles[triangle]) {
       if (!open[garment.weld[v]]) open[garment.weld[v]] = any = true;
     }
   };
-  for (const auto& [a, b] : self_crossings(surface, positions)) {
+  for (const auto& [a, b] : collision::self_crossings(surface, positions)) {
     mark(a);
     mark(b);
   }
-  for (const CrossingBody& body : bodies) {
-    for (const auto& [a, b] : body_crossings(surface, positions, body)) mark(a);
+  for (const collision::CrossingBody& body : bodies) {
+    for (const auto& [a, b] : collision::body_crossings(surface, positions, body)) mark(a);
   }
   return any;
 }
 
-std::vector<Vec3> with_means(const GarmentMesh& garment, std::span<const Vec3> positions,
+std::vector<Vec3> with_means(const sewing::GarmentMesh& garment, std::span<const Vec3> positions,
                              const std::vector<Vec3>& mean, const std::vector<bool>& open) {
   std::vector<Vec3> out(positions.begin(), positions.end());
   for (std::size_t i = 0; i < out.size(); ++i) {
@@ -61,7 +61,7 @@ Weld no_weld(std::span<const Vec3> positions) {
   return weld;
 }
 
-Weld joined_as(const GarmentMesh& garment, const std::vector<bool>& joined) {
+Weld joined_as(const sewing::GarmentMesh& garment, const std::vector<bool>& joined) {
   Weld weld;
   weld.vertex_of.assign(joined.size(), kNone);
   for (std::size_t i = 0; i < joined.size(); ++i) {
@@ -72,8 +72,8 @@ Weld joined_as(const GarmentMesh& garment, const std::vector<bool>& joined) {
   return weld;
 }
 
-Weld weld_seams(const GarmentMesh& garment, std::span<const Vec3> positions, double reach,
-                std::span<const CrossingBody> bodies) {
+Weld weld_seams(const sewing::GarmentMesh& garment, std::span<const Vec3> positions, double reach,
+                std::span<const collision::CrossingBody> bodies) {
   const std::vector<Vec3> mean = class_means(garment, positions);
   std::vector<bool> open(positions.size(), false);
   for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -97,4 +97,4 @@ Weld weld_seams(const GarmentMesh& garment, std::span<const Vec3> positions, dou
   return weld;
 }
 
-}  // namespace toile
+}  // namespace toile::drape

@@ -7,7 +7,7 @@
 #include "core/collision/crossings.h"
 #include "core/sewing/garment_mesh.h"
 
-namespace toile {
+namespace toile::drape {
 
 struct Weld {
   std::vector<Index> vertex_of;  ///< solver vertex of each garment vertex
@@ -18,14 +18,14 @@ struct Weld {
 
 /// The solver's vertices when each garment vertex that is marked in `joined` is one with the least vertex of
 /// its class. Positions and refused classes stay empty.
-Weld joined_as(const GarmentMesh& garment, const std::vector<bool>& joined);
+Weld joined_as(const sewing::GarmentMesh& garment, const std::vector<bool>& joined);
 
 /// Every garment vertex for itself.
 Weld no_weld(std::span<const Vec3> positions);
 
 /// Joins each class of sewn vertices that lies within `reach` (m) of its mean, unless that crosses cloth or
 /// body. `positions` are the garment's vertices.
-Weld weld_seams(const GarmentMesh& garment, std::span<const Vec3> positions, double reach,
-                std::span<const CrossingBody> bodies);
+Weld weld_seams(const sewing::GarmentMesh& garment, std::span<const Vec3> positions, double reach,
+                std::span<const collision::CrossingBody> bodies);
 
-}  // namespace toile
+}  // namespace toile::drape

@@ -9,7 +9,7 @@
 #include "core/image/texture.h"
 #include "core/material/fabric.h"
 
-namespace toile {
+namespace toile::exports {
 
 /// An image file within the .glb.
 struct GlbImage {
@@ -33,10 +33,10 @@ struct GlbLooks {
 /// meant; a picture that was turned, reduced or of printers' colours becomes a PNG of what is shown, and one
 /// that is not opaque lies over its fabric's colour. REQUIRES fabrics of panels within `fabrics`. Errors:
 /// "export.bad_index" (a panel's picture is not there), "image.bad_size".
-Result<GlbLooks> glb_looks(const Textures& textures, std::span<const Index> fabric_of_panel,
-                           std::span<const Fabric> fabrics);
+Result<GlbLooks> glb_looks(const image::Textures& textures, std::span<const Index> fabric_of_panel,
+                           std::span<const material::Fabric> fabrics);
 
 /// Texture coordinates of glTF, down from a picture's upper left corner, for flat points of a panel, m.
-std::vector<Vec2> glb_coordinates(const PanelTexture& texture, std::span<const Vec2> rest);
+std::vector<Vec2> glb_coordinates(const image::PanelTexture& texture, std::span<const Vec2> rest);
 
-}  // namespace toile
+}  // namespace toile::exports

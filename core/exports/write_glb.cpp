@@ -11,7 +11,7 @@
 #include "core/exports/glb_looks.h"
 #include "core/mesh/vertex_normals.h"
 
-namespace toile {
+namespace toile::exports {
 namespace {
 
 using nlohmann::json;
@@ -122,7 +122,7 @@ Error bad_garment(const std::string& message) {
   return {"export.bad_garment", message, "", ErrorKind::kInternal};
 }
 
-Status check_panels(const GarmentMesh& g, const GlbModel& model) {
+Status check_panels(const sewing::GarmentMesh& g, const GlbModel& model) {
   if (g.first_vertex.empty()) return bad_garment("the garment does not say where its panels start");
   const std::size_t panels = g.first_vertex.size() - 1;
   if (model.panel_names.size() != panels || model.fabric_of_panel.size() != panels) {
@@ -140,7 +140,7 @@ Status check_panels(const GarmentMesh& g, const GlbModel& model) {
   return {};
 }
 
-Status check_triangles(const GarmentMesh& g) {
+Status check_triangles(const sewing::GarmentMesh& g) {
   const auto panels = static_cast<Index>(g.first_vertex.size()) - 1;
   for (std::size_t t = 0; t < g.triangles.size(); ++t) {
     const Index panel = g.panel_of_triangle[t];
@@ -155,7 +155,7 @@ Status check_triangles(const GarmentMesh& g) {
   return {};
 }
 
-Status check_garment(const GarmentMesh& g, const GlbModel& model) {
+Status check_garment(const sewing::GarmentMesh& g, const GlbModel& model) {
   if (model.positions.size() != g.rest.size() || g.weld.size() != g.rest.size() ||
       g.panel_of_triangle.size() != g.triangles.size()) {
     return bad_garment("the garment's arrays differ in length");
@@ -175,7 +175,7 @@ Status check_garment(const GarmentMesh& g, const GlbModel& model) {
   return check_triangles(g);
 }
 
-Status check_body(const Body& body) {
+Status check_body(const body::Body& body) {
   for (const Vec3& p : body.mesh.vertices) {
     if (!is_finite(p))
       return Error{"export.not_finite", "a body has a vertex without finite position", body.id,
@@ -206,12 +206,12 @@ void dress(const GlbModel& model, const GlbLooks& looks, std::size_t panel, std:
     return;
   }
   part.material = first_look(model) + look;
-  part.texture_coordinates = glb_coordinates(*texture_of(*model.textures, static_cast<Index>(panel)), rest);
+  part.texture_coordinates = glb_coordinates(*image::texture_of(*model.textures, static_cast<Index>(panel)), rest);
 }
 
 void append_panels(const GlbModel& model, const GlbLooks& looks, std::vector<Part>& parts) {
-  const GarmentMesh& g = *model.garment;
-  const std::vector<Vec3> normals = vertex_normals(model.positions, g.triangles, g.weld);
+  const sewing::GarmentMesh& g = *model.garment;
+  const std::vector<Vec3> normals = mesh::vertex_normals(model.positions, g.triangles, g.weld);
   std::vector<Part> panels(g.first_vertex.size() - 1);
   for (std::size_t p = 0; p < panels.size(); ++p) {
     const Index begin = g.first_vertex[p], end = g.first_vertex[p + 1];
@@ -231,12 +231,12 @@ void append_panels(const GlbModel& model, const GlbLooks& looks, std::vector<Par
 }
 
 void append_bodies(const GlbModel& model, std::vector<Part>& parts) {
-  for (const Body& body : model.bodies) {
+  for (const body::Body& body : model.bodies) {
     if (body.mesh.triangles.empty()) continue;
     parts.push_back({body.id,
                      static_cast<int>(model.fabrics.size()),
                      body.mesh.vertices,
-                     vertex_normals(body.mesh.vertices, body.mesh.triangles),
+                     mesh::vertex_normals(body.mesh.vertices, body.mesh.triangles),
                      {},
                      body.mesh.triangles});
   }
@@ -254,8 +254,8 @@ json material(const std::string& name, const double* colour, double roughness, b
 
 json materials(const GlbModel& model, const GlbLooks& looks) {
   json all = json::array();
-  const auto name_of = [](const Fabric& fabric) { return fabric.name.empty() ? fabric.id : fabric.name; };
-  for (const Fabric& fabric : model.fabrics)
+  const auto name_of = [](const material::Fabric& fabric) { return fabric.name.empty() ? fabric.id : fabric.name; };
+  for (const material::Fabric& fabric : model.fabrics)
     all.push_back(material(name_of(fabric), fabric.colour, kClothRoughness, true));
   all.push_back(material("body", model.body_colour.data(), kBodyRoughness, false));
   constexpr double kAsThePicture[] = {1, 1, 1};
@@ -351,7 +351,7 @@ Result<std::string> glb_bytes(const GlbModel& model) {
     }
     append_panels(model, looks, parts);
   }
-  for (const Body& body : model.bodies) {
+  for (const body::Body& body : model.bodies) {
     if (Status bad = check_body(body); !bad.ok()) return bad.error();
   }
   append_bodies(model, parts);
@@ -366,4 +366,4 @@ Status write_glb(const std::filesystem::path& path, const GlbModel& model) {
   return write_file(path, bytes);
 }
 
-}  // namespace toile
+}  // namespace toile::exports

@@ -6,7 +6,7 @@
 #include "core/base/write_file.h"
 #include "core/geometry/obj_text.h"
 
-namespace toile {
+namespace toile::exports {
 namespace {
 
 constexpr double kPieceGap = 0.05;  // m between the pieces of rest.obj
@@ -52,7 +52,7 @@ Status check_panels(std::size_t position_count, std::size_t triangle_count, cons
 
 std::string obj_text(std::span<const Vec3> positions, std::span<const Tri> triangles,
                      const ObjPanels& panels) {
-  ObjText text;
+  geometry::ObjText text;
   text.reserve(positions.size(), triangles.size());
   for (const Vec3& p : positions) text.vertex(p);
   if (panels.names.empty()) {
@@ -79,7 +79,7 @@ std::string obj_text(std::span<const Vec3> positions, std::span<const Tri> trian
   return text.take();
 }
 
-Status check_garment(const GarmentMesh& garment, std::size_t position_count) {
+Status check_garment(const sewing::GarmentMesh& garment, std::size_t position_count) {
   const std::size_t count = garment.rest.size();
   if (position_count != count || garment.panel_of_vertex.size() != count) {
     return Error{"export.bad_garment", "rest shape, panels and positions differ in their count of vertices",
@@ -103,7 +103,7 @@ Status check_garment(const GarmentMesh& garment, std::size_t position_count) {
 }
 
 /// The flat pieces with z = 0, moved along x only: each starts a gap after the one before.
-std::vector<Vec3> laid_out(const GarmentMesh& garment) {
+std::vector<Vec3> laid_out(const sewing::GarmentMesh& garment) {
   const std::size_t panel_count = garment.first_vertex.empty() ? 0 : garment.first_vertex.size() - 1;
   std::vector<Aabb2> boxes(panel_count);
   for (std::size_t v = 0; v < garment.rest.size(); ++v)
@@ -122,9 +122,9 @@ std::vector<Vec3> laid_out(const GarmentMesh& garment) {
   return flat;
 }
 
-Status write_bodies(const std::filesystem::path& path, std::span<const Body> bodies) {
-  TriangleMesh all;
-  for (const Body& body : bodies) {
+Status write_bodies(const std::filesystem::path& path, std::span<const body::Body> bodies) {
+  geometry::TriangleMesh all;
+  for (const body::Body& body : bodies) {
     const auto first = static_cast<Index>(all.vertices.size());
     TRY(check_mesh(body.mesh.vertices, body.mesh.triangles));
     all.vertices.insert(all.vertices.end(), body.mesh.vertices.begin(), body.mesh.vertices.end());
@@ -151,8 +151,8 @@ Status write_obj(const std::filesystem::path& path, std::span<const Vec3> positi
   return write_file(path, obj_text(positions, triangles, panels));
 }
 
-Status write_check_data(const std::filesystem::path& directory, const GarmentMesh& garment,
-                        std::span<const Vec3> positions, std::span<const Body> bodies,
+Status write_check_data(const std::filesystem::path& directory, const sewing::GarmentMesh& garment,
+                        std::span<const Vec3> positions, std::span<const body::Body> bodies,
                         const ObjPanels& panels) {
   TRY(check_garment(garment, positions.size()));
   std::error_code failed;
@@ -167,4 +167,4 @@ Status write_check_data(const std::filesystem::path& directory, const GarmentMes
   return write_file(directory / "sewn.json", sewn_text(garment.sewn));
 }
 
-}  // namespace toile
+}  // namespace toile::exports

@@ -11,7 +11,7 @@
 #include "core/drape/drape_input.h"
 #include "core/drape/drape_result.h"
 
-namespace toile {
+namespace toile::exports {
 
 /// How triangles fall into named objects. Without names the file has `v` and `f` lines only.
 struct ObjPanels {
@@ -35,8 +35,8 @@ Status write_obj(const std::filesystem::path& path, std::span<const Vec3> positi
 /// - body.obj: all bodies as one mesh
 /// - sewn.json: [[i, j], …], the sewn pairs of vertices, counted from 0
 /// Errors: as write_obj, and "export.bad_garment" when arrays of the garment disagree in length.
-Status write_check_data(const std::filesystem::path& directory, const GarmentMesh& garment,
-                        std::span<const Vec3> positions, std::span<const Body> bodies,
+Status write_check_data(const std::filesystem::path& directory, const sewing::GarmentMesh& garment,
+                        std::span<const Vec3> positions, std::span<const body::Body> bodies,
                         const ObjPanels& panels = {});
 
-}  // namespace toile
+}  // namespace toile::exports

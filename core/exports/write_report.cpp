@@ -4,31 +4,31 @@
 
 #include "core/base/write_file.h"
 
-namespace toile {
+namespace toile::exports {
 
 namespace {
 
-nlohmann::ordered_json strain_json(const StrainFigures& f) {
+nlohmann::ordered_json strain_json(const analysis::StrainFigures& f) {
   return {{"mean", f.mean}, {"p99", f.p99}, {"max", f.max}};
 }
 
-nlohmann::ordered_json stretch_json(const StretchFigures& f) {
+nlohmann::ordered_json stretch_json(const analysis::StretchFigures& f) {
   nlohmann::ordered_json j = strain_json(f);
   j["tension"] = strain_json(f.tension);
   j["compression"] = strain_json(f.compression);
   return j;
 }
 
-nlohmann::ordered_json finding_json(const Finding& f) {
-  return {{"code", code_of(f.kind)},
-          {"severity", name_of(f.severity)},
+nlohmann::ordered_json finding_json(const preflight::Finding& f) {
+  return {{"code", preflight::code_of(f.kind)},
+          {"severity", preflight::name_of(f.severity)},
           {"message", f.message},
-          {"where", where_text(f)},
+          {"where", preflight::where_text(f)},
           {"place", {f.place.x, f.place.y, f.place.z}},
           {"repaired", f.repaired}};
 }
 
-nlohmann::ordered_json attachment_json(const AttachmentFigures& a) {
+nlohmann::ordered_json attachment_json(const analysis::AttachmentFigures& a) {
   nlohmann::ordered_json j{{"id", a.id}, {"released", a.released}, {"off_mm", a.off_mm}};
   if (a.released) j["released_s"] = a.released_s;
   return j;
@@ -36,11 +36,11 @@ nlohmann::ordered_json attachment_json(const AttachmentFigures& a) {
 
 }  // namespace
 
-std::string report_json(const Report& r) {
+std::string report_json(const analysis::Report& r) {
   nlohmann::ordered_json j;
   j["name"] = r.name;
   j["settled"] = r.settled();
-  j["stop_reason"] = to_string(r.stop_reason);
+  j["stop_reason"] = drape::to_string(r.stop_reason);
   j["cpu_s"] = r.cpu_s;
   j["wall_s"] = r.wall_s;
   j["resumed"] = r.resumed;
@@ -59,7 +59,7 @@ std::string report_json(const Report& r) {
                         {"frames_checked", r.frames_checked}};
   j["seam_gap_max_mm"] = r.seam_gap_max_mm;
   j["attachments"] = nlohmann::ordered_json::array();
-  for (const AttachmentFigures& a : r.attachments) j["attachments"].push_back(attachment_json(a));
+  for (const analysis::AttachmentFigures& a : r.attachments) j["attachments"].push_back(attachment_json(a));
   j["strain"] = {
       {"warp", stretch_json(r.warp)}, {"weft", stretch_json(r.weft)}, {"shear", strain_json(r.shear)}};
   j["rms_speed"] = r.rms_speed;
@@ -67,13 +67,13 @@ std::string report_json(const Report& r) {
   j["lowest_m"] = r.lowest_m;
   j["highest_m"] = r.highest_m;
   j["findings"] = nlohmann::ordered_json::array();
-  for (const Finding& f : r.findings) j["findings"].push_back(finding_json(f));
+  for (const preflight::Finding& f : r.findings) j["findings"].push_back(finding_json(f));
   j["hash"] = r.hash;
   return j.dump(2) + "\n";
 }
 
-Status write_report(const std::filesystem::path& path, const Report& report) {
+Status write_report(const std::filesystem::path& path, const analysis::Report& report) {
   return write_file(path, report_json(report));
 }
 
-}  // namespace toile
+}  // namespace toile::exports

@@ -6,12 +6,12 @@
 #include "core/analysis/report.h"
 #include "core/base/result.h"
 
-namespace toile {
+namespace toile::exports {
 
 /// The report as JSON text, keys as proto/schema/report.schema.json lists them.
-std::string report_json(const Report& report);
+std::string report_json(const analysis::Report& report);
 
 /// Writes report_json to `path` through a temporary file. Error: export.write with path and reason.
-Status write_report(const std::filesystem::path& path, const Report& report);
+Status write_report(const std::filesystem::path& path, const analysis::Report& report);
 
-}  // namespace toile
+}  // namespace toile::exports

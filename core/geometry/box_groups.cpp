@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace toile {
+namespace toile::geometry {
 
 BoxGroups::BoxGroups(std::span<const Box3> boxes) {
   std::vector<Index> order(boxes.size());
@@ -41,4 +41,4 @@ void BoxGroups::refit_groups(std::span<const Box3> boxes) {
   }
 }
 
-}  // namespace toile
+}  // namespace toile::geometry

@@ -11,7 +11,7 @@
 #include "core/base/types.h"
 #include "core/geometry/bvh.h"
 
-namespace toile {
+namespace toile::geometry {
 
 class BoxGroups {
  public:
@@ -100,4 +100,4 @@ inline unsigned BoxGroups::lanes_in(const float (&lo)[3], const float (&hi)[3], 
   return bits_of(near) | bits_of(far) << 4;
 }
 
-}  // namespace toile
+}  // namespace toile::geometry

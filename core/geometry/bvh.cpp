@@ -4,7 +4,7 @@
 
 #include "core/base/aabb.h"
 
-namespace toile {
+namespace toile::geometry {
 
 namespace {
 
@@ -92,4 +92,4 @@ void Bvh::refit(std::span<const Box3> boxes) {
   }
 }
 
-}  // namespace toile
+}  // namespace toile::geometry

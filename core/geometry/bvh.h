@@ -10,7 +10,7 @@
 #include "core/base/simd.h"
 #include "core/base/types.h"
 
-namespace toile {
+namespace toile::geometry {
 
 /// An axis-aligned box. The default is empty. The fourth lanes fill a register and are always 0.
 struct alignas(16) Box3 {
@@ -151,4 +151,4 @@ class Bvh {
   std::vector<Node> nodes_;  ///< parents before children
 };
 
-}  // namespace toile
+}  // namespace toile::geometry

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace toile {
+namespace toile::geometry {
 
 std::vector<Vec2> convex_hull(std::vector<Vec2> points) {
   std::sort(points.begin(), points.end(), [](Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
@@ -31,4 +31,4 @@ double perimeter(const std::vector<Vec2>& polygon) {
 
 double hull_perimeter(std::vector<Vec2> points) { return perimeter(convex_hull(std::move(points))); }
 
-}  // namespace toile
+}  // namespace toile::geometry

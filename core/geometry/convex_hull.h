@@ -4,7 +4,7 @@
 
 #include "core/base/types.h"
 
-namespace toile {
+namespace toile::geometry {
 
 /// The corners of the convex hull of points, counter-clockwise; a single point or none where that is all
 /// there is. Two chains over the sorted points, after Andrew, "Another efficient algorithm for convex hulls
@@ -17,4 +17,4 @@ double perimeter(const std::vector<Vec2>& polygon);
 /// The perimeter of the convex hull of points; 0 for fewer than two.
 double hull_perimeter(std::vector<Vec2> points);
 
-}  // namespace toile
+}  // namespace toile::geometry

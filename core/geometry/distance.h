@@ -7,7 +7,7 @@
 
 #include "core/base/types.h"
 
-namespace toile {
+namespace toile::geometry {
 
 /// The closest point of a triangle, as weights of its corners (sum 1, none negative).
 struct TrianglePoint {
@@ -70,4 +70,4 @@ inline EdgePoints closest_on_edges(Vec3 p0, Vec3 p1, Vec3 q0, Vec3 q1) {
   return {s, t};
 }
 
-}  // namespace toile
+}  // namespace toile::geometry

@@ -2,7 +2,7 @@
 
 #include "core/base/text.h"
 
-namespace toile {
+namespace toile::geometry {
 
 void ObjText::reserve(std::size_t vertices, std::size_t triangles) {
   text_.reserve(text_.size() + vertices * 40 + triangles * 20);  // bytes of a usual line
@@ -57,4 +57,4 @@ std::string obj_text(const TriangleMesh& mesh, ObjDigits digits) {
   return text.take();
 }
 
-}  // namespace toile
+}  // namespace toile::geometry

@@ -8,7 +8,7 @@
 #include "core/base/types.h"
 #include "core/geometry/triangle_mesh.h"
 
-namespace toile {
+namespace toile::geometry {
 
 /// How exactly coordinates are written.
 enum class ObjDigits {
@@ -39,4 +39,4 @@ class ObjText {
 /// The whole file of a mesh: its vertices, then its triangles.
 std::string obj_text(const TriangleMesh& mesh, ObjDigits digits);
 
-}  // namespace toile
+}  // namespace toile::geometry

@@ -4,7 +4,7 @@
 #include <array>
 #include <set>
 
-namespace toile {
+namespace toile::geometry {
 
 double distance(const Aabb2& box, Vec2 p) {
   return length(Vec2{std::max({box.low.x - p.x, 0.0, p.x - box.high.x}),
@@ -203,4 +203,4 @@ std::optional<Crossing> find_crossing(std::span<const std::vector<Vec2>> loops) 
   return std::nullopt;
 }
 
-}  // namespace toile
+}  // namespace toile::geometry

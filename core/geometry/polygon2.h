@@ -9,7 +9,7 @@
 
 #include "core/base/aabb.h"
 
-namespace toile {
+namespace toile::geometry {
 
 /// Distance from p to the box, 0 inside.
 double distance(const Aabb2& box, Vec2 p);
@@ -49,4 +49,4 @@ struct Crossing {
 /// finite coordinates.
 std::optional<Crossing> find_crossing(std::span<const std::vector<Vec2>> loops);
 
-}  // namespace toile
+}  // namespace toile::geometry

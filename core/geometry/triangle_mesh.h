@@ -4,7 +4,7 @@
 
 #include "core/base/types.h"
 
-namespace toile {
+namespace toile::geometry {
 
 /// A triangle surface in space. Metres, y up, right-handed.
 struct TriangleMesh {
@@ -12,4 +12,4 @@ struct TriangleMesh {
   std::vector<Tri> triangles;
 };
 
-}  // namespace toile
+}  // namespace toile::geometry

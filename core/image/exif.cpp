@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace toile {
+namespace toile::image {
 namespace {
 
 constexpr unsigned char kHead[] = {'E', 'x', 'i', 'f', 0, 0};
@@ -49,4 +49,4 @@ int exif_orientation(std::span<const unsigned char> segment) {
   return 1;
 }
 
-}  // namespace toile
+}  // namespace toile::image

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace toile {
+namespace toile::image {
 namespace {
 
 double linear_from_srgb(double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); }
@@ -56,4 +56,4 @@ Picture over_ground(Picture picture, const std::array<double, 3>& ground) {
   return picture;
 }
 
-}  // namespace toile
+}  // namespace toile::image

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace toile {
+namespace toile::image {
 
 /// Pixels as they are shown: 8-bit sRGB, four bytes each (red, green, blue, opacity), rows from the top.
 struct Picture {
@@ -21,4 +21,4 @@ Picture turned(Picture picture, int orientation);
 /// What is seen of `picture` on a ground of one colour (linear RGB, 0 to 1): opaque.
 Picture over_ground(Picture picture, const std::array<double, 3>& ground);
 
-}  // namespace toile
+}  // namespace toile::image

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-namespace toile {
+namespace toile::image {
 
 Status check_size(std::int64_t width, std::int64_t height, bool whole, const PictureLimits& limits) {
   const std::string size = std::to_string(width) + " by " + std::to_string(height) + " pixels";
@@ -61,4 +61,4 @@ Picture PictureRows::take() {
   return std::move(picture_);
 }
 
-}  // namespace toile
+}  // namespace toile::image

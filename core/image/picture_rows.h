@@ -10,7 +10,7 @@
 #include "core/image/picture.h"
 #include "core/image/read_picture.h"
 
-namespace toile {
+namespace toile::image {
 
 /// Whether a file of this size may be read. Error: image.too_large.
 Status check_size(std::int64_t width, std::int64_t height, bool whole, const PictureLimits& limits);
@@ -34,4 +34,4 @@ class PictureRows {
   Picture picture_;
 };
 
-}  // namespace toile
+}  // namespace toile::image

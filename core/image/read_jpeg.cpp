@@ -16,7 +16,7 @@
 #include "core/image/exif.h"
 #include "core/image/picture_rows.h"
 
-namespace toile {
+namespace toile::image {
 namespace {
 
 /// One reading. libjpeg reports errors by a jump: nothing with a destructor may live in functions that it can
@@ -162,4 +162,4 @@ Result<ReadPicture> read_jpeg(std::string_view bytes, const PictureLimits& limit
   return out;
 }
 
-}  // namespace toile
+}  // namespace toile::image

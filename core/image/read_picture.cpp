@@ -5,7 +5,7 @@
 #include "core/image/read_jpeg.h"
 #include "core/image/read_png.h"
 
-namespace toile {
+namespace toile::image {
 namespace {
 
 using namespace std::string_view_literals;
@@ -51,4 +51,4 @@ Result<ReadPicture> read_picture(std::string_view bytes, const PictureLimits& li
   return *format == PictureFormat::kPng ? read_png(bytes, limits) : read_jpeg(bytes, limits);
 }
 
-}  // namespace toile
+}  // namespace toile::image

@@ -10,7 +10,7 @@
 #include "core/base/result.h"
 #include "core/image/picture.h"
 
-namespace toile {
+namespace toile::image {
 
 enum class PictureFormat { kPng, kJpeg };
 
@@ -43,4 +43,4 @@ struct ReadPicture {
 /// scans), image.truncated (it ends early), image.damaged (with the library's words).
 Result<ReadPicture> read_picture(std::string_view bytes, const PictureLimits& limits = {});
 
-}  // namespace toile
+}  // namespace toile::image

@@ -11,7 +11,7 @@
 
 #include "core/image/picture_rows.h"
 
-namespace toile {
+namespace toile::image {
 namespace {
 
 constexpr png_uint_32 kMostChunks = 1000;              // of texts and the like
@@ -142,4 +142,4 @@ Result<ReadPicture> read_png(std::string_view bytes, const PictureLimits& limits
   return out;
 }
 
-}  // namespace toile
+}  // namespace toile::image

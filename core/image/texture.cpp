@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace toile {
+namespace toile::image {
 
 PanelTexture lay_texture(Index image, Vec2 grain, Vec2 origin_m, double width_m, double aspect,
                          double angle) {
@@ -22,4 +22,4 @@ const PanelTexture* texture_of(const Textures& textures, Index panel) {
   return found ? &*found : nullptr;
 }
 
-}  // namespace toile
+}  // namespace toile::image

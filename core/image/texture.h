@@ -9,7 +9,7 @@
 #include "core/base/types.h"
 #include "core/image/read_picture.h"
 
-namespace toile {
+namespace toile::image {
 
 /// A picture file that pieces show.
 struct TextureImage {
@@ -41,4 +41,4 @@ struct Textures {
 /// The panel's texture, or null.
 const PanelTexture* texture_of(const Textures& textures, Index panel);
 
-}  // namespace toile
+}  // namespace toile::image

@@ -5,7 +5,7 @@
 #include <csetjmp>
 #include <cstddef>
 
-namespace toile {
+namespace toile::image {
 namespace {
 
 struct Pixels {
@@ -52,4 +52,4 @@ Result<std::string> encode_png(int width, int height, int channels, std::span<co
   return bytes;
 }
 
-}  // namespace toile
+}  // namespace toile::image

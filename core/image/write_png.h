@@ -6,10 +6,10 @@
 
 #include "core/base/result.h"
 
-namespace toile {
+namespace toile::image {
 
 /// A PNG file's bytes, marked as sRGB. `pixels` has rows from the top of `channels` bytes a pixel: 3 (RGB) or
 /// 4 (with opacity). Error: "image.bad_size" when they do not fit the width and height.
 Result<std::string> encode_png(int width, int height, int channels, std::span<const std::uint8_t> pixels);
 
-}  // namespace toile
+}  // namespace toile::image

@@ -12,7 +12,7 @@
 #include "core/base/names.h"
 #include "core/base/text.h"
 
-namespace toile {
+namespace toile::json {
 
 JsonValue::JsonValue() : data(nullptr) {}
 JsonValue::JsonValue(bool value) : data(value) {}
@@ -250,4 +250,4 @@ std::string write_json(const JsonValue& value) { return text_of(value, 0, kLineW
 
 std::string write_json_line(const JsonValue& value) { return text_of(value, 0, SIZE_MAX); }
 
-}  // namespace toile
+}  // namespace toile::json

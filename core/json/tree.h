@@ -10,7 +10,7 @@
 
 #include "core/base/result.h"
 
-namespace toile {
+namespace toile::json {
 
 struct JsonMember;
 
@@ -70,4 +70,4 @@ std::string pointer_to(std::string_view pointer, std::size_t index);
 /// `error` with its place behind the pointer, or the file's name, of what led to it.
 Error error_at(const std::string& pointer, Error error);
 
-}  // namespace toile
+}  // namespace toile::json

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace toile {
+namespace toile::material {
 
 /// What a fabric with the value `warp` along its warp and `weft` along its weft has at the angle `angle`
 /// (radians) from the warp: the radius there of the ellipse with these half axes. 0 when both are 0. The
@@ -14,4 +14,4 @@ inline double elliptical(double warp, double weft, double angle) {
   return across > 0 ? warp * weft / across : 0;
 }
 
-}  // namespace toile
+}  // namespace toile::material

@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace toile {
+namespace toile::material {
 
 /// A fabric in real units. The membrane's energy per area is ½ εᵀ K ε with ε = (warp, weft, shear
 /// angle) and K = [[warp, coupling, 0], [coupling, weft, 0], [0, 0, shear]].
@@ -31,4 +31,4 @@ struct Fabric {
   double colour[3] = {0.55, 0.62, 0.72};  ///< linear RGB for pictures, 0 to 1
 };
 
-}  // namespace toile
+}  // namespace toile::material

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace toile {
+namespace toile::mesh {
 
 /// A point of the grid. |x| and |y| stay below 2^29 (kGridLimit), so that no determinant overflows.
 struct GridPoint {
@@ -31,4 +31,4 @@ constexpr bool in_circle(const GridPoint& a, const GridPoint& b, const GridPoint
   return determinant > 0;
 }
 
-}  // namespace toile
+}  // namespace toile::mesh

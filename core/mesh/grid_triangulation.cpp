@@ -7,7 +7,7 @@
 #include "core/base/check.h"
 #include "core/mesh/morton.h"
 
-namespace toile {
+namespace toile::mesh {
 
 GridTriangulation::GridTriangulation(std::vector<GridPoint> points)
     : count_(static_cast<Index>(points.size())), points_(std::move(points)) {
@@ -297,4 +297,4 @@ std::vector<Tri> GridTriangulation::inside_triangles() const {
   return inside;
 }
 
-}  // namespace toile
+}  // namespace toile::mesh

@@ -11,7 +11,7 @@
 #include "core/base/types.h"
 #include "core/mesh/grid_predicates.h"
 
-namespace toile {
+namespace toile::mesh {
 
 /// Why a constraint could not be laid, and where.
 struct GridConflict {
@@ -103,4 +103,4 @@ class GridTriangulation {
   Index last_ = 0;                  ///< triangle made last, where the next search starts
 };
 
-}  // namespace toile
+}  // namespace toile::mesh

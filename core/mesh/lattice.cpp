@@ -7,7 +7,7 @@
 
 #include "core/geometry/polygon2.h"
 
-namespace toile {
+namespace toile::mesh {
 namespace {
 
 struct Segment {
@@ -37,7 +37,7 @@ class SegmentGrid {
     for (auto e = std::lower_bound(entries_.begin(), entries_.end(), key); e != entries_.end(); ++e) {
       if (std::get<0>(*e) != std::get<0>(key) || std::get<1>(*e) != std::get<1>(key)) break;
       const Segment& s = segments_[std::get<2>(*e)];
-      if (distance_to_segment(p, s.a, s.b) < margin_) return true;
+      if (geometry::distance_to_segment(p, s.a, s.b) < margin_) return true;
     }
     return false;
   }
@@ -116,4 +116,4 @@ std::vector<Vec2> lattice_points(std::span<const Polygon> loops, double spacing,
   return points;
 }
 
-}  // namespace toile
+}  // namespace toile::mesh

@@ -5,7 +5,7 @@
 
 #include "core/base/types.h"
 
-namespace toile {
+namespace toile::mesh {
 
 /// A closed polygon without its first point repeated.
 using Polygon = std::vector<Vec2>;
@@ -17,4 +17,4 @@ using Polygon = std::vector<Vec2>;
 std::vector<Vec2> lattice_points(std::span<const Polygon> loops, double spacing, double margin,
                                  std::span<const std::vector<Vec2>> lines = {});
 
-}  // namespace toile
+}  // namespace toile::mesh

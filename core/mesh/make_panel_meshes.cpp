@@ -8,24 +8,24 @@
 #include "core/mesh/sample_lines.h"
 #include "core/mesh/triangulate.h"
 
-namespace toile {
+namespace toile::mesh {
 namespace {
 
 using EdgePoints = std::vector<std::vector<Vec2>>;
 
 /// Calls f(first edge, one past the last) for the outline and each hole.
 template <typename F>
-void for_loops(const Panel& panel, F&& f) {
+void for_loops(const pattern::Panel& panel, F&& f) {
   std::size_t first = 0;
-  const auto visit = [&](const Loop& loop) {
+  const auto visit = [&](const pattern::Loop& loop) {
     f(first, first + loop.edges.size());
     first += loop.edges.size();
   };
   visit(panel.outline);
-  for (const Loop& hole : panel.holes) visit(hole);
+  for (const pattern::Loop& hole : panel.holes) visit(hole);
 }
 
-std::vector<Polygon> polygons_of(const Panel& panel, const EdgePoints& edges) {
+std::vector<Polygon> polygons_of(const pattern::Panel& panel, const EdgePoints& edges) {
   std::vector<Polygon> polygons;
   for_loops(panel, [&](std::size_t first, std::size_t last) {
     Polygon polygon;
@@ -38,7 +38,7 @@ std::vector<Polygon> polygons_of(const Panel& panel, const EdgePoints& edges) {
 }
 
 /// The border's vertices edge by edge; the last of each is the first of the next.
-std::vector<std::vector<Index>> edge_vertices_of(const Panel& panel, const EdgePoints& edges,
+std::vector<std::vector<Index>> edge_vertices_of(const pattern::Panel& panel, const EdgePoints& edges,
                                                  const std::vector<Index>& border) {
   std::vector<std::vector<Index>> vertices(edges.size());
   std::size_t loop_start = 0;
@@ -57,7 +57,7 @@ std::vector<std::vector<Index>> edge_vertices_of(const Panel& panel, const EdgeP
   return vertices;
 }
 
-Result<PanelMesh> mesh_panel(const Panel& panel, const EdgePoints& edges,
+Result<PanelMesh> mesh_panel(const pattern::Panel& panel, const EdgePoints& edges,
                              const std::vector<Polygon>& polygons,
                              const std::vector<std::vector<Vec2>>& lines, double particle_distance,
                              const RunContext& context) {
@@ -87,12 +87,12 @@ MatchedSeam matched_seam(Index index, const SampledSeam& sampled, const std::vec
   return seam;
 }
 
-Status check_size(const Pattern& pattern, const std::vector<std::vector<Polygon>>& panels,
+Status check_size(const pattern::Pattern& pattern, const std::vector<std::vector<Polygon>>& panels,
                   double particle_distance) {
   double particles = 0;
   for (std::size_t p = 0; p < panels.size(); ++p) {
     const double area = std::fabs(enclosed_area(panels[p]));
-    particles += particle_estimate(area, spacing_on(pattern.panels[p], particle_distance));
+    particles += particle_estimate(area, pattern::spacing_on(pattern.panels[p], particle_distance));
   }
   if (particles <= kMaxParticles) return {};
   return Error{"mesh.too_many_particles",
@@ -103,7 +103,7 @@ Status check_size(const Pattern& pattern, const std::vector<std::vector<Polygon>
 
 }  // namespace
 
-Result<PanelMeshes> make_panel_meshes(const Pattern& pattern, double particle_distance,
+Result<PanelMeshes> make_panel_meshes(const pattern::Pattern& pattern, double particle_distance,
                                       const RunContext& context) {
   SampledPattern sampled = TRY(resample(pattern, particle_distance));
   const auto lines = TRY(sample_lines(pattern, particle_distance, sampled));
@@ -117,7 +117,7 @@ Result<PanelMeshes> make_panel_meshes(const Pattern& pattern, double particle_di
   for (std::size_t p = 0; p < count; ++p) {
     context.progress("mesh", static_cast<double>(p) / static_cast<double>(count));
     PanelMesh mesh = TRY(mesh_panel(pattern.panels[p], sampled.edges[p], polygons[p], lines[p],
-                                    spacing_on(pattern.panels[p], particle_distance), context));
+                                    pattern::spacing_on(pattern.panels[p], particle_distance), context));
     meshes.panels.push_back(std::move(mesh));
   }
   for (std::size_t s = 0; s < pattern.seams.size(); ++s) {
@@ -127,4 +127,4 @@ Result<PanelMeshes> make_panel_meshes(const Pattern& pattern, double particle_di
   return meshes;
 }
 
-}  // namespace toile
+}  // namespace toile::mesh

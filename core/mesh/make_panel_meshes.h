@@ -5,7 +5,7 @@
 #include "core/mesh/panel_mesh.h"
 #include "core/pattern/pattern.h"
 
-namespace toile {
+namespace toile::mesh {
 
 /// Homogeneous triangles of edge length `particle_distance` (m) on every panel that asks for no spacing of
 /// its own, both sides of each seam with
@@ -15,7 +15,7 @@ namespace toile {
 ///
 /// Errors are those of resample and triangulate; `where` names the piece, edge or seam.
 /// "mesh.too_many_particles" counts the whole pattern.
-Result<PanelMeshes> make_panel_meshes(const Pattern& pattern, double particle_distance,
+Result<PanelMeshes> make_panel_meshes(const pattern::Pattern& pattern, double particle_distance,
                                       const RunContext& context);
 
-}  // namespace toile
+}  // namespace toile::mesh

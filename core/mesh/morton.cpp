@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace toile {
+namespace toile::mesh {
 namespace {
 
 /// Bit i of x to bit 2i.
@@ -31,4 +31,4 @@ std::vector<Index> morton_order(std::span<const GridPoint> points, Index count) 
   return order;
 }
 
-}  // namespace toile
+}  // namespace toile::mesh

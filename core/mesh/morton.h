@@ -8,7 +8,7 @@
 #include "core/base/types.h"
 #include "core/mesh/grid_predicates.h"
 
-namespace toile {
+namespace toile::mesh {
 
 /// Bits of x and y interleaved, x lowest. x and y in 0 … 2^32 - 1.
 std::uint64_t morton_code(const GridPoint& p);
@@ -16,4 +16,4 @@ std::uint64_t morton_code(const GridPoint& p);
 /// Indices of the first `count` points (all non-negative), sorted by code, then by index.
 std::vector<Index> morton_order(std::span<const GridPoint> points, Index count);
 
-}  // namespace toile
+}  // namespace toile::mesh

@@ -5,7 +5,7 @@
 
 #include "core/base/types.h"
 
-namespace toile {
+namespace toile::mesh {
 
 /// One panel as triangles. Vertices are sorted along a Morton curve of the flat panel, so that neighbours
 /// in the plane are neighbours in memory and in a stream.
@@ -47,4 +47,4 @@ struct PanelMeshes {
   std::vector<MatchedSeam> seams;
 };
 
-}  // namespace toile
+}  // namespace toile::mesh

@@ -6,7 +6,7 @@
 
 #include "core/mesh/topology.h"
 
-namespace toile {
+namespace toile::mesh {
 namespace {
 
 struct Spread {
@@ -60,4 +60,4 @@ MeshQuality quality_of(std::span<const Vec2> rest, std::span<const Tri> triangle
   return q;
 }
 
-}  // namespace toile
+}  // namespace toile::mesh

@@ -4,7 +4,7 @@
 
 #include "core/base/types.h"
 
-namespace toile {
+namespace toile::mesh {
 
 /// How even a flat triangle mesh is. Lengths and areas in the unit of the points; angles in radians.
 struct MeshQuality {
@@ -25,4 +25,4 @@ MeshQuality quality_of(std::span<const Vec2> rest, std::span<const Tri> triangle
 /// The least angle of a triangle, radians; 0 when it is flat or inverted.
 double least_angle(Vec2 a, Vec2 b, Vec2 c);
 
-}  // namespace toile
+}  // namespace toile::mesh

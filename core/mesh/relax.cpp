@@ -7,7 +7,7 @@
 
 #include "core/mesh/topology.h"
 
-namespace toile {
+namespace toile::mesh {
 namespace {
 
 constexpr double kGrading = 0.35;      ///< growth of edge length per unit of way from a fine border
@@ -168,4 +168,4 @@ std::optional<std::vector<GridPoint>> adapted_points(std::span<const GridPoint> 
   return inner;
 }
 
-}  // namespace toile
+}  // namespace toile::mesh

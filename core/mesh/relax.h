@@ -10,7 +10,7 @@
 #include "core/base/types.h"
 #include "core/mesh/grid_triangulation.h"
 
-namespace toile {
+namespace toile::mesh {
 
 /// Wanted edge length at each of `points`, in grid units: `spacing`, but near a border that is divided
 /// finer as fine as there, growing by kGrading per unit of way. The first `border` points are border points
@@ -30,4 +30,4 @@ std::optional<std::vector<GridPoint>> adapted_points(std::span<const GridPoint> 
                                                      std::span<const std::array<Index, 2>> segments,
                                                      Index border, std::span<const double> wanted);
 
-}  // namespace toile
+}  // namespace toile::mesh

@@ -10,7 +10,7 @@
 #include "core/mesh/triangulate.h"
 #include "core/pattern/curve.h"
 
-namespace toile {
+namespace toile::mesh {
 namespace {
 
 constexpr double kLeastDistance = 5e-4;     ///< m; finer cloth than any computer here drapes
@@ -26,7 +26,7 @@ struct SewnPart {
 
 /// An edge with the lengths that are needed to find points on it, m.
 struct MeasuredEdge {
-  const PanelEdge* edge = nullptr;
+  const pattern::PanelEdge* edge = nullptr;
   std::vector<double> start;  ///< of each curve along the edge
   double length = 0;
   Index min_segments = 1;
@@ -43,20 +43,20 @@ struct PathEdge {
   std::vector<double> at;  ///< distances of its points from its start in the path, m
 };
 
-std::string edge_name(const Panel& panel, const PanelEdge& edge) {
+std::string edge_name(const pattern::Panel& panel, const pattern::PanelEdge& edge) {
   return "piece " + panel.id + ", edge " + edge.id;
 }
 
 Vec2 metres(Vec2 mm) { return {metres_from_mm(mm.x), metres_from_mm(mm.y)}; }
 
-Result<MeasuredEdge> measure(const Panel& panel, const PanelEdge& edge, Index min_segments) {
+Result<MeasuredEdge> measure(const pattern::Panel& panel, const pattern::PanelEdge& edge, Index min_segments) {
   MeasuredEdge measured{&edge, {}, 0, min_segments, {}};
-  for (const CubicBezier& c : edge.curves) {
+  for (const pattern::CubicBezier& c : edge.curves) {
     if (!is_finite(c.p0) || !is_finite(c.p1) || !is_finite(c.p2) || !is_finite(c.p3)) {
       return Error{"mesh.not_finite", "The edge has a point that is not a number.", edge_name(panel, edge)};
     }
     measured.start.push_back(measured.length);
-    measured.length += metres_from_mm(arc_length(c));
+    measured.length += metres_from_mm(pattern::arc_length(c));
   }
   if (!(measured.length > kLeastLength)) {
     return Error{"mesh.edge_without_length", "The edge has no length; remove it.", edge_name(panel, edge)};
@@ -64,10 +64,10 @@ Result<MeasuredEdge> measure(const Panel& panel, const PanelEdge& edge, Index mi
   return measured;
 }
 
-Status check_closed(const Panel& panel, const Loop& loop) {
+Status check_closed(const pattern::Panel& panel, const pattern::Loop& loop) {
   for (std::size_t i = 0; i < loop.edges.size(); ++i) {
-    const PanelEdge& edge = loop.edges[i];
-    const PanelEdge& next = loop.edges[(i + 1) % loop.edges.size()];
+    const pattern::PanelEdge& edge = loop.edges[i];
+    const pattern::PanelEdge& next = loop.edges[(i + 1) % loop.edges.size()];
     if (!(length(edge.curves.back().p3 - next.curves.front().p0) <= kJoinTolerance_mm)) {
       return Error{"mesh.outline_open", "The edge does not end where edge " + next.id + " starts.",
                    edge_name(panel, edge)};
@@ -76,18 +76,18 @@ Status check_closed(const Panel& panel, const Loop& loop) {
   return {};
 }
 
-Result<MeasuredPanel> measure(const Panel& panel) {
+Result<MeasuredPanel> measure(const pattern::Panel& panel) {
   MeasuredPanel measured;
-  const auto measure_loop = [&](const Loop& loop) -> Status {
+  const auto measure_loop = [&](const pattern::Loop& loop) -> Status {
     const Index least = loop.edges.size() == 1 ? 3 : loop.edges.size() == 2 ? 2 : 1;
-    for (const PanelEdge& edge : loop.edges) {
+    for (const pattern::PanelEdge& edge : loop.edges) {
       MeasuredEdge m = TRY(measure(panel, edge, least));
       measured.push_back(std::move(m));
     }
     return check_closed(panel, loop);
   };
   TRY(measure_loop(panel.outline));
-  for (const Loop& hole : panel.holes) {
+  for (const pattern::Loop& hole : panel.holes) {
     if (Status status = measure_loop(hole); !status) return status.error();
   }
   return measured;
@@ -98,8 +98,8 @@ Vec2 point_on(const MeasuredEdge& m, double s) {
   if (s <= 0) return metres(m.edge->curves.front().p0);
   if (s >= m.length) return metres(m.edge->curves.back().p3);
   const auto k = std::upper_bound(m.start.begin(), m.start.end(), s) - m.start.begin() - 1;
-  const CubicBezier& curve = m.edge->curves[k];
-  return metres(evaluate(curve, parameter_at_length(curve, mm_from_metres(s - m.start[k]))));
+  const pattern::CubicBezier& curve = m.edge->curves[k];
+  return metres(pattern::evaluate(curve, pattern::parameter_at_length(curve, mm_from_metres(s - m.start[k]))));
 }
 
 /// Distances of n + 1 evenly spaced points from `from` to `to`, appended without the first if there are some.
@@ -123,7 +123,7 @@ struct Side {
 };
 
 /// Adds the part that the seam takes of an edge; its place among the edge's parts.
-Result<std::size_t> take_part(MeasuredEdge& m, const SeamEdge& e, const Panel& panel,
+Result<std::size_t> take_part(MeasuredEdge& m, const pattern::SeamEdge& e, const pattern::Panel& panel,
                               const std::string& where) {
   if (!(e.from >= 0 && e.to <= 1 && (e.to - e.from) * m.length > kLeastLength)) {
     return Error{"mesh.seam_edge", "The seam takes an empty part of " + edge_name(panel, *m.edge) + ".",
@@ -139,12 +139,12 @@ Result<std::size_t> take_part(MeasuredEdge& m, const SeamEdge& e, const Panel& p
   return m.parts.size() - 1;
 }
 
-Result<Side> side_of(const Pattern& pattern, std::vector<MeasuredPanel>& panels, const Seam& seam,
-                     const std::vector<SeamEdge>& edges, bool backwards) {
+Result<Side> side_of(const pattern::Pattern& pattern, std::vector<MeasuredPanel>& panels, const pattern::Seam& seam,
+                     const std::vector<pattern::SeamEdge>& edges, bool backwards) {
   const std::string where = "seam " + seam.id;
   if (edges.empty()) return Error{"mesh.seam_edge", "A side of the seam has no edges.", where};
   Side side;
-  for (const SeamEdge& e : edges) {
+  for (const pattern::SeamEdge& e : edges) {
     const bool exists = e.panel >= 0 && e.panel < static_cast<Index>(panels.size()) && e.edge >= 0 &&
                         e.edge < static_cast<Index>(panels[e.panel].size());
     if (!exists) return Error{"mesh.seam_edge", "The seam names an edge that does not exist.", where};
@@ -199,10 +199,10 @@ struct CutSeam {
 };
 
 /// What the panels on both sides of a seam ask for: the finest.
-double spacing_of(const Pattern& pattern, const Seam& seam, double usual) {
-  double finest = spacing_on(pattern.panels[seam.a.front().panel], usual);
+double spacing_of(const pattern::Pattern& pattern, const pattern::Seam& seam, double usual) {
+  double finest = pattern::spacing_on(pattern.panels[seam.a.front().panel], usual);
   for (const auto* side : {&seam.a, &seam.b}) {
-    for (const SeamEdge& e : *side) finest = std::min(finest, spacing_on(pattern.panels[e.panel], usual));
+    for (const pattern::SeamEdge& e : *side) finest = std::min(finest, pattern::spacing_on(pattern.panels[e.panel], usual));
   }
   return finest;
 }
@@ -261,12 +261,12 @@ std::vector<double> points_of(MeasuredEdge& m, double particle_distance) {
   return at;
 }
 
-Result<std::vector<MeasuredPanel>> measure(const Pattern& pattern, double particle_distance) {
+Result<std::vector<MeasuredPanel>> measure(const pattern::Pattern& pattern, double particle_distance) {
   std::vector<MeasuredPanel> panels;
   double total = 0;
-  for (const Panel& panel : pattern.panels) {
+  for (const pattern::Panel& panel : pattern.panels) {
     MeasuredPanel measured = TRY(measure(panel));
-    const double spacing = spacing_on(panel, particle_distance);
+    const double spacing = pattern::spacing_on(panel, particle_distance);
     if (!(spacing >= kLeastDistance && std::isfinite(spacing))) {
       return Error{"mesh.particle_distance", "The particle distance must be at least 0.5 mm.",
                    panel.spacing > 0 ? "piece " + panel.id : ""};
@@ -285,20 +285,20 @@ Result<std::vector<MeasuredPanel>> measure(const Pattern& pattern, double partic
 
 }  // namespace
 
-Result<SampledPattern> resample(const Pattern& pattern, double particle_distance) {
+Result<SampledPattern> resample(const pattern::Pattern& pattern, double particle_distance) {
   std::vector<MeasuredPanel> measured = TRY(measure(pattern, particle_distance));
   std::vector<MeasuredPanel>& panels = measured;
   SampledPattern sampled;
   for (const MeasuredPanel& panel : panels) sampled.edges.emplace_back(panel.size());
   std::vector<CutSeam> cuts;
-  for (const Seam& seam : pattern.seams) {
+  for (const pattern::Seam& seam : pattern.seams) {
     Side a = TRY(side_of(pattern, panels, seam, seam.a, false));
     Side b = TRY(side_of(pattern, panels, seam, seam.b, !seam.same_direction));
     cuts.push_back(
         cut_seam(std::move(a), std::move(b), panels, spacing_of(pattern, seam, particle_distance)));
   }
   for (std::size_t p = 0; p < panels.size(); ++p) {
-    const double spacing = spacing_on(pattern.panels[p], particle_distance);
+    const double spacing = pattern::spacing_on(pattern.panels[p], particle_distance);
     for (std::size_t e = 0; e < panels[p].size(); ++e)
       sampled.edges[p][e] = points_at(panels[p][e], points_of(panels[p][e], spacing));
   }
@@ -306,4 +306,4 @@ Result<SampledPattern> resample(const Pattern& pattern, double particle_distance
   return sampled;
 }
 
-}  // namespace toile
+}  // namespace toile::mesh

@@ -6,7 +6,7 @@
 #include "core/base/types.h"
 #include "core/pattern/pattern.h"
 
-namespace toile {
+namespace toile::mesh {
 
 /// A point of SampledPattern::edges.
 struct EdgeSample {
@@ -39,6 +39,6 @@ struct SampledPattern {
 /// Errors, with `where` naming piece and edge or the seam: "mesh.particle_distance", "mesh.not_finite",
 /// "mesh.edge_without_length", "mesh.outline_open", "mesh.seam_edge" (an edge that does not exist, a
 /// part that is empty or sewn twice, or a side without edges), "mesh.too_many_particles".
-Result<SampledPattern> resample(const Pattern& pattern, double particle_distance);
+Result<SampledPattern> resample(const pattern::Pattern& pattern, double particle_distance);
 
-}  // namespace toile
+}  // namespace toile::mesh

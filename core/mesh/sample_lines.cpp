@@ -10,7 +10,7 @@
 #include "core/base/units.h"
 #include "core/mesh/triangulate.h"
 
-namespace toile {
+namespace toile::mesh {
 namespace {
 
 constexpr double kReach = 0.25;  ///< particle distances from the outline within which a line ends on it
@@ -117,11 +117,11 @@ std::vector<Vec2> sampled_line(const std::vector<Vec2>& corners, double particle
   return points;
 }
 
-Status check_length(const Pattern& pattern, double particle_distance) {
+Status check_length(const pattern::Pattern& pattern, double particle_distance) {
   double total = 0;
-  for (const Panel& panel : pattern.panels) {
-    const double spacing = spacing_on(panel, particle_distance);
-    for (const InnerLine& line : panel.lines) {
+  for (const pattern::Panel& panel : pattern.panels) {
+    const double spacing = pattern::spacing_on(panel, particle_distance);
+    for (const pattern::InnerLine& line : panel.lines) {
       if (line.drawn) continue;
       for (std::size_t i = 0; i + 1 < line.points.size(); ++i) {
         total += 1 + metres_from_mm(length(line.points[i + 1] - line.points[i])) / spacing;
@@ -137,19 +137,19 @@ Status check_length(const Pattern& pattern, double particle_distance) {
 
 }  // namespace
 
-Result<std::vector<std::vector<std::vector<Vec2>>>> sample_lines(const Pattern& pattern,
+Result<std::vector<std::vector<std::vector<Vec2>>>> sample_lines(const pattern::Pattern& pattern,
                                                                  double particle_distance,
                                                                  SampledPattern& sampled) {
   std::vector<std::vector<std::vector<Vec2>>> lines(pattern.panels.size());
   if (std::all_of(pattern.panels.begin(), pattern.panels.end(),
-                  [](const Panel& p) { return p.lines.empty(); })) {
+                  [](const pattern::Panel& p) { return p.lines.empty(); })) {
     return lines;
   }
   TRY(check_length(pattern, particle_distance));
   LineEnds ends(sampled);
   for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
-    const double spacing = spacing_on(pattern.panels[p], particle_distance);
-    for (const InnerLine& line : pattern.panels[p].lines) {
+    const double spacing = pattern::spacing_on(pattern.panels[p], particle_distance);
+    for (const pattern::InnerLine& line : pattern.panels[p].lines) {
       std::vector<Vec2>& points = lines[p].emplace_back();
       if (line.drawn) continue;
       std::vector<Vec2> corners;
@@ -163,4 +163,4 @@ Result<std::vector<std::vector<std::vector<Vec2>>>> sample_lines(const Pattern& 
   return lines;
 }
 
-}  // namespace toile
+}  // namespace toile::mesh

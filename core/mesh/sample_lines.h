@@ -6,7 +6,7 @@
 #include "core/mesh/resample.h"
 #include "core/pattern/pattern.h"
 
-namespace toile {
+namespace toile::mesh {
 
 /// The panels' inner lines as points about `particle_distance` (m) apart: [panel][line][point], m. A line
 /// that ends within a quarter of that distance of its panel's outline ends on it, in one of the outline's
@@ -15,8 +15,8 @@ namespace toile {
 /// taken) the line's end goes to the nearest point of the outline. A line that is only drawn has no points.
 ///
 /// Error: "mesh.too_many_particles".
-Result<std::vector<std::vector<std::vector<Vec2>>>> sample_lines(const Pattern& pattern,
+Result<std::vector<std::vector<std::vector<Vec2>>>> sample_lines(const pattern::Pattern& pattern,
                                                                  double particle_distance,
                                                                  SampledPattern& sampled);
 
-}  // namespace toile
+}  // namespace toile::mesh

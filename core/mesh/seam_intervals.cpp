@@ -4,7 +4,7 @@
 #include <cmath>
 #include <tuple>
 
-namespace toile {
+namespace toile::mesh {
 namespace {
 
 /// Distances along a and along b that belong together.
@@ -91,4 +91,4 @@ std::vector<SeamInterval> seam_intervals(std::span<const double> breaks_a, std::
   return intervals;
 }
 
-}  // namespace toile
+}  // namespace toile::mesh

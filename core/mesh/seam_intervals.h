@@ -5,7 +5,7 @@
 
 #include "core/base/types.h"
 
-namespace toile {
+namespace toile::mesh {
 
 /// A stretch of a seam between two corners: from a0 to a1 along side a, from b0 to b1 along side b (m), both
 /// cut into `segments` equal parts.
@@ -26,4 +26,4 @@ inline constexpr double kMergeDistance = 0.35;  ///< particle distances; see sea
 /// Segments that a line of `length` gets: as near to the particle distance as whole numbers allow.
 Index segment_count(double length, double particle_distance);
 
-}  // namespace toile
+}  // namespace toile::mesh

@@ -6,7 +6,7 @@
 
 #include "core/base/check.h"
 
-namespace toile {
+namespace toile::mesh {
 namespace {
 
 struct HalfEdge {
@@ -166,4 +166,4 @@ Index euler_characteristic(std::span<const Tri> triangles, Index vertex_count) {
   return vertex_count - edge_count + static_cast<Index>(triangles.size());
 }
 
-}  // namespace toile
+}  // namespace toile::mesh

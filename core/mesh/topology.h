@@ -9,7 +9,7 @@
 #include "core/base/result.h"
 #include "core/base/types.h"
 
-namespace toile {
+namespace toile::mesh {
 
 /// An edge of a triangle mesh. It runs v0 → v1 in the winding of t0, and v1 → v0 in that of t1, so that on
 /// a border (t1 == kNone) the surface lies to its left.
@@ -49,4 +49,4 @@ BoundaryLoops boundary_loops(std::span<const MeshEdge> edges);
 /// - borders in general.
 Index euler_characteristic(std::span<const Tri> triangles, Index vertex_count);
 
-}  // namespace toile
+}  // namespace toile::mesh

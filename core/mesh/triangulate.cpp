@@ -14,7 +14,7 @@
 #include "core/mesh/morton.h"
 #include "core/mesh/relax.h"
 
-namespace toile {
+namespace toile::mesh {
 namespace {
 
 constexpr double kGrid = 1e-7;      ///< m, step of the integer grid
@@ -206,7 +206,7 @@ void add_lattice(GridPiece& piece, std::span<const Polygon> loops, double partic
 
 double enclosed_area(std::span<const Polygon> loops) {
   double area = 0;
-  for (const Polygon& loop : loops) area += signed_area(loop);
+  for (const Polygon& loop : loops) area += geometry::signed_area(loop);
   return area;
 }
 
@@ -253,4 +253,4 @@ Result<FlatMesh> triangulate(std::span<const Polygon> loops, double particle_dis
   }
 }
 
-}  // namespace toile
+}  // namespace toile::mesh

@@ -8,7 +8,7 @@
 #include "core/base/types.h"
 #include "core/mesh/lattice.h"
 
-namespace toile {
+namespace toile::mesh {
 
 /// A flat piece as triangles, vertices in Morton order.
 struct FlatMesh {
@@ -43,4 +43,4 @@ inline constexpr double kMaxParticles = 500'000;  ///< that a garment may have; 
 /// Particles that cloth of `area` m² will have.
 double particle_estimate(double area, double particle_distance);
 
-}  // namespace toile
+}  // namespace toile::mesh

@@ -1,6 +1,6 @@
 #include "core/mesh/vertex_normals.h"
 
-namespace toile {
+namespace toile::mesh {
 namespace {
 
 /// Cosine between the joint normal and a piece's own below which they count as different surfaces.
@@ -45,4 +45,4 @@ std::vector<Vec3> vertex_normals(std::span<const Vec3> positions, std::span<cons
   return normals;
 }
 
-}  // namespace toile
+}  // namespace toile::mesh

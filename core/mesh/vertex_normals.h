@@ -5,7 +5,7 @@
 
 #include "core/base/types.h"
 
-namespace toile {
+namespace toile::mesh {
 
 /// Unit normal of each vertex: its triangles' normals, weighted by their angle at the vertex (Thürmer and
 /// Wüthrich 1998), so that the mesh's cut does not show. Vertices with one `weld` share their triangles,
@@ -16,4 +16,4 @@ namespace toile {
 std::vector<Vec3> vertex_normals(std::span<const Vec3> positions, std::span<const Tri> triangles,
                                  std::span<const Index> weld = {});
 
-}  // namespace toile
+}  // namespace toile::mesh

@@ -6,7 +6,7 @@
 
 #include "core/geometry/polygon2.h"
 
-namespace toile {
+namespace toile::pattern {
 
 CubicBezier line_segment(Vec2 a, Vec2 b) { return {a, a + (b - a) * (1.0 / 3), a + (b - a) * (2.0 / 3), b}; }
 
@@ -120,8 +120,8 @@ bool is_straight(const CubicBezier& c, double tolerance_mm) {
   const Vec2 chord = c.p3 - c.p0;
   const double along1 = dot(c.p1 - c.p0, chord), along2 = dot(c.p2 - c.p0, chord), end = dot(chord, chord);
   if (!(end > 0) || along1 < 0 || along2 < along1 || end < along2) return false;
-  return distance_to_segment(c.p1, c.p0, c.p3) <= tolerance_mm &&
-         distance_to_segment(c.p2, c.p0, c.p3) <= tolerance_mm;
+  return geometry::distance_to_segment(c.p1, c.p0, c.p3) <= tolerance_mm &&
+         geometry::distance_to_segment(c.p2, c.p0, c.p3) <= tolerance_mm;
 }
 
 std::size_t flat_steps(const CubicBezier& c, double tolerance_mm) {
@@ -186,4 +186,4 @@ double signed_area(const Loop& loop) {
   return sum;
 }
 
-}  // namespace toile
+}  // namespace toile::pattern

@@ -8,7 +8,7 @@
 #include "core/base/types.h"
 #include "core/pattern/pattern.h"
 
-namespace toile {
+namespace toile::pattern {
 
 /// The straight segment from a to b, with its handles at the thirds: its parameter is proportional to length.
 CubicBezier line_segment(Vec2 a, Vec2 b);
@@ -58,4 +58,4 @@ std::vector<Vec2> flatten(const Loop& loop, double tolerance_mm);
 /// Exact area that the loop's curves enclose, mm², positive when it runs counter-clockwise.
 double signed_area(const Loop& loop);
 
-}  // namespace toile
+}  // namespace toile::pattern

@@ -11,7 +11,7 @@
 #include "core/pattern/curve.h"
 #include "core/pattern/fit_cubic.h"
 
-namespace toile {
+namespace toile::pattern {
 namespace {
 
 // A run of points this close to one line is straight: files carry three decimals of a millimetre, and an arc
@@ -222,7 +222,7 @@ struct Run {
 
 /// Cuts p into straight runs and the curved ones between them.
 std::vector<Run> runs_of(Points p) {
-  const double least = std::max(kStraightLength, kStraightShare * polyline_length(p));
+  const double least = std::max(kStraightLength, kStraightShare * geometry::polyline_length(p));
   std::vector<Run> runs;
   std::size_t curve_begin = 0, i = 0;
   while (i + 1 < p.size()) {
@@ -243,7 +243,7 @@ bool is_straight_run(Points p) {
   double along = 0;
   const Vec2 direction = normalized(p.back() - p.front());
   for (Vec2 q : p) {
-    if (distance_to_segment(q, p.front(), p.back()) > kWholeStraight) return false;
+    if (geometry::distance_to_segment(q, p.front(), p.back()) > kWholeStraight) return false;
     const double s = dot(q - p.front(), direction);
     if (s < along - kWholeStraight) return false;
     along = std::max(along, s);
@@ -332,7 +332,7 @@ std::vector<CubicBezier> fit_smooth_loop(std::span<const Vec2> loop, double tole
     if (is_sharp(points, i)) return fit_polyline(points, tolerance_mm, ends);
   // Quarters by length: one cubic cannot go all the way round, and four draw an ellipse well.
   std::vector<std::size_t> cuts{0};
-  const double whole = polyline_length(points);
+  const double whole = geometry::polyline_length(points);
   double s = 0;
   for (std::size_t i = 1; i < n; ++i) {
     s += length(points[i] - points[i - 1]);
@@ -353,4 +353,4 @@ std::vector<CubicBezier> fit_smooth_loop(std::span<const Vec2> loop, double tole
   return curves;
 }
 
-}  // namespace toile
+}  // namespace toile::pattern

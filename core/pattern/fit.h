@@ -8,7 +8,7 @@
 #include "core/base/types.h"
 #include "core/pattern/pattern.h"
 
-namespace toile {
+namespace toile::pattern {
 
 /// Cubics through the ends of an open polyline that stay within `tolerance_mm` of each of its points; with
 /// consecutive curves sharing ends exactly. Straight runs become exact lines. A sharp bend amid the points
@@ -29,4 +29,4 @@ std::vector<CubicBezier> fit_polyline(std::span<const Vec2> points, double toler
 std::vector<CubicBezier> fit_smooth_loop(std::span<const Vec2> loop, double tolerance_mm,
                                          std::span<const std::size_t> ends = {});
 
-}  // namespace toile
+}  // namespace toile::pattern

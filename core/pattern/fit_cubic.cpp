@@ -10,7 +10,7 @@
 #include "core/geometry/polygon2.h"
 #include "core/pattern/curve.h"
 
-namespace toile {
+namespace toile::pattern {
 namespace {
 
 constexpr double kSharpBend = 35 * (kPi / 180);   // rad
@@ -143,7 +143,7 @@ void reparametrise(Points p, std::vector<double>& u, const CubicBezier& c) {
 }  // namespace
 
 std::optional<CubicBezier> fit_cubic(Points p, Vec2 t0, Vec2 t1, double tolerance, std::size_t& farthest) {
-  const double run_length = polyline_length(p);
+  const double run_length = geometry::polyline_length(p);
   std::vector<double> u = chord_parameters(p);
   Worst worst{std::numeric_limits<double>::max(), 0};
   const std::size_t rounds = std::min(kReparametrisations, 8 + kMostWork / p.size());
@@ -160,4 +160,4 @@ std::optional<CubicBezier> fit_cubic(Points p, Vec2 t0, Vec2 t1, double toleranc
   return std::nullopt;
 }
 
-}  // namespace toile
+}  // namespace toile::pattern

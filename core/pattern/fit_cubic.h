@@ -10,7 +10,7 @@
 #include "core/base/units.h"
 #include "core/pattern/pattern.h"
 
-namespace toile {
+namespace toile::pattern {
 
 /// mm; nearer points would show the rounding of files.
 inline constexpr double kTangentReach = 0.5;
@@ -32,4 +32,4 @@ Vec2 inner_tangent(std::span<const Vec2> p, std::size_t i, double far = kTangent
 std::optional<CubicBezier> fit_cubic(std::span<const Vec2> p, Vec2 t0, Vec2 t1, double tolerance,
                                      std::size_t& farthest);
 
-}  // namespace toile
+}  // namespace toile::pattern

@@ -11,7 +11,7 @@
 #include "core/pattern/curve.h"
 #include "core/pattern/fit.h"
 
-namespace toile {
+namespace toile::pattern {
 
 std::string place_text(Vec2 p) {
   return "(" + significant_text(p.x, 6) + ", " + significant_text(p.y, 6) + ") mm";
@@ -63,7 +63,7 @@ bool outdone(Points loop, const std::vector<double>& turns, std::size_t i, doubl
 
 std::vector<std::size_t> find_corners(std::span<const Vec2> loop, double corner_angle) {
   // An eighth of the way round keeps the two sides of the window apart on tiny loops.
-  const double around = polyline_length(loop) + length(loop.front() - loop.back());
+  const double around = geometry::polyline_length(loop) + length(loop.front() - loop.back());
   const double window = std::min(kCornerWindow, around / 8);
   std::vector<double> turns(loop.size());
   for (std::size_t i = 0; i < loop.size(); ++i) turns[i] = turn_at(loop, i, window);
@@ -102,10 +102,10 @@ Result<std::vector<Vec2>> clean_outline(const std::vector<Vec2>& points) {
     return Error{"pattern.too_few_points", "An outline needs at least three points apart from each other.",
                  where};
   // A figure of eight may sum to nothing as well: there the crossing is the better news.
-  if (std::abs(signed_area(loop)) < kLeastArea && is_flat(loop, kJointTolerance))
+  if (std::abs(geometry::signed_area(loop)) < kLeastArea && geometry::is_flat(loop, kJointTolerance))
     return Error{"pattern.zero_area", "The outline encloses no area.", where};
   const std::vector<std::vector<Vec2>> loops{loop};
-  const std::optional<Crossing> crossing = find_crossing(loops);
+  const std::optional<geometry::Crossing> crossing = geometry::find_crossing(loops);
   if (crossing)
     return Error{"pattern.self_crossing",
                  "The outline crosses or touches itself at " + place_text(crossing->point) + ".",
@@ -141,7 +141,7 @@ std::optional<std::size_t> vertex_at(std::vector<Vec2>& line, Vec2 p) {
   double nearest = kOnLine;
   bool found = false;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const double off = distance_to_segment(p, line[i], line[i + 1]);
+    const double off = geometry::distance_to_segment(p, line[i], line[i + 1]);
     if (off < nearest) {
       nearest = off;
       best = i;
@@ -213,7 +213,7 @@ Result<Loop> loop_from_polyline(const std::vector<Vec2>& points_mm, std::span<co
   std::vector<Vec2> cleaned = TRY(clean_outline(points_mm));
   std::vector<Vec2> loop = cleaned;
   const std::size_t n = loop.size();
-  const bool clockwise = signed_area(loop) < 0;
+  const bool clockwise = geometry::signed_area(loop) < 0;
   if (clockwise) std::reverse(loop.begin() + 1, loop.end());
 
   std::vector<std::size_t> corners;
@@ -311,4 +311,4 @@ Result<Loop> loop_from_edges(std::vector<PanelEdge> edges) {
   return area < 0 ? reversed(loop) : loop;
 }
 
-}  // namespace toile
+}  // namespace toile::pattern

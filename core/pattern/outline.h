@@ -11,7 +11,7 @@
 #include "core/base/units.h"
 #include "core/pattern/pattern.h"
 
-namespace toile {
+namespace toile::pattern {
 
 struct OutlineSettings {
   /// Radians. Where an outline turns by more, an edge ends. The turn is measured between the directions over
@@ -66,4 +66,4 @@ Result<Loop> loop_from_edges(std::vector<PanelEdge> edges);
 /// "(12.5, -3) mm", as messages name a place.
 std::string place_text(Vec2 p);
 
-}  // namespace toile
+}  // namespace toile::pattern

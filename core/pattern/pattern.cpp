@@ -1,6 +1,6 @@
 #include "core/pattern/pattern.h"
 
-namespace toile {
+namespace toile::pattern {
 
 std::vector<const PanelEdge*> edges_of(const Panel& panel) {
   std::vector<const PanelEdge*> edges;
@@ -10,4 +10,4 @@ std::vector<const PanelEdge*> edges_of(const Panel& panel) {
   return edges;
 }
 
-}  // namespace toile
+}  // namespace toile::pattern

@@ -7,7 +7,7 @@
 
 #include "core/base/types.h"
 
-namespace toile {
+namespace toile::pattern {
 
 /// One cubic Bézier segment, mm. A straight line has its handles at the thirds.
 struct CubicBezier {
@@ -86,4 +86,4 @@ struct Pattern {
 /// The panel's edges in the order that SeamEdge::edge counts: outline first, then each hole.
 std::vector<const PanelEdge*> edges_of(const Panel& panel);
 
-}  // namespace toile
+}  // namespace toile::pattern

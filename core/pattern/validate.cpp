@@ -13,7 +13,7 @@
 #include "core/pattern/curve.h"
 #include "core/pattern/outline.h"
 
-namespace toile {
+namespace toile::pattern {
 namespace {
 
 using Failure = std::optional<Error>;
@@ -114,7 +114,7 @@ std::optional<AreaFault> area_fault(const std::vector<const Loop*>& loops, const
 Failure check_crossings(const std::vector<const Loop*>& loops, const std::string& piece) {
   std::vector<std::vector<Vec2>> flat;
   for (const Loop* loop : loops) flat.push_back(flatten(*loop, kFlatness));
-  if (const std::optional<Crossing> c = find_crossing(flat)) {
+  if (const std::optional<geometry::Crossing> c = geometry::find_crossing(flat)) {
     const PanelEdge &a = edge_at(*loops[c->loop_a], c->segment_a),
                     &b = edge_at(*loops[c->loop_b], c->segment_b);
     return Error{"pattern.self_crossing",
@@ -123,9 +123,9 @@ Failure check_crossings(const std::vector<const Loop*>& loops, const std::string
   }
   // Nothing crosses: one point tells where the whole hole lies.
   for (std::size_t h = 1; h < flat.size(); ++h) {
-    bool free = contains(flat[0], flat[h][0]);
+    bool free = geometry::contains(flat[0], flat[h][0]);
     for (std::size_t other = 1; other < flat.size(); ++other)
-      free = free && (other == h || !contains(flat[other], flat[h][0]));
+      free = free && (other == h || !geometry::contains(flat[other], flat[h][0]));
     if (!free)
       return Error{"pattern.hole_outside", "The hole does not lie in the cloth of its piece.",
                    piece + loop_text(h)};
@@ -137,8 +137,8 @@ Failure check_crossings(const std::vector<const Loop*>& loops, const std::string
 constexpr double kOnOutline = 0.5;  // mm
 
 bool in_cloth(const std::vector<std::vector<Vec2>>& loops, Vec2 p) {
-  bool inside = contains(loops[0], p);
-  for (std::size_t h = 1; h < loops.size(); ++h) inside = inside && !contains(loops[h], p);
+  bool inside = geometry::contains(loops[0], p);
+  for (std::size_t h = 1; h < loops.size(); ++h) inside = inside && !geometry::contains(loops[h], p);
   return inside;
 }
 
@@ -146,7 +146,7 @@ double distance_to_loops(const std::vector<std::vector<Vec2>>& loops, Vec2 p) {
   double nearest = kFarthest;
   for (const std::vector<Vec2>& loop : loops) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
-      nearest = std::min(nearest, distance_to_segment(p, loop[i], loop[(i + 1) % loop.size()]));
+      nearest = std::min(nearest, geometry::distance_to_segment(p, loop[i], loop[(i + 1) % loop.size()]));
     }
   }
   return nearest;
@@ -284,4 +284,4 @@ Status validate(const Pattern& pattern) {
   return error ? Status(*error) : Status();
 }
 
-}  // namespace toile
+}  // namespace toile::pattern

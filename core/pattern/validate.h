@@ -3,7 +3,7 @@
 #include "core/base/result.h"
 #include "core/pattern/pattern.h"
 
-namespace toile {
+namespace toile::pattern {
 
 /// Whether the pattern can be cut and sewn: ids there and unique; coordinates finite and within a kilometre;
 /// loops closed exactly, outlines counter-clockwise and holes clockwise, with area, not crossing or touching
@@ -21,4 +21,4 @@ Status validate(const Pattern& pattern);
 /// The same for one piece by itself.
 Status validate(const Panel& panel);
 
-}  // namespace toile
+}  // namespace toile::pattern

@@ -5,7 +5,7 @@
 #include "core/body/measure/mesh_cut.h"
 #include "core/geometry/polygon2.h"
 
-namespace toile {
+namespace toile::preflight {
 
 namespace {
 
@@ -15,25 +15,25 @@ double volume(Vec3 a, Vec3 b, Vec3 c, Vec3 p) { return dot(cross(b - a, c - a), 
 
 }  // namespace
 
-BodyProbe::BodyProbe(const Body& body)
+BodyProbe::BodyProbe(const body::Body& body)
     : body_(&body),
-      crossing_(make_crossing_body(body.mesh.vertices, body.mesh.triangles)),
+      crossing_(collision::make_crossing_body(body.mesh.vertices, body.mesh.triangles)),
       box_(bounding_box(body.mesh.vertices)) {}
 
 /// Calls visit(triangle) for every triangle that the segment passes through, some of them more than once,
 /// until it returns false.
 template <typename Visit>
 void BodyProbe::visit_hits(Vec3 from, Vec3 to, Visit&& visit) const {
-  const ExactPoint p = to_grid(from), q = to_grid(to);
+  const collision::ExactPoint p = collision::to_grid(from), q = collision::to_grid(to);
   const int strides = 1 + static_cast<int>(length(to - from) / kStride);
   bool going = true;
   for (int k = 0; k < strides && going; ++k) {
     const Vec3 a = from + (to - from) * (static_cast<double>(k) / strides);
     const Vec3 b = from + (to - from) * (static_cast<double>(k + 1) / strides);
-    crossing_.groups.query(box_around({a, b}, 2e-6), [&](Index t) {
+    crossing_.groups.query(geometry::box_around({a, b}, 2e-6), [&](Index t) {
       if (!going) return;
       const Tri& tri = crossing_.triangles[t];
-      if (segment_crosses_triangle(p, q, crossing_.points[tri[0]], crossing_.points[tri[1]],
+      if (collision::segment_crosses_triangle(p, q, crossing_.points[tri[0]], crossing_.points[tri[1]],
                                    crossing_.points[tri[2]])) {
         going = visit(t);
       }
@@ -78,10 +78,10 @@ bool BodyProbe::contains(Vec3 p) const {
   return std::all_of(kWays, kWays + 3, [&](Vec3 way) { return hits(p, p + way * far).size() % 2 == 1; });
 }
 
-std::vector<BodyProbe> make_probes(std::span<const Body> bodies) {
+std::vector<BodyProbe> make_probes(std::span<const body::Body> bodies) {
   std::vector<BodyProbe> probes;
   probes.reserve(bodies.size());
-  for (const Body& body : bodies) probes.emplace_back(body);
+  for (const body::Body& body : bodies) probes.emplace_back(body);
   return probes;
 }
 
@@ -94,8 +94,8 @@ PlaneFrame make_plane_frame(Vec3 origin, Vec3 normal) {
   return {origin, u, cross(n, u), n};
 }
 
-std::vector<SlicePart> slice_parts(const TriangleMesh& mesh, const PlaneFrame& plane) {
-  const MeshCut cut = plane_cut(mesh, plane.origin, plane.normal);
+std::vector<SlicePart> slice_parts(const geometry::TriangleMesh& mesh, const PlaneFrame& plane) {
+  const measure::MeshCut cut = measure::plane_cut(mesh, plane.origin, plane.normal);
   std::vector<SlicePart> parts(static_cast<std::size_t>(cut.part_count));
   for (std::size_t i = 0; i < cut.points.size(); ++i)
     parts[cut.part[i]].points.push_back(plane.flat(cut.points[i]));
@@ -106,4 +106,4 @@ std::vector<SlicePart> slice_parts(const TriangleMesh& mesh, const PlaneFrame& p
   return parts;
 }
 
-}  // namespace toile
+}  // namespace toile::preflight

@@ -11,15 +11,15 @@
 #include "core/collision/crossings.h"
 #include "core/geometry/bvh.h"
 
-namespace toile {
+namespace toile::preflight {
 
 class BodyProbe {
  public:
   /// `body` must outlive the probe.
-  explicit BodyProbe(const Body& body);
+  explicit BodyProbe(const body::Body& body);
 
-  const Body& body() const { return *body_; }
-  const CrossingBody& crossing() const { return crossing_; }
+  const body::Body& body() const { return *body_; }
+  const collision::CrossingBody& crossing() const { return crossing_; }
   const Aabb3& box() const { return box_; }  ///< m, around the body
   double height() const { return box_.size().y; }
 
@@ -33,12 +33,12 @@ class BodyProbe {
   template <typename Visit>
   void visit_hits(Vec3 from, Vec3 to, Visit&& visit) const;
 
-  const Body* body_;
-  CrossingBody crossing_;
+  const body::Body* body_;
+  collision::CrossingBody crossing_;
   Aabb3 box_;
 };
 
-std::vector<BodyProbe> make_probes(std::span<const Body> bodies);
+std::vector<BodyProbe> make_probes(std::span<const body::Body> bodies);
 
 /// A connected line in which a plane cuts a body, as loose points in the plane's own axes.
 struct SlicePart {
@@ -55,6 +55,6 @@ struct PlaneFrame {
 /// REQUIRES `normal` not null.
 PlaneFrame make_plane_frame(Vec3 origin, Vec3 normal);
 
-std::vector<SlicePart> slice_parts(const TriangleMesh& mesh, const PlaneFrame& plane);
+std::vector<SlicePart> slice_parts(const geometry::TriangleMesh& mesh, const PlaneFrame& plane);
 
-}  // namespace toile
+}  // namespace toile::preflight

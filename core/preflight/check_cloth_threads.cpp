@@ -8,7 +8,7 @@
 
 #include "core/preflight/body_probe.h"
 
-namespace toile {
+namespace toile::preflight {
 
 namespace {
 
@@ -24,10 +24,10 @@ struct Thread {
 };
 
 /// A piece where it stands, as something to run into.
-Body body_of_piece(const Assembly& assembly, Index piece) {
-  const GarmentMesh& g = assembly.garment;
+body::Body body_of_piece(const sewing::Assembly& assembly, Index piece) {
+  const sewing::GarmentMesh& g = assembly.garment;
   const Index first = g.first_vertex[piece];
-  Body body;
+  body::Body body;
   body.mesh.vertices.assign(assembly.positions.begin() + first,
                             assembly.positions.begin() + g.first_vertex[piece + 1]);
   for (std::size_t t = 0; t < g.triangles.size(); ++t) {
@@ -106,7 +106,7 @@ std::optional<Finding> look(const std::vector<Thread>& threads, const BodyProbe&
 }
 
 /// Radians of the piece's own cloth around each vertex of the flat garment.
-std::vector<double> angles_around(const GarmentMesh& g) {
+std::vector<double> angles_around(const sewing::GarmentMesh& g) {
   std::vector<double> angle(static_cast<std::size_t>(g.vertex_count()), 0);
   for (const Tri& t : g.triangles) {
     for (int k = 0; k < 3; ++k) {
@@ -119,10 +119,10 @@ std::vector<double> angles_around(const GarmentMesh& g) {
 
 }  // namespace
 
-void check_cloth_threads(const PreflightInput& input, const Assembly& assembly, Findings& findings) {
-  const GarmentMesh& g = assembly.garment;
+void check_cloth_threads(const PreflightInput& input, const sewing::Assembly& assembly, Findings& findings) {
+  const sewing::GarmentMesh& g = assembly.garment;
   const auto pieces = static_cast<Index>(input.pattern.panels.size());
-  std::vector<Body> bodies;
+  std::vector<body::Body> bodies;
   for (Index p = 0; p < pieces; ++p) bodies.push_back(body_of_piece(assembly, p));
   const std::vector<BodyProbe> probes = make_probes(bodies);
   for (Index s = 0; s < static_cast<Index>(input.pattern.seams.size()); ++s) {
@@ -143,9 +143,9 @@ void check_cloth_threads(const PreflightInput& input, const Assembly& assembly, 
   }
 }
 
-void check_open_rings(const PreflightInput& input, const Assembly& assembly, Findings& findings) {
+void check_open_rings(const PreflightInput& input, const sewing::Assembly& assembly, Findings& findings) {
   constexpr double kThrough = 0.75 * std::numbers::pi;  // a piece that runs on across has no corner there
-  const GarmentMesh& g = assembly.garment;
+  const sewing::GarmentMesh& g = assembly.garment;
   const std::vector<double> angle = angles_around(g);
   // Of every piece, the vertices where its own edge runs on and two others are sewn to each other.
   std::vector<std::set<Index>> across(input.pattern.panels.size());
@@ -180,4 +180,4 @@ void check_open_rings(const PreflightInput& input, const Assembly& assembly, Fin
   }
 }
 
-}  // namespace toile
+}  // namespace toile::preflight

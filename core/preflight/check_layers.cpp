@@ -8,7 +8,7 @@
 #include "core/geometry/bvh.h"
 #include "core/geometry/distance.h"
 
-namespace toile {
+namespace toile::preflight {
 
 namespace {
 
@@ -18,25 +18,25 @@ constexpr double kNearest = 0.4;  // m, from the body: what is farther has no ou
 /// Nearest points of the bodies.
 class Skin {
  public:
-  explicit Skin(std::span<const Body> bodies) {
-    std::vector<Box3> boxes;
-    for (const Body& body : bodies) {
+  explicit Skin(std::span<const body::Body> bodies) {
+    std::vector<geometry::Box3> boxes;
+    for (const body::Body& body : bodies) {
       for (const Tri& t : body.mesh.triangles) {
         const std::vector<Vec3>& x = body.mesh.vertices;
         corners_.push_back({x[t[0]], x[t[1]], x[t[2]]});
-        boxes.push_back(box_around({x[t[0]], x[t[1]], x[t[2]]}, 0));
+        boxes.push_back(geometry::box_around({x[t[0]], x[t[1]], x[t[2]]}, 0));
       }
     }
-    tree_ = Bvh(boxes);
+    tree_ = geometry::Bvh(boxes);
   }
 
   std::optional<Vec3> nearest(Vec3 p) const {
     for (double reach = kNearest / 16; reach <= kNearest; reach *= 2) {
       double best = reach;
       std::optional<Vec3> found;
-      tree_.query(box_around({p}, reach), [&](Index t) {
+      tree_.query(geometry::box_around({p}, reach), [&](Index t) {
         const auto& [a, b, c] = corners_[t];
-        const TrianglePoint w = closest_on_triangle(p, a, b, c);
+        const geometry::TrianglePoint w = geometry::closest_on_triangle(p, a, b, c);
         const Vec3 q = a * w.a + b * w.b + c * w.c;
         if (length(q - p) < best) {
           best = length(q - p);
@@ -50,7 +50,7 @@ class Skin {
 
  private:
   std::vector<std::array<Vec3, 3>> corners_;
-  Bvh tree_;
+  geometry::Bvh tree_;
 };
 
 /// Whether the segment passes through the triangle.
@@ -71,18 +71,18 @@ struct Sight {
 
 class Watch {
  public:
-  Watch(const PreflightInput& input, const Assembly& assembly) : input_(input), assembly_(assembly) {
-    std::vector<Box3> boxes;
+  Watch(const PreflightInput& input, const sewing::Assembly& assembly) : input_(input), assembly_(assembly) {
+    std::vector<geometry::Box3> boxes;
     for (const Tri& t : assembly.garment.triangles) {
-      boxes.push_back(box_around({x(t[0]), x(t[1]), x(t[2])}, 0));
+      boxes.push_back(geometry::box_around({x(t[0]), x(t[1]), x(t[2])}, 0));
     }
-    cloth_ = Bvh(boxes);
+    cloth_ = geometry::Bvh(boxes);
   }
 
   /// By (lower piece, higher piece).
   std::map<std::pair<Index, Index>, Sight> look() {
     const Skin skin(input_.bodies);
-    const GarmentMesh& g = assembly_.garment;
+    const sewing::GarmentMesh& g = assembly_.garment;
     int lowest = layer(0);
     for (std::size_t p = 0; p < input_.pattern.panels.size(); ++p) {
       lowest = std::min(lowest, layer(static_cast<Index>(p)));
@@ -102,9 +102,9 @@ class Watch {
   int layer(Index panel) const { return input_.pattern.panels[panel].layer; }
 
   void look_along(Index v, Vec3 to, bool away) {
-    const GarmentMesh& g = assembly_.garment;
+    const sewing::GarmentMesh& g = assembly_.garment;
     const Index higher = g.panel_of_vertex[v];
-    cloth_.query(box_around({x(v), to}, 0), [&](Index t) {
+    cloth_.query(geometry::box_around({x(v), to}, 0), [&](Index t) {
       const Index lower = g.panel_of_triangle[t];
       if (layer(lower) >= layer(higher)) return;
       const Tri& c = g.triangles[t];
@@ -116,21 +116,21 @@ class Watch {
   }
 
   const PreflightInput& input_;
-  const Assembly& assembly_;
-  Bvh cloth_;
+  const sewing::Assembly& assembly_;
+  geometry::Bvh cloth_;
   std::map<std::pair<Index, Index>, Sight> sights_;
 };
 
 }  // namespace
 
-void check_layers(const PreflightInput& input, const Assembly& assembly, Findings& findings) {
-  const std::vector<Panel>& panels = input.pattern.panels;
+void check_layers(const PreflightInput& input, const sewing::Assembly& assembly, Findings& findings) {
+  const std::vector<pattern::Panel>& panels = input.pattern.panels;
   const bool one = std::all_of(panels.begin(), panels.end(),
-                               [&](const Panel& p) { return p.layer == panels.front().layer; });
+                               [&](const pattern::Panel& p) { return p.layer == panels.front().layer; });
   if (one || input.bodies.empty()) return;
   for (const auto& [pair, sight] : Watch(input, assembly).look()) {
     if (sight.away <= sight.towards) continue;
-    const Panel &lower = panels[pair.first], &higher = panels[pair.second];
+    const pattern::Panel &lower = panels[pair.first], &higher = panels[pair.second];
     findings.push_back(found(FindingKind::kLayerInside,
                              "the piece is of layer " + std::to_string(higher.layer) +
                                  ", but starts nearer to the body than piece " + lower.id + " of layer " +
@@ -139,4 +139,4 @@ void check_layers(const PreflightInput& input, const Assembly& assembly, Finding
   }
 }
 
-}  // namespace toile
+}  // namespace toile::preflight

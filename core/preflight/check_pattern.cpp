@@ -8,7 +8,7 @@
 #include "core/base/units.h"
 #include "core/pattern/curve.h"
 
-namespace toile {
+namespace toile::preflight {
 
 namespace {
 
@@ -40,21 +40,21 @@ const UnitSlip* slip_like(double ratio) {
   return nullptr;
 }
 
-Vec3 centre_of(const Assembly& assembly, Index panel) {
-  const GarmentMesh& g = assembly.garment;
+Vec3 centre_of(const sewing::Assembly& assembly, Index panel) {
+  const sewing::GarmentMesh& g = assembly.garment;
   Vec3 sum;
   for (Index v = g.first_vertex[panel]; v < g.first_vertex[panel + 1]; ++v) sum += assembly.positions[v];
   return sum * (1.0 / std::max<Index>(1, g.first_vertex[panel + 1] - g.first_vertex[panel]));
 }
 
 /// The longer side of the flat piece's box, m.
-double extent_of(const PanelMesh& mesh) {
+double extent_of(const mesh::PanelMesh& mesh) {
   const Vec2 size = bounding_box(mesh.rest).size();
   return std::max(size.x, size.y);
 }
 
 /// The garment against the bodies.
-void check_scale(const PreflightInput& in, std::span<const BodyProbe> probes, const Assembly& assembly,
+void check_scale(const PreflightInput& in, std::span<const BodyProbe> probes, const sewing::Assembly& assembly,
                  Findings& findings) {
   double tallest = 0;
   for (const BodyProbe& probe : probes) tallest = std::max(tallest, length(probe.box().size()));
@@ -87,18 +87,18 @@ void check_scale(const PreflightInput& in, std::span<const BodyProbe> probes, co
 }
 
 /// A piece whose seams all differ by the same factor, one that two units differ by.
-void check_partners(const PreflightInput& in, const Assembly& assembly, Findings& findings) {
+void check_partners(const PreflightInput& in, const sewing::Assembly& assembly, Findings& findings) {
   struct Span {
     double low = 1e9, high = 0;
   };
-  const auto side_only = [](const std::vector<SeamEdge>& side, Index p) {
-    return std::all_of(side.begin(), side.end(), [&](const SeamEdge& e) { return e.panel == p; });
+  const auto side_only = [](const std::vector<pattern::SeamEdge>& side, Index p) {
+    return std::all_of(side.begin(), side.end(), [&](const pattern::SeamEdge& e) { return e.panel == p; });
   };
   for (Index p = 0; p < static_cast<Index>(in.pattern.panels.size()); ++p) {
     Span ratio;
     int seams = 0;
-    for (const MatchedSeam& m : in.meshes.seams) {
-      const Seam& seam = in.pattern.seams[m.seam];
+    for (const mesh::MatchedSeam& m : in.meshes.seams) {
+      const pattern::Seam& seam = in.pattern.seams[m.seam];
       const bool on_a = side_only(seam.a, p), on_b = side_only(seam.b, p);
       if (on_a == on_b) continue;
       const double r = on_a ? m.length_a / m.length_b : m.length_b / m.length_a;
@@ -119,7 +119,7 @@ void check_partners(const PreflightInput& in, const Assembly& assembly, Findings
   }
 }
 
-void check_places(const PreflightInput& in, std::span<const BodyProbe> probes, const Assembly& assembly,
+void check_places(const PreflightInput& in, std::span<const BodyProbe> probes, const sewing::Assembly& assembly,
                   Findings& findings) {
   if (probes.empty()) return;
   for (Index p = 0; p < static_cast<Index>(in.pattern.panels.size()); ++p) {
@@ -139,12 +139,12 @@ void check_places(const PreflightInput& in, std::span<const BodyProbe> probes, c
   }
 }
 
-void check_edges(const PreflightInput& in, const Assembly& assembly, Findings& findings) {
+void check_edges(const PreflightInput& in, const sewing::Assembly& assembly, Findings& findings) {
   for (std::size_t p = 0; p < in.pattern.panels.size(); ++p) {
-    const auto edges = edges_of(in.pattern.panels[p]);
-    const double spacing = spacing_on(in.pattern.panels[p], in.particle_distance);
+    const auto edges = pattern::edges_of(in.pattern.panels[p]);
+    const double spacing = pattern::spacing_on(in.pattern.panels[p], in.particle_distance);
     for (std::size_t e = 0; e < edges.size(); ++e) {
-      const double long_m = metres_from_mm(arc_length(*edges[e]));
+      const double long_m = metres_from_mm(pattern::arc_length(*edges[e]));
       if (long_m >= kShortEdge * spacing) continue;
       const Index v = in.meshes.panels[p].edge_vertices[e].front();
       findings.push_back(
@@ -158,8 +158,8 @@ void check_edges(const PreflightInput& in, const Assembly& assembly, Findings& f
   }
 }
 
-void check_lengths(const PreflightInput& in, const Assembly& assembly, Findings& findings) {
-  for (const MatchedSeam& m : in.meshes.seams) {
+void check_lengths(const PreflightInput& in, const sewing::Assembly& assembly, Findings& findings) {
+  for (const mesh::MatchedSeam& m : in.meshes.seams) {
     const double longer = std::max(m.length_a, m.length_b), shorter = std::min(m.length_a, m.length_b);
     const double ratio = longer / shorter;
     if (ratio <= kEased) continue;
@@ -183,7 +183,7 @@ void check_lengths(const PreflightInput& in, const Assembly& assembly, Findings&
 
 }  // namespace
 
-Vec3 place_of_seam(const Assembly& assembly, Index seam) {
+Vec3 place_of_seam(const sewing::Assembly& assembly, Index seam) {
   Vec3 sum;
   int count = 0;
   for (std::size_t k = 0; k < assembly.garment.sewn.size(); ++k) {
@@ -196,7 +196,7 @@ Vec3 place_of_seam(const Assembly& assembly, Index seam) {
   return count > 0 ? sum * (1.0 / count) : sum;
 }
 
-void check_sizes(const PreflightInput& input, std::span<const BodyProbe> probes, const Assembly& assembly,
+void check_sizes(const PreflightInput& input, std::span<const BodyProbe> probes, const sewing::Assembly& assembly,
                  Findings& findings) {
   check_scale(input, probes, assembly, findings);
   check_partners(input, assembly, findings);
@@ -205,4 +205,4 @@ void check_sizes(const PreflightInput& input, std::span<const BodyProbe> probes,
   check_lengths(input, assembly, findings);
 }
 
-}  // namespace toile
+}  // namespace toile::preflight

@@ -7,7 +7,7 @@
 #include "core/geometry/polygon2.h"
 #include "core/mesh/topology.h"
 
-namespace toile {
+namespace toile::preflight {
 
 namespace {
 
@@ -27,7 +27,7 @@ struct Ring {
 /// Flat lengths of the garment's border edges by the classes of their ends.
 class BorderLengths {
  public:
-  explicit BorderLengths(const GarmentMesh& g) {
+  explicit BorderLengths(const sewing::GarmentMesh& g) {
     for (const Tri& t : g.triangles) {
       for (int k = 0; k < 3; ++k) {
         const Index i = t[k], j = t[(k + 1) % 3];
@@ -55,7 +55,7 @@ class BorderLengths {
   std::vector<Edge> edges_;
 };
 
-std::vector<Tri> sewn_triangles(const GarmentMesh& g) {
+std::vector<Tri> sewn_triangles(const sewing::GarmentMesh& g) {
   std::vector<Tri> out;
   for (const Tri& t : g.triangles) {
     const Tri w{g.weld[t[0]], g.weld[t[1]], g.weld[t[2]]};
@@ -66,10 +66,10 @@ std::vector<Tri> sewn_triangles(const GarmentMesh& g) {
 
 /// Where pieces are sewn with their sides against each other the sewn triangles wind against each other; the
 /// edge then counts as two borders. Those pairs are no border of the garment.
-std::vector<MeshEdge> borders_of(std::span<const Tri> triangles, Index vertex_count) {
-  std::vector<MeshEdge> edges = edges_of(triangles, vertex_count);
-  const auto key = [](const MeshEdge& e) { return std::pair(std::min(e.v0, e.v1), std::max(e.v0, e.v1)); };
-  std::vector<MeshEdge> borders;
+std::vector<mesh::MeshEdge> borders_of(std::span<const Tri> triangles, Index vertex_count) {
+  std::vector<mesh::MeshEdge> edges = mesh::edges_of(triangles, vertex_count);
+  const auto key = [](const mesh::MeshEdge& e) { return std::pair(std::min(e.v0, e.v1), std::max(e.v0, e.v1)); };
+  std::vector<mesh::MeshEdge> borders;
   for (std::size_t i = 0; i < edges.size();) {
     std::size_t j = i;
     while (j < edges.size() && key(edges[j]) == key(edges[i])) ++j;
@@ -80,7 +80,7 @@ std::vector<MeshEdge> borders_of(std::span<const Tri> triangles, Index vertex_co
 }
 
 /// The border edges chained into closed lines, whichever way each runs.
-std::vector<std::vector<Index>> rings_of(const std::vector<MeshEdge>& borders) {
+std::vector<std::vector<Index>> rings_of(const std::vector<mesh::MeshEdge>& borders) {
   struct Half {
     Index from, to, edge;
   };
@@ -112,7 +112,7 @@ std::vector<std::vector<Index>> rings_of(const std::vector<MeshEdge>& borders) {
   return rings;
 }
 
-Ring measured(const std::vector<Index>& vertices, const Assembly& assembly, const Pattern& pattern,
+Ring measured(const std::vector<Index>& vertices, const sewing::Assembly& assembly, const pattern::Pattern& pattern,
               const BorderLengths& lengths) {
   Ring ring;
   ring.vertices = vertices;
@@ -145,9 +145,9 @@ double girth_within(std::span<const BodyProbe> probes, const PlaneFrame& plane,
   for (const BodyProbe& probe : probes) {
     std::vector<Vec2> points;
     for (const SlicePart& part : slice_parts(probe.body().mesh, plane)) {
-      if (contains(outline, part.centre)) points.insert(points.end(), part.points.begin(), part.points.end());
+      if (geometry::contains(outline, part.centre)) points.insert(points.end(), part.points.begin(), part.points.end());
     }
-    widest = std::max(widest, hull_perimeter(std::move(points)));
+    widest = std::max(widest, geometry::hull_perimeter(std::move(points)));
   }
   return widest;
 }
@@ -218,7 +218,7 @@ std::optional<Enclosed> enclosed_by(const Ring& ring, std::span<const BodyProbe>
   const auto& [middle, plane, outline] = *flat;
   for (const BodyProbe& probe : probes) {
     for (const SlicePart& part : slice_parts(probe.body().mesh, plane)) {
-      if (!contains(outline, part.centre)) continue;
+      if (!geometry::contains(outline, part.centre)) continue;
       return Enclosed{plane.lifted(part.centre), probe.height(), probe.box().middle().x};
     }
   }
@@ -268,7 +268,7 @@ void check_limbs(const std::vector<Ring>& rings, std::span<const BodyProbe> prob
 
 }  // namespace
 
-void check_rings(const PreflightInput& input, std::span<const BodyProbe> probes, const Assembly& assembly,
+void check_rings(const PreflightInput& input, std::span<const BodyProbe> probes, const sewing::Assembly& assembly,
                  Findings& findings) {
   if (probes.empty() || assembly.garment.sewn.empty()) return;
   const std::vector<Tri> triangles = sewn_triangles(assembly.garment);
@@ -283,4 +283,4 @@ void check_rings(const PreflightInput& input, std::span<const BodyProbe> probes,
   check_limbs(rings, probes, findings);
 }
 
-}  // namespace toile
+}  // namespace toile::preflight

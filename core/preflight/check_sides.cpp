@@ -4,7 +4,7 @@
 
 #include "core/preflight/check_pattern.h"
 
-namespace toile {
+namespace toile::preflight {
 
 namespace {
 
@@ -23,7 +23,7 @@ double sight(std::span<const BodyProbe> probes, Vec3 from, Vec3 way) {
 }
 
 /// 1 when the right side looks away from the bodies, -1 when it looks at them, 0 when that is not clear.
-int facing_of(const Assembly& assembly, std::span<const BodyProbe> probes, Index piece) {
+int facing_of(const sewing::Assembly& assembly, std::span<const BodyProbe> probes, Index piece) {
   std::vector<Index> triangles;
   for (Index t = 0; t < static_cast<Index>(assembly.garment.triangles.size()); ++t) {
     if (assembly.garment.panel_of_triangle[t] == piece) triangles.push_back(t);
@@ -50,10 +50,10 @@ struct Sides {
   std::vector<Index> one_sided;  ///< seams that contradict the others
 };
 
-Sides sides_of(const Pattern& pattern) {
+Sides sides_of(const pattern::Pattern& pattern) {
   const auto count = static_cast<Index>(pattern.panels.size());
   Sides s{std::vector<Index>(count, kNone), std::vector<int>(count, 0), {}};
-  const auto sign = [](const Seam& seam) {
+  const auto sign = [](const pattern::Seam& seam) {
     return (seam.same_direction != seam.a[0].reversed) != seam.b[0].reversed ? -1 : 1;
   };
   for (Index root = 0; root < count; ++root) {
@@ -64,7 +64,7 @@ Sides sides_of(const Pattern& pattern) {
     while (!open.empty()) {
       const Index p = open.back();
       open.pop_back();
-      for (const Seam& seam : pattern.seams) {
+      for (const pattern::Seam& seam : pattern.seams) {
         const Index a = seam.a[0].panel, b = seam.b[0].panel;
         if (a == b || (a != p && b != p)) continue;
         const Index q = a == p ? b : a;
@@ -77,15 +77,15 @@ Sides sides_of(const Pattern& pattern) {
     }
   }
   for (Index k = 0; k < static_cast<Index>(pattern.seams.size()); ++k) {
-    const Seam& seam = pattern.seams[k];
+    const pattern::Seam& seam = pattern.seams[k];
     const Index a = seam.a[0].panel, b = seam.b[0].panel;
     if (s.side[a] * s.side[b] != sign(seam)) s.one_sided.push_back(k);
   }
   return s;
 }
 
-Vec3 middle_of(const Assembly& assembly, Index piece) {
-  const GarmentMesh& g = assembly.garment;
+Vec3 middle_of(const sewing::Assembly& assembly, Index piece) {
+  const sewing::GarmentMesh& g = assembly.garment;
   Vec3 sum;
   for (Index v = g.first_vertex[piece]; v < g.first_vertex[piece + 1]; ++v) sum += assembly.positions[v];
   return sum * (1.0 / std::max<Index>(1, g.first_vertex[piece + 1] - g.first_vertex[piece]));
@@ -93,7 +93,7 @@ Vec3 middle_of(const Assembly& assembly, Index piece) {
 
 }  // namespace
 
-void check_sides(const PreflightInput& input, std::span<const BodyProbe> probes, const Assembly& assembly,
+void check_sides(const PreflightInput& input, std::span<const BodyProbe> probes, const sewing::Assembly& assembly,
                  Findings& findings) {
   const Sides sides = sides_of(input.pattern);
   for (const Index k : sides.one_sided) {
@@ -134,4 +134,4 @@ void check_sides(const PreflightInput& input, std::span<const BodyProbe> probes,
   if (!winding.about.empty()) findings.push_back(std::move(winding));
 }
 
-}  // namespace toile
+}  // namespace toile::preflight

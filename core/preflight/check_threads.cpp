@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace toile {
+namespace toile::preflight {
 
 namespace {
 
@@ -104,7 +104,7 @@ std::string count_text(std::size_t count, std::size_t of) {
 
 class SeamThreads {
  public:
-  SeamThreads(const Assembly& assembly, Index seam) {
+  SeamThreads(const sewing::Assembly& assembly, Index seam) {
     for (std::size_t k = 0; k < assembly.garment.sewn.size(); ++k) {
       if (assembly.garment.seam_of_sewn[k] != seam) continue;
       const auto [i, j] = assembly.garment.sewn[k];
@@ -165,7 +165,7 @@ class SeamThreads {
 
 }  // namespace
 
-void check_threads(const PreflightInput& input, std::span<const BodyProbe> probes, const Assembly& assembly,
+void check_threads(const PreflightInput& input, std::span<const BodyProbe> probes, const sewing::Assembly& assembly,
                    Findings& findings) {
   for (Index s = 0; s < static_cast<Index>(input.pattern.seams.size()); ++s) {
     const SeamThreads threads(assembly, s);
@@ -177,4 +177,4 @@ void check_threads(const PreflightInput& input, std::span<const BodyProbe> probe
   }
 }
 
-}  // namespace toile
+}  // namespace toile::preflight

@@ -5,7 +5,7 @@
 
 #include "core/base/text.h"
 
-namespace toile {
+namespace toile::preflight {
 
 namespace {
 
@@ -72,4 +72,4 @@ std::optional<Error> first_error(const Findings& findings) {
   return std::nullopt;
 }
 
-}  // namespace toile
+}  // namespace toile::preflight

@@ -10,7 +10,7 @@
 #include "core/base/types.h"
 #include "core/preflight/finding_kind.h"
 
-namespace toile {
+namespace toile::preflight {
 
 /// A thing of the garment or the scene that a finding is about, by its id.
 struct Concern {
@@ -57,4 +57,4 @@ void sort_by_severity(Findings& findings);
 /// The first error with its place, if there is one: why a drape cannot begin.
 std::optional<Error> first_error(const Findings& findings);
 
-}  // namespace toile
+}  // namespace toile::preflight

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-namespace toile {
+namespace toile::preflight {
 namespace {
 
 constexpr Severity kNote = Severity::kNote, kWarning = Severity::kWarning, kError = Severity::kError;
@@ -65,4 +65,4 @@ Result<FindingKind> finding_kind_from(std::string_view code) {
   return Error{"preflight.unknown_code", "the look at a start finds nothing of this code", std::string(code)};
 }
 
-}  // namespace toile
+}  // namespace toile::preflight

@@ -8,7 +8,7 @@
 
 #include "core/base/result.h"
 
-namespace toile {
+namespace toile::preflight {
 
 enum class Severity {
   kNote,     ///< good to know; nothing to do
@@ -70,4 +70,4 @@ std::string_view code_of(FindingKind kind);
 /// Error: preflight.unknown_code, with the code as its place.
 Result<FindingKind> finding_kind_from(std::string_view code);
 
-}  // namespace toile
+}  // namespace toile::preflight

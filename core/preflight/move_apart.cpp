@@ -5,7 +5,7 @@
 #include "core/collision/contacts.h"
 #include "core/preflight/start_field.h"
 
-namespace toile {
+namespace toile::preflight {
 
 namespace {
 
@@ -55,7 +55,7 @@ class Mover {
         if (near.gap < kLeastGap) found.push_back({i, o, near});
       }
       const Nearness itself = field_.nearness(i, {}, {false, i}, kLeastGap, 0);
-      if (itself.crosses || itself.gap < kContactFloor) found.push_back({i, {false, i}, itself});
+      if (itself.crosses || itself.gap < collision::kContactFloor) found.push_back({i, {false, i}, itself});
     }
     return found;
   }
@@ -210,16 +210,16 @@ class Mover {
   std::vector<Index> partner_;  ///< mirror image of each piece: another, itself in the middle, or kNone
 };
 
-std::string name_of(const Opponent& o, const Pattern& pattern, std::span<const BodyProbe> probes) {
+std::string name_of(const Opponent& o, const pattern::Pattern& pattern, std::span<const BodyProbe> probes) {
   return o.is_body ? "body " + probes[o.index].body().id : "piece " + pattern.panels[o.index].id;
 }
 
-Concern concern_of(const Opponent& o, const Pattern& pattern, std::span<const BodyProbe> probes) {
+Concern concern_of(const Opponent& o, const pattern::Pattern& pattern, std::span<const BodyProbe> probes) {
   return o.is_body ? body_named(probes[o.index].body().id) : piece_named(pattern.panels[o.index].id);
 }
 
 /// What was found, in words, as of a thing of the present.
-Finding described(const Conflict& c, const Pattern& pattern, std::span<const BodyProbe> probes) {
+Finding described(const Conflict& c, const pattern::Pattern& pattern, std::span<const BodyProbe> probes) {
   const std::string other = name_of(c.with, pattern, probes);
   const bool itself = !c.with.is_body && c.with.index == c.piece;
   Finding f;
@@ -238,7 +238,7 @@ Finding described(const Conflict& c, const Pattern& pattern, std::span<const Bod
   } else if (c.at.inside) {
     f.kind = FindingKind::kInsideBody;
     f.message = "the piece lies inside " + other + "; place it outside, before the skin";
-  } else if (c.at.gap < kContactFloor) {
+  } else if (c.at.gap < collision::kContactFloor) {
     f.kind = FindingKind::kTouches;
     f.message = "the piece touches " + other + " where it is placed; leave a millimetre or more";
   } else {
@@ -250,12 +250,12 @@ Finding described(const Conflict& c, const Pattern& pattern, std::span<const Bod
   return f;
 }
 
-std::string moved_text(Index piece, const StartField& field, const Pattern& pattern) {
+std::string moved_text(Index piece, const StartField& field, const pattern::Pattern& pattern) {
   const Vec3 s = field.shift(piece);
   return length(s) > 0 ? "piece " + pattern.panels[piece].id + " by " + length_text(length(s)) : "";
 }
 
-void tell_repair(Finding& f, const Conflict& c, const StartField& field, const Pattern& pattern) {
+void tell_repair(Finding& f, const Conflict& c, const StartField& field, const pattern::Pattern& pattern) {
   f.repaired = true;
   f.severity = f.kind == FindingKind::kGap ? Severity::kNote : Severity::kWarning;
   const std::string first = moved_text(c.piece, field, pattern);
@@ -264,7 +264,7 @@ void tell_repair(Finding& f, const Conflict& c, const StartField& field, const P
                (first.empty() || second.empty() ? " was" : " were") + " moved clear";
 }
 
-void apply_shifts(const StartField& field, Assembly& assembly) {
+void apply_shifts(const StartField& field, sewing::Assembly& assembly) {
   for (Index v = 0; v < assembly.garment.vertex_count(); ++v) {
     assembly.positions[v] += field.shift(assembly.garment.panel_of_vertex[v]);
   }
@@ -272,7 +272,7 @@ void apply_shifts(const StartField& field, Assembly& assembly) {
 
 }  // namespace
 
-void move_apart(const Pattern& pattern, std::span<const BodyProbe> probes, Assembly& assembly,
+void move_apart(const pattern::Pattern& pattern, std::span<const BodyProbe> probes, sewing::Assembly& assembly,
                 Findings& findings) {
   StartField field(assembly, probes);
   Mover mover(field);
@@ -290,4 +290,4 @@ void move_apart(const Pattern& pattern, std::span<const BodyProbe> probes, Assem
   apply_shifts(field, assembly);
 }
 
-}  // namespace toile
+}  // namespace toile::preflight

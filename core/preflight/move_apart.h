@@ -7,7 +7,7 @@
 #include "core/preflight/finding.h"
 #include "core/sewing/assembly.h"
 
-namespace toile {
+namespace toile::preflight {
 
 /// Finds what crosses or nearly touches at the start: a piece and a body, two pieces, a piece and itself.
 /// What is nearer than a millimetre is moved apart as a whole by the smallest shift that does it and makes
@@ -15,7 +15,7 @@ namespace toile {
 /// right, x = 0 between them) stay so where that costs little. Codes: start.crosses_body, start.inside_body,
 /// start.crosses_cloth, start.touches (errors, or warnings when repaired), start.gap (a warning, or a note
 /// when repaired).
-void move_apart(const Pattern& pattern, std::span<const BodyProbe> probes, Assembly& assembly,
+void move_apart(const pattern::Pattern& pattern, std::span<const BodyProbe> probes, sewing::Assembly& assembly,
                 Findings& findings);
 
-}  // namespace toile
+}  // namespace toile::preflight

@@ -10,7 +10,7 @@
 #include "core/preflight/check_threads.h"
 #include "core/preflight/move_apart.h"
 
-namespace toile {
+namespace toile::preflight {
 
 namespace {
 
@@ -20,21 +20,21 @@ bool has_error(const Findings& findings, FindingKind kind) {
 }
 
 /// The last word: the count that every frame of the drape will go through, on what the repairs left.
-void verify(const PreflightInput& in, std::span<const BodyProbe> probes, const Assembly& assembly,
+void verify(const PreflightInput& in, std::span<const BodyProbe> probes, const sewing::Assembly& assembly,
             Findings& findings) {
-  const GarmentMesh& g = assembly.garment;
-  const Surface surface = make_surface(g.triangles, g.vertex_count(), g.weld);
+  const sewing::GarmentMesh& g = assembly.garment;
+  const collision::Surface surface = collision::make_surface(g.triangles, g.vertex_count(), g.weld);
   const auto piece = [&](Index t) { return piece_named(in.pattern.panels[g.panel_of_triangle[t]].id); };
   const auto place = [&](Index t) { return assembly.positions[g.triangles[t][0]]; };
   for (const BodyProbe& probe : probes) {
-    const auto crossings = body_crossings(surface, assembly.positions, probe.crossing());
+    const auto crossings = collision::body_crossings(surface, assembly.positions, probe.crossing());
     if (crossings.empty() || has_error(findings, FindingKind::kCrossesBody)) continue;
     findings.push_back(
         found(FindingKind::kCrossesBody,
               "the piece passes through body " + probe.body().id + " where it is placed; move it clear of it",
               {piece(crossings[0][0]), body_named(probe.body().id)}, place(crossings[0][0])));
   }
-  const auto crossings = self_crossings(surface, assembly.positions);
+  const auto crossings = collision::self_crossings(surface, assembly.positions);
   if (crossings.empty() || has_error(findings, FindingKind::kCrossesCloth)) return;
   findings.push_back(found(FindingKind::kCrossesCloth,
                            "two pieces pass through each other where they are placed; move them apart",
@@ -43,7 +43,7 @@ void verify(const PreflightInput& in, std::span<const BodyProbe> probes, const A
 
 }  // namespace
 
-Findings run_preflight(const PreflightInput& input, Assembly& assembly) {
+Findings run_preflight(const PreflightInput& input, sewing::Assembly& assembly) {
   Findings findings;
   const std::vector<BodyProbe> probes = make_probes(input.bodies);
   turn_pieces(input, probes, assembly, findings);
@@ -61,4 +61,4 @@ Findings run_preflight(const PreflightInput& input, Assembly& assembly) {
   return findings;
 }
 
-}  // namespace toile
+}  // namespace toile::preflight

@@ -11,13 +11,13 @@
 #include "core/preflight/finding.h"
 #include "core/sewing/assembly.h"
 
-namespace toile {
+namespace toile::preflight {
 
 /// What a start is judged by, beside its assembly.
 struct PreflightInput {
-  const Pattern& pattern;
-  const PanelMeshes& meshes;
-  std::span<const Body> bodies;
+  const pattern::Pattern& pattern;
+  const mesh::PanelMeshes& meshes;
+  std::span<const body::Body> bodies;
   double particle_distance = 0.015;  ///< m
 };
 
@@ -27,6 +27,6 @@ struct PreflightInput {
 /// error among them the start has no crossing and no contact.
 ///
 /// finding_kind.h has the table of all kinds.
-Findings run_preflight(const PreflightInput& input, Assembly& assembly);
+Findings run_preflight(const PreflightInput& input, sewing::Assembly& assembly);
 
-}  // namespace toile
+}  // namespace toile::preflight

@@ -5,15 +5,15 @@
 
 #include "core/preflight/triangle_gap.h"
 
-namespace toile {
+namespace toile::preflight {
 
 namespace {
 
 /// Two features of one piece that lie nearer than this in the flat are neighbours and no layers.
 constexpr double kSameFold = 3e-3;  // m
 
-Box3 moved(const Box3& box, Vec3 by, double grown) {
-  Box3 out;
+geometry::Box3 moved(const geometry::Box3& box, Vec3 by, double grown) {
+  geometry::Box3 out;
   const double d[3] = {by.x, by.y, by.z};
   for (int k = 0; k < 3; ++k) {
     out.lo[k] = std::nextafter(static_cast<float>(box.lo[k] + d[k] - grown), -1e30f);
@@ -32,7 +32,7 @@ Vec3 on_exact_grid(Vec3 p) {
 
 }  // namespace
 
-StartField::StartField(const Assembly& assembly, std::span<const BodyProbe> probes)
+StartField::StartField(const sewing::Assembly& assembly, std::span<const BodyProbe> probes)
     : assembly_(assembly), probes_(probes) {
   pieces_.resize(assembly.garment.first_vertex.size() - 1);
   for (Index t = 0; t < static_cast<Index>(assembly.garment.triangles.size()); ++t) {
@@ -43,18 +43,18 @@ StartField::StartField(const Assembly& assembly, std::span<const BodyProbe> prob
 
 void StartField::add_piece(Index piece) {
   Piece& p = pieces_[piece];
-  std::vector<Box3> boxes;
+  std::vector<geometry::Box3> boxes;
   for (const Index t : p.triangles) {
     const Tri& tri = assembly_.garment.triangles[t];
     const Vec3 a = assembly_.positions[tri[0]], b = assembly_.positions[tri[1]],
                c = assembly_.positions[tri[2]];
-    boxes.push_back(box_around({a, b, c}, 1e-6));
-    p.box = join(p.box, boxes.back());
+    boxes.push_back(geometry::box_around({a, b, c}, 1e-6));
+    p.box = geometry::join(p.box, boxes.back());
     const Vec3 twice = cross(b - a, c - a);
     p.normal += twice;
     p.area += 0.5 * length(twice);
   }
-  p.tree = Bvh(boxes);
+  p.tree = geometry::Bvh(boxes);
   p.normal = normalized(p.normal);
   const Vec3 lo{p.box.lo[0], p.box.lo[1], p.box.lo[2]}, hi{p.box.hi[0], p.box.hi[1], p.box.hi[2]};
   p.centre = (lo + hi) * 0.5;
@@ -78,11 +78,11 @@ Nearness StartField::to_body(const Piece& p, Vec3 at, const BodyProbe& probe, do
                              double enough) const {
   Nearness near;
   near.gap = reach;
-  const TriangleMesh& mesh = probe.body().mesh;
+  const geometry::TriangleMesh& mesh = probe.body().mesh;
   for (const Index t : p.triangles) {
     const Tri& tri = assembly_.garment.triangles[t];
     const GapTriangle a{{position(tri[0], at), position(tri[1], at), position(tri[2], at)}, {0, 1, 2}};
-    probe.crossing().groups.query(box_around({a.x[0], a.x[1], a.x[2]}, reach), [&](Index s) {
+    probe.crossing().groups.query(geometry::box_around({a.x[0], a.x[1], a.x[2]}, reach), [&](Index s) {
       if (near.gap < enough || near.crosses) return;
       const Tri& face = mesh.triangles[s];
       const GapTriangle b{{mesh.vertices[face[0]], mesh.vertices[face[1]], mesh.vertices[face[2]]},
@@ -120,12 +120,12 @@ double StartField::cloth_gap(Index s, Vec3 at_s, Index t, Vec3 at_t, bool& cross
 Nearness StartField::to_piece(const Piece& p, Vec3 at, const Piece& q, double reach, double enough) const {
   Nearness near;
   near.gap = reach;
-  if (!overlap(moved(p.box, at - q.shift, reach), q.box)) return near;
+  if (!geometry::overlap(moved(p.box, at - q.shift, reach), q.box)) return near;
   for (const Index t : p.triangles) {
     const Tri& tri = assembly_.garment.triangles[t];
     const Vec3 to_q = at - q.shift;
-    const Box3 box =
-        box_around({position(tri[0], to_q), position(tri[1], to_q), position(tri[2], to_q)}, reach);
+    const geometry::Box3 box =
+        geometry::box_around({position(tri[0], to_q), position(tri[1], to_q), position(tri[2], to_q)}, reach);
     q.tree.query(box, [&](Index k) {
       if (near.gap < enough || near.crosses) return;
       bool crosses = false;
@@ -140,7 +140,7 @@ Nearness StartField::to_piece(const Piece& p, Vec3 at, const Piece& q, double re
 /// A piece against itself: only what crosses or touches without being neighbours in the flat.
 Nearness StartField::to_itself(const Piece& p) const {
   Nearness near;
-  const GarmentMesh& g = assembly_.garment;
+  const sewing::GarmentMesh& g = assembly_.garment;
   p.tree.self_pairs([&](Index i, Index j) {
     const Index s = p.triangles[i], t = p.triangles[j];
     bool crosses = false;
@@ -155,15 +155,15 @@ Nearness StartField::to_itself(const Piece& p) const {
 
 std::vector<Opponent> StartField::neighbours(Index piece, Vec3 extra, double reach) const {
   std::vector<Opponent> found;
-  const Box3 box = moved(pieces_[piece].box, pieces_[piece].shift + extra, reach);
+  const geometry::Box3 box = moved(pieces_[piece].box, pieces_[piece].shift + extra, reach);
   for (Index b = 0; b < static_cast<Index>(probes_.size()); ++b) {
-    const Box3 body = box_around({probes_[b].box().low, probes_[b].box().high}, 0);
-    if (overlap(box, body)) found.push_back({true, b});
+    const geometry::Box3 body = geometry::box_around({probes_[b].box().low, probes_[b].box().high}, 0);
+    if (geometry::overlap(box, body)) found.push_back({true, b});
   }
   for (Index q = 0; q < piece_count(); ++q) {
-    if (q != piece && overlap(box, moved(pieces_[q].box, pieces_[q].shift, 0))) found.push_back({false, q});
+    if (q != piece && geometry::overlap(box, moved(pieces_[q].box, pieces_[q].shift, 0))) found.push_back({false, q});
   }
   return found;
 }
 
-}  // namespace toile
+}  // namespace toile::preflight

@@ -11,7 +11,7 @@
 #include "core/preflight/body_probe.h"
 #include "core/sewing/assembly.h"
 
-namespace toile {
+namespace toile::preflight {
 
 /// Who stands in a piece's way.
 struct Opponent {
@@ -31,7 +31,7 @@ struct Nearness {
 class StartField {
  public:
   /// Everything must outlive the field.
-  StartField(const Assembly& assembly, std::span<const BodyProbe> probes);
+  StartField(const sewing::Assembly& assembly, std::span<const BodyProbe> probes);
 
   Index piece_count() const { return static_cast<Index>(pieces_.size()); }
   Vec3 shift(Index piece) const { return pieces_[piece].shift; }
@@ -54,8 +54,8 @@ class StartField {
  private:
   struct Piece {
     std::vector<Index> triangles;  ///< of the garment
-    Bvh tree;
-    Box3 box;
+    geometry::Bvh tree;
+    geometry::Box3 box;
     Vec3 shift, centre, half_size, normal;
     double area = 0;
     Index inner_vertex = kNone;  ///< one of its vertices
@@ -69,9 +69,9 @@ class StartField {
   Index class_of(Index vertex) const { return assembly_.garment.weld[vertex]; }
   double cloth_gap(Index s, Vec3 at_s, Index t, Vec3 at_t, bool& crosses) const;
 
-  const Assembly& assembly_;
+  const sewing::Assembly& assembly_;
   std::span<const BodyProbe> probes_;
   std::vector<Piece> pieces_;
 };
 
-}  // namespace toile
+}  // namespace toile::preflight

@@ -5,7 +5,7 @@
 #include "core/collision/crossings.h"
 #include "core/geometry/distance.h"
 
-namespace toile {
+namespace toile::preflight {
 
 namespace {
 
@@ -17,7 +17,7 @@ double corner_gap(const GapTriangle& a, const GapTriangle& b) {
   double least = 1;
   for (int k = 0; k < 3; ++k) {
     if (is_corner(b, a.type[k])) continue;
-    const TrianglePoint w = closest_on_triangle(a.x[k], b.x[0], b.x[1], b.x[2]);
+    const geometry::TrianglePoint w = geometry::closest_on_triangle(a.x[k], b.x[0], b.x[1], b.x[2]);
     least = std::min(least, length(a.x[k] - (b.x[0] * w.a + b.x[1] * w.b + b.x[2] * w.c)));
   }
   return least;
@@ -32,7 +32,7 @@ double edge_gap(const GapTriangle& a, const GapTriangle& b) {
       if (a.type[i] == b.type[j] || a.type[i] == b.type[j1] || a.type[i1] == b.type[j] ||
           a.type[i1] == b.type[j1])
         continue;
-      const EdgePoints e = closest_on_edges(a.x[i], a.x[i1], b.x[j], b.x[j1]);
+      const geometry::EdgePoints e = geometry::closest_on_edges(a.x[i], a.x[i1], b.x[j], b.x[j1]);
       const Vec3 p = a.x[i] + (a.x[i1] - a.x[i]) * e.s, q = b.x[j] + (b.x[j1] - b.x[j]) * e.t;
       least = std::min(least, length(p - q));
     }
@@ -41,8 +41,8 @@ double edge_gap(const GapTriangle& a, const GapTriangle& b) {
 }
 
 bool edge_crosses(const GapTriangle& a, int k, const GapTriangle& b) {
-  return segment_crosses_triangle(to_grid(a.x[k]), to_grid(a.x[(k + 1) % 3]), to_grid(b.x[0]),
-                                  to_grid(b.x[1]), to_grid(b.x[2]));
+  return collision::segment_crosses_triangle(collision::to_grid(a.x[k]), collision::to_grid(a.x[(k + 1) % 3]), collision::to_grid(b.x[0]),
+                                  collision::to_grid(b.x[1]), collision::to_grid(b.x[2]));
 }
 
 }  // namespace
@@ -72,4 +72,4 @@ bool triangles_cross(const GapTriangle& a, const GapTriangle& b) {
   return false;
 }
 
-}  // namespace toile
+}  // namespace toile::preflight

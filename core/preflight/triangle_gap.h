@@ -5,7 +5,7 @@
 
 #include "core/base/types.h"
 
-namespace toile {
+namespace toile::preflight {
 
 /// A triangle in space; corners of two triangles that bear the same class are one vertex of the garment.
 struct GapTriangle {
@@ -20,4 +20,4 @@ double triangle_gap(const GapTriangle& a, const GapTriangle& b);
 /// Whether an edge of one passes through the inside of the other, exactly. Sharing two vertices they cannot.
 bool triangles_cross(const GapTriangle& a, const GapTriangle& b);
 
-}  // namespace toile
+}  // namespace toile::preflight

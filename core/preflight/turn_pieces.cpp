@@ -4,7 +4,7 @@
 #include "core/preflight/check_sides.h"
 #include "core/preflight/start_field.h"
 
-namespace toile {
+namespace toile::preflight {
 
 namespace {
 
@@ -18,7 +18,7 @@ struct Ties {
   int seams = 0;
 };
 
-Ties ties_of(const GarmentMesh& g, Index piece) {
+Ties ties_of(const sewing::GarmentMesh& g, Index piece) {
   Ties t;
   Index last = kNone;
   for (std::size_t k = 0; k < g.sewn.size(); ++k) {
@@ -37,8 +37,8 @@ struct Axes {
   Vec3 centre, axis[3];
 };
 
-bool axes_of(const Assembly& assembly, Index piece, Axes& out) {
-  const GarmentMesh& g = assembly.garment;
+bool axes_of(const sewing::Assembly& assembly, Index piece, Axes& out) {
+  const sewing::GarmentMesh& g = assembly.garment;
   Vec3 along_u, facing;
   double area = 0;
   for (std::size_t t = 0; t < g.triangles.size(); ++t) {
@@ -75,7 +75,7 @@ struct Turn {
   double before = 0, after = 0;  ///< m of thread
 };
 
-Turn best_turn(const Assembly& assembly, Index piece) {
+Turn best_turn(const sewing::Assembly& assembly, Index piece) {
   Turn best{piece, 0, {}, 0, 1e9};
   const Ties ties = ties_of(assembly.garment, piece);
   if (ties.seams < 2 || !axes_of(assembly, piece, best.axes)) return {};
@@ -99,8 +99,8 @@ Turn best_turn(const Assembly& assembly, Index piece) {
   return best.after < kMuchShorter * best.before ? best : Turn{};
 }
 
-void turn(const Turn& t, Assembly& assembly) {
-  const GarmentMesh& g = assembly.garment;
+void turn(const Turn& t, sewing::Assembly& assembly) {
+  const sewing::GarmentMesh& g = assembly.garment;
   constexpr double kGrid = 0x1p26;  // as all starts
   const auto snapped = [](double x) { return std::nearbyint(x * kGrid) / kGrid; };
   for (Index v = g.first_vertex[t.piece]; v < g.first_vertex[t.piece + 1]; ++v) {
@@ -110,7 +110,7 @@ void turn(const Turn& t, Assembly& assembly) {
 }
 
 /// Number of things that the piece is nearer to than a millimetre.
-int conflicts_of(const Assembly& assembly, std::span<const BodyProbe> probes, Index piece) {
+int conflicts_of(const sewing::Assembly& assembly, std::span<const BodyProbe> probes, Index piece) {
   const StartField field(assembly, probes);
   int count = 0;
   for (const Opponent& o : field.neighbours(piece, {}, kClear)) {
@@ -121,7 +121,7 @@ int conflicts_of(const Assembly& assembly, std::span<const BodyProbe> probes, In
 
 }  // namespace
 
-void turn_pieces(const PreflightInput& input, std::span<const BodyProbe> probes, Assembly& assembly,
+void turn_pieces(const PreflightInput& input, std::span<const BodyProbe> probes, sewing::Assembly& assembly,
                  Findings& findings) {
   std::vector<bool> seen(input.pattern.panels.size(), false);
   for (std::size_t round = 0; round < input.pattern.panels.size(); ++round) {
@@ -139,7 +139,7 @@ void turn_pieces(const PreflightInput& input, std::span<const BodyProbe> probes,
                 length_text(worst.before) + " in all, and " + length_text(worst.after) +
                 " after half a turn" + (worst.axis == 2 ? " in its own plane" : " that swaps left and right");
     const int before = conflicts_of(assembly, probes, worst.piece);
-    Assembly turned = assembly;
+    sewing::Assembly turned = assembly;
     turn(worst, turned);
     if (conflicts_of(turned, probes, worst.piece) <= before) {
       assembly = std::move(turned);
@@ -152,4 +152,4 @@ void turn_pieces(const PreflightInput& input, std::span<const BodyProbe> probes,
   }
 }
 
-}  // namespace toile
+}  // namespace toile::preflight

@@ -4,7 +4,7 @@
 #include "core/preflight/check_pattern.h"
 #include "core/preflight/check_sides.h"
 
-namespace toile {
+namespace toile::preflight {
 
 namespace {
 
@@ -16,7 +16,7 @@ struct Threads {
   std::vector<Vec3> a, b;         ///< m
 };
 
-Threads threads_of(const Assembly& assembly, Index seam) {
+Threads threads_of(const sewing::Assembly& assembly, Index seam) {
   Threads t;
   for (std::size_t k = 0; k < assembly.garment.sewn.size(); ++k) {
     if (assembly.garment.seam_of_sewn[k] != seam) continue;
@@ -51,7 +51,7 @@ double correlation(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   return aa > 0 && bb > 0 ? ab / std::sqrt(aa * bb) : 0;
 }
 
-void reverse_seam(const Threads& t, Assembly& assembly) {
+void reverse_seam(const Threads& t, sewing::Assembly& assembly) {
   std::vector<Index> partners;
   for (const std::size_t row : t.rows) partners.push_back(assembly.garment.sewn[row][1]);
   std::reverse(partners.begin(), partners.end());
@@ -60,7 +60,7 @@ void reverse_seam(const Threads& t, Assembly& assembly) {
 
 }  // namespace
 
-void untwist_seams(const PreflightInput& input, Assembly& assembly, Findings& findings) {
+void untwist_seams(const PreflightInput& input, sewing::Assembly& assembly, Findings& findings) {
   bool changed = false;
   for (Index s = 0; s < static_cast<Index>(input.pattern.seams.size()); ++s) {
     const Threads t = threads_of(assembly, s);
@@ -68,7 +68,7 @@ void untwist_seams(const PreflightInput& input, Assembly& assembly, Findings& fi
     const std::vector<Vec3> back(t.b.rbegin(), t.b.rend());
     const double now = total_length(t.a, t.b), then = total_length(t.a, back);
     if (correlation(t.a, t.b) > kAgainst || correlation(t.a, back) < kAlong || then >= now) continue;
-    const Seam& seam = input.pattern.seams[s];
+    const pattern::Seam& seam = input.pattern.seams[s];
     Finding f = found(FindingKind::kTwisted,
                       "the threads of the seam cross over: " + length_text(now) + " of thread in all, and " +
                           length_text(then) + " with one side reversed; reverse the seam",
@@ -81,7 +81,7 @@ void untwist_seams(const PreflightInput& input, Assembly& assembly, Findings& fi
     }
     findings.push_back(std::move(f));
   }
-  if (changed) assembly.garment.weld = least_of_class(assembly.garment.vertex_count(), assembly.garment.sewn);
+  if (changed) assembly.garment.weld = sewing::least_of_class(assembly.garment.vertex_count(), assembly.garment.sewn);
 }
 
-}  // namespace toile
+}  // namespace toile::preflight

@@ -10,26 +10,26 @@
 #include "core/json/tree.h"
 #include "core/project/project.h"
 
-namespace toile {
+namespace toile::project {
 
 /// "female", "male", "child".
-const char* name_of(Sex sex);
+const char* name_of(mannequin::Sex sex);
 
 /// The preset's sex and measures first, what the document says over them. With neither preset nor sex it is a
 /// woman of 170 cm, 90-72-96, where these are not given: so documents have meant it from the first. Errors,
 /// with the key as place: project.unknown_preset.
-Result<MannequinSettings> mannequin_settings(const ProjectMannequin& given);
+Result<mannequin::MannequinSettings> mannequin_settings(const ProjectMannequin& given);
 
 /// Errors: project.* as for a document, `where` begins with the object's own pointer.
-Result<ProjectMannequin> read_mannequin(const JsonValue& object, const std::string& where);
-Result<ProjectBody> read_body(const JsonValue& object, const std::string& where);
+Result<ProjectMannequin> read_mannequin(const json::JsonValue& object, const std::string& where);
+Result<ProjectBody> read_body(const json::JsonValue& object, const std::string& where);
 /// As a document has it.
-JsonValue mannequin_json(const ProjectMannequin& mannequin);
+json::JsonValue mannequin_json(const ProjectMannequin& mannequin);
 
 /// What the document means without its bodies, which take long to read: what is told by them goes with them.
 Project without_bodies(Project project);
 
 /// Least and most that a document may ask of a measure, cm.
-std::pair<double, double> measure_range_cm(Measure m);
+std::pair<double, double> measure_range_cm(measure::Measure m);
 
-}  // namespace toile
+}  // namespace toile::project

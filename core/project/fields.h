@@ -8,7 +8,7 @@
 #include "core/json/fields/range.h"
 #include "core/project/project.h"
 
-namespace toile::fields {
+namespace toile::project::fields {
 
 inline constexpr Range kLength{
     -1e5, 1e5, "coordinate"};  // mm or m: every coordinate, so that sums stay far from overflow
@@ -18,10 +18,10 @@ inline constexpr Range kSome{1, 1000};  // elements of a list that must not be e
 inline constexpr Range kMany{0, 1000};
 
 /// By Measure: what a tape may read of anybody. make_mannequin is stricter, and knows what goes together.
-inline constexpr Range kMeasureRange_cm[kMeasureCount] = {
+inline constexpr Range kMeasureRange_cm[measure::kMeasureCount] = {
     {80, 220}, {30, 250}, {30, 250}, {30, 250}, {30, 250}, {15, 100}, {15, 90},
     {8, 90},   {5, 40},   {15, 120}, {15, 150}, {10, 100}, {20, 150}, {10, 90}};
-inline constexpr const char* kMeasureMeaning[kMeasureCount] = {
+inline constexpr const char* kMeasureMeaning[measure::kMeasureCount] = {
     "cm, from the floor to the top of the head.",
     "cm; a woman's bust at the bust points, a chest at its widest below the armpits.",
     "cm around the ribs below the breasts.",
@@ -345,8 +345,8 @@ void describe(Visitor& v, ProjectMannequin& mannequin) {
            {"a", "t"});
   v.field("arm_angle", mannequin.arm_angle,
           "Degrees between a hanging arm and the arm in pose a. Default 45.", Need::kOptional, Range{30, 60});
-  for (int i = 0; i < kMeasureCount; ++i) {
-    const std::string key = std::string(measure_name(measure_at(i))) + "_cm";
+  for (int i = 0; i < measure::kMeasureCount; ++i) {
+    const std::string key = std::string(measure::measure_name(measure::measure_at(i))) + "_cm";
     v.field(key, mannequin.measures_cm[static_cast<std::size_t>(i)], kMeasureMeaning[i], Need::kOptional,
             kMeasureRange_cm[i]);
   }
@@ -582,4 +582,4 @@ void describe(Visitor& v, Project& project) {
   v.field("settings", project.settings, "");
 }
 
-}  // namespace toile::fields
+}  // namespace toile::project::fields

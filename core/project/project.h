@@ -15,7 +15,7 @@
 #include "core/body/measure/measures.h"
 #include "core/pattern/pattern.h"
 
-namespace toile {
+namespace toile::project {
 
 /// A piece taken from a DXF file that lies beside the document.
 struct ProjectDxf {
@@ -179,7 +179,7 @@ struct ProjectMannequin {
   std::string sex = {};                  ///< "female", "male", "child"; empty: the preset's, or female
   std::string pose = {};                 ///< "a", "t"; empty: a
   std::optional<double> arm_angle = {};  ///< degrees between a hanging arm and this one in pose a
-  std::array<std::optional<double>, kMeasureCount> measures_cm = {};  ///< in the order of Measure
+  std::array<std::optional<double>, measure::kMeasureCount> measures_cm = {};  ///< in the order of Measure
   int triangles = 3300;
   friend bool operator==(const ProjectMannequin&, const ProjectMannequin&) = default;
 };
@@ -329,4 +329,4 @@ struct WrittenProject {
 /// json.too_large, project.*.
 Result<WrittenProject> write_checked(const Project& project);
 
-}  // namespace toile
+}  // namespace toile::project

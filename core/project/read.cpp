@@ -5,13 +5,13 @@
 #include "core/project/fields.h"
 #include "core/project/project.h"
 
-namespace toile {
+namespace toile::project {
 
 Result<Project> parse_project(std::string_view text) {
-  Result<JsonValue> tree = parse_json(text);
+  Result<json::JsonValue> tree = json::parse_json(text);
   if (!tree) return tree.error();
   if (!tree->object()) return Error{"project.wrong_type", "a project document is a JSON object", ""};
-  const JsonValue* version = tree->find("toile");
+  const json::JsonValue* version = tree->find("toile");
   if (!version) {
     return Error{"project.version", "this is no project document: it does not begin with \"toile\": 1", ""};
   }
@@ -25,4 +25,4 @@ Result<Project> parse_project(std::string_view text) {
   return project;
 }
 
-}  // namespace toile
+}  // namespace toile::project

@@ -2,11 +2,11 @@
 
 #include "core/project/fields.h"
 
-namespace toile {
+namespace toile::project {
 
-JsonValue project_schema() {
+json::JsonValue project_schema() {
   fields::Definitions definitions;
-  const JsonValue schema = fields::schema_of(Project{}, fields::kAnything, definitions);
+  const json::JsonValue schema = fields::schema_of(Project{}, fields::kAnything, definitions);
   return fields::schema_file("Toile project", "", schema, definitions);
 }
 
@@ -16,4 +16,4 @@ fields::Definitions project_definitions() {
   return definitions;
 }
 
-}  // namespace toile
+}  // namespace toile::project

@@ -4,12 +4,12 @@
 #include "core/json/fields/schema.h"
 #include "core/json/tree.h"
 
-namespace toile {
+namespace toile::project {
 
 /// The whole file, made of the fields that the reader reads by.
-JsonValue project_schema();
+json::JsonValue project_schema();
 
 /// What it defines, for schemas beside it that refer to its objects.
 fields::Definitions project_definitions();
 
-}  // namespace toile
+}  // namespace toile::project

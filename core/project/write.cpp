@@ -10,28 +10,28 @@
 #include "core/project/fields.h"
 #include "core/project/project.h"
 
-namespace toile {
+namespace toile::project {
 namespace {
 
-JsonValue tree_of(const Project& project) {
+json::JsonValue tree_of(const Project& project) {
   Project copy = project;  // a visitor takes places, and writes to none of them here
   return fields::json_of(copy);
 }
 
 }  // namespace
 
-std::string write_project(const Project& project) { return write_json(tree_of(project)); }
+std::string write_project(const Project& project) { return json::write_json(tree_of(project)); }
 
-std::string write_project_line(const Project& project) { return write_json_line(tree_of(project)); }
+std::string write_project_line(const Project& project) { return json::write_json_line(tree_of(project)); }
 
 Result<WrittenProject> write_checked(const Project& project) {
-  const JsonValue tree = tree_of(project);
-  WrittenProject written{write_json_line(tree), {}};
-  TRY(check_size(written.line, JsonLimits{}));
+  const json::JsonValue tree = tree_of(project);
+  WrittenProject written{json::write_json_line(tree), {}};
+  TRY(json::check_size(written.line, json::JsonLimits{}));
   std::optional<Error> error;
   fields::read(fields::FieldPlace{tree, "", error}, written.read_back, fields::kAnything);
   if (error) return *std::move(error);
   return written;
 }
 
-}  // namespace toile
+}  // namespace toile::project

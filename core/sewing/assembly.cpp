@@ -5,11 +5,11 @@
 #include "core/base/disjoint_sets.h"
 #include "core/sewing/attached_places.h"
 
-namespace toile {
+namespace toile::sewing {
 
 namespace {
 
-void append_panel(const PanelMesh& mesh, Index panel, GarmentMesh& garment) {
+void append_panel(const mesh::PanelMesh& mesh, Index panel, GarmentMesh& garment) {
   const Index first = garment.vertex_count();
   garment.first_vertex.push_back(first);
   garment.rest.insert(garment.rest.end(), mesh.rest.begin(), mesh.rest.end());
@@ -18,10 +18,10 @@ void append_panel(const PanelMesh& mesh, Index panel, GarmentMesh& garment) {
   garment.panel_of_triangle.insert(garment.panel_of_triangle.end(), mesh.triangles.size(), panel);
 }
 
-void append_seams(const PanelMeshes& meshes, GarmentMesh& garment) {
-  const auto index = [&](PanelVertex v) { return garment.first_vertex[v.panel] + v.vertex; };
-  for (const MatchedSeam& seam : meshes.seams) {
-    for (const SewnPair& pair : seam.pairs) {
+void append_seams(const mesh::PanelMeshes& meshes, GarmentMesh& garment) {
+  const auto index = [&](mesh::PanelVertex v) { return garment.first_vertex[v.panel] + v.vertex; };
+  for (const mesh::MatchedSeam& seam : meshes.seams) {
+    for (const mesh::SewnPair& pair : seam.pairs) {
       garment.sewn.push_back({index(pair.a), index(pair.b)});
       garment.seam_of_sewn.push_back(seam.seam);
     }
@@ -64,7 +64,7 @@ std::vector<double> seam_held_by_pairs(const GarmentMesh& g) {
   return held;
 }
 
-Result<Assembly> assemble(const PanelMeshes& meshes, const std::vector<Placement>& placements,
+Result<Assembly> assemble(const mesh::PanelMeshes& meshes, const std::vector<Placement>& placements,
                           const std::vector<Attachment>& attachments, const Notions& notions) {
   if (placements.size() != meshes.panels.size()) {
     return Error{"placement.count", "every piece needs a placement",
@@ -90,4 +90,4 @@ Result<Assembly> assemble(const PanelMeshes& meshes, const std::vector<Placement
   return assembly;
 }
 
-}  // namespace toile
+}  // namespace toile::sewing

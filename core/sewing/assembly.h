@@ -8,7 +8,7 @@
 #include "core/sewing/notion_places.h"
 #include "core/sewing/placement.h"
 
-namespace toile {
+namespace toile::sewing {
 
 struct Assembly {
   GarmentMesh garment;
@@ -27,7 +27,7 @@ std::vector<double> seam_held_by_pairs(const GarmentMesh& garment);
 
 /// Error: placement.count when there is not one placement for every panel, placement.not_finite with the
 /// panel, attachment.off_piece where a point lies beside its piece, and those of locate_notions.
-Result<Assembly> assemble(const PanelMeshes& meshes, const std::vector<Placement>& placements,
+Result<Assembly> assemble(const mesh::PanelMeshes& meshes, const std::vector<Placement>& placements,
                           const std::vector<Attachment>& attachments, const Notions& notions = {});
 
-}  // namespace toile
+}  // namespace toile::sewing

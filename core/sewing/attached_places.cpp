@@ -4,7 +4,7 @@
 #include <limits>
 #include <numeric>
 
-namespace toile {
+namespace toile::sewing {
 
 Vec3 nearest_on_goal(const std::vector<Vec3>& goal, Vec3 p) {
   Vec3 best = goal.front();
@@ -27,7 +27,7 @@ namespace {
 ClothPoint corner(Index v) { return {{v, v, v}, {1, 0, 0}}; }
 
 /// The attachment's edges one after the other, in vertices of the panel.
-std::vector<Index> chain_of(const Attachment& a, const PanelMesh& mesh) {
+std::vector<Index> chain_of(const Attachment& a, const mesh::PanelMesh& mesh) {
   std::vector<Index> chain;
   for (const Index edge : a.edges) {
     const std::vector<Index>& v = mesh.edge_vertices[edge];
@@ -37,7 +37,7 @@ std::vector<Index> chain_of(const Attachment& a, const PanelMesh& mesh) {
 }
 
 /// Half way along a chain, by flat length.
-ClothPoint middle_of(const std::vector<Index>& chain, const PanelMesh& mesh, Index first) {
+ClothPoint middle_of(const std::vector<Index>& chain, const mesh::PanelMesh& mesh, Index first) {
   std::vector<double> along{0};
   for (std::size_t i = 1; i < chain.size(); ++i) {
     const double step = length(mesh.rest[chain[i]] - mesh.rest[chain[i - 1]]);
@@ -53,7 +53,7 @@ ClothPoint middle_of(const std::vector<Index>& chain, const PanelMesh& mesh, Ind
 }
 
 /// What of a whole panel lies nearest the mean of its vertices.
-ClothPoint middle_of(const PanelMesh& mesh, Index first) {
+ClothPoint middle_of(const mesh::PanelMesh& mesh, Index first) {
   Vec2 mean;
   for (const Vec2 p : mesh.rest) mean = mean + p;
   mean = mean * (1.0 / static_cast<double>(mesh.rest.size()));
@@ -63,7 +63,7 @@ ClothPoint middle_of(const PanelMesh& mesh, Index first) {
 }
 
 /// Points in the attachment's order.
-Result<std::vector<ClothPoint>> points_of(const Attachment& a, const PanelMesh& mesh, Index first) {
+Result<std::vector<ClothPoint>> points_of(const Attachment& a, const mesh::PanelMesh& mesh, Index first) {
   std::vector<ClothPoint> points;
   for (const Vec2 at : a.points) {
     const auto point = locate_point(mesh, first, at);
@@ -78,7 +78,7 @@ Result<std::vector<ClothPoint>> points_of(const Attachment& a, const PanelMesh& 
 }
 
 std::vector<Index> held_vertices(const Attachment& a, const std::vector<ClothPoint>& points,
-                                 const PanelMesh& mesh, Index first) {
+                                 const mesh::PanelMesh& mesh, Index first) {
   std::vector<Index> vertices = chain_of(a, mesh);
   if (a.edges.empty() && a.points.empty()) {
     vertices.resize(mesh.rest.size());
@@ -94,7 +94,7 @@ std::vector<Index> held_vertices(const Attachment& a, const std::vector<ClothPoi
   return vertices;
 }
 
-std::vector<ClothPoint> led_points(const Attachment& a, std::vector<ClothPoint> points, const PanelMesh& mesh,
+std::vector<ClothPoint> led_points(const Attachment& a, std::vector<ClothPoint> points, const mesh::PanelMesh& mesh,
                                    Index first) {
   const std::vector<Index> chain = chain_of(a, mesh);
   if (a.goal.size() > 1) {
@@ -108,10 +108,10 @@ std::vector<ClothPoint> led_points(const Attachment& a, std::vector<ClothPoint> 
 
 }  // namespace
 
-Status locate_attachments(const std::vector<Attachment>& attachments, const PanelMeshes& meshes,
+Status locate_attachments(const std::vector<Attachment>& attachments, const mesh::PanelMeshes& meshes,
                           Assembly& assembly) {
   for (const Attachment& a : attachments) {
-    const PanelMesh& mesh = meshes.panels[a.panel];
+    const mesh::PanelMesh& mesh = meshes.panels[a.panel];
     const Index first = assembly.garment.first_vertex[a.panel];
     std::vector<ClothPoint> points = TRY(points_of(a, mesh, first));
     const bool led = a.hold == Attachment::Hold::kGoal;
@@ -121,4 +121,4 @@ Status locate_attachments(const std::vector<Attachment>& attachments, const Pane
   return {};
 }
 
-}  // namespace toile
+}  // namespace toile::sewing

@@ -5,7 +5,7 @@
 
 #include "core/base/types.h"
 
-namespace toile {
+namespace toile::sewing {
 
 /// Holds part of a panel during the drape, e.g. a waistband at its height until friction carries it, or leads
 /// it to a place on the body.
@@ -27,4 +27,4 @@ struct Attachment {
   std::vector<Vec3> goal;
 };
 
-}  // namespace toile
+}  // namespace toile::sewing

@@ -5,7 +5,7 @@
 
 #include "core/base/types.h"
 
-namespace toile {
+namespace toile::sewing {
 
 /// The garment as one vertex list: panel after panel, each in the order of its PanelMesh. Sewn vertices are
 /// not merged here; `sewn` and `weld` say which belong together.
@@ -22,4 +22,4 @@ struct GarmentMesh {
   Index vertex_count() const { return static_cast<Index>(rest.size()); }
 };
 
-}  // namespace toile
+}  // namespace toile::sewing

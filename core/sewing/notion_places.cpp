@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace toile {
+namespace toile::sewing {
 
 Vec3 position_of(const ClothPoint& point, std::span<const Vec3> x) {
   Vec3 p;
@@ -46,7 +46,7 @@ Nearest nearest_on(const std::array<Vec2, 3>& c, Vec2 p) {
   return best;
 }
 
-double mean_edge_of(const PanelMesh& mesh) {
+double mean_edge_of(const mesh::PanelMesh& mesh) {
   double sum = 0;
   for (const Tri& t : mesh.triangles) sum += length(mesh.rest[t[1]] - mesh.rest[t[0]]);
   return mesh.triangles.empty() ? 0 : sum / static_cast<double>(mesh.triangles.size());
@@ -59,7 +59,7 @@ std::vector<Index> shifted(std::vector<Index> vertices, Index first) {
 
 }  // namespace
 
-std::optional<ClothPoint> locate_point(const PanelMesh& mesh, Index first, Vec2 at) {
+std::optional<ClothPoint> locate_point(const mesh::PanelMesh& mesh, Index first, Vec2 at) {
   Nearest best;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Tri& v = mesh.triangles[t];
@@ -73,7 +73,7 @@ std::optional<ClothPoint> locate_point(const PanelMesh& mesh, Index first, Vec2 
   return ClothPoint{{v[0] + first, v[1] + first, v[2] + first}, best.share};
 }
 
-Result<NotionPlaces> locate_notions(const Notions& notions, const PanelMeshes& meshes,
+Result<NotionPlaces> locate_notions(const Notions& notions, const mesh::PanelMeshes& meshes,
                                     const GarmentMesh& garment) {
   NotionPlaces places;
   for (const Button& button : notions.buttons) {
@@ -90,7 +90,7 @@ Result<NotionPlaces> locate_notions(const Notions& notions, const PanelMeshes& m
     }
   }
   for (const Elastic& elastic : notions.elastics) {
-    const PanelMesh& mesh = meshes.panels[elastic.panel];
+    const mesh::PanelMesh& mesh = meshes.panels[elastic.panel];
     const Index first = garment.first_vertex[elastic.panel];
     VertexChains& chains = places.elastics.emplace_back();
     for (const Index e : elastic.edges) chains.push_back(shifted(mesh.edge_vertices[e], first));
@@ -106,4 +106,4 @@ Result<NotionPlaces> locate_notions(const Notions& notions, const PanelMeshes& m
   return places;
 }
 
-}  // namespace toile
+}  // namespace toile::sewing

@@ -11,7 +11,7 @@
 #include "core/sewing/garment_mesh.h"
 #include "core/sewing/notions.h"
 
-namespace toile {
+namespace toile::sewing {
 
 /// A point on a triangle: weights, summing to 1, of three vertices.
 struct ClothPoint {
@@ -23,7 +23,7 @@ Vec3 position_of(const ClothPoint& point, std::span<const Vec3> x);
 
 /// The point of a panel's mesh at a flat place (m); nothing where that lies more than a tenth of the mean
 /// edge beside the mesh. `first` is the panel's first vertex in the garment.
-std::optional<ClothPoint> locate_point(const PanelMesh& mesh, Index first, Vec2 at);
+std::optional<ClothPoint> locate_point(const mesh::PanelMesh& mesh, Index first, Vec2 at);
 
 /// Chains of vertices: one a line or an edge, from its start to its end.
 using VertexChains = std::vector<std::vector<Index>>;
@@ -37,7 +37,7 @@ struct NotionPlaces {
 
 /// Errors, `where` naming the notion: "button.off_piece" where a point lies more than a tenth of the mean
 /// edge beside its panel's mesh.
-Result<NotionPlaces> locate_notions(const Notions& notions, const PanelMeshes& meshes,
+Result<NotionPlaces> locate_notions(const Notions& notions, const mesh::PanelMeshes& meshes,
                                     const GarmentMesh& garment);
 
-}  // namespace toile
+}  // namespace toile::sewing

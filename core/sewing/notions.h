@@ -6,7 +6,7 @@
 
 #include "core/base/types.h"
 
-namespace toile {
+namespace toile::sewing {
 
 /// A point of a flat panel.
 struct PanelPoint {
@@ -56,4 +56,4 @@ struct Notions {
   std::vector<Cushion> cushions;
 };
 
-}  // namespace toile
+}  // namespace toile::sewing

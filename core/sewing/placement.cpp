@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace toile {
+namespace toile::sewing {
 
 namespace {
 
@@ -73,4 +73,4 @@ std::vector<Vec3> place(const std::vector<Vec2>& rest, const Placement& placemen
   return place_wrapped(rest, std::get<WrappedPlacement>(placement));
 }
 
-}  // namespace toile
+}  // namespace toile::sewing

@@ -6,7 +6,7 @@
 
 #include "core/base/types.h"
 
-namespace toile {
+namespace toile::sewing {
 
 /// The panel as a rigid sheet. A flat point (u, v) in metres goes to translation + R·(u, v, 0), with R the
 /// rotation about x, then y, then z (fixed axes). The right side of the cloth faces R·(0, 0, 1).
@@ -37,4 +37,4 @@ using Placement = std::variant<RigidPlacement, WrappedPlacement>;
 /// The 3D start of flat points `rest` (m).
 std::vector<Vec3> place(const std::vector<Vec2>& rest, const Placement& placement);
 
-}  // namespace toile
+}  // namespace toile::sewing

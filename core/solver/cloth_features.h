@@ -12,16 +12,16 @@
 #include "core/solver/constraints/pressure.h"
 #include "core/solver/constraints/tether.h"
 
-namespace toile {
+namespace toile::solver {
 
 /// Vertices are the solver's.
 struct ClothFeatures {
-  AirDrag air;
-  std::vector<PointTie> ties;
-  std::vector<ElasticSegment> elastics;
-  std::vector<FoldHinge> folds;
-  std::vector<PressureChamber> chambers;
-  std::vector<Tether> tethers;
+  constraints::AirDrag air;
+  std::vector<constraints::PointTie> ties;
+  std::vector<constraints::ElasticSegment> elastics;
+  std::vector<constraints::FoldHinge> folds;
+  std::vector<constraints::PressureChamber> chambers;
+  std::vector<constraints::Tether> tethers;
 };
 
 /// How far features have come in a step.
@@ -40,4 +40,4 @@ void push_features(const ClothFeatures& features, const FeatureProgress& progres
 void solve_features(const ClothFeatures& features, const FeatureProgress& progress, std::span<const double> w,
                     double h, std::span<Vec3> x);
 
-}  // namespace toile
+}  // namespace toile::solver

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace toile {
+namespace toile::solver {
 
 double rest_area(const RestTriangle& rest) {
   return 0.5 * std::abs(cross(rest[1] - rest[0], rest[2] - rest[0]));
@@ -11,7 +11,7 @@ double rest_area(const RestTriangle& rest) {
 namespace {
 
 /// Classes of solver vertices from the classes of garment vertices: least solver vertex of each.
-std::vector<Index> classes_of(const GarmentMesh& garment, std::span<const Index> vertex_of,
+std::vector<Index> classes_of(const sewing::GarmentMesh& garment, std::span<const Index> vertex_of,
                               Index vertex_count) {
   std::vector<Index> least(garment.vertex_count(), vertex_count);
   for (Index i = 0; i < garment.vertex_count(); ++i) {
@@ -24,8 +24,8 @@ std::vector<Index> classes_of(const GarmentMesh& garment, std::span<const Index>
 
 }  // namespace
 
-ClothModel make_cloth_model(const GarmentMesh& garment, std::span<const Index> vertex_of, Index vertex_count,
-                            std::span<const Vec2> warps, std::span<const Fabric> fabrics,
+ClothModel make_cloth_model(const sewing::GarmentMesh& garment, std::span<const Index> vertex_of, Index vertex_count,
+                            std::span<const Vec2> warps, std::span<const material::Fabric> fabrics,
                             std::span<const Index> fabric_of_panel) {
   ClothModel model;
   model.fabrics.assign(fabrics.begin(), fabrics.end());
@@ -50,4 +50,4 @@ ClothModel make_cloth_model(const GarmentMesh& garment, std::span<const Index> v
   return model;
 }
 
-}  // namespace toile
+}  // namespace toile::solver

@@ -9,7 +9,7 @@
 #include "core/material/fabric.h"
 #include "core/sewing/garment_mesh.h"
 
-namespace toile {
+namespace toile::solver {
 
 /// Rest corners of a triangle, metres: x along the weft, y along the warp.
 using RestTriangle = std::array<Vec2, 3>;
@@ -18,7 +18,7 @@ struct ClothModel {
   std::vector<Tri> triangles;
   std::vector<RestTriangle> rest;
   std::vector<Index> fabric_of_triangle;  ///< into `fabrics`
-  std::vector<Fabric> fabrics;
+  std::vector<material::Fabric> fabrics;
   std::vector<double> mass;         ///< kg per vertex: a third of each triangle around it
   std::vector<Index> vertex_class;  ///< stitched vertices share a class: least member's index
 
@@ -30,8 +30,8 @@ double rest_area(const RestTriangle& rest);
 
 /// Makes the model of a garment. `vertex_of[i]` is the solver's vertex of garment vertex i (welded vertices
 /// have the same); `warps` and `fabric_of_panel` have one entry a panel.
-ClothModel make_cloth_model(const GarmentMesh& garment, std::span<const Index> vertex_of, Index vertex_count,
-                            std::span<const Vec2> warps, std::span<const Fabric> fabrics,
+ClothModel make_cloth_model(const sewing::GarmentMesh& garment, std::span<const Index> vertex_of, Index vertex_count,
+                            std::span<const Vec2> warps, std::span<const material::Fabric> fabrics,
                             std::span<const Index> fabric_of_panel);
 
-}  // namespace toile
+}  // namespace toile::solver

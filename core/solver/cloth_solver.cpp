@@ -7,7 +7,7 @@
 #include "core/solver/constraints/restitution.h"
 #include "core/solver/constraints/viscosity.h"
 
-namespace toile {
+namespace toile::solver {
 
 namespace {
 
@@ -25,12 +25,12 @@ double mean_edge(const ClothModel& model) {
 
 }  // namespace
 
-ContactSettings contact_settings(const ClothModel& model) {
-  ContactSettings settings;
+collision::ContactSettings contact_settings(const ClothModel& model) {
+  collision::ContactSettings settings;
   const double edge = mean_edge(model);
   settings.thickness = 0;
   settings.cloth_friction = 0;
-  for (const Fabric& f : model.fabrics) {
+  for (const material::Fabric& f : model.fabrics) {
     settings.thickness = std::max(settings.thickness, f.thickness);
     settings.cloth_friction = std::max(settings.cloth_friction, f.friction);
   }
@@ -48,7 +48,7 @@ ContactSettings contact_settings(const ClothModel& model) {
   return settings;
 }
 
-ClothSolver::ClothSolver(ClothModel model, std::vector<Vec3> positions, std::span<const Obstacle> obstacles,
+ClothSolver::ClothSolver(ClothModel model, std::vector<Vec3> positions, std::span<const collision::Obstacle> obstacles,
                          double time_step, std::span<const Vec3> layout)
     : model_(std::move(model)),
       obstacles_(obstacles),
@@ -56,7 +56,7 @@ ClothSolver::ClothSolver(ClothModel model, std::vector<Vec3> positions, std::spa
       membrane_(model_),
       bending_(model_),
       x_(std::move(positions)),
-      finder_(make_surface(model_.triangles, model_.vertex_count(), model_.vertex_class), obstacles_,
+      finder_(collision::make_surface(model_.triangles, model_.vertex_count(), model_.vertex_class), obstacles_,
               contact_settings(model_)) {
   TOILE_CHECK(x_.size() == model_.mass.size());
   TOILE_CHECK(h_ > 0);
@@ -64,22 +64,22 @@ ClothSolver::ClothSolver(ClothModel model, std::vector<Vec3> positions, std::spa
   velocity_.resize(x_.size());
   depenetration_.resize(x_.size());
   speed_.resize(x_.size());
-  for (const Obstacle& obstacle : obstacles_) bouncy_ |= obstacle.restitution > 0;
+  for (const collision::Obstacle& obstacle : obstacles_) bouncy_ |= obstacle.restitution > 0;
   if (layout.empty()) layout = x_;
   finder_.detect(layout, speed_, contacts_);  // lays out its tree
 }
 
-void ClothSolver::set_stitches(std::vector<Stitch> stitches) {
+void ClothSolver::set_stitches(std::vector<constraints::Stitch> stitches) {
   stitches_ = std::move(stitches);
-  stitch_groups_ = stitch_groups(stitches_, model_.vertex_count());
+  stitch_groups_ = constraints::stitch_groups(stitches_, model_.vertex_count());
 }
 
-void ClothSolver::set_holds(std::vector<HeldVertex> held) {
+void ClothSolver::set_holds(std::vector<constraints::HeldVertex> held) {
   held_ = std::move(held);
   std::vector<double> w;
   w.reserve(model_.mass.size());
   for (const double m : model_.mass) w.push_back(m > 0 ? 1 / m : 0);
-  for (const HeldVertex& h : held_) {
+  for (const constraints::HeldVertex& h : held_) {
     if (!h.height_only) w[h.v] = 0;
   }
   if (w == inverse_mass_) return;
@@ -109,20 +109,20 @@ StepReport ClothSolver::step(const StepForces& forces) {
   push_features(features_, forces.features, model_.triangles, inverse_mass_, h_, x_, feature_force_,
                 velocity_);
   predict(forces);
-  spread(x_, points_);
+  lanes::spread(x_, points_);
   membrane_.solve(points_);
   bending_.solve(points_);
-  collect(points_, x_);
+  lanes::collect(points_, x_);
   solve_features(features_, forces.features, inverse_mass_, h_, x_);
-  solve_height_holds(held_, x_);
+  constraints::solve_height_holds(held_, x_);
   if (forces.stitch_length > 0) {  // after the holds: a thread wins over a hand
-    shorten_stitches(stitches_, forces.stitch_length, inverse_mass_, h_, x_);
+    constraints::shorten_stitches(stitches_, forces.stitch_length, inverse_mass_, h_, x_);
   } else {
-    close_groups(stitch_groups_, inverse_mass_, h_, x_);
+    constraints::close_groups(stitch_groups_, inverse_mass_, h_, x_);
   }
   const StepReport report = truncate(forces);
   finish(forces);
-  if (forces.viscosity > 0) even_velocities(model_.triangles, model_.mass, forces.viscosity, velocity_);
+  if (forces.viscosity > 0) constraints::even_velocities(model_.triangles, model_.mass, forces.viscosity, velocity_);
   return report;
 }
 
@@ -137,7 +137,7 @@ void ClothSolver::predict(const StepForces& forces) {
     v = v * keep;
     x_[i] += v * h_;
   }
-  for (const HeldVertex& h : held_) {
+  for (const constraints::HeldVertex& h : held_) {
     if (!h.height_only) x_[h.v] = h.target;
   }
 }
@@ -188,7 +188,7 @@ StepReport ClothSolver::truncate(const StepForces& forces) {
     ++report.detections;
   }
   const auto push_apart = [&] {
-    solve_contacts(contacts_.contacts, before_, inverse_mass_, forces.friction, h_, x_, depenetration_);
+    constraints::solve_contacts(contacts_.contacts, before_, inverse_mass_, forces.friction, h_, x_, depenetration_);
     note_who_went_far();
   };
   push_apart();
@@ -217,10 +217,10 @@ StepReport ClothSolver::truncate(const StepForces& forces) {
 
 void ClothSolver::finish(const StepForces& forces) {
   const double per_h = 1 / h_;
-  std::vector<Impact> impacts;
-  if (bouncy_) impacts = find_impacts(contacts_.contacts, forces.restitution, proposal_, velocity_);
+  std::vector<constraints::Impact> impacts;
+  if (bouncy_) impacts = constraints::find_impacts(contacts_.contacts, forces.restitution, proposal_, velocity_);
   for (std::size_t i = 0; i < x_.size(); ++i) velocity_[i] = (x_[i] - before_[i] - depenetration_[i]) * per_h;
-  give_back(impacts, inverse_mass_, velocity_);
+  constraints::give_back(impacts, inverse_mass_, velocity_);
 }
 
-}  // namespace toile
+}  // namespace toile::solver

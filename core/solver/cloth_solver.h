@@ -11,7 +11,7 @@
 #include "core/solver/constraints/stitch.h"
 #include "core/solver/lanes/passes.h"
 
-namespace toile {
+namespace toile::solver {
 
 /// What acts on the cloth during a step. May change from step to step.
 struct StepForces {
@@ -46,15 +46,15 @@ class ClothSolver {
   /// `obstacles` must outlive the solver. Positions in metres; velocities start at zero. The order in which
   /// contacts are met follows from where the vertices stand in `layout` (m; `positions` when it is empty):
   /// two solvers with the same layout and state make the same steps.
-  ClothSolver(ClothModel model, std::vector<Vec3> positions, std::span<const Obstacle> obstacles,
+  ClothSolver(ClothModel model, std::vector<Vec3> positions, std::span<const collision::Obstacle> obstacles,
               double time_step, std::span<const Vec3> layout = {});
 
   StepReport step(const StepForces& forces);
 
-  void set_stitches(std::vector<Stitch> stitches);
+  void set_stitches(std::vector<constraints::Stitch> stitches);
   /// Replaces all holds. Targets may lie away from where the vertices are; contact decides how fast they get
   /// there.
-  void set_holds(std::vector<HeldVertex> held);
+  void set_holds(std::vector<constraints::HeldVertex> held);
   void set_features(ClothFeatures features) { features_ = std::move(features); }
   void set_velocities(std::vector<Vec3> velocities) { velocity_ = std::move(velocities); }
 
@@ -63,7 +63,7 @@ class ClothSolver {
   void restore(SolverState state);
 
   const ClothModel& model() const { return model_; }
-  const std::vector<Stitch>& stitches() const { return stitches_; }
+  const std::vector<constraints::Stitch>& stitches() const { return stitches_; }
   const ClothFeatures& features() const { return features_; }
   const std::vector<Vec3>& positions() const { return x_; }
   const std::vector<Vec3>& velocities() const { return velocity_; }
@@ -79,24 +79,24 @@ class ClothSolver {
   void finish(const StepForces& forces);
 
   ClothModel model_;
-  std::span<const Obstacle> obstacles_;
+  std::span<const collision::Obstacle> obstacles_;
   double h_;
-  MembranePass membrane_;
-  BendPass bending_;
-  std::vector<Stitch> stitches_;
-  std::vector<StitchGroup> stitch_groups_;
-  std::vector<HeldVertex> held_;
+  lanes::MembranePass membrane_;
+  lanes::BendPass bending_;
+  std::vector<constraints::Stitch> stitches_;
+  std::vector<constraints::StitchGroup> stitch_groups_;
+  std::vector<constraints::HeldVertex> held_;
   ClothFeatures features_;
   std::vector<Vec3> feature_force_;
   std::vector<double> inverse_mass_;
 
   std::vector<Vec3> x_, before_, velocity_, depenetration_, proposal_;
-  std::vector<LanePoint> points_;  ///< x_, while lanes work on it
+  std::vector<lanes::LanePoint> points_;  ///< x_, while lanes work on it
   std::vector<double> speed_;
   std::vector<Index> far_;  ///< vertices that may have met a bound in this step
   bool bouncy_ = false;     ///< an obstacle throws cloth back
-  ContactFinder finder_;
-  Contacts contacts_;
+  collision::ContactFinder finder_;
+  collision::Contacts contacts_;
   bool detected_ = false;
   int held_back_ = 0;  ///< vertices that the bounds stopped right after the last detection
   int hits_ = 0;       ///< more than those, summed over the steps since
@@ -104,6 +104,6 @@ class ClothSolver {
 
 /// Thickness, friction and trust region sizes for a cloth: thickness at most 0.3 and trust regions at most
 /// 0.35 of the mean edge.
-ContactSettings contact_settings(const ClothModel& model);
+collision::ContactSettings contact_settings(const ClothModel& model);
 
-}  // namespace toile
+}  // namespace toile::solver

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace toile {
+namespace toile::solver {
 
 /// Share of its mobility that a constraint puts into its system: 1/2 where it is twice as soft as mobile or
 /// softer, towards 1 where it is hard. `soft` is its compliance / h², `free` its mobility (traces, same
@@ -16,4 +16,4 @@ constexpr double one_pass_share(double soft, double free) {
   return free > 0 ? std::max(0.5, 1 - 0.25 * soft / free) : 1;
 }
 
-}  // namespace toile
+}  // namespace toile::solver

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <utility>
 
-namespace toile {
+namespace toile::proto {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "words are copied as they stand in memory");
@@ -94,4 +94,4 @@ void unpack_block(int width, const char* in, std::uint16_t* values) {
   kUnpack[static_cast<std::size_t>(width)](in, values);
 }
 
-}  // namespace toile
+}  // namespace toile::proto

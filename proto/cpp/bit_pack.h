@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace toile {
+namespace toile::proto {
 
 inline constexpr int kBlock = 16;     ///< numbers a block
 inline constexpr int kMaxWidth = 16;  ///< bits a number
@@ -25,4 +25,4 @@ void pack_block(int width, const std::uint16_t* values, char* out);
 /// Reads packed_size(width) bytes at `in`. REQUIRES 0 <= width <= kMaxWidth.
 void unpack_block(int width, const char* in, std::uint16_t* values);
 
-}  // namespace toile
+}  // namespace toile::proto

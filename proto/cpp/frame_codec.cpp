@@ -9,7 +9,7 @@
 #include "proto/cpp/bit_pack.h"
 #include "proto/cpp/message_bytes.h"
 
-namespace toile {
+namespace toile::proto {
 namespace {
 
 constexpr std::size_t kHeaderSize = 24;  ///< bytes before a frame's block heads
@@ -204,4 +204,4 @@ Status FrameReader::read(std::string_view bytes) {
   return {};
 }
 
-}  // namespace toile
+}  // namespace toile::proto

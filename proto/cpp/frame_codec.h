@@ -14,7 +14,7 @@
 #include "core/base/types.h"
 #include "core/sewing/garment_mesh.h"
 
-namespace toile {
+namespace toile::proto {
 
 /// Third byte of a message.
 enum class MessageType : std::uint8_t { kTopology = 1, kKey = 2, kDelta = 3 };
@@ -46,7 +46,7 @@ struct StreamPiece {
 };
 
 /// Topology message: grid, pieces, triangles, rest positions (m, float32), sewn pairs.
-std::string encode_topology(std::uint32_t epoch, const FrameGrid& grid, const GarmentMesh& garment,
+std::string encode_topology(std::uint32_t epoch, const FrameGrid& grid, const sewing::GarmentMesh& garment,
                             std::span<const StreamPiece> pieces);
 
 /// A topology message, read.
@@ -104,4 +104,4 @@ class FrameReader {
   std::optional<DecodedFrame> frame_;
 };
 
-}  // namespace toile
+}  // namespace toile::proto

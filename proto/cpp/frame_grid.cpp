@@ -7,7 +7,7 @@
 #include "core/base/check.h"
 #include "proto/cpp/frame_codec.h"
 
-namespace toile {
+namespace toile::proto {
 namespace {
 
 constexpr double kFinestStep = 1e-4;      // m: half of it is below what anyone sees of cloth
@@ -60,4 +60,4 @@ std::vector<Vec3> dequantise(std::span<const std::int16_t> numbers, const FrameG
   return positions;
 }
 
-}  // namespace toile
+}  // namespace toile::proto

@@ -1,6 +1,6 @@
 #include "proto/cpp/message_bytes.h"
 
-namespace toile {
+namespace toile::proto {
 
 void put_varint(std::string& out, std::uint32_t value) {
   for (; value >= 0x80; value >>= 7) out.push_back(static_cast<char>(value | 0x80));
@@ -62,4 +62,4 @@ Result<MessageType> message_type(std::string_view bytes) {
   return static_cast<MessageType>(type);
 }
 
-}  // namespace toile
+}  // namespace toile::proto

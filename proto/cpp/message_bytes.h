@@ -9,7 +9,7 @@
 
 #include "proto/cpp/frame_codec.h"
 
-namespace toile {
+namespace toile::proto {
 
 static_assert(std::endian::native == std::endian::little, "numbers are copied as they stand in memory");
 
@@ -56,4 +56,4 @@ class ByteReader {
 
 Error malformed(std::string message);
 
-}  // namespace toile
+}  // namespace toile::proto

@@ -5,7 +5,7 @@
 #include "proto/cpp/frame_codec.h"
 #include "proto/cpp/message_bytes.h"
 
-namespace toile {
+namespace toile::proto {
 namespace {
 
 constexpr std::size_t kRestSize = 2 * sizeof(float);  // bytes a vertex
@@ -93,7 +93,7 @@ Status read_sewn(ByteReader& in, std::uint32_t count, DecodedTopology& topology)
 
 }  // namespace
 
-std::string encode_topology(std::uint32_t epoch, const FrameGrid& grid, const GarmentMesh& garment,
+std::string encode_topology(std::uint32_t epoch, const FrameGrid& grid, const sewing::GarmentMesh& garment,
                             std::span<const StreamPiece> pieces) {
   std::string out;
   put_prefix(out, MessageType::kTopology, epoch);
@@ -147,4 +147,4 @@ Result<DecodedTopology> decode_topology(std::string_view bytes) {
   return topology;
 }
 
-}  // namespace toile
+}  // namespace toile::proto

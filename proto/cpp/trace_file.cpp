@@ -7,7 +7,7 @@
 
 #include "core/base/check.h"
 
-namespace toile {
+namespace toile::proto {
 namespace {
 
 /// Appends the value's bytes, least significant first, on any machine.
@@ -37,7 +37,7 @@ Result<std::unique_ptr<TraceWriter>> TraceWriter::open(const std::filesystem::pa
   return writer;
 }
 
-void TraceWriter::begin(const GarmentMesh& garment) {
+void TraceWriter::begin(const sewing::GarmentMesh& garment) {
   std::string header(kTraceMagic);
   append(header, kTraceVersion);
   append(header, static_cast<std::uint32_t>(garment.rest.size()));
@@ -49,7 +49,7 @@ void TraceWriter::begin(const GarmentMesh& garment) {
   out_.write(header.data(), static_cast<std::streamsize>(header.size()));
 }
 
-void TraceWriter::frame(const Frame& frame) {
+void TraceWriter::frame(const drape::Frame& frame) {
   has_skipped_ = seen_++ % every_ != 0;
   if (has_skipped_) {
     skipped_ = frame;
@@ -58,7 +58,7 @@ void TraceWriter::frame(const Frame& frame) {
   }
 }
 
-void TraceWriter::write(const Frame& frame) {
+void TraceWriter::write(const drape::Frame& frame) {
   std::string bytes;
   bytes.reserve(16 + 12 * frame.positions.size());
   append(bytes, static_cast<std::uint32_t>(frame.step));
@@ -76,4 +76,4 @@ Status TraceWriter::finish() {
   return {};
 }
 
-}  // namespace toile
+}  // namespace toile::proto

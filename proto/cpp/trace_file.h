@@ -10,19 +10,19 @@
 #include "core/base/result.h"
 #include "core/drape/frame_sink.h"
 
-namespace toile {
+namespace toile::proto {
 
 inline constexpr std::string_view kTraceMagic = "TOILETRC";
 inline constexpr std::uint32_t kTraceVersion = 1;
 
 /// Writes every n-th frame that it is given as it comes, and the last one at finish.
-class TraceWriter final : public FrameSink {
+class TraceWriter final : public drape::FrameSink {
  public:
   /// Makes the file. REQUIRES every >= 1. Error: export.write.
   static Result<std::unique_ptr<TraceWriter>> open(const std::filesystem::path& path, int every);
 
-  void begin(const GarmentMesh& garment) override;
-  void frame(const Frame& frame) override;
+  void begin(const sewing::GarmentMesh& garment) override;
+  void frame(const drape::Frame& frame) override;
 
   /// Writes the last frame if it was passed over. Error: export.write with the path, for whatever went wrong
   /// since open.
@@ -30,14 +30,14 @@ class TraceWriter final : public FrameSink {
 
  private:
   TraceWriter(const std::filesystem::path& path, int every);
-  void write(const Frame& frame);
+  void write(const drape::Frame& frame);
 
   std::filesystem::path path_;
   std::ofstream out_;
   int every_;
   int seen_ = 0;
-  Frame skipped_;  ///< the newest frame, when it was passed over
+  drape::Frame skipped_;  ///< the newest frame, when it was passed over
   bool has_skipped_ = false;
 };
 
-}  // namespace toile
+}  // namespace toile::proto

@@ -15,18 +15,18 @@
 #include "server/app/mesh_reader.h"
 #include "server/documents/arrangement.h"
 
-namespace toile {
+namespace toile::app {
 namespace {
 
-JsonValue answer_json(const Arrangement& made, const std::string& file) {
-  std::vector<JsonMember> members{{"file", file}};
-  for (JsonMember& member : arrangement_members(made)) members.push_back(std::move(member));
+json::JsonValue answer_json(const arrange::Arrangement& made, const std::string& file) {
+  std::vector<json::JsonMember> members{{"file", file}};
+  for (json::JsonMember& member : documents::arrangement_members(made)) members.push_back(std::move(member));
   return members;
 }
 
-void print_arrangement(const Arrangement& made, const std::string& file) {
-  for (const ArrangedPiece& p : made.pieces) std::printf("piece %s: %s\n", p.id.c_str(), p.where.c_str());
-  for (const Attachment& a : made.attachments)
+void print_arrangement(const arrange::Arrangement& made, const std::string& file) {
+  for (const arrange::ArrangedPiece& p : made.pieces) std::printf("piece %s: %s\n", p.id.c_str(), p.where.c_str());
+  for (const sewing::Attachment& a : made.attachments)
     std::printf("%s: at its height until gravity is full\n", a.id.c_str());
   print_findings(made.findings);
   std::printf("%s\n", file.c_str());
@@ -35,32 +35,32 @@ void print_arrangement(const Arrangement& made, const std::string& file) {
 }  // namespace
 
 ExitCode project_arrange_command(const ProjectArrangeOptions& options) {
-  const Result<std::string> text = read_project_text(options.project);
+  const Result<std::string> text = resolve::read_project_text(options.project);
   if (!text) return fail(text.error(), options.json);
-  Result<Project> project = parse_project(*text);
+  Result<project::Project> project = project::parse_project(*text);
   if (!project) return fail(project.error(), options.json);
-  Result<DrapeInput> input = resolve_project(
-      *project, files_in(std::filesystem::path(options.project).parent_path(), own_mesh_importer()));
+  Result<drape::DrapeInput> input = resolve::resolve_project(
+      *project, resolve::files_in(std::filesystem::path(options.project).parent_path(), own_mesh_importer()));
   if (!input) return fail(input.error(), options.json);
-  const Result<PanelMeshes> meshes = make_panel_meshes(input->pattern, input->settings.particle_distance, {});
+  const Result<mesh::PanelMeshes> meshes = mesh::make_panel_meshes(input->pattern, input->settings.particle_distance, {});
   if (!meshes) return fail(meshes.error(), options.json);
-  const Result<Arrangement> made = arrange({input->pattern, *meshes, input->bodies});
+  const Result<arrange::Arrangement> made = arrange::arrange({input->pattern, *meshes, input->bodies});
   if (!made) return fail(made.error(), options.json);
-  take_arrangement(*made, input->pattern, *project);
+  documents::take_arrangement(*made, input->pattern, *project);
   if (options.as == "box") {
     input->placements = made->placements;
-    tell_by_boxes(*input, *project);
+    create::tell_by_boxes(*input, *project);
   }
   const std::string& file = options.out.empty() ? options.project : options.out;
-  if (Status written = write_file(file, write_project(*project)); !written)
+  if (Status written = write_file(file, project::write_project(*project)); !written)
     return fail(written.error(), options.json);
   if (options.json) {
-    std::printf("%s", write_json(answer_json(*made, file)).c_str());
+    std::printf("%s", json::write_json(answer_json(*made, file)).c_str());
   } else {
     print_arrangement(*made, file);
   }
-  const std::optional<Error> refused = first_error(made->findings);
+  const std::optional<Error> refused = preflight::first_error(made->findings);
   return refused ? fail(*refused, options.json) : kDone;
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -10,7 +10,7 @@
 #include "server/app/config.h"
 #include "server/app/exit_code.h"
 
-namespace toile {
+namespace toile::app {
 
 struct DrapeOptions {
   std::string project;  ///< path of the document
@@ -36,7 +36,7 @@ struct BodyMakeOptions {
   std::string out;     ///< path of an .obj
   std::string sex;     ///< female, male or child; empty: the preset's, or female
   std::string preset;  ///< name of a size; empty: none
-  std::array<std::optional<double>, kMeasureCount> measures_cm;  ///< what is asked for, by Measure
+  std::array<std::optional<double>, measure::kMeasureCount> measures_cm;  ///< what is asked for, by Measure
   std::string pose = "a";                                        ///< a or t
   double arm_angle = 45;                                         ///< degrees from the vertical, of pose a
   int triangles = 4562;
@@ -107,4 +107,4 @@ struct ProjectArrangeOptions {
 
 ExitCode project_arrange_command(const ProjectArrangeOptions& options);
 
-}  // namespace toile
+}  // namespace toile::app

@@ -4,7 +4,7 @@
 #include <system_error>
 #include <thread>
 
-namespace toile {
+namespace toile::app {
 
 namespace fs = std::filesystem;
 
@@ -27,4 +27,4 @@ fs::path shipped_folder(const std::string& relative) {
   return {};
 }
 
-}  // namespace toile
+}  // namespace toile::app

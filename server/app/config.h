@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-namespace toile {
+namespace toile::app {
 
 struct ServeOptions {
   std::string address = "127.0.0.1";
@@ -26,4 +26,4 @@ ServeOptions completed(ServeOptions options);
 /// the program's own folder, or in ../share/toile beside it. Empty when it is nowhere.
 std::filesystem::path shipped_folder(const std::string& relative);
 
-}  // namespace toile
+}  // namespace toile::app

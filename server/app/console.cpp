@@ -5,14 +5,14 @@
 #include "core/base/names.h"
 #include "core/json/tree.h"
 
-namespace toile {
+namespace toile::app {
 
 void print_error(const Error& error, bool json) {
   std::string line;
   if (json) {
-    const std::vector<JsonMember> parts{
+    const std::vector<json::JsonMember> parts{
         {"code", error.code}, {"message", error.message}, {"where", error.where}};
-    line = write_json_line(std::vector<JsonMember>{{"error", parts}});
+    line = json::write_json_line(std::vector<json::JsonMember>{{"error", parts}});
   } else {
     line = "toile: " + clipped(to_string(error), 2000);
   }
@@ -28,4 +28,4 @@ ExitCode fail(const Error& error, bool json) {
   return exit_code_of(error);
 }
 
-}  // namespace toile
+}  // namespace toile::app

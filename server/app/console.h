@@ -6,7 +6,7 @@
 #include "core/base/result.h"
 #include "server/app/exit_code.h"
 
-namespace toile {
+namespace toile::app {
 
 /// One line on stderr: "toile: code: message (where)", or {"error": {"code", "message", "where"}} as JSON.
 void print_error(const Error& error, bool json);
@@ -17,4 +17,4 @@ ExitCode exit_code_of(const Error& error);
 /// Prints the error; returns its exit code.
 ExitCode fail(const Error& error, bool json);
 
-}  // namespace toile
+}  // namespace toile::app

@@ -17,7 +17,7 @@
 #include "server/app/progress_bar.h"
 #include "server/jobs/results.h"
 
-namespace toile {
+namespace toile::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -33,11 +33,11 @@ Status make_folder(const fs::path& folder) {
 
 std::string percent(double ratio) { return fixed_text(100 * ratio, 2) + "%"; }
 
-void print_summary(const Report& report, const DrapeOptions& options) {
+void print_summary(const analysis::Report& report, const DrapeOptions& options) {
   std::printf(
       "%s: %s after %s s of simulated time (%d substeps, %s s by the clock, %s s of processor time)\n",
       report.name.empty() ? "drape" : report.name.c_str(),
-      report.settled() ? "settled" : ("not settled (" + to_string(report.stop_reason) + ")").c_str(),
+      report.settled() ? "settled" : ("not settled (" + drape::to_string(report.stop_reason) + ")").c_str(),
       fixed_text(report.simulated_s, 2).c_str(), report.steps, fixed_text(report.wall_s, 1).c_str(),
       fixed_text(report.cpu_s, 1).c_str());
   std::printf("  cloth      %d particles (%d once sewn), %d triangles; bodies %d triangles\n",
@@ -46,7 +46,7 @@ void print_summary(const Report& report, const DrapeOptions& options) {
               report.intersections.cloth_body, report.intersections.cloth_cloth,
               report.worst_frame.cloth_body, report.worst_frame.cloth_cloth);
   std::printf("  seams      at most %s mm open\n", fixed_text(report.seam_gap_max_mm, 3).c_str());
-  const auto stretch = [](const StretchFigures& f) {
+  const auto stretch = [](const analysis::StretchFigures& f) {
     return percent(f.tension.p99) + " stretched (" + percent(f.compression.p99) + " pushed)";
   };
   std::printf("  strain     99th percentile: warp %s, weft %s, shear %s degrees\n",
@@ -56,22 +56,22 @@ void print_summary(const Report& report, const DrapeOptions& options) {
   std::printf("  results    %s\n", options.out.c_str());
 }
 
-ExitCode exit_code_of(const DrapeResult& result) {
+ExitCode exit_code_of(const drape::DrapeResult& result) {
   if (result.settled()) return kDone;
-  return result.stop_reason.kind == Stop::kCancelled ? kCancelled : kUnsettled;
+  return result.stop_reason.kind == drape::Stop::kCancelled ? kCancelled : kUnsettled;
 }
 
 /// Writes what a drape leaves and prints its figures.
-Status deliver(const DrapeInput& input, const DrapeResult& result, const Textures& textures,
+Status deliver(const drape::DrapeInput& input, const drape::DrapeResult& result, const image::Textures& textures,
                const DrapeOptions& options) {
-  const Report report = make_report(input, result);
-  TRY(write_models(input, result, textures, options.out, options.check_data));
-  TRY(write_report(fs::path(options.out) / "report.json", report));
+  const analysis::Report report = analysis::make_report(input, result);
+  TRY(jobs::write_models(input, result, textures, options.out, options.check_data));
+  TRY(exports::write_report(fs::path(options.out) / "report.json", report));
   if (options.stills && exit_code_of(result) != kCancelled) {
-    TRY(write_stills(input, result, textures, options.out, options.width, options.height));
+    TRY(jobs::write_stills(input, result, textures, options.out, options.width, options.height));
   }
   if (options.json) {
-    std::printf("%s", report_json(report).c_str());
+    std::printf("%s", exports::report_json(report).c_str());
   } else {
     print_summary(report, options);
   }
@@ -81,15 +81,15 @@ Status deliver(const DrapeInput& input, const DrapeResult& result, const Texture
 }  // namespace
 
 ExitCode drape_command(const DrapeOptions& options) {
-  const Result<ResolvedProject> read = read_project(options.project, own_mesh_importer());
+  const Result<resolve::ResolvedProject> read = resolve::read_project(options.project, own_mesh_importer());
   if (!read) return fail(read.error(), options.json);
-  const DrapeInput& input = read->input;
-  const Result<Textures> textures = read_textures(*read);
+  const drape::DrapeInput& input = read->input;
+  const Result<image::Textures> textures = resolve::read_textures(*read);
   if (!textures) return fail(textures.error(), options.json);
   if (Status folder = make_folder(options.out); !folder) return fail(folder.error(), options.json);
-  std::unique_ptr<TraceWriter> trace;
+  std::unique_ptr<proto::TraceWriter> trace;
   if (!options.trace.empty()) {
-    Result<std::unique_ptr<TraceWriter>> opened = TraceWriter::open(options.trace, options.trace_every);
+    Result<std::unique_ptr<proto::TraceWriter>> opened = proto::TraceWriter::open(options.trace, options.trace_every);
     if (!opened) return fail(opened.error(), options.json);
     trace = std::move(*opened);
   }
@@ -98,7 +98,7 @@ ExitCode drape_command(const DrapeOptions& options) {
   RunContext context;
   context.cancel = &cancel_on_interrupt();
   context.on_progress = [&](const Progress& progress) { bar.show(progress); };
-  const Result<DrapeResult> result = drape(input, context, trace.get());
+  const Result<drape::DrapeResult> result = drape::drape(input, context, trace.get());
   bar.clear();
   if (!result) return fail(result.error(), options.json);
   if (trace) {
@@ -115,4 +115,4 @@ ExitCode drape_command(const DrapeOptions& options) {
   return exit_code_of(*result);
 }
 
-}  // namespace toile
+}  // namespace toile::app

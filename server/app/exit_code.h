@@ -1,6 +1,6 @@
 #pragma once
 
-namespace toile {
+namespace toile::app {
 
 /// What the program says by its exit code. `toile --help` lists them.
 enum ExitCode : int {
@@ -11,4 +11,4 @@ enum ExitCode : int {
   kCancelled = 4,  ///< interrupted from outside
 };
 
-}  // namespace toile
+}  // namespace toile::app

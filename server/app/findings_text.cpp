@@ -3,15 +3,15 @@
 #include <cstdio>
 #include <string>
 
-namespace toile {
+namespace toile::app {
 
-void print_findings(const Findings& findings) {
-  for (const Finding& f : findings) {
-    std::printf("%s %s: %s (%s %s)\n", f.repaired ? "repaired" : name_of(f.severity),
-                std::string(code_of(f.kind)).c_str(), f.message.c_str(), where_text(f).c_str(),
-                place_text(f.place).c_str());
+void print_findings(const preflight::Findings& findings) {
+  for (const preflight::Finding& f : findings) {
+    std::printf("%s %s: %s (%s %s)\n", f.repaired ? "repaired" : preflight::name_of(f.severity),
+                std::string(preflight::code_of(f.kind)).c_str(), f.message.c_str(), preflight::where_text(f).c_str(),
+                preflight::place_text(f.place).c_str());
   }
   if (findings.empty()) std::printf("start: nothing to find fault with\n");
 }
 
-}  // namespace toile
+}  // namespace toile::app

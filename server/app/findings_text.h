@@ -4,9 +4,9 @@
 #include "core/preflight/finding.h"
 #include "server/documents/findings.h"
 
-namespace toile {
+namespace toile::app {
 
 /// One line each; a word where there is none.
-void print_findings(const Findings& findings);
+void print_findings(const preflight::Findings& findings);
 
-}  // namespace toile
+}  // namespace toile::app

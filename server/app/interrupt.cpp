@@ -2,7 +2,7 @@
 
 #include <csignal>
 
-namespace toile {
+namespace toile::app {
 namespace {
 
 std::atomic<bool> cancelled{false};
@@ -23,4 +23,4 @@ const std::atomic<bool>& cancel_on_interrupt() {
   return cancelled;
 }
 
-}  // namespace toile
+}  // namespace toile::app

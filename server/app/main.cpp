@@ -13,7 +13,7 @@
 #include "server/app/console.h"
 #include "server/app/mesh_reader.h"
 
-namespace toile {
+namespace toile::app {
 namespace {
 
 constexpr const char* kExitCodes =
@@ -96,10 +96,10 @@ CLI::App* add_check(CLI::App& app, Options& options) {
 }
 
 /// "arm_length" as "--arm-length".
-std::string option_of(Measure m) {
-  std::string text = "--" + std::string(measure_name(m));
+std::string option_of(measure::Measure m) {
+  std::string text = "--" + std::string(measure::measure_name(m));
   std::replace(text.begin(), text.end(), '_', '-');
-  return m == Measure::kBust ? text + ",--chest" : text;
+  return m == measure::Measure::kBust ? text + ",--chest" : text;
 }
 
 CLI::App* add_body_make(CLI::App& body, BodyMakeOptions& make) {
@@ -109,9 +109,9 @@ CLI::App* add_body_make(CLI::App& body, BodyMakeOptions& make) {
   verb->add_option("--sex", make.sex, "Figure to start from (default: the preset's, or female)")
       ->check(CLI::IsMember({"female", "male", "child"}));
   verb->add_option("--preset", make.preset, "Size to start from, e.g. eu38, m50, child116; see body presets");
-  for (int i = 0; i < kMeasureCount; ++i) {
-    const Measure m = measure_at(i);
-    verb->add_option(option_of(m), make.measures_cm[i], "cm, " + std::string(measure_rule(m)));
+  for (int i = 0; i < measure::kMeasureCount; ++i) {
+    const measure::Measure m = measure::measure_at(i);
+    verb->add_option(option_of(m), make.measures_cm[i], "cm, " + std::string(measure::measure_rule(m)));
   }
   verb->add_option("--pose", make.pose, "a: arms hang off the body; t: arms level")
       ->check(CLI::IsMember({"a", "t"}))
@@ -316,17 +316,17 @@ ExitCode run(int argc, char** argv) {
 }
 
 }  // namespace
-}  // namespace toile
+}  // namespace toile::app
 
 int main(int argc, char** argv) {
   try {
-    if (const std::optional<int> code = toile::read_mesh_for_parent(argc, argv)) return *code;
+    if (const std::optional<int> code = toile::app::read_mesh_for_parent(argc, argv)) return *code;
     return toile::run(argc, argv);
   } catch (const std::bad_alloc&) {
-    toile::print_error(
+    toile::app::print_error(
         {"internal.memory", "there is not enough memory for this", "", toile::ErrorKind::kInternal}, false);
   } catch (const std::exception& e) {
-    toile::print_error({"internal.exception", e.what(), "", toile::ErrorKind::kInternal}, false);
+    toile::app::print_error({"internal.exception", e.what(), "", toile::ErrorKind::kInternal}, false);
   }
-  return toile::kInternal;
+  return toile::app::kInternal;
 }

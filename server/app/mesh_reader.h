@@ -6,12 +6,12 @@
 
 #include "core/body/mesh_import/import.h"
 
-namespace toile {
+namespace toile::app {
 
 /// Has meshes read by another process of this program.
-MeshImporter own_mesh_importer();
+mesh_import::MeshImporter own_mesh_importer();
 
 /// The other process's part: reads a mesh when that is what these arguments ask for, and gives the exit code.
 std::optional<int> read_mesh_for_parent(int argc, char** argv);
 
-}  // namespace toile
+}  // namespace toile::app

@@ -16,7 +16,7 @@
 #include "server/app/console.h"
 #include "server/app/mesh_reader.h"
 
-namespace toile {
+namespace toile::app {
 namespace {
 
 Result<std::string> bytes_of(const std::string& path) {
@@ -32,8 +32,8 @@ Result<std::string> bytes_of(const std::string& path) {
   return std::string{std::istreambuf_iterator<char>(in), {}};
 }
 
-DxfSettings settings_of(const PatternImportOptions& options) {
-  DxfSettings settings;
+dxf::DxfSettings settings_of(const PatternImportOptions& options) {
+  dxf::DxfSettings settings;
   if (options.unit == "mm") settings.mm_per_unit = 1;
   if (options.unit == "cm") settings.mm_per_unit = 10;
   if (options.unit == "inch") settings.mm_per_unit = 25.4;
@@ -52,13 +52,13 @@ std::string join(const std::vector<std::string>& list) {
   return all;
 }
 
-void print_piece(const DxfPiece& piece) {
-  const Result<Panel> panel = panel_from_piece(piece);
+void print_piece(const dxf::DxfPiece& piece) {
+  const Result<pattern::Panel> panel = dxf::panel_from_piece(piece);
   if (!panel) {
     std::printf("piece %s: cannot be cut: %s\n", piece.name.c_str(), to_string(panel.error()).c_str());
     return;
   }
-  const PieceMeasures m = measures_of(*panel);
+  const create::PieceMeasures m = create::measures_of(*panel);
   std::string more;
   if (!piece.size.empty()) more += ", size " + piece.size;
   if (piece.quantity > 1) more += ", cut " + std::to_string(piece.quantity) + " times";
@@ -71,27 +71,27 @@ void print_piece(const DxfPiece& piece) {
               fixed_text(m.width_mm, 1).c_str(), fixed_text(m.height_mm, 1).c_str(),
               fixed_text(m.area_mm2 * 1e-2, 1).c_str(), panel->outline.edges.size(), more.c_str(),
               piece.on_sew_line ? "sew" : "cut",
-              piece.grain ? (fixed_text(grain_degrees(*piece.grain), 1) + " deg").c_str() : "not told",
+              piece.grain ? (fixed_text(create::grain_degrees(*piece.grain), 1) + " deg").c_str() : "not told",
               piece.line);
 }
 
-void print_drawing(const DxfDrawing& drawing) {
+void print_drawing(const dxf::DxfDrawing& drawing) {
   if (!drawing.style.empty()) std::printf("%s\n", drawing.style.c_str());
   std::printf("unit %s, confidence %s\n", drawing.unit.name.c_str(),
               fixed_text(drawing.unit.confidence, 2).c_str());
   for (const std::string& evidence : drawing.unit.evidence) std::printf("  %s\n", evidence.c_str());
   if (drawing.sizes.size() > 1)
     std::printf("size %s of %s\n", drawing.size.c_str(), join(drawing.sizes).c_str());
-  for (const DxfPiece& piece : drawing.pieces) print_piece(piece);
-  const DxfReport& r = drawing.report;
+  for (const dxf::DxfPiece& piece : drawing.pieces) print_piece(piece);
+  const dxf::DxfReport& r = drawing.report;
   std::printf("entities: %zu in the file, %zu kept, %zu converted, %zu dropped (--json lists them)\n",
               r.entities, r.kept, r.converted, r.dropped);
-  for (const DxfWarning& warning : r.warnings) std::printf("warning: %s\n", warning_text(warning).c_str());
+  for (const dxf::DxfWarning& warning : r.warnings) std::printf("warning: %s\n", dxf::warning_text(warning).c_str());
 }
 
-void print_specification(const NewProject& made) {
-  for (const Panel& panel : made.pattern.panels) {
-    const PieceMeasures m = measures_of(panel);
+void print_specification(const create::NewProject& made) {
+  for (const pattern::Panel& panel : made.pattern.panels) {
+    const create::PieceMeasures m = create::measures_of(panel);
     std::printf("piece %s: %s x %s mm, %s cm2, %zu edges\n", panel.id.c_str(),
                 fixed_text(m.width_mm, 1).c_str(), fixed_text(m.height_mm, 1).c_str(),
                 fixed_text(m.area_mm2 * 1e-2, 1).c_str(), panel.outline.edges.size());
@@ -102,10 +102,10 @@ void print_specification(const NewProject& made) {
 }
 
 ExitCode import_specification(const std::string& text, const PatternImportOptions& options) {
-  const Result<NewProject> made = new_project(text, {});
+  const Result<create::NewProject> made = create::new_project(text, {});
   if (!made) return fail(in_file(made.error(), options.file), options.json);
   if (options.json) {
-    std::printf("%s", write_json(specification_json(made->pattern, seams_json(*made), made->notes)).c_str());
+    std::printf("%s", json::write_json(create::specification_json(made->pattern, create::seams_json(*made), made->notes)).c_str());
   } else {
     print_specification(*made);
   }
@@ -113,9 +113,9 @@ ExitCode import_specification(const std::string& text, const PatternImportOption
 }
 
 /// None while a piece cannot be cut: the report tells of it.
-std::vector<JsonValue> proposals_of(const DxfDrawing& drawing) {
-  const Result<NewProject> made = new_project(drawing, {});
-  return made ? seams_json(*made) : std::vector<JsonValue>{};
+std::vector<json::JsonValue> proposals_of(const dxf::DxfDrawing& drawing) {
+  const Result<create::NewProject> made = create::new_project(drawing, {});
+  return made ? create::seams_json(*made) : std::vector<json::JsonValue>{};
 }
 
 }  // namespace
@@ -123,11 +123,11 @@ std::vector<JsonValue> proposals_of(const DxfDrawing& drawing) {
 ExitCode pattern_import_command(const PatternImportOptions& options) {
   const Result<std::string> text = bytes_of(options.file);
   if (!text) return fail(text.error(), options.json);
-  if (is_specification(*text)) return import_specification(*text, options);
-  const Result<DxfDrawing> drawing = read_dxf(*text, settings_of(options));
+  if (create::is_specification(*text)) return import_specification(*text, options);
+  const Result<dxf::DxfDrawing> drawing = dxf::read_dxf(*text, settings_of(options));
   if (!drawing) return fail(in_file(drawing.error(), options.file), options.json);
   if (options.json) {
-    std::printf("%s", write_json(import_json(*drawing, proposals_of(*drawing))).c_str());
+    std::printf("%s", json::write_json(create::import_json(*drawing, proposals_of(*drawing))).c_str());
   } else {
     print_drawing(*drawing);
   }
@@ -135,15 +135,15 @@ ExitCode pattern_import_command(const PatternImportOptions& options) {
 }
 
 ExitCode pattern_export_command(const PatternExportOptions& options) {
-  const Result<ResolvedProject> read = read_project(options.project, own_mesh_importer());
+  const Result<resolve::ResolvedProject> read = resolve::read_project(options.project, own_mesh_importer());
   if (!read) return fail(read.error(), options.json);
-  const Pattern& pattern = read->input.pattern;
-  const Result<std::string> text = write_dxf(pattern);
+  const pattern::Pattern& pattern = read->input.pattern;
+  const Result<std::string> text = dxf::write_dxf(pattern);
   if (!text) return fail(text.error(), options.json);
   if (Status written = write_file(options.out, *text); !written) return fail(written.error(), options.json);
   const std::size_t pieces = pattern.panels.size();
   if (options.json) {
-    std::printf("%s", write_json(std::vector<JsonMember>{{"file", options.out},
+    std::printf("%s", json::write_json(std::vector<json::JsonMember>{{"file", options.out},
                                                          {"pieces", static_cast<double>(pieces)}})
                           .c_str());
   } else {
@@ -152,4 +152,4 @@ ExitCode pattern_export_command(const PatternExportOptions& options) {
   return kDone;
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace toile {
+namespace toile::app {
 namespace {
 
 constexpr int kCells = 30;
@@ -40,4 +40,4 @@ void ProgressBar::clear() {
   visible_ = false;
 }
 
-}  // namespace toile
+}  // namespace toile::app

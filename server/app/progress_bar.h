@@ -5,7 +5,7 @@
 
 #include "core/base/run_context.h"
 
-namespace toile {
+namespace toile::app {
 
 /// A bar on stderr for a person who waits; nothing at all when stderr is no terminal.
 class ProgressBar {
@@ -29,4 +29,4 @@ class ProgressBar {
   bool visible_ = false;
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -17,7 +17,7 @@
 #include "server/app/console.h"
 #include "server/app/mesh_reader.h"
 
-namespace toile {
+namespace toile::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -48,22 +48,22 @@ Status bring(const fs::path& file, const fs::path& folder) {
                ErrorKind::kInternal};
 }
 
-std::string side_text(const std::vector<ProjectSeamEdge>& side) {
+std::string side_text(const std::vector<project::ProjectSeamEdge>& side) {
   std::string text;
-  for (const ProjectSeamEdge& e : side) text += (text.empty() ? "" : " + ") + e.piece + "." + e.edge;
+  for (const project::ProjectSeamEdge& e : side) text += (text.empty() ? "" : " + ") + e.piece + "." + e.edge;
   return text;
 }
 
-void print_json(const NewProject& made, const ProjectNewOptions& options) {
-  std::vector<JsonValue> proposals, notes;
+void print_json(const create::NewProject& made, const ProjectNewOptions& options) {
+  std::vector<json::JsonValue> proposals, notes;
   for (std::size_t i = 0; i < made.proposals.size(); ++i) {
-    JsonValue proposal = proposal_json(made.pattern, made.proposals[i]);
-    std::get<std::vector<JsonMember>>(proposal.data).push_back({"accepted", bool{made.accepted[i]}});
+    json::JsonValue proposal = create::proposal_json(made.pattern, made.proposals[i]);
+    std::get<std::vector<json::JsonMember>>(proposal.data).push_back({"accepted", bool{made.accepted[i]}});
     proposals.push_back(std::move(proposal));
   }
   for (const std::string& note : made.notes) notes.emplace_back(note);
   std::printf("%s",
-              write_json(std::vector<JsonMember>{{"file", options.out},
+              json::write_json(std::vector<json::JsonMember>{{"file", options.out},
                                                  {"pieces", static_cast<double>(made.project.pieces.size())},
                                                  {"seams", static_cast<double>(made.project.seams.size())},
                                                  {"proposals", proposals},
@@ -71,12 +71,12 @@ void print_json(const NewProject& made, const ProjectNewOptions& options) {
                   .c_str());
 }
 
-void print_text(const NewProject& made, const ProjectNewOptions& options) {
+void print_text(const create::NewProject& made, const ProjectNewOptions& options) {
   std::printf("%s: %zu pieces, %zu seams\n", options.out.c_str(), made.project.pieces.size(),
               made.project.seams.size());
   for (std::size_t i = 0; i < made.proposals.size(); ++i) {
-    const SeamProposal& p = made.proposals[i];
-    const ProjectSeam seam = project_seam(made.pattern, p.seam);
+    const seams::SeamProposal& p = made.proposals[i];
+    const project::ProjectSeam seam = create::project_seam(made.pattern, p.seam);
     std::printf("%s %s: %s to %s, %s mm to %s mm, confidence %s\n", made.accepted[i] ? "seam" : "proposed",
                 seam.id.c_str(), side_text(seam.a).c_str(), side_text(seam.b).c_str(),
                 fixed_text(p.length_a, 1).c_str(), fixed_text(p.length_b, 1).c_str(),
@@ -85,16 +85,16 @@ void print_text(const NewProject& made, const ProjectNewOptions& options) {
   for (const std::string& note : made.notes) std::printf("note: %s\n", note.c_str());
 }
 
-Result<NewProject> make(const ProjectNewOptions& options) {
+Result<create::NewProject> make(const ProjectNewOptions& options) {
   const std::string text = TRY(bytes_of(options.pattern));
-  const RepairedMesh read = TRY(own_mesh_importer().file(options.body, {}));
-  NewProjectSettings settings;
+  const mesh_import::RepairedMesh read = TRY(own_mesh_importer().file(options.body, {}));
+  create::NewProjectSettings settings;
   settings.name = fs::path(options.pattern).stem().string();
   settings.pattern_file = fs::path(options.pattern).filename().string();
   settings.body_file = fs::path(options.body).filename().string();
   settings.body = bounding_box(read.mesh.vertices);
   if (options.accept_seams >= 0) settings.accept_seams = options.accept_seams;
-  Result<NewProject> made = new_project(text, settings);
+  Result<create::NewProject> made = create::new_project(text, settings);
   if (made) return made;
   Error error = made.error();
   error.where = options.pattern + (error.where.empty() ? "" : ": " + error.where);
@@ -102,27 +102,27 @@ Result<NewProject> make(const ProjectNewOptions& options) {
 }
 
 /// Writes the document, and brings the files that it names beside it.
-Status keep(const NewProject& made, const ProjectNewOptions& options) {
+Status keep(const create::NewProject& made, const ProjectNewOptions& options) {
   const fs::path folder = fs::absolute(options.out).parent_path();
   std::error_code failure;
   fs::create_directories(folder, failure);
   const bool names_pattern = std::any_of(made.project.pieces.begin(), made.project.pieces.end(),
-                                         [](const ProjectPiece& p) { return p.from.has_value(); });
+                                         [](const project::ProjectPiece& p) { return p.from.has_value(); });
   if (names_pattern) {
     if (Status brought = bring(options.pattern, folder); !brought) return brought;
   }
   TRY(bring(options.body, folder));
-  return write_file(options.out, write_project(made.project));
+  return write_file(options.out, project::write_project(made.project));
 }
 
 }  // namespace
 
 ExitCode project_new_command(const ProjectNewOptions& options) {
-  const Result<NewProject> made = make(options);
+  const Result<create::NewProject> made = make(options);
   if (!made) return fail(made.error(), options.json);
   if (Status kept = keep(*made, options); !kept) return fail(kept.error(), options.json);
   options.json ? print_json(*made, options) : print_text(*made, options);
   return kDone;
 }
 
-}  // namespace toile
+}  // namespace toile::app

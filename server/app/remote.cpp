@@ -5,10 +5,10 @@
 #include <string_view>
 #include <utility>
 
-namespace toile {
+namespace toile::app {
 namespace {
 
-constexpr JsonLimits kReplyLimits{.bytes = std::size_t{64} << 20, .depth = 64};
+constexpr json::JsonLimits kReplyLimits{.bytes = std::size_t{64} << 20, .depth = 64};
 
 std::string percent_encoded(const std::string& text) {
   std::string out;
@@ -29,8 +29,8 @@ constexpr std::pair<std::string_view, ErrorKind> kKinds[] = {
     {"store.", ErrorKind::kSystem},     {"jobs.", ErrorKind::kSystem},     {"server.", ErrorKind::kSystem}};
 
 /// What the server says went wrong.
-Error error_of(const HttpReply& reply) {
-  const Result<JsonValue> tree = parse_json(reply.body, kReplyLimits);
+Error error_of(const http::HttpReply& reply) {
+  const Result<json::JsonValue> tree = json::parse_json(reply.body, kReplyLimits);
   const std::string code = tree ? text_member(*tree, "code") : "";
   if (!code.empty()) return told_by_server(code, text_member(*tree, "detail"), text_member(*tree, "where"));
   return {"client.malformed",
@@ -38,18 +38,18 @@ Error error_of(const HttpReply& reply) {
           ErrorKind::kSystem};
 }
 
-HttpClient::Request post(const std::string& target, const std::string& body, const std::string& type) {
+http::HttpClient::Request post(const std::string& target, const std::string& body, const std::string& type) {
   return {.method = "POST", .target = target, .body = body, .content_type = type, .headers = {}};
 }
 
-HttpClient::Request get(const std::string& target) {
+http::HttpClient::Request get(const std::string& target) {
   return {.method = "GET", .target = target, .body = {}, .content_type = {}, .headers = {}};
 }
 
 }  // namespace
 
-std::string text_member(const JsonValue& object, std::string_view key) {
-  const JsonValue* member = object.find(key);
+std::string text_member(const json::JsonValue& object, std::string_view key) {
+  const json::JsonValue* member = object.find(key);
   return member && member->text() ? *member->text() : std::string();
 }
 
@@ -61,22 +61,22 @@ Error told_by_server(std::string code, std::string message, std::string where) {
   return {std::move(code), std::move(message), std::move(where), kind};
 }
 
-Result<std::string> Remote::text(const HttpClient::Request& request) {
-  HttpReply reply = TRY(client_.ask(request));
+Result<std::string> Remote::text(const http::HttpClient::Request& request) {
+  http::HttpReply reply = TRY(client_.ask(request));
   if (reply.status < 200 || reply.status > 299) return error_of(reply);
   return std::move(reply.body);
 }
 
-Result<JsonValue> Remote::json(const HttpClient::Request& request) {
+Result<json::JsonValue> Remote::json(const http::HttpClient::Request& request) {
   const std::string body = TRY(text(request));
-  Result<JsonValue> tree = parse_json(body, kReplyLimits);
+  Result<json::JsonValue> tree = json::parse_json(body, kReplyLimits);
   if (tree) return tree;
   return Error{"client.malformed", "the server's answer is no JSON: " + tree.error().message, request.target,
                ErrorKind::kSystem};
 }
 
-Result<std::string> Remote::id_of(const HttpClient::Request& request) {
-  const JsonValue made = TRY(json(request));
+Result<std::string> Remote::id_of(const http::HttpClient::Request& request) {
+  const json::JsonValue made = TRY(json(request));
   std::string id = text_member(made, "id");
   if (!id.empty()) return id;
   return Error{"client.malformed", "the server's answer has no id", request.target, ErrorKind::kSystem};
@@ -89,23 +89,23 @@ Result<std::string> Remote::upload(const std::string& kind, const std::string& n
 
 Result<std::string> Remote::create_project(const std::string& document,
                                            const std::vector<std::pair<std::string, std::string>>& files) {
-  std::vector<JsonMember> names;
+  std::vector<json::JsonMember> names;
   for (const auto& [name, id] : files) names.push_back({name, id});
-  const std::string body = "{\"document\": " + document + ", \"files\": " + write_json_line(names) + "}";
+  const std::string body = "{\"document\": " + document + ", \"files\": " + json::write_json_line(names) + "}";
   return id_of(post("/api/v1/projects", body, "application/json"));
 }
 
-Result<JsonValue> Remote::submit(const std::string& project_id) {
-  HttpClient::Request request =
-      post("/api/v1/jobs", write_json_line(std::vector<JsonMember>{{"project_id", project_id}}),
+Result<json::JsonValue> Remote::submit(const std::string& project_id) {
+  http::HttpClient::Request request =
+      post("/api/v1/jobs", json::write_json_line(std::vector<json::JsonMember>{{"project_id", project_id}}),
            "application/json");
   request.headers.emplace_back("Idempotency-Key", project_id);  // the project was made for this one drape
   return json(request);
 }
 
-Result<JsonValue> Remote::job(const std::string& id) { return json(get("/api/v1/jobs/" + id)); }
+Result<json::JsonValue> Remote::job(const std::string& id) { return json(get("/api/v1/jobs/" + id)); }
 
-Result<JsonValue> Remote::cancel(const std::string& id) {
+Result<json::JsonValue> Remote::cancel(const std::string& id) {
   return json(post("/api/v1/jobs/" + id + "/cancel", "", ""));
 }
 
@@ -113,4 +113,4 @@ Result<std::string> Remote::result(const std::string& job_id, const std::string&
   return text(get("/api/v1/jobs/" + job_id + "/results/" + percent_encoded(name)));
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -9,36 +9,36 @@
 #include "core/json/tree.h"
 #include "server/http/client.h"
 
-namespace toile {
+namespace toile::app {
 
 /// Errors of all calls: those of HttpClient::ask, and what the server says (its code, message and place);
 /// client.malformed when the answer lacks what it must have.
 class Remote {
  public:
-  explicit Remote(HttpClient client) : client_(std::move(client)) {}
+  explicit Remote(http::HttpClient client) : client_(std::move(client)) {}
 
   /// The asset's id.
   Result<std::string> upload(const std::string& kind, const std::string& name, std::string bytes);
   /// The project's id. `files`: name in the document → asset id.
   Result<std::string> create_project(const std::string& document,
                                      const std::vector<std::pair<std::string, std::string>>& files);
-  Result<JsonValue> submit(const std::string& project_id);
-  Result<JsonValue> job(const std::string& id);
-  Result<JsonValue> cancel(const std::string& id);
+  Result<json::JsonValue> submit(const std::string& project_id);
+  Result<json::JsonValue> job(const std::string& id);
+  Result<json::JsonValue> cancel(const std::string& id);
   Result<std::string> result(const std::string& job_id, const std::string& name);
 
  private:
-  Result<std::string> text(const HttpClient::Request& request);
-  Result<JsonValue> json(const HttpClient::Request& request);
-  Result<std::string> id_of(const HttpClient::Request& request);
+  Result<std::string> text(const http::HttpClient::Request& request);
+  Result<json::JsonValue> json(const http::HttpClient::Request& request);
+  Result<std::string> id_of(const http::HttpClient::Request& request);
 
-  HttpClient client_;
+  http::HttpClient client_;
 };
 
 /// An error in the words of a server, which knows it by its code only.
 Error told_by_server(std::string code, std::string message, std::string where);
 
 /// A text member of a JSON object; empty when it is not there.
-std::string text_member(const JsonValue& object, std::string_view key);
+std::string text_member(const json::JsonValue& object, std::string_view key);
 
-}  // namespace toile
+}  // namespace toile::app

@@ -9,7 +9,7 @@
 #include "server/app/console.h"
 #include "server/app/wiring.h"
 
-namespace toile {
+namespace toile::app {
 namespace {
 
 /// SIGINT and SIGTERM, held back from every thread that is made from now on.
@@ -44,4 +44,4 @@ ExitCode serve_command(const ServeOptions& given) {
   return kDone;
 }
 
-}  // namespace toile
+}  // namespace toile::app

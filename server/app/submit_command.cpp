@@ -21,7 +21,7 @@
 #include "server/documents/used_files.h"
 #include "server/store/job_state.h"
 
-namespace toile {
+namespace toile::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -34,7 +34,7 @@ constexpr auto kPatience = std::chrono::seconds(30);  // with a server that does
 Result<std::string> read_file(const fs::path& path, const std::string& where) {
   std::error_code failure;
   const auto size = fs::is_regular_file(path, failure) ? fs::file_size(path, failure) : 0;
-  if (!failure && size > kMostBodyBytes) {
+  if (!failure && size > documents::kMostBodyBytes) {
     return Error{"project.too_large", "the file has more than the 100 MiB that are allowed", where,
                  ErrorKind::kTooLarge};
   }
@@ -47,13 +47,13 @@ Result<std::string> read_file(const fs::path& path, const std::string& where) {
 
 /// Sends the document and what it names; the new project's id.
 Result<std::string> send_project(Remote& remote, const std::string& path) {
-  const std::string document = TRY(read_project_text(path));
-  const Project project = TRY(parse_project(document));
+  const std::string document = TRY(resolve::read_project_text(path));
+  const project::Project project = TRY(project::parse_project(document));
   std::vector<std::pair<std::string, std::string>> files;
   std::map<std::string, std::string> sent;
-  for (const UsedFile& used : used_files(project)) {
+  for (const documents::UsedFile& used : documents::used_files(project)) {
     if (sent.contains(used.name)) continue;
-    if (Status name = check_file_name(used.name); !name) return placed_at(name.error(), used.where);
+    if (Status name = resolve::check_file_name(used.name); !name) return placed_at(name.error(), used.where);
     std::string bytes = TRY(read_file(fs::path(path).parent_path() / used.name, used.where));
     const Result<std::string> id =
         remote.upload(used.kind, fs::path(used.name).filename().string(), std::move(bytes));
@@ -64,35 +64,35 @@ Result<std::string> send_project(Remote& remote, const std::string& path) {
   return remote.create_project(document, files);
 }
 
-Result<JobState> state_of(const JsonValue& job) {
+Result<store::JobState> state_of(const json::JsonValue& job) {
   const std::string word = text_member(job, "state");
-  const Result<JobState> state = job_state_from(word);
+  const Result<store::JobState> state = store::job_state_from(word);
   if (state) return *state;
   return Error{"client.malformed", "the server names a state of the job that this program does not know",
                word, ErrorKind::kSystem};
 }
 
-void show(ProgressBar& bar, const JsonValue& job) {
-  const JsonValue* progress = job.find("progress");
+void show(ProgressBar& bar, const json::JsonValue& job) {
+  const json::JsonValue* progress = job.find("progress");
   if (!progress || !progress->object()) return;
   const std::string phase = text_member(*progress, "phase");
-  const JsonValue* fraction = progress->find("fraction");
+  const json::JsonValue* fraction = progress->find("fraction");
   bar.show({phase, fraction && fraction->number() ? *fraction->number() : 0});
 }
 
 /// Follows a job to its end. Ctrl-C cancels it. A server that is away for a moment is waited for.
-Result<JsonValue> follow(Remote& remote, const std::string& id) {
+Result<json::JsonValue> follow(Remote& remote, const std::string& id) {
   const std::atomic<bool>& interrupted = cancel_on_interrupt();
   ProgressBar bar;
   bool cancelled = false;
   Clock::time_point heard = Clock::now();
   for (;;) {
     if (interrupted && !cancelled) cancelled = remote.cancel(id).ok();
-    Result<JsonValue> job = remote.job(id);
+    Result<json::JsonValue> job = remote.job(id);
     if (job) {
       heard = Clock::now();
-      const JobState state = TRY(state_of(*job));
-      if (is_final(state)) return job;
+      const store::JobState state = TRY(state_of(*job));
+      if (store::is_final(state)) return job;
       show(bar, *job);
     } else if (job.error().kind != ErrorKind::kUnavailable || Clock::now() - heard > kPatience) {
       return job;
@@ -102,16 +102,16 @@ Result<JsonValue> follow(Remote& remote, const std::string& id) {
 }
 
 /// Every result of the job into `folder`.
-Status bring_home(Remote& remote, const JsonValue& job, const fs::path& folder) {
+Status bring_home(Remote& remote, const json::JsonValue& job, const fs::path& folder) {
   std::error_code failure;
   fs::create_directories(folder, failure);
   if (failure || !fs::is_directory(folder)) {
     return Error{"usage.out", "cannot make the folder for the results", folder.string()};
   }
-  const JsonValue* results = job.find("results");
+  const json::JsonValue* results = job.find("results");
   if (!results || !results->object()) return {};
-  for (const JsonMember& file : *results->object()) {
-    if (file.key.find('/') != std::string::npos || !check_file_name(file.key).ok()) {
+  for (const json::JsonMember& file : *results->object()) {
+    if (file.key.find('/') != std::string::npos || !resolve::check_file_name(file.key).ok()) {
       return Error{"client.malformed", "the server names a result " + in_quotes(file.key), "",
                    ErrorKind::kSystem};
     }
@@ -121,10 +121,10 @@ Status bring_home(Remote& remote, const JsonValue& job, const fs::path& folder) 
   return {};
 }
 
-ExitCode exit_code_of(JobState end, const JsonValue& job) {
-  if (end == JobState::kCancelled) return kCancelled;
-  const JsonValue* report = job.find("report");
-  const JsonValue* settled = report ? report->find("settled") : nullptr;
+ExitCode exit_code_of(store::JobState end, const json::JsonValue& job) {
+  if (end == store::JobState::kCancelled) return kCancelled;
+  const json::JsonValue* report = job.find("report");
+  const json::JsonValue* settled = report ? report->find("settled") : nullptr;
   return settled && settled->boolean() && *settled->boolean() ? kDone : kUnsettled;
 }
 
@@ -134,10 +134,10 @@ ExitCode fail_remote(const Error& error, bool json) {
   return ours ? kInternal : exit_code_of(error);
 }
 
-void print_end(const JsonValue& job, const SubmitOptions& options) {
-  const JsonValue* report = job.find("report");
+void print_end(const json::JsonValue& job, const SubmitOptions& options) {
+  const json::JsonValue* report = job.find("report");
   if (options.json) {
-    std::printf("%s", report && report->object() ? write_json(*report).c_str() : write_json(job).c_str());
+    std::printf("%s", report && report->object() ? json::write_json(*report).c_str() : json::write_json(job).c_str());
     return;
   }
   std::printf("%s: %s, %s (%s)\n", clipped(text_member(job, "name")).c_str(),
@@ -147,11 +147,11 @@ void print_end(const JsonValue& job, const SubmitOptions& options) {
 }
 
 ExitCode watch(Remote& remote, const std::string& id, const SubmitOptions& options) {
-  const Result<JsonValue> job = follow(remote, id);
+  const Result<json::JsonValue> job = follow(remote, id);
   if (!job) return fail_remote(job.error(), options.json);
-  const Result<JobState> end = state_of(*job);
+  const Result<store::JobState> end = state_of(*job);
   if (!end) return fail_remote(end.error(), options.json);
-  if (*end == JobState::kFailed) {
+  if (*end == store::JobState::kFailed) {
     return fail(told_by_server(text_member(*job, "reason_code"), text_member(*job, "reason"),
                                text_member(*job, "reason_where")),
                 options.json);
@@ -167,21 +167,21 @@ ExitCode watch(Remote& remote, const std::string& id, const SubmitOptions& optio
 }  // namespace
 
 ExitCode submit_command(const SubmitOptions& options) {
-  Result<HttpClient> client = HttpClient::make(options.server);
+  Result<http::HttpClient> client = http::HttpClient::make(options.server);
   if (!client) return fail(client.error(), options.json);
   Remote remote(std::move(*client));
   const Result<std::string> project = send_project(remote, options.project);
   if (!project) return fail_remote(project.error(), options.json);
-  const Result<JsonValue> job = remote.submit(*project);
+  const Result<json::JsonValue> job = remote.submit(*project);
   if (!job) return fail_remote(job.error(), options.json);
   const std::string id = text_member(*job, "id");
   if (options.watch) return watch(remote, id, options);
   if (options.json) {
-    std::printf("%s", write_json(*job).c_str());
+    std::printf("%s", json::write_json(*job).c_str());
   } else {
     std::printf("%s\n", id.c_str());
   }
   return kDone;
 }
 
-}  // namespace toile
+}  // namespace toile::app

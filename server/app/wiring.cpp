@@ -11,18 +11,18 @@
 #include "server/log/stderr_sink.h"
 #include "server/store/sqlite/open.h"
 
-namespace toile {
+namespace toile::app {
 namespace {
 
 /// The first thing that a newcomer sees: the sample, draped as an ordinary job. The key makes it one drape
 /// however often the server starts; once the project has been removed there is nothing to do.
-Status drape_sample(Documents& documents, JobService& jobs, const RequestContext& context,
+Status drape_sample(documents::Documents& documents, jobs::JobService& jobs, const store::RequestContext& context,
                     const std::string& folder) {
   if (folder.empty()) return {};
-  TRY(add_sample_project(documents, context, folder));
-  const std::optional<std::string> project = TRY(documents.store().get_setting(context, kSampleSetting));
+  TRY(documents::add_sample_project(documents, context, folder));
+  const std::optional<std::string> project = TRY(documents.store().get_setting(context, documents::kSampleSetting));
   if (!project) return {};
-  const Result<Made<JobRow>> job = jobs.submit(context, *project, "sample-first-drape");
+  const Result<store::Made<store::JobRow>> job = jobs.submit(context, *project, "sample-first-drape");
   return job || job.error().kind == ErrorKind::kNotFound ? Status() : Status(job.error());
 }
 
@@ -30,28 +30,28 @@ Status drape_sample(Documents& documents, JobService& jobs, const RequestContext
 
 Result<std::unique_ptr<Service>> Service::start(const ServeOptions& options) {
   std::unique_ptr<Service> service(new Service);
-  service->log_sink_ = make_stderr_sink();
+  service->log_sink_ = log::make_stderr_sink();
   const Log log(*service->log_sink_);
-  std::unique_ptr<Store> store = TRY(open_sqlite_store(options.data));
+  std::unique_ptr<store::Store> store = TRY(sqlite::open_sqlite_store(options.data));
   service->store_ = std::move(store);
-  service->documents_ = std::make_unique<Documents>(*service->store_, own_mesh_importer());
-  service->hub_ = std::make_unique<Hub>();
-  JobServiceSettings jobs;
+  service->documents_ = std::make_unique<documents::Documents>(*service->store_, own_mesh_importer());
+  service->hub_ = std::make_unique<ws::Hub>();
+  jobs::JobServiceSettings jobs;
   jobs.workers = options.workers;
   jobs.checkpoint_every_s = options.checkpoint_every_s;
-  service->jobs_ = make_job_service(*service->documents_, *service->hub_, jobs, log);
-  ServerSettings http;
+  service->jobs_ = jobs::make_job_service(*service->documents_, *service->hub_, jobs, log);
+  http::ServerSettings http;
   http.address = options.address;
   http.port = options.port;
   http.web = options.web;
   service->server_ =
-      std::make_unique<HttpServer>(*service->store_, *service->jobs_, *service->hub_, http, log);
-  HttpServer& server = *service->server_;
-  add_routes(server.router(), {*service->documents_, *service->store_, *service->jobs_, *service->hub_,
+      std::make_unique<http::HttpServer>(*service->store_, *service->jobs_, *service->hub_, http, log);
+  http::HttpServer& server = *service->server_;
+  handlers::add_routes(server.router(), {*service->documents_, *service->store_, *service->jobs_, *service->hub_,
                                server.metrics(), server.ready()});
   TRY(server.start());
   TRY(service->jobs_->start());
-  const RequestContext local = local_user("", log);
+  const store::RequestContext local = http::local_user("", log);
   if (Status sample = drape_sample(*service->documents_, *service->jobs_, local, options.sample); !sample) {
     log.warn("sample not draped", sample.error());  // no reason not to serve
   }
@@ -66,4 +66,4 @@ void Service::stop() {
   if (server_) server_->stop();
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -12,7 +12,7 @@
 #include "server/store/store.h"
 #include "server/ws/hub.h"
 
-namespace toile {
+namespace toile::app {
 
 class Service {
  public:
@@ -31,11 +31,11 @@ class Service {
 
   // Destroyed from below: each of these works with what stands above it.
   std::unique_ptr<LogSink> log_sink_;
-  std::unique_ptr<Store> store_;
-  std::unique_ptr<Documents> documents_;
-  std::unique_ptr<Hub> hub_;
-  std::unique_ptr<JobService> jobs_;
-  std::unique_ptr<HttpServer> server_;
+  std::unique_ptr<store::Store> store_;
+  std::unique_ptr<documents::Documents> documents_;
+  std::unique_ptr<ws::Hub> hub_;
+  std::unique_ptr<jobs::JobService> jobs_;
+  std::unique_ptr<http::HttpServer> server_;
 };
 
-}  // namespace toile
+}  // namespace toile::app

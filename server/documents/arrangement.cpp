@@ -16,7 +16,7 @@
 #include "server/documents/findings.h"
 #include "server/documents/projects.h"
 
-namespace toile {
+namespace toile::documents {
 namespace {
 
 constexpr double kFarthest_mm = 5000;  // of a place from a box
@@ -24,7 +24,7 @@ const std::vector<std::string> kSides{"front", "back", "left", "right"};
 
 std::vector<std::string> part_names() {
   std::vector<std::string> names;
-  for (int p = 0; p < kBodyParts; ++p) names.emplace_back(name_of(static_cast<BodyPart>(p)));
+  for (int p = 0; p < measure::kBodyParts; ++p) names.emplace_back(measure::name_of(static_cast<measure::BodyPart>(p)));
   return names;
 }
 
@@ -51,39 +51,39 @@ PieceWish mirrored(const PieceWish& wish, const std::string& partner, double ang
 }
 
 /// Nothing where the piece has no mirror image.
-std::optional<PieceWish> partners_wish(const DrapeInput& input, const PieceWish& wish) {
-  const Result<PanelMeshes> meshes = make_panel_meshes(input.pattern, input.settings.particle_distance, {});
+std::optional<PieceWish> partners_wish(const drape::DrapeInput& input, const PieceWish& wish) {
+  const Result<mesh::PanelMeshes> meshes = mesh::make_panel_meshes(input.pattern, input.settings.particle_distance, {});
   if (!meshes) return std::nullopt;
-  const GarmentGraph graph = make_garment_graph(input.pattern, *meshes);
+  const arrange::GarmentGraph graph = arrange::make_garment_graph(input.pattern, *meshes);
   const auto at = std::find_if(graph.pieces.begin(), graph.pieces.end(),
-                               [&](const GarmentPiece& p) { return p.id == wish.piece; });
+                               [&](const arrange::GarmentPiece& p) { return p.id == wish.piece; });
   if (at == graph.pieces.end()) return std::nullopt;
-  const Index partner = mirror_partner(graph, static_cast<Index>(at - graph.pieces.begin()));
+  const Index partner = arrange::mirror_partner(graph, static_cast<Index>(at - graph.pieces.begin()));
   if (partner == kNone) return std::nullopt;
-  const GarmentPiece& other = graph.pieces[static_cast<std::size_t>(partner)];
-  const std::optional<FlatMove> onto = lay_on(other, *at, true);
+  const arrange::GarmentPiece& other = graph.pieces[static_cast<std::size_t>(partner)];
+  const std::optional<arrange::FlatMove> onto = arrange::lay_on(other, *at, true);
   return onto ? std::optional(mirrored(wish, other.id, onto->angle())) : std::nullopt;
 }
 
-Result<Arrangement> arrangement_of(const DrapeInput& input) {
-  const PanelMeshes meshes = TRY(make_panel_meshes(input.pattern, input.settings.particle_distance, {}));
-  return arrange({input.pattern, meshes, input.bodies});
+Result<arrange::Arrangement> arrangement_of(const drape::DrapeInput& input) {
+  const mesh::PanelMeshes meshes = TRY(mesh::make_panel_meshes(input.pattern, input.settings.particle_distance, {}));
+  return arrange::arrange({input.pattern, meshes, input.bodies});
 }
 
 /// Told by the body, so that the piece goes along when the measures change.
-ProjectPlacement placement_of(const PieceWish& wish) {
+project::ProjectPlacement placement_of(const PieceWish& wish) {
   const Vec2 at{metres_from_mm(wish.at_mm.x), metres_from_mm(wish.at_mm.y)};
   const double away = metres_from_mm(wish.away_mm);
-  ProjectPlacement out;
+  project::ProjectPlacement out;
   if (wish.wrapped) {
-    ProjectAround& around = out.around.emplace();
+    project::ProjectAround& around = out.around.emplace();
     around.part = wish.part;
     around.side = wish.side;
     around.at = at;
     around.away = std::max(away, 0.0);
     around.turn = wish.turn;
   } else {
-    ProjectOnBox& box = out.on_box.emplace();
+    project::ProjectOnBox& box = out.on_box.emplace();
     box.part = wish.part;
     box.side = wish.side;
     box.at = at;
@@ -94,12 +94,12 @@ ProjectPlacement placement_of(const PieceWish& wish) {
 }
 
 Error bad_place(const std::string& message, const std::string& key) {
-  return {"request.place", message, pointer_to("", key)};
+  return {"request.place", message, json::pointer_to("", key)};
 }
 
-Status read_word(const JsonValue& object, const char* key, const std::vector<std::string>& words,
+Status read_word(const json::JsonValue& object, const char* key, const std::vector<std::string>& words,
                  std::string& out) {
-  const JsonValue* value = object.find(key);
+  const json::JsonValue* value = object.find(key);
   if (!value) return {};
   if (!value->text() || std::find(words.begin(), words.end(), *value->text()) == words.end())
     return bad_place("this is one of a few words; " + advice(value->text() ? *value->text() : "", words),
@@ -108,7 +108,7 @@ Status read_word(const JsonValue& object, const char* key, const std::vector<std
   return {};
 }
 
-Status read_length(const JsonValue* value, const std::string& key, double most, double& out) {
+Status read_length(const json::JsonValue* value, const std::string& key, double most, double& out) {
   if (!value) return {};
   if (!value->number() || !(std::abs(*value->number()) <= most))
     return bad_place("this is a number of at most " + std::to_string(static_cast<int>(most)), key);
@@ -116,8 +116,8 @@ Status read_length(const JsonValue* value, const std::string& key, double most, 
   return {};
 }
 
-Status read_numbers(const JsonValue& object, PieceWish& wish) {
-  if (const JsonValue* at = object.find("at_mm")) {
+Status read_numbers(const json::JsonValue& object, PieceWish& wish) {
+  if (const json::JsonValue* at = object.find("at_mm")) {
     if (!at->array() || at->array()->size() != 2) return bad_place("this is a list of two numbers", "at_mm");
     const auto& xy = *at->array();
     TRY(read_length(&xy[0], "at_mm", kFarthest_mm, wish.at_mm.x));
@@ -129,48 +129,48 @@ Status read_numbers(const JsonValue& object, PieceWish& wish) {
 
 }  // namespace
 
-void take_arrangement(const Arrangement& made, const Pattern& pattern, Project& project) {
+void take_arrangement(const arrange::Arrangement& made, const pattern::Pattern& pattern, project::Project& project) {
   for (std::size_t p = 0; p < project.pieces.size(); ++p) {
-    project.pieces[p].placement = project_placement(made.placements[p]);
+    project.pieces[p].placement = create::project_placement(made.placements[p]);
   }
-  std::erase_if(project.attachments, [](const ProjectAttachment& a) { return a.id.starts_with("hold_"); });
-  for (const Attachment& a : made.attachments) project.attachments.push_back(project_attachment(pattern, a));
+  std::erase_if(project.attachments, [](const project::ProjectAttachment& a) { return a.id.starts_with("hold_"); });
+  for (const sewing::Attachment& a : made.attachments) project.attachments.push_back(create::project_attachment(pattern, a));
 }
 
-std::vector<JsonMember> arrangement_members(const Arrangement& made) {
-  std::vector<JsonValue> pieces, holds, findings;
-  for (const ArrangedPiece& p : made.pieces)
-    pieces.push_back(std::vector<JsonMember>{{"id", p.id}, {"place", p.where}});
-  for (const Attachment& a : made.attachments) holds.emplace_back(a.id);
-  for (const Finding& f : made.findings) findings.push_back(finding_json(f));
+std::vector<json::JsonMember> arrangement_members(const arrange::Arrangement& made) {
+  std::vector<json::JsonValue> pieces, holds, findings;
+  for (const arrange::ArrangedPiece& p : made.pieces)
+    pieces.push_back(std::vector<json::JsonMember>{{"id", p.id}, {"place", p.where}});
+  for (const sewing::Attachment& a : made.attachments) holds.emplace_back(a.id);
+  for (const preflight::Finding& f : made.findings) findings.push_back(finding_json(f));
   return {{"pieces", std::move(pieces)}, {"holds", std::move(holds)}, {"findings", std::move(findings)}};
 }
 
-Result<ArrangedProject> arrange_project(Documents& documents, const RequestContext& context,
+Result<ArrangedProject> arrange_project(Documents& documents, const store::RequestContext& context,
                                         const std::string& id, int expected) {
-  JsonValue arrangement;
-  const ProjectChange change = [&](const Project& now, ProjectFileMap& files) -> Result<Project> {
-    const DrapeInput input = TRY(resolve_project(now, files_in_store(documents, context, files)));
-    const Arrangement made = TRY(arrangement_of(input));
+  json::JsonValue arrangement;
+  const ProjectChange change = [&](const project::Project& now, ProjectFileMap& files) -> Result<project::Project> {
+    const drape::DrapeInput input = TRY(resolve::resolve_project(now, files_in_store(documents, context, files)));
+    const arrange::Arrangement made = TRY(arrangement_of(input));
     arrangement = arrangement_members(made);
-    Project wanted = now;
+    project::Project wanted = now;
     take_arrangement(made, input.pattern, wanted);
     return wanted;
   };
-  ProjectRow project = TRY(change_project(documents, context, id, expected, change));
+  store::ProjectRow project = TRY(change_project(documents, context, id, expected, change));
   return ArrangedProject{std::move(project), std::move(arrangement)};
 }
 
-Result<PieceWish> read_piece_wish(const JsonValue& object) {
+Result<PieceWish> read_piece_wish(const json::JsonValue& object) {
   PieceWish wish;
-  const JsonValue* piece = object.find("piece");
+  const json::JsonValue* piece = object.find("piece");
   if (!piece || !piece->text()) return bad_place("\"piece\" is the id of a piece", "piece");
   wish.piece = *piece->text();
   TRY(read_word(object, "part", part_names(), wish.part));
   TRY(read_word(object, "side", kSides, wish.side));
   TRY(read_numbers(object, wish));
   for (const auto& [key, out] : {std::pair{"wrapped", &wish.wrapped}, {"with_partner", &wish.with_partner}}) {
-    const JsonValue* given = object.find(key);
+    const json::JsonValue* given = object.find(key);
     if (!given) continue;
     if (!given->boolean()) return bad_place("this is true or false", key);
     *out = *given->boolean();
@@ -178,22 +178,22 @@ Result<PieceWish> read_piece_wish(const JsonValue& object) {
   return wish;
 }
 
-Result<ProjectRow> place_piece(Documents& documents, const RequestContext& context, const std::string& id,
+Result<store::ProjectRow> place_piece(Documents& documents, const store::RequestContext& context, const std::string& id,
                                const PieceWish& wish, int expected) {
-  const ProjectChange change = [&](const Project& now, ProjectFileMap& files) -> Result<Project> {
+  const ProjectChange change = [&](const project::Project& now, ProjectFileMap& files) -> Result<project::Project> {
     const auto at = std::find_if(now.pieces.begin(), now.pieces.end(),
-                                 [&](const ProjectPiece& piece) { return piece.id == wish.piece; });
+                                 [&](const project::ProjectPiece& piece) { return piece.id == wish.piece; });
     if (at == now.pieces.end())
       return Error{"edit.unknown_piece", "There is no piece of that name.", "piece " + clipped(wish.piece)};
-    Project wanted = now;
+    project::Project wanted = now;
     wanted.pieces[static_cast<std::size_t>(at - now.pieces.begin())].placement = placement_of(wish);
-    const DrapeInput input = TRY(resolve_project(wanted, files_in_store(documents, context, files)));
+    const drape::DrapeInput input = TRY(resolve::resolve_project(wanted, files_in_store(documents, context, files)));
     const std::optional<PieceWish> more = wish.with_partner ? partners_wish(input, wish) : std::nullopt;
-    for (ProjectPiece& piece : wanted.pieces)
+    for (project::ProjectPiece& piece : wanted.pieces)
       if (more && piece.id == more->piece) piece.placement = placement_of(*more);
     return wanted;
   };
   return change_project(documents, context, id, expected, change);
 }
 
-}  // namespace toile
+}  // namespace toile::documents

@@ -10,22 +10,22 @@
 #include "core/project/project.h"
 #include "server/documents/documents.h"
 
-namespace toile {
+namespace toile::documents {
 
 /// The arrangement's places and holds in the document; holds of an arrangement before this one are replaced,
 /// others stay. REQUIRES that `project` and `pattern` have the same pieces.
-void take_arrangement(const Arrangement& made, const Pattern& pattern, Project& project);
+void take_arrangement(const arrange::Arrangement& made, const pattern::Pattern& pattern, project::Project& project);
 
 /// {"pieces": [{"id", "place"}], "holds": [id], "findings": […]}
-std::vector<JsonMember> arrangement_members(const Arrangement& made);
+std::vector<json::JsonMember> arrangement_members(const arrange::Arrangement& made);
 
 struct ArrangedProject {
-  ProjectRow project;
-  JsonValue arrangement;  ///< its members
+  store::ProjectRow project;
+  json::JsonValue arrangement;  ///< its members
 };
 /// Places all pieces around the body (core/arrange/arrange.h) when the project stands at revision `expected`
 /// (0: at any). Errors: those of reading it, of arrange(), store.*.
-Result<ArrangedProject> arrange_project(Documents& documents, const RequestContext& context,
+Result<ArrangedProject> arrange_project(Documents& documents, const store::RequestContext& context,
                                         const std::string& id, int expected);
 
 /// Where a person puts a piece.
@@ -40,10 +40,10 @@ struct PieceWish {
   bool with_partner = false;   ///< its mirror image in the garment, if any, goes to the other side
 };
 /// Keys as in PieceWish; all but "piece" may be missing. Errors: request.unknown_key, request.place.
-Result<PieceWish> read_piece_wish(const JsonValue& object);
+Result<PieceWish> read_piece_wish(const json::JsonValue& object);
 /// The middle of the piece comes there. Errors: edit.unknown_piece, body.not_standing, arrange.no_body,
 /// store.*.
-Result<ProjectRow> place_piece(Documents& documents, const RequestContext& context, const std::string& id,
+Result<store::ProjectRow> place_piece(Documents& documents, const store::RequestContext& context, const std::string& id,
                                const PieceWish& wish, int expected);
 
-}  // namespace toile
+}  // namespace toile::documents

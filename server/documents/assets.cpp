@@ -13,23 +13,23 @@
 #include "core/pattern/garmentcode/read.h"
 #include "server/store/file_name.h"
 
-namespace toile {
+namespace toile::documents {
 namespace {
 
 constexpr std::size_t kMostNotes = 100;
 constexpr std::size_t kLongestText = 200;  // bytes of a name or note in a summary
 
-JsonValue count_of(std::size_t count) { return JsonValue(static_cast<double>(count)); }
+json::JsonValue count_of(std::size_t count) { return json::JsonValue(static_cast<double>(count)); }
 
 /// To three decimals: thousandths of a millimetre, or millimetres, are enough for a summary.
-JsonValue rounded(double value) { return JsonValue(std::round(value * 1000) / 1000); }
+json::JsonValue rounded(double value) { return json::JsonValue(std::round(value * 1000) / 1000); }
 
-JsonValue text_of(const std::string& text) { return JsonValue(clipped(text, kLongestText)); }
+json::JsonValue text_of(const std::string& text) { return json::JsonValue(clipped(text, kLongestText)); }
 
-JsonValue summary_of(const DxfPiece& piece) {
+json::JsonValue summary_of(const dxf::DxfPiece& piece) {
   const Vec2 size = bounding_box(piece.outline).size();
-  return JsonValue(std::vector<JsonMember>{
-      {"name", JsonValue(piece.name)},  // whole: a document refers to it
+  return json::JsonValue(std::vector<json::JsonMember>{
+      {"name", json::JsonValue(piece.name)},  // whole: a document refers to it
       {"width_mm", rounded(size.x)},
       {"height_mm", rounded(size.y)},
       {"points", count_of(piece.outline.size())},
@@ -39,68 +39,68 @@ JsonValue summary_of(const DxfPiece& piece) {
 }
 
 Result<std::string> dxf_info(const std::string& name, std::string_view bytes) {
-  const Result<DxfDrawing> drawing = read_dxf(bytes);
+  const Result<dxf::DxfDrawing> drawing = dxf::read_dxf(bytes);
   if (!drawing) {
     Error error = drawing.error();
     error.where = error.where.empty() ? name : name + ": " + error.where;
     return error;
   }
-  std::vector<JsonValue> pieces, notes;
-  for (const DxfPiece& piece : drawing->pieces) pieces.push_back(summary_of(piece));
+  std::vector<json::JsonValue> pieces, notes;
+  for (const dxf::DxfPiece& piece : drawing->pieces) pieces.push_back(summary_of(piece));
   for (const std::string& note : drawing->notes) {
     if (notes.size() < kMostNotes) notes.push_back(text_of(note));
   }
-  return write_json_line(JsonValue(std::vector<JsonMember>{
-      {"mm_per_unit", JsonValue(drawing->mm_per_unit)},
-      {"pieces", JsonValue(std::move(pieces))},
-      {"notes", JsonValue(std::move(notes))},
+  return json::write_json_line(json::JsonValue(std::vector<json::JsonMember>{
+      {"mm_per_unit", json::JsonValue(drawing->mm_per_unit)},
+      {"pieces", json::JsonValue(std::move(pieces))},
+      {"notes", json::JsonValue(std::move(notes))},
       {"note_count", count_of(drawing->notes.size())},
   }));
 }
 
 Result<std::string> specification_info(const std::string& name, std::string_view bytes) {
-  const Result<GarmentCodeGarment> garment = read_garmentcode(bytes);
+  const Result<garmentcode::GarmentCodeGarment> garment = garmentcode::read_garmentcode(bytes);
   if (!garment) {
     Error error = garment.error();
     error.where = error.where.empty() ? name : name + ": " + error.where;
     return error;
   }
-  return write_json_line(JsonValue(std::vector<JsonMember>{
+  return json::write_json_line(json::JsonValue(std::vector<json::JsonMember>{
       {"pieces", count_of(garment->pattern.panels.size())},
       {"seams", count_of(garment->pattern.seams.size())},
   }));
 }
 
-Result<std::string> body_info(const MeshImporter& importer, const std::string& name, std::string_view bytes) {
-  const RepairedMesh read = TRY(importer.bytes(name, bytes, {}));
-  const TriangleMesh& mesh = read.mesh;
+Result<std::string> body_info(const mesh_import::MeshImporter& importer, const std::string& name, std::string_view bytes) {
+  const mesh_import::RepairedMesh read = TRY(importer.bytes(name, bytes, {}));
+  const geometry::TriangleMesh& mesh = read.mesh;
   const Vec3 size = bounding_box(mesh.vertices).size();
-  std::vector<JsonValue> notes;
-  for (const std::string& words : repair_words(read.repairs)) notes.push_back(text_of(words));
-  return write_json_line(JsonValue(std::vector<JsonMember>{
+  std::vector<json::JsonValue> notes;
+  for (const std::string& words : mesh_import::repair_words(read.repairs)) notes.push_back(text_of(words));
+  return json::write_json_line(json::JsonValue(std::vector<json::JsonMember>{
       {"vertices", count_of(mesh.vertices.size())},
       {"triangles", count_of(mesh.triangles.size())},
       {"width_m", rounded(size.x)},
       {"height_m", rounded(size.y)},
       {"depth_m", rounded(size.z)},
-      {"closed", JsonValue(read.repairs.open_shells == 0)},
-      {"notes", JsonValue(std::move(notes))},
+      {"closed", json::JsonValue(read.repairs.open_shells == 0)},
+      {"notes", json::JsonValue(std::move(notes))},
   }));
 }
 
 /// All of it is decoded: a picture that is kept can be drawn.
 Result<std::string> image_info(const std::string& name, std::string_view bytes) {
-  const Result<ReadPicture> read = read_picture(bytes);
+  const Result<image::ReadPicture> read = image::read_picture(bytes);
   if (!read) return placed_at(read.error(), name);
-  return write_json_line(JsonValue(std::vector<JsonMember>{
-      {"format", JsonValue(std::string(read->format == PictureFormat::kPng ? "png" : "jpeg"))},
-      {"width", JsonValue(static_cast<double>(read->width))},
-      {"height", JsonValue(static_cast<double>(read->height))},
-      {"opaque", JsonValue(read->picture.opaque)},
+  return json::write_json_line(json::JsonValue(std::vector<json::JsonMember>{
+      {"format", json::JsonValue(std::string(read->format == image::PictureFormat::kPng ? "png" : "jpeg"))},
+      {"width", json::JsonValue(static_cast<double>(read->width))},
+      {"height", json::JsonValue(static_cast<double>(read->height))},
+      {"opaque", json::JsonValue(read->picture.opaque)},
   }));
 }
 
-Result<std::string> info_of(const MeshImporter& importer, const std::string& kind, const std::string& name,
+Result<std::string> info_of(const mesh_import::MeshImporter& importer, const std::string& kind, const std::string& name,
                             std::string_view bytes) {
   if (kind == "dxf") return dxf_info(name, bytes);
   if (kind == "specification") return specification_info(name, bytes);
@@ -120,14 +120,14 @@ std::size_t most_asset_bytes(std::string_view kind) {
   return kind == "image" ? kMostImageBytes : kMostBodyBytes;
 }
 
-Result<AssetRow> add_asset(Documents& documents, const RequestContext& context, const std::string& kind,
+Result<store::AssetRow> add_asset(Documents& documents, const store::RequestContext& context, const std::string& kind,
                            const std::string& name, std::string_view bytes) {
   if (!is_asset_kind(kind)) {
     return Error{"documents.kind",
                  "a file is \"dxf\", \"specification\", \"body\" or \"image\", not " + in_quotes(kind), "",
                  ErrorKind::kMalformed};
   }
-  TRY(check_name(name));
+  TRY(store::check_name(name));
   const std::size_t most = most_asset_bytes(kind);
   if (bytes.size() > most) {
     return Error{"documents.too_large",
@@ -135,7 +135,7 @@ Result<AssetRow> add_asset(Documents& documents, const RequestContext& context, 
                  ErrorKind::kTooLarge};
   }
   std::string info = TRY(info_of(documents.importer(), kind, name, bytes));
-  AssetRow row;
+  store::AssetRow row;
   row.kind = kind;
   row.name = name;
   row.info = std::move(info);
@@ -143,8 +143,8 @@ Result<AssetRow> add_asset(Documents& documents, const RequestContext& context, 
 }
 
 std::string image_media_type(std::string_view bytes) {
-  const std::optional<PictureFormat> format = picture_format(bytes);
-  return format ? std::string(media_type(*format)) : "application/octet-stream";
+  const std::optional<image::PictureFormat> format = image::picture_format(bytes);
+  return format ? std::string(image::media_type(*format)) : "application/octet-stream";
 }
 
-}  // namespace toile
+}  // namespace toile::documents

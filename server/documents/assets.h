@@ -9,12 +9,12 @@
 #include "core/image/read_picture.h"
 #include "server/documents/documents.h"
 
-namespace toile {
+namespace toile::documents {
 
 inline constexpr std::size_t kMostDxfBytes = std::size_t{50} << 20;
 inline constexpr std::size_t kMostBodyBytes = std::size_t{100} << 20;
 inline constexpr std::size_t kMostSpecificationBytes = std::size_t{4} << 20;
-inline constexpr std::size_t kMostImageBytes = PictureLimits{}.bytes;
+inline constexpr std::size_t kMostImageBytes = image::PictureLimits{}.bytes;
 
 bool is_asset_kind(std::string_view kind);
 /// Of a file of that kind.
@@ -32,10 +32,10 @@ std::size_t most_asset_bytes(std::string_view kind);
 ///   image: {"format": "png" or "jpeg", "width", "height", "opaque"}, pixels as they are shown
 /// Errors: documents.kind, documents.too_large; dxf.*, garmentcode.*, mesh.*, image.* with the file's name
 /// first in `where`; store.*.
-Result<AssetRow> add_asset(Documents& documents, const RequestContext& context, const std::string& kind,
+Result<store::AssetRow> add_asset(Documents& documents, const store::RequestContext& context, const std::string& kind,
                            const std::string& name, std::string_view bytes);
 
 /// The media type of a kept image's bytes: one that a browser shows and does not run.
 std::string image_media_type(std::string_view bytes);
 
-}  // namespace toile
+}  // namespace toile::documents

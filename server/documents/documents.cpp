@@ -5,7 +5,7 @@
 
 #include "server/documents/starts.h"
 
-namespace toile {
+namespace toile::documents {
 namespace {
 
 constexpr std::size_t kBodyBytes = std::size_t{256} << 20;  // some hundred mannequins, or a few scans
@@ -15,7 +15,7 @@ constexpr std::size_t kStartBytes = std::size_t{64} << 20;
 
 }  // namespace
 
-Documents::Documents(Store& store, MeshImporter importer)
+Documents::Documents(store::Store& store, mesh_import::MeshImporter importer)
     : store_(store),
       bodies_(kBodyBytes, std::move(importer)),
       mannequins_(kMannequins),
@@ -24,4 +24,4 @@ Documents::Documents(Store& store, MeshImporter importer)
 
 Documents::~Documents() = default;
 
-}  // namespace toile
+}  // namespace toile::documents

@@ -12,7 +12,7 @@
 #include "server/documents/recent_cache.h"
 #include "server/store/store.h"
 
-namespace toile {
+namespace toile::documents {
 
 struct StartView;
 
@@ -21,26 +21,26 @@ class Documents {
  public:
   /// `store` outlives it. `importer` reads the meshes of strangers: a server's does so in a process of its
   /// own.
-  explicit Documents(Store& store, MeshImporter importer = {});
+  explicit Documents(store::Store& store, mesh_import::MeshImporter importer = {});
   ~Documents();
   Documents(const Documents&) = delete;
   Documents& operator=(const Documents&) = delete;
 
-  Store& store() const { return store_; }
-  const MeshImporter& importer() const { return bodies_.importer(); }
+  store::Store& store() const { return store_; }
+  const mesh_import::MeshImporter& importer() const { return bodies_.importer(); }
   BodyCache& bodies() { return bodies_; }
   MannequinCache& mannequins() { return mannequins_; }
   /// The members of figures, by mesh and wish (figures.h).
-  RecentCache<std::vector<JsonMember>>& figures() { return figures_; }
+  RecentCache<std::vector<json::JsonMember>>& figures() { return figures_; }
   /// By owner, document and files (starts.h).
   RecentCache<StartView>& starts() { return starts_; }
 
  private:
-  Store& store_;
+  store::Store& store_;
   BodyCache bodies_;
   MannequinCache mannequins_;
-  RecentCache<std::vector<JsonMember>> figures_;
+  RecentCache<std::vector<json::JsonMember>> figures_;
   RecentCache<StartView> starts_;
 };
 
-}  // namespace toile
+}  // namespace toile::documents

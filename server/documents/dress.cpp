@@ -13,26 +13,26 @@
 #include "core/project/bodies.h"
 #include "server/documents/edits.h"
 
-namespace toile {
+namespace toile::documents {
 namespace {
 
 Error bad_wish(const std::string& message, const std::string& key) {
-  return {"request.body", message, pointer_to("", key)};
+  return {"request.body", message, json::pointer_to("", key)};
 }
 
 /// What of the wish goes into the document as it stands there.
-JsonValue document_part(const JsonValue& wish, const std::string& id) {
-  std::vector<JsonMember> members{{"id", id}};
-  for (const JsonMember& member : *wish.object())
+json::JsonValue document_part(const json::JsonValue& wish, const std::string& id) {
+  std::vector<json::JsonMember> members{{"id", id}};
+  for (const json::JsonMember& member : *wish.object())
     if (member.key != "asset" && member.key != "turn") members.push_back(member);
   return members;
 }
 
-double lowest(const TriangleMesh& mesh) { return bounding_box(mesh.vertices).low.y; }
+double lowest(const geometry::TriangleMesh& mesh) { return bounding_box(mesh.vertices).low.y; }
 
 /// The body of a document that stands as stand_body() put it. It turns about the upright axis last, and a
 /// document about z last; after half a turn about z the one is the other, backwards.
-void stand_up(ProjectBody& body, const BodyStance& stance) {
+void stand_up(project::ProjectBody& body, const measure::BodyStance& stance) {
   body.unit = stance.unit_in_m == 1e-2 ? "cm" : stance.unit_in_m == 1e-3 ? "mm" : "m";
   if (stance.unit_in_m == 0.1) body.scale = 0.1;
   body.up = std::string(1, stance.up);
@@ -41,18 +41,18 @@ void stand_up(ProjectBody& body, const BodyStance& stance) {
 }
 
 /// A name under which no other file of the project goes.
-std::string free_name(const ProjectFileMap& files, const AssetRow& asset) {
+std::string free_name(const ProjectFileMap& files, const store::AssetRow& asset) {
   const auto taken = files.find(asset.name);
   if (taken == files.end() || taken->second == asset.id) return asset.name;
   return asset.id.substr(0, 10) + "-" + asset.name;
 }
 
 /// Guessed where nothing is said.
-Status place_file(Documents& documents, const RequestContext& context, const JsonValue& wish,
-                  const AssetRow& asset, ProjectBody& body) {
+Status place_file(Documents& documents, const store::RequestContext& context, const json::JsonValue& wish,
+                  const store::AssetRow& asset, project::ProjectBody& body) {
   const auto raw = TRY(documents.bodies().mesh(documents.store(), context, asset.id, {.unit_in_m = 1}));
   const std::string unit = body.unit, up = body.up;
-  const Result<StandingBody> standing = stand_body(raw->mesh);
+  const Result<measure::StandingBody> standing = measure::stand_body(raw->mesh);
   if (standing) stand_up(body, standing->stance);
   if (!unit.empty()) {
     body.unit = unit;
@@ -62,46 +62,46 @@ Status place_file(Documents& documents, const RequestContext& context, const Jso
     body.up = up;
     body.rotation = {};
   }
-  if (const JsonValue* turn = wish.find("turn")) body.rotation.y += *turn->number();
+  if (const json::JsonValue* turn = wish.find("turn")) body.rotation.y += *turn->number();
   return {};
 }
 
 /// Its feet on the floor, once everything else is said.
-Status put_on_floor(Documents& documents, const RequestContext& context, ProjectFileMap& files,
-                    ProjectBody& body) {
-  Project alone;
+Status put_on_floor(Documents& documents, const store::RequestContext& context, ProjectFileMap& files,
+                    project::ProjectBody& body) {
+  project::Project alone;
   alone.bodies = {body};
-  const DrapeInput input = TRY(resolve_project(alone, files_in_store(documents, context, files)));
+  const drape::DrapeInput input = TRY(resolve::resolve_project(alone, files_in_store(documents, context, files)));
   const double floor = lowest(input.bodies[0].mesh);
   body.translation.y = -std::round(floor * 1e6) / 1e6 + 0.0;
   return {};
 }
 
 /// A figure that can be made, so that the refusal names the measure and not the document's place.
-Result<ProjectBody> made_body(Documents& documents, const JsonValue& part) {
-  ProjectBody body = TRY(read_body(part, ""));
-  const Result<MannequinSettings> settings = mannequin_settings(*body.mannequin);
-  if (!settings) return error_at("/mannequin", settings.error());
+Result<project::ProjectBody> made_body(Documents& documents, const json::JsonValue& part) {
+  project::ProjectBody body = TRY(project::read_body(part, ""));
+  const Result<mannequin::MannequinSettings> settings = project::mannequin_settings(*body.mannequin);
+  if (!settings) return json::error_at("/mannequin", settings.error());
   const auto figure = documents.mannequins().get(*settings);
-  if (!figure) return error_at("/mannequin", figure.error());
+  if (!figure) return json::error_at("/mannequin", figure.error());
   return body;
 }
 
-Result<ProjectBody> body_of(Documents& documents, const RequestContext& context, const std::string& id,
-                            const JsonValue& wish, ProjectFileMap& files) {
-  const JsonValue* given = wish.find("asset");
+Result<project::ProjectBody> body_of(Documents& documents, const store::RequestContext& context, const std::string& id,
+                            const json::JsonValue& wish, ProjectFileMap& files) {
+  const json::JsonValue* given = wish.find("asset");
   if (!given) return made_body(documents, document_part(wish, id));
   if (!given->text()) return bad_wish("\"asset\" is the id of an uploaded body", "asset");
-  if (const JsonValue* turn = wish.find("turn");
+  if (const json::JsonValue* turn = wish.find("turn");
       turn && (!turn->number() || !(std::abs(*turn->number()) <= 360)))
     return bad_wish("this is an angle of at most 360 degrees", "turn");
-  AssetRow asset = TRY(documents.store().asset(context, *given->text()));
+  store::AssetRow asset = TRY(documents.store().asset(context, *given->text()));
   if (asset.kind != "body")
     return Error{"documents.wrong_kind", in_quotes(asset.name) + " is no body", "/asset"};
   const std::string name = free_name(files, asset);
-  JsonValue part = document_part(wish, id);
-  std::get<std::vector<JsonMember>>(part.data).push_back({"file", name});
-  ProjectBody body = TRY(read_body(part, ""));
+  json::JsonValue part = document_part(wish, id);
+  std::get<std::vector<json::JsonMember>>(part.data).push_back({"file", name});
+  project::ProjectBody body = TRY(project::read_body(part, ""));
   TRY(place_file(documents, context, wish, asset, body));
   files[name] = asset.id;
   TRY(put_on_floor(documents, context, files, body));
@@ -110,7 +110,7 @@ Result<ProjectBody> body_of(Documents& documents, const RequestContext& context,
 
 /// What of the body before stays: how cloth lies on it, where a figure stands, and the landmarks that mean
 /// the same on the other.
-void carry_over(const ProjectBody& was, const JsonValue& wish, ProjectBody& body) {
+void carry_over(const project::ProjectBody& was, const json::JsonValue& wish, project::ProjectBody& body) {
   if (!wish.find("friction")) body.friction = was.friction;
   if (!wish.find("skin_offset_mm")) body.skin_offset_mm = was.skin_offset_mm;
   body.restitution = was.restitution;
@@ -121,18 +121,18 @@ void carry_over(const ProjectBody& was, const JsonValue& wish, ProjectBody& body
   }
   body.landmarks = was.landmarks;
   if (was.file == body.file) return;
-  std::erase_if(body.landmarks, [](const ProjectLandmark& l) { return l.triangle.has_value(); });
+  std::erase_if(body.landmarks, [](const project::ProjectLandmark& l) { return l.triangle.has_value(); });
 }
 
-Status check_keys(const JsonValue& wish) {
+Status check_keys(const json::JsonValue& wish) {
   const std::vector<std::string> known{"mannequin", "asset", "friction", "skin_offset_mm",
                                        "unit",      "up",    "turn"};
   if (!wish.object()) return Error{"request.body", "a body is a JSON object", ""};
-  for (const JsonMember& member : *wish.object()) {
+  for (const json::JsonMember& member : *wish.object()) {
     if (std::find(known.begin(), known.end(), member.key) != known.end()) continue;
     return Error{"request.unknown_key",
                  "the key " + in_quotes(member.key) + " is not known here; " + advice(member.key, known),
-                 pointer_to("", member.key)};
+                 json::pointer_to("", member.key)};
   }
   const bool made = wish.find("mannequin") != nullptr, file = wish.find("asset") != nullptr;
   if (made == file) return Error{"request.body", "one of \"mannequin\" and \"asset\" must stand here", ""};
@@ -143,14 +143,14 @@ Status check_keys(const JsonValue& wish) {
 
 }  // namespace
 
-Result<ProjectRow> dress_project(Documents& documents, const RequestContext& context, const std::string& id,
-                                 const std::string& body, const JsonValue& wish, int expected) {
+Result<store::ProjectRow> dress_project(Documents& documents, const store::RequestContext& context, const std::string& id,
+                                 const std::string& body, const json::JsonValue& wish, int expected) {
   TRY(check_keys(wish));
-  const ProjectChange change = [&](const Project& now, ProjectFileMap& files) -> Result<Project> {
-    ProjectBody made = TRY(body_of(documents, context, body, wish, files));
-    Project wanted = now;
+  const ProjectChange change = [&](const project::Project& now, ProjectFileMap& files) -> Result<project::Project> {
+    project::ProjectBody made = TRY(body_of(documents, context, body, wish, files));
+    project::Project wanted = now;
     const auto at = std::find_if(wanted.bodies.begin(), wanted.bodies.end(),
-                                 [&](const ProjectBody& one) { return one.id == body; });
+                                 [&](const project::ProjectBody& one) { return one.id == body; });
     if (at == wanted.bodies.end()) {
       wanted.bodies.push_back(std::move(made));
     } else {
@@ -162,15 +162,15 @@ Result<ProjectRow> dress_project(Documents& documents, const RequestContext& con
   return change_project(documents, context, id, expected, change);
 }
 
-Result<ProjectRow> undress_project(Documents& documents, const RequestContext& context, const std::string& id,
+Result<store::ProjectRow> undress_project(Documents& documents, const store::RequestContext& context, const std::string& id,
                                    const std::string& body, int expected) {
-  const ProjectChange change = [&](const Project& now, ProjectFileMap&) -> Result<Project> {
-    Project wanted = now;
-    if (std::erase_if(wanted.bodies, [&](const ProjectBody& one) { return one.id == body; }) > 0)
+  const ProjectChange change = [&](const project::Project& now, ProjectFileMap&) -> Result<project::Project> {
+    project::Project wanted = now;
+    if (std::erase_if(wanted.bodies, [&](const project::ProjectBody& one) { return one.id == body; }) > 0)
       return wanted;
     return Error{"edit.unknown_body", "There is no body of that name.", "body " + clipped(body)};
   };
   return change_project(documents, context, id, expected, change);
 }
 
-}  // namespace toile
+}  // namespace toile::documents

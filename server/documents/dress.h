@@ -8,18 +8,18 @@
 #include "core/project/project.h"
 #include "server/documents/documents.h"
 
-namespace toile {
+namespace toile::documents {
 
 /// Puts a body into the project in place of the one called `body`, or beside the others when there is none of
 /// that name. `wish` has "mannequin" as a document has it, or "asset", the id of an uploaded body; beside it
 /// "friction" and "skin_offset_mm" may stand, and with a file "unit", "up" and "turn" (degrees about the
 /// upright axis) where the guess is wrong. Errors: request.unknown_key, request.body, project.*, mannequin.*,
 /// mesh.*, store.*.
-Result<ProjectRow> dress_project(Documents& documents, const RequestContext& context, const std::string& id,
-                                 const std::string& body, const JsonValue& wish, int expected);
+Result<store::ProjectRow> dress_project(Documents& documents, const store::RequestContext& context, const std::string& id,
+                                 const std::string& body, const json::JsonValue& wish, int expected);
 
 /// Takes a body out of the project. Errors: edit.unknown_body, store.*, and those of what is told by it.
-Result<ProjectRow> undress_project(Documents& documents, const RequestContext& context, const std::string& id,
+Result<store::ProjectRow> undress_project(Documents& documents, const store::RequestContext& context, const std::string& id,
                                    const std::string& body, int expected);
 
-}  // namespace toile
+}  // namespace toile::documents

@@ -3,15 +3,15 @@
 #include <string>
 #include <vector>
 
-namespace toile {
+namespace toile::documents {
 
-JsonValue finding_json(const Finding& f) {
-  return std::vector<JsonMember>{{"code", std::string(code_of(f.kind))},
-                                 {"severity", std::string(name_of(f.severity))},
+json::JsonValue finding_json(const preflight::Finding& f) {
+  return std::vector<json::JsonMember>{{"code", std::string(preflight::code_of(f.kind))},
+                                 {"severity", std::string(preflight::name_of(f.severity))},
                                  {"message", f.message},
-                                 {"where", where_text(f)},
-                                 {"place", std::vector<JsonValue>{f.place.x, f.place.y, f.place.z}},
+                                 {"where", preflight::where_text(f)},
+                                 {"place", std::vector<json::JsonValue>{f.place.x, f.place.y, f.place.z}},
                                  {"repaired", f.repaired}};
 }
 
-}  // namespace toile
+}  // namespace toile::documents

@@ -3,9 +3,9 @@
 #include "core/json/tree.h"
 #include "core/preflight/finding.h"
 
-namespace toile {
+namespace toile::documents {
 
 /// {"code", "severity", "message", "where", "place": [x, y, z] (m), "repaired"}.
-JsonValue finding_json(const Finding& finding);
+json::JsonValue finding_json(const preflight::Finding& finding);
 
-}  // namespace toile
+}  // namespace toile::documents

@@ -15,11 +15,11 @@
 #include "core/project/create/import_report.h"
 #include "server/documents/assets.h"
 
-namespace toile {
+namespace toile::documents {
 namespace {
 
-Result<DxfSettings> settings_of(const ImportWishes& wishes) {
-  DxfSettings settings;
+Result<dxf::DxfSettings> settings_of(const ImportWishes& wishes) {
+  dxf::DxfSettings settings;
   settings.max_bytes = kMostDxfBytes;
   if (!wishes.size.empty()) settings.size = wishes.size;
   if (wishes.unit.empty()) return settings;
@@ -31,56 +31,56 @@ Result<DxfSettings> settings_of(const ImportWishes& wishes) {
 }
 
 /// The piece as a project document takes it from this file.
-JsonValue source_of(const DxfPiece& piece, const DxfDrawing& drawing, const std::string& file) {
-  std::vector<JsonMember> from{{"dxf", file}, {"piece", piece.name}};
+json::JsonValue source_of(const dxf::DxfPiece& piece, const dxf::DxfDrawing& drawing, const std::string& file) {
+  std::vector<json::JsonMember> from{{"dxf", file}, {"piece", piece.name}};
   const std::string& unit = drawing.unit.name;
   if (unit == "mm" || unit == "cm" || unit == "inch") from.push_back({"units", unit});
   if (!drawing.size.empty()) from.push_back({"size", drawing.size});
   return from;
 }
 
-JsonValue points_json(const std::vector<Vec2>& points) {
+json::JsonValue points_json(const std::vector<Vec2>& points) {
   const auto fine = [](double v) { return std::round(v * 100) / 100 + 0.0; };
-  std::vector<JsonValue> out;
-  for (const Vec2 p : points) out.push_back(std::vector<JsonValue>{fine(p.x), fine(p.y)});
+  std::vector<json::JsonValue> out;
+  for (const Vec2 p : points) out.push_back(std::vector<json::JsonValue>{fine(p.x), fine(p.y)});
   return out;
 }
 
 /// What a picture of the piece needs: outline, holes and grain. Empty when it cannot be cut.
-void add_picture(const Result<Panel>& panel, std::vector<JsonMember>& piece) {
+void add_picture(const Result<pattern::Panel>& panel, std::vector<json::JsonMember>& piece) {
   constexpr double kFlat = 0.2;  // mm
-  std::vector<JsonValue> holes;
+  std::vector<json::JsonValue> holes;
   if (panel) {
-    for (const Loop& hole : panel->holes) holes.push_back(points_json(flatten(hole, kFlat)));
+    for (const pattern::Loop& hole : panel->holes) holes.push_back(points_json(pattern::flatten(hole, kFlat)));
   }
-  piece.push_back({"points", points_json(panel ? flatten(panel->outline, kFlat) : std::vector<Vec2>{})});
+  piece.push_back({"points", points_json(panel ? pattern::flatten(panel->outline, kFlat) : std::vector<Vec2>{})});
   piece.push_back({"hole_points", std::move(holes)});
 }
 
 /// Edges as lines, so that a proposal of a seam can be shown where it is.
-void add_edge_points(const Panel& panel, std::vector<JsonMember>& piece) {
+void add_edge_points(const pattern::Panel& panel, std::vector<json::JsonMember>& piece) {
   constexpr double kFlat = 0.5;  // mm
-  const std::vector<const PanelEdge*> edges = edges_of(panel);
-  for (JsonMember& member : piece) {
+  const std::vector<const pattern::PanelEdge*> edges = pattern::edges_of(panel);
+  for (json::JsonMember& member : piece) {
     if (member.key != "edge_list") continue;
-    auto& list = std::get<std::vector<JsonValue>>(member.value.data);
+    auto& list = std::get<std::vector<json::JsonValue>>(member.value.data);
     for (std::size_t i = 0; i < list.size() && i < edges.size(); ++i) {
-      auto& edge = std::get<std::vector<JsonMember>>(list[i].data);
-      edge.push_back({"points", points_json(flatten(*edges[i], kFlat))});
+      auto& edge = std::get<std::vector<json::JsonMember>>(list[i].data);
+      edge.push_back({"points", points_json(pattern::flatten(*edges[i], kFlat))});
     }
   }
 }
 
 /// What goes into the report's pieces beside their figures.
 struct Pictured {
-  Result<Panel> panel;
-  std::optional<JsonValue> from;  ///< none: the document has the outline itself
+  Result<pattern::Panel> panel;
+  std::optional<json::JsonValue> from;  ///< none: the document has the outline itself
 };
 
-std::vector<JsonValue> with_pictures(const JsonValue& pieces, const std::vector<Pictured>& pictures) {
-  std::vector<JsonValue> out;
+std::vector<json::JsonValue> with_pictures(const json::JsonValue& pieces, const std::vector<Pictured>& pictures) {
+  std::vector<json::JsonValue> out;
   for (std::size_t i = 0; i < pictures.size(); ++i) {
-    std::vector<JsonMember> piece = *(*pieces.array())[i].object();
+    std::vector<json::JsonMember> piece = *(*pieces.array())[i].object();
     if (pictures[i].panel) add_edge_points(*pictures[i].panel, piece);
     if (pictures[i].from) piece.push_back({"from", *pictures[i].from});
     add_picture(pictures[i].panel, piece);
@@ -90,83 +90,83 @@ std::vector<JsonValue> with_pictures(const JsonValue& pieces, const std::vector<
 }
 
 /// The report with what a page needs besides, and a document to begin with, without seams.
-JsonValue report_of(const JsonValue& report, const std::vector<Pictured>& pictures, const AssetRow& asset,
-                    const std::optional<NewProject>& made) {
-  std::vector<JsonMember> members{{"asset", asset.id}, {"file", asset.name}};
-  for (JsonMember member : *report.object()) {
+json::JsonValue report_of(const json::JsonValue& report, const std::vector<Pictured>& pictures, const store::AssetRow& asset,
+                    const std::optional<create::NewProject>& made) {
+  std::vector<json::JsonMember> members{{"asset", asset.id}, {"file", asset.name}};
+  for (json::JsonMember member : *report.object()) {
     if (member.key == "pieces") member.value = with_pictures(member.value, pictures);
     members.push_back(std::move(member));
   }
-  JsonValue document;
+  json::JsonValue document;
   if (made) {
-    Project project = made->project;
+    project::Project project = made->project;
     project.seams.clear();
     project.bodies.front().file.clear();
-    project.bodies.front().mannequin = ProjectMannequin{};
-    if (const Result<JsonValue> tree = parse_json(write_project_line(project)); tree) document = *tree;
+    project.bodies.front().mannequin = project::ProjectMannequin{};
+    if (const Result<json::JsonValue> tree = json::parse_json(project::write_project_line(project)); tree) document = *tree;
   }
   members.push_back({"document", std::move(document)});
   return members;
 }
 
-NewProjectSettings project_of(const AssetRow& asset) {
-  NewProjectSettings settings;
+create::NewProjectSettings project_of(const store::AssetRow& asset) {
+  create::NewProjectSettings settings;
   settings.name = asset.name.substr(0, asset.name.rfind('.'));
   settings.pattern_file = asset.name;
   return settings;
 }
 
 /// Pieces that cannot be cut are left out: the report tells of each.
-DxfDrawing without_faults(DxfDrawing drawing) {
-  std::erase_if(drawing.pieces, [](const DxfPiece& piece) {
-    const Result<Panel> panel = panel_from_piece(piece);
-    return !panel || !validate(*panel);
+dxf::DxfDrawing without_faults(dxf::DxfDrawing drawing) {
+  std::erase_if(drawing.pieces, [](const dxf::DxfPiece& piece) {
+    const Result<pattern::Panel> panel = dxf::panel_from_piece(piece);
+    return !panel || !pattern::validate(*panel);
   });
   return drawing;
 }
 
-Result<JsonValue> import_dxf(const std::string& bytes, const ImportWishes& wishes, const AssetRow& asset) {
-  const DxfSettings settings = TRY(settings_of(wishes));
-  const Result<DxfDrawing> drawing = read_dxf(bytes, settings);
-  if (!drawing) return error_at(clipped(asset.name), drawing.error());
-  std::optional<NewProject> made;
-  const DxfDrawing good = without_faults(*drawing);
+Result<json::JsonValue> import_dxf(const std::string& bytes, const ImportWishes& wishes, const store::AssetRow& asset) {
+  const dxf::DxfSettings settings = TRY(settings_of(wishes));
+  const Result<dxf::DxfDrawing> drawing = dxf::read_dxf(bytes, settings);
+  if (!drawing) return json::error_at(clipped(asset.name), drawing.error());
+  std::optional<create::NewProject> made;
+  const dxf::DxfDrawing good = without_faults(*drawing);
   if (!good.pieces.empty()) {
-    if (Result<NewProject> project = new_project(good, project_of(asset)); project) made = *project;
+    if (Result<create::NewProject> project = create::new_project(good, project_of(asset)); project) made = *project;
   }
   std::vector<Pictured> pictures;
-  for (const DxfPiece& piece : drawing->pieces)
-    pictures.push_back({panel_from_piece(piece), source_of(piece, *drawing, asset.name)});
-  const std::vector<JsonValue> seams = made ? seams_json(*made) : std::vector<JsonValue>{};
-  return report_of(import_json(*drawing, seams), pictures, asset, made);
+  for (const dxf::DxfPiece& piece : drawing->pieces)
+    pictures.push_back({dxf::panel_from_piece(piece), source_of(piece, *drawing, asset.name)});
+  const std::vector<json::JsonValue> seams = made ? create::seams_json(*made) : std::vector<json::JsonValue>{};
+  return report_of(create::import_json(*drawing, seams), pictures, asset, made);
 }
 
 /// A specification says its unit and has one size.
-Result<JsonValue> import_specification(const std::string& bytes, const ImportWishes& wishes,
-                                       const AssetRow& asset) {
+Result<json::JsonValue> import_specification(const std::string& bytes, const ImportWishes& wishes,
+                                       const store::AssetRow& asset) {
   if (!wishes.unit.empty()) return Error{"documents.unit", "a specification says its unit itself", "/unit"};
   if (!wishes.size.empty()) return Error{"documents.size", "a specification has one size", "/size"};
-  Result<NewProject> made = new_project(bytes, project_of(asset));
-  if (!made) return error_at(clipped(asset.name), made.error());
+  Result<create::NewProject> made = create::new_project(bytes, project_of(asset));
+  if (!made) return json::error_at(clipped(asset.name), made.error());
   std::vector<Pictured> pictures;
-  for (const Panel& panel : made->pattern.panels) pictures.push_back({panel, std::nullopt});
-  const JsonValue report = specification_json(made->pattern, seams_json(*made), made->notes);
+  for (const pattern::Panel& panel : made->pattern.panels) pictures.push_back({panel, std::nullopt});
+  const json::JsonValue report = create::specification_json(made->pattern, create::seams_json(*made), made->notes);
   return report_of(report, pictures, asset, std::move(*made));
 }
 
 }  // namespace
 
-Result<std::string> import_pattern(Documents& documents, const RequestContext& context,
+Result<std::string> import_pattern(Documents& documents, const store::RequestContext& context,
                                    const std::string& asset, const ImportWishes& wishes) {
-  const AssetRow row = TRY(documents.store().asset(context, asset));
+  const store::AssetRow row = TRY(documents.store().asset(context, asset));
   if (row.kind != "dxf" && row.kind != "specification") {
     return Error{"documents.wrong_kind", in_quotes(row.name) + " is no pattern file", "/asset"};
   }
   const std::string bytes = TRY(documents.store().asset_bytes(context, asset));
-  const Result<JsonValue> report =
+  const Result<json::JsonValue> report =
       row.kind == "dxf" ? import_dxf(bytes, wishes, row) : import_specification(bytes, wishes, row);
   if (!report) return report.error();
-  return write_json_line(*report) + "\n";
+  return json::write_json_line(*report) + "\n";
 }
 
-}  // namespace toile
+}  // namespace toile::documents

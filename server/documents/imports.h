@@ -6,7 +6,7 @@
 #include "core/base/result.h"
 #include "server/documents/documents.h"
 
-namespace toile {
+namespace toile::documents {
 
 /// What a person says of the file, when it says nothing or something wrong.
 struct ImportWishes {
@@ -22,7 +22,7 @@ struct ImportWishes {
 /// cut, one cotton and a mannequin, without seams; null when no piece can be cut. Errors: store.not_found,
 /// documents.wrong_kind, documents.unit, documents.size; dxf.*, garmentcode.* with the file's name first in
 /// `where`.
-Result<std::string> import_pattern(Documents& documents, const RequestContext& context,
+Result<std::string> import_pattern(Documents& documents, const store::RequestContext& context,
                                    const std::string& asset, const ImportWishes& wishes);
 
-}  // namespace toile
+}  // namespace toile::documents

@@ -13,7 +13,7 @@
 #include "server/documents/edits.h"
 #include "server/documents/projects.h"
 
-namespace toile {
+namespace toile::documents {
 namespace {
 
 constexpr std::size_t kLongestName = 100;  // bytes
@@ -28,28 +28,28 @@ Vec3 rounded_mm(Vec3 metres) {
 }
 
 /// `known`: those from which the document can tell it.
-ProjectLandmark told(const std::string& name, Vec3 place, const TriangleMesh& mesh,
-                     const std::vector<Landmark>& known) {
-  const SkinPoint at = nearest_on_skin(mesh, place);
-  const Result<BodyFigure> figure = find_figure(mesh);
+project::ProjectLandmark told(const std::string& name, Vec3 place, const geometry::TriangleMesh& mesh,
+                     const std::vector<measure::Landmark>& known) {
+  const measure::SkinPoint at = measure::nearest_on_skin(mesh, place);
+  const Result<measure::BodyFigure> figure = measure::find_figure(mesh);
   if (!figure || known.empty()) return {.name = name, .triangle = at.triangle, .share = at.share};
-  const Landmark* own = landmark_named(known, name);
-  const OwnLandmark mark = own ? OwnLandmark{name, {}, name, position_of(at, mesh) - own->place}
-                               : told_from_nearest(name, at, mesh, known);
+  const measure::Landmark* own = measure::landmark_named(known, name);
+  const measure::OwnLandmark mark = own ? measure::OwnLandmark{name, {}, name, measure::position_of(at, mesh) - own->place}
+                               : measure::told_from_nearest(name, at, mesh, known);
   return {.name = name,
           .near = mark.near,
           .offset_mm = rounded_mm(mark.offset),
           .body_height_mm = rounded(mm_from_metres(figure->height()), 0.1)};
 }
 
-Result<std::size_t> index_of(const Project& project, const std::string& body) {
+Result<std::size_t> index_of(const project::Project& project, const std::string& body) {
   for (std::size_t b = 0; b < project.bodies.size(); ++b)
     if (project.bodies[b].id == body) return b;
   return Error{"edit.unknown_body", "There is no body of that name.", "body " + clipped(body)};
 }
 
-std::vector<ProjectLandmark>::iterator named(std::vector<ProjectLandmark>& list, const std::string& name) {
-  return std::find_if(list.begin(), list.end(), [&](const ProjectLandmark& l) { return l.name == name; });
+std::vector<project::ProjectLandmark>::iterator named(std::vector<project::ProjectLandmark>& list, const std::string& name) {
+  return std::find_if(list.begin(), list.end(), [&](const project::ProjectLandmark& l) { return l.name == name; });
 }
 
 Status check(const std::string& name, Vec3 place) {
@@ -64,53 +64,53 @@ Status check(const std::string& name, Vec3 place) {
 
 }  // namespace
 
-Result<ProjectRow> move_landmark(Documents& documents, const RequestContext& context, const std::string& id,
+Result<store::ProjectRow> move_landmark(Documents& documents, const store::RequestContext& context, const std::string& id,
                                  const std::string& body, const std::string& name, Vec3 place, int expected) {
   TRY(check(name, place));
-  const ProjectChange change = [&](const Project& now, ProjectFileMap& files) -> Result<Project> {
+  const ProjectChange change = [&](const project::Project& now, ProjectFileMap& files) -> Result<project::Project> {
     const std::size_t b = TRY(index_of(now, body));
-    const ProjectFiles read = files_in_store(documents, context, files);
-    const DrapeInput input = TRY(resolve_project(now, read));
+    const resolve::ProjectFiles read = files_in_store(documents, context, files);
+    const drape::DrapeInput input = TRY(resolve::resolve_project(now, read));
     // What stands before it in the document's list can tell it, and what the body has by itself.
-    Project before = now;
-    std::vector<ProjectLandmark>& earlier = before.bodies[b].landmarks;
+    project::Project before = now;
+    std::vector<project::ProjectLandmark>& earlier = before.bodies[b].landmarks;
     earlier.erase(named(earlier, name), earlier.end());
-    BodyPlaces places(before, input.bodies);
-    const Result<std::vector<Landmark>>& known = places.landmarks_of(static_cast<Index>(b));
+    resolve::BodyPlaces places(before, input.bodies);
+    const Result<std::vector<measure::Landmark>>& known = places.landmarks_of(static_cast<Index>(b));
     if (!known) return known.error();
-    ProjectLandmark mark = told(name, place, input.bodies[b].mesh, *known);
+    project::ProjectLandmark mark = told(name, place, input.bodies[b].mesh, *known);
     if (now.bodies[b].mannequin && mark.triangle)
       return Error{"landmark.of_mannequin", "this body has no landmark from which another could be told",
                    name};
-    Project wanted = now;
-    std::vector<ProjectLandmark>& list = wanted.bodies[b].landmarks;
+    project::Project wanted = now;
+    std::vector<project::ProjectLandmark>& list = wanted.bodies[b].landmarks;
     const auto at = named(list, name);
     if (at == list.end()) {
       list.push_back(std::move(mark));
     } else {
       *at = std::move(mark);
     }
-    TRY(resolve_project(wanted, read));
+    TRY(resolve::resolve_project(wanted, read));
     return wanted;
   };
   return change_project(documents, context, id, expected, change);
 }
 
-Result<ProjectRow> forget_landmark(Documents& documents, const RequestContext& context, const std::string& id,
+Result<store::ProjectRow> forget_landmark(Documents& documents, const store::RequestContext& context, const std::string& id,
                                    const std::string& body, const std::string& name, int expected) {
-  const ProjectChange change = [&](const Project& now, ProjectFileMap& files) -> Result<Project> {
+  const ProjectChange change = [&](const project::Project& now, ProjectFileMap& files) -> Result<project::Project> {
     const std::size_t b = TRY(index_of(now, body));
-    Project wanted = now;
-    std::vector<ProjectLandmark>& list = wanted.bodies[b].landmarks;
+    project::Project wanted = now;
+    std::vector<project::ProjectLandmark>& list = wanted.bodies[b].landmarks;
     const auto at = named(list, name);
     if (at == list.end())
       return Error{"edit.unknown_landmark", "The document says nothing of a landmark of that name.",
                    "landmark " + clipped(name)};
     list.erase(at);
-    TRY(resolve_project(wanted, files_in_store(documents, context, files)));
+    TRY(resolve::resolve_project(wanted, files_in_store(documents, context, files)));
     return wanted;
   };
   return change_project(documents, context, id, expected, change);
 }
 
-}  // namespace toile
+}  // namespace toile::documents

@@ -2,11 +2,11 @@
 
 #include "core/base/text.h"
 
-namespace toile {
+namespace toile::documents {
 namespace {
 
 /// Equal for equal settings, bit for bit.
-std::string key_of(const MannequinSettings& settings) {
+std::string key_of(const mannequin::MannequinSettings& settings) {
   std::string key =
       std::to_string(static_cast<int>(settings.sex)) + " " + std::to_string(settings.triangle_count);
   const auto add = [&key](double value) { key += ' ' + number_text(value); };
@@ -20,13 +20,13 @@ std::string key_of(const MannequinSettings& settings) {
 
 }  // namespace
 
-Result<std::shared_ptr<const Mannequin>> MannequinCache::get(const MannequinSettings& settings) {
+Result<std::shared_ptr<const mannequin::Mannequin>> MannequinCache::get(const mannequin::MannequinSettings& settings) {
   const std::string key = key_of(settings);
-  if (std::shared_ptr<const Mannequin> kept = kept_.find(key)) return kept;
-  Mannequin made = TRY(make_mannequin(settings));
-  auto figure = std::make_shared<const Mannequin>(std::move(made));
+  if (std::shared_ptr<const mannequin::Mannequin> kept = kept_.find(key)) return kept;
+  mannequin::Mannequin made = TRY(mannequin::make_mannequin(settings));
+  auto figure = std::make_shared<const mannequin::Mannequin>(std::move(made));
   kept_.keep(key, figure, 1);
-  return std::shared_ptr<const Mannequin>(std::move(figure));
+  return std::shared_ptr<const mannequin::Mannequin>(std::move(figure));
 }
 
-}  // namespace toile
+}  // namespace toile::documents

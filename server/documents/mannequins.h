@@ -10,7 +10,7 @@
 #include "core/body/mannequin/mannequin.h"
 #include "server/documents/recent_cache.h"
 
-namespace toile {
+namespace toile::documents {
 
 /// Figures by what was asked for; those that were used longest ago go first. Thread-safe.
 class MannequinCache {
@@ -18,11 +18,11 @@ class MannequinCache {
   explicit MannequinCache(std::size_t most) : kept_(most) {}
 
   /// Errors: those of make_mannequin, which are not kept.
-  Result<std::shared_ptr<const Mannequin>> get(const MannequinSettings& settings);
+  Result<std::shared_ptr<const mannequin::Mannequin>> get(const mannequin::MannequinSettings& settings);
   std::size_t count() const { return kept_.size(); }
 
  private:
-  RecentCache<Mannequin> kept_;
+  RecentCache<mannequin::Mannequin> kept_;
 };
 
-}  // namespace toile
+}  // namespace toile::documents

@@ -10,22 +10,22 @@
 #include "core/project/project.h"
 #include "server/documents/used_files.h"
 
-namespace toile {
+namespace toile::documents {
 namespace {
 
 constexpr std::size_t kMostFiles = 1000;
 
 /// Every asset that the map names is this owner's.
-Status check_assets(Documents& documents, const RequestContext& context, const ProjectFileMap& files) {
+Status check_assets(Documents& documents, const store::RequestContext& context, const ProjectFileMap& files) {
   if (files.size() > kMostFiles) {
     return Error{"documents.too_many_files", "a project has at most 1000 files", "/files"};
   }
   for (const auto& [name, id] : files) {
-    const Result<AssetRow> asset = documents.store().asset(context, id);
+    const Result<store::AssetRow> asset = documents.store().asset(context, id);
     if (asset) continue;
     if (asset.error().kind != ErrorKind::kNotFound) return asset.error();
     return Error{"documents.unknown_asset", "there is no uploaded file " + in_quotes(id),
-                 pointer_to("/files", name)};
+                 json::pointer_to("/files", name)};
   }
   return {};
 }
@@ -50,32 +50,32 @@ Status check_missing(const std::vector<UsedFile>& used, const ProjectFileMap& fi
                where};
 }
 
-Error wrong_kind(const AssetRow& asset, const std::string& wanted, const std::string& where) {
+Error wrong_kind(const store::AssetRow& asset, const std::string& wanted, const std::string& where) {
   return {"documents.wrong_kind",
           in_quotes(asset.name) + " was uploaded as " + in_quotes(asset.kind) + ", and " + in_quotes(wanted) +
               " is wanted here",
           where};
 }
 
-Status check_kinds(Documents& documents, const RequestContext& context, const std::vector<UsedFile>& used,
+Status check_kinds(Documents& documents, const store::RequestContext& context, const std::vector<UsedFile>& used,
                    const ProjectFileMap& files) {
   for (const UsedFile& file : used) {
-    const AssetRow asset = TRY(documents.store().asset(context, files.at(file.name)));
+    const store::AssetRow asset = TRY(documents.store().asset(context, files.at(file.name)));
     if (asset.kind != file.kind) return wrong_kind(asset, file.kind, file.where);
   }
   return {};
 }
 
 /// A row of the document with its name, once a drape could be made of it.
-Result<ProjectRow> checked(Documents& documents, const RequestContext& context, const std::string& document,
+Result<store::ProjectRow> checked(Documents& documents, const store::RequestContext& context, const std::string& document,
                            const ProjectFileMap& files) {
-  const Project project = TRY(parse_project(document));
+  const project::Project project = TRY(project::parse_project(document));
   const std::vector<UsedFile> used = used_files(project);
   TRY(check_missing(used, files));
   TRY(check_assets(documents, context, files));
   TRY(check_kinds(documents, context, used, files));
-  TRY(resolve_project(project, files_in_store(documents, context, files)));
-  ProjectRow row;
+  TRY(resolve::resolve_project(project, files_in_store(documents, context, files)));
+  store::ProjectRow row;
   row.name = project.name;
   row.document = document;
   row.files = files;
@@ -91,23 +91,23 @@ Result<std::string> asset_id_of(const ProjectFileMap& files, const std::string& 
 
 }  // namespace
 
-Result<Made<ProjectRow>> create_project(Documents& documents, const RequestContext& context,
+Result<store::Made<store::ProjectRow>> create_project(Documents& documents, const store::RequestContext& context,
                                         const std::string& document, const ProjectFileMap& files,
                                         const std::string& idempotency_key) {
-  ProjectRow row = TRY(checked(documents, context, document, files));
+  store::ProjectRow row = TRY(checked(documents, context, document, files));
   return documents.store().create_project(context, std::move(row), idempotency_key);
 }
 
-Result<ProjectRow> replace_project(Documents& documents, const RequestContext& context, const std::string& id,
+Result<store::ProjectRow> replace_project(Documents& documents, const store::RequestContext& context, const std::string& id,
                                    const std::string& document, const ProjectFileMap& files, int expected) {
-  const Result<ProjectRow> there = documents.store().project(context, id);  // before any work is done for it
+  const Result<store::ProjectRow> there = documents.store().project(context, id);  // before any work is done for it
   if (!there) return there;
-  ProjectRow row = TRY(checked(documents, context, document, files));
+  store::ProjectRow row = TRY(checked(documents, context, document, files));
   row.id = id;
   return documents.store().replace_project(context, row, expected);
 }
 
-Status check_more_files(Documents& documents, const RequestContext& context, const ProjectFileMap& has,
+Status check_more_files(Documents& documents, const store::RequestContext& context, const ProjectFileMap& has,
                         const ProjectFileMap& more) {
   ProjectFileMap all = has;
   for (const auto& [name, id] : more) {
@@ -115,26 +115,26 @@ Status check_more_files(Documents& documents, const RequestContext& context, con
     if (anew || at->second == id) continue;
     return Error{"documents.file_taken",
                  "the project has another file of the name " + in_quotes(name) + "; give this one another",
-                 pointer_to("/files", name)};
+                 json::pointer_to("/files", name)};
   }
   if (all.size() > kMostFiles) return check_assets(documents, context, all);
   return check_assets(documents, context, more);
 }
 
-Status check_image(Documents& documents, const RequestContext& context, const ProjectFileMap& files,
+Status check_image(Documents& documents, const store::RequestContext& context, const ProjectFileMap& files,
                    const std::string& name, const std::string& where) {
   const std::vector<UsedFile> used{{name, "image", where}};
   TRY(check_missing(used, files));
   return check_kinds(documents, context, used, files);
 }
 
-ProjectFiles files_in_store(Documents& documents, const RequestContext& context, ProjectFileMap files) {
+resolve::ProjectFiles files_in_store(Documents& documents, const store::RequestContext& context, ProjectFileMap files) {
   const auto map = std::make_shared<const ProjectFileMap>(std::move(files));
-  ProjectFiles out;
+  resolve::ProjectFiles out;
   const auto bytes_of = [&documents, context, map](const char* kind) {
     return [&documents, context, map, kind](const std::string& name) -> Result<std::string> {
       const std::string id = TRY(asset_id_of(*map, name));
-      const AssetRow asset = TRY(documents.store().asset(context, id));
+      const store::AssetRow asset = TRY(documents.store().asset(context, id));
       if (asset.kind != kind) return wrong_kind(asset, kind, "");
       return documents.store().asset_bytes(context, id);
     };
@@ -142,18 +142,18 @@ ProjectFiles files_in_store(Documents& documents, const RequestContext& context,
   out.dxf_text = bytes_of("dxf");
   out.image_bytes = bytes_of("image");
   out.body_mesh = [&documents, context, map](const std::string& name,
-                                             const MeshSettings& settings) -> Result<RepairedMesh> {
+                                             const mesh_import::MeshSettings& settings) -> Result<mesh_import::RepairedMesh> {
     const std::string id = TRY(asset_id_of(*map, name));
-    const Result<std::shared_ptr<const RepairedMesh>> mesh =
+    const Result<std::shared_ptr<const mesh_import::RepairedMesh>> mesh =
         documents.bodies().mesh(documents.store(), context, id, settings);
     if (!mesh) return mesh.error();
     return **mesh;
   };
-  out.mannequin = [&documents](const MannequinSettings& settings) -> Result<TriangleMesh> {
-    const std::shared_ptr<const Mannequin> made = TRY(documents.mannequins().get(settings));
+  out.mannequin = [&documents](const mannequin::MannequinSettings& settings) -> Result<geometry::TriangleMesh> {
+    const std::shared_ptr<const mannequin::Mannequin> made = TRY(documents.mannequins().get(settings));
     return made->mesh;
   };
   return out;
 }
 
-}  // namespace toile
+}  // namespace toile::documents

@@ -8,16 +8,16 @@
 #include "core/project/create/create.h"
 #include "core/project/project.h"
 
-namespace toile {
+namespace toile::documents {
 
-Result<std::string> proposals_json(const std::string& document, const ProjectFiles& files) {
-  Project project = TRY(parse_project(document));
-  project = without_bodies(std::move(project));  // they take long to make, and say nothing of seams
-  const DrapeInput input = TRY(resolve_project(project, files));
-  std::vector<JsonValue> proposals;
-  for (const SeamProposal& proposal : propose_seams(input.pattern))
-    proposals.push_back(proposal_json(input.pattern, proposal));
-  return write_json_line(std::vector<JsonMember>{{"proposals", std::move(proposals)}}) + "\n";
+Result<std::string> proposals_json(const std::string& document, const resolve::ProjectFiles& files) {
+  project::Project project = TRY(project::parse_project(document));
+  project = project::without_bodies(std::move(project));  // they take long to make, and say nothing of seams
+  const drape::DrapeInput input = TRY(resolve::resolve_project(project, files));
+  std::vector<json::JsonValue> proposals;
+  for (const seams::SeamProposal& proposal : seams::propose_seams(input.pattern))
+    proposals.push_back(create::proposal_json(input.pattern, proposal));
+  return json::write_json_line(std::vector<json::JsonMember>{{"proposals", std::move(proposals)}}) + "\n";
 }
 
-}  // namespace toile
+}  // namespace toile::documents

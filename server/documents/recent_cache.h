@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-namespace toile {
+namespace toile::documents {
 
 /// Thread-safe. Two threads that miss at once both make the value; the first one kept stays.
 template <typename Value>
@@ -59,4 +59,4 @@ class RecentCache {
   std::size_t size_ = 0;
 };
 
-}  // namespace toile
+}  // namespace toile::documents

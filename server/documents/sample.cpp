@@ -12,7 +12,7 @@
 #include "server/documents/projects.h"
 #include "server/documents/used_files.h"
 
-namespace toile {
+namespace toile::documents {
 namespace {
 
 Result<std::string> read_file(const std::filesystem::path& path) {
@@ -24,13 +24,13 @@ Result<std::string> read_file(const std::filesystem::path& path) {
 }
 
 /// The project with this very document, when a start was cut off between adding it and remembering that.
-Result<std::optional<std::string>> added_before(Documents& documents, const RequestContext& context,
+Result<std::optional<std::string>> added_before(Documents& documents, const store::RequestContext& context,
                                                 const std::string& document) {
   constexpr int kPage = 100;
   std::string cursor;
   for (;;) {
-    const std::vector<ProjectRow> page = TRY(documents.store().projects(context, cursor, kPage));
-    for (const ProjectRow& row : page) {
+    const std::vector<store::ProjectRow> page = TRY(documents.store().projects(context, cursor, kPage));
+    for (const store::ProjectRow& row : page) {
       if (row.document == document) return std::optional(row.id);
     }
     if (page.size() < kPage) return std::optional<std::string>();
@@ -38,28 +38,28 @@ Result<std::optional<std::string>> added_before(Documents& documents, const Requ
   }
 }
 
-Result<std::string> add(Documents& documents, const RequestContext& context,
+Result<std::string> add(Documents& documents, const store::RequestContext& context,
                         const std::filesystem::path& folder, const std::string& document) {
-  const Project project = TRY(parse_project(document));
+  const project::Project project = TRY(project::parse_project(document));
   ProjectFileMap files;
   for (const UsedFile& used : used_files(project)) {
     if (files.contains(used.name)) continue;
     const std::string bytes = TRY(read_file(folder / used.name));
     const std::string name = std::filesystem::path(used.name).filename().string();
-    const AssetRow asset = TRY(add_asset(documents, context, used.kind, name, bytes));
+    const store::AssetRow asset = TRY(add_asset(documents, context, used.kind, name, bytes));
     files[used.name] = asset.id;
   }
-  const Made<ProjectRow> row = TRY(create_project(documents, context, document, files));
+  const store::Made<store::ProjectRow> row = TRY(create_project(documents, context, document, files));
   return row.id;
 }
 
 }  // namespace
 
-Status add_sample_project(Documents& documents, const RequestContext& context,
+Status add_sample_project(Documents& documents, const store::RequestContext& context,
                           const std::filesystem::path& folder) {
   const std::optional<std::string> known = TRY(documents.store().get_setting(context, kSampleSetting));
   if (known) return {};
-  const std::string document = TRY(read_project_text(folder / "project.json"));
+  const std::string document = TRY(resolve::read_project_text(folder / "project.json"));
   const std::optional<std::string> before = TRY(added_before(documents, context, document));
   const Result<std::string> id =
       before ? Result<std::string>(*before) : add(documents, context, folder, document);
@@ -67,4 +67,4 @@ Status add_sample_project(Documents& documents, const RequestContext& context,
   return documents.store().put_setting(context, kSampleSetting, *id);
 }
 
-}  // namespace toile
+}  // namespace toile::documents

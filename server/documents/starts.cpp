@@ -15,32 +15,32 @@
 #include "server/documents/projects.h"
 #include "server/documents/stream_pieces.h"
 
-namespace toile {
+namespace toile::documents {
 namespace {
 
-std::string geometry_of(const DrapeInput& input, const Assembly& assembly) {
+std::string geometry_of(const drape::DrapeInput& input, const sewing::Assembly& assembly) {
   const std::vector<Vec3>& points = assembly.positions;
   const Aabb3 extent = bounding_box(points);
-  const std::string topology = encode_topology(1, grid_for(extent.low, extent.high), assembly.garment,
+  const std::string topology = proto::encode_topology(1, proto::grid_for(extent.low, extent.high), assembly.garment,
                                                stream_pieces(input, assembly.garment));
   std::string out;
   out.reserve(4 + topology.size() + 12 * points.size());
-  put(out, static_cast<std::uint32_t>(topology.size()));
+  proto::put(out, static_cast<std::uint32_t>(topology.size()));
   out += topology;
   for (const Vec3& p : points)
-    for (const double x : {p.x, p.y, p.z}) put(out, static_cast<float>(x));
+    for (const double x : {p.x, p.y, p.z}) proto::put(out, static_cast<float>(x));
   return out;
 }
 
-JsonValue vector_json(Vec3 p) { return std::vector<JsonValue>{p.x, p.y, p.z}; }
+json::JsonValue vector_json(Vec3 p) { return std::vector<json::JsonValue>{p.x, p.y, p.z}; }
 
 /// What a hand said of the place, in the words of a request to place the piece; null where nothing did.
-JsonValue by_hand(const ProjectPlacement& placement) {
-  const auto told = [](const auto& place, bool wrapped) -> JsonValue {
-    return std::vector<JsonMember>{
+json::JsonValue by_hand(const project::ProjectPlacement& placement) {
+  const auto told = [](const auto& place, bool wrapped) -> json::JsonValue {
+    return std::vector<json::JsonMember>{
         {"part", place.part},
         {"side", place.side},
-        {"at_mm", std::vector<JsonValue>{mm_from_metres(place.at.x), mm_from_metres(place.at.y)}},
+        {"at_mm", std::vector<json::JsonValue>{mm_from_metres(place.at.x), mm_from_metres(place.at.y)}},
         {"away_mm", mm_from_metres(place.away)},
         {"turn", place.turn},
         {"wrapped", wrapped}};
@@ -50,33 +50,33 @@ JsonValue by_hand(const ProjectPlacement& placement) {
   return {};
 }
 
-std::string check_of(const Project& project, const DrapeInput& input, const DrapeStart& start) {
-  std::vector<JsonValue> findings, pieces;
-  for (const Finding& finding : start.findings) findings.push_back(finding_json(finding));
-  const GarmentMesh& garment = start.assembly.garment;
+std::string check_of(const project::Project& project, const drape::DrapeInput& input, const drape::DrapeStart& start) {
+  std::vector<json::JsonValue> findings, pieces;
+  for (const preflight::Finding& finding : start.findings) findings.push_back(finding_json(finding));
+  const sewing::GarmentMesh& garment = start.assembly.garment;
   for (std::size_t p = 0; p < input.pattern.panels.size(); ++p) {
     const auto first = static_cast<std::size_t>(garment.first_vertex[p]);
     const auto end = static_cast<std::size_t>(garment.first_vertex[p + 1]);
     const Aabb3 e = bounding_box(std::span(start.assembly.positions).subspan(first, end - first));
-    pieces.push_back(std::vector<JsonMember>{{"id", input.pattern.panels[p].id},
+    pieces.push_back(std::vector<json::JsonMember>{{"id", input.pattern.panels[p].id},
                                              {"low", vector_json(e.low)},
                                              {"high", vector_json(e.high)},
                                              {"by_hand", by_hand(project.pieces[p].placement)}});
   }
-  return write_json_line(std::vector<JsonMember>{{"ready", !first_error(start.findings)},
+  return json::write_json_line(std::vector<json::JsonMember>{{"ready", !preflight::first_error(start.findings)},
                                                  {"findings", std::move(findings)},
                                                  {"pieces", std::move(pieces)}}) +
          "\n";
 }
 
-Result<StartView> make_view(Documents& documents, const RequestContext& context, const ProjectRow& row) {
-  const Project project = TRY(parse_project(row.document));
-  const DrapeInput input = TRY(resolve_project(project, files_in_store(documents, context, row.files)));
-  const DrapeStart start = TRY(prepare_start(input, {}));
+Result<StartView> make_view(Documents& documents, const store::RequestContext& context, const store::ProjectRow& row) {
+  const project::Project project = TRY(project::parse_project(row.document));
+  const drape::DrapeInput input = TRY(resolve::resolve_project(project, files_in_store(documents, context, row.files)));
+  const drape::DrapeStart start = TRY(drape::prepare_start(input, {}));
   return StartView{check_of(project, input, start), geometry_of(input, start.assembly)};
 }
 
-std::string key_of(const OwnerId& owner, const ProjectRow& row) {
+std::string key_of(const store::OwnerId& owner, const store::ProjectRow& row) {
   std::string key = owner + '\n' + row.document;
   for (const auto& [name, id] : row.files) key += '\n' + name + '\t' + id;
   return key;
@@ -88,8 +88,8 @@ std::size_t bytes_of(const std::string& key, const StartView& view) {
 
 }  // namespace
 
-Result<std::shared_ptr<const StartView>> start_of(Documents& documents, const RequestContext& context,
-                                                  const ProjectRow& project) {
+Result<std::shared_ptr<const StartView>> start_of(Documents& documents, const store::RequestContext& context,
+                                                  const store::ProjectRow& project) {
   const std::string key = key_of(context.owner, project);
   if (std::shared_ptr<const StartView> kept = documents.starts().find(key)) return kept;
   StartView made = TRY(make_view(documents, context, project));
@@ -98,4 +98,4 @@ Result<std::shared_ptr<const StartView>> start_of(Documents& documents, const Re
   return std::shared_ptr<const StartView>(std::move(view));
 }
 
-}  // namespace toile
+}  // namespace toile::documents

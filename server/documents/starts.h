@@ -7,7 +7,7 @@
 #include "core/base/result.h"
 #include "server/documents/documents.h"
 
-namespace toile {
+namespace toile::documents {
 
 struct StartView {
   /// {"ready", "findings": […], "pieces": [{"id", "low", "high", "by_hand"}]}: by_hand is what place_piece
@@ -21,7 +21,7 @@ struct StartView {
 
 /// Of the project as it stands, kept for a while. Errors: those of reading it, pattern.*, mesh.*,
 /// placement.*.
-Result<std::shared_ptr<const StartView>> start_of(Documents& documents, const RequestContext& context,
-                                                  const ProjectRow& project);
+Result<std::shared_ptr<const StartView>> start_of(Documents& documents, const store::RequestContext& context,
+                                                  const store::ProjectRow& project);
 
-}  // namespace toile
+}  // namespace toile::documents

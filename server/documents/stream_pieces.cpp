@@ -1,9 +1,9 @@
 #include "server/documents/stream_pieces.h"
 
-namespace toile {
+namespace toile::documents {
 
-std::vector<StreamPiece> stream_pieces(const DrapeInput& input, const GarmentMesh& garment) {
-  std::vector<StreamPiece> pieces;
+std::vector<proto::StreamPiece> stream_pieces(const drape::DrapeInput& input, const sewing::GarmentMesh& garment) {
+  std::vector<proto::StreamPiece> pieces;
   for (std::size_t p = 0; p < input.pattern.panels.size(); ++p) {
     const double* colour = input.fabrics[static_cast<std::size_t>(input.fabric_of_panel[p])].colour;
     pieces.push_back({input.pattern.panels[p].id,
@@ -14,4 +14,4 @@ std::vector<StreamPiece> stream_pieces(const DrapeInput& input, const GarmentMes
   return pieces;
 }
 
-}  // namespace toile
+}  // namespace toile::documents

@@ -6,9 +6,9 @@
 #include "core/sewing/garment_mesh.h"
 #include "proto/cpp/frame_codec.h"
 
-namespace toile {
+namespace toile::documents {
 
 /// The garment's pieces as viewers show them, each in its cloth's colour.
-std::vector<StreamPiece> stream_pieces(const DrapeInput& input, const GarmentMesh& garment);
+std::vector<proto::StreamPiece> stream_pieces(const drape::DrapeInput& input, const sewing::GarmentMesh& garment);
 
-}  // namespace toile
+}  // namespace toile::documents

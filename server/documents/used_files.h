@@ -5,7 +5,7 @@
 
 #include "core/project/project.h"
 
-namespace toile {
+namespace toile::documents {
 
 /// A place of the document that names a file.
 struct UsedFile {
@@ -15,6 +15,6 @@ struct UsedFile {
 };
 
 /// In the order of the document; a name stands once for each place.
-std::vector<UsedFile> used_files(const Project& project);
+std::vector<UsedFile> used_files(const project::Project& project);
 
-}  // namespace toile
+}  // namespace toile::documents

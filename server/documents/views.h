@@ -6,7 +6,7 @@
 #include "core/base/result.h"
 #include "core/project/resolve/resolve.h"
 
-namespace toile {
+namespace toile::documents {
 
 /// {"pieces": [{"id", "fabric", "colour", "grain", "outline", "holes", "edges": [{"id", "points", "curves",
 /// "length_mm", "loop"}], "notches": [{"at", "depth_mm", "inwards"}], "lines": [{"id", "points"}]}], "seams":
@@ -14,10 +14,10 @@ namespace toile {
 /// up; points are curves flattened to 0.2 mm, curves their four control points; loop 0 is the outline, 1 the
 /// first hole. Outlines counter-clockwise, first point not repeated; colour is linear RGB. Errors: json.*,
 /// project.*, dxf.*, pattern.*, … as reading the project gives them.
-Result<std::string> pieces_json(const std::string& document, const ProjectFiles& files);
+Result<std::string> pieces_json(const std::string& document, const resolve::ProjectFiles& files);
 
 /// All bodies of a project in their places as one mesh, little endian: uint32 vertices, uint32 triangles,
 /// float32 x, y, z of each vertex (m, y up), three uint32 a triangle. Errors: as above, mesh.*.
-Result<std::string> body_bytes(const std::string& document, const ProjectFiles& files);
+Result<std::string> body_bytes(const std::string& document, const resolve::ProjectFiles& files);
 
-}  // namespace toile
+}  // namespace toile::documents

@@ -6,7 +6,7 @@
 #include "server/http/problem.h"
 #include "server/http/url.h"
 
-namespace toile {
+namespace toile::http {
 namespace {
 
 Admission refused(HttpResponse response) { return {nullptr, std::move(response)}; }
@@ -33,4 +33,4 @@ Admission admit(const Router& router, HttpRequest& request, const Incoming& inco
   return {match.route, {}};
 }
 
-}  // namespace toile
+}  // namespace toile::http

@@ -7,7 +7,7 @@
 #include "server/http/message.h"
 #include "server/http/router.h"
 
-namespace toile {
+namespace toile::http {
 
 /// What the header says beside its fields.
 struct Incoming {
@@ -25,4 +25,4 @@ struct Admission {
 /// not: 400, 403, 404, 405, 413, 415, 421, 426.
 Admission admit(const Router& router, HttpRequest& request, const Incoming& incoming);
 
-}  // namespace toile
+}  // namespace toile::http

@@ -20,7 +20,7 @@
 #include "core/base/text.h"
 #include "server/http/thrown.h"
 
-namespace toile {
+namespace toile::http {
 namespace {
 
 namespace asio = boost::asio;
@@ -150,4 +150,4 @@ Result<HttpReply> HttpClient::ask(const Request& request, std::chrono::seconds w
                ErrorKind::kUnavailable};
 }
 
-}  // namespace toile
+}  // namespace toile::http

@@ -10,7 +10,7 @@
 
 #include "core/base/result.h"
 
-namespace toile {
+namespace toile::http {
 
 struct HttpReply {
   int status = 0;
@@ -44,4 +44,4 @@ class HttpClient {
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace toile
+}  // namespace toile::http

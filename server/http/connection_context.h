@@ -17,7 +17,7 @@
 #include "server/http/server_settings.h"
 #include "server/ws/session.h"
 
-namespace toile {
+namespace toile::http {
 
 class HttpSession;
 
@@ -67,7 +67,7 @@ struct ConnectionContext {
   boost::asio::thread_pool& heavy;
   BodyBudget& budget;
   Connections& connections;
-  const StreamServices& streams;
+  const ws::StreamServices& streams;
 };
 
-}  // namespace toile
+}  // namespace toile::http

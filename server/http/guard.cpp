@@ -4,7 +4,7 @@
 #include "server/http/problem.h"
 #include "server/http/url.h"
 
-namespace toile {
+namespace toile::http {
 namespace {
 
 bool is_safe(const std::string& method) { return method == "GET" || method == "HEAD"; }
@@ -25,4 +25,4 @@ std::optional<HttpResponse> turned_away(const HttpRequest& request, bool websock
   return problem(403, {"http.origin", "pages of " + in_quotes(origin) + " may not do this", "Origin"});
 }
 
-}  // namespace toile
+}  // namespace toile::http

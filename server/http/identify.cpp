@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <random>
 
-namespace toile {
+namespace toile::http {
 namespace {
 
 bool is_plain_id(const std::string& id) {
@@ -26,13 +26,13 @@ RequestIds::RequestIds() {
 
 std::string RequestIds::next() { return prefix_ + std::to_string(++count_); }
 
-RequestContext local_user(const std::string& request_id, const Log& log) {
-  return RequestContext("local", request_id, log);  // as in every row that a store of today holds
+store::RequestContext local_user(const std::string& request_id, const Log& log) {
+  return store::RequestContext("local", request_id, log);  // as in every row that a store of today holds
 }
 
-RequestContext identify(const HttpRequest& request, RequestIds& ids, const Log& log) {
+store::RequestContext identify(const HttpRequest& request, RequestIds& ids, const Log& log) {
   const std::string given = request.header("x-request-id");
   return local_user(is_plain_id(given) ? given : ids.next(), log);
 }
 
-}  // namespace toile
+}  // namespace toile::http

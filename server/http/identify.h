@@ -8,7 +8,7 @@
 #include "server/http/message.h"
 #include "server/store/request_context.h"
 
-namespace toile {
+namespace toile::http {
 
 /// Gives out ids for requests: "r_", chance that tells this server's from another's, and a number.
 /// Thread-safe.
@@ -24,10 +24,10 @@ class RequestIds {
 
 /// The one user that there is until there are accounts: whoever reaches the loopback. Also of what the
 /// service does for that user by itself.
-RequestContext local_user(const std::string& request_id, const Log& log);
+store::RequestContext local_user(const std::string& request_id, const Log& log);
 
 /// The context of a request. Its id is the caller's X-Request-Id when that is plain (1 to 64 letters, digits,
 /// '-', '_', '.'), so that a caller finds its own words in the log; else a new one.
-RequestContext identify(const HttpRequest& request, RequestIds& ids, const Log& log);
+store::RequestContext identify(const HttpRequest& request, RequestIds& ids, const Log& log);
 
-}  // namespace toile
+}  // namespace toile::http

@@ -16,7 +16,7 @@
 #include "server/http/session.h"
 #include "server/http/thrown.h"
 
-namespace toile {
+namespace toile::http {
 namespace {
 
 namespace asio = boost::asio;
@@ -79,4 +79,4 @@ asio::awaitable<void> Listener::accept_all() {
   }
 }
 
-}  // namespace toile
+}  // namespace toile::http

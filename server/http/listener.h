@@ -10,7 +10,7 @@
 #include "core/base/result.h"
 #include "server/http/connection_context.h"
 
-namespace toile {
+namespace toile::http {
 
 class Listener {
  public:
@@ -33,4 +33,4 @@ class Listener {
   int port_ = 0;
 };
 
-}  // namespace toile
+}  // namespace toile::http

@@ -1,6 +1,6 @@
 #include "server/http/message.h"
 
-namespace toile {
+namespace toile::http {
 namespace {
 
 std::string value_of(const std::map<std::string, std::string>& map, const std::string& key) {
@@ -13,4 +13,4 @@ std::string value_of(const std::map<std::string, std::string>& map, const std::s
 std::string HttpRequest::header(const std::string& lower_name) const { return value_of(headers, lower_name); }
 std::string HttpRequest::parameter(const std::string& name) const { return value_of(query, name); }
 
-}  // namespace toile
+}  // namespace toile::http

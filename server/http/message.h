@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace toile {
+namespace toile::http {
 
 struct HttpRequest {
   std::string method;                 ///< "GET"
@@ -30,4 +30,4 @@ struct HttpResponse {
   std::vector<std::pair<std::string, std::string>> headers;
 };
 
-}  // namespace toile
+}  // namespace toile::http

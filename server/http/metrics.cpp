@@ -6,7 +6,7 @@
 
 #include "core/base/text.h"
 
-namespace toile {
+namespace toile::http {
 namespace {
 
 /// Methods that count by their own name; whatever else a stranger sends counts as "other".
@@ -44,7 +44,7 @@ void Metrics::count_request(const std::string& method, int status, double second
   seconds_ += seconds;
 }
 
-std::string Metrics::text(const JobService::Counts& jobs, std::size_t viewers) const {
+std::string Metrics::text(const jobs::JobService::Counts& jobs, std::size_t viewers) const {
   std::string out;
   head(out, "toile_jobs", "gauge", "Drapes by state.");
   out += "toile_jobs{state=\"queued\"} " + number(jobs.queued) + "\n";
@@ -70,4 +70,4 @@ std::string Metrics::text(const JobService::Counts& jobs, std::size_t viewers) c
   return out;
 }
 
-}  // namespace toile
+}  // namespace toile::http

@@ -11,7 +11,7 @@
 
 #include "server/jobs/job_service.h"
 
-namespace toile {
+namespace toile::http {
 
 /// Thread-safe.
 class Metrics {
@@ -20,7 +20,7 @@ class Metrics {
 
   std::atomic<int> connections{0};  ///< open now
 
-  std::string text(const JobService::Counts& jobs, std::size_t viewers) const;
+  std::string text(const jobs::JobService::Counts& jobs, std::size_t viewers) const;
 
  private:
   mutable std::mutex mutex_;
@@ -28,4 +28,4 @@ class Metrics {
   double seconds_ = 0;                                             ///< of all requests together
 };
 
-}  // namespace toile
+}  // namespace toile::http

@@ -5,7 +5,7 @@
 #include "core/base/names.h"
 #include "core/json/tree.h"
 
-namespace toile {
+namespace toile::http {
 namespace {
 
 constexpr std::size_t kMostWords = 2000;  // of a message that quotes its input
@@ -72,18 +72,18 @@ int status_of(ErrorKind kind) {
 }
 
 HttpResponse problem(int status, const Error& error) {
-  const std::vector<JsonMember> members{
+  const std::vector<json::JsonMember> members{
       {"type", std::string("about:blank")},           {"title", status_phrase(status)},
       {"status", static_cast<double>(status)},        {"code", error.code},
       {"detail", clipped(error.message, kMostWords)}, {"where", clipped(error.where, kMostWords)}};
   HttpResponse response;
   response.status = status;
   response.content_type = "application/problem+json";
-  response.body = write_json(members);
+  response.body = json::write_json(members);
   if (status == 429 || status == 503) response.headers.emplace_back("Retry-After", "5");
   return response;
 }
 
 HttpResponse problem(const Error& error) { return problem(status_of(error.kind), error); }
 
-}  // namespace toile
+}  // namespace toile::http

@@ -6,7 +6,7 @@
 #include "core/base/result.h"
 #include "server/http/message.h"
 
-namespace toile {
+namespace toile::http {
 
 /// The phrase of a status, "Not Found".
 std::string status_phrase(int status);
@@ -21,4 +21,4 @@ int status_of(ErrorKind kind);
 HttpResponse problem(int status, const Error& error);
 HttpResponse problem(const Error& error);
 
-}  // namespace toile
+}  // namespace toile::http

@@ -8,7 +8,7 @@
 #include "server/http/problem.h"
 #include "server/http/url.h"
 
-namespace toile {
+namespace toile::http {
 namespace {
 
 bool is_capture(const std::string& part) { return part.starts_with('{'); }
@@ -116,4 +116,4 @@ HttpResponse no_route(const HttpRequest& request, const Router::Match& match) {
   return response;
 }
 
-}  // namespace toile
+}  // namespace toile::http

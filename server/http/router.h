@@ -12,10 +12,10 @@
 #include "server/http/message.h"
 #include "server/store/request_context.h"
 
-namespace toile {
+namespace toile::http {
 
 /// The context says on whose behalf; a handler that asks for nothing of anybody passes over it.
-using HttpHandler = std::function<HttpResponse(const RequestContext&, const HttpRequest&)>;
+using HttpHandler = std::function<HttpResponse(const store::RequestContext&, const HttpRequest&)>;
 
 /// What a route takes as a body.
 enum class BodyKind {
@@ -67,4 +67,4 @@ std::optional<HttpResponse> refused_body(const Route& route, const HttpRequest& 
 /// The answer where there is no route: 404, or 405 with Allow.
 HttpResponse no_route(const HttpRequest& request, const Router::Match& match);
 
-}  // namespace toile
+}  // namespace toile::http

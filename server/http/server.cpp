@@ -13,14 +13,14 @@
 #include "server/http/listener.h"
 #include "server/http/static_files.h"
 
-namespace toile {
+namespace toile::http {
 
 namespace asio = boost::asio;
 
 /// Members are destroyed from below: connections before what they work with.
 class HttpServer::Impl {
  public:
-  Impl(Store& store, JobService& jobs, Hub& hub, ServerSettings given, const Log& log)
+  Impl(store::Store& store, jobs::JobService& jobs, ws::Hub& hub, ServerSettings given, const Log& log)
       : settings_(std::move(given)),
         log_(log),
         page_(settings_.web),
@@ -33,7 +33,7 @@ class HttpServer::Impl {
         io_(settings_.io_threads),
         listener_(io_, context_) {
     router_.add_page(
-        [this](const RequestContext&, const HttpRequest& request) { return page_.get(request); });
+        [this](const store::RequestContext&, const HttpRequest& request) { return page_.get(request); });
   }
 
   Status start() {
@@ -81,7 +81,7 @@ class HttpServer::Impl {
   BodyBudget budget_;
   Connections connections_;
   asio::thread_pool light_, heavy_;
-  const StreamServices streams_;
+  const ws::StreamServices streams_;
   const ConnectionContext context_;
   asio::io_context io_;
   asio::executor_work_guard<asio::io_context::executor_type> work_{io_.get_executor()};
@@ -89,7 +89,7 @@ class HttpServer::Impl {
   std::vector<std::thread> threads_;
 };
 
-HttpServer::HttpServer(Store& store, JobService& jobs, Hub& hub, ServerSettings settings, const Log& log)
+HttpServer::HttpServer(store::Store& store, jobs::JobService& jobs, ws::Hub& hub, ServerSettings settings, const Log& log)
     : impl_(std::make_unique<Impl>(store, jobs, hub, std::move(settings), log)) {}
 
 HttpServer::~HttpServer() { stop(); }
@@ -102,4 +102,4 @@ Router& HttpServer::router() { return impl_->router(); }
 const Metrics& HttpServer::metrics() const { return impl_->metrics(); }
 const std::atomic<bool>& HttpServer::ready() const { return impl_->ready(); }
 
-}  // namespace toile
+}  // namespace toile::http

@@ -13,12 +13,12 @@
 #include "server/store/store.h"
 #include "server/ws/hub.h"
 
-namespace toile {
+namespace toile::http {
 
 class HttpServer {
  public:
   /// `store`, `jobs`, `hub` and the log's sink must outlive the server.
-  HttpServer(Store& store, JobService& jobs, Hub& hub, ServerSettings settings, const Log& log = {});
+  HttpServer(store::Store& store, jobs::JobService& jobs, ws::Hub& hub, ServerSettings settings, const Log& log = {});
   ~HttpServer();  ///< stops
 
   /// Where routes are added, before start(). The page's files are there already.
@@ -43,4 +43,4 @@ class HttpServer {
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace toile
+}  // namespace toile::http

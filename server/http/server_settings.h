@@ -7,7 +7,7 @@
 
 #include "server/ws/stream_settings.h"
 
-namespace toile {
+namespace toile::http {
 
 struct ServerSettings {
   std::string address = "127.0.0.1";  ///< of the loopback
@@ -26,7 +26,7 @@ struct ServerSettings {
   /// Of all bodies that are being received or worked on together; beyond it uploads wait for later (503).
   std::size_t most_body_bytes = std::size_t{512} << 20;
 
-  StreamSettings stream;
+  ws::StreamSettings stream;
 };
 
-}  // namespace toile
+}  // namespace toile::http

@@ -21,7 +21,7 @@
 #include "server/http/problem.h"
 #include "server/ws/on_pool.h"
 
-namespace toile {
+namespace toile::http {
 namespace {
 
 namespace asio = boost::asio;
@@ -255,7 +255,7 @@ asio::awaitable<bool> HttpSession::read_body(Parser& parser, const Route& route,
 }
 
 asio::awaitable<HttpResponse> HttpSession::handle(const Route& route, const HttpRequest& request) {
-  co_return co_await on_pool(route.heavy ? context_.heavy : context_.light, [this, &route, &request] {
+  co_return co_await ws::on_pool(route.heavy ? context_.heavy : context_.light, [this, &route, &request] {
     try {
       return route.handler(asked_, request);
     } catch (const std::bad_alloc&) {
@@ -313,9 +313,9 @@ void HttpSession::tell(const HttpRequest& request, int status, double seconds) c
 
 asio::awaitable<bool> HttpSession::serve_stream(Parser& parser, const HttpRequest& request) {
   viewer_ =
-      std::make_shared<StreamSession>(std::move(stream_), context_.streams, asked_, request.captures[0]);
+      std::make_shared<ws::StreamSession>(std::move(stream_), context_.streams, asked_, request.captures[0]);
   if (stopping_) viewer_->stop();
-  StreamSession::Handshake handshake = parser.release();
+  ws::StreamSession::Handshake handshake = parser.release();
   co_await viewer_->run(std::move(handshake));
   co_return false;
 }
@@ -359,4 +359,4 @@ std::size_t Connections::count() const {
   return sessions_.size();
 }
 
-}  // namespace toile
+}  // namespace toile::http

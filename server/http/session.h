@@ -15,7 +15,7 @@
 #include "server/http/connection_context.h"
 #include "server/http/message.h"
 
-namespace toile {
+namespace toile::http {
 
 /// All members run on the socket's strand, but for stop().
 class HttpSession : public std::enable_shared_from_this<HttpSession> {
@@ -48,11 +48,11 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   boost::beast::tcp_stream stream_;
   const ConnectionContext& context_;
   boost::beast::flat_buffer buffer_;
-  std::shared_ptr<StreamSession> viewer_;  ///< once the connection is a WebSocket
+  std::shared_ptr<ws::StreamSession> viewer_;  ///< once the connection is a WebSocket
   Clock::time_point began_;                ///< of the request at hand
-  RequestContext asked_;                   ///< whose it is
+  store::RequestContext asked_;                   ///< whose it is
   bool stopping_ = false, idle_ = false;
   bool keep_alive_ = false;  ///< whether the connection can go on after the request at hand is refused
 };
 
-}  // namespace toile
+}  // namespace toile::http

@@ -10,7 +10,7 @@
 #include "core/base/names.h"
 #include "server/http/problem.h"
 
-namespace toile {
+namespace toile::http {
 namespace {
 
 namespace fs = std::filesystem;
@@ -114,4 +114,4 @@ HttpResponse StaticFiles::get(const HttpRequest& request) const {
   return response;
 }
 
-}  // namespace toile
+}  // namespace toile::http

@@ -5,7 +5,7 @@
 
 #include "server/http/message.h"
 
-namespace toile {
+namespace toile::http {
 
 /// Answers GET from the files below a folder. What the bundler has named by its content (assets/…) may be
 /// kept for ever, the rest is asked for again.
@@ -24,4 +24,4 @@ class StaticFiles {
 /// The media type of a file name's ending.
 std::string content_type_of(const std::string& name);
 
-}  // namespace toile
+}  // namespace toile::http

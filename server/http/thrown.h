@@ -6,7 +6,7 @@
 
 #include "core/base/log.h"
 
-namespace toile {
+namespace toile::http {
 
 inline std::string words_of(const std::exception_ptr& thrown) {
   try {
@@ -26,4 +26,4 @@ inline auto or_log(Log log, const char* place) {
   };
 }
 
-}  // namespace toile
+}  // namespace toile::http

@@ -10,7 +10,7 @@
 
 #include "core/base/text.h"
 
-namespace toile {
+namespace toile::http {
 namespace {
 
 namespace urls = boost::urls;
@@ -125,4 +125,4 @@ bool is_loopback_name(std::string_view name) {
   return name == "localhost" || name.ends_with(".localhost") || name == "::1" || is_loopback_v4(name);
 }
 
-}  // namespace toile
+}  // namespace toile::http

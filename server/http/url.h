@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace toile {
+namespace toile::http {
 
 struct Target {
   std::vector<std::string> segments;         ///< decoded; a slash at the end gives an empty last one
@@ -25,4 +25,4 @@ std::optional<std::string> host_name(std::string_view host);
 /// localhost, names below it, 127.0.0.0/8 and ::1.
 bool is_loopback_name(std::string_view name);
 
-}  // namespace toile
+}  // namespace toile::http

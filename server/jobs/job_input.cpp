@@ -4,19 +4,19 @@
 #include "core/project/resolve/textures.h"
 #include "server/documents/projects.h"
 
-namespace toile {
+namespace toile::jobs {
 
-Result<DrapeInput> drape_input_of(Documents& documents, const RequestContext& context,
+Result<drape::DrapeInput> drape_input_of(documents::Documents& documents, const store::RequestContext& context,
                                   const std::string& document,
                                   const std::map<std::string, std::string>& files) {
-  const Project project = TRY(parse_project(document));
-  return resolve_project(project, files_in_store(documents, context, files));
+  const project::Project project = TRY(project::parse_project(document));
+  return resolve::resolve_project(project, documents::files_in_store(documents, context, files));
 }
 
-Result<Textures> textures_of(Documents& documents, const RequestContext& context, const std::string& document,
-                             const std::map<std::string, std::string>& files, const Pattern& pattern) {
-  const Project project = TRY(parse_project(document));
-  return read_textures(project, pattern, files_in_store(documents, context, files));
+Result<image::Textures> textures_of(documents::Documents& documents, const store::RequestContext& context, const std::string& document,
+                             const std::map<std::string, std::string>& files, const pattern::Pattern& pattern) {
+  const project::Project project = TRY(project::parse_project(document));
+  return resolve::read_textures(project, pattern, documents::files_in_store(documents, context, files));
 }
 
-}  // namespace toile
+}  // namespace toile::jobs

@@ -13,7 +13,7 @@
 #include "server/jobs/runner.h"
 #include "server/jobs/worker_pool.h"
 
-namespace toile {
+namespace toile::jobs {
 namespace {
 
 /// A job that takes the server down with it is not tried for ever.
@@ -27,7 +27,7 @@ RowEdit requeued() {
 
 class QueueingJobService final : public JobService {
  public:
-  QueueingJobService(Documents& documents, Publisher& publisher, const JobServiceSettings& settings,
+  QueueingJobService(documents::Documents& documents, Publisher& publisher, const JobServiceSettings& settings,
                      const Log& log)
       : documents_(documents),
         store_(documents.store()),
@@ -39,28 +39,28 @@ class QueueingJobService final : public JobService {
 
   Status start() override;
   void stop() override;
-  Result<Made<JobRow>> submit(const RequestContext& context, const std::string& project_id,
+  Result<store::Made<store::JobRow>> submit(const store::RequestContext& context, const std::string& project_id,
                               const std::string& idempotency_key) override;
-  Result<JobRow> pause(const RequestContext& context, const std::string& id) override;
-  Result<JobRow> resume(const RequestContext& context, const std::string& id) override;
-  Result<JobRow> cancel(const RequestContext& context, const std::string& id) override;
-  Result<JobProgress> progress(const RequestContext& context, const std::string& id) override;
+  Result<store::JobRow> pause(const store::RequestContext& context, const std::string& id) override;
+  Result<store::JobRow> resume(const store::RequestContext& context, const std::string& id) override;
+  Result<store::JobRow> cancel(const store::RequestContext& context, const std::string& id) override;
+  Result<JobProgress> progress(const store::RequestContext& context, const std::string& id) override;
   Counts counts() const override { return table_.counts(); }
 
  private:
   using Changing = JobTable::Changing;
 
-  Result<JobRow> on_request(const RequestContext& context, const std::string& id, JobEvent event,
+  Result<store::JobRow> on_request(const store::RequestContext& context, const std::string& id, JobEvent event,
                             const RowEdit& edit);
-  Error refusal(const RequestContext& context, const std::string& id, JobEvent event);
+  Error refusal(const store::RequestContext& context, const std::string& id, JobEvent event);
   Status check_parking(const Changing& changing, const LiveJob& job) const;
   Status check_queue() const;
-  Result<JobRow> row_of_drape(const RequestContext& context, const std::string& project_id);
+  Result<store::JobRow> row_of_drape(const store::RequestContext& context, const std::string& project_id);
 
   Status take_up_all();
-  Status take_up(const Changing& changing, const Store::OwnedJob& found);
-  RequestContext context_of(const Store::OwnedJob& found) const;
-  bool has_come_further(const Store::OwnedJob& found);
+  Status take_up(const Changing& changing, const store::Store::OwnedJob& found);
+  store::RequestContext context_of(const store::Store::OwnedJob& found) const;
+  bool has_come_further(const store::Store::OwnedJob& found);
   void forget_checkpoint(const LiveJob& job);
   void give_back_all();
   void give_back(const Changing& changing, LiveJob& job);
@@ -72,8 +72,8 @@ class QueueingJobService final : public JobService {
   void let_go(const LiveJobPtr& job, const std::optional<RunEnd>& run_end);
   void end(const Changing& changing, LiveJob& job, const RunEnd& run_end);
 
-  Documents& documents_;
-  Store& store_;
+  documents::Documents& documents_;
+  store::Store& store_;
   Publisher& publisher_;
   const JobServiceSettings settings_;
   const Log log_;
@@ -87,22 +87,22 @@ class QueueingJobService final : public JobService {
 // --- What people ask for ----------------------------------------------------------------------------------
 
 /// Why a job that is not in the table, or in a closed one, cannot change.
-Error QueueingJobService::refusal(const RequestContext& context, const std::string& id, JobEvent event) {
-  const JobRow row = TRY(store_.job(context, id));
+Error QueueingJobService::refusal(const store::RequestContext& context, const std::string& id, JobEvent event) {
+  const store::JobRow row = TRY(store_.job(context, id));
   TRY(next_state(row.state, event));
   return {"jobs.stopped", "the server takes no jobs up just now; try again when it has started", "",
           ErrorKind::kUnavailable};
 }
 
 Status QueueingJobService::check_parking(const Changing& changing, const LiveJob& job) const {
-  if (job.state != JobState::kRunning) return {};  // takes no memory
+  if (job.state != store::JobState::kRunning) return {};  // takes no memory
   if (table_.begun(changing) < settings_.workers + settings_.max_parked) return {};
   return Error{"jobs.too_many_paused",
                "as many drapes lie paused in memory as there is room for; resume or cancel one first", "",
                ErrorKind::kTooMany};
 }
 
-Result<JobRow> QueueingJobService::on_request(const RequestContext& context, const std::string& id,
+Result<store::JobRow> QueueingJobService::on_request(const store::RequestContext& context, const std::string& id,
                                               JobEvent event, const RowEdit& edit) {
   std::unique_ptr<JobRun> run;  // freed after the lock
   const Changing changing = table_.changing();
@@ -112,25 +112,25 @@ Result<JobRow> QueueingJobService::on_request(const RequestContext& context, con
     if (Status room = check_parking(changing, *job); !room) return room.error();
   }
   TRY(table_.change(changing, *job, event, edit));
-  context.log.info("job changed", {{"job", id}, {"state", std::string(name_of(job->state))}});
+  context.log.info("job changed", {{"job", id}, {"state", std::string(store::name_of(job->state))}});
   if (job->held) return job->row;  // the worker tells when it lets go
   table_.announce(changing, *job);
-  if (is_final(job->state)) {
+  if (store::is_final(job->state)) {
     forget_checkpoint(*job);
     run = table_.remove(changing, job);
   }
   return job->row;
 }
 
-Result<JobRow> QueueingJobService::pause(const RequestContext& context, const std::string& id) {
+Result<store::JobRow> QueueingJobService::pause(const store::RequestContext& context, const std::string& id) {
   return on_request(context, id, JobEvent::kPause, {});
 }
 
-Result<JobRow> QueueingJobService::resume(const RequestContext& context, const std::string& id) {
+Result<store::JobRow> QueueingJobService::resume(const store::RequestContext& context, const std::string& id) {
   return on_request(context, id, JobEvent::kResume, {});
 }
 
-Result<JobRow> QueueingJobService::cancel(const RequestContext& context, const std::string& id) {
+Result<store::JobRow> QueueingJobService::cancel(const store::RequestContext& context, const std::string& id) {
   return on_request(context, id, JobEvent::kCancel, with_reason("cancelled", "cancelled on request"));
 }
 
@@ -141,11 +141,11 @@ Status QueueingJobService::check_queue() const {
 }
 
 /// A drape of the project as it is now, once it is known that one can be made.
-Result<JobRow> QueueingJobService::row_of_drape(const RequestContext& context,
+Result<store::JobRow> QueueingJobService::row_of_drape(const store::RequestContext& context,
                                                 const std::string& project_id) {
-  const ProjectRow project = TRY(store_.project(context, project_id));
+  const store::ProjectRow project = TRY(store_.project(context, project_id));
   TRY(drape_input_of(documents_, context, project.document, project.files));
-  JobRow row;
+  store::JobRow row;
   row.project_id = project.id;
   row.project_revision = project.revision;
   row.name = project.name;
@@ -154,29 +154,29 @@ Result<JobRow> QueueingJobService::row_of_drape(const RequestContext& context,
   return row;
 }
 
-Result<Made<JobRow>> QueueingJobService::submit(const RequestContext& context, const std::string& project_id,
+Result<store::Made<store::JobRow>> QueueingJobService::submit(const store::RequestContext& context, const std::string& project_id,
                                                 const std::string& idempotency_key) {
-  std::optional<JobRow> before = TRY(store_.job_of_key(context, idempotency_key));
+  std::optional<store::JobRow> before = TRY(store_.job_of_key(context, idempotency_key));
   if (before && before->project_id == project_id) {
-    return Made<JobRow>{without_document(std::move(*before)), false};
+    return store::Made<store::JobRow>{without_document(std::move(*before)), false};
   }
   TRY(check_queue());
-  JobRow row = TRY(row_of_drape(context, project_id));
+  store::JobRow row = TRY(row_of_drape(context, project_id));
 
   const Changing changing = table_.changing();
   TRY(check_queue());  // others came while the document was read
-  const Made<JobRow> made = TRY(store_.create_job(context, std::move(row), idempotency_key));
+  const store::Made<store::JobRow> made = TRY(store_.create_job(context, std::move(row), idempotency_key));
   if (made.anew) {
-    const LiveJobPtr job = table_.insert(changing, context, made, JobState::kQueued);
+    const LiveJobPtr job = table_.insert(changing, context, made, store::JobState::kQueued);
     if (job) table_.announce(changing, *job);
     context.log.info("job queued", {{"job", made.id}, {"project", project_id}});
   }
-  return Made<JobRow>{without_document(made), made.anew};
+  return store::Made<store::JobRow>{without_document(made), made.anew};
 }
 
-Result<JobProgress> QueueingJobService::progress(const RequestContext& context, const std::string& id) {
+Result<JobProgress> QueueingJobService::progress(const store::RequestContext& context, const std::string& id) {
   if (const LiveJobPtr job = table_.find(context, id)) return table_.progress(*job);
-  const JobRow row = TRY(store_.job(context, id));
+  const store::JobRow row = TRY(store_.job(context, id));
   return progress_of_row(row);
 }
 
@@ -193,12 +193,12 @@ Status QueueingJobService::start() {
 
 Status QueueingJobService::take_up_all() {
   const Changing changing = table_.changing();
-  std::vector<Store::OwnedJob> found = TRY(store_.unfinished_jobs());
+  std::vector<store::Store::OwnedJob> found = TRY(store_.unfinished_jobs());
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
     return std::pair(a.job.created_ms, a.job.id) < std::pair(b.job.created_ms, b.job.id);
   });
   table_.open(changing);
-  for (const Store::OwnedJob& job : found) {
+  for (const store::Store::OwnedJob& job : found) {
     Status taken = take_up(changing, job);
     if (taken) continue;
     table_.close(changing);
@@ -208,15 +208,15 @@ Status QueueingJobService::take_up_all() {
   return {};
 }
 
-Status QueueingJobService::take_up(const Changing& changing, const Store::OwnedJob& found) {
-  const JobState state = found.job.state;
-  if (is_final(state)) return {};
+Status QueueingJobService::take_up(const Changing& changing, const store::Store::OwnedJob& found) {
+  const store::JobState state = found.job.state;
+  if (store::is_final(state)) return {};
   const LiveJobPtr job = table_.insert(changing, context_of(found), found.job, state);
-  if (!job || state == JobState::kQueued) return {};
-  const bool further = state == JobState::kRunning && has_come_further(found);
-  if (state == JobState::kPaused || found.job.attempt < kMaxAttempts || further) {
+  if (!job || state == store::JobState::kQueued) return {};
+  const bool further = state == store::JobState::kRunning && has_come_further(found);
+  if (state == store::JobState::kPaused || found.job.attempt < kMaxAttempts || further) {
     const RowEdit reason = requeued();
-    return table_.change(changing, *job, JobEvent::kRequeue, [&](JobRow& row) {
+    return table_.change(changing, *job, JobEvent::kRequeue, [&](store::JobRow& row) {
       reason(row);
       if (further) row.attempt = 0;
     });
@@ -231,13 +231,13 @@ Status QueueingJobService::take_up(const Changing& changing, const Store::OwnedJ
 }
 
 /// Nobody waits any more for the request that once asked for it.
-RequestContext QueueingJobService::context_of(const Store::OwnedJob& found) const {
-  return RequestContext(found.owner, "", log_);
+store::RequestContext QueueingJobService::context_of(const store::Store::OwnedJob& found) const {
+  return store::RequestContext(found.owner, "", log_);
 }
 
 /// Whether the last attempt kept a checkpoint before it was cut off: then it was not the job that it came
 /// from.
-bool QueueingJobService::has_come_further(const Store::OwnedJob& found) {
+bool QueueingJobService::has_come_further(const store::Store::OwnedJob& found) {
   const auto kept = store_.checkpoint(context_of(found), found.job.id);
   return kept && kept->kept_ms >= found.job.started_ms;
 }
@@ -271,9 +271,9 @@ void QueueingJobService::give_back_all() {
 /// after a crash.
 void QueueingJobService::give_back(const Changing& changing, LiveJob& job) {
   const bool begun = job.run != nullptr;
-  if (!begun && job.state == JobState::kQueued) return;  // as the store has it
+  if (!begun && job.state == store::JobState::kQueued) return;  // as the store has it
   const RowEdit reason = requeued();
-  const Status given = table_.change(changing, job, JobEvent::kRequeue, [&](JobRow& row) {
+  const Status given = table_.change(changing, job, JobEvent::kRequeue, [&](store::JobRow& row) {
     reason(row);
     if (begun) row.attempt = std::max(0, row.attempt - 1);
   });
@@ -298,7 +298,7 @@ LiveJobPtr QueueingJobService::claim() {
 
 Status QueueingJobService::claim(const Changing& changing, LiveJob& job) {
   const bool anew = job.run == nullptr;
-  Status claimed = table_.change(changing, job, JobEvent::kClaim, [&](JobRow& row) {
+  Status claimed = table_.change(changing, job, JobEvent::kClaim, [&](store::JobRow& row) {
     row.reason_code.clear();
     row.reason.clear();
     row.reason_where.clear();
@@ -332,8 +332,8 @@ bool QueueingJobService::work_once() {
   RunControl control;
   control.interrupt = &job->interrupt;
   // A stop waits for pictures of a finished drape; a person who paused or cancelled does not.
-  control.abandon = [&] { return table_.state(*job) != JobState::kRunning; };
-  control.worth_keeping = [&] { return !is_final(table_.state(*job)); };
+  control.abandon = [&] { return table_.state(*job) != store::JobState::kRunning; };
+  control.worth_keeping = [&] { return !store::is_final(table_.state(*job)); };
   control.on_progress = [&](const JobProgress& progress) { table_.hear(*job, progress); };
   let_go(job, job->run->go_on(control));
   return true;
@@ -346,9 +346,9 @@ void QueueingJobService::let_go(const LiveJobPtr& job, const std::optional<RunEn
     const Changing changing = table_.changing();
     table_.take_back(changing, *job);
     if (run_end) end(changing, *job, *run_end);
-    if (is_final(job->state)) {
+    if (store::is_final(job->state)) {
       job->context.log.info("job ended",
-                            {{"state", std::string(name_of(job->state))}, {"reason", job->row.reason_code}});
+                            {{"state", std::string(store::name_of(job->state))}, {"reason", job->row.reason_code}});
       forget_checkpoint(*job);
       unnamed_results = job->row.results.empty();
       table_.announce(changing, *job);
@@ -368,10 +368,10 @@ void QueueingJobService::forget_results(const LiveJob& job) {
 }
 
 void QueueingJobService::end(const Changing& changing, LiveJob& job, const RunEnd& run_end) {
-  if (is_final(job.state)) return;  // cancelled before: the end comes too late
+  if (store::is_final(job.state)) return;  // cancelled before: the end comes too late
   const RowEdit reason = with_reason(run_end.code, run_end.reason, run_end.where);
   const JobEvent event = run_end.succeeded ? JobEvent::kFinish : JobEvent::kFail;
-  Status ended = table_.change(changing, job, event, [&](JobRow& row) {
+  Status ended = table_.change(changing, job, event, [&](store::JobRow& row) {
     reason(row);
     row.report = run_end.report;
     row.results = run_end.results;
@@ -388,9 +388,9 @@ void QueueingJobService::end(const Changing& changing, LiveJob& job, const RunEn
 
 }  // namespace
 
-std::unique_ptr<JobService> make_job_service(Documents& documents, Publisher& publisher,
+std::unique_ptr<JobService> make_job_service(documents::Documents& documents, Publisher& publisher,
                                              const JobServiceSettings& settings, const Log& log) {
   return std::make_unique<QueueingJobService>(documents, publisher, settings, log);
 }
 
-}  // namespace toile
+}  // namespace toile::jobs

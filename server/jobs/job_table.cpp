@@ -4,21 +4,21 @@
 #include <chrono>
 #include <utility>
 
-namespace toile {
+namespace toile::jobs {
 
 std::int64_t unix_ms() {
   using namespace std::chrono;
   return duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count();
 }
 
-JobRow without_document(JobRow row) {
+store::JobRow without_document(store::JobRow row) {
   row.document.clear();
   row.files.clear();
   return row;
 }
 
 RowEdit with_reason(std::string code, std::string reason, std::string where) {
-  return [code = std::move(code), reason = std::move(reason), where = std::move(where)](JobRow& row) {
+  return [code = std::move(code), reason = std::move(reason), where = std::move(where)](store::JobRow& row) {
     row.reason_code = code;
     row.reason = reason;
     row.reason_where = where;
@@ -27,9 +27,9 @@ RowEdit with_reason(std::string code, std::string reason, std::string where) {
 
 Status JobTable::change(const Changing&, LiveJob& job, JobEvent event, const RowEdit& edit) {
   const JobTransition next = TRY(next_state(job.state, event));
-  JobRow row = job.row;
+  store::JobRow row = job.row;
   row.state = next.state;
-  if (is_final(next.state)) row.ended_ms = unix_ms();
+  if (store::is_final(next.state)) row.ended_ms = unix_ms();
   if (edit) edit(row);
   if (next.effects.persist) {
     if (Status written = store_.update_job(job.context, row); !written) return written;
@@ -48,16 +48,16 @@ Status JobTable::change(const Changing&, LiveJob& job, JobEvent event, const Row
 
 void JobTable::fail_in_memory(const Changing&, LiveJob& job) {
   const std::lock_guard lock(mutex_);
-  job.state = JobState::kFailed;
+  job.state = store::JobState::kFailed;
   queue_.put(job.id, QueuePlace::kOut);
   count_end(job.state);
 }
 
 /// REQUIRES mutex_.
-void JobTable::count_end(JobState state) {
-  if (state == JobState::kSucceeded) ++totals_.succeeded;
-  if (state == JobState::kFailed) ++totals_.failed;
-  if (state == JobState::kCancelled) ++totals_.cancelled;
+void JobTable::count_end(store::JobState state) {
+  if (state == store::JobState::kSucceeded) ++totals_.succeeded;
+  if (state == store::JobState::kFailed) ++totals_.failed;
+  if (state == store::JobState::kCancelled) ++totals_.cancelled;
 }
 
 /// REQUIRES mutex_.
@@ -70,15 +70,15 @@ JobProgress JobTable::progress_now(const LiveJob& job) const {
 
 void JobTable::announce(const Changing&, const LiveJob& job) {
   const JobProgress now = progress(job);
-  if (is_final(job.state) || !open_) {
+  if (store::is_final(job.state) || !open_) {
     publisher_.ended(job.id, now);
   } else {
     publisher_.progress(job.id, now);
   }
 }
 
-LiveJobPtr JobTable::insert(const Changing&, const RequestContext& context, const JobRow& row,
-                            JobState state) {
+LiveJobPtr JobTable::insert(const Changing&, const store::RequestContext& context, const store::JobRow& row,
+                            store::JobState state) {
   auto job = std::make_shared<LiveJob>();
   job->id = row.id;
   job->context = context.for_job(row.id);
@@ -97,7 +97,7 @@ std::unique_ptr<JobRun> JobTable::remove(const Changing&, const LiveJobPtr& job)
   const std::lock_guard lock(mutex_);
   queue_.put(job->id, QueuePlace::kOut);
   jobs_.erase(job->id);
-  if (is_final(job->state)) epochs_.erase(job->id);
+  if (store::is_final(job->state)) epochs_.erase(job->id);
   return std::move(job->run);
 }
 
@@ -160,7 +160,7 @@ void JobTable::close(const Changing&) {
   bell_.notify_all();
 }
 
-LiveJobPtr JobTable::find(const RequestContext& context, const std::string& id) const {
+LiveJobPtr JobTable::find(const store::RequestContext& context, const std::string& id) const {
   const std::lock_guard lock(mutex_);
   const auto found = jobs_.find(id);
   return found != jobs_.end() && found->second->context.owner == context.owner ? found->second : nullptr;
@@ -171,7 +171,7 @@ JobProgress JobTable::progress(const LiveJob& job) const {
   return progress_now(job);
 }
 
-JobState JobTable::state(const LiveJob& job) const {
+store::JobState JobTable::state(const LiveJob& job) const {
   const std::lock_guard lock(mutex_);
   return job.state;
 }
@@ -180,9 +180,9 @@ JobService::Counts JobTable::counts() const {
   const std::lock_guard lock(mutex_);
   JobService::Counts counts = totals_;
   for (const auto& [id, job] : jobs_) {
-    counts.queued += job->state == JobState::kQueued;
-    counts.running += job->state == JobState::kRunning;
-    counts.paused += job->state == JobState::kPaused;
+    counts.queued += job->state == store::JobState::kQueued;
+    counts.running += job->state == store::JobState::kRunning;
+    counts.paused += job->state == store::JobState::kPaused;
   }
   return counts;
 }
@@ -208,4 +208,4 @@ void JobTable::hear(LiveJob& job, const JobProgress& progress) {
   publisher_.progress(job.id, progress);
 }
 
-}  // namespace toile
+}  // namespace toile::jobs

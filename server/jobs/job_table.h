@@ -19,16 +19,16 @@
 #include "server/jobs/runner.h"
 #include "server/store/store.h"
 
-namespace toile {
+namespace toile::jobs {
 
 /// A job that has not ended, or whose worker has not yet let go. Members are written under both locks of the
 /// table and read under either. Two exceptions: progress is under the lock of memory only, and run belongs to
 /// the worker while it holds the job.
 struct LiveJob {
   std::string id;
-  RequestContext context;  ///< of whoever asked for it; its log names the job
-  JobRow row;              ///< without the document
-  JobState state = JobState::kQueued;
+  store::RequestContext context;  ///< of whoever asked for it; its log names the job
+  store::JobRow row;              ///< without the document
+  store::JobState state = store::JobState::kQueued;
   bool held = false;            ///< a worker has it
   JobProgress progress;         ///< as the worker told it last
   std::unique_ptr<JobRun> run;  ///< begun, maybe parked
@@ -37,9 +37,9 @@ struct LiveJob {
 };
 using LiveJobPtr = std::shared_ptr<LiveJob>;
 
-using RowEdit = std::function<void(JobRow&)>;
+using RowEdit = std::function<void(store::JobRow&)>;
 RowEdit with_reason(std::string code, std::string reason, std::string where = "");
-JobRow without_document(JobRow row);
+store::JobRow without_document(store::JobRow row);
 std::int64_t unix_ms();
 
 /// Two locks. One puts changes into an order: what a change writes to the store and tells the publisher
@@ -50,7 +50,7 @@ class JobTable {
  public:
   using Changing = std::unique_lock<std::mutex>;
 
-  JobTable(Store& store, Publisher& publisher) : store_(store), publisher_(publisher) {}
+  JobTable(store::Store& store, Publisher& publisher) : store_(store), publisher_(publisher) {}
 
   [[nodiscard]] Changing changing() { return Changing(change_mutex_); }
 
@@ -66,7 +66,7 @@ class JobTable {
   void announce(const Changing&, const LiveJob& job);
   /// Puts a job at the end of the queue as `state`. Gives back nothing when it is there already or the table
   /// is closed.
-  LiveJobPtr insert(const Changing&, const RequestContext& context, const JobRow& row, JobState state);
+  LiveJobPtr insert(const Changing&, const store::RequestContext& context, const store::JobRow& row, store::JobState state);
   /// Takes a job out and gives back its drape, to be freed when the locks are not held.
   std::unique_ptr<JobRun> remove(const Changing&, const LiveJobPtr& job);
   /// The first of the queue that no worker holds.
@@ -87,9 +87,9 @@ class JobTable {
 
   // Without.
 
-  LiveJobPtr find(const RequestContext& context, const std::string& id) const;
+  LiveJobPtr find(const store::RequestContext& context, const std::string& id) const;
   JobProgress progress(const LiveJob& job) const;
-  JobState state(const LiveJob& job) const;
+  store::JobState state(const LiveJob& job) const;
   JobService::Counts counts() const;
   /// Waits until a job may be taken: true; or until the table is closed: false.
   bool wait_for_work();
@@ -101,9 +101,9 @@ class JobTable {
  private:
   LiveJobPtr ready() const;
   JobProgress progress_now(const LiveJob& job) const;
-  void count_end(JobState state);
+  void count_end(store::JobState state);
 
-  Store& store_;
+  store::Store& store_;
   Publisher& publisher_;
   std::mutex change_mutex_;  // before mutex_
   mutable std::mutex mutex_;
@@ -115,4 +115,4 @@ class JobTable {
   JobService::Counts totals_;                    ///< ends and steps only
 };
 
-}  // namespace toile
+}  // namespace toile::jobs

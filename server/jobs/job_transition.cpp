@@ -3,13 +3,13 @@
 #include <string>
 #include <string_view>
 
-namespace toile {
+namespace toile::jobs {
 namespace {
 
 struct Row {
-  JobState from;
+  store::JobState from;
   JobEvent event;
-  JobState to;
+  store::JobState to;
   JobEffects effects;
 };
 
@@ -50,21 +50,21 @@ constexpr std::array<std::string_view, kJobEvents.size()> kEventWords{
     "taken by a worker", "reported on", "paused", "resumed",
     "cancelled",         "finished",    "failed", "put back into the queue"};
 
-Error refusal(JobState state, JobEvent event) {
-  const std::string verb = state == kCancelled ? "was " : is_final(state) ? "has " : "is ";
+Error refusal(store::JobState state, JobEvent event) {
+  const std::string verb = state == kCancelled ? "was " : store::is_final(state) ? "has " : "is ";
   return {"jobs.state",
-          "a job that " + verb + std::string(name_of(state)) + " cannot be " +
+          "a job that " + verb + std::string(store::name_of(state)) + " cannot be " +
               std::string(kEventWords.at(static_cast<std::size_t>(event))),
           "", ErrorKind::kConflict};
 }
 
 }  // namespace
 
-Result<JobTransition> next_state(JobState state, JobEvent event) {
+Result<JobTransition> next_state(store::JobState state, JobEvent event) {
   for (const Row& row : kTable) {
     if (row.from == state && row.event == event) return JobTransition{row.to, row.effects};
   }
   return refusal(state, event);
 }
 
-}  // namespace toile
+}  // namespace toile::jobs

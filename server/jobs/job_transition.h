@@ -24,7 +24,7 @@
 #include "core/base/result.h"
 #include "server/store/job_state.h"
 
-namespace toile {
+namespace toile::jobs {
 
 enum class JobEvent {
   kClaim,     ///< a worker takes it
@@ -53,11 +53,11 @@ struct JobEffects {
 };
 
 struct JobTransition {
-  JobState state = JobState::kQueued;
+  store::JobState state = store::JobState::kQueued;
   JobEffects effects;
 };
 
 /// Error: jobs.state, with words for a person, when `event` cannot happen in `state`.
-Result<JobTransition> next_state(JobState state, JobEvent event);
+Result<JobTransition> next_state(store::JobState state, JobEvent event);
 
-}  // namespace toile
+}  // namespace toile::jobs

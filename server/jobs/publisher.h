@@ -10,7 +10,7 @@
 #include "core/base/types.h"
 #include "server/store/job_state.h"
 
-namespace toile {
+namespace toile::jobs {
 
 /// What does not change within an epoch of a job's stream: an immutable shared object.
 struct StreamTopology {
@@ -30,7 +30,7 @@ struct StreamFrame {
 
 /// Figures that go along with a running job, for progress displays.
 struct JobProgress {
-  JobState state = JobState::kQueued;
+  store::JobState state = store::JobState::kQueued;
   std::string phase;  ///< "queued", "mesh", "sew", "drape", "stills"
   double fraction = 0;
   int step = 0;
@@ -56,4 +56,4 @@ class Publisher {
   virtual void ended(const std::string& job_id, const JobProgress& last) = 0;
 };
 
-}  // namespace toile
+}  // namespace toile::jobs

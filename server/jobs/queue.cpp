@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace toile {
+namespace toile::jobs {
 
 void JobQueue::put(const std::string& id, QueuePlace place) {
   std::erase(ids_, id);
@@ -16,4 +16,4 @@ std::optional<std::string> JobQueue::first(const std::function<bool(const std::s
   return *found;
 }
 
-}  // namespace toile
+}  // namespace toile::jobs

@@ -8,7 +8,7 @@
 
 #include "server/jobs/job_transition.h"
 
-namespace toile {
+namespace toile::jobs {
 
 /// Ids of waiting jobs, each at most once. Not thread-safe: whoever owns it locks.
 class JobQueue {
@@ -22,4 +22,4 @@ class JobQueue {
   std::deque<std::string> ids_;
 };
 
-}  // namespace toile
+}  // namespace toile::jobs

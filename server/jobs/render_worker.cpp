@@ -3,7 +3,7 @@
 #include <chrono>
 #include <utility>
 
-namespace toile {
+namespace toile::jobs {
 namespace {
 
 constexpr auto kAskEvery = std::chrono::milliseconds(10);
@@ -58,4 +58,4 @@ void RenderWorker::work() {
   }
 }
 
-}  // namespace toile
+}  // namespace toile::jobs

@@ -14,7 +14,7 @@
 #include "core/base/result.h"
 #include "core/base/run_context.h"
 
-namespace toile {
+namespace toile::jobs {
 
 class RenderWorker {
  public:
@@ -49,4 +49,4 @@ class RenderWorker {
   std::thread thread_;  // last: it uses all of the above
 };
 
-}  // namespace toile
+}  // namespace toile::jobs

@@ -13,7 +13,7 @@
 #include "server/render/png.h"
 #include "server/render/still.h"
 
-namespace toile {
+namespace toile::jobs {
 namespace {
 
 namespace fs = std::filesystem;
@@ -21,14 +21,14 @@ namespace fs = std::filesystem;
 constexpr int kThumbnailWidth = 320,
               kThumbnailHeight = 400;  // pixels; the page's list shows them at half of it
 
-std::vector<std::string> panel_names(const Pattern& pattern) {
+std::vector<std::string> panel_names(const pattern::Pattern& pattern) {
   std::vector<std::string> names;
-  for (const Panel& panel : pattern.panels) names.push_back(panel.id);
+  for (const pattern::Panel& panel : pattern.panels) names.push_back(panel.id);
   return names;
 }
 
-Scene scene_of(const DrapeInput& input, const DrapeResult& result, const Textures& textures) {
-  Scene scene;
+render::Scene scene_of(const drape::DrapeInput& input, const drape::DrapeResult& result, const image::Textures& textures) {
+  render::Scene scene;
   scene.cloth.positions = result.positions;
   scene.cloth.triangles = result.garment.triangles;
   scene.cloth.panel_of_triangle = result.garment.panel_of_triangle;
@@ -39,13 +39,13 @@ Scene scene_of(const DrapeInput& input, const DrapeResult& result, const Texture
     const double* colour = input.fabrics[static_cast<std::size_t>(fabric)].colour;
     scene.cloth.colour_of_panel.push_back({colour[0], colour[1], colour[2]});
   }
-  for (const Body& body : input.bodies) scene.bodies.push_back({.mesh = &body.mesh});
+  for (const body::Body& body : input.bodies) scene.bodies.push_back({.mesh = &body.mesh});
   return scene;
 }
 
-Status write_view(const Scene& scene, View view, const StillSettings& settings, const fs::path& path) {
-  const Image image = TRY(render_still(scene, view, settings));
-  return write_png(path, image);
+Status write_view(const render::Scene& scene, render::View view, const render::StillSettings& settings, const fs::path& path) {
+  const render::Image image = TRY(render::render_still(scene, view, settings));
+  return render::write_png(path, image);
 }
 
 Result<std::string> bytes_of(const fs::path& path) {
@@ -58,14 +58,14 @@ Result<std::string> bytes_of(const fs::path& path) {
 
 }  // namespace
 
-Status write_models(const DrapeInput& input, const DrapeResult& result, const Textures& textures,
+Status write_models(const drape::DrapeInput& input, const drape::DrapeResult& result, const image::Textures& textures,
                     const fs::path& folder, bool check_data) {
-  const GarmentMesh& garment = result.garment;
+  const sewing::GarmentMesh& garment = result.garment;
   const std::vector<std::string> names = panel_names(input.pattern);
-  const ObjPanels panels{names, garment.panel_of_triangle, garment.rest};
-  TRY(check_data ? write_check_data(folder, garment, result.positions, input.bodies, panels)
-                 : write_obj(folder / "final.obj", result.positions, garment.triangles, panels));
-  GlbModel model;
+  const exports::ObjPanels panels{names, garment.panel_of_triangle, garment.rest};
+  TRY(check_data ? exports::write_check_data(folder, garment, result.positions, input.bodies, panels)
+                 : exports::write_obj(folder / "final.obj", result.positions, garment.triangles, panels));
+  exports::GlbModel model;
   model.garment = &garment;
   model.positions = result.positions;
   model.panel_names = names;
@@ -73,16 +73,16 @@ Status write_models(const DrapeInput& input, const DrapeResult& result, const Te
   model.fabric_of_panel = input.fabric_of_panel;
   model.bodies = input.bodies;
   model.textures = &textures;
-  return write_glb(folder / "final.glb", model);
+  return exports::write_glb(folder / "final.glb", model);
 }
 
-Status write_stills(const DrapeInput& input, const DrapeResult& result, const Textures& textures,
+Status write_stills(const drape::DrapeInput& input, const drape::DrapeResult& result, const image::Textures& textures,
                     const fs::path& folder, int width, int height, const RunContext& context) {
-  const Scene scene = scene_of(input, result, textures);
-  const StillSettings settings{.width = width, .height = height};
+  const render::Scene scene = scene_of(input, result, textures);
+  const render::StillSettings settings{.width = width, .height = height};
   for (const auto& [view, name] :
-       {std::pair{View::kFront, "front"}, std::pair{View::kBack, "back"}, std::pair{View::kSide, "side"},
-        std::pair{View::kThreeQuarter, "three-quarter"}}) {
+       {std::pair{render::View::kFront, "front"}, std::pair{render::View::kBack, "back"}, std::pair{render::View::kSide, "side"},
+        std::pair{render::View::kThreeQuarter, "three-quarter"}}) {
     if (context.cancelled())
       return Error{"cancelled", "the pictures are not wanted any more", "", ErrorKind::kCancelled};
     TRY(write_view(scene, view, settings, folder / (std::string(name) + ".png")));
@@ -90,9 +90,9 @@ Status write_stills(const DrapeInput& input, const DrapeResult& result, const Te
   return {};
 }
 
-Status write_thumbnail(const DrapeInput& input, const DrapeResult& result, const Textures& textures,
+Status write_thumbnail(const drape::DrapeInput& input, const drape::DrapeResult& result, const image::Textures& textures,
                        const fs::path& folder) {
-  return write_view(scene_of(input, result, textures), View::kThreeQuarter,
+  return write_view(scene_of(input, result, textures), render::View::kThreeQuarter,
                     {.width = kThumbnailWidth, .height = kThumbnailHeight}, folder / "thumbnail.png");
 }
 
@@ -110,7 +110,7 @@ TemporaryFolder::~TemporaryFolder() {
   fs::remove_all(path_, ignored);
 }
 
-Result<std::map<std::string, std::int64_t>> keep_results(Store& store, const RequestContext& context,
+Result<std::map<std::string, std::int64_t>> keep_results(store::Store& store, const store::RequestContext& context,
                                                          const std::string& job_id, const fs::path& folder) {
   std::map<std::string, fs::path> files;
   std::error_code failure;
@@ -129,4 +129,4 @@ Result<std::map<std::string, std::int64_t>> keep_results(Store& store, const Req
   return sizes;
 }
 
-}  // namespace toile
+}  // namespace toile::jobs

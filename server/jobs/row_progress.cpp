@@ -2,23 +2,23 @@
 
 #include "core/json/tree.h"
 
-namespace toile {
+namespace toile::jobs {
 namespace {
 
-double number_in(const JsonValue& object, std::string_view key) {
-  const JsonValue* found = object.find(key);
+double number_in(const json::JsonValue& object, std::string_view key) {
+  const json::JsonValue* found = object.find(key);
   const double* number = found ? found->number() : nullptr;
   return number ? *number : 0;
 }
 
 }  // namespace
 
-JobProgress progress_of_row(const JobRow& row) {
+JobProgress progress_of_row(const store::JobRow& row) {
   JobProgress progress;
   progress.state = row.state;
-  progress.phase = row.state == JobState::kQueued ? "queued" : "";
+  progress.phase = row.state == store::JobState::kQueued ? "queued" : "";
   if (row.report.empty()) return progress;
-  const Result<JsonValue> report = parse_json(row.report);
+  const Result<json::JsonValue> report = json::parse_json(row.report);
   if (!report) return progress;
   progress.phase = "stills";
   progress.fraction = 1;
@@ -26,11 +26,11 @@ JobProgress progress_of_row(const JobRow& row) {
   progress.simulated_s = number_in(*report, "simulated_s");
   progress.rms_speed = number_in(*report, "rms_speed");
   progress.seam_gap_mm = number_in(*report, "seam_gap_max_mm");
-  if (const JsonValue* crossings = report->find("intersections")) {
+  if (const json::JsonValue* crossings = report->find("intersections")) {
     progress.cloth_body = static_cast<int>(number_in(*crossings, "cloth_body"));
     progress.cloth_cloth = static_cast<int>(number_in(*crossings, "cloth_cloth"));
   }
   return progress;
 }
 
-}  // namespace toile
+}  // namespace toile::jobs

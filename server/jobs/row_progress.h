@@ -3,9 +3,9 @@
 #include "server/jobs/publisher.h"
 #include "server/store/store.h"
 
-namespace toile {
+namespace toile::jobs {
 
 /// What a job that is not under way has to show: its state, and the figures of its report when there is one.
-JobProgress progress_of_row(const JobRow& row);
+JobProgress progress_of_row(const store::JobRow& row);
 
-}  // namespace toile
+}  // namespace toile::jobs

@@ -6,14 +6,14 @@
 #include "core/base/units.h"
 #include "core/drape/stop_reason.h"
 
-namespace toile {
+namespace toile::jobs {
 namespace {
 
 std::string seconds(double s) { return fixed_text(s, 2) + " s"; }
 
 std::string millimetres(double m) { return fixed_text(mm_from_metres(m), 1) + " mm"; }
 
-std::string at_rest(const DrapeResult& result) {
+std::string at_rest(const drape::DrapeResult& result) {
   return "the cloth came to rest after " + seconds(result.simulated_time) + " with ";
 }
 
@@ -35,38 +35,38 @@ RunEnd failed(std::string code, std::string reason, std::string where) {
 
 }  // namespace
 
-RunEnd verdict_on(const DrapeInput& input, const DrapeResult& result) {
-  const StopReason& why = result.stop_reason;
+RunEnd verdict_on(const drape::DrapeInput& input, const drape::DrapeResult& result) {
+  const drape::StopReason& why = result.stop_reason;
   switch (why.kind) {
-    case Stop::kSettled:
+    case drape::Stop::kSettled:
       return succeeded("settled", "the cloth came to rest after " + seconds(result.simulated_time));
-    case Stop::kTime:
+    case drape::Stop::kTime:
       return succeeded("time", "the cloth still moved after " + seconds(input.settings.max_time) +
                                    "; a higher settings.max_time_s or settle_speed_mm_s lets it settle");
-    case Stop::kStalledSeam:
+    case drape::Stop::kStalledSeam:
       return failed(
           "drape.stalled_seam",
           "the seam did not close; place its pieces nearer to each other, with nothing between them",
           "seam " + why.name);
-    case Stop::kOpenSeam:
+    case drape::Stop::kOpenSeam:
       return failed("drape.open_seam",
                     at_rest(result) + "the seam still " + millimetres(why.gap) +
                         " open; see whether its sides are as long as each other and nothing lies between",
                     "seam " + why.name);
-    case Stop::kOpenButton:
+    case drape::Stop::kOpenButton:
       return failed("drape.open_button",
                     at_rest(result) + "the button's thread still " + millimetres(why.gap) +
                         " too long; see whether the button and its hole can reach each other",
                     "button " + why.name);
-    case Stop::kNotFinite:
+    case drape::Stop::kNotFinite:
       return failed(
           "drape.not_finite",
           "the simulation left the numbers; a smaller settings.time_step_s or a softer fabric helps", "");
-    case Stop::kCancelled:
+    case drape::Stop::kCancelled:
       break;
   }
   // Who cancels a job asks for no verdict; a drape that was cut off all the same is told as that.
-  return failed("drape.stopped", "the drape stopped before its end: " + to_string(why), "");
+  return failed("drape.stopped", "the drape stopped before its end: " + drape::to_string(why), "");
 }
 
-}  // namespace toile
+}  // namespace toile::jobs

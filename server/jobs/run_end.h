@@ -8,7 +8,7 @@
 #include "core/drape/drape_input.h"
 #include "core/drape/drape_result.h"
 
-namespace toile {
+namespace toile::jobs {
 
 /// What the job's row is to say. The results are in the store by then.
 struct RunEnd {
@@ -22,6 +22,6 @@ struct RunEnd {
 /// succeeded with code "time": there is cloth to look at. drape.stalled_seam, drape.open_seam and
 /// drape.open_button (with the seam or button as their place), drape.not_finite and drape.stopped are
 /// failures. Report and results stay empty.
-RunEnd verdict_on(const DrapeInput& input, const DrapeResult& result);
+RunEnd verdict_on(const drape::DrapeInput& input, const drape::DrapeResult& result);
 
-}  // namespace toile
+}  // namespace toile::jobs

@@ -14,7 +14,7 @@
 #include "server/jobs/job_input.h"
 #include "server/jobs/results.h"
 
-namespace toile {
+namespace toile::jobs {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -37,9 +37,9 @@ RunEnd failed(const Error& error) {
 
 /// What pictures are drawn from and where they go. The drawing thread may hold it longer than the run lives.
 struct Delivery {
-  std::shared_ptr<const DrapeInput> input;
-  std::shared_ptr<const DrapeResult> result;
-  Textures textures;
+  std::shared_ptr<const drape::DrapeInput> input;
+  std::shared_ptr<const drape::DrapeResult> result;
+  image::Textures textures;
   std::unique_ptr<TemporaryFolder> folder;
 };
 
@@ -57,9 +57,9 @@ Status draw(const RunPlace& place, const RunControl& control, std::shared_ptr<co
 
 }  // namespace
 
-JobRun::JobRun(const RunPlace& place, RequestContext context, std::string job_id, std::uint32_t epoch)
+JobRun::JobRun(const RunPlace& place, store::RequestContext context, std::string job_id, std::uint32_t epoch)
     : place_(place), context_(std::move(context)), job_id_(std::move(job_id)), epoch_(epoch) {
-  progress_.state = JobState::kRunning;
+  progress_.state = store::JobState::kRunning;
 }
 
 std::optional<RunEnd> JobRun::go_on(const RunControl& control) {
@@ -93,7 +93,7 @@ std::optional<RunEnd> JobRun::through_all_stages(const RunControl& control) {
   if (run_) {
     drape_on(control);
     if (!run_->done()) return std::nullopt;
-    result_ = std::make_shared<const DrapeResult>(run_->conclude());
+    result_ = std::make_shared<const drape::DrapeResult>(run_->conclude());
     read_figures();
     run_.reset();  // the solver's memory is not needed for the rest
   }
@@ -112,15 +112,15 @@ RunContext JobRun::context_of(const RunControl& control) {
 Status JobRun::begin(const RunControl& control) {
   tell(control, "mesh", 0);
   if (!input_) {
-    const JobRow row = TRY(place_.documents->store().job(context_, job_id_));
-    DrapeInput input = TRY(drape_input_of(*place_.documents, context_, row.document, row.files));
-    input_ = std::make_shared<const DrapeInput>(std::move(input));
+    const store::JobRow row = TRY(place_.documents->store().job(context_, job_id_));
+    drape::DrapeInput input = TRY(drape_input_of(*place_.documents, context_, row.document, row.files));
+    input_ = std::make_shared<const drape::DrapeInput>(std::move(input));
   }
   RunContext context = context_of(control);
   context.on_progress = [&](const Progress& p) { tell(control, "mesh", p.phase == "mesh" ? p.fraction : 1); };
-  std::unique_ptr<DrapeRun> run = TRY(start_or_resume(context));
+  std::unique_ptr<drape::DrapeRun> run = TRY(start_or_resume(context));
   run_ = std::move(run);
-  const DrapeSession& session = run_->session();
+  const drape::DrapeSession& session = run_->session();
   progress_.first_step = checkpoint_step_ = session.steps();
   next_checkpoint_ = later(place_.checkpoint_every);
   stream_.emplace(*place_.publisher, job_id_, epoch_, *input_, session.garment(), session.start_positions());
@@ -130,13 +130,13 @@ Status JobRun::begin(const RunControl& control) {
 
 /// From the newest checkpoint; one that is of no use (damaged, of another version) costs the time that it
 /// would have saved and nothing else.
-Result<std::unique_ptr<DrapeRun>> JobRun::start_or_resume(const RunContext& context) {
+Result<std::unique_ptr<drape::DrapeRun>> JobRun::start_or_resume(const RunContext& context) {
   if (const auto kept = place_.documents->store().checkpoint(context_, job_id_)) {
-    auto run = DrapeRun::resume(*input_, kept->bytes, context, nullptr);
+    auto run = drape::DrapeRun::resume(*input_, kept->bytes, context, nullptr);
     if (run || run.error().kind != ErrorKind::kSystem) return run;
     context_.log.warn("checkpoint of no use; the drape starts anew", run.error());
   }
-  return DrapeRun::start(*input_, context, nullptr);
+  return drape::DrapeRun::start(*input_, context, nullptr);
 }
 
 /// A store that takes none (its disk is full) is no reason to stop. Keeping takes at most a twentieth of the
@@ -160,7 +160,7 @@ void JobRun::drape_on(const RunControl& control) {
     if (Clock::now() >= next_checkpoint_) keep_checkpoint();
   }
   if (!run_->done() && control.worth_keeping()) keep_checkpoint();
-  const DrapeSession& session = run_->session();
+  const drape::DrapeSession& session = run_->session();
   if (run_->done() && stream_->step() != session.steps()) {
     stream_->show(session.steps(), session.time(), session.positions());
   }
@@ -168,7 +168,7 @@ void JobRun::drape_on(const RunControl& control) {
 
 /// To the next streamed frame, or as far as the time of a slice goes.
 void JobRun::advance_slice(const RunControl& control) {
-  const DrapeSession& session = run_->session();
+  const drape::DrapeSession& session = run_->session();
   const int to_frame = place_.stream_interval - session.steps() % place_.stream_interval;
   const double affordable = kSlice / std::max(1e-3, progress_.step_ms);
   const int steps = std::clamp(static_cast<int>(std::min(affordable, 1e6)), 1, to_frame);
@@ -186,7 +186,7 @@ void JobRun::advance_slice(const RunControl& control) {
 
 void JobRun::read_figures() {
   if (!run_) return;
-  const DrapeSession& session = run_->session();
+  const drape::DrapeSession& session = run_->session();
   progress_.step = session.steps();
   progress_.simulated_s = session.time();
   progress_.rms_speed = session.rms_speed();
@@ -206,8 +206,8 @@ void JobRun::tell(const RunControl& control, std::string_view phase, double frac
   control.on_progress(progress_);
 }
 
-Result<Textures> JobRun::read_pictures() {
-  const JobRow row = TRY(place_.documents->store().job(context_, job_id_));
+Result<image::Textures> JobRun::read_pictures() {
+  const store::JobRow row = TRY(place_.documents->store().job(context_, job_id_));
   return textures_of(*place_.documents, context_, row.document, row.files, input_->pattern);
 }
 
@@ -223,8 +223,8 @@ Result<RunEnd> JobRun::deliver(const RunControl& control) {
   const std::filesystem::path& path = delivery->folder->path();
 
   RunEnd end = verdict_on(*input_, *result_);
-  end.report = report_json(make_report(*input_, *result_));
-  if (Result<Textures> textures = read_pictures(); textures) {
+  end.report = exports::report_json(analysis::make_report(*input_, *result_));
+  if (Result<image::Textures> textures = read_pictures(); textures) {
     delivery->textures = std::move(*textures);
   } else {  // the drape is worth keeping without them
     context_.log.warn("pictures on pieces not read", textures.error());
@@ -243,4 +243,4 @@ Result<RunEnd> JobRun::deliver(const RunControl& control) {
   return end;
 }
 
-}  // namespace toile
+}  // namespace toile::jobs

@@ -22,11 +22,11 @@
 #include "server/jobs/stream.h"
 #include "server/store/store.h"
 
-namespace toile {
+namespace toile::jobs {
 
 /// What a run needs of the house. All of it outlives the run.
 struct RunPlace {
-  Documents* documents = nullptr;
+  documents::Documents* documents = nullptr;
   Publisher* publisher = nullptr;
   RenderWorker* renderer = nullptr;
   int stream_interval = 50;  ///< substeps between streamed frames
@@ -45,7 +45,7 @@ struct RunControl {
 /// A job's drape under way. Between two calls of go_on it lies in memory, and any thread may call it next.
 class JobRun {
  public:
-  JobRun(const RunPlace& place, RequestContext context, std::string job_id, std::uint32_t epoch);
+  JobRun(const RunPlace& place, store::RequestContext context, std::string job_id, std::uint32_t epoch);
 
   /// Goes on until the end, or until it is interrupted: then it gives back nothing. Whatever is thrown inside
   /// is caught here, and the run ends with code internal.memory, internal.exception or internal.unknown.
@@ -55,25 +55,25 @@ class JobRun {
  private:
   std::optional<RunEnd> through_all_stages(const RunControl& control);
   Status begin(const RunControl& control);
-  Result<std::unique_ptr<DrapeRun>> start_or_resume(const RunContext& context);
+  Result<std::unique_ptr<drape::DrapeRun>> start_or_resume(const RunContext& context);
   void keep_checkpoint();
   void drape_on(const RunControl& control);
   void advance_slice(const RunControl& control);
-  Result<Textures> read_pictures();
+  Result<image::Textures> read_pictures();
   Result<RunEnd> deliver(const RunControl& control);
   void tell(const RunControl& control, std::string_view phase, double fraction);
   void read_figures();
   RunContext context_of(const RunControl& control);
 
   RunPlace place_;
-  RequestContext context_;
+  store::RequestContext context_;
   std::string job_id_;
   std::uint32_t epoch_;
 
-  std::shared_ptr<const DrapeInput> input_;  ///< pictures may outlive the run
-  std::unique_ptr<DrapeRun> run_;            ///< until the drape is done
+  std::shared_ptr<const drape::DrapeInput> input_;  ///< pictures may outlive the run
+  std::unique_ptr<drape::DrapeRun> run_;            ///< until the drape is done
   std::optional<JobStream> stream_;
-  std::shared_ptr<const DrapeResult> result_;  ///< from then on
+  std::shared_ptr<const drape::DrapeResult> result_;  ///< from then on
 
   JobProgress progress_;
   std::chrono::steady_clock::time_point told_;
@@ -81,4 +81,4 @@ class JobRun {
   int checkpoint_step_ = -1;
 };
 
-}  // namespace toile
+}  // namespace toile::jobs

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace toile {
+namespace toile::jobs {
 
 WorkerPool::WorkerPool(int threads, std::function<bool()> work_once) : work_once_(std::move(work_once)) {
   threads_.reserve(static_cast<std::size_t>(threads));
@@ -16,4 +16,4 @@ WorkerPool::WorkerPool(int threads, std::function<bool()> work_once) : work_once
 
 WorkerPool::~WorkerPool() = default;  // a jthread joins
 
-}  // namespace toile
+}  // namespace toile::jobs

@@ -4,7 +4,7 @@
 #include <thread>
 #include <vector>
 
-namespace toile {
+namespace toile::jobs {
 
 /// Threads that do one thing after the other.
 class WorkerPool {
@@ -21,4 +21,4 @@ class WorkerPool {
   std::vector<std::jthread> threads_;
 };
 
-}  // namespace toile
+}  // namespace toile::jobs

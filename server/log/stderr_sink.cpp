@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <exception>
 
-namespace toile {
+namespace toile::log {
 namespace {
 
 bool is_plain(char c) {
@@ -99,4 +99,4 @@ std::string log_text(std::string_view event, std::span<const LogField> bound,
   return line;
 }
 
-}  // namespace toile
+}  // namespace toile::log

@@ -5,7 +5,7 @@
 
 #include "core/base/log.h"
 
-namespace toile {
+namespace toile::log {
 
 /// Tells what is at least as grave as `least`.
 std::unique_ptr<LogSink> make_stderr_sink(LogLevel least = LogLevel::kInfo);
@@ -14,4 +14,4 @@ std::unique_ptr<LogSink> make_stderr_sink(LogLevel least = LogLevel::kInfo);
 /// line or the quotes escaped: a stranger's header must not forge a line.
 std::string log_text(std::string_view event, std::span<const LogField> bound, std::span<const LogField> more);
 
-}  // namespace toile
+}  // namespace toile::log

@@ -6,7 +6,7 @@
 
 #include "core/base/units.h"
 
-namespace toile {
+namespace toile::render {
 namespace {
 
 constexpr double kHalfHeight = 0.19;  // tangent of half the field of view: a long lens, little distortion
@@ -150,4 +150,4 @@ Matrix4 parallel_matrix(const Aabb3& box, Vec3 direction) {
           1};
 }
 
-}  // namespace toile
+}  // namespace toile::render

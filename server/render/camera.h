@@ -6,7 +6,7 @@
 #include "core/base/types.h"
 #include "server/render/scene.h"
 
-namespace toile {
+namespace toile::render {
 
 /// Where the viewer stands. The body faces +z; "side" shows its left.
 enum class View { kFront, kBack, kSide, kThreeQuarter };
@@ -35,4 +35,4 @@ Camera frame_scene(const Scene& scene, View view, double aspect);
 /// Scene points seen along `direction` in parallel, the box's ball filling [-1, 1]³. For shadow maps.
 Matrix4 parallel_matrix(const Aabb3& box, Vec3 direction);
 
-}  // namespace toile
+}  // namespace toile::render

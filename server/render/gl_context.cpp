@@ -15,7 +15,7 @@ extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa"; 
 extern "C" const char* __tsan_default_suppressions() { return "called_from_lib:libOSMesa"; }
 #endif
 
-namespace toile {
+namespace toile::render {
 namespace {
 
 Error no_context(const std::string& why) {
@@ -78,4 +78,4 @@ Result<std::unique_ptr<GlContext>> GlContext::create() {
   return std::unique_ptr<GlContext>(std::move(context));
 }
 
-}  // namespace toile
+}  // namespace toile::render

@@ -8,7 +8,7 @@
 
 #include "core/base/result.h"
 
-namespace toile {
+namespace toile::render {
 
 // X(type, member): the OpenGL function "gl" + member.
 #define TOILE_GL_FUNCTIONS(X)                                                \
@@ -98,4 +98,4 @@ class GlContext {
   GlFunctions gl_;
 };
 
-}  // namespace toile
+}  // namespace toile::render

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace toile {
+namespace toile::render {
 namespace {
 
 template <typename Generate>
@@ -80,4 +80,4 @@ GlProgram::~GlProgram() {
   if (name_ != 0) gl_->DeleteProgram(name_);
 }
 
-}  // namespace toile
+}  // namespace toile::render

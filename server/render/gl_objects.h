@@ -7,7 +7,7 @@
 #include "core/base/result.h"
 #include "server/render/gl_context.h"
 
-namespace toile {
+namespace toile::render {
 
 /// Makes objects and deletes them all when it ends. Its context must be current then.
 class GlScope {
@@ -51,4 +51,4 @@ class GlProgram {
   GLuint name_;
 };
 
-}  // namespace toile
+}  // namespace toile::render

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace toile {
+namespace toile::render {
 namespace {
 
 // Of the extension EXT_texture_filter_anisotropic, which Mesa has had for long.
@@ -19,7 +19,7 @@ GLint anisotropy(const GlFunctions& gl) {
 
 }  // namespace
 
-GLuint upload_picture(GlScope& scope, const Picture& picture) {
+GLuint upload_picture(GlScope& scope, const image::Picture& picture) {
   const GlFunctions& gl = scope.gl();
   const GLuint texture = scope.texture();
   gl.BindTexture(GL_TEXTURE_2D, texture);
@@ -36,4 +36,4 @@ GLuint upload_picture(GlScope& scope, const Picture& picture) {
   return texture;
 }
 
-}  // namespace toile
+}  // namespace toile::render

@@ -3,10 +3,10 @@
 #include "core/base/write_file.h"
 #include "core/image/write_png.h"
 
-namespace toile {
+namespace toile::render {
 
 Result<std::string> png_bytes(const Image& image) {
-  Result<std::string> bytes = encode_png(image.width, image.height, 3, image.rgb);
+  Result<std::string> bytes = image::encode_png(image.width, image.height, 3, image.rgb);
   if (!bytes) return Error{"render.bad_image", bytes.error().message, "", ErrorKind::kInternal};
   return bytes;
 }
@@ -16,4 +16,4 @@ Status write_png(const std::filesystem::path& path, const Image& image) {
   return write_file(path, bytes);
 }
 
-}  // namespace toile
+}  // namespace toile::render

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-namespace toile {
+namespace toile::render {
 namespace {
 
 constexpr double kFarthest = 1000;  // m; floats still resolve 0.1 mm there
@@ -66,13 +66,13 @@ Status check_cloth(const ClothView& cloth) {
 Status check_textures(const ClothView& cloth) {
   if (cloth.textures == nullptr) return {};
   for (const auto& image : cloth.textures->images) {
-    const Picture& picture = image->read.picture;
+    const image::Picture& picture = image->read.picture;
     const auto pixels = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
     if (pixels == 0 || picture.rgba.size() != 4 * pixels)
       return Error{"render.bad_scene", "a picture's pixels do not fit its size", image->name,
                    ErrorKind::kInternal};
   }
-  for (const std::optional<PanelTexture>& texture : cloth.textures->of_panel) {
+  for (const std::optional<image::PanelTexture>& texture : cloth.textures->of_panel) {
     if (!texture) continue;
     if (texture->image < 0 || static_cast<std::size_t>(texture->image) >= cloth.textures->images.size())
       return Error{"render.bad_index", "a panel names a picture that is not there", "", ErrorKind::kInternal};
@@ -114,7 +114,7 @@ Status check_scene(const Scene& scene) {
   TRY(check_textures(scene.cloth));
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const std::string owner = "body " + std::to_string(b);
-    const TriangleMesh* mesh = scene.bodies[b].mesh;
+    const geometry::TriangleMesh* mesh = scene.bodies[b].mesh;
     if (mesh == nullptr) return Error{"render.bad_scene", "a body has no mesh", owner, ErrorKind::kInternal};
     TRY(check_points(mesh->vertices, owner));
     if (Status bad = check_triangles(mesh->triangles, mesh->vertices.size(), owner); !bad.ok()) return bad;
@@ -126,4 +126,4 @@ Status check_scene(const Scene& scene) {
   return {};
 }
 
-}  // namespace toile
+}  // namespace toile::render

@@ -12,7 +12,7 @@
 #include "core/body/body.h"
 #include "core/image/texture.h"
 
-namespace toile {
+namespace toile::render {
 
 using LinearRgb = std::array<double, 3>;  ///< linear light, 0 to 1
 
@@ -24,14 +24,14 @@ struct ClothView {
   std::span<const Index> weld;               ///< one per vertex: least sewn vertex; may be empty
   std::vector<LinearRgb> colour_of_panel;    ///< one per panel; panels past its end take kClothColour
   std::span<const Vec2> rest;                ///< m, one per vertex, carries weave and pictures; may be empty
-  const Textures* textures = nullptr;        ///< pictures on panels; may be null
+  const image::Textures* textures = nullptr;        ///< pictures on panels; may be null
 };
 
 inline constexpr LinearRgb kClothColour{0.30, 0.40, 0.55};
 inline constexpr LinearRgb kMannequinColour{0.56, 0.52, 0.48};
 
 struct BodyView {
-  const TriangleMesh* mesh = nullptr;
+  const geometry::TriangleMesh* mesh = nullptr;
   LinearRgb colour = kMannequinColour;
 };
 
@@ -53,4 +53,4 @@ double floor_height(const Scene& scene);
 /// origin), "render.bad_index", "render.bad_scene" (arrays of different lengths), each with the place.
 Status check_scene(const Scene& scene);
 
-}  // namespace toile
+}  // namespace toile::render

@@ -1,6 +1,6 @@
 #include "server/render/shaders.h"
 
-namespace toile::shaders {
+namespace toile::render::shaders {
 
 const char* const kVersion = "#version 330 core\n#define SKY_TILES 5\n#define SKY_LIGHTS 25\n";
 static_assert(kSkyTiles == 5 && kSkyLights == 25, "kVersion repeats these numbers");
@@ -322,4 +322,4 @@ out vec4 pixel;
 void main() { pixel = developed(backdrop(gl_FragCoord.xy)); }
 )";
 
-}  // namespace toile::shaders
+}  // namespace toile::render::shaders

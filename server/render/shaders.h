@@ -1,7 +1,7 @@
 #pragma once
 // GLSL 3.30 sources. A program is kShaderVersion + what it uses, in order.
 
-namespace toile::shaders {
+namespace toile::render::shaders {
 
 inline constexpr int kSkyTiles = 5;                       ///< sky maps lie in a square atlas, so many a side
 inline constexpr int kSkyLights = kSkyTiles * kSkyTiles;  ///< directions from which the soft light comes
@@ -18,4 +18,4 @@ extern const char* const kGroundFragment;
 extern const char* const kBackdropVertex;
 extern const char* const kBackdropFragment;
 
-}  // namespace toile::shaders
+}  // namespace toile::render::shaders

@@ -6,7 +6,7 @@
 #include "server/render/picture_texture.h"
 #include "server/render/shaders.h"
 
-namespace toile {
+namespace toile::render {
 namespace {
 
 constexpr int kKeyMapSide = 1280;          // texels; under 2 mm each around a person
@@ -309,4 +309,4 @@ Result<std::vector<std::uint8_t>> Shot::take(int width, int height, int samples)
   return rgba;
 }
 
-}  // namespace toile
+}  // namespace toile::render

@@ -12,7 +12,7 @@
 #include "server/render/studio.h"
 #include "server/render/surface_vertices.h"
 
-namespace toile {
+namespace toile::render {
 
 /// Shader programs, kept from one picture to the next.
 struct Programs {
@@ -64,4 +64,4 @@ class Shot {
   GLuint key_map_ = 0, sky_map_ = 0;
 };
 
-}  // namespace toile
+}  // namespace toile::render

@@ -5,7 +5,7 @@
 
 #include "server/render/shot.h"
 
-namespace toile {
+namespace toile::render {
 namespace {
 
 Status check_settings(const StillSettings& s) {
@@ -94,4 +94,4 @@ Result<Image> render_still(const Scene& scene, View view, const StillSettings& s
   return kept->render(scene, view, settings);
 }
 
-}  // namespace toile
+}  // namespace toile::render

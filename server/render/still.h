@@ -9,7 +9,7 @@
 #include "server/render/camera.h"
 #include "server/render/scene.h"
 
-namespace toile {
+namespace toile::render {
 
 /// 8-bit sRGB, three bytes per pixel, rows from the top.
 struct Image {
@@ -44,4 +44,4 @@ class StillRenderer {
 /// One still, with a renderer that the calling thread keeps. Errors: as above.
 Result<Image> render_still(const Scene& scene, View view, const StillSettings& settings = {});
 
-}  // namespace toile
+}  // namespace toile::render

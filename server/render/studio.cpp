@@ -5,7 +5,7 @@
 #include "core/base/units.h"
 #include "server/render/shaders.h"
 
-namespace toile {
+namespace toile::render {
 namespace {
 
 constexpr double kLowestSky = 0.08;  // sine of the lowest sky light's elevation
@@ -46,4 +46,4 @@ Lights studio(const Camera& camera, Aabb3 box) {
   return lights;
 }
 
-}  // namespace toile
+}  // namespace toile::render

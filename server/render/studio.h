@@ -7,7 +7,7 @@
 #include "core/base/aabb.h"
 #include "server/render/camera.h"
 
-namespace toile {
+namespace toile::render {
 
 inline constexpr int kSkyTileSide = 192;  ///< texels of one sky light's depth map; about 1 cm around a person
 
@@ -23,4 +23,4 @@ struct Lights {
 /// so that folds show from every side. Soft light comes from an overcast sky, which does not turn.
 Lights studio(const Camera& camera, Aabb3 box);
 
-}  // namespace toile
+}  // namespace toile::render

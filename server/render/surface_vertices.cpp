@@ -7,7 +7,7 @@
 
 #include "core/mesh/vertex_normals.h"
 
-namespace toile {
+namespace toile::render {
 namespace {
 
 constexpr float kSeamStrength = 0.62f;
@@ -117,13 +117,13 @@ Index panel_of(const ClothView& cloth, std::size_t triangle) {
 }
 
 /// The picture on a triangle's panel, or null.
-const PanelTexture* texture_on(const ClothView& cloth, std::size_t triangle) {
+const image::PanelTexture* texture_on(const ClothView& cloth, std::size_t triangle) {
   if (cloth.textures == nullptr || cloth.rest.empty()) return nullptr;
-  return texture_of(*cloth.textures, panel_of(cloth, triangle));
+  return image::texture_of(*cloth.textures, panel_of(cloth, triangle));
 }
 
 Index image_on(const ClothView& cloth, std::size_t triangle) {
-  const PanelTexture* const texture = texture_on(cloth, triangle);
+  const image::PanelTexture* const texture = texture_on(cloth, triangle);
   return texture == nullptr ? kNone : texture->image;
 }
 
@@ -144,13 +144,13 @@ LinearRgb colour_of(const ClothView& cloth, std::size_t triangle) {
 }  // namespace
 
 std::vector<ClothVertex> cloth_vertices(const ClothView& cloth) {
-  const std::vector<Vec3> normals = vertex_normals(cloth.positions, cloth.triangles, cloth.weld);
+  const std::vector<Vec3> normals = mesh::vertex_normals(cloth.positions, cloth.triangles, cloth.weld);
   const LineMarker lines(cloth);
   std::vector<ClothVertex> out;
   out.reserve(cloth.triangles.size() * 3);
   for (const std::size_t t : drawing_order(cloth)) {
     const LinearRgb colour = colour_of(cloth, t);
-    const PanelTexture* const texture = texture_on(cloth, t);
+    const image::PanelTexture* const texture = texture_on(cloth, t);
     ClothVertex corners[3];
     for (int i = 0; i < 3; ++i) {
       const Index v = cloth.triangles[t][i];
@@ -160,7 +160,7 @@ std::vector<ClothVertex> cloth_vertices(const ClothView& cloth) {
       const Vec2 rest = cloth.rest.empty() ? Vec2{} : cloth.rest[v];
       corners[i].rest[0] = static_cast<float>(rest.x);
       corners[i].rest[1] = static_cast<float>(rest.y);
-      const Vec2 repeats = texture == nullptr ? Vec2{} : texture_at(*texture, rest);
+      const Vec2 repeats = texture == nullptr ? Vec2{} : image::texture_at(*texture, rest);
       corners[i].picture_at[0] = static_cast<float>(repeats.x);
       corners[i].picture_at[1] = static_cast<float>(1 - repeats.y);
     }
@@ -181,8 +181,8 @@ std::vector<ClothRun> cloth_runs(const ClothView& cloth) {
   return runs;
 }
 
-std::vector<BodyVertex> body_vertices(const TriangleMesh& mesh) {
-  const std::vector<Vec3> normals = vertex_normals(mesh.vertices, mesh.triangles);
+std::vector<BodyVertex> body_vertices(const geometry::TriangleMesh& mesh) {
+  const std::vector<Vec3> normals = mesh::vertex_normals(mesh.vertices, mesh.triangles);
   std::vector<BodyVertex> out(mesh.vertices.size());
   for (std::size_t v = 0; v < out.size(); ++v) {
     set(out[v].position, mesh.vertices[v]);
@@ -191,4 +191,4 @@ std::vector<BodyVertex> body_vertices(const TriangleMesh& mesh) {
   return out;
 }
 
-}  // namespace toile
+}  // namespace toile::render

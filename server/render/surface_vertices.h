@@ -5,7 +5,7 @@
 
 #include "server/render/scene.h"
 
-namespace toile {
+namespace toile::render {
 
 /// A cloth vertex. Triangles share none, since seam lines differ by triangle.
 struct ClothVertex {
@@ -38,6 +38,6 @@ std::vector<ClothVertex> cloth_vertices(const ClothView& cloth);
 std::vector<ClothRun> cloth_runs(const ClothView& cloth);
 
 /// One vertex per vertex of the mesh, for its own triangles as indices.
-std::vector<BodyVertex> body_vertices(const TriangleMesh& mesh);
+std::vector<BodyVertex> body_vertices(const geometry::TriangleMesh& mesh);
 
-}  // namespace toile
+}  // namespace toile::render

@@ -16,7 +16,7 @@
 #include "server/store/file_name.h"
 #include "server/store/ids.h"
 
-namespace toile {
+namespace toile::store {
 namespace {
 
 namespace fs = std::filesystem;
@@ -265,4 +265,4 @@ void Blobs::keep_checkpoints_of(const std::set<std::string>& job_ids) const {
   for (const fs::path& path : left) fs::remove(path, failure);  // what stays is tried again next time
 }
 
-}  // namespace toile
+}  // namespace toile::store

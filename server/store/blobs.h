@@ -13,7 +13,7 @@
 #include "core/base/result.h"
 #include "server/store/store.h"
 
-namespace toile {
+namespace toile::store {
 
 class Blobs {
  public:
@@ -63,4 +63,4 @@ class Blobs {
 /// Waits until the disk has the folder's list of names. Errors: store.full, store.failed.
 Status sync_folder(const std::filesystem::path& folder);
 
-}  // namespace toile
+}  // namespace toile::store

@@ -5,7 +5,7 @@
 
 #include "core/base/names.h"
 
-namespace toile {
+namespace toile::store {
 namespace {
 
 constexpr std::size_t kLongestName = 255;  // bytes; what Linux file systems take
@@ -63,4 +63,4 @@ std::string ending_of(std::string_view file_name) {
   return plain && !ending.empty() && ending.size() <= kLongest ? "." + ending : ".bin";
 }
 
-}  // namespace toile
+}  // namespace toile::store

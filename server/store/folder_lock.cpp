@@ -8,7 +8,7 @@
 #include <system_error>
 #include <utility>
 
-namespace toile {
+namespace toile::store {
 
 Result<FolderLock> FolderLock::take(const std::filesystem::path& folder) {
   FolderLock lock;
@@ -28,4 +28,4 @@ FolderLock::~FolderLock() {
   if (fd_ >= 0) ::close(fd_);
 }
 
-}  // namespace toile
+}  // namespace toile::store

@@ -4,7 +4,7 @@
 
 #include "core/base/result.h"
 
-namespace toile {
+namespace toile::store {
 
 /// Holds a folder against other processes (and other stores of this one) for as long as it lives. The system
 /// lets go when the process dies, however it dies.
@@ -21,4 +21,4 @@ class FolderLock {
   int fd_ = -1;
 };
 
-}  // namespace toile
+}  // namespace toile::store

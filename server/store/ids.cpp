@@ -6,7 +6,7 @@
 #include <array>
 #include <cstddef>
 
-namespace toile {
+namespace toile::store {
 namespace {
 
 /// In the order of their bytes, so that text sorts as the numbers do.
@@ -48,4 +48,4 @@ Result<std::string> IdSource::next(char letter, std::int64_t now_ms) {
   return id;
 }
 
-}  // namespace toile
+}  // namespace toile::store

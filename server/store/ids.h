@@ -7,7 +7,7 @@
 
 #include "core/base/result.h"
 
-namespace toile {
+namespace toile::store {
 
 /// Gives out ids: a letter, "_", 8 characters of time and 12 of chance, all of 0-9a-z without i, l, o, u.
 /// Each sorts after the one before, even when the clock is set back. Not thread-safe.
@@ -25,4 +25,4 @@ class IdSource {
 /// Whether `text` has the form of an id of that letter.
 bool is_id(std::string_view text, char letter);
 
-}  // namespace toile
+}  // namespace toile::store

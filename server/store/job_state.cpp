@@ -1,6 +1,6 @@
 #include "server/store/job_state.h"
 
-namespace toile {
+namespace toile::store {
 namespace {
 
 struct StateRow {
@@ -42,4 +42,4 @@ std::string unfinished_states_in_sql() {
   return list;
 }
 
-}  // namespace toile
+}  // namespace toile::store

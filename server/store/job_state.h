@@ -10,7 +10,7 @@
 
 #include "core/base/result.h"
 
-namespace toile {
+namespace toile::store {
 
 enum class JobState : std::uint8_t { kQueued, kRunning, kPaused, kSucceeded, kFailed, kCancelled };
 inline constexpr std::array kJobStates{JobState::kQueued,    JobState::kRunning, JobState::kPaused,
@@ -28,4 +28,4 @@ Result<JobState> job_state_from(std::string_view word);
 /// in the index jobs_unfinished (migrations.cpp), or SQLite does not use that.
 std::string unfinished_states_in_sql();
 
-}  // namespace toile
+}  // namespace toile::store

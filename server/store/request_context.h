@@ -7,7 +7,7 @@
 
 #include "core/base/log.h"
 
-namespace toile {
+namespace toile::store {
 
 using OwnerId = std::string;
 
@@ -30,4 +30,4 @@ struct RequestContext {
   }
 };
 
-}  // namespace toile
+}  // namespace toile::store

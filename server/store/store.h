@@ -16,7 +16,7 @@
 #include "server/store/job_state.h"
 #include "server/store/request_context.h"
 
-namespace toile {
+namespace toile::store {
 
 /// An uploaded file. Content, kind and name never change; the same three of one owner are one asset.
 struct AssetRow {
@@ -181,4 +181,4 @@ class Store {
   virtual Status ping() = 0;
 };
 
-}  // namespace toile
+}  // namespace toile::store

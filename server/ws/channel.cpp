@@ -5,17 +5,17 @@
 
 #include "proto/cpp/frame_codec.h"
 
-namespace toile {
+namespace toile::ws {
 
 const std::string& SharedFrame::key() const {
   std::call_once(once_, [this] {
-    const FrameHeader header{frame_->epoch, frame_->seq, frame_->step, static_cast<float>(frame_->time)};
-    key_ = encode_key(header, frame_->grid);
+    const proto::FrameHeader header{frame_->epoch, frame_->seq, frame_->step, static_cast<float>(frame_->time)};
+    key_ = proto::encode_key(header, frame_->grid);
   });
   return key_;
 }
 
-void Channel::set_topology(std::shared_ptr<const StreamTopology> topology) {
+void Channel::set_topology(std::shared_ptr<const jobs::StreamTopology> topology) {
   const std::lock_guard lock(mutex_);
   view_.topology = std::move(topology);
   view_.frame = nullptr;
@@ -23,7 +23,7 @@ void Channel::set_topology(std::shared_ptr<const StreamTopology> topology) {
   wake_all();
 }
 
-void Channel::set_frame(std::shared_ptr<const StreamFrame> frame) {
+void Channel::set_frame(std::shared_ptr<const jobs::StreamFrame> frame) {
   auto shared = std::make_shared<const SharedFrame>(std::move(frame));
   const std::lock_guard lock(mutex_);
   if (!view_.topology || view_.topology->epoch != (*shared)->epoch) return;
@@ -31,14 +31,14 @@ void Channel::set_frame(std::shared_ptr<const StreamFrame> frame) {
   wake_all();
 }
 
-void Channel::set_progress(const JobProgress& progress) {
+void Channel::set_progress(const jobs::JobProgress& progress) {
   const std::lock_guard lock(mutex_);
   view_.progress = progress;
   ++view_.progress_version;
   wake_all();
 }
 
-void Channel::end(const JobProgress& last) {
+void Channel::end(const jobs::JobProgress& last) {
   const std::lock_guard lock(mutex_);
   view_.progress = last;
   ++view_.progress_version;
@@ -75,4 +75,4 @@ void Channel::wake_all() {
   for (ChannelListener* listener : listeners_) listener->wake();
 }
 
-}  // namespace toile
+}  // namespace toile::ws

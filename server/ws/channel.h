@@ -11,29 +11,29 @@
 
 #include "server/jobs/publisher.h"
 
-namespace toile {
+namespace toile::ws {
 
 /// A frame that many viewers share. Thread-safe.
 class SharedFrame {
  public:
-  explicit SharedFrame(std::shared_ptr<const StreamFrame> frame) : frame_(std::move(frame)) {}
+  explicit SharedFrame(std::shared_ptr<const jobs::StreamFrame> frame) : frame_(std::move(frame)) {}
 
-  const StreamFrame& operator*() const { return *frame_; }
-  const StreamFrame* operator->() const { return frame_.get(); }
+  const jobs::StreamFrame& operator*() const { return *frame_; }
+  const jobs::StreamFrame* operator->() const { return frame_.get(); }
   /// The frame by itself, encoded when somebody first wants it.
   const std::string& key() const;
 
  private:
-  std::shared_ptr<const StreamFrame> frame_;
+  std::shared_ptr<const jobs::StreamFrame> frame_;
   mutable std::once_flag once_;
   mutable std::string key_;
 };
 
 /// A consistent look at a channel.
 struct ChannelView {
-  std::shared_ptr<const StreamTopology> topology;  ///< null until the job runs
+  std::shared_ptr<const jobs::StreamTopology> topology;  ///< null until the job runs
   std::shared_ptr<const SharedFrame> frame;  ///< newest of the topology's epoch; null until there is one
-  JobProgress progress;
+  jobs::JobProgress progress;
   std::uint64_t progress_version = 0;  ///< rises with every report; 0: none yet
   bool ended = false;
 };
@@ -48,11 +48,11 @@ class ChannelListener {
 /// Thread-safe.
 class Channel {
  public:
-  void set_topology(std::shared_ptr<const StreamTopology> topology);
+  void set_topology(std::shared_ptr<const jobs::StreamTopology> topology);
   /// Passed over when it is not of the topology's epoch.
-  void set_frame(std::shared_ptr<const StreamFrame> frame);
-  void set_progress(const JobProgress& progress);
-  void end(const JobProgress& last);
+  void set_frame(std::shared_ptr<const jobs::StreamFrame> frame);
+  void set_progress(const jobs::JobProgress& progress);
+  void end(const jobs::JobProgress& last);
 
   ChannelView look() const;
 
@@ -70,4 +70,4 @@ class Channel {
   std::vector<ChannelListener*> listeners_;
 };
 
-}  // namespace toile
+}  // namespace toile::ws

@@ -3,11 +3,11 @@
 #include "core/base/names.h"
 #include "core/json/tree.h"
 
-namespace toile {
+namespace toile::ws {
 
 Result<Control> parse_control(std::string_view text) {
-  const JsonValue tree = TRY(parse_json(text, {.bytes = 4096, .depth = 4}));
-  const JsonValue* type = tree.find("type");
+  const json::JsonValue tree = TRY(json::parse_json(text, {.bytes = 4096, .depth = 4}));
+  const json::JsonValue* type = tree.find("type");
   const std::string word = type && type->text() ? *type->text() : "";
   if (word == "pause") return Control::kPause;
   if (word == "resume") return Control::kResume;
@@ -17,4 +17,4 @@ Result<Control> parse_control(std::string_view text) {
                "/type"};
 }
 
-}  // namespace toile
+}  // namespace toile::ws

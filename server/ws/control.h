@@ -5,11 +5,11 @@
 
 #include "core/base/result.h"
 
-namespace toile {
+namespace toile::ws {
 
 enum class Control { kPause, kResume, kCancel };
 
 /// Reads {"type": "pause"}, "resume" or "cancel". Errors: json.*, stream.unknown_type.
 Result<Control> parse_control(std::string_view text);
 
-}  // namespace toile
+}  // namespace toile::ws

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace toile {
+namespace toile::ws {
 
 bool Feed::frame_due(const ChannelView& view) const {
   return view.topology != topology_ || (view.frame && (*view.frame)->seq != seq_);
@@ -35,4 +35,4 @@ std::optional<FeedMessage> Feed::next(const ChannelView& view) {
   return FeedMessage{FeedMessage::Kind::kProgress, nullptr};
 }
 
-}  // namespace toile
+}  // namespace toile::ws

@@ -8,7 +8,7 @@
 
 #include "server/ws/channel.h"
 
-namespace toile {
+namespace toile::ws {
 
 /// Every viewer gets a frame by itself at least this often, so that a lost thread is never lost for long.
 inline constexpr std::uint32_t kFramesPerKey = 30;
@@ -33,10 +33,10 @@ class Feed {
   bool frame_due(const ChannelView& view) const;
   FeedMessage take_frame(const ChannelView& view);
 
-  std::shared_ptr<const StreamTopology> topology_;
+  std::shared_ptr<const jobs::StreamTopology> topology_;
   std::uint32_t seq_ = 0;  ///< of the last frame sent in this epoch; 0: none
   std::uint64_t progress_version_ = 0;
   bool frame_last_ = false;
 };
 
-}  // namespace toile
+}  // namespace toile::ws

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace toile {
+namespace toile::ws {
 
 Subscription::Subscription(Hub& hub, std::string job_id, std::shared_ptr<Channel> channel,
                            ChannelListener* listener)
@@ -28,21 +28,21 @@ void Subscription::reset() {
   std::exchange(hub_, nullptr)->forget_if_idle(job_id_);
 }
 
-void Hub::topology(const std::string& job_id, std::shared_ptr<const StreamTopology> topology) {
+void Hub::topology(const std::string& job_id, std::shared_ptr<const jobs::StreamTopology> topology) {
   channel(job_id)->set_topology(std::move(topology));
   const std::lock_guard lock(mutex_);
   std::erase(ended_, job_id);
 }
 
-void Hub::frame(const std::string& job_id, std::shared_ptr<const StreamFrame> frame) {
+void Hub::frame(const std::string& job_id, std::shared_ptr<const jobs::StreamFrame> frame) {
   channel(job_id)->set_frame(std::move(frame));
 }
 
-void Hub::progress(const std::string& job_id, const JobProgress& progress) {
+void Hub::progress(const std::string& job_id, const jobs::JobProgress& progress) {
   channel(job_id)->set_progress(progress);
 }
 
-void Hub::ended(const std::string& job_id, const JobProgress& last) {
+void Hub::ended(const std::string& job_id, const jobs::JobProgress& last) {
   channel(job_id)->end(last);
   const std::lock_guard lock(mutex_);
   std::erase(ended_, job_id);
@@ -88,4 +88,4 @@ void Hub::forget_if_idle(const std::string& job_id) {
   if (found->second->idle()) channels_.erase(found);
 }
 
-}  // namespace toile
+}  // namespace toile::ws

@@ -11,7 +11,7 @@
 #include "server/jobs/publisher.h"
 #include "server/ws/channel.h"
 
-namespace toile {
+namespace toile::ws {
 
 class Hub;
 
@@ -37,15 +37,15 @@ class Subscription {
 };
 
 /// Job → viewers. Never waits for a viewer. Thread-safe.
-class Hub final : public Publisher {
+class Hub final : public jobs::Publisher {
  public:
   /// The last view of an ended job stays until this many other jobs have ended after it.
   static constexpr std::size_t kKeptAfterEnd = 64;
 
-  void topology(const std::string& job_id, std::shared_ptr<const StreamTopology> topology) override;
-  void frame(const std::string& job_id, std::shared_ptr<const StreamFrame> frame) override;
-  void progress(const std::string& job_id, const JobProgress& progress) override;
-  void ended(const std::string& job_id, const JobProgress& last) override;
+  void topology(const std::string& job_id, std::shared_ptr<const jobs::StreamTopology> topology) override;
+  void frame(const std::string& job_id, std::shared_ptr<const jobs::StreamFrame> frame) override;
+  void progress(const std::string& job_id, const jobs::JobProgress& progress) override;
+  void ended(const std::string& job_id, const jobs::JobProgress& last) override;
 
   /// `listener` is woken whenever the job has something new, until the subscription goes. The hub must
   /// outlive it.
@@ -64,4 +64,4 @@ class Hub final : public Publisher {
   std::deque<std::string> ended_;  ///< ids of channels_, the longest ended first
 };
 
-}  // namespace toile
+}  // namespace toile::ws

@@ -2,24 +2,24 @@
 
 #include <utility>
 
-namespace toile {
+namespace toile::ws {
 namespace {
 
 double number(std::int64_t value) { return static_cast<double>(value); }
 
-std::string word_of(JobState state) { return std::string(name_of(state)); }
+std::string word_of(store::JobState state) { return std::string(store::name_of(state)); }
 
-std::string line_of(std::vector<JsonMember> members) { return write_json_line(std::move(members)); }
+std::string line_of(std::vector<json::JsonMember> members) { return json::write_json_line(std::move(members)); }
 
-std::vector<JsonMember> message(const char* type, std::vector<JsonMember> members) {
+std::vector<json::JsonMember> message(const char* type, std::vector<json::JsonMember> members) {
   members.insert(members.begin(), {"type", std::string(type)});
   return members;
 }
 
 }  // namespace
 
-std::vector<JsonMember> job_members(const JobRow& job) {
-  std::vector<JsonMember> results;
+std::vector<json::JsonMember> job_members(const store::JobRow& job) {
+  std::vector<json::JsonMember> results;
   for (const auto& [name, bytes] : job.results) results.push_back({name, number(bytes)});
   return {{"id", job.id},
           {"project_id", job.project_id},
@@ -36,7 +36,7 @@ std::vector<JsonMember> job_members(const JobRow& job) {
           {"results", std::move(results)}};
 }
 
-std::vector<JsonMember> progress_members(const JobProgress& progress) {
+std::vector<json::JsonMember> progress_members(const jobs::JobProgress& progress) {
   return {{"state", word_of(progress.state)},
           {"phase", progress.phase},
           {"fraction", progress.fraction},
@@ -49,18 +49,18 @@ std::vector<JsonMember> progress_members(const JobProgress& progress) {
           {"step_ms", progress.step_ms}};
 }
 
-std::string job_message(const JobRow& job, const JobProgress& progress) {
-  std::vector<JsonMember> members = message("job", job_members(job));
+std::string job_message(const store::JobRow& job, const jobs::JobProgress& progress) {
+  std::vector<json::JsonMember> members = message("job", job_members(job));
   members.push_back({"progress", progress_members(progress)});
   return line_of(std::move(members));
 }
 
-std::string progress_message(const JobProgress& progress) {
+std::string progress_message(const jobs::JobProgress& progress) {
   return line_of(message("progress", progress_members(progress)));
 }
 
-std::string ended_message(const JobRow& job, const JobProgress& last) {
-  std::vector<JsonMember> members = message("ended", progress_members(last));
+std::string ended_message(const store::JobRow& job, const jobs::JobProgress& last) {
+  std::vector<json::JsonMember> members = message("ended", progress_members(last));
   members.push_back({"job", job_members(job)});
   return line_of(std::move(members));
 }
@@ -69,4 +69,4 @@ std::string error_message(const Error& error) {
   return line_of(message("error", {{"code", error.code}, {"detail", error.message}, {"where", error.where}}));
 }
 
-}  // namespace toile
+}  // namespace toile::ws

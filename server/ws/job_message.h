@@ -9,19 +9,19 @@
 #include "server/jobs/publisher.h"
 #include "server/store/store.h"
 
-namespace toile {
+namespace toile::ws {
 
 /// What a person or a page wants to know of a job; without its document, files and report.
-std::vector<JsonMember> job_members(const JobRow& job);
-std::vector<JsonMember> progress_members(const JobProgress& progress);
+std::vector<json::JsonMember> job_members(const store::JobRow& job);
+std::vector<json::JsonMember> progress_members(const jobs::JobProgress& progress);
 
 /// {"type": "job", …job, "progress": {…}}: the first message of a stream.
-std::string job_message(const JobRow& job, const JobProgress& progress);
+std::string job_message(const store::JobRow& job, const jobs::JobProgress& progress);
 /// {"type": "progress", …progress}
-std::string progress_message(const JobProgress& progress);
+std::string progress_message(const jobs::JobProgress& progress);
 /// {"type": "ended", …progress, "job": {…}}: the last message of a stream.
-std::string ended_message(const JobRow& job, const JobProgress& last);
+std::string ended_message(const store::JobRow& job, const jobs::JobProgress& last);
 /// {"type": "error", "code", "detail", "where"}: a command of the viewer was refused; the stream goes on.
 std::string error_message(const Error& error);
 
-}  // namespace toile
+}  // namespace toile::ws

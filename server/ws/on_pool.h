@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace toile {
+namespace toile::ws {
 
 /// Runs `work` on the pool and comes back to the caller's executor with what it returned. The pool must be
 /// joined before the caller's frame is destroyed.
@@ -25,4 +25,4 @@ boost::asio::awaitable<std::invoke_result_t<Work&>> on_pool(boost::asio::thread_
   co_return std::move(*out);
 }
 
-}  // namespace toile
+}  // namespace toile::ws

@@ -14,7 +14,7 @@
 #include "server/ws/job_message.h"
 #include "server/ws/on_pool.h"
 
-namespace toile {
+namespace toile::ws {
 namespace {
 
 namespace asio = boost::asio;
@@ -27,14 +27,14 @@ constexpr std::size_t kMostMessageBytes = 4096;  // of what a viewer says
 constexpr int kSendBufferBytes = 128 << 10;
 
 struct Found {
-  Result<JobRow> job;
-  Result<JobProgress> progress;
+  Result<store::JobRow> job;
+  Result<jobs::JobProgress> progress;
 };
 
 }  // namespace
 
 StreamSession::StreamSession(beast::tcp_stream stream, const StreamServices& services,
-                             const RequestContext& context, std::string job_id)
+                             const store::RequestContext& context, std::string job_id)
     : services_(services),
       context_(context.for_job(job_id)),
       job_id_(std::move(job_id)),
@@ -89,7 +89,7 @@ asio::awaitable<bool> StreamSession::greet() {
     ask_to_close(websocket::close_code::internal_error, "the job cannot be read");
     co_return false;
   }
-  row_is_final_ = is_final(found.job->state);
+  row_is_final_ = store::is_final(found.job->state);
   const std::string hello = job_message(*found.job, *found.progress);
   co_return co_await write(hello, true);
 }
@@ -163,7 +163,7 @@ asio::awaitable<void> StreamSession::obey(std::string text) {
     co_return;
   }
   const Control wish = *control;
-  const Result<JobRow> done = co_await on_pool(services_.pool, [this, wish]() -> Result<JobRow> {
+  const Result<store::JobRow> done = co_await on_pool(services_.pool, [this, wish]() -> Result<store::JobRow> {
     if (wish == Control::kPause) return services_.jobs.pause(context_, job_id_);
     if (wish == Control::kResume) return services_.jobs.resume(context_, job_id_);
     return services_.jobs.cancel(context_, job_id_);
@@ -240,4 +240,4 @@ void StreamSession::drop() {
   rouse();
 }
 
-}  // namespace toile
+}  // namespace toile::ws

@@ -22,12 +22,12 @@
 #include "server/ws/hub.h"
 #include "server/ws/stream_settings.h"
 
-namespace toile {
+namespace toile::ws {
 
 /// What streams work with; outlives them all.
 struct StreamServices {
-  Store& store;
-  JobService& jobs;
+  store::Store& store;
+  jobs::JobService& jobs;
   Hub& hub;
   boost::asio::thread_pool& pool;  ///< for what may block
   StreamSettings settings;
@@ -39,7 +39,7 @@ class StreamSession final : public ChannelListener, public std::enable_shared_fr
   using Handshake = boost::beast::http::request<boost::beast::http::string_body>;
 
   StreamSession(boost::beast::tcp_stream stream, const StreamServices& services,
-                const RequestContext& context, std::string job_id);
+                const store::RequestContext& context, std::string job_id);
 
   /// Answers the handshake and serves the viewer until either side ends it. `job` exists.
   boost::asio::awaitable<void> run(Handshake handshake);
@@ -72,7 +72,7 @@ class StreamSession final : public ChannelListener, public std::enable_shared_fr
   void drop();   ///< closes the connection without a word
 
   const StreamServices& services_;
-  RequestContext context_;  ///< of the request that became this stream
+  store::RequestContext context_;  ///< of the request that became this stream
   std::string job_id_;
   Socket socket_;
   boost::asio::steady_timer wake_;  ///< the writer sleeps on it
@@ -92,4 +92,4 @@ class StreamSession final : public ChannelListener, public std::enable_shared_fr
   Clock::time_point last_sign_, last_ping_, write_began_, close_began_;
 };
 
-}  // namespace toile
+}  // namespace toile::ws

@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-namespace toile {
+namespace toile::ws {
 
 /// How long a viewer may keep the server waiting.
 struct StreamSettings {
@@ -12,4 +12,4 @@ struct StreamSettings {
   std::chrono::milliseconds close_within{3'000};   ///< for the other side to answer a close
 };
 
-}  // namespace toile
+}  // namespace toile::ws

@@ -67,21 +67,21 @@ int Serving::end(int signal, double within_s) {
 
 std::string Serving::said() const { return text_of(log_); }
 
-HttpReply Serving::ask(const HttpClient::Request& request) const {
-  Result<HttpClient> client = HttpClient::make(url());
+http::HttpReply Serving::ask(const http::HttpClient::Request& request) const {
+  Result<http::HttpClient> client = http::HttpClient::make(url());
   if (!client) return {};
-  Result<HttpReply> reply = client->ask(request, std::chrono::seconds(30));
-  return reply ? *reply : HttpReply{};
+  Result<http::HttpReply> reply = client->ask(request, std::chrono::seconds(30));
+  return reply ? *reply : http::HttpReply{};
 }
 
-HttpReply Serving::get(const std::string& target) const {
-  HttpClient::Request request;
+http::HttpReply Serving::get(const std::string& target) const {
+  http::HttpClient::Request request;
   request.target = target;
   return ask(request);
 }
 
-HttpReply Serving::post(const std::string& target, const std::string& json, const std::string& key) const {
-  HttpClient::Request request;
+http::HttpReply Serving::post(const std::string& target, const std::string& json, const std::string& key) const {
+  http::HttpClient::Request request;
   request.method = "POST";
   request.target = target;
   request.body = json;

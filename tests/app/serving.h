@@ -27,9 +27,9 @@ class Serving {
   std::string said() const;
 
   /// One request; status 0 when nothing answers.
-  HttpReply ask(const HttpClient::Request& request) const;
-  HttpReply get(const std::string& target) const;
-  HttpReply post(const std::string& target, const std::string& json, const std::string& key = "") const;
+  http::HttpReply ask(const http::HttpClient::Request& request) const;
+  http::HttpReply get(const std::string& target) const;
+  http::HttpReply post(const std::string& target, const std::string& json, const std::string& key = "") const;
 
  private:
   pid_t pid_ = -1;

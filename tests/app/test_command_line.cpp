@@ -73,9 +73,9 @@ TEST(CommandLine, CheckGivesBothLengthsOfASeam) {
   const Ran human = run_toile({"check", folder / "project.json"});
   EXPECT_TRUE(has(human.out, "seam tube: 300.0 mm to 600.0 mm, 300.0 mm eased in")) << human.out << human.err;
   const Ran machine = run_toile({"check", folder / "project.json", "--json"});
-  const auto tree = parse_json(machine.out);
+  const auto tree = json::parse_json(machine.out);
   ASSERT_TRUE(tree) << machine.out;
-  const JsonValue& seam = tree->find("seams")->array()->front();
+  const json::JsonValue& seam = tree->find("seams")->array()->front();
   EXPECT_EQ(*seam.find("length_a_mm")->number(), 300);
   EXPECT_EQ(*seam.find("length_b_mm")->number(), 600);
   fs::remove_all(folder);
@@ -89,9 +89,9 @@ TEST(CommandLine, CheckTellsWhatIsWrongWithAStartAndRefusesIt) {
   EXPECT_TRUE(has(human.err, "move it clear of it (piece napkin at (")) << human.err;
   const Ran machine = run_toile({"check", folder / "project.json", "--json"});
   EXPECT_EQ(machine.code, 2);
-  const auto tree = parse_json(machine.out);
+  const auto tree = json::parse_json(machine.out);
   ASSERT_TRUE(tree) << machine.out;
-  const JsonValue& finding = tree->find("findings")->array()->front();
+  const json::JsonValue& finding = tree->find("findings")->array()->front();
   EXPECT_EQ(*finding.find("code")->text(), "start.crosses_body");
   EXPECT_EQ(*finding.find("severity")->text(), "error");
   EXPECT_EQ(finding.find("place")->array()->size(), 3u);
@@ -109,9 +109,9 @@ TEST(CommandLine, CheckTellsWhatADrapeRepairsByItself) {
   const Ran drape =
       run_toile({"drape", folder / "project.json", "--out", folder / "out", "--no-stills", "--json"}, 120);
   EXPECT_EQ(drape.code, 0) << drape.err;
-  const auto report = parse_json(drape.out);
+  const auto report = json::parse_json(drape.out);
   ASSERT_TRUE(report) << drape.out;
-  const JsonValue& finding = report->find("findings")->array()->front();
+  const json::JsonValue& finding = report->find("findings")->array()->front();
   EXPECT_EQ(*finding.find("code")->text(), "start.touches");
   EXPECT_TRUE(*finding.find("repaired")->boolean());
   fs::remove_all(folder);
@@ -218,37 +218,37 @@ TEST_F(Draped, SettlesAndLeavesAllItsFiles) {
 TEST_F(Draped, PrintsTheReportThatItWrites) { EXPECT_EQ(run.out, text_of(folder / "out/deep/report.json")); }
 
 /// Checks a value against the few words of JSON Schema that report.schema.json uses.
-void expect_fits(const JsonValue& value, const JsonValue& given, const JsonValue& root,
+void expect_fits(const json::JsonValue& value, const json::JsonValue& given, const json::JsonValue& root,
                  const std::string& at) {
-  const JsonValue* reference = given.find("$ref");
-  const JsonValue& schema = reference ? *root.find("$defs")->find(reference->text()->substr(8)) : given;
+  const json::JsonValue* reference = given.find("$ref");
+  const json::JsonValue& schema = reference ? *root.find("$defs")->find(reference->text()->substr(8)) : given;
   const std::string& type = *schema.find("type")->text();
   const bool fits = (type == "object" && value.object()) || (type == "string" && value.text()) ||
                     (type == "array" && value.array()) || (type == "boolean" && value.boolean()) ||
                     ((type == "number" || type == "integer") && value.number());
   ASSERT_TRUE(fits) << at << " is no " << type;
-  if (const JsonValue* least = schema.find("minimum")) {
+  if (const json::JsonValue* least = schema.find("minimum")) {
     EXPECT_GE(*value.number(), *least->number()) << at;
   }
   if (type == "array") {
-    for (const JsonValue& item : *value.array()) expect_fits(item, *schema.find("items"), root, at + "/-");
+    for (const json::JsonValue& item : *value.array()) expect_fits(item, *schema.find("items"), root, at + "/-");
   }
-  const JsonValue* properties = schema.find("properties");
+  const json::JsonValue* properties = schema.find("properties");
   if (!properties) return;
-  for (const JsonValue& key : *schema.find("required")->array()) {
+  for (const json::JsonValue& key : *schema.find("required")->array()) {
     EXPECT_TRUE(value.find(*key.text())) << at << " has no " << *key.text();
   }
-  for (const JsonMember& member : *value.object()) {
-    const JsonValue* known = properties->find(member.key);
+  for (const json::JsonMember& member : *value.object()) {
+    const json::JsonValue* known = properties->find(member.key);
     ASSERT_TRUE(known) << at << "/" << member.key << " is not in the schema";
     expect_fits(member.value, *known, root, at + "/" + member.key);
   }
 }
 
 TEST_F(Draped, TheReportFitsItsSchema) {
-  const auto schema = parse_json(text_of(std::string(TOILE_SOURCE_DIR) + "/proto/schema/report.schema.json"));
+  const auto schema = json::parse_json(text_of(std::string(TOILE_SOURCE_DIR) + "/proto/schema/report.schema.json"));
   ASSERT_TRUE(schema) << to_string(schema.error());
-  const auto report = parse_json(run.out);
+  const auto report = json::parse_json(run.out);
   ASSERT_TRUE(report) << to_string(report.error());
   expect_fits(*report, *schema, *schema, "");
   EXPECT_TRUE(*report->find("settled")->boolean());
@@ -258,7 +258,7 @@ TEST_F(Draped, TheReportFitsItsSchema) {
 TEST_F(Draped, TwiceTheSameInputGivesTheSameHash) {
   const Ran again =
       run_toile({"drape", folder / "project.json", "--out", folder / "again", "--no-stills", "--json"}, 300);
-  const auto first = parse_json(run.out), second = parse_json(again.out);
+  const auto first = json::parse_json(run.out), second = json::parse_json(again.out);
   ASSERT_TRUE(first);
   ASSERT_TRUE(second) << again.err;
   EXPECT_EQ(*first->find("hash")->text(), *second->find("hash")->text());

@@ -37,7 +37,7 @@ constexpr const char* kTornPost =
     "v -0.1 0.5 -0.1\nv 0.1 0.5 -0.1\nv 0.1 0.5 0.1\nv -0.1 0.5 0.1\n"
     "f 1 2 3 4\nf 8 7 6 5\nf 6 5 1 2\nf 2 6 7 3\nf 3 7 8 4\n";
 
-HttpReply upload(const Serving& server, const std::string& name, const std::string& bytes) {
+http::HttpReply upload(const Serving& server, const std::string& name, const std::string& bytes) {
   return server.ask({.method = "POST",
                      .target = "/api/v1/bodies?name=" + name,
                      .body = bytes,
@@ -46,8 +46,8 @@ HttpReply upload(const Serving& server, const std::string& name, const std::stri
 }
 
 TEST(MeshReader, IsThisProgramAndMendsWhatItReads) {
-  const Result<RepairedMesh> here = MeshImporter().bytes("post.obj", kTornPost, {});
-  const Result<RepairedMesh> there = MeshImporter(kProgram).bytes("post.obj", kTornPost, {});
+  const Result<mesh_import::RepairedMesh> here = mesh_import::MeshImporter().bytes("post.obj", kTornPost, {});
+  const Result<mesh_import::RepairedMesh> there = mesh_import::MeshImporter(kProgram).bytes("post.obj", kTornPost, {});
   ASSERT_TRUE(here && there) << to_string(there.error());
   EXPECT_EQ(there->mesh.vertices, here->mesh.vertices);
   EXPECT_EQ(there->mesh.triangles, here->mesh.triangles);
@@ -57,8 +57,8 @@ TEST(MeshReader, IsThisProgramAndMendsWhatItReads) {
 
 TEST(MeshReader, ReadsFormatsThatAreTooRiskyForTheServerItself) {
   const std::string raw = "chair\n0 0 0 1 0 0 0 1 0\n0 0 0 0 1 0 0 0 1\n";
-  EXPECT_FALSE(MeshImporter().bytes("chair.raw", raw, {}));
-  const Result<RepairedMesh> mesh = MeshImporter(kProgram).bytes("chair.raw", raw, {});
+  EXPECT_FALSE(mesh_import::MeshImporter().bytes("chair.raw", raw, {}));
+  const Result<mesh_import::RepairedMesh> mesh = mesh_import::MeshImporter(kProgram).bytes("chair.raw", raw, {});
   ASSERT_TRUE(mesh) << to_string(mesh.error());
   EXPECT_EQ(mesh->mesh.triangles.size(), 2u);
 }
@@ -73,7 +73,7 @@ TEST(MeshReader, OpensNoOtherFileForAStrangersMesh) {
   const float corners[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
   write_text(folder / "side.bin", std::string(reinterpret_cast<const char*>(corners), sizeof corners));
   write_text(folder / "mesh.gltf", gltf);
-  const MeshImporter importer(kProgram);
+  const mesh_import::MeshImporter importer(kProgram);
   EXPECT_TRUE(importer.file(folder / "mesh.gltf", {})) << "one's own file may name others";
   EXPECT_FALSE(importer.stored(folder / "mesh.gltf", "mesh.gltf", {}));
   const std::string absolute = (folder / "side.bin").string();
@@ -88,18 +88,18 @@ TEST(MeshReader, BringsNoServerDown) {
   fs::create_directories(folder / "empty");
   Serving server(folder / "data", {"--sample", (folder / "empty").string(), "--workers", "1"});
   ASSERT_TRUE(server.up()) << server.said();
-  const HttpReply deep = upload(server, "deep.ac", deep_ac3d());
+  const http::HttpReply deep = upload(server, "deep.ac", deep_ac3d());
   EXPECT_EQ(deep.status, 422);
   EXPECT_NE(deep.body.find("mesh.crashed"), std::string::npos) << deep.body;
   EXPECT_NE(deep.body.find("deep.ac"), std::string::npos) << deep.body;
 #ifndef __SANITIZE_THREAD__  // which has no limit of memory: the reader goes on until its time is up
-  const HttpReply boast = upload(server, "boast.off", kBoast);
+  const http::HttpReply boast = upload(server, "boast.off", kBoast);
   EXPECT_EQ(boast.status, 422);
   EXPECT_TRUE(boast.body.find("mesh.memory") != std::string::npos ||
               boast.body.find("mesh.crashed") != std::string::npos)  // AddressSanitizer ends at once
       << boast.body;
 #endif
-  const HttpReply good = upload(server, "post.obj", kTornPost);
+  const http::HttpReply good = upload(server, "post.obj", kTornPost);
   EXPECT_EQ(good.status, 201) << good.body;
   EXPECT_NE(good.body.find("turned over, to look outward"), std::string::npos) << good.body;
   EXPECT_NE(good.body.find("\"closed\": false"), std::string::npos) << good.body;
@@ -132,10 +132,10 @@ TEST(LongMeshReader, TakesEveryModelOfAssimpsTestsOrSaysWhyNot) {
     if (entry.is_regular_file()) files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());
-  const MeshImporter importer(kProgram);
+  const mesh_import::MeshImporter importer(kProgram);
   std::map<std::string, int> counts;
   for (const fs::path& file : files) {
-    const Result<RepairedMesh> mesh = importer.stored(file, file.filename().string(), {});
+    const Result<mesh_import::RepairedMesh> mesh = importer.stored(file, file.filename().string(), {});
     ++counts[mesh ? "ok" : mesh.error().code];
     if (mesh) continue;
     EXPECT_TRUE(mesh.error().code.starts_with("mesh.")) << file;

@@ -43,14 +43,14 @@ TEST(PatternCommand, ImportTellsPiecesUnitAndEveryEntity) {
   write_text(folder / "graded.dxf", kGraded);
   const Ran run = run_toile({"pattern", "import", folder / "graded.dxf", "--json"});
   ASSERT_EQ(run.code, 0) << run.err;
-  const auto tree = parse_json(run.out);
+  const auto tree = json::parse_json(run.out);
   ASSERT_TRUE(tree) << run.out;
   EXPECT_EQ(*tree->find("unit")->find("name")->text(), "inch");
   EXPECT_GT(*tree->find("unit")->find("confidence")->number(), 0.9);
   EXPECT_FALSE(tree->find("unit")->find("evidence")->array()->empty());
   EXPECT_EQ(tree->find("sizes")->array()->size(), 2u);
   ASSERT_EQ(tree->find("pieces")->array()->size(), 1u);
-  const JsonValue& piece = tree->find("pieces")->array()->front();
+  const json::JsonValue& piece = tree->find("pieces")->array()->front();
   EXPECT_EQ(*piece.find("name")->text(), "FRONT");
   EXPECT_EQ(*piece.find("size")->text(), "36");
   EXPECT_NEAR(*piece.find("width_mm")->number(), 18 * 25.4, 1e-3);
@@ -59,7 +59,7 @@ TEST(PatternCommand, ImportTellsPiecesUnitAndEveryEntity) {
   EXPECT_EQ(*piece.find("notches")->number(), 2);
   EXPECT_EQ(*piece.find("grain_deg")->number(), 90);
   EXPECT_TRUE(*piece.find("unfolded")->boolean());
-  const JsonValue& counts = *tree->find("report")->find("counts");
+  const json::JsonValue& counts = *tree->find("report")->find("counts");
   const auto count = [&](const char* key) { return *counts.find(key)->number(); };
   EXPECT_EQ(count("entities"), count("kept") + count("converted") + count("dropped"));
   EXPECT_EQ(count("entities"), 2 * 6 + 4);
@@ -116,11 +116,11 @@ TEST(PatternCommand, ImportReadsASpecificationWithItsSeams) {
   write_text(folder / "tube.json", kSpecification);
   const Ran run = run_toile({"pattern", "import", folder / "tube.json", "--json"});
   ASSERT_EQ(run.code, 0) << run.err;
-  const auto tree = parse_json(run.out);
+  const auto tree = json::parse_json(run.out);
   ASSERT_TRUE(tree) << run.out;
   EXPECT_EQ(tree->find("pieces")->array()->size(), 2u);
   ASSERT_EQ(tree->find("seams")->array()->size(), 2u);
-  const JsonValue& seam = tree->find("seams")->array()->front();
+  const json::JsonValue& seam = tree->find("seams")->array()->front();
   EXPECT_EQ(*seam.find("confidence")->number(), 1);
   EXPECT_EQ(*seam.find("a")->array()->front().find("piece")->text(), "front");
   EXPECT_EQ(*seam.find("length_a_mm")->number(), 600);
@@ -148,7 +148,7 @@ TEST(ProjectCommand, NewTakesProposalsOfADrawingWhenAsked) {
   const Ran run = run_toile({"project", "new", "--pattern", folder / "graded.dxf", "--body",
                              folder / "post.obj", "--out", out, "--accept-seams", "0.8", "--json"});
   ASSERT_EQ(run.code, 0) << run.err;
-  const auto tree = parse_json(run.out);
+  const auto tree = json::parse_json(run.out);
   ASSERT_TRUE(tree) << run.out;
   EXPECT_EQ(*tree->find("pieces")->number(), 1);
   EXPECT_NE(tree->find("proposals"), nullptr);

@@ -29,8 +29,8 @@ bool wait_for(const std::function<bool()>& holds) {
 
 /// A member of a JSON object as text; numbers without digits after the point.
 std::string member(const std::string& json, const std::string& key) {
-  const Result<JsonValue> tree = parse_json(json, {.depth = 64});
-  const JsonValue* found = tree ? tree->find(key) : nullptr;
+  const Result<json::JsonValue> tree = json::parse_json(json, {.depth = 64});
+  const json::JsonValue* found = tree ? tree->find(key) : nullptr;
   if (found && found->number()) return std::to_string(static_cast<int>(*found->number()));
   return found && found->text() ? *found->text() : "";
 }

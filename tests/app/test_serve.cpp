@@ -24,16 +24,16 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string member(const std::string& json, const std::string& key) {
-  const Result<JsonValue> tree = parse_json(json, {.depth = 64});
-  const JsonValue* found = tree ? tree->find(key) : nullptr;
+  const Result<json::JsonValue> tree = json::parse_json(json, {.depth = 64});
+  const json::JsonValue* found = tree ? tree->find(key) : nullptr;
   return found && found->text() ? *found->text() : "";
 }
 
 std::set<std::string> job_ids(const Serving& server) {
   std::set<std::string> ids;
-  const Result<JsonValue> tree = parse_json(server.get("/api/v1/jobs?limit=100").body, {.depth = 64});
+  const Result<json::JsonValue> tree = json::parse_json(server.get("/api/v1/jobs?limit=100").body, {.depth = 64});
   if (!tree || !tree->find("jobs")) return ids;
-  for (const JsonValue& job : *tree->find("jobs")->array()) ids.insert(*job.find("id")->text());
+  for (const json::JsonValue& job : *tree->find("jobs")->array()) ids.insert(*job.find("id")->text());
   return ids;
 }
 
@@ -48,7 +48,7 @@ class Serve : public testing::Test {
   std::vector<std::string> plain() const { return {"--sample", folder / "empty", "--workers", "2"}; }
   /// The napkin as a project of the server; its id.
   std::string make_project(const Serving& server) {
-    HttpClient::Request upload{.method = "POST",
+    http::HttpClient::Request upload{.method = "POST",
                                .target = "/api/v1/bodies?name=post.obj",
                                .body = kPost,
                                .content_type = "application/octet-stream",
@@ -179,7 +179,7 @@ TEST_F(Serve, AfterAKillDuringSubmissionsEveryAcknowledgedJobIsThere) {
       clients.emplace_back([&, i] {
         for (int k = 0; k < 10 && !stop; ++k) {
           const std::string key = std::to_string(round) + "/" + std::to_string(i) + "/" + std::to_string(k);
-          const HttpReply reply = server.post("/api/v1/jobs", "{\"project_id\": \"" + project + "\"}", key);
+          const http::HttpReply reply = server.post("/api/v1/jobs", "{\"project_id\": \"" + project + "\"}", key);
           const std::lock_guard lock(mutex);
           if (reply.status == 201) acknowledged.insert(member(reply.body, "id"));
         }

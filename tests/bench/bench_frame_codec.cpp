@@ -39,7 +39,7 @@ Moves read_trace(const char* path) {
   std::ifstream in(path, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(in), {}};
   Moves moves;
-  if (bytes.size() < 24 || !bytes.starts_with(kTraceMagic)) return moves;
+  if (bytes.size() < 24 || !bytes.starts_with(proto::kTraceMagic)) return moves;
   const std::size_t vertices = number_at<std::uint32_t>(bytes, 12);
   const std::size_t first_frame = 24 + 12 * std::size_t{number_at<std::uint32_t>(bytes, 16)};
   for (std::size_t t = 24; t + 12 <= std::min(first_frame, bytes.size()); t += 12) {
@@ -78,14 +78,14 @@ void print_sizes(const char* what, const std::vector<std::string>& messages) {
               sizes[sizes.size() / 2], sizes.back());
 }
 
-FrameGrid grid_of(const Moves& moves) {
+proto::FrameGrid grid_of(const Moves& moves) {
   const Aabb3 box = bounding_box(moves.frames[0]);
-  return grid_for(box.low, box.high);
+  return proto::grid_for(box.low, box.high);
 }
 
 /// The frames on their grid, and as messages.
 struct Encoded {
-  FrameGrid grid;
+  proto::FrameGrid grid;
   std::vector<std::vector<std::int16_t>> numbers;
   std::vector<std::string> keys, deltas;  ///< the first delta is empty
 };
@@ -93,10 +93,10 @@ struct Encoded {
 Encoded encode(const Moves& moves) {
   Encoded all{grid_of(moves), {}, {}, {}};
   for (const std::vector<Vec3>& frame : moves.frames) {
-    all.numbers.push_back(quantise(frame, all.grid));
-    all.keys.push_back(encode_key({}, all.numbers.back()));
+    all.numbers.push_back(proto::quantise(frame, all.grid));
+    all.keys.push_back(proto::encode_key({}, all.numbers.back()));
     const bool first = all.numbers.size() == 1;
-    all.deltas.push_back(first ? "" : encode_delta({}, all.numbers.back(), all.numbers.end()[-2]));
+    all.deltas.push_back(first ? "" : proto::encode_delta({}, all.numbers.back(), all.numbers.end()[-2]));
   }
   return all;
 }
@@ -114,18 +114,18 @@ void each_frame(benchmark::State& state, std::size_t frames, Work work) {
 void register_times(const Moves& moves, const Encoded& all) {
   const std::size_t count = moves.frames.size();
   benchmark::RegisterBenchmark("quantise", [&, count](benchmark::State& state) {
-    each_frame(state, count, [&](std::size_t f) { return quantise(moves.frames[f], all.grid); });
+    each_frame(state, count, [&](std::size_t f) { return proto::quantise(moves.frames[f], all.grid); });
   });
   benchmark::RegisterBenchmark("encode_key", [&, count](benchmark::State& state) {
-    each_frame(state, count, [&](std::size_t f) { return encode_key({}, all.numbers[f]); });
+    each_frame(state, count, [&](std::size_t f) { return proto::encode_key({}, all.numbers[f]); });
   });
   benchmark::RegisterBenchmark("encode_delta", [&, count](benchmark::State& state) {
     each_frame(state, count,
-               [&](std::size_t f) { return encode_delta({}, all.numbers[f], all.numbers[f - 1]); });
+               [&](std::size_t f) { return proto::encode_delta({}, all.numbers[f], all.numbers[f - 1]); });
   });
   benchmark::RegisterBenchmark("decode_delta", [&, count](benchmark::State& state) {
     each_frame(state, count,
-               [&](std::size_t f) { return decode_frame(all.deltas[f], all.numbers[f - 1]).ok(); });
+               [&](std::size_t f) { return proto::decode_frame(all.deltas[f], all.numbers[f - 1]).ok(); });
   });
 }
 
@@ -134,11 +134,11 @@ void print_all_sizes(const Moves& moves, const Encoded& all) {
               all.grid.step * 1e3);
   print_sizes("key", all.keys);
   print_sizes("delta", all.deltas);
-  GarmentMesh garment;
+  sewing::GarmentMesh garment;
   for (const Vec3& p : moves.frames[0]) garment.rest.push_back({p.x, p.y});
   garment.triangles = moves.triangles;
   std::printf("topology   bytes: %zu (%zu triangles, no sewn pairs)\n",
-              encode_topology(1, all.grid, garment, {}).size(), moves.triangles.size());
+              proto::encode_topology(1, all.grid, garment, {}).size(), moves.triangles.size());
 }
 
 }  // namespace

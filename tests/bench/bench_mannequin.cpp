@@ -11,13 +11,13 @@
 namespace toile {
 namespace {
 
-void make_one(benchmark::State& state, const BodyPreset& preset) {
-  MannequinSettings settings;
+void make_one(benchmark::State& state, const mannequin::BodyPreset& preset) {
+  mannequin::MannequinSettings settings;
   settings.sex = preset.sex;
   settings.asked = preset.measures();
   settings.triangle_count = static_cast<Index>(state.range(0));
   for (auto _ : state) {
-    if (!make_mannequin(settings)) return state.SkipWithError("not made");
+    if (!mannequin::make_mannequin(settings)) return state.SkipWithError("not made");
   }
 }
 
@@ -27,7 +27,7 @@ void make_one(benchmark::State& state, const BodyPreset& preset) {
 int main(int count, char** words) {
   using namespace toile;
   for (const std::string size : {"eu38", "eu48", "m50", "child116"}) {
-    benchmark::RegisterBenchmark(size.c_str(), make_one, *find_preset(size))
+    benchmark::RegisterBenchmark(size.c_str(), make_one, *mannequin::find_preset(size))
         ->ArgName("triangles")
         ->Arg(2204)
         ->Arg(3304)

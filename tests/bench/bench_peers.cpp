@@ -88,7 +88,7 @@ Result<Options> parse(int count, char** words) {
 }
 
 std::string info_json(const Options& o, const PeerEnd& end) {
-  const Fabric f = fabric_of(o.run);
+  const material::Fabric f = fabric_of(o.run);
   std::string text = "{\n";
   const auto word = [&](const char* key, const std::string& value) {
     text += std::string("  \"") + key + "\": \"" + value + "\",\n";
@@ -164,7 +164,7 @@ Status write_all(const Options& o, const DisguisedTask& put, const PeerTask& tas
                                                                     {"most_contact.obj", &end.most_contact}};
   for (const auto& [name, positions] : files) {
     if (positions->empty()) continue;
-    TRY(write_obj(out / name, put.undo(*positions), task.cloth.triangles));
+    TRY(exports::write_obj(out / name, put.undo(*positions), task.cloth.triangles));
   }
   return write_file(out / "info.json", info_json(o, end));
 }

@@ -65,9 +65,9 @@ class PauseClock {
 class FrameCheck {
  public:
   explicit FrameCheck(const PeerTask& task)
-      : cloth_(make_surface(task.cloth.triangles, static_cast<Index>(task.cloth.vertices.size()),
+      : cloth_(collision::make_surface(task.cloth.triangles, static_cast<Index>(task.cloth.vertices.size()),
                             sewn_classes(task))),
-        body_(make_crossing_body(task.body.vertices, task.body.triangles)) {}
+        body_(collision::make_crossing_body(task.body.vertices, task.body.triangles)) {}
 
   void look(std::span<const Vec3> x) {
     ++worst_.frames;
@@ -78,8 +78,8 @@ class FrameCheck {
   const WorstFrame& worst() const { return worst_; }
 
  private:
-  CrossingCounter cloth_;
-  CrossingBody body_;
+  collision::CrossingCounter cloth_;
+  collision::CrossingBody body_;
   WorstFrame worst_;
 };
 
@@ -98,10 +98,10 @@ class PeerRun {
         sewing_(!task.sewn.empty()),
         watch_(h_, settings.settle_speed) {
     obstacles_.push_back(
-        make_obstacle(task.body.vertices, task.body.triangles, settings.friction, kSkinOffset));
-    const Weld open = no_weld(task.cloth.vertices);
+        collision::make_obstacle(task.body.vertices, task.body.triangles, settings.friction, kSkinOffset));
+    const drape::Weld open = drape::no_weld(task.cloth.vertices);
     build(open, {});
-    std::vector<Stitch> stitches;
+    std::vector<solver::constraints::Stitch> stitches;
     for (const auto& [i, j] : task.sewn) {
       stitches.push_back({i, j, length(task.cloth.vertices[i] - task.cloth.vertices[j])});
     }
@@ -119,10 +119,10 @@ class PeerRun {
   double damping() const { return watch_.damping(); }
   double weld_gap() const { return weld_gap_; }
 
-  StepReport step() {
+  solver::StepReport step() {
     lead();
-    const StepForces now = forces();
-    const StepReport report = solver_->step(now);
+    const solver::StepForces now = forces();
+    const solver::StepReport report = solver_->step(now);
     ++steps_;
     watch_.observe(solver_->positions(), now.damping);
     if (report.not_finite) {
@@ -158,17 +158,17 @@ class PeerRun {
   }
 
  private:
-  void build(const Weld& weld, std::vector<Vec3> velocities) {
+  void build(const drape::Weld& weld, std::vector<Vec3> velocities) {
     vertex_of_ = weld.vertex_of;
-    const ClothModel model = task_model(task_, fabric_of(settings_), vertex_of_, weld.vertex_count);
-    solver_ = std::make_unique<ClothSolver>(model, weld.positions, obstacles_, h_);
+    const solver::ClothModel model = task_model(task_, fabric_of(settings_), vertex_of_, weld.vertex_count);
+    solver_ = std::make_unique<solver::ClothSolver>(model, weld.positions, obstacles_, h_);
     if (!velocities.empty()) solver_->set_velocities(std::move(velocities));
   }
 
   void lead() {
     if (task_.led.empty() || led_) return;
     const double s = eased(time());
-    std::vector<HeldVertex> held;
+    std::vector<solver::constraints::HeldVertex> held;
     std::vector<bool> seen(solver_->positions().size(), false);
     for (const LedVertex& l : task_.led) {
       const Index v = vertex_of_[l.v];
@@ -181,14 +181,14 @@ class PeerRun {
     led_ = s == 1;
   }
 
-  StepForces forces() const {
-    StepForces f;
+  solver::StepForces forces() const {
+    solver::StepForces f;
     f.gravity = kGravity;
     f.stitch_length = std::max(0.0, 1 - time() / kLeadTime);
     f.damping = 0;
     if (resting_ || settings_.dynamic) return f;
     f.damping = sewing_ ? kSewDamping : watch_.damping();
-    f.viscosity = viscous_share(settings_.viscosity, h_, steps_);
+    f.viscosity = solver::constraints::viscous_share(settings_.viscosity, h_, steps_);
     return f;
   }
 
@@ -196,15 +196,15 @@ class PeerRun {
     if (time() < kLeadTime) return;
     weld_gap_ = gap();
     if (weld_gap_ > kSeamShut) return;
-    GarmentMesh mesh;
+    sewing::GarmentMesh mesh;
     mesh.rest.resize(vertex_of_.size());
     mesh.triangles = task_.cloth.triangles;
     mesh.weld = sewn_classes(task_);
     const std::vector<Index> before = vertex_of_;
     const std::vector<Vec3> velocities = solver_->velocities();
     const std::vector<double> masses = solver_->model().mass;
-    const std::vector<CrossingBody> bodies{make_crossing_body(task_.body.vertices, task_.body.triangles)};
-    const Weld weld = weld_seams(mesh, positions(), kSeamShut, bodies);
+    const std::vector<collision::CrossingBody> bodies{collision::make_crossing_body(task_.body.vertices, task_.body.triangles)};
+    const drape::Weld weld = drape::weld_seams(mesh, positions(), kSeamShut, bodies);
     if (!weld.refused.empty()) return;
     std::vector<Vec3> momentum(weld.positions.size());
     std::vector<double> mass(weld.positions.size(), 0);
@@ -232,9 +232,9 @@ class PeerRun {
   const RunSettings settings_;
   const double h_;
   bool sewing_, led_ = false, resting_ = false;
-  SettleWatch watch_;
-  std::vector<Obstacle> obstacles_;
-  std::unique_ptr<ClothSolver> solver_;
+  drape::SettleWatch watch_;
+  std::vector<collision::Obstacle> obstacles_;
+  std::unique_ptr<solver::ClothSolver> solver_;
   std::vector<Index> vertex_of_;
   std::string reason_;
   int steps_ = 0;
@@ -274,8 +274,8 @@ RestTest test_rest(PeerRun& run, FrameCheck& check, const std::vector<Vec3>& fro
 
 }  // namespace
 
-Fabric fabric_of(const RunSettings& settings) {
-  Fabric fabric = bench_fabric();
+material::Fabric fabric_of(const RunSettings& settings) {
+  material::Fabric fabric = bench_fabric();
   for (double* bend : {&fabric.bend_warp, &fabric.bend_weft, &fabric.bend_bias})
     *bend *= settings.bend_factor;
   for (double* stretch :
@@ -286,7 +286,7 @@ Fabric fabric_of(const RunSettings& settings) {
   return fabric;
 }
 
-double time_step_for(const TriangleMesh& cloth) { return mean_edge_of(cloth) / kWaveSpeed; }
+double time_step_for(const geometry::TriangleMesh& cloth) { return mean_edge_of(cloth) / kWaveSpeed; }
 
 namespace {
 
@@ -309,7 +309,7 @@ PeerEnd run_task(const PeerTask& task, const RunSettings& settings) {
   const int interval = steps_in(kFrameInterval, run.time_step());
   const int traced = steps_in(kTraceInterval, run.time_step());
   while (!run.done()) {
-    const StepReport report = run.step();
+    const solver::StepReport report = run.step();
     end.detections += report.detections;
     end.bounded += report.bounded;
     if (settings.trace && run.steps() % traced == 0) print_line(run, end);

@@ -20,9 +20,9 @@ struct RunSettings {
 };
 
 /// The bench fabric under these settings.
-Fabric fabric_of(const RunSettings& settings);
+material::Fabric fabric_of(const RunSettings& settings);
 /// A substep in which a wave of the cloth's own stiffness goes the same share of an edge on every mesh.
-double time_step_for(const TriangleMesh& cloth);
+double time_step_for(const geometry::TriangleMesh& cloth);
 
 /// The worst of all frames looked at.
 struct WorstFrame {

@@ -20,11 +20,11 @@ Error bad_line(const fs::path& file, int line) {
           file.string() + " line " + std::to_string(line)};
 }
 
-Result<TriangleMesh> read_obj(const fs::path& file) {
+Result<geometry::TriangleMesh> read_obj(const fs::path& file) {
   std::ifstream in(file);
   if (!in)
     return Error{"bench.missing", "the task's file is not there; say where with --tasks", file.string()};
-  TriangleMesh mesh;
+  geometry::TriangleMesh mesh;
   std::string text, word;
   for (int line = 1; std::getline(in, text); ++line) {
     std::istringstream words(text);
@@ -95,7 +95,7 @@ Vec3 undisguised(Vec3 p, const Disguise& d) {
   return p;
 }
 
-TriangleMesh disguised(TriangleMesh mesh, const Disguise& d) {
+geometry::TriangleMesh disguised(geometry::TriangleMesh mesh, const Disguise& d) {
   for (Vec3& p : mesh.vertices) p = disguised(p, d);
   if (d.flip) {
     for (Tri& t : mesh.triangles) std::swap(t[1], t[2]);
@@ -105,9 +105,9 @@ TriangleMesh disguised(TriangleMesh mesh, const Disguise& d) {
 
 void shuffle_cloth(DisguisedTask& out, std::uint64_t seed) {
   std::mt19937_64 random(seed);
-  TriangleMesh& cloth = out.task.cloth;
+  geometry::TriangleMesh& cloth = out.task.cloth;
   out.place = shuffled(cloth.vertices.size(), random);
-  TriangleMesh mixed = cloth;
+  geometry::TriangleMesh mixed = cloth;
   for (std::size_t i = 0; i < out.place.size(); ++i) mixed.vertices[out.place[i]] = cloth.vertices[i];
   const std::vector<Index> triangle_place = shuffled(cloth.triangles.size(), random);
   for (std::size_t t = 0; t < triangle_place.size(); ++t) {
@@ -123,7 +123,7 @@ void shuffle_cloth(DisguisedTask& out, std::uint64_t seed) {
 }
 
 /// Corners in the triangle's plane, x along what the world's x (or z) axis is there.
-RestTriangle flat(const TriangleMesh& cloth, const Tri& t) {
+solver::RestTriangle flat(const geometry::TriangleMesh& cloth, const Tri& t) {
   const Vec3 a = cloth.vertices[t[0]], ab = cloth.vertices[t[1]] - a, ac = cloth.vertices[t[2]] - a;
   const Vec3 n = normalized(cross(ab, ac));
   const Vec3 axis = std::abs(n.x) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 0, 1};
@@ -164,9 +164,9 @@ DisguisedTask put_on(const PeerTask& task, const Disguise& disguise) {
   return out;
 }
 
-Fabric bench_fabric() {
+material::Fabric bench_fabric() {
   constexpr double kYoung = 2000, kPoisson = 0.3, kBending = 1.3e-5;
-  Fabric fabric;
+  material::Fabric fabric;
   fabric.id = fabric.name = "bench";
   fabric.areal_mass = 0.2;
   fabric.stretch_warp = fabric.stretch_weft = kYoung / (1 - kPoisson * kPoisson);
@@ -193,9 +193,9 @@ std::vector<Index> sewn_classes(const PeerTask& task) {
   return least;
 }
 
-ClothModel task_model(const PeerTask& task, const Fabric& fabric, std::span<const Index> vertex_of,
+solver::ClothModel task_model(const PeerTask& task, const material::Fabric& fabric, std::span<const Index> vertex_of,
                       Index vertex_count) {
-  ClothModel model;
+  solver::ClothModel model;
   model.fabrics = {fabric};
   model.mass.assign(static_cast<std::size_t>(vertex_count), 0);
   for (const Tri& t : task.cloth.triangles) {
@@ -204,7 +204,7 @@ ClothModel task_model(const PeerTask& task, const Fabric& fabric, std::span<cons
     Tri& solved = model.triangles.emplace_back(t);
     for (Index& v : solved) {
       v = vertex_of[v];
-      model.mass[v] += rest_area(model.rest.back()) * fabric.areal_mass / 3;
+      model.mass[v] += solver::rest_area(model.rest.back()) * fabric.areal_mass / 3;
     }
   }
   model.vertex_class.resize(model.mass.size());
@@ -213,7 +213,7 @@ ClothModel task_model(const PeerTask& task, const Fabric& fabric, std::span<cons
   return model;
 }
 
-double mean_edge_of(const TriangleMesh& cloth) {
+double mean_edge_of(const geometry::TriangleMesh& cloth) {
   double sum = 0;
   for (const Tri& t : cloth.triangles) {
     for (int k = 0; k < 3; ++k) sum += length(cloth.vertices[t[(k + 1) % 3]] - cloth.vertices[t[k]]);

@@ -25,8 +25,8 @@ struct LedVertex {
 /// The cloth is flat and free of stress where it starts.
 struct PeerTask {
   std::string name;
-  TriangleMesh cloth;
-  TriangleMesh body;
+  geometry::TriangleMesh cloth;
+  geometry::TriangleMesh body;
   std::vector<std::array<Index, 2>> sewn;
   std::vector<LedVertex> led;
 };
@@ -54,17 +54,17 @@ struct DisguisedTask {
 DisguisedTask put_on(const PeerTask& task, const Disguise& disguise);
 
 /// The fabric of all tasks: isotropic, 0.2 kg/m², E·t = 2000 N/m, Poisson's ratio 0.3, 1 mm thick.
-Fabric bench_fabric();
+material::Fabric bench_fabric();
 
 /// `vertex_of` gives the solver's vertex of each cloth vertex (welded vertices have the same); sewn ones that
 /// are not welded count as one for neighbourhood.
-ClothModel task_model(const PeerTask& task, const Fabric& fabric, std::span<const Index> vertex_of,
+solver::ClothModel task_model(const PeerTask& task, const material::Fabric& fabric, std::span<const Index> vertex_of,
                       Index vertex_count);
 
 /// Least vertex that each is sewn to, directly or through others; itself where it is not.
 std::vector<Index> sewn_classes(const PeerTask& task);
 
 /// m, of the rest triangles' edges.
-double mean_edge_of(const TriangleMesh& cloth);
+double mean_edge_of(const geometry::TriangleMesh& cloth);
 
 }  // namespace toile::peers

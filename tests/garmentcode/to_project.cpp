@@ -14,22 +14,22 @@ Status write_garmentcode_project(const std::filesystem::path& data, const std::s
   const std::filesystem::path file = data / "garmentcode" / (name + "_specification.json");
   std::ifstream in(file, std::ios::binary);
   if (!in) return Error{"test.specification", "no such file", file.string()};
-  NewProjectSettings settings;
+  create::NewProjectSettings settings;
   settings.name = name;
   settings.body_file = body;
-  Result<NewProject> made = new_project(std::string{std::istreambuf_iterator<char>(in), {}}, settings);
+  Result<create::NewProject> made = create::new_project(std::string{std::istreambuf_iterator<char>(in), {}}, settings);
   if (!made) return made.error();
-  Project& project = made->project;
+  project::Project& project = made->project;
   project.bodies[0].unit = "m";
   project.settings.particle_distance_mm = particle_distance_mm;
-  for (const ProjectPiece& piece : project.pieces)
+  for (const project::ProjectPiece& piece : project.pieces)
     for (const std::string& prefix : held)
       if (piece.id.starts_with(prefix))
         project.attachments.push_back({"hold_" + piece.id, piece.id, {}, "height", 1.0});
   std::filesystem::create_directories(out);
   std::filesystem::copy_file(data / "bodies" / body, out / body,
                              std::filesystem::copy_options::overwrite_existing);
-  return write_file(out / "project.json", write_project(project));
+  return write_file(out / "project.json", project::write_project(project));
 }
 
 }  // namespace toile::test

@@ -36,7 +36,7 @@ Goldens read_goldens() {
 
 void write_golden(const std::string& sample, const std::string& hash) {
   Goldens goldens = read_goldens();
-  const std::string engine = std::to_string(kCheckpointVersion);
+  const std::string engine = std::to_string(drape::kCheckpointVersion);
   const auto had = goldens.find(sample);
   if (had != goldens.end() && had->second != hash && goldens["engine"] == engine) {
     std::fprintf(
@@ -63,7 +63,7 @@ void expect_golden(const std::string& sample, const std::string& hash) {
   ASSERT_NE(found, goldens.end()) << sample << " is not in " << kPath << ", which says how to write it";
   EXPECT_EQ(hash, found->second) << "the sample " << sample << " does not end in the bytes that " << kPath
                                  << " has; the file says what to do if that is meant";
-  EXPECT_EQ(goldens.at("engine"), std::to_string(kCheckpointVersion))
+  EXPECT_EQ(goldens.at("engine"), std::to_string(drape::kCheckpointVersion))
       << "the hashes are of another version of the engine; " << kPath << " says how to write them again";
 }
 

@@ -10,8 +10,8 @@ namespace toile::test {
 namespace {
 
 /// Rings of `sides` points between two poles, from below upwards; radius and height of each ring given.
-TriangleMesh lathe(const std::vector<Vec2>& rings, double bottom, double top, int sides) {
-  TriangleMesh mesh;
+geometry::TriangleMesh lathe(const std::vector<Vec2>& rings, double bottom, double top, int sides) {
+  geometry::TriangleMesh mesh;
   for (const Vec2& ring : rings) {
     for (int i = 0; i < sides; ++i) {
       const double a = 2 * kPi * i / sides;
@@ -35,7 +35,7 @@ TriangleMesh lathe(const std::vector<Vec2>& rings, double bottom, double top, in
   return mesh;
 }
 
-TriangleMesh ball(double radius, double height, int sides) {
+geometry::TriangleMesh ball(double radius, double height, int sides) {
   std::vector<Vec2> rings;
   const int count = std::max(3, sides / 2);
   for (int r = 1; r < count; ++r) {
@@ -45,8 +45,8 @@ TriangleMesh ball(double radius, double height, int sides) {
   return lathe(rings, height - radius, height + radius, sides);
 }
 
-TriangleMesh block(Vec3 low, Vec3 high) {
-  TriangleMesh mesh;
+geometry::TriangleMesh block(Vec3 low, Vec3 high) {
+  geometry::TriangleMesh mesh;
   for (int k = 0; k < 8; ++k) {
     mesh.vertices.push_back({k & 1 ? high.x : low.x, k & 2 ? high.y : low.y, k & 4 ? high.z : low.z});
   }
@@ -56,16 +56,16 @@ TriangleMesh block(Vec3 low, Vec3 high) {
 }
 
 /// Turned about z, which leans an upright thing to the side, then moved.
-void lean(TriangleMesh& mesh, double angle, Vec3 by) {
+void lean(geometry::TriangleMesh& mesh, double angle, Vec3 by) {
   const double c = std::cos(angle), s = std::sin(angle);
   for (Vec3& p : mesh.vertices) p = Vec3{c * p.x - s * p.y, s * p.x + c * p.y, p.z} + by;
 }
 
-const TriangleMesh& mannequin() {
-  static const TriangleMesh mesh = [] {
-    MannequinSettings settings;
+const geometry::TriangleMesh& mannequin() {
+  static const geometry::TriangleMesh mesh = [] {
+    mannequin::MannequinSettings settings;
     settings.triangle_count = 1500;
-    return make_mannequin(settings).value().mesh;
+    return mannequin::make_mannequin(settings).value().mesh;
   }();
   return mesh;
 }
@@ -75,13 +75,13 @@ void measure(Form& form) {
     form.box.add({0, 1, 0});
     return;
   }
-  for (const Body& body : form.bodies) {
+  for (const body::Body& body : form.bodies) {
     for (const Vec3& p : body.mesh.vertices) form.box.add(p);
   }
 }
 
-void add(Form& form, Chance& chance, TriangleMesh mesh) {
-  Body body;
+void add(Form& form, Chance& chance, geometry::TriangleMesh mesh) {
+  body::Body body;
   body.id = form.kind + std::to_string(form.bodies.size());
   body.mesh = std::move(mesh);
   body.friction = chance.happens(0.2) ? 0 : chance.between(0, 1);
@@ -95,7 +95,7 @@ void add_limbs(Form& form, Chance& chance, double size, int count) {
   const double length = size * chance.between(1, 2.5) + 4 * radius;
   for (int k = 0; k < count; ++k) {
     const double top = radius * chance.between(0.4, 1);
-    TriangleMesh limb = lathe({{radius, -length / 2}, {top, length / 2}}, -length / 2 - radius / 2,
+    geometry::TriangleMesh limb = lathe({{radius, -length / 2}, {top, length / 2}}, -length / 2 - radius / 2,
                               length / 2 + top / 2, chance.whole(5, 20));
     lean(limb, angle, {0, 1, count == 1 ? 0 : (k - 0.5) * (2 * radius + gap)});
     add(form, chance, std::move(limb));
@@ -115,7 +115,7 @@ Form make_form(Chance& chance, double size) {
   if (k == "sphere") add(form, chance, ball(s / 2, 1, chance.whole(5, 28)));
   if (k == "box") {
     const Vec3 half{s * chance.between(0.1, 0.6), s * chance.between(0.1, 0.8), s * chance.between(0.1, 0.6)};
-    TriangleMesh box = block(-half, half);
+    geometry::TriangleMesh box = block(-half, half);
     lean(box, chance.happens(0.5) ? 0 : chance.between(-kPi, kPi), {0, 1, 0});
     add(form, chance, std::move(box));
   }
@@ -125,7 +125,7 @@ Form make_form(Chance& chance, double size) {
   }
   if (k == "slab") {
     const double thick = chance.between(0.001, 0.005);
-    TriangleMesh slab = block({-s * 0.6, -thick, -s * 0.6}, {s * 0.6, thick, s * 0.6});
+    geometry::TriangleMesh slab = block({-s * 0.6, -thick, -s * 0.6}, {s * 0.6, thick, s * 0.6});
     lean(slab, chance.happens(0.4) ? 0 : chance.between(-kPi / 2, kPi / 2), {0, 1, 0});
     add(form, chance, std::move(slab));
   }

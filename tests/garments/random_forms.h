@@ -12,7 +12,7 @@ namespace toile::test {
 
 struct Form {
   std::string kind;
-  std::vector<Body> bodies;
+  std::vector<body::Body> bodies;
   Aabb3 box;  ///< m, around all bodies; a point when there is none
 
   /// m, the farthest that a solid reaches sideways.

@@ -43,32 +43,32 @@ struct Maker {
 double metres_wide(const CutPiece& p) { return metres_from_mm(p.box.size().x); }
 double metres_high(const CutPiece& p) { return metres_from_mm(p.box.size().y); }
 
-void add(Maker& m, CutPiece piece, Placement placement) {
+void add(Maker& m, CutPiece piece, sewing::Placement placement) {
   m.out.shapes += (m.pieces.empty() ? "" : ",") + piece.shape;
-  m.sewn.emplace_back(edges_of(piece.panel).size(), false);
+  m.sewn.emplace_back(pattern::edges_of(piece.panel).size(), false);
   m.out.input.pattern.panels.push_back(piece.panel);
   m.out.input.placements.push_back(std::move(placement));
   m.pieces.push_back(std::move(piece));
 }
 
 /// The flat middle of the piece comes to `centre`.
-RigidPlacement centred(const CutPiece& piece, Vec3 centre, Vec3 rotation, bool flipped = false) {
-  RigidPlacement p{{}, rotation, flipped};
+sewing::RigidPlacement centred(const CutPiece& piece, Vec3 centre, Vec3 rotation, bool flipped = false) {
+  sewing::RigidPlacement p{{}, rotation, flipped};
   const Vec2 middle = piece.box.middle() * 1e-3;
-  p.translation = centre - place({middle}, p)[0];
+  p.translation = centre - sewing::place({middle}, p)[0];
   return p;
 }
 
-void sew_edges(Maker& m, std::vector<SeamEdge> a, std::vector<SeamEdge> b, bool same_direction) {
+void sew_edges(Maker& m, std::vector<pattern::SeamEdge> a, std::vector<pattern::SeamEdge> b, bool same_direction) {
   for (const auto* series : {&a, &b}) {
-    for (const SeamEdge& e : *series) {
+    for (const pattern::SeamEdge& e : *series) {
       if (m.sewn[e.panel][e.edge]) return;
     }
   }
   for (const auto* series : {&a, &b}) {
-    for (const SeamEdge& e : *series) m.sewn[e.panel][e.edge] = true;
+    for (const pattern::SeamEdge& e : *series) m.sewn[e.panel][e.edge] = true;
   }
-  Seam seam;
+  pattern::Seam seam;
   seam.id = "s" + std::to_string(m.out.input.pattern.seams.size());
   seam.a = std::move(a);
   seam.b = std::move(b);
@@ -76,8 +76,8 @@ void sew_edges(Maker& m, std::vector<SeamEdge> a, std::vector<SeamEdge> b, bool 
   m.out.input.pattern.seams.push_back(std::move(seam));
 }
 
-std::vector<SeamEdge> series(const Maker& m, Index piece, int side) {
-  std::vector<SeamEdge> edges;
+std::vector<pattern::SeamEdge> series(const Maker& m, Index piece, int side) {
+  std::vector<pattern::SeamEdge> edges;
   for (const Index e : m.pieces[piece].sides[side]) edges.push_back({piece, e, false});
   return edges;
 }
@@ -97,7 +97,7 @@ void stack(Maker& m) {
   for (int k = 0; k < m.count; ++k) {
     CutPiece piece = alike && k > 0 ? copy_of(m.pieces[0], "p" + std::to_string(k)) : m.cut();
     const Vec3 centre{m.chance.between(-shift, shift), y, m.chance.between(-shift, shift)};
-    const RigidPlacement at = alike && k > 0
+    const sewing::RigidPlacement at = alike && k > 0
                                   ? centred(piece, {0, y, 0}, {-kPi / 2, 0, tilt})
                                   : centred(piece, k ? centre : Vec3{0, y, 0}, {-kPi / 2, 0, tilt});
     add(m, std::move(piece), at);
@@ -126,8 +126,8 @@ void before_and_behind(Maker& m) {
     const double high = std::max(metres_high(front), metres_high(back));
     const Vec3 centre{0, top - high / 2, away};
     const Index f = static_cast<Index>(m.pieces.size()), b = f + 1;
-    const RigidPlacement at_front = centred(front, centre, {});
-    const RigidPlacement at_back = centred(back, {0, centre.y, -away}, {});
+    const sewing::RigidPlacement at_front = centred(front, centre, {});
+    const sewing::RigidPlacement at_back = centred(back, {0, centre.y, -away}, {});
     add(m, std::move(front), at_front);
     add(m, std::move(back), at_back);
     sew(m, f, kRight, b, kRight, true);
@@ -152,7 +152,7 @@ void wrapped(Maker& m) {
     const CutPiece first = m.cut(width, height);
     const auto begin = static_cast<Index>(m.pieces.size());
     for (int k = 0; k < around; ++k) {
-      WrappedPlacement w;
+      sewing::WrappedPlacement w;
       w.radius = radius;
       w.slope = slope;
       w.anchor = first.box.middle() * 1e-3;
@@ -167,11 +167,11 @@ void wrapped(Maker& m) {
 }
 
 void hold(Maker& m, Index piece, int side, double release) {
-  Attachment a;
+  sewing::Attachment a;
   a.id = "hold" + std::to_string(m.out.input.attachments.size());
   a.panel = piece;
   if (side >= 0) a.edges = m.pieces[piece].sides[side];
-  a.hold = m.chance.happens(0.5) ? Attachment::Hold::kHeight : Attachment::Hold::kPlace;
+  a.hold = m.chance.happens(0.5) ? sewing::Attachment::Hold::kHeight : sewing::Attachment::Hold::kPlace;
   a.release_after = release;
   m.out.input.attachments.push_back(std::move(a));
 }
@@ -182,7 +182,7 @@ void hanging(Maker& m) {
   for (int k = 0; k < m.count; ++k) {
     CutPiece piece = m.cut();
     const double y = m.form.box.high.y + m.chance.between(-0.5, 0.5) * metres_high(piece);
-    const RigidPlacement at = centred(piece, {m.chance.between(-0.3, 0.3) * m.size, y, z},
+    const sewing::RigidPlacement at = centred(piece, {m.chance.between(-0.3, 0.3) * m.size, y, z},
                                       {0, 0, m.chance.between(-0.3, 0.3)}, m.chance.happens(0.3));
     add(m, std::move(piece), at);
     if (m.chance.happens(0.7)) hold(m, k, kTop, m.chance.happens(0.6) ? -1 : m.chance.between(0, 0.4));
@@ -204,7 +204,7 @@ void side_by_side(Maker& m) {
     const double taller = m.chance.happens(0.4) ? m.chance.log_between(1.0 / 3, 3) : 1;
     CutPiece piece = m.cut(m.size * m.chance.between(0.4, 1), m.size * std::min(taller, 1.4));
     x += metres_wide(piece) / 2;
-    const RigidPlacement at = centred(piece, {x - m.size * across * 0.4, y, back}, {-kPi / 2, 0, 0});
+    const sewing::RigidPlacement at = centred(piece, {x - m.size * across * 0.4, y, back}, {-kPi / 2, 0, 0});
     x += metres_wide(piece) / 2 + m.gap();
     add(m, std::move(piece), at);
     if (k % across > 0) sew(m, k - 1, kRight, k, kLeft, false);
@@ -240,7 +240,7 @@ void anywhere(Maker& m) {
     const double far = around * m.chance.between(0.9, 1.8);
     const Vec3 centre{far * std::sin(angle), 1 + m.chance.between(-0.5, 1) * m.size, far * std::cos(angle)};
     const Vec3 rotation{m.chance.between(-0.6, 0.6), angle, m.chance.between(-3, 3)};
-    const RigidPlacement at = centred(piece, centre, rotation, m.chance.happens(0.3));
+    const sewing::RigidPlacement at = centred(piece, centre, rotation, m.chance.happens(0.3));
     add(m, std::move(piece), at);
   }
   for (int k = m.chance.whole(0, m.count + 1); k > 0; --k) {
@@ -249,8 +249,8 @@ void anywhere(Maker& m) {
   }
 }
 
-Fabric random_fabric(Chance& chance, int k) {
-  Fabric f;
+material::Fabric random_fabric(Chance& chance, int k) {
+  material::Fabric f;
   f.id = "f" + std::to_string(k);
   f.areal_mass = chance.log_between(0.03, 1);
   f.stretch_warp = chance.log_between(50, 20000);
@@ -266,7 +266,7 @@ Fabric random_fabric(Chance& chance, int k) {
   return f;
 }
 
-void set_times(Chance& chance, DrapeSettings& s) {
+void set_times(Chance& chance, drape::DrapeSettings& s) {
   s.time_step = 1 / chance.log_between(1000, 6000);
   s.gravity = chance.happens(0.1) ? 0 : chance.happens(0.4) ? 9.81 : chance.between(0, 30);
   s.sew_time = chance.happens(0.05) ? 0 : chance.log_between(0.1, 0.8);
@@ -276,13 +276,13 @@ void set_times(Chance& chance, DrapeSettings& s) {
 }
 
 void finish(Maker& m) {
-  DrapeInput& input = m.out.input;
+  drape::DrapeInput& input = m.out.input;
   for (Index p = 0; p < static_cast<Index>(m.pieces.size()); ++p) {
     for (const auto& [a, b] : m.pieces[p].darts) sew_edges(m, {{p, a, false}}, {{p, b, false}}, false);
   }
   const int fabrics = m.chance.whole(1, 3);
   for (int k = 0; k < fabrics; ++k) input.fabrics.push_back(random_fabric(m.chance, k));
-  for (Panel& panel : input.pattern.panels) {
+  for (pattern::Panel& panel : input.pattern.panels) {
     const Index f = m.chance.whole(0, fabrics - 1);
     panel.fabric = input.fabrics[f].id;
     input.fabric_of_panel.push_back(f);
@@ -311,7 +311,7 @@ RandomGarment random_garment(std::uint64_t seed) {
       {"anywhere", anywhere}};
   Chance chance(seed * 1000003 + 17);
   RandomGarment out;
-  DrapeSettings& settings = out.input.settings;
+  drape::DrapeSettings& settings = out.input.settings;
   out.input.name = "random " + std::to_string(seed);
   set_times(chance, settings);
   settings.particle_distance = chance.log_between(0.003, 0.04);

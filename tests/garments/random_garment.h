@@ -9,7 +9,7 @@
 namespace toile::test {
 
 struct RandomGarment {
-  DrapeInput input;
+  drape::DrapeInput input;
   std::string scene, form, shapes;  ///< in words, for the printed line
   int cancel_at_step = -1;          ///< -1: never; 0: before it begins
 };

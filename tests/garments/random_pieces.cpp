@@ -16,15 +16,15 @@ struct Stroke {
   double bulge = 0;
 };
 
-CubicBezier swollen(Vec2 a, Vec2 b, double bulge) {
+pattern::CubicBezier swollen(Vec2 a, Vec2 b, double bulge) {
   const Vec2 d = b - a, out = Vec2{d.y, -d.x} * bulge;
   return {a, a + d * (1.0 / 3) + out, a + d * (2.0 / 3) + out, b};
 }
 
-void add_edge(CutPiece& piece, int side, std::vector<CubicBezier> curves) {
+void add_edge(CutPiece& piece, int side, std::vector<pattern::CubicBezier> curves) {
   const auto index = static_cast<Index>(piece.panel.outline.edges.size());
   if (side >= 0) piece.sides[side].push_back(index);
-  PanelEdge edge;
+  pattern::PanelEdge edge;
   edge.id = "e" + std::to_string(index);
   edge.curves = std::move(curves);
   piece.panel.outline.edges.push_back(std::move(edge));
@@ -40,11 +40,11 @@ void draw(CutPiece& piece, const std::vector<Stroke>& strokes) {
 }
 
 /// Arc around the origin from one angle to another, either way, its ends given exactly.
-std::vector<CubicBezier> arc(double radius, double from, double to, Vec2 start, Vec2 end) {
+std::vector<pattern::CubicBezier> arc(double radius, double from, double to, Vec2 start, Vec2 end) {
   const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(to - from) / (kPi / 2))));
   const double turn = (to - from) / parts, handle = radius * 4 / 3 * std::tan(turn / 4);
   const auto at = [&](double a) { return Vec2{radius * std::cos(a), radius * std::sin(a)}; };
-  std::vector<CubicBezier> curves;
+  std::vector<pattern::CubicBezier> curves;
   Vec2 p = start;
   for (int k = 0; k < parts; ++k) {
     const double a = from + turn * k, b = a + turn;
@@ -57,14 +57,14 @@ std::vector<CubicBezier> arc(double radius, double from, double to, Vec2 start, 
 }
 
 /// A clockwise hole of four arcs or one, or a square.
-Loop hole_at(Chance& chance, Vec2 centre, double radius, int name) {
-  Loop loop;
+pattern::Loop hole_at(Chance& chance, Vec2 centre, double radius, int name) {
+  pattern::Loop loop;
   const int edges = chance.happens(0.5) ? 4 : 1;
   const Vec2 first{radius, 0};
-  std::vector<CubicBezier> curves = arc(radius, 0, -2 * kPi, first, first);
-  for (CubicBezier& c : curves) c = {c.p0 + centre, c.p1 + centre, c.p2 + centre, c.p3 + centre};
+  std::vector<pattern::CubicBezier> curves = arc(radius, 0, -2 * kPi, first, first);
+  for (pattern::CubicBezier& c : curves) c = {c.p0 + centre, c.p1 + centre, c.p2 + centre, c.p3 + centre};
   for (int e = 0; e < edges; ++e) {
-    PanelEdge edge;
+    pattern::PanelEdge edge;
     edge.id = "h" + std::to_string(name) + std::to_string(e);
     const auto begin = curves.begin() + e * 4 / edges;
     edge.curves.assign(begin, begin + 4 / edges);
@@ -94,9 +94,9 @@ void sector(CutPiece& piece, double inner, double outer, double span) {
   const double a = -kPi / 2 - span / 2, b = -kPi / 2 + span / 2;
   const auto at = [](double r, double angle) { return Vec2{r * std::cos(angle), r * std::sin(angle)}; };
   add_edge(piece, kBottom, arc(outer, a, b, at(outer, a), at(outer, b)));
-  add_edge(piece, kRight, {line_segment(at(outer, b), at(inner, b))});
+  add_edge(piece, kRight, {pattern::line_segment(at(outer, b), at(inner, b))});
   add_edge(piece, kTop, arc(inner, b, a, at(inner, b), at(inner, a)));
-  add_edge(piece, kLeft, {line_segment(at(inner, a), at(outer, a))});
+  add_edge(piece, kLeft, {pattern::line_segment(at(inner, a), at(outer, a))});
 }
 
 void l_shape(Chance& chance, CutPiece& piece, double w, double h) {
@@ -122,7 +122,7 @@ void notched(Chance& chance, CutPiece& piece, double w, double h, double opening
   if (sewn) piece.darts.push_back({1, 2});
 }
 
-void measure(CutPiece& piece) { piece.box = bounding_box(flatten(piece.panel.outline, 0.1)); }
+void measure(CutPiece& piece) { piece.box = bounding_box(pattern::flatten(piece.panel.outline, 0.1)); }
 
 void add_holes(Chance& chance, CutPiece& piece, double w, double h) {
   const double radius = std::min(w, h) * chance.between(0.05, 0.2);

@@ -17,7 +17,7 @@ enum Side { kBottom, kRight, kTop, kLeft };
 /// A piece with its flat middle, mm. Every side is a series of edges in the outline's direction, none empty.
 struct CutPiece {
   std::string shape;
-  Panel panel;
+  pattern::Panel panel;
   std::array<std::vector<Index>, 4> sides;
   std::vector<std::pair<Index, Index>> darts;  ///< pairs of edges to be sewn to each other
   Aabb2 box;                                   ///< mm, of the outline

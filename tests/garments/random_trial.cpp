@@ -21,7 +21,7 @@ constexpr double kFastestFall = 30;  // m/s
 constexpr double kLeastSewTime = 0.02;  // s
 constexpr int kFewestFrames = 100;
 /// m/s that nothing here should pass: a fall, or the longest thread reeled in.
-double fastest_expected(const DrapeSettings& settings, double longest_thread) {
+double fastest_expected(const drape::DrapeSettings& settings, double longest_thread) {
   return kFastestFall + 2 * longest_thread / std::max(settings.sew_time, kLeastSewTime);
 }
 
@@ -50,10 +50,10 @@ constexpr double kMostStretch = 150;
 
 /// How many times longer the longest piece is than the narrowest is wide: the threads of a long seam may all
 /// hang on a strip.
-double narrowness(const DrapeInput& input) {
+double narrowness(const drape::DrapeInput& input) {
   double longest = 0, narrowest = 1e9;
-  for (const Panel& panel : input.pattern.panels) {
-    const Vec2 size = bounding_box(flatten(panel.outline, 0.1)).size();
+  for (const pattern::Panel& panel : input.pattern.panels) {
+    const Vec2 size = bounding_box(pattern::flatten(panel.outline, 0.1)).size();
     longest = std::max({longest, size.x, size.y});
     narrowest = std::min({narrowest, size.x, size.y});
   }
@@ -62,9 +62,9 @@ double narrowness(const DrapeInput& input) {
 
 /// More than this no load here can stretch the cloth: its own weight, fallen from anywhere, and the threads
 /// against its weakest direction, with ample room for shocks.
-double most_stretch(const DrapeInput& input, double extent) {
+double most_stretch(const drape::DrapeInput& input, double extent) {
   double weakest = 1e9, mass = 0, lightest = 1e9;
-  for (const Fabric& f : input.fabrics) {
+  for (const material::Fabric& f : input.fabrics) {
     const double coupled = 1 - f.stretch_coupling * f.stretch_coupling / (f.stretch_warp * f.stretch_weft);
     weakest = std::min({weakest, f.stretch_warp * coupled, f.stretch_weft * coupled, f.stretch_shear});
     mass = std::max(mass, f.areal_mass);
@@ -78,19 +78,19 @@ double most_stretch(const DrapeInput& input, double extent) {
 }
 
 /// Looks at the frames as viewers would get them.
-class Watch final : public FrameSink {
+class Watch final : public drape::FrameSink {
  public:
-  Watch(const DrapeInput& input, TrialReport& report) : input_(input), report_(report) {}
+  Watch(const drape::DrapeInput& input, TrialReport& report) : input_(input), report_(report) {}
 
-  void begin(const GarmentMesh& garment) override {
+  void begin(const sewing::GarmentMesh& garment) override {
     garment_ = &garment;
     report_.particles = garment.vertex_count();
   }
 
-  void frame(const Frame& f) override {
+  void frame(const drape::Frame& f) override {
     if (f.step == 0) {
       for (const Vec3& p : f.positions) around_.add(p);
-      for (const Body& body : input_.bodies)
+      for (const body::Body& body : input_.bodies)
         for (const Vec3& p : body.mesh.vertices) around_.add(p);
       most_ = most_stretch(input_, length(around_.size()));
     }
@@ -100,7 +100,7 @@ class Watch final : public FrameSink {
   }
 
  private:
-  void check_places(const Frame& f) {
+  void check_places(const drape::Frame& f) {
     Aabb3 room = around_.grown(2);
     room.low.y -= 0.5 * input_.settings.gravity * f.time * f.time;  // it may fall past its bodies
     for (const Vec3& p : f.positions) {
@@ -110,7 +110,7 @@ class Watch final : public FrameSink {
     }
   }
 
-  void check_stretch(const Frame& f) {
+  void check_stretch(const drape::Frame& f) {
     for (const Tri& t : garment_->triangles) {
       const double s = stretch_of({garment_->rest[t[0]], garment_->rest[t[1]], garment_->rest[t[2]]},
                                   {f.positions[t[0]], f.positions[t[1]], f.positions[t[2]]});
@@ -128,16 +128,16 @@ class Watch final : public FrameSink {
     if (report_.faults.size() < 3) report_.faults.push_back(text);
   }
 
-  const DrapeInput& input_;
+  const drape::DrapeInput& input_;
   TrialReport& report_;
-  const GarmentMesh* garment_ = nullptr;
+  const sewing::GarmentMesh* garment_ = nullptr;
   Aabb3 around_;
   double most_ = 0;
 };
 
 /// Steps after which a drape has had all the time that it may have, seams that do not close included.
-int step_limit(const DrapeSettings& s) {
-  return static_cast<int>((std::max(s.max_time, longest_sewing(s)) + 0.1) / s.time_step) + 10;
+int step_limit(const drape::DrapeSettings& s) {
+  return static_cast<int>((std::max(s.max_time, drape::longest_sewing(s)) + 0.1) / s.time_step) + 10;
 }
 
 double fastest(const std::vector<Vec3>& before, const std::vector<Vec3>& now, double seconds) {
@@ -147,7 +147,7 @@ double fastest(const std::vector<Vec3>& before, const std::vector<Vec3>& now, do
 }
 
 /// Advances in uneven slices until the end, the cancel or the limit.
-void run_out(const RandomGarment& garment, DrapeRun& run, const RunContext& context,
+void run_out(const RandomGarment& garment, drape::DrapeRun& run, const RunContext& context,
              std::atomic<bool>& cancel, TrialReport& report) {
   const int limit = step_limit(garment.input.settings);
   std::vector<Vec3> before = run.session().positions();
@@ -175,8 +175,8 @@ void check_refusal(const Error& error, TrialReport& report) {
   if (error.where.empty() || error.message.empty()) report.faults.push_back("the refusal names no place");
 }
 
-void check_end(const RandomGarment& garment, const DrapeResult& result, bool cancelled, TrialReport& report) {
-  report.end = to_string(result.stop_reason);
+void check_end(const RandomGarment& garment, const drape::DrapeResult& result, bool cancelled, TrialReport& report) {
+  report.end = drape::to_string(result.stop_reason);
   report.steps = result.steps;
   report.cpu_s = result.cpu_s;
   if (result.worst.cloth_body + result.worst.cloth_cloth > 0) {
@@ -186,8 +186,8 @@ void check_end(const RandomGarment& garment, const DrapeResult& result, bool can
   }
   if (report.speed > fastest_expected(garment.input.settings, report.thread))
     report.faults.push_back(text_of("a vertex went %g m/s", report.speed));
-  if (result.stop_reason.kind == Stop::kNotFinite) report.faults.push_back("a position was no number");
-  if (cancelled != (result.stop_reason.kind == Stop::kCancelled))
+  if (result.stop_reason.kind == drape::Stop::kNotFinite) report.faults.push_back("a position was no number");
+  if (cancelled != (result.stop_reason.kind == drape::Stop::kCancelled))
     report.faults.push_back("cancelled or not?");
   for (const Vec3& p : result.positions) {
     if (is_finite(p)) continue;
@@ -200,17 +200,17 @@ void check_end(const RandomGarment& garment, const DrapeResult& result, bool can
 }
 
 void write_end(const std::string& dump, const RandomGarment& garment, const std::string& name,
-               const GarmentMesh& mesh, const std::vector<Vec3>& positions, TrialReport& report) {
+               const sewing::GarmentMesh& mesh, const std::vector<Vec3>& positions, TrialReport& report) {
   const std::filesystem::path folder = std::filesystem::path(dump) / garment.input.name / name;
-  const Status written = write_check_data(folder, mesh, positions, garment.input.bodies);
+  const Status written = exports::write_check_data(folder, mesh, positions, garment.input.bodies);
   if (!written) report.faults.push_back(to_string(written.error()));
 }
 
 /// The drape once more, as far as the frame with the most crossings: the same bytes come again.
 void write_worst(const std::string& dump, const RandomGarment& garment, int step, TrialReport& report) {
-  auto again = DrapeRun::start(garment.input, RunContext{}, nullptr);
+  auto again = drape::DrapeRun::start(garment.input, RunContext{}, nullptr);
   if (!again) return report.faults.push_back(to_string(again.error()));
-  DrapeRun& run = **again;
+  drape::DrapeRun& run = **again;
   for (int taken = 0; taken < step && !run.done();) taken += run.advance(step - taken, RunContext{});
   write_end(dump, garment, "worst", run.session().garment(), run.session().positions(), report);
 }
@@ -219,7 +219,7 @@ void write_worst(const std::string& dump, const RandomGarment& garment, int step
 
 TrialReport try_garment(const RandomGarment& garment, const std::string& dump) {
   TrialReport report;
-  if (const Status valid = validate(garment.input.pattern); !valid) {
+  if (const Status valid = pattern::validate(garment.input.pattern); !valid) {
     check_refusal(valid.error(), report);
     return report;
   }
@@ -227,7 +227,7 @@ TrialReport try_garment(const RandomGarment& garment, const std::string& dump) {
   RunContext context;
   context.cancel = &cancel;
   Watch watch(garment.input, report);
-  auto started = DrapeRun::start(garment.input, context, &watch);
+  auto started = drape::DrapeRun::start(garment.input, context, &watch);
   if (!started && started.error().kind == ErrorKind::kCancelled) {
     report.end = "cancelled";
     if (!cancel) report.faults.push_back("cancelled by nobody");
@@ -237,11 +237,11 @@ TrialReport try_garment(const RandomGarment& garment, const std::string& dump) {
     check_refusal(started.error(), report);
     return report;
   }
-  DrapeRun& run = **started;
+  drape::DrapeRun& run = **started;
   if (!dump.empty())
     write_end(dump, garment, "start", run.session().garment(), run.session().positions(), report);
   if (!cancel) run_out(garment, run, context, cancel, report);
-  const DrapeResult result = run.conclude();
+  const drape::DrapeResult result = run.conclude();
   check_end(garment, result, cancel, report);
   if (!dump.empty()) write_end(dump, garment, "end", result.garment, result.positions, report);
   if (!dump.empty() && result.worst.cloth_body + result.worst.cloth_cloth > 0)
@@ -250,7 +250,7 @@ TrialReport try_garment(const RandomGarment& garment, const std::string& dump) {
 }
 
 std::string line_of(std::uint64_t seed, const RandomGarment& garment, const TrialReport& report) {
-  const DrapeSettings& s = garment.input.settings;
+  const drape::DrapeSettings& s = garment.input.settings;
   char text[400];
   std::snprintf(text, sizeof text,
                 "seed %3d  %-17s on %-9s %4.1f mm  %5.0f/s  g %4.1f  %4d particles %6d steps %4d frames  "

@@ -19,17 +19,17 @@ class GarmentStarts : public testing::Test {
       GTEST_SKIP() << "TOILE_SHARED is not set: NO REAL GARMENT WAS LOOKED AT";
     }
   }
-  static DrapeInput garment(const std::string& name, double particle_distance_mm) {
+  static drape::DrapeInput garment(const std::string& name, double particle_distance_mm) {
     const auto folder = std::filesystem::path(TOILE_BINARY_DIR) / "garment_starts" / name;
     const Status written =
         test::write_garmentcode_project(std::filesystem::path(std::getenv("TOILE_SHARED")) / "data", name,
                                         "garmentcode-mean_all.obj", {"wb_"}, particle_distance_mm, folder);
     EXPECT_TRUE(written.ok()) << to_string(written.error());
-    return read_project(folder / "project.json").value().input;
+    return resolve::read_project(folder / "project.json").value().input;
   }
-  static int count(const Findings& findings, FindingKind kind, Severity severity) {
+  static int count(const preflight::Findings& findings, preflight::FindingKind kind, preflight::Severity severity) {
     int n = 0;
-    for (const Finding& f : findings) n += f.kind == kind && f.severity == severity;
+    for (const preflight::Finding& f : findings) n += f.kind == kind && f.severity == severity;
     return n;
   }
 };
@@ -38,24 +38,24 @@ using LongGarmentStarts = GarmentStarts;
 TEST_F(GarmentStarts, AllFiveBeginAndAreLookedAtInASecond) {
   for (const char* name : {"tshirt", "hoody", "fitted_blouse_long", "pants", "skirt_2panel"}) {
     SCOPED_TRACE(name);
-    const DrapeInput input = garment(name, 20);
+    const drape::DrapeInput input = garment(name, 20);
     const Stopwatch watch;
-    const auto start = prepare_start(input, {});
+    const auto start = drape::prepare_start(input, {});
     EXPECT_LT(watch.cpu_s(), 1.0);
     ASSERT_TRUE(start.ok()) << to_string(start.error());
-    const auto error = first_error(start->findings);
+    const auto error = preflight::first_error(start->findings);
     EXPECT_FALSE(error) << to_string(*error);
   }
 }
 
 TEST_F(GarmentStarts, TheTrousersOverlappingTipsArePartedLeftAndRightAlike) {
-  const DrapeInput input = garment("pants", 25);
-  const auto start = prepare_start(input, {}).value();
+  const drape::DrapeInput input = garment("pants", 25);
+  const auto start = drape::prepare_start(input, {}).value();
   ASSERT_FALSE(start.findings.empty());
-  EXPECT_EQ(start.findings.front().kind, FindingKind::kTouches);
+  EXPECT_EQ(start.findings.front().kind, preflight::FindingKind::kTouches);
   EXPECT_TRUE(start.findings.front().repaired);
-  EXPECT_NE(where_text(start.findings.front()).find("pant_b_"), std::string::npos);
-  const auto placed = assemble(start.meshes, input.placements, input.attachments)->positions;
+  EXPECT_NE(preflight::where_text(start.findings.front()).find("pant_b_"), std::string::npos);
+  const auto placed = sewing::assemble(start.meshes, input.placements, input.attachments)->positions;
   std::vector<Vec3> shifts;
   for (std::size_t p = 0; p < input.pattern.panels.size(); ++p) {
     const Index v = start.assembly.garment.first_vertex[p];
@@ -68,34 +68,34 @@ TEST_F(GarmentStarts, TheTrousersOverlappingTipsArePartedLeftAndRightAlike) {
 }
 
 TEST_F(GarmentStarts, TrousersPlacedAsideAreRefusedForThreadsThroughTheLegs) {
-  DrapeInput input = garment("pants", 25);
-  for (Placement& p : input.placements) std::get<RigidPlacement>(p).translation.x += 0.1;
-  const auto start = prepare_start(input, {}).value();
-  EXPECT_GE(count(start.findings, FindingKind::kThreadThroughBody, Severity::kError), 1);
+  drape::DrapeInput input = garment("pants", 25);
+  for (sewing::Placement& p : input.placements) std::get<sewing::RigidPlacement>(p).translation.x += 0.1;
+  const auto start = drape::prepare_start(input, {}).value();
+  EXPECT_GE(count(start.findings, preflight::FindingKind::kThreadThroughBody, preflight::Severity::kError), 1);
 }
 
 TEST_F(GarmentStarts, ASkirtForAChildIsTooTightForThisBody) {
-  DrapeInput input = garment("skirt_2panel", 20);
-  for (Panel& panel : input.pattern.panels) {
+  drape::DrapeInput input = garment("skirt_2panel", 20);
+  for (pattern::Panel& panel : input.pattern.panels) {
     const double middle =
         0.5 * (panel.outline.edges[0].curves[0].p0.x + panel.outline.edges[2].curves[0].p0.x);
-    for (PanelEdge& edge : panel.outline.edges) {
-      for (CubicBezier& c : edge.curves) {
+    for (pattern::PanelEdge& edge : panel.outline.edges) {
+      for (pattern::CubicBezier& c : edge.curves) {
         for (Vec2* p : {&c.p0, &c.p1, &c.p2, &c.p3}) p->x = middle + 0.6 * (p->x - middle);
       }
     }
   }
-  const auto start = prepare_start(input, {}).value();
-  EXPECT_GE(count(start.findings, FindingKind::kTightRing, Severity::kWarning), 1);
+  const auto start = drape::prepare_start(input, {}).value();
+  EXPECT_GE(count(start.findings, preflight::FindingKind::kTightRing, preflight::Severity::kWarning), 1);
 }
 
 TEST_F(LongGarmentStarts, TheTrousersDrapeOnceTheirTipsAreParted) {
-  const DrapeInput input = garment("pants", 25);
-  const auto result = drape(input, {}, nullptr);
+  const drape::DrapeInput input = garment("pants", 25);
+  const auto result = drape::drape(input, {}, nullptr);
   ASSERT_TRUE(result.ok()) << to_string(result.error());
   EXPECT_EQ(result->worst.cloth_body + result->worst.cloth_cloth, 0);
-  EXPECT_NE(result->stop_reason.kind, Stop::kStalledSeam) << to_string(result->stop_reason);
-  EXPECT_NE(result->stop_reason.kind, Stop::kNotFinite);
+  EXPECT_NE(result->stop_reason.kind, drape::Stop::kStalledSeam) << drape::to_string(result->stop_reason);
+  EXPECT_NE(result->stop_reason.kind, drape::Stop::kNotFinite);
 }
 
 }  // namespace

@@ -21,13 +21,13 @@ TEST(GarmentCode, TheTwoPanelSkirtComesToRestOnItsBody) {
       test::write_garmentcode_project(std::filesystem::path(shared) / "data", "skirt_2panel",
                                       "garmentcode-mean_all.obj", {"wb_"}, 20, folder);
   ASSERT_TRUE(written.ok()) << to_string(written.error());
-  const auto read = read_project(folder / "project.json");
+  const auto read = resolve::read_project(folder / "project.json");
   ASSERT_TRUE(read.ok()) << to_string(read.error());
-  const DrapeInput& input = read->input;
-  const auto result = drape(input, {}, nullptr);
+  const drape::DrapeInput& input = read->input;
+  const auto result = drape::drape(input, {}, nullptr);
   ASSERT_TRUE(result.ok()) << to_string(result.error());
-  const Report r = make_report(input, *result);
-  EXPECT_TRUE(r.settled()) << to_string(r.stop_reason);
+  const analysis::Report r = analysis::make_report(input, *result);
+  EXPECT_TRUE(r.settled()) << drape::to_string(r.stop_reason);
   EXPECT_EQ(r.worst_frame.cloth_body + r.worst_frame.cloth_cloth, 0);
   EXPECT_LE(r.seam_gap_max_mm, 0.5);
   EXPECT_GT(r.highest_m, 1.0) << "the waistband stayed up";

@@ -71,7 +71,7 @@ TEST(RandomGarments, OfOneSeedAreTheSameGarment) {
   EXPECT_NE(test::random_garment(1).input.settings.particle_distance, a.input.settings.particle_distance);
 }
 
-double signed_volume(const TriangleMesh& mesh) {
+double signed_volume(const geometry::TriangleMesh& mesh) {
   double six = 0;
   for (const Tri& t : mesh.triangles)
     six += dot(mesh.vertices[t[0]], cross(mesh.vertices[t[1]], mesh.vertices[t[2]]));
@@ -82,10 +82,10 @@ TEST(RandomGarments, LieOnClosedSolidsWhoseSkinFacesOutwards) {
   test::Chance chance(1);
   for (int k = 0; k < 60; ++k) {
     const test::Form form = test::make_form(chance, k % 2 ? 0.1 : 0.6);
-    for (const Body& body : form.bodies) {
+    for (const body::Body& body : form.bodies) {
       const auto count = static_cast<Index>(body.mesh.vertices.size());
-      ASSERT_TRUE(check_manifold(body.mesh.triangles, count)) << form.kind;
-      for (const MeshEdge& e : edges_of(body.mesh.triangles, count)) ASSERT_NE(e.t1, kNone) << form.kind;
+      ASSERT_TRUE(mesh::check_manifold(body.mesh.triangles, count)) << form.kind;
+      for (const mesh::MeshEdge& e : mesh::edges_of(body.mesh.triangles, count)) ASSERT_NE(e.t1, kNone) << form.kind;
       EXPECT_GT(signed_volume(body.mesh), 0) << form.kind;
     }
   }

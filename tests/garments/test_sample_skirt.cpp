@@ -13,17 +13,17 @@ namespace toile {
 namespace {
 
 struct Draped {
-  DrapeInput input;
-  DrapeResult result;
-  Report report;
+  drape::DrapeInput input;
+  drape::DrapeResult result;
+  analysis::Report report;
 };
 
 const Draped& skirt() {
   static const Draped draped = [] {
     Draped d;
-    d.input = read_project(TOILE_SOURCE_DIR "/samples/skirt/project.json").value().input;
-    d.result = drape(d.input, {}, nullptr).value();
-    d.report = make_report(d.input, d.result);
+    d.input = resolve::read_project(TOILE_SOURCE_DIR "/samples/skirt/project.json").value().input;
+    d.result = drape::drape(d.input, {}, nullptr).value();
+    d.report = analysis::make_report(d.input, d.result);
     return d;
   }();
   return draped;
@@ -41,8 +41,8 @@ std::pair<double, double> heights(const Draped& d, const std::string& prefix) {
 }
 
 TEST(SampleSkirt, SettlesWithoutACrossingInAnyFrameAndWithShutSeams) {
-  const Report& r = skirt().report;
-  EXPECT_TRUE(r.settled()) << to_string(r.stop_reason);
+  const analysis::Report& r = skirt().report;
+  EXPECT_TRUE(r.settled()) << drape::to_string(r.stop_reason);
   EXPECT_EQ(r.intersections.cloth_body + r.intersections.cloth_cloth, 0);
   EXPECT_EQ(r.worst_frame.cloth_body + r.worst_frame.cloth_cloth, 0);
   EXPECT_GE(r.frames_checked, 100);
@@ -52,14 +52,14 @@ TEST(SampleSkirt, SettlesWithoutACrossingInAnyFrameAndWithShutSeams) {
 TEST(SampleSkirt, EndsInTheBytesThatAreWrittenDown) { test::expect_golden("skirt", skirt().report.hash); }
 
 TEST(SampleSkirt, HasTheParticlesAndTrianglesItSays) {
-  const Report& r = skirt().report;
+  const analysis::Report& r = skirt().report;
   EXPECT_GE(r.particles, 3000);
   EXPECT_LE(r.particles, 3300);
   EXPECT_NEAR(r.body_triangles, 3300, 100);
 }
 
 TEST(SampleSkirt, TheWaistbandSitsAtTheWaist) {
-  const Girth waist = trunk_girths(skirt().input.bodies[0].mesh).waist;
+  const measure::Girth waist = measure::trunk_girths(skirt().input.bodies[0].mesh).waist;
   const auto [low, high] = heights(skirt(), "band");
   EXPECT_LT(low - 0.03, waist.height);
   EXPECT_GT(high + 0.03, waist.height);
@@ -67,7 +67,7 @@ TEST(SampleSkirt, TheWaistbandSitsAtTheWaist) {
 }
 
 TEST(SampleSkirt, IsHardlyStretchedAnywhereButOverTheHip) {
-  const Report& r = skirt().report;
+  const analysis::Report& r = skirt().report;
   EXPECT_LT(r.warp.p99, 0.015);
   EXPECT_LT(r.weft.p99, 0.03);
 }

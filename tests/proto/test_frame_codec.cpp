@@ -26,11 +26,11 @@ Numbers cloth(int vertices, int t) {
 }
 
 std::string encoded(const GoldenFrame& golden) {
-  const DecodedFrame& f = golden.frame;
-  return f.key ? encode_key(f.header, f.grid) : encode_delta(f.header, f.grid, golden.before);
+  const proto::DecodedFrame& f = golden.frame;
+  return f.key ? proto::encode_key(f.header, f.grid) : proto::encode_delta(f.header, f.grid, golden.before);
 }
 
-void expect_same(const DecodedFrame& a, const DecodedFrame& b, const std::string& what) {
+void expect_same(const proto::DecodedFrame& a, const proto::DecodedFrame& b, const std::string& what) {
   EXPECT_EQ(a.key, b.key) << what;
   EXPECT_EQ(a.header.epoch, b.header.epoch) << what;
   EXPECT_EQ(a.header.seq, b.header.seq) << what;
@@ -69,8 +69,8 @@ TEST(FrameCodec, WritesTheWorkedExampleOfTheDocumentByteForByte) {
       "0100"
       "03000000");
   const Numbers before = {100, -250, 3, 101, -250, 5};
-  EXPECT_EQ(encode_key({1, 1, 0, 0}, before), key);
-  EXPECT_EQ(encode_delta({1, 2, 50, 0.25f}, Numbers{99, -252, 3, 101, -250, 5}, before), delta);
+  EXPECT_EQ(proto::encode_key({1, 1, 0, 0}, before), key);
+  EXPECT_EQ(proto::encode_delta({1, 2, 50, 0.25f}, Numbers{99, -252, 3, 101, -250, 5}, before), delta);
 }
 
 TEST(FrameCodec, WritesTheGoldenFrames) {
@@ -80,7 +80,7 @@ TEST(FrameCodec, WritesTheGoldenFrames) {
 
 TEST(FrameCodec, ReadsTheGoldenFrames) {
   for (const GoldenFrame& golden : golden_frames()) {
-    const auto frame = decode_frame(golden.bytes, golden.before);
+    const auto frame = proto::decode_frame(golden.bytes, golden.before);
     ASSERT_TRUE(frame) << golden.file << ": " << to_string(frame.error());
     expect_same(*frame, golden.frame, golden.file);
   }
@@ -89,7 +89,7 @@ TEST(FrameCodec, ReadsTheGoldenFrames) {
 TEST(FrameCodec, RefusesTheGoldenMisfits) {
   ASSERT_GE(refused_messages("refused_frames").size(), 15u);
   for (const RefusedMessage& refused : refused_messages("refused_frames")) {
-    const auto frame = decode_frame(refused.bytes, refused.before);
+    const auto frame = proto::decode_frame(refused.bytes, refused.before);
     ASSERT_FALSE(frame) << refused.why;
     EXPECT_EQ(frame.error().code, refused.code) << refused.why;
   }
@@ -98,8 +98,8 @@ TEST(FrameCodec, RefusesTheGoldenMisfits) {
 TEST(FrameCodec, CarriesEveryNumberOfVerticesAroundTheBlockSize) {
   for (int vertices = 0; vertices <= 50; ++vertices) {
     const Numbers before = cloth(vertices, 0), now = cloth(vertices, 7);
-    const auto key = decode_frame(encode_key({}, now), {});
-    const auto delta = decode_frame(encode_delta({}, now, before), before);
+    const auto key = proto::decode_frame(proto::encode_key({}, now), {});
+    const auto delta = proto::decode_frame(proto::encode_delta({}, now, before), before);
     ASSERT_TRUE(key && delta) << vertices;
     EXPECT_EQ(key->grid, now) << vertices;
     EXPECT_EQ(delta->grid, now) << vertices;
@@ -109,14 +109,14 @@ TEST(FrameCodec, CarriesEveryNumberOfVerticesAroundTheBlockSize) {
 TEST(FrameCodec, DifferencesWrapFromOneEndOfTheGridToTheOther) {
   Numbers low(90, -32768), high(90, 32767);
   for (std::size_t i = 0; i < low.size(); i += 2) std::swap(low[i], high[i]);
-  const std::string delta = encode_delta({}, high, low);
+  const std::string delta = proto::encode_delta({}, high, low);
   EXPECT_LE(delta.size(), 24u + 6 + 6 * 2 * 2);  // ±1 modulo 2¹⁶: two bits a number
-  EXPECT_EQ(decode_frame(delta, low)->grid, high);
+  EXPECT_EQ(proto::decode_frame(delta, low)->grid, high);
 }
 
 TEST(FrameCodec, AClothAtRestTakesOneByteABlock) {
   const Numbers still = cloth(160, 3);
-  EXPECT_EQ(encode_delta({}, still, still).size(), 24u + 3 * 10);
+  EXPECT_EQ(proto::encode_delta({}, still, still).size(), 24u + 3 * 10);
 }
 
 TEST(FrameCodec, AClothThatMovesAsOneTakesLittleMore) {
@@ -124,31 +124,31 @@ TEST(FrameCodec, AClothThatMovesAsOneTakesLittleMore) {
   Numbers now = before;
   for (auto& n : now) n = static_cast<std::int16_t>(n + 1000);
   const std::size_t first_blocks = 3 * 2 * 11;  // 1000 is 11 bits in zigzag; later blocks repeat it
-  EXPECT_EQ(encode_delta({}, now, before).size(), 24u + 3 * 10 + first_blocks);
+  EXPECT_EQ(proto::encode_delta({}, now, before).size(), 24u + 3 * 10 + first_blocks);
 }
 
 TEST(FrameCodec, ReadsMessagesThatStandAtAnyAddress) {
-  const std::string key = encode_key({1, 1, 0, 0}, cloth(40, 0));
+  const std::string key = proto::encode_key({1, 1, 0, 0}, cloth(40, 0));
   for (std::size_t offset = 0; offset < 8; ++offset) {
     const std::string shifted = std::string(offset, '#') + key;
-    EXPECT_EQ(decode_frame(std::string_view(shifted).substr(offset), {})->grid, cloth(40, 0));
+    EXPECT_EQ(proto::decode_frame(std::string_view(shifted).substr(offset), {})->grid, cloth(40, 0));
   }
 }
 
 TEST(MessageType, TellsTheThreeMessagesApart) {
-  EXPECT_EQ(*message_type(encode_key({}, cloth(4, 0))), MessageType::kKey);
-  EXPECT_EQ(*message_type(encode_delta({}, cloth(4, 0), cloth(4, 1))), MessageType::kDelta);
-  EXPECT_EQ(*message_type(encode_topology(1, {}, {}, {})), MessageType::kTopology);
-  EXPECT_EQ(message_type("TL\x01").error().code, "frame.malformed");
+  EXPECT_EQ(*proto::message_type(proto::encode_key({}, cloth(4, 0))), proto::MessageType::kKey);
+  EXPECT_EQ(*proto::message_type(proto::encode_delta({}, cloth(4, 0), cloth(4, 1))), proto::MessageType::kDelta);
+  EXPECT_EQ(*proto::message_type(proto::encode_topology(1, {}, {}, {})), proto::MessageType::kTopology);
+  EXPECT_EQ(proto::message_type("TL\x01").error().code, "frame.malformed");
 }
 
 TEST(FrameGrid, QuantisesToTheNearestPoint) {
-  const FrameGrid grid{.origin = {0.3, 1.1, -0.2}, .step = 1e-4};
+  const proto::FrameGrid grid{.origin = {0.3, 1.1, -0.2}, .step = 1e-4};
   std::vector<Vec3> positions;
   for (int i = 0; i < 5000; ++i) {
     positions.push_back({0.3 + 0.000601337 * (i - 2500), 1.1 - 0.00031 * i, -0.2 + 1e-5 * i});
   }
-  const auto back = dequantise(quantise(positions, grid), grid);
+  const auto back = proto::dequantise(proto::quantise(positions, grid), grid);
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const Vec3 off = back[i] - positions[i];
     ASSERT_LE(std::max({std::abs(off.x), std::abs(off.y), std::abs(off.z)}), 0.05e-3 * (1 + 1e-9)) << i;
@@ -156,19 +156,19 @@ TEST(FrameGrid, QuantisesToTheNearestPoint) {
 }
 
 TEST(FrameGrid, QuantisesBelowTheOriginAsAboveIt) {
-  const FrameGrid grid{.origin = {}, .step = 1};
+  const proto::FrameGrid grid{.origin = {}, .step = 1};
   const std::vector<Vec3> positions = {{-1.4, -1.6, 1.6}, {-0.4, 0.4, 0.6}};
-  EXPECT_EQ(quantise(positions, grid), (Numbers{-1, -2, 2, 0, 0, 1}));
+  EXPECT_EQ(proto::quantise(positions, grid), (Numbers{-1, -2, 2, 0, 0, 1}));
 }
 
 TEST(FrameGrid, ClampsWhatFliesOffAndPutsNoNumberAtTheOrigin) {
   constexpr double inf = std::numeric_limits<double>::infinity();
   const std::vector<Vec3> positions = {{4, -4, 1e300}, {inf, -inf, std::nan("")}};
-  EXPECT_EQ(quantise(positions, FrameGrid{}), (Numbers{32767, -32768, 32767, 32767, -32768, 0}));
+  EXPECT_EQ(proto::quantise(positions, proto::FrameGrid{}), (Numbers{32767, -32768, 32767, 32767, -32768, 0}));
 }
 
 TEST(FrameGrid, IsATenthOfAMillimetreAroundAGarment) {
-  const FrameGrid grid = grid_for({-0.4, 0.2, -0.3}, {0.4, 1.6, 0.5});
+  const proto::FrameGrid grid = proto::grid_for({-0.4, 0.2, -0.3}, {0.4, 1.6, 0.5});
   EXPECT_DOUBLE_EQ(grid.step, 1e-4);
   EXPECT_DOUBLE_EQ(grid.origin.x, 0);
   EXPECT_DOUBLE_EQ(grid.origin.y, 0.9);
@@ -177,49 +177,49 @@ TEST(FrameGrid, IsATenthOfAMillimetreAroundAGarment) {
 
 TEST(FrameGrid, GrowsUntilWideBoundsAndTheirRoomFit) {
   for (const double half : {2.2, 2.4, 5.0, 100.0, 1e5}) {
-    const FrameGrid grid = grid_for({-half, 0, 0}, {half, 1, 1});
+    const proto::FrameGrid grid = proto::grid_for({-half, 0, 0}, {half, 1, 1});
     EXPECT_GE(32767 * grid.step, half + 1) << half;
     EXPECT_LE(32767 * grid.step, std::max(3.2767, half + 1 + 0.33 + 1e-9)) << half;
   }
 }
 
 TEST(FrameGrid, OfNoBoundsIsThePlainOne) {
-  EXPECT_DOUBLE_EQ(grid_for({0, std::nan(""), 0}, {1, 1, 1}).step, 1e-4);
+  EXPECT_DOUBLE_EQ(proto::grid_for({0, std::nan(""), 0}, {1, 1, 1}).step, 1e-4);
 }
 
 TEST(FrameReader, FollowsAKeyAndItsDeltas) {
-  FrameReader reader(2, 100);
+  proto::FrameReader reader(2, 100);
   EXPECT_FALSE(reader.frame());
-  ASSERT_TRUE(reader.read(encode_key({2, 10, 500, 1}, cloth(100, 10))));
+  ASSERT_TRUE(reader.read(proto::encode_key({2, 10, 500, 1}, cloth(100, 10))));
   for (int t = 11; t < 20; ++t) {
-    const FrameHeader header{2, static_cast<std::uint32_t>(t), 50 * t, 0.1f};
-    ASSERT_TRUE(reader.read(encode_delta(header, cloth(100, t), cloth(100, t - 1))));
+    const proto::FrameHeader header{2, static_cast<std::uint32_t>(t), 50 * t, 0.1f};
+    ASSERT_TRUE(reader.read(proto::encode_delta(header, cloth(100, t), cloth(100, t - 1))));
   }
   EXPECT_EQ(reader.frame()->grid, cloth(100, 19));
   EXPECT_EQ(reader.frame()->header.step, 950);
 }
 
 TEST(FrameReader, RefusesADeltaAfterAGapAndKeepsWhatItHas) {
-  FrameReader reader(1, 20);
-  EXPECT_EQ(reader.read(encode_delta({1, 2}, cloth(20, 2), cloth(20, 1))).error().code, "frame.wrong_base");
-  ASSERT_TRUE(reader.read(encode_key({1, 1}, cloth(20, 1))));
-  EXPECT_EQ(reader.read(encode_delta({1, 3}, cloth(20, 3), cloth(20, 2))).error().code, "frame.wrong_base");
-  EXPECT_EQ(reader.read(encode_delta({1, 1}, cloth(20, 1), cloth(20, 0))).error().code, "frame.wrong_base");
+  proto::FrameReader reader(1, 20);
+  EXPECT_EQ(reader.read(proto::encode_delta({1, 2}, cloth(20, 2), cloth(20, 1))).error().code, "frame.wrong_base");
+  ASSERT_TRUE(reader.read(proto::encode_key({1, 1}, cloth(20, 1))));
+  EXPECT_EQ(reader.read(proto::encode_delta({1, 3}, cloth(20, 3), cloth(20, 2))).error().code, "frame.wrong_base");
+  EXPECT_EQ(reader.read(proto::encode_delta({1, 1}, cloth(20, 1), cloth(20, 0))).error().code, "frame.wrong_base");
   EXPECT_EQ(reader.frame()->grid, cloth(20, 1));
-  EXPECT_TRUE(reader.read(encode_delta({1, 2}, cloth(20, 2), cloth(20, 1))));
+  EXPECT_TRUE(reader.read(proto::encode_delta({1, 2}, cloth(20, 2), cloth(20, 1))));
 }
 
 TEST(FrameReader, TakesALaterKeyAfterAGap) {
-  FrameReader reader(1, 20);
-  ASSERT_TRUE(reader.read(encode_key({1, 1}, cloth(20, 1))));
-  ASSERT_TRUE(reader.read(encode_key({1, 9}, cloth(20, 9))));
-  EXPECT_TRUE(reader.read(encode_delta({1, 10}, cloth(20, 10), cloth(20, 9))));
+  proto::FrameReader reader(1, 20);
+  ASSERT_TRUE(reader.read(proto::encode_key({1, 1}, cloth(20, 1))));
+  ASSERT_TRUE(reader.read(proto::encode_key({1, 9}, cloth(20, 9))));
+  EXPECT_TRUE(reader.read(proto::encode_delta({1, 10}, cloth(20, 10), cloth(20, 9))));
 }
 
 TEST(FrameReader, RefusesFramesOfAnotherEpochAndOfAnotherGarment) {
-  FrameReader reader(4, 20);
-  EXPECT_EQ(reader.read(encode_key({3, 1}, cloth(20, 1))).error().code, "frame.wrong_base");
-  EXPECT_EQ(reader.read(encode_key({4, 1}, cloth(21, 1))).error().code, "frame.malformed");
+  proto::FrameReader reader(4, 20);
+  EXPECT_EQ(reader.read(proto::encode_key({3, 1}, cloth(20, 1))).error().code, "frame.wrong_base");
+  EXPECT_EQ(reader.read(proto::encode_key({4, 1}, cloth(21, 1))).error().code, "frame.malformed");
   EXPECT_FALSE(reader.frame());
 }
 
@@ -289,7 +289,7 @@ TEST(FrameCodecFuzz, MutatedFramesAreReadOrRefusedAndNeverHarm) {
   for (const GoldenFrame& golden : golden_frames()) {
     for (int i = 0; i < 3000; ++i) {
       const Alone bytes(mutation.of(golden.bytes));
-      const auto frame = decode_frame(bytes.view(), golden.before);
+      const auto frame = proto::decode_frame(bytes.view(), golden.before);
       if (frame) {
         ASSERT_TRUE(std::isfinite(frame->header.time));
         ASSERT_EQ(frame->grid.size() % 3, 0u);
@@ -310,7 +310,7 @@ TEST(FrameCodecFuzz, MutatedTopologiesHoldOnlyVerticesThatAreThere) {
   for (const GoldenTopology& golden : golden_topologies()) {
     for (int i = 0; i < 6000; ++i) {
       const Alone bytes(mutation.of(golden.bytes));
-      const auto topology = decode_topology(bytes.view());
+      const auto topology = proto::decode_topology(bytes.view());
       ++(topology ? taken : refused);
       if (!topology) {
         ASSERT_TRUE(is_frame_error(topology.error())) << to_string(topology.error());
@@ -319,7 +319,7 @@ TEST(FrameCodecFuzz, MutatedTopologiesHoldOnlyVerticesThatAreThere) {
       const auto there = [&](Index v) { return v >= 0 && v < topology->vertex_count(); };
       for (const Tri& t : topology->triangles) ASSERT_TRUE(there(t[0]) && there(t[1]) && there(t[2]));
       for (const auto& pair : topology->sewn) ASSERT_TRUE(there(pair[0]) && there(pair[1]));
-      for (const StreamPiece& p : topology->pieces) {
+      for (const proto::StreamPiece& p : topology->pieces) {
         ASSERT_TRUE(p.first_vertex >= 0 && p.vertex_count >= 0);
         ASSERT_LE(p.vertex_count, topology->vertex_count() - p.first_vertex);
       }
@@ -333,14 +333,14 @@ TEST(FrameCodecFuzz, EveryTruncationIsRefused) {
   for (const GoldenFrame& golden : golden_frames()) {
     for (std::size_t size = 0; size < golden.bytes.size(); ++size) {
       const Alone bytes(golden.bytes.substr(0, size));
-      ASSERT_EQ(decode_frame(bytes.view(), golden.before).error().code, "frame.malformed")
+      ASSERT_EQ(proto::decode_frame(bytes.view(), golden.before).error().code, "frame.malformed")
           << golden.file << size;
     }
   }
   for (const GoldenTopology& golden : golden_topologies()) {
     for (std::size_t size = 0; size < golden.bytes.size(); ++size) {
       const Alone bytes(golden.bytes.substr(0, size));
-      ASSERT_EQ(decode_topology(bytes.view()).error().code, "frame.malformed") << golden.file << size;
+      ASSERT_EQ(proto::decode_topology(bytes.view()).error().code, "frame.malformed") << golden.file << size;
     }
   }
 }

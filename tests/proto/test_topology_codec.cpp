@@ -13,11 +13,11 @@ double as_sent(double number) {
 }
 
 TEST(TopologyCodec, WritesTheWorkedExampleOfTheDocumentByteForByte) {
-  GarmentMesh garment;
+  sewing::GarmentMesh garment;
   garment.rest = {{0, 0}, {0.5, 0}, {0, 0.5}, {0.5, 0.5}};
   garment.triangles = {{0, 1, 2}, {1, 3, 2}};
   garment.sewn = {{0, 3}};
-  const std::vector<StreamPiece> pieces = {{"a", 0, 4, {1, 0.5, 0.25}}};
+  const std::vector<proto::StreamPiece> pieces = {{"a", 0, 4, {1, 0.5, 0.25}}};
   const std::string bytes = bytes_of_hex(
       "544c0101"
       "01000000"
@@ -52,20 +52,20 @@ TEST(TopologyCodec, WritesTheWorkedExampleOfTheDocumentByteForByte) {
       "01"
       "00"
       "06");
-  EXPECT_EQ(encode_topology(1, {.origin = {0, 1, 0}, .step = 1e-4}, garment, pieces), bytes);
+  EXPECT_EQ(proto::encode_topology(1, {.origin = {0, 1, 0}, .step = 1e-4}, garment, pieces), bytes);
 }
 
 TEST(TopologyCodec, WritesTheGoldenTopologies) {
   ASSERT_GE(golden_topologies().size(), 3u);
   for (const GoldenTopology& golden : golden_topologies()) {
-    EXPECT_EQ(encode_topology(golden.epoch, golden.grid, golden.garment, golden.pieces), golden.bytes)
+    EXPECT_EQ(proto::encode_topology(golden.epoch, golden.grid, golden.garment, golden.pieces), golden.bytes)
         << golden.file;
   }
 }
 
 TEST(TopologyCodec, ReadsTheGoldenTopologies) {
   for (const GoldenTopology& golden : golden_topologies()) {
-    const auto topology = decode_topology(golden.bytes);
+    const auto topology = proto::decode_topology(golden.bytes);
     ASSERT_TRUE(topology) << golden.file << ": " << to_string(topology.error());
     EXPECT_EQ(topology->epoch, golden.epoch);
     EXPECT_EQ(topology->grid.origin, golden.grid.origin);
@@ -79,7 +79,7 @@ TEST(TopologyCodec, ReadsTheGoldenTopologies) {
     }
     ASSERT_EQ(topology->pieces.size(), golden.pieces.size());
     for (std::size_t p = 0; p < golden.pieces.size(); ++p) {
-      const StreamPiece &read = topology->pieces[p], &sent = golden.pieces[p];
+      const proto::StreamPiece &read = topology->pieces[p], &sent = golden.pieces[p];
       EXPECT_EQ(read.id, sent.id);
       EXPECT_EQ(read.first_vertex, sent.first_vertex);
       EXPECT_EQ(read.vertex_count, sent.vertex_count);
@@ -91,18 +91,18 @@ TEST(TopologyCodec, ReadsTheGoldenTopologies) {
 TEST(TopologyCodec, RefusesTheGoldenMisfits) {
   ASSERT_GE(refused_messages("refused_topologies").size(), 20u);
   for (const RefusedMessage& refused : refused_messages("refused_topologies")) {
-    const auto topology = decode_topology(refused.bytes);
+    const auto topology = proto::decode_topology(refused.bytes);
     ASSERT_FALSE(topology) << refused.why;
     EXPECT_EQ(topology.error().code, refused.code) << refused.why;
   }
 }
 
 TEST(TopologyCodec, CarriesIndicesThatLieFarApart) {
-  GarmentMesh garment;
+  sewing::GarmentMesh garment;
   garment.rest.resize(70000, {0.25, 0.5});
   garment.triangles = {{69999, 0, 35000}, {1, 69998, 2}};
   garment.sewn = {{0, 69999}, {69999, 0}};
-  const auto topology = decode_topology(encode_topology(1, {}, garment, {}));
+  const auto topology = proto::decode_topology(proto::encode_topology(1, {}, garment, {}));
   ASSERT_TRUE(topology);
   EXPECT_EQ(topology->triangles, garment.triangles);
   EXPECT_EQ(topology->sewn, garment.sewn);

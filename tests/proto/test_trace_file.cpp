@@ -21,14 +21,14 @@ T at(const std::string& bytes, std::size_t offset) {
 std::string traced(int frames, int every) {
   const std::filesystem::path path =
       std::filesystem::path(testing::TempDir()) / ("toile_test_" + std::to_string(::getpid()) + ".trace");
-  auto writer = TraceWriter::open(path, every);
+  auto writer = proto::TraceWriter::open(path, every);
   EXPECT_TRUE(writer);
-  GarmentMesh garment;
+  sewing::GarmentMesh garment;
   garment.rest.resize(3);
   garment.triangles = {{0, 1, 2}};
   (*writer)->begin(garment);
   for (int i = 0; i < frames; ++i) {
-    Frame frame;
+    drape::Frame frame;
     frame.step = 50 * i;
     frame.time = 0.5 * i;
     frame.positions = {{0, 1.0 * i, 0}, {1, 0, 0}, {0, 0, 1}};
@@ -67,7 +67,7 @@ TEST(TraceFile, WritesTheLastFrameOnceWhenItWasKeptAnyway) {
 }
 
 TEST(TraceFile, SaysAtOnceThatAFileCannotBeMade) {
-  const auto writer = TraceWriter::open("/no/such/folder/a.trace", 1);
+  const auto writer = proto::TraceWriter::open("/no/such/folder/a.trace", 1);
   ASSERT_FALSE(writer);
   EXPECT_EQ(writer.error().code, "export.write");
   EXPECT_EQ(writer.error().where, "/no/such/folder/a.trace");

@@ -15,8 +15,8 @@ struct Draped {
   std::vector<Index> panel_of_triangle, weld;
   std::vector<Vec2> rest;
 
-  Scene scene() const {
-    Scene s;
+  render::Scene scene() const {
+    render::Scene s;
     s.cloth = {positions, triangles, panel_of_triangle, weld, {{0.5, 0.1, 0.1}, {0.1, 0.1, 0.5}}, rest};
     return s;
   }
@@ -58,8 +58,8 @@ inline Draped folded_skirt() {
 }
 
 /// An upright box from the floor to 1.6 m, outward normals.
-inline TriangleMesh form() {
-  TriangleMesh m;
+inline geometry::TriangleMesh form() {
+  geometry::TriangleMesh m;
   for (int i = 0; i < 8; ++i) {
     m.vertices.push_back({(i & 1) ? 0.09 : -0.09, (i & 2) ? 1.6 : 0.0, (i & 4) ? 0.09 : -0.09});
   }

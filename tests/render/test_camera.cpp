@@ -9,9 +9,9 @@
 namespace toile {
 namespace {
 
-constexpr View kViews[] = {View::kFront, View::kBack, View::kSide, View::kThreeQuarter};
+constexpr render::View kViews[] = {render::View::kFront, render::View::kBack, render::View::kSide, render::View::kThreeQuarter};
 
-Aabb3 picture_box(const Camera& camera, const std::vector<Vec3>& points, int width, int height) {
+Aabb3 picture_box(const render::Camera& camera, const std::vector<Vec3>& points, int width, int height) {
   Aabb3 box;
   for (const Vec3& p : points) box.add(camera.project(p, width, height));
   return box;
@@ -19,10 +19,10 @@ Aabb3 picture_box(const Camera& camera, const std::vector<Vec3>& points, int wid
 
 TEST(Camera, NeverCropsTheGarmentAndLeavesAMargin) {
   const Draped skirt = folded_skirt();
-  for (const View view : kViews) {
+  for (const render::View view : kViews) {
     for (const double aspect : {0.5, 0.8, 2.0}) {
       const auto width = static_cast<int>(1000 * aspect);
-      const Aabb3 box = picture_box(frame_scene(skirt.scene(), view, aspect), skirt.positions, width, 1000);
+      const Aabb3 box = picture_box(render::frame_scene(skirt.scene(), view, aspect), skirt.positions, width, 1000);
       EXPECT_GT(box.low.x, 0.05 * width);
       EXPECT_LT(box.high.x, 0.95 * width);
       EXPECT_GT(box.low.y, 50);
@@ -34,43 +34,43 @@ TEST(Camera, NeverCropsTheGarmentAndLeavesAMargin) {
 
 TEST(Camera, ShowsTheGarmentLarge) {
   const Draped skirt = folded_skirt();
-  for (const View view : kViews) {
-    const Aabb3 box = picture_box(frame_scene(skirt.scene(), view, 0.8), skirt.positions, 800, 1000);
+  for (const render::View view : kViews) {
+    const Aabb3 box = picture_box(render::frame_scene(skirt.scene(), view, 0.8), skirt.positions, 800, 1000);
     EXPECT_GT(std::max((box.high.x - box.low.x) / 800, (box.high.y - box.low.y) / 1000), 0.70);
   }
 }
 
 TEST(Camera, LooksAtASmallGarmentCloselyAndAtALargeOneWithTheWholeBody) {
   Draped skirt = folded_skirt();
-  const TriangleMesh body = form();
-  Scene scene = skirt.scene();
+  const geometry::TriangleMesh body = form();
+  render::Scene scene = skirt.scene();
   scene.bodies.push_back({&body});
-  const Aabb3 close = picture_box(frame_scene(scene, View::kFront, 0.8), body.vertices, 800, 1000);
+  const Aabb3 close = picture_box(render::frame_scene(scene, render::View::kFront, 0.8), body.vertices, 800, 1000);
   EXPECT_LT(close.low.y, 0);
 
   for (Vec3& p : skirt.positions) p.y = 1.4 - 2.4 * (1 - p.y);  // down to 0.2 m
-  const Aabb3 wide = picture_box(frame_scene(scene, View::kFront, 0.8), body.vertices, 800, 1000);
+  const Aabb3 wide = picture_box(render::frame_scene(scene, render::View::kFront, 0.8), body.vertices, 800, 1000);
   EXPECT_GT(wide.low.y, 0);
   EXPECT_LT(wide.high.y, 1000);
 }
 
 TEST(Camera, ShowsTheBodysLeftFromTheSide) {
   const Draped skirt = folded_skirt();
-  EXPECT_GT(frame_scene(skirt.scene(), View::kFront, 1).eye.z, 1);
-  EXPECT_LT(frame_scene(skirt.scene(), View::kBack, 1).eye.z, -1);
-  EXPECT_GT(frame_scene(skirt.scene(), View::kSide, 1).eye.x, 1);  // facing +z with y up, left is +x
+  EXPECT_GT(render::frame_scene(skirt.scene(), render::View::kFront, 1).eye.z, 1);
+  EXPECT_LT(render::frame_scene(skirt.scene(), render::View::kBack, 1).eye.z, -1);
+  EXPECT_GT(render::frame_scene(skirt.scene(), render::View::kSide, 1).eye.x, 1);  // facing +z with y up, left is +x
 }
 
 TEST(Camera, LooksDownOnWhatLiesFlat) {
   Draped disc = folded_skirt();
   for (Vec3& p : disc.positions) p.y = 0.5;
-  const Camera camera = frame_scene(disc.scene(), View::kFront, 1);
+  const render::Camera camera = render::frame_scene(disc.scene(), render::View::kFront, 1);
   EXPECT_GT(camera.back.y, 0.5);
 }
 
 TEST(Camera, ProjectsAsItsMatrixDoes) {
-  const Camera camera = frame_scene(folded_skirt().scene(), View::kThreeQuarter, 0.8);
-  const Matrix4 m = camera.matrix();
+  const render::Camera camera = render::frame_scene(folded_skirt().scene(), render::View::kThreeQuarter, 0.8);
+  const render::Matrix4 m = camera.matrix();
   const Vec3 p{0.1, 0.7, -0.05};
   const double in[4] = {p.x, p.y, p.z, 1};
   double clip[4] = {};
@@ -86,7 +86,7 @@ TEST(Camera, ProjectsAsItsMatrixDoes) {
 
 TEST(Camera, KeepsAParallelMapWithinItsBounds) {
   const Draped skirt = folded_skirt();
-  const Matrix4 m = parallel_matrix(cloth_box(skirt.scene()), normalized(Vec3{0.3, -1, -0.2}));
+  const render::Matrix4 m = render::parallel_matrix(render::cloth_box(skirt.scene()), normalized(Vec3{0.3, -1, -0.2}));
   for (const Vec3& p : skirt.positions) {
     for (int row = 0; row < 3; ++row) {
       EXPECT_LE(std::abs(m[row] * p.x + m[4 + row] * p.y + m[8 + row] * p.z + m[12 + row]), 1.0001);

@@ -10,17 +10,17 @@
 namespace toile {
 namespace {
 
-Image gradient() {
-  Image image{7, 5, {}};
+render::Image gradient() {
+  render::Image image{7, 5, {}};
   for (int i = 0; i < 7 * 5 * 3; ++i) image.rgb.push_back(static_cast<std::uint8_t>(i * 2));
   return image;
 }
 
 TEST(Png, ReadsBackAsItWasWritten) {
-  const Image image = gradient();
+  const render::Image image = gradient();
   const std::filesystem::path path =
       std::filesystem::path(testing::TempDir()) / ("toile_gradient_" + std::to_string(::getpid()) + ".png");
-  ASSERT_TRUE(write_png(path, image).ok());
+  ASSERT_TRUE(render::write_png(path, image).ok());
   png_image read{};
   read.version = PNG_IMAGE_VERSION;
   ASSERT_NE(png_image_begin_read_from_file(&read, path.c_str()), 0);
@@ -36,23 +36,23 @@ TEST(Png, ReadsBackAsItWasWritten) {
 TEST(Png, EqualsTheBytesInMemory) {
   const std::filesystem::path path =
       std::filesystem::path(testing::TempDir()) / ("toile_memory_" + std::to_string(::getpid()) + ".png");
-  ASSERT_TRUE(write_png(path, gradient()).ok());
+  ASSERT_TRUE(render::write_png(path, gradient()).ok());
   std::ifstream file(path, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  EXPECT_EQ(bytes, *png_bytes(gradient()));
+  EXPECT_EQ(bytes, *render::png_bytes(gradient()));
   std::filesystem::remove(path);
 }
 
 TEST(Png, RefusesAnImageThatDoesNotFitItsSize) {
-  Image image = gradient();
+  render::Image image = gradient();
   image.rgb.pop_back();
-  EXPECT_EQ(png_bytes(image).error().code, "render.bad_image");
-  EXPECT_EQ(png_bytes({}).error().code, "render.bad_image");
-  EXPECT_EQ(png_bytes({-7, -5, gradient().rgb}).error().code, "render.bad_image");
+  EXPECT_EQ(render::png_bytes(image).error().code, "render.bad_image");
+  EXPECT_EQ(render::png_bytes({}).error().code, "render.bad_image");
+  EXPECT_EQ(render::png_bytes({-7, -5, gradient().rgb}).error().code, "render.bad_image");
 }
 
 TEST(Png, SaysWhyTheSystemRefused) {
-  const Status status = write_png("/no/such/folder/a.png", gradient());
+  const Status status = render::write_png("/no/such/folder/a.png", gradient());
   ASSERT_FALSE(status.ok());
   EXPECT_EQ(status.error().code, "export.write");
   EXPECT_EQ(status.error().where, "/no/such/folder/a.png");

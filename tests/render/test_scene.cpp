@@ -9,15 +9,15 @@
 namespace toile {
 namespace {
 
-std::string code_of(const Scene& scene) {
-  const Status status = check_scene(scene);
+std::string code_of(const render::Scene& scene) {
+  const Status status = render::check_scene(scene);
   return status.ok() ? "" : status.error().code + " " + status.error().where;
 }
 
 TEST(CheckScene, AcceptsAnEmptySceneAndADrapedOne) {
   const Draped skirt = folded_skirt();
-  const TriangleMesh body = form();
-  Scene scene = skirt.scene();
+  const geometry::TriangleMesh body = form();
+  render::Scene scene = skirt.scene();
   scene.bodies.push_back({&body});
   EXPECT_EQ(code_of(scene), "");
   EXPECT_EQ(code_of({}), "");
@@ -27,9 +27,9 @@ TEST(CheckScene, RefusesAPositionThatIsNotANumber) {
   Draped skirt = folded_skirt();
   skirt.positions[17].z = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(code_of(skirt.scene()), "render.not_finite cloth vertex 17");
-  TriangleMesh body = form();
+  geometry::TriangleMesh body = form();
   body.vertices[3].x = std::numeric_limits<double>::infinity();
-  Scene scene;
+  render::Scene scene;
   scene.bodies.push_back({&body});
   EXPECT_EQ(code_of(scene), "render.not_finite body 0 vertex 3");
 }
@@ -58,21 +58,21 @@ TEST(CheckScene, RefusesArraysOfDifferentLength) {
   skirt = folded_skirt();
   skirt.panel_of_triangle.pop_back();
   EXPECT_EQ(code_of(skirt.scene()), "render.bad_scene panel_of_triangle");
-  Scene scene;
+  render::Scene scene;
   scene.bodies.push_back({});
   EXPECT_EQ(code_of(scene), "render.bad_scene body 0");
 }
 
 TEST(FloorHeight, IsTheLowestPointUnlessItIsGiven) {
   const Draped skirt = folded_skirt();
-  Scene scene = skirt.scene();
-  EXPECT_DOUBLE_EQ(floor_height(scene), 0.5);
-  const TriangleMesh body = form();
+  render::Scene scene = skirt.scene();
+  EXPECT_DOUBLE_EQ(render::floor_height(scene), 0.5);
+  const geometry::TriangleMesh body = form();
   scene.bodies.push_back({&body});
-  EXPECT_DOUBLE_EQ(floor_height(scene), 0);
+  EXPECT_DOUBLE_EQ(render::floor_height(scene), 0);
   scene.floor = -0.3;
-  EXPECT_DOUBLE_EQ(floor_height(scene), -0.3);
-  EXPECT_DOUBLE_EQ(floor_height({}), 0);
+  EXPECT_DOUBLE_EQ(render::floor_height(scene), -0.3);
+  EXPECT_DOUBLE_EQ(render::floor_height({}), 0);
 }
 
 }  // namespace

@@ -10,13 +10,13 @@
 namespace toile {
 namespace {
 
-constexpr StillSettings kSmall{256, 320, 4};
+constexpr render::StillSettings kSmall{256, 320, 4};
 
 struct Pixel {
   int r, g, b;
 };
 
-Pixel at(const Image& image, double x, double y) {
+Pixel at(const render::Image& image, double x, double y) {
   const std::size_t i = (static_cast<std::size_t>(y) * image.width + static_cast<std::size_t>(x)) * 3;
   return {image.rgb[i], image.rgb[i + 1], image.rgb[i + 2]};
 }
@@ -25,29 +25,29 @@ bool is_red(Pixel p) { return p.r > p.b + 30; }
 bool is_blue(Pixel p) { return p.b > p.r + 30; }
 bool is_grey(Pixel p) { return std::abs(p.r - p.b) < 20; }
 
-Image still(const Scene& scene, View view, const StillSettings& settings = kSmall) {
-  Result<Image> image = render_still(scene, view, settings);
+render::Image still(const render::Scene& scene, render::View view, const render::StillSettings& settings = kSmall) {
+  Result<render::Image> image = render::render_still(scene, view, settings);
   EXPECT_TRUE(image.ok()) << to_string(image.error());
-  return image.ok() ? std::move(*image) : Image{};
+  return image.ok() ? std::move(*image) : render::Image{};
 }
 
 TEST(Still, HasTheSizeThatWasAskedFor) {
-  const Image image = still({}, View::kFront, {123, 77, 4});
+  const render::Image image = still({}, render::View::kFront, {123, 77, 4});
   EXPECT_EQ(image.width, 123);
   EXPECT_EQ(image.height, 77);
   EXPECT_EQ(image.rgb.size(), 123u * 77 * 3);
 }
 
 TEST(Still, OfNothingIsALightStudio) {
-  const Image image = still({}, View::kFront);
+  const render::Image image = still({}, render::View::kFront);
   EXPECT_GT(*std::min_element(image.rgb.begin(), image.rgb.end()), 150);
 }
 
 TEST(Still, ShowsClothWhereTheCameraProjectsIt) {
   const Draped skirt = folded_skirt();
-  const Scene scene = skirt.scene();
-  const Image image = still(scene, View::kFront);
-  const Camera camera = frame_scene(scene, View::kFront, 256.0 / 320);
+  const render::Scene scene = skirt.scene();
+  const render::Image image = still(scene, render::View::kFront);
+  const render::Camera camera = render::frame_scene(scene, render::View::kFront, 256.0 / 320);
   for (const int row : {4, 10, 16}) {
     for (const int column : {12, 20, 28}) {
       const Vec3 p = camera.project(skirt.positions[row * (kSkirtColumns + 1) + column], 256, 320);
@@ -61,50 +61,50 @@ TEST(Still, ShowsClothWhereTheCameraProjectsIt) {
 
 TEST(Still, ShowsTheOtherPieceFromBehind) {
   const Draped skirt = folded_skirt();
-  const Image front = still(skirt.scene(), View::kFront), back = still(skirt.scene(), View::kBack);
+  const render::Image front = still(skirt.scene(), render::View::kFront), back = still(skirt.scene(), render::View::kBack);
   EXPECT_TRUE(is_red(at(front, 128, 160)));
   EXPECT_TRUE(is_blue(at(back, 128, 160)));
 }
 
 TEST(Still, PutsTheSeamsInTheMiddleFromTheSide) {
   const Draped skirt = folded_skirt();
-  const Image side = still(skirt.scene(), View::kSide);
+  const render::Image side = still(skirt.scene(), render::View::kSide);
   EXPECT_TRUE(is_red(at(side, 90, 160)));  // the front lies to the left when the body's left is seen
   EXPECT_TRUE(is_blue(at(side, 166, 160)));
 }
 
 TEST(Still, GivesTheSameBytesTwice) {
   const Draped skirt = folded_skirt();
-  const TriangleMesh body = form();
-  Scene scene = skirt.scene();
+  const geometry::TriangleMesh body = form();
+  render::Scene scene = skirt.scene();
   scene.bodies.push_back({&body});
-  const Image first = still(scene, View::kThreeQuarter);
-  EXPECT_EQ(first.rgb, still(scene, View::kThreeQuarter).rgb);
-  auto fresh = StillRenderer::create();
+  const render::Image first = still(scene, render::View::kThreeQuarter);
+  EXPECT_EQ(first.rgb, still(scene, render::View::kThreeQuarter).rgb);
+  auto fresh = render::StillRenderer::create();
   ASSERT_TRUE(fresh.ok());
-  EXPECT_EQ(first.rgb, (*fresh)->render(scene, View::kThreeQuarter, kSmall)->rgb);
+  EXPECT_EQ(first.rgb, (*fresh)->render(scene, render::View::kThreeQuarter, kSmall)->rgb);
 }
 
 TEST(Still, ShadesTheInsideOfClothDarkerButNotBlack) {
   // A sheet that shows its wrong side to the viewer, against the same sheet turned over.
   std::vector<Vec3> p{{-0.3, 0.5, 0}, {0.3, 0.5, 0}, {0.3, 1.1, 0}, {-0.3, 1.1, 0}};
   const std::vector<Tri> right{{0, 1, 2}, {0, 2, 3}}, wrong{{0, 2, 1}, {0, 3, 2}};
-  Scene scene;
+  render::Scene scene;
   scene.cloth = {p, right, {}, {}, {{0.5, 0.1, 0.1}}, {}};
   scene.floor = 0.0;
-  const Pixel outside = at(still(scene, View::kFront), 128, 160);
+  const Pixel outside = at(still(scene, render::View::kFront), 128, 160);
   scene.cloth.triangles = wrong;
-  const Pixel inside = at(still(scene, View::kFront), 128, 160);
+  const Pixel inside = at(still(scene, render::View::kFront), 128, 160);
   EXPECT_LT(inside.r, outside.r - 5);
   EXPECT_GT(inside.r, 90);
 }
 
 TEST(Still, CastsAShadowOnTheGround) {
-  const TriangleMesh body = form();
-  Scene scene;
+  const geometry::TriangleMesh body = form();
+  render::Scene scene;
   scene.bodies.push_back({&body});
-  const Camera camera = frame_scene(scene, View::kFront, 256.0 / 320);
-  const Image with = still(scene, View::kFront), without = still({}, View::kFront);
+  const render::Camera camera = render::frame_scene(scene, render::View::kFront, 256.0 / 320);
+  const render::Image with = still(scene, render::View::kFront), without = still({}, render::View::kFront);
   const Vec3 foot = camera.project({0.13, 0, 0.09}, 256, 320);  // the key light comes from the left
   EXPECT_LT(at(with, foot.x, foot.y).g, at(without, foot.x, foot.y).g - 15);
   EXPECT_NEAR(at(with, 4, 4).g, at(without, 4, 4).g, 2);
@@ -114,14 +114,14 @@ TEST(Still, ShadowsClothByClothInFrontOfTheLight) {
   const std::vector<Vec3> p{{-0.3, 0.5, 0},     {0.3, 0.5, 0},      {0.3, 1.1, 0},      {-0.3, 1.1, 0},
                             {-0.75, 0.9, 0.35}, {-0.25, 0.9, 0.35}, {-0.25, 1.4, 0.35}, {-0.75, 1.4, 0.35}};
   const std::vector<Tri> both{{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}}, one{{0, 1, 2}, {0, 2, 3}};
-  Scene scene;
+  render::Scene scene;
   scene.cloth = {p, both, {}, {}, {{0.5, 0.1, 0.1}}, {}};
-  auto renderer = StillRenderer::create();
+  auto renderer = render::StillRenderer::create();
   ASSERT_TRUE(renderer.ok());
-  const Camera camera = frame_scene(scene, View::kFront, 256.0 / 320);
-  const Image shaded = *(*renderer)->render(scene, camera, kSmall);
+  const render::Camera camera = render::frame_scene(scene, render::View::kFront, 256.0 / 320);
+  const render::Image shaded = *(*renderer)->render(scene, camera, kSmall);
   scene.cloth.triangles = one;
-  const Image open = *(*renderer)->render(scene, camera, kSmall);
+  const render::Image open = *(*renderer)->render(scene, camera, kSmall);
   int darker = 0;
   for (double x = -0.25; x < 0.3; x += 0.02) {
     const Vec3 pixel = camera.project({x, 0.8, 0}, 256, 320);
@@ -134,9 +134,9 @@ TEST(Still, ShadowsClothByClothInFrontOfTheLight) {
 TEST(Still, HasNoSpecklesOnAnEvenlyLitSheet) {
   const std::vector<Vec3> p{{-0.3, 0.5, 0}, {0.3, 0.5, 0}, {0.3, 1.1, 0}, {-0.3, 1.1, 0}};
   const std::vector<Tri> t{{0, 1, 2}, {0, 2, 3}};
-  Scene scene;
+  render::Scene scene;
   scene.cloth = {p, t, {}, {}, {{0.5, 0.1, 0.1}}, {}};
-  const Image image = still(scene, View::kFront);
+  const render::Image image = still(scene, render::View::kFront);
   for (int y = 120; y < 200; ++y) {
     for (int x = 90; x < 166; ++x) {
       ASSERT_LE(std::abs(at(image, x, y).r - at(image, x + 1, y).r), 3) << x << " " << y;
@@ -145,7 +145,7 @@ TEST(Still, HasNoSpecklesOnAnEvenlyLitSheet) {
 }
 
 /// Pixels along the middle row that are neither cloth nor backdrop.
-int between(const Image& image) {
+int between(const render::Image& image) {
   int count = 0;
   for (int y = 0; y < image.height; ++y) {
     for (int x = 1; x + 1 < image.width; ++x) {
@@ -158,49 +158,49 @@ int between(const Image& image) {
 
 TEST(Still, SmoothsEdges) {
   const Draped skirt = folded_skirt();
-  const int hard = between(still(skirt.scene(), View::kFront, {256, 320, 1}));
-  const int smooth = between(still(skirt.scene(), View::kFront, {256, 320, 4}));
-  const int smoother = between(still(skirt.scene(), View::kFront, {256, 320, 16}));
+  const int hard = between(still(skirt.scene(), render::View::kFront, {256, 320, 1}));
+  const int smooth = between(still(skirt.scene(), render::View::kFront, {256, 320, 4}));
+  const int smoother = between(still(skirt.scene(), render::View::kFront, {256, 320, 16}));
   EXPECT_GT(smooth, hard + 50);
   EXPECT_GT(smoother, hard + 50);
 }
 
 TEST(Still, DrawsTheSeamAsADarkerLine) {
   const Draped skirt = folded_skirt();
-  Scene scene = skirt.scene();
+  render::Scene scene = skirt.scene();
   scene.cloth.colour_of_panel.assign(2, {0.5, 0.5, 0.5});
-  const Camera camera = frame_scene(scene, View::kSide, 256.0 / 320);
+  const render::Camera camera = render::frame_scene(scene, render::View::kSide, 256.0 / 320);
   const Vec3 seam = camera.project(skirt.positions[4 * (kSkirtColumns + 1) + kSkirtColumns], 256, 320);
-  const auto darkest = [&](const Image& image) {
+  const auto darkest = [&](const render::Image& image) {
     int least = 255;
     for (int x = -2; x <= 2; ++x) least = std::min(least, at(image, seam.x + x, seam.y).g);
     return least;
   };
-  const int sewn = darkest(still(scene, View::kSide));
-  Scene plain = scene;  // joined into one piece: the same surface without a seam
+  const int sewn = darkest(still(scene, render::View::kSide));
+  render::Scene plain = scene;  // joined into one piece: the same surface without a seam
   std::vector<Tri> joined = skirt.triangles;
   for (Tri& t : joined) {
     for (Index& v : t) v = skirt.weld[v];
   }
   plain.cloth.triangles = joined;
-  EXPECT_LT(sewn, darkest(still(plain, View::kSide)) - 20);
+  EXPECT_LT(sewn, darkest(still(plain, render::View::kSide)) - 20);
 }
 
 TEST(Still, RefusesWhatItCannotDraw) {
   Draped skirt = folded_skirt();
-  EXPECT_EQ(render_still(skirt.scene(), View::kFront, {8, 320, 4}).error().code, "render.settings");
-  EXPECT_EQ(render_still(skirt.scene(), View::kFront, {256, 1 << 20, 4}).error().code, "render.settings");
-  EXPECT_EQ(render_still(skirt.scene(), View::kFront, {256, 320, 3}).error().code, "render.settings");
+  EXPECT_EQ(render::render_still(skirt.scene(), render::View::kFront, {8, 320, 4}).error().code, "render.settings");
+  EXPECT_EQ(render::render_still(skirt.scene(), render::View::kFront, {256, 1 << 20, 4}).error().code, "render.settings");
+  EXPECT_EQ(render::render_still(skirt.scene(), render::View::kFront, {256, 320, 3}).error().code, "render.settings");
   skirt.positions[9].x = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(render_still(skirt.scene(), View::kFront, kSmall).error().code, "render.not_finite");
+  EXPECT_EQ(render::render_still(skirt.scene(), render::View::kFront, kSmall).error().code, "render.not_finite");
 }
 
 TEST(Still, OfDegenerateClothIsStillAPicture) {
   const std::vector<Vec3> p{{0, 1, 0}, {0, 1, 0}, {0, 1, 0}};
   const std::vector<Tri> t{{0, 1, 2}};
-  Scene scene;
+  render::Scene scene;
   scene.cloth = {p, t, {}, {}, {}, {}};
-  EXPECT_EQ(still(scene, View::kFront).rgb.size(), 256u * 320 * 3);
+  EXPECT_EQ(still(scene, render::View::kFront).rgb.size(), 256u * 320 * 3);
 }
 
 }  // namespace

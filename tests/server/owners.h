@@ -6,8 +6,8 @@
 namespace toile {
 
 /// The user of the server under test.
-inline const RequestContext kMe("local");
-inline const RequestContext kAnn("ann"), kBob("bob");
-inline const RequestContext kStranger("somebody else");
+inline const store::RequestContext kMe("local");
+inline const store::RequestContext kAnn("ann"), kBob("bob");
+inline const store::RequestContext kStranger("somebody else");
 
 }  // namespace toile

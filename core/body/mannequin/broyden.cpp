@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-namespace toile {
+namespace toile::mannequin {
 namespace {
 
 constexpr double kLeastEffect = 0.25;   // of a step on what is off, to learn from it
@@ -40,4 +40,4 @@ void Broyden::learn(const std::vector<double>& step, const std::vector<double>& 
   inverse += (s - effect) * by_step / weight;
 }
 
-}  // namespace toile
+}  // namespace toile::mannequin

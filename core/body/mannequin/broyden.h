@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace toile {
+namespace toile::mannequin {
 
 /// What is known of how steps move what is off: an estimate of the Jacobian's inverse, bettered after every
 /// step (C. G. Broyden, "A class of methods for solving nonlinear simultaneous equations", Mathematics of
@@ -32,4 +32,4 @@ class Broyden {
   std::vector<double> inverse_;  ///< n × n, column by column
 };
 
-}  // namespace toile
+}  // namespace toile::mannequin

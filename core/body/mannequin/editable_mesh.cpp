@@ -4,7 +4,7 @@
 
 #include "core/base/check.h"
 
-namespace toile {
+namespace toile::mannequin {
 namespace {
 
 Index third(const Tri& t, Index a, Index b) {
@@ -17,7 +17,7 @@ void erase(std::vector<Index>& list, Index value) { std::erase(list, value); }
 
 }  // namespace
 
-EditableMesh::EditableMesh(TriangleMesh mesh)
+EditableMesh::EditableMesh(geometry::TriangleMesh mesh)
     : positions_(std::move(mesh.vertices)),
       normals_(positions_.size()),
       triangles_(std::move(mesh.triangles)),
@@ -170,8 +170,8 @@ bool EditableMesh::flip(Edge e, double least_facing) {
   return true;
 }
 
-TriangleMesh EditableMesh::take() const {
-  TriangleMesh out;
+geometry::TriangleMesh EditableMesh::take() const {
+  geometry::TriangleMesh out;
   std::vector<Index> number(positions_.size(), kNone);
   for (size_t v = 0; v < positions_.size(); ++v) {
     if (fans_[v].empty()) continue;
@@ -183,4 +183,4 @@ TriangleMesh EditableMesh::take() const {
   return out;
 }
 
-}  // namespace toile
+}  // namespace toile::mannequin

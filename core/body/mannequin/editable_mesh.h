@@ -6,12 +6,12 @@
 #include "core/body/mannequin/field_sample.h"
 #include "core/geometry/triangle_mesh.h"
 
-namespace toile {
+namespace toile::mannequin {
 
 class EditableMesh {
  public:
   /// REQUIRES a closed manifold with consistent winding. Normals are null until vertices are moved.
-  explicit EditableMesh(TriangleMesh mesh);
+  explicit EditableMesh(geometry::TriangleMesh mesh);
 
   using Edge = std::array<Index, 2>;
 
@@ -49,7 +49,7 @@ class EditableMesh {
   int valence(Index v) const { return static_cast<int>(fans_[v].size()); }
 
   /// The live part, renumbered in order.
-  TriangleMesh take() const;
+  geometry::TriangleMesh take() const;
 
  private:
   Index side(Index from, Index to) const;  ///< the triangle in which the edge runs from→to, or kNone
@@ -65,4 +65,4 @@ class EditableMesh {
   Index live_ = 0;
 };
 
-}  // namespace toile
+}  // namespace toile::mannequin

@@ -1,6 +1,6 @@
 #include "core/body/mannequin/figure.h"
 
-namespace toile {
+namespace toile::mannequin {
 namespace {
 
 // Columns: t, centre u, centre v, half width, front depth, back depth, squareness front, squareness back.
@@ -166,4 +166,4 @@ constexpr Figure kFigure{
 
 const Figure& female_figure() { return kFigure; }
 
-}  // namespace toile
+}  // namespace toile::mannequin

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace toile {
+namespace toile::mannequin {
 namespace {
 
 constexpr double kMidline = 0.0024;  // rounds the crease where the two halves meet
@@ -149,4 +149,4 @@ double BodyField::fineness(Vec3 p, double detail) const {
   return 1 - std::max({0.68 * hand, 0.45 * foot, 0.25 * head + 0.35 * face, 0.6 * crotch});
 }
 
-}  // namespace toile
+}  // namespace toile::mannequin

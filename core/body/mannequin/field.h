@@ -6,7 +6,7 @@
 #include "core/body/mannequin/loft.h"
 #include "core/body/mannequin/shape.h"
 
-namespace toile {
+namespace toile::mannequin {
 
 /// A body as an implicit surface: lofts joined by smooth unions, then sculpted by strokes. Lengths are
 /// fractions of the stature; floor at y = 0, mid-line at x = 0, front towards +z.
@@ -46,4 +46,4 @@ class BodyField {
   double half_breadth_ = 0, chin_ = 0, crotch_ = 0, nose_z_ = 0;
 };
 
-}  // namespace toile
+}  // namespace toile::mannequin

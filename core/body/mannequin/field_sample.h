@@ -4,7 +4,7 @@
 
 #include "core/base/types.h"
 
-namespace toile {
+namespace toile::mannequin {
 
 /// An implicit surface at a point: `value` is negative inside and close to the distance near the surface.
 struct FieldSample {
@@ -21,4 +21,4 @@ struct SurfacePoint {
 
 using ImplicitSurface = std::function<FieldSample(Vec3)>;
 
-}  // namespace toile
+}  // namespace toile::mannequin

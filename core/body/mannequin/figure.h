@@ -12,7 +12,7 @@
 #include "core/body/mannequin/loft.h"
 #include "core/body/measure/measures.h"
 
-namespace toile {
+namespace toile::mannequin {
 
 enum class Sex { kFemale, kMale, kChild };
 
@@ -51,9 +51,9 @@ struct Figure {
   double elbow, wrist, hand_end;    ///< along the arm
   double crotch, knee, hip, waist, underbust, bust, nape, chin;  ///< heights
   /// What the tape says of the figure: lengths as fractions of the stature.
-  std::array<double, kMeasureCount> reference;
+  std::array<double, measure::kMeasureCount> reference;
 
-  double of(Measure m) const { return reference[static_cast<size_t>(m)]; }
+  double of(measure::Measure m) const { return reference[static_cast<size_t>(m)]; }
 };
 
 /// Strokes of head, legs and arms, the same for all.
@@ -66,4 +66,4 @@ const Figure& figure_of(Sex sex);
 
 inline constexpr double kToeOut = 0.1219;  ///< sine of 7°
 
-}  // namespace toile
+}  // namespace toile::mannequin

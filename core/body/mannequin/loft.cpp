@@ -5,7 +5,7 @@
 
 #include "core/base/check.h"
 
-namespace toile {
+namespace toile::mannequin {
 namespace {
 
 constexpr double kTableStep = 6e-4;  // of the stature, about 1 mm
@@ -148,4 +148,4 @@ FieldSample Loft::at(Vec3 uvt) const {
   return {f / norm, gradient * (1 / norm)};
 }
 
-}  // namespace toile
+}  // namespace toile::mannequin

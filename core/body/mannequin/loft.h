@@ -6,7 +6,7 @@
 
 #include "core/body/mannequin/field_sample.h"
 
-namespace toile {
+namespace toile::mannequin {
 
 /// One section across the line at `t`. Its half width runs along u; along v it may be deeper in front (v > 0)
 /// than behind. Squareness mixes the L2 norm (0, an ellipse) with the L4 norm (1, nearly a rectangle), which
@@ -47,4 +47,4 @@ class Loft {
   double reach_ = 0;
 };
 
-}  // namespace toile
+}  // namespace toile::mannequin

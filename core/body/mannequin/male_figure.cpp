@@ -1,6 +1,6 @@
 #include "core/body/mannequin/figure.h"
 
-namespace toile {
+namespace toile::mannequin {
 namespace {
 
 // Columns: t, centre u, centre v, half width, front depth, back depth, squareness front, squareness back.
@@ -174,4 +174,4 @@ constexpr Figure kFigure{
 
 const Figure& male_figure() { return kFigure; }
 
-}  // namespace toile
+}  // namespace toile::mannequin

@@ -13,7 +13,7 @@
 #include "core/body/mannequin/proportions.h"
 #include "core/body/mannequin/remesh.h"
 
-namespace toile {
+namespace toile::mannequin {
 namespace {
 
 constexpr double kSkinArea = 0.62;        // of the stature squared, near enough to choose a grid
@@ -38,7 +38,7 @@ struct Limit {
 };
 
 // By Measure. Wide enough for most people, narrow enough for one surface without folds.
-constexpr Limit kLimits[kMeasureCount] = {
+constexpr Limit kLimits[measure::kMeasureCount] = {
     {1, 1},       {0.42, 0.78}, {0.36, 0.72}, {0.31, 0.74}, {0.45, 0.80}, {0.15, 0.32}, {0.16, 0.27},
     {0.10, 0.28}, {0.07, 0.15}, {0.27, 0.39}, {0.24, 0.48}, {0.15, 0.32}, {0.38, 0.52}, {0.17, 0.30}};
 
@@ -69,16 +69,16 @@ Status check_range(std::string_view name, double value, double low, double high,
                std::string(name)};
 }
 
-Status check(const MannequinSettings& s, const MeasureSet& wanted) {
-  const double h = *wanted[Measure::kHeight];
+Status check(const MannequinSettings& s, const measure::MeasureSet& wanted) {
+  const double h = *wanted[measure::Measure::kHeight];
   const bool child = s.sex == Sex::kChild;
   TRY(check_range("height", h, child ? 0.8 : 1.3, child ? 1.75 : 2.2, {100, " cm"}));
-  for (int i = 1; i < kMeasureCount; ++i) {
-    const Measure m = measure_at(i);
+  for (int i = 1; i < measure::kMeasureCount; ++i) {
+    const measure::Measure m = measure::measure_at(i);
     const Limit l = kLimits[i];
     if (!s.asked[m]) continue;
     const std::string why = "for a height of " + decimal(h * 100) + " cm ";
-    if (Status r = check_range(measure_name(m), *s.asked[m], l.low * h, l.high * h, {100, " cm"}, why); !r)
+    if (Status r = check_range(measure::measure_name(m), *s.asked[m], l.low * h, l.high * h, {100, " cm"}, why); !r)
       return r;
   }
   const double angle = degrees_from_radians(s.arm_angle);
@@ -105,7 +105,7 @@ RemeshSettings remesh_settings(const BodyField& field, Index triangle_count) {
   return {triangle_count, [&field, detail](Vec3 p) { return field.fineness(p, detail); }, kRemeshRounds};
 }
 
-TriangleMesh first_mesh(const BodyShape& shape, Index triangle_count) {
+geometry::TriangleMesh first_mesh(const BodyShape& shape, Index triangle_count) {
   const BodyField field(shape);
   const ImplicitSurface surface = [&field](Vec3 p) { return field.at(p); };
   const double breadth = field.half_breadth();
@@ -115,7 +115,7 @@ TriangleMesh first_mesh(const BodyShape& shape, Index triangle_count) {
 
 // The mesh of one shape on another. Carried along first: what only went to the nearest skin left a web where
 // the crotch had risen.
-TriangleMesh fitted(TriangleMesh mesh, const BodyShape& before, const BodyShape& shape, Index triangle_count,
+geometry::TriangleMesh fitted(geometry::TriangleMesh mesh, const BodyShape& before, const BodyShape& shape, Index triangle_count,
                     int relaxations) {
   const BodyField field(shape);
   const PlacedFigure from(before);
@@ -125,7 +125,7 @@ TriangleMesh fitted(TriangleMesh mesh, const BodyShape& before, const BodyShape&
 }
 
 // Other triangles on the same surface, where a change of shape has crowded or folded them.
-TriangleMesh evened(TriangleMesh mesh, const BodyShape& shape, Index triangle_count) {
+geometry::TriangleMesh evened(geometry::TriangleMesh mesh, const BodyShape& shape, Index triangle_count) {
   const BodyField field(shape);
   const ImplicitSurface surface = [&field](Vec3 p) { return field.at(p); };
   RemeshSettings settings = remesh_settings(field, triangle_count);
@@ -134,7 +134,7 @@ TriangleMesh evened(TriangleMesh mesh, const BodyShape& shape, Index triangle_co
 }
 
 // The finished mesh stands on the floor and is as tall as asked; chords had cut a little off both.
-TriangleMesh stand(TriangleMesh mesh, double height) {
+geometry::TriangleMesh stand(geometry::TriangleMesh mesh, double height) {
   const Aabb3 box = bounding_box(mesh.vertices);
   const double upright = height / box.size().y;
   for (Vec3& p : mesh.vertices) p = Vec3{p.x * height, (p.y - box.low.y) * upright, p.z * height};
@@ -146,11 +146,11 @@ TriangleMesh stand(TriangleMesh mesh, double height) {
 /// asked stay where proportions put them.
 class ShapeSolver {
  public:
-  ShapeSolver(const MeasureSet& asked, const MeasureSet& wanted, BodyShape start)
+  ShapeSolver(const measure::MeasureSet& asked, const measure::MeasureSet& wanted, BodyShape start)
       : shape(std::move(start)), asked_(asked) {
-    for (int i = 1; i < kMeasureCount; ++i) {
-      const Measure m = measure_at(i);
-      shape.of(m) = limited(i, *wanted[m] / *wanted[Measure::kHeight] / shape.figure->of(m));
+    for (int i = 1; i < measure::kMeasureCount; ++i) {
+      const measure::Measure m = measure::measure_at(i);
+      shape.of(m) = limited(i, *wanted[m] / *wanted[measure::Measure::kHeight] / shape.figure->of(m));
       if (asked[m]) free_.push_back(i);
     }
     follow();
@@ -171,17 +171,17 @@ class ShapeSolver {
   }
 
   /// How far the worst of all measures is off, as a share of what is good enough.
-  double miss(const BodyMeasures& got) const {
+  double miss(const measure::BodyMeasures& got) const {
     double worst = 0;
     for (int i : free_) {
-      const Measure m = measure_at(i);
+      const measure::Measure m = measure::measure_at(i);
       const double off = got[m] ? std::abs(got[m]->value - *asked_[m]) : 1;
-      worst = std::max(worst, off / (is_girth(m) ? kGoodGirth : kGoodLength));
+      worst = std::max(worst, off / (measure::is_girth(m) ? kGoodGirth : kGoodLength));
     }
     return worst;
   }
 
-  void correct(const BodyMeasures& got) {
+  void correct(const measure::BodyMeasures& got) {
     std::vector<double> off = offs(got);
     if (broyden_.empty()) broyden_.begin(free_.size());
     if (!last_step_.empty()) broyden_.learn(last_step_, last_off_, off);
@@ -208,15 +208,15 @@ class ShapeSolver {
 
  private:
   static double limited(int measure, double factor) {
-    const double most = is_girth(measure_at(measure)) ? kGreatestGirth : kGreatestLength;
+    const double most = measure::is_girth(measure::measure_at(measure)) ? kGreatestGirth : kGreatestLength;
     return std::clamp(factor, 1 / most, most);
   }
 
   // How far each measure asked for is off, as a share of itself.
-  std::vector<double> offs(const BodyMeasures& got) const {
+  std::vector<double> offs(const measure::BodyMeasures& got) const {
     std::vector<double> off;
     for (int i : free_) {
-      const Measure m = measure_at(i);
+      const measure::Measure m = measure::measure_at(i);
       off.push_back(got[m] ? std::clamp(got[m]->value / *asked_[m] - 1, -kGreatestOff, kGreatestOff) : 0);
     }
     return off;
@@ -237,11 +237,11 @@ class ShapeSolver {
 
   // Nobody asked: ribs lie between chest and waist, so that the trunk has no step.
   void follow() {
-    if (asked_[Measure::kUnderbust] || shape.figure->bust_share > 0) return;
-    shape.of(Measure::kUnderbust) = 0.55 * shape.of(Measure::kBust) + 0.45 * shape.of(Measure::kWaist);
+    if (asked_[measure::Measure::kUnderbust] || shape.figure->bust_share > 0) return;
+    shape.of(measure::Measure::kUnderbust) = 0.55 * shape.of(measure::Measure::kBust) + 0.45 * shape.of(measure::Measure::kWaist);
   }
 
-  const MeasureSet& asked_;
+  const measure::MeasureSet& asked_;
   std::vector<int> free_;  ///< measures asked for
   Broyden broyden_;
   std::vector<double> last_off_, last_step_;
@@ -261,9 +261,9 @@ BodyJoints scaled(const BodyJoints& joints, double height) {
 
 /// The best of some rounds.
 struct Fit {
-  TriangleMesh mesh;
+  geometry::TriangleMesh mesh;
   BodyShape shape;
-  std::optional<BodyMeasures> measures;  ///< nothing: no round made a body
+  std::optional<measure::BodyMeasures> measures;  ///< nothing: no round made a body
   double miss = HUGE_VAL;
   BodyShape next = {};  ///< to go on from, with another mesh
 };
@@ -271,7 +271,7 @@ struct Fit {
 // Smallest cosine between a triangle and the field's normals at its corners, where these agree: a fold in the
 // mesh has a low one. Across a thin edge, a hand's or a toe's, they do not, and the triangle stands between
 // them.
-double least_facing(const TriangleMesh& mesh, const BodyField& field) {
+double least_facing(const geometry::TriangleMesh& mesh, const BodyField& field) {
   std::vector<Vec3> normal;
   for (const Vec3& p : mesh.vertices) normal.push_back(normalized(field.at(p).gradient));
   double least = 1;
@@ -287,13 +287,13 @@ double least_facing(const TriangleMesh& mesh, const BodyField& field) {
 Fit corrected(ShapeSolver& solver, Index triangle_count, double height) {
   Fit best, nearest;  // the latter by its measures alone, folded or not
   best.shape = nearest.shape = solver.shape;
-  TriangleMesh unit = first_mesh(solver.shape, triangle_count);
+  geometry::TriangleMesh unit = first_mesh(solver.shape, triangle_count);
   int times_folded = 0;
   for (int i = 0; i <= kCorrections; ++i) {
     const bool folded = least_facing(unit, BodyField(solver.shape)) < kFold;
     times_folded = folded ? times_folded + 1 : 0;
-    TriangleMesh mesh = stand(unit, height);
-    const Result<BodyMeasures> got = measure_body(mesh);
+    geometry::TriangleMesh mesh = stand(unit, height);
+    const Result<measure::BodyMeasures> got = measure::measure_body(mesh);
     if (!got) break;
     const double off = solver.miss(*got), miss = off + (folded ? kFoldedMiss : 0);
     if (off < nearest.miss) nearest = {{}, solver.shape, *got, off};
@@ -315,8 +315,8 @@ Fit corrected(ShapeSolver& solver, Index triangle_count, double height) {
 }
 
 // Names the measure, what was asked, what the nearest body has, and what would do.
-Error not_met(Measure m, double asked, const std::optional<TakenMeasure>& got, Index triangle_count) {
-  const std::string name(measure_name(m)), bound = is_girth(m) ? "5 mm" : "10 mm";
+Error not_met(measure::Measure m, double asked, const std::optional<measure::TakenMeasure>& got, Index triangle_count) {
+  const std::string name(measure::measure_name(m)), bound = measure::is_girth(m) ? "5 mm" : "10 mm";
   std::string text = "These measures do not go together in one body: " + name + " was asked at " +
                      decimal(asked * 100) + " cm, ";
   if (got) {
@@ -331,15 +331,15 @@ Error not_met(Measure m, double asked, const std::optional<TakenMeasure>& got, I
 }
 
 // Only what was asked for has to be met.
-Status check_met(const MannequinSettings& settings, const BodyMeasures& got) {
+Status check_met(const MannequinSettings& settings, const measure::BodyMeasures& got) {
   double worst = 1;
   Status status;
-  for (int i = 0; i < kMeasureCount; ++i) {
-    const Measure m = measure_at(i);
+  for (int i = 0; i < measure::kMeasureCount; ++i) {
+    const measure::Measure m = measure::measure_at(i);
     const std::optional<double>& asked = settings.asked[m];
     if (!asked) continue;
     const double off = got[m] ? std::abs(got[m]->value - *asked) : 1;
-    const double share = off / (is_girth(m) ? kGirthTolerance : kLengthTolerance);
+    const double share = off / (measure::is_girth(m) ? kGirthTolerance : kLengthTolerance);
     if (share <= worst) continue;
     worst = share;
     status = not_met(m, *asked, got[m], settings.triangle_count);
@@ -350,17 +350,17 @@ Status check_met(const MannequinSettings& settings, const BodyMeasures& got) {
 }  // namespace
 
 Result<Mannequin> make_mannequin(const MannequinSettings& settings) {
-  const MeasureSet wanted = with_proportions(settings.sex, settings.asked);
+  const measure::MeasureSet wanted = with_proportions(settings.sex, settings.asked);
   TRY(check(settings, wanted));
-  const double h = *wanted[Measure::kHeight];
+  const double h = *wanted[measure::Measure::kHeight];
   BodyShape start;
   start.figure = &figure_of(settings.sex);
   start.head = head_size(settings.sex, h);
   start.face = std::clamp((settings.triangle_count - 5000) / 10000.0, 0.0, 1.0);
   start.arm_sine = sine(settings.arm_angle);
   start.arm_cosine = sine(kQuarterTurn - settings.arm_angle);
-  MeasureSet targets = settings.asked;
-  for (Measure m : {Measure::kBust, Measure::kWaist, Measure::kHip}) targets[m] = wanted[m];
+  measure::MeasureSet targets = settings.asked;
+  for (measure::Measure m : {measure::Measure::kBust, measure::Measure::kWaist, measure::Measure::kHip}) targets[m] = wanted[m];
   ShapeSolver solver(targets, wanted, start);
 
   Fit fit = corrected(solver, settings.triangle_count, h);
@@ -376,4 +376,4 @@ Result<Mannequin> make_mannequin(const MannequinSettings& settings) {
   return Mannequin{std::move(fit.mesh), wanted, *fit.measures, scaled(PlacedFigure(fit.shape).joints(), h)};
 }
 
-}  // namespace toile
+}  // namespace toile::mannequin

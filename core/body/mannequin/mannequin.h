@@ -5,14 +5,14 @@
 #include "core/body/measure/measures.h"
 #include "core/geometry/triangle_mesh.h"
 
-namespace toile {
+namespace toile::mannequin {
 
 inline constexpr double kQuarterTurn = 1.5707963267948966;
 
 /// A standing person made from measures. Lengths in metres; girths and lengths as measure_body() takes them.
 struct MannequinSettings {
   Sex sex = Sex::kFemale;
-  MeasureSet asked;                     ///< what is not asked for follows from proportions
+  measure::MeasureSet asked;                     ///< what is not asked for follows from proportions
   double arm_angle = kQuarterTurn / 2;  ///< radians between a hanging arm and this one: 30° to 60°, or 90°
   /// 1,000 to 60,000; met exactly, or off by one when odd. With fewer than 2,000 some bodies cannot be told
   /// to the millimetre, and are refused.
@@ -21,9 +21,9 @@ struct MannequinSettings {
 
 struct Mannequin {
   /// Closed, manifold, outward triangles of even size, feet on y = 0, facing +z.
-  TriangleMesh mesh;
-  MeasureSet wanted;      ///< what was asked for, and what proportions gave for the rest
-  BodyMeasures measures;  ///< as the tape takes them back
+  geometry::TriangleMesh mesh;
+  measure::MeasureSet wanted;      ///< what was asked for, and what proportions gave for the rest
+  measure::BodyMeasures measures;  ///< as the tape takes them back
   BodyJoints joints;      ///< m, of the side of +x
 };
 
@@ -32,4 +32,4 @@ struct Mannequin {
 /// measures do not go together; place: the one that is missed most).
 Result<Mannequin> make_mannequin(const MannequinSettings& settings);
 
-}  // namespace toile
+}  // namespace toile::mannequin

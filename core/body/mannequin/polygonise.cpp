@@ -6,7 +6,7 @@
 #include <limits>
 #include <unordered_map>
 
-namespace toile {
+namespace toile::mannequin {
 namespace {
 
 constexpr int kBlock = 4, kSmallBlock = 2;  // cells per side of the blocks that are skipped as a whole
@@ -110,7 +110,7 @@ class Marcher {
   Marcher(const ImplicitSurface& surface, const GridBox& box)
       : surface_(surface), lattice_(make_lattice(box)), marched_(lattice_.values.size(), 0) {}
 
-  TriangleMesh run() {
+  geometry::TriangleMesh run() {
     for (int z = 0; z + kBlock < lattice_.n[2]; z += kBlock)
       for (int y = 0; y + kBlock < lattice_.n[1]; y += kBlock)
         for (int x = 0; x + kBlock < lattice_.n[0]; x += kBlock)
@@ -236,13 +236,13 @@ class Marcher {
   std::vector<char> marched_;                               ///< by a small block's first point
   std::unordered_map<std::int64_t, Index> vertex_of_edge_;  // looked up only, never walked
   std::vector<Index> loop_;
-  TriangleMesh mesh_;
+  geometry::TriangleMesh mesh_;
 };
 
 }  // namespace
 
-TriangleMesh polygonise(const ImplicitSurface& surface, const GridBox& box) {
+geometry::TriangleMesh polygonise(const ImplicitSurface& surface, const GridBox& box) {
   return Marcher(surface, box).run();
 }
 
-}  // namespace toile
+}  // namespace toile::mannequin

@@ -3,7 +3,7 @@
 #include "core/body/mannequin/field_sample.h"
 #include "core/geometry/triangle_mesh.h"
 
-namespace toile {
+namespace toile::mannequin {
 
 struct GridBox {
   Vec3 low, high;
@@ -14,6 +14,6 @@ struct GridBox {
 /// cubes (W. Lorensen and H. Cline, 1987) whose loops are followed face by face, so that neighbours always
 /// agree. The surface must not touch the box. Only blocks of cells that lie near the surface are looked at,
 /// so `value` must be close to the distance there.
-TriangleMesh polygonise(const ImplicitSurface& surface, const GridBox& box);
+geometry::TriangleMesh polygonise(const ImplicitSurface& surface, const GridBox& box);
 
-}  // namespace toile
+}  // namespace toile::mannequin

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace toile {
+namespace toile::mannequin {
 namespace {
 
 constexpr BodyPreset kPresets[] = {
@@ -44,14 +44,14 @@ BodyPreset usual_body(Sex sex, double height) {
   return {"", sex, height, at(a.bust, b.bust), at(a.waist, b.waist), at(a.hip, b.hip)};
 }
 
-void fill(MeasureSet& set, Measure m, double value) {
+void fill(measure::MeasureSet& set, measure::Measure m, double value) {
   if (!set[m]) set[m] = value;
 }
 
-void fill_trunk(Sex sex, MeasureSet& m) {
-  const BodyPreset usual = usual_body(sex, *m[Measure::kHeight]);
-  const std::pair<Measure, double> table[] = {
-      {Measure::kBust, usual.bust}, {Measure::kWaist, usual.waist}, {Measure::kHip, usual.hip}};
+void fill_trunk(Sex sex, measure::MeasureSet& m) {
+  const BodyPreset usual = usual_body(sex, *m[measure::Measure::kHeight]);
+  const std::pair<measure::Measure, double> table[] = {
+      {measure::Measure::kBust, usual.bust}, {measure::Measure::kWaist, usual.waist}, {measure::Measure::kHip, usual.hip}};
   double shift = 0;
   int known = 0;
   for (const auto& [measure, value] : table)
@@ -61,11 +61,11 @@ void fill_trunk(Sex sex, MeasureSet& m) {
     }
   if (known > 0) shift /= known;
   for (const auto& [measure, value] : table) fill(m, measure, value + shift);
-  const double bust = *m[Measure::kBust], waist = *m[Measure::kWaist];
+  const double bust = *m[measure::Measure::kBust], waist = *m[measure::Measure::kWaist];
   // A B cup lies about 13 cm over the underbust; a straight trunk leaves less.
   if (sex == Sex::kFemale)
-    fill(m, Measure::kUnderbust, std::max({bust - 0.13, 0.6 * bust + 0.4 * waist - 0.04, waist + 0.05}));
-  if (sex != Sex::kFemale) fill(m, Measure::kUnderbust, 0.5 * bust + 0.5 * waist);
+    fill(m, measure::Measure::kUnderbust, std::max({bust - 0.13, 0.6 * bust + 0.4 * waist - 0.04, waist + 0.05}));
+  if (sex != Sex::kFemale) fill(m, measure::Measure::kUnderbust, 0.5 * bust + 0.5 * waist);
 }
 
 struct Ratios {
@@ -78,12 +78,12 @@ constexpr Ratios kMaleRatios{0.378, 0.18, 0.310, 0.30, 0.172, 0.06, 1.00, 0.575,
 
 }  // namespace
 
-MeasureSet BodyPreset::measures() const {
-  MeasureSet m;
-  m[Measure::kHeight] = height;
-  m[Measure::kBust] = bust;
-  m[Measure::kWaist] = waist;
-  m[Measure::kHip] = hip;
+measure::MeasureSet BodyPreset::measures() const {
+  measure::MeasureSet m;
+  m[measure::Measure::kHeight] = height;
+  m[measure::Measure::kBust] = bust;
+  m[measure::Measure::kWaist] = waist;
+  m[measure::Measure::kHip] = hip;
   return m;
 }
 
@@ -102,29 +102,29 @@ double head_size(Sex sex, double height) {
   return 1 + 0.25 * x + 0.17 * x * x;
 }
 
-MeasureSet with_proportions(Sex sex, const MeasureSet& asked) {
-  MeasureSet m = asked;
-  fill(m, Measure::kHeight, default_height(sex));
+measure::MeasureSet with_proportions(Sex sex, const measure::MeasureSet& asked) {
+  measure::MeasureSet m = asked;
+  fill(m, measure::Measure::kHeight, default_height(sex));
   fill_trunk(sex, m);
   const Figure& f = figure_of(sex);
   const Ratios& r = sex == Sex::kFemale ? kFemaleRatios : kMaleRatios;
-  const double h = *m[Measure::kHeight], bust = *m[Measure::kBust], hip = *m[Measure::kHip];
+  const double h = *m[measure::Measure::kHeight], bust = *m[measure::Measure::kBust], hip = *m[measure::Measure::kHip];
   const bool child = sex == Sex::kChild;
   const auto girth = [&](double at, double per_bust) {
     return child ? at * (0.35 + 0.65 * bust / r.bust) : std::max(at + per_bust * (bust - r.bust), 0.6 * at);
   };
-  fill(m, Measure::kNeck, girth(r.neck, r.neck_per_bust) * (child ? 0.98 : 1));
-  const double broad = 0.28 * (bust - h * f.of(Measure::kBust));
-  fill(m, Measure::kShoulderWidth, h * f.of(Measure::kShoulderWidth) * (child ? 0.96 : 1) + broad);
-  fill(m, Measure::kUpperArm, child ? 0.29 * bust : girth(r.upper_arm, r.upper_per_bust));
-  fill(m, Measure::kWrist, child ? 0.075 + 0.090 * bust : girth(r.wrist, r.wrist_per_bust));
-  fill(m, Measure::kArmLength, h * f.of(Measure::kArmLength) * (child ? 0.95 : 1));
-  fill(m, Measure::kThigh, r.thigh * hip);
-  fill(m, Measure::kCalf, r.calf * hip);
-  fill(m, Measure::kInseam,
-       h * (child ? std::clamp(0.395 + 0.055 * h / 1.28, 0.42, 0.46) : f.of(Measure::kInseam)));
-  fill(m, Measure::kBackLength, h * f.of(Measure::kBackLength) * (child ? 0.97 : 1));
+  fill(m, measure::Measure::kNeck, girth(r.neck, r.neck_per_bust) * (child ? 0.98 : 1));
+  const double broad = 0.28 * (bust - h * f.of(measure::Measure::kBust));
+  fill(m, measure::Measure::kShoulderWidth, h * f.of(measure::Measure::kShoulderWidth) * (child ? 0.96 : 1) + broad);
+  fill(m, measure::Measure::kUpperArm, child ? 0.29 * bust : girth(r.upper_arm, r.upper_per_bust));
+  fill(m, measure::Measure::kWrist, child ? 0.075 + 0.090 * bust : girth(r.wrist, r.wrist_per_bust));
+  fill(m, measure::Measure::kArmLength, h * f.of(measure::Measure::kArmLength) * (child ? 0.95 : 1));
+  fill(m, measure::Measure::kThigh, r.thigh * hip);
+  fill(m, measure::Measure::kCalf, r.calf * hip);
+  fill(m, measure::Measure::kInseam,
+       h * (child ? std::clamp(0.395 + 0.055 * h / 1.28, 0.42, 0.46) : f.of(measure::Measure::kInseam)));
+  fill(m, measure::Measure::kBackLength, h * f.of(measure::Measure::kBackLength) * (child ? 0.97 : 1));
   return m;
 }
 
-}  // namespace toile
+}  // namespace toile::mannequin

@@ -6,7 +6,7 @@
 #include "core/body/mannequin/figure.h"
 #include "core/body/measure/measures.h"
 
-namespace toile {
+namespace toile::mannequin {
 
 /// A body of a size table. Lengths in metres.
 struct BodyPreset {
@@ -14,7 +14,7 @@ struct BodyPreset {
   Sex sex;
   double height, bust, waist, hip;
 
-  MeasureSet measures() const;
+  measure::MeasureSet measures() const;
 };
 
 /// EU 34 to 48 for women, 44 to 58 for men, children by height in cm.
@@ -33,9 +33,9 @@ const BodyPreset* find_preset(std::string_view name);  ///< null where there is 
 /// Trunk girths: an asked one shifts the others by as much, as the columns of a size table do. Limbs and
 /// lengths: ratios to the stature or to the trunk's girth near them, of the order of a survey of adults
 /// (ANSUR II, 2012) but not computed from its data. Places and names after ISO 8559-1.
-MeasureSet with_proportions(Sex sex, const MeasureSet& asked);
+measure::MeasureSet with_proportions(Sex sex, const measure::MeasureSet& asked);
 
 /// The head's size against an adult's of the same stature; 1 for adults.
 double head_size(Sex sex, double height);
 
-}  // namespace toile
+}  // namespace toile::mannequin

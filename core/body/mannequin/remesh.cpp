@@ -5,7 +5,7 @@
 
 #include "core/body/mannequin/editable_mesh.h"
 
-namespace toile {
+namespace toile::mannequin {
 namespace {
 
 using Edge = EditableMesh::Edge;
@@ -29,7 +29,7 @@ double triangle_quality(Vec3 a, Vec3 b, Vec3 c) {
 
 class Remesher {
  public:
-  Remesher(TriangleMesh mesh, const ImplicitSurface& surface, const RemeshSettings& settings)
+  Remesher(geometry::TriangleMesh mesh, const ImplicitSurface& surface, const RemeshSettings& settings)
       : mesh_(std::move(mesh)), surface_(surface), settings_(settings) {
     for (Index v = 0; v < mesh_.vertex_count(); ++v) {
       mesh_.move(v, project(surface_, mesh_.position(v), kFirstReach));
@@ -52,7 +52,7 @@ class Remesher {
   void even_valences();
   void remove_slivers();
   void relax();
-  TriangleMesh take() const { return mesh_.take(); }
+  geometry::TriangleMesh take() const { return mesh_.take(); }
 
  private:
   double wanted(Vec3 p) const { return length_ * (settings_.fineness ? settings_.fineness(p) : 1); }
@@ -221,7 +221,7 @@ SurfacePoint project(const ImplicitSurface& surface, Vec3 p, double reach) {
   return {p, normalized(s.gradient), std::abs(s.value) < 100 * kArrived};
 }
 
-TriangleMesh remesh(TriangleMesh mesh, const ImplicitSurface& surface, const RemeshSettings& settings) {
+geometry::TriangleMesh remesh(geometry::TriangleMesh mesh, const ImplicitSurface& surface, const RemeshSettings& settings) {
   Remesher r(std::move(mesh), surface, settings);
   for (int i = 0; i < settings.rounds; ++i) r.round();
   r.meet_count();
@@ -234,11 +234,11 @@ TriangleMesh remesh(TriangleMesh mesh, const ImplicitSurface& surface, const Rem
   return r.take();
 }
 
-TriangleMesh refit(TriangleMesh mesh, const ImplicitSurface& surface, const RemeshSettings& settings,
+geometry::TriangleMesh refit(geometry::TriangleMesh mesh, const ImplicitSurface& surface, const RemeshSettings& settings,
                    int relaxations) {
   Remesher r(std::move(mesh), surface, settings);
   for (int i = 0; i < relaxations; ++i) r.relax();
   return r.take();
 }
 
-}  // namespace toile
+}  // namespace toile::mannequin

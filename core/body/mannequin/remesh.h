@@ -3,7 +3,7 @@
 #include "core/body/mannequin/field_sample.h"
 #include "core/geometry/triangle_mesh.h"
 
-namespace toile {
+namespace toile::mannequin {
 
 struct RemeshSettings {
   Index triangle_count = 3300;
@@ -17,11 +17,11 @@ SurfacePoint project(const ImplicitSurface& surface, Vec3 p, double reach);
 /// Even triangles on the surface, as many as asked (met exactly, or off by one when the count is odd), by
 /// isotropic remeshing: split, collapse, flip, tangential relaxation, projection (M. Botsch and L. Kobbelt,
 /// "A remeshing approach to multiresolution modeling", 2004). `mesh` is a closed manifold near the surface.
-TriangleMesh remesh(TriangleMesh mesh, const ImplicitSurface& surface, const RemeshSettings& settings);
+geometry::TriangleMesh remesh(geometry::TriangleMesh mesh, const ImplicitSurface& surface, const RemeshSettings& settings);
 
 /// Moves a mesh onto a surface that lies close to it, keeping its triangles, and evens it out `relaxations`
 /// times.
-TriangleMesh refit(TriangleMesh mesh, const ImplicitSurface& surface, const RemeshSettings& settings,
+geometry::TriangleMesh refit(geometry::TriangleMesh mesh, const ImplicitSurface& surface, const RemeshSettings& settings,
                    int relaxations);
 
-}  // namespace toile
+}  // namespace toile::mannequin

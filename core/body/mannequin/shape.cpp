@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace toile {
+namespace toile::mannequin {
 namespace {
 
 constexpr double kAnkle = 0.05, kChest = 0.785;  // heights that keep their distance to the floor, to the nape
@@ -80,8 +80,8 @@ void PlacedFigure::set_heights() {
   const double chin = 1 - (1 - f.chin) * shape_.head;
   const double nape = chin - (f.chin - f.nape) * shape_.head;
   const double chest = nape - (f.nape - kChest);
-  const double crotch = f.crotch * shape_.of(Measure::kInseam);
-  double waist = nape - (f.nape - f.waist) * shape_.of(Measure::kBackLength);
+  const double crotch = f.crotch * shape_.of(measure::Measure::kInseam);
+  double waist = nape - (f.nape - f.waist) * shape_.of(measure::Measure::kBackLength);
   waist = std::clamp(waist, crotch + kLeastRise, chest - kLeastRibs);
   heights_ = {{0, 0},          {kAnkle, kAnkle}, {f.crotch, crotch}, {f.waist, waist},
               {kChest, chest}, {f.nape, nape},   {f.chin, chin},     {1, 1}};
@@ -127,8 +127,8 @@ Vec3 PlacedFigure::carried_from(const PlacedFigure& other, Vec3 p) const {
 
 PlacedFigure::Scale PlacedFigure::trunk_scale(double y) const {
   const Figure& f = figure_;
-  const double hip = shape_.of(Measure::kHip), waist = shape_.of(Measure::kWaist),
-               under = shape_.of(Measure::kUnderbust), full = shape_.of(Measure::kBust);
+  const double hip = shape_.of(measure::Measure::kHip), waist = shape_.of(measure::Measure::kWaist),
+               under = shape_.of(measure::Measure::kUnderbust), full = shape_.of(measure::Measure::kBust);
   // With breasts, these take most of a change of the bust; a chest takes it whole.
   const double chest = f.bust_share > 0 ? mix(under, full, 0.45) : full;
   const Knot girth[] = {{f.hip, hip},    {f.waist, waist},           {ribs_, under},
@@ -136,7 +136,7 @@ PlacedFigure::Scale PlacedFigure::trunk_scale(double y) const {
   const double s = eased(girth, y);
   // A waist fuller than hip and chest are is a belly: it grows forwards, and the small of the back stays.
   const double belly = std::max(0.0, s - mix(hip, chest, smooth_step(f.hip, f.bust, y)));
-  const double width = grown(s, kWidthShare), broad = shape_.of(Measure::kShoulderWidth);
+  const double width = grown(s, kWidthShare), broad = shape_.of(measure::Measure::kShoulderWidth);
   const double young = std::min((shape_.head - 1) / kSmallChild, 1.0);
   const double flat = 1 - kRoundTrunk * young, deep = 1 + kRoundTrunk * young;
   return {mix(width * flat, broad, smooth_step(f.bust, 0.80, y)),
@@ -153,12 +153,12 @@ void PlacedFigure::place_trunk() {
     r.back *= s.back;
     r.t = height_of(r.t);
   }
-  const double broad = shape_.of(Measure::kShoulderWidth);
+  const double broad = shape_.of(measure::Measure::kShoulderWidth);
   yoke = copied(figure_.yoke);
   for (LoftSection& r : yoke) {
     const Scale s = trunk_scale(r.u);
     const double outer = smooth_step(0.05, 0.12, r.t);
-    const double sleeve = grown(shape_.of(Measure::kUpperArm), 0.55);
+    const double sleeve = grown(shape_.of(measure::Measure::kUpperArm), 0.55);
     r.half *= mix(1, sleeve, outer);
     r.front *= mix(s.front, sleeve, outer);
     r.back *= mix(s.back, sleeve, outer);
@@ -168,7 +168,7 @@ void PlacedFigure::place_trunk() {
 }
 
 void PlacedFigure::place_neck_and_head() {
-  const double girth = shape_.of(Measure::kNeck), size = shape_.head;
+  const double girth = shape_.of(measure::Measure::kNeck), size = shape_.head;
   neck = copied(figure_.neck);
   for (LoftSection& r : neck) {
     const double s = mix(grown(girth, 0.7), girth, smooth_step(0.82, 0.85, r.t));
@@ -189,7 +189,7 @@ void PlacedFigure::place_neck_and_head() {
 }
 
 double PlacedFigure::arm_scale(double t) const {
-  const double upper = shape_.of(Measure::kUpperArm), thin = shape_.of(Measure::kWrist);
+  const double upper = shape_.of(measure::Measure::kUpperArm), thin = shape_.of(measure::Measure::kWrist);
   const Knot knots[] = {{-0.01, grown(upper, 0.7)},
                         {0.05, upper},
                         {0.11, upper},
@@ -200,9 +200,9 @@ double PlacedFigure::arm_scale(double t) const {
 }
 
 void PlacedFigure::place_arm() {
-  const double stretch = shape_.of(Measure::kArmLength), longer = (stretch - 1) * figure_.wrist;
+  const double stretch = shape_.of(measure::Measure::kArmLength), longer = (stretch - 1) * figure_.wrist;
   const double raise = std::max(0.0, shape_.arm_sine - kRaisedArm) * kRaise;
-  shoulder = {figure_.shoulder.x * shape_.of(Measure::kShoulderWidth), height_of(figure_.shoulder.y) + raise,
+  shoulder = {figure_.shoulder.x * shape_.of(measure::Measure::kShoulderWidth), height_of(figure_.shoulder.y) + raise,
               figure_.shoulder.z};
   along_arm = {shape_.arm_sine, -shape_.arm_cosine, 0};
   out_of_arm = {shape_.arm_cosine, shape_.arm_sine, 0};
@@ -215,7 +215,7 @@ void PlacedFigure::place_arm() {
     r.back *= s;
     r.t *= stretch;
   }
-  const double fist = grown(shape_.of(Measure::kWrist), 0.4);
+  const double fist = grown(shape_.of(measure::Measure::kWrist), 0.4);
   for (LoftSection& r : hand) {
     const double s = mix(arm_scale(r.t), fist, smooth_step(figure_.wrist, figure_.wrist + 0.02, r.t));
     r.half *= s;
@@ -232,21 +232,21 @@ void PlacedFigure::place_arm() {
 
 double PlacedFigure::leg_scale(double y) const {
   const Figure& f = figure_;
-  const double thigh = shape_.of(Measure::kThigh), calf = shape_.of(Measure::kCalf);
+  const double thigh = shape_.of(measure::Measure::kThigh), calf = shape_.of(measure::Measure::kCalf);
   const Knot knots[] = {{0.06, grown(calf, 0.45)},
                         {0.15, calf},
                         {0.225, calf},
                         {f.knee, mix(calf, thigh, 0.45)},
                         {f.crotch - 0.07, thigh},
                         {f.crotch + 0.01, thigh},
-                        {f.hip, shape_.of(Measure::kHip)}};
+                        {f.hip, shape_.of(measure::Measure::kHip)}};
   return eased(knots, y);
 }
 
 // A thicker leg moves outwards, so that the gap between them stays; wider hips take the legs along.
 LoftSection PlacedFigure::leg_section(double y) const {
   LoftSection r = section_at(figure_.leg, y);
-  const double s = leg_scale(y), hip = grown(shape_.of(Measure::kHip), kWidthShare);
+  const double s = leg_scale(y), hip = grown(shape_.of(measure::Measure::kHip), kWidthShare);
   r.u += std::max(1.04 * (s - 1) * r.half, 0.45 * (s - 1) * r.half + 0.45 * (hip - 1) * r.half);
   r.half *= s;
   r.front *= s;
@@ -275,8 +275,8 @@ void PlacedFigure::place_leg() {
 // for. Without this, thinner ribs under full breasts made the tape there longer, not shorter.
 double PlacedFigure::breast_reach(double usual) const {
   const double above_tape = height_of(figure_.breast.centre.y) - tape_below_bust();
-  const double ribs = 0.55 * shape_.of(Measure::kBust) + 0.45 * shape_.of(Measure::kWaist);
-  const double fullness = shape_.of(Measure::kUnderbust) / ribs;
+  const double ribs = 0.55 * shape_.of(measure::Measure::kBust) + 0.45 * shape_.of(measure::Measure::kWaist);
+  const double fullness = shape_.of(measure::Measure::kUnderbust) / ribs;
   const double most = std::clamp(kUsualReach + kReachPerFullness * (fullness - kUsualFullness), 0.75, 1.6);
   return std::clamp(most * above_tape, 0.4 * usual, usual);
 }
@@ -286,7 +286,7 @@ void PlacedFigure::place_masses() {
   const Scale chest = trunk_scale(f.breast.centre.y), hips = trunk_scale(f.hip);
   const LoftSection ribs = section_at(f.torso, f.breast.centre.y);
   const double growth =
-      shape_.of(Measure::kBust) / std::sqrt(std::sqrt(std::max(shape_.of(Measure::kUnderbust), 0.1)));
+      shape_.of(measure::Measure::kBust) / std::sqrt(std::sqrt(std::max(shape_.of(measure::Measure::kUnderbust), 0.1)));
   const double size = f.bust_share > 0 ? std::clamp(grown(growth, f.bust_share), 0.35, 2.2) : chest.width;
   bust = f.breast;
   bust.centre = {bust.centre.x * mix(chest.width, size, 0.25), height_of(bust.centre.y),
@@ -296,7 +296,7 @@ void PlacedFigure::place_masses() {
   // Fuller breasts reach down little farther: the ribs below them stay the underbust's.
   if (f.bust_share > 0) bust.low.y = breast_reach(f.breast.low.y * grown(size, 0.25));
   buttock = f.buttock;
-  const double s = shape_.of(Measure::kHip);
+  const double s = shape_.of(measure::Measure::kHip);
   buttock.centre = {buttock.centre.x * hips.width, height_of(buttock.centre.y),
                     buttock.centre.z - 0.03 * (s - 1)};
   buttock.low = buttock.low * s;
@@ -323,7 +323,7 @@ Vec3 PlacedFigure::on_leg(Vec3 p) const {
 }
 
 Vec3 PlacedFigure::on_arm(Vec3 p) const {
-  const double stretch = shape_.of(Measure::kArmLength), s = arm_scale(p.y);
+  const double stretch = shape_.of(measure::Measure::kArmLength), s = arm_scale(p.y);
   const double along = p.y < figure_.wrist ? p.y * stretch : p.y + (stretch - 1) * figure_.wrist;
   const LoftSection axis = section_at(figure_.arm, p.y);
   return shoulder + along_arm * along + out_of_arm * (axis.u + (p.x - axis.u) * s) +
@@ -384,4 +384,4 @@ BodyJoints PlacedFigure::joints() const {
   return j;
 }
 
-}  // namespace toile
+}  // namespace toile::mannequin

@@ -5,22 +5,22 @@
 
 #include "core/body/mannequin/figure.h"
 
-namespace toile {
+namespace toile::mannequin {
 
 /// Factors on a figure, one for each measure: 1 is the figure itself. Girths scale sections about their
 /// height, lengths move them along the body. The height's own factor is not used: all stays in statures.
 struct BodyShape {
   const Figure* figure = &female_figure();
-  std::array<double, kMeasureCount> factor = filled(1);
+  std::array<double, measure::kMeasureCount> factor = filled(1);
   double head = 1;  ///< size of the head against an adult's of this height; children have more
   double face = 1;  ///< how much of eyes, nose and mouth there is: 0 to 1, as triangles allow
   double arm_sine = 0.7071, arm_cosine = 0.7071;  ///< of the angle between a hanging arm and this one
 
-  double of(Measure m) const { return factor[static_cast<size_t>(m)]; }
-  double& of(Measure m) { return factor[static_cast<size_t>(m)]; }
+  double of(measure::Measure m) const { return factor[static_cast<size_t>(m)]; }
+  double& of(measure::Measure m) { return factor[static_cast<size_t>(m)]; }
 
-  static constexpr std::array<double, kMeasureCount> filled(double value) {
-    std::array<double, kMeasureCount> out{};
+  static constexpr std::array<double, measure::kMeasureCount> filled(double value) {
+    std::array<double, measure::kMeasureCount> out{};
     out.fill(value);
     return out;
   }
@@ -83,4 +83,4 @@ class PlacedFigure {
   double ribs_ = 0;  ///< the figure's height at which the underbust's factor holds
 };
 
-}  // namespace toile
+}  // namespace toile::mannequin

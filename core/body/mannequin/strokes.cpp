@@ -1,6 +1,6 @@
 #include "core/body/mannequin/figure.h"
 
-namespace toile {
+namespace toile::mannequin {
 namespace {
 
 // Of every figure: head, legs, arms. They are placed by the sections of the figure that carries them.
@@ -51,4 +51,4 @@ std::span<const Stroke> common_strokes() { return kStrokes; }
 
 const Figure& figure_of(Sex sex) { return sex == Sex::kFemale ? female_figure() : male_figure(); }
 
-}  // namespace toile
+}  // namespace toile::mannequin

@@ -8,7 +8,7 @@
 #include "core/body/measure/cut_points.h"
 #include "core/body/measure/mesh_cut.h"
 
-namespace toile {
+namespace toile::measure {
 namespace {
 
 // Shares of the way from the shoulder point to the fingertips, and to the wrist.
@@ -20,7 +20,7 @@ constexpr double kJointLevel = 0.18;  // of the way from nape to crotch
 
 class ArmTape {
  public:
-  ArmTape(const TriangleMesh& mesh, double stature, BodyMeasures& measures)
+  ArmTape(const geometry::TriangleMesh& mesh, double stature, BodyMeasures& measures)
       : mesh_(mesh), side_(mesh, {1, 0, 0}), stature_(stature), measures_(measures) {}
 
   void run();
@@ -34,7 +34,7 @@ class ArmTape {
     return outer_part(plane_cut(mesh_, at, direction, side_triangles_), at, kArmReach * stature_);
   }
 
-  const TriangleMesh& mesh_;
+  const geometry::TriangleMesh& mesh_;
   MeshCutter side_;
   double stature_;
   BodyMeasures& measures_;
@@ -172,8 +172,8 @@ Vec3 ArmTape::shoulder_point(std::span<const Vec3> axis) const {
 
 }  // namespace
 
-void measure_arm(const TriangleMesh& mesh, double stature, BodyMeasures& measures) {
+void measure_arm(const geometry::TriangleMesh& mesh, double stature, BodyMeasures& measures) {
   ArmTape(mesh, stature, measures).run();
 }
 
-}  // namespace toile
+}  // namespace toile::measure

@@ -6,7 +6,7 @@
 #include "core/base/aabb.h"
 #include "core/geometry/convex_hull.h"
 
-namespace toile {
+namespace toile::measure {
 
 std::vector<Vec2> flat(const std::vector<Vec3>& points) {
   std::vector<Vec2> out;
@@ -88,12 +88,12 @@ std::vector<Vec3> taut_loop(const std::vector<Vec3>& points, Vec3 normal) {
   if (points.empty()) return out;
   const Axes axes = axes_of(normal);
   const Vec3 off = normal * dot(points.front(), normal);
-  for (const Vec2& p : convex_hull(in_plane(points, axes))) out.push_back(axes.u * p.x + axes.v * p.y + off);
+  for (const Vec2& p : geometry::convex_hull(in_plane(points, axes))) out.push_back(axes.u * p.x + axes.v * p.y + off);
   return out;
 }
 
 double around(const std::vector<Vec3>& points, Vec3 normal) {
-  return hull_perimeter(in_plane(points, axes_of(normal)));
+  return geometry::hull_perimeter(in_plane(points, axes_of(normal)));
 }
 
-}  // namespace toile
+}  // namespace toile::measure

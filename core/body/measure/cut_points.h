@@ -3,7 +3,7 @@
 
 #include "core/body/measure/mesh_cut.h"
 
-namespace toile {
+namespace toile::measure {
 
 /// (x, z) of points in a level plane.
 std::vector<Vec2> flat(const std::vector<Vec3>& points);
@@ -24,4 +24,4 @@ std::vector<Vec3> taut_loop(const std::vector<Vec3>& points, Vec3 normal);
 /// The tape's length around points of one plane, m.
 double around(const std::vector<Vec3>& points, Vec3 normal);
 
-}  // namespace toile
+}  // namespace toile::measure

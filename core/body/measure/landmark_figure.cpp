@@ -6,7 +6,7 @@
 #include "core/body/measure/landmark_slices.h"
 #include "core/body/measure/landmarks.h"
 
-namespace toile {
+namespace toile::measure {
 
 namespace {
 
@@ -39,7 +39,7 @@ double depth_at(const BodyCut& cut, double middle, double within) {
 
 class FigureFinder {
  public:
-  explicit FigureFinder(const TriangleMesh& mesh) : mesh_(mesh) {}
+  explicit FigureFinder(const geometry::TriangleMesh& mesh) : mesh_(mesh) {}
 
   Result<BodyFigure> find() {
     measure_box();
@@ -356,16 +356,16 @@ class FigureFinder {
     return found;
   }
 
-  const TriangleMesh& mesh_;
+  const geometry::TriangleMesh& mesh_;
   BodyFigure f_;
 };
 
 }  // namespace
 
-Result<BodyFigure> find_figure(const TriangleMesh& mesh) { return FigureFinder(mesh).find(); }
+Result<BodyFigure> find_figure(const geometry::TriangleMesh& mesh) { return FigureFinder(mesh).find(); }
 
-double trunk_girth(const TriangleMesh& mesh, const BodyFigure& figure, double height) {
+double trunk_girth(const geometry::TriangleMesh& mesh, const BodyFigure& figure, double height) {
   return tape_around(middle_cut(mesh, height, figure.middle), {0, 1, 0});
 }
 
-}  // namespace toile
+}  // namespace toile::measure

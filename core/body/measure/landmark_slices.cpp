@@ -3,7 +3,7 @@
 #include "core/body/measure/mesh_cut.h"
 #include "core/geometry/convex_hull.h"
 
-namespace toile {
+namespace toile::measure {
 
 namespace {
 
@@ -14,7 +14,7 @@ void grow(BodyCut& cut, Vec3 p) {
 
 }  // namespace
 
-std::vector<BodyCut> cut_body(const TriangleMesh& mesh, Vec3 origin, Vec3 normal) {
+std::vector<BodyCut> cut_body(const geometry::TriangleMesh& mesh, Vec3 origin, Vec3 normal) {
   const MeshCut cut = plane_cut(mesh, origin, normal);
   std::vector<BodyCut> parts(static_cast<std::size_t>(cut.part_count));
   for (std::size_t i = 0; i < cut.points.size(); ++i) grow(parts[cut.part[i]], cut.points[i]);
@@ -28,10 +28,10 @@ double tape_around(const BodyCut& cut, Vec3 normal) {
   std::vector<Vec2> flat;
   flat.reserve(cut.points.size());
   for (const Vec3& p : cut.points) flat.push_back({dot(p, u), dot(p, v)});
-  return hull_perimeter(std::move(flat));
+  return geometry::hull_perimeter(std::move(flat));
 }
 
-BodyCut middle_cut(const TriangleMesh& mesh, double height, double middle) {
+BodyCut middle_cut(const geometry::TriangleMesh& mesh, double height, double middle) {
   BodyCut out;
   for (const BodyCut& cut : cut_body(mesh, {0, height, 0}, {0, 1, 0})) {
     if (cut.box.low.x > middle || cut.box.high.x < middle) continue;
@@ -40,4 +40,4 @@ BodyCut middle_cut(const TriangleMesh& mesh, double height, double middle) {
   return out;
 }
 
-}  // namespace toile
+}  // namespace toile::measure

@@ -7,7 +7,7 @@
 #include "core/base/aabb.h"
 #include "core/geometry/triangle_mesh.h"
 
-namespace toile {
+namespace toile::measure {
 
 /// A connected line in which a plane cuts a body, as loose points.
 struct BodyCut {
@@ -16,13 +16,13 @@ struct BodyCut {
 };
 
 /// The parts in which the plane through `origin` with `normal` cuts the mesh, in plane_cut()'s order.
-std::vector<BodyCut> cut_body(const TriangleMesh& mesh, Vec3 origin, Vec3 normal);
+std::vector<BodyCut> cut_body(const geometry::TriangleMesh& mesh, Vec3 origin, Vec3 normal);
 
 /// The tape around points of a plane, over hollows, m. `normal` as it was cut.
 double tape_around(const BodyCut& cut, Vec3 normal);
 
 /// The level part that holds the upright line x = `middle`, with those that overlap it; no points when none
 /// does.
-BodyCut middle_cut(const TriangleMesh& mesh, double height, double middle);
+BodyCut middle_cut(const geometry::TriangleMesh& mesh, double height, double middle);
 
-}  // namespace toile
+}  // namespace toile::measure

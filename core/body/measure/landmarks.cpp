@@ -6,14 +6,14 @@
 #include "core/body/measure/landmark_slices.h"
 #include "core/geometry/distance.h"
 
-namespace toile {
+namespace toile::measure {
 
 namespace {
 
 /// Places of a figure by name, before they are put on the skin.
 class Places {
  public:
-  Places(const TriangleMesh& mesh, const BodyFigure& figure) : mesh_(mesh), f_(figure) {}
+  Places(const geometry::TriangleMesh& mesh, const BodyFigure& figure) : mesh_(mesh), f_(figure) {}
 
   std::vector<Landmark> all() {
     head_and_neck();
@@ -105,27 +105,27 @@ class Places {
     }
   }
 
-  const TriangleMesh& mesh_;
+  const geometry::TriangleMesh& mesh_;
   const BodyFigure& f_;
   std::vector<Landmark> all_;
 };
 
 }  // namespace
 
-Vec3 position_of(const SkinPoint& point, const TriangleMesh& mesh) {
+Vec3 position_of(const SkinPoint& point, const geometry::TriangleMesh& mesh) {
   const Tri& t = mesh.triangles[static_cast<std::size_t>(point.triangle)];
   Vec3 p;
   for (int c = 0; c < 3; ++c) p += mesh.vertices[static_cast<std::size_t>(t[c])] * point.share[c];
   return p;
 }
 
-SkinPoint nearest_on_skin(const TriangleMesh& mesh, Vec3 p) {
+SkinPoint nearest_on_skin(const geometry::TriangleMesh& mesh, Vec3 p) {
   SkinPoint best;
   double least = HUGE_VAL;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Tri& tri = mesh.triangles[t];
     const Vec3 &a = mesh.vertices[tri[0]], &b = mesh.vertices[tri[1]], &c = mesh.vertices[tri[2]];
-    const TrianglePoint w = closest_on_triangle(p, a, b, c);
+    const geometry::TrianglePoint w = geometry::closest_on_triangle(p, a, b, c);
     const Vec3 d = a * w.a + b * w.b + c * w.c - p;
     if (dot(d, d) < least) {
       least = dot(d, d);
@@ -135,7 +135,7 @@ SkinPoint nearest_on_skin(const TriangleMesh& mesh, Vec3 p) {
   return best;
 }
 
-std::vector<Landmark> find_landmarks(const TriangleMesh& mesh, const BodyFigure& figure) {
+std::vector<Landmark> find_landmarks(const geometry::TriangleMesh& mesh, const BodyFigure& figure) {
   return Places(mesh, figure).all();
 }
 
@@ -145,4 +145,4 @@ const Landmark* landmark_named(std::span<const Landmark> landmarks, std::string_
   return it == landmarks.end() ? nullptr : &*it;
 }
 
-}  // namespace toile
+}  // namespace toile::measure

@@ -11,7 +11,7 @@
 #include "core/base/result.h"
 #include "core/geometry/triangle_mesh.h"
 
-namespace toile {
+namespace toile::measure {
 
 /// A point on a triangle of a mesh: it stays where it is on the skin when the mesh is reshaped.
 struct SkinPoint {
@@ -20,10 +20,10 @@ struct SkinPoint {
 };
 
 /// m. REQUIRES a triangle of the mesh.
-Vec3 position_of(const SkinPoint& point, const TriangleMesh& mesh);
+Vec3 position_of(const SkinPoint& point, const geometry::TriangleMesh& mesh);
 
 /// The point of the mesh's surface that is nearest to `p`. REQUIRES a mesh with triangles.
-SkinPoint nearest_on_skin(const TriangleMesh& mesh, Vec3 p);
+SkinPoint nearest_on_skin(const geometry::TriangleMesh& mesh, Vec3 p);
 
 struct Landmark {
   std::string name;  ///< e.g. "waist_front", "elbow_left"; left and right are the wearer's
@@ -66,15 +66,15 @@ struct BodyFigure {
 /// The figure of someone who stands upright on two legs, looks along +z and holds the arms off the trunk (A-
 /// or T-pose, up to hanging at some distance). Any closed mesh will do, and one that crosses itself a little.
 /// Error "body.not_standing" with what was not found: no trunk, no two legs, no arms.
-Result<BodyFigure> find_figure(const TriangleMesh& mesh);
+Result<BodyFigure> find_figure(const geometry::TriangleMesh& mesh);
 
 /// The landmarks of a figure, in a fixed order, each on the skin.
-std::vector<Landmark> find_landmarks(const TriangleMesh& mesh, const BodyFigure& figure);
+std::vector<Landmark> find_landmarks(const geometry::TriangleMesh& mesh, const BodyFigure& figure);
 
 /// The landmark of that name, or nullptr.
 const Landmark* landmark_named(std::span<const Landmark> landmarks, std::string_view name);
 
 /// Girth (m) of the trunk at a height, arms left out, as a tape takes it.
-double trunk_girth(const TriangleMesh& mesh, const BodyFigure& figure, double height);
+double trunk_girth(const geometry::TriangleMesh& mesh, const BodyFigure& figure, double height);
 
-}  // namespace toile
+}  // namespace toile::measure

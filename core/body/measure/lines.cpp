@@ -7,7 +7,7 @@
 #include "core/body/measure/cut_points.h"
 #include "core/body/measure/landmark_slices.h"
 
-namespace toile {
+namespace toile::measure {
 
 namespace {
 
@@ -52,7 +52,7 @@ std::optional<LinePlane> plane_of(const BodyFigure& f, std::string_view name) {
   return LinePlane{{f.middle, middle.y, middle.z}, normalized(Vec3{0, -slope.z, slope.y})};
 }
 
-std::vector<Vec3> points_on(const TriangleMesh& mesh, const BodyFigure& f, const LinePlane& plane) {
+std::vector<Vec3> points_on(const geometry::TriangleMesh& mesh, const BodyFigure& f, const LinePlane& plane) {
   std::vector<Vec3> points;
   double least = HUGE_VAL;
   for (const BodyCut& cut : cut_body(mesh, plane.origin, plane.normal)) {
@@ -113,7 +113,7 @@ const std::vector<std::string>& body_line_names() {
   return names;
 }
 
-Result<std::vector<Vec3>> body_line(const TriangleMesh& mesh, const BodyFigure& figure, std::string_view name,
+Result<std::vector<Vec3>> body_line(const geometry::TriangleMesh& mesh, const BodyFigure& figure, std::string_view name,
                                     double up, double away) {
   std::optional<LinePlane> plane = plane_of(figure, name);
   if (!plane) return Error{"body.unknown_line", "there is no line of that name on a body", std::string(name)};
@@ -132,4 +132,4 @@ double length_of_loop(const std::vector<Vec3>& loop) {
   return sum;
 }
 
-}  // namespace toile
+}  // namespace toile::measure

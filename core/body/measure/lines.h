@@ -9,7 +9,7 @@
 #include "core/base/result.h"
 #include "core/body/measure/landmarks.h"
 
-namespace toile {
+namespace toile::measure {
 
 /// "bust", "underbust", "waist", "high_hip", "hip": level, around the trunk, at the height of the landmarks
 /// of that name. "neck": level, where it is slimmest; "neckline": slanted, through the pit of the neck and
@@ -20,10 +20,10 @@ const std::vector<std::string>& body_line_names();
 /// limbs), `away` (m) outside the skin, corners at least 8 mm apart. `up` (m) shifts the line's plane
 /// upwards, along limbs towards the trunk. Errors: body.unknown_line, body.no_line where the plane misses
 /// that part.
-Result<std::vector<Vec3>> body_line(const TriangleMesh& mesh, const BodyFigure& figure, std::string_view name,
+Result<std::vector<Vec3>> body_line(const geometry::TriangleMesh& mesh, const BodyFigure& figure, std::string_view name,
                                     double up = 0, double away = 0);
 
 /// m, around a closed line.
 double length_of_loop(const std::vector<Vec3>& loop);
 
-}  // namespace toile
+}  // namespace toile::measure

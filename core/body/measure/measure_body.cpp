@@ -9,7 +9,7 @@
 #include "core/body/measure/mesh_cut.h"
 #include "core/geometry/convex_hull.h"
 
-namespace toile {
+namespace toile::measure {
 namespace {
 
 // Shares of the stature.
@@ -47,7 +47,7 @@ struct Level {
 
 class BodyTape {
  public:
-  explicit BodyTape(const TriangleMesh& mesh) : mesh_(mesh), level_(mesh, {0, 1, 0}) {}
+  explicit BodyTape(const geometry::TriangleMesh& mesh) : mesh_(mesh), level_(mesh, {0, 1, 0}) {}
 
   Status run() {
     stature_ = level_.high();
@@ -93,7 +93,7 @@ class BodyTape {
   Level level_at(double y) const {
     const double middle = measures.points.middle;
     const std::vector<Vec3> ps = middle_points(level_.at(y), middle);
-    Level l{y, hull_perimeter(flat(ps)), 0, -HUGE_VAL, HUGE_VAL};
+    Level l{y, geometry::hull_perimeter(flat(ps)), 0, -HUGE_VAL, HUGE_VAL};
     for (const Vec3& p : ps) {
       l.half = std::max(l.half, std::abs(p.x - middle));
       l.front = std::max(l.front, p.z);
@@ -330,7 +330,7 @@ class BodyTape {
 
   void find_leg();
 
-  const TriangleMesh& mesh_;
+  const geometry::TriangleMesh& mesh_;
   MeshCutter level_;
   double stature_ = 0, neck_y_ = 0;
   std::vector<Level> trunk_;
@@ -344,7 +344,7 @@ void BodyTape::find_leg() {
       if (q.x >= middle) one.push_back(q);
     return one;
   };
-  const auto girth = [&](double y) { return hull_perimeter(flat(leg_at(y))); };
+  const auto girth = [&](double y) { return geometry::hull_perimeter(flat(leg_at(y))); };
   const double thigh = crotch - kThighBelowCrotch * stature_;
   take(Measure::kThigh, girth(thigh), thigh, taut_loop(leg_at(thigh), {0, 1, 0}));
   double most = 0, place = 0;
@@ -358,11 +358,11 @@ void BodyTape::find_leg() {
 
 }  // namespace
 
-Result<BodyMeasures> measure_body(const TriangleMesh& standing) {
+Result<BodyMeasures> measure_body(const geometry::TriangleMesh& standing) {
   if (standing.triangles.empty()) return Error{"body.not_a_body", "The mesh has no triangles.", ""};
   BodyTape tape(standing);
   TRY(tape.run());
   return tape.measures;
 }
 
-}  // namespace toile
+}  // namespace toile::measure

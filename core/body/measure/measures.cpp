@@ -1,6 +1,6 @@
 #include "core/body/measure/measures.h"
 
-namespace toile {
+namespace toile::measure {
 namespace {
 
 struct Entry {
@@ -36,4 +36,4 @@ std::string_view measure_name(Measure m) { return entry(m).name; }
 std::string_view measure_rule(Measure m) { return entry(m).rule; }
 bool is_girth(Measure m) { return entry(m).girth; }
 
-}  // namespace toile
+}  // namespace toile::measure

@@ -10,7 +10,7 @@
 #include "core/base/result.h"
 #include "core/geometry/triangle_mesh.h"
 
-namespace toile {
+namespace toile::measure {
 
 /// In the order in which they are printed.
 enum class Measure {
@@ -76,6 +76,6 @@ struct BodyMeasures {
 /// others). A tape spans hollows: girths are perimeters of convex hulls of cuts, without arms or the other
 /// leg. Bust and hip are the widest, waist the narrowest; what cannot be found stays empty. Error:
 /// "body.not_a_body" where the mesh has no trunk, head and two legs.
-Result<BodyMeasures> measure_body(const TriangleMesh& standing);
+Result<BodyMeasures> measure_body(const geometry::TriangleMesh& standing);
 
-}  // namespace toile
+}  // namespace toile::measure

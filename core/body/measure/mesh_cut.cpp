@@ -6,7 +6,7 @@
 
 #include "core/base/disjoint_sets.h"
 
-namespace toile {
+namespace toile::measure {
 namespace {
 
 constexpr size_t kBins = 256;
@@ -14,7 +14,7 @@ constexpr size_t kBins = 256;
 /// Gathers the crossed edges of a few triangles; equal edges become one point.
 class CutBuilder {
  public:
-  CutBuilder(const TriangleMesh& mesh, const std::vector<double>& height, double level)
+  CutBuilder(const geometry::TriangleMesh& mesh, const std::vector<double>& height, double level)
       : mesh_(mesh), height_(height), level_(level) {}
 
   void add(const Tri& t) {
@@ -61,7 +61,7 @@ class CutBuilder {
     }
   }
 
-  const TriangleMesh& mesh_;
+  const geometry::TriangleMesh& mesh_;
   const std::vector<double>& height_;
   double level_;
   std::vector<std::array<std::uint64_t, 2>> segments_;
@@ -77,7 +77,7 @@ std::vector<Index> all_or(std::span<const Index> triangles, size_t count) {
 
 }  // namespace
 
-MeshCutter::MeshCutter(const TriangleMesh& mesh, Vec3 direction, std::span<const Index> triangles)
+MeshCutter::MeshCutter(const geometry::TriangleMesh& mesh, Vec3 direction, std::span<const Index> triangles)
     : mesh_(mesh), bins_(kBins) {
   height_.reserve(mesh.vertices.size());
   for (const Vec3& p : mesh.vertices) height_.push_back(dot(direction, p));
@@ -114,7 +114,7 @@ MeshCut MeshCutter::at(double height) const {
   return builder.take();
 }
 
-MeshCut plane_cut(const TriangleMesh& mesh, Vec3 origin, Vec3 normal, std::span<const Index> triangles) {
+MeshCut plane_cut(const geometry::TriangleMesh& mesh, Vec3 origin, Vec3 normal, std::span<const Index> triangles) {
   std::vector<double> height(mesh.vertices.size());
   const std::vector<Index> chosen = all_or(triangles, mesh.triangles.size());
   for (Index t : chosen)
@@ -124,4 +124,4 @@ MeshCut plane_cut(const TriangleMesh& mesh, Vec3 origin, Vec3 normal, std::span<
   return builder.take();
 }
 
-}  // namespace toile
+}  // namespace toile::measure

@@ -6,7 +6,7 @@
 
 #include "core/geometry/triangle_mesh.h"
 
-namespace toile {
+namespace toile::measure {
 
 /// Where a plane meets a mesh: the points on its edges, and which connected part each belongs to.
 struct MeshCut {
@@ -20,7 +20,7 @@ struct MeshCut {
 class MeshCutter {
  public:
   /// `triangles` names those that count; empty: all. REQUIRES a unit direction.
-  MeshCutter(const TriangleMesh& mesh, Vec3 direction, std::span<const Index> triangles = {});
+  MeshCutter(const geometry::TriangleMesh& mesh, Vec3 direction, std::span<const Index> triangles = {});
 
   MeshCut at(double height) const;
   double low() const { return low_; }    ///< least height of a triangle that counts
@@ -29,13 +29,13 @@ class MeshCutter {
  private:
   size_t bin(double height) const;
 
-  const TriangleMesh& mesh_;
+  const geometry::TriangleMesh& mesh_;
   std::vector<double> height_;            ///< of each vertex
   std::vector<std::vector<Index>> bins_;  ///< triangles that reach into each bin
   double low_ = 0, high_ = 0, step_ = 1;
 };
 
 /// The cut by any plane, over the triangles named; all when none are.
-MeshCut plane_cut(const TriangleMesh& mesh, Vec3 origin, Vec3 normal, std::span<const Index> triangles = {});
+MeshCut plane_cut(const geometry::TriangleMesh& mesh, Vec3 origin, Vec3 normal, std::span<const Index> triangles = {});
 
-}  // namespace toile
+}  // namespace toile::measure

@@ -3,18 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
-namespace toile {
+namespace toile::measure {
 
 namespace {
 
-bool is_on(const SkinPoint& at, const TriangleMesh& mesh) {
+bool is_on(const SkinPoint& at, const geometry::TriangleMesh& mesh) {
   constexpr double kRounding = 1e-6;
   if (at.triangle < 0 || at.triangle >= static_cast<Index>(mesh.triangles.size())) return false;
   const auto [a, b, c] = at.share;
   return a >= -kRounding && b >= -kRounding && c >= -kRounding && std::abs(a + b + c - 1) < kRounding;
 }
 
-Result<SkinPoint> skin_point_of(const OwnLandmark& own, const TriangleMesh& mesh,
+Result<SkinPoint> skin_point_of(const OwnLandmark& own, const geometry::TriangleMesh& mesh,
                                 std::span<const Landmark> landmarks) {
   if (own.near.empty()) {
     if (is_on(own.at, mesh)) return own.at;
@@ -33,7 +33,7 @@ Result<SkinPoint> skin_point_of(const OwnLandmark& own, const TriangleMesh& mesh
 
 }  // namespace
 
-Status add_own_landmarks(const TriangleMesh& mesh, std::span<const OwnLandmark> own,
+Status add_own_landmarks(const geometry::TriangleMesh& mesh, std::span<const OwnLandmark> own,
                          std::vector<Landmark>& landmarks) {
   for (std::size_t i = 0; i < own.size(); ++i) {
     const OwnLandmark& mark = own[i];
@@ -53,7 +53,7 @@ Status add_own_landmarks(const TriangleMesh& mesh, std::span<const OwnLandmark> 
   return {};
 }
 
-OwnLandmark told_from_nearest(const std::string& name, const SkinPoint& at, const TriangleMesh& mesh,
+OwnLandmark told_from_nearest(const std::string& name, const SkinPoint& at, const geometry::TriangleMesh& mesh,
                               std::span<const Landmark> landmarks) {
   const Vec3 p = position_of(at, mesh);
   const auto nearest = std::min_element(
@@ -62,11 +62,11 @@ OwnLandmark told_from_nearest(const std::string& name, const SkinPoint& at, cons
   return {name, {}, nearest->name, p - nearest->place};
 }
 
-Vec3 skin_normal(const SkinPoint& at, const TriangleMesh& mesh) {
+Vec3 skin_normal(const SkinPoint& at, const geometry::TriangleMesh& mesh) {
   const Tri& t = mesh.triangles[static_cast<std::size_t>(at.triangle)];
   const Vec3& a = mesh.vertices[static_cast<std::size_t>(t[0])];
   return normalized(cross(mesh.vertices[static_cast<std::size_t>(t[1])] - a,
                           mesh.vertices[static_cast<std::size_t>(t[2])] - a));
 }
 
-}  // namespace toile
+}  // namespace toile::measure

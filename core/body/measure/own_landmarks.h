@@ -11,7 +11,7 @@
 
 #include "core/body/measure/landmarks.h"
 
-namespace toile {
+namespace toile::measure {
 
 struct OwnLandmark {
   std::string name;
@@ -23,15 +23,15 @@ struct OwnLandmark {
 /// Puts `own` behind `landmarks`, each on the skin; one that has the name of a landmark already there moves
 /// that one, and may be told from it. Errors, `where` being the landmark's name: landmark.duplicate (two of
 /// `own`), landmark.unknown (near), landmark.no_triangle (triangle or shares not of this mesh).
-Status add_own_landmarks(const TriangleMesh& mesh, std::span<const OwnLandmark> own,
+Status add_own_landmarks(const geometry::TriangleMesh& mesh, std::span<const OwnLandmark> own,
                          std::vector<Landmark>& landmarks);
 
 /// `at` told from the nearest landmark, so that it can be kept through changes of measures. REQUIRES a
 /// landmark, and a triangle of the mesh.
-OwnLandmark told_from_nearest(const std::string& name, const SkinPoint& at, const TriangleMesh& mesh,
+OwnLandmark told_from_nearest(const std::string& name, const SkinPoint& at, const geometry::TriangleMesh& mesh,
                               std::span<const Landmark> landmarks);
 
 /// m; square to the skin at a point of it, outwards where the mesh's triangles face outwards.
-Vec3 skin_normal(const SkinPoint& at, const TriangleMesh& mesh);
+Vec3 skin_normal(const SkinPoint& at, const geometry::TriangleMesh& mesh);
 
-}  // namespace toile
+}  // namespace toile::measure

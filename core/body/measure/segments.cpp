@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace toile {
+namespace toile::measure {
 
 namespace {
 
@@ -46,7 +46,7 @@ const char* name_of(BodyPart part) {
   return kNames[static_cast<int>(part)];
 }
 
-std::vector<BodyPart> part_of_vertices(const TriangleMesh& mesh, const BodyFigure& f) {
+std::vector<BodyPart> part_of_vertices(const geometry::TriangleMesh& mesh, const BodyFigure& f) {
   const double neck_base = (f.neck_side[0].y + f.neck_side[1].y) / 2;
   std::vector<BodyPart> parts;
   parts.reserve(mesh.vertices.size());
@@ -70,7 +70,7 @@ std::vector<BodyPart> part_of_vertices(const TriangleMesh& mesh, const BodyFigur
   return parts;
 }
 
-std::array<PartBox, kBodyParts> part_boxes(const TriangleMesh& mesh, const BodyFigure& figure) {
+std::array<PartBox, kBodyParts> part_boxes(const geometry::TriangleMesh& mesh, const BodyFigure& figure) {
   std::array<PartBox, kBodyParts> boxes;
   std::array<std::array<double, 3>, kBodyParts> low, high;
   for (int k = 0; k < kBodyParts; ++k) {
@@ -97,4 +97,4 @@ std::array<PartBox, kBodyParts> part_boxes(const TriangleMesh& mesh, const BodyF
   return boxes;
 }
 
-}  // namespace toile
+}  // namespace toile::measure

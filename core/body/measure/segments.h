@@ -6,7 +6,7 @@
 
 #include "core/body/measure/landmarks.h"
 
-namespace toile {
+namespace toile::measure {
 
 enum class BodyPart { kHead, kNeck, kTorso, kHips, kLeftArm, kRightArm, kLeftLeg, kRightLeg };
 inline constexpr int kBodyParts = 8;
@@ -29,9 +29,9 @@ struct PartBox {
 
 /// The part that each vertex belongs to: parted at the armpits, the neck's narrowest place, the chin, the
 /// waist and the crotch.
-std::vector<BodyPart> part_of_vertices(const TriangleMesh& mesh, const BodyFigure& figure);
+std::vector<BodyPart> part_of_vertices(const geometry::TriangleMesh& mesh, const BodyFigure& figure);
 
 /// One box per part, in the order of BodyPart, around the part's vertices.
-std::array<PartBox, kBodyParts> part_boxes(const TriangleMesh& mesh, const BodyFigure& figure);
+std::array<PartBox, kBodyParts> part_boxes(const geometry::TriangleMesh& mesh, const BodyFigure& figure);
 
-}  // namespace toile
+}  // namespace toile::measure

@@ -6,25 +6,25 @@
 #include "core/body/measure/cut_points.h"
 #include "core/body/measure/mesh_cut.h"
 
-namespace toile {
+namespace toile::measure {
 namespace {
 
 constexpr double kLeastStature = 0.55, kUnits[] = {1, 0.1, 0.01, 0.001};
 constexpr double kShins = 0.15, kFace = 0.93, kAnkles = 0.075, kSoles = 0.045;  // shares of the stature
 
 template <typename Turn>
-void turn(TriangleMesh& mesh, Turn to) {
+void turn(geometry::TriangleMesh& mesh, Turn to) {
   for (Vec3& p : mesh.vertices) p = to(p);
 }
 
-bool two_legs_at(const TriangleMesh& mesh, double share) {
+bool two_legs_at(const geometry::TriangleMesh& mesh, double share) {
   const Aabb3 box = bounding_box(mesh.vertices);
   const MeshCut cut = MeshCutter(mesh, {0, 1, 0}).at(box.low.y + share * box.size().y);
   return cut.part_count >= 2;
 }
 
 // Toes reach farther from the ankles than heels do.
-bool faces_back(const TriangleMesh& mesh, double stature) {
+bool faces_back(const geometry::TriangleMesh& mesh, double stature) {
   const double ankle = middle_of(MeshCutter(mesh, {0, 1, 0}).at(kAnkles * stature).points).z;
   double toes = 0, heels = 0;
   for (const Vec3& p : mesh.vertices) {
@@ -37,11 +37,11 @@ bool faces_back(const TriangleMesh& mesh, double stature) {
 
 }  // namespace
 
-Result<StandingBody> stand_body(TriangleMesh mesh) {
+Result<StandingBody> stand_body(geometry::TriangleMesh mesh) {
   const Error none{"body.not_a_body", "The mesh does not look like a standing person.", ""};
   if (mesh.triangles.empty()) return none;
   StandingBody out{std::move(mesh), {}};
-  TriangleMesh& m = out.mesh;
+  geometry::TriangleMesh& m = out.mesh;
   if (const Vec3 size = bounding_box(m.vertices).size(); size.z > size.y) {
     out.stance.up = 'z';
     turn(m, [](Vec3 p) { return Vec3{p.x, p.z, -p.y}; });
@@ -70,4 +70,4 @@ Result<StandingBody> stand_body(TriangleMesh mesh) {
   return out;
 }
 
-}  // namespace toile
+}  // namespace toile::measure

@@ -5,7 +5,7 @@
 #include "core/base/result.h"
 #include "core/geometry/triangle_mesh.h"
 
-namespace toile {
+namespace toile::measure {
 
 /// How a body stood in its file.
 struct BodyStance {
@@ -16,13 +16,13 @@ struct BodyStance {
 };
 
 struct StandingBody {
-  TriangleMesh mesh;  ///< metres, y up, feet on y = 0, facing +z
+  geometry::TriangleMesh mesh;  ///< metres, y up, feet on y = 0, facing +z
   BodyStance stance;
 };
 
 /// Guesses unit and directions of a person's mesh by its shape and puts it upright: a stature lies between
 /// 0.55 and 5.5 m (units of 1, 0.1, 0.01 or 0.001 m), y or z points up, legs are two and below, arms to the
 /// sides, toes in front. Error: "body.not_a_body" where the shape says none of this.
-Result<StandingBody> stand_body(TriangleMesh mesh);
+Result<StandingBody> stand_body(geometry::TriangleMesh mesh);
 
-}  // namespace toile
+}  // namespace toile::measure

@@ -6,14 +6,14 @@
 #include "core/body/measure/cut_points.h"
 #include "core/geometry/convex_hull.h"
 
-namespace toile {
+namespace toile::measure {
 namespace {
 
 constexpr double kScanStep = 0.004;      // m
 constexpr double kWiderThanRibs = 1.12;  // a chest's breadth over that of the ribs below it, at most
 
 // What the tape goes around in the level plane at `height`, as (x, z).
-std::vector<Vec2> middle_points(const TriangleMesh& mesh, double height) {
+std::vector<Vec2> middle_points(const geometry::TriangleMesh& mesh, double height) {
   return flat(middle_points(plane_cut(mesh, {0, height, 0}, {0, 1, 0}), 0));
 }
 
@@ -31,7 +31,7 @@ std::vector<Vec2> clipped(const std::vector<Vec2>& polygon, double limit, double
 }
 
 template <typename Better>
-Girth best_girth(const TriangleMesh& mesh, double low, double high, double half_breadth, Better better) {
+Girth best_girth(const geometry::TriangleMesh& mesh, double low, double high, double half_breadth, Better better) {
   Girth best{low, girth_at(mesh, low, half_breadth)};
   const int steps = static_cast<int>(std::ceil((high - low) / kScanStep));
   for (int i = 1; i <= steps; ++i) {
@@ -44,27 +44,27 @@ Girth best_girth(const TriangleMesh& mesh, double low, double high, double half_
 
 }  // namespace
 
-double girth_at(const TriangleMesh& mesh, double height, double half_breadth) {
-  std::vector<Vec2> around = convex_hull(middle_points(mesh, height));
+double girth_at(const geometry::TriangleMesh& mesh, double height, double half_breadth) {
+  std::vector<Vec2> around = geometry::convex_hull(middle_points(mesh, height));
   if (half_breadth < kNoBreadth) around = clipped(clipped(around, half_breadth, 1), half_breadth, -1);
-  return perimeter(around);
+  return geometry::perimeter(around);
 }
 
-double half_breadth_at(const TriangleMesh& mesh, double height) {
+double half_breadth_at(const geometry::TriangleMesh& mesh, double height) {
   double most = 0;
   for (const Vec2& p : middle_points(mesh, height)) most = std::max(most, std::abs(p.x));
   return most;
 }
 
-Girth narrowest_girth(const TriangleMesh& mesh, double low, double high, double half_breadth) {
+Girth narrowest_girth(const geometry::TriangleMesh& mesh, double low, double high, double half_breadth) {
   return best_girth(mesh, low, high, half_breadth, [](double a, double b) { return a < b; });
 }
 
-Girth widest_girth(const TriangleMesh& mesh, double low, double high, double half_breadth) {
+Girth widest_girth(const geometry::TriangleMesh& mesh, double low, double high, double half_breadth) {
   return best_girth(mesh, low, high, half_breadth, [](double a, double b) { return a > b; });
 }
 
-TrunkGirths trunk_girths(const TriangleMesh& standing) {
+TrunkGirths trunk_girths(const geometry::TriangleMesh& standing) {
   double h = 0;
   for (const Vec3& p : standing.vertices) h = std::max(h, p.y);
   const double ribs = kWiderThanRibs * half_breadth_at(standing, 0.68 * h);
@@ -72,4 +72,4 @@ TrunkGirths trunk_girths(const TriangleMesh& standing) {
           widest_girth(standing, 0.48 * h, 0.56 * h)};
 }
 
-}  // namespace toile
+}  // namespace toile::measure

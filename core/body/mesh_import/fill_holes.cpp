@@ -8,7 +8,7 @@
 
 #include "core/base/aabb.h"
 
-namespace toile {
+namespace toile::mesh_import {
 namespace {
 
 constexpr std::size_t kMostCorners = 100;  // of a hole that is filled without a vertex in its middle
@@ -24,7 +24,7 @@ struct Border {
 
 /// The border half-edge at the other end of the fan that begins with border half-edge `h`; kNone when the
 /// fan's triangles do not run alike.
-Index end_of_fan(const TriangleMesh& mesh, const HalfEdges& edges, Index h) {
+Index end_of_fan(const geometry::TriangleMesh& mesh, const HalfEdges& edges, Index h) {
   const Index vertex = start_of(mesh, h);
   for (std::size_t steps = 0; steps < edges.mate.size(); ++steps) {
     const Index last = next_in_triangle(next_in_triangle(h));
@@ -37,7 +37,7 @@ Index end_of_fan(const TriangleMesh& mesh, const HalfEdges& edges, Index h) {
 
 /// Where several fans meet in a vertex, a hole lies between the end of one and the beginning of another:
 /// those that look the same way most, best first.
-void match_across(const TriangleMesh& mesh, const HalfEdges& edges, const std::vector<Index>& out,
+void match_across(const geometry::TriangleMesh& mesh, const HalfEdges& edges, const std::vector<Index>& out,
                   const std::vector<Index>& in, std::vector<Index>& before) {
   struct Match {
     double cosine;
@@ -64,7 +64,7 @@ void match_across(const TriangleMesh& mesh, const HalfEdges& edges, const std::v
 }
 
 /// Of each border half-edge the one that comes before it along the border; kNone where that is not clear.
-std::vector<Index> border_before(const TriangleMesh& mesh, const HalfEdges& edges) {
+std::vector<Index> border_before(const geometry::TriangleMesh& mesh, const HalfEdges& edges) {
   constexpr std::size_t kMostFans = 64;
   std::map<Index, std::pair<std::vector<Index>, std::vector<Index>>> at;  // vertex → beginning, ending there
   for (Index h = 0; h < static_cast<Index>(edges.mate.size()); ++h) {
@@ -84,7 +84,7 @@ std::vector<Index> border_before(const TriangleMesh& mesh, const HalfEdges& edge
 }
 
 /// The borders of all shells, each against its half-edges' own way.
-std::vector<Border> borders_of(const TriangleMesh& mesh, const HalfEdges& edges, const MeshShells& shells) {
+std::vector<Border> borders_of(const geometry::TriangleMesh& mesh, const HalfEdges& edges, const MeshShells& shells) {
   const std::vector<Index> before = border_before(mesh, edges);
   std::vector<Border> borders;
   std::vector<bool> seen(edges.mate.size(), false);
@@ -106,7 +106,7 @@ std::vector<Border> borders_of(const TriangleMesh& mesh, const HalfEdges& edges,
   return borders;
 }
 
-std::vector<double> diagonals_of(const TriangleMesh& mesh, const MeshShells& shells) {
+std::vector<double> diagonals_of(const geometry::TriangleMesh& mesh, const MeshShells& shells) {
   std::vector<Aabb3> boxes(shells.count);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (const Index v : mesh.triangles[t]) boxes[shells.shell_of[t]].add(mesh.vertices[v]);
@@ -116,7 +116,7 @@ std::vector<double> diagonals_of(const TriangleMesh& mesh, const MeshShells& she
   return out;
 }
 
-double length_of(const TriangleMesh& mesh, const Ring& ring) {
+double length_of(const geometry::TriangleMesh& mesh, const Ring& ring) {
   double sum = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     sum += length(mesh.vertices[ring[(i + 1) % ring.size()]] - mesh.vertices[ring[i]]);
@@ -124,7 +124,7 @@ double length_of(const TriangleMesh& mesh, const Ring& ring) {
   return sum;
 }
 
-double area_of(const TriangleMesh& mesh, Index a, Index b, Index c) {
+double area_of(const geometry::TriangleMesh& mesh, Index a, Index b, Index c) {
   const Vec3 p = mesh.vertices[a];
   return 0.5 * length(cross(mesh.vertices[b] - p, mesh.vertices[c] - p));
 }
@@ -135,7 +135,7 @@ using EdgeSet = std::set<std::pair<Index, Index>>;
 /// or an empty triangle.
 class LeastFilling {
  public:
-  LeastFilling(const TriangleMesh& mesh, const Ring& ring, const EdgeSet& taken)
+  LeastFilling(const geometry::TriangleMesh& mesh, const Ring& ring, const EdgeSet& taken)
       : mesh_(mesh), ring_(ring), taken_(taken), n_(ring.size()) {
     area_.assign(n_ * n_, 0);
     middle_.assign(n_ * n_, 0);
@@ -174,7 +174,7 @@ class LeastFilling {
     add(k, j, out);
   }
 
-  const TriangleMesh& mesh_;
+  const geometry::TriangleMesh& mesh_;
   const Ring& ring_;
   const EdgeSet& taken_;
   std::size_t n_;
@@ -183,7 +183,7 @@ class LeastFilling {
 };
 
 /// Triangles from every side of the ring to a new vertex in its middle; nothing when one would be empty.
-std::vector<Tri> fan_filling(TriangleMesh& mesh, const Ring& ring) {
+std::vector<Tri> fan_filling(geometry::TriangleMesh& mesh, const Ring& ring) {
   Vec3 sum;
   for (const Index v : ring) sum += mesh.vertices[v];
   const auto middle = static_cast<Index>(mesh.vertices.size());
@@ -199,7 +199,7 @@ std::vector<Tri> fan_filling(TriangleMesh& mesh, const Ring& ring) {
 }
 
 /// Every edge between two vertices of rings of few corners.
-EdgeSet edges_among(const TriangleMesh& mesh, const std::vector<Border>& borders) {
+EdgeSet edges_among(const geometry::TriangleMesh& mesh, const std::vector<Border>& borders) {
   std::vector<bool> near(mesh.vertices.size(), false);
   for (const Border& border : borders) {
     if (border.ring.size() > kMostCorners) continue;
@@ -217,7 +217,7 @@ EdgeSet edges_among(const TriangleMesh& mesh, const std::vector<Border>& borders
 
 }  // namespace
 
-FilledHoles fill_holes(TriangleMesh& mesh, const HalfEdges& edges, const MeshShells& shells, double most) {
+FilledHoles fill_holes(geometry::TriangleMesh& mesh, const HalfEdges& edges, const MeshShells& shells, double most) {
   const std::vector<Border> borders = borders_of(mesh, edges, shells);
   FilledHoles out;
   if (borders.empty()) return out;
@@ -245,4 +245,4 @@ FilledHoles fill_holes(TriangleMesh& mesh, const HalfEdges& edges, const MeshShe
   return out;
 }
 
-}  // namespace toile
+}  // namespace toile::mesh_import

@@ -4,7 +4,7 @@
 
 #include "core/body/mesh_import/half_edges.h"
 
-namespace toile {
+namespace toile::mesh_import {
 
 struct FilledHoles {
   int filled = 0;     ///< holes
@@ -17,6 +17,6 @@ struct FilledHoles {
 /// come last and run like their neighbours; a hole of many corners gets a vertex in its middle. REQUIRES fans
 /// that have been split (split_fans) and triangles turned alike within `shells`; one-sided shells are left
 /// alone.
-FilledHoles fill_holes(TriangleMesh& mesh, const HalfEdges& edges, const MeshShells& shells, double most);
+FilledHoles fill_holes(geometry::TriangleMesh& mesh, const HalfEdges& edges, const MeshShells& shells, double most);
 
-}  // namespace toile
+}  // namespace toile::mesh_import

@@ -7,7 +7,7 @@
 
 #include "core/base/text.h"
 
-namespace toile {
+namespace toile::mesh_import {
 namespace {
 
 bool starts(const FileOpening& o, std::string_view with) { return o.bytes.starts_with(with); }
@@ -69,4 +69,4 @@ const MeshFormat* format_of_name(const std::string& file_name) {
 
 bool is_utf16(const FileOpening& o) { return starts(o, "\xff\xfe") || starts(o, "\xfe\xff"); }
 
-}  // namespace toile
+}  // namespace toile::mesh_import

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace toile {
+namespace toile::mesh_import {
 
 /// How a file begins: its first bytes, kLookAt of them at most, and its size.
 struct FileOpening {
@@ -32,4 +32,4 @@ const MeshFormat* format_of_name(const std::string& file_name);
 /// Text of two bytes a character, which assimp turns into what it knows.
 bool is_utf16(const FileOpening& opening);
 
-}  // namespace toile
+}  // namespace toile::mesh_import

@@ -8,7 +8,7 @@
 
 #include "core/base/disjoint_sets.h"
 
-namespace toile {
+namespace toile::mesh_import {
 namespace {
 
 struct Side {
@@ -16,7 +16,7 @@ struct Side {
   Index half_edge;
 };
 
-std::vector<Side> sorted_sides(const TriangleMesh& mesh) {
+std::vector<Side> sorted_sides(const geometry::TriangleMesh& mesh) {
   std::vector<Side> sides;
   sides.reserve(3 * mesh.triangles.size());
   for (Index h = 0; h < static_cast<Index>(3 * mesh.triangles.size()); ++h) {
@@ -37,7 +37,7 @@ struct Leaf {
 };
 
 /// The triangles about a crowded edge, as one goes around it.
-std::vector<Leaf> leaves_around(const TriangleMesh& mesh, std::span<const Side> sides) {
+std::vector<Leaf> leaves_around(const geometry::TriangleMesh& mesh, std::span<const Side> sides) {
   const Vec3 from = mesh.vertices[sides[0].low];
   const Vec3 axis = normalized(mesh.vertices[sides[0].high] - from);
   const auto across = [&](Index h) {
@@ -64,7 +64,7 @@ void join(std::vector<Index>& mate, Index a, Index b) {
 
 /// Of each triangle, whether its patch ends at a border somewhere: what hangs together across edges at which
 /// two triangles meet.
-std::vector<bool> bordered(const TriangleMesh& mesh, std::span<const Side> sides,
+std::vector<bool> bordered(const geometry::TriangleMesh& mesh, std::span<const Side> sides,
                            std::span<const Index> mate) {
   DisjointSets patches(mesh.triangles.size());
   for (std::size_t h = 0; h < mate.size(); ++h) {
@@ -107,7 +107,7 @@ void pair_leaves(const std::vector<Leaf>& leaves, const std::vector<bool>& has_b
 }
 
 /// Numbers the shell of triangle `first` and turns its triangles towards one another.
-void fill_shell(const TriangleMesh& mesh, const HalfEdges& edges, Index first, MeshShells& out) {
+void fill_shell(const geometry::TriangleMesh& mesh, const HalfEdges& edges, Index first, MeshShells& out) {
   std::vector<Index> queue{first};
   out.shell_of[first] = out.count;
   std::size_t turned = 0;
@@ -138,7 +138,7 @@ void fill_shell(const TriangleMesh& mesh, const HalfEdges& edges, Index first, M
 }
 
 /// Corners that go around a vertex together.
-DisjointSets fans_of(const TriangleMesh& mesh, const HalfEdges& edges) {
+DisjointSets fans_of(const geometry::TriangleMesh& mesh, const HalfEdges& edges) {
   DisjointSets corners(edges.mate.size());
   for (Index h = 0; h < static_cast<Index>(edges.mate.size()); ++h) {
     const Index mate = edges.mate[h];
@@ -161,7 +161,7 @@ std::vector<bool> fans_with_ends(const HalfEdges& edges, DisjointSets& corners) 
 
 }  // namespace
 
-HalfEdges pair_half_edges(const TriangleMesh& mesh) {
+HalfEdges pair_half_edges(const geometry::TriangleMesh& mesh) {
   const std::vector<Side> sides = sorted_sides(mesh);
   HalfEdges out;
   out.mate.assign(sides.size(), kNone);
@@ -182,7 +182,7 @@ HalfEdges pair_half_edges(const TriangleMesh& mesh) {
   return out;
 }
 
-MeshShells find_shells(const TriangleMesh& mesh, const HalfEdges& edges) {
+MeshShells find_shells(const geometry::TriangleMesh& mesh, const HalfEdges& edges) {
   MeshShells out;
   out.shell_of.assign(mesh.triangles.size(), kNone);
   out.turned.assign(mesh.triangles.size(), false);
@@ -192,7 +192,7 @@ MeshShells find_shells(const TriangleMesh& mesh, const HalfEdges& edges) {
   return out;
 }
 
-int split_fans(TriangleMesh& mesh, const HalfEdges& edges, const MeshShells& shells) {
+int split_fans(geometry::TriangleMesh& mesh, const HalfEdges& edges, const MeshShells& shells) {
   DisjointSets corners = fans_of(mesh, edges);
   const std::vector<bool> ends = fans_with_ends(edges, corners);
   std::vector<bool> taken(mesh.vertices.size(), false);    // by its first fan
@@ -217,4 +217,4 @@ int split_fans(TriangleMesh& mesh, const HalfEdges& edges, const MeshShells& she
   return static_cast<int>(mesh.vertices.size() - before);
 }
 
-}  // namespace toile
+}  // namespace toile::mesh_import

@@ -19,7 +19,7 @@
 #include "core/base/text.h"
 #include "core/body/mesh_import/message.h"
 
-namespace toile {
+namespace toile::mesh_import {
 namespace {
 
 constexpr int kAtOnce = 2;  // readers, of one importer
@@ -35,7 +35,7 @@ constexpr bool kCanLimitMemory = false;  // a sanitizer reserves terabytes for i
 constexpr bool kCanLimitMemory = true;
 #endif
 
-Result<RepairedMesh> mended(Result<TriangleMesh> mesh) {
+Result<RepairedMesh> mended(Result<geometry::TriangleMesh> mesh) {
   if (!mesh) return mesh.error();
   return repair_mesh(std::move(*mesh));
 }
@@ -222,4 +222,4 @@ int run_mesh_import(const std::vector<std::string>& arguments) {
   std::_Exit(0);  // the mesh's memory goes with the process, which is faster than piece by piece
 }
 
-}  // namespace toile
+}  // namespace toile::mesh_import

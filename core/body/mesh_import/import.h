@@ -13,7 +13,7 @@
 #include "core/body/mesh_import/load.h"
 #include "core/body/mesh_import/repair.h"
 
-namespace toile {
+namespace toile::mesh_import {
 
 /// Limits of the reader's process: far more than two million triangles need, far less than a server has.
 ChildLimits mesh_import_limits();
@@ -51,4 +51,4 @@ inline constexpr const char* kMeshImportVerb = "import-mesh";
 /// the exit code. Before it looks at a byte of a stranger it gives up opening files and starting processes.
 int run_mesh_import(const std::vector<std::string>& arguments);
 
-}  // namespace toile
+}  // namespace toile::mesh_import

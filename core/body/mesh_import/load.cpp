@@ -17,7 +17,7 @@
 #include "core/base/aabb.h"
 #include "core/body/mesh_import/sniff.h"
 
-namespace toile {
+namespace toile::mesh_import {
 namespace {
 
 constexpr int kDeepest = 256;          // levels of the scene's tree
@@ -80,7 +80,7 @@ class Gatherer {
     return {};
   }
 
-  TriangleMesh take() { return std::move(mesh_); }
+  geometry::TriangleMesh take() { return std::move(mesh_); }
 
  private:
   Status add_mesh(const aiMesh& mesh, const aiMatrix4x4& place) {
@@ -115,7 +115,7 @@ class Gatherer {
 
   const aiScene& scene_;
   const std::string& file_;
-  TriangleMesh mesh_;
+  geometry::TriangleMesh mesh_;
 };
 
 bool before(const Vec3& a, const Vec3& b) {
@@ -139,9 +139,9 @@ std::vector<Index> first_at_position(const std::vector<Vec3>& vertices) {
 }
 
 // Equal positions become one vertex; triangles that are a line or a point go, and vertices that none uses.
-TriangleMesh merged(const TriangleMesh& mesh) {
+geometry::TriangleMesh merged(const geometry::TriangleMesh& mesh) {
   const std::vector<Index> first = first_at_position(mesh.vertices);
-  TriangleMesh out;
+  geometry::TriangleMesh out;
   std::vector<Index> number(mesh.vertices.size(), kNone);
   for (const Tri& t : mesh.triangles) {
     const Tri k{first[t[0]], first[t[1]], first[t[2]]};
@@ -161,13 +161,13 @@ TriangleMesh merged(const TriangleMesh& mesh) {
   return out;
 }
 
-double guessed_unit(const TriangleMesh& mesh) {
+double guessed_unit(const geometry::TriangleMesh& mesh) {
   const Vec3 size = bounding_box(mesh.vertices).size();
   const double e = std::max({size.x, size.y, size.z});
   return e < 5 ? 1 : e < 50 ? 0.1 : e < 500 ? 0.01 : 0.001;
 }
 
-void to_metres(TriangleMesh& mesh, const MeshSettings& settings) {
+void to_metres(geometry::TriangleMesh& mesh, const MeshSettings& settings) {
   const double unit = settings.unit_in_m > 0 ? settings.unit_in_m : guessed_unit(mesh);
   for (Vec3& p : mesh.vertices) {
     if (settings.z_up) p = {p.x, p.z, -p.y};
@@ -192,18 +192,18 @@ class BytesOnly final : public Assimp::IOSystem {
   std::string_view bytes_;
 };
 
-Result<TriangleMesh> gathered(const aiScene& scene, const std::string& file, const MeshSettings& settings) {
+Result<geometry::TriangleMesh> gathered(const aiScene& scene, const std::string& file, const MeshSettings& settings) {
   Gatherer gatherer(scene, file);
   TRY(gatherer.add(*scene.mRootNode, aiMatrix4x4(), 0));
-  TriangleMesh all = gatherer.take();
+  geometry::TriangleMesh all = gatherer.take();
   if (all.triangles.empty()) return fail("mesh.no_triangles", "The file holds no triangles.", file);
   to_metres(all, settings);
-  TriangleMesh mesh = merged(all);
+  geometry::TriangleMesh mesh = merged(all);
   if (mesh.triangles.empty()) return fail("mesh.no_triangles", "All triangles are without area.", file);
   return mesh;
 }
 
-Result<TriangleMesh> import(Assimp::Importer& importer, const std::string& file,
+Result<geometry::TriangleMesh> import(Assimp::Importer& importer, const std::string& file,
                             const MeshSettings& settings) {
   if (!importer.IsExtensionSupported(std::filesystem::path(file).extension().string())) {
     return fail("mesh.unreadable", "Files with this ending are no meshes that can be read.", file);
@@ -219,7 +219,7 @@ Result<TriangleMesh> import(Assimp::Importer& importer, const std::string& file,
 
 /// Assimp promises to throw nothing, and yet its readers' allocations and ours may. What is no std::exception
 /// is a fault that nobody foresaw: it ends the reader's process, which the caller tells as "mesh.crashed".
-Result<TriangleMesh> import_safely(Assimp::Importer& importer, const std::string& file,
+Result<geometry::TriangleMesh> import_safely(Assimp::Importer& importer, const std::string& file,
                                    const MeshSettings& settings) {
   try {
     return import(importer, file, settings);
@@ -237,7 +237,7 @@ Status check_settings(const MeshSettings& settings, const std::string& file) {
 
 }  // namespace
 
-Result<TriangleMesh> load_mesh(const std::filesystem::path& path, const MeshSettings& settings) {
+Result<geometry::TriangleMesh> load_mesh(const std::filesystem::path& path, const MeshSettings& settings) {
   const std::string file = path.string();
   TRY(check_settings(settings, file));
   TRY(check_file(path));
@@ -246,7 +246,7 @@ Result<TriangleMesh> load_mesh(const std::filesystem::path& path, const MeshSett
   return import_safely(importer, file, settings);
 }
 
-Result<TriangleMesh> load_mesh_bytes(const std::string& name, std::string_view bytes,
+Result<geometry::TriangleMesh> load_mesh_bytes(const std::string& name, std::string_view bytes,
                                      const MeshSettings& settings) {
   TRY(check_settings(settings, name));
   TRY(check_size(bytes.size(), name));
@@ -256,4 +256,4 @@ Result<TriangleMesh> load_mesh_bytes(const std::string& name, std::string_view b
   return import_safely(importer, name, settings);
 }
 
-}  // namespace toile
+}  // namespace toile::mesh_import

@@ -7,7 +7,7 @@
 #include "core/base/result.h"
 #include "core/geometry/triangle_mesh.h"
 
-namespace toile {
+namespace toile::mesh_import {
 
 struct MeshSettings {
   /// m per unit of the file; 0: by the greatest extent e of the mesh. A person or a table is 0.3 to 5 m big,
@@ -29,15 +29,15 @@ struct MeshSettings {
 /// Errors, with the file as place: "mesh.not_found", "mesh.empty", "mesh.too_large" (over 256 MiB or 2
 /// million triangles), "mesh.memory", "mesh.unreadable", "mesh.no_triangles", "mesh.not_finite" (place with
 /// the vertex), "mesh.setting".
-Result<TriangleMesh> load_mesh(const std::filesystem::path& path, const MeshSettings& settings = {});
+Result<geometry::TriangleMesh> load_mesh(const std::filesystem::path& path, const MeshSettings& settings = {});
 
 /// The same of a file's bytes, whose name tells the format. Opens nothing: for what strangers upload, who
 /// could otherwise have any file of the machine read as coordinates.
-Result<TriangleMesh> load_mesh_bytes(const std::string& name, std::string_view bytes,
+Result<geometry::TriangleMesh> load_mesh_bytes(const std::string& name, std::string_view bytes,
                                      const MeshSettings& settings = {});
 
 /// Of a mesh file.
 inline constexpr std::size_t kMostMeshBytes = std::size_t{256} << 20;
 inline constexpr std::size_t kMostMeshTriangles = 2'000'000;
 
-}  // namespace toile
+}  // namespace toile::mesh_import

@@ -9,7 +9,7 @@
 
 #include "core/body/mesh_import/load.h"
 
-namespace toile {
+namespace toile::mesh_import {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "both sides run on one machine");
@@ -104,7 +104,7 @@ Error error_of(MessageReader& reader) {
   return {texts[0], texts[1], texts[2], static_cast<ErrorKind>(kind)};
 }
 
-bool is_sound(const TriangleMesh& mesh) {
+bool is_sound(const geometry::TriangleMesh& mesh) {
   const auto count = static_cast<Index>(mesh.vertices.size());
   const auto there = [count](Index v) { return v >= 0 && v < count; };
   return !mesh.triangles.empty() &&
@@ -152,4 +152,4 @@ Result<RepairedMesh> parse_mesh_message(std::string_view bytes) {
   return out;
 }
 
-}  // namespace toile
+}  // namespace toile::mesh_import

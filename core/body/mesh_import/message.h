@@ -7,7 +7,7 @@
 #include "core/base/result.h"
 #include "core/body/mesh_import/repair.h"
 
-namespace toile {
+namespace toile::mesh_import {
 
 /// "TOILEMSH", u32 kind (0: error, 1: mesh); then, for an error, three texts (u32 length, bytes); for a mesh
 /// the repairs (u32 each, in the struct's order), u32 vertices, u32 triangles, 3 doubles a vertex, 3 u32 a
@@ -19,4 +19,4 @@ std::string mesh_message(const Result<RepairedMesh>& mesh);
 /// length.
 Result<RepairedMesh> parse_mesh_message(std::string_view bytes);
 
-}  // namespace toile
+}  // namespace toile::mesh_import

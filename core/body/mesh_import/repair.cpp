@@ -8,7 +8,7 @@
 #include "core/body/mesh_import/fill_holes.h"
 #include "core/body/mesh_import/half_edges.h"
 
-namespace toile {
+namespace toile::mesh_import {
 namespace {
 
 constexpr double kWeld = 2e-5;         // of the diagonal
@@ -18,7 +18,7 @@ constexpr double kFlatShell = 0.01;    // of area^1.5: an open shell with less v
 constexpr std::size_t kMostHollows = 64;  // shells looked at for lying within others
 
 /// The vertices of borders, by x.
-std::vector<Index> border_vertices(const TriangleMesh& mesh, const HalfEdges& edges) {
+std::vector<Index> border_vertices(const geometry::TriangleMesh& mesh, const HalfEdges& edges) {
   std::vector<Index> out;
   for (Index h = 0; h < static_cast<Index>(edges.mate.size()); ++h) {
     if (edges.mate[h] == kNone) {
@@ -34,7 +34,7 @@ std::vector<Index> border_vertices(const TriangleMesh& mesh, const HalfEdges& ed
 }
 
 /// Lays each border point on the first one within reach; how many.
-int weld_borders(TriangleMesh& mesh) {
+int weld_borders(geometry::TriangleMesh& mesh) {
   const std::vector<Index> border = border_vertices(mesh, pair_half_edges(mesh));
   if (border.empty()) return 0;
   const double reach = kWeld * length(bounding_box(mesh.vertices).size());
@@ -61,7 +61,7 @@ int weld_borders(TriangleMesh& mesh) {
 
 /// Keeps the triangles for which `keep` holds; how many went.
 template <typename Keep>
-int drop_triangles(TriangleMesh& mesh, Keep keep) {
+int drop_triangles(geometry::TriangleMesh& mesh, Keep keep) {
   std::vector<Tri> kept;
   kept.reserve(mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -72,7 +72,7 @@ int drop_triangles(TriangleMesh& mesh, Keep keep) {
   return gone;
 }
 
-int drop_flat(TriangleMesh& mesh) {
+int drop_flat(geometry::TriangleMesh& mesh) {
   return drop_triangles(mesh, [&](std::size_t i) {
     const Tri& t = mesh.triangles[i];
     const Vec3 a = mesh.vertices[t[0]];
@@ -82,7 +82,7 @@ int drop_flat(TriangleMesh& mesh) {
 }
 
 /// Of triangles with the same corners, whichever way they run, the first one stays.
-int drop_doubled(TriangleMesh& mesh) {
+int drop_doubled(geometry::TriangleMesh& mesh) {
   std::vector<std::pair<Tri, Index>> sorted;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     Tri corners = mesh.triangles[t];
@@ -97,7 +97,7 @@ int drop_doubled(TriangleMesh& mesh) {
   return drop_triangles(mesh, [&](std::size_t t) { return !again[t]; });
 }
 
-void drop_unused(TriangleMesh& mesh) {
+void drop_unused(geometry::TriangleMesh& mesh) {
   std::vector<Index> number(mesh.vertices.size(), kNone);
   for (const Tri& t : mesh.triangles) {
     for (const Index v : t) number[v] = 0;
@@ -124,7 +124,7 @@ struct ShellMass {
   Index vertex = kNone;         ///< one of its own
 };
 
-std::vector<ShellMass> masses_of(const TriangleMesh& mesh, const MeshShells& shells) {
+std::vector<ShellMass> masses_of(const geometry::TriangleMesh& mesh, const MeshShells& shells) {
   std::vector<ShellMass> out(shells.count);
   const auto corner = [&](const Tri& t, int c) { return mesh.vertices[t[c]]; };
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -146,7 +146,7 @@ std::vector<ShellMass> masses_of(const TriangleMesh& mesh, const MeshShells& she
 }
 
 /// How often a closed shell winds around a point.
-double winding(const TriangleMesh& mesh, const MeshShells& shells, Index shell, Vec3 p) {
+double winding(const geometry::TriangleMesh& mesh, const MeshShells& shells, Index shell, Vec3 p) {
   double sum = 0;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     if (shells.shell_of[i] != shell) continue;
@@ -160,7 +160,7 @@ double winding(const TriangleMesh& mesh, const MeshShells& shells, Index shell, 
 }
 
 /// Whether a shell that is turned inward is the wall of a hollow: it lies within a closed one that is not.
-bool is_hollow(const TriangleMesh& mesh, const MeshShells& shells, const std::vector<ShellMass>& masses,
+bool is_hollow(const geometry::TriangleMesh& mesh, const MeshShells& shells, const std::vector<ShellMass>& masses,
                const std::vector<bool>& open, Index shell) {
   for (Index outer = 0; outer < shells.count; ++outer) {
     if (outer == shell || open[outer] || masses[outer].volume <= 0) continue;
@@ -171,7 +171,7 @@ bool is_hollow(const TriangleMesh& mesh, const MeshShells& shells, const std::ve
 }
 
 /// Which shells must be turned over whole, so that their outer side is outside.
-std::vector<bool> inside_out(const TriangleMesh& mesh, const MeshShells& shells,
+std::vector<bool> inside_out(const geometry::TriangleMesh& mesh, const MeshShells& shells,
                              const std::vector<bool>& open) {
   const std::vector<ShellMass> masses = masses_of(mesh, shells);
   std::vector<bool> out(shells.count, false);
@@ -197,7 +197,7 @@ std::vector<bool> open_shells(const HalfEdges& edges, const MeshShells& shells) 
 
 /// Turns every shell outward; how many of the triangles end up otherwise than they came, given who was turned
 /// before. New triangles, at the end, count for none.
-int turn_outward(TriangleMesh& mesh, const std::vector<bool>& turned_before, MeshRepairs& repairs) {
+int turn_outward(geometry::TriangleMesh& mesh, const std::vector<bool>& turned_before, MeshRepairs& repairs) {
   const HalfEdges edges = pair_half_edges(mesh);
   const MeshShells shells = find_shells(mesh, edges);
   const std::vector<bool> open = open_shells(edges, shells);
@@ -248,7 +248,7 @@ std::vector<std::string> repair_words(const MeshRepairs& r) {
   return out;
 }
 
-RepairedMesh repair_mesh(TriangleMesh mesh) {
+RepairedMesh repair_mesh(geometry::TriangleMesh mesh) {
   MeshRepairs repairs;
   repairs.flat = drop_flat(mesh);
   repairs.welded = weld_borders(mesh);
@@ -276,4 +276,4 @@ RepairedMesh repair_mesh(TriangleMesh mesh) {
   return {std::move(mesh), repairs};
 }
 
-}  // namespace toile
+}  // namespace toile::mesh_import

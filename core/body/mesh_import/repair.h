@@ -7,7 +7,7 @@
 
 #include "core/geometry/triangle_mesh.h"
 
-namespace toile {
+namespace toile::mesh_import {
 
 /// What was done to a mesh, and how it is now. All zero but `shells` for a mesh that was as it should be.
 struct MeshRepairs {
@@ -37,7 +37,7 @@ std::vector<std::string> repair_words(const MeshRepairs& repairs);
 
 /// A mesh and what was done to it.
 struct RepairedMesh {
-  TriangleMesh mesh;
+  geometry::TriangleMesh mesh;
   MeshRepairs repairs;
 };
 
@@ -48,6 +48,6 @@ struct RepairedMesh {
 ///
 /// A mesh in order comes back with the same bytes. What crosses itself stays: contact and crossings look at
 /// triangles one by one, and scans do it. The same mesh is mended the same way each time.
-RepairedMesh repair_mesh(TriangleMesh mesh);
+RepairedMesh repair_mesh(geometry::TriangleMesh mesh);
 
-}  // namespace toile
+}  // namespace toile::mesh_import

@@ -7,7 +7,7 @@
 
 #include "core/body/mesh_import/formats.h"
 
-namespace toile {
+namespace toile::mesh_import {
 namespace {
 
 FileOpening open(const std::filesystem::path& path) {
@@ -55,4 +55,4 @@ Status sniff_mesh_bytes(const std::string& name, std::string_view bytes, bool an
   return sniff(name, any_format, {std::string(bytes.substr(0, kLookAt)), bytes.size()});
 }
 
-}  // namespace toile
+}  // namespace toile::mesh_import

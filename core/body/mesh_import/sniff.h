@@ -6,7 +6,7 @@
 
 #include "core/base/result.h"
 
-namespace toile {
+namespace toile::mesh_import {
 
 /// Looks at a mesh file before the reader does, which trusts its input too much: it runs past the end of text
 /// without line ends and works through whatever counts a header claims. The name's ending must be that of a
@@ -15,4 +15,4 @@ namespace toile {
 Status sniff_mesh(const std::filesystem::path& path, bool any_format);
 Status sniff_mesh_bytes(const std::string& name, std::string_view bytes, bool any_format);
 
-}  // namespace toile
+}  // namespace toile::mesh_import

@@ -22,7 +22,7 @@ namespace toile::fields {
 
 /// A value in the document together with its place, and the slot for the first error of the whole reading.
 struct FieldPlace {
-  const JsonValue& value;
+  const json::JsonValue& value;
   const std::string pointer;
   std::optional<Error>& error;
 
@@ -73,7 +73,7 @@ inline void read(const FieldPlace& at, std::string& out, Range) {
 }
 
 /// The elements of a list whose length is fixed, or null after an error.
-inline const std::vector<JsonValue>* elements_of(const FieldPlace& at, std::size_t count) {
+inline const std::vector<json::JsonValue>* elements_of(const FieldPlace& at, std::size_t count) {
   const auto* elements = at.value.array();
   if (elements && elements->size() == count) return elements;
   at.want("a list of " + std::to_string(count));
@@ -99,16 +99,16 @@ template <typename T, std::size_t N>
 void read(const FieldPlace& at, std::array<T, N>& out, Range range) {
   const auto* elements = elements_of(at, N);
   for (std::size_t i = 0; elements && i < N; ++i) {
-    read(FieldPlace{(*elements)[i], pointer_to(at.pointer, i), at.error}, out[i], range);
+    read(FieldPlace{(*elements)[i], json::pointer_to(at.pointer, i), at.error}, out[i], range);
   }
 }
 
 inline void read(const FieldPlace& at, std::vector<std::pair<std::string, std::string>>& out, Range) {
   const auto* members = at.value.object();
   if (!members) return at.want("an object");
-  for (const JsonMember& member : *members) {
+  for (const json::JsonMember& member : *members) {
     std::string to;
-    read(FieldPlace{member.value, pointer_to(at.pointer, member.key), at.error}, to, kAnything);
+    read(FieldPlace{member.value, json::pointer_to(at.pointer, member.key), at.error}, to, kAnything);
     out.emplace_back(member.key, std::move(to));
   }
 }
@@ -127,7 +127,7 @@ void read(const FieldPlace& at, std::vector<T>& out, Range count) {
   }
   for (std::size_t i = 0; i < elements->size() && !at.error; ++i) {
     T element{};
-    read(FieldPlace{(*elements)[i], pointer_to(at.pointer, i), at.error}, element, kElement<T>.range);
+    read(FieldPlace{(*elements)[i], json::pointer_to(at.pointer, i), at.error}, element, kElement<T>.range);
     out.push_back(std::move(element));
   }
 }
@@ -168,8 +168,8 @@ class FieldReader {
   void field(std::string_view key, T& out, const char*, Need need = Need::kOptional,
              Range range = kAnything) {
     if (at_.error) return;
-    if (const JsonValue* value = at_.value.find(key)) {
-      read(FieldPlace{*value, pointer_to(at_.pointer, key), at_.error}, out, range);
+    if (const json::JsonValue* value = at_.value.find(key)) {
+      read(FieldPlace{*value, json::pointer_to(at_.pointer, key), at_.error}, out, range);
     } else if (need == Need::kRequired) {
       at_.fail("project.missing_key", "the key " + in_quotes(key) + " is missing");
     }
@@ -184,7 +184,7 @@ class FieldReader {
     if (at_.error || !at_.value.find(key)) return;
     const std::vector<std::string> names(words.begin(), words.end());
     if (std::find(names.begin(), names.end(), out) != names.end()) return;
-    FieldPlace{at_.value, pointer_to(at_.pointer, key), at_.error}.fail(
+    FieldPlace{at_.value, json::pointer_to(at_.pointer, key), at_.error}.fail(
         "project.unknown_value", in_quotes(out) + " is not known; " + advice(out, names));
   }
   void shared_choice(const char*, const char* meaning, std::string_view key, std::string& out, Words words) {
@@ -217,9 +217,9 @@ void read(const FieldPlace& at, T& out, Range) {
   if (!members) return at.want("an object");
   KeyNames known;
   describe(known, out);
-  for (const JsonMember& member : *members) {
+  for (const json::JsonMember& member : *members) {
     if (std::find(known.keys.begin(), known.keys.end(), member.key) != known.keys.end()) continue;
-    return FieldPlace{at.value, pointer_to(at.pointer, member.key), at.error}.fail(
+    return FieldPlace{at.value, json::pointer_to(at.pointer, member.key), at.error}.fail(
         "project.unknown_key",
         "the key " + in_quotes(member.key) + " is not known; " + advice(member.key, known.keys));
   }

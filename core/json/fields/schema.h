@@ -27,7 +27,7 @@ class Definitions {
 
   /// {"$ref": …} to the definition of that name; `make` is called for the definition when it is nowhere yet.
   template <typename Make>
-  JsonValue refer(const std::string& name, Make make) {
+  json::JsonValue refer(const std::string& name, Make make) {
     if (others_ && others_->has_object(name)) return reference(file_ + "#/$defs/" + name);
     if (!has(name)) {
       const std::size_t place = members_.size();
@@ -37,44 +37,44 @@ class Definitions {
     return reference("#/$defs/" + name);
   }
 
-  const std::vector<JsonMember>& members() const { return members_; }
+  const std::vector<json::JsonMember>& members() const { return members_; }
 
  private:
-  static JsonValue reference(std::string to) { return std::vector<JsonMember>{{"$ref", std::move(to)}}; }
+  static json::JsonValue reference(std::string to) { return std::vector<json::JsonMember>{{"$ref", std::move(to)}}; }
   bool has(const std::string& name) const {
     return std::any_of(members_.begin(), members_.end(),
-                       [&](const JsonMember& member) { return member.key == name; });
+                       [&](const json::JsonMember& member) { return member.key == name; });
   }
   /// Small things (a text, a pair of numbers) each file says for itself.
   bool has_object(const std::string& name) const {
-    return std::any_of(members_.begin(), members_.end(), [&](const JsonMember& member) {
+    return std::any_of(members_.begin(), members_.end(), [&](const json::JsonMember& member) {
       return member.key == name && member.value.find("properties") != nullptr;
     });
   }
 
-  std::vector<JsonMember> members_;
+  std::vector<json::JsonMember> members_;
   const Definitions* others_ = nullptr;
   std::string file_;
 };
 
 /// `schema` with a meaning first, in place of the one that it may have.
-inline JsonValue described(const char* meaning, const JsonValue& schema) {
+inline json::JsonValue described(const char* meaning, const json::JsonValue& schema) {
   if (*meaning == '\0') return schema;
-  std::vector<JsonMember> members{{"description", std::string(meaning)}};
-  for (const JsonMember& member : *schema.object())
+  std::vector<json::JsonMember> members{{"description", std::string(meaning)}};
+  for (const json::JsonMember& member : *schema.object())
     if (member.key != "description") members.push_back(member);
   return members;
 }
 
-inline JsonValue number_schema(const char* type, Range range) {
-  std::vector<JsonMember> members{{"type", std::string(type)}};
+inline json::JsonValue number_schema(const char* type, Range range) {
+  std::vector<json::JsonMember> members{{"type", std::string(type)}};
   if (range.least != kAnything.least) members.push_back({"minimum", range.least});
   if (range.most != kAnything.most) members.push_back({"maximum", range.most});
   return members;
 }
 
-inline JsonValue list_schema(JsonValue items, Range count) {
-  std::vector<JsonMember> members{{"type", std::string("array")}};
+inline json::JsonValue list_schema(json::JsonValue items, Range count) {
+  std::vector<json::JsonMember> members{{"type", std::string("array")}};
   if (count.least > 0) members.push_back({"minItems", count.least});
   if (count.most != kAnything.most) members.push_back({"maxItems", count.most});
   members.push_back({"items", std::move(items)});
@@ -82,63 +82,63 @@ inline JsonValue list_schema(JsonValue items, Range count) {
 }
 
 /// The schema of a value's type. The value itself says nothing; it stands here to choose among the overloads.
-inline JsonValue schema_of(const bool&, Range, Definitions&) {
-  return std::vector<JsonMember>{{"type", std::string("boolean")}};
+inline json::JsonValue schema_of(const bool&, Range, Definitions&) {
+  return std::vector<json::JsonMember>{{"type", std::string("boolean")}};
 }
-inline JsonValue schema_of(const int&, Range range, Definitions&) { return number_schema("integer", range); }
-inline JsonValue schema_of(const double&, Range range, Definitions& definitions) {
+inline json::JsonValue schema_of(const int&, Range range, Definitions&) { return number_schema("integer", range); }
+inline json::JsonValue schema_of(const double&, Range range, Definitions& definitions) {
   const auto make = [&] { return number_schema("number", range); };
   return *range.name == '\0' ? make() : definitions.refer(range.name, make);
 }
 
-inline JsonValue bounded_text(const char* meaning) {
-  return described(meaning, std::vector<JsonMember>{{"type", std::string("string")},
+inline json::JsonValue bounded_text(const char* meaning) {
+  return described(meaning, std::vector<json::JsonMember>{{"type", std::string("string")},
                                                     {"minLength", 1.0},
                                                     {"maxLength", static_cast<double>(kLongestText)}});
 }
-inline JsonValue schema_of(const std::string&, Range, Definitions& definitions) {
+inline json::JsonValue schema_of(const std::string&, Range, Definitions& definitions) {
   return definitions.refer("text", [] { return bounded_text(""); });
 }
 
 /// `count` numbers of the range; where that has a name, lists of them have one too.
-inline JsonValue numbers_schema(double count, Range range, Definitions& definitions, const char* name,
+inline json::JsonValue numbers_schema(double count, Range range, Definitions& definitions, const char* name,
                                 const char* meaning) {
   const auto make = [&](const char* said) {
     return described(said, list_schema(schema_of(0.0, range, definitions), {count, count}));
   };
   return *range.name == '\0' ? make("") : definitions.refer(name, [&] { return make(meaning); });
 }
-inline JsonValue schema_of(const Vec2&, Range range, Definitions& definitions) {
+inline json::JsonValue schema_of(const Vec2&, Range range, Definitions& definitions) {
   return numbers_schema(2, range, definitions, "pair",
                         "Two numbers, x and y (or x and z where the key says so).");
 }
-inline JsonValue schema_of(const Vec3&, Range range, Definitions& definitions) {
+inline json::JsonValue schema_of(const Vec3&, Range range, Definitions& definitions) {
   return numbers_schema(3, range, definitions, "triple", "Three numbers, x, y and z.");
 }
 
-inline JsonValue schema_of(const std::vector<std::pair<std::string, std::string>>&, Range,
+inline json::JsonValue schema_of(const std::vector<std::pair<std::string, std::string>>&, Range,
                            Definitions& definitions) {
-  return std::vector<JsonMember>{{"type", std::string("object")},
+  return std::vector<json::JsonMember>{{"type", std::string("object")},
                                  {"additionalProperties", schema_of(std::string(), kAnything, definitions)}};
 }
 
 template <typename T>
-JsonValue schema_of(const T&, Range, Definitions&);
+json::JsonValue schema_of(const T&, Range, Definitions&);
 
 template <typename T, std::size_t N>
-JsonValue schema_of(const std::array<T, N>&, Range range, Definitions& definitions) {
+json::JsonValue schema_of(const std::array<T, N>&, Range range, Definitions& definitions) {
   const auto n = static_cast<double>(N);
   return list_schema(schema_of(T{}, range, definitions), {n, n});
 }
 
 template <typename T>
-JsonValue schema_of(const std::vector<T>&, Range count, Definitions& definitions) {
+json::JsonValue schema_of(const std::vector<T>&, Range count, Definitions& definitions) {
   const ElementRule& rule = kElement<T>;
   return list_schema(described(rule.meaning, schema_of(T{}, rule.range, definitions)), count);
 }
 
 template <typename T>
-JsonValue schema_of(const std::optional<T>&, Range range, Definitions& definitions) {
+json::JsonValue schema_of(const std::optional<T>&, Range range, Definitions& definitions) {
   return schema_of(T{}, range, definitions);
 }
 
@@ -155,7 +155,7 @@ class SchemaWriter {
     add(key, described(meaning, schema_of(std::as_const(value), range, definitions_)), need);
   }
   void file(std::string_view key, std::string&, const char* meaning, Need need = Need::kOptional) {
-    const JsonValue schema = definitions_.refer("file", [] {
+    const json::JsonValue schema = definitions_.refer("file", [] {
       return bounded_text(
           "A file in the document's folder or below it, with '/' between folders. Absolute paths and '..' "
           "are "
@@ -173,18 +173,18 @@ class SchemaWriter {
   template <typename... Keys>
   void exactly_one(Keys... keys) {
     for (const char* key : {keys...}) {
-      std::vector<JsonValue> required{std::string(key)};
-      one_of_.push_back(std::vector<JsonMember>{{"required", std::move(required)}});
+      std::vector<json::JsonValue> required{std::string(key)};
+      one_of_.push_back(std::vector<json::JsonMember>{{"required", std::move(required)}});
     }
   }
   /// A key that says which kind of object this is.
   void constant(std::string_view key, const char* meaning, const char* value) {
-    add(key, described(meaning, std::vector<JsonMember>{{"const", std::string(value)}}), Need::kRequired);
+    add(key, described(meaning, std::vector<json::JsonMember>{{"const", std::string(value)}}), Need::kRequired);
   }
 
   /// The object's schema.
-  JsonValue schema() const {
-    std::vector<JsonMember> members{{"type", std::string("object")}, {"additionalProperties", false}};
+  json::JsonValue schema() const {
+    std::vector<json::JsonMember> members{{"type", std::string("object")}, {"additionalProperties", false}};
     if (!required_.empty()) members.push_back({"required", required_});
     if (!one_of_.empty()) members.push_back({"oneOf", one_of_});
     members.push_back({"properties", properties_});
@@ -192,20 +192,20 @@ class SchemaWriter {
   }
 
  private:
-  static JsonValue choice_schema(Words words) {
-    std::vector<JsonValue> list;
+  static json::JsonValue choice_schema(Words words) {
+    std::vector<json::JsonValue> list;
     for (const char* word : words) list.emplace_back(std::string(word));
-    return std::vector<JsonMember>{{"type", std::string("string")}, {"enum", std::move(list)}};
+    return std::vector<json::JsonMember>{{"type", std::string("string")}, {"enum", std::move(list)}};
   }
-  void add(std::string_view key, JsonValue schema, Need need) {
+  void add(std::string_view key, json::JsonValue schema, Need need) {
     properties_.push_back({std::string(key), std::move(schema)});
     if (need == Need::kRequired) required_.emplace_back(std::string(key));
   }
 
   Definitions& definitions_;
   const char* meaning_ = "";
-  std::vector<JsonValue> required_, one_of_;
-  std::vector<JsonMember> properties_;
+  std::vector<json::JsonValue> required_, one_of_;
+  std::vector<json::JsonMember> properties_;
 };
 
 /// Visitor that asks for an object's name only.
@@ -227,7 +227,7 @@ struct ObjectName {
 
 /// An object with fields of its own.
 template <typename T>
-JsonValue schema_of(const T&, Range, Definitions& definitions) {
+json::JsonValue schema_of(const T&, Range, Definitions& definitions) {
   T object{};
   ObjectName named;
   describe(named, object);
@@ -240,11 +240,11 @@ JsonValue schema_of(const T&, Range, Definitions& definitions) {
 }
 
 /// A schema file: its head, then the schema, then what it refers to.
-inline JsonValue schema_file(const char* title, const char* meaning, const JsonValue& schema,
+inline json::JsonValue schema_file(const char* title, const char* meaning, const json::JsonValue& schema,
                              const Definitions& definitions) {
-  std::vector<JsonMember> members{{"$schema", std::string("https://json-schema.org/draft/2020-12/schema")},
+  std::vector<json::JsonMember> members{{"$schema", std::string("https://json-schema.org/draft/2020-12/schema")},
                                   {"title", std::string(title)}};
-  const JsonValue body = described(meaning, schema);
+  const json::JsonValue body = described(meaning, schema);
   members.insert(members.end(), body.object()->begin(), body.object()->end());
   if (!definitions.members().empty()) members.push_back({"$defs", definitions.members()});
   return members;

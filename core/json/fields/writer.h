@@ -16,41 +16,41 @@
 
 namespace toile::fields {
 
-inline JsonValue json_of(bool value) { return value; }
-inline JsonValue json_of(int value) { return static_cast<double>(value); }
+inline json::JsonValue json_of(bool value) { return value; }
+inline json::JsonValue json_of(int value) { return static_cast<double>(value); }
 /// As the text of it reads back: JSON has no word for what is not finite, and -0 is written as 0.
-inline JsonValue json_of(double value) { return std::isfinite(value) ? JsonValue(value + 0.0) : JsonValue(); }
-inline JsonValue json_of(std::string& value) { return value; }
-inline JsonValue json_of(Vec2 value) { return std::vector<JsonValue>{json_of(value.x), json_of(value.y)}; }
-inline JsonValue json_of(Vec3 value) {
-  return std::vector<JsonValue>{json_of(value.x), json_of(value.y), json_of(value.z)};
+inline json::JsonValue json_of(double value) { return std::isfinite(value) ? json::JsonValue(value + 0.0) : json::JsonValue(); }
+inline json::JsonValue json_of(std::string& value) { return value; }
+inline json::JsonValue json_of(Vec2 value) { return std::vector<json::JsonValue>{json_of(value.x), json_of(value.y)}; }
+inline json::JsonValue json_of(Vec3 value) {
+  return std::vector<json::JsonValue>{json_of(value.x), json_of(value.y), json_of(value.z)};
 }
 
-inline JsonValue json_of(std::vector<std::pair<std::string, std::string>>& names) {
-  std::vector<JsonMember> members;
+inline json::JsonValue json_of(std::vector<std::pair<std::string, std::string>>& names) {
+  std::vector<json::JsonMember> members;
   for (const auto& [from, to] : names) members.push_back({from, to});
   return members;
 }
 
 template <typename T, std::size_t N>
-JsonValue json_of(std::array<T, N>& values) {
-  std::vector<JsonValue> elements;
+json::JsonValue json_of(std::array<T, N>& values) {
+  std::vector<json::JsonValue> elements;
   for (T& value : values) elements.push_back(json_of(value));
   return elements;
 }
 
 template <typename T>
-JsonValue json_of(T& object);
+json::JsonValue json_of(T& object);
 
 template <typename T>
-JsonValue json_of(std::vector<T>& values) {
-  std::vector<JsonValue> elements;
+json::JsonValue json_of(std::vector<T>& values) {
+  std::vector<json::JsonValue> elements;
   for (T& value : values) elements.push_back(json_of(value));
   return elements;
 }
 
 template <typename T>
-JsonValue json_of(std::optional<T>& value) {
+json::JsonValue json_of(std::optional<T>& value) {
   return json_of(*value);
 }
 
@@ -70,7 +70,7 @@ bool is_absent(const T&) {
 }
 
 struct FieldWriter {
-  std::vector<JsonMember> members;
+  std::vector<json::JsonMember> members;
 
   void object(const char*, const char*) {}
   template <typename T>
@@ -91,7 +91,7 @@ struct FieldWriter {
 };
 
 template <typename T>
-JsonValue json_of(T& object) {
+json::JsonValue json_of(T& object) {
   FieldWriter writer;
   describe(writer, object);
   return std::move(writer.members);

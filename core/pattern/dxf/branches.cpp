@@ -13,7 +13,7 @@
 #include "core/base/disjoint_sets.h"
 #include "core/geometry/polygon2.h"
 
-namespace toile {
+namespace toile::dxf {
 namespace {
 
 constexpr int kDeepest = 8;            // lines within lines within lines
@@ -84,7 +84,7 @@ struct StrokeGraph {
 
 StrokeGraph graph_of(const std::vector<DxfStroke>& strokes, double tolerance) {
   StrokeGraph graph{strokes, tolerance, places_of(strokes, tolerance), {}};
-  for (const DxfStroke& s : strokes) graph.lengths.push_back(polyline_length(s.points));
+  for (const DxfStroke& s : strokes) graph.lengths.push_back(geometry::polyline_length(s.points));
   return graph;
 }
 
@@ -177,7 +177,7 @@ double area_of(const StrokeGraph& graph, const Walk& walk) {
     if (l.reversed) points.insert(points.end(), p.rbegin(), p.rend());
     if (!l.reversed) points.insert(points.end(), p.begin(), p.end());
   }
-  return signed_area(points);
+  return geometry::signed_area(points);
 }
 
 /// All walks that keep their face at the left: at each place on along the next link clockwise from the one
@@ -326,4 +326,4 @@ DxfBranches part_branches(const std::vector<DxfStroke>& strokes, double toleranc
   return found;
 }
 
-}  // namespace toile
+}  // namespace toile::dxf

@@ -7,7 +7,7 @@
 
 #include "core/base/types.h"
 
-namespace toile {
+namespace toile::dxf {
 
 /// One drawn curve that is still open.
 struct DxfStroke {
@@ -44,4 +44,4 @@ struct DxfBranches {
 /// than two ends meet the strokes are left as they are (plain).
 DxfBranches part_branches(const std::vector<DxfStroke>& strokes, double tolerance);
 
-}  // namespace toile
+}  // namespace toile::dxf

@@ -14,7 +14,7 @@
 #include "core/pattern/dxf/groups.h"
 #include "core/pattern/dxf/pen.h"
 
-namespace toile {
+namespace toile::dxf {
 namespace {
 
 constexpr int kMostAtOnePlace = 64;    // ends looked through around a joint
@@ -110,7 +110,7 @@ class Chainer {
   DxfChain chain_from(std::size_t first, const std::string& layer) {
     std::vector<DxfLink> links{{first, false}};
     use(first);
-    double total = polyline_length(strokes_[first].points);
+    double total = geometry::polyline_length(strokes_[first].points);
     const auto closed = [&] {
       return total > 2 * tolerance_ && length(end_of(links.back()) - start_of(links.front())) <= tolerance_;
     };
@@ -119,7 +119,7 @@ class Chainer {
       if (!next) return false;
       to.push_back(*next);
       use(next->stroke);
-      total += polyline_length(strokes_[next->stroke].points);
+      total += geometry::polyline_length(strokes_[next->stroke].points);
       return true;
     };
     while (!closed() && extend(end_of(links.back()), links)) {
@@ -154,7 +154,7 @@ void tell_out_of_range(const DxfCurve& curve, DxfNotes& notes) {
 }
 
 /// Points that the joint tolerance makes one.
-bool is_dot(const std::vector<Vec2>& points) { return points.size() < 2 || polyline_length(points) <= 0; }
+bool is_dot(const std::vector<Vec2>& points) { return points.size() < 2 || geometry::polyline_length(points) <= 0; }
 
 /// The open curves of one layer as chains: those that branch by their outer lines, the others end to end.
 void chain_layer(const std::string& layer, const std::vector<DxfStroke>& strokes, double tolerance,
@@ -244,4 +244,4 @@ Result<DxfChains> chains_of(const std::vector<DxfPart>& parts, const DxfReading&
   return out;
 }
 
-}  // namespace toile
+}  // namespace toile::dxf

@@ -10,7 +10,7 @@
 #include "core/base/types.h"
 #include "core/pattern/dxf/entities.h"
 
-namespace toile {
+namespace toile::dxf {
 
 /// In what way a drawing is read: the same for all of its places.
 struct DxfReading {
@@ -65,4 +65,4 @@ struct DxfChains {
 /// Error: dxf.too_large.
 Result<DxfChains> chains_of(const std::vector<DxfPart>& parts, const DxfReading& reading, std::size_t drawn);
 
-}  // namespace toile
+}  // namespace toile::dxf

@@ -6,7 +6,7 @@
 
 #include "core/pattern/dxf/groups.h"
 
-namespace toile {
+namespace toile::dxf {
 namespace {
 
 Error too_large(const std::string& what, std::size_t limit, int line) {
@@ -295,4 +295,4 @@ void DxfCollector::add_insert(const DxfDraft& d) {
                               add(d)});
 }
 
-}  // namespace toile
+}  // namespace toile::dxf

@@ -8,7 +8,7 @@
 #include "core/pattern/dxf/draft.h"
 #include "core/pattern/dxf/entities.h"
 
-namespace toile {
+namespace toile::dxf {
 
 /// Gathers finished drafts. An error ends the reading; a fault of one entity is told of in the log.
 class DxfCollector {
@@ -59,4 +59,4 @@ class DxfCollector {
   std::size_t entities_ = 0, vertices_ = 0;
 };
 
-}  // namespace toile
+}  // namespace toile::dxf

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <initializer_list>
 
-namespace toile {
+namespace toile::dxf {
 namespace {
 
 constexpr double kMostBulge = 1e3;  // beyond, an arc is a full circle but for a thousandth
@@ -152,4 +152,4 @@ void take_number(DxfDraft& d, const DxfGroup& group, double max_coordinate) {
   d.numbers[group.code] = value;
 }
 
-}  // namespace toile
+}  // namespace toile::dxf

@@ -12,7 +12,7 @@
 #include "core/pattern/dxf/groups.h"
 #include "core/pattern/dxf/words.h"
 
-namespace toile {
+namespace toile::dxf {
 
 /// Group code that is 1 for things on the printed sheet.
 inline constexpr int kPaperSpace = 67;
@@ -77,4 +77,4 @@ bool counts_as_vertex(const DxfDraft& draft, int code);
 /// its fault and counts as 0.
 void take_number(DxfDraft& draft, const DxfGroup& group, double max_coordinate);
 
-}  // namespace toile
+}  // namespace toile::dxf

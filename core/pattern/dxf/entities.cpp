@@ -10,7 +10,7 @@
 #include "core/pattern/dxf/draft.h"
 #include "core/pattern/dxf/groups.h"
 
-namespace toile {
+namespace toile::dxf {
 namespace {
 
 /// What the HEADER says, one variable after the other.
@@ -232,4 +232,4 @@ Result<DxfFile> parse_dxf(std::istream& in, const DxfSettings& settings) {
   return Parser(in, settings).run();
 }
 
-}  // namespace toile
+}  // namespace toile::dxf

@@ -13,7 +13,7 @@
 #include "core/pattern/dxf/settings.h"
 #include "core/pattern/dxf/words.h"
 
-namespace toile {
+namespace toile::dxf {
 
 struct DxfVertex {
   Vec2 at;
@@ -103,4 +103,4 @@ struct DxfFile {
 /// Errors: dxf.empty, dxf.binary, dxf.not_dxf, dxf.truncated, dxf.too_large, dxf.bad_group_code.
 Result<DxfFile> parse_dxf(std::istream& in, const DxfSettings& settings);
 
-}  // namespace toile
+}  // namespace toile::dxf

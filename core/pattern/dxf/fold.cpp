@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace toile {
+namespace toile::dxf {
 namespace {
 constexpr double kShortestFold = 5;       // mm
 constexpr double kBothSides = 2;          // mm beyond the axis
@@ -83,4 +83,4 @@ std::optional<UnfoldedLoop> unfolded_loop(const std::vector<Vec2>& half, const F
   return whole;
 }
 
-}  // namespace toile
+}  // namespace toile::dxf

@@ -6,7 +6,7 @@
 
 #include "core/base/types.h"
 
-namespace toile {
+namespace toile::dxf {
 
 /// A mirror line, endless.
 struct FoldAxis {
@@ -39,4 +39,4 @@ struct UnfoldedLoop {
 /// run along the axis, touches it in a point, or would fall apart.
 std::optional<UnfoldedLoop> unfolded_loop(const std::vector<Vec2>& half, const FoldAxis& axis);
 
-}  // namespace toile
+}  // namespace toile::dxf

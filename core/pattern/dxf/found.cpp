@@ -1,6 +1,6 @@
 #include "core/pattern/dxf/found.h"
 
-namespace toile {
+namespace toile::dxf {
 
 std::size_t owner_of(const std::vector<DxfPlaced>& placed, const Aabb2& box, bool overlap_is_enough) {
   std::size_t best = placed.size();
@@ -18,4 +18,4 @@ void tell(DxfNotes& notes, const DxfChain& chain, DxfFate fate, const std::strin
   for (const std::size_t entity : chain.entities) notes.mark(entity, fate, reason, piece);
 }
 
-}  // namespace toile
+}  // namespace toile::dxf

@@ -8,7 +8,7 @@
 #include "core/pattern/dxf/nest.h"
 #include "core/pattern/dxf/read.h"
 
-namespace toile {
+namespace toile::dxf {
 
 /// A piece with what the report has to know of it.
 struct DxfFound {
@@ -38,4 +38,4 @@ std::size_t owner_of(const std::vector<DxfPlaced>& placed, const Aabb2& box, boo
 /// Says what became of the chain's entities.
 void tell(DxfNotes& notes, const DxfChain& chain, DxfFate fate, const std::string& reason, int piece = -1);
 
-}  // namespace toile
+}  // namespace toile::dxf

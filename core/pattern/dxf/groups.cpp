@@ -6,7 +6,7 @@
 #include "core/base/text.h"
 #include "core/pattern/dxf/words.h"
 
-namespace toile {
+namespace toile::dxf {
 namespace {
 
 constexpr std::size_t kLongestLine = 4096;  // the format allows 2049 characters
@@ -115,4 +115,4 @@ std::optional<double> number_of(std::string_view text) {
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
-}  // namespace toile
+}  // namespace toile::dxf

@@ -10,7 +10,7 @@
 
 #include "core/base/result.h"
 
-namespace toile {
+namespace toile::dxf {
 
 struct DxfGroup {
   int code = 0;
@@ -68,4 +68,4 @@ std::optional<double> number_of(std::string_view text);
 /// "line 12", as `where` names it.
 std::string line_text(int line);
 
-}  // namespace toile
+}  // namespace toile::dxf

@@ -6,7 +6,7 @@
 #include "core/base/text.h"
 #include "core/pattern/dxf/words.h"
 
-namespace toile {
+namespace toile::dxf {
 namespace {
 
 /// The number of "1", "01", "Layer 1", "LAYER_14", "AAMA-8".
@@ -91,4 +91,4 @@ DxfRole repeated_role(const std::string& layer) {
   return role_of_layer(layer);
 }
 
-}  // namespace toile
+}  // namespace toile::dxf

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace toile {
+namespace toile::dxf {
 
 /// By the numbers of ANSI/AAMA-292 and ASTM D6673, and by the names that people give.
 enum class DxfRole {
@@ -29,4 +29,4 @@ DxfRole role_of_layer(const std::string& layer);
 /// Of a layer that repeats another one at another density: the other one's role. Else its own.
 DxfRole repeated_role(const std::string& layer);
 
-}  // namespace toile
+}  // namespace toile::dxf

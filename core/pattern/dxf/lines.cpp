@@ -8,7 +8,7 @@
 #include "core/pattern/dxf/groups.h"
 #include "core/pattern/outline.h"
 
-namespace toile {
+namespace toile::dxf {
 namespace {
 
 constexpr std::size_t kMostInternals = 500;  // lines within a piece: unfolded, a document takes twice as many
@@ -18,8 +18,8 @@ constexpr std::size_t kMostInternalPoints = 4999;  // likewise of one of them, a
 Error open_outline(const DxfChain& chain) {
   const Vec2 a = chain.points.front(), b = chain.points.back();
   return {"dxf.open_outline",
-          "The outline on layer " + chain.layer + " is open between " + place_text(a) + " and " +
-              place_text(b) + ": a gap of " + significant_text(length(a - b), 4) +
+          "The outline on layer " + chain.layer + " is open between " + pattern::place_text(a) + " and " +
+              pattern::place_text(b) + ": a gap of " + significant_text(length(a - b), 4) +
               " mm. Close it in the drawing, or allow wider joints.",
           line_text(chain.line)};
 }
@@ -28,7 +28,7 @@ Error open_outline(const DxfChain& chain) {
 void tell_homeless(const DxfChain& chain, DxfRole role, DxfNotes& notes) {
   const double gap = length(chain.points.front() - chain.points.back());
   const bool meant = (role == DxfRole::cut || role == DxfRole::sew) && !chain.closed;
-  if (meant && gap <= polyline_length(chain.points) / 2) {
+  if (meant && gap <= geometry::polyline_length(chain.points) / 2) {
     const Error error = open_outline(chain);
     notes.fail(error);
     tell(notes, chain, DxfFate::dropped, "an outline that does not close");
@@ -44,7 +44,7 @@ void keep_internal(const DxfChain& chain, DxfFound& owner, DxfNotes& notes) {
   const auto drop = [&](const std::string& reason) {
     tell(notes, chain, DxfFate::dropped, reason, owner.id);
   };
-  if (polyline_length(chain.points) < kJointTolerance) return drop("a line without length");
+  if (geometry::polyline_length(chain.points) < pattern::kJointTolerance) return drop("a line without length");
   if (owner.piece.internals.size() == kMostInternals)
     return drop("a piece takes " + std::to_string(kMostInternals) + " lines within it");
   if (chain.points.size() > kMostInternalPoints)
@@ -112,4 +112,4 @@ DxfPieces with_lines(DxfPieces pieces, const std::vector<DxfChain>& chains, cons
   return pieces;
 }
 
-}  // namespace toile
+}  // namespace toile::dxf

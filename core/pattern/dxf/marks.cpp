@@ -8,7 +8,7 @@
 #include "core/geometry/polygon2.h"
 #include "core/pattern/dxf/layers.h"
 
-namespace toile {
+namespace toile::dxf {
 namespace {
 
 constexpr double kMarkReach = 60;  // mm from the outline: an allowance or a hem lies between
@@ -17,7 +17,7 @@ constexpr double kOnePlace = 0.1;  // mm; points nearer than this are one
 double distance_to_outline(Vec2 p, const std::vector<Vec2>& loop) {
   double nearest = length(loop[0] - p);
   for (std::size_t i = 0, n = loop.size(); i < n; ++i)
-    nearest = std::min(nearest, distance_to_segment(p, loop[i], loop[(i + 1) % n]));
+    nearest = std::min(nearest, geometry::distance_to_segment(p, loop[i], loop[(i + 1) % n]));
   return nearest;
 }
 
@@ -28,7 +28,7 @@ DxfFound* owner_of(Vec2 at, std::vector<DxfPlaced>& placed) {
   for (DxfPlaced& p : placed) {
     if (!p.loop->box.grown(kMarkReach).contains(at)) continue;
     const std::vector<Vec2>& outline = p.found.piece.outline;
-    const double off = placed.size() == 1 || contains(outline, at) ? 0 : distance_to_outline(at, outline);
+    const double off = placed.size() == 1 || geometry::contains(outline, at) ? 0 : distance_to_outline(at, outline);
     if (off < nearest) {
       nearest = off;
       best = &p.found;
@@ -43,15 +43,15 @@ void add_apart(std::vector<Vec2>& points, Vec2 p) {
   points.push_back(p);
 }
 
-void add_notch(std::vector<Notch>& notches, const Notch& notch) {
-  for (const Notch& n : notches)
+void add_notch(std::vector<pattern::Notch>& notches, const pattern::Notch& notch) {
+  for (const pattern::Notch& n : notches)
     if (length(n.at - notch.at) < kOnePlace) return;
   notches.push_back(notch);
 }
 
 /// A notch of a POINT; its direction is told as an angle in the drawing.
-Notch notch_of(const DxfMark& mark, Vec2 at, const DxfTransform& to_mm, double mm_per_unit) {
-  Notch notch{at, mark.depth * mm_per_unit, {}};
+pattern::Notch notch_of(const DxfMark& mark, Vec2 at, const DxfTransform& to_mm, double mm_per_unit) {
+  pattern::Notch notch{at, mark.depth * mm_per_unit, {}};
   if (mark.angle) {
     const double angle = radians_from_degrees(std::fmod(*mark.angle, 360.0));
     notch.inwards = normalized(to_mm.turned({std::cos(angle), std::sin(angle)}));
@@ -124,4 +124,4 @@ DxfPieces with_marks(DxfPieces pieces, const std::vector<DxfPart>& parts, bool b
   return pieces;
 }
 
-}  // namespace toile
+}  // namespace toile::dxf

@@ -11,7 +11,7 @@
 #include "core/geometry/polygon2.h"
 #include "core/pattern/dxf/words.h"
 
-namespace toile {
+namespace toile::dxf {
 namespace {
 
 /// Distance from the outline, 0 inside; nothing when the text stands too far beside the piece to belong to
@@ -19,10 +19,10 @@ namespace {
 std::optional<double> nearness(const DxfPiece& piece, const Aabb2& box, Vec2 at) {
   constexpr double kTextReach = 20;  // mm
   if (!box.grown(kTextReach).contains(at)) return std::nullopt;
-  if (contains(piece.outline, at)) return 0.0;
+  if (geometry::contains(piece.outline, at)) return 0.0;
   double nearest = length(piece.outline[0] - at);
   for (std::size_t i = 0, n = piece.outline.size(); i < n; ++i)
-    nearest = std::min(nearest, distance_to_segment(at, piece.outline[i], piece.outline[(i + 1) % n]));
+    nearest = std::min(nearest, geometry::distance_to_segment(at, piece.outline[i], piece.outline[(i + 1) % n]));
   return nearest;
 }
 
@@ -221,4 +221,4 @@ std::vector<DxfFound> named_apart(std::vector<DxfFound> pieces) {
   return pieces;
 }
 
-}  // namespace toile
+}  // namespace toile::dxf

@@ -6,7 +6,7 @@
 #include "core/pattern/dxf/found.h"
 #include "core/pattern/dxf/places.h"
 
-namespace toile {
+namespace toile::dxf {
 
 /// Pieces with what texts say of them.
 struct DxfNamed {
@@ -27,4 +27,4 @@ DxfNamed named_by_texts(std::vector<DxfFound> pieces, const std::vector<DxfText>
 /// Those without a name get a number and twins a suffix.
 std::vector<DxfFound> named_apart(std::vector<DxfFound> pieces);
 
-}  // namespace toile
+}  // namespace toile::dxf

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace toile {
+namespace toile::dxf {
 namespace {
 
 constexpr double kSameArea = 1e-3;  // share by which two drawings of one outline may differ
@@ -11,13 +11,13 @@ constexpr double kSameArea = 1e-3;  // share by which two drawings of one outlin
 double distance_to_loop(Vec2 p, const std::vector<Vec2>& loop) {
   double nearest = length(loop[0] - p);
   for (std::size_t i = 0, n = loop.size(); i < n; ++i)
-    nearest = std::min(nearest, distance_to_segment(p, loop[i], loop[(i + 1) % n]));
+    nearest = std::min(nearest, geometry::distance_to_segment(p, loop[i], loop[(i + 1) % n]));
   return nearest;
 }
 
 /// Points at even distances along the loop.
 std::vector<Vec2> samples(const std::vector<Vec2>& loop, std::size_t count) {
-  const double step = (polyline_length(loop) + length(loop.front() - loop.back())) / double(count);
+  const double step = (geometry::polyline_length(loop) + length(loop.front() - loop.back())) / double(count);
   std::vector<Vec2> points;
   double next = step / 2, walked = 0;
   for (std::size_t i = 0, n = loop.size(); i < n && points.size() < count; ++i) {
@@ -45,15 +45,15 @@ std::vector<double> distances(const DxfLoop& from, const DxfLoop& to) {
 }  // namespace
 
 DxfLoop loop_of(const DxfChain& chain, std::size_t number, DxfRole role) {
-  return {&chain, number, role, bounding_box(chain.points), std::abs(signed_area(chain.points)), {}, 0};
+  return {&chain, number, role, bounding_box(chain.points), std::abs(geometry::signed_area(chain.points)), {}, 0};
 }
 
 bool lies_within(const DxfLoop& inner, const DxfLoop& outer) {
   if (inner.area >= outer.area || !outer.box.contains(inner.box)) return false;
-  if (!contains(outer.chain->points, inner.chain->points[0])) return false;
+  if (!geometry::contains(outer.chain->points, inner.chain->points[0])) return false;
   const std::vector<std::vector<Vec2>> both{inner.chain->points, outer.chain->points};
   // A loop that crosses itself is found later, with a better message; here only their meeting counts.
-  const std::optional<Crossing> crossing = find_crossing(both);
+  const std::optional<geometry::Crossing> crossing = geometry::find_crossing(both);
   return !crossing || crossing->loop_a == crossing->loop_b;
 }
 
@@ -80,7 +80,7 @@ bool is_covered(const DxfLoop& inner, const DxfLoop& outer) {
   if (!outer.box.grown(kAlong).contains(inner.box)) return false;
   const std::vector<Vec2>& points = inner.chain->points;
   for (std::size_t i = 0; i < points.size(); i += 1 + points.size() / kSamples)
-    if (!contains(outer.chain->points, points[i]) &&
+    if (!geometry::contains(outer.chain->points, points[i]) &&
         distance_to_loop(points[i], outer.chain->points) > kAlong)
       return false;
   return true;
@@ -110,4 +110,4 @@ bool is_seam_line(const DxfLoop& inner, const DxfLoop& outer) {
   return double(alike) >= kMostly * double(in.size());
 }
 
-}  // namespace toile
+}  // namespace toile::dxf

@@ -9,7 +9,7 @@
 #include "core/pattern/dxf/chains.h"
 #include "core/pattern/dxf/layers.h"
 
-namespace toile {
+namespace toile::dxf {
 
 /// mm, by which a line may stick out of the piece it belongs to.
 inline constexpr double kBoxSlack = 1;
@@ -46,4 +46,4 @@ bool is_repeated(const DxfLoop& a, const DxfLoop& b);
 /// all the way round, but for folds and hems.
 bool is_seam_line(const DxfLoop& inner, const DxfLoop& outer);
 
-}  // namespace toile
+}  // namespace toile::dxf

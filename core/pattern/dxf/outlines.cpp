@@ -7,7 +7,7 @@
 #include "core/pattern/dxf/groups.h"
 #include "core/pattern/outline.h"
 
-namespace toile {
+namespace toile::dxf {
 namespace {
 
 constexpr double kLarger = 1.001;  // times another loop's area: two drawings of one line differ by less
@@ -93,7 +93,7 @@ void tell_flat(const DxfChain& chain, const DxfLoops& loops, DxfNotes& notes) {
   for (const DxfLoop& loop : loops.outlines)
     if (loop.box.grown(kBoxSlack).contains(bounding_box(chain.points))) return;
   notes.fail({"dxf.zero_area", "The outline encloses no area.",
-              line_text(chain.line) + ", near " + place_text(chain.points[0])});
+              line_text(chain.line) + ", near " + pattern::place_text(chain.points[0])});
   notes.warn(chain.line, "an outline encloses no area and is left out", -1, chain.points[0]);
 }
 
@@ -110,7 +110,7 @@ Result<DxfLoops> loops_of(const std::vector<DxfChain>& chains, const DxfRoles& r
     const bool outline = roles.makes_outlines(i);
     if (!chains[i].closed || !(outline || roles.of[i] == DxfRole::internal)) continue;
     const DxfLoop loop = loop_of(chains[i], i, roles.of[i]);
-    if (loop.area < kLeastArea && is_flat(chains[i].points, kJointTolerance)) {
+    if (loop.area < pattern::kLeastArea && geometry::is_flat(chains[i].points, pattern::kJointTolerance)) {
       if (outline) loops.flat.push_back(i);
       continue;
     }
@@ -188,11 +188,11 @@ DxfPieces with_holes(DxfPieces pieces, const std::vector<DxfChain>& chains, cons
     const DxfLoop hole = loop_of(chains[i], i, roles.of[i]);
     const auto owner = std::find_if(placed.begin(), placed.end(),
                                     [&](const DxfPlaced& p) { return lies_within(hole, *p.loop); });
-    if (hole.area < kLeastArea || owner == placed.end()) continue;
+    if (hole.area < pattern::kLeastArea || owner == placed.end()) continue;
     pieces.used[i] = true;
     add_hole(chains[i], owner->found, pieces.notes);
   }
   return pieces;
 }
 
-}  // namespace toile
+}  // namespace toile::dxf

@@ -8,7 +8,7 @@
 #include "core/pattern/dxf/found.h"
 #include "core/pattern/dxf/roles.h"
 
-namespace toile {
+namespace toile::dxf {
 
 /// The closed lines of a place, in the order of its chains.
 struct DxfLoops {
@@ -46,4 +46,4 @@ DxfPieces outlined(const std::vector<DxfChain>& chains, const DxfLoops& loops, c
 DxfPieces with_holes(DxfPieces pieces, const std::vector<DxfChain>& chains, const DxfRoles& roles,
                      const DxfLoops& loops, const DxfSeamLines& seams);
 
-}  // namespace toile
+}  // namespace toile::dxf

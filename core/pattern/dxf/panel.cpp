@@ -7,7 +7,7 @@
 #include "core/pattern/curve.h"
 #include "core/pattern/dxf/read.h"
 
-namespace toile {
+namespace toile::dxf {
 namespace {
 
 constexpr double kNotchReach = 60;  // mm between a notch on the cut line and the sew line: a hem's allowance
@@ -30,9 +30,9 @@ Foot foot_on(const std::vector<Vec2>& loop, Vec2 p) {
   return best;
 }
 
-std::vector<Notch> notches_on_outline(const DxfPiece& piece) {
-  std::vector<Notch> notches;
-  for (const Notch& notch : piece.notches) {
+std::vector<pattern::Notch> notches_on_outline(const DxfPiece& piece) {
+  std::vector<pattern::Notch> notches;
+  for (const pattern::Notch& notch : piece.notches) {
     const Foot foot = foot_on(piece.outline, notch.at);
     if (foot.off > (piece.on_sew_line ? kNotchReach : kNotchReach / 4)) continue;
     notches.push_back({foot.at, notch.depth, notch.inwards});
@@ -44,13 +44,13 @@ std::vector<Notch> notches_on_outline(const DxfPiece& piece) {
 std::vector<Vec2> without_repeats(const std::vector<Vec2>& line) {
   std::vector<Vec2> points;
   for (const Vec2 p : line)
-    if (points.empty() || length(p - points.back()) >= kJointTolerance) points.push_back(p);
+    if (points.empty() || length(p - points.back()) >= pattern::kJointTolerance) points.push_back(p);
   return points.size() < 2 ? std::vector<Vec2>{} : points;
 }
 
 /// What is drawn within the piece: pockets, buttonholes, fold lines, as i0, i1, …
-std::vector<InnerLine> drawn_lines(const DxfPiece& piece) {
-  std::vector<InnerLine> lines;
+std::vector<pattern::InnerLine> drawn_lines(const DxfPiece& piece) {
+  std::vector<pattern::InnerLine> lines;
   for (const std::vector<Vec2>& internal : piece.internals) {
     std::vector<Vec2> points = without_repeats(internal);
     if (points.empty()) continue;
@@ -61,34 +61,34 @@ std::vector<InnerLine> drawn_lines(const DxfPiece& piece) {
 
 }  // namespace
 
-Result<Panel> panel_from_piece(const DxfPiece& piece, std::span<const Vec2> forced_corners,
-                               const OutlineSettings& settings) {
+Result<pattern::Panel> panel_from_piece(const DxfPiece& piece, std::span<const Vec2> forced_corners,
+                               const pattern::OutlineSettings& settings) {
   const auto place = [&](Error error) {
     error.where = "piece " + piece.name + (error.where.empty() ? "" : ", " + error.where);
     return error;
   };
-  Panel panel;
+  pattern::Panel panel;
   panel.id = piece.name;
   panel.notches = notches_on_outline(piece);
-  OutlineSettings own = settings;
-  for (const Notch& notch : panel.notches) own.curve_ends.push_back(notch.at);
+  pattern::OutlineSettings own = settings;
+  for (const pattern::Notch& notch : panel.notches) own.curve_ends.push_back(notch.at);
   for (const Vec2 turn : piece.turn_points)
     if (const Foot foot = foot_on(piece.outline, turn); foot.off <= kTurnReach)
       own.curve_ends.push_back(foot.at);
   if (piece.breaks_are_edges) own.further_corners = piece.breaks;
-  Result<Loop> outline = loop_from_polyline(piece.outline, forced_corners, own);
+  Result<pattern::Loop> outline = pattern::loop_from_polyline(piece.outline, forced_corners, own);
   if (!outline) return place(outline.error());
   panel.outline = std::move(*outline);
   panel.grain = piece.grain.value_or(Vec2{0, 1});
   for (std::size_t h = 0; h < piece.holes.size(); ++h) {
-    Result<Loop> hole = loop_from_polyline(piece.holes[h], {}, settings);
+    Result<pattern::Loop> hole = pattern::loop_from_polyline(piece.holes[h], {}, settings);
     if (!hole) return place(hole.error());
-    panel.holes.push_back(reversed(*hole));
-    for (PanelEdge& edge : panel.holes.back().edges)
+    panel.holes.push_back(pattern::reversed(*hole));
+    for (pattern::PanelEdge& edge : panel.holes.back().edges)
       edge.id = std::string("h").append(std::to_string(h)).append(edge.id);
   }
   panel.lines = drawn_lines(piece);
   return panel;
 }
 
-}  // namespace toile
+}  // namespace toile::dxf

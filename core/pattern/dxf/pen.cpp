@@ -9,7 +9,7 @@
 #include "core/base/units.h"
 #include "core/pattern/dxf/groups.h"
 
-namespace toile {
+namespace toile::dxf {
 namespace {
 
 constexpr double kLongestChord = 5;                         // mm
@@ -206,4 +206,4 @@ Result<DxfDrawn> drawn_out(const DxfCurve& curve, double mm_per_unit, const DxfS
                line_text(curve.line), ErrorKind::kTooLarge};
 }
 
-}  // namespace toile
+}  // namespace toile::dxf

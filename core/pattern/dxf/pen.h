@@ -8,7 +8,7 @@
 #include "core/base/types.h"
 #include "core/pattern/dxf/entities.h"
 
-namespace toile {
+namespace toile::dxf {
 
 /// A curve drawn out as points.
 struct DxfDrawn {
@@ -20,4 +20,4 @@ struct DxfDrawn {
 Result<DxfDrawn> drawn_out(const DxfCurve& curve, double mm_per_unit, const DxfSettings& settings,
                            std::size_t room);
 
-}  // namespace toile
+}  // namespace toile::dxf

@@ -8,7 +8,7 @@
 #include "core/pattern/dxf/roles.h"
 #include "core/pattern/dxf/unfold.h"
 
-namespace toile {
+namespace toile::dxf {
 
 Result<DxfPlacePieces> pieces_of(const std::vector<DxfPart>& parts, const DxfReading& reading,
                                  std::size_t drawn, int first_id) {
@@ -32,4 +32,4 @@ Result<DxfPlacePieces> pieces_of(const std::vector<DxfPart>& parts, const DxfRea
   return made;
 }
 
-}  // namespace toile
+}  // namespace toile::dxf

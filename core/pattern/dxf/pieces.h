@@ -7,7 +7,7 @@
 #include "core/pattern/dxf/chains.h"
 #include "core/pattern/dxf/found.h"
 
-namespace toile {
+namespace toile::dxf {
 
 struct DxfPlacePieces {
   std::vector<DxfFound> pieces;  ///< by line, without names; none when nothing there closes
@@ -20,4 +20,4 @@ struct DxfPlacePieces {
 Result<DxfPlacePieces> pieces_of(const std::vector<DxfPart>& parts, const DxfReading& reading,
                                  std::size_t drawn, int first_id);
 
-}  // namespace toile
+}  // namespace toile::dxf

@@ -9,7 +9,7 @@
 #include "core/pattern/dxf/groups.h"
 #include "core/pattern/dxf/words.h"
 
-namespace toile {
+namespace toile::dxf {
 namespace {
 
 constexpr int kDeepest = 8;                  // blocks within blocks
@@ -248,4 +248,4 @@ Result<DxfPlaces> places_of(const DxfFile& file) {
   return out;
 }
 
-}  // namespace toile
+}  // namespace toile::dxf

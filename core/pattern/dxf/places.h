@@ -11,7 +11,7 @@
 #include "core/pattern/dxf/entities.h"
 #include "core/pattern/dxf/units.h"
 
-namespace toile {
+namespace toile::dxf {
 
 /// All that is drawn in one place: the entities, or one insert of a block with those within it.
 struct DxfPlace {
@@ -49,4 +49,4 @@ Result<DxfPlaces> places_of(const DxfFile& file);
 /// The box of all that is drawn in the block, in its own coordinates.
 std::optional<Aabb2> box_of(const DxfBlock& block);
 
-}  // namespace toile
+}  // namespace toile::dxf

@@ -16,7 +16,7 @@
 #include "core/pattern/dxf/sizes.h"
 #include "core/pattern/dxf/units.h"
 
-namespace toile {
+namespace toile::dxf {
 namespace {
 
 /// A file as its tables tell it, and where in it the pieces lie. The layout refers to the file.
@@ -75,13 +75,13 @@ std::optional<Error> clean(DxfFound& found, const std::string& where, DxfNotes& 
   DxfPiece& piece = found.piece;
   const RepairedOutline repaired = without_small_loops(piece.outline);
   for (const Vec2 at : repaired.cut_at)
-    notes.warn(piece.line, "a loop of less than 5 mm was cut off the outline at " + place_text(at), found.id,
+    notes.warn(piece.line, "a loop of less than 5 mm was cut off the outline at " + pattern::place_text(at), found.id,
                at);
-  Result<std::vector<Vec2>> outline = clean_outline(repaired.points);
+  Result<std::vector<Vec2>> outline = pattern::clean_outline(repaired.points);
   if (!outline) return as_dxf(outline.error(), where);
   piece.outline = std::move(*outline);
   for (std::vector<Vec2>& hole : piece.holes) {
-    Result<std::vector<Vec2>> cleaned = clean_outline(hole);
+    Result<std::vector<Vec2>> cleaned = pattern::clean_outline(hole);
     if (!cleaned) return as_dxf(cleaned.error(), where + ", hole");
     hole = std::move(*cleaned);
   }
@@ -244,4 +244,4 @@ Result<DxfDrawing> read_dxf(std::istream& in, const DxfSettings& settings) {
   return finished(std::move(read), drawing);
 }
 
-}  // namespace toile
+}  // namespace toile::dxf

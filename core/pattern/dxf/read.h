@@ -16,7 +16,7 @@
 #include "core/pattern/outline.h"
 #include "core/pattern/pattern.h"
 
-namespace toile {
+namespace toile::dxf {
 
 /// One piece of the drawing, in millimetres and in the drawing's coordinates.
 struct DxfPiece {
@@ -35,7 +35,7 @@ struct DxfPiece {
   std::string category, material, annotation;
   bool unfolded = false;    ///< the file holds a half, to be cut on the fold
   bool on_sew_line = true;  ///< false: on the cut line, with its seam allowance if it has one
-  std::vector<Notch> notches;
+  std::vector<pattern::Notch> notches;
   std::vector<Vec2> turn_points;             ///< AAMA layer 2: curves of the outline end there
   std::vector<Vec2> drills;                  ///< AAMA layer 13
   std::vector<std::vector<Vec2>> internals;  ///< lines within the piece; closed ones repeat their first point
@@ -87,7 +87,7 @@ Result<DxfDrawing> read_dxf(std::istream& in, const DxfSettings& settings = {});
 /// turn points; notches move onto the outline. Lines within it come as lines i0, i1, … that are only drawn.
 /// The fabric is left empty. Errors: those of
 /// loop_from_polyline, with the piece in `where`.
-Result<Panel> panel_from_piece(const DxfPiece& piece, std::span<const Vec2> forced_corners = {},
-                               const OutlineSettings& settings = {});
+Result<pattern::Panel> panel_from_piece(const DxfPiece& piece, std::span<const Vec2> forced_corners = {},
+                               const pattern::OutlineSettings& settings = {});
 
-}  // namespace toile
+}  // namespace toile::dxf

@@ -6,7 +6,7 @@
 #include "core/geometry/polygon2.h"
 #include "core/pattern/outline.h"
 
-namespace toile {
+namespace toile::dxf {
 namespace {
 
 constexpr int kMostLoops = 50;
@@ -21,9 +21,9 @@ double way(const std::vector<Vec2>& p, std::size_t a, std::size_t b, Vec2 at) {
 }
 
 /// One loop less, or nothing when the crossing is no small one.
-std::optional<std::vector<Vec2>> cut(const std::vector<Vec2>& p, const Crossing& c) {
+std::optional<std::vector<Vec2>> cut(const std::vector<Vec2>& p, const geometry::Crossing& c) {
   const std::size_t a = std::min(c.segment_a, c.segment_b), b = std::max(c.segment_a, c.segment_b);
-  const double whole = polyline_length(p) + length(p.front() - p.back());
+  const double whole = geometry::polyline_length(p) + length(p.front() - p.back());
   const double inner = way(p, a, b, c.point), most = std::min(kLargestLoop, kLargestShare * whole);
   std::vector<Vec2> rest;
   if (inner <= most) {  // a+1 … b go
@@ -45,13 +45,13 @@ RepairedOutline without_small_loops(const std::vector<Vec2>& outline) {
   RepairedOutline result{outline, {}};
   std::vector<Vec2>& p = result.points;
   // Vertices of one place first: the crossing's segments must be real ones.
-  p.erase(std::unique(p.begin(), p.end(), [](Vec2 a, Vec2 b) { return length(b - a) < kJointTolerance; }),
+  p.erase(std::unique(p.begin(), p.end(), [](Vec2 a, Vec2 b) { return length(b - a) < pattern::kJointTolerance; }),
           p.end());
-  while (p.size() > 1 && length(p.back() - p.front()) < kJointTolerance) p.pop_back();
+  while (p.size() > 1 && length(p.back() - p.front()) < pattern::kJointTolerance) p.pop_back();
   if (p.size() < 4) return {outline, {}};
   for (int i = 0; i < kMostLoops; ++i) {
     const std::vector<std::vector<Vec2>> loops{p};
-    const std::optional<Crossing> crossing = find_crossing(loops);
+    const std::optional<geometry::Crossing> crossing = geometry::find_crossing(loops);
     std::optional<std::vector<Vec2>> rest = crossing ? cut(p, *crossing) : std::nullopt;
     if (!rest) break;
     p = std::move(*rest);
@@ -60,4 +60,4 @@ RepairedOutline without_small_loops(const std::vector<Vec2>& outline) {
   return result;
 }
 
-}  // namespace toile
+}  // namespace toile::dxf

@@ -5,7 +5,7 @@
 
 #include "core/base/types.h"
 
-namespace toile {
+namespace toile::dxf {
 
 struct RepairedOutline {
   std::vector<Vec2> points;
@@ -16,4 +16,4 @@ struct RepairedOutline {
 /// fiftieth of the whole around. At most 50 are cut off; what crosses in earnest stays.
 RepairedOutline without_small_loops(const std::vector<Vec2>& outline);
 
-}  // namespace toile
+}  // namespace toile::dxf

@@ -7,7 +7,7 @@
 
 #include "core/pattern/dxf/groups.h"
 
-namespace toile {
+namespace toile::dxf {
 namespace {
 constexpr std::size_t kMostWarnings = 500;  // a broken file must not answer with a book
 }
@@ -116,4 +116,4 @@ DxfReport DxfLog::report(const std::vector<std::string>& names) const {
   return report;
 }
 
-}  // namespace toile
+}  // namespace toile::dxf

@@ -12,7 +12,7 @@
 #include "core/base/result.h"
 #include "core/base/types.h"
 
-namespace toile {
+namespace toile::dxf {
 
 enum class DxfFate {
   kept,       ///< as it stands in the file, but for the unit
@@ -118,4 +118,4 @@ class DxfLog {
   std::map<std::pair<std::string, int>, Warning> warnings_;  // by text and piece
 };
 
-}  // namespace toile
+}  // namespace toile::dxf

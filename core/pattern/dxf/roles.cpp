@@ -7,7 +7,7 @@
 #include "core/base/text.h"
 #include "core/geometry/polygon2.h"
 
-namespace toile {
+namespace toile::dxf {
 namespace {
 
 constexpr double kWidestGap = 1;       // mm that are closed without a question
@@ -24,9 +24,9 @@ bool ends_at_a_fold(const DxfChain& chain, const std::vector<DxfFold>& folds) {
 /// Whether the open chain stops so little short that it was meant to close.
 bool nearly_closes(const DxfChain& chain) {
   const double gap = length(chain.points.front() - chain.points.back());
-  const double way = polyline_length(chain.points);
+  const double way = geometry::polyline_length(chain.points);
   return !(gap > std::max(kWidestGap, kWidestShare * way) || gap > way / 4 ||
-           std::abs(signed_area(chain.points)) < kSliver * way * way);
+           std::abs(geometry::signed_area(chain.points)) < kSliver * way * way);
 }
 
 void tell_gap(const DxfChain& chain, DxfNotes& notes) {
@@ -80,4 +80,4 @@ DxfClosed closed_at_gaps(std::vector<DxfChain> chains, const DxfRoles& roles,
   return {std::move(chains), std::move(notes)};
 }
 
-}  // namespace toile
+}  // namespace toile::dxf

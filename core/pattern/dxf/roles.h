@@ -8,7 +8,7 @@
 #include "core/pattern/dxf/fold.h"
 #include "core/pattern/dxf/layers.h"
 
-namespace toile {
+namespace toile::dxf {
 
 struct DxfRoles {
   bool by_aama = false;  ///< layers have the meaning of their numbers; else any closed line may be an outline
@@ -38,4 +38,4 @@ struct DxfClosed {
 DxfClosed closed_at_gaps(std::vector<DxfChain> chains, const DxfRoles& roles,
                          const std::vector<DxfFold>& folds);
 
-}  // namespace toile
+}  // namespace toile::dxf

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-namespace toile {
+namespace toile::dxf {
 
 struct DxfSettings {
   /// Millimetres per drawing unit. Unset: decided by what the file says and by the size of its pieces.
@@ -24,4 +24,4 @@ struct DxfSettings {
   double max_coordinate_mm = 1e6;  ///< a kilometre
 };
 
-}  // namespace toile
+}  // namespace toile::dxf

@@ -8,7 +8,7 @@
 #include "core/base/text.h"
 #include "core/pattern/dxf/words.h"
 
-namespace toile {
+namespace toile::dxf {
 namespace {
 
 using Endings = std::map<std::string, std::set<std::string>>;  // by the stem before them
@@ -183,4 +183,4 @@ Result<DxfLayout> in_one_size(DxfPlaces all, const DxfSettings& settings) {
   return of_its_size(std::move(layout));
 }
 
-}  // namespace toile
+}  // namespace toile::dxf

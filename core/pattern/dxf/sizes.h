@@ -7,7 +7,7 @@
 #include "core/base/result.h"
 #include "core/pattern/dxf/places.h"
 
-namespace toile {
+namespace toile::dxf {
 
 /// The drawing in one size.
 struct DxfLayout {
@@ -21,4 +21,4 @@ struct DxfLayout {
 /// The size that the settings ask for, else the sample size. Error: dxf.unknown_size.
 Result<DxfLayout> in_one_size(DxfPlaces all, const DxfSettings& settings);
 
-}  // namespace toile
+}  // namespace toile::dxf

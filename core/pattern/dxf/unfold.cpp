@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-namespace toile {
+namespace toile::dxf {
 namespace {
 
 bool is_off(Vec2 p, const FoldAxis& axis) { return std::abs(axis.side(p)) > kOnFold; }
@@ -60,7 +60,7 @@ bool unfold_piece(DxfPiece& piece, const FoldAxis& axis) {
   piece.holes.insert(piece.holes.end(), whole->holes.begin(), whole->holes.end());
   unfold_lines(piece.internals, axis);
   for (std::size_t i = 0, n = piece.notches.size(); i < n; ++i) {
-    const Notch notch = piece.notches[i];
+    const pattern::Notch notch = piece.notches[i];
     if (!off(notch.at)) continue;
     const Vec2 inwards = axis.mirrored(axis.at + notch.inwards) - axis.at;
     piece.notches.push_back({axis.mirrored(notch.at), notch.depth, inwards});
@@ -98,4 +98,4 @@ DxfPieces unfolded(DxfPieces pieces, const std::vector<DxfChain>& chains, const 
   return pieces;
 }
 
-}  // namespace toile
+}  // namespace toile::dxf

@@ -12,7 +12,7 @@
 #include "core/pattern/dxf/groups.h"
 #include "core/pattern/dxf/words.h"
 
-namespace toile {
+namespace toile::dxf {
 namespace {
 
 struct Candidate {
@@ -160,4 +160,4 @@ DxfUnit given_unit(double mm_per_unit) {
   return {it == kCandidates.end() ? "other" : it->name, mm_per_unit, 1, {"asked for"}};
 }
 
-}  // namespace toile
+}  // namespace toile::dxf

@@ -6,7 +6,7 @@
 #include "core/pattern/dxf/entities.h"
 #include "core/pattern/dxf/read.h"
 
-namespace toile {
+namespace toile::dxf {
 
 /// What a text of the drawing says of its unit.
 struct DxfUnitText {
@@ -27,4 +27,4 @@ DxfUnit decide_unit(const DxfFile& file, const std::vector<DxfUnitText>& texts,
 /// The unit that the settings ask for.
 DxfUnit given_unit(double mm_per_unit);
 
-}  // namespace toile
+}  // namespace toile::dxf

@@ -9,7 +9,7 @@
 
 #include "core/base/text.h"
 
-namespace toile {
+namespace toile::dxf {
 namespace {
 
 constexpr std::size_t kLongestText = 120;  // characters kept of a name
@@ -212,4 +212,4 @@ std::optional<DxfQuantity> quantity_of(std::string_view value) {
   return DxfQuantity{counts[0], counts[1], told_apart};
 }
 
-}  // namespace toile
+}  // namespace toile::dxf

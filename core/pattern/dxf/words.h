@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace toile {
+namespace toile::dxf {
 
 /// How bytes beyond ASCII are to be read where they are not UTF-8.
 enum class DxfEncoding {
@@ -41,4 +41,4 @@ struct DxfQuantity {
 };
 std::optional<DxfQuantity> quantity_of(std::string_view value);
 
-}  // namespace toile
+}  // namespace toile::dxf

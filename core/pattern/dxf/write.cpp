@@ -8,7 +8,7 @@
 #include "core/geometry/polygon2.h"
 #include "core/pattern/curve.h"
 
-namespace toile {
+namespace toile::dxf {
 namespace {
 
 constexpr int kDecimals = 4;         // of a millimetre
@@ -59,14 +59,14 @@ void write_point(Groups& out, Vec2 at, const char* layer) {
 }
 
 /// Each edge a line of its own: that is how AAMA files part an outline, and its corners are turn points.
-void write_outline(Groups& out, const Panel& panel, double tolerance) {
-  const std::vector<PanelEdge>& edges = panel.outline.edges;
-  if (edges.size() == 1) return write_line(out, flatten(panel.outline, tolerance), true, kCut);
-  for (const PanelEdge& edge : edges) write_line(out, flatten(edge, tolerance), false, kCut);
-  for (const PanelEdge& edge : edges) write_point(out, edge.curves.front().p0, kTurn);
+void write_outline(Groups& out, const pattern::Panel& panel, double tolerance) {
+  const std::vector<pattern::PanelEdge>& edges = panel.outline.edges;
+  if (edges.size() == 1) return write_line(out, pattern::flatten(panel.outline, tolerance), true, kCut);
+  for (const pattern::PanelEdge& edge : edges) write_line(out, pattern::flatten(edge, tolerance), false, kCut);
+  for (const pattern::PanelEdge& edge : edges) write_point(out, edge.curves.front().p0, kTurn);
 }
 
-void write_notch(Groups& out, const Notch& notch) {
+void write_notch(Groups& out, const pattern::Notch& notch) {
   write_point(out, notch.at, kNotch);
   out.number(30, notch.depth);
   if (!(notch.inwards == Vec2{}))
@@ -82,8 +82,8 @@ void write_text(Groups& out, Vec2 at, double height, const std::string& words) {
 }
 
 // The grain through the middle of the piece, and what it is beside it.
-void write_grain_and_texts(Groups& out, const Panel& panel, double tolerance) {
-  const Aabb2 box = bounding_box(flatten(panel.outline, tolerance));
+void write_grain_and_texts(Groups& out, const pattern::Panel& panel, double tolerance) {
+  const Aabb2 box = bounding_box(pattern::flatten(panel.outline, tolerance));
   const Vec2 middle = box.middle(), size = box.size();
   const double half = kGrainShare / 2 * std::min(size.x, size.y), height = std::min(kTextHeight, half);
   out.add(0, "LINE");
@@ -94,16 +94,16 @@ void write_grain_and_texts(Groups& out, const Panel& panel, double tolerance) {
   write_text(out, middle - Vec2{0, 1.5 * height}, height, "Quantity: 1");
 }
 
-void write_block(Groups& out, const Panel& panel, double tolerance) {
+void write_block(Groups& out, const pattern::Panel& panel, double tolerance) {
   out.add(0, "BLOCK");
   out.add(8, kCut);
   out.add(2, panel.id);
   out.add(70, 0);
   out.point(10, {0, 0});
   write_outline(out, panel, tolerance);
-  for (const Notch& notch : panel.notches) write_notch(out, notch);
-  for (const InnerLine& line : panel.lines) write_line(out, line.points, false, kInternal);
-  for (const Loop& hole : panel.holes) write_line(out, flatten(hole, tolerance), true, kInside);
+  for (const pattern::Notch& notch : panel.notches) write_notch(out, notch);
+  for (const pattern::InnerLine& line : panel.lines) write_line(out, line.points, false, kInternal);
+  for (const pattern::Loop& hole : panel.holes) write_line(out, pattern::flatten(hole, tolerance), true, kInside);
   write_grain_and_texts(out, panel, tolerance);
   out.add(0, "ENDBLK");
   out.add(8, kCut);
@@ -119,9 +119,9 @@ void write_header(Groups& out) {
   out.add(0, "ENDSEC");
 }
 
-Status check(const Pattern& pattern) {
+Status check(const pattern::Pattern& pattern) {
   if (pattern.panels.empty()) return Error{"dxf.nothing_to_write", "The pattern has no pieces.", ""};
-  for (const Panel& panel : pattern.panels) {
+  for (const pattern::Panel& panel : pattern.panels) {
     if (panel.id.empty() || panel.id.find_first_of("\r\n") != std::string::npos) {
       return Error{"dxf.bad_name", "A piece needs a name of one line.", "piece '" + panel.id + "'"};
     }
@@ -134,17 +134,17 @@ Status check(const Pattern& pattern) {
 
 }  // namespace
 
-Result<std::string> write_dxf(const Pattern& pattern, const DxfWriteSettings& settings) {
+Result<std::string> write_dxf(const pattern::Pattern& pattern, const DxfWriteSettings& settings) {
   TRY(check(pattern));
   Groups out;
   write_header(out);
   out.add(0, "SECTION");
   out.add(2, "BLOCKS");
-  for (const Panel& panel : pattern.panels) write_block(out, panel, settings.tolerance_mm);
+  for (const pattern::Panel& panel : pattern.panels) write_block(out, panel, settings.tolerance_mm);
   out.add(0, "ENDSEC");
   out.add(0, "SECTION");
   out.add(2, "ENTITIES");
-  for (const Panel& panel : pattern.panels) {
+  for (const pattern::Panel& panel : pattern.panels) {
     out.add(0, "INSERT");
     out.add(8, kCut);
     out.add(2, panel.id);
@@ -156,4 +156,4 @@ Result<std::string> write_dxf(const Pattern& pattern, const DxfWriteSettings& se
   return out.take();
 }
 
-}  // namespace toile
+}  // namespace toile::dxf

@@ -5,7 +5,7 @@
 #include "core/base/result.h"
 #include "core/pattern/pattern.h"
 
-namespace toile {
+namespace toile::dxf {
 
 struct DxfWriteSettings {
   double tolerance_mm = 0.02;  ///< how far a chord may pass from the curve it stands for
@@ -16,6 +16,6 @@ struct DxfWriteSettings {
 /// depth and angle; holes on 11, lines within the piece on 8; the grain as a LINE on 7; "Piece Name: …".
 /// read_dxf gives the same pieces, edges, notches and grain back. Seams and edge names have no place in DXF.
 /// Errors: "dxf.nothing_to_write", "dxf.bad_name" (a name with a line break or none).
-Result<std::string> write_dxf(const Pattern& pattern, const DxfWriteSettings& settings = {});
+Result<std::string> write_dxf(const pattern::Pattern& pattern, const DxfWriteSettings& settings = {});
 
-}  // namespace toile
+}  // namespace toile::dxf

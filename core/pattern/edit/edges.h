@@ -7,20 +7,20 @@
 #include "core/base/result.h"
 #include "core/pattern/edit/edit.h"
 
-namespace toile {
+namespace toile::edit {
 
 using RenamedParts = std::vector<RenamedPart>;
 
-Result<RenamedParts> edit_edges(Pattern& pattern, Index panel, const SplitEdge& edit);
-Result<RenamedParts> edit_edges(Pattern& pattern, Index panel, const JoinEdges& edit);
-Result<RenamedParts> edit_edges(Pattern& pattern, Index panel, const AddDart& edit);
-Result<RenamedParts> edit_edges(Pattern& pattern, Index panel, const AddInnerDart& edit);
-Result<RenamedParts> edit_edges(Pattern& pattern, Index panel, const RenameEdge& edit);
-Result<RenamedParts> edit_edges(Pattern& pattern, Index panel, const AddHole& edit);
-Result<RenamedParts> edit_edges(Pattern& pattern, Index panel, const RemoveHole& edit);
+Result<RenamedParts> edit_edges(pattern::Pattern& pattern, Index panel, const SplitEdge& edit);
+Result<RenamedParts> edit_edges(pattern::Pattern& pattern, Index panel, const JoinEdges& edit);
+Result<RenamedParts> edit_edges(pattern::Pattern& pattern, Index panel, const AddDart& edit);
+Result<RenamedParts> edit_edges(pattern::Pattern& pattern, Index panel, const AddInnerDart& edit);
+Result<RenamedParts> edit_edges(pattern::Pattern& pattern, Index panel, const RenameEdge& edit);
+Result<RenamedParts> edit_edges(pattern::Pattern& pattern, Index panel, const AddHole& edit);
+Result<RenamedParts> edit_edges(pattern::Pattern& pattern, Index panel, const RemoveHole& edit);
 
 /// The piece whose dart the seam closes. Errors: edit.unknown_seam, edit.no_dart.
-Result<Index> piece_of_dart(const Pattern& pattern, const RemoveDart& edit);
-Result<RenamedParts> edit_edges(Pattern& pattern, Index panel, const RemoveDart& edit);
+Result<Index> piece_of_dart(const pattern::Pattern& pattern, const RemoveDart& edit);
+Result<RenamedParts> edit_edges(pattern::Pattern& pattern, Index panel, const RemoveDart& edit);
 
-}  // namespace toile
+}  // namespace toile::edit

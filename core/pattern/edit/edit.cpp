@@ -9,7 +9,7 @@
 #include "core/pattern/edit/shape.h"
 #include "core/pattern/validate.h"
 
-namespace toile {
+namespace toile::edit {
 namespace {
 
 /// The edits that edit_shape, edit_edges and edit_piece know.
@@ -30,17 +30,17 @@ EditEffect reshaped(const std::string& piece) {
 }
 
 template <ShapesCurves Edit>
-Result<EditEffect> edit_pattern(Pattern& pattern, const Edit& edit) {
+Result<EditEffect> edit_pattern(pattern::Pattern& pattern, const Edit& edit) {
   const Index at = TRY(find_piece(pattern, edit.piece));
-  Panel& panel = pattern.panels[std::size_t(at)];
-  const Panel was = panel;
+  pattern::Panel& panel = pattern.panels[std::size_t(at)];
+  const pattern::Panel was = panel;
   TRY(edit_shape(panel, edit));
   carry_notches(was, panel);
   return reshaped(edit.piece);
 }
 
 template <ChangesEdges Edit>
-Result<EditEffect> edit_pattern(Pattern& pattern, const Edit& edit) {
+Result<EditEffect> edit_pattern(pattern::Pattern& pattern, const Edit& edit) {
   Result<Index> at = Index{};
   if constexpr (std::is_same_v<Edit, RemoveDart>) {
     at = piece_of_dart(pattern, edit);
@@ -55,7 +55,7 @@ Result<EditEffect> edit_pattern(Pattern& pattern, const Edit& edit) {
 }
 
 template <typename Edit>
-requires(!ShapesCurves<Edit> && !ChangesEdges<Edit>) Result<EditEffect> edit_pattern(Pattern& pattern,
+requires(!ShapesCurves<Edit> && !ChangesEdges<Edit>) Result<EditEffect> edit_pattern(pattern::Pattern& pattern,
                                                                                      const Edit& edit) {
   return edit_piece(pattern, edit);
 }
@@ -67,14 +67,14 @@ Vec2 moved(Vec2 p, const PieceMotion& motion) {
   return p + motion.by;
 }
 
-Result<EditedPattern> apply_edit(const Pattern& pattern, const PatternEdit& edit) {
+Result<EditedPattern> apply_edit(const pattern::Pattern& pattern, const PatternEdit& edit) {
   EditedPattern out{pattern, {}};
   Result<EditEffect> effect =
       std::visit([&](const auto& one) { return edit_pattern(out.pattern, one); }, edit);
   if (!effect) return effect.error();
-  TRY(validate(out.pattern));
+  TRY(pattern::validate(out.pattern));
   out.effect = std::move(*effect);
   return out;
 }
 
-}  // namespace toile
+}  // namespace toile::edit

@@ -14,7 +14,7 @@
 #include "core/base/result.h"
 #include "core/pattern/pattern.h"
 
-namespace toile {
+namespace toile::edit {
 
 /// Moves a point of an outline. `point` counts the joints of the edge's curves: 0 is its start, the number of
 /// curves its end; corners belong to both edges. Handles beside it move along, straight curves stay straight.
@@ -117,7 +117,7 @@ struct RemoveNotch {
 
 struct AddLine {
   std::string piece;
-  InnerLine line;
+  pattern::InnerLine line;
 };
 
 struct RemoveLine {
@@ -245,7 +245,7 @@ struct EditEffect {
 };
 
 struct EditedPattern {
-  Pattern pattern;
+  pattern::Pattern pattern;
   EditEffect effect;
 };
 
@@ -254,6 +254,6 @@ struct EditedPattern {
 /// edit.unknown_line, edit.unknown_notch, edit.unknown_seam, edit.unknown_point, edit.out_of_range (a figure
 /// that cannot be met), edit.not_neighbours, edit.no_dart, edit.sewn (what a dart would cut away is sewn by
 /// itself), edit.last_piece; and pattern.* where the result could not be cut or sewn.
-Result<EditedPattern> apply_edit(const Pattern& pattern, const PatternEdit& edit);
+Result<EditedPattern> apply_edit(const pattern::Pattern& pattern, const PatternEdit& edit);
 
-}  // namespace toile
+}  // namespace toile::edit

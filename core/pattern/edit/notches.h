@@ -5,10 +5,10 @@
 #include "core/base/result.h"
 #include "core/pattern/edit/edit.h"
 
-namespace toile {
+namespace toile::edit {
 
-Result<EditEffect> edit_piece(Pattern& pattern, const AddNotch& edit);
-Result<EditEffect> edit_piece(Pattern& pattern, const MoveNotch& edit);
-Result<EditEffect> edit_piece(Pattern& pattern, const RemoveNotch& edit);
+Result<EditEffect> edit_piece(pattern::Pattern& pattern, const AddNotch& edit);
+Result<EditEffect> edit_piece(pattern::Pattern& pattern, const MoveNotch& edit);
+Result<EditEffect> edit_piece(pattern::Pattern& pattern, const RemoveNotch& edit);
 
-}  // namespace toile
+}  // namespace toile::edit

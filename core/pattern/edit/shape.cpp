@@ -10,22 +10,22 @@
 #include "core/pattern/edit/places.h"
 #include "core/pattern/outline.h"
 
-namespace toile {
+namespace toile::edit {
 namespace {
 
 constexpr double kShortest = 0.1, kLongest = 1e5;  // mm, of an edge's length
 
 /// The edge that an edit names, in its loop.
 struct Found {
-  Loop* loop;
+  pattern::Loop* loop;
   std::size_t at;
-  PanelEdge* edge;
+  pattern::PanelEdge* edge;
   std::string where;
 };
 
-Result<Found> found(Panel& panel, const std::string& edge) {
+Result<Found> found(pattern::Panel& panel, const std::string& edge) {
   const EdgePlace place = TRY(find_edge(panel, edge));
-  Loop& loop = loop_at(panel, place.loop);
+  pattern::Loop& loop = loop_at(panel, place.loop);
   return Found{&loop, place.edge, &loop.edges[place.edge], edge_text(panel.id, edge)};
 }
 
@@ -40,18 +40,18 @@ bool counts(int index, std::size_t least, std::size_t most) {
   return index >= 0 && std::size_t(index) >= least && std::size_t(index) <= most;
 }
 
-void start_at(CubicBezier& c, Vec2 to, bool straight) {
+void start_at(pattern::CubicBezier& c, Vec2 to, bool straight) {
   if (straight) {
-    c = line_segment(to, c.p3);
+    c = pattern::line_segment(to, c.p3);
   } else {
     c.p1 = c.p1 + (to - c.p0);
     c.p0 = to;
   }
 }
 
-void end_at(CubicBezier& c, Vec2 to, bool straight) {
+void end_at(pattern::CubicBezier& c, Vec2 to, bool straight) {
   if (straight) {
-    c = line_segment(c.p0, to);
+    c = pattern::line_segment(c.p0, to);
   } else {
     c.p2 = c.p2 + (to - c.p3);
     c.p3 = to;
@@ -59,24 +59,24 @@ void end_at(CubicBezier& c, Vec2 to, bool straight) {
 }
 
 /// The curves that meet at a joint, before and after it.
-std::pair<CubicBezier*, CubicBezier*> curves_at(const Found& at, std::size_t point) {
-  std::vector<PanelEdge>& edges = at.loop->edges;
+std::pair<pattern::CubicBezier*, pattern::CubicBezier*> curves_at(const Found& at, std::size_t point) {
+  std::vector<pattern::PanelEdge>& edges = at.loop->edges;
   const std::size_t n = edges.size();
-  std::vector<CubicBezier>& own = at.edge->curves;
-  CubicBezier* before = point > 0 ? &own[point - 1] : &edges[(at.at + n - 1) % n].curves.back();
-  CubicBezier* after = point < own.size() ? &own[point] : &edges[(at.at + 1) % n].curves.front();
+  std::vector<pattern::CubicBezier>& own = at.edge->curves;
+  pattern::CubicBezier* before = point > 0 ? &own[point - 1] : &edges[(at.at + n - 1) % n].curves.back();
+  pattern::CubicBezier* after = point < own.size() ? &own[point] : &edges[(at.at + 1) % n].curves.front();
   return {before, after};
 }
 
-void scale_about(PanelEdge& edge, Vec2 centre, double factor) {
+void scale_about(pattern::PanelEdge& edge, Vec2 centre, double factor) {
   const auto scale = [&](Vec2& p) { p = centre + (p - centre) * factor; };
-  for (CubicBezier& c : edge.curves)
+  for (pattern::CubicBezier& c : edge.curves)
     for (Vec2* p : {&c.p0, &c.p1, &c.p2, &c.p3}) scale(*p);
 }
 
-bool same_curves(const PanelEdge& a, const PanelEdge& b) {
+bool same_curves(const pattern::PanelEdge& a, const pattern::PanelEdge& b) {
   return std::equal(a.curves.begin(), a.curves.end(), b.curves.begin(), b.curves.end(),
-                    [](const CubicBezier& x, const CubicBezier& y) {
+                    [](const pattern::CubicBezier& x, const pattern::CubicBezier& y) {
                       return x.p0 == y.p0 && x.p1 == y.p1 && x.p2 == y.p2 && x.p3 == y.p3;
                     });
 }
@@ -89,23 +89,23 @@ struct NotchSpot {
   double off = 1;  ///< mm, from the edge; farther than this it belongs to none
 };
 
-Vec2 joint_of(const PanelEdge& edge, std::size_t joint) {
+Vec2 joint_of(const pattern::PanelEdge& edge, std::size_t joint) {
   return joint < edge.curves.size() ? edge.curves[joint].p0 : edge.curves.back().p3;
 }
 
-double length_to(const PanelEdge& edge, std::size_t joint) {
+double length_to(const pattern::PanelEdge& edge, std::size_t joint) {
   double sum = 0;
-  for (std::size_t k = 0; k < joint; ++k) sum += arc_length(edge.curves[k]);
+  for (std::size_t k = 0; k < joint; ++k) sum += pattern::arc_length(edge.curves[k]);
   return sum;
 }
 
-void improve_spot(NotchSpot& best, const PanelEdge& edge, EdgePlace place, Vec2 at) {
+void improve_spot(NotchSpot& best, const pattern::PanelEdge& edge, EdgePlace place, Vec2 at) {
   constexpr double kAtJoint = 0.05, kFlat = 0.02;  // mm
   for (std::size_t k = 0; k <= edge.curves.size(); ++k) {
     const double off = length(joint_of(edge, k) - at);
     if (off <= kAtJoint && off < best.off) best = {place, length_to(edge, k), int(k), off};
   }
-  const std::vector<Vec2> line = flatten(edge, kFlat);
+  const std::vector<Vec2> line = pattern::flatten(edge, kFlat);
   double along = 0;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     const Vec2 d = line[i + 1] - line[i];
@@ -116,9 +116,9 @@ void improve_spot(NotchSpot& best, const PanelEdge& edge, EdgePlace place, Vec2 
   }
 }
 
-NotchSpot spot_of(const Panel& panel, Vec2 at) {
+NotchSpot spot_of(const pattern::Panel& panel, Vec2 at) {
   NotchSpot best;
-  for (const PanelEdge* edge : edges_of(panel)) {
+  for (const pattern::PanelEdge* edge : pattern::edges_of(panel)) {
     const Result<EdgePlace> place = find_edge(panel, edge->id);
     if (place) improve_spot(best, *edge, *place, at);
   }
@@ -131,13 +131,13 @@ Vec2 turned_like(Vec2 v, Vec2 from, Vec2 to) {
   return {c * v.x - s * v.y, s * v.x + c * v.y};
 }
 
-void carry_notch(Notch& notch, const NotchSpot& spot, const PanelEdge& was, const PanelEdge& now) {
+void carry_notch(pattern::Notch& notch, const NotchSpot& spot, const pattern::PanelEdge& was, const pattern::PanelEdge& now) {
   const bool joint = spot.joint >= 0 && was.curves.size() == now.curves.size();
-  const double long_was = arc_length(was);
+  const double long_was = pattern::arc_length(was);
   const double along = joint          ? length_to(now, std::size_t(spot.joint))
-                       : long_was > 0 ? arc_length(now) * spot.along / long_was
+                       : long_was > 0 ? pattern::arc_length(now) * spot.along / long_was
                                       : 0;
-  notch.at = joint ? joint_of(now, std::size_t(spot.joint)) : point_at_length(now, along);
+  notch.at = joint ? joint_of(now, std::size_t(spot.joint)) : pattern::point_at_length(now, along);
   const Vec2 from = direction_at(was, spot.along), to = direction_at(now, along);
   if (from == Vec2{} || to == Vec2{}) return;
   notch.inwards = normalized(turned_like(notch.inwards, from, to));
@@ -145,31 +145,31 @@ void carry_notch(Notch& notch, const NotchSpot& spot, const PanelEdge& was, cons
 
 }  // namespace
 
-Result<CurvePlace> place_on_edge(const PanelEdge& edge, double at, const std::string& where) {
+Result<CurvePlace> place_on_edge(const pattern::PanelEdge& edge, double at, const std::string& where) {
   const auto out_of_range = [&](const char* what) { return Error{"edit.out_of_range", what, where}; };
   if (!(at > 0 && at < 1)) return out_of_range("A place on an edge is a fraction of its length, 0 to 1.");
-  const double whole = arc_length(edge);
+  const double whole = pattern::arc_length(edge);
   double s = at * whole;
-  if (!(s > kJointTolerance && whole - s > kJointTolerance)) {
+  if (!(s > pattern::kJointTolerance && whole - s > pattern::kJointTolerance)) {
     return out_of_range("This place is less than 0.01 mm from the edge's end.");
   }
   for (std::size_t k = 0; k < edge.curves.size(); ++k) {
-    const double l = arc_length(edge.curves[k]);
-    if (std::abs(s - l) <= kJointTolerance && k + 1 < edge.curves.size()) return CurvePlace{k + 1, 0};
-    if (s < l) return CurvePlace{k, parameter_at_length(edge.curves[k], s)};
+    const double l = pattern::arc_length(edge.curves[k]);
+    if (std::abs(s - l) <= pattern::kJointTolerance && k + 1 < edge.curves.size()) return CurvePlace{k + 1, 0};
+    if (s < l) return CurvePlace{k, pattern::parameter_at_length(edge.curves[k], s)};
     s -= l;
   }
   return out_of_range("This place is the edge's end.");
 }
 
-Vec2 direction_at(const PanelEdge& edge, double along) {
+Vec2 direction_at(const pattern::PanelEdge& edge, double along) {
   constexpr double kStep = 0.5;  // mm
-  return normalized(point_at_length(edge, along + kStep) -
-                    point_at_length(edge, std::max(along - kStep, 0.0)));
+  return normalized(pattern::point_at_length(edge, along + kStep) -
+                    pattern::point_at_length(edge, std::max(along - kStep, 0.0)));
 }
 
-void carry_notches(const Panel& was, Panel& panel) {
-  const std::vector<const PanelEdge*> before = edges_of(was), now = edges_of(panel);
+void carry_notches(const pattern::Panel& was, pattern::Panel& panel) {
+  const std::vector<const pattern::PanelEdge*> before = pattern::edges_of(was), now = pattern::edges_of(panel);
   for (std::size_t i = 0; i < was.notches.size(); ++i) {
     const NotchSpot spot = spot_of(was, was.notches[i].at);
     if (spot.off >= NotchSpot{}.off) continue;
@@ -179,19 +179,19 @@ void carry_notches(const Panel& was, Panel& panel) {
   }
 }
 
-Status edit_shape(Panel& panel, const MovePoint& edit) {
+Status edit_shape(pattern::Panel& panel, const MovePoint& edit) {
   const Found at = TRY(found(panel, edit.edge));
   if (!counts(edit.point, 0, at.edge->curves.size())) {
     return no_point(at, edit.point, 0, at.edge->curves.size());
   }
   const auto [before, after] = curves_at(at, std::size_t(edit.point));
-  const bool line_before = is_straight(*before), line_after = is_straight(*after);
+  const bool line_before = pattern::is_straight(*before), line_after = pattern::is_straight(*after);
   end_at(*before, edit.to, line_before);
   start_at(*after, edit.to, line_after);
   return {};
 }
 
-Status edit_shape(Panel& panel, const MoveHandle& edit) {
+Status edit_shape(pattern::Panel& panel, const MoveHandle& edit) {
   const Found at = TRY(found(panel, edit.edge));
   if (!counts(edit.curve, 0, at.edge->curves.size() - 1)) {
     return no_point(at, edit.curve, 0, at.edge->curves.size() - 1);
@@ -199,32 +199,32 @@ Status edit_shape(Panel& panel, const MoveHandle& edit) {
   if (edit.handle != 1 && edit.handle != 2) {
     return Error{"edit.unknown_point", "A curve has handles 1 and 2.", at.where};
   }
-  CubicBezier& curve = at.edge->curves[std::size_t(edit.curve)];
+  pattern::CubicBezier& curve = at.edge->curves[std::size_t(edit.curve)];
   (edit.handle == 1 ? curve.p1 : curve.p2) = edit.to;
   return {};
 }
 
-Status edit_shape(Panel& panel, const InsertPoint& edit) {
+Status edit_shape(pattern::Panel& panel, const InsertPoint& edit) {
   const Found at = TRY(found(panel, edit.edge));
   const CurvePlace place = TRY(place_on_edge(*at.edge, edit.at, at.where));
   if (place.t == 0) return Error{"edit.out_of_range", "There is a point already.", at.where};
-  std::vector<CubicBezier>& curves = at.edge->curves;
-  const auto [first, second] = split(curves[place.curve], place.t);
+  std::vector<pattern::CubicBezier>& curves = at.edge->curves;
+  const auto [first, second] = pattern::split(curves[place.curve], place.t);
   curves[place.curve] = first;
   curves.insert(curves.begin() + std::ptrdiff_t(place.curve) + 1, second);
   return {};
 }
 
-Status edit_shape(Panel& panel, const DeletePoint& edit) {
+Status edit_shape(pattern::Panel& panel, const DeletePoint& edit) {
   const Found at = TRY(found(panel, edit.edge));
-  std::vector<CubicBezier>& curves = at.edge->curves;
+  std::vector<pattern::CubicBezier>& curves = at.edge->curves;
   if (curves.size() < 2) {
     return Error{"edit.unknown_point", "The edge is one curve; to remove a corner, join its edges first.",
                  at.where};
   }
   if (!counts(edit.point, 1, curves.size() - 1)) return no_point(at, edit.point, 1, curves.size() - 1);
   const auto second = curves.begin() + edit.point;
-  CubicBezier& first = *(second - 1);
+  pattern::CubicBezier& first = *(second - 1);
   const double a = length(first.p3 - first.p2), b = length(second->p1 - second->p0);
   // Where a curve is parted at t, the handles beside the joint are t to 1 - t; t tells how long they were.
   const double t = a + b > 0 ? std::clamp(a / (a + b), 0.05, 0.95) : 0.5;
@@ -235,31 +235,31 @@ Status edit_shape(Panel& panel, const DeletePoint& edit) {
   return {};
 }
 
-Status edit_shape(Panel& panel, const StraightenEdge& edit) {
+Status edit_shape(pattern::Panel& panel, const StraightenEdge& edit) {
   const Found at = TRY(found(panel, edit.edge));
-  std::vector<CubicBezier>& curves = at.edge->curves;
+  std::vector<pattern::CubicBezier>& curves = at.edge->curves;
   if (edit.curve == -1) {
-    curves = {line_segment(curves.front().p0, curves.back().p3)};
+    curves = {pattern::line_segment(curves.front().p0, curves.back().p3)};
     return {};
   }
   if (!counts(edit.curve, 0, curves.size() - 1)) return no_point(at, edit.curve, 0, curves.size() - 1);
-  CubicBezier& curve = curves[std::size_t(edit.curve)];
-  curve = line_segment(curve.p0, curve.p3);
+  pattern::CubicBezier& curve = curves[std::size_t(edit.curve)];
+  curve = pattern::line_segment(curve.p0, curve.p3);
   return {};
 }
 
-Status edit_shape(Panel& panel, const BendEdge& edit) {
+Status edit_shape(pattern::Panel& panel, const BendEdge& edit) {
   const Found at = TRY(found(panel, edit.edge));
-  std::vector<CubicBezier>& curves = at.edge->curves;
+  std::vector<pattern::CubicBezier>& curves = at.edge->curves;
   if (!counts(edit.curve, 0, curves.size() - 1)) return no_point(at, edit.curve, 0, curves.size() - 1);
   curves[std::size_t(edit.curve)].p1 = edit.handle1;
   curves[std::size_t(edit.curve)].p2 = edit.handle2;
   return {};
 }
 
-Status edit_shape(Panel& panel, const SetEdgeLength& edit) {
+Status edit_shape(pattern::Panel& panel, const SetEdgeLength& edit) {
   const Found at = TRY(found(panel, edit.edge));
-  const double now = arc_length(*at.edge);
+  const double now = pattern::arc_length(*at.edge);
   if (!(edit.length_mm >= kShortest && edit.length_mm <= kLongest) || !(now > 0)) {
     return Error{"edit.out_of_range", "An edge is 0.1 mm to 100 m long.", at.where};
   }
@@ -270,7 +270,7 @@ Status edit_shape(Panel& panel, const SetEdgeLength& edit) {
   const auto [before, own_start] = curves_at(at, 0);
   const auto [own_end, after] = curves_at(at, at.edge->curves.size());
   const bool alone = at.loop->edges.size() == 1;
-  const bool line_before = is_straight(*before), line_after = is_straight(*after);
+  const bool line_before = pattern::is_straight(*before), line_after = pattern::is_straight(*after);
   const Vec2 centre = edit.keep == "start" ? start : edit.keep == "end" ? end : (start + end) * 0.5;
   scale_about(*at.edge, centre, edit.length_mm / now);
   // Rounding must not open a joint that stays.
@@ -285,4 +285,4 @@ Status edit_shape(Panel& panel, const SetEdgeLength& edit) {
   return {};
 }
 
-}  // namespace toile
+}  // namespace toile::edit

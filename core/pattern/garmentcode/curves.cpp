@@ -5,13 +5,13 @@
 
 #include "core/base/units.h"
 
-namespace toile {
+namespace toile::garmentcode {
 
-CubicBezier cubic_from_quadratic(Vec2 a, Vec2 control, Vec2 b) {
+pattern::CubicBezier cubic_from_quadratic(Vec2 a, Vec2 control, Vec2 b) {
   return {a, a + (control - a) * (2.0 / 3), b + (control - b) * (2.0 / 3), b};
 }
 
-std::vector<CubicBezier> cubics_from_arc(Vec2 a, Vec2 b, double radius, bool large, bool counter_clockwise) {
+std::vector<pattern::CubicBezier> cubics_from_arc(Vec2 a, Vec2 b, double radius, bool large, bool counter_clockwise) {
   const Vec2 chord = b - a;
   const double half = length(chord) / 2;
   const double r = std::max(radius, half);
@@ -29,7 +29,7 @@ std::vector<CubicBezier> cubics_from_arc(Vec2 a, Vec2 b, double radius, bool lar
     if (i == count) return b;
     return centre + Vec2{std::cos(start + i * step), std::sin(start + i * step)} * r;
   };
-  std::vector<CubicBezier> curves;
+  std::vector<pattern::CubicBezier> curves;
   for (int i = 0; i < count; ++i) {
     const Vec2 p = on_circle(i), q = on_circle(i + 1);
     curves.push_back({p, p + perpendicular(p - centre) * handle, q - perpendicular(q - centre) * handle, q});
@@ -37,4 +37,4 @@ std::vector<CubicBezier> cubics_from_arc(Vec2 a, Vec2 b, double radius, bool lar
   return curves;
 }
 
-}  // namespace toile
+}  // namespace toile::garmentcode

@@ -14,7 +14,7 @@
 #include "core/pattern/garmentcode/curves.h"
 #include "core/pattern/validate.h"
 
-namespace toile {
+namespace toile::garmentcode {
 namespace {
 
 constexpr double kFarthest_mm = 1e5;  // as project documents allow
@@ -25,12 +25,12 @@ constexpr double kLeastLength_mm = 1e-3;
 
 /// A value with its place, so that every error can name it.
 struct Place {
-  const JsonValue* value = nullptr;
+  const json::JsonValue* value = nullptr;
   std::string pointer;
 
-  Place at(std::size_t i) const { return {&(*value->array())[i], pointer_to(pointer, i)}; }
+  Place at(std::size_t i) const { return {&(*value->array())[i], json::pointer_to(pointer, i)}; }
   /// The member of that name; its value is null when it is not there.
-  Place find(std::string_view key) const { return {value->find(key), pointer_to(pointer, key)}; }
+  Place find(std::string_view key) const { return {value->find(key), json::pointer_to(pointer, key)}; }
 };
 
 Error wrong_type(const Place& place, const char* wanted) {
@@ -120,7 +120,7 @@ Result<Vec2> control_point(const Place& place, Vec2 a, Vec2 b, const Conventions
   return Error{"garmentcode.range", "the control point is over a hundred metres away", place.pointer};
 }
 
-using Curves = std::vector<CubicBezier>;
+using Curves = std::vector<pattern::CubicBezier>;
 
 /// Booleans are written as 0 and 1 or as false and true.
 Result<bool> flag(const Place& place) {
@@ -147,12 +147,12 @@ Result<Curves> bezier(const Place& params, std::size_t controls, Vec2 a, Vec2 b,
     const Vec2 p = TRY(control_point(params.at(i), a, b, conventions));
     c.push_back(p);
   }
-  return Curves{controls == 1 ? cubic_from_quadratic(a, c[0], b) : CubicBezier{a, c[0], c[1], b}};
+  return Curves{controls == 1 ? cubic_from_quadratic(a, c[0], b) : pattern::CubicBezier{a, c[0], c[1], b}};
 }
 
 Result<Curves> curves_of(const Place& edge, Vec2 a, Vec2 b, const Conventions& conventions) {
   const Place curvature = edge.find("curvature");
-  if (curvature.value == nullptr) return Curves{line_segment(a, b)};
+  if (curvature.value == nullptr) return Curves{pattern::line_segment(a, b)};
   if (curvature.value->array()) {
     const Vec2 c = TRY(control_point(curvature, a, b, conventions));
     return Curves{cubic_from_quadratic(a, c, b)};
@@ -181,15 +181,15 @@ Result<std::vector<Vec2>> vertices_of(const Place& panel, const Conventions& con
 }
 
 std::string label_of(const Place& place) {
-  const JsonValue* label = place.value->find("label");
+  const json::JsonValue* label = place.value->find("label");
   return label != nullptr && label->text() ? *label->text() : "";
 }
 
 /// The edges as they stand in the file, mm.
-Result<Loop> loop_of(const Place& panel, const Conventions& conventions, std::vector<std::string>& labels) {
+Result<pattern::Loop> loop_of(const Place& panel, const Conventions& conventions, std::vector<std::string>& labels) {
   const std::vector<Vec2> vertices = TRY(vertices_of(panel, conventions));
   const Place edges = TRY(list(panel.find("edges"), "the list of edges", 2, kMostEdges));
-  Loop loop;
+  pattern::Loop loop;
   std::optional<std::size_t> first, end;
   for (std::size_t i = 0; i < edges.value->array()->size(); ++i) {
     const Place edge = TRY(object(edges.at(i), "an edge"));
@@ -217,9 +217,9 @@ Result<Loop> loop_of(const Place& panel, const Conventions& conventions, std::ve
   return loop;
 }
 
-void mirror_x(Loop& loop) {
-  for (PanelEdge& edge : loop.edges)
-    for (CubicBezier& c : edge.curves)
+void mirror_x(pattern::Loop& loop) {
+  for (pattern::PanelEdge& edge : loop.edges)
+    for (pattern::CubicBezier& c : edge.curves)
       for (Vec2* p : {&c.p0, &c.p1, &c.p2, &c.p3}) p->x = -p->x;
 }
 
@@ -284,19 +284,19 @@ Result<GarmentCodePlace> placement_of(const Place& panel, const Conventions& con
 Status add_panel(const std::string& name, const Place& place, const Conventions& conventions,
                  GarmentCodeGarment& garment) {
   TRY(object(place, "a panel"));
-  Panel panel;
+  pattern::Panel panel;
   panel.id = name;
   GarmentCodePanel extra;
-  Loop loop = TRY(loop_of(place, conventions, extra.edge_labels));
+  pattern::Loop loop = TRY(loop_of(place, conventions, extra.edge_labels));
   const GarmentCodePlace placement = TRY(placement_of(place, conventions));
   extra.placement = placement;
   extra.label = label_of(place);
   panel.outline = std::move(loop);
-  if (signed_area(panel.outline) < 0) {
+  if (pattern::signed_area(panel.outline) < 0) {
     mirror_x(panel.outline);
     extra.placement.flipped = true;
   }
-  if (const Status valid = validate(panel); !valid) return error_at(place.pointer, valid.error());
+  if (const Status valid = pattern::validate(panel); !valid) return json::error_at(place.pointer, valid.error());
   garment.pattern.panels.push_back(std::move(panel));
   garment.panels.push_back(std::move(extra));
   return {};
@@ -309,24 +309,24 @@ std::vector<std::string> order_of(const Place& pattern, const Place& panels) {
   const auto add = [&](const std::string& name) {
     if (panels.value->find(name) != nullptr && seen.insert(name).second) order.push_back(name);
   };
-  if (const JsonValue* given = pattern.value->find("panel_order"); given != nullptr && given->array())
-    for (const JsonValue& name : *given->array())
+  if (const json::JsonValue* given = pattern.value->find("panel_order"); given != nullptr && given->array())
+    for (const json::JsonValue& name : *given->array())
       if (name.text()) add(*name.text());
-  for (const JsonMember& member : *panels.value->object()) add(member.key);
+  for (const json::JsonMember& member : *panels.value->object()) add(member.key);
   return order;
 }
 
-Result<SeamEdge> seam_edge_of(const Place& side, const Pattern& pattern) {
+Result<pattern::SeamEdge> seam_edge_of(const Place& side, const pattern::Pattern& pattern) {
   TRY(object(side, "a side of a stitch"));
   const Place name = side.find("panel");
   if (name.value == nullptr || !name.value->text()) return wrong_type(name, "a panel's name");
   const auto found = std::find_if(pattern.panels.begin(), pattern.panels.end(),
-                                  [&](const Panel& p) { return p.id == *name.value->text(); });
+                                  [&](const pattern::Panel& p) { return p.id == *name.value->text(); });
   if (found == pattern.panels.end())
     return Error{"garmentcode.reference", "there is no panel " + in_quotes(*name.value->text()),
                  name.pointer};
   const std::size_t edge = TRY(index(side.find("edge"), "edge", found->outline.edges.size()));
-  return SeamEdge{static_cast<Index>(found - pattern.panels.begin()), static_cast<Index>(edge), false};
+  return pattern::SeamEdge{static_cast<Index>(found - pattern.panels.begin()), static_cast<Index>(edge), false};
 }
 
 Status add_stitches(const Place& stitches, GarmentCodeGarment& garment) {
@@ -336,8 +336,8 @@ Status add_stitches(const Place& stitches, GarmentCodeGarment& garment) {
   for (std::size_t i = 0; i < stitches.value->array()->size(); ++i) {
     const Place stitch = stitches.at(i);
     TRY(list(stitch, "a stitch of two sides", 2, 3));
-    const SeamEdge a = TRY(seam_edge_of(stitch.at(0), garment.pattern));
-    const SeamEdge b = TRY(seam_edge_of(stitch.at(1), garment.pattern));
+    const pattern::SeamEdge a = TRY(seam_edge_of(stitch.at(0), garment.pattern));
+    const pattern::SeamEdge b = TRY(seam_edge_of(stitch.at(1), garment.pattern));
     const std::pair at_a{a.panel, a.edge}, at_b{b.panel, b.edge};
     if (sewn.contains(at_a) || sewn.contains(at_b) || at_a == at_b) {
       garment.notes.push_back(stitch.pointer + ": an edge of it is stitched already; left out");
@@ -356,7 +356,7 @@ Status add_stitches(const Place& stitches, GarmentCodeGarment& garment) {
 }  // namespace
 
 Result<GarmentCodeGarment> read_garmentcode(std::string_view text) {
-  const JsonValue json = TRY(parse_json(text));
+  const json::JsonValue json = TRY(json::parse_json(text));
   const Place root = TRY(object({&json, ""}, "a specification"));
   const Conventions conventions = TRY(conventions_of(root));
   const Place pattern = TRY(object(root.find("pattern"), "the pattern"));
@@ -373,4 +373,4 @@ Result<GarmentCodeGarment> read_garmentcode(std::string_view text) {
   return garment;
 }
 
-}  // namespace toile
+}  // namespace toile::garmentcode

@@ -11,7 +11,7 @@
 #include "core/base/types.h"
 #include "core/pattern/pattern.h"
 
-namespace toile {
+namespace toile::garmentcode {
 
 /// Where a panel stands in space: turned first, then shifted.
 struct GarmentCodePlace {
@@ -28,7 +28,7 @@ struct GarmentCodePanel {
 };
 
 struct GarmentCodeGarment {
-  Pattern pattern;                       ///< mm; edge i of a panel is "e<i>", stitch i is "seam<i>"
+  pattern::Pattern pattern;                       ///< mm; edge i of a panel is "e<i>", stitch i is "seam<i>"
   std::vector<GarmentCodePanel> panels;  ///< one per panel of the pattern
   std::vector<std::string> notes;        ///< what was passed over, with its JSON pointer
 };
@@ -49,4 +49,4 @@ struct GarmentCodeGarment {
 /// which is noted.
 Result<GarmentCodeGarment> read_garmentcode(std::string_view text);
 
-}  // namespace toile
+}  // namespace toile::garmentcode

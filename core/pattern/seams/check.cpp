@@ -11,7 +11,7 @@
 #include "core/pattern/curve.h"
 #include "core/pattern/outline.h"
 
-namespace toile {
+namespace toile::seams {
 namespace {
 
 constexpr double kMeet = 1;       // mm: ends this close are one point
@@ -19,9 +19,9 @@ constexpr double kRatio = 3;      // of lengths, that is hardly meant
 constexpr double kTouch = 1e-9;   // of an edge: parts may share an end
 constexpr double kSliver = 1e-9;  // mm
 
-const PanelEdge* edge_of(const Pattern& pattern, const SeamEdge& e) {
+const pattern::PanelEdge* edge_of(const pattern::Pattern& pattern, const pattern::SeamEdge& e) {
   if (e.panel < 0 || e.panel >= static_cast<Index>(pattern.panels.size())) return nullptr;
-  const std::vector<const PanelEdge*> edges = edges_of(pattern.panels[e.panel]);
+  const std::vector<const pattern::PanelEdge*> edges = pattern::edges_of(pattern.panels[e.panel]);
   return e.edge >= 0 && e.edge < static_cast<Index>(edges.size()) ? edges[e.edge] : nullptr;
 }
 
@@ -36,22 +36,22 @@ struct End {
 };
 
 /// Where the item starts (`last` false) or ends when it is traversed as the seam says.
-End end_of(const Pattern& pattern, const SeamEdge& e, bool last) {
-  const PanelEdge& edge = *edge_of(pattern, e);
-  return {e.panel, point_at_length(edge, (last != e.reversed ? e.to : e.from) * arc_length(edge))};
+End end_of(const pattern::Pattern& pattern, const pattern::SeamEdge& e, bool last) {
+  const pattern::PanelEdge& edge = *edge_of(pattern, e);
+  return {e.panel, pattern::point_at_length(edge, (last != e.reversed ? e.to : e.from) * pattern::arc_length(edge))};
 }
 
-End start_of(const Pattern& p, const std::vector<SeamEdge>& side) { return end_of(p, side.front(), false); }
-End finish_of(const Pattern& p, const std::vector<SeamEdge>& side) { return end_of(p, side.back(), true); }
+End start_of(const pattern::Pattern& p, const std::vector<pattern::SeamEdge>& side) { return end_of(p, side.front(), false); }
+End finish_of(const pattern::Pattern& p, const std::vector<pattern::SeamEdge>& side) { return end_of(p, side.back(), true); }
 
 /// Points of pieces, and which of them the seams bring together.
 class Meetings {
  public:
   /// All seams but number `without` and those that are left out.
-  Meetings(const Pattern& pattern, std::size_t without, const std::vector<bool>& left_out) {
+  Meetings(const pattern::Pattern& pattern, std::size_t without, const std::vector<bool>& left_out) {
     for (std::size_t s = 0; s < pattern.seams.size(); ++s) {
       if (s == without || left_out[s]) continue;
-      const Seam& seam = pattern.seams[s];
+      const pattern::Seam& seam = pattern.seams[s];
       join(start_of(pattern, seam.a),
            seam.same_direction ? start_of(pattern, seam.b) : finish_of(pattern, seam.b));
       join(finish_of(pattern, seam.a),
@@ -81,29 +81,29 @@ class Meetings {
 };
 
 struct Checker {
-  const Pattern& pattern;
+  const pattern::Pattern& pattern;
   std::vector<SeamIssue> issues;
 
-  std::string place(const Seam& seam, char side, std::size_t item) const {
-    const SeamEdge& e = (side == 'a' ? seam.a : seam.b)[item];
+  std::string place(const pattern::Seam& seam, char side, std::size_t item) const {
+    const pattern::SeamEdge& e = (side == 'a' ? seam.a : seam.b)[item];
     std::string text = "seam " + seam.id + ", side " + side + ", item " + std::to_string(item);
-    if (const PanelEdge* edge = edge_of(pattern, e))
+    if (const pattern::PanelEdge* edge = edge_of(pattern, e))
       text += " (piece " + pattern.panels[e.panel].id + ", edge " + edge->id + ")";
     return text;
   }
-  void add(SeamIssueKind kind, const Seam& seam, std::string message, std::string where, const End& end) {
+  void add(SeamIssueKind kind, const pattern::Seam& seam, std::string message, std::string where, const End& end) {
     const auto index = static_cast<Index>(&seam - pattern.seams.data());
     issues.push_back({kind, index, std::move(message), std::move(where), end.panel, end.at});
   }
 
   struct Taken {
-    SeamEdge part;
+    pattern::SeamEdge part;
     std::string place;
   };
   std::vector<Taken> taken;
 
-  void check_item(const Seam& seam, char side, std::size_t item) {
-    const SeamEdge& e = (side == 'a' ? seam.a : seam.b)[item];
+  void check_item(const pattern::Seam& seam, char side, std::size_t item) {
+    const pattern::SeamEdge& e = (side == 'a' ? seam.a : seam.b)[item];
     const std::string where = place(seam, side, item);
     if (edge_of(pattern, e) == nullptr)
       return add(SeamIssueKind::kReference, seam, "There is no such edge.", where, {kNone, {}});
@@ -120,9 +120,9 @@ struct Checker {
   }
 
   /// Whether the seam can be followed at all.
-  void check_parts(const Seam& seam) {
+  void check_parts(const pattern::Seam& seam) {
     for (const char side : {'a', 'b'}) {
-      const std::vector<SeamEdge>& items = side == 'a' ? seam.a : seam.b;
+      const std::vector<pattern::SeamEdge>& items = side == 'a' ? seam.a : seam.b;
       if (items.empty())
         add(SeamIssueKind::kEmptySide, seam, "This side has no edges.", "seam " + seam.id + ", side " + side,
             {kNone, {}});
@@ -130,33 +130,33 @@ struct Checker {
     }
   }
 
-  void check_series(const Seam& seam, char side, Meetings& others) {
-    const std::vector<SeamEdge>& items = side == 'a' ? seam.a : seam.b;
+  void check_series(const pattern::Seam& seam, char side, Meetings& others) {
+    const std::vector<pattern::SeamEdge>& items = side == 'a' ? seam.a : seam.b;
     for (std::size_t i = 1; i < items.size(); ++i) {
       const End before = end_of(pattern, items[i - 1], true), after = end_of(pattern, items[i], false);
       if (others.meet(before, after)) continue;
       const bool here = before.panel == after.panel;
       add(SeamIssueKind::kNotContinuous, seam,
           here ? "The edge starts " + mm_text(length(after.at - before.at)) +
-                     " from where the one before it ends, at " + place_text(before.at) + "."
-               : "No seam brings its start to where the edge before it ends, at " + place_text(before.at) +
+                     " from where the one before it ends, at " + pattern::place_text(before.at) + "."
+               : "No seam brings its start to where the edge before it ends, at " + pattern::place_text(before.at) +
                      ".",
           place(seam, side, i), after);
     }
   }
 
-  void check_lengths(const Seam& seam) {
+  void check_lengths(const pattern::Seam& seam) {
     const double a = series_length(pattern, seam.a), b = series_length(pattern, seam.b);
     if (std::max(a, b) <= kRatio * std::max(std::min(a, b), kSliver)) return;
     add(SeamIssueKind::kLengthRatio, seam, mm_text(a) + " are sewn to " + mm_text(b) + ": over 1 to 3.",
         "seam " + seam.id, start_of(pattern, seam.a));
   }
 
-  void check_loop(const Seam& seam, Meetings& others) {
+  void check_loop(const pattern::Seam& seam, Meetings& others) {
     const bool round_a = others.meet(start_of(pattern, seam.a), finish_of(pattern, seam.a));
     const bool round_b = others.meet(start_of(pattern, seam.b), finish_of(pattern, seam.b));
     if (round_a == round_b) return;
-    const std::vector<SeamEdge>& open = round_a ? seam.b : seam.a;
+    const std::vector<pattern::SeamEdge>& open = round_a ? seam.b : seam.a;
     add(SeamIssueKind::kOpenLoop, seam,
         std::string("Side ") + (round_a ? "a" : "b") +
             " goes round and comes back to its start, but the other side does not.",
@@ -164,7 +164,7 @@ struct Checker {
   }
 
   /// The other way round, the ends would meet where other seams bring them together.
-  bool ends_say_twisted(const Seam& seam, Meetings& others) const {
+  bool ends_say_twisted(const pattern::Seam& seam, Meetings& others) const {
     const End a0 = start_of(pattern, seam.a), a1 = finish_of(pattern, seam.a);
     const End b0 = start_of(pattern, seam.b), b1 = finish_of(pattern, seam.b);
     const int along = others.meet(a0, b0) + others.meet(a1, b1);
@@ -204,12 +204,12 @@ class Sides {
 };
 
 /// Joins all pieces of the seam; false when that contradicts what is known.
-bool join_sides(const Seam& seam, Sides& sides) {
-  const SeamEdge& first = seam.a.front();
+bool join_sides(const pattern::Seam& seam, Sides& sides) {
+  const pattern::SeamEdge& first = seam.a.front();
   bool agrees = true;
-  for (const SeamEdge& e : seam.a)
+  for (const pattern::SeamEdge& e : seam.a)
     agrees = sides.join(first.panel, e.panel, e.reversed != first.reversed) && agrees;
-  for (const SeamEdge& e : seam.b)
+  for (const pattern::SeamEdge& e : seam.b)
     agrees =
         sides.join(first.panel, e.panel, (e.reversed != first.reversed) != seam.same_direction) && agrees;
   return agrees;
@@ -238,15 +238,15 @@ std::string_view code_of(SeamIssueKind kind) { return kIssueTable.at(static_cast
 
 bool is_error(SeamIssueKind kind) { return kIssueTable.at(static_cast<std::size_t>(kind)).error; }
 
-double series_length(const Pattern& pattern, const std::vector<SeamEdge>& series) {
+double series_length(const pattern::Pattern& pattern, const std::vector<pattern::SeamEdge>& series) {
   double sum = 0;
-  for (const SeamEdge& e : series) sum += (e.to - e.from) * arc_length(*edge_of(pattern, e));
+  for (const pattern::SeamEdge& e : series) sum += (e.to - e.from) * pattern::arc_length(*edge_of(pattern, e));
   return sum;
 }
 
-std::vector<SeamIssue> check_seams(const Pattern& pattern) {
+std::vector<SeamIssue> check_seams(const pattern::Pattern& pattern) {
   Checker checker{pattern, {}, {}};
-  for (const Seam& seam : pattern.seams) checker.check_parts(seam);
+  for (const pattern::Seam& seam : pattern.seams) checker.check_parts(seam);
   const auto broken = [](const SeamIssue& i) { return i.kind != SeamIssueKind::kSewnTwice; };
   if (std::any_of(checker.issues.begin(), checker.issues.end(), broken)) return std::move(checker.issues);
   const std::size_t count = pattern.seams.size();
@@ -262,7 +262,7 @@ std::vector<SeamIssue> check_seams(const Pattern& pattern) {
   Sides sides(pattern.panels.size());
   for (std::size_t s = 0; s < count; ++s) {
     if (torn[s]) continue;
-    const Seam& seam = pattern.seams[s];
+    const pattern::Seam& seam = pattern.seams[s];
     Meetings others(pattern, s, torn);
     checker.check_lengths(seam);
     checker.check_loop(seam, others);
@@ -275,4 +275,4 @@ std::vector<SeamIssue> check_seams(const Pattern& pattern) {
   return std::move(checker.issues);
 }
 
-}  // namespace toile
+}  // namespace toile::seams

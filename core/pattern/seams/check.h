@@ -9,7 +9,7 @@
 #include "core/base/types.h"
 #include "core/pattern/pattern.h"
 
-namespace toile {
+namespace toile::seams {
 
 enum class SeamIssueKind : std::uint8_t {
   kReference,      ///< an edge that is not there
@@ -39,9 +39,9 @@ struct SeamIssue {
 };
 
 /// Looks at every seam, in order. REQUIRES a pattern that validate() accepts, or refuses for its seams alone.
-std::vector<SeamIssue> check_seams(const Pattern& pattern);
+std::vector<SeamIssue> check_seams(const pattern::Pattern& pattern);
 
 /// Length of the series, mm, along its curves. REQUIRES edges that are there.
-double series_length(const Pattern& pattern, const std::vector<SeamEdge>& series);
+double series_length(const pattern::Pattern& pattern, const std::vector<pattern::SeamEdge>& series);
 
-}  // namespace toile
+}  // namespace toile::seams

@@ -7,7 +7,7 @@
 
 #include "core/pattern/seams/weights.h"
 
-namespace toile {
+namespace toile::seams {
 namespace {
 
 constexpr const CutWeights& kWeights = kCutWeights;
@@ -162,7 +162,7 @@ void cut_like_mirror(const SeamModel& m, Index r, std::vector<std::vector<double
 
 }  // namespace
 
-SeamModel with_likely_cuts(const Pattern& pattern, SeamModel model, CutKind kind) {
+SeamModel with_likely_cuts(const pattern::Pattern& pattern, SeamModel model, CutKind kind) {
   const SeamModel whole = model;
   const std::vector<Line> lines = lines_of(whole);
   const Index count = static_cast<Index>(whole.runs.size());
@@ -198,4 +198,4 @@ SeamModel with_likely_cuts(const Pattern& pattern, SeamModel model, CutKind kind
   return model;
 }
 
-}  // namespace toile
+}  // namespace toile::seams

@@ -3,7 +3,7 @@
 
 #include "core/pattern/seams/model.h"
 
-namespace toile {
+namespace toile::seams {
 
 enum class CutKind {
   darts,         ///< only edges that meet a line with darts in it
@@ -18,6 +18,6 @@ enum class CutKind {
 /// the line's own parts are left whole. One that is as long as two others together whose neighbours are
 /// alike, so that these two would lie end to end when sewn, is cut where they meet. Runs with a partner of
 /// their own length are left whole.
-SeamModel with_likely_cuts(const Pattern& pattern, SeamModel model, CutKind kind);
+SeamModel with_likely_cuts(const pattern::Pattern& pattern, SeamModel model, CutKind kind);
 
-}  // namespace toile
+}  // namespace toile::seams

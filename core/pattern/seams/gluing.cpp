@@ -4,7 +4,7 @@
 
 #include "core/pattern/seams/weights.h"
 
-namespace toile {
+namespace toile::seams {
 namespace {
 
 constexpr const GarmentWeights& kWeights = kGarmentWeights;
@@ -233,4 +233,4 @@ std::vector<std::vector<Index>> free_borders(const SeamModel& m, const SeamGluin
   return borders;
 }
 
-}  // namespace toile
+}  // namespace toile::seams

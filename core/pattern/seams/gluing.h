@@ -9,7 +9,7 @@
 #include "core/base/disjoint_sets.h"
 #include "core/pattern/seams/model.h"
 
-namespace toile {
+namespace toile::seams {
 
 struct SeamGluing {
   std::vector<Index> partner;  ///< of each run; kNone where it is free
@@ -106,4 +106,4 @@ double gluing_merit(const SeamModel& model, const SeamGluing& gluing, const Glui
 /// right side).
 std::vector<std::vector<Index>> free_borders(const SeamModel& model, const SeamGluing& gluing);
 
-}  // namespace toile
+}  // namespace toile::seams

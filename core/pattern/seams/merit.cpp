@@ -7,7 +7,7 @@
 #include "core/pattern/seams/gluing.h"
 #include "core/pattern/seams/weights.h"
 
-namespace toile {
+namespace toile::seams {
 namespace {
 
 constexpr std::size_t kSamples = SeamRun::kSamples;
@@ -240,4 +240,4 @@ std::array<double, 2> pair_merit(const SeamModel& m, Index i, Index j, bool leng
   return both;
 }
 
-}  // namespace toile
+}  // namespace toile::seams

@@ -10,7 +10,7 @@
 #include "core/base/units.h"
 #include "core/pattern/curve.h"
 
-namespace toile {
+namespace toile::seams {
 namespace {
 
 constexpr std::size_t kSamples = SeamRun::kSamples;
@@ -22,12 +22,12 @@ double degrees_between(Vec2 from, Vec2 to) {
 /// How far along a run its direction at the ends is measured, mm: past the rounding of a drawn corner.
 double end_reach(double length) { return std::min(2.0, length / 4); }
 
-void measure(const PanelEdge& edge, SeamRun& run) {
-  const double whole = arc_length(edge);
+void measure(const pattern::PanelEdge& edge, SeamRun& run) {
+  const double whole = pattern::arc_length(edge);
   const double start = run.from * whole;
   run.length = (run.to - run.from) * whole;
   for (std::size_t i = 0; i < kSamples; ++i)
-    run.at[i] = point_at_length(edge, start + run.length * static_cast<double>(i) / (kSamples - 1));
+    run.at[i] = pattern::point_at_length(edge, start + run.length * static_cast<double>(i) / (kSamples - 1));
   const Vec2 chord = run.at[kSamples - 1] - run.at[0];
   run.straight = true;
   for (const Vec2 p : run.at)
@@ -43,24 +43,24 @@ void measure(const PanelEdge& edge, SeamRun& run) {
 }
 
 /// Degrees that the cloth has between the end of one edge and the start of the next.
-double corner_angle(const PanelEdge& before, const PanelEdge& after) {
-  const double a = arc_length(before), b = arc_length(after);
-  const Vec2 in = before.curves.back().p3 - point_at_length(before, a - end_reach(a));
-  const Vec2 out = point_at_length(after, end_reach(b)) - after.curves.front().p0;
+double corner_angle(const pattern::PanelEdge& before, const pattern::PanelEdge& after) {
+  const double a = pattern::arc_length(before), b = pattern::arc_length(after);
+  const Vec2 in = before.curves.back().p3 - pattern::point_at_length(before, a - end_reach(a));
+  const Vec2 out = pattern::point_at_length(after, end_reach(b)) - after.curves.front().p0;
   return 180 - degrees_between(in, out);
 }
 
 /// Notches within 3 mm of the edge, as distances from its start.
-std::vector<double> notches_on(const Panel& panel, const PanelEdge& edge) {
+std::vector<double> notches_on(const pattern::Panel& panel, const pattern::PanelEdge& edge) {
   constexpr double kNear = 3, kStep = 1;  // mm
   std::vector<double> found;
-  const double whole = arc_length(edge);
-  for (const Notch& notch : panel.notches) {
+  const double whole = pattern::arc_length(edge);
+  for (const pattern::Notch& notch : panel.notches) {
     double best = kNear, where = -1;
     const int steps = std::clamp(static_cast<int>(whole / kStep), 2, 2000);
     for (int i = 0; i <= steps; ++i) {
       const double s = whole * i / steps;
-      const double d = length(point_at_length(edge, s) - notch.at);
+      const double d = length(pattern::point_at_length(edge, s) - notch.at);
       if (d < best) {
         best = d;
         where = s;
@@ -72,8 +72,8 @@ std::vector<double> notches_on(const Panel& panel, const PanelEdge& edge) {
   return found;
 }
 
-void add_panel(const Panel& panel, Index index, SeamModel& model) {
-  const std::vector<PanelEdge>& edges = panel.outline.edges;
+void add_panel(const pattern::Panel& panel, Index index, SeamModel& model) {
+  const std::vector<pattern::PanelEdge>& edges = panel.outline.edges;
   const Index first = static_cast<Index>(model.runs.size());
   const std::size_t count = edges.size();
   for (std::size_t e = 0; e < count; ++e) {
@@ -258,7 +258,7 @@ PieceWords words_of(const std::string& name) {
   return words;
 }
 
-SeamModel make_seam_model(const Pattern& pattern) {
+SeamModel make_seam_model(const pattern::Pattern& pattern) {
   SeamModel model;
   for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
     add_panel(pattern.panels[p], static_cast<Index>(p), model);
@@ -283,8 +283,8 @@ SeamModel make_seam_model(const Pattern& pattern) {
   return model;
 }
 
-SeamModel with_cuts(const Pattern& pattern, SeamModel model, Index r, const std::vector<double>& cuts) {
-  const PanelEdge& edge = pattern.panels[model.runs[r].panel].outline.edges[model.runs[r].edge];
+SeamModel with_cuts(const pattern::Pattern& pattern, SeamModel model, Index r, const std::vector<double>& cuts) {
+  const pattern::PanelEdge& edge = pattern.panels[model.runs[r].panel].outline.edges[model.runs[r].edge];
   const SeamRun whole = model.runs[r];
   const double per_mm = (whole.to - whole.from) / whole.length;
   Index at = r;
@@ -316,4 +316,4 @@ SeamModel with_cuts(const Pattern& pattern, SeamModel model, Index r, const std:
   return model;
 }
 
-}  // namespace toile
+}  // namespace toile::seams

@@ -9,7 +9,7 @@
 #include "core/base/types.h"
 #include "core/pattern/pattern.h"
 
-namespace toile {
+namespace toile::seams {
 
 /// A run of an outline that is sewn as a whole, or left.
 struct SeamRun {
@@ -51,13 +51,13 @@ struct SeamModel {
 };
 
 /// Outlines only; holes have no runs. REQUIRES a pattern that validate() accepts.
-SeamModel make_seam_model(const Pattern& pattern);
+SeamModel make_seam_model(const pattern::Pattern& pattern);
 
 /// The model with run `r` cut at distances `cuts` (mm from its start, rising, inside it). The first part
 /// keeps the index, the others stand at the end. Parts mirror each other where both edges are cut alike.
-SeamModel with_cuts(const Pattern& pattern, SeamModel model, Index r, const std::vector<double>& cuts);
+SeamModel with_cuts(const pattern::Pattern& pattern, SeamModel model, Index r, const std::vector<double>& cuts);
 
 /// The words of one name, such as "left_sleeve_f", "FrontL" or "BK-2".
 PieceWords words_of(const std::string& name);
 
-}  // namespace toile
+}  // namespace toile::seams

@@ -11,29 +11,29 @@
 #include "core/pattern/seams/search.h"
 #include "core/pattern/seams/weights.h"
 
-namespace toile {
+namespace toile::seams {
 namespace {
 
 constexpr const ConfidenceWeights& kWeights = kConfidenceWeights;
 
 /// Runs of uncut outlines are counted panel after panel.
-std::vector<Index> first_runs(const Pattern& pattern) {
+std::vector<Index> first_runs(const pattern::Pattern& pattern) {
   std::vector<Index> first{0};
-  for (const Panel& panel : pattern.panels)
+  for (const pattern::Panel& panel : pattern.panels)
     first.push_back(first.back() + static_cast<Index>(panel.outline.edges.size()));
   return first;
 }
 
-void sort_sewn(const Pattern& pattern, std::vector<std::array<Index, 2>>& sewn, std::vector<Index>& blocked) {
+void sort_sewn(const pattern::Pattern& pattern, std::vector<std::array<Index, 2>>& sewn, std::vector<Index>& blocked) {
   const std::vector<Index> first = first_runs(pattern);
-  const auto run_of = [&](const SeamEdge& e) -> Index {
+  const auto run_of = [&](const pattern::SeamEdge& e) -> Index {
     const Index r = first[e.panel] + e.edge;
     return r < first[e.panel + 1] ? r : kNone;  // edges of holes have no run
   };
-  for (const Seam& seam : pattern.seams) {
+  for (const pattern::Seam& seam : pattern.seams) {
     std::vector<Index> runs;
-    for (const std::vector<SeamEdge>* side : {&seam.a, &seam.b})
-      for (const SeamEdge& e : *side)
+    for (const std::vector<pattern::SeamEdge>* side : {&seam.a, &seam.b})
+      for (const pattern::SeamEdge& e : *side)
         if (const Index r = run_of(e); r != kNone) runs.push_back(r);
     if (runs.size() == 2 && seam.a.size() == 1 && seam.b.size() == 1)
       sewn.push_back({runs[0], runs[1]});
@@ -49,8 +49,8 @@ double confidence_of(double margin, double a, double b) {
 }
 
 /// The edges of one side, parts of one edge put together again.
-std::vector<SeamEdge> series_of(const FoundSeams& found, const std::vector<Index>& runs, double& length) {
-  std::vector<SeamEdge> series;
+std::vector<pattern::SeamEdge> series_of(const FoundSeams& found, const std::vector<Index>& runs, double& length) {
+  std::vector<pattern::SeamEdge> series;
   for (const Index r : runs) {
     const SeamRun& run = found.model.runs[r];
     length += run.length;
@@ -103,16 +103,16 @@ double puzzle_share(const FoundSeams& found, bool sides_known) {
   return std::min(names, edges > kWeights.many ? kWeights.many_edges : 1);
 }
 
-bool all_reversed(const std::vector<SeamEdge>& side) {
-  return std::all_of(side.begin(), side.end(), [](const SeamEdge& e) { return e.reversed; });
+bool all_reversed(const std::vector<pattern::SeamEdge>& side) {
+  return std::all_of(side.begin(), side.end(), [](const pattern::SeamEdge& e) { return e.reversed; });
 }
 
 /// Says "reversed" for a whole side by the seam's direction, as people would.
-void plainly(Seam& seam) {
-  for (std::vector<SeamEdge>* side : {&seam.a, &seam.b}) {
+void plainly(pattern::Seam& seam) {
+  for (std::vector<pattern::SeamEdge>* side : {&seam.a, &seam.b}) {
     if (!all_reversed(*side)) continue;
     std::reverse(side->begin(), side->end());
-    for (SeamEdge& e : *side) e.reversed = false;
+    for (pattern::SeamEdge& e : *side) e.reversed = false;
     seam.same_direction = !seam.same_direction;
   }
 }
@@ -128,11 +128,11 @@ SeamProposal proposal_of(const FoundSeams& found, const FoundSeam& seam, double 
 }
 
 /// An order of the pieces that does not depend on the file's: large ones first, those of one size by name.
-std::vector<Index> order_of_pieces(const Pattern& pattern) {
+std::vector<Index> order_of_pieces(const pattern::Pattern& pattern) {
   constexpr double kSameArea = 10;  // mm²: mirror images differ by less
   std::vector<double> area;
-  for (const Panel& panel : pattern.panels)
-    area.push_back(std::round(std::abs(signed_area(panel.outline)) / kSameArea));
+  for (const pattern::Panel& panel : pattern.panels)
+    area.push_back(std::round(std::abs(pattern::signed_area(panel.outline)) / kSameArea));
   std::vector<Index> order(pattern.panels.size());
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(), [&](Index a, Index b) {
@@ -142,22 +142,22 @@ std::vector<Index> order_of_pieces(const Pattern& pattern) {
 }
 
 /// The pattern with its pieces in another order.
-Pattern in_order(const Pattern& pattern, const std::vector<Index>& order) {
+pattern::Pattern in_order(const pattern::Pattern& pattern, const std::vector<Index>& order) {
   std::vector<Index> place(order.size());
-  Pattern sorted;
+  pattern::Pattern sorted;
   for (std::size_t i = 0; i < order.size(); ++i) {
     place[order[i]] = static_cast<Index>(i);
     sorted.panels.push_back(pattern.panels[order[i]]);
   }
   sorted.seams = pattern.seams;
-  for (Seam& seam : sorted.seams)
-    for (std::vector<SeamEdge>* side : {&seam.a, &seam.b})
-      for (SeamEdge& e : *side) e.panel = place[e.panel];
+  for (pattern::Seam& seam : sorted.seams)
+    for (std::vector<pattern::SeamEdge>* side : {&seam.a, &seam.b})
+      for (pattern::SeamEdge& e : *side) e.panel = place[e.panel];
   return sorted;
 }
 
 /// The proposals for one order of the pieces, surest first.
-std::vector<SeamProposal> proposals_in_order(const Pattern& pattern, const ProposalSettings& settings,
+std::vector<SeamProposal> proposals_in_order(const pattern::Pattern& pattern, const ProposalSettings& settings,
                                              const RunContext& context) {
   std::vector<std::array<Index, 2>> sewn;
   std::vector<Index> blocked;
@@ -176,9 +176,9 @@ std::vector<SeamProposal> proposals_in_order(const Pattern& pattern, const Propo
 
 }  // namespace
 
-bool runs_clockwise(std::span<const Vec2> outline) { return signed_area(outline) < 0; }
+bool runs_clockwise(std::span<const Vec2> outline) { return geometry::signed_area(outline) < 0; }
 
-std::vector<SeamProposal> propose_seams(const Pattern& pattern, const ProposalSettings& settings,
+std::vector<SeamProposal> propose_seams(const pattern::Pattern& pattern, const ProposalSettings& settings,
                                         const RunContext& context) {
   const std::vector<Index> order = order_of_pieces(pattern);
   ProposalSettings sorted = settings;
@@ -186,10 +186,10 @@ std::vector<SeamProposal> propose_seams(const Pattern& pattern, const ProposalSe
     sorted.clockwise[i] = settings.clockwise[order[i]];
   std::vector<SeamProposal> proposals = proposals_in_order(in_order(pattern, order), sorted, context);
   for (SeamProposal& p : proposals)
-    for (std::vector<SeamEdge>* side : {&p.seam.a, &p.seam.b})
-      for (SeamEdge& e : *side) e.panel = order[e.panel];
+    for (std::vector<pattern::SeamEdge>* side : {&p.seam.a, &p.seam.b})
+      for (pattern::SeamEdge& e : *side) e.panel = order[e.panel];
   std::set<std::string> ids;
-  for (const Seam& seam : pattern.seams) ids.insert(seam.id);
+  for (const pattern::Seam& seam : pattern.seams) ids.insert(seam.id);
   int number = 0;
   for (SeamProposal& p : proposals) {
     do p.seam.id = "seam" + std::to_string(number++);
@@ -200,16 +200,16 @@ std::vector<SeamProposal> propose_seams(const Pattern& pattern, const ProposalSe
 
 std::vector<bool> sewn_together(std::span<const SeamProposal> proposals, double least_confidence) {
   constexpr double kTouching = 1e-6;  // of an edge's length: parts that meet share nothing
-  std::vector<SeamEdge> taken;
-  const auto is_taken = [&](const SeamEdge& e) {
-    return std::any_of(taken.begin(), taken.end(), [&](const SeamEdge& t) {
+  std::vector<pattern::SeamEdge> taken;
+  const auto is_taken = [&](const pattern::SeamEdge& e) {
+    return std::any_of(taken.begin(), taken.end(), [&](const pattern::SeamEdge& t) {
       return t.panel == e.panel && t.edge == e.edge &&
              std::min(t.to, e.to) - std::max(t.from, e.from) > kTouching;
     });
   };
   std::vector<bool> sewn;
   for (const SeamProposal& p : proposals) {
-    std::vector<SeamEdge> edges = p.seam.a;
+    std::vector<pattern::SeamEdge> edges = p.seam.a;
     edges.insert(edges.end(), p.seam.b.begin(), p.seam.b.end());
     sewn.push_back(p.confidence >= least_confidence && std::none_of(edges.begin(), edges.end(), is_taken));
     if (sewn.back()) taken.insert(taken.end(), edges.begin(), edges.end());
@@ -217,4 +217,4 @@ std::vector<bool> sewn_together(std::span<const SeamProposal> proposals, double 
   return sewn;
 }
 
-}  // namespace toile
+}  // namespace toile::seams

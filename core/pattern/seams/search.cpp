@@ -9,7 +9,7 @@
 #include "core/pattern/seams/cuts.h"
 #include "core/pattern/seams/series.h"
 
-namespace toile {
+namespace toile::seams {
 namespace {
 
 constexpr double kWeakest = -4;              // a pair that is worth less is no candidate
@@ -307,7 +307,7 @@ std::vector<std::vector<char>> likely_sides(const SeamModel& m, const SeamGluing
 }
 
 /// The best garment of a few searches with the edges cut in one way: first run to run, then in series.
-void search(const Pattern& pattern, FoundSeams start, std::vector<char> locked,
+void search(const pattern::Pattern& pattern, FoundSeams start, std::vector<char> locked,
             const GluingSettings& settings, const RunContext& context, FoundSeams& best, double& best_merit) {
   lengthen(start.gluing, locked, start.model.runs.size());
   const std::vector<std::vector<char>> sides = likely_sides(start.model, start.gluing, settings);
@@ -348,7 +348,7 @@ std::vector<double> cuts_of(const SeamModel& m) {
   return ends;
 }
 
-FoundSeams best_garment(const Pattern& pattern, const FoundSeams& start, const std::vector<char>& locked,
+FoundSeams best_garment(const pattern::Pattern& pattern, const FoundSeams& start, const std::vector<char>& locked,
                         const GluingSettings& settings, const RunContext& context) {
   FoundSeams best = start;
   double merit = gluing_merit(start.model, start.gluing, settings);
@@ -385,7 +385,7 @@ double margin_of(const FoundSeam& seam, const FoundSeams& found, const std::vect
 
 }  // namespace
 
-FoundSeams search_seams(const Pattern& pattern, const std::vector<std::array<Index, 2>>& sewn,
+FoundSeams search_seams(const pattern::Pattern& pattern, const std::vector<std::array<Index, 2>>& sewn,
                         const std::vector<Index>& blocked, const GluingSettings& settings,
                         const RunContext& context) {
   FoundSeams found{make_seam_model(pattern), {}, {}};
@@ -411,4 +411,4 @@ FoundSeams search_seams(const Pattern& pattern, const std::vector<std::array<Ind
   return found;
 }
 
-}  // namespace toile
+}  // namespace toile::seams

@@ -6,7 +6,7 @@
 #include "core/base/run_context.h"
 #include "core/pattern/seams/gluing.h"
 
-namespace toile {
+namespace toile::seams {
 
 /// Runs sewn as one seam: run k of `a` meets run k of `b`. Both sides in the order in which one walks side a
 /// with the cloth at the left.
@@ -24,8 +24,8 @@ struct FoundSeams {
 /// Searches by threshold acceptance (Dueck and Scheuer 1990) with a fixed sequence of numbers: the same
 /// pattern gives the same seams. `sewn` holds pairs of runs that are seams already; `blocked` runs take no
 /// part. A cancelled search returns what it has.
-FoundSeams search_seams(const Pattern& pattern, const std::vector<std::array<Index, 2>>& sewn,
+FoundSeams search_seams(const pattern::Pattern& pattern, const std::vector<std::array<Index, 2>>& sewn,
                         const std::vector<Index>& blocked, const GluingSettings& settings,
                         const RunContext& context);
 
-}  // namespace toile
+}  // namespace toile::seams

@@ -7,7 +7,7 @@
 
 #include "core/pattern/seams/weights.h"
 
-namespace toile {
+namespace toile::seams {
 namespace {
 
 constexpr std::size_t kLongest = 8;       // runs on a side
@@ -108,7 +108,7 @@ std::vector<Trial> trials_of(const SeamModel& m, const std::vector<Chain>& chain
 }
 
 /// Cuts the chain's runs at the distances that are no corner of it yet; gives its runs after that.
-std::vector<Index> cut_chain(const Pattern& pattern, SeamModel& m, const SeamGluing& g,
+std::vector<Index> cut_chain(const pattern::Pattern& pattern, SeamModel& m, const SeamGluing& g,
                              const std::vector<Index>& runs, const std::vector<double>& places, double near) {
   std::vector<Index> parts;
   double start = 0;
@@ -136,7 +136,7 @@ void grow(SeamGluing& g, std::size_t runs) {
 }
 
 /// `found` with the two chains sewn, or nothing when their corners do not come out even.
-std::optional<FoundSeams> with_series(const Pattern& pattern, const FoundSeams& found, const Chain& a,
+std::optional<FoundSeams> with_series(const pattern::Pattern& pattern, const FoundSeams& found, const Chain& a,
                                       const Chain& b, double worth) {
   FoundSeams next{found.model, found.gluing, found.seams};
   const double near = meeting_distance(a.length);
@@ -162,7 +162,7 @@ std::optional<FoundSeams> with_series(const Pattern& pattern, const FoundSeams& 
 
 }  // namespace
 
-void sew_series(const Pattern& pattern, FoundSeams& found, const std::vector<char>& locked,
+void sew_series(const pattern::Pattern& pattern, FoundSeams& found, const std::vector<char>& locked,
                 const GluingSettings& settings, const RunContext& context) {
   for (int round = 0; round < 20 && !context.cancelled(); ++round) {
     const std::vector<Chain> chains = chains_of(found.model, free_borders(found.model, found.gluing), locked);
@@ -183,4 +183,4 @@ void sew_series(const Pattern& pattern, FoundSeams& found, const std::vector<cha
   }
 }
 
-}  // namespace toile
+}  // namespace toile::seams

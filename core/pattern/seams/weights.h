@@ -10,7 +10,7 @@
 
 #include <cstddef>
 
-namespace toile {
+namespace toile::seams {
 
 /// A step of a curve of straight lines: its value at a place.
 struct WeightStep {
@@ -187,4 +187,4 @@ inline constexpr SeriesWeights kSeriesWeights{};
 inline constexpr CutWeights kCutWeights{};
 inline constexpr ConfidenceWeights kConfidenceWeights{};
 
-}  // namespace toile
+}  // namespace toile::seams

@@ -13,23 +13,23 @@
 #include "core/pattern/seams/model.h"
 #include "core/pattern/validate.h"
 
-namespace toile {
+namespace toile::create {
 namespace {
 
-ProjectRigid rigid_at(const GarmentCodePlace& place) {
+project::ProjectRigid rigid_at(const garmentcode::GarmentCodePlace& place) {
   return {place.translation, place.rotation, place.flipped};
 }
 
-ProjectPiece inline_piece(const Panel& panel, const ProjectRigid& placement) {
-  ProjectPiece piece;
+project::ProjectPiece inline_piece(const pattern::Panel& panel, const project::ProjectRigid& placement) {
+  project::ProjectPiece piece;
   piece.id = panel.id;
   piece.outline = outline_of(panel.outline);
-  for (const Loop& hole : panel.holes) piece.holes.push_back(outline_of(hole));
-  for (const Notch& notch : panel.notches) {
-    ProjectNotch& out = piece.notches.emplace_back(ProjectNotch{notch.at, notch.depth, {}});
+  for (const pattern::Loop& hole : panel.holes) piece.holes.push_back(outline_of(hole));
+  for (const pattern::Notch& notch : panel.notches) {
+    project::ProjectNotch& out = piece.notches.emplace_back(project::ProjectNotch{notch.at, notch.depth, {}});
     if (!(notch.inwards == Vec2{})) out.inwards = notch.inwards;
   }
-  for (const InnerLine& line : panel.lines) piece.lines.push_back({line.id, line.points, line.drawn});
+  for (const pattern::InnerLine& line : panel.lines) piece.lines.push_back({line.id, line.points, line.drawn});
   if (panel.grain != Vec2{0, 1}) piece.grain = panel.grain;
   piece.fabric = "cotton";
   piece.placement.rigid = placement;
@@ -37,7 +37,7 @@ ProjectPiece inline_piece(const Panel& panel, const ProjectRigid& placement) {
 }
 
 Status take_garmentcode(std::string_view text, NewProject& made) {
-  GarmentCodeGarment garment = TRY(read_garmentcode(text));
+  garmentcode::GarmentCodeGarment garment = TRY(garmentcode::read_garmentcode(text));
   for (std::size_t p = 0; p < garment.panels.size(); ++p)
     made.project.pieces.push_back(
         inline_piece(garment.pattern.panels[p], rigid_at(garment.panels[p].placement)));
@@ -47,24 +47,24 @@ Status take_garmentcode(std::string_view text, NewProject& made) {
 }
 
 /// The panel turned over, its edges under the same names in their own order.
-Panel turned_over(const Panel& panel, std::string id) {
-  Panel other = panel;
+pattern::Panel turned_over(const pattern::Panel& panel, std::string id) {
+  pattern::Panel other = panel;
   other.id = std::move(id);
   const auto mirror = [](Vec2& p) { p.x = -p.x; };
-  const auto turn = [&](Loop& loop) {
-    for (PanelEdge& edge : loop.edges)
-      for (CubicBezier& c : edge.curves)
+  const auto turn = [&](pattern::Loop& loop) {
+    for (pattern::PanelEdge& edge : loop.edges)
+      for (pattern::CubicBezier& c : edge.curves)
         for (Vec2* p : {&c.p0, &c.p1, &c.p2, &c.p3}) mirror(*p);
-    loop = reversed(loop);
+    loop = pattern::reversed(loop);
   };
   turn(other.outline);
-  for (Loop& hole : other.holes) turn(hole);
+  for (pattern::Loop& hole : other.holes) turn(hole);
   mirror(other.grain);
-  for (Notch& notch : other.notches) {
+  for (pattern::Notch& notch : other.notches) {
     mirror(notch.at);
     mirror(notch.inwards);
   }
-  for (InnerLine& line : other.lines)
+  for (pattern::InnerLine& line : other.lines)
     for (Vec2& p : line.points) mirror(p);
   return other;
 }
@@ -76,19 +76,19 @@ std::string unused_id(const std::string& wanted, std::set<std::string>& used) {
 }
 
 /// The piece as often as it is cut: from the file, and turned over in the document.
-Status take_dxf_piece(const DxfPiece& drawn, const DxfDrawing& drawing, const NewProjectSettings& settings,
+Status take_dxf_piece(const dxf::DxfPiece& drawn, const dxf::DxfDrawing& drawing, const NewProjectSettings& settings,
                       std::set<std::string>& used, NewProject& made, std::vector<char>& clockwise) {
   constexpr int kMostCopies = 20;
-  Panel panel = TRY(panel_from_piece(drawn));
+  pattern::Panel panel = TRY(dxf::panel_from_piece(drawn));
   if (drawn.grain) panel.grain = *drawn.grain;
-  TRY(validate(panel));
+  TRY(pattern::validate(panel));
   const int count = std::clamp(drawn.quantity, 1, kMostCopies);
   const int mirrored = std::clamp(drawn.mirrored, 0, count);
   for (int k = 0; k < count; ++k) {
     const bool over = k >= count - mirrored;
-    Panel copy = over ? turned_over(panel, "") : panel;
+    pattern::Panel copy = over ? turned_over(panel, "") : panel;
     copy.id = unused_id(over && count > 1 ? drawn.name + "_mirrored" : drawn.name, used);
-    ProjectPiece piece = inline_piece(copy, {});
+    project::ProjectPiece piece = inline_piece(copy, {});
     if (!over) {
       const std::string& unit = drawing.unit.name;
       const bool told = unit == "mm" || unit == "cm" || unit == "inch";
@@ -96,16 +96,16 @@ Status take_dxf_piece(const DxfPiece& drawn, const DxfDrawing& drawing, const Ne
       piece.holes.clear();
       piece.notches.clear();
       piece.lines.clear();
-      piece.from = ProjectDxf{settings.pattern_file, drawn.name, {}, told ? unit : "", drawing.size};
+      piece.from = project::ProjectDxf{settings.pattern_file, drawn.name, {}, told ? unit : "", drawing.size};
     }
     made.project.pieces.push_back(std::move(piece));
     made.pattern.panels.push_back(std::move(copy));
-    clockwise.push_back(runs_clockwise(drawn.outline) != over);
+    clockwise.push_back(seams::runs_clockwise(drawn.outline) != over);
   }
   return {};
 }
 
-Aabb2 box_of(const Panel& panel) { return bounding_box(flatten(panel.outline, 1)); }
+Aabb2 box_of(const pattern::Panel& panel) { return bounding_box(pattern::flatten(panel.outline, 1)); }
 
 /// Rows before and behind the body, each from the wearer's right to the left; right sides face outwards.
 void stand_in_rows(const NewProjectSettings& settings, NewProject& made) {
@@ -114,19 +114,19 @@ void stand_in_rows(const NewProjectSettings& settings, NewProject& made) {
     std::vector<std::size_t> row;
     double width = -kGap;
     for (std::size_t p = 0; p < made.pattern.panels.size(); ++p) {
-      if ((words_of(made.pattern.panels[p].id).face < 0) != back) continue;
+      if ((seams::words_of(made.pattern.panels[p].id).face < 0) != back) continue;
       row.push_back(p);
       width += metres_from_mm(box_of(made.pattern.panels[p]).size().x) + kGap;
     }
     std::stable_sort(row.begin(), row.end(), [&](std::size_t x, std::size_t y) {
-      return words_of(made.pattern.panels[x].id).side > words_of(made.pattern.panels[y].id).side;
+      return seams::words_of(made.pattern.panels[x].id).side > seams::words_of(made.pattern.panels[y].id).side;
     });
     double x = (settings.body.low.x + settings.body.high.x - width) / 2;  // the wearer's right is at -x
     const double middle = settings.body.middle().y;
     for (const std::size_t p : row) {
       const Aabb2 box = box_of(made.pattern.panels[p]);
       const double left = metres_from_mm(box.low.x), right = metres_from_mm(box.high.x);
-      ProjectRigid& rigid = *made.project.pieces[p].placement.rigid;
+      project::ProjectRigid& rigid = *made.project.pieces[p].placement.rigid;
       rigid.rotation.y = back ? 180 : 0;
       rigid.translation = {back ? x + right : x - left, middle - metres_from_mm(box.low.y + box.high.y) / 2,
                            back ? settings.body.low.z - kAway : settings.body.high.z + kAway};
@@ -135,10 +135,10 @@ void stand_in_rows(const NewProjectSettings& settings, NewProject& made) {
   }
 }
 
-Status take_dxf(const DxfDrawing& drawing, const NewProjectSettings& settings, NewProject& made,
+Status take_dxf(const dxf::DxfDrawing& drawing, const NewProjectSettings& settings, NewProject& made,
                 std::vector<char>& clockwise) {
   std::set<std::string> used;
-  for (const DxfPiece& piece : drawing.pieces) {
+  for (const dxf::DxfPiece& piece : drawing.pieces) {
     if (Status taken = take_dxf_piece(piece, drawing, settings, used, made, clockwise); !taken) return taken;
   }
   made.notes = drawing.notes;
@@ -147,34 +147,34 @@ Status take_dxf(const DxfDrawing& drawing, const NewProjectSettings& settings, N
 }
 
 /// Proposes seams and takes those that are sure enough, for a pattern that has none.
-Status sew(const ProposalSettings& sides, const NewProjectSettings& settings, const RunContext& context,
+Status sew(const seams::ProposalSettings& sides, const NewProjectSettings& settings, const RunContext& context,
            NewProject& made) {
   if (!made.pattern.seams.empty()) return {};
-  made.proposals = propose_seams(made.pattern, sides, context);
+  made.proposals = seams::propose_seams(made.pattern, sides, context);
   if (context.cancelled())
     return Error{"cancelled", "the search for seams was cancelled", "", ErrorKind::kCancelled};
   made.accepted.assign(made.proposals.size(), false);
-  if (settings.accept_seams) made.accepted = sewn_together(made.proposals, *settings.accept_seams);
+  if (settings.accept_seams) made.accepted = seams::sewn_together(made.proposals, *settings.accept_seams);
   for (std::size_t i = 0; i < made.proposals.size(); ++i)
     if (made.accepted[i]) made.pattern.seams.push_back(made.proposals[i].seam);
   return {};
 }
 
 void complete(const NewProjectSettings& settings, NewProject& made) {
-  Project& project = made.project;
+  project::Project& project = made.project;
   project.name = settings.name;
-  for (const Seam& seam : made.pattern.seams) project.seams.push_back(project_seam(made.pattern, seam));
+  for (const pattern::Seam& seam : made.pattern.seams) project.seams.push_back(project_seam(made.pattern, seam));
   project.fabrics = {plain_cotton()};
-  ProjectBody body;
+  project::ProjectBody body;
   body.id = "body";
   body.file = settings.body_file;
   project.bodies = {body};
 }
 
-JsonValue side_json(const std::vector<ProjectSeamEdge>& side) {
-  std::vector<JsonValue> edges;
-  for (const ProjectSeamEdge& e : side)
-    edges.push_back(std::vector<JsonMember>{
+json::JsonValue side_json(const std::vector<project::ProjectSeamEdge>& side) {
+  std::vector<json::JsonValue> edges;
+  for (const project::ProjectSeamEdge& e : side)
+    edges.push_back(std::vector<json::JsonMember>{
         {"piece", e.piece}, {"edge", e.edge}, {"reversed", e.reversed}, {"from", e.from}, {"to", e.to}});
   return edges;
 }
@@ -186,10 +186,10 @@ bool is_specification(std::string_view text) {
   return first != std::string_view::npos && text[first] == '{';
 }
 
-JsonValue proposal_json(const Pattern& pattern, const SeamProposal& proposal) {
-  const ProjectSeam seam = project_seam(pattern, proposal.seam);
+json::JsonValue proposal_json(const pattern::Pattern& pattern, const seams::SeamProposal& proposal) {
+  const project::ProjectSeam seam = project_seam(pattern, proposal.seam);
   const auto thousandths = [](double x) { return std::round(x * 1000) / 1000; };
-  return std::vector<JsonMember>{{"id", seam.id},
+  return std::vector<json::JsonMember>{{"id", seam.id},
                                  {"confidence", thousandths(proposal.confidence)},
                                  {"a", side_json(seam.a)},
                                  {"b", side_json(seam.b)},
@@ -198,19 +198,19 @@ JsonValue proposal_json(const Pattern& pattern, const SeamProposal& proposal) {
                                  {"length_b_mm", thousandths(proposal.length_b)}};
 }
 
-std::vector<JsonValue> seams_json(const NewProject& made) {
-  std::vector<JsonValue> seams;
+std::vector<json::JsonValue> seams_json(const NewProject& made) {
+  std::vector<json::JsonValue> seams;
   if (made.proposals.empty()) {
-    for (const Seam& seam : made.pattern.seams)
+    for (const pattern::Seam& seam : made.pattern.seams)
       seams.push_back(proposal_json(
-          made.pattern, {seam, 1, series_length(made.pattern, seam.a), series_length(made.pattern, seam.b)}));
+          made.pattern, {seam, 1, seams::series_length(made.pattern, seam.a), seams::series_length(made.pattern, seam.b)}));
   }
-  for (const SeamProposal& p : made.proposals) seams.push_back(proposal_json(made.pattern, p));
+  for (const seams::SeamProposal& p : made.proposals) seams.push_back(proposal_json(made.pattern, p));
   return seams;
 }
 
-ProjectFabric plain_cotton() {
-  ProjectFabric fabric;
+project::ProjectFabric plain_cotton() {
+  project::ProjectFabric fabric;
   fabric.id = "cotton";
   fabric.name = "Plain cotton";
   fabric.areal_mass_g_m2 = 150;
@@ -225,32 +225,32 @@ ProjectFabric plain_cotton() {
   return fabric;
 }
 
-std::vector<ProjectEdge> outline_of(const Loop& loop) {
-  std::vector<ProjectEdge> edges;
-  for (const PanelEdge& edge : loop.edges) {
-    ProjectEdge& out = edges.emplace_back();
+std::vector<project::ProjectEdge> outline_of(const pattern::Loop& loop) {
+  std::vector<project::ProjectEdge> edges;
+  for (const pattern::PanelEdge& edge : loop.edges) {
+    project::ProjectEdge& out = edges.emplace_back();
     out.id = edge.id;
-    for (const CubicBezier& c : edge.curves) out.curves.push_back({c.p0, c.p1, c.p2, c.p3});
+    for (const pattern::CubicBezier& c : edge.curves) out.curves.push_back({c.p0, c.p1, c.p2, c.p3});
   }
   return edges;
 }
 
-ProjectSeam project_seam(const Pattern& pattern, const Seam& seam) {
-  const auto series = [&](const std::vector<SeamEdge>& side) {
-    std::vector<ProjectSeamEdge> out;
-    for (const SeamEdge& e : side) {
-      const Panel& panel = pattern.panels[e.panel];
-      out.push_back({panel.id, edges_of(panel)[e.edge]->id, e.reversed, e.from, e.to});
+project::ProjectSeam project_seam(const pattern::Pattern& pattern, const pattern::Seam& seam) {
+  const auto series = [&](const std::vector<pattern::SeamEdge>& side) {
+    std::vector<project::ProjectSeamEdge> out;
+    for (const pattern::SeamEdge& e : side) {
+      const pattern::Panel& panel = pattern.panels[e.panel];
+      out.push_back({panel.id, pattern::edges_of(panel)[e.edge]->id, e.reversed, e.from, e.to});
     }
     return out;
   };
   return {seam.id, series(seam.a), series(seam.b), seam.same_direction};
 }
 
-Result<NewProject> new_project(const DxfDrawing& drawing, const NewProjectSettings& settings,
+Result<NewProject> new_project(const dxf::DxfDrawing& drawing, const NewProjectSettings& settings,
                                const RunContext& context) {
   NewProject made;
-  ProposalSettings sides;
+  seams::ProposalSettings sides;
   TRY(take_dxf(drawing, settings, made, sides.clockwise));
   TRY(sew(sides, settings, context, made));
   complete(settings, made);
@@ -260,7 +260,7 @@ Result<NewProject> new_project(const DxfDrawing& drawing, const NewProjectSettin
 Result<NewProject> new_project(std::string_view text, const NewProjectSettings& settings,
                                const RunContext& context) {
   if (!is_specification(text)) {
-    const DxfDrawing drawing = TRY(read_dxf(text, settings.dxf));
+    const dxf::DxfDrawing drawing = TRY(dxf::read_dxf(text, settings.dxf));
     return new_project(drawing, settings, context);
   }
   NewProject made;
@@ -270,4 +270,4 @@ Result<NewProject> new_project(std::string_view text, const NewProjectSettings& 
   return made;
 }
 
-}  // namespace toile
+}  // namespace toile::create

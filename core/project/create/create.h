@@ -16,13 +16,13 @@
 #include "core/pattern/seams/propose.h"
 #include "core/project/project.h"
 
-namespace toile {
+namespace toile::create {
 
 struct NewProjectSettings {
   std::string name;          ///< of the project
   std::string pattern_file;  ///< the document's name for the pattern
   std::string body_file;     ///< and for the body
-  DxfSettings dxf = {};      ///< unit and size of a DXF file
+  dxf::DxfSettings dxf = {};      ///< unit and size of a DXF file
   /// Corners of the box around the body, m, y up: pieces that come without a place stand around it.
   Aabb3 body{{-0.3, 0, -0.2}, {0.3, 1.7, 0.2}};
   /// Accepts the proposals of this confidence and above that can be sewn together; unset: none.
@@ -30,10 +30,10 @@ struct NewProjectSettings {
 };
 
 struct NewProject {
-  Project project;
-  Pattern pattern;  ///< as the project has it, with its seams
+  project::Project project;
+  pattern::Pattern pattern;  ///< as the project has it, with its seams
   /// What was proposed, when the file had no seams of its own; seams name panels and edges of `pattern`.
-  std::vector<SeamProposal> proposals;
+  std::vector<seams::SeamProposal> proposals;
   std::vector<bool> accepted;      ///< which of them the project has: a proposal may be another's alternative
   std::vector<std::string> notes;  ///< what the file had that the project has not
 };
@@ -47,7 +47,7 @@ Result<NewProject> new_project(std::string_view pattern_text, const NewProjectSe
                                const RunContext& context = {});
 
 /// The same for a drawing that is read already; settings.dxf is of no effect.
-Result<NewProject> new_project(const DxfDrawing& drawing, const NewProjectSettings& settings,
+Result<NewProject> new_project(const dxf::DxfDrawing& drawing, const NewProjectSettings& settings,
                                const RunContext& context = {});
 
 /// Whether the text is a GarmentCode specification rather than a DXF: it begins with "{".
@@ -55,19 +55,19 @@ bool is_specification(std::string_view text);
 
 /// {id, confidence, a, b [{piece, edge, reversed, from, to}], same_direction, length_a_mm, length_b_mm}.
 /// Parts of an edge are fractions of its length.
-JsonValue proposal_json(const Pattern& pattern, const SeamProposal& proposal);
+json::JsonValue proposal_json(const pattern::Pattern& pattern, const seams::SeamProposal& proposal);
 
 /// The file's own seams, with confidence 1, or all proposals.
-std::vector<JsonValue> seams_json(const NewProject& made);
+std::vector<json::JsonValue> seams_json(const NewProject& made);
 
 /// A plain cotton shirting, id "cotton": mass, bending and stretch of the order of Wang et al. 2011 and Feng
 /// et al. 2022.
-ProjectFabric plain_cotton();
+project::ProjectFabric plain_cotton();
 
 /// The panel's outline as a document says it, curve by curve.
-std::vector<ProjectEdge> outline_of(const Loop& loop);
+std::vector<project::ProjectEdge> outline_of(const pattern::Loop& loop);
 
 /// The seam by the names of its pieces and edges.
-ProjectSeam project_seam(const Pattern& pattern, const Seam& seam);
+project::ProjectSeam project_seam(const pattern::Pattern& pattern, const pattern::Seam& seam);
 
-}  // namespace toile
+}  // namespace toile::create

@@ -7,63 +7,63 @@
 #include "core/base/units.h"
 #include "core/pattern/curve.h"
 
-namespace toile {
+namespace toile::create {
 namespace {
 
-using Members = std::vector<JsonMember>;
+using Members = std::vector<json::JsonMember>;
 
-JsonValue count_of(std::size_t n) { return static_cast<double>(n); }
+json::JsonValue count_of(std::size_t n) { return static_cast<double>(n); }
 
 /// Thousandths are enough to read.
-JsonValue rounded(double v) { return std::round(v * 1000) / 1000 + 0.0; }
+json::JsonValue rounded(double v) { return std::round(v * 1000) / 1000 + 0.0; }
 
-JsonValue place(Vec2 p) { return std::vector<JsonValue>{rounded(p.x), rounded(p.y)}; }
+json::JsonValue place(Vec2 p) { return std::vector<json::JsonValue>{rounded(p.x), rounded(p.y)}; }
 
-JsonValue texts(const std::vector<std::string>& list) {
-  std::vector<JsonValue> values;
+json::JsonValue texts(const std::vector<std::string>& list) {
+  std::vector<json::JsonValue> values;
   for (const std::string& text : list) values.emplace_back(text);
   return values;
 }
 
-JsonValue edges_json(const Panel& panel) {
-  std::vector<JsonValue> edges;
-  for (const PanelEdge* edge : edges_of(panel))
+json::JsonValue edges_json(const pattern::Panel& panel) {
+  std::vector<json::JsonValue> edges;
+  for (const pattern::PanelEdge* edge : pattern::edges_of(panel))
     edges.push_back(Members{{"id", edge->id},
-                            {"length_mm", rounded(arc_length(*edge))},
+                            {"length_mm", rounded(pattern::arc_length(*edge))},
                             {"start", place(edge->curves.front().p0)},
                             {"end", place(edge->curves.back().p3)},
                             {"curves", count_of(edge->curves.size())}});
   return edges;
 }
 
-JsonValue notches_json(const std::vector<Notch>& notches) {
-  std::vector<JsonValue> list;
-  for (const Notch& n : notches) {
+json::JsonValue notches_json(const std::vector<pattern::Notch>& notches) {
+  std::vector<json::JsonValue> list;
+  for (const pattern::Notch& n : notches) {
     const bool turned = !(n.inwards == Vec2{});
     const double angle = degrees_from_radians(std::atan2(n.inwards.y, n.inwards.x));
     list.push_back(Members{{"at", place(n.at)},
                            {"depth_mm", rounded(n.depth)},
-                           {"angle_deg", turned ? rounded(angle) : JsonValue()}});
+                           {"angle_deg", turned ? rounded(angle) : json::JsonValue()}});
   }
   return list;
 }
 
-JsonValue lines_json(const std::vector<InnerLine>& lines) {
-  std::vector<JsonValue> list;
-  for (const InnerLine& line : lines) {
-    std::vector<JsonValue> points;
+json::JsonValue lines_json(const std::vector<pattern::InnerLine>& lines) {
+  std::vector<json::JsonValue> list;
+  for (const pattern::InnerLine& line : lines) {
+    std::vector<json::JsonValue> points;
     for (const Vec2 p : line.points) points.push_back(place(p));
     list.push_back(Members{{"id", line.id}, {"points", std::move(points)}});
   }
   return list;
 }
 
-JsonValue fault_json(const Error& error) {
+json::JsonValue fault_json(const Error& error) {
   return Members{{"code", error.code}, {"message", error.message}, {"where", error.where}};
 }
 
-JsonValue piece_json(const DxfPiece& piece) {
-  const Result<Panel> panel = panel_from_piece(piece);
+json::JsonValue piece_json(const dxf::DxfPiece& piece) {
+  const Result<pattern::Panel> panel = dxf::panel_from_piece(piece);
   Members members{{"name", piece.name}, {"size", piece.size}};
   if (panel) {
     const PieceMeasures m = measures_of(*panel);
@@ -76,7 +76,7 @@ JsonValue piece_json(const DxfPiece& piece) {
                                    {"lines", count_of(panel->lines.size())}});
   }
   members.insert(members.end(),
-                 {{"grain_deg", piece.grain ? rounded(grain_degrees(*piece.grain)) : JsonValue()},
+                 {{"grain_deg", piece.grain ? rounded(grain_degrees(*piece.grain)) : json::JsonValue()},
                   {"quantity", double(piece.quantity)},
                   {"mirrored", double(piece.mirrored)},
                   {"unfolded", piece.unfolded},
@@ -99,14 +99,14 @@ JsonValue piece_json(const DxfPiece& piece) {
   return members;
 }
 
-std::string fate_name(DxfFate fate) {
-  return fate == DxfFate::kept ? "kept" : fate == DxfFate::converted ? "converted" : "dropped";
+std::string fate_name(dxf::DxfFate fate) {
+  return fate == dxf::DxfFate::kept ? "kept" : fate == dxf::DxfFate::converted ? "converted" : "dropped";
 }
 
-JsonValue entities_json(const DxfReport& report) {
-  std::vector<JsonValue> groups;
-  for (const DxfEntityGroup& g : report.groups) {
-    std::vector<JsonValue> lines;
+json::JsonValue entities_json(const dxf::DxfReport& report) {
+  std::vector<json::JsonValue> groups;
+  for (const dxf::DxfEntityGroup& g : report.groups) {
+    std::vector<json::JsonValue> lines;
     for (const int line : g.lines) lines.emplace_back(double(line));
     groups.push_back(Members{{"type", g.type},
                              {"layer", g.layer},
@@ -120,12 +120,12 @@ JsonValue entities_json(const DxfReport& report) {
   return groups;
 }
 
-JsonValue report_json(const DxfReport& report) {
-  std::vector<JsonValue> warnings;
-  for (const DxfWarning& w : report.warnings)
+json::JsonValue report_json(const dxf::DxfReport& report) {
+  std::vector<json::JsonValue> warnings;
+  for (const dxf::DxfWarning& w : report.warnings)
     warnings.push_back(Members{{"line", double(w.line)},
                                {"piece", w.piece},
-                               {"at", w.at ? place(*w.at) : JsonValue()},
+                               {"at", w.at ? place(*w.at) : json::JsonValue()},
                                {"text", w.text},
                                {"count", count_of(w.count)}});
   const Members counts{{"records", count_of(report.records)},     {"structure", count_of(report.structure)},
@@ -137,12 +137,12 @@ JsonValue report_json(const DxfReport& report) {
 
 }  // namespace
 
-PieceMeasures measures_of(const Panel& panel) {
+PieceMeasures measures_of(const pattern::Panel& panel) {
   constexpr double kTolerance = 0.05;  // mm
-  const std::vector<Vec2> outline = flatten(panel.outline, kTolerance);
+  const std::vector<Vec2> outline = pattern::flatten(panel.outline, kTolerance);
   const Vec2 size = bounding_box(outline).size();
-  double area = signed_area(panel.outline);
-  for (const Loop& hole : panel.holes) area -= std::abs(signed_area(hole));
+  double area = pattern::signed_area(panel.outline);
+  for (const pattern::Loop& hole : panel.holes) area -= std::abs(pattern::signed_area(hole));
   return {size.x, size.y, area};
 }
 
@@ -151,10 +151,10 @@ double grain_degrees(Vec2 grain) {
   return angle < 0 ? angle + 180 : angle >= 180 ? angle - 180 : angle;
 }
 
-JsonValue import_json(const DxfDrawing& drawing, const std::vector<JsonValue>& seams) {
-  std::vector<JsonValue> pieces;
-  for (const DxfPiece& piece : drawing.pieces) pieces.push_back(piece_json(piece));
-  const DxfUnit& unit = drawing.unit;
+json::JsonValue import_json(const dxf::DxfDrawing& drawing, const std::vector<json::JsonValue>& seams) {
+  std::vector<json::JsonValue> pieces;
+  for (const dxf::DxfPiece& piece : drawing.pieces) pieces.push_back(piece_json(piece));
+  const dxf::DxfUnit& unit = drawing.unit;
   return Members{{"unit", Members{{"name", unit.name},
                                   {"mm_per_unit", unit.mm},
                                   {"confidence", rounded(unit.confidence)},
@@ -170,13 +170,13 @@ JsonValue import_json(const DxfDrawing& drawing, const std::vector<JsonValue>& s
 
 namespace {
 
-JsonValue kept_json(const char* type, std::size_t count) {
+json::JsonValue kept_json(const char* type, std::size_t count) {
   return Members{{"type", std::string(type)},   {"layer", std::string()},           {"block", std::string()},
                  {"fate", std::string("kept")}, {"reason", std::string()},          {"piece", std::string()},
-                 {"count", count_of(count)},    {"lines", std::vector<JsonValue>{}}};
+                 {"count", count_of(count)},    {"lines", std::vector<json::JsonValue>{}}};
 }
 
-JsonValue panel_json(const Panel& panel) {
+json::JsonValue panel_json(const pattern::Panel& panel) {
   const PieceMeasures m = measures_of(panel);
   return Members{{"name", panel.id},
                  {"area_mm2", rounded(m.area_mm2)},
@@ -191,18 +191,18 @@ JsonValue panel_json(const Panel& panel) {
 }
 
 /// What the reader passed over, with its JSON pointer in the text.
-JsonValue note_json(const std::string& note) {
+json::JsonValue note_json(const std::string& note) {
   return Members{
-      {"line", 0.0}, {"piece", std::string()}, {"at", JsonValue()}, {"text", note}, {"count", 1.0}};
+      {"line", 0.0}, {"piece", std::string()}, {"at", json::JsonValue()}, {"text", note}, {"count", 1.0}};
 }
 
 }  // namespace
 
-JsonValue specification_json(const Pattern& pattern, const std::vector<JsonValue>& seams,
+json::JsonValue specification_json(const pattern::Pattern& pattern, const std::vector<json::JsonValue>& seams,
                              const std::vector<std::string>& notes) {
-  std::vector<JsonValue> pieces, warnings, entities;
+  std::vector<json::JsonValue> pieces, warnings, entities;
   std::size_t edges = 0;
-  for (const Panel& panel : pattern.panels) {
+  for (const pattern::Panel& panel : pattern.panels) {
     edges += panel.outline.edges.size();
     pieces.push_back(panel_json(panel));
   }
@@ -219,7 +219,7 @@ JsonValue specification_json(const Pattern& pattern, const std::vector<JsonValue
   return Members{
       {"unit", unit},
       {"style", std::string()},
-      {"sizes", std::vector<JsonValue>{}},
+      {"sizes", std::vector<json::JsonValue>{}},
       {"size", std::string()},
       {"sample_size", std::string()},
       {"pieces", std::move(pieces)},
@@ -228,4 +228,4 @@ JsonValue specification_json(const Pattern& pattern, const std::vector<JsonValue
        Members{{"counts", counts}, {"entities", std::move(entities)}, {"warnings", std::move(warnings)}}}};
 }
 
-}  // namespace toile
+}  // namespace toile::create

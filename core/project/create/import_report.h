@@ -8,7 +8,7 @@
 #include "core/pattern/dxf/read.h"
 #include "core/pattern/pattern.h"
 
-namespace toile {
+namespace toile::create {
 
 /// {unit {name, mm_per_unit, confidence, evidence}, style, sizes, size, sample_size, pieces, seams, report}.
 ///
@@ -20,21 +20,21 @@ namespace toile {
 /// told; fault {code, message, where} when it cannot be cut. report: {counts, entities [{type, layer, block,
 /// fate, reason, piece, count, lines}], warnings [{line, piece, at, text, count}]}. `seams` is what the
 /// caller knows.
-JsonValue import_json(const DxfDrawing& drawing, const std::vector<JsonValue>& seams = {});
+json::JsonValue import_json(const dxf::DxfDrawing& drawing, const std::vector<json::JsonValue>& seams = {});
 
 /// The same for a GarmentCode specification: pieces {name, area_mm2, width_mm, height_mm, edges, grain_deg,
 /// quantity, mirrored, unfolded, edge_list}, the unit without mm_per_unit, and a report with counts {panels,
 /// edges, stitches} and the notes as warnings.
-JsonValue specification_json(const Pattern& pattern, const std::vector<JsonValue>& seams,
+json::JsonValue specification_json(const pattern::Pattern& pattern, const std::vector<json::JsonValue>& seams,
                              const std::vector<std::string>& notes);
 
 /// Width, height and area of a piece as import_json tells them.
 struct PieceMeasures {
   double width_mm = 0, height_mm = 0, area_mm2 = 0;
 };
-PieceMeasures measures_of(const Panel& panel);
+PieceMeasures measures_of(const pattern::Panel& panel);
 
 /// Angle of the grain line from the x axis, 0 to 180 degrees.
 double grain_degrees(Vec2 grain);
 
-}  // namespace toile
+}  // namespace toile::create

@@ -4,7 +4,7 @@
 
 #include "core/base/units.h"
 
-namespace toile {
+namespace toile::create {
 
 namespace {
 
@@ -13,8 +13,8 @@ double millimetres(double value) { return std::round(mm_from_metres(value) * 1e2
 double degrees(double value) { return std::round(degrees_from_radians(value) * 1e6) / 1e6 + 0.0; }
 Vec3 rounded(Vec3 p, double (*by)(double)) { return {by(p.x), by(p.y), by(p.z)}; }
 
-ProjectWrapped wrapped_of(const WrappedPlacement& w) {
-  ProjectWrapped out;
+project::ProjectWrapped wrapped_of(const sewing::WrappedPlacement& w) {
+  project::ProjectWrapped out;
   out.axis = {metres(w.axis.x), metres(w.axis.z)};
   out.axis_height = metres(w.axis.y);
   out.radius = metres(w.radius);
@@ -30,26 +30,26 @@ ProjectWrapped wrapped_of(const WrappedPlacement& w) {
 
 }  // namespace
 
-ProjectPlacement project_placement(const Placement& placement) {
-  ProjectPlacement out;
-  if (const auto* rigid = std::get_if<RigidPlacement>(&placement)) {
+project::ProjectPlacement project_placement(const sewing::Placement& placement) {
+  project::ProjectPlacement out;
+  if (const auto* rigid = std::get_if<sewing::RigidPlacement>(&placement)) {
     out.rigid =
-        ProjectRigid{rounded(rigid->translation, metres), rounded(rigid->rotation, degrees), rigid->flipped};
+        project::ProjectRigid{rounded(rigid->translation, metres), rounded(rigid->rotation, degrees), rigid->flipped};
   } else {
-    out.wrapped = wrapped_of(std::get<WrappedPlacement>(placement));
+    out.wrapped = wrapped_of(std::get<sewing::WrappedPlacement>(placement));
   }
   return out;
 }
 
-std::optional<ProjectOnBox> project_on_box(const RigidPlacement& rigid, Vec2 anchor,
-                                           std::span<const PartBox> boxes) {
+std::optional<project::ProjectOnBox> project_on_box(const sewing::RigidPlacement& rigid, Vec2 anchor,
+                                           std::span<const measure::PartBox> boxes) {
   constexpr double kParallel = 1 - 1e-9;
   const std::vector<Vec3> p =
-      place({anchor, anchor + Vec2{rigid.flipped ? -1.0 : 1.0, 0}, anchor + Vec2{0, 1}}, rigid);
+      sewing::place({anchor, anchor + Vec2{rigid.flipped ? -1.0 : 1.0, 0}, anchor + Vec2{0, 1}}, rigid);
   const Vec3 u = p[1] - p[0], normal = cross(u, p[2] - p[0]);
-  std::optional<ProjectOnBox> best;
+  std::optional<project::ProjectOnBox> best;
   double least = 0;
-  for (const PartBox& box : boxes) {
+  for (const measure::PartBox& box : boxes) {
     for (const char* side : {"front", "back", "left", "right"}) {
       const std::string name = side;
       const bool lengthwise = name == "front" || name == "back";
@@ -60,7 +60,7 @@ std::optional<ProjectOnBox> project_on_box(const RigidPlacement& rigid, Vec2 anc
       if (best && length(d) >= least) continue;
       least = length(d);
       best.emplace();
-      best->part = name_of(box.part);
+      best->part = measure::name_of(box.part);
       best->side = name;
       best->at = {metres(dot(d, right)), metres(dot(d, up))};
       best->away = metres(dot(d, way));
@@ -72,14 +72,14 @@ std::optional<ProjectOnBox> project_on_box(const RigidPlacement& rigid, Vec2 anc
   return best;
 }
 
-int tell_by_boxes(const DrapeInput& input, Project& project) {
-  for (const Body& body : input.bodies) {
-    const Result<BodyFigure> figure = find_figure(body.mesh);
+int tell_by_boxes(const drape::DrapeInput& input, project::Project& project) {
+  for (const body::Body& body : input.bodies) {
+    const Result<measure::BodyFigure> figure = measure::find_figure(body.mesh);
     if (!figure) continue;
-    const auto boxes = part_boxes(body.mesh, *figure);
+    const auto boxes = measure::part_boxes(body.mesh, *figure);
     int told = 0;
     for (std::size_t i = 0; i < project.pieces.size(); ++i) {
-      const auto* rigid = std::get_if<RigidPlacement>(&input.placements[i]);
+      const auto* rigid = std::get_if<sewing::RigidPlacement>(&input.placements[i]);
       if (!rigid || !project.pieces[i].placement.rigid) continue;
       const Vec2 corner = input.pattern.panels[i].outline.edges.front().curves.front().p0;
       auto on_box = project_on_box(*rigid, {metres_from_mm(corner.x), metres_from_mm(corner.y)}, boxes);
@@ -93,17 +93,17 @@ int tell_by_boxes(const DrapeInput& input, Project& project) {
   return 0;
 }
 
-ProjectAttachment project_attachment(const Pattern& pattern, const Attachment& attachment) {
-  const Panel& panel = pattern.panels[static_cast<std::size_t>(attachment.panel)];
-  ProjectAttachment out;
+project::ProjectAttachment project_attachment(const pattern::Pattern& pattern, const sewing::Attachment& attachment) {
+  const pattern::Panel& panel = pattern.panels[static_cast<std::size_t>(attachment.panel)];
+  project::ProjectAttachment out;
   out.id = attachment.id;
   out.piece = panel.id;
   for (const Vec2 at : attachment.points) out.points.push_back({millimetres(at.x), millimetres(at.y)});
   for (const Index e : attachment.edges)
-    out.edges.push_back(edges_of(panel)[static_cast<std::size_t>(e)]->id);
-  out.hold = attachment.hold == Attachment::Hold::kHeight ? "height" : "place";
+    out.edges.push_back(pattern::edges_of(panel)[static_cast<std::size_t>(e)]->id);
+  out.hold = attachment.hold == sewing::Attachment::Hold::kHeight ? "height" : "place";
   out.release_after_s = attachment.release_after;
   return out;
 }
 
-}  // namespace toile
+}  // namespace toile::create

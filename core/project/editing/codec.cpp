@@ -12,7 +12,7 @@
 #include "core/project/editing/fields.h"
 #include "core/project/schema.h"
 
-namespace toile {
+namespace toile::editing {
 namespace {
 
 constexpr const char* kKind = "edit";
@@ -25,28 +25,28 @@ void for_each_edit(Act act) {
 
 template <typename Edit>
 ProjectEdit project_edit(Edit edit) {
-  if constexpr (std::is_constructible_v<PatternEdit, Edit>) {
-    return PatternEdit(std::move(edit));
+  if constexpr (std::is_constructible_v<edit::PatternEdit, Edit>) {
+    return edit::PatternEdit(std::move(edit));
   } else {
     return edit;
   }
 }
 
 /// The object without its kind, which is no field of the edit.
-JsonValue without_kind(const JsonValue& object) {
-  std::vector<JsonMember> members = *object.object();
-  std::erase_if(members, [](const JsonMember& member) { return member.key == kKind; });
+json::JsonValue without_kind(const json::JsonValue& object) {
+  std::vector<json::JsonMember> members = *object.object();
+  std::erase_if(members, [](const json::JsonMember& member) { return member.key == kKind; });
   return members;
 }
 
-Result<ProjectEdit> read_edit(const JsonValue& value, const std::string& where) {
-  const JsonValue* kind = value.find(kKind);
+Result<ProjectEdit> read_edit(const json::JsonValue& value, const std::string& where) {
+  const json::JsonValue* kind = value.find(kKind);
   const std::string* name = kind ? kind->text() : nullptr;
   if (!name) {
     return Error{"edit.unknown", "an edit is an object that says in \"edit\" which it is",
-                 kind ? pointer_to(where, kKind) : where};
+                 kind ? json::pointer_to(where, kKind) : where};
   }
-  const JsonValue fields_only = without_kind(value);
+  const json::JsonValue fields_only = without_kind(value);
   std::optional<ProjectEdit> edit;
   std::optional<Error> error;
   for_each_edit([&](const auto& named) {
@@ -58,25 +58,25 @@ Result<ProjectEdit> read_edit(const JsonValue& value, const std::string& where) 
   if (error) return *std::move(error);
   if (edit) return *std::move(edit);
   return Error{"edit.unknown", "there is no edit " + in_quotes(*name) + "; " + advice(*name, edit_names()),
-               pointer_to(where, kKind)};
+               json::pointer_to(where, kKind)};
 }
 
 template <typename Edit>
-JsonValue edit_json(Edit edit) {
-  std::vector<JsonMember> members;
+json::JsonValue edit_json(Edit edit) {
+  std::vector<json::JsonMember> members;
   for_each_edit([&](const auto& named) {
     if constexpr (std::is_same_v<typename std::decay_t<decltype(named)>::Type, Edit>) {
       members.push_back({kKind, std::string(named.name)});
     }
   });
-  const JsonValue own = fields::json_of(edit);
+  const json::JsonValue own = fields::json_of(edit);
   members.insert(members.end(), own.object()->begin(), own.object()->end());
   return members;
 }
 
 }  // namespace
 
-Result<std::vector<ProjectEdit>> read_edits(const JsonValue& list, const std::string& where) {
+Result<std::vector<ProjectEdit>> read_edits(const json::JsonValue& list, const std::string& where) {
   const auto* elements = list.array();
   if (!elements) return Error{"project.wrong_type", "this must be a list of edits", where};
   if (elements->size() > kMostEdits) {
@@ -84,17 +84,17 @@ Result<std::vector<ProjectEdit>> read_edits(const JsonValue& list, const std::st
   }
   std::vector<ProjectEdit> edits;
   for (std::size_t i = 0; i < elements->size(); ++i) {
-    ProjectEdit edit = TRY(read_edit((*elements)[i], pointer_to(where, i)));
+    ProjectEdit edit = TRY(read_edit((*elements)[i], json::pointer_to(where, i)));
     edits.push_back(std::move(edit));
   }
   return edits;
 }
 
-JsonValue edits_json(std::span<const ProjectEdit> edits) {
-  std::vector<JsonValue> list;
+json::JsonValue edits_json(std::span<const ProjectEdit> edits) {
+  std::vector<json::JsonValue> list;
   for (const ProjectEdit& edit : edits) {
     const auto write = [&](const auto& one) { list.push_back(edit_json(one)); };
-    if (const auto* of_pattern = std::get_if<PatternEdit>(&edit)) {
+    if (const auto* of_pattern = std::get_if<edit::PatternEdit>(&edit)) {
       std::visit(write, *of_pattern);
     } else if (const auto* texture = std::get_if<SetTexture>(&edit)) {
       write(*texture);
@@ -113,10 +113,10 @@ std::vector<std::string> edit_names() {
   return names;
 }
 
-JsonValue edit_schema() {
-  const fields::Definitions of_projects = project_definitions();
+json::JsonValue edit_schema() {
+  const fields::Definitions of_projects = project::project_definitions();
   fields::Definitions definitions(of_projects, "project.schema.json");
-  std::vector<JsonValue> kinds;
+  std::vector<json::JsonValue> kinds;
   for_each_edit([&](const auto& named) {
     typename std::decay_t<decltype(named)>::Type edit{};
     kinds.push_back(definitions.refer(named.name, [&] {
@@ -126,7 +126,7 @@ JsonValue edit_schema() {
       return writer.schema();
     }));
   });
-  const JsonValue list = fields::list_schema(std::vector<JsonMember>{{"oneOf", std::move(kinds)}},
+  const json::JsonValue list = fields::list_schema(std::vector<json::JsonMember>{{"oneOf", std::move(kinds)}},
                                              {0, static_cast<double>(kMostEdits)});
   return fields::schema_file(
       "Toile edits",
@@ -134,4 +134,4 @@ JsonValue edit_schema() {
       definitions);
 }
 
-}  // namespace toile
+}  // namespace toile::editing

@@ -11,47 +11,47 @@
 #include "core/project/resolve/pieces.h"
 #include "core/project/resolve/resolve.h"
 
-namespace toile {
+namespace toile::editing {
 namespace {
 
 /// A project while it is edited, with its pattern once an edit needs it.
 struct Editing {
-  Project project;
-  std::optional<Pattern> pattern;
-  OpenedFiles& files;
+  project::Project project;
+  std::optional<pattern::Pattern> pattern;
+  resolve::OpenedFiles& files;
 };
 
 /// The cloth alone: few edits touch the bodies, and to read them takes long.
-Result<DrapeInput> resolve_cloth(Project project, OpenedFiles& files) {
-  return resolve_project(without_bodies(std::move(project)), files);
+Result<drape::DrapeInput> resolve_cloth(project::Project project, resolve::OpenedFiles& files) {
+  return resolve::resolve_project(project::without_bodies(std::move(project)), files);
 }
 
-ProjectNotch project_notch(const Notch& notch) {
-  ProjectNotch out{notch.at, notch.depth, std::nullopt};
+project::ProjectNotch project_notch(const pattern::Notch& notch) {
+  project::ProjectNotch out{notch.at, notch.depth, std::nullopt};
   if (!(notch.inwards == Vec2{})) out.inwards = notch.inwards;
   return out;
 }
 
 /// The panel's shape as an outline of the document.
-void write_shape(ProjectPiece& piece, const Panel& panel) {
+void write_shape(project::ProjectPiece& piece, const pattern::Panel& panel) {
   piece.from.reset();
   piece.edge_names.clear();
-  piece.outline = outline_of(panel.outline);
+  piece.outline = create::outline_of(panel.outline);
   piece.holes.clear();
   // Read back, a hole is run the other way; so it is written.
-  for (const Loop& hole : panel.holes) piece.holes.push_back(outline_of(reversed(hole)));
+  for (const pattern::Loop& hole : panel.holes) piece.holes.push_back(create::outline_of(pattern::reversed(hole)));
   piece.notches.clear();
-  for (const Notch& notch : panel.notches) piece.notches.push_back(project_notch(notch));
+  for (const pattern::Notch& notch : panel.notches) piece.notches.push_back(project_notch(notch));
   piece.grain = panel.grain;
 }
 
 /// The number of lines that stand in the piece's file: they are the panel's first.
-std::size_t lines_of_file(const ProjectPiece& piece, const Panel& panel) {
+std::size_t lines_of_file(const project::ProjectPiece& piece, const pattern::Panel& panel) {
   return piece.from ? panel.lines.size() - piece.lines.size() : 0;
 }
 
 /// A piece stays in its file while its shape and what is drawn in it there are the same.
-void write_panel(ProjectPiece& piece, const Panel& panel, const Panel* before, bool reshaped) {
+void write_panel(project::ProjectPiece& piece, const pattern::Panel& panel, const pattern::Panel* before, bool reshaped) {
   std::size_t filed = before ? lines_of_file(piece, *before) : 0;
   const auto first = panel.lines.begin();
   const bool lines_stay = panel.lines.size() >= filed && std::equal(first, first + std::ptrdiff_t(filed),
@@ -73,15 +73,15 @@ auto named(std::vector<T>& list, const std::string& id) {
 }
 
 /// The pieces of the document as the edited pattern has them.
-void write_pieces(Project& project, const Pattern& before, const EditedPattern& edited) {
-  const EditEffect& effect = edited.effect;
-  std::vector<ProjectPiece>& pieces = project.pieces;
+void write_pieces(project::Project& project, const pattern::Pattern& before, const edit::EditedPattern& edited) {
+  const edit::EditEffect& effect = edited.effect;
+  std::vector<project::ProjectPiece>& pieces = project.pieces;
   if (effect.piece.empty()) {
     if (!effect.was.empty()) pieces.erase(named(pieces, effect.was));
     return;
   }
   if (!effect.copy_of.empty()) {
-    ProjectPiece copy = *named(pieces, effect.copy_of);
+    project::ProjectPiece copy = *named(pieces, effect.copy_of);
     copy.id = effect.piece;
     pieces.push_back(std::move(copy));
   } else {
@@ -89,47 +89,47 @@ void write_pieces(Project& project, const Pattern& before, const EditedPattern& 
   }
   const auto at = named(pieces, effect.piece);
   const auto index = static_cast<std::size_t>(at - pieces.begin());
-  const Panel* old = index < before.panels.size() ? &before.panels[index] : nullptr;
+  const pattern::Panel* old = index < before.panels.size() ? &before.panels[index] : nullptr;
   write_panel(*at, edited.pattern.panels[index], old, effect.reshaped);
   // A picture stays where it lies on the cloth; of a piece that is turned over it shows its right side still.
-  if (effect.motion && at->texture) at->texture->offset = moved(at->texture->offset, *effect.motion);
+  if (effect.motion && at->texture) at->texture->offset = edit::moved(at->texture->offset, *effect.motion);
   if (old && effect.motion && !effect.motion->middle) stay_in_space(*at, effect.motion->by);
 }
 
-Status apply_one(Editing& editing, const PatternEdit& edit) {
-  if (const auto* fabric = std::get_if<SetFabric>(&edit);
+Status apply_one(Editing& editing, const edit::PatternEdit& edit) {
+  if (const auto* fabric = std::get_if<edit::SetFabric>(&edit);
       fabric && named(editing.project.fabrics, fabric->fabric) == editing.project.fabrics.end()) {
     return Error{"edit.unknown_fabric", "the project has no fabric " + in_quotes(fabric->fabric), ""};
   }
   if (!editing.pattern) {
-    DrapeInput input = TRY(resolve_cloth(editing.project, editing.files));
+    drape::DrapeInput input = TRY(resolve_cloth(editing.project, editing.files));
     editing.pattern = std::move(input.pattern);
   }
-  EditedPattern edited = TRY(apply_edit(*editing.pattern, edit));
+  edit::EditedPattern edited = TRY(edit::apply_edit(*editing.pattern, edit));
   TRY(follow_parts(editing.project, edited.effect));
   write_pieces(editing.project, *editing.pattern, edited);
   editing.project.seams.clear();
-  for (const Seam& seam : edited.pattern.seams) {
-    editing.project.seams.push_back(project_seam(edited.pattern, seam));
+  for (const pattern::Seam& seam : edited.pattern.seams) {
+    editing.project.seams.push_back(create::project_seam(edited.pattern, seam));
   }
   editing.pattern = std::move(edited.pattern);
   return {};
 }
 
-Result<ProjectPiece*> piece_of(Project& project, const std::string& id) {
+Result<project::ProjectPiece*> piece_of(project::Project& project, const std::string& id) {
   const auto found = named(project.pieces, id);
   if (found != project.pieces.end()) return &*found;
   return Error{"edit.unknown_piece", "There is no piece of that name.", "piece " + id};
 }
 
 Status apply_one(Editing& editing, const SetTexture& edit) {
-  ProjectPiece* piece = TRY(piece_of(editing.project, edit.piece));
+  project::ProjectPiece* piece = TRY(piece_of(editing.project, edit.piece));
   piece->texture = edit.texture;
   return {};
 }
 
 Status apply_one(Editing& editing, const SetPhysical& edit) {
-  ProjectPiece* piece = TRY(piece_of(editing.project, edit.piece));
+  project::ProjectPiece* piece = TRY(piece_of(editing.project, edit.piece));
   piece->physical = edit.physical;
   return {};
 }
@@ -140,23 +140,23 @@ Status apply_one(Editing& editing, const RestoreLists& edit) {
 }
 
 /// The text of the edited document, once it is found to be one that can be draped.
-Result<std::string> checked_text(const Project& project, OpenedFiles& files, bool other_bodies) {
-  Result<WrittenProject> written = write_checked(project);
-  if (!written) return error_at("/edits", written.error());
-  const Result<DrapeInput> input = other_bodies ? resolve_project(written->read_back, files)
+Result<std::string> checked_text(const project::Project& project, resolve::OpenedFiles& files, bool other_bodies) {
+  Result<project::WrittenProject> written = project::write_checked(project);
+  if (!written) return json::error_at("/edits", written.error());
+  const Result<drape::DrapeInput> input = other_bodies ? resolve::resolve_project(written->read_back, files)
                                                 : resolve_cloth(std::move(written->read_back), files);
-  if (!input) return error_at("/edits", input.error());
+  if (!input) return json::error_at("/edits", input.error());
   return std::move(written->line);
 }
 
 }  // namespace
 
-Result<EditedProject> apply_edits(const Project& project, std::span<const ProjectEdit> edits,
-                                  OpenedFiles& files) {
+Result<EditedProject> apply_edits(const project::Project& project, std::span<const ProjectEdit> edits,
+                                  resolve::OpenedFiles& files) {
   Editing editing{project, std::nullopt, files};
   for (std::size_t i = 0; i < edits.size(); ++i) {
     const Status done = std::visit([&](const auto& edit) { return apply_one(editing, edit); }, edits[i]);
-    if (!done) return error_at(pointer_to("/edits", i), done.error());
+    if (!done) return json::error_at(json::pointer_to("/edits", i), done.error());
   }
   std::string text = TRY(checked_text(editing.project, files, editing.project.bodies != project.bodies));
   EditedProject out{std::move(editing.project), std::move(text), {}};
@@ -164,12 +164,12 @@ Result<EditedProject> apply_edits(const Project& project, std::span<const Projec
   return out;
 }
 
-Result<EditedProject> apply_edits(const Project& project, std::span<const ProjectEdit> edits,
-                                  const ProjectFiles& files) {
-  OpenedFiles opened(files);
+Result<EditedProject> apply_edits(const project::Project& project, std::span<const ProjectEdit> edits,
+                                  const resolve::ProjectFiles& files) {
+  resolve::OpenedFiles opened(files);
   return apply_edits(project, edits, opened);
 }
 
-ProjectEdit edit_between(const Project& now, const Project& wanted) { return difference(now, wanted); }
+ProjectEdit edit_between(const project::Project& now, const project::Project& wanted) { return difference(now, wanted); }
 
-}  // namespace toile
+}  // namespace toile::editing

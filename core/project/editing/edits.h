@@ -15,18 +15,18 @@
 #include "core/project/project.h"
 #include "core/project/resolve/opened_files.h"
 
-namespace toile {
+namespace toile::editing {
 
 /// Without a texture: takes the one away that is there.
 struct SetTexture {
   std::string piece;
-  std::optional<ProjectTexture> texture = {};
+  std::optional<project::ProjectTexture> texture = {};
 };
 
 /// Replaces all that the piece has otherwise than its fabric; nothing given: it is as its fabric.
 struct SetPhysical {
   std::string piece;
-  std::optional<ProjectPhysical> physical = {};
+  std::optional<project::ProjectPhysical> physical = {};
 };
 
 /// In place of `remove` elements of a list from `at` on: those of `insert`.
@@ -38,40 +38,40 @@ struct ListSplice {
 
 /// Puts back parts of the document's lists: what an undo does.
 struct RestoreLists {
-  std::optional<ListSplice<ProjectPiece>> pieces;
-  std::optional<ListSplice<ProjectSeam>> seams;
-  std::optional<ListSplice<ProjectAttachment>> attachments;
-  std::optional<ListSplice<ProjectButton>> buttons;
-  std::optional<ListSplice<ProjectElastic>> elastics;
-  std::optional<ListSplice<ProjectFold>> folds;
-  std::optional<ListSplice<ProjectCushion>> cushions;
-  std::optional<ListSplice<ProjectBody>> bodies;
+  std::optional<ListSplice<project::ProjectPiece>> pieces;
+  std::optional<ListSplice<project::ProjectSeam>> seams;
+  std::optional<ListSplice<project::ProjectAttachment>> attachments;
+  std::optional<ListSplice<project::ProjectButton>> buttons;
+  std::optional<ListSplice<project::ProjectElastic>> elastics;
+  std::optional<ListSplice<project::ProjectFold>> folds;
+  std::optional<ListSplice<project::ProjectCushion>> cushions;
+  std::optional<ListSplice<project::ProjectBody>> bodies;
 };
 
-using ProjectEdit = std::variant<PatternEdit, SetTexture, SetPhysical, RestoreLists>;
+using ProjectEdit = std::variant<edit::PatternEdit, SetTexture, SetPhysical, RestoreLists>;
 
 /// Edits of one call at most.
 inline constexpr std::size_t kMostEdits = 200;
 
 /// A JSON list of edits, each an object with its kind in "edit". `where` is the list's JSON pointer. Errors:
 /// edit.unknown, edit.too_many, and project.* as for a document.
-Result<std::vector<ProjectEdit>> read_edits(const JsonValue& list, const std::string& where);
+Result<std::vector<ProjectEdit>> read_edits(const json::JsonValue& list, const std::string& where);
 
 /// The list; read_edits gives the same edits back.
-JsonValue edits_json(std::span<const ProjectEdit> edits);
+json::JsonValue edits_json(std::span<const ProjectEdit> edits);
 
 /// The names of all edits, as they stand in "edit".
 std::vector<std::string> edit_names();
 
 /// The edits' format as JSON Schema: what proto/schema/edit.schema.json holds.
-JsonValue edit_schema();
+json::JsonValue edit_schema();
 
 /// The edit that makes `now` what `wanted` is. REQUIRES projects that differ in the lists of RestoreLists
 /// alone.
-ProjectEdit edit_between(const Project& now, const Project& wanted);
+ProjectEdit edit_between(const project::Project& now, const project::Project& wanted);
 
 struct EditedProject {
-  Project project;
+  project::Project project;
   std::string document;              ///< its text, one line
   std::vector<ProjectEdit> inverse;  ///< gives the project of before, every value the same
 };
@@ -84,9 +84,9 @@ struct EditedProject {
 /// edit.unknown_fabric, with "/edits/2" first in `where`; and those of reading and resolving the document
 /// that comes out, with
 /// "/edits" first.
-Result<EditedProject> apply_edits(const Project& project, std::span<const ProjectEdit> edits,
-                                  OpenedFiles& files);
-Result<EditedProject> apply_edits(const Project& project, std::span<const ProjectEdit> edits,
-                                  const ProjectFiles& files);
+Result<EditedProject> apply_edits(const project::Project& project, std::span<const ProjectEdit> edits,
+                                  resolve::OpenedFiles& files);
+Result<EditedProject> apply_edits(const project::Project& project, std::span<const ProjectEdit> edits,
+                                  const resolve::ProjectFiles& files);
 
-}  // namespace toile
+}  // namespace toile::editing

@@ -6,7 +6,7 @@
 #include "core/project/editing/edits.h"
 #include "core/project/fields.h"
 
-namespace toile::fields {
+namespace toile::editing::fields {
 
 inline constexpr Range kFraction{0, 1};
 inline constexpr Range kIndex{0, 1e6};
@@ -20,7 +20,7 @@ void describe_edge(Visitor& v, Edit& edit,
 }
 
 template <typename Visitor>
-void describe(Visitor& v, MovePoint& edit) {
+void describe(Visitor& v, edit::MovePoint& edit) {
   v.object("move_point",
            "Moves a point of an outline; handles beside it move along, straight curves stay straight.");
   describe_edge(v, edit);
@@ -31,7 +31,7 @@ void describe(Visitor& v, MovePoint& edit) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, MoveHandle& edit) {
+void describe(Visitor& v, edit::MoveHandle& edit) {
   v.object("move_handle", "Moves a handle of a curve.");
   describe_edge(v, edit);
   v.field("curve", edit.curve, "Of the edge, from 0.", Need::kRequired, kIndex);
@@ -40,7 +40,7 @@ void describe(Visitor& v, MoveHandle& edit) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, InsertPoint& edit) {
+void describe(Visitor& v, edit::InsertPoint& edit) {
   v.object("insert_point", "Parts a curve in two that look the same.");
   describe_edge(v, edit);
   v.field("at", edit.at, "Fraction of the edge's length, in the outline's direction.", Need::kRequired,
@@ -48,7 +48,7 @@ void describe(Visitor& v, InsertPoint& edit) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, DeletePoint& edit) {
+void describe(Visitor& v, edit::DeletePoint& edit) {
   v.object("delete_point", "Makes one curve of the two beside a point within an edge.");
   describe_edge(v, edit);
   v.field("point", edit.point, "Joint of the edge's curves, neither its start nor its end.", Need::kRequired,
@@ -56,7 +56,7 @@ void describe(Visitor& v, DeletePoint& edit) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, SplitEdge& edit) {
+void describe(Visitor& v, edit::SplitEdge& edit) {
   v.object("split_edge", "Parts an edge in two. What was sewn stays sewn.");
   describe_edge(v, edit);
   v.field("at", edit.at, "Fraction of the edge's length; a joint of its curves within 0.01 mm is taken.",
@@ -65,7 +65,7 @@ void describe(Visitor& v, SplitEdge& edit) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, JoinEdges& edit) {
+void describe(Visitor& v, edit::JoinEdges& edit) {
   v.object(
       "join_edges",
       "Makes one edge, under the first one's id, of two that follow each other. What was sewn stays sewn.");
@@ -74,7 +74,7 @@ void describe(Visitor& v, JoinEdges& edit) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, StraightenEdge& edit) {
+void describe(Visitor& v, edit::StraightenEdge& edit) {
   v.object("straighten_edge", "Makes a curve straight, or the whole edge one straight line.");
   describe_edge(v, edit);
   v.field("curve", edit.curve, "Of the edge, from 0. Default -1: the whole edge.", Need::kOptional,
@@ -82,7 +82,7 @@ void describe(Visitor& v, StraightenEdge& edit) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, BendEdge& edit) {
+void describe(Visitor& v, edit::BendEdge& edit) {
   v.object("bend_edge", "Gives a curve both its handles.");
   describe_edge(v, edit);
   v.field("curve", edit.curve, "Of the edge, from 0.", Need::kRequired, kIndex);
@@ -91,7 +91,7 @@ void describe(Visitor& v, BendEdge& edit) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, SetEdgeLength& edit) {
+void describe(Visitor& v, edit::SetEdgeLength& edit) {
   v.object("set_edge_length", "Scales the edge to a length; the edges beside it follow.");
   describe_edge(v, edit);
   v.field("length_mm", edit.length_mm, "mm, along its curves.", Need::kRequired, Range{0.1, 1e5});
@@ -99,20 +99,20 @@ void describe(Visitor& v, SetEdgeLength& edit) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, MirrorPiece& edit) {
+void describe(Visitor& v, edit::MirrorPiece& edit) {
   v.object("mirror_piece", "Turns the piece over, about the upright middle line of its box.");
   v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
 }
 
 template <typename Visitor>
-void describe(Visitor& v, RotateGrain& edit) {
+void describe(Visitor& v, edit::RotateGrain& edit) {
   v.object("rotate_grain", "Turns the direction of the warp.");
   v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
   v.field("angle", edit.angle, "Degrees, counter-clockwise.", Need::kRequired, Range{-360, 360});
 }
 
 template <typename Visitor>
-void describe(Visitor& v, AddLine& edit) {
+void describe(Visitor& v, edit::AddLine& edit) {
   v.object("add_line", "Draws a line on the piece.");
   v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
   v.field("id", edit.line.id, "Unique within the piece.", Need::kRequired);
@@ -122,14 +122,14 @@ void describe(Visitor& v, AddLine& edit) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, RemoveLine& edit) {
+void describe(Visitor& v, edit::RemoveLine& edit) {
   v.object("remove_line", "Takes a line away.");
   v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
   v.field("line", edit.line, "Id of the line.", Need::kRequired);
 }
 
 template <typename Visitor>
-void describe(Visitor& v, AddNotch& edit) {
+void describe(Visitor& v, edit::AddNotch& edit) {
   v.object("add_notch", "Marks a place on an edge, with a cut into the cloth; the edge gets a point there.");
   describe_edge(v, edit, "Id of one of its edges.");
   v.field("at", edit.at, "Fraction of the edge's length, in the outline's direction.", Need::kRequired,
@@ -138,7 +138,7 @@ void describe(Visitor& v, AddNotch& edit) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, MoveNotch& edit) {
+void describe(Visitor& v, edit::MoveNotch& edit) {
   v.object("move_notch", "Moves a notch to a place on any edge of its piece.");
   v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
   v.field("notch", edit.notch, "Which one, from 0, in the piece's order.", Need::kRequired, kIndex);
@@ -150,14 +150,14 @@ void describe(Visitor& v, MoveNotch& edit) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, RemoveNotch& edit) {
+void describe(Visitor& v, edit::RemoveNotch& edit) {
   v.object("remove_notch", "Takes a notch away, and its point where the edge looks the same without it.");
   v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
   v.field("notch", edit.notch, "Which one, from 0, in the piece's order.", Need::kRequired, kIndex);
 }
 
 template <typename Visitor>
-void describe(Visitor& v, AddDart& edit) {
+void describe(Visitor& v, edit::AddDart& edit) {
   v.object(
       "add_dart",
       "Cuts a wedge into an edge and sews its legs together. What was sewn stays sewn on both sides of it.");
@@ -170,7 +170,7 @@ void describe(Visitor& v, AddDart& edit) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, AddInnerDart& edit) {
+void describe(Visitor& v, edit::AddInnerDart& edit) {
   v.object("add_inner_dart",
            "Cuts a fish-eye dart, a diamond within the cloth, and sews its sides together.");
   v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
@@ -183,14 +183,14 @@ void describe(Visitor& v, AddInnerDart& edit) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, RenameEdge& edit) {
+void describe(Visitor& v, edit::RenameEdge& edit) {
   v.object("rename_edge", "Gives an edge another name; seams and all else that names it follow.");
   describe_edge(v, edit);
   v.field("to", edit.to, "Its new id, that no edge or line of the piece has.", Need::kRequired);
 }
 
 template <typename Visitor>
-void describe(Visitor& v, RemoveDart& edit) {
+void describe(Visitor& v, edit::RemoveDart& edit) {
   v.object("remove_dart",
            "Takes a dart away: by a straight line over its mouth, or with its hole where it lies within the "
            "cloth.");
@@ -198,7 +198,7 @@ void describe(Visitor& v, RemoveDart& edit) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, DrawnEdge& edge) {
+void describe(Visitor& v, edit::DrawnEdge& edge) {
   v.object("edge", "A run of the outline between two corners: what seams and attachments name.");
   v.field("id", edge.id, "Unique within its piece, and stable when the outline is edited.", Need::kRequired);
   v.field("points", edge.points,
@@ -210,34 +210,34 @@ void describe(Visitor& v, DrawnEdge& edge) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, AddHole& edit) {
+void describe(Visitor& v, edit::AddHole& edit) {
   v.object("add_hole", "Cuts a hole.");
   v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
   v.field("edges", edit.edges, "Its edges in order, either way round.", Need::kRequired, kSome);
 }
 
 template <typename Visitor>
-void describe(Visitor& v, RemoveHole& edit) {
+void describe(Visitor& v, edit::RemoveHole& edit) {
   v.object("remove_hole", "Fills a hole; seams of its edges go.");
   describe_edge(v, edit, "Id of one of its edges.");
 }
 
 template <typename Visitor>
-void describe(Visitor& v, MovePiece& edit) {
+void describe(Visitor& v, edit::MovePiece& edit) {
   v.object("move_piece", "Moves a piece in its drawing. In space it stays where it stands.");
   v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
   v.field("by", edit.by, "mm.", Need::kRequired, kLength);
 }
 
 template <typename Visitor>
-void describe(Visitor& v, RenamePiece& edit) {
+void describe(Visitor& v, edit::RenamePiece& edit) {
   v.object("rename_piece", "Gives a piece another id, wherever it is named.");
   v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
   v.field("to", edit.to, "The new id.", Need::kRequired);
 }
 
 template <typename Visitor>
-void describe(Visitor& v, DuplicatePiece& edit) {
+void describe(Visitor& v, edit::DuplicatePiece& edit) {
   v.object("duplicate_piece", "Adds a copy at the end of the list, without seams.");
   v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
   v.field("id", edit.id, "Of the copy.", Need::kRequired);
@@ -247,13 +247,13 @@ void describe(Visitor& v, DuplicatePiece& edit) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, DeletePiece& edit) {
+void describe(Visitor& v, edit::DeletePiece& edit) {
   v.object("delete_piece", "Removes a piece, its part of all seams, and what is on it.");
   v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
 }
 
 template <typename Visitor>
-void describe(Visitor& v, NamedSeamEdge& edge) {
+void describe(Visitor& v, edit::NamedSeamEdge& edge) {
   v.object("seam_edge", "An edge of a piece, or a part of one.");
   describe_edge(v, edge, "Id of one of its edges.");
   v.field("reversed", edge.reversed, "Traversed against the outline's own direction. Default false.");
@@ -265,7 +265,7 @@ void describe(Visitor& v, NamedSeamEdge& edge) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, AddSeam& edit) {
+void describe(Visitor& v, edit::AddSeam& edit) {
   v.object("add_seam", "Sews two series of edges together.");
   v.field("id", edit.id, "Unique among the seams.", Need::kRequired);
   v.field("a", edit.a, "One side.", Need::kRequired, kSome);
@@ -275,19 +275,19 @@ void describe(Visitor& v, AddSeam& edit) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, RemoveSeam& edit) {
+void describe(Visitor& v, edit::RemoveSeam& edit) {
   v.object("remove_seam", "Takes a seam away.");
   v.field("seam", edit.seam, "Its id.", Need::kRequired);
 }
 
 template <typename Visitor>
-void describe(Visitor& v, ReverseSeam& edit) {
+void describe(Visitor& v, edit::ReverseSeam& edit) {
   v.object("reverse_seam", "Turns the direction of a seam over.");
   v.field("seam", edit.seam, "Its id.", Need::kRequired);
 }
 
 template <typename Visitor>
-void describe(Visitor& v, SetFabric& edit) {
+void describe(Visitor& v, edit::SetFabric& edit) {
   v.object("set_fabric", "Cuts a piece of another fabric.");
   v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
   v.field("fabric", edit.fabric, "Id of a fabric.", Need::kRequired);
@@ -336,42 +336,42 @@ struct NamedEdit {
 
 /// Every edit under the name that stands in "edit".
 inline constexpr auto kEditNames = std::tuple{
-    NamedEdit<MovePoint>{"move_point"},
-    NamedEdit<MoveHandle>{"move_handle"},
-    NamedEdit<InsertPoint>{"insert_point"},
-    NamedEdit<DeletePoint>{"delete_point"},
-    NamedEdit<SplitEdge>{"split_edge"},
-    NamedEdit<JoinEdges>{"join_edges"},
-    NamedEdit<StraightenEdge>{"straighten_edge"},
-    NamedEdit<BendEdge>{"bend_edge"},
-    NamedEdit<SetEdgeLength>{"set_edge_length"},
-    NamedEdit<MirrorPiece>{"mirror_piece"},
-    NamedEdit<RotateGrain>{"rotate_grain"},
-    NamedEdit<AddLine>{"add_line"},
-    NamedEdit<RemoveLine>{"remove_line"},
-    NamedEdit<AddDart>{"add_dart"},
-    NamedEdit<AddInnerDart>{"add_inner_dart"},
-    NamedEdit<RenameEdge>{"rename_edge"},
-    NamedEdit<RemoveDart>{"remove_dart"},
-    NamedEdit<AddHole>{"add_hole"},
-    NamedEdit<RemoveHole>{"remove_hole"},
-    NamedEdit<MovePiece>{"move_piece"},
-    NamedEdit<RenamePiece>{"rename_piece"},
-    NamedEdit<DuplicatePiece>{"duplicate_piece"},
-    NamedEdit<DeletePiece>{"delete_piece"},
-    NamedEdit<AddSeam>{"add_seam"},
-    NamedEdit<RemoveSeam>{"remove_seam"},
-    NamedEdit<ReverseSeam>{"reverse_seam"},
-    NamedEdit<SetFabric>{"set_fabric"},
+    NamedEdit<edit::MovePoint>{"move_point"},
+    NamedEdit<edit::MoveHandle>{"move_handle"},
+    NamedEdit<edit::InsertPoint>{"insert_point"},
+    NamedEdit<edit::DeletePoint>{"delete_point"},
+    NamedEdit<edit::SplitEdge>{"split_edge"},
+    NamedEdit<edit::JoinEdges>{"join_edges"},
+    NamedEdit<edit::StraightenEdge>{"straighten_edge"},
+    NamedEdit<edit::BendEdge>{"bend_edge"},
+    NamedEdit<edit::SetEdgeLength>{"set_edge_length"},
+    NamedEdit<edit::MirrorPiece>{"mirror_piece"},
+    NamedEdit<edit::RotateGrain>{"rotate_grain"},
+    NamedEdit<edit::AddLine>{"add_line"},
+    NamedEdit<edit::RemoveLine>{"remove_line"},
+    NamedEdit<edit::AddDart>{"add_dart"},
+    NamedEdit<edit::AddInnerDart>{"add_inner_dart"},
+    NamedEdit<edit::RenameEdge>{"rename_edge"},
+    NamedEdit<edit::RemoveDart>{"remove_dart"},
+    NamedEdit<edit::AddHole>{"add_hole"},
+    NamedEdit<edit::RemoveHole>{"remove_hole"},
+    NamedEdit<edit::MovePiece>{"move_piece"},
+    NamedEdit<edit::RenamePiece>{"rename_piece"},
+    NamedEdit<edit::DuplicatePiece>{"duplicate_piece"},
+    NamedEdit<edit::DeletePiece>{"delete_piece"},
+    NamedEdit<edit::AddSeam>{"add_seam"},
+    NamedEdit<edit::RemoveSeam>{"remove_seam"},
+    NamedEdit<edit::ReverseSeam>{"reverse_seam"},
+    NamedEdit<edit::SetFabric>{"set_fabric"},
     NamedEdit<SetTexture>{"set_texture"},
     NamedEdit<SetPhysical>{"set_physical"},
     NamedEdit<RestoreLists>{"restore"},
-    NamedEdit<AddNotch>{"add_notch"},
-    NamedEdit<MoveNotch>{"move_notch"},
-    NamedEdit<RemoveNotch>{"remove_notch"},
+    NamedEdit<edit::AddNotch>{"add_notch"},
+    NamedEdit<edit::MoveNotch>{"move_notch"},
+    NamedEdit<edit::RemoveNotch>{"remove_notch"},
 };
 
 static_assert(std::tuple_size_v<decltype(kEditNames)> ==
-              std::variant_size_v<PatternEdit> + std::variant_size_v<ProjectEdit> - 1);
+              std::variant_size_v<edit::PatternEdit> + std::variant_size_v<ProjectEdit> - 1);
 
-}  // namespace toile::fields
+}  // namespace toile::editing::fields

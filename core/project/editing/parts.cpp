@@ -8,7 +8,7 @@
 #include "core/base/units.h"
 #include "core/sewing/placement.h"
 
-namespace toile {
+namespace toile::editing {
 namespace {
 
 using Ids = std::vector<std::string>;
@@ -16,10 +16,10 @@ using Ids = std::vector<std::string>;
 bool has(const Ids& ids, const std::string& id) { return std::find(ids.begin(), ids.end(), id) != ids.end(); }
 
 /// Whether the part has become one with another that keeps its own name.
-bool is_joined(const RenamedPart& part) { return part.now.size() == 1 && part.now[0] != part.was; }
+bool is_joined(const edit::RenamedPart& part) { return part.now.size() == 1 && part.now[0] != part.was; }
 
 /// The ids with those of `part` in the place of the one that was, none twice.
-void rename(Ids& ids, const RenamedPart& part) {
+void rename(Ids& ids, const edit::RenamedPart& part) {
   Ids now;
   const auto add = [&](const std::string& id) {
     if (!has(now, id)) now.push_back(id);
@@ -37,10 +37,10 @@ void rename(Ids& ids, const RenamedPart& part) {
 /// Follows the names in the lists of `things` on the edited piece. What was on parts that are all gone goes;
 /// what never named a part is on the whole piece, and stays.
 template <typename Thing>
-Status follow_names(std::vector<Thing>& things, Ids Thing::*ids, const EditEffect& effect, const char* kind) {
+Status follow_names(std::vector<Thing>& things, Ids Thing::*ids, const edit::EditEffect& effect, const char* kind) {
   for (const Thing& thing : things) {
     if (thing.piece != effect.was) continue;
-    for (const RenamedPart& part : effect.parts) {
+    for (const edit::RenamedPart& part : effect.parts) {
       if (!is_joined(part) || has(thing.*ids, part.was) == has(thing.*ids, part.now[0])) continue;
       return Error{"edit.in_use",
                    "Of the two edges only one is held by this; let it hold both or none first.",
@@ -49,14 +49,14 @@ Status follow_names(std::vector<Thing>& things, Ids Thing::*ids, const EditEffec
   }
   std::erase_if(things, [&](Thing& thing) {
     if (thing.piece != effect.was || (thing.*ids).empty()) return false;
-    for (const RenamedPart& part : effect.parts) rename(thing.*ids, part);
+    for (const edit::RenamedPart& part : effect.parts) rename(thing.*ids, part);
     return (thing.*ids).empty();
   });
   return {};
 }
 
 template <typename Thing>
-void follow_piece(std::vector<Thing>& things, const EditEffect& effect) {
+void follow_piece(std::vector<Thing>& things, const edit::EditEffect& effect) {
   std::erase_if(things, [&](Thing& thing) {
     if (thing.piece != effect.was) return false;
     thing.piece = effect.piece;
@@ -64,32 +64,32 @@ void follow_piece(std::vector<Thing>& things, const EditEffect& effect) {
   });
 }
 
-void follow_buttons(std::vector<ProjectButton>& buttons, const EditEffect& effect) {
-  const auto follow = [&](ProjectButtonPoint& point) {
+void follow_buttons(std::vector<project::ProjectButton>& buttons, const edit::EditEffect& effect) {
+  const auto follow = [&](project::ProjectButtonPoint& point) {
     if (point.piece != effect.was) return;
     point.piece = effect.piece;
-    if (effect.motion) point.at = moved(point.at, *effect.motion);
+    if (effect.motion) point.at = edit::moved(point.at, *effect.motion);
   };
-  for (ProjectButton& button : buttons) {
+  for (project::ProjectButton& button : buttons) {
     follow(button.a);
     follow(button.b);
   }
-  std::erase_if(buttons, [](const ProjectButton& b) { return b.a.piece.empty() || b.b.piece.empty(); });
+  std::erase_if(buttons, [](const project::ProjectButton& b) { return b.a.piece.empty() || b.b.piece.empty(); });
 }
 
-void follow_points(std::vector<ProjectAttachment>& attachments, const EditEffect& effect) {
+void follow_points(std::vector<project::ProjectAttachment>& attachments, const edit::EditEffect& effect) {
   if (!effect.motion) return;
-  for (ProjectAttachment& attachment : attachments) {
+  for (project::ProjectAttachment& attachment : attachments) {
     if (attachment.piece != effect.was) continue;
-    for (Vec2& at : attachment.points) at = moved(at, *effect.motion);
+    for (Vec2& at : attachment.points) at = edit::moved(at, *effect.motion);
   }
 }
 
 /// A cushion with a wall less is none.
-void follow_cushions(std::vector<ProjectCushion>& cushions, const EditEffect& effect) {
-  for (ProjectCushion& cushion : cushions)
+void follow_cushions(std::vector<project::ProjectCushion>& cushions, const edit::EditEffect& effect) {
+  for (project::ProjectCushion& cushion : cushions)
     std::replace(cushion.pieces.begin(), cushion.pieces.end(), effect.was, effect.piece);
-  std::erase_if(cushions, [](const ProjectCushion& cushion) { return has(cushion.pieces, ""); });
+  std::erase_if(cushions, [](const project::ProjectCushion& cushion) { return has(cushion.pieces, ""); });
 }
 
 template <typename T>
@@ -118,11 +118,11 @@ Status put_back(std::vector<T>& list, const std::optional<ListSplice<T>>& given,
 
 }  // namespace
 
-Status follow_parts(Project& project, const EditEffect& effect) {
+Status follow_parts(project::Project& project, const edit::EditEffect& effect) {
   if (effect.was.empty()) return {};
-  TRY(follow_names(project.attachments, &ProjectAttachment::edges, effect, "attachment"));
-  TRY(follow_names(project.elastics, &ProjectElastic::lines, effect, "elastic"));
-  TRY(follow_names(project.folds, &ProjectFold::lines, effect, "fold"));
+  TRY(follow_names(project.attachments, &project::ProjectAttachment::edges, effect, "attachment"));
+  TRY(follow_names(project.elastics, &project::ProjectElastic::lines, effect, "elastic"));
+  TRY(follow_names(project.folds, &project::ProjectFold::lines, effect, "fold"));
   follow_points(project.attachments, effect);
   follow_piece(project.attachments, effect);
   follow_piece(project.elastics, effect);
@@ -132,7 +132,7 @@ Status follow_parts(Project& project, const EditEffect& effect) {
   return {};
 }
 
-void stay_in_space(ProjectPiece& piece, Vec2 by) {
+void stay_in_space(project::ProjectPiece& piece, Vec2 by) {
   if (piece.placement.wrapped) {
     piece.placement.wrapped->anchor = piece.placement.wrapped->anchor + by;
     return;
@@ -142,23 +142,23 @@ void stay_in_space(ProjectPiece& piece, Vec2 by) {
     if (anchor && *anchor) *anchor = **anchor + by;  // without an anchor the piece's middle stays where it is
   }
   if (!piece.placement.rigid) return;
-  ProjectRigid& given = *piece.placement.rigid;
-  RigidPlacement rigid;
+  project::ProjectRigid& given = *piece.placement.rigid;
+  sewing::RigidPlacement rigid;
   rigid.rotation = {radians_from_degrees(given.rotation.x), radians_from_degrees(given.rotation.y),
                     radians_from_degrees(given.rotation.z)};
   rigid.flipped = given.flipped;
   const Vec2 shift{metres_from_mm(by.x), metres_from_mm(by.y)};
-  given.translation = given.translation - place({shift}, rigid).front();
+  given.translation = given.translation - sewing::place({shift}, rigid).front();
 }
 
-RestoreLists difference(const Project& now, const Project& wanted) {
+RestoreLists difference(const project::Project& now, const project::Project& wanted) {
   return {splice(now.pieces, wanted.pieces),           splice(now.seams, wanted.seams),
           splice(now.attachments, wanted.attachments), splice(now.buttons, wanted.buttons),
           splice(now.elastics, wanted.elastics),       splice(now.folds, wanted.folds),
           splice(now.cushions, wanted.cushions),       splice(now.bodies, wanted.bodies)};
 }
 
-Status restore(Project& project, const RestoreLists& edit) {
+Status restore(project::Project& project, const RestoreLists& edit) {
   TRY(put_back(project.pieces, edit.pieces, "pieces"));
   TRY(put_back(project.seams, edit.seams, "seams"));
   TRY(put_back(project.attachments, edit.attachments, "attachments"));
@@ -169,4 +169,4 @@ Status restore(Project& project, const RestoreLists& edit) {
   return put_back(project.bodies, edit.bodies, "bodies");
 }
 
-}  // namespace toile
+}  // namespace toile::editing

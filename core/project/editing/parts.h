@@ -6,18 +6,18 @@
 #include "core/project/editing/edits.h"
 #include "core/project/project.h"
 
-namespace toile {
+namespace toile::editing {
 
 /// Attachments, buttons, elastics, folds and cushions after an edit of the pattern. Error: edit.in_use.
-Status follow_parts(Project& project, const EditEffect& effect);
+Status follow_parts(project::Project& project, const edit::EditEffect& effect);
 
 /// Keeps the piece where it stands in space after its flat points have been shifted, mm.
-void stay_in_space(ProjectPiece& piece, Vec2 by);
+void stay_in_space(project::ProjectPiece& piece, Vec2 by);
 
 /// What to do to `now` to get the lists of `wanted`. REQUIRES projects that differ in these lists alone.
-RestoreLists difference(const Project& now, const Project& wanted);
+RestoreLists difference(const project::Project& now, const project::Project& wanted);
 
 /// Error: edit.out_of_range when a list is shorter than that.
-Status restore(Project& project, const RestoreLists& edit);
+Status restore(project::Project& project, const RestoreLists& edit);
 
-}  // namespace toile
+}  // namespace toile::editing

@@ -12,7 +12,7 @@
 #include "core/json/tree.h"
 #include "core/project/resolve/pieces.h"
 
-namespace toile {
+namespace toile::resolve {
 
 namespace {
 
@@ -32,8 +32,8 @@ Vec3 snapped(Vec3 p) {
           std::nearbyint(p.z * kGrid) / kGrid};
 }
 
-WrappedPlacement wrapped_of(const ProjectWrapped& given) {
-  WrappedPlacement wrapped;
+sewing::WrappedPlacement wrapped_of(const project::ProjectWrapped& given) {
+  sewing::WrappedPlacement wrapped;
   wrapped.axis = {given.axis.x, given.axis_height, given.axis.y};
   wrapped.radius = given.radius;
   wrapped.angle = radians_from_degrees(given.angle);
@@ -46,24 +46,24 @@ WrappedPlacement wrapped_of(const ProjectWrapped& given) {
   return wrapped;
 }
 
-BoxSide side_named(const std::string& name) {
-  if (name == "back") return BoxSide::kBack;
-  if (name == "left") return BoxSide::kLeft;
-  return name == "right" ? BoxSide::kRight : BoxSide::kFront;
+arrange::BoxSide side_named(const std::string& name) {
+  if (name == "back") return arrange::BoxSide::kBack;
+  if (name == "left") return arrange::BoxSide::kLeft;
+  return name == "right" ? arrange::BoxSide::kRight : arrange::BoxSide::kFront;
 }
 
 /// Corners and handles of the outline, m: its curves lie within them.
-std::vector<Vec2> hull_of(const Panel& panel) {
+std::vector<Vec2> hull_of(const pattern::Panel& panel) {
   std::vector<Vec2> points;
-  for (const PanelEdge& edge : panel.outline.edges) {
-    for (const CubicBezier& curve : edge.curves) {
+  for (const pattern::PanelEdge& edge : panel.outline.edges) {
+    for (const pattern::CubicBezier& curve : edge.curves) {
       for (const Vec2 p : {curve.p0, curve.p1, curve.p2, curve.p3}) points.push_back(metres(p));
     }
   }
   return points;
 }
 
-OnBox where_on_box(const std::string& side, Vec2 at, double away, double turn,
+arrange::OnBox where_on_box(const std::string& side, Vec2 at, double away, double turn,
                    const std::optional<Vec2>& anchor, bool flipped, const std::vector<Vec2>& hull) {
   return {side_named(side),
           at,
@@ -75,31 +75,31 @@ OnBox where_on_box(const std::string& side, Vec2 at, double away, double turn,
 
 }  // namespace
 
-BodyPlaces::BodyPlaces(const Project& project, std::span<const Body> bodies)
+BodyPlaces::BodyPlaces(const project::Project& project, std::span<const body::Body> bodies)
     : project_(project), bodies_(bodies), known_(bodies.size()) {}
 
-const BodyFigure* BodyPlaces::figure_of(Index body) {
-  std::optional<Result<BodyFigure>>& figure = known_[body].figure;
-  if (!figure) figure = find_figure(bodies_[body].mesh);
+const measure::BodyFigure* BodyPlaces::figure_of(Index body) {
+  std::optional<Result<measure::BodyFigure>>& figure = known_[body].figure;
+  if (!figure) figure = measure::find_figure(bodies_[body].mesh);
   return figure->ok() ? &**figure : nullptr;
 }
 
-const Result<std::vector<Landmark>>& BodyPlaces::landmarks_of(Index body) {
-  std::optional<Result<std::vector<Landmark>>>& known = known_[body].landmarks;
+const Result<std::vector<measure::Landmark>>& BodyPlaces::landmarks_of(Index body) {
+  std::optional<Result<std::vector<measure::Landmark>>>& known = known_[body].landmarks;
   if (known) return *known;
-  std::vector<OwnLandmark> own;
-  for (const ProjectLandmark& given : project_.bodies[static_cast<std::size_t>(body)].landmarks) {
+  std::vector<measure::OwnLandmark> own;
+  for (const project::ProjectLandmark& given : project_.bodies[static_cast<std::size_t>(body)].landmarks) {
     constexpr std::array<double, 3> kMiddle{1.0 / 3, 1.0 / 3, 1.0 / 3};
     Vec3 offset = given.offset_mm.value_or(Vec3{}) * 1e-3;
-    if (const BodyFigure* figure = figure_of(body); figure && given.body_height_mm)
+    if (const measure::BodyFigure* figure = figure_of(body); figure && given.body_height_mm)
       offset = offset * (figure->height() / (*given.body_height_mm * 1e-3));
     own.push_back(
         {given.name, {given.triangle.value_or(kNone), given.share.value_or(kMiddle)}, given.near, offset});
   }
-  const TriangleMesh& mesh = bodies_[body].mesh;
-  std::vector<Landmark> landmarks;
-  if (const BodyFigure* figure = figure_of(body)) landmarks = find_landmarks(mesh, *figure);
-  if (Status added = add_own_landmarks(mesh, own, landmarks); !added) {
+  const geometry::TriangleMesh& mesh = bodies_[body].mesh;
+  std::vector<measure::Landmark> landmarks;
+  if (const measure::BodyFigure* figure = figure_of(body)) landmarks = measure::find_landmarks(mesh, *figure);
+  if (Status added = measure::add_own_landmarks(mesh, own, landmarks); !added) {
     known = added.error();
   } else {
     known = std::move(landmarks);
@@ -109,18 +109,18 @@ const Result<std::vector<Landmark>>& BodyPlaces::landmarks_of(Index body) {
 
 Status BodyPlaces::check_landmarks() {
   for (std::size_t b = 0; b < project_.bodies.size(); ++b) {
-    const ProjectBody& body = project_.bodies[b];
-    const std::string list = pointer_to(pointer_to("/bodies", b), "landmarks");
+    const project::ProjectBody& body = project_.bodies[b];
+    const std::string list = json::pointer_to(json::pointer_to("/bodies", b), "landmarks");
     for (std::size_t i = 0; i < body.landmarks.size(); ++i) {
       if (!body.mannequin || !body.landmarks[i].triangle) continue;
       return Error{
           "landmark.of_mannequin",
           "the triangles of a mannequin change with its measures; tell the landmark from another one "
           "with \"near\" and \"offset_mm\"",
-          pointer_to(pointer_to(list, i), "triangle")};
+          json::pointer_to(json::pointer_to(list, i), "triangle")};
     }
     if (body.landmarks.empty()) continue;
-    if (const auto& known = landmarks_of(static_cast<Index>(b)); !known) return error_at(list, known.error());
+    if (const auto& known = landmarks_of(static_cast<Index>(b)); !known) return json::error_at(list, known.error());
   }
   return {};
 }
@@ -135,32 +135,32 @@ Result<Index> BodyPlaces::standing(const std::string& id, const std::string& whe
     if (!why) why = known_[b].figure->error();
   }
   if (!id.empty() && !named) {
-    return Error{"project.unknown_body", "there is no body " + in_quotes(id), pointer_to(where, "body")};
+    return Error{"project.unknown_body", "there is no body " + in_quotes(id), json::pointer_to(where, "body")};
   }
-  if (why) return error_at(where, *why);
+  if (why) return json::error_at(where, *why);
   return Error{"project.no_body", "this is told by a body, and the project has none", where};
 }
 
-const PartBox& BodyPlaces::box_of(Index body, const std::string& part) {
-  std::optional<std::array<PartBox, kBodyParts>>& boxes = known_[body].boxes;
-  if (!boxes) boxes = part_boxes(bodies_[body].mesh, *figure_of(body));
+const measure::PartBox& BodyPlaces::box_of(Index body, const std::string& part) {
+  std::optional<std::array<measure::PartBox, measure::kBodyParts>>& boxes = known_[body].boxes;
+  if (!boxes) boxes = measure::part_boxes(bodies_[body].mesh, *figure_of(body));
   return *std::find_if(boxes->begin(), boxes->end(),
-                       [&](const PartBox& b) { return part == name_of(b.part); });
+                       [&](const measure::PartBox& b) { return part == measure::name_of(b.part); });
 }
 
-Result<Placement> BodyPlaces::on_box(const ProjectOnBox& given, const Panel& panel,
+Result<sewing::Placement> BodyPlaces::on_box(const project::ProjectOnBox& given, const pattern::Panel& panel,
                                      const std::string& where) {
   const Index body = TRY(standing(given.body, where));
-  const OnBox at =
+  const arrange::OnBox at =
       where_on_box(given.side, given.at, given.away, given.turn, given.anchor, given.flipped, hull_of(panel));
-  return Placement{on_box_side(box_of(body, given.part), at)};
+  return sewing::Placement{arrange::on_box_side(box_of(body, given.part), at)};
 }
 
-Result<Placement> BodyPlaces::around(const ProjectAround& given, const Panel& panel,
+Result<sewing::Placement> BodyPlaces::around(const project::ProjectAround& given, const pattern::Panel& panel,
                                      const std::string& where) {
   const Index body = TRY(standing(given.body, where));
   const std::vector<Vec2> hull = hull_of(panel);
-  const OnBox at =
+  const arrange::OnBox at =
       where_on_box(given.side, given.at, given.away, given.turn, given.anchor, given.flipped, hull);
   // What of the part lies under the piece, along the part.
   const double c = std::cos(at.turn), s = std::sin(at.turn);
@@ -170,28 +170,28 @@ Result<Placement> BodyPlaces::around(const ProjectAround& given, const Panel& pa
     low = std::min(low, up);
     high = std::max(high, up);
   }
-  const PartBox& box = box_of(body, given.part);
+  const measure::PartBox& box = box_of(body, given.part);
   const double radius =
-      radius_of_part(bodies_[body].mesh, *figure_of(body), box, at.at.y + low, at.at.y + high);
+      arrange::radius_of_part(bodies_[body].mesh, *figure_of(body), box, at.at.y + low, at.at.y + high);
   if (!(radius + at.away > 1e-3)) {
     return Error{"project.around_nothing",
                  "the body has nothing of this part where the piece would go around it", where};
   }
-  return Placement{around_box(box, at, radius, given.slope)};
+  return sewing::Placement{arrange::around_box(box, at, radius, given.slope)};
 }
 
-Result<Placement> BodyPlaces::placement(const ProjectPlacement& given, const Panel& panel,
+Result<sewing::Placement> BodyPlaces::placement(const project::ProjectPlacement& given, const pattern::Panel& panel,
                                         const std::string& where) {
   if (given.rigid) {
-    return Placement{
-        RigidPlacement{given.rigid->translation, radians(given.rigid->rotation), given.rigid->flipped}};
+    return sewing::Placement{
+        sewing::RigidPlacement{given.rigid->translation, radians(given.rigid->rotation), given.rigid->flipped}};
   }
-  if (given.wrapped) return Placement{wrapped_of(*given.wrapped)};
-  if (given.on_box) return on_box(*given.on_box, panel, pointer_to(where, "on_box"));
-  return around(*given.around, panel, pointer_to(where, "around"));
+  if (given.wrapped) return sewing::Placement{wrapped_of(*given.wrapped)};
+  if (given.on_box) return on_box(*given.on_box, panel, json::pointer_to(where, "on_box"));
+  return around(*given.around, panel, json::pointer_to(where, "around"));
 }
 
-Result<Index> BodyPlaces::bearer(const ProjectGoal& given, const std::string& where) {
+Result<Index> BodyPlaces::bearer(const project::ProjectGoal& given, const std::string& where) {
   std::vector<std::string> names;
   bool any = false;
   for (Index b = 0; b < static_cast<Index>(bodies_.size()); ++b) {
@@ -199,45 +199,45 @@ Result<Index> BodyPlaces::bearer(const ProjectGoal& given, const std::string& wh
     any = true;
     const auto& known = landmarks_of(b);
     if (!known) continue;  // check_landmarks says why
-    if (landmark_named(*known, given.landmark)) return b;
-    for (const Landmark& mark : *known) names.push_back(mark.name);
+    if (measure::landmark_named(*known, given.landmark)) return b;
+    for (const measure::Landmark& mark : *known) names.push_back(mark.name);
   }
   if (!any || names.empty()) return standing(given.body, where);
   return Error{"project.unknown_landmark",
                "there is no landmark " + in_quotes(given.landmark) + "; " + advice(given.landmark, names),
-               pointer_to(where, "landmark")};
+               json::pointer_to(where, "landmark")};
 }
 
-Result<std::vector<Vec3>> BodyPlaces::landmark_goal(const ProjectGoal& given, const std::string& where) {
+Result<std::vector<Vec3>> BodyPlaces::landmark_goal(const project::ProjectGoal& given, const std::string& where) {
   const Index body = TRY(bearer(given, where));
-  const TriangleMesh& mesh = bodies_[body].mesh;
-  const Landmark* mark = landmark_named(*landmarks_of(body), given.landmark);
+  const geometry::TriangleMesh& mesh = bodies_[body].mesh;
+  const measure::Landmark* mark = measure::landmark_named(*landmarks_of(body), given.landmark);
   const double away = bodies_[body].skin_offset + kClear;
-  return std::vector<Vec3>{snapped(mark->place + skin_normal(mark->at, mesh) * away)};
+  return std::vector<Vec3>{snapped(mark->place + measure::skin_normal(mark->at, mesh) * away)};
 }
 
-Result<std::vector<Vec3>> BodyPlaces::line_goal(const ProjectGoal& given, const std::string& where) {
-  const std::vector<std::string>& names = body_line_names();
+Result<std::vector<Vec3>> BodyPlaces::line_goal(const project::ProjectGoal& given, const std::string& where) {
+  const std::vector<std::string>& names = measure::body_line_names();
   if (std::find(names.begin(), names.end(), given.line) == names.end()) {
     return Error{"project.unknown_line",
                  "there is no line " + in_quotes(given.line) + " on a body; " + advice(given.line, names),
-                 pointer_to(where, "line")};
+                 json::pointer_to(where, "line")};
   }
   const Index body = TRY(standing(given.body, where));
   Result<std::vector<Vec3>> line =
-      body_line(bodies_[body].mesh, *figure_of(body), given.line, metres_from_mm(given.up_mm.value_or(0)),
+      measure::body_line(bodies_[body].mesh, *figure_of(body), given.line, metres_from_mm(given.up_mm.value_or(0)),
                 bodies_[body].skin_offset + kClear);
-  if (!line) return error_at(pointer_to(where, "line"), line.error());
+  if (!line) return json::error_at(json::pointer_to(where, "line"), line.error());
   for (Vec3& p : *line) p = snapped(p);
   return line;
 }
 
-Result<std::vector<Vec3>> BodyPlaces::goal(const ProjectGoal& given, const std::string& where) {
+Result<std::vector<Vec3>> BodyPlaces::goal(const project::ProjectGoal& given, const std::string& where) {
   if (given.up_mm && given.line.empty()) {
-    return Error{"project.two_ways", "only a line can be shifted up", pointer_to(where, "up_mm")};
+    return Error{"project.two_ways", "only a line can be shifted up", json::pointer_to(where, "up_mm")};
   }
   if (given.place) return std::vector<Vec3>{*given.place};
   return given.line.empty() ? landmark_goal(given, where) : line_goal(given, where);
 }
 
-}  // namespace toile
+}  // namespace toile::resolve

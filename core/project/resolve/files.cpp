@@ -12,7 +12,7 @@
 #include "core/json/tree.h"
 #include "core/pattern/dxf/read.h"
 
-namespace toile {
+namespace toile::resolve {
 namespace {
 
 namespace fs = std::filesystem;
@@ -54,13 +54,13 @@ Result<std::string> bytes_of(const fs::path& path, std::size_t limit, const char
 
 }  // namespace
 
-ProjectFiles files_in(const fs::path& folder, const MeshImporter& importer) {
+ProjectFiles files_in(const fs::path& folder, const mesh_import::MeshImporter& importer) {
   ProjectFiles files;
   files.dxf_text = [folder](const std::string& name) {
-    return bytes_of(folder / name, DxfSettings{}.max_bytes, "project.too_large");
+    return bytes_of(folder / name, dxf::DxfSettings{}.max_bytes, "project.too_large");
   };
   files.body_mesh = [folder, importer](const std::string& name,
-                                       const MeshSettings& settings) -> Result<RepairedMesh> {
+                                       const mesh_import::MeshSettings& settings) -> Result<mesh_import::RepairedMesh> {
     const fs::path path = folder / name;
     std::error_code failure;
     const std::uintmax_t bytes = fs::file_size(path, failure);
@@ -69,13 +69,13 @@ ProjectFiles files_in(const fs::path& folder, const MeshImporter& importer) {
   };
   files.image_bytes = [folder](const std::string& name) -> Result<std::string> {
     TRY(check_file_name(name));
-    return bytes_of(folder / name, PictureLimits{}.bytes, "image.too_large");
+    return bytes_of(folder / name, image::PictureLimits{}.bytes, "image.too_large");
   };
   return files;
 }
 
 Result<std::string> read_project_text(const fs::path& path) {
-  return bytes_of(path, JsonLimits{}.bytes, "json.too_large");
+  return bytes_of(path, json::JsonLimits{}.bytes, "json.too_large");
 }
 
-}  // namespace toile
+}  // namespace toile::resolve

@@ -6,7 +6,7 @@
 #include "core/json/tree.h"
 #include "core/project/bodies.h"
 
-namespace toile {
+namespace toile::resolve {
 namespace {
 
 std::optional<double> mm_per_unit(const std::string& unit) {
@@ -16,8 +16,8 @@ std::optional<double> mm_per_unit(const std::string& unit) {
   return std::nullopt;
 }
 
-MeshSettings mesh_settings(const ProjectBody& given) {
-  MeshSettings settings;
+mesh_import::MeshSettings mesh_settings(const project::ProjectBody& given) {
+  mesh_import::MeshSettings settings;
   if (given.unit == "m") settings.unit_in_m = 1;
   if (given.unit == "cm") settings.unit_in_m = 1e-2;
   if (given.unit == "mm") settings.unit_in_m = 1e-3;
@@ -34,37 +34,37 @@ Result<const std::string*> OpenedFiles::dxf_text(const std::string& name) {
   return &texts_.emplace(name, std::move(text)).first->second;
 }
 
-Result<const DxfDrawing*> OpenedFiles::drawing(const ProjectDxf& from) {
+Result<const dxf::DxfDrawing*> OpenedFiles::drawing(const project::ProjectDxf& from) {
   const std::array<std::string, 3> key{from.dxf, from.units, from.size};
   if (const auto kept = drawings_.find(key); kept != drawings_.end()) return &kept->second;
   TRY(check_file_name(from.dxf));
   const std::string* text = TRY(dxf_text(from.dxf));
-  DxfSettings settings;
+  dxf::DxfSettings settings;
   settings.mm_per_unit = mm_per_unit(from.units);
   if (!from.size.empty()) settings.size = from.size;
-  Result<DxfDrawing> drawing = read_dxf(*text, settings);
-  if (!drawing) return error_at(clipped(from.dxf), drawing.error());
+  Result<dxf::DxfDrawing> drawing = dxf::read_dxf(*text, settings);
+  if (!drawing) return json::error_at(clipped(from.dxf), drawing.error());
   return &drawings_.emplace(key, std::move(*drawing)).first->second;
 }
 
-Result<RepairedMesh> OpenedFiles::body_mesh(const ProjectBody& body) {
-  const MeshSettings settings = mesh_settings(body);
+Result<mesh_import::RepairedMesh> OpenedFiles::body_mesh(const project::ProjectBody& body) {
+  const mesh_import::MeshSettings settings = mesh_settings(body);
   const std::tuple key{body.file, settings.unit_in_m, settings.z_up};
   if (const auto kept = meshes_.find(key); kept != meshes_.end()) return kept->second;
-  RepairedMesh mesh = TRY(source_.body_mesh(body.file, settings));
+  mesh_import::RepairedMesh mesh = TRY(source_.body_mesh(body.file, settings));
   return meshes_.emplace(key, std::move(mesh)).first->second;
 }
 
-Result<TriangleMesh> OpenedFiles::mannequin(const ProjectMannequin& given) {
+Result<geometry::TriangleMesh> OpenedFiles::mannequin(const project::ProjectMannequin& given) {
   for (const auto& [made_for, mesh] : mannequins_)
     if (made_for == given) return mesh;
-  const MannequinSettings settings = TRY(mannequin_settings(given));
+  const mannequin::MannequinSettings settings = TRY(project::mannequin_settings(given));
   if (source_.mannequin) {
-    TriangleMesh mesh = TRY(source_.mannequin(settings));
+    geometry::TriangleMesh mesh = TRY(source_.mannequin(settings));
     return mannequins_.emplace_back(given, std::move(mesh)).second;
   }
-  Mannequin made = TRY(make_mannequin(settings));
+  mannequin::Mannequin made = TRY(mannequin::make_mannequin(settings));
   return mannequins_.emplace_back(given, std::move(made.mesh)).second;
 }
 
-}  // namespace toile
+}  // namespace toile::resolve

@@ -14,7 +14,7 @@
 #include "core/project/project.h"
 #include "core/project/resolve/files.h"
 
-namespace toile {
+namespace toile::resolve {
 
 /// Keeps what it has read, so that a document which is resolved again (before and after an edit) does not
 /// read its files again. What failed is asked for again. Not for several threads at once.
@@ -24,11 +24,11 @@ class OpenedFiles {
 
   /// In the unit and size that the piece asks for; the pointer holds as long as the object. Errors:
   /// project.path, dxf.*, and what the source gives.
-  Result<const DxfDrawing*> drawing(const ProjectDxf& from);
+  Result<const dxf::DxfDrawing*> drawing(const project::ProjectDxf& from);
   /// REQUIRES a body from a file, whose name has passed check_file_name. Errors: what the source gives.
-  Result<RepairedMesh> body_mesh(const ProjectBody& body);
+  Result<mesh_import::RepairedMesh> body_mesh(const project::ProjectBody& body);
   /// Errors: project.unknown_preset, mannequin.*, and what the source gives.
-  Result<TriangleMesh> mannequin(const ProjectMannequin& given);
+  Result<geometry::TriangleMesh> mannequin(const project::ProjectMannequin& given);
 
   /// For what is read but once: pictures.
   const ProjectFiles& source() const { return source_; }
@@ -38,9 +38,9 @@ class OpenedFiles {
 
   ProjectFiles source_;
   std::map<std::string, std::string> texts_;                              ///< of DXF files
-  std::map<std::array<std::string, 3>, DxfDrawing> drawings_;             ///< by file, unit, size
-  std::map<std::tuple<std::string, double, bool>, RepairedMesh> meshes_;  ///< by file, unit, whether z is up
-  std::vector<std::pair<ProjectMannequin, TriangleMesh>> mannequins_;
+  std::map<std::array<std::string, 3>, dxf::DxfDrawing> drawings_;             ///< by file, unit, size
+  std::map<std::tuple<std::string, double, bool>, mesh_import::RepairedMesh> meshes_;  ///< by file, unit, whether z is up
+  std::vector<std::pair<project::ProjectMannequin, geometry::TriangleMesh>> mannequins_;
 };
 
-}  // namespace toile
+}  // namespace toile::resolve

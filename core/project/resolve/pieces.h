@@ -10,17 +10,17 @@
 #include "core/project/resolve/opened_files.h"
 #include "core/sewing/notions.h"
 
-namespace toile {
+namespace toile::resolve {
 
 /// One panel per piece, in their order. Errors:
 /// project.unknown_piece (in the file), project.unknown_edge (in edge_names), project.path, dxf.*, pattern.*.
-Result<std::vector<Panel>> panels_of(const std::vector<ProjectPiece>& pieces, OpenedFiles& files);
+Result<std::vector<pattern::Panel>> panels_of(const std::vector<project::ProjectPiece>& pieces, OpenedFiles& files);
 
 /// The fabric as a piece has it.
-ProjectFabric with_physical(ProjectFabric fabric, const ProjectPhysical& own);
+project::ProjectFabric with_physical(project::ProjectFabric fabric, const project::ProjectPhysical& own);
 
 /// Makes lines that elastics or creases lie on ones that the mesh follows. Error: pattern.bad_line, where
 /// such a line does not lie in its piece; the notions' place in the document.
-Status follow_used_lines(const Notions& notions, Pattern& pattern);
+Status follow_used_lines(const sewing::Notions& notions, pattern::Pattern& pattern);
 
-}  // namespace toile
+}  // namespace toile::resolve

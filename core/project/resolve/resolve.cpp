@@ -15,7 +15,7 @@
 #include "core/project/resolve/body_places.h"
 #include "core/project/resolve/pieces.h"
 
-namespace toile {
+namespace toile::resolve {
 namespace {
 
 template <typename T>
@@ -34,12 +34,12 @@ Status check_unique(const std::vector<std::string>& ids, const std::string& list
     if (sorted[i].first.empty() || sorted[i].first != sorted[i - 1].first) continue;
     return Error{"project.duplicate_id",
                  "the id " + in_quotes(sorted[i].first) + " stands twice in this list",
-                 pointer_to(pointer_to(list, sorted[i].second), "id")};
+                 json::pointer_to(json::pointer_to(list, sorted[i].second), "id")};
   }
   return {};
 }
 
-Status check_ids(const Project& project) {
+Status check_ids(const project::Project& project) {
   for (const auto& [ids, list] :
        {std::pair{ids_of(project.pieces), "/pieces"}, std::pair{ids_of(project.fabrics), "/fabrics"},
         std::pair{ids_of(project.seams), "/seams"}, std::pair{ids_of(project.bodies), "/bodies"},
@@ -65,16 +65,16 @@ Vec3 radians(Vec3 degrees) {
   return {radians_from_degrees(degrees.x), radians_from_degrees(degrees.y), radians_from_degrees(degrees.z)};
 }
 
-Result<Fabric> fabric_of(const ProjectFabric& given, const std::string& where) {
+Result<material::Fabric> fabric_of(const project::ProjectFabric& given, const std::string& where) {
   // A negative eigenvalue of the stiffness would let the cloth gain energy by stretching.
   if (given.stretch_coupling_n_m * given.stretch_coupling_n_m >=
       given.stretch_warp_n_m * given.stretch_weft_n_m) {
     return Error{"project.unstable_fabric",
                  "stretch_coupling_n_m must be less than the root of stretch_warp_n_m times stretch_weft_n_m",
-                 pointer_to(where, "stretch_coupling_n_m")};
+                 json::pointer_to(where, "stretch_coupling_n_m")};
   }
   constexpr double kKilograms = 1e-3, kNewtonMetres = 1e-6;
-  Fabric fabric;
+  material::Fabric fabric;
   fabric.id = given.id;
   fabric.name = given.name;
   fabric.areal_mass = given.areal_mass_g_m2 * kKilograms;
@@ -95,13 +95,13 @@ Result<Fabric> fabric_of(const ProjectFabric& given, const std::string& where) {
 }
 
 /// A fabric more for each piece that has its own. REQUIRES `input` with the project's fabrics.
-Status add_own_fabrics(const Project& project, DrapeInput& input) {
+Status add_own_fabrics(const project::Project& project, drape::DrapeInput& input) {
   for (std::size_t i = 0; i < project.pieces.size(); ++i) {
-    const ProjectPiece& piece = project.pieces[i];
+    const project::ProjectPiece& piece = project.pieces[i];
     if (!piece.physical) continue;
-    const ProjectFabric& common = project.fabrics[static_cast<std::size_t>(input.fabric_of_panel[i])];
-    Result<Fabric> own =
-        fabric_of(with_physical(common, *piece.physical), pointer_to(pointer_to("/pieces", i), "physical"));
+    const project::ProjectFabric& common = project.fabrics[static_cast<std::size_t>(input.fabric_of_panel[i])];
+    Result<material::Fabric> own =
+        fabric_of(with_physical(common, *piece.physical), json::pointer_to(json::pointer_to("/pieces", i), "physical"));
     if (!own) return own.error();
     input.fabric_of_panel[i] = static_cast<Index>(input.fabrics.size());
     input.fabrics.push_back(std::move(*own));
@@ -109,12 +109,12 @@ Status add_own_fabrics(const Project& project, DrapeInput& input) {
   return {};
 }
 
-AirDrag air_of(const ProjectAir& given) {
+solver::constraints::AirDrag air_of(const project::ProjectAir& given) {
   return {given.density_kg_m3, given.drag_across, given.drag_along, given.wind_m_s};
 }
 
-DrapeSettings settings_of(const ProjectSettings& given) {
-  DrapeSettings settings;
+drape::DrapeSettings settings_of(const project::ProjectSettings& given) {
+  drape::DrapeSettings settings;
   settings.particle_distance = metres_from_mm(given.particle_distance_mm);
   settings.time_step = given.time_step_s;
   settings.gravity = given.gravity;
@@ -123,9 +123,9 @@ DrapeSettings settings_of(const ProjectSettings& given) {
   settings.max_time = given.max_time_s;
   settings.frame_interval = given.frame_interval_steps;
   const bool dynamic = given.mode == "dynamic";
-  settings.mode = dynamic ? DrapeMode::kDynamic : DrapeMode::kDrape;
+  settings.mode = dynamic ? drape::DrapeMode::kDynamic : drape::DrapeMode::kDrape;
   settings.until_settled = given.end.empty() ? !dynamic : given.end == "settled";
-  const ProjectAir still;
+  const project::ProjectAir still;
   if (given.air || dynamic) settings.air = air_of(given.air.value_or(still));
   return settings;
 }
@@ -144,16 +144,16 @@ Vec3 turned(Vec3 p, Vec3 angles) {
   return p;
 }
 
-Result<RepairedMesh> mesh_of(const ProjectBody& given, OpenedFiles& files, const std::string& where) {
+Result<mesh_import::RepairedMesh> mesh_of(const project::ProjectBody& given, OpenedFiles& files, const std::string& where) {
   if (given.mannequin) {
-    Result<TriangleMesh> mesh = files.mannequin(*given.mannequin);
-    if (!mesh) return error_at(pointer_to(where, "mannequin"), mesh.error());
-    return RepairedMesh{std::move(*mesh), {}};
+    Result<geometry::TriangleMesh> mesh = files.mannequin(*given.mannequin);
+    if (!mesh) return json::error_at(json::pointer_to(where, "mannequin"), mesh.error());
+    return mesh_import::RepairedMesh{std::move(*mesh), {}};
   }
-  const std::string place = pointer_to(where, "file");
-  if (Status name = check_file_name(given.file); !name) return error_at(place, name.error());
-  Result<RepairedMesh> mesh = files.body_mesh(given);
-  if (!mesh) return error_at(place, mesh.error());
+  const std::string place = json::pointer_to(where, "file");
+  if (Status name = check_file_name(given.file); !name) return json::error_at(place, name.error());
+  Result<mesh_import::RepairedMesh> mesh = files.body_mesh(given);
+  if (!mesh) return json::error_at(place, mesh.error());
   return mesh;
 }
 
@@ -162,15 +162,15 @@ bool is_near(Vec3 p) {
   return std::abs(p.x) <= kFar && std::abs(p.y) <= kFar && std::abs(p.z) <= kFar;
 }
 
-Result<Body> body_of(const ProjectBody& given, OpenedFiles& files, const std::string& where) {
-  RepairedMesh mesh = TRY(mesh_of(given, files, where));
-  Body body;
+Result<body::Body> body_of(const project::ProjectBody& given, OpenedFiles& files, const std::string& where) {
+  mesh_import::RepairedMesh mesh = TRY(mesh_of(given, files, where));
+  body::Body body;
   body.id = given.id;
   body.mesh = std::move(mesh.mesh);
   body.friction = given.friction;
   body.skin_offset = metres_from_mm(given.skin_offset_mm);
   body.restitution = given.restitution;
-  body.notes = repair_words(mesh.repairs);
+  body.notes = mesh_import::repair_words(mesh.repairs);
   const Vec3 angles = radians(given.rotation);
   for (Vec3& p : body.mesh.vertices) {
     p = turned(p * given.scale, angles) + given.translation;
@@ -186,10 +186,10 @@ Result<Body> body_of(const ProjectBody& given, OpenedFiles& files, const std::st
 /// Looks up pieces and edges by name.
 class Names {
  public:
-  explicit Names(const Pattern& pattern) : panels_(ids_of(pattern.panels)) {
-    for (const Panel& panel : pattern.panels) {
+  explicit Names(const pattern::Pattern& pattern) : panels_(ids_of(pattern.panels)) {
+    for (const pattern::Panel& panel : pattern.panels) {
       std::vector<std::string>& ids = edges_.emplace_back();
-      for (const PanelEdge* edge : edges_of(panel)) ids.push_back(edge->id);
+      for (const pattern::PanelEdge* edge : pattern::edges_of(panel)) ids.push_back(edge->id);
       lines_.push_back(ids_of(panel.lines));
     }
   }
@@ -225,68 +225,68 @@ class Names {
   std::vector<std::vector<std::string>> lines_;
 };
 
-Result<std::vector<SeamEdge>> series_of(const std::vector<ProjectSeamEdge>& given, const Names& names,
+Result<std::vector<pattern::SeamEdge>> series_of(const std::vector<project::ProjectSeamEdge>& given, const Names& names,
                                         const std::string& where) {
-  std::vector<SeamEdge> series;
+  std::vector<pattern::SeamEdge> series;
   for (std::size_t i = 0; i < given.size(); ++i) {
-    const std::string place = pointer_to(where, i);
-    const Index panel = TRY(names.panel(given[i].piece, pointer_to(place, "piece")));
-    const Index edge = TRY(names.edge(panel, given[i].edge, pointer_to(place, "edge")));
+    const std::string place = json::pointer_to(where, i);
+    const Index panel = TRY(names.panel(given[i].piece, json::pointer_to(place, "piece")));
+    const Index edge = TRY(names.edge(panel, given[i].edge, json::pointer_to(place, "edge")));
     series.push_back({panel, edge, given[i].reversed, given[i].from, given[i].to});
   }
   return series;
 }
 
-Result<Seam> seam_of(const ProjectSeam& given, const Names& names, const std::string& where) {
-  std::vector<SeamEdge> a = TRY(series_of(given.a, names, pointer_to(where, "a")));
-  std::vector<SeamEdge> b = TRY(series_of(given.b, names, pointer_to(where, "b")));
-  return Seam{given.id, std::move(a), std::move(b), given.same_direction};
+Result<pattern::Seam> seam_of(const project::ProjectSeam& given, const Names& names, const std::string& where) {
+  std::vector<pattern::SeamEdge> a = TRY(series_of(given.a, names, json::pointer_to(where, "a")));
+  std::vector<pattern::SeamEdge> b = TRY(series_of(given.b, names, json::pointer_to(where, "b")));
+  return pattern::Seam{given.id, std::move(a), std::move(b), given.same_direction};
 }
 
-Result<Attachment> attachment_of(const ProjectAttachment& given, const Names& names, BodyPlaces& places,
+Result<sewing::Attachment> attachment_of(const project::ProjectAttachment& given, const Names& names, BodyPlaces& places,
                                  const std::string& where) {
-  const Index panel = TRY(names.panel(given.piece, pointer_to(where, "piece")));
-  Attachment attachment;
+  const Index panel = TRY(names.panel(given.piece, json::pointer_to(where, "piece")));
+  sewing::Attachment attachment;
   attachment.id = given.id;
   attachment.panel = panel;
   for (std::size_t i = 0; i < given.edges.size(); ++i) {
-    const Index edge = TRY(names.edge(panel, given.edges[i], pointer_to(pointer_to(where, "edges"), i)));
+    const Index edge = TRY(names.edge(panel, given.edges[i], json::pointer_to(json::pointer_to(where, "edges"), i)));
     attachment.edges.push_back(edge);
   }
   for (const Vec2 p : given.points) attachment.points.push_back({metres_from_mm(p.x), metres_from_mm(p.y)});
   attachment.release_after = given.release_after_s;
-  attachment.hold = given.hold == "place" ? Attachment::Hold::kPlace : Attachment::Hold::kHeight;
+  attachment.hold = given.hold == "place" ? sewing::Attachment::Hold::kPlace : sewing::Attachment::Hold::kHeight;
   if (!given.to) return attachment;
   if (!given.hold.empty()) {
     return Error{"project.two_ways", "only one of \"hold\" or \"to\" may stand here",
-                 pointer_to(where, "hold")};
+                 json::pointer_to(where, "hold")};
   }
-  std::vector<Vec3> goal = TRY(places.goal(*given.to, pointer_to(where, "to")));
+  std::vector<Vec3> goal = TRY(places.goal(*given.to, json::pointer_to(where, "to")));
   if (goal.size() > 1 && given.edges.empty() && given.points.empty()) {
     return Error{"project.attached_whole",
                  "a whole piece cannot lie on a line; name the edges or points that do", where};
   }
-  attachment.hold = Attachment::Hold::kGoal;
+  attachment.hold = sewing::Attachment::Hold::kGoal;
   attachment.goal = std::move(goal);
   return attachment;
 }
 
-Result<PanelPoint> point_of(const ProjectButtonPoint& given, const Names& names, const std::string& where) {
-  const Index panel = TRY(names.panel(given.piece, pointer_to(where, "piece")));
-  return PanelPoint{panel, {metres_from_mm(given.at.x), metres_from_mm(given.at.y)}};
+Result<sewing::PanelPoint> point_of(const project::ProjectButtonPoint& given, const Names& names, const std::string& where) {
+  const Index panel = TRY(names.panel(given.piece, json::pointer_to(where, "piece")));
+  return sewing::PanelPoint{panel, {metres_from_mm(given.at.x), metres_from_mm(given.at.y)}};
 }
 
-Result<Button> button_of(const ProjectButton& given, const Names& names, const std::string& where) {
-  const PanelPoint a = TRY(point_of(given.a, names, pointer_to(where, "a")));
-  const PanelPoint b = TRY(point_of(given.b, names, pointer_to(where, "b")));
-  return Button{given.id, a, b, metres_from_mm(given.distance_mm)};
+Result<sewing::Button> button_of(const project::ProjectButton& given, const Names& names, const std::string& where) {
+  const sewing::PanelPoint a = TRY(point_of(given.a, names, json::pointer_to(where, "a")));
+  const sewing::PanelPoint b = TRY(point_of(given.b, names, json::pointer_to(where, "b")));
+  return sewing::Button{given.id, a, b, metres_from_mm(given.distance_mm)};
 }
 
-Result<Elastic> elastic_of(const ProjectElastic& given, const Names& names, const std::string& where) {
-  const Index panel = TRY(names.panel(given.piece, pointer_to(where, "piece")));
-  Elastic elastic{given.id, panel, {}, {}, given.factor, given.stiffness_n};
+Result<sewing::Elastic> elastic_of(const project::ProjectElastic& given, const Names& names, const std::string& where) {
+  const Index panel = TRY(names.panel(given.piece, json::pointer_to(where, "piece")));
+  sewing::Elastic elastic{given.id, panel, {}, {}, given.factor, given.stiffness_n};
   for (std::size_t i = 0; i < given.lines.size(); ++i) {
-    const std::string place = pointer_to(pointer_to(where, "lines"), i);
+    const std::string place = json::pointer_to(json::pointer_to(where, "lines"), i);
     const bool edge = names.has_edge(panel, given.lines[i]);
     const Result<Index> found =
         edge ? names.edge(panel, given.lines[i], place) : names.line(panel, given.lines[i], place);
@@ -296,22 +296,22 @@ Result<Elastic> elastic_of(const ProjectElastic& given, const Names& names, cons
   return elastic;
 }
 
-Result<Crease> crease_of(const ProjectFold& given, const Names& names, const std::string& where) {
-  const Index panel = TRY(names.panel(given.piece, pointer_to(where, "piece")));
+Result<sewing::Crease> crease_of(const project::ProjectFold& given, const Names& names, const std::string& where) {
+  const Index panel = TRY(names.panel(given.piece, json::pointer_to(where, "piece")));
   constexpr double kNewtons = 1e-3;
-  Crease crease{given.id, panel, {}, radians_from_degrees(given.angle), given.stiffness_mn * kNewtons};
+  sewing::Crease crease{given.id, panel, {}, radians_from_degrees(given.angle), given.stiffness_mn * kNewtons};
   for (std::size_t i = 0; i < given.lines.size(); ++i) {
-    const Index line = TRY(names.line(panel, given.lines[i], pointer_to(pointer_to(where, "lines"), i)));
+    const Index line = TRY(names.line(panel, given.lines[i], json::pointer_to(json::pointer_to(where, "lines"), i)));
     crease.lines.push_back(line);
   }
   return crease;
 }
 
-Result<Cushion> cushion_of(const ProjectCushion& given, const Names& names, const std::string& where) {
+Result<sewing::Cushion> cushion_of(const project::ProjectCushion& given, const Names& names, const std::string& where) {
   constexpr double kCubicMetres = 1e-3;
-  Cushion cushion{given.id, {}, given.pressure_pa, given.volume_l * kCubicMetres};
+  sewing::Cushion cushion{given.id, {}, given.pressure_pa, given.volume_l * kCubicMetres};
   for (std::size_t i = 0; i < given.pieces.size(); ++i) {
-    const Index panel = TRY(names.panel(given.pieces[i], pointer_to(pointer_to(where, "pieces"), i)));
+    const Index panel = TRY(names.panel(given.pieces[i], json::pointer_to(json::pointer_to(where, "pieces"), i)));
     cushion.panels.push_back(panel);
   }
   return cushion;
@@ -322,13 +322,13 @@ template <typename Given, typename Made, typename Make>
 Status make_all(const std::vector<Given>& things, const std::string& list, std::vector<Made>& made,
                 Make make) {
   for (std::size_t i = 0; i < things.size(); ++i) {
-    auto result = TRY(make(things[i], pointer_to(list, i)));
+    auto result = TRY(make(things[i], json::pointer_to(list, i)));
     made.push_back(std::move(result));
   }
   return {};
 }
 
-Status add_notions(const Project& project, const Names& names, Notions& notions) {
+Status add_notions(const project::Project& project, const Names& names, sewing::Notions& notions) {
   const auto named = [&](auto make) {
     return [&names, make](const auto& given, const std::string& at) { return make(given, names, at); };
   };
@@ -339,17 +339,17 @@ Status add_notions(const Project& project, const Names& names, Notions& notions)
 }
 
 /// Placements and attachments: what may be told by a body. REQUIRES `input` with panels and bodies.
-Status add_told_by_bodies(const Project& project, const Names& names, DrapeInput& input) {
+Status add_told_by_bodies(const project::Project& project, const Names& names, drape::DrapeInput& input) {
   BodyPlaces places(project, input.bodies);
   TRY(places.check_landmarks());
   for (std::size_t i = 0; i < project.pieces.size(); ++i) {
-    const std::string where = pointer_to(pointer_to("/pieces", i), "placement");
-    Result<Placement> placement =
+    const std::string where = json::pointer_to(json::pointer_to("/pieces", i), "placement");
+    Result<sewing::Placement> placement =
         places.placement(project.pieces[i].placement, input.pattern.panels[i], where);
     if (!placement) return placement.error();
     input.placements.push_back(std::move(*placement));
   }
-  const auto hold = [&](const ProjectAttachment& given, const std::string& at) {
+  const auto hold = [&](const project::ProjectAttachment& given, const std::string& at) {
     return attachment_of(given, names, places, at);
   };
   return make_all(project.attachments, "/attachments", input.attachments, hold);
@@ -376,36 +376,36 @@ Status check_file_name(const std::string& name) {
   return {};
 }
 
-Result<DrapeInput> resolve_project(const Project& project, OpenedFiles& files) {
+Result<drape::DrapeInput> resolve_project(const project::Project& project, OpenedFiles& files) {
   TRY(check_ids(project));
-  DrapeInput input;
+  drape::DrapeInput input;
   input.name = project.name;
   input.settings = settings_of(project.settings);
 
   const std::vector<std::string> fabrics = ids_of(project.fabrics);
   for (std::size_t i = 0; i < project.pieces.size(); ++i) {
-    const ProjectPiece& piece = project.pieces[i];
+    const project::ProjectPiece& piece = project.pieces[i];
     const Result<Index> fabric =
-        index_of(piece.fabric, fabrics, "fabric", pointer_to(pointer_to("/pieces", i), "fabric"));
+        index_of(piece.fabric, fabrics, "fabric", json::pointer_to(json::pointer_to("/pieces", i), "fabric"));
     if (!fabric) return fabric.error();
     input.fabric_of_panel.push_back(*fabric);
   }
   TRY(make_all(project.fabrics, "/fabrics", input.fabrics, fabric_of));
   TRY(add_own_fabrics(project, input));
 
-  std::vector<Panel> panels = TRY(panels_of(project.pieces, files));
+  std::vector<pattern::Panel> panels = TRY(panels_of(project.pieces, files));
   input.pattern.panels = std::move(panels);
   const Names names(input.pattern);
-  const auto seam = [&](const ProjectSeam& given, const std::string& at) {
+  const auto seam = [&](const project::ProjectSeam& given, const std::string& at) {
     return seam_of(given, names, at);
   };
   TRY(make_all(project.seams, "/seams", input.pattern.seams, seam));
-  if (Status valid = validate(input.pattern); !valid) {
-    return error_at("/seams", valid.error());  // each piece by itself has been found valid
+  if (Status valid = pattern::validate(input.pattern); !valid) {
+    return json::error_at("/seams", valid.error());  // each piece by itself has been found valid
   }
   TRY(add_notions(project, names, input.notions));
   TRY(follow_used_lines(input.notions, input.pattern));
-  const auto body = [&](const ProjectBody& given, const std::string& at) {
+  const auto body = [&](const project::ProjectBody& given, const std::string& at) {
     return body_of(given, files, at);
   };
   TRY(make_all(project.bodies, "/bodies", input.bodies, body));
@@ -413,26 +413,26 @@ Result<DrapeInput> resolve_project(const Project& project, OpenedFiles& files) {
   return input;
 }
 
-Result<DrapeInput> resolve_project(const Project& project, const ProjectFiles& files) {
+Result<drape::DrapeInput> resolve_project(const project::Project& project, const ProjectFiles& files) {
   OpenedFiles opened(files);
   return resolve_project(project, opened);
 }
 
-Result<ResolvedProject> read_project(const std::filesystem::path& path, const MeshImporter& importer) {
-  const auto in_document = [&](const Error& error) { return error_at(clipped(path.string(), 300), error); };
+Result<ResolvedProject> read_project(const std::filesystem::path& path, const mesh_import::MeshImporter& importer) {
+  const auto in_document = [&](const Error& error) { return json::error_at(clipped(path.string(), 300), error); };
   const std::string text = TRY(read_project_text(path));
-  Result<Project> project = parse_project(text);
+  Result<project::Project> project = project::parse_project(text);
   if (!project) return in_document(project.error());
   ProjectFiles files = files_in(path.parent_path(), importer);
-  Result<DrapeInput> input = resolve_project(*project, files);
+  Result<drape::DrapeInput> input = resolve_project(*project, files);
   if (!input) return in_document(input.error());
   return ResolvedProject{std::move(*project), std::move(*input), std::move(files), path};
 }
 
-Result<Textures> read_textures(const ResolvedProject& read) {
-  Result<Textures> textures = read_textures(read.project, read.input.pattern, read.files);
-  if (!textures) return error_at(clipped(read.path.string(), 300), textures.error());
+Result<image::Textures> read_textures(const ResolvedProject& read) {
+  Result<image::Textures> textures = read_textures(read.project, read.input.pattern, read.files);
+  if (!textures) return json::error_at(clipped(read.path.string(), 300), textures.error());
   return textures;
 }
 
-}  // namespace toile
+}  // namespace toile::resolve

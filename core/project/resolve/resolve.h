@@ -10,27 +10,27 @@
 #include "core/project/resolve/opened_files.h"
 #include "core/project/resolve/textures.h"
 
-namespace toile {
+namespace toile::resolve {
 
 /// Errors: project.duplicate_id, project.unknown_piece, project.unknown_edge, project.unknown_fabric,
 /// project.unknown_line, project.unstable_fabric, project.path, project.body_too_far and whatever the files
 /// give; dxf.* and pattern.* where a piece cannot be cut. `where` begins with the JSON pointer of the place.
-Result<DrapeInput> resolve_project(const Project& project, OpenedFiles& files);
+Result<drape::DrapeInput> resolve_project(const project::Project& project, OpenedFiles& files);
 /// For whoever resolves it but once.
-Result<DrapeInput> resolve_project(const Project& project, const ProjectFiles& files);
+Result<drape::DrapeInput> resolve_project(const project::Project& project, const ProjectFiles& files);
 
 /// A document from disk and what it says, handed on so that nobody has to read it again.
 struct ResolvedProject {
-  Project project;
-  DrapeInput input;
+  project::Project project;
+  drape::DrapeInput input;
   ProjectFiles files;  ///< beside the document
   std::filesystem::path path;
 };
 
 /// Reads a document and the files beside it. Errors: json.*, project.* and those of resolve_project.
-Result<ResolvedProject> read_project(const std::filesystem::path& path, const MeshImporter& importer = {});
+Result<ResolvedProject> read_project(const std::filesystem::path& path, const mesh_import::MeshImporter& importer = {});
 
 /// The pictures of the document. Errors: those of textures.h, with the document's name first in `where`.
-Result<Textures> read_textures(const ResolvedProject& read);
+Result<image::Textures> read_textures(const ResolvedProject& read);
 
-}  // namespace toile
+}  // namespace toile::resolve

@@ -11,7 +11,7 @@
 #include "core/base/units.h"
 #include "core/json/tree.h"
 
-namespace toile {
+namespace toile::resolve {
 namespace {
 
 constexpr std::size_t kFewImages = 4;
@@ -29,46 +29,46 @@ struct NamedImage {
   std::string name, where;
 };
 
-std::vector<NamedImage> images_of(const Project& project) {
+std::vector<NamedImage> images_of(const project::Project& project) {
   std::vector<NamedImage> images;
   for (std::size_t i = 0; i < project.pieces.size(); ++i) {
-    const ProjectPiece& piece = project.pieces[i];
+    const project::ProjectPiece& piece = project.pieces[i];
     if (!piece.texture) continue;
     const auto same = [&](const NamedImage& one) { return one.name == piece.texture->image; };
     if (std::any_of(images.begin(), images.end(), same)) continue;
-    const std::string texture = pointer_to(pointer_to("/pieces", i), "texture");
-    images.push_back({piece.texture->image, pointer_to(texture, "image")});
+    const std::string texture = json::pointer_to(json::pointer_to("/pieces", i), "texture");
+    images.push_back({piece.texture->image, json::pointer_to(texture, "image")});
   }
   return images;
 }
 
-Result<std::shared_ptr<const TextureImage>> read_image(const NamedImage& named, const ProjectFiles& files,
+Result<std::shared_ptr<const image::TextureImage>> read_image(const NamedImage& named, const ProjectFiles& files,
                                                        int side) {
   if (!files.image_bytes) return Error{"project.file", "there are no pictures here", named.where};
   Result<std::string> bytes = files.image_bytes(named.name);
-  if (!bytes) return error_at(named.where, bytes.error());
-  Result<ReadPicture> read = read_picture(*bytes, {.shown_side = side});
+  if (!bytes) return json::error_at(named.where, bytes.error());
+  Result<image::ReadPicture> read = image::read_picture(*bytes, {.shown_side = side});
   if (!read) {
     Error error = read.error();
     error.message = in_quotes(named.name) + ": " + error.message;
-    return error_at(named.where, std::move(error));
+    return json::error_at(named.where, std::move(error));
   }
-  return std::make_shared<const TextureImage>(TextureImage{named.name, std::move(*bytes), std::move(*read)});
+  return std::make_shared<const image::TextureImage>(image::TextureImage{named.name, std::move(*bytes), std::move(*read)});
 }
 
-PanelTexture lay(const ProjectTexture& texture, Index image, const ReadPicture& picture, Vec2 grain) {
+image::PanelTexture lay(const project::ProjectTexture& texture, Index image, const image::ReadPicture& picture, Vec2 grain) {
   const Vec2 origin{metres_from_mm(texture.offset.x), metres_from_mm(texture.offset.y)};
-  return lay_texture(image, grain, origin, metres_from_mm(texture.scale_mm),
+  return image::lay_texture(image, grain, origin, metres_from_mm(texture.scale_mm),
                      static_cast<double>(picture.width) / picture.height,
                      radians_from_degrees(texture.angle));
 }
 
 }  // namespace
 
-Result<Textures> read_textures(const Project& project, const Pattern& pattern, const ProjectFiles& files) {
+Result<image::Textures> read_textures(const project::Project& project, const pattern::Pattern& pattern, const ProjectFiles& files) {
   const std::vector<NamedImage> images = images_of(project);
   if (images.size() > kMostTextureImages) return too_many(images[kMostTextureImages].where);
-  Textures textures;
+  image::Textures textures;
   std::map<std::string, Index> index;
   std::size_t bytes = 0;
   for (const NamedImage& named : images) {
@@ -79,7 +79,7 @@ Result<Textures> read_textures(const Project& project, const Pattern& pattern, c
     textures.images.push_back(std::move(image));
   }
   for (std::size_t i = 0; i < project.pieces.size(); ++i) {
-    const std::optional<ProjectTexture>& texture = project.pieces[i].texture;
+    const std::optional<project::ProjectTexture>& texture = project.pieces[i].texture;
     textures.of_panel.emplace_back();
     if (!texture) continue;
     const Index image = index.at(texture->image);
@@ -89,4 +89,4 @@ Result<Textures> read_textures(const Project& project, const Pattern& pattern, c
   return textures;
 }
 
-}  // namespace toile
+}  // namespace toile::resolve

@@ -1,6 +1,6 @@
 #include "core/solver/constraints/air.h"
 
-namespace toile {
+namespace toile::solver::constraints {
 
 namespace {
 
@@ -31,4 +31,4 @@ void drag_cloth(const AirDrag& air, std::span<const Tri> triangles, std::span<co
   }
 }
 
-}  // namespace toile
+}  // namespace toile::solver::constraints

@@ -7,7 +7,7 @@
 
 #include "core/base/types.h"
 
-namespace toile {
+namespace toile::solver::constraints {
 
 struct AirDrag {
   double density = 0;   ///< kg/m³; 0: no air
@@ -22,4 +22,4 @@ struct AirDrag {
 void drag_cloth(const AirDrag& air, std::span<const Tri> triangles, std::span<const double> w, double h,
                 std::span<const Vec3> x, std::span<Vec3> v);
 
-}  // namespace toile
+}  // namespace toile::solver::constraints

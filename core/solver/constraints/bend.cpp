@@ -5,7 +5,7 @@
 #include "core/mesh/topology.h"
 #include "core/solver/one_pass.h"
 
-namespace toile {
+namespace toile::solver::constraints {
 
 namespace {
 
@@ -169,7 +169,7 @@ std::vector<double> shared_areas(const ClothModel& model, const std::vector<Bend
 
 }  // namespace
 
-BendMatrix bend_matrix(const Fabric& fabric) {
+BendMatrix bend_matrix(const material::Fabric& fabric) {
   const double twist = 4 * fabric.bend_bias - fabric.bend_warp - fabric.bend_weft;
   return {fabric.bend_weft, fabric.bend_warp,
           std::max(twist, 0.1 * std::min(fabric.bend_warp, fabric.bend_weft))};
@@ -184,7 +184,7 @@ std::vector<BendTriangle> make_bending(const ClothModel& model) {
   for (std::size_t t = 0; t < all.size(); ++t) std::copy_n(model.triangles[t].begin(), 3, all[t].v);
 
   std::vector<std::array<Index, 3>> neighbours(all.size(), {kNone, kNone, kNone});
-  for (const MeshEdge& edge : edges_of(model.triangles, model.vertex_count())) {
+  for (const mesh::MeshEdge& edge : mesh::edges_of(model.triangles, model.vertex_count())) {
     if (edge.t0 == kNone || edge.t1 == kNone) continue;
     for (const auto& [self, other] : {std::pair{edge.t0, edge.t1}, std::pair{edge.t1, edge.t0}}) {
       const Tri& mine = model.triangles[self];
@@ -216,4 +216,4 @@ void prepare_bending(std::span<BendTriangle> triangles, std::span<const double> 
   for (BendTriangle& t : triangles) prepare(t, w, 1 / (h * h));
 }
 
-}  // namespace toile
+}  // namespace toile::solver::constraints

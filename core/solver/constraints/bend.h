@@ -18,7 +18,7 @@
 #include "core/base/types.h"
 #include "core/solver/cloth_model.h"
 
-namespace toile {
+namespace toile::solver::constraints {
 
 /// A triangle with its hinges. Hinge k lies on the edge from corner k to corner k+1; v[3+k] is the
 /// neighbour's far vertex, or kNone where the edge is free.
@@ -37,7 +37,7 @@ struct BendTriangle {
 struct BendMatrix {
   double weft = 0, warp = 0, twist = 0;  ///< N·m
 };
-BendMatrix bend_matrix(const Fabric& fabric);
+BendMatrix bend_matrix(const material::Fabric& fabric);
 
 /// Bending constraints of all triangles that have a neighbour. Edges with more than two triangles stay free.
 std::vector<BendTriangle> make_bending(const ClothModel& model);
@@ -45,4 +45,4 @@ std::vector<BendTriangle> make_bending(const ClothModel& model);
 /// Solves the constant part for inverse masses `w` and substep `h`; needed again when either changes.
 void prepare_bending(std::span<BendTriangle> triangles, std::span<const double> w, double h);
 
-}  // namespace toile
+}  // namespace toile::solver::constraints

@@ -6,14 +6,14 @@
 #include "core/base/types.h"
 #include "core/sewing/notion_places.h"
 
-namespace toile {
+namespace toile::solver::constraints {
 
 /// A tie that is longer than it should be by less than this is closed, and holds.
 inline constexpr double kTieClosed = 2e-3;  // m
 inline constexpr double kTieSpeed = 1;      // m/s
 
 struct PointTie {
-  ClothPoint a, b;            ///< in vertices of the solver
+  sewing::ClothPoint a, b;            ///< in vertices of the solver
   double start_length = 0;    ///< m, before it is drawn together
   double end_length = 0;      ///< m
   double closing_force = 1;   ///< N, the most while it is drawn together
@@ -32,4 +32,4 @@ struct OpenTie {
 };
 OpenTie widest_tie(std::span<const PointTie> ties, std::span<const Vec3> x);
 
-}  // namespace toile
+}  // namespace toile::solver::constraints

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-namespace toile {
+namespace toile::solver::constraints {
 
 namespace {
 
 /// Weighted sum of a contact's vertices: a point for skin contact, the difference of two points for layers.
-Vec3 point_of(const Contact& c, std::span<const Vec3> x) {
+Vec3 point_of(const collision::Contact& c, std::span<const Vec3> x) {
   Vec3 p;
   for (int i = 0; i < c.count; ++i) p += x[c.v[i]] * c.w[i];
   return p;
@@ -15,10 +15,10 @@ Vec3 point_of(const Contact& c, std::span<const Vec3> x) {
 
 }  // namespace
 
-void solve_contacts(std::span<const Contact> contacts, std::span<const Vec3> before,
+void solve_contacts(std::span<const collision::Contact> contacts, std::span<const Vec3> before,
                     std::span<const double> w, double friction, double h, std::span<Vec3> x,
                     std::span<Vec3> depenetration) {
-  for (const Contact& c : contacts) {
+  for (const collision::Contact& c : contacts) {
     const Vec3 now = point_of(c, x);
     const double distance = dot(c.n, now) - c.c;
     if (distance >= c.rest) continue;
@@ -44,4 +44,4 @@ void solve_contacts(std::span<const Contact> contacts, std::span<const Vec3> bef
   }
 }
 
-}  // namespace toile
+}  // namespace toile::solver::constraints

@@ -7,7 +7,7 @@
 #include "core/base/types.h"
 #include "core/collision/contacts.h"
 
-namespace toile {
+namespace toile::solver::constraints {
 
 /// Speed at which cloth that is too near is pushed out, m/s. This depenetration moves positions only and
 /// leaves velocities alone, else contacts would jitter.
@@ -20,8 +20,8 @@ inline constexpr double kDepenetrationShare = 0.75;
 
 /// One pass over the contacts. `before` are the positions at the substep's start; `depenetration` (one a
 /// vertex, m) collects what must not count as velocity. `friction` scales the coefficients (0 while sewing).
-void solve_contacts(std::span<const Contact> contacts, std::span<const Vec3> before,
+void solve_contacts(std::span<const collision::Contact> contacts, std::span<const Vec3> before,
                     std::span<const double> w, double friction, double h, std::span<Vec3> x,
                     std::span<Vec3> depenetration);
 
-}  // namespace toile
+}  // namespace toile::solver::constraints

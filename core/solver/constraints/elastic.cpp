@@ -2,7 +2,7 @@
 
 #include "core/solver/one_pass.h"
 
-namespace toile {
+namespace toile::solver::constraints {
 
 void solve_elastics(std::span<const ElasticSegment> segments, double drawn, std::span<const double> w,
                     double h, std::span<Vec3> x) {
@@ -19,4 +19,4 @@ void solve_elastics(std::span<const ElasticSegment> segments, double drawn, std:
   }
 }
 
-}  // namespace toile
+}  // namespace toile::solver::constraints

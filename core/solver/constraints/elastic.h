@@ -6,7 +6,7 @@
 
 #include "core/base/types.h"
 
-namespace toile {
+namespace toile::solver::constraints {
 
 /// A piece of a band between two neighbouring vertices.
 struct ElasticSegment {
@@ -21,4 +21,4 @@ struct ElasticSegment {
 void solve_elastics(std::span<const ElasticSegment> segments, double drawn, std::span<const double> w,
                     double h, std::span<Vec3> x);
 
-}  // namespace toile
+}  // namespace toile::solver::constraints

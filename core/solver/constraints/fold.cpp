@@ -4,7 +4,7 @@
 
 #include "core/solver/one_pass.h"
 
-namespace toile {
+namespace toile::solver::constraints {
 
 namespace {
 
@@ -76,4 +76,4 @@ void solve_folds(std::span<const FoldHinge> hinges, double pressed, std::span<co
   }
 }
 
-}  // namespace toile
+}  // namespace toile::solver::constraints

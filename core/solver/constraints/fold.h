@@ -8,7 +8,7 @@
 
 #include "core/base/types.h"
 
-namespace toile {
+namespace toile::solver::constraints {
 
 /// A hinge of a crease: the edge e0 → e1 with a triangle to its left and to its right. Angles count from
 /// flat; positive ones draw the wrong sides (the normals' backs) together.
@@ -26,4 +26,4 @@ double fold_difference(const FoldHinge& hinge, double pressed, std::span<const V
 void solve_folds(std::span<const FoldHinge> hinges, double pressed, std::span<const double> w, double h,
                  std::span<Vec3> x);
 
-}  // namespace toile
+}  // namespace toile::solver::constraints

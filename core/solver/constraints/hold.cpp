@@ -1,6 +1,6 @@
 #include "core/solver/constraints/hold.h"
 
-namespace toile {
+namespace toile::solver::constraints {
 
 void solve_height_holds(std::span<const HeldVertex> held, std::span<Vec3> x) {
   for (const HeldVertex& h : held) {
@@ -8,4 +8,4 @@ void solve_height_holds(std::span<const HeldVertex> held, std::span<Vec3> x) {
   }
 }
 
-}  // namespace toile
+}  // namespace toile::solver::constraints

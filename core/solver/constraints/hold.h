@@ -6,7 +6,7 @@
 
 #include "core/base/types.h"
 
-namespace toile {
+namespace toile::solver::constraints {
 
 struct HeldVertex {
   Index v = kNone;
@@ -19,4 +19,4 @@ struct HeldVertex {
 /// prescribed motion waits.
 void solve_height_holds(std::span<const HeldVertex> held, std::span<Vec3> x);
 
-}  // namespace toile
+}  // namespace toile::solver::constraints

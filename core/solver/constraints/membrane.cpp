@@ -4,7 +4,7 @@
 
 #include "core/solver/one_pass.h"
 
-namespace toile {
+namespace toile::solver::constraints {
 
 namespace {
 
@@ -18,7 +18,7 @@ constexpr double kLimitShare = 1;
 /// π²B/l² times the area √3/4 l² of an equilateral triangle, over B: the same for all sizes.
 constexpr double kBuckling = 4.2736;
 
-MembraneTriangle make_triangle(const Tri& v, const RestTriangle& rest, const Fabric& f) {
+MembraneTriangle make_triangle(const Tri& v, const RestTriangle& rest, const material::Fabric& f) {
   const Vec2 e1 = rest[1] - rest[0], e2 = rest[2] - rest[0];
   const double det = cross(e1, e2), area = 0.5 * std::abs(det);
   const double k = f.stretch_weft * f.stretch_warp - f.stretch_coupling * f.stretch_coupling;
@@ -69,4 +69,4 @@ Vec3 membrane_strain(const MembraneTriangle& t, std::span<const Vec3> x) {
   return {lu - 1, lv - 1, lu > 0 && lv > 0 ? dot(fu, fv) / (lu * lv) : 0};
 }
 
-}  // namespace toile
+}  // namespace toile::solver::constraints

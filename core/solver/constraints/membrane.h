@@ -16,7 +16,7 @@
 #include "core/base/types.h"
 #include "core/solver/cloth_model.h"
 
-namespace toile {
+namespace toile::solver::constraints {
 
 struct MembraneTriangle {
   Tri v{};
@@ -37,4 +37,4 @@ void prepare_membrane(std::span<MembraneTriangle> triangles, std::span<const dou
 /// cosine.
 Vec3 membrane_strain(const MembraneTriangle& triangle, std::span<const Vec3> x);
 
-}  // namespace toile
+}  // namespace toile::solver::constraints

@@ -6,7 +6,7 @@
 
 #include "core/mesh/topology.h"
 
-namespace toile {
+namespace toile::solver::constraints {
 
 namespace {
 
@@ -70,7 +70,7 @@ void for_rims(const PressureChamber& chamber, F&& f) {
 PressureChamber make_chamber(std::span<const Tri> triangles, Index vertex_count, double pressure,
                              double full_volume) {
   PressureChamber chamber{wound_alike(triangles), {}, pressure, full_volume};
-  const BoundaryLoops loops = boundary_loops(edges_of(chamber.skin, vertex_count));
+  const mesh::BoundaryLoops loops = mesh::boundary_loops(mesh::edges_of(chamber.skin, vertex_count));
   for (Index i = 0; i < loops.count(); ++i) {
     chamber.openings.emplace_back(loops.vertices.begin() + loops.first[i],
                                   loops.vertices.begin() + loops.first[i + 1]);
@@ -131,4 +131,4 @@ void inflate(std::span<const PressureChamber> chambers, double filled, std::span
   for (std::size_t i = 0; i < x.size(); ++i) v[i] += force[i] * (w[i] * h);
 }
 
-}  // namespace toile
+}  // namespace toile::solver::constraints

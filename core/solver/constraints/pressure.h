@@ -8,7 +8,7 @@
 
 #include "core/base/types.h"
 
-namespace toile {
+namespace toile::solver::constraints {
 
 struct PressureChamber {
   std::vector<Tri> skin;                     ///< wound alike; normals point out
@@ -38,4 +38,4 @@ void add_pressure(const PressureChamber& chamber, double pressure, std::span<con
 void inflate(std::span<const PressureChamber> chambers, double filled, std::span<const double> w, double h,
              std::span<const Vec3> x, std::vector<Vec3>& force, std::span<Vec3> v);
 
-}  // namespace toile
+}  // namespace toile::solver::constraints

@@ -1,11 +1,11 @@
 #include "core/solver/constraints/restitution.h"
 
-namespace toile {
+namespace toile::solver::constraints {
 
 namespace {
 
 /// Of a contact's point, along its normal.
-double along_normal(const Contact& c, std::span<const Vec3> vectors) {
+double along_normal(const collision::Contact& c, std::span<const Vec3> vectors) {
   Vec3 sum;
   for (int i = 0; i < c.count; ++i) sum += vectors[c.v[i]] * c.w[i];
   return dot(c.n, sum);
@@ -13,10 +13,10 @@ double along_normal(const Contact& c, std::span<const Vec3> vectors) {
 
 }  // namespace
 
-std::vector<Impact> find_impacts(std::span<const Contact> contacts, double factor,
+std::vector<Impact> find_impacts(std::span<const collision::Contact> contacts, double factor,
                                  std::span<const Vec3> proposed, std::span<const Vec3> velocities) {
   std::vector<Impact> impacts;
-  for (const Contact& c : contacts) {
+  for (const collision::Contact& c : contacts) {
     const double restitution = factor * c.restitution;
     if (restitution <= 0 || along_normal(c, proposed) - c.c >= c.rest) continue;
     const double speed = -along_normal(c, velocities);
@@ -28,7 +28,7 @@ std::vector<Impact> find_impacts(std::span<const Contact> contacts, double facto
 void give_back(std::span<const Impact> impacts, std::span<const double> inverse_mass,
                std::span<Vec3> velocities) {
   for (const Impact& impact : impacts) {
-    const Contact& c = *impact.contact;
+    const collision::Contact& c = *impact.contact;
     double mass = 0;
     for (int i = 0; i < c.count; ++i) mass += inverse_mass[c.v[i]] * c.w[i] * c.w[i];
     const double lacking = impact.away - along_normal(c, velocities);
@@ -39,4 +39,4 @@ void give_back(std::span<const Impact> impacts, std::span<const double> inverse_
   }
 }
 
-}  // namespace toile
+}  // namespace toile::solver::constraints

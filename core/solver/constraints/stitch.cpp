@@ -5,7 +5,7 @@
 
 #include "core/sewing/assembly.h"
 
-namespace toile {
+namespace toile::solver::constraints {
 
 void shorten_stitches(std::span<const Stitch> stitches, double shrunk, std::span<const double> w, double h,
                       std::span<Vec3> x) {
@@ -28,7 +28,7 @@ std::vector<StitchGroup> stitch_groups(std::span<const Stitch> stitches, Index v
     joined.push_back({s.v0, s.v1});
     for (const Index v : joined.back()) limit[v] = std::max(limit[v], s.force_limit);
   }
-  const std::vector<Index> least = least_of_class(vertex_count, joined);
+  const std::vector<Index> least = sewing::least_of_class(vertex_count, joined);
   std::vector<Index> group_of(vertex_count, kNone);
   std::vector<StitchGroup> groups;
   for (Index v = 0; v < vertex_count; ++v) {
@@ -71,4 +71,4 @@ double largest_gap(std::span<const Stitch> stitches, std::span<const Vec3> x) {
   return gap;
 }
 
-}  // namespace toile
+}  // namespace toile::solver::constraints

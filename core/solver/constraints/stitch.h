@@ -7,7 +7,7 @@
 
 #include "core/base/types.h"
 
-namespace toile {
+namespace toile::solver::constraints {
 
 struct Stitch {
   Index v0 = kNone, v1 = kNone;  ///< vertices of the solver
@@ -36,4 +36,4 @@ void close_groups(std::span<const StitchGroup> groups, std::span<const double> w
 /// The largest distance of a stitch's ends, m; 0 without stitches.
 double largest_gap(std::span<const Stitch> stitches, std::span<const Vec3> x);
 
-}  // namespace toile
+}  // namespace toile::solver::constraints

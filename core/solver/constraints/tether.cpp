@@ -4,13 +4,13 @@
 
 #include "core/sewing/attached_places.h"
 
-namespace toile {
+namespace toile::solver::constraints {
 
 void solve_tethers(std::span<const Tether> tethers, double open, std::span<const double> w, double h,
                    std::span<Vec3> x) {
   for (const Tether& tether : tethers) {
-    const Vec3 p = position_of(tether.at, x);
-    const Vec3 d = nearest_on_goal(*tether.goal, p) - p;
+    const Vec3 p = sewing::position_of(tether.at, x);
+    const Vec3 d = sewing::nearest_on_goal(*tether.goal, p) - p;
     const double l = length(d), excess = l - tether.start_length * open;
     double mobility = 0;
     for (int i = 0; i < 3; ++i) mobility += w[tether.at.v[i]] * tether.at.share[i] * tether.at.share[i];
@@ -22,8 +22,8 @@ void solve_tethers(std::span<const Tether> tethers, double open, std::span<const
 }
 
 double length_of(const Tether& tether, std::span<const Vec3> x) {
-  const Vec3 p = position_of(tether.at, x);
-  return length(nearest_on_goal(*tether.goal, p) - p);
+  const Vec3 p = sewing::position_of(tether.at, x);
+  return length(sewing::nearest_on_goal(*tether.goal, p) - p);
 }
 
-}  // namespace toile
+}  // namespace toile::solver::constraints

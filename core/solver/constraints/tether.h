@@ -9,14 +9,14 @@
 #include "core/base/types.h"
 #include "core/sewing/notion_places.h"
 
-namespace toile {
+namespace toile::solver::constraints {
 
 /// What is nearer than this to where it may be is held with all force; the rest comes at kTetherSpeed.
 inline constexpr double kTetherClosed = 2e-3;  // m
 inline constexpr double kTetherSpeed = 3;      // m/s
 
 struct Tether {
-  ClothPoint at;                                  ///< in vertices of the solver
+  sewing::ClothPoint at;                                  ///< in vertices of the solver
   std::shared_ptr<const std::vector<Vec3>> goal;  ///< m; a point, or the corners of a closed line
   double start_length = 0;                        ///< m, from the goal before it is drawn in
 };
@@ -29,4 +29,4 @@ void solve_tethers(std::span<const Tether> tethers, double open, std::span<const
 /// m from its goal.
 double length_of(const Tether& tether, std::span<const Vec3> x);
 
-}  // namespace toile
+}  // namespace toile::solver::constraints

@@ -1,6 +1,6 @@
 #include "core/solver/constraints/viscosity.h"
 
-namespace toile {
+namespace toile::solver::constraints {
 
 void even_velocities(std::span<const Tri> triangles, std::span<const double> mass, double share,
                      std::span<Vec3> velocity) {
@@ -12,4 +12,4 @@ void even_velocities(std::span<const Tri> triangles, std::span<const double> mas
   }
 }
 
-}  // namespace toile
+}  // namespace toile::solver::constraints

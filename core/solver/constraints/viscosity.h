@@ -7,7 +7,7 @@
 
 #include "core/base/types.h"
 
-namespace toile {
+namespace toile::solver::constraints {
 
 /// Steps from one evening of velocities to the next: seldom, since it takes as long as a sweep of bending.
 inline constexpr int kViscousInterval = 8;
@@ -23,4 +23,4 @@ constexpr double viscous_share(double rate, double h, long step) {
 void even_velocities(std::span<const Tri> triangles, std::span<const double> mass, double share,
                      std::span<Vec3> velocity);
 
-}  // namespace toile
+}  // namespace toile::solver::constraints

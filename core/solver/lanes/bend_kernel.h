@@ -3,7 +3,7 @@
 
 #include "core/solver/lanes/wide.h"
 
-namespace toile {
+namespace toile::solver::lanes {
 namespace {
 
 /// Hinges that are bent less than this count as flat for unfolded(): sin²(θ/2), θ = 14°.
@@ -51,4 +51,4 @@ void solve_bend_packs(const BendPack* packs, std::size_t count, LanePoint* x) {
 }
 
 }  // namespace
-}  // namespace toile
+}  // namespace toile::solver::lanes

@@ -7,7 +7,7 @@
 #include <cmath>
 #endif
 
-namespace toile {
+namespace toile::solver::lanes {
 namespace {
 
 using WideFlags = Flags8;
@@ -91,4 +91,4 @@ TOILE_INLINE void move(LanePoint* x, const LaneOffset* v, const Wide3& d) {
 }
 
 }  // namespace
-}  // namespace toile
+}  // namespace toile::solver::lanes

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace toile {
+namespace toile::solver::lanes {
 
 namespace {
 
@@ -16,7 +16,7 @@ constexpr double kLeastSoft = 1e-5;
 float single(double value) { return static_cast<float>(value); }
 
 /// What the mobility along weft, warp and shear is about, 1/(kg m²).
-double mobility_of(const MembraneTriangle& t, std::span<const double> w) {
+double mobility_of(const constraints::MembraneTriangle& t, std::span<const double> w) {
   double steep = 0;
   for (const double b : t.b) steep += b * b;
   const double most = std::max({w[t.v[0]], w[t.v[1]], w[t.v[2]]});
@@ -57,7 +57,7 @@ std::vector<LaneGroup> group_apart(Index count, Index vertex_count,
   return groups;
 }
 
-std::vector<MembranePack> pack_membrane(std::span<const MembraneTriangle> triangles,
+std::vector<MembranePack> pack_membrane(std::span<const constraints::MembraneTriangle> triangles,
                                         std::span<const LaneGroup> groups, std::span<const double> w,
                                         double h) {
   const auto nobody = static_cast<Index>(w.size());
@@ -66,7 +66,7 @@ std::vector<MembranePack> pack_membrane(std::span<const MembraneTriangle> triang
     MembranePack& p = packs[g];
     for (int lane = 0; lane < kLanes; ++lane) {
       const bool used = groups[g][lane] != kNone;
-      const MembraneTriangle& t = triangles[used ? groups[g][lane] : groups[g][0]];
+      const constraints::MembraneTriangle& t = triangles[used ? groups[g][lane] : groups[g][0]];
       const double unit = 1 / mobility_of(t, w);
       for (int i = 0; i < 3; ++i) {
         p.v[i][lane] = offset_of(used ? t.v[i] : nobody);
@@ -84,15 +84,15 @@ std::vector<MembranePack> pack_membrane(std::span<const MembraneTriangle> triang
   return packs;
 }
 
-std::vector<LimitPack> pack_limits(std::span<const MembraneTriangle> triangles,
+std::vector<LimitPack> pack_limits(std::span<const constraints::MembraneTriangle> triangles,
                                    std::span<const LaneGroup> groups, std::span<const double> w) {
-  const bool any = std::any_of(triangles.begin(), triangles.end(), [](const MembraneTriangle& t) {
+  const bool any = std::any_of(triangles.begin(), triangles.end(), [](const constraints::MembraneTriangle& t) {
     return std::max({t.stop[0], t.stop[1], t.stop[2]}) > 0;
   });
   std::vector<LimitPack> packs(any ? groups.size() : 0);
   for (std::size_t g = 0; g < packs.size(); ++g) {
     for (int lane = 0; lane < kLanes; ++lane) {
-      const MembraneTriangle& t = triangles[groups[g][lane] == kNone ? groups[g][0] : groups[g][lane]];
+      const constraints::MembraneTriangle& t = triangles[groups[g][lane] == kNone ? groups[g][0] : groups[g][lane]];
       const double unit = mobility_of(t, w);
       for (int k = 0; k < 3; ++k) {
         packs[g].limit[k].at[lane] = single(t.limit[k]);
@@ -103,7 +103,7 @@ std::vector<LimitPack> pack_limits(std::span<const MembraneTriangle> triangles,
   return packs;
 }
 
-std::vector<BendPack> pack_bending(std::span<const BendTriangle> triangles, std::span<const LaneGroup> groups,
+std::vector<BendPack> pack_bending(std::span<const constraints::BendTriangle> triangles, std::span<const LaneGroup> groups,
                                    std::span<const double> w) {
   const auto nobody = static_cast<Index>(w.size());
   std::vector<BendPack> packs(groups.size());
@@ -111,7 +111,7 @@ std::vector<BendPack> pack_bending(std::span<const BendTriangle> triangles, std:
     BendPack& p = packs[g];
     for (int lane = 0; lane < kLanes; ++lane) {
       const bool used = groups[g][lane] != kNone;
-      const BendTriangle& t = triangles[used ? groups[g][lane] : groups[g][0]];
+      const constraints::BendTriangle& t = triangles[used ? groups[g][lane] : groups[g][0]];
       for (int i = 0; i < 6; ++i) {
         const Index v = t.v[i] == kNone ? t.v[0] : t.v[i];
         p.v[i][lane] = offset_of(used ? v : nobody);
@@ -145,4 +145,4 @@ const LaneKernels& lane_kernels() {
   return widest;
 }
 
-}  // namespace toile
+}  // namespace toile::solver::lanes

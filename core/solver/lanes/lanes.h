@@ -16,7 +16,7 @@
 #include "core/solver/constraints/bend.h"
 #include "core/solver/constraints/membrane.h"
 
-namespace toile {
+namespace toile::solver::lanes {
 
 inline constexpr int kLanes = 16;
 
@@ -63,13 +63,13 @@ std::vector<LaneGroup> group_apart(Index count, Index vertex_count,
 
 /// Packs of triangles that were prepared for inverse masses `w` (1/kg) and substep `h` (s), by groups of
 /// them.
-std::vector<MembranePack> pack_membrane(std::span<const MembraneTriangle> triangles,
+std::vector<MembranePack> pack_membrane(std::span<const constraints::MembraneTriangle> triangles,
                                         std::span<const LaneGroup> groups, std::span<const double> w,
                                         double h);
 /// Empty where no triangle has a limit.
-std::vector<LimitPack> pack_limits(std::span<const MembraneTriangle> triangles,
+std::vector<LimitPack> pack_limits(std::span<const constraints::MembraneTriangle> triangles,
                                    std::span<const LaneGroup> groups, std::span<const double> w);
-std::vector<BendPack> pack_bending(std::span<const BendTriangle> triangles, std::span<const LaneGroup> groups,
+std::vector<BendPack> pack_bending(std::span<const constraints::BendTriangle> triangles, std::span<const LaneGroup> groups,
                                    std::span<const double> w);
 
 /// One Gauss-Seidel pass over packs; `limits` is null where there are none, `x` the positions and nobody's
@@ -88,4 +88,4 @@ extern const LaneKernels plain_lane_kernels;
 const LaneKernels* avx2_lane_kernels();
 const LaneKernels* avx512_lane_kernels();
 
-}  // namespace toile
+}  // namespace toile::solver::lanes

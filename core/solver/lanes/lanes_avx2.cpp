@@ -3,7 +3,7 @@
 #include "core/solver/lanes/bend_kernel.h"
 #include "core/solver/lanes/membrane_kernel.h"
 
-namespace toile {
+namespace toile::solver::lanes {
 
 const LaneKernels* avx2_lane_kernels() {
 #ifdef __AVX2__
@@ -14,4 +14,4 @@ const LaneKernels* avx2_lane_kernels() {
 #endif
 }
 
-}  // namespace toile
+}  // namespace toile::solver::lanes

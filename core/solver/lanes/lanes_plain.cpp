@@ -1,8 +1,8 @@
 #include "core/solver/lanes/bend_kernel.h"
 #include "core/solver/lanes/membrane_kernel.h"
 
-namespace toile {
+namespace toile::solver::lanes {
 
 const LaneKernels plain_lane_kernels{solve_membrane_packs, solve_bend_packs};
 
-}  // namespace toile
+}  // namespace toile::solver::lanes

@@ -3,7 +3,7 @@
 
 #include "core/solver/lanes/wide.h"
 
-namespace toile {
+namespace toile::solver::lanes {
 namespace {
 
 /// Share of its stiffness that cloth has left once it has buckled between the vertices (membrane.h).
@@ -154,4 +154,4 @@ void solve_membrane_packs(const MembranePack* packs, const LimitPack* limits, st
 }
 
 }  // namespace
-}  // namespace toile
+}  // namespace toile::solver::lanes

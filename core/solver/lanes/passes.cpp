@@ -1,6 +1,6 @@
 #include "core/solver/lanes/passes.h"
 
-namespace toile {
+namespace toile::solver::lanes {
 
 namespace {
 
@@ -24,10 +24,10 @@ void collect(std::span<const LanePoint> points, std::span<Vec3> x) {
 }
 
 MembranePass::MembranePass(const ClothModel& model)
-    : triangles_(make_membrane(model)), groups_(groups_of(triangles_, model.vertex_count())) {}
+    : triangles_(constraints::make_membrane(model)), groups_(groups_of(triangles_, model.vertex_count())) {}
 
 void MembranePass::prepare(std::span<const double> w, double h) {
-  prepare_membrane(triangles_, w, h);
+  constraints::prepare_membrane(triangles_, w, h);
   packs_ = pack_membrane(triangles_, groups_, w, h);
   limits_ = pack_limits(triangles_, groups_, w);
 }
@@ -38,10 +38,10 @@ void MembranePass::solve(std::span<LanePoint> x, const LaneKernels& kernels) con
 }
 
 BendPass::BendPass(const ClothModel& model)
-    : triangles_(make_bending(model)), groups_(groups_of(triangles_, model.vertex_count())) {}
+    : triangles_(constraints::make_bending(model)), groups_(groups_of(triangles_, model.vertex_count())) {}
 
 void BendPass::prepare(std::span<const double> w, double h) {
-  prepare_bending(triangles_, w, h);
+  constraints::prepare_bending(triangles_, w, h);
   packs_ = pack_bending(triangles_, groups_, w);
 }
 
@@ -49,4 +49,4 @@ void BendPass::solve(std::span<LanePoint> x, const LaneKernels& kernels) const {
   kernels.solve_bending(packs_.data(), packs_.size(), x.data());
 }
 
-}  // namespace toile
+}  // namespace toile::solver::lanes

@@ -10,7 +10,7 @@
 #include "core/solver/cloth_model.h"
 #include "core/solver/lanes/lanes.h"
 
-namespace toile {
+namespace toile::solver::lanes {
 
 /// Copies of positions that lanes load and store, followed by the point of lanes without a triangle; and
 /// back.
@@ -27,7 +27,7 @@ class MembranePass {
   void solve(std::span<LanePoint> x, const LaneKernels& kernels = lane_kernels()) const;
 
  private:
-  std::vector<MembraneTriangle> triangles_;
+  std::vector<constraints::MembraneTriangle> triangles_;
   std::vector<LaneGroup> groups_;
   std::vector<MembranePack> packs_;
   std::vector<LimitPack> limits_;
@@ -41,9 +41,9 @@ class BendPass {
   void solve(std::span<LanePoint> x, const LaneKernels& kernels = lane_kernels()) const;
 
  private:
-  std::vector<BendTriangle> triangles_;
+  std::vector<constraints::BendTriangle> triangles_;
   std::vector<LaneGroup> groups_;
   std::vector<BendPack> packs_;
 };
 
-}  // namespace toile
+}  // namespace toile::solver::lanes

@@ -3,7 +3,7 @@
 
 #include <immintrin.h>
 
-namespace toile {
+namespace toile::solver::lanes {
 namespace {
 
 /// A bit a lane: flags as vectors, as its own comparisons make them, GCC 12 joins one lane after the other.
@@ -59,4 +59,4 @@ TOILE_INLINE void move(LanePoint* x, const LaneOffset* v, const Wide3& d) {
 }
 
 }  // namespace
-}  // namespace toile
+}  // namespace toile::solver::lanes

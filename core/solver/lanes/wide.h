@@ -9,7 +9,7 @@
 #include "core/base/simd.h"
 #include "core/solver/lanes/lanes.h"
 
-namespace toile {
+namespace toile::solver::lanes {
 namespace {
 
 /// Lanes of a pack that are solved at a time, one part of it after the other.
@@ -27,7 +27,7 @@ using Wide3 = Vec3s<Wide>;
 constexpr Wide kNothing = {}, kOne = kNothing + 1;
 
 }  // namespace
-}  // namespace toile
+}  // namespace toile::solver::lanes
 
 #ifdef __AVX512F__
 #include "core/solver/lanes/sixteen.h"
@@ -35,7 +35,7 @@ constexpr Wide kNothing = {}, kOne = kNothing + 1;
 #include "core/solver/lanes/eight.h"
 #endif
 
-namespace toile {
+namespace toile::solver::lanes {
 namespace {
 
 TOILE_INLINE WideFlags above(Wide a, float b) { return above(a, kOne * b); }
@@ -50,4 +50,4 @@ struct LaneReader {
 };
 
 }  // namespace
-}  // namespace toile
+}  // namespace toile::solver::lanes

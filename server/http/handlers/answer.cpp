@@ -5,10 +5,10 @@
 #include "core/base/names.h"
 #include "core/base/text.h"
 
-namespace toile {
+namespace toile::handlers {
 
-HttpResponse json_answer(int status, std::string text) {
-  HttpResponse response;
+http::HttpResponse json_answer(int status, std::string text) {
+  http::HttpResponse response;
   response.status = status;
   response.content_type = "application/json";
   response.body = std::move(text);
@@ -16,50 +16,50 @@ HttpResponse json_answer(int status, std::string text) {
   return response;
 }
 
-HttpResponse json_answer(int status, std::vector<JsonMember> members) {
-  return json_answer(status, write_json_line(std::move(members)) + "\n");
+http::HttpResponse json_answer(int status, std::vector<json::JsonMember> members) {
+  return json_answer(status, json::write_json_line(std::move(members)) + "\n");
 }
 
-std::string json_with(std::vector<JsonMember> members, const std::string& key, const std::string& json) {
+std::string json_with(std::vector<json::JsonMember> members, const std::string& key, const std::string& json) {
   const bool first = members.empty();
-  std::string text = write_json_line(std::move(members));
+  std::string text = json::write_json_line(std::move(members));
   text.pop_back();
   return text + (first ? "" : ", ") + "\"" + key + "\": " + json + "}";
 }
 
-HttpResponse json_answer(int status, std::vector<JsonMember> members, const std::string& key,
+http::HttpResponse json_answer(int status, std::vector<json::JsonMember> members, const std::string& key,
                          const std::string& json) {
   if (json.empty()) return json_answer(status, std::move(members));
   return json_answer(status, json_with(std::move(members), key, json) + "\n");
 }
 
-HttpResponse created(HttpResponse answer, const std::string& location) {
+http::HttpResponse created(http::HttpResponse answer, const std::string& location) {
   answer.status = 201;
   answer.headers.emplace_back("Location", location);
   return answer;
 }
 
-HttpResponse made_answer(HttpResponse answer, bool anew, const std::string& location) {
+http::HttpResponse made_answer(http::HttpResponse answer, bool anew, const std::string& location) {
   answer = created(std::move(answer), location);
   if (!anew) answer.status = 200;
   return answer;
 }
 
-Result<JsonValue> read_object(const HttpRequest& request, const std::vector<std::string>& known,
-                              const JsonLimits& limits) {
-  Result<JsonValue> tree = parse_json(request.body, limits);
+Result<json::JsonValue> read_object(const http::HttpRequest& request, const std::vector<std::string>& known,
+                              const json::JsonLimits& limits) {
+  Result<json::JsonValue> tree = json::parse_json(request.body, limits);
   if (!tree) return tree;
   if (!tree->object()) return Error{"request.object", "the body is a JSON object", "/"};
-  for (const JsonMember& member : *tree->object()) {
+  for (const json::JsonMember& member : *tree->object()) {
     if (std::find(known.begin(), known.end(), member.key) != known.end()) continue;
     return Error{"request.unknown_key",
                  "the key " + in_quotes(member.key) + " is not known here; " + advice(member.key, known),
-                 pointer_to("", member.key)};
+                 json::pointer_to("", member.key)};
   }
   return tree;
 }
 
-Result<Page> read_page(const HttpRequest& request) {
+Result<Page> read_page(const http::HttpRequest& request) {
   Page page;
   page.cursor = request.parameter("cursor");
   const std::string limit = request.parameter("limit");
@@ -70,14 +70,14 @@ Result<Page> read_page(const HttpRequest& request) {
   return Error{"request.limit", "limit is a number from 1 to 100", "limit"};
 }
 
-HttpResponse file_answer(std::string bytes, const std::string& content_type, const std::string& name) {
+http::HttpResponse file_answer(std::string bytes, const std::string& content_type, const std::string& name) {
   std::string plain = name;  // in a header: letters, digits and a few signs
   for (char& c : plain) {
     const bool fits = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
                       c == '.' || c == '-' || c == '_';
     if (!fits) c = '_';
   }
-  HttpResponse response;
+  http::HttpResponse response;
   response.content_type = content_type;
   response.body = std::move(bytes);
   response.headers = {{"Content-Disposition", "inline; filename=\"" + plain + "\""},
@@ -85,4 +85,4 @@ HttpResponse file_answer(std::string bytes, const std::string& content_type, con
   return response;
 }
 
-}  // namespace toile
+}  // namespace toile::handlers

@@ -9,24 +9,24 @@
 #include "core/json/tree.h"
 #include "server/http/message.h"
 
-namespace toile {
+namespace toile::handlers {
 
-HttpResponse json_answer(int status, std::string text);
-HttpResponse json_answer(int status, std::vector<JsonMember> members);
+http::HttpResponse json_answer(int status, std::string text);
+http::HttpResponse json_answer(int status, std::vector<json::JsonMember> members);
 /// The same with one more member whose value is JSON text already; passed over when it is empty.
-HttpResponse json_answer(int status, std::vector<JsonMember> members, const std::string& key,
+http::HttpResponse json_answer(int status, std::vector<json::JsonMember> members, const std::string& key,
                          const std::string& json);
 /// One line of JSON: `members` and, at its end, the member whose value is JSON text already.
-std::string json_with(std::vector<JsonMember> members, const std::string& key, const std::string& json);
+std::string json_with(std::vector<json::JsonMember> members, const std::string& key, const std::string& json);
 
-HttpResponse created(HttpResponse answer, const std::string& location);
+http::HttpResponse created(http::HttpResponse answer, const std::string& location);
 /// 201 for what this request made, 200 for what an earlier one with the same key did; with its place.
-HttpResponse made_answer(HttpResponse answer, bool anew, const std::string& location);
+http::HttpResponse made_answer(http::HttpResponse answer, bool anew, const std::string& location);
 
 /// A request's JSON object. Errors: json.*, request.object, request.unknown_key when a member is not one of
 /// `known`.
-Result<JsonValue> read_object(const HttpRequest& request, const std::vector<std::string>& known,
-                              const JsonLimits& limits);
+Result<json::JsonValue> read_object(const http::HttpRequest& request, const std::vector<std::string>& known,
+                              const json::JsonLimits& limits);
 
 /// A page of a list.
 struct Page {
@@ -34,23 +34,23 @@ struct Page {
   int limit = 50;
 };
 /// Of ?cursor and ?limit (1 to 100). Error: request.limit.
-Result<Page> read_page(const HttpRequest& request);
+Result<Page> read_page(const http::HttpRequest& request);
 
 /// The rows of a page, for which one more than its limit was asked, as JSON under `name`, and "next": the
 /// cursor of the page after it or null.
 template <typename Row, typename Make>
-HttpResponse page_answer(const char* name, const Page& page, std::vector<Row> rows, Make make) {
-  JsonValue next;
+http::HttpResponse page_answer(const char* name, const Page& page, std::vector<Row> rows, Make make) {
+  json::JsonValue next;
   if (rows.size() > static_cast<std::size_t>(page.limit)) {
     rows.resize(static_cast<std::size_t>(page.limit));
-    next = JsonValue(rows.back().id);
+    next = json::JsonValue(rows.back().id);
   }
-  std::vector<JsonValue> items;
+  std::vector<json::JsonValue> items;
   for (const Row& row : rows) items.push_back(make(row));
   return json_answer(200, {{name, std::move(items)}, {"next", std::move(next)}});
 }
 
 /// Bytes that are somebody's own: shown for what `content_type` says and nothing else.
-HttpResponse file_answer(std::string bytes, const std::string& content_type, const std::string& name);
+http::HttpResponse file_answer(std::string bytes, const std::string& content_type, const std::string& name);
 
-}  // namespace toile
+}  // namespace toile::handlers

@@ -13,15 +13,15 @@
 #include "server/store/store.h"
 #include "server/ws/hub.h"
 
-namespace toile {
+namespace toile::handlers {
 
 /// What handlers work with; all of it outlives the router.
 struct Api {
-  Documents& documents;
-  Store& store;  ///< that of the documents
-  JobService& jobs;
-  const Hub& hub;
-  const Metrics& metrics;
+  documents::Documents& documents;
+  store::Store& store;  ///< that of the documents
+  jobs::JobService& jobs;
+  const ws::Hub& hub;
+  const http::Metrics& metrics;
   const std::atomic<bool>& ready;  ///< false while the server drains
 };
 
@@ -29,9 +29,9 @@ struct Api {
 struct ApiRoute {
   const char* method = "GET";
   const char* pattern = "";
-  std::function<HttpResponse(const Api&, const RequestContext&, const HttpRequest&)> handler;
-  BodyKind body = BodyKind::kUnused;
-  std::function<std::size_t(const HttpRequest&)> limit = small_body;
+  std::function<http::HttpResponse(const Api&, const store::RequestContext&, const http::HttpRequest&)> handler;
+  http::BodyKind body = http::BodyKind::kUnused;
+  std::function<std::size_t(const http::HttpRequest&)> limit = http::small_body;
   bool heavy = false;
   bool websocket = false;
 };
@@ -45,4 +45,4 @@ ApiRoutes body_routes();
 ApiRoutes arrangement_routes();
 ApiRoutes job_routes();
 
-}  // namespace toile
+}  // namespace toile::handlers

@@ -4,10 +4,10 @@
 
 #include "server/http/handlers/answer.h"
 
-namespace toile {
+namespace toile::handlers {
 
-std::string asset_json(const AssetRow& asset) {
-  std::vector<JsonMember> members{{"id", asset.id},
+std::string asset_json(const store::AssetRow& asset) {
+  std::vector<json::JsonMember> members{{"id", asset.id},
                                   {"kind", asset.kind},
                                   {"name", asset.name},
                                   {"size", static_cast<double>(asset.size)},
@@ -15,4 +15,4 @@ std::string asset_json(const AssetRow& asset) {
   return json_with(std::move(members), "info", asset.info.empty() ? "{}" : asset.info);
 }
 
-}  // namespace toile
+}  // namespace toile::handlers

@@ -4,9 +4,9 @@
 
 #include "server/store/store.h"
 
-namespace toile {
+namespace toile::handlers {
 
 /// An asset as answers have it: JSON on one line, without a line feed.
-std::string asset_json(const AssetRow& asset);
+std::string asset_json(const store::AssetRow& asset);
 
-}  // namespace toile
+}  // namespace toile::handlers

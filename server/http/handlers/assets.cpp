@@ -10,73 +10,73 @@
 #include "server/http/problem.h"
 #include "server/http/static_files.h"
 
-namespace toile {
+namespace toile::handlers {
 namespace {
 
-HttpResponse keep(const Api& api, const RequestContext& context, const HttpRequest& request,
+http::HttpResponse keep(const Api& api, const store::RequestContext& context, const http::HttpRequest& request,
                   const std::string& kind) {
-  const Result<AssetRow> asset =
-      add_asset(api.documents, context, kind, request.parameter("name"), request.body);
-  if (!asset) return problem(asset.error());
+  const Result<store::AssetRow> asset =
+      documents::add_asset(api.documents, context, kind, request.parameter("name"), request.body);
+  if (!asset) return http::problem(asset.error());
   return created(json_answer(201, asset_json(*asset) + "\n"), "/api/v1/assets/" + asset->id);
 }
 
-HttpResponse upload(const Api& api, const RequestContext& context, const HttpRequest& request) {
+http::HttpResponse upload(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
   return keep(api, context, request, request.parameter("kind"));
 }
 
-HttpResponse upload_body(const Api& api, const RequestContext& context, const HttpRequest& request) {
+http::HttpResponse upload_body(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
   return keep(api, context, request, "body");
 }
 
-HttpResponse list_kind(const Api& api, const RequestContext& context, const std::string& kind) {
-  if (!kind.empty() && !is_asset_kind(kind)) {
-    return problem(400, {"documents.kind", "kind is \"dxf\", \"specification\", \"body\" or \"image\"",
+http::HttpResponse list_kind(const Api& api, const store::RequestContext& context, const std::string& kind) {
+  if (!kind.empty() && !documents::is_asset_kind(kind)) {
+    return http::problem(400, {"documents.kind", "kind is \"dxf\", \"specification\", \"body\" or \"image\"",
                          "kind", ErrorKind::kMalformed});
   }
-  const Result<std::vector<AssetRow>> assets = api.store.assets(context, kind);
-  if (!assets) return problem(assets.error());
+  const Result<std::vector<store::AssetRow>> assets = api.store.assets(context, kind);
+  if (!assets) return http::problem(assets.error());
   std::string items;
-  for (const AssetRow& asset : *assets) items += (items.empty() ? "" : ", ") + asset_json(asset);
+  for (const store::AssetRow& asset : *assets) items += (items.empty() ? "" : ", ") + asset_json(asset);
   return json_answer(200, "{\"assets\": [" + items + "]}\n");
 }
 
-HttpResponse list(const Api& api, const RequestContext& context, const HttpRequest& request) {
+http::HttpResponse list(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
   return list_kind(api, context, request.parameter("kind"));
 }
 
-HttpResponse list_bodies(const Api& api, const RequestContext& context, const HttpRequest&) {
+http::HttpResponse list_bodies(const Api& api, const store::RequestContext& context, const http::HttpRequest&) {
   return list_kind(api, context, "body");
 }
 
-HttpResponse show(const Api& api, const RequestContext& context, const HttpRequest& request) {
-  const Result<AssetRow> asset = api.store.asset(context, request.captures[0]);
-  if (!asset) return problem(asset.error());
+http::HttpResponse show(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+  const Result<store::AssetRow> asset = api.store.asset(context, request.captures[0]);
+  if (!asset) return http::problem(asset.error());
   return json_answer(200, asset_json(*asset) + "\n");
 }
 
 /// Only types that a browser does not run: the name is the uploader's own.
-std::string type_of(const AssetRow& asset, std::string_view bytes) {
+std::string type_of(const store::AssetRow& asset, std::string_view bytes) {
   if (asset.kind == "dxf") return "image/vnd.dxf";
-  if (asset.kind == "image") return image_media_type(bytes);
-  const std::string type = content_type_of(asset.name);
+  if (asset.kind == "image") return documents::image_media_type(bytes);
+  const std::string type = http::content_type_of(asset.name);
   return type.starts_with("model/") ? type : "application/octet-stream";
 }
 
-HttpResponse content(const Api& api, const RequestContext& context, const HttpRequest& request) {
-  const Result<AssetRow> asset = api.store.asset(context, request.captures[0]);
-  if (!asset) return problem(asset.error());
+http::HttpResponse content(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+  const Result<store::AssetRow> asset = api.store.asset(context, request.captures[0]);
+  if (!asset) return http::problem(asset.error());
   Result<std::string> bytes = api.store.asset_bytes(context, asset->id);
-  if (!bytes) return problem(bytes.error());
+  if (!bytes) return http::problem(bytes.error());
   const std::string type = type_of(*asset, *bytes);
-  HttpResponse response = file_answer(std::move(*bytes), type, asset->name);
+  http::HttpResponse response = file_answer(std::move(*bytes), type, asset->name);
   response.headers.emplace_back("Cache-Control", "private, max-age=31536000, immutable");
   return response;
 }
 
-std::size_t most_bytes_of_kind(const HttpRequest& request) {
+std::size_t most_bytes_of_kind(const http::HttpRequest& request) {
   const std::string kind = request.parameter("kind");
-  return is_asset_kind(kind) ? most_asset_bytes(kind) : kSmallBody;
+  return documents::is_asset_kind(kind) ? documents::most_asset_bytes(kind) : http::kSmallBody;
 }
 
 }  // namespace
@@ -86,14 +86,14 @@ ApiRoutes asset_routes() {
       {.method = "POST",
        .pattern = "/api/v1/assets",
        .handler = upload,
-       .body = BodyKind::kFile,
+       .body = http::BodyKind::kFile,
        .limit = most_bytes_of_kind,
        .heavy = true},
       {.method = "POST",
        .pattern = "/api/v1/bodies",
        .handler = upload_body,
-       .body = BodyKind::kFile,
-       .limit = [](const HttpRequest&) { return kMostBodyBytes; },
+       .body = http::BodyKind::kFile,
+       .limit = [](const http::HttpRequest&) { return documents::kMostBodyBytes; },
        .heavy = true},
       {.pattern = "/api/v1/assets", .handler = list},
       {.pattern = "/api/v1/bodies", .handler = list_bodies},
@@ -102,4 +102,4 @@ ApiRoutes asset_routes() {
   };
 }
 
-}  // namespace toile
+}  // namespace toile::handlers

@@ -13,102 +13,102 @@
 #include "server/http/handlers/project_answer.h"
 #include "server/http/problem.h"
 
-namespace toile {
+namespace toile::handlers {
 namespace {
 
-HttpResponse presets(const Api&, const RequestContext&, const HttpRequest&) {
-  return json_answer(200, body_presets_json());
+http::HttpResponse presets(const Api&, const store::RequestContext&, const http::HttpRequest&) {
+  return json_answer(200, documents::body_presets_json());
 }
 
-HttpResponse make(const Api& api, const RequestContext& context, const HttpRequest& request) {
-  const Result<JsonValue> tree =
-      read_object(request, {"mannequin", "name"}, {.bytes = kSmallBody, .depth = 8});
-  if (!tree) return problem(tree.error());
-  const JsonValue* mannequin = tree->find("mannequin");
-  if (!mannequin) return problem({"request.body", "\"mannequin\" says what it measures", "/mannequin"});
+http::HttpResponse make(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+  const Result<json::JsonValue> tree =
+      read_object(request, {"mannequin", "name"}, {.bytes = http::kSmallBody, .depth = 8});
+  if (!tree) return http::problem(tree.error());
+  const json::JsonValue* mannequin = tree->find("mannequin");
+  if (!mannequin) return http::problem({"request.body", "\"mannequin\" says what it measures", "/mannequin"});
   std::string name = "mannequin.obj";
-  if (const JsonValue* given = tree->find("name")) {
-    if (!given->text()) return problem({"request.body", "this is a text in quotes", "/name"});
+  if (const json::JsonValue* given = tree->find("name")) {
+    if (!given->text()) return http::problem({"request.body", "this is a text in quotes", "/name"});
     name = *given->text();
   }
-  Result<MadeBody> made = make_body(api.documents, context, *mannequin, name);
-  if (!made) return problem(made.error());
-  std::vector<JsonMember> members = std::move(made->figure);
+  Result<documents::MadeBody> made = documents::make_body(api.documents, context, *mannequin, name);
+  if (!made) return http::problem(made.error());
+  std::vector<json::JsonMember> members = std::move(made->figure);
   return created(json_answer(201, std::move(members), "asset", asset_json(made->asset)),
                  "/api/v1/assets/" + made->asset.id);
 }
 
-HttpResponse figure(const Api& api, const RequestContext& context, const HttpRequest& request) {
-  Result<std::string> text = asset_figure_json(api.documents, context, request.captures[0]);
-  return text ? json_answer(200, std::move(*text)) : problem(text.error());
+http::HttpResponse figure(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+  Result<std::string> text = documents::asset_figure_json(api.documents, context, request.captures[0]);
+  return text ? json_answer(200, std::move(*text)) : http::problem(text.error());
 }
 
-HttpResponse bodies(const Api& api, const RequestContext& context, const HttpRequest& request) {
-  const Result<ProjectRow> project = api.store.project(context, request.captures[0]);
-  if (!project) return problem(project.error());
-  Result<std::string> text = project_bodies_json(api.documents, project->document,
-                                                 files_in_store(api.documents, context, project->files));
-  if (!text) return problem(text.error());
-  HttpResponse response = json_answer(200, std::move(*text));
+http::HttpResponse bodies(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+  const Result<store::ProjectRow> project = api.store.project(context, request.captures[0]);
+  if (!project) return http::problem(project.error());
+  Result<std::string> text = documents::project_bodies_json(api.documents, project->document,
+                                                 documents::files_in_store(api.documents, context, project->files));
+  if (!text) return http::problem(text.error());
+  http::HttpResponse response = json_answer(200, std::move(*text));
   response.headers.emplace_back("ETag", etag_of(*project));
   return response;
 }
 
-HttpResponse body(const Api& api, const RequestContext& context, const HttpRequest& request) {
-  const Result<ProjectRow> project = api.store.project(context, request.captures[0]);
-  if (!project) return problem(project.error());
+http::HttpResponse body(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+  const Result<store::ProjectRow> project = api.store.project(context, request.captures[0]);
+  if (!project) return http::problem(project.error());
   Result<std::string> bytes =
-      body_bytes(project->document, files_in_store(api.documents, context, project->files));
-  if (!bytes) return problem(bytes.error());
-  HttpResponse response = file_answer(std::move(*bytes), "application/octet-stream", "body.bin");
+      documents::body_bytes(project->document, documents::files_in_store(api.documents, context, project->files));
+  if (!bytes) return http::problem(bytes.error());
+  http::HttpResponse response = file_answer(std::move(*bytes), "application/octet-stream", "body.bin");
   response.headers.emplace_back("Cache-Control", "no-cache");
   response.headers.emplace_back("ETag", etag_of(*project));
   return response;
 }
 
-HttpResponse dress(const Api& api, const RequestContext& context, const HttpRequest& request) {
+http::HttpResponse dress(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
   const Result<int> revision = required_revision(request);
   if (!revision) return revision_problem(revision.error());
-  const Result<JsonValue> wish = parse_json(request.body, {.bytes = kSmallBody, .depth = 8});
-  if (!wish) return problem(wish.error());
-  const Result<ProjectRow> project =
-      dress_project(api.documents, context, request.captures[0], request.captures[1], *wish, *revision);
+  const Result<json::JsonValue> wish = json::parse_json(request.body, {.bytes = http::kSmallBody, .depth = 8});
+  if (!wish) return http::problem(wish.error());
+  const Result<store::ProjectRow> project =
+      documents::dress_project(api.documents, context, request.captures[0], request.captures[1], *wish, *revision);
   return project ? project_answer(*project) : revision_problem(project.error());
 }
 
-HttpResponse undress(const Api& api, const RequestContext& context, const HttpRequest& request) {
+http::HttpResponse undress(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
   const Result<int> revision = required_revision(request);
   if (!revision) return revision_problem(revision.error());
-  const Result<ProjectRow> project =
-      undress_project(api.documents, context, request.captures[0], request.captures[1], *revision);
+  const Result<store::ProjectRow> project =
+      documents::undress_project(api.documents, context, request.captures[0], request.captures[1], *revision);
   return project ? project_answer(*project) : revision_problem(project.error());
 }
 
-HttpResponse mark(const Api& api, const RequestContext& context, const HttpRequest& request) {
+http::HttpResponse mark(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
   const Result<int> revision = required_revision(request);
   if (!revision) return revision_problem(revision.error());
-  const Result<JsonValue> tree = read_object(request, {"place"}, {.bytes = kSmallBody, .depth = 8});
-  if (!tree) return problem(tree.error());
-  const JsonValue* given = tree->find("place");
+  const Result<json::JsonValue> tree = read_object(request, {"place"}, {.bytes = http::kSmallBody, .depth = 8});
+  if (!tree) return http::problem(tree.error());
+  const json::JsonValue* given = tree->find("place");
   const auto* list = given ? given->array() : nullptr;
   Vec3 place;
   double* const at[] = {&place.x, &place.y, &place.z};
   for (std::size_t k = 0; k < 3; ++k) {
     const double* number = list && list->size() == 3 ? (*list)[k].number() : nullptr;
     if (!number)
-      return problem({"request.landmark", "\"place\" is a list of three numbers, metres", "/place"});
+      return http::problem({"request.landmark", "\"place\" is a list of three numbers, metres", "/place"});
     *at[k] = *number;
   }
-  const Result<ProjectRow> project =
-      move_landmark(api.documents, context, request.captures[0], request.captures[1], request.captures[2],
+  const Result<store::ProjectRow> project =
+      documents::move_landmark(api.documents, context, request.captures[0], request.captures[1], request.captures[2],
                     place, *revision);
   return project ? project_answer(*project) : revision_problem(project.error());
 }
 
-HttpResponse unmark(const Api& api, const RequestContext& context, const HttpRequest& request) {
+http::HttpResponse unmark(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
   const Result<int> revision = required_revision(request);
   if (!revision) return revision_problem(revision.error());
-  const Result<ProjectRow> project = forget_landmark(api.documents, context, request.captures[0],
+  const Result<store::ProjectRow> project = documents::forget_landmark(api.documents, context, request.captures[0],
                                                      request.captures[1], request.captures[2], *revision);
   return project ? project_answer(*project) : revision_problem(project.error());
 }
@@ -123,16 +123,16 @@ ApiRoutes body_routes() {
       {.method = "POST",
        .pattern = "/api/v1/bodies/mannequins",
        .handler = make,
-       .body = BodyKind::kJson,
+       .body = http::BodyKind::kJson,
        .heavy = true},
       {.pattern = "/api/v1/bodies/{id}/figure", .handler = figure, .heavy = true},
       {.pattern = "/api/v1/projects/{id}/bodies", .handler = bodies, .heavy = true},
       {.pattern = "/api/v1/projects/{id}/body", .handler = body, .heavy = true},
-      {.method = "PUT", .pattern = kOne, .handler = dress, .body = BodyKind::kJson, .heavy = true},
+      {.method = "PUT", .pattern = kOne, .handler = dress, .body = http::BodyKind::kJson, .heavy = true},
       {.method = "DELETE", .pattern = kOne, .handler = undress, .heavy = true},
-      {.method = "PUT", .pattern = kLandmark, .handler = mark, .body = BodyKind::kJson, .heavy = true},
+      {.method = "PUT", .pattern = kLandmark, .handler = mark, .body = http::BodyKind::kJson, .heavy = true},
       {.method = "DELETE", .pattern = kLandmark, .handler = unmark, .heavy = true},
   };
 }
 
-}  // namespace toile
+}  // namespace toile::handlers

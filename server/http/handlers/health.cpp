@@ -4,22 +4,22 @@
 #include "server/http/handlers/api.h"
 #include "server/http/problem.h"
 
-namespace toile {
+namespace toile::handlers {
 namespace {
 
-HttpResponse alive(const Api&, const RequestContext&, const HttpRequest&) {
+http::HttpResponse alive(const Api&, const store::RequestContext&, const http::HttpRequest&) {
   return json_answer(200, {{"status", std::string("ok")}});
 }
 
-HttpResponse ready(const Api& api, const RequestContext&, const HttpRequest&) {
+http::HttpResponse ready(const Api& api, const store::RequestContext&, const http::HttpRequest&) {
   if (!api.ready.load())
-    return problem(503, {"server.draining", "the server is stopping", "", ErrorKind::kUnavailable});
-  if (Status alive = api.store.ping(); !alive) return problem(503, alive.error());
+    return http::problem(503, {"server.draining", "the server is stopping", "", ErrorKind::kUnavailable});
+  if (Status alive = api.store.ping(); !alive) return http::problem(503, alive.error());
   return json_answer(200, {{"status", std::string("ready")}});
 }
 
-HttpResponse metrics(const Api& api, const RequestContext&, const HttpRequest&) {
-  HttpResponse response;
+http::HttpResponse metrics(const Api& api, const store::RequestContext&, const http::HttpRequest&) {
+  http::HttpResponse response;
   response.content_type = "text/plain; version=0.0.4; charset=utf-8";
   response.body = api.metrics.text(api.jobs.counts(), api.hub.viewers());
   return response;
@@ -33,4 +33,4 @@ ApiRoutes health_routes() {
           {.pattern = "/metrics", .handler = metrics}};
 }
 
-}  // namespace toile
+}  // namespace toile::handlers

@@ -7,10 +7,10 @@
 #include "server/http/handlers/answer.h"
 #include "server/http/problem.h"
 
-namespace toile {
+namespace toile::handlers {
 
-std::vector<JsonMember> project_members(const ProjectRow& project) {
-  std::vector<JsonMember> files;
+std::vector<json::JsonMember> project_members(const store::ProjectRow& project) {
+  std::vector<json::JsonMember> files;
   for (const auto& [name, id] : project.files) files.push_back({name, id});
   return {{"id", project.id},
           {"name", project.name},
@@ -20,19 +20,19 @@ std::vector<JsonMember> project_members(const ProjectRow& project) {
           {"files", std::move(files)}};
 }
 
-std::string etag_of(const ProjectRow& project) {
+std::string etag_of(const store::ProjectRow& project) {
   std::string tag = "\"";  // one append after the other: GCC 12 warns about "…" + a temporary
   tag += std::to_string(project.revision);
   return tag += '"';
 }
 
-HttpResponse project_answer(const ProjectRow& project) {
-  HttpResponse response = json_answer(200, project_members(project), "document", project.document);
+http::HttpResponse project_answer(const store::ProjectRow& project) {
+  http::HttpResponse response = json_answer(200, project_members(project), "document", project.document);
   response.headers.emplace_back("ETag", etag_of(project));
   return response;
 }
 
-Result<int> required_revision(const HttpRequest& request) {
+Result<int> required_revision(const http::HttpRequest& request) {
   const std::string tag = request.header("if-match");
   if (tag.empty()) {
     return Error{"request.if_match", "say which revision this changes: If-Match with the ETag, or *",
@@ -46,21 +46,21 @@ Result<int> required_revision(const HttpRequest& request) {
   return *revision;
 }
 
-HttpResponse revision_problem(const Error& error) {
-  if (error.kind != ErrorKind::kStale) return problem(error);
-  return problem(
+http::HttpResponse revision_problem(const Error& error) {
+  if (error.kind != ErrorKind::kStale) return http::problem(error);
+  return http::problem(
       412, {"store.conflict", "the project has changed since; read it again", "If-Match", ErrorKind::kStale});
 }
 
-Result<std::map<std::string, std::string>> read_files(const JsonValue& request) {
+Result<std::map<std::string, std::string>> read_files(const json::JsonValue& request) {
   std::map<std::string, std::string> out;
-  const JsonValue* files = request.find("files");
+  const json::JsonValue* files = request.find("files");
   if (!files) return out;
   if (!files->object())
     return Error{"request.files", "\"files\" is an object of file name to asset id", "/files"};
-  for (const JsonMember& file : *files->object()) {
+  for (const json::JsonMember& file : *files->object()) {
     if (!file.value.text()) {
-      return Error{"request.files", "a file stands for the id of an asset", pointer_to("/files", file.key)};
+      return Error{"request.files", "a file stands for the id of an asset", json::pointer_to("/files", file.key)};
     }
     out[file.key] = *file.value.text();
   }
@@ -69,10 +69,10 @@ Result<std::map<std::string, std::string>> read_files(const JsonValue& request) 
 
 ApiRoute document_route(const char* method, const char* pattern, decltype(ApiRoute::handler) handler) {
   ApiRoute route{.method = method, .pattern = pattern, .handler = std::move(handler)};
-  route.body = BodyKind::kJson;
-  route.limit = [](const HttpRequest&) { return kMostRequestBytes; };
+  route.body = http::BodyKind::kJson;
+  route.limit = [](const http::HttpRequest&) { return kMostRequestBytes; };
   route.heavy = true;
   return route;
 }
 
-}  // namespace toile
+}  // namespace toile::handlers

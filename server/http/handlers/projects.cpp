@@ -10,35 +10,35 @@
 #include "server/http/handlers/project_answer.h"
 #include "server/http/problem.h"
 
-namespace toile {
+namespace toile::handlers {
 namespace {
 
 struct Given {
   std::string document;
-  ProjectFileMap files;
+  documents::ProjectFileMap files;
 };
 
 /// Puts `name` into a document in place of the one it has.
-void rename_document(JsonValue& document, const JsonValue& name) {
-  auto& members = std::get<std::vector<JsonMember>>(document.data);
-  std::erase_if(members, [](const JsonMember& member) { return member.key == "name"; });
+void rename_document(json::JsonValue& document, const json::JsonValue& name) {
+  auto& members = std::get<std::vector<json::JsonMember>>(document.data);
+  std::erase_if(members, [](const json::JsonMember& member) { return member.key == "name"; });
   members.push_back({"name", name});
 }
 
 /// {"document": {…}, "files": {name: asset id}, "name": replaces the document's own}.
-Result<Given> read_given(const HttpRequest& request) {
-  Result<JsonValue> tree =
+Result<Given> read_given(const http::HttpRequest& request) {
+  Result<json::JsonValue> tree =
       read_object(request, {"name", "document", "files"}, {.bytes = kMostRequestBytes, .depth = 32});
   if (!tree) return tree.error();
-  const JsonValue* document = tree->find("document");
+  const json::JsonValue* document = tree->find("document");
   if (!document || !document->object()) {
     return Error{"request.document", "\"document\" is the project's document, a JSON object", "/document"};
   }
-  JsonValue whole = *document;
-  if (const JsonValue* name = tree->find("name")) rename_document(whole, *name);
+  json::JsonValue whole = *document;
+  if (const json::JsonValue* name = tree->find("name")) rename_document(whole, *name);
   Given given;
-  given.document = write_json_line(whole);
-  ProjectFileMap files = TRY(read_files(*tree));
+  given.document = json::write_json_line(whole);
+  documents::ProjectFileMap files = TRY(read_files(*tree));
   given.files = std::move(files);
   return given;
 }
@@ -50,28 +50,28 @@ Error in_request(Error error) {
   return error;
 }
 
-HttpResponse create(const Api& api, const RequestContext& context, const HttpRequest& request) {
+http::HttpResponse create(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
   const Result<Given> given = read_given(request);
-  if (!given) return problem(given.error());
-  const Result<Made<ProjectRow>> project = create_project(api.documents, context, given->document,
+  if (!given) return http::problem(given.error());
+  const Result<store::Made<store::ProjectRow>> project = documents::create_project(api.documents, context, given->document,
                                                           given->files, request.header("idempotency-key"));
-  if (!project) return problem(in_request(project.error()));
+  if (!project) return http::problem(in_request(project.error()));
   return made_answer(project_answer(*project), project->anew, "/api/v1/projects/" + project->id);
 }
 
-HttpResponse list(const Api& api, const RequestContext& context, const HttpRequest& request) {
+http::HttpResponse list(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
   const Result<Page> page = read_page(request);
-  if (!page) return problem(400, page.error());
-  Result<std::vector<ProjectRow>> rows = api.store.projects(context, page->cursor, page->limit + 1);
-  if (!rows) return problem(rows.error());
+  if (!page) return http::problem(400, page.error());
+  Result<std::vector<store::ProjectRow>> rows = api.store.projects(context, page->cursor, page->limit + 1);
+  if (!rows) return http::problem(rows.error());
   return page_answer("projects", *page, std::move(*rows),
-                     [](const ProjectRow& row) { return JsonValue(project_members(row)); });
+                     [](const store::ProjectRow& row) { return json::JsonValue(project_members(row)); });
 }
 
-HttpResponse show(const Api& api, const RequestContext& context, const HttpRequest& request) {
-  const Result<ProjectRow> project = api.store.project(context, request.captures[0]);
-  if (!project) return problem(project.error());
-  HttpResponse response = project_answer(*project);
+http::HttpResponse show(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+  const Result<store::ProjectRow> project = api.store.project(context, request.captures[0]);
+  if (!project) return http::problem(project.error());
+  http::HttpResponse response = project_answer(*project);
   if (request.header("if-none-match") != etag_of(*project)) return response;
   response.status = 304;
   response.content_type.clear();
@@ -79,35 +79,35 @@ HttpResponse show(const Api& api, const RequestContext& context, const HttpReque
   return response;
 }
 
-HttpResponse replace(const Api& api, const RequestContext& context, const HttpRequest& request) {
+http::HttpResponse replace(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
   const Result<int> revision = required_revision(request);
   if (!revision) return revision_problem(revision.error());
   const Result<Given> given = read_given(request);
-  if (!given) return problem(given.error());
-  const Result<ProjectRow> project =
-      replace_project(api.documents, context, request.captures[0], given->document, given->files, *revision);
+  if (!given) return http::problem(given.error());
+  const Result<store::ProjectRow> project =
+      documents::replace_project(api.documents, context, request.captures[0], given->document, given->files, *revision);
   return project ? project_answer(*project) : revision_problem(in_request(project.error()));
 }
 
 /// Without If-Match whichever revision there is.
-HttpResponse remove(const Api& api, const RequestContext& context, const HttpRequest& request) {
+http::HttpResponse remove(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
   const bool any = request.header("if-match").empty();
   const Result<int> revision = any ? Result<int>(0) : required_revision(request);
   if (!revision) return revision_problem(revision.error());
   const Status removed = api.store.remove_project(context, request.captures[0], *revision);
   if (!removed) return revision_problem(removed.error());
-  HttpResponse response;
+  http::HttpResponse response;
   response.status = 204;
   return response;
 }
 
-HttpResponse pieces(const Api& api, const RequestContext& context, const HttpRequest& request) {
-  const Result<ProjectRow> project = api.store.project(context, request.captures[0]);
-  if (!project) return problem(project.error());
+http::HttpResponse pieces(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+  const Result<store::ProjectRow> project = api.store.project(context, request.captures[0]);
+  if (!project) return http::problem(project.error());
   const Result<std::string> view =
-      pieces_json(project->document, files_in_store(api.documents, context, project->files));
-  if (!view) return problem(view.error());
-  HttpResponse response = json_answer(200, *view);
+      documents::pieces_json(project->document, documents::files_in_store(api.documents, context, project->files));
+  if (!view) return http::problem(view.error());
+  http::HttpResponse response = json_answer(200, *view);
   response.headers.emplace_back("ETag", etag_of(*project));
   return response;
 }
@@ -127,4 +127,4 @@ ApiRoutes project_routes() {
   };
 }
 
-}  // namespace toile
+}  // namespace toile::handlers

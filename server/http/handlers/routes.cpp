@@ -2,17 +2,17 @@
 
 #include <utility>
 
-namespace toile {
+namespace toile::handlers {
 
-void add_routes(Router& router, const Api& api) {
+void add_routes(http::Router& router, const Api& api) {
   for (const auto& table : {health_routes, asset_routes, project_routes, edit_routes, body_routes,
                             arrangement_routes, job_routes}) {
     for (ApiRoute& line : table()) {
-      Route route;
+      http::Route route;
       route.method = line.method;
       route.pattern = line.pattern;
-      route.handler = [api, handler = std::move(line.handler)](const RequestContext& context,
-                                                               const HttpRequest& request) {
+      route.handler = [api, handler = std::move(line.handler)](const store::RequestContext& context,
+                                                               const http::HttpRequest& request) {
         return handler(api, context, request);
       };
       route.body = line.body;
@@ -24,4 +24,4 @@ void add_routes(Router& router, const Api& api) {
   }
 }
 
-}  // namespace toile
+}  // namespace toile::handlers

@@ -2,9 +2,9 @@
 
 #include "server/http/handlers/api.h"
 
-namespace toile {
+namespace toile::handlers {
 
 /// Adds every route of the service.
-void add_routes(Router& router, const Api& api);
+void add_routes(http::Router& router, const Api& api);
 
-}  // namespace toile
+}  // namespace toile::handlers

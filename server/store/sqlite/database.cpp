@@ -5,7 +5,7 @@
 #include <cerrno>
 #include <climits>
 
-namespace toile {
+namespace toile::sqlite {
 namespace {
 
 /// How long a statement waits for another process (a backup, say) that holds the file.
@@ -140,4 +140,4 @@ SqlTransaction::~SqlTransaction() {
 
 Status SqlTransaction::commit() { return database_->run_script("COMMIT"); }
 
-}  // namespace toile
+}  // namespace toile::sqlite

@@ -14,7 +14,7 @@
 struct sqlite3;
 struct sqlite3_stmt;
 
-namespace toile {
+namespace toile::sqlite {
 
 /// What a question mark in a statement stands for. Text is copied.
 using SqlValue = std::variant<std::nullptr_t, std::int64_t, std::string_view>;
@@ -71,4 +71,4 @@ class SqlTransaction {
   SqlDatabase* database_;
 };
 
-}  // namespace toile
+}  // namespace toile::sqlite

@@ -3,14 +3,14 @@
 #include "server/store/sqlite/read_rows.h"
 #include "server/store/sqlite/store.h"
 
-namespace toile {
+namespace toile::sqlite {
 namespace {
 
 constexpr std::int64_t kMostSteps = 500;
 constexpr std::int64_t kMostBytes = std::int64_t{64} << 20;
 
-Result<EditRow> edit_from(const SqlStatement& row) {
-  EditRow edit;
+Result<store::EditRow> edit_from(const SqlStatement& row) {
+  store::EditRow edit;
   edit.number = row.integer(0);
   edit.undone = row.integer(1) != 0;
   edit.created_ms = row.integer(2);
@@ -28,7 +28,7 @@ Result<StepSize> step_size_from(const SqlStatement& row) { return StepSize{row.i
 
 }  // namespace
 
-Status SqliteStore::forget_edits(const OwnerId& owner, const std::string& project_id) {
+Status SqliteStore::forget_edits(const store::OwnerId& owner, const std::string& project_id) {
   const Result<int> gone =
       database_.run("DELETE FROM project_edits WHERE owner = ? AND project_id = ?", {owner, project_id});
   if (!gone) return gone.error();
@@ -36,7 +36,7 @@ Status SqliteStore::forget_edits(const OwnerId& owner, const std::string& projec
 }
 
 /// Keeps the newest steps, within the bounds; the newest one always.
-Status SqliteStore::trim_edits(const OwnerId& owner, const std::string& project_id) {
+Status SqliteStore::trim_edits(const store::OwnerId& owner, const std::string& project_id) {
   const Result<std::vector<StepSize>> steps =
       rows_of(database_.prepare("SELECT number, bytes FROM project_edits WHERE owner = ? AND project_id = ?"
                                 " ORDER BY number DESC",
@@ -56,7 +56,7 @@ Status SqliteStore::trim_edits(const OwnerId& owner, const std::string& project_
   return {};
 }
 
-Status SqliteStore::append_edit(const OwnerId& owner, const std::string& project_id, const EditRow& edit) {
+Status SqliteStore::append_edit(const store::OwnerId& owner, const std::string& project_id, const store::EditRow& edit) {
   TRY(database_.run("DELETE FROM project_edits WHERE owner = ? AND project_id = ? AND undone = 1",
                     {owner, project_id}));
   const auto bytes =
@@ -69,7 +69,7 @@ Status SqliteStore::append_edit(const OwnerId& owner, const std::string& project
   return trim_edits(owner, project_id);
 }
 
-Status SqliteStore::turn_edit(const OwnerId& owner, const std::string& project_id, std::int64_t number,
+Status SqliteStore::turn_edit(const store::OwnerId& owner, const std::string& project_id, std::int64_t number,
                               bool undone) {
   const Result<int> turned = database_.run(
       "UPDATE project_edits SET undone = ? WHERE owner = ? AND project_id = ? AND number = ? AND undone = ?",
@@ -79,24 +79,24 @@ Status SqliteStore::turn_edit(const OwnerId& owner, const std::string& project_i
   return not_found("step", std::to_string(number));
 }
 
-Result<ProjectRow> SqliteStore::edit_project(const RequestContext& context, const ProjectRow& row,
-                                             int expected, EditStep step, const EditRow& edit) {
+Result<store::ProjectRow> SqliteStore::edit_project(const store::RequestContext& context, const store::ProjectRow& row,
+                                             int expected, store::EditStep step, const store::EditRow& edit) {
   const std::lock_guard hold(mutex_);
   SqlTransaction transaction = TRY(SqlTransaction::begin(database_));
-  const ProjectRow now = TRY(find_project(context.owner, row.id));
+  const store::ProjectRow now = TRY(find_project(context.owner, row.id));
   TRY(check_revision(now, expected));
-  ProjectRow changed = now;
+  store::ProjectRow changed = now;
   changed.name = row.name;
   changed.document = row.document;
   changed.files = row.files;
-  const ProjectRow kept = TRY(update_project(context.owner, now, changed));
-  TRY(step == EditStep::kDo ? append_edit(context.owner, row.id, edit)
-                            : turn_edit(context.owner, row.id, edit.number, step == EditStep::kUndo));
+  const store::ProjectRow kept = TRY(update_project(context.owner, now, changed));
+  TRY(step == store::EditStep::kDo ? append_edit(context.owner, row.id, edit)
+                            : turn_edit(context.owner, row.id, edit.number, step == store::EditStep::kUndo));
   TRY(transaction.commit());
   return kept;
 }
 
-Result<std::vector<EditRow>> SqliteStore::edits(const RequestContext& context, const std::string& project_id,
+Result<std::vector<store::EditRow>> SqliteStore::edits(const store::RequestContext& context, const std::string& project_id,
                                                 std::int64_t before, int limit) {
   const std::lock_guard hold(mutex_);
   return rows_of(database_.prepare("SELECT number, undone, created_ms, edits, '', '' FROM project_edits"
@@ -106,18 +106,18 @@ Result<std::vector<EditRow>> SqliteStore::edits(const RequestContext& context, c
                  edit_from);
 }
 
-Result<std::optional<EditRow>> SqliteStore::next_edit(const RequestContext& context,
-                                                      const std::string& project_id, EditStep step) {
+Result<std::optional<store::EditRow>> SqliteStore::next_edit(const store::RequestContext& context,
+                                                      const std::string& project_id, store::EditStep step) {
   const std::lock_guard hold(mutex_);
   const char* const sql =
-      step == EditStep::kUndo
+      step == store::EditStep::kUndo
           ? "SELECT number, undone, created_ms, edits, inverse, original FROM project_edits"
             " WHERE owner = ? AND project_id = ? AND undone = 0 ORDER BY number DESC LIMIT 1"
           : "SELECT number, undone, created_ms, edits, inverse, original FROM project_edits"
             " WHERE owner = ? AND project_id = ? AND undone = 1 ORDER BY number LIMIT 1";
-  std::vector<EditRow> rows = TRY(rows_of(database_.prepare(sql, {context.owner, project_id}), edit_from));
-  if (rows.empty()) return std::optional<EditRow>();
+  std::vector<store::EditRow> rows = TRY(rows_of(database_.prepare(sql, {context.owner, project_id}), edit_from));
+  if (rows.empty()) return std::optional<store::EditRow>();
   return std::optional(std::move(rows.front()));
 }
 
-}  // namespace toile
+}  // namespace toile::sqlite

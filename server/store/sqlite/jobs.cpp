@@ -4,35 +4,35 @@
 #include "server/store/sqlite/rows.h"
 #include "server/store/sqlite/store.h"
 
-namespace toile {
+namespace toile::sqlite {
 namespace {
 
-Result<Store::OwnedJob> owned_job_from(const SqlStatement& row) {
-  JobRow job = TRY(job_from(row));
-  return Store::OwnedJob{row.text(kJobColumnCount), std::move(job)};
+Result<store::Store::OwnedJob> owned_job_from(const SqlStatement& row) {
+  store::JobRow job = TRY(job_from(row));
+  return store::Store::OwnedJob{row.text(kJobColumnCount), std::move(job)};
 }
 
 }  // namespace
 
-Result<std::optional<JobRow>> SqliteStore::find_job_of_key(const OwnerId& owner, const std::string& key) {
-  if (key.empty()) return std::optional<JobRow>();
-  Result<std::vector<JobRow>> made =
+Result<std::optional<store::JobRow>> SqliteStore::find_job_of_key(const store::OwnerId& owner, const std::string& key) {
+  if (key.empty()) return std::optional<store::JobRow>();
+  Result<std::vector<store::JobRow>> made =
       rows_of(database_.prepare(select(kJobColumns, "FROM jobs WHERE owner = ? AND idempotency_key = ?"),
                                 {owner, key}),
               job_from);
   if (!made) return made.error();
-  if (made->empty()) return std::optional<JobRow>();
+  if (made->empty()) return std::optional<store::JobRow>();
   return std::optional(std::move(made->front()));
 }
 
-Result<std::optional<JobRow>> SqliteStore::job_of_key(const RequestContext& context,
+Result<std::optional<store::JobRow>> SqliteStore::job_of_key(const store::RequestContext& context,
                                                       const std::string& idempotency_key) {
   TRY(check_key(idempotency_key));
   const std::lock_guard hold(mutex_);
   return find_job_of_key(context.owner, idempotency_key);
 }
 
-Status SqliteStore::insert_job(const OwnerId& owner, const JobRow& row, const std::string& idempotency_key) {
+Status SqliteStore::insert_job(const store::OwnerId& owner, const store::JobRow& row, const std::string& idempotency_key) {
   const std::string files = column_text(row.files), results = column_text(row.results);
   const SqlValue key = idempotency_key.empty() ? SqlValue(nullptr) : SqlValue(idempotency_key);
   const Result<int> kept = database_.run(
@@ -40,20 +40,20 @@ Status SqliteStore::insert_job(const OwnerId& owner, const JobRow& row, const st
       " reason, reason_where, attempt, created_ms, started_ms, ended_ms, report, results, idempotency_key)"
       " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
       {owner, row.id, row.project_id, std::int64_t{row.project_revision}, row.name, row.document, files,
-       name_of(row.state), row.reason_code, row.reason, row.reason_where, std::int64_t{row.attempt},
+       store::name_of(row.state), row.reason_code, row.reason, row.reason_where, std::int64_t{row.attempt},
        row.created_ms, row.started_ms, row.ended_ms, row.report, results, key});
   if (!kept) return kept.error();
   return {};
 }
 
-Result<Made<JobRow>> SqliteStore::create_job(const RequestContext& context, JobRow row,
+Result<store::Made<store::JobRow>> SqliteStore::create_job(const store::RequestContext& context, store::JobRow row,
                                              const std::string& idempotency_key) {
   TRY(check_key(idempotency_key));
   const std::lock_guard hold(mutex_);
   SqlTransaction transaction = TRY(SqlTransaction::begin(database_));
-  std::optional<JobRow> made = TRY(find_job_of_key(context.owner, idempotency_key));
+  std::optional<store::JobRow> made = TRY(find_job_of_key(context.owner, idempotency_key));
   if (made) {
-    if (made->project_id == row.project_id) return Made<JobRow>{std::move(*made), false};
+    if (made->project_id == row.project_id) return store::Made<store::JobRow>{std::move(*made), false};
     return Error{
         "store.idempotency_mismatch",
         "this idempotency key was used for project " + made->project_id + "; use a new one for another drape",
@@ -64,17 +64,17 @@ Result<Made<JobRow>> SqliteStore::create_job(const RequestContext& context, JobR
   row.id = std::move(id);
   TRY(insert_job(context.owner, row, idempotency_key));
   TRY(transaction.commit());
-  return Made<JobRow>{std::move(row), true};
+  return store::Made<store::JobRow>{std::move(row), true};
 }
 
-Result<JobRow> SqliteStore::job(const RequestContext& context, const std::string& id) {
+Result<store::JobRow> SqliteStore::job(const store::RequestContext& context, const std::string& id) {
   const std::lock_guard hold(mutex_);
   return row_of(
       database_.prepare(select(kJobColumns, "FROM jobs WHERE owner = ? AND id = ?"), {context.owner, id}),
       job_from, "job", id);
 }
 
-Result<std::vector<JobRow>> SqliteStore::jobs(const RequestContext& context, const std::string& cursor,
+Result<std::vector<store::JobRow>> SqliteStore::jobs(const store::RequestContext& context, const std::string& cursor,
                                               int limit) {
   const std::string before = TRY(before_what(cursor, 'j'));
   const std::lock_guard hold(mutex_);
@@ -84,70 +84,70 @@ Result<std::vector<JobRow>> SqliteStore::jobs(const RequestContext& context, con
                  job_from);
 }
 
-Status SqliteStore::update_job(const RequestContext& context, const JobRow& row) {
+Status SqliteStore::update_job(const store::RequestContext& context, const store::JobRow& row) {
   const std::string results = column_text(row.results);
   const std::lock_guard hold(mutex_);
   const Result<int> changed = database_.run(
       "UPDATE jobs SET state = ?, reason_code = ?, reason = ?, reason_where = ?, attempt = ?, started_ms = ?,"
       " ended_ms = ?, report = ?, results = ? WHERE owner = ? AND id = ?",
-      {name_of(row.state), row.reason_code, row.reason, row.reason_where, std::int64_t{row.attempt},
+      {store::name_of(row.state), row.reason_code, row.reason, row.reason_where, std::int64_t{row.attempt},
        row.started_ms, row.ended_ms, row.report, results, context.owner, row.id});
   if (!changed) return changed.error();
   if (*changed == 0) return not_found("job", row.id);
   return {};
 }
 
-Result<std::vector<Store::OwnedJob>> SqliteStore::unfinished_jobs() {
+Result<std::vector<store::Store::OwnedJob>> SqliteStore::unfinished_jobs() {
   const std::lock_guard hold(mutex_);
   return rows_of(
       database_.prepare(std::string("SELECT ") + kJobColumns + ", owner FROM jobs WHERE state IN (" +
-                        unfinished_states_in_sql() + ") ORDER BY id"),
+                        store::unfinished_states_in_sql() + ") ORDER BY id"),
       owned_job_from);
 }
 
 // Results
 
-Status SqliteStore::check_job(const OwnerId& owner, const std::string& id) {
+Status SqliteStore::check_job(const store::OwnerId& owner, const std::string& id) {
   const std::lock_guard hold(mutex_);
   TRY(row_of(database_.prepare("SELECT id FROM jobs WHERE owner = ? AND id = ?", {owner, id}), text_from,
              "job", id));
   return {};
 }
 
-Status SqliteStore::put_result(const RequestContext& context, const std::string& job_id,
+Status SqliteStore::put_result(const store::RequestContext& context, const std::string& job_id,
                                const std::string& name, std::string_view bytes) {
   TRY(check_job(context.owner, job_id));
   return blobs_.put_result(job_id, name, bytes);
 }
 
-Result<std::string> SqliteStore::result_bytes(const RequestContext& context, const std::string& job_id,
+Result<std::string> SqliteStore::result_bytes(const store::RequestContext& context, const std::string& job_id,
                                               const std::string& name) {
   TRY(check_job(context.owner, job_id));
   return blobs_.result(job_id, name);
 }
 
-Status SqliteStore::remove_results(const RequestContext& context, const std::string& job_id) {
+Status SqliteStore::remove_results(const store::RequestContext& context, const std::string& job_id) {
   TRY(check_job(context.owner, job_id));
   return blobs_.remove_results(job_id);
 }
 
 // Checkpoints
 
-Status SqliteStore::put_checkpoint(const RequestContext& context, const std::string& job_id,
+Status SqliteStore::put_checkpoint(const store::RequestContext& context, const std::string& job_id,
                                    std::string_view bytes) {
   TRY(check_job(context.owner, job_id));
   return blobs_.put_checkpoint(job_id, bytes);
 }
 
-Result<Store::KeptCheckpoint> SqliteStore::checkpoint(const RequestContext& context,
+Result<store::Store::KeptCheckpoint> SqliteStore::checkpoint(const store::RequestContext& context,
                                                       const std::string& job_id) {
   TRY(check_job(context.owner, job_id));
   return blobs_.checkpoint(job_id);
 }
 
-Status SqliteStore::remove_checkpoint(const RequestContext& context, const std::string& job_id) {
+Status SqliteStore::remove_checkpoint(const store::RequestContext& context, const std::string& job_id) {
   TRY(check_job(context.owner, job_id));
   return blobs_.remove_checkpoint(job_id);
 }
 
-}  // namespace toile
+}  // namespace toile::sqlite

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-namespace toile {
+namespace toile::sqlite {
 namespace {
 
 // Times are Unix milliseconds. `files` and `results` are JSON objects. Everything belongs to an owner, and
@@ -137,4 +137,4 @@ Status migrate(SqlDatabase& database, std::span<const Migration> steps) {
   return {};
 }
 
-}  // namespace toile
+}  // namespace toile::sqlite

@@ -7,7 +7,7 @@
 #include "core/base/result.h"
 #include "server/store/sqlite/database.h"
 
-namespace toile {
+namespace toile::sqlite {
 
 /// A step once released never changes; what comes later is a step of its own.
 struct Migration {
@@ -23,4 +23,4 @@ std::span<const Migration> migrations();
 /// SqlDatabase.
 Status migrate(SqlDatabase& database, std::span<const Migration> steps = migrations());
 
-}  // namespace toile
+}  // namespace toile::sqlite

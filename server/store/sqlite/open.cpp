@@ -9,14 +9,14 @@
 #include "server/store/sqlite/store.h"
 #include "server/store/sqlite/sweep.h"
 
-namespace toile {
+namespace toile::sqlite {
 namespace {
 
 namespace fs = std::filesystem;
 
 /// An id source that goes on after the newest id that the database has.
-Result<IdSource> ids_after(SqlDatabase& database) {
-  IdSource ids;
+Result<store::IdSource> ids_after(SqlDatabase& database) {
+  store::IdSource ids;
   for (const char* newest : {"SELECT max(id) FROM projects", "SELECT max(id) FROM jobs"}) {
     const std::string id = TRY(row_of(database.prepare(newest), text_from, "id", ""));
     ids.start_after(id);
@@ -32,7 +32,7 @@ Error opening(const fs::path& path, const Error& error) {
 
 }  // namespace
 
-Result<std::unique_ptr<Store>> open_sqlite_store(const std::string& folder) {
+Result<std::unique_ptr<store::Store>> open_sqlite_store(const std::string& folder) {
   std::error_code failure;
   const fs::path root = fs::absolute(folder, failure);
   if (fs::create_directories(root, failure)) fs::permissions(root, fs::perms::owner_all, failure);
@@ -40,8 +40,8 @@ Result<std::unique_ptr<Store>> open_sqlite_store(const std::string& folder) {
     return Error{"store.open", "cannot make the folder: " + failure.message(), root.string(),
                  ErrorKind::kSystem};
   }
-  FolderLock lock = TRY(FolderLock::take(root));
-  Result<Blobs> blobs = Blobs::open(root);
+  store::FolderLock lock = TRY(store::FolderLock::take(root));
+  Result<store::Blobs> blobs = store::Blobs::open(root);
   if (!blobs) return opening(root, blobs.error());
   const fs::path file = root / "toile.db";
   const bool had_database = fs::exists(file, failure);
@@ -51,11 +51,11 @@ Result<std::unique_ptr<Store>> open_sqlite_store(const std::string& folder) {
   if (had_database) {  // a lost database must not take the files with it
     if (Status swept = sweep_files(*database, *blobs); !swept) return opening(file, swept.error());
   }
-  const Result<IdSource> ids = ids_after(*database);
+  const Result<store::IdSource> ids = ids_after(*database);
   if (!ids) return opening(file, ids.error());
-  if (Status synced = sync_folder(root); !synced) return opening(root, synced.error());
-  return std::unique_ptr<Store>(
+  if (Status synced = store::sync_folder(root); !synced) return opening(root, synced.error());
+  return std::unique_ptr<store::Store>(
       std::make_unique<SqliteStore>(std::move(lock), std::move(*blobs), std::move(*database), *ids));
 }
 
-}  // namespace toile
+}  // namespace toile::sqlite

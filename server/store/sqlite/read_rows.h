@@ -8,7 +8,7 @@
 #include "core/base/result.h"
 #include "server/store/sqlite/database.h"
 
-namespace toile {
+namespace toile::sqlite {
 
 /// What belongs to somebody else is not found either, in the same words.
 inline Error not_found(const char* thing, const std::string& id) {
@@ -45,4 +45,4 @@ Result<Row> row_of(Result<SqlStatement> statement, Result<Row> (*read)(const Sql
   return std::move(rows.front());
 }
 
-}  // namespace toile
+}  // namespace toile::sqlite

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace toile {
+namespace toile::sqlite {
 namespace {
 
 using Json = nlohmann::json;
@@ -48,8 +48,8 @@ Result<ResultSizes> results_from(const std::string& text, const std::string& thi
   return map_from<std::int64_t>(text, thing, [](const Json& value) { return value.is_number(); });
 }
 
-Result<AssetRow> asset_from(const SqlStatement& row) {
-  AssetRow asset;
+Result<store::AssetRow> asset_from(const SqlStatement& row) {
+  store::AssetRow asset;
   asset.id = row.text(0);
   asset.kind = row.text(1);
   asset.name = row.text(2);
@@ -59,8 +59,8 @@ Result<AssetRow> asset_from(const SqlStatement& row) {
   return asset;
 }
 
-Result<ProjectRow> project_from(const SqlStatement& row) {
-  ProjectRow project;
+Result<store::ProjectRow> project_from(const SqlStatement& row) {
+  store::ProjectRow project;
   project.id = row.text(0);
   project.name = row.text(1);
   project.revision = static_cast<int>(row.integer(2));
@@ -72,13 +72,13 @@ Result<ProjectRow> project_from(const SqlStatement& row) {
   return project;
 }
 
-Result<JobRow> job_from(const SqlStatement& row) {
-  JobRow job;
+Result<store::JobRow> job_from(const SqlStatement& row) {
+  store::JobRow job;
   job.id = row.text(0);
   job.project_id = row.text(1);
   job.project_revision = static_cast<int>(row.integer(2));
   job.name = row.text(3);
-  const Result<JobState> state = job_state_from(row.text(4));
+  const Result<store::JobState> state = store::job_state_from(row.text(4));
   if (!state) return damaged(job.id);
   job.state = *state;
   job.reason_code = row.text(5);
@@ -101,4 +101,4 @@ std::string column_text(const FileIds& files) { return text_of(files); }
 
 std::string column_text(const ResultSizes& results) { return text_of(results); }
 
-}  // namespace toile
+}  // namespace toile::sqlite

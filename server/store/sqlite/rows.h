@@ -9,7 +9,7 @@
 #include "server/store/sqlite/database.h"
 #include "server/store/store.h"
 
-namespace toile {
+namespace toile::sqlite {
 
 /// ProjectRow::files and JobRow::results.
 using FileIds = std::map<std::string, std::string>;
@@ -29,9 +29,9 @@ inline constexpr const char* kJobListColumns =
 inline constexpr int kJobColumnCount = 16;
 
 /// Error of each: store.corrupt.
-Result<AssetRow> asset_from(const SqlStatement& row);
-Result<ProjectRow> project_from(const SqlStatement& row);
-Result<JobRow> job_from(const SqlStatement& row);
+Result<store::AssetRow> asset_from(const SqlStatement& row);
+Result<store::ProjectRow> project_from(const SqlStatement& row);
+Result<store::JobRow> job_from(const SqlStatement& row);
 
 /// A map as the JSON object that its column keeps.
 std::string column_text(const FileIds& files);
@@ -39,4 +39,4 @@ std::string column_text(const ResultSizes& results);
 /// And back; `thing` names the row. Error: store.corrupt.
 Result<ResultSizes> results_from(const std::string& text, const std::string& thing);
 
-}  // namespace toile
+}  // namespace toile::sqlite

@@ -15,7 +15,7 @@
 #include "server/store/sqlite/rows.h"
 #include "server/store/sqlite/sweep.h"
 
-namespace toile {
+namespace toile::sqlite {
 namespace {
 
 namespace fs = std::filesystem;
@@ -38,7 +38,7 @@ std::int64_t store_now_ms() {
   return duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count();
 }
 
-Status check_revision(const ProjectRow& now, int expected) {
+Status check_revision(const store::ProjectRow& now, int expected) {
   if (expected == 0 || now.revision == expected) return {};
   return Error{"store.conflict",
                "the project has been changed since: it is at revision " + std::to_string(now.revision) +
@@ -48,7 +48,7 @@ Status check_revision(const ProjectRow& now, int expected) {
 
 Result<std::string> before_what(const std::string& cursor, char letter) {
   if (cursor.empty()) return std::string(1, letter) + "~";
-  if (is_id(cursor, letter)) return cursor;
+  if (store::is_id(cursor, letter)) return cursor;
   return Error{"store.cursor", "the cursor " + in_quotes(cursor) + " is not one that a list gave", "",
                ErrorKind::kMalformed};
 }
@@ -68,8 +68,8 @@ std::int64_t page_limit(int limit) {
 
 // Assets
 
-Result<AssetRow> SqliteStore::put_asset(const RequestContext& context, AssetRow row, std::string_view bytes) {
-  TRY(check_name(row.name));
+Result<store::AssetRow> SqliteStore::put_asset(const store::RequestContext& context, store::AssetRow row, std::string_view bytes) {
+  TRY(store::check_name(row.name));
   row.id = "a_" + hash_of(row.kind + '/' + row.name + '/' + hash_of(bytes));  // no kind, no name has a slash
   row.size = static_cast<std::int64_t>(bytes.size());
   row.created_ms = store_now_ms();
@@ -85,31 +85,31 @@ Result<AssetRow> SqliteStore::put_asset(const RequestContext& context, AssetRow 
                 asset_from, "asset", row.id);
 }
 
-Result<AssetRow> SqliteStore::asset(const RequestContext& context, const std::string& id) {
+Result<store::AssetRow> SqliteStore::asset(const store::RequestContext& context, const std::string& id) {
   const std::lock_guard hold(mutex_);
   return row_of(
       database_.prepare(select(kAssetColumns, "FROM assets WHERE owner = ? AND id = ?"), {context.owner, id}),
       asset_from, "asset", id);
 }
 
-Result<BlobPlace> SqliteStore::blob_place(const OwnerId& owner, const std::string& id) {
+Result<BlobPlace> SqliteStore::blob_place(const store::OwnerId& owner, const std::string& id) {
   const std::lock_guard hold(mutex_);
   return row_of(database_.prepare("SELECT blob, size FROM assets WHERE owner = ? AND id = ?", {owner, id}),
                 blob_place_from, "asset", id);
 }
 
-Result<std::string> SqliteStore::asset_bytes(const RequestContext& context, const std::string& id) {
+Result<std::string> SqliteStore::asset_bytes(const store::RequestContext& context, const std::string& id) {
   const BlobPlace place = TRY(blob_place(context.owner, id));
   return blobs_.blob(place.blob, place.size);
 }
 
-Result<std::string> SqliteStore::asset_path(const RequestContext& context, const std::string& id) {
+Result<std::string> SqliteStore::asset_path(const store::RequestContext& context, const std::string& id) {
   const BlobPlace place = TRY(blob_place(context.owner, id));
   const fs::path path = TRY(blobs_.blob_path(place.blob, place.size));
   return path.string();
 }
 
-Result<std::vector<AssetRow>> SqliteStore::assets(const RequestContext& context, const std::string& kind) {
+Result<std::vector<store::AssetRow>> SqliteStore::assets(const store::RequestContext& context, const std::string& kind) {
   const std::lock_guard hold(mutex_);
   return rows_of(database_.prepare(select(kAssetColumns,
                                           "FROM assets WHERE owner = ?1 AND (?2 = '' OR kind = ?2)"
@@ -121,25 +121,25 @@ Result<std::vector<AssetRow>> SqliteStore::assets(const RequestContext& context,
 // Projects
 
 /// The project that was made with the key, when `request` is what it was made of.
-Result<std::optional<ProjectRow>> SqliteStore::project_of_key(const OwnerId& owner, const std::string& key,
+Result<std::optional<store::ProjectRow>> SqliteStore::project_of_key(const store::OwnerId& owner, const std::string& key,
                                                               const std::string& request) {
   const Result<std::vector<KeyedProject>> made =
       rows_of(database_.prepare("SELECT project_id, request FROM project_keys WHERE owner = ? AND key = ?",
                                 {owner, key}),
               keyed_project_from);
   if (!made) return made.error();
-  if (made->empty()) return std::optional<ProjectRow>();
+  if (made->empty()) return std::optional<store::ProjectRow>();
   if (made->front().request != request) {
     return Error{"store.idempotency_mismatch",
                  "this idempotency key was used for another document or other files, for project " +
                      made->front().id + "; use a new one for another project",
                  "", ErrorKind::kConflict};
   }
-  ProjectRow project = TRY(find_project(owner, made->front().id));
+  store::ProjectRow project = TRY(find_project(owner, made->front().id));
   return std::optional(std::move(project));
 }
 
-Status SqliteStore::insert_project(const OwnerId& owner, const ProjectRow& row) {
+Status SqliteStore::insert_project(const store::OwnerId& owner, const store::ProjectRow& row) {
   const std::string files = column_text(row.files);
   const Result<int> kept = database_.run(
       "INSERT INTO projects (owner, id, name, revision, document, files, created_ms, updated_ms)"
@@ -150,15 +150,15 @@ Status SqliteStore::insert_project(const OwnerId& owner, const ProjectRow& row) 
   return {};
 }
 
-Result<Made<ProjectRow>> SqliteStore::create_project(const RequestContext& context, ProjectRow row,
+Result<store::Made<store::ProjectRow>> SqliteStore::create_project(const store::RequestContext& context, store::ProjectRow row,
                                                      const std::string& idempotency_key) {
   TRY(check_key(idempotency_key));
   const std::string request = hash_of(row.document + '\n' + column_text(row.files));
   const std::lock_guard hold(mutex_);
   SqlTransaction transaction = TRY(SqlTransaction::begin(database_));
   if (!idempotency_key.empty()) {
-    std::optional<ProjectRow> made = TRY(project_of_key(context.owner, idempotency_key, request));
-    if (made) return Made<ProjectRow>{std::move(*made), false};
+    std::optional<store::ProjectRow> made = TRY(project_of_key(context.owner, idempotency_key, request));
+    if (made) return store::Made<store::ProjectRow>{std::move(*made), false};
   }
   row.created_ms = row.updated_ms = store_now_ms();
   row.revision = 1;
@@ -172,25 +172,25 @@ Result<Made<ProjectRow>> SqliteStore::create_project(const RequestContext& conte
     if (!keyed) return keyed.error();
   }
   TRY(transaction.commit());
-  return Made<ProjectRow>{std::move(row), true};
+  return store::Made<store::ProjectRow>{std::move(row), true};
 }
 
-Result<ProjectRow> SqliteStore::replace_project(const RequestContext& context, const ProjectRow& row,
+Result<store::ProjectRow> SqliteStore::replace_project(const store::RequestContext& context, const store::ProjectRow& row,
                                                 int expected) {
   const std::lock_guard hold(mutex_);
   SqlTransaction transaction = TRY(SqlTransaction::begin(database_));
-  const ProjectRow now = TRY(find_project(context.owner, row.id));
+  const store::ProjectRow now = TRY(find_project(context.owner, row.id));
   TRY(check_revision(now, expected));
-  const ProjectRow kept = TRY(update_project(context.owner, now, row));
+  const store::ProjectRow kept = TRY(update_project(context.owner, now, row));
   TRY(forget_edits(context.owner, row.id));
   TRY(transaction.commit());
   return kept;
 }
 
 /// `now` with name, document and files of `row`, one revision on.
-Result<ProjectRow> SqliteStore::update_project(const OwnerId& owner, const ProjectRow& now,
-                                               const ProjectRow& row) {
-  ProjectRow next = now;
+Result<store::ProjectRow> SqliteStore::update_project(const store::OwnerId& owner, const store::ProjectRow& now,
+                                               const store::ProjectRow& row) {
+  store::ProjectRow next = now;
   next.name = row.name;
   next.document = row.document;
   next.files = row.files;
@@ -205,18 +205,18 @@ Result<ProjectRow> SqliteStore::update_project(const OwnerId& owner, const Proje
   return next;
 }
 
-Result<ProjectRow> SqliteStore::find_project(const OwnerId& owner, const std::string& id) {
+Result<store::ProjectRow> SqliteStore::find_project(const store::OwnerId& owner, const std::string& id) {
   return row_of(
       database_.prepare(select(kProjectColumns, "FROM projects WHERE owner = ? AND id = ?"), {owner, id}),
       project_from, "project", id);
 }
 
-Result<ProjectRow> SqliteStore::project(const RequestContext& context, const std::string& id) {
+Result<store::ProjectRow> SqliteStore::project(const store::RequestContext& context, const std::string& id) {
   const std::lock_guard hold(mutex_);
   return find_project(context.owner, id);
 }
 
-Result<std::vector<ProjectRow>> SqliteStore::projects(const RequestContext& context,
+Result<std::vector<store::ProjectRow>> SqliteStore::projects(const store::RequestContext& context,
                                                       const std::string& cursor, int limit) {
   const std::string before = TRY(before_what(cursor, 'p'));
   const std::lock_guard hold(mutex_);
@@ -227,10 +227,10 @@ Result<std::vector<ProjectRow>> SqliteStore::projects(const RequestContext& cont
       project_from);
 }
 
-Status SqliteStore::remove_project(const RequestContext& context, const std::string& id, int expected) {
+Status SqliteStore::remove_project(const store::RequestContext& context, const std::string& id, int expected) {
   const std::lock_guard hold(mutex_);
   SqlTransaction transaction = TRY(SqlTransaction::begin(database_));
-  const ProjectRow now = TRY(find_project(context.owner, id));
+  const store::ProjectRow now = TRY(find_project(context.owner, id));
   TRY(check_revision(now, expected));
   for (const char* sql : {"DELETE FROM projects WHERE owner = ? AND id = ?",
                           "DELETE FROM project_keys WHERE owner = ? AND project_id = ?"}) {
@@ -242,7 +242,7 @@ Status SqliteStore::remove_project(const RequestContext& context, const std::str
 
 // The rest
 
-Result<std::optional<std::string>> SqliteStore::get_setting(const RequestContext& context,
+Result<std::optional<std::string>> SqliteStore::get_setting(const store::RequestContext& context,
                                                             const std::string& key) {
   const std::lock_guard hold(mutex_);
   std::vector<std::string> values = TRY(rows_of(
@@ -252,7 +252,7 @@ Result<std::optional<std::string>> SqliteStore::get_setting(const RequestContext
   return std::optional(std::move(values.front()));
 }
 
-Status SqliteStore::put_setting(const RequestContext& context, const std::string& key,
+Status SqliteStore::put_setting(const store::RequestContext& context, const std::string& key,
                                 const std::string& value) {
   const std::lock_guard hold(mutex_);
   TRY(
@@ -268,4 +268,4 @@ Status SqliteStore::ping() {
   return {};
 }
 
-}  // namespace toile
+}  // namespace toile::sqlite

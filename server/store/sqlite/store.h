@@ -15,7 +15,7 @@
 #include "server/store/sqlite/database.h"
 #include "server/store/store.h"
 
-namespace toile {
+namespace toile::sqlite {
 
 /// Where an asset's bytes lie: its blob and size.
 struct BlobPlace {
@@ -23,90 +23,90 @@ struct BlobPlace {
   std::int64_t size = 0;
 };
 
-class SqliteStore final : public Store {
+class SqliteStore final : public store::Store {
  public:
-  SqliteStore(FolderLock lock, Blobs blobs, SqlDatabase database, IdSource ids)
+  SqliteStore(store::FolderLock lock, store::Blobs blobs, SqlDatabase database, store::IdSource ids)
       : lock_(std::move(lock)), blobs_(std::move(blobs)), database_(std::move(database)), ids_(ids) {}
 
-  Result<AssetRow> put_asset(const RequestContext& context, AssetRow row, std::string_view bytes) override;
-  Result<AssetRow> asset(const RequestContext& context, const std::string& id) override;
-  Result<std::string> asset_bytes(const RequestContext& context, const std::string& id) override;
-  Result<std::string> asset_path(const RequestContext& context, const std::string& id) override;
-  Result<std::vector<AssetRow>> assets(const RequestContext& context, const std::string& kind) override;
+  Result<store::AssetRow> put_asset(const store::RequestContext& context, store::AssetRow row, std::string_view bytes) override;
+  Result<store::AssetRow> asset(const store::RequestContext& context, const std::string& id) override;
+  Result<std::string> asset_bytes(const store::RequestContext& context, const std::string& id) override;
+  Result<std::string> asset_path(const store::RequestContext& context, const std::string& id) override;
+  Result<std::vector<store::AssetRow>> assets(const store::RequestContext& context, const std::string& kind) override;
 
-  Result<Made<ProjectRow>> create_project(const RequestContext& context, ProjectRow row,
+  Result<store::Made<store::ProjectRow>> create_project(const store::RequestContext& context, store::ProjectRow row,
                                           const std::string& idempotency_key) override;
-  Result<ProjectRow> replace_project(const RequestContext& context, const ProjectRow& row,
+  Result<store::ProjectRow> replace_project(const store::RequestContext& context, const store::ProjectRow& row,
                                      int expected) override;
-  Result<ProjectRow> project(const RequestContext& context, const std::string& id) override;
-  Result<std::vector<ProjectRow>> projects(const RequestContext& context, const std::string& cursor,
+  Result<store::ProjectRow> project(const store::RequestContext& context, const std::string& id) override;
+  Result<std::vector<store::ProjectRow>> projects(const store::RequestContext& context, const std::string& cursor,
                                            int limit) override;
-  Status remove_project(const RequestContext& context, const std::string& id, int expected) override;
+  Status remove_project(const store::RequestContext& context, const std::string& id, int expected) override;
 
-  Result<ProjectRow> edit_project(const RequestContext& context, const ProjectRow& row, int expected,
-                                  EditStep step, const EditRow& edit) override;
-  Result<std::vector<EditRow>> edits(const RequestContext& context, const std::string& project_id,
+  Result<store::ProjectRow> edit_project(const store::RequestContext& context, const store::ProjectRow& row, int expected,
+                                  store::EditStep step, const store::EditRow& edit) override;
+  Result<std::vector<store::EditRow>> edits(const store::RequestContext& context, const std::string& project_id,
                                      std::int64_t before, int limit) override;
-  Result<std::optional<EditRow>> next_edit(const RequestContext& context, const std::string& project_id,
-                                           EditStep step) override;
+  Result<std::optional<store::EditRow>> next_edit(const store::RequestContext& context, const std::string& project_id,
+                                           store::EditStep step) override;
 
-  Result<Made<JobRow>> create_job(const RequestContext& context, JobRow row,
+  Result<store::Made<store::JobRow>> create_job(const store::RequestContext& context, store::JobRow row,
                                   const std::string& idempotency_key) override;
-  Result<std::optional<JobRow>> job_of_key(const RequestContext& context,
+  Result<std::optional<store::JobRow>> job_of_key(const store::RequestContext& context,
                                            const std::string& idempotency_key) override;
-  Result<JobRow> job(const RequestContext& context, const std::string& id) override;
-  Result<std::vector<JobRow>> jobs(const RequestContext& context, const std::string& cursor,
+  Result<store::JobRow> job(const store::RequestContext& context, const std::string& id) override;
+  Result<std::vector<store::JobRow>> jobs(const store::RequestContext& context, const std::string& cursor,
                                    int limit) override;
-  Status update_job(const RequestContext& context, const JobRow& row) override;
+  Status update_job(const store::RequestContext& context, const store::JobRow& row) override;
   Result<std::vector<OwnedJob>> unfinished_jobs() override;
 
-  Status put_result(const RequestContext& context, const std::string& job_id, const std::string& name,
+  Status put_result(const store::RequestContext& context, const std::string& job_id, const std::string& name,
                     std::string_view bytes) override;
-  Result<std::string> result_bytes(const RequestContext& context, const std::string& job_id,
+  Result<std::string> result_bytes(const store::RequestContext& context, const std::string& job_id,
                                    const std::string& name) override;
-  Status remove_results(const RequestContext& context, const std::string& job_id) override;
+  Status remove_results(const store::RequestContext& context, const std::string& job_id) override;
 
-  Status put_checkpoint(const RequestContext& context, const std::string& job_id,
+  Status put_checkpoint(const store::RequestContext& context, const std::string& job_id,
                         std::string_view bytes) override;
-  Result<KeptCheckpoint> checkpoint(const RequestContext& context, const std::string& job_id) override;
-  Status remove_checkpoint(const RequestContext& context, const std::string& job_id) override;
+  Result<KeptCheckpoint> checkpoint(const store::RequestContext& context, const std::string& job_id) override;
+  Status remove_checkpoint(const store::RequestContext& context, const std::string& job_id) override;
 
-  Result<std::optional<std::string>> get_setting(const RequestContext& context,
+  Result<std::optional<std::string>> get_setting(const store::RequestContext& context,
                                                  const std::string& key) override;
-  Status put_setting(const RequestContext& context, const std::string& key,
+  Status put_setting(const store::RequestContext& context, const std::string& key,
                      const std::string& value) override;
   std::string scratch_folder() const override { return blobs_.scratch_folder().string(); }
   Status ping() override;
 
  private:
   // What follows expects mutex_ to be held.
-  Result<ProjectRow> find_project(const OwnerId& owner, const std::string& id);
-  Status insert_job(const OwnerId& owner, const JobRow& row, const std::string& idempotency_key);
-  Result<std::optional<ProjectRow>> project_of_key(const OwnerId& owner, const std::string& key,
+  Result<store::ProjectRow> find_project(const store::OwnerId& owner, const std::string& id);
+  Status insert_job(const store::OwnerId& owner, const store::JobRow& row, const std::string& idempotency_key);
+  Result<std::optional<store::ProjectRow>> project_of_key(const store::OwnerId& owner, const std::string& key,
                                                    const std::string& request);
-  Status insert_project(const OwnerId& owner, const ProjectRow& row);
-  Result<ProjectRow> update_project(const OwnerId& owner, const ProjectRow& now, const ProjectRow& row);
-  Status append_edit(const OwnerId& owner, const std::string& project_id, const EditRow& edit);
-  Status turn_edit(const OwnerId& owner, const std::string& project_id, std::int64_t number, bool undone);
-  Status trim_edits(const OwnerId& owner, const std::string& project_id);
-  Status forget_edits(const OwnerId& owner, const std::string& project_id);
-  Result<std::optional<JobRow>> find_job_of_key(const OwnerId& owner, const std::string& key);
+  Status insert_project(const store::OwnerId& owner, const store::ProjectRow& row);
+  Result<store::ProjectRow> update_project(const store::OwnerId& owner, const store::ProjectRow& now, const store::ProjectRow& row);
+  Status append_edit(const store::OwnerId& owner, const std::string& project_id, const store::EditRow& edit);
+  Status turn_edit(const store::OwnerId& owner, const std::string& project_id, std::int64_t number, bool undone);
+  Status trim_edits(const store::OwnerId& owner, const std::string& project_id);
+  Status forget_edits(const store::OwnerId& owner, const std::string& project_id);
+  Result<std::optional<store::JobRow>> find_job_of_key(const store::OwnerId& owner, const std::string& key);
 
   // And what follows takes it.
-  Result<BlobPlace> blob_place(const OwnerId& owner, const std::string& id);
-  Status check_job(const OwnerId& owner, const std::string& id);
+  Result<BlobPlace> blob_place(const store::OwnerId& owner, const std::string& id);
+  Status check_job(const store::OwnerId& owner, const std::string& id);
 
-  const FolderLock lock_;
-  const Blobs blobs_;
+  const store::FolderLock lock_;
+  const store::Blobs blobs_;
   std::mutex mutex_;  // guards what stands below; files are read and written without it
   SqlDatabase database_;
-  IdSource ids_;
+  store::IdSource ids_;
 };
 
 /// Now, as Unix time.
 std::int64_t store_now_ms();
 /// That the project stands at the revision that somebody has seen; 0 stands for any. Error: store.conflict.
-Status check_revision(const ProjectRow& now, int expected);
+Status check_revision(const store::ProjectRow& now, int expected);
 /// One more than any id when the cursor is empty, so that "before the cursor" is everything. Error:
 /// store.cursor.
 Result<std::string> before_what(const std::string& cursor, char letter);
@@ -115,4 +115,4 @@ Status check_key(const std::string& key);
 /// How many rows a page may have, of those asked for.
 std::int64_t page_limit(int limit);
 
-}  // namespace toile
+}  // namespace toile::sqlite

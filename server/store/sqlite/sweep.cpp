@@ -8,14 +8,14 @@
 #include "server/store/sqlite/read_rows.h"
 #include "server/store/sqlite/rows.h"
 
-namespace toile {
+namespace toile::sqlite {
 namespace {
 
 using Names = std::set<std::string>;
 
 Names set_of(std::vector<std::string> names) { return {names.begin(), names.end()}; }
 
-Status sweep_blobs(SqlDatabase& database, const Blobs& blobs) {
+Status sweep_blobs(SqlDatabase& database, const store::Blobs& blobs) {
   Names unnamed = set_of(blobs.blob_names());  // before the rows are read, so that it can only be too few
   SqlStatement row = TRY(database.prepare("SELECT blob FROM assets"));
   for (;;) {
@@ -28,13 +28,13 @@ Status sweep_blobs(SqlDatabase& database, const Blobs& blobs) {
   return {};
 }
 
-void keep_only(const Blobs& blobs, const std::string& job_id, const ResultSizes& named) {
+void keep_only(const store::Blobs& blobs, const std::string& job_id, const ResultSizes& named) {
   for (const std::string& name : blobs.result_names(job_id)) {
     if (!named.contains(name)) blobs.remove_result(job_id, name);
   }
 }
 
-Status sweep_results(SqlDatabase& database, const Blobs& blobs) {
+Status sweep_results(SqlDatabase& database, const store::Blobs& blobs) {
   Names unnamed = set_of(blobs.jobs_with_results());
   SqlStatement row = TRY(database.prepare("SELECT id, results FROM jobs"));
   for (;;) {
@@ -55,9 +55,9 @@ Status sweep_results(SqlDatabase& database, const Blobs& blobs) {
 }
 
 /// A crash between a job's end and the removal of its checkpoint leaves one.
-Status sweep_checkpoints(SqlDatabase& database, const Blobs& blobs) {
+Status sweep_checkpoints(SqlDatabase& database, const store::Blobs& blobs) {
   const std::vector<std::string> ids =
-      TRY(rows_of(database.prepare("SELECT id FROM jobs WHERE state IN (" + unfinished_states_in_sql() + ")"),
+      TRY(rows_of(database.prepare("SELECT id FROM jobs WHERE state IN (" + store::unfinished_states_in_sql() + ")"),
                   text_from));
   blobs.keep_checkpoints_of({ids.begin(), ids.end()});
   return {};
@@ -65,10 +65,10 @@ Status sweep_checkpoints(SqlDatabase& database, const Blobs& blobs) {
 
 }  // namespace
 
-Status sweep_files(SqlDatabase& database, const Blobs& blobs) {
+Status sweep_files(SqlDatabase& database, const store::Blobs& blobs) {
   TRY(sweep_blobs(database, blobs));
   TRY(sweep_results(database, blobs));
   return sweep_checkpoints(database, blobs);
 }
 
-}  // namespace toile
+}  // namespace toile::sqlite

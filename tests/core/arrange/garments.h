@@ -10,18 +10,18 @@
 namespace toile::test {
 
 /// Straight edges e0, e1, … from corner to corner, counter-clockwise.
-inline Panel polygon(const std::string& id, const std::vector<Vec2>& corners) {
-  Panel panel;
+inline pattern::Panel polygon(const std::string& id, const std::vector<Vec2>& corners) {
+  pattern::Panel panel;
   panel.id = id;
   for (std::size_t k = 0; k < corners.size(); ++k) {
     panel.outline.edges.push_back(
-        {"e" + std::to_string(k), {line_segment(corners[k], corners[(k + 1) % corners.size()])}});
+        {"e" + std::to_string(k), {pattern::line_segment(corners[k], corners[(k + 1) % corners.size()])}});
   }
   return panel;
 }
 
 /// The panel drawn over to the other side; edge k of the one is edge n - 1 - k of the other.
-inline Panel turned_over(const std::string& id, const std::vector<Vec2>& corners) {
+inline pattern::Panel turned_over(const std::string& id, const std::vector<Vec2>& corners) {
   std::vector<Vec2> mirrored;
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const Vec2 p = corners[(corners.size() - k) % corners.size()];
@@ -30,12 +30,12 @@ inline Panel turned_over(const std::string& id, const std::vector<Vec2>& corners
   return polygon(id, mirrored);
 }
 
-inline Seam seam(const std::string& id, std::vector<SeamEdge> a, std::vector<SeamEdge> b) {
+inline pattern::Seam seam(const std::string& id, std::vector<pattern::SeamEdge> a, std::vector<pattern::SeamEdge> b) {
   return {id, std::move(a), std::move(b), false};
 }
 
-inline Pattern skirt() {
-  Pattern pattern;
+inline pattern::Pattern skirt() {
+  pattern::Pattern pattern;
   const std::vector<Vec2> panel{{-280, 0}, {280, 0}, {250, 500}, {-250, 500}};
   const std::vector<Vec2> band{{0, 0}, {375, 0}, {375, 40}, {0, 40}};
   pattern.panels = {polygon("skirt_front", panel), polygon("skirt_back", panel), polygon("wb_front", band),
@@ -47,8 +47,8 @@ inline Pattern skirt() {
 }
 
 /// Six equal gores that nothing names, each sewn to the next.
-inline Pattern gored_skirt() {
-  Pattern pattern;
+inline pattern::Pattern gored_skirt() {
+  pattern::Pattern pattern;
   for (int k = 0; k < 6; ++k) {
     pattern.panels.push_back(
         polygon("piece" + std::to_string(k + 1), {{-110, 0}, {110, 0}, {70, 550}, {-70, 550}}));
@@ -58,8 +58,8 @@ inline Pattern gored_skirt() {
 }
 
 /// A bodice without sleeves, a skirt sewn to it, and a strip around the neck that closes at the back.
-inline Pattern dress() {
-  Pattern pattern;
+inline pattern::Pattern dress() {
+  pattern::Pattern pattern;
   const std::vector<Vec2> bodice{{-215, 0},  {215, 0},    {250, 170},  {200, 380},
                                  {110, 405}, {-110, 405}, {-200, 380}, {-250, 170}};
   const std::vector<Vec2> skirt{{-330, 0}, {330, 0}, {215, 600}, {-215, 600}};
@@ -77,8 +77,8 @@ inline Pattern dress() {
 
 /// A front, a back and two sleeves that close around the arms; e2 … e5 of the body are armhole, shoulder,
 /// neck and shoulder.
-inline Pattern shirt(const std::string& front = "front", const std::string& back = "back") {
-  Pattern pattern;
+inline pattern::Pattern shirt(const std::string& front = "front", const std::string& back = "back") {
+  pattern::Pattern pattern;
   const std::vector<Vec2> body{{-260, 0}, {260, 0},   {260, 340},  {205, 560},
                                {80, 590}, {-80, 590}, {-205, 560}, {-260, 340}};
   const std::vector<Vec2> sleeve{{-165, 0}, {165, 0}, {175, 90}, {0, 235}, {-175, 90}};
@@ -94,8 +94,8 @@ inline Pattern shirt(const std::string& front = "front", const std::string& back
 }
 
 /// Four legs: e1 inner leg, e2 crotch, e3 waist, e4 outer leg of the wearer's right front.
-inline Pattern trousers() {
-  Pattern pattern;
+inline pattern::Pattern trousers() {
+  pattern::Pattern pattern;
   const std::vector<Vec2> front{{0, 0}, {200, 0}, {290, 700}, {225, 960}, {-10, 960}};
   const std::vector<Vec2> back{{0, 0}, {230, 0}, {230, 960}, {-5, 960}, {-80, 700}};
   pattern.panels = {polygon("right_front_leg", front), turned_over("left_front_leg", front),

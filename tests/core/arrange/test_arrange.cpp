@@ -20,68 +20,68 @@
 namespace toile {
 namespace {
 
-const Body& mannequin() {
-  static const Body body{"mannequin", load_mesh(TOILE_SOURCE_DIR "/samples/skirt/body.obj").value()};
+const body::Body& mannequin() {
+  static const body::Body body{"mannequin", mesh_import::load_mesh(TOILE_SOURCE_DIR "/samples/skirt/body.obj").value()};
   return body;
 }
 
-const BodyFigure& figure() {
-  static const BodyFigure f = find_figure(mannequin().mesh).value();
+const measure::BodyFigure& figure() {
+  static const measure::BodyFigure f = measure::find_figure(mannequin().mesh).value();
   return f;
 }
 
 /// A garment arranged and put together, nothing repaired.
 struct Start {
-  Pattern pattern;
-  PanelMeshes meshes;
-  Arrangement made;
-  Assembly assembly;
+  pattern::Pattern pattern;
+  mesh::PanelMeshes meshes;
+  arrange::Arrangement made;
+  sewing::Assembly assembly;
 };
 
-Start started(Pattern pattern) {
+Start started(pattern::Pattern pattern) {
   Start s;
   s.pattern = std::move(pattern);
-  s.meshes = make_panel_meshes(s.pattern, 0.02, {}).value();
-  const std::span<const Body> bodies(&mannequin(), 1);
-  auto made = arrange({s.pattern, s.meshes, bodies});
+  s.meshes = mesh::make_panel_meshes(s.pattern, 0.02, {}).value();
+  const std::span<const body::Body> bodies(&mannequin(), 1);
+  auto made = arrange::arrange({s.pattern, s.meshes, bodies});
   EXPECT_TRUE(made.ok()) << to_string(made.error());
   if (!made.ok()) return s;
   s.made = std::move(*made);
-  s.assembly = assemble(s.meshes, s.made.placements, s.made.attachments).value();
+  s.assembly = sewing::assemble(s.meshes, s.made.placements, s.made.attachments).value();
   return s;
 }
 
-std::string text_of(const Findings& findings) {
+std::string text_of(const preflight::Findings& findings) {
   std::string text;
-  for (const Finding& f : findings) {
-    text += std::string(code_of(f.kind)) + " " + where_text(f) + ": " + f.message + "\n";
+  for (const preflight::Finding& f : findings) {
+    text += std::string(preflight::code_of(f.kind)) + " " + preflight::where_text(f) + ": " + f.message + "\n";
   }
   return text;
 }
 
 /// No error, nothing to repair, and the exact count finds no crossing.
 void expect_clean(const Start& s) {
-  for (const Finding& f : s.made.findings) {
-    EXPECT_NE(f.severity, Severity::kError) << text_of(s.made.findings);
+  for (const preflight::Finding& f : s.made.findings) {
+    EXPECT_NE(f.severity, preflight::Severity::kError) << text_of(s.made.findings);
     EXPECT_FALSE(f.repaired) << text_of(s.made.findings);
-    EXPECT_NE(f.kind, FindingKind::kRingAroundNothing) << where_text(f);
+    EXPECT_NE(f.kind, preflight::FindingKind::kRingAroundNothing) << preflight::where_text(f);
   }
-  const GarmentMesh& g = s.assembly.garment;
-  const Surface surface = make_surface(g.triangles, g.vertex_count(), g.weld);
-  const CrossingBody body = make_crossing_body(mannequin().mesh.vertices, mannequin().mesh.triangles);
-  EXPECT_TRUE(body_crossings(surface, s.assembly.positions, body).empty());
-  EXPECT_TRUE(self_crossings(surface, s.assembly.positions).empty());
+  const sewing::GarmentMesh& g = s.assembly.garment;
+  const collision::Surface surface = collision::make_surface(g.triangles, g.vertex_count(), g.weld);
+  const collision::CrossingBody body = collision::make_crossing_body(mannequin().mesh.vertices, mannequin().mesh.triangles);
+  EXPECT_TRUE(collision::body_crossings(surface, s.assembly.positions, body).empty());
+  EXPECT_TRUE(collision::self_crossings(surface, s.assembly.positions).empty());
 }
 
 Vec3 centre_of(const Start& s, Index panel) {
-  const GarmentMesh& g = s.assembly.garment;
+  const sewing::GarmentMesh& g = s.assembly.garment;
   Vec3 sum;
   for (Index v = g.first_vertex[panel]; v < g.first_vertex[panel + 1]; ++v) sum += s.assembly.positions[v];
   return sum * (1.0 / (g.first_vertex[panel + 1] - g.first_vertex[panel]));
 }
 
 /// The closed borders of the sewn garment, as classes of vertices in order.
-std::vector<std::vector<Index>> rings(const GarmentMesh& g) {
+std::vector<std::vector<Index>> rings(const sewing::GarmentMesh& g) {
   std::map<std::pair<Index, Index>, int> count;
   for (const Tri& t : g.triangles) {
     for (int k = 0; k < 3; ++k) {
@@ -156,8 +156,8 @@ TEST(Arrange, ASkirtStandsAroundTheHipsWithItsBandAtTheWaist) {
 TEST(Arrange, ASkirtsBandIsHeldAtItsHeight) {
   const Start s = started(test::skirt());
   ASSERT_EQ(s.made.attachments.size(), 2u);
-  for (const Attachment& a : s.made.attachments) {
-    EXPECT_EQ(a.hold, Attachment::Hold::kHeight);
+  for (const sewing::Attachment& a : s.made.attachments) {
+    EXPECT_EQ(a.hold, sewing::Attachment::Hold::kHeight);
     EXPECT_TRUE(a.panel == 2 || a.panel == 3);
   }
 }
@@ -177,7 +177,7 @@ TEST(Arrange, SleevesGoAroundTheArmsThatTheirSeamsLeadTo) {
       EXPECT_EQ(std::abs(winding(s, ring, {0, 1, 0}, {0, 1, 0})), 1);
       continue;
     }
-    const ArmLine& arm = figure().arm[has_panel(s, ring, 2) ? kWearersLeft : kWearersRight];
+    const measure::ArmLine& arm = figure().arm[has_panel(s, ring, 2) ? measure::kWearersLeft : measure::kWearersRight];
     EXPECT_EQ(std::abs(winding(s, ring, arm.root, arm.along())), 1);
     ++cuffs;
   }
@@ -194,19 +194,19 @@ TEST(Arrange, SymmetricPartnersStandAsMirrorImages) {
 }
 
 TEST(MirrorPartner, IsTheSleeveOnTheOtherSideAndNeverTheBackOfAFront) {
-  const auto partners = [](const Pattern& pattern) {
-    const PanelMeshes meshes = make_panel_meshes(pattern, 0.02, {}).value();
-    const GarmentGraph graph = make_garment_graph(pattern, meshes);
+  const auto partners = [](const pattern::Pattern& pattern) {
+    const mesh::PanelMeshes meshes = mesh::make_panel_meshes(pattern, 0.02, {}).value();
+    const arrange::GarmentGraph graph = arrange::make_garment_graph(pattern, meshes);
     std::map<std::string, std::string> out;
     for (Index p = 0; p < static_cast<Index>(graph.pieces.size()); ++p) {
-      const Index q = mirror_partner(graph, p);
+      const Index q = arrange::mirror_partner(graph, p);
       out[graph.pieces[p].id] = q == kNone ? "" : graph.pieces[q].id;
     }
     return out;
   };
   for (const auto& [piece, partner] : partners(test::skirt())) EXPECT_EQ(partner, "") << piece;
   for (const auto& [piece, partner] : partners(test::gored_skirt())) EXPECT_EQ(partner, "") << piece;
-  Pattern unnamed = test::skirt();
+  pattern::Pattern unnamed = test::skirt();
   for (std::size_t p = 0; p < unnamed.panels.size(); ++p) unnamed.panels[p].id = "p" + std::to_string(p);
   for (const auto& [piece, partner] : partners(unnamed)) EXPECT_EQ(partner, "") << piece;
   const auto shirt = partners(test::shirt());
@@ -231,10 +231,10 @@ TEST(Arrange, WithoutNamesFrontAndBackAreToldBySeams) {
 }
 
 TEST(Arrange, AGarmentDrawnLyingStandsUpAlongItsGrain) {
-  Pattern pattern = test::shirt();
-  for (Panel& panel : pattern.panels) {
-    for (PanelEdge& edge : panel.outline.edges) {
-      for (CubicBezier& c : edge.curves) {
+  pattern::Pattern pattern = test::shirt();
+  for (pattern::Panel& panel : pattern.panels) {
+    for (pattern::PanelEdge& edge : panel.outline.edges) {
+      for (pattern::CubicBezier& c : edge.curves) {
         for (Vec2* p : {&c.p0, &c.p1, &c.p2, &c.p3}) *p = perpendicular(*p);
       }
     }
@@ -256,8 +256,8 @@ TEST(Arrange, EachTrouserLegGoesAroundItsOwnLeg) {
   int hems = 0;
   for (const auto& ring : all) {
     if (has_panel(s, ring, 0) && has_panel(s, ring, 1)) continue;  // the waist
-    const LegLine& leg = figure().leg[has_panel(s, ring, 1) ? kWearersLeft : kWearersRight];
-    const LegLine& other = figure().leg[has_panel(s, ring, 1) ? kWearersRight : kWearersLeft];
+    const measure::LegLine& leg = figure().leg[has_panel(s, ring, 1) ? measure::kWearersLeft : measure::kWearersRight];
+    const measure::LegLine& other = figure().leg[has_panel(s, ring, 1) ? measure::kWearersRight : measure::kWearersLeft];
     EXPECT_EQ(std::abs(winding(s, ring, leg.ankle, {0, 1, 0})), 1);
     EXPECT_EQ(winding(s, ring, other.ankle, {0, 1, 0}), 0);
     ++hems;
@@ -290,22 +290,22 @@ TEST(Arrange, ADressHangsFromItsShouldersItsCollarAroundTheNeck) {
 }
 
 TEST(Arrange, APieceThatNoSeamLeadsToIsNamed) {
-  Pattern pattern = test::skirt();
+  pattern::Pattern pattern = test::skirt();
   pattern.panels.push_back(test::polygon("pocket", {{0, 0}, {100, 0}, {100, 120}, {0, 120}}));
-  const PanelMeshes meshes = make_panel_meshes(pattern, 0.02, {}).value();
-  const auto made = arrange({pattern, meshes, std::span<const Body>(&mannequin(), 1)});
+  const mesh::PanelMeshes meshes = mesh::make_panel_meshes(pattern, 0.02, {}).value();
+  const auto made = arrange::arrange({pattern, meshes, std::span<const body::Body>(&mannequin(), 1)});
   ASSERT_FALSE(made.ok());
   EXPECT_EQ(made.error().code, "arrange.no_seams");
   EXPECT_EQ(made.error().where, "piece pocket");
 }
 
 TEST(Arrange, WithoutAStandingPersonThereIsNothingToArrangeAround) {
-  const Pattern pattern = test::skirt();
-  const PanelMeshes meshes = make_panel_meshes(pattern, 0.02, {}).value();
-  EXPECT_EQ(arrange({pattern, meshes, {}}).error().code, "arrange.no_body");
-  Body table{"table",
+  const pattern::Pattern pattern = test::skirt();
+  const mesh::PanelMeshes meshes = mesh::make_panel_meshes(pattern, 0.02, {}).value();
+  EXPECT_EQ(arrange::arrange({pattern, meshes, {}}).error().code, "arrange.no_body");
+  body::Body table{"table",
              {{{-1, 0, -1}, {1, 0, -1}, {0, 0, 1}, {0, 1, 0}}, {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}}};
-  const auto made = arrange({pattern, meshes, std::span<const Body>(&table, 1)});
+  const auto made = arrange::arrange({pattern, meshes, std::span<const body::Body>(&table, 1)});
   ASSERT_FALSE(made.ok());
   EXPECT_EQ(made.error().code, "body.not_standing");
 }

@@ -11,7 +11,7 @@
 namespace toile {
 
 /// Edges that are not run through exactly once in each direction: 0 for a closed manifold.
-inline int open_edges(const TriangleMesh& mesh) {
+inline int open_edges(const geometry::TriangleMesh& mesh) {
   std::map<std::pair<Index, Index>, int> count;
   for (const Tri& t : mesh.triangles)
     for (int c = 0; c < 3; ++c) ++count[{t[c], t[(c + 1) % 3]}];
@@ -21,7 +21,7 @@ inline int open_edges(const TriangleMesh& mesh) {
 }
 
 /// Whether the triangles around every vertex make one fan.
-inline bool fans_are_whole(const TriangleMesh& mesh) {
+inline bool fans_are_whole(const geometry::TriangleMesh& mesh) {
   std::vector<std::map<Index, Index>> next(mesh.vertices.size());
   for (const Tri& t : mesh.triangles)
     for (int c = 0; c < 3; ++c) next[t[c]][t[(c + 1) % 3]] = t[(c + 2) % 3];
@@ -38,7 +38,7 @@ inline bool fans_are_whole(const TriangleMesh& mesh) {
   return true;
 }
 
-inline double volume(const TriangleMesh& mesh) {
+inline double volume(const geometry::TriangleMesh& mesh) {
   double sum = 0;
   for (const Tri& t : mesh.triangles) {
     sum += dot(mesh.vertices[t[0]], cross(mesh.vertices[t[1]], mesh.vertices[t[2]])) / 6;
@@ -56,7 +56,7 @@ inline bool segment_hits(Vec3 p, Vec3 q, Vec3 a, Vec3 b, Vec3 c) {
 }
 
 /// Pairs of triangles without a common vertex of which one's edge passes through the other.
-inline int self_crossings(const TriangleMesh& mesh) {
+inline int self_crossings(const geometry::TriangleMesh& mesh) {
   std::vector<Index> order(mesh.triangles.size());
   const auto corner = [&](Index t, int c) { return mesh.vertices[mesh.triangles[t][c]]; };
   const auto low = [&](Index t) { return std::min({corner(t, 0).x, corner(t, 1).x, corner(t, 2).x}); };
@@ -83,7 +83,7 @@ inline int self_crossings(const TriangleMesh& mesh) {
 }
 
 /// The smallest angle of any triangle, radians.
-inline double least_angle(const TriangleMesh& mesh) {
+inline double least_angle(const geometry::TriangleMesh& mesh) {
   double least = 10;
   for (const Tri& t : mesh.triangles) {
     for (int c = 0; c < 3; ++c) {

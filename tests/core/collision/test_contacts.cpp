@@ -30,7 +30,7 @@ void append_sheet(Sheet& sheet, int n, double y) {
 }
 
 /// Moves every vertex as far as its bounds let it, towards random places near and beyond.
-void move_at_random(const Contacts& contacts, std::mt19937& random, double reach, std::vector<Vec3>& x) {
+void move_at_random(const collision::Contacts& contacts, std::mt19937& random, double reach, std::vector<Vec3>& x) {
   std::uniform_real_distribution<double> step(-reach, reach);
   for (std::size_t i = 0; i < x.size(); ++i) {
     const Vec3 to = x[i] + Vec3{step(random), step(random), step(random)};
@@ -46,14 +46,14 @@ TEST(Contacts, BoundsKeepTwoSheetsApartWhateverTheMoves) {
     append_sheet(sheet, 6, 0);
     append_sheet(sheet, 6, 0.002);
     for (Vec3& p : sheet.x) p.x += p.y;  // no vertex above another
-    const Surface surface = make_surface(sheet.triangles, static_cast<Index>(sheet.x.size()));
-    ContactFinder finder(surface, {}, ContactSettings{});
+    const collision::Surface surface = collision::make_surface(sheet.triangles, static_cast<Index>(sheet.x.size()));
+    collision::ContactFinder finder(surface, {}, collision::ContactSettings{});
     const std::vector<double> speeds(sheet.x.size(), 0.5);
-    Contacts contacts;
+    collision::Contacts contacts;
     for (int k = 0; k < 40; ++k) {
       finder.detect(sheet.x, speeds, contacts);
       for (int m = 0; m < 3; ++m) move_at_random(contacts, random, 0.004, sheet.x);
-      ASSERT_TRUE(self_crossings(surface, sheet.x).empty()) << "round " << round << ", move " << k;
+      ASSERT_TRUE(collision::self_crossings(surface, sheet.x).empty()) << "round " << round << ", move " << k;
     }
   }
 }
@@ -62,15 +62,15 @@ TEST(Contacts, BoundsKeepASheetOutOfABodyWithEdgesAndPoints) {
   // A tetrahedron standing on its base, its tip under the sheet.
   const std::vector<Vec3> body{{0.02, 0.029, 0.024}, {0, 0, 0}, {0.05, 0, 0}, {0.02, 0, 0.05}};
   const std::vector<Tri> faces{{1, 2, 3}, {0, 2, 1}, {0, 3, 2}, {0, 1, 3}};
-  const std::vector<Obstacle> obstacles{make_obstacle(body, faces, 0.4, 1e-3)};
-  const CrossingBody crossing_body = make_crossing_body(body, faces);
+  const std::vector<collision::Obstacle> obstacles{collision::make_obstacle(body, faces, 0.4, 1e-3)};
+  const collision::CrossingBody crossing_body = collision::make_crossing_body(body, faces);
   std::mt19937 random(5);
   Sheet sheet;
   append_sheet(sheet, 6, 0.03);
-  const Surface surface = make_surface(sheet.triangles, static_cast<Index>(sheet.x.size()));
-  ContactFinder finder(surface, obstacles, ContactSettings{});
+  const collision::Surface surface = collision::make_surface(sheet.triangles, static_cast<Index>(sheet.x.size()));
+  collision::ContactFinder finder(surface, obstacles, collision::ContactSettings{});
   const std::vector<double> speeds(sheet.x.size(), 1.0);
-  Contacts contacts;
+  collision::Contacts contacts;
   for (int k = 0; k < 300; ++k) {
     finder.detect(sheet.x, speeds, contacts);
     move_at_random(contacts, random, 0.006, sheet.x);
@@ -79,16 +79,16 @@ TEST(Contacts, BoundsKeepASheetOutOfABodyWithEdgesAndPoints) {
       const Vec3 down = p - Vec3{0, 0.001, 0};
       p = p + (down - p) * contacts.reach(i, p, down);
     }
-    ASSERT_TRUE(body_crossings(surface, sheet.x, crossing_body).empty()) << "move " << k;
-    ASSERT_TRUE(self_crossings(surface, sheet.x).empty()) << "move " << k;
+    ASSERT_TRUE(collision::body_crossings(surface, sheet.x, crossing_body).empty()) << "move " << k;
+    ASSERT_TRUE(collision::self_crossings(surface, sheet.x).empty()) << "move " << k;
   }
 }
 
 TEST(Contacts, AVertexAloneMayUseItsWholeBall) {
   Sheet sheet;
   append_sheet(sheet, 2, 0);
-  ContactFinder finder(make_surface(sheet.triangles, 4), {}, ContactSettings{});
-  Contacts contacts;
+  collision::ContactFinder finder(collision::make_surface(sheet.triangles, 4), {}, collision::ContactSettings{});
+  collision::Contacts contacts;
   finder.detect(sheet.x, std::vector<double>(4, 0.0), contacts);
   EXPECT_NEAR(contacts.reach(0, sheet.x[0], sheet.x[0] + Vec3{0, 0.002, 0}), 0.5, 0.02);
   EXPECT_EQ(contacts.reach(0, sheet.x[0], sheet.x[0] + Vec3{0, 0.0005, 0}), 1);
@@ -97,11 +97,11 @@ TEST(Contacts, AVertexAloneMayUseItsWholeBall) {
 TEST(Contacts, FasterVerticesGetLargerBalls) {
   Sheet sheet;
   append_sheet(sheet, 2, 0);
-  ContactFinder finder(make_surface(sheet.triangles, 4), {}, ContactSettings{});
-  Contacts contacts;
+  collision::ContactFinder finder(collision::make_surface(sheet.triangles, 4), {}, collision::ContactSettings{});
+  collision::Contacts contacts;
   finder.detect(sheet.x, std::vector<double>{0, 0.3, 0.5, 100}, contacts);
   EXPECT_NEAR(contacts.trust_radius[0], 1e-3, 1e-4);
-  EXPECT_NEAR(contacts.trust_radius[1], 1.5 * 0.3 * ContactSettings{}.trust_radius_seconds, 1e-4);
+  EXPECT_NEAR(contacts.trust_radius[1], 1.5 * 0.3 * collision::ContactSettings{}.trust_radius_seconds, 1e-4);
   EXPECT_NEAR(contacts.trust_radius[3], 5e-3, 1e-4);
 }
 

@@ -38,12 +38,12 @@ void expect_alike(const std::string& name, const std::string& a, const std::stri
   }
 }
 
-TriangleMesh shipped_body() { return load_mesh(kFolder / "body.obj").value(); }
+geometry::TriangleMesh shipped_body() { return mesh_import::load_mesh(kFolder / "body.obj").value(); }
 
 TEST(SkirtSample, IsWhatTheCodeMakes) {
-  const Result<std::vector<SampleFile>> files = make_skirt_sample(shipped_body());
+  const Result<std::vector<draft::SampleFile>> files = draft::make_skirt_sample(shipped_body());
   ASSERT_TRUE(files) << to_string(files.error());
-  for (const SampleFile& f : *files) {
+  for (const draft::SampleFile& f : *files) {
     if (std::getenv("TOILE_WRITE_SAMPLES") != nullptr) {
       const Status written = write_file(kFolder / f.name, f.bytes);
       ASSERT_TRUE(written) << to_string(written.error());
@@ -57,9 +57,9 @@ TEST(SkirtSample, IsWhatTheCodeMakes) {
 }
 
 TEST(SkirtSample, GivesThePatternBackFromItsDxf) {
-  const Result<std::vector<SampleFile>> files = make_skirt_sample(shipped_body());
+  const Result<std::vector<draft::SampleFile>> files = draft::make_skirt_sample(shipped_body());
   ASSERT_TRUE(files);
-  const Result<DxfDrawing> drawing = read_dxf(files->front().bytes);
+  const Result<dxf::DxfDrawing> drawing = dxf::read_dxf(files->front().bytes);
   ASSERT_TRUE(drawing) << to_string(drawing.error());
   ASSERT_EQ(drawing->pieces.size(), 4u);
   const char* names[] = {"front", "back", "band_front", "band_back"};
@@ -68,7 +68,7 @@ TEST(SkirtSample, GivesThePatternBackFromItsDxf) {
     EXPECT_TRUE(drawing->pieces[i].holes.empty());
     ASSERT_TRUE(drawing->pieces[i].grain);
     EXPECT_NEAR(std::abs(drawing->pieces[i].grain->y), 1, 1e-9);
-    const Result<Panel> panel = panel_from_piece(drawing->pieces[i]);
+    const Result<pattern::Panel> panel = dxf::panel_from_piece(drawing->pieces[i]);
     ASSERT_TRUE(panel) << to_string(panel.error());
     EXPECT_EQ(panel->outline.edges.size(), 4u);
   }

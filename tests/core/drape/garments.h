@@ -5,11 +5,11 @@
 
 namespace toile::test {
 
-inline CubicBezier line(Vec2 a, Vec2 b) { return {a, a + (b - a) * (1.0 / 3), a + (b - a) * (2.0 / 3), b}; }
+inline pattern::CubicBezier line(Vec2 a, Vec2 b) { return {a, a + (b - a) * (1.0 / 3), a + (b - a) * (2.0 / 3), b}; }
 
 /// A rectangle around the origin of the panel, mm; edges e0 (bottom), e1 (right), e2 (top), e3 (left).
-inline Panel rectangle(const std::string& id, double width, double height) {
-  Panel panel;
+inline pattern::Panel rectangle(const std::string& id, double width, double height) {
+  pattern::Panel panel;
   panel.id = id;
   const Vec2 c[4] = {{-width / 2, 0}, {width / 2, 0}, {width / 2, height}, {-width / 2, height}};
   for (int k = 0; k < 4; ++k)
@@ -18,8 +18,8 @@ inline Panel rectangle(const std::string& id, double width, double height) {
 }
 
 /// An upright prism with `sides` sides, closed, y from `low` to `high`.
-inline Body column(double radius, double low, double high, int sides = 16) {
-  Body body;
+inline body::Body column(double radius, double low, double high, int sides = 16) {
+  body::Body body;
   body.id = "column";
   auto& x = body.mesh.vertices;
   auto& t = body.mesh.triangles;
@@ -40,15 +40,15 @@ inline Body column(double radius, double low, double high, int sides = 16) {
 }
 
 /// A sheet that falls on a column's head.
-inline DrapeInput tablecloth() {
-  DrapeInput input;
+inline drape::DrapeInput tablecloth() {
+  drape::DrapeInput input;
   input.name = "tablecloth";
   input.pattern.panels = {rectangle("sheet", 240, 240)};
-  RigidPlacement flat;
+  sewing::RigidPlacement flat;
   flat.translation = {0, 0.305, 0.12};
   flat.rotation = {-1.5707963267948966, 0, 0};  // v runs to −z
   input.placements = {flat};
-  input.fabrics = {Fabric{}};
+  input.fabrics = {material::Fabric{}};
   input.fabric_of_panel = {0};
   input.bodies = {column(0.06, 0, 0.3)};
   input.settings.particle_distance = 0.02;
@@ -57,18 +57,18 @@ inline DrapeInput tablecloth() {
 }
 
 /// A tube of two panels before and behind a column, sewn at its sides.
-inline DrapeInput tube() {
-  DrapeInput input;
+inline drape::DrapeInput tube() {
+  drape::DrapeInput input;
   input.name = "tube";
   input.pattern.panels = {rectangle("front", 260, 120), rectangle("back", 260, 120)};
   // Both face the same way, so the right edge of one meets the right edge of the other, running the same way.
   input.pattern.seams = {{"left", {{0, 3, false}}, {{1, 3, false}}, true},
                          {"right", {{0, 1, false}}, {{1, 1, false}}, true}};
-  input.placements = {RigidPlacement{{0, 0.15, 0.1}, {}, false}, RigidPlacement{{0, 0.15, -0.1}, {}, false}};
-  input.fabrics = {Fabric{}};
+  input.placements = {sewing::RigidPlacement{{0, 0.15, 0.1}, {}, false}, sewing::RigidPlacement{{0, 0.15, -0.1}, {}, false}};
+  input.fabrics = {material::Fabric{}};
   input.fabric_of_panel = {0, 0};
   input.bodies = {column(0.07, 0, 0.3)};
-  Attachment top;
+  sewing::Attachment top;
   top.id = "top";
   top.panel = 0;
   top.edges = {2};

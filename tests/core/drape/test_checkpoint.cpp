@@ -16,33 +16,33 @@ namespace {
 
 constexpr int kToTheEnd = std::numeric_limits<int>::max();
 
-std::unique_ptr<DrapeRun> begun(const DrapeInput& input) {
-  return DrapeRun::start(input, {}, nullptr).value();
+std::unique_ptr<drape::DrapeRun> begun(const drape::DrapeInput& input) {
+  return drape::DrapeRun::start(input, {}, nullptr).value();
 }
 
-std::unique_ptr<DrapeRun> resumed(const DrapeInput& input, const std::string& checkpoint) {
-  Result<std::unique_ptr<DrapeRun>> run = DrapeRun::resume(input, checkpoint, {}, nullptr);
+std::unique_ptr<drape::DrapeRun> resumed(const drape::DrapeInput& input, const std::string& checkpoint) {
+  Result<std::unique_ptr<drape::DrapeRun>> run = drape::DrapeRun::resume(input, checkpoint, {}, nullptr);
   EXPECT_TRUE(run.ok()) << to_string(run.error());
   return std::move(run).value();
 }
 
 /// A checkpoint without what belongs to the run and not to the drape: times, and how often it was broken off.
-std::string state_in(const DrapeRun& run) {
+std::string state_in(const drape::DrapeRun& run) {
   const std::string hash = run.session().start_hash();
-  RunState state = decode_checkpoint(run.checkpoint(), hash).value();
+  drape::RunState state = drape::decode_checkpoint(run.checkpoint(), hash).value();
   state.cpu_s = state.wall_s = 0;
   state.resumed = 0;
-  return encode_checkpoint(hash, state);
+  return drape::encode_checkpoint(hash, state);
 }
 
 struct Walked {
   std::map<int, std::string> states;       ///< by step
   std::map<int, std::string> checkpoints;  ///< the same moments
-  DrapeResult result;
+  drape::DrapeResult result;
 };
 
 /// The whole drape, looked at after these numbers of steps.
-Walked walk(const DrapeInput& input, const std::vector<int>& moments) {
+Walked walk(const drape::DrapeInput& input, const std::vector<int>& moments) {
   Walked walked;
   const auto run = begun(input);
   for (const int moment : moments) {
@@ -56,15 +56,15 @@ Walked walk(const DrapeInput& input, const std::vector<int>& moments) {
 }
 
 /// The step after which the seams are welded.
-int step_of_weld(const DrapeInput& input) {
+int step_of_weld(const drape::DrapeInput& input) {
   const auto run = begun(input);
   while (run->session().progress().phase == "sew") run->advance(1, {});
   return run->session().steps();
 }
 
-void expect_same(const DrapeResult& a, const DrapeResult& b) {
+void expect_same(const drape::DrapeResult& a, const drape::DrapeResult& b) {
   EXPECT_EQ(hash_of(a.positions), hash_of(b.positions));
-  EXPECT_EQ(to_string(a.stop_reason), to_string(b.stop_reason));
+  EXPECT_EQ(drape::to_string(a.stop_reason), drape::to_string(b.stop_reason));
   EXPECT_EQ(a.stop_reason.gap, b.stop_reason.gap) << "which no checkpoint keeps";
   EXPECT_EQ(a.steps, b.steps);
   EXPECT_EQ(a.simulated_time, b.simulated_time);
@@ -76,15 +76,15 @@ void expect_same(const DrapeResult& a, const DrapeResult& b) {
 }
 
 /// A tube whose waist is let go, so that every kind of state comes up.
-DrapeInput released_tube() {
-  DrapeInput input = test::tube();
+drape::DrapeInput released_tube() {
+  drape::DrapeInput input = test::tube();
   input.attachments[0].release_after = 0.3;
   input.settings.max_time = 3;
   return input;
 }
 
 TEST(Checkpoint, FromEveryKindOfMomentTheDrapeGoesOnAsIfNothingHadHappened) {
-  const DrapeInput input = released_tube();
+  const drape::DrapeInput input = released_tube();
   const int weld = step_of_weld(input);
   const int hz = static_cast<int>(1 / input.settings.time_step + 0.5);
   const std::vector<int> moments = {0,
@@ -114,8 +114,8 @@ TEST(Checkpoint, FromEveryKindOfMomentTheDrapeGoesOnAsIfNothingHadHappened) {
 }
 
 TEST(Checkpoint, OfADrapeBrokenOffAgainAndAgainChangesNothingButItsTimes) {
-  const DrapeInput input = released_tube();
-  const DrapeResult whole = drape(input, {}, nullptr).value();
+  const drape::DrapeInput input = released_tube();
+  const drape::DrapeResult whole = drape::drape(input, {}, nullptr).value();
   std::string checkpoint = begun(input)->checkpoint();
   int breaks = 0;
   for (std::uint32_t random = 12345;;) {
@@ -129,18 +129,18 @@ TEST(Checkpoint, OfADrapeBrokenOffAgainAndAgainChangesNothingButItsTimes) {
   ASSERT_GT(breaks, 5);
   const auto run = resumed(input, checkpoint);
   EXPECT_TRUE(run->done()) << "also the end of a drape can be kept";
-  const DrapeResult broken = run->conclude();
+  const drape::DrapeResult broken = run->conclude();
   expect_same(broken, whole);
   EXPECT_EQ(broken.resumed, breaks + 1);
   EXPECT_GT(broken.cpu_s, 0.5 * whole.cpu_s) << "the times of all parts";
 }
 
 /// Three sheets that fall on a column and lie on each other, so that cloth meets cloth everywhere.
-DrapeInput layers() {
-  DrapeInput input = test::tablecloth();
+drape::DrapeInput layers() {
+  drape::DrapeInput input = test::tablecloth();
   for (int k = 1; k < 3; ++k) {
     input.pattern.panels.push_back(test::rectangle("sheet" + std::to_string(k), 240 - 30 * k, 240 - 20 * k));
-    auto above = std::get<RigidPlacement>(input.placements[0]);
+    auto above = std::get<sewing::RigidPlacement>(input.placements[0]);
     above.translation.y += 0.004 * k;
     above.rotation.y = 0.2 * k;
     input.placements.push_back(above);
@@ -151,7 +151,7 @@ DrapeInput layers() {
 }
 
 TEST(Checkpoint, OfLayersThatLieOnEachOtherEndsTheSame) {
-  const DrapeInput input = layers();
+  const drape::DrapeInput input = layers();
   const Walked whole = walk(input, {0, 700, 1300});
   for (const auto& [step, checkpoint] : whole.checkpoints) {
     const auto run = resumed(input, checkpoint);
@@ -161,7 +161,7 @@ TEST(Checkpoint, OfLayersThatLieOnEachOtherEndsTheSame) {
 }
 
 TEST(Checkpoint, TakesSixVectorsAParticleAndLittleElse) {
-  const DrapeInput input = test::tube();
+  const drape::DrapeInput input = test::tube();
   const auto run = begun(input);
   run->advance(500, {});
   const auto particles = static_cast<std::size_t>(run->session().garment().vertex_count());
@@ -171,47 +171,47 @@ TEST(Checkpoint, TakesSixVectorsAParticleAndLittleElse) {
 }
 
 TEST(Checkpoint, OfAnotherInputIsRefused) {
-  const DrapeInput input = test::tube();
+  const drape::DrapeInput input = test::tube();
   const std::string checkpoint = begun(input)->checkpoint();
-  const auto code = [&](const std::function<void(DrapeInput&)>& change) {
-    DrapeInput other = input;
+  const auto code = [&](const std::function<void(drape::DrapeInput&)>& change) {
+    drape::DrapeInput other = input;
     change(other);
-    const auto run = DrapeRun::resume(other, checkpoint, {}, nullptr);
+    const auto run = drape::DrapeRun::resume(other, checkpoint, {}, nullptr);
     return run ? "" : run.error().code;
   };
-  EXPECT_EQ(code([](DrapeInput&) {}), "");
+  EXPECT_EQ(code([](drape::DrapeInput&) {}), "");
   const std::string other = "checkpoint.other_input";
-  EXPECT_EQ(code([](DrapeInput& i) { i.settings.gravity = 9.8; }), other);
-  EXPECT_EQ(code([](DrapeInput& i) { i.settings.max_time += 1; }), other);
-  EXPECT_EQ(code([](DrapeInput& i) { i.settings.particle_distance = 0.03; }), other);
-  EXPECT_EQ(code([](DrapeInput& i) { i.fabrics[0].bend_bias *= 2; }), other);
-  EXPECT_EQ(code([](DrapeInput& i) { i.bodies[0].mesh.vertices[5].y += 1e-9; }), other);
-  EXPECT_EQ(code([](DrapeInput& i) { i.bodies[0].friction = 0.1; }), other);
-  EXPECT_EQ(code([](DrapeInput& i) { i.attachments[0].release_after = 1; }), other);
-  EXPECT_EQ(code([](DrapeInput& i) { i.attachments.clear(); }), other);
-  EXPECT_EQ(code([](DrapeInput& i) { i.pattern.seams.pop_back(); }), other);
-  EXPECT_EQ(code([](DrapeInput& i) { std::get<RigidPlacement>(i.placements[0]).translation.z += 0.01; }),
+  EXPECT_EQ(code([](drape::DrapeInput& i) { i.settings.gravity = 9.8; }), other);
+  EXPECT_EQ(code([](drape::DrapeInput& i) { i.settings.max_time += 1; }), other);
+  EXPECT_EQ(code([](drape::DrapeInput& i) { i.settings.particle_distance = 0.03; }), other);
+  EXPECT_EQ(code([](drape::DrapeInput& i) { i.fabrics[0].bend_bias *= 2; }), other);
+  EXPECT_EQ(code([](drape::DrapeInput& i) { i.bodies[0].mesh.vertices[5].y += 1e-9; }), other);
+  EXPECT_EQ(code([](drape::DrapeInput& i) { i.bodies[0].friction = 0.1; }), other);
+  EXPECT_EQ(code([](drape::DrapeInput& i) { i.attachments[0].release_after = 1; }), other);
+  EXPECT_EQ(code([](drape::DrapeInput& i) { i.attachments.clear(); }), other);
+  EXPECT_EQ(code([](drape::DrapeInput& i) { i.pattern.seams.pop_back(); }), other);
+  EXPECT_EQ(code([](drape::DrapeInput& i) { std::get<sewing::RigidPlacement>(i.placements[0]).translation.z += 0.01; }),
             other);
 }
 
 TEST(Checkpoint, CutOffOrChangedAnywhereIsRefusedAndNothingBreaks) {
-  DrapeInput input = test::tube();
+  drape::DrapeInput input = test::tube();
   input.settings.particle_distance = 0.06;  // little to look through
   const auto run = begun(input);
   run->advance(100, {});
   const std::string good = run->checkpoint(), hash = run->session().start_hash();
-  ASSERT_TRUE(decode_checkpoint(good, hash).ok());
+  ASSERT_TRUE(drape::decode_checkpoint(good, hash).ok());
   for (std::size_t n = 0; n < good.size(); ++n) {
-    ASSERT_EQ(decode_checkpoint(std::string_view(good).substr(0, n), hash).error().code, "checkpoint.damaged")
+    ASSERT_EQ(drape::decode_checkpoint(std::string_view(good).substr(0, n), hash).error().code, "checkpoint.damaged")
         << n << " bytes";
   }
   for (std::size_t n = 0; n < good.size(); ++n) {
     std::string bad = good;
     bad[n] = static_cast<char>(bad[n] ^ (1 << n % 8));
-    ASSERT_EQ(decode_checkpoint(bad, hash).error().code, "checkpoint.damaged") << "byte " << n;
+    ASSERT_EQ(drape::decode_checkpoint(bad, hash).error().code, "checkpoint.damaged") << "byte " << n;
   }
-  EXPECT_EQ(decode_checkpoint(good + "x", hash).error().code, "checkpoint.damaged");
-  EXPECT_EQ(decode_checkpoint("", hash).error().code, "checkpoint.damaged");
+  EXPECT_EQ(drape::decode_checkpoint(good + "x", hash).error().code, "checkpoint.damaged");
+  EXPECT_EQ(drape::decode_checkpoint("", hash).error().code, "checkpoint.damaged");
 }
 
 /// A seal that fits whatever stands before it, as only somebody who knows the format could put.
@@ -221,7 +221,7 @@ std::string sealed(std::string bytes) {
 }
 
 TEST(Checkpoint, WithAForgedSealIsStillReadWithCare) {
-  DrapeInput input = test::tube();
+  drape::DrapeInput input = test::tube();
   input.settings.particle_distance = 0.06;
   const auto run = begun(input);
   run->advance(100, {});
@@ -231,43 +231,43 @@ TEST(Checkpoint, WithAForgedSealIsStillReadWithCare) {
   for (std::size_t n = 0; n + 32 < good.size(); ++n) {
     std::string bad = good;
     bad[n] = static_cast<char>(bad[n] ^ 0xff);
-    refused += !decode_checkpoint(sealed(bad), hash).ok();
+    refused += !drape::decode_checkpoint(sealed(bad), hash).ok();
     if (n % 16 != 0) continue;
-    EXPECT_FALSE(decode_checkpoint(sealed(good.substr(0, n + 32)), hash).ok()) << n << " bytes";
+    EXPECT_FALSE(drape::decode_checkpoint(sealed(good.substr(0, n + 32)), hash).ok()) << n << " bytes";
   }
   EXPECT_GT(refused, 80) << "the header and all counts at least";
 
   std::string newer = good;
-  newer[8] = static_cast<char>(kCheckpointVersion + 1);
-  EXPECT_EQ(decode_checkpoint(sealed(newer), hash).error().code, "checkpoint.version");
+  newer[8] = static_cast<char>(drape::kCheckpointVersion + 1);
+  EXPECT_EQ(drape::decode_checkpoint(sealed(newer), hash).error().code, "checkpoint.version");
 }
 
 TEST(Checkpoint, ThatDoesNotFitTheGarmentIsRefused) {
-  const DrapeInput input = test::tube();
+  const drape::DrapeInput input = test::tube();
   const auto run = begun(input);
   run->advance(50, {});
   const std::string hash = run->session().start_hash();
-  const auto code = [&](const std::function<void(RunState&)>& change) {
-    RunState state = decode_checkpoint(run->checkpoint(), hash).value();
+  const auto code = [&](const std::function<void(drape::RunState&)>& change) {
+    drape::RunState state = drape::decode_checkpoint(run->checkpoint(), hash).value();
     change(state);
-    const auto on = DrapeRun::resume(input, encode_checkpoint(hash, state), {}, nullptr);
+    const auto on = drape::DrapeRun::resume(input, drape::encode_checkpoint(hash, state), {}, nullptr);
     return on ? "" : on.error().code;
   };
-  EXPECT_EQ(code([](RunState&) {}), "");
+  EXPECT_EQ(code([](drape::RunState&) {}), "");
   const std::string damaged = "checkpoint.damaged";
-  EXPECT_EQ(code([](RunState& s) { s.session.joined.pop_back(); }), damaged);
-  EXPECT_EQ(code([](RunState& s) { s.session.joined.flip(); }), damaged) << "other numbers of vertices";
-  EXPECT_EQ(code([](RunState& s) { s.session.released.clear(); }), damaged);
-  EXPECT_EQ(code([](RunState& s) { s.session.solver.velocities.pop_back(); }), damaged);
-  EXPECT_EQ(code([](RunState& s) { s.session.solver.centres.pop_back(); }), damaged);
-  EXPECT_EQ(code([](RunState& s) { s.session.solver.positions[3].y = std::nan(""); }), damaged);
-  EXPECT_EQ(code([](RunState& s) { s.session.solver.velocities[0].x = 1e300; }), damaged);
-  EXPECT_EQ(code([](RunState& s) { s.session.watch.window_start.clear(); }), damaged);
-  EXPECT_EQ(code([](RunState& s) { s.session.watch.rms.assign(5, 0.0); }), damaged);
-  EXPECT_EQ(code([](RunState& s) { s.session.phase = DrapePhase::kDone; }), damaged) << "without a reason";
-  EXPECT_EQ(code([](RunState& s) { s.session.phase = static_cast<DrapePhase>(7); }), damaged);
-  EXPECT_EQ(code([](RunState& s) { s.session.steps = -1; }), damaged);
-  EXPECT_EQ(code([](RunState& s) { s.cpu_s = std::numeric_limits<double>::infinity(); }), damaged);
+  EXPECT_EQ(code([](drape::RunState& s) { s.session.joined.pop_back(); }), damaged);
+  EXPECT_EQ(code([](drape::RunState& s) { s.session.joined.flip(); }), damaged) << "other numbers of vertices";
+  EXPECT_EQ(code([](drape::RunState& s) { s.session.released.clear(); }), damaged);
+  EXPECT_EQ(code([](drape::RunState& s) { s.session.solver.velocities.pop_back(); }), damaged);
+  EXPECT_EQ(code([](drape::RunState& s) { s.session.solver.centres.pop_back(); }), damaged);
+  EXPECT_EQ(code([](drape::RunState& s) { s.session.solver.positions[3].y = std::nan(""); }), damaged);
+  EXPECT_EQ(code([](drape::RunState& s) { s.session.solver.velocities[0].x = 1e300; }), damaged);
+  EXPECT_EQ(code([](drape::RunState& s) { s.session.watch.window_start.clear(); }), damaged);
+  EXPECT_EQ(code([](drape::RunState& s) { s.session.watch.rms.assign(5, 0.0); }), damaged);
+  EXPECT_EQ(code([](drape::RunState& s) { s.session.phase = drape::DrapePhase::kDone; }), damaged) << "without a reason";
+  EXPECT_EQ(code([](drape::RunState& s) { s.session.phase = static_cast<drape::DrapePhase>(7); }), damaged);
+  EXPECT_EQ(code([](drape::RunState& s) { s.session.steps = -1; }), damaged);
+  EXPECT_EQ(code([](drape::RunState& s) { s.cpu_s = std::numeric_limits<double>::infinity(); }), damaged);
 }
 
 }  // namespace

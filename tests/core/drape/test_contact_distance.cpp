@@ -20,8 +20,8 @@ double median(std::vector<double> values) {
 constexpr double kHead = 0.035, kTop = 0.3;
 
 /// Gaps of a sheet that lies on the column's head (m), where no rim is near.
-std::vector<double> gaps_on_the_head(const DrapeInput& input) {
-  const DrapeResult r = drape(input, {}, nullptr).value();
+std::vector<double> gaps_on_the_head(const drape::DrapeInput& input) {
+  const drape::DrapeResult r = drape::drape(input, {}, nullptr).value();
   std::vector<double> gaps;
   for (const Vec3& p : r.positions) {
     if (std::hypot(p.x, p.z) < kHead) gaps.push_back(p.y - kTop);
@@ -31,18 +31,18 @@ std::vector<double> gaps_on_the_head(const DrapeInput& input) {
 
 /// At 20 mm the rim of the narrow head is two edges away from what is looked at, and the cloth's bow over it
 /// reaches there; so the mesh is finer, or the head wider.
-std::vector<DrapeInput> sheets_on_a_head() {
-  DrapeInput fine = test::tablecloth();
+std::vector<drape::DrapeInput> sheets_on_a_head() {
+  drape::DrapeInput fine = test::tablecloth();
   fine.settings.particle_distance = 0.012;
-  DrapeInput wide = test::tablecloth();
+  drape::DrapeInput wide = test::tablecloth();
   wide.pattern.panels = {test::rectangle("sheet", 400, 400)};
-  std::get<RigidPlacement>(wide.placements[0]).translation.z = 0.2;
+  std::get<sewing::RigidPlacement>(wide.placements[0]).translation.z = 0.2;
   wide.bodies = {test::column(0.12, 0, kTop)};
   return {fine, wide};
 }
 
 TEST(ContactDistance, ASheetOnAHeadLiesWithinAMillimetreOfTheOffset) {
-  for (const DrapeInput& input : sheets_on_a_head()) {
+  for (const drape::DrapeInput& input : sheets_on_a_head()) {
     const std::vector<double> gaps = gaps_on_the_head(input);
     ASSERT_GE(gaps.size(), 8u);
     for (const double gap : gaps) EXPECT_GT(gap, 0);
@@ -51,13 +51,13 @@ TEST(ContactDistance, ASheetOnAHeadLiesWithinAMillimetreOfTheOffset) {
 }
 
 TEST(ContactDistance, ASheetOnASheetLiesWithinTwoMillimetresOfIt) {
-  DrapeInput input = test::tablecloth();
+  drape::DrapeInput input = test::tablecloth();
   input.pattern.panels.push_back(test::rectangle("upper", 240, 240));
-  RigidPlacement above = std::get<RigidPlacement>(input.placements[0]);
+  sewing::RigidPlacement above = std::get<sewing::RigidPlacement>(input.placements[0]);
   above.translation.y += 0.01;
   input.placements.push_back(above);
   input.fabric_of_panel.push_back(0);
-  const DrapeResult r = drape(input, {}, nullptr).value();
+  const drape::DrapeResult r = drape::drape(input, {}, nullptr).value();
   EXPECT_EQ(r.worst.cloth_body + r.worst.cloth_cloth, 0);
   // Two alike sheets: the second half of the vertices is the upper one.
   const std::size_t half = r.positions.size() / 2;

@@ -11,28 +11,28 @@
 namespace toile {
 namespace {
 
-struct Steps final : FrameSink {
+struct Steps final : drape::FrameSink {
   std::vector<int> steps;
-  void begin(const GarmentMesh&) override {}
-  void frame(const Frame& f) override { steps.push_back(f.step); }
+  void begin(const sewing::GarmentMesh&) override {}
+  void frame(const drape::Frame& f) override { steps.push_back(f.step); }
 };
 
 TEST(DrapeRun, GivesTheSameResultHoweverItIsCutIntoGoes) {
-  const DrapeInput input = test::tube();
+  const drape::DrapeInput input = test::tube();
   Steps whole_frames, cut_frames;
-  const DrapeResult whole = drape(input, {}, &whole_frames).value();
+  const drape::DrapeResult whole = drape::drape(input, {}, &whole_frames).value();
 
-  const auto run = DrapeRun::start(input, {}, &cut_frames).value();
+  const auto run = drape::DrapeRun::start(input, {}, &cut_frames).value();
   int taken = 0;
   for (int go = 1; !run->done(); ++go) {
     const int steps = run->advance(go % 97, {});
     EXPECT_LE(steps, go % 97);
     taken += steps;
   }
-  const DrapeResult cut = run->conclude();
+  const drape::DrapeResult cut = run->conclude();
   EXPECT_EQ(taken, whole.steps);
   EXPECT_EQ(cut.positions, whole.positions);
-  EXPECT_EQ(to_string(cut.stop_reason), to_string(whole.stop_reason));
+  EXPECT_EQ(drape::to_string(cut.stop_reason), drape::to_string(whole.stop_reason));
   EXPECT_EQ(cut.frames_checked, whole.frames_checked);
   EXPECT_EQ(cut_frames.steps, whole_frames.steps);
   EXPECT_EQ(cut_frames.steps.front(), 0);
@@ -40,29 +40,29 @@ TEST(DrapeRun, GivesTheSameResultHoweverItIsCutIntoGoes) {
 }
 
 TEST(DrapeRun, StopsBetweenTwoStepsWhenItIsCancelledAndCanGoOn) {
-  DrapeInput input = test::tablecloth();
+  drape::DrapeInput input = test::tablecloth();
   input.settings.max_time = 0.5;
   std::atomic<bool> cancel{false};
   RunContext context;
   context.cancel = &cancel;
-  const auto run = DrapeRun::start(input, context, nullptr).value();
+  const auto run = drape::DrapeRun::start(input, context, nullptr).value();
   cancel = true;
   EXPECT_EQ(run->advance(100, context), 0);
-  EXPECT_EQ(run->conclude().stop_reason.kind, Stop::kCancelled);
+  EXPECT_EQ(run->conclude().stop_reason.kind, drape::Stop::kCancelled);
   cancel = false;
   EXPECT_EQ(run->advance(100, context), 100);
   run->advance(std::numeric_limits<int>::max(), context);
-  EXPECT_EQ(run->conclude().positions, drape(input, {}, nullptr)->positions);
+  EXPECT_EQ(run->conclude().positions, drape::drape(input, {}, nullptr)->positions);
 }
 
 TEST(DrapeRun, CancelledWhileMeshingHasNothingToShow) {
   const std::atomic<bool> cancel{true};
   RunContext context;
   context.cancel = &cancel;
-  EXPECT_EQ(DrapeRun::start(test::tube(), context, nullptr).error().code, "cancelled");
-  const Result<DrapeResult> nothing = drape(test::tube(), context, nullptr);
+  EXPECT_EQ(drape::DrapeRun::start(test::tube(), context, nullptr).error().code, "cancelled");
+  const Result<drape::DrapeResult> nothing = drape::drape(test::tube(), context, nullptr);
   ASSERT_TRUE(nothing.ok()) << "a cancelled drape is no error";
-  EXPECT_EQ(nothing->stop_reason.kind, Stop::kCancelled);
+  EXPECT_EQ(nothing->stop_reason.kind, drape::Stop::kCancelled);
   EXPECT_TRUE(nothing->positions.empty());
 }
 

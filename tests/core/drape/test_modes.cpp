@@ -9,8 +9,8 @@ namespace toile {
 namespace {
 
 /// A sheet in the air with nothing under it.
-DrapeInput falling(DrapeMode mode, double seconds) {
-  DrapeInput input = test::tablecloth();
+drape::DrapeInput falling(drape::DrapeMode mode, double seconds) {
+  drape::DrapeInput input = test::tablecloth();
   input.bodies.clear();
   input.settings.mode = mode;
   input.settings.until_settled = false;
@@ -18,20 +18,20 @@ DrapeInput falling(DrapeMode mode, double seconds) {
   return input;
 }
 
-double fallen(const DrapeInput& input) {
-  const DrapeResult r = drape(input, {}, nullptr).value();
-  EXPECT_EQ(r.stop_reason.kind, Stop::kTime);
+double fallen(const drape::DrapeInput& input) {
+  const drape::DrapeResult r = drape::drape(input, {}, nullptr).value();
+  EXPECT_EQ(r.stop_reason.kind, drape::Stop::kTime);
   double sum = 0;
   for (const Vec3& p : r.positions) sum += p.y;
   return 0.305 - sum / static_cast<double>(r.positions.size());
 }
 
 TEST(Modes, InDynamicASheetFallsAsEverythingDoes) {
-  EXPECT_NEAR(fallen(falling(DrapeMode::kDynamic, 0.4)), 0.5 * 9.81 * 0.16, 3e-3);
+  EXPECT_NEAR(fallen(falling(drape::DrapeMode::kDynamic, 0.4)), 0.5 * 9.81 * 0.16, 3e-3);
 }
 
 TEST(Modes, InDynamicOnlyTheAirSlowsASheet) {
-  DrapeInput input = falling(DrapeMode::kDynamic, 1.0);
+  drape::DrapeInput input = falling(drape::DrapeMode::kDynamic, 1.0);
   input.fabrics[0].areal_mass = 0.2;
   input.settings.air.density = 1.2;
   // v' = g − v² g / u², u the terminal speed: the way is u²/g · ln cosh(g t / u).
@@ -41,26 +41,26 @@ TEST(Modes, InDynamicOnlyTheAirSlowsASheet) {
 }
 
 TEST(Modes, InDrapeGravityComesInSlowly) {
-  EXPECT_LT(fallen(falling(DrapeMode::kDrape, 0.4)), 0.5 * 0.5 * 9.81 * 0.16);
+  EXPECT_LT(fallen(falling(drape::DrapeMode::kDrape, 0.4)), 0.5 * 0.5 * 9.81 * 0.16);
 }
 
 TEST(Modes, InDynamicAClothMaySettleToo) {
-  DrapeInput input = test::tablecloth();
-  input.settings.mode = DrapeMode::kDynamic;
+  drape::DrapeInput input = test::tablecloth();
+  input.settings.mode = drape::DrapeMode::kDynamic;
   input.settings.air.density = 1.2;
   input.settings.air.across = 40;  // thick enough to come to rest within seconds
   input.settings.max_time = 20;
-  const DrapeResult r = drape(input, {}, nullptr).value();
-  EXPECT_TRUE(r.settled()) << to_string(r.stop_reason);
+  const drape::DrapeResult r = drape::drape(input, {}, nullptr).value();
+  EXPECT_TRUE(r.settled()) << drape::to_string(r.stop_reason);
   EXPECT_EQ(r.worst.cloth_body + r.worst.cloth_cloth, 0);
 }
 
 TEST(Modes, ADrapeThatIsToTakeItsTimeDoes) {
-  DrapeInput input = test::tablecloth();
+  drape::DrapeInput input = test::tablecloth();
   input.settings.until_settled = false;
   input.settings.max_time = 3;
-  const DrapeResult r = drape(input, {}, nullptr).value();
-  EXPECT_EQ(r.stop_reason.kind, Stop::kTime);
+  const drape::DrapeResult r = drape::drape(input, {}, nullptr).value();
+  EXPECT_EQ(r.stop_reason.kind, drape::Stop::kTime);
   EXPECT_NEAR(r.simulated_time, 3, 1e-3);
 }
 

@@ -16,15 +16,15 @@ namespace {
 constexpr double kPi = 3.14159265358979;
 
 /// Upright sheets without a body or weight, one behind the other.
-DrapeInput floating(double width, double height, std::vector<double> depths) {
-  DrapeInput input;
+drape::DrapeInput floating(double width, double height, std::vector<double> depths) {
+  drape::DrapeInput input;
   input.name = "floating";
   for (std::size_t i = 0; i < depths.size(); ++i) {
     input.pattern.panels.push_back(test::rectangle("sheet" + std::to_string(i), width, height));
-    input.placements.push_back(RigidPlacement{{0, 1, depths[i]}, {}, false});
+    input.placements.push_back(sewing::RigidPlacement{{0, 1, depths[i]}, {}, false});
     input.fabric_of_panel.push_back(0);
   }
-  input.fabrics = {Fabric{}};
+  input.fabrics = {material::Fabric{}};
   input.settings.particle_distance = 0.015;
   input.settings.time_step = 1.0 / 2000;
   input.settings.gravity = 0;
@@ -38,25 +38,25 @@ Vec3 mean(std::span<const Vec3> of) {
   return sum * (1.0 / static_cast<double>(of.size()));
 }
 
-void expect_clean(const DrapeResult& r) {
+void expect_clean(const drape::DrapeResult& r) {
   EXPECT_EQ(r.worst.cloth_body + r.worst.cloth_cloth, 0);
   EXPECT_GT(r.frames_checked, 10);
 }
 
 /// Where a flat point of a panel has come to.
-Vec3 place_of(const DrapeInput& input, const DrapeResult& r, const PanelPoint& point) {
-  const PanelMeshes meshes = make_panel_meshes(input.pattern, input.settings.particle_distance, {}).value();
-  Notions notions;
+Vec3 place_of(const drape::DrapeInput& input, const drape::DrapeResult& r, const sewing::PanelPoint& point) {
+  const mesh::PanelMeshes meshes = mesh::make_panel_meshes(input.pattern, input.settings.particle_distance, {}).value();
+  sewing::Notions notions;
   notions.buttons = {{"b", point, point, 0}};
-  return position_of(locate_notions(notions, meshes, r.garment).value().buttons[0][0], r.positions);
+  return sewing::position_of(sewing::locate_notions(notions, meshes, r.garment).value().buttons[0][0], r.positions);
 }
 
 TEST(Notions, AButtonDrawsTwoSheetsTogetherAndHoldsThem) {
-  DrapeInput input = floating(100, 100, {0, 0.03});
-  const Button button{"b", {0, {0.003, 0.052}}, {1, {-0.02, 0.031}}, 2e-3};
+  drape::DrapeInput input = floating(100, 100, {0, 0.03});
+  const sewing::Button button{"b", {0, {0.003, 0.052}}, {1, {-0.02, 0.031}}, 2e-3};
   input.notions.buttons = {button};
-  const DrapeResult r = drape(input, {}, nullptr).value();
-  EXPECT_EQ(r.stop_reason.kind, Stop::kSettled);
+  const drape::DrapeResult r = drape::drape(input, {}, nullptr).value();
+  EXPECT_EQ(r.stop_reason.kind, drape::Stop::kSettled);
   expect_clean(r);
   EXPECT_LT(length(place_of(input, r, button.a) - place_of(input, r, button.b)), 2.05e-3);
   const Index first = r.garment.first_vertex[1];
@@ -65,35 +65,35 @@ TEST(Notions, AButtonDrawsTwoSheetsTogetherAndHoldsThem) {
 }
 
 TEST(Notions, AButtonThatABodyKeepsOpenIsToldByName) {
-  DrapeInput input = floating(60, 60, {0.1, -0.1});
+  drape::DrapeInput input = floating(60, 60, {0.1, -0.1});
   input.bodies = {test::column(0.07, 0.8, 1.3)};
   for (const Index sheet : {0, 1}) {  // held by their lower edges, so that they cannot slide around it
-    Attachment lower;
+    sewing::Attachment lower;
     lower.panel = sheet;
     lower.edges = {0};
-    lower.hold = Attachment::Hold::kPlace;
+    lower.hold = sewing::Attachment::Hold::kPlace;
     lower.release_after = -1;
     input.attachments.push_back(lower);
   }
   input.notions.buttons = {{"cuff", {0, {0, 0.03}}, {1, {0, 0.03}}, 2e-3}};
-  const DrapeResult r = drape(input, {}, nullptr).value();
-  EXPECT_EQ(to_string(r.stop_reason), "open button cuff");
+  const drape::DrapeResult r = drape::drape(input, {}, nullptr).value();
+  EXPECT_EQ(drape::to_string(r.stop_reason), "open button cuff");
   EXPECT_GT(r.stop_reason.gap, 3e-3) << "by how much it is open";
   expect_clean(r);
 }
 
 TEST(Notions, AButtonBesideItsPieceIsRefusedWithItsName) {
-  DrapeInput input = floating(100, 100, {0, 0.03});
+  drape::DrapeInput input = floating(100, 100, {0, 0.03});
   input.notions.buttons = {{"b", {0, {0.2, 0.05}}, {1, {0, 0.05}}, 2e-3}};
-  const auto r = drape(input, {}, nullptr);
+  const auto r = drape::drape(input, {}, nullptr);
   ASSERT_FALSE(r.ok());
   EXPECT_EQ(r.error().code, "button.off_piece");
   EXPECT_NE(r.error().where.find("button b"), std::string::npos);
 }
 
 /// Length of the ring that the top edges of a tube's two panels make, m.
-double ring_length(const DrapeInput& input, const DrapeResult& r) {
-  const PanelMeshes meshes = make_panel_meshes(input.pattern, input.settings.particle_distance, {}).value();
+double ring_length(const drape::DrapeInput& input, const drape::DrapeResult& r) {
+  const mesh::PanelMeshes meshes = mesh::make_panel_meshes(input.pattern, input.settings.particle_distance, {}).value();
   double sum = 0;
   for (std::size_t p = 0; p < 2; ++p) {
     const std::vector<Index>& top = meshes.panels[p].edge_vertices[2];
@@ -108,28 +108,28 @@ double ring_length(const DrapeInput& input, const DrapeResult& r) {
 TEST(Notions, AnElasticWaistbandStretchesToTheGirthThatItIsOn) {
   // 520 mm of cloth with a band of 364 mm on a column of 16 sides around 437 mm, from which it keeps 1 mm:
   // the band comes to rest there, 22 % longer than without load, where stiffness · 0.22 is its tension.
-  DrapeInput input = test::tube();
+  drape::DrapeInput input = test::tube();
   input.settings.particle_distance = 0.013;
   input.settings.sew_time = 0.5;
   input.notions.elastics = {{"front band", 0, {2}, {}, 0.7, 15}, {"back band", 1, {2}, {}, 0.7, 15}};
-  Attachment back = input.attachments[0];
+  sewing::Attachment back = input.attachments[0];
   back.id = "top back";
   back.panel = 1;
   input.attachments.push_back(back);
-  const DrapeResult r = drape(input, {}, nullptr).value();
-  EXPECT_TRUE(r.settled()) << to_string(r.stop_reason);
+  const drape::DrapeResult r = drape::drape(input, {}, nullptr).value();
+  EXPECT_TRUE(r.settled()) << drape::to_string(r.stop_reason);
   expect_clean(r);
   const double girth = 2 * 16 * 0.07 * std::sin(kPi / 16) + 2 * kPi * 1e-3;
   EXPECT_NEAR(ring_length(input, r) / girth, 1, 0.02);
 }
 
 TEST(Notions, ACreaseAlongALineComesToRestAtItsAngle) {
-  DrapeInput input = floating(100, 60, {0});
+  drape::DrapeInput input = floating(100, 60, {0});
   input.pattern.panels[0].lines = {{"fold", {{0, 0}, {0, 60}}}};
   input.notions.creases = {{"c", 0, {0}, kPi / 2, 0.05}};
   input.settings.until_settled = false;
   input.settings.max_time = 2;  // nothing holds it: it may drift
-  const DrapeResult r = drape(input, {}, nullptr).value();
+  const drape::DrapeResult r = drape::drape(input, {}, nullptr).value();
   EXPECT_LT(r.rms_speed, 0.005);
   expect_clean(r);
   const auto at = [&](Vec2 p) { return place_of(input, r, {0, p}); };
@@ -143,8 +143,8 @@ constexpr double kWidth = 0.08, kLength = 0.32;  // m
 
 /// Two long strips, one behind the other, sewn all round. Nothing holds it: it never counts as settled while
 /// it turns slowly, so it takes its time.
-DrapeInput cushion(double pressure, double full_volume) {
-  DrapeInput input = floating(1e3 * kWidth, 1e3 * kLength, {0, -0.006});
+drape::DrapeInput cushion(double pressure, double full_volume) {
+  drape::DrapeInput input = floating(1e3 * kWidth, 1e3 * kLength, {0, -0.006});
   for (Index e = 0; e < 4; ++e) {
     input.pattern.seams.push_back({"s" + std::to_string(e), {{0, e, false}}, {{1, e, false}}, true});
   }
@@ -156,16 +156,16 @@ DrapeInput cushion(double pressure, double full_volume) {
   return input;
 }
 
-double volume_inside(const DrapeResult& r) {
+double volume_inside(const drape::DrapeResult& r) {
   std::vector<Tri> joined;
   for (const auto& [a, b, c] : r.garment.triangles) {
     joined.push_back({r.garment.weld[a], r.garment.weld[b], r.garment.weld[c]});
   }
-  return volume_of(make_chamber(joined, r.garment.vertex_count(), 0, 0), r.positions);
+  return solver::constraints::volume_of(solver::constraints::make_chamber(joined, r.garment.vertex_count(), 0, 0), r.positions);
 }
 
 TEST(Notions, ALongCushionHoldsWhatAPaperBagHolds) {
-  const DrapeResult r = drape(cushion(30, 0), {}, nullptr).value();
+  const drape::DrapeResult r = drape::drape(cushion(30, 0), {}, nullptr).value();
   expect_clean(r);
   EXPECT_EQ(r.seam_gap_max, 0);
   // A tube of the strips' girth, L w²/π, less what the flat ends cost: 0.142 w³ (1 − 10^(−L/w)), the paper
@@ -177,24 +177,24 @@ TEST(Notions, ALongCushionHoldsWhatAPaperBagHolds) {
 }
 
 TEST(Notions, AFixedAmountOfAirFillsACushionAsItsPressureTimesVolumeSays) {
-  const double pumped = volume_inside(drape(cushion(30, 0), {}, nullptr).value());
-  const double fixed = volume_inside(drape(cushion(60, pumped / 2), {}, nullptr).value());
+  const double pumped = volume_inside(drape::drape(cushion(30, 0), {}, nullptr).value());
+  const double fixed = volume_inside(drape::drape(cushion(60, pumped / 2), {}, nullptr).value());
   EXPECT_NEAR(fixed / pumped, 1, 0.01) << "30 Pa in all of it are 60 Pa in half";
 }
 
 TEST(Notions, ADrapeWithAllOfThemGoesOnFromACheckpointInTheSameBytes) {
-  DrapeInput input = cushion(30, 0.1e-3);
+  drape::DrapeInput input = cushion(30, 0.1e-3);
   input.settings.max_time = 0.9;
   input.pattern.panels[0].lines = {{"fold", {{-20, 160}, {20, 160}}}};
   input.notions.buttons = {{"tuft", {0, {0, 0.2}}, {1, {0, 0.2}}, 2e-3}};
   input.notions.elastics = {{"band", 1, {1}, {}, 0.8, 5}};
   input.notions.creases = {{"c", 0, {0}, kPi / 2, 0.05}};
   input.settings.air.density = 1.2;
-  const DrapeResult whole = drape(input, {}, nullptr).value();
-  auto run = DrapeRun::start(input, {}, nullptr).value();
+  const drape::DrapeResult whole = drape::drape(input, {}, nullptr).value();
+  auto run = drape::DrapeRun::start(input, {}, nullptr).value();
   for (const int steps : {500, 1000, 800}) {  // while sewing, after the weld, and later
     run->advance(steps, {});
-    run = DrapeRun::resume(input, run->checkpoint(), {}, nullptr).value();
+    run = drape::DrapeRun::resume(input, run->checkpoint(), {}, nullptr).value();
   }
   run->advance(100000, {});
   EXPECT_EQ(run->conclude().positions, whole.positions);

@@ -12,8 +12,8 @@ namespace toile {
 namespace {
 
 /// A closed box.
-Body box(const std::string& id, Vec3 low, Vec3 high) {
-  Body body;
+body::Body box(const std::string& id, Vec3 low, Vec3 high) {
+  body::Body body;
   body.id = id;
   for (int i = 0; i < 8; ++i) {
     body.mesh.vertices.push_back({i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});
@@ -24,10 +24,10 @@ Body box(const std::string& id, Vec3 low, Vec3 high) {
 }
 
 /// A ball in rings.
-Body ball(const std::string& id, Vec3 middle, double radius) {
+body::Body ball(const std::string& id, Vec3 middle, double radius) {
   constexpr int kRings = 12, kSides = 20;
   constexpr double kPi = 3.14159265358979;
-  Body body;
+  body::Body body;
   body.id = id;
   auto& x = body.mesh.vertices;
   x = {middle + Vec3{0, -radius, 0}, middle + Vec3{0, radius, 0}};
@@ -51,10 +51,10 @@ Body ball(const std::string& id, Vec3 middle, double radius) {
 }
 
 /// A square of cloth over a table with a ball on it, which it touches first.
-DrapeInput table_and_ball() {
-  DrapeInput input = test::tablecloth();
+drape::DrapeInput table_and_ball() {
+  drape::DrapeInput input = test::tablecloth();
   input.pattern.panels = {test::rectangle("sheet", 440, 440)};
-  std::get<RigidPlacement>(input.placements[0]).translation = {0, 0.40, 0.22};
+  std::get<sewing::RigidPlacement>(input.placements[0]).translation = {0, 0.40, 0.22};
   input.bodies = {box("table", {-0.12, 0.20, -0.12}, {0.12, 0.22, 0.12}),
                   ball("ball", {0.03, 0.302, 0}, 0.08)};
   input.bodies[0].friction = 0.1;
@@ -70,10 +70,10 @@ double least_distance(const std::vector<Vec3>& x, Vec3 middle) {
 }
 
 TEST(Objects, ASquareHangsOverATableAndABallAtOnce) {
-  const DrapeInput input = table_and_ball();
-  const Result<DrapeResult> result = drape(input, {}, nullptr);
+  const drape::DrapeInput input = table_and_ball();
+  const Result<drape::DrapeResult> result = drape::drape(input, {}, nullptr);
   ASSERT_TRUE(result) << to_string(result.error());
-  EXPECT_TRUE(result->settled()) << to_string(result->stop_reason);
+  EXPECT_TRUE(result->settled()) << drape::to_string(result->stop_reason);
   EXPECT_EQ(result->worst.cloth_body, 0);
   EXPECT_EQ(result->worst.cloth_cloth, 0);
   double lowest = 1, on_table = 0;
@@ -88,10 +88,10 @@ TEST(Objects, ASquareHangsOverATableAndABallAtOnce) {
 }
 
 TEST(Objects, EachKeepsItsOwnSkinOffset) {
-  DrapeInput input = table_and_ball();
+  drape::DrapeInput input = table_and_ball();
   const auto top = [&](double offset) {
     input.bodies[1].skin_offset = offset;
-    const Result<DrapeResult> result = drape(input, {}, nullptr);
+    const Result<drape::DrapeResult> result = drape::drape(input, {}, nullptr);
     double high = 0;
     for (const Vec3& p : result->positions) high = std::max(high, p.y);
     return high;
@@ -102,12 +102,12 @@ TEST(Objects, EachKeepsItsOwnSkinOffset) {
 
 TEST(Objects, ThrowTheClothBackAsFarAsTheirRestitutionSays) {
   const auto rebound = [](double restitution) {
-    DrapeInput input = test::tablecloth();
+    drape::DrapeInput input = test::tablecloth();
     input.bodies = {box("floor", {-1, -0.1, -1}, {1, 0, 1})};
     input.bodies[0].restitution = restitution;
-    std::get<RigidPlacement>(input.placements[0]).translation = {0, 0.08, 0.12};
-    input.settings.mode = DrapeMode::kDynamic;
-    auto run = DrapeRun::start(input, {}, nullptr);
+    std::get<sewing::RigidPlacement>(input.placements[0]).translation = {0, 0.08, 0.12};
+    input.settings.mode = drape::DrapeMode::kDynamic;
+    auto run = drape::DrapeRun::start(input, {}, nullptr);
     double high = 0;
     bool struck = false;
     for (int i = 0; i < 550; ++i) {  // 0.275 s

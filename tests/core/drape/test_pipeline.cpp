@@ -10,16 +10,16 @@
 namespace toile {
 namespace {
 
-struct Recorder final : FrameSink {
-  GarmentMesh garment;
-  std::vector<Frame> frames;
-  void begin(const GarmentMesh& g) override { garment = g; }
-  void frame(const Frame& f) override { frames.push_back(f); }
+struct Recorder final : drape::FrameSink {
+  sewing::GarmentMesh garment;
+  std::vector<drape::Frame> frames;
+  void begin(const sewing::GarmentMesh& g) override { garment = g; }
+  void frame(const drape::Frame& f) override { frames.push_back(f); }
 };
 
 TEST(Pipeline, ASheetFallsOnAColumnAndHangsAroundIt) {
-  const DrapeResult r = drape(test::tablecloth(), {}, nullptr).value();
-  EXPECT_TRUE(r.settled()) << to_string(r.stop_reason);
+  const drape::DrapeResult r = drape::drape(test::tablecloth(), {}, nullptr).value();
+  EXPECT_TRUE(r.settled()) << drape::to_string(r.stop_reason);
   EXPECT_EQ(r.worst.cloth_body + r.worst.cloth_cloth, 0);
   EXPECT_GT(r.frames_checked, 30);
   double highest = 0, lowest = 1;
@@ -32,8 +32,8 @@ TEST(Pipeline, ASheetFallsOnAColumnAndHangsAroundIt) {
 }
 
 TEST(Pipeline, TwoPanelsAreSewnIntoATubeAroundAColumn) {
-  const DrapeResult r = drape(test::tube(), {}, nullptr).value();
-  EXPECT_TRUE(r.settled()) << to_string(r.stop_reason);
+  const drape::DrapeResult r = drape::drape(test::tube(), {}, nullptr).value();
+  EXPECT_TRUE(r.settled()) << drape::to_string(r.stop_reason);
   EXPECT_EQ(r.worst.cloth_body + r.worst.cloth_cloth, 0);
   EXPECT_EQ(r.seam_gap_max, 0) << "welded";
   // The tube goes around: cloth on all four sides.
@@ -48,14 +48,14 @@ TEST(Pipeline, TwoPanelsAreSewnIntoATubeAroundAColumn) {
 }
 
 TEST(Pipeline, TheSameInputGivesTheSameHash) {
-  const auto hash = [] { return hash_of(drape(test::tube(), {}, nullptr).value().positions); };
+  const auto hash = [] { return hash_of(drape::drape(test::tube(), {}, nullptr).value().positions); };
   EXPECT_EQ(hash(), hash());
 }
 
 TEST(Pipeline, FramesComeInOrderAndEndWhereTheDrapeEnds) {
   Recorder recorder;
-  const DrapeInput input = test::tablecloth();
-  const DrapeResult r = drape(input, {}, &recorder).value();
+  const drape::DrapeInput input = test::tablecloth();
+  const drape::DrapeResult r = drape::drape(input, {}, &recorder).value();
   ASSERT_GT(recorder.frames.size(), 10u);
   EXPECT_EQ(recorder.frames.front().step, 0);
   for (std::size_t i = 1; i < recorder.frames.size(); ++i) {
@@ -71,16 +71,16 @@ TEST(Pipeline, ACancelledDrapeSaysSoAndKeepsWhatThereIs) {
   RunContext context;
   context.cancel = &cancel;
   context.on_progress = [&](const Progress& p) { cancel = p.phase == "drape" && p.fraction > 0.05; };
-  const DrapeResult r = drape(test::tablecloth(), context, nullptr).value();
-  EXPECT_EQ(r.stop_reason.kind, Stop::kCancelled);
+  const drape::DrapeResult r = drape::drape(test::tablecloth(), context, nullptr).value();
+  EXPECT_EQ(r.stop_reason.kind, drape::Stop::kCancelled);
   EXPECT_FALSE(r.settled());
   EXPECT_FALSE(r.positions.empty());
 }
 
 TEST(Pipeline, APieceThatStartsInTheBodyIsRefusedWithItsNameAndPlace) {
-  DrapeInput input = test::tablecloth();
-  std::get<RigidPlacement>(input.placements[0]).translation.y = 0.2;
-  const auto r = drape(input, {}, nullptr);
+  drape::DrapeInput input = test::tablecloth();
+  std::get<sewing::RigidPlacement>(input.placements[0]).translation.y = 0.2;
+  const auto r = drape::drape(input, {}, nullptr);
   ASSERT_FALSE(r.ok());
   EXPECT_EQ(r.error().code, "start.crosses_body");
   EXPECT_NE(r.error().where.find("piece sheet"), std::string::npos);
@@ -88,9 +88,9 @@ TEST(Pipeline, APieceThatStartsInTheBodyIsRefusedWithItsNameAndPlace) {
 }
 
 TEST(Pipeline, PiecesThatStartThroughEachOtherAreRefusedWithBothNames) {
-  DrapeInput input = test::tube();
-  std::get<RigidPlacement>(input.placements[1]) = {{0.02, 0.16, 0.1}, {0, 1.2, 0}, false};
-  const auto r = drape(input, {}, nullptr);
+  drape::DrapeInput input = test::tube();
+  std::get<sewing::RigidPlacement>(input.placements[1]) = {{0.02, 0.16, 0.1}, {0, 1.2, 0}, false};
+  const auto r = drape::drape(input, {}, nullptr);
   ASSERT_FALSE(r.ok());
   EXPECT_EQ(r.error().code, "start.crosses_cloth");
   EXPECT_NE(r.error().where.find("front"), std::string::npos);
@@ -98,36 +98,36 @@ TEST(Pipeline, PiecesThatStartThroughEachOtherAreRefusedWithBothNames) {
 }
 
 TEST(Pipeline, PiecesThatTouchAtTheStartAreMovedApart) {
-  DrapeInput input = test::tube();
-  std::get<RigidPlacement>(input.placements[1]).translation = {0.05, 0.16,
+  drape::DrapeInput input = test::tube();
+  std::get<sewing::RigidPlacement>(input.placements[1]).translation = {0.05, 0.16,
                                                                0.1};  // overlaps in the same plane
   input.pattern.seams.clear();
-  const auto r = drape(input, {}, nullptr);
+  const auto r = drape::drape(input, {}, nullptr);
   ASSERT_TRUE(r.ok()) << to_string(r.error());
   ASSERT_FALSE(r->findings.empty());
-  EXPECT_EQ(r->findings.front().kind, FindingKind::kTouches);
+  EXPECT_EQ(r->findings.front().kind, preflight::FindingKind::kTouches);
   EXPECT_TRUE(r->findings.front().repaired);
   EXPECT_EQ(r->worst.cloth_body + r->worst.cloth_cloth, 0);
 }
 
 /// A tube of two panels that together are too short to go around the column.
-DrapeInput too_short_around(double width_mm) {
-  DrapeInput input = test::tube();
+drape::DrapeInput too_short_around(double width_mm) {
+  drape::DrapeInput input = test::tube();
   input.pattern.panels[0] = test::rectangle("front", width_mm, 120);
   input.pattern.panels[1] = test::rectangle("back", width_mm, 120);
   return input;
 }
 
 TEST(Pipeline, ASeamThatCannotCloseStopsTheDrapeWithItsName) {
-  const auto r = drape(too_short_around(140), {}, nullptr);
+  const auto r = drape::drape(too_short_around(140), {}, nullptr);
   ASSERT_TRUE(r.ok());
   EXPECT_FALSE(r->settled());
-  EXPECT_EQ(r->stop_reason.kind, Stop::kStalledSeam) << to_string(r->stop_reason);
+  EXPECT_EQ(r->stop_reason.kind, drape::Stop::kStalledSeam) << drape::to_string(r->stop_reason);
   EXPECT_EQ(r->worst.cloth_body + r->worst.cloth_cloth, 0) << "a thread is never stronger than contact";
 }
 
 /// The seam with the two sewn vertices that ended furthest from each other.
-std::string widest_seam(const DrapeInput& input, const DrapeResult& r) {
+std::string widest_seam(const drape::DrapeInput& input, const drape::DrapeResult& r) {
   const auto gap = [&](std::size_t k) {
     const auto [i, j] = r.garment.sewn[k];
     return length(r.positions[i] - r.positions[j]);
@@ -140,24 +140,24 @@ std::string widest_seam(const DrapeInput& input, const DrapeResult& r) {
 }
 
 TEST(Pipeline, ASeamThatNearlyClosesIsNamedAsWell) {
-  const DrapeInput input = too_short_around(150);  // 10 mm open, where a seam counts as lost
-  const auto r = drape(input, {}, nullptr);
+  const drape::DrapeInput input = too_short_around(150);  // 10 mm open, where a seam counts as lost
+  const auto r = drape::drape(input, {}, nullptr);
   ASSERT_TRUE(r.ok());
   EXPECT_FALSE(r->settled());
   const std::string widest = widest_seam(input, *r);
-  EXPECT_TRUE(r->stop_reason.kind == Stop::kStalledSeam || r->stop_reason.kind == Stop::kOpenSeam)
-      << to_string(r->stop_reason);
+  EXPECT_TRUE(r->stop_reason.kind == drape::Stop::kStalledSeam || r->stop_reason.kind == drape::Stop::kOpenSeam)
+      << drape::to_string(r->stop_reason);
   EXPECT_EQ(r->stop_reason.name, widest) << "is open the most";
   EXPECT_EQ(r->stop_reason.gap, r->seam_gap_max);
   EXPECT_EQ(r->worst.cloth_body + r->worst.cloth_cloth, 0);
 }
 
 TEST(Pipeline, AnUnsettledDrapeEndsAtItsTimeLimit) {
-  DrapeInput input = test::tablecloth();
+  drape::DrapeInput input = test::tablecloth();
   input.settings.max_time = 0.3;
-  const DrapeResult r = drape(input, {}, nullptr).value();
+  const drape::DrapeResult r = drape::drape(input, {}, nullptr).value();
   EXPECT_FALSE(r.settled());
-  EXPECT_EQ(r.stop_reason.kind, Stop::kTime);
+  EXPECT_EQ(r.stop_reason.kind, drape::Stop::kTime);
   EXPECT_NEAR(r.simulated_time, 0.3, 0.01);
 }
 

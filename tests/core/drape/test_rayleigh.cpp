@@ -18,7 +18,7 @@ double rate_of(Motion x, double damping, double start = 0) {
     const double t = start + k * kSeconds;
     for (int c = 0; c < 3; ++c) ways[k].push_back(static_cast<float>(x(t + kSeconds, c) - x(t, c)));
   }
-  return rayleigh_rate(ways[0], ways[1], ways[2], kSeconds, damping);
+  return drape::rayleigh_rate(ways[0], ways[1], ways[2], kSeconds, damping);
 }
 
 TEST(RayleighRate, IsThatOfAnUndampedSwingWhereverItIs) {
@@ -44,7 +44,7 @@ TEST(RayleighRate, IsNothingForWhatIsNotDrawnBack) {
   EXPECT_LT(rate_of([](double t, int) { return 2 * t; }, 4), 0.1);          // goes evenly
   EXPECT_LT(rate_of([](double t, int) { return 4.905 * t * t; }, 0), 0.1);  // falls
   EXPECT_EQ(rate_of([](double t, int) { return std::exp(5 * t); }, 2), 0);  // tips over
-  EXPECT_EQ(rayleigh_rate({}, {}, {}, kSeconds, 2), 0);
+  EXPECT_EQ(drape::rayleigh_rate({}, {}, {}, kSeconds, 2), 0);
 }
 
 TEST(RayleighRate, WeighsSwingsBySizeOfMotion) {
@@ -53,15 +53,15 @@ TEST(RayleighRate, WeighsSwingsBySizeOfMotion) {
 }
 
 TEST(CalmingDamping, GrowsWithTheRateWithinLimits) {
-  EXPECT_EQ(calming_damping(0), 2);
-  EXPECT_DOUBLE_EQ(calming_damping(10), 6);
-  EXPECT_EQ(calming_damping(1000), 16);
+  EXPECT_EQ(drape::calming_damping(0), 2);
+  EXPECT_DOUBLE_EQ(drape::calming_damping(10), 6);
+  EXPECT_EQ(drape::calming_damping(1000), 16);
 }
 
 TEST(WayLeft, IsAmplitudeForASwingAndTheRestOfTheWayForACreep) {
-  EXPECT_NEAR(way_left(0.1, 0, 10), 0.01, 1e-12);       // v/ω
-  EXPECT_NEAR(way_left(0.1, 1000, 10), 1, 0.02);        // v c/ω²
-  EXPECT_EQ(way_left(0.1, 2, 0), way_left(0.1, 2, 5));  // nothing is taken to be slower
+  EXPECT_NEAR(drape::way_left(0.1, 0, 10), 0.01, 1e-12);       // v/ω
+  EXPECT_NEAR(drape::way_left(0.1, 1000, 10), 1, 0.02);        // v c/ω²
+  EXPECT_EQ(drape::way_left(0.1, 2, 0), drape::way_left(0.1, 2, 5));  // nothing is taken to be slower
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ constexpr double kDamping = 4;  // 1/s
 /// Watches one particle whose position after each step is `at(step)`; says whether it ever settled in 1 s.
 template <typename Motion>
 bool settles(Motion at, double damping = kDamping) {
-  SettleWatch watch(kStep, 0.005);
+  drape::SettleWatch watch(kStep, 0.005);
   watch.restart(std::vector<Vec3>{at(0)});
   for (int i = 1; i <= 1000; ++i) {
     watch.observe(std::vector<Vec3>{at(i)}, damping);
@@ -38,7 +38,7 @@ TEST(Settle, WhatCreepsThroughAThickMediumGoesFarOnceItIsGone) {
 }
 
 TEST(Settle, CalmerRestIsAShareOfIt) {
-  SettleWatch watch(kStep, 0.005);
+  drape::SettleWatch watch(kStep, 0.005);
   watch.restart(std::vector<Vec3>(1));
   for (int i = 1; i <= 400; ++i) watch.observe(std::vector<Vec3>{{0, 0.0014 * kStep * i, 0}}, kDamping);
   EXPECT_TRUE(watch.settled(kDamping));
@@ -61,7 +61,7 @@ TEST(Settle, AJitterOfSingleStepsDoesNotCount) {
 
 TEST(Settle, TheDampingFollowsTheSwing) {
   const auto damping_for = [](double rate) {
-    SettleWatch watch(kStep, 0.005);
+    drape::SettleWatch watch(kStep, 0.005);
     watch.restart(std::vector<Vec3>{{1, 0, 0}});
     for (int i = 1; i <= 1000; ++i) watch.observe(std::vector<Vec3>{{std::cos(rate * kStep * i), 0, 0}}, 0);
     return watch.damping();
@@ -73,7 +73,7 @@ TEST(Settle, TheDampingFollowsTheSwing) {
 }
 
 TEST(Settle, RestartForgets) {
-  SettleWatch watch(kStep, 0.005);
+  drape::SettleWatch watch(kStep, 0.005);
   const std::vector<Vec3> x(1);
   watch.restart(x);
   for (int i = 0; i < 300; ++i) watch.observe(x, kDamping);

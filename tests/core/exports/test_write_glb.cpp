@@ -88,18 +88,18 @@ const json& primitive(const Glb& glb, int node) {
   return glb.doc["meshes"][glb.doc["nodes"][node]["mesh"].get<int>()]["primitives"][0];
 }
 
-GlbModel model_of(const TwoPanels& t, std::span<const Body> bodies = {}) {
+exports::GlbModel model_of(const TwoPanels& t, std::span<const body::Body> bodies = {}) {
   return {&t.garment, t.positions, t.names, t.fabrics, t.fabric_of_panel, bodies};
 }
 
 class WriteGlb : public ExportTest {
  protected:
   TwoPanels garment_ = two_panels();
-  std::vector<Body> bodies_{small_body("mannequin")};
+  std::vector<body::Body> bodies_{small_body("mannequin")};
 };
 
 TEST_F(WriteGlb, MakesOneNamedNodePerPanelAndBody) {
-  const Glb glb = parse(*glb_bytes(model_of(garment_, bodies_)));
+  const Glb glb = parse(*exports::glb_bytes(model_of(garment_, bodies_)));
   ASSERT_EQ(glb.doc["nodes"].size(), 3u);
   EXPECT_EQ(glb.doc["nodes"][0]["name"], "front");
   EXPECT_EQ(glb.doc["nodes"][1]["name"], "back");
@@ -112,7 +112,7 @@ TEST_F(WriteGlb, MakesOneNamedNodePerPanelAndBody) {
 }
 
 TEST_F(WriteGlb, KeepsEveryAccessorInsideItsViewAndEveryViewInsideTheBuffer) {
-  const Glb glb = parse(*glb_bytes(model_of(garment_, bodies_)));
+  const Glb glb = parse(*exports::glb_bytes(model_of(garment_, bodies_)));
   for (const json& view : glb.doc["bufferViews"]) {
     EXPECT_LE(view["byteOffset"].get<std::size_t>() + view["byteLength"].get<std::size_t>(),
               glb.binary.size());
@@ -126,7 +126,7 @@ TEST_F(WriteGlb, KeepsEveryAccessorInsideItsViewAndEveryViewInsideTheBuffer) {
 }
 
 TEST_F(WriteGlb, WritesPositionsAsFloatsWithTheirExactBounds) {
-  const Glb glb = parse(*glb_bytes(model_of(garment_)));
+  const Glb glb = parse(*exports::glb_bytes(model_of(garment_)));
   const int accessor = primitive(glb, 1)["attributes"]["POSITION"];
   const std::vector<float> values = floats(glb, accessor);
   ASSERT_EQ(values.size(), 12u);
@@ -141,14 +141,14 @@ TEST_F(WriteGlb, WritesPositionsAsFloatsWithTheirExactBounds) {
 }
 
 TEST_F(WriteGlb, CountsIndicesWithinEachPanel) {
-  const Glb glb = parse(*glb_bytes(model_of(garment_)));
+  const Glb glb = parse(*exports::glb_bytes(model_of(garment_)));
   for (int node = 0; node < 2; ++node) {
     EXPECT_EQ(indices(glb, primitive(glb, node)["indices"]), (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
   }
 }
 
 TEST_F(WriteGlb, ShadesSmoothlyAcrossASeam) {
-  const Glb glb = parse(*glb_bytes(model_of(garment_)));
+  const Glb glb = parse(*exports::glb_bytes(model_of(garment_)));
   const std::vector<float> front = floats(glb, primitive(glb, 0)["attributes"]["NORMAL"]);
   const std::vector<float> back = floats(glb, primitive(glb, 1)["attributes"]["NORMAL"]);
   for (int i = 0; i < 3; ++i)
@@ -161,14 +161,14 @@ TEST_F(WriteGlb, ShadesSmoothlyAcrossASeam) {
 }
 
 TEST_F(WriteGlb, CarriesTheFlatPieceInMetresAsTextureCoordinates) {
-  const Glb glb = parse(*glb_bytes(model_of(garment_, bodies_)));
+  const Glb glb = parse(*exports::glb_bytes(model_of(garment_, bodies_)));
   EXPECT_EQ(floats(glb, primitive(glb, 0)["attributes"]["TEXCOORD_0"]),
             (std::vector<float>{0, 0, 0.1f, 0, 0.1f, 0.2f, 0, 0.2f}));
   EXPECT_FALSE(primitive(glb, 2)["attributes"].contains("TEXCOORD_0"));
 }
 
 TEST_F(WriteGlb, GivesEachPanelItsFabricDoubleSided) {
-  const Glb glb = parse(*glb_bytes(model_of(garment_, bodies_)));
+  const Glb glb = parse(*exports::glb_bytes(model_of(garment_, bodies_)));
   const json& wool = glb.doc["materials"][primitive(glb, 0)["material"].get<int>()];
   EXPECT_EQ(wool["name"], "wool");
   EXPECT_EQ(wool["doubleSided"], true);
@@ -178,9 +178,9 @@ TEST_F(WriteGlb, GivesEachPanelItsFabricDoubleSided) {
   EXPECT_EQ(glb.doc["materials"][primitive(glb, 2)["material"].get<int>()]["name"], "body");
 }
 
-std::shared_ptr<const TextureImage> image_of(const std::string& name, std::string bytes) {
-  ReadPicture read = read_picture(bytes).value();
-  return std::make_shared<const TextureImage>(TextureImage{name, std::move(bytes), std::move(read)});
+std::shared_ptr<const image::TextureImage> image_of(const std::string& name, std::string bytes) {
+  image::ReadPicture read = image::read_picture(bytes).value();
+  return std::make_shared<const image::TextureImage>(image::TextureImage{name, std::move(bytes), std::move(read)});
 }
 
 /// What the file has behind image `index`.
@@ -191,12 +191,12 @@ std::string image_bytes(const Glb& glb, int index) {
 }
 
 TEST_F(WriteGlb, EmbedsThePictureOfAPanelAndLaysItOnTheCloth) {
-  Textures textures;
+  image::Textures textures;
   textures.images = {image_of("squares.png", test::png_of(test::squares(15)))};
-  textures.of_panel = {lay_texture(0, {0, 1}, {0.01, 0.02}, 0.05, 1, 0)};
-  GlbModel model = model_of(garment_, bodies_);
+  textures.of_panel = {image::lay_texture(0, {0, 1}, {0.01, 0.02}, 0.05, 1, 0)};
+  exports::GlbModel model = model_of(garment_, bodies_);
   model.textures = &textures;
-  const Glb glb = parse(*glb_bytes(model));
+  const Glb glb = parse(*exports::glb_bytes(model));
   EXPECT_EQ(image_bytes(glb, 0), textures.images[0]->bytes);
   EXPECT_EQ(glb.doc["images"][0]["mimeType"], "image/png");
   EXPECT_EQ(glb.doc["samplers"][0]["wrapS"], 10497);
@@ -216,56 +216,56 @@ TEST_F(WriteGlb, EmbedsThePictureOfAPanelAndLaysItOnTheCloth) {
 }
 
 TEST_F(WriteGlb, SharesOnePictureBetweenFabricsUnlessTheyShineThrough) {
-  Textures textures;
+  image::Textures textures;
   textures.images = {image_of("squares.png", test::png_of(test::squares()))};
-  textures.of_panel = {lay_texture(0, {0, 1}, {}, 0.1, 1, 0), lay_texture(0, {1, 0}, {}, 0.2, 1, 0)};
-  GlbModel model = model_of(garment_);
+  textures.of_panel = {image::lay_texture(0, {0, 1}, {}, 0.1, 1, 0), image::lay_texture(0, {1, 0}, {}, 0.2, 1, 0)};
+  exports::GlbModel model = model_of(garment_);
   model.textures = &textures;
-  const Glb opaque = parse(*glb_bytes(model));
+  const Glb opaque = parse(*exports::glb_bytes(model));
   EXPECT_EQ(opaque.doc["images"].size(), 1u);
   EXPECT_EQ(opaque.doc["materials"].size(), 5u);
   EXPECT_NE(primitive(opaque, 0)["material"], primitive(opaque, 1)["material"]);
 
-  Picture lace = test::squares();
+  image::Picture lace = test::squares();
   for (std::size_t i = 3; i < lace.rgba.size(); i += 4) lace.rgba[i] = 0;
   textures.images = {image_of("lace.png", test::png_of(lace))};
-  const Glb clear = parse(*glb_bytes(model));
+  const Glb clear = parse(*exports::glb_bytes(model));
   ASSERT_EQ(clear.doc["images"].size(), 2u);
-  const Picture on_wool = read_picture(image_bytes(clear, 0)).value().picture;
+  const image::Picture on_wool = image::read_picture(image_bytes(clear, 0)).value().picture;
   EXPECT_TRUE(on_wool.opaque);
   EXPECT_NEAR(on_wool.rgba[0], 225, 1);  // 0.75 of light as sRGB
-  EXPECT_NEAR(read_picture(image_bytes(clear, 1)).value().picture.rgba[0], 137, 1);
+  EXPECT_NEAR(image::read_picture(image_bytes(clear, 1)).value().picture.rgba[0], 137, 1);
 }
 
 TEST_F(WriteGlb, EmbedsAPhotographThatWasHeldUprightAsItIsSeen) {
-  Textures textures;
+  image::Textures textures;
   textures.images = {image_of("photo.jpg", test::jpeg_of(test::squares(24), {.orientation = 6}))};
-  textures.of_panel = {lay_texture(0, {0, 1}, {}, 0.1, 1, 0)};
-  GlbModel model = model_of(garment_);
+  textures.of_panel = {image::lay_texture(0, {0, 1}, {}, 0.1, 1, 0)};
+  exports::GlbModel model = model_of(garment_);
   model.textures = &textures;
-  const Glb glb = parse(*glb_bytes(model));
+  const Glb glb = parse(*exports::glb_bytes(model));
   EXPECT_EQ(glb.doc["images"][0]["mimeType"], "image/png");
-  EXPECT_EQ(read_picture(image_bytes(glb, 0)).value().picture, textures.images[0]->read.picture);
+  EXPECT_EQ(image::read_picture(image_bytes(glb, 0)).value().picture, textures.images[0]->read.picture);
 }
 
 TEST_F(WriteGlb, KeepsAJpegAsItIs) {
-  Textures textures;
+  image::Textures textures;
   textures.images = {image_of("photo.jpg", test::jpeg_of(test::squares(24)))};
-  textures.of_panel = {lay_texture(0, {0, 1}, {}, 0.1, 1, 0)};
-  GlbModel model = model_of(garment_);
+  textures.of_panel = {image::lay_texture(0, {0, 1}, {}, 0.1, 1, 0)};
+  exports::GlbModel model = model_of(garment_);
   model.textures = &textures;
-  const Glb glb = parse(*glb_bytes(model));
+  const Glb glb = parse(*exports::glb_bytes(model));
   EXPECT_EQ(glb.doc["images"][0]["mimeType"], "image/jpeg");
   EXPECT_EQ(image_bytes(glb, 0), textures.images[0]->bytes);
 }
 
 TEST_F(WriteGlb, IsReadBackWithItsPictureByAssimp) {
-  Textures textures;
+  image::Textures textures;
   textures.images = {image_of("squares.png", test::png_of(test::squares()))};
-  textures.of_panel = {lay_texture(0, {0, 1}, {0.01, 0.02}, 0.05, 1, 0)};
-  GlbModel model = model_of(garment_, bodies_);
+  textures.of_panel = {image::lay_texture(0, {0, 1}, {0.01, 0.02}, 0.05, 1, 0)};
+  exports::GlbModel model = model_of(garment_, bodies_);
   model.textures = &textures;
-  const std::string bytes = *glb_bytes(model);
+  const std::string bytes = *exports::glb_bytes(model);
   Assimp::Importer importer;
   const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, "glb");
   ASSERT_NE(scene, nullptr) << importer.GetErrorString();
@@ -288,22 +288,22 @@ TEST_F(WriteGlb, IsReadBackWithItsPictureByAssimp) {
 }
 
 TEST_F(WriteGlb, RefusesAPictureThatIsNotThere) {
-  Textures textures;
-  textures.of_panel = {lay_texture(0, {0, 1}, {}, 0.1, 1, 0)};
-  GlbModel model = model_of(garment_);
+  image::Textures textures;
+  textures.of_panel = {image::lay_texture(0, {0, 1}, {}, 0.1, 1, 0)};
+  exports::GlbModel model = model_of(garment_);
   model.textures = &textures;
-  EXPECT_EQ(glb_bytes(model).error().code, "export.bad_index");
+  EXPECT_EQ(exports::glb_bytes(model).error().code, "export.bad_index");
 }
 
 TEST_F(WriteGlb, LeavesOutAPanelWithoutTriangles) {
   garment_.garment.triangles.resize(2);
   garment_.garment.panel_of_triangle.resize(2);
-  const Glb glb = parse(*glb_bytes(model_of(garment_)));
+  const Glb glb = parse(*exports::glb_bytes(model_of(garment_)));
   EXPECT_EQ(glb.doc["nodes"].size(), 1u);
 }
 
 TEST_F(WriteGlb, IsAValidFileWithoutAnything) {
-  const Glb glb = parse(*glb_bytes({}));
+  const Glb glb = parse(*exports::glb_bytes({}));
   EXPECT_TRUE(glb.binary.empty());
   for (const char* list : {"nodes", "meshes", "accessors", "bufferViews", "buffers"}) {
     EXPECT_FALSE(glb.doc.contains(list)) << "glTF allows no empty lists";
@@ -312,53 +312,53 @@ TEST_F(WriteGlb, IsAValidFileWithoutAnything) {
 
 TEST_F(WriteGlb, WritesAnyNameAsUtf8) {
   garment_.names[0] = "Rücken \"links\" \xff";
-  const Result<std::string> bytes = glb_bytes(model_of(garment_));
+  const Result<std::string> bytes = exports::glb_bytes(model_of(garment_));
   ASSERT_TRUE(bytes.ok());
   EXPECT_EQ(parse(*bytes).doc["nodes"][0]["name"], "Rücken \"links\" \xEF\xBF\xBD");
 }
 
 TEST_F(WriteGlb, GivesTheSameBytesTwiceAndInTheFile) {
-  const std::string bytes = *glb_bytes(model_of(garment_, bodies_));
-  EXPECT_EQ(bytes, *glb_bytes(model_of(garment_, bodies_)));
-  ASSERT_TRUE(write_glb(directory_ / "a.glb", model_of(garment_, bodies_)).ok());
+  const std::string bytes = *exports::glb_bytes(model_of(garment_, bodies_));
+  EXPECT_EQ(bytes, *exports::glb_bytes(model_of(garment_, bodies_)));
+  ASSERT_TRUE(exports::write_glb(directory_ / "a.glb", model_of(garment_, bodies_)).ok());
   EXPECT_EQ(file_text(directory_ / "a.glb"), bytes);
 }
 
 TEST_F(WriteGlb, RefusesWhatNoFloatCanHold) {
   garment_.positions[6].z = 1e39;
-  const auto refused = glb_bytes(model_of(garment_));
+  const auto refused = exports::glb_bytes(model_of(garment_));
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().code, "export.not_finite");
   EXPECT_EQ(refused.error().where, "vertex 6");
   bodies_[0].mesh.vertices[0].x = std::numeric_limits<double>::infinity();
-  const GlbModel bodies_only{nullptr, {}, {}, {}, {}, bodies_};
-  EXPECT_EQ(glb_bytes(bodies_only).error().where, "mannequin");
+  const exports::GlbModel bodies_only{nullptr, {}, {}, {}, {}, bodies_};
+  EXPECT_EQ(exports::glb_bytes(bodies_only).error().where, "mannequin");
 }
 
 TEST_F(WriteGlb, RefusesIndicesThatLeadNowhere) {
   TwoPanels broken = two_panels();
   broken.garment.triangles[1][2] = 4;  // a vertex of the other panel
-  EXPECT_EQ(glb_bytes(model_of(broken)).error().code, "export.bad_index");
+  EXPECT_EQ(exports::glb_bytes(model_of(broken)).error().code, "export.bad_index");
   broken = two_panels();
   broken.fabric_of_panel[0] = 2;
-  EXPECT_EQ(glb_bytes(model_of(broken)).error().code, "export.bad_index");
+  EXPECT_EQ(exports::glb_bytes(model_of(broken)).error().code, "export.bad_index");
   broken = two_panels();
   broken.garment.weld[0] = -1;
-  EXPECT_EQ(glb_bytes(model_of(broken)).error().code, "export.bad_index");
+  EXPECT_EQ(exports::glb_bytes(model_of(broken)).error().code, "export.bad_index");
   bodies_[0].mesh.triangles[0][0] = 4;
-  EXPECT_EQ(glb_bytes(model_of(garment_, bodies_)).error().code, "export.bad_index");
+  EXPECT_EQ(exports::glb_bytes(model_of(garment_, bodies_)).error().code, "export.bad_index");
 }
 
 TEST_F(WriteGlb, RefusesAGarmentThatDisagreesWithItself) {
   TwoPanels broken = two_panels();
   broken.garment.weld.pop_back();
-  EXPECT_EQ(glb_bytes(model_of(broken)).error().code, "export.bad_garment");
+  EXPECT_EQ(exports::glb_bytes(model_of(broken)).error().code, "export.bad_garment");
   broken = two_panels();
   broken.names.pop_back();
-  EXPECT_EQ(glb_bytes(model_of(broken)).error().code, "export.bad_garment");
+  EXPECT_EQ(exports::glb_bytes(model_of(broken)).error().code, "export.bad_garment");
   broken = two_panels();
   broken.garment.first_vertex = {0, 9, 8};
-  EXPECT_EQ(glb_bytes(model_of(broken)).error().code, "export.bad_garment");
+  EXPECT_EQ(exports::glb_bytes(model_of(broken)).error().code, "export.bad_garment");
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ PlainObj read_obj(const std::filesystem::path& path) {
 
 TEST_F(WriteObj, KeepsNineSignificantDecimalsOfAPosition) {
   const std::vector<Vec3> positions{{0.123456789012, -12.3456789012, 1e-7}, {-0.0, 100, 1.0 / 3}};
-  ASSERT_TRUE(write_obj(directory_ / "a.obj", positions, {}).ok());
+  ASSERT_TRUE(exports::write_obj(directory_ / "a.obj", positions, {}).ok());
   EXPECT_EQ(file_text(directory_ / "a.obj"), "v 0.123456789 -12.3456789 1e-07\nv 0 100 0.333333333\n");
 }
 
@@ -54,7 +54,7 @@ TEST_F(WriteObj, GroupsTrianglesByPanelInTheOrderOfThePanels) {
   const TwoPanels t = two_panels();
   const std::vector<Index> mixed{1, 0, 1, 0};
   ASSERT_TRUE(
-      write_obj(directory_ / "a.obj", t.positions, t.garment.triangles, {{"front", "back"}, mixed}).ok());
+      exports::write_obj(directory_ / "a.obj", t.positions, t.garment.triangles, {{"front", "back"}, mixed}).ok());
   const std::string text = file_text(directory_ / "a.obj");
   EXPECT_NE(text.find("o front\nf 1 3 4\nf 5 7 8\no back\nf 1 2 3\nf 5 6 7\n"), std::string::npos) << text;
   EXPECT_EQ(read_obj(directory_ / "a.obj").vertices.size(), t.positions.size());
@@ -62,20 +62,20 @@ TEST_F(WriteObj, GroupsTrianglesByPanelInTheOrderOfThePanels) {
 
 TEST_F(WriteObj, GivesFlatPlacesAsTextureCoordinates) {
   const TwoPanels t = two_panels();
-  ObjPanels panels{{"front", "back"}, t.garment.panel_of_triangle, t.garment.rest};
-  ASSERT_TRUE(write_obj(directory_ / "a.obj", t.positions, t.garment.triangles, panels).ok());
+  exports::ObjPanels panels{{"front", "back"}, t.garment.panel_of_triangle, t.garment.rest};
+  ASSERT_TRUE(exports::write_obj(directory_ / "a.obj", t.positions, t.garment.triangles, panels).ok());
   const PlainObj obj = read_obj(directory_ / "a.obj");
   EXPECT_EQ(obj.other.size(), t.positions.size()) << "a vt line for each vertex";
   EXPECT_NE(file_text(directory_ / "a.obj").find("o front\nf 1/1 2/2 3/3\n"), std::string::npos);
   panels.rest = panels.rest.first(3);
-  const Status status = write_obj(directory_ / "b.obj", t.positions, t.garment.triangles, panels);
+  const Status status = exports::write_obj(directory_ / "b.obj", t.positions, t.garment.triangles, panels);
   ASSERT_FALSE(status.ok());
   EXPECT_EQ(status.error().code, "export.bad_index");
 }
 
 TEST_F(WriteObj, CannotBeBrokenByAPanelsName) {
   const TwoPanels t = two_panels();
-  ASSERT_TRUE(write_obj(directory_ / "a.obj", t.positions, t.garment.triangles,
+  ASSERT_TRUE(exports::write_obj(directory_ / "a.obj", t.positions, t.garment.triangles,
                         {{"left\nv 9 9 9", ""}, t.garment.panel_of_triangle})
                   .ok());
   const PlainObj obj = read_obj(directory_ / "a.obj");
@@ -86,7 +86,7 @@ TEST_F(WriteObj, CannotBeBrokenByAPanelsName) {
 TEST_F(WriteObj, RefusesAPositionThatIsNotANumberAndWritesNothing) {
   std::vector<Vec3> positions = two_panels().positions;
   positions[5].y = std::numeric_limits<double>::quiet_NaN();
-  const Status status = write_obj(directory_ / "a.obj", positions, {});
+  const Status status = exports::write_obj(directory_ / "a.obj", positions, {});
   ASSERT_FALSE(status.ok());
   EXPECT_EQ(status.error().code, "export.not_finite");
   EXPECT_EQ(status.error().where, "vertex 5");
@@ -95,7 +95,7 @@ TEST_F(WriteObj, RefusesAPositionThatIsNotANumberAndWritesNothing) {
 
 TEST_F(WriteObj, RefusesATriangleWithoutItsVertex) {
   const std::vector<Tri> triangles{{0, 1, 2}, {0, 1, 8}};
-  const Status status = write_obj(directory_ / "a.obj", two_panels().positions, triangles);
+  const Status status = exports::write_obj(directory_ / "a.obj", two_panels().positions, triangles);
   ASSERT_FALSE(status.ok());
   EXPECT_EQ(status.error().code, "export.bad_index");
   EXPECT_EQ(status.error().where, "triangle 1");
@@ -103,7 +103,7 @@ TEST_F(WriteObj, RefusesATriangleWithoutItsVertex) {
 
 TEST_F(WriteObj, RefusesATriangleOfAnUnnamedPanel) {
   const TwoPanels t = two_panels();
-  const Status status = write_obj(directory_ / "a.obj", t.positions, t.garment.triangles,
+  const Status status = exports::write_obj(directory_ / "a.obj", t.positions, t.garment.triangles,
                                   {{"front"}, t.garment.panel_of_triangle});
   ASSERT_FALSE(status.ok());
   EXPECT_EQ(status.error().code, "export.bad_index");
@@ -111,7 +111,7 @@ TEST_F(WriteObj, RefusesATriangleOfAnUnnamedPanel) {
 
 TEST_F(WriteObj, SaysWhyTheSystemRefused) {
   const auto path = directory_ / "missing" / "a.obj";
-  const Status status = write_obj(path, two_panels().positions, {});
+  const Status status = exports::write_obj(path, two_panels().positions, {});
   ASSERT_FALSE(status.ok());
   EXPECT_EQ(status.error().code, "export.write");
   EXPECT_EQ(status.error().where, path.string());
@@ -119,7 +119,7 @@ TEST_F(WriteObj, SaysWhyTheSystemRefused) {
 
 TEST_F(WriteCheckData, KeepsVerticesAndTrianglesInOneOrder) {
   const TwoPanels t = two_panels();
-  ASSERT_TRUE(write_check_data(directory_ / "new", t.garment, t.positions, {}).ok());
+  ASSERT_TRUE(exports::write_check_data(directory_ / "new", t.garment, t.positions, {}).ok());
   const PlainObj rest = read_obj(directory_ / "new" / "rest.obj"),
                  end = read_obj(directory_ / "new" / "final.obj");
   EXPECT_EQ(rest.triangles, t.garment.triangles);
@@ -131,7 +131,7 @@ TEST_F(WriteCheckData, KeepsVerticesAndTrianglesInOneOrder) {
 
 TEST_F(WriteCheckData, LaysPiecesFlatSideBySideWithoutOverlap) {
   const TwoPanels t = two_panels();
-  ASSERT_TRUE(write_check_data(directory_, t.garment, t.positions, {}).ok());
+  ASSERT_TRUE(exports::write_check_data(directory_, t.garment, t.positions, {}).ok());
   const PlainObj rest = read_obj(directory_ / "rest.obj");
   double front_end = -1e9, back_start = 1e9;
   for (int v = 0; v < 8; ++v) {
@@ -151,8 +151,8 @@ TEST_F(WriteCheckData, LaysPiecesFlatSideBySideWithoutOverlap) {
 
 TEST_F(WriteCheckData, JoinsAllBodies) {
   const TwoPanels t = two_panels();
-  const std::vector<Body> bodies{small_body("a"), small_body("b")};
-  ASSERT_TRUE(write_check_data(directory_, t.garment, t.positions, bodies).ok());
+  const std::vector<body::Body> bodies{small_body("a"), small_body("b")};
+  ASSERT_TRUE(exports::write_check_data(directory_, t.garment, t.positions, bodies).ok());
   const PlainObj body = read_obj(directory_ / "body.obj");
   EXPECT_EQ(body.vertices.size(), 8u);
   ASSERT_EQ(body.triangles.size(), 8u);
@@ -161,31 +161,31 @@ TEST_F(WriteCheckData, JoinsAllBodies) {
 
 TEST_F(WriteCheckData, ListsSewnPairsAsJson) {
   const TwoPanels t = two_panels();
-  ASSERT_TRUE(write_check_data(directory_, t.garment, t.positions, {}).ok());
+  ASSERT_TRUE(exports::write_check_data(directory_, t.garment, t.positions, {}).ok());
   std::string text = file_text(directory_ / "sewn.json");
   std::erase_if(text, [](char c) { return std::isspace(static_cast<unsigned char>(c)); });
   EXPECT_EQ(text, "[[1,4],[2,7]]");
-  GarmentMesh unsewn = t.garment;
+  sewing::GarmentMesh unsewn = t.garment;
   unsewn.sewn.clear();
-  ASSERT_TRUE(write_check_data(directory_, unsewn, t.positions, {}).ok());
+  ASSERT_TRUE(exports::write_check_data(directory_, unsewn, t.positions, {}).ok());
   EXPECT_EQ(file_text(directory_ / "sewn.json"), "[]\n");
 }
 
 TEST_F(WriteCheckData, RefusesAGarmentThatDisagreesWithItself) {
   TwoPanels t = two_panels();
-  EXPECT_EQ(write_check_data(directory_, t.garment, std::span(t.positions).first(7), {}).error().code,
+  EXPECT_EQ(exports::write_check_data(directory_, t.garment, std::span(t.positions).first(7), {}).error().code,
             "export.bad_garment");
   t.garment.panel_of_vertex[3] = 2'000'000'000;
-  EXPECT_EQ(write_check_data(directory_, t.garment, t.positions, {}).error().code, "export.bad_garment");
+  EXPECT_EQ(exports::write_check_data(directory_, t.garment, t.positions, {}).error().code, "export.bad_garment");
   t = two_panels();
   t.garment.sewn[1][0] = -1;
-  EXPECT_EQ(write_check_data(directory_, t.garment, t.positions, {}).error().code, "export.bad_index");
+  EXPECT_EQ(exports::write_check_data(directory_, t.garment, t.positions, {}).error().code, "export.bad_index");
 }
 
 TEST_F(WriteCheckData, SaysWhyTheFolderCannotBeMade) {
   std::ofstream(directory_ / "taken") << "a file";
   const TwoPanels t = two_panels();
-  const Status status = write_check_data(directory_ / "taken" / "inside", t.garment, t.positions, {});
+  const Status status = exports::write_check_data(directory_ / "taken" / "inside", t.garment, t.positions, {});
   ASSERT_FALSE(status.ok());
   EXPECT_EQ(status.error().code, "export.write");
 }

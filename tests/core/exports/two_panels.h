@@ -17,9 +17,9 @@
 namespace toile {
 
 struct TwoPanels {
-  GarmentMesh garment;
+  sewing::GarmentMesh garment;
   std::vector<Vec3> positions;  // folded by a right angle along the seam
-  std::vector<Fabric> fabrics{2};
+  std::vector<material::Fabric> fabrics{2};
   std::vector<Index> fabric_of_panel{1, 0};
   std::vector<std::string> names{"front", "back"};
 };
@@ -44,7 +44,7 @@ inline TwoPanels two_panels() {
 }
 
 /// A tetrahedron.
-inline Body small_body(const std::string& id) {
+inline body::Body small_body(const std::string& id) {
   return {id, {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}}};
 }
 

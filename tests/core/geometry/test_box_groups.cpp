@@ -8,13 +8,13 @@
 namespace toile {
 namespace {
 
-std::vector<Box3> scattered(int count, unsigned seed) {
+std::vector<geometry::Box3> scattered(int count, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> place(-0.5, 0.5);
-  std::vector<Box3> boxes;
+  std::vector<geometry::Box3> boxes;
   for (int i = 0; i < count; ++i) {
     const Vec3 p{place(random), place(random), place(random)};
-    boxes.push_back(box_around({p}, 0.04));
+    boxes.push_back(geometry::box_around({p}, 0.04));
   }
   return boxes;
 }
@@ -22,11 +22,11 @@ std::vector<Box3> scattered(int count, unsigned seed) {
 using Pairs = std::set<std::pair<Index, Index>>;
 
 /// All that overlap, found the long way.
-Pairs overlaps(const std::vector<Box3>& a, const std::vector<Box3>& b) {
+Pairs overlaps(const std::vector<geometry::Box3>& a, const std::vector<geometry::Box3>& b) {
   Pairs pairs;
   for (Index i = 0; i < static_cast<Index>(a.size()); ++i) {
     for (Index j = 0; j < static_cast<Index>(b.size()); ++j) {
-      if (overlap(a[i], b[j])) pairs.insert({i, j});
+      if (geometry::overlap(a[i], b[j])) pairs.insert({i, j});
     }
   }
   return pairs;
@@ -34,10 +34,10 @@ Pairs overlaps(const std::vector<Box3>& a, const std::vector<Box3>& b) {
 
 TEST(BoxGroups, FindEveryOverlapOnceAlsoAfterRefitting) {
   for (const int count : {1, 7, 8, 9, 250}) {
-    std::vector<Box3> boxes = scattered(count, 3);
-    const std::vector<Box3> others = scattered(120, 4);
-    BoxGroups groups(boxes);
-    const BoxGroups other(others);
+    std::vector<geometry::Box3> boxes = scattered(count, 3);
+    const std::vector<geometry::Box3> others = scattered(120, 4);
+    geometry::BoxGroups groups(boxes);
+    const geometry::BoxGroups other(others);
     for (const unsigned seed : {3u, 8u}) {
       boxes = scattered(count, seed);
       groups.refit(boxes);
@@ -54,13 +54,13 @@ TEST(BoxGroups, FindEveryOverlapOnceAlsoAfterRefitting) {
 }
 
 TEST(BoxGroups, PassOverBoxesThatHoldNothing) {
-  std::vector<Box3> boxes = scattered(20, 5);
-  boxes[3] = boxes[11] = Box3{};
-  const BoxGroups groups(boxes);
+  std::vector<geometry::Box3> boxes = scattered(20, 5);
+  boxes[3] = boxes[11] = geometry::Box3{};
+  const geometry::BoxGroups groups(boxes);
   groups.self_pairs([](Index p, Index q) {
     for (const Index i : {p, q}) EXPECT_TRUE(i != 3 && i != 11);
   });
-  BoxGroups none;
+  geometry::BoxGroups none;
   none.self_pairs([](Index, Index) { ADD_FAILURE(); });
   groups.pairs(none, [](Index, Index) { ADD_FAILURE(); });
   EXPECT_TRUE(none.empty());

@@ -8,14 +8,14 @@
 namespace toile {
 namespace {
 
-std::vector<Box3> random_boxes(int count, unsigned seed) {
+std::vector<geometry::Box3> random_boxes(int count, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> place(-1, 1);
-  std::vector<Box3> boxes;
+  std::vector<geometry::Box3> boxes;
   for (int i = 0; i < count; ++i) {
     const Vec3 p{place(random), place(random), place(random)};
     boxes.push_back(
-        box_around({p, p + Vec3{0.1 * place(random), 0.1 * place(random), 0.1 * place(random)}}, 0));
+        geometry::box_around({p, p + Vec3{0.1 * place(random), 0.1 * place(random), 0.1 * place(random)}}, 0));
   }
   return boxes;
 }
@@ -25,7 +25,7 @@ using Pairs = std::set<std::pair<Index, Index>>;
 TEST(Bvh, FindsEveryOverlapOnceAlsoAfterRefitting) {
   auto boxes = random_boxes(200, 1);
   const auto others = random_boxes(150, 2);
-  Bvh tree(boxes), other(others);
+  geometry::Bvh tree(boxes), other(others);
   for (int round = 0; round < 2; ++round) {
     Pairs self, pairs, self_expected, expected;
     int visits = 0;
@@ -38,12 +38,12 @@ TEST(Bvh, FindsEveryOverlapOnceAlsoAfterRefitting) {
     for (Index i = 0; i < 200; ++i) {
       std::set<Index> queried;
       tree.query(boxes[i], [&](Index j) { queried.insert(j); });
-      for (Index j = 0; j < 200; ++j) EXPECT_EQ(queried.count(j) == 1, overlap(boxes[i], boxes[j]));
+      for (Index j = 0; j < 200; ++j) EXPECT_EQ(queried.count(j) == 1, geometry::overlap(boxes[i], boxes[j]));
       for (Index j = i + 1; j < 200; ++j) {
-        if (overlap(boxes[i], boxes[j])) self_expected.insert({i, j});
+        if (geometry::overlap(boxes[i], boxes[j])) self_expected.insert({i, j});
       }
       for (Index j = 0; j < 150; ++j) {
-        if (overlap(boxes[i], others[j])) expected.insert({i, j});
+        if (geometry::overlap(boxes[i], others[j])) expected.insert({i, j});
       }
     }
     EXPECT_EQ(self, self_expected);
@@ -55,7 +55,7 @@ TEST(Bvh, FindsEveryOverlapOnceAlsoAfterRefitting) {
 
 TEST(Bvh, BoxesHoldTheirPointsInSpiteOfFloats) {
   const Vec3 p{1.7000000123, -0.3000000456, 5.1};
-  const Box3 b = box_around({p}, 0);
+  const geometry::Box3 b = geometry::box_around({p}, 0);
   EXPECT_LE(b.lo[0], p.x);
   EXPECT_GE(b.hi[0], p.x);
   EXPECT_LE(b.lo[2], p.z);
@@ -63,9 +63,9 @@ TEST(Bvh, BoxesHoldTheirPointsInSpiteOfFloats) {
 }
 
 TEST(Bvh, AnEmptyTreeFindsNothing) {
-  const Bvh tree;
+  const geometry::Bvh tree;
   tree.self_pairs([](Index, Index) { FAIL(); });
-  tree.query(Box3{}, [](Index) { FAIL(); });
+  tree.query(geometry::Box3{}, [](Index) { FAIL(); });
 }
 
 }  // namespace

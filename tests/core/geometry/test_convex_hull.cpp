@@ -6,16 +6,16 @@ namespace toile {
 namespace {
 
 TEST(ConvexHull, SpansHollowsStraight) {
-  EXPECT_NEAR(hull_perimeter({{0, 0}, {1, 0}, {1, 1}, {0.5, 0.2}, {0, 1}, {0.5, 0}}), 4, 1e-12);
-  EXPECT_EQ(hull_perimeter({{1, 2}}), 0);
-  EXPECT_EQ(hull_perimeter({}), 0);
+  EXPECT_NEAR(geometry::hull_perimeter({{0, 0}, {1, 0}, {1, 1}, {0.5, 0.2}, {0, 1}, {0.5, 0}}), 4, 1e-12);
+  EXPECT_EQ(geometry::hull_perimeter({{1, 2}}), 0);
+  EXPECT_EQ(geometry::hull_perimeter({}), 0);
 }
 
 TEST(ConvexHull, HasItsCornersCounterClockwiseAndNothingElse) {
   const std::vector<Vec2> square =
-      convex_hull({{1, 1}, {0.5, 0.5}, {0, 0}, {0, 1}, {0.5, 0}, {1, 0}, {1, 0}});
+      geometry::convex_hull({{1, 1}, {0.5, 0.5}, {0, 0}, {0, 1}, {0.5, 0}, {1, 0}, {1, 0}});
   EXPECT_EQ(square, (std::vector<Vec2>{{0, 0}, {1, 0}, {1, 1}, {0, 1}}));
-  EXPECT_EQ(convex_hull({{2, 3}, {2, 3}}), (std::vector<Vec2>{{2, 3}}));
+  EXPECT_EQ(geometry::convex_hull({{2, 3}, {2, 3}}), (std::vector<Vec2>{{2, 3}}));
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ TEST(Distance, NoSampledPointOfATriangleIsCloser) {
   for (int i = 0; i < 300; ++i) {
     const Vec3 p = random_point(random), a = random_point(random), b = random_point(random),
                c = random_point(random);
-    const TrianglePoint at = closest_on_triangle(p, a, b, c);
+    const geometry::TrianglePoint at = geometry::closest_on_triangle(p, a, b, c);
     EXPECT_NEAR(at.a + at.b + at.c, 1, 1e-12);
     EXPECT_TRUE(at.a >= 0 && at.b >= 0 && at.c >= 0);
     const double best = length(p - (a * at.a + b * at.b + c * at.c));
@@ -34,7 +34,7 @@ TEST(Distance, NoSampledPairOfPointsOfTwoEdgesIsCloser) {
   for (int i = 0; i < 300; ++i) {
     const Vec3 p0 = random_point(random), p1 = random_point(random), q0 = random_point(random);
     const Vec3 q1 = i % 5 == 0 ? q0 + (p1 - p0) * 0.7 : random_point(random);  // every fifth pair parallel
-    const EdgePoints at = closest_on_edges(p0, p1, q0, q1);
+    const geometry::EdgePoints at = geometry::closest_on_edges(p0, p1, q0, q1);
     const double best = length(p0 + (p1 - p0) * at.s - q0 - (q1 - q0) * at.t);
     for (int u = 0; u <= 20; ++u) {
       for (int v = 0; v <= 20; ++v) {
@@ -46,9 +46,9 @@ TEST(Distance, NoSampledPairOfPointsOfTwoEdgesIsCloser) {
 
 TEST(Distance, DegenerateShapesGiveFinitePoints) {
   const Vec3 a{1, 2, 3};
-  const TrianglePoint t = closest_on_triangle({0, 0, 0}, a, a, a);
+  const geometry::TrianglePoint t = geometry::closest_on_triangle({0, 0, 0}, a, a, a);
   EXPECT_NEAR(t.a + t.b + t.c, 1, 1e-12);
-  const EdgePoints e = closest_on_edges(a, a, {0, 0, 0}, {1, 0, 0});
+  const geometry::EdgePoints e = geometry::closest_on_edges(a, a, {0, 0, 0}, {1, 0, 0});
   EXPECT_EQ(e.t, 1);
 }
 

@@ -12,50 +12,50 @@ namespace {
 
 const std::vector<Vec2> kSquare{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
 
-std::optional<Crossing> crossing(std::vector<Vec2> loop) {
+std::optional<geometry::Crossing> crossing(std::vector<Vec2> loop) {
   const std::vector<std::vector<Vec2>> loops{std::move(loop)};
-  return find_crossing(loops);
+  return geometry::find_crossing(loops);
 }
 
 TEST(Polygon2, AreaIsPositiveCounterClockwiseAndKeepsItsDigitsFarFromTheOrigin) {
-  EXPECT_DOUBLE_EQ(signed_area(kSquare), 100);
-  EXPECT_DOUBLE_EQ(signed_area(std::vector<Vec2>{{0, 0}, {0, 10}, {10, 0}}), -50);
+  EXPECT_DOUBLE_EQ(geometry::signed_area(kSquare), 100);
+  EXPECT_DOUBLE_EQ(geometry::signed_area(std::vector<Vec2>{{0, 0}, {0, 10}, {10, 0}}), -50);
   EXPECT_DOUBLE_EQ(
-      signed_area(std::vector<Vec2>{{1e9, 1e9}, {1e9 + 1, 1e9}, {1e9 + 1, 1e9 + 1}, {1e9, 1e9 + 1}}), 1);
-  EXPECT_EQ(signed_area(std::vector<Vec2>{}), 0);
+      geometry::signed_area(std::vector<Vec2>{{1e9, 1e9}, {1e9 + 1, 1e9}, {1e9 + 1, 1e9 + 1}, {1e9, 1e9 + 1}}), 1);
+  EXPECT_EQ(geometry::signed_area(std::vector<Vec2>{}), 0);
 }
 
 TEST(Polygon2, BoxesHoldTheirPointsAndMeasureDistance) {
   const Aabb2 box = bounding_box(std::vector<Vec2>{{3, 1}, {-2, 5}, {0, 0}});
   EXPECT_EQ(box.low, (Vec2{-2, 0}));
   EXPECT_EQ(box.high, (Vec2{3, 5}));
-  EXPECT_EQ(distance(box, {0, 2}), 0);
-  EXPECT_DOUBLE_EQ(distance(box, {6, 9}), 5);
+  EXPECT_EQ(geometry::distance(box, {0, 2}), 0);
+  EXPECT_DOUBLE_EQ(geometry::distance(box, {6, 9}), 5);
   EXPECT_TRUE(box.grown(5).contains(Vec2{6, 9}));
 }
 
 TEST(Polygon2, PointsAreInsideByTheEvenOddRule) {
-  EXPECT_TRUE(contains(kSquare, {5, 5}));
-  EXPECT_FALSE(contains(kSquare, {11, 5}));
-  EXPECT_FALSE(contains(kSquare, {-1, 10}));
+  EXPECT_TRUE(geometry::contains(kSquare, {5, 5}));
+  EXPECT_FALSE(geometry::contains(kSquare, {11, 5}));
+  EXPECT_FALSE(geometry::contains(kSquare, {-1, 10}));
   const std::vector<Vec2> u{{0, 0}, {9, 0}, {9, 9}, {6, 9}, {6, 3}, {3, 3}, {3, 9}, {0, 9}};
-  EXPECT_FALSE(contains(u, {4.5, 6}));
-  EXPECT_TRUE(contains(u, {1.5, 6}));
-  EXPECT_FALSE(contains(std::vector<Vec2>{}, {0, 0}));
+  EXPECT_FALSE(geometry::contains(u, {4.5, 6}));
+  EXPECT_TRUE(geometry::contains(u, {1.5, 6}));
+  EXPECT_FALSE(geometry::contains(std::vector<Vec2>{}, {0, 0}));
 }
 
 TEST(Polygon2, SegmentsMeetAtCrossingsTouchesAndOverlapsOnly) {
-  EXPECT_EQ(segment_intersection({0, 0}, {2, 2}, {0, 2}, {2, 0}), (Vec2{1, 1}));
-  EXPECT_EQ(segment_intersection({0, 0}, {4, 0}, {1, 0}, {1, 5}), (Vec2{1, 0}));
-  EXPECT_TRUE(segment_intersection({0, 0}, {4, 0}, {3, 0}, {9, 0}));
-  EXPECT_FALSE(segment_intersection({0, 0}, {4, 0}, {5, 0}, {9, 0}));
-  EXPECT_FALSE(segment_intersection({0, 0}, {4, 0}, {0, 1}, {4, 1}));
-  EXPECT_FALSE(segment_intersection({0, 0}, {4, 0}, {5, -1}, {5, 1}));
+  EXPECT_EQ(geometry::segment_intersection({0, 0}, {2, 2}, {0, 2}, {2, 0}), (Vec2{1, 1}));
+  EXPECT_EQ(geometry::segment_intersection({0, 0}, {4, 0}, {1, 0}, {1, 5}), (Vec2{1, 0}));
+  EXPECT_TRUE(geometry::segment_intersection({0, 0}, {4, 0}, {3, 0}, {9, 0}));
+  EXPECT_FALSE(geometry::segment_intersection({0, 0}, {4, 0}, {5, 0}, {9, 0}));
+  EXPECT_FALSE(geometry::segment_intersection({0, 0}, {4, 0}, {0, 1}, {4, 1}));
+  EXPECT_FALSE(geometry::segment_intersection({0, 0}, {4, 0}, {5, -1}, {5, 1}));
 }
 
 TEST(Polygon2, FlatLinesAreFlat) {
-  EXPECT_TRUE(is_flat(std::vector<Vec2>{{0, 0}, {5, 5}, {2, 2}}, 1e-9));
-  EXPECT_FALSE(is_flat(kSquare, 1));
+  EXPECT_TRUE(geometry::is_flat(std::vector<Vec2>{{0, 0}, {5, 5}, {2, 2}}, 1e-9));
+  EXPECT_FALSE(geometry::is_flat(kSquare, 1));
 }
 
 TEST(Polygon2, ASimpleLoopCrossesNowhere) {
@@ -81,9 +81,9 @@ TEST(Polygon2, TouchesSpikesAndPinchesCountAsCrossings) {
 
 TEST(Polygon2, LoopsThatCrossEachOtherAreFoundAndThoseApartAreNot) {
   std::vector<std::vector<Vec2>> loops{kSquare, {{2, 2}, {2, 4}, {4, 4}}};
-  EXPECT_FALSE(find_crossing(loops));
+  EXPECT_FALSE(geometry::find_crossing(loops));
   loops[1] = {{8, 5}, {12, 5}, {12, 7}, {8, 7}};
-  const auto c = find_crossing(loops);
+  const auto c = geometry::find_crossing(loops);
   ASSERT_TRUE(c);
   EXPECT_EQ(c->loop_a, 0u);
   EXPECT_EQ(c->loop_b, 1u);
@@ -98,7 +98,7 @@ bool crosses_by_trying_all(const std::vector<Vec2>& p) {
       if (j == i + 1 || (i == 0 && j == n - 1)) {
         const Vec2 shared = j == i + 1 ? b : a, u = j == i + 1 ? a : b, v = j == i + 1 ? d : c;
         if (cross(u - shared, v - shared) == 0 && dot(u - shared, v - shared) > 0) return true;
-      } else if (segment_intersection(a, b, c, d)) {
+      } else if (geometry::segment_intersection(a, b, c, d)) {
         return true;
       }
     }

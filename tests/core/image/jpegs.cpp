@@ -21,7 +21,7 @@ std::vector<unsigned char> exif(int orientation) {
   return out;
 }
 
-std::vector<JSAMPLE> row_of(const Picture& picture, int y, const JpegWishes& wishes) {
+std::vector<JSAMPLE> row_of(const image::Picture& picture, int y, const JpegWishes& wishes) {
   std::vector<JSAMPLE> row;
   for (int x = 0; x < picture.width; ++x) {
     const std::uint8_t* const p = &picture.rgba[(static_cast<std::size_t>(y) * picture.width + x) * 4];
@@ -41,7 +41,7 @@ std::vector<JSAMPLE> row_of(const Picture& picture, int y, const JpegWishes& wis
 
 }  // namespace
 
-std::string jpeg_of(const Picture& picture, const JpegWishes& wishes) {
+std::string jpeg_of(const image::Picture& picture, const JpegWishes& wishes) {
   jpeg_compress_struct jpeg{};
   jpeg_error_mgr errors{};
   jpeg.err = jpeg_std_error(&errors);

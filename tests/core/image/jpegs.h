@@ -15,6 +15,6 @@ struct JpegWishes {
 };
 
 /// The picture as a JPEG file, colours at full resolution.
-std::string jpeg_of(const Picture& picture, const JpegWishes& wishes = {});
+std::string jpeg_of(const image::Picture& picture, const JpegWishes& wishes = {});
 
 }  // namespace toile::test

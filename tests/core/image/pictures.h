@@ -10,8 +10,8 @@
 
 namespace toile::test {
 
-inline Picture painted(int width, int height, const std::function<std::array<int, 4>(int, int)>& colour) {
-  Picture picture{width, height, {}, true};
+inline image::Picture painted(int width, int height, const std::function<std::array<int, 4>(int, int)>& colour) {
+  image::Picture picture{width, height, {}, true};
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       for (const int channel : colour(x, y)) picture.rgba.push_back(static_cast<std::uint8_t>(channel));
@@ -22,7 +22,7 @@ inline Picture painted(int width, int height, const std::function<std::array<int
 }
 
 /// Two by two squares: red and white above, white and blue below.
-inline Picture squares(int side = 16) {
+inline image::Picture squares(int side = 16) {
   return painted(side, side, [=](int x, int y) -> std::array<int, 4> {
     const bool right = x >= side / 2, low = y >= side / 2;
     if (right != low) return {250, 250, 250, 255};
@@ -30,8 +30,8 @@ inline Picture squares(int side = 16) {
   });
 }
 
-inline std::string png_of(const Picture& picture) {
-  return encode_png(picture.width, picture.height, 4, picture.rgba).value();
+inline std::string png_of(const image::Picture& picture) {
+  return image::encode_png(picture.width, picture.height, 4, picture.rgba).value();
 }
 
 }  // namespace toile::test

@@ -22,7 +22,7 @@ using test::squares;
 
 using Colour = std::array<int, 4>;
 
-Colour at(const Picture& picture, int x, int y) {
+Colour at(const image::Picture& picture, int x, int y) {
   const std::size_t i = (static_cast<std::size_t>(y) * picture.width + x) * 4;
   return {picture.rgba[i], picture.rgba[i + 1], picture.rgba[i + 2], picture.rgba[i + 3]};
 }
@@ -56,7 +56,7 @@ std::string png_of_kind(int width, int height, png_uint_32 format, const void* p
   return bytes;
 }
 
-std::string interlaced_png(const Picture& picture) {
+std::string interlaced_png(const image::Picture& picture) {
   std::string bytes;
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
   png_infop info = png_create_info_struct(png);
@@ -80,9 +80,9 @@ std::string interlaced_png(const Picture& picture) {
 }
 
 TEST(ReadPicture, GivesBackThePixelsOfAPng) {
-  const Result<ReadPicture> read = read_picture(png_of(squares()));
+  const Result<image::ReadPicture> read = image::read_picture(png_of(squares()));
   ASSERT_TRUE(read.ok()) << to_string(read.error());
-  EXPECT_EQ(read->format, PictureFormat::kPng);
+  EXPECT_EQ(read->format, image::PictureFormat::kPng);
   EXPECT_EQ(read->width, 16);
   EXPECT_EQ(read->height, 16);
   EXPECT_TRUE(read->plain);
@@ -90,8 +90,8 @@ TEST(ReadPicture, GivesBackThePixelsOfAPng) {
 }
 
 TEST(ReadPicture, KeepsTheOpacityOfAPng) {
-  const Picture glass = painted(3, 2, [](int x, int y) -> Colour { return {10, 20, 30, 40 * (x + 3 * y)}; });
-  const Result<ReadPicture> read = read_picture(png_of(glass));
+  const image::Picture glass = painted(3, 2, [](int x, int y) -> Colour { return {10, 20, 30, 40 * (x + 3 * y)}; });
+  const Result<image::ReadPicture> read = image::read_picture(png_of(glass));
   ASSERT_TRUE(read.ok());
   EXPECT_FALSE(read->picture.opaque);
   EXPECT_EQ(read->picture, glass);
@@ -101,26 +101,26 @@ TEST(ReadPicture, ReadsPalettesGreysAndSixteenBits) {
   const std::array<png_byte, 6> colours{200, 30, 20, 20, 40, 200};
   const std::array<png_byte, 4> places{0, 1, 1, 0};
   const auto palette =
-      read_picture(png_of_kind(2, 2, PNG_FORMAT_RGB_COLORMAP, places.data(), colours.data(), 2));
+      image::read_picture(png_of_kind(2, 2, PNG_FORMAT_RGB_COLORMAP, places.data(), colours.data(), 2));
   ASSERT_TRUE(palette.ok()) << to_string(palette.error());
   EXPECT_EQ(at(palette->picture, 1, 0), kBlue);
   EXPECT_EQ(at(palette->picture, 1, 1), kRed);
 
   const std::array<png_byte, 2> greys{0, 77};
-  const auto grey = read_picture(png_of_kind(2, 1, PNG_FORMAT_GRAY, greys.data(), nullptr, 0));
+  const auto grey = image::read_picture(png_of_kind(2, 1, PNG_FORMAT_GRAY, greys.data(), nullptr, 0));
   ASSERT_TRUE(grey.ok());
   EXPECT_EQ(at(grey->picture, 1, 0), (Colour{77, 77, 77, 255}));
   EXPECT_TRUE(grey->plain);
 
   const std::array<png_uint_16, 3> deep{65535, 0, 65535};
-  const auto sixteen = read_picture(png_of_kind(1, 1, PNG_FORMAT_LINEAR_RGB, deep.data(), nullptr, 0));
+  const auto sixteen = image::read_picture(png_of_kind(1, 1, PNG_FORMAT_LINEAR_RGB, deep.data(), nullptr, 0));
   ASSERT_TRUE(sixteen.ok());
   EXPECT_EQ(at(sixteen->picture, 0, 0), (Colour{255, 0, 255, 255}));
   EXPECT_FALSE(sixteen->plain);
 }
 
 TEST(ReadPicture, ReadsAnInterlacedPng) {
-  const auto read = read_picture(interlaced_png(squares(13)));
+  const auto read = image::read_picture(interlaced_png(squares(13)));
   ASSERT_TRUE(read.ok()) << to_string(read.error());
   EXPECT_EQ(read->picture, squares(13));
 }
@@ -128,22 +128,22 @@ TEST(ReadPicture, ReadsAnInterlacedPng) {
 TEST(ReadPicture, ReadsJpegsOfAllUsualKinds) {
   for (const test::JpegWishes& wishes :
        {test::JpegWishes{}, {.progressive = true}, {.inks = true}, {.quality = 100}}) {
-    const auto read = read_picture(jpeg_of(squares(32), wishes));
+    const auto read = image::read_picture(jpeg_of(squares(32), wishes));
     ASSERT_TRUE(read.ok()) << to_string(read.error());
-    EXPECT_EQ(read->format, PictureFormat::kJpeg);
+    EXPECT_EQ(read->format, image::PictureFormat::kJpeg);
     EXPECT_TRUE(is_about(at(read->picture, 3, 3), kRed));
     EXPECT_TRUE(is_about(at(read->picture, 28, 3), kWhite));
     EXPECT_TRUE(is_about(at(read->picture, 28, 28), kBlue));
     EXPECT_EQ(read->plain, !wishes.inks);
   }
-  const auto grey = read_picture(jpeg_of(squares(32), {.grey = true}));
+  const auto grey = image::read_picture(jpeg_of(squares(32), {.grey = true}));
   ASSERT_TRUE(grey.ok());
   EXPECT_TRUE(is_about(at(grey->picture, 3, 3), {30, 30, 30, 255}));
 }
 
 TEST(ReadPicture, TurnsAPhotographAsItWasHeld) {
   // Wider than high, red at its upper left corner alone.
-  const Picture flag = painted(48, 32, [](int x, int y) { return x < 16 && y < 16 ? kRed : kWhite; });
+  const image::Picture flag = painted(48, 32, [](int x, int y) { return x < 16 && y < 16 ? kRed : kWhite; });
   struct Case {
     int orientation, width, x, y;  // where the red corner is seen
   };
@@ -155,7 +155,7 @@ TEST(ReadPicture, TurnsAPhotographAsItWasHeld) {
                         {6, 32, 28, 3},
                         {7, 32, 28, 44},
                         {8, 32, 3, 44}}) {
-    const auto read = read_picture(jpeg_of(flag, {.orientation = c.orientation}));
+    const auto read = image::read_picture(jpeg_of(flag, {.orientation = c.orientation}));
     ASSERT_TRUE(read.ok()) << c.orientation;
     EXPECT_EQ(read->width, c.width) << c.orientation;
     EXPECT_EQ(read->picture.width, c.width) << c.orientation;
@@ -167,20 +167,20 @@ TEST(ReadPicture, TurnsAPhotographAsItWasHeld) {
 }
 
 TEST(ReadPicture, TellsTheKindByTheBytesAndNotByTheName) {
-  EXPECT_EQ(read_picture("").error().code, "image.format");
-  EXPECT_EQ(read_picture("GIF89a............").error().code, "image.format");
-  EXPECT_NE(read_picture("GIF89a............").error().message.find("GIF"), std::string::npos);
-  EXPECT_NE(read_picture("RIFF....WEBPVP8 ").error().message.find("WebP"), std::string::npos);
-  EXPECT_EQ(read_picture("<svg onload='x'/>").error().code, "image.format");
-  EXPECT_EQ(picture_format(jpeg_of(squares())), PictureFormat::kJpeg);
-  EXPECT_EQ(picture_format("\x89PNG"), std::nullopt);
+  EXPECT_EQ(image::read_picture("").error().code, "image.format");
+  EXPECT_EQ(image::read_picture("GIF89a............").error().code, "image.format");
+  EXPECT_NE(image::read_picture("GIF89a............").error().message.find("GIF"), std::string::npos);
+  EXPECT_NE(image::read_picture("RIFF....WEBPVP8 ").error().message.find("WebP"), std::string::npos);
+  EXPECT_EQ(image::read_picture("<svg onload='x'/>").error().code, "image.format");
+  EXPECT_EQ(image::picture_format(jpeg_of(squares())), image::PictureFormat::kJpeg);
+  EXPECT_EQ(image::picture_format("\x89PNG"), std::nullopt);
 }
 
 TEST(ReadPicture, ReducesALargePictureByMeansOfItsPixels) {
-  const Picture fine = painted(103, 50, [](int x, int y) {
+  const image::Picture fine = painted(103, 50, [](int x, int y) {
     return (x + y) % 2 == 0 ? Colour{255, 255, 255, 255} : Colour{0, 0, 0, 255};
   });
-  const auto read = read_picture(png_of(fine), {.shown_side = 60});
+  const auto read = image::read_picture(png_of(fine), {.shown_side = 60});
   ASSERT_TRUE(read.ok());
   EXPECT_EQ(read->width, 103);
   EXPECT_EQ(read->height, 50);
@@ -193,8 +193,8 @@ TEST(ReadPicture, ReducesALargePictureByMeansOfItsPixels) {
 }
 
 TEST(ReadPicture, DoesNotMixTheColourOfWhatCannotBeSeen) {
-  const Picture half = painted(2, 2, [](int x, int) { return x == 0 ? kRed : Colour{0, 255, 0, 0}; });
-  const auto read = read_picture(png_of(half), {.shown_side = 1});
+  const image::Picture half = painted(2, 2, [](int x, int) { return x == 0 ? kRed : Colour{0, 255, 0, 0}; });
+  const auto read = image::read_picture(png_of(half), {.shown_side = 1});
   ASSERT_TRUE(read.ok());
   EXPECT_EQ(at(read->picture, 0, 0), (Colour{200, 30, 20, 128}));
 }
@@ -217,26 +217,26 @@ std::string with_size(std::string png, std::uint32_t width, std::uint32_t height
 
 TEST(ReadPicture, RefusesABombByItsHeader) {
   const std::string small = png_of(squares());
-  EXPECT_TRUE(read_picture(with_size(small, 16, 16)).ok());
-  EXPECT_EQ(read_picture(with_size(small, 16384, 16384)).error().code, "image.too_large");
-  EXPECT_EQ(read_picture(with_size(small, 1u << 30, 1)).ok(), false);
-  EXPECT_EQ(read_picture(with_size(interlaced_png(squares()), 8192, 8192)).error().code, "image.too_large");
-  EXPECT_EQ(read_picture(small, {.bytes = 50}).error().code, "image.too_large");
-  EXPECT_EQ(read_picture(jpeg_of(squares()), {.side = 15}).error().code, "image.too_large");
-  EXPECT_EQ(read_picture(jpeg_of(squares(), {.progressive = true}), {.whole_pixels = 255}).error().code,
+  EXPECT_TRUE(image::read_picture(with_size(small, 16, 16)).ok());
+  EXPECT_EQ(image::read_picture(with_size(small, 16384, 16384)).error().code, "image.too_large");
+  EXPECT_EQ(image::read_picture(with_size(small, 1u << 30, 1)).ok(), false);
+  EXPECT_EQ(image::read_picture(with_size(interlaced_png(squares()), 8192, 8192)).error().code, "image.too_large");
+  EXPECT_EQ(image::read_picture(small, {.bytes = 50}).error().code, "image.too_large");
+  EXPECT_EQ(image::read_picture(jpeg_of(squares()), {.side = 15}).error().code, "image.too_large");
+  EXPECT_EQ(image::read_picture(jpeg_of(squares(), {.progressive = true}), {.whole_pixels = 255}).error().code,
             "image.too_large");
-  EXPECT_EQ(read_picture(jpeg_of(squares(), {.progressive = true}), {.scans = 2}).error().code,
+  EXPECT_EQ(image::read_picture(jpeg_of(squares(), {.progressive = true}), {.scans = 2}).error().code,
             "image.too_large");
 }
 
 TEST(ReadPicture, SaysThatAFileEndsEarly) {
-  const Picture rough = painted(64, 64, [](int x, int y) -> Colour {
+  const image::Picture rough = painted(64, 64, [](int x, int y) -> Colour {
     return {(x * 37 + y * 91) % 256, (x * y) % 256, (x * 7) % 256, 255};
   });
   const std::string png = png_of(rough), jpeg = jpeg_of(rough), late = jpeg_of(rough, {.progressive = true});
   for (const double share : {0.3, 0.7, 0.95}) {
     for (const std::string* file : {&png, &jpeg, &late}) {
-      const auto read = read_picture(file->substr(0, static_cast<std::size_t>(share * file->size())));
+      const auto read = image::read_picture(file->substr(0, static_cast<std::size_t>(share * file->size())));
       ASSERT_FALSE(read.ok()) << share;
       EXPECT_EQ(read.error().code, "image.truncated") << share << " " << read.error().message;
     }
@@ -246,10 +246,10 @@ TEST(ReadPicture, SaysThatAFileEndsEarly) {
 TEST(ReadPicture, SaysThatAFileIsDamaged) {
   std::string png = png_of(squares());
   png[png.size() - 20] ^= 0x55;  // within the pixels: their checksum does not fit
-  EXPECT_EQ(read_picture(png).error().code, "image.damaged");
+  EXPECT_EQ(image::read_picture(png).error().code, "image.damaged");
   std::string jpeg = jpeg_of(squares());
   jpeg[jpeg.find("\xff\xc0") + 1] = '\xc3';  // a way of packing that hardly anybody reads
-  const auto read = read_picture(jpeg);
+  const auto read = image::read_picture(jpeg);
   ASSERT_FALSE(read.ok());
   EXPECT_EQ(read.error().code, "image.damaged");
 }
@@ -264,7 +264,7 @@ TEST(ReadPicture, ComesThroughAThousandDamagedFiles) {
     std::string file = files[trial % 4];
     for (int i = 0; i < 1 + trial % 7; ++i) file[random() % file.size()] = static_cast<char>(random());
     if (trial % 5 == 0) file.resize(random() % file.size());
-    const auto read = read_picture(file, {.pixels = 1 << 20, .whole_pixels = 1 << 18});
+    const auto read = image::read_picture(file, {.pixels = 1 << 20, .whole_pixels = 1 << 18});
     if (!read.ok()) {
       ++refused;
       EXPECT_TRUE(read.error().code.starts_with("image.")) << read.error().code;
@@ -280,21 +280,21 @@ TEST(ReadPicture, ComesThroughAThousandDamagedFiles) {
 TEST(Exif, OfADamagedSegmentIsUpright) {
   std::vector<unsigned char> segment{'E',  'x',  'i', 'f', 0, 0, 'I', 'I', 42, 0, 8, 0, 0, 0, 1, 0,
                                      0x12, 0x01, 3,   0,   1, 0, 0,   0,   6,  0, 0, 0, 0, 0, 0, 0};
-  EXPECT_EQ(exif_orientation(segment), 6);
+  EXPECT_EQ(image::exif_orientation(segment), 6);
   for (std::size_t size = 0; size < 26; ++size)
-    EXPECT_EQ(exif_orientation({segment.data(), size}), 1) << size;
+    EXPECT_EQ(image::exif_orientation({segment.data(), size}), 1) << size;
   segment[10] = 0xFF;  // the list of entries would begin far behind the end
   segment[13] = 0xFF;
-  EXPECT_EQ(exif_orientation(segment), 1);
+  EXPECT_EQ(image::exif_orientation(segment), 1);
 }
 
 TEST(OverGround, LetsTheGroundShineThroughInLight) {
-  const Picture half = painted(2, 1, [](int x, int) -> Colour { return {255, 255, 255, x == 0 ? 0 : 128}; });
-  const Picture seen = over_ground(half, {0, 1, 0});
+  const image::Picture half = painted(2, 1, [](int x, int) -> Colour { return {255, 255, 255, x == 0 ? 0 : 128}; });
+  const image::Picture seen = image::over_ground(half, {0, 1, 0});
   EXPECT_TRUE(seen.opaque);
   EXPECT_EQ(at(seen, 0, 0), (Colour{0, 255, 0, 255}));
   EXPECT_TRUE(is_about(at(seen, 1, 0), {188, 255, 188, 255}, 1));
-  EXPECT_EQ(over_ground(squares(), {0, 0, 0}), squares());
+  EXPECT_EQ(image::over_ground(squares(), {0, 0, 0}), squares());
 }
 
 }  // namespace

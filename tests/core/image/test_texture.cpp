@@ -9,14 +9,14 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-void expect_at(const PanelTexture& texture, Vec2 flat, double right, double up) {
-  const Vec2 found = texture_at(texture, flat);
+void expect_at(const image::PanelTexture& texture, Vec2 flat, double right, double up) {
+  const Vec2 found = image::texture_at(texture, flat);
   EXPECT_NEAR(found.x, right, 1e-12);
   EXPECT_NEAR(found.y, up, 1e-12);
 }
 
 TEST(Texture, RepeatsEveryWidthAcrossAndEveryHeightUp) {
-  const PanelTexture texture = lay_texture(3, {0, 1}, {0.01, 0.02}, 0.04, 2, 0);
+  const image::PanelTexture texture = image::lay_texture(3, {0, 1}, {0.01, 0.02}, 0.04, 2, 0);
   EXPECT_EQ(texture.image, 3);
   expect_at(texture, {0.01, 0.02}, 0, 0);
   expect_at(texture, {0.05, 0.02}, 1, 0);
@@ -25,24 +25,24 @@ TEST(Texture, RepeatsEveryWidthAcrossAndEveryHeightUp) {
 }
 
 TEST(Texture, TurnsWithTheGrain) {
-  const PanelTexture lying = lay_texture(0, {1, 0}, {}, 0.1, 1, 0);
+  const image::PanelTexture lying = image::lay_texture(0, {1, 0}, {}, 0.1, 1, 0);
   expect_at(lying, {0.1, 0}, 0, 1);   // up goes along the warp
   expect_at(lying, {0, -0.1}, 1, 0);  // and the width along the weft
 }
 
 TEST(Texture, TurnsCounterClockwiseByItsAngle) {
-  const PanelTexture turned = lay_texture(0, {0, 1}, {}, 0.1, 1, kPi / 2);
+  const image::PanelTexture turned = image::lay_texture(0, {0, 1}, {}, 0.1, 1, kPi / 2);
   expect_at(turned, {-0.1, 0}, 0, 1);
   expect_at(turned, {0, 0.1}, 1, 0);
 }
 
 TEST(Texture, IsNoneForPanelsThatNobodySpokeOf) {
-  Textures textures;
-  textures.of_panel = {std::nullopt, lay_texture(0, {0, 1}, {}, 1, 1, 0)};
-  EXPECT_EQ(texture_of(textures, 0), nullptr);
-  EXPECT_NE(texture_of(textures, 1), nullptr);
-  EXPECT_EQ(texture_of(textures, 2), nullptr);
-  EXPECT_EQ(texture_of(textures, kNone), nullptr);
+  image::Textures textures;
+  textures.of_panel = {std::nullopt, image::lay_texture(0, {0, 1}, {}, 1, 1, 0)};
+  EXPECT_EQ(image::texture_of(textures, 0), nullptr);
+  EXPECT_NE(image::texture_of(textures, 1), nullptr);
+  EXPECT_EQ(image::texture_of(textures, 2), nullptr);
+  EXPECT_EQ(image::texture_of(textures, kNone), nullptr);
 }
 
 }  // namespace

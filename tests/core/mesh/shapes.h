@@ -28,8 +28,8 @@ class Sequence {
 };
 
 /// The sides of a polygon cut into parts of about h.
-inline Polygon sampled(const Polygon& corners, double h) {
-  Polygon points;
+inline mesh::Polygon sampled(const mesh::Polygon& corners, double h) {
+  mesh::Polygon points;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Vec2 a = corners[i], b = corners[(i + 1) % corners.size()];
     const int n = std::max(1, static_cast<int>(std::lround(length(b - a) / h)));
@@ -38,9 +38,9 @@ inline Polygon sampled(const Polygon& corners, double h) {
   return points;
 }
 
-inline Polygon circle(Vec2 centre, double radius, double h) {
+inline mesh::Polygon circle(Vec2 centre, double radius, double h) {
   const int n = std::max(3, static_cast<int>(std::lround(2 * kPi * radius / h)));
-  Polygon points;
+  mesh::Polygon points;
   for (int i = 0; i < n; ++i) {
     const double a = 2 * kPi * i / n;
     points.push_back(centre + Vec2{radius * std::cos(a), radius * std::sin(a)});
@@ -48,18 +48,18 @@ inline Polygon circle(Vec2 centre, double radius, double h) {
   return points;
 }
 
-inline Polygon clockwise(Polygon p) {
+inline mesh::Polygon clockwise(mesh::Polygon p) {
   std::reverse(p.begin(), p.end());
   return p;
 }
 
-inline Polygon rectangle(double width, double height) {
+inline mesh::Polygon rectangle(double width, double height) {
   return {{0, 0}, {width, 0}, {width, height}, {0, height}};
 }
 
 /// 2 · tips corners, alternating radii.
-inline Polygon star(int tips, double outer, double inner) {
-  Polygon points;
+inline mesh::Polygon star(int tips, double outer, double inner) {
+  mesh::Polygon points;
   for (int i = 0; i < 2 * tips; ++i) {
     const double r = i % 2 == 0 ? outer : inner, a = kPi * i / tips;
     points.push_back({r * std::cos(a), r * std::sin(a)});
@@ -68,23 +68,23 @@ inline Polygon star(int tips, double outer, double inner) {
 }
 
 /// Half a skirt: the part of a ring between two radii and angles.
-inline Polygon ring_sector(double inner, double outer, double from, double to, double h) {
+inline mesh::Polygon ring_sector(double inner, double outer, double from, double to, double h) {
   const auto arc = [&](double r) {
     const int n = static_cast<int>(std::lround(r * (to - from) / h));
-    Polygon points;
+    mesh::Polygon points;
     for (int i = 0; i <= n; ++i) {
       const double a = from + (to - from) * i / n;
       points.push_back({r * std::cos(a), r * std::sin(a)});
     }
     return points;
   };
-  Polygon all;
-  const auto append = [&](const Polygon& path) {
+  mesh::Polygon all;
+  const auto append = [&](const mesh::Polygon& path) {
     const int n = path.size() == 2 ? static_cast<int>(std::lround(length(path[1] - path[0]) / h)) : 0;
     for (int k = 0; k < n; ++k) all.push_back(path[0] + (path[1] - path[0]) * (double(k) / n));
     if (n == 0) all.insert(all.end(), path.begin(), path.end() - 1);
   };
-  const Polygon out = arc(outer), in = clockwise(arc(inner));
+  const mesh::Polygon out = arc(outer), in = clockwise(arc(inner));
   append(out);
   append({out.back(), in.front()});
   append(in);
@@ -93,38 +93,38 @@ inline Polygon ring_sector(double inner, double outer, double from, double to, d
 }
 
 /// A panel with one straight edge per side; corners in mm.
-inline Panel straight_panel(const std::string& id, const std::vector<Vec2>& corners_mm) {
-  Panel panel;
+inline pattern::Panel straight_panel(const std::string& id, const std::vector<Vec2>& corners_mm) {
+  pattern::Panel panel;
   panel.id = id;
   for (std::size_t i = 0; i < corners_mm.size(); ++i) {
     const Vec2 a = corners_mm[i], b = corners_mm[(i + 1) % corners_mm.size()];
-    panel.outline.edges.push_back({"e" + std::to_string(i), {line_segment(a, b)}});
+    panel.outline.edges.push_back({"e" + std::to_string(i), {pattern::line_segment(a, b)}});
   }
   return panel;
 }
 
 /// Edges: 0 bottom (left to right), 1 right (up), 2 top (right to left), 3 left (down).
-inline Panel rectangle_panel(const std::string& id, double width_mm, double height_mm) {
+inline pattern::Panel rectangle_panel(const std::string& id, double width_mm, double height_mm) {
   return straight_panel(id, {{0, 0}, {width_mm, 0}, {width_mm, height_mm}, {0, height_mm}});
 }
 
 /// A closed loop of four quarter arcs.
-inline Loop circle_loop(Vec2 centre_mm, double radius_mm, bool counter_clockwise, int edges) {
+inline pattern::Loop circle_loop(Vec2 centre_mm, double radius_mm, bool counter_clockwise, int edges) {
   constexpr double k = 0.5522847498307936;
-  std::vector<CubicBezier> quarters;
+  std::vector<pattern::CubicBezier> quarters;
   for (int i = 0; i < 4; ++i) {
     const Vec2 u{std::round(std::cos(kPi / 2 * i)), std::round(std::sin(kPi / 2 * i))};
     const Vec2 v = perpendicular(u);
     const auto at = [&](double a, double b) { return centre_mm + (u * a + v * b) * radius_mm; };
     quarters.push_back({at(1, 0), at(1, k), at(k, 1), at(0, 1)});
   }
-  Loop loop;
+  pattern::Loop loop;
   for (int e = 0; e < edges; ++e) {
-    PanelEdge edge{"arc" + std::to_string(e), {}};
+    pattern::PanelEdge edge{"arc" + std::to_string(e), {}};
     for (int i = 4 * e / edges; i < 4 * (e + 1) / edges; ++i) edge.curves.push_back(quarters[i]);
     loop.edges.push_back(edge);
   }
-  return counter_clockwise ? loop : reversed(loop);
+  return counter_clockwise ? loop : pattern::reversed(loop);
 }
 
 }  // namespace toile

@@ -15,21 +15,21 @@ namespace {
 
 constexpr double kH = 0.015;
 
-PanelMeshes meshed(const Pattern& pattern, double h = kH) {
-  Result<PanelMeshes> meshes = make_panel_meshes(pattern, h, {});
+mesh::PanelMeshes meshed(const pattern::Pattern& pattern, double h = kH) {
+  Result<mesh::PanelMeshes> meshes = mesh::make_panel_meshes(pattern, h, {});
   EXPECT_TRUE(meshes.ok()) << (meshes.ok() ? "" : to_string(meshes.error()));
-  return meshes.ok() ? *meshes : PanelMeshes{};
+  return meshes.ok() ? *meshes : mesh::PanelMeshes{};
 }
 
-std::string code_of(const Pattern& pattern, double h = kH) {
-  const Result<PanelMeshes> meshes = make_panel_meshes(pattern, h, {});
+std::string code_of(const pattern::Pattern& pattern, double h = kH) {
+  const Result<mesh::PanelMeshes> meshes = mesh::make_panel_meshes(pattern, h, {});
   return meshes.ok() ? "" : meshes.error().code;
 }
 
-Vec2 place(const PanelMeshes& meshes, PanelVertex v) { return meshes.panels[v.panel].rest[v.vertex]; }
+Vec2 place(const mesh::PanelMeshes& meshes, mesh::PanelVertex v) { return meshes.panels[v.panel].rest[v.vertex]; }
 
 /// Along the edge from its start, as a share of its length; for straight edges.
-std::vector<double> shares(const PanelMesh& mesh, Index edge) {
+std::vector<double> shares(const mesh::PanelMesh& mesh, Index edge) {
   const auto& v = mesh.edge_vertices[edge];
   const Vec2 start = mesh.rest[v.front()], end = mesh.rest[v.back()];
   std::vector<double> all;
@@ -37,16 +37,16 @@ std::vector<double> shares(const PanelMesh& mesh, Index edge) {
   return all;
 }
 
-void expect_evenly_spaced(const PanelMesh& mesh, Index edge) {
+void expect_evenly_spaced(const mesh::PanelMesh& mesh, Index edge) {
   const auto all = shares(mesh, edge);
   for (std::size_t i = 0; i < all.size(); ++i) EXPECT_NEAR(all[i], double(i) / double(all.size() - 1), 1e-9);
 }
 
 TEST(MakePanelMeshes, AnUnsewnEdgeHasSegmentsNearestToTheParticleDistance) {
-  Pattern pattern;
+  pattern::Pattern pattern;
   pattern.panels = {rectangle_panel("front", 202, 97)};
-  const PanelMeshes meshes = meshed(pattern);
-  const PanelMesh& mesh = meshes.panels[0];
+  const mesh::PanelMeshes meshes = meshed(pattern);
+  const mesh::PanelMesh& mesh = meshes.panels[0];
   ASSERT_EQ(mesh.edge_vertices.size(), 4u);
   EXPECT_EQ(mesh.edge_vertices[0].size(), 14u);  // 202 / 15 = 13.5
   EXPECT_EQ(mesh.edge_vertices[1].size(), 7u);   // 97 / 15 = 6.5 → 6
@@ -58,24 +58,24 @@ TEST(MakePanelMeshes, AnUnsewnEdgeHasSegmentsNearestToTheParticleDistance) {
 }
 
 TEST(MakePanelMeshes, VerticesAreMetresAndTheWarpIsTheGrain) {
-  Pattern pattern;
+  pattern::Pattern pattern;
   pattern.panels = {rectangle_panel("front", 300, 200)};
   pattern.panels[0].grain = {3, 4};
-  const PanelMeshes meshes = meshed(pattern);
-  EXPECT_NEAR(quality_of(meshes.panels[0].rest, meshes.panels[0].triangles).area, 0.06, 1e-10);
+  const mesh::PanelMeshes meshes = meshed(pattern);
+  EXPECT_NEAR(mesh::quality_of(meshes.panels[0].rest, meshes.panels[0].triangles).area, 0.06, 1e-10);
   EXPECT_NEAR(meshes.panels[0].warp.x, 0.6, 1e-15);
 }
 
-Pattern two_rectangles(double height_a, double height_b, bool reversed_b, bool same_direction) {
-  Pattern pattern;
+pattern::Pattern two_rectangles(double height_a, double height_b, bool reversed_b, bool same_direction) {
+  pattern::Pattern pattern;
   pattern.panels = {rectangle_panel("a", 200, height_a), rectangle_panel("b", 200, height_b)};
   pattern.seams = {{"side", {{0, 1, false}}, {{1, 3, reversed_b}}, same_direction}};
   return pattern;
 }
 
 TEST(MakePanelMeshes, ASeamOfEqualSidesPairsTheirPointsOneToOne) {
-  const PanelMeshes meshes = meshed(two_rectangles(300, 300, false, false));
-  const MatchedSeam& seam = meshes.seams[0];
+  const mesh::PanelMeshes meshes = meshed(two_rectangles(300, 300, false, false));
+  const mesh::MatchedSeam& seam = meshes.seams[0];
   ASSERT_EQ(seam.pairs.size(), 21u);
   EXPECT_NEAR(seam.length_a, 0.3, 1e-12);
   for (std::size_t i = 0; i < seam.pairs.size(); ++i) {
@@ -89,7 +89,7 @@ TEST(MakePanelMeshes, ASeamOfEqualSidesPairsTheirPointsOneToOne) {
 TEST(MakePanelMeshes, ReversedAndSameDirectionEachTurnSideBRound) {
   for (const bool reversed_b : {false, true}) {
     for (const bool same_direction : {false, true}) {
-      const PanelMeshes meshes = meshed(two_rectangles(300, 300, reversed_b, same_direction));
+      const mesh::PanelMeshes meshes = meshed(two_rectangles(300, 300, reversed_b, same_direction));
       const auto& pairs = meshes.seams[0].pairs;
       ASSERT_EQ(pairs.size(), 21u);
       const double first_b = reversed_b != same_direction ? 0.3 : 0.0;
@@ -101,22 +101,22 @@ TEST(MakePanelMeshes, ReversedAndSameDirectionEachTurnSideBRound) {
 
 TEST(MakePanelMeshes, SidesOfDifferentLengthStillMatchOneToOne) {
   for (const auto& [a, b] : {std::pair{452.0, 588.0}, std::pair{200.0, 600.0}, std::pair{600.0, 200.0}}) {
-    const PanelMeshes meshes = meshed(two_rectangles(a, b, false, false));
-    const MatchedSeam& seam = meshes.seams[0];
+    const mesh::PanelMeshes meshes = meshed(two_rectangles(a, b, false, false));
+    const mesh::MatchedSeam& seam = meshes.seams[0];
     EXPECT_EQ(seam.pairs.size(), std::size_t(std::round(std::max(a, b) / 15)) + 1);
     EXPECT_EQ(meshes.panels[0].edge_vertices[1].size(), meshes.panels[1].edge_vertices[3].size());
     expect_evenly_spaced(meshes.panels[0], 1);
     expect_evenly_spaced(meshes.panels[1], 3);
     EXPECT_NEAR(seam.length_b, b / 1000, 1e-12);
-    for (const PanelMesh& mesh : meshes.panels) {
-      EXPECT_GT(degrees_from_radians(quality_of(mesh.rest, mesh.triangles).min_angle), 20);
+    for (const mesh::PanelMesh& mesh : meshes.panels) {
+      EXPECT_GT(degrees_from_radians(mesh::quality_of(mesh.rest, mesh.triangles).min_angle), 20);
     }
   }
 }
 
 /// Front and back tops sewn to the lower edge of a waistband.
-Pattern waistband(double front, double back, double band) {
-  Pattern pattern;
+pattern::Pattern waistband(double front, double back, double band) {
+  pattern::Pattern pattern;
   pattern.panels = {rectangle_panel("front", front, 300), rectangle_panel("back", back, 300),
                     rectangle_panel("band", band, 30)};
   pattern.seams = {{"waist", {{1, 2, false}, {0, 2, false}}, {{2, 0, false}}, false}};
@@ -124,25 +124,25 @@ Pattern waistband(double front, double back, double band) {
 }
 
 TEST(MakePanelMeshes, AWaistbandIsCutWhereFrontMeetsBack) {
-  const PanelMeshes meshes = meshed(waistband(240, 300, 500));
+  const mesh::PanelMeshes meshes = meshed(waistband(240, 300, 500));
   const auto& pairs = meshes.seams[0].pairs;
   const auto& band = meshes.panels[2].edge_vertices[0];
   ASSERT_EQ(band.size(), 37u);               // 540 / 15 segments
   ASSERT_EQ(pairs.size(), band.size() + 1);  // the cut has two partners
   // Tops run from right to left: the path starts at the back's right, the band's path is run against.
   for (std::size_t i = 0; i <= 20; ++i) {
-    EXPECT_EQ(pairs[i].a, (PanelVertex{1, meshes.panels[1].edge_vertices[2][i]}));
-    EXPECT_EQ(pairs[i].b, (PanelVertex{2, band[36 - i]}));
+    EXPECT_EQ(pairs[i].a, (mesh::PanelVertex{1, meshes.panels[1].edge_vertices[2][i]}));
+    EXPECT_EQ(pairs[i].b, (mesh::PanelVertex{2, band[36 - i]}));
   }
   for (std::size_t i = 0; i <= 16; ++i) {
-    EXPECT_EQ(pairs[21 + i].a, (PanelVertex{0, meshes.panels[0].edge_vertices[2][i]}));
-    EXPECT_EQ(pairs[21 + i].b, (PanelVertex{2, band[16 - i]}));
+    EXPECT_EQ(pairs[21 + i].a, (mesh::PanelVertex{0, meshes.panels[0].edge_vertices[2][i]}));
+    EXPECT_EQ(pairs[21 + i].b, (mesh::PanelVertex{2, band[16 - i]}));
   }
   EXPECT_NEAR(shares(meshes.panels[2], 0)[16], 240.0 / 540, 1e-9);
 }
 
 TEST(MakePanelMeshes, TwoEdgesAgainstThreeCutEachOther) {
-  Pattern pattern;
+  pattern::Pattern pattern;
   pattern.panels = {rectangle_panel("a0", 200, 100), rectangle_panel("a1", 400, 100),
                     rectangle_panel("b0", 150, 100), rectangle_panel("b1", 253, 100),
                     rectangle_panel("b2", 197, 100)};
@@ -150,12 +150,12 @@ TEST(MakePanelMeshes, TwoEdgesAgainstThreeCutEachOther) {
   // not.
   pattern.seams = {
       {"s", {{0, 0, false}, {1, 0, false}}, {{2, 0, false}, {3, 0, false}, {4, 0, false}}, false}};
-  const PanelMeshes meshes = meshed(pattern);
+  const mesh::PanelMeshes meshes = meshed(pattern);
   const auto count = [&](Index p) { return meshes.panels[p].edge_vertices[0].size() - 1; };
   EXPECT_EQ(count(0), count(4));
   EXPECT_EQ(count(1), count(3) + count(2));
   std::map<std::pair<Index, Index>, int> partners;
-  for (const SewnPair& p : meshes.seams[0].pairs) ++partners[{p.a.panel, p.b.panel}];
+  for (const mesh::SewnPair& p : meshes.seams[0].pairs) ++partners[{p.a.panel, p.b.panel}];
   EXPECT_EQ(partners.size(), 3u);
   const std::pair<Index, Index> expected[]{{0, 4}, {1, 3}, {1, 2}};
   const Index b_of[]{4, 3, 2};
@@ -163,9 +163,9 @@ TEST(MakePanelMeshes, TwoEdgesAgainstThreeCutEachOther) {
 }
 
 TEST(MakePanelMeshes, EverySampleOfASewnEdgeIsInExactlyOnePairOfItsNeighbourhood) {
-  const PanelMeshes meshes = meshed(waistband(310, 207, 530));
+  const mesh::PanelMeshes meshes = meshed(waistband(310, 207, 530));
   std::map<Index, int> seen;
-  for (const SewnPair& p : meshes.seams[0].pairs) ++seen[p.b.vertex];
+  for (const mesh::SewnPair& p : meshes.seams[0].pairs) ++seen[p.b.vertex];
   int doubled = 0;
   for (const Index v : meshes.panels[2].edge_vertices[0]) {
     EXPECT_GE(seen[v], 1);
@@ -176,8 +176,8 @@ TEST(MakePanelMeshes, EverySampleOfASewnEdgeIsInExactlyOnePairOfItsNeighbourhood
 
 TEST(MakePanelMeshes, NoSegmentIsShorterThanHalfTheParticleDistance) {
   for (const double front : {233.0, 238.0, 241.0, 247.0}) {
-    const PanelMeshes meshes = meshed(waistband(front, 251, 489));
-    for (const PanelMesh& mesh : meshes.panels) {
+    const mesh::PanelMeshes meshes = meshed(waistband(front, 251, 489));
+    for (const mesh::PanelMesh& mesh : meshes.panels) {
       for (const auto& edge : mesh.edge_vertices) {
         for (std::size_t i = 1; i < edge.size(); ++i) {
           EXPECT_GE(length(mesh.rest[edge[i]] - mesh.rest[edge[i - 1]]), 0.5 * kH);
@@ -188,41 +188,41 @@ TEST(MakePanelMeshes, NoSegmentIsShorterThanHalfTheParticleDistance) {
 }
 
 TEST(MakePanelMeshes, ADartsTipIsNotSewnToItself) {
-  Pattern pattern;
+  pattern::Pattern pattern;
   pattern.panels = {
       straight_panel("bodice", {{0, 0}, {300, 0}, {300, 250}, {170, 250}, {150, 150}, {130, 250}, {0, 250}})};
   pattern.seams = {{"dart", {{0, 3, false}}, {{0, 4, false}}, false}};  // into the tip, out of it
-  const PanelMeshes meshes = meshed(pattern);
+  const mesh::PanelMeshes meshes = meshed(pattern);
   const auto& pairs = meshes.seams[0].pairs;
   const auto& in = meshes.panels[0].edge_vertices[3];
   EXPECT_EQ(pairs.size(), in.size() - 1);
-  for (const SewnPair& p : pairs) {
+  for (const mesh::SewnPair& p : pairs) {
     EXPECT_FALSE(p.a == p.b);
     EXPECT_NEAR(place(meshes, p.a).y, place(meshes, p.b).y, 1e-9);
   }
 }
 
 TEST(MakePanelMeshes, ConsecutiveEdgesOfOnePanelShareTheirCornerPair) {
-  Pattern pattern;
+  pattern::Pattern pattern;
   pattern.panels = {straight_panel("a", {{0, 0}, {150, 10}, {300, 0}, {300, 200}, {0, 200}}),
                     straight_panel("b", {{0, 0}, {150, 10}, {300, 0}, {300, 200}, {0, 200}})};
   pattern.seams = {{"s", {{0, 0, false}, {0, 1, false}}, {{1, 0, true}, {1, 1, true}}, true}};
   EXPECT_EQ(code_of(pattern), "");
   pattern.seams = {{"s", {{0, 0, false}, {0, 1, false}}, {{1, 0, false}, {1, 1, false}}, true}};
-  const PanelMeshes meshes = meshed(pattern);
+  const mesh::PanelMeshes meshes = meshed(pattern);
   EXPECT_EQ(meshes.seams[0].pairs.size(), 21u);
-  for (const SewnPair& p : meshes.seams[0].pairs) EXPECT_EQ(p.a.vertex, p.b.vertex);
+  for (const mesh::SewnPair& p : meshes.seams[0].pairs) EXPECT_EQ(p.a.vertex, p.b.vertex);
 }
 
 TEST(MakePanelMeshes, CurvedEdgesAreDividedByArcLength) {
-  Pattern pattern;
-  Panel panel;
+  pattern::Pattern pattern;
+  pattern::Panel panel;
   panel.id = "disc";
   panel.outline = circle_loop({0, 0}, 200, true, 1);
   panel.holes = {circle_loop({20, 30}, 60, false, 2)};
   pattern.panels = {panel};
-  const PanelMeshes meshes = meshed(pattern);
-  const PanelMesh& mesh = meshes.panels[0];
+  const mesh::PanelMeshes meshes = meshed(pattern);
+  const mesh::PanelMesh& mesh = meshes.panels[0];
   ASSERT_EQ(mesh.edge_vertices.size(), 3u);
   const auto& rim = mesh.edge_vertices[0];
   EXPECT_EQ(rim.size(), 85u);  // 2π·200 / 15 = 83.8
@@ -233,27 +233,27 @@ TEST(MakePanelMeshes, CurvedEdgesAreDividedByArcLength) {
   }
   EXPECT_EQ(mesh.edge_vertices[1].back(), mesh.edge_vertices[2].front());
   EXPECT_EQ(mesh.edge_vertices[2].back(), mesh.edge_vertices[1].front());
-  EXPECT_EQ(euler_characteristic(mesh.triangles, static_cast<Index>(mesh.rest.size())), 0);
+  EXPECT_EQ(mesh::euler_characteristic(mesh.triangles, static_cast<Index>(mesh.rest.size())), 0);
 }
 
 TEST(MakePanelMeshes, APieceSmallerThanAParticleDistanceKeepsASegmentPerEdge) {
-  Pattern pattern;
-  Panel button;
+  pattern::Pattern pattern;
+  pattern::Panel button;
   button.id = "button";
   button.outline = circle_loop({0, 0}, 4, true, 1);
-  Panel tab;
+  pattern::Panel tab;
   tab.id = "tab";
   tab.outline = circle_loop({0, 0}, 4, true, 2);
   pattern.panels = {rectangle_panel("loop", 8, 5), button, tab};
-  const PanelMeshes meshes = meshed(pattern, 0.04);
+  const mesh::PanelMeshes meshes = meshed(pattern, 0.04);
   EXPECT_EQ(meshes.panels[0].triangles.size(), 2u);
   EXPECT_EQ(meshes.panels[1].triangles.size(), 1u);
   EXPECT_LE(meshes.panels[2].triangles.size(), 4u);
 }
 
 TEST(MakePanelMeshes, TwiceTheSameInputIsTwiceTheSameOutput) {
-  const Pattern pattern = waistband(310, 207, 530);
-  const PanelMeshes first = meshed(pattern), second = meshed(pattern);
+  const pattern::Pattern pattern = waistband(310, 207, 530);
+  const mesh::PanelMeshes first = meshed(pattern), second = meshed(pattern);
   for (std::size_t p = 0; p < 3; ++p) {
     EXPECT_EQ(first.panels[p].rest, second.panels[p].rest);
     EXPECT_EQ(first.panels[p].triangles, second.panels[p].triangles);
@@ -263,30 +263,30 @@ TEST(MakePanelMeshes, TwiceTheSameInputIsTwiceTheSameOutput) {
 
 TEST(MakePanelMeshes, ParticlesFollowTheAreaAndTheParticleDistance) {
   for (const double h : {0.04, 0.02, 0.01, 0.005}) {
-    Pattern pattern;
+    pattern::Pattern pattern;
     pattern.panels = {rectangle_panel("front", 500, 700)};
-    const PanelMeshes meshes = meshed(pattern, h);
-    const PanelMesh& mesh = meshes.panels[0];
+    const mesh::PanelMeshes meshes = meshed(pattern, h);
+    const mesh::PanelMesh& mesh = meshes.panels[0];
     const double border = 2 * (0.5 + 0.7) / h;
-    EXPECT_NEAR(double(mesh.rest.size()) - border / 2, particle_estimate(0.35, h),
-                0.04 * particle_estimate(0.35, h));
+    EXPECT_NEAR(double(mesh.rest.size()) - border / 2, mesh::particle_estimate(0.35, h),
+                0.04 * mesh::particle_estimate(0.35, h));
   }
 }
 
 TEST(MakePanelMeshes, NamesThePieceThatCannotBeMeshed) {
-  Pattern pattern;
+  pattern::Pattern pattern;
   pattern.panels = {rectangle_panel("front", 200, 300),
                     straight_panel("twisted", {{0, 0}, {300, 300}, {300, 0}, {0, 200}})};
-  const auto meshes = make_panel_meshes(pattern, kH, {});
+  const auto meshes = mesh::make_panel_meshes(pattern, kH, {});
   ASSERT_FALSE(meshes.ok());
   EXPECT_EQ(meshes.error().code, "mesh.outline_crosses");
   EXPECT_EQ(meshes.error().where, "piece twisted");
 }
 
 TEST(MakePanelMeshes, RefusesTooManyParticlesWithTheirNumber) {
-  Pattern pattern;
+  pattern::Pattern pattern;
   for (int i = 0; i < 20; ++i) pattern.panels.push_back(rectangle_panel("p" + std::to_string(i), 1000, 1000));
-  const auto meshes = make_panel_meshes(pattern, 0.005, {});
+  const auto meshes = mesh::make_panel_meshes(pattern, 0.005, {});
   ASSERT_FALSE(meshes.ok());
   EXPECT_EQ(meshes.error().code, "mesh.too_many_particles");
   EXPECT_NE(meshes.error().message.find("923760"), std::string::npos) << meshes.error().message;
@@ -295,33 +295,33 @@ TEST(MakePanelMeshes, RefusesTooManyParticlesWithTheirNumber) {
 }
 
 TEST(MakePanelMeshes, APanelWithASpacingOfItsOwnIsMeshedByIt) {
-  Pattern pattern;
+  pattern::Pattern pattern;
   pattern.panels = {rectangle_panel("skirt", 300, 300), rectangle_panel("cuff", 300, 60)};
   pattern.panels[1].spacing = 0.006;
   pattern.seams = {{"s", {{0, 0, false}}, {{1, 2, false}}, false}};
-  const PanelMeshes meshes = meshed(pattern);
-  EXPECT_NEAR(quality_of(meshes.panels[1].rest, meshes.panels[1].triangles).mean_edge, 0.006, 0.001);
-  EXPECT_GT(quality_of(meshes.panels[0].rest, meshes.panels[0].triangles).mean_edge, 0.011);
+  const mesh::PanelMeshes meshes = meshed(pattern);
+  EXPECT_NEAR(mesh::quality_of(meshes.panels[1].rest, meshes.panels[1].triangles).mean_edge, 0.006, 0.001);
+  EXPECT_GT(mesh::quality_of(meshes.panels[0].rest, meshes.panels[0].triangles).mean_edge, 0.011);
   EXPECT_EQ(meshes.panels[0].edge_vertices[2].size(), 21u) << "300 / 15, away from the seam";
   EXPECT_EQ(meshes.panels[0].edge_vertices[0].size(), 51u) << "300 / 6, as the cuff asks";
   EXPECT_EQ(meshes.panels[1].edge_vertices[2].size(), 51u);
   EXPECT_EQ(meshes.seams[0].pairs.size(), 51u);
-  for (const PanelMesh& mesh : meshes.panels)
-    EXPECT_GT(quality_of(mesh.rest, mesh.triangles).min_angle, 0.26);  // 15 degrees
+  for (const mesh::PanelMesh& mesh : meshes.panels)
+    EXPECT_GT(mesh::quality_of(mesh.rest, mesh.triangles).min_angle, 0.26);  // 15 degrees
 }
 
 TEST(MakePanelMeshes, ASpacingOfItsOwnThatIsTooFineNamesThePiece) {
-  Pattern pattern;
+  pattern::Pattern pattern;
   pattern.panels = {rectangle_panel("a", 200, 300), rectangle_panel("b", 200, 300)};
   pattern.panels[1].spacing = 1e-4;
-  const Result<PanelMeshes> meshes = make_panel_meshes(pattern, kH, {});
+  const Result<mesh::PanelMeshes> meshes = mesh::make_panel_meshes(pattern, kH, {});
   ASSERT_FALSE(meshes.ok());
   EXPECT_EQ(meshes.error().code, "mesh.particle_distance");
   EXPECT_EQ(meshes.error().where, "piece b");
 }
 
 TEST(MakePanelMeshes, RefusesBrokenPatterns) {
-  Pattern pattern;
+  pattern::Pattern pattern;
   pattern.panels = {rectangle_panel("a", 200, 300)};
   for (const double h : {0.0, -1.0, 1e-5, std::nan(""), 1.0 / 0.0}) {
     EXPECT_EQ(code_of(pattern, h), "mesh.particle_distance");
@@ -349,12 +349,12 @@ TEST(MakePanelMeshes, RefusesBrokenPatterns) {
 TEST(MakePanelMeshes, APatternWithoutPanelsHasNoMeshes) { EXPECT_TRUE(meshed({}).panels.empty()); }
 
 TEST(MakePanelMeshes, TellsItsProgressUpToOne) {
-  Pattern pattern;
+  pattern::Pattern pattern;
   pattern.panels = {rectangle_panel("a", 200, 300), rectangle_panel("b", 200, 300)};
   std::vector<double> fractions;
   RunContext context;
   context.on_progress = [&](const Progress& p) { fractions.push_back(p.fraction); };
-  ASSERT_TRUE(make_panel_meshes(pattern, kH, context).ok());
+  ASSERT_TRUE(mesh::make_panel_meshes(pattern, kH, context).ok());
   EXPECT_EQ(fractions, (std::vector<double>{0, 0.5, 1}));
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 TEST(MeshQuality, MeasuresTwoHalvesOfASquare) {
   const std::vector<Vec2> points{{0, 0}, {2, 0}, {2, 2}, {0, 2}};
-  const MeshQuality q = quality_of(points, std::vector<Tri>{{0, 1, 2}, {0, 2, 3}});
+  const mesh::MeshQuality q = mesh::quality_of(points, std::vector<Tri>{{0, 1, 2}, {0, 2, 3}});
   EXPECT_EQ(q.triangles, 2);
   EXPECT_EQ(q.edges, 5);
   EXPECT_EQ(q.inverted, 0);
@@ -27,16 +27,16 @@ TEST(MeshQuality, MeasuresTwoHalvesOfASquare) {
 
 TEST(MeshQuality, CountsClockwiseAndFlatTriangles) {
   const std::vector<Vec2> points{{0, 0}, {1, 0}, {0, 1}, {2, 0}};
-  const MeshQuality q = quality_of(points, std::vector<Tri>{{0, 2, 1}, {0, 1, 3}});
+  const mesh::MeshQuality q = mesh::quality_of(points, std::vector<Tri>{{0, 2, 1}, {0, 1, 3}});
   EXPECT_EQ(q.inverted, 2);
   EXPECT_EQ(q.min_angle, 0);
   EXPECT_DOUBLE_EQ(q.area, -0.5);
 }
 
-TEST(MeshQuality, AnEmptyMeshMeasuresNothing) { EXPECT_EQ(quality_of({}, {}).triangles, 0); }
+TEST(MeshQuality, AnEmptyMeshMeasuresNothing) { EXPECT_EQ(mesh::quality_of({}, {}).triangles, 0); }
 
 TEST(MeshQuality, TheLeastAngleOfANeedleIsAtItsTip) {
-  EXPECT_NEAR(least_angle({0, 0}, {1, -0.05}, {1, 0.05}), 2 * std::atan(0.05), 1e-12);
+  EXPECT_NEAR(mesh::least_angle({0, 0}, {1, -0.05}, {1, 0.05}), 2 * std::atan(0.05), 1e-12);
 }
 
 }  // namespace

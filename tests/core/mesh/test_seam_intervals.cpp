@@ -8,7 +8,7 @@ namespace {
 using Breaks = std::vector<double>;
 
 TEST(SeamIntervals, TwoPlainSidesAreOneInterval) {
-  const auto intervals = seam_intervals(Breaks{0, 0.3}, Breaks{0, 0.31}, 0.01);
+  const auto intervals = mesh::seam_intervals(Breaks{0, 0.3}, Breaks{0, 0.31}, 0.01);
   ASSERT_EQ(intervals.size(), 1u);
   EXPECT_EQ(intervals[0].segments, 31);
   EXPECT_EQ(intervals[0].a1, 0.3);
@@ -16,7 +16,7 @@ TEST(SeamIntervals, TwoPlainSidesAreOneInterval) {
 }
 
 TEST(SeamIntervals, ACornerCutsTheOtherSideInProportion) {
-  const auto intervals = seam_intervals(Breaks{0, 0.1, 0.3}, Breaks{0, 0.6}, 0.01);
+  const auto intervals = mesh::seam_intervals(Breaks{0, 0.1, 0.3}, Breaks{0, 0.6}, 0.01);
   ASSERT_EQ(intervals.size(), 2u);
   EXPECT_EQ(intervals[0].a1, 0.1);
   EXPECT_NEAR(intervals[0].b1, 0.2, 1e-15);
@@ -26,20 +26,20 @@ TEST(SeamIntervals, ACornerCutsTheOtherSideInProportion) {
 
 TEST(SeamIntervals, CornersThatNearlyFaceEachOtherMeet) {
   // 0.5 against 0.502 of 0.6 m: 1.2 mm apart, under 0.35 of 10 mm.
-  const auto intervals = seam_intervals(Breaks{0, 0.3, 0.6}, Breaks{0, 0.251, 0.5}, 0.01);
+  const auto intervals = mesh::seam_intervals(Breaks{0, 0.3, 0.6}, Breaks{0, 0.251, 0.5}, 0.01);
   ASSERT_EQ(intervals.size(), 2u);
   EXPECT_EQ(intervals[0].a1, 0.3);
   EXPECT_EQ(intervals[0].b1, 0.251);
 }
 
 TEST(SeamIntervals, CornersFartherApartStayApart) {
-  const auto intervals = seam_intervals(Breaks{0, 0.3, 0.6}, Breaks{0, 0.304, 0.6}, 0.01);
+  const auto intervals = mesh::seam_intervals(Breaks{0, 0.3, 0.6}, Breaks{0, 0.304, 0.6}, 0.01);
   ASSERT_EQ(intervals.size(), 3u);
   EXPECT_EQ(intervals[1].segments, 1);
 }
 
 TEST(SeamIntervals, ACornerMeetsTheNearestOfSeveral) {
-  const auto intervals = seam_intervals(Breaks{0, 0.3, 0.6}, Breaks{0, 0.2975, 0.301, 0.6}, 0.01);
+  const auto intervals = mesh::seam_intervals(Breaks{0, 0.3, 0.6}, Breaks{0, 0.2975, 0.301, 0.6}, 0.01);
   ASSERT_EQ(intervals.size(), 3u);
   EXPECT_EQ(intervals[0].b1, 0.2975);
   EXPECT_EQ(intervals[1].b1, 0.301);
@@ -50,9 +50,9 @@ TEST(SeamIntervals, ACornerMeetsTheNearestOfSeveral) {
 TEST(SeamIntervals, CutsRiseOnBothSidesWhateverTheCorners) {
   for (int shift = -20; shift <= 20; ++shift) {
     const double d = shift * 0.0003;
-    const auto intervals = seam_intervals(Breaks{0, 0.1, 0.104, 0.2, 0.29, 0.4},
+    const auto intervals = mesh::seam_intervals(Breaks{0, 0.1, 0.104, 0.2, 0.29, 0.4},
                                           Breaks{0, 0.1 + d, 0.103 + d, 0.201, 0.292 - d, 0.45}, 0.01);
-    for (const SeamInterval& i : intervals) {
+    for (const mesh::SeamInterval& i : intervals) {
       EXPECT_LT(i.a0, i.a1);
       EXPECT_LT(i.b0, i.b1);
       EXPECT_GE(i.segments, 1);
@@ -61,8 +61,8 @@ TEST(SeamIntervals, CutsRiseOnBothSidesWhateverTheCorners) {
 }
 
 TEST(SegmentCount, IsTheNearestWholeNumberAndAtLeastOne) {
-  EXPECT_EQ(segment_count(0.149, 0.01), 15);
-  EXPECT_EQ(segment_count(0.001, 0.01), 1);
+  EXPECT_EQ(mesh::segment_count(0.149, 0.01), 15);
+  EXPECT_EQ(mesh::segment_count(0.001, 0.01), 1);
 }
 
 }  // namespace

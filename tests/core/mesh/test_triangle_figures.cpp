@@ -17,8 +17,8 @@ namespace {
 constexpr double kStep = 0.015;  // m, the asked distance
 
 struct Outline {
-  Polygon corners;
-  Polygon points;
+  mesh::Polygon corners;
+  mesh::Polygon points;
 };
 
 /// 5 to 14 corners around a centre, 15 cm to 60 cm away.
@@ -51,12 +51,12 @@ TEST(TriangleFigures, OfRandomOutlinesAreAsEvenAsAsked) {
   int angles = 0, wide = 0, edges = 0, even = 0, inverted = 0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     const Outline outline = random_outline(seed);
-    const std::vector<Polygon> loops{outline.points};
-    const Result<FlatMesh> mesh = triangulate(loops, kStep, {});
+    const std::vector<mesh::Polygon> loops{outline.points};
+    const Result<mesh::FlatMesh> mesh = mesh::triangulate(loops, kStep, {});
     ASSERT_TRUE(mesh.ok()) << "seed " << seed << ": " << to_string(mesh.error());
-    const MeshQuality quality = quality_of(mesh->points, mesh->triangles);
+    const mesh::MeshQuality quality = mesh::quality_of(mesh->points, mesh->triangles);
     inverted += quality.inverted;
-    EXPECT_NEAR(quality.area / enclosed_area(loops), 1, 1e-6) << "seed " << seed;
+    EXPECT_NEAR(quality.area / mesh::enclosed_area(loops), 1, 1e-6) << "seed " << seed;
     for (const Tri& t : mesh->triangles) {
       const Vec2 p[] = {mesh->points[t[0]], mesh->points[t[1]], mesh->points[t[2]]};
       if (forced(outline, (p[0] + p[1] + p[2]) * (1.0 / 3))) continue;
@@ -66,7 +66,7 @@ TEST(TriangleFigures, OfRandomOutlinesAreAsEvenAsAsked) {
         wide += degrees_from_radians(std::atan2(cross(u, v), dot(u, v))) >= 25;
       }
     }
-    for (const MeshEdge& e : edges_of(mesh->triangles, static_cast<Index>(mesh->points.size()))) {
+    for (const mesh::MeshEdge& e : mesh::edges_of(mesh->triangles, static_cast<Index>(mesh->points.size()))) {
       const Vec2 a = mesh->points[e.v0], b = mesh->points[e.v1];
       if (forced(outline, (a + b) * 0.5)) continue;
       ++edges;
@@ -81,13 +81,13 @@ TEST(TriangleFigures, OfRandomOutlinesAreAsEvenAsAsked) {
 }
 
 TEST(TriangleFigures, HoldForSliversAndForPiecesOfAMillimetreAndOfThreeMetres) {
-  for (const Polygon& corners : {rectangle(0.3, 1e-5), rectangle(1e-3, 1e-3), rectangle(3, 0.5)}) {
-    const std::vector<Polygon> loops{sampled(corners, kStep)};
-    const Result<FlatMesh> mesh = triangulate(loops, kStep, {});
+  for (const mesh::Polygon& corners : {rectangle(0.3, 1e-5), rectangle(1e-3, 1e-3), rectangle(3, 0.5)}) {
+    const std::vector<mesh::Polygon> loops{sampled(corners, kStep)};
+    const Result<mesh::FlatMesh> mesh = mesh::triangulate(loops, kStep, {});
     ASSERT_TRUE(mesh.ok()) << to_string(mesh.error());
-    const MeshQuality quality = quality_of(mesh->points, mesh->triangles);
+    const mesh::MeshQuality quality = mesh::quality_of(mesh->points, mesh->triangles);
     EXPECT_EQ(quality.inverted, 0);
-    EXPECT_NEAR(quality.area / enclosed_area(loops), 1, 1e-6);
+    EXPECT_NEAR(quality.area / mesh::enclosed_area(loops), 1, 1e-6);
   }
 }
 
@@ -95,11 +95,11 @@ TEST(TriangleFigures, FiveThousandParticlesTakeLessThanATenthOfASecond) {
 #if !defined(NDEBUG) || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "this build is not one to measure times with";
 #endif
-  const std::vector<Polygon> loops{sampled(rectangle(1.0, 0.98), kStep)};
+  const std::vector<mesh::Polygon> loops{sampled(rectangle(1.0, 0.98), kStep)};
   double best = 1e9;
   for (int i = 0; i < 5; ++i) {
     const auto start = std::chrono::steady_clock::now();
-    const Result<FlatMesh> mesh = triangulate(loops, kStep, {});
+    const Result<mesh::FlatMesh> mesh = mesh::triangulate(loops, kStep, {});
     best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     ASSERT_TRUE(mesh.ok());
     ASSERT_GT(mesh->points.size(), 5000u);

@@ -14,40 +14,40 @@ namespace {
 
 constexpr double kH = 0.015;
 
-FlatMesh meshed(const std::vector<Polygon>& loops, double h = kH) {
-  Result<FlatMesh> mesh = triangulate(loops, h, {});
+mesh::FlatMesh meshed(const std::vector<mesh::Polygon>& loops, double h = kH) {
+  Result<mesh::FlatMesh> mesh = mesh::triangulate(loops, h, {});
   EXPECT_TRUE(mesh.ok()) << (mesh.ok() ? "" : to_string(mesh.error()));
-  return mesh.ok() ? *mesh : FlatMesh{};
+  return mesh.ok() ? *mesh : mesh::FlatMesh{};
 }
 
 /// What every mesh must fulfil: covers the piece, same topology, all given points, nothing else on the
 /// border.
-void expect_sound(const FlatMesh& mesh, const std::vector<Polygon>& loops) {
-  ASSERT_TRUE(check_manifold(mesh.triangles, static_cast<Index>(mesh.points.size())));
-  const MeshQuality q = quality_of(mesh.points, mesh.triangles);
+void expect_sound(const mesh::FlatMesh& mesh, const std::vector<mesh::Polygon>& loops) {
+  ASSERT_TRUE(mesh::check_manifold(mesh.triangles, static_cast<Index>(mesh.points.size())));
+  const mesh::MeshQuality q = mesh::quality_of(mesh.points, mesh.triangles);
   EXPECT_EQ(q.inverted, 0);
-  EXPECT_NEAR(q.area / enclosed_area(loops), 1, 1e-9);
-  EXPECT_EQ(euler_characteristic(mesh.triangles, static_cast<Index>(mesh.points.size())),
+  EXPECT_NEAR(q.area / mesh::enclosed_area(loops), 1, 1e-9);
+  EXPECT_EQ(mesh::euler_characteristic(mesh.triangles, static_cast<Index>(mesh.points.size())),
             2 - static_cast<Index>(loops.size()));
   std::size_t i = 0;
-  for (const Polygon& loop : loops) {
+  for (const mesh::Polygon& loop : loops) {
     for (const Vec2 p : loop) EXPECT_EQ(mesh.points[mesh.border[i++]], p);
   }
   EXPECT_EQ(i, mesh.border.size());
-  const BoundaryLoops border =
-      boundary_loops(edges_of(mesh.triangles, static_cast<Index>(mesh.points.size())));
+  const mesh::BoundaryLoops border =
+      mesh::boundary_loops(mesh::edges_of(mesh.triangles, static_cast<Index>(mesh.points.size())));
   EXPECT_EQ(border.count(), static_cast<Index>(loops.size()));
   EXPECT_EQ(std::set<Index>(border.vertices.begin(), border.vertices.end()),
             std::set<Index>(mesh.border.begin(), mesh.border.end()));
 }
 
 /// Homogeneous triangles near the wanted edge length.
-void expect_even(const FlatMesh& mesh, double h, double least_degrees) {
-  const MeshQuality q = quality_of(mesh.points, mesh.triangles);
+void expect_even(const mesh::FlatMesh& mesh, double h, double least_degrees) {
+  const mesh::MeshQuality q = mesh::quality_of(mesh.points, mesh.triangles);
   EXPECT_GE(degrees_from_radians(q.min_angle), least_degrees);
   EXPECT_NEAR(q.mean_edge, h, 0.1 * h);
   int inner = 0, good = 0;
-  for (const MeshEdge& e : edges_of(mesh.triangles, static_cast<Index>(mesh.points.size()))) {
+  for (const mesh::MeshEdge& e : mesh::edges_of(mesh.triangles, static_cast<Index>(mesh.points.size()))) {
     if (e.t1 == kNone) continue;
     const double l = length(mesh.points[e.v1] - mesh.points[e.v0]);
     ++inner;
@@ -57,32 +57,32 @@ void expect_even(const FlatMesh& mesh, double h, double least_degrees) {
 }
 
 /// Particles against the area that each stands for; a border particle stands for half as much.
-double density(const FlatMesh& mesh, const std::vector<Polygon>& loops, double h) {
+double density(const mesh::FlatMesh& mesh, const std::vector<mesh::Polygon>& loops, double h) {
   return (static_cast<double>(mesh.points.size()) - 0.5 * static_cast<double>(mesh.border.size())) /
-         particle_estimate(enclosed_area(loops), h);
+         mesh::particle_estimate(mesh::enclosed_area(loops), h);
 }
 
 TEST(Triangulate, ASquareGetsEvenTriangles) {
-  const std::vector<Polygon> loops{sampled(rectangle(0.3, 0.3), kH)};
-  const FlatMesh mesh = meshed(loops);
+  const std::vector<mesh::Polygon> loops{sampled(rectangle(0.3, 0.3), kH)};
+  const mesh::FlatMesh mesh = meshed(loops);
   expect_sound(mesh, loops);
   expect_even(mesh, kH, 28);
   EXPECT_NEAR(density(mesh, loops, kH), 1, 0.05);
 }
 
 TEST(Triangulate, ATurnedRectangleIsAsGoodAsAnUprightOne) {
-  Polygon corners = rectangle(0.5, 0.703);
+  mesh::Polygon corners = rectangle(0.5, 0.703);
   for (Vec2& p : corners) p = {p.x * 0.8 - p.y * 0.6, p.x * 0.6 + p.y * 0.8};
-  const std::vector<Polygon> loops{sampled(corners, kH)};
-  const FlatMesh mesh = meshed(loops);
+  const std::vector<mesh::Polygon> loops{sampled(corners, kH)};
+  const mesh::FlatMesh mesh = meshed(loops);
   expect_sound(mesh, loops);
   expect_even(mesh, kH, 27);
   EXPECT_NEAR(density(mesh, loops, kH), 1, 0.03);
 }
 
 TEST(Triangulate, ACircleGetsEvenTriangles) {
-  const std::vector<Polygon> loops{circle({0.1, -3}, 0.25, kH)};
-  const FlatMesh mesh = meshed(loops);
+  const std::vector<mesh::Polygon> loops{circle({0.1, -3}, 0.25, kH)};
+  const mesh::FlatMesh mesh = meshed(loops);
   expect_sound(mesh, loops);
   expect_even(mesh, kH, 27);
   EXPECT_NEAR(density(mesh, loops, kH), 1, 0.05);
@@ -90,8 +90,8 @@ TEST(Triangulate, ACircleGetsEvenTriangles) {
 
 TEST(Triangulate, AWaistbandTwoParticlesWideHasARowOfInnerVertices) {
   for (const double h : {0.015, 0.02}) {
-    const std::vector<Polygon> loops{sampled(rectangle(0.7, 0.03), h)};
-    const FlatMesh mesh = meshed(loops, h);
+    const std::vector<mesh::Polygon> loops{sampled(rectangle(0.7, 0.03), h)};
+    const mesh::FlatMesh mesh = meshed(loops, h);
     expect_sound(mesh, loops);
     expect_even(mesh, h, 25);
     std::vector<bool> on_border(mesh.points.size(), false);
@@ -103,41 +103,41 @@ TEST(Triangulate, AWaistbandTwoParticlesWideHasARowOfInnerVertices) {
 }
 
 TEST(Triangulate, AStripNarrowerThanAParticleDistanceIsStillMeshed) {
-  const std::vector<Polygon> loops{sampled(rectangle(0.7, 0.03), 0.04)};
-  const FlatMesh mesh = meshed(loops, 0.04);
+  const std::vector<mesh::Polygon> loops{sampled(rectangle(0.7, 0.03), 0.04)};
+  const mesh::FlatMesh mesh = meshed(loops, 0.04);
   expect_sound(mesh, loops);
   EXPECT_EQ(mesh.points.size(), mesh.border.size());
 }
 
 TEST(Triangulate, AnLShapeGetsEvenTriangles) {
-  const std::vector<Polygon> loops{
+  const std::vector<mesh::Polygon> loops{
       sampled({{0, 0}, {0.4, 0}, {0.4, 0.15}, {0.15, 0.15}, {0.15, 0.4}, {0, 0.4}}, kH)};
-  const FlatMesh mesh = meshed(loops);
+  const mesh::FlatMesh mesh = meshed(loops);
   expect_sound(mesh, loops);
   expect_even(mesh, kH, 27);
 }
 
 TEST(Triangulate, ASkirtPanelGetsEvenTriangles) {
-  const std::vector<Polygon> loops{ring_sector(0.2, 0.75, 0.3, 2.2, kH)};
-  const FlatMesh mesh = meshed(loops);
+  const std::vector<mesh::Polygon> loops{ring_sector(0.2, 0.75, 0.3, 2.2, kH)};
+  const mesh::FlatMesh mesh = meshed(loops);
   expect_sound(mesh, loops);
   expect_even(mesh, kH, 25);
   EXPECT_NEAR(density(mesh, loops, kH), 1, 0.03);
 }
 
 TEST(Triangulate, APieceWithTwoHolesKeepsThem) {
-  const std::vector<Polygon> loops{sampled(rectangle(0.5, 0.3), kH),
+  const std::vector<mesh::Polygon> loops{sampled(rectangle(0.5, 0.3), kH),
                                    clockwise(circle({0.15, 0.15}, 0.06, kH)),
                                    clockwise(circle({0.36, 0.16}, 0.03, kH))};
-  const FlatMesh mesh = meshed(loops);
+  const mesh::FlatMesh mesh = meshed(loops);
   expect_sound(mesh, loops);
   expect_even(mesh, kH, 25);
 }
 
 TEST(Triangulate, SharpTipsSpoilOnlyTheTrianglesInThem) {
-  const Polygon corners = star(7, 0.4, 0.1);  // tips of about 17 degrees
-  const std::vector<Polygon> loops{sampled(corners, kH)};
-  const FlatMesh mesh = meshed(loops);
+  const mesh::Polygon corners = star(7, 0.4, 0.1);  // tips of about 17 degrees
+  const std::vector<mesh::Polygon> loops{sampled(corners, kH)};
+  const mesh::FlatMesh mesh = meshed(loops);
   expect_sound(mesh, loops);
   expect_even(mesh, kH, 0);
   for (const Tri& t : mesh.triangles) {
@@ -146,30 +146,30 @@ TEST(Triangulate, SharpTipsSpoilOnlyTheTrianglesInThem) {
     for (std::size_t i = 0; i < corners.size(); i += 2)
       to_tip = std::min(to_tip, length(centre - corners[i]));
     if (to_tip < 5 * kH) continue;
-    EXPECT_GE(degrees_from_radians(least_angle(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]])), 20);
+    EXPECT_GE(degrees_from_radians(mesh::least_angle(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]])), 20);
   }
 }
 
 TEST(Triangulate, ATipOfTenDegreesIsMeshed) {
-  const std::vector<Polygon> loops{sampled({{0, 0}, {0.6, 0}, {0.6, 0.6 * std::tan(kPi / 18)}}, kH)};
+  const std::vector<mesh::Polygon> loops{sampled({{0, 0}, {0.6, 0}, {0.6, 0.6 * std::tan(kPi / 18)}}, kH)};
   expect_sound(meshed(loops), loops);
 }
 
 TEST(Triangulate, ABorderDividedThreeTimesFinerIsGradedInto) {
-  Polygon outline;
+  mesh::Polygon outline;
   for (int i = 0; i < 60; ++i) outline.push_back({0.3 * i / 60, 0});
   for (const Vec2 p : sampled(rectangle(0.3, 0.3), kH)) {
     if (p.y > 0 || p.x == 0.3) outline.push_back(p);
   }
-  const std::vector<Polygon> loops{outline};
-  const FlatMesh mesh = meshed(loops);
+  const std::vector<mesh::Polygon> loops{outline};
+  const mesh::FlatMesh mesh = meshed(loops);
   expect_sound(mesh, loops);
-  EXPECT_GE(degrees_from_radians(quality_of(mesh.points, mesh.triangles).min_angle), 20);
+  EXPECT_GE(degrees_from_radians(mesh::quality_of(mesh.points, mesh.triangles).min_angle), 20);
 }
 
 TEST(Triangulate, ATriangleOfThreePointsIsOneTriangle) {
-  const std::vector<Polygon> loops{{{0, 0}, {0.01, 0}, {0, 0.01}}};
-  const FlatMesh mesh = meshed(loops, 0.04);
+  const std::vector<mesh::Polygon> loops{{{0, 0}, {0.01, 0}, {0, 0.01}}};
+  const mesh::FlatMesh mesh = meshed(loops, 0.04);
   expect_sound(mesh, loops);
   EXPECT_EQ(mesh.triangles.size(), 1u);
 }
@@ -179,13 +179,13 @@ TEST(Triangulate, StaysSoundOnFiveHundredRandomStarShapedPieces) {
     Sequence random(seed);
     const int corners = 4 + static_cast<int>(random.next() * 30);  // no gap of half a turn
     const double h = 0.01 + 0.04 * random.next();
-    Polygon polygon;
+    mesh::Polygon polygon;
     for (int i = 0; i < corners; ++i) {
       const double a = 2 * kPi * (i + 0.9 * random.next()) / corners, r = 0.03 + 0.4 * random.next();
       polygon.push_back({r * std::cos(a), r * std::sin(a)});
     }
-    const std::vector<Polygon> loops{sampled(polygon, h)};
-    const Result<FlatMesh> mesh = triangulate(loops, h, {});
+    const std::vector<mesh::Polygon> loops{sampled(polygon, h)};
+    const Result<mesh::FlatMesh> mesh = mesh::triangulate(loops, h, {});
     ASSERT_TRUE(mesh.ok()) << "seed " << seed << ": " << to_string(mesh.error());
     expect_sound(*mesh, loops);
     ASSERT_FALSE(testing::Test::HasFailure()) << "seed " << seed;
@@ -196,34 +196,34 @@ TEST(Triangulate, MostTrianglesOfRandomPiecesAreWellShaped) {
   int triangles = 0, poor = 0;
   for (std::uint64_t seed = 1000; seed < 1040; ++seed) {
     Sequence random(seed);
-    Polygon polygon;
+    mesh::Polygon polygon;
     for (int i = 0; i < 12; ++i) {
       const double a = 2 * kPi * i / 12, r = 0.2 + 0.3 * random.next();
       polygon.push_back({r * std::cos(a), r * std::sin(a)});
     }
-    const FlatMesh mesh = meshed({sampled(polygon, kH)});
+    const mesh::FlatMesh mesh = meshed({sampled(polygon, kH)});
     for (const Tri& t : mesh.triangles) {
       ++triangles;
-      poor += degrees_from_radians(least_angle(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]])) < 30;
+      poor += degrees_from_radians(mesh::least_angle(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]])) < 30;
     }
   }
   EXPECT_LT(poor, 0.005 * triangles);
 }
 
 TEST(Triangulate, TheSameInputGivesTheSameBytes) {
-  const std::vector<Polygon> loops{sampled(star(5, 0.4, 0.2), kH)};
-  const FlatMesh first = meshed(loops), second = meshed(loops);
+  const std::vector<mesh::Polygon> loops{sampled(star(5, 0.4, 0.2), kH)};
+  const mesh::FlatMesh first = meshed(loops), second = meshed(loops);
   EXPECT_EQ(first.points, second.points);
   EXPECT_EQ(first.triangles, second.triangles);
   EXPECT_EQ(first.border, second.border);
 }
 
 TEST(Triangulate, AMovedPieceGetsTheSameMesh) {
-  std::vector<Polygon> loops{sampled({{0, 0}, {0.4, 0.05}, {0.45, 0.3}, {0.2, 0.2}, {0.02, 0.4}}, kH)};
+  std::vector<mesh::Polygon> loops{sampled({{0, 0}, {0.4, 0.05}, {0.45, 0.3}, {0.2, 0.2}, {0.02, 0.4}}, kH)};
   for (Vec2& p : loops[0]) p = {std::round(p.x * 1e6) * 1e-6, std::round(p.y * 1e6) * 1e-6};
-  const FlatMesh here = meshed(loops);
+  const mesh::FlatMesh here = meshed(loops);
   for (Vec2& p : loops[0]) p = p + Vec2{3, -2};
-  const FlatMesh there = meshed(loops);
+  const mesh::FlatMesh there = meshed(loops);
   EXPECT_EQ(here.triangles, there.triangles);
   ASSERT_EQ(here.points.size(), there.points.size());
   for (std::size_t i = 0; i < here.points.size(); ++i) {
@@ -232,17 +232,17 @@ TEST(Triangulate, AMovedPieceGetsTheSameMesh) {
 }
 
 TEST(Triangulate, NeighboursInThePlaneAreNeighboursInMemory) {
-  const std::vector<Polygon> loops{sampled(rectangle(0.6, 0.6), kH)};
-  const FlatMesh mesh = meshed(loops);
+  const std::vector<mesh::Polygon> loops{sampled(rectangle(0.6, 0.6), kH)};
+  const mesh::FlatMesh mesh = meshed(loops);
   double steps = 0;
-  for (const MeshEdge& e : edges_of(mesh.triangles, static_cast<Index>(mesh.points.size()))) {
+  for (const mesh::MeshEdge& e : mesh::edges_of(mesh.triangles, static_cast<Index>(mesh.points.size()))) {
     steps += std::abs(e.v0 - e.v1) < 64;
   }
   EXPECT_GT(steps, 0.7 * static_cast<double>(mesh.triangles.size()) * 1.5);
 }
 
-std::string code_of(const std::vector<Polygon>& loops, double h = kH) {
-  const Result<FlatMesh> mesh = triangulate(loops, h, {});
+std::string code_of(const std::vector<mesh::Polygon>& loops, double h = kH) {
+  const Result<mesh::FlatMesh> mesh = mesh::triangulate(loops, h, {});
   return mesh.ok() ? "" : mesh.error().code;
 }
 
@@ -283,7 +283,7 @@ TEST(Triangulate, StopsWhenCancelled) {
   const std::atomic<bool> cancel{true};
   RunContext context;
   context.cancel = &cancel;
-  const auto mesh = triangulate(std::vector<Polygon>{sampled(rectangle(0.3, 0.3), kH)}, kH, context);
+  const auto mesh = mesh::triangulate(std::vector<mesh::Polygon>{sampled(rectangle(0.3, 0.3), kH)}, kH, context);
   ASSERT_FALSE(mesh.ok());
   EXPECT_EQ(mesh.error().code, "cancelled");
 }

@@ -17,13 +17,13 @@ struct Node {
   std::optional<Vec2> control = {}, second = {};
 };
 
-inline Panel piece(const std::string& id, const std::vector<Node>& nodes) {
-  Panel panel;
+inline pattern::Panel piece(const std::string& id, const std::vector<Node>& nodes) {
+  pattern::Panel panel;
   panel.id = id;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const Node &n = nodes[i], &m = nodes[(i + 1) % nodes.size()];
     const Vec2 a{n.x, n.y}, b{m.x, m.y};
-    CubicBezier c = line_segment(a, b);
+    pattern::CubicBezier c = pattern::line_segment(a, b);
     if (n.control) {
       c.p1 = a + (*n.control - a) * (2.0 / 3);
       c.p2 = b + (*n.control - b) * (2.0 / 3);
@@ -37,24 +37,24 @@ inline Panel piece(const std::string& id, const std::vector<Node>& nodes) {
   return panel;
 }
 
-inline double length_of(const Panel& p, int edge) { return arc_length(p.outline.edges[edge]); }
+inline double length_of(const pattern::Panel& p, int edge) { return pattern::arc_length(p.outline.edges[edge]); }
 
 /// Edge k keeps its name; the outline runs on counter-clockwise.
-inline Panel mirrored(const Panel& panel, const std::string& id) {
-  Panel other = panel;
+inline pattern::Panel mirrored(const pattern::Panel& panel, const std::string& id) {
+  pattern::Panel other = panel;
   other.id = id;
-  for (PanelEdge& edge : other.outline.edges)
-    for (CubicBezier& c : edge.curves)
+  for (pattern::PanelEdge& edge : other.outline.edges)
+    for (pattern::CubicBezier& c : edge.curves)
       for (Vec2* p : {&c.p0, &c.p1, &c.p2, &c.p3}) p->x = -p->x;
-  other.outline = reversed(other.outline);
+  other.outline = pattern::reversed(other.outline);
   return other;
 }
 
-inline Panel turned(Panel panel, double radians) {
+inline pattern::Panel turned(pattern::Panel panel, double radians) {
   const Vec2 u{std::cos(radians), std::sin(radians)};
   const auto turn = [&](Vec2 p) { return u * p.x + perpendicular(u) * p.y; };
-  for (PanelEdge& edge : panel.outline.edges)
-    for (CubicBezier& c : edge.curves) c = {turn(c.p0), turn(c.p1), turn(c.p2), turn(c.p3)};
+  for (pattern::PanelEdge& edge : panel.outline.edges)
+    for (pattern::CubicBezier& c : edge.curves) c = {turn(c.p0), turn(c.p1), turn(c.p2), turn(c.p3)};
   panel.grain = turn(panel.grain);
   return panel;
 }
@@ -67,13 +67,13 @@ struct Side {
 
 struct Garment {
   std::string name;
-  std::vector<Panel> panels;
+  std::vector<pattern::Panel> panels;
   using Seams = std::vector<std::pair<std::vector<Side>, std::vector<Side>>>;
   Seams seams;
   Seams as_good = {};  ///< instead of others, where nothing but a name tells left from right
 };
 
-inline Panel skirt_half(const std::string& id, double dart) {
+inline pattern::Panel skirt_half(const std::string& id, double dart) {
   return piece(id, {{0, 0},
                     {500, 0},
                     {440, 560},
@@ -88,11 +88,11 @@ inline Panel skirt_half(const std::string& id, double dart) {
 
 /// Front and back with two darts each, and a band in one piece.
 inline Garment dart_skirt() {
-  const Panel front = skirt_half("front", 20), back = skirt_half("back", 30);
+  const pattern::Panel front = skirt_half("front", 20), back = skirt_half("back", 30);
   double waist = 0;
-  for (const Panel* p : {&front, &back})
+  for (const pattern::Panel* p : {&front, &back})
     for (const int e : {2, 5, 8}) waist += length_of(*p, e);
-  const Panel band = piece("band", {{0, 0}, {waist, 0}, {waist, 40}, {0, 40}});
+  const pattern::Panel band = piece("band", {{0, 0}, {waist, 0}, {waist, 40}, {0, 40}});
   Garment g{"skirt with darts", {front, back, band}, {}};
   for (const char* id : {"front", "back"}) {
     g.seams.push_back({{{id, {"e3"}}}, {{id, {"e4"}}}});
@@ -107,12 +107,12 @@ inline Garment dart_skirt() {
 
 /// Edges: hem, inseam, crotch, waist, outseam.
 inline Garment trousers() {
-  const Panel front =
+  const pattern::Panel front =
       piece("front_l", {{0, 0}, {220, 0}, {250, 720, Vec2{195, 745}}, {185, 980}, {20, 990, Vec2{-35, 700}}});
-  const Panel back =
+  const pattern::Panel back =
       piece("back_l", {{0, 0}, {260, 0}, {290, 720, Vec2{205, 745}}, {190, 1020}, {20, 990, Vec2{-35, 700}}});
   // The back lies beside the front: its outseam is the front's, seen from the other side.
-  Panel back_l = mirrored(back, "back_l");
+  pattern::Panel back_l = mirrored(back, "back_l");
   Garment g{"trousers", {front, back_l, mirrored(front, "front_r"), back}, {}};
   g.panels[3].id = "back_r";
   for (const std::string side : {"_l", "_r"}) {
@@ -125,7 +125,7 @@ inline Garment trousers() {
 }
 
 /// Edges: hem, side, armhole, shoulder, neck, shoulder, armhole, side.
-inline Panel bodice(const std::string& id, double neck, double armhole, double hem = 0) {
+inline pattern::Panel bodice(const std::string& id, double neck, double armhole, double hem = 0) {
   return piece(id, {{0, hem},
                     {520, hem},
                     {520, 400, Vec2{520 - armhole, 410}},
@@ -138,11 +138,11 @@ inline Panel bodice(const std::string& id, double neck, double armhole, double h
 
 /// A sleeve in one piece whose cap is as long as the armholes and 3 % more. Edges: hem, underarm, cap,
 /// underarm.
-inline Panel sleeve(const std::string& id, double cap) {
+inline pattern::Panel sleeve(const std::string& id, double cap) {
   const auto with_height = [&](double h) {
     return piece(id, {{40, 0}, {360, 0}, {400, 450}, {0, 450}}).outline.edges.size() == 4
                ? piece(id, {{40, 0}, {360, 0}, {400, 450, Vec2{280, 450 + h}, Vec2{120, 450 + h}}, {0, 450}})
-               : Panel{};
+               : pattern::Panel{};
   };
   double low = 0, high = 400;
   for (int k = 0; k < 60; ++k) {
@@ -153,8 +153,8 @@ inline Panel sleeve(const std::string& id, double cap) {
 }
 
 inline Garment shirt() {
-  const Panel front = bodice("front", 500, 85), back = bodice("back", 610, 70);
-  const Panel right = sleeve("sleeve_r", 1.03 * (length_of(front, 2) + length_of(back, 2)));
+  const pattern::Panel front = bodice("front", 500, 85), back = bodice("back", 610, 70);
+  const pattern::Panel right = sleeve("sleeve_r", 1.03 * (length_of(front, 2) + length_of(back, 2)));
   Garment g{"shirt", {front, back, right, mirrored(right, "sleeve_l")}, {}};
   g.seams = {{{{"front", {"e1"}}}, {{"back", {"e7"}}}},
              {{{"front", {"e7"}}}, {{"back", {"e1"}}}},
@@ -172,21 +172,21 @@ inline Garment shirt() {
 /// A sleeveless top with a hood of two halves (edges: front of the neck, face, top and back, back of the
 /// neck).
 inline Garment hooded_top() {
-  const Panel front = bodice("front", 500, 85), back = bodice("back", 610, 70);
-  const auto half = [&](const Panel& p) {
-    const auto parts = split(p.outline.edges[4].curves[0], 0.5);
+  const pattern::Panel front = bodice("front", 500, 85), back = bodice("back", 610, 70);
+  const auto half = [&](const pattern::Panel& p) {
+    const auto parts = pattern::split(p.outline.edges[4].curves[0], 0.5);
     return std::pair(parts.first, parts.second);
   };
   Garment g{"hooded top", {front, back}, {}};
-  for (Panel& p : g.panels) {  // the necks' middles are corners
+  for (pattern::Panel& p : g.panels) {  // the necks' middles are corners
     const auto [first, second] = half(p);
     p.outline.edges[4].curves = {first};
-    p.outline.edges.insert(p.outline.edges.begin() + 5, PanelEdge{"e4b", {second}});
+    p.outline.edges.insert(p.outline.edges.begin() + 5, pattern::PanelEdge{"e4b", {second}});
   }
   const double f = length_of(g.panels[0], 4), b = length_of(g.panels[1], 4);
-  const Panel hood =
+  const pattern::Panel hood =
       piece("hood_r", {{0, 0}, {b, -20}, {b + f, -10}, {b + f + 20, 330}, {b + f - 60, 335, Vec2{-60, 350}}});
-  Panel fitted = hood;
+  pattern::Panel fitted = hood;
   fitted =
       piece("hood_r", {{0, 0}, {b, 0}, {b + f, 0}, {b + f + 15, 330}, {b + f - 90, 340, Vec2{-70, 345}}});
   g.panels.push_back(fitted);
@@ -201,21 +201,21 @@ inline Garment hooded_top() {
 
 /// A sleeveless bodice and a gathered skirt.
 inline Garment dress() {
-  const auto waisted = [](Panel p, double out) {
-    for (PanelEdge& edge : p.outline.edges)
-      for (CubicBezier& c : edge.curves)
+  const auto waisted = [](pattern::Panel p, double out) {
+    for (pattern::PanelEdge& edge : p.outline.edges)
+      for (pattern::CubicBezier& c : edge.curves)
         for (Vec2* q : {&c.p0, &c.p1, &c.p2, &c.p3})
           if (q->y < 70) q->x += q->x < 260 ? -out : out;
     for (const int e : {0, 1, 7})
       p.outline.edges[e].curves = {
-          line_segment(p.outline.edges[e].curves[0].p0, p.outline.edges[e].curves[0].p3)};
+          pattern::line_segment(p.outline.edges[e].curves[0].p0, p.outline.edges[e].curves[0].p3)};
     return p;
   };
   const auto skirt = [](const std::string& id, double top, double flare) {
     return piece(id, {{-flare, 0}, {top + flare, 0}, {top, 600}, {0, 600}});
   };
-  const Panel front = waisted(bodice("bodice_front", 500, 85, 60), 0);
-  const Panel back = waisted(bodice("bodice_back", 610, 70, 60), -12);
+  const pattern::Panel front = waisted(bodice("bodice_front", 500, 85, 60), 0);
+  const pattern::Panel back = waisted(bodice("bodice_back", 610, 70, 60), -12);
   Garment g{
       "dress", {front, back, skirt("skirt_front", 1.4 * 520, 60), skirt("skirt_back", 1.4 * 496, 60)}, {}};
   g.seams = {{{{"bodice_front", {"e1"}}}, {{"bodice_back", {"e7"}}}},

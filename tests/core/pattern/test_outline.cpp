@@ -39,37 +39,37 @@ std::vector<Vec2> rounded(double r, double step) {
   return points;
 }
 
-void expect_closed(const Loop& loop) {
+void expect_closed(const pattern::Loop& loop) {
   Vec2 end = loop.edges.back().curves.back().p3;
-  for (const PanelEdge& edge : loop.edges)
-    for (const CubicBezier& c : edge.curves) {
+  for (const pattern::PanelEdge& edge : loop.edges)
+    for (const pattern::CubicBezier& c : edge.curves) {
       EXPECT_EQ(c.p0, end);
       end = c.p3;
     }
 }
 
 TEST(Outline, ARectangleHasFourStraightEdgesFromItsFirstCorner) {
-  const auto loop = loop_from_polyline(kRectangle, {});
+  const auto loop = pattern::loop_from_polyline(kRectangle, {});
   ASSERT_TRUE(loop) << to_string(loop.error());
   ASSERT_EQ(loop->edges.size(), 4u);
   EXPECT_EQ(loop->edges[0].id, "e0");
   EXPECT_EQ(loop->edges[3].id, "e3");
   EXPECT_EQ(loop->edges[0].curves[0].p0, (Vec2{0, 0}));
   EXPECT_EQ(loop->edges[0].curves[0].p3, (Vec2{300, 0}));
-  for (const PanelEdge& e : loop->edges) EXPECT_EQ(e.curves.size(), 1u);
+  for (const pattern::PanelEdge& e : loop->edges) EXPECT_EQ(e.curves.size(), 1u);
   expect_closed(*loop);
 }
 
 TEST(Outline, AClockwiseFileGivesACounterClockwiseLoopFromTheSameFirstCorner) {
-  const auto loop = loop_from_polyline({{0, 0}, {0, 200}, {300, 200}, {300, 0}}, {});
+  const auto loop = pattern::loop_from_polyline({{0, 0}, {0, 200}, {300, 200}, {300, 0}}, {});
   ASSERT_TRUE(loop);
-  EXPECT_NEAR(signed_area(*loop), 60'000, 1e-6);
+  EXPECT_NEAR(pattern::signed_area(*loop), 60'000, 1e-6);
   EXPECT_EQ(loop->edges[0].curves[0].p0, (Vec2{0, 0}));
   EXPECT_EQ(loop->edges[0].curves[0].p3, (Vec2{300, 0}));
 }
 
 TEST(Outline, EdgesStartAtTheFirstCornerInFileOrderEvenWhenTheFileStartsWithinAnEdge) {
-  const auto loop = loop_from_polyline({{150, 0}, {300, 0}, {300, 200}, {0, 200}, {0, 0}}, {});
+  const auto loop = pattern::loop_from_polyline({{150, 0}, {300, 0}, {300, 200}, {0, 200}, {0, 0}}, {});
   ASSERT_TRUE(loop);
   ASSERT_EQ(loop->edges.size(), 4u);
   EXPECT_EQ(loop->edges[0].curves[0].p0, (Vec2{300, 0}));
@@ -77,7 +77,7 @@ TEST(Outline, EdgesStartAtTheFirstCornerInFileOrderEvenWhenTheFileStartsWithinAn
 }
 
 TEST(Outline, RepeatedVerticesAndMicroEdgesAreCleaned) {
-  const auto loop = loop_from_polyline(
+  const auto loop = pattern::loop_from_polyline(
       {{0, 0}, {0, 0}, {0.004, 0}, {300, 0}, {300, 0.003}, {300, 200}, {0, 200}, {0, 0.005}, {0, 0}}, {});
   ASSERT_TRUE(loop) << to_string(loop.error());
   EXPECT_EQ(loop->edges.size(), 4u);
@@ -86,36 +86,36 @@ TEST(Outline, RepeatedVerticesAndMicroEdgesAreCleaned) {
 TEST(Outline, ACurveSampledEveryFiveMillimetresHasNoCorners) {
   for (double radius : {12.0, 30.0, 80.0, 500.0})
     for (double segment : {0.2, 1.0, 5.0}) {
-      const auto loop = loop_from_polyline(circle(radius, segment), {});
+      const auto loop = pattern::loop_from_polyline(circle(radius, segment), {});
       ASSERT_TRUE(loop);
       EXPECT_EQ(loop->edges.size(), 1u) << radius << " " << segment;
       EXPECT_GE(loop->edges[0].curves.size(), 4u);
-      EXPECT_NEAR(signed_area(*loop), kPi * radius * radius, 0.02 * kPi * radius * radius);
+      EXPECT_NEAR(pattern::signed_area(*loop), kPi * radius * radius, 0.02 * kPi * radius * radius);
       expect_closed(*loop);
     }
 }
 
 TEST(Outline, CornersAreFoundHoweverFinelyTheSidesAreSampled) {
   for (double step : {0.05, 0.5, 5.0}) {
-    EXPECT_EQ(find_corners(rounded(1e-6, step), radians_from_degrees(35)).size(), 4u) << step;
-    EXPECT_EQ(find_corners(rounded(0.5, std::min(step, 0.2)), radians_from_degrees(35)).size(), 4u)
+    EXPECT_EQ(pattern::find_corners(rounded(1e-6, step), radians_from_degrees(35)).size(), 4u) << step;
+    EXPECT_EQ(pattern::find_corners(rounded(0.5, std::min(step, 0.2)), radians_from_degrees(35)).size(), 4u)
         << "a corner eased by half a millimetre is a corner";
   }
-  EXPECT_TRUE(find_corners(rounded(20, 2), radians_from_degrees(35)).empty()) << "a round pocket has none";
+  EXPECT_TRUE(pattern::find_corners(rounded(20, 2), radians_from_degrees(35)).empty()) << "a round pocket has none";
 }
 
 TEST(Outline, TheCornerAngleIsASetting) {
   const std::vector<Vec2> bent{{0, 0}, {100, 0}, {200, 36}, {200, 200}, {0, 200}};  // 20° at (100, 0)
-  EXPECT_EQ(loop_from_polyline(bent, {})->edges.size(), 4u);
-  OutlineSettings settings;
+  EXPECT_EQ(pattern::loop_from_polyline(bent, {})->edges.size(), 4u);
+  pattern::OutlineSettings settings;
   settings.corner_angle = radians_from_degrees(15);
-  EXPECT_EQ(loop_from_polyline(bent, {}, settings)->edges.size(), 5u);
+  EXPECT_EQ(pattern::loop_from_polyline(bent, {}, settings)->edges.size(), 5u);
 }
 
 TEST(Outline, ForcedCornersAreExactlyTheEndsOfEdges) {
   const std::vector<Vec2> points{{0, 0}, {150, 0}, {300, 0}, {300, 200}, {0, 200}};
   const std::vector<Vec2> forced{{150.2, 0.1}, {0, 200}};
-  const auto loop = loop_from_polyline(points, forced);
+  const auto loop = pattern::loop_from_polyline(points, forced);
   ASSERT_TRUE(loop);
   ASSERT_EQ(loop->edges.size(), 2u);
   EXPECT_EQ(loop->edges[0].curves.front().p0, (Vec2{150, 0})) << "e0 starts at the first forced corner";
@@ -126,15 +126,15 @@ TEST(Outline, ForcedCornersAreExactlyTheEndsOfEdges) {
 }
 
 TEST(Outline, OneForcedCornerMakesOneEdgeRound) {
-  const auto loop = loop_from_polyline(circle(50, 5), std::vector<Vec2>{{50, 0}});
+  const auto loop = pattern::loop_from_polyline(circle(50, 5), std::vector<Vec2>{{50, 0}});
   ASSERT_TRUE(loop);
   ASSERT_EQ(loop->edges.size(), 1u);
   EXPECT_EQ(loop->edges[0].curves.front().p0, loop->edges[0].curves.back().p3);
-  EXPECT_NEAR(signed_area(*loop), kPi * 2500, 30);
+  EXPECT_NEAR(pattern::signed_area(*loop), kPi * 2500, 30);
 }
 
 TEST(Outline, AForcedCornerOffTheOutlineIsNamed) {
-  const auto loop = loop_from_polyline(kRectangle, std::vector<Vec2>{{0, 0}, {150, 0}});
+  const auto loop = pattern::loop_from_polyline(kRectangle, std::vector<Vec2>{{0, 0}, {150, 0}});
   ASSERT_FALSE(loop);
   EXPECT_EQ(loop.error().code, "pattern.corner_off_outline");
   EXPECT_NE(loop.error().message.find("(150, 0)"), std::string::npos);
@@ -142,24 +142,24 @@ TEST(Outline, AForcedCornerOffTheOutlineIsNamed) {
 }
 
 TEST(Outline, BadPolylinesAreErrorsWithTheirPlace) {
-  EXPECT_EQ(loop_from_polyline({}, {}).error().code, "pattern.too_few_points");
-  EXPECT_EQ(loop_from_polyline({{0, 0}, {1, 1}, {0, 0}}, {}).error().code, "pattern.too_few_points");
-  EXPECT_EQ(loop_from_polyline({{0, 0}, {5, 5}, {9, 9}}, {}).error().code, "pattern.zero_area");
-  const auto eight = loop_from_polyline({{0, 0}, {10, 10}, {10, 0}, {0, 10}}, {});
+  EXPECT_EQ(pattern::loop_from_polyline({}, {}).error().code, "pattern.too_few_points");
+  EXPECT_EQ(pattern::loop_from_polyline({{0, 0}, {1, 1}, {0, 0}}, {}).error().code, "pattern.too_few_points");
+  EXPECT_EQ(pattern::loop_from_polyline({{0, 0}, {5, 5}, {9, 9}}, {}).error().code, "pattern.zero_area");
+  const auto eight = pattern::loop_from_polyline({{0, 0}, {10, 10}, {10, 0}, {0, 10}}, {});
   EXPECT_EQ(eight.error().code, "pattern.self_crossing");
   EXPECT_NE(eight.error().where.find("(5, 5)"), std::string::npos);
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(loop_from_polyline({{0, 0}, {1, nan}, {1, 1}}, {}).error().where, "point 1");
+  EXPECT_EQ(pattern::loop_from_polyline({{0, 0}, {1, nan}, {1, 1}}, {}).error().where, "point 1");
 }
 
-std::vector<PanelEdge> triangle(Vec2 end = {0, 0}) {
-  return {{"hem", {line_segment({0, 0}, {100, 0})}},
-          {"side", {line_segment({100, 0}, {0, 80})}},
-          {"fold", {line_segment({0, 80}, end)}}};
+std::vector<pattern::PanelEdge> triangle(Vec2 end = {0, 0}) {
+  return {{"hem", {pattern::line_segment({0, 0}, {100, 0})}},
+          {"side", {pattern::line_segment({100, 0}, {0, 80})}},
+          {"fold", {pattern::line_segment({0, 80}, end)}}};
 }
 
 TEST(Outline, ExplicitEdgesMakeALoopAndKeepTheirNames) {
-  const auto loop = loop_from_edges(triangle());
+  const auto loop = pattern::loop_from_edges(triangle());
   ASSERT_TRUE(loop);
   EXPECT_EQ(loop->edges[1].id, "side");
   expect_closed(*loop);
@@ -168,14 +168,14 @@ TEST(Outline, ExplicitEdgesMakeALoopAndKeepTheirNames) {
 TEST(Outline, JointsOfAHundredthAreSnappedExactly) {
   auto edges = triangle({0.006, 0.006});
   edges[1].curves[0].p0 = {100, 0.008};
-  const auto loop = loop_from_edges(edges);
+  const auto loop = pattern::loop_from_edges(edges);
   ASSERT_TRUE(loop) << to_string(loop.error());
   expect_closed(*loop);
   EXPECT_EQ(loop->edges[0].curves[0].p0, (Vec2{0, 0}));
 }
 
 TEST(Outline, AGapBetweenEdgesNamesTheEdgeAndBothPoints) {
-  const auto last = loop_from_edges(triangle({0, 3}));
+  const auto last = pattern::loop_from_edges(triangle({0, 3}));
   ASSERT_FALSE(last);
   EXPECT_EQ(last.error().code, "pattern.open_outline");
   EXPECT_EQ(last.error().where, "edge hem");
@@ -183,38 +183,38 @@ TEST(Outline, AGapBetweenEdgesNamesTheEdgeAndBothPoints) {
   EXPECT_NE(last.error().message.find("(0, 0)"), std::string::npos);
   auto edges = triangle();
   edges[1].curves[0].p0 = {102, 0};
-  EXPECT_EQ(loop_from_edges(edges).error().where, "edge side");
+  EXPECT_EQ(pattern::loop_from_edges(edges).error().where, "edge side");
 }
 
 TEST(Outline, ClockwiseEdgesAreTurnedAndTheFirstStaysFirst) {
   auto edges = triangle();
-  std::vector<PanelEdge> clockwise{reversed(edges[2]), reversed(edges[1]), reversed(edges[0])};
-  const auto loop = loop_from_edges(clockwise);
+  std::vector<pattern::PanelEdge> clockwise{pattern::reversed(edges[2]), pattern::reversed(edges[1]), pattern::reversed(edges[0])};
+  const auto loop = pattern::loop_from_edges(clockwise);
   ASSERT_TRUE(loop);
-  EXPECT_GT(signed_area(*loop), 0);
+  EXPECT_GT(pattern::signed_area(*loop), 0);
   EXPECT_EQ(loop->edges[0].id, "fold");
   EXPECT_EQ(loop->edges[1].id, "hem");
   expect_closed(*loop);
 }
 
 TEST(Outline, BadEdgesAreErrors) {
-  EXPECT_EQ(loop_from_edges({}).error().code, "pattern.empty_edge");
-  EXPECT_EQ(loop_from_edges({{"a", {}}}).error().code, "pattern.empty_edge");
+  EXPECT_EQ(pattern::loop_from_edges({}).error().code, "pattern.empty_edge");
+  EXPECT_EQ(pattern::loop_from_edges({{"a", {}}}).error().code, "pattern.empty_edge");
   auto twins = triangle();
   twins[2].id = "hem";
-  EXPECT_EQ(loop_from_edges(twins).error().code, "pattern.duplicate_id");
+  EXPECT_EQ(pattern::loop_from_edges(twins).error().code, "pattern.duplicate_id");
   EXPECT_EQ(
-      loop_from_edges({{"a", {line_segment({0, 0}, {1, 0}), line_segment({1, 0}, {0, 0})}}}).error().code,
+      pattern::loop_from_edges({{"a", {pattern::line_segment({0, 0}, {1, 0}), pattern::line_segment({1, 0}, {0, 0})}}}).error().code,
       "pattern.zero_area");
 }
 
 TEST(Outline, AnEdgeFromPointsKeepsItsEnds) {
-  const auto edge = edge_from_points("neck", {{0, 0}, {0, 0}, {50, 20}, {100, 0}, {100.002, 0}});
+  const auto edge = pattern::edge_from_points("neck", {{0, 0}, {0, 0}, {50, 20}, {100, 0}, {100.002, 0}});
   ASSERT_TRUE(edge);
   EXPECT_EQ(edge->curves.front().p0, (Vec2{0, 0}));
   EXPECT_EQ(edge->curves.back().p3, (Vec2{100.002, 0}));
-  EXPECT_EQ(edge_from_points("x", {{1, 1}, {1, 1.001}}).error().where, "edge x");
-  EXPECT_EQ(edge_from_points("x", {}).error().code, "pattern.too_few_points");
+  EXPECT_EQ(pattern::edge_from_points("x", {{1, 1}, {1, 1.001}}).error().where, "edge x");
+  EXPECT_EQ(pattern::edge_from_points("x", {}).error().code, "pattern.too_few_points");
 }
 
 }  // namespace

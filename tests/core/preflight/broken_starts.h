@@ -12,9 +12,9 @@ namespace toile::test {
 
 struct BrokenStart {
   std::string name;
-  FindingKind kind = FindingKind::kGap;  ///< that must be found
+  preflight::FindingKind kind = preflight::FindingKind::kGap;  ///< that must be found
   bool repaired = false;                 ///< and whether the start is repaired
-  std::function<DrapeInput()> make;
+  std::function<drape::DrapeInput()> make;
 };
 
 const std::vector<BrokenStart>& broken_starts();

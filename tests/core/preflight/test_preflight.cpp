@@ -16,21 +16,21 @@
 namespace toile {
 namespace {
 
-DrapeInput broken(const std::string& name) {
+drape::DrapeInput broken(const std::string& name) {
   const auto& all = test::broken_starts();
   const auto found = std::find_if(all.begin(), all.end(), [&](const auto& b) { return b.name == name; });
   EXPECT_NE(found, all.end()) << name;
   return found->make();
 }
 
-const Finding* find(const Findings& findings, FindingKind kind) {
+const preflight::Finding* find(const preflight::Findings& findings, preflight::FindingKind kind) {
   const auto found =
-      std::find_if(findings.begin(), findings.end(), [&](const Finding& f) { return f.kind == kind; });
+      std::find_if(findings.begin(), findings.end(), [&](const preflight::Finding& f) { return f.kind == kind; });
   return found == findings.end() ? nullptr : &*found;
 }
 
 /// Of the piece's box.
-Vec3 centre_of(const Assembly& assembly, Index piece) {
+Vec3 centre_of(const sewing::Assembly& assembly, Index piece) {
   const auto& first = assembly.garment.first_vertex;
   Aabb3 box;
   for (Index v = first[piece]; v < first[piece + 1]; ++v) box.add(assembly.positions[v]);
@@ -38,8 +38,8 @@ Vec3 centre_of(const Assembly& assembly, Index piece) {
 }
 
 TEST(Preflight, OverlappingMirrorImagesPartAndStayMirrorImages) {
-  const DrapeInput input = broken("left and right overlap in one plane");
-  const auto start = prepare_start(input, {}).value();
+  const drape::DrapeInput input = broken("left and right overlap in one plane");
+  const auto start = drape::prepare_start(input, {}).value();
   const Vec3 left = centre_of(start.assembly, 2), right = centre_of(start.assembly, 3);
   EXPECT_NEAR(left.x, -right.x, 1e-5);
   EXPECT_NEAR(left.y, right.y, 1e-9);
@@ -49,9 +49,9 @@ TEST(Preflight, OverlappingMirrorImagesPartAndStayMirrorImages) {
 }
 
 TEST(Preflight, ARepairMovesPiecesAsAWholeAndOnlyThoseConcerned) {
-  const DrapeInput input = broken("front 1 cm into the body");
-  const auto start = prepare_start(input, {}).value();
-  const auto placed = assemble(start.meshes, input.placements, input.attachments)->positions;
+  const drape::DrapeInput input = broken("front 1 cm into the body");
+  const auto start = drape::prepare_start(input, {}).value();
+  const auto placed = sewing::assemble(start.meshes, input.placements, input.attachments)->positions;
   const Vec3 shift = start.assembly.positions[0] - placed[0];
   EXPECT_GE(shift.z, 0.0109);
   EXPECT_LE(length(shift), 0.05);
@@ -63,80 +63,80 @@ TEST(Preflight, ARepairMovesPiecesAsAWholeAndOnlyThoseConcerned) {
 }
 
 TEST(Preflight, AReversedSeamIsSewnAsIfItHadBeenRight) {
-  const auto start = prepare_start(broken("both seams reversed"), {}).value();
-  const auto right = prepare_start(test::tube(), {}).value();
+  const auto start = drape::prepare_start(broken("both seams reversed"), {}).value();
+  const auto right = drape::prepare_start(test::tube(), {}).value();
   EXPECT_EQ(start.assembly.garment.sewn, right.assembly.garment.sewn);
   EXPECT_EQ(start.assembly.garment.weld, right.assembly.garment.weld);
-  const Finding* f = find(start.findings, FindingKind::kTwisted);
+  const preflight::Finding* f = find(start.findings, preflight::FindingKind::kTwisted);
   ASSERT_NE(f, nullptr);
   EXPECT_NE(f->message.find(" of thread in all, and "), std::string::npos) << f->message;
 }
 
 TEST(Preflight, ATurnedPieceComesToStandAsItShould) {
-  const auto start = prepare_start(broken("back turned left to right"), {}).value();
-  const auto right = prepare_start(test::tube(), {}).value();
+  const auto start = drape::prepare_start(broken("back turned left to right"), {}).value();
+  const auto right = drape::prepare_start(test::tube(), {}).value();
   for (std::size_t i = 0; i < right.assembly.positions.size(); ++i) {
     EXPECT_LT(length(start.assembly.positions[i] - right.assembly.positions[i]), 1e-6);
   }
 }
 
 TEST(Preflight, APieceThatStandsOnItsHeadIsToldToBeInsideOut) {
-  DrapeInput input = test::tube();
+  drape::DrapeInput input = test::tube();
   input.pattern.panels = {test::rectangle("left", 60, 120), test::rectangle("right", 60, 120)};
   input.pattern.seams = {{"middle", {{0, 1, false}}, {{1, 3, false}}, false}};
-  input.placements = {RigidPlacement{{-0.035, 0.1, 0.1}, {}, false},
-                      RigidPlacement{{0.035, 0.22, 0.1}, {3.14159265358979, 0, 0}, false}};
-  const auto start = prepare_start(input, {}).value();
-  const Finding* f = find(start.findings, FindingKind::kInsideOut);
+  input.placements = {sewing::RigidPlacement{{-0.035, 0.1, 0.1}, {}, false},
+                      sewing::RigidPlacement{{0.035, 0.22, 0.1}, {3.14159265358979, 0, 0}, false}};
+  const auto start = drape::prepare_start(input, {}).value();
+  const preflight::Finding* f = find(start.findings, preflight::FindingKind::kInsideOut);
   ASSERT_NE(f, nullptr);
-  EXPECT_EQ(where_text(*f), "piece right");
-  EXPECT_EQ(f->severity, Severity::kWarning);
+  EXPECT_EQ(preflight::where_text(*f), "piece right");
+  EXPECT_EQ(f->severity, preflight::Severity::kWarning);
 }
 
 TEST(Preflight, ASeamThatMakesAMobiusStripIsToldByName) {
-  DrapeInput input = test::tube();
+  drape::DrapeInput input = test::tube();
   input.pattern.seams[1].same_direction = false;
-  const auto start = prepare_start(input, {}).value();
-  const Finding* f = find(start.findings, FindingKind::kOneSided);
+  const auto start = drape::prepare_start(input, {}).value();
+  const preflight::Finding* f = find(start.findings, preflight::FindingKind::kOneSided);
   ASSERT_NE(f, nullptr);
-  EXPECT_EQ(where_text(*f), "seam right");
+  EXPECT_EQ(preflight::where_text(*f), "seam right");
 }
 
 TEST(Preflight, TheTightRingIsGivenWithBothGirths) {
-  const auto start = prepare_start(broken("girth under the body's"), {}).value();
-  const Finding* f = find(start.findings, FindingKind::kTightRing);
+  const auto start = drape::prepare_start(broken("girth under the body's"), {}).value();
+  const preflight::Finding* f = find(start.findings, preflight::FindingKind::kTightRing);
   ASSERT_NE(f, nullptr);
-  EXPECT_EQ(f->severity, Severity::kWarning);
+  EXPECT_EQ(f->severity, preflight::Severity::kWarning);
   EXPECT_NE(f->message.find("the ring of 400 mm"), std::string::npos) << f->message;
   EXPECT_NE(f->message.find("girth of 437 mm"), std::string::npos) << f->message;  // 32·70 mm·sin(π/16)
 }
 
 TEST(Preflight, ThreadsThroughTheMiddleAreRefusedAndThoseOverAShoulderAreNot) {
-  const auto through = prepare_start(broken("threads through the body"), {}).value();
+  const auto through = drape::prepare_start(broken("threads through the body"), {}).value();
   // The strips are 20 mm wide: one step aside a thread grazes the upright edges of the column.
-  const auto over = prepare_start(broken("threads over a shoulder"), {}).value();
-  EXPECT_EQ(find(through.findings, FindingKind::kThreadThroughBody)->severity, Severity::kError);
-  EXPECT_EQ(find(over.findings, FindingKind::kThreadThroughBody)->severity, Severity::kNote);
+  const auto over = drape::prepare_start(broken("threads over a shoulder"), {}).value();
+  EXPECT_EQ(find(through.findings, preflight::FindingKind::kThreadThroughBody)->severity, preflight::Severity::kError);
+  EXPECT_EQ(find(over.findings, preflight::FindingKind::kThreadThroughBody)->severity, preflight::Severity::kNote);
 }
 
 TEST(Preflight, AHeapOfPiecesInOnePlaceIsRefusedAndNotShuffled) {
-  DrapeInput input = test::tube();
+  drape::DrapeInput input = test::tube();
   for (int i = 0; i < 20; ++i) {
     input.pattern.panels.push_back(test::rectangle("heaped" + std::to_string(i), 200, 200));
-    input.placements.push_back(RigidPlacement{{0, 0.1, 0.3}, {}, false});
+    input.placements.push_back(sewing::RigidPlacement{{0, 0.1, 0.3}, {}, false});
     input.fabric_of_panel.push_back(0);
   }
-  const auto start = prepare_start(input, {}).value();
-  ASSERT_TRUE(first_error(start.findings));
-  EXPECT_EQ(first_error(start.findings)->code, "start.touches");
-  EXPECT_EQ(start.assembly.positions, assemble(start.meshes, input.placements, input.attachments)->positions);
+  const auto start = drape::prepare_start(input, {}).value();
+  ASSERT_TRUE(preflight::first_error(start.findings));
+  EXPECT_EQ(preflight::first_error(start.findings)->code, "start.touches");
+  EXPECT_EQ(start.assembly.positions, sewing::assemble(start.meshes, input.placements, input.attachments)->positions);
 }
 
 TEST(Preflight, ShortThreadsBesideAThickBodyAreNearNoLimb) {
-  DrapeInput input = test::tube();
+  drape::DrapeInput input = test::tube();
   input.bodies = {test::column(0.12, 0, 0.3)};
   for (std::size_t p : {0, 1}) {  // two half shells around the column, a few millimetres apart at their sides
-    WrappedPlacement shell;
+    sewing::WrappedPlacement shell;
     shell.radius = 0.13;
     shell.height = 0.15;
     shell.angle = p == 0 ? 0 : 3.14159265358979;
@@ -145,70 +145,70 @@ TEST(Preflight, ShortThreadsBesideAThickBodyAreNearNoLimb) {
   }
   input.pattern.seams = {{"left", {{0, 3, false}}, {{1, 1, false}}, false},
                          {"right", {{0, 1, false}}, {{1, 3, false}}, false}};
-  const auto start = prepare_start(input, {}).value();
+  const auto start = drape::prepare_start(input, {}).value();
   EXPECT_TRUE(start.findings.empty())
-      << code_of(start.findings.front().kind) << ": " << start.findings.front().message;
+      << preflight::code_of(start.findings.front().kind) << ": " << start.findings.front().message;
 }
 
 TEST(Preflight, ABackThatIsCutAsItIsWornWindsLikeTheFront) {
-  DrapeInput input = test::tube();
-  std::get<RigidPlacement>(input.placements[1]).rotation = {0, 3.14159265358979, 0};
+  drape::DrapeInput input = test::tube();
+  std::get<sewing::RigidPlacement>(input.placements[1]).rotation = {0, 3.14159265358979, 0};
   input.pattern.seams = {{"left", {{0, 3, false}}, {{1, 1, false}}, false},
                          {"right", {{0, 1, false}}, {{1, 3, false}}, false}};
-  const auto start = prepare_start(input, {}).value();
-  EXPECT_EQ(find(start.findings, FindingKind::kWindsOtherWay), nullptr);
+  const auto start = drape::prepare_start(input, {}).value();
+  EXPECT_EQ(find(start.findings, preflight::FindingKind::kWindsOtherWay), nullptr);
 }
 
 TEST(Preflight, ThreadsBesideAThirdPieceDoNotMeetIt) {
-  DrapeInput input = broken("threads through a third piece");
-  std::get<RigidPlacement>(input.placements[2]).translation.x = 0.4;
-  EXPECT_EQ(find(prepare_start(input, {}).value().findings, FindingKind::kThreadThroughCloth), nullptr);
+  drape::DrapeInput input = broken("threads through a third piece");
+  std::get<sewing::RigidPlacement>(input.placements[2]).translation.x = 0.4;
+  EXPECT_EQ(find(drape::prepare_start(input, {}).value().findings, preflight::FindingKind::kThreadThroughCloth), nullptr);
 }
 
 TEST(Preflight, AThreadThroughAPiecesRimIsNotedAndThroughItsMiddleIsAWarning) {
-  DrapeInput input = broken("threads through a third piece");
-  EXPECT_EQ(find(prepare_start(input, {}).value().findings, FindingKind::kThreadThroughCloth)->severity,
-            Severity::kWarning);
-  std::get<RigidPlacement>(input.placements[2]).translation.x = 0.158;  // 2 mm of it are in the way
-  const auto start = prepare_start(input, {}).value();
-  const Finding* rim = find(start.findings, FindingKind::kThreadThroughCloth);
+  drape::DrapeInput input = broken("threads through a third piece");
+  EXPECT_EQ(find(drape::prepare_start(input, {}).value().findings, preflight::FindingKind::kThreadThroughCloth)->severity,
+            preflight::Severity::kWarning);
+  std::get<sewing::RigidPlacement>(input.placements[2]).translation.x = 0.158;  // 2 mm of it are in the way
+  const auto start = drape::prepare_start(input, {}).value();
+  const preflight::Finding* rim = find(start.findings, preflight::FindingKind::kThreadThroughCloth);
   ASSERT_NE(rim, nullptr);
-  EXPECT_EQ(rim->severity, Severity::kNote) << rim->message;
+  EXPECT_EQ(rim->severity, preflight::Severity::kNote) << rim->message;
 }
 
 TEST(Preflight, HemsAboutTheTwoLegsOfAPairAreRight) {
-  DrapeInput input = broken("both hems about one leg");
-  for (const std::size_t p : {2, 3}) std::get<RigidPlacement>(input.placements[p]).translation.x = -0.2;
-  EXPECT_EQ(find(prepare_start(input, {}).value().findings, FindingKind::kRingOnWrongLimb), nullptr);
-  std::get<RigidPlacement>(input.placements[2]).translation.y = 0.5;
-  std::get<RigidPlacement>(input.placements[3]).translation.y = 0.5;
-  EXPECT_NE(find(prepare_start(input, {}).value().findings, FindingKind::kRingOnWrongLimb), nullptr)
+  drape::DrapeInput input = broken("both hems about one leg");
+  for (const std::size_t p : {2, 3}) std::get<sewing::RigidPlacement>(input.placements[p]).translation.x = -0.2;
+  EXPECT_EQ(find(drape::prepare_start(input, {}).value().findings, preflight::FindingKind::kRingOnWrongLimb), nullptr);
+  std::get<sewing::RigidPlacement>(input.placements[2]).translation.y = 0.5;
+  std::get<sewing::RigidPlacement>(input.placements[3]).translation.y = 0.5;
+  EXPECT_NE(find(drape::prepare_start(input, {}).value().findings, preflight::FindingKind::kRingOnWrongLimb), nullptr)
       << "one low and one high are no pair";
 }
 
 TEST(Preflight, ASeamThatRunsStraightOnIsNoOpenRing) {
-  EXPECT_EQ(find(prepare_start(test::tube(), {}).value().findings, FindingKind::kOnOpenRing), nullptr);
+  EXPECT_EQ(find(drape::prepare_start(test::tube(), {}).value().findings, preflight::FindingKind::kOnOpenRing), nullptr);
 }
 
 TEST(Preflight, ErrorsComeFirstAndNotesLast) {
   for (const test::BrokenStart& b : test::broken_starts()) {
-    const auto start = prepare_start(b.make(), {}).value();
+    const auto start = drape::prepare_start(b.make(), {}).value();
     EXPECT_TRUE(std::is_sorted(start.findings.begin(), start.findings.end(),
-                               [](const Finding& f, const Finding& g) { return f.severity > g.severity; }));
+                               [](const preflight::Finding& f, const preflight::Finding& g) { return f.severity > g.severity; }));
   }
 }
 
 TEST(TriangleGap, NeighboursHaveNoneAndCrossingTrianglesHaveZero) {
-  const GapTriangle flat{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {0, 1, 2}};
-  const GapTriangle above{{{{0, 0, 0.25}, {1, 0, 0.25}, {0, 1, 0.25}}}, {3, 4, 5}};
-  const GapTriangle through{{{{0.2, 0.2, -1}, {0.2, 0.2, 1}, {0.3, 2, 0}}}, {3, 4, 5}};
-  GapTriangle neighbour = above;
+  const preflight::GapTriangle flat{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {0, 1, 2}};
+  const preflight::GapTriangle above{{{{0, 0, 0.25}, {1, 0, 0.25}, {0, 1, 0.25}}}, {3, 4, 5}};
+  const preflight::GapTriangle through{{{{0.2, 0.2, -1}, {0.2, 0.2, 1}, {0.3, 2, 0}}}, {3, 4, 5}};
+  preflight::GapTriangle neighbour = above;
   neighbour.type = {0, 1, 2};
-  EXPECT_DOUBLE_EQ(triangle_gap(flat, above), 0.25);
-  EXPECT_EQ(triangle_gap(flat, through), 0);
-  EXPECT_TRUE(triangles_cross(flat, through));
-  EXPECT_EQ(triangle_gap(flat, neighbour), 1);
-  EXPECT_FALSE(triangles_cross(flat, above));
+  EXPECT_DOUBLE_EQ(preflight::triangle_gap(flat, above), 0.25);
+  EXPECT_EQ(preflight::triangle_gap(flat, through), 0);
+  EXPECT_TRUE(preflight::triangles_cross(flat, through));
+  EXPECT_EQ(preflight::triangle_gap(flat, neighbour), 1);
+  EXPECT_FALSE(preflight::triangles_cross(flat, above));
 }
 
 }  // namespace

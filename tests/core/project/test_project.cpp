@@ -19,14 +19,14 @@ struct Broken {
 };
 
 void expect_refused(const Broken& broken) {
-  const auto project = parse_project(changed(kFullDocument, broken.from, broken.to));
+  const auto project = project::parse_project(changed(kFullDocument, broken.from, broken.to));
   ASSERT_FALSE(project) << broken.to;
   EXPECT_EQ(project.error().code, broken.code) << to_string(project.error());
   EXPECT_EQ(project.error().where, broken.where) << to_string(project.error());
 }
 
 TEST(Project, ReadsEveryField) {
-  const auto project = parse_project(kFullDocument);
+  const auto project = project::parse_project(kFullDocument);
   ASSERT_TRUE(project) << to_string(project.error());
   EXPECT_EQ(project->name, "All of it");
   ASSERT_EQ(project->pieces.size(), 4u);
@@ -52,28 +52,28 @@ TEST(Project, ReadsEveryField) {
 }
 
 TEST(Project, ComesBackTheSameFromItsOwnText) {
-  const auto project = parse_project(kFullDocument);
+  const auto project = project::parse_project(kFullDocument);
   ASSERT_TRUE(project) << to_string(project.error());
-  const std::string text = write_project(*project);
-  const auto again = parse_project(text);
+  const std::string text = project::write_project(*project);
+  const auto again = project::parse_project(text);
   ASSERT_TRUE(again) << to_string(again.error()) << "\n" << text;
   EXPECT_EQ(*project, *again);
-  EXPECT_EQ(write_project(*again), text);
+  EXPECT_EQ(project::write_project(*again), text);
 }
 
 TEST(Project, DefaultsComeBackTheSameToo) {
-  Project project;
+  project::Project project;
   project.pieces.push_back({.id = "a",
-                            .from = ProjectDxf{.dxf = "a.dxf", .piece = "A", .corners = {}, .units = ""},
+                            .from = project::ProjectDxf{.dxf = "a.dxf", .piece = "A", .corners = {}, .units = ""},
                             .outline = {},
                             .holes = {},
                             .edge_names = {},
                             .grain = {},
                             .fabric = "f",
-                            .placement = {.rigid = ProjectRigid{}, .wrapped = {}}});
+                            .placement = {.rigid = project::ProjectRigid{}, .wrapped = {}}});
   project.fabrics.push_back({});
   project.fabrics[0].id = "f";
-  const auto again = parse_project(write_project(project));
+  const auto again = project::parse_project(project::write_project(project));
   ASSERT_TRUE(again) << to_string(again.error());
   EXPECT_EQ(project, *again);
 }
@@ -81,7 +81,7 @@ TEST(Project, DefaultsComeBackTheSameToo) {
 TEST(Project, RefusesAKeyItDoesNotKnowAndNamesTheNearest) {
   expect_refused({"\"seams\"", "\"saems\"", "project.unknown_key", "/saems"});
   expect_refused({"\"edge\": \"right\"", "\"egde\": \"right\"", "project.unknown_key", "/seams/0/a/0/egde"});
-  const auto project = parse_project(changed(kFullDocument, "\"bend_bias_un_m\"", "\"bend_bais_un_m\""));
+  const auto project = project::parse_project(changed(kFullDocument, "\"bend_bias_un_m\"", "\"bend_bais_un_m\""));
   ASSERT_FALSE(project);
   EXPECT_NE(project.error().message.find("did you mean \"bend_bias_un_m\"?"), std::string::npos)
       << project.error().message;
@@ -148,37 +148,37 @@ TEST(Project, RefusesAnEmptyOrEndlessText) {
 TEST(Project, RefusesAnotherVersionAndAnotherDocument) {
   expect_refused({"\"toile\": 1", "\"toile\": 2", "project.version", "/toile"});
   expect_refused({"\"toile\": 1,", "", "project.version", ""});
-  EXPECT_EQ(parse_project("[]").error().code, "project.wrong_type");
-  EXPECT_EQ(parse_project("").error().code, "json.syntax");
+  EXPECT_EQ(project::parse_project("[]").error().code, "project.wrong_type");
+  EXPECT_EQ(project::parse_project("").error().code, "json.syntax");
 }
 
 TEST(WriteChecked, SaysWhatReadingTheTextWouldSay) {
-  const Project whole = parse_project(kFullDocument).value();
-  std::vector<Project> changed(6, whole);
+  const project::Project whole = project::parse_project(kFullDocument).value();
+  std::vector<project::Project> changed(6, whole);
   changed[1].pieces[0].layer = 101;
   changed[2].fabrics[0].thickness_mm = std::nan("");
   changed[3].settings.gravity = std::numeric_limits<double>::infinity();
   changed[4].pieces[0].id = "";
   changed[5].fabrics.clear();
-  for (const Project& project : changed) {
-    const Result<WrittenProject> written = write_checked(project);
-    const Result<Project> read = parse_project(write_project_line(project));
+  for (const project::Project& project : changed) {
+    const Result<project::WrittenProject> written = project::write_checked(project);
+    const Result<project::Project> read = project::parse_project(project::write_project_line(project));
     ASSERT_EQ(bool(written), bool(read));
     if (written) {
-      EXPECT_EQ(written->line, write_project_line(project));
+      EXPECT_EQ(written->line, project::write_project_line(project));
       EXPECT_EQ(written->read_back, *read);
     } else {
       EXPECT_EQ(to_string(written.error()), to_string(read.error()));
     }
   }
-  EXPECT_TRUE(write_checked(changed[0]));
+  EXPECT_TRUE(project::write_checked(changed[0]));
 }
 
 TEST(WriteChecked, RefusesWhatIsTooLargeToBeReadAgain) {
-  Project project = parse_project(kFullDocument).value();
-  const ProjectLine line{"l", std::vector<Vec2>(10000, {12345.678, 12345.678}), true};
+  project::Project project = project::parse_project(kFullDocument).value();
+  const project::ProjectLine line{"l", std::vector<Vec2>(10000, {12345.678, 12345.678}), true};
   project.pieces[0].lines.assign(25, line);
-  EXPECT_EQ(write_checked(project).error().code, "json.too_large");
+  EXPECT_EQ(project::write_checked(project).error().code, "json.too_large");
 }
 
 }  // namespace

@@ -13,49 +13,49 @@
 namespace toile {
 namespace {
 
-TEST(ProjectSchema, IsKeptAsTheFieldsSayIt) { test::expect_kept("project.schema.json", project_schema()); }
+TEST(ProjectSchema, IsKeptAsTheFieldsSayIt) { test::expect_kept("project.schema.json", project::project_schema()); }
 
 /// Every path of the full document, with list elements as "*".
-void paths_of(const JsonValue& value, const std::string& path, std::set<std::string>& seen) {
+void paths_of(const json::JsonValue& value, const std::string& path, std::set<std::string>& seen) {
   seen.insert(path);
   if (const auto* elements = value.array()) {
-    for (const JsonValue& element : *elements) paths_of(element, path + "/*", seen);
+    for (const json::JsonValue& element : *elements) paths_of(element, path + "/*", seen);
   }
   if (const auto* members = value.object()) {
-    for (const JsonMember& member : *members) paths_of(member.value, path + "/" + member.key, seen);
+    for (const json::JsonMember& member : *members) paths_of(member.value, path + "/" + member.key, seen);
   }
 }
 
 /// Goes through a schema of objects and lists, and notes its paths and what of them says nothing of itself.
 struct Walk {
-  const JsonValue& root;
+  const json::JsonValue& root;
   std::set<std::string> paths = {}, silent = {};
 
-  void over(const JsonValue& given, const std::string& path) {
+  void over(const json::JsonValue& given, const std::string& path) {
     paths.insert(path);
-    const JsonValue& schema = test::resolved(root, given);
+    const json::JsonValue& schema = test::resolved(root, given);
     const bool says = given.find("description") || schema.find("description");
     if (!says && !path.ends_with("*")) silent.insert(path);
-    if (const JsonValue* items = schema.find("items")) over(*items, path + "/*");
-    const JsonValue* properties = schema.find("properties");
+    if (const json::JsonValue* items = schema.find("items")) over(*items, path + "/*");
+    const json::JsonValue* properties = schema.find("properties");
     if (!properties) return;
-    for (const JsonMember& member : *properties->object()) over(member.value, path + "/" + member.key);
+    for (const json::JsonMember& member : *properties->object()) over(member.value, path + "/" + member.key);
   }
 };
 
 TEST(ProjectSchema, SaysOfEveryKeyWhatItMeans) {
-  const JsonValue schema = project_schema();
-  ASSERT_TRUE(parse_json(write_json(schema))) << "a key stands twice";
+  const json::JsonValue schema = project::project_schema();
+  ASSERT_TRUE(json::parse_json(json::write_json(schema))) << "a key stands twice";
   Walk walk{schema};
   walk.over(schema, "");
   EXPECT_TRUE(walk.silent.empty()) << *walk.silent.begin();
 }
 
 TEST(ProjectSchema, HasNoKeyThatTheReaderWouldRefuse) {
-  ASSERT_TRUE(parse_project(kFullDocument));
+  ASSERT_TRUE(project::parse_project(kFullDocument));
   std::set<std::string> seen;
-  paths_of(*parse_json(kFullDocument), "", seen);
-  const JsonValue schema = project_schema();
+  paths_of(*json::parse_json(kFullDocument), "", seen);
+  const json::JsonValue schema = project::project_schema();
   Walk walk{schema};
   walk.over(schema, "");
   for (const std::string& path : walk.paths) {
@@ -64,16 +64,16 @@ TEST(ProjectSchema, HasNoKeyThatTheReaderWouldRefuse) {
 }
 
 TEST(ProjectSchema, SaysRangesWordsAndWhatMustStandThere) {
-  const JsonValue schema = project_schema();
-  const JsonValue& settings = *schema.find("$defs")->find("settings")->find("properties");
+  const json::JsonValue schema = project::project_schema();
+  const json::JsonValue& settings = *schema.find("$defs")->find("settings")->find("properties");
   EXPECT_EQ(
-      write_json_line(*settings.find("gravity")),
+      json::write_json_line(*settings.find("gravity")),
       R"({"description": "m/s², downwards. Default 9.81.", "type": "number", "minimum": 0, "maximum": 1000})");
-  EXPECT_EQ(write_json_line(*settings.find("end")->find("enum")), R"(["settled", "time"])");
-  const JsonValue& body = *schema.find("$defs")->find("body");
-  EXPECT_EQ(write_json_line(*body.find("required")), R"(["id"])");
-  EXPECT_EQ(write_json_line(*body.find("oneOf")), R"([{"required": ["file"]}, {"required": ["mannequin"]}])");
-  EXPECT_EQ(write_json_line(*body.find("additionalProperties")), "false");
+  EXPECT_EQ(json::write_json_line(*settings.find("end")->find("enum")), R"(["settled", "time"])");
+  const json::JsonValue& body = *schema.find("$defs")->find("body");
+  EXPECT_EQ(json::write_json_line(*body.find("required")), R"(["id"])");
+  EXPECT_EQ(json::write_json_line(*body.find("oneOf")), R"([{"required": ["file"]}, {"required": ["mannequin"]}])");
+  EXPECT_EQ(json::write_json_line(*body.find("additionalProperties")), "false");
 }
 
 }  // namespace

@@ -8,11 +8,11 @@
 namespace toile::test {
 
 /// A line as a cubic.
-inline CubicBezier line(Vec2 a, Vec2 b) { return {a, a + (b - a) * (1.0 / 3), a + (b - a) * (2.0 / 3), b}; }
+inline pattern::CubicBezier line(Vec2 a, Vec2 b) { return {a, a + (b - a) * (1.0 / 3), a + (b - a) * (2.0 / 3), b}; }
 
 /// A rectangle from x0 to x1 and 0 to height, mm; edges e0 (bottom), e1 (right), e2 (top), e3 (left).
-inline Panel rectangle(double x0, double x1, double height, Vec2 grain) {
-  Panel panel;
+inline pattern::Panel rectangle(double x0, double x1, double height, Vec2 grain) {
+  pattern::Panel panel;
   panel.id = "from " + std::to_string(x0);
   panel.grain = grain;
   const Vec2 c[4] = {{x0, 0}, {x1, 0}, {x1, height}, {x0, height}};
@@ -23,20 +23,20 @@ inline Panel rectangle(double x0, double x1, double height, Vec2 grain) {
 
 struct Strip {
   std::vector<Vec2> rest;  ///< m, of the solver's vertices
-  ClothModel model;
+  solver::ClothModel model;
 };
 
 /// A strip of `height` mm with vertices on every x of `cuts` (mm, rising), triangles of about `h` metres.
-inline Strip make_strip(std::vector<double> cuts, double height, double h, Vec2 grain, const Fabric& fabric) {
-  Pattern pattern;
+inline Strip make_strip(std::vector<double> cuts, double height, double h, Vec2 grain, const material::Fabric& fabric) {
+  pattern::Pattern pattern;
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
     pattern.panels.push_back(rectangle(cuts[i], cuts[i + 1], height, grain));
     const auto panel = static_cast<Index>(i);
     if (i > 0) pattern.seams.push_back({"s", {{panel - 1, 1, false}}, {{panel, 3, false}}, false});
   }
-  const PanelMeshes meshes = make_panel_meshes(pattern, h, RunContext{}).value();
-  const std::vector<Placement> placements(pattern.panels.size(), RigidPlacement{});
-  const GarmentMesh garment = assemble(meshes, placements, {}).value().garment;
+  const mesh::PanelMeshes meshes = mesh::make_panel_meshes(pattern, h, RunContext{}).value();
+  const std::vector<sewing::Placement> placements(pattern.panels.size(), sewing::RigidPlacement{});
+  const sewing::GarmentMesh garment = sewing::assemble(meshes, placements, {}).value().garment;
 
   Strip strip;
   std::vector<Index> vertex_of(garment.rest.size());
@@ -47,18 +47,18 @@ inline Strip make_strip(std::vector<double> cuts, double height, double h, Vec2 
   }
   const std::vector<Vec2> warps(pattern.panels.size(), grain);
   const std::vector<Index> fabrics(pattern.panels.size(), 0);
-  strip.model = make_cloth_model(garment, vertex_of, static_cast<Index>(strip.rest.size()), warps,
+  strip.model = solver::make_cloth_model(garment, vertex_of, static_cast<Index>(strip.rest.size()), warps,
                                  std::span(&fabric, 1), fabrics);
   return strip;
 }
 
 /// One pass over positions as the rest of the program has them.
 template <typename Pass>
-void sweep(const Pass& pass, std::vector<Vec3>& x, const LaneKernels& kernels = lane_kernels()) {
-  std::vector<LanePoint> points;
-  spread(x, points);
+void sweep(const Pass& pass, std::vector<Vec3>& x, const solver::lanes::LaneKernels& kernels = solver::lanes::lane_kernels()) {
+  std::vector<solver::lanes::LanePoint> points;
+  solver::lanes::spread(x, points);
   pass.solve(points, kernels);
-  collect(points, x);
+  solver::lanes::collect(points, x);
 }
 
 }  // namespace toile::test

@@ -13,9 +13,9 @@ namespace toile {
 namespace {
 
 /// Energy of the jumps: ½ jᵀ C⁻¹ j, summed over the triangles.
-double bending_energy(const std::vector<BendTriangle>& triangles, const std::vector<Vec3>& x) {
+double bending_energy(const std::vector<solver::constraints::BendTriangle>& triangles, const std::vector<Vec3>& x) {
   double energy = 0;
-  for (const BendTriangle& t : triangles) {
+  for (const solver::constraints::BendTriangle& t : triangles) {
     constexpr int kEntry[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
     std::vector<int> present;
     for (int k = 0; k < 3; ++k) {
@@ -35,8 +35,8 @@ double bending_energy(const std::vector<BendTriangle>& triangles, const std::vec
   return energy;
 }
 
-Fabric anisotropic() {
-  Fabric fabric;
+material::Fabric anisotropic() {
+  material::Fabric fabric;
   fabric.bend_warp = 4e-5;
   fabric.bend_weft = 1e-5;
   fabric.bend_bias = 2e-5;
@@ -52,7 +52,7 @@ double energy_per_area_of_cylinder(Vec2 u, double h) {
     const double s = dot(p, u), v = cross(u, p);
     x.push_back({kRadius * std::sin(s / kRadius), kRadius * std::cos(s / kRadius), v});
   }
-  return bending_energy(make_bending(strip.model), x) / (0.2 * 0.2);
+  return bending_energy(solver::constraints::make_bending(strip.model), x) / (0.2 * 0.2);
 }
 
 TEST(Bend, ACylindersEnergyIsItsRigidityInEachDirectionOnAnyMesh) {
@@ -71,17 +71,17 @@ TEST(Bend, AFlatSheetHasNoEnergyHoweverItIsTurnedOrSheared) {
   std::vector<Vec3> x;
   for (const Vec2& p : strip.rest)
     x.push_back({0.8 * p.x + 0.3 * p.y + 1, 0.6 * p.x - 0.2 * p.y, 0.9 * p.y - 2});
-  EXPECT_NEAR(bending_energy(make_bending(strip.model), x), 0, 1e-18);
+  EXPECT_NEAR(bending_energy(solver::constraints::make_bending(strip.model), x), 0, 1e-18);
 }
 
 TEST(Bend, BendsOnAcrossASeamAsIfTheClothWereWhole) {
-  Fabric fabric = anisotropic();
+  material::Fabric fabric = anisotropic();
   const test::Strip whole = test::make_strip({0, 200}, 100, 0.008, {1, 0}, fabric);
   const test::Strip sewn = test::make_strip({0, 70, 140, 200}, 100, 0.008, {1, 0}, fabric);
   const auto energy = [](const test::Strip& strip) {
     std::vector<Vec3> x;
     for (const Vec2& p : strip.rest) x.push_back({0.1 * std::sin(p.x / 0.1), 0.1 * std::cos(p.x / 0.1), p.y});
-    return bending_energy(make_bending(strip.model), x);
+    return bending_energy(solver::constraints::make_bending(strip.model), x);
   };
   EXPECT_NEAR(energy(sewn) / energy(whole), 1, 0.03);
 }
@@ -89,14 +89,14 @@ TEST(Bend, BendsOnAcrossASeamAsIfTheClothWereWhole) {
 /// What turns a wing of two triangles back that are folded by `degrees` along their common edge: its moment
 /// over that of its weights, from one pass of a step so short that it is the force.
 double moment_of_fold(double degrees) {
-  ClothModel model;
-  model.fabrics = {Fabric{}};
+  solver::ClothModel model;
+  model.fabrics = {material::Fabric{}};
   model.triangles = {{0, 1, 2}, {1, 0, 3}};
   model.rest = {{Vec2{0, 0}, Vec2{0.01, 0}, Vec2{0.005, 0.008}},
                 {Vec2{0.01, 0}, Vec2{0, 0}, Vec2{0.005, -0.008}}};
   model.fabric_of_triangle = {0, 0};
   model.mass.assign(4, 1e-5);
-  BendPass bending(model);
+  solver::lanes::BendPass bending(model);
   bending.prepare(std::vector<double>(4, 1e5), 1e-6);
   const double angle = radians_from_degrees(degrees);
   const Vec3 arm{0, -0.008 * std::cos(angle), 0.008 * std::sin(angle)};
@@ -123,7 +123,7 @@ TEST(Bend, APassNeitherMovesTheCentreOfMassNorTurnsTheCloth) {
   for (const Vec2& p : strip.rest) x.push_back({p.x + shake(random), shake(random), p.y + shake(random)});
   std::vector<double> w;
   for (const double m : strip.model.mass) w.push_back(1 / m);
-  BendPass bending(strip.model);
+  solver::lanes::BendPass bending(strip.model);
   bending.prepare(w, 1.0 / 3000);
   const std::vector<Vec3> before = x;
   test::sweep(bending, x);

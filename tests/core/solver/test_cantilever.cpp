@@ -47,13 +47,13 @@ double chord_fall(Vec2 tip) { return degrees_from_radians(std::atan2(-tip.y, tip
 /// middle of the row of triangles before them: the overhang counts from half a row (√3/4 of an edge) inside
 /// the clamp. It starts as a strip of `start_rigidity` times its own would hang, and has `seconds` to find
 /// its own way.
-double chord_angle(const Fabric& fabric, Vec2 grain, double h, double width, double start_rigidity,
+double chord_angle(const material::Fabric& fabric, Vec2 grain, double h, double width, double start_rigidity,
                    double rate, double seconds) {
   const double clamp = kInside + std::sqrt(3.0) / 4 * h, end = 1e3 * (kInside + kOverhang);
   const test::Strip strip = test::make_strip({0, 1e3 * clamp, end}, width, h, grain, fabric);
   const std::vector<Vec2> start = elastica(8 / start_rigidity);
   std::vector<Vec3> x;
-  std::vector<HeldVertex> held;
+  std::vector<solver::constraints::HeldVertex> held;
   for (const Vec2& p : strip.rest) {
     const double s = std::max(0.0, (p.x - clamp) / (1e-3 * end - clamp));
     const Vec2 at = start[static_cast<std::size_t>(std::lround(s * (static_cast<double>(start.size()) - 1)))];
@@ -63,9 +63,9 @@ double chord_angle(const Fabric& fabric, Vec2 grain, double h, double width, dou
                        : Vec3{clamp - kInside + scale * at.x, scale * at.y, p.y});
     if (inside) held.push_back({static_cast<Index>(x.size()) - 1, false, x.back()});
   }
-  ClothSolver solver(strip.model, x, {}, 1 / rate);
+  solver::ClothSolver solver(strip.model, x, {}, 1 / rate);
   solver.set_holds(held);
-  StepForces forces;
+  solver::StepForces forces;
   forces.damping = 12;
   for (int i = 0; i < seconds * rate; ++i) solver.step(forces);
   Vec3 tip;
@@ -80,8 +80,8 @@ double chord_angle(const Fabric& fabric, Vec2 grain, double h, double width, dou
   return chord_fall({tip.x, tip.y});
 }
 
-Fabric stiff_along_warp_only() {
-  Fabric fabric;
+material::Fabric stiff_along_warp_only() {
+  material::Fabric fabric;
   fabric.areal_mass = 0.2;
   const double b = rigidity_for(fabric.areal_mass);
   fabric.bend_warp = b;
@@ -90,8 +90,8 @@ Fabric stiff_along_warp_only() {
   return fabric;
 }
 
-Fabric stiff_along_weft_only() {
-  Fabric fabric = stiff_along_warp_only();
+material::Fabric stiff_along_weft_only() {
+  material::Fabric fabric = stiff_along_warp_only();
   std::swap(fabric.bend_warp, fabric.bend_weft);
   return fabric;
 }

@@ -15,48 +15,48 @@ std::vector<Vec3> lying(const test::Strip& strip, double y) {
   return x;
 }
 
-double mean_height(const ClothSolver& solver) {
+double mean_height(const solver::ClothSolver& solver) {
   double sum = 0;
   for (const Vec3& p : solver.positions()) sum += p.y;
   return sum / static_cast<double>(solver.positions().size());
 }
 
-void run(ClothSolver& solver, const StepForces& forces, double seconds) {
+void run(solver::ClothSolver& solver, const solver::StepForces& forces, double seconds) {
   const int steps = static_cast<int>(seconds / solver.time_step());
   for (int i = 0; i < steps; ++i) solver.step(forces);
 }
 
-StepForces damped(double damping) {
-  StepForces forces;
+solver::StepForces damped(double damping) {
+  solver::StepForces forces;
   forces.damping = damping;
   return forces;
 }
 
 TEST(ClothSolver, ALooseSheetFallsAsEverythingDoes) {
-  const test::Strip strip = test::make_strip({0, 100}, 100, 0.02, {0, 1}, Fabric{});
-  ClothSolver solver(strip.model, lying(strip, 1), {}, 1.0 / 2000);
+  const test::Strip strip = test::make_strip({0, 100}, 100, 0.02, {0, 1}, material::Fabric{});
+  solver::ClothSolver solver(strip.model, lying(strip, 1), {}, 1.0 / 2000);
   run(solver, damped(0), 0.4);
   EXPECT_NEAR(mean_height(solver), 1 - 0.5 * 9.81 * 0.16, 2e-3);
 }
 
 /// A square table of the given size, tilted about z.
-Obstacle slope(double angle, double friction) {
+collision::Obstacle slope(double angle, double friction) {
   const double c = std::cos(angle), s = std::sin(angle), half = 0.5;
   std::vector<Vec3> x;
   for (const double u : {-half, half}) {
     for (const double v : {-half, half}) x.push_back({u * c, u * s, v});
   }
-  return make_obstacle(x, std::vector<Tri>{{0, 1, 2}, {1, 3, 2}}, friction, 1e-3);
+  return collision::make_obstacle(x, std::vector<Tri>{{0, 1, 2}, {1, 3, 2}}, friction, 1e-3);
 }
 
 /// Way along a slope of `angle` within half a second, m.
 double slide(double angle, double friction) {
-  const test::Strip strip = test::make_strip({0, 80}, 80, 0.02, {0, 1}, Fabric{});
+  const test::Strip strip = test::make_strip({0, 80}, 80, 0.02, {0, 1}, material::Fabric{});
   const Vec3 along{std::cos(angle), std::sin(angle), 0}, up{-std::sin(angle), std::cos(angle), 0};
   std::vector<Vec3> x;
   for (const Vec2& p : strip.rest) x.push_back(along * (p.x - 0.04) + up * 1.05e-3 + Vec3{0, 0, p.y - 0.04});
-  const std::vector<Obstacle> obstacles{slope(angle, friction)};
-  ClothSolver solver(strip.model, x, obstacles, 1.0 / 2000);
+  const std::vector<collision::Obstacle> obstacles{slope(angle, friction)};
+  solver::ClothSolver solver(strip.model, x, obstacles, 1.0 / 2000);
   run(solver, damped(0), 0.5);
   double way = 0;
   for (std::size_t i = 0; i < x.size(); ++i) way -= dot(solver.positions()[i] - x[i], along);
@@ -78,35 +78,35 @@ TEST(ClothSolver, ASheetSlidesFreelyWithoutFriction) {
 }
 
 TEST(ClothSolver, AClothOnATableRestsAtTheSkinOffset) {
-  const test::Strip strip = test::make_strip({0, 200}, 200, 0.02, {0, 1}, Fabric{});
+  const test::Strip strip = test::make_strip({0, 200}, 200, 0.02, {0, 1}, material::Fabric{});
   std::vector<Vec3> x = lying(strip, 0.01);
   for (Vec3& p : x) {
     p.x -= 0.1;
     p.z -= 0.1;
   }
-  const std::vector<Obstacle> obstacles{slope(0, 0.4)};
-  ClothSolver solver(strip.model, x, obstacles, 1.0 / 2000);
+  const std::vector<collision::Obstacle> obstacles{slope(0, 0.4)};
+  solver::ClothSolver solver(strip.model, x, obstacles, 1.0 / 2000);
   run(solver, damped(5), 1);
   for (const Vec3& p : solver.positions()) EXPECT_NEAR(p.y, 1e-3, 0.2e-3);
 }
 
 TEST(ClothSolver, AStepThatLeavesTheNumbersIsUndoneAndSaid) {
-  const test::Strip strip = test::make_strip({0, 40}, 40, 0.02, {0, 1}, Fabric{});
-  ClothSolver solver(strip.model, lying(strip, 1), {}, 1.0 / 2000);
+  const test::Strip strip = test::make_strip({0, 40}, 40, 0.02, {0, 1}, material::Fabric{});
+  solver::ClothSolver solver(strip.model, lying(strip, 1), {}, 1.0 / 2000);
   std::vector<Vec3> wild(strip.rest.size());
   wild[0] = {std::numeric_limits<double>::infinity(), 0, 0};
   solver.set_velocities(wild);
-  EXPECT_TRUE(solver.step(StepForces{}).not_finite);
+  EXPECT_TRUE(solver.step(solver::StepForces{}).not_finite);
   for (const Vec3& p : solver.positions()) EXPECT_TRUE(is_finite(p));
 }
 
 TEST(ClothSolver, TwoRunsGiveTheSameBytes) {
-  const test::Strip strip = test::make_strip({0, 150}, 150, 0.02, {0, 1}, Fabric{});
+  const test::Strip strip = test::make_strip({0, 150}, 150, 0.02, {0, 1}, material::Fabric{});
   const auto end = [&] {
     std::vector<Vec3> x = lying(strip, 0.02);
     for (Vec3& p : x) p.x -= 0.4;
-    const std::vector<Obstacle> obstacles{slope(0.2, 0.3)};
-    ClothSolver solver(strip.model, x, obstacles, 1.0 / 2000);
+    const std::vector<collision::Obstacle> obstacles{slope(0.2, 0.3)};
+    solver::ClothSolver solver(strip.model, x, obstacles, 1.0 / 2000);
     run(solver, damped(2), 0.5);
     return solver.positions();
   };

@@ -11,7 +11,7 @@ namespace {
 
 /// Bands along the vertices of a strip that stand at x = `at`, m.
 void add_band(const test::Strip& strip, double at, double factor, double stiffness,
-              std::vector<ElasticSegment>& out) {
+              std::vector<solver::constraints::ElasticSegment>& out) {
   std::vector<Index> line;
   for (std::size_t i = 0; i < strip.rest.size(); ++i) {
     if (std::abs(strip.rest[i].x - at) < 1e-9) line.push_back(static_cast<Index>(i));
@@ -24,21 +24,21 @@ void add_band(const test::Strip& strip, double at, double factor, double stiffne
 }
 
 /// Length of a hung strip of 60 × 200 mm with bands on both sides, at rest, m.
-double hung_length(const Fabric& fabric, double factor, double stiffness) {
+double hung_length(const material::Fabric& fabric, double factor, double stiffness) {
   const test::Strip strip = test::make_strip({0, 60}, 200, 0.012, {0, 1}, fabric);
   std::vector<Vec3> x;
-  std::vector<HeldVertex> held;
+  std::vector<solver::constraints::HeldVertex> held;
   for (const Vec2& p : strip.rest) {
     x.push_back({p.x, p.y, 0});
     if (p.y > 0.1999) held.push_back({static_cast<Index>(x.size()) - 1, false, x.back()});
   }
-  ClothSolver solver(strip.model, x, {}, 1.0 / 4000);
+  solver::ClothSolver solver(strip.model, x, {}, 1.0 / 4000);
   solver.set_holds(held);
-  ClothFeatures features;
+  solver::ClothFeatures features;
   add_band(strip, 0, factor, stiffness, features.elastics);
   add_band(strip, 0.06, factor, stiffness, features.elastics);
   solver.set_features(features);
-  StepForces forces;
+  solver::StepForces forces;
   forces.damping = 10;
   for (int i = 0; i < 6000; ++i) solver.step(forces);
   double lowest = 1;
@@ -46,8 +46,8 @@ double hung_length(const Fabric& fabric, double factor, double stiffness) {
   return 0.2 - lowest;
 }
 
-Fabric weak_cloth(double stiffness) {
-  Fabric fabric;
+material::Fabric weak_cloth(double stiffness) {
+  material::Fabric fabric;
   fabric.areal_mass = 1;
   fabric.stretch_warp = fabric.stretch_weft = stiffness;
   fabric.stretch_coupling = 0;
@@ -73,7 +73,7 @@ TEST(Elastic, AShorterBandFindsTheLengthAtWhichClothAndBandPullAlike) {
 TEST(Elastic, ABandNeverPushes) {
   std::vector<Vec3> x{{0, 0, 0}, {0.005, 0, 0}};
   const std::vector<Vec3> before = x;
-  solve_elastics(std::vector<ElasticSegment>{{0, 1, 0.02, 0.01, 50}}, 1, std::vector{1.0, 1.0}, 1e-3, x);
+  solver::constraints::solve_elastics(std::vector<solver::constraints::ElasticSegment>{{0, 1, 0.02, 0.01, 50}}, 1, std::vector{1.0, 1.0}, 1e-3, x);
   EXPECT_EQ(x, before);
 }
 

@@ -11,10 +11,10 @@ namespace {
 constexpr double kPi = 3.14159265358979;
 
 /// Creases all inner edges of a strip on x = `at` (m) to an angle.
-std::vector<FoldHinge> crease(const test::Strip& strip, double at, double degrees, double stiffness) {
-  std::vector<FoldHinge> hinges;
+std::vector<solver::constraints::FoldHinge> crease(const test::Strip& strip, double at, double degrees, double stiffness) {
+  std::vector<solver::constraints::FoldHinge> hinges;
   const auto on_line = [&](Index v) { return std::abs(strip.rest[v].x - at) < 1e-9; };
-  for (const MeshEdge& e : edges_of(strip.model.triangles, strip.model.vertex_count())) {
+  for (const mesh::MeshEdge& e : mesh::edges_of(strip.model.triangles, strip.model.vertex_count())) {
     if (e.t1 == kNone || !on_line(e.v0) || !on_line(e.v1)) continue;
     const double half = degrees * kPi / 360;
     hinges.push_back({e.v0, e.v1, e.opposite0, e.opposite1, std::sin(half), std::cos(half),
@@ -53,14 +53,14 @@ struct Folded {
 };
 
 Folded fold_strip(double degrees, double seconds) {
-  const test::Strip strip = test::make_strip({0, 50, 100}, 60, 0.0125, {0, 1}, Fabric{});
+  const test::Strip strip = test::make_strip({0, 50, 100}, 60, 0.0125, {0, 1}, material::Fabric{});
   std::vector<Vec3> x;
   for (const Vec2& p : strip.rest) x.push_back({p.x, p.y, 0});
-  ClothSolver solver(strip.model, x, {}, 1.0 / 2000);
-  ClothFeatures features;
+  solver::ClothSolver solver(strip.model, x, {}, 1.0 / 2000);
+  solver::ClothFeatures features;
   features.folds = crease(strip, 0.05, degrees, 0.02);
   solver.set_features(features);
-  StepForces forces;
+  solver::StepForces forces;
   forces.gravity = 0;
   forces.damping = 8;
   const int steps = static_cast<int>(seconds * 2000);
@@ -105,7 +105,7 @@ TEST(Fold, AStripFoldsFlatOntoItself) {
 double difference_at(double degrees, double rest, double pressed) {
   const double a = degrees * kPi / 180, half = rest * kPi / 360;
   const std::vector<Vec3> x{{0, 0, 0}, {0, 1, 0}, {-1, 0.5, 0}, {std::cos(a), 0.5, -std::sin(a)}};
-  return fold_difference({0, 1, 2, 3, std::sin(half), std::cos(half), 1}, pressed, x);
+  return solver::constraints::fold_difference({0, 1, 2, 3, std::sin(half), std::cos(half), 1}, pressed, x);
 }
 
 TEST(Fold, TheDifferenceIsFourTimesTheTangentOfItsQuarter) {

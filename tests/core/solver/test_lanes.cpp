@@ -13,7 +13,7 @@ namespace toile {
 namespace {
 
 struct Shaken {
-  ClothModel model;
+  solver::ClothModel model;
   std::vector<double> w;
   std::vector<Vec3> x;
 };
@@ -21,7 +21,7 @@ struct Shaken {
 /// A rectangle of `height` mm, bent, stretched, pushed together and shaken out of shape; one vertex is held,
 /// one triangle has collapsed.
 Shaken shaken(double strain_limit = 0, double height = 70) {
-  Fabric fabric;
+  material::Fabric fabric;
   fabric.bend_warp *= 3;
   fabric.limit_warp = fabric.limit_weft = fabric.limit_shear = strain_limit;
   const test::Strip strip = test::make_strip({0, 90, 130}, height, 0.008, {0, 1}, fabric);
@@ -37,9 +37,9 @@ Shaken shaken(double strain_limit = 0, double height = 70) {
   return s;
 }
 
-std::vector<Vec3> swept(const Shaken& s, const LaneKernels& kernels) {
-  MembranePass membrane(s.model);
-  BendPass bending(s.model);
+std::vector<Vec3> swept(const Shaken& s, const solver::lanes::LaneKernels& kernels) {
+  solver::lanes::MembranePass membrane(s.model);
+  solver::lanes::BendPass bending(s.model);
   membrane.prepare(s.w, 1.0 / 3000);
   bending.prepare(s.w, 1.0 / 3000);
   std::vector<Vec3> x = s.x;
@@ -52,9 +52,9 @@ std::vector<Vec3> swept(const Shaken& s, const LaneKernels& kernels) {
 
 /// Every set of kernels that runs here makes the same bytes of it as the plain one.
 void expect_same_bytes(const Shaken& s) {
-  const std::vector<Vec3> plain = swept(s, plain_lane_kernels);
+  const std::vector<Vec3> plain = swept(s, solver::lanes::plain_lane_kernels);
   EXPECT_NE(std::memcmp(plain.data(), s.x.data(), plain.size() * sizeof(Vec3)), 0);
-  const auto sets = runnable_lane_kernels();
+  const auto sets = solver::lanes::runnable_lane_kernels();
   for (std::size_t i = 0; i < sets.size(); ++i) {
     const std::vector<Vec3> other = swept(s, *sets[i]);
     EXPECT_EQ(std::memcmp(plain.data(), other.data(), plain.size() * sizeof(Vec3)), 0) << "set " << i;
@@ -62,7 +62,7 @@ void expect_same_bytes(const Shaken& s) {
 }
 
 TEST(Lanes, MakeTheSameBytesOnEveryProcessor) {
-  if (runnable_lane_kernels().size() < 2) GTEST_SKIP() << "SKIPPED: no other kernels here to compare with";
+  if (solver::lanes::runnable_lane_kernels().size() < 2) GTEST_SKIP() << "SKIPPED: no other kernels here to compare with";
   for (const double strain_limit : {0.0, 0.02}) {
     for (const double height : {8.0, 20.0, 45.0, 70.0}) expect_same_bytes(shaken(strain_limit, height));
   }
@@ -70,7 +70,7 @@ TEST(Lanes, MakeTheSameBytesOnEveryProcessor) {
 
 TEST(Lanes, MakeTheSameBytesOfFewTriangles) {
   const Shaken all = shaken(0.02);
-  for (std::size_t count = 1; count < 2 * kLanes + 2; ++count) {
+  for (std::size_t count = 1; count < 2 * solver::lanes::kLanes + 2; ++count) {
     Shaken s = all;
     s.model.triangles.resize(count);
     s.model.rest.resize(count);
@@ -83,25 +83,25 @@ TEST(Lanes, ANegativeZeroLeavesNoTrace) {
   Shaken s = shaken();
   for (Vec3& p : s.x) p.y = -0.0;
   expect_same_bytes(s);
-  for (const Vec3& p : swept(s, lane_kernels())) EXPECT_FALSE(std::signbit(p.y));
+  for (const Vec3& p : swept(s, solver::lanes::lane_kernels())) EXPECT_FALSE(std::signbit(p.y));
 }
 
-TEST(Lanes, TheWidestSetIsChosen) { EXPECT_EQ(&lane_kernels(), runnable_lane_kernels().back()); }
+TEST(Lanes, TheWidestSetIsChosen) { EXPECT_EQ(&solver::lanes::lane_kernels(), solver::lanes::runnable_lane_kernels().back()); }
 
 TEST(Lanes, LeaveNumbersAndHeldVerticesInPlace) {
   const Shaken s = shaken();
-  const std::vector<Vec3> x = swept(s, lane_kernels());
+  const std::vector<Vec3> x = swept(s, solver::lanes::lane_kernels());
   EXPECT_EQ(x[5], s.x[5]);
   for (const Vec3& p : x) EXPECT_TRUE(is_finite(p));
 }
 
 TEST(Lanes, AGroupSharesNoVertexAndEveryConstraintIsInOne) {
   const Shaken s = shaken(0, 140);
-  const auto groups = group_apart(static_cast<Index>(s.model.triangles.size()), s.model.vertex_count(),
+  const auto groups = solver::lanes::group_apart(static_cast<Index>(s.model.triangles.size()), s.model.vertex_count(),
                                   [&](Index t) { return std::span<const Index>(s.model.triangles[t]); });
   std::vector<int> seen(s.model.triangles.size(), 0);
   int lanes = 0;
-  for (const LaneGroup& group : groups) {
+  for (const solver::lanes::LaneGroup& group : groups) {
     std::vector<int> used(static_cast<std::size_t>(s.model.vertex_count()), 0);
     EXPECT_NE(group[0], kNone);
     for (const Index t : group) {
@@ -112,15 +112,15 @@ TEST(Lanes, AGroupSharesNoVertexAndEveryConstraintIsInOne) {
     }
   }
   for (const int n : seen) EXPECT_EQ(n, 1);
-  EXPECT_GT(lanes, 7.0 / 8 * kLanes * static_cast<double>(groups.size())) << "packs are nearly full";
+  EXPECT_GT(lanes, 7.0 / 8 * solver::lanes::kLanes * static_cast<double>(groups.size())) << "packs are nearly full";
 }
 
 TEST(Lanes, ConstraintsThatAllShareAVertexStandAlone) {
   const std::vector<Tri> fan{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}};
-  const auto groups = group_apart(3, 5, [&](Index t) { return std::span<const Index>(fan[t]); });
+  const auto groups = solver::lanes::group_apart(3, 5, [&](Index t) { return std::span<const Index>(fan[t]); });
   ASSERT_EQ(groups.size(), 3u);
   for (Index t = 0; t < 3; ++t) {
-    LaneGroup alone;
+    solver::lanes::LaneGroup alone;
     alone.fill(kNone);
     alone[0] = t;
     EXPECT_EQ(groups[t], alone);

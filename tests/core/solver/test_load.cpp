@@ -9,16 +9,16 @@ namespace {
 
 constexpr double kGravity = 9.81;
 
-void run(ClothSolver& solver, double damping, double seconds) {
-  StepForces forces;
+void run(solver::ClothSolver& solver, double damping, double seconds) {
+  solver::StepForces forces;
   forces.damping = damping;
   const int steps = static_cast<int>(seconds / solver.time_step());
   for (int i = 0; i < steps; ++i) solver.step(forces);
 }
 
 /// A strip that narrows as it stretches, heavy enough to show it.
-Fabric heavy(double warp, double weft, double coupling) {
-  Fabric fabric;
+material::Fabric heavy(double warp, double weft, double coupling) {
+  material::Fabric fabric;
   fabric.areal_mass = 4;
   fabric.stretch_warp = warp;
   fabric.stretch_weft = weft;
@@ -29,20 +29,20 @@ Fabric heavy(double warp, double weft, double coupling) {
 
 /// Mean strain between two heights of a hung strip (m above its lower end), at rest, over F / K: F is the
 /// weight below per width, K what the strip resists with where it is free to narrow.
-double strain_over_load(const Fabric& fabric, Vec2 grain, double along, double across, double h,
+double strain_over_load(const material::Fabric& fabric, Vec2 grain, double along, double across, double h,
                         double rate) {
   constexpr double kHeight = 0.3, kLow = 0.08, kHigh = 0.22;
   const test::Strip strip = test::make_strip({0, 45}, 1e3 * kHeight, h, grain, fabric);
   const double stiffness = along - fabric.stretch_coupling * fabric.stretch_coupling / across;
   const double weight = fabric.areal_mass * kGravity;
   std::vector<Vec3> x;
-  std::vector<HeldVertex> held;
+  std::vector<solver::constraints::HeldVertex> held;
   for (const Vec2& p : strip.rest) {  // starts stretched by half of what is expected: it has to move
     const double y = p.y - kHeight, moved = 0.25 * weight * (p.y * p.y - kHeight * kHeight) / stiffness;
     x.push_back({p.x, y + moved, 0});
     if (p.y > kHeight - 1e-4) held.push_back({static_cast<Index>(x.size()) - 1, false, x.back()});
   }
-  ClothSolver solver(strip.model, x, {}, 1 / rate);
+  solver::ClothSolver solver(strip.model, x, {}, 1 / rate);
   solver.set_holds(held);
   run(solver, 20, 0.6);
   // Displacement against height: a parabola's mean slope between the heights, by least squares over the rows.
@@ -89,18 +89,18 @@ double catenary_parameter(double span, double length) {
 
 TEST(HungStrip, HangsBetweenTwoHandsInACatenary) {
   constexpr double kSpan = 0.3, kLength = 0.4, kWidth = 0.03;
-  Fabric fabric;
+  material::Fabric fabric;
   fabric.bend_warp = fabric.bend_weft = fabric.bend_bias = 2e-9;  // a chain has none
   const test::Strip strip = test::make_strip({0, 1e3 * kLength}, 1e3 * kWidth, 0.01, {1, 0}, fabric);
   std::vector<Vec3> x;
-  std::vector<HeldVertex> held;
+  std::vector<solver::constraints::HeldVertex> held;
   const double down = std::sqrt(kLength * kLength - kSpan * kSpan) / kLength;  // starts as a V
   for (const Vec2& p : strip.rest) {
     x.push_back({p.x * kSpan / kLength, -down * std::min(p.x, kLength - p.x), p.y});
     if (p.x < 1e-6 || p.x > kLength - 1e-6)
       held.push_back({static_cast<Index>(x.size()) - 1, false, x.back()});
   }
-  ClothSolver solver(strip.model, x, {}, 1.0 / 4500);
+  solver::ClothSolver solver(strip.model, x, {}, 1.0 / 4500);
   solver.set_holds(held);
   run(solver, 8, 1.5);
   const double a = catenary_parameter(kSpan, kLength), end = a * std::cosh(kSpan / (2 * a));

@@ -13,29 +13,29 @@ constexpr double kGravity = 9.81;
 /// A strip of `height` metres hung by its upper edge, the warp upright, at rest shape.
 struct Hung {
   test::Strip strip;
-  ClothSolver solver;
+  solver::ClothSolver solver;
 };
 
-Hung hang(const Fabric& fabric, double width, double height, double h, double rate) {
+Hung hang(const material::Fabric& fabric, double width, double height, double h, double rate) {
   test::Strip strip = test::make_strip({0, 1e3 * width}, 1e3 * height, h, {0, 1}, fabric);
   std::vector<Vec3> x;
-  std::vector<HeldVertex> held;
+  std::vector<solver::constraints::HeldVertex> held;
   for (const Vec2& p : strip.rest) {
     x.push_back({p.x, p.y - height, 0});
     if (p.y > height - 1e-4) held.push_back({static_cast<Index>(x.size()) - 1, false, x.back()});
   }
-  ClothSolver solver(strip.model, x, {}, 1 / rate);
+  solver::ClothSolver solver(strip.model, x, {}, 1 / rate);
   solver.set_holds(held);
   return {std::move(strip), std::move(solver)};
 }
 
-void run(ClothSolver& solver, double seconds) {
-  StepForces forces;
+void run(solver::ClothSolver& solver, double seconds) {
+  solver::StepForces forces;
   forces.damping = 20;
   for (int i = 0; i < seconds / solver.time_step(); ++i) solver.step(forces);
 }
 
-double largest_speed(const ClothSolver& solver) {
+double largest_speed(const solver::ClothSolver& solver) {
   double most = 0;
   for (const Vec3& v : solver.velocities()) most = std::max(most, length(v));
   return most;
@@ -47,8 +47,8 @@ struct Extent {
 };
 Extent strains(const Hung& hung, int which) {
   Extent extent;
-  for (const MembraneTriangle& t : make_membrane(hung.strip.model)) {
-    const Vec3 strain = membrane_strain(t, hung.solver.positions());
+  for (const solver::constraints::MembraneTriangle& t : solver::constraints::make_membrane(hung.strip.model)) {
+    const Vec3 strain = solver::constraints::membrane_strain(t, hung.solver.positions());
     const double s = which == 0 ? strain.x : which == 1 ? strain.y : strain.z;
     extent = {std::min(extent.least, s), std::max(extent.most, s)};
   }
@@ -56,7 +56,7 @@ Extent strains(const Hung& hung, int which) {
 }
 
 TEST(Membrane, HangsSmoothHoweverMuchSofterItsShearIs) {
-  Fabric fabric;  // of a real cotton but for the least shear that was measured
+  material::Fabric fabric;  // of a real cotton but for the least shear that was measured
   fabric.stretch_coupling = 10;
   fabric.stretch_shear = 3;
   Hung hung = hang(fabric, 0.1, 0.15, 0.01, 3000);
@@ -67,7 +67,7 @@ TEST(Membrane, HangsSmoothHoweverMuchSofterItsShearIs) {
 }
 
 TEST(Membrane, HangsSmoothHoweverMuchSofterItsWeftIs) {
-  Fabric fabric;
+  material::Fabric fabric;
   fabric.stretch_weft = 5;
   fabric.stretch_coupling = 0;
   Hung hung = hang(fabric, 0.1, 0.15, 0.01, 3000);
@@ -77,8 +77,8 @@ TEST(Membrane, HangsSmoothHoweverMuchSofterItsWeftIs) {
   EXPECT_GT(strains(hung, 1).least, -0.01);
 }
 
-Fabric heavy_knit() {
-  Fabric fabric;
+material::Fabric heavy_knit() {
+  material::Fabric fabric;
   fabric.areal_mass = 4;
   fabric.stretch_warp = 40;
   fabric.stretch_weft = 25;
@@ -88,7 +88,7 @@ Fabric heavy_knit() {
 }
 
 TEST(MembraneLimit, AStripLoadedBeyondItStretchesByHardlyMore) {
-  Fabric fabric = heavy_knit();
+  material::Fabric fabric = heavy_knit();
   Hung without = hang(fabric, 0.05, 0.3, 0.01, 3000);
   run(without.solver, 0.6);
   EXPECT_GT(strains(without, 1).most, 0.25) << "the load asks for more than the limit";
@@ -107,7 +107,7 @@ struct SprungBack {
   double fastest = 0, strain = 0;
 };
 SprungBack spring_back(Vec2 weft, Vec2 warp) {
-  Fabric fabric;
+  material::Fabric fabric;
   fabric.limit_warp = fabric.limit_weft = 0.04;
   fabric.limit_shear = 0.1;
   test::Strip strip = test::make_strip({0, 60}, 60, 0.01, {0, 1}, fabric);
@@ -116,8 +116,8 @@ SprungBack spring_back(Vec2 weft, Vec2 warp) {
     const Vec2 q = weft * (p.x - 0.03) + warp * (p.y - 0.03);
     x.push_back({q.x, q.y, 1e-4 * std::sin(300 * p.x)});
   }
-  Hung sheet{strip, ClothSolver(strip.model, x, {}, 1.0 / 3000)};
-  StepForces forces;
+  Hung sheet{strip, solver::ClothSolver(strip.model, x, {}, 1.0 / 3000)};
+  solver::StepForces forces;
   forces.gravity = 0;
   forces.damping = 20;
   SprungBack result;
@@ -144,7 +144,7 @@ TEST(MembraneLimit, ClothTornOutFarBeyondItComesBack) {
 }
 
 TEST(MembraneLimit, DoesNothingBelowItself) {
-  Fabric fabric = heavy_knit();
+  material::Fabric fabric = heavy_knit();
   Hung without = hang(fabric, 0.05, 0.1, 0.01, 3000);
   run(without.solver, 0.3);
   fabric.limit_warp = 0.5;
@@ -159,16 +159,16 @@ TEST(MembraneLimit, DoesNothingBelowItself) {
 /// How far one pass moves a triangle's corners back along n (weft, warp; of length 1), when it has been drawn
 /// out (or pushed together) by `strain` along n. It is so soft in so short a step that this is its force.
 double answer_to(double strain, double limit, Vec2 n = {1, 0}) {
-  Fabric fabric;
+  material::Fabric fabric;
   fabric.stretch_coupling = 0;
   fabric.limit_weft = limit;
-  ClothModel model;
+  solver::ClothModel model;
   model.fabrics = {fabric};
   model.triangles = {{0, 1, 2}};
   model.rest = {{Vec2{0, 0}, Vec2{0.01, 0}, Vec2{0, 0.01}}};
   model.fabric_of_triangle = {0};
   model.mass.assign(3, 1e-5);
-  MembranePass membrane(model);
+  solver::lanes::MembranePass membrane(model);
   membrane.prepare(std::vector<double>(3, 1e5), 1e-6);
   std::vector<Vec3> x;
   for (const Vec2& p : model.rest[0]) {
@@ -198,7 +198,7 @@ TEST(Membrane, BuckledItIsSoftAlongEitherThreadAndOnTheBias) {
 }
 
 TEST(Membrane, BucklesUnderEulersLoadOfItsOwnSize) {
-  const Fabric fabric;  // as in answer_to, of triangles of 0.5 cm²: as wide as equilateral ones of this edge
+  const material::Fabric fabric;  // as in answer_to, of triangles of 0.5 cm²: as wide as equilateral ones of this edge
   const double edge2 = 4 * 0.5e-4 / std::sqrt(3.0), pi = std::acos(-1.0);
   const double strain = pi * pi * fabric.bend_warp / edge2 / fabric.stretch_weft;
   EXPECT_NEAR(answer_to(-0.9 * strain, 0) / answer_to(0.9 * strain, 0), -1, 0.01) << "stiff before";

@@ -20,25 +20,25 @@ Vec3 sum_of(const std::vector<Vec3>& forces) {
 }
 
 TEST(Pressure, ABoxHasItsVolume) {
-  const PressureChamber chamber = make_chamber(box_skin(), 8, 100, 0);
+  const solver::constraints::PressureChamber chamber = solver::constraints::make_chamber(box_skin(), 8, 100, 0);
   EXPECT_TRUE(chamber.openings.empty());
-  EXPECT_NEAR(volume_of(chamber, kBox), 30, 1e-9);
+  EXPECT_NEAR(solver::constraints::volume_of(chamber, kBox), 30, 1e-9);
 }
 
 TEST(Pressure, APieceThatWindsTheOtherWayIsTurned) {
   std::vector<Tri> skin = box_skin();
   for (std::size_t t = 4; t < 9; ++t) std::swap(skin[t][0], skin[t][1]);
-  EXPECT_NEAR(volume_of(make_chamber(skin, 8, 100, 0), kBox), 30, 1e-9);
+  EXPECT_NEAR(solver::constraints::volume_of(solver::constraints::make_chamber(skin, 8, 100, 0), kBox), 30, 1e-9);
 }
 
 TEST(Pressure, AnOpenBoxIsCappedAndItsForcesCancel) {
   std::vector<Tri> skin = box_skin();
   skin.resize(10);  // without its lid
-  const PressureChamber chamber = make_chamber(skin, 8, 100, 0);
+  const solver::constraints::PressureChamber chamber = solver::constraints::make_chamber(skin, 8, 100, 0);
   ASSERT_EQ(chamber.openings.size(), 1u);
-  EXPECT_NEAR(volume_of(chamber, kBox), 30, 1e-9);
+  EXPECT_NEAR(solver::constraints::volume_of(chamber, kBox), 30, 1e-9);
   std::vector<Vec3> forces(8);
-  add_pressure(chamber, 100, kBox, forces);
+  solver::constraints::add_pressure(chamber, 100, kBox, forces);
   EXPECT_LT(length(sum_of(forces)), 1e-9);
   EXPECT_GT(length(forces[0]), 100);
 }
@@ -46,27 +46,27 @@ TEST(Pressure, AnOpenBoxIsCappedAndItsForcesCancel) {
 TEST(Pressure, ForcesArePressureTimesTheVolumesGradient) {
   std::vector<Tri> skin = box_skin();
   skin.resize(11);  // an opening of three corners
-  const PressureChamber chamber = make_chamber(skin, 8, 100, 0);
+  const solver::constraints::PressureChamber chamber = solver::constraints::make_chamber(skin, 8, 100, 0);
   std::vector<Vec3> forces(8);
-  add_pressure(chamber, 7, kBox, forces);
+  solver::constraints::add_pressure(chamber, 7, kBox, forces);
   for (std::size_t i = 0; i < 8; ++i) {
     for (const Vec3 d : {Vec3{1e-4, 0, 0}, Vec3{0, 1e-4, 0}, Vec3{0, 0, 1e-4}}) {
       std::vector<Vec3> more = kBox, less = kBox;
       more[i] += d;
       less[i] -= d;
-      const double gradient = (volume_of(chamber, more) - volume_of(chamber, less)) / 2e-4;
+      const double gradient = (solver::constraints::volume_of(chamber, more) - solver::constraints::volume_of(chamber, less)) / 2e-4;
       EXPECT_NEAR(dot(forces[i], d) * 1e4, 7 * gradient, 1e-6);
     }
   }
 }
 
 TEST(Pressure, AFixedAmountOfAirKeepsPressureTimesVolume) {
-  const PressureChamber chamber = make_chamber(box_skin(), 8, 100, 30);
-  EXPECT_NEAR(pressure_at(chamber, 30), 100, 1e-9);
-  EXPECT_NEAR(pressure_at(chamber, 60), 50, 1e-9);
-  EXPECT_NEAR(pressure_at(chamber, 20), 150, 1e-9);
-  EXPECT_NEAR(pressure_at(chamber, 0), 400, 1e-9) << "flat: filled, not blown up";
-  EXPECT_NEAR(pressure_at(make_chamber(box_skin(), 8, 100, 0), 1), 100, 1e-9) << "pumped";
+  const solver::constraints::PressureChamber chamber = solver::constraints::make_chamber(box_skin(), 8, 100, 30);
+  EXPECT_NEAR(solver::constraints::pressure_at(chamber, 30), 100, 1e-9);
+  EXPECT_NEAR(solver::constraints::pressure_at(chamber, 60), 50, 1e-9);
+  EXPECT_NEAR(solver::constraints::pressure_at(chamber, 20), 150, 1e-9);
+  EXPECT_NEAR(solver::constraints::pressure_at(chamber, 0), 400, 1e-9) << "flat: filled, not blown up";
+  EXPECT_NEAR(solver::constraints::pressure_at(solver::constraints::make_chamber(box_skin(), 8, 100, 0), 1), 100, 1e-9) << "pumped";
 }
 
 }  // namespace

@@ -13,9 +13,9 @@ namespace {
 constexpr double kStep = 1.0 / 3000;
 constexpr double kDrop = 0.05;  // m
 
-Obstacle floor_of(double restitution) {
+collision::Obstacle floor_of(double restitution) {
   const std::vector<Vec3> x{{-1, 0, -1}, {1, 0, -1}, {-1, 0, 1}, {1, 0, 1}};
-  return make_obstacle(x, std::vector<Tri>{{0, 2, 1}, {1, 2, 3}}, 0.4, 1e-3, restitution);
+  return collision::make_obstacle(x, std::vector<Tri>{{0, 2, 1}, {1, 2, 3}}, 0.4, 1e-3, restitution);
 }
 
 std::vector<Vec3> lying(const test::Strip& strip, double y) {
@@ -38,10 +38,10 @@ struct Fall {
 };
 
 Fall fall(double restitution, double seconds, double factor = 1) {
-  const test::Strip strip = test::make_strip({0, 100}, 100, 0.02, {0, 1}, Fabric{});
-  const std::vector<Obstacle> obstacles{floor_of(restitution)};
-  ClothSolver solver(strip.model, lying(strip, kDrop + 1e-3), obstacles, kStep);
-  StepForces forces;
+  const test::Strip strip = test::make_strip({0, 100}, 100, 0.02, {0, 1}, material::Fabric{});
+  const std::vector<collision::Obstacle> obstacles{floor_of(restitution)};
+  solver::ClothSolver solver(strip.model, lying(strip, kDrop + 1e-3), obstacles, kStep);
+  solver::StepForces forces;
   forces.damping = 0;
   forces.restitution = factor;
   Fall out;
@@ -84,32 +84,32 @@ TEST(Bounce, ComesToRestInTheEnd) {
 TEST(Bounce, CanBeTurnedOffForAStep) { EXPECT_EQ(fall(1, 0.2, 0).end, fall(0, 0.2).end); }
 
 TEST(Bounce, ThrowsBackOnlyWhatStrikesAtSpeed) {
-  Contact c;
+  collision::Contact c;
   c.count = 1;
   c.v[0] = 0;
   c.w[0] = 1;
   c.n = {0, 1, 0};
   c.rest = 1e-3;
   c.restitution = 0.5;
-  const std::vector<Contact> contacts{c};
+  const std::vector<collision::Contact> contacts{c};
   const std::vector<double> inverse_mass{2.0};
   const std::vector<Vec3> near{{0, 0.5e-3, 0}}, far{{0, 2e-3, 0}};
-  const std::vector<Vec3> fast{{3, -1, 0}}, slow{{3, -0.9 * kLeastImpact, 0}}, away{{0, 1, 0}};
-  EXPECT_EQ(find_impacts(contacts, 1, near, fast).size(), 1u);
-  EXPECT_TRUE(find_impacts(contacts, 1, far, fast).empty()) << "it is not there yet";
-  EXPECT_TRUE(find_impacts(contacts, 1, near, slow).empty());
-  EXPECT_TRUE(find_impacts(contacts, 1, near, away).empty());
-  EXPECT_TRUE(find_impacts(contacts, 0, near, fast).empty());
+  const std::vector<Vec3> fast{{3, -1, 0}}, slow{{3, -0.9 * solver::constraints::kLeastImpact, 0}}, away{{0, 1, 0}};
+  EXPECT_EQ(solver::constraints::find_impacts(contacts, 1, near, fast).size(), 1u);
+  EXPECT_TRUE(solver::constraints::find_impacts(contacts, 1, far, fast).empty()) << "it is not there yet";
+  EXPECT_TRUE(solver::constraints::find_impacts(contacts, 1, near, slow).empty());
+  EXPECT_TRUE(solver::constraints::find_impacts(contacts, 1, near, away).empty());
+  EXPECT_TRUE(solver::constraints::find_impacts(contacts, 0, near, fast).empty());
   std::vector<Vec3> after{{3, 0, 0}};
-  const std::vector<Impact> impacts = find_impacts(contacts, 1, near, fast);
-  give_back(impacts, inverse_mass, after);
+  const std::vector<solver::constraints::Impact> impacts = solver::constraints::find_impacts(contacts, 1, near, fast);
+  solver::constraints::give_back(impacts, inverse_mass, after);
   EXPECT_EQ(after[0], (Vec3{3, 0.5, 0})) << "along the normal, whatever it weighs";
-  give_back(impacts, inverse_mass, after);
+  solver::constraints::give_back(impacts, inverse_mass, after);
   EXPECT_EQ(after[0], (Vec3{3, 0.5, 0})) << "not twice";
 }
 
 TEST(Bounce, GivesALayersPartsTheirShares) {
-  Contact c;  // the middle of an edge between a light and a held vertex
+  collision::Contact c;  // the middle of an edge between a light and a held vertex
   c.count = 2;
   c.v[0] = 0;
   c.v[1] = 1;
@@ -118,7 +118,7 @@ TEST(Bounce, GivesALayersPartsTheirShares) {
   c.rest = 1e-3;
   c.restitution = 1;
   std::vector<Vec3> after(2);
-  give_back(std::vector<Impact>{{&c, 1.0}}, std::vector<double>{1.0, 0.0}, after);
+  solver::constraints::give_back(std::vector<solver::constraints::Impact>{{&c, 1.0}}, std::vector<double>{1.0, 0.0}, after);
   EXPECT_NEAR(0.5 * after[0].y + 0.5 * after[1].y, 1, 1e-12);
   EXPECT_EQ(after[1], Vec3{}) << "a held vertex is not thrown";
 }

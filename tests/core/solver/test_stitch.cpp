@@ -10,7 +10,7 @@ constexpr double kStep = 1e-3;  // s
 /// Where three seams meet: a heavy vertex near the middle, light ones around it.
 const std::vector<Vec3> kApart{{0, 0, 0}, {0.1, 0, 0}, {0, 0.02, 0}, {0, 0, -0.3}};
 const std::vector<double> kInverseMass{1e3, 1e5, 4e4, 2e5};
-const std::vector<Stitch> kMeeting{{0, 1, 0.1, 0.5}, {0, 2, 0.02, 0.5}, {2, 3, 0.3, 0.5}};
+const std::vector<solver::constraints::Stitch> kMeeting{{0, 1, 0.1, 0.5}, {0, 2, 0.02, 0.5}, {2, 3, 0.3, 0.5}};
 
 Vec3 momentum(const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
   Vec3 sum;
@@ -19,17 +19,17 @@ Vec3 momentum(const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
 }
 
 TEST(Stitch, AGroupThatClosesDoesNotPushTheGarmentAway) {
-  const auto groups = stitch_groups(kMeeting, 4);
+  const auto groups = solver::constraints::stitch_groups(kMeeting, 4);
   ASSERT_EQ(groups.size(), 1u);
   std::vector<Vec3> x = kApart;
-  close_groups(groups, kInverseMass, kStep, x);
+  solver::constraints::close_groups(groups, kInverseMass, kStep, x);
   EXPECT_NE(x, kApart);
   EXPECT_NEAR(length(momentum(kApart, x)), 0, 1e-12);
 }
 
 TEST(Stitch, NoVertexOfAGroupIsPulledHarderThanAThreadMay) {
   std::vector<Vec3> x = kApart;
-  close_groups(stitch_groups(kMeeting, 4), kInverseMass, kStep, x);
+  solver::constraints::close_groups(solver::constraints::stitch_groups(kMeeting, 4), kInverseMass, kStep, x);
   for (std::size_t v = 0; v < x.size(); ++v) {
     EXPECT_LE(length(x[v] - kApart[v]) / kInverseMass[v], 0.5 * kStep * kStep * (1 + 1e-9)) << v;
   }
@@ -39,7 +39,7 @@ TEST(Stitch, AGroupClosesAndComesToAVertexThatIsHeld) {
   std::vector<double> w = kInverseMass;
   w[2] = 0;
   std::vector<Vec3> x = kApart;
-  for (int k = 0; k < 2000; ++k) close_groups(stitch_groups(kMeeting, 4), w, kStep, x);
+  for (int k = 0; k < 2000; ++k) solver::constraints::close_groups(solver::constraints::stitch_groups(kMeeting, 4), w, kStep, x);
   for (const Vec3& p : x) EXPECT_LT(length(p - kApart[2]), 1e-5);
 }
 

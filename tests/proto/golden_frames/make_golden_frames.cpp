@@ -21,22 +21,22 @@ namespace toile {
 namespace {
 
 using Numbers = std::vector<std::int16_t>;
-using Members = std::vector<JsonMember>;
-using Elements = std::vector<JsonValue>;
+using Members = std::vector<json::JsonMember>;
+using Elements = std::vector<json::JsonValue>;
 
 struct FrameCase {
   std::string name;
   bool key = true;
-  FrameHeader header;
+  proto::FrameHeader header;
   Numbers before, grid;
 };
 
 struct TopologyCase {
   std::string name;
   std::uint32_t epoch = 1;
-  FrameGrid grid;
-  GarmentMesh garment;
-  std::vector<StreamPiece> pieces;
+  proto::FrameGrid grid;
+  sewing::GarmentMesh garment;
+  std::vector<proto::StreamPiece> pieces;
 };
 
 /// A message that must be refused.
@@ -141,9 +141,9 @@ std::string patched(std::string bytes, std::size_t at, const std::string& by) {
 }
 
 std::string bytes_of(const FrameCase& c) {
-  return c.key ? encode_key(c.header, c.grid) : encode_delta(c.header, c.grid, c.before);
+  return c.key ? proto::encode_key(c.header, c.grid) : proto::encode_delta(c.header, c.grid, c.before);
 }
-std::string bytes_of(const TopologyCase& c) { return encode_topology(c.epoch, c.grid, c.garment, c.pieces); }
+std::string bytes_of(const TopologyCase& c) { return proto::encode_topology(c.epoch, c.grid, c.garment, c.pieces); }
 
 std::vector<RefusedCase> refused_frames() {
   const auto cases = frame_cases();
@@ -208,27 +208,27 @@ std::vector<RefusedCase> refused_topologies() {
 }
 
 template <typename Sequence>
-JsonValue list_of(const Sequence& numbers) {
+json::JsonValue list_of(const Sequence& numbers) {
   Elements elements;
   for (const auto number : numbers) elements.emplace_back(static_cast<double>(number));
   return elements;
 }
 
-JsonValue number(double value) { return JsonValue(value); }
+json::JsonValue number(double value) { return json::JsonValue(value); }
 
-JsonValue json_of(const FrameCase& c) {
+json::JsonValue json_of(const FrameCase& c) {
   return Members{{"file", c.name + ".bin"},         {"key", c.key},
                  {"epoch", number(c.header.epoch)}, {"seq", number(c.header.seq)},
                  {"step", number(c.header.step)},   {"time", number(c.header.time)},
                  {"before", list_of(c.before)},     {"grid", list_of(c.grid)}};
 }
 
-JsonValue json_of(const TopologyCase& c) {
+json::JsonValue json_of(const TopologyCase& c) {
   Elements rest, triangles, sewn, pieces;
   for (const Vec2& p : c.garment.rest) rest.push_back(list_of(std::vector{p.x, p.y}));
   for (const Tri& t : c.garment.triangles) triangles.push_back(list_of(t));
   for (const auto& pair : c.garment.sewn) sewn.push_back(list_of(pair));
-  for (const StreamPiece& p : c.pieces) {
+  for (const proto::StreamPiece& p : c.pieces) {
     pieces.emplace_back(Members{{"id", p.id},
                                 {"first_vertex", number(p.first_vertex)},
                                 {"vertex_count", number(p.vertex_count)},
@@ -244,7 +244,7 @@ JsonValue json_of(const TopologyCase& c) {
                  {"sewn", sewn}};
 }
 
-JsonValue json_of(const RefusedCase& c) {
+json::JsonValue json_of(const RefusedCase& c) {
   std::string hex;
   for (const char byte : c.bytes) {
     for (const int nibble : {(byte >> 4) & 15, byte & 15}) hex += "0123456789abcdef"[nibble];
@@ -260,7 +260,7 @@ template <typename Case>
 std::string json_list(const std::string& name, const std::vector<Case>& cases) {
   std::string text = "  \"" + name + "\": [";
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    text += (i == 0 ? "\n    " : ",\n    ") + write_json_line(json_of(cases[i]));
+    text += (i == 0 ? "\n    " : ",\n    ") + json::write_json_line(json_of(cases[i]));
   }
   return text + "\n  ]";
 }

@@ -16,15 +16,15 @@ inline std::string kept_schema(const std::string& name) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-inline void expect_kept(const std::string& name, const JsonValue& made) {
-  EXPECT_TRUE(kept_schema(name) == write_json(made))
+inline void expect_kept(const std::string& name, const json::JsonValue& made) {
+  EXPECT_TRUE(kept_schema(name) == json::write_json(made))
       << "proto/schema/" << name << " is not what the fields say; to write it anew: ninja -C build/release "
       << "make_schemas && build/release/make_schemas proto/schema, then npm run generate in web";
 }
 
 /// The definition to which a reference leads within the same file, or the schema itself.
-inline const JsonValue& resolved(const JsonValue& root, const JsonValue& schema) {
-  const JsonValue* reference = schema.find("$ref");
+inline const json::JsonValue& resolved(const json::JsonValue& root, const json::JsonValue& schema) {
+  const json::JsonValue* reference = schema.find("$ref");
   if (!reference) return schema;
   const std::string& text = *reference->text();
   return *root.find("$defs")->find(text.substr(text.rfind('/') + 1));

@@ -13,12 +13,12 @@ int main(int count, char** arguments) {
     return 2;
   }
   const std::filesystem::path folder = arguments[1];
-  const std::pair<const char*, toile::JsonValue> files[] = {
-      {"project.schema.json", toile::project_schema()},
-      {"edit.schema.json", toile::edit_schema()},
+  const std::pair<const char*, toile::json::JsonValue> files[] = {
+      {"project.schema.json", toile::project::project_schema()},
+      {"edit.schema.json", toile::editing::edit_schema()},
   };
   for (const auto& [name, schema] : files) {
-    const toile::Status written = toile::write_file(folder / name, toile::write_json(schema));
+    const toile::Status written = toile::write_file(folder / name, toile::json::write_json(schema));
     if (written) continue;
     std::fprintf(stderr, "%s\n", toile::to_string(written.error()).c_str());
     return 1;

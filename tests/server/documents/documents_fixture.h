@@ -53,29 +53,29 @@ inline std::string cloth_document(const std::string& from = "", const std::strin
 class OpenedDocuments {
  public:
   explicit OpenedDocuments(const std::string& folder)
-      : store_(opened(folder)), documents_(std::make_unique<Documents>(*store_)) {}
+      : store_(opened(folder)), documents_(std::make_unique<documents::Documents>(*store_)) {}
 
-  Documents& documents() const { return *documents_; }
-  Store* operator->() const { return store_.get(); }
+  documents::Documents& documents() const { return *documents_; }
+  store::Store* operator->() const { return store_.get(); }
   void reset() {
     documents_.reset();
     store_.reset();
   }
 
  private:
-  std::unique_ptr<Store> store_;
-  std::unique_ptr<Documents> documents_;  // goes first when this is destroyed
+  std::unique_ptr<store::Store> store_;
+  std::unique_ptr<documents::Documents> documents_;  // goes first when this is destroyed
 };
 
 inline OpenedDocuments opened_documents(const std::string& folder) { return OpenedDocuments(folder); }
 
 /// A store with the two files uploaded.
 struct ClothStore {
-  TemporaryFolder folder;
+  jobs::TemporaryFolder folder;
   OpenedDocuments store = opened_documents(folder.path());
-  std::string dxf = add_asset(store.documents(), kMe, "dxf", "cloth.dxf", cloth_dxf())->id;
-  std::string body = add_asset(store.documents(), kMe, "body", "post.obj", kPostObj)->id;
-  ProjectFileMap files{{"cut/cloth.dxf", dxf}, {"post.obj", body}};
+  std::string dxf = documents::add_asset(store.documents(), kMe, "dxf", "cloth.dxf", cloth_dxf())->id;
+  std::string body = documents::add_asset(store.documents(), kMe, "body", "post.obj", kPostObj)->id;
+  documents::ProjectFileMap files{{"cut/cloth.dxf", dxf}, {"post.obj", body}};
 };
 
 }  // namespace toile

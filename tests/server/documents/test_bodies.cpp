@@ -13,14 +13,14 @@ namespace {
 
 constexpr std::size_t kPostBytes = 8 * sizeof(Vec3) + 12 * sizeof(Tri);
 
-AssetRow body(const OpenedDocuments& store, const std::string& name) {
-  return *add_asset(store.documents(), kMe, "body", name, kPostObj);
+store::AssetRow body(const OpenedDocuments& store, const std::string& name) {
+  return *documents::add_asset(store.documents(), kMe, "body", name, kPostObj);
 }
 
 TEST(BodyCache, ReadsABodyOnceForEachSetting) {
-  const TemporaryFolder folder;
+  const jobs::TemporaryFolder folder;
   const auto store = opened_documents(folder.path());
-  BodyCache cache(10 * kPostBytes);
+  documents::BodyCache cache(10 * kPostBytes);
   const std::string id = body(store, "a.obj").id;
   const auto first = cache.mesh(store.documents().store(), kMe, id, {});
   const auto again = cache.mesh(store.documents().store(), kMe, id, {});
@@ -34,9 +34,9 @@ TEST(BodyCache, ReadsABodyOnceForEachSetting) {
 }
 
 TEST(BodyCache, LetsGoOfWhatWasUsedLongestAgo) {
-  const TemporaryFolder folder;
+  const jobs::TemporaryFolder folder;
   const auto store = opened_documents(folder.path());
-  BodyCache cache(2 * kPostBytes);
+  documents::BodyCache cache(2 * kPostBytes);
   const std::string a = body(store, "a.obj").id, b = body(store, "b.obj").id, c = body(store, "c.obj").id;
   const auto first_a = *cache.mesh(store.documents().store(), kMe, a, {});
   const auto first_b = *cache.mesh(store.documents().store(), kMe, b, {});
@@ -48,26 +48,26 @@ TEST(BodyCache, LetsGoOfWhatWasUsedLongestAgo) {
 }
 
 TEST(BodyCache, HoldsNothingThatIsLargerThanItself) {
-  const TemporaryFolder folder;
+  const jobs::TemporaryFolder folder;
   const auto store = opened_documents(folder.path());
-  BodyCache cache(kPostBytes - 1);
+  documents::BodyCache cache(kPostBytes - 1);
   EXPECT_TRUE(cache.mesh(store.documents().store(), kMe, body(store, "a.obj").id, {}));
   EXPECT_EQ(cache.bytes(), 0u);
 }
 
 TEST(BodyCache, GivesNobodyAnothersBody) {
-  const TemporaryFolder folder;
+  const jobs::TemporaryFolder folder;
   const auto store = opened_documents(folder.path());
-  BodyCache cache(10 * kPostBytes);
+  documents::BodyCache cache(10 * kPostBytes);
   const std::string id = body(store, "a.obj").id;
   ASSERT_TRUE(cache.mesh(store.documents().store(), kMe, id, {}));
   EXPECT_EQ(code_of(cache.mesh(store.documents().store(), kStranger, id, {})), "store.not_found");
 }
 
 TEST(BodyCache, ServesManyThreads) {
-  const TemporaryFolder folder;
+  const jobs::TemporaryFolder folder;
   const auto store = opened_documents(folder.path());
-  BodyCache cache(2 * kPostBytes);
+  documents::BodyCache cache(2 * kPostBytes);
   const std::vector<std::string> ids{body(store, "a.obj").id, body(store, "b.obj").id,
                                      body(store, "c.obj").id};
   std::atomic<int> faults{0};

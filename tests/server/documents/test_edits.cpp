@@ -13,20 +13,20 @@
 namespace toile {
 namespace {
 
-JsonValue json(const std::string& text) { return parse_json(text).value(); }
+json::JsonValue json(const std::string& text) { return json::parse_json(text).value(); }
 
 constexpr const char* kWider = R"([{"edit": "move_point", "piece": "cloth", "edge": "e1", "point": 1,
                                    "to": [310, 310]}])";
 constexpr const char* kRename = R"([{"edit": "rename_piece", "piece": "cloth", "to": "napkin"}])";
 
 struct EditedCloth : ClothStore {
-  std::string id = create_project(store.documents(), kMe, kClothDocument, files)->id;
+  std::string id = documents::create_project(store.documents(), kMe, kClothDocument, files)->id;
 
-  Result<ProjectRow> edit(const std::string& edits, int expected = 0) {
-    return edit_project(store.documents(), kMe, id, json(edits), expected);
+  Result<store::ProjectRow> edit(const std::string& edits, int expected = 0) {
+    return documents::edit_project(store.documents(), kMe, id, json(edits), expected);
   }
-  Result<ProjectRow> undo() { return undo_edit(store.documents(), kMe, id, 0); }
-  Result<ProjectRow> redo() { return redo_edit(store.documents(), kMe, id, 0); }
+  Result<store::ProjectRow> undo() { return documents::undo_edit(store.documents(), kMe, id, 0); }
+  Result<store::ProjectRow> redo() { return documents::redo_edit(store.documents(), kMe, id, 0); }
   std::string document() { return store->project(kMe, id)->document; }
 };
 
@@ -66,24 +66,24 @@ TEST(EditsInStore, SurviveARestart) {
 
 TEST(EditsInStore, TheEditedDocumentIsAProjectThatCanBeDraped) {
   EditedCloth at;
-  const Result<ProjectRow> row = at.edit(kWider);
+  const Result<store::ProjectRow> row = at.edit(kWider);
   ASSERT_TRUE(row) << to_string(row.error());
   EXPECT_EQ(row->revision, 2);
-  const Project project = parse_project(row->document).value();
+  const project::Project project = project::parse_project(row->document).value();
   EXPECT_FALSE(project.pieces[0].from);
-  EXPECT_TRUE(resolve_project(project, files_in_store(at.store.documents(), kMe, row->files)));
+  EXPECT_TRUE(resolve::resolve_project(project, documents::files_in_store(at.store.documents(), kMe, row->files)));
 }
 
 TEST(EditsInStore, RefusedEditsChangeNothing) {
   EditedCloth at;
-  const Result<ProjectRow> wrong = at.edit(R"([{"edit": "mirror_piece", "piece": "sleeve"}])");
+  const Result<store::ProjectRow> wrong = at.edit(R"([{"edit": "mirror_piece", "piece": "sleeve"}])");
   ASSERT_FALSE(wrong);
   EXPECT_EQ(wrong.error().code, "edit.unknown_piece");
   EXPECT_EQ(wrong.error().where, "/edits/0: piece sleeve");
   EXPECT_EQ(at.edit(kRename, 7).error().code, "store.conflict");
   EXPECT_EQ(at.store->project(kMe, at.id)->revision, 1);
   EXPECT_EQ(at.document(), kClothDocument);
-  EXPECT_EQ(edit_project(at.store.documents(), kMe, "p_00000000000000000000", json("[]"), 0).error().code,
+  EXPECT_EQ(documents::edit_project(at.store.documents(), kMe, "p_00000000000000000000", json("[]"), 0).error().code,
             "store.not_found");
 }
 
@@ -92,27 +92,27 @@ TEST(EditsInStore, TheHistoryIsListedWithWhatWasDone) {
   ASSERT_TRUE(at.edit(kWider));
   ASSERT_TRUE(at.edit(kRename));
   ASSERT_TRUE(at.undo());
-  const JsonValue first = json(history_json(at.store.documents(), kMe, at.id, 0, 1).value());
+  const json::JsonValue first = json(documents::history_json(at.store.documents(), kMe, at.id, 0, 1).value());
   ASSERT_EQ(first.find("edits")->array()->size(), 1u);
-  const JsonValue& step = first.find("edits")->array()->front();
+  const json::JsonValue& step = first.find("edits")->array()->front();
   EXPECT_EQ(*step.find("number")->number(), 2);
   EXPECT_TRUE(*step.find("undone")->boolean());
-  EXPECT_EQ(write_json_line(*step.find("edits")), write_json_line(json(kRename)));
+  EXPECT_EQ(json::write_json_line(*step.find("edits")), json::write_json_line(json(kRename)));
   EXPECT_EQ(*first.find("next")->text(), "2");
-  const JsonValue rest = json(history_json(at.store.documents(), kMe, at.id, 2, 1).value());
+  const json::JsonValue rest = json(documents::history_json(at.store.documents(), kMe, at.id, 2, 1).value());
   EXPECT_EQ(*rest.find("edits")->array()->front().find("number")->number(), 1);
   EXPECT_EQ(rest.find("next")->text(), nullptr);
 }
 
 TEST(Imports, TellWhatAFileHolds) {
   ClothStore at;
-  const Result<std::string> text = import_pattern(at.store.documents(), kMe, at.dxf, {"mm", ""});
+  const Result<std::string> text = documents::import_pattern(at.store.documents(), kMe, at.dxf, {"mm", ""});
   ASSERT_TRUE(text) << to_string(text.error());
-  const JsonValue report = json(*text);
+  const json::JsonValue report = json(*text);
   EXPECT_EQ(*report.find("asset")->text(), at.dxf);
   EXPECT_EQ(*report.find("unit")->find("name")->text(), "mm");
   ASSERT_EQ(report.find("pieces")->array()->size(), 1u);
-  const JsonValue& piece = report.find("pieces")->array()->front();
+  const json::JsonValue& piece = report.find("pieces")->array()->front();
   EXPECT_EQ(*piece.find("area_mm2")->number(), 90000);
   EXPECT_EQ(*piece.find("from")->find("dxf")->text(), "cloth.dxf");
   EXPECT_EQ(*piece.find("from")->find("piece")->text(), "CLOTH");
@@ -122,22 +122,22 @@ TEST(Imports, TellWhatAFileHolds) {
 
 TEST(Imports, TakeAPersonsWordForTheUnit) {
   ClothStore at;
-  const JsonValue report = json(import_pattern(at.store.documents(), kMe, at.dxf, {"cm", ""}).value());
+  const json::JsonValue report = json(documents::import_pattern(at.store.documents(), kMe, at.dxf, {"cm", ""}).value());
   EXPECT_EQ(*report.find("pieces")->array()->front().find("width_mm")->number(), 3000);
   EXPECT_EQ(*report.find("pieces")->array()->front().find("from")->find("units")->text(), "cm");
 }
 
 TEST(Imports, GiveADocumentThatMakesAProjectOnceItIsSent) {
   ClothStore at;
-  const JsonValue report = json(import_pattern(at.store.documents(), kMe, at.dxf, {"mm", ""}).value());
+  const json::JsonValue report = json(documents::import_pattern(at.store.documents(), kMe, at.dxf, {"mm", ""}).value());
   EXPECT_EQ(*report.find("file")->text(), "cloth.dxf");
-  const std::string document = write_json_line(*report.find("document"));
-  const Result<Project> project = parse_project(document);
+  const std::string document = json::write_json_line(*report.find("document"));
+  const Result<project::Project> project = project::parse_project(document);
   ASSERT_TRUE(project) << to_string(project.error());
   EXPECT_TRUE(project->seams.empty());
   EXPECT_TRUE(project->bodies.front().mannequin);
   EXPECT_EQ(project->name, "cloth");
-  const auto made = create_project(at.store.documents(), kMe, document, {{"cloth.dxf", at.dxf}});
+  const auto made = documents::create_project(at.store.documents(), kMe, document, {{"cloth.dxf", at.dxf}});
   ASSERT_TRUE(made) << to_string(made.error());
 }
 
@@ -151,49 +151,49 @@ constexpr const char* kTwoSquares = R"({"pattern": {"panels": {
 
 TEST(Imports, TakeASpecificationWithItsSeamsAndPlaces) {
   ClothStore at;
-  const Result<AssetRow> asset =
-      add_asset(at.store.documents(), kMe, "specification", "two.json", kTwoSquares);
+  const Result<store::AssetRow> asset =
+      documents::add_asset(at.store.documents(), kMe, "specification", "two.json", kTwoSquares);
   ASSERT_TRUE(asset) << to_string(asset.error());
   EXPECT_EQ(asset->info, "{\"pieces\": 2, \"seams\": 1}");
-  const Result<std::string> text = import_pattern(at.store.documents(), kMe, asset->id, {});
+  const Result<std::string> text = documents::import_pattern(at.store.documents(), kMe, asset->id, {});
   ASSERT_TRUE(text) << to_string(text.error());
-  const JsonValue report = json(*text);
+  const json::JsonValue report = json(*text);
   ASSERT_EQ(report.find("pieces")->array()->size(), 2u);
   EXPECT_EQ(*report.find("pieces")->array()->front().find("width_mm")->number(), 100);
   EXPECT_EQ(report.find("pieces")->array()->front().find("points")->array()->size(), 4u);
   ASSERT_EQ(report.find("seams")->array()->size(), 1u);
   EXPECT_EQ(*report.find("seams")->array()->front().find("confidence")->number(), 1);
-  const auto made = create_project(at.store.documents(), kMe, write_json_line(*report.find("document")), {});
+  const auto made = documents::create_project(at.store.documents(), kMe, json::write_json_line(*report.find("document")), {});
   ASSERT_TRUE(made) << to_string(made.error());
-  EXPECT_EQ(import_pattern(at.store.documents(), kMe, asset->id, {"mm", ""}).error().code, "documents.unit");
-  EXPECT_EQ(import_pattern(at.store.documents(), kMe, asset->id, {"", "42"}).error().code, "documents.size");
-  EXPECT_EQ(add_asset(at.store.documents(), kMe, "specification", "no.json", "{}").error().code,
+  EXPECT_EQ(documents::import_pattern(at.store.documents(), kMe, asset->id, {"mm", ""}).error().code, "documents.unit");
+  EXPECT_EQ(documents::import_pattern(at.store.documents(), kMe, asset->id, {"", "42"}).error().code, "documents.size");
+  EXPECT_EQ(documents::add_asset(at.store.documents(), kMe, "specification", "no.json", "{}").error().code,
             "garmentcode.missing");
 }
 
 TEST(Views, ShowCurvesLengthsAndWhatIsWrongWithSeams) {
   ClothStore at;
-  const AssetRow asset =
-      add_asset(at.store.documents(), kMe, "specification", "two.json", kTwoSquares).value();
-  const JsonValue report = json(import_pattern(at.store.documents(), kMe, asset.id, {}).value());
+  const store::AssetRow asset =
+      documents::add_asset(at.store.documents(), kMe, "specification", "two.json", kTwoSquares).value();
+  const json::JsonValue report = json(documents::import_pattern(at.store.documents(), kMe, asset.id, {}).value());
   const std::string id =
-      create_project(at.store.documents(), kMe, write_json_line(*report.find("document")), {})->id;
+      documents::create_project(at.store.documents(), kMe, json::write_json_line(*report.find("document")), {})->id;
   const auto seam = [&](const std::string& edge) {
     return json(R"([{"edit": "add_seam", "id": "s", "a": [{"piece": "left", "edge": "e1"}],
                      "b": [{"piece": "right", "edge": ")" +
                 edge + R"(", "to": 0.25}]}])");
   };
-  ASSERT_TRUE(edit_project(at.store.documents(), kMe, id, seam("e3"), 0));
+  ASSERT_TRUE(documents::edit_project(at.store.documents(), kMe, id, seam("e3"), 0));
   const auto view = [&] {
-    const ProjectRow row = at.store->project(kMe, id).value();
-    return json(pieces_json(row.document, files_in_store(at.store.documents(), kMe, row.files)).value());
+    const store::ProjectRow row = at.store->project(kMe, id).value();
+    return json(documents::pieces_json(row.document, documents::files_in_store(at.store.documents(), kMe, row.files)).value());
   };
-  const JsonValue shown = view();
-  const JsonValue& edge = shown.find("pieces")->array()->front().find("edges")->array()->at(1);
+  const json::JsonValue shown = view();
+  const json::JsonValue& edge = shown.find("pieces")->array()->front().find("edges")->array()->at(1);
   EXPECT_EQ(*edge.find("id")->text(), "e1");
   EXPECT_EQ(*edge.find("length_mm")->number(), 100);
   EXPECT_EQ(edge.find("curves")->array()->front().array()->size(), 4u);
-  const JsonValue& sewn = shown.find("seams")->array()->front();
+  const json::JsonValue& sewn = shown.find("seams")->array()->front();
   EXPECT_EQ(*sewn.find("length_a_mm")->number(), 100);
   EXPECT_EQ(*sewn.find("length_b_mm")->number(), 25);
   ASSERT_EQ(sewn.find("issues")->array()->size(), 1u);
@@ -202,30 +202,30 @@ TEST(Views, ShowCurvesLengthsAndWhatIsWrongWithSeams) {
 
 TEST(Proposals, AreThoseThatNoSeamHasYet) {
   ClothStore at;
-  const AssetRow asset =
-      add_asset(at.store.documents(), kMe, "specification", "two.json", kTwoSquares).value();
-  const JsonValue report = json(import_pattern(at.store.documents(), kMe, asset.id, {}).value());
+  const store::AssetRow asset =
+      documents::add_asset(at.store.documents(), kMe, "specification", "two.json", kTwoSquares).value();
+  const json::JsonValue report = json(documents::import_pattern(at.store.documents(), kMe, asset.id, {}).value());
   const auto proposed = [&] {
-    const std::string document = write_json_line(*report.find("document"));
-    return json(proposals_json(document, files_in_store(at.store.documents(), kMe, {})).value());
+    const std::string document = json::write_json_line(*report.find("document"));
+    return json(documents::proposals_json(document, documents::files_in_store(at.store.documents(), kMe, {})).value());
   };
-  const JsonValue found = proposed();
+  const json::JsonValue found = proposed();
   ASSERT_NE(found.find("proposals")->array(), nullptr);
-  for (const JsonValue& seam : *found.find("proposals")->array()) {
+  for (const json::JsonValue& seam : *found.find("proposals")->array()) {
     EXPECT_GT(*seam.find("confidence")->number(), 0);
     EXPECT_FALSE(seam.find("a")->array()->empty());
   }
-  EXPECT_FALSE(proposals_json("{", files_in_store(at.store.documents(), kMe, {})));
+  EXPECT_FALSE(documents::proposals_json("{", documents::files_in_store(at.store.documents(), kMe, {})));
 }
 
 TEST(Imports, RefuseWhatIsNoPattern) {
   ClothStore at;
-  EXPECT_EQ(import_pattern(at.store.documents(), kMe, at.body, {}).error().code, "documents.wrong_kind");
-  EXPECT_EQ(import_pattern(at.store.documents(), kMe, at.dxf, {"yard", ""}).error().code, "documents.unit");
-  const Error size = import_pattern(at.store.documents(), kMe, at.dxf, {"", "42"}).error();
+  EXPECT_EQ(documents::import_pattern(at.store.documents(), kMe, at.body, {}).error().code, "documents.wrong_kind");
+  EXPECT_EQ(documents::import_pattern(at.store.documents(), kMe, at.dxf, {"yard", ""}).error().code, "documents.unit");
+  const Error size = documents::import_pattern(at.store.documents(), kMe, at.dxf, {"", "42"}).error();
   EXPECT_EQ(size.code, "dxf.unknown_size");
   EXPECT_TRUE(size.where.starts_with("cloth.dxf")) << size.where;
-  EXPECT_EQ(import_pattern(at.store.documents(), kMe, "a_0", {}).error().code, "store.not_found");
+  EXPECT_EQ(documents::import_pattern(at.store.documents(), kMe, "a_0", {}).error().code, "store.not_found");
 }
 
 constexpr const char* kChecked =
@@ -233,30 +233,30 @@ constexpr const char* kChecked =
 
 struct TexturedCloth : EditedCloth {
   std::string upload(const std::string& kind, const std::string& name, const std::string& bytes) {
-    return add_asset(store.documents(), kMe, kind, name, bytes)->id;
+    return documents::add_asset(store.documents(), kMe, kind, name, bytes)->id;
   }
   std::string picture = upload("image", "checks.png", test::png_of(test::squares()));
 
-  Result<ProjectRow> edit_with(const std::string& edits, const ProjectFileMap& more) {
-    return edit_project(store.documents(), kMe, id, json(edits), 0, more);
+  Result<store::ProjectRow> edit_with(const std::string& edits, const documents::ProjectFileMap& more) {
+    return documents::edit_project(store.documents(), kMe, id, json(edits), 0, more);
   }
   std::size_t file_count() { return store->project(kMe, id)->files.size(); }
 };
 
 TEST(EditsInStore, BringThePictureThatTheyPutOnAPiece) {
   TexturedCloth at;
-  const Result<ProjectRow> row = at.edit_with(kChecked, {{"checks.png", at.picture}});
+  const Result<store::ProjectRow> row = at.edit_with(kChecked, {{"checks.png", at.picture}});
   ASSERT_TRUE(row) << to_string(row.error());
   EXPECT_EQ(row->files.at("checks.png"), at.picture);
-  const Result<Project> project = parse_project(row->document);
-  const ProjectFiles files = files_in_store(at.store.documents(), kMe, row->files);
-  const DrapeInput input = resolve_project(*project, files).value();
-  const Result<Textures> textures = read_textures(*project, input.pattern, files);
+  const Result<project::Project> project = project::parse_project(row->document);
+  const resolve::ProjectFiles files = documents::files_in_store(at.store.documents(), kMe, row->files);
+  const drape::DrapeInput input = resolve::resolve_project(*project, files).value();
+  const Result<image::Textures> textures = resolve::read_textures(*project, input.pattern, files);
   ASSERT_TRUE(textures) << to_string(textures.error());
   ASSERT_EQ(textures->images.size(), 1u);
   EXPECT_EQ(textures->images[0]->read.picture, test::squares());
-  ASSERT_NE(texture_of(*textures, 0), nullptr);
-  EXPECT_NEAR(texture_at(*texture_of(*textures, 0), {0.04, 0}).x, 1, 1e-12);
+  ASSERT_NE(image::texture_of(*textures, 0), nullptr);
+  EXPECT_NEAR(image::texture_at(*image::texture_of(*textures, 0), {0.04, 0}).x, 1, 1e-12);
   ASSERT_TRUE(at.undo());
   EXPECT_EQ(at.document(), kClothDocument);
   EXPECT_EQ(at.file_count(), 3u) << "the picture stays";
@@ -266,7 +266,7 @@ TEST(EditsInStore, BringThePictureThatTheyPutOnAPiece) {
 
 TEST(EditsInStore, RefuseAPictureThatIsNotThere) {
   TexturedCloth at;
-  const auto expect = [&](const Result<ProjectRow>& row, const char* code, const char* where) {
+  const auto expect = [&](const Result<store::ProjectRow>& row, const char* code, const char* where) {
     ASSERT_FALSE(row) << code;
     EXPECT_EQ(row.error().code, code);
     EXPECT_EQ(row.error().where, where);
@@ -285,15 +285,15 @@ TEST(EditsInStore, AProjectWithoutItsPictureIsMissingAFile) {
   const std::string document =
       cloth_document(R"("fabric": "cotton",)", R"("texture": {"image": "checks.png", "scale_mm": 40},
       "fabric": "cotton",)");
-  const auto missing = create_project(at.store.documents(), kMe, document, at.files);
+  const auto missing = documents::create_project(at.store.documents(), kMe, document, at.files);
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error().code, "documents.missing_file");
   EXPECT_EQ(missing.error().where, "/pieces/0/texture/image");
-  ProjectFileMap files = at.files;
+  documents::ProjectFileMap files = at.files;
   files["checks.png"] = at.picture;
-  const auto made = create_project(at.store.documents(), kMe, document, files);
+  const auto made = documents::create_project(at.store.documents(), kMe, document, files);
   ASSERT_TRUE(made) << to_string(made.error());
-  const std::string pieces = pieces_json(document, files_in_store(at.store.documents(), kMe, files)).value();
+  const std::string pieces = documents::pieces_json(document, documents::files_in_store(at.store.documents(), kMe, files)).value();
   EXPECT_NE(
       pieces.find(R"("texture": {"image": "checks.png", "scale_mm": 40, "offset": [0, 0], "angle": 0})"),
       std::string::npos)

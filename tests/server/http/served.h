@@ -22,15 +22,15 @@
 namespace toile::test {
 
 /// Jobs that nobody drapes: their states change as they are told, and the test plays the worker.
-class ScriptedJobs final : public JobService {
+class ScriptedJobs final : public jobs::JobService {
  public:
-  explicit ScriptedJobs(Store& store) : store_(store) {}
+  explicit ScriptedJobs(store::Store& store) : store_(store) {}
   Status start() override { return {}; }
   void stop() override {}
-  Result<Made<JobRow>> submit(const RequestContext& context, const std::string& project_id,
+  Result<store::Made<store::JobRow>> submit(const store::RequestContext& context, const std::string& project_id,
                               const std::string& key) override {
-    const ProjectRow project = TRY(store_.project(context, project_id));
-    JobRow row;
+    const store::ProjectRow project = TRY(store_.project(context, project_id));
+    store::JobRow row;
     row.project_id = project.id;
     row.project_revision = project.revision;
     row.name = project.name;
@@ -38,27 +38,27 @@ class ScriptedJobs final : public JobService {
     row.files = project.files;
     return store_.create_job(context, row, key);
   }
-  Result<JobRow> pause(const RequestContext& context, const std::string& id) override {
-    return become(context, id, JobState::kPaused);
+  Result<store::JobRow> pause(const store::RequestContext& context, const std::string& id) override {
+    return become(context, id, store::JobState::kPaused);
   }
-  Result<JobRow> resume(const RequestContext& context, const std::string& id) override {
-    return become(context, id, JobState::kQueued);
+  Result<store::JobRow> resume(const store::RequestContext& context, const std::string& id) override {
+    return become(context, id, store::JobState::kQueued);
   }
-  Result<JobRow> cancel(const RequestContext& context, const std::string& id) override {
-    return become(context, id, JobState::kCancelled);
+  Result<store::JobRow> cancel(const store::RequestContext& context, const std::string& id) override {
+    return become(context, id, store::JobState::kCancelled);
   }
-  Result<JobProgress> progress(const RequestContext& context, const std::string& id) override {
-    const JobRow row = TRY(store_.job(context, id));
-    JobProgress progress;
+  Result<jobs::JobProgress> progress(const store::RequestContext& context, const std::string& id) override {
+    const store::JobRow row = TRY(store_.job(context, id));
+    jobs::JobProgress progress;
     progress.state = row.state;
     return progress;
   }
   Counts counts() const override { return {}; }
 
-  Result<JobRow> become(const RequestContext& context, const std::string& id, JobState state) {
-    JobRow row = TRY(store_.job(context, id));
-    if (row.state == JobState::kSucceeded || row.state == JobState::kCancelled || row.state == state) {
-      return Error{"jobs.state", "the job is " + std::string(name_of(row.state)), id, ErrorKind::kConflict};
+  Result<store::JobRow> become(const store::RequestContext& context, const std::string& id, store::JobState state) {
+    store::JobRow row = TRY(store_.job(context, id));
+    if (row.state == store::JobState::kSucceeded || row.state == store::JobState::kCancelled || row.state == state) {
+      return Error{"jobs.state", "the job is " + std::string(store::name_of(row.state)), id, ErrorKind::kConflict};
     }
     row.state = state;
     TRY(store_.update_job(context, row));
@@ -66,32 +66,32 @@ class ScriptedJobs final : public JobService {
   }
 
  private:
-  Store& store_;
+  store::Store& store_;
 };
 
 class Served : public testing::Test {
  protected:
   /// `settings` are those of the server but for the port; `page` is a folder in this test's own.
-  void serve(ServerSettings settings = {}, bool real_jobs = false) {
+  void serve(http::ServerSettings settings = {}, bool real_jobs = false) {
     folder = std::filesystem::path(testing::TempDir()) / ("toile_http_" + std::to_string(getpid()));
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder / "data");
-    Result<std::unique_ptr<Store>> opened = open_sqlite_store((folder / "data").string());
+    Result<std::unique_ptr<store::Store>> opened = sqlite::open_sqlite_store((folder / "data").string());
     ASSERT_TRUE(opened) << to_string(opened.error());
     store = std::move(*opened);
-    documents = std::make_unique<Documents>(*store);
+    documents = std::make_unique<documents::Documents>(*store);
     if (real_jobs) {
-      JobServiceSettings two;
+      jobs::JobServiceSettings two;
       two.workers = 2;
-      jobs = make_job_service(*documents, hub, two);
+      jobs = jobs::make_job_service(*documents, hub, two);
     } else {
       jobs = std::make_unique<ScriptedJobs>(*store);
     }
     ASSERT_TRUE(jobs->start());
     settings.port = 0;
     settings.most_connections = 64;
-    server = std::make_unique<HttpServer>(*store, *jobs, hub, settings, log);
-    add_routes(server->router(), {*documents, *store, *jobs, hub, server->metrics(), server->ready()});
+    server = std::make_unique<http::HttpServer>(*store, *jobs, hub, settings, log);
+    handlers::add_routes(server->router(), {*documents, *store, *jobs, hub, server->metrics(), server->ready()});
     if (more_routes) more_routes(server->router());
     const Status started = server->start();
     ASSERT_TRUE(started) << to_string(started.error());
@@ -119,8 +119,8 @@ class Served : public testing::Test {
   }
 
   static std::string member(const Answer& answer, const std::string& key) {
-    const Result<JsonValue> tree = parse_json(answer.body, {.depth = 64});
-    const JsonValue* found = tree ? tree->find(key) : nullptr;
+    const Result<json::JsonValue> tree = json::parse_json(answer.body, {.depth = 64});
+    const json::JsonValue* found = tree ? tree->find(key) : nullptr;
     return found && found->text() ? *found->text() : "";
   }
 
@@ -143,13 +143,13 @@ class Served : public testing::Test {
   std::filesystem::path folder;
   // What a test may set before it serves.
   Log log;  ///< silent else
-  std::function<void(Router&)> more_routes;
+  std::function<void(http::Router&)> more_routes;
 
-  Hub hub;
-  std::unique_ptr<Store> store;
-  std::unique_ptr<Documents> documents;
-  std::unique_ptr<JobService> jobs;
-  std::unique_ptr<HttpServer> server;
+  ws::Hub hub;
+  std::unique_ptr<store::Store> store;
+  std::unique_ptr<documents::Documents> documents;
+  std::unique_ptr<jobs::JobService> jobs;
+  std::unique_ptr<http::HttpServer> server;
   int port = 0;
 };
 

@@ -123,7 +123,7 @@ TEST_F(BadUploads, DocumentsWithAFault) {
 
 TEST_F(BadUploads, ANapkinOfAMillionParticlesIsRefusedAtTheLatestWhenItIsSubmitted) {
   jobs->stop();
-  auto real = make_job_service(*documents, hub, {});
+  auto real = jobs::make_job_service(*documents, hub, {});
   std::string text =
       napkin_request(post_asset(), "\"particle_distance_mm\": 25", "\"particle_distance_mm\": 0.5");
   for (std::size_t at = text.find("300"); at != std::string::npos; at = text.find("300", at + 5)) {
@@ -135,8 +135,8 @@ TEST_F(BadUploads, ANapkinOfAMillionParticlesIsRefusedAtTheLatestWhenItIsSubmitt
   if (!job) return;
   ASSERT_TRUE(real->start());
   for (int i = 0; i < 2400; ++i) {
-    const Result<JobRow> now = store->job(kMe, job->id);
-    if (now && now->state == JobState::kFailed) {
+    const Result<store::JobRow> now = store->job(kMe, job->id);
+    if (now && now->state == store::JobState::kFailed) {
       EXPECT_EQ(now->reason_code, "mesh.too_many_particles");
       real->stop();
       return;

@@ -26,22 +26,22 @@ class Dressing : public Served {
     return send_json(method, one + what, body, match.empty() ? "" : "If-Match: " + match + "\r\n");
   }
   std::string document() { return store->project(kMe, id)->document; }
-  JsonValue tree_of(const Answer& answer) {
+  json::JsonValue tree_of(const Answer& answer) {
     EXPECT_EQ(answer.status, 200) << answer.body.substr(0, 500);
-    const Result<JsonValue> tree = parse_json(answer.body, {.bytes = answer.body.size(), .depth = 64});
-    return tree ? *tree : JsonValue();
+    const Result<json::JsonValue> tree = json::parse_json(answer.body, {.bytes = answer.body.size(), .depth = 64});
+    return tree ? *tree : json::JsonValue();
   }
-  static double measure(const JsonValue& figure, const std::string& name) {
-    for (const JsonValue& one_of : *figure.find("measures")->array())
+  static double measure(const json::JsonValue& figure, const std::string& name) {
+    for (const json::JsonValue& one_of : *figure.find("measures")->array())
       if (*one_of.find("name")->text() == name) return *one_of.find("cm")->number();
     return NAN;
   }
-  JsonValue first_body() { return (*tree_of(get(one + "/bodies")).find("bodies")->array())[0]; }
+  json::JsonValue first_body() { return (*tree_of(get(one + "/bodies")).find("bodies")->array())[0]; }
   std::string id, one;
 };
 
 TEST_F(Dressing, MeasuresTheBodiesOfAProject) {
-  const JsonValue body = first_body();
+  const json::JsonValue body = first_body();
   EXPECT_EQ(*body.find("id")->text(), "anna");
   EXPECT_TRUE(*body.find("stands")->boolean());
   EXPECT_NEAR(measure(body, "height"), 170, 0.5);
@@ -58,7 +58,7 @@ TEST_F(Dressing, ChangesAndUndoesTheMannequin) {
                                 "\"1\"");
   ASSERT_EQ(dressed.status, 200) << dressed.body;
   EXPECT_EQ(dressed.headers.at("etag"), "\"2\"");
-  const JsonValue body = first_body();
+  const json::JsonValue body = first_body();
   EXPECT_NEAR(measure(body, "waist"), 92, 0.5);
   EXPECT_EQ(*body.find("skin_offset_mm")->number(), 3);
   EXPECT_EQ(*body.find("mannequin")->find("preset")->text(), "m50");
@@ -79,7 +79,7 @@ TEST_F(Dressing, PutsAnUploadedFigureOnItsFeet) {
                                 R"({"mannequin": {"sex": "male", "height_cm": 180, "triangles": 1000}})");
   ASSERT_EQ(made.status, 201) << made.body;
   const Result<std::string> obj =
-      store->asset_bytes(kMe, *parse_json(made.body, {.depth = 64})->find("asset")->find("id")->text());
+      store->asset_bytes(kMe, *json::parse_json(made.body, {.depth = 64})->find("asset")->find("id")->text());
   std::string lying;  // centimetres, z up, facing the other way
   for (std::size_t at = 0; at < obj->size();) {
     const std::size_t end = obj->find('\n', at);
@@ -94,12 +94,12 @@ TEST_F(Dressing, PutsAnUploadedFigureOnItsFeet) {
     at = end + 1;
   }
   const std::string asset = member(upload("body", "scan.obj", lying), "id");
-  const JsonValue figure = tree_of(get("/api/v1/bodies/" + asset + "/figure"));
+  const json::JsonValue figure = tree_of(get("/api/v1/bodies/" + asset + "/figure"));
   EXPECT_EQ(*figure.find("stance")->find("unit_in_m")->number(), 0.01);
   EXPECT_EQ(*figure.find("stance")->find("up")->text(), "z");
   const Answer dressed = change("PUT", "/bodies/anna", "{\"asset\": \"" + asset + "\"}");
   ASSERT_EQ(dressed.status, 200) << dressed.body;
-  const JsonValue body = first_body();
+  const json::JsonValue body = first_body();
   EXPECT_TRUE(*body.find("stands")->boolean()) << dressed.body;
   EXPECT_NEAR(measure(body, "height"), 180, 0.5);
   EXPECT_NEAR(*(*body.find("low")->array())[1].number(), 0, 1e-4);
@@ -112,7 +112,7 @@ TEST_F(Dressing, PutsAnUploadedFigureOnItsFeet) {
 TEST_F(Dressing, TakesAnObjectThatIsNoPerson) {
   const Answer dressed = change("PUT", "/bodies/post", "{\"asset\": \"" + post_asset() + "\"}");
   ASSERT_EQ(dressed.status, 200) << dressed.body;
-  const JsonValue all = tree_of(get(one + "/bodies"));
+  const json::JsonValue all = tree_of(get(one + "/bodies"));
   ASSERT_EQ(all.find("bodies")->array()->size(), 2u);
   EXPECT_FALSE(*(*all.find("bodies")->array())[1].find("stands")->boolean());
   EXPECT_EQ(change("DELETE", "/bodies/post").status, 200);
@@ -140,14 +140,14 @@ TEST_F(Dressing, IsRefusedWithTheMeasureAtFault) {
 
 TEST_F(Dressing, ArrangesAllPiecesAsOneStepThatCanBeUndone) {
   const std::string first = document();
-  const JsonValue before = tree_of(get(one + "/check"));
+  const json::JsonValue before = tree_of(get(one + "/check"));
   EXPECT_FALSE(*before.find("ready")->boolean()) << "four pieces lie on one another";
   const Answer arranged = change("POST", "/arrange", "", "\"1\"");
-  const JsonValue tree = tree_of(arranged);
+  const json::JsonValue tree = tree_of(arranged);
   EXPECT_EQ(arranged.headers.at("etag"), "\"2\"");
   EXPECT_EQ(tree.find("arrangement")->find("pieces")->array()->size(), 4u);
-  const JsonValue after = tree_of(get(one + "/check"));
-  EXPECT_TRUE(*after.find("ready")->boolean()) << write_json(after);
+  const json::JsonValue after = tree_of(get(one + "/check"));
+  EXPECT_TRUE(*after.find("ready")->boolean()) << json::write_json(after);
   ASSERT_EQ(change("POST", "/undo").status, 200);
   EXPECT_EQ(document(), first);
   EXPECT_PROBLEM(change("POST", "/arrange", "", ""), 428, "request.if_match");
@@ -157,15 +157,15 @@ TEST_F(Dressing, PlacesAPieceOnASideOfABox) {
   const Answer placed =
       change("POST", "/place", R"({"piece": "front", "part": "hips", "side": "front", "away_mm": 80})");
   ASSERT_EQ(placed.status, 200) << placed.body;
-  const JsonValue check = tree_of(get(one + "/check"));
-  const JsonValue body = first_body();
-  const auto number = [](const JsonValue& list, std::size_t k) { return *(*list.array())[k].number(); };
-  const JsonValue& hips = (*body.find("boxes")->array())[3];
+  const json::JsonValue check = tree_of(get(one + "/check"));
+  const json::JsonValue body = first_body();
+  const auto number = [](const json::JsonValue& list, std::size_t k) { return *(*list.array())[k].number(); };
+  const json::JsonValue& hips = (*body.find("boxes")->array())[3];
   ASSERT_EQ(*hips.find("part")->text(), "hips");
-  const JsonValue& front = (*check.find("pieces")->array())[0];
+  const json::JsonValue& front = (*check.find("pieces")->array())[0];
   const double z = number(*front.find("low"), 2);
   EXPECT_NEAR(z, number(*hips.find("centre"), 2) + number(*hips.find("half"), 2) + 0.08, 0.02)
-      << write_json(check);
+      << json::write_json(check);
   EXPECT_EQ(*front.find("by_hand")->find("part")->text(), "hips");
   EXPECT_NEAR(*front.find("by_hand")->find("away_mm")->number(), 80, 1e-6);
   EXPECT_EQ(get(one + "/pieces").status, 200) << "the flat pieces need no body";
@@ -180,8 +180,8 @@ TEST_F(Dressing, PlacesAPieceOnASideOfABox) {
 
 TEST_F(Dressing, KeepsLandmarksThatArePutElsewhereAndTheyGrowWithTheBody) {
   const auto mark = [&](const std::string& name) -> std::optional<Vec3> {
-    const JsonValue body = first_body();
-    for (const JsonValue& landmark : *body.find("landmarks")->array()) {
+    const json::JsonValue body = first_body();
+    for (const json::JsonValue& landmark : *body.find("landmarks")->array()) {
       const auto& at = *landmark.find("place")->array();
       if (*landmark.find("name")->text() == name)
         return Vec3{*at[0].number(), *at[1].number(), *at[2].number()};
@@ -234,12 +234,12 @@ TEST_F(Dressing, PlacesTheMirrorImageOnTheOtherSideWhenAsked) {
       change("POST", "/place", R"({"piece": "left_sleeve", "part": "left_arm", "side": "left",
       "at_mm": [12, -30], "away_mm": 80, "turn": 20, "with_partner": true})");
   ASSERT_EQ(placed.status, 200) << placed.body;
-  const JsonValue check = tree_of(get(one + "/check"));
+  const json::JsonValue check = tree_of(get(one + "/check"));
   int seen = 0;
-  for (const JsonValue& piece : *check.find("pieces")->array()) {
+  for (const json::JsonValue& piece : *check.find("pieces")->array()) {
     if (*piece.find("id")->text() != "right_sleeve") continue;
-    const JsonValue& hand = *piece.find("by_hand");
-    ASSERT_TRUE(hand.object()) << write_json(check);
+    const json::JsonValue& hand = *piece.find("by_hand");
+    ASSERT_TRUE(hand.object()) << json::write_json(check);
     EXPECT_EQ(*hand.find("part")->text(), "right_arm");
     EXPECT_EQ(*hand.find("side")->text(), "right");
     EXPECT_NEAR(*(*hand.find("at_mm")->array())[0].number(), -12, 1e-6);
@@ -266,18 +266,18 @@ TEST_F(Dressing, ShowsTheStartAsTheStreamWould) {
 }
 
 TEST_F(Dressing, ListsPresetsWithAllTheirMeasures) {
-  const JsonValue tree = tree_of(get("/api/v1/bodies/presets"));
+  const json::JsonValue tree = tree_of(get("/api/v1/bodies/presets"));
   EXPECT_EQ(tree.find("measures")->array()->size(), 14u);
-  for (const JsonValue& preset : *tree.find("presets")->array())
-    EXPECT_EQ(preset.find("measures_cm")->object()->size(), 14u) << write_json(preset);
+  for (const json::JsonValue& preset : *tree.find("presets")->array())
+    EXPECT_EQ(preset.find("measures_cm")->object()->size(), 14u) << json::write_json(preset);
 }
 
 TEST_F(Dressing, TellsThePageEveryFormatOfMeshFiles) {
-  const JsonValue tree = tree_of(get("/api/v1/bodies/presets"));
+  const json::JsonValue tree = tree_of(get("/api/v1/bodies/presets"));
   std::vector<std::string> told, known;
-  for (const JsonValue& format : *tree.find("formats")->array())
+  for (const json::JsonValue& format : *tree.find("formats")->array())
     told.push_back(*format.find("ending")->text());
-  for (const MeshFormat& format : mesh_formats()) known.emplace_back(format.ending);
+  for (const mesh_import::MeshFormat& format : mesh_import::mesh_formats()) known.emplace_back(format.ending);
   EXPECT_EQ(told, known);
 }
 

@@ -38,7 +38,7 @@ class Viewer {
     while (!leaving_) {
       const auto message = socket_.read(0.05);
       if (!message || message->opcode != Socket::kBinary) continue;
-      if (const Result<DecodedFrame> frame = decode_frame(message->payload, grid)) {
+      if (const Result<proto::DecodedFrame> frame = proto::decode_frame(message->payload, grid)) {
         grid = frame->grid;
         ++frames_;
         step_ = frame->header.step;

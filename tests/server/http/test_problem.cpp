@@ -14,14 +14,14 @@ TEST(Problem, EveryKindOfErrorHasItsStatus) {
       {ErrorKind::kInternal, 500}};
   EXPECT_EQ(std::size(statuses), static_cast<std::size_t>(ErrorKind::kInternal) + 1) << "all of them";
   for (const auto& [kind, status] : statuses) {
-    EXPECT_EQ(status_of(kind), status);
-    EXPECT_NE(status_phrase(status), "Status") << status << " has a phrase";
+    EXPECT_EQ(http::status_of(kind), status);
+    EXPECT_NE(http::status_phrase(status), "Status") << status << " has a phrase";
   }
 }
 
 TEST(Problem, ACodeSaysNothingOfTheStatus) {
-  EXPECT_EQ(problem(Error{"store.not_found", "", ""}).status, 422);
-  EXPECT_EQ(problem(Error{"anything", "", "", ErrorKind::kNotFound}).status, 404);
+  EXPECT_EQ(http::problem(Error{"store.not_found", "", ""}).status, 422);
+  EXPECT_EQ(http::problem(Error{"anything", "", "", ErrorKind::kNotFound}).status, 404);
 }
 
 }  // namespace

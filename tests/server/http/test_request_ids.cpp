@@ -47,10 +47,10 @@ class RequestLog : public Served {
  protected:
   void SetUp() override {
     log = Log(lines);
-    more_routes = [](Router& router) {
+    more_routes = [](http::Router& router) {
       router.add({.method = "GET",
                   .pattern = "/broken",
-                  .handler = [](const RequestContext&, const HttpRequest&) -> HttpResponse {
+                  .handler = [](const store::RequestContext&, const http::HttpRequest&) -> http::HttpResponse {
                     throw std::runtime_error("a fault of ours");
                   }});
     };
@@ -94,7 +94,7 @@ TEST_F(RequestLog, AnExceptionOfAHandlerIsToldWithItsPlaceAndItsRequest) {
 }
 
 TEST(RequestIds, AreNotThoseOfAnotherServer) {
-  RequestIds one, other;
+  http::RequestIds one, other;
   EXPECT_NE(one.next(), other.next());
   EXPECT_NE(one.next(), one.next());
 }

@@ -237,25 +237,25 @@ TEST(HttpServer, OpensThePortOnTheLoopbackOnly) {
   const auto folder =
       std::filesystem::path(testing::TempDir()) / ("toile_loopback_" + std::to_string(getpid()));
   std::filesystem::create_directories(folder);
-  auto store = open_sqlite_store(folder.string());
+  auto store = sqlite::open_sqlite_store(folder.string());
   ASSERT_TRUE(store);
   ScriptedJobs jobs(**store);
-  Hub hub;
+  ws::Hub hub;
   for (const char* address : {"0.0.0.0", "::", "192.168.1.1", "10.0.0.1", "example.org", ""}) {
-    ServerSettings settings;
+    http::ServerSettings settings;
     settings.address = address;
     settings.port = 0;
-    HttpServer server(**store, jobs, hub, settings);
+    http::HttpServer server(**store, jobs, hub, settings);
     const Status started = server.start();
     ASSERT_FALSE(started) << address;
     EXPECT_EQ(started.error().code, "server.address");
   }
-  ServerSettings settings;
+  http::ServerSettings settings;
   settings.port = 0;
-  HttpServer first(**store, jobs, hub, settings);
+  http::HttpServer first(**store, jobs, hub, settings);
   ASSERT_TRUE(first.start());
   settings.port = first.port();
-  HttpServer second(**store, jobs, hub, settings);
+  http::HttpServer second(**store, jobs, hub, settings);
   const Status taken = second.start();
   ASSERT_FALSE(taken);
   EXPECT_EQ(taken.error().code, "server.port");

@@ -10,35 +10,35 @@ namespace {
 class RouterTest : public testing::Test {
  protected:
   RouterTest() {
-    const auto handler = [](const RequestContext&, const HttpRequest&) { return HttpResponse{}; };
+    const auto handler = [](const store::RequestContext&, const http::HttpRequest&) { return http::HttpResponse{}; };
     router.add({.method = "GET", .pattern = "/api/v1/jobs", .handler = handler});
-    Route post{.method = "POST", .pattern = "/api/v1/jobs", .handler = handler};
-    post.body = BodyKind::kJson;
+    http::Route post{.method = "POST", .pattern = "/api/v1/jobs", .handler = handler};
+    post.body = http::BodyKind::kJson;
     router.add(std::move(post));
     router.add({.method = "GET", .pattern = "/api/v1/jobs/{id}", .handler = handler});
     router.add({.method = "GET", .pattern = "/api/v1/jobs/{id}/results/{name}", .handler = handler});
     router.add_page(handler);
   }
 
-  Admission admit_one(const std::string& method, const std::string& target, Incoming incoming = {}) {
+  http::Admission admit_one(const std::string& method, const std::string& target, http::Incoming incoming = {}) {
     request = {};
     request.method = method;
     request.target = target;
     request.headers = headers;
-    return admit(router, request, incoming);
+    return http::admit(router, request, incoming);
   }
-  int status(const std::string& method, const std::string& target, Incoming incoming = {}) {
-    const Admission admission = admit_one(method, target, incoming);
+  int status(const std::string& method, const std::string& target, http::Incoming incoming = {}) {
+    const http::Admission admission = admit_one(method, target, incoming);
     return admission.route ? 200 : admission.refusal.status;
   }
 
-  Router router;
-  HttpRequest request;
+  http::Router router;
+  http::HttpRequest request;
   std::map<std::string, std::string> headers{{"host", "localhost:8460"}};
 };
 
 TEST_F(RouterTest, FindsTheRouteAndWhatItsBracesStandFor) {
-  const Admission found = admit_one("GET", "/api/v1/jobs/j_1/results/final.glb?x=1");
+  const http::Admission found = admit_one("GET", "/api/v1/jobs/j_1/results/final.glb?x=1");
   ASSERT_TRUE(found.route);
   EXPECT_EQ(found.route->pattern, "/api/v1/jobs/{id}/results/{name}");
   EXPECT_EQ(request.captures, (std::vector<std::string>{"j_1", "final.glb"}));
@@ -46,7 +46,7 @@ TEST_F(RouterTest, FindsTheRouteAndWhatItsBracesStandFor) {
 }
 
 TEST_F(RouterTest, SaysWhichMethodsThereAre) {
-  const Admission refused = admit_one("PATCH", "/api/v1/jobs");
+  const http::Admission refused = admit_one("PATCH", "/api/v1/jobs");
   EXPECT_EQ(refused.refusal.status, 405);
   EXPECT_EQ(refused.refusal.headers.at(0), (std::pair<std::string, std::string>{"Allow", "GET, HEAD, POST"}));
   EXPECT_EQ(status("POST", "/api/v1/jobs/j_1"), 405);
@@ -68,8 +68,8 @@ TEST_F(RouterTest, TakesAJsonBodyAsJsonOnlyAndOnlySoLarge) {
   EXPECT_EQ(status("POST", "/api/v1/jobs", {.upgrade = false, .has_body = true, .length = 10}), 415);
   headers["content-type"] = "Application/JSON; charset=utf-8";
   EXPECT_EQ(status("POST", "/api/v1/jobs", {.upgrade = false, .has_body = true, .length = 10}), 200);
-  EXPECT_EQ(status("POST", "/api/v1/jobs", {.upgrade = false, .has_body = true, .length = kSmallBody}), 200);
-  EXPECT_EQ(status("POST", "/api/v1/jobs", {.upgrade = false, .has_body = true, .length = kSmallBody + 1}),
+  EXPECT_EQ(status("POST", "/api/v1/jobs", {.upgrade = false, .has_body = true, .length = http::kSmallBody}), 200);
+  EXPECT_EQ(status("POST", "/api/v1/jobs", {.upgrade = false, .has_body = true, .length = http::kSmallBody + 1}),
             413);
 }
 

@@ -12,7 +12,7 @@ namespace {
 class Routes : public Served {
  protected:
   void SetUp() override { serve(); }
-  static Result<JsonValue> tree(const Answer& answer) { return parse_json(answer.body, {.depth = 64}); }
+  static Result<json::JsonValue> tree(const Answer& answer) { return json::parse_json(answer.body, {.depth = 64}); }
   static std::size_t count(const Answer& answer, const char* list) {
     const auto read = tree(answer);
     return read && read->find(list) ? read->find(list)->array()->size() : 999;
@@ -183,8 +183,8 @@ TEST_F(Routes, RefuseRequestsForProjectsThatAreNone) {
 TEST_F(Routes, DrawTheFlatPieces) {
   const Answer pieces = get("/api/v1/projects/" + make_project() + "/pieces");
   ASSERT_EQ(pieces.status, 200) << pieces.body;
-  const Result<JsonValue> read = tree(pieces);
-  const JsonValue& piece = read->find("pieces")->array()->front();
+  const Result<json::JsonValue> read = tree(pieces);
+  const json::JsonValue& piece = read->find("pieces")->array()->front();
   EXPECT_EQ(*piece.find("id")->text(), "napkin");
   EXPECT_EQ(piece.find("outline")->array()->size(), 4u);
   EXPECT_EQ(piece.find("edges")->array()->size(), 4u);
@@ -254,7 +254,7 @@ TEST_F(Routes, GiveOutResultsAndTheReport) {
   EXPECT_EQ(count(get(address + "/results"), "results"), 0u);
   ASSERT_TRUE(store->put_result(kMe, id, "front.png", "\x89PNG"));
   auto row = store->job(kMe, id);
-  row->state = JobState::kSucceeded;
+  row->state = store::JobState::kSucceeded;
   row->report = "{\"settled\": true}\n";
   row->results = {{"front.png", 4}};
   ASSERT_TRUE(store->update_job(kMe, *row));

@@ -28,16 +28,16 @@ class StaticFilesTest : public testing::Test {
   ~StaticFilesTest() override { fs::remove_all(root); }
   void write(const std::string& name, const std::string& text) { std::ofstream(root / name) << text; }
 
-  HttpResponse get(const std::string& target, const std::string& folder = "dist") {
-    HttpRequest request;
+  http::HttpResponse get(const std::string& target, const std::string& folder = "dist") {
+    http::HttpRequest request;
     request.method = "GET";
     request.target = target;
-    const auto parsed = parse_target(target);
+    const auto parsed = http::parse_target(target);
     if (!parsed) return {.status = 400, .content_type = {}, .body = {}, .headers = {}};
     request.segments = parsed->segments;
-    return StaticFiles(root / folder).get(request);
+    return http::StaticFiles(root / folder).get(request);
   }
-  static std::string header(const HttpResponse& response, const std::string& name) {
+  static std::string header(const http::HttpResponse& response, const std::string& name) {
     for (const auto& [key, value] : response.headers) {
       if (key == name) return value;
     }
@@ -48,7 +48,7 @@ class StaticFilesTest : public testing::Test {
 };
 
 TEST_F(StaticFilesTest, ServesThePageAndAsksForItAgain) {
-  const HttpResponse page = get("/");
+  const http::HttpResponse page = get("/");
   EXPECT_EQ(page.status, 200);
   EXPECT_EQ(page.body, "<p>page");
   EXPECT_EQ(page.content_type, "text/html; charset=utf-8");
@@ -57,7 +57,7 @@ TEST_F(StaticFilesTest, ServesThePageAndAsksForItAgain) {
 }
 
 TEST_F(StaticFilesTest, LetsHashedFilesBeKept) {
-  const HttpResponse script = get("/assets/index-3f2a.js");
+  const http::HttpResponse script = get("/assets/index-3f2a.js");
   EXPECT_EQ(script.content_type, "text/javascript; charset=utf-8");
   EXPECT_NE(header(script, "Cache-Control").find("immutable"), std::string::npos);
   EXPECT_EQ(get("/icon.svg").content_type, "image/svg+xml");
@@ -69,7 +69,7 @@ TEST_F(StaticFilesTest, ShowsNothingOutsideItsFolder) {
        {"/../secret.txt", "/%2e%2e/secret.txt", "/..%2fsecret.txt", "/assets/../../secret.txt", "/link.txt",
         "/.env", "/assets", "/assets/", "//etc/passwd", "/etc/passwd", "/index.html/", "/nothing.html",
         "/%00", "/assets/%2e%2e/%2e%2e/secret.txt", "/....//secret.txt", "/..;/secret.txt"}) {
-    const HttpResponse response = get(target);
+    const http::HttpResponse response = get(target);
     EXPECT_GE(response.status, 400) << target;
     EXPECT_EQ(response.body.find("secret\n"), std::string::npos) << target;
     EXPECT_NE(response.body, "secret") << target;

@@ -42,7 +42,7 @@ bool take(Seen& seen, const std::optional<Socket::Message>& message) {
     return false;
   }
   if (message->opcode == Socket::kText) {
-    const Result<JsonValue> tree = parse_json(message->payload);
+    const Result<json::JsonValue> tree = json::parse_json(message->payload);
     seen.texts.push_back(tree && tree->find("type") ? *tree->find("type")->text() : "?");
     seen.last_text = message->payload;
     return true;
@@ -51,7 +51,7 @@ bool take(Seen& seen, const std::optional<Socket::Message>& message) {
     ++seen.topologies;
     return true;
   }
-  const Result<DecodedFrame> frame = decode_frame(message->payload, seen.grid);
+  const Result<proto::DecodedFrame> frame = proto::decode_frame(message->payload, seen.grid);
   if (!frame) {
     ++seen.bad;
     return true;
@@ -79,7 +79,7 @@ Seen watch(Socket& viewer) {
 class Stream : public Served {
  protected:
   void SetUp() override {
-    ServerSettings settings;
+    http::ServerSettings settings;
     settings.stream.ping_every = std::chrono::milliseconds(400);
     settings.stream.pong_within = std::chrono::milliseconds(2000);
     settings.stream.write_within = std::chrono::milliseconds(1000);
@@ -95,8 +95,8 @@ class Stream : public Served {
     }
   }
   void finish() {
-    EXPECT_TRUE(static_cast<ScriptedJobs&>(*jobs).become(kMe, id, JobState::kSucceeded));
-    hub.ended(id, progress(JobState::kSucceeded, 4711));
+    EXPECT_TRUE(static_cast<ScriptedJobs&>(*jobs).become(kMe, id, store::JobState::kSucceeded));
+    hub.ended(id, progress(store::JobState::kSucceeded, 4711));
   }
   /// Waits until so many look on.
   bool viewers_become(std::size_t count, double within_s = 60) {
@@ -121,7 +121,7 @@ TEST_F(Stream, TellsTheJobThenTheClothThenTheEnd) {
     publish(seq, seq);
     ASSERT_TRUE(read_to(seq, viewer, seen));
   }
-  hub.progress(id, progress(JobState::kRunning, 3250));
+  hub.progress(id, progress(store::JobState::kRunning, 3250));
   finish();
   while (take(seen, viewer.read())) {
   }
@@ -135,7 +135,7 @@ TEST_F(Stream, TellsTheJobThenTheClothThenTheEnd) {
   EXPECT_EQ(seen.keys.size() + seen.deltas.size(), 65u);
   EXPECT_EQ(seen.deltas.size(), 62u) << "all but 1, 31 and 61";
   EXPECT_EQ(seen.close, 1000);
-  const Result<JsonValue> ended = parse_json(seen.last_text);
+  const Result<json::JsonValue> ended = json::parse_json(seen.last_text);
   EXPECT_EQ(*ended->find("step")->number(), 4711);
   EXPECT_EQ(*ended->find("job")->find("state")->text(), "succeeded");
 }
@@ -184,7 +184,7 @@ TEST_F(Stream, ShowsTheLastMomentOfAJobThatHasEnded) {
 }
 
 TEST_F(Stream, SaysOfAJobFromLongAgoThatItHasEnded) {
-  EXPECT_TRUE(static_cast<ScriptedJobs&>(*jobs).become(kMe, id, JobState::kSucceeded));
+  EXPECT_TRUE(static_cast<ScriptedJobs&>(*jobs).become(kMe, id, store::JobState::kSucceeded));
   Socket viewer(port, target());
   const Seen seen = watch(viewer);
   EXPECT_EQ(seen.texts, (std::vector<std::string>{"job", "ended"}));
@@ -199,15 +199,15 @@ TEST_F(Stream, TakesCommandsAndSaysWhenOneIsRefused) {
   viewer.send(Socket::kText, R"({"type": "pause"})");
   const auto refused = viewer.read();
   ASSERT_TRUE(refused);
-  const Result<JsonValue> error = parse_json(refused->payload);
+  const Result<json::JsonValue> error = json::parse_json(refused->payload);
   EXPECT_EQ(*error->find("type")->text(), "error");
   EXPECT_EQ(*error->find("code")->text(), "jobs.state");
-  EXPECT_EQ(store->job(kMe, id)->state, JobState::kPaused);
+  EXPECT_EQ(store->job(kMe, id)->state, store::JobState::kPaused);
   viewer.send(Socket::kText, R"({"type": "cancel"})");
   viewer.send(Socket::kClose, "\x03\xe8");
   EXPECT_EQ(viewer.read_to_close(), 1000);
   EXPECT_TRUE(viewers_become(0));
-  EXPECT_EQ(store->job(kMe, id)->state, JobState::kCancelled);
+  EXPECT_EQ(store->job(kMe, id)->state, store::JobState::kCancelled);
 }
 
 TEST_F(Stream, RefusesHandshakesThatAreNone) {

@@ -6,15 +6,15 @@ namespace toile {
 namespace {
 
 TEST(Url, SplitsAndDecodesATarget) {
-  const auto target = parse_target("/api/v1/assets?kind=dxf&name=a%20b%2fc&empty=&x");
+  const auto target = http::parse_target("/api/v1/assets?kind=dxf&name=a%20b%2fc&empty=&x");
   ASSERT_TRUE(target);
   EXPECT_EQ(target->segments, (std::vector<std::string>{"api", "v1", "assets"}));
   EXPECT_EQ(target->query.at("name"), "a b/c");
   EXPECT_EQ(target->query.at("empty"), "");
   EXPECT_TRUE(target->query.contains("x"));
-  EXPECT_TRUE(parse_target("/")->segments.empty());
-  EXPECT_EQ(parse_target("/a/")->segments, (std::vector<std::string>{"a", ""}));
-  EXPECT_EQ(parse_target("/?a=1")->query.at("a"), "1");
+  EXPECT_TRUE(http::parse_target("/")->segments.empty());
+  EXPECT_EQ(http::parse_target("/a/")->segments, (std::vector<std::string>{"a", ""}));
+  EXPECT_EQ(http::parse_target("/?a=1")->query.at("a"), "1");
 }
 
 TEST(Url, RefusesTargetsThatLeaveTheirFolder) {
@@ -28,26 +28,26 @@ TEST(Url, RefusesTargetsThatLeaveTheirFolder) {
                              "/%zz",       "*",
                              "",           "http://localhost/",
                              "a/b",        "/?x=%q"}) {
-    EXPECT_FALSE(parse_target(target)) << target;
+    EXPECT_FALSE(http::parse_target(target)) << target;
   }
 }
 
 TEST(Url, KnowsTheLoopbackByItsNames) {
   for (const char* host : {"localhost", "LOCALHOST:80", "127.0.0.1:8460", "127.9.9.9", "[::1]", "[::1]:8460",
                            "toile.localhost:1"}) {
-    const auto name = host_name(host);
+    const auto name = http::host_name(host);
     ASSERT_TRUE(name) << host;
-    EXPECT_TRUE(is_loopback_name(*name)) << host;
+    EXPECT_TRUE(http::is_loopback_name(*name)) << host;
   }
   for (const char* host :
        {"example.org", "127.0.0.1.example.org", "localhost.example.org", "10.0.0.1", "0.0.0.0", "128.0.0.1",
         "127.0.0", "127.0.0.1.1", "127.0.0.256", "[::2]", "notlocalhost"}) {
-    const auto name = host_name(host);
+    const auto name = http::host_name(host);
     ASSERT_TRUE(name) << host;
-    EXPECT_FALSE(is_loopback_name(*name)) << host;
+    EXPECT_FALSE(http::is_loopback_name(*name)) << host;
   }
   for (const char* host : {"", ":80", "localhost:", "localhost:http", "localhost:123456", "[::1", "[::1]x"}) {
-    EXPECT_FALSE(host_name(host)) << host;
+    EXPECT_FALSE(http::host_name(host)) << host;
   }
 }
 

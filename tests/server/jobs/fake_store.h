@@ -14,7 +14,7 @@
 
 namespace toile::test {
 
-class FakeStore final : public Store {
+class FakeStore final : public store::Store {
  public:
   explicit FakeStore(std::filesystem::path folder) : folder_(std::move(folder)) {
     std::filesystem::remove_all(folder_);
@@ -24,10 +24,10 @@ class FakeStore final : public Store {
 
   /// Called before a result is put or a row is written; may throw, or give an error.
   std::function<Status(const std::string& name)> on_put_result;
-  std::function<Status(const JobRow&)> on_update_job;
+  std::function<Status(const store::JobRow&)> on_update_job;
   std::function<Status(const std::string& job_id)> on_put_checkpoint;
 
-  Result<AssetRow> put_asset(const RequestContext& context, AssetRow row, std::string_view bytes) override {
+  Result<store::AssetRow> put_asset(const store::RequestContext& context, store::AssetRow row, std::string_view bytes) override {
     const std::lock_guard lock(mutex_);
     row.id = next_id("a_");
     row.size = static_cast<std::int64_t>(bytes.size());
@@ -37,86 +37,86 @@ class FakeStore final : public Store {
     assets_[{context.owner, row.id}] = {row, std::string(bytes), path.string()};
     return row;
   }
-  Result<AssetRow> asset(const RequestContext& context, const std::string& id) override {
-    return one<AssetRow>(assets_, context, id, [](const Asset& a) { return a.row; });
+  Result<store::AssetRow> asset(const store::RequestContext& context, const std::string& id) override {
+    return one<store::AssetRow>(assets_, context, id, [](const Asset& a) { return a.row; });
   }
-  Result<std::string> asset_bytes(const RequestContext& context, const std::string& id) override {
+  Result<std::string> asset_bytes(const store::RequestContext& context, const std::string& id) override {
     return one<std::string>(assets_, context, id, [](const Asset& a) { return a.bytes; });
   }
-  Result<std::string> asset_path(const RequestContext& context, const std::string& id) override {
+  Result<std::string> asset_path(const store::RequestContext& context, const std::string& id) override {
     return one<std::string>(assets_, context, id, [](const Asset& a) { return a.path; });
   }
-  Result<std::vector<AssetRow>> assets(const RequestContext&, const std::string&) override {
-    return std::vector<AssetRow>();
+  Result<std::vector<store::AssetRow>> assets(const store::RequestContext&, const std::string&) override {
+    return std::vector<store::AssetRow>();
   }
 
-  Result<Made<ProjectRow>> create_project(const RequestContext& context, ProjectRow row,
+  Result<store::Made<store::ProjectRow>> create_project(const store::RequestContext& context, store::ProjectRow row,
                                           const std::string&) override {
     const std::lock_guard lock(mutex_);
     row.id = next_id("p_");
     projects_[{context.owner, row.id}] = row;
-    return Made<ProjectRow>{row, true};
+    return store::Made<store::ProjectRow>{row, true};
   }
-  Result<ProjectRow> replace_project(const RequestContext& context, const ProjectRow& row, int) override {
+  Result<store::ProjectRow> replace_project(const store::RequestContext& context, const store::ProjectRow& row, int) override {
     const std::lock_guard lock(mutex_);
     projects_[{context.owner, row.id}] = row;
     return row;
   }
-  Result<ProjectRow> project(const RequestContext& context, const std::string& id) override {
-    return one<ProjectRow>(projects_, context, id, [](const ProjectRow& row) { return row; });
+  Result<store::ProjectRow> project(const store::RequestContext& context, const std::string& id) override {
+    return one<store::ProjectRow>(projects_, context, id, [](const store::ProjectRow& row) { return row; });
   }
-  Result<std::vector<ProjectRow>> projects(const RequestContext&, const std::string&, int) override {
-    return std::vector<ProjectRow>();
+  Result<std::vector<store::ProjectRow>> projects(const store::RequestContext&, const std::string&, int) override {
+    return std::vector<store::ProjectRow>();
   }
-  Status remove_project(const RequestContext& context, const std::string& id, int) override {
+  Status remove_project(const store::RequestContext& context, const std::string& id, int) override {
     const std::lock_guard lock(mutex_);
     projects_.erase({context.owner, id});
     return {};
   }
 
-  Result<ProjectRow> edit_project(const RequestContext& context, const ProjectRow& row, int expected,
-                                  EditStep, const EditRow&) override {
+  Result<store::ProjectRow> edit_project(const store::RequestContext& context, const store::ProjectRow& row, int expected,
+                                  store::EditStep, const store::EditRow&) override {
     return replace_project(context, row, expected);
   }
-  Result<std::vector<EditRow>> edits(const RequestContext&, const std::string&, std::int64_t, int) override {
-    return std::vector<EditRow>();
+  Result<std::vector<store::EditRow>> edits(const store::RequestContext&, const std::string&, std::int64_t, int) override {
+    return std::vector<store::EditRow>();
   }
-  Result<std::optional<EditRow>> next_edit(const RequestContext&, const std::string&, EditStep) override {
-    return std::optional<EditRow>();
+  Result<std::optional<store::EditRow>> next_edit(const store::RequestContext&, const std::string&, store::EditStep) override {
+    return std::optional<store::EditRow>();
   }
 
-  Result<Made<JobRow>> create_job(const RequestContext& context, JobRow row,
+  Result<store::Made<store::JobRow>> create_job(const store::RequestContext& context, store::JobRow row,
                                   const std::string& key) override {
     const std::lock_guard lock(mutex_);
     if (const auto made = keys_.find({context.owner, key}); made != keys_.end()) {
-      return Made<JobRow>{jobs_.at({context.owner, made->second}), false};
+      return store::Made<store::JobRow>{jobs_.at({context.owner, made->second}), false};
     }
     row.id = next_id("j_");
     row.created_ms = count_;
     jobs_[{context.owner, row.id}] = row;
     if (!key.empty()) keys_[{context.owner, key}] = row.id;
-    return Made<JobRow>{row, true};
+    return store::Made<store::JobRow>{row, true};
   }
-  Result<std::optional<JobRow>> job_of_key(const RequestContext& context, const std::string& key) override {
+  Result<std::optional<store::JobRow>> job_of_key(const store::RequestContext& context, const std::string& key) override {
     const std::lock_guard lock(mutex_);
     const auto made = keys_.find({context.owner, key});
-    return made == keys_.end() ? std::optional<JobRow>()
+    return made == keys_.end() ? std::optional<store::JobRow>()
                                : std::optional(jobs_.at({context.owner, made->second}));
   }
-  Result<JobRow> job(const RequestContext& context, const std::string& id) override {
-    return one<JobRow>(jobs_, context, id, [](const JobRow& row) { return row; });
+  Result<store::JobRow> job(const store::RequestContext& context, const std::string& id) override {
+    return one<store::JobRow>(jobs_, context, id, [](const store::JobRow& row) { return row; });
   }
-  Result<std::vector<JobRow>> jobs(const RequestContext&, const std::string&, int) override {
-    return std::vector<JobRow>();
+  Result<std::vector<store::JobRow>> jobs(const store::RequestContext&, const std::string&, int) override {
+    return std::vector<store::JobRow>();
   }
-  Status update_job(const RequestContext& context, const JobRow& row) override {
+  Status update_job(const store::RequestContext& context, const store::JobRow& row) override {
     if (on_update_job) {
       if (Status refused = on_update_job(row); !refused) return refused;
     }
     const std::lock_guard lock(mutex_);
     const auto found = jobs_.find({context.owner, row.id});
     if (found == jobs_.end()) return Error{"store.not_found", "", "", ErrorKind::kNotFound};
-    JobRow& kept = found->second;
+    store::JobRow& kept = found->second;
     kept.state = row.state;
     kept.attempt = row.attempt;
     kept.reason_code = row.reason_code;
@@ -132,14 +132,14 @@ class FakeStore final : public Store {
     const std::lock_guard lock(mutex_);
     std::vector<OwnedJob> found;
     for (const auto& [key, row] : jobs_) {
-      if (!is_final(row.state)) {
+      if (!store::is_final(row.state)) {
         found.push_back({key.first, row});
       }
     }
     return found;
   }
 
-  Status put_result(const RequestContext& context, const std::string& job_id, const std::string& name,
+  Status put_result(const store::RequestContext& context, const std::string& job_id, const std::string& name,
                     std::string_view bytes) override {
     if (on_put_result) {
       if (Status refused = on_put_result(name); !refused) return refused;
@@ -148,12 +148,12 @@ class FakeStore final : public Store {
     results_[{context.owner, job_id + "/" + name}] = bytes;
     return {};
   }
-  Result<std::string> result_bytes(const RequestContext& context, const std::string& job_id,
+  Result<std::string> result_bytes(const store::RequestContext& context, const std::string& job_id,
                                    const std::string& name) override {
     return one<std::string>(results_, context, job_id + "/" + name,
                             [](const std::string& bytes) { return bytes; });
   }
-  Status remove_results(const RequestContext& context, const std::string& job_id) override {
+  Status remove_results(const store::RequestContext& context, const std::string& job_id) override {
     const std::lock_guard lock(mutex_);
     std::erase_if(results_, [&](const auto& result) {
       return result.first.first == context.owner && result.first.second.starts_with(job_id + "/");
@@ -161,13 +161,13 @@ class FakeStore final : public Store {
     return {};
   }
   /// Files of results of a job that are kept, named or not.
-  std::size_t kept_results(const RequestContext& context, const std::string& job_id) {
+  std::size_t kept_results(const store::RequestContext& context, const std::string& job_id) {
     const std::lock_guard lock(mutex_);
     return static_cast<std::size_t>(std::count_if(results_.begin(), results_.end(), [&](const auto& result) {
       return result.first.first == context.owner && result.first.second.starts_with(job_id + "/");
     }));
   }
-  Status put_checkpoint(const RequestContext& context, const std::string& job_id,
+  Status put_checkpoint(const store::RequestContext& context, const std::string& job_id,
                         std::string_view bytes) override {
     if (on_put_checkpoint) {
       if (Status refused = on_put_checkpoint(job_id); !refused) return refused;
@@ -179,11 +179,11 @@ class FakeStore final : public Store {
     ++checkpoints_put_;
     return {};
   }
-  Result<KeptCheckpoint> checkpoint(const RequestContext& context, const std::string& job_id) override {
+  Result<KeptCheckpoint> checkpoint(const store::RequestContext& context, const std::string& job_id) override {
     return one<KeptCheckpoint>(checkpoints_, context, job_id,
                                [](const KeptCheckpoint& kept) { return kept; });
   }
-  Status remove_checkpoint(const RequestContext& context, const std::string& job_id) override {
+  Status remove_checkpoint(const store::RequestContext& context, const std::string& job_id) override {
     const std::lock_guard lock(mutex_);
     checkpoints_.erase({context.owner, job_id});
     return {};
@@ -194,24 +194,24 @@ class FakeStore final : public Store {
     return checkpoints_put_;
   }
 
-  Result<std::optional<std::string>> get_setting(const RequestContext&, const std::string&) override {
+  Result<std::optional<std::string>> get_setting(const store::RequestContext&, const std::string&) override {
     return std::optional<std::string>();
   }
-  Status put_setting(const RequestContext&, const std::string&, const std::string&) override { return {}; }
+  Status put_setting(const store::RequestContext&, const std::string&, const std::string&) override { return {}; }
   std::string scratch_folder() const override { return folder_.string(); }
   Status ping() override { return {}; }
 
   /// Changes a job's row behind the service's back, as a crash or another program would.
-  void tamper(const RequestContext& context, const std::string& id,
-              const std::function<void(JobRow&)>& edit) {
+  void tamper(const store::RequestContext& context, const std::string& id,
+              const std::function<void(store::JobRow&)>& edit) {
     const std::lock_guard lock(mutex_);
     edit(jobs_.at({context.owner, id}));
   }
 
  private:
-  using Key = std::pair<OwnerId, std::string>;
+  using Key = std::pair<store::OwnerId, std::string>;
   struct Asset {
-    AssetRow row;
+    store::AssetRow row;
     std::string bytes, path;
   };
 
@@ -223,7 +223,7 @@ class FakeStore final : public Store {
   }
 
   template <typename Out, typename Map, typename Read>
-  Result<Out> one(const Map& map, const RequestContext& context, const std::string& id, Read read) {
+  Result<Out> one(const Map& map, const store::RequestContext& context, const std::string& id, Read read) {
     const std::lock_guard lock(mutex_);
     const auto found = map.find({context.owner, id});
     if (found == map.end())
@@ -235,8 +235,8 @@ class FakeStore final : public Store {
   std::mutex mutex_;
   int count_ = 0;
   std::map<Key, Asset> assets_;
-  std::map<Key, ProjectRow> projects_;
-  std::map<Key, JobRow> jobs_;
+  std::map<Key, store::ProjectRow> projects_;
+  std::map<Key, store::JobRow> jobs_;
   std::map<Key, std::string> keys_, results_;
   std::map<Key, KeptCheckpoint> checkpoints_;
   int checkpoints_put_ = 0;

@@ -16,7 +16,7 @@
 
 namespace toile::test {
 
-inline const RequestContext kOwner("ann");
+inline const store::RequestContext kOwner("ann");
 
 /// A box of 10 cm, m.
 inline constexpr const char* kBlock =
@@ -67,19 +67,19 @@ class JobHouse : public testing::Test {
 
   void make(int workers) {
     settings.workers = workers;
-    service = make_job_service(documents, publisher, settings);
+    service = jobs::make_job_service(documents, publisher, settings);
   }
 
   static std::string test_name() { return testing::UnitTest::GetInstance()->current_test_info()->name(); }
 
   std::string project_of(const std::string& document) {
     if (block.empty()) {
-      AssetRow row;
+      store::AssetRow row;
       row.kind = "body";
       row.name = "block.obj";
       block = store.put_asset(kOwner, row, kBlock).value().id;
     }
-    ProjectRow row;
+    store::ProjectRow row;
     row.name = "project";
     row.document = document;
     row.files = {{"block.obj", block}};
@@ -93,23 +93,23 @@ class JobHouse : public testing::Test {
     return job ? job->id : "";
   }
 
-  JobRow row(const std::string& id) { return store.job(kOwner, id).value(); }
+  store::JobRow row(const std::string& id) { return store.job(kOwner, id).value(); }
 
   /// The drape by itself, in one go and without a service.
-  DrapeResult alone(const JobRow& job) {
-    const DrapeInput input = drape_input_of(documents, kOwner, job.document, job.files).value();
-    return drape(input, {}, nullptr).value();
+  drape::DrapeResult alone(const store::JobRow& job) {
+    const drape::DrapeInput input = jobs::drape_input_of(documents, kOwner, job.document, job.files).value();
+    return drape::drape(input, {}, nullptr).value();
   }
-  std::string hash_of_alone(const JobRow& job) { return hash_of(alone(job).positions); }
-  static std::string hash_in(const JobRow& job) {
-    return *parse_json(job.report).value().find("hash")->text();
+  std::string hash_of_alone(const store::JobRow& job) { return hash_of(alone(job).positions); }
+  static std::string hash_in(const store::JobRow& job) {
+    return *json::parse_json(job.report).value().find("hash")->text();
   }
 
   FakeStore store;
-  Documents documents{store};
+  documents::Documents documents{store};
   Recorder publisher;
-  JobServiceSettings settings;
-  std::unique_ptr<JobService> service;  // last: it uses the others until it goes
+  jobs::JobServiceSettings settings;
+  std::unique_ptr<jobs::JobService> service;  // last: it uses the others until it goes
   std::string block;
 };
 

@@ -11,35 +11,35 @@
 
 namespace toile::test {
 
-class Recorder final : public Publisher {
+class Recorder final : public jobs::Publisher {
  public:
   using Clock = std::chrono::steady_clock;
   struct Told {
     Clock::time_point at;
-    JobProgress progress;
+    jobs::JobProgress progress;
   };
   struct JobLog {
     std::string order;  ///< T topology, F frame, p progress, e ended
-    std::vector<std::shared_ptr<const StreamTopology>> topologies;
-    std::vector<std::shared_ptr<const StreamFrame>> frames;
+    std::vector<std::shared_ptr<const jobs::StreamTopology>> topologies;
+    std::vector<std::shared_ptr<const jobs::StreamFrame>> frames;
     std::vector<Told> progress;
-    std::vector<JobProgress> ended;
+    std::vector<jobs::JobProgress> ended;
   };
 
   /// May throw; called before the frame is written down.
   std::function<void(const std::string& job_id)> on_frame;
 
-  void topology(const std::string& id, std::shared_ptr<const StreamTopology> topology) override {
+  void topology(const std::string& id, std::shared_ptr<const jobs::StreamTopology> topology) override {
     write(id, 'T', [&](JobLog& log) { log.topologies.push_back(std::move(topology)); });
   }
-  void frame(const std::string& id, std::shared_ptr<const StreamFrame> frame) override {
+  void frame(const std::string& id, std::shared_ptr<const jobs::StreamFrame> frame) override {
     if (on_frame) on_frame(id);
     write(id, 'F', [&](JobLog& log) { log.frames.push_back(std::move(frame)); });
   }
-  void progress(const std::string& id, const JobProgress& progress) override {
+  void progress(const std::string& id, const jobs::JobProgress& progress) override {
     write(id, 'p', [&](JobLog& log) { log.progress.push_back({Clock::now(), progress}); });
   }
-  void ended(const std::string& id, const JobProgress& last) override {
+  void ended(const std::string& id, const jobs::JobProgress& last) override {
     write(id, 'e', [&](JobLog& log) { log.ended.push_back(last); });
   }
 
@@ -64,7 +64,7 @@ class Recorder final : public Publisher {
     return wait(id, [&](const JobLog& log) { return log.frames.size() >= count; });
   }
   /// Until the newest that was told is that state.
-  bool wait_for_state(const std::string& id, JobState state) const {
+  bool wait_for_state(const std::string& id, store::JobState state) const {
     return wait(id, [&](const JobLog& log) {
       return !log.progress.empty() && log.progress.back().progress.state == state;
     });

@@ -31,17 +31,17 @@ class JobCheckpoints : public test::JobHouse {
   /// As a kill would leave the store: the job running, with the newest checkpoint before it.
   void crash(const std::string& id) {
     const auto kept = store.checkpoint(kOwner, id).value();
-    const JobRow before = row(id);
+    const store::JobRow before = row(id);
     service.reset();
-    store.tamper(kOwner, id, [&](JobRow& r) {
+    store.tamper(kOwner, id, [&](store::JobRow& r) {
       r = before;
-      r.state = JobState::kRunning;
+      r.state = store::JobState::kRunning;
     });
     ASSERT_TRUE(store.put_checkpoint(kOwner, id, kept.bytes).ok());
   }
 
-  static int resumed_in(const JobRow& job) {
-    return static_cast<int>(*parse_json(job.report).value().find("resumed")->number());
+  static int resumed_in(const store::JobRow& job) {
+    return static_cast<int>(*json::parse_json(job.report).value().find("resumed")->number());
   }
   /// Of the first frame of a job's newest run.
   int first_step(const std::string& id) {
@@ -62,14 +62,14 @@ TEST_F(JobCheckpoints, AfterACrashADrapeGoesOnFromTheNewestToTheSameBytes) {
   crash(id);
   house(1, kNever);
   ASSERT_TRUE(publisher.wait_for_end(id, 2));
-  const JobRow job = row(id);
-  EXPECT_EQ(job.state, JobState::kSucceeded) << job.reason;
+  const store::JobRow job = row(id);
+  EXPECT_EQ(job.state, store::JobState::kSucceeded) << job.reason;
   EXPECT_EQ(hash_in(job), hash_of_alone(job));
   EXPECT_EQ(resumed_in(job), 1);
   EXPECT_GT(first_step(id), 0) << "viewers see it where it goes on";
   EXPECT_FALSE(has_checkpoint(id)) << "an ended job needs none";
   const auto counts = service->counts();
-  const int steps = static_cast<int>(*parse_json(job.report).value().find("steps")->number());
+  const int steps = static_cast<int>(*json::parse_json(job.report).value().find("steps")->number());
   EXPECT_LE(counts.steps, steps - first_step(id)) << "only what this service has stepped";
 }
 
@@ -78,7 +78,7 @@ TEST_F(JobCheckpoints, AStopKeepsRunningAndPausedDrapesWhereTheyStand) {
   const std::string parked = submit(cloth_over_block(190, 6));
   ASSERT_TRUE(publisher.wait_for_frames(parked, 3));
   ASSERT_TRUE(service->pause(kOwner, parked).ok());
-  ASSERT_TRUE(publisher.wait_for_state(parked, JobState::kPaused));
+  ASSERT_TRUE(publisher.wait_for_state(parked, store::JobState::kPaused));
   EXPECT_TRUE(has_checkpoint(parked)) << "a pause may last until the power fails";
   const std::string running = submit(cloth_over_block(200, 6));
   ASSERT_TRUE(publisher.wait_for_frames(running, 3));
@@ -86,8 +86,8 @@ TEST_F(JobCheckpoints, AStopKeepsRunningAndPausedDrapesWhereTheyStand) {
   house(2, kNever);
   for (const std::string& id : {parked, running}) {
     ASSERT_TRUE(publisher.wait_for_end(id, 2));
-    const JobRow job = row(id);
-    EXPECT_EQ(job.state, JobState::kSucceeded) << job.reason;
+    const store::JobRow job = row(id);
+    EXPECT_EQ(job.state, store::JobState::kSucceeded) << job.reason;
     EXPECT_EQ(hash_in(job), hash_of_alone(job));
     EXPECT_EQ(resumed_in(job), 1);
     EXPECT_GE(first_step(id), 100) << "it had shown three frames";
@@ -99,7 +99,7 @@ TEST_F(JobCheckpoints, OneOfNoUseMeansAStartFromTheBeginning) {
   ASSERT_TRUE(store.put_checkpoint(kOwner, id, "what the disk gave back").ok());
   house(1, kNever);
   ASSERT_TRUE(publisher.wait_for_end(id));
-  EXPECT_EQ(row(id).state, JobState::kSucceeded) << row(id).reason;
+  EXPECT_EQ(row(id).state, store::JobState::kSucceeded) << row(id).reason;
   EXPECT_EQ(hash_in(row(id)), hash_of_alone(row(id)));
   EXPECT_EQ(resumed_in(row(id)), 0);
   EXPECT_EQ(first_step(id), 0);
@@ -113,7 +113,7 @@ TEST_F(JobCheckpoints, AStoreThatTakesNoneDoesNotDisturbTheDrape) {
   house(1, kOften);
   const std::string id = submit(cloth_over_block(200));
   ASSERT_TRUE(publisher.wait_for_end(id));
-  EXPECT_EQ(row(id).state, JobState::kSucceeded) << row(id).reason;
+  EXPECT_EQ(row(id).state, store::JobState::kSucceeded) << row(id).reason;
   EXPECT_EQ(hash_in(row(id)), hash_of_alone(row(id)));
 }
 
@@ -128,7 +128,7 @@ TEST_F(JobCheckpoints, ACancelledJobLeavesNone) {
   const std::string paused = submit(cloth_over_block(190, test::kEndless));
   ASSERT_TRUE(publisher.wait_for_frames(paused, 2));
   ASSERT_TRUE(service->pause(kOwner, paused).ok());
-  ASSERT_TRUE(publisher.wait_for_state(paused, JobState::kPaused));
+  ASSERT_TRUE(publisher.wait_for_state(paused, store::JobState::kPaused));
   EXPECT_TRUE(has_checkpoint(paused));
   ASSERT_TRUE(service->cancel(kOwner, paused).ok());
   EXPECT_FALSE(has_checkpoint(paused));
@@ -139,22 +139,22 @@ TEST_F(JobCheckpoints, AJobThatComesFurtherBetweenCrashesIsTriedOnAndOneThatDoes
   const std::string further = submit(cloth_over_block(200, 6));
   ASSERT_TRUE(wait_for_checkpoints(2));
   crash(further);
-  store.tamper(kOwner, further, [](JobRow& row) { row.attempt = 3; });
+  store.tamper(kOwner, further, [](store::JobRow& row) { row.attempt = 3; });
   const std::int64_t kept = store.checkpoint(kOwner, further)->kept_ms;
-  store.tamper(kOwner, further, [&](JobRow& row) { row.started_ms = kept - 1000; });
+  store.tamper(kOwner, further, [&](store::JobRow& row) { row.started_ms = kept - 1000; });
   house(1, kNever);
-  EXPECT_NE(row(further).state, JobState::kFailed);
+  EXPECT_NE(row(further).state, store::JobState::kFailed);
   ASSERT_TRUE(publisher.wait_for_frames(further, publisher.log(further).frames.size() + 1));
   EXPECT_EQ(row(further).attempt, 1) << "counted anew";
   service.reset();
 
-  store.tamper(kOwner, further, [&](JobRow& row) {
-    row.state = JobState::kRunning;
+  store.tamper(kOwner, further, [&](store::JobRow& row) {
+    row.state = store::JobState::kRunning;
     row.attempt = 3;
     row.started_ms = kept + 1000000;
   });
   house(1, kNever);
-  EXPECT_EQ(row(further).state, JobState::kFailed);
+  EXPECT_EQ(row(further).state, store::JobState::kFailed);
   EXPECT_EQ(row(further).reason_code, "jobs.attempts");
   EXPECT_FALSE(has_checkpoint(further));
 }
@@ -180,8 +180,8 @@ TEST_F(JobCheckpoints, OneTwoAndFourWorkersGiveTheSameBytesHoweverTheyAreDisturb
     }
     for (std::size_t k = 0; k < ids.size(); ++k) {
       ASSERT_TRUE(publisher.wait(ids[k], [&](const test::Recorder::JobLog& log) {
-        return !log.ended.empty() && log.ended.back().state == JobState::kSucceeded;
-      })) << name_of(row(ids[k]).state);
+        return !log.ended.empty() && log.ended.back().state == store::JobState::kSucceeded;
+      })) << store::name_of(row(ids[k]).state);
       if (expected.size() == k) expected.push_back(hash_of_alone(row(ids[k])));
       EXPECT_EQ(hash_in(row(ids[k])), expected[k]) << workers << " workers, drape " << k;
       EXPECT_FALSE(has_checkpoint(ids[k]));

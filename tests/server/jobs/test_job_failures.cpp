@@ -25,7 +25,7 @@ class JobFailures : public test::JobHouse {
   void expect_alive() {
     const std::string id = submit(cloth_over_block(210));
     ASSERT_TRUE(publisher.wait_for_end(id));
-    EXPECT_EQ(row(id).state, JobState::kSucceeded) << row(id).reason;
+    EXPECT_EQ(row(id).state, store::JobState::kSucceeded) << row(id).reason;
   }
 };
 
@@ -43,16 +43,16 @@ TEST_F(JobFailures, ABadDocumentIsRefusedAtSubmissionWithCodeAndPlace) {
 
 TEST_F(JobFailures, ADocumentThatHasGoneBadInTheStoreFailsItsJobWithCodeAndPlace) {
   const std::string id = submit(cloth_over_block(200));
-  store.tamper(kOwner, id, [&](JobRow& row) {
+  store.tamper(kOwner, id, [&](store::JobRow& row) {
     row.document = changed(row.document, R"("fabric": "cotton")", R"("fabric": "silk")");
   });
   ASSERT_TRUE(service->start().ok());
   ASSERT_TRUE(publisher.wait_for_end(id));
-  EXPECT_EQ(row(id).state, JobState::kFailed);
+  EXPECT_EQ(row(id).state, store::JobState::kFailed);
   EXPECT_EQ(row(id).reason_code, "project.unknown_fabric");
   EXPECT_EQ(row(id).reason_where.rfind("/pieces/0/fabric", 0), 0u) << row(id).reason_where;
   EXPECT_FALSE(row(id).reason.empty());
-  EXPECT_EQ(publisher.log(id).ended.at(0).state, JobState::kFailed);
+  EXPECT_EQ(publisher.log(id).ended.at(0).state, store::JobState::kFailed);
   EXPECT_EQ(service->counts().failed, 1);
   expect_alive();
 }
@@ -61,7 +61,7 @@ TEST_F(JobFailures, AStartInsideTheBodyFailsWithThePiece) {
   ASSERT_TRUE(service->start().ok());
   const std::string id = submit(cloth_over_block(200, 1, "0.05"));
   ASSERT_TRUE(publisher.wait_for_end(id));
-  EXPECT_EQ(row(id).state, JobState::kFailed);
+  EXPECT_EQ(row(id).state, store::JobState::kFailed);
   EXPECT_EQ(row(id).reason_code, "start.crosses_body");
   EXPECT_NE(row(id).reason_where.find("piece cloth"), std::string::npos) << row(id).reason_where;
   EXPECT_TRUE(publisher.log(id).topologies.empty());
@@ -82,10 +82,10 @@ TEST_F(JobFailures, WhatIsThrownInADrapeFailsThatJobAloneAndCleanly) {
   ASSERT_TRUE(service->start().ok());
   ASSERT_TRUE(publisher.wait_for_end(bad));
   ASSERT_TRUE(publisher.wait_for_end(good));
-  EXPECT_EQ(row(bad).state, JobState::kFailed);
+  EXPECT_EQ(row(bad).state, store::JobState::kFailed);
   EXPECT_EQ(row(bad).reason_code, "internal.exception");
   EXPECT_NE(row(bad).reason.find("the wire is cut"), std::string::npos) << row(bad).reason;
-  EXPECT_EQ(row(good).state, JobState::kSucceeded);
+  EXPECT_EQ(row(good).state, store::JobState::kSucceeded);
 }
 
 TEST_F(JobFailures, TooLittleMemoryFailsTheJobAndNotTheServer) {
@@ -93,7 +93,7 @@ TEST_F(JobFailures, TooLittleMemoryFailsTheJobAndNotTheServer) {
   ASSERT_TRUE(service->start().ok());
   const std::string id = submit(cloth_over_block(200));
   ASSERT_TRUE(publisher.wait_for_end(id));
-  EXPECT_EQ(row(id).state, JobState::kFailed);
+  EXPECT_EQ(row(id).state, store::JobState::kFailed);
   EXPECT_EQ(row(id).reason_code, "internal.memory");
   service->stop();
   store.on_put_result = {};
@@ -117,7 +117,7 @@ TEST_F(JobFailures, ResultsThatTheStoreDoesNotTakeFailTheJobWithItsReason) {
   ASSERT_TRUE(service->start().ok());
   const std::string id = submit(cloth_over_block(200));
   ASSERT_TRUE(publisher.wait_for_end(id));
-  EXPECT_EQ(row(id).state, JobState::kFailed);
+  EXPECT_EQ(row(id).state, store::JobState::kFailed);
   EXPECT_EQ(row(id).reason_code, "store.full");
   EXPECT_TRUE(row(id).results.empty());
 }
@@ -128,8 +128,8 @@ TEST_F(JobFailures, TheStateThatNamesTheResultsIsWrittenAfterAllOfThem) {
     order += 'r';
     return Status();
   };
-  store.on_update_job = [&](const JobRow& row) {
-    order += row.state == JobState::kSucceeded ? 'S' : 's';
+  store.on_update_job = [&](const store::JobRow& row) {
+    order += row.state == store::JobState::kSucceeded ? 'S' : 's';
     return Status();
   };
   make(1);
@@ -145,29 +145,29 @@ TEST_F(JobFailures, AChangeThatTheStoreRefusesHasNotHappened) {
   ASSERT_TRUE(publisher.wait_for_frames(id, 2));
   std::atomic<bool> full{true};
   service->stop();
-  store.on_update_job = [&](const JobRow& row) {
-    return full && row.state == JobState::kPaused
+  store.on_update_job = [&](const store::JobRow& row) {
+    return full && row.state == store::JobState::kPaused
                ? Status(Error{"store.full", "the disk is full", "", ErrorKind::kNoRoom})
                : Status();
   };
   ASSERT_TRUE(service->start().ok());
   ASSERT_TRUE(publisher.wait_for_frames(id, publisher.log(id).frames.size() + 2));
   EXPECT_EQ(service->pause(kOwner, id).error().code, "store.full");
-  EXPECT_EQ(service->progress(kOwner, id)->state, JobState::kRunning);
+  EXPECT_EQ(service->progress(kOwner, id)->state, store::JobState::kRunning);
   full = false;
   EXPECT_TRUE(service->pause(kOwner, id).ok());
 }
 
 TEST_F(JobFailures, AnEndThatTheStoreRefusesIsAFailureWithTheStoresReason) {
-  store.on_update_job = [](const JobRow& row) {
-    return row.state == JobState::kSucceeded
+  store.on_update_job = [](const store::JobRow& row) {
+    return row.state == store::JobState::kSucceeded
                ? Status(Error{"store.full", "the disk is full", "", ErrorKind::kNoRoom})
                : Status();
   };
   ASSERT_TRUE(service->start().ok());
   const std::string id = submit(cloth_over_block(200));
   ASSERT_TRUE(publisher.wait_for_end(id));
-  EXPECT_EQ(row(id).state, JobState::kFailed);
+  EXPECT_EQ(row(id).state, store::JobState::kFailed);
   EXPECT_EQ(row(id).reason_code, "store.full");
 }
 
@@ -191,8 +191,8 @@ TEST_F(JobFailures, ASeamThatCannotCloseFailsWithItsNameAndKeepsWhatThereIs) {
   ASSERT_TRUE(service->start().ok());
   const std::string id = submit(document);
   ASSERT_TRUE(publisher.wait_for_end(id));
-  const JobRow job = row(id);
-  EXPECT_EQ(job.state, JobState::kFailed);
+  const store::JobRow job = row(id);
+  EXPECT_EQ(job.state, store::JobState::kFailed);
   EXPECT_EQ(job.reason_code, "drape.stalled_seam") << job.reason << " " << job.reason_where;
   EXPECT_TRUE(job.reason_where == "seam side" || job.reason_where == "seam other") << job.reason_where;
   EXPECT_FALSE(job.report.empty());
@@ -212,7 +212,7 @@ TEST_F(JobFailures, ACancelWhileResultsAreKeptLeavesNone) {
   ASSERT_TRUE(service->start().ok());
   ASSERT_TRUE(publisher.wait_for_end(id));
   service->stop();
-  EXPECT_EQ(row(id).state, JobState::kCancelled);
+  EXPECT_EQ(row(id).state, store::JobState::kCancelled);
   EXPECT_TRUE(row(id).results.empty());
   EXPECT_EQ(store.kept_results(kOwner, id), 0u);
 }

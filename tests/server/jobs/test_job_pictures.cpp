@@ -29,7 +29,7 @@ TEST_F(JobsInTheirPictures, AreCancelledWithoutWaitingForThem) {
   const std::string id = drawing();
   ASSERT_TRUE(service->cancel(kOwner, id).ok());
   ASSERT_TRUE(publisher.wait_for_end(id));
-  EXPECT_EQ(row(id).state, JobState::kCancelled);
+  EXPECT_EQ(row(id).state, store::JobState::kCancelled);
   EXPECT_TRUE(row(id).results.empty());
   EXPECT_FALSE(store.result_bytes(kOwner, id, "report.json").ok());
 }
@@ -37,10 +37,10 @@ TEST_F(JobsInTheirPictures, AreCancelledWithoutWaitingForThem) {
 TEST_F(JobsInTheirPictures, ArePausedAndResumedThere) {
   const std::string id = drawing();
   ASSERT_TRUE(service->pause(kOwner, id).ok());
-  ASSERT_TRUE(publisher.wait_for_state(id, JobState::kPaused));
+  ASSERT_TRUE(publisher.wait_for_state(id, store::JobState::kPaused));
   ASSERT_TRUE(service->resume(kOwner, id).ok());
   ASSERT_TRUE(publisher.wait_for_end(id));
-  EXPECT_EQ(row(id).state, JobState::kSucceeded);
+  EXPECT_EQ(row(id).state, store::JobState::kSucceeded);
   EXPECT_EQ(row(id).results.size(), 11u);
   EXPECT_EQ(publisher.log(id).topologies.size(), 1u) << "nothing is draped again";
 }
@@ -48,18 +48,18 @@ TEST_F(JobsInTheirPictures, ArePausedAndResumedThere) {
 TEST_F(JobsInTheirPictures, AreBroughtToTheirEndByAStop) {
   const std::string id = drawing();
   service->stop();
-  EXPECT_EQ(row(id).state, JobState::kSucceeded);
+  EXPECT_EQ(row(id).state, store::JobState::kSucceeded);
   EXPECT_EQ(row(id).results.size(), 11u);
 }
 
 TEST_F(JobsInTheirPictures, AreKeptWithoutThemWhenTheyCannotBeDrawn) {
   settings.still_width = 4;  // less than a still may have
-  service = make_job_service(documents, publisher, settings);
+  service = jobs::make_job_service(documents, publisher, settings);
   ASSERT_TRUE(service->start().ok());
   const std::string id = submit(cloth_over_block(200));
   ASSERT_TRUE(publisher.wait_for_end(id));
-  const JobRow job = row(id);
-  EXPECT_EQ(job.state, JobState::kSucceeded);
+  const store::JobRow job = row(id);
+  EXPECT_EQ(job.state, store::JobState::kSucceeded);
   EXPECT_EQ(job.reason_code, "time");
   EXPECT_NE(job.reason.find("no pictures"), std::string::npos) << job.reason;
   EXPECT_TRUE(job.results.contains("final.glb"));

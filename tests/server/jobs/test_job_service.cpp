@@ -25,8 +25,8 @@ TEST_F(Jobs, FourAtOnceOnTwoWorkersEndAsEachDoesAlone) {
   for (const int size : {180, 190, 200, 210}) ids.push_back(submit(cloth_over_block(size)));
   for (const std::string& id : ids) {
     ASSERT_TRUE(publisher.wait_for_end(id));
-    const JobRow job = row(id);
-    EXPECT_EQ(job.state, JobState::kSucceeded) << job.reason_code << ": " << job.reason;
+    const store::JobRow job = row(id);
+    EXPECT_EQ(job.state, store::JobState::kSucceeded) << job.reason_code << ": " << job.reason;
     EXPECT_EQ(hash_in(job), hash_of_alone(job));
   }
   EXPECT_EQ(service->counts().succeeded, 4);
@@ -37,8 +37,8 @@ TEST_F(Jobs, ALoneDrapeLeavesItsReportModelsCheckDataAndPictures) {
   ASSERT_TRUE(service->start().ok());
   const std::string id = submit(cloth_over_block(200));
   ASSERT_TRUE(publisher.wait_for_end(id));
-  const JobRow job = row(id);
-  EXPECT_EQ(job.state, JobState::kSucceeded);
+  const store::JobRow job = row(id);
+  EXPECT_EQ(job.state, store::JobState::kSucceeded);
   EXPECT_EQ(job.reason_code, "time");
   EXPECT_EQ(job.attempt, 1);
   EXPECT_GT(job.started_ms, 0);
@@ -61,7 +61,7 @@ TEST_F(Jobs, ALoneDrapeLeavesItsReportModelsCheckDataAndPictures) {
 TEST_F(Jobs, ShowThePicturesOnTheirPieces) {
   ASSERT_TRUE(service->start().ok());
   const std::string checks = test::png_of(test::squares());
-  AssetRow asset;
+  store::AssetRow asset;
   asset.kind = "image";
   asset.name = "checks.png";
   const std::string picture = store.put_asset(kOwner, asset, checks).value().id;
@@ -70,18 +70,18 @@ TEST_F(Jobs, ShowThePicturesOnTheirPieces) {
   document.replace(document.find(cloth), cloth.size(),
                    R"("texture": {"image": "checks.png", "scale_mm": 40}, )" + cloth);
   const auto submit_with = [&](const std::map<std::string, std::string>& more) {
-    ProjectRow project = store.project(kOwner, project_of(document)).value();
+    store::ProjectRow project = store.project(kOwner, project_of(document)).value();
     project.files.insert(more.begin(), more.end());
     const std::string id = store.create_project(kOwner, project, "").value().id;
     const std::string job = service->submit(kOwner, id, "").value().id;
     EXPECT_TRUE(publisher.wait_for_end(job));
     return row(job);
   };
-  const JobRow shown = submit_with({{"checks.png", picture}});
-  EXPECT_EQ(shown.state, JobState::kSucceeded) << shown.reason;
+  const store::JobRow shown = submit_with({{"checks.png", picture}});
+  EXPECT_EQ(shown.state, store::JobState::kSucceeded) << shown.reason;
   EXPECT_NE(store.result_bytes(kOwner, shown.id, "final.glb").value().find(checks), std::string::npos);
-  const JobRow plain = submit_with({});
-  EXPECT_EQ(plain.state, JobState::kSucceeded) << "a drape is worth keeping without its pictures";
+  const store::JobRow plain = submit_with({});
+  EXPECT_EQ(plain.state, store::JobState::kSucceeded) << "a drape is worth keeping without its pictures";
   EXPECT_NE(plain.reason.find("checks.png"), std::string::npos) << plain.reason;
   EXPECT_EQ(hash_in(shown), hash_in(plain)) << "looks move no cloth";
 }
@@ -94,7 +94,7 @@ TEST_F(Jobs, ViewersSeeTheTopologyFirstThenFramesWithoutGapsThatEndWhereTheRepor
   ASSERT_EQ(log.topologies.size(), 1u);
   EXPECT_LT(log.order.find('T'), log.order.find('F'));
   EXPECT_EQ(log.order.back(), 'e');
-  const DecodedTopology topology = decode_topology(log.topologies[0]->bytes).value();
+  const proto::DecodedTopology topology = proto::decode_topology(log.topologies[0]->bytes).value();
   EXPECT_EQ(topology.epoch, log.topologies[0]->epoch);
   ASSERT_EQ(topology.pieces.size(), 1u);
   EXPECT_EQ(topology.pieces[0].id, "cloth");
@@ -103,13 +103,13 @@ TEST_F(Jobs, ViewersSeeTheTopologyFirstThenFramesWithoutGapsThatEndWhereTheRepor
   EXPECT_EQ(log.frames.front()->step, 0);
   std::vector<std::int16_t> before;
   for (std::size_t i = 0; i < log.frames.size(); ++i) {
-    const StreamFrame& frame = *log.frames[i];
+    const jobs::StreamFrame& frame = *log.frames[i];
     ASSERT_EQ(frame.seq, i + 1);
     ASSERT_EQ(frame.epoch, topology.epoch);
     if (i == 0) {
       EXPECT_TRUE(frame.delta.empty());
     } else {
-      const Result<DecodedFrame> decoded = decode_frame(frame.delta, before);
+      const Result<proto::DecodedFrame> decoded = proto::decode_frame(frame.delta, before);
       ASSERT_TRUE(decoded.ok()) << to_string(decoded.error());
       ASSERT_EQ(decoded->grid, frame.grid);
       ASSERT_EQ(decoded->header.seq, frame.seq);
@@ -121,8 +121,8 @@ TEST_F(Jobs, ViewersSeeTheTopologyFirstThenFramesWithoutGapsThatEndWhereTheRepor
     before = frame.grid;
   }
 
-  const DrapeResult end = alone(row(id));
-  const std::vector<Vec3> shown = dequantise(log.frames.back()->grid, topology.grid);
+  const drape::DrapeResult end = alone(row(id));
+  const std::vector<Vec3> shown = proto::dequantise(log.frames.back()->grid, topology.grid);
   EXPECT_EQ(log.frames.back()->step, end.steps);
   ASSERT_EQ(shown.size(), end.positions.size());
   for (std::size_t v = 0; v < shown.size(); ++v) {
@@ -138,13 +138,13 @@ TEST_F(Jobs, ProgressIsToldWithFiguresAndNotMoreThanTenTimesASecond) {
   ASSERT_TRUE(publisher.wait_for_end(id));
   const Log log = publisher.log(id);
   ASSERT_GE(log.progress.size(), 4u);
-  EXPECT_EQ(log.progress.front().progress.state, JobState::kQueued);
+  EXPECT_EQ(log.progress.front().progress.state, store::JobState::kQueued);
   EXPECT_EQ(log.progress.front().progress.phase, "queued");
   std::string phases;
   std::vector<test::Recorder::Clock::time_point> draping;
   for (std::size_t i = 1; i < log.progress.size(); ++i) {
-    const JobProgress& now = log.progress[i].progress;
-    EXPECT_EQ(now.state, JobState::kRunning);
+    const jobs::JobProgress& now = log.progress[i].progress;
+    EXPECT_EQ(now.state, store::JobState::kRunning);
     EXPECT_GE(now.step, log.progress[i - 1].progress.step);
     if (now.phase != log.progress[i - 1].progress.phase) phases += now.phase + " ";
     if (now.phase == "drape") draping.push_back(log.progress[i].at);
@@ -153,14 +153,14 @@ TEST_F(Jobs, ProgressIsToldWithFiguresAndNotMoreThanTenTimesASecond) {
   EXPECT_LE(static_cast<double>(draping.size()), 10 * seconds + 2);
   EXPECT_EQ(phases, "mesh drape stills ") << "a running job that has not begun is still in phase queued";
   ASSERT_EQ(log.ended.size(), 1u);
-  const JobProgress& last = log.ended[0];
-  EXPECT_EQ(last.state, JobState::kSucceeded);
-  EXPECT_EQ(last.step, static_cast<int>(*parse_json(row(id).report).value().find("steps")->number()));
+  const jobs::JobProgress& last = log.ended[0];
+  EXPECT_EQ(last.state, store::JobState::kSucceeded);
+  EXPECT_EQ(last.step, static_cast<int>(*json::parse_json(row(id).report).value().find("steps")->number()));
   EXPECT_NEAR(last.simulated_s, 6, 1e-3);
   EXPECT_GT(last.step_ms, 0);
   EXPECT_EQ(service->counts().steps, last.step);
-  const JobProgress later = service->progress(kOwner, id).value();
-  EXPECT_EQ(later.state, JobState::kSucceeded);
+  const jobs::JobProgress later = service->progress(kOwner, id).value();
+  EXPECT_EQ(later.state, store::JobState::kSucceeded);
   EXPECT_EQ(later.step, last.step) << "from the row's report";
 }
 
@@ -169,11 +169,11 @@ TEST_F(Jobs, APausedDrapeFreesItsWorkerAndEndsAsIfNothingHadHappened) {
   ASSERT_TRUE(service->start().ok());
   const std::string first = submit(cloth_over_block(200, 8));
   ASSERT_TRUE(publisher.wait_for_frames(first, 3));
-  const Result<JobRow> paused = service->pause(kOwner, first);
+  const Result<store::JobRow> paused = service->pause(kOwner, first);
   ASSERT_TRUE(paused.ok()) << to_string(paused.error());
-  EXPECT_EQ(paused->state, JobState::kPaused);
-  EXPECT_EQ(row(first).state, JobState::kPaused);
-  ASSERT_TRUE(publisher.wait_for_state(first, JobState::kPaused));
+  EXPECT_EQ(paused->state, store::JobState::kPaused);
+  EXPECT_EQ(row(first).state, store::JobState::kPaused);
+  ASSERT_TRUE(publisher.wait_for_state(first, store::JobState::kPaused));
   EXPECT_EQ(service->counts().paused, 1);
   const std::size_t frames = publisher.log(first).frames.size();
 
@@ -181,10 +181,10 @@ TEST_F(Jobs, APausedDrapeFreesItsWorkerAndEndsAsIfNothingHadHappened) {
   ASSERT_TRUE(publisher.wait_for_end(second)) << "the only worker takes other work";
   EXPECT_EQ(publisher.log(first).frames.size(), frames) << "and does not touch the paused drape";
 
-  EXPECT_EQ(service->resume(kOwner, first)->state, JobState::kQueued);
+  EXPECT_EQ(service->resume(kOwner, first)->state, store::JobState::kQueued);
   ASSERT_TRUE(publisher.wait_for_end(first));
-  const JobRow job = row(first);
-  EXPECT_EQ(job.state, JobState::kSucceeded);
+  const store::JobRow job = row(first);
+  EXPECT_EQ(job.state, store::JobState::kSucceeded);
   EXPECT_EQ(job.attempt, 1) << "a pause is no new attempt";
   EXPECT_EQ(publisher.log(first).topologies.size(), 1u) << "and no new epoch";
   EXPECT_EQ(hash_in(job), hash_of_alone(job));
@@ -203,7 +203,7 @@ TEST_F(Jobs, AResumedDrapeGoesBeforeThoseThatWait) {
   ASSERT_TRUE(service->cancel(kOwner, second).ok());
   const std::size_t had = publisher.log(first).frames.size();
   ASSERT_TRUE(publisher.wait_for_frames(first, had + 1));
-  EXPECT_EQ(row(third).state, JobState::kQueued);
+  EXPECT_EQ(row(third).state, store::JobState::kQueued);
   ASSERT_TRUE(service->cancel(kOwner, first).ok());
   ASSERT_TRUE(publisher.wait_for_end(third));
 }
@@ -213,14 +213,14 @@ TEST_F(Jobs, APauseIsUndoneAtOnceWithoutLosingTheDrape) {
   const std::string id = submit(cloth_over_block(200, 6));
   ASSERT_TRUE(publisher.wait_for_frames(id, 2));
   for (int i = 0; i < 20; ++i) {  // the worker may or may not have seen the pause when the job is resumed
-    const Result<JobRow> paused = service->pause(kOwner, id);
+    const Result<store::JobRow> paused = service->pause(kOwner, id);
     if (!paused) {
       EXPECT_EQ(paused.error().code, "jobs.state") << "only while it waits for its worker";
     }
     static_cast<void>(service->resume(kOwner, id).ok());
   }
   ASSERT_TRUE(publisher.wait_for_end(id));
-  EXPECT_EQ(row(id).state, JobState::kSucceeded);
+  EXPECT_EQ(row(id).state, store::JobState::kSucceeded);
   EXPECT_EQ(hash_in(row(id)), hash_of_alone(row(id)));
 }
 
@@ -235,11 +235,11 @@ TEST_F(Jobs, AQueuedJobIsPausedAndCancelledWithoutAWorker) {
   EXPECT_EQ(service->counts().queued, 0);
   EXPECT_EQ(service->counts().paused, 1);
   EXPECT_EQ(service->pause(kOwner, waiting).error().code, "jobs.state");
-  EXPECT_EQ(service->resume(kOwner, waiting)->state, JobState::kQueued);
-  const Result<JobRow> cancelled = service->cancel(kOwner, waiting);
+  EXPECT_EQ(service->resume(kOwner, waiting)->state, store::JobState::kQueued);
+  const Result<store::JobRow> cancelled = service->cancel(kOwner, waiting);
   ASSERT_TRUE(cancelled.ok());
-  EXPECT_EQ(cancelled->state, JobState::kCancelled);
-  EXPECT_EQ(publisher.log(waiting).ended.at(0).state, JobState::kCancelled);
+  EXPECT_EQ(cancelled->state, store::JobState::kCancelled);
+  EXPECT_EQ(publisher.log(waiting).ended.at(0).state, store::JobState::kCancelled);
   EXPECT_EQ(row(waiting).reason_code, "cancelled");
   EXPECT_GT(row(waiting).ended_ms, 0);
   EXPECT_TRUE(publisher.log(waiting).topologies.empty());
@@ -250,16 +250,16 @@ TEST_F(Jobs, ARunningDrapeThatIsCancelledSaysSoLast) {
   ASSERT_TRUE(service->start().ok());
   const std::string id = submit(cloth_over_block(200, kEndless));
   ASSERT_TRUE(publisher.wait_for_frames(id, 5));
-  EXPECT_EQ(service->cancel(kOwner, id)->state, JobState::kCancelled);
+  EXPECT_EQ(service->cancel(kOwner, id)->state, store::JobState::kCancelled);
   ASSERT_TRUE(publisher.wait_for_end(id));
   service->stop();
   EXPECT_EQ(publisher.log(id).ended.size(), 1u);
-  EXPECT_EQ(publisher.log(id).ended[0].state, JobState::kCancelled);
+  EXPECT_EQ(publisher.log(id).ended[0].state, store::JobState::kCancelled);
   EXPECT_EQ(publisher.log(id).order.back(), 'e') << "nothing comes after the last word";
-  EXPECT_EQ(row(id).state, JobState::kCancelled);
+  EXPECT_EQ(row(id).state, store::JobState::kCancelled);
   EXPECT_TRUE(row(id).report.empty());
   EXPECT_EQ(service->counts().cancelled, 1);
-  EXPECT_EQ(service->progress(kOwner, id)->state, JobState::kCancelled);
+  EXPECT_EQ(service->progress(kOwner, id)->state, store::JobState::kCancelled);
 }
 
 TEST_F(Jobs, ARunningDrapeSeesACancelWithinFiftyMilliseconds) {
@@ -282,7 +282,7 @@ TEST_F(Jobs, APausedDrapeIsCancelledAtOnce) {
   const std::string id = submit(cloth_over_block(200, kEndless));
   ASSERT_TRUE(publisher.wait_for_frames(id, 2));
   ASSERT_TRUE(service->pause(kOwner, id).ok());
-  ASSERT_TRUE(publisher.wait_for_state(id, JobState::kPaused));
+  ASSERT_TRUE(publisher.wait_for_state(id, store::JobState::kPaused));
   ASSERT_TRUE(service->cancel(kOwner, id).ok());
   EXPECT_EQ(publisher.log(id).ended.size(), 1u);
   EXPECT_EQ(service->counts().paused, 0);
@@ -337,7 +337,7 @@ TEST_F(Jobs, ARetryGivesTheJobOfThenWhateverBecameOfTheProjectAndTheQueue) {
   const auto refused = service->submit(kOwner, other, "");
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, "jobs.queue_full");
-  ProjectRow edited = store.project(kOwner, project).value();
+  store::ProjectRow edited = store.project(kOwner, project).value();
   edited.document = cloth_over_block(180);
   edited.revision = 2;
   ASSERT_TRUE(store.replace_project(kOwner, edited, 0));
@@ -354,10 +354,10 @@ TEST_F(Jobs, ARetryGivesTheJobOfThenWhateverBecameOfTheProjectAndTheQueue) {
 TEST_F(Jobs, BelongToTheirOwnerOnly) {
   ASSERT_TRUE(service->start().ok());
   const std::string project = project_of(cloth_over_block(200, kEndless));
-  EXPECT_EQ(service->submit(RequestContext("bob"), project, "").error().code, "store.not_found");
+  EXPECT_EQ(service->submit(store::RequestContext("bob"), project, "").error().code, "store.not_found");
   const std::string id = service->submit(kOwner, project, "")->id;
-  EXPECT_EQ(service->cancel(RequestContext("bob"), id).error().code, "store.not_found");
-  EXPECT_EQ(service->progress(RequestContext("bob"), id).error().code, "store.not_found");
+  EXPECT_EQ(service->cancel(store::RequestContext("bob"), id).error().code, "store.not_found");
+  EXPECT_EQ(service->progress(store::RequestContext("bob"), id).error().code, "store.not_found");
   EXPECT_EQ(service->pause(kOwner, "j_none").error().code, "store.not_found");
   EXPECT_TRUE(service->cancel(kOwner, id).ok());
 }
@@ -374,10 +374,10 @@ TEST_F(Jobs, AStopPutsDrapesBackIntoTheQueueAndANewStartEndsThem) {
   service->stop();
   service->stop();
   for (const std::string& id : {parked, running, waiting}) {
-    EXPECT_EQ(row(id).state, JobState::kQueued);
+    EXPECT_EQ(row(id).state, store::JobState::kQueued);
     EXPECT_EQ(row(id).attempt, 0) << "an orderly stop is no attempt";
     ASSERT_EQ(publisher.log(id).ended.size(), 1u);
-    EXPECT_EQ(publisher.log(id).ended[0].state, JobState::kQueued);
+    EXPECT_EQ(publisher.log(id).ended[0].state, store::JobState::kQueued);
     EXPECT_EQ(publisher.log(id).order.back(), 'e');
   }
   EXPECT_EQ(row(running).reason_code, "requeued");
@@ -388,8 +388,8 @@ TEST_F(Jobs, AStopPutsDrapesBackIntoTheQueueAndANewStartEndsThem) {
   ASSERT_TRUE(service->start().ok());
   for (const std::string& id : {parked, running, waiting}) {
     ASSERT_TRUE(publisher.wait_for_end(id, 2));
-    const JobRow job = row(id);
-    EXPECT_EQ(job.state, JobState::kSucceeded) << job.reason;
+    const store::JobRow job = row(id);
+    EXPECT_EQ(job.state, store::JobState::kSucceeded) << job.reason;
     EXPECT_EQ(job.attempt, 1);
     EXPECT_EQ(hash_in(job), hash_of_alone(job));
   }
@@ -401,37 +401,37 @@ TEST_F(Jobs, AStopPutsDrapesBackIntoTheQueueAndANewStartEndsThem) {
 
 TEST_F(Jobs, WhatIsSubmittedBeforeTheStartIsDrapedAfterIt) {
   const std::string id = submit(cloth_over_block(200));
-  EXPECT_EQ(row(id).state, JobState::kQueued);
+  EXPECT_EQ(row(id).state, store::JobState::kQueued);
   ASSERT_TRUE(service->start().ok());
   ASSERT_TRUE(publisher.wait_for_end(id));
-  EXPECT_EQ(row(id).state, JobState::kSucceeded);
+  EXPECT_EQ(row(id).state, store::JobState::kSucceeded);
 }
 
 TEST_F(Jobs, ADrapeThatACrashCutOffIsTriedThreeTimesAndThenFails) {
   const std::string again = submit(cloth_over_block(200)), never = submit(cloth_over_block(190));
   const std::string paused = submit(cloth_over_block(180));
-  store.tamper(kOwner, again, [](JobRow& row) {
-    row.state = JobState::kRunning;
+  store.tamper(kOwner, again, [](store::JobRow& row) {
+    row.state = store::JobState::kRunning;
     row.attempt = 2;
   });
-  store.tamper(kOwner, never, [](JobRow& row) {
-    row.state = JobState::kRunning;
+  store.tamper(kOwner, never, [](store::JobRow& row) {
+    row.state = store::JobState::kRunning;
     row.attempt = 3;
   });
-  store.tamper(kOwner, paused, [](JobRow& row) {
-    row.state = JobState::kPaused;
+  store.tamper(kOwner, paused, [](store::JobRow& row) {
+    row.state = store::JobState::kPaused;
     row.attempt = 3;
   });
   ASSERT_TRUE(service->start().ok());
-  EXPECT_EQ(row(never).state, JobState::kFailed);
+  EXPECT_EQ(row(never).state, store::JobState::kFailed);
   EXPECT_EQ(row(never).reason_code, "jobs.attempts");
   EXPECT_NE(row(never).reason.find("3 times"), std::string::npos) << row(never).reason;
   ASSERT_TRUE(publisher.wait_for_end(again));
-  EXPECT_EQ(row(again).state, JobState::kSucceeded);
+  EXPECT_EQ(row(again).state, store::JobState::kSucceeded);
   EXPECT_EQ(row(again).attempt, 3);
   EXPECT_EQ(row(again).reason_code, "time");
   ASSERT_TRUE(publisher.wait_for_end(paused));
-  EXPECT_EQ(row(paused).state, JobState::kSucceeded) << "a pause breaks nothing down";
+  EXPECT_EQ(row(paused).state, store::JobState::kSucceeded) << "a pause breaks nothing down";
 }
 
 TEST_F(Jobs, ManyHandsAtOnceLeaveEveryJobWithOneLastWord) {
@@ -458,14 +458,14 @@ TEST_F(Jobs, ManyHandsAtOnceLeaveEveryJobWithOneLastWord) {
   }
   for (const std::string& id : ids) static_cast<void>(service->resume(kOwner, id).ok());
   for (const std::string& id : ids) {
-    ASSERT_TRUE(publisher.wait_for_end(id)) << name_of(row(id).state);
+    ASSERT_TRUE(publisher.wait_for_end(id)) << store::name_of(row(id).state);
     const Log log = publisher.log(id);
     EXPECT_EQ(log.ended.size(), 1u);
     EXPECT_EQ(log.order.back(), 'e');
     EXPECT_EQ(log.ended[0].state, row(id).state);
-    EXPECT_TRUE(row(id).state == JobState::kSucceeded || row(id).state == JobState::kCancelled)
+    EXPECT_TRUE(row(id).state == store::JobState::kSucceeded || row(id).state == store::JobState::kCancelled)
         << row(id).reason;
-    if (row(id).state == JobState::kSucceeded) {
+    if (row(id).state == store::JobState::kSucceeded) {
       EXPECT_EQ(hash_in(row(id)), hash_of_alone(row(id)));
     }
   }

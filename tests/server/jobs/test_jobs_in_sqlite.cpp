@@ -28,12 +28,12 @@ class JobsInSqlite : public testing::Test {
   }
 
   void open() {
-    store_ = open_sqlite_store(folder_.string()).value();
-    documents_ = std::make_unique<Documents>(*store_);
-    JobServiceSettings settings;
+    store_ = sqlite::open_sqlite_store(folder_.string()).value();
+    documents_ = std::make_unique<documents::Documents>(*store_);
+    jobs::JobServiceSettings settings;
     settings.still_width = 64;
     settings.still_height = 80;
-    service_ = make_job_service(*documents_, publisher_, settings);
+    service_ = jobs::make_job_service(*documents_, publisher_, settings);
     EXPECT_TRUE(service_->start().ok());
   }
   void close() {
@@ -43,18 +43,18 @@ class JobsInSqlite : public testing::Test {
   }
 
   std::string submit(double max_time) {
-    const AssetRow block = add_asset(*documents_, kOwner, "body", "block.obj", test::kBlock).value();
+    const store::AssetRow block = documents::add_asset(*documents_, kOwner, "body", "block.obj", test::kBlock).value();
     const auto project =
-        create_project(*documents_, kOwner, test::cloth_over_block(200, max_time), {{"block.obj", block.id}});
+        documents::create_project(*documents_, kOwner, test::cloth_over_block(200, max_time), {{"block.obj", block.id}});
     EXPECT_TRUE(project.ok()) << to_string(project.error());
     return service_->submit(kOwner, project->id, "").value().id;
   }
 
   fs::path folder_;
   test::Recorder publisher_;
-  std::unique_ptr<Store> store_;
-  std::unique_ptr<Documents> documents_;
-  std::unique_ptr<JobService> service_;
+  std::unique_ptr<store::Store> store_;
+  std::unique_ptr<documents::Documents> documents_;
+  std::unique_ptr<jobs::JobService> service_;
 };
 
 TEST_F(JobsInSqlite, ADrapeAndItsResultsAreThereAfterARestart) {
@@ -62,14 +62,14 @@ TEST_F(JobsInSqlite, ADrapeAndItsResultsAreThereAfterARestart) {
   ASSERT_TRUE(publisher_.wait_for_end(id));
   close();
   open();
-  const JobRow job = store_->job(kOwner, id).value();
-  EXPECT_EQ(job.state, JobState::kSucceeded) << job.reason;
+  const store::JobRow job = store_->job(kOwner, id).value();
+  EXPECT_EQ(job.state, store::JobState::kSucceeded) << job.reason;
   EXPECT_EQ(job.results.size(), 11u);
   for (const auto& [name, size] : job.results) {
     EXPECT_EQ(static_cast<std::int64_t>(store_->result_bytes(kOwner, id, name).value().size()), size) << name;
   }
   EXPECT_EQ(service_->progress(kOwner, id)->step,
-            static_cast<int>(*parse_json(job.report).value().find("steps")->number()));
+            static_cast<int>(*json::parse_json(job.report).value().find("steps")->number()));
 }
 
 TEST_F(JobsInSqlite, ADrapeThatAStopCutOffIsEndedByTheNextServer) {
@@ -77,11 +77,11 @@ TEST_F(JobsInSqlite, ADrapeThatAStopCutOffIsEndedByTheNextServer) {
   ASSERT_TRUE(publisher_.wait_for_frames(id, 2));
   close();
   ASSERT_EQ(publisher_.log(id).ended.size(), 1u);
-  EXPECT_EQ(publisher_.log(id).ended[0].state, JobState::kQueued);
+  EXPECT_EQ(publisher_.log(id).ended[0].state, store::JobState::kQueued);
   open();
   ASSERT_TRUE(publisher_.wait_for_end(id, 2));
-  const JobRow job = store_->job(kOwner, id).value();
-  EXPECT_EQ(job.state, JobState::kSucceeded) << job.reason;
+  const store::JobRow job = store_->job(kOwner, id).value();
+  EXPECT_EQ(job.state, store::JobState::kSucceeded) << job.reason;
   EXPECT_EQ(job.attempt, 1);
 }
 

@@ -5,35 +5,35 @@
 namespace toile {
 namespace {
 
-std::string first(const JobQueue& queue) {
+std::string first(const jobs::JobQueue& queue) {
   return queue.first([](const std::string&) { return true; }).value_or("");
 }
 
 TEST(JobQueue, GivesTheOldestFirst) {
-  JobQueue queue;
-  queue.put("a", QueuePlace::kBack);
-  queue.put("b", QueuePlace::kBack);
+  jobs::JobQueue queue;
+  queue.put("a", jobs::QueuePlace::kBack);
+  queue.put("b", jobs::QueuePlace::kBack);
   EXPECT_EQ(first(queue), "a");
-  queue.put("a", QueuePlace::kOut);
+  queue.put("a", jobs::QueuePlace::kOut);
   EXPECT_EQ(first(queue), "b");
 }
 
 TEST(JobQueue, HoldsAJobOnlyOnce) {
-  JobQueue queue;
-  queue.put("a", QueuePlace::kBack);
-  queue.put("b", QueuePlace::kBack);
-  queue.put("b", QueuePlace::kFront);
+  jobs::JobQueue queue;
+  queue.put("a", jobs::QueuePlace::kBack);
+  queue.put("b", jobs::QueuePlace::kBack);
+  queue.put("b", jobs::QueuePlace::kFront);
   EXPECT_EQ(first(queue), "b");
-  queue.put("b", QueuePlace::kOut);
+  queue.put("b", jobs::QueuePlace::kOut);
   EXPECT_EQ(first(queue), "a");
-  queue.put("a", QueuePlace::kOut);
+  queue.put("a", jobs::QueuePlace::kOut);
   EXPECT_EQ(first(queue), "");
 }
 
 TEST(JobQueue, PassesOverWhatIsNotReady) {
-  JobQueue queue;
-  queue.put("a", QueuePlace::kBack);
-  queue.put("b", QueuePlace::kBack);
+  jobs::JobQueue queue;
+  queue.put("a", jobs::QueuePlace::kBack);
+  queue.put("b", jobs::QueuePlace::kBack);
   EXPECT_EQ(queue.first([](const std::string& id) { return id != "a"; }), "b");
 }
 

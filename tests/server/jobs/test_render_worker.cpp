@@ -11,7 +11,7 @@ namespace {
 bool never() { return false; }
 
 TEST(RenderWorker, RunsAllDrawingsOnOneThreadThatIsNotTheCallers) {
-  RenderWorker worker;
+  jobs::RenderWorker worker;
   std::thread::id seen[2];
   for (std::thread::id& id : seen) {
     EXPECT_TRUE(
@@ -23,7 +23,7 @@ TEST(RenderWorker, RunsAllDrawingsOnOneThreadThatIsNotTheCallers) {
 }
 
 TEST(RenderWorker, GivesBackWhatTheDrawingGives) {
-  RenderWorker worker;
+  jobs::RenderWorker worker;
   const Status status = worker.draw(
       [](const RunContext&) {
         return Status(Error{"render.failed", "no paint", ""});
@@ -34,7 +34,7 @@ TEST(RenderWorker, GivesBackWhatTheDrawingGives) {
 }
 
 TEST(RenderWorker, ThrowsAtTheCallerWhatTheDrawingThrowsAndDrawsOn) {
-  RenderWorker worker;
+  jobs::RenderWorker worker;
   EXPECT_THROW(
       static_cast<void>(
           worker.draw([](const RunContext&) -> Status { throw std::runtime_error("torn"); }, never).ok()),
@@ -44,7 +44,7 @@ TEST(RenderWorker, ThrowsAtTheCallerWhatTheDrawingThrowsAndDrawsOn) {
 
 TEST(RenderWorker, DoesNotWaitForADrawingThatIsGivenUp) {
   std::latch go(1);
-  RenderWorker worker;
+  jobs::RenderWorker worker;
   const Status status = worker.draw(
       [&](const RunContext&) {
         go.wait();
@@ -58,7 +58,7 @@ TEST(RenderWorker, DoesNotWaitForADrawingThatIsGivenUp) {
 
 TEST(RenderWorker, TellsADrawingThatItIsGivenUp) {
   std::latch begun(1), seen(1);
-  RenderWorker worker;
+  jobs::RenderWorker worker;
   const Status status = worker.draw(
       [&](const RunContext& context) {
         begun.count_down();
@@ -73,7 +73,7 @@ TEST(RenderWorker, TellsADrawingThatItIsGivenUp) {
 
 TEST(RenderWorker, RefusesMoreThanItsQueueHolds) {
   std::latch go(1), begun(1);
-  RenderWorker worker(1);
+  jobs::RenderWorker worker(1);
   std::jthread first([&] {
     EXPECT_TRUE(
         worker.draw([&](const RunContext&) { return begun.count_down(), go.wait(), Status(); }, never).ok());

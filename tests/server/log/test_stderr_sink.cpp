@@ -9,24 +9,24 @@ namespace toile {
 namespace {
 
 TEST(LogText, IsTheEventAndItsFieldsInTheirOrder) {
-  EXPECT_EQ(log_text("job claimed", LogFields{{"owner", "ann"}, {"job", "j_1"}}, LogFields{{"attempt", "2"}}),
+  EXPECT_EQ(log::log_text("job claimed", LogFields{{"owner", "ann"}, {"job", "j_1"}}, LogFields{{"attempt", "2"}}),
             "job claimed owner=ann job=j_1 attempt=2");
 }
 
 TEST(LogText, PassesOverWhatIsEmptyAndQuotesWhatIsNoPlainWord) {
-  EXPECT_EQ(log_text("answered", {}, LogFields{{"where", ""}, {"target", "/a b"}, {"name", "Jäckchen"}}),
+  EXPECT_EQ(log::log_text("answered", {}, LogFields{{"where", ""}, {"target", "/a b"}, {"name", "Jäckchen"}}),
             "answered target=\"/a b\" name=\"Jäckchen\"");
 }
 
 TEST(LogText, AStrangersWordsForgeNoLine) {
-  EXPECT_EQ(log_text("answered", {}, LogFields{{"target", "/x\n2026 error \"owner\"=eve\\"}}),
+  EXPECT_EQ(log::log_text("answered", {}, LogFields{{"target", "/x\n2026 error \"owner\"=eve\\"}}),
             "answered target=\"/x\\x0a2026 error \\\"owner\\\"=eve\\\\\"");
 }
 
 TEST(StderrSink, WritesOneLineForEachCallWithLevelAndBoundFields) {
   testing::internal::CaptureStderr();
   {
-    const auto sink = make_stderr_sink();
+    const auto sink = log::make_stderr_sink();
     const Log log = Log(*sink).with("owner", "ann");
     log.debug("not told");
     std::vector<std::thread> threads;

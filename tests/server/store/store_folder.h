@@ -19,8 +19,8 @@ class TemporaryFolder {
   TemporaryFolder() : path_(testing::TempDir() + "toile_XXXXXX") {
     if (::mkdtemp(path_.data()) == nullptr) path_.clear();
   }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  TemporaryFolder(const jobs::TemporaryFolder&) = delete;
+  jobs::TemporaryFolder& operator=(const jobs::TemporaryFolder&) = delete;
   ~TemporaryFolder() {
     std::error_code failure;
     if (!path_.empty()) std::filesystem::remove_all(path_, failure);
@@ -32,31 +32,31 @@ class TemporaryFolder {
 };
 
 /// The store of a folder; stops the program when it cannot be opened, since no test has a use for that.
-inline std::unique_ptr<Store> opened(const std::string& folder) {
-  Result<std::unique_ptr<Store>> store = open_sqlite_store(folder);
+inline std::unique_ptr<store::Store> opened(const std::string& folder) {
+  Result<std::unique_ptr<store::Store>> store = sqlite::open_sqlite_store(folder);
   if (store) return std::move(*store);
   std::fprintf(stderr, "%s\n", to_string(store.error()).c_str());
   std::abort();
 }
 
-inline AssetRow named(const std::string& kind, const std::string& name) {
-  AssetRow row;
+inline store::AssetRow named(const std::string& kind, const std::string& name) {
+  store::AssetRow row;
   row.kind = kind;
   row.name = name;
   row.info = "{}";
   return row;
 }
 
-inline ProjectRow some_project(const std::string& name) {
-  ProjectRow row;
+inline store::ProjectRow some_project(const std::string& name) {
+  store::ProjectRow row;
   row.name = name;
   row.document = "{\"toile\": 1}";
   row.files = {{"cut/skirt.dxf", "a_1"}, {"body.obj", "a_2"}};
   return row;
 }
 
-inline JobRow some_job(const std::string& name) {
-  JobRow row;
+inline store::JobRow some_job(const std::string& name) {
+  store::JobRow row;
   row.project_id = "p_00000000000000000000";
   row.project_revision = 3;
   row.name = name;

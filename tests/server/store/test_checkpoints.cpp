@@ -6,7 +6,7 @@ namespace toile {
 namespace {
 
 TEST(StoreCheckpoints, AreReplacedKeptOverAReopeningAndRemoved) {
-  const TemporaryFolder folder;
+  const jobs::TemporaryFolder folder;
   std::string id;
   {
     const auto store = opened(folder.path());
@@ -27,7 +27,7 @@ TEST(StoreCheckpoints, AreReplacedKeptOverAReopeningAndRemoved) {
 }
 
 TEST(StoreCheckpoints, BelongToTheirOwner) {
-  const TemporaryFolder folder;
+  const jobs::TemporaryFolder folder;
   const auto store = opened(folder.path());
   const std::string id = store->create_job(kAnn, some_job("skirt"), "").value().id;
   EXPECT_TRUE(store->put_checkpoint(kAnn, id, "hers").ok());
@@ -39,17 +39,17 @@ TEST(StoreCheckpoints, BelongToTheirOwner) {
 }
 
 TEST(StoreCheckpoints, OfJobsThatHaveEndedGoWhenTheStoreIsOpened) {
-  const TemporaryFolder folder;
+  const jobs::TemporaryFolder folder;
   std::string ended, running;
   {
     const auto store = opened(folder.path());
-    JobRow row = store->create_job(kAnn, some_job("ended"), "").value();
+    store::JobRow row = store->create_job(kAnn, some_job("ended"), "").value();
     ended = row.id;
     running = store->create_job(kBob, some_job("running"), "").value().id;
     for (const auto& [owner, id] : {std::pair{kAnn, ended}, {kBob, running}}) {
       EXPECT_TRUE(store->put_checkpoint(owner, id, "state").ok());
     }
-    row.state = JobState::kSucceeded;
+    row.state = store::JobState::kSucceeded;
     EXPECT_TRUE(store->update_job(kAnn, row).ok());  // and then it was killed
   }
   const auto store = opened(folder.path());

@@ -24,8 +24,8 @@ constexpr std::size_t kIdSize = 22;
   const auto store = opened(folder);
   for (int i = 0;; ++i) {
     const std::string bytes(static_cast<std::size_t>(1000 + i), static_cast<char>('a' + i % 26));
-    const Result<AssetRow> asset = store->put_asset(kMe, named("dxf", "a.dxf"), bytes);
-    JobRow job = some_job("drape");
+    const Result<store::AssetRow> asset = store->put_asset(kMe, named("dxf", "a.dxf"), bytes);
+    store::JobRow job = some_job("drape");
     if (asset) job.files = {{"a.dxf", asset->id}};
     auto made = store->create_job(kMe, job, "key-" + std::to_string(i) + "-" + bytes[0]);
     if (!asset || !made || !store->put_result(kMe, made->id, "report.json", made->id)) _exit(1);
@@ -59,15 +59,15 @@ std::vector<std::string> acknowledged_until_killed(const std::string& folder, st
 }
 
 std::string integrity_of(const std::string& folder) {
-  Result<SqlDatabase> database = SqlDatabase::open(folder + "/toile.db");
+  Result<sqlite::SqlDatabase> database = sqlite::SqlDatabase::open(folder + "/toile.db");
   if (!database) return to_string(database.error());
-  Result<SqlStatement> check = database->prepare("PRAGMA integrity_check");
+  Result<sqlite::SqlStatement> check = database->prepare("PRAGMA integrity_check");
   if (!check || !check->step()) return "cannot be checked";
   return check->text(0);
 }
 
 TEST(StoreCrash, LosesNothingThatWasAcknowledgedBeforeAKill) {
-  const TemporaryFolder folder;
+  const jobs::TemporaryFolder folder;
   std::vector<std::string> ids;
   for (std::size_t round = 0; round < 6; ++round) {
     const std::vector<std::string> more = acknowledged_until_killed(folder.path(), 3 + 4 * round);
@@ -75,7 +75,7 @@ TEST(StoreCrash, LosesNothingThatWasAcknowledgedBeforeAKill) {
     ids.insert(ids.end(), more.begin(), more.end());
     const auto store = opened(folder.path());
     for (const std::string& id : ids) {
-      const Result<JobRow> job = store->job(kMe, id);
+      const Result<store::JobRow> job = store->job(kMe, id);
       ASSERT_TRUE(job) << to_string(job.error());
       const Result<std::string> bytes = store->asset_bytes(kMe, job->files.at("a.dxf"));
       ASSERT_TRUE(bytes) << to_string(bytes.error());
@@ -93,7 +93,7 @@ int full_disk_story(const std::string& folder) {
   ::signal(SIGXFSZ, SIG_IGN);
   const auto store = opened(folder);
   const auto early = store->create_project(kMe, some_project("early"));
-  const Result<AssetRow> asset = store->put_asset(kMe, named("dxf", "a.dxf"), "content");
+  const Result<store::AssetRow> asset = store->put_asset(kMe, named("dxf", "a.dxf"), "content");
   const auto job = store->create_job(kMe, some_job("early"), "");
   if (!early || !asset || !job) return 1;
   rlimit limit{};
@@ -102,19 +102,19 @@ int full_disk_story(const std::string& folder) {
   ::setrlimit(RLIMIT_FSIZE, &small);
 
   const std::string large(1 << 20, 'x');
-  ProjectRow big = some_project("big");
+  store::ProjectRow big = some_project("big");
   big.document = large;
   if (code_of(store->create_project(kMe, big)) != "store.full") return 2;
   big.id = early->id;
   if (code_of(store->replace_project(kMe, big, 1)) != "store.full") return 3;
-  JobRow big_job = some_job("big");
+  store::JobRow big_job = some_job("big");
   big_job.document = large;
   if (code_of(store->create_job(kMe, big_job, "key")) != "store.full") return 4;
   if (code_of(store->put_asset(kMe, named("body", "b.obj"), large)) != "store.full") return 5;
   if (code_of(store->put_result(kMe, job->id, "big.glb", large)) != "store.full") return 6;
 
   if (!store->ping() || store->projects(kMe, "", 10)->size() != 1) return 7;
-  const Result<ProjectRow> still = store->project(kMe, early->id);
+  const Result<store::ProjectRow> still = store->project(kMe, early->id);
   if (!still || still->revision != 1) return 8;
   const Result<std::string> bytes = store->asset_bytes(kMe, asset->id);
   if (!bytes || *bytes != "content") return 9;
@@ -129,7 +129,7 @@ int full_disk_story(const std::string& folder) {
 }
 
 TEST(StoreCrash, SaysThatTheDiskIsFullReadsOnAndRecovers) {
-  const TemporaryFolder folder;
+  const jobs::TemporaryFolder folder;
   const pid_t child = ::fork();
   if (child == 0) _exit(full_disk_story(folder.path()));
   int status = 0;

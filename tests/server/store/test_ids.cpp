@@ -10,20 +10,20 @@ namespace {
 constexpr std::int64_t kNow = 1'790'000'000'000;
 
 TEST(Ids, RiseWithTimeAndWithinAMillisecond) {
-  IdSource ids;
+  store::IdSource ids;
   std::string last;
   for (int i = 0; i < 2000; ++i) {
     const std::string id = *ids.next('j', kNow + i / 100);
-    EXPECT_TRUE(is_id(id, 'j')) << id;
+    EXPECT_TRUE(store::is_id(id, 'j')) << id;
     EXPECT_LT(last, id);
     last = id;
   }
 }
 
 TEST(Ids, RiseWhenTheClockIsSetBack) {
-  IdSource before;
+  store::IdSource before;
   const std::string newest = *before.next('j', kNow);
-  IdSource after;
+  store::IdSource after;
   after.start_after(newest);
   EXPECT_LT(newest, *after.next('j', kNow - 3'600'000));
   EXPECT_LT(newest, *after.next('j', 0));
@@ -32,20 +32,20 @@ TEST(Ids, RiseWhenTheClockIsSetBack) {
 TEST(Ids, OfTheSameMomentDiffer) {
   std::set<std::string> seen;
   for (int i = 0; i < 200; ++i) {
-    IdSource ids;
+    store::IdSource ids;
     seen.insert(*ids.next('p', kNow));
   }
   EXPECT_EQ(seen.size(), 200u);
 }
 
 TEST(Ids, HaveOneForm) {
-  EXPECT_TRUE(is_id("j_0123456789abcdefghjk", 'j'));
-  EXPECT_FALSE(is_id("p_0123456789abcdefghjk", 'j'));
-  EXPECT_FALSE(is_id("j_0123456789abcdefghj", 'j'));
-  EXPECT_FALSE(is_id("j_0123456789abcdefghji", 'j'));
-  EXPECT_FALSE(is_id("j_0123456789ABCDEFGHJK", 'j'));
-  EXPECT_FALSE(is_id("j_../../../../../../../", 'j'));
-  EXPECT_FALSE(is_id("", 'j'));
+  EXPECT_TRUE(store::is_id("j_0123456789abcdefghjk", 'j'));
+  EXPECT_FALSE(store::is_id("p_0123456789abcdefghjk", 'j'));
+  EXPECT_FALSE(store::is_id("j_0123456789abcdefghj", 'j'));
+  EXPECT_FALSE(store::is_id("j_0123456789abcdefghji", 'j'));
+  EXPECT_FALSE(store::is_id("j_0123456789ABCDEFGHJK", 'j'));
+  EXPECT_FALSE(store::is_id("j_../../../../../../../", 'j'));
+  EXPECT_FALSE(store::is_id("", 'j'));
 }
 
 }  // namespace

@@ -9,17 +9,17 @@ namespace toile {
 namespace {
 
 TEST(JobState, EveryStateHasAWordThatReadsBackAsIt) {
-  for (std::size_t i = 0; i < kJobStates.size(); ++i) {
-    EXPECT_EQ(static_cast<std::size_t>(kJobStates[i]), i) << "the list has every state once, in its order";
-    const Result<JobState> read = job_state_from(name_of(kJobStates[i]));
-    ASSERT_TRUE(read.ok()) << name_of(kJobStates[i]);
-    EXPECT_EQ(*read, kJobStates[i]);
+  for (std::size_t i = 0; i < store::kJobStates.size(); ++i) {
+    EXPECT_EQ(static_cast<std::size_t>(store::kJobStates[i]), i) << "the list has every state once, in its order";
+    const Result<store::JobState> read = store::job_state_from(store::name_of(store::kJobStates[i]));
+    ASSERT_TRUE(read.ok()) << store::name_of(store::kJobStates[i]);
+    EXPECT_EQ(*read, store::kJobStates[i]);
   }
 }
 
 TEST(JobState, UnknownWordsAreRefusedAndQuotedAsThePlace) {
   for (const char* word : {"", "sleeping", "Queued", "queued ", "done"}) {
-    const Result<JobState> read = job_state_from(word);
+    const Result<store::JobState> read = store::job_state_from(word);
     ASSERT_FALSE(read.ok()) << word;
     EXPECT_EQ(read.error().code, "store.unknown_state");
     EXPECT_EQ(read.error().where, word);
@@ -27,25 +27,25 @@ TEST(JobState, UnknownWordsAreRefusedAndQuotedAsThePlace) {
 }
 
 TEST(JobState, TheListForSqlHoldsJustTheStatesThatAreNotFinal) {
-  const std::string list = unfinished_states_in_sql();
-  for (const JobState state : kJobStates) {
-    const bool listed = list.find("'" + std::string(name_of(state)) + "'") != std::string::npos;
-    EXPECT_EQ(listed, !is_final(state)) << name_of(state);
+  const std::string list = store::unfinished_states_in_sql();
+  for (const store::JobState state : store::kJobStates) {
+    const bool listed = list.find("'" + std::string(store::name_of(state)) + "'") != std::string::npos;
+    EXPECT_EQ(listed, !store::is_final(state)) << store::name_of(state);
   }
 }
 
-SqlDatabase database_in(const TemporaryFolder& folder) {
-  Result<SqlDatabase> database = SqlDatabase::open(folder.path() + "/toile.db");
+sqlite::SqlDatabase database_in(const jobs::TemporaryFolder& folder) {
+  Result<sqlite::SqlDatabase> database = sqlite::SqlDatabase::open(folder.path() + "/toile.db");
   EXPECT_TRUE(database);
   return std::move(*database);
 }
 
 TEST(JobState, TheListForSqlReadsAsInTheIndexOfUnfinishedJobs) {
-  const TemporaryFolder folder;
-  SqlDatabase database = database_in(folder);
-  ASSERT_TRUE(migrate(database));
-  Result<SqlStatement> plan = database.prepare("EXPLAIN QUERY PLAN SELECT id FROM jobs WHERE state IN (" +
-                                               unfinished_states_in_sql() + ") ORDER BY id");
+  const jobs::TemporaryFolder folder;
+  sqlite::SqlDatabase database = database_in(folder);
+  ASSERT_TRUE(sqlite::migrate(database));
+  Result<sqlite::SqlStatement> plan = database.prepare("EXPLAIN QUERY PLAN SELECT id FROM jobs WHERE state IN (" +
+                                               store::unfinished_states_in_sql() + ") ORDER BY id");
   ASSERT_TRUE(plan);
   ASSERT_TRUE(*plan->step());
   const std::string words = plan->text(3);
@@ -53,7 +53,7 @@ TEST(JobState, TheListForSqlReadsAsInTheIndexOfUnfinishedJobs) {
 }
 
 TEST(JobState, ARowOfAnUnknownStateIsToldAsDamagedWithItsJob) {
-  const TemporaryFolder folder;
+  const jobs::TemporaryFolder folder;
   std::string id;
   {
     const auto store = opened(folder.path());
@@ -61,7 +61,7 @@ TEST(JobState, ARowOfAnUnknownStateIsToldAsDamagedWithItsJob) {
   }
   ASSERT_TRUE(database_in(folder).run("UPDATE jobs SET state = 'sleeping'"));
   const auto store = opened(folder.path());
-  const Result<JobRow> row = store->job(kMe, id);
+  const Result<store::JobRow> row = store->job(kMe, id);
   ASSERT_FALSE(row.ok());
   EXPECT_EQ(row.error().code, "store.corrupt");
   EXPECT_EQ(row.error().where, id);

@@ -17,20 +17,20 @@ namespace fs = std::filesystem;
 std::string odd_bytes() { return std::string("a\0b\r\n\xff'\"", 8); }
 
 TEST(SqliteStore, KeepsAnAssetOverAReopening) {
-  const TemporaryFolder folder;
-  AssetRow given = named("dxf", "Rock blau.DXF");
+  const jobs::TemporaryFolder folder;
+  store::AssetRow given = named("dxf", "Rock blau.DXF");
   given.info = R"({"pieces": []})";
   std::string id;
   {
     const auto store = opened(folder.path());
-    const Result<AssetRow> kept = store->put_asset(kMe, given, odd_bytes());
+    const Result<store::AssetRow> kept = store->put_asset(kMe, given, odd_bytes());
     ASSERT_TRUE(kept);
     id = kept->id;
     EXPECT_EQ(kept->size, 8);
     EXPECT_GT(kept->created_ms, 1'735'689'600'000);
   }
   const auto store = opened(folder.path());
-  const Result<AssetRow> row = store->asset(kMe, id);
+  const Result<store::AssetRow> row = store->asset(kMe, id);
   ASSERT_TRUE(row);
   EXPECT_EQ(row->id.size(), 34u);
   EXPECT_EQ(row->kind, "dxf");
@@ -40,9 +40,9 @@ TEST(SqliteStore, KeepsAnAssetOverAReopening) {
 }
 
 TEST(SqliteStore, GivesAPathThatEndsAsTheUploadedNameDoes) {
-  const TemporaryFolder folder;
+  const jobs::TemporaryFolder folder;
   const auto store = opened(folder.path());
-  const Result<AssetRow> kept = store->put_asset(kMe, named("body", "Ann.OBJ"), "v 0 0 0\n");
+  const Result<store::AssetRow> kept = store->put_asset(kMe, named("body", "Ann.OBJ"), "v 0 0 0\n");
   ASSERT_TRUE(kept);
   const Result<std::string> path = store->asset_path(kMe, kept->id);
   ASSERT_TRUE(path);
@@ -52,14 +52,14 @@ TEST(SqliteStore, GivesAPathThatEndsAsTheUploadedNameDoes) {
 }
 
 TEST(SqliteStore, TakesTheSameFileUnderTheSameNameAndKindForOneAsset) {
-  const TemporaryFolder folder;
+  const jobs::TemporaryFolder folder;
   const auto store = opened(folder.path());
-  AssetRow first = named("body", "a.obj");
+  store::AssetRow first = named("body", "a.obj");
   first.info = R"({"first": true})";
-  const Result<AssetRow> one = store->put_asset(kMe, first, "same");
-  const Result<AssetRow> again = store->put_asset(kMe, named("body", "a.obj"), "same");
-  const Result<AssetRow> renamed = store->put_asset(kMe, named("body", "b.obj"), "same");
-  const Result<AssetRow> changed = store->put_asset(kMe, named("body", "a.obj"), "Same");
+  const Result<store::AssetRow> one = store->put_asset(kMe, first, "same");
+  const Result<store::AssetRow> again = store->put_asset(kMe, named("body", "a.obj"), "same");
+  const Result<store::AssetRow> renamed = store->put_asset(kMe, named("body", "b.obj"), "same");
+  const Result<store::AssetRow> changed = store->put_asset(kMe, named("body", "a.obj"), "Same");
   ASSERT_TRUE(one && again && renamed && changed);
   EXPECT_EQ(again->id, one->id);
   EXPECT_EQ(again->info, R"({"first": true})");
@@ -72,14 +72,14 @@ TEST(SqliteStore, TakesTheSameFileUnderTheSameNameAndKindForOneAsset) {
 }
 
 TEST(SqliteStore, KeepsAProjectOverAReopening) {
-  const TemporaryFolder folder;
-  ProjectRow made;
+  const jobs::TemporaryFolder folder;
+  store::ProjectRow made;
   {
     const auto store = opened(folder.path());
     made = *store->create_project(kMe, some_project("Skirt \xc3\xa4 \"1\""));
   }
   const auto store = opened(folder.path());
-  const Result<ProjectRow> row = store->project(kMe, made.id);
+  const Result<store::ProjectRow> row = store->project(kMe, made.id);
   ASSERT_TRUE(row);
   EXPECT_EQ(row->id.size(), 22u);
   EXPECT_EQ(row->name, "Skirt \xc3\xa4 \"1\"");
@@ -91,17 +91,17 @@ TEST(SqliteStore, KeepsAProjectOverAReopening) {
 }
 
 TEST(SqliteStore, ReplacesAProjectOnlyAtTheExpectedRevision) {
-  const TemporaryFolder folder;
+  const jobs::TemporaryFolder folder;
   const auto store = opened(folder.path());
-  ProjectRow row = *store->create_project(kMe, some_project("one"));
+  store::ProjectRow row = *store->create_project(kMe, some_project("one"));
   row.name = "two";
   row.files = {{"x.dxf", "a_9"}};
-  const Result<ProjectRow> second = store->replace_project(kMe, row, 1);
+  const Result<store::ProjectRow> second = store->replace_project(kMe, row, 1);
   ASSERT_TRUE(second);
   EXPECT_EQ(second->revision, 2);
   row.name = "stale";
   EXPECT_EQ(code_of(store->replace_project(kMe, row, 1)), "store.conflict");
-  const Result<ProjectRow> now = store->project(kMe, row.id);
+  const Result<store::ProjectRow> now = store->project(kMe, row.id);
   EXPECT_EQ(now->name, "two");
   EXPECT_EQ(now->revision, 2);
   EXPECT_EQ(now->files, (std::map<std::string, std::string>{{"x.dxf", "a_9"}}));
@@ -112,10 +112,10 @@ TEST(SqliteStore, ReplacesAProjectOnlyAtTheExpectedRevision) {
 }
 
 TEST(SqliteStore, ForgetsARemovedProjectAndKeepsItsJobs) {
-  const TemporaryFolder folder;
+  const jobs::TemporaryFolder folder;
   const auto store = opened(folder.path());
-  const ProjectRow row = *store->create_project(kMe, some_project("gone"));
-  JobRow job = some_job("stays");
+  const store::ProjectRow row = *store->create_project(kMe, some_project("gone"));
+  store::JobRow job = some_job("stays");
   job.project_id = row.id;
   job = *store->create_job(kMe, job, "");
   EXPECT_TRUE(store->remove_project(kMe, row.id, 0));
@@ -125,7 +125,7 @@ TEST(SqliteStore, ForgetsARemovedProjectAndKeepsItsJobs) {
 }
 
 TEST(SqliteStore, ListsNewestFirstPageByPage) {
-  const TemporaryFolder folder;
+  const jobs::TemporaryFolder folder;
   const auto store = opened(folder.path());
   std::vector<std::string> made, listed;
   for (int i = 0; i < 25; ++i) {
@@ -134,17 +134,17 @@ TEST(SqliteStore, ListsNewestFirstPageByPage) {
   }
   std::string cursor;
   for (int page = 0; page < 3; ++page) {
-    const Result<std::vector<ProjectRow>> rows = store->projects(kMe, cursor, 10);
+    const Result<std::vector<store::ProjectRow>> rows = store->projects(kMe, cursor, 10);
     ASSERT_TRUE(rows);
     ASSERT_EQ(rows->size(), page < 2 ? 10u : 5u);
-    for (const ProjectRow& row : *rows) listed.push_back(row.id);
+    for (const store::ProjectRow& row : *rows) listed.push_back(row.id);
     cursor = listed.back();
     EXPECT_TRUE(store->remove_project(kMe, cursor, 0)) << "a cursor may be gone";
   }
   std::reverse(made.begin(), made.end());
   EXPECT_EQ(listed, made);
   EXPECT_TRUE(store->projects(kMe, cursor, 10)->empty());
-  const Result<std::vector<JobRow>> jobs = store->jobs(kMe, "", 3);
+  const Result<std::vector<store::JobRow>> jobs = store->jobs(kMe, "", 3);
   ASSERT_TRUE(jobs);
   ASSERT_EQ(jobs->size(), 3u);
   EXPECT_EQ(jobs->front().name, "24");
@@ -154,7 +154,7 @@ TEST(SqliteStore, ListsNewestFirstPageByPage) {
 }
 
 TEST(SqliteStore, RefusesACursorThatNoListGave) {
-  const TemporaryFolder folder;
+  const jobs::TemporaryFolder folder;
   const auto store = opened(folder.path());
   for (const char* cursor : {"x", "p_", "j_00000000000000000000", "p_0000000000000000000'", "~"}) {
     EXPECT_EQ(code_of(store->projects(kMe, cursor, 10)), "store.cursor") << cursor;
@@ -163,13 +163,13 @@ TEST(SqliteStore, RefusesACursorThatNoListGave) {
 }
 
 TEST(SqliteStore, KeepsAJobAndWhatBecomesOfItOverAReopening) {
-  const TemporaryFolder folder;
-  JobRow job = some_job("drape");
+  const jobs::TemporaryFolder folder;
+  store::JobRow job = some_job("drape");
   {
     const auto store = opened(folder.path());
     job = *store->create_job(kMe, job, "");
-    EXPECT_EQ(job.state, JobState::kQueued);
-    job.state = JobState::kFailed;
+    EXPECT_EQ(job.state, store::JobState::kQueued);
+    job.state = store::JobState::kFailed;
     job.reason_code = "start.crosses_body";
     job.reason = "The piece begins inside the body.";
     job.reason_where = "/pieces/0";
@@ -181,14 +181,14 @@ TEST(SqliteStore, KeepsAJobAndWhatBecomesOfItOverAReopening) {
     ASSERT_TRUE(store->update_job(kMe, job));
   }
   const auto store = opened(folder.path());
-  const Result<JobRow> row = store->job(kMe, job.id);
+  const Result<store::JobRow> row = store->job(kMe, job.id);
   ASSERT_TRUE(row);
   EXPECT_EQ(row->project_id, job.project_id);
   EXPECT_EQ(row->project_revision, 3);
   EXPECT_EQ(row->name, "drape");
   EXPECT_EQ(row->document, job.document);
   EXPECT_EQ(row->files, job.files);
-  EXPECT_EQ(row->state, JobState::kFailed);
+  EXPECT_EQ(row->state, store::JobState::kFailed);
   EXPECT_EQ(row->reason_code, "start.crosses_body");
   EXPECT_EQ(row->reason, job.reason);
   EXPECT_EQ(row->reason_where, "/pieces/0");
@@ -202,20 +202,20 @@ TEST(SqliteStore, KeepsAJobAndWhatBecomesOfItOverAReopening) {
 }
 
 TEST(SqliteStore, NamesTheUnfinishedJobsOfAllOwnersOldestFirst) {
-  const TemporaryFolder folder;
+  const jobs::TemporaryFolder folder;
   const auto store = opened(folder.path());
-  for (const auto& [owner, state] : std::vector<std::pair<std::string, JobState>>{{"b", JobState::kRunning},
-                                                                                  {"a", JobState::kSucceeded},
-                                                                                  {"a", JobState::kPaused},
-                                                                                  {"b", JobState::kCancelled},
-                                                                                  {"b", JobState::kFailed},
-                                                                                  {"a", JobState::kQueued}}) {
-    const RequestContext whose(owner);
-    JobRow job = *store->create_job(whose, some_job(std::string(name_of(state))), "");
+  for (const auto& [owner, state] : std::vector<std::pair<std::string, store::JobState>>{{"b", store::JobState::kRunning},
+                                                                                  {"a", store::JobState::kSucceeded},
+                                                                                  {"a", store::JobState::kPaused},
+                                                                                  {"b", store::JobState::kCancelled},
+                                                                                  {"b", store::JobState::kFailed},
+                                                                                  {"a", store::JobState::kQueued}}) {
+    const store::RequestContext whose(owner);
+    store::JobRow job = *store->create_job(whose, some_job(std::string(store::name_of(state))), "");
     job.state = state;
     ASSERT_TRUE(store->update_job(whose, job));
   }
-  const Result<std::vector<Store::OwnedJob>> unfinished = store->unfinished_jobs();
+  const Result<std::vector<store::Store::OwnedJob>> unfinished = store->unfinished_jobs();
   ASSERT_TRUE(unfinished);
   ASSERT_EQ(unfinished->size(), 3u);
   EXPECT_EQ(unfinished->at(0).owner, "b");
@@ -227,7 +227,7 @@ TEST(SqliteStore, NamesTheUnfinishedJobsOfAllOwnersOldestFirst) {
 }
 
 TEST(SqliteStore, MakesOneJobOfOneIdempotencyKey) {
-  const TemporaryFolder folder;
+  const jobs::TemporaryFolder folder;
   std::string id;
   {
     const auto store = opened(folder.path());
@@ -247,11 +247,11 @@ TEST(SqliteStore, MakesOneJobOfOneIdempotencyKey) {
 }
 
 TEST(SqliteStore, RefusesAnIdempotencyKeyForAnotherProject) {
-  const TemporaryFolder folder;
+  const jobs::TemporaryFolder folder;
   const auto store = opened(folder.path());
   const auto once = store->create_job(kMe, some_job("once"), "key");
   ASSERT_TRUE(once && once->anew);
-  JobRow revised = some_job("revised"), other = some_job("other");
+  store::JobRow revised = some_job("revised"), other = some_job("other");
   revised.project_revision += 1;
   other.project_id = "p_00000000000000000001";
   const auto retried = store->create_job(kMe, revised, "key");
@@ -272,7 +272,7 @@ TEST(SqliteStore, RefusesAnIdempotencyKeyForAnotherProject) {
 }
 
 TEST(SqliteStore, MakesOneProjectOfOneIdempotencyKey) {
-  const TemporaryFolder folder;
+  const jobs::TemporaryFolder folder;
   std::string id;
   {
     const auto store = opened(folder.path());
@@ -285,7 +285,7 @@ TEST(SqliteStore, MakesOneProjectOfOneIdempotencyKey) {
   ASSERT_TRUE(again);
   EXPECT_EQ(again->id, id);
   EXPECT_FALSE(again->anew);
-  ProjectRow other = some_project("once");
+  store::ProjectRow other = some_project("once");
   other.files["body.obj"] = "a_9";
   EXPECT_EQ(code_of(store->create_project(kMe, other, "key")), "store.idempotency_mismatch");
   EXPECT_NE(store->create_project(kStranger, other, "key")->id, id);
@@ -294,9 +294,9 @@ TEST(SqliteStore, MakesOneProjectOfOneIdempotencyKey) {
 }
 
 TEST(SqliteStore, RemovesAProjectOnlyAtTheExpectedRevision) {
-  const TemporaryFolder folder;
+  const jobs::TemporaryFolder folder;
   const auto store = opened(folder.path());
-  const ProjectRow row = *store->create_project(kMe, some_project("one"));
+  const store::ProjectRow row = *store->create_project(kMe, some_project("one"));
   ASSERT_TRUE(store->replace_project(kMe, row, 1));
   EXPECT_EQ(code_of(store->remove_project(kMe, row.id, 1)), "store.conflict");
   EXPECT_TRUE(store->project(kMe, row.id));
@@ -305,11 +305,11 @@ TEST(SqliteStore, RemovesAProjectOnlyAtTheExpectedRevision) {
 }
 
 TEST(SqliteStore, FindsNothingForAnotherOwner) {
-  const TemporaryFolder folder;
+  const jobs::TemporaryFolder folder;
   const auto store = opened(folder.path());
-  const AssetRow asset = *store->put_asset(kMe, named("dxf", "a.dxf"), "mine");
-  const ProjectRow project = *store->create_project(kMe, some_project("mine"));
-  const JobRow job = *store->create_job(kMe, some_job("mine"), "");
+  const store::AssetRow asset = *store->put_asset(kMe, named("dxf", "a.dxf"), "mine");
+  const store::ProjectRow project = *store->create_project(kMe, some_project("mine"));
+  const store::JobRow job = *store->create_job(kMe, some_job("mine"), "");
   ASSERT_TRUE(store->put_result(kMe, job.id, "front.png", "png"));
   ASSERT_TRUE(store->put_setting(kMe, "key", "mine"));
 
@@ -331,11 +331,11 @@ TEST(SqliteStore, FindsNothingForAnotherOwner) {
 }
 
 TEST(SqliteStore, KeepsResultsAndReplacesThem) {
-  const TemporaryFolder folder;
+  const jobs::TemporaryFolder folder;
   std::string id;
   {
     const auto store = opened(folder.path());
-    JobRow job = *store->create_job(kMe, some_job("drape"), "");
+    store::JobRow job = *store->create_job(kMe, some_job("drape"), "");
     id = job.id;
     ASSERT_TRUE(store->put_result(kMe, id, "report.json", "first"));
     ASSERT_TRUE(store->put_result(kMe, id, "report.json", odd_bytes()));
@@ -350,7 +350,7 @@ TEST(SqliteStore, KeepsResultsAndReplacesThem) {
 }
 
 TEST(SqliteStore, RefusesNamesThatLeaveTheirFolder) {
-  const TemporaryFolder folder;
+  const jobs::TemporaryFolder folder;
   const auto store = opened(folder.path());
   const std::string id = store->create_job(kMe, some_job("drape"), "")->id;
   for (const std::string& name :
@@ -370,7 +370,7 @@ TEST(SqliteStore, RefusesNamesThatLeaveTheirFolder) {
 }
 
 TEST(SqliteStore, RemembersSettings) {
-  const TemporaryFolder folder;
+  const jobs::TemporaryFolder folder;
   {
     const auto store = opened(folder.path());
     EXPECT_FALSE(store->get_setting(kMe, "sample")->has_value());
@@ -381,18 +381,18 @@ TEST(SqliteStore, RemembersSettings) {
 }
 
 TEST(SqliteStore, TreatsTextAsTextAndNotAsSql) {
-  const TemporaryFolder folder;
+  const jobs::TemporaryFolder folder;
   const auto store = opened(folder.path());
   const std::string evil = "'; DROP TABLE projects; --";
-  const ProjectRow row = *store->create_project(evil, some_project(evil));
+  const store::ProjectRow row = *store->create_project(evil, some_project(evil));
   EXPECT_EQ(store->project(evil, row.id)->name, evil);
   EXPECT_EQ(code_of(store->project(kMe, "' OR '1'='1")), "store.not_found");
 }
 
 TEST(SqliteStore, TellsWhenAFileHasChangedOrGone) {
-  const TemporaryFolder folder;
+  const jobs::TemporaryFolder folder;
   const auto store = opened(folder.path());
-  const AssetRow asset = *store->put_asset(kMe, named("dxf", "a.dxf"), "content");
+  const store::AssetRow asset = *store->put_asset(kMe, named("dxf", "a.dxf"), "content");
   const std::string path = *store->asset_path(kMe, asset.id);
   std::ofstream(path, std::ios::binary) << "CONTENT";
   EXPECT_EQ(code_of(store->asset_bytes(kMe, asset.id)), "store.corrupt");
@@ -405,35 +405,35 @@ TEST(SqliteStore, TellsWhenAFileHasChangedOrGone) {
 }
 
 TEST(SqliteStore, AnswersAPing) {
-  const TemporaryFolder folder;
+  const jobs::TemporaryFolder folder;
   EXPECT_TRUE(opened(folder.path())->ping());
 }
 
 TEST(SqliteStore, HasItsFolderForItself) {
-  const TemporaryFolder folder;
+  const jobs::TemporaryFolder folder;
   const auto store = opened(folder.path());
-  const Result<std::unique_ptr<Store>> second = open_sqlite_store(folder.path());
+  const Result<std::unique_ptr<store::Store>> second = sqlite::open_sqlite_store(folder.path());
   ASSERT_FALSE(second);
   EXPECT_EQ(second.error().code, "store.in_use");
   EXPECT_NE(second.error().where.find(folder.path()), std::string::npos);
 }
 
 TEST(SqliteStore, SaysWhereItCannotBeOpened) {
-  const TemporaryFolder folder;
+  const jobs::TemporaryFolder folder;
   std::ofstream(folder.path() + "/file") << "in the way";
-  const Result<std::unique_ptr<Store>> in_file = open_sqlite_store(folder.path() + "/file");
+  const Result<std::unique_ptr<store::Store>> in_file = sqlite::open_sqlite_store(folder.path() + "/file");
   ASSERT_FALSE(in_file);
   EXPECT_EQ(in_file.error().code, "store.open");
   EXPECT_NE(in_file.error().where.find("file"), std::string::npos);
   std::ofstream(folder.path() + "/toile.db") << "this is no database, whatever it may be called, not at all";
-  const Result<std::unique_ptr<Store>> no_database = open_sqlite_store(folder.path());
+  const Result<std::unique_ptr<store::Store>> no_database = sqlite::open_sqlite_store(folder.path());
   ASSERT_FALSE(no_database);
   EXPECT_EQ(no_database.error().code, "store.open");
   EXPECT_NE(no_database.error().where.find("toile.db"), std::string::npos);
 }
 
 TEST(SqliteStore, RemovesWhatACrashLeftInItsScratchFolder) {
-  const TemporaryFolder folder;
+  const jobs::TemporaryFolder folder;
   const std::string scratch = opened(folder.path())->scratch_folder();
   std::ofstream(scratch + "/half") << "written";
   const auto store = opened(folder.path());

@@ -27,9 +27,9 @@ void put_file(const fs::path& path) {
 }
 
 /// A job in the state, of which `kept` are result files and `named` those that its row names.
-JobRow job_with(Store& store, JobState state, const std::vector<std::string>& kept,
+store::JobRow job_with(store::Store& store, store::JobState state, const std::vector<std::string>& kept,
                 const std::vector<std::string>& named) {
-  JobRow job = *store.create_job(kMe, some_job(std::string(name_of(state))), "");
+  store::JobRow job = *store.create_job(kMe, some_job(std::string(store::name_of(state))), "");
   for (const std::string& name : kept) EXPECT_TRUE(store.put_result(kMe, job.id, name, "bytes"));
   job.state = state;
   for (const std::string& name : named) job.results[name] = 5;
@@ -38,7 +38,7 @@ JobRow job_with(Store& store, JobState state, const std::vector<std::string>& ke
 }
 
 TEST(StoreSweep, RemovesBlobsThatNoAssetNamesAndNoOthers) {
-  const TemporaryFolder folder;
+  const jobs::TemporaryFolder folder;
   std::string id;
   std::set<std::string> named;
   {
@@ -59,15 +59,15 @@ TEST(StoreSweep, RemovesBlobsThatNoAssetNamesAndNoOthers) {
 }
 
 TEST(StoreSweep, RemovesResultsThatNoJobNamesAndNoOthers) {
-  const TemporaryFolder folder;
+  const jobs::TemporaryFolder folder;
   std::string done, cancelled, cut_off;
   {
     const auto store = opened(folder.path());
-    done = job_with(*store, JobState::kSucceeded, {"report.json", "front.png", "late.png"},
+    done = job_with(*store, store::JobState::kSucceeded, {"report.json", "front.png", "late.png"},
                     {"report.json", "front.png"})
                .id;
-    cancelled = job_with(*store, JobState::kCancelled, {"report.json"}, {}).id;
-    cut_off = job_with(*store, JobState::kRunning, {"report.json", "front.png"}, {}).id;
+    cancelled = job_with(*store, store::JobState::kCancelled, {"report.json"}, {}).id;
+    cut_off = job_with(*store, store::JobState::kRunning, {"report.json", "front.png"}, {}).id;
   }
   put_file(fs::path(folder.path()) / "results" / "j_0000000000000000000a" / "report.json");
   put_file(fs::path(folder.path()) / "results" / "mine" / "notes.txt");
@@ -79,12 +79,12 @@ TEST(StoreSweep, RemovesResultsThatNoJobNamesAndNoOthers) {
 }
 
 TEST(StoreSweep, RemovesNothingWhenTheDatabaseIsNew) {
-  const TemporaryFolder folder;
+  const jobs::TemporaryFolder folder;
   std::set<std::string> blobs, results;
   {
     const auto store = opened(folder.path());
     ASSERT_TRUE(store->put_asset(kMe, toile::named("dxf", "a.dxf"), "content"));
-    job_with(*store, JobState::kSucceeded, {"report.json"}, {"report.json"});
+    job_with(*store, store::JobState::kSucceeded, {"report.json"}, {"report.json"});
     blobs = files_in(folder.path(), "blobs");
     results = files_in(folder.path(), "results");
   }
@@ -96,10 +96,10 @@ TEST(StoreSweep, RemovesNothingWhenTheDatabaseIsNew) {
 }
 
 TEST(StoreSweep, RemovesTheResultsOfOneJobOnRequest) {
-  const TemporaryFolder folder;
+  const jobs::TemporaryFolder folder;
   const auto store = opened(folder.path());
-  const std::string id = job_with(*store, JobState::kCancelled, {"report.json"}, {}).id;
-  const std::string other = job_with(*store, JobState::kSucceeded, {"report.json"}, {"report.json"}).id;
+  const std::string id = job_with(*store, store::JobState::kCancelled, {"report.json"}, {}).id;
+  const std::string other = job_with(*store, store::JobState::kSucceeded, {"report.json"}, {"report.json"}).id;
   EXPECT_EQ(code_of(store->remove_results(kStranger, id)), "store.not_found");
   EXPECT_TRUE(store->remove_results(kMe, id));
   EXPECT_TRUE(store->remove_results(kMe, id)) << "twice is no error";

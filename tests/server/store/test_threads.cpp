@@ -21,20 +21,20 @@ void on_threads(Work work) {
 }
 
 TEST(StoreThreads, GiveEachJobItsOwnIdAndLoseNone) {
-  const TemporaryFolder folder;
+  const jobs::TemporaryFolder folder;
   const auto store = opened(folder.path());
   constexpr int kEach = 10;
   std::atomic<int> faults{0};
   on_threads([&](int thread) {
     for (int i = 0; i < kEach; ++i) {
       const std::string content = "the same file of all threads, number " + std::to_string(i);
-      const Result<AssetRow> asset = store->put_asset(kMe, named("dxf", "a.dxf"), content);
+      const Result<store::AssetRow> asset = store->put_asset(kMe, named("dxf", "a.dxf"), content);
       auto job = store->create_job(kMe, some_job(std::to_string(thread)), "");
       if (!asset || !job) {
         ++faults;
         continue;
       }
-      job->state = JobState::kRunning;
+      job->state = store::JobState::kRunning;
       if (!store->update_job(kMe, *job)) ++faults;
       if (!store->put_result(kMe, job->id, "r", job->id)) ++faults;
       if (store->asset_bytes(kMe, asset->id).value() != content) ++faults;
@@ -43,19 +43,19 @@ TEST(StoreThreads, GiveEachJobItsOwnIdAndLoseNone) {
   });
   EXPECT_EQ(faults, 0);
   std::set<std::string> ids;
-  const Result<std::vector<JobRow>> jobs = store->jobs(kMe, "", 1000);
-  for (const JobRow& job : *jobs) ids.insert(job.id);
+  const Result<std::vector<store::JobRow>> jobs = store->jobs(kMe, "", 1000);
+  for (const store::JobRow& job : *jobs) ids.insert(job.id);
   EXPECT_EQ(ids.size(), static_cast<std::size_t>(kThreads * kEach));
   EXPECT_EQ(store->assets(kMe, "dxf")->size(), static_cast<std::size_t>(kEach));
 }
 
 TEST(StoreThreads, LetOneOfManyReplaceARevision) {
-  const TemporaryFolder folder;
+  const jobs::TemporaryFolder folder;
   const auto store = opened(folder.path());
-  const ProjectRow row = *store->create_project(kMe, some_project("one"));
+  const store::ProjectRow row = *store->create_project(kMe, some_project("one"));
   std::atomic<int> won{0}, conflicts{0};
   on_threads([&](int thread) {
-    ProjectRow mine = row;
+    store::ProjectRow mine = row;
     mine.name = std::to_string(thread);
     const std::string code = code_of(store->replace_project(kMe, mine, 1));
     if (code == "ok") ++won;
@@ -67,7 +67,7 @@ TEST(StoreThreads, LetOneOfManyReplaceARevision) {
 }
 
 TEST(StoreThreads, MakeOneJobOfOneIdempotencyKey) {
-  const TemporaryFolder folder;
+  const jobs::TemporaryFolder folder;
   const auto store = opened(folder.path());
   std::vector<std::string> ids(kThreads);
   on_threads([&](int thread) {

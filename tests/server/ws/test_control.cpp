@@ -6,19 +6,19 @@ namespace toile {
 namespace {
 
 TEST(Control, ReadsTheThreeCommands) {
-  EXPECT_EQ(*parse_control(R"({"type": "pause"})"), Control::kPause);
-  EXPECT_EQ(*parse_control(R"({"type":"resume"})"), Control::kResume);
-  EXPECT_EQ(*parse_control(R"( {"type":"cancel", "why": "enough"} )"), Control::kCancel);
+  EXPECT_EQ(*ws::parse_control(R"({"type": "pause"})"), ws::Control::kPause);
+  EXPECT_EQ(*ws::parse_control(R"({"type":"resume"})"), ws::Control::kResume);
+  EXPECT_EQ(*ws::parse_control(R"( {"type":"cancel", "why": "enough"} )"), ws::Control::kCancel);
 }
 
 TEST(Control, RefusesEverythingElse) {
   for (const char* text : {"", "pause", "{}", "[]", "null", R"({"type": 1})", R"({"type": "Pause"})",
                            R"({"type": )", R"({"type": "pause", "x": [[[[[[1]]]]]]})"}) {
-    EXPECT_FALSE(parse_control(text)) << text;
+    EXPECT_FALSE(ws::parse_control(text)) << text;
   }
-  EXPECT_EQ(parse_control(R"({"type": "fly"})").error().code, "stream.unknown_type");
-  EXPECT_EQ(parse_control("{").error().code, "json.syntax");
-  EXPECT_EQ(parse_control(std::string(5000, ' ')).error().code, "json.too_large");
+  EXPECT_EQ(ws::parse_control(R"({"type": "fly"})").error().code, "stream.unknown_type");
+  EXPECT_EQ(ws::parse_control("{").error().code, "json.syntax");
+  EXPECT_EQ(ws::parse_control(std::string(5000, ' ')).error().code, "json.too_large");
 }
 
 }  // namespace

@@ -15,18 +15,18 @@ class FeedTest : public testing::Test {
  protected:
   /// What the viewer gets next, as a word.
   std::string next() {
-    const ChannelView view = channel.look();
-    const std::optional<FeedMessage> message = feed.next(view);
+    const ws::ChannelView view = channel.look();
+    const std::optional<ws::FeedMessage> message = feed.next(view);
     if (!message) return "nothing";
-    if (message->kind == FeedMessage::Kind::kTopology) return "topology";
-    if (message->kind == FeedMessage::Kind::kProgress) return "progress";
+    if (message->kind == ws::FeedMessage::Kind::kTopology) return "topology";
+    if (message->kind == ws::FeedMessage::Kind::kProgress) return "progress";
     const std::string seq = std::to_string((*view.frame)->seq);
     if (*message->bytes == (*view.frame)->delta) return "delta " + seq;
     return *message->bytes == view.frame->key() ? "key " + seq : "something else";
   }
 
-  Channel channel;
-  Feed feed;
+  ws::Channel channel;
+  ws::Feed feed;
 };
 
 TEST_F(FeedTest, HasNothingBeforeTheJobRuns) { EXPECT_EQ(next(), "nothing"); }
@@ -90,7 +90,7 @@ TEST_F(FeedTest, LetsFramesAndProgressTakeTurns) {
   std::string got;
   for (std::uint32_t seq = 1; seq <= 6; ++seq) {  // both are always due
     channel.set_frame(frame(seq));
-    channel.set_progress(progress(JobState::kRunning, static_cast<int>(seq)));
+    channel.set_progress(progress(store::JobState::kRunning, static_cast<int>(seq)));
     got += next()[0];
   }
   EXPECT_EQ(got, "kpkpkp");
@@ -99,7 +99,7 @@ TEST_F(FeedTest, LetsFramesAndProgressTakeTurns) {
 TEST_F(FeedTest, IsFinishedAfterTheLastFrameOnly) {
   channel.set_topology(topology(1));
   channel.set_frame(frame(7));
-  channel.end(progress(JobState::kSucceeded, 350));
+  channel.end(progress(store::JobState::kSucceeded, 350));
   EXPECT_FALSE(feed.finished(channel.look()));
   EXPECT_EQ(next(), "topology");
   EXPECT_FALSE(feed.finished(channel.look()));
@@ -111,7 +111,7 @@ TEST_F(FeedTest, IsFinishedAfterTheLastFrameOnly) {
 TEST_F(FeedTest, SharesTheBytesOfAMoment) {
   channel.set_topology(topology(1));
   channel.set_frame(frame(5));
-  Feed other;
+  ws::Feed other;
   feed.next(channel.look());
   other.next(channel.look());
   EXPECT_EQ(feed.next(channel.look())->bytes.get(), other.next(channel.look())->bytes.get());

@@ -15,31 +15,31 @@ using test::frame;
 using test::progress;
 using test::topology;
 
-class Counter : public ChannelListener {
+class Counter : public ws::ChannelListener {
  public:
   void wake() override { ++woken; }
   std::atomic<int> woken{0};
 };
 
 TEST(Hub, WakesOnlyThoseWhoFollowTheJob) {
-  Hub hub;
+  ws::Hub hub;
   Counter one, other;
-  const Subscription first = hub.subscribe("j_1", &one), second = hub.subscribe("j_2", &other);
+  const ws::Subscription first = hub.subscribe("j_1", &one), second = hub.subscribe("j_2", &other);
   hub.topology("j_1", topology(1));
   hub.frame("j_1", frame(1));
-  hub.progress("j_1", progress(JobState::kRunning, 50));
-  hub.ended("j_1", progress(JobState::kSucceeded, 50));
+  hub.progress("j_1", progress(store::JobState::kRunning, 50));
+  hub.ended("j_1", progress(store::JobState::kSucceeded, 50));
   EXPECT_EQ(one.woken, 4);
   EXPECT_EQ(other.woken, 0);
   EXPECT_EQ(hub.viewers(), 2u);
 }
 
 TEST(Hub, WakesNobodyWhoHasLeft) {
-  Hub hub;
+  ws::Hub hub;
   Counter one;
   {
-    Subscription gone = hub.subscribe("j_1", &one);
-    Subscription moved = std::move(gone);
+    ws::Subscription gone = hub.subscribe("j_1", &one);
+    ws::Subscription moved = std::move(gone);
     EXPECT_EQ(hub.viewers(), 1u);
   }
   hub.topology("j_1", topology(1));
@@ -48,45 +48,45 @@ TEST(Hub, WakesNobodyWhoHasLeft) {
 }
 
 TEST(Hub, KeepsNothingOfAJobThatWasOnlyAskedFor) {
-  Hub hub;
+  ws::Hub hub;
   Counter one;
   hub.subscribe("j_1", &one).reset();
   EXPECT_EQ(hub.channels(), 0u);
 }
 
 TEST(Hub, ShowsTheEndOfAJobUntil64LaterOnesHaveEnded) {
-  Hub hub;
+  ws::Hub hub;
   Counter one;
   hub.topology("j_0", topology(1));
   hub.frame("j_0", frame(9));
-  hub.ended("j_0", progress(JobState::kSucceeded, 450));
-  for (int i = 1; i < 64; ++i) hub.ended("j_" + std::to_string(i), progress(JobState::kFailed, 0));
+  hub.ended("j_0", progress(store::JobState::kSucceeded, 450));
+  for (int i = 1; i < 64; ++i) hub.ended("j_" + std::to_string(i), progress(store::JobState::kFailed, 0));
   {
-    const Subscription late = hub.subscribe("j_0", &one);
+    const ws::Subscription late = hub.subscribe("j_0", &one);
     ASSERT_TRUE(late.look().frame);
     EXPECT_EQ((*late.look().frame)->seq, 9u);
     EXPECT_TRUE(late.look().ended);
   }
-  hub.ended("j_64", progress(JobState::kFailed, 0));
+  hub.ended("j_64", progress(store::JobState::kFailed, 0));
   EXPECT_EQ(hub.channels(), 64u);
-  const Subscription later = hub.subscribe("j_0", &one);
+  const ws::Subscription later = hub.subscribe("j_0", &one);
   EXPECT_FALSE(later.look().topology);
   EXPECT_FALSE(later.look().ended);
 }
 
 TEST(Hub, DoesNotForgetAJobThatRunsAgain) {
-  Hub hub;
-  hub.ended("j_0", progress(JobState::kQueued, 0));  // a drain
+  ws::Hub hub;
+  hub.ended("j_0", progress(store::JobState::kQueued, 0));  // a drain
   hub.topology("j_0", topology(2));
-  for (int i = 1; i < 100; ++i) hub.ended("j_" + std::to_string(i), progress(JobState::kFailed, 0));
+  for (int i = 1; i < 100; ++i) hub.ended("j_" + std::to_string(i), progress(store::JobState::kFailed, 0));
   Counter one;
-  const Subscription viewer = hub.subscribe("j_0", &one);
+  const ws::Subscription viewer = hub.subscribe("j_0", &one);
   ASSERT_TRUE(viewer.look().topology);
   EXPECT_FALSE(viewer.look().ended);
 }
 
 TEST(Hub, StandsPublishersAndViewersAtOnce) {
-  Hub hub;
+  ws::Hub hub;
   std::atomic<bool> done{false};
   std::vector<std::thread> viewers;
   std::atomic<int> seen{0};
@@ -94,8 +94,8 @@ TEST(Hub, StandsPublishersAndViewersAtOnce) {
     viewers.emplace_back([&, i] {
       while (!done) {
         Counter counter;
-        const Subscription viewer = hub.subscribe("j_" + std::to_string(i % 2), &counter);
-        const ChannelView view = viewer.look();
+        const ws::Subscription viewer = hub.subscribe("j_" + std::to_string(i % 2), &counter);
+        const ws::ChannelView view = viewer.look();
         if (view.frame) seen += view.frame->key().empty() ? 0 : 1;
       }
     });
@@ -116,7 +116,7 @@ TEST(Hub, StandsPublishersAndViewersAtOnce) {
 /// A viewer that leaves takes the channel away that nobody has published on yet; a publisher that holds it at
 /// that moment would speak into nothing.
 TEST(Hub, LosesNoTopologyToAViewerThatLeavesJustThen) {
-  Hub hub;
+  ws::Hub hub;
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   constexpr int kJobs = 10'000;  // sanitizers are slow, and look for races by themselves
 #else
@@ -131,10 +131,10 @@ TEST(Hub, LosesNoTopologyToAViewerThatLeavesJustThen) {
   for (int i = 0; i < kJobs; at = ++i) {
     const std::string id = "j_" + std::to_string(i);
     hub.topology(id, topology(1));
-    hub.progress(id, progress(JobState::kRunning, 1));
+    hub.progress(id, progress(store::JobState::kRunning, 1));
     Counter counter;
     if (!hub.subscribe(id, &counter).look().topology) ++lost;
-    hub.ended(id, progress(JobState::kSucceeded, 1));
+    hub.ended(id, progress(store::JobState::kSucceeded, 1));
   }
   viewer.join();
   EXPECT_EQ(lost, 0);

@@ -5,10 +5,10 @@
 namespace toile {
 namespace {
 
-JobRow row() {
-  JobRow job;
+store::JobRow row() {
+  store::JobRow job;
   job.id = "j_1";
-  job.state = JobState::kSucceeded;
+  job.state = store::JobState::kSucceeded;
   job.reason = "it lies \"still\"";
   job.created_ms = 1795229571125;
   job.document = "{}";
@@ -17,7 +17,7 @@ JobRow row() {
 }
 
 TEST(JobMessage, BeginsWithItsTypeAndIsFlat) {
-  const Result<JsonValue> hello = parse_json(job_message(row(), {}));
+  const Result<json::JsonValue> hello = json::parse_json(ws::job_message(row(), {}));
   ASSERT_TRUE(hello);
   EXPECT_EQ(hello->object()->front().key, "type");
   EXPECT_EQ(*hello->find("type")->text(), "job");
@@ -28,14 +28,14 @@ TEST(JobMessage, BeginsWithItsTypeAndIsFlat) {
 }
 
 TEST(JobMessage, WritesTimesToTheMillisecond) {
-  EXPECT_NE(job_message(row(), {}).find("\"created_ms\": 1795229571125,"), std::string::npos);
+  EXPECT_NE(ws::job_message(row(), {}).find("\"created_ms\": 1795229571125,"), std::string::npos);
 }
 
 TEST(JobMessage, TellsAtTheEndBothTheFiguresAndTheJob) {
-  JobProgress last;
-  last.state = JobState::kSucceeded;
+  jobs::JobProgress last;
+  last.state = store::JobState::kSucceeded;
   last.step = 77;
-  const Result<JsonValue> ended = parse_json(ended_message(row(), last));
+  const Result<json::JsonValue> ended = json::parse_json(ws::ended_message(row(), last));
   ASSERT_TRUE(ended);
   EXPECT_EQ(*ended->find("type")->text(), "ended");
   EXPECT_EQ(*ended->find("step")->number(), 77);

@@ -20,7 +20,7 @@ double worst_of(const std::vector<double>& off) {
 }
 
 TEST(Broyden, BringsToNothingWhatSeveralNumbersMoveTogether) {
-  Broyden broyden;
+  mannequin::Broyden broyden;
   EXPECT_TRUE(broyden.empty());
   broyden.begin(3);
   std::vector<double> x(3, 0.0), off = off_at(x);
@@ -34,7 +34,7 @@ TEST(Broyden, BringsToNothingWhatSeveralNumbersMoveTogether) {
 }
 
 TEST(Broyden, TellsTheLastStepFromItsEffectOnceItHasLearntIt) {
-  Broyden broyden;
+  mannequin::Broyden broyden;
   broyden.begin(2);
   const std::vector<double> step{0.1, -0.05}, before{0.4, 0.2}, after{0.55, 0.1};
   broyden.learn(step, before, after);
@@ -44,7 +44,7 @@ TEST(Broyden, TellsTheLastStepFromItsEffectOnceItHasLearntIt) {
 }
 
 TEST(Broyden, LearnsNothingFromAStepWithoutEffect) {
-  Broyden broyden;
+  mannequin::Broyden broyden;
   broyden.begin(2);
   broyden.learn({0.1, 0.1}, {0.4, 0.2}, {0.4, 0.2});
   EXPECT_EQ(broyden.step({0.4, 0.2}, 0.5), (std::vector<double>{-0.2, -0.1}));

@@ -13,19 +13,19 @@
 namespace toile {
 namespace {
 
-const TriangleMesh& mannequin() {
-  static const TriangleMesh mesh = load_mesh(TOILE_SOURCE_DIR "/samples/skirt/body.obj").value();
+const geometry::TriangleMesh& mannequin() {
+  static const geometry::TriangleMesh mesh = mesh_import::load_mesh(TOILE_SOURCE_DIR "/samples/skirt/body.obj").value();
   return mesh;
 }
 
 /// What is true of everyone who stands.
-void expect_a_person(const TriangleMesh& mesh, const std::string& who) {
-  const auto figure = find_figure(mesh);
+void expect_a_person(const geometry::TriangleMesh& mesh, const std::string& who) {
+  const auto figure = measure::find_figure(mesh);
   ASSERT_TRUE(figure.ok()) << who << ": " << to_string(figure.error());
-  const auto marks = find_landmarks(mesh, *figure);
+  const auto marks = measure::find_landmarks(mesh, *figure);
   const double h = figure->height();
   const auto at = [&](const char* name) {
-    const Landmark* mark = landmark_named(marks, name);
+    const measure::Landmark* mark = measure::landmark_named(marks, name);
     EXPECT_NE(mark, nullptr) << who << ": " << name;
     return mark == nullptr ? Vec3{} : mark->place;
   };
@@ -61,31 +61,31 @@ void expect_a_person(const TriangleMesh& mesh, const std::string& who) {
 TEST(Landmarks, AreFoundOnTheMannequin) { expect_a_person(mannequin(), "mannequin"); }
 
 TEST(Landmarks, AreAtLeastThirtyWithNamesOfTheirOwnOnTheSkin) {
-  const BodyFigure figure = find_figure(mannequin()).value();
-  const auto marks = find_landmarks(mannequin(), figure);
+  const measure::BodyFigure figure = measure::find_figure(mannequin()).value();
+  const auto marks = measure::find_landmarks(mannequin(), figure);
   EXPECT_GE(marks.size(), 30u);
   std::set<std::string> names;
-  for (const Landmark& mark : marks) {
+  for (const measure::Landmark& mark : marks) {
     EXPECT_TRUE(names.insert(mark.name).second) << mark.name;
     EXPECT_NEAR(mark.at.share[0] + mark.at.share[1] + mark.at.share[2], 1, 1e-12);
-    EXPECT_EQ(position_of(mark.at, mannequin()), mark.place);
+    EXPECT_EQ(measure::position_of(mark.at, mannequin()), mark.place);
   }
 }
 
 TEST(Landmarks, AreOnTheSkinOfTheCoarsestFigures) {
   for (const char* size : {"eu34", "m50", "child92"}) {
-    MannequinSettings settings;
-    settings.sex = find_preset(size)->sex;
-    settings.asked = find_preset(size)->measures();
+    mannequin::MannequinSettings settings;
+    settings.sex = mannequin::find_preset(size)->sex;
+    settings.asked = mannequin::find_preset(size)->measures();
     settings.triangle_count = 1000;
-    if (settings.sex == Sex::kMale) settings.asked[Measure::kWaist] = 0.92;  // no waist to speak of
-    const Result<Mannequin> made = make_mannequin(settings);
+    if (settings.sex == mannequin::Sex::kMale) settings.asked[measure::Measure::kWaist] = 0.92;  // no waist to speak of
+    const Result<mannequin::Mannequin> made = mannequin::make_mannequin(settings);
     ASSERT_TRUE(made) << size << ": " << to_string(made.error());
-    const Result<BodyFigure> figure = find_figure(made->mesh);
+    const Result<measure::BodyFigure> figure = measure::find_figure(made->mesh);
     ASSERT_TRUE(figure) << size << ": " << to_string(figure.error());
     const double h = figure->height();
     EXPECT_NEAR((figure->waist - figure->crotch) / h, 0.155, 0.06) << size;
-    for (const Landmark& mark : find_landmarks(made->mesh, *figure)) {
+    for (const measure::Landmark& mark : measure::find_landmarks(made->mesh, *figure)) {
       ASSERT_NE(mark.at.triangle, kNone) << size << ": " << mark.name;
       EXPECT_GE(mark.place.y, -1e-9) << size << ": " << mark.name;
       EXPECT_LE(mark.place.y, h + 1e-9) << size << ": " << mark.name;
@@ -96,38 +96,38 @@ TEST(Landmarks, AreOnTheSkinOfTheCoarsestFigures) {
 }
 
 TEST(Landmarks, StayOnTheSkinWhenTheMeshIsReshaped) {
-  TriangleMesh mesh = mannequin();
-  const SkinPoint point = nearest_on_skin(mesh, {0, 1.1, 0.3});
-  const Vec3 before = position_of(point, mesh);
+  geometry::TriangleMesh mesh = mannequin();
+  const measure::SkinPoint point = measure::nearest_on_skin(mesh, {0, 1.1, 0.3});
+  const Vec3 before = measure::position_of(point, mesh);
   for (Vec3& p : mesh.vertices) p = {p.x * 1.1, p.y, p.z * 1.2};
-  const Vec3 after = position_of(point, mesh);
+  const Vec3 after = measure::position_of(point, mesh);
   EXPECT_NEAR(after.x, before.x * 1.1, 1e-12);
   EXPECT_NEAR(after.z, before.z * 1.2, 1e-12);
 }
 
 TEST(Landmarks, StandWhereTheBodyStandsAndInItsSize) {
-  TriangleMesh moved = mannequin();
+  geometry::TriangleMesh moved = mannequin();
   for (Vec3& p : moved.vertices) p = p * 0.7 + Vec3{0.4, 0.25, -0.3};
-  const BodyFigure a = find_figure(mannequin()).value(), b = find_figure(moved).value();
+  const measure::BodyFigure a = measure::find_figure(mannequin()).value(), b = measure::find_figure(moved).value();
   EXPECT_NEAR(b.waist, a.waist * 0.7 + 0.25, 2e-3);
   EXPECT_NEAR(b.middle, a.middle * 0.7 + 0.4, 1e-6);
   EXPECT_LT(length(b.arm[0].wrist - (a.arm[0].wrist * 0.7 + Vec3{0.4, 0.25, -0.3})), 0.01);
 }
 
 TEST(Landmarks, AThingWithoutLegsIsRefusedWithWords) {
-  const TriangleMesh box{{{-1, 0, -1}, {1, 0, -1}, {0, 0, 1}, {0, 2, 0}},
+  const geometry::TriangleMesh box{{{-1, 0, -1}, {1, 0, -1}, {0, 0, 1}, {0, 2, 0}},
                          {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}};
-  const auto figure = find_figure(box);
+  const auto figure = measure::find_figure(box);
   ASSERT_FALSE(figure.ok());
   EXPECT_EQ(figure.error().code, "body.not_standing");
-  EXPECT_FALSE(find_figure({}).ok());
+  EXPECT_FALSE(measure::find_figure({}).ok());
 }
 
 TEST(Landmarks, AreFoundOnBodiesThatOthersMade) {
   const char* shared = std::getenv("TOILE_SHARED");
   if (shared == nullptr) GTEST_SKIP() << "TOILE_SHARED is not set: NO OTHER BODY WAS LOOKED AT";
   for (const char* name : {"garmentcode-mean_all", "makehuman-female-average", "makehuman-male-average"}) {
-    const auto mesh = load_mesh(std::filesystem::path(shared) / "data/bodies" / (std::string(name) + ".obj"));
+    const auto mesh = mesh_import::load_mesh(std::filesystem::path(shared) / "data/bodies" / (std::string(name) + ".obj"));
     ASSERT_TRUE(mesh.ok()) << to_string(mesh.error());
     expect_a_person(*mesh, name);
   }

@@ -11,8 +11,8 @@ namespace toile {
 namespace {
 
 struct Person {
-  TriangleMesh mesh = load_mesh(TOILE_SOURCE_DIR "/samples/skirt/body.obj").value();
-  BodyFigure figure = find_figure(mesh).value();
+  geometry::TriangleMesh mesh = mesh_import::load_mesh(TOILE_SOURCE_DIR "/samples/skirt/body.obj").value();
+  measure::BodyFigure figure = measure::find_figure(mesh).value();
 };
 
 const Person& person() {
@@ -21,7 +21,7 @@ const Person& person() {
 }
 
 std::vector<Vec3> line(const std::string& name, double up = 0, double away = 0) {
-  Result<std::vector<Vec3>> found = body_line(person().mesh, person().figure, name, up, away);
+  Result<std::vector<Vec3>> found = measure::body_line(person().mesh, person().figure, name, up, away);
   EXPECT_TRUE(found.ok()) << name << ": " << to_string(found.error());
   return found ? *found : std::vector<Vec3>{{}, {}, {}};
 }
@@ -37,16 +37,16 @@ TEST(BodyLines, OfTheTrunkAreAsLongAsTheTapeSays) {
        {std::pair{"waist", person().figure.waist}, {"hip", person().figure.hip}}) {
     const std::vector<Vec3> loop = line(name);
     for (const Vec3& p : loop) EXPECT_NEAR(p.y, height, 1e-9) << name;
-    EXPECT_NEAR(length_of_loop(loop), trunk_girth(person().mesh, person().figure, height), 2e-3) << name;
+    EXPECT_NEAR(measure::length_of_loop(loop), measure::trunk_girth(person().mesh, person().figure, height), 2e-3) << name;
   }
 }
 
 TEST(BodyLines, AllGoAroundWhatTheyAreNamedAfter) {
-  const BodyFigure& f = person().figure;
-  for (const std::string& name : body_line_names()) {
+  const measure::BodyFigure& f = person().figure;
+  for (const std::string& name : measure::body_line_names()) {
     const std::vector<Vec3> loop = line(name);
     EXPECT_GE(loop.size(), 4u) << name;
-    const double around = length_of_loop(loop);
+    const double around = measure::length_of_loop(loop);
     EXPECT_GT(around, 0.12) << name;
     EXPECT_LT(around, 1.2) << name;
     if (name.ends_with("_left")) {
@@ -71,10 +71,10 @@ TEST(BodyLines, AllGoAroundWhatTheyAreNamedAfter) {
 TEST(BodyLines, AreShiftedUpAndOutwards) {
   const std::vector<Vec3> lower = line("waist", -0.05), out = line("waist", 0, 0.01);
   EXPECT_NEAR(lower[0].y, person().figure.waist - 0.05, 1e-9);
-  EXPECT_GT(length_of_loop(lower), length_of_loop(line("waist"))) << "a body widens below its waist";
+  EXPECT_GT(measure::length_of_loop(lower), measure::length_of_loop(line("waist"))) << "a body widens below its waist";
   // A closed convex line that is moved outwards by d grows by 2πd.
-  EXPECT_NEAR(length_of_loop(out) - length_of_loop(line("waist")), 2 * 3.14159265 * 0.01, 1e-3);
-  const BodyFigure& f = person().figure;
+  EXPECT_NEAR(measure::length_of_loop(out) - measure::length_of_loop(line("waist")), 2 * 3.14159265 * 0.01, 1e-3);
+  const measure::BodyFigure& f = person().figure;
   EXPECT_LT(length(middle(line("wrist_left", 0.04)) - f.arm[0].root), length(f.arm[0].wrist - f.arm[0].root))
       << "up an arm is towards the trunk";
 }
@@ -90,8 +90,8 @@ TEST(BodyLines, RunCounterClockwiseSeenFromAbove) {
 }
 
 TEST(BodyLines, RefuseNamesAndPlacesThatABodyHasNot) {
-  EXPECT_EQ(body_line(person().mesh, person().figure, "wiast").error().code, "body.unknown_line");
-  EXPECT_EQ(body_line(person().mesh, person().figure, "waist", 3).error().code, "body.no_line");
+  EXPECT_EQ(measure::body_line(person().mesh, person().figure, "wiast").error().code, "body.unknown_line");
+  EXPECT_EQ(measure::body_line(person().mesh, person().figure, "waist", 3).error().code, "body.no_line");
 }
 
 }  // namespace

@@ -8,41 +8,41 @@ namespace toile {
 namespace {
 
 struct Person {
-  TriangleMesh mesh;
-  std::vector<Landmark> landmarks;
+  geometry::TriangleMesh mesh;
+  std::vector<measure::Landmark> landmarks;
 };
 
 Person with_waist(double waist) {
-  MannequinSettings settings;
-  settings.asked[Measure::kHeight] = 1.68;
-  settings.asked[Measure::kWaist] = waist;
+  mannequin::MannequinSettings settings;
+  settings.asked[measure::Measure::kHeight] = 1.68;
+  settings.asked[measure::Measure::kWaist] = waist;
   settings.triangle_count = 3300;
-  Person person{make_mannequin(settings).value().mesh, {}};
-  person.landmarks = find_landmarks(person.mesh, find_figure(person.mesh).value());
+  Person person{mannequin::make_mannequin(settings).value().mesh, {}};
+  person.landmarks = measure::find_landmarks(person.mesh, measure::find_figure(person.mesh).value());
   return person;
 }
 
 /// The trunk's triangle that looks most to the wearer's left front at a height.
-SkinPoint spot_on(const Person& person, double height) {
-  return nearest_on_skin(person.mesh, {0.1, height, 0.2});
+measure::SkinPoint spot_on(const Person& person, double height) {
+  return measure::nearest_on_skin(person.mesh, {0.1, height, 0.2});
 }
 
 TEST(OwnLandmarks, AreKeptThroughAChangeOfMeasures) {
   const Person slim = with_waist(0.70), stout = with_waist(0.92);
   ASSERT_NE(slim.mesh.triangles, stout.mesh.triangles)
       << "their triangles have nothing to do with each other";
-  const SkinPoint spot = spot_on(slim, landmark_named(slim.landmarks, "waist_front")->place.y + 0.03);
-  const OwnLandmark told = told_from_nearest("pocket", spot, slim.mesh, slim.landmarks);
+  const measure::SkinPoint spot = spot_on(slim, measure::landmark_named(slim.landmarks, "waist_front")->place.y + 0.03);
+  const measure::OwnLandmark told = measure::told_from_nearest("pocket", spot, slim.mesh, slim.landmarks);
 
-  std::vector<Landmark> again = slim.landmarks, carried = stout.landmarks;
-  ASSERT_TRUE(add_own_landmarks(slim.mesh, {&told, 1}, again));
-  ASSERT_TRUE(add_own_landmarks(stout.mesh, {&told, 1}, carried));
-  EXPECT_LT(length(again.back().place - position_of(spot, slim.mesh)), 1e-6);
+  std::vector<measure::Landmark> again = slim.landmarks, carried = stout.landmarks;
+  ASSERT_TRUE(measure::add_own_landmarks(slim.mesh, {&told, 1}, again));
+  ASSERT_TRUE(measure::add_own_landmarks(stout.mesh, {&told, 1}, carried));
+  EXPECT_LT(length(again.back().place - measure::position_of(spot, slim.mesh)), 1e-6);
 
-  const Landmark& pocket = carried.back();
-  EXPECT_LT(length(position_of(pocket.at, stout.mesh) - pocket.place), 1e-12) << "it lies on the skin";
-  const Landmark* before = landmark_named(slim.landmarks, told.near);
-  const Landmark* after = landmark_named(stout.landmarks, told.near);
+  const measure::Landmark& pocket = carried.back();
+  EXPECT_LT(length(measure::position_of(pocket.at, stout.mesh) - pocket.place), 1e-12) << "it lies on the skin";
+  const measure::Landmark* before = measure::landmark_named(slim.landmarks, told.near);
+  const measure::Landmark* after = measure::landmark_named(stout.landmarks, told.near);
   const Vec3 moved = pocket.place - again.back().place, expected = after->place - before->place;
   EXPECT_GT(length(expected), 0.005) << "22 cm more waist must move it";
   EXPECT_LT(length(moved - expected), 0.03) << "it goes along with the landmark that it was told from";
@@ -50,44 +50,44 @@ TEST(OwnLandmarks, AreKeptThroughAChangeOfMeasures) {
 
 TEST(OwnLandmarks, OnAMeshAreAPointOfATriangle) {
   const Person person = with_waist(0.74);
-  const OwnLandmark own{"mole", {17, {0.2, 0.3, 0.5}}, "", {}};
-  std::vector<Landmark> marks = person.landmarks;
-  ASSERT_TRUE(add_own_landmarks(person.mesh, {&own, 1}, marks));
-  EXPECT_EQ(landmark_named(marks, "mole")->place, position_of(own.at, person.mesh));
+  const measure::OwnLandmark own{"mole", {17, {0.2, 0.3, 0.5}}, "", {}};
+  std::vector<measure::Landmark> marks = person.landmarks;
+  ASSERT_TRUE(measure::add_own_landmarks(person.mesh, {&own, 1}, marks));
+  EXPECT_EQ(measure::landmark_named(marks, "mole")->place, measure::position_of(own.at, person.mesh));
 }
 
 TEST(OwnLandmarks, MayBeToldFromEachOtherInTheirOrder) {
   const Person person = with_waist(0.74);
-  const OwnLandmark own[] = {{"first", {}, "hip_front", {0.02, 0, 0}}, {"second", {}, "first", {0, 0.02, 0}}};
-  std::vector<Landmark> marks = person.landmarks;
-  ASSERT_TRUE(add_own_landmarks(person.mesh, own, marks));
-  EXPECT_GT(landmark_named(marks, "second")->place.y, landmark_named(marks, "first")->place.y + 0.01);
+  const measure::OwnLandmark own[] = {{"first", {}, "hip_front", {0.02, 0, 0}}, {"second", {}, "first", {0, 0.02, 0}}};
+  std::vector<measure::Landmark> marks = person.landmarks;
+  ASSERT_TRUE(measure::add_own_landmarks(person.mesh, own, marks));
+  EXPECT_GT(measure::landmark_named(marks, "second")->place.y, measure::landmark_named(marks, "first")->place.y + 0.01);
 }
 
 TEST(OwnLandmarks, RefuseWhatIsNotOnTheBody) {
   const Person person = with_waist(0.74);
-  const auto code_of = [&](const OwnLandmark& own) {
-    std::vector<Landmark> marks = person.landmarks;
-    return add_own_landmarks(person.mesh, {&own, 1}, marks).error().code;
+  const auto code_of = [&](const measure::OwnLandmark& own) {
+    std::vector<measure::Landmark> marks = person.landmarks;
+    return measure::add_own_landmarks(person.mesh, {&own, 1}, marks).error().code;
   };
   EXPECT_EQ(code_of({"x", {1 << 20, {1, 0, 0}}, "", {}}), "landmark.no_triangle");
   EXPECT_EQ(code_of({"x", {-1, {1, 0, 0}}, "", {}}), "landmark.no_triangle");
   EXPECT_EQ(code_of({"x", {3, {0.5, 0.5, 0.5}}, "", {}}), "landmark.no_triangle");
   EXPECT_EQ(code_of({"x", {3, {1.5, -0.5, 0}}, "", {}}), "landmark.no_triangle");
   EXPECT_EQ(code_of({"x", {}, "navel", {}}), "landmark.unknown");
-  std::vector<Landmark> marks = person.landmarks;
-  const OwnLandmark twice[] = {{"mole", {3, {1, 0, 0}}, "", {}}, {"mole", {4, {1, 0, 0}}, "", {}}};
-  EXPECT_EQ(add_own_landmarks(person.mesh, twice, marks).error().code, "landmark.duplicate");
+  std::vector<measure::Landmark> marks = person.landmarks;
+  const measure::OwnLandmark twice[] = {{"mole", {3, {1, 0, 0}}, "", {}}, {"mole", {4, {1, 0, 0}}, "", {}}};
+  EXPECT_EQ(measure::add_own_landmarks(person.mesh, twice, marks).error().code, "landmark.duplicate");
 }
 
 TEST(OwnLandmarks, MoveTheNamedOnesAndAreToldFromTheirFirstPlaces) {
   const Person person = with_waist(0.74);
-  std::vector<Landmark> marks = person.landmarks;
-  const Vec3 before = landmark_named(marks, "hip_front")->place;
-  const OwnLandmark moved{"hip_front", {}, "hip_front", {0.04, 0.02, 0}};
-  ASSERT_TRUE(add_own_landmarks(person.mesh, {&moved, 1}, marks));
+  std::vector<measure::Landmark> marks = person.landmarks;
+  const Vec3 before = measure::landmark_named(marks, "hip_front")->place;
+  const measure::OwnLandmark moved{"hip_front", {}, "hip_front", {0.04, 0.02, 0}};
+  ASSERT_TRUE(measure::add_own_landmarks(person.mesh, {&moved, 1}, marks));
   EXPECT_EQ(marks.size(), person.landmarks.size());
-  const Vec3 after = landmark_named(marks, "hip_front")->place;
+  const Vec3 after = measure::landmark_named(marks, "hip_front")->place;
   EXPECT_NEAR(after.x - before.x, 0.04, 0.015);
   EXPECT_NEAR(after.y - before.y, 0.02, 0.015);
 }

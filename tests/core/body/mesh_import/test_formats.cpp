@@ -10,32 +10,32 @@ namespace toile {
 namespace {
 
 TEST(MeshFormats, AreFoundByTheEndingOfANameInCapitalsOrNot) {
-  ASSERT_NE(format_of_name("scan.OBJ"), nullptr);
-  EXPECT_STREQ(format_of_name("scan.OBJ")->name, "OBJ");
-  EXPECT_STREQ(format_of_name("a.b/scan.3ds")->name, "3DS");
-  EXPECT_EQ(format_of_name("scan.txt"), nullptr);
-  EXPECT_EQ(format_of_name("obj"), nullptr);
+  ASSERT_NE(mesh_import::format_of_name("scan.OBJ"), nullptr);
+  EXPECT_STREQ(mesh_import::format_of_name("scan.OBJ")->name, "OBJ");
+  EXPECT_STREQ(mesh_import::format_of_name("a.b/scan.3ds")->name, "3DS");
+  EXPECT_EQ(mesh_import::format_of_name("scan.txt"), nullptr);
+  EXPECT_EQ(mesh_import::format_of_name("obj"), nullptr);
 }
 
 TEST(MeshFormats, HaveEachAnEndingAndANameOfTheirOwn) {
   std::set<std::string> endings, names;
-  for (const MeshFormat& format : mesh_formats()) {
+  for (const mesh_import::MeshFormat& format : mesh_import::mesh_formats()) {
     EXPECT_TRUE(endings.insert(format.ending).second) << format.ending;
     EXPECT_TRUE(names.insert(format.name).second) << format.name;
-    EXPECT_EQ(format_of_name(std::string("body") + format.ending), &format);
+    EXPECT_EQ(mesh_import::format_of_name(std::string("body") + format.ending), &format);
   }
 }
 
 TEST(MeshFormats, AreNamedAllWhereAFileIsOfNone) {
-  const Result<TriangleMesh> mesh = load_mesh_bytes("body.txt", "words", {});
+  const Result<geometry::TriangleMesh> mesh = mesh_import::load_mesh_bytes("body.txt", "words", {});
   ASSERT_FALSE(mesh.ok());
-  for (const MeshFormat& format : mesh_formats())
+  for (const mesh_import::MeshFormat& format : mesh_import::mesh_formats())
     EXPECT_NE(mesh.error().message.find(format.name), std::string::npos) << mesh.error().message;
 }
 
 TEST(MeshFormats, TellNoFileOfZerosForTheirs) {
-  const FileOpening zeros{std::string(200, '\0'), 200};
-  for (const MeshFormat& format : mesh_formats()) EXPECT_FALSE(format.begins(zeros)) << format.name;
+  const mesh_import::FileOpening zeros{std::string(200, '\0'), 200};
+  for (const mesh_import::MeshFormat& format : mesh_import::mesh_formats()) EXPECT_FALSE(format.begins(zeros)) << format.name;
 }
 
 }  // namespace

@@ -39,18 +39,18 @@ class ImportMesh : public testing::Test {
     std::ofstream(folder_ / name, std::ios::binary) << bytes;
     return (folder_ / name).string();
   }
-  MeshImporter played_by(const std::string& script) {
+  mesh_import::MeshImporter played_by(const std::string& script) {
     const std::string path = write("reader.sh", "#!/bin/sh\n" + script + "\n");
     ::chmod(path.c_str(), 0700);
-    ChildLimits limits = mesh_import_limits();
+    ChildLimits limits = mesh_import::mesh_import_limits();
     limits.memory_bytes = std::uint64_t{256} << 20;
     limits.cpu_s = 1;
     limits.wall_s = 0.5;
     limits.output_bytes = 1 << 20;
-    return MeshImporter(path, limits);
+    return mesh_import::MeshImporter(path, limits);
   }
   Error error_of(const std::string& script) {
-    const Result<RepairedMesh> mesh = played_by(script).bytes("given.obj", kCube, {});
+    const Result<mesh_import::RepairedMesh> mesh = played_by(script).bytes("given.obj", kCube, {});
     return mesh ? Error{"ok", "", ""} : mesh.error();
   }
 
@@ -58,9 +58,9 @@ class ImportMesh : public testing::Test {
 };
 
 TEST_F(ImportMesh, ReadsAndMendsInThisProcessWithoutAReader) {
-  const MeshImporter here;
+  const mesh_import::MeshImporter here;
   const std::string path = write("cube.obj", kCube);
-  for (const Result<RepairedMesh>& mesh :
+  for (const Result<mesh_import::RepairedMesh>& mesh :
        {here.file(path, {}), here.bytes("cube.obj", kCube, {}), here.stored(path, "cube.obj", {})}) {
     ASSERT_TRUE(mesh) << to_string(mesh.error());
     EXPECT_EQ(mesh->repairs.turned, 2);
@@ -70,9 +70,9 @@ TEST_F(ImportMesh, ReadsAndMendsInThisProcessWithoutAReader) {
 }
 
 TEST_F(ImportMesh, TakesWhatTheReaderSends) {
-  const Result<RepairedMesh> mesh = MeshImporter().bytes("cube.obj", kCube, {});
-  const std::string path = write("message", mesh_message(mesh));
-  const Result<RepairedMesh> sent = played_by("cat " + path).bytes("cube.obj", kCube, {});
+  const Result<mesh_import::RepairedMesh> mesh = mesh_import::MeshImporter().bytes("cube.obj", kCube, {});
+  const std::string path = write("message", mesh_import::mesh_message(mesh));
+  const Result<mesh_import::RepairedMesh> sent = played_by("cat " + path).bytes("cube.obj", kCube, {});
   ASSERT_TRUE(sent) << to_string(sent.error());
   EXPECT_EQ(sent->mesh.vertices, mesh->mesh.vertices);
   EXPECT_EQ(sent->mesh.triangles, mesh->mesh.triangles);
@@ -84,7 +84,7 @@ TEST_F(ImportMesh, GivesTheReaderTheBytesAndTheSettings) {
       "read first; text=\"$* [$first]\"; printf 'TOILEMSH\\0\\0\\0\\0'"
       "; for part in mesh.unreadable \"$text\" here; do printf \"\\\\$(printf %o ${#part})\\\\0\\\\0\\\\0\"; "
       "printf %s \"$part\"; done";
-  const Result<RepairedMesh> mesh =
+  const Result<mesh_import::RepairedMesh> mesh =
       played_by(script).bytes("given.obj", kCube, {.unit_in_m = 0.01, .z_up = true});
   ASSERT_FALSE(mesh);
   EXPECT_EQ(mesh.error().code, "mesh.unreadable");
@@ -125,15 +125,15 @@ TEST_F(ImportMesh, TellsOfAReaderThatTalksNonsense) {
 }
 
 TEST_F(ImportMesh, SaysThatTheReaderIsMissing) {
-  const Result<RepairedMesh> mesh = MeshImporter("/no/such/reader").bytes("a.obj", kCube, {});
+  const Result<mesh_import::RepairedMesh> mesh = mesh_import::MeshImporter("/no/such/reader").bytes("a.obj", kCube, {});
   ASSERT_FALSE(mesh);
   EXPECT_EQ(mesh.error().code, "mesh.reader");
   EXPECT_EQ(mesh.error().where, "a.obj");
 }
 
 TEST_F(ImportMesh, ServesManyThreadsTwoAtATime) {
-  const std::string path = write("message", mesh_message(MeshImporter().bytes("cube.obj", kCube, {})));
-  const MeshImporter importer = played_by("cat " + path);
+  const std::string path = write("message", mesh_import::mesh_message(mesh_import::MeshImporter().bytes("cube.obj", kCube, {})));
+  const mesh_import::MeshImporter importer = played_by("cat " + path);
   std::atomic<int> good{0};
   std::vector<std::thread> threads;
   for (int i = 0; i < 6; ++i) {
@@ -144,27 +144,27 @@ TEST_F(ImportMesh, ServesManyThreadsTwoAtATime) {
 }
 
 TEST(MeshMessage, ComesBackAsItWasSent) {
-  const Result<RepairedMesh> mesh = MeshImporter().bytes("cube.obj", kCube, {});
-  const Result<RepairedMesh> back = parse_mesh_message(mesh_message(mesh));
+  const Result<mesh_import::RepairedMesh> mesh = mesh_import::MeshImporter().bytes("cube.obj", kCube, {});
+  const Result<mesh_import::RepairedMesh> back = mesh_import::parse_mesh_message(mesh_import::mesh_message(mesh));
   ASSERT_TRUE(back);
   EXPECT_EQ(back->mesh.vertices, mesh->mesh.vertices);
   EXPECT_EQ(back->repairs, mesh->repairs);
   const Error error{"mesh.unreadable", "Words.", "a.obj: vertex 3"};
-  const Result<RepairedMesh> told = parse_mesh_message(mesh_message(error));
+  const Result<mesh_import::RepairedMesh> told = mesh_import::parse_mesh_message(mesh_import::mesh_message(error));
   ASSERT_FALSE(told);
   EXPECT_EQ(to_string(told.error()), to_string(error));
 }
 
 TEST(MeshMessage, IsRefusedWhenItIsCutOrChangedAnywhere) {
-  const std::string whole = mesh_message(MeshImporter().bytes("cube.obj", kCube, {}));
+  const std::string whole = mesh_import::mesh_message(mesh_import::MeshImporter().bytes("cube.obj", kCube, {}));
   for (std::size_t length = 0; length < whole.size(); ++length) {
-    EXPECT_FALSE(parse_mesh_message(whole.substr(0, length))) << length;
+    EXPECT_FALSE(mesh_import::parse_mesh_message(whole.substr(0, length))) << length;
   }
-  EXPECT_FALSE(parse_mesh_message(whole + "x"));
+  EXPECT_FALSE(mesh_import::parse_mesh_message(whole + "x"));
   for (std::size_t i = 0; i < whole.size(); ++i) {
     std::string changed = whole;
     changed[i] = static_cast<char>(0xff);
-    const Result<RepairedMesh> mesh = parse_mesh_message(changed);
+    const Result<mesh_import::RepairedMesh> mesh = mesh_import::parse_mesh_message(changed);
     if (!mesh) continue;
     for (const Tri& t : mesh->mesh.triangles) {
       for (const Index v : t) ASSERT_LT(static_cast<std::size_t>(v), mesh->mesh.vertices.size());
@@ -176,18 +176,18 @@ TEST(MeshMessage, IsRefusedWhenItIsCutOrChangedAnywhere) {
 TEST(MeshMessage, CarriesWhatAnErrorMeansAndNoKindThatIsNone) {
   for (const ErrorKind kind :
        {ErrorKind::kInput, ErrorKind::kTooLarge, ErrorKind::kSystem, ErrorKind::kInternal}) {
-    EXPECT_EQ(parse_mesh_message(mesh_message(Error{"mesh.x", "", "", kind})).error().kind, kind);
+    EXPECT_EQ(mesh_import::parse_mesh_message(mesh_import::mesh_message(Error{"mesh.x", "", "", kind})).error().kind, kind);
   }
   const auto beyond = static_cast<ErrorKind>(static_cast<int>(ErrorKind::kInternal) + 1);
-  const Error refused = parse_mesh_message(mesh_message(Error{"mesh.x", "", "", beyond})).error();
+  const Error refused = mesh_import::parse_mesh_message(mesh_import::mesh_message(Error{"mesh.x", "", "", beyond})).error();
   EXPECT_EQ(refused.code, "mesh.crashed");
 }
 
 TEST(MeshMessage, TakesNoStrangeCodesFromAReader) {
-  EXPECT_EQ(parse_mesh_message(mesh_message(Error{"store.full", "", ""})).error().code, "mesh.crashed");
-  EXPECT_EQ(parse_mesh_message(mesh_message(Error{"mesh.<b>", "", ""})).error().code, "mesh.crashed");
+  EXPECT_EQ(mesh_import::parse_mesh_message(mesh_import::mesh_message(Error{"store.full", "", ""})).error().code, "mesh.crashed");
+  EXPECT_EQ(mesh_import::parse_mesh_message(mesh_import::mesh_message(Error{"mesh.<b>", "", ""})).error().code, "mesh.crashed");
   const Error long_one{"mesh.unreadable", std::string(5000, 'x') + "\x1b[31m", "a\nb"};
-  const Error back = parse_mesh_message(mesh_message(long_one)).error();
+  const Error back = mesh_import::parse_mesh_message(mesh_import::mesh_message(long_one)).error();
   EXPECT_LE(back.message.size(), 1000u);
   EXPECT_EQ(back.where, "a b");
 }

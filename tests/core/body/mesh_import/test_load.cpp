@@ -30,7 +30,7 @@ class LoadMesh : public testing::Test {
     return folder_ / name;
   }
   std::string code(const std::string& name, const std::string& bytes) {
-    const Result<TriangleMesh> mesh = load_mesh(write(name, bytes));
+    const Result<geometry::TriangleMesh> mesh = mesh_import::load_mesh(write(name, bytes));
     return mesh ? "ok" : mesh.error().code;
   }
 
@@ -38,7 +38,7 @@ class LoadMesh : public testing::Test {
 };
 
 TEST_F(LoadMesh, CutsQuadsAndMergesCornersToAClosedCube) {
-  const Result<TriangleMesh> cube = load_mesh(write("cube.obj", kCube));
+  const Result<geometry::TriangleMesh> cube = mesh_import::load_mesh(write("cube.obj", kCube));
   ASSERT_TRUE(cube) << to_string(cube.error());
   EXPECT_EQ(cube->vertices.size(), 8u);
   EXPECT_EQ(cube->triangles.size(), 12u);
@@ -54,7 +54,7 @@ TEST_F(LoadMesh, ReadsAnStlWhoseTrianglesShareNoVertices) {
       "facet normal -1 0 0\nouter loop\nvertex 0 0 0\nvertex 0 0 1\nvertex 0 1 0\nendloop\nendfacet\n"
       "facet normal 1 1 1\nouter loop\nvertex 1 0 0\nvertex 0 1 0\nvertex 0 0 1\nendloop\nendfacet\n"
       "endsolid t\n";
-  const Result<TriangleMesh> mesh = load_mesh(write("t.stl", tetrahedron));
+  const Result<geometry::TriangleMesh> mesh = mesh_import::load_mesh(write("t.stl", tetrahedron));
   ASSERT_TRUE(mesh) << to_string(mesh.error());
   EXPECT_EQ(mesh->vertices.size(), 4u);
   EXPECT_EQ(open_edges(*mesh), 0);
@@ -69,7 +69,7 @@ TEST_F(LoadMesh, PutsEveryNodeOfASceneInItsPlace) {
     "buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}],
     "bufferViews":[{"buffer":0,"byteLength":36}],
     "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}]})";
-  const Result<TriangleMesh> mesh = load_mesh(write("two.gltf", gltf));
+  const Result<geometry::TriangleMesh> mesh = mesh_import::load_mesh(write("two.gltf", gltf));
   ASSERT_TRUE(mesh) << to_string(mesh.error());
   ASSERT_EQ(mesh->triangles.size(), 2u);
   double right = 0;
@@ -84,33 +84,33 @@ TEST_F(LoadMesh, PutsEveryNodeOfASceneInItsPlace) {
 
 TEST_F(LoadMesh, TurnsAndScalesToMetresWithYUp) {
   const std::string tall = "v 0 0 0\nv 50 0 0\nv 0 0 170\nf 1 2 3\n";
-  const Result<TriangleMesh> guessed = load_mesh(write("tall.obj", tall), {.z_up = true});
+  const Result<geometry::TriangleMesh> guessed = mesh_import::load_mesh(write("tall.obj", tall), {.z_up = true});
   ASSERT_TRUE(guessed) << to_string(guessed.error());
   EXPECT_NEAR(guessed->vertices[2].y, 1.7, 1e-9) << "170 units can only be centimetres";
   EXPECT_NEAR(guessed->vertices[2].z, 0, 1e-9);
-  const Result<TriangleMesh> told = load_mesh(folder_ / "tall.obj", {.unit_in_m = 0.001});
+  const Result<geometry::TriangleMesh> told = mesh_import::load_mesh(folder_ / "tall.obj", {.unit_in_m = 0.001});
   ASSERT_TRUE(told);
   EXPECT_NEAR(told->vertices[2].z, 0.17, 1e-9);
 }
 
 TEST_F(LoadMesh, DropsTrianglesWithoutArea) {
-  const Result<TriangleMesh> mesh =
-      load_mesh(write("d.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nv 0 0 0\nf 1 2 3\nf 1 2 4\nf 1 5 3\n"));
+  const Result<geometry::TriangleMesh> mesh =
+      mesh_import::load_mesh(write("d.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nv 0 0 0\nf 1 2 3\nf 1 2 4\nf 1 5 3\n"));
   ASSERT_TRUE(mesh) << to_string(mesh.error());
   EXPECT_EQ(mesh->triangles.size(), 1u);
   EXPECT_EQ(mesh->vertices.size(), 3u);
 }
 
 TEST_F(LoadMesh, NamesTheVertexThatIsNoNumber) {
-  const Result<TriangleMesh> mesh = load_mesh(write("nan.obj", "v 0 0 0\nv 1 0 0\nv nan 1 0\nf 1 2 3\n"));
+  const Result<geometry::TriangleMesh> mesh = mesh_import::load_mesh(write("nan.obj", "v 0 0 0\nv 1 0 0\nv nan 1 0\nf 1 2 3\n"));
   ASSERT_FALSE(mesh);
   EXPECT_EQ(mesh.error().code, "mesh.not_finite");
   EXPECT_NE(mesh.error().where.find("vertex 3"), std::string::npos) << mesh.error().where;
 }
 
 TEST_F(LoadMesh, RefusesWhatIsNoMesh) {
-  EXPECT_EQ(load_mesh(folder_ / "missing.obj").error().code, "mesh.not_found");
-  EXPECT_EQ(load_mesh(folder_).error().code, "mesh.not_found");
+  EXPECT_EQ(mesh_import::load_mesh(folder_ / "missing.obj").error().code, "mesh.not_found");
+  EXPECT_EQ(mesh_import::load_mesh(folder_).error().code, "mesh.not_found");
   EXPECT_EQ(code("empty.obj", ""), "mesh.empty");
   EXPECT_NE(code("text.obj", "It was a dark and stormy night.\n"), "ok");
   EXPECT_NE(code("text.stl", "It was a dark and stormy night.\n"), "ok");
@@ -119,7 +119,7 @@ TEST_F(LoadMesh, RefusesWhatIsNoMesh) {
   EXPECT_EQ(code("cube.xyzzy", kCube), "mesh.unreadable");
   EXPECT_NE(code("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"), "ok");
   EXPECT_NE(code("faces.obj", "v 0 0 0\nv 1 0 0\nf 1 2 3\n"), "ok");
-  EXPECT_EQ(load_mesh(write("cube.obj", kCube), {.unit_in_m = -1}).error().code, "mesh.setting");
+  EXPECT_EQ(mesh_import::load_mesh(write("cube.obj", kCube), {.unit_in_m = -1}).error().code, "mesh.setting");
 }
 
 TEST_F(LoadMesh, RefusesFiftyMegabytesOfZeros) {
@@ -131,7 +131,7 @@ TEST_F(LoadMesh, RefusesFiftyMegabytesOfZeros) {
 TEST_F(LoadMesh, SurvivesAFileThatEndsAnywhere) {
   const std::string whole = kCube;
   for (size_t length = 1; length < whole.size(); length += 3) {
-    const Result<TriangleMesh> mesh = load_mesh(write("cut.obj", whole.substr(0, length)));
+    const Result<geometry::TriangleMesh> mesh = mesh_import::load_mesh(write("cut.obj", whole.substr(0, length)));
     if (mesh) {
       EXPECT_LE(mesh->triangles.size(), 12u);
     }
@@ -161,7 +161,7 @@ TEST(LoadMeshBodies, ReadsTheSharedBodiesWhole) {
                                                    {"makehuman-female-average.obj", 26756},
                                                    {"makehuman-male-average.obj", 26756}};
   for (const auto& [name, triangles] : bodies) {
-    const Result<TriangleMesh> mesh = load_mesh(std::filesystem::path(shared) / "data/bodies" / name);
+    const Result<geometry::TriangleMesh> mesh = mesh_import::load_mesh(std::filesystem::path(shared) / "data/bodies" / name);
     ASSERT_TRUE(mesh) << to_string(mesh.error());
     EXPECT_EQ(mesh->triangles.size(), triangles) << name;
     double high = 0;

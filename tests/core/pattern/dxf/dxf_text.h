@@ -19,8 +19,8 @@ inline std::string groups(Groups list) {
 }
 
 /// Small drawings say no unit and are too small to guess it.
-inline DxfSettings in_mm() {
-  DxfSettings settings;
+inline dxf::DxfSettings in_mm() {
+  dxf::DxfSettings settings;
   settings.mm_per_unit = 1;
   return settings;
 }

@@ -17,17 +17,17 @@
 namespace toile::dxf_text {
 
 /// The drawing; a failure when it cannot be read, or when its report leaves anything out.
-inline DxfDrawing read_trial(const std::string& text, const DxfSettings& settings = {}) {
-  Result<DxfDrawing> drawing = read_dxf(text, settings);
+inline dxf::DxfDrawing read_trial(const std::string& text, const dxf::DxfSettings& settings = {}) {
+  Result<dxf::DxfDrawing> drawing = dxf::read_dxf(text, settings);
   if (!drawing) {
     ADD_FAILURE() << to_string(drawing.error());
     return {};
   }
-  const DxfReport& r = drawing->report;
+  const dxf::DxfReport& r = drawing->report;
   EXPECT_EQ(r.records, r.structure + r.elsewhere + r.vertices + r.entities);
   EXPECT_EQ(r.entities, r.kept + r.converted + r.dropped);
   std::size_t listed = 0;
-  for (const DxfEntityGroup& g : r.groups) {
+  for (const dxf::DxfEntityGroup& g : r.groups) {
     listed += g.lines.size();
     EXPECT_NE(g.reason, "nothing is made of it") << g.type << " on layer " << g.layer;
   }
@@ -36,20 +36,20 @@ inline DxfDrawing read_trial(const std::string& text, const DxfSettings& setting
 }
 
 /// Whether a warning or the reason of any entity has these words.
-inline bool told(const DxfDrawing& drawing, const std::string& words) {
+inline bool told(const dxf::DxfDrawing& drawing, const std::string& words) {
   const auto has = [&](const std::string& text) { return text.find(words) != std::string::npos; };
   return std::any_of(drawing.notes.begin(), drawing.notes.end(), has) ||
          std::any_of(drawing.report.groups.begin(), drawing.report.groups.end(),
-                     [&](const DxfEntityGroup& g) { return has(g.reason); });
+                     [&](const dxf::DxfEntityGroup& g) { return has(g.reason); });
 }
 
-inline double area_of(const DxfPiece& piece) { return std::abs(signed_area(piece.outline)); }
+inline double area_of(const dxf::DxfPiece& piece) { return std::abs(geometry::signed_area(piece.outline)); }
 
 /// The panel; a failure when the piece makes none.
-inline Panel panel_of(const DxfPiece& piece) {
-  const Result<Panel> panel = panel_from_piece(piece);
+inline pattern::Panel panel_of(const dxf::DxfPiece& piece) {
+  const Result<pattern::Panel> panel = dxf::panel_from_piece(piece);
   EXPECT_TRUE(panel) << (panel ? "" : to_string(panel.error()));
-  return panel ? *panel : Panel{};
+  return panel ? *panel : pattern::Panel{};
 }
 
 inline std::string point(Vec2 at, const std::string& layer) {

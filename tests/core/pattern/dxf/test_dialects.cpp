@@ -17,26 +17,26 @@ TEST(DxfOutline, TheBreaksOfOpenPolylinesAreEdgeBoundaries) {
       polyline({{0, 0}, {150, 0}}, "1", 0) + polyline({{150, 0}, {300, 0}, {300, 0}}, "1", 0) +
       polyline({{300, 0}, {300, 0.00254}}, "1", 0) + polyline({{300, 0.00254}, {300, 500}}, "1", 0) +
       polyline({{300, 500}, {0, 500}}, "1", 0) + polyline({{0, 500}, {0, 0}}, "1", 0);
-  const DxfDrawing d = read_trial(blocks_and_inserts({{"A", body}}));
+  const dxf::DxfDrawing d = read_trial(blocks_and_inserts({{"A", body}}));
   ASSERT_EQ(d.pieces.size(), 1u);
   EXPECT_TRUE(d.pieces[0].breaks_are_edges);
-  const Panel panel = panel_of(d.pieces[0]);
+  const pattern::Panel panel = panel_of(d.pieces[0]);
   EXPECT_EQ(panel.outline.edges.size(), 5u) << "two of them in one line";
-  EXPECT_NEAR(arc_length(panel.outline.edges[0]), 150, 1e-6);
-  EXPECT_NEAR(signed_area(panel.outline), 150'000, 1);
+  EXPECT_NEAR(pattern::arc_length(panel.outline.edges[0]), 150, 1e-6);
+  EXPECT_NEAR(pattern::signed_area(panel.outline), 150'000, 1);
 }
 
 TEST(DxfOutline, RunsInTheOtherDirectionAndWindingMakeTheSamePiece) {
   const std::string body = polyline({{300, 0}, {0, 0}}, "1", 0) + polyline({{0, 500}, {300, 500}}, "1", 0) +
                            polyline({{0, 0}, {0, 500}}, "1", 0) + polyline({{300, 0}, {300, 500}}, "1", 0);
-  const DxfDrawing d = read_trial(blocks_and_inserts({{"A", body}}));
+  const dxf::DxfDrawing d = read_trial(blocks_and_inserts({{"A", body}}));
   ASSERT_EQ(d.pieces.size(), 1u);
-  EXPECT_NEAR(signed_area(panel_of(d.pieces[0]).outline), 150'000, 1);
+  EXPECT_NEAR(pattern::signed_area(panel_of(d.pieces[0]).outline), 150'000, 1);
 }
 
 TEST(DxfOutline, TheClosedFlagMayComeWithTheFirstVertexRepeatedOrNotAtAll) {
   for (const int flag : {0, 1, 8, 9, 128, 129}) {
-    const DxfDrawing d =
+    const dxf::DxfDrawing d =
         read_trial(entities(polyline({{0, 0}, {300, 0}, {300, 500}, {0, 500}, {0, 0}}, "1", flag)));
     ASSERT_EQ(d.pieces.size(), 1u) << flag;
     EXPECT_EQ(d.pieces[0].outline.size(), 4u) << flag;
@@ -44,7 +44,7 @@ TEST(DxfOutline, TheClosedFlagMayComeWithTheFirstVertexRepeatedOrNotAtAll) {
 }
 
 TEST(DxfOutline, GapsUnderAMillimetreAreClosedAndTold) {
-  const DxfDrawing d =
+  const dxf::DxfDrawing d =
       read_trial(entities(polyline({{0, 0}, {300, 0}, {300, 500}, {0, 500}, {0, 0.6}}, "1", 0)));
   ASSERT_EQ(d.pieces.size(), 1u);
   EXPECT_TRUE(told(d, "a gap of 0.6 mm and was closed"));
@@ -52,16 +52,16 @@ TEST(DxfOutline, GapsUnderAMillimetreAreClosedAndTold) {
 
 TEST(DxfOutline, SmallLoopsAreCutOffAndTold) {
   // The last corner is passed by half a millimetre and come back to, as bad offsets do.
-  const DxfDrawing d =
+  const dxf::DxfDrawing d =
       read_trial(entities(polyline({{0, 0}, {300, 0}, {300, 500}, {-0.5, 500}, {0.5, 499}, {0, 501}}, "1")));
   ASSERT_EQ(d.pieces.size(), 1u);
   EXPECT_TRUE(told(d, "was cut off the outline"));
-  EXPECT_TRUE(validate(panel_of(d.pieces[0])));
+  EXPECT_TRUE(pattern::validate(panel_of(d.pieces[0])));
   EXPECT_NEAR(area_of(d.pieces[0]), 150'000, 200);
 }
 
 TEST(DxfOutline, APieceThatCrossesItselfIsLeftOutBesideGoodOnes) {
-  const DxfDrawing d = read_trial(
+  const dxf::DxfDrawing d = read_trial(
       entities(rectangle({0, 0}, 300, 500) + polyline({{900, 0}, {1000, 100}, {1000, 0}, {900, 100}})));
   EXPECT_EQ(d.pieces.size(), 1u);
   EXPECT_TRUE(told(d, "the piece is left out: The outline crosses"));
@@ -77,14 +77,14 @@ TEST(DxfOutline, EllipsesAndSplinesThroughPointsAreCurves) {
                                    {40, "0.5"},
                                    {41, "0"},
                                    {42, "3.14159265358979"}});
-  const DxfDrawing d = read_trial(entities(half + line({-300, 0}, {300, 0})));
+  const dxf::DxfDrawing d = read_trial(entities(half + line({-300, 0}, {300, 0})));
   ASSERT_EQ(d.pieces.size(), 1u);
   EXPECT_NEAR(area_of(d.pieces[0]), 3.14159265 * 300 * 150 / 2, 30);
   std::string through = groups({{0, "SPLINE"}, {8, "0"}, {70, "8"}, {71, "3"}});
   for (int i = 0; i <= 18; ++i)
     through += groups({{11, number(300 * std::cos(i * 0.17453292519943))},
                        {21, number(300 * std::sin(i * 0.17453292519943))}});
-  const DxfDrawing fitted = read_trial(entities(through + line({-300, 0}, {300, 0})));
+  const dxf::DxfDrawing fitted = read_trial(entities(through + line({-300, 0}, {300, 0})));
   ASSERT_EQ(fitted.pieces.size(), 1u);
   EXPECT_NEAR(area_of(fitted.pieces[0]), 3.14159265 * 300 * 300 / 2, 150);
 }
@@ -104,15 +104,15 @@ TEST(DxfOutline, CurvesEndAtNotchesAndTurnPoints) {
                              {20, "400"}});
   body += groups({{0, "POINT"}, {8, "4"}, {10, "600"}, {20, "200"}, {30, "-6.35"}, {39, "0"}, {50, "180"}});
   body += point({541.4213562, 341.4213562}, "2") + point({200, 0}, "4");
-  const DxfDrawing d = read_trial(blocks_and_inserts({{"A", body}}));
+  const dxf::DxfDrawing d = read_trial(blocks_and_inserts({{"A", body}}));
   ASSERT_EQ(d.pieces.size(), 1u);
-  const Panel panel = panel_of(d.pieces[0]);
+  const pattern::Panel panel = panel_of(d.pieces[0]);
   ASSERT_EQ(panel.notches.size(), 2u);
   EXPECT_NEAR(panel.notches[0].depth, 6.35, 1e-9);
   EXPECT_NEAR(panel.notches[0].inwards.x, -1, 1e-9);
   const auto ends_at = [&](Vec2 p) {
-    for (const PanelEdge& edge : panel.outline.edges)
-      for (const CubicBezier& c : edge.curves)
+    for (const pattern::PanelEdge& edge : panel.outline.edges)
+      for (const pattern::CubicBezier& c : edge.curves)
         if (length(c.p3 - p) < 0.05) return true;
     return false;
   };
@@ -129,9 +129,9 @@ TEST(DxfFold, AMirrorLineUnfoldsTheHalfWithItsMarks) {
   const std::string body = kHalf + line({0, 400}, {0, 50}, "6") + point({240, 200}, "4") +
                            point({0, 520}, "4") + rectangle({50, 100}, 20, 20, "11") +
                            line({30, 300}, {80, 300}, "8");
-  const DxfDrawing d = read_trial(blocks_and_inserts({{"FRONT", body}}));
+  const dxf::DxfDrawing d = read_trial(blocks_and_inserts({{"FRONT", body}}));
   ASSERT_EQ(d.pieces.size(), 1u);
-  const DxfPiece& piece = d.pieces[0];
+  const dxf::DxfPiece& piece = d.pieces[0];
   EXPECT_TRUE(piece.unfolded);
   const double half =
       read_trial(entities(kHalf)).pieces.empty() ? 0 : area_of(read_trial(entities(kHalf)).pieces[0]);
@@ -139,8 +139,8 @@ TEST(DxfFold, AMirrorLineUnfoldsTheHalfWithItsMarks) {
   EXPECT_EQ(piece.notches.size(), 3u) << "one stands on the fold";
   EXPECT_EQ(piece.holes.size(), 2u);
   EXPECT_EQ(piece.internals.size(), 2u);
-  const Panel panel = panel_of(piece);
-  EXPECT_TRUE(validate(panel));
+  const pattern::Panel panel = panel_of(piece);
+  EXPECT_TRUE(pattern::validate(panel));
   EXPECT_EQ(panel.outline.edges.size(), 5u) << "the hem is one edge, the neck two";
 }
 
@@ -149,7 +149,7 @@ TEST(DxfFold, ALineThatEndsOnTheFoldGoesOnBehindIt) {
                            polyline({{0, 300}, {60, 300}, {80, 350}}, "8", 0) +
                            polyline({{70, 100}, {0, 90}}, "8", 0) + line({0, 40}, {0, 60}, "8") +
                            polyline({{0, 200}, {40, 200}, {40, 240}, {0, 240}}, "8", 0);
-  const DxfDrawing d = read_trial(blocks_and_inserts({{"FRONT", body}}));
+  const dxf::DxfDrawing d = read_trial(blocks_and_inserts({{"FRONT", body}}));
   ASSERT_EQ(d.pieces.size(), 1u);
   ASSERT_EQ(d.pieces[0].internals.size(), 4u);
   EXPECT_EQ(d.pieces[0].internals[0],
@@ -166,19 +166,19 @@ TEST(DxfFold, AFoldInTwoStretchesLeavesAHoleBetweenThem) {
   const std::string whole_line = line({0, 0}, {0, 600}, "6");
   const std::string two_lines = line({0, 350}, {0, 600}, "6") + line({0, 0}, {0, 250}, "6");
   for (const std::string& fold : {whole_line, two_lines}) {
-    const DxfDrawing d = read_trial(blocks_and_inserts({{"FRONT", half + fold}}));
+    const dxf::DxfDrawing d = read_trial(blocks_and_inserts({{"FRONT", half + fold}}));
     ASSERT_EQ(d.pieces.size(), 1u);
     EXPECT_TRUE(d.pieces[0].unfolded);
     EXPECT_NEAR(area_of(d.pieces[0]), 480 * 600, 1e-6);
     ASSERT_EQ(d.pieces[0].holes.size(), 1u);
-    EXPECT_NEAR(std::abs(signed_area(d.pieces[0].holes[0])), 30 * 100, 1e-6);
-    EXPECT_TRUE(validate(panel_of(d.pieces[0])));
+    EXPECT_NEAR(std::abs(geometry::signed_area(d.pieces[0].holes[0])), 30 * 100, 1e-6);
+    EXPECT_TRUE(pattern::validate(panel_of(d.pieces[0])));
     EXPECT_TRUE(d.report.warnings.empty());
   }
 }
 
 TEST(DxfFold, APieceThatLiesOnBothSidesStaysAsItIs) {
-  const DxfDrawing d = read_trial(
+  const dxf::DxfDrawing d = read_trial(
       blocks_and_inserts({{"YOKE", rectangle({-200, 0}, 400, 150, "1") + line({0, 0}, {0, 150}, "6")}}));
   ASSERT_EQ(d.pieces.size(), 1u);
   EXPECT_FALSE(d.pieces[0].unfolded);
@@ -186,7 +186,7 @@ TEST(DxfFold, APieceThatLiesOnBothSidesStaysAsItIs) {
 }
 
 TEST(DxfFold, AMirrorLineAwayFromTheOutlineIsWarnedOf) {
-  const DxfDrawing d = read_trial(
+  const dxf::DxfDrawing d = read_trial(
       blocks_and_inserts({{"YOKE", rectangle({20, 0}, 400, 150, "1") + line({0, 0}, {0, 150}, "6")}}));
   ASSERT_EQ(d.pieces.size(), 1u);
   EXPECT_TRUE(told(d, "does not run along the outline"));
@@ -194,7 +194,7 @@ TEST(DxfFold, AMirrorLineAwayFromTheOutlineIsWarnedOf) {
 
 TEST(DxfFold, ASewLineMayBeOpenAtTheFold) {
   const std::string sew = polyline({{0, 10}, {240, 10}, {220, 395}, {97, 586}, {0, 508}}, "14", 0);
-  const DxfDrawing d = read_trial(blocks_and_inserts({{"FRONT", kHalf + sew + line({0, 0}, {0, 520}, "6")}}));
+  const dxf::DxfDrawing d = read_trial(blocks_and_inserts({{"FRONT", kHalf + sew + line({0, 0}, {0, 520}, "6")}}));
   ASSERT_EQ(d.pieces.size(), 1u);
   EXPECT_EQ(d.pieces[0].layer, "14");
   EXPECT_TRUE(d.pieces[0].on_sew_line);
@@ -203,7 +203,7 @@ TEST(DxfFold, ASewLineMayBeOpenAtTheFold) {
 }
 
 TEST(DxfFold, CutOnFoldWithoutAMirrorLineIsWarnedOf) {
-  const DxfDrawing d =
+  const dxf::DxfDrawing d =
       read_trial(blocks_and_inserts({{"FRONT", kHalf + text({50, 50}, "ANNOTATION: Cut 1 on fold", "1")}}));
   EXPECT_TRUE(told(d, "no mirror line says where"));
 }
@@ -227,7 +227,7 @@ std::string graded(bool sizes_as_texts, const std::string& sample = "Sample Size
 
 TEST(DxfGrading, TheSampleSizeIsTakenAndTheOthersAreListed) {
   for (const bool texts : {true, false}) {
-    const DxfDrawing d = read_trial(graded(texts));
+    const dxf::DxfDrawing d = read_trial(graded(texts));
     ASSERT_EQ(d.pieces.size(), 2u) << texts;
     EXPECT_EQ(d.sizes, (std::vector<std::string>{"42", "44", "46"}));
     EXPECT_EQ(d.size, "44");
@@ -241,30 +241,30 @@ TEST(DxfGrading, TheSampleSizeIsTakenAndTheOthersAreListed) {
 }
 
 TEST(DxfGrading, TheSizeAskedForIsTakenWithTheTextsOfTheSample) {
-  DxfSettings settings;
+  dxf::DxfSettings settings;
   settings.size = "42";
-  const DxfDrawing d = read_trial(graded(true), settings);
+  const dxf::DxfDrawing d = read_trial(graded(true), settings);
   ASSERT_EQ(d.pieces.size(), 2u);
   EXPECT_NEAR(area_of(d.pieces[0]), 242 * 600, 1e-6);
   EXPECT_EQ(d.pieces[0].quantity, 2);
   EXPECT_EQ(d.pieces[0].category, "SELF");
   EXPECT_EQ(d.pieces[1].size, "42");
   settings.size = "50";
-  const auto none = read_dxf(graded(true), settings);
+  const auto none = dxf::read_dxf(graded(true), settings);
   ASSERT_FALSE(none);
   EXPECT_EQ(none.error().code, "dxf.unknown_size");
   EXPECT_NE(none.error().message.find("42, 44, 46"), std::string::npos);
 }
 
 TEST(DxfGrading, WithoutASampleSizeTheOneWithTheTextsIsTaken) {
-  const DxfDrawing d = read_trial(graded(true, "Author: somebody"));
+  const dxf::DxfDrawing d = read_trial(graded(true, "Author: somebody"));
   EXPECT_EQ(d.size, "44");
   EXPECT_TRUE(told(d, "no sample size"));
 }
 
 TEST(DxfGrading, PartsWithNumbersInTheirNamesAreNoSizes) {
   const std::string side = open_sides({0, 0}, 200, 600, "1");
-  const DxfDrawing d =
+  const dxf::DxfDrawing d =
       read_trial(blocks_and_inserts({{"SLEEVE_1", side}, {"SLEEVE_2", side}, {"POCKET", side}}));
   EXPECT_EQ(d.pieces.size(), 3u);
   EXPECT_TRUE(d.sizes.empty());
@@ -292,19 +292,19 @@ TEST(DxfLayers, RepeatedLayersAreNoPieces) {
   const std::string body = rectangle({0, 0}, 300, 500, "1") + rectangle({0, 0}, 300, 500, "84") +
                            rectangle({10, 10}, 280, 480, "14") + rectangle({10, 10}, 280, 480, "87") +
                            line({50, 50}, {90, 90}, "8") + line({50, 50}, {90, 90}, "85");
-  const DxfDrawing d = read_trial(blocks_and_inserts({{"A", body}}));
+  const dxf::DxfDrawing d = read_trial(blocks_and_inserts({{"A", body}}));
   ASSERT_EQ(d.pieces.size(), 1u);
   EXPECT_EQ(d.pieces[0].layer, "14");
   EXPECT_EQ(d.pieces[0].internals.size(), 1u);
   EXPECT_TRUE(told(d, "repeats another layer"));
-  const DxfDrawing alone = read_trial(blocks_and_inserts({{"A", rectangle({0, 0}, 300, 500, "84")}}));
+  const dxf::DxfDrawing alone = read_trial(blocks_and_inserts({{"A", rectangle({0, 0}, 300, 500, "84")}}));
   EXPECT_EQ(alone.pieces.size(), 1u) << "where there is nothing else it is the outline";
 }
 
 TEST(DxfLayers, ASewLineMayStandOnLayerEight) {
   const std::string body = rectangle({0, 0}, 300, 500, "1") + rectangle({10, 10}, 280, 480, "8") +
                            rectangle({100, 300}, 100, 120, "8");
-  const DxfDrawing d = read_trial(blocks_and_inserts({{"A", body}}));
+  const dxf::DxfDrawing d = read_trial(blocks_and_inserts({{"A", body}}));
   ASSERT_EQ(d.pieces.size(), 1u);
   EXPECT_EQ(d.pieces[0].layer, "8");
   EXPECT_NEAR(area_of(d.pieces[0]), 280 * 480, 1e-6);
@@ -328,12 +328,12 @@ TEST(DxfLayers, EverythingOnLayerZeroWithNestedOutlinesAndHundredsOfLabels) {
                         : piece == 1 ? "BACK"
                                      : "SLEEVE"}});
   }
-  const DxfDrawing d = read_trial(entities(body));
+  const dxf::DxfDrawing d = read_trial(entities(body));
   ASSERT_EQ(d.pieces.size(), 3u);
   EXPECT_EQ(d.pieces[0].name, "FRONT");
   EXPECT_EQ(d.pieces[2].name, "SLEEVE");
-  for (const DxfPiece& piece : d.pieces) {
-    EXPECT_NEAR(std::abs(signed_area(piece.outline)), 280 * 480, 1e-6) << piece.name;
+  for (const dxf::DxfPiece& piece : d.pieces) {
+    EXPECT_NEAR(std::abs(geometry::signed_area(piece.outline)), 280 * 480, 1e-6) << piece.name;
     EXPECT_EQ(piece.holes.size(), 1u) << piece.name;
   }
 }
@@ -342,21 +342,21 @@ TEST(DxfLayers, NamesOfLayersAreUnderstoodToo) {
   const std::string body = rectangle({0, 0}, 300, 500, "CUT") + rectangle({10, 10}, 280, 480, "Sew Line") +
                            line({100, 100}, {100, 300}, "GRAINLINE") +
                            line({300, 250}, {294, 250}, "Notches");
-  const DxfDrawing d = read_trial(entities(body));
+  const dxf::DxfDrawing d = read_trial(entities(body));
   ASSERT_EQ(d.pieces.size(), 1u);
   EXPECT_EQ(d.pieces[0].layer, "Sew Line");
   EXPECT_EQ(d.pieces[0].grain, (Vec2{0, 1}));
   ASSERT_EQ(d.pieces[0].notches.size(), 1u);
   EXPECT_NEAR(panel_of(d.pieces[0]).notches[0].at.x, 290, 1e-9) << "moved to the sew line";
-  const DxfDrawing numbered = read_trial(
+  const dxf::DxfDrawing numbered = read_trial(
       entities(rectangle({0, 0}, 300, 500, "LAYER_01") + rectangle({10, 10}, 280, 480, "layer 14")));
   EXPECT_EQ(numbered.pieces.size(), 1u);
 }
 
-DxfPiece with_text(const std::string& words) {
-  const DxfDrawing d = read_trial(
+dxf::DxfPiece with_text(const std::string& words) {
+  const dxf::DxfDrawing d = read_trial(
       blocks_and_inserts({{"BLOCKNAME", rectangle({0, 0}, 300, 500, "1") + text({9, 9}, words, "1")}}));
-  return d.pieces.empty() ? DxfPiece{} : d.pieces[0];
+  return d.pieces.empty() ? dxf::DxfPiece{} : d.pieces[0];
 }
 
 TEST(DxfText, KeysComeInAnyCaseAndWithoutTheBlank) {
@@ -378,7 +378,7 @@ TEST(DxfText, QuantitiesComeAsNumbersAndPairs) {
 }
 
 TEST(DxfText, WhatIsCutTwiceOnTheFoldIsTwiceTheSame) {
-  const DxfDrawing d = read_trial(blocks_and_inserts(
+  const dxf::DxfDrawing d = read_trial(blocks_and_inserts(
       {{"COLLAR", kHalf + line({0, 0}, {0, 520}, "6") + text({50, 50}, "Quantity: 2", "1")}}));
   ASSERT_EQ(d.pieces.size(), 1u);
   EXPECT_EQ(d.pieces[0].quantity, 2);
@@ -402,7 +402,7 @@ TEST(DxfText, MtextAndAttributesNamePieces) {
                                     {20, "50"},
                                     {40, "9"},
                                     {1, "{\\fArial|b0|i0;Piece Name: }\\H2x;Back"}});
-  const DxfDrawing d = read_trial(entities(rectangle({0, 0}, 300, 500) + mtext));
+  const dxf::DxfDrawing d = read_trial(entities(rectangle({0, 0}, 300, 500) + mtext));
   EXPECT_EQ(d.pieces.at(0).name, "Back");
 }
 

@@ -13,8 +13,8 @@ namespace {
 
 using namespace dxf_text;
 
-Error error_of(const std::string& text, const DxfSettings& settings = in_mm()) {
-  const Result<DxfDrawing> d = read_dxf(text, settings);
+Error error_of(const std::string& text, const dxf::DxfSettings& settings = in_mm()) {
+  const Result<dxf::DxfDrawing> d = dxf::read_dxf(text, settings);
   return d ? Error{"accepted", "", ""} : d.error();
 }
 
@@ -36,7 +36,7 @@ TEST(DxfFaults, FilesThatAreNoDxfAreToldApart) {
   EXPECT_EQ(error_of(groups({{0, "EOF"}})).code, "dxf.no_outline");
 }
 
-bool says(const DxfDrawing& drawing, const std::string& words) {
+bool says(const dxf::DxfDrawing& drawing, const std::string& words) {
   for (const std::string& note : drawing.notes)
     if (note.find(words) != std::string::npos) return true;
   return false;
@@ -45,18 +45,18 @@ bool says(const DxfDrawing& drawing, const std::string& words) {
 TEST(DxfFaults, AFileWithoutItsLastWordsIsReadAndTold) {
   const std::string whole = entities(rectangle({0, 0}, 10, 10));
   const std::string eof = groups({{0, "EOF"}}), ends = groups({{0, "ENDSEC"}}) + eof;
-  const auto no_eof = read_dxf(whole.substr(0, whole.size() - eof.size()), in_mm());
+  const auto no_eof = dxf::read_dxf(whole.substr(0, whole.size() - eof.size()), in_mm());
   ASSERT_TRUE(no_eof) << "behind a whole section ENTITIES only the word EOF is missing";
   EXPECT_TRUE(says(*no_eof, "without EOF"));
   const std::string cut = whole.substr(0, whole.size() - ends.size());
   for (const std::string& text : {cut, cut.substr(0, cut.size() - 1)}) {
-    const auto drawing = read_dxf(text, in_mm());
+    const auto drawing = dxf::read_dxf(text, in_mm());
     ASSERT_TRUE(drawing) << to_string(drawing.error());
     EXPECT_EQ(drawing->pieces.size(), 1u);
     EXPECT_TRUE(
         says(*drawing, "line 46: the file ends without EOF, within section ENTITIES that began in line 2"));
   }
-  const auto no_endsec = read_dxf(
+  const auto no_endsec = dxf::read_dxf(
       section("HEADER", "") + groups({{0, "SECTION"}, {2, "ENTITIES"}}) + rectangle({0, 0}, 9, 9) + eof,
       in_mm());
   ASSERT_TRUE(no_endsec) << to_string(no_endsec.error());
@@ -81,14 +81,14 @@ TEST(DxfFaults, AnEntityThatTheEndCutsOffIsLeftOutAlone) {
   const std::string heavy = rectangle({500, 0}, 100, 90);
   for (const std::string& second : {light, heavy}) {
     for (std::size_t n = 0; n < second.size() - 1; ++n) {
-      const auto drawing = read_dxf(first + second.substr(0, n), in_mm());
+      const auto drawing = dxf::read_dxf(first + second.substr(0, n), in_mm());
       ASSERT_TRUE(drawing) << n << " " << to_string(drawing.error());
       ASSERT_EQ(drawing->pieces.size(), 1u) << n << second.substr(0, n);
       ASSERT_TRUE(says(*drawing, "what stands before is read")) << n;
-      const DxfReport& r = drawing->report;
+      const dxf::DxfReport& r = drawing->report;
       ASSERT_EQ(r.records, r.structure + r.elsewhere + r.vertices + r.entities) << n;
     }
-    const auto drawing = read_dxf(first + second, in_mm());
+    const auto drawing = dxf::read_dxf(first + second, in_mm());
     ASSERT_TRUE(drawing);
     EXPECT_EQ(drawing->pieces.size(), 2u) << "nothing is missing of it";
   }
@@ -124,7 +124,7 @@ TEST(DxfFaults, EveryPrefixOfAFileIsAnErrorOrReads) {
                        {10, "-90"},
                        {20, "0"},
                        {42, "1"}}));
-  ASSERT_TRUE(read_dxf(whole).ok()) << error_of(whole).message;
+  ASSERT_TRUE(dxf::read_dxf(whole).ok()) << error_of(whole).message;
   std::set<std::string> codes;
   for (std::size_t n = 0; n < whole.size(); ++n) codes.insert(error_of(whole.substr(0, n)).code);
   EXPECT_TRUE(codes.contains("dxf.truncated"));
@@ -152,14 +152,14 @@ TEST(DxfFaults, AnOpenOutlineNamesItsGap) {
   EXPECT_NE(e.message.find("(0, 3)"), std::string::npos);
   EXPECT_NE(e.message.find("3 mm"), std::string::npos);
   EXPECT_EQ(e.where, "line 6");
-  const auto beside = read_dxf(
+  const auto beside = dxf::read_dxf(
       entities(rectangle({500, 500}, 50, 50) + polyline({{0, 0}, {9, 0}, {9, 9}, {0, 9}}, "0", 0)), in_mm());
   ASSERT_TRUE(beside) << "another piece closes";
   EXPECT_EQ(beside->pieces.size(), 1u);
   ASSERT_EQ(beside->report.warnings.size(), 1u);
   EXPECT_EQ(beside->report.warnings[0].at, (Vec2{0, 9}));
   EXPECT_NE(beside->notes[0].find("a gap of 9 mm"), std::string::npos);
-  DxfSettings wide = in_mm();
+  dxf::DxfSettings wide = in_mm();
   wide.chain_tolerance_mm = 5;
   EXPECT_EQ(
       error_of(entities(line({0, 0}, {100, 0}) + line({100, 0}, {100, 100}) + line({100, 100}, {0, 3})), wide)
@@ -183,7 +183,7 @@ TEST(DxfFaults, NumbersThatAreNoneAreNamedWithTheirLine) {
     EXPECT_EQ(error_of(text).where, "line 10");
   }
   EXPECT_EQ(error_of(entities(polyline({{0, 0}, {1e300, 0}, {9, 9}}))).code, "dxf.coordinate_range");
-  DxfSettings metres;
+  dxf::DxfSettings metres;
   metres.mm_per_unit = 1000;
   EXPECT_EQ(error_of(entities(rectangle({0, 0}, 5000, 1)), metres).code, "dxf.coordinate_range") << "5 km";
   EXPECT_EQ(error_of(entities(groups({{0, "LINE"}, {8, "0"}, {10, "0"}, {20, "0"}, {11, "1"}}))).code,
@@ -192,7 +192,7 @@ TEST(DxfFaults, NumbersThatAreNoneAreNamedWithTheirLine) {
 }
 
 TEST(DxfFaults, LimitsHold) {
-  DxfSettings settings;
+  dxf::DxfSettings settings;
   settings.max_bytes = 100;
   EXPECT_EQ(error_of(entities(rectangle({0, 0}, 9, 9)), settings).code, "dxf.too_large");
   settings = {};
@@ -230,7 +230,7 @@ TEST(DxfFaults, ThousandsOfNestedLoopsAreBoundedWork) {
   std::string nested;
   for (int i = 1; i <= 1900; ++i) nested += rectangle({-1.0 * i, -1.0 * i}, 2 * i, 2 * i);
   const auto start = std::chrono::steady_clock::now();
-  const auto drawing = read_dxf(entities(nested));
+  const auto drawing = dxf::read_dxf(entities(nested));
   ASSERT_TRUE(drawing) << to_string(drawing.error());
   EXPECT_EQ(drawing->pieces.size(), 950u);
   EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 10);

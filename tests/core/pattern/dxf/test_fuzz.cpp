@@ -173,20 +173,20 @@ void try_case(const std::vector<std::string>& texts, std::uint64_t number) {
   Chance chance(number);
   std::string text = texts[chance.below(texts.size())];
   for (std::size_t i = 0, n = 1 + chance.below(12); i < n && !text.empty(); ++i) damage(text, chance);
-  DxfSettings settings;
+  dxf::DxfSettings settings;
   settings.max_drawn_points = 20'000;
   if (chance.below(4) == 0) settings.size = "44";
-  const Result<DxfDrawing> drawing = read_dxf(text, settings);
+  const Result<dxf::DxfDrawing> drawing = dxf::read_dxf(text, settings);
   if (!drawing) {
     ASSERT_TRUE(drawing.error().code.starts_with("dxf.")) << number << " " << to_string(drawing.error());
     return;
   }
-  const DxfReport& r = drawing->report;
+  const dxf::DxfReport& r = drawing->report;
   ASSERT_EQ(r.entities, r.kept + r.converted + r.dropped) << number;
   ASSERT_FALSE(drawing->pieces.empty()) << number;
-  for (const DxfPiece& piece : drawing->pieces) {
+  for (const dxf::DxfPiece& piece : drawing->pieces) {
     for (const Vec2 p : piece.outline) ASSERT_TRUE(is_finite(p)) << number << " " << piece.name;
-    const Result<Panel> panel = panel_from_piece(piece);
+    const Result<pattern::Panel> panel = dxf::panel_from_piece(piece);
     ASSERT_TRUE(panel) << number << " " << piece.name << " " << to_string(panel.error());
   }
 }
@@ -230,9 +230,9 @@ TEST(DxfProperty, AnOutlineInPiecesOfAnyOrderAndDirectionReadsAsItself) {
     for (std::size_t i = strokes.size() - 1; i > 0; --i) std::swap(strokes[i], strokes[chance.below(i + 1)]);
     std::string body;
     for (const std::string& stroke : strokes) body += stroke;
-    const DxfDrawing d = read_trial(header(4) + entities(body));
+    const dxf::DxfDrawing d = read_trial(header(4) + entities(body));
     ASSERT_EQ(d.pieces.size(), 1u) << seed;
-    EXPECT_NEAR(area_of(d.pieces[0]), signed_area(points), 1) << seed;
+    EXPECT_NEAR(area_of(d.pieces[0]), geometry::signed_area(points), 1) << seed;
     EXPECT_EQ(d.pieces[0].outline.size(), points.size()) << seed;
   }
 }
@@ -248,12 +248,12 @@ TEST(DxfProperty, AHalfUnfoldsToTwiceItsArea) {
     half.push_back({0, 800});
     std::string body = groups({{0, "LWPOLYLINE"}, {8, "1"}, {70, "1"}});
     for (const Vec2 p : half) body += groups({{10, number(p.x)}, {20, number(p.y)}});
-    const DxfDrawing d =
+    const dxf::DxfDrawing d =
         read_trial(header(4) + section("BLOCKS", block("A", body + line({0, 0}, {0, 800}, "6"))) +
                    entities(insert("A", {0, 0})));
     ASSERT_EQ(d.pieces.size(), 1u) << seed;
     EXPECT_TRUE(d.pieces[0].unfolded) << seed;
-    EXPECT_NEAR(area_of(d.pieces[0]), 2 * std::abs(signed_area(half)), 1) << seed;
+    EXPECT_NEAR(area_of(d.pieces[0]), 2 * std::abs(geometry::signed_area(half)), 1) << seed;
   }
 }
 

@@ -60,7 +60,7 @@ TEST(DxfStructure, FilesOfTheOldestAndTheNewestReleaseReadAlike) {
                              section("ENTITIES", newer_rectangle(300, 500)) + objects + groups({{0, "EOF"}});
   const std::string oldest = version("AC1006", 0) + entities(rectangle({0, 0}, 300, 500, "1"));
   for (const std::string& text : {oldest, version("AC1009", 0) + tables + oldest, newest}) {
-    const DxfDrawing d = read_trial(text);
+    const dxf::DxfDrawing d = read_trial(text);
     ASSERT_EQ(d.pieces.size(), 1u);
     EXPECT_EQ(d.unit.name, "mm");
     EXPECT_NEAR(area_of(d.pieces[0]), 150'000, 1e-6);
@@ -100,7 +100,7 @@ TEST(DxfOutline, LinesArcsBulgesAndSplinesMeetInAnyOrderAndDirection) {
       const std::array<std::string, 4> parts = four_kinds(turned);
       std::string body;
       for (const std::size_t i : order) body += parts[i];
-      const DxfDrawing d = read_trial(header(4) + entities(body));
+      const dxf::DxfDrawing d = read_trial(header(4) + entities(body));
       ASSERT_EQ(d.pieces.size(), 1u) << turned;
       if (first == 0) first = area_of(d.pieces[0]);
       ASSERT_NEAR(area_of(d.pieces[0]), first, 1) << turned;
@@ -116,9 +116,9 @@ TEST(DxfLayers, EveryLayerMeansWhatItsNumberSays) {
                            line({250, 100}, {50, 100}, "7") + line({50, 50}, {90, 90}, "8") +
                            line({0, 250}, {300, 250}, "9") + rectangle({100, 300}, 40, 60, "11") +
                            point({200, 400}, "13") + circle + text({20, 20}, "Piece Name: Front", "15");
-  const DxfDrawing d = read_trial(blocks_and_inserts({{"A", body}}));
+  const dxf::DxfDrawing d = read_trial(blocks_and_inserts({{"A", body}}));
   ASSERT_EQ(d.pieces.size(), 1u);
-  const DxfPiece& piece = d.pieces[0];
+  const dxf::DxfPiece& piece = d.pieces[0];
   EXPECT_EQ(piece.name, "Front");
   EXPECT_FALSE(piece.on_sew_line);
   EXPECT_EQ(piece.turn_points.size(), 1u);
@@ -137,13 +137,13 @@ TEST(DxfOutline, EdgesOfATenThousandthOfAnInchVanishWithoutATrace) {
   const std::string body = polyline({{0, 0}, {20, 0}}, "1", 0) + polyline({{20, 0}, {20, tiny}}, "1", 0) +
                            polyline({{20, tiny}, {20, 30}, {20 - tiny, 30}, {0, 30}}, "1", 0) +
                            polyline({{0, 30}, {0, tiny}, {0, 0}}, "1", 0);
-  const DxfDrawing d = read_trial(blocks_and_inserts({{"A", body}}, text({0, 0}, "UNITS:ENGLISH", "1")));
+  const dxf::DxfDrawing d = read_trial(blocks_and_inserts({{"A", body}}, text({0, 0}, "UNITS:ENGLISH", "1")));
   ASSERT_EQ(d.pieces.size(), 1u);
   EXPECT_EQ(d.unit.name, "inch");
-  const Panel panel = panel_of(d.pieces[0]);
+  const pattern::Panel panel = panel_of(d.pieces[0]);
   EXPECT_EQ(panel.outline.edges.size(), 4u);
-  EXPECT_TRUE(validate(panel));
-  EXPECT_NEAR(signed_area(panel.outline), 600 * 25.4 * 25.4, 5);
+  EXPECT_TRUE(pattern::validate(panel));
+  EXPECT_NEAR(pattern::signed_area(panel.outline), 600 * 25.4 * 25.4, 5);
 }
 
 TEST(DxfText, EveryKeyIsKnownInAnyCaseWithOrWithoutABlank) {
@@ -165,12 +165,12 @@ TEST(DxfText, EveryKeyIsKnownInAnyCaseWithOrWithoutABlank) {
                                                                     {"Category", "Shell"},
                                                                     {"Annotation", "Cut pair"}})
       body += text({9, y += 12}, in_style(style, key, value), "1");
-    const DxfDrawing d = read_trial(
+    const dxf::DxfDrawing d = read_trial(
         blocks_and_inserts({{"X1", body}}, text({0, 0}, in_style(style, "Style Name", "Jean 501"), "1") +
                                                text({0, 9}, in_style(style, "Sample Size", "M"), "1") +
                                                text({0, 18}, in_style(style, "Units", "Metric"), "1")));
     ASSERT_EQ(d.pieces.size(), 1u);
-    const DxfPiece& piece = d.pieces[0];
+    const dxf::DxfPiece& piece = d.pieces[0];
     EXPECT_EQ(piece.name, "Front") << style;
     EXPECT_EQ(piece.quantity, 2) << style;
     EXPECT_EQ(piece.mirrored, 1) << style;
@@ -186,30 +186,30 @@ TEST(DxfText, EveryKeyIsKnownInAnyCaseWithOrWithoutABlank) {
 TEST(DxfLayers, LinesWithinAPieceHaveALimitThatIsTold) {
   std::string body = rectangle({0, 0}, 600, 600, "1");
   for (int i = 0; i < 520; ++i) body += line({5, 1.0 + i}, {590, 1.5 + i}, "8");
-  const DxfDrawing d = read_trial(blocks_and_inserts({{"A", body}}));
+  const dxf::DxfDrawing d = read_trial(blocks_and_inserts({{"A", body}}));
   ASSERT_EQ(d.pieces.size(), 1u);
   EXPECT_EQ(d.pieces[0].internals.size(), 500u);
   EXPECT_TRUE(told(d, "takes 500 lines"));
 }
 
 TEST(DxfOutline, ASleeveCapIsTwoToSixCurvesHoweverFinelyItIsDrawn) {
-  const std::array<CubicBezier, 4> cap{CubicBezier{{180, 0}, {150, 30}, {130, 40}, {110, 80}},
-                                       CubicBezier{{110, 80}, {85, 130}, {50, 150}, {0, 150}},
-                                       CubicBezier{{0, 150}, {-55, 150}, {-95, 125}, {-118, 75}},
-                                       CubicBezier{{-118, 75}, {-135, 38}, {-150, 20}, {-185, 0}}};
+  const std::array<pattern::CubicBezier, 4> cap{pattern::CubicBezier{{180, 0}, {150, 30}, {130, 40}, {110, 80}},
+                                       pattern::CubicBezier{{110, 80}, {85, 130}, {50, 150}, {0, 150}},
+                                       pattern::CubicBezier{{0, 150}, {-55, 150}, {-95, 125}, {-118, 75}},
+                                       pattern::CubicBezier{{-118, 75}, {-135, 38}, {-150, 20}, {-185, 0}}};
   for (const int steps : {7, 10, 20, 100}) {
     std::string out = groups({{0, "LWPOLYLINE"}, {8, "1"}, {70, "1"}});
     const auto vertex = [&](Vec2 p) { out += groups({{10, number(p.x)}, {20, number(p.y)}}); };
     vertex({-150, -400});
     vertex({150, -400});
-    for (const CubicBezier& c : cap)
-      for (int i = c.p0.x == 180 ? 0 : 1; i <= steps; ++i) vertex(evaluate(c, double(i) / steps));
-    const DxfDrawing d = read_trial(header(4) + entities(out));
+    for (const pattern::CubicBezier& c : cap)
+      for (int i = c.p0.x == 180 ? 0 : 1; i <= steps; ++i) vertex(pattern::evaluate(c, double(i) / steps));
+    const dxf::DxfDrawing d = read_trial(header(4) + entities(out));
     ASSERT_EQ(d.pieces.size(), 1u);
-    const Panel panel = panel_of(d.pieces[0]);
+    const pattern::Panel panel = panel_of(d.pieces[0]);
     ASSERT_EQ(panel.outline.edges.size(), 4u) << steps;
     std::size_t most = 0;
-    for (const PanelEdge& edge : panel.outline.edges) most = std::max(most, edge.curves.size());
+    for (const pattern::PanelEdge& edge : panel.outline.edges) most = std::max(most, edge.curves.size());
     EXPECT_GE(most, 2u) << steps;
     EXPECT_LE(most, 6u) << steps;
   }

@@ -17,8 +17,8 @@ namespace {
 
 using namespace dxf_text;
 
-DxfDrawing read(const std::string& text, const DxfSettings& settings = in_mm()) {
-  Result<DxfDrawing> drawing = read_dxf(text, settings);
+dxf::DxfDrawing read(const std::string& text, const dxf::DxfSettings& settings = in_mm()) {
+  Result<dxf::DxfDrawing> drawing = dxf::read_dxf(text, settings);
   if (!drawing) {
     ADD_FAILURE() << to_string(drawing.error());
     return {};
@@ -26,18 +26,18 @@ DxfDrawing read(const std::string& text, const DxfSettings& settings = in_mm()) 
   return *drawing;
 }
 
-double area(const DxfPiece& piece) { return std::abs(signed_area(piece.outline)); }
+double area(const dxf::DxfPiece& piece) { return std::abs(geometry::signed_area(piece.outline)); }
 
 /// Whether a warning or the reason of any entity has these words.
-bool noted(const DxfDrawing& drawing, const std::string& words) {
+bool noted(const dxf::DxfDrawing& drawing, const std::string& words) {
   const auto has = [&](const std::string& text) { return text.find(words) != std::string::npos; };
   return std::any_of(drawing.notes.begin(), drawing.notes.end(), has) ||
          std::any_of(drawing.report.groups.begin(), drawing.report.groups.end(),
-                     [&](const DxfEntityGroup& g) { return has(g.reason); });
+                     [&](const dxf::DxfEntityGroup& g) { return has(g.reason); });
 }
 
 TEST(DxfRead, AClosedPolylineIsAPiece) {
-  const DxfDrawing d = read(header(4) + entities(rectangle({10, 20}, 300, 200)));
+  const dxf::DxfDrawing d = read(header(4) + entities(rectangle({10, 20}, 300, 200)));
   ASSERT_EQ(d.pieces.size(), 1u);
   EXPECT_EQ(d.pieces[0].name, "piece1");
   EXPECT_EQ(d.pieces[0].line, 16);
@@ -54,12 +54,12 @@ TEST(DxfRead, WindowsAndOldMacLineEndsAndABomAndBlanksReadAlike) {
     EXPECT_EQ(read(text).pieces.size(), 1u);
   }
   std::istringstream stream(unix_text);
-  EXPECT_TRUE(read_dxf(stream, in_mm()).ok());
+  EXPECT_TRUE(dxf::read_dxf(stream, in_mm()).ok());
 }
 
 TEST(DxfRead, ChainsOpenLinesIntoOneOutlineInAnyOrderAndDirection) {
   // A pentagon of single lines, shuffled, some turned, joints up to 0.08 mm apart.
-  const DxfDrawing d =
+  const dxf::DxfDrawing d =
       read(entities(line({100, 0}, {0, 0}) + line({0, 100}, {50, 150}) + line({100, 100}, {100, 0.08}) +
                     line({0.05, 0}, {0, 100}) + line({50, 150.05}, {100, 100})));
   ASSERT_EQ(d.pieces.size(), 1u);
@@ -70,13 +70,13 @@ TEST(DxfRead, ChainsOpenLinesIntoOneOutlineInAnyOrderAndDirection) {
 }
 
 TEST(DxfRead, OpenPolylinesThatReturnToTheirStartAreClosed) {
-  const DxfDrawing d = read(entities(polyline({{0, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 0.05}}, "0", 0)));
+  const dxf::DxfDrawing d = read(entities(polyline({{0, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 0.05}}, "0", 0)));
   ASSERT_EQ(d.pieces.size(), 1u);
   EXPECT_EQ(d.pieces[0].outline.size(), 4u);
 }
 
 TEST(DxfRead, LinesOfDifferentLayersAreNotChained) {
-  const auto d = read_dxf(
+  const auto d = dxf::read_dxf(
       entities(line({0, 0}, {10, 0}, "a") + line({10, 0}, {0, 10}, "b") + line({0, 10}, {0, 0}, "a")),
       in_mm());
   ASSERT_FALSE(d);
@@ -121,13 +121,13 @@ TEST(DxfRead, BulgesBecomeArcsOfTheRightSideAndSize) {
 TEST(DxfRead, ArcsAndCirclesAndLinesMakeOutlines) {
   const std::string cap =
       groups({{0, "ARC"}, {8, "0"}, {10, "50"}, {20, "100"}, {40, "50"}, {50, "0"}, {51, "180"}});
-  const DxfDrawing d =
+  const dxf::DxfDrawing d =
       read(entities(line({0, 0}, {100, 0}) + line({100, 0}, {100, 100}) + cap + line({0, 100}, {0, 0})));
   EXPECT_NEAR(area(d.pieces[0]), 10'000 + kPi * 1250, 5);
   const std::string circle = groups({{0, "CIRCLE"}, {8, "0"}, {10, "5"}, {20, "5"}, {40, "30"}});
-  const DxfDrawing round = read(entities(circle));
+  const dxf::DxfDrawing round = read(entities(circle));
   EXPECT_NEAR(area(round.pieces[0]), kPi * 900, 3);
-  const auto panel = panel_from_piece(round.pieces[0]);
+  const auto panel = dxf::panel_from_piece(round.pieces[0]);
   ASSERT_TRUE(panel);
   EXPECT_EQ(panel->outline.edges.size(), 1u);
 }
@@ -159,32 +159,32 @@ TEST(DxfRead, SplinesFollowTheirControlPointsAndWeights) {
                                      {20, "0"},     {10, "100"},
                                      {20, "100"},   {10, "0"},
                                      {20, "100"}});
-  const DxfDrawing d = read(entities(line({0, 0}, {100, 0}) + spline + line({0, 100}, {0, 0})));
+  const dxf::DxfDrawing d = read(entities(line({0, 0}, {100, 0}) + spline + line({0, 100}, {0, 0})));
   ASSERT_EQ(d.pieces.size(), 1u);
   EXPECT_NEAR(area(d.pieces[0]), kPi * 2500, 2);
   std::string without = spline;
   without.replace(without.find("71\n2\n"), 5, "71\n9\n");
-  const auto open = read_dxf(entities(line({0, 0}, {100, 0}) + without + line({0, 100}, {0, 0})), in_mm());
+  const auto open = dxf::read_dxf(entities(line({0, 0}, {100, 0}) + without + line({0, 100}, {0, 0})), in_mm());
   EXPECT_EQ(open.error().code, "dxf.open_outline");
 }
 
 TEST(DxfRead, LoopsWithinALoopOfTheSameLayerAreHoles) {
-  const DxfDrawing d =
+  const dxf::DxfDrawing d =
       read(entities(rectangle({20, 20}, 10, 10) + rectangle({0, 0}, 100, 100) + rectangle({60, 60}, 30, 30) +
                     rectangle({70, 70}, 5, 5) + rectangle({40, 40}, 10, 10, "marks")));
   ASSERT_EQ(d.pieces.size(), 2u);
   EXPECT_EQ(d.pieces[0].holes.size(), 2u);
   EXPECT_EQ(d.pieces[1].outline[0], (Vec2{70, 70})) << "a piece cut from the waste of a hole";
   EXPECT_TRUE(noted(d, "within a piece of another layer"));
-  const auto panel = panel_from_piece(d.pieces[0]);
+  const auto panel = dxf::panel_from_piece(d.pieces[0]);
   ASSERT_TRUE(panel);
   EXPECT_EQ(panel->holes[1].edges[0].id, "h1e0");
-  EXPECT_TRUE(validate(*panel)) << "outline counter-clockwise, holes clockwise";
+  EXPECT_TRUE(pattern::validate(*panel)) << "outline counter-clockwise, holes clockwise";
 }
 
 TEST(DxfRead, OverlappingPiecesStayPiecesAndRepeatedOnesAreReadOnce) {
   EXPECT_EQ(read(entities(rectangle({0, 0}, 100, 100) + rectangle({50, 50}, 90, 90))).pieces.size(), 2u);
-  const DxfDrawing twice = read(entities(rectangle({0, 0}, 100, 100) + rectangle({0, 0}, 100, 100, "copy")));
+  const dxf::DxfDrawing twice = read(entities(rectangle({0, 0}, 100, 100) + rectangle({0, 0}, 100, 100, "copy")));
   EXPECT_EQ(twice.pieces.size(), 1u);
   EXPECT_TRUE(noted(twice, "drawn a second time"));
 }
@@ -198,7 +198,7 @@ TEST(DxfRead, AamaBlocksArePiecesWithTheirNamesGrainAndInserts) {
   const std::string text_of = section("BLOCKS", front + back) +
                               entities(insert("front_M", {0, 0}) + insert("back_M", {500, 0}) +
                                        insert("front_M", {0, 900}) + text({0, -60}, "Style Name: test"));
-  const DxfDrawing d = read(text_of);
+  const dxf::DxfDrawing d = read(text_of);
   ASSERT_EQ(d.pieces.size(), 3u);
   EXPECT_EQ(d.pieces[0].name, "Front");
   EXPECT_EQ(d.pieces[1].name, "back_M");
@@ -208,10 +208,10 @@ TEST(DxfRead, AamaBlocksArePiecesWithTheirNamesGrainAndInserts) {
   EXPECT_EQ(d.pieces[1].outline[0], (Vec2{490, 0})) << "insert minus base";
   EXPECT_EQ(d.pieces[2].outline[0], (Vec2{0, 900}));
   EXPECT_EQ(d.pieces[0].internals.size(), 1u);
-  const auto missing = read_dxf(entities(insert("sleeve", {0, 0})), in_mm());
+  const auto missing = dxf::read_dxf(entities(insert("sleeve", {0, 0})), in_mm());
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error().code, "dxf.unknown_block");
-  const DxfDrawing left_over = read(section("BLOCKS", front) + entities(insert("sleeve", {0, 0})));
+  const dxf::DxfDrawing left_over = read(section("BLOCKS", front) + entities(insert("sleeve", {0, 0})));
   EXPECT_EQ(left_over.pieces.size(), 1u);
   EXPECT_TRUE(noted(left_over, "'sleeve', which the file does not hold"));
 }
@@ -219,7 +219,7 @@ TEST(DxfRead, AamaBlocksArePiecesWithTheirNamesGrainAndInserts) {
 TEST(DxfRead, BlocksWithoutInsertsAreOnePieceEach) {
   const std::string blocks = block("*Model_Space", "") + block("a", rectangle({0, 0}, 9, 9, "1")) +
                              block("b", rectangle({0, 0}, 8, 8, "1"));
-  const DxfDrawing d = read(section("BLOCKS", blocks) + entities(""));
+  const dxf::DxfDrawing d = read(section("BLOCKS", blocks) + entities(""));
   ASSERT_EQ(d.pieces.size(), 2u);
   EXPECT_EQ(d.pieces[1].name, "b");
 }
@@ -227,7 +227,7 @@ TEST(DxfRead, BlocksWithoutInsertsAreOnePieceEach) {
 TEST(DxfRead, InsertsTurnScaleAndMirror) {
   const std::string turned =
       groups({{0, "INSERT"}, {2, "a"}, {10, "100"}, {20, "0"}, {41, "2"}, {42, "3"}, {50, "90"}});
-  const DxfDrawing d = read(section("BLOCKS", block("a", rectangle({0, 0}, 10, 20))) + entities(turned));
+  const dxf::DxfDrawing d = read(section("BLOCKS", block("a", rectangle({0, 0}, 10, 20))) + entities(turned));
   EXPECT_EQ(d.pieces[0].outline[1], (Vec2{100, 20}));
   EXPECT_EQ(d.pieces[0].outline[3], (Vec2{40, 0}));
 }
@@ -235,7 +235,7 @@ TEST(DxfRead, InsertsTurnScaleAndMirror) {
 TEST(DxfRead, TheSewLineIsTakenBeforeTheCutLine) {
   const std::string both = rectangle({0, 0}, 120, 120, "1") + rectangle({10, 10}, 100, 100, "14") +
                            rectangle({300, 0}, 50, 50, "1");
-  const DxfDrawing d = read(entities(both));
+  const dxf::DxfDrawing d = read(entities(both));
   ASSERT_EQ(d.pieces.size(), 2u);
   EXPECT_EQ(d.pieces[0].layer, "14");
   EXPECT_EQ(d.pieces[1].layer, "1") << "a piece with a cut line only";
@@ -248,7 +248,7 @@ TEST(DxfRead, TheSewLineIsTakenBeforeTheCutLine) {
 TEST(DxfRead, TextsNameTheNearestPiece) {
   const std::string pieces = rectangle({0, 0}, 100, 100) + rectangle({140, 0}, 100, 100) +
                              rectangle({280, 0}, 100, 100) + rectangle({420, 0}, 100, 100);
-  const DxfDrawing d = read(entities(pieces + text({0, -15}, "skirt_back") + text({190, 50}, "front") +
+  const dxf::DxfDrawing d = read(entities(pieces + text({0, -15}, "skirt_back") + text({190, 50}, "front") +
                                      text({280, -45}, "too far") + text({450, 50}, "front") +
                                      text({450, 60}, "Cut by: hand")));
   ASSERT_EQ(d.pieces.size(), 4u);
@@ -267,20 +267,20 @@ TEST(DxfRead, NamesAreCleanUtf8) {
 }
 
 TEST(DxfRead, ForcedCornersAndBreaksReachThePanel) {
-  const DxfDrawing d = read(entities(line({0, 0}, {50, 0}) + line({50, 0}, {100, 0}) +
+  const dxf::DxfDrawing d = read(entities(line({0, 0}, {50, 0}) + line({50, 0}, {100, 0}) +
                                      line({100, 0}, {0, 90}) + line({0, 90}, {0, 0})));
-  EXPECT_EQ(panel_from_piece(d.pieces[0])->outline.edges.size(), 3u);
-  EXPECT_EQ(panel_from_piece(d.pieces[0], d.pieces[0].breaks)->outline.edges.size(), 4u);
-  EXPECT_EQ(panel_from_piece(d.pieces[0], std::vector<Vec2>{{7, 7}}).error().where, "piece piece1, corner 0");
+  EXPECT_EQ(dxf::panel_from_piece(d.pieces[0])->outline.edges.size(), 3u);
+  EXPECT_EQ(dxf::panel_from_piece(d.pieces[0], d.pieces[0].breaks)->outline.edges.size(), 4u);
+  EXPECT_EQ(dxf::panel_from_piece(d.pieces[0], std::vector<Vec2>{{7, 7}}).error().where, "piece piece1, corner 0");
 }
 
 TEST(DxfRead, EntitiesThatFaredAlikeAreToldTogetherWithTheirLines) {
   std::string points;
   for (int i = 0; i < 50; ++i) points += groups({{0, "POINT"}, {8, "2"}, {10, "1"}, {20, "1"}});
-  const DxfDrawing d = read(entities(rectangle({0, 0}, 9, 9) + points + groups({{0, "HATCH"}, {8, "0"}})));
+  const dxf::DxfDrawing d = read(entities(rectangle({0, 0}, 9, 9) + points + groups({{0, "HATCH"}, {8, "0"}})));
   const auto of = [&](const std::string& type) {
     return *std::find_if(d.report.groups.begin(), d.report.groups.end(),
-                         [&](const DxfEntityGroup& g) { return g.type == type; });
+                         [&](const dxf::DxfEntityGroup& g) { return g.type == type; });
   };
   EXPECT_EQ(of("POINT").lines.size(), 50u);
   EXPECT_EQ(of("POINT").lines[1] - of("POINT").lines[0], 8);

@@ -37,14 +37,14 @@ class DxfShared : public testing::Test {
   }
 
   struct Read {
-    Panel panel;
+    pattern::Panel panel;
     bool unfolded = false;
   };
 
   /// The drawing's pieces as panels that validate, by name.
   static std::map<std::string, Read> panels(const fs::path& path) {
     std::ifstream in(path, std::ios::binary);
-    const Result<DxfDrawing> drawing = read_dxf(in);
+    const Result<dxf::DxfDrawing> drawing = dxf::read_dxf(in);
     std::map<std::string, Read> result;
     if (!drawing) {
       ADD_FAILURE() << path << " " << to_string(drawing.error());
@@ -54,15 +54,15 @@ class DxfShared : public testing::Test {
     const bool inches = path.string().find("inches") != std::string::npos;
     EXPECT_EQ(drawing->unit.name, inches ? "inch" : "mm") << path;
     EXPECT_GT(drawing->unit.confidence, 0.9) << path;
-    for (const DxfPiece& piece : drawing->pieces) {
-      const Result<Panel> panel = panel_from_piece(piece);
+    for (const dxf::DxfPiece& piece : drawing->pieces) {
+      const Result<pattern::Panel> panel = dxf::panel_from_piece(piece);
       EXPECT_TRUE(panel) << path << " " << (panel ? "" : to_string(panel.error()));
       if (!panel) continue;
-      const Status status = validate(*panel);
+      const Status status = pattern::validate(*panel);
       EXPECT_TRUE(status) << path << " " << (status ? "" : to_string(status.error()));
       // Curves bulge a little beyond the chords of a sampled outline.
-      const double drawn = std::abs(signed_area(piece.outline));
-      EXPECT_NEAR(signed_area(panel->outline), drawn, 0.002 * drawn + 10) << path << " " << piece.name;
+      const double drawn = std::abs(geometry::signed_area(piece.outline));
+      EXPECT_NEAR(pattern::signed_area(panel->outline), drawn, 0.002 * drawn + 10) << path << " " << piece.name;
       expect_few_close_curves(*panel, piece, path);
       result.emplace(piece.name, Read{*panel, piece.unfolded});
     }
@@ -70,7 +70,7 @@ class DxfShared : public testing::Test {
     return result;
   }
 
-  static void expect_whole_report(const DxfReport& report, const fs::path& path) {
+  static void expect_whole_report(const dxf::DxfReport& report, const fs::path& path) {
     EXPECT_EQ(report.records, report.structure + report.elsewhere + report.vertices + report.entities);
     EXPECT_EQ(report.entities, report.kept + report.converted + report.dropped);
     std::ifstream in(path);
@@ -78,29 +78,29 @@ class DxfShared : public testing::Test {
     std::string code, value;
     while (std::getline(in, code) && std::getline(in, value)) zeros += std::stoi(code) == 0 ? 1 : 0;
     EXPECT_EQ(report.records, zeros) << path << ": the report's sum is the file";
-    for (const DxfEntityGroup& g : report.groups)
+    for (const dxf::DxfEntityGroup& g : report.groups)
       EXPECT_NE(g.reason, "nothing is made of it") << path << " " << g.type << " on layer " << g.layer;
   }
 
   /// All vertices of the file lie within 0.1 mm of the curves, and these are few.
-  static void expect_few_close_curves(const Panel& panel, const DxfPiece& piece, const fs::path& path) {
-    const std::vector<Vec2> curves = flatten(panel.outline, 0.005);
+  static void expect_few_close_curves(const pattern::Panel& panel, const dxf::DxfPiece& piece, const fs::path& path) {
+    const std::vector<Vec2> curves = pattern::flatten(panel.outline, 0.005);
     for (const Vec2 p : piece.outline) {
       double off = length(p - curves[0]);
       for (std::size_t i = 0; i < curves.size(); ++i)
-        off = std::min(off, distance_to_segment(p, curves[i], curves[(i + 1) % curves.size()]));
-      ASSERT_LT(off, 0.11) << path << " " << piece.name << " at " << place_text(p);
+        off = std::min(off, geometry::distance_to_segment(p, curves[i], curves[(i + 1) % curves.size()]));
+      ASSERT_LT(off, 0.11) << path << " " << piece.name << " at " << pattern::place_text(p);
     }
-    for (const PanelEdge& edge : panel.outline.edges) {
+    for (const pattern::PanelEdge& edge : panel.outline.edges) {
       std::size_t ends = 0;  // marks within the edge, where curves end as well
       const auto lies_within = [&](Vec2 p) {
         if (length(p - edge.curves.front().p0) < 0.2 || length(p - edge.curves.back().p3) < 0.2) return false;
-        const std::vector<Vec2> line = flatten(edge, 0.01);
+        const std::vector<Vec2> line = pattern::flatten(edge, 0.01);
         for (std::size_t i = 0; i + 1 < line.size(); ++i)
-          if (distance_to_segment(p, line[i], line[i + 1]) < 0.2) return true;
+          if (geometry::distance_to_segment(p, line[i], line[i + 1]) < 0.2) return true;
         return false;
       };
-      for (const Notch& notch : panel.notches) ends += lies_within(notch.at) ? 1 : 0;
+      for (const pattern::Notch& notch : panel.notches) ends += lies_within(notch.at) ? 1 : 0;
       for (const Vec2 turn : piece.turn_points) ends += lies_within(turn) ? 1 : 0;
       EXPECT_LE(edge.curves.size(), 7 + ends) << path << " " << piece.name << " " << edge.id;
       if (piece.name == "sleeve") {
@@ -142,8 +142,8 @@ TEST_F(DxfShared, FreeSewingDrawingsReadAlikeInEveryForm) {
         ASSERT_TRUE(reference.contains(name)) << path << " " << name;
         const Read& other = reference.at(name);
         // Only the AAMA files tell where a half is to be unfolded.
-        const double area = signed_area(other.panel.outline) / (other.unfolded ? 2 : 1);
-        EXPECT_NEAR(signed_area(read.panel.outline) / (read.unfolded ? 2 : 1), area, 1e-3 * area)
+        const double area = pattern::signed_area(other.panel.outline) / (other.unfolded ? 2 : 1);
+        EXPECT_NEAR(pattern::signed_area(read.panel.outline) / (read.unfolded ? 2 : 1), area, 1e-3 * area)
             << path << " " << name;
         if (read.unfolded != other.unfolded) continue;
         EXPECT_EQ(read.panel.outline.edges.size(), other.panel.outline.edges.size()) << path << " " << name;

@@ -8,7 +8,7 @@ namespace {
 using namespace dxf_text;
 
 TEST(DxfStructure, BlocksOfOneNameAreTakenByTheirOrder) {
-  const DxfDrawing d = read_trial(
+  const dxf::DxfDrawing d = read_trial(
       blocks_and_inserts({{"P", rectangle({0, 0}, 300, 500, "1")}, {"P", rectangle({0, 0}, 200, 400, "1")}}));
   ASSERT_EQ(d.pieces.size(), 2u);
   EXPECT_NEAR(area_of(d.pieces[0]), 150'000, 1e-6);
@@ -19,7 +19,7 @@ TEST(DxfStructure, BlocksOfOneNameAreTakenByTheirOrder) {
 TEST(DxfStructure, OffsetsOfInsertsArePassedOverWhereTheVerticesAreAbsolute) {
   const std::string blocks =
       block("A", rectangle({0, 0}, 300, 500, "1")) + block("B", rectangle({400, 0}, 300, 500, "1"));
-  const DxfDrawing d =
+  const dxf::DxfDrawing d =
       read_trial(section("BLOCKS", blocks) + entities(insert("A", {0, 0}) + insert("B", {400, 0})));
   ASSERT_EQ(d.pieces.size(), 2u);
   EXPECT_EQ(d.pieces[1].outline[0], (Vec2{400, 0}));
@@ -30,7 +30,7 @@ TEST(DxfStructure, BlocksWithinBlocksAndMirroredInserts) {
   const std::string inner = block("INNER", polyline({{0, 0}, {300, 0}, {0, 500}}, "1"));
   const std::string mirrored =
       groups({{0, "INSERT"}, {8, "1"}, {2, "INNER"}, {10, "100"}, {20, "0"}, {41, "-1"}, {42, "1"}});
-  const DxfDrawing d =
+  const dxf::DxfDrawing d =
       read_trial(section("BLOCKS", inner + block("OUTER", mirrored)) + entities(insert("OUTER", {50, 0})));
   ASSERT_EQ(d.pieces.size(), 1u);
   EXPECT_EQ(d.pieces[0].outline[1], (Vec2{-150, 0}));
@@ -69,7 +69,7 @@ TEST(DxfStructure, CommentsAttributeTemplatesAndForeignCodesDoNoHarm) {
                                                     {2, "TAG"},
                                                     {0, "SEQEND"},
                                                     {8, "1"}});
-  const DxfDrawing d = read_trial("999\nANSI/AAMA\n999\nsecond comment\n" +
+  const dxf::DxfDrawing d = read_trial("999\nANSI/AAMA\n999\nsecond comment\n" +
                                   section("BLOCKS", block("A", attribute + polyline_with_codes)) +
                                   entities(insert_with_attribute));
   ASSERT_EQ(d.pieces.size(), 1u);
@@ -78,7 +78,7 @@ TEST(DxfStructure, CommentsAttributeTemplatesAndForeignCodesDoNoHarm) {
 }
 
 TEST(DxfStructure, ADrawingMayStandInTheBlockOfTheModelSpace) {
-  const DxfDrawing d =
+  const dxf::DxfDrawing d =
       read_trial(section("BLOCKS", block("*MODEL_SPACE", rectangle({0, 0}, 300, 500))) + entities(""));
   EXPECT_EQ(d.pieces.size(), 1u);
 }
@@ -88,20 +88,20 @@ TEST(DxfStructure, BlocksWithAPieceNameThatNothingInsertsAreReadAndTold) {
       block("A", rectangle({0, 0}, 300, 500, "1")) +
       block("B", rectangle({0, 0}, 200, 500, "1") + text({9, 9}, "Piece Name: B", "1")) +
       block("SYMBOL", rectangle({0, 0}, 20, 20, "1"));
-  const DxfDrawing d = read_trial(section("BLOCKS", blocks) + entities(insert("A", {0, 0})));
+  const dxf::DxfDrawing d = read_trial(section("BLOCKS", blocks) + entities(insert("A", {0, 0})));
   EXPECT_EQ(d.pieces.size(), 2u);
   EXPECT_TRUE(told(d, "holds a piece that nothing inserts"));
 }
 
 TEST(DxfReport, WarningsNameThePieceAndThePlace) {
-  const DxfDrawing d = read_trial(
+  const dxf::DxfDrawing d = read_trial(
       blocks_and_inserts({{"FRONT", rectangle({20, 0}, 400, 150, "1") + line({0, 0}, {0, 150}, "6")}}));
   ASSERT_EQ(d.report.warnings.size(), 1u);
-  const DxfWarning& warning = d.report.warnings[0];
+  const dxf::DxfWarning& warning = d.report.warnings[0];
   EXPECT_EQ(warning.piece, "FRONT");
   ASSERT_TRUE(warning.at);
   EXPECT_EQ(*warning.at, (Vec2{0, 0}));
-  EXPECT_EQ(warning_text(warning).substr(0, 5 + 2 + 2), "line " + std::to_string(warning.line) + ", ");
+  EXPECT_EQ(dxf::warning_text(warning).substr(0, 5 + 2 + 2), "line " + std::to_string(warning.line) + ", ");
 }
 
 }  // namespace

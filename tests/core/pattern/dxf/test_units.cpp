@@ -14,7 +14,7 @@ std::string drawing(double height, const std::string& units = "", const std::str
 }
 
 void expect_unit(const std::string& text, const std::string& name, double least_confidence) {
-  const DxfDrawing d = read_trial(text);
+  const dxf::DxfDrawing d = read_trial(text);
   EXPECT_EQ(d.unit.name, name);
   EXPECT_GE(d.unit.confidence, least_confidence) << name;
   EXPECT_LE(d.unit.confidence, 1) << name;
@@ -49,7 +49,7 @@ TEST(DxfUnits, EnglishIsInches) {
 
 TEST(DxfUnits, WithoutAWordTheSizeDecidesAndTheDoubtIsTold) {
   expect_unit(drawing(700), "mm", 0.9);
-  const DxfDrawing unsure = read_trial(drawing(50));
+  const dxf::DxfDrawing unsure = read_trial(drawing(50));
   EXPECT_LT(unsure.unit.confidence, 0.8);
   EXPECT_TRUE(told(unsure, "the unit is not sure"));
 }
@@ -66,9 +66,9 @@ TEST(DxfUnits, EvidenceNamesLengthsAsPeopleSayThem) {
 }
 
 TEST(DxfUnits, TheUserOverrulesThem) {
-  DxfSettings settings;
+  dxf::DxfSettings settings;
   settings.mm_per_unit = 10;
-  const DxfDrawing d = read_trial(drawing(700, "Units: ENGLISH", header(4)), settings);
+  const dxf::DxfDrawing d = read_trial(drawing(700, "Units: ENGLISH", header(4)), settings);
   EXPECT_EQ(d.unit.name, "cm");
   EXPECT_EQ(d.unit.confidence, 1);
   EXPECT_NEAR(area_of(d.pieces[0]), 3500.0 * 7000, 1e-3);
@@ -90,7 +90,7 @@ TEST(DxfUnits, AnEmptyOrMissingHeaderOrLimitsOfTenToTheTwentyDoNoHarm) {
 }
 
 TEST(DxfUnits, InchesWithOpenSidesCloseAlthoughTheirFirstReadingWasInAnotherUnit) {
-  const DxfDrawing d =
+  const dxf::DxfDrawing d =
       read_trial(section("BLOCKS", block("A_36", open_sides({1, 1}, 20.1234, 27.5678, "1"))) +
                  entities(text({0, 0}, "Units: ENGLISH", "1") + insert("A_36", {0, 0})));
   ASSERT_EQ(d.pieces.size(), 1u);

@@ -8,78 +8,78 @@
 namespace toile {
 namespace {
 
-Loop box(Vec2 low, Vec2 high, bool clockwise) {
+pattern::Loop box(Vec2 low, Vec2 high, bool clockwise) {
   const Vec2 b{high.x, low.y}, d{low.x, high.y};
-  const Loop loop{{{"e0", {line_segment(low, b)}},
-                   {"e1", {line_segment(b, high)}},
-                   {"e2", {line_segment(high, d)}},
-                   {"e3", {line_segment(d, low)}}}};
-  return clockwise ? reversed(loop) : loop;
+  const pattern::Loop loop{{{"e0", {pattern::line_segment(low, b)}},
+                   {"e1", {pattern::line_segment(b, high)}},
+                   {"e2", {pattern::line_segment(high, d)}},
+                   {"e3", {pattern::line_segment(d, low)}}}};
+  return clockwise ? pattern::reversed(loop) : loop;
 }
 
 TEST(DxfWrite, IsReadBackAsItWas) {
-  Pattern pattern;
-  Panel sleeve;
+  pattern::Pattern pattern;
+  pattern::Panel sleeve;
   sleeve.id = "sleeve";
   sleeve.outline = box({0, 0}, {200, 300}, false);
   // A curved top: 40 mm of bulge.
   sleeve.outline.edges[2].curves = {{{200, 300}, {150, 360}, {50, 360}, {0, 300}}};
   sleeve.holes = {box({50, 50}, {80, 90}, true)};
   sleeve.grain = {0.6, 0.8};
-  Panel cuff;
+  pattern::Panel cuff;
   cuff.id = "cuff 2";
   cuff.outline = box({300, 0}, {520, 60}, false);
   pattern.panels = {sleeve, cuff};
 
-  const Result<std::string> text = write_dxf(pattern);
+  const Result<std::string> text = dxf::write_dxf(pattern);
   ASSERT_TRUE(text) << to_string(text.error());
-  const Result<DxfDrawing> drawing = read_dxf(*text);
+  const Result<dxf::DxfDrawing> drawing = dxf::read_dxf(*text);
   ASSERT_TRUE(drawing) << to_string(drawing.error());
   ASSERT_EQ(drawing->pieces.size(), 2u);
   for (size_t i = 0; i < 2; ++i) {
-    const Panel& drafted = pattern.panels[i];
-    const Result<Panel> read = panel_from_piece(drawing->pieces[i]);
+    const pattern::Panel& drafted = pattern.panels[i];
+    const Result<pattern::Panel> read = dxf::panel_from_piece(drawing->pieces[i]);
     ASSERT_TRUE(read) << to_string(read.error());
     EXPECT_EQ(read->id, drafted.id);
     EXPECT_EQ(read->holes.size(), drafted.holes.size());
-    EXPECT_NEAR(signed_area(read->outline), signed_area(drafted.outline), 20);
+    EXPECT_NEAR(pattern::signed_area(read->outline), pattern::signed_area(drafted.outline), 20);
     EXPECT_NEAR(std::abs(dot(read->grain, drafted.grain)), 1, 1e-6);
     ASSERT_EQ(read->outline.edges.size(), 4u);
     for (size_t e = 0; e < 4; ++e) {
-      EXPECT_NEAR(arc_length(read->outline.edges[e]), arc_length(drafted.outline.edges[e]), 0.1);
+      EXPECT_NEAR(pattern::arc_length(read->outline.edges[e]), pattern::arc_length(drafted.outline.edges[e]), 0.1);
     }
   }
 }
 
 TEST(DxfWrite, EdgesInOneLineNotchesAndGrainComeBack) {
-  Panel panel;
+  pattern::Panel panel;
   panel.id = "side";
   const Vec2 a{0, 0}, b{120, 0}, c{400, 0}, d{400, 500}, e{0, 500};
-  panel.outline.edges = {{"e0", {line_segment(a, b)}},
-                         {"e1", {line_segment(b, c)}},  // straight on: only the file can tell
-                         {"e2", {CubicBezier{c, {460, 150}, {460, 350}, d}}},
-                         {"e3", {line_segment(d, e)}},
-                         {"e4", {line_segment(e, a)}}};
+  panel.outline.edges = {{"e0", {pattern::line_segment(a, b)}},
+                         {"e1", {pattern::line_segment(b, c)}},  // straight on: only the file can tell
+                         {"e2", {pattern::CubicBezier{c, {460, 150}, {460, 350}, d}}},
+                         {"e3", {pattern::line_segment(d, e)}},
+                         {"e4", {pattern::line_segment(e, a)}}};
   panel.grain = {1, 0};
-  panel.notches = {{{200, 0}, 6, {0, 1}}, {point_at_length(panel.outline.edges[2], 200), 4, {}}};
+  panel.notches = {{{200, 0}, 6, {0, 1}}, {pattern::point_at_length(panel.outline.edges[2], 200), 4, {}}};
   panel.lines = {{"dart", {{50, 100}, {90, 200}, {130, 100}}}};
-  const Result<std::string> text = write_dxf({{panel}, {}});
+  const Result<std::string> text = dxf::write_dxf({{panel}, {}});
   ASSERT_TRUE(text) << to_string(text.error());
-  const Result<DxfDrawing> drawing = read_dxf(*text);
+  const Result<dxf::DxfDrawing> drawing = dxf::read_dxf(*text);
   ASSERT_TRUE(drawing) << to_string(drawing.error());
   ASSERT_EQ(drawing->pieces.size(), 1u);
   EXPECT_EQ(drawing->unit.name, "mm");
   EXPECT_TRUE(drawing->report.warnings.empty());
   ASSERT_EQ(drawing->pieces[0].internals.size(), 1u);
   EXPECT_EQ(drawing->pieces[0].internals[0], panel.lines[0].points);
-  const Result<Panel> read = panel_from_piece(drawing->pieces[0]);
+  const Result<pattern::Panel> read = dxf::panel_from_piece(drawing->pieces[0]);
   ASSERT_TRUE(read) << to_string(read.error());
   ASSERT_EQ(read->outline.edges.size(), 5u);
   for (std::size_t i = 0; i < 5; ++i) {
     EXPECT_EQ(read->outline.edges[i].id, panel.outline.edges[i].id);
     for (double s = 0; s <= 1; s += 0.125) {
-      const Vec2 was = point_at_length(panel.outline.edges[i], s * arc_length(panel.outline.edges[i]));
-      const Vec2 is = point_at_length(read->outline.edges[i], s * arc_length(read->outline.edges[i]));
+      const Vec2 was = pattern::point_at_length(panel.outline.edges[i], s * pattern::arc_length(panel.outline.edges[i]));
+      const Vec2 is = pattern::point_at_length(read->outline.edges[i], s * pattern::arc_length(read->outline.edges[i]));
       EXPECT_LT(length(is - was), 0.1) << panel.outline.edges[i].id << " at " << s;
     }
   }
@@ -95,17 +95,17 @@ TEST(DxfWrite, EdgesInOneLineNotchesAndGrainComeBack) {
 }
 
 TEST(DxfWrite, LinesWithinAPieceComeBackAndGoOutAgain) {
-  Panel panel;
+  pattern::Panel panel;
   panel.id = "front";
   panel.outline = box({0, 0}, {300, 400}, false);
   panel.lines = {{"fold", {{10, 200}, {290, 200}}},
                  {"pocket", {{50, 50.05}, {110, 50}, {110, 120}, {50, 120}, {50, 50.05}}, true},
                  {"curve", {{200, 50}, {210, 61.5}, {222, 70.25}, {240.125, 75}}, true}};
-  std::string text = write_dxf({{panel}, {}}).value();
+  std::string text = dxf::write_dxf({{panel}, {}}).value();
   for (int round = 0; round < 2; ++round) {
-    const Result<DxfDrawing> drawing = read_dxf(text);
+    const Result<dxf::DxfDrawing> drawing = dxf::read_dxf(text);
     ASSERT_TRUE(drawing) << to_string(drawing.error());
-    const Panel read = panel_from_piece(drawing->pieces[0]).value();
+    const pattern::Panel read = dxf::panel_from_piece(drawing->pieces[0]).value();
     ASSERT_EQ(read.lines.size(), 3u);
     for (std::size_t l = 0; l < 3; ++l) {
       EXPECT_EQ(read.lines[l].id, "i" + std::to_string(l));
@@ -113,19 +113,19 @@ TEST(DxfWrite, LinesWithinAPieceComeBackAndGoOutAgain) {
       for (std::size_t i = 0; i < read.lines[l].points.size(); ++i)
         EXPECT_LT(length(read.lines[l].points[i] - panel.lines[l].points[i]), 0.1) << l << ", " << i;
     }
-    text = write_dxf({{read}, {}}).value();
+    text = dxf::write_dxf({{read}, {}}).value();
   }
 }
 
 TEST(DxfWrite, RefusesPiecesWithoutNameOrOutline) {
-  EXPECT_EQ(write_dxf({}).error().code, "dxf.nothing_to_write");
-  Pattern pattern;
+  EXPECT_EQ(dxf::write_dxf({}).error().code, "dxf.nothing_to_write");
+  pattern::Pattern pattern;
   pattern.panels.resize(1);
-  EXPECT_EQ(write_dxf(pattern).error().code, "dxf.bad_name");
+  EXPECT_EQ(dxf::write_dxf(pattern).error().code, "dxf.bad_name");
   pattern.panels[0].id = "two\nlines";
-  EXPECT_EQ(write_dxf(pattern).error().code, "dxf.bad_name");
+  EXPECT_EQ(dxf::write_dxf(pattern).error().code, "dxf.bad_name");
   pattern.panels[0].id = "empty";
-  EXPECT_EQ(write_dxf(pattern).error().code, "dxf.nothing_to_write");
+  EXPECT_EQ(dxf::write_dxf(pattern).error().code, "dxf.nothing_to_write");
 }
 
 }  // namespace

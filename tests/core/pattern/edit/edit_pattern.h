@@ -11,12 +11,12 @@
 
 namespace toile::test {
 
-inline PanelEdge straight(std::string id, Vec2 a, Vec2 b) { return {std::move(id), {line_segment(a, b)}}; }
+inline pattern::PanelEdge straight(std::string id, Vec2 a, Vec2 b) { return {std::move(id), {pattern::line_segment(a, b)}}; }
 
 /// 100 × 200 mm at `corner`: bottom, right, top, left.
-inline Panel sheet(std::string id, Vec2 corner = {}) {
+inline pattern::Panel sheet(std::string id, Vec2 corner = {}) {
   const Vec2 a = corner, b = a + Vec2{100, 0}, c = a + Vec2{100, 200}, d = a + Vec2{0, 200};
-  Panel panel;
+  pattern::Panel panel;
   panel.id = std::move(id);
   panel.fabric = "wool";
   panel.outline.edges = {straight("bottom", a, b), straight("right", b, c), straight("top", c, d),
@@ -26,12 +26,12 @@ inline Panel sheet(std::string id, Vec2 corner = {}) {
 
 /// Two sheets sewn at two sides: front's right to back's left over the whole length, front's top to back's
 /// top from a quarter to the end.
-inline Pattern two_sheets() {
-  Pattern pattern;
+inline pattern::Pattern two_sheets() {
+  pattern::Pattern pattern;
   pattern.panels = {sheet("front"), sheet("back", {300, 0})};
   pattern.panels[0].notches = {{{100, 100}, 5, {-1, 0}}};
-  pattern.panels[0].outline.edges[1].curves = {line_segment({100, 0}, {100, 100}),
-                                               line_segment({100, 100}, {100, 200})};
+  pattern.panels[0].outline.edges[1].curves = {pattern::line_segment({100, 0}, {100, 100}),
+                                               pattern::line_segment({100, 100}, {100, 200})};
   pattern.panels[0].lines = {{"fold", {{20, 20}, {80, 20}}}};
   pattern.seams = {{"side", {{0, 1}}, {{1, 3}}, false},
                    {"shoulder", {{0, 2, false, 0.25, 1}}, {{1, 2, true, 0, 0.75}}, true}};

@@ -34,79 +34,79 @@ std::string with_first_edge(const std::string& curvature) {
                 R"(}, {"endpoints": [1, 2]}, {"endpoints": [2, 3]}, {"endpoints": [3, 0]})");
 }
 
-Vec2 middle(const PanelEdge& edge) { return point_at_length(edge, arc_length(edge) / 2); }
+Vec2 middle(const pattern::PanelEdge& edge) { return pattern::point_at_length(edge, pattern::arc_length(edge) / 2); }
 
 Error error_of(const std::string& text) {
-  const auto read = read_garmentcode(text);
+  const auto read = garmentcode::read_garmentcode(text);
   EXPECT_FALSE(read.ok()) << text;
   return read ? Error{} : read.error();
 }
 
 TEST(GarmentCodeRead, CountsCentimetresUnlessTheFileSaysOtherwise) {
-  const auto plain = read_garmentcode(square(kPlainEdges));
+  const auto plain = garmentcode::read_garmentcode(square(kPlainEdges));
   ASSERT_TRUE(plain.ok()) << to_string(plain.error());
-  EXPECT_NEAR(arc_length(plain->pattern.panels[0].outline.edges[0]), 100, 1e-9);
+  EXPECT_NEAR(pattern::arc_length(plain->pattern.panels[0].outline.edges[0]), 100, 1e-9);
   EXPECT_NEAR(plain->panels[0].placement.translation.y, 0.02, 1e-12);
   EXPECT_NEAR(plain->panels[0].placement.rotation.z, 90, 1e-9);
-  const auto thirds = read_garmentcode(square(kPlainEdges, "", R"(, "properties": {"units_in_meter": 300})"));
+  const auto thirds = garmentcode::read_garmentcode(square(kPlainEdges, "", R"(, "properties": {"units_in_meter": 300})"));
   ASSERT_TRUE(thirds.ok()) << to_string(thirds.error());
-  EXPECT_NEAR(arc_length(thirds->pattern.panels[0].outline.edges[0]), 100.0 / 3, 1e-9);
+  EXPECT_NEAR(pattern::arc_length(thirds->pattern.panels[0].outline.edges[0]), 100.0 / 3, 1e-9);
   EXPECT_NEAR(thirds->panels[0].placement.translation.y, 0.02 / 3, 1e-12);
 }
 
 TEST(GarmentCodeRead, TakesControlPointsRelativeToTheEdge) {
-  const auto bare = read_garmentcode(with_first_edge("[0.5, -0.2]"));
+  const auto bare = garmentcode::read_garmentcode(with_first_edge("[0.5, -0.2]"));
   ASSERT_TRUE(bare.ok()) << to_string(bare.error());
   const Vec2 m = middle(bare->pattern.panels[0].outline.edges[0]);
   EXPECT_NEAR(m.x, 50, 1e-6);
   EXPECT_NEAR(m.y, -10, 1e-6) << "half way to the control point";
-  const auto named = read_garmentcode(with_first_edge(R"({"type": "quadratic", "params": [[0.5, -0.2]]})"));
+  const auto named = garmentcode::read_garmentcode(with_first_edge(R"({"type": "quadratic", "params": [[0.5, -0.2]]})"));
   ASSERT_TRUE(named.ok()) << to_string(named.error());
   EXPECT_EQ(middle(named->pattern.panels[0].outline.edges[0]), m);
   const auto cubic =
-      read_garmentcode(with_first_edge(R"({"type": "cubic", "params": [[0.2, -0.2], [0.8, -0.2]]})"));
+      garmentcode::read_garmentcode(with_first_edge(R"({"type": "cubic", "params": [[0.2, -0.2], [0.8, -0.2]]})"));
   ASSERT_TRUE(cubic.ok()) << to_string(cubic.error());
   EXPECT_NEAR(middle(cubic->pattern.panels[0].outline.edges[0]).y, -15, 1e-6) << "three quarters";
 }
 
 TEST(GarmentCodeRead, TakesTheRadiusOfACircleAsALength) {
-  const auto read = read_garmentcode(with_first_edge(R"({"type": "circle", "params": [5, 0, 1]})"));
+  const auto read = garmentcode::read_garmentcode(with_first_edge(R"({"type": "circle", "params": [5, 0, 1]})"));
   ASSERT_TRUE(read.ok()) << to_string(read.error());
-  const PanelEdge& edge = read->pattern.panels[0].outline.edges[0];
-  EXPECT_NEAR(arc_length(edge), 50 * kPi, 1e-3);
+  const pattern::PanelEdge& edge = read->pattern.panels[0].outline.edges[0];
+  EXPECT_NEAR(pattern::arc_length(edge), 50 * kPi, 1e-3);
   EXPECT_NEAR(middle(edge).y, -50, 1e-3) << "left of the way from start to end bends outwards here";
 }
 
 TEST(GarmentCodeArc, RunsTheLongOrTheShortWayLeftOrRight) {
   for (const bool large : {false, true}) {
     for (const bool left : {false, true}) {
-      PanelEdge edge{"arc", cubics_from_arc({0, 0}, {10, 0}, 7, large, left)};
+      pattern::PanelEdge edge{"arc", garmentcode::cubics_from_arc({0, 0}, {10, 0}, 7, large, left)};
       const double narrow = 2 * std::asin(5.0 / 7);
-      EXPECT_NEAR(arc_length(edge), 7 * (large ? 2 * kPi - narrow : narrow), 1e-4);
+      EXPECT_NEAR(pattern::arc_length(edge), 7 * (large ? 2 * kPi - narrow : narrow), 1e-4);
       const double sagitta = large ? 7 + std::sqrt(24.0) : 7 - std::sqrt(24.0);
       EXPECT_NEAR(middle(edge).y, left ? -sagitta : sagitta, 1e-4) << large << left;
       EXPECT_EQ(edge.curves.back().p3, (Vec2{10, 0}));
     }
   }
-  const PanelEdge half{"arc", cubics_from_arc({0, 0}, {10, 0}, 1, false, true)};
-  EXPECT_NEAR(arc_length(half), 5 * kPi, 1e-4) << "a radius too small becomes half the chord";
+  const pattern::PanelEdge half{"arc", garmentcode::cubics_from_arc({0, 0}, {10, 0}, 1, false, true)};
+  EXPECT_NEAR(pattern::arc_length(half), 5 * kPi, 1e-4) << "a radius too small becomes half the chord";
 }
 
 TEST(GarmentCodeRead, TurnsAClockwisePanelToItsRightSideWithoutMovingIt) {
   const std::string back =
       square(R"({"endpoints": [0, 3]}, {"endpoints": [3, 2]}, {"endpoints": [2, 1]}, {"endpoints": [1, 0]})");
-  const auto read = read_garmentcode(back);
+  const auto read = garmentcode::read_garmentcode(back);
   ASSERT_TRUE(read.ok()) << to_string(read.error());
-  EXPECT_GT(signed_area(read->pattern.panels[0].outline), 0);
+  EXPECT_GT(pattern::signed_area(read->pattern.panels[0].outline), 0);
   EXPECT_TRUE(read->panels[0].placement.flipped);
-  const PanelEdge& first = read->pattern.panels[0].outline.edges[0];
+  const pattern::PanelEdge& first = read->pattern.panels[0].outline.edges[0];
   const Vec3 degrees = read->panels[0].placement.rotation;
-  const RigidPlacement rigid{
+  const sewing::RigidPlacement rigid{
       read->panels[0].placement.translation,
       {radians_from_degrees(degrees.x), radians_from_degrees(degrees.y), radians_from_degrees(degrees.z)},
       true};
   const Vec2 end = first.curves.back().p3 * 1e-3;
-  const Vec3 placed = place({end}, rigid)[0];  // (0, 0.1) turned by 90° about z
+  const Vec3 placed = sewing::place({end}, rigid)[0];  // (0, 0.1) turned by 90° about z
   EXPECT_NEAR(placed.x, 0.01 - 0.1, 1e-9);
   EXPECT_NEAR(placed.y, 0.02, 1e-9);
   EXPECT_NEAR(placed.z, 0.03, 1e-9);
@@ -119,7 +119,7 @@ TEST(GarmentCodeRead, KeepsAllStitchesLabelsAndTheOrderOfPanels) {
                            R"(}, "panel_order": ["a", "b"], "stitches": [
     [{"panel": "a", "edge": 1}, {"panel": "b", "edge": 1}], [{"panel": "a", "edge": 1}, {"panel": "b", "edge": 2}],
     [{"panel": "a", "edge": 2}, {"panel": "b", "edge": 2}]]}})";
-  const auto read = read_garmentcode(text);
+  const auto read = garmentcode::read_garmentcode(text);
   ASSERT_TRUE(read.ok()) << to_string(read.error());
   EXPECT_EQ(read->pattern.panels[0].id, "a");
   EXPECT_EQ(read->panels[0].label, "leg");
@@ -128,7 +128,7 @@ TEST(GarmentCodeRead, KeepsAllStitchesLabelsAndTheOrderOfPanels) {
   EXPECT_EQ(read->pattern.seams[1].id, "seam2");
   ASSERT_EQ(read->notes.size(), 1u) << "the edge that is stitched twice";
   EXPECT_NE(read->notes[0].find("/pattern/stitches/1"), std::string::npos) << read->notes[0];
-  EXPECT_TRUE(validate(read->pattern).ok());
+  EXPECT_TRUE(pattern::validate(read->pattern).ok());
 }
 
 TEST(GarmentCodeRead, NamesThePlaceOfWhatIsBroken) {
@@ -193,34 +193,34 @@ std::string text_of(const std::string& path) {
   return text.str();
 }
 
-double at(const JsonValue& list, std::size_t i) { return *(*list.array())[i].number(); }
+double at(const json::JsonValue& list, std::size_t i) { return *(*list.array())[i].number(); }
 
 TEST(GarmentCodeRead, GivesTheFiveGarmentsAsTheyAreDrawnElsewhere) {
   const char* shared = std::getenv("TOILE_SHARED");
   if (shared == nullptr) GTEST_SKIP() << "TOILE_SHARED is not set: NO REAL SPECIFICATION WAS READ";
   for (const std::string name : {"skirt_2panel", "pants", "tshirt", "hoody", "fitted_blouse_long"}) {
     const std::string stem = std::string(shared) + "/data/garmentcode/" + name;
-    const auto read = read_garmentcode(text_of(stem + "_specification.json"));
+    const auto read = garmentcode::read_garmentcode(text_of(stem + "_specification.json"));
     ASSERT_TRUE(read.ok()) << name << ": " << to_string(read.error());
-    const auto truth = parse_json(text_of(stem + ".seams.json"));
+    const auto truth = json::parse_json(text_of(stem + ".seams.json"));
     ASSERT_TRUE(truth.ok());
     EXPECT_EQ(read->pattern.panels.size(), truth->find("panels")->object()->size());
     EXPECT_EQ(read->pattern.seams.size(), truth->find("stitches")->array()->size());
     EXPECT_TRUE(read->notes.empty());
-    EXPECT_TRUE(validate(read->pattern).ok());
+    EXPECT_TRUE(pattern::validate(read->pattern).ok());
     for (std::size_t p = 0; p < read->pattern.panels.size(); ++p) {
-      const Panel& panel = read->pattern.panels[p];
+      const pattern::Panel& panel = read->pattern.panels[p];
       const double side = read->panels[p].placement.flipped ? -1 : 1;
-      const JsonValue& edges = *truth->find("panels")->find(panel.id)->find("edges");
+      const json::JsonValue& edges = *truth->find("panels")->find(panel.id)->find("edges");
       for (std::size_t e = 0; e < panel.outline.edges.size(); ++e) {
-        const JsonValue& edge = (*edges.array())[e];
-        EXPECT_NEAR(arc_length(panel.outline.edges[e]), *edge.find("len_mm")->number(), 0.2)
+        const json::JsonValue& edge = (*edges.array())[e];
+        EXPECT_NEAR(pattern::arc_length(panel.outline.edges[e]), *edge.find("len_mm")->number(), 0.2)
             << name << " " << panel.id << " " << e;
-        const JsonValue& points = *edge.find("pts");
-        const JsonValue& mid = (*points.array())[points.array()->size() / 2];
+        const json::JsonValue& points = *edge.find("pts");
+        const json::JsonValue& mid = (*points.array())[points.array()->size() / 2];
         const Vec2 drawn{side * at(mid, 0), at(mid, 1)};
         double nearest = 1e9;
-        for (const Vec2 q : flatten(panel.outline.edges[e], 1e-3))
+        for (const Vec2 q : pattern::flatten(panel.outline.edges[e], 1e-3))
           nearest = std::min(nearest, length(q - drawn));
         if (points.array()->size() > 2) {
           EXPECT_LT(nearest, 3) << name << " " << panel.id << " " << e;

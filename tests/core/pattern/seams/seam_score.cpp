@@ -16,25 +16,25 @@ namespace {
 constexpr int kPoints = 40;        // of a seam
 constexpr double kMostOfIt = 0.8;  // of a seam's points
 
-const PanelEdge& edge_at(const Pattern& pattern, const SeamPoint& p) {
-  return *edges_of(pattern.panels[p.panel])[p.edge];
+const pattern::PanelEdge& edge_at(const pattern::Pattern& pattern, const SeamPoint& p) {
+  return *pattern::edges_of(pattern.panels[p.panel])[p.edge];
 }
 
-Vec2 place_of(const Pattern& pattern, const SeamPoint& p) {
-  const PanelEdge& edge = edge_at(pattern, p);
-  return point_at_length(edge, p.along * arc_length(edge));
+Vec2 place_of(const pattern::Pattern& pattern, const SeamPoint& p) {
+  const pattern::PanelEdge& edge = edge_at(pattern, p);
+  return pattern::point_at_length(edge, p.along * pattern::arc_length(edge));
 }
 
-double length_of(const Pattern& pattern, const std::vector<SeamEdge>& side) {
+double length_of(const pattern::Pattern& pattern, const std::vector<pattern::SeamEdge>& side) {
   double sum = 0;
-  for (const SeamEdge& e : side)
-    sum += (e.to - e.from) * arc_length(*edges_of(pattern.panels[e.panel])[e.edge]);
+  for (const pattern::SeamEdge& e : side)
+    sum += (e.to - e.from) * pattern::arc_length(*pattern::edges_of(pattern.panels[e.panel])[e.edge]);
   return sum;
 }
 
-SeamPoint point_on(const Pattern& pattern, const std::vector<SeamEdge>& side, double distance) {
-  for (const SeamEdge& e : side) {
-    const double whole = arc_length(*edges_of(pattern.panels[e.panel])[e.edge]);
+SeamPoint point_on(const pattern::Pattern& pattern, const std::vector<pattern::SeamEdge>& side, double distance) {
+  for (const pattern::SeamEdge& e : side) {
+    const double whole = pattern::arc_length(*pattern::edges_of(pattern.panels[e.panel])[e.edge]);
     const double length = (e.to - e.from) * whole;
     if (distance <= length || &e == &side.back()) {
       const double f = std::min(1.0, distance / length) * (e.to - e.from);
@@ -46,7 +46,7 @@ SeamPoint point_on(const Pattern& pattern, const std::vector<SeamEdge>& side, do
 }
 
 /// Whether the two pairs say the same: both ends on the same pieces, as near as `near` (mm).
-bool agree(const Pattern& pattern, const std::array<SeamPoint, 2>& x, const std::array<SeamPoint, 2>& y,
+bool agree(const pattern::Pattern& pattern, const std::array<SeamPoint, 2>& x, const std::array<SeamPoint, 2>& y,
            double near) {
   for (const bool swapped : {false, true}) {
     bool same = true;
@@ -60,7 +60,7 @@ bool agree(const Pattern& pattern, const std::array<SeamPoint, 2>& x, const std:
 }
 
 /// Share of the seam's points that some seam of the others has as well.
-double share_of(const Pattern& pattern, const SewnPoints& seam, std::span<const SewnPoints> others) {
+double share_of(const pattern::Pattern& pattern, const SewnPoints& seam, std::span<const SewnPoints> others) {
   int found = 0;
   for (const auto& pair : seam.pairs) {
     found += std::any_of(others.begin(), others.end(), [&](const SewnPoints& other) {
@@ -73,20 +73,20 @@ double share_of(const Pattern& pattern, const SewnPoints& seam, std::span<const 
   return static_cast<double>(found) / static_cast<double>(seam.pairs.size());
 }
 
-Vec2 point_in(const JsonValue& p, Vec2 offset) {
+Vec2 point_in(const json::JsonValue& p, Vec2 offset) {
   return Vec2{*(*p.array())[0].number(), *(*p.array())[1].number()} + offset;
 }
 
 /// The place on the piece's outline that is nearest.
-SeamPoint nearest_on(const Panel& panel, Index index, Vec2 at) {
+SeamPoint nearest_on(const pattern::Panel& panel, Index index, Vec2 at) {
   SeamPoint best{index, 0, 0};
   double least = 1e30;
   for (std::size_t e = 0; e < panel.outline.edges.size(); ++e) {
-    const PanelEdge& edge = panel.outline.edges[e];
-    const double whole = arc_length(edge);
+    const pattern::PanelEdge& edge = panel.outline.edges[e];
+    const double whole = pattern::arc_length(edge);
     const int steps = static_cast<int>(whole) + 8;
     for (int k = 0; k <= steps; ++k) {
-      const double d = length(point_at_length(edge, whole * k / steps) - at);
+      const double d = length(pattern::point_at_length(edge, whole * k / steps) - at);
       if (d < least) {
         least = d;
         best = {index, static_cast<Index>(e), static_cast<double>(k) / steps};
@@ -97,7 +97,7 @@ SeamPoint nearest_on(const Panel& panel, Index index, Vec2 at) {
 }
 
 /// Point of a polyline at a fraction of its length.
-Vec2 along(const std::vector<JsonValue>& points, Vec2 offset, double fraction) {
+Vec2 along(const std::vector<json::JsonValue>& points, Vec2 offset, double fraction) {
   double whole = 0;
   for (std::size_t i = 1; i < points.size(); ++i)
     whole += length(point_in(points[i], {}) - point_in(points[i - 1], {}));
@@ -112,31 +112,31 @@ Vec2 along(const std::vector<JsonValue>& points, Vec2 offset, double fraction) {
 }
 
 struct TrueSide {
-  const JsonValue* panel;
-  const JsonValue* edge;
+  const json::JsonValue* panel;
+  const json::JsonValue* edge;
   Index index;
   std::string name;
 };
 
-Result<TrueSide> side_in(const JsonValue& file, const JsonValue& side, const Pattern& pattern) {
+Result<TrueSide> side_in(const json::JsonValue& file, const json::JsonValue& side, const pattern::Pattern& pattern) {
   const std::string& id = *side.find("panel")->text();
   const auto found =
-      std::find_if(pattern.panels.begin(), pattern.panels.end(), [&](const Panel& p) { return p.id == id; });
+      std::find_if(pattern.panels.begin(), pattern.panels.end(), [&](const pattern::Panel& p) { return p.id == id; });
   if (found == pattern.panels.end()) return Error{"test.panel", "the drawing has no such piece", id};
-  const JsonValue* panel = file.find("panels")->find(id);
+  const json::JsonValue* panel = file.find("panels")->find(id);
   const int edge = static_cast<int>(*side.find("edge")->number());
   return TrueSide{panel, &(*panel->find("edges")->array())[edge],
                   static_cast<Index>(found - pattern.panels.begin()), id + "." + std::to_string(edge)};
 }
 
-SeamPoint point_of(const TrueSide& side, const Pattern& pattern, double fraction) {
+SeamPoint point_of(const TrueSide& side, const pattern::Pattern& pattern, double fraction) {
   const Vec2 offset = point_in(*side.panel->find("dxf_offset"), {});
   return nearest_on(pattern.panels[side.index], side.index,
                     along(*side.edge->find("pts")->array(), offset, fraction));
 }
 
 /// Stitched edges run against each other.
-Result<SewnPoints> true_seam(const JsonValue& file, const JsonValue& stitch, const Pattern& pattern) {
+Result<SewnPoints> true_seam(const json::JsonValue& file, const json::JsonValue& stitch, const pattern::Pattern& pattern) {
   const TrueSide a = TRY(side_in(file, *stitch.find("a"), pattern));
   const TrueSide b = TRY(side_in(file, *stitch.find("b"), pattern));
   SewnPoints seam{a.name + " to " + b.name,
@@ -164,13 +164,13 @@ void SeamScore::add(const SeamScore& other) {
   found += other.found;
 }
 
-SewnPoints points_of(const Pattern& pattern, const Seam& seam) {
+SewnPoints points_of(const pattern::Pattern& pattern, const pattern::Seam& seam) {
   const double a = length_of(pattern, seam.a), b = length_of(pattern, seam.b);
-  const auto names = [&](const std::vector<SeamEdge>& side) {
+  const auto names = [&](const std::vector<pattern::SeamEdge>& side) {
     std::string text;
-    for (const SeamEdge& e : side) {
+    for (const pattern::SeamEdge& e : side) {
       text += (text.empty() ? "" : " + ") + pattern.panels[e.panel].id + "." +
-              edges_of(pattern.panels[e.panel])[e.edge]->id;
+              pattern::edges_of(pattern.panels[e.panel])[e.edge]->id;
       if (e.from > 0 || e.to < 1)
         text += "[" + std::to_string(e.from).substr(0, 5) + ".." + std::to_string(e.to).substr(0, 5) + "]";
     }
@@ -185,11 +185,11 @@ SewnPoints points_of(const Pattern& pattern, const Seam& seam) {
   return points;
 }
 
-SeamScore score_of(const Pattern& pattern, std::span<const SeamProposal> proposals,
+SeamScore score_of(const pattern::Pattern& pattern, std::span<const seams::SeamProposal> proposals,
                    std::span<const SewnPoints> truth, double confidence) {
   SeamScore score;
   std::vector<SewnPoints> proposed;
-  for (const SeamProposal& p : proposals)
+  for (const seams::SeamProposal& p : proposals)
     if (p.confidence >= confidence) proposed.push_back(points_of(pattern, p.seam));
   for (const SewnPoints& seam : proposed) {
     ++score.proposed;
@@ -208,17 +208,17 @@ SeamScore score_of(const Pattern& pattern, std::span<const SeamProposal> proposa
 
 Result<TrueGarment> read_true_garment(const std::filesystem::path& dxf) {
   std::ifstream in(dxf, std::ios::binary);
-  const DxfDrawing drawing = TRY(read_dxf(in));
+  const dxf::DxfDrawing drawing = TRY(dxf::read_dxf(in));
   TrueGarment garment;
-  for (const DxfPiece& piece : drawing.pieces) {
-    Panel panel = TRY(panel_from_piece(piece));
+  for (const dxf::DxfPiece& piece : drawing.pieces) {
+    pattern::Panel panel = TRY(dxf::panel_from_piece(piece));
     garment.pattern.panels.push_back(std::move(panel));
-    garment.clockwise.push_back(runs_clockwise(piece.outline));
+    garment.clockwise.push_back(seams::runs_clockwise(piece.outline));
   }
   std::filesystem::path seams = dxf;
   const std::string text = TRY(bytes_of(seams.replace_extension(".seams.json")));
-  const JsonValue file = TRY(parse_json(text));
-  for (const JsonValue& stitch : *file.find("stitches")->array()) {
+  const json::JsonValue file = TRY(json::parse_json(text));
+  for (const json::JsonValue& stitch : *file.find("stitches")->array()) {
     SewnPoints seam = TRY(true_seam(file, stitch, garment.pattern));
     garment.truth.push_back(std::move(seam));
   }

@@ -37,15 +37,15 @@ struct SeamScore {
 };
 
 /// Points of the seam, side b stretched to side a.
-SewnPoints points_of(const Pattern& pattern, const Seam& seam);
+SewnPoints points_of(const pattern::Pattern& pattern, const pattern::Seam& seam);
 
 /// Compares proposals of at least `confidence` with the true seams.
-SeamScore score_of(const Pattern& pattern, std::span<const SeamProposal> proposals,
+SeamScore score_of(const pattern::Pattern& pattern, std::span<const seams::SeamProposal> proposals,
                    std::span<const SewnPoints> truth, double confidence = 0.8);
 
 /// A drawing as the product reads it, and its true seams from the *.seams.json beside it.
 struct TrueGarment {
-  Pattern pattern;              ///< without seams
+  pattern::Pattern pattern;              ///< without seams
   std::vector<char> clockwise;  ///< one per piece, as the file draws it
   std::vector<SewnPoints> truth;
 };

@@ -29,11 +29,11 @@ struct Score {
 
 SeamKey ordered(EdgeSet a, EdgeSet b) { return a < b ? SeamKey(a, b) : SeamKey(b, a); }
 
-SeamKey key_of(const Pattern& pattern, const Seam& seam) {
-  const auto side = [&](const std::vector<SeamEdge>& edges) {
+SeamKey key_of(const pattern::Pattern& pattern, const pattern::Seam& seam) {
+  const auto side = [&](const std::vector<pattern::SeamEdge>& edges) {
     EdgeSet set;
-    for (const SeamEdge& e : edges) {
-      const Panel& panel = pattern.panels[e.panel];
+    for (const pattern::SeamEdge& e : edges) {
+      const pattern::Panel& panel = pattern.panels[e.panel];
       set.insert({panel.id, panel.outline.edges[e.edge].id});
     }
     return set;
@@ -53,14 +53,14 @@ std::set<SeamKey> keys_of(const Garment::Seams& seams) {
   return truth;
 }
 
-Pattern pattern_of(const Garment& g) { return {g.panels, {}}; }
+pattern::Pattern pattern_of(const Garment& g) { return {g.panels, {}}; }
 
-Score score_of(const Garment& g, const Pattern& pattern, bool sides_known, const std::string& variant) {
+Score score_of(const Garment& g, const pattern::Pattern& pattern, bool sides_known, const std::string& variant) {
   std::set<SeamKey> truth = keys_of(g.seams);
   Score score;
   score.known = static_cast<int>(truth.size());
   truth.merge(keys_of(g.as_good));
-  for (const SeamProposal& p : propose_seams(pattern, {sides_known})) {
+  for (const seams::SeamProposal& p : seams::propose_seams(pattern, {sides_known})) {
     if (p.confidence < 0.8) continue;
     ++score.proposed;
     score.correct += truth.contains(key_of(pattern, p.seam));
@@ -84,7 +84,7 @@ Score sum(const std::vector<Score>& scores) {
 TEST(ProposeSeams, FindsTheSeamsOfGarmentsDrawnByCode) {
   std::vector<Score> scores;
   for (const Garment& g : garments::all()) {
-    ASSERT_TRUE(validate(pattern_of(g)).ok()) << g.name << ": " << to_string(validate(pattern_of(g)).error());
+    ASSERT_TRUE(pattern::validate(pattern_of(g)).ok()) << g.name << ": " << to_string(pattern::validate(pattern_of(g)).error());
     scores.push_back(score_of(g, pattern_of(g), true, "as drawn"));
   }
   EXPECT_GE(sum(scores).precision(), 0.95);
@@ -105,7 +105,7 @@ TEST(ProposeSeams, FindThemWhenPiecesAreTurnedWithTheirGrain) {
 TEST(ProposeSeams, FindThemWhenAllIsMirrored) {
   std::vector<Score> scores;
   for (Garment g : garments::all()) {
-    for (Panel& panel : g.panels) panel = garments::mirrored(panel, panel.id);
+    for (pattern::Panel& panel : g.panels) panel = garments::mirrored(panel, panel.id);
     scores.push_back(score_of(g, pattern_of(g), true, "mirrored"));
   }
   EXPECT_GE(sum(scores).precision(), 0.95);
@@ -133,10 +133,10 @@ TEST(ProposeSeams, FindThemWithoutHelpfulNames) {
 
 /// What is proposed for the pieces in another order, by names.
 std::map<SeamKey, double> confidences(const Garment& g, const std::vector<std::size_t>& order) {
-  Pattern pattern;
+  pattern::Pattern pattern;
   for (const std::size_t i : order) pattern.panels.push_back(g.panels[i]);
   std::map<SeamKey, double> found;
-  for (const SeamProposal& p : propose_seams(pattern)) found[key_of(pattern, p.seam)] = p.confidence;
+  for (const seams::SeamProposal& p : seams::propose_seams(pattern)) found[key_of(pattern, p.seam)] = p.confidence;
   return found;
 }
 
@@ -154,7 +154,7 @@ TEST(ProposeSeams, DoNotDependOnTheOrderOfThePieces) {
 
 TEST(ProposeSeams, SewAFrontsBustDartAgainstASmoothBack) {
   // The side of each front is parted by a dart; closed, it is as long as the back's.
-  const Panel front = garments::piece("front_r", {{0, 0},
+  const pattern::Panel front = garments::piece("front_r", {{0, 0},
                                                   {240, 0},
                                                   {248, 250},
                                                   {120, 262},
@@ -163,7 +163,7 @@ TEST(ProposeSeams, SewAFrontsBustDartAgainstASmoothBack) {
                                                   {190, 600},
                                                   {80, 640, Vec2{10, 550}},
                                                   {0, 520}});
-  const Panel back = garments::piece("back", {{-240, 0},
+  const pattern::Panel back = garments::piece("back", {{-240, 0},
                                               {240, 0},
                                               {250, 360, Vec2{195, 400}},
                                               {190, 560},
@@ -171,10 +171,10 @@ TEST(ProposeSeams, SewAFrontsBustDartAgainstASmoothBack) {
                                               {-80, 600},
                                               {-190, 560, Vec2{-195, 400}},
                                               {-250, 360}});
-  const Pattern pattern{{front, garments::mirrored(front, "front_l"), back}, {}};
-  ASSERT_TRUE(validate(pattern)) << to_string(validate(pattern).error());
+  const pattern::Pattern pattern{{front, garments::mirrored(front, "front_l"), back}, {}};
+  ASSERT_TRUE(pattern::validate(pattern)) << to_string(pattern::validate(pattern).error());
   std::set<SeamKey> sure;
-  for (const SeamProposal& p : propose_seams(pattern))
+  for (const seams::SeamProposal& p : seams::propose_seams(pattern))
     if (p.confidence >= 0.8) sure.insert(key_of(pattern, p.seam));
   for (const std::string id : {"front_r", "front_l"}) {
     EXPECT_TRUE(sure.contains(ordered({{id, "e2"}}, {{id, "e3"}}))) << "the dart";
@@ -195,24 +195,24 @@ TEST(ProposeSeams, LeaveNamelessPiecesOfUnknownSidesToAPerson) {
 }
 
 TEST(ProposeSeams, LeaveAWardrobeToAPerson) {
-  Pattern wardrobe;
+  pattern::Pattern wardrobe;
   for (const Garment& g : garments::all()) {
-    for (Panel panel : g.panels) {
+    for (pattern::Panel panel : g.panels) {
       panel.id = g.name + " " + panel.id;
       wardrobe.panels.push_back(std::move(panel));
     }
   }
   std::size_t edges = 0;
-  for (const Panel& panel : wardrobe.panels) edges += panel.outline.edges.size();
+  for (const pattern::Panel& panel : wardrobe.panels) edges += panel.outline.edges.size();
   ASSERT_GT(edges, 70u);
-  const std::vector<SeamProposal> proposals = propose_seams(wardrobe);
+  const std::vector<seams::SeamProposal> proposals = seams::propose_seams(wardrobe);
   EXPECT_GE(proposals.size(), 20u);
-  for (const SeamProposal& p : proposals) EXPECT_LT(p.confidence, 0.8);
+  for (const seams::SeamProposal& p : proposals) EXPECT_LT(p.confidence, 0.8);
 }
 
 TEST(ProposeSeams, GiveTheSameAnswerEveryTime) {
-  const Pattern pattern = pattern_of(garments::trousers());
-  const auto once = propose_seams(pattern), twice = propose_seams(pattern);
+  const pattern::Pattern pattern = pattern_of(garments::trousers());
+  const auto once = seams::propose_seams(pattern), twice = seams::propose_seams(pattern);
   ASSERT_EQ(once.size(), twice.size());
   for (std::size_t i = 0; i < once.size(); ++i) {
     EXPECT_EQ(once[i].confidence, twice[i].confidence);
@@ -222,46 +222,46 @@ TEST(ProposeSeams, GiveTheSameAnswerEveryTime) {
 
 TEST(ProposeSeams, MakeAPatternThatNothingIsToBeSaidAgainst) {
   for (const Garment& g : {garments::trousers(), garments::shirt()}) {
-    Pattern pattern = pattern_of(g);
-    for (const SeamProposal& p : propose_seams(pattern, {true}))
+    pattern::Pattern pattern = pattern_of(g);
+    for (const seams::SeamProposal& p : seams::propose_seams(pattern, {true}))
       if (p.confidence >= 0.8) pattern.seams.push_back(p.seam);
-    EXPECT_TRUE(validate(pattern).ok()) << g.name;
-    for (const SeamIssue& issue : check_seams(pattern))
+    EXPECT_TRUE(pattern::validate(pattern).ok()) << g.name;
+    for (const seams::SeamIssue& issue : seams::check_seams(pattern))
       ADD_FAILURE() << g.name << ": " << issue.where << ": " << issue.message;
   }
 }
 
 TEST(ProposeSeams, LeaveAloneWhatIsSewnAlready) {
-  Pattern pattern = pattern_of(garments::trousers());
+  pattern::Pattern pattern = pattern_of(garments::trousers());
   pattern.seams = {{"seam0", {{0, 1}}, {{1, 1}}, false}};
   ASSERT_EQ(pattern.panels[1].outline.edges[4].id, "e1") << "mirrored outlines run the other way";
   pattern.seams[0].b[0].edge = 4;
-  for (const SeamProposal& p : propose_seams(pattern, {true})) {
+  for (const seams::SeamProposal& p : seams::propose_seams(pattern, {true})) {
     EXPECT_NE(p.seam.id, "seam0");
     for (const auto* side : {&p.seam.a, &p.seam.b})
-      for (const SeamEdge& e : *side)
+      for (const pattern::SeamEdge& e : *side)
         EXPECT_FALSE((e.panel == 0 && e.edge == 1) || (e.panel == 1 && e.edge == 4)) << p.seam.id;
   }
 }
 
 TEST(ProposeSeams, HaveNothingForASingleClothOrNone) {
-  EXPECT_TRUE(propose_seams({}).empty());
-  const Pattern napkin{{garments::piece("napkin", {{0, 0}, {300, 0}, {310, 290}, {-20, 280}})}, {}};
-  for (const SeamProposal& p : propose_seams(napkin)) EXPECT_LT(p.confidence, 0.8);
+  EXPECT_TRUE(seams::propose_seams({}).empty());
+  const pattern::Pattern napkin{{garments::piece("napkin", {{0, 0}, {300, 0}, {310, 290}, {-20, 280}})}, {}};
+  for (const seams::SeamProposal& p : seams::propose_seams(napkin)) EXPECT_LT(p.confidence, 0.8);
 }
 
 TEST(ProposeSeams, TakeNotchesIntoAccount) {
   // Two like edges that only their notches tell apart.
-  Panel a = garments::piece("a", {{0, 0}, {300, 0}, {300, 200}, {0, 200}});
+  pattern::Panel a = garments::piece("a", {{0, 0}, {300, 0}, {300, 200}, {0, 200}});
   const auto other = [](const std::string& id, double notch) {
-    Panel p = garments::piece(id, {{0, 0}, {250, 0}, {250, 200}, {0, 200}});
+    pattern::Panel p = garments::piece(id, {{0, 0}, {250, 0}, {250, 200}, {0, 200}});
     p.notches = {{{250, notch}, 0, {}}};
     return p;
   };
   a.notches = {{{0, 70}, 0, {}}};
-  const Pattern pattern{{a, other("b", 140), other("c", 70)}, {}};
+  const pattern::Pattern pattern{{a, other("b", 140), other("c", 70)}, {}};
   bool found = false;
-  for (const SeamProposal& p : propose_seams(pattern, {true}))
+  for (const seams::SeamProposal& p : seams::propose_seams(pattern, {true}))
     found = found || key_of(pattern, p.seam) == ordered({{"a", "e3"}}, {{"c", "e1"}});
   EXPECT_TRUE(found);
 }
@@ -275,26 +275,26 @@ TEST(ProposeSeams, AreSureOfPiecesThatMayChangeRound) {
   const auto band = [](const std::string& id) {
     return garments::piece(id, {{0, 0}, {380, 0}, {380, 40}, {0, 40}});
   };
-  const Pattern pattern{{sheet("a", 600), sheet("b", 600), band("c"), band("d")}, {}};
+  const pattern::Pattern pattern{{sheet("a", 600), sheet("b", 600), band("c"), band("d")}, {}};
   int waists = 0;
-  for (const SeamProposal& p : propose_seams(pattern, {true}))
+  for (const seams::SeamProposal& p : seams::propose_seams(pattern, {true}))
     waists += p.confidence >= 0.8 && (p.seam.a[0].panel < 2) != (p.seam.b[0].panel < 2) ? 1 : 0;
   EXPECT_EQ(waists, 2);
 }
 
 TEST(ProposeSeams, AreUnsureWhereClothLiesOnCloth) {
-  Pattern pattern = pattern_of(garments::trousers());
+  pattern::Pattern pattern = pattern_of(garments::trousers());
   int sure = 0;
-  for (const SeamProposal& p : propose_seams(pattern, {true})) sure += p.confidence >= 0.8 ? 1 : 0;
+  for (const seams::SeamProposal& p : seams::propose_seams(pattern, {true})) sure += p.confidence >= 0.8 ? 1 : 0;
   EXPECT_GE(sure, 5);
   for (std::size_t i = 0, n = pattern.panels.size(); i < n; ++i) {
     pattern.panels.push_back(pattern.panels[i]);
     pattern.panels.back().id += " lining";
   }
-  for (const SeamProposal& p : propose_seams(pattern, {true})) {
+  for (const seams::SeamProposal& p : seams::propose_seams(pattern, {true})) {
     bool lining = false;
     for (const auto* side : {&p.seam.a, &p.seam.b})
-      for (const SeamEdge& e : *side) lining = lining || pattern.panels[e.panel].id.ends_with("lining");
+      for (const pattern::SeamEdge& e : *side) lining = lining || pattern.panels[e.panel].id.ends_with("lining");
     if (lining) {
       EXPECT_LE(p.confidence, 0.6) << p.seam.id;
     }
@@ -302,33 +302,33 @@ TEST(ProposeSeams, AreUnsureWhereClothLiesOnCloth) {
 }
 
 TEST(ProposeSeams, OfAlternativesTheSurerOneIsSewn) {
-  const auto proposal = [](double confidence, SeamEdge a, SeamEdge b) {
-    SeamProposal p;
+  const auto proposal = [](double confidence, pattern::SeamEdge a, pattern::SeamEdge b) {
+    seams::SeamProposal p;
     p.confidence = confidence;
     p.seam.a = {a};
     p.seam.b = {b};
     return p;
   };
-  const std::vector<SeamProposal> proposals{
+  const std::vector<seams::SeamProposal> proposals{
       proposal(0.9, {0, 0}, {1, 0}),                     // sewn
       proposal(0.8, {1, 0}, {2, 0}),                     // wants an edge that is taken
       proposal(0.7, {2, 0}, {3, 1, false, 0, 0.5}),      // sewn: what it wants was not taken after all
       proposal(0.6, {2, 1}, {3, 1, false, 0.5, 1}),      // sewn: the other half
       proposal(0.55, {4, 0}, {3, 1, false, 0.4, 0.45}),  // a part of a taken part
       proposal(0.4, {5, 0}, {6, 0})};                    // not sure enough
-  EXPECT_EQ(sewn_together(proposals, 0.5), (std::vector<bool>{true, false, true, true, false, false}));
+  EXPECT_EQ(seams::sewn_together(proposals, 0.5), (std::vector<bool>{true, false, true, true, false, false}));
 }
 
 TEST(PieceWords, AreReadFromNamesInManyWays) {
-  EXPECT_EQ(words_of("left_sleeve_f").side, -1);
-  EXPECT_EQ(words_of("left_sleeve_f").face, 1);
-  EXPECT_TRUE(words_of("left_sleeve_f").limb);
-  EXPECT_EQ(words_of("FrontRight").face, 1);
-  EXPECT_EQ(words_of("FrontRight").side, 1);
-  EXPECT_EQ(words_of("BK-2").face, -1);
-  EXPECT_EQ(words_of("Cuff RT").side, 1);
-  EXPECT_EQ(words_of("yoke").side, 0);
-  EXPECT_FALSE(words_of("belt").limb);
+  EXPECT_EQ(seams::words_of("left_sleeve_f").side, -1);
+  EXPECT_EQ(seams::words_of("left_sleeve_f").face, 1);
+  EXPECT_TRUE(seams::words_of("left_sleeve_f").limb);
+  EXPECT_EQ(seams::words_of("FrontRight").face, 1);
+  EXPECT_EQ(seams::words_of("FrontRight").side, 1);
+  EXPECT_EQ(seams::words_of("BK-2").face, -1);
+  EXPECT_EQ(seams::words_of("Cuff RT").side, 1);
+  EXPECT_EQ(seams::words_of("yoke").side, 0);
+  EXPECT_FALSE(seams::words_of("belt").limb);
 }
 
 }  // namespace

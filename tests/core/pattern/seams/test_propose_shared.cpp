@@ -37,9 +37,9 @@ class LongProposeShared : public testing::Test {
   }
 
   /// One row of the table, with what is wrong and missed.
-  static test::SeamScore row(const std::string& name, const Pattern& pattern,
-                             const ProposalSettings& settings, const std::vector<test::SewnPoints>& truth) {
-    const test::SeamScore s = test::score_of(pattern, propose_seams(pattern, settings), truth);
+  static test::SeamScore row(const std::string& name, const pattern::Pattern& pattern,
+                             const seams::ProposalSettings& settings, const std::vector<test::SewnPoints>& truth) {
+    const test::SeamScore s = test::score_of(pattern, seams::propose_seams(pattern, settings), truth);
     std::printf("%-42s seams %2d proposed %2d right %2d wrong %2zu missed %2zu recall %.3f precision %.3f\n",
                 name.c_str(), s.known, s.proposed, s.right, s.wrong.size(), s.missed.size(), s.recall(),
                 s.precision());
@@ -73,12 +73,12 @@ TEST_F(LongProposeShared, FindTheSeamsOfSpecificationsWithoutTheirStitchesAndPla
   test::SeamScore sum;
   for (const fs::path& path : files("_specification.json")) {
     std::ifstream in(path, std::ios::binary);
-    Result<GarmentCodeGarment> garment =
-        read_garmentcode(std::string{std::istreambuf_iterator<char>(in), {}});
+    Result<garmentcode::GarmentCodeGarment> garment =
+        garmentcode::read_garmentcode(std::string{std::istreambuf_iterator<char>(in), {}});
     ASSERT_TRUE(garment.ok()) << path << ": " << to_string(garment.error());
-    Pattern& pattern = garment->pattern;
+    pattern::Pattern& pattern = garment->pattern;
     std::vector<test::SewnPoints> truth;
-    for (const Seam& seam : std::exchange(pattern.seams, {})) truth.push_back(test::points_of(pattern, seam));
+    for (const pattern::Seam& seam : std::exchange(pattern.seams, {})) truth.push_back(test::points_of(pattern, seam));
     sum.add(row(path.filename(), pattern, {true, {}}, truth));
   }
   ASSERT_GT(sum.known, 0);

@@ -24,14 +24,14 @@ const char* const kSpecification = R"({"pattern": {"panels": {
     "stitches": [[{"panel": "front", "edge": 1}, {"panel": "back", "edge": 2}],
                  [{"panel": "front", "edge": 3}, {"panel": "back", "edge": 0}]]}})";
 
-std::string drawing_of(std::vector<Panel> panels) {
-  const Result<std::string> text = write_dxf({std::move(panels), {}});
+std::string drawing_of(std::vector<pattern::Panel> panels) {
+  const Result<std::string> text = dxf::write_dxf({std::move(panels), {}});
   EXPECT_TRUE(text.ok()) << (text ? "" : to_string(text.error()));
   return text ? *text : std::string{};
 }
 
-NewProjectSettings settings(std::optional<double> accept = {}) {
-  NewProjectSettings s;
+create::NewProjectSettings settings(std::optional<double> accept = {}) {
+  create::NewProjectSettings s;
   s.name = "trial";
   s.pattern_file = "trial.dxf";
   s.body_file = "body.obj";
@@ -40,14 +40,14 @@ NewProjectSettings settings(std::optional<double> accept = {}) {
 }
 
 TEST(ProjectNew, TakesSeamsAndPlacesFromASpecification) {
-  const auto made = new_project(kSpecification, settings());
+  const auto made = create::new_project(kSpecification, settings());
   ASSERT_TRUE(made.ok()) << to_string(made.error());
   ASSERT_EQ(made->project.pieces.size(), 2u);
   EXPECT_EQ(made->project.pieces[0].id, "front");
   EXPECT_NEAR(made->project.pieces[0].placement.rigid->translation.y, 1.0, 1e-12);
   EXPECT_EQ(made->project.seams.size(), 2u);
   EXPECT_TRUE(made->proposals.empty()) << "true seams need no proposals";
-  const std::vector<JsonValue> seams = seams_json(*made);
+  const std::vector<json::JsonValue> seams = create::seams_json(*made);
   ASSERT_EQ(seams.size(), 2u);
   EXPECT_EQ(*seams[0].find("confidence")->number(), 1);
   EXPECT_EQ(*seams[0].find("length_a_mm")->number(), 600);
@@ -55,63 +55,63 @@ TEST(ProjectNew, TakesSeamsAndPlacesFromASpecification) {
 
 TEST(ProjectNew, WritesADocumentThatReadsBack) {
   for (const std::string& text : {std::string(kSpecification), drawing_of(garments::trousers().panels)}) {
-    const auto made = new_project(text, settings(0.8));
+    const auto made = create::new_project(text, settings(0.8));
     ASSERT_TRUE(made.ok()) << to_string(made.error());
-    EXPECT_TRUE(validate(made->pattern).ok());
-    const auto read = parse_project(write_project(made->project));
+    EXPECT_TRUE(pattern::validate(made->pattern).ok());
+    const auto read = project::parse_project(project::write_project(made->project));
     ASSERT_TRUE(read.ok()) << to_string(read.error());
-    EXPECT_EQ(write_project(*read), write_project(made->project));
+    EXPECT_EQ(project::write_project(*read), project::write_project(made->project));
     EXPECT_EQ(read->seams.size(), made->pattern.seams.size());
   }
 }
 
 TEST(ProjectNew, AcceptsNoProposalUnasked) {
   const std::string text = drawing_of(garments::trousers().panels);
-  const auto none = new_project(text, settings()), sure = new_project(text, settings(0.8));
+  const auto none = create::new_project(text, settings()), sure = create::new_project(text, settings(0.8));
   ASSERT_TRUE(none.ok() && sure.ok());
   EXPECT_TRUE(none->project.seams.empty());
   EXPECT_EQ(none->proposals.size(), sure->proposals.size());
   const auto accepted = std::count_if(sure->proposals.begin(), sure->proposals.end(),
-                                      [](const SeamProposal& p) { return p.confidence >= 0.8; });
+                                      [](const seams::SeamProposal& p) { return p.confidence >= 0.8; });
   EXPECT_GE(accepted, 5);
   EXPECT_EQ(sure->project.seams.size(), static_cast<std::size_t>(accepted));
 }
 
 TEST(ProjectNew, CutsAPieceAsOftenAsTheDrawingSays) {
-  const Panel front = garments::piece("front", {{0, 0}, {300, 0}, {260, 500}, {0, 520}});
-  DxfDrawing drawing = read_dxf(drawing_of({front})).value();
+  const pattern::Panel front = garments::piece("front", {{0, 0}, {300, 0}, {260, 500}, {0, 520}});
+  dxf::DxfDrawing drawing = dxf::read_dxf(drawing_of({front})).value();
   ASSERT_EQ(drawing.pieces.size(), 1u);
   drawing.pieces[0].quantity = 2;
   drawing.pieces[0].mirrored = 1;
-  const auto made = new_project(drawing, settings());
+  const auto made = create::new_project(drawing, settings());
   ASSERT_TRUE(made.ok()) << to_string(made.error());
   ASSERT_EQ(made->project.pieces.size(), 2u);
   EXPECT_TRUE(made->project.pieces[0].from.has_value()) << "the drawing's own piece stays in the drawing";
   EXPECT_FALSE(made->project.pieces[1].outline.empty()) << "the one turned over stands in the document";
   EXPECT_NE(made->project.pieces[0].id, made->project.pieces[1].id);
-  const Panel &a = made->pattern.panels[0], &b = made->pattern.panels[1];
-  EXPECT_NEAR(signed_area(a.outline), signed_area(b.outline), 1e-6) << "both counter-clockwise";
+  const pattern::Panel &a = made->pattern.panels[0], &b = made->pattern.panels[1];
+  EXPECT_NEAR(pattern::signed_area(a.outline), pattern::signed_area(b.outline), 1e-6) << "both counter-clockwise";
 }
 
 TEST(ProjectNew, WhatIsDrawnWithinAPieceReachesTheProject) {
-  Panel front = garments::piece("front", {{0, 0}, {300, 0}, {260, 500}, {0, 520}});
+  pattern::Panel front = garments::piece("front", {{0, 0}, {300, 0}, {260, 500}, {0, 520}});
   front.lines = {{"pocket", {{50, 300}, {120, 300}, {120.5, 400.25}}}};
   std::string text = drawing_of({front});
   text.replace(text.find("Quantity: 1"), 11, "Quantity: 2");
-  const auto made = new_project(text, settings());
+  const auto made = create::new_project(text, settings());
   ASSERT_TRUE(made.ok()) << to_string(made.error());
   ASSERT_EQ(made->project.pieces.size(), 2u);
   EXPECT_TRUE(made->project.pieces[0].lines.empty()) << "they stand in the file";
   ASSERT_EQ(made->project.pieces[1].lines.size(), 1u) << "the one turned over stands in the document";
   EXPECT_TRUE(made->project.pieces[1].lines[0].drawn);
-  Project cloth = parse_project(write_project(made->project)).value();
+  project::Project cloth = project::parse_project(project::write_project(made->project)).value();
   cloth.bodies.clear();
-  ProjectFiles files;
+  resolve::ProjectFiles files;
   files.dxf_text = [&](const std::string&) -> Result<std::string> { return text; };
-  const Result<DrapeInput> input = resolve_project(cloth, files);
+  const Result<drape::DrapeInput> input = resolve::resolve_project(cloth, files);
   ASSERT_TRUE(input) << to_string(input.error());
   for (const double side : {1.0, -1.0}) {
-    const Panel& panel = input->pattern.panels[side > 0 ? 0 : 1];
+    const pattern::Panel& panel = input->pattern.panels[side > 0 ? 0 : 1];
     ASSERT_EQ(panel.lines.size(), 1u);
     ASSERT_EQ(panel.lines[0].points.size(), 3u);
     EXPECT_TRUE(panel.lines[0].drawn);
@@ -126,24 +126,24 @@ TEST(ProjectNew, OfTwoOfAKindOneIsTurnedOver) {
   // What `quantity` says → how many pieces, and how many of them are the drawing's mirror images.
   const std::initializer_list<std::tuple<const char*, std::size_t, std::size_t>> cases{
       {"2", 2, 1}, {"1,1", 2, 1}, {"1,0", 1, 0}, {"2,0", 2, 0}, {"4", 4, 2}, {"0", 1, 0}};
-  const Panel front = garments::piece("front", {{0, 0}, {300, 0}, {260, 500}, {0, 520}});
+  const pattern::Panel front = garments::piece("front", {{0, 0}, {300, 0}, {260, 500}, {0, 520}});
   for (const auto& [words, count, mirrored] : cases) {
     std::string text = drawing_of({front});
     const std::size_t at = text.find("Quantity: 1");
     ASSERT_NE(at, std::string::npos);
     text.replace(at, 11, std::string("Quantity: ") + words);
-    const auto made = new_project(text, settings());
+    const auto made = create::new_project(text, settings());
     ASSERT_TRUE(made.ok()) << to_string(made.error());
     ASSERT_EQ(made->project.pieces.size(), count) << words;
     std::size_t turned = 0;
     for (std::size_t i = 0; i < count; ++i) {
-      const ProjectPiece& piece = made->project.pieces[i];
+      const project::ProjectPiece& piece = made->project.pieces[i];
       turned += piece.from ? 0 : 1;
       EXPECT_EQ(piece.id.find("mirrored") != std::string::npos, !piece.from) << piece.id;
       // The slanted side: to the right in the drawing, to the left in its mirror image.
       double top = 0;
-      for (const PanelEdge& edge : made->pattern.panels[i].outline.edges)
-        for (const CubicBezier& c : edge.curves)
+      for (const pattern::PanelEdge& edge : made->pattern.panels[i].outline.edges)
+        for (const pattern::CubicBezier& c : edge.curves)
           if (c.p0.y > 499 && c.p0.y < 501) top = c.p0.x;
       EXPECT_NEAR(top, piece.from ? 260 : -260, 1e-6) << words;
     }
@@ -152,9 +152,9 @@ TEST(ProjectNew, OfTwoOfAKindOneIsTurnedOver) {
 }
 
 TEST(ProjectNew, SaysWhatIsWrongWithAPattern) {
-  EXPECT_EQ(new_project("", settings()).error().code, "dxf.empty");
-  EXPECT_EQ(new_project("{", settings()).error().code, "json.syntax");
-  EXPECT_EQ(new_project("{\"pattern\": {}}", settings()).error().code.substr(0, 12), "garmentcode.");
+  EXPECT_EQ(create::new_project("", settings()).error().code, "dxf.empty");
+  EXPECT_EQ(create::new_project("{", settings()).error().code, "json.syntax");
+  EXPECT_EQ(create::new_project("{\"pattern\": {}}", settings()).error().code.substr(0, 12), "garmentcode.");
 }
 
 }  // namespace

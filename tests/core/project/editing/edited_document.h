@@ -18,9 +18,9 @@ inline std::string square_dxf() {
   return text + "0\nTEXT\n8\nFRONT\n10\n50\n20\n50\n40\n5\n1\nFRONT\n0\nENDSEC\n0\nEOF\n";
 }
 
-inline ProjectFiles square_files() {
+inline resolve::ProjectFiles square_files() {
   return {.dxf_text = [](const std::string&) -> Result<std::string> { return square_dxf(); },
-          .body_mesh = [](const std::string&, const MeshSettings&) -> Result<RepairedMesh> {
+          .body_mesh = [](const std::string&, const mesh_import::MeshSettings&) -> Result<mesh_import::RepairedMesh> {
             return Error{"test.body", "an edit has no need of bodies", ""};
           }};
 }

@@ -14,28 +14,28 @@ namespace {
 using test::kEditedDocument;
 using test::square_files;
 
-Project base() { return parse_project(kEditedDocument).value(); }
+project::Project base() { return project::parse_project(kEditedDocument).value(); }
 
-Result<EditedProject> edited(const Project& project, const std::string& edits) {
-  const JsonValue list = TRY(parse_json(edits));
-  const std::vector<ProjectEdit> read = TRY(read_edits(list, "/edits"));
-  return apply_edits(project, read, square_files());
+Result<editing::EditedProject> edited(const project::Project& project, const std::string& edits) {
+  const json::JsonValue list = TRY(json::parse_json(edits));
+  const std::vector<editing::ProjectEdit> read = TRY(editing::read_edits(list, "/edits"));
+  return editing::apply_edits(project, read, square_files());
 }
 
 /// The project after the edits; undoing them has given the same bytes again.
-Project after(const Project& project, const std::string& edits) {
-  const Result<EditedProject> out = edited(project, edits);
+project::Project after(const project::Project& project, const std::string& edits) {
+  const Result<editing::EditedProject> out = edited(project, edits);
   EXPECT_TRUE(out) << to_string(out.error());
   if (!out) return project;
-  EXPECT_EQ(out->document, write_project_line(out->project));
-  const Result<EditedProject> back = apply_edits(out->project, out->inverse, square_files());
+  EXPECT_EQ(out->document, project::write_project_line(out->project));
+  const Result<editing::EditedProject> back = editing::apply_edits(out->project, out->inverse, square_files());
   EXPECT_TRUE(back) << to_string(back.error());
-  EXPECT_EQ(back ? back->document : "", write_project_line(project));
+  EXPECT_EQ(back ? back->document : "", project::write_project_line(project));
   return out->project;
 }
 
-Error refused(const Project& project, const std::string& edits) {
-  const Result<EditedProject> out = edited(project, edits);
+Error refused(const project::Project& project, const std::string& edits) {
+  const Result<editing::EditedProject> out = edited(project, edits);
   EXPECT_FALSE(out) << "the edits were carried out";
   return out ? Error{} : out.error();
 }
@@ -47,23 +47,23 @@ const T& named(const std::vector<T>& list, const std::string& id) {
   return *found;
 }
 
-std::vector<Vec3> stands(const Project& project, const std::string& piece, const std::vector<Vec2>& at_mm) {
-  Project cloth = project;
+std::vector<Vec3> stands(const project::Project& project, const std::string& piece, const std::vector<Vec2>& at_mm) {
+  project::Project cloth = project;
   cloth.bodies.clear();
-  const DrapeInput input = resolve_project(cloth, square_files()).value();
+  const drape::DrapeInput input = resolve::resolve_project(cloth, square_files()).value();
   for (std::size_t i = 0; i < input.pattern.panels.size(); ++i) {
     if (input.pattern.panels[i].id != piece) continue;
     std::vector<Vec2> flat;
     for (const Vec2 p : at_mm) flat.push_back(p * 1e-3);
-    return place(flat, input.placements[i]);
+    return sewing::place(flat, input.placements[i]);
   }
   return {};
 }
 
 TEST(ProjectEdit, MakesAnOutlineOfAPieceFromAFileWhenItsShapeChanges) {
-  const Project now = after(base(), R"([{"edit": "move_point", "piece": "front", "edge": "right", "point": 1,
+  const project::Project now = after(base(), R"([{"edit": "move_point", "piece": "front", "edge": "right", "point": 1,
                                         "to": [120, 110]}])");
-  const ProjectPiece& front = named(now.pieces, "front");
+  const project::ProjectPiece& front = named(now.pieces, "front");
   EXPECT_FALSE(front.from);
   EXPECT_TRUE(front.edge_names.empty());
   ASSERT_EQ(front.outline.size(), 4u);
@@ -73,13 +73,13 @@ TEST(ProjectEdit, MakesAnOutlineOfAPieceFromAFileWhenItsShapeChanges) {
 }
 
 TEST(ProjectEdit, LeavesAPieceInItsFileWhenOnlyItsLinesGrainOrClothChange) {
-  const Project now =
+  const project::Project now =
       after(base(), R"([{"edit": "add_line", "piece": "front", "id": "l2", "points": [[20, 20], [80, 20]]},
     {"edit": "rotate_grain", "piece": "front", "angle": 45},
     {"edit": "set_fabric", "piece": "front", "fabric": "silk"},
     {"edit": "set_texture", "piece": "front", "texture": {"image": "a.png", "scale_mm": 50}},
     {"edit": "set_physical", "piece": "front", "physical": {"thickness_mm": 2, "particle_distance_mm": 4}}])");
-  const ProjectPiece& front = now.pieces[0];
+  const project::ProjectPiece& front = now.pieces[0];
   ASSERT_TRUE(front.from);
   EXPECT_EQ(front.lines.size(), 2u);
   EXPECT_NEAR(front.grain->x, -std::sqrt(0.5), 1e-12);
@@ -91,77 +91,77 @@ TEST(ProjectEdit, LeavesAPieceInItsFileWhenOnlyItsLinesGrainOrClothChange) {
 }
 
 TEST(ProjectEdit, LinesOfTheFileComeAlongWhenAPieceLeavesIt) {
-  const Project project = base();
-  Project cloth = project;
+  const project::Project project = base();
+  project::Project cloth = project;
   cloth.bodies.clear();
-  const Panel drawn = resolve_project(cloth, square_files()).value().pattern.panels[0];
+  const pattern::Panel drawn = resolve::resolve_project(cloth, square_files()).value().pattern.panels[0];
   ASSERT_EQ(drawn.lines.size(), 2u);
   EXPECT_EQ(drawn.lines[0].id, "i0");
   EXPECT_TRUE(drawn.lines[0].drawn);
   EXPECT_FALSE(drawn.lines[1].drawn) << "the document's own line is followed";
-  const auto lines = [](const Project& p) { return named(p.pieces, "front").lines; };
-  const Project reshaped = after(project, R"([{"edit": "mirror_piece", "piece": "front"}])");
+  const auto lines = [](const project::Project& p) { return named(p.pieces, "front").lines; };
+  const project::Project reshaped = after(project, R"([{"edit": "mirror_piece", "piece": "front"}])");
   ASSERT_EQ(lines(reshaped).size(), 2u);
   EXPECT_TRUE(lines(reshaped)[0].drawn);
   EXPECT_EQ(lines(reshaped)[0].points, (std::vector<Vec2>{{70, 30}, {30, 30}}));
-  const Project rubbed = after(project, R"([{"edit": "remove_line", "piece": "front", "line": "i0"}])");
+  const project::Project rubbed = after(project, R"([{"edit": "remove_line", "piece": "front", "line": "i0"}])");
   EXPECT_FALSE(named(rubbed.pieces, "front").from) << "the file would draw it again";
   ASSERT_EQ(lines(rubbed).size(), 1u);
   EXPECT_EQ(lines(rubbed)[0].id, "pleat");
 }
 
 TEST(ProjectEdit, ALineOfTheFileGivesWayToTheDocumentsIds) {
-  Project project = base();
+  project::Project project = base();
   project.bodies.clear();
   project.pieces[0].lines[0].id = "i0";
   project.folds[0].lines[0] = "i0";
-  const Panel panel = resolve_project(project, square_files()).value().pattern.panels[0];
+  const pattern::Panel panel = resolve::resolve_project(project, square_files()).value().pattern.panels[0];
   ASSERT_EQ(panel.lines.size(), 2u);
   EXPECT_EQ(panel.lines[0].id, "i0_2");
   EXPECT_EQ(panel.lines[1].id, "i0");
 }
 
 TEST(ProjectEdit, MarksMovesAndUnmarksANotch) {
-  const Project marked =
+  const project::Project marked =
       after(base(), R"([{"edit": "add_notch", "piece": "band", "edge": "low", "at": 0.25, "depth_mm": 4}])");
-  const std::vector<ProjectNotch>& one = named(marked.pieces, "band").notches;
+  const std::vector<project::ProjectNotch>& one = named(marked.pieces, "band").notches;
   ASSERT_EQ(one.size(), 1u);
   EXPECT_LT(length(one[0].at - Vec2{50, 0}), 1e-9);
   EXPECT_EQ(one[0].depth_mm, 4);
   EXPECT_EQ(*one[0].inwards, (Vec2{0, 1}));
-  const Project moved = after(marked, R"([{"edit": "move_notch", "piece": "band", "notch": 0, "edge": "high",
+  const project::Project moved = after(marked, R"([{"edit": "move_notch", "piece": "band", "notch": 0, "edge": "high",
                                           "at": 0.25}])");
   EXPECT_LT(length(named(moved.pieces, "band").notches[0].at - Vec2{150, 30}), 1e-9);
   EXPECT_EQ(named(moved.pieces, "band").notches[0].depth_mm, 4);
-  const Project bare = after(moved, R"([{"edit": "remove_notch", "piece": "band", "notch": 0}])");
+  const project::Project bare = after(moved, R"([{"edit": "remove_notch", "piece": "band", "notch": 0}])");
   EXPECT_TRUE(named(bare.pieces, "band").notches.empty());
   EXPECT_EQ(refused(bare, R"([{"edit": "remove_notch", "piece": "band", "notch": 0}])").code,
             "edit.unknown_notch");
 }
 
 TEST(ProjectEdit, LeavesAPictureWhereItLiesOnTheCloth) {
-  const Project project = after(base(), R"([{"edit": "set_texture", "piece": "front",
+  const project::Project project = after(base(), R"([{"edit": "set_texture", "piece": "front",
       "texture": {"image": "a.png", "scale_mm": 50, "offset": [10, 20], "angle": 5}}])");
-  const auto offset = [](const Project& p, const char* piece) {
+  const auto offset = [](const project::Project& p, const char* piece) {
     return named(p.pieces, piece).texture->offset;
   };
   EXPECT_EQ(offset(after(project, R"([{"edit": "move_piece", "piece": "front", "by": [7, -3]}])"), "front"),
             (Vec2{17, 17}));
-  const Project copied =
+  const project::Project copied =
       after(project, R"([{"edit": "duplicate_piece", "piece": "front", "id": "copy", "by": [300, 0]}])");
   EXPECT_EQ(offset(copied, "front"), (Vec2{10, 20}));
   EXPECT_EQ(offset(copied, "copy"), (Vec2{310, 20}));
-  const Project turned = after(project, R"([{"edit": "mirror_piece", "piece": "front"}])");
+  const project::Project turned = after(project, R"([{"edit": "mirror_piece", "piece": "front"}])");
   EXPECT_EQ(offset(turned, "front"), (Vec2{90, 20})) << "the piece is 100 mm wide";
   EXPECT_EQ(named(turned.pieces, "front").texture->angle, 5);
 }
 
 TEST(ProjectEdit, GivesAPieceItsOwnCloth) {
-  const Project now =
+  const project::Project now =
       after(base(), R"([{"edit": "set_physical", "piece": "back", "physical": {"areal_mass_g_m2": 500}}])");
-  Project cloth = now;
+  project::Project cloth = now;
   cloth.bodies.clear();
-  const DrapeInput input = resolve_project(cloth, square_files()).value();
+  const drape::DrapeInput input = resolve::resolve_project(cloth, square_files()).value();
   const auto fabric = [&](std::size_t panel) {
     return input.fabrics[static_cast<std::size_t>(input.fabric_of_panel[panel])];
   };
@@ -178,12 +178,12 @@ TEST(ProjectEdit, RefusesClothThatWouldGainEnergy) {
 }
 
 TEST(ProjectEdit, SeamsAndHoldsFollowASplitEdge) {
-  const Project now = after(
+  const project::Project now = after(
       base(), R"([{"edit": "split_edge", "piece": "front", "edge": "waist", "at": 0.3, "id": "more"}])");
   ASSERT_EQ(named(now.seams, "waist").a.size(), 3u);
   EXPECT_EQ(named(now.seams, "waist").a[1].edge, "more");
   EXPECT_EQ(now.attachments[0].edges, (std::vector<std::string>{"waist", "more"}));
-  const Project joined =
+  const project::Project joined =
       after(now, R"([{"edit": "join_edges", "piece": "front", "edge": "waist", "next": "more"}])");
   EXPECT_EQ(joined.attachments[0].edges, (std::vector<std::string>{"waist"}));
   EXPECT_EQ(joined.seams, base().seams);
@@ -197,7 +197,7 @@ TEST(ProjectEdit, RefusesToJoinAHeldEdgeWithOneThatIsNot) {
 }
 
 TEST(ProjectEdit, EverythingFollowsARenamedPiece) {
-  const Project now = after(base(), R"([{"edit": "rename_piece", "piece": "front", "to": "fore"},
+  const project::Project now = after(base(), R"([{"edit": "rename_piece", "piece": "front", "to": "fore"},
                                         {"edit": "rename_piece", "piece": "band", "to": "belt"}])");
   EXPECT_TRUE(now.pieces[0].from) << "its shape is the same";
   EXPECT_EQ(now.seams[0].a[0].piece, "fore");
@@ -210,7 +210,7 @@ TEST(ProjectEdit, EverythingFollowsARenamedPiece) {
 }
 
 TEST(ProjectEdit, WhatIsOnADeletedPieceGoesWithIt) {
-  const Project now = after(base(), R"([{"edit": "delete_piece", "piece": "front"}])");
+  const project::Project now = after(base(), R"([{"edit": "delete_piece", "piece": "front"}])");
   EXPECT_EQ(now.pieces.size(), 2u);
   ASSERT_EQ(now.seams.size(), 1u);
   EXPECT_EQ(now.seams[0].a.size(), 1u);
@@ -219,7 +219,7 @@ TEST(ProjectEdit, WhatIsOnADeletedPieceGoesWithIt) {
   EXPECT_TRUE(now.folds.empty());
   EXPECT_TRUE(now.cushions.empty());
   EXPECT_EQ(now.buttons.size(), 1u);
-  const Project less = after(base(), R"([{"edit": "delete_piece", "piece": "band"}])");
+  const project::Project less = after(base(), R"([{"edit": "delete_piece", "piece": "band"}])");
   EXPECT_TRUE(less.buttons.empty());
   EXPECT_TRUE(less.elastics.empty());
   EXPECT_EQ(less.attachments.size(), 1u);
@@ -242,20 +242,20 @@ TEST(ProjectEdit, AMovedPieceStaysWhereItStandsInSpace) {
 }
 
 TEST(ProjectEdit, ButtonsFollowAPieceThatIsTurnedOver) {
-  const Project now = after(base(), R"([{"edit": "mirror_piece", "piece": "band"}])");
+  const project::Project now = after(base(), R"([{"edit": "mirror_piece", "piece": "band"}])");
   EXPECT_EQ(now.buttons[0].a.at, (Vec2{190, 15}));
   EXPECT_EQ(now.buttons[0].b.at, (Vec2{10, 15}));
 }
 
 TEST(ProjectEdit, KeepsHolesAndNotchesOfAnEditedPiece) {
-  const Project now = after(base(), R"([{"edit": "move_point", "piece": "back", "edge": "right", "point": 0,
+  const project::Project now = after(base(), R"([{"edit": "move_point", "piece": "back", "edge": "right", "point": 0,
                                         "to": [105, -5]}])");
-  const ProjectPiece& back = now.pieces[1];
+  const project::ProjectPiece& back = now.pieces[1];
   ASSERT_EQ(back.holes.size(), 1u);
   ASSERT_EQ(back.notches.size(), 1u);
   EXPECT_EQ(back.notches[0].at, (Vec2{105, -5}));
   EXPECT_EQ(back.notches[0].depth_mm, 5);
-  const Project again = after(now, R"([{"edit": "move_point", "piece": "back", "edge": "right", "point": 0,
+  const project::Project again = after(now, R"([{"edit": "move_point", "piece": "back", "edge": "right", "point": 0,
                                        "to": [100, 0]}])");
   EXPECT_EQ(again.pieces[1].holes, back.holes) << "written and read, a hole stays as it is";
 }
@@ -302,12 +302,12 @@ TEST(ProjectEdit, TellsWhatIsWrongAndWhere) {
   }
   EXPECT_EQ(refused(base(), "{}").code, "project.wrong_type");
   std::string many = "[{}";
-  for (std::size_t i = 0; i < kMostEdits; ++i) many += ", {}";
+  for (std::size_t i = 0; i < editing::kMostEdits; ++i) many += ", {}";
   EXPECT_EQ(refused(base(), many + "]").code, "edit.too_many");
 }
 
 TEST(ProjectEdit, NoEditsChangeNothing) {
-  const Result<EditedProject> out = edited(base(), "[]");
+  const Result<editing::EditedProject> out = edited(base(), "[]");
   ASSERT_TRUE(out);
   EXPECT_TRUE(out->inverse.empty());
   EXPECT_EQ(out->project, base());
@@ -317,24 +317,24 @@ TEST(ProjectEdit, NoEditsChangeNothing) {
 struct CountedFiles {
   int dxf = 0, body = 0;
 
-  ProjectFiles files() {
-    ProjectFiles files = square_files();
+  resolve::ProjectFiles files() {
+    resolve::ProjectFiles files = square_files();
     files.dxf_text = [this, read = files.dxf_text](const std::string& name) {
       ++dxf;
       return read(name);
     };
-    files.body_mesh = [this](const std::string&, const MeshSettings&) -> Result<RepairedMesh> {
+    files.body_mesh = [this](const std::string&, const mesh_import::MeshSettings&) -> Result<mesh_import::RepairedMesh> {
       ++body;
-      return RepairedMesh{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, {}};
+      return mesh_import::RepairedMesh{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, {}};
     };
     return files;
   }
 };
 
-Result<EditedProject> edited_with(CountedFiles& counted, const Project& project, const std::string& edits) {
-  const JsonValue list = TRY(parse_json(edits));
-  const std::vector<ProjectEdit> read = TRY(read_edits(list, "/edits"));
-  return apply_edits(project, read, counted.files());
+Result<editing::EditedProject> edited_with(CountedFiles& counted, const project::Project& project, const std::string& edits) {
+  const json::JsonValue list = TRY(json::parse_json(edits));
+  const std::vector<editing::ProjectEdit> read = TRY(editing::read_edits(list, "/edits"));
+  return editing::apply_edits(project, read, counted.files());
 }
 
 TEST(PatternEdits, ReadAFileOnceThoughTheDocumentIsResolvedBeforeAndAfter) {

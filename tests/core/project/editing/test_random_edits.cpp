@@ -22,11 +22,11 @@ class RandomEdits {
  public:
   explicit RandomEdits(std::uint64_t seed) : chance_(seed) {}
 
-  std::vector<ProjectEdit> some(const Project& project) {
-    Project cloth = project;
+  std::vector<editing::ProjectEdit> some(const project::Project& project) {
+    project::Project cloth = project;
     cloth.bodies.clear();
-    const Pattern pattern = resolve_project(cloth, square_files()).value().pattern;
-    std::vector<ProjectEdit> edits;
+    const pattern::Pattern pattern = resolve::resolve_project(cloth, square_files()).value().pattern;
+    std::vector<editing::ProjectEdit> edits;
     for (int n = chance_.whole(1, 3); n > 0; --n) edits.push_back(one(project, pattern));
     return edits;
   }
@@ -41,120 +41,120 @@ class RandomEdits {
   }
   std::string fresh(const std::string& stem) { return stem + std::to_string(chance_.whole(1, 60)); }
 
-  ProjectEdit one(const Project& project, const Pattern& pattern) {
-    const Panel& panel = any(pattern.panels);
-    const PanelEdge& edge = *any(edges_of(panel));
+  editing::ProjectEdit one(const project::Project& project, const pattern::Pattern& pattern) {
+    const pattern::Panel& panel = any(pattern.panels);
+    const pattern::PanelEdge& edge = *any(pattern::edges_of(panel));
     const int curves = static_cast<int>(edge.curves.size());
-    const CubicBezier& curve = any(edge.curves);
+    const pattern::CubicBezier& curve = any(edge.curves);
     const int kind = chance_.whole(0, 27);
     if (kind < 10) return of_edge(kind, panel, edge, curves, curve);
     if (kind < 18) return of_piece(kind, project, panel, edge);
     return of_more(kind, project, pattern, panel);
   }
 
-  ProjectEdit of_edge(int kind, const Panel& panel, const PanelEdge& edge, int curves,
-                      const CubicBezier& curve) {
+  editing::ProjectEdit of_edge(int kind, const pattern::Panel& panel, const pattern::PanelEdge& edge, int curves,
+                      const pattern::CubicBezier& curve) {
     const std::string &p = panel.id, &e = edge.id;
     switch (kind) {
       case 0:
-        return PatternEdit(MovePoint{p, e, chance_.whole(0, curves), near(curve.p0, 15)});
+        return edit::PatternEdit(edit::MovePoint{p, e, chance_.whole(0, curves), near(curve.p0, 15)});
       case 1:
-        return PatternEdit(
-            MoveHandle{p, e, chance_.whole(0, curves - 1), chance_.whole(1, 2), near(curve.p1, 10)});
+        return edit::PatternEdit(
+            edit::MoveHandle{p, e, chance_.whole(0, curves - 1), chance_.whole(1, 2), near(curve.p1, 10)});
       case 2:
-        return PatternEdit(InsertPoint{p, e, chance_.unit()});
+        return edit::PatternEdit(edit::InsertPoint{p, e, chance_.unit()});
       case 3:
-        return PatternEdit(DeletePoint{p, e, chance_.whole(0, curves)});
+        return edit::PatternEdit(edit::DeletePoint{p, e, chance_.whole(0, curves)});
       case 4:
-        return PatternEdit(SplitEdge{p, e, chance_.unit(), chance_.happens(0.5) ? fresh("x") : ""});
+        return edit::PatternEdit(edit::SplitEdge{p, e, chance_.unit(), chance_.happens(0.5) ? fresh("x") : ""});
       case 5: {
-        const Loop& loop = panel.outline;
+        const pattern::Loop& loop = panel.outline;
         const auto at = static_cast<std::size_t>(chance_.whole(0, static_cast<int>(loop.edges.size()) - 1));
-        return PatternEdit(JoinEdges{p, loop.edges[at].id, loop.edges[(at + 1) % loop.edges.size()].id});
+        return edit::PatternEdit(edit::JoinEdges{p, loop.edges[at].id, loop.edges[(at + 1) % loop.edges.size()].id});
       }
       case 6:
-        return PatternEdit(StraightenEdge{p, e, chance_.whole(-1, curves - 1)});
+        return edit::PatternEdit(edit::StraightenEdge{p, e, chance_.whole(-1, curves - 1)});
       case 7:
-        return PatternEdit(BendEdge{p, e, 0, near(curve.p1, 20), near(curve.p2, 20)});
+        return edit::PatternEdit(edit::BendEdge{p, e, 0, near(curve.p1, 20), near(curve.p2, 20)});
       case 8:
-        return PatternEdit(
-            SetEdgeLength{p, e, chance_.between(5, 250),
+        return edit::PatternEdit(
+            edit::SetEdgeLength{p, e, chance_.between(5, 250),
                           std::vector<std::string>{"start", "middle",
                                                    "end"}[static_cast<std::size_t>(chance_.whole(0, 2))]});
       default:
-        return PatternEdit(
-            AddDart{p, e, chance_.unit(), chance_.between(1, 10), chance_.between(1, 30), fresh("d")});
+        return edit::PatternEdit(
+            edit::AddDart{p, e, chance_.unit(), chance_.between(1, 10), chance_.between(1, 30), fresh("d")});
     }
   }
 
-  ProjectEdit of_piece(int kind, const Project& project, const Panel& panel, const PanelEdge& edge) {
+  editing::ProjectEdit of_piece(int kind, const project::Project& project, const pattern::Panel& panel, const pattern::PanelEdge& edge) {
     const std::string& p = panel.id;
     const Vec2 at = near({50, 50}, 40);
     switch (kind) {
       case 10:
-        return PatternEdit(MirrorPiece{p});
+        return edit::PatternEdit(edit::MirrorPiece{p});
       case 11:
-        return PatternEdit(RotateGrain{p, chance_.between(-180, 180)});
+        return edit::PatternEdit(edit::RotateGrain{p, chance_.between(-180, 180)});
       case 12:
-        return PatternEdit(AddLine{p, {fresh("l"), {at, at + Vec2{5, 5}}, chance_.happens(0.3)}});
+        return edit::PatternEdit(edit::AddLine{p, {fresh("l"), {at, at + Vec2{5, 5}}, chance_.happens(0.3)}});
       case 13:
-        return PatternEdit(RemoveLine{p, panel.lines.empty() ? "none" : any(panel.lines).id});
+        return edit::PatternEdit(edit::RemoveLine{p, panel.lines.empty() ? "none" : any(panel.lines).id});
       case 14:
         if (chance_.happens(0.5))
-          return PatternEdit(
-              AddInnerDart{p, at, at + near({0, 15}, 10), chance_.between(1, 6), 0.5, fresh("i")});
-        if (chance_.happens(0.5)) return PatternEdit(RenameEdge{p, edge.id, fresh("r")});
-        return PatternEdit(RemoveHole{p, edge.id});
+          return edit::PatternEdit(
+              edit::AddInnerDart{p, at, at + near({0, 15}, 10), chance_.between(1, 6), 0.5, fresh("i")});
+        if (chance_.happens(0.5)) return edit::PatternEdit(edit::RenameEdge{p, edge.id, fresh("r")});
+        return edit::PatternEdit(edit::RemoveHole{p, edge.id});
       case 15:
-        return PatternEdit(MovePiece{p, near({0, 0}, 50)});
+        return edit::PatternEdit(edit::MovePiece{p, near({0, 0}, 50)});
       case 16:
-        return PatternEdit(RenamePiece{p, fresh("piece")});
+        return edit::PatternEdit(edit::RenamePiece{p, fresh("piece")});
       default:
-        if (chance_.happens(0.3)) return PatternEdit(DeletePiece{p});
-        if (project.pieces.size() > 5) return PatternEdit(DeletePiece{p});
-        return PatternEdit(DuplicatePiece{p, fresh("copy"), near({0, 0}, 50), chance_.happens(0.5)});
+        if (chance_.happens(0.3)) return edit::PatternEdit(edit::DeletePiece{p});
+        if (project.pieces.size() > 5) return edit::PatternEdit(edit::DeletePiece{p});
+        return edit::PatternEdit(edit::DuplicatePiece{p, fresh("copy"), near({0, 0}, 50), chance_.happens(0.5)});
     }
   }
 
-  ProjectEdit of_more(int kind, const Project& project, const Pattern& pattern, const Panel& panel) {
+  editing::ProjectEdit of_more(int kind, const project::Project& project, const pattern::Pattern& pattern, const pattern::Panel& panel) {
     const std::string seam = project.seams.empty() ? "none" : any(project.seams).id;
     const Vec2 at = near({50, 50}, 40);
     switch (kind) {
       case 18: {
-        const Panel& other = any(pattern.panels);
-        return PatternEdit(AddSeam{fresh("s"),
-                                   {{panel.id, any(edges_of(panel))->id, chance_.happens(0.5)}},
-                                   {{other.id, any(edges_of(other))->id, false, 0, chance_.unit()}},
+        const pattern::Panel& other = any(pattern.panels);
+        return edit::PatternEdit(edit::AddSeam{fresh("s"),
+                                   {{panel.id, any(pattern::edges_of(panel))->id, chance_.happens(0.5)}},
+                                   {{other.id, any(pattern::edges_of(other))->id, false, 0, chance_.unit()}},
                                    chance_.happens(0.5)});
       }
       case 19:
-        return PatternEdit(RemoveSeam{seam});
+        return edit::PatternEdit(edit::RemoveSeam{seam});
       case 20:
-        return PatternEdit(ReverseSeam{seam});
+        return edit::PatternEdit(edit::ReverseSeam{seam});
       case 21:
-        return PatternEdit(RemoveDart{seam});
+        return edit::PatternEdit(edit::RemoveDart{seam});
       case 22:
-        return PatternEdit(SetFabric{panel.id, chance_.happens(0.8) ? "silk" : "tweed"});
+        return edit::PatternEdit(edit::SetFabric{panel.id, chance_.happens(0.8) ? "silk" : "tweed"});
       case 23: {
         const std::string id = fresh("h");
         const Vec2 a = at, b = at + Vec2{6, 0}, c = at + Vec2{3, 6};
-        return PatternEdit(AddHole{
+        return edit::PatternEdit(edit::AddHole{
             panel.id, {{id, {a, b, c}, {}}, {id + "b", {}, {{{c, c + Vec2{-1, -3}, a + Vec2{0, 2}, a}}}}}});
       }
       case 24:
-        return SetTexture{panel.id,
-                          ProjectTexture{"a.png", chance_.between(1, 90), near({0, 0}, 9), chance_.unit()}};
+        return editing::SetTexture{panel.id,
+                          project::ProjectTexture{"a.png", chance_.between(1, 90), near({0, 0}, 9), chance_.unit()}};
       case 25:
-        return PatternEdit(AddNotch{panel.id, any(edges_of(panel))->id, chance_.unit(), 5});
+        return edit::PatternEdit(edit::AddNotch{panel.id, any(pattern::edges_of(panel))->id, chance_.unit(), 5});
       case 26: {
         const int notch = chance_.whole(0, static_cast<int>(panel.notches.size()));
-        if (chance_.happens(0.5)) return PatternEdit(RemoveNotch{panel.id, notch});
-        return PatternEdit(MoveNotch{panel.id, notch, any(edges_of(panel))->id, chance_.unit(), {}});
+        if (chance_.happens(0.5)) return edit::PatternEdit(edit::RemoveNotch{panel.id, notch});
+        return edit::PatternEdit(edit::MoveNotch{panel.id, notch, any(pattern::edges_of(panel))->id, chance_.unit(), {}});
       }
       default: {
-        ProjectPhysical physical;
+        project::ProjectPhysical physical;
         physical.thickness_mm = chance_.between(0.1, 2);
-        return SetPhysical{panel.id, physical};
+        return editing::SetPhysical{panel.id, physical};
       }
     }
   }
@@ -163,31 +163,31 @@ class RandomEdits {
 };
 
 struct Step {
-  Project before;
-  std::vector<ProjectEdit> edits, inverse;
-  Project after;
+  project::Project before;
+  std::vector<editing::ProjectEdit> edits, inverse;
+  project::Project after;
 };
 
 /// The edits as they come out of their own JSON.
-std::vector<ProjectEdit> through_json(const std::vector<ProjectEdit>& edits) {
-  const std::string text = write_json_line(edits_json(edits));
-  const Result<std::vector<ProjectEdit>> read = read_edits(parse_json(text).value(), "");
+std::vector<editing::ProjectEdit> through_json(const std::vector<editing::ProjectEdit>& edits) {
+  const std::string text = json::write_json_line(editing::edits_json(edits));
+  const Result<std::vector<editing::ProjectEdit>> read = editing::read_edits(json::parse_json(text).value(), "");
   EXPECT_TRUE(read) << to_string(read.error()) << text;
   if (!read) return edits;
-  EXPECT_EQ(write_json_line(edits_json(*read)), text);
+  EXPECT_EQ(json::write_json_line(editing::edits_json(*read)), text);
   return *read;
 }
 
 void try_history(std::uint64_t seed, int length, int& carried_out, int& refused) {
   RandomEdits random(seed);
-  Project project = parse_project(test::kEditedDocument).value();
-  const std::string first = write_project(project);
+  project::Project project = project::parse_project(test::kEditedDocument).value();
+  const std::string first = project::write_project(project);
   std::vector<Step> steps;
   for (int i = 0; i < length; ++i) {
-    const std::vector<ProjectEdit> edits = random.some(project);
-    const std::string before = write_project(project);
-    const Result<EditedProject> out = apply_edits(project, edits, square_files());
-    ASSERT_EQ(write_project(project), before) << "the given project was touched";
+    const std::vector<editing::ProjectEdit> edits = random.some(project);
+    const std::string before = project::write_project(project);
+    const Result<editing::EditedProject> out = editing::apply_edits(project, edits, square_files());
+    ASSERT_EQ(project::write_project(project), before) << "the given project was touched";
     if (!out) {
       ++refused;
       EXPECT_FALSE(out.error().code.empty());
@@ -199,16 +199,16 @@ void try_history(std::uint64_t seed, int length, int& carried_out, int& refused)
     project = out->project;
   }
   for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
-    const Result<EditedProject> back = apply_edits(step->after, through_json(step->inverse), square_files());
-    ASSERT_TRUE(back) << to_string(back.error()) << write_json_line(edits_json(step->edits));
-    ASSERT_EQ(back->document, write_project_line(step->before)) << write_json_line(edits_json(step->edits));
+    const Result<editing::EditedProject> back = editing::apply_edits(step->after, through_json(step->inverse), square_files());
+    ASSERT_TRUE(back) << to_string(back.error()) << json::write_json_line(editing::edits_json(step->edits));
+    ASSERT_EQ(back->document, project::write_project_line(step->before)) << json::write_json_line(editing::edits_json(step->edits));
   }
   ASSERT_FALSE(steps.empty());
-  EXPECT_EQ(write_project(steps.front().before), first);
+  EXPECT_EQ(project::write_project(steps.front().before), first);
   for (const Step& step : steps) {
-    const Result<EditedProject> again = apply_edits(step.before, through_json(step.edits), square_files());
+    const Result<editing::EditedProject> again = editing::apply_edits(step.before, through_json(step.edits), square_files());
     ASSERT_TRUE(again) << to_string(again.error());
-    ASSERT_EQ(again->document, write_project_line(step.after));
+    ASSERT_EQ(again->document, project::write_project_line(step.after));
   }
 }
 
@@ -264,24 +264,24 @@ std::string mangled(Chance& chance) {
 
 void fuzz(std::uint64_t seed, int rounds) {
   Chance chance(seed);
-  const Project project = parse_project(test::kEditedDocument).value();
+  const project::Project project = project::parse_project(test::kEditedDocument).value();
   for (int i = 0; i < rounds; ++i) {
     const std::string text = mangled(chance);
-    const Result<JsonValue> tree = parse_json(text);
+    const Result<json::JsonValue> tree = json::parse_json(text);
     if (!tree) continue;
-    const Result<std::vector<ProjectEdit>> edits = read_edits(*tree, "/edits");
+    const Result<std::vector<editing::ProjectEdit>> edits = editing::read_edits(*tree, "/edits");
     if (!edits) {
       EXPECT_TRUE(edits.error().where.starts_with("/edits")) << text;
       continue;
     }
-    const Result<EditedProject> out = apply_edits(project, *edits, square_files());
+    const Result<editing::EditedProject> out = editing::apply_edits(project, *edits, square_files());
     if (!out) {
       EXPECT_TRUE(out.error().where.starts_with("/edits")) << text << to_string(out.error());
       continue;
     }
-    const Result<EditedProject> back = apply_edits(out->project, out->inverse, square_files());
+    const Result<editing::EditedProject> back = editing::apply_edits(out->project, out->inverse, square_files());
     ASSERT_TRUE(back) << text << to_string(back.error());
-    EXPECT_EQ(back->document, write_project_line(project)) << text;
+    EXPECT_EQ(back->document, project::write_project_line(project)) << text;
   }
 }
 

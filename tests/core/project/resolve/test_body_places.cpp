@@ -41,40 +41,40 @@ constexpr const char* kDressed = R"({
                   {"id": "hook", "piece": "sleeve", "to": {"place": [0.5, 1.5, 0.25]}, "release_after_s": -1}]
 })";
 
-const TriangleMesh& ann() {
-  static const TriangleMesh mesh = load_mesh(TOILE_SOURCE_DIR "/samples/skirt/body.obj").value();
+const geometry::TriangleMesh& ann() {
+  static const geometry::TriangleMesh mesh = mesh_import::load_mesh(TOILE_SOURCE_DIR "/samples/skirt/body.obj").value();
   return mesh;
 }
 
-Result<DrapeInput> resolved(const std::string& text) {
-  const Project project = TRY(parse_project(text));
-  const TriangleMesh table{{{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, 1, 0}},
+Result<drape::DrapeInput> resolved(const std::string& text) {
+  const project::Project project = TRY(project::parse_project(text));
+  const geometry::TriangleMesh table{{{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, 1, 0}},
                            {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}};
-  const ProjectFiles files{
-      .dxf_text = {}, .body_mesh = [&](const std::string& name, const MeshSettings&) -> Result<RepairedMesh> {
-        return RepairedMesh{name == "table.obj" ? table : ann(), {}};
+  const resolve::ProjectFiles files{
+      .dxf_text = {}, .body_mesh = [&](const std::string& name, const mesh_import::MeshSettings&) -> Result<mesh_import::RepairedMesh> {
+        return mesh_import::RepairedMesh{name == "table.obj" ? table : ann(), {}};
       }};
-  return resolve_project(project, files);
+  return resolve::resolve_project(project, files);
 }
 
-DrapeInput dressed() { return resolved(kDressed).value(); }
+drape::DrapeInput dressed() { return resolved(kDressed).value(); }
 
 void expect_refused(const std::string& from, const std::string& to, const char* code,
                     const std::string& where) {
-  const Result<DrapeInput> input = resolved(changed(kDressed, from, to));
+  const Result<drape::DrapeInput> input = resolved(changed(kDressed, from, to));
   ASSERT_FALSE(input) << to;
   EXPECT_EQ(input.error().code, code) << to_string(input.error());
   EXPECT_TRUE(input.error().where.starts_with(where)) << to_string(input.error());
 }
 
-PartBox box_of(BodyPart part) {
-  return part_boxes(ann(), find_figure(ann()).value())[static_cast<std::size_t>(part)];
+measure::PartBox box_of(measure::BodyPart part) {
+  return measure::part_boxes(ann(), measure::find_figure(ann()).value())[static_cast<std::size_t>(part)];
 }
 
 TEST(ProjectBodyPlaces, APieceStandsWithItsMiddleBeforeTheSideThatIsNamed) {
-  const DrapeInput input = dressed();
-  const PartBox box = box_of(BodyPart::kHips);
-  const std::vector<Vec3> p = place({{0.15, 0.2}, {0.3, 0.2}, {0.15, 0.4}}, input.placements[0]);
+  const drape::DrapeInput input = dressed();
+  const measure::PartBox box = box_of(measure::BodyPart::kHips);
+  const std::vector<Vec3> p = sewing::place({{0.15, 0.2}, {0.3, 0.2}, {0.15, 0.4}}, input.placements[0]);
   EXPECT_NEAR(dot(p[0] - box.centre, box.axis[2]), -(box.half.z + 0.03), 1e-9) << "3 cm behind the hips";
   EXPECT_NEAR(dot(p[0] - box.centre, box.axis[0]), -0.02, 1e-9) << "right as one looks at the back";
   EXPECT_NEAR(dot(p[0] - box.centre, box.axis[1]), 0.05, 1e-9);
@@ -83,38 +83,38 @@ TEST(ProjectBodyPlaces, APieceStandsWithItsMiddleBeforeTheSideThatIsNamed) {
 }
 
 TEST(ProjectBodyPlaces, APieceGoesAroundAnArmClearOfIt) {
-  const DrapeInput input = dressed();
-  const PartBox box = box_of(BodyPart::kLeftArm);
-  const auto& wrapped = std::get<WrappedPlacement>(input.placements[1]);
+  const drape::DrapeInput input = dressed();
+  const measure::PartBox box = box_of(measure::BodyPart::kLeftArm);
+  const auto& wrapped = std::get<sewing::WrappedPlacement>(input.placements[1]);
   EXPECT_EQ(wrapped.anchor, (Vec2{0.15, 0.1}));
   EXPECT_NEAR(length(wrapped.up - box.axis[1]), 0, 1e-12);
-  const double stands_out = radius_of_part(ann(), find_figure(ann()).value(), box, -0.1, 0.1);
+  const double stands_out = arrange::radius_of_part(ann(), measure::find_figure(ann()).value(), box, -0.1, 0.1);
   EXPECT_NEAR(wrapped.radius, stands_out + 0.015, 1e-12) << "as the piece is 20 cm tall";
 }
 
 TEST(ProjectBodyPlaces, ASheetToldByABoxIsTheSameSheet) {
-  const auto boxes = part_boxes(ann(), find_figure(ann()).value());
+  const auto boxes = measure::part_boxes(ann(), measure::find_figure(ann()).value());
   for (const bool flipped : {false, true}) {
-    const RigidPlacement sheet{{0.02, 0.8, -0.21}, {0, 3.14159265358979, 0.3}, flipped};
-    const auto told = project_on_box(sheet, {0.1, 0.05}, boxes);
+    const sewing::RigidPlacement sheet{{0.02, 0.8, -0.21}, {0, 3.14159265358979, 0.3}, flipped};
+    const auto told = create::project_on_box(sheet, {0.1, 0.05}, boxes);
     ASSERT_TRUE(told);
     EXPECT_EQ(told->side, "back");
-    Result<Project> project = parse_project(kDressed);
+    Result<project::Project> project = project::parse_project(kDressed);
     project->pieces[0].placement = {.on_box = told};
-    const auto input = resolved(write_project(*project));
+    const auto input = resolved(project::write_project(*project));
     ASSERT_TRUE(input) << to_string(input.error());
     const std::vector<Vec2> flat{{0, 0}, {0.3, 0}, {0.3, 0.4}};
-    const std::vector<Vec3> p = place(flat, sheet), q = place(flat, input->placements[0]);
+    const std::vector<Vec3> p = sewing::place(flat, sheet), q = sewing::place(flat, input->placements[0]);
     for (std::size_t i = 0; i < p.size(); ++i) EXPECT_LT(length(p[i] - q[i]), 5e-5) << i << flipped;
   }
-  EXPECT_FALSE(project_on_box({{0, 1, 0.3}, {0.5, 0, 0}, false}, {}, boxes)) << "parallel to no side";
+  EXPECT_FALSE(create::project_on_box({{0, 1, 0.3}, {0.5, 0, 0}, false}, {}, boxes)) << "parallel to no side";
 }
 
 TEST(ProjectBodyPlaces, PlacesFollowTheBodyWhereItStands) {
   const auto moved = resolved(changed(kDressed, "\"skin_offset_mm\": 1.5", "\"translation\": [1, 0, 2]"));
   ASSERT_TRUE(moved) << to_string(moved.error());
-  const Vec3 by = std::get<RigidPlacement>(moved->placements[0]).translation -
-                  std::get<RigidPlacement>(dressed().placements[0]).translation;
+  const Vec3 by = std::get<sewing::RigidPlacement>(moved->placements[0]).translation -
+                  std::get<sewing::RigidPlacement>(dressed().placements[0]).translation;
   EXPECT_NEAR(length(by - Vec3{1, 0, 2}), 0, 1e-9);
 }
 
@@ -123,31 +123,31 @@ TEST(ProjectBodyPlaces, FlippedAPieceTurnsItsRightSideToTheBodyAndKeepsItsMiddle
       resolved(changed(kDressed, "\"at\": [0.02, 0.05]", "\"at\": [0.02, 0.05], \"flipped\": true"));
   ASSERT_TRUE(flipped) << to_string(flipped.error());
   const std::vector<Vec2> flat{{0.15, 0.2}, {0.3, 0.2}, {0.15, 0.4}};
-  const std::vector<Vec3> p = place(flat, flipped->placements[0]), q = place(flat, dressed().placements[0]);
+  const std::vector<Vec3> p = sewing::place(flat, flipped->placements[0]), q = sewing::place(flat, dressed().placements[0]);
   EXPECT_NEAR(length(p[0] - q[0]), 0, 1e-9);
   EXPECT_NEAR(length(p[2] - q[2]), 0, 1e-9);
   EXPECT_NEAR(length(p[1] - p[0] + (q[1] - q[0])), 0, 1e-9) << "left and right swap";
 }
 
 TEST(ProjectBodyPlaces, AttachmentsLeadToLinesLandmarksAndPlaces) {
-  const DrapeInput input = dressed();
-  const BodyFigure figure = find_figure(ann()).value();
+  const drape::DrapeInput input = dressed();
+  const measure::BodyFigure figure = measure::find_figure(ann()).value();
   const std::vector<Vec3>& line = input.attachments[0].goal;
   ASSERT_GT(line.size(), 8u);
   for (const Vec3& p : line) EXPECT_NEAR(p.y, figure.waist - 0.02, 1e-7);
   // 1.5 mm of skin offset, and half a millimetre beyond it.
-  EXPECT_NEAR(length_of_loop(line), trunk_girth(ann(), figure, figure.waist - 0.02) + 2 * 3.14159265 * 2e-3,
+  EXPECT_NEAR(measure::length_of_loop(line), measure::trunk_girth(ann(), figure, figure.waist - 0.02) + 2 * 3.14159265 * 2e-3,
               2e-3);
   ASSERT_EQ(input.attachments[1].goal.size(), 1u);
-  const auto marks = find_landmarks(ann(), figure);
-  const Vec3 told = landmark_named(marks, "hip_front")->place + Vec3{0.08, 0, 0};
+  const auto marks = measure::find_landmarks(ann(), figure);
+  const Vec3 told = measure::landmark_named(marks, "hip_front")->place + Vec3{0.08, 0, 0};
   EXPECT_LT(length(input.attachments[1].goal[0] - told), 0.06) << "on the skin near there";
   EXPECT_GT(input.attachments[1].goal[0].x, 0.04);
   const Tri& t = ann().triangles[40];
   const Vec3 middle = (ann().vertices[t[0]] + ann().vertices[t[1]] + ann().vertices[t[2]]) * (1.0 / 3);
   EXPECT_NEAR(length(input.attachments[2].goal[0] - middle), 2e-3, 1e-6) << "before the skin";
   EXPECT_EQ(input.attachments[3].goal, (std::vector<Vec3>{{0.5, 1.5, 0.25}}));
-  EXPECT_EQ(input.attachments[3].hold, Attachment::Hold::kGoal);
+  EXPECT_EQ(input.attachments[3].hold, sewing::Attachment::Hold::kGoal);
 }
 
 TEST(ProjectBodyPlaces, RefuseWhatTheBodyHasNotAndSayWhatThereIs) {

@@ -12,15 +12,15 @@ namespace {
 
 const std::string kExample = std::string(TOILE_SOURCE_DIR) + "/tests/data/notions.json";
 
-std::string example_text() { return read_project_text(kExample).value(); }
+std::string example_text() { return resolve::read_project_text(kExample).value(); }
 
-Result<DrapeInput> resolved(const std::string& text) {
-  const Project project = TRY(parse_project(text));
-  return resolve_project(project, files_in("."));
+Result<drape::DrapeInput> resolved(const std::string& text) {
+  const project::Project project = TRY(project::parse_project(text));
+  return resolve::resolve_project(project, resolve::files_in("."));
 }
 
 /// The mean place of a panel's vertices at a flat height, m.
-Vec3 middle_at(const DrapeResult& r, Index panel, double flat_y) {
+Vec3 middle_at(const drape::DrapeResult& r, Index panel, double flat_y) {
   Vec3 sum;
   int count = 0;
   for (Index v = r.garment.first_vertex[panel]; v < r.garment.first_vertex[panel + 1]; ++v) {
@@ -33,18 +33,18 @@ Vec3 middle_at(const DrapeResult& r, Index panel, double flat_y) {
 }
 
 TEST(ProjectNotions, ADrawnLineIsFollowedOnceAFoldLiesOnIt) {
-  const Project project = parse_project(example_text()).value();
-  const auto lines = [](Project p) {
+  const project::Project project = project::parse_project(example_text()).value();
+  const auto lines = [](project::Project p) {
     p.pieces[2].lines[0].drawn = true;
-    return resolve_project(p, files_in("."));
+    return resolve::resolve_project(p, resolve::files_in("."));
   };
   EXPECT_FALSE(lines(project)->pattern.panels[2].lines[0].drawn);
-  Project unfolded = project;
+  project::Project unfolded = project;
   unfolded.folds.clear();
   EXPECT_TRUE(lines(unfolded)->pattern.panels[2].lines[0].drawn);
-  Project outside = project;
+  project::Project outside = project;
   outside.pieces[2].lines[0].points.back().x += 1e4;
-  const Result<DrapeInput> refused = lines(outside);
+  const Result<drape::DrapeInput> refused = lines(outside);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, "pattern.bad_line");
   EXPECT_NE(refused.error().where.find("/folds/0"), std::string::npos) << refused.error().where;
@@ -53,8 +53,8 @@ TEST(ProjectNotions, ADrawnLineIsFollowedOnceAFoldLiesOnIt) {
 }
 
 TEST(ProjectNotions, AreReadInTheCoresUnits) {
-  const DrapeInput input = read_project(kExample).value().input;
-  const Notions& n = input.notions;
+  const drape::DrapeInput input = resolve::read_project(kExample).value().input;
+  const sewing::Notions& n = input.notions;
   ASSERT_EQ(n.buttons.size(), 1u);
   EXPECT_EQ(n.buttons[0].a.panel, 0);
   EXPECT_EQ(n.buttons[0].b.panel, 1);
@@ -76,7 +76,7 @@ TEST(ProjectNotions, AreReadInTheCoresUnits) {
   EXPECT_EQ(n.cushions[0].full_volume, 0);
   EXPECT_EQ(input.pattern.panels[0].layer, 1);
   EXPECT_EQ(input.pattern.panels[2].lines[0].points[1], (Vec2{60, 20}));
-  EXPECT_EQ(input.settings.mode, DrapeMode::kDynamic);
+  EXPECT_EQ(input.settings.mode, drape::DrapeMode::kDynamic);
   EXPECT_FALSE(input.settings.until_settled);
   EXPECT_EQ(input.settings.air.wind, (Vec3{0, 0.1, 0}));
 }
@@ -86,17 +86,17 @@ TEST(ProjectNotions, TheModeDecidesWhatIsNotSaid) {
       R"("air": {"density_kg_m3": 1.2, "drag_across": 1.2, "drag_along": 0.05, "wind_m_s": [0, 0.1, 0]})";
   const std::string text =
       changed(changed(example_text(), ",\n    " + air, ""), ",\n    \"end\": \"time\"", "");
-  const DrapeSettings dynamic = resolved(text).value().settings;
+  const drape::DrapeSettings dynamic = resolved(text).value().settings;
   EXPECT_FALSE(dynamic.until_settled);
   EXPECT_EQ(dynamic.air.density, 1.2);
-  const DrapeSettings drape = resolved(changed(text, R"("dynamic")", R"("drape")")).value().settings;
+  const drape::DrapeSettings drape = resolved(changed(text, R"("dynamic")", R"("drape")")).value().settings;
   EXPECT_TRUE(drape.until_settled);
   EXPECT_EQ(drape.air.density, 0);
 }
 
 TEST(ProjectNotions, NamesThatNothingBearsAreErrorsWithTheirPlace) {
   const auto error = [](const std::string& from, const std::string& to) {
-    const Result<DrapeInput> input = resolved(changed(example_text(), from, to));
+    const Result<drape::DrapeInput> input = resolved(changed(example_text(), from, to));
     return input.ok() ? Error{"accepted", "", ""} : input.error();
   };
   const Error fold = error(R"("lines": ["crease"])", R"("lines": ["creese"])");
@@ -110,11 +110,11 @@ TEST(ProjectNotions, NamesThatNothingBearsAreErrorsWithTheirPlace) {
 }
 
 TEST(ProjectNotions, TheExampleDrapes) {
-  const DrapeInput input = read_project(kExample).value().input;
-  const Result<DrapeResult> draped = drape(input, {}, nullptr);
+  const drape::DrapeInput input = resolve::read_project(kExample).value().input;
+  const Result<drape::DrapeResult> draped = drape::drape(input, {}, nullptr);
   ASSERT_TRUE(draped.ok()) << to_string(draped.error());
-  const DrapeResult& r = *draped;
-  EXPECT_EQ(r.stop_reason.kind, Stop::kTime);
+  const drape::DrapeResult& r = *draped;
+  EXPECT_EQ(r.stop_reason.kind, drape::Stop::kTime);
   EXPECT_EQ(r.worst.cloth_body + r.worst.cloth_cloth, 0);
   EXPECT_EQ(r.seam_gap_max, 0);
   std::vector<Tri> pad;
@@ -123,7 +123,7 @@ TEST(ProjectNotions, TheExampleDrapes) {
     if (r.garment.panel_of_triangle[t] < 3) continue;
     pad.push_back({r.garment.weld[a], r.garment.weld[b], r.garment.weld[c]});
   }
-  const double volume = volume_of(make_chamber(pad, r.garment.vertex_count(), 0, 0), r.positions);
+  const double volume = solver::constraints::volume_of(solver::constraints::make_chamber(pad, r.garment.vertex_count(), 0, 0), r.positions);
   EXPECT_GT(volume, 0.09e-3) << "80 × 120 mm hold about a tenth of a litre";
   EXPECT_LT(volume, 0.2e-3);
   const Vec3 across = middle_at(r, 2, 0.04) - middle_at(r, 2, 0);

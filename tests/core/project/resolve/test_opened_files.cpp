@@ -13,31 +13,31 @@ namespace {
 struct CountedFiles {
   std::map<std::string, int> reads;
 
-  ProjectFiles files() {
+  resolve::ProjectFiles files() {
     return {.dxf_text = [this](const std::string& name) -> Result<std::string> {
               ++reads[name];
               if (name == "none.dxf") return Error{"project.file", "it is not there", ""};
               return test::square_dxf();
             },
-            .body_mesh = [this](const std::string& name, const MeshSettings&) -> Result<RepairedMesh> {
+            .body_mesh = [this](const std::string& name, const mesh_import::MeshSettings&) -> Result<mesh_import::RepairedMesh> {
               ++reads[name];
-              return RepairedMesh{};
+              return mesh_import::RepairedMesh{};
             },
-            .mannequin = [this](const MannequinSettings&) -> Result<TriangleMesh> {
+            .mannequin = [this](const mannequin::MannequinSettings&) -> Result<geometry::TriangleMesh> {
               ++reads["a mannequin"];
-              return TriangleMesh{};
+              return geometry::TriangleMesh{};
             }};
   }
 };
 
-ProjectDxf front_in(const std::string& units) {
+project::ProjectDxf front_in(const std::string& units) {
   return {.dxf = "cut.dxf", .piece = "FRONT", .corners = {}, .units = units};
 }
 
 TEST(OpenedFiles, ReadADrawingOnceHoweverOftenItIsAskedFor) {
   CountedFiles counted;
-  OpenedFiles files(counted.files());
-  const Result<const DxfDrawing*> first = files.drawing(front_in("mm"));
+  resolve::OpenedFiles files(counted.files());
+  const Result<const dxf::DxfDrawing*> first = files.drawing(front_in("mm"));
   ASSERT_TRUE(first) << to_string(first.error());
   EXPECT_EQ(files.drawing(front_in("mm")).value(), *first) << "the same drawing, not a second one";
   EXPECT_EQ(counted.reads["cut.dxf"], 1);
@@ -45,17 +45,17 @@ TEST(OpenedFiles, ReadADrawingOnceHoweverOftenItIsAskedFor) {
 
 TEST(OpenedFiles, TakeOneFileInTwoUnitsFromTheSameBytes) {
   CountedFiles counted;
-  OpenedFiles files(counted.files());
-  const DxfDrawing* small = files.drawing(front_in("mm")).value();
-  const DxfDrawing* large = files.drawing(front_in("cm")).value();
+  resolve::OpenedFiles files(counted.files());
+  const dxf::DxfDrawing* small = files.drawing(front_in("mm")).value();
+  const dxf::DxfDrawing* large = files.drawing(front_in("cm")).value();
   EXPECT_NE(small, large);
   EXPECT_EQ(counted.reads["cut.dxf"], 1);
 }
 
 TEST(OpenedFiles, KeepBodiesByTheirFileUnitAndAxis) {
   CountedFiles counted;
-  OpenedFiles files(counted.files());
-  ProjectBody ann;
+  resolve::OpenedFiles files(counted.files());
+  project::ProjectBody ann;
   ann.file = "ann.obj";
   ASSERT_TRUE(files.body_mesh(ann));
   ASSERT_TRUE(files.body_mesh(ann));
@@ -67,8 +67,8 @@ TEST(OpenedFiles, KeepBodiesByTheirFileUnitAndAxis) {
 
 TEST(OpenedFiles, MakeAMannequinOnceForTheSameMeasures) {
   CountedFiles counted;
-  OpenedFiles files(counted.files());
-  ProjectMannequin figure;
+  resolve::OpenedFiles files(counted.files());
+  project::ProjectMannequin figure;
   ASSERT_TRUE(files.mannequin(figure));
   ASSERT_TRUE(files.mannequin(figure));
   EXPECT_EQ(counted.reads["a mannequin"], 1);
@@ -79,8 +79,8 @@ TEST(OpenedFiles, MakeAMannequinOnceForTheSameMeasures) {
 
 TEST(OpenedFiles, AskAgainForWhatCouldNotBeRead) {
   CountedFiles counted;
-  OpenedFiles files(counted.files());
-  ProjectDxf from = front_in("mm");
+  resolve::OpenedFiles files(counted.files());
+  project::ProjectDxf from = front_in("mm");
   from.dxf = "none.dxf";
   EXPECT_EQ(files.drawing(from).error().code, "project.file");
   EXPECT_EQ(files.drawing(from).error().code, "project.file");

@@ -25,16 +25,16 @@ std::string square_dxf() {
 /// Files that stand in this test; counts how often each kind is asked for.
 struct Shelf {
   std::string dxf = square_dxf();
-  TriangleMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 2, 0}}, {{0, 1, 2}}};
+  geometry::TriangleMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 2, 0}}, {{0, 1, 2}}};
   int dxf_reads = 0;
-  MeshRepairs repairs{.holes = 1, .hole_triangles = 2};
-  MeshSettings asked;
+  mesh_import::MeshRepairs repairs{.holes = 1, .hole_triangles = 2};
+  mesh_import::MeshSettings asked;
 
-  ProjectFiles files() {
+  resolve::ProjectFiles files() {
     return {.dxf_text = [this](const std::string&) -> Result<std::string> { return ++dxf_reads, dxf; },
-            .body_mesh = [this](const std::string&, const MeshSettings& settings) -> Result<RepairedMesh> {
+            .body_mesh = [this](const std::string&, const mesh_import::MeshSettings& settings) -> Result<mesh_import::RepairedMesh> {
               asked = settings;
-              return RepairedMesh{mesh, repairs};
+              return mesh_import::RepairedMesh{mesh, repairs};
             }};
   }
 };
@@ -70,45 +70,45 @@ constexpr const char* kSmall = R"({
   "settings": {"particle_distance_mm": 20, "settle_speed_mm_s": 3}
 })";
 
-Result<DrapeInput> resolved(const std::string& text, Shelf& shelf) {
-  const Project project = TRY(parse_project(text));
-  return resolve_project(project, shelf.files());
+Result<drape::DrapeInput> resolved(const std::string& text, Shelf& shelf) {
+  const project::Project project = TRY(project::parse_project(text));
+  return resolve::resolve_project(project, shelf.files());
 }
 
-DrapeInput small_input() {
+drape::DrapeInput small_input() {
   Shelf shelf;
-  Result<DrapeInput> input = resolved(kSmall, shelf);
+  Result<drape::DrapeInput> input = resolved(kSmall, shelf);
   EXPECT_TRUE(input) << to_string(input.error());
-  return input ? *std::move(input) : DrapeInput{};
+  return input ? *std::move(input) : drape::DrapeInput{};
 }
 
 void expect_refused(const std::string& from, const std::string& to, const char* code,
                     const std::string& where) {
   Shelf shelf;
-  const Result<DrapeInput> input = resolved(changed(kSmall, from, to), shelf);
+  const Result<drape::DrapeInput> input = resolved(changed(kSmall, from, to), shelf);
   ASSERT_FALSE(input) << to;
   EXPECT_EQ(input.error().code, code) << to_string(input.error());
   EXPECT_TRUE(input.error().where.starts_with(where)) << to_string(input.error());
 }
 
 TEST(ProjectResolve, TakesPiecesFromAFileAndFromTheDocument) {
-  const DrapeInput input = small_input();
+  const drape::DrapeInput input = small_input();
   ASSERT_EQ(input.pattern.panels.size(), 2u);
-  const Panel& front = input.pattern.panels[0];
+  const pattern::Panel& front = input.pattern.panels[0];
   EXPECT_EQ(front.id, "front");
   ASSERT_EQ(front.outline.edges.size(), 4u);
   EXPECT_EQ(front.outline.edges[0].id, "hem");
   EXPECT_EQ(front.outline.edges[1].id, "e1");
   EXPECT_EQ(front.grain, (Vec2{0, 1}));
-  const Panel& back = input.pattern.panels[1];
+  const pattern::Panel& back = input.pattern.panels[1];
   EXPECT_EQ(back.outline.edges[1].curves[0].p1, (Vec2{110, 30}));
   EXPECT_NEAR(back.grain.x, 0.6, 1e-15);
   ASSERT_EQ(back.holes.size(), 1u);
 }
 
 TEST(ProjectResolve, TurnsUnitsIntoTheCores) {
-  const DrapeInput input = small_input();
-  const Fabric& wool = input.fabrics[1];
+  const drape::DrapeInput input = small_input();
+  const material::Fabric& wool = input.fabrics[1];
   EXPECT_DOUBLE_EQ(wool.areal_mass, 0.21);
   EXPECT_DOUBLE_EQ(wool.limit_warp, 0.125);
   EXPECT_DOUBLE_EQ(wool.limit_weft, 0.2);
@@ -119,11 +119,11 @@ TEST(ProjectResolve, TurnsUnitsIntoTheCores) {
   EXPECT_EQ(input.fabric_of_panel, (std::vector<Index>{1, 1}));
   EXPECT_DOUBLE_EQ(input.settings.particle_distance, 0.02);
   EXPECT_DOUBLE_EQ(input.settings.settle_speed, 0.003);
-  const auto& wrapped = std::get<WrappedPlacement>(input.placements[0]);
+  const auto& wrapped = std::get<sewing::WrappedPlacement>(input.placements[0]);
   EXPECT_EQ(wrapped.axis, (Vec3{0.1, 0, 0.2}));
   EXPECT_DOUBLE_EQ(wrapped.angle, kPi / 2);
   EXPECT_DOUBLE_EQ(wrapped.anchor.y, 0.1);
-  const auto& rigid = std::get<RigidPlacement>(input.placements[1]);
+  const auto& rigid = std::get<sewing::RigidPlacement>(input.placements[1]);
   EXPECT_DOUBLE_EQ(rigid.rotation.y, kPi);
   EXPECT_TRUE(rigid.flipped);
 }
@@ -135,7 +135,7 @@ TEST(ProjectResolve, DefaultsOfTheDocumentAreThoseOfTheCore) {
                        R"("settings": {})"),
                shelf);
   ASSERT_TRUE(input) << to_string(input.error());
-  const DrapeSettings core;
+  const drape::DrapeSettings core;
   EXPECT_DOUBLE_EQ(input->settings.particle_distance, core.particle_distance);
   EXPECT_DOUBLE_EQ(input->settings.time_step, core.time_step);
   EXPECT_DOUBLE_EQ(input->settings.gravity, core.gravity);
@@ -143,14 +143,14 @@ TEST(ProjectResolve, DefaultsOfTheDocumentAreThoseOfTheCore) {
   EXPECT_DOUBLE_EQ(input->settings.settle_speed, core.settle_speed);
   EXPECT_DOUBLE_EQ(input->settings.max_time, core.max_time);
   EXPECT_EQ(input->settings.frame_interval, core.frame_interval);
-  EXPECT_DOUBLE_EQ(input->fabrics[0].friction, Fabric{}.friction);
-  EXPECT_DOUBLE_EQ(input->bodies[0].friction, Body{}.friction);
+  EXPECT_DOUBLE_EQ(input->fabrics[0].friction, material::Fabric{}.friction);
+  EXPECT_DOUBLE_EQ(input->bodies[0].friction, body::Body{}.friction);
 }
 
 TEST(ProjectResolve, FindsSeamsAndAttachmentsByName) {
-  const DrapeInput input = small_input();
+  const drape::DrapeInput input = small_input();
   ASSERT_EQ(input.pattern.seams.size(), 1u);
-  const Seam& seam = input.pattern.seams[0];
+  const pattern::Seam& seam = input.pattern.seams[0];
   EXPECT_EQ(seam.a[0].panel, 0);
   EXPECT_EQ(seam.a[0].edge, 2);
   EXPECT_EQ(seam.b[0].edge, 2);
@@ -159,7 +159,7 @@ TEST(ProjectResolve, FindsSeamsAndAttachmentsByName) {
   ASSERT_EQ(input.attachments.size(), 1u);
   EXPECT_EQ(input.attachments[0].edges,
             (std::vector<Index>{4, 2}));  // the hole's edge counts after the outline
-  EXPECT_EQ(input.attachments[0].hold, Attachment::Hold::kPlace);
+  EXPECT_EQ(input.attachments[0].hold, sewing::Attachment::Hold::kPlace);
 }
 
 TEST(ProjectResolve, ScalesThenTurnsThenMovesABody) {
@@ -272,8 +272,8 @@ TEST(ProjectResolve, RefusesPathsOutOfItsFolder) {
     expect_refused("\"file\": \"people/ann.obj\"", std::string("\"file\": \"") + name + "\"", "project.path",
                    "/bodies/0/file");
   }
-  EXPECT_TRUE(check_file_name("a/b..c/...dxf"));
-  EXPECT_FALSE(check_file_name(std::string("a\0b", 3)));
+  EXPECT_TRUE(resolve::check_file_name("a/b..c/...dxf"));
+  EXPECT_FALSE(resolve::check_file_name(std::string("a\0b", 3)));
 }
 
 TEST(ProjectResolve, PutsThePlaceOfADxfErrorBehindTheDocuments) {
@@ -303,34 +303,34 @@ class ProjectFolder : public testing::Test {
 };
 
 TEST_F(ProjectFolder, IsReadWithTheFilesBesideTheDocument) {
-  const auto read = read_project(folder / "project.json");
+  const auto read = resolve::read_project(folder / "project.json");
   ASSERT_TRUE(read) << to_string(read.error());
   EXPECT_EQ(read->input.bodies[0].mesh.triangles.size(), 1u);
 }
 
 TEST_F(ProjectFolder, IsNotReadAgainForItsPictures) {
-  const auto read = read_project(folder / "project.json");
+  const auto read = resolve::read_project(folder / "project.json");
   ASSERT_TRUE(read) << to_string(read.error());
   std::filesystem::remove_all(folder);
-  const Result<Textures> textures = read_textures(*read);
+  const Result<image::Textures> textures = resolve::read_textures(*read);
   ASSERT_TRUE(textures) << to_string(textures.error());
   EXPECT_EQ(textures->of_panel.size(), read->project.pieces.size());
 }
 
 TEST_F(ProjectFolder, NamesTheFileThatIsMissing) {
   std::filesystem::remove(folder / "cut.dxf");
-  const auto input = read_project(folder / "project.json");
+  const auto input = resolve::read_project(folder / "project.json");
   ASSERT_FALSE(input);
   EXPECT_EQ(input.error().code, "project.file");
   EXPECT_NE(input.error().where.find("/pieces/0/from/dxf"), std::string::npos) << input.error().where;
-  EXPECT_EQ(read_project(folder / "none.json").error().code, "project.file");
-  EXPECT_EQ(read_project(folder).error().code, "project.file");
-  EXPECT_EQ(read_project("/dev/zero").error().code, "project.file");
+  EXPECT_EQ(resolve::read_project(folder / "none.json").error().code, "project.file");
+  EXPECT_EQ(resolve::read_project(folder).error().code, "project.file");
+  EXPECT_EQ(resolve::read_project("/dev/zero").error().code, "project.file");
 }
 
 TEST_F(ProjectFolder, RefusesADocumentThatIsTooLargeToBeOne) {
   write("project.json", std::string(std::size_t{5} << 20, ' '));
-  EXPECT_EQ(read_project(folder / "project.json").error().code, "json.too_large");
+  EXPECT_EQ(resolve::read_project(folder / "project.json").error().code, "json.too_large");
 }
 
 }  // namespace
