@@ -7,9 +7,7 @@
 
 #include "server/app/commands.h"
 #include "server/app/console.h"
-#include "server/app/mesh_reader.h"
 #include "server/app/wiring.h"
-#include "server/documents/bodies.h"
 
 namespace toile {
 namespace {
@@ -30,7 +28,6 @@ sigset_t hold_ending_signals() {
 ExitCode serve_command(const ServeOptions& given) {
   const ServeOptions options = completed(given);
   const sigset_t signals = hold_ending_signals();
-  shared_bodies().read_with(own_mesh_importer());
   Result<std::unique_ptr<Service>> service = Service::start(options);
   if (!service) return fail(service.error(), false);
   const bool six = options.address.find(':') != std::string::npos;
@@ -41,7 +38,7 @@ ExitCode serve_command(const ServeOptions& given) {
   std::fflush(stdout);
   int signal = 0;
   sigwait(&signals, &signal);
-  std::fprintf(stderr, "toile: stopping; running drapes go back to the queue\n");
+  (*service)->log().info("stopping; running drapes go back to the queue");
   pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);  // a second signal ends at once
   (*service)->stop();
   return kDone;

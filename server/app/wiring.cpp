@@ -4,21 +4,25 @@
 #include <string>
 #include <utility>
 
-#include "server/app/console.h"
+#include "server/app/mesh_reader.h"
 #include "server/documents/projects.h"
+#include "server/http/handlers/routes.h"
+#include "server/http/identify.h"
+#include "server/log/stderr_sink.h"
+#include "server/store/sqlite/open.h"
 
 namespace toile {
 namespace {
 
 /// The first thing that a newcomer sees: the sample, draped as an ordinary job. The key makes it one drape
 /// however often the server starts; once the project has been removed there is nothing to do.
-Status drape_sample(Store& store, JobService& jobs, const std::string& folder) {
+Status drape_sample(Documents& documents, JobService& jobs, const RequestContext& context,
+                    const std::string& folder) {
   if (folder.empty()) return {};
-  TRY(add_sample_project(store, kLocalOwner, folder));
-  const Result<std::optional<std::string>> project = store.get_setting(kLocalOwner, kSampleSetting);
-  if (!project) return project.error();
-  if (!*project) return {};
-  const Result<Made<JobRow>> job = jobs.submit(kLocalOwner, **project, "sample-first-drape");
+  TRY(add_sample_project(documents, context, folder));
+  const std::optional<std::string> project = TRY(documents.store().get_setting(context, kSampleSetting));
+  if (!project) return {};
+  const Result<Made<JobRow>> job = jobs.submit(context, *project, "sample-first-drape");
   return job || job.error().kind == ErrorKind::kNotFound ? Status() : Status(job.error());
 }
 
@@ -26,22 +30,30 @@ Status drape_sample(Store& store, JobService& jobs, const std::string& folder) {
 
 Result<std::unique_ptr<Service>> Service::start(const ServeOptions& options) {
   std::unique_ptr<Service> service(new Service);
+  service->log_sink_ = make_stderr_sink();
+  const Log log(*service->log_sink_);
   std::unique_ptr<Store> store = TRY(open_sqlite_store(options.data));
   service->store_ = std::move(store);
+  service->documents_ = std::make_unique<Documents>(*service->store_, own_mesh_importer());
   service->hub_ = std::make_unique<Hub>();
   JobServiceSettings jobs;
   jobs.workers = options.workers;
   jobs.checkpoint_every_s = options.checkpoint_every_s;
-  service->jobs_ = make_job_service(*service->store_, *service->hub_, jobs);
+  service->jobs_ = make_job_service(*service->documents_, *service->hub_, jobs, log);
   ServerSettings http;
   http.address = options.address;
   http.port = options.port;
   http.web = options.web;
-  service->server_ = std::make_unique<HttpServer>(*service->store_, *service->jobs_, *service->hub_, http);
-  TRY(service->server_->start());
+  service->server_ =
+      std::make_unique<HttpServer>(*service->store_, *service->jobs_, *service->hub_, http, log);
+  HttpServer& server = *service->server_;
+  add_routes(server.router(), {*service->documents_, *service->store_, *service->jobs_, *service->hub_,
+                               server.metrics(), server.ready()});
+  TRY(server.start());
   TRY(service->jobs_->start());
-  if (Status sample = drape_sample(*service->store_, *service->jobs_, options.sample); !sample) {
-    print_error(sample.error(), false);  // no reason not to serve
+  const RequestContext local = local_user("", log);
+  if (Status sample = drape_sample(*service->documents_, *service->jobs_, local, options.sample); !sample) {
+    log.warn("sample not draped", sample.error());  // no reason not to serve
   }
   return service;
 }

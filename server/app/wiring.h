@@ -3,8 +3,10 @@
 
 #include <memory>
 
+#include "core/base/log.h"
 #include "core/base/result.h"
 #include "server/app/config.h"
+#include "server/documents/documents.h"
 #include "server/http/server.h"
 #include "server/jobs/job_service.h"
 #include "server/store/store.h"
@@ -20,13 +22,17 @@ class Service {
   ~Service();  ///< stops
 
   int port() const { return server_->port(); }
+  Log log() const { return Log(*log_sink_); }
   /// Takes no new work, lets running drapes go back to the queue, says good-bye to viewers. Twice is safe.
   void stop();
 
  private:
   Service() = default;
 
+  // Destroyed from below: each of these works with what stands above it.
+  std::unique_ptr<LogSink> log_sink_;
   std::unique_ptr<Store> store_;
+  std::unique_ptr<Documents> documents_;
   std::unique_ptr<Hub> hub_;
   std::unique_ptr<JobService> jobs_;
   std::unique_ptr<HttpServer> server_;

@@ -146,18 +146,18 @@ std::vector<JsonMember> arrangement_members(const Arrangement& made) {
   return {{"pieces", std::move(pieces)}, {"holds", std::move(holds)}, {"findings", std::move(findings)}};
 }
 
-Result<ArrangedProject> arrange_project(Store& store, const OwnerId& owner, const std::string& id,
-                                        int expected) {
+Result<ArrangedProject> arrange_project(Documents& documents, const RequestContext& context,
+                                        const std::string& id, int expected) {
   JsonValue arrangement;
   const ProjectChange change = [&](const Project& now, ProjectFileMap& files) -> Result<Project> {
-    const DrapeInput input = TRY(resolve_project(now, files_in_store(store, owner, files)));
+    const DrapeInput input = TRY(resolve_project(now, files_in_store(documents, context, files)));
     const Arrangement made = TRY(arrangement_of(input));
     arrangement = arrangement_members(made);
     Project wanted = now;
     take_arrangement(made, input.pattern, wanted);
     return wanted;
   };
-  ProjectRow project = TRY(change_project(store, owner, id, expected, change));
+  ProjectRow project = TRY(change_project(documents, context, id, expected, change));
   return ArrangedProject{std::move(project), std::move(arrangement)};
 }
 
@@ -178,7 +178,7 @@ Result<PieceWish> read_piece_wish(const JsonValue& object) {
   return wish;
 }
 
-Result<ProjectRow> place_piece(Store& store, const OwnerId& owner, const std::string& id,
+Result<ProjectRow> place_piece(Documents& documents, const RequestContext& context, const std::string& id,
                                const PieceWish& wish, int expected) {
   const ProjectChange change = [&](const Project& now, ProjectFileMap& files) -> Result<Project> {
     const auto at = std::find_if(now.pieces.begin(), now.pieces.end(),
@@ -187,13 +187,13 @@ Result<ProjectRow> place_piece(Store& store, const OwnerId& owner, const std::st
       return Error{"edit.unknown_piece", "There is no piece of that name.", "piece " + clipped(wish.piece)};
     Project wanted = now;
     wanted.pieces[static_cast<std::size_t>(at - now.pieces.begin())].placement = placement_of(wish);
-    const DrapeInput input = TRY(resolve_project(wanted, files_in_store(store, owner, files)));
+    const DrapeInput input = TRY(resolve_project(wanted, files_in_store(documents, context, files)));
     const std::optional<PieceWish> more = wish.with_partner ? partners_wish(input, wish) : std::nullopt;
     for (ProjectPiece& piece : wanted.pieces)
       if (more && piece.id == more->piece) piece.placement = placement_of(*more);
     return wanted;
   };
-  return change_project(store, owner, id, expected, change);
+  return change_project(documents, context, id, expected, change);
 }
 
 }  // namespace toile

@@ -8,7 +8,7 @@
 #include "core/base/result.h"
 #include "core/json/tree.h"
 #include "core/project/project.h"
-#include "server/store/store.h"
+#include "server/documents/documents.h"
 
 namespace toile {
 
@@ -25,8 +25,8 @@ struct ArrangedProject {
 };
 /// Places all pieces around the body (core/arrange/arrange.h) when the project stands at revision `expected`
 /// (0: at any). Errors: those of reading it, of arrange(), store.*.
-Result<ArrangedProject> arrange_project(Store& store, const OwnerId& owner, const std::string& id,
-                                        int expected);
+Result<ArrangedProject> arrange_project(Documents& documents, const RequestContext& context,
+                                        const std::string& id, int expected);
 
 /// Where a person puts a piece.
 struct PieceWish {
@@ -43,7 +43,7 @@ struct PieceWish {
 Result<PieceWish> read_piece_wish(const JsonValue& object);
 /// The middle of the piece comes there. Errors: edit.unknown_piece, body.not_standing, arrange.no_body,
 /// store.*.
-Result<ProjectRow> place_piece(Store& store, const OwnerId& owner, const std::string& id,
+Result<ProjectRow> place_piece(Documents& documents, const RequestContext& context, const std::string& id,
                                const PieceWish& wish, int expected);
 
 }  // namespace toile

@@ -11,7 +11,6 @@
 #include "core/json/tree.h"
 #include "core/pattern/dxf/read.h"
 #include "core/pattern/garmentcode/read.h"
-#include "server/documents/bodies.h"
 #include "server/store/file_name.h"
 
 namespace toile {
@@ -72,8 +71,8 @@ Result<std::string> specification_info(const std::string& name, std::string_view
   }));
 }
 
-Result<std::string> body_info(const std::string& name, std::string_view bytes) {
-  const RepairedMesh read = TRY(shared_bodies().importer().bytes(name, bytes, {}));
+Result<std::string> body_info(const MeshImporter& importer, const std::string& name, std::string_view bytes) {
+  const RepairedMesh read = TRY(importer.bytes(name, bytes, {}));
   const TriangleMesh& mesh = read.mesh;
   const Vec3 size = bounding_box(mesh.vertices).size();
   std::vector<JsonValue> notes;
@@ -101,11 +100,12 @@ Result<std::string> image_info(const std::string& name, std::string_view bytes) 
   }));
 }
 
-Result<std::string> info_of(const std::string& kind, const std::string& name, std::string_view bytes) {
+Result<std::string> info_of(const MeshImporter& importer, const std::string& kind, const std::string& name,
+                            std::string_view bytes) {
   if (kind == "dxf") return dxf_info(name, bytes);
   if (kind == "specification") return specification_info(name, bytes);
   if (kind == "image") return image_info(name, bytes);
-  return body_info(name, bytes);
+  return body_info(importer, name, bytes);
 }
 
 }  // namespace
@@ -120,7 +120,7 @@ std::size_t most_asset_bytes(std::string_view kind) {
   return kind == "image" ? kMostImageBytes : kMostBodyBytes;
 }
 
-Result<AssetRow> add_asset(Store& store, const OwnerId& owner, const std::string& kind,
+Result<AssetRow> add_asset(Documents& documents, const RequestContext& context, const std::string& kind,
                            const std::string& name, std::string_view bytes) {
   if (!is_asset_kind(kind)) {
     return Error{"documents.kind",
@@ -134,12 +134,12 @@ Result<AssetRow> add_asset(Store& store, const OwnerId& owner, const std::string
                  "the file has more than the " + std::to_string(most >> 20) + " MiB that are allowed", name,
                  ErrorKind::kTooLarge};
   }
-  std::string info = TRY(info_of(kind, name, bytes));
+  std::string info = TRY(info_of(documents.importer(), kind, name, bytes));
   AssetRow row;
   row.kind = kind;
   row.name = name;
   row.info = std::move(info);
-  return store.put_asset(owner, std::move(row), bytes);
+  return documents.store().put_asset(context, std::move(row), bytes);
 }
 
 std::string image_media_type(std::string_view bytes) {

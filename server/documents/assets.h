@@ -7,7 +7,7 @@
 
 #include "core/base/result.h"
 #include "core/image/read_picture.h"
-#include "server/store/store.h"
+#include "server/documents/documents.h"
 
 namespace toile {
 
@@ -32,7 +32,7 @@ std::size_t most_asset_bytes(std::string_view kind);
 ///   image: {"format": "png" or "jpeg", "width", "height", "opaque"}, pixels as they are shown
 /// Errors: documents.kind, documents.too_large; dxf.*, garmentcode.*, mesh.*, image.* with the file's name
 /// first in `where`; store.*.
-Result<AssetRow> add_asset(Store& store, const OwnerId& owner, const std::string& kind,
+Result<AssetRow> add_asset(Documents& documents, const RequestContext& context, const std::string& kind,
                            const std::string& name, std::string_view bytes);
 
 /// The media type of a kept image's bytes: one that a browser shows and does not run.

@@ -20,24 +20,18 @@ class BodyCache {
   explicit BodyCache(std::size_t most_bytes, MeshImporter importer = {})
       : kept_(most_bytes), importer_(std::move(importer)) {}
 
-  /// Who reads from now on. Before other threads ask for meshes.
-  void read_with(MeshImporter importer) { importer_ = std::move(importer); }
   const MeshImporter& importer() const { return importer_; }
 
   /// The asset's mesh, mended, in metres, y up. Errors: store.not_found (whether or not somebody else has
   /// it), store.corrupt, documents.wrong_kind, mesh.* with the asset's name as place.
-  Result<std::shared_ptr<const RepairedMesh>> mesh(Store& store, const OwnerId& owner,
+  Result<std::shared_ptr<const RepairedMesh>> mesh(Store& store, const RequestContext& context,
                                                    const std::string& asset_id, const MeshSettings& settings);
   /// Of the meshes held.
   std::size_t bytes() const { return kept_.size(); }
 
  private:
   RecentCache<RepairedMesh> kept_;
-  MeshImporter importer_;
+  const MeshImporter importer_;
 };
-
-/// The cache of this process. Assets are named by their content, so that it serves any store. Its importer
-/// reads in this process until it is given another: a server's reads in a process of its own.
-BodyCache& shared_bodies();
 
 }  // namespace toile

@@ -11,9 +11,7 @@
 #include "core/body/measure/stance.h"
 #include "core/json/tree.h"
 #include "core/project/bodies.h"
-#include "server/documents/bodies.h"
 #include "server/documents/edits.h"
-#include "server/documents/mannequins.h"
 
 namespace toile {
 namespace {
@@ -50,9 +48,9 @@ std::string free_name(const ProjectFileMap& files, const AssetRow& asset) {
 }
 
 /// Guessed where nothing is said.
-Status place_file(Store& store, const OwnerId& owner, const JsonValue& wish, const AssetRow& asset,
-                  ProjectBody& body) {
-  const auto raw = TRY(shared_bodies().mesh(store, owner, asset.id, {.unit_in_m = 1}));
+Status place_file(Documents& documents, const RequestContext& context, const JsonValue& wish,
+                  const AssetRow& asset, ProjectBody& body) {
+  const auto raw = TRY(documents.bodies().mesh(documents.store(), context, asset.id, {.unit_in_m = 1}));
   const std::string unit = body.unit, up = body.up;
   const Result<StandingBody> standing = stand_body(raw->mesh);
   if (standing) stand_up(body, standing->stance);
@@ -69,43 +67,44 @@ Status place_file(Store& store, const OwnerId& owner, const JsonValue& wish, con
 }
 
 /// Its feet on the floor, once everything else is said.
-Status put_on_floor(Store& store, const OwnerId& owner, ProjectFileMap& files, ProjectBody& body) {
+Status put_on_floor(Documents& documents, const RequestContext& context, ProjectFileMap& files,
+                    ProjectBody& body) {
   Project alone;
   alone.bodies = {body};
-  const DrapeInput input = TRY(resolve_project(alone, files_in_store(store, owner, files)));
+  const DrapeInput input = TRY(resolve_project(alone, files_in_store(documents, context, files)));
   const double floor = lowest(input.bodies[0].mesh);
   body.translation.y = -std::round(floor * 1e6) / 1e6 + 0.0;
   return {};
 }
 
 /// A figure that can be made, so that the refusal names the measure and not the document's place.
-Result<ProjectBody> made_body(const JsonValue& part) {
+Result<ProjectBody> made_body(Documents& documents, const JsonValue& part) {
   ProjectBody body = TRY(read_body(part, ""));
   const Result<MannequinSettings> settings = mannequin_settings(*body.mannequin);
   if (!settings) return error_at("/mannequin", settings.error());
-  const auto figure = shared_mannequins().get(*settings);
+  const auto figure = documents.mannequins().get(*settings);
   if (!figure) return error_at("/mannequin", figure.error());
   return body;
 }
 
-Result<ProjectBody> body_of(Store& store, const OwnerId& owner, const std::string& id, const JsonValue& wish,
-                            ProjectFileMap& files) {
+Result<ProjectBody> body_of(Documents& documents, const RequestContext& context, const std::string& id,
+                            const JsonValue& wish, ProjectFileMap& files) {
   const JsonValue* given = wish.find("asset");
-  if (!given) return made_body(document_part(wish, id));
+  if (!given) return made_body(documents, document_part(wish, id));
   if (!given->text()) return bad_wish("\"asset\" is the id of an uploaded body", "asset");
   if (const JsonValue* turn = wish.find("turn");
       turn && (!turn->number() || !(std::abs(*turn->number()) <= 360)))
     return bad_wish("this is an angle of at most 360 degrees", "turn");
-  AssetRow asset = TRY(store.asset(owner, *given->text()));
+  AssetRow asset = TRY(documents.store().asset(context, *given->text()));
   if (asset.kind != "body")
     return Error{"documents.wrong_kind", in_quotes(asset.name) + " is no body", "/asset"};
   const std::string name = free_name(files, asset);
   JsonValue part = document_part(wish, id);
   std::get<std::vector<JsonMember>>(part.data).push_back({"file", name});
   ProjectBody body = TRY(read_body(part, ""));
-  TRY(place_file(store, owner, wish, asset, body));
+  TRY(place_file(documents, context, wish, asset, body));
   files[name] = asset.id;
-  TRY(put_on_floor(store, owner, files, body));
+  TRY(put_on_floor(documents, context, files, body));
   return body;
 }
 
@@ -144,11 +143,11 @@ Status check_keys(const JsonValue& wish) {
 
 }  // namespace
 
-Result<ProjectRow> dress_project(Store& store, const OwnerId& owner, const std::string& id,
+Result<ProjectRow> dress_project(Documents& documents, const RequestContext& context, const std::string& id,
                                  const std::string& body, const JsonValue& wish, int expected) {
   TRY(check_keys(wish));
   const ProjectChange change = [&](const Project& now, ProjectFileMap& files) -> Result<Project> {
-    ProjectBody made = TRY(body_of(store, owner, body, wish, files));
+    ProjectBody made = TRY(body_of(documents, context, body, wish, files));
     Project wanted = now;
     const auto at = std::find_if(wanted.bodies.begin(), wanted.bodies.end(),
                                  [&](const ProjectBody& one) { return one.id == body; });
@@ -160,10 +159,10 @@ Result<ProjectRow> dress_project(Store& store, const OwnerId& owner, const std::
     }
     return wanted;
   };
-  return change_project(store, owner, id, expected, change);
+  return change_project(documents, context, id, expected, change);
 }
 
-Result<ProjectRow> undress_project(Store& store, const OwnerId& owner, const std::string& id,
+Result<ProjectRow> undress_project(Documents& documents, const RequestContext& context, const std::string& id,
                                    const std::string& body, int expected) {
   const ProjectChange change = [&](const Project& now, ProjectFileMap&) -> Result<Project> {
     Project wanted = now;
@@ -171,7 +170,7 @@ Result<ProjectRow> undress_project(Store& store, const OwnerId& owner, const std
       return wanted;
     return Error{"edit.unknown_body", "There is no body of that name.", "body " + clipped(body)};
   };
-  return change_project(store, owner, id, expected, change);
+  return change_project(documents, context, id, expected, change);
 }
 
 }  // namespace toile

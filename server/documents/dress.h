@@ -6,7 +6,7 @@
 #include "core/base/result.h"
 #include "core/json/tree.h"
 #include "core/project/project.h"
-#include "server/store/store.h"
+#include "server/documents/documents.h"
 
 namespace toile {
 
@@ -15,11 +15,11 @@ namespace toile {
 /// "friction" and "skin_offset_mm" may stand, and with a file "unit", "up" and "turn" (degrees about the
 /// upright axis) where the guess is wrong. Errors: request.unknown_key, request.body, project.*, mannequin.*,
 /// mesh.*, store.*.
-Result<ProjectRow> dress_project(Store& store, const OwnerId& owner, const std::string& id,
+Result<ProjectRow> dress_project(Documents& documents, const RequestContext& context, const std::string& id,
                                  const std::string& body, const JsonValue& wish, int expected);
 
 /// Takes a body out of the project. Errors: edit.unknown_body, store.*, and those of what is told by it.
-Result<ProjectRow> undress_project(Store& store, const OwnerId& owner, const std::string& id,
+Result<ProjectRow> undress_project(Documents& documents, const RequestContext& context, const std::string& id,
                                    const std::string& body, int expected);
 
 }  // namespace toile

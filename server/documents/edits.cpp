@@ -16,8 +16,9 @@ struct Standing {
   Project project;
 };
 
-Result<Standing> standing(Store& store, const OwnerId& owner, const std::string& id, int expected) {
-  ProjectRow row = TRY(store.project(owner, id));
+Result<Standing> standing(Documents& documents, const RequestContext& context, const std::string& id,
+                          int expected) {
+  ProjectRow row = TRY(documents.store().project(context, id));
   if (expected != 0 && row.revision != expected) {
     return Error{"store.conflict",
                  "the project has changed since; it is at revision " + std::to_string(row.revision), "",
@@ -27,17 +28,17 @@ Result<Standing> standing(Store& store, const OwnerId& owner, const std::string&
   return Standing{std::move(row), std::move(project)};
 }
 
-Result<EditedProject> apply_in_store(Store& store, const OwnerId& owner, const Standing& at,
+Result<EditedProject> apply_in_store(Documents& documents, const RequestContext& context, const Standing& at,
                                      const std::vector<ProjectEdit>& edits) {
-  return apply_edits(at.project, edits, files_in_store(store, owner, at.row.files));
+  return apply_edits(at.project, edits, files_in_store(documents, context, at.row.files));
 }
 
-Result<ProjectRow> keep(Store& store, const OwnerId& owner, const ProjectRow& was, std::string document,
-                        const std::string& name, EditStep step, const EditRow& edit) {
+Result<ProjectRow> keep(Documents& documents, const RequestContext& context, const ProjectRow& was,
+                        std::string document, const std::string& name, EditStep step, const EditRow& edit) {
   ProjectRow row = was;
   row.document = std::move(document);
   row.name = name;
-  return store.edit_project(owner, row, was.revision, step, edit);
+  return documents.store().edit_project(context, row, was.revision, step, edit);
 }
 
 /// The edits of a row, as this program wrote them.
@@ -50,8 +51,9 @@ Result<std::vector<ProjectEdit>> kept_edits(const std::string& text, const std::
   return Error{"store.corrupt", "a step of the project's history is damaged", id, ErrorKind::kSystem};
 }
 
-Result<EditRow> next_step(Store& store, const OwnerId& owner, const std::string& id, EditStep step) {
-  std::optional<EditRow> next = TRY(store.next_edit(owner, id, step));
+Result<EditRow> next_step(Documents& documents, const RequestContext& context, const std::string& id,
+                          EditStep step) {
+  std::optional<EditRow> next = TRY(documents.store().next_edit(context, id, step));
   if (next) return std::move(*next);
   if (step == EditStep::kUndo)
     return Error{"edit.nothing_to_undo", "there is nothing to undo", "", ErrorKind::kConflict};
@@ -60,65 +62,69 @@ Result<EditRow> next_step(Store& store, const OwnerId& owner, const std::string&
 }
 
 /// Whether the pictures that the edits put on pieces are there.
-Status check_pictures(Store& store, const OwnerId& owner, const ProjectFileMap& files,
+Status check_pictures(Documents& documents, const RequestContext& context, const ProjectFileMap& files,
                       const std::vector<ProjectEdit>& edits) {
   for (std::size_t i = 0; i < edits.size(); ++i) {
     const auto* const edit = std::get_if<SetTexture>(&edits[i]);
     if (edit == nullptr || !edit->texture) continue;
     const std::string texture = pointer_to(pointer_to("/edits", i), "texture");
-    TRY(check_image(store, owner, files, edit->texture->image, pointer_to(texture, "image")));
+    TRY(check_image(documents, context, files, edit->texture->image, pointer_to(texture, "image")));
   }
   return {};
 }
 
 }  // namespace
 
-Result<ProjectRow> edit_project(Store& store, const OwnerId& owner, const std::string& id,
+Result<ProjectRow> edit_project(Documents& documents, const RequestContext& context, const std::string& id,
                                 const JsonValue& edits, int expected, const ProjectFileMap& more_files) {
-  Standing at = TRY(standing(store, owner, id, expected));
-  TRY(check_more_files(store, owner, at.row.files, more_files));
+  Standing at = TRY(standing(documents, context, id, expected));
+  TRY(check_more_files(documents, context, at.row.files, more_files));
   at.row.files.insert(more_files.begin(), more_files.end());
   const std::vector<ProjectEdit> wanted = TRY(read_edits(edits, "/edits"));
-  EditedProject edited = TRY(apply_in_store(store, owner, at, wanted));
-  TRY(check_pictures(store, owner, at.row.files, wanted));
+  EditedProject edited = TRY(apply_in_store(documents, context, at, wanted));
+  TRY(check_pictures(documents, context, at.row.files, wanted));
   EditRow step;
   step.edits = write_json_line(edits_json(wanted));
   step.inverse = write_json_line(edits_json(edited.inverse));
   if (write_project_line(at.project) != at.row.document) step.original = at.row.document;
-  return keep(store, owner, at.row, std::move(edited.document), edited.project.name, EditStep::kDo, step);
+  return keep(documents, context, at.row, std::move(edited.document), edited.project.name, EditStep::kDo,
+              step);
 }
 
-Result<ProjectRow> change_project(Store& store, const OwnerId& owner, const std::string& id, int expected,
-                                  const ProjectChange& change) {
-  Standing at = TRY(standing(store, owner, id, expected));
+Result<ProjectRow> change_project(Documents& documents, const RequestContext& context, const std::string& id,
+                                  int expected, const ProjectChange& change) {
+  Standing at = TRY(standing(documents, context, id, expected));
   ProjectFileMap files = at.row.files;
   const Project wanted = TRY(change(at.project, files));
   if (wanted == at.project) return std::move(at.row);
   const std::vector<ProjectEdit> edits{edit_between(at.project, wanted)};
-  return edit_project(store, owner, id, edits_json(edits), at.row.revision, files);
+  return edit_project(documents, context, id, edits_json(edits), at.row.revision, files);
 }
 
-Result<ProjectRow> undo_edit(Store& store, const OwnerId& owner, const std::string& id, int expected) {
-  const Standing at = TRY(standing(store, owner, id, expected));
-  const EditRow step = TRY(next_step(store, owner, id, EditStep::kUndo));
+Result<ProjectRow> undo_edit(Documents& documents, const RequestContext& context, const std::string& id,
+                             int expected) {
+  const Standing at = TRY(standing(documents, context, id, expected));
+  const EditRow step = TRY(next_step(documents, context, id, EditStep::kUndo));
   const std::vector<ProjectEdit> inverse = TRY(kept_edits(step.inverse, id));
-  const EditedProject edited = TRY(apply_in_store(store, owner, at, inverse));
+  const EditedProject edited = TRY(apply_in_store(documents, context, at, inverse));
   const std::string& document = step.original.empty() ? edited.document : step.original;
-  return keep(store, owner, at.row, document, edited.project.name, EditStep::kUndo, step);
+  return keep(documents, context, at.row, document, edited.project.name, EditStep::kUndo, step);
 }
 
-Result<ProjectRow> redo_edit(Store& store, const OwnerId& owner, const std::string& id, int expected) {
-  const Standing at = TRY(standing(store, owner, id, expected));
-  const EditRow step = TRY(next_step(store, owner, id, EditStep::kRedo));
+Result<ProjectRow> redo_edit(Documents& documents, const RequestContext& context, const std::string& id,
+                             int expected) {
+  const Standing at = TRY(standing(documents, context, id, expected));
+  const EditRow step = TRY(next_step(documents, context, id, EditStep::kRedo));
   const std::vector<ProjectEdit> edits = TRY(kept_edits(step.edits, id));
-  EditedProject edited = TRY(apply_in_store(store, owner, at, edits));
-  return keep(store, owner, at.row, std::move(edited.document), edited.project.name, EditStep::kRedo, step);
+  EditedProject edited = TRY(apply_in_store(documents, context, at, edits));
+  return keep(documents, context, at.row, std::move(edited.document), edited.project.name, EditStep::kRedo,
+              step);
 }
 
-Result<std::string> history_json(Store& store, const OwnerId& owner, const std::string& id,
+Result<std::string> history_json(Documents& documents, const RequestContext& context, const std::string& id,
                                  std::int64_t before, int limit) {
-  TRY(store.project(owner, id));
-  std::vector<EditRow> steps = TRY(store.edits(owner, id, before, limit + 1));
+  TRY(documents.store().project(context, id));
+  std::vector<EditRow> steps = TRY(documents.store().edits(context, id, before, limit + 1));
   std::string next = "null", items;
   if (steps.size() > static_cast<std::size_t>(limit)) {
     steps.pop_back();

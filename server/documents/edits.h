@@ -7,8 +7,8 @@
 
 #include "core/base/result.h"
 #include "core/json/tree.h"
+#include "server/documents/documents.h"
 #include "server/documents/projects.h"
-#include "server/store/store.h"
 
 namespace toile {
 
@@ -17,25 +17,27 @@ namespace toile {
 /// document grows beyond its limit; documents.missing_file and documents.wrong_kind of a picture that an edit
 /// names; those of check_more_files; store.*. `more_files` come to the project's own, and stay when the edits
 /// are undone.
-Result<ProjectRow> edit_project(Store& store, const OwnerId& owner, const std::string& id,
+Result<ProjectRow> edit_project(Documents& documents, const RequestContext& context, const std::string& id,
                                 const JsonValue& edits, int expected, const ProjectFileMap& more_files = {});
 
 /// Makes the project what `change` makes of it, as one step of its history. `change` gets the document and
 /// the files that it may add to. Errors: those of `change` and of edit_project.
 using ProjectChange = std::function<Result<Project>(const Project& now, ProjectFileMap& files)>;
-Result<ProjectRow> change_project(Store& store, const OwnerId& owner, const std::string& id, int expected,
-                                  const ProjectChange& change);
+Result<ProjectRow> change_project(Documents& documents, const RequestContext& context, const std::string& id,
+                                  int expected, const ProjectChange& change);
 
 /// Undoes the newest step that is not undone: the document gets back the bytes of before. Errors:
 /// edit.nothing_to_undo, store.*.
-Result<ProjectRow> undo_edit(Store& store, const OwnerId& owner, const std::string& id, int expected);
+Result<ProjectRow> undo_edit(Documents& documents, const RequestContext& context, const std::string& id,
+                             int expected);
 
 /// Does the oldest undone step again. Errors: edit.nothing_to_redo, those of apply_edits, store.*.
-Result<ProjectRow> redo_edit(Store& store, const OwnerId& owner, const std::string& id, int expected);
+Result<ProjectRow> redo_edit(Documents& documents, const RequestContext& context, const std::string& id,
+                             int expected);
 
 /// {"edits": [{"number", "undone", "created_ms", "edits"}], "next"}: newest first, from below the number
 /// `before` (0: all), at most `limit`; next is the `before` of the page after it, or null. Errors: store.*.
-Result<std::string> history_json(Store& store, const OwnerId& owner, const std::string& id,
+Result<std::string> history_json(Documents& documents, const RequestContext& context, const std::string& id,
                                  std::int64_t before, int limit);
 
 }  // namespace toile

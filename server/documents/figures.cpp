@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <list>
-#include <mutex>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -18,8 +17,6 @@
 #include "core/project/bodies.h"
 #include "core/project/resolve/body_places.h"
 #include "server/documents/assets.h"
-#include "server/documents/bodies.h"
-#include "server/documents/mannequins.h"
 #include "server/store/file_name.h"
 
 namespace toile {
@@ -90,45 +87,22 @@ Status find_parts(const TriangleMesh& mesh, const MeasureSet& asked, double floo
   return {};
 }
 
-/// Figures that were found before, by mesh and wish: a scan takes seconds, and a project is looked at after
-/// every change of its pattern. Thread-safe.
-class FigureCache {
- public:
-  std::vector<JsonMember> get(const TriangleMesh& mesh, const MeasureSet& asked) {
-    const std::string key = key_of(mesh, asked);
-    {
-      const std::lock_guard hold(mutex_);
-      const auto found = std::find_if(entries_.begin(), entries_.end(),
-                                      [&](const Entry& entry) { return entry.first == key; });
-      if (found != entries_.end()) {
-        entries_.splice(entries_.begin(), entries_, found);
-        return found->second;
-      }
-    }
-    std::vector<JsonMember> made = figure_members(mesh, asked);
-    const std::lock_guard hold(mutex_);
-    entries_.emplace_front(key, made);
-    if (entries_.size() > kMost) entries_.pop_back();
-    return made;
-  }
+/// By what the figure depends on: the mesh and what was asked for.
+std::string key_of(const TriangleMesh& mesh, const MeasureSet& asked) {
+  const std::string_view corners(reinterpret_cast<const char*>(mesh.triangles.data()),
+                                 mesh.triangles.size() * sizeof(Tri));
+  return hash_of(mesh.vertices) + hash_of(corners) + write_json_line(measures_json(asked));
+}
 
- private:
-  using Entry = std::pair<std::string, std::vector<JsonMember>>;
-  static constexpr std::size_t kMost = 32;  // some hundred kilobytes each
-
-  static std::string key_of(const TriangleMesh& mesh, const MeasureSet& asked) {
-    const std::string_view corners(reinterpret_cast<const char*>(mesh.triangles.data()),
-                                   mesh.triangles.size() * sizeof(Tri));
-    return hash_of(mesh.vertices) + hash_of(corners) + write_json_line(measures_json(asked));
-  }
-
-  std::mutex mutex_;
-  std::list<Entry> entries_;  // newest use first
-};
-
-FigureCache& shared_figures() {
-  static FigureCache cache;
-  return cache;
+/// Figures that were found before are not looked for again: that takes seconds on a scan, and a project is
+/// looked at after every change of its pattern.
+std::shared_ptr<const std::vector<JsonMember>> kept_figure(Documents& documents, const TriangleMesh& mesh,
+                                                           const MeasureSet& asked) {
+  const std::string key = key_of(mesh, asked);
+  if (auto kept = documents.figures().find(key)) return kept;
+  auto made = std::make_shared<const std::vector<JsonMember>>(figure_members(mesh, asked));
+  documents.figures().keep(key, made, 1);
+  return made;
 }
 
 /// The bodies alone, so that no pattern is read for them.
@@ -200,8 +174,9 @@ static JsonValue landmarks_json(const ProjectBody& body, const Result<std::vecto
   return out;
 }
 
-Result<std::string> asset_figure_json(Store& store, const OwnerId& owner, const std::string& asset) {
-  const auto read = TRY(shared_bodies().mesh(store, owner, asset, {.unit_in_m = 1}));
+Result<std::string> asset_figure_json(Documents& documents, const RequestContext& context,
+                                      const std::string& asset) {
+  const auto read = TRY(documents.bodies().mesh(documents.store(), context, asset, {.unit_in_m = 1}));
   const TriangleMesh& raw = read->mesh;
   const Result<StandingBody> standing = stand_body(raw);
   std::vector<JsonMember> out;
@@ -219,19 +194,20 @@ Result<std::string> asset_figure_json(Store& store, const OwnerId& owner, const 
   return write_json_line(std::move(out)) + "\n";
 }
 
-Result<MadeBody> make_body(Store& store, const OwnerId& owner, const JsonValue& wish,
+Result<MadeBody> make_body(Documents& documents, const RequestContext& context, const JsonValue& wish,
                            const std::string& name) {
   const ProjectMannequin given = TRY(read_mannequin(wish, "/mannequin"));
   const Result<MannequinSettings> settings = mannequin_settings(given);
   if (!settings) return error_at("/mannequin", settings.error());
-  const auto made = shared_mannequins().get(*settings);
+  const auto made = documents.mannequins().get(*settings);
   if (!made) return error_at("/mannequin", made.error());
   const std::string file = ending_of(name) == ".obj" ? name : name + ".obj";
-  AssetRow asset = TRY(add_asset(store, owner, "body", file, obj_text((*made)->mesh, ObjDigits::kAll)));
+  AssetRow asset = TRY(add_asset(documents, context, "body", file, obj_text((*made)->mesh, ObjDigits::kAll)));
   return MadeBody{std::move(asset), figure_members((*made)->mesh, settings->asked)};
 }
 
-Result<std::string> project_bodies_json(const std::string& document, const ProjectFiles& files) {
+Result<std::string> project_bodies_json(Documents& documents, const std::string& document,
+                                        const ProjectFiles& files) {
   const Project project = TRY(parse_project(document));
   const DrapeInput input = TRY(resolve_bodies(project, files));
   BodyPlaces places(project, input.bodies);
@@ -249,7 +225,7 @@ Result<std::string> project_bodies_json(const std::string& document, const Proje
         {"mannequin", given.mannequin ? mannequin_json(*given.mannequin) : JsonValue()},
         {"friction", given.friction},
         {"skin_offset_mm", given.skin_offset_mm}};
-    for (JsonMember& member : shared_figures().get(input.bodies[i].mesh, asked)) {
+    for (JsonMember member : *kept_figure(documents, input.bodies[i].mesh, asked)) {
       if (member.key == "landmarks" && !given.landmarks.empty())
         member.value = landmarks_json(given, places.landmarks_of(static_cast<Index>(i)));
       body.push_back(std::move(member));

@@ -6,7 +6,7 @@
 #include "core/base/result.h"
 #include "core/json/tree.h"
 #include "core/project/resolve/resolve.h"
-#include "server/store/store.h"
+#include "server/documents/documents.h"
 
 namespace toile {
 
@@ -24,7 +24,8 @@ std::vector<JsonMember> figure_members(const TriangleMesh& mesh, const MeasureSe
 /// How an uploaded body stands in its file, and its figure once it stands on the floor and looks to the
 /// front: {"stance": {"unit_in_m", "up", "upside_down", "turned_degrees"} or null, …figure}. Errors:
 /// store.not_found, documents.wrong_kind, mesh.*.
-Result<std::string> asset_figure_json(Store& store, const OwnerId& owner, const std::string& asset);
+Result<std::string> asset_figure_json(Documents& documents, const RequestContext& context,
+                                      const std::string& asset);
 
 /// A body made from measures and kept as a file: {"asset": its row, …figure}. `wish` is a mannequin as a
 /// project document has it; `name` is the file's, with or without ".obj". Errors: project.* with a pointer,
@@ -33,11 +34,13 @@ struct MadeBody {
   AssetRow asset;
   std::vector<JsonMember> figure;
 };
-Result<MadeBody> make_body(Store& store, const OwnerId& owner, const JsonValue& wish,
+Result<MadeBody> make_body(Documents& documents, const RequestContext& context, const JsonValue& wish,
                            const std::string& name);
 
 /// {"bodies": [{"id", "file" or null, "mannequin" or null, "friction", "skin_offset_mm", …figure}]}, each in
-/// its place. Errors: those of reading the document and its bodies.
-Result<std::string> project_bodies_json(const std::string& document, const ProjectFiles& files);
+/// its place; `documents` keeps figures that were found. Errors: those of reading the document and its
+/// bodies.
+Result<std::string> project_bodies_json(Documents& documents, const std::string& document,
+                                        const ProjectFiles& files);
 
 }  // namespace toile

@@ -156,13 +156,13 @@ Result<JsonValue> import_specification(const std::string& bytes, const ImportWis
 
 }  // namespace
 
-Result<std::string> import_pattern(Store& store, const OwnerId& owner, const std::string& asset,
-                                   const ImportWishes& wishes) {
-  const AssetRow row = TRY(store.asset(owner, asset));
+Result<std::string> import_pattern(Documents& documents, const RequestContext& context,
+                                   const std::string& asset, const ImportWishes& wishes) {
+  const AssetRow row = TRY(documents.store().asset(context, asset));
   if (row.kind != "dxf" && row.kind != "specification") {
     return Error{"documents.wrong_kind", in_quotes(row.name) + " is no pattern file", "/asset"};
   }
-  const std::string bytes = TRY(store.asset_bytes(owner, asset));
+  const std::string bytes = TRY(documents.store().asset_bytes(context, asset));
   const Result<JsonValue> report =
       row.kind == "dxf" ? import_dxf(bytes, wishes, row) : import_specification(bytes, wishes, row);
   if (!report) return report.error();

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/base/result.h"
-#include "server/store/store.h"
+#include "server/documents/documents.h"
 
 namespace toile {
 
@@ -22,7 +22,7 @@ struct ImportWishes {
 /// cut, one cotton and a mannequin, without seams; null when no piece can be cut. Errors: store.not_found,
 /// documents.wrong_kind, documents.unit, documents.size; dxf.*, garmentcode.* with the file's name first in
 /// `where`.
-Result<std::string> import_pattern(Store& store, const OwnerId& owner, const std::string& asset,
-                                   const ImportWishes& wishes);
+Result<std::string> import_pattern(Documents& documents, const RequestContext& context,
+                                   const std::string& asset, const ImportWishes& wishes);
 
 }  // namespace toile

@@ -64,12 +64,12 @@ Status check(const std::string& name, Vec3 place) {
 
 }  // namespace
 
-Result<ProjectRow> move_landmark(Store& store, const OwnerId& owner, const std::string& id,
+Result<ProjectRow> move_landmark(Documents& documents, const RequestContext& context, const std::string& id,
                                  const std::string& body, const std::string& name, Vec3 place, int expected) {
   TRY(check(name, place));
   const ProjectChange change = [&](const Project& now, ProjectFileMap& files) -> Result<Project> {
     const std::size_t b = TRY(index_of(now, body));
-    const ProjectFiles read = files_in_store(store, owner, files);
+    const ProjectFiles read = files_in_store(documents, context, files);
     const DrapeInput input = TRY(resolve_project(now, read));
     // What stands before it in the document's list can tell it, and what the body has by itself.
     Project before = now;
@@ -93,10 +93,10 @@ Result<ProjectRow> move_landmark(Store& store, const OwnerId& owner, const std::
     TRY(resolve_project(wanted, read));
     return wanted;
   };
-  return change_project(store, owner, id, expected, change);
+  return change_project(documents, context, id, expected, change);
 }
 
-Result<ProjectRow> forget_landmark(Store& store, const OwnerId& owner, const std::string& id,
+Result<ProjectRow> forget_landmark(Documents& documents, const RequestContext& context, const std::string& id,
                                    const std::string& body, const std::string& name, int expected) {
   const ProjectChange change = [&](const Project& now, ProjectFileMap& files) -> Result<Project> {
     const std::size_t b = TRY(index_of(now, body));
@@ -107,10 +107,10 @@ Result<ProjectRow> forget_landmark(Store& store, const OwnerId& owner, const std
       return Error{"edit.unknown_landmark", "The document says nothing of a landmark of that name.",
                    "landmark " + clipped(name)};
     list.erase(at);
-    TRY(resolve_project(wanted, files_in_store(store, owner, files)));
+    TRY(resolve_project(wanted, files_in_store(documents, context, files)));
     return wanted;
   };
-  return change_project(store, owner, id, expected, change);
+  return change_project(documents, context, id, expected, change);
 }
 
 }  // namespace toile

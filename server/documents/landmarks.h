@@ -5,7 +5,7 @@
 
 #include "core/base/result.h"
 #include "core/base/types.h"
-#include "server/store/store.h"
+#include "server/documents/documents.h"
 
 namespace toile {
 
@@ -13,12 +13,12 @@ namespace toile {
 /// that the body has by itself or the document sets. On a standing body it is told from a landmark and the
 /// body's height, so that it goes along with changes of measures; else by its triangle. Errors:
 /// request.landmark, edit.unknown_body, store.*, and those of reading the project.
-Result<ProjectRow> move_landmark(Store& store, const OwnerId& owner, const std::string& id,
+Result<ProjectRow> move_landmark(Documents& documents, const RequestContext& context, const std::string& id,
                                  const std::string& body, const std::string& name, Vec3 place, int expected);
 
 /// Takes what the document says of a landmark away: it is where the body has it by itself, or gone. Errors:
 /// edit.unknown_body, edit.unknown_landmark, those of what is told by it, store.*.
-Result<ProjectRow> forget_landmark(Store& store, const OwnerId& owner, const std::string& id,
+Result<ProjectRow> forget_landmark(Documents& documents, const RequestContext& context, const std::string& id,
                                    const std::string& body, const std::string& name, int expected);
 
 }  // namespace toile

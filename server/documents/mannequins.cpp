@@ -5,8 +5,6 @@
 namespace toile {
 namespace {
 
-constexpr std::size_t kMost = 32;  // of 4,000 triangles each: a few megabytes
-
 /// Equal for equal settings, bit for bit.
 std::string key_of(const MannequinSettings& settings) {
   std::string key =
@@ -29,11 +27,6 @@ Result<std::shared_ptr<const Mannequin>> MannequinCache::get(const MannequinSett
   auto figure = std::make_shared<const Mannequin>(std::move(made));
   kept_.keep(key, figure, 1);
   return std::shared_ptr<const Mannequin>(std::move(figure));
-}
-
-MannequinCache& shared_mannequins() {
-  static MannequinCache cache(kMost);
-  return cache;
 }
 
 }  // namespace toile

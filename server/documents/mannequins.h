@@ -25,7 +25,4 @@ class MannequinCache {
   RecentCache<Mannequin> kept_;
 };
 
-/// The cache of this process.
-MannequinCache& shared_mannequins();
-
 }  // namespace toile

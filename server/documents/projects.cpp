@@ -8,8 +8,6 @@
 #include "core/base/names.h"
 #include "core/json/tree.h"
 #include "core/project/project.h"
-#include "server/documents/bodies.h"
-#include "server/documents/mannequins.h"
 #include "server/documents/used_files.h"
 
 namespace toile {
@@ -18,12 +16,12 @@ namespace {
 constexpr std::size_t kMostFiles = 1000;
 
 /// Every asset that the map names is this owner's.
-Status check_assets(Store& store, const OwnerId& owner, const ProjectFileMap& files) {
+Status check_assets(Documents& documents, const RequestContext& context, const ProjectFileMap& files) {
   if (files.size() > kMostFiles) {
     return Error{"documents.too_many_files", "a project has at most 1000 files", "/files"};
   }
   for (const auto& [name, id] : files) {
-    const Result<AssetRow> asset = store.asset(owner, id);
+    const Result<AssetRow> asset = documents.store().asset(context, id);
     if (asset) continue;
     if (asset.error().kind != ErrorKind::kNotFound) return asset.error();
     return Error{"documents.unknown_asset", "there is no uploaded file " + in_quotes(id),
@@ -59,24 +57,24 @@ Error wrong_kind(const AssetRow& asset, const std::string& wanted, const std::st
           where};
 }
 
-Status check_kinds(Store& store, const OwnerId& owner, const std::vector<UsedFile>& used,
+Status check_kinds(Documents& documents, const RequestContext& context, const std::vector<UsedFile>& used,
                    const ProjectFileMap& files) {
   for (const UsedFile& file : used) {
-    const AssetRow asset = TRY(store.asset(owner, files.at(file.name)));
+    const AssetRow asset = TRY(documents.store().asset(context, files.at(file.name)));
     if (asset.kind != file.kind) return wrong_kind(asset, file.kind, file.where);
   }
   return {};
 }
 
 /// A row of the document with its name, once a drape could be made of it.
-Result<ProjectRow> checked(Store& store, const OwnerId& owner, const std::string& document,
+Result<ProjectRow> checked(Documents& documents, const RequestContext& context, const std::string& document,
                            const ProjectFileMap& files) {
   const Project project = TRY(parse_project(document));
   const std::vector<UsedFile> used = used_files(project);
   TRY(check_missing(used, files));
-  TRY(check_assets(store, owner, files));
-  TRY(check_kinds(store, owner, used, files));
-  TRY(resolve_project(project, files_in_store(store, owner, files)));
+  TRY(check_assets(documents, context, files));
+  TRY(check_kinds(documents, context, used, files));
+  TRY(resolve_project(project, files_in_store(documents, context, files)));
   ProjectRow row;
   row.name = project.name;
   row.document = document;
@@ -93,22 +91,23 @@ Result<std::string> asset_id_of(const ProjectFileMap& files, const std::string& 
 
 }  // namespace
 
-Result<Made<ProjectRow>> create_project(Store& store, const OwnerId& owner, const std::string& document,
-                                        const ProjectFileMap& files, const std::string& idempotency_key) {
-  ProjectRow row = TRY(checked(store, owner, document, files));
-  return store.create_project(owner, std::move(row), idempotency_key);
+Result<Made<ProjectRow>> create_project(Documents& documents, const RequestContext& context,
+                                        const std::string& document, const ProjectFileMap& files,
+                                        const std::string& idempotency_key) {
+  ProjectRow row = TRY(checked(documents, context, document, files));
+  return documents.store().create_project(context, std::move(row), idempotency_key);
 }
 
-Result<ProjectRow> replace_project(Store& store, const OwnerId& owner, const std::string& id,
+Result<ProjectRow> replace_project(Documents& documents, const RequestContext& context, const std::string& id,
                                    const std::string& document, const ProjectFileMap& files, int expected) {
-  const Result<ProjectRow> there = store.project(owner, id);  // before any work is done for it
+  const Result<ProjectRow> there = documents.store().project(context, id);  // before any work is done for it
   if (!there) return there;
-  ProjectRow row = TRY(checked(store, owner, document, files));
+  ProjectRow row = TRY(checked(documents, context, document, files));
   row.id = id;
-  return store.replace_project(owner, row, expected);
+  return documents.store().replace_project(context, row, expected);
 }
 
-Status check_more_files(Store& store, const OwnerId& owner, const ProjectFileMap& has,
+Status check_more_files(Documents& documents, const RequestContext& context, const ProjectFileMap& has,
                         const ProjectFileMap& more) {
   ProjectFileMap all = has;
   for (const auto& [name, id] : more) {
@@ -118,39 +117,40 @@ Status check_more_files(Store& store, const OwnerId& owner, const ProjectFileMap
                  "the project has another file of the name " + in_quotes(name) + "; give this one another",
                  pointer_to("/files", name)};
   }
-  if (all.size() > kMostFiles) return check_assets(store, owner, all);
-  return check_assets(store, owner, more);
+  if (all.size() > kMostFiles) return check_assets(documents, context, all);
+  return check_assets(documents, context, more);
 }
 
-Status check_image(Store& store, const OwnerId& owner, const ProjectFileMap& files, const std::string& name,
-                   const std::string& where) {
+Status check_image(Documents& documents, const RequestContext& context, const ProjectFileMap& files,
+                   const std::string& name, const std::string& where) {
   const std::vector<UsedFile> used{{name, "image", where}};
   TRY(check_missing(used, files));
-  return check_kinds(store, owner, used, files);
+  return check_kinds(documents, context, used, files);
 }
 
-ProjectFiles files_in_store(Store& store, const OwnerId& owner, ProjectFileMap files) {
+ProjectFiles files_in_store(Documents& documents, const RequestContext& context, ProjectFileMap files) {
   const auto map = std::make_shared<const ProjectFileMap>(std::move(files));
   ProjectFiles out;
-  const auto bytes_of = [&store, owner, map](const char* kind) {
-    return [&store, owner, map, kind](const std::string& name) -> Result<std::string> {
+  const auto bytes_of = [&documents, context, map](const char* kind) {
+    return [&documents, context, map, kind](const std::string& name) -> Result<std::string> {
       const std::string id = TRY(asset_id_of(*map, name));
-      const AssetRow asset = TRY(store.asset(owner, id));
+      const AssetRow asset = TRY(documents.store().asset(context, id));
       if (asset.kind != kind) return wrong_kind(asset, kind, "");
-      return store.asset_bytes(owner, id);
+      return documents.store().asset_bytes(context, id);
     };
   };
   out.dxf_text = bytes_of("dxf");
   out.image_bytes = bytes_of("image");
-  out.body_mesh = [&store, owner, map](const std::string& name,
-                                       const MeshSettings& settings) -> Result<RepairedMesh> {
+  out.body_mesh = [&documents, context, map](const std::string& name,
+                                             const MeshSettings& settings) -> Result<RepairedMesh> {
     const std::string id = TRY(asset_id_of(*map, name));
-    const Result<std::shared_ptr<const RepairedMesh>> mesh = shared_bodies().mesh(store, owner, id, settings);
+    const Result<std::shared_ptr<const RepairedMesh>> mesh =
+        documents.bodies().mesh(documents.store(), context, id, settings);
     if (!mesh) return mesh.error();
     return **mesh;
   };
-  out.mannequin = [](const MannequinSettings& settings) -> Result<TriangleMesh> {
-    const std::shared_ptr<const Mannequin> made = TRY(shared_mannequins().get(settings));
+  out.mannequin = [&documents](const MannequinSettings& settings) -> Result<TriangleMesh> {
+    const std::shared_ptr<const Mannequin> made = TRY(documents.mannequins().get(settings));
     return made->mesh;
   };
   return out;

@@ -8,7 +8,7 @@
 
 #include "core/base/result.h"
 #include "core/project/resolve/resolve.h"
-#include "server/store/store.h"
+#include "server/documents/documents.h"
 
 namespace toile {
 
@@ -20,31 +20,33 @@ using ProjectFileMap = std::map<std::string, std::string>;
 /// (with the pointer of the first place that names a file which is not there) and documents.wrong_kind;
 /// documents.unknown_asset and documents.too_many_files with a pointer into {"files": …}; store.*. With an
 /// idempotency key that made this very project before, gives that one back (Store::create_project).
-Result<Made<ProjectRow>> create_project(Store& store, const OwnerId& owner, const std::string& document,
-                                        const ProjectFileMap& files, const std::string& idempotency_key = "");
+Result<Made<ProjectRow>> create_project(Documents& documents, const RequestContext& context,
+                                        const std::string& document, const ProjectFileMap& files,
+                                        const std::string& idempotency_key = "");
 /// Replaces it when it stands at revision `expected` (0: at any). Errors: those, store.not_found,
 /// store.conflict.
-Result<ProjectRow> replace_project(Store& store, const OwnerId& owner, const std::string& id,
+Result<ProjectRow> replace_project(Documents& documents, const RequestContext& context, const std::string& id,
                                    const std::string& document, const ProjectFileMap& files, int expected);
 
 /// Whether the files may come to those that a project has: they are this owner's, not too many, and none
 /// bears the name of another. Errors: documents.unknown_asset, documents.too_many_files,
 /// documents.file_taken, each with a pointer into {"files": …}; store.*.
-Status check_more_files(Store& store, const OwnerId& owner, const ProjectFileMap& has,
+Status check_more_files(Documents& documents, const RequestContext& context, const ProjectFileMap& has,
                         const ProjectFileMap& more);
 /// Whether `name` stands for an uploaded image. Errors, at `where`: documents.missing_file,
 /// documents.wrong_kind; store.*.
-Status check_image(Store& store, const OwnerId& owner, const ProjectFileMap& files, const std::string& name,
-                   const std::string& where);
+Status check_image(Documents& documents, const RequestContext& context, const ProjectFileMap& files,
+                   const std::string& name, const std::string& where);
 
-/// The files of a project or a job, for resolve_project and read_textures. `store` outlives it. Errors of its
-/// functions: documents.missing_file, documents.wrong_kind, mesh.*, store.*.
-ProjectFiles files_in_store(Store& store, const OwnerId& owner, ProjectFileMap files);
+/// The files of a project or a job, for resolve_project and read_textures. `documents` outlives it. Errors of
+/// its functions: documents.missing_file, documents.wrong_kind, mesh.*, store.*.
+ProjectFiles files_in_store(Documents& documents, const RequestContext& context, ProjectFileMap files);
 
 /// The setting that holds the sample project's id once it has been added.
 inline constexpr const char* kSampleSetting = "sample_project";
 /// Adds the project in `folder` (project.json and the files that it names) the first time, and never again:
 /// whoever deletes the sample is rid of it. Errors: project.file and those of add_asset and create_project.
-Status add_sample_project(Store& store, const OwnerId& owner, const std::filesystem::path& folder);
+Status add_sample_project(Documents& documents, const RequestContext& context,
+                          const std::filesystem::path& folder);
 
 }  // namespace toile

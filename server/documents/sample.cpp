@@ -24,12 +24,12 @@ Result<std::string> read_file(const std::filesystem::path& path) {
 }
 
 /// The project with this very document, when a start was cut off between adding it and remembering that.
-Result<std::optional<std::string>> added_before(Store& store, const OwnerId& owner,
+Result<std::optional<std::string>> added_before(Documents& documents, const RequestContext& context,
                                                 const std::string& document) {
   constexpr int kPage = 100;
   std::string cursor;
   for (;;) {
-    const std::vector<ProjectRow> page = TRY(store.projects(owner, cursor, kPage));
+    const std::vector<ProjectRow> page = TRY(documents.store().projects(context, cursor, kPage));
     for (const ProjectRow& row : page) {
       if (row.document == document) return std::optional(row.id);
     }
@@ -38,31 +38,33 @@ Result<std::optional<std::string>> added_before(Store& store, const OwnerId& own
   }
 }
 
-Result<std::string> add(Store& store, const OwnerId& owner, const std::filesystem::path& folder,
-                        const std::string& document) {
+Result<std::string> add(Documents& documents, const RequestContext& context,
+                        const std::filesystem::path& folder, const std::string& document) {
   const Project project = TRY(parse_project(document));
   ProjectFileMap files;
   for (const UsedFile& used : used_files(project)) {
     if (files.contains(used.name)) continue;
     const std::string bytes = TRY(read_file(folder / used.name));
     const std::string name = std::filesystem::path(used.name).filename().string();
-    const AssetRow asset = TRY(add_asset(store, owner, used.kind, name, bytes));
+    const AssetRow asset = TRY(add_asset(documents, context, used.kind, name, bytes));
     files[used.name] = asset.id;
   }
-  const Made<ProjectRow> row = TRY(create_project(store, owner, document, files));
+  const Made<ProjectRow> row = TRY(create_project(documents, context, document, files));
   return row.id;
 }
 
 }  // namespace
 
-Status add_sample_project(Store& store, const OwnerId& owner, const std::filesystem::path& folder) {
-  const std::optional<std::string> known = TRY(store.get_setting(owner, kSampleSetting));
+Status add_sample_project(Documents& documents, const RequestContext& context,
+                          const std::filesystem::path& folder) {
+  const std::optional<std::string> known = TRY(documents.store().get_setting(context, kSampleSetting));
   if (known) return {};
   const std::string document = TRY(read_project_text(folder / "project.json"));
-  const std::optional<std::string> before = TRY(added_before(store, owner, document));
-  const Result<std::string> id = before ? Result<std::string>(*before) : add(store, owner, folder, document);
+  const std::optional<std::string> before = TRY(added_before(documents, context, document));
+  const Result<std::string> id =
+      before ? Result<std::string>(*before) : add(documents, context, folder, document);
   if (!id) return id.error();
-  return store.put_setting(owner, kSampleSetting, *id);
+  return documents.store().put_setting(context, kSampleSetting, *id);
 }
 
 }  // namespace toile

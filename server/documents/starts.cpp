@@ -18,8 +18,6 @@
 namespace toile {
 namespace {
 
-constexpr std::size_t kMostBytes = std::size_t{64} << 20;
-
 std::string geometry_of(const DrapeInput& input, const Assembly& assembly) {
   const std::vector<Vec3>& points = assembly.positions;
   const Aabb3 extent = bounding_box(points);
@@ -71,9 +69,9 @@ std::string check_of(const Project& project, const DrapeInput& input, const Drap
          "\n";
 }
 
-Result<StartView> make_view(Store& store, const OwnerId& owner, const ProjectRow& row) {
+Result<StartView> make_view(Documents& documents, const RequestContext& context, const ProjectRow& row) {
   const Project project = TRY(parse_project(row.document));
-  const DrapeInput input = TRY(resolve_project(project, files_in_store(store, owner, row.files)));
+  const DrapeInput input = TRY(resolve_project(project, files_in_store(documents, context, row.files)));
   const DrapeStart start = TRY(prepare_start(input, {}));
   return StartView{check_of(project, input, start), geometry_of(input, start.assembly)};
 }
@@ -90,19 +88,14 @@ std::size_t bytes_of(const std::string& key, const StartView& view) {
 
 }  // namespace
 
-Result<std::shared_ptr<const StartView>> StartCache::get(Store& store, const OwnerId& owner,
-                                                         const ProjectRow& project) {
-  const std::string key = key_of(owner, project);
-  if (std::shared_ptr<const StartView> kept = kept_.find(key)) return kept;
-  StartView made = TRY(make_view(store, owner, project));
+Result<std::shared_ptr<const StartView>> start_of(Documents& documents, const RequestContext& context,
+                                                  const ProjectRow& project) {
+  const std::string key = key_of(context.owner, project);
+  if (std::shared_ptr<const StartView> kept = documents.starts().find(key)) return kept;
+  StartView made = TRY(make_view(documents, context, project));
   auto view = std::make_shared<const StartView>(std::move(made));
-  kept_.keep(key, view, bytes_of(key, *view));
+  documents.starts().keep(key, view, bytes_of(key, *view));
   return std::shared_ptr<const StartView>(std::move(view));
-}
-
-StartCache& shared_starts() {
-  static StartCache cache(kMostBytes);
-  return cache;
 }
 
 }  // namespace toile

@@ -1,13 +1,11 @@
 #pragma once
 // What a drape of a project would begin with: the pieces where they stand, and what the look at them finds.
 
-#include <cstddef>
 #include <memory>
 #include <string>
 
 #include "core/base/result.h"
-#include "server/documents/recent_cache.h"
-#include "server/store/store.h"
+#include "server/documents/documents.h"
 
 namespace toile {
 
@@ -21,20 +19,9 @@ struct StartView {
   std::string geometry;
 };
 
-/// Starts of documents; those that were used longest ago go first. Thread-safe.
-class StartCache {
- public:
-  explicit StartCache(std::size_t most_bytes) : kept_(most_bytes) {}
-
-  /// Of the project as it stands. Errors: those of reading it, pattern.*, mesh.*, placement.*.
-  Result<std::shared_ptr<const StartView>> get(Store& store, const OwnerId& owner, const ProjectRow& project);
-  std::size_t bytes() const { return kept_.size(); }
-
- private:
-  RecentCache<StartView> kept_;
-};
-
-/// The cache of this process. Files are named by their content, so that it serves any store.
-StartCache& shared_starts();
+/// Of the project as it stands, kept for a while. Errors: those of reading it, pattern.*, mesh.*,
+/// placement.*.
+Result<std::shared_ptr<const StartView>> start_of(Documents& documents, const RequestContext& context,
+                                                  const ProjectRow& project);
 
 }  // namespace toile

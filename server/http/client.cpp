@@ -3,19 +3,22 @@
 #include <boost/asio/as_tuple.hpp>
 #include <boost/asio/awaitable.hpp>
 #include <boost/asio/co_spawn.hpp>
-#include <boost/asio/detached.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/use_awaitable.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/core/tcp_stream.hpp>
 #include <boost/beast/http.hpp>
+#include <boost/url/parse.hpp>
+#include <boost/url/url_view.hpp>
 
 #include <algorithm>
+#include <exception>
 #include <optional>
 
 #include "core/base/names.h"
 #include "core/base/text.h"
+#include "server/http/thrown.h"
 
 namespace toile {
 namespace {
@@ -111,34 +114,32 @@ Result<HttpClient> HttpClient::make(const std::string& url) {
   const auto wrong = [&] {
     return Error{"client.url", "a server's address is http://HOST:PORT, not " + in_quotes(url), ""};
   };
-  constexpr std::string_view kScheme = "http://";
-  if (!url.starts_with(kScheme)) return wrong();
-  std::string_view rest = std::string_view(url).substr(kScheme.size());
-  if (rest.ends_with('/')) rest.remove_suffix(1);
-  const std::size_t bracket = rest.rfind(']'), colon = rest.rfind(':');
-  const bool has_port =
-      colon != std::string_view::npos && (bracket == std::string_view::npos || colon > bracket);
-  auto impl = std::make_unique<Impl>();
-  impl->host = std::string(rest.substr(0, has_port ? colon : rest.size()));
-  impl->port = has_port ? std::string(rest.substr(colon + 1)) : "80";
-  const auto is_digit = [](unsigned char c) { return std::isdigit(c) != 0; };
-  if (impl->host.empty() || impl->host.find_first_of("/@?# ") != std::string::npos || impl->port.empty() ||
-      !std::all_of(impl->port.begin(), impl->port.end(), is_digit)) {
+  const auto parsed = boost::urls::parse_uri(url);
+  if (!parsed || !url.starts_with("http://") || parsed->has_userinfo() || parsed->has_query() ||
+      parsed->has_fragment() || parsed->encoded_path().size() > 1 || parsed->encoded_host().empty() ||
+      (parsed->has_port() && parsed->port().empty())) {
     return wrong();
   }
+  auto impl = std::make_unique<Impl>();
+  impl->host = parsed->encoded_host();  // of an IPv6 address with its brackets
+  impl->port = parsed->has_port() ? std::string(parsed->port()) : "80";
   return HttpClient(std::move(impl));
 }
 
 Result<HttpReply> HttpClient::ask(const Request& request, std::chrono::seconds within) {
   HttpReply reply;
   boost::system::error_code failure;
+  std::exception_ptr thrown;
   impl_->io.restart();
   asio::co_spawn(
       impl_->io, [&]() -> asio::awaitable<void> { failure = co_await impl_->ask(request, within, reply); },
-      asio::detached);
+      [&](const std::exception_ptr& what) { thrown = what; });
   impl_->io.run();
-  if (!failure) return reply;
   const std::string place = impl_->host + ":" + impl_->port;
+  if (thrown) {
+    return Error{"client.failed", "asking broke off: " + words_of(thrown), place, ErrorKind::kSystem};
+  }
+  if (!failure) return reply;
   if (failure == beast::error::timeout)
     return Error{"client.timeout", "the server does not answer", place, ErrorKind::kSystem};
   if (failure.category() == http::make_error_code(http::error::bad_version).category()) {

@@ -35,7 +35,7 @@ class HttpClient {
   };
   /// Connects where need be; asks once more when a connection that was kept turns out to be closed and asking
   /// twice does no harm (GET, or with an Idempotency-Key). Errors: client.unreachable, client.timeout,
-  /// client.malformed.
+  /// client.malformed, client.failed (no memory for the answer).
   Result<HttpReply> ask(const Request& request, std::chrono::seconds within = std::chrono::seconds(120));
 
  private:

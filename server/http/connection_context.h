@@ -10,6 +10,8 @@
 #include <mutex>
 #include <vector>
 
+#include "core/base/log.h"
+#include "server/http/identify.h"
 #include "server/http/metrics.h"
 #include "server/http/router.h"
 #include "server/http/server_settings.h"
@@ -56,6 +58,8 @@ class BodyBudget {
 };
 
 struct ConnectionContext {
+  const Log& log;
+  RequestIds& request_ids;
   const ServerSettings& settings;
   const Router& router;
   Metrics& metrics;

@@ -2,7 +2,6 @@
 
 #include <boost/asio/as_tuple.hpp>
 #include <boost/asio/co_spawn.hpp>
-#include <boost/asio/detached.hpp>
 #include <boost/asio/ip/address.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
@@ -15,6 +14,7 @@
 
 #include "core/base/names.h"
 #include "server/http/session.h"
+#include "server/http/thrown.h"
 
 namespace toile {
 namespace {
@@ -52,7 +52,10 @@ Status Listener::open(const std::string& address, int port) {
   return {};
 }
 
-void Listener::start() { asio::co_spawn(acceptor_.get_executor(), accept_all(), asio::detached); }
+void Listener::start() {
+  asio::co_spawn(acceptor_.get_executor(), accept_all(),
+                 or_log(context_.log, "no more connections are taken"));
+}
 
 void Listener::close() {
   asio::post(acceptor_.get_executor(), [this] {
@@ -72,7 +75,7 @@ asio::awaitable<void> Listener::accept_all() {
     }
     if (context_.metrics.connections.load() >= context_.settings.most_connections) continue;  // closes it
     const auto session = std::make_shared<HttpSession>(std::move(socket), context_);
-    asio::co_spawn(session->executor(), session->run(), asio::detached);
+    asio::co_spawn(session->executor(), session->run(), or_log(context_.log, "connection broke off"));
   }
 }
 

@@ -10,10 +10,12 @@
 #include <vector>
 
 #include "server/http/message.h"
+#include "server/store/request_context.h"
 
 namespace toile {
 
-using HttpHandler = std::function<HttpResponse(const HttpRequest&)>;
+/// The context says on whose behalf; a handler that asks for nothing of anybody passes over it.
+using HttpHandler = std::function<HttpResponse(const RequestContext&, const HttpRequest&)>;
 
 /// What a route takes as a body.
 enum class BodyKind {
@@ -23,6 +25,7 @@ enum class BodyKind {
 };
 
 inline constexpr std::size_t kSmallBody = std::size_t{256} << 10;
+inline std::size_t small_body(const HttpRequest&) { return kSmallBody; }
 
 struct Route {
   std::string method;
@@ -30,7 +33,7 @@ struct Route {
   HttpHandler handler;
   BodyKind body = BodyKind::kUnused;
   /// Most bytes that the body may have.
-  std::function<std::size_t(const HttpRequest&)> limit = [](const HttpRequest&) { return kSmallBody; };
+  std::function<std::size_t(const HttpRequest&)> limit = small_body;
   bool heavy = false;  ///< reads geometry: runs beside the light ones, so that those never wait for it
   bool websocket =
       false;  ///< an upgrade is wanted; the handler says what is wrong with it (status 200: nothing)

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "server/http/connection_context.h"
-#include "server/http/handlers/api.h"
 #include "server/http/listener.h"
 #include "server/http/static_files.h"
 
@@ -21,25 +20,20 @@ namespace asio = boost::asio;
 /// Members are destroyed from below: connections before what they work with.
 class HttpServer::Impl {
  public:
-  Impl(Store& store, JobService& jobs, Hub& hub, ServerSettings given)
+  Impl(Store& store, JobService& jobs, Hub& hub, ServerSettings given, const Log& log)
       : settings_(std::move(given)),
+        log_(log),
         page_(settings_.web),
-        api_{store, jobs, hub, metrics_, ready_},
         budget_(settings_.most_body_bytes),
         light_(static_cast<std::size_t>(settings_.light_threads)),
         heavy_(static_cast<std::size_t>(settings_.heavy_threads)),
         streams_{store, jobs, hub, light_, settings_.stream},
-        context_{settings_, router_, metrics_, light_, heavy_, budget_, connections_, streams_},
+        context_{log_,   request_ids_, settings_, router_,      metrics_,
+                 light_, heavy_,       budget_,   connections_, streams_},
         io_(settings_.io_threads),
         listener_(io_, context_) {
-    add_health_routes(router_, api_);
-    add_asset_routes(router_, api_);
-    add_project_routes(router_, api_);
-    add_edit_routes(router_, api_);
-    add_body_routes(router_, api_);
-    add_arrangement_routes(router_, api_);
-    add_job_routes(router_, api_);
-    router_.add_page([this](const HttpRequest& request) { return page_.get(request); });
+    router_.add_page(
+        [this](const RequestContext&, const HttpRequest& request) { return page_.get(request); });
   }
 
   Status start() {
@@ -72,14 +66,18 @@ class HttpServer::Impl {
   }
 
   int port() const { return listener_.port(); }
+  Router& router() { return router_; }
+  const Metrics& metrics() const { return metrics_; }
+  const std::atomic<bool>& ready() const { return ready_; }
 
  private:
   const ServerSettings settings_;
+  const Log log_;
+  RequestIds request_ids_;
   std::atomic<bool> ready_{true}, stopped_{false};
   Metrics metrics_;
   StaticFiles page_;
   Router router_;
-  const Api api_;
   BodyBudget budget_;
   Connections connections_;
   asio::thread_pool light_, heavy_;
@@ -91,8 +89,8 @@ class HttpServer::Impl {
   std::vector<std::thread> threads_;
 };
 
-HttpServer::HttpServer(Store& store, JobService& jobs, Hub& hub, ServerSettings settings)
-    : impl_(std::make_unique<Impl>(store, jobs, hub, std::move(settings))) {}
+HttpServer::HttpServer(Store& store, JobService& jobs, Hub& hub, ServerSettings settings, const Log& log)
+    : impl_(std::make_unique<Impl>(store, jobs, hub, std::move(settings), log)) {}
 
 HttpServer::~HttpServer() { stop(); }
 
@@ -100,5 +98,8 @@ Status HttpServer::start() { return impl_->start(); }
 void HttpServer::drain() { impl_->drain(); }
 void HttpServer::stop() { impl_->stop(); }
 int HttpServer::port() const { return impl_->port(); }
+Router& HttpServer::router() { return impl_->router(); }
+const Metrics& HttpServer::metrics() const { return impl_->metrics(); }
+const std::atomic<bool>& HttpServer::ready() const { return impl_->ready(); }
 
 }  // namespace toile

@@ -1,11 +1,13 @@
 #pragma once
 // The HTTP and WebSocket service on a loopback port.
 
-#include <filesystem>
+#include <atomic>
 #include <memory>
-#include <string>
 
+#include "core/base/log.h"
 #include "core/base/result.h"
+#include "server/http/metrics.h"
+#include "server/http/router.h"
 #include "server/http/server_settings.h"
 #include "server/jobs/job_service.h"
 #include "server/store/store.h"
@@ -15,9 +17,15 @@ namespace toile {
 
 class HttpServer {
  public:
-  /// `store`, `jobs` and `hub` must outlive the server.
-  HttpServer(Store& store, JobService& jobs, Hub& hub, ServerSettings settings);
+  /// `store`, `jobs`, `hub` and the log's sink must outlive the server.
+  HttpServer(Store& store, JobService& jobs, Hub& hub, ServerSettings settings, const Log& log = {});
   ~HttpServer();  ///< stops
+
+  /// Where routes are added, before start(). The page's files are there already.
+  Router& router();
+  const Metrics& metrics() const;
+  /// False once the server drains.
+  const std::atomic<bool>& ready() const;
 
   /// Opens the port and serves from threads of its own. Errors: server.address for one that is not of the
   /// loopback, server.port when it cannot be had.

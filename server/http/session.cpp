@@ -15,6 +15,7 @@
 #include <new>
 #include <utility>
 
+#include "core/base/names.h"
 #include "core/base/text.h"
 #include "server/http/admission.h"
 #include "server/http/problem.h"
@@ -95,8 +96,9 @@ asio::awaitable<void> HttpSession::run() {
   ++context_.metrics.connections;
   try {
     co_await serve();
-  } catch (const std::exception&) {
+  } catch (const std::exception& e) {
     // Out of memory, or a socket that went away: it is this connection's end and nobody else's.
+    asked_.log.warn("connection broke off", LogFields{{"what", e.what()}});
   }
   --context_.metrics.connections;
   context_.connections.remove(this);
@@ -139,6 +141,7 @@ asio::awaitable<bool> HttpSession::serve_one() {
   if (failure) co_return co_await refuse_header(failure);
 
   HttpRequest request = request_of(parser.get());
+  asked_ = identify(request, context_.request_ids, context_.log);
   if (auto wrong = malformed(parser.get(), parser.chunked()))
     co_return co_await refuse(request, std::move(*wrong));
   Incoming incoming;
@@ -192,6 +195,7 @@ asio::awaitable<bool> HttpSession::refuse_header(boost::system::error_code failu
       large ? problem(431, {"http.header_too_large", "the header is larger than is read here", ""})
             : problem(400, {"http.malformed", "this is not HTTP: " + failure.message(), ""});
   const HttpRequest unknown;
+  asked_ = identify(unknown, context_.request_ids, context_.log);
   co_return co_await refuse(unknown, std::move(response));
 }
 
@@ -248,12 +252,14 @@ asio::awaitable<bool> HttpSession::read_body(Parser& parser, const Route& route,
 }
 
 asio::awaitable<HttpResponse> HttpSession::handle(const Route& route, const HttpRequest& request) {
-  co_return co_await on_pool(route.heavy ? context_.heavy : context_.light, [&route, &request] {
+  co_return co_await on_pool(route.heavy ? context_.heavy : context_.light, [this, &route, &request] {
     try {
-      return route.handler(request);
+      return route.handler(asked_, request);
     } catch (const std::bad_alloc&) {
+      asked_.log.error("handler ran out of memory", LogFields{{"route", route.pattern}});
       return broke("internal.memory", "there is not enough memory for this");
     } catch (const std::exception& e) {
+      asked_.log.error("handler threw", LogFields{{"route", route.pattern}, {"what", e.what()}});
       return broke("internal.exception", e.what());
     }
   });
@@ -271,6 +277,7 @@ asio::awaitable<bool> HttpSession::write(const HttpRequest& request, HttpRespons
   message.set("Referrer-Policy", "no-referrer");
   message.set("Cross-Origin-Resource-Policy", "same-origin");
   if (!response.content_type.empty()) message.set(http::field::content_type, response.content_type);
+  message.set("X-Request-Id", asked_.request_id);
   for (const auto& [name, value] : response.headers) message.set(name, value);
   if (!bodiless) message.content_length(response.body.size());
   if (request.method != "HEAD" && !bodiless) message.body() = std::move(response.body);
@@ -278,6 +285,7 @@ asio::awaitable<bool> HttpSession::write(const HttpRequest& request, HttpRespons
   // Before it is sent: who has got the answer finds it counted.
   const double seconds = std::chrono::duration<double>(Clock::now() - began_).count();
   context_.metrics.count_request(request.method, response.status, seconds);
+  tell(request, response.status, seconds);
   stream_.expires_after(context_.settings.write_within);
   http::response_serializer<http::string_body> serializer(message);
   const auto [failure, size] = co_await http::async_write(stream_, serializer, kTuple);
@@ -285,9 +293,24 @@ asio::awaitable<bool> HttpSession::write(const HttpRequest& request, HttpRespons
   co_return !failure;
 }
 
+/// What only looks and goes well is told when somebody wants to hear all: a page asks several times a second.
+void HttpSession::tell(const HttpRequest& request, int status, double seconds) const {
+  const bool looks = request.method == "GET" || request.method == "HEAD";
+  const LogLevel level = status >= 500           ? LogLevel::kError
+                         : looks && status < 400 ? LogLevel::kDebug
+                                                 : LogLevel::kInfo;
+  constexpr std::size_t kLongestTarget = 200;
+  const auto ms = static_cast<long long>(seconds * 1000);
+  asked_.log.write(level, "answered",
+                   {{"method", request.method},
+                    {"target", clipped(request.target, kLongestTarget)},
+                    {"status", std::to_string(status)},
+                    {"ms", std::to_string(ms)}});
+}
+
 asio::awaitable<bool> HttpSession::serve_stream(Parser& parser, const HttpRequest& request) {
   viewer_ =
-      std::make_shared<StreamSession>(std::move(stream_), context_.streams, kLocalOwner, request.captures[0]);
+      std::make_shared<StreamSession>(std::move(stream_), context_.streams, asked_, request.captures[0]);
   if (stopping_) viewer_->stop();
   StreamSession::Handshake handshake = parser.release();
   co_await viewer_->run(std::move(handshake));

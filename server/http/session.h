@@ -43,12 +43,14 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   boost::asio::awaitable<bool> write(const HttpRequest& request, HttpResponse response, bool keep_alive);
   boost::asio::awaitable<bool> serve_stream(Parser& parser, const HttpRequest& request);
   boost::asio::awaitable<void> linger();
+  void tell(const HttpRequest& request, int status, double seconds) const;
 
   boost::beast::tcp_stream stream_;
   const ConnectionContext& context_;
   boost::beast::flat_buffer buffer_;
   std::shared_ptr<StreamSession> viewer_;  ///< once the connection is a WebSocket
   Clock::time_point began_;                ///< of the request at hand
+  RequestContext asked_;                   ///< whose it is
   bool stopping_ = false, idle_ = false;
   bool keep_alive_ = false;  ///< whether the connection can go on after the request at hand is refused
 };

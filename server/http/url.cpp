@@ -1,5 +1,11 @@
 #include "server/http/url.h"
 
+#include <boost/url/encode.hpp>
+#include <boost/url/parse_path.hpp>
+#include <boost/url/parse_query.hpp>
+#include <boost/url/pct_string_view.hpp>
+#include <boost/url/rfc/pchars.hpp>
+
 #include <algorithm>
 
 #include "core/base/text.h"
@@ -7,15 +13,64 @@
 namespace toile {
 namespace {
 
-std::optional<int> hex_digit(char c) {
-  if (c >= '0' && c <= '9') return c - '0';
-  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-  return std::nullopt;
+namespace urls = boost::urls;
+
+// Boost.URL reads what RFC 3986 allows and nothing else. Clients send more, and have always been understood:
+// a blank, a quote, a bracket, bytes of UTF-8 as they are. Those are escaped before it reads them.
+constexpr auto kPathSigns = urls::pchars + '/';
+constexpr auto kQuerySigns = urls::pchars + '/' + '?';
+
+/// Escapes that are there already stay, so that a broken one is told as broken.
+template <typename Signs>
+std::string escaped(std::string_view text, const Signs& signs) {
+  std::string out;
+  for (const char& sign : text) {
+    if (sign == '%' || signs(sign)) {
+      out += sign;
+    } else {
+      out += urls::encode(urls::string_view(&sign, 1), signs);
+    }
+  }
+  return out;
+}
+
+/// Nothing when it holds NUL: no name of ours does, and C ends at it.
+std::optional<std::string> decoded(urls::pct_string_view text) {
+  std::string out = text.decode();
+  if (out.find('\0') != std::string::npos) return std::nullopt;
+  return out;
 }
 
 bool is_route_segment(const std::string& segment) {
   return segment != "." && segment != ".." && segment.find_first_of("/\\") == std::string::npos;
+}
+
+std::optional<std::vector<std::string>> parse_segments(std::string_view path) {
+  // Boost.URL takes "/." at the start for a mark that an empty segment follows, not for a segment.
+  if (path.starts_with("/./")) return std::nullopt;
+  const std::string text = escaped(path, kPathSigns);
+  const auto parsed = urls::parse_path(text);
+  if (!parsed) return std::nullopt;
+  std::vector<std::string> segments;
+  for (const urls::pct_string_view part : *parsed) {
+    std::optional<std::string> segment = decoded(part);
+    if (!segment || !is_route_segment(*segment)) return std::nullopt;
+    segments.push_back(std::move(*segment));
+  }
+  return segments;
+}
+
+std::optional<std::map<std::string, std::string>> parse_parameters(std::string_view query) {
+  const std::string text = escaped(query, kQuerySigns);
+  const auto parsed = urls::parse_query(text);
+  if (!parsed) return std::nullopt;
+  std::map<std::string, std::string> parameters;
+  for (const urls::param_pct_view& pair : *parsed) {
+    const std::optional<std::string> name = decoded(pair.key), value = decoded(pair.value);
+    if (!name || !value) return std::nullopt;
+    if (!name->empty()) parameters[*name] = *value;
+  }
+  return parameters;
 }
 
 bool is_port(std::string_view text) {
@@ -37,47 +92,13 @@ bool is_loopback_v4(std::string_view name) {
 
 }  // namespace
 
-std::optional<std::string> percent_decoded(std::string_view text) {
-  std::string out;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] != '%') {
-      out += text[i];
-      continue;
-    }
-    if (i + 2 >= text.size()) return std::nullopt;
-    const std::optional<int> high = hex_digit(text[i + 1]), low = hex_digit(text[i + 2]);
-    if (!high || !low || (*high == 0 && *low == 0)) return std::nullopt;
-    out += static_cast<char>(*high * 16 + *low);
-    i += 2;
-  }
-  return out;
-}
-
 std::optional<Target> parse_target(std::string_view target) {
   if (!target.starts_with('/')) return std::nullopt;
   const std::size_t question = std::min(target.find('?'), target.size());
-  std::string_view path = target.substr(1, question - std::min<std::size_t>(question, 1));
-  Target out;
-  while (!path.empty()) {
-    const std::size_t end = std::min(path.find('/'), path.size());
-    std::optional<std::string> segment = percent_decoded(path.substr(0, end));
-    if (!segment || !is_route_segment(*segment)) return std::nullopt;
-    out.segments.push_back(std::move(*segment));
-    if (end + 1 == path.size()) out.segments.emplace_back();  // a slash at the end
-    path.remove_prefix(std::min(end + 1, path.size()));
-  }
-  std::string_view query = target.substr(std::min(question + 1, target.size()));
-  while (!query.empty()) {
-    const std::size_t end = std::min(query.find('&'), query.size());
-    const std::string_view pair = query.substr(0, end);
-    const std::size_t equals = std::min(pair.find('='), pair.size());
-    const auto name = percent_decoded(pair.substr(0, equals));
-    const auto value = percent_decoded(pair.substr(std::min(equals + 1, pair.size())));
-    if (!name || !value) return std::nullopt;
-    if (!name->empty()) out.query[*name] = *value;
-    query.remove_prefix(std::min(end + 1, query.size()));
-  }
-  return out;
+  auto segments = parse_segments(target.substr(0, question));
+  auto query = parse_parameters(target.substr(std::min(question + 1, target.size())));
+  if (!segments || !query) return std::nullopt;
+  return Target{std::move(*segments), std::move(*query)};
 }
 
 std::optional<std::string> host_name(std::string_view host) {

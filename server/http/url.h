@@ -9,9 +9,6 @@
 
 namespace toile {
 
-/// "%41" → "A". Nothing when an escape is broken, or stands for NUL.
-std::optional<std::string> percent_decoded(std::string_view text);
-
 struct Target {
   std::vector<std::string> segments;         ///< decoded; a slash at the end gives an empty last one
   std::map<std::string, std::string> query;  ///< of a name that stands twice the last

@@ -6,18 +6,19 @@
 #include "core/base/result.h"
 #include "core/drape/drape_input.h"
 #include "core/image/texture.h"
-#include "server/store/store.h"
+#include "server/documents/documents.h"
 
 namespace toile {
 
 /// A document and the owner's assets that it names (file name → asset id) as what a drape needs. Errors:
 /// json.*, project.*, dxf.*, pattern.*, body.*, store.*; `where` is the place in the document.
-Result<DrapeInput> drape_input_of(Store& store, const OwnerId& owner, const std::string& document,
+Result<DrapeInput> drape_input_of(Documents& documents, const RequestContext& context,
+                                  const std::string& document,
                                   const std::map<std::string, std::string>& files);
 
 /// The pictures of the same document, for whoever draws it. REQUIRES the pattern that it resolves to. Errors:
 /// json.*, project.*, image.*, documents.*, store.*.
-Result<Textures> textures_of(Store& store, const OwnerId& owner, const std::string& document,
+Result<Textures> textures_of(Documents& documents, const RequestContext& context, const std::string& document,
                              const std::map<std::string, std::string>& files, const Pattern& pattern);
 
 }  // namespace toile

@@ -27,31 +27,39 @@ RowEdit requeued() {
 
 class QueueingJobService final : public JobService {
  public:
-  QueueingJobService(Store& store, Publisher& publisher, const JobServiceSettings& settings)
-      : store_(store), publisher_(publisher), settings_(settings), table_(store, publisher) {}
+  QueueingJobService(Documents& documents, Publisher& publisher, const JobServiceSettings& settings,
+                     const Log& log)
+      : documents_(documents),
+        store_(documents.store()),
+        publisher_(publisher),
+        settings_(settings),
+        log_(log),
+        table_(store_, publisher) {}
   ~QueueingJobService() override { stop(); }
 
   Status start() override;
   void stop() override;
-  Result<Made<JobRow>> submit(const OwnerId& owner, const std::string& project_id,
+  Result<Made<JobRow>> submit(const RequestContext& context, const std::string& project_id,
                               const std::string& idempotency_key) override;
-  Result<JobRow> pause(const OwnerId& owner, const std::string& id) override;
-  Result<JobRow> resume(const OwnerId& owner, const std::string& id) override;
-  Result<JobRow> cancel(const OwnerId& owner, const std::string& id) override;
-  Result<JobProgress> progress(const OwnerId& owner, const std::string& id) override;
+  Result<JobRow> pause(const RequestContext& context, const std::string& id) override;
+  Result<JobRow> resume(const RequestContext& context, const std::string& id) override;
+  Result<JobRow> cancel(const RequestContext& context, const std::string& id) override;
+  Result<JobProgress> progress(const RequestContext& context, const std::string& id) override;
   Counts counts() const override { return table_.counts(); }
 
  private:
   using Changing = JobTable::Changing;
 
-  Result<JobRow> on_request(const OwnerId& owner, const std::string& id, JobEvent event, const RowEdit& edit);
-  Error refusal(const OwnerId& owner, const std::string& id, JobEvent event);
+  Result<JobRow> on_request(const RequestContext& context, const std::string& id, JobEvent event,
+                            const RowEdit& edit);
+  Error refusal(const RequestContext& context, const std::string& id, JobEvent event);
   Status check_parking(const Changing& changing, const LiveJob& job) const;
   Status check_queue() const;
-  Result<JobRow> row_of_drape(const OwnerId& owner, const std::string& project_id);
+  Result<JobRow> row_of_drape(const RequestContext& context, const std::string& project_id);
 
   Status take_up_all();
   Status take_up(const Changing& changing, const Store::OwnedJob& found);
+  RequestContext context_of(const Store::OwnedJob& found) const;
   bool has_come_further(const Store::OwnedJob& found);
   void forget_checkpoint(const LiveJob& job);
   void give_back_all();
@@ -64,9 +72,11 @@ class QueueingJobService final : public JobService {
   void let_go(const LiveJobPtr& job, const std::optional<RunEnd>& run_end);
   void end(const Changing& changing, LiveJob& job, const RunEnd& run_end);
 
+  Documents& documents_;
   Store& store_;
   Publisher& publisher_;
   const JobServiceSettings settings_;
+  const Log log_;
   JobTable table_;
 
   std::mutex lifecycle_mutex_;  ///< start and stop; before the table's locks
@@ -77,8 +87,8 @@ class QueueingJobService final : public JobService {
 // --- What people ask for ----------------------------------------------------------------------------------
 
 /// Why a job that is not in the table, or in a closed one, cannot change.
-Error QueueingJobService::refusal(const OwnerId& owner, const std::string& id, JobEvent event) {
-  const JobRow row = TRY(store_.job(owner, id));
+Error QueueingJobService::refusal(const RequestContext& context, const std::string& id, JobEvent event) {
+  const JobRow row = TRY(store_.job(context, id));
   TRY(next_state(row.state, event));
   return {"jobs.stopped", "the server takes no jobs up just now; try again when it has started", "",
           ErrorKind::kUnavailable};
@@ -92,16 +102,17 @@ Status QueueingJobService::check_parking(const Changing& changing, const LiveJob
                ErrorKind::kTooMany};
 }
 
-Result<JobRow> QueueingJobService::on_request(const OwnerId& owner, const std::string& id, JobEvent event,
-                                              const RowEdit& edit) {
+Result<JobRow> QueueingJobService::on_request(const RequestContext& context, const std::string& id,
+                                              JobEvent event, const RowEdit& edit) {
   std::unique_ptr<JobRun> run;  // freed after the lock
   const Changing changing = table_.changing();
-  const LiveJobPtr job = table_.find(owner, id);
-  if (!job || !table_.is_open(changing)) return refusal(owner, id, event);
+  const LiveJobPtr job = table_.find(context, id);
+  if (!job || !table_.is_open(changing)) return refusal(context, id, event);
   if (event == JobEvent::kPause) {
     if (Status room = check_parking(changing, *job); !room) return room.error();
   }
   TRY(table_.change(changing, *job, event, edit));
+  context.log.info("job changed", {{"job", id}, {"state", std::string(name_of(job->state))}});
   if (job->held) return job->row;  // the worker tells when it lets go
   table_.announce(changing, *job);
   if (is_final(job->state)) {
@@ -111,16 +122,16 @@ Result<JobRow> QueueingJobService::on_request(const OwnerId& owner, const std::s
   return job->row;
 }
 
-Result<JobRow> QueueingJobService::pause(const OwnerId& owner, const std::string& id) {
-  return on_request(owner, id, JobEvent::kPause, {});
+Result<JobRow> QueueingJobService::pause(const RequestContext& context, const std::string& id) {
+  return on_request(context, id, JobEvent::kPause, {});
 }
 
-Result<JobRow> QueueingJobService::resume(const OwnerId& owner, const std::string& id) {
-  return on_request(owner, id, JobEvent::kResume, {});
+Result<JobRow> QueueingJobService::resume(const RequestContext& context, const std::string& id) {
+  return on_request(context, id, JobEvent::kResume, {});
 }
 
-Result<JobRow> QueueingJobService::cancel(const OwnerId& owner, const std::string& id) {
-  return on_request(owner, id, JobEvent::kCancel, with_reason("cancelled", "cancelled on request"));
+Result<JobRow> QueueingJobService::cancel(const RequestContext& context, const std::string& id) {
+  return on_request(context, id, JobEvent::kCancel, with_reason("cancelled", "cancelled on request"));
 }
 
 Status QueueingJobService::check_queue() const {
@@ -130,9 +141,10 @@ Status QueueingJobService::check_queue() const {
 }
 
 /// A drape of the project as it is now, once it is known that one can be made.
-Result<JobRow> QueueingJobService::row_of_drape(const OwnerId& owner, const std::string& project_id) {
-  const ProjectRow project = TRY(store_.project(owner, project_id));
-  TRY(drape_input_of(store_, owner, project.document, project.files));
+Result<JobRow> QueueingJobService::row_of_drape(const RequestContext& context,
+                                                const std::string& project_id) {
+  const ProjectRow project = TRY(store_.project(context, project_id));
+  TRY(drape_input_of(documents_, context, project.document, project.files));
   JobRow row;
   row.project_id = project.id;
   row.project_revision = project.revision;
@@ -142,28 +154,29 @@ Result<JobRow> QueueingJobService::row_of_drape(const OwnerId& owner, const std:
   return row;
 }
 
-Result<Made<JobRow>> QueueingJobService::submit(const OwnerId& owner, const std::string& project_id,
+Result<Made<JobRow>> QueueingJobService::submit(const RequestContext& context, const std::string& project_id,
                                                 const std::string& idempotency_key) {
-  std::optional<JobRow> before = TRY(store_.job_of_key(owner, idempotency_key));
+  std::optional<JobRow> before = TRY(store_.job_of_key(context, idempotency_key));
   if (before && before->project_id == project_id) {
     return Made<JobRow>{without_document(std::move(*before)), false};
   }
   TRY(check_queue());
-  JobRow row = TRY(row_of_drape(owner, project_id));
+  JobRow row = TRY(row_of_drape(context, project_id));
 
   const Changing changing = table_.changing();
   TRY(check_queue());  // others came while the document was read
-  const Made<JobRow> made = TRY(store_.create_job(owner, std::move(row), idempotency_key));
+  const Made<JobRow> made = TRY(store_.create_job(context, std::move(row), idempotency_key));
   if (made.anew) {
-    const LiveJobPtr job = table_.insert(changing, owner, made, JobState::kQueued);
+    const LiveJobPtr job = table_.insert(changing, context, made, JobState::kQueued);
     if (job) table_.announce(changing, *job);
+    context.log.info("job queued", {{"job", made.id}, {"project", project_id}});
   }
   return Made<JobRow>{without_document(made), made.anew};
 }
 
-Result<JobProgress> QueueingJobService::progress(const OwnerId& owner, const std::string& id) {
-  if (const LiveJobPtr job = table_.find(owner, id)) return table_.progress(*job);
-  const JobRow row = TRY(store_.job(owner, id));
+Result<JobProgress> QueueingJobService::progress(const RequestContext& context, const std::string& id) {
+  if (const LiveJobPtr job = table_.find(context, id)) return table_.progress(*job);
+  const JobRow row = TRY(store_.job(context, id));
   return progress_of_row(row);
 }
 
@@ -198,7 +211,7 @@ Status QueueingJobService::take_up_all() {
 Status QueueingJobService::take_up(const Changing& changing, const Store::OwnedJob& found) {
   const JobState state = found.job.state;
   if (is_final(state)) return {};
-  const LiveJobPtr job = table_.insert(changing, found.owner, found.job, state);
+  const LiveJobPtr job = table_.insert(changing, context_of(found), found.job, state);
   if (!job || state == JobState::kQueued) return {};
   const bool further = state == JobState::kRunning && has_come_further(found);
   if (state == JobState::kPaused || found.job.attempt < kMaxAttempts || further) {
@@ -217,16 +230,22 @@ Status QueueingJobService::take_up(const Changing& changing, const Store::OwnedJ
   return {};
 }
 
+/// Nobody waits any more for the request that once asked for it.
+RequestContext QueueingJobService::context_of(const Store::OwnedJob& found) const {
+  return RequestContext(found.owner, "", log_);
+}
+
 /// Whether the last attempt kept a checkpoint before it was cut off: then it was not the job that it came
 /// from.
 bool QueueingJobService::has_come_further(const Store::OwnedJob& found) {
-  const auto kept = store_.checkpoint(found.owner, found.job.id);
+  const auto kept = store_.checkpoint(context_of(found), found.job.id);
   return kept && kept->kept_ms >= found.job.started_ms;
 }
 
 /// One that cannot be removed now goes when the store is opened next.
 void QueueingJobService::forget_checkpoint(const LiveJob& job) {
-  static_cast<void>(store_.remove_checkpoint(job.owner, job.id).ok());
+  const Status forgotten = store_.remove_checkpoint(job.context, job.id);
+  if (!forgotten) job.context.log.warn("checkpoint not removed", forgotten.error());
 }
 
 void QueueingJobService::stop() {
@@ -258,7 +277,7 @@ void QueueingJobService::give_back(const Changing& changing, LiveJob& job) {
     reason(row);
     if (begun) row.attempt = std::max(0, row.attempt - 1);
   });
-  static_cast<void>(given.ok());
+  if (!given) job.context.log.warn("job not given back to the queue", given.error());
 }
 
 // --- What workers do --------------------------------------------------------------------------------------
@@ -288,18 +307,22 @@ Status QueueingJobService::claim(const Changing& changing, LiveJob& job) {
       row.started_ms = unix_ms();
     }
   });
-  if (!claimed) return claimed;
+  if (!claimed) {
+    job.context.log.warn("job not claimed", claimed.error());
+    return claimed;
+  }
   table_.hand_out(changing, job, [&](std::uint32_t epoch) {
-    const RunPlace place{&store_,
+    const RunPlace place{&documents_,
                          &publisher_,
                          renderer_.get(),
                          settings_.stream_interval,
                          std::chrono::duration<double>(settings_.checkpoint_every_s),
                          settings_.still_width,
                          settings_.still_height};
-    return std::make_unique<JobRun>(place, job.owner, job.id, epoch);
+    return std::make_unique<JobRun>(place, job.context, job.id, epoch);
   });
   table_.announce(changing, job);
+  job.context.log.info("job claimed", {{"attempt", std::to_string(job.row.attempt)}});
   return {};
 }
 
@@ -324,6 +347,8 @@ void QueueingJobService::let_go(const LiveJobPtr& job, const std::optional<RunEn
     table_.take_back(changing, *job);
     if (run_end) end(changing, *job, *run_end);
     if (is_final(job->state)) {
+      job->context.log.info("job ended",
+                            {{"state", std::string(name_of(job->state))}, {"reason", job->row.reason_code}});
       forget_checkpoint(*job);
       unnamed_results = job->row.results.empty();
       table_.announce(changing, *job);
@@ -338,8 +363,8 @@ void QueueingJobService::let_go(const LiveJobPtr& job, const std::optional<RunEn
 /// Files that were kept before a cancel came, or before the disk was full. The store's next start removes
 /// what stays.
 void QueueingJobService::forget_results(const LiveJob& job) {
-  const Status forgotten = store_.remove_results(job.owner, job.id);
-  static_cast<void>(forgotten.ok());
+  const Status forgotten = store_.remove_results(job.context, job.id);
+  if (!forgotten) job.context.log.warn("results not removed", forgotten.error());
 }
 
 void QueueingJobService::end(const Changing& changing, LiveJob& job, const RunEnd& run_end) {
@@ -353,16 +378,19 @@ void QueueingJobService::end(const Changing& changing, LiveJob& job, const RunEn
   });
   if (ended) return;
   const Error refusal = ended.error();  // of the store; it may still take the few words of a failure
+  job.context.log.warn("job's end not kept", refusal);
   ended = table_.change(changing, job, JobEvent::kFail,
                         with_reason(refusal.code, refusal.message, refusal.where));
-  if (!ended) table_.fail_in_memory(changing, job);
+  if (ended) return;
+  job.context.log.error("job's failure not kept", {{"code", ended.error().code}});
+  table_.fail_in_memory(changing, job);
 }
 
 }  // namespace
 
-std::unique_ptr<JobService> make_job_service(Store& store, Publisher& publisher,
-                                             const JobServiceSettings& settings) {
-  return std::make_unique<QueueingJobService>(store, publisher, settings);
+std::unique_ptr<JobService> make_job_service(Documents& documents, Publisher& publisher,
+                                             const JobServiceSettings& settings, const Log& log) {
+  return std::make_unique<QueueingJobService>(documents, publisher, settings, log);
 }
 
 }  // namespace toile

@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "core/base/log.h"
 #include "core/base/result.h"
+#include "server/documents/documents.h"
 #include "server/jobs/publisher.h"
 #include "server/store/store.h"
 
@@ -41,18 +43,18 @@ class JobService {
   /// store.idempotency_mismatch when the key was for another project, store.idempotency_key, jobs.queue_full,
   /// and whatever reading the document gives (json.*, project.*, dxf.*, …), so that bad input is told at
   /// once.
-  virtual Result<Made<JobRow>> submit(const OwnerId& owner, const std::string& project_id,
+  virtual Result<Made<JobRow>> submit(const RequestContext& context, const std::string& project_id,
                                       const std::string& idempotency_key) = 0;
   /// The state has changed when these return, durably; a worker that drapes lets go within 50 ms. A paused
   /// drape stays in memory, and resuming puts it at the head of the queue. Errors: store.not_found;
   /// jobs.state when the job's state does not allow it; jobs.stopped while the service does not run;
   /// jobs.too_many_paused.
-  virtual Result<JobRow> pause(const OwnerId& owner, const std::string& id) = 0;
-  virtual Result<JobRow> resume(const OwnerId& owner, const std::string& id) = 0;
-  virtual Result<JobRow> cancel(const OwnerId& owner, const std::string& id) = 0;
+  virtual Result<JobRow> pause(const RequestContext& context, const std::string& id) = 0;
+  virtual Result<JobRow> resume(const RequestContext& context, const std::string& id) = 0;
+  virtual Result<JobRow> cancel(const RequestContext& context, const std::string& id) = 0;
 
   /// What a job is doing now; from the store's row when it is not under way. Error: store.not_found.
-  virtual Result<JobProgress> progress(const OwnerId& owner, const std::string& id) = 0;
+  virtual Result<JobProgress> progress(const RequestContext& context, const std::string& id) = 0;
 
   struct Counts {
     int queued = 0, running = 0, paused = 0;
@@ -62,8 +64,9 @@ class JobService {
   virtual Counts counts() const = 0;
 };
 
-/// `store` and `publisher` must outlive the service.
-std::unique_ptr<JobService> make_job_service(Store& store, Publisher& publisher,
-                                             const JobServiceSettings& settings);
+/// `documents`, `publisher` and the log's sink must outlive the service. The log is for what the service does
+/// by itself; what is done for a request goes to the log of its context.
+std::unique_ptr<JobService> make_job_service(Documents& documents, Publisher& publisher,
+                                             const JobServiceSettings& settings, const Log& log = {});
 
 }  // namespace toile

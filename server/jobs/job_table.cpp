@@ -32,7 +32,7 @@ Status JobTable::change(const Changing&, LiveJob& job, JobEvent event, const Row
   if (is_final(next.state)) row.ended_ms = unix_ms();
   if (edit) edit(row);
   if (next.effects.persist) {
-    if (Status written = store_.update_job(job.owner, row); !written) return written;
+    if (Status written = store_.update_job(job.context, row); !written) return written;
   }
   {
     const std::lock_guard lock(mutex_);
@@ -77,10 +77,11 @@ void JobTable::announce(const Changing&, const LiveJob& job) {
   }
 }
 
-LiveJobPtr JobTable::insert(const Changing&, const OwnerId& owner, const JobRow& row, JobState state) {
+LiveJobPtr JobTable::insert(const Changing&, const RequestContext& context, const JobRow& row,
+                            JobState state) {
   auto job = std::make_shared<LiveJob>();
   job->id = row.id;
-  job->owner = owner;
+  job->context = context.for_job(row.id);
   job->row = without_document(row);
   job->state = state;
   {
@@ -159,10 +160,10 @@ void JobTable::close(const Changing&) {
   bell_.notify_all();
 }
 
-LiveJobPtr JobTable::find(const OwnerId& owner, const std::string& id) const {
+LiveJobPtr JobTable::find(const RequestContext& context, const std::string& id) const {
   const std::lock_guard lock(mutex_);
   const auto found = jobs_.find(id);
-  return found != jobs_.end() && found->second->owner == owner ? found->second : nullptr;
+  return found != jobs_.end() && found->second->context.owner == context.owner ? found->second : nullptr;
 }
 
 JobProgress JobTable::progress(const LiveJob& job) const {

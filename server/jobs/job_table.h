@@ -26,8 +26,8 @@ namespace toile {
 /// the worker while it holds the job.
 struct LiveJob {
   std::string id;
-  OwnerId owner;
-  JobRow row;  ///< without the document
+  RequestContext context;  ///< of whoever asked for it; its log names the job
+  JobRow row;              ///< without the document
   JobState state = JobState::kQueued;
   bool held = false;            ///< a worker has it
   JobProgress progress;         ///< as the worker told it last
@@ -66,7 +66,7 @@ class JobTable {
   void announce(const Changing&, const LiveJob& job);
   /// Puts a job at the end of the queue as `state`. Gives back nothing when it is there already or the table
   /// is closed.
-  LiveJobPtr insert(const Changing&, const OwnerId& owner, const JobRow& row, JobState state);
+  LiveJobPtr insert(const Changing&, const RequestContext& context, const JobRow& row, JobState state);
   /// Takes a job out and gives back its drape, to be freed when the locks are not held.
   std::unique_ptr<JobRun> remove(const Changing&, const LiveJobPtr& job);
   /// The first of the queue that no worker holds.
@@ -87,7 +87,7 @@ class JobTable {
 
   // Without.
 
-  LiveJobPtr find(const OwnerId& owner, const std::string& id) const;
+  LiveJobPtr find(const RequestContext& context, const std::string& id) const;
   JobProgress progress(const LiveJob& job) const;
   JobState state(const LiveJob& job) const;
   JobService::Counts counts() const;

@@ -110,7 +110,7 @@ TemporaryFolder::~TemporaryFolder() {
   fs::remove_all(path_, ignored);
 }
 
-Result<std::map<std::string, std::int64_t>> keep_results(Store& store, const OwnerId& owner,
+Result<std::map<std::string, std::int64_t>> keep_results(Store& store, const RequestContext& context,
                                                          const std::string& job_id, const fs::path& folder) {
   std::map<std::string, fs::path> files;
   std::error_code failure;
@@ -123,7 +123,7 @@ Result<std::map<std::string, std::int64_t>> keep_results(Store& store, const Own
   std::map<std::string, std::int64_t> sizes;
   for (const auto& [name, path] : files) {
     const std::string bytes = TRY(bytes_of(path));
-    TRY(store.put_result(owner, job_id, name, bytes));
+    TRY(store.put_result(context, job_id, name, bytes));
     sizes[name] = static_cast<std::int64_t>(bytes.size());
   }
   return sizes;

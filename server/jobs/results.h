@@ -49,7 +49,7 @@ class TemporaryFolder {
 
 /// Puts every file of `folder` into the store as a result of the job, in the order of their names. Gives back
 /// name → bytes, as JobRow::results has them. Errors: export.read, those of the store.
-Result<std::map<std::string, std::int64_t>> keep_results(Store& store, const OwnerId& owner,
+Result<std::map<std::string, std::int64_t>> keep_results(Store& store, const RequestContext& context,
                                                          const std::string& job_id,
                                                          const std::filesystem::path& folder);
 

@@ -57,8 +57,8 @@ Status draw(const RunPlace& place, const RunControl& control, std::shared_ptr<co
 
 }  // namespace
 
-JobRun::JobRun(const RunPlace& place, OwnerId owner, std::string job_id, std::uint32_t epoch)
-    : place_(place), owner_(std::move(owner)), job_id_(std::move(job_id)), epoch_(epoch) {
+JobRun::JobRun(const RunPlace& place, RequestContext context, std::string job_id, std::uint32_t epoch)
+    : place_(place), context_(std::move(context)), job_id_(std::move(job_id)), epoch_(epoch) {
   progress_.state = JobState::kRunning;
 }
 
@@ -66,13 +66,16 @@ std::optional<RunEnd> JobRun::go_on(const RunControl& control) {
   try {
     return through_all_stages(control);
   } catch (const std::bad_alloc&) {
+    context_.log.error("drape ran out of memory", {{"phase", progress_.phase}});
     return failed({"internal.memory",
                    "there was not enough memory for this drape; a larger particle distance needs less", "",
                    ErrorKind::kInternal});
   } catch (const std::exception& e) {
+    context_.log.error("drape threw", {{"phase", progress_.phase}, {"what", e.what()}});
     return failed(
         {"internal.exception", std::string("the drape broke off: ") + e.what(), "", ErrorKind::kInternal});
   } catch (...) {
+    context_.log.error("drape threw what is no exception", {{"phase", progress_.phase}});
     return failed({"internal.unknown", "the drape broke off for a reason that it did not name", "",
                    ErrorKind::kInternal});
   }
@@ -109,8 +112,8 @@ RunContext JobRun::context_of(const RunControl& control) {
 Status JobRun::begin(const RunControl& control) {
   tell(control, "mesh", 0);
   if (!input_) {
-    const JobRow row = TRY(place_.store->job(owner_, job_id_));
-    DrapeInput input = TRY(drape_input_of(*place_.store, owner_, row.document, row.files));
+    const JobRow row = TRY(place_.documents->store().job(context_, job_id_));
+    DrapeInput input = TRY(drape_input_of(*place_.documents, context_, row.document, row.files));
     input_ = std::make_shared<const DrapeInput>(std::move(input));
   }
   RunContext context = context_of(control);
@@ -128,9 +131,10 @@ Status JobRun::begin(const RunControl& control) {
 /// From the newest checkpoint; one that is of no use (damaged, of another version) costs the time that it
 /// would have saved and nothing else.
 Result<std::unique_ptr<DrapeRun>> JobRun::start_or_resume(const RunContext& context) {
-  if (const auto kept = place_.store->checkpoint(owner_, job_id_)) {
+  if (const auto kept = place_.documents->store().checkpoint(context_, job_id_)) {
     auto run = DrapeRun::resume(*input_, kept->bytes, context, nullptr);
     if (run || run.error().kind != ErrorKind::kSystem) return run;
+    context_.log.warn("checkpoint of no use; the drape starts anew", run.error());
   }
   return DrapeRun::start(*input_, context, nullptr);
 }
@@ -140,8 +144,12 @@ Result<std::unique_ptr<DrapeRun>> JobRun::start_or_resume(const RunContext& cont
 void JobRun::keep_checkpoint() {
   if (checkpoint_step_ == run_->session().steps()) return;
   const Clock::time_point before = Clock::now();
-  const Status kept = place_.store->put_checkpoint(owner_, job_id_, run_->checkpoint());
-  if (kept) checkpoint_step_ = run_->session().steps();
+  const Status kept = place_.documents->store().put_checkpoint(context_, job_id_, run_->checkpoint());
+  if (kept) {
+    checkpoint_step_ = run_->session().steps();
+  } else {
+    context_.log.warn("checkpoint not kept", kept.error());
+  }
   const std::chrono::duration<double> took = Clock::now() - before;
   next_checkpoint_ = later(std::max(place_.checkpoint_every, 20 * took));
 }
@@ -199,14 +207,15 @@ void JobRun::tell(const RunControl& control, std::string_view phase, double frac
 }
 
 Result<Textures> JobRun::read_pictures() {
-  const JobRow row = TRY(place_.store->job(owner_, job_id_));
-  return textures_of(*place_.store, owner_, row.document, row.files, input_->pattern);
+  const JobRow row = TRY(place_.documents->store().job(context_, job_id_));
+  return textures_of(*place_.documents, context_, row.document, row.files, input_->pattern);
 }
 
 /// Results first: the state that names them is written by whoever gets the end.
 Result<RunEnd> JobRun::deliver(const RunControl& control) {
   tell(control, "stills", 0);
-  std::unique_ptr<TemporaryFolder> folder = TRY(TemporaryFolder::make(place_.store->scratch_folder()));
+  std::unique_ptr<TemporaryFolder> folder =
+      TRY(TemporaryFolder::make(place_.documents->store().scratch_folder()));
   auto delivery = std::make_shared<Delivery>();
   delivery->input = input_;
   delivery->result = result_;
@@ -218,15 +227,17 @@ Result<RunEnd> JobRun::deliver(const RunControl& control) {
   if (Result<Textures> textures = read_pictures(); textures) {
     delivery->textures = std::move(*textures);
   } else {  // the drape is worth keeping without them
+    context_.log.warn("pictures on pieces not read", textures.error());
     end.reason += "; it is shown without the pictures on its pieces: " + textures.error().message;
   }
   TRY(write_models(*input_, *result_, delivery->textures, path, true));
   TRY(write_file(path / "report.json", end.report));
   if (Status stills = draw(place_, control, delivery); !stills) {
     if (stills.error().kind == ErrorKind::kCancelled) return stills.error();
+    context_.log.warn("stills not drawn", stills.error());
     end.reason += "; there are no pictures of it: " + stills.error().message;  // the drape is worth keeping
   }
-  auto results = TRY(keep_results(*place_.store, owner_, job_id_, path));
+  auto results = TRY(keep_results(place_.documents->store(), context_, job_id_, path));
   end.results = std::move(results);
   tell(control, "stills", 1);
   return end;

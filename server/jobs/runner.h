@@ -15,6 +15,7 @@
 #include "core/drape/drape_result.h"
 #include "core/drape/pipeline.h"
 #include "core/image/texture.h"
+#include "server/documents/documents.h"
 #include "server/jobs/publisher.h"
 #include "server/jobs/render_worker.h"
 #include "server/jobs/run_end.h"
@@ -25,7 +26,7 @@ namespace toile {
 
 /// What a run needs of the house. All of it outlives the run.
 struct RunPlace {
-  Store* store = nullptr;
+  Documents* documents = nullptr;
   Publisher* publisher = nullptr;
   RenderWorker* renderer = nullptr;
   int stream_interval = 50;  ///< substeps between streamed frames
@@ -44,7 +45,7 @@ struct RunControl {
 /// A job's drape under way. Between two calls of go_on it lies in memory, and any thread may call it next.
 class JobRun {
  public:
-  JobRun(const RunPlace& place, OwnerId owner, std::string job_id, std::uint32_t epoch);
+  JobRun(const RunPlace& place, RequestContext context, std::string job_id, std::uint32_t epoch);
 
   /// Goes on until the end, or until it is interrupted: then it gives back nothing. Whatever is thrown inside
   /// is caught here, and the run ends with code internal.memory, internal.exception or internal.unknown.
@@ -65,7 +66,7 @@ class JobRun {
   RunContext context_of(const RunControl& control);
 
   RunPlace place_;
-  OwnerId owner_;
+  RequestContext context_;
   std::string job_id_;
   std::uint32_t epoch_;
 

@@ -14,12 +14,9 @@
 
 #include "core/base/result.h"
 #include "server/store/job_state.h"
+#include "server/store/request_context.h"
 
 namespace toile {
-
-using OwnerId = std::string;
-/// Until there are accounts, everything belongs to this owner.
-inline constexpr const char* kLocalOwner = "local";
 
 /// An uploaded file. Content, kind and name never change; the same three of one owner are one asset.
 struct AssetRow {
@@ -86,61 +83,63 @@ class Store {
   /// Keeps the bytes under row's kind, name and info; id, size and time are the store's to give. Gives back
   /// the existing asset when this owner has the same content under the same name and kind. Errors:
   /// store.bad_name.
-  virtual Result<AssetRow> put_asset(const OwnerId& owner, AssetRow row, std::string_view bytes) = 0;
-  virtual Result<AssetRow> asset(const OwnerId& owner, const std::string& id) = 0;
-  virtual Result<std::string> asset_bytes(const OwnerId& owner, const std::string& id) = 0;
+  virtual Result<AssetRow> put_asset(const RequestContext& context, AssetRow row, std::string_view bytes) = 0;
+  virtual Result<AssetRow> asset(const RequestContext& context, const std::string& id) = 0;
+  virtual Result<std::string> asset_bytes(const RequestContext& context, const std::string& id) = 0;
   /// Where the bytes lie as a file, for readers that want one: its name ends as the asset's does (in lower
   /// case). Only to read.
-  virtual Result<std::string> asset_path(const OwnerId& owner, const std::string& id) = 0;
+  virtual Result<std::string> asset_path(const RequestContext& context, const std::string& id) = 0;
   /// Newest first; of every kind when `kind` is empty.
-  virtual Result<std::vector<AssetRow>> assets(const OwnerId& owner, const std::string& kind) = 0;
+  virtual Result<std::vector<AssetRow>> assets(const RequestContext& context, const std::string& kind) = 0;
 
   /// Keeps name, document and files; id, revision and times are the store's to give. With an idempotency key
   /// that this owner has used, gives back the project that was made then, as it is now; a removed project has
   /// freed its key. Errors: store.idempotency_mismatch when the key was used for another document or other
   /// files, store.idempotency_key (empty means none; else 1 to 200 printable ASCII characters).
-  virtual Result<Made<ProjectRow>> create_project(const OwnerId& owner, ProjectRow row,
+  virtual Result<Made<ProjectRow>> create_project(const RequestContext& context, ProjectRow row,
                                                   const std::string& idempotency_key = "") = 0;
   /// Replaces document, files and name when the stored revision is `expected` (or expected is 0); its history
   /// is then empty. Errors: store.not_found, store.conflict.
-  virtual Result<ProjectRow> replace_project(const OwnerId& owner, const ProjectRow& row, int expected) = 0;
-  virtual Result<ProjectRow> project(const OwnerId& owner, const std::string& id) = 0;
+  virtual Result<ProjectRow> replace_project(const RequestContext& context, const ProjectRow& row,
+                                             int expected) = 0;
+  virtual Result<ProjectRow> project(const RequestContext& context, const std::string& id) = 0;
   /// Newest first, from after `cursor` (an id, or empty), at most `limit` (and 1,000). Error: store.cursor
   /// when the cursor is no id; that of a project that is gone is good.
-  virtual Result<std::vector<ProjectRow>> projects(const OwnerId& owner, const std::string& cursor,
+  virtual Result<std::vector<ProjectRow>> projects(const RequestContext& context, const std::string& cursor,
                                                    int limit) = 0;
   /// Removes it when the stored revision is `expected` (or expected is 0); its jobs stay. Errors:
   /// store.not_found, store.conflict.
-  virtual Status remove_project(const OwnerId& owner, const std::string& id, int expected) = 0;
+  virtual Status remove_project(const RequestContext& context, const std::string& id, int expected) = 0;
 
   /// Replaces document, name and files when the stored revision is `expected`, together with a step of the
   /// history: kDo forgets what was undone and appends `edit` (number, time and undone are the store's to
   /// give); kUndo and kRedo turn over what edit.number names. A history holds at most 500 steps and 64 MiB,
   /// the newest. Errors: store.not_found (the project; the step), store.conflict.
-  virtual Result<ProjectRow> edit_project(const OwnerId& owner, const ProjectRow& row, int expected,
+  virtual Result<ProjectRow> edit_project(const RequestContext& context, const ProjectRow& row, int expected,
                                           EditStep step, const EditRow& edit) = 0;
   /// Steps of the history with numbers below `before` (0: all), newest first, at most `limit` (and 1,000);
   /// without inverse and original.
-  virtual Result<std::vector<EditRow>> edits(const OwnerId& owner, const std::string& project_id,
+  virtual Result<std::vector<EditRow>> edits(const RequestContext& context, const std::string& project_id,
                                              std::int64_t before, int limit) = 0;
   /// What kUndo or kRedo would turn over next; nothing when there is nothing.
-  virtual Result<std::optional<EditRow>> next_edit(const OwnerId& owner, const std::string& project_id,
-                                                   EditStep step) = 0;
+  virtual Result<std::optional<EditRow>> next_edit(const RequestContext& context,
+                                                   const std::string& project_id, EditStep step) = 0;
 
   /// Keeps the row under a new id; its time is the store's to give. With an idempotency key that this owner
   /// has used, gives back the job it made then. Errors: store.idempotency_mismatch when that was for another
   /// project, store.idempotency_key (as for projects).
-  virtual Result<Made<JobRow>> create_job(const OwnerId& owner, JobRow row,
+  virtual Result<Made<JobRow>> create_job(const RequestContext& context, JobRow row,
                                           const std::string& idempotency_key) = 0;
   /// The job that this owner made with the key; nothing when there is none, or the key is empty. Error:
   /// store.idempotency_key.
-  virtual Result<std::optional<JobRow>> job_of_key(const OwnerId& owner,
+  virtual Result<std::optional<JobRow>> job_of_key(const RequestContext& context,
                                                    const std::string& idempotency_key) = 0;
-  virtual Result<JobRow> job(const OwnerId& owner, const std::string& id) = 0;
+  virtual Result<JobRow> job(const RequestContext& context, const std::string& id) = 0;
   /// Newest first, as projects(); without documents (row.document is empty).
-  virtual Result<std::vector<JobRow>> jobs(const OwnerId& owner, const std::string& cursor, int limit) = 0;
+  virtual Result<std::vector<JobRow>> jobs(const RequestContext& context, const std::string& cursor,
+                                           int limit) = 0;
   /// Writes state, reason, attempt, times, report and results of a job that exists.
-  virtual Status update_job(const OwnerId& owner, const JobRow& row) = 0;
+  virtual Status update_job(const RequestContext& context, const JobRow& row) = 0;
   /// The oldest queued jobs of all owners, for the workers; and at a start those left running or paused.
   struct OwnedJob {
     OwnerId owner;
@@ -150,12 +149,12 @@ class Store {
 
   /// Result files of a job. A name stands for a file of that job's own folder: no slash, no leading dot, no
   /// control character (store.bad_name). Writing one again replaces it. row.results is update_job's to write.
-  virtual Status put_result(const OwnerId& owner, const std::string& job_id, const std::string& name,
+  virtual Status put_result(const RequestContext& context, const std::string& job_id, const std::string& name,
                             std::string_view bytes) = 0;
-  virtual Result<std::string> result_bytes(const OwnerId& owner, const std::string& job_id,
+  virtual Result<std::string> result_bytes(const RequestContext& context, const std::string& job_id,
                                            const std::string& name) = 0;
   /// Removes all result files of a job. Nothing to remove is no error.
-  virtual Status remove_results(const OwnerId& owner, const std::string& job_id) = 0;
+  virtual Status remove_results(const RequestContext& context, const std::string& job_id) = 0;
 
   /// The state that an unfinished job goes on from after a stop or a crash. Putting one replaces the one
   /// before; one that its job has left behind goes when the store is opened.
@@ -163,14 +162,17 @@ class Store {
     std::string bytes;
     std::int64_t kept_ms = 0;  ///< Unix time
   };
-  virtual Status put_checkpoint(const OwnerId& owner, const std::string& job_id, std::string_view bytes) = 0;
-  virtual Result<KeptCheckpoint> checkpoint(const OwnerId& owner, const std::string& job_id) = 0;
+  virtual Status put_checkpoint(const RequestContext& context, const std::string& job_id,
+                                std::string_view bytes) = 0;
+  virtual Result<KeptCheckpoint> checkpoint(const RequestContext& context, const std::string& job_id) = 0;
   /// Nothing to remove is no error.
-  virtual Status remove_checkpoint(const OwnerId& owner, const std::string& job_id) = 0;
+  virtual Status remove_checkpoint(const RequestContext& context, const std::string& job_id) = 0;
 
   /// What the server remembers for an owner, by key; nothing when it was never put.
-  virtual Result<std::optional<std::string>> get_setting(const OwnerId& owner, const std::string& key) = 0;
-  virtual Status put_setting(const OwnerId& owner, const std::string& key, const std::string& value) = 0;
+  virtual Result<std::optional<std::string>> get_setting(const RequestContext& context,
+                                                         const std::string& key) = 0;
+  virtual Status put_setting(const RequestContext& context, const std::string& key,
+                             const std::string& value) = 0;
 
   /// A folder for files that live no longer than a call; what a crash leaves there, the next start removes.
   virtual std::string scratch_folder() const = 0;
@@ -178,11 +180,5 @@ class Store {
   /// Cheap proof that the store answers, for /readyz.
   virtual Status ping() = 0;
 };
-
-/// Opens or makes the store in `folder` (toile.db, blobs/, results/, checkpoints/, scratch/), which it then
-/// has for itself. Files that no row names go: uploads that a crash has cut off, results of drapes that did
-/// not come to their end. Errors: store.open with path and reason, store.in_use when another process has it
-/// open, store.newer_schema when a newer program has written it.
-Result<std::unique_ptr<Store>> open_sqlite_store(const std::string& folder);
 
 }  // namespace toile

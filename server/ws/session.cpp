@@ -33,10 +33,10 @@ struct Found {
 
 }  // namespace
 
-StreamSession::StreamSession(beast::tcp_stream stream, const StreamServices& services, OwnerId owner,
-                             std::string job_id)
+StreamSession::StreamSession(beast::tcp_stream stream, const StreamServices& services,
+                             const RequestContext& context, std::string job_id)
     : services_(services),
-      owner_(std::move(owner)),
+      context_(context.for_job(job_id)),
       job_id_(std::move(job_id)),
       socket_(std::move(stream)),
       wake_(socket_.get_executor()),
@@ -81,9 +81,11 @@ asio::awaitable<void> StreamSession::write_all() {
 
 asio::awaitable<bool> StreamSession::greet() {
   const Found found = co_await on_pool(services_.pool, [this] {
-    return Found{services_.store.job(owner_, job_id_), services_.jobs.progress(owner_, job_id_)};
+    return Found{services_.store.job(context_, job_id_), services_.jobs.progress(context_, job_id_)};
   });
   if (!found.job || !found.progress) {
+    context_.log.warn("stream ended: the job cannot be read",
+                      found.job ? found.progress.error() : found.job.error());
     ask_to_close(websocket::close_code::internal_error, "the job cannot be read");
     co_return false;
   }
@@ -120,7 +122,7 @@ asio::awaitable<bool> StreamSession::write(std::string_view bytes, bool text) {
 
 asio::awaitable<bool> StreamSession::write_ended(const ChannelView& view) {
   const Found found = co_await on_pool(services_.pool, [this] {
-    return Found{services_.store.job(owner_, job_id_), services_.jobs.progress(owner_, job_id_)};
+    return Found{services_.store.job(context_, job_id_), services_.jobs.progress(context_, job_id_)};
   });
   ask_to_close(websocket::close_code::normal, "the drape has ended");
   if (!found.job || !(view.ended || found.progress)) co_return true;
@@ -162,9 +164,9 @@ asio::awaitable<void> StreamSession::obey(std::string text) {
   }
   const Control wish = *control;
   const Result<JobRow> done = co_await on_pool(services_.pool, [this, wish]() -> Result<JobRow> {
-    if (wish == Control::kPause) return services_.jobs.pause(owner_, job_id_);
-    if (wish == Control::kResume) return services_.jobs.resume(owner_, job_id_);
-    return services_.jobs.cancel(owner_, job_id_);
+    if (wish == Control::kPause) return services_.jobs.pause(context_, job_id_);
+    if (wish == Control::kResume) return services_.jobs.resume(context_, job_id_);
+    return services_.jobs.cancel(context_, job_id_);
   });
   if (done) co_return;
   reply_ = error_message(done.error());

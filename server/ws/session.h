@@ -38,8 +38,8 @@ class StreamSession final : public ChannelListener, public std::enable_shared_fr
  public:
   using Handshake = boost::beast::http::request<boost::beast::http::string_body>;
 
-  StreamSession(boost::beast::tcp_stream stream, const StreamServices& services, OwnerId owner,
-                std::string job_id);
+  StreamSession(boost::beast::tcp_stream stream, const StreamServices& services,
+                const RequestContext& context, std::string job_id);
 
   /// Answers the handshake and serves the viewer until either side ends it. `job` exists.
   boost::asio::awaitable<void> run(Handshake handshake);
@@ -72,7 +72,7 @@ class StreamSession final : public ChannelListener, public std::enable_shared_fr
   void drop();   ///< closes the connection without a word
 
   const StreamServices& services_;
-  OwnerId owner_;
+  RequestContext context_;  ///< of the request that became this stream
   std::string job_id_;
   Socket socket_;
   boost::asio::steady_timer wake_;  ///< the writer sleeps on it

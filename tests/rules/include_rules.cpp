@@ -49,6 +49,8 @@ const std::map<std::string, Names>& table() {
       {"editing", {"create", "edit", "fields", "json", "pattern", "project", "resolve", "sewing"}},
       {"proto", {"drape", "sewing"}},
       {"store", {}},
+      {"sqlite", {"store"}},
+      {"log", {}},
       {"analysis", {"drape"}},
       {"exports", {"analysis", "drape", "geometry", "image", "material", "mesh"}},
       {"documents", {"arrange",   "create",  "drape",     "dxf",     "editing", "garmentcode", "geometry",
@@ -57,7 +59,8 @@ const std::map<std::string, Names>& table() {
       {"jobs",
        {"analysis", "documents", "drape", "exports", "image", "json", "proto", "render", "resolve", "store"}},
       {"ws", {"jobs", "json", "proto", "store"}},
-      {"http", {"documents", "jobs", "json", "store", "ws"}},
+      {"http", {"jobs", "json", "store", "ws"}},
+      {"handlers", {"documents", "http", "jobs", "json", "store", "ws"}},
   };
   return rooms;
 }
@@ -78,7 +81,8 @@ const std::vector<Door>& doors() {
       {"GL/", "OpenGL", {"server/render/"}, true},
       {"nlohmann/",
        "nlohmann-json",
-       {"core/json/tree.", "server/store/rows.", "core/exports/write_glb.", "core/exports/write_report."},
+       {"core/json/tree.", "server/store/sqlite/rows.", "core/exports/write_glb.",
+        "core/exports/write_report."},
        false},
       {"xxhash", "xxHash", {"core/base/hash."}, false},
       {"png", "libpng", {"core/image/"}, false},
@@ -86,7 +90,8 @@ const std::vector<Door>& doors() {
       {"jerror", "libjpeg", {"core/image/"}, false},
       {"CLI/", "CLI11", {"server/app/"}, true},
       {"boost/", "Boost", {"server/http/", "server/ws/"}, true},
-      {"sqlite3", "SQLite", {"server/store/"}, false},
+      {"sqlite3", "SQLite", {"server/store/sqlite/"}, false},
+      {"spdlog/", "spdlog", {"server/log/"}, false},
   };
   return all;
 }
@@ -98,7 +103,7 @@ bool starts_with_any(std::string_view text, const Names& prefixes) {
 
 /// The folders within a room that are part of it, and no rooms of their own.
 const Names& alcoves() {
-  static const Names folders{"core/solver/constraints", "core/solver/lanes", "server/http/handlers"};
+  static const Names folders{"core/solver/constraints", "core/solver/lanes"};
   return folders;
 }
 

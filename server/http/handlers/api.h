@@ -1,8 +1,12 @@
 #pragma once
-// The routes of the service, resource by resource. A handler parses, calls and answers; it may block.
+// The routes of the service, resource by resource: each handler file ends with the table of its own. A
+// handler parses, calls and answers; it may block.
 
 #include <atomic>
+#include <functional>
+#include <vector>
 
+#include "server/documents/documents.h"
 #include "server/http/metrics.h"
 #include "server/http/router.h"
 #include "server/jobs/job_service.h"
@@ -11,21 +15,34 @@
 
 namespace toile {
 
-/// What handlers work with; outlives the router.
+/// What handlers work with; all of it outlives the router.
 struct Api {
-  Store& store;
+  Documents& documents;
+  Store& store;  ///< that of the documents
   JobService& jobs;
   const Hub& hub;
   const Metrics& metrics;
   const std::atomic<bool>& ready;  ///< false while the server drains
 };
 
-void add_health_routes(Router& router, const Api& api);
-void add_asset_routes(Router& router, const Api& api);
-void add_project_routes(Router& router, const Api& api);
-void add_edit_routes(Router& router, const Api& api);
-void add_body_routes(Router& router, const Api& api);
-void add_arrangement_routes(Router& router, const Api& api);
-void add_job_routes(Router& router, const Api& api);
+/// A line of a table: a Route (router.h) whose handler is told what it works with.
+struct ApiRoute {
+  const char* method = "GET";
+  const char* pattern = "";
+  std::function<HttpResponse(const Api&, const RequestContext&, const HttpRequest&)> handler;
+  BodyKind body = BodyKind::kUnused;
+  std::function<std::size_t(const HttpRequest&)> limit = small_body;
+  bool heavy = false;
+  bool websocket = false;
+};
+using ApiRoutes = std::vector<ApiRoute>;
+
+ApiRoutes health_routes();
+ApiRoutes asset_routes();
+ApiRoutes project_routes();
+ApiRoutes edit_routes();
+ApiRoutes body_routes();
+ApiRoutes arrangement_routes();
+ApiRoutes job_routes();
 
 }  // namespace toile

@@ -13,11 +13,11 @@
 namespace toile {
 namespace {
 
-HttpResponse arrange_all(const Api& api, const HttpRequest& request) {
+HttpResponse arrange_all(const Api& api, const RequestContext& context, const HttpRequest& request) {
   const Result<int> revision = required_revision(request);
   if (!revision) return revision_problem(revision.error());
   const Result<ArrangedProject> made =
-      arrange_project(api.store, kLocalOwner, request.captures[0], *revision);
+      arrange_project(api.documents, context, request.captures[0], *revision);
   if (!made) return revision_problem(made.error());
   std::vector<JsonMember> members = project_members(made->project);
   members.push_back({"arrangement", made->arrangement});
@@ -26,7 +26,7 @@ HttpResponse arrange_all(const Api& api, const HttpRequest& request) {
   return response;
 }
 
-HttpResponse place_one(const Api& api, const HttpRequest& request) {
+HttpResponse place_one(const Api& api, const RequestContext& context, const HttpRequest& request) {
   const Result<int> revision = required_revision(request);
   if (!revision) return revision_problem(revision.error());
   const Result<JsonValue> tree =
@@ -36,7 +36,7 @@ HttpResponse place_one(const Api& api, const HttpRequest& request) {
   const Result<PieceWish> wish = read_piece_wish(*tree);
   if (!wish) return problem(wish.error());
   const Result<ProjectRow> project =
-      place_piece(api.store, kLocalOwner, request.captures[0], *wish, *revision);
+      place_piece(api.documents, context, request.captures[0], *wish, *revision);
   return project ? project_answer(*project) : revision_problem(project.error());
 }
 
@@ -46,22 +46,22 @@ struct Shown {
   std::shared_ptr<const StartView> start;
 };
 
-Result<Shown> shown(const Api& api, const HttpRequest& request) {
-  ProjectRow project = TRY(api.store.project(kLocalOwner, request.captures[0]));
-  const auto start = TRY(shared_starts().get(api.store, kLocalOwner, project));
+Result<Shown> shown(const Api& api, const RequestContext& context, const HttpRequest& request) {
+  ProjectRow project = TRY(api.store.project(context, request.captures[0]));
+  const auto start = TRY(start_of(api.documents, context, project));
   return Shown{std::move(project), start};
 }
 
-HttpResponse check(const Api& api, const HttpRequest& request) {
-  const Result<Shown> at = shown(api, request);
+HttpResponse check(const Api& api, const RequestContext& context, const HttpRequest& request) {
+  const Result<Shown> at = shown(api, context, request);
   if (!at) return problem(at.error());
   HttpResponse response = json_answer(200, at->start->check);
   response.headers.emplace_back("ETag", etag_of(at->project));
   return response;
 }
 
-HttpResponse start(const Api& api, const HttpRequest& request) {
-  const Result<Shown> at = shown(api, request);
+HttpResponse start(const Api& api, const RequestContext& context, const HttpRequest& request) {
+  const Result<Shown> at = shown(api, context, request);
   if (!at) return problem(at.error());
   HttpResponse response = file_answer(at->start->geometry, "application/octet-stream", "start.bin");
   response.headers.emplace_back("Cache-Control", "no-cache");
@@ -71,19 +71,17 @@ HttpResponse start(const Api& api, const HttpRequest& request) {
 
 }  // namespace
 
-void add_arrangement_routes(Router& router, const Api& api) {
-  const auto add = [&](const char* method, const char* pattern, auto handler, BodyKind body) {
-    Route route{.method = method, .pattern = pattern, .handler = [&api, handler](const HttpRequest& r) {
-                  return handler(api, r);
-                }};
-    route.body = body;
-    route.heavy = true;
-    router.add(std::move(route));
+ApiRoutes arrangement_routes() {
+  return {
+      {.method = "POST", .pattern = "/api/v1/projects/{id}/arrange", .handler = arrange_all, .heavy = true},
+      {.method = "POST",
+       .pattern = "/api/v1/projects/{id}/place",
+       .handler = place_one,
+       .body = BodyKind::kJson,
+       .heavy = true},
+      {.pattern = "/api/v1/projects/{id}/check", .handler = check, .heavy = true},
+      {.pattern = "/api/v1/projects/{id}/start", .handler = start, .heavy = true},
   };
-  add("POST", "/api/v1/projects/{id}/arrange", arrange_all, BodyKind::kUnused);
-  add("POST", "/api/v1/projects/{id}/place", place_one, BodyKind::kJson);
-  add("GET", "/api/v1/projects/{id}/check", check, BodyKind::kUnused);
-  add("GET", "/api/v1/projects/{id}/start", start, BodyKind::kUnused);
 }
 
 }  // namespace toile

@@ -13,27 +13,44 @@
 namespace toile {
 namespace {
 
-HttpResponse upload(const Api& api, const HttpRequest& request, const std::string& kind) {
+HttpResponse keep(const Api& api, const RequestContext& context, const HttpRequest& request,
+                  const std::string& kind) {
   const Result<AssetRow> asset =
-      add_asset(api.store, kLocalOwner, kind, request.parameter("name"), request.body);
+      add_asset(api.documents, context, kind, request.parameter("name"), request.body);
   if (!asset) return problem(asset.error());
   return created(json_answer(201, asset_json(*asset) + "\n"), "/api/v1/assets/" + asset->id);
 }
 
-HttpResponse list(const Api& api, const std::string& kind) {
+HttpResponse upload(const Api& api, const RequestContext& context, const HttpRequest& request) {
+  return keep(api, context, request, request.parameter("kind"));
+}
+
+HttpResponse upload_body(const Api& api, const RequestContext& context, const HttpRequest& request) {
+  return keep(api, context, request, "body");
+}
+
+HttpResponse list_kind(const Api& api, const RequestContext& context, const std::string& kind) {
   if (!kind.empty() && !is_asset_kind(kind)) {
     return problem(400, {"documents.kind", "kind is \"dxf\", \"specification\", \"body\" or \"image\"",
                          "kind", ErrorKind::kMalformed});
   }
-  const Result<std::vector<AssetRow>> assets = api.store.assets(kLocalOwner, kind);
+  const Result<std::vector<AssetRow>> assets = api.store.assets(context, kind);
   if (!assets) return problem(assets.error());
   std::string items;
   for (const AssetRow& asset : *assets) items += (items.empty() ? "" : ", ") + asset_json(asset);
   return json_answer(200, "{\"assets\": [" + items + "]}\n");
 }
 
-HttpResponse show(const Api& api, const HttpRequest& request) {
-  const Result<AssetRow> asset = api.store.asset(kLocalOwner, request.captures[0]);
+HttpResponse list(const Api& api, const RequestContext& context, const HttpRequest& request) {
+  return list_kind(api, context, request.parameter("kind"));
+}
+
+HttpResponse list_bodies(const Api& api, const RequestContext& context, const HttpRequest&) {
+  return list_kind(api, context, "body");
+}
+
+HttpResponse show(const Api& api, const RequestContext& context, const HttpRequest& request) {
+  const Result<AssetRow> asset = api.store.asset(context, request.captures[0]);
   if (!asset) return problem(asset.error());
   return json_answer(200, asset_json(*asset) + "\n");
 }
@@ -46,10 +63,10 @@ std::string type_of(const AssetRow& asset, std::string_view bytes) {
   return type.starts_with("model/") ? type : "application/octet-stream";
 }
 
-HttpResponse content(const Api& api, const HttpRequest& request) {
-  const Result<AssetRow> asset = api.store.asset(kLocalOwner, request.captures[0]);
+HttpResponse content(const Api& api, const RequestContext& context, const HttpRequest& request) {
+  const Result<AssetRow> asset = api.store.asset(context, request.captures[0]);
   if (!asset) return problem(asset.error());
-  Result<std::string> bytes = api.store.asset_bytes(kLocalOwner, asset->id);
+  Result<std::string> bytes = api.store.asset_bytes(context, asset->id);
   if (!bytes) return problem(bytes.error());
   const std::string type = type_of(*asset, *bytes);
   HttpResponse response = file_answer(std::move(*bytes), type, asset->name);
@@ -57,35 +74,32 @@ HttpResponse content(const Api& api, const HttpRequest& request) {
   return response;
 }
 
-Route upload_route(const char* pattern, HttpHandler handler) {
-  Route route{.method = "POST", .pattern = pattern, .handler = std::move(handler)};
-  route.body = BodyKind::kFile;
-  route.heavy = true;
-  return route;
+std::size_t most_bytes_of_kind(const HttpRequest& request) {
+  const std::string kind = request.parameter("kind");
+  return is_asset_kind(kind) ? most_asset_bytes(kind) : kSmallBody;
 }
 
 }  // namespace
 
-void add_asset_routes(Router& router, const Api& api) {
-  Route assets = upload_route("/api/v1/assets", [&api](const HttpRequest& request) {
-    return upload(api, request, request.parameter("kind"));
-  });
-  assets.limit = [](const HttpRequest& request) {
-    const std::string kind = request.parameter("kind");
-    return is_asset_kind(kind) ? most_asset_bytes(kind) : kSmallBody;
+ApiRoutes asset_routes() {
+  return {
+      {.method = "POST",
+       .pattern = "/api/v1/assets",
+       .handler = upload,
+       .body = BodyKind::kFile,
+       .limit = most_bytes_of_kind,
+       .heavy = true},
+      {.method = "POST",
+       .pattern = "/api/v1/bodies",
+       .handler = upload_body,
+       .body = BodyKind::kFile,
+       .limit = [](const HttpRequest&) { return kMostBodyBytes; },
+       .heavy = true},
+      {.pattern = "/api/v1/assets", .handler = list},
+      {.pattern = "/api/v1/bodies", .handler = list_bodies},
+      {.pattern = "/api/v1/assets/{id}", .handler = show},
+      {.pattern = "/api/v1/assets/{id}/content", .handler = content},
   };
-  router.add(std::move(assets));
-  Route bodies = upload_route("/api/v1/bodies",
-                              [&api](const HttpRequest& request) { return upload(api, request, "body"); });
-  bodies.limit = [](const HttpRequest&) { return kMostBodyBytes; };
-  router.add(std::move(bodies));
-  const auto get = [&router](const char* pattern, HttpHandler handler) {
-    router.add({.method = "GET", .pattern = pattern, .handler = std::move(handler)});
-  };
-  get("/api/v1/assets", [&api](const HttpRequest& r) { return list(api, r.parameter("kind")); });
-  get("/api/v1/bodies", [&api](const HttpRequest&) { return list(api, "body"); });
-  get("/api/v1/assets/{id}", [&api](const HttpRequest& r) { return show(api, r); });
-  get("/api/v1/assets/{id}/content", [&api](const HttpRequest& r) { return content(api, r); });
 }
 
 }  // namespace toile

@@ -16,7 +16,11 @@
 namespace toile {
 namespace {
 
-HttpResponse make(const Api& api, const HttpRequest& request) {
+HttpResponse presets(const Api&, const RequestContext&, const HttpRequest&) {
+  return json_answer(200, body_presets_json());
+}
+
+HttpResponse make(const Api& api, const RequestContext& context, const HttpRequest& request) {
   const Result<JsonValue> tree =
       read_object(request, {"mannequin", "name"}, {.bytes = kSmallBody, .depth = 8});
   if (!tree) return problem(tree.error());
@@ -27,34 +31,34 @@ HttpResponse make(const Api& api, const HttpRequest& request) {
     if (!given->text()) return problem({"request.body", "this is a text in quotes", "/name"});
     name = *given->text();
   }
-  Result<MadeBody> made = make_body(api.store, kLocalOwner, *mannequin, name);
+  Result<MadeBody> made = make_body(api.documents, context, *mannequin, name);
   if (!made) return problem(made.error());
   std::vector<JsonMember> members = std::move(made->figure);
   return created(json_answer(201, std::move(members), "asset", asset_json(made->asset)),
                  "/api/v1/assets/" + made->asset.id);
 }
 
-HttpResponse figure(const Api& api, const HttpRequest& request) {
-  Result<std::string> text = asset_figure_json(api.store, kLocalOwner, request.captures[0]);
+HttpResponse figure(const Api& api, const RequestContext& context, const HttpRequest& request) {
+  Result<std::string> text = asset_figure_json(api.documents, context, request.captures[0]);
   return text ? json_answer(200, std::move(*text)) : problem(text.error());
 }
 
-HttpResponse bodies(const Api& api, const HttpRequest& request) {
-  const Result<ProjectRow> project = api.store.project(kLocalOwner, request.captures[0]);
+HttpResponse bodies(const Api& api, const RequestContext& context, const HttpRequest& request) {
+  const Result<ProjectRow> project = api.store.project(context, request.captures[0]);
   if (!project) return problem(project.error());
-  Result<std::string> text =
-      project_bodies_json(project->document, files_in_store(api.store, kLocalOwner, project->files));
+  Result<std::string> text = project_bodies_json(api.documents, project->document,
+                                                 files_in_store(api.documents, context, project->files));
   if (!text) return problem(text.error());
   HttpResponse response = json_answer(200, std::move(*text));
   response.headers.emplace_back("ETag", etag_of(*project));
   return response;
 }
 
-HttpResponse body(const Api& api, const HttpRequest& request) {
-  const Result<ProjectRow> project = api.store.project(kLocalOwner, request.captures[0]);
+HttpResponse body(const Api& api, const RequestContext& context, const HttpRequest& request) {
+  const Result<ProjectRow> project = api.store.project(context, request.captures[0]);
   if (!project) return problem(project.error());
   Result<std::string> bytes =
-      body_bytes(project->document, files_in_store(api.store, kLocalOwner, project->files));
+      body_bytes(project->document, files_in_store(api.documents, context, project->files));
   if (!bytes) return problem(bytes.error());
   HttpResponse response = file_answer(std::move(*bytes), "application/octet-stream", "body.bin");
   response.headers.emplace_back("Cache-Control", "no-cache");
@@ -62,25 +66,25 @@ HttpResponse body(const Api& api, const HttpRequest& request) {
   return response;
 }
 
-HttpResponse dress(const Api& api, const HttpRequest& request) {
+HttpResponse dress(const Api& api, const RequestContext& context, const HttpRequest& request) {
   const Result<int> revision = required_revision(request);
   if (!revision) return revision_problem(revision.error());
   const Result<JsonValue> wish = parse_json(request.body, {.bytes = kSmallBody, .depth = 8});
   if (!wish) return problem(wish.error());
   const Result<ProjectRow> project =
-      dress_project(api.store, kLocalOwner, request.captures[0], request.captures[1], *wish, *revision);
+      dress_project(api.documents, context, request.captures[0], request.captures[1], *wish, *revision);
   return project ? project_answer(*project) : revision_problem(project.error());
 }
 
-HttpResponse undress(const Api& api, const HttpRequest& request) {
+HttpResponse undress(const Api& api, const RequestContext& context, const HttpRequest& request) {
   const Result<int> revision = required_revision(request);
   if (!revision) return revision_problem(revision.error());
   const Result<ProjectRow> project =
-      undress_project(api.store, kLocalOwner, request.captures[0], request.captures[1], *revision);
+      undress_project(api.documents, context, request.captures[0], request.captures[1], *revision);
   return project ? project_answer(*project) : revision_problem(project.error());
 }
 
-HttpResponse mark(const Api& api, const HttpRequest& request) {
+HttpResponse mark(const Api& api, const RequestContext& context, const HttpRequest& request) {
   const Result<int> revision = required_revision(request);
   if (!revision) return revision_problem(revision.error());
   const Result<JsonValue> tree = read_object(request, {"place"}, {.bytes = kSmallBody, .depth = 8});
@@ -96,63 +100,39 @@ HttpResponse mark(const Api& api, const HttpRequest& request) {
     *at[k] = *number;
   }
   const Result<ProjectRow> project =
-      move_landmark(api.store, kLocalOwner, request.captures[0], request.captures[1], request.captures[2],
+      move_landmark(api.documents, context, request.captures[0], request.captures[1], request.captures[2],
                     place, *revision);
   return project ? project_answer(*project) : revision_problem(project.error());
 }
 
-HttpResponse unmark(const Api& api, const HttpRequest& request) {
+HttpResponse unmark(const Api& api, const RequestContext& context, const HttpRequest& request) {
   const Result<int> revision = required_revision(request);
   if (!revision) return revision_problem(revision.error());
-  const Result<ProjectRow> project = forget_landmark(api.store, kLocalOwner, request.captures[0],
+  const Result<ProjectRow> project = forget_landmark(api.documents, context, request.captures[0],
                                                      request.captures[1], request.captures[2], *revision);
   return project ? project_answer(*project) : revision_problem(project.error());
 }
 
 }  // namespace
 
-void add_body_routes(Router& router, const Api& api) {
-  const auto get = [&](const char* pattern, auto handler) {
-    Route route{.method = "GET", .pattern = pattern, .handler = [&api, handler](const HttpRequest& r) {
-                  return handler(api, r);
-                }};
-    route.heavy = true;
-    router.add(std::move(route));
+ApiRoutes body_routes() {
+  constexpr const char* kOne = "/api/v1/projects/{id}/bodies/{body}";
+  constexpr const char* kLandmark = "/api/v1/projects/{id}/bodies/{body}/landmarks/{landmark}";
+  return {
+      {.pattern = "/api/v1/bodies/presets", .handler = presets},
+      {.method = "POST",
+       .pattern = "/api/v1/bodies/mannequins",
+       .handler = make,
+       .body = BodyKind::kJson,
+       .heavy = true},
+      {.pattern = "/api/v1/bodies/{id}/figure", .handler = figure, .heavy = true},
+      {.pattern = "/api/v1/projects/{id}/bodies", .handler = bodies, .heavy = true},
+      {.pattern = "/api/v1/projects/{id}/body", .handler = body, .heavy = true},
+      {.method = "PUT", .pattern = kOne, .handler = dress, .body = BodyKind::kJson, .heavy = true},
+      {.method = "DELETE", .pattern = kOne, .handler = undress, .heavy = true},
+      {.method = "PUT", .pattern = kLandmark, .handler = mark, .body = BodyKind::kJson, .heavy = true},
+      {.method = "DELETE", .pattern = kLandmark, .handler = unmark, .heavy = true},
   };
-  router.add({.method = "GET", .pattern = "/api/v1/bodies/presets", .handler = [](const HttpRequest&) {
-                return json_answer(200, body_presets_json());
-              }});
-  Route making{.method = "POST",
-               .pattern = "/api/v1/bodies/mannequins",
-               .handler = [&api](const HttpRequest& r) { return make(api, r); }};
-  making.body = BodyKind::kJson;
-  making.heavy = true;
-  router.add(std::move(making));
-  get("/api/v1/bodies/{id}/figure", figure);
-  get("/api/v1/projects/{id}/bodies", bodies);
-  get("/api/v1/projects/{id}/body", body);
-  Route dressing{.method = "PUT",
-                 .pattern = "/api/v1/projects/{id}/bodies/{body}",
-                 .handler = [&api](const HttpRequest& r) { return dress(api, r); }};
-  dressing.body = BodyKind::kJson;
-  dressing.heavy = true;
-  router.add(std::move(dressing));
-  Route undressing{.method = "DELETE",
-                   .pattern = "/api/v1/projects/{id}/bodies/{body}",
-                   .handler = [&api](const HttpRequest& r) { return undress(api, r); }};
-  undressing.heavy = true;
-  router.add(std::move(undressing));
-  Route marking{.method = "PUT",
-                .pattern = "/api/v1/projects/{id}/bodies/{body}/landmarks/{landmark}",
-                .handler = [&api](const HttpRequest& r) { return mark(api, r); }};
-  marking.body = BodyKind::kJson;
-  marking.heavy = true;
-  router.add(std::move(marking));
-  Route unmarking{.method = "DELETE",
-                  .pattern = "/api/v1/projects/{id}/bodies/{body}/landmarks/{landmark}",
-                  .handler = [&api](const HttpRequest& r) { return unmark(api, r); }};
-  unmarking.heavy = true;
-  router.add(std::move(unmarking));
 }
 
 }  // namespace toile

@@ -20,7 +20,7 @@ HttpResponse answer(const Result<ProjectRow>& project) {
   return project ? project_answer(*project) : revision_problem(project.error());
 }
 
-HttpResponse edit(const Api& api, const HttpRequest& request) {
+HttpResponse edit(const Api& api, const RequestContext& context, const HttpRequest& request) {
   const Result<int> revision = required_revision(request);
   if (!revision) return revision_problem(revision.error());
   const Result<JsonValue> tree =
@@ -30,18 +30,22 @@ HttpResponse edit(const Api& api, const HttpRequest& request) {
   if (!edits) return problem({"request.edits", "\"edits\" is a list of edits", "/edits"});
   const Result<ProjectFileMap> files = read_files(*tree);
   if (!files) return problem(files.error());
-  return answer(edit_project(api.store, kLocalOwner, request.captures[0], *edits, *revision, *files));
+  return answer(edit_project(api.documents, context, request.captures[0], *edits, *revision, *files));
 }
 
-using Turn = Result<ProjectRow> (*)(Store&, const OwnerId&, const std::string&, int);
-
-HttpResponse turn(const Api& api, const HttpRequest& request, Turn act) {
+HttpResponse undo(const Api& api, const RequestContext& context, const HttpRequest& request) {
   const Result<int> revision = required_revision(request);
   if (!revision) return revision_problem(revision.error());
-  return answer(act(api.store, kLocalOwner, request.captures[0], *revision));
+  return answer(undo_edit(api.documents, context, request.captures[0], *revision));
 }
 
-HttpResponse history(const Api& api, const HttpRequest& request) {
+HttpResponse redo(const Api& api, const RequestContext& context, const HttpRequest& request) {
+  const Result<int> revision = required_revision(request);
+  if (!revision) return revision_problem(revision.error());
+  return answer(redo_edit(api.documents, context, request.captures[0], *revision));
+}
+
+HttpResponse history(const Api& api, const RequestContext& context, const HttpRequest& request) {
   const Result<Page> page = read_page(request);
   if (!page) return problem(400, page.error());
   std::int64_t before = 0;
@@ -51,14 +55,14 @@ HttpResponse history(const Api& api, const HttpRequest& request) {
       return problem(
           {"store.cursor", "the cursor is not one that a list gave", "cursor", ErrorKind::kMalformed});
   }
-  Result<std::string> text = history_json(api.store, kLocalOwner, request.captures[0], before, page->limit);
+  Result<std::string> text = history_json(api.documents, context, request.captures[0], before, page->limit);
   return text ? json_answer(200, std::move(*text)) : problem(text.error());
 }
 
-HttpResponse proposals(const Api& api, const HttpRequest& request) {
-  const Result<ProjectRow> project = api.store.project(kLocalOwner, request.captures[0]);
+HttpResponse proposals(const Api& api, const RequestContext& context, const HttpRequest& request) {
+  const Result<ProjectRow> project = api.store.project(context, request.captures[0]);
   if (!project) return problem(project.error());
-  const ProjectFiles files = files_in_store(api.store, kLocalOwner, project->files);
+  const ProjectFiles files = files_in_store(api.documents, context, project->files);
   const Result<std::string> text = proposals_json(project->document, files);
   if (!text) return problem(text.error());
   HttpResponse response = json_answer(200, *text);
@@ -74,7 +78,7 @@ Result<std::string> text_of(const JsonValue& tree, const char* key) {
   return Error{"request.import", "this is a text in quotes", pointer_to("", key)};
 }
 
-HttpResponse import(const Api& api, const HttpRequest& request) {
+HttpResponse import(const Api& api, const RequestContext& context, const HttpRequest& request) {
   const Result<JsonValue> tree =
       read_object(request, {"asset", "unit", "size"}, {.bytes = kSmallBody, .depth = 4});
   if (!tree) return problem(tree.error());
@@ -83,38 +87,26 @@ HttpResponse import(const Api& api, const HttpRequest& request) {
   for (const Result<std::string>* text : {&asset, &unit, &size})
     if (!*text) return problem(text->error());
   if (asset->empty()) return problem({"request.import", "\"asset\" is the id of an uploaded file", "/asset"});
-  Result<std::string> report = import_pattern(api.store, kLocalOwner, *asset, {*unit, *size});
+  Result<std::string> report = import_pattern(api.documents, context, *asset, {*unit, *size});
   return report ? json_answer(200, std::move(*report)) : problem(report.error());
 }
 
 }  // namespace
 
-void add_edit_routes(Router& router, const Api& api) {
-  router.add(document_route("POST", "/api/v1/projects/{id}/edits",
-                            [&api](const HttpRequest& r) { return edit(api, r); }));
-  router.add({.method = "GET",
-              .pattern = "/api/v1/projects/{id}/edits",
-              .handler = [&api](const HttpRequest& r) { return history(api, r); }});
-  const auto add_turn = [&](const char* pattern, Turn act) {
-    Route route{.method = "POST", .pattern = pattern, .handler = [&api, act](const HttpRequest& r) {
-                  return turn(api, r, act);
-                }};
-    route.heavy = true;
-    router.add(std::move(route));
+ApiRoutes edit_routes() {
+  constexpr const char* kEdits = "/api/v1/projects/{id}/edits";
+  return {
+      document_route("POST", kEdits, edit),
+      {.pattern = kEdits, .handler = history},
+      {.method = "POST", .pattern = "/api/v1/projects/{id}/undo", .handler = undo, .heavy = true},
+      {.method = "POST", .pattern = "/api/v1/projects/{id}/redo", .handler = redo, .heavy = true},
+      {.pattern = "/api/v1/projects/{id}/proposals", .handler = proposals, .heavy = true},
+      {.method = "POST",
+       .pattern = "/api/v1/imports",
+       .handler = import,
+       .body = BodyKind::kJson,
+       .heavy = true},
   };
-  add_turn("/api/v1/projects/{id}/undo", undo_edit);
-  add_turn("/api/v1/projects/{id}/redo", redo_edit);
-  Route look{.method = "GET",
-             .pattern = "/api/v1/projects/{id}/proposals",
-             .handler = [&api](const HttpRequest& r) { return proposals(api, r); }};
-  look.heavy = true;
-  router.add(std::move(look));
-  Route imports{.method = "POST", .pattern = "/api/v1/imports", .handler = [&api](const HttpRequest& r) {
-                  return import(api, r);
-                }};
-  imports.body = BodyKind::kJson;
-  imports.heavy = true;
-  router.add(std::move(imports));
 }
 
 }  // namespace toile

@@ -67,8 +67,8 @@ Result<std::map<std::string, std::string>> read_files(const JsonValue& request) 
   return out;
 }
 
-Route document_route(const char* method, const char* pattern, HttpHandler handler) {
-  Route route{.method = method, .pattern = pattern, .handler = std::move(handler)};
+ApiRoute document_route(const char* method, const char* pattern, decltype(ApiRoute::handler) handler) {
+  ApiRoute route{.method = method, .pattern = pattern, .handler = std::move(handler)};
   route.body = BodyKind::kJson;
   route.limit = [](const HttpRequest&) { return kMostRequestBytes; };
   route.heavy = true;

@@ -7,8 +7,8 @@
 
 #include "core/base/result.h"
 #include "core/json/tree.h"
+#include "server/http/handlers/api.h"
 #include "server/http/message.h"
-#include "server/http/router.h"
 #include "server/store/store.h"
 
 namespace toile {
@@ -32,6 +32,6 @@ HttpResponse revision_problem(const Error& error);
 Result<std::map<std::string, std::string>> read_files(const JsonValue& request);
 
 /// A route that takes a document, or as much.
-Route document_route(const char* method, const char* pattern, HttpHandler handler);
+ApiRoute document_route(const char* method, const char* pattern, decltype(ApiRoute::handler) handler);
 
 }  // namespace toile

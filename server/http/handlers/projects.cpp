@@ -50,26 +50,26 @@ Error in_request(Error error) {
   return error;
 }
 
-HttpResponse create(const Api& api, const HttpRequest& request) {
+HttpResponse create(const Api& api, const RequestContext& context, const HttpRequest& request) {
   const Result<Given> given = read_given(request);
   if (!given) return problem(given.error());
-  const Result<Made<ProjectRow>> project = create_project(api.store, kLocalOwner, given->document,
+  const Result<Made<ProjectRow>> project = create_project(api.documents, context, given->document,
                                                           given->files, request.header("idempotency-key"));
   if (!project) return problem(in_request(project.error()));
   return made_answer(project_answer(*project), project->anew, "/api/v1/projects/" + project->id);
 }
 
-HttpResponse list(const Api& api, const HttpRequest& request) {
+HttpResponse list(const Api& api, const RequestContext& context, const HttpRequest& request) {
   const Result<Page> page = read_page(request);
   if (!page) return problem(400, page.error());
-  Result<std::vector<ProjectRow>> rows = api.store.projects(kLocalOwner, page->cursor, page->limit + 1);
+  Result<std::vector<ProjectRow>> rows = api.store.projects(context, page->cursor, page->limit + 1);
   if (!rows) return problem(rows.error());
   return page_answer("projects", *page, std::move(*rows),
                      [](const ProjectRow& row) { return JsonValue(project_members(row)); });
 }
 
-HttpResponse show(const Api& api, const HttpRequest& request) {
-  const Result<ProjectRow> project = api.store.project(kLocalOwner, request.captures[0]);
+HttpResponse show(const Api& api, const RequestContext& context, const HttpRequest& request) {
+  const Result<ProjectRow> project = api.store.project(context, request.captures[0]);
   if (!project) return problem(project.error());
   HttpResponse response = project_answer(*project);
   if (request.header("if-none-match") != etag_of(*project)) return response;
@@ -79,33 +79,33 @@ HttpResponse show(const Api& api, const HttpRequest& request) {
   return response;
 }
 
-HttpResponse replace(const Api& api, const HttpRequest& request) {
+HttpResponse replace(const Api& api, const RequestContext& context, const HttpRequest& request) {
   const Result<int> revision = required_revision(request);
   if (!revision) return revision_problem(revision.error());
   const Result<Given> given = read_given(request);
   if (!given) return problem(given.error());
   const Result<ProjectRow> project =
-      replace_project(api.store, kLocalOwner, request.captures[0], given->document, given->files, *revision);
+      replace_project(api.documents, context, request.captures[0], given->document, given->files, *revision);
   return project ? project_answer(*project) : revision_problem(in_request(project.error()));
 }
 
 /// Without If-Match whichever revision there is.
-HttpResponse remove(const Api& api, const HttpRequest& request) {
+HttpResponse remove(const Api& api, const RequestContext& context, const HttpRequest& request) {
   const bool any = request.header("if-match").empty();
   const Result<int> revision = any ? Result<int>(0) : required_revision(request);
   if (!revision) return revision_problem(revision.error());
-  const Status removed = api.store.remove_project(kLocalOwner, request.captures[0], *revision);
+  const Status removed = api.store.remove_project(context, request.captures[0], *revision);
   if (!removed) return revision_problem(removed.error());
   HttpResponse response;
   response.status = 204;
   return response;
 }
 
-HttpResponse pieces(const Api& api, const HttpRequest& request) {
-  const Result<ProjectRow> project = api.store.project(kLocalOwner, request.captures[0]);
+HttpResponse pieces(const Api& api, const RequestContext& context, const HttpRequest& request) {
+  const Result<ProjectRow> project = api.store.project(context, request.captures[0]);
   if (!project) return problem(project.error());
   const Result<std::string> view =
-      pieces_json(project->document, files_in_store(api.store, kLocalOwner, project->files));
+      pieces_json(project->document, files_in_store(api.documents, context, project->files));
   if (!view) return problem(view.error());
   HttpResponse response = json_answer(200, *view);
   response.headers.emplace_back("ETag", etag_of(*project));
@@ -114,23 +114,17 @@ HttpResponse pieces(const Api& api, const HttpRequest& request) {
 
 }  // namespace
 
-void add_project_routes(Router& router, const Api& api) {
+ApiRoutes project_routes() {
   constexpr const char* kAll = "/api/v1/projects";
   constexpr const char* kOne = "/api/v1/projects/{id}";
-  router.add(document_route("POST", kAll, [&api](const HttpRequest& r) { return create(api, r); }));
-  router.add(document_route("PUT", kOne, [&api](const HttpRequest& r) { return replace(api, r); }));
-  router.add(
-      {.method = "GET", .pattern = kAll, .handler = [&api](const HttpRequest& r) { return list(api, r); }});
-  router.add(
-      {.method = "GET", .pattern = kOne, .handler = [&api](const HttpRequest& r) { return show(api, r); }});
-  router.add({.method = "DELETE", .pattern = kOne, .handler = [&api](const HttpRequest& r) {
-                return remove(api, r);
-              }});
-  Route view{.method = "GET",
-             .pattern = "/api/v1/projects/{id}/pieces",
-             .handler = [&api](const HttpRequest& r) { return pieces(api, r); }};
-  view.heavy = true;
-  router.add(std::move(view));
+  return {
+      document_route("POST", kAll, create),
+      document_route("PUT", kOne, replace),
+      {.pattern = kAll, .handler = list},
+      {.pattern = kOne, .handler = show},
+      {.method = "DELETE", .pattern = kOne, .handler = remove},
+      {.pattern = "/api/v1/projects/{id}/pieces", .handler = pieces, .heavy = true},
+  };
 }
 
 }  // namespace toile

@@ -1,10 +1,12 @@
 #pragma once
 // A project of two files, a square of cloth over a post, for the tests of this folder.
 
+#include <memory>
 #include <string>
 
 #include "server/documents/assets.h"
 #include "server/documents/projects.h"
+#include "tests/server/owners.h"
 #include "tests/server/store/store_folder.h"
 
 namespace toile {
@@ -47,12 +49,32 @@ inline std::string cloth_document(const std::string& from = "", const std::strin
   return at == std::string::npos ? "nothing to change: " + from : text.replace(at, from.size(), to);
 }
 
+/// A store and its documents, until a test closes it or opens the folder again.
+class OpenedDocuments {
+ public:
+  explicit OpenedDocuments(const std::string& folder)
+      : store_(opened(folder)), documents_(std::make_unique<Documents>(*store_)) {}
+
+  Documents& documents() const { return *documents_; }
+  Store* operator->() const { return store_.get(); }
+  void reset() {
+    documents_.reset();
+    store_.reset();
+  }
+
+ private:
+  std::unique_ptr<Store> store_;
+  std::unique_ptr<Documents> documents_;  // goes first when this is destroyed
+};
+
+inline OpenedDocuments opened_documents(const std::string& folder) { return OpenedDocuments(folder); }
+
 /// A store with the two files uploaded.
 struct ClothStore {
   TemporaryFolder folder;
-  std::unique_ptr<Store> store = opened(folder.path());
-  std::string dxf = store ? add_asset(*store, kLocalOwner, "dxf", "cloth.dxf", cloth_dxf())->id : "";
-  std::string body = store ? add_asset(*store, kLocalOwner, "body", "post.obj", kPostObj)->id : "";
+  OpenedDocuments store = opened_documents(folder.path());
+  std::string dxf = add_asset(store.documents(), kMe, "dxf", "cloth.dxf", cloth_dxf())->id;
+  std::string body = add_asset(store.documents(), kMe, "body", "post.obj", kPostObj)->id;
   ProjectFileMap files{{"cut/cloth.dxf", dxf}, {"post.obj", body}};
 };
 

@@ -20,14 +20,14 @@ constexpr const char* kWider = R"([{"edit": "move_point", "piece": "cloth", "edg
 constexpr const char* kRename = R"([{"edit": "rename_piece", "piece": "cloth", "to": "napkin"}])";
 
 struct EditedCloth : ClothStore {
-  std::string id = create_project(*store, kLocalOwner, kClothDocument, files)->id;
+  std::string id = create_project(store.documents(), kMe, kClothDocument, files)->id;
 
   Result<ProjectRow> edit(const std::string& edits, int expected = 0) {
-    return edit_project(*store, kLocalOwner, id, json(edits), expected);
+    return edit_project(store.documents(), kMe, id, json(edits), expected);
   }
-  Result<ProjectRow> undo() { return undo_edit(*store, kLocalOwner, id, 0); }
-  Result<ProjectRow> redo() { return redo_edit(*store, kLocalOwner, id, 0); }
-  std::string document() { return store->project(kLocalOwner, id)->document; }
+  Result<ProjectRow> undo() { return undo_edit(store.documents(), kMe, id, 0); }
+  Result<ProjectRow> redo() { return redo_edit(store.documents(), kMe, id, 0); }
+  std::string document() { return store->project(kMe, id)->document; }
 };
 
 TEST(EditsInStore, UndoGivesBackTheBytesThatWereUploaded) {
@@ -56,7 +56,7 @@ TEST(EditsInStore, SurviveARestart) {
   ASSERT_TRUE(at.undo());
   const std::string wider = at.document();
   at.store.reset();
-  at.store = opened(at.folder.path());
+  at.store = opened_documents(at.folder.path());
   ASSERT_TRUE(at.redo());
   ASSERT_TRUE(at.undo());
   EXPECT_EQ(at.document(), wider);
@@ -71,7 +71,7 @@ TEST(EditsInStore, TheEditedDocumentIsAProjectThatCanBeDraped) {
   EXPECT_EQ(row->revision, 2);
   const Project project = parse_project(row->document).value();
   EXPECT_FALSE(project.pieces[0].from);
-  EXPECT_TRUE(resolve_project(project, files_in_store(*at.store, kLocalOwner, row->files)));
+  EXPECT_TRUE(resolve_project(project, files_in_store(at.store.documents(), kMe, row->files)));
 }
 
 TEST(EditsInStore, RefusedEditsChangeNothing) {
@@ -81,9 +81,9 @@ TEST(EditsInStore, RefusedEditsChangeNothing) {
   EXPECT_EQ(wrong.error().code, "edit.unknown_piece");
   EXPECT_EQ(wrong.error().where, "/edits/0: piece sleeve");
   EXPECT_EQ(at.edit(kRename, 7).error().code, "store.conflict");
-  EXPECT_EQ(at.store->project(kLocalOwner, at.id)->revision, 1);
+  EXPECT_EQ(at.store->project(kMe, at.id)->revision, 1);
   EXPECT_EQ(at.document(), kClothDocument);
-  EXPECT_EQ(edit_project(*at.store, kLocalOwner, "p_00000000000000000000", json("[]"), 0).error().code,
+  EXPECT_EQ(edit_project(at.store.documents(), kMe, "p_00000000000000000000", json("[]"), 0).error().code,
             "store.not_found");
 }
 
@@ -92,21 +92,21 @@ TEST(EditsInStore, TheHistoryIsListedWithWhatWasDone) {
   ASSERT_TRUE(at.edit(kWider));
   ASSERT_TRUE(at.edit(kRename));
   ASSERT_TRUE(at.undo());
-  const JsonValue first = json(history_json(*at.store, kLocalOwner, at.id, 0, 1).value());
+  const JsonValue first = json(history_json(at.store.documents(), kMe, at.id, 0, 1).value());
   ASSERT_EQ(first.find("edits")->array()->size(), 1u);
   const JsonValue& step = first.find("edits")->array()->front();
   EXPECT_EQ(*step.find("number")->number(), 2);
   EXPECT_TRUE(*step.find("undone")->boolean());
   EXPECT_EQ(write_json_line(*step.find("edits")), write_json_line(json(kRename)));
   EXPECT_EQ(*first.find("next")->text(), "2");
-  const JsonValue rest = json(history_json(*at.store, kLocalOwner, at.id, 2, 1).value());
+  const JsonValue rest = json(history_json(at.store.documents(), kMe, at.id, 2, 1).value());
   EXPECT_EQ(*rest.find("edits")->array()->front().find("number")->number(), 1);
   EXPECT_EQ(rest.find("next")->text(), nullptr);
 }
 
 TEST(Imports, TellWhatAFileHolds) {
   ClothStore at;
-  const Result<std::string> text = import_pattern(*at.store, kLocalOwner, at.dxf, {"mm", ""});
+  const Result<std::string> text = import_pattern(at.store.documents(), kMe, at.dxf, {"mm", ""});
   ASSERT_TRUE(text) << to_string(text.error());
   const JsonValue report = json(*text);
   EXPECT_EQ(*report.find("asset")->text(), at.dxf);
@@ -122,14 +122,14 @@ TEST(Imports, TellWhatAFileHolds) {
 
 TEST(Imports, TakeAPersonsWordForTheUnit) {
   ClothStore at;
-  const JsonValue report = json(import_pattern(*at.store, kLocalOwner, at.dxf, {"cm", ""}).value());
+  const JsonValue report = json(import_pattern(at.store.documents(), kMe, at.dxf, {"cm", ""}).value());
   EXPECT_EQ(*report.find("pieces")->array()->front().find("width_mm")->number(), 3000);
   EXPECT_EQ(*report.find("pieces")->array()->front().find("from")->find("units")->text(), "cm");
 }
 
 TEST(Imports, GiveADocumentThatMakesAProjectOnceItIsSent) {
   ClothStore at;
-  const JsonValue report = json(import_pattern(*at.store, kLocalOwner, at.dxf, {"mm", ""}).value());
+  const JsonValue report = json(import_pattern(at.store.documents(), kMe, at.dxf, {"mm", ""}).value());
   EXPECT_EQ(*report.find("file")->text(), "cloth.dxf");
   const std::string document = write_json_line(*report.find("document"));
   const Result<Project> project = parse_project(document);
@@ -137,7 +137,7 @@ TEST(Imports, GiveADocumentThatMakesAProjectOnceItIsSent) {
   EXPECT_TRUE(project->seams.empty());
   EXPECT_TRUE(project->bodies.front().mannequin);
   EXPECT_EQ(project->name, "cloth");
-  const auto made = create_project(*at.store, kLocalOwner, document, {{"cloth.dxf", at.dxf}});
+  const auto made = create_project(at.store.documents(), kMe, document, {{"cloth.dxf", at.dxf}});
   ASSERT_TRUE(made) << to_string(made.error());
 }
 
@@ -151,10 +151,11 @@ constexpr const char* kTwoSquares = R"({"pattern": {"panels": {
 
 TEST(Imports, TakeASpecificationWithItsSeamsAndPlaces) {
   ClothStore at;
-  const Result<AssetRow> asset = add_asset(*at.store, kLocalOwner, "specification", "two.json", kTwoSquares);
+  const Result<AssetRow> asset =
+      add_asset(at.store.documents(), kMe, "specification", "two.json", kTwoSquares);
   ASSERT_TRUE(asset) << to_string(asset.error());
   EXPECT_EQ(asset->info, "{\"pieces\": 2, \"seams\": 1}");
-  const Result<std::string> text = import_pattern(*at.store, kLocalOwner, asset->id, {});
+  const Result<std::string> text = import_pattern(at.store.documents(), kMe, asset->id, {});
   ASSERT_TRUE(text) << to_string(text.error());
   const JsonValue report = json(*text);
   ASSERT_EQ(report.find("pieces")->array()->size(), 2u);
@@ -162,29 +163,30 @@ TEST(Imports, TakeASpecificationWithItsSeamsAndPlaces) {
   EXPECT_EQ(report.find("pieces")->array()->front().find("points")->array()->size(), 4u);
   ASSERT_EQ(report.find("seams")->array()->size(), 1u);
   EXPECT_EQ(*report.find("seams")->array()->front().find("confidence")->number(), 1);
-  const auto made = create_project(*at.store, kLocalOwner, write_json_line(*report.find("document")), {});
+  const auto made = create_project(at.store.documents(), kMe, write_json_line(*report.find("document")), {});
   ASSERT_TRUE(made) << to_string(made.error());
-  EXPECT_EQ(import_pattern(*at.store, kLocalOwner, asset->id, {"mm", ""}).error().code, "documents.unit");
-  EXPECT_EQ(import_pattern(*at.store, kLocalOwner, asset->id, {"", "42"}).error().code, "documents.size");
-  EXPECT_EQ(add_asset(*at.store, kLocalOwner, "specification", "no.json", "{}").error().code,
+  EXPECT_EQ(import_pattern(at.store.documents(), kMe, asset->id, {"mm", ""}).error().code, "documents.unit");
+  EXPECT_EQ(import_pattern(at.store.documents(), kMe, asset->id, {"", "42"}).error().code, "documents.size");
+  EXPECT_EQ(add_asset(at.store.documents(), kMe, "specification", "no.json", "{}").error().code,
             "garmentcode.missing");
 }
 
 TEST(Views, ShowCurvesLengthsAndWhatIsWrongWithSeams) {
   ClothStore at;
-  const AssetRow asset = add_asset(*at.store, kLocalOwner, "specification", "two.json", kTwoSquares).value();
-  const JsonValue report = json(import_pattern(*at.store, kLocalOwner, asset.id, {}).value());
+  const AssetRow asset =
+      add_asset(at.store.documents(), kMe, "specification", "two.json", kTwoSquares).value();
+  const JsonValue report = json(import_pattern(at.store.documents(), kMe, asset.id, {}).value());
   const std::string id =
-      create_project(*at.store, kLocalOwner, write_json_line(*report.find("document")), {})->id;
+      create_project(at.store.documents(), kMe, write_json_line(*report.find("document")), {})->id;
   const auto seam = [&](const std::string& edge) {
     return json(R"([{"edit": "add_seam", "id": "s", "a": [{"piece": "left", "edge": "e1"}],
                      "b": [{"piece": "right", "edge": ")" +
                 edge + R"(", "to": 0.25}]}])");
   };
-  ASSERT_TRUE(edit_project(*at.store, kLocalOwner, id, seam("e3"), 0));
+  ASSERT_TRUE(edit_project(at.store.documents(), kMe, id, seam("e3"), 0));
   const auto view = [&] {
-    const ProjectRow row = at.store->project(kLocalOwner, id).value();
-    return json(pieces_json(row.document, files_in_store(*at.store, kLocalOwner, row.files)).value());
+    const ProjectRow row = at.store->project(kMe, id).value();
+    return json(pieces_json(row.document, files_in_store(at.store.documents(), kMe, row.files)).value());
   };
   const JsonValue shown = view();
   const JsonValue& edge = shown.find("pieces")->array()->front().find("edges")->array()->at(1);
@@ -200,11 +202,12 @@ TEST(Views, ShowCurvesLengthsAndWhatIsWrongWithSeams) {
 
 TEST(Proposals, AreThoseThatNoSeamHasYet) {
   ClothStore at;
-  const AssetRow asset = add_asset(*at.store, kLocalOwner, "specification", "two.json", kTwoSquares).value();
-  const JsonValue report = json(import_pattern(*at.store, kLocalOwner, asset.id, {}).value());
+  const AssetRow asset =
+      add_asset(at.store.documents(), kMe, "specification", "two.json", kTwoSquares).value();
+  const JsonValue report = json(import_pattern(at.store.documents(), kMe, asset.id, {}).value());
   const auto proposed = [&] {
     const std::string document = write_json_line(*report.find("document"));
-    return json(proposals_json(document, files_in_store(*at.store, kLocalOwner, {})).value());
+    return json(proposals_json(document, files_in_store(at.store.documents(), kMe, {})).value());
   };
   const JsonValue found = proposed();
   ASSERT_NE(found.find("proposals")->array(), nullptr);
@@ -212,17 +215,17 @@ TEST(Proposals, AreThoseThatNoSeamHasYet) {
     EXPECT_GT(*seam.find("confidence")->number(), 0);
     EXPECT_FALSE(seam.find("a")->array()->empty());
   }
-  EXPECT_FALSE(proposals_json("{", files_in_store(*at.store, kLocalOwner, {})));
+  EXPECT_FALSE(proposals_json("{", files_in_store(at.store.documents(), kMe, {})));
 }
 
 TEST(Imports, RefuseWhatIsNoPattern) {
   ClothStore at;
-  EXPECT_EQ(import_pattern(*at.store, kLocalOwner, at.body, {}).error().code, "documents.wrong_kind");
-  EXPECT_EQ(import_pattern(*at.store, kLocalOwner, at.dxf, {"yard", ""}).error().code, "documents.unit");
-  const Error size = import_pattern(*at.store, kLocalOwner, at.dxf, {"", "42"}).error();
+  EXPECT_EQ(import_pattern(at.store.documents(), kMe, at.body, {}).error().code, "documents.wrong_kind");
+  EXPECT_EQ(import_pattern(at.store.documents(), kMe, at.dxf, {"yard", ""}).error().code, "documents.unit");
+  const Error size = import_pattern(at.store.documents(), kMe, at.dxf, {"", "42"}).error();
   EXPECT_EQ(size.code, "dxf.unknown_size");
   EXPECT_TRUE(size.where.starts_with("cloth.dxf")) << size.where;
-  EXPECT_EQ(import_pattern(*at.store, kLocalOwner, "a_0", {}).error().code, "store.not_found");
+  EXPECT_EQ(import_pattern(at.store.documents(), kMe, "a_0", {}).error().code, "store.not_found");
 }
 
 constexpr const char* kChecked =
@@ -230,14 +233,14 @@ constexpr const char* kChecked =
 
 struct TexturedCloth : EditedCloth {
   std::string upload(const std::string& kind, const std::string& name, const std::string& bytes) {
-    return add_asset(*store, kLocalOwner, kind, name, bytes)->id;
+    return add_asset(store.documents(), kMe, kind, name, bytes)->id;
   }
   std::string picture = upload("image", "checks.png", test::png_of(test::squares()));
 
   Result<ProjectRow> edit_with(const std::string& edits, const ProjectFileMap& more) {
-    return edit_project(*store, kLocalOwner, id, json(edits), 0, more);
+    return edit_project(store.documents(), kMe, id, json(edits), 0, more);
   }
-  std::size_t file_count() { return store->project(kLocalOwner, id)->files.size(); }
+  std::size_t file_count() { return store->project(kMe, id)->files.size(); }
 };
 
 TEST(EditsInStore, BringThePictureThatTheyPutOnAPiece) {
@@ -246,7 +249,7 @@ TEST(EditsInStore, BringThePictureThatTheyPutOnAPiece) {
   ASSERT_TRUE(row) << to_string(row.error());
   EXPECT_EQ(row->files.at("checks.png"), at.picture);
   const Result<Project> project = parse_project(row->document);
-  const ProjectFiles files = files_in_store(*at.store, kLocalOwner, row->files);
+  const ProjectFiles files = files_in_store(at.store.documents(), kMe, row->files);
   const DrapeInput input = resolve_project(*project, files).value();
   const Result<Textures> textures = read_textures(*project, input.pattern, files);
   ASSERT_TRUE(textures) << to_string(textures.error());
@@ -282,15 +285,15 @@ TEST(EditsInStore, AProjectWithoutItsPictureIsMissingAFile) {
   const std::string document =
       cloth_document(R"("fabric": "cotton",)", R"("texture": {"image": "checks.png", "scale_mm": 40},
       "fabric": "cotton",)");
-  const auto missing = create_project(*at.store, kLocalOwner, document, at.files);
+  const auto missing = create_project(at.store.documents(), kMe, document, at.files);
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error().code, "documents.missing_file");
   EXPECT_EQ(missing.error().where, "/pieces/0/texture/image");
   ProjectFileMap files = at.files;
   files["checks.png"] = at.picture;
-  const auto made = create_project(*at.store, kLocalOwner, document, files);
+  const auto made = create_project(at.store.documents(), kMe, document, files);
   ASSERT_TRUE(made) << to_string(made.error());
-  const std::string pieces = pieces_json(document, files_in_store(*at.store, kLocalOwner, files)).value();
+  const std::string pieces = pieces_json(document, files_in_store(at.store.documents(), kMe, files)).value();
   EXPECT_NE(
       pieces.find(R"("texture": {"image": "checks.png", "scale_mm": 40, "offset": [0, 0], "angle": 0})"),
       std::string::npos)

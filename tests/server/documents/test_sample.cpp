@@ -14,9 +14,9 @@ namespace fs = std::filesystem;
 const fs::path kSkirt = fs::path(TOILE_SOURCE_DIR) / "samples" / "skirt";
 
 /// The ids of all projects there are.
-std::vector<std::string> ids_in(Store& store) {
+std::vector<std::string> ids_in(const OpenedDocuments& store) {
   std::vector<std::string> ids;
-  const Result<std::vector<ProjectRow>> rows = store.projects(kLocalOwner, "", 100);
+  const Result<std::vector<ProjectRow>> rows = store->projects(kMe, "", 100);
   for (const ProjectRow& row : *rows) ids.push_back(row.id);
   return ids;
 }
@@ -24,20 +24,21 @@ std::vector<std::string> ids_in(Store& store) {
 TEST(Sample, IsThereAfterTheFirstStartAndOnlyOnce) {
   const TemporaryFolder folder;
   {
-    const auto store = opened(folder.path());
-    const Status added = add_sample_project(*store, kLocalOwner, kSkirt);
+    const auto store = opened_documents(folder.path());
+    const Status added = add_sample_project(store.documents(), kMe, kSkirt);
     ASSERT_TRUE(added) << to_string(added.error());
   }
-  const auto store = opened(folder.path());
-  ASSERT_TRUE(add_sample_project(*store, kLocalOwner, kSkirt));
-  const std::vector<std::string> ids = ids_in(*store);
+  const auto store = opened_documents(folder.path());
+  ASSERT_TRUE(add_sample_project(store.documents(), kMe, kSkirt));
+  const std::vector<std::string> ids = ids_in(store);
   ASSERT_EQ(ids.size(), 1u);
-  EXPECT_EQ(store->get_setting(kLocalOwner, kSampleSetting)->value(), ids[0]);
-  const ProjectRow row = *store->project(kLocalOwner, ids[0]);
+  EXPECT_EQ(store->get_setting(kMe, kSampleSetting)->value(), ids[0]);
+  const ProjectRow row = *store->project(kMe, ids[0]);
   const Result<Project> project = parse_project(row.document);
   ASSERT_TRUE(project);
   EXPECT_EQ(row.name, project->name);
-  const Result<DrapeInput> input = resolve_project(*project, files_in_store(*store, kLocalOwner, row.files));
+  const Result<DrapeInput> input =
+      resolve_project(*project, files_in_store(store.documents(), kMe, row.files));
   ASSERT_TRUE(input) << to_string(input.error());
   EXPECT_GE(input->pattern.panels.size(), 2u);
   EXPECT_EQ(input->bodies.size(), 1u);
@@ -45,28 +46,28 @@ TEST(Sample, IsThereAfterTheFirstStartAndOnlyOnce) {
 
 TEST(Sample, DoesNotComeBackOnceItIsDeleted) {
   const TemporaryFolder folder;
-  const auto store = opened(folder.path());
-  ASSERT_TRUE(add_sample_project(*store, kLocalOwner, kSkirt));
-  ASSERT_TRUE(store->remove_project(kLocalOwner, ids_in(*store).front(), 0));
-  ASSERT_TRUE(add_sample_project(*store, kLocalOwner, kSkirt));
-  EXPECT_TRUE(ids_in(*store).empty());
+  const auto store = opened_documents(folder.path());
+  ASSERT_TRUE(add_sample_project(store.documents(), kMe, kSkirt));
+  ASSERT_TRUE(store->remove_project(kMe, ids_in(store).front(), 0));
+  ASSERT_TRUE(add_sample_project(store.documents(), kMe, kSkirt));
+  EXPECT_TRUE(ids_in(store).empty());
 }
 
 TEST(Sample, IsNotAddedTwiceWhenTheFirstStartWasCutOff) {
   ClothStore cloth;
   std::ofstream(cloth.folder.path() + "/project.json") << kClothDocument;
-  const ProjectRow made = *create_project(*cloth.store, kLocalOwner, kClothDocument, cloth.files);
-  ASSERT_TRUE(add_sample_project(*cloth.store, kLocalOwner, cloth.folder.path()));
-  EXPECT_EQ(ids_in(*cloth.store), std::vector<std::string>{made.id});
-  EXPECT_EQ(cloth.store->get_setting(kLocalOwner, kSampleSetting)->value(), made.id);
+  const ProjectRow made = *create_project(cloth.store.documents(), kMe, kClothDocument, cloth.files);
+  ASSERT_TRUE(add_sample_project(cloth.store.documents(), kMe, cloth.folder.path()));
+  EXPECT_EQ(ids_in(cloth.store), std::vector<std::string>{made.id});
+  EXPECT_EQ(cloth.store->get_setting(kMe, kSampleSetting)->value(), made.id);
 }
 
 TEST(Sample, IsTriedAgainWhenItsFolderWasNotThere) {
   const TemporaryFolder folder;
-  const auto store = opened(folder.path());
-  EXPECT_EQ(code_of(add_sample_project(*store, kLocalOwner, folder.path() + "/absent")), "project.file");
-  ASSERT_TRUE(add_sample_project(*store, kLocalOwner, kSkirt));
-  EXPECT_EQ(ids_in(*store).size(), 1u);
+  const auto store = opened_documents(folder.path());
+  EXPECT_EQ(code_of(add_sample_project(store.documents(), kMe, folder.path() + "/absent")), "project.file");
+  ASSERT_TRUE(add_sample_project(store.documents(), kMe, kSkirt));
+  EXPECT_EQ(ids_in(store).size(), 1u);
 }
 
 }  // namespace

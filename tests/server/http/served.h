@@ -11,9 +11,12 @@
 #include "core/json/tree.h"
 #include "server/documents/assets.h"
 #include "server/documents/projects.h"
+#include "server/http/handlers/routes.h"
 #include "server/http/server.h"
+#include "server/store/sqlite/open.h"
 #include "tests/app/napkin.h"
 #include "tests/server/http/wire.h"
+#include "tests/server/owners.h"
 
 namespace toile::test {
 
@@ -23,41 +26,41 @@ class ScriptedJobs final : public JobService {
   explicit ScriptedJobs(Store& store) : store_(store) {}
   Status start() override { return {}; }
   void stop() override {}
-  Result<Made<JobRow>> submit(const OwnerId& owner, const std::string& project_id,
+  Result<Made<JobRow>> submit(const RequestContext& context, const std::string& project_id,
                               const std::string& key) override {
-    const ProjectRow project = TRY(store_.project(owner, project_id));
+    const ProjectRow project = TRY(store_.project(context, project_id));
     JobRow row;
     row.project_id = project.id;
     row.project_revision = project.revision;
     row.name = project.name;
     row.document = project.document;
     row.files = project.files;
-    return store_.create_job(owner, row, key);
+    return store_.create_job(context, row, key);
   }
-  Result<JobRow> pause(const OwnerId& owner, const std::string& id) override {
-    return become(owner, id, JobState::kPaused);
+  Result<JobRow> pause(const RequestContext& context, const std::string& id) override {
+    return become(context, id, JobState::kPaused);
   }
-  Result<JobRow> resume(const OwnerId& owner, const std::string& id) override {
-    return become(owner, id, JobState::kQueued);
+  Result<JobRow> resume(const RequestContext& context, const std::string& id) override {
+    return become(context, id, JobState::kQueued);
   }
-  Result<JobRow> cancel(const OwnerId& owner, const std::string& id) override {
-    return become(owner, id, JobState::kCancelled);
+  Result<JobRow> cancel(const RequestContext& context, const std::string& id) override {
+    return become(context, id, JobState::kCancelled);
   }
-  Result<JobProgress> progress(const OwnerId& owner, const std::string& id) override {
-    const JobRow row = TRY(store_.job(owner, id));
+  Result<JobProgress> progress(const RequestContext& context, const std::string& id) override {
+    const JobRow row = TRY(store_.job(context, id));
     JobProgress progress;
     progress.state = row.state;
     return progress;
   }
   Counts counts() const override { return {}; }
 
-  Result<JobRow> become(const OwnerId& owner, const std::string& id, JobState state) {
-    JobRow row = TRY(store_.job(owner, id));
+  Result<JobRow> become(const RequestContext& context, const std::string& id, JobState state) {
+    JobRow row = TRY(store_.job(context, id));
     if (row.state == JobState::kSucceeded || row.state == JobState::kCancelled || row.state == state) {
       return Error{"jobs.state", "the job is " + std::string(name_of(row.state)), id, ErrorKind::kConflict};
     }
     row.state = state;
-    TRY(store_.update_job(owner, row));
+    TRY(store_.update_job(context, row));
     return row;
   }
 
@@ -75,10 +78,11 @@ class Served : public testing::Test {
     Result<std::unique_ptr<Store>> opened = open_sqlite_store((folder / "data").string());
     ASSERT_TRUE(opened) << to_string(opened.error());
     store = std::move(*opened);
+    documents = std::make_unique<Documents>(*store);
     if (real_jobs) {
       JobServiceSettings two;
       two.workers = 2;
-      jobs = make_job_service(*store, hub, two);
+      jobs = make_job_service(*documents, hub, two);
     } else {
       jobs = std::make_unique<ScriptedJobs>(*store);
     }
@@ -86,6 +90,7 @@ class Served : public testing::Test {
     settings.port = 0;
     settings.most_connections = 64;
     server = std::make_unique<HttpServer>(*store, *jobs, hub, settings);
+    add_routes(server->router(), {*documents, *store, *jobs, hub, server->metrics(), server->ready()});
     const Status started = server->start();
     ASSERT_TRUE(started) << to_string(started.error());
     port = server->port();
@@ -94,6 +99,7 @@ class Served : public testing::Test {
     if (jobs) jobs->stop();
     server.reset();
     jobs.reset();
+    documents.reset();
     store.reset();
     std::filesystem::remove_all(folder);
   }
@@ -135,6 +141,7 @@ class Served : public testing::Test {
   std::filesystem::path folder;
   Hub hub;
   std::unique_ptr<Store> store;
+  std::unique_ptr<Documents> documents;
   std::unique_ptr<JobService> jobs;
   std::unique_ptr<HttpServer> server;
   int port = 0;

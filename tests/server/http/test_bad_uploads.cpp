@@ -127,7 +127,7 @@ TEST_F(BadUploads, DocumentsWithAFault) {
 
 TEST_F(BadUploads, ANapkinOfAMillionParticlesIsRefusedAtTheLatestWhenItIsSubmitted) {
   jobs->stop();
-  auto real = make_job_service(*store, hub, {});
+  auto real = make_job_service(*documents, hub, {});
   std::string text =
       napkin_request(post_asset(), "\"particle_distance_mm\": 25", "\"particle_distance_mm\": 0.5");
   for (std::size_t at = text.find("300"); at != std::string::npos; at = text.find("300", at + 5)) {
@@ -135,11 +135,11 @@ TEST_F(BadUploads, ANapkinOfAMillionParticlesIsRefusedAtTheLatestWhenItIsSubmitt
   }
   const Answer made = send_json("POST", "/api/v1/projects", text);
   if (made.status != 201) return expect_refused(made, "mesh.", "");
-  const auto job = real->submit(kLocalOwner, member(made, "id"), "");
+  const auto job = real->submit(kMe, member(made, "id"), "");
   if (!job) return;
   ASSERT_TRUE(real->start());
   for (int i = 0; i < 400; ++i) {
-    const Result<JobRow> now = store->job(kLocalOwner, job->id);
+    const Result<JobRow> now = store->job(kMe, job->id);
     if (now && now->state == JobState::kFailed) {
       EXPECT_EQ(now->reason_code, "mesh.too_many_particles");
       real->stop();

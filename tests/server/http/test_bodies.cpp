@@ -25,7 +25,7 @@ class Dressing : public Served {
                 const std::string& match = "*") {
     return send_json(method, one + what, body, match.empty() ? "" : "If-Match: " + match + "\r\n");
   }
-  std::string document() { return store->project(kLocalOwner, id)->document; }
+  std::string document() { return store->project(kMe, id)->document; }
   JsonValue tree_of(const Answer& answer) {
     EXPECT_EQ(answer.status, 200) << answer.body.substr(0, 500);
     const Result<JsonValue> tree = parse_json(answer.body, {.bytes = answer.body.size(), .depth = 64});
@@ -78,8 +78,8 @@ TEST_F(Dressing, PutsAnUploadedFigureOnItsFeet) {
   const Answer made = send_json("POST", "/api/v1/bodies/mannequins",
                                 R"({"mannequin": {"sex": "male", "height_cm": 180, "triangles": 1000}})");
   ASSERT_EQ(made.status, 201) << made.body;
-  const Result<std::string> obj = store->asset_bytes(
-      kLocalOwner, *parse_json(made.body, {.depth = 64})->find("asset")->find("id")->text());
+  const Result<std::string> obj =
+      store->asset_bytes(kMe, *parse_json(made.body, {.depth = 64})->find("asset")->find("id")->text());
   std::string lying;  // centimetres, z up, facing the other way
   for (std::size_t at = 0; at < obj->size();) {
     const std::size_t end = obj->find('\n', at);

@@ -21,7 +21,7 @@ class Edits : public Served {
   Answer post(const std::string& what, const std::string& body = "", const std::string& match = "*") {
     return send_json("POST", one + what, body, match.empty() ? "" : "If-Match: " + match + "\r\n");
   }
-  std::string document() { return store->project(kLocalOwner, one.substr(17))->document; }
+  std::string document() { return store->project(kMe, one.substr(17))->document; }
   std::string one;
 };
 

@@ -10,7 +10,7 @@ namespace {
 class RouterTest : public testing::Test {
  protected:
   RouterTest() {
-    const auto handler = [](const HttpRequest&) { return HttpResponse{}; };
+    const auto handler = [](const RequestContext&, const HttpRequest&) { return HttpResponse{}; };
     router.add({.method = "GET", .pattern = "/api/v1/jobs", .handler = handler});
     Route post{.method = "POST", .pattern = "/api/v1/jobs", .handler = handler};
     post.body = BodyKind::kJson;

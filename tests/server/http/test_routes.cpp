@@ -252,12 +252,12 @@ TEST_F(Routes, PauseResumeAndCancelAJob) {
 TEST_F(Routes, GiveOutResultsAndTheReport) {
   const std::string id = make_job(), address = "/api/v1/jobs/" + id;
   EXPECT_EQ(count(get(address + "/results"), "results"), 0u);
-  ASSERT_TRUE(store->put_result(kLocalOwner, id, "front.png", "\x89PNG"));
-  auto row = store->job(kLocalOwner, id);
+  ASSERT_TRUE(store->put_result(kMe, id, "front.png", "\x89PNG"));
+  auto row = store->job(kMe, id);
   row->state = JobState::kSucceeded;
   row->report = "{\"settled\": true}\n";
   row->results = {{"front.png", 4}};
-  ASSERT_TRUE(store->update_job(kLocalOwner, *row));
+  ASSERT_TRUE(store->update_job(kMe, *row));
   EXPECT_EQ(count(get(address + "/results"), "results"), 1u);
   const Answer png = get(address + "/results/front.png");
   EXPECT_EQ(png.body, "\x89PNG");

@@ -88,7 +88,7 @@ class Stream : public Served {
     }
   }
   void finish() {
-    EXPECT_TRUE(static_cast<ScriptedJobs&>(*jobs).become(kLocalOwner, id, JobState::kSucceeded));
+    EXPECT_TRUE(static_cast<ScriptedJobs&>(*jobs).become(kMe, id, JobState::kSucceeded));
     hub.ended(id, progress(JobState::kSucceeded, 4711));
   }
   /// Waits until so many look on.
@@ -184,7 +184,7 @@ TEST_F(Stream, ShowsTheLastMomentOfAJobThatHasEnded) {
 }
 
 TEST_F(Stream, SaysOfAJobFromLongAgoThatItHasEnded) {
-  EXPECT_TRUE(static_cast<ScriptedJobs&>(*jobs).become(kLocalOwner, id, JobState::kSucceeded));
+  EXPECT_TRUE(static_cast<ScriptedJobs&>(*jobs).become(kMe, id, JobState::kSucceeded));
   Socket viewer(port, target());
   const Seen seen = watch(viewer);
   EXPECT_EQ(seen.texts, (std::vector<std::string>{"job", "ended"}));
@@ -202,12 +202,12 @@ TEST_F(Stream, TakesCommandsAndSaysWhenOneIsRefused) {
   const Result<JsonValue> error = parse_json(refused->payload);
   EXPECT_EQ(*error->find("type")->text(), "error");
   EXPECT_EQ(*error->find("code")->text(), "jobs.state");
-  EXPECT_EQ(store->job(kLocalOwner, id)->state, JobState::kPaused);
+  EXPECT_EQ(store->job(kMe, id)->state, JobState::kPaused);
   viewer.send(Socket::kText, R"({"type": "cancel"})");
   viewer.send(Socket::kClose, "\x03\xe8");
   EXPECT_EQ(viewer.read_to_close(), 1000);
   EXPECT_TRUE(viewers_become(0));
-  EXPECT_EQ(store->job(kLocalOwner, id)->state, JobState::kCancelled);
+  EXPECT_EQ(store->job(kMe, id)->state, JobState::kCancelled);
 }
 
 TEST_F(Stream, RefusesHandshakesThatAreNone) {

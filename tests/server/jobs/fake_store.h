@@ -2,7 +2,6 @@
 // A store in memory, for tests of what stands on a store. Its calls can be made to fail.
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -28,91 +27,94 @@ class FakeStore final : public Store {
   std::function<Status(const JobRow&)> on_update_job;
   std::function<Status(const std::string& job_id)> on_put_checkpoint;
 
-  Result<AssetRow> put_asset(const OwnerId& owner, AssetRow row, std::string_view bytes) override {
+  Result<AssetRow> put_asset(const RequestContext& context, AssetRow row, std::string_view bytes) override {
     const std::lock_guard lock(mutex_);
     row.id = next_id("a_");
     row.size = static_cast<std::int64_t>(bytes.size());
     const std::filesystem::path path =
         folder_ / (row.id + std::filesystem::path(row.name).extension().string());
     std::ofstream(path, std::ios::binary) << bytes;
-    assets_[{owner, row.id}] = {row, std::string(bytes), path.string()};
+    assets_[{context.owner, row.id}] = {row, std::string(bytes), path.string()};
     return row;
   }
-  Result<AssetRow> asset(const OwnerId& owner, const std::string& id) override {
-    return one<AssetRow>(assets_, owner, id, [](const Asset& a) { return a.row; });
+  Result<AssetRow> asset(const RequestContext& context, const std::string& id) override {
+    return one<AssetRow>(assets_, context, id, [](const Asset& a) { return a.row; });
   }
-  Result<std::string> asset_bytes(const OwnerId& owner, const std::string& id) override {
-    return one<std::string>(assets_, owner, id, [](const Asset& a) { return a.bytes; });
+  Result<std::string> asset_bytes(const RequestContext& context, const std::string& id) override {
+    return one<std::string>(assets_, context, id, [](const Asset& a) { return a.bytes; });
   }
-  Result<std::string> asset_path(const OwnerId& owner, const std::string& id) override {
-    return one<std::string>(assets_, owner, id, [](const Asset& a) { return a.path; });
+  Result<std::string> asset_path(const RequestContext& context, const std::string& id) override {
+    return one<std::string>(assets_, context, id, [](const Asset& a) { return a.path; });
   }
-  Result<std::vector<AssetRow>> assets(const OwnerId&, const std::string&) override {
+  Result<std::vector<AssetRow>> assets(const RequestContext&, const std::string&) override {
     return std::vector<AssetRow>();
   }
 
-  Result<Made<ProjectRow>> create_project(const OwnerId& owner, ProjectRow row, const std::string&) override {
+  Result<Made<ProjectRow>> create_project(const RequestContext& context, ProjectRow row,
+                                          const std::string&) override {
     const std::lock_guard lock(mutex_);
     row.id = next_id("p_");
-    projects_[{owner, row.id}] = row;
+    projects_[{context.owner, row.id}] = row;
     return Made<ProjectRow>{row, true};
   }
-  Result<ProjectRow> replace_project(const OwnerId& owner, const ProjectRow& row, int) override {
+  Result<ProjectRow> replace_project(const RequestContext& context, const ProjectRow& row, int) override {
     const std::lock_guard lock(mutex_);
-    projects_[{owner, row.id}] = row;
+    projects_[{context.owner, row.id}] = row;
     return row;
   }
-  Result<ProjectRow> project(const OwnerId& owner, const std::string& id) override {
-    return one<ProjectRow>(projects_, owner, id, [](const ProjectRow& row) { return row; });
+  Result<ProjectRow> project(const RequestContext& context, const std::string& id) override {
+    return one<ProjectRow>(projects_, context, id, [](const ProjectRow& row) { return row; });
   }
-  Result<std::vector<ProjectRow>> projects(const OwnerId&, const std::string&, int) override {
+  Result<std::vector<ProjectRow>> projects(const RequestContext&, const std::string&, int) override {
     return std::vector<ProjectRow>();
   }
-  Status remove_project(const OwnerId& owner, const std::string& id, int) override {
+  Status remove_project(const RequestContext& context, const std::string& id, int) override {
     const std::lock_guard lock(mutex_);
-    projects_.erase({owner, id});
+    projects_.erase({context.owner, id});
     return {};
   }
 
-  Result<ProjectRow> edit_project(const OwnerId& owner, const ProjectRow& row, int expected, EditStep,
-                                  const EditRow&) override {
-    return replace_project(owner, row, expected);
+  Result<ProjectRow> edit_project(const RequestContext& context, const ProjectRow& row, int expected,
+                                  EditStep, const EditRow&) override {
+    return replace_project(context, row, expected);
   }
-  Result<std::vector<EditRow>> edits(const OwnerId&, const std::string&, std::int64_t, int) override {
+  Result<std::vector<EditRow>> edits(const RequestContext&, const std::string&, std::int64_t, int) override {
     return std::vector<EditRow>();
   }
-  Result<std::optional<EditRow>> next_edit(const OwnerId&, const std::string&, EditStep) override {
+  Result<std::optional<EditRow>> next_edit(const RequestContext&, const std::string&, EditStep) override {
     return std::optional<EditRow>();
   }
 
-  Result<Made<JobRow>> create_job(const OwnerId& owner, JobRow row, const std::string& key) override {
+  Result<Made<JobRow>> create_job(const RequestContext& context, JobRow row,
+                                  const std::string& key) override {
     const std::lock_guard lock(mutex_);
-    if (const auto made = keys_.find({owner, key}); made != keys_.end()) {
-      return Made<JobRow>{jobs_.at({owner, made->second}), false};
+    if (const auto made = keys_.find({context.owner, key}); made != keys_.end()) {
+      return Made<JobRow>{jobs_.at({context.owner, made->second}), false};
     }
     row.id = next_id("j_");
     row.created_ms = count_;
-    jobs_[{owner, row.id}] = row;
-    if (!key.empty()) keys_[{owner, key}] = row.id;
+    jobs_[{context.owner, row.id}] = row;
+    if (!key.empty()) keys_[{context.owner, key}] = row.id;
     return Made<JobRow>{row, true};
   }
-  Result<std::optional<JobRow>> job_of_key(const OwnerId& owner, const std::string& key) override {
+  Result<std::optional<JobRow>> job_of_key(const RequestContext& context, const std::string& key) override {
     const std::lock_guard lock(mutex_);
-    const auto made = keys_.find({owner, key});
-    return made == keys_.end() ? std::optional<JobRow>() : std::optional(jobs_.at({owner, made->second}));
+    const auto made = keys_.find({context.owner, key});
+    return made == keys_.end() ? std::optional<JobRow>()
+                               : std::optional(jobs_.at({context.owner, made->second}));
   }
-  Result<JobRow> job(const OwnerId& owner, const std::string& id) override {
-    return one<JobRow>(jobs_, owner, id, [](const JobRow& row) { return row; });
+  Result<JobRow> job(const RequestContext& context, const std::string& id) override {
+    return one<JobRow>(jobs_, context, id, [](const JobRow& row) { return row; });
   }
-  Result<std::vector<JobRow>> jobs(const OwnerId&, const std::string&, int) override {
+  Result<std::vector<JobRow>> jobs(const RequestContext&, const std::string&, int) override {
     return std::vector<JobRow>();
   }
-  Status update_job(const OwnerId& owner, const JobRow& row) override {
+  Status update_job(const RequestContext& context, const JobRow& row) override {
     if (on_update_job) {
       if (Status refused = on_update_job(row); !refused) return refused;
     }
     const std::lock_guard lock(mutex_);
-    const auto found = jobs_.find({owner, row.id});
+    const auto found = jobs_.find({context.owner, row.id});
     if (found == jobs_.end()) return Error{"store.not_found", "", "", ErrorKind::kNotFound};
     JobRow& kept = found->second;
     kept.state = row.state;
@@ -137,51 +139,53 @@ class FakeStore final : public Store {
     return found;
   }
 
-  Status put_result(const OwnerId& owner, const std::string& job_id, const std::string& name,
+  Status put_result(const RequestContext& context, const std::string& job_id, const std::string& name,
                     std::string_view bytes) override {
     if (on_put_result) {
       if (Status refused = on_put_result(name); !refused) return refused;
     }
     const std::lock_guard lock(mutex_);
-    results_[{owner, job_id + "/" + name}] = bytes;
+    results_[{context.owner, job_id + "/" + name}] = bytes;
     return {};
   }
-  Result<std::string> result_bytes(const OwnerId& owner, const std::string& job_id,
+  Result<std::string> result_bytes(const RequestContext& context, const std::string& job_id,
                                    const std::string& name) override {
-    return one<std::string>(results_, owner, job_id + "/" + name,
+    return one<std::string>(results_, context, job_id + "/" + name,
                             [](const std::string& bytes) { return bytes; });
   }
-  Status remove_results(const OwnerId& owner, const std::string& job_id) override {
+  Status remove_results(const RequestContext& context, const std::string& job_id) override {
     const std::lock_guard lock(mutex_);
     std::erase_if(results_, [&](const auto& result) {
-      return result.first.first == owner && result.first.second.starts_with(job_id + "/");
+      return result.first.first == context.owner && result.first.second.starts_with(job_id + "/");
     });
     return {};
   }
   /// Files of results of a job that are kept, named or not.
-  std::size_t kept_results(const OwnerId& owner, const std::string& job_id) {
+  std::size_t kept_results(const RequestContext& context, const std::string& job_id) {
     const std::lock_guard lock(mutex_);
     return static_cast<std::size_t>(std::count_if(results_.begin(), results_.end(), [&](const auto& result) {
-      return result.first.first == owner && result.first.second.starts_with(job_id + "/");
+      return result.first.first == context.owner && result.first.second.starts_with(job_id + "/");
     }));
   }
-  Status put_checkpoint(const OwnerId& owner, const std::string& job_id, std::string_view bytes) override {
+  Status put_checkpoint(const RequestContext& context, const std::string& job_id,
+                        std::string_view bytes) override {
     if (on_put_checkpoint) {
       if (Status refused = on_put_checkpoint(job_id); !refused) return refused;
     }
     using namespace std::chrono;
     const std::lock_guard lock(mutex_);
-    checkpoints_[{owner, job_id}] = {
+    checkpoints_[{context.owner, job_id}] = {
         std::string(bytes), duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count()};
     ++checkpoints_put_;
     return {};
   }
-  Result<KeptCheckpoint> checkpoint(const OwnerId& owner, const std::string& job_id) override {
-    return one<KeptCheckpoint>(checkpoints_, owner, job_id, [](const KeptCheckpoint& kept) { return kept; });
+  Result<KeptCheckpoint> checkpoint(const RequestContext& context, const std::string& job_id) override {
+    return one<KeptCheckpoint>(checkpoints_, context, job_id,
+                               [](const KeptCheckpoint& kept) { return kept; });
   }
-  Status remove_checkpoint(const OwnerId& owner, const std::string& job_id) override {
+  Status remove_checkpoint(const RequestContext& context, const std::string& job_id) override {
     const std::lock_guard lock(mutex_);
-    checkpoints_.erase({owner, job_id});
+    checkpoints_.erase({context.owner, job_id});
     return {};
   }
   /// How many were ever put.
@@ -190,17 +194,18 @@ class FakeStore final : public Store {
     return checkpoints_put_;
   }
 
-  Result<std::optional<std::string>> get_setting(const OwnerId&, const std::string&) override {
+  Result<std::optional<std::string>> get_setting(const RequestContext&, const std::string&) override {
     return std::optional<std::string>();
   }
-  Status put_setting(const OwnerId&, const std::string&, const std::string&) override { return {}; }
+  Status put_setting(const RequestContext&, const std::string&, const std::string&) override { return {}; }
   std::string scratch_folder() const override { return folder_.string(); }
   Status ping() override { return {}; }
 
   /// Changes a job's row behind the service's back, as a crash or another program would.
-  void tamper(const OwnerId& owner, const std::string& id, const std::function<void(JobRow&)>& edit) {
+  void tamper(const RequestContext& context, const std::string& id,
+              const std::function<void(JobRow&)>& edit) {
     const std::lock_guard lock(mutex_);
-    edit(jobs_.at({owner, id}));
+    edit(jobs_.at({context.owner, id}));
   }
 
  private:
@@ -210,19 +215,17 @@ class FakeStore final : public Store {
     std::string bytes, path;
   };
 
-  /// Rises, so that the order of ids is that of making. Unlike in every store of this process: bodies are
-  /// cached by asset id, whichever store they came from.
+  /// Rises, so that the order of ids is that of making.
   std::string next_id(const char* prefix) {
-    static std::atomic<int> ever{0};
     char text[24];
-    std::snprintf(text, sizeof text, "%s%08d", prefix, count_ = ++ever);
+    std::snprintf(text, sizeof text, "%s%08d", prefix, ++count_);
     return text;
   }
 
   template <typename Out, typename Map, typename Read>
-  Result<Out> one(const Map& map, const OwnerId& owner, const std::string& id, Read read) {
+  Result<Out> one(const Map& map, const RequestContext& context, const std::string& id, Read read) {
     const std::lock_guard lock(mutex_);
-    const auto found = map.find({owner, id});
+    const auto found = map.find({context.owner, id});
     if (found == map.end())
       return Error{"store.not_found", "there is no such thing", "", ErrorKind::kNotFound};
     return read(found->second);

@@ -16,7 +16,7 @@
 
 namespace toile::test {
 
-inline constexpr const char* kOwner = "ann";
+inline const RequestContext kOwner("ann");
 
 /// A box of 10 cm, m.
 inline constexpr const char* kBlock =
@@ -67,7 +67,7 @@ class JobHouse : public testing::Test {
 
   void make(int workers) {
     settings.workers = workers;
-    service = make_job_service(store, publisher, settings);
+    service = make_job_service(documents, publisher, settings);
   }
 
   static std::string test_name() { return testing::UnitTest::GetInstance()->current_test_info()->name(); }
@@ -97,7 +97,7 @@ class JobHouse : public testing::Test {
 
   /// The drape by itself, in one go and without a service.
   DrapeResult alone(const JobRow& job) {
-    const DrapeInput input = drape_input_of(store, kOwner, job.document, job.files).value();
+    const DrapeInput input = drape_input_of(documents, kOwner, job.document, job.files).value();
     return drape(input, {}, nullptr).value();
   }
   std::string hash_of_alone(const JobRow& job) { return hash_of(alone(job).positions); }
@@ -106,6 +106,7 @@ class JobHouse : public testing::Test {
   }
 
   FakeStore store;
+  Documents documents{store};
   Recorder publisher;
   JobServiceSettings settings;
   std::unique_ptr<JobService> service;  // last: it uses the others until it goes

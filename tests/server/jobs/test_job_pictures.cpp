@@ -54,7 +54,7 @@ TEST_F(JobsInTheirPictures, AreBroughtToTheirEndByAStop) {
 
 TEST_F(JobsInTheirPictures, AreKeptWithoutThemWhenTheyCannotBeDrawn) {
   settings.still_width = 4;  // less than a still may have
-  service = make_job_service(store, publisher, settings);
+  service = make_job_service(documents, publisher, settings);
   ASSERT_TRUE(service->start().ok());
   const std::string id = submit(cloth_over_block(200));
   ASSERT_TRUE(publisher.wait_for_end(id));

@@ -354,10 +354,10 @@ TEST_F(Jobs, ARetryGivesTheJobOfThenWhateverBecameOfTheProjectAndTheQueue) {
 TEST_F(Jobs, BelongToTheirOwnerOnly) {
   ASSERT_TRUE(service->start().ok());
   const std::string project = project_of(cloth_over_block(200, kEndless));
-  EXPECT_EQ(service->submit("bob", project, "").error().code, "store.not_found");
+  EXPECT_EQ(service->submit(RequestContext("bob"), project, "").error().code, "store.not_found");
   const std::string id = service->submit(kOwner, project, "")->id;
-  EXPECT_EQ(service->cancel("bob", id).error().code, "store.not_found");
-  EXPECT_EQ(service->progress("bob", id).error().code, "store.not_found");
+  EXPECT_EQ(service->cancel(RequestContext("bob"), id).error().code, "store.not_found");
+  EXPECT_EQ(service->progress(RequestContext("bob"), id).error().code, "store.not_found");
   EXPECT_EQ(service->pause(kOwner, "j_none").error().code, "store.not_found");
   EXPECT_TRUE(service->cancel(kOwner, id).ok());
 }

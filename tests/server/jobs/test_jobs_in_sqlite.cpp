@@ -6,6 +6,7 @@
 #include "server/documents/assets.h"
 #include "server/documents/projects.h"
 #include "server/jobs/job_service.h"
+#include "server/store/sqlite/open.h"
 #include "tests/server/jobs/house.h"
 
 namespace toile {
@@ -28,21 +29,23 @@ class JobsInSqlite : public testing::Test {
 
   void open() {
     store_ = open_sqlite_store(folder_.string()).value();
+    documents_ = std::make_unique<Documents>(*store_);
     JobServiceSettings settings;
     settings.still_width = 64;
     settings.still_height = 80;
-    service_ = make_job_service(*store_, publisher_, settings);
+    service_ = make_job_service(*documents_, publisher_, settings);
     EXPECT_TRUE(service_->start().ok());
   }
   void close() {
     service_.reset();
+    documents_.reset();
     store_.reset();
   }
 
   std::string submit(double max_time) {
-    const AssetRow block = add_asset(*store_, kOwner, "body", "block.obj", test::kBlock).value();
+    const AssetRow block = add_asset(*documents_, kOwner, "body", "block.obj", test::kBlock).value();
     const auto project =
-        create_project(*store_, kOwner, test::cloth_over_block(200, max_time), {{"block.obj", block.id}});
+        create_project(*documents_, kOwner, test::cloth_over_block(200, max_time), {{"block.obj", block.id}});
     EXPECT_TRUE(project.ok()) << to_string(project.error());
     return service_->submit(kOwner, project->id, "").value().id;
   }
@@ -50,6 +53,7 @@ class JobsInSqlite : public testing::Test {
   fs::path folder_;
   test::Recorder publisher_;
   std::unique_ptr<Store> store_;
+  std::unique_ptr<Documents> documents_;
   std::unique_ptr<JobService> service_;
 };
 

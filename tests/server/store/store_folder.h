@@ -8,7 +8,8 @@
 #include <memory>
 #include <string>
 
-#include "server/store/store.h"
+#include "server/store/sqlite/open.h"
+#include "tests/server/owners.h"
 
 namespace toile {
 

@@ -10,32 +10,32 @@ TEST(StoreCheckpoints, AreReplacedKeptOverAReopeningAndRemoved) {
   std::string id;
   {
     const auto store = opened(folder.path());
-    id = store->create_job("ann", some_job("skirt"), "").value().id;
-    EXPECT_EQ(code_of(store->checkpoint("ann", id)), "store.not_found");
-    EXPECT_TRUE(store->remove_checkpoint("ann", id).ok()) << "nothing to remove is no error";
-    EXPECT_TRUE(store->put_checkpoint("ann", id, "first").ok());
-    EXPECT_TRUE(store->put_checkpoint("ann", id, std::string("sec\0ond", 7)).ok());
+    id = store->create_job(kAnn, some_job("skirt"), "").value().id;
+    EXPECT_EQ(code_of(store->checkpoint(kAnn, id)), "store.not_found");
+    EXPECT_TRUE(store->remove_checkpoint(kAnn, id).ok()) << "nothing to remove is no error";
+    EXPECT_TRUE(store->put_checkpoint(kAnn, id, "first").ok());
+    EXPECT_TRUE(store->put_checkpoint(kAnn, id, std::string("sec\0ond", 7)).ok());
   }
   const auto store = opened(folder.path());
-  const auto kept = store->checkpoint("ann", id);
+  const auto kept = store->checkpoint(kAnn, id);
   ASSERT_TRUE(kept.ok()) << to_string(kept.error());
   EXPECT_EQ(kept->bytes, std::string("sec\0ond", 7));
-  const auto age = store->job("ann", id)->created_ms - kept->kept_ms;
+  const auto age = store->job(kAnn, id)->created_ms - kept->kept_ms;
   EXPECT_LT(std::abs(age), 60000) << "its time is the clock's";
-  EXPECT_TRUE(store->remove_checkpoint("ann", id).ok());
-  EXPECT_EQ(code_of(store->checkpoint("ann", id)), "store.not_found");
+  EXPECT_TRUE(store->remove_checkpoint(kAnn, id).ok());
+  EXPECT_EQ(code_of(store->checkpoint(kAnn, id)), "store.not_found");
 }
 
 TEST(StoreCheckpoints, BelongToTheirOwner) {
   const TemporaryFolder folder;
   const auto store = opened(folder.path());
-  const std::string id = store->create_job("ann", some_job("skirt"), "").value().id;
-  EXPECT_TRUE(store->put_checkpoint("ann", id, "hers").ok());
-  EXPECT_EQ(code_of(store->put_checkpoint("bob", id, "his")), "store.not_found");
-  EXPECT_EQ(code_of(store->checkpoint("bob", id)), "store.not_found");
-  EXPECT_EQ(code_of(store->remove_checkpoint("bob", id)), "store.not_found");
-  EXPECT_EQ(code_of(store->put_checkpoint("ann", "../../toile.db", "x")), "store.not_found");
-  EXPECT_EQ(store->checkpoint("ann", id)->bytes, "hers");
+  const std::string id = store->create_job(kAnn, some_job("skirt"), "").value().id;
+  EXPECT_TRUE(store->put_checkpoint(kAnn, id, "hers").ok());
+  EXPECT_EQ(code_of(store->put_checkpoint(kBob, id, "his")), "store.not_found");
+  EXPECT_EQ(code_of(store->checkpoint(kBob, id)), "store.not_found");
+  EXPECT_EQ(code_of(store->remove_checkpoint(kBob, id)), "store.not_found");
+  EXPECT_EQ(code_of(store->put_checkpoint(kAnn, "../../toile.db", "x")), "store.not_found");
+  EXPECT_EQ(store->checkpoint(kAnn, id)->bytes, "hers");
 }
 
 TEST(StoreCheckpoints, OfJobsThatHaveEndedGoWhenTheStoreIsOpened) {
@@ -43,18 +43,18 @@ TEST(StoreCheckpoints, OfJobsThatHaveEndedGoWhenTheStoreIsOpened) {
   std::string ended, running;
   {
     const auto store = opened(folder.path());
-    JobRow row = store->create_job("ann", some_job("ended"), "").value();
+    JobRow row = store->create_job(kAnn, some_job("ended"), "").value();
     ended = row.id;
-    running = store->create_job("bob", some_job("running"), "").value().id;
+    running = store->create_job(kBob, some_job("running"), "").value().id;
     for (const auto& [owner, id] : {std::pair{"ann", ended}, {"bob", running}}) {
       EXPECT_TRUE(store->put_checkpoint(owner, id, "state").ok());
     }
     row.state = JobState::kSucceeded;
-    EXPECT_TRUE(store->update_job("ann", row).ok());  // and then it was killed
+    EXPECT_TRUE(store->update_job(kAnn, row).ok());  // and then it was killed
   }
   const auto store = opened(folder.path());
-  EXPECT_EQ(code_of(store->checkpoint("ann", ended)), "store.not_found");
-  EXPECT_EQ(code_of(store->checkpoint("bob", running)), "ok");
+  EXPECT_EQ(code_of(store->checkpoint(kAnn, ended)), "store.not_found");
+  EXPECT_EQ(code_of(store->checkpoint(kBob, running)), "ok");
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "server/store/sqlite.h"
+#include "server/store/sqlite/database.h"
 #include "tests/server/store/store_folder.h"
 
 namespace toile {
@@ -24,13 +24,13 @@ constexpr std::size_t kIdSize = 22;
   const auto store = opened(folder);
   for (int i = 0;; ++i) {
     const std::string bytes(static_cast<std::size_t>(1000 + i), static_cast<char>('a' + i % 26));
-    const Result<AssetRow> asset = store->put_asset(kLocalOwner, named("dxf", "a.dxf"), bytes);
+    const Result<AssetRow> asset = store->put_asset(kMe, named("dxf", "a.dxf"), bytes);
     JobRow job = some_job("drape");
     if (asset) job.files = {{"a.dxf", asset->id}};
-    auto made = store->create_job(kLocalOwner, job, "key-" + std::to_string(i) + "-" + bytes[0]);
-    if (!asset || !made || !store->put_result(kLocalOwner, made->id, "report.json", made->id)) _exit(1);
+    auto made = store->create_job(kMe, job, "key-" + std::to_string(i) + "-" + bytes[0]);
+    if (!asset || !made || !store->put_result(kMe, made->id, "report.json", made->id)) _exit(1);
     made->results = {{"report.json", kIdSize}};  // what no row names goes at the next start
-    if (!store->update_job(kLocalOwner, *made)) _exit(3);
+    if (!store->update_job(kMe, *made)) _exit(3);
     if (::write(out, made->id.data(), kIdSize) != static_cast<ssize_t>(kIdSize)) _exit(2);
   }
 }
@@ -75,11 +75,11 @@ TEST(StoreCrash, LosesNothingThatWasAcknowledgedBeforeAKill) {
     ids.insert(ids.end(), more.begin(), more.end());
     const auto store = opened(folder.path());
     for (const std::string& id : ids) {
-      const Result<JobRow> job = store->job(kLocalOwner, id);
+      const Result<JobRow> job = store->job(kMe, id);
       ASSERT_TRUE(job) << to_string(job.error());
-      const Result<std::string> bytes = store->asset_bytes(kLocalOwner, job->files.at("a.dxf"));
+      const Result<std::string> bytes = store->asset_bytes(kMe, job->files.at("a.dxf"));
       ASSERT_TRUE(bytes) << to_string(bytes.error());
-      const Result<std::string> result = store->result_bytes(kLocalOwner, id, "report.json");
+      const Result<std::string> result = store->result_bytes(kMe, id, "report.json");
       ASSERT_TRUE(result) << to_string(result.error());
       EXPECT_EQ(*result, id);
     }
@@ -92,9 +92,9 @@ TEST(StoreCrash, LosesNothingThatWasAcknowledgedBeforeAKill) {
 int full_disk_story(const std::string& folder) {
   ::signal(SIGXFSZ, SIG_IGN);
   const auto store = opened(folder);
-  const auto early = store->create_project(kLocalOwner, some_project("early"));
-  const Result<AssetRow> asset = store->put_asset(kLocalOwner, named("dxf", "a.dxf"), "content");
-  const auto job = store->create_job(kLocalOwner, some_job("early"), "");
+  const auto early = store->create_project(kMe, some_project("early"));
+  const Result<AssetRow> asset = store->put_asset(kMe, named("dxf", "a.dxf"), "content");
+  const auto job = store->create_job(kMe, some_job("early"), "");
   if (!early || !asset || !job) return 1;
   rlimit limit{};
   ::getrlimit(RLIMIT_FSIZE, &limit);
@@ -104,27 +104,27 @@ int full_disk_story(const std::string& folder) {
   const std::string large(1 << 20, 'x');
   ProjectRow big = some_project("big");
   big.document = large;
-  if (code_of(store->create_project(kLocalOwner, big)) != "store.full") return 2;
+  if (code_of(store->create_project(kMe, big)) != "store.full") return 2;
   big.id = early->id;
-  if (code_of(store->replace_project(kLocalOwner, big, 1)) != "store.full") return 3;
+  if (code_of(store->replace_project(kMe, big, 1)) != "store.full") return 3;
   JobRow big_job = some_job("big");
   big_job.document = large;
-  if (code_of(store->create_job(kLocalOwner, big_job, "key")) != "store.full") return 4;
-  if (code_of(store->put_asset(kLocalOwner, named("body", "b.obj"), large)) != "store.full") return 5;
-  if (code_of(store->put_result(kLocalOwner, job->id, "big.glb", large)) != "store.full") return 6;
+  if (code_of(store->create_job(kMe, big_job, "key")) != "store.full") return 4;
+  if (code_of(store->put_asset(kMe, named("body", "b.obj"), large)) != "store.full") return 5;
+  if (code_of(store->put_result(kMe, job->id, "big.glb", large)) != "store.full") return 6;
 
-  if (!store->ping() || store->projects(kLocalOwner, "", 10)->size() != 1) return 7;
-  const Result<ProjectRow> still = store->project(kLocalOwner, early->id);
+  if (!store->ping() || store->projects(kMe, "", 10)->size() != 1) return 7;
+  const Result<ProjectRow> still = store->project(kMe, early->id);
   if (!still || still->revision != 1) return 8;
-  const Result<std::string> bytes = store->asset_bytes(kLocalOwner, asset->id);
+  const Result<std::string> bytes = store->asset_bytes(kMe, asset->id);
   if (!bytes || *bytes != "content") return 9;
-  if (code_of(store->result_bytes(kLocalOwner, job->id, "big.glb")) != "store.not_found") return 10;
+  if (code_of(store->result_bytes(kMe, job->id, "big.glb")) != "store.not_found") return 10;
   if (!std::filesystem::is_empty(store->scratch_folder())) return 11;
 
   ::setrlimit(RLIMIT_FSIZE, &limit);
-  if (!store->create_project(kLocalOwner, big)) return 12;
-  if (!store->create_job(kLocalOwner, big_job, "key")) return 13;
-  if (!store->put_asset(kLocalOwner, named("body", "b.obj"), large)) return 14;
+  if (!store->create_project(kMe, big)) return 12;
+  if (!store->create_job(kMe, big_job, "key")) return 13;
+  if (!store->put_asset(kMe, named("body", "b.obj"), large)) return 14;
   return 0;
 }
 
@@ -137,7 +137,7 @@ TEST(StoreCrash, SaysThatTheDiskIsFullReadsOnAndRecovers) {
   ASSERT_TRUE(WIFEXITED(status)) << status;
   EXPECT_EQ(WEXITSTATUS(status), 0) << "the number of the expectation that did not hold";
   EXPECT_EQ(integrity_of(folder.path()), "ok");
-  EXPECT_EQ(opened(folder.path())->projects(kLocalOwner, "", 10)->size(), 2u);
+  EXPECT_EQ(opened(folder.path())->projects(kMe, "", 10)->size(), 2u);
 }
 
 }  // namespace

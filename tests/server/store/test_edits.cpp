@@ -26,16 +26,16 @@ EditRow step(const std::string& edits) {
 struct EditedStore {
   TemporaryFolder folder;
   std::unique_ptr<Store> store = opened(folder.path());
-  std::string id = store->create_project(kLocalOwner, project_row("first"))->id;
+  std::string id = store->create_project(kMe, project_row("first"))->id;
 
   Result<ProjectRow> act(EditStep kind, const EditRow& edit, const std::string& document, int expected = 0) {
-    ProjectRow row = *store->project(kLocalOwner, id);
+    ProjectRow row = *store->project(kMe, id);
     row.document = document;
-    return store->edit_project(kLocalOwner, row, expected == 0 ? row.revision : expected, kind, edit);
+    return store->edit_project(kMe, row, expected == 0 ? row.revision : expected, kind, edit);
   }
   Result<ProjectRow> do_edit(const std::string& edits) { return act(EditStep::kDo, step(edits), edits); }
-  EditRow next(EditStep kind) { return store->next_edit(kLocalOwner, id, kind)->value_or(EditRow{}); }
-  std::vector<EditRow> history() { return *store->edits(kLocalOwner, id, 0, 1000); }
+  EditRow next(EditStep kind) { return store->next_edit(kMe, id, kind)->value_or(EditRow{}); }
+  std::vector<EditRow> history() { return *store->edits(kMe, id, 0, 1000); }
 };
 
 TEST(StoreEdits, KeepAStepWithItsDocumentOverAReopening) {
@@ -47,7 +47,7 @@ TEST(StoreEdits, KeepAStepWithItsDocumentOverAReopening) {
   EXPECT_EQ(row->revision, 2);
   at.store.reset();
   at.store = opened(at.folder.path());
-  EXPECT_EQ(at.store->project(kLocalOwner, at.id)->document, "second");
+  EXPECT_EQ(at.store->project(kMe, at.id)->document, "second");
   const EditRow kept = at.next(EditStep::kUndo);
   EXPECT_EQ(kept.number, 1);
   EXPECT_EQ(kept.edits, "[\"a\"]");
@@ -67,7 +67,7 @@ TEST(StoreEdits, GoBackAndForth) {
   EXPECT_EQ(at.next(EditStep::kRedo).edits, "[\"b\"]");
   ASSERT_TRUE(at.act(EditStep::kRedo, at.next(EditStep::kRedo), "b"));
   EXPECT_EQ(at.next(EditStep::kRedo).edits, "[\"c\"]");
-  EXPECT_EQ(at.store->project(kLocalOwner, at.id)->revision, 7);
+  EXPECT_EQ(at.store->project(kMe, at.id)->revision, 7);
 }
 
 TEST(StoreEdits, ANewStepForgetsWhatWasUndone) {
@@ -90,9 +90,9 @@ TEST(StoreEdits, ChangeNothingAtAnotherRevisionOrStep) {
   nobody.number = 9;
   EXPECT_EQ(at.act(EditStep::kUndo, nobody, "z").error().code, "store.not_found");
   EXPECT_EQ(at.act(EditStep::kRedo, at.next(EditStep::kUndo), "z").error().code, "store.not_found");
-  EXPECT_EQ(at.store->project(kLocalOwner, at.id)->document, "a") << "all or nothing";
+  EXPECT_EQ(at.store->project(kMe, at.id)->document, "a") << "all or nothing";
   EXPECT_EQ(at.history().size(), 1u);
-  ProjectRow stranger = *at.store->project(kLocalOwner, at.id);
+  ProjectRow stranger = *at.store->project(kMe, at.id);
   EXPECT_EQ(at.store->edit_project("else", stranger, 2, EditStep::kDo, step("x")).error().code,
             "store.not_found");
   EXPECT_TRUE(at.store->edits("else", at.id, 0, 10)->empty());
@@ -101,21 +101,21 @@ TEST(StoreEdits, ChangeNothingAtAnotherRevisionOrStep) {
 TEST(StoreEdits, GoWithAReplacedOrRemovedProject) {
   EditedStore at;
   ASSERT_TRUE(at.do_edit("a"));
-  ProjectRow row = *at.store->project(kLocalOwner, at.id);
+  ProjectRow row = *at.store->project(kMe, at.id);
   row.document = "other";
-  ASSERT_TRUE(at.store->replace_project(kLocalOwner, row, 0));
+  ASSERT_TRUE(at.store->replace_project(kMe, row, 0));
   EXPECT_TRUE(at.history().empty());
   ASSERT_TRUE(at.do_edit("b"));
-  ASSERT_TRUE(at.store->remove_project(kLocalOwner, at.id, 0));
+  ASSERT_TRUE(at.store->remove_project(kMe, at.id, 0));
   EXPECT_TRUE(at.history().empty());
 }
 
 TEST(StoreEdits, AreListedInPages) {
   EditedStore at;
   for (const char* edits : {"a", "b", "c"}) ASSERT_TRUE(at.do_edit(edits));
-  const std::vector<EditRow> first = *at.store->edits(kLocalOwner, at.id, 0, 2);
+  const std::vector<EditRow> first = *at.store->edits(kMe, at.id, 0, 2);
   ASSERT_EQ(first.size(), 2u);
-  const std::vector<EditRow> rest = *at.store->edits(kLocalOwner, at.id, first.back().number, 2);
+  const std::vector<EditRow> rest = *at.store->edits(kMe, at.id, first.back().number, 2);
   ASSERT_EQ(rest.size(), 1u);
   EXPECT_EQ(rest[0].edits, "[\"a\"]");
   EXPECT_TRUE(rest[0].inverse.empty()) << "only undo has use for it";

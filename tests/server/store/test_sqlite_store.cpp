@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kOther = "somebody else";
+constexpr const char* kOther = kStranger;
 
 /// Bytes with everything that text would stumble over.
 std::string odd_bytes() { return std::string("a\0b\r\n\xff'\"", 8); }
@@ -25,28 +25,28 @@ TEST(SqliteStore, KeepsAnAssetOverAReopening) {
   std::string id;
   {
     const auto store = opened(folder.path());
-    const Result<AssetRow> kept = store->put_asset(kLocalOwner, given, odd_bytes());
+    const Result<AssetRow> kept = store->put_asset(kMe, given, odd_bytes());
     ASSERT_TRUE(kept);
     id = kept->id;
     EXPECT_EQ(kept->size, 8);
     EXPECT_GT(kept->created_ms, 1'735'689'600'000);
   }
   const auto store = opened(folder.path());
-  const Result<AssetRow> row = store->asset(kLocalOwner, id);
+  const Result<AssetRow> row = store->asset(kMe, id);
   ASSERT_TRUE(row);
   EXPECT_EQ(row->id.size(), 34u);
   EXPECT_EQ(row->kind, "dxf");
   EXPECT_EQ(row->name, "Rock blau.DXF");
   EXPECT_EQ(row->info, given.info);
-  EXPECT_EQ(*store->asset_bytes(kLocalOwner, id), odd_bytes());
+  EXPECT_EQ(*store->asset_bytes(kMe, id), odd_bytes());
 }
 
 TEST(SqliteStore, GivesAPathThatEndsAsTheUploadedNameDoes) {
   const TemporaryFolder folder;
   const auto store = opened(folder.path());
-  const Result<AssetRow> kept = store->put_asset(kLocalOwner, named("body", "Ann.OBJ"), "v 0 0 0\n");
+  const Result<AssetRow> kept = store->put_asset(kMe, named("body", "Ann.OBJ"), "v 0 0 0\n");
   ASSERT_TRUE(kept);
-  const Result<std::string> path = store->asset_path(kLocalOwner, kept->id);
+  const Result<std::string> path = store->asset_path(kMe, kept->id);
   ASSERT_TRUE(path);
   EXPECT_TRUE(path->ends_with(".obj")) << *path;
   std::ifstream in(*path, std::ios::binary);
@@ -58,19 +58,19 @@ TEST(SqliteStore, TakesTheSameFileUnderTheSameNameAndKindForOneAsset) {
   const auto store = opened(folder.path());
   AssetRow first = named("body", "a.obj");
   first.info = R"({"first": true})";
-  const Result<AssetRow> one = store->put_asset(kLocalOwner, first, "same");
-  const Result<AssetRow> again = store->put_asset(kLocalOwner, named("body", "a.obj"), "same");
-  const Result<AssetRow> renamed = store->put_asset(kLocalOwner, named("body", "b.obj"), "same");
-  const Result<AssetRow> changed = store->put_asset(kLocalOwner, named("body", "a.obj"), "Same");
+  const Result<AssetRow> one = store->put_asset(kMe, first, "same");
+  const Result<AssetRow> again = store->put_asset(kMe, named("body", "a.obj"), "same");
+  const Result<AssetRow> renamed = store->put_asset(kMe, named("body", "b.obj"), "same");
+  const Result<AssetRow> changed = store->put_asset(kMe, named("body", "a.obj"), "Same");
   ASSERT_TRUE(one && again && renamed && changed);
   EXPECT_EQ(again->id, one->id);
   EXPECT_EQ(again->info, R"({"first": true})");
   EXPECT_NE(renamed->id, one->id);
   EXPECT_NE(changed->id, one->id);
-  EXPECT_EQ(store->assets(kLocalOwner, "body")->size(), 3u);
-  EXPECT_EQ(store->assets(kLocalOwner, "dxf")->size(), 0u);
-  EXPECT_EQ(store->assets(kLocalOwner, "")->size(), 3u);
-  EXPECT_EQ(store->assets(kLocalOwner, "")->front().id, changed->id) << "newest first";
+  EXPECT_EQ(store->assets(kMe, "body")->size(), 3u);
+  EXPECT_EQ(store->assets(kMe, "dxf")->size(), 0u);
+  EXPECT_EQ(store->assets(kMe, "")->size(), 3u);
+  EXPECT_EQ(store->assets(kMe, "")->front().id, changed->id) << "newest first";
 }
 
 TEST(SqliteStore, KeepsAProjectOverAReopening) {
@@ -78,10 +78,10 @@ TEST(SqliteStore, KeepsAProjectOverAReopening) {
   ProjectRow made;
   {
     const auto store = opened(folder.path());
-    made = *store->create_project(kLocalOwner, some_project("Skirt \xc3\xa4 \"1\""));
+    made = *store->create_project(kMe, some_project("Skirt \xc3\xa4 \"1\""));
   }
   const auto store = opened(folder.path());
-  const Result<ProjectRow> row = store->project(kLocalOwner, made.id);
+  const Result<ProjectRow> row = store->project(kMe, made.id);
   ASSERT_TRUE(row);
   EXPECT_EQ(row->id.size(), 22u);
   EXPECT_EQ(row->name, "Skirt \xc3\xa4 \"1\"");
@@ -95,35 +95,35 @@ TEST(SqliteStore, KeepsAProjectOverAReopening) {
 TEST(SqliteStore, ReplacesAProjectOnlyAtTheExpectedRevision) {
   const TemporaryFolder folder;
   const auto store = opened(folder.path());
-  ProjectRow row = *store->create_project(kLocalOwner, some_project("one"));
+  ProjectRow row = *store->create_project(kMe, some_project("one"));
   row.name = "two";
   row.files = {{"x.dxf", "a_9"}};
-  const Result<ProjectRow> second = store->replace_project(kLocalOwner, row, 1);
+  const Result<ProjectRow> second = store->replace_project(kMe, row, 1);
   ASSERT_TRUE(second);
   EXPECT_EQ(second->revision, 2);
   row.name = "stale";
-  EXPECT_EQ(code_of(store->replace_project(kLocalOwner, row, 1)), "store.conflict");
-  const Result<ProjectRow> now = store->project(kLocalOwner, row.id);
+  EXPECT_EQ(code_of(store->replace_project(kMe, row, 1)), "store.conflict");
+  const Result<ProjectRow> now = store->project(kMe, row.id);
   EXPECT_EQ(now->name, "two");
   EXPECT_EQ(now->revision, 2);
   EXPECT_EQ(now->files, (std::map<std::string, std::string>{{"x.dxf", "a_9"}}));
   row.name = "anyway";
-  EXPECT_EQ(store->replace_project(kLocalOwner, row, 0)->revision, 3);
+  EXPECT_EQ(store->replace_project(kMe, row, 0)->revision, 3);
   row.id = "p_00000000000000000000";
-  EXPECT_EQ(code_of(store->replace_project(kLocalOwner, row, 0)), "store.not_found");
+  EXPECT_EQ(code_of(store->replace_project(kMe, row, 0)), "store.not_found");
 }
 
 TEST(SqliteStore, ForgetsARemovedProjectAndKeepsItsJobs) {
   const TemporaryFolder folder;
   const auto store = opened(folder.path());
-  const ProjectRow row = *store->create_project(kLocalOwner, some_project("gone"));
+  const ProjectRow row = *store->create_project(kMe, some_project("gone"));
   JobRow job = some_job("stays");
   job.project_id = row.id;
-  job = *store->create_job(kLocalOwner, job, "");
-  EXPECT_TRUE(store->remove_project(kLocalOwner, row.id, 0));
-  EXPECT_EQ(code_of(store->project(kLocalOwner, row.id)), "store.not_found");
-  EXPECT_EQ(code_of(store->remove_project(kLocalOwner, row.id, 0)), "store.not_found");
-  EXPECT_EQ(store->job(kLocalOwner, job.id)->document, job.document);
+  job = *store->create_job(kMe, job, "");
+  EXPECT_TRUE(store->remove_project(kMe, row.id, 0));
+  EXPECT_EQ(code_of(store->project(kMe, row.id)), "store.not_found");
+  EXPECT_EQ(code_of(store->remove_project(kMe, row.id, 0)), "store.not_found");
+  EXPECT_EQ(store->job(kMe, job.id)->document, job.document);
 }
 
 TEST(SqliteStore, ListsNewestFirstPageByPage) {
@@ -131,37 +131,37 @@ TEST(SqliteStore, ListsNewestFirstPageByPage) {
   const auto store = opened(folder.path());
   std::vector<std::string> made, listed;
   for (int i = 0; i < 25; ++i) {
-    made.push_back(store->create_project(kLocalOwner, some_project(std::to_string(i)))->id);
-    ASSERT_TRUE(store->create_job(kLocalOwner, some_job(std::to_string(i)), ""));
+    made.push_back(store->create_project(kMe, some_project(std::to_string(i)))->id);
+    ASSERT_TRUE(store->create_job(kMe, some_job(std::to_string(i)), ""));
   }
   std::string cursor;
   for (int page = 0; page < 3; ++page) {
-    const Result<std::vector<ProjectRow>> rows = store->projects(kLocalOwner, cursor, 10);
+    const Result<std::vector<ProjectRow>> rows = store->projects(kMe, cursor, 10);
     ASSERT_TRUE(rows);
     ASSERT_EQ(rows->size(), page < 2 ? 10u : 5u);
     for (const ProjectRow& row : *rows) listed.push_back(row.id);
     cursor = listed.back();
-    EXPECT_TRUE(store->remove_project(kLocalOwner, cursor, 0)) << "a cursor may be gone";
+    EXPECT_TRUE(store->remove_project(kMe, cursor, 0)) << "a cursor may be gone";
   }
   std::reverse(made.begin(), made.end());
   EXPECT_EQ(listed, made);
-  EXPECT_TRUE(store->projects(kLocalOwner, cursor, 10)->empty());
-  const Result<std::vector<JobRow>> jobs = store->jobs(kLocalOwner, "", 3);
+  EXPECT_TRUE(store->projects(kMe, cursor, 10)->empty());
+  const Result<std::vector<JobRow>> jobs = store->jobs(kMe, "", 3);
   ASSERT_TRUE(jobs);
   ASSERT_EQ(jobs->size(), 3u);
   EXPECT_EQ(jobs->front().name, "24");
   EXPECT_EQ(jobs->front().document, "");
-  EXPECT_EQ(store->jobs(kLocalOwner, jobs->back().id, 3)->front().name, "21");
-  EXPECT_TRUE(store->jobs(kLocalOwner, "", -1)->empty());
+  EXPECT_EQ(store->jobs(kMe, jobs->back().id, 3)->front().name, "21");
+  EXPECT_TRUE(store->jobs(kMe, "", -1)->empty());
 }
 
 TEST(SqliteStore, RefusesACursorThatNoListGave) {
   const TemporaryFolder folder;
   const auto store = opened(folder.path());
   for (const char* cursor : {"x", "p_", "j_00000000000000000000", "p_0000000000000000000'", "~"}) {
-    EXPECT_EQ(code_of(store->projects(kLocalOwner, cursor, 10)), "store.cursor") << cursor;
+    EXPECT_EQ(code_of(store->projects(kMe, cursor, 10)), "store.cursor") << cursor;
   }
-  EXPECT_EQ(code_of(store->jobs(kLocalOwner, "p_00000000000000000000", 10)), "store.cursor");
+  EXPECT_EQ(code_of(store->jobs(kMe, "p_00000000000000000000", 10)), "store.cursor");
 }
 
 TEST(SqliteStore, KeepsAJobAndWhatBecomesOfItOverAReopening) {
@@ -169,7 +169,7 @@ TEST(SqliteStore, KeepsAJobAndWhatBecomesOfItOverAReopening) {
   JobRow job = some_job("drape");
   {
     const auto store = opened(folder.path());
-    job = *store->create_job(kLocalOwner, job, "");
+    job = *store->create_job(kMe, job, "");
     EXPECT_EQ(job.state, JobState::kQueued);
     job.state = JobState::kFailed;
     job.reason_code = "start.crosses_body";
@@ -180,10 +180,10 @@ TEST(SqliteStore, KeepsAJobAndWhatBecomesOfItOverAReopening) {
     job.ended_ms = job.created_ms + 9;
     job.report = R"({"steps": 12})";
     job.results = {{"report.json", 13}, {"front.png", std::int64_t{5'000'000'000}}};
-    ASSERT_TRUE(store->update_job(kLocalOwner, job));
+    ASSERT_TRUE(store->update_job(kMe, job));
   }
   const auto store = opened(folder.path());
-  const Result<JobRow> row = store->job(kLocalOwner, job.id);
+  const Result<JobRow> row = store->job(kMe, job.id);
   ASSERT_TRUE(row);
   EXPECT_EQ(row->project_id, job.project_id);
   EXPECT_EQ(row->project_revision, 3);
@@ -200,7 +200,7 @@ TEST(SqliteStore, KeepsAJobAndWhatBecomesOfItOverAReopening) {
   EXPECT_EQ(row->ended_ms, job.ended_ms);
   EXPECT_EQ(row->report, job.report);
   EXPECT_EQ(row->results, job.results);
-  EXPECT_EQ(code_of(store->update_job(kLocalOwner, some_job("no id"))), "store.not_found");
+  EXPECT_EQ(code_of(store->update_job(kMe, some_job("no id"))), "store.not_found");
 }
 
 TEST(SqliteStore, NamesTheUnfinishedJobsOfAllOwnersOldestFirst) {
@@ -232,43 +232,43 @@ TEST(SqliteStore, MakesOneJobOfOneIdempotencyKey) {
   std::string id;
   {
     const auto store = opened(folder.path());
-    id = store->create_job(kLocalOwner, some_job("once"), "key-1")->id;
-    EXPECT_EQ(store->create_job(kLocalOwner, some_job("twice"), "key-1")->id, id);
+    id = store->create_job(kMe, some_job("once"), "key-1")->id;
+    EXPECT_EQ(store->create_job(kMe, some_job("twice"), "key-1")->id, id);
   }
   const auto store = opened(folder.path());
-  const auto again = store->create_job(kLocalOwner, some_job("thrice"), "key-1");
+  const auto again = store->create_job(kMe, some_job("thrice"), "key-1");
   ASSERT_TRUE(again);
   EXPECT_EQ(again->id, id);
   EXPECT_EQ(again->name, "once");
-  EXPECT_NE(store->create_job(kLocalOwner, some_job("other"), "key-2")->id, id);
+  EXPECT_NE(store->create_job(kMe, some_job("other"), "key-2")->id, id);
   EXPECT_NE(store->create_job(kOther, some_job("theirs"), "key-1")->id, id);
-  EXPECT_NE(store->create_job(kLocalOwner, some_job("none"), "")->id,
-            store->create_job(kLocalOwner, some_job("none"), "")->id);
-  EXPECT_EQ(store->jobs(kLocalOwner, "", 100)->size(), 4u);
+  EXPECT_NE(store->create_job(kMe, some_job("none"), "")->id,
+            store->create_job(kMe, some_job("none"), "")->id);
+  EXPECT_EQ(store->jobs(kMe, "", 100)->size(), 4u);
 }
 
 TEST(SqliteStore, RefusesAnIdempotencyKeyForAnotherProject) {
   const TemporaryFolder folder;
   const auto store = opened(folder.path());
-  const auto once = store->create_job(kLocalOwner, some_job("once"), "key");
+  const auto once = store->create_job(kMe, some_job("once"), "key");
   ASSERT_TRUE(once && once->anew);
   JobRow revised = some_job("revised"), other = some_job("other");
   revised.project_revision += 1;
   other.project_id = "p_00000000000000000001";
-  const auto retried = store->create_job(kLocalOwner, revised, "key");
+  const auto retried = store->create_job(kMe, revised, "key");
   ASSERT_TRUE(retried) << "a retry may come after the project was changed";
   EXPECT_EQ(retried->id, once->id);
   EXPECT_FALSE(retried->anew);
-  EXPECT_EQ((*store->job_of_key(kLocalOwner, "key"))->id, once->id);
-  EXPECT_FALSE(store->job_of_key(kLocalOwner, "other")->has_value());
-  EXPECT_FALSE(store->job_of_key(kLocalOwner, "")->has_value());
+  EXPECT_EQ((*store->job_of_key(kMe, "key"))->id, once->id);
+  EXPECT_FALSE(store->job_of_key(kMe, "other")->has_value());
+  EXPECT_FALSE(store->job_of_key(kMe, "")->has_value());
   EXPECT_FALSE(store->job_of_key(kOther, "key")->has_value());
-  EXPECT_EQ(code_of(store->create_job(kLocalOwner, other, "key")), "store.idempotency_mismatch");
-  EXPECT_EQ(store->jobs(kLocalOwner, "", 100)->size(), 1u);
+  EXPECT_EQ(code_of(store->create_job(kMe, other, "key")), "store.idempotency_mismatch");
+  EXPECT_EQ(store->jobs(kMe, "", 100)->size(), 1u);
   for (const std::string& key : {std::string("two words"), std::string("\n"), std::string(201, 'k')}) {
-    EXPECT_EQ(code_of(store->create_job(kLocalOwner, other, key)), "store.idempotency_key");
-    EXPECT_EQ(code_of(store->job_of_key(kLocalOwner, key)), "store.idempotency_key");
-    EXPECT_EQ(code_of(store->create_project(kLocalOwner, some_project("a"), key)), "store.idempotency_key");
+    EXPECT_EQ(code_of(store->create_job(kMe, other, key)), "store.idempotency_key");
+    EXPECT_EQ(code_of(store->job_of_key(kMe, key)), "store.idempotency_key");
+    EXPECT_EQ(code_of(store->create_project(kMe, some_project("a"), key)), "store.idempotency_key");
   }
 }
 
@@ -277,42 +277,42 @@ TEST(SqliteStore, MakesOneProjectOfOneIdempotencyKey) {
   std::string id;
   {
     const auto store = opened(folder.path());
-    const auto once = store->create_project(kLocalOwner, some_project("once"), "key");
+    const auto once = store->create_project(kMe, some_project("once"), "key");
     ASSERT_TRUE(once && once->anew);
     id = once->id;
   }
   const auto store = opened(folder.path());
-  const auto again = store->create_project(kLocalOwner, some_project("once"), "key");
+  const auto again = store->create_project(kMe, some_project("once"), "key");
   ASSERT_TRUE(again);
   EXPECT_EQ(again->id, id);
   EXPECT_FALSE(again->anew);
   ProjectRow other = some_project("once");
   other.files["body.obj"] = "a_9";
-  EXPECT_EQ(code_of(store->create_project(kLocalOwner, other, "key")), "store.idempotency_mismatch");
+  EXPECT_EQ(code_of(store->create_project(kMe, other, "key")), "store.idempotency_mismatch");
   EXPECT_NE(store->create_project(kOther, other, "key")->id, id);
-  EXPECT_TRUE(store->remove_project(kLocalOwner, id, 0));
-  EXPECT_TRUE(store->create_project(kLocalOwner, other, "key")->anew) << "its key is free again";
+  EXPECT_TRUE(store->remove_project(kMe, id, 0));
+  EXPECT_TRUE(store->create_project(kMe, other, "key")->anew) << "its key is free again";
 }
 
 TEST(SqliteStore, RemovesAProjectOnlyAtTheExpectedRevision) {
   const TemporaryFolder folder;
   const auto store = opened(folder.path());
-  const ProjectRow row = *store->create_project(kLocalOwner, some_project("one"));
-  ASSERT_TRUE(store->replace_project(kLocalOwner, row, 1));
-  EXPECT_EQ(code_of(store->remove_project(kLocalOwner, row.id, 1)), "store.conflict");
-  EXPECT_TRUE(store->project(kLocalOwner, row.id));
-  EXPECT_TRUE(store->remove_project(kLocalOwner, row.id, 2));
-  EXPECT_EQ(code_of(store->remove_project(kLocalOwner, row.id, 2)), "store.not_found");
+  const ProjectRow row = *store->create_project(kMe, some_project("one"));
+  ASSERT_TRUE(store->replace_project(kMe, row, 1));
+  EXPECT_EQ(code_of(store->remove_project(kMe, row.id, 1)), "store.conflict");
+  EXPECT_TRUE(store->project(kMe, row.id));
+  EXPECT_TRUE(store->remove_project(kMe, row.id, 2));
+  EXPECT_EQ(code_of(store->remove_project(kMe, row.id, 2)), "store.not_found");
 }
 
 TEST(SqliteStore, FindsNothingForAnotherOwner) {
   const TemporaryFolder folder;
   const auto store = opened(folder.path());
-  const AssetRow asset = *store->put_asset(kLocalOwner, named("dxf", "a.dxf"), "mine");
-  const ProjectRow project = *store->create_project(kLocalOwner, some_project("mine"));
-  const JobRow job = *store->create_job(kLocalOwner, some_job("mine"), "");
-  ASSERT_TRUE(store->put_result(kLocalOwner, job.id, "front.png", "png"));
-  ASSERT_TRUE(store->put_setting(kLocalOwner, "key", "mine"));
+  const AssetRow asset = *store->put_asset(kMe, named("dxf", "a.dxf"), "mine");
+  const ProjectRow project = *store->create_project(kMe, some_project("mine"));
+  const JobRow job = *store->create_job(kMe, some_job("mine"), "");
+  ASSERT_TRUE(store->put_result(kMe, job.id, "front.png", "png"));
+  ASSERT_TRUE(store->put_setting(kMe, "key", "mine"));
 
   EXPECT_EQ(code_of(store->asset(kOther, asset.id)), "store.not_found");
   EXPECT_EQ(code_of(store->asset_bytes(kOther, asset.id)), "store.not_found");
@@ -328,7 +328,7 @@ TEST(SqliteStore, FindsNothingForAnotherOwner) {
   EXPECT_EQ(code_of(store->put_result(kOther, job.id, "front.png", "theirs")), "store.not_found");
   EXPECT_EQ(code_of(store->result_bytes(kOther, job.id, "front.png")), "store.not_found");
   EXPECT_FALSE(store->get_setting(kOther, "key")->has_value());
-  EXPECT_EQ(*store->result_bytes(kLocalOwner, job.id, "front.png"), "png");
+  EXPECT_EQ(*store->result_bytes(kMe, job.id, "front.png"), "png");
 }
 
 TEST(SqliteStore, KeepsResultsAndReplacesThem) {
@@ -336,49 +336,49 @@ TEST(SqliteStore, KeepsResultsAndReplacesThem) {
   std::string id;
   {
     const auto store = opened(folder.path());
-    JobRow job = *store->create_job(kLocalOwner, some_job("drape"), "");
+    JobRow job = *store->create_job(kMe, some_job("drape"), "");
     id = job.id;
-    ASSERT_TRUE(store->put_result(kLocalOwner, id, "report.json", "first"));
-    ASSERT_TRUE(store->put_result(kLocalOwner, id, "report.json", odd_bytes()));
-    ASSERT_TRUE(store->put_result(kLocalOwner, id, "empty", ""));
+    ASSERT_TRUE(store->put_result(kMe, id, "report.json", "first"));
+    ASSERT_TRUE(store->put_result(kMe, id, "report.json", odd_bytes()));
+    ASSERT_TRUE(store->put_result(kMe, id, "empty", ""));
     job.results = {{"report.json", 8}, {"empty", 0}};
-    ASSERT_TRUE(store->update_job(kLocalOwner, job));
+    ASSERT_TRUE(store->update_job(kMe, job));
   }
   const auto store = opened(folder.path());
-  EXPECT_EQ(*store->result_bytes(kLocalOwner, id, "report.json"), odd_bytes());
-  EXPECT_EQ(*store->result_bytes(kLocalOwner, id, "empty"), "");
-  EXPECT_EQ(code_of(store->result_bytes(kLocalOwner, id, "absent")), "store.not_found");
+  EXPECT_EQ(*store->result_bytes(kMe, id, "report.json"), odd_bytes());
+  EXPECT_EQ(*store->result_bytes(kMe, id, "empty"), "");
+  EXPECT_EQ(code_of(store->result_bytes(kMe, id, "absent")), "store.not_found");
 }
 
 TEST(SqliteStore, RefusesNamesThatLeaveTheirFolder) {
   const TemporaryFolder folder;
   const auto store = opened(folder.path());
-  const std::string id = store->create_job(kLocalOwner, some_job("drape"), "")->id;
+  const std::string id = store->create_job(kMe, some_job("drape"), "")->id;
   for (const std::string& name :
        {std::string(), std::string("."), std::string(".."), std::string("../toile.db"), std::string("a/b"),
         std::string("/etc/passwd"), std::string("..\\x"), std::string("a\\b"), std::string(".hidden"),
         std::string("a\nb"), std::string("a\0b", 3), std::string("a\x7f"), std::string("\xff\xfe"),
         std::string("\xc0\xae\xc0\xae/"), std::string(256, 'n')}) {
-    EXPECT_EQ(code_of(store->put_result(kLocalOwner, id, name, "x")), "store.bad_name") << name;
-    EXPECT_EQ(code_of(store->result_bytes(kLocalOwner, id, name)), "store.bad_name") << name;
-    EXPECT_EQ(code_of(store->put_asset(kLocalOwner, named("dxf", name), "x")), "store.bad_name") << name;
+    EXPECT_EQ(code_of(store->put_result(kMe, id, name, "x")), "store.bad_name") << name;
+    EXPECT_EQ(code_of(store->result_bytes(kMe, id, name)), "store.bad_name") << name;
+    EXPECT_EQ(code_of(store->put_asset(kMe, named("dxf", name), "x")), "store.bad_name") << name;
   }
   for (const char* job : {"..", "../blobs", "j_/../../../..", ""}) {
-    EXPECT_EQ(code_of(store->put_result(kLocalOwner, job, "toile.db", "x")), "store.not_found") << job;
-    EXPECT_EQ(code_of(store->result_bytes(kLocalOwner, job, "toile.db")), "store.not_found") << job;
+    EXPECT_EQ(code_of(store->put_result(kMe, job, "toile.db", "x")), "store.not_found") << job;
+    EXPECT_EQ(code_of(store->result_bytes(kMe, job, "toile.db")), "store.not_found") << job;
   }
-  EXPECT_TRUE(store->put_result(kLocalOwner, id, "Vorderansicht \xc3\xbc 1..2.png", "x"));
+  EXPECT_TRUE(store->put_result(kMe, id, "Vorderansicht \xc3\xbc 1..2.png", "x"));
 }
 
 TEST(SqliteStore, RemembersSettings) {
   const TemporaryFolder folder;
   {
     const auto store = opened(folder.path());
-    EXPECT_FALSE(store->get_setting(kLocalOwner, "sample")->has_value());
-    ASSERT_TRUE(store->put_setting(kLocalOwner, "sample", "one"));
-    ASSERT_TRUE(store->put_setting(kLocalOwner, "sample", "two"));
+    EXPECT_FALSE(store->get_setting(kMe, "sample")->has_value());
+    ASSERT_TRUE(store->put_setting(kMe, "sample", "one"));
+    ASSERT_TRUE(store->put_setting(kMe, "sample", "two"));
   }
-  EXPECT_EQ(opened(folder.path())->get_setting(kLocalOwner, "sample")->value(), "two");
+  EXPECT_EQ(opened(folder.path())->get_setting(kMe, "sample")->value(), "two");
 }
 
 TEST(SqliteStore, TreatsTextAsTextAndNotAsSql) {
@@ -387,22 +387,22 @@ TEST(SqliteStore, TreatsTextAsTextAndNotAsSql) {
   const std::string evil = "'; DROP TABLE projects; --";
   const ProjectRow row = *store->create_project(evil, some_project(evil));
   EXPECT_EQ(store->project(evil, row.id)->name, evil);
-  EXPECT_EQ(code_of(store->project(kLocalOwner, "' OR '1'='1")), "store.not_found");
+  EXPECT_EQ(code_of(store->project(kMe, "' OR '1'='1")), "store.not_found");
 }
 
 TEST(SqliteStore, TellsWhenAFileHasChangedOrGone) {
   const TemporaryFolder folder;
   const auto store = opened(folder.path());
-  const AssetRow asset = *store->put_asset(kLocalOwner, named("dxf", "a.dxf"), "content");
-  const std::string path = *store->asset_path(kLocalOwner, asset.id);
+  const AssetRow asset = *store->put_asset(kMe, named("dxf", "a.dxf"), "content");
+  const std::string path = *store->asset_path(kMe, asset.id);
   std::ofstream(path, std::ios::binary) << "CONTENT";
-  EXPECT_EQ(code_of(store->asset_bytes(kLocalOwner, asset.id)), "store.corrupt");
+  EXPECT_EQ(code_of(store->asset_bytes(kMe, asset.id)), "store.corrupt");
   std::ofstream(path, std::ios::binary) << "cont";
-  EXPECT_EQ(code_of(store->asset_path(kLocalOwner, asset.id)), "store.corrupt");
+  EXPECT_EQ(code_of(store->asset_path(kMe, asset.id)), "store.corrupt");
   fs::remove(path);
-  EXPECT_EQ(code_of(store->asset_bytes(kLocalOwner, asset.id)), "store.corrupt");
-  ASSERT_TRUE(store->put_asset(kLocalOwner, named("dxf", "a.dxf"), "content"));
-  EXPECT_EQ(*store->asset_bytes(kLocalOwner, asset.id), "content") << "uploading it again heals";
+  EXPECT_EQ(code_of(store->asset_bytes(kMe, asset.id)), "store.corrupt");
+  ASSERT_TRUE(store->put_asset(kMe, named("dxf", "a.dxf"), "content"));
+  EXPECT_EQ(*store->asset_bytes(kMe, asset.id), "content") << "uploading it again heals";
 }
 
 TEST(SqliteStore, AnswersAPing) {

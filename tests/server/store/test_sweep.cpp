@@ -29,11 +29,11 @@ void put_file(const fs::path& path) {
 /// A job in the state, of which `kept` are result files and `named` those that its row names.
 JobRow job_with(Store& store, JobState state, const std::vector<std::string>& kept,
                 const std::vector<std::string>& named) {
-  JobRow job = *store.create_job(kLocalOwner, some_job(std::string(name_of(state))), "");
-  for (const std::string& name : kept) EXPECT_TRUE(store.put_result(kLocalOwner, job.id, name, "bytes"));
+  JobRow job = *store.create_job(kMe, some_job(std::string(name_of(state))), "");
+  for (const std::string& name : kept) EXPECT_TRUE(store.put_result(kMe, job.id, name, "bytes"));
   job.state = state;
   for (const std::string& name : named) job.results[name] = 5;
-  EXPECT_TRUE(store.update_job(kLocalOwner, job));
+  EXPECT_TRUE(store.update_job(kMe, job));
   return job;
 }
 
@@ -43,8 +43,8 @@ TEST(StoreSweep, RemovesBlobsThatNoAssetNamesAndNoOthers) {
   std::set<std::string> named;
   {
     const auto store = opened(folder.path());
-    id = store->put_asset(kLocalOwner, toile::named("dxf", "a.dxf"), "content")->id;
-    ASSERT_TRUE(store->put_asset("somebody else", toile::named("body", "b.obj"), "theirs"));
+    id = store->put_asset(kMe, toile::named("dxf", "a.dxf"), "content")->id;
+    ASSERT_TRUE(store->put_asset(kStranger, toile::named("body", "b.obj"), "theirs"));
     named = files_in(folder.path(), "blobs");
   }
   ASSERT_EQ(named.size(), 2u);
@@ -55,7 +55,7 @@ TEST(StoreSweep, RemovesBlobsThatNoAssetNamesAndNoOthers) {
   const auto store = opened(folder.path());
   named.insert(strange.begin(), strange.end());
   EXPECT_EQ(files_in(folder.path(), "blobs"), named) << "what the store never wrote stays";
-  EXPECT_EQ(*store->asset_bytes(kLocalOwner, id), "content");
+  EXPECT_EQ(*store->asset_bytes(kMe, id), "content");
 }
 
 TEST(StoreSweep, RemovesResultsThatNoJobNamesAndNoOthers) {
@@ -75,7 +75,7 @@ TEST(StoreSweep, RemovesResultsThatNoJobNamesAndNoOthers) {
   EXPECT_EQ(files_in(folder.path(), "results"),
             (std::set<std::string>{"results/" + done + "/front.png", "results/" + done + "/report.json",
                                    "results/mine/notes.txt"}));
-  EXPECT_EQ(*store->result_bytes(kLocalOwner, done, "front.png"), "bytes");
+  EXPECT_EQ(*store->result_bytes(kMe, done, "front.png"), "bytes");
 }
 
 TEST(StoreSweep, RemovesNothingWhenTheDatabaseIsNew) {
@@ -83,7 +83,7 @@ TEST(StoreSweep, RemovesNothingWhenTheDatabaseIsNew) {
   std::set<std::string> blobs, results;
   {
     const auto store = opened(folder.path());
-    ASSERT_TRUE(store->put_asset(kLocalOwner, toile::named("dxf", "a.dxf"), "content"));
+    ASSERT_TRUE(store->put_asset(kMe, toile::named("dxf", "a.dxf"), "content"));
     job_with(*store, JobState::kSucceeded, {"report.json"}, {"report.json"});
     blobs = files_in(folder.path(), "blobs");
     results = files_in(folder.path(), "results");
@@ -100,9 +100,9 @@ TEST(StoreSweep, RemovesTheResultsOfOneJobOnRequest) {
   const auto store = opened(folder.path());
   const std::string id = job_with(*store, JobState::kCancelled, {"report.json"}, {}).id;
   const std::string other = job_with(*store, JobState::kSucceeded, {"report.json"}, {"report.json"}).id;
-  EXPECT_EQ(code_of(store->remove_results("somebody else", id)), "store.not_found");
-  EXPECT_TRUE(store->remove_results(kLocalOwner, id));
-  EXPECT_TRUE(store->remove_results(kLocalOwner, id)) << "twice is no error";
+  EXPECT_EQ(code_of(store->remove_results(kStranger, id)), "store.not_found");
+  EXPECT_TRUE(store->remove_results(kMe, id));
+  EXPECT_TRUE(store->remove_results(kMe, id)) << "twice is no error";
   EXPECT_EQ(files_in(folder.path(), "results"), (std::set<std::string>{"results/" + other + "/report.json"}));
 }
 

@@ -1,7 +1,7 @@
 // The history of projects: what was done to them, to be undone and done again.
 
-#include "server/store/read_rows.h"
-#include "server/store/sqlite_store.h"
+#include "server/store/sqlite/read_rows.h"
+#include "server/store/sqlite/store.h"
 
 namespace toile {
 namespace {
@@ -79,35 +79,35 @@ Status SqliteStore::turn_edit(const OwnerId& owner, const std::string& project_i
   return not_found("step", std::to_string(number));
 }
 
-Result<ProjectRow> SqliteStore::edit_project(const OwnerId& owner, const ProjectRow& row, int expected,
-                                             EditStep step, const EditRow& edit) {
+Result<ProjectRow> SqliteStore::edit_project(const RequestContext& context, const ProjectRow& row,
+                                             int expected, EditStep step, const EditRow& edit) {
   const std::lock_guard hold(mutex_);
   SqlTransaction transaction = TRY(SqlTransaction::begin(database_));
-  const ProjectRow now = TRY(find_project(owner, row.id));
+  const ProjectRow now = TRY(find_project(context.owner, row.id));
   TRY(check_revision(now, expected));
   ProjectRow changed = now;
   changed.name = row.name;
   changed.document = row.document;
   changed.files = row.files;
-  const ProjectRow kept = TRY(update_project(owner, now, changed));
-  TRY(step == EditStep::kDo ? append_edit(owner, row.id, edit)
-                            : turn_edit(owner, row.id, edit.number, step == EditStep::kUndo));
+  const ProjectRow kept = TRY(update_project(context.owner, now, changed));
+  TRY(step == EditStep::kDo ? append_edit(context.owner, row.id, edit)
+                            : turn_edit(context.owner, row.id, edit.number, step == EditStep::kUndo));
   TRY(transaction.commit());
   return kept;
 }
 
-Result<std::vector<EditRow>> SqliteStore::edits(const OwnerId& owner, const std::string& project_id,
+Result<std::vector<EditRow>> SqliteStore::edits(const RequestContext& context, const std::string& project_id,
                                                 std::int64_t before, int limit) {
   const std::lock_guard hold(mutex_);
   return rows_of(database_.prepare("SELECT number, undone, created_ms, edits, '', '' FROM project_edits"
                                    " WHERE owner = ?1 AND project_id = ?2 AND (?3 = 0 OR number < ?3)"
                                    " ORDER BY number DESC LIMIT ?4",
-                                   {owner, project_id, before, page_limit(limit)}),
+                                   {context.owner, project_id, before, page_limit(limit)}),
                  edit_from);
 }
 
-Result<std::optional<EditRow>> SqliteStore::next_edit(const OwnerId& owner, const std::string& project_id,
-                                                      EditStep step) {
+Result<std::optional<EditRow>> SqliteStore::next_edit(const RequestContext& context,
+                                                      const std::string& project_id, EditStep step) {
   const std::lock_guard hold(mutex_);
   const char* const sql =
       step == EditStep::kUndo
@@ -115,7 +115,7 @@ Result<std::optional<EditRow>> SqliteStore::next_edit(const OwnerId& owner, cons
             " WHERE owner = ? AND project_id = ? AND undone = 0 ORDER BY number DESC LIMIT 1"
           : "SELECT number, undone, created_ms, edits, inverse, original FROM project_edits"
             " WHERE owner = ? AND project_id = ? AND undone = 1 ORDER BY number LIMIT 1";
-  std::vector<EditRow> rows = TRY(rows_of(database_.prepare(sql, {owner, project_id}), edit_from));
+  std::vector<EditRow> rows = TRY(rows_of(database_.prepare(sql, {context.owner, project_id}), edit_from));
   if (rows.empty()) return std::optional<EditRow>();
   return std::optional(std::move(rows.front()));
 }

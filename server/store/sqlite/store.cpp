@@ -1,6 +1,6 @@
 // Opening the store; assets, projects and settings.
 
-#include "server/store/sqlite_store.h"
+#include "server/store/sqlite/store.h"
 
 #include <algorithm>
 #include <chrono>
@@ -10,10 +10,10 @@
 #include "core/base/hash.h"
 #include "core/base/names.h"
 #include "server/store/file_name.h"
-#include "server/store/migrations.h"
-#include "server/store/read_rows.h"
-#include "server/store/rows.h"
-#include "server/store/sweep.h"
+#include "server/store/sqlite/migrations.h"
+#include "server/store/sqlite/read_rows.h"
+#include "server/store/sqlite/rows.h"
+#include "server/store/sqlite/sweep.h"
 
 namespace toile {
 namespace {
@@ -68,7 +68,7 @@ std::int64_t page_limit(int limit) {
 
 // Assets
 
-Result<AssetRow> SqliteStore::put_asset(const OwnerId& owner, AssetRow row, std::string_view bytes) {
+Result<AssetRow> SqliteStore::put_asset(const RequestContext& context, AssetRow row, std::string_view bytes) {
   TRY(check_name(row.name));
   row.id = "a_" + hash_of(row.kind + '/' + row.name + '/' + hash_of(bytes));  // no kind, no name has a slash
   row.size = static_cast<std::int64_t>(bytes.size());
@@ -79,16 +79,16 @@ Result<AssetRow> SqliteStore::put_asset(const OwnerId& owner, AssetRow row, std:
       "INSERT INTO assets (owner, id, kind, name, size, blob, created_ms, info) VALUES (?, ?, ?, ?, ?, ?, ?, "
       "?)"
       " ON CONFLICT DO NOTHING",
-      {owner, row.id, row.kind, row.name, row.size, blob, row.created_ms, row.info}));
-  return row_of(
-      database_.prepare(select(kAssetColumns, "FROM assets WHERE owner = ? AND id = ?"), {owner, row.id}),
-      asset_from, "asset", row.id);
+      {context.owner, row.id, row.kind, row.name, row.size, blob, row.created_ms, row.info}));
+  return row_of(database_.prepare(select(kAssetColumns, "FROM assets WHERE owner = ? AND id = ?"),
+                                  {context.owner, row.id}),
+                asset_from, "asset", row.id);
 }
 
-Result<AssetRow> SqliteStore::asset(const OwnerId& owner, const std::string& id) {
+Result<AssetRow> SqliteStore::asset(const RequestContext& context, const std::string& id) {
   const std::lock_guard hold(mutex_);
   return row_of(
-      database_.prepare(select(kAssetColumns, "FROM assets WHERE owner = ? AND id = ?"), {owner, id}),
+      database_.prepare(select(kAssetColumns, "FROM assets WHERE owner = ? AND id = ?"), {context.owner, id}),
       asset_from, "asset", id);
 }
 
@@ -98,23 +98,23 @@ Result<BlobPlace> SqliteStore::blob_place(const OwnerId& owner, const std::strin
                 blob_place_from, "asset", id);
 }
 
-Result<std::string> SqliteStore::asset_bytes(const OwnerId& owner, const std::string& id) {
-  const BlobPlace place = TRY(blob_place(owner, id));
+Result<std::string> SqliteStore::asset_bytes(const RequestContext& context, const std::string& id) {
+  const BlobPlace place = TRY(blob_place(context.owner, id));
   return blobs_.blob(place.blob, place.size);
 }
 
-Result<std::string> SqliteStore::asset_path(const OwnerId& owner, const std::string& id) {
-  const BlobPlace place = TRY(blob_place(owner, id));
+Result<std::string> SqliteStore::asset_path(const RequestContext& context, const std::string& id) {
+  const BlobPlace place = TRY(blob_place(context.owner, id));
   const fs::path path = TRY(blobs_.blob_path(place.blob, place.size));
   return path.string();
 }
 
-Result<std::vector<AssetRow>> SqliteStore::assets(const OwnerId& owner, const std::string& kind) {
+Result<std::vector<AssetRow>> SqliteStore::assets(const RequestContext& context, const std::string& kind) {
   const std::lock_guard hold(mutex_);
   return rows_of(database_.prepare(select(kAssetColumns,
                                           "FROM assets WHERE owner = ?1 AND (?2 = '' OR kind = ?2)"
                                           " ORDER BY created_ms DESC, rowid DESC"),
-                                   {owner, kind}),
+                                   {context.owner, kind}),
                  asset_from);
 }
 
@@ -150,38 +150,39 @@ Status SqliteStore::insert_project(const OwnerId& owner, const ProjectRow& row) 
   return {};
 }
 
-Result<Made<ProjectRow>> SqliteStore::create_project(const OwnerId& owner, ProjectRow row,
+Result<Made<ProjectRow>> SqliteStore::create_project(const RequestContext& context, ProjectRow row,
                                                      const std::string& idempotency_key) {
   TRY(check_key(idempotency_key));
   const std::string request = hash_of(row.document + '\n' + column_text(row.files));
   const std::lock_guard hold(mutex_);
   SqlTransaction transaction = TRY(SqlTransaction::begin(database_));
   if (!idempotency_key.empty()) {
-    std::optional<ProjectRow> made = TRY(project_of_key(owner, idempotency_key, request));
+    std::optional<ProjectRow> made = TRY(project_of_key(context.owner, idempotency_key, request));
     if (made) return Made<ProjectRow>{std::move(*made), false};
   }
   row.created_ms = row.updated_ms = store_now_ms();
   row.revision = 1;
   std::string id = TRY(ids_.next('p', row.created_ms));
   row.id = std::move(id);
-  TRY(insert_project(owner, row));
+  TRY(insert_project(context.owner, row));
   if (!idempotency_key.empty()) {
     const Result<int> keyed =
         database_.run("INSERT INTO project_keys (owner, key, project_id, request) VALUES (?, ?, ?, ?)",
-                      {owner, idempotency_key, row.id, request});
+                      {context.owner, idempotency_key, row.id, request});
     if (!keyed) return keyed.error();
   }
   TRY(transaction.commit());
   return Made<ProjectRow>{std::move(row), true};
 }
 
-Result<ProjectRow> SqliteStore::replace_project(const OwnerId& owner, const ProjectRow& row, int expected) {
+Result<ProjectRow> SqliteStore::replace_project(const RequestContext& context, const ProjectRow& row,
+                                                int expected) {
   const std::lock_guard hold(mutex_);
   SqlTransaction transaction = TRY(SqlTransaction::begin(database_));
-  const ProjectRow now = TRY(find_project(owner, row.id));
+  const ProjectRow now = TRY(find_project(context.owner, row.id));
   TRY(check_revision(now, expected));
-  const ProjectRow kept = TRY(update_project(owner, now, row));
-  TRY(forget_edits(owner, row.id));
+  const ProjectRow kept = TRY(update_project(context.owner, now, row));
+  TRY(forget_edits(context.owner, row.id));
   TRY(transaction.commit());
   return kept;
 }
@@ -210,51 +211,54 @@ Result<ProjectRow> SqliteStore::find_project(const OwnerId& owner, const std::st
       project_from, "project", id);
 }
 
-Result<ProjectRow> SqliteStore::project(const OwnerId& owner, const std::string& id) {
+Result<ProjectRow> SqliteStore::project(const RequestContext& context, const std::string& id) {
   const std::lock_guard hold(mutex_);
-  return find_project(owner, id);
+  return find_project(context.owner, id);
 }
 
-Result<std::vector<ProjectRow>> SqliteStore::projects(const OwnerId& owner, const std::string& cursor,
-                                                      int limit) {
+Result<std::vector<ProjectRow>> SqliteStore::projects(const RequestContext& context,
+                                                      const std::string& cursor, int limit) {
   const std::string before = TRY(before_what(cursor, 'p'));
   const std::lock_guard hold(mutex_);
   return rows_of(
       database_.prepare(
           select(kProjectColumns, "FROM projects WHERE owner = ? AND id < ? ORDER BY id DESC LIMIT ?"),
-          {owner, before, page_limit(limit)}),
+          {context.owner, before, page_limit(limit)}),
       project_from);
 }
 
-Status SqliteStore::remove_project(const OwnerId& owner, const std::string& id, int expected) {
+Status SqliteStore::remove_project(const RequestContext& context, const std::string& id, int expected) {
   const std::lock_guard hold(mutex_);
   SqlTransaction transaction = TRY(SqlTransaction::begin(database_));
-  const ProjectRow now = TRY(find_project(owner, id));
+  const ProjectRow now = TRY(find_project(context.owner, id));
   TRY(check_revision(now, expected));
   for (const char* sql : {"DELETE FROM projects WHERE owner = ? AND id = ?",
                           "DELETE FROM project_keys WHERE owner = ? AND project_id = ?"}) {
-    if (const Result<int> gone = database_.run(sql, {owner, id}); !gone) return gone.error();
+    if (const Result<int> gone = database_.run(sql, {context.owner, id}); !gone) return gone.error();
   }
-  TRY(forget_edits(owner, id));
+  TRY(forget_edits(context.owner, id));
   return transaction.commit();
 }
 
 // The rest
 
-Result<std::optional<std::string>> SqliteStore::get_setting(const OwnerId& owner, const std::string& key) {
+Result<std::optional<std::string>> SqliteStore::get_setting(const RequestContext& context,
+                                                            const std::string& key) {
   const std::lock_guard hold(mutex_);
   std::vector<std::string> values = TRY(rows_of(
-      database_.prepare("SELECT value FROM settings WHERE owner = ? AND key = ?", {owner, key}), text_from));
+      database_.prepare("SELECT value FROM settings WHERE owner = ? AND key = ?", {context.owner, key}),
+      text_from));
   if (values.empty()) return std::optional<std::string>();
   return std::optional(std::move(values.front()));
 }
 
-Status SqliteStore::put_setting(const OwnerId& owner, const std::string& key, const std::string& value) {
+Status SqliteStore::put_setting(const RequestContext& context, const std::string& key,
+                                const std::string& value) {
   const std::lock_guard hold(mutex_);
   TRY(
       database_.run("INSERT INTO settings (owner, key, value) VALUES (?, ?, ?)"
                     " ON CONFLICT (owner, key) DO UPDATE SET value = excluded.value",
-                    {owner, key, value}));
+                    {context.owner, key, value}));
   return {};
 }
 
@@ -262,52 +266,6 @@ Status SqliteStore::ping() {
   const std::lock_guard hold(mutex_);
   TRY(database_.run("SELECT number FROM schema_migrations LIMIT 1"));
   return {};
-}
-
-namespace {
-
-/// An id source that goes on after the newest id that the database has.
-Result<IdSource> ids_after(SqlDatabase& database) {
-  IdSource ids;
-  for (const char* newest : {"SELECT max(id) FROM projects", "SELECT max(id) FROM jobs"}) {
-    const std::string id = TRY(row_of(database.prepare(newest), text_from, "id", ""));
-    ids.start_after(id);
-  }
-  return ids;
-}
-
-/// The error of a part of the store as one of opening it. What a person must tell apart keeps its code.
-Error opening(const fs::path& path, const Error& error) {
-  if (error.kind == ErrorKind::kConflict) return placed_at(error, path.string());  // in use, or too new
-  return {"store.open", error.message, path.string(), ErrorKind::kSystem};
-}
-
-}  // namespace
-
-Result<std::unique_ptr<Store>> open_sqlite_store(const std::string& folder) {
-  std::error_code failure;
-  const fs::path root = fs::absolute(folder, failure);
-  if (fs::create_directories(root, failure)) fs::permissions(root, fs::perms::owner_all, failure);
-  if (!fs::is_directory(root)) {
-    return Error{"store.open", "cannot make the folder: " + failure.message(), root.string(),
-                 ErrorKind::kSystem};
-  }
-  FolderLock lock = TRY(FolderLock::take(root));
-  Result<Blobs> blobs = Blobs::open(root);
-  if (!blobs) return opening(root, blobs.error());
-  const fs::path file = root / "toile.db";
-  const bool had_database = fs::exists(file, failure);
-  Result<SqlDatabase> database = SqlDatabase::open(file.string());
-  if (!database) return opening(file, database.error());
-  if (Status migrated = migrate(*database); !migrated) return opening(file, migrated.error());
-  if (had_database) {  // a lost database must not take the files with it
-    if (Status swept = sweep_files(*database, *blobs); !swept) return opening(file, swept.error());
-  }
-  const Result<IdSource> ids = ids_after(*database);
-  if (!ids) return opening(file, ids.error());
-  if (Status synced = sync_folder(root); !synced) return opening(root, synced.error());
-  return std::unique_ptr<Store>(
-      std::make_unique<SqliteStore>(std::move(lock), std::move(*blobs), std::move(*database), *ids));
 }
 
 }  // namespace toile

@@ -12,7 +12,7 @@
 #include "server/store/blobs.h"
 #include "server/store/folder_lock.h"
 #include "server/store/ids.h"
-#include "server/store/sqlite.h"
+#include "server/store/sqlite/database.h"
 #include "server/store/store.h"
 
 namespace toile {
@@ -28,47 +28,53 @@ class SqliteStore final : public Store {
   SqliteStore(FolderLock lock, Blobs blobs, SqlDatabase database, IdSource ids)
       : lock_(std::move(lock)), blobs_(std::move(blobs)), database_(std::move(database)), ids_(ids) {}
 
-  Result<AssetRow> put_asset(const OwnerId& owner, AssetRow row, std::string_view bytes) override;
-  Result<AssetRow> asset(const OwnerId& owner, const std::string& id) override;
-  Result<std::string> asset_bytes(const OwnerId& owner, const std::string& id) override;
-  Result<std::string> asset_path(const OwnerId& owner, const std::string& id) override;
-  Result<std::vector<AssetRow>> assets(const OwnerId& owner, const std::string& kind) override;
+  Result<AssetRow> put_asset(const RequestContext& context, AssetRow row, std::string_view bytes) override;
+  Result<AssetRow> asset(const RequestContext& context, const std::string& id) override;
+  Result<std::string> asset_bytes(const RequestContext& context, const std::string& id) override;
+  Result<std::string> asset_path(const RequestContext& context, const std::string& id) override;
+  Result<std::vector<AssetRow>> assets(const RequestContext& context, const std::string& kind) override;
 
-  Result<Made<ProjectRow>> create_project(const OwnerId& owner, ProjectRow row,
+  Result<Made<ProjectRow>> create_project(const RequestContext& context, ProjectRow row,
                                           const std::string& idempotency_key) override;
-  Result<ProjectRow> replace_project(const OwnerId& owner, const ProjectRow& row, int expected) override;
-  Result<ProjectRow> project(const OwnerId& owner, const std::string& id) override;
-  Result<std::vector<ProjectRow>> projects(const OwnerId& owner, const std::string& cursor,
+  Result<ProjectRow> replace_project(const RequestContext& context, const ProjectRow& row,
+                                     int expected) override;
+  Result<ProjectRow> project(const RequestContext& context, const std::string& id) override;
+  Result<std::vector<ProjectRow>> projects(const RequestContext& context, const std::string& cursor,
                                            int limit) override;
-  Status remove_project(const OwnerId& owner, const std::string& id, int expected) override;
+  Status remove_project(const RequestContext& context, const std::string& id, int expected) override;
 
-  Result<ProjectRow> edit_project(const OwnerId& owner, const ProjectRow& row, int expected, EditStep step,
-                                  const EditRow& edit) override;
-  Result<std::vector<EditRow>> edits(const OwnerId& owner, const std::string& project_id, std::int64_t before,
-                                     int limit) override;
-  Result<std::optional<EditRow>> next_edit(const OwnerId& owner, const std::string& project_id,
+  Result<ProjectRow> edit_project(const RequestContext& context, const ProjectRow& row, int expected,
+                                  EditStep step, const EditRow& edit) override;
+  Result<std::vector<EditRow>> edits(const RequestContext& context, const std::string& project_id,
+                                     std::int64_t before, int limit) override;
+  Result<std::optional<EditRow>> next_edit(const RequestContext& context, const std::string& project_id,
                                            EditStep step) override;
 
-  Result<Made<JobRow>> create_job(const OwnerId& owner, JobRow row,
+  Result<Made<JobRow>> create_job(const RequestContext& context, JobRow row,
                                   const std::string& idempotency_key) override;
-  Result<std::optional<JobRow>> job_of_key(const OwnerId& owner, const std::string& idempotency_key) override;
-  Result<JobRow> job(const OwnerId& owner, const std::string& id) override;
-  Result<std::vector<JobRow>> jobs(const OwnerId& owner, const std::string& cursor, int limit) override;
-  Status update_job(const OwnerId& owner, const JobRow& row) override;
+  Result<std::optional<JobRow>> job_of_key(const RequestContext& context,
+                                           const std::string& idempotency_key) override;
+  Result<JobRow> job(const RequestContext& context, const std::string& id) override;
+  Result<std::vector<JobRow>> jobs(const RequestContext& context, const std::string& cursor,
+                                   int limit) override;
+  Status update_job(const RequestContext& context, const JobRow& row) override;
   Result<std::vector<OwnedJob>> unfinished_jobs() override;
 
-  Status put_result(const OwnerId& owner, const std::string& job_id, const std::string& name,
+  Status put_result(const RequestContext& context, const std::string& job_id, const std::string& name,
                     std::string_view bytes) override;
-  Result<std::string> result_bytes(const OwnerId& owner, const std::string& job_id,
+  Result<std::string> result_bytes(const RequestContext& context, const std::string& job_id,
                                    const std::string& name) override;
-  Status remove_results(const OwnerId& owner, const std::string& job_id) override;
+  Status remove_results(const RequestContext& context, const std::string& job_id) override;
 
-  Status put_checkpoint(const OwnerId& owner, const std::string& job_id, std::string_view bytes) override;
-  Result<KeptCheckpoint> checkpoint(const OwnerId& owner, const std::string& job_id) override;
-  Status remove_checkpoint(const OwnerId& owner, const std::string& job_id) override;
+  Status put_checkpoint(const RequestContext& context, const std::string& job_id,
+                        std::string_view bytes) override;
+  Result<KeptCheckpoint> checkpoint(const RequestContext& context, const std::string& job_id) override;
+  Status remove_checkpoint(const RequestContext& context, const std::string& job_id) override;
 
-  Result<std::optional<std::string>> get_setting(const OwnerId& owner, const std::string& key) override;
-  Status put_setting(const OwnerId& owner, const std::string& key, const std::string& value) override;
+  Result<std::optional<std::string>> get_setting(const RequestContext& context,
+                                                 const std::string& key) override;
+  Status put_setting(const RequestContext& context, const std::string& key,
+                     const std::string& value) override;
   std::string scratch_folder() const override { return blobs_.scratch_folder().string(); }
   Status ping() override;
 

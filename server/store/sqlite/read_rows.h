@@ -6,7 +6,7 @@
 
 #include "core/base/names.h"
 #include "core/base/result.h"
-#include "server/store/sqlite.h"
+#include "server/store/sqlite/database.h"
 
 namespace toile {
 

@@ -1,4 +1,4 @@
-#include "server/store/rows.h"
+#include "server/store/sqlite/rows.h"
 
 #include <utility>
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/base/result.h"
-#include "server/store/sqlite.h"
+#include "server/store/sqlite/database.h"
 #include "server/store/store.h"
 
 namespace toile {

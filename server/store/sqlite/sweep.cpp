@@ -1,12 +1,12 @@
-#include "server/store/sweep.h"
+#include "server/store/sqlite/sweep.h"
 
 #include <map>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "server/store/read_rows.h"
-#include "server/store/rows.h"
+#include "server/store/sqlite/read_rows.h"
+#include "server/store/sqlite/rows.h"
 
 namespace toile {
 namespace {

@@ -1,8 +1,8 @@
 // Jobs of the store, their results and checkpoints.
 
-#include "server/store/read_rows.h"
-#include "server/store/rows.h"
-#include "server/store/sqlite_store.h"
+#include "server/store/sqlite/read_rows.h"
+#include "server/store/sqlite/rows.h"
+#include "server/store/sqlite/store.h"
 
 namespace toile {
 namespace {
@@ -25,11 +25,11 @@ Result<std::optional<JobRow>> SqliteStore::find_job_of_key(const OwnerId& owner,
   return std::optional(std::move(made->front()));
 }
 
-Result<std::optional<JobRow>> SqliteStore::job_of_key(const OwnerId& owner,
+Result<std::optional<JobRow>> SqliteStore::job_of_key(const RequestContext& context,
                                                       const std::string& idempotency_key) {
   TRY(check_key(idempotency_key));
   const std::lock_guard hold(mutex_);
-  return find_job_of_key(owner, idempotency_key);
+  return find_job_of_key(context.owner, idempotency_key);
 }
 
 Status SqliteStore::insert_job(const OwnerId& owner, const JobRow& row, const std::string& idempotency_key) {
@@ -46,12 +46,12 @@ Status SqliteStore::insert_job(const OwnerId& owner, const JobRow& row, const st
   return {};
 }
 
-Result<Made<JobRow>> SqliteStore::create_job(const OwnerId& owner, JobRow row,
+Result<Made<JobRow>> SqliteStore::create_job(const RequestContext& context, JobRow row,
                                              const std::string& idempotency_key) {
   TRY(check_key(idempotency_key));
   const std::lock_guard hold(mutex_);
   SqlTransaction transaction = TRY(SqlTransaction::begin(database_));
-  std::optional<JobRow> made = TRY(find_job_of_key(owner, idempotency_key));
+  std::optional<JobRow> made = TRY(find_job_of_key(context.owner, idempotency_key));
   if (made) {
     if (made->project_id == row.project_id) return Made<JobRow>{std::move(*made), false};
     return Error{
@@ -62,34 +62,36 @@ Result<Made<JobRow>> SqliteStore::create_job(const OwnerId& owner, JobRow row,
   row.created_ms = store_now_ms();
   std::string id = TRY(ids_.next('j', row.created_ms));
   row.id = std::move(id);
-  TRY(insert_job(owner, row, idempotency_key));
+  TRY(insert_job(context.owner, row, idempotency_key));
   TRY(transaction.commit());
   return Made<JobRow>{std::move(row), true};
 }
 
-Result<JobRow> SqliteStore::job(const OwnerId& owner, const std::string& id) {
+Result<JobRow> SqliteStore::job(const RequestContext& context, const std::string& id) {
   const std::lock_guard hold(mutex_);
-  return row_of(database_.prepare(select(kJobColumns, "FROM jobs WHERE owner = ? AND id = ?"), {owner, id}),
-                job_from, "job", id);
+  return row_of(
+      database_.prepare(select(kJobColumns, "FROM jobs WHERE owner = ? AND id = ?"), {context.owner, id}),
+      job_from, "job", id);
 }
 
-Result<std::vector<JobRow>> SqliteStore::jobs(const OwnerId& owner, const std::string& cursor, int limit) {
+Result<std::vector<JobRow>> SqliteStore::jobs(const RequestContext& context, const std::string& cursor,
+                                              int limit) {
   const std::string before = TRY(before_what(cursor, 'j'));
   const std::lock_guard hold(mutex_);
   return rows_of(database_.prepare(
                      select(kJobListColumns, "FROM jobs WHERE owner = ? AND id < ? ORDER BY id DESC LIMIT ?"),
-                     {owner, before, page_limit(limit)}),
+                     {context.owner, before, page_limit(limit)}),
                  job_from);
 }
 
-Status SqliteStore::update_job(const OwnerId& owner, const JobRow& row) {
+Status SqliteStore::update_job(const RequestContext& context, const JobRow& row) {
   const std::string results = column_text(row.results);
   const std::lock_guard hold(mutex_);
   const Result<int> changed = database_.run(
       "UPDATE jobs SET state = ?, reason_code = ?, reason = ?, reason_where = ?, attempt = ?, started_ms = ?,"
       " ended_ms = ?, report = ?, results = ? WHERE owner = ? AND id = ?",
       {name_of(row.state), row.reason_code, row.reason, row.reason_where, std::int64_t{row.attempt},
-       row.started_ms, row.ended_ms, row.report, results, owner, row.id});
+       row.started_ms, row.ended_ms, row.report, results, context.owner, row.id});
   if (!changed) return changed.error();
   if (*changed == 0) return not_found("job", row.id);
   return {};
@@ -112,37 +114,39 @@ Status SqliteStore::check_job(const OwnerId& owner, const std::string& id) {
   return {};
 }
 
-Status SqliteStore::put_result(const OwnerId& owner, const std::string& job_id, const std::string& name,
-                               std::string_view bytes) {
-  TRY(check_job(owner, job_id));
+Status SqliteStore::put_result(const RequestContext& context, const std::string& job_id,
+                               const std::string& name, std::string_view bytes) {
+  TRY(check_job(context.owner, job_id));
   return blobs_.put_result(job_id, name, bytes);
 }
 
-Result<std::string> SqliteStore::result_bytes(const OwnerId& owner, const std::string& job_id,
+Result<std::string> SqliteStore::result_bytes(const RequestContext& context, const std::string& job_id,
                                               const std::string& name) {
-  TRY(check_job(owner, job_id));
+  TRY(check_job(context.owner, job_id));
   return blobs_.result(job_id, name);
 }
 
-Status SqliteStore::remove_results(const OwnerId& owner, const std::string& job_id) {
-  TRY(check_job(owner, job_id));
+Status SqliteStore::remove_results(const RequestContext& context, const std::string& job_id) {
+  TRY(check_job(context.owner, job_id));
   return blobs_.remove_results(job_id);
 }
 
 // Checkpoints
 
-Status SqliteStore::put_checkpoint(const OwnerId& owner, const std::string& job_id, std::string_view bytes) {
-  TRY(check_job(owner, job_id));
+Status SqliteStore::put_checkpoint(const RequestContext& context, const std::string& job_id,
+                                   std::string_view bytes) {
+  TRY(check_job(context.owner, job_id));
   return blobs_.put_checkpoint(job_id, bytes);
 }
 
-Result<Store::KeptCheckpoint> SqliteStore::checkpoint(const OwnerId& owner, const std::string& job_id) {
-  TRY(check_job(owner, job_id));
+Result<Store::KeptCheckpoint> SqliteStore::checkpoint(const RequestContext& context,
+                                                      const std::string& job_id) {
+  TRY(check_job(context.owner, job_id));
   return blobs_.checkpoint(job_id);
 }
 
-Status SqliteStore::remove_checkpoint(const OwnerId& owner, const std::string& job_id) {
-  TRY(check_job(owner, job_id));
+Status SqliteStore::remove_checkpoint(const RequestContext& context, const std::string& job_id) {
+  TRY(check_job(context.owner, job_id));
   return blobs_.remove_checkpoint(job_id);
 }
 

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "core/base/result.h"
-#include "server/store/sqlite.h"
+#include "server/store/sqlite/database.h"
 
 namespace toile {
 

@@ -3,7 +3,7 @@
 
 #include "core/base/result.h"
 #include "server/store/blobs.h"
-#include "server/store/sqlite.h"
+#include "server/store/sqlite/database.h"
 
 namespace toile {
 

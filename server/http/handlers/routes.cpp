@@ -1,0 +1,27 @@
+#include "server/http/handlers/routes.h"
+
+#include <utility>
+
+namespace toile {
+
+void add_routes(Router& router, const Api& api) {
+  for (const auto& table : {health_routes, asset_routes, project_routes, edit_routes, body_routes,
+                            arrangement_routes, job_routes}) {
+    for (ApiRoute& line : table()) {
+      Route route;
+      route.method = line.method;
+      route.pattern = line.pattern;
+      route.handler = [api, handler = std::move(line.handler)](const RequestContext& context,
+                                                               const HttpRequest& request) {
+        return handler(api, context, request);
+      };
+      route.body = line.body;
+      route.limit = std::move(line.limit);
+      route.heavy = line.heavy;
+      route.websocket = line.websocket;
+      router.add(std::move(route));
+    }
+  }
+}
+
+}  // namespace toile

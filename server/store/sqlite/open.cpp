@@ -1,0 +1,61 @@
+#include "server/store/sqlite/open.h"
+
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "server/store/sqlite/migrations.h"
+#include "server/store/sqlite/read_rows.h"
+#include "server/store/sqlite/store.h"
+#include "server/store/sqlite/sweep.h"
+
+namespace toile {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// An id source that goes on after the newest id that the database has.
+Result<IdSource> ids_after(SqlDatabase& database) {
+  IdSource ids;
+  for (const char* newest : {"SELECT max(id) FROM projects", "SELECT max(id) FROM jobs"}) {
+    const std::string id = TRY(row_of(database.prepare(newest), text_from, "id", ""));
+    ids.start_after(id);
+  }
+  return ids;
+}
+
+/// The error of a part of the store as one of opening it. What a person must tell apart keeps its code.
+Error opening(const fs::path& path, const Error& error) {
+  if (error.kind == ErrorKind::kConflict) return placed_at(error, path.string());  // in use, or too new
+  return {"store.open", error.message, path.string(), ErrorKind::kSystem};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Store>> open_sqlite_store(const std::string& folder) {
+  std::error_code failure;
+  const fs::path root = fs::absolute(folder, failure);
+  if (fs::create_directories(root, failure)) fs::permissions(root, fs::perms::owner_all, failure);
+  if (!fs::is_directory(root)) {
+    return Error{"store.open", "cannot make the folder: " + failure.message(), root.string(),
+                 ErrorKind::kSystem};
+  }
+  FolderLock lock = TRY(FolderLock::take(root));
+  Result<Blobs> blobs = Blobs::open(root);
+  if (!blobs) return opening(root, blobs.error());
+  const fs::path file = root / "toile.db";
+  const bool had_database = fs::exists(file, failure);
+  Result<SqlDatabase> database = SqlDatabase::open(file.string());
+  if (!database) return opening(file, database.error());
+  if (Status migrated = migrate(*database); !migrated) return opening(file, migrated.error());
+  if (had_database) {  // a lost database must not take the files with it
+    if (Status swept = sweep_files(*database, *blobs); !swept) return opening(file, swept.error());
+  }
+  const Result<IdSource> ids = ids_after(*database);
+  if (!ids) return opening(file, ids.error());
+  if (Status synced = sync_folder(root); !synced) return opening(root, synced.error());
+  return std::unique_ptr<Store>(
+      std::make_unique<SqliteStore>(std::move(lock), std::move(*blobs), std::move(*database), *ids));
+}
+
+}  // namespace toile
