@@ -88,7 +88,10 @@ HttpResponse broke(const char* code, const char* words) { return problem(500, {c
 }  // namespace
 
 HttpSession::HttpSession(asio::ip::tcp::socket socket, const ConnectionContext& context)
-    : stream_(std::move(socket)), context_(context), buffer_(kBufferBytes) {}
+    : stream_(std::move(socket)),
+      context_(context),
+      buffer_(kBufferBytes),
+      asked_("", "", context.log) {}  // nobody has asked yet
 
 asio::awaitable<void> HttpSession::run() {
   const auto self = shared_from_this();

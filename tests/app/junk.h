@@ -6,12 +6,6 @@
 
 namespace toile {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-inline constexpr double kSoon = 40;  // s; sanitizers are slow
-#else
-inline constexpr double kSoon = 4;  // s, on a machine that has other things to do as well
-#endif
-
 inline constexpr std::size_t kFiftyMegabytes = 50'000'000;
 
 /// `text` again and again, until there are at least so many bytes.

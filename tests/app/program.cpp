@@ -41,25 +41,36 @@ pid_t start(const std::vector<std::string>& arguments, const fs::path& out, cons
   return failure == 0 ? pid : -1;
 }
 
+/// Whether the process has a handler of its own for SIGINT: before that the signal would just end it.
+bool catches_interrupt(pid_t pid) {
+  std::ifstream in("/proc/" + std::to_string(pid) + "/status");
+  constexpr std::string_view kCaught = "SigCgt:";
+  for (std::string line; std::getline(in, line);) {
+    if (!line.starts_with(kCaught)) continue;
+    return (std::stoull(line.substr(kCaught.size()), nullptr, 16) >> (SIGINT - 1) & 1) != 0;
+  }
+  return false;
+}
+
 }  // namespace
 
-Ran run_toile(const std::vector<std::string>& arguments, double allowed_s, double interrupt_after_s) {
+Ran run_toile(const std::vector<std::string>& arguments, double allowed_s,
+              const std::function<bool()>& interrupt_once) {
   const fs::path folder = fresh_folder("toile_run_output");
   Ran run;
   const Clock::time_point began = Clock::now();
   const pid_t pid = start(arguments, folder / "out", folder / "err");
   if (pid < 0) return run;
   int status = 0;
-  bool interrupted = interrupt_after_s < 0;
+  bool interrupted = !interrupt_once;
   while (waitpid(pid, &status, WNOHANG) == 0) {
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    if (!interrupted && seconds_since(began) > interrupt_after_s) {
+    if (!interrupted && catches_interrupt(pid) && interrupt_once()) {
       kill(pid, SIGINT);
       interrupted = true;
     }
     if (seconds_since(began) > allowed_s) kill(pid, SIGKILL);
   }
-  run.seconds = seconds_since(began);
   if (WIFEXITED(status)) run.code = WEXITSTATUS(status);
   if (WIFSIGNALED(status)) run.signal = WTERMSIG(status);
   run.out = text_of(folder / "out");

@@ -277,12 +277,18 @@ TEST(DrapeCommand, SaysByItsExitCodeThatTimeRanOut) {
 TEST(DrapeCommand, EndsInGoodOrderWhenInterrupted) {
   const fs::path folder = napkin_folder("toile_cancelled", "\"particle_distance_mm\": 25",
                                         "\"particle_distance_mm\": 4, \"settle_speed_mm_s\": 0.001");
+  const fs::path trace = folder / "cloth.trace";
+  const auto cloth_moves = [&trace] {
+    std::error_code not_yet;
+    const auto bytes = fs::file_size(trace, not_yet);
+    return !not_yet && bytes > 0;
+  };
   const Ran run =
-      run_toile({"drape", folder / "project.json", "--out", folder / "out", "--no-stills"}, 120, 1.5);
+      run_toile({"drape", folder / "project.json", "--out", folder / "out", "--no-stills", "--trace", trace},
+                300, cloth_moves);
   EXPECT_EQ(run.signal, 0);
   EXPECT_EQ(run.code, 4) << run.out << run.err;
   EXPECT_TRUE(has(text_of(folder / "out/report.json"), "\"stop_reason\": \"cancelled\""));
-  EXPECT_LT(run.seconds, 60);
   fs::remove_all(folder);
 }
 

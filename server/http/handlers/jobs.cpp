@@ -41,8 +41,7 @@ HttpResponse submit(const Api& api, const RequestContext& context, const HttpReq
   if (!id || !id->text()) {
     return problem(422, {"request.project_id", "\"project_id\" is the id of a project", "/project_id"});
   }
-  const Result<Made<JobRow>> job =
-      api.jobs.submit(context, *id->text(), request.header("idempotency-key"));
+  const Result<Made<JobRow>> job = api.jobs.submit(context, *id->text(), request.header("idempotency-key"));
   if (job) return made_answer(job_answer(api, context, *job), job->anew, place_of(*job));
   if (job.error().kind != ErrorKind::kNotFound) return problem(job.error());
   return problem(404, {"store.not_found", "there is no project " + in_quotes(*id->text()), "/project_id",

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -89,8 +90,9 @@ class Served : public testing::Test {
     ASSERT_TRUE(jobs->start());
     settings.port = 0;
     settings.most_connections = 64;
-    server = std::make_unique<HttpServer>(*store, *jobs, hub, settings);
+    server = std::make_unique<HttpServer>(*store, *jobs, hub, settings, log);
     add_routes(server->router(), {*documents, *store, *jobs, hub, server->metrics(), server->ready()});
+    if (more_routes) more_routes(server->router());
     const Status started = server->start();
     ASSERT_TRUE(started) << to_string(started.error());
     port = server->port();
@@ -139,6 +141,10 @@ class Served : public testing::Test {
   }
 
   std::filesystem::path folder;
+  // What a test may set before it serves.
+  Log log;  ///< silent else
+  std::function<void(Router&)> more_routes;
+
   Hub hub;
   std::unique_ptr<Store> store;
   std::unique_ptr<Documents> documents;

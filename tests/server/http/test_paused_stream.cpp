@@ -27,7 +27,7 @@ class Viewer {
   int step() const { return step_; }
   int frames() const { return frames_; }
   bool broken() const { return broken_; }
-  bool passes(int step, double within_s = 20) const {
+  bool passes(int step, double within_s = 120) const {
     for (int i = 0; i < within_s * 200 && step_ <= step; ++i) std::this_thread::sleep_for(Milliseconds(5));
     return step_ > step;
   }

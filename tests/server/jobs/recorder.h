@@ -49,10 +49,10 @@ class Recorder final : public Publisher {
     return found == logs_.end() ? JobLog{} : found->second;
   }
 
-  /// Waits until `holds` of the job's log; false after half a minute.
+  /// Waits until `holds` of the job's log; false after five minutes, when nothing will come any more.
   bool wait(const std::string& id, const std::function<bool(const JobLog&)>& holds) const {
     std::unique_lock lock(mutex_);
-    return changed_.wait_for(lock, std::chrono::seconds(30), [&] {
+    return changed_.wait_for(lock, std::chrono::minutes(5), [&] {
       const auto found = logs_.find(id);
       return found != logs_.end() && holds(found->second);
     });

@@ -46,7 +46,7 @@ TEST(StoreCheckpoints, OfJobsThatHaveEndedGoWhenTheStoreIsOpened) {
     JobRow row = store->create_job(kAnn, some_job("ended"), "").value();
     ended = row.id;
     running = store->create_job(kBob, some_job("running"), "").value().id;
-    for (const auto& [owner, id] : {std::pair{"ann", ended}, {"bob", running}}) {
+    for (const auto& [owner, id] : {std::pair{kAnn, ended}, {kBob, running}}) {
       EXPECT_TRUE(store->put_checkpoint(owner, id, "state").ok());
     }
     row.state = JobState::kSucceeded;

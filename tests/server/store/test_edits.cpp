@@ -93,9 +93,9 @@ TEST(StoreEdits, ChangeNothingAtAnotherRevisionOrStep) {
   EXPECT_EQ(at.store->project(kMe, at.id)->document, "a") << "all or nothing";
   EXPECT_EQ(at.history().size(), 1u);
   ProjectRow stranger = *at.store->project(kMe, at.id);
-  EXPECT_EQ(at.store->edit_project("else", stranger, 2, EditStep::kDo, step("x")).error().code,
+  EXPECT_EQ(at.store->edit_project(kStranger, stranger, 2, EditStep::kDo, step("x")).error().code,
             "store.not_found");
-  EXPECT_TRUE(at.store->edits("else", at.id, 0, 10)->empty());
+  EXPECT_TRUE(at.store->edits(kStranger, at.id, 0, 10)->empty());
 }
 
 TEST(StoreEdits, GoWithAReplacedOrRemovedProject) {

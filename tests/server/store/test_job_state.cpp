@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "server/store/migrations.h"
+#include "server/store/sqlite/migrations.h"
 #include "tests/server/store/store_folder.h"
 
 namespace toile {
@@ -57,11 +57,11 @@ TEST(JobState, ARowOfAnUnknownStateIsToldAsDamagedWithItsJob) {
   std::string id;
   {
     const auto store = opened(folder.path());
-    id = store->create_job(kLocalOwner, some_job("drape"), "").value().id;
+    id = store->create_job(kMe, some_job("drape"), "").value().id;
   }
   ASSERT_TRUE(database_in(folder).run("UPDATE jobs SET state = 'sleeping'"));
   const auto store = opened(folder.path());
-  const Result<JobRow> row = store->job(kLocalOwner, id);
+  const Result<JobRow> row = store->job(kMe, id);
   ASSERT_FALSE(row.ok());
   EXPECT_EQ(row.error().code, "store.corrupt");
   EXPECT_EQ(row.error().where, id);

@@ -13,8 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kOther = kStranger;
-
 /// Bytes with everything that text would stumble over.
 std::string odd_bytes() { return std::string("a\0b\r\n\xff'\"", 8); }
 
@@ -212,9 +210,10 @@ TEST(SqliteStore, NamesTheUnfinishedJobsOfAllOwnersOldestFirst) {
                                                                                   {"b", JobState::kCancelled},
                                                                                   {"b", JobState::kFailed},
                                                                                   {"a", JobState::kQueued}}) {
-    JobRow job = *store->create_job(owner, some_job(std::string(name_of(state))), "");
+    const RequestContext whose(owner);
+    JobRow job = *store->create_job(whose, some_job(std::string(name_of(state))), "");
     job.state = state;
-    ASSERT_TRUE(store->update_job(owner, job));
+    ASSERT_TRUE(store->update_job(whose, job));
   }
   const Result<std::vector<Store::OwnedJob>> unfinished = store->unfinished_jobs();
   ASSERT_TRUE(unfinished);
@@ -241,7 +240,7 @@ TEST(SqliteStore, MakesOneJobOfOneIdempotencyKey) {
   EXPECT_EQ(again->id, id);
   EXPECT_EQ(again->name, "once");
   EXPECT_NE(store->create_job(kMe, some_job("other"), "key-2")->id, id);
-  EXPECT_NE(store->create_job(kOther, some_job("theirs"), "key-1")->id, id);
+  EXPECT_NE(store->create_job(kStranger, some_job("theirs"), "key-1")->id, id);
   EXPECT_NE(store->create_job(kMe, some_job("none"), "")->id,
             store->create_job(kMe, some_job("none"), "")->id);
   EXPECT_EQ(store->jobs(kMe, "", 100)->size(), 4u);
@@ -262,7 +261,7 @@ TEST(SqliteStore, RefusesAnIdempotencyKeyForAnotherProject) {
   EXPECT_EQ((*store->job_of_key(kMe, "key"))->id, once->id);
   EXPECT_FALSE(store->job_of_key(kMe, "other")->has_value());
   EXPECT_FALSE(store->job_of_key(kMe, "")->has_value());
-  EXPECT_FALSE(store->job_of_key(kOther, "key")->has_value());
+  EXPECT_FALSE(store->job_of_key(kStranger, "key")->has_value());
   EXPECT_EQ(code_of(store->create_job(kMe, other, "key")), "store.idempotency_mismatch");
   EXPECT_EQ(store->jobs(kMe, "", 100)->size(), 1u);
   for (const std::string& key : {std::string("two words"), std::string("\n"), std::string(201, 'k')}) {
@@ -289,7 +288,7 @@ TEST(SqliteStore, MakesOneProjectOfOneIdempotencyKey) {
   ProjectRow other = some_project("once");
   other.files["body.obj"] = "a_9";
   EXPECT_EQ(code_of(store->create_project(kMe, other, "key")), "store.idempotency_mismatch");
-  EXPECT_NE(store->create_project(kOther, other, "key")->id, id);
+  EXPECT_NE(store->create_project(kStranger, other, "key")->id, id);
   EXPECT_TRUE(store->remove_project(kMe, id, 0));
   EXPECT_TRUE(store->create_project(kMe, other, "key")->anew) << "its key is free again";
 }
@@ -314,20 +313,20 @@ TEST(SqliteStore, FindsNothingForAnotherOwner) {
   ASSERT_TRUE(store->put_result(kMe, job.id, "front.png", "png"));
   ASSERT_TRUE(store->put_setting(kMe, "key", "mine"));
 
-  EXPECT_EQ(code_of(store->asset(kOther, asset.id)), "store.not_found");
-  EXPECT_EQ(code_of(store->asset_bytes(kOther, asset.id)), "store.not_found");
-  EXPECT_EQ(code_of(store->asset_path(kOther, asset.id)), "store.not_found");
-  EXPECT_TRUE(store->assets(kOther, "")->empty());
-  EXPECT_EQ(code_of(store->project(kOther, project.id)), "store.not_found");
-  EXPECT_EQ(code_of(store->replace_project(kOther, project, 0)), "store.not_found");
-  EXPECT_EQ(code_of(store->remove_project(kOther, project.id, 0)), "store.not_found");
-  EXPECT_TRUE(store->projects(kOther, "", 10)->empty());
-  EXPECT_EQ(code_of(store->job(kOther, job.id)), "store.not_found");
-  EXPECT_EQ(code_of(store->update_job(kOther, job)), "store.not_found");
-  EXPECT_TRUE(store->jobs(kOther, "", 10)->empty());
-  EXPECT_EQ(code_of(store->put_result(kOther, job.id, "front.png", "theirs")), "store.not_found");
-  EXPECT_EQ(code_of(store->result_bytes(kOther, job.id, "front.png")), "store.not_found");
-  EXPECT_FALSE(store->get_setting(kOther, "key")->has_value());
+  EXPECT_EQ(code_of(store->asset(kStranger, asset.id)), "store.not_found");
+  EXPECT_EQ(code_of(store->asset_bytes(kStranger, asset.id)), "store.not_found");
+  EXPECT_EQ(code_of(store->asset_path(kStranger, asset.id)), "store.not_found");
+  EXPECT_TRUE(store->assets(kStranger, "")->empty());
+  EXPECT_EQ(code_of(store->project(kStranger, project.id)), "store.not_found");
+  EXPECT_EQ(code_of(store->replace_project(kStranger, project, 0)), "store.not_found");
+  EXPECT_EQ(code_of(store->remove_project(kStranger, project.id, 0)), "store.not_found");
+  EXPECT_TRUE(store->projects(kStranger, "", 10)->empty());
+  EXPECT_EQ(code_of(store->job(kStranger, job.id)), "store.not_found");
+  EXPECT_EQ(code_of(store->update_job(kStranger, job)), "store.not_found");
+  EXPECT_TRUE(store->jobs(kStranger, "", 10)->empty());
+  EXPECT_EQ(code_of(store->put_result(kStranger, job.id, "front.png", "theirs")), "store.not_found");
+  EXPECT_EQ(code_of(store->result_bytes(kStranger, job.id, "front.png")), "store.not_found");
+  EXPECT_FALSE(store->get_setting(kStranger, "key")->has_value());
   EXPECT_EQ(*store->result_bytes(kMe, job.id, "front.png"), "png");
 }
 
@@ -385,8 +384,8 @@ TEST(SqliteStore, TreatsTextAsTextAndNotAsSql) {
   const TemporaryFolder folder;
   const auto store = opened(folder.path());
   const std::string evil = "'; DROP TABLE projects; --";
-  const ProjectRow row = *store->create_project(evil, some_project(evil));
-  EXPECT_EQ(store->project(evil, row.id)->name, evil);
+  const ProjectRow row = *store->create_project(RequestContext(evil), some_project(evil));
+  EXPECT_EQ(store->project(RequestContext(evil), row.id)->name, evil);
   EXPECT_EQ(code_of(store->project(kMe, "' OR '1'='1")), "store.not_found");
 }
 

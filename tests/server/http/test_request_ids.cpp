@@ -1,0 +1,103 @@
+// What a request is called, and that the log has everything that is done for it under that name.
+
+#include <algorithm>
+#include <mutex>
+#include <stdexcept>
+
+#include "server/http/identify.h"
+#include "tests/server/http/served.h"
+
+namespace toile::test {
+namespace {
+
+/// Keeps the lines.
+class KeptLines final : public LogSink {
+ public:
+  struct Line {
+    LogLevel level = LogLevel::kDebug;
+    std::string event;
+    std::map<std::string, std::string> fields;
+  };
+
+  void write(LogLevel level, std::string_view event, std::span<const LogField> bound,
+             std::span<const LogField> more) noexcept override {
+    Line line{level, std::string(event), {}};
+    for (const LogField& field : bound) line.fields[field.key] = field.value;
+    for (const LogField& field : more) line.fields[field.key] = field.value;
+    const std::lock_guard hold(mutex_);
+    lines_.push_back(std::move(line));
+  }
+  /// Those of one request.
+  std::vector<Line> of(const std::string& request) const {
+    const std::lock_guard hold(mutex_);
+    std::vector<Line> out;
+    for (const Line& line : lines_) {
+      const auto id = line.fields.find("request");
+      if (id != line.fields.end() && id->second == request) out.push_back(line);
+    }
+    return out;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<Line> lines_;
+};
+
+class RequestLog : public Served {
+ protected:
+  void SetUp() override {
+    log = Log(lines);
+    more_routes = [](Router& router) {
+      router.add({.method = "GET",
+                  .pattern = "/broken",
+                  .handler = [](const RequestContext&, const HttpRequest&) -> HttpResponse {
+                    throw std::runtime_error("a fault of ours");
+                  }});
+    };
+    serve();
+  }
+
+  KeptLines lines;
+};
+
+TEST_F(RequestLog, AnAnswerSaysWhatItsRequestIsCalled) {
+  const std::string first = get("/healthz").headers.at("x-request-id");
+  const std::string second = get("/api/v1/nothing").headers.at("x-request-id");
+  EXPECT_TRUE(first.starts_with("r_"));
+  EXPECT_NE(first, second);
+  ASSERT_EQ(lines.of(second).size(), 1u);
+  const KeptLines::Line line = lines.of(second)[0];
+  EXPECT_EQ(line.event, "answered");
+  EXPECT_EQ(line.fields.at("status"), "404");
+  EXPECT_EQ(line.fields.at("target"), "/api/v1/nothing");
+  EXPECT_EQ(line.fields.at("owner"), "local");
+}
+
+TEST_F(RequestLog, ACallersOwnPlainIdIsKeptAndAnyOtherReplaced) {
+  EXPECT_EQ(get("/healthz", "X-Request-Id: page-17.a\r\n").headers.at("x-request-id"), "page-17.a");
+  for (const std::string& id : {std::string("two words"), std::string("\"quoted\""), std::string(65, 'a')}) {
+    EXPECT_TRUE(get("/healthz", "X-Request-Id: " + id + "\r\n").headers.at("x-request-id").starts_with("r_"))
+        << id;
+  }
+}
+
+TEST_F(RequestLog, AnExceptionOfAHandlerIsToldWithItsPlaceAndItsRequest) {
+  const Answer answer = get("/broken", "X-Request-Id: r-broken\r\n");
+  EXPECT_PROBLEM(answer, 500, "internal.exception");
+  const std::vector<KeptLines::Line> told = lines.of("r-broken");
+  const auto thrown =
+      std::find_if(told.begin(), told.end(), [](const auto& line) { return line.event == "handler threw"; });
+  ASSERT_NE(thrown, told.end());
+  EXPECT_EQ(thrown->level, LogLevel::kError);
+  EXPECT_EQ(thrown->fields.at("route"), "/broken");
+  EXPECT_EQ(thrown->fields.at("what"), "a fault of ours");
+}
+
+TEST(RequestIds, AreNotThoseOfAnotherServer) {
+  RequestIds one, other;
+  EXPECT_NE(one.next(), other.next());
+  EXPECT_NE(one.next(), one.next());
+}
+
+}  // namespace
+}  // namespace toile::test
