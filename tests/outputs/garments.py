@@ -48,6 +48,14 @@ def tabard(**settings):
     return document
 
 
+def too_narrow():
+    """The tabard around the post, not above it, where its seams cannot close: the drape stalls."""
+    document = tabard(sew_time_s=0.2)
+    for piece in document["pieces"]:
+        piece["placement"]["rigid"]["translation"][1] = 0.1
+    return document
+
+
 SQUARE = "10\n0\n20\n0\n10\n100\n20\n0\n10\n100\n20\n100\n10\n0\n20\n100\n"
 
 

@@ -22,6 +22,8 @@ def collect(c):
     drape(c, "unsettled", "unsettled/project.json", "--no-stills", "--json")
     garments.write_napkin(c, "tabard", garments.tabard(sew_time_s=0.3, max_time_s=1))
     drape(c, "tabard", "tabard/project.json", "--no-stills")
+    garments.write_napkin(c, "stalled", garments.too_narrow())
+    drape(c, "stalled", "stalled/project.json", "--no-stills", "--json")
     c.run("every fifth frame", "drape", "napkin/project.json", "--out", "fifth", "--no-stills", "--trace",
           "fifth.trace", "--trace-every", "5")
     c.recorder.file("fifth.trace", c.folder / "fifth.trace")

@@ -15,7 +15,8 @@ def collect(c):
     inside = garments.napkin()
     inside["pieces"][0]["placement"]["rigid"]["translation"] = [-0.15, 0.25, 0.15]
     refused = service.make(inside, post)
-    for name, project in {"skirt": skirt, "napkin": napkin, "refused": refused}.items():
+    stalled = service.make(garments.too_narrow(), post)
+    for name, project in {"skirt": skirt, "napkin": napkin, "stalled": stalled, "refused": refused}.items():
         collect_job(c, service, name, project)
     collect_paused(c, service, napkin)
     record(c, service, "jobs", "GET", "/api/v1/jobs")

@@ -384,8 +384,8 @@ TEST(SqliteStore, TreatsTextAsTextAndNotAsSql) {
   const jobs::TemporaryFolder folder;
   const auto store = opened(folder.path());
   const std::string evil = "'; DROP TABLE projects; --";
-  const store::ProjectRow row = *store->create_project(evil, some_project(evil));
-  EXPECT_EQ(store->project(evil, row.id)->name, evil);
+  const store::ProjectRow row = *store->create_project(store::RequestContext(evil), some_project(evil));
+  EXPECT_EQ(store->project(store::RequestContext(evil), row.id)->name, evil);
   EXPECT_EQ(code_of(store->project(kMe, "' OR '1'='1")), "store.not_found");
 }
 
