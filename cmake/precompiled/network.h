@@ -1,5 +1,6 @@
 #pragma once
-// Asio and Beast take three seconds to parse; every file of the two rooms that speak to the network needs them.
+// Asio and Beast take three seconds to parse; every file of the two rooms that speak to the network needs
+// them.
 
 #include <boost/asio.hpp>
 #include <boost/beast.hpp>

@@ -1,6 +1,6 @@
 #pragma once
-// What nearly every file includes, parsed once. Files still include what they use: clang-tidy reads them without
-// this header, and a missing include fails there.
+// What nearly every file includes, parsed once. Files still include what they use: clang-tidy reads them
+// without this header, and a missing include fails there.
 
 #include <algorithm>
 #include <array>

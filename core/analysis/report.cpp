@@ -21,7 +21,8 @@ Report make_report(const drape::DrapeInput& input, const drape::DrapeResult& res
   r.sewn_particles =
       static_cast<int>(std::set<Index>(result.garment.weld.begin(), result.garment.weld.end()).size());
   r.triangles = static_cast<int>(result.garment.triangles.size());
-  for (const body::Body& body : input.bodies) r.body_triangles += static_cast<int>(body.mesh.triangles.size());
+  for (const body::Body& body : input.bodies)
+    r.body_triangles += static_cast<int>(body.mesh.triangles.size());
   r.intersections = result.at_end;
   r.worst_frame = result.worst;
   r.worst_frame_step = result.worst_frame_step;

@@ -41,7 +41,8 @@ Faults faults_of(const preflight::Findings& findings, double armpit) {
 }
 
 /// What the pre-flight shifted, put into the placements, so that the start needs no repair.
-void keep_shifts(const sewing::Assembly& before, const sewing::Assembly& repaired, std::vector<sewing::Placement>& placements) {
+void keep_shifts(const sewing::Assembly& before, const sewing::Assembly& repaired,
+                 std::vector<sewing::Placement>& placements) {
   const sewing::GarmentMesh& g = before.garment;
   for (std::size_t p = 0; p < placements.size(); ++p) {
     const Index first = g.first_vertex[p], end = g.first_vertex[p + 1];

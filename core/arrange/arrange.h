@@ -29,8 +29,8 @@ struct ArrangedPiece {
 struct Arrangement {
   std::vector<sewing::Placement> placements;    ///< one per panel
   std::vector<sewing::Attachment> attachments;  ///< what holds a skirt or trousers up until friction does
-  std::vector<ArrangedPiece> pieces;    ///< one per panel
-  preflight::Findings findings;                    ///< what the look at this start finds
+  std::vector<ArrangedPiece> pieces;            ///< one per panel
+  preflight::Findings findings;                 ///< what the look at this start finds
 };
 
 /// Fronts stand flat before the body and backs behind it, sleeves before and behind the arms or around them,

@@ -72,7 +72,8 @@ PieceRoles roles_of(const GarmentGraph& graph) {
   return roles;
 }
 
-measure::BodySide side_of(const GarmentGraph& graph, const FlatLayout& layout, const ArmPieces& arms, Index piece) {
+measure::BodySide side_of(const GarmentGraph& graph, const FlatLayout& layout, const ArmPieces& arms,
+                          Index piece) {
   const auto as_side = [](double x) { return x >= 0 ? measure::kWearersLeft : measure::kWearersRight; };
   if (graph.pieces[piece].hand != 0) return as_side(graph.pieces[piece].hand);
   std::vector<Index> open{piece}, seen{piece};
@@ -94,7 +95,8 @@ measure::BodySide side_of(const GarmentGraph& graph, const FlatLayout& layout, c
     open = std::move(next);
   }
   const auto count = [&](measure::BodySide s) { return arms.limb[s].size() + arms.tube[s].size(); };
-  return count(measure::kWearersLeft) <= count(measure::kWearersRight) ? measure::kWearersLeft : measure::kWearersRight;
+  return count(measure::kWearersLeft) <= count(measure::kWearersRight) ? measure::kWearersLeft
+                                                                       : measure::kWearersRight;
 }
 
 Result<ArrangePlan> plan_arrangement(const ArrangeInput& input, const BodyStand& stand) {

@@ -30,7 +30,8 @@ struct ArmPieces {
 
 /// The side of the body that a piece belongs to: by its name, by where on the trunk it is sewn, or as what it
 /// is sewn to. Where nothing tells, the side that has fewer of `arms` yet.
-measure::BodySide side_of(const GarmentGraph& graph, const FlatLayout& layout, const ArmPieces& arms, Index piece);
+measure::BodySide side_of(const GarmentGraph& graph, const FlatLayout& layout, const ArmPieces& arms,
+                          Index piece);
 
 struct ArrangePlan {
   GarmentGraph graph;

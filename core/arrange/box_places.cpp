@@ -47,7 +47,8 @@ sewing::RigidPlacement on_box_side(const measure::PartBox& box, const OnBox& whe
   return rigid;
 }
 
-sewing::WrappedPlacement around_box(const measure::PartBox& box, const OnBox& where, double part_radius, double slope) {
+sewing::WrappedPlacement around_box(const measure::PartBox& box, const OnBox& where, double part_radius,
+                                    double slope) {
   sewing::WrappedPlacement w;
   w.axis = box.centre;
   w.up = box.axis[1];
@@ -61,8 +62,8 @@ sewing::WrappedPlacement around_box(const measure::PartBox& box, const OnBox& wh
   return w;
 }
 
-double radius_of_part(const geometry::TriangleMesh& mesh, const measure::BodyFigure& figure, const measure::PartBox& box, double low,
-                      double high) {
+double radius_of_part(const geometry::TriangleMesh& mesh, const measure::BodyFigure& figure,
+                      const measure::PartBox& box, double low, double high) {
   const std::vector<measure::BodyPart> parts = measure::part_of_vertices(mesh, figure);
   double most = 0;
   for (std::size_t v = 0; v < parts.size(); ++v) {

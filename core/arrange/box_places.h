@@ -25,11 +25,12 @@ sewing::RigidPlacement on_box_side(const measure::PartBox& box, const OnBox& whe
 /// Rolled around the box's axis at `where.away` (m) from what of the part stands out farthest, without
 /// stretching; the anchor comes to `where.at.y` along the axis, turned from the side's middle by `where.at.x`
 /// along the circle. With `slope` it is a cone (WrappedPlacement). REQUIRES the part's own box.
-sewing::WrappedPlacement around_box(const measure::PartBox& box, const OnBox& where, double part_radius, double slope = 0);
+sewing::WrappedPlacement around_box(const measure::PartBox& box, const OnBox& where, double part_radius,
+                                    double slope = 0);
 
 /// Farthest distance (m) of a part's vertices from its box's axis, between two places along it, m from the
 /// box's middle.
-double radius_of_part(const geometry::TriangleMesh& mesh, const measure::BodyFigure& figure, const measure::PartBox& box, double low,
-                      double high);
+double radius_of_part(const geometry::TriangleMesh& mesh, const measure::BodyFigure& figure,
+                      const measure::PartBox& box, double low, double high);
 
 }  // namespace toile::arrange

@@ -18,7 +18,8 @@ constexpr double kDartPoint = 2e-3;  ///< m; a dart's sides end that near to eac
 constexpr std::size_t kSamples = 96;
 
 /// Number of each vertex along its panel's outline, kNone inside.
-std::vector<Index> outline_numbers(const pattern::Panel& panel, const mesh::PanelMesh& mesh, GarmentPiece& piece) {
+std::vector<Index> outline_numbers(const pattern::Panel& panel, const mesh::PanelMesh& mesh,
+                                   GarmentPiece& piece) {
   std::vector<Index> number(mesh.rest.size(), kNone);
   Index next = 0;
   for (std::size_t e = 0; e < panel.outline.edges.size(); ++e) {
@@ -127,7 +128,8 @@ void find_outsides(const std::vector<std::array<Index, 3>>& parities, std::vecto
 /// Borders of the sewn garment.
 int count_rings(const mesh::PanelMeshes& meshes) {
   std::vector<Index> first{0};
-  for (const mesh::PanelMesh& m : meshes.panels) first.push_back(first.back() + static_cast<Index>(m.rest.size()));
+  for (const mesh::PanelMesh& m : meshes.panels)
+    first.push_back(first.back() + static_cast<Index>(m.rest.size()));
   DisjointSets vertices(static_cast<std::size_t>(first.back()));
   for (const mesh::MatchedSeam& seam : meshes.seams) {
     for (const mesh::SewnPair& p : seam.pairs)

@@ -83,8 +83,8 @@ FlatMove sleeve_pose(const SleeveLine& line, const measure::ArmLine& arm, double
   return pose;
 }
 
-sewing::WrappedPlacement around_arm(const SleeveLine& line, const measure::ArmLine& arm, measure::BodySide side, double radius,
-                            double out, bool flipped) {
+sewing::WrappedPlacement around_arm(const SleeveLine& line, const measure::ArmLine& arm,
+                                    measure::BodySide side, double radius, double out, bool flipped) {
   sewing::WrappedPlacement w;
   w.axis = arm.root;
   w.up = -arm.along();

@@ -27,7 +27,7 @@ SleeveLine line_of_sleeve(const GarmentGraph& graph, Index piece, const std::vec
 FlatMove sleeve_pose(const SleeveLine& line, const measure::ArmLine& arm, double out, bool mirrored);
 
 /// The sleeve rolled around the arm, its seam under the arm, `out` as above.
-sewing::WrappedPlacement around_arm(const SleeveLine& line, const measure::ArmLine& arm, measure::BodySide side, double radius,
-                            double out, bool flipped);
+sewing::WrappedPlacement around_arm(const SleeveLine& line, const measure::ArmLine& arm,
+                                    measure::BodySide side, double radius, double out, bool flipped);
 
 }  // namespace toile::arrange

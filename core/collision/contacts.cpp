@@ -162,7 +162,8 @@ void ContactFinder::size_trust_regions(std::span<const double> speeds, Contacts&
 void ContactFinder::lay_boxes(std::span<const Vec3> positions, const Contacts& out) {
   boxes_.vertices.resize(positions.size());
   for (const Index v : cloth_.vertices) {
-    boxes_.vertices[v] = geometry::box_around({positions[v]}, std::max(out.trust_radius[v], 0.5 * settings_.thickness));
+    boxes_.vertices[v] =
+        geometry::box_around({positions[v]}, std::max(out.trust_radius[v], 0.5 * settings_.thickness));
   }
   boxes_.lay_around(cloth_);
 }

@@ -25,7 +25,8 @@ std::vector<geometry::Box3> boxes_of(std::span<const Tri> triangles, std::span<c
   boxes.reserve(triangles.size());
   // The grid moves a point by up to half a unit.
   for (const Tri& t : triangles) {
-    boxes.push_back(geometry::box_around({positions[t[0]], positions[t[1]], positions[t[2]]}, 1 / kGridPerMetre));
+    boxes.push_back(
+        geometry::box_around({positions[t[0]], positions[t[1]], positions[t[2]]}, 1 / kGridPerMetre));
   }
   return boxes;
 }
@@ -152,7 +153,9 @@ bool segment_crosses_triangle(const ExactPoint& p, const ExactPoint& q, const Ex
 }
 
 CrossingBody make_crossing_body(std::span<const Vec3> vertices, std::span<const Tri> triangles) {
-  return {grid_of(vertices), {triangles.begin(), triangles.end()}, geometry::BoxGroups(boxes_of(triangles, vertices))};
+  return {grid_of(vertices),
+          {triangles.begin(), triangles.end()},
+          geometry::BoxGroups(boxes_of(triangles, vertices))};
 }
 
 void CrossingCounter::place(std::span<const Vec3> positions) {

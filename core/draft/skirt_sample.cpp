@@ -21,7 +21,9 @@ struct EdgeName {
   std::string read, drafted;
 };
 
-Vec2 middle_of(const pattern::PanelEdge& edge) { return pattern::point_at_length(edge, pattern::arc_length(edge) / 2); }
+Vec2 middle_of(const pattern::PanelEdge& edge) {
+  return pattern::point_at_length(edge, pattern::arc_length(edge) / 2);
+}
 
 Result<std::vector<EdgeName>> edge_names(const pattern::Panel& drafted, const dxf::DxfDrawing& drawing) {
   for (const dxf::DxfPiece& piece : drawing.pieces) {

@@ -44,7 +44,7 @@ struct DrapeResult {
   CrossingCount worst;  ///< of all recorded frames
   int worst_frame_step = 0;
   int frames_checked = 0;
-  preflight::Findings findings;               ///< of the look at the start, worst first
+  preflight::Findings findings;    ///< of the look at the start, worst first
   double seam_gap_max = 0;         ///< m
   std::vector<HoldFigures> holds;  ///< one for each attachment
 

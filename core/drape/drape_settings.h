@@ -20,8 +20,8 @@ struct DrapeSettings {
   double max_time = 8.0;             ///< s of simulated time after which an unsettled drape ends
   int frame_interval = 50;           ///< substeps between frames that viewers see, at most
   DrapeMode mode = DrapeMode::kDrape;
-  bool until_settled = true;  ///< ends when the cloth is at rest; otherwise at max_time
-  solver::constraints::AirDrag air = {};           ///< while draping, not while sewing
+  bool until_settled = true;              ///< ends when the cloth is at rest; otherwise at max_time
+  solver::constraints::AirDrag air = {};  ///< while draping, not while sewing
 };
 
 }  // namespace toile::drape

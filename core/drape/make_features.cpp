@@ -20,22 +20,24 @@ sewing::ClothPoint mapped(const sewing::ClothPoint& point, std::span<const Index
 }
 
 std::vector<solver::constraints::PointTie> ties_of(const DrapeInput& input, const sewing::Assembly& assembly,
-                              std::span<const Index> vertex_of) {
+                                                   std::span<const Index> vertex_of) {
   std::vector<solver::constraints::PointTie> ties;
   for (std::size_t i = 0; i < input.notions.buttons.size(); ++i) {
     const auto& [a, b] = assembly.notions.buttons[i];
     solver::constraints::PointTie tie;
     tie.a = mapped(a, vertex_of);
     tie.b = mapped(b, vertex_of);
-    tie.start_length = length(sewing::position_of(b, assembly.positions) - sewing::position_of(a, assembly.positions));
+    tie.start_length =
+        length(sewing::position_of(b, assembly.positions) - sewing::position_of(a, assembly.positions));
     tie.end_length = input.notions.buttons[i].distance;
     ties.push_back(tie);
   }
   return ties;
 }
 
-std::vector<solver::constraints::ElasticSegment> elastics_of(const DrapeInput& input, const sewing::Assembly& assembly,
-                                        std::span<const Index> vertex_of) {
+std::vector<solver::constraints::ElasticSegment> elastics_of(const DrapeInput& input,
+                                                             const sewing::Assembly& assembly,
+                                                             std::span<const Index> vertex_of) {
   std::vector<solver::constraints::ElasticSegment> segments;
   for (std::size_t i = 0; i < input.notions.elastics.size(); ++i) {
     const sewing::Elastic& elastic = input.notions.elastics[i];
@@ -50,8 +52,9 @@ std::vector<solver::constraints::ElasticSegment> elastics_of(const DrapeInput& i
   return segments;
 }
 
-std::vector<solver::constraints::FoldHinge> folds_of(const DrapeInput& input, const sewing::Assembly& assembly,
-                                std::span<const Index> vertex_of) {
+std::vector<solver::constraints::FoldHinge> folds_of(const DrapeInput& input,
+                                                     const sewing::Assembly& assembly,
+                                                     std::span<const Index> vertex_of) {
   std::vector<solver::constraints::FoldHinge> hinges;
   if (input.notions.creases.empty()) return hinges;
   const sewing::GarmentMesh& garment = assembly.garment;
@@ -75,8 +78,10 @@ std::vector<solver::constraints::FoldHinge> folds_of(const DrapeInput& input, co
   return hinges;
 }
 
-std::vector<solver::constraints::PressureChamber> chambers_of(const DrapeInput& input, const sewing::Assembly& assembly,
-                                         std::span<const Index> vertex_of, Index vertex_count) {
+std::vector<solver::constraints::PressureChamber> chambers_of(const DrapeInput& input,
+                                                              const sewing::Assembly& assembly,
+                                                              std::span<const Index> vertex_of,
+                                                              Index vertex_count) {
   std::vector<solver::constraints::PressureChamber> chambers;
   const sewing::GarmentMesh& garment = assembly.garment;
   for (const sewing::Cushion& cushion : input.notions.cushions) {
@@ -91,13 +96,15 @@ std::vector<solver::constraints::PressureChamber> chambers_of(const DrapeInput& 
         skin.push_back(joined);
       }
     }
-    chambers.push_back(solver::constraints::make_chamber(skin, vertex_count, cushion.pressure, cushion.full_volume));
+    chambers.push_back(
+        solver::constraints::make_chamber(skin, vertex_count, cushion.pressure, cushion.full_volume));
   }
   return chambers;
 }
 
 std::vector<solver::constraints::Tether> tethers_of(const DrapeInput& input, const sewing::Assembly& assembly,
-                               std::span<const Index> vertex_of, const std::vector<bool>& released) {
+                                                    std::span<const Index> vertex_of,
+                                                    const std::vector<bool>& released) {
   std::vector<solver::constraints::Tether> tethers;
   for (std::size_t a = 0; a < input.attachments.size(); ++a) {
     if (released[a] || assembly.led[a].empty()) continue;
@@ -113,8 +120,8 @@ std::vector<solver::constraints::Tether> tethers_of(const DrapeInput& input, con
 }  // namespace
 
 solver::ClothFeatures make_features(const DrapeInput& input, const sewing::Assembly& assembly,
-                            std::span<const Index> vertex_of, Index vertex_count,
-                            const std::vector<bool>& released) {
+                                    std::span<const Index> vertex_of, Index vertex_count,
+                                    const std::vector<bool>& released) {
   return {input.settings.air,
           ties_of(input, assembly, vertex_of),
           elastics_of(input, assembly, vertex_of),
@@ -123,7 +130,8 @@ solver::ClothFeatures make_features(const DrapeInput& input, const sewing::Assem
           tethers_of(input, assembly, vertex_of, released)};
 }
 
-double off_hold(const DrapeInput& input, const sewing::Assembly& assembly, std::size_t a, std::span<const Vec3> x) {
+double off_hold(const DrapeInput& input, const sewing::Assembly& assembly, std::size_t a,
+                std::span<const Vec3> x) {
   const sewing::Attachment& attachment = input.attachments[a];
   double most = 0;
   for (const sewing::ClothPoint& point : assembly.led[a]) {

@@ -12,11 +12,12 @@ namespace toile::drape {
 /// solver. `vertex_of[i]` is the solver's vertex of garment vertex i. Derived afresh whenever a weld changes
 /// the solver's vertices, and when an attachment is released.
 solver::ClothFeatures make_features(const DrapeInput& input, const sewing::Assembly& assembly,
-                            std::span<const Index> vertex_of, Index vertex_count,
-                            const std::vector<bool>& released);
+                                    std::span<const Index> vertex_of, Index vertex_count,
+                                    const std::vector<bool>& released);
 
 /// m; how far what attachment `a` leads or holds is from where it should be, at most; `x` as the garment's
 /// vertices. Of one that keeps a height: in height.
-double off_hold(const DrapeInput& input, const sewing::Assembly& assembly, std::size_t a, std::span<const Vec3> x);
+double off_hold(const DrapeInput& input, const sewing::Assembly& assembly, std::size_t a,
+                std::span<const Vec3> x);
 
 }  // namespace toile::drape

@@ -21,7 +21,7 @@ namespace toile::drape {
 /// What a drape begins with.
 struct DrapeStart {
   mesh::PanelMeshes meshes;
-  sewing::Assembly assembly;  ///< repaired where that could be done
+  sewing::Assembly assembly;     ///< repaired where that could be done
   preflight::Findings findings;  ///< of run_preflight, worst first; with an error among them no drape begins
 };
 

@@ -50,11 +50,12 @@ std::unique_ptr<DrapeSession> DrapeSession::start(const DrapeInput& input, const
   return std::unique_ptr<DrapeSession>(new DrapeSession(input, meshes, std::move(assembly)));
 }
 
-DrapeSession::DrapeSession(const DrapeInput& input, const mesh::PanelMeshes& meshes, sewing::Assembly assembly)
+DrapeSession::DrapeSession(const DrapeInput& input, const mesh::PanelMeshes& meshes,
+                           sewing::Assembly assembly)
     : input_(input),
       assembly_(std::move(assembly)),
       crossings_(collision::make_surface(assembly_.garment.triangles, assembly_.garment.vertex_count(),
-                              assembly_.garment.weld)),
+                                         assembly_.garment.weld)),
       start_hash_(input_hash(input, assembly_)),
       released_(input.attachments.size(), false),
       off_at_release_(input.attachments.size(), 0),
@@ -62,7 +63,7 @@ DrapeSession::DrapeSession(const DrapeInput& input, const mesh::PanelMeshes& mes
   for (const mesh::PanelMesh& mesh : meshes.panels) warps_.push_back(mesh.warp);
   for (const body::Body& body : input.bodies) {
     obstacles_.push_back(collision::make_obstacle(body.mesh.vertices, body.mesh.triangles, body.friction,
-                                       body.skin_offset, body.restitution));
+                                                  body.skin_offset, body.restitution));
     crossing_bodies_.push_back(collision::make_crossing_body(body.mesh.vertices, body.mesh.triangles));
   }
   const Weld open = no_weld(assembly_.positions);
@@ -74,14 +75,15 @@ DrapeSession::DrapeSession(const DrapeInput& input, const mesh::PanelMeshes& mes
 
 solver::ClothModel DrapeSession::model_of(std::span<const Index> vertex_of, Index vertex_count) const {
   return solver::make_cloth_model(assembly_.garment, vertex_of, vertex_count, warps_, input_.fabrics,
-                          input_.fabric_of_panel);
+                                  input_.fabric_of_panel);
 }
 
-void DrapeSession::build_solver(solver::ClothModel model, std::vector<Vec3> positions, std::vector<Vec3> velocities) {
+void DrapeSession::build_solver(solver::ClothModel model, std::vector<Vec3> positions,
+                                std::vector<Vec3> velocities) {
   std::vector<Vec3> layout(positions.size());  // of the start, so that a checkpoint need not keep it
   for (std::size_t i = vertex_of_.size(); i-- > 0;) layout[vertex_of_[i]] = assembly_.positions[i];
   solver_ = std::make_unique<solver::ClothSolver>(std::move(model), std::move(positions), obstacles_,
-                                          input_.settings.time_step, layout);
+                                                  input_.settings.time_step, layout);
   if (!velocities.empty()) solver_->set_velocities(std::move(velocities));
   solver_->set_holds(held_now());
   solver_->set_features(features_now());
@@ -259,8 +261,9 @@ void DrapeSession::weld_what_closed() {
   last_weld_ = time_;
   const std::vector<Vec3>& x = solver_->positions();
   const auto& open = solver_->stitches();
-  const bool closed = std::any_of(open.begin(), open.end(),
-                                  [&](const solver::constraints::Stitch& s) { return length(x[s.v1] - x[s.v0]) <= kSeamShut; });
+  const bool closed = std::any_of(open.begin(), open.end(), [&](const solver::constraints::Stitch& s) {
+    return length(x[s.v1] - x[s.v0]) <= kSeamShut;
+  });
   if (closed) weld();
 }
 

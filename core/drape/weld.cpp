@@ -24,7 +24,8 @@ std::vector<Vec3> class_means(const sewing::GarmentMesh& garment, std::span<cons
 /// Marks the classes of every vertex that takes part in a crossing; true when there was one.
 bool open_crossing_classes(const sewing::GarmentMesh& garment, std::span<const Vec3> positions,
                            std::span<const collision::CrossingBody> bodies, std::vector<bool>& open) {
-  const collision::Surface surface = collision::make_surface(garment.triangles, garment.vertex_count(), garment.weld);
+  const collision::Surface surface =
+      collision::make_surface(garment.triangles, garment.vertex_count(), garment.weld);
   bool any = false;
   const auto mark = [&](Index triangle) {
     for (const Index v : garment.triangles[triangle]) {

@@ -25,8 +25,8 @@ Result<GlbImage> image_of(const image::TextureImage& image, const material::Fabr
 }
 
 /// Index into looks.looks, made when there is none yet. An opaque picture is one image for all fabrics.
-Result<int> look_for(const image::TextureImage& image, Index picture, Index fabric, const material::Fabric& cloth,
-                     GlbLooks& looks) {
+Result<int> look_for(const image::TextureImage& image, Index picture, Index fabric,
+                     const material::Fabric& cloth, GlbLooks& looks) {
   const auto is_it = [&](const GlbLook& look) { return look.fabric == fabric && look.picture == picture; };
   const auto known = std::find_if(looks.looks.begin(), looks.looks.end(), is_it);
   if (known != looks.looks.end()) return static_cast<int>(known - looks.looks.begin());

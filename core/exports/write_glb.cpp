@@ -206,7 +206,8 @@ void dress(const GlbModel& model, const GlbLooks& looks, std::size_t panel, std:
     return;
   }
   part.material = first_look(model) + look;
-  part.texture_coordinates = glb_coordinates(*image::texture_of(*model.textures, static_cast<Index>(panel)), rest);
+  part.texture_coordinates =
+      glb_coordinates(*image::texture_of(*model.textures, static_cast<Index>(panel)), rest);
 }
 
 void append_panels(const GlbModel& model, const GlbLooks& looks, std::vector<Part>& parts) {
@@ -254,7 +255,9 @@ json material(const std::string& name, const double* colour, double roughness, b
 
 json materials(const GlbModel& model, const GlbLooks& looks) {
   json all = json::array();
-  const auto name_of = [](const material::Fabric& fabric) { return fabric.name.empty() ? fabric.id : fabric.name; };
+  const auto name_of = [](const material::Fabric& fabric) {
+    return fabric.name.empty() ? fabric.id : fabric.name;
+  };
   for (const material::Fabric& fabric : model.fabrics)
     all.push_back(material(name_of(fabric), fabric.colour, kClothRoughness, true));
   all.push_back(material("body", model.body_colour.data(), kBodyRoughness, false));

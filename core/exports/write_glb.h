@@ -18,13 +18,13 @@ namespace toile::exports {
 /// What goes into the file. The pointed-to arrays must outlive the call.
 struct GlbModel {
   const sewing::GarmentMesh* garment = nullptr;  ///< may be null: bodies only
-  std::span<const Vec3> positions;       ///< m, one per vertex of the garment
-  std::vector<std::string> panel_names;  ///< one per panel
+  std::span<const Vec3> positions;               ///< m, one per vertex of the garment
+  std::vector<std::string> panel_names;          ///< one per panel
   std::span<const material::Fabric> fabrics;
   std::span<const Index> fabric_of_panel;  ///< index into fabrics, one per panel
   std::span<const body::Body> bodies;
   std::array<double, 3> body_colour{0.55, 0.52, 0.49};  ///< linear RGB, 0 to 1
-  const image::Textures* textures = nullptr;                   ///< pictures on panels; may be null
+  const image::Textures* textures = nullptr;            ///< pictures on panels; may be null
 };
 
 /// The file's bytes. One node with its mesh per panel that has triangles, named after it, and one per body;

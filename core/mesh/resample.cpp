@@ -49,7 +49,8 @@ std::string edge_name(const pattern::Panel& panel, const pattern::PanelEdge& edg
 
 Vec2 metres(Vec2 mm) { return {metres_from_mm(mm.x), metres_from_mm(mm.y)}; }
 
-Result<MeasuredEdge> measure(const pattern::Panel& panel, const pattern::PanelEdge& edge, Index min_segments) {
+Result<MeasuredEdge> measure(const pattern::Panel& panel, const pattern::PanelEdge& edge,
+                             Index min_segments) {
   MeasuredEdge measured{&edge, {}, 0, min_segments, {}};
   for (const pattern::CubicBezier& c : edge.curves) {
     if (!is_finite(c.p0) || !is_finite(c.p1) || !is_finite(c.p2) || !is_finite(c.p3)) {
@@ -99,7 +100,8 @@ Vec2 point_on(const MeasuredEdge& m, double s) {
   if (s >= m.length) return metres(m.edge->curves.back().p3);
   const auto k = std::upper_bound(m.start.begin(), m.start.end(), s) - m.start.begin() - 1;
   const pattern::CubicBezier& curve = m.edge->curves[k];
-  return metres(pattern::evaluate(curve, pattern::parameter_at_length(curve, mm_from_metres(s - m.start[k]))));
+  return metres(
+      pattern::evaluate(curve, pattern::parameter_at_length(curve, mm_from_metres(s - m.start[k]))));
 }
 
 /// Distances of n + 1 evenly spaced points from `from` to `to`, appended without the first if there are some.
@@ -139,8 +141,8 @@ Result<std::size_t> take_part(MeasuredEdge& m, const pattern::SeamEdge& e, const
   return m.parts.size() - 1;
 }
 
-Result<Side> side_of(const pattern::Pattern& pattern, std::vector<MeasuredPanel>& panels, const pattern::Seam& seam,
-                     const std::vector<pattern::SeamEdge>& edges, bool backwards) {
+Result<Side> side_of(const pattern::Pattern& pattern, std::vector<MeasuredPanel>& panels,
+                     const pattern::Seam& seam, const std::vector<pattern::SeamEdge>& edges, bool backwards) {
   const std::string where = "seam " + seam.id;
   if (edges.empty()) return Error{"mesh.seam_edge", "A side of the seam has no edges.", where};
   Side side;
@@ -202,7 +204,8 @@ struct CutSeam {
 double spacing_of(const pattern::Pattern& pattern, const pattern::Seam& seam, double usual) {
   double finest = pattern::spacing_on(pattern.panels[seam.a.front().panel], usual);
   for (const auto* side : {&seam.a, &seam.b}) {
-    for (const pattern::SeamEdge& e : *side) finest = std::min(finest, pattern::spacing_on(pattern.panels[e.panel], usual));
+    for (const pattern::SeamEdge& e : *side)
+      finest = std::min(finest, pattern::spacing_on(pattern.panels[e.panel], usual));
   }
   return finest;
 }

@@ -34,7 +34,7 @@ void BodyProbe::visit_hits(Vec3 from, Vec3 to, Visit&& visit) const {
       if (!going) return;
       const Tri& tri = crossing_.triangles[t];
       if (collision::segment_crosses_triangle(p, q, crossing_.points[tri[0]], crossing_.points[tri[1]],
-                                   crossing_.points[tri[2]])) {
+                                              crossing_.points[tri[2]])) {
         going = visit(t);
       }
     });

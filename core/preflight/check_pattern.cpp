@@ -54,8 +54,8 @@ double extent_of(const mesh::PanelMesh& mesh) {
 }
 
 /// The garment against the bodies.
-void check_scale(const PreflightInput& in, std::span<const BodyProbe> probes, const sewing::Assembly& assembly,
-                 Findings& findings) {
+void check_scale(const PreflightInput& in, std::span<const BodyProbe> probes,
+                 const sewing::Assembly& assembly, Findings& findings) {
   double tallest = 0;
   for (const BodyProbe& probe : probes) tallest = std::max(tallest, length(probe.box().size()));
   if (!(tallest > 0)) return;
@@ -119,8 +119,8 @@ void check_partners(const PreflightInput& in, const sewing::Assembly& assembly, 
   }
 }
 
-void check_places(const PreflightInput& in, std::span<const BodyProbe> probes, const sewing::Assembly& assembly,
-                  Findings& findings) {
+void check_places(const PreflightInput& in, std::span<const BodyProbe> probes,
+                  const sewing::Assembly& assembly, Findings& findings) {
   if (probes.empty()) return;
   for (Index p = 0; p < static_cast<Index>(in.pattern.panels.size()); ++p) {
     const Vec3 c = centre_of(assembly, p);
@@ -196,8 +196,8 @@ Vec3 place_of_seam(const sewing::Assembly& assembly, Index seam) {
   return count > 0 ? sum * (1.0 / count) : sum;
 }
 
-void check_sizes(const PreflightInput& input, std::span<const BodyProbe> probes, const sewing::Assembly& assembly,
-                 Findings& findings) {
+void check_sizes(const PreflightInput& input, std::span<const BodyProbe> probes,
+                 const sewing::Assembly& assembly, Findings& findings) {
   check_scale(input, probes, assembly, findings);
   check_partners(input, assembly, findings);
   check_places(input, probes, assembly, findings);

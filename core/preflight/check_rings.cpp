@@ -68,7 +68,9 @@ std::vector<Tri> sewn_triangles(const sewing::GarmentMesh& g) {
 /// edge then counts as two borders. Those pairs are no border of the garment.
 std::vector<mesh::MeshEdge> borders_of(std::span<const Tri> triangles, Index vertex_count) {
   std::vector<mesh::MeshEdge> edges = mesh::edges_of(triangles, vertex_count);
-  const auto key = [](const mesh::MeshEdge& e) { return std::pair(std::min(e.v0, e.v1), std::max(e.v0, e.v1)); };
+  const auto key = [](const mesh::MeshEdge& e) {
+    return std::pair(std::min(e.v0, e.v1), std::max(e.v0, e.v1));
+  };
   std::vector<mesh::MeshEdge> borders;
   for (std::size_t i = 0; i < edges.size();) {
     std::size_t j = i;
@@ -112,8 +114,8 @@ std::vector<std::vector<Index>> rings_of(const std::vector<mesh::MeshEdge>& bord
   return rings;
 }
 
-Ring measured(const std::vector<Index>& vertices, const sewing::Assembly& assembly, const pattern::Pattern& pattern,
-              const BorderLengths& lengths) {
+Ring measured(const std::vector<Index>& vertices, const sewing::Assembly& assembly,
+              const pattern::Pattern& pattern, const BorderLengths& lengths) {
   Ring ring;
   ring.vertices = vertices;
   std::set<Index> pieces;
@@ -145,7 +147,8 @@ double girth_within(std::span<const BodyProbe> probes, const PlaneFrame& plane,
   for (const BodyProbe& probe : probes) {
     std::vector<Vec2> points;
     for (const SlicePart& part : slice_parts(probe.body().mesh, plane)) {
-      if (geometry::contains(outline, part.centre)) points.insert(points.end(), part.points.begin(), part.points.end());
+      if (geometry::contains(outline, part.centre))
+        points.insert(points.end(), part.points.begin(), part.points.end());
     }
     widest = std::max(widest, geometry::hull_perimeter(std::move(points)));
   }
@@ -268,8 +271,8 @@ void check_limbs(const std::vector<Ring>& rings, std::span<const BodyProbe> prob
 
 }  // namespace
 
-void check_rings(const PreflightInput& input, std::span<const BodyProbe> probes, const sewing::Assembly& assembly,
-                 Findings& findings) {
+void check_rings(const PreflightInput& input, std::span<const BodyProbe> probes,
+                 const sewing::Assembly& assembly, Findings& findings) {
   if (probes.empty() || assembly.garment.sewn.empty()) return;
   const std::vector<Tri> triangles = sewn_triangles(assembly.garment);
   const BorderLengths lengths(assembly.garment);

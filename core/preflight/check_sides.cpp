@@ -93,8 +93,8 @@ Vec3 middle_of(const sewing::Assembly& assembly, Index piece) {
 
 }  // namespace
 
-void check_sides(const PreflightInput& input, std::span<const BodyProbe> probes, const sewing::Assembly& assembly,
-                 Findings& findings) {
+void check_sides(const PreflightInput& input, std::span<const BodyProbe> probes,
+                 const sewing::Assembly& assembly, Findings& findings) {
   const Sides sides = sides_of(input.pattern);
   for (const Index k : sides.one_sided) {
     findings.push_back(

@@ -18,7 +18,7 @@ void turn_pieces(const PreflightInput& input, std::span<const BodyProbe> probes,
 
 /// Whether the right sides fit together, by seams and by where pieces face. Codes: seam.one_sided,
 /// piece.inside_out, piece.winds_other_way.
-void check_sides(const PreflightInput& input, std::span<const BodyProbe> probes, const sewing::Assembly& assembly,
-                 Findings& findings);
+void check_sides(const PreflightInput& input, std::span<const BodyProbe> probes,
+                 const sewing::Assembly& assembly, Findings& findings);
 
 }  // namespace toile::preflight

@@ -165,8 +165,8 @@ class SeamThreads {
 
 }  // namespace
 
-void check_threads(const PreflightInput& input, std::span<const BodyProbe> probes, const sewing::Assembly& assembly,
-                   Findings& findings) {
+void check_threads(const PreflightInput& input, std::span<const BodyProbe> probes,
+                   const sewing::Assembly& assembly, Findings& findings) {
   for (Index s = 0; s < static_cast<Index>(input.pattern.seams.size()); ++s) {
     const SeamThreads threads(assembly, s);
     for (const BodyProbe& probe : probes) {

@@ -9,7 +9,7 @@ namespace toile::preflight {
 /// it shortens, unless it runs through the middle of a limb or trunk: then its seam stays open. Code
 /// seam.thread_through_body: an error where it cannot slide off, a note where it can (over a shoulder); code
 /// seam.thread_near_limb, a note: a slim limb stands within two centimetres of the thread.
-void check_threads(const PreflightInput& input, std::span<const BodyProbe> probes, const sewing::Assembly& assembly,
-                   Findings& findings);
+void check_threads(const PreflightInput& input, std::span<const BodyProbe> probes,
+                   const sewing::Assembly& assembly, Findings& findings);
 
 }  // namespace toile::preflight

@@ -272,8 +272,8 @@ void apply_shifts(const StartField& field, sewing::Assembly& assembly) {
 
 }  // namespace
 
-void move_apart(const pattern::Pattern& pattern, std::span<const BodyProbe> probes, sewing::Assembly& assembly,
-                Findings& findings) {
+void move_apart(const pattern::Pattern& pattern, std::span<const BodyProbe> probes,
+                sewing::Assembly& assembly, Findings& findings) {
   StartField field(assembly, probes);
   Mover mover(field);
   const std::vector<Conflict> before = mover.conflicts();

@@ -15,7 +15,7 @@ namespace toile::preflight {
 /// right, x = 0 between them) stay so where that costs little. Codes: start.crosses_body, start.inside_body,
 /// start.crosses_cloth, start.touches (errors, or warnings when repaired), start.gap (a warning, or a note
 /// when repaired).
-void move_apart(const pattern::Pattern& pattern, std::span<const BodyProbe> probes, sewing::Assembly& assembly,
-                Findings& findings);
+void move_apart(const pattern::Pattern& pattern, std::span<const BodyProbe> probes,
+                sewing::Assembly& assembly, Findings& findings);
 
 }  // namespace toile::preflight

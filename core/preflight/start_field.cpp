@@ -161,7 +161,8 @@ std::vector<Opponent> StartField::neighbours(Index piece, Vec3 extra, double rea
     if (geometry::overlap(box, body)) found.push_back({true, b});
   }
   for (Index q = 0; q < piece_count(); ++q) {
-    if (q != piece && geometry::overlap(box, moved(pieces_[q].box, pieces_[q].shift, 0))) found.push_back({false, q});
+    if (q != piece && geometry::overlap(box, moved(pieces_[q].box, pieces_[q].shift, 0)))
+      found.push_back({false, q});
   }
   return found;
 }

@@ -41,8 +41,9 @@ double edge_gap(const GapTriangle& a, const GapTriangle& b) {
 }
 
 bool edge_crosses(const GapTriangle& a, int k, const GapTriangle& b) {
-  return collision::segment_crosses_triangle(collision::to_grid(a.x[k]), collision::to_grid(a.x[(k + 1) % 3]), collision::to_grid(b.x[0]),
-                                  collision::to_grid(b.x[1]), collision::to_grid(b.x[2]));
+  return collision::segment_crosses_triangle(collision::to_grid(a.x[k]), collision::to_grid(a.x[(k + 1) % 3]),
+                                             collision::to_grid(b.x[0]), collision::to_grid(b.x[1]),
+                                             collision::to_grid(b.x[2]));
 }
 
 }  // namespace

@@ -81,7 +81,8 @@ void untwist_seams(const PreflightInput& input, sewing::Assembly& assembly, Find
     }
     findings.push_back(std::move(f));
   }
-  if (changed) assembly.garment.weld = sewing::least_of_class(assembly.garment.vertex_count(), assembly.garment.sewn);
+  if (changed)
+    assembly.garment.weld = sewing::least_of_class(assembly.garment.vertex_count(), assembly.garment.sewn);
 }
 
 }  // namespace toile::preflight

@@ -94,8 +94,8 @@ std::vector<Index> held_vertices(const Attachment& a, const std::vector<ClothPoi
   return vertices;
 }
 
-std::vector<ClothPoint> led_points(const Attachment& a, std::vector<ClothPoint> points, const mesh::PanelMesh& mesh,
-                                   Index first) {
+std::vector<ClothPoint> led_points(const Attachment& a, std::vector<ClothPoint> points,
+                                   const mesh::PanelMesh& mesh, Index first) {
   const std::vector<Index> chain = chain_of(a, mesh);
   if (a.goal.size() > 1) {
     for (const Index v : chain) points.push_back(corner(v + first));

@@ -24,8 +24,9 @@ std::vector<Index> classes_of(const sewing::GarmentMesh& garment, std::span<cons
 
 }  // namespace
 
-ClothModel make_cloth_model(const sewing::GarmentMesh& garment, std::span<const Index> vertex_of, Index vertex_count,
-                            std::span<const Vec2> warps, std::span<const material::Fabric> fabrics,
+ClothModel make_cloth_model(const sewing::GarmentMesh& garment, std::span<const Index> vertex_of,
+                            Index vertex_count, std::span<const Vec2> warps,
+                            std::span<const material::Fabric> fabrics,
                             std::span<const Index> fabric_of_panel) {
   ClothModel model;
   model.fabrics.assign(fabrics.begin(), fabrics.end());

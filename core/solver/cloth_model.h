@@ -30,8 +30,9 @@ double rest_area(const RestTriangle& rest);
 
 /// Makes the model of a garment. `vertex_of[i]` is the solver's vertex of garment vertex i (welded vertices
 /// have the same); `warps` and `fabric_of_panel` have one entry a panel.
-ClothModel make_cloth_model(const sewing::GarmentMesh& garment, std::span<const Index> vertex_of, Index vertex_count,
-                            std::span<const Vec2> warps, std::span<const material::Fabric> fabrics,
+ClothModel make_cloth_model(const sewing::GarmentMesh& garment, std::span<const Index> vertex_of,
+                            Index vertex_count, std::span<const Vec2> warps,
+                            std::span<const material::Fabric> fabrics,
                             std::span<const Index> fabric_of_panel);
 
 }  // namespace toile::solver

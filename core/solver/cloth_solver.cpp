@@ -48,16 +48,17 @@ collision::ContactSettings contact_settings(const ClothModel& model) {
   return settings;
 }
 
-ClothSolver::ClothSolver(ClothModel model, std::vector<Vec3> positions, std::span<const collision::Obstacle> obstacles,
-                         double time_step, std::span<const Vec3> layout)
+ClothSolver::ClothSolver(ClothModel model, std::vector<Vec3> positions,
+                         std::span<const collision::Obstacle> obstacles, double time_step,
+                         std::span<const Vec3> layout)
     : model_(std::move(model)),
       obstacles_(obstacles),
       h_(time_step),
       membrane_(model_),
       bending_(model_),
       x_(std::move(positions)),
-      finder_(collision::make_surface(model_.triangles, model_.vertex_count(), model_.vertex_class), obstacles_,
-              contact_settings(model_)) {
+      finder_(collision::make_surface(model_.triangles, model_.vertex_count(), model_.vertex_class),
+              obstacles_, contact_settings(model_)) {
   TOILE_CHECK(x_.size() == model_.mass.size());
   TOILE_CHECK(h_ > 0);
   set_holds({});
@@ -122,7 +123,8 @@ StepReport ClothSolver::step(const StepForces& forces) {
   }
   const StepReport report = truncate(forces);
   finish(forces);
-  if (forces.viscosity > 0) constraints::even_velocities(model_.triangles, model_.mass, forces.viscosity, velocity_);
+  if (forces.viscosity > 0)
+    constraints::even_velocities(model_.triangles, model_.mass, forces.viscosity, velocity_);
   return report;
 }
 
@@ -188,7 +190,8 @@ StepReport ClothSolver::truncate(const StepForces& forces) {
     ++report.detections;
   }
   const auto push_apart = [&] {
-    constraints::solve_contacts(contacts_.contacts, before_, inverse_mass_, forces.friction, h_, x_, depenetration_);
+    constraints::solve_contacts(contacts_.contacts, before_, inverse_mass_, forces.friction, h_, x_,
+                                depenetration_);
     note_who_went_far();
   };
   push_apart();
@@ -218,7 +221,8 @@ StepReport ClothSolver::truncate(const StepForces& forces) {
 void ClothSolver::finish(const StepForces& forces) {
   const double per_h = 1 / h_;
   std::vector<constraints::Impact> impacts;
-  if (bouncy_) impacts = constraints::find_impacts(contacts_.contacts, forces.restitution, proposal_, velocity_);
+  if (bouncy_)
+    impacts = constraints::find_impacts(contacts_.contacts, forces.restitution, proposal_, velocity_);
   for (std::size_t i = 0; i < x_.size(); ++i) velocity_[i] = (x_[i] - before_[i] - depenetration_[i]) * per_h;
   constraints::give_back(impacts, inverse_mass_, velocity_);
 }

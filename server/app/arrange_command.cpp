@@ -25,7 +25,8 @@ json::JsonValue answer_json(const arrange::Arrangement& made, const std::string&
 }
 
 void print_arrangement(const arrange::Arrangement& made, const std::string& file) {
-  for (const arrange::ArrangedPiece& p : made.pieces) std::printf("piece %s: %s\n", p.id.c_str(), p.where.c_str());
+  for (const arrange::ArrangedPiece& p : made.pieces)
+    std::printf("piece %s: %s\n", p.id.c_str(), p.where.c_str());
   for (const sewing::Attachment& a : made.attachments)
     std::printf("%s: at its height until gravity is full\n", a.id.c_str());
   print_findings(made.findings);
@@ -42,7 +43,8 @@ ExitCode project_arrange_command(const ProjectArrangeOptions& options) {
   Result<drape::DrapeInput> input = resolve::resolve_project(
       *project, resolve::files_in(std::filesystem::path(options.project).parent_path(), own_mesh_importer()));
   if (!input) return fail(input.error(), options.json);
-  const Result<mesh::PanelMeshes> meshes = mesh::make_panel_meshes(input->pattern, input->settings.particle_distance, {});
+  const Result<mesh::PanelMeshes> meshes =
+      mesh::make_panel_meshes(input->pattern, input->settings.particle_distance, {});
   if (!meshes) return fail(meshes.error(), options.json);
   const Result<arrange::Arrangement> made = arrange::arrange({input->pattern, *meshes, input->bodies});
   if (!made) return fail(made.error(), options.json);

@@ -20,7 +20,8 @@ constexpr double kMetres = 1e-2;  // per cm
 /// Centimetres with a tenth of a millimetre.
 double cm(double metres) { return std::round(metres / kMetres * 100) / 100; }
 
-std::vector<json::JsonMember> measures_json(const measure::BodyMeasures& taken, const measure::MeasureSet& asked) {
+std::vector<json::JsonMember> measures_json(const measure::BodyMeasures& taken,
+                                            const measure::MeasureSet& asked) {
   std::vector<json::JsonMember> out;
   for (int i = 0; i < measure::kMeasureCount; ++i) {
     const measure::Measure m = measure::measure_at(i);
@@ -70,11 +71,11 @@ ExitCode body_make_command(const BodyMakeOptions& options) {
   const std::size_t vertices = mesh.vertices.size(), triangles = mesh.triangles.size();
   if (options.json) {
     const std::vector<json::JsonMember> out{{"file", options.out},
-                                      {"sex", std::string(project::name_of(settings->sex))},
-                                      {"pose", options.pose},
-                                      {"vertices", static_cast<double>(vertices)},
-                                      {"triangles", static_cast<double>(triangles)},
-                                      {"measures", measures_json(made->measures, settings->asked)}};
+                                            {"sex", std::string(project::name_of(settings->sex))},
+                                            {"pose", options.pose},
+                                            {"vertices", static_cast<double>(vertices)},
+                                            {"triangles", static_cast<double>(triangles)},
+                                            {"measures", measures_json(made->measures, settings->asked)}};
     std::printf("%s", json::write_json(out).c_str());
   } else {
     std::printf("%s: %zu vertices, %zu triangles, metres\n", options.out.c_str(), vertices, triangles);
@@ -93,14 +94,15 @@ ExitCode body_measure_command(const BodyMeasureOptions& options) {
   const measure::BodyStance& s = body->stance;
   const std::vector<std::string> notes = mesh_import::repair_words(file->repairs);
   if (options.json) {
-    const std::vector<json::JsonMember> out{{"file", options.file},
-                                      {"triangles", static_cast<double>(body->mesh.triangles.size())},
-                                      {"unit_in_m", s.unit_in_m},
-                                      {"up", std::string(1, s.up)},
-                                      {"upside_down", s.upside_down},
-                                      {"turned_degrees", 90.0 * s.quarter_turns},
-                                      {"notes", std::vector<json::JsonValue>(notes.begin(), notes.end())},
-                                      {"measures", measures_json(*taken, {})}};
+    const std::vector<json::JsonMember> out{
+        {"file", options.file},
+        {"triangles", static_cast<double>(body->mesh.triangles.size())},
+        {"unit_in_m", s.unit_in_m},
+        {"up", std::string(1, s.up)},
+        {"upside_down", s.upside_down},
+        {"turned_degrees", 90.0 * s.quarter_turns},
+        {"notes", std::vector<json::JsonValue>(notes.begin(), notes.end())},
+        {"measures", measures_json(*taken, {})}};
     std::printf("%s", json::write_json(out).c_str());
   } else {
     std::printf("%s: %zu triangles, unit %g m, %c up%s, turned by %d°\n", options.file.c_str(),
@@ -117,16 +119,18 @@ ExitCode body_presets_command(const BodyPresetsOptions& options) {
   for (const mannequin::BodyPreset& p : mannequin::body_presets()) {
     if (!options.json) {
       std::printf("%-9s %-7s height %5.1f  bust %5.1f  waist %5.1f  hip %5.1f\n", std::string(p.name).c_str(),
-                  project::name_of(p.sex), p.height / kMetres, p.bust / kMetres, p.waist / kMetres, p.hip / kMetres);
+                  project::name_of(p.sex), p.height / kMetres, p.bust / kMetres, p.waist / kMetres,
+                  p.hip / kMetres);
     }
     list.push_back(std::vector<json::JsonMember>{{"name", std::string(p.name)},
-                                           {"sex", std::string(project::name_of(p.sex))},
-                                           {"height_cm", cm(p.height)},
-                                           {"bust_cm", cm(p.bust)},
-                                           {"waist_cm", cm(p.waist)},
-                                           {"hip_cm", cm(p.hip)}});
+                                                 {"sex", std::string(project::name_of(p.sex))},
+                                                 {"height_cm", cm(p.height)},
+                                                 {"bust_cm", cm(p.bust)},
+                                                 {"waist_cm", cm(p.waist)},
+                                                 {"hip_cm", cm(p.hip)}});
   }
-  if (options.json) std::printf("%s", json::write_json(std::vector<json::JsonMember>{{"presets", list}}).c_str());
+  if (options.json)
+    std::printf("%s", json::write_json(std::vector<json::JsonMember>{{"presets", list}}).c_str());
   return kDone;
 }
 

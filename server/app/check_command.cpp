@@ -33,7 +33,8 @@ double series_length(const pattern::Pattern& pattern, const std::vector<pattern:
   double sum = 0;
   for (const pattern::SeamEdge& edge : series) {
     const pattern::Panel& panel = pattern.panels[static_cast<std::size_t>(edge.panel)];
-    sum += (edge.to - edge.from) * pattern::arc_length(*pattern::edges_of(panel)[static_cast<std::size_t>(edge.edge)]);
+    sum += (edge.to - edge.from) *
+           pattern::arc_length(*pattern::edges_of(panel)[static_cast<std::size_t>(edge.edge)]);
   }
   return sum;
 }
@@ -45,14 +46,15 @@ double rounded(double value) { return std::round(value * 100) / 100; }
 json::JsonValue piece_json(const pattern::Panel& panel) {
   std::vector<json::JsonValue> edges;
   for (const pattern::PanelEdge* edge : pattern::edges_of(panel)) {
-    edges.push_back(std::vector<json::JsonMember>{{"id", edge->id}, {"length_mm", rounded(pattern::arc_length(*edge))}});
+    edges.push_back(
+        std::vector<json::JsonMember>{{"id", edge->id}, {"length_mm", rounded(pattern::arc_length(*edge))}});
   }
   const Vec2 size = size_of(panel);
   return std::vector<json::JsonMember>{{"id", panel.id},
-                                 {"width_mm", rounded(size.x)},
-                                 {"height_mm", rounded(size.y)},
-                                 {"area_cm2", rounded(area_cm2(panel))},
-                                 {"edges", edges}};
+                                       {"width_mm", rounded(size.x)},
+                                       {"height_mm", rounded(size.y)},
+                                       {"area_cm2", rounded(area_cm2(panel))},
+                                       {"edges", edges}};
 }
 
 json::JsonValue project_json(const drape::DrapeInput& input, const preflight::Findings& findings) {
@@ -60,16 +62,18 @@ json::JsonValue project_json(const drape::DrapeInput& input, const preflight::Fi
   for (const preflight::Finding& f : findings) found.push_back(documents::finding_json(f));
   for (const pattern::Panel& panel : input.pattern.panels) pieces.push_back(piece_json(panel));
   for (const pattern::Seam& seam : input.pattern.seams) {
-    seams.push_back(std::vector<json::JsonMember>{{"id", seam.id},
-                                            {"length_a_mm", rounded(series_length(input.pattern, seam.a))},
-                                            {"length_b_mm", rounded(series_length(input.pattern, seam.b))}});
+    seams.push_back(
+        std::vector<json::JsonMember>{{"id", seam.id},
+                                      {"length_a_mm", rounded(series_length(input.pattern, seam.a))},
+                                      {"length_b_mm", rounded(series_length(input.pattern, seam.b))}});
   }
   for (const body::Body& body : input.bodies) {
     const std::vector<json::JsonValue> notes(body.notes.begin(), body.notes.end());
-    bodies.push_back(std::vector<json::JsonMember>{{"id", body.id},
-                                             {"triangles", static_cast<double>(body.mesh.triangles.size())},
-                                             {"height_m", rounded(body_height(body))},
-                                             {"notes", notes}});
+    bodies.push_back(
+        std::vector<json::JsonMember>{{"id", body.id},
+                                      {"triangles", static_cast<double>(body.mesh.triangles.size())},
+                                      {"height_m", rounded(body_height(body))},
+                                      {"notes", notes}});
   }
   return std::vector<json::JsonMember>{
       {"name", input.name}, {"pieces", pieces}, {"seams", seams}, {"bodies", bodies}, {"findings", found}};

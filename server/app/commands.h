@@ -37,8 +37,8 @@ struct BodyMakeOptions {
   std::string sex;     ///< female, male or child; empty: the preset's, or female
   std::string preset;  ///< name of a size; empty: none
   std::array<std::optional<double>, measure::kMeasureCount> measures_cm;  ///< what is asked for, by Measure
-  std::string pose = "a";                                        ///< a or t
-  double arm_angle = 45;                                         ///< degrees from the vertical, of pose a
+  std::string pose = "a";                                                 ///< a or t
+  double arm_angle = 45;  ///< degrees from the vertical, of pose a
   int triangles = 4562;
   bool json = false;
 };

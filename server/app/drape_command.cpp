@@ -62,8 +62,8 @@ ExitCode exit_code_of(const drape::DrapeResult& result) {
 }
 
 /// Writes what a drape leaves and prints its figures.
-Status deliver(const drape::DrapeInput& input, const drape::DrapeResult& result, const image::Textures& textures,
-               const DrapeOptions& options) {
+Status deliver(const drape::DrapeInput& input, const drape::DrapeResult& result,
+               const image::Textures& textures, const DrapeOptions& options) {
   const analysis::Report report = analysis::make_report(input, result);
   TRY(jobs::write_models(input, result, textures, options.out, options.check_data));
   TRY(exports::write_report(fs::path(options.out) / "report.json", report));
@@ -89,7 +89,8 @@ ExitCode drape_command(const DrapeOptions& options) {
   if (Status folder = make_folder(options.out); !folder) return fail(folder.error(), options.json);
   std::unique_ptr<proto::TraceWriter> trace;
   if (!options.trace.empty()) {
-    Result<std::unique_ptr<proto::TraceWriter>> opened = proto::TraceWriter::open(options.trace, options.trace_every);
+    Result<std::unique_ptr<proto::TraceWriter>> opened =
+        proto::TraceWriter::open(options.trace, options.trace_every);
     if (!opened) return fail(opened.error(), options.json);
     trace = std::move(*opened);
   }

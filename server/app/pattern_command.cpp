@@ -67,12 +67,13 @@ void print_piece(const dxf::DxfPiece& piece) {
   if (!panel->notches.empty()) more += ", " + std::to_string(panel->notches.size()) + " notches";
   if (!panel->lines.empty()) more += ", " + std::to_string(panel->lines.size()) + " lines within";
   if (!panel->holes.empty()) more += ", " + std::to_string(panel->holes.size()) + " holes";
-  std::printf("piece %s: %s x %s mm, %s cm2, %zu edges%s, %s line, grain %s (line %d)\n", piece.name.c_str(),
-              fixed_text(m.width_mm, 1).c_str(), fixed_text(m.height_mm, 1).c_str(),
-              fixed_text(m.area_mm2 * 1e-2, 1).c_str(), panel->outline.edges.size(), more.c_str(),
-              piece.on_sew_line ? "sew" : "cut",
-              piece.grain ? (fixed_text(create::grain_degrees(*piece.grain), 1) + " deg").c_str() : "not told",
-              piece.line);
+  std::printf(
+      "piece %s: %s x %s mm, %s cm2, %zu edges%s, %s line, grain %s (line %d)\n", piece.name.c_str(),
+      fixed_text(m.width_mm, 1).c_str(), fixed_text(m.height_mm, 1).c_str(),
+      fixed_text(m.area_mm2 * 1e-2, 1).c_str(), panel->outline.edges.size(), more.c_str(),
+      piece.on_sew_line ? "sew" : "cut",
+      piece.grain ? (fixed_text(create::grain_degrees(*piece.grain), 1) + " deg").c_str() : "not told",
+      piece.line);
 }
 
 void print_drawing(const dxf::DxfDrawing& drawing) {
@@ -86,7 +87,8 @@ void print_drawing(const dxf::DxfDrawing& drawing) {
   const dxf::DxfReport& r = drawing.report;
   std::printf("entities: %zu in the file, %zu kept, %zu converted, %zu dropped (--json lists them)\n",
               r.entities, r.kept, r.converted, r.dropped);
-  for (const dxf::DxfWarning& warning : r.warnings) std::printf("warning: %s\n", dxf::warning_text(warning).c_str());
+  for (const dxf::DxfWarning& warning : r.warnings)
+    std::printf("warning: %s\n", dxf::warning_text(warning).c_str());
 }
 
 void print_specification(const create::NewProject& made) {
@@ -105,7 +107,9 @@ ExitCode import_specification(const std::string& text, const PatternImportOption
   const Result<create::NewProject> made = create::new_project(text, {});
   if (!made) return fail(in_file(made.error(), options.file), options.json);
   if (options.json) {
-    std::printf("%s", json::write_json(create::specification_json(made->pattern, create::seams_json(*made), made->notes)).c_str());
+    std::printf("%s", json::write_json(
+                          create::specification_json(made->pattern, create::seams_json(*made), made->notes))
+                          .c_str());
   } else {
     print_specification(*made);
   }
@@ -144,7 +148,7 @@ ExitCode pattern_export_command(const PatternExportOptions& options) {
   const std::size_t pieces = pattern.panels.size();
   if (options.json) {
     std::printf("%s", json::write_json(std::vector<json::JsonMember>{{"file", options.out},
-                                                         {"pieces", static_cast<double>(pieces)}})
+                                                                     {"pieces", static_cast<double>(pieces)}})
                           .c_str());
   } else {
     std::printf("%s: %zu pieces, millimetres, AAMA layers\n", options.out.c_str(), pieces);

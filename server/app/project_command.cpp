@@ -62,13 +62,13 @@ void print_json(const create::NewProject& made, const ProjectNewOptions& options
     proposals.push_back(std::move(proposal));
   }
   for (const std::string& note : made.notes) notes.emplace_back(note);
-  std::printf("%s",
-              json::write_json(std::vector<json::JsonMember>{{"file", options.out},
-                                                 {"pieces", static_cast<double>(made.project.pieces.size())},
-                                                 {"seams", static_cast<double>(made.project.seams.size())},
-                                                 {"proposals", proposals},
-                                                 {"notes", notes}})
-                  .c_str());
+  std::printf("%s", json::write_json(std::vector<json::JsonMember>{
+                                         {"file", options.out},
+                                         {"pieces", static_cast<double>(made.project.pieces.size())},
+                                         {"seams", static_cast<double>(made.project.seams.size())},
+                                         {"proposals", proposals},
+                                         {"notes", notes}})
+                        .c_str());
 }
 
 void print_text(const create::NewProject& made, const ProjectNewOptions& options) {

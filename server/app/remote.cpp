@@ -91,7 +91,8 @@ Result<std::string> Remote::create_project(const std::string& document,
                                            const std::vector<std::pair<std::string, std::string>>& files) {
   std::vector<json::JsonMember> names;
   for (const auto& [name, id] : files) names.push_back({name, id});
-  const std::string body = "{\"document\": " + document + ", \"files\": " + json::write_json_line(names) + "}";
+  const std::string body =
+      "{\"document\": " + document + ", \"files\": " + json::write_json_line(names) + "}";
   return id_of(post("/api/v1/projects", body, "application/json"));
 }
 

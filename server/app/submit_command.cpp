@@ -137,7 +137,8 @@ ExitCode fail_remote(const Error& error, bool json) {
 void print_end(const json::JsonValue& job, const SubmitOptions& options) {
   const json::JsonValue* report = job.find("report");
   if (options.json) {
-    std::printf("%s", report && report->object() ? json::write_json(*report).c_str() : json::write_json(job).c_str());
+    std::printf(
+        "%s", report && report->object() ? json::write_json(*report).c_str() : json::write_json(job).c_str());
     return;
   }
   std::printf("%s: %s, %s (%s)\n", clipped(text_member(job, "name")).c_str(),

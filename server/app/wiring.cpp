@@ -16,11 +16,12 @@ namespace {
 
 /// The first thing that a newcomer sees: the sample, draped as an ordinary job. The key makes it one drape
 /// however often the server starts; once the project has been removed there is nothing to do.
-Status drape_sample(documents::Documents& documents, jobs::JobService& jobs, const store::RequestContext& context,
-                    const std::string& folder) {
+Status drape_sample(documents::Documents& documents, jobs::JobService& jobs,
+                    const store::RequestContext& context, const std::string& folder) {
   if (folder.empty()) return {};
   TRY(documents::add_sample_project(documents, context, folder));
-  const std::optional<std::string> project = TRY(documents.store().get_setting(context, documents::kSampleSetting));
+  const std::optional<std::string> project =
+      TRY(documents.store().get_setting(context, documents::kSampleSetting));
   if (!project) return {};
   const Result<store::Made<store::JobRow>> job = jobs.submit(context, *project, "sample-first-drape");
   return job || job.error().kind == ErrorKind::kNotFound ? Status() : Status(job.error());
@@ -47,8 +48,8 @@ Result<std::unique_ptr<Service>> Service::start(const ServeOptions& options) {
   service->server_ =
       std::make_unique<http::HttpServer>(*service->store_, *service->jobs_, *service->hub_, http, log);
   http::HttpServer& server = *service->server_;
-  handlers::add_routes(server.router(), {*service->documents_, *service->store_, *service->jobs_, *service->hub_,
-                               server.metrics(), server.ready()});
+  handlers::add_routes(server.router(), {*service->documents_, *service->store_, *service->jobs_,
+                                         *service->hub_, server.metrics(), server.ready()});
   TRY(server.start());
   TRY(service->jobs_->start());
   const store::RequestContext local = http::local_user("", log);

@@ -24,7 +24,8 @@ const std::vector<std::string> kSides{"front", "back", "left", "right"};
 
 std::vector<std::string> part_names() {
   std::vector<std::string> names;
-  for (int p = 0; p < measure::kBodyParts; ++p) names.emplace_back(measure::name_of(static_cast<measure::BodyPart>(p)));
+  for (int p = 0; p < measure::kBodyParts; ++p)
+    names.emplace_back(measure::name_of(static_cast<measure::BodyPart>(p)));
   return names;
 }
 
@@ -52,7 +53,8 @@ PieceWish mirrored(const PieceWish& wish, const std::string& partner, double ang
 
 /// Nothing where the piece has no mirror image.
 std::optional<PieceWish> partners_wish(const drape::DrapeInput& input, const PieceWish& wish) {
-  const Result<mesh::PanelMeshes> meshes = mesh::make_panel_meshes(input.pattern, input.settings.particle_distance, {});
+  const Result<mesh::PanelMeshes> meshes =
+      mesh::make_panel_meshes(input.pattern, input.settings.particle_distance, {});
   if (!meshes) return std::nullopt;
   const arrange::GarmentGraph graph = arrange::make_garment_graph(input.pattern, *meshes);
   const auto at = std::find_if(graph.pieces.begin(), graph.pieces.end(),
@@ -66,7 +68,8 @@ std::optional<PieceWish> partners_wish(const drape::DrapeInput& input, const Pie
 }
 
 Result<arrange::Arrangement> arrangement_of(const drape::DrapeInput& input) {
-  const mesh::PanelMeshes meshes = TRY(mesh::make_panel_meshes(input.pattern, input.settings.particle_distance, {}));
+  const mesh::PanelMeshes meshes =
+      TRY(mesh::make_panel_meshes(input.pattern, input.settings.particle_distance, {}));
   return arrange::arrange({input.pattern, meshes, input.bodies});
 }
 
@@ -129,12 +132,15 @@ Status read_numbers(const json::JsonValue& object, PieceWish& wish) {
 
 }  // namespace
 
-void take_arrangement(const arrange::Arrangement& made, const pattern::Pattern& pattern, project::Project& project) {
+void take_arrangement(const arrange::Arrangement& made, const pattern::Pattern& pattern,
+                      project::Project& project) {
   for (std::size_t p = 0; p < project.pieces.size(); ++p) {
     project.pieces[p].placement = create::project_placement(made.placements[p]);
   }
-  std::erase_if(project.attachments, [](const project::ProjectAttachment& a) { return a.id.starts_with("hold_"); });
-  for (const sewing::Attachment& a : made.attachments) project.attachments.push_back(create::project_attachment(pattern, a));
+  std::erase_if(project.attachments,
+                [](const project::ProjectAttachment& a) { return a.id.starts_with("hold_"); });
+  for (const sewing::Attachment& a : made.attachments)
+    project.attachments.push_back(create::project_attachment(pattern, a));
 }
 
 std::vector<json::JsonMember> arrangement_members(const arrange::Arrangement& made) {
@@ -149,8 +155,10 @@ std::vector<json::JsonMember> arrangement_members(const arrange::Arrangement& ma
 Result<ArrangedProject> arrange_project(Documents& documents, const store::RequestContext& context,
                                         const std::string& id, int expected) {
   json::JsonValue arrangement;
-  const ProjectChange change = [&](const project::Project& now, ProjectFileMap& files) -> Result<project::Project> {
-    const drape::DrapeInput input = TRY(resolve::resolve_project(now, files_in_store(documents, context, files)));
+  const ProjectChange change = [&](const project::Project& now,
+                                   ProjectFileMap& files) -> Result<project::Project> {
+    const drape::DrapeInput input =
+        TRY(resolve::resolve_project(now, files_in_store(documents, context, files)));
     const arrange::Arrangement made = TRY(arrangement_of(input));
     arrangement = arrangement_members(made);
     project::Project wanted = now;
@@ -178,16 +186,18 @@ Result<PieceWish> read_piece_wish(const json::JsonValue& object) {
   return wish;
 }
 
-Result<store::ProjectRow> place_piece(Documents& documents, const store::RequestContext& context, const std::string& id,
-                               const PieceWish& wish, int expected) {
-  const ProjectChange change = [&](const project::Project& now, ProjectFileMap& files) -> Result<project::Project> {
+Result<store::ProjectRow> place_piece(Documents& documents, const store::RequestContext& context,
+                                      const std::string& id, const PieceWish& wish, int expected) {
+  const ProjectChange change = [&](const project::Project& now,
+                                   ProjectFileMap& files) -> Result<project::Project> {
     const auto at = std::find_if(now.pieces.begin(), now.pieces.end(),
                                  [&](const project::ProjectPiece& piece) { return piece.id == wish.piece; });
     if (at == now.pieces.end())
       return Error{"edit.unknown_piece", "There is no piece of that name.", "piece " + clipped(wish.piece)};
     project::Project wanted = now;
     wanted.pieces[static_cast<std::size_t>(at - now.pieces.begin())].placement = placement_of(wish);
-    const drape::DrapeInput input = TRY(resolve::resolve_project(wanted, files_in_store(documents, context, files)));
+    const drape::DrapeInput input =
+        TRY(resolve::resolve_project(wanted, files_in_store(documents, context, files)));
     const std::optional<PieceWish> more = wish.with_partner ? partners_wish(input, wish) : std::nullopt;
     for (project::ProjectPiece& piece : wanted.pieces)
       if (more && piece.id == more->piece) piece.placement = placement_of(*more);

@@ -14,7 +14,8 @@ namespace toile::documents {
 
 /// The arrangement's places and holds in the document; holds of an arrangement before this one are replaced,
 /// others stay. REQUIRES that `project` and `pattern` have the same pieces.
-void take_arrangement(const arrange::Arrangement& made, const pattern::Pattern& pattern, project::Project& project);
+void take_arrangement(const arrange::Arrangement& made, const pattern::Pattern& pattern,
+                      project::Project& project);
 
 /// {"pieces": [{"id", "place"}], "holds": [id], "findings": […]}
 std::vector<json::JsonMember> arrangement_members(const arrange::Arrangement& made);
@@ -43,7 +44,7 @@ struct PieceWish {
 Result<PieceWish> read_piece_wish(const json::JsonValue& object);
 /// The middle of the piece comes there. Errors: edit.unknown_piece, body.not_standing, arrange.no_body,
 /// store.*.
-Result<store::ProjectRow> place_piece(Documents& documents, const store::RequestContext& context, const std::string& id,
-                               const PieceWish& wish, int expected);
+Result<store::ProjectRow> place_piece(Documents& documents, const store::RequestContext& context,
+                                      const std::string& id, const PieceWish& wish, int expected);
 
 }  // namespace toile::documents

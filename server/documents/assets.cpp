@@ -71,7 +71,8 @@ Result<std::string> specification_info(const std::string& name, std::string_view
   }));
 }
 
-Result<std::string> body_info(const mesh_import::MeshImporter& importer, const std::string& name, std::string_view bytes) {
+Result<std::string> body_info(const mesh_import::MeshImporter& importer, const std::string& name,
+                              std::string_view bytes) {
   const mesh_import::RepairedMesh read = TRY(importer.bytes(name, bytes, {}));
   const geometry::TriangleMesh& mesh = read.mesh;
   const Vec3 size = bounding_box(mesh.vertices).size();
@@ -100,8 +101,8 @@ Result<std::string> image_info(const std::string& name, std::string_view bytes) 
   }));
 }
 
-Result<std::string> info_of(const mesh_import::MeshImporter& importer, const std::string& kind, const std::string& name,
-                            std::string_view bytes) {
+Result<std::string> info_of(const mesh_import::MeshImporter& importer, const std::string& kind,
+                            const std::string& name, std::string_view bytes) {
   if (kind == "dxf") return dxf_info(name, bytes);
   if (kind == "specification") return specification_info(name, bytes);
   if (kind == "image") return image_info(name, bytes);
@@ -120,8 +121,8 @@ std::size_t most_asset_bytes(std::string_view kind) {
   return kind == "image" ? kMostImageBytes : kMostBodyBytes;
 }
 
-Result<store::AssetRow> add_asset(Documents& documents, const store::RequestContext& context, const std::string& kind,
-                           const std::string& name, std::string_view bytes) {
+Result<store::AssetRow> add_asset(Documents& documents, const store::RequestContext& context,
+                                  const std::string& kind, const std::string& name, std::string_view bytes) {
   if (!is_asset_kind(kind)) {
     return Error{"documents.kind",
                  "a file is \"dxf\", \"specification\", \"body\" or \"image\", not " + in_quotes(kind), "",

@@ -32,8 +32,8 @@ std::size_t most_asset_bytes(std::string_view kind);
 ///   image: {"format": "png" or "jpeg", "width", "height", "opaque"}, pixels as they are shown
 /// Errors: documents.kind, documents.too_large; dxf.*, garmentcode.*, mesh.*, image.* with the file's name
 /// first in `where`; store.*.
-Result<store::AssetRow> add_asset(Documents& documents, const store::RequestContext& context, const std::string& kind,
-                           const std::string& name, std::string_view bytes);
+Result<store::AssetRow> add_asset(Documents& documents, const store::RequestContext& context,
+                                  const std::string& kind, const std::string& name, std::string_view bytes);
 
 /// The media type of a kept image's bytes: one that a browser shows and does not run.
 std::string image_media_type(std::string_view bytes);

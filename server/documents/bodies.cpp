@@ -16,9 +16,9 @@ std::string key_of(const std::string& asset_id, const mesh_import::MeshSettings&
 
 }  // namespace
 
-Result<std::shared_ptr<const mesh_import::RepairedMesh>> BodyCache::mesh(store::Store& store, const store::RequestContext& context,
-                                                            const std::string& asset_id,
-                                                            const mesh_import::MeshSettings& settings) {
+Result<std::shared_ptr<const mesh_import::RepairedMesh>> BodyCache::mesh(
+    store::Store& store, const store::RequestContext& context, const std::string& asset_id,
+    const mesh_import::MeshSettings& settings) {
   const Result<store::AssetRow> asset = store.asset(context, asset_id);  // first of all: is it theirs?
   if (!asset) return asset.error();
   if (asset->kind != "body") {

@@ -24,8 +24,10 @@ class BodyCache {
 
   /// The asset's mesh, mended, in metres, y up. Errors: store.not_found (whether or not somebody else has
   /// it), store.corrupt, documents.wrong_kind, mesh.* with the asset's name as place.
-  Result<std::shared_ptr<const mesh_import::RepairedMesh>> mesh(store::Store& store, const store::RequestContext& context,
-                                                   const std::string& asset_id, const mesh_import::MeshSettings& settings);
+  Result<std::shared_ptr<const mesh_import::RepairedMesh>> mesh(store::Store& store,
+                                                                const store::RequestContext& context,
+                                                                const std::string& asset_id,
+                                                                const mesh_import::MeshSettings& settings);
   /// Of the meshes held.
   std::size_t bytes() const { return kept_.size(); }
 

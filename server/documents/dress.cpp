@@ -71,7 +71,8 @@ Status put_on_floor(Documents& documents, const store::RequestContext& context, 
                     project::ProjectBody& body) {
   project::Project alone;
   alone.bodies = {body};
-  const drape::DrapeInput input = TRY(resolve::resolve_project(alone, files_in_store(documents, context, files)));
+  const drape::DrapeInput input =
+      TRY(resolve::resolve_project(alone, files_in_store(documents, context, files)));
   const double floor = lowest(input.bodies[0].mesh);
   body.translation.y = -std::round(floor * 1e6) / 1e6 + 0.0;
   return {};
@@ -87,8 +88,9 @@ Result<project::ProjectBody> made_body(Documents& documents, const json::JsonVal
   return body;
 }
 
-Result<project::ProjectBody> body_of(Documents& documents, const store::RequestContext& context, const std::string& id,
-                            const json::JsonValue& wish, ProjectFileMap& files) {
+Result<project::ProjectBody> body_of(Documents& documents, const store::RequestContext& context,
+                                     const std::string& id, const json::JsonValue& wish,
+                                     ProjectFileMap& files) {
   const json::JsonValue* given = wish.find("asset");
   if (!given) return made_body(documents, document_part(wish, id));
   if (!given->text()) return bad_wish("\"asset\" is the id of an uploaded body", "asset");
@@ -143,10 +145,12 @@ Status check_keys(const json::JsonValue& wish) {
 
 }  // namespace
 
-Result<store::ProjectRow> dress_project(Documents& documents, const store::RequestContext& context, const std::string& id,
-                                 const std::string& body, const json::JsonValue& wish, int expected) {
+Result<store::ProjectRow> dress_project(Documents& documents, const store::RequestContext& context,
+                                        const std::string& id, const std::string& body,
+                                        const json::JsonValue& wish, int expected) {
   TRY(check_keys(wish));
-  const ProjectChange change = [&](const project::Project& now, ProjectFileMap& files) -> Result<project::Project> {
+  const ProjectChange change = [&](const project::Project& now,
+                                   ProjectFileMap& files) -> Result<project::Project> {
     project::ProjectBody made = TRY(body_of(documents, context, body, wish, files));
     project::Project wanted = now;
     const auto at = std::find_if(wanted.bodies.begin(), wanted.bodies.end(),
@@ -162,8 +166,8 @@ Result<store::ProjectRow> dress_project(Documents& documents, const store::Reque
   return change_project(documents, context, id, expected, change);
 }
 
-Result<store::ProjectRow> undress_project(Documents& documents, const store::RequestContext& context, const std::string& id,
-                                   const std::string& body, int expected) {
+Result<store::ProjectRow> undress_project(Documents& documents, const store::RequestContext& context,
+                                          const std::string& id, const std::string& body, int expected) {
   const ProjectChange change = [&](const project::Project& now, ProjectFileMap&) -> Result<project::Project> {
     project::Project wanted = now;
     if (std::erase_if(wanted.bodies, [&](const project::ProjectBody& one) { return one.id == body; }) > 0)

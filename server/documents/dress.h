@@ -15,11 +15,12 @@ namespace toile::documents {
 /// "friction" and "skin_offset_mm" may stand, and with a file "unit", "up" and "turn" (degrees about the
 /// upright axis) where the guess is wrong. Errors: request.unknown_key, request.body, project.*, mannequin.*,
 /// mesh.*, store.*.
-Result<store::ProjectRow> dress_project(Documents& documents, const store::RequestContext& context, const std::string& id,
-                                 const std::string& body, const json::JsonValue& wish, int expected);
+Result<store::ProjectRow> dress_project(Documents& documents, const store::RequestContext& context,
+                                        const std::string& id, const std::string& body,
+                                        const json::JsonValue& wish, int expected);
 
 /// Takes a body out of the project. Errors: edit.unknown_body, store.*, and those of what is told by it.
-Result<store::ProjectRow> undress_project(Documents& documents, const store::RequestContext& context, const std::string& id,
-                                   const std::string& body, int expected);
+Result<store::ProjectRow> undress_project(Documents& documents, const store::RequestContext& context,
+                                          const std::string& id, const std::string& body, int expected);
 
 }  // namespace toile::documents

@@ -28,13 +28,15 @@ Result<Standing> standing(Documents& documents, const store::RequestContext& con
   return Standing{std::move(row), std::move(project)};
 }
 
-Result<editing::EditedProject> apply_in_store(Documents& documents, const store::RequestContext& context, const Standing& at,
-                                     const std::vector<editing::ProjectEdit>& edits) {
+Result<editing::EditedProject> apply_in_store(Documents& documents, const store::RequestContext& context,
+                                              const Standing& at,
+                                              const std::vector<editing::ProjectEdit>& edits) {
   return editing::apply_edits(at.project, edits, files_in_store(documents, context, at.row.files));
 }
 
-Result<store::ProjectRow> keep(Documents& documents, const store::RequestContext& context, const store::ProjectRow& was,
-                        std::string document, const std::string& name, store::EditStep step, const store::EditRow& edit) {
+Result<store::ProjectRow> keep(Documents& documents, const store::RequestContext& context,
+                               const store::ProjectRow& was, std::string document, const std::string& name,
+                               store::EditStep step, const store::EditRow& edit) {
   store::ProjectRow row = was;
   row.document = std::move(document);
   row.name = name;
@@ -51,8 +53,8 @@ Result<std::vector<editing::ProjectEdit>> kept_edits(const std::string& text, co
   return Error{"store.corrupt", "a step of the project's history is damaged", id, ErrorKind::kSystem};
 }
 
-Result<store::EditRow> next_step(Documents& documents, const store::RequestContext& context, const std::string& id,
-                          store::EditStep step) {
+Result<store::EditRow> next_step(Documents& documents, const store::RequestContext& context,
+                                 const std::string& id, store::EditStep step) {
   std::optional<store::EditRow> next = TRY(documents.store().next_edit(context, id, step));
   if (next) return std::move(*next);
   if (step == store::EditStep::kUndo)
@@ -75,8 +77,9 @@ Status check_pictures(Documents& documents, const store::RequestContext& context
 
 }  // namespace
 
-Result<store::ProjectRow> edit_project(Documents& documents, const store::RequestContext& context, const std::string& id,
-                                const json::JsonValue& edits, int expected, const ProjectFileMap& more_files) {
+Result<store::ProjectRow> edit_project(Documents& documents, const store::RequestContext& context,
+                                       const std::string& id, const json::JsonValue& edits, int expected,
+                                       const ProjectFileMap& more_files) {
   Standing at = TRY(standing(documents, context, id, expected));
   TRY(check_more_files(documents, context, at.row.files, more_files));
   at.row.files.insert(more_files.begin(), more_files.end());
@@ -87,12 +90,12 @@ Result<store::ProjectRow> edit_project(Documents& documents, const store::Reques
   step.edits = json::write_json_line(editing::edits_json(wanted));
   step.inverse = json::write_json_line(editing::edits_json(edited.inverse));
   if (project::write_project_line(at.project) != at.row.document) step.original = at.row.document;
-  return keep(documents, context, at.row, std::move(edited.document), edited.project.name, store::EditStep::kDo,
-              step);
+  return keep(documents, context, at.row, std::move(edited.document), edited.project.name,
+              store::EditStep::kDo, step);
 }
 
-Result<store::ProjectRow> change_project(Documents& documents, const store::RequestContext& context, const std::string& id,
-                                  int expected, const ProjectChange& change) {
+Result<store::ProjectRow> change_project(Documents& documents, const store::RequestContext& context,
+                                         const std::string& id, int expected, const ProjectChange& change) {
   Standing at = TRY(standing(documents, context, id, expected));
   ProjectFileMap files = at.row.files;
   const project::Project wanted = TRY(change(at.project, files));
@@ -101,8 +104,8 @@ Result<store::ProjectRow> change_project(Documents& documents, const store::Requ
   return edit_project(documents, context, id, editing::edits_json(edits), at.row.revision, files);
 }
 
-Result<store::ProjectRow> undo_edit(Documents& documents, const store::RequestContext& context, const std::string& id,
-                             int expected) {
+Result<store::ProjectRow> undo_edit(Documents& documents, const store::RequestContext& context,
+                                    const std::string& id, int expected) {
   const Standing at = TRY(standing(documents, context, id, expected));
   const store::EditRow step = TRY(next_step(documents, context, id, store::EditStep::kUndo));
   const std::vector<editing::ProjectEdit> inverse = TRY(kept_edits(step.inverse, id));
@@ -111,18 +114,18 @@ Result<store::ProjectRow> undo_edit(Documents& documents, const store::RequestCo
   return keep(documents, context, at.row, document, edited.project.name, store::EditStep::kUndo, step);
 }
 
-Result<store::ProjectRow> redo_edit(Documents& documents, const store::RequestContext& context, const std::string& id,
-                             int expected) {
+Result<store::ProjectRow> redo_edit(Documents& documents, const store::RequestContext& context,
+                                    const std::string& id, int expected) {
   const Standing at = TRY(standing(documents, context, id, expected));
   const store::EditRow step = TRY(next_step(documents, context, id, store::EditStep::kRedo));
   const std::vector<editing::ProjectEdit> edits = TRY(kept_edits(step.edits, id));
   editing::EditedProject edited = TRY(apply_in_store(documents, context, at, edits));
-  return keep(documents, context, at.row, std::move(edited.document), edited.project.name, store::EditStep::kRedo,
-              step);
+  return keep(documents, context, at.row, std::move(edited.document), edited.project.name,
+              store::EditStep::kRedo, step);
 }
 
-Result<std::string> history_json(Documents& documents, const store::RequestContext& context, const std::string& id,
-                                 std::int64_t before, int limit) {
+Result<std::string> history_json(Documents& documents, const store::RequestContext& context,
+                                 const std::string& id, std::int64_t before, int limit) {
   TRY(documents.store().project(context, id));
   std::vector<store::EditRow> steps = TRY(documents.store().edits(context, id, before, limit + 1));
   std::string next = "null", items;

@@ -35,29 +35,31 @@ json::JsonValue measures_json(const measure::MeasureSet& set) {
   std::vector<json::JsonMember> out;
   for (int i = 0; i < measure::kMeasureCount; ++i)
     if (set[measure::measure_at(i)])
-      out.push_back({std::string(measure::measure_name(measure::measure_at(i))), cm(*set[measure::measure_at(i)])});
+      out.push_back(
+          {std::string(measure::measure_name(measure::measure_at(i))), cm(*set[measure::measure_at(i)])});
   return out;
 }
 
-json::JsonValue taken_json(measure::Measure m, const measure::TakenMeasure& taken, const std::optional<double>& asked, double floor) {
+json::JsonValue taken_json(measure::Measure m, const measure::TakenMeasure& taken,
+                           const std::optional<double>& asked, double floor) {
   std::vector<json::JsonValue> line;
   for (const Vec3& p : taken.line) line.push_back(vector_json(p + Vec3{0, floor, 0}));
   return std::vector<json::JsonMember>{{"name", std::string(measure::measure_name(m))},
-                                 {"girth", measure::is_girth(m)},
-                                 {"cm", cm(taken.value)},
-                                 {"at_cm", cm(taken.height)},
-                                 {"asked_cm", asked ? json::JsonValue(cm(*asked)) : json::JsonValue()},
-                                 {"rule", std::string(measure::measure_rule(m))},
-                                 {"line", std::move(line)}};
+                                       {"girth", measure::is_girth(m)},
+                                       {"cm", cm(taken.value)},
+                                       {"at_cm", cm(taken.height)},
+                                       {"asked_cm", asked ? json::JsonValue(cm(*asked)) : json::JsonValue()},
+                                       {"rule", std::string(measure::measure_rule(m))},
+                                       {"line", std::move(line)}};
 }
 
 json::JsonValue box_json(const measure::PartBox& box) {
   std::vector<json::JsonValue> axes;
   for (const Vec3& axis : box.axis) axes.push_back(vector_json(axis));
   return std::vector<json::JsonMember>{{"part", std::string(measure::name_of(box.part))},
-                                 {"centre", vector_json(box.centre)},
-                                 {"axes", std::move(axes)},
-                                 {"half", vector_json(box.half)}};
+                                       {"centre", vector_json(box.centre)},
+                                       {"axes", std::move(axes)},
+                                       {"half", vector_json(box.half)}};
 }
 
 /// The tape wants the floor at y = 0.
@@ -72,7 +74,8 @@ struct Parts {
   std::vector<json::JsonValue> measures, landmarks, boxes;
 };
 
-Status find_parts(const geometry::TriangleMesh& mesh, const measure::MeasureSet& asked, double floor, Parts& parts) {
+Status find_parts(const geometry::TriangleMesh& mesh, const measure::MeasureSet& asked, double floor,
+                  Parts& parts) {
   const measure::BodyFigure figure = TRY(measure::find_figure(mesh));
   for (const measure::Landmark& landmark : measure::find_landmarks(mesh, figure)) {
     parts.landmarks.push_back(
@@ -96,8 +99,9 @@ std::string key_of(const geometry::TriangleMesh& mesh, const measure::MeasureSet
 
 /// Figures that were found before are not looked for again: that takes seconds on a scan, and a project is
 /// looked at after every change of its pattern.
-std::shared_ptr<const std::vector<json::JsonMember>> kept_figure(Documents& documents, const geometry::TriangleMesh& mesh,
-                                                           const measure::MeasureSet& asked) {
+std::shared_ptr<const std::vector<json::JsonMember>> kept_figure(Documents& documents,
+                                                                 const geometry::TriangleMesh& mesh,
+                                                                 const measure::MeasureSet& asked) {
   const std::string key = key_of(mesh, asked);
   if (auto kept = documents.figures().find(key)) return kept;
   auto made = std::make_shared<const std::vector<json::JsonMember>>(figure_members(mesh, asked));
@@ -106,7 +110,8 @@ std::shared_ptr<const std::vector<json::JsonMember>> kept_figure(Documents& docu
 }
 
 /// The bodies alone, so that no pattern is read for them.
-Result<drape::DrapeInput> resolve_bodies(const project::Project& project, const resolve::ProjectFiles& files) {
+Result<drape::DrapeInput> resolve_bodies(const project::Project& project,
+                                         const resolve::ProjectFiles& files) {
   project::Project bodies;
   bodies.bodies = project.bodies;
   return resolve::resolve_project(bodies, files);
@@ -126,22 +131,23 @@ std::string body_presets_json() {
     const measure::Measure m = measure::measure_at(i);
     const auto [least, most] = project::measure_range_cm(m);
     measures.push_back(std::vector<json::JsonMember>{{"name", std::string(measure::measure_name(m))},
-                                               {"rule", std::string(measure::measure_rule(m))},
-                                               {"girth", measure::is_girth(m)},
-                                               {"least_cm", least},
-                                               {"most_cm", most}});
+                                                     {"rule", std::string(measure::measure_rule(m))},
+                                                     {"girth", measure::is_girth(m)},
+                                                     {"least_cm", least},
+                                                     {"most_cm", most}});
   }
   for (const mesh_import::MeshFormat& format : mesh_import::mesh_formats()) {
-    formats.push_back(
-        std::vector<json::JsonMember>{{"name", std::string(format.name)}, {"ending", std::string(format.ending)}});
+    formats.push_back(std::vector<json::JsonMember>{{"name", std::string(format.name)},
+                                                    {"ending", std::string(format.ending)}});
   }
   return json::write_json_line(std::vector<json::JsonMember>{{"presets", std::move(presets)},
-                                                 {"measures", std::move(measures)},
-                                                 {"formats", std::move(formats)}}) +
+                                                             {"measures", std::move(measures)},
+                                                             {"formats", std::move(formats)}}) +
          "\n";
 }
 
-std::vector<json::JsonMember> figure_members(const geometry::TriangleMesh& mesh, const measure::MeasureSet& asked) {
+std::vector<json::JsonMember> figure_members(const geometry::TriangleMesh& mesh,
+                                             const measure::MeasureSet& asked) {
   const Aabb3 extent = bounding_box(mesh.vertices);
   Parts parts;
   json::JsonValue why;
@@ -161,7 +167,8 @@ std::vector<json::JsonMember> figure_members(const geometry::TriangleMesh& mesh,
 }
 
 /// With those of the document, and which these are.
-static json::JsonValue landmarks_json(const project::ProjectBody& body, const Result<std::vector<measure::Landmark>>& landmarks) {
+static json::JsonValue landmarks_json(const project::ProjectBody& body,
+                                      const Result<std::vector<measure::Landmark>>& landmarks) {
   std::vector<json::JsonValue> out;
   if (!landmarks) return out;
   for (const measure::Landmark& mark : *landmarks) {
@@ -184,9 +191,9 @@ Result<std::string> asset_figure_json(Documents& documents, const store::Request
   if (standing) {
     const measure::BodyStance& s = standing->stance;
     stance = std::vector<json::JsonMember>{{"unit_in_m", s.unit_in_m},
-                                     {"up", std::string(1, s.up)},
-                                     {"upside_down", s.upside_down},
-                                     {"turned_degrees", 90.0 * s.quarter_turns}};
+                                           {"up", std::string(1, s.up)},
+                                           {"upside_down", s.upside_down},
+                                           {"turned_degrees", 90.0 * s.quarter_turns}};
   }
   out.push_back({"stance", std::move(stance)});
   for (json::JsonMember& member : figure_members(standing ? standing->mesh : raw, {}))
@@ -194,15 +201,16 @@ Result<std::string> asset_figure_json(Documents& documents, const store::Request
   return json::write_json_line(std::move(out)) + "\n";
 }
 
-Result<MadeBody> make_body(Documents& documents, const store::RequestContext& context, const json::JsonValue& wish,
-                           const std::string& name) {
+Result<MadeBody> make_body(Documents& documents, const store::RequestContext& context,
+                           const json::JsonValue& wish, const std::string& name) {
   const project::ProjectMannequin given = TRY(project::read_mannequin(wish, "/mannequin"));
   const Result<mannequin::MannequinSettings> settings = project::mannequin_settings(given);
   if (!settings) return json::error_at("/mannequin", settings.error());
   const auto made = documents.mannequins().get(*settings);
   if (!made) return json::error_at("/mannequin", made.error());
   const std::string file = store::ending_of(name) == ".obj" ? name : name + ".obj";
-  store::AssetRow asset = TRY(add_asset(documents, context, "body", file, geometry::obj_text((*made)->mesh, geometry::ObjDigits::kAll)));
+  store::AssetRow asset = TRY(add_asset(documents, context, "body", file,
+                                        geometry::obj_text((*made)->mesh, geometry::ObjDigits::kAll)));
   return MadeBody{std::move(asset), figure_members((*made)->mesh, settings->asked)};
 }
 

@@ -19,7 +19,8 @@ std::string body_presets_json();
 /// null}]; "landmarks" [{"name", "place", "own": true where the
 /// document sets it}]; "boxes" [{"part", "centre", "axes", "half"}]. Places in metres. A
 /// mesh that is no standing person has the first four members and empty lists.
-std::vector<json::JsonMember> figure_members(const geometry::TriangleMesh& mesh, const measure::MeasureSet& asked);
+std::vector<json::JsonMember> figure_members(const geometry::TriangleMesh& mesh,
+                                             const measure::MeasureSet& asked);
 
 /// How an uploaded body stands in its file, and its figure once it stands on the floor and looks to the
 /// front: {"stance": {"unit_in_m", "up", "upside_down", "turned_degrees"} or null, …figure}. Errors:
@@ -34,8 +35,8 @@ struct MadeBody {
   store::AssetRow asset;
   std::vector<json::JsonMember> figure;
 };
-Result<MadeBody> make_body(Documents& documents, const store::RequestContext& context, const json::JsonValue& wish,
-                           const std::string& name);
+Result<MadeBody> make_body(Documents& documents, const store::RequestContext& context,
+                           const json::JsonValue& wish, const std::string& name);
 
 /// {"bodies": [{"id", "file" or null, "mannequin" or null, "friction", "skin_offset_mm", …figure}]}, each in
 /// its place; `documents` keeps figures that were found. Errors: those of reading the document and its

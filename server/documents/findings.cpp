@@ -6,12 +6,13 @@
 namespace toile::documents {
 
 json::JsonValue finding_json(const preflight::Finding& f) {
-  return std::vector<json::JsonMember>{{"code", std::string(preflight::code_of(f.kind))},
-                                 {"severity", std::string(preflight::name_of(f.severity))},
-                                 {"message", f.message},
-                                 {"where", preflight::where_text(f)},
-                                 {"place", std::vector<json::JsonValue>{f.place.x, f.place.y, f.place.z}},
-                                 {"repaired", f.repaired}};
+  return std::vector<json::JsonMember>{
+      {"code", std::string(preflight::code_of(f.kind))},
+      {"severity", std::string(preflight::name_of(f.severity))},
+      {"message", f.message},
+      {"where", preflight::where_text(f)},
+      {"place", std::vector<json::JsonValue>{f.place.x, f.place.y, f.place.z}},
+      {"repaired", f.repaired}};
 }
 
 }  // namespace toile::documents

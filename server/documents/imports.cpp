@@ -31,7 +31,8 @@ Result<dxf::DxfSettings> settings_of(const ImportWishes& wishes) {
 }
 
 /// The piece as a project document takes it from this file.
-json::JsonValue source_of(const dxf::DxfPiece& piece, const dxf::DxfDrawing& drawing, const std::string& file) {
+json::JsonValue source_of(const dxf::DxfPiece& piece, const dxf::DxfDrawing& drawing,
+                          const std::string& file) {
   std::vector<json::JsonMember> from{{"dxf", file}, {"piece", piece.name}};
   const std::string& unit = drawing.unit.name;
   if (unit == "mm" || unit == "cm" || unit == "inch") from.push_back({"units", unit});
@@ -51,9 +52,11 @@ void add_picture(const Result<pattern::Panel>& panel, std::vector<json::JsonMemb
   constexpr double kFlat = 0.2;  // mm
   std::vector<json::JsonValue> holes;
   if (panel) {
-    for (const pattern::Loop& hole : panel->holes) holes.push_back(points_json(pattern::flatten(hole, kFlat)));
+    for (const pattern::Loop& hole : panel->holes)
+      holes.push_back(points_json(pattern::flatten(hole, kFlat)));
   }
-  piece.push_back({"points", points_json(panel ? pattern::flatten(panel->outline, kFlat) : std::vector<Vec2>{})});
+  piece.push_back(
+      {"points", points_json(panel ? pattern::flatten(panel->outline, kFlat) : std::vector<Vec2>{})});
   piece.push_back({"hole_points", std::move(holes)});
 }
 
@@ -77,7 +80,8 @@ struct Pictured {
   std::optional<json::JsonValue> from;  ///< none: the document has the outline itself
 };
 
-std::vector<json::JsonValue> with_pictures(const json::JsonValue& pieces, const std::vector<Pictured>& pictures) {
+std::vector<json::JsonValue> with_pictures(const json::JsonValue& pieces,
+                                           const std::vector<Pictured>& pictures) {
   std::vector<json::JsonValue> out;
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     std::vector<json::JsonMember> piece = *(*pieces.array())[i].object();
@@ -90,8 +94,8 @@ std::vector<json::JsonValue> with_pictures(const json::JsonValue& pieces, const 
 }
 
 /// The report with what a page needs besides, and a document to begin with, without seams.
-json::JsonValue report_of(const json::JsonValue& report, const std::vector<Pictured>& pictures, const store::AssetRow& asset,
-                    const std::optional<create::NewProject>& made) {
+json::JsonValue report_of(const json::JsonValue& report, const std::vector<Pictured>& pictures,
+                          const store::AssetRow& asset, const std::optional<create::NewProject>& made) {
   std::vector<json::JsonMember> members{{"asset", asset.id}, {"file", asset.name}};
   for (json::JsonMember member : *report.object()) {
     if (member.key == "pieces") member.value = with_pictures(member.value, pictures);
@@ -103,7 +107,8 @@ json::JsonValue report_of(const json::JsonValue& report, const std::vector<Pictu
     project.seams.clear();
     project.bodies.front().file.clear();
     project.bodies.front().mannequin = project::ProjectMannequin{};
-    if (const Result<json::JsonValue> tree = json::parse_json(project::write_project_line(project)); tree) document = *tree;
+    if (const Result<json::JsonValue> tree = json::parse_json(project::write_project_line(project)); tree)
+      document = *tree;
   }
   members.push_back({"document", std::move(document)});
   return members;
@@ -125,32 +130,36 @@ dxf::DxfDrawing without_faults(dxf::DxfDrawing drawing) {
   return drawing;
 }
 
-Result<json::JsonValue> import_dxf(const std::string& bytes, const ImportWishes& wishes, const store::AssetRow& asset) {
+Result<json::JsonValue> import_dxf(const std::string& bytes, const ImportWishes& wishes,
+                                   const store::AssetRow& asset) {
   const dxf::DxfSettings settings = TRY(settings_of(wishes));
   const Result<dxf::DxfDrawing> drawing = dxf::read_dxf(bytes, settings);
   if (!drawing) return json::error_at(clipped(asset.name), drawing.error());
   std::optional<create::NewProject> made;
   const dxf::DxfDrawing good = without_faults(*drawing);
   if (!good.pieces.empty()) {
-    if (Result<create::NewProject> project = create::new_project(good, project_of(asset)); project) made = *project;
+    if (Result<create::NewProject> project = create::new_project(good, project_of(asset)); project)
+      made = *project;
   }
   std::vector<Pictured> pictures;
   for (const dxf::DxfPiece& piece : drawing->pieces)
     pictures.push_back({dxf::panel_from_piece(piece), source_of(piece, *drawing, asset.name)});
-  const std::vector<json::JsonValue> seams = made ? create::seams_json(*made) : std::vector<json::JsonValue>{};
+  const std::vector<json::JsonValue> seams =
+      made ? create::seams_json(*made) : std::vector<json::JsonValue>{};
   return report_of(create::import_json(*drawing, seams), pictures, asset, made);
 }
 
 /// A specification says its unit and has one size.
 Result<json::JsonValue> import_specification(const std::string& bytes, const ImportWishes& wishes,
-                                       const store::AssetRow& asset) {
+                                             const store::AssetRow& asset) {
   if (!wishes.unit.empty()) return Error{"documents.unit", "a specification says its unit itself", "/unit"};
   if (!wishes.size.empty()) return Error{"documents.size", "a specification has one size", "/size"};
   Result<create::NewProject> made = create::new_project(bytes, project_of(asset));
   if (!made) return json::error_at(clipped(asset.name), made.error());
   std::vector<Pictured> pictures;
   for (const pattern::Panel& panel : made->pattern.panels) pictures.push_back({panel, std::nullopt});
-  const json::JsonValue report = create::specification_json(made->pattern, create::seams_json(*made), made->notes);
+  const json::JsonValue report =
+      create::specification_json(made->pattern, create::seams_json(*made), made->notes);
   return report_of(report, pictures, asset, std::move(*made));
 }
 

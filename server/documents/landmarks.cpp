@@ -29,13 +29,14 @@ Vec3 rounded_mm(Vec3 metres) {
 
 /// `known`: those from which the document can tell it.
 project::ProjectLandmark told(const std::string& name, Vec3 place, const geometry::TriangleMesh& mesh,
-                     const std::vector<measure::Landmark>& known) {
+                              const std::vector<measure::Landmark>& known) {
   const measure::SkinPoint at = measure::nearest_on_skin(mesh, place);
   const Result<measure::BodyFigure> figure = measure::find_figure(mesh);
   if (!figure || known.empty()) return {.name = name, .triangle = at.triangle, .share = at.share};
   const measure::Landmark* own = measure::landmark_named(known, name);
-  const measure::OwnLandmark mark = own ? measure::OwnLandmark{name, {}, name, measure::position_of(at, mesh) - own->place}
-                               : measure::told_from_nearest(name, at, mesh, known);
+  const measure::OwnLandmark mark =
+      own ? measure::OwnLandmark{name, {}, name, measure::position_of(at, mesh) - own->place}
+          : measure::told_from_nearest(name, at, mesh, known);
   return {.name = name,
           .near = mark.near,
           .offset_mm = rounded_mm(mark.offset),
@@ -48,8 +49,10 @@ Result<std::size_t> index_of(const project::Project& project, const std::string&
   return Error{"edit.unknown_body", "There is no body of that name.", "body " + clipped(body)};
 }
 
-std::vector<project::ProjectLandmark>::iterator named(std::vector<project::ProjectLandmark>& list, const std::string& name) {
-  return std::find_if(list.begin(), list.end(), [&](const project::ProjectLandmark& l) { return l.name == name; });
+std::vector<project::ProjectLandmark>::iterator named(std::vector<project::ProjectLandmark>& list,
+                                                      const std::string& name) {
+  return std::find_if(list.begin(), list.end(),
+                      [&](const project::ProjectLandmark& l) { return l.name == name; });
 }
 
 Status check(const std::string& name, Vec3 place) {
@@ -64,10 +67,12 @@ Status check(const std::string& name, Vec3 place) {
 
 }  // namespace
 
-Result<store::ProjectRow> move_landmark(Documents& documents, const store::RequestContext& context, const std::string& id,
-                                 const std::string& body, const std::string& name, Vec3 place, int expected) {
+Result<store::ProjectRow> move_landmark(Documents& documents, const store::RequestContext& context,
+                                        const std::string& id, const std::string& body,
+                                        const std::string& name, Vec3 place, int expected) {
   TRY(check(name, place));
-  const ProjectChange change = [&](const project::Project& now, ProjectFileMap& files) -> Result<project::Project> {
+  const ProjectChange change = [&](const project::Project& now,
+                                   ProjectFileMap& files) -> Result<project::Project> {
     const std::size_t b = TRY(index_of(now, body));
     const resolve::ProjectFiles read = files_in_store(documents, context, files);
     const drape::DrapeInput input = TRY(resolve::resolve_project(now, read));
@@ -96,9 +101,11 @@ Result<store::ProjectRow> move_landmark(Documents& documents, const store::Reque
   return change_project(documents, context, id, expected, change);
 }
 
-Result<store::ProjectRow> forget_landmark(Documents& documents, const store::RequestContext& context, const std::string& id,
-                                   const std::string& body, const std::string& name, int expected) {
-  const ProjectChange change = [&](const project::Project& now, ProjectFileMap& files) -> Result<project::Project> {
+Result<store::ProjectRow> forget_landmark(Documents& documents, const store::RequestContext& context,
+                                          const std::string& id, const std::string& body,
+                                          const std::string& name, int expected) {
+  const ProjectChange change = [&](const project::Project& now,
+                                   ProjectFileMap& files) -> Result<project::Project> {
     const std::size_t b = TRY(index_of(now, body));
     project::Project wanted = now;
     std::vector<project::ProjectLandmark>& list = wanted.bodies[b].landmarks;

@@ -20,7 +20,8 @@ std::string key_of(const mannequin::MannequinSettings& settings) {
 
 }  // namespace
 
-Result<std::shared_ptr<const mannequin::Mannequin>> MannequinCache::get(const mannequin::MannequinSettings& settings) {
+Result<std::shared_ptr<const mannequin::Mannequin>> MannequinCache::get(
+    const mannequin::MannequinSettings& settings) {
   const std::string key = key_of(settings);
   if (std::shared_ptr<const mannequin::Mannequin> kept = kept_.find(key)) return kept;
   mannequin::Mannequin made = TRY(mannequin::make_mannequin(settings));

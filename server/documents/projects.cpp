@@ -57,8 +57,8 @@ Error wrong_kind(const store::AssetRow& asset, const std::string& wanted, const 
           where};
 }
 
-Status check_kinds(Documents& documents, const store::RequestContext& context, const std::vector<UsedFile>& used,
-                   const ProjectFileMap& files) {
+Status check_kinds(Documents& documents, const store::RequestContext& context,
+                   const std::vector<UsedFile>& used, const ProjectFileMap& files) {
   for (const UsedFile& file : used) {
     const store::AssetRow asset = TRY(documents.store().asset(context, files.at(file.name)));
     if (asset.kind != file.kind) return wrong_kind(asset, file.kind, file.where);
@@ -67,8 +67,8 @@ Status check_kinds(Documents& documents, const store::RequestContext& context, c
 }
 
 /// A row of the document with its name, once a drape could be made of it.
-Result<store::ProjectRow> checked(Documents& documents, const store::RequestContext& context, const std::string& document,
-                           const ProjectFileMap& files) {
+Result<store::ProjectRow> checked(Documents& documents, const store::RequestContext& context,
+                                  const std::string& document, const ProjectFileMap& files) {
   const project::Project project = TRY(project::parse_project(document));
   const std::vector<UsedFile> used = used_files(project);
   TRY(check_missing(used, files));
@@ -91,16 +91,20 @@ Result<std::string> asset_id_of(const ProjectFileMap& files, const std::string& 
 
 }  // namespace
 
-Result<store::Made<store::ProjectRow>> create_project(Documents& documents, const store::RequestContext& context,
-                                        const std::string& document, const ProjectFileMap& files,
-                                        const std::string& idempotency_key) {
+Result<store::Made<store::ProjectRow>> create_project(Documents& documents,
+                                                      const store::RequestContext& context,
+                                                      const std::string& document,
+                                                      const ProjectFileMap& files,
+                                                      const std::string& idempotency_key) {
   store::ProjectRow row = TRY(checked(documents, context, document, files));
   return documents.store().create_project(context, std::move(row), idempotency_key);
 }
 
-Result<store::ProjectRow> replace_project(Documents& documents, const store::RequestContext& context, const std::string& id,
-                                   const std::string& document, const ProjectFileMap& files, int expected) {
-  const Result<store::ProjectRow> there = documents.store().project(context, id);  // before any work is done for it
+Result<store::ProjectRow> replace_project(Documents& documents, const store::RequestContext& context,
+                                          const std::string& id, const std::string& document,
+                                          const ProjectFileMap& files, int expected) {
+  const Result<store::ProjectRow> there =
+      documents.store().project(context, id);  // before any work is done for it
   if (!there) return there;
   store::ProjectRow row = TRY(checked(documents, context, document, files));
   row.id = id;
@@ -128,7 +132,8 @@ Status check_image(Documents& documents, const store::RequestContext& context, c
   return check_kinds(documents, context, used, files);
 }
 
-resolve::ProjectFiles files_in_store(Documents& documents, const store::RequestContext& context, ProjectFileMap files) {
+resolve::ProjectFiles files_in_store(Documents& documents, const store::RequestContext& context,
+                                     ProjectFileMap files) {
   const auto map = std::make_shared<const ProjectFileMap>(std::move(files));
   resolve::ProjectFiles out;
   const auto bytes_of = [&documents, context, map](const char* kind) {
@@ -141,15 +146,17 @@ resolve::ProjectFiles files_in_store(Documents& documents, const store::RequestC
   };
   out.dxf_text = bytes_of("dxf");
   out.image_bytes = bytes_of("image");
-  out.body_mesh = [&documents, context, map](const std::string& name,
-                                             const mesh_import::MeshSettings& settings) -> Result<mesh_import::RepairedMesh> {
+  out.body_mesh = [&documents, context, map](
+                      const std::string& name,
+                      const mesh_import::MeshSettings& settings) -> Result<mesh_import::RepairedMesh> {
     const std::string id = TRY(asset_id_of(*map, name));
     const Result<std::shared_ptr<const mesh_import::RepairedMesh>> mesh =
         documents.bodies().mesh(documents.store(), context, id, settings);
     if (!mesh) return mesh.error();
     return **mesh;
   };
-  out.mannequin = [&documents](const mannequin::MannequinSettings& settings) -> Result<geometry::TriangleMesh> {
+  out.mannequin =
+      [&documents](const mannequin::MannequinSettings& settings) -> Result<geometry::TriangleMesh> {
     const std::shared_ptr<const mannequin::Mannequin> made = TRY(documents.mannequins().get(settings));
     return made->mesh;
   };

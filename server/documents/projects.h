@@ -20,13 +20,16 @@ using ProjectFileMap = std::map<std::string, std::string>;
 /// (with the pointer of the first place that names a file which is not there) and documents.wrong_kind;
 /// documents.unknown_asset and documents.too_many_files with a pointer into {"files": …}; store.*. With an
 /// idempotency key that made this very project before, gives that one back (Store::create_project).
-Result<store::Made<store::ProjectRow>> create_project(Documents& documents, const store::RequestContext& context,
-                                        const std::string& document, const ProjectFileMap& files,
-                                        const std::string& idempotency_key = "");
+Result<store::Made<store::ProjectRow>> create_project(Documents& documents,
+                                                      const store::RequestContext& context,
+                                                      const std::string& document,
+                                                      const ProjectFileMap& files,
+                                                      const std::string& idempotency_key = "");
 /// Replaces it when it stands at revision `expected` (0: at any). Errors: those, store.not_found,
 /// store.conflict.
-Result<store::ProjectRow> replace_project(Documents& documents, const store::RequestContext& context, const std::string& id,
-                                   const std::string& document, const ProjectFileMap& files, int expected);
+Result<store::ProjectRow> replace_project(Documents& documents, const store::RequestContext& context,
+                                          const std::string& id, const std::string& document,
+                                          const ProjectFileMap& files, int expected);
 
 /// Whether the files may come to those that a project has: they are this owner's, not too many, and none
 /// bears the name of another. Errors: documents.unknown_asset, documents.too_many_files,
@@ -40,7 +43,8 @@ Status check_image(Documents& documents, const store::RequestContext& context, c
 
 /// The files of a project or a job, for resolve_project and read_textures. `documents` outlives it. Errors of
 /// its functions: documents.missing_file, documents.wrong_kind, mesh.*, store.*.
-resolve::ProjectFiles files_in_store(Documents& documents, const store::RequestContext& context, ProjectFileMap files);
+resolve::ProjectFiles files_in_store(Documents& documents, const store::RequestContext& context,
+                                     ProjectFileMap files);
 
 /// The setting that holds the sample project's id once it has been added.
 inline constexpr const char* kSampleSetting = "sample_project";

@@ -21,8 +21,8 @@ namespace {
 std::string geometry_of(const drape::DrapeInput& input, const sewing::Assembly& assembly) {
   const std::vector<Vec3>& points = assembly.positions;
   const Aabb3 extent = bounding_box(points);
-  const std::string topology = proto::encode_topology(1, proto::grid_for(extent.low, extent.high), assembly.garment,
-                                               stream_pieces(input, assembly.garment));
+  const std::string topology = proto::encode_topology(
+      1, proto::grid_for(extent.low, extent.high), assembly.garment, stream_pieces(input, assembly.garment));
   std::string out;
   out.reserve(4 + topology.size() + 12 * points.size());
   proto::put(out, static_cast<std::uint32_t>(topology.size()));
@@ -50,7 +50,8 @@ json::JsonValue by_hand(const project::ProjectPlacement& placement) {
   return {};
 }
 
-std::string check_of(const project::Project& project, const drape::DrapeInput& input, const drape::DrapeStart& start) {
+std::string check_of(const project::Project& project, const drape::DrapeInput& input,
+                     const drape::DrapeStart& start) {
   std::vector<json::JsonValue> findings, pieces;
   for (const preflight::Finding& finding : start.findings) findings.push_back(finding_json(finding));
   const sewing::GarmentMesh& garment = start.assembly.garment;
@@ -59,19 +60,22 @@ std::string check_of(const project::Project& project, const drape::DrapeInput& i
     const auto end = static_cast<std::size_t>(garment.first_vertex[p + 1]);
     const Aabb3 e = bounding_box(std::span(start.assembly.positions).subspan(first, end - first));
     pieces.push_back(std::vector<json::JsonMember>{{"id", input.pattern.panels[p].id},
-                                             {"low", vector_json(e.low)},
-                                             {"high", vector_json(e.high)},
-                                             {"by_hand", by_hand(project.pieces[p].placement)}});
+                                                   {"low", vector_json(e.low)},
+                                                   {"high", vector_json(e.high)},
+                                                   {"by_hand", by_hand(project.pieces[p].placement)}});
   }
-  return json::write_json_line(std::vector<json::JsonMember>{{"ready", !preflight::first_error(start.findings)},
-                                                 {"findings", std::move(findings)},
-                                                 {"pieces", std::move(pieces)}}) +
+  return json::write_json_line(
+             std::vector<json::JsonMember>{{"ready", !preflight::first_error(start.findings)},
+                                           {"findings", std::move(findings)},
+                                           {"pieces", std::move(pieces)}}) +
          "\n";
 }
 
-Result<StartView> make_view(Documents& documents, const store::RequestContext& context, const store::ProjectRow& row) {
+Result<StartView> make_view(Documents& documents, const store::RequestContext& context,
+                            const store::ProjectRow& row) {
   const project::Project project = TRY(project::parse_project(row.document));
-  const drape::DrapeInput input = TRY(resolve::resolve_project(project, files_in_store(documents, context, row.files)));
+  const drape::DrapeInput input =
+      TRY(resolve::resolve_project(project, files_in_store(documents, context, row.files)));
   const drape::DrapeStart start = TRY(drape::prepare_start(input, {}));
   return StartView{check_of(project, input, start), geometry_of(input, start.assembly)};
 }

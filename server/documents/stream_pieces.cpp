@@ -2,7 +2,8 @@
 
 namespace toile::documents {
 
-std::vector<proto::StreamPiece> stream_pieces(const drape::DrapeInput& input, const sewing::GarmentMesh& garment) {
+std::vector<proto::StreamPiece> stream_pieces(const drape::DrapeInput& input,
+                                              const sewing::GarmentMesh& garment) {
   std::vector<proto::StreamPiece> pieces;
   for (std::size_t p = 0; p < input.pattern.panels.size(); ++p) {
     const double* colour = input.fabrics[static_cast<std::size_t>(input.fabric_of_panel[p])].colour;

@@ -9,6 +9,7 @@
 namespace toile::documents {
 
 /// The garment's pieces as viewers show them, each in its cloth's colour.
-std::vector<proto::StreamPiece> stream_pieces(const drape::DrapeInput& input, const sewing::GarmentMesh& garment);
+std::vector<proto::StreamPiece> stream_pieces(const drape::DrapeInput& input,
+                                              const sewing::GarmentMesh& garment);
 
 }  // namespace toile::documents

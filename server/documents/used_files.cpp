@@ -13,11 +13,14 @@ std::vector<UsedFile> used_files(const project::Project& project) {
     const std::optional<project::ProjectTexture>& texture = project.pieces[i].texture;
     const std::string piece = json::pointer_to("/pieces", i);
     if (from) used.push_back({from->dxf, "dxf", json::pointer_to(json::pointer_to(piece, "from"), "dxf")});
-    if (texture) used.push_back({texture->image, "image", json::pointer_to(json::pointer_to(piece, "texture"), "image")});
+    if (texture)
+      used.push_back(
+          {texture->image, "image", json::pointer_to(json::pointer_to(piece, "texture"), "image")});
   }
   for (std::size_t i = 0; i < project.bodies.size(); ++i) {
     if (project.bodies[i].mannequin) continue;
-    used.push_back({project.bodies[i].file, "body", json::pointer_to(json::pointer_to("/bodies", i), "file")});
+    used.push_back(
+        {project.bodies[i].file, "body", json::pointer_to(json::pointer_to("/bodies", i), "file")});
   }
   return used;
 }

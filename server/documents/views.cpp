@@ -43,28 +43,30 @@ json::JsonValue edge_json(const pattern::PanelEdge& edge, std::size_t loop) {
         std::vector<json::JsonValue>{fine_point(c.p0), fine_point(c.p1), fine_point(c.p2), fine_point(c.p3)});
   }
   return std::vector<json::JsonMember>{{"id", edge.id},
-                                 {"points", points_json(pattern::flatten(edge, kFlatness_mm))},
-                                 {"curves", std::move(curves)},
-                                 {"length_mm", fine(pattern::arc_length(edge))},
-                                 {"loop", static_cast<double>(loop)}};
+                                       {"points", points_json(pattern::flatten(edge, kFlatness_mm))},
+                                       {"curves", std::move(curves)},
+                                       {"length_mm", fine(pattern::arc_length(edge))},
+                                       {"loop", static_cast<double>(loop)}};
 }
 
 json::JsonValue notch_json(const pattern::Notch& notch) {
   const bool turned = !(notch.inwards == Vec2{});
   return std::vector<json::JsonMember>{{"at", fine_point(notch.at)},
-                                 {"depth_mm", fine(notch.depth)},
-                                 {"inwards", turned ? fine_point(notch.inwards) : json::JsonValue()}};
+                                       {"depth_mm", fine(notch.depth)},
+                                       {"inwards", turned ? fine_point(notch.inwards) : json::JsonValue()}};
 }
 
 json::JsonValue texture_json(const std::optional<project::ProjectTexture>& texture) {
   if (!texture) return json::JsonValue();
-  return std::vector<json::JsonMember>{{"image", texture->image},
-                                 {"scale_mm", texture->scale_mm},
-                                 {"offset", std::vector<json::JsonValue>{texture->offset.x, texture->offset.y}},
-                                 {"angle", texture->angle}};
+  return std::vector<json::JsonMember>{
+      {"image", texture->image},
+      {"scale_mm", texture->scale_mm},
+      {"offset", std::vector<json::JsonValue>{texture->offset.x, texture->offset.y}},
+      {"angle", texture->angle}};
 }
 
-json::JsonValue piece_json(const pattern::Panel& panel, const project::ProjectPiece& told, const material::Fabric& fabric) {
+json::JsonValue piece_json(const pattern::Panel& panel, const project::ProjectPiece& told,
+                           const material::Fabric& fabric) {
   std::vector<json::JsonValue> holes, edges, colour, notches, lines;
   for (const pattern::PanelEdge& edge : panel.outline.edges) edges.push_back(edge_json(edge, 0));
   for (std::size_t k = 0; k < panel.holes.size(); ++k) {
@@ -77,26 +79,27 @@ json::JsonValue piece_json(const pattern::Panel& panel, const project::ProjectPi
     lines.push_back(std::vector<json::JsonMember>{
         {"id", line.id}, {"points", points_json(line.points)}, {"drawn", line.drawn}});
   }
-  return std::vector<json::JsonMember>{{"id", panel.id},
-                                 {"fabric", fabric.id},
-                                 {"colour", std::move(colour)},
-                                 {"grain", std::vector<json::JsonValue>{panel.grain.x, panel.grain.y}},
-                                 {"outline", points_json(pattern::flatten(panel.outline, kFlatness_mm))},
-                                 {"holes", std::move(holes)},
-                                 {"edges", std::move(edges)},
-                                 {"notches", std::move(notches)},
-                                 {"texture", texture_json(told.texture)},
-                                 {"lines", std::move(lines)}};
+  return std::vector<json::JsonMember>{
+      {"id", panel.id},
+      {"fabric", fabric.id},
+      {"colour", std::move(colour)},
+      {"grain", std::vector<json::JsonValue>{panel.grain.x, panel.grain.y}},
+      {"outline", points_json(pattern::flatten(panel.outline, kFlatness_mm))},
+      {"holes", std::move(holes)},
+      {"edges", std::move(edges)},
+      {"notches", std::move(notches)},
+      {"texture", texture_json(told.texture)},
+      {"lines", std::move(lines)}};
 }
 
 json::JsonValue series_json(const std::vector<project::ProjectSeamEdge>& series) {
   std::vector<json::JsonValue> out;
   for (const project::ProjectSeamEdge& edge : series) {
     out.push_back(std::vector<json::JsonMember>{{"piece", edge.piece},
-                                          {"edge", edge.edge},
-                                          {"reversed", edge.reversed},
-                                          {"from", edge.from},
-                                          {"to", edge.to}});
+                                                {"edge", edge.edge},
+                                                {"reversed", edge.reversed},
+                                                {"from", edge.from},
+                                                {"to", edge.to}});
   }
   return out;
 }
@@ -107,15 +110,15 @@ json::JsonValue issues_json(const std::vector<seams::SeamIssue>& issues, Index s
   for (const seams::SeamIssue& issue : issues) {
     if (issue.seam != seam) continue;
     out.push_back(std::vector<json::JsonMember>{{"code", std::string(seams::code_of(issue.kind))},
-                                          {"error", seams::is_error(issue.kind)},
-                                          {"message", issue.message},
-                                          {"where", issue.where}});
+                                                {"error", seams::is_error(issue.kind)},
+                                                {"message", issue.message},
+                                                {"where", issue.where}});
   }
   return out;
 }
 
-json::JsonValue seam_json(const pattern::Pattern& pattern, const pattern::Seam& seam, const project::ProjectSeam& told,
-                    const std::vector<seams::SeamIssue>& issues) {
+json::JsonValue seam_json(const pattern::Pattern& pattern, const pattern::Seam& seam,
+                          const project::ProjectSeam& told, const std::vector<seams::SeamIssue>& issues) {
   return std::vector<json::JsonMember>{
       {"id", told.id},
       {"a", series_json(told.a)},

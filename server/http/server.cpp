@@ -89,7 +89,8 @@ class HttpServer::Impl {
   std::vector<std::thread> threads_;
 };
 
-HttpServer::HttpServer(store::Store& store, jobs::JobService& jobs, ws::Hub& hub, ServerSettings settings, const Log& log)
+HttpServer::HttpServer(store::Store& store, jobs::JobService& jobs, ws::Hub& hub, ServerSettings settings,
+                       const Log& log)
     : impl_(std::make_unique<Impl>(store, jobs, hub, std::move(settings), log)) {}
 
 HttpServer::~HttpServer() { stop(); }

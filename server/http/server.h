@@ -18,7 +18,8 @@ namespace toile::http {
 class HttpServer {
  public:
   /// `store`, `jobs`, `hub` and the log's sink must outlive the server.
-  HttpServer(store::Store& store, jobs::JobService& jobs, ws::Hub& hub, ServerSettings settings, const Log& log = {});
+  HttpServer(store::Store& store, jobs::JobService& jobs, ws::Hub& hub, ServerSettings settings,
+             const Log& log = {});
   ~HttpServer();  ///< stops
 
   /// Where routes are added, before start(). The page's files are there already.

@@ -49,8 +49,8 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   const ConnectionContext& context_;
   boost::beast::flat_buffer buffer_;
   std::shared_ptr<ws::StreamSession> viewer_;  ///< once the connection is a WebSocket
-  Clock::time_point began_;                ///< of the request at hand
-  store::RequestContext asked_;                   ///< whose it is
+  Clock::time_point began_;                    ///< of the request at hand
+  store::RequestContext asked_;                ///< whose it is
   bool stopping_ = false, idle_ = false;
   bool keep_alive_ = false;  ///< whether the connection can go on after the request at hand is refused
 };

@@ -6,15 +6,17 @@
 
 namespace toile::jobs {
 
-Result<drape::DrapeInput> drape_input_of(documents::Documents& documents, const store::RequestContext& context,
-                                  const std::string& document,
-                                  const std::map<std::string, std::string>& files) {
+Result<drape::DrapeInput> drape_input_of(documents::Documents& documents,
+                                         const store::RequestContext& context, const std::string& document,
+                                         const std::map<std::string, std::string>& files) {
   const project::Project project = TRY(project::parse_project(document));
   return resolve::resolve_project(project, documents::files_in_store(documents, context, files));
 }
 
-Result<image::Textures> textures_of(documents::Documents& documents, const store::RequestContext& context, const std::string& document,
-                             const std::map<std::string, std::string>& files, const pattern::Pattern& pattern) {
+Result<image::Textures> textures_of(documents::Documents& documents, const store::RequestContext& context,
+                                    const std::string& document,
+                                    const std::map<std::string, std::string>& files,
+                                    const pattern::Pattern& pattern) {
   const project::Project project = TRY(project::parse_project(document));
   return resolve::read_textures(project, pattern, documents::files_in_store(documents, context, files));
 }

@@ -27,8 +27,8 @@ RowEdit requeued() {
 
 class QueueingJobService final : public JobService {
  public:
-  QueueingJobService(documents::Documents& documents, Publisher& publisher, const JobServiceSettings& settings,
-                     const Log& log)
+  QueueingJobService(documents::Documents& documents, Publisher& publisher,
+                     const JobServiceSettings& settings, const Log& log)
       : documents_(documents),
         store_(documents.store()),
         publisher_(publisher),
@@ -39,8 +39,9 @@ class QueueingJobService final : public JobService {
 
   Status start() override;
   void stop() override;
-  Result<store::Made<store::JobRow>> submit(const store::RequestContext& context, const std::string& project_id,
-                              const std::string& idempotency_key) override;
+  Result<store::Made<store::JobRow>> submit(const store::RequestContext& context,
+                                            const std::string& project_id,
+                                            const std::string& idempotency_key) override;
   Result<store::JobRow> pause(const store::RequestContext& context, const std::string& id) override;
   Result<store::JobRow> resume(const store::RequestContext& context, const std::string& id) override;
   Result<store::JobRow> cancel(const store::RequestContext& context, const std::string& id) override;
@@ -50,8 +51,8 @@ class QueueingJobService final : public JobService {
  private:
   using Changing = JobTable::Changing;
 
-  Result<store::JobRow> on_request(const store::RequestContext& context, const std::string& id, JobEvent event,
-                            const RowEdit& edit);
+  Result<store::JobRow> on_request(const store::RequestContext& context, const std::string& id,
+                                   JobEvent event, const RowEdit& edit);
   Error refusal(const store::RequestContext& context, const std::string& id, JobEvent event);
   Status check_parking(const Changing& changing, const LiveJob& job) const;
   Status check_queue() const;
@@ -87,7 +88,8 @@ class QueueingJobService final : public JobService {
 // --- What people ask for ----------------------------------------------------------------------------------
 
 /// Why a job that is not in the table, or in a closed one, cannot change.
-Error QueueingJobService::refusal(const store::RequestContext& context, const std::string& id, JobEvent event) {
+Error QueueingJobService::refusal(const store::RequestContext& context, const std::string& id,
+                                  JobEvent event) {
   const store::JobRow row = TRY(store_.job(context, id));
   TRY(next_state(row.state, event));
   return {"jobs.stopped", "the server takes no jobs up just now; try again when it has started", "",
@@ -102,8 +104,9 @@ Status QueueingJobService::check_parking(const Changing& changing, const LiveJob
                ErrorKind::kTooMany};
 }
 
-Result<store::JobRow> QueueingJobService::on_request(const store::RequestContext& context, const std::string& id,
-                                              JobEvent event, const RowEdit& edit) {
+Result<store::JobRow> QueueingJobService::on_request(const store::RequestContext& context,
+                                                     const std::string& id, JobEvent event,
+                                                     const RowEdit& edit) {
   std::unique_ptr<JobRun> run;  // freed after the lock
   const Changing changing = table_.changing();
   const LiveJobPtr job = table_.find(context, id);
@@ -126,11 +129,13 @@ Result<store::JobRow> QueueingJobService::pause(const store::RequestContext& con
   return on_request(context, id, JobEvent::kPause, {});
 }
 
-Result<store::JobRow> QueueingJobService::resume(const store::RequestContext& context, const std::string& id) {
+Result<store::JobRow> QueueingJobService::resume(const store::RequestContext& context,
+                                                 const std::string& id) {
   return on_request(context, id, JobEvent::kResume, {});
 }
 
-Result<store::JobRow> QueueingJobService::cancel(const store::RequestContext& context, const std::string& id) {
+Result<store::JobRow> QueueingJobService::cancel(const store::RequestContext& context,
+                                                 const std::string& id) {
   return on_request(context, id, JobEvent::kCancel, with_reason("cancelled", "cancelled on request"));
 }
 
@@ -142,7 +147,7 @@ Status QueueingJobService::check_queue() const {
 
 /// A drape of the project as it is now, once it is known that one can be made.
 Result<store::JobRow> QueueingJobService::row_of_drape(const store::RequestContext& context,
-                                                const std::string& project_id) {
+                                                       const std::string& project_id) {
   const store::ProjectRow project = TRY(store_.project(context, project_id));
   TRY(drape_input_of(documents_, context, project.document, project.files));
   store::JobRow row;
@@ -154,8 +159,9 @@ Result<store::JobRow> QueueingJobService::row_of_drape(const store::RequestConte
   return row;
 }
 
-Result<store::Made<store::JobRow>> QueueingJobService::submit(const store::RequestContext& context, const std::string& project_id,
-                                                const std::string& idempotency_key) {
+Result<store::Made<store::JobRow>> QueueingJobService::submit(const store::RequestContext& context,
+                                                              const std::string& project_id,
+                                                              const std::string& idempotency_key) {
   std::optional<store::JobRow> before = TRY(store_.job_of_key(context, idempotency_key));
   if (before && before->project_id == project_id) {
     return store::Made<store::JobRow>{without_document(std::move(*before)), false};
@@ -174,7 +180,8 @@ Result<store::Made<store::JobRow>> QueueingJobService::submit(const store::Reque
   return store::Made<store::JobRow>{without_document(made), made.anew};
 }
 
-Result<JobProgress> QueueingJobService::progress(const store::RequestContext& context, const std::string& id) {
+Result<JobProgress> QueueingJobService::progress(const store::RequestContext& context,
+                                                 const std::string& id) {
   if (const LiveJobPtr job = table_.find(context, id)) return table_.progress(*job);
   const store::JobRow row = TRY(store_.job(context, id));
   return progress_of_row(row);
@@ -347,8 +354,8 @@ void QueueingJobService::let_go(const LiveJobPtr& job, const std::optional<RunEn
     table_.take_back(changing, *job);
     if (run_end) end(changing, *job, *run_end);
     if (store::is_final(job->state)) {
-      job->context.log.info("job ended",
-                            {{"state", std::string(store::name_of(job->state))}, {"reason", job->row.reason_code}});
+      job->context.log.info("job ended", {{"state", std::string(store::name_of(job->state))},
+                                          {"reason", job->row.reason_code}});
       forget_checkpoint(*job);
       unnamed_results = job->row.results.empty();
       table_.announce(changing, *job);

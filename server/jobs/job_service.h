@@ -43,8 +43,9 @@ class JobService {
   /// store.idempotency_mismatch when the key was for another project, store.idempotency_key, jobs.queue_full,
   /// and whatever reading the document gives (json.*, project.*, dxf.*, …), so that bad input is told at
   /// once.
-  virtual Result<store::Made<store::JobRow>> submit(const store::RequestContext& context, const std::string& project_id,
-                                      const std::string& idempotency_key) = 0;
+  virtual Result<store::Made<store::JobRow>> submit(const store::RequestContext& context,
+                                                    const std::string& project_id,
+                                                    const std::string& idempotency_key) = 0;
   /// The state has changed when these return, durably; a worker that drapes lets go within 50 ms. A paused
   /// drape stays in memory, and resuming puts it at the head of the queue. Errors: store.not_found;
   /// jobs.state when the job's state does not allow it; jobs.stopped while the service does not run;

@@ -66,7 +66,8 @@ class JobTable {
   void announce(const Changing&, const LiveJob& job);
   /// Puts a job at the end of the queue as `state`. Gives back nothing when it is there already or the table
   /// is closed.
-  LiveJobPtr insert(const Changing&, const store::RequestContext& context, const store::JobRow& row, store::JobState state);
+  LiveJobPtr insert(const Changing&, const store::RequestContext& context, const store::JobRow& row,
+                    store::JobState state);
   /// Takes a job out and gives back its drape, to be freed when the locks are not held.
   std::unique_ptr<JobRun> remove(const Changing&, const LiveJobPtr& job);
   /// The first of the queue that no worker holds.

@@ -27,7 +27,8 @@ std::vector<std::string> panel_names(const pattern::Pattern& pattern) {
   return names;
 }
 
-render::Scene scene_of(const drape::DrapeInput& input, const drape::DrapeResult& result, const image::Textures& textures) {
+render::Scene scene_of(const drape::DrapeInput& input, const drape::DrapeResult& result,
+                       const image::Textures& textures) {
   render::Scene scene;
   scene.cloth.positions = result.positions;
   scene.cloth.triangles = result.garment.triangles;
@@ -43,7 +44,8 @@ render::Scene scene_of(const drape::DrapeInput& input, const drape::DrapeResult&
   return scene;
 }
 
-Status write_view(const render::Scene& scene, render::View view, const render::StillSettings& settings, const fs::path& path) {
+Status write_view(const render::Scene& scene, render::View view, const render::StillSettings& settings,
+                  const fs::path& path) {
   const render::Image image = TRY(render::render_still(scene, view, settings));
   return render::write_png(path, image);
 }
@@ -58,8 +60,8 @@ Result<std::string> bytes_of(const fs::path& path) {
 
 }  // namespace
 
-Status write_models(const drape::DrapeInput& input, const drape::DrapeResult& result, const image::Textures& textures,
-                    const fs::path& folder, bool check_data) {
+Status write_models(const drape::DrapeInput& input, const drape::DrapeResult& result,
+                    const image::Textures& textures, const fs::path& folder, bool check_data) {
   const sewing::GarmentMesh& garment = result.garment;
   const std::vector<std::string> names = panel_names(input.pattern);
   const exports::ObjPanels panels{names, garment.panel_of_triangle, garment.rest};
@@ -76,13 +78,14 @@ Status write_models(const drape::DrapeInput& input, const drape::DrapeResult& re
   return exports::write_glb(folder / "final.glb", model);
 }
 
-Status write_stills(const drape::DrapeInput& input, const drape::DrapeResult& result, const image::Textures& textures,
-                    const fs::path& folder, int width, int height, const RunContext& context) {
+Status write_stills(const drape::DrapeInput& input, const drape::DrapeResult& result,
+                    const image::Textures& textures, const fs::path& folder, int width, int height,
+                    const RunContext& context) {
   const render::Scene scene = scene_of(input, result, textures);
   const render::StillSettings settings{.width = width, .height = height};
   for (const auto& [view, name] :
-       {std::pair{render::View::kFront, "front"}, std::pair{render::View::kBack, "back"}, std::pair{render::View::kSide, "side"},
-        std::pair{render::View::kThreeQuarter, "three-quarter"}}) {
+       {std::pair{render::View::kFront, "front"}, std::pair{render::View::kBack, "back"},
+        std::pair{render::View::kSide, "side"}, std::pair{render::View::kThreeQuarter, "three-quarter"}}) {
     if (context.cancelled())
       return Error{"cancelled", "the pictures are not wanted any more", "", ErrorKind::kCancelled};
     TRY(write_view(scene, view, settings, folder / (std::string(name) + ".png")));
@@ -90,8 +93,8 @@ Status write_stills(const drape::DrapeInput& input, const drape::DrapeResult& re
   return {};
 }
 
-Status write_thumbnail(const drape::DrapeInput& input, const drape::DrapeResult& result, const image::Textures& textures,
-                       const fs::path& folder) {
+Status write_thumbnail(const drape::DrapeInput& input, const drape::DrapeResult& result,
+                       const image::Textures& textures, const fs::path& folder) {
   return write_view(scene_of(input, result, textures), render::View::kThreeQuarter,
                     {.width = kThumbnailWidth, .height = kThumbnailHeight}, folder / "thumbnail.png");
 }
@@ -110,7 +113,8 @@ TemporaryFolder::~TemporaryFolder() {
   fs::remove_all(path_, ignored);
 }
 
-Result<std::map<std::string, std::int64_t>> keep_results(store::Store& store, const store::RequestContext& context,
+Result<std::map<std::string, std::int64_t>> keep_results(store::Store& store,
+                                                         const store::RequestContext& context,
                                                          const std::string& job_id, const fs::path& folder) {
   std::map<std::string, fs::path> files;
   std::error_code failure;

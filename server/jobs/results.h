@@ -18,18 +18,18 @@ namespace toile::jobs {
 
 /// Writes final.obj and final.glb into `folder`; with `check_data` rest.obj, body.obj and sewn.json
 /// lie beside them, for programs that judge the drape. Errors: export.*.
-Status write_models(const drape::DrapeInput& input, const drape::DrapeResult& result, const image::Textures& textures,
-                    const std::filesystem::path& folder, bool check_data);
+Status write_models(const drape::DrapeInput& input, const drape::DrapeResult& result,
+                    const image::Textures& textures, const std::filesystem::path& folder, bool check_data);
 
 /// Writes front.png, back.png, side.png and three-quarter.png into `folder`, drawn on the calling thread.
 /// Errors: render.*, export.write; "cancelled" when the context was, between two pictures.
-Status write_stills(const drape::DrapeInput& input, const drape::DrapeResult& result, const image::Textures& textures,
-                    const std::filesystem::path& folder, int width, int height,
-                    const RunContext& context = {});
+Status write_stills(const drape::DrapeInput& input, const drape::DrapeResult& result,
+                    const image::Textures& textures, const std::filesystem::path& folder, int width,
+                    int height, const RunContext& context = {});
 
 /// Writes thumbnail.png, 320 by 400 pixels, drawn on the calling thread. Errors: render.*, export.write.
-Status write_thumbnail(const drape::DrapeInput& input, const drape::DrapeResult& result, const image::Textures& textures,
-                       const std::filesystem::path& folder);
+Status write_thumbnail(const drape::DrapeInput& input, const drape::DrapeResult& result,
+                       const image::Textures& textures, const std::filesystem::path& folder);
 
 /// A folder of its own for as long as it is held.
 class TemporaryFolder {
@@ -49,7 +49,8 @@ class TemporaryFolder {
 
 /// Puts every file of `folder` into the store as a result of the job, in the order of their names. Gives back
 /// name → bytes, as JobRow::results has them. Errors: export.read, those of the store.
-Result<std::map<std::string, std::int64_t>> keep_results(store::Store& store, const store::RequestContext& context,
+Result<std::map<std::string, std::int64_t>> keep_results(store::Store& store,
+                                                         const store::RequestContext& context,
                                                          const std::string& job_id,
                                                          const std::filesystem::path& folder);
 

@@ -16,8 +16,9 @@ proto::FrameGrid grid_of(const std::vector<Vec3>& start) {
 
 }  // namespace
 
-JobStream::JobStream(Publisher& publisher, std::string job_id, std::uint32_t epoch, const drape::DrapeInput& input,
-                     const sewing::GarmentMesh& garment, const std::vector<Vec3>& start)
+JobStream::JobStream(Publisher& publisher, std::string job_id, std::uint32_t epoch,
+                     const drape::DrapeInput& input, const sewing::GarmentMesh& garment,
+                     const std::vector<Vec3>& start)
     : publisher_(publisher), job_id_(std::move(job_id)), epoch_(epoch), grid_(grid_of(start)) {
   auto topology = std::make_shared<StreamTopology>();
   topology->epoch = epoch_;

@@ -20,11 +20,11 @@ using LinearRgb = std::array<double, 3>;  ///< linear light, 0 to 1
 struct ClothView {
   std::span<const Vec3> positions;  ///< m
   std::span<const Tri> triangles;
-  std::span<const Index> panel_of_triangle;  ///< one per triangle; may be empty: all panel 0
-  std::span<const Index> weld;               ///< one per vertex: least sewn vertex; may be empty
-  std::vector<LinearRgb> colour_of_panel;    ///< one per panel; panels past its end take kClothColour
-  std::span<const Vec2> rest;                ///< m, one per vertex, carries weave and pictures; may be empty
-  const image::Textures* textures = nullptr;        ///< pictures on panels; may be null
+  std::span<const Index> panel_of_triangle;   ///< one per triangle; may be empty: all panel 0
+  std::span<const Index> weld;                ///< one per vertex: least sewn vertex; may be empty
+  std::vector<LinearRgb> colour_of_panel;     ///< one per panel; panels past its end take kClothColour
+  std::span<const Vec2> rest;                 ///< m, one per vertex, carries weave and pictures; may be empty
+  const image::Textures* textures = nullptr;  ///< pictures on panels; may be null
 };
 
 inline constexpr LinearRgb kClothColour{0.30, 0.40, 0.55};

@@ -9,7 +9,8 @@ namespace toile::ws {
 
 const std::string& SharedFrame::key() const {
   std::call_once(once_, [this] {
-    const proto::FrameHeader header{frame_->epoch, frame_->seq, frame_->step, static_cast<float>(frame_->time)};
+    const proto::FrameHeader header{frame_->epoch, frame_->seq, frame_->step,
+                                    static_cast<float>(frame_->time)};
     key_ = proto::encode_key(header, frame_->grid);
   });
   return key_;

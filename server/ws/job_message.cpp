@@ -9,7 +9,9 @@ double number(std::int64_t value) { return static_cast<double>(value); }
 
 std::string word_of(store::JobState state) { return std::string(store::name_of(state)); }
 
-std::string line_of(std::vector<json::JsonMember> members) { return json::write_json_line(std::move(members)); }
+std::string line_of(std::vector<json::JsonMember> members) {
+  return json::write_json_line(std::move(members));
+}
 
 std::vector<json::JsonMember> message(const char* type, std::vector<json::JsonMember> members) {
   members.insert(members.begin(), {"type", std::string(type)});

@@ -163,11 +163,12 @@ asio::awaitable<void> StreamSession::obey(std::string text) {
     co_return;
   }
   const Control wish = *control;
-  const Result<store::JobRow> done = co_await on_pool(services_.pool, [this, wish]() -> Result<store::JobRow> {
-    if (wish == Control::kPause) return services_.jobs.pause(context_, job_id_);
-    if (wish == Control::kResume) return services_.jobs.resume(context_, job_id_);
-    return services_.jobs.cancel(context_, job_id_);
-  });
+  const Result<store::JobRow> done =
+      co_await on_pool(services_.pool, [this, wish]() -> Result<store::JobRow> {
+        if (wish == Control::kPause) return services_.jobs.pause(context_, job_id_);
+        if (wish == Control::kResume) return services_.jobs.resume(context_, job_id_);
+        return services_.jobs.cancel(context_, job_id_);
+      });
   if (done) co_return;
   reply_ = error_message(done.error());
   rouse();

@@ -80,7 +80,8 @@ http::HttpReply Serving::get(const std::string& target) const {
   return ask(request);
 }
 
-http::HttpReply Serving::post(const std::string& target, const std::string& json, const std::string& key) const {
+http::HttpReply Serving::post(const std::string& target, const std::string& json,
+                              const std::string& key) const {
   http::HttpClient::Request request;
   request.method = "POST";
   request.target = target;

@@ -231,7 +231,8 @@ void expect_fits(const json::JsonValue& value, const json::JsonValue& given, con
     EXPECT_GE(*value.number(), *least->number()) << at;
   }
   if (type == "array") {
-    for (const json::JsonValue& item : *value.array()) expect_fits(item, *schema.find("items"), root, at + "/-");
+    for (const json::JsonValue& item : *value.array())
+      expect_fits(item, *schema.find("items"), root, at + "/-");
   }
   const json::JsonValue* properties = schema.find("properties");
   if (!properties) return;
@@ -246,7 +247,8 @@ void expect_fits(const json::JsonValue& value, const json::JsonValue& given, con
 }
 
 TEST_F(Draped, TheReportFitsItsSchema) {
-  const auto schema = json::parse_json(text_of(std::string(TOILE_SOURCE_DIR) + "/proto/schema/report.schema.json"));
+  const auto schema =
+      json::parse_json(text_of(std::string(TOILE_SOURCE_DIR) + "/proto/schema/report.schema.json"));
   ASSERT_TRUE(schema) << to_string(schema.error());
   const auto report = json::parse_json(run.out);
   ASSERT_TRUE(report) << to_string(report.error());

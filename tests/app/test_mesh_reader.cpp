@@ -47,7 +47,8 @@ http::HttpReply upload(const Serving& server, const std::string& name, const std
 
 TEST(MeshReader, IsThisProgramAndMendsWhatItReads) {
   const Result<mesh_import::RepairedMesh> here = mesh_import::MeshImporter().bytes("post.obj", kTornPost, {});
-  const Result<mesh_import::RepairedMesh> there = mesh_import::MeshImporter(kProgram).bytes("post.obj", kTornPost, {});
+  const Result<mesh_import::RepairedMesh> there =
+      mesh_import::MeshImporter(kProgram).bytes("post.obj", kTornPost, {});
   ASSERT_TRUE(here && there) << to_string(there.error());
   EXPECT_EQ(there->mesh.vertices, here->mesh.vertices);
   EXPECT_EQ(there->mesh.triangles, here->mesh.triangles);
@@ -58,7 +59,8 @@ TEST(MeshReader, IsThisProgramAndMendsWhatItReads) {
 TEST(MeshReader, ReadsFormatsThatAreTooRiskyForTheServerItself) {
   const std::string raw = "chair\n0 0 0 1 0 0 0 1 0\n0 0 0 0 1 0 0 0 1\n";
   EXPECT_FALSE(mesh_import::MeshImporter().bytes("chair.raw", raw, {}));
-  const Result<mesh_import::RepairedMesh> mesh = mesh_import::MeshImporter(kProgram).bytes("chair.raw", raw, {});
+  const Result<mesh_import::RepairedMesh> mesh =
+      mesh_import::MeshImporter(kProgram).bytes("chair.raw", raw, {});
   ASSERT_TRUE(mesh) << to_string(mesh.error());
   EXPECT_EQ(mesh->mesh.triangles.size(), 2u);
 }

@@ -31,7 +31,8 @@ std::string member(const std::string& json, const std::string& key) {
 
 std::set<std::string> job_ids(const Serving& server) {
   std::set<std::string> ids;
-  const Result<json::JsonValue> tree = json::parse_json(server.get("/api/v1/jobs?limit=100").body, {.depth = 64});
+  const Result<json::JsonValue> tree =
+      json::parse_json(server.get("/api/v1/jobs?limit=100").body, {.depth = 64});
   if (!tree || !tree->find("jobs")) return ids;
   for (const json::JsonValue& job : *tree->find("jobs")->array()) ids.insert(*job.find("id")->text());
   return ids;
@@ -49,10 +50,10 @@ class Serve : public testing::Test {
   /// The napkin as a project of the server; its id.
   std::string make_project(const Serving& server) {
     http::HttpClient::Request upload{.method = "POST",
-                               .target = "/api/v1/bodies?name=post.obj",
-                               .body = kPost,
-                               .content_type = "application/octet-stream",
-                               .headers = {}};
+                                     .target = "/api/v1/bodies?name=post.obj",
+                                     .body = kPost,
+                                     .content_type = "application/octet-stream",
+                                     .headers = {}};
     const std::string asset = member(server.ask(upload).body, "id");
     return member(server
                       .post("/api/v1/projects", std::string("{\"document\": ") + kNapkin +
@@ -179,7 +180,8 @@ TEST_F(Serve, AfterAKillDuringSubmissionsEveryAcknowledgedJobIsThere) {
       clients.emplace_back([&, i] {
         for (int k = 0; k < 10 && !stop; ++k) {
           const std::string key = std::to_string(round) + "/" + std::to_string(i) + "/" + std::to_string(k);
-          const http::HttpReply reply = server.post("/api/v1/jobs", "{\"project_id\": \"" + project + "\"}", key);
+          const http::HttpReply reply =
+              server.post("/api/v1/jobs", "{\"project_id\": \"" + project + "\"}", key);
           const std::lock_guard lock(mutex);
           if (reply.status == 201) acknowledged.insert(member(reply.body, "id"));
         }

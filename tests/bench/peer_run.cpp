@@ -66,7 +66,7 @@ class FrameCheck {
  public:
   explicit FrameCheck(const PeerTask& task)
       : cloth_(collision::make_surface(task.cloth.triangles, static_cast<Index>(task.cloth.vertices.size()),
-                            sewn_classes(task))),
+                                       sewn_classes(task))),
         body_(collision::make_crossing_body(task.body.vertices, task.body.triangles)) {}
 
   void look(std::span<const Vec3> x) {
@@ -203,7 +203,8 @@ class PeerRun {
     const std::vector<Index> before = vertex_of_;
     const std::vector<Vec3> velocities = solver_->velocities();
     const std::vector<double> masses = solver_->model().mass;
-    const std::vector<collision::CrossingBody> bodies{collision::make_crossing_body(task_.body.vertices, task_.body.triangles)};
+    const std::vector<collision::CrossingBody> bodies{
+        collision::make_crossing_body(task_.body.vertices, task_.body.triangles)};
     const drape::Weld weld = drape::weld_seams(mesh, positions(), kSeamShut, bodies);
     if (!weld.refused.empty()) return;
     std::vector<Vec3> momentum(weld.positions.size());

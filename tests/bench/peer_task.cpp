@@ -193,8 +193,8 @@ std::vector<Index> sewn_classes(const PeerTask& task) {
   return least;
 }
 
-solver::ClothModel task_model(const PeerTask& task, const material::Fabric& fabric, std::span<const Index> vertex_of,
-                      Index vertex_count) {
+solver::ClothModel task_model(const PeerTask& task, const material::Fabric& fabric,
+                              std::span<const Index> vertex_of, Index vertex_count) {
   solver::ClothModel model;
   model.fabrics = {fabric};
   model.mass.assign(static_cast<std::size_t>(vertex_count), 0);

@@ -58,8 +58,8 @@ material::Fabric bench_fabric();
 
 /// `vertex_of` gives the solver's vertex of each cloth vertex (welded vertices have the same); sewn ones that
 /// are not welded count as one for neighbourhood.
-solver::ClothModel task_model(const PeerTask& task, const material::Fabric& fabric, std::span<const Index> vertex_of,
-                      Index vertex_count);
+solver::ClothModel task_model(const PeerTask& task, const material::Fabric& fabric,
+                              std::span<const Index> vertex_of, Index vertex_count);
 
 /// Least vertex that each is sewn to, directly or through others; itself where it is not.
 std::vector<Index> sewn_classes(const PeerTask& task);

@@ -17,7 +17,8 @@ Status write_garmentcode_project(const std::filesystem::path& data, const std::s
   create::NewProjectSettings settings;
   settings.name = name;
   settings.body_file = body;
-  Result<create::NewProject> made = create::new_project(std::string{std::istreambuf_iterator<char>(in), {}}, settings);
+  Result<create::NewProject> made =
+      create::new_project(std::string{std::istreambuf_iterator<char>(in), {}}, settings);
   if (!made) return made.error();
   project::Project& project = made->project;
   project.bodies[0].unit = "m";

@@ -96,7 +96,7 @@ void add_limbs(Form& form, Chance& chance, double size, int count) {
   for (int k = 0; k < count; ++k) {
     const double top = radius * chance.between(0.4, 1);
     geometry::TriangleMesh limb = lathe({{radius, -length / 2}, {top, length / 2}}, -length / 2 - radius / 2,
-                              length / 2 + top / 2, chance.whole(5, 20));
+                                        length / 2 + top / 2, chance.whole(5, 20));
     lean(limb, angle, {0, 1, count == 1 ? 0 : (k - 0.5) * (2 * radius + gap)});
     add(form, chance, std::move(limb));
   }

@@ -59,7 +59,8 @@ sewing::RigidPlacement centred(const CutPiece& piece, Vec3 centre, Vec3 rotation
   return p;
 }
 
-void sew_edges(Maker& m, std::vector<pattern::SeamEdge> a, std::vector<pattern::SeamEdge> b, bool same_direction) {
+void sew_edges(Maker& m, std::vector<pattern::SeamEdge> a, std::vector<pattern::SeamEdge> b,
+               bool same_direction) {
   for (const auto* series : {&a, &b}) {
     for (const pattern::SeamEdge& e : *series) {
       if (m.sewn[e.panel][e.edge]) return;
@@ -98,8 +99,8 @@ void stack(Maker& m) {
     CutPiece piece = alike && k > 0 ? copy_of(m.pieces[0], "p" + std::to_string(k)) : m.cut();
     const Vec3 centre{m.chance.between(-shift, shift), y, m.chance.between(-shift, shift)};
     const sewing::RigidPlacement at = alike && k > 0
-                                  ? centred(piece, {0, y, 0}, {-kPi / 2, 0, tilt})
-                                  : centred(piece, k ? centre : Vec3{0, y, 0}, {-kPi / 2, 0, tilt});
+                                          ? centred(piece, {0, y, 0}, {-kPi / 2, 0, tilt})
+                                          : centred(piece, k ? centre : Vec3{0, y, 0}, {-kPi / 2, 0, tilt});
     add(m, std::move(piece), at);
     y += m.gap() / std::cos(tilt);
   }
@@ -183,7 +184,7 @@ void hanging(Maker& m) {
     CutPiece piece = m.cut();
     const double y = m.form.box.high.y + m.chance.between(-0.5, 0.5) * metres_high(piece);
     const sewing::RigidPlacement at = centred(piece, {m.chance.between(-0.3, 0.3) * m.size, y, z},
-                                      {0, 0, m.chance.between(-0.3, 0.3)}, m.chance.happens(0.3));
+                                              {0, 0, m.chance.between(-0.3, 0.3)}, m.chance.happens(0.3));
     add(m, std::move(piece), at);
     if (m.chance.happens(0.7)) hold(m, k, kTop, m.chance.happens(0.6) ? -1 : m.chance.between(0, 0.4));
     if (k > 0 && m.chance.happens(0.5)) sew(m, k - 1, kBottom, k, kBottom, m.chance.happens(0.7));

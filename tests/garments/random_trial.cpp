@@ -175,7 +175,8 @@ void check_refusal(const Error& error, TrialReport& report) {
   if (error.where.empty() || error.message.empty()) report.faults.push_back("the refusal names no place");
 }
 
-void check_end(const RandomGarment& garment, const drape::DrapeResult& result, bool cancelled, TrialReport& report) {
+void check_end(const RandomGarment& garment, const drape::DrapeResult& result, bool cancelled,
+               TrialReport& report) {
   report.end = drape::to_string(result.stop_reason);
   report.steps = result.steps;
   report.cpu_s = result.cpu_s;

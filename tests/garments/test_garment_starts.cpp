@@ -27,7 +27,8 @@ class GarmentStarts : public testing::Test {
     EXPECT_TRUE(written.ok()) << to_string(written.error());
     return resolve::read_project(folder / "project.json").value().input;
   }
-  static int count(const preflight::Findings& findings, preflight::FindingKind kind, preflight::Severity severity) {
+  static int count(const preflight::Findings& findings, preflight::FindingKind kind,
+                   preflight::Severity severity) {
     int n = 0;
     for (const preflight::Finding& f : findings) n += f.kind == kind && f.severity == severity;
     return n;
@@ -71,7 +72,8 @@ TEST_F(GarmentStarts, TrousersPlacedAsideAreRefusedForThreadsThroughTheLegs) {
   drape::DrapeInput input = garment("pants", 25);
   for (sewing::Placement& p : input.placements) std::get<sewing::RigidPlacement>(p).translation.x += 0.1;
   const auto start = drape::prepare_start(input, {}).value();
-  EXPECT_GE(count(start.findings, preflight::FindingKind::kThreadThroughBody, preflight::Severity::kError), 1);
+  EXPECT_GE(count(start.findings, preflight::FindingKind::kThreadThroughBody, preflight::Severity::kError),
+            1);
 }
 
 TEST_F(GarmentStarts, ASkirtForAChildIsTooTightForThisBody) {

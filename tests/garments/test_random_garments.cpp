@@ -85,7 +85,8 @@ TEST(RandomGarments, LieOnClosedSolidsWhoseSkinFacesOutwards) {
     for (const body::Body& body : form.bodies) {
       const auto count = static_cast<Index>(body.mesh.vertices.size());
       ASSERT_TRUE(mesh::check_manifold(body.mesh.triangles, count)) << form.kind;
-      for (const mesh::MeshEdge& e : mesh::edges_of(body.mesh.triangles, count)) ASSERT_NE(e.t1, kNone) << form.kind;
+      for (const mesh::MeshEdge& e : mesh::edges_of(body.mesh.triangles, count))
+        ASSERT_NE(e.t1, kNone) << form.kind;
       EXPECT_GT(signed_volume(body.mesh), 0) << form.kind;
     }
   }

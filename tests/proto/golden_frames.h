@@ -47,7 +47,9 @@ inline const json::JsonValue& golden_json() {
 inline const std::vector<json::JsonValue>& list_at(const json::JsonValue& object, std::string_view key) {
   return *object.find(key)->array();
 }
-inline double number_at(const json::JsonValue& object, std::string_view key) { return *object.find(key)->number(); }
+inline double number_at(const json::JsonValue& object, std::string_view key) {
+  return *object.find(key)->number();
+}
 inline std::string text_at(const json::JsonValue& object, std::string_view key) {
   return *object.find(key)->text();
 }

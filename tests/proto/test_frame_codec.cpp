@@ -137,7 +137,8 @@ TEST(FrameCodec, ReadsMessagesThatStandAtAnyAddress) {
 
 TEST(MessageType, TellsTheThreeMessagesApart) {
   EXPECT_EQ(*proto::message_type(proto::encode_key({}, cloth(4, 0))), proto::MessageType::kKey);
-  EXPECT_EQ(*proto::message_type(proto::encode_delta({}, cloth(4, 0), cloth(4, 1))), proto::MessageType::kDelta);
+  EXPECT_EQ(*proto::message_type(proto::encode_delta({}, cloth(4, 0), cloth(4, 1))),
+            proto::MessageType::kDelta);
   EXPECT_EQ(*proto::message_type(proto::encode_topology(1, {}, {}, {})), proto::MessageType::kTopology);
   EXPECT_EQ(proto::message_type("TL\x01").error().code, "frame.malformed");
 }
@@ -164,7 +165,8 @@ TEST(FrameGrid, QuantisesBelowTheOriginAsAboveIt) {
 TEST(FrameGrid, ClampsWhatFliesOffAndPutsNoNumberAtTheOrigin) {
   constexpr double inf = std::numeric_limits<double>::infinity();
   const std::vector<Vec3> positions = {{4, -4, 1e300}, {inf, -inf, std::nan("")}};
-  EXPECT_EQ(proto::quantise(positions, proto::FrameGrid{}), (Numbers{32767, -32768, 32767, 32767, -32768, 0}));
+  EXPECT_EQ(proto::quantise(positions, proto::FrameGrid{}),
+            (Numbers{32767, -32768, 32767, 32767, -32768, 0}));
 }
 
 TEST(FrameGrid, IsATenthOfAMillimetreAroundAGarment) {
@@ -201,10 +203,13 @@ TEST(FrameReader, FollowsAKeyAndItsDeltas) {
 
 TEST(FrameReader, RefusesADeltaAfterAGapAndKeepsWhatItHas) {
   proto::FrameReader reader(1, 20);
-  EXPECT_EQ(reader.read(proto::encode_delta({1, 2}, cloth(20, 2), cloth(20, 1))).error().code, "frame.wrong_base");
+  EXPECT_EQ(reader.read(proto::encode_delta({1, 2}, cloth(20, 2), cloth(20, 1))).error().code,
+            "frame.wrong_base");
   ASSERT_TRUE(reader.read(proto::encode_key({1, 1}, cloth(20, 1))));
-  EXPECT_EQ(reader.read(proto::encode_delta({1, 3}, cloth(20, 3), cloth(20, 2))).error().code, "frame.wrong_base");
-  EXPECT_EQ(reader.read(proto::encode_delta({1, 1}, cloth(20, 1), cloth(20, 0))).error().code, "frame.wrong_base");
+  EXPECT_EQ(reader.read(proto::encode_delta({1, 3}, cloth(20, 3), cloth(20, 2))).error().code,
+            "frame.wrong_base");
+  EXPECT_EQ(reader.read(proto::encode_delta({1, 1}, cloth(20, 1), cloth(20, 0))).error().code,
+            "frame.wrong_base");
   EXPECT_EQ(reader.frame()->grid, cloth(20, 1));
   EXPECT_TRUE(reader.read(proto::encode_delta({1, 2}, cloth(20, 2), cloth(20, 1))));
 }

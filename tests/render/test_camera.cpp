@@ -9,7 +9,8 @@
 namespace toile {
 namespace {
 
-constexpr render::View kViews[] = {render::View::kFront, render::View::kBack, render::View::kSide, render::View::kThreeQuarter};
+constexpr render::View kViews[] = {render::View::kFront, render::View::kBack, render::View::kSide,
+                                   render::View::kThreeQuarter};
 
 Aabb3 picture_box(const render::Camera& camera, const std::vector<Vec3>& points, int width, int height) {
   Aabb3 box;
@@ -22,7 +23,8 @@ TEST(Camera, NeverCropsTheGarmentAndLeavesAMargin) {
   for (const render::View view : kViews) {
     for (const double aspect : {0.5, 0.8, 2.0}) {
       const auto width = static_cast<int>(1000 * aspect);
-      const Aabb3 box = picture_box(render::frame_scene(skirt.scene(), view, aspect), skirt.positions, width, 1000);
+      const Aabb3 box =
+          picture_box(render::frame_scene(skirt.scene(), view, aspect), skirt.positions, width, 1000);
       EXPECT_GT(box.low.x, 0.05 * width);
       EXPECT_LT(box.high.x, 0.95 * width);
       EXPECT_GT(box.low.y, 50);
@@ -45,11 +47,13 @@ TEST(Camera, LooksAtASmallGarmentCloselyAndAtALargeOneWithTheWholeBody) {
   const geometry::TriangleMesh body = form();
   render::Scene scene = skirt.scene();
   scene.bodies.push_back({&body});
-  const Aabb3 close = picture_box(render::frame_scene(scene, render::View::kFront, 0.8), body.vertices, 800, 1000);
+  const Aabb3 close =
+      picture_box(render::frame_scene(scene, render::View::kFront, 0.8), body.vertices, 800, 1000);
   EXPECT_LT(close.low.y, 0);
 
   for (Vec3& p : skirt.positions) p.y = 1.4 - 2.4 * (1 - p.y);  // down to 0.2 m
-  const Aabb3 wide = picture_box(render::frame_scene(scene, render::View::kFront, 0.8), body.vertices, 800, 1000);
+  const Aabb3 wide =
+      picture_box(render::frame_scene(scene, render::View::kFront, 0.8), body.vertices, 800, 1000);
   EXPECT_GT(wide.low.y, 0);
   EXPECT_LT(wide.high.y, 1000);
 }
@@ -58,7 +62,8 @@ TEST(Camera, ShowsTheBodysLeftFromTheSide) {
   const Draped skirt = folded_skirt();
   EXPECT_GT(render::frame_scene(skirt.scene(), render::View::kFront, 1).eye.z, 1);
   EXPECT_LT(render::frame_scene(skirt.scene(), render::View::kBack, 1).eye.z, -1);
-  EXPECT_GT(render::frame_scene(skirt.scene(), render::View::kSide, 1).eye.x, 1);  // facing +z with y up, left is +x
+  EXPECT_GT(render::frame_scene(skirt.scene(), render::View::kSide, 1).eye.x,
+            1);  // facing +z with y up, left is +x
 }
 
 TEST(Camera, LooksDownOnWhatLiesFlat) {
@@ -86,7 +91,8 @@ TEST(Camera, ProjectsAsItsMatrixDoes) {
 
 TEST(Camera, KeepsAParallelMapWithinItsBounds) {
   const Draped skirt = folded_skirt();
-  const render::Matrix4 m = render::parallel_matrix(render::cloth_box(skirt.scene()), normalized(Vec3{0.3, -1, -0.2}));
+  const render::Matrix4 m =
+      render::parallel_matrix(render::cloth_box(skirt.scene()), normalized(Vec3{0.3, -1, -0.2}));
   for (const Vec3& p : skirt.positions) {
     for (int row = 0; row < 3; ++row) {
       EXPECT_LE(std::abs(m[row] * p.x + m[4 + row] * p.y + m[8 + row] * p.z + m[12 + row]), 1.0001);

@@ -25,7 +25,8 @@ bool is_red(Pixel p) { return p.r > p.b + 30; }
 bool is_blue(Pixel p) { return p.b > p.r + 30; }
 bool is_grey(Pixel p) { return std::abs(p.r - p.b) < 20; }
 
-render::Image still(const render::Scene& scene, render::View view, const render::StillSettings& settings = kSmall) {
+render::Image still(const render::Scene& scene, render::View view,
+                    const render::StillSettings& settings = kSmall) {
   Result<render::Image> image = render::render_still(scene, view, settings);
   EXPECT_TRUE(image.ok()) << to_string(image.error());
   return image.ok() ? std::move(*image) : render::Image{};
@@ -61,7 +62,8 @@ TEST(Still, ShowsClothWhereTheCameraProjectsIt) {
 
 TEST(Still, ShowsTheOtherPieceFromBehind) {
   const Draped skirt = folded_skirt();
-  const render::Image front = still(skirt.scene(), render::View::kFront), back = still(skirt.scene(), render::View::kBack);
+  const render::Image front = still(skirt.scene(), render::View::kFront),
+                      back = still(skirt.scene(), render::View::kBack);
   EXPECT_TRUE(is_red(at(front, 128, 160)));
   EXPECT_TRUE(is_blue(at(back, 128, 160)));
 }
@@ -188,11 +190,15 @@ TEST(Still, DrawsTheSeamAsADarkerLine) {
 
 TEST(Still, RefusesWhatItCannotDraw) {
   Draped skirt = folded_skirt();
-  EXPECT_EQ(render::render_still(skirt.scene(), render::View::kFront, {8, 320, 4}).error().code, "render.settings");
-  EXPECT_EQ(render::render_still(skirt.scene(), render::View::kFront, {256, 1 << 20, 4}).error().code, "render.settings");
-  EXPECT_EQ(render::render_still(skirt.scene(), render::View::kFront, {256, 320, 3}).error().code, "render.settings");
+  EXPECT_EQ(render::render_still(skirt.scene(), render::View::kFront, {8, 320, 4}).error().code,
+            "render.settings");
+  EXPECT_EQ(render::render_still(skirt.scene(), render::View::kFront, {256, 1 << 20, 4}).error().code,
+            "render.settings");
+  EXPECT_EQ(render::render_still(skirt.scene(), render::View::kFront, {256, 320, 3}).error().code,
+            "render.settings");
   skirt.positions[9].x = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(render::render_still(skirt.scene(), render::View::kFront, kSmall).error().code, "render.not_finite");
+  EXPECT_EQ(render::render_still(skirt.scene(), render::View::kFront, kSmall).error().code,
+            "render.not_finite");
 }
 
 TEST(Still, OfDegenerateClothIsStillAPicture) {

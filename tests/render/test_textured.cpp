@@ -120,18 +120,22 @@ TEST(TexturedStill, LeavesPanelsWithoutAPictureAsTheyWere) {
 
 TEST(TexturedStill, RefusesPicturesThatAreNotThere) {
   Sheet sheet(image::lay_texture(3, {0, 1}, {}, 0.04, 1, 0), test::squares());
-  EXPECT_EQ(render::render_still(sheet.scene(), render::View::kFront, kSize).error().code, "render.bad_index");
+  EXPECT_EQ(render::render_still(sheet.scene(), render::View::kFront, kSize).error().code,
+            "render.bad_index");
   image::Picture cut = test::squares();
   cut.rgba.pop_back();
   const Sheet broken(image::lay_texture(0, {0, 1}, {}, 0.04, 1, 0), cut);
-  EXPECT_EQ(render::render_still(broken.scene(), render::View::kFront, kSize).error().code, "render.bad_scene");
+  EXPECT_EQ(render::render_still(broken.scene(), render::View::kFront, kSize).error().code,
+            "render.bad_scene");
 }
 
 TEST(ClothRuns, PutTrianglesOfOnePictureTogether) {
   Draped skirt = folded_skirt();
   image::Textures textures;
-  textures.images = {std::make_shared<const image::TextureImage>(), std::make_shared<const image::TextureImage>()};
-  textures.of_panel = {image::lay_texture(1, {0, 1}, {}, 0.1, 1, 0), image::lay_texture(0, {0, 1}, {}, 0.1, 1, 0)};
+  textures.images = {std::make_shared<const image::TextureImage>(),
+                     std::make_shared<const image::TextureImage>()};
+  textures.of_panel = {image::lay_texture(1, {0, 1}, {}, 0.1, 1, 0),
+                       image::lay_texture(0, {0, 1}, {}, 0.1, 1, 0)};
   render::Scene scene = skirt.scene();
   EXPECT_EQ(render::cloth_runs(scene.cloth).size(), 1u);
   EXPECT_EQ(render::cloth_runs(scene.cloth)[0].image, kNone);

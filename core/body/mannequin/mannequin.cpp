@@ -78,7 +78,9 @@ Status check(const MannequinSettings& s, const measure::MeasureSet& wanted) {
     const Limit l = kLimits[i];
     if (!s.asked[m]) continue;
     const std::string why = "for a height of " + decimal(h * 100) + " cm ";
-    if (Status r = check_range(measure::measure_name(m), *s.asked[m], l.low * h, l.high * h, {100, " cm"}, why); !r)
+    if (Status r =
+            check_range(measure::measure_name(m), *s.asked[m], l.low * h, l.high * h, {100, " cm"}, why);
+        !r)
       return r;
   }
   const double angle = degrees_from_radians(s.arm_angle);
@@ -115,8 +117,8 @@ geometry::TriangleMesh first_mesh(const BodyShape& shape, Index triangle_count) 
 
 // The mesh of one shape on another. Carried along first: what only went to the nearest skin left a web where
 // the crotch had risen.
-geometry::TriangleMesh fitted(geometry::TriangleMesh mesh, const BodyShape& before, const BodyShape& shape, Index triangle_count,
-                    int relaxations) {
+geometry::TriangleMesh fitted(geometry::TriangleMesh mesh, const BodyShape& before, const BodyShape& shape,
+                              Index triangle_count, int relaxations) {
   const BodyField field(shape);
   const PlacedFigure from(before);
   for (Vec3& p : mesh.vertices) p = field.placed().carried_from(from, p);
@@ -238,7 +240,8 @@ class ShapeSolver {
   // Nobody asked: ribs lie between chest and waist, so that the trunk has no step.
   void follow() {
     if (asked_[measure::Measure::kUnderbust] || shape.figure->bust_share > 0) return;
-    shape.of(measure::Measure::kUnderbust) = 0.55 * shape.of(measure::Measure::kBust) + 0.45 * shape.of(measure::Measure::kWaist);
+    shape.of(measure::Measure::kUnderbust) =
+        0.55 * shape.of(measure::Measure::kBust) + 0.45 * shape.of(measure::Measure::kWaist);
   }
 
   const measure::MeasureSet& asked_;
@@ -315,7 +318,8 @@ Fit corrected(ShapeSolver& solver, Index triangle_count, double height) {
 }
 
 // Names the measure, what was asked, what the nearest body has, and what would do.
-Error not_met(measure::Measure m, double asked, const std::optional<measure::TakenMeasure>& got, Index triangle_count) {
+Error not_met(measure::Measure m, double asked, const std::optional<measure::TakenMeasure>& got,
+              Index triangle_count) {
   const std::string name(measure::measure_name(m)), bound = measure::is_girth(m) ? "5 mm" : "10 mm";
   std::string text = "These measures do not go together in one body: " + name + " was asked at " +
                      decimal(asked * 100) + " cm, ";
@@ -360,7 +364,8 @@ Result<Mannequin> make_mannequin(const MannequinSettings& settings) {
   start.arm_sine = sine(settings.arm_angle);
   start.arm_cosine = sine(kQuarterTurn - settings.arm_angle);
   measure::MeasureSet targets = settings.asked;
-  for (measure::Measure m : {measure::Measure::kBust, measure::Measure::kWaist, measure::Measure::kHip}) targets[m] = wanted[m];
+  for (measure::Measure m : {measure::Measure::kBust, measure::Measure::kWaist, measure::Measure::kHip})
+    targets[m] = wanted[m];
   ShapeSolver solver(targets, wanted, start);
 
   Fit fit = corrected(solver, settings.triangle_count, h);

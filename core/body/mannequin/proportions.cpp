@@ -50,8 +50,9 @@ void fill(measure::MeasureSet& set, measure::Measure m, double value) {
 
 void fill_trunk(Sex sex, measure::MeasureSet& m) {
   const BodyPreset usual = usual_body(sex, *m[measure::Measure::kHeight]);
-  const std::pair<measure::Measure, double> table[] = {
-      {measure::Measure::kBust, usual.bust}, {measure::Measure::kWaist, usual.waist}, {measure::Measure::kHip, usual.hip}};
+  const std::pair<measure::Measure, double> table[] = {{measure::Measure::kBust, usual.bust},
+                                                       {measure::Measure::kWaist, usual.waist},
+                                                       {measure::Measure::kHip, usual.hip}};
   double shift = 0;
   int known = 0;
   for (const auto& [measure, value] : table)
@@ -64,7 +65,8 @@ void fill_trunk(Sex sex, measure::MeasureSet& m) {
   const double bust = *m[measure::Measure::kBust], waist = *m[measure::Measure::kWaist];
   // A B cup lies about 13 cm over the underbust; a straight trunk leaves less.
   if (sex == Sex::kFemale)
-    fill(m, measure::Measure::kUnderbust, std::max({bust - 0.13, 0.6 * bust + 0.4 * waist - 0.04, waist + 0.05}));
+    fill(m, measure::Measure::kUnderbust,
+         std::max({bust - 0.13, 0.6 * bust + 0.4 * waist - 0.04, waist + 0.05}));
   if (sex != Sex::kFemale) fill(m, measure::Measure::kUnderbust, 0.5 * bust + 0.5 * waist);
 }
 
@@ -108,14 +110,16 @@ measure::MeasureSet with_proportions(Sex sex, const measure::MeasureSet& asked) 
   fill_trunk(sex, m);
   const Figure& f = figure_of(sex);
   const Ratios& r = sex == Sex::kFemale ? kFemaleRatios : kMaleRatios;
-  const double h = *m[measure::Measure::kHeight], bust = *m[measure::Measure::kBust], hip = *m[measure::Measure::kHip];
+  const double h = *m[measure::Measure::kHeight], bust = *m[measure::Measure::kBust],
+               hip = *m[measure::Measure::kHip];
   const bool child = sex == Sex::kChild;
   const auto girth = [&](double at, double per_bust) {
     return child ? at * (0.35 + 0.65 * bust / r.bust) : std::max(at + per_bust * (bust - r.bust), 0.6 * at);
   };
   fill(m, measure::Measure::kNeck, girth(r.neck, r.neck_per_bust) * (child ? 0.98 : 1));
   const double broad = 0.28 * (bust - h * f.of(measure::Measure::kBust));
-  fill(m, measure::Measure::kShoulderWidth, h * f.of(measure::Measure::kShoulderWidth) * (child ? 0.96 : 1) + broad);
+  fill(m, measure::Measure::kShoulderWidth,
+       h * f.of(measure::Measure::kShoulderWidth) * (child ? 0.96 : 1) + broad);
   fill(m, measure::Measure::kUpperArm, child ? 0.29 * bust : girth(r.upper_arm, r.upper_per_bust));
   fill(m, measure::Measure::kWrist, child ? 0.075 + 0.090 * bust : girth(r.wrist, r.wrist_per_bust));
   fill(m, measure::Measure::kArmLength, h * f.of(measure::Measure::kArmLength) * (child ? 0.95 : 1));

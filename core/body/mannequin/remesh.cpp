@@ -221,7 +221,8 @@ SurfacePoint project(const ImplicitSurface& surface, Vec3 p, double reach) {
   return {p, normalized(s.gradient), std::abs(s.value) < 100 * kArrived};
 }
 
-geometry::TriangleMesh remesh(geometry::TriangleMesh mesh, const ImplicitSurface& surface, const RemeshSettings& settings) {
+geometry::TriangleMesh remesh(geometry::TriangleMesh mesh, const ImplicitSurface& surface,
+                              const RemeshSettings& settings) {
   Remesher r(std::move(mesh), surface, settings);
   for (int i = 0; i < settings.rounds; ++i) r.round();
   r.meet_count();
@@ -234,8 +235,8 @@ geometry::TriangleMesh remesh(geometry::TriangleMesh mesh, const ImplicitSurface
   return r.take();
 }
 
-geometry::TriangleMesh refit(geometry::TriangleMesh mesh, const ImplicitSurface& surface, const RemeshSettings& settings,
-                   int relaxations) {
+geometry::TriangleMesh refit(geometry::TriangleMesh mesh, const ImplicitSurface& surface,
+                             const RemeshSettings& settings, int relaxations) {
   Remesher r(std::move(mesh), surface, settings);
   for (int i = 0; i < relaxations; ++i) r.relax();
   return r.take();

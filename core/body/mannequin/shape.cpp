@@ -202,8 +202,8 @@ double PlacedFigure::arm_scale(double t) const {
 void PlacedFigure::place_arm() {
   const double stretch = shape_.of(measure::Measure::kArmLength), longer = (stretch - 1) * figure_.wrist;
   const double raise = std::max(0.0, shape_.arm_sine - kRaisedArm) * kRaise;
-  shoulder = {figure_.shoulder.x * shape_.of(measure::Measure::kShoulderWidth), height_of(figure_.shoulder.y) + raise,
-              figure_.shoulder.z};
+  shoulder = {figure_.shoulder.x * shape_.of(measure::Measure::kShoulderWidth),
+              height_of(figure_.shoulder.y) + raise, figure_.shoulder.z};
   along_arm = {shape_.arm_sine, -shape_.arm_cosine, 0};
   out_of_arm = {shape_.arm_cosine, shape_.arm_sine, 0};
   arm = copied(figure_.arm);
@@ -285,8 +285,8 @@ void PlacedFigure::place_masses() {
   const Figure& f = figure_;
   const Scale chest = trunk_scale(f.breast.centre.y), hips = trunk_scale(f.hip);
   const LoftSection ribs = section_at(f.torso, f.breast.centre.y);
-  const double growth =
-      shape_.of(measure::Measure::kBust) / std::sqrt(std::sqrt(std::max(shape_.of(measure::Measure::kUnderbust), 0.1)));
+  const double growth = shape_.of(measure::Measure::kBust) /
+                        std::sqrt(std::sqrt(std::max(shape_.of(measure::Measure::kUnderbust), 0.1)));
   const double size = f.bust_share > 0 ? std::clamp(grown(growth, f.bust_share), 0.35, 2.2) : chest.width;
   bust = f.breast;
   bust.centre = {bust.centre.x * mix(chest.width, size, 0.25), height_of(bust.centre.y),

@@ -88,7 +88,8 @@ std::vector<Vec3> taut_loop(const std::vector<Vec3>& points, Vec3 normal) {
   if (points.empty()) return out;
   const Axes axes = axes_of(normal);
   const Vec3 off = normal * dot(points.front(), normal);
-  for (const Vec2& p : geometry::convex_hull(in_plane(points, axes))) out.push_back(axes.u * p.x + axes.v * p.y + off);
+  for (const Vec2& p : geometry::convex_hull(in_plane(points, axes)))
+    out.push_back(axes.u * p.x + axes.v * p.y + off);
   return out;
 }
 

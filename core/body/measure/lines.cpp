@@ -113,8 +113,8 @@ const std::vector<std::string>& body_line_names() {
   return names;
 }
 
-Result<std::vector<Vec3>> body_line(const geometry::TriangleMesh& mesh, const BodyFigure& figure, std::string_view name,
-                                    double up, double away) {
+Result<std::vector<Vec3>> body_line(const geometry::TriangleMesh& mesh, const BodyFigure& figure,
+                                    std::string_view name, double up, double away) {
   std::optional<LinePlane> plane = plane_of(figure, name);
   if (!plane) return Error{"body.unknown_line", "there is no line of that name on a body", std::string(name)};
   plane->origin += plane->normal * up;

@@ -114,7 +114,8 @@ MeshCut MeshCutter::at(double height) const {
   return builder.take();
 }
 
-MeshCut plane_cut(const geometry::TriangleMesh& mesh, Vec3 origin, Vec3 normal, std::span<const Index> triangles) {
+MeshCut plane_cut(const geometry::TriangleMesh& mesh, Vec3 origin, Vec3 normal,
+                  std::span<const Index> triangles) {
   std::vector<double> height(mesh.vertices.size());
   const std::vector<Index> chosen = all_or(triangles, mesh.triangles.size());
   for (Index t : chosen)

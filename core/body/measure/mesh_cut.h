@@ -36,6 +36,7 @@ class MeshCutter {
 };
 
 /// The cut by any plane, over the triangles named; all when none are.
-MeshCut plane_cut(const geometry::TriangleMesh& mesh, Vec3 origin, Vec3 normal, std::span<const Index> triangles = {});
+MeshCut plane_cut(const geometry::TriangleMesh& mesh, Vec3 origin, Vec3 normal,
+                  std::span<const Index> triangles = {});
 
 }  // namespace toile::measure

@@ -53,8 +53,8 @@ Status add_own_landmarks(const geometry::TriangleMesh& mesh, std::span<const Own
   return {};
 }
 
-OwnLandmark told_from_nearest(const std::string& name, const SkinPoint& at, const geometry::TriangleMesh& mesh,
-                              std::span<const Landmark> landmarks) {
+OwnLandmark told_from_nearest(const std::string& name, const SkinPoint& at,
+                              const geometry::TriangleMesh& mesh, std::span<const Landmark> landmarks) {
   const Vec3 p = position_of(at, mesh);
   const auto nearest = std::min_element(
       landmarks.begin(), landmarks.end(),

@@ -28,8 +28,8 @@ Status add_own_landmarks(const geometry::TriangleMesh& mesh, std::span<const Own
 
 /// `at` told from the nearest landmark, so that it can be kept through changes of measures. REQUIRES a
 /// landmark, and a triangle of the mesh.
-OwnLandmark told_from_nearest(const std::string& name, const SkinPoint& at, const geometry::TriangleMesh& mesh,
-                              std::span<const Landmark> landmarks);
+OwnLandmark told_from_nearest(const std::string& name, const SkinPoint& at,
+                              const geometry::TriangleMesh& mesh, std::span<const Landmark> landmarks);
 
 /// m; square to the skin at a point of it, outwards where the mesh's triangles face outwards.
 Vec3 skin_normal(const SkinPoint& at, const geometry::TriangleMesh& mesh);

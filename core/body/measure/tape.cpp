@@ -31,7 +31,8 @@ std::vector<Vec2> clipped(const std::vector<Vec2>& polygon, double limit, double
 }
 
 template <typename Better>
-Girth best_girth(const geometry::TriangleMesh& mesh, double low, double high, double half_breadth, Better better) {
+Girth best_girth(const geometry::TriangleMesh& mesh, double low, double high, double half_breadth,
+                 Better better) {
   Girth best{low, girth_at(mesh, low, half_breadth)};
   const int steps = static_cast<int>(std::ceil((high - low) / kScanStep));
   for (int i = 1; i <= steps; ++i) {

@@ -23,8 +23,10 @@ double girth_at(const geometry::TriangleMesh& mesh, double height, double half_b
 double half_breadth_at(const geometry::TriangleMesh& mesh, double height);
 
 /// Narrowest and widest girth between two heights, looked for every 4 mm. REQUIRES low <= high.
-Girth narrowest_girth(const geometry::TriangleMesh& mesh, double low, double high, double half_breadth = kNoBreadth);
-Girth widest_girth(const geometry::TriangleMesh& mesh, double low, double high, double half_breadth = kNoBreadth);
+Girth narrowest_girth(const geometry::TriangleMesh& mesh, double low, double high,
+                      double half_breadth = kNoBreadth);
+Girth widest_girth(const geometry::TriangleMesh& mesh, double low, double high,
+                   double half_breadth = kNoBreadth);
 
 struct TrunkGirths {
   Girth bust, waist, hip;

@@ -84,7 +84,8 @@ std::vector<Index> border_before(const geometry::TriangleMesh& mesh, const HalfE
 }
 
 /// The borders of all shells, each against its half-edges' own way.
-std::vector<Border> borders_of(const geometry::TriangleMesh& mesh, const HalfEdges& edges, const MeshShells& shells) {
+std::vector<Border> borders_of(const geometry::TriangleMesh& mesh, const HalfEdges& edges,
+                               const MeshShells& shells) {
   const std::vector<Index> before = border_before(mesh, edges);
   std::vector<Border> borders;
   std::vector<bool> seen(edges.mate.size(), false);
@@ -217,7 +218,8 @@ EdgeSet edges_among(const geometry::TriangleMesh& mesh, const std::vector<Border
 
 }  // namespace
 
-FilledHoles fill_holes(geometry::TriangleMesh& mesh, const HalfEdges& edges, const MeshShells& shells, double most) {
+FilledHoles fill_holes(geometry::TriangleMesh& mesh, const HalfEdges& edges, const MeshShells& shells,
+                       double most) {
   const std::vector<Border> borders = borders_of(mesh, edges, shells);
   FilledHoles out;
   if (borders.empty()) return out;

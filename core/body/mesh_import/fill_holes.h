@@ -17,6 +17,7 @@ struct FilledHoles {
 /// come last and run like their neighbours; a hole of many corners gets a vertex in its middle. REQUIRES fans
 /// that have been split (split_fans) and triangles turned alike within `shells`; one-sided shells are left
 /// alone.
-FilledHoles fill_holes(geometry::TriangleMesh& mesh, const HalfEdges& edges, const MeshShells& shells, double most);
+FilledHoles fill_holes(geometry::TriangleMesh& mesh, const HalfEdges& edges, const MeshShells& shells,
+                       double most);
 
 }  // namespace toile::mesh_import

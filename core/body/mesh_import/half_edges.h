@@ -12,7 +12,9 @@ namespace toile::mesh_import {
 constexpr Index triangle_of(Index half_edge) { return half_edge / 3; }
 constexpr Index next_in_triangle(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
 inline Index start_of(const geometry::TriangleMesh& mesh, Index h) { return mesh.triangles[h / 3][h % 3]; }
-inline Index end_of(const geometry::TriangleMesh& mesh, Index h) { return start_of(mesh, next_in_triangle(h)); }
+inline Index end_of(const geometry::TriangleMesh& mesh, Index h) {
+  return start_of(mesh, next_in_triangle(h));
+}
 
 struct HalfEdges {
   std::vector<Index> mate;  ///< of each half-edge the one across its edge, kNone at a border

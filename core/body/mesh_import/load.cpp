@@ -192,7 +192,8 @@ class BytesOnly final : public Assimp::IOSystem {
   std::string_view bytes_;
 };
 
-Result<geometry::TriangleMesh> gathered(const aiScene& scene, const std::string& file, const MeshSettings& settings) {
+Result<geometry::TriangleMesh> gathered(const aiScene& scene, const std::string& file,
+                                        const MeshSettings& settings) {
   Gatherer gatherer(scene, file);
   TRY(gatherer.add(*scene.mRootNode, aiMatrix4x4(), 0));
   geometry::TriangleMesh all = gatherer.take();
@@ -204,7 +205,7 @@ Result<geometry::TriangleMesh> gathered(const aiScene& scene, const std::string&
 }
 
 Result<geometry::TriangleMesh> import(Assimp::Importer& importer, const std::string& file,
-                            const MeshSettings& settings) {
+                                      const MeshSettings& settings) {
   if (!importer.IsExtensionSupported(std::filesystem::path(file).extension().string())) {
     return fail("mesh.unreadable", "Files with this ending are no meshes that can be read.", file);
   }
@@ -220,7 +221,7 @@ Result<geometry::TriangleMesh> import(Assimp::Importer& importer, const std::str
 /// Assimp promises to throw nothing, and yet its readers' allocations and ours may. What is no std::exception
 /// is a fault that nobody foresaw: it ends the reader's process, which the caller tells as "mesh.crashed".
 Result<geometry::TriangleMesh> import_safely(Assimp::Importer& importer, const std::string& file,
-                                   const MeshSettings& settings) {
+                                             const MeshSettings& settings) {
   try {
     return import(importer, file, settings);
   } catch (const std::bad_alloc&) {
@@ -247,7 +248,7 @@ Result<geometry::TriangleMesh> load_mesh(const std::filesystem::path& path, cons
 }
 
 Result<geometry::TriangleMesh> load_mesh_bytes(const std::string& name, std::string_view bytes,
-                                     const MeshSettings& settings) {
+                                               const MeshSettings& settings) {
   TRY(check_settings(settings, name));
   TRY(check_size(bytes.size(), name));
   TRY(sniff_mesh_bytes(name, bytes, settings.any_format));

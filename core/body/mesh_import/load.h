@@ -29,12 +29,13 @@ struct MeshSettings {
 /// Errors, with the file as place: "mesh.not_found", "mesh.empty", "mesh.too_large" (over 256 MiB or 2
 /// million triangles), "mesh.memory", "mesh.unreadable", "mesh.no_triangles", "mesh.not_finite" (place with
 /// the vertex), "mesh.setting".
-Result<geometry::TriangleMesh> load_mesh(const std::filesystem::path& path, const MeshSettings& settings = {});
+Result<geometry::TriangleMesh> load_mesh(const std::filesystem::path& path,
+                                         const MeshSettings& settings = {});
 
 /// The same of a file's bytes, whose name tells the format. Opens nothing: for what strangers upload, who
 /// could otherwise have any file of the machine read as coordinates.
 Result<geometry::TriangleMesh> load_mesh_bytes(const std::string& name, std::string_view bytes,
-                                     const MeshSettings& settings = {});
+                                               const MeshSettings& settings = {});
 
 /// Of a mesh file.
 inline constexpr std::size_t kMostMeshBytes = std::size_t{256} << 20;

@@ -160,8 +160,8 @@ double winding(const geometry::TriangleMesh& mesh, const MeshShells& shells, Ind
 }
 
 /// Whether a shell that is turned inward is the wall of a hollow: it lies within a closed one that is not.
-bool is_hollow(const geometry::TriangleMesh& mesh, const MeshShells& shells, const std::vector<ShellMass>& masses,
-               const std::vector<bool>& open, Index shell) {
+bool is_hollow(const geometry::TriangleMesh& mesh, const MeshShells& shells,
+               const std::vector<ShellMass>& masses, const std::vector<bool>& open, Index shell) {
   for (Index outer = 0; outer < shells.count; ++outer) {
     if (outer == shell || open[outer] || masses[outer].volume <= 0) continue;
     if (!masses[outer].box.contains(masses[shell].box)) continue;

@@ -40,7 +40,9 @@ class Definitions {
   const std::vector<json::JsonMember>& members() const { return members_; }
 
  private:
-  static json::JsonValue reference(std::string to) { return std::vector<json::JsonMember>{{"$ref", std::move(to)}}; }
+  static json::JsonValue reference(std::string to) {
+    return std::vector<json::JsonMember>{{"$ref", std::move(to)}};
+  }
   bool has(const std::string& name) const {
     return std::any_of(members_.begin(), members_.end(),
                        [&](const json::JsonMember& member) { return member.key == name; });
@@ -85,7 +87,9 @@ inline json::JsonValue list_schema(json::JsonValue items, Range count) {
 inline json::JsonValue schema_of(const bool&, Range, Definitions&) {
   return std::vector<json::JsonMember>{{"type", std::string("boolean")}};
 }
-inline json::JsonValue schema_of(const int&, Range range, Definitions&) { return number_schema("integer", range); }
+inline json::JsonValue schema_of(const int&, Range range, Definitions&) {
+  return number_schema("integer", range);
+}
 inline json::JsonValue schema_of(const double&, Range range, Definitions& definitions) {
   const auto make = [&] { return number_schema("number", range); };
   return *range.name == '\0' ? make() : definitions.refer(range.name, make);
@@ -93,8 +97,8 @@ inline json::JsonValue schema_of(const double&, Range range, Definitions& defini
 
 inline json::JsonValue bounded_text(const char* meaning) {
   return described(meaning, std::vector<json::JsonMember>{{"type", std::string("string")},
-                                                    {"minLength", 1.0},
-                                                    {"maxLength", static_cast<double>(kLongestText)}});
+                                                          {"minLength", 1.0},
+                                                          {"maxLength", static_cast<double>(kLongestText)}});
 }
 inline json::JsonValue schema_of(const std::string&, Range, Definitions& definitions) {
   return definitions.refer("text", [] { return bounded_text(""); });
@@ -102,7 +106,7 @@ inline json::JsonValue schema_of(const std::string&, Range, Definitions& definit
 
 /// `count` numbers of the range; where that has a name, lists of them have one too.
 inline json::JsonValue numbers_schema(double count, Range range, Definitions& definitions, const char* name,
-                                const char* meaning) {
+                                      const char* meaning) {
   const auto make = [&](const char* said) {
     return described(said, list_schema(schema_of(0.0, range, definitions), {count, count}));
   };
@@ -117,9 +121,10 @@ inline json::JsonValue schema_of(const Vec3&, Range range, Definitions& definiti
 }
 
 inline json::JsonValue schema_of(const std::vector<std::pair<std::string, std::string>>&, Range,
-                           Definitions& definitions) {
-  return std::vector<json::JsonMember>{{"type", std::string("object")},
-                                 {"additionalProperties", schema_of(std::string(), kAnything, definitions)}};
+                                 Definitions& definitions) {
+  return std::vector<json::JsonMember>{
+      {"type", std::string("object")},
+      {"additionalProperties", schema_of(std::string(), kAnything, definitions)}};
 }
 
 template <typename T>
@@ -179,7 +184,8 @@ class SchemaWriter {
   }
   /// A key that says which kind of object this is.
   void constant(std::string_view key, const char* meaning, const char* value) {
-    add(key, described(meaning, std::vector<json::JsonMember>{{"const", std::string(value)}}), Need::kRequired);
+    add(key, described(meaning, std::vector<json::JsonMember>{{"const", std::string(value)}}),
+        Need::kRequired);
   }
 
   /// The object's schema.
@@ -241,9 +247,10 @@ json::JsonValue schema_of(const T&, Range, Definitions& definitions) {
 
 /// A schema file: its head, then the schema, then what it refers to.
 inline json::JsonValue schema_file(const char* title, const char* meaning, const json::JsonValue& schema,
-                             const Definitions& definitions) {
-  std::vector<json::JsonMember> members{{"$schema", std::string("https://json-schema.org/draft/2020-12/schema")},
-                                  {"title", std::string(title)}};
+                                   const Definitions& definitions) {
+  std::vector<json::JsonMember> members{
+      {"$schema", std::string("https://json-schema.org/draft/2020-12/schema")},
+      {"title", std::string(title)}};
   const json::JsonValue body = described(meaning, schema);
   members.insert(members.end(), body.object()->begin(), body.object()->end());
   if (!definitions.members().empty()) members.push_back({"$defs", definitions.members()});

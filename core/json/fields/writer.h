@@ -19,9 +19,13 @@ namespace toile::fields {
 inline json::JsonValue json_of(bool value) { return value; }
 inline json::JsonValue json_of(int value) { return static_cast<double>(value); }
 /// As the text of it reads back: JSON has no word for what is not finite, and -0 is written as 0.
-inline json::JsonValue json_of(double value) { return std::isfinite(value) ? json::JsonValue(value + 0.0) : json::JsonValue(); }
+inline json::JsonValue json_of(double value) {
+  return std::isfinite(value) ? json::JsonValue(value + 0.0) : json::JsonValue();
+}
 inline json::JsonValue json_of(std::string& value) { return value; }
-inline json::JsonValue json_of(Vec2 value) { return std::vector<json::JsonValue>{json_of(value.x), json_of(value.y)}; }
+inline json::JsonValue json_of(Vec2 value) {
+  return std::vector<json::JsonValue>{json_of(value.x), json_of(value.y)};
+}
 inline json::JsonValue json_of(Vec3 value) {
   return std::vector<json::JsonValue>{json_of(value.x), json_of(value.y), json_of(value.z)};
 }

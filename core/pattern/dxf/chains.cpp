@@ -154,7 +154,9 @@ void tell_out_of_range(const DxfCurve& curve, DxfNotes& notes) {
 }
 
 /// Points that the joint tolerance makes one.
-bool is_dot(const std::vector<Vec2>& points) { return points.size() < 2 || geometry::polyline_length(points) <= 0; }
+bool is_dot(const std::vector<Vec2>& points) {
+  return points.size() < 2 || geometry::polyline_length(points) <= 0;
+}
 
 /// The open curves of one layer as chains: those that branch by their outer lines, the others end to end.
 void chain_layer(const std::string& layer, const std::vector<DxfStroke>& strokes, double tolerance,

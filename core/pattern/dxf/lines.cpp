@@ -44,7 +44,8 @@ void keep_internal(const DxfChain& chain, DxfFound& owner, DxfNotes& notes) {
   const auto drop = [&](const std::string& reason) {
     tell(notes, chain, DxfFate::dropped, reason, owner.id);
   };
-  if (geometry::polyline_length(chain.points) < pattern::kJointTolerance) return drop("a line without length");
+  if (geometry::polyline_length(chain.points) < pattern::kJointTolerance)
+    return drop("a line without length");
   if (owner.piece.internals.size() == kMostInternals)
     return drop("a piece takes " + std::to_string(kMostInternals) + " lines within it");
   if (chain.points.size() > kMostInternalPoints)

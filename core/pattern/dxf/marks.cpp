@@ -28,7 +28,8 @@ DxfFound* owner_of(Vec2 at, std::vector<DxfPlaced>& placed) {
   for (DxfPlaced& p : placed) {
     if (!p.loop->box.grown(kMarkReach).contains(at)) continue;
     const std::vector<Vec2>& outline = p.found.piece.outline;
-    const double off = placed.size() == 1 || geometry::contains(outline, at) ? 0 : distance_to_outline(at, outline);
+    const double off =
+        placed.size() == 1 || geometry::contains(outline, at) ? 0 : distance_to_outline(at, outline);
     if (off < nearest) {
       nearest = off;
       best = &p.found;

@@ -22,7 +22,8 @@ std::optional<double> nearness(const DxfPiece& piece, const Aabb2& box, Vec2 at)
   if (geometry::contains(piece.outline, at)) return 0.0;
   double nearest = length(piece.outline[0] - at);
   for (std::size_t i = 0, n = piece.outline.size(); i < n; ++i)
-    nearest = std::min(nearest, geometry::distance_to_segment(at, piece.outline[i], piece.outline[(i + 1) % n]));
+    nearest =
+        std::min(nearest, geometry::distance_to_segment(at, piece.outline[i], piece.outline[(i + 1) % n]));
   return nearest;
 }
 

@@ -45,7 +45,8 @@ std::vector<double> distances(const DxfLoop& from, const DxfLoop& to) {
 }  // namespace
 
 DxfLoop loop_of(const DxfChain& chain, std::size_t number, DxfRole role) {
-  return {&chain, number, role, bounding_box(chain.points), std::abs(geometry::signed_area(chain.points)), {}, 0};
+  return {&chain, number, role, bounding_box(chain.points), std::abs(geometry::signed_area(chain.points)),
+          {},     0};
 }
 
 bool lies_within(const DxfLoop& inner, const DxfLoop& outer) {

@@ -62,7 +62,7 @@ std::vector<pattern::InnerLine> drawn_lines(const DxfPiece& piece) {
 }  // namespace
 
 Result<pattern::Panel> panel_from_piece(const DxfPiece& piece, std::span<const Vec2> forced_corners,
-                               const pattern::OutlineSettings& settings) {
+                                        const pattern::OutlineSettings& settings) {
   const auto place = [&](Error error) {
     error.where = "piece " + piece.name + (error.where.empty() ? "" : ", " + error.where);
     return error;

@@ -75,8 +75,8 @@ std::optional<Error> clean(DxfFound& found, const std::string& where, DxfNotes& 
   DxfPiece& piece = found.piece;
   const RepairedOutline repaired = without_small_loops(piece.outline);
   for (const Vec2 at : repaired.cut_at)
-    notes.warn(piece.line, "a loop of less than 5 mm was cut off the outline at " + pattern::place_text(at), found.id,
-               at);
+    notes.warn(piece.line, "a loop of less than 5 mm was cut off the outline at " + pattern::place_text(at),
+               found.id, at);
   Result<std::vector<Vec2>> outline = pattern::clean_outline(repaired.points);
   if (!outline) return as_dxf(outline.error(), where);
   piece.outline = std::move(*outline);

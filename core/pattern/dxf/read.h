@@ -88,6 +88,6 @@ Result<DxfDrawing> read_dxf(std::istream& in, const DxfSettings& settings = {});
 /// The fabric is left empty. Errors: those of
 /// loop_from_polyline, with the piece in `where`.
 Result<pattern::Panel> panel_from_piece(const DxfPiece& piece, std::span<const Vec2> forced_corners = {},
-                               const pattern::OutlineSettings& settings = {});
+                                        const pattern::OutlineSettings& settings = {});
 
 }  // namespace toile::dxf

@@ -45,7 +45,8 @@ RepairedOutline without_small_loops(const std::vector<Vec2>& outline) {
   RepairedOutline result{outline, {}};
   std::vector<Vec2>& p = result.points;
   // Vertices of one place first: the crossing's segments must be real ones.
-  p.erase(std::unique(p.begin(), p.end(), [](Vec2 a, Vec2 b) { return length(b - a) < pattern::kJointTolerance; }),
+  p.erase(std::unique(p.begin(), p.end(),
+                      [](Vec2 a, Vec2 b) { return length(b - a) < pattern::kJointTolerance; }),
           p.end());
   while (p.size() > 1 && length(p.back() - p.front()) < pattern::kJointTolerance) p.pop_back();
   if (p.size() < 4) return {outline, {}};

@@ -36,9 +36,9 @@ struct UnitWeights {
   double smallest = 300, largest = 2500;       ///< mm, of the largest piece of a garment …
   double decade_below = 5, decade_above = 12;  ///< … against each decade beyond; nobody wears 20 m, but a
                                                ///< collar may stand alone
-  double typical = 700;       ///< mm
-  double off_typical = 0.25;  ///< times the squared logarithm of the size over it, …
-  double off_most = 2;        ///< … which counts up to this: a gentle preference within what is possible
+  double typical = 700;                        ///< mm
+  double off_typical = 0.25;                   ///< times the squared logarithm of the size over it, …
+  double off_most = 2;  ///< … which counts up to this: a gentle preference within what is possible
 };
 constexpr UnitWeights kWeights;
 

@@ -62,7 +62,8 @@ void write_point(Groups& out, Vec2 at, const char* layer) {
 void write_outline(Groups& out, const pattern::Panel& panel, double tolerance) {
   const std::vector<pattern::PanelEdge>& edges = panel.outline.edges;
   if (edges.size() == 1) return write_line(out, pattern::flatten(panel.outline, tolerance), true, kCut);
-  for (const pattern::PanelEdge& edge : edges) write_line(out, pattern::flatten(edge, tolerance), false, kCut);
+  for (const pattern::PanelEdge& edge : edges)
+    write_line(out, pattern::flatten(edge, tolerance), false, kCut);
   for (const pattern::PanelEdge& edge : edges) write_point(out, edge.curves.front().p0, kTurn);
 }
 
@@ -103,7 +104,8 @@ void write_block(Groups& out, const pattern::Panel& panel, double tolerance) {
   write_outline(out, panel, tolerance);
   for (const pattern::Notch& notch : panel.notches) write_notch(out, notch);
   for (const pattern::InnerLine& line : panel.lines) write_line(out, line.points, false, kInternal);
-  for (const pattern::Loop& hole : panel.holes) write_line(out, pattern::flatten(hole, tolerance), true, kInside);
+  for (const pattern::Loop& hole : panel.holes)
+    write_line(out, pattern::flatten(hole, tolerance), true, kInside);
   write_grain_and_texts(out, panel, tolerance);
   out.add(0, "ENDBLK");
   out.add(8, kCut);

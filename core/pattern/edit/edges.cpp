@@ -14,7 +14,9 @@
 namespace toile::edit {
 namespace {
 
-pattern::Panel& panel_at(pattern::Pattern& pattern, Index panel) { return pattern.panels[std::size_t(panel)]; }
+pattern::Panel& panel_at(pattern::Pattern& pattern, Index panel) {
+  return pattern.panels[std::size_t(panel)];
+}
 
 Index edge_count(const pattern::Panel& panel) { return Index(pattern::edges_of(panel).size()); }
 
@@ -82,8 +84,8 @@ Result<Mouth> mouth_of(const pattern::PanelEdge& edge, const AddDart& dart, cons
 
 /// The edge before a dart, its legs, and the edge behind it. The second part is found by splitting once more,
 /// from the other end, so that both keep the outer curves exactly.
-std::vector<pattern::PanelEdge> darted(const pattern::PanelEdge& edge, const Mouth& mouth, const AddDart& dart,
-                              const std::string& rest_id) {
+std::vector<pattern::PanelEdge> darted(const pattern::PanelEdge& edge, const Mouth& mouth,
+                                       const AddDart& dart, const std::string& rest_id) {
   pattern::PanelEdge before = parted(edge, mouth.from).first, behind = parted(edge, mouth.to).second;
   behind.id = rest_id;
   const Vec2 a = before.curves.back().p3, b = behind.curves.front().p0;
@@ -115,7 +117,8 @@ bool whole(const pattern::SeamEdge& item) { return !item.reversed && item.from =
 void drop_loose_notches(pattern::Panel& panel) {
   constexpr double kOn = 0.5, kFlat = 0.02;  // mm
   std::vector<std::vector<Vec2>> lines;
-  for (const pattern::PanelEdge* edge : pattern::edges_of(panel)) lines.push_back(pattern::flatten(*edge, kFlat));
+  for (const pattern::PanelEdge* edge : pattern::edges_of(panel))
+    lines.push_back(pattern::flatten(*edge, kFlat));
   const auto on = [&](const std::vector<Vec2>& line, Vec2 p) {
     for (std::size_t i = 0; i + 1 < line.size(); ++i)
       if (geometry::distance_to_segment(p, line[i], line[i + 1]) <= kOn) return true;
@@ -186,7 +189,8 @@ Result<RenamedParts> edit_edges(pattern::Pattern& pattern, Index panel, const Jo
     return Error{"edit.not_neighbours", "Edge " + edit.next + " does not follow this one.",
                  edge_text(piece.id, edit.edge)};
   }
-  const double a = pattern::arc_length(edges[at.edge]), share = a / (a + pattern::arc_length(edges[next.edge]));
+  const double a = pattern::arc_length(edges[at.edge]),
+               share = a / (a + pattern::arc_length(edges[next.edge]));
   EdgeShares shares = same_edges(edge_count(piece));
   for (std::size_t e = std::size_t(next.index) + 1; e < shares.size(); ++e) shares[e].front().edge -= 1;
   const Index now = at.index - (next.index < at.index ? 1 : 0);  // the loop's last edge with its first

@@ -55,8 +55,8 @@ Result<EditEffect> edit_pattern(pattern::Pattern& pattern, const Edit& edit) {
 }
 
 template <typename Edit>
-requires(!ShapesCurves<Edit> && !ChangesEdges<Edit>) Result<EditEffect> edit_pattern(pattern::Pattern& pattern,
-                                                                                     const Edit& edit) {
+requires(!ShapesCurves<Edit> &&
+         !ChangesEdges<Edit>) Result<EditEffect> edit_pattern(pattern::Pattern& pattern, const Edit& edit) {
   return edit_piece(pattern, edit);
 }
 

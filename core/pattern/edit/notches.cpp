@@ -47,7 +47,8 @@ Vec2 part_at(pattern::PanelEdge& edge, double along) {
     const double whole = pattern::arc_length(edge.curves[k]);
     if (along <= pattern::kJointTolerance) return edge.curves[k].p0;
     if (along < whole - pattern::kJointTolerance) {
-      const auto [first, second] = pattern::split(edge.curves[k], pattern::parameter_at_length(edge.curves[k], along));
+      const auto [first, second] =
+          pattern::split(edge.curves[k], pattern::parameter_at_length(edge.curves[k], along));
       edge.curves[k] = first;
       edge.curves.insert(edge.curves.begin() + std::ptrdiff_t(k) + 1, second);
       return second.p0;
@@ -82,7 +83,8 @@ double distance_to_line(Vec2 p, const std::vector<Vec2>& line) {
 }
 
 /// Whether one curve passes where two did.
-bool looks_alike(const pattern::CubicBezier& one, const pattern::CubicBezier& first, const pattern::CubicBezier& second) {
+bool looks_alike(const pattern::CubicBezier& one, const pattern::CubicBezier& first,
+                 const pattern::CubicBezier& second) {
   const std::vector<Vec2> line = pattern::flatten(one, kAlike / 4);
   for (const pattern::CubicBezier& was : {first, second})
     for (const double t : {0.25, 0.5, 0.75, 1.0})

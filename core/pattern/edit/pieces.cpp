@@ -71,7 +71,8 @@ void turn_seams(pattern::Pattern& pattern, Index panel, const std::vector<Index>
   }
 }
 
-Result<std::vector<pattern::SeamEdge>> series_of(const pattern::Pattern& pattern, const std::vector<NamedSeamEdge>& given) {
+Result<std::vector<pattern::SeamEdge>> series_of(const pattern::Pattern& pattern,
+                                                 const std::vector<NamedSeamEdge>& given) {
   std::vector<pattern::SeamEdge> series;
   for (const NamedSeamEdge& item : given) {
     const Index panel = TRY(find_piece(pattern, item.piece));

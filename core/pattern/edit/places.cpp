@@ -58,7 +58,9 @@ void carry_series(std::vector<pattern::SeamEdge>& series, Index panel, const Edg
 
 }  // namespace
 
-pattern::Loop& loop_at(pattern::Panel& panel, std::size_t loop) { return loop == 0 ? panel.outline : panel.holes[loop - 1]; }
+pattern::Loop& loop_at(pattern::Panel& panel, std::size_t loop) {
+  return loop == 0 ? panel.outline : panel.holes[loop - 1];
+}
 const pattern::Loop& loop_at(const pattern::Panel& panel, std::size_t loop) {
   return loop == 0 ? panel.outline : panel.holes[loop - 1];
 }

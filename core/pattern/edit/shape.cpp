@@ -131,7 +131,8 @@ Vec2 turned_like(Vec2 v, Vec2 from, Vec2 to) {
   return {c * v.x - s * v.y, s * v.x + c * v.y};
 }
 
-void carry_notch(pattern::Notch& notch, const NotchSpot& spot, const pattern::PanelEdge& was, const pattern::PanelEdge& now) {
+void carry_notch(pattern::Notch& notch, const NotchSpot& spot, const pattern::PanelEdge& was,
+                 const pattern::PanelEdge& now) {
   const bool joint = spot.joint >= 0 && was.curves.size() == now.curves.size();
   const double long_was = pattern::arc_length(was);
   const double along = joint          ? length_to(now, std::size_t(spot.joint))
@@ -155,7 +156,8 @@ Result<CurvePlace> place_on_edge(const pattern::PanelEdge& edge, double at, cons
   }
   for (std::size_t k = 0; k < edge.curves.size(); ++k) {
     const double l = pattern::arc_length(edge.curves[k]);
-    if (std::abs(s - l) <= pattern::kJointTolerance && k + 1 < edge.curves.size()) return CurvePlace{k + 1, 0};
+    if (std::abs(s - l) <= pattern::kJointTolerance && k + 1 < edge.curves.size())
+      return CurvePlace{k + 1, 0};
     if (s < l) return CurvePlace{k, pattern::parameter_at_length(edge.curves[k], s)};
     s -= l;
   }
@@ -169,7 +171,8 @@ Vec2 direction_at(const pattern::PanelEdge& edge, double along) {
 }
 
 void carry_notches(const pattern::Panel& was, pattern::Panel& panel) {
-  const std::vector<const pattern::PanelEdge*> before = pattern::edges_of(was), now = pattern::edges_of(panel);
+  const std::vector<const pattern::PanelEdge*> before = pattern::edges_of(was),
+                                               now = pattern::edges_of(panel);
   for (std::size_t i = 0; i < was.notches.size(); ++i) {
     const NotchSpot spot = spot_of(was, was.notches[i].at);
     if (spot.off >= NotchSpot{}.off) continue;

@@ -11,7 +11,8 @@ pattern::CubicBezier cubic_from_quadratic(Vec2 a, Vec2 control, Vec2 b) {
   return {a, a + (control - a) * (2.0 / 3), b + (control - b) * (2.0 / 3), b};
 }
 
-std::vector<pattern::CubicBezier> cubics_from_arc(Vec2 a, Vec2 b, double radius, bool large, bool counter_clockwise) {
+std::vector<pattern::CubicBezier> cubics_from_arc(Vec2 a, Vec2 b, double radius, bool large,
+                                                  bool counter_clockwise) {
   const Vec2 chord = b - a;
   const double half = length(chord) / 2;
   const double r = std::max(radius, half);

@@ -186,7 +186,8 @@ std::string label_of(const Place& place) {
 }
 
 /// The edges as they stand in the file, mm.
-Result<pattern::Loop> loop_of(const Place& panel, const Conventions& conventions, std::vector<std::string>& labels) {
+Result<pattern::Loop> loop_of(const Place& panel, const Conventions& conventions,
+                              std::vector<std::string>& labels) {
   const std::vector<Vec2> vertices = TRY(vertices_of(panel, conventions));
   const Place edges = TRY(list(panel.find("edges"), "the list of edges", 2, kMostEdges));
   pattern::Loop loop;
@@ -296,7 +297,8 @@ Status add_panel(const std::string& name, const Place& place, const Conventions&
     mirror_x(panel.outline);
     extra.placement.flipped = true;
   }
-  if (const Status valid = pattern::validate(panel); !valid) return json::error_at(place.pointer, valid.error());
+  if (const Status valid = pattern::validate(panel); !valid)
+    return json::error_at(place.pointer, valid.error());
   garment.pattern.panels.push_back(std::move(panel));
   garment.panels.push_back(std::move(extra));
   return {};
@@ -326,7 +328,8 @@ Result<pattern::SeamEdge> seam_edge_of(const Place& side, const pattern::Pattern
     return Error{"garmentcode.reference", "there is no panel " + in_quotes(*name.value->text()),
                  name.pointer};
   const std::size_t edge = TRY(index(side.find("edge"), "edge", found->outline.edges.size()));
-  return pattern::SeamEdge{static_cast<Index>(found - pattern.panels.begin()), static_cast<Index>(edge), false};
+  return pattern::SeamEdge{static_cast<Index>(found - pattern.panels.begin()), static_cast<Index>(edge),
+                           false};
 }
 
 Status add_stitches(const Place& stitches, GarmentCodeGarment& garment) {

@@ -28,7 +28,7 @@ struct GarmentCodePanel {
 };
 
 struct GarmentCodeGarment {
-  pattern::Pattern pattern;                       ///< mm; edge i of a panel is "e<i>", stitch i is "seam<i>"
+  pattern::Pattern pattern;              ///< mm; edge i of a panel is "e<i>", stitch i is "seam<i>"
   std::vector<GarmentCodePanel> panels;  ///< one per panel of the pattern
   std::vector<std::string> notes;        ///< what was passed over, with its JSON pointer
 };

@@ -38,11 +38,16 @@ struct End {
 /// Where the item starts (`last` false) or ends when it is traversed as the seam says.
 End end_of(const pattern::Pattern& pattern, const pattern::SeamEdge& e, bool last) {
   const pattern::PanelEdge& edge = *edge_of(pattern, e);
-  return {e.panel, pattern::point_at_length(edge, (last != e.reversed ? e.to : e.from) * pattern::arc_length(edge))};
+  return {e.panel,
+          pattern::point_at_length(edge, (last != e.reversed ? e.to : e.from) * pattern::arc_length(edge))};
 }
 
-End start_of(const pattern::Pattern& p, const std::vector<pattern::SeamEdge>& side) { return end_of(p, side.front(), false); }
-End finish_of(const pattern::Pattern& p, const std::vector<pattern::SeamEdge>& side) { return end_of(p, side.back(), true); }
+End start_of(const pattern::Pattern& p, const std::vector<pattern::SeamEdge>& side) {
+  return end_of(p, side.front(), false);
+}
+End finish_of(const pattern::Pattern& p, const std::vector<pattern::SeamEdge>& side) {
+  return end_of(p, side.back(), true);
+}
 
 /// Points of pieces, and which of them the seams bring together.
 class Meetings {
@@ -91,7 +96,8 @@ struct Checker {
       text += " (piece " + pattern.panels[e.panel].id + ", edge " + edge->id + ")";
     return text;
   }
-  void add(SeamIssueKind kind, const pattern::Seam& seam, std::string message, std::string where, const End& end) {
+  void add(SeamIssueKind kind, const pattern::Seam& seam, std::string message, std::string where,
+           const End& end) {
     const auto index = static_cast<Index>(&seam - pattern.seams.data());
     issues.push_back({kind, index, std::move(message), std::move(where), end.panel, end.at});
   }
@@ -139,8 +145,8 @@ struct Checker {
       add(SeamIssueKind::kNotContinuous, seam,
           here ? "The edge starts " + mm_text(length(after.at - before.at)) +
                      " from where the one before it ends, at " + pattern::place_text(before.at) + "."
-               : "No seam brings its start to where the edge before it ends, at " + pattern::place_text(before.at) +
-                     ".",
+               : "No seam brings its start to where the edge before it ends, at " +
+                     pattern::place_text(before.at) + ".",
           place(seam, side, i), after);
     }
   }
@@ -240,7 +246,8 @@ bool is_error(SeamIssueKind kind) { return kIssueTable.at(static_cast<std::size_
 
 double series_length(const pattern::Pattern& pattern, const std::vector<pattern::SeamEdge>& series) {
   double sum = 0;
-  for (const pattern::SeamEdge& e : series) sum += (e.to - e.from) * pattern::arc_length(*edge_of(pattern, e));
+  for (const pattern::SeamEdge& e : series)
+    sum += (e.to - e.from) * pattern::arc_length(*edge_of(pattern, e));
   return sum;
 }
 

@@ -283,7 +283,8 @@ SeamModel make_seam_model(const pattern::Pattern& pattern) {
   return model;
 }
 
-SeamModel with_cuts(const pattern::Pattern& pattern, SeamModel model, Index r, const std::vector<double>& cuts) {
+SeamModel with_cuts(const pattern::Pattern& pattern, SeamModel model, Index r,
+                    const std::vector<double>& cuts) {
   const pattern::PanelEdge& edge = pattern.panels[model.runs[r].panel].outline.edges[model.runs[r].edge];
   const SeamRun whole = model.runs[r];
   const double per_mm = (whole.to - whole.from) / whole.length;

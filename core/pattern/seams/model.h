@@ -55,7 +55,8 @@ SeamModel make_seam_model(const pattern::Pattern& pattern);
 
 /// The model with run `r` cut at distances `cuts` (mm from its start, rising, inside it). The first part
 /// keeps the index, the others stand at the end. Parts mirror each other where both edges are cut alike.
-SeamModel with_cuts(const pattern::Pattern& pattern, SeamModel model, Index r, const std::vector<double>& cuts);
+SeamModel with_cuts(const pattern::Pattern& pattern, SeamModel model, Index r,
+                    const std::vector<double>& cuts);
 
 /// The words of one name, such as "left_sleeve_f", "FrontL" or "BK-2".
 PieceWords words_of(const std::string& name);

@@ -24,7 +24,8 @@ std::vector<Index> first_runs(const pattern::Pattern& pattern) {
   return first;
 }
 
-void sort_sewn(const pattern::Pattern& pattern, std::vector<std::array<Index, 2>>& sewn, std::vector<Index>& blocked) {
+void sort_sewn(const pattern::Pattern& pattern, std::vector<std::array<Index, 2>>& sewn,
+               std::vector<Index>& blocked) {
   const std::vector<Index> first = first_runs(pattern);
   const auto run_of = [&](const pattern::SeamEdge& e) -> Index {
     const Index r = first[e.panel] + e.edge;
@@ -49,7 +50,8 @@ double confidence_of(double margin, double a, double b) {
 }
 
 /// The edges of one side, parts of one edge put together again.
-std::vector<pattern::SeamEdge> series_of(const FoundSeams& found, const std::vector<Index>& runs, double& length) {
+std::vector<pattern::SeamEdge> series_of(const FoundSeams& found, const std::vector<Index>& runs,
+                                         double& length) {
   std::vector<pattern::SeamEdge> series;
   for (const Index r : runs) {
     const SeamRun& run = found.model.runs[r];
@@ -157,8 +159,8 @@ pattern::Pattern in_order(const pattern::Pattern& pattern, const std::vector<Ind
 }
 
 /// The proposals for one order of the pieces, surest first.
-std::vector<SeamProposal> proposals_in_order(const pattern::Pattern& pattern, const ProposalSettings& settings,
-                                             const RunContext& context) {
+std::vector<SeamProposal> proposals_in_order(const pattern::Pattern& pattern,
+                                             const ProposalSettings& settings, const RunContext& context) {
   std::vector<std::array<Index, 2>> sewn;
   std::vector<Index> blocked;
   sort_sewn(pattern, sewn, blocked);

@@ -11,7 +11,7 @@
 namespace toile::seams {
 
 struct SeamProposal {
-  pattern::Seam seam;                          ///< id "seam0", "seam1", … beside those of the pattern
+  pattern::Seam seam;                 ///< id "seam0", "seam1", … beside those of the pattern
   double confidence = 0;              ///< 0 to 1
   double length_a = 0, length_b = 0;  ///< mm
 };
@@ -38,7 +38,8 @@ bool runs_clockwise(std::span<const Vec2> outline);
 /// seam would be, and lower where few names say what is what, where cloth lies on cloth, and in a wardrobe of
 /// many pieces. The order of the pieces does not matter. REQUIRES a pattern that validate() accepts. Some 0.1
 /// to 2 s; a cancelled run proposes nothing.
-std::vector<SeamProposal> propose_seams(const pattern::Pattern& pattern, const ProposalSettings& settings = {},
+std::vector<SeamProposal> propose_seams(const pattern::Pattern& pattern,
+                                        const ProposalSettings& settings = {},
                                         const RunContext& context = {});
 
 /// Which of `proposals`, surest first, can be sewn together: those of at least this confidence that want no

@@ -348,8 +348,9 @@ std::vector<double> cuts_of(const SeamModel& m) {
   return ends;
 }
 
-FoundSeams best_garment(const pattern::Pattern& pattern, const FoundSeams& start, const std::vector<char>& locked,
-                        const GluingSettings& settings, const RunContext& context) {
+FoundSeams best_garment(const pattern::Pattern& pattern, const FoundSeams& start,
+                        const std::vector<char>& locked, const GluingSettings& settings,
+                        const RunContext& context) {
   FoundSeams best = start;
   double merit = gluing_merit(start.model, start.gluing, settings);
   search(pattern, start, locked, settings, context, best, merit);

@@ -136,8 +136,8 @@ void grow(SeamGluing& g, std::size_t runs) {
 }
 
 /// `found` with the two chains sewn, or nothing when their corners do not come out even.
-std::optional<FoundSeams> with_series(const pattern::Pattern& pattern, const FoundSeams& found, const Chain& a,
-                                      const Chain& b, double worth) {
+std::optional<FoundSeams> with_series(const pattern::Pattern& pattern, const FoundSeams& found,
+                                      const Chain& a, const Chain& b, double worth) {
   FoundSeams next{found.model, found.gluing, found.seams};
   const double near = meeting_distance(a.length);
   std::vector<double> from_a = corners_of(found.model, a.runs);

@@ -29,7 +29,8 @@ project::ProjectPiece inline_piece(const pattern::Panel& panel, const project::P
     project::ProjectNotch& out = piece.notches.emplace_back(project::ProjectNotch{notch.at, notch.depth, {}});
     if (!(notch.inwards == Vec2{})) out.inwards = notch.inwards;
   }
-  for (const pattern::InnerLine& line : panel.lines) piece.lines.push_back({line.id, line.points, line.drawn});
+  for (const pattern::InnerLine& line : panel.lines)
+    piece.lines.push_back({line.id, line.points, line.drawn});
   if (panel.grain != Vec2{0, 1}) piece.grain = panel.grain;
   piece.fabric = "cotton";
   piece.placement.rigid = placement;
@@ -76,8 +77,9 @@ std::string unused_id(const std::string& wanted, std::set<std::string>& used) {
 }
 
 /// The piece as often as it is cut: from the file, and turned over in the document.
-Status take_dxf_piece(const dxf::DxfPiece& drawn, const dxf::DxfDrawing& drawing, const NewProjectSettings& settings,
-                      std::set<std::string>& used, NewProject& made, std::vector<char>& clockwise) {
+Status take_dxf_piece(const dxf::DxfPiece& drawn, const dxf::DxfDrawing& drawing,
+                      const NewProjectSettings& settings, std::set<std::string>& used, NewProject& made,
+                      std::vector<char>& clockwise) {
   constexpr int kMostCopies = 20;
   pattern::Panel panel = TRY(dxf::panel_from_piece(drawn));
   if (drawn.grain) panel.grain = *drawn.grain;
@@ -119,7 +121,8 @@ void stand_in_rows(const NewProjectSettings& settings, NewProject& made) {
       width += metres_from_mm(box_of(made.pattern.panels[p]).size().x) + kGap;
     }
     std::stable_sort(row.begin(), row.end(), [&](std::size_t x, std::size_t y) {
-      return seams::words_of(made.pattern.panels[x].id).side > seams::words_of(made.pattern.panels[y].id).side;
+      return seams::words_of(made.pattern.panels[x].id).side >
+             seams::words_of(made.pattern.panels[y].id).side;
     });
     double x = (settings.body.low.x + settings.body.high.x - width) / 2;  // the wearer's right is at -x
     const double middle = settings.body.middle().y;
@@ -147,8 +150,8 @@ Status take_dxf(const dxf::DxfDrawing& drawing, const NewProjectSettings& settin
 }
 
 /// Proposes seams and takes those that are sure enough, for a pattern that has none.
-Status sew(const seams::ProposalSettings& sides, const NewProjectSettings& settings, const RunContext& context,
-           NewProject& made) {
+Status sew(const seams::ProposalSettings& sides, const NewProjectSettings& settings,
+           const RunContext& context, NewProject& made) {
   if (!made.pattern.seams.empty()) return {};
   made.proposals = seams::propose_seams(made.pattern, sides, context);
   if (context.cancelled())
@@ -163,7 +166,8 @@ Status sew(const seams::ProposalSettings& sides, const NewProjectSettings& setti
 void complete(const NewProjectSettings& settings, NewProject& made) {
   project::Project& project = made.project;
   project.name = settings.name;
-  for (const pattern::Seam& seam : made.pattern.seams) project.seams.push_back(project_seam(made.pattern, seam));
+  for (const pattern::Seam& seam : made.pattern.seams)
+    project.seams.push_back(project_seam(made.pattern, seam));
   project.fabrics = {plain_cotton()};
   project::ProjectBody body;
   body.id = "body";
@@ -190,20 +194,20 @@ json::JsonValue proposal_json(const pattern::Pattern& pattern, const seams::Seam
   const project::ProjectSeam seam = project_seam(pattern, proposal.seam);
   const auto thousandths = [](double x) { return std::round(x * 1000) / 1000; };
   return std::vector<json::JsonMember>{{"id", seam.id},
-                                 {"confidence", thousandths(proposal.confidence)},
-                                 {"a", side_json(seam.a)},
-                                 {"b", side_json(seam.b)},
-                                 {"same_direction", seam.same_direction},
-                                 {"length_a_mm", thousandths(proposal.length_a)},
-                                 {"length_b_mm", thousandths(proposal.length_b)}};
+                                       {"confidence", thousandths(proposal.confidence)},
+                                       {"a", side_json(seam.a)},
+                                       {"b", side_json(seam.b)},
+                                       {"same_direction", seam.same_direction},
+                                       {"length_a_mm", thousandths(proposal.length_a)},
+                                       {"length_b_mm", thousandths(proposal.length_b)}};
 }
 
 std::vector<json::JsonValue> seams_json(const NewProject& made) {
   std::vector<json::JsonValue> seams;
   if (made.proposals.empty()) {
     for (const pattern::Seam& seam : made.pattern.seams)
-      seams.push_back(proposal_json(
-          made.pattern, {seam, 1, seams::series_length(made.pattern, seam.a), seams::series_length(made.pattern, seam.b)}));
+      seams.push_back(proposal_json(made.pattern, {seam, 1, seams::series_length(made.pattern, seam.a),
+                                                   seams::series_length(made.pattern, seam.b)}));
   }
   for (const seams::SeamProposal& p : made.proposals) seams.push_back(proposal_json(made.pattern, p));
   return seams;

@@ -19,10 +19,10 @@
 namespace toile::create {
 
 struct NewProjectSettings {
-  std::string name;          ///< of the project
-  std::string pattern_file;  ///< the document's name for the pattern
-  std::string body_file;     ///< and for the body
-  dxf::DxfSettings dxf = {};      ///< unit and size of a DXF file
+  std::string name;           ///< of the project
+  std::string pattern_file;   ///< the document's name for the pattern
+  std::string body_file;      ///< and for the body
+  dxf::DxfSettings dxf = {};  ///< unit and size of a DXF file
   /// Corners of the box around the body, m, y up: pieces that come without a place stand around it.
   Aabb3 body{{-0.3, 0, -0.2}, {0.3, 1.7, 0.2}};
   /// Accepts the proposals of this confidence and above that can be sewn together; unset: none.

@@ -171,9 +171,10 @@ json::JsonValue import_json(const dxf::DxfDrawing& drawing, const std::vector<js
 namespace {
 
 json::JsonValue kept_json(const char* type, std::size_t count) {
-  return Members{{"type", std::string(type)},   {"layer", std::string()},           {"block", std::string()},
-                 {"fate", std::string("kept")}, {"reason", std::string()},          {"piece", std::string()},
-                 {"count", count_of(count)},    {"lines", std::vector<json::JsonValue>{}}};
+  return Members{{"type", std::string(type)}, {"layer", std::string()},
+                 {"block", std::string()},    {"fate", std::string("kept")},
+                 {"reason", std::string()},   {"piece", std::string()},
+                 {"count", count_of(count)},  {"lines", std::vector<json::JsonValue>{}}};
 }
 
 json::JsonValue panel_json(const pattern::Panel& panel) {
@@ -199,7 +200,7 @@ json::JsonValue note_json(const std::string& note) {
 }  // namespace
 
 json::JsonValue specification_json(const pattern::Pattern& pattern, const std::vector<json::JsonValue>& seams,
-                             const std::vector<std::string>& notes) {
+                                   const std::vector<std::string>& notes) {
   std::vector<json::JsonValue> pieces, warnings, entities;
   std::size_t edges = 0;
   for (const pattern::Panel& panel : pattern.panels) {

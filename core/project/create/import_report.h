@@ -26,7 +26,7 @@ json::JsonValue import_json(const dxf::DxfDrawing& drawing, const std::vector<js
 /// quantity, mirrored, unfolded, edge_list}, the unit without mm_per_unit, and a report with counts {panels,
 /// edges, stitches} and the notes as warnings.
 json::JsonValue specification_json(const pattern::Pattern& pattern, const std::vector<json::JsonValue>& seams,
-                             const std::vector<std::string>& notes);
+                                   const std::vector<std::string>& notes);
 
 /// Width, height and area of a piece as import_json tells them.
 struct PieceMeasures {

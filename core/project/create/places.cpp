@@ -33,8 +33,8 @@ project::ProjectWrapped wrapped_of(const sewing::WrappedPlacement& w) {
 project::ProjectPlacement project_placement(const sewing::Placement& placement) {
   project::ProjectPlacement out;
   if (const auto* rigid = std::get_if<sewing::RigidPlacement>(&placement)) {
-    out.rigid =
-        project::ProjectRigid{rounded(rigid->translation, metres), rounded(rigid->rotation, degrees), rigid->flipped};
+    out.rigid = project::ProjectRigid{rounded(rigid->translation, metres), rounded(rigid->rotation, degrees),
+                                      rigid->flipped};
   } else {
     out.wrapped = wrapped_of(std::get<sewing::WrappedPlacement>(placement));
   }
@@ -42,7 +42,7 @@ project::ProjectPlacement project_placement(const sewing::Placement& placement) 
 }
 
 std::optional<project::ProjectOnBox> project_on_box(const sewing::RigidPlacement& rigid, Vec2 anchor,
-                                           std::span<const measure::PartBox> boxes) {
+                                                    std::span<const measure::PartBox> boxes) {
   constexpr double kParallel = 1 - 1e-9;
   const std::vector<Vec3> p =
       sewing::place({anchor, anchor + Vec2{rigid.flipped ? -1.0 : 1.0, 0}, anchor + Vec2{0, 1}}, rigid);
@@ -93,7 +93,8 @@ int tell_by_boxes(const drape::DrapeInput& input, project::Project& project) {
   return 0;
 }
 
-project::ProjectAttachment project_attachment(const pattern::Pattern& pattern, const sewing::Attachment& attachment) {
+project::ProjectAttachment project_attachment(const pattern::Pattern& pattern,
+                                              const sewing::Attachment& attachment) {
   const pattern::Panel& panel = pattern.panels[static_cast<std::size_t>(attachment.panel)];
   project::ProjectAttachment out;
   out.id = attachment.id;

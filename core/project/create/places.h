@@ -19,7 +19,7 @@ project::ProjectPlacement project_placement(const sewing::Placement& placement);
 /// The same sheet told by the box side that it is parallel to and nearest to, with the flat point `anchor`
 /// (m) in place; nothing when it is parallel to none.
 std::optional<project::ProjectOnBox> project_on_box(const sewing::RigidPlacement& rigid, Vec2 anchor,
-                                           std::span<const measure::PartBox> boxes);
+                                                    std::span<const measure::PartBox> boxes);
 
 /// Tells every stiff sheet of the document by the boxes of the first body that stands, where it is parallel
 /// to a side of one; others stay as they are. `input` is the document resolved. Gives back how many were told
@@ -27,6 +27,7 @@ std::optional<project::ProjectOnBox> project_on_box(const sewing::RigidPlacement
 int tell_by_boxes(const drape::DrapeInput& input, project::Project& project);
 
 /// By the ids of its piece and edges. REQUIRES that the pattern has them.
-project::ProjectAttachment project_attachment(const pattern::Pattern& pattern, const sewing::Attachment& attachment);
+project::ProjectAttachment project_attachment(const pattern::Pattern& pattern,
+                                              const sewing::Attachment& attachment);
 
 }  // namespace toile::create

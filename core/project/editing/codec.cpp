@@ -127,7 +127,7 @@ json::JsonValue edit_schema() {
     }));
   });
   const json::JsonValue list = fields::list_schema(std::vector<json::JsonMember>{{"oneOf", std::move(kinds)}},
-                                             {0, static_cast<double>(kMostEdits)});
+                                                   {0, static_cast<double>(kMostEdits)});
   return fields::schema_file(
       "Toile edits",
       "Edits of a project, one after the other: in requests, in the undo history and in a replay.", list,

@@ -39,7 +39,8 @@ void write_shape(project::ProjectPiece& piece, const pattern::Panel& panel) {
   piece.outline = create::outline_of(panel.outline);
   piece.holes.clear();
   // Read back, a hole is run the other way; so it is written.
-  for (const pattern::Loop& hole : panel.holes) piece.holes.push_back(create::outline_of(pattern::reversed(hole)));
+  for (const pattern::Loop& hole : panel.holes)
+    piece.holes.push_back(create::outline_of(pattern::reversed(hole)));
   piece.notches.clear();
   for (const pattern::Notch& notch : panel.notches) piece.notches.push_back(project_notch(notch));
   piece.grain = panel.grain;
@@ -51,7 +52,8 @@ std::size_t lines_of_file(const project::ProjectPiece& piece, const pattern::Pan
 }
 
 /// A piece stays in its file while its shape and what is drawn in it there are the same.
-void write_panel(project::ProjectPiece& piece, const pattern::Panel& panel, const pattern::Panel* before, bool reshaped) {
+void write_panel(project::ProjectPiece& piece, const pattern::Panel& panel, const pattern::Panel* before,
+                 bool reshaped) {
   std::size_t filed = before ? lines_of_file(piece, *before) : 0;
   const auto first = panel.lines.begin();
   const bool lines_stay = panel.lines.size() >= filed && std::equal(first, first + std::ptrdiff_t(filed),
@@ -73,7 +75,8 @@ auto named(std::vector<T>& list, const std::string& id) {
 }
 
 /// The pieces of the document as the edited pattern has them.
-void write_pieces(project::Project& project, const pattern::Pattern& before, const edit::EditedPattern& edited) {
+void write_pieces(project::Project& project, const pattern::Pattern& before,
+                  const edit::EditedPattern& edited) {
   const edit::EditEffect& effect = edited.effect;
   std::vector<project::ProjectPiece>& pieces = project.pieces;
   if (effect.piece.empty()) {
@@ -140,11 +143,12 @@ Status apply_one(Editing& editing, const RestoreLists& edit) {
 }
 
 /// The text of the edited document, once it is found to be one that can be draped.
-Result<std::string> checked_text(const project::Project& project, resolve::OpenedFiles& files, bool other_bodies) {
+Result<std::string> checked_text(const project::Project& project, resolve::OpenedFiles& files,
+                                 bool other_bodies) {
   Result<project::WrittenProject> written = project::write_checked(project);
   if (!written) return json::error_at("/edits", written.error());
   const Result<drape::DrapeInput> input = other_bodies ? resolve::resolve_project(written->read_back, files)
-                                                : resolve_cloth(std::move(written->read_back), files);
+                                                       : resolve_cloth(std::move(written->read_back), files);
   if (!input) return json::error_at("/edits", input.error());
   return std::move(written->line);
 }
@@ -170,6 +174,8 @@ Result<EditedProject> apply_edits(const project::Project& project, std::span<con
   return apply_edits(project, edits, opened);
 }
 
-ProjectEdit edit_between(const project::Project& now, const project::Project& wanted) { return difference(now, wanted); }
+ProjectEdit edit_between(const project::Project& now, const project::Project& wanted) {
+  return difference(now, wanted);
+}
 
 }  // namespace toile::editing

@@ -37,7 +37,8 @@ void rename(Ids& ids, const edit::RenamedPart& part) {
 /// Follows the names in the lists of `things` on the edited piece. What was on parts that are all gone goes;
 /// what never named a part is on the whole piece, and stays.
 template <typename Thing>
-Status follow_names(std::vector<Thing>& things, Ids Thing::*ids, const edit::EditEffect& effect, const char* kind) {
+Status follow_names(std::vector<Thing>& things, Ids Thing::*ids, const edit::EditEffect& effect,
+                    const char* kind) {
   for (const Thing& thing : things) {
     if (thing.piece != effect.was) continue;
     for (const edit::RenamedPart& part : effect.parts) {
@@ -74,7 +75,8 @@ void follow_buttons(std::vector<project::ProjectButton>& buttons, const edit::Ed
     follow(button.a);
     follow(button.b);
   }
-  std::erase_if(buttons, [](const project::ProjectButton& b) { return b.a.piece.empty() || b.b.piece.empty(); });
+  std::erase_if(buttons,
+                [](const project::ProjectButton& b) { return b.a.piece.empty() || b.b.piece.empty(); });
 }
 
 void follow_points(std::vector<project::ProjectAttachment>& attachments, const edit::EditEffect& effect) {

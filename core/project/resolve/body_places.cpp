@@ -64,7 +64,7 @@ std::vector<Vec2> hull_of(const pattern::Panel& panel) {
 }
 
 arrange::OnBox where_on_box(const std::string& side, Vec2 at, double away, double turn,
-                   const std::optional<Vec2>& anchor, bool flipped, const std::vector<Vec2>& hull) {
+                            const std::optional<Vec2>& anchor, bool flipped, const std::vector<Vec2>& hull) {
   return {side_named(side),
           at,
           away,
@@ -120,7 +120,8 @@ Status BodyPlaces::check_landmarks() {
           json::pointer_to(json::pointer_to(list, i), "triangle")};
     }
     if (body.landmarks.empty()) continue;
-    if (const auto& known = landmarks_of(static_cast<Index>(b)); !known) return json::error_at(list, known.error());
+    if (const auto& known = landmarks_of(static_cast<Index>(b)); !known)
+      return json::error_at(list, known.error());
   }
   return {};
 }
@@ -135,7 +136,8 @@ Result<Index> BodyPlaces::standing(const std::string& id, const std::string& whe
     if (!why) why = known_[b].figure->error();
   }
   if (!id.empty() && !named) {
-    return Error{"project.unknown_body", "there is no body " + in_quotes(id), json::pointer_to(where, "body")};
+    return Error{"project.unknown_body", "there is no body " + in_quotes(id),
+                 json::pointer_to(where, "body")};
   }
   if (why) return json::error_at(where, *why);
   return Error{"project.no_body", "this is told by a body, and the project has none", where};
@@ -149,7 +151,7 @@ const measure::PartBox& BodyPlaces::box_of(Index body, const std::string& part) 
 }
 
 Result<sewing::Placement> BodyPlaces::on_box(const project::ProjectOnBox& given, const pattern::Panel& panel,
-                                     const std::string& where) {
+                                             const std::string& where) {
   const Index body = TRY(standing(given.body, where));
   const arrange::OnBox at =
       where_on_box(given.side, given.at, given.away, given.turn, given.anchor, given.flipped, hull_of(panel));
@@ -157,7 +159,7 @@ Result<sewing::Placement> BodyPlaces::on_box(const project::ProjectOnBox& given,
 }
 
 Result<sewing::Placement> BodyPlaces::around(const project::ProjectAround& given, const pattern::Panel& panel,
-                                     const std::string& where) {
+                                             const std::string& where) {
   const Index body = TRY(standing(given.body, where));
   const std::vector<Vec2> hull = hull_of(panel);
   const arrange::OnBox at =
@@ -180,11 +182,11 @@ Result<sewing::Placement> BodyPlaces::around(const project::ProjectAround& given
   return sewing::Placement{arrange::around_box(box, at, radius, given.slope)};
 }
 
-Result<sewing::Placement> BodyPlaces::placement(const project::ProjectPlacement& given, const pattern::Panel& panel,
-                                        const std::string& where) {
+Result<sewing::Placement> BodyPlaces::placement(const project::ProjectPlacement& given,
+                                                const pattern::Panel& panel, const std::string& where) {
   if (given.rigid) {
-    return sewing::Placement{
-        sewing::RigidPlacement{given.rigid->translation, radians(given.rigid->rotation), given.rigid->flipped}};
+    return sewing::Placement{sewing::RigidPlacement{given.rigid->translation, radians(given.rigid->rotation),
+                                                    given.rigid->flipped}};
   }
   if (given.wrapped) return sewing::Placement{wrapped_of(*given.wrapped)};
   if (given.on_box) return on_box(*given.on_box, panel, json::pointer_to(where, "on_box"));
@@ -208,7 +210,8 @@ Result<Index> BodyPlaces::bearer(const project::ProjectGoal& given, const std::s
                json::pointer_to(where, "landmark")};
 }
 
-Result<std::vector<Vec3>> BodyPlaces::landmark_goal(const project::ProjectGoal& given, const std::string& where) {
+Result<std::vector<Vec3>> BodyPlaces::landmark_goal(const project::ProjectGoal& given,
+                                                    const std::string& where) {
   const Index body = TRY(bearer(given, where));
   const geometry::TriangleMesh& mesh = bodies_[body].mesh;
   const measure::Landmark* mark = measure::landmark_named(*landmarks_of(body), given.landmark);
@@ -225,8 +228,8 @@ Result<std::vector<Vec3>> BodyPlaces::line_goal(const project::ProjectGoal& give
   }
   const Index body = TRY(standing(given.body, where));
   Result<std::vector<Vec3>> line =
-      measure::body_line(bodies_[body].mesh, *figure_of(body), given.line, metres_from_mm(given.up_mm.value_or(0)),
-                bodies_[body].skin_offset + kClear);
+      measure::body_line(bodies_[body].mesh, *figure_of(body), given.line,
+                         metres_from_mm(given.up_mm.value_or(0)), bodies_[body].skin_offset + kClear);
   if (!line) return json::error_at(json::pointer_to(where, "line"), line.error());
   for (Vec3& p : *line) p = snapped(p);
   return line;

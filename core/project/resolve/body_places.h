@@ -33,7 +33,8 @@ class BodyPlaces {
 
   /// Errors: project.unknown_body, body.not_standing, project.no_body; `where` is the pointer of what the
   /// placement says. `panel` is the piece in its own plane, mm.
-  Result<sewing::Placement> placement(const project::ProjectPlacement& given, const pattern::Panel& panel, const std::string& where);
+  Result<sewing::Placement> placement(const project::ProjectPlacement& given, const pattern::Panel& panel,
+                                      const std::string& where);
 
   /// An attachment's goal, m: see Attachment::goal. Errors: as above, project.unknown_landmark,
   /// project.unknown_line, body.no_line.
@@ -54,8 +55,10 @@ class BodyPlaces {
   const measure::PartBox& box_of(Index body, const std::string& part);
   Result<std::vector<Vec3>> landmark_goal(const project::ProjectGoal& given, const std::string& where);
   Result<std::vector<Vec3>> line_goal(const project::ProjectGoal& given, const std::string& where);
-  Result<sewing::Placement> on_box(const project::ProjectOnBox& given, const pattern::Panel& panel, const std::string& where);
-  Result<sewing::Placement> around(const project::ProjectAround& given, const pattern::Panel& panel, const std::string& where);
+  Result<sewing::Placement> on_box(const project::ProjectOnBox& given, const pattern::Panel& panel,
+                                   const std::string& where);
+  Result<sewing::Placement> around(const project::ProjectAround& given, const pattern::Panel& panel,
+                                   const std::string& where);
 
   const project::Project& project_;
   std::span<const body::Body> bodies_;

@@ -59,8 +59,9 @@ ProjectFiles files_in(const fs::path& folder, const mesh_import::MeshImporter& i
   files.dxf_text = [folder](const std::string& name) {
     return bytes_of(folder / name, dxf::DxfSettings{}.max_bytes, "project.too_large");
   };
-  files.body_mesh = [folder, importer](const std::string& name,
-                                       const mesh_import::MeshSettings& settings) -> Result<mesh_import::RepairedMesh> {
+  files.body_mesh = [folder, importer](
+                        const std::string& name,
+                        const mesh_import::MeshSettings& settings) -> Result<mesh_import::RepairedMesh> {
     const fs::path path = folder / name;
     std::error_code failure;
     const std::uintmax_t bytes = fs::file_size(path, failure);

@@ -17,7 +17,9 @@ struct ProjectFiles {
   /// The DXF file's bytes.
   std::function<Result<std::string>(const std::string& name)> dxf_text;
   /// The mesh in metres, y up, mended.
-  std::function<Result<mesh_import::RepairedMesh>(const std::string& name, const mesh_import::MeshSettings& settings)> body_mesh;
+  std::function<Result<mesh_import::RepairedMesh>(const std::string& name,
+                                                  const mesh_import::MeshSettings& settings)>
+      body_mesh;
   /// The program's own figure, where one is kept; without it make_mannequin makes it.
   std::function<Result<geometry::TriangleMesh>(const mannequin::MannequinSettings& settings)> mannequin = {};
   /// A picture file's bytes. No drape asks for it: see textures.h.

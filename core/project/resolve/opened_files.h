@@ -37,9 +37,10 @@ class OpenedFiles {
   Result<const std::string*> dxf_text(const std::string& name);
 
   ProjectFiles source_;
-  std::map<std::string, std::string> texts_;                              ///< of DXF files
-  std::map<std::array<std::string, 3>, dxf::DxfDrawing> drawings_;             ///< by file, unit, size
-  std::map<std::tuple<std::string, double, bool>, mesh_import::RepairedMesh> meshes_;  ///< by file, unit, whether z is up
+  std::map<std::string, std::string> texts_;                        ///< of DXF files
+  std::map<std::array<std::string, 3>, dxf::DxfDrawing> drawings_;  ///< by file, unit, size
+  std::map<std::tuple<std::string, double, bool>, mesh_import::RepairedMesh>
+      meshes_;  ///< by file, unit, whether z is up
   std::vector<std::pair<project::ProjectMannequin, geometry::TriangleMesh>> mannequins_;
 };
 

@@ -17,7 +17,8 @@
 namespace toile::resolve {
 namespace {
 
-Result<pattern::Panel> panel_from_file(const project::ProjectDxf& from, OpenedFiles& files, const std::string& where) {
+Result<pattern::Panel> panel_from_file(const project::ProjectDxf& from, OpenedFiles& files,
+                                       const std::string& where) {
   const Result<const dxf::DxfDrawing*> drawing = files.drawing(from);
   if (!drawing) return json::error_at(json::pointer_to(where, "dxf"), drawing.error());
   std::vector<std::string> names;
@@ -99,7 +100,8 @@ void add_lines(const project::ProjectPiece& piece, pattern::Panel& panel) {
     const std::string wanted = line.id;
     for (int n = 2; !taken.insert(line.id).second; ++n) line.id = wanted + "_" + std::to_string(n);
   }
-  for (const project::ProjectLine& line : piece.lines) panel.lines.push_back({line.id, line.points, line.drawn});
+  for (const project::ProjectLine& line : piece.lines)
+    panel.lines.push_back({line.id, line.points, line.drawn});
 }
 
 Status set_grain(const project::ProjectPiece& piece, pattern::Panel& panel, const std::string& where) {
@@ -112,10 +114,12 @@ Status set_grain(const project::ProjectPiece& piece, pattern::Panel& panel, cons
 Status check_texture(const project::ProjectPiece& piece, const std::string& where) {
   if (!piece.texture) return {};
   const Status name = check_file_name(piece.texture->image);
-  return name ? name : json::error_at(json::pointer_to(json::pointer_to(where, "texture"), "image"), name.error());
+  return name ? name
+              : json::error_at(json::pointer_to(json::pointer_to(where, "texture"), "image"), name.error());
 }
 
-Result<pattern::Panel> panel_of(const project::ProjectPiece& piece, OpenedFiles& files, const std::string& where) {
+Result<pattern::Panel> panel_of(const project::ProjectPiece& piece, OpenedFiles& files,
+                                const std::string& where) {
   if (piece.from && !piece.holes.empty()) {
     return Error{"project.two_ways", "the holes of a piece from a file stand in the file",
                  json::pointer_to(where, "holes")};
@@ -125,7 +129,7 @@ Result<pattern::Panel> panel_of(const project::ProjectPiece& piece, OpenedFiles&
                  json::pointer_to(where, "notches")};
   }
   pattern::Panel panel = TRY(piece.from ? panel_from_file(*piece.from, files, json::pointer_to(where, "from"))
-                               : inline_panel(piece, where));
+                                        : inline_panel(piece, where));
   panel.id = piece.id;
   panel.fabric = piece.fabric;
   panel.layer = piece.layer;
@@ -157,7 +161,8 @@ project::ProjectFabric with_physical(project::ProjectFabric fabric, const projec
   return fabric;
 }
 
-Result<std::vector<pattern::Panel>> panels_of(const std::vector<project::ProjectPiece>& pieces, OpenedFiles& files) {
+Result<std::vector<pattern::Panel>> panels_of(const std::vector<project::ProjectPiece>& pieces,
+                                              OpenedFiles& files) {
   std::vector<pattern::Panel> panels;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     pattern::Panel panel = TRY(panel_of(pieces[i], files, json::pointer_to("/pieces", i)));

@@ -14,7 +14,8 @@ namespace toile::resolve {
 
 /// One panel per piece, in their order. Errors:
 /// project.unknown_piece (in the file), project.unknown_edge (in edge_names), project.path, dxf.*, pattern.*.
-Result<std::vector<pattern::Panel>> panels_of(const std::vector<project::ProjectPiece>& pieces, OpenedFiles& files);
+Result<std::vector<pattern::Panel>> panels_of(const std::vector<project::ProjectPiece>& pieces,
+                                              OpenedFiles& files);
 
 /// The fabric as a piece has it.
 project::ProjectFabric with_physical(project::ProjectFabric fabric, const project::ProjectPhysical& own);

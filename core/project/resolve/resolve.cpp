@@ -99,9 +99,10 @@ Status add_own_fabrics(const project::Project& project, drape::DrapeInput& input
   for (std::size_t i = 0; i < project.pieces.size(); ++i) {
     const project::ProjectPiece& piece = project.pieces[i];
     if (!piece.physical) continue;
-    const project::ProjectFabric& common = project.fabrics[static_cast<std::size_t>(input.fabric_of_panel[i])];
-    Result<material::Fabric> own =
-        fabric_of(with_physical(common, *piece.physical), json::pointer_to(json::pointer_to("/pieces", i), "physical"));
+    const project::ProjectFabric& common =
+        project.fabrics[static_cast<std::size_t>(input.fabric_of_panel[i])];
+    Result<material::Fabric> own = fabric_of(with_physical(common, *piece.physical),
+                                             json::pointer_to(json::pointer_to("/pieces", i), "physical"));
     if (!own) return own.error();
     input.fabric_of_panel[i] = static_cast<Index>(input.fabrics.size());
     input.fabrics.push_back(std::move(*own));
@@ -144,7 +145,8 @@ Vec3 turned(Vec3 p, Vec3 angles) {
   return p;
 }
 
-Result<mesh_import::RepairedMesh> mesh_of(const project::ProjectBody& given, OpenedFiles& files, const std::string& where) {
+Result<mesh_import::RepairedMesh> mesh_of(const project::ProjectBody& given, OpenedFiles& files,
+                                          const std::string& where) {
   if (given.mannequin) {
     Result<geometry::TriangleMesh> mesh = files.mannequin(*given.mannequin);
     if (!mesh) return json::error_at(json::pointer_to(where, "mannequin"), mesh.error());
@@ -225,8 +227,8 @@ class Names {
   std::vector<std::vector<std::string>> lines_;
 };
 
-Result<std::vector<pattern::SeamEdge>> series_of(const std::vector<project::ProjectSeamEdge>& given, const Names& names,
-                                        const std::string& where) {
+Result<std::vector<pattern::SeamEdge>> series_of(const std::vector<project::ProjectSeamEdge>& given,
+                                                 const Names& names, const std::string& where) {
   std::vector<pattern::SeamEdge> series;
   for (std::size_t i = 0; i < given.size(); ++i) {
     const std::string place = json::pointer_to(where, i);
@@ -237,25 +239,28 @@ Result<std::vector<pattern::SeamEdge>> series_of(const std::vector<project::Proj
   return series;
 }
 
-Result<pattern::Seam> seam_of(const project::ProjectSeam& given, const Names& names, const std::string& where) {
+Result<pattern::Seam> seam_of(const project::ProjectSeam& given, const Names& names,
+                              const std::string& where) {
   std::vector<pattern::SeamEdge> a = TRY(series_of(given.a, names, json::pointer_to(where, "a")));
   std::vector<pattern::SeamEdge> b = TRY(series_of(given.b, names, json::pointer_to(where, "b")));
   return pattern::Seam{given.id, std::move(a), std::move(b), given.same_direction};
 }
 
-Result<sewing::Attachment> attachment_of(const project::ProjectAttachment& given, const Names& names, BodyPlaces& places,
-                                 const std::string& where) {
+Result<sewing::Attachment> attachment_of(const project::ProjectAttachment& given, const Names& names,
+                                         BodyPlaces& places, const std::string& where) {
   const Index panel = TRY(names.panel(given.piece, json::pointer_to(where, "piece")));
   sewing::Attachment attachment;
   attachment.id = given.id;
   attachment.panel = panel;
   for (std::size_t i = 0; i < given.edges.size(); ++i) {
-    const Index edge = TRY(names.edge(panel, given.edges[i], json::pointer_to(json::pointer_to(where, "edges"), i)));
+    const Index edge =
+        TRY(names.edge(panel, given.edges[i], json::pointer_to(json::pointer_to(where, "edges"), i)));
     attachment.edges.push_back(edge);
   }
   for (const Vec2 p : given.points) attachment.points.push_back({metres_from_mm(p.x), metres_from_mm(p.y)});
   attachment.release_after = given.release_after_s;
-  attachment.hold = given.hold == "place" ? sewing::Attachment::Hold::kPlace : sewing::Attachment::Hold::kHeight;
+  attachment.hold =
+      given.hold == "place" ? sewing::Attachment::Hold::kPlace : sewing::Attachment::Hold::kHeight;
   if (!given.to) return attachment;
   if (!given.hold.empty()) {
     return Error{"project.two_ways", "only one of \"hold\" or \"to\" may stand here",
@@ -271,18 +276,21 @@ Result<sewing::Attachment> attachment_of(const project::ProjectAttachment& given
   return attachment;
 }
 
-Result<sewing::PanelPoint> point_of(const project::ProjectButtonPoint& given, const Names& names, const std::string& where) {
+Result<sewing::PanelPoint> point_of(const project::ProjectButtonPoint& given, const Names& names,
+                                    const std::string& where) {
   const Index panel = TRY(names.panel(given.piece, json::pointer_to(where, "piece")));
   return sewing::PanelPoint{panel, {metres_from_mm(given.at.x), metres_from_mm(given.at.y)}};
 }
 
-Result<sewing::Button> button_of(const project::ProjectButton& given, const Names& names, const std::string& where) {
+Result<sewing::Button> button_of(const project::ProjectButton& given, const Names& names,
+                                 const std::string& where) {
   const sewing::PanelPoint a = TRY(point_of(given.a, names, json::pointer_to(where, "a")));
   const sewing::PanelPoint b = TRY(point_of(given.b, names, json::pointer_to(where, "b")));
   return sewing::Button{given.id, a, b, metres_from_mm(given.distance_mm)};
 }
 
-Result<sewing::Elastic> elastic_of(const project::ProjectElastic& given, const Names& names, const std::string& where) {
+Result<sewing::Elastic> elastic_of(const project::ProjectElastic& given, const Names& names,
+                                   const std::string& where) {
   const Index panel = TRY(names.panel(given.piece, json::pointer_to(where, "piece")));
   sewing::Elastic elastic{given.id, panel, {}, {}, given.factor, given.stiffness_n};
   for (std::size_t i = 0; i < given.lines.size(); ++i) {
@@ -296,22 +304,27 @@ Result<sewing::Elastic> elastic_of(const project::ProjectElastic& given, const N
   return elastic;
 }
 
-Result<sewing::Crease> crease_of(const project::ProjectFold& given, const Names& names, const std::string& where) {
+Result<sewing::Crease> crease_of(const project::ProjectFold& given, const Names& names,
+                                 const std::string& where) {
   const Index panel = TRY(names.panel(given.piece, json::pointer_to(where, "piece")));
   constexpr double kNewtons = 1e-3;
-  sewing::Crease crease{given.id, panel, {}, radians_from_degrees(given.angle), given.stiffness_mn * kNewtons};
+  sewing::Crease crease{
+      given.id, panel, {}, radians_from_degrees(given.angle), given.stiffness_mn * kNewtons};
   for (std::size_t i = 0; i < given.lines.size(); ++i) {
-    const Index line = TRY(names.line(panel, given.lines[i], json::pointer_to(json::pointer_to(where, "lines"), i)));
+    const Index line =
+        TRY(names.line(panel, given.lines[i], json::pointer_to(json::pointer_to(where, "lines"), i)));
     crease.lines.push_back(line);
   }
   return crease;
 }
 
-Result<sewing::Cushion> cushion_of(const project::ProjectCushion& given, const Names& names, const std::string& where) {
+Result<sewing::Cushion> cushion_of(const project::ProjectCushion& given, const Names& names,
+                                   const std::string& where) {
   constexpr double kCubicMetres = 1e-3;
   sewing::Cushion cushion{given.id, {}, given.pressure_pa, given.volume_l * kCubicMetres};
   for (std::size_t i = 0; i < given.pieces.size(); ++i) {
-    const Index panel = TRY(names.panel(given.pieces[i], json::pointer_to(json::pointer_to(where, "pieces"), i)));
+    const Index panel =
+        TRY(names.panel(given.pieces[i], json::pointer_to(json::pointer_to(where, "pieces"), i)));
     cushion.panels.push_back(panel);
   }
   return cushion;
@@ -418,8 +431,11 @@ Result<drape::DrapeInput> resolve_project(const project::Project& project, const
   return resolve_project(project, opened);
 }
 
-Result<ResolvedProject> read_project(const std::filesystem::path& path, const mesh_import::MeshImporter& importer) {
-  const auto in_document = [&](const Error& error) { return json::error_at(clipped(path.string(), 300), error); };
+Result<ResolvedProject> read_project(const std::filesystem::path& path,
+                                     const mesh_import::MeshImporter& importer) {
+  const auto in_document = [&](const Error& error) {
+    return json::error_at(clipped(path.string(), 300), error);
+  };
   const std::string text = TRY(read_project_text(path));
   Result<project::Project> project = project::parse_project(text);
   if (!project) return in_document(project.error());

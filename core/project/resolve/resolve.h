@@ -28,7 +28,8 @@ struct ResolvedProject {
 };
 
 /// Reads a document and the files beside it. Errors: json.*, project.* and those of resolve_project.
-Result<ResolvedProject> read_project(const std::filesystem::path& path, const mesh_import::MeshImporter& importer = {});
+Result<ResolvedProject> read_project(const std::filesystem::path& path,
+                                     const mesh_import::MeshImporter& importer = {});
 
 /// The pictures of the document. Errors: those of textures.h, with the document's name first in `where`.
 Result<image::Textures> read_textures(const ResolvedProject& read);

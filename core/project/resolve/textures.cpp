@@ -42,8 +42,8 @@ std::vector<NamedImage> images_of(const project::Project& project) {
   return images;
 }
 
-Result<std::shared_ptr<const image::TextureImage>> read_image(const NamedImage& named, const ProjectFiles& files,
-                                                       int side) {
+Result<std::shared_ptr<const image::TextureImage>> read_image(const NamedImage& named,
+                                                              const ProjectFiles& files, int side) {
   if (!files.image_bytes) return Error{"project.file", "there are no pictures here", named.where};
   Result<std::string> bytes = files.image_bytes(named.name);
   if (!bytes) return json::error_at(named.where, bytes.error());
@@ -53,19 +53,22 @@ Result<std::shared_ptr<const image::TextureImage>> read_image(const NamedImage& 
     error.message = in_quotes(named.name) + ": " + error.message;
     return json::error_at(named.where, std::move(error));
   }
-  return std::make_shared<const image::TextureImage>(image::TextureImage{named.name, std::move(*bytes), std::move(*read)});
+  return std::make_shared<const image::TextureImage>(
+      image::TextureImage{named.name, std::move(*bytes), std::move(*read)});
 }
 
-image::PanelTexture lay(const project::ProjectTexture& texture, Index image, const image::ReadPicture& picture, Vec2 grain) {
+image::PanelTexture lay(const project::ProjectTexture& texture, Index image,
+                        const image::ReadPicture& picture, Vec2 grain) {
   const Vec2 origin{metres_from_mm(texture.offset.x), metres_from_mm(texture.offset.y)};
   return image::lay_texture(image, grain, origin, metres_from_mm(texture.scale_mm),
-                     static_cast<double>(picture.width) / picture.height,
-                     radians_from_degrees(texture.angle));
+                            static_cast<double>(picture.width) / picture.height,
+                            radians_from_degrees(texture.angle));
 }
 
 }  // namespace
 
-Result<image::Textures> read_textures(const project::Project& project, const pattern::Pattern& pattern, const ProjectFiles& files) {
+Result<image::Textures> read_textures(const project::Project& project, const pattern::Pattern& pattern,
+                                      const ProjectFiles& files) {
   const std::vector<NamedImage> images = images_of(project);
   if (images.size() > kMostTextureImages) return too_many(images[kMostTextureImages].where);
   image::Textures textures;

@@ -38,7 +38,8 @@ void solve_ties(std::span<const PointTie> ties, double open, std::span<const dou
 OpenTie widest_tie(std::span<const PointTie> ties, std::span<const Vec3> x) {
   OpenTie widest;
   for (std::size_t i = 0; i < ties.size(); ++i) {
-    const double excess = length(sewing::position_of(ties[i].b, x) - sewing::position_of(ties[i].a, x)) - ties[i].end_length;
+    const double excess =
+        length(sewing::position_of(ties[i].b, x) - sewing::position_of(ties[i].a, x)) - ties[i].end_length;
     if (excess > widest.excess) widest = {static_cast<Index>(i), excess};
   }
   return widest;

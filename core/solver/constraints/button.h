@@ -13,7 +13,7 @@ inline constexpr double kTieClosed = 2e-3;  // m
 inline constexpr double kTieSpeed = 1;      // m/s
 
 struct PointTie {
-  sewing::ClothPoint a, b;            ///< in vertices of the solver
+  sewing::ClothPoint a, b;    ///< in vertices of the solver
   double start_length = 0;    ///< m, before it is drawn together
   double end_length = 0;      ///< m
   double closing_force = 1;   ///< N, the most while it is drawn together

@@ -16,7 +16,7 @@ inline constexpr double kTetherClosed = 2e-3;  // m
 inline constexpr double kTetherSpeed = 3;      // m/s
 
 struct Tether {
-  sewing::ClothPoint at;                                  ///< in vertices of the solver
+  sewing::ClothPoint at;                          ///< in vertices of the solver
   std::shared_ptr<const std::vector<Vec3>> goal;  ///< m; a point, or the corners of a closed line
   double start_length = 0;                        ///< m, from the goal before it is drawn in
 };

@@ -86,13 +86,15 @@ std::vector<MembranePack> pack_membrane(std::span<const constraints::MembraneTri
 
 std::vector<LimitPack> pack_limits(std::span<const constraints::MembraneTriangle> triangles,
                                    std::span<const LaneGroup> groups, std::span<const double> w) {
-  const bool any = std::any_of(triangles.begin(), triangles.end(), [](const constraints::MembraneTriangle& t) {
-    return std::max({t.stop[0], t.stop[1], t.stop[2]}) > 0;
-  });
+  const bool any =
+      std::any_of(triangles.begin(), triangles.end(), [](const constraints::MembraneTriangle& t) {
+        return std::max({t.stop[0], t.stop[1], t.stop[2]}) > 0;
+      });
   std::vector<LimitPack> packs(any ? groups.size() : 0);
   for (std::size_t g = 0; g < packs.size(); ++g) {
     for (int lane = 0; lane < kLanes; ++lane) {
-      const constraints::MembraneTriangle& t = triangles[groups[g][lane] == kNone ? groups[g][0] : groups[g][lane]];
+      const constraints::MembraneTriangle& t =
+          triangles[groups[g][lane] == kNone ? groups[g][0] : groups[g][lane]];
       const double unit = mobility_of(t, w);
       for (int k = 0; k < 3; ++k) {
         packs[g].limit[k].at[lane] = single(t.limit[k]);
@@ -103,8 +105,8 @@ std::vector<LimitPack> pack_limits(std::span<const constraints::MembraneTriangle
   return packs;
 }
 
-std::vector<BendPack> pack_bending(std::span<const constraints::BendTriangle> triangles, std::span<const LaneGroup> groups,
-                                   std::span<const double> w) {
+std::vector<BendPack> pack_bending(std::span<const constraints::BendTriangle> triangles,
+                                   std::span<const LaneGroup> groups, std::span<const double> w) {
   const auto nobody = static_cast<Index>(w.size());
   std::vector<BendPack> packs(groups.size());
   for (std::size_t g = 0; g < groups.size(); ++g) {

@@ -69,8 +69,8 @@ std::vector<MembranePack> pack_membrane(std::span<const constraints::MembraneTri
 /// Empty where no triangle has a limit.
 std::vector<LimitPack> pack_limits(std::span<const constraints::MembraneTriangle> triangles,
                                    std::span<const LaneGroup> groups, std::span<const double> w);
-std::vector<BendPack> pack_bending(std::span<const constraints::BendTriangle> triangles, std::span<const LaneGroup> groups,
-                                   std::span<const double> w);
+std::vector<BendPack> pack_bending(std::span<const constraints::BendTriangle> triangles,
+                                   std::span<const LaneGroup> groups, std::span<const double> w);
 
 /// One Gauss-Seidel pass over packs; `limits` is null where there are none, `x` the positions and nobody's
 /// point behind them.

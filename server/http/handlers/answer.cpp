@@ -20,7 +20,8 @@ http::HttpResponse json_answer(int status, std::vector<json::JsonMember> members
   return json_answer(status, json::write_json_line(std::move(members)) + "\n");
 }
 
-std::string json_with(std::vector<json::JsonMember> members, const std::string& key, const std::string& json) {
+std::string json_with(std::vector<json::JsonMember> members, const std::string& key,
+                      const std::string& json) {
   const bool first = members.empty();
   std::string text = json::write_json_line(std::move(members));
   text.pop_back();
@@ -28,7 +29,7 @@ std::string json_with(std::vector<json::JsonMember> members, const std::string& 
 }
 
 http::HttpResponse json_answer(int status, std::vector<json::JsonMember> members, const std::string& key,
-                         const std::string& json) {
+                               const std::string& json) {
   if (json.empty()) return json_answer(status, std::move(members));
   return json_answer(status, json_with(std::move(members), key, json) + "\n");
 }
@@ -46,7 +47,7 @@ http::HttpResponse made_answer(http::HttpResponse answer, bool anew, const std::
 }
 
 Result<json::JsonValue> read_object(const http::HttpRequest& request, const std::vector<std::string>& known,
-                              const json::JsonLimits& limits) {
+                                    const json::JsonLimits& limits) {
   Result<json::JsonValue> tree = json::parse_json(request.body, limits);
   if (!tree) return tree;
   if (!tree->object()) return Error{"request.object", "the body is a JSON object", "/"};

@@ -15,7 +15,7 @@ http::HttpResponse json_answer(int status, std::string text);
 http::HttpResponse json_answer(int status, std::vector<json::JsonMember> members);
 /// The same with one more member whose value is JSON text already; passed over when it is empty.
 http::HttpResponse json_answer(int status, std::vector<json::JsonMember> members, const std::string& key,
-                         const std::string& json);
+                               const std::string& json);
 /// One line of JSON: `members` and, at its end, the member whose value is JSON text already.
 std::string json_with(std::vector<json::JsonMember> members, const std::string& key, const std::string& json);
 
@@ -26,7 +26,7 @@ http::HttpResponse made_answer(http::HttpResponse answer, bool anew, const std::
 /// A request's JSON object. Errors: json.*, request.object, request.unknown_key when a member is not one of
 /// `known`.
 Result<json::JsonValue> read_object(const http::HttpRequest& request, const std::vector<std::string>& known,
-                              const json::JsonLimits& limits);
+                                    const json::JsonLimits& limits);
 
 /// A page of a list.
 struct Page {

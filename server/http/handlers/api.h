@@ -29,7 +29,8 @@ struct Api {
 struct ApiRoute {
   const char* method = "GET";
   const char* pattern = "";
-  std::function<http::HttpResponse(const Api&, const store::RequestContext&, const http::HttpRequest&)> handler;
+  std::function<http::HttpResponse(const Api&, const store::RequestContext&, const http::HttpRequest&)>
+      handler;
   http::BodyKind body = http::BodyKind::kUnused;
   std::function<std::size_t(const http::HttpRequest&)> limit = http::small_body;
   bool heavy = false;

@@ -13,7 +13,8 @@
 namespace toile::handlers {
 namespace {
 
-http::HttpResponse arrange_all(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+http::HttpResponse arrange_all(const Api& api, const store::RequestContext& context,
+                               const http::HttpRequest& request) {
   const Result<int> revision = required_revision(request);
   if (!revision) return revision_problem(revision.error());
   const Result<documents::ArrangedProject> made =
@@ -26,7 +27,8 @@ http::HttpResponse arrange_all(const Api& api, const store::RequestContext& cont
   return response;
 }
 
-http::HttpResponse place_one(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+http::HttpResponse place_one(const Api& api, const store::RequestContext& context,
+                             const http::HttpRequest& request) {
   const Result<int> revision = required_revision(request);
   if (!revision) return revision_problem(revision.error());
   const Result<json::JsonValue> tree =
@@ -52,7 +54,8 @@ Result<Shown> shown(const Api& api, const store::RequestContext& context, const 
   return Shown{std::move(project), start};
 }
 
-http::HttpResponse check(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+http::HttpResponse check(const Api& api, const store::RequestContext& context,
+                         const http::HttpRequest& request) {
   const Result<Shown> at = shown(api, context, request);
   if (!at) return http::problem(at.error());
   http::HttpResponse response = json_answer(200, at->start->check);
@@ -60,7 +63,8 @@ http::HttpResponse check(const Api& api, const store::RequestContext& context, c
   return response;
 }
 
-http::HttpResponse start(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+http::HttpResponse start(const Api& api, const store::RequestContext& context,
+                         const http::HttpRequest& request) {
   const Result<Shown> at = shown(api, context, request);
   if (!at) return http::problem(at.error());
   http::HttpResponse response = file_answer(at->start->geometry, "application/octet-stream", "start.bin");

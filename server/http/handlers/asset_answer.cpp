@@ -8,10 +8,10 @@ namespace toile::handlers {
 
 std::string asset_json(const store::AssetRow& asset) {
   std::vector<json::JsonMember> members{{"id", asset.id},
-                                  {"kind", asset.kind},
-                                  {"name", asset.name},
-                                  {"size", static_cast<double>(asset.size)},
-                                  {"created_ms", static_cast<double>(asset.created_ms)}};
+                                        {"kind", asset.kind},
+                                        {"name", asset.name},
+                                        {"size", static_cast<double>(asset.size)},
+                                        {"created_ms", static_cast<double>(asset.created_ms)}};
   return json_with(std::move(members), "info", asset.info.empty() ? "{}" : asset.info);
 }
 

@@ -13,26 +13,28 @@
 namespace toile::handlers {
 namespace {
 
-http::HttpResponse keep(const Api& api, const store::RequestContext& context, const http::HttpRequest& request,
-                  const std::string& kind) {
+http::HttpResponse keep(const Api& api, const store::RequestContext& context,
+                        const http::HttpRequest& request, const std::string& kind) {
   const Result<store::AssetRow> asset =
       documents::add_asset(api.documents, context, kind, request.parameter("name"), request.body);
   if (!asset) return http::problem(asset.error());
   return created(json_answer(201, asset_json(*asset) + "\n"), "/api/v1/assets/" + asset->id);
 }
 
-http::HttpResponse upload(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+http::HttpResponse upload(const Api& api, const store::RequestContext& context,
+                          const http::HttpRequest& request) {
   return keep(api, context, request, request.parameter("kind"));
 }
 
-http::HttpResponse upload_body(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+http::HttpResponse upload_body(const Api& api, const store::RequestContext& context,
+                               const http::HttpRequest& request) {
   return keep(api, context, request, "body");
 }
 
 http::HttpResponse list_kind(const Api& api, const store::RequestContext& context, const std::string& kind) {
   if (!kind.empty() && !documents::is_asset_kind(kind)) {
     return http::problem(400, {"documents.kind", "kind is \"dxf\", \"specification\", \"body\" or \"image\"",
-                         "kind", ErrorKind::kMalformed});
+                               "kind", ErrorKind::kMalformed});
   }
   const Result<std::vector<store::AssetRow>> assets = api.store.assets(context, kind);
   if (!assets) return http::problem(assets.error());
@@ -41,15 +43,18 @@ http::HttpResponse list_kind(const Api& api, const store::RequestContext& contex
   return json_answer(200, "{\"assets\": [" + items + "]}\n");
 }
 
-http::HttpResponse list(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+http::HttpResponse list(const Api& api, const store::RequestContext& context,
+                        const http::HttpRequest& request) {
   return list_kind(api, context, request.parameter("kind"));
 }
 
-http::HttpResponse list_bodies(const Api& api, const store::RequestContext& context, const http::HttpRequest&) {
+http::HttpResponse list_bodies(const Api& api, const store::RequestContext& context,
+                               const http::HttpRequest&) {
   return list_kind(api, context, "body");
 }
 
-http::HttpResponse show(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+http::HttpResponse show(const Api& api, const store::RequestContext& context,
+                        const http::HttpRequest& request) {
   const Result<store::AssetRow> asset = api.store.asset(context, request.captures[0]);
   if (!asset) return http::problem(asset.error());
   return json_answer(200, asset_json(*asset) + "\n");
@@ -63,7 +68,8 @@ std::string type_of(const store::AssetRow& asset, std::string_view bytes) {
   return type.starts_with("model/") ? type : "application/octet-stream";
 }
 
-http::HttpResponse content(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+http::HttpResponse content(const Api& api, const store::RequestContext& context,
+                           const http::HttpRequest& request) {
   const Result<store::AssetRow> asset = api.store.asset(context, request.captures[0]);
   if (!asset) return http::problem(asset.error());
   Result<std::string> bytes = api.store.asset_bytes(context, asset->id);

@@ -20,7 +20,8 @@ http::HttpResponse presets(const Api&, const store::RequestContext&, const http:
   return json_answer(200, documents::body_presets_json());
 }
 
-http::HttpResponse make(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+http::HttpResponse make(const Api& api, const store::RequestContext& context,
+                        const http::HttpRequest& request) {
   const Result<json::JsonValue> tree =
       read_object(request, {"mannequin", "name"}, {.bytes = http::kSmallBody, .depth = 8});
   if (!tree) return http::problem(tree.error());
@@ -38,27 +39,30 @@ http::HttpResponse make(const Api& api, const store::RequestContext& context, co
                  "/api/v1/assets/" + made->asset.id);
 }
 
-http::HttpResponse figure(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+http::HttpResponse figure(const Api& api, const store::RequestContext& context,
+                          const http::HttpRequest& request) {
   Result<std::string> text = documents::asset_figure_json(api.documents, context, request.captures[0]);
   return text ? json_answer(200, std::move(*text)) : http::problem(text.error());
 }
 
-http::HttpResponse bodies(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+http::HttpResponse bodies(const Api& api, const store::RequestContext& context,
+                          const http::HttpRequest& request) {
   const Result<store::ProjectRow> project = api.store.project(context, request.captures[0]);
   if (!project) return http::problem(project.error());
-  Result<std::string> text = documents::project_bodies_json(api.documents, project->document,
-                                                 documents::files_in_store(api.documents, context, project->files));
+  Result<std::string> text = documents::project_bodies_json(
+      api.documents, project->document, documents::files_in_store(api.documents, context, project->files));
   if (!text) return http::problem(text.error());
   http::HttpResponse response = json_answer(200, std::move(*text));
   response.headers.emplace_back("ETag", etag_of(*project));
   return response;
 }
 
-http::HttpResponse body(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+http::HttpResponse body(const Api& api, const store::RequestContext& context,
+                        const http::HttpRequest& request) {
   const Result<store::ProjectRow> project = api.store.project(context, request.captures[0]);
   if (!project) return http::problem(project.error());
-  Result<std::string> bytes =
-      documents::body_bytes(project->document, documents::files_in_store(api.documents, context, project->files));
+  Result<std::string> bytes = documents::body_bytes(
+      project->document, documents::files_in_store(api.documents, context, project->files));
   if (!bytes) return http::problem(bytes.error());
   http::HttpResponse response = file_answer(std::move(*bytes), "application/octet-stream", "body.bin");
   response.headers.emplace_back("Cache-Control", "no-cache");
@@ -66,17 +70,20 @@ http::HttpResponse body(const Api& api, const store::RequestContext& context, co
   return response;
 }
 
-http::HttpResponse dress(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+http::HttpResponse dress(const Api& api, const store::RequestContext& context,
+                         const http::HttpRequest& request) {
   const Result<int> revision = required_revision(request);
   if (!revision) return revision_problem(revision.error());
-  const Result<json::JsonValue> wish = json::parse_json(request.body, {.bytes = http::kSmallBody, .depth = 8});
+  const Result<json::JsonValue> wish =
+      json::parse_json(request.body, {.bytes = http::kSmallBody, .depth = 8});
   if (!wish) return http::problem(wish.error());
-  const Result<store::ProjectRow> project =
-      documents::dress_project(api.documents, context, request.captures[0], request.captures[1], *wish, *revision);
+  const Result<store::ProjectRow> project = documents::dress_project(
+      api.documents, context, request.captures[0], request.captures[1], *wish, *revision);
   return project ? project_answer(*project) : revision_problem(project.error());
 }
 
-http::HttpResponse undress(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+http::HttpResponse undress(const Api& api, const store::RequestContext& context,
+                           const http::HttpRequest& request) {
   const Result<int> revision = required_revision(request);
   if (!revision) return revision_problem(revision.error());
   const Result<store::ProjectRow> project =
@@ -84,10 +91,12 @@ http::HttpResponse undress(const Api& api, const store::RequestContext& context,
   return project ? project_answer(*project) : revision_problem(project.error());
 }
 
-http::HttpResponse mark(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+http::HttpResponse mark(const Api& api, const store::RequestContext& context,
+                        const http::HttpRequest& request) {
   const Result<int> revision = required_revision(request);
   if (!revision) return revision_problem(revision.error());
-  const Result<json::JsonValue> tree = read_object(request, {"place"}, {.bytes = http::kSmallBody, .depth = 8});
+  const Result<json::JsonValue> tree =
+      read_object(request, {"place"}, {.bytes = http::kSmallBody, .depth = 8});
   if (!tree) return http::problem(tree.error());
   const json::JsonValue* given = tree->find("place");
   const auto* list = given ? given->array() : nullptr;
@@ -100,16 +109,17 @@ http::HttpResponse mark(const Api& api, const store::RequestContext& context, co
     *at[k] = *number;
   }
   const Result<store::ProjectRow> project =
-      documents::move_landmark(api.documents, context, request.captures[0], request.captures[1], request.captures[2],
-                    place, *revision);
+      documents::move_landmark(api.documents, context, request.captures[0], request.captures[1],
+                               request.captures[2], place, *revision);
   return project ? project_answer(*project) : revision_problem(project.error());
 }
 
-http::HttpResponse unmark(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+http::HttpResponse unmark(const Api& api, const store::RequestContext& context,
+                          const http::HttpRequest& request) {
   const Result<int> revision = required_revision(request);
   if (!revision) return revision_problem(revision.error());
-  const Result<store::ProjectRow> project = documents::forget_landmark(api.documents, context, request.captures[0],
-                                                     request.captures[1], request.captures[2], *revision);
+  const Result<store::ProjectRow> project = documents::forget_landmark(
+      api.documents, context, request.captures[0], request.captures[1], request.captures[2], *revision);
   return project ? project_answer(*project) : revision_problem(project.error());
 }
 

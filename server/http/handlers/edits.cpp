@@ -20,7 +20,8 @@ http::HttpResponse answer(const Result<store::ProjectRow>& project) {
   return project ? project_answer(*project) : revision_problem(project.error());
 }
 
-http::HttpResponse edit(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+http::HttpResponse edit(const Api& api, const store::RequestContext& context,
+                        const http::HttpRequest& request) {
   const Result<int> revision = required_revision(request);
   if (!revision) return revision_problem(revision.error());
   const Result<json::JsonValue> tree =
@@ -30,22 +31,26 @@ http::HttpResponse edit(const Api& api, const store::RequestContext& context, co
   if (!edits) return http::problem({"request.edits", "\"edits\" is a list of edits", "/edits"});
   const Result<documents::ProjectFileMap> files = read_files(*tree);
   if (!files) return http::problem(files.error());
-  return answer(documents::edit_project(api.documents, context, request.captures[0], *edits, *revision, *files));
+  return answer(
+      documents::edit_project(api.documents, context, request.captures[0], *edits, *revision, *files));
 }
 
-http::HttpResponse undo(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+http::HttpResponse undo(const Api& api, const store::RequestContext& context,
+                        const http::HttpRequest& request) {
   const Result<int> revision = required_revision(request);
   if (!revision) return revision_problem(revision.error());
   return answer(documents::undo_edit(api.documents, context, request.captures[0], *revision));
 }
 
-http::HttpResponse redo(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+http::HttpResponse redo(const Api& api, const store::RequestContext& context,
+                        const http::HttpRequest& request) {
   const Result<int> revision = required_revision(request);
   if (!revision) return revision_problem(revision.error());
   return answer(documents::redo_edit(api.documents, context, request.captures[0], *revision));
 }
 
-http::HttpResponse history(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+http::HttpResponse history(const Api& api, const store::RequestContext& context,
+                           const http::HttpRequest& request) {
   const Result<Page> page = read_page(request);
   if (!page) return http::problem(400, page.error());
   std::int64_t before = 0;
@@ -55,11 +60,13 @@ http::HttpResponse history(const Api& api, const store::RequestContext& context,
       return http::problem(
           {"store.cursor", "the cursor is not one that a list gave", "cursor", ErrorKind::kMalformed});
   }
-  Result<std::string> text = documents::history_json(api.documents, context, request.captures[0], before, page->limit);
+  Result<std::string> text =
+      documents::history_json(api.documents, context, request.captures[0], before, page->limit);
   return text ? json_answer(200, std::move(*text)) : http::problem(text.error());
 }
 
-http::HttpResponse proposals(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+http::HttpResponse proposals(const Api& api, const store::RequestContext& context,
+                             const http::HttpRequest& request) {
   const Result<store::ProjectRow> project = api.store.project(context, request.captures[0]);
   if (!project) return http::problem(project.error());
   const resolve::ProjectFiles files = documents::files_in_store(api.documents, context, project->files);
@@ -78,7 +85,8 @@ Result<std::string> text_of(const json::JsonValue& tree, const char* key) {
   return Error{"request.import", "this is a text in quotes", json::pointer_to("", key)};
 }
 
-http::HttpResponse import(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+http::HttpResponse import(const Api& api, const store::RequestContext& context,
+                          const http::HttpRequest& request) {
   const Result<json::JsonValue> tree =
       read_object(request, {"asset", "unit", "size"}, {.bytes = http::kSmallBody, .depth = 4});
   if (!tree) return http::problem(tree.error());
@@ -86,7 +94,8 @@ http::HttpResponse import(const Api& api, const store::RequestContext& context, 
                             size = text_of(*tree, "size");
   for (const Result<std::string>* text : {&asset, &unit, &size})
     if (!*text) return http::problem(text->error());
-  if (asset->empty()) return http::problem({"request.import", "\"asset\" is the id of an uploaded file", "/asset"});
+  if (asset->empty())
+    return http::problem({"request.import", "\"asset\" is the id of an uploaded file", "/asset"});
   Result<std::string> report = documents::import_pattern(api.documents, context, *asset, {*unit, *size});
   return report ? json_answer(200, std::move(*report)) : http::problem(report.error());
 }

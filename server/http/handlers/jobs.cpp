@@ -18,7 +18,7 @@ std::string place_of(const store::JobRow& job) { return "/api/v1/jobs/" + job.id
 
 /// A job with what it is doing now; no progress once it has ended and its figures are in the report.
 std::vector<json::JsonMember> members_with_progress(const Api& api, const store::RequestContext& context,
-                                              const store::JobRow& job) {
+                                                    const store::JobRow& job) {
   std::vector<json::JsonMember> members = ws::job_members(job);
   json::JsonValue progress;
   if (!store::is_final(job.state)) {
@@ -29,69 +29,82 @@ std::vector<json::JsonMember> members_with_progress(const Api& api, const store:
   return members;
 }
 
-http::HttpResponse job_answer(const Api& api, const store::RequestContext& context, const store::JobRow& job) {
+http::HttpResponse job_answer(const Api& api, const store::RequestContext& context,
+                              const store::JobRow& job) {
   return json_answer(200, members_with_progress(api, context, job), "report",
                      job.report.empty() ? "null" : job.report);
 }
 
-http::HttpResponse submit(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
-  const Result<json::JsonValue> given = read_object(request, {"project_id"}, {.bytes = http::kSmallBody, .depth = 32});
+http::HttpResponse submit(const Api& api, const store::RequestContext& context,
+                          const http::HttpRequest& request) {
+  const Result<json::JsonValue> given =
+      read_object(request, {"project_id"}, {.bytes = http::kSmallBody, .depth = 32});
   if (!given) return http::problem(given.error());
   const json::JsonValue* id = given->find("project_id");
   if (!id || !id->text()) {
     return http::problem(422, {"request.project_id", "\"project_id\" is the id of a project", "/project_id"});
   }
-  const Result<store::Made<store::JobRow>> job = api.jobs.submit(context, *id->text(), request.header("idempotency-key"));
+  const Result<store::Made<store::JobRow>> job =
+      api.jobs.submit(context, *id->text(), request.header("idempotency-key"));
   if (job) return made_answer(job_answer(api, context, *job), job->anew, place_of(*job));
   if (job.error().kind != ErrorKind::kNotFound) return http::problem(job.error());
-  return http::problem(404, {"store.not_found", "there is no project " + in_quotes(*id->text()), "/project_id",
-                       ErrorKind::kNotFound});
+  return http::problem(404, {"store.not_found", "there is no project " + in_quotes(*id->text()),
+                             "/project_id", ErrorKind::kNotFound});
 }
 
-http::HttpResponse list(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+http::HttpResponse list(const Api& api, const store::RequestContext& context,
+                        const http::HttpRequest& request) {
   const Result<Page> page = read_page(request);
   if (!page) return http::problem(400, page.error());
   Result<std::vector<store::JobRow>> rows = api.store.jobs(context, page->cursor, page->limit + 1);
   if (!rows) return http::problem(rows.error());
-  return page_answer("jobs", *page, std::move(*rows),
-                     [&](const store::JobRow& row) { return json::JsonValue(members_with_progress(api, context, row)); });
+  return page_answer("jobs", *page, std::move(*rows), [&](const store::JobRow& row) {
+    return json::JsonValue(members_with_progress(api, context, row));
+  });
 }
 
-http::HttpResponse show(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+http::HttpResponse show(const Api& api, const store::RequestContext& context,
+                        const http::HttpRequest& request) {
   const Result<store::JobRow> job = api.store.job(context, request.captures[0]);
   return job ? job_answer(api, context, *job) : http::problem(job.error());
 }
 
-http::HttpResponse changed(const Api& api, const store::RequestContext& context, const Result<store::JobRow>& job) {
+http::HttpResponse changed(const Api& api, const store::RequestContext& context,
+                           const Result<store::JobRow>& job) {
   return job ? job_answer(api, context, *job) : http::problem(job.error());
 }
 
-http::HttpResponse pause(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+http::HttpResponse pause(const Api& api, const store::RequestContext& context,
+                         const http::HttpRequest& request) {
   return changed(api, context, api.jobs.pause(context, request.captures[0]));
 }
 
-http::HttpResponse resume(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+http::HttpResponse resume(const Api& api, const store::RequestContext& context,
+                          const http::HttpRequest& request) {
   return changed(api, context, api.jobs.resume(context, request.captures[0]));
 }
 
-http::HttpResponse cancel(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+http::HttpResponse cancel(const Api& api, const store::RequestContext& context,
+                          const http::HttpRequest& request) {
   return changed(api, context, api.jobs.cancel(context, request.captures[0]));
 }
 
-http::HttpResponse list_results(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+http::HttpResponse list_results(const Api& api, const store::RequestContext& context,
+                                const http::HttpRequest& request) {
   const Result<store::JobRow> job = api.store.job(context, request.captures[0]);
   if (!job) return http::problem(job.error());
   std::vector<json::JsonValue> results;
   for (const auto& [name, bytes] : job->results) {
     results.push_back(std::vector<json::JsonMember>{{"name", name},
-                                              {"size", static_cast<double>(bytes)},
-                                              {"content_type", http::content_type_of(name)},
-                                              {"href", place_of(*job) + "/results/" + name}});
+                                                    {"size", static_cast<double>(bytes)},
+                                                    {"content_type", http::content_type_of(name)},
+                                                    {"href", place_of(*job) + "/results/" + name}});
   }
   return json_answer(200, {{"results", std::move(results)}});
 }
 
-http::HttpResponse result(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+http::HttpResponse result(const Api& api, const store::RequestContext& context,
+                          const http::HttpRequest& request) {
   const Result<store::JobRow> job = api.store.job(context, request.captures[0]);
   if (!job) return http::problem(job.error());
   const std::string& name = request.captures[1];
@@ -106,10 +119,12 @@ http::HttpResponse result(const Api& api, const store::RequestContext& context, 
   return response;
 }
 
-http::HttpResponse body(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+http::HttpResponse body(const Api& api, const store::RequestContext& context,
+                        const http::HttpRequest& request) {
   const Result<store::JobRow> job = api.store.job(context, request.captures[0]);
   if (!job) return http::problem(job.error());
-  Result<std::string> bytes = documents::body_bytes(job->document, documents::files_in_store(api.documents, context, job->files));
+  Result<std::string> bytes =
+      documents::body_bytes(job->document, documents::files_in_store(api.documents, context, job->files));
   if (!bytes) return http::problem(bytes.error());
   http::HttpResponse response = file_answer(std::move(*bytes), "application/octet-stream", "body.bin");
   response.headers.emplace_back("Cache-Control", "private, max-age=31536000, immutable");
@@ -117,7 +132,8 @@ http::HttpResponse body(const Api& api, const store::RequestContext& context, co
 }
 
 /// Before the upgrade: is there such a job? The stream itself is served by ws.
-http::HttpResponse stream(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+http::HttpResponse stream(const Api& api, const store::RequestContext& context,
+                          const http::HttpRequest& request) {
   const Result<store::JobRow> job = api.store.job(context, request.captures[0]);
   return job ? http::HttpResponse{} : http::problem(job.error());
 }

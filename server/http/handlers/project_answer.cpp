@@ -60,7 +60,8 @@ Result<std::map<std::string, std::string>> read_files(const json::JsonValue& req
     return Error{"request.files", "\"files\" is an object of file name to asset id", "/files"};
   for (const json::JsonMember& file : *files->object()) {
     if (!file.value.text()) {
-      return Error{"request.files", "a file stands for the id of an asset", json::pointer_to("/files", file.key)};
+      return Error{"request.files", "a file stands for the id of an asset",
+                   json::pointer_to("/files", file.key)};
     }
     out[file.key] = *file.value.text();
   }

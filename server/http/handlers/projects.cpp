@@ -50,16 +50,18 @@ Error in_request(Error error) {
   return error;
 }
 
-http::HttpResponse create(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+http::HttpResponse create(const Api& api, const store::RequestContext& context,
+                          const http::HttpRequest& request) {
   const Result<Given> given = read_given(request);
   if (!given) return http::problem(given.error());
-  const Result<store::Made<store::ProjectRow>> project = documents::create_project(api.documents, context, given->document,
-                                                          given->files, request.header("idempotency-key"));
+  const Result<store::Made<store::ProjectRow>> project = documents::create_project(
+      api.documents, context, given->document, given->files, request.header("idempotency-key"));
   if (!project) return http::problem(in_request(project.error()));
   return made_answer(project_answer(*project), project->anew, "/api/v1/projects/" + project->id);
 }
 
-http::HttpResponse list(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+http::HttpResponse list(const Api& api, const store::RequestContext& context,
+                        const http::HttpRequest& request) {
   const Result<Page> page = read_page(request);
   if (!page) return http::problem(400, page.error());
   Result<std::vector<store::ProjectRow>> rows = api.store.projects(context, page->cursor, page->limit + 1);
@@ -68,7 +70,8 @@ http::HttpResponse list(const Api& api, const store::RequestContext& context, co
                      [](const store::ProjectRow& row) { return json::JsonValue(project_members(row)); });
 }
 
-http::HttpResponse show(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+http::HttpResponse show(const Api& api, const store::RequestContext& context,
+                        const http::HttpRequest& request) {
   const Result<store::ProjectRow> project = api.store.project(context, request.captures[0]);
   if (!project) return http::problem(project.error());
   http::HttpResponse response = project_answer(*project);
@@ -79,18 +82,20 @@ http::HttpResponse show(const Api& api, const store::RequestContext& context, co
   return response;
 }
 
-http::HttpResponse replace(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+http::HttpResponse replace(const Api& api, const store::RequestContext& context,
+                           const http::HttpRequest& request) {
   const Result<int> revision = required_revision(request);
   if (!revision) return revision_problem(revision.error());
   const Result<Given> given = read_given(request);
   if (!given) return http::problem(given.error());
-  const Result<store::ProjectRow> project =
-      documents::replace_project(api.documents, context, request.captures[0], given->document, given->files, *revision);
+  const Result<store::ProjectRow> project = documents::replace_project(
+      api.documents, context, request.captures[0], given->document, given->files, *revision);
   return project ? project_answer(*project) : revision_problem(in_request(project.error()));
 }
 
 /// Without If-Match whichever revision there is.
-http::HttpResponse remove(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+http::HttpResponse remove(const Api& api, const store::RequestContext& context,
+                          const http::HttpRequest& request) {
   const bool any = request.header("if-match").empty();
   const Result<int> revision = any ? Result<int>(0) : required_revision(request);
   if (!revision) return revision_problem(revision.error());
@@ -101,11 +106,12 @@ http::HttpResponse remove(const Api& api, const store::RequestContext& context, 
   return response;
 }
 
-http::HttpResponse pieces(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+http::HttpResponse pieces(const Api& api, const store::RequestContext& context,
+                          const http::HttpRequest& request) {
   const Result<store::ProjectRow> project = api.store.project(context, request.captures[0]);
   if (!project) return http::problem(project.error());
-  const Result<std::string> view =
-      documents::pieces_json(project->document, documents::files_in_store(api.documents, context, project->files));
+  const Result<std::string> view = documents::pieces_json(
+      project->document, documents::files_in_store(api.documents, context, project->files));
   if (!view) return http::problem(view.error());
   http::HttpResponse response = json_answer(200, *view);
   response.headers.emplace_back("ETag", etag_of(*project));

@@ -56,7 +56,8 @@ Status SqliteStore::trim_edits(const store::OwnerId& owner, const std::string& p
   return {};
 }
 
-Status SqliteStore::append_edit(const store::OwnerId& owner, const std::string& project_id, const store::EditRow& edit) {
+Status SqliteStore::append_edit(const store::OwnerId& owner, const std::string& project_id,
+                                const store::EditRow& edit) {
   TRY(database_.run("DELETE FROM project_edits WHERE owner = ? AND project_id = ? AND undone = 1",
                     {owner, project_id}));
   const auto bytes =
@@ -79,8 +80,9 @@ Status SqliteStore::turn_edit(const store::OwnerId& owner, const std::string& pr
   return not_found("step", std::to_string(number));
 }
 
-Result<store::ProjectRow> SqliteStore::edit_project(const store::RequestContext& context, const store::ProjectRow& row,
-                                             int expected, store::EditStep step, const store::EditRow& edit) {
+Result<store::ProjectRow> SqliteStore::edit_project(const store::RequestContext& context,
+                                                    const store::ProjectRow& row, int expected,
+                                                    store::EditStep step, const store::EditRow& edit) {
   const std::lock_guard hold(mutex_);
   SqlTransaction transaction = TRY(SqlTransaction::begin(database_));
   const store::ProjectRow now = TRY(find_project(context.owner, row.id));
@@ -90,14 +92,16 @@ Result<store::ProjectRow> SqliteStore::edit_project(const store::RequestContext&
   changed.document = row.document;
   changed.files = row.files;
   const store::ProjectRow kept = TRY(update_project(context.owner, now, changed));
-  TRY(step == store::EditStep::kDo ? append_edit(context.owner, row.id, edit)
-                            : turn_edit(context.owner, row.id, edit.number, step == store::EditStep::kUndo));
+  TRY(step == store::EditStep::kDo
+          ? append_edit(context.owner, row.id, edit)
+          : turn_edit(context.owner, row.id, edit.number, step == store::EditStep::kUndo));
   TRY(transaction.commit());
   return kept;
 }
 
-Result<std::vector<store::EditRow>> SqliteStore::edits(const store::RequestContext& context, const std::string& project_id,
-                                                std::int64_t before, int limit) {
+Result<std::vector<store::EditRow>> SqliteStore::edits(const store::RequestContext& context,
+                                                       const std::string& project_id, std::int64_t before,
+                                                       int limit) {
   const std::lock_guard hold(mutex_);
   return rows_of(database_.prepare("SELECT number, undone, created_ms, edits, '', '' FROM project_edits"
                                    " WHERE owner = ?1 AND project_id = ?2 AND (?3 = 0 OR number < ?3)"
@@ -107,7 +111,8 @@ Result<std::vector<store::EditRow>> SqliteStore::edits(const store::RequestConte
 }
 
 Result<std::optional<store::EditRow>> SqliteStore::next_edit(const store::RequestContext& context,
-                                                      const std::string& project_id, store::EditStep step) {
+                                                             const std::string& project_id,
+                                                             store::EditStep step) {
   const std::lock_guard hold(mutex_);
   const char* const sql =
       step == store::EditStep::kUndo
@@ -115,7 +120,8 @@ Result<std::optional<store::EditRow>> SqliteStore::next_edit(const store::Reques
             " WHERE owner = ? AND project_id = ? AND undone = 0 ORDER BY number DESC LIMIT 1"
           : "SELECT number, undone, created_ms, edits, inverse, original FROM project_edits"
             " WHERE owner = ? AND project_id = ? AND undone = 1 ORDER BY number LIMIT 1";
-  std::vector<store::EditRow> rows = TRY(rows_of(database_.prepare(sql, {context.owner, project_id}), edit_from));
+  std::vector<store::EditRow> rows =
+      TRY(rows_of(database_.prepare(sql, {context.owner, project_id}), edit_from));
   if (rows.empty()) return std::optional<store::EditRow>();
   return std::optional(std::move(rows.front()));
 }

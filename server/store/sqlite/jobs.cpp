@@ -14,7 +14,8 @@ Result<store::Store::OwnedJob> owned_job_from(const SqlStatement& row) {
 
 }  // namespace
 
-Result<std::optional<store::JobRow>> SqliteStore::find_job_of_key(const store::OwnerId& owner, const std::string& key) {
+Result<std::optional<store::JobRow>> SqliteStore::find_job_of_key(const store::OwnerId& owner,
+                                                                  const std::string& key) {
   if (key.empty()) return std::optional<store::JobRow>();
   Result<std::vector<store::JobRow>> made =
       rows_of(database_.prepare(select(kJobColumns, "FROM jobs WHERE owner = ? AND idempotency_key = ?"),
@@ -26,13 +27,14 @@ Result<std::optional<store::JobRow>> SqliteStore::find_job_of_key(const store::O
 }
 
 Result<std::optional<store::JobRow>> SqliteStore::job_of_key(const store::RequestContext& context,
-                                                      const std::string& idempotency_key) {
+                                                             const std::string& idempotency_key) {
   TRY(check_key(idempotency_key));
   const std::lock_guard hold(mutex_);
   return find_job_of_key(context.owner, idempotency_key);
 }
 
-Status SqliteStore::insert_job(const store::OwnerId& owner, const store::JobRow& row, const std::string& idempotency_key) {
+Status SqliteStore::insert_job(const store::OwnerId& owner, const store::JobRow& row,
+                               const std::string& idempotency_key) {
   const std::string files = column_text(row.files), results = column_text(row.results);
   const SqlValue key = idempotency_key.empty() ? SqlValue(nullptr) : SqlValue(idempotency_key);
   const Result<int> kept = database_.run(
@@ -46,8 +48,9 @@ Status SqliteStore::insert_job(const store::OwnerId& owner, const store::JobRow&
   return {};
 }
 
-Result<store::Made<store::JobRow>> SqliteStore::create_job(const store::RequestContext& context, store::JobRow row,
-                                             const std::string& idempotency_key) {
+Result<store::Made<store::JobRow>> SqliteStore::create_job(const store::RequestContext& context,
+                                                           store::JobRow row,
+                                                           const std::string& idempotency_key) {
   TRY(check_key(idempotency_key));
   const std::lock_guard hold(mutex_);
   SqlTransaction transaction = TRY(SqlTransaction::begin(database_));
@@ -74,8 +77,8 @@ Result<store::JobRow> SqliteStore::job(const store::RequestContext& context, con
       job_from, "job", id);
 }
 
-Result<std::vector<store::JobRow>> SqliteStore::jobs(const store::RequestContext& context, const std::string& cursor,
-                                              int limit) {
+Result<std::vector<store::JobRow>> SqliteStore::jobs(const store::RequestContext& context,
+                                                     const std::string& cursor, int limit) {
   const std::string before = TRY(before_what(cursor, 'j'));
   const std::lock_guard hold(mutex_);
   return rows_of(database_.prepare(
@@ -140,7 +143,7 @@ Status SqliteStore::put_checkpoint(const store::RequestContext& context, const s
 }
 
 Result<store::Store::KeptCheckpoint> SqliteStore::checkpoint(const store::RequestContext& context,
-                                                      const std::string& job_id) {
+                                                             const std::string& job_id) {
   TRY(check_job(context.owner, job_id));
   return blobs_.checkpoint(job_id);
 }

@@ -68,7 +68,8 @@ std::int64_t page_limit(int limit) {
 
 // Assets
 
-Result<store::AssetRow> SqliteStore::put_asset(const store::RequestContext& context, store::AssetRow row, std::string_view bytes) {
+Result<store::AssetRow> SqliteStore::put_asset(const store::RequestContext& context, store::AssetRow row,
+                                               std::string_view bytes) {
   TRY(store::check_name(row.name));
   row.id = "a_" + hash_of(row.kind + '/' + row.name + '/' + hash_of(bytes));  // no kind, no name has a slash
   row.size = static_cast<std::int64_t>(bytes.size());
@@ -109,7 +110,8 @@ Result<std::string> SqliteStore::asset_path(const store::RequestContext& context
   return path.string();
 }
 
-Result<std::vector<store::AssetRow>> SqliteStore::assets(const store::RequestContext& context, const std::string& kind) {
+Result<std::vector<store::AssetRow>> SqliteStore::assets(const store::RequestContext& context,
+                                                         const std::string& kind) {
   const std::lock_guard hold(mutex_);
   return rows_of(database_.prepare(select(kAssetColumns,
                                           "FROM assets WHERE owner = ?1 AND (?2 = '' OR kind = ?2)"
@@ -121,8 +123,9 @@ Result<std::vector<store::AssetRow>> SqliteStore::assets(const store::RequestCon
 // Projects
 
 /// The project that was made with the key, when `request` is what it was made of.
-Result<std::optional<store::ProjectRow>> SqliteStore::project_of_key(const store::OwnerId& owner, const std::string& key,
-                                                              const std::string& request) {
+Result<std::optional<store::ProjectRow>> SqliteStore::project_of_key(const store::OwnerId& owner,
+                                                                     const std::string& key,
+                                                                     const std::string& request) {
   const Result<std::vector<KeyedProject>> made =
       rows_of(database_.prepare("SELECT project_id, request FROM project_keys WHERE owner = ? AND key = ?",
                                 {owner, key}),
@@ -150,8 +153,9 @@ Status SqliteStore::insert_project(const store::OwnerId& owner, const store::Pro
   return {};
 }
 
-Result<store::Made<store::ProjectRow>> SqliteStore::create_project(const store::RequestContext& context, store::ProjectRow row,
-                                                     const std::string& idempotency_key) {
+Result<store::Made<store::ProjectRow>> SqliteStore::create_project(const store::RequestContext& context,
+                                                                   store::ProjectRow row,
+                                                                   const std::string& idempotency_key) {
   TRY(check_key(idempotency_key));
   const std::string request = hash_of(row.document + '\n' + column_text(row.files));
   const std::lock_guard hold(mutex_);
@@ -175,8 +179,8 @@ Result<store::Made<store::ProjectRow>> SqliteStore::create_project(const store::
   return store::Made<store::ProjectRow>{std::move(row), true};
 }
 
-Result<store::ProjectRow> SqliteStore::replace_project(const store::RequestContext& context, const store::ProjectRow& row,
-                                                int expected) {
+Result<store::ProjectRow> SqliteStore::replace_project(const store::RequestContext& context,
+                                                       const store::ProjectRow& row, int expected) {
   const std::lock_guard hold(mutex_);
   SqlTransaction transaction = TRY(SqlTransaction::begin(database_));
   const store::ProjectRow now = TRY(find_project(context.owner, row.id));
@@ -188,8 +192,9 @@ Result<store::ProjectRow> SqliteStore::replace_project(const store::RequestConte
 }
 
 /// `now` with name, document and files of `row`, one revision on.
-Result<store::ProjectRow> SqliteStore::update_project(const store::OwnerId& owner, const store::ProjectRow& now,
-                                               const store::ProjectRow& row) {
+Result<store::ProjectRow> SqliteStore::update_project(const store::OwnerId& owner,
+                                                      const store::ProjectRow& now,
+                                                      const store::ProjectRow& row) {
   store::ProjectRow next = now;
   next.name = row.name;
   next.document = row.document;
@@ -217,7 +222,7 @@ Result<store::ProjectRow> SqliteStore::project(const store::RequestContext& cont
 }
 
 Result<std::vector<store::ProjectRow>> SqliteStore::projects(const store::RequestContext& context,
-                                                      const std::string& cursor, int limit) {
+                                                             const std::string& cursor, int limit) {
   const std::string before = TRY(before_what(cursor, 'p'));
   const std::lock_guard hold(mutex_);
   return rows_of(
@@ -227,7 +232,8 @@ Result<std::vector<store::ProjectRow>> SqliteStore::projects(const store::Reques
       project_from);
 }
 
-Status SqliteStore::remove_project(const store::RequestContext& context, const std::string& id, int expected) {
+Status SqliteStore::remove_project(const store::RequestContext& context, const std::string& id,
+                                   int expected) {
   const std::lock_guard hold(mutex_);
   SqlTransaction transaction = TRY(SqlTransaction::begin(database_));
   const store::ProjectRow now = TRY(find_project(context.owner, id));

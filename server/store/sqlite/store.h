@@ -28,35 +28,41 @@ class SqliteStore final : public store::Store {
   SqliteStore(store::FolderLock lock, store::Blobs blobs, SqlDatabase database, store::IdSource ids)
       : lock_(std::move(lock)), blobs_(std::move(blobs)), database_(std::move(database)), ids_(ids) {}
 
-  Result<store::AssetRow> put_asset(const store::RequestContext& context, store::AssetRow row, std::string_view bytes) override;
+  Result<store::AssetRow> put_asset(const store::RequestContext& context, store::AssetRow row,
+                                    std::string_view bytes) override;
   Result<store::AssetRow> asset(const store::RequestContext& context, const std::string& id) override;
   Result<std::string> asset_bytes(const store::RequestContext& context, const std::string& id) override;
   Result<std::string> asset_path(const store::RequestContext& context, const std::string& id) override;
-  Result<std::vector<store::AssetRow>> assets(const store::RequestContext& context, const std::string& kind) override;
+  Result<std::vector<store::AssetRow>> assets(const store::RequestContext& context,
+                                              const std::string& kind) override;
 
-  Result<store::Made<store::ProjectRow>> create_project(const store::RequestContext& context, store::ProjectRow row,
-                                          const std::string& idempotency_key) override;
-  Result<store::ProjectRow> replace_project(const store::RequestContext& context, const store::ProjectRow& row,
-                                     int expected) override;
+  Result<store::Made<store::ProjectRow>> create_project(const store::RequestContext& context,
+                                                        store::ProjectRow row,
+                                                        const std::string& idempotency_key) override;
+  Result<store::ProjectRow> replace_project(const store::RequestContext& context,
+                                            const store::ProjectRow& row, int expected) override;
   Result<store::ProjectRow> project(const store::RequestContext& context, const std::string& id) override;
-  Result<std::vector<store::ProjectRow>> projects(const store::RequestContext& context, const std::string& cursor,
-                                           int limit) override;
+  Result<std::vector<store::ProjectRow>> projects(const store::RequestContext& context,
+                                                  const std::string& cursor, int limit) override;
   Status remove_project(const store::RequestContext& context, const std::string& id, int expected) override;
 
-  Result<store::ProjectRow> edit_project(const store::RequestContext& context, const store::ProjectRow& row, int expected,
-                                  store::EditStep step, const store::EditRow& edit) override;
-  Result<std::vector<store::EditRow>> edits(const store::RequestContext& context, const std::string& project_id,
-                                     std::int64_t before, int limit) override;
-  Result<std::optional<store::EditRow>> next_edit(const store::RequestContext& context, const std::string& project_id,
-                                           store::EditStep step) override;
+  Result<store::ProjectRow> edit_project(const store::RequestContext& context, const store::ProjectRow& row,
+                                         int expected, store::EditStep step,
+                                         const store::EditRow& edit) override;
+  Result<std::vector<store::EditRow>> edits(const store::RequestContext& context,
+                                            const std::string& project_id, std::int64_t before,
+                                            int limit) override;
+  Result<std::optional<store::EditRow>> next_edit(const store::RequestContext& context,
+                                                  const std::string& project_id,
+                                                  store::EditStep step) override;
 
   Result<store::Made<store::JobRow>> create_job(const store::RequestContext& context, store::JobRow row,
-                                  const std::string& idempotency_key) override;
+                                                const std::string& idempotency_key) override;
   Result<std::optional<store::JobRow>> job_of_key(const store::RequestContext& context,
-                                           const std::string& idempotency_key) override;
+                                                  const std::string& idempotency_key) override;
   Result<store::JobRow> job(const store::RequestContext& context, const std::string& id) override;
   Result<std::vector<store::JobRow>> jobs(const store::RequestContext& context, const std::string& cursor,
-                                   int limit) override;
+                                          int limit) override;
   Status update_job(const store::RequestContext& context, const store::JobRow& row) override;
   Result<std::vector<OwnedJob>> unfinished_jobs() override;
 
@@ -81,13 +87,16 @@ class SqliteStore final : public store::Store {
  private:
   // What follows expects mutex_ to be held.
   Result<store::ProjectRow> find_project(const store::OwnerId& owner, const std::string& id);
-  Status insert_job(const store::OwnerId& owner, const store::JobRow& row, const std::string& idempotency_key);
+  Status insert_job(const store::OwnerId& owner, const store::JobRow& row,
+                    const std::string& idempotency_key);
   Result<std::optional<store::ProjectRow>> project_of_key(const store::OwnerId& owner, const std::string& key,
-                                                   const std::string& request);
+                                                          const std::string& request);
   Status insert_project(const store::OwnerId& owner, const store::ProjectRow& row);
-  Result<store::ProjectRow> update_project(const store::OwnerId& owner, const store::ProjectRow& now, const store::ProjectRow& row);
+  Result<store::ProjectRow> update_project(const store::OwnerId& owner, const store::ProjectRow& now,
+                                           const store::ProjectRow& row);
   Status append_edit(const store::OwnerId& owner, const std::string& project_id, const store::EditRow& edit);
-  Status turn_edit(const store::OwnerId& owner, const std::string& project_id, std::int64_t number, bool undone);
+  Status turn_edit(const store::OwnerId& owner, const std::string& project_id, std::int64_t number,
+                   bool undone);
   Status trim_edits(const store::OwnerId& owner, const std::string& project_id);
   Status forget_edits(const store::OwnerId& owner, const std::string& project_id);
   Result<std::optional<store::JobRow>> find_job_of_key(const store::OwnerId& owner, const std::string& key);

@@ -56,9 +56,9 @@ Status sweep_results(SqlDatabase& database, const store::Blobs& blobs) {
 
 /// A crash between a job's end and the removal of its checkpoint leaves one.
 Status sweep_checkpoints(SqlDatabase& database, const store::Blobs& blobs) {
-  const std::vector<std::string> ids =
-      TRY(rows_of(database.prepare("SELECT id FROM jobs WHERE state IN (" + store::unfinished_states_in_sql() + ")"),
-                  text_from));
+  const std::vector<std::string> ids = TRY(rows_of(
+      database.prepare("SELECT id FROM jobs WHERE state IN (" + store::unfinished_states_in_sql() + ")"),
+      text_from));
   blobs.keep_checkpoints_of({ids.begin(), ids.end()});
   return {};
 }

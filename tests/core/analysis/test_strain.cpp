@@ -44,7 +44,8 @@ TEST(Strain, StretchAndSqueezeAreToldApart) {
   EXPECT_NEAR(f.tension.mean, 0.06 / 100, 1e-12);
   EXPECT_EQ(f.compression.max, 0.2);
   EXPECT_NEAR(f.compression.mean, 0.3 / 100, 1e-12);
-  EXPECT_EQ(analysis::stretch_figures_of({0.01, -0.5}).tension.p99, 0.01) << "squeezed cloth is not overstretched";
+  EXPECT_EQ(analysis::stretch_figures_of({0.01, -0.5}).tension.p99, 0.01)
+      << "squeezed cloth is not overstretched";
 }
 
 TEST(Strain, FiguresAreOfMagnitudes) {

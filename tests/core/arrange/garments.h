@@ -30,7 +30,8 @@ inline pattern::Panel turned_over(const std::string& id, const std::vector<Vec2>
   return polygon(id, mirrored);
 }
 
-inline pattern::Seam seam(const std::string& id, std::vector<pattern::SeamEdge> a, std::vector<pattern::SeamEdge> b) {
+inline pattern::Seam seam(const std::string& id, std::vector<pattern::SeamEdge> a,
+                          std::vector<pattern::SeamEdge> b) {
   return {id, std::move(a), std::move(b), false};
 }
 

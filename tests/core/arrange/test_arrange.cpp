@@ -21,7 +21,8 @@ namespace toile {
 namespace {
 
 const body::Body& mannequin() {
-  static const body::Body body{"mannequin", mesh_import::load_mesh(TOILE_SOURCE_DIR "/samples/skirt/body.obj").value()};
+  static const body::Body body{"mannequin",
+                               mesh_import::load_mesh(TOILE_SOURCE_DIR "/samples/skirt/body.obj").value()};
   return body;
 }
 
@@ -54,7 +55,8 @@ Start started(pattern::Pattern pattern) {
 std::string text_of(const preflight::Findings& findings) {
   std::string text;
   for (const preflight::Finding& f : findings) {
-    text += std::string(preflight::code_of(f.kind)) + " " + preflight::where_text(f) + ": " + f.message + "\n";
+    text +=
+        std::string(preflight::code_of(f.kind)) + " " + preflight::where_text(f) + ": " + f.message + "\n";
   }
   return text;
 }
@@ -68,7 +70,8 @@ void expect_clean(const Start& s) {
   }
   const sewing::GarmentMesh& g = s.assembly.garment;
   const collision::Surface surface = collision::make_surface(g.triangles, g.vertex_count(), g.weld);
-  const collision::CrossingBody body = collision::make_crossing_body(mannequin().mesh.vertices, mannequin().mesh.triangles);
+  const collision::CrossingBody body =
+      collision::make_crossing_body(mannequin().mesh.vertices, mannequin().mesh.triangles);
   EXPECT_TRUE(collision::body_crossings(surface, s.assembly.positions, body).empty());
   EXPECT_TRUE(collision::self_crossings(surface, s.assembly.positions).empty());
 }
@@ -177,7 +180,8 @@ TEST(Arrange, SleevesGoAroundTheArmsThatTheirSeamsLeadTo) {
       EXPECT_EQ(std::abs(winding(s, ring, {0, 1, 0}, {0, 1, 0})), 1);
       continue;
     }
-    const measure::ArmLine& arm = figure().arm[has_panel(s, ring, 2) ? measure::kWearersLeft : measure::kWearersRight];
+    const measure::ArmLine& arm =
+        figure().arm[has_panel(s, ring, 2) ? measure::kWearersLeft : measure::kWearersRight];
     EXPECT_EQ(std::abs(winding(s, ring, arm.root, arm.along())), 1);
     ++cuffs;
   }
@@ -256,8 +260,10 @@ TEST(Arrange, EachTrouserLegGoesAroundItsOwnLeg) {
   int hems = 0;
   for (const auto& ring : all) {
     if (has_panel(s, ring, 0) && has_panel(s, ring, 1)) continue;  // the waist
-    const measure::LegLine& leg = figure().leg[has_panel(s, ring, 1) ? measure::kWearersLeft : measure::kWearersRight];
-    const measure::LegLine& other = figure().leg[has_panel(s, ring, 1) ? measure::kWearersRight : measure::kWearersLeft];
+    const measure::LegLine& leg =
+        figure().leg[has_panel(s, ring, 1) ? measure::kWearersLeft : measure::kWearersRight];
+    const measure::LegLine& other =
+        figure().leg[has_panel(s, ring, 1) ? measure::kWearersRight : measure::kWearersLeft];
     EXPECT_EQ(std::abs(winding(s, ring, leg.ankle, {0, 1, 0})), 1);
     EXPECT_EQ(winding(s, ring, other.ankle, {0, 1, 0}), 0);
     ++hems;
@@ -303,8 +309,9 @@ TEST(Arrange, WithoutAStandingPersonThereIsNothingToArrangeAround) {
   const pattern::Pattern pattern = test::skirt();
   const mesh::PanelMeshes meshes = mesh::make_panel_meshes(pattern, 0.02, {}).value();
   EXPECT_EQ(arrange::arrange({pattern, meshes, {}}).error().code, "arrange.no_body");
-  body::Body table{"table",
-             {{{-1, 0, -1}, {1, 0, -1}, {0, 0, 1}, {0, 1, 0}}, {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}}};
+  body::Body table{
+      "table",
+      {{{-1, 0, -1}, {1, 0, -1}, {0, 0, 1}, {0, 1, 0}}, {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}}};
   const auto made = arrange::arrange({pattern, meshes, std::span<const body::Body>(&table, 1)});
   ASSERT_FALSE(made.ok());
   EXPECT_EQ(made.error().code, "body.not_standing");

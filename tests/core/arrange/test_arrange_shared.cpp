@@ -28,7 +28,8 @@ drape::DrapeInput unplaced(const std::string& shared, const std::string& name) {
 
 /// Gives the pieces their places; no finding may be an error, and no ring may go around nothing but a hood's.
 void take_places(drape::DrapeInput& input, const std::string& name) {
-  const mesh::PanelMeshes meshes = mesh::make_panel_meshes(input.pattern, input.settings.particle_distance, {}).value();
+  const mesh::PanelMeshes meshes =
+      mesh::make_panel_meshes(input.pattern, input.settings.particle_distance, {}).value();
   const auto made = arrange::arrange({input.pattern, meshes, input.bodies});
   ASSERT_TRUE(made.ok()) << name << ": " << to_string(made.error());
   for (const preflight::Finding& f : made->findings) {
@@ -36,7 +37,8 @@ void take_places(drape::DrapeInput& input, const std::string& name) {
         << name << ": " << preflight::code_of(f.kind) << " " << preflight::where_text(f) << ": " << f.message;
     EXPECT_FALSE(f.repaired) << name << ": " << preflight::code_of(f.kind) << " " << preflight::where_text(f);
     const bool open_hood = preflight::where_text(f).find("hood") != std::string::npos;
-    EXPECT_TRUE(f.kind != preflight::FindingKind::kRingAroundNothing || open_hood) << name << ": " << preflight::where_text(f);
+    EXPECT_TRUE(f.kind != preflight::FindingKind::kRingAroundNothing || open_hood)
+        << name << ": " << preflight::where_text(f);
   }
   input.placements = made->placements;
   input.attachments = made->attachments;

@@ -23,9 +23,11 @@ const Boxed& boxed() {
 }
 
 TEST(BoxPlaces, APieceStandsBeforeItsSideWithItsRightSideOutwards) {
-  for (const measure::BodyPart part : {measure::BodyPart::kTorso, measure::BodyPart::kLeftArm, measure::BodyPart::kRightLeg}) {
+  for (const measure::BodyPart part :
+       {measure::BodyPart::kTorso, measure::BodyPart::kLeftArm, measure::BodyPart::kRightLeg}) {
     const measure::PartBox& box = boxed().of(part);
-    for (const arrange::BoxSide side : {arrange::BoxSide::kFront, arrange::BoxSide::kBack, arrange::BoxSide::kLeft, arrange::BoxSide::kRight}) {
+    for (const arrange::BoxSide side : {arrange::BoxSide::kFront, arrange::BoxSide::kBack,
+                                        arrange::BoxSide::kLeft, arrange::BoxSide::kRight}) {
       arrange::OnBox where;
       where.side = side;
       where.at = {0.02, 0.05};

@@ -30,7 +30,8 @@ void append_sheet(Sheet& sheet, int n, double y) {
 }
 
 /// Moves every vertex as far as its bounds let it, towards random places near and beyond.
-void move_at_random(const collision::Contacts& contacts, std::mt19937& random, double reach, std::vector<Vec3>& x) {
+void move_at_random(const collision::Contacts& contacts, std::mt19937& random, double reach,
+                    std::vector<Vec3>& x) {
   std::uniform_real_distribution<double> step(-reach, reach);
   for (std::size_t i = 0; i < x.size(); ++i) {
     const Vec3 to = x[i] + Vec3{step(random), step(random), step(random)};
@@ -46,7 +47,8 @@ TEST(Contacts, BoundsKeepTwoSheetsApartWhateverTheMoves) {
     append_sheet(sheet, 6, 0);
     append_sheet(sheet, 6, 0.002);
     for (Vec3& p : sheet.x) p.x += p.y;  // no vertex above another
-    const collision::Surface surface = collision::make_surface(sheet.triangles, static_cast<Index>(sheet.x.size()));
+    const collision::Surface surface =
+        collision::make_surface(sheet.triangles, static_cast<Index>(sheet.x.size()));
     collision::ContactFinder finder(surface, {}, collision::ContactSettings{});
     const std::vector<double> speeds(sheet.x.size(), 0.5);
     collision::Contacts contacts;
@@ -67,7 +69,8 @@ TEST(Contacts, BoundsKeepASheetOutOfABodyWithEdgesAndPoints) {
   std::mt19937 random(5);
   Sheet sheet;
   append_sheet(sheet, 6, 0.03);
-  const collision::Surface surface = collision::make_surface(sheet.triangles, static_cast<Index>(sheet.x.size()));
+  const collision::Surface surface =
+      collision::make_surface(sheet.triangles, static_cast<Index>(sheet.x.size()));
   collision::ContactFinder finder(surface, obstacles, collision::ContactSettings{});
   const std::vector<double> speeds(sheet.x.size(), 1.0);
   collision::Contacts contacts;
@@ -87,7 +90,8 @@ TEST(Contacts, BoundsKeepASheetOutOfABodyWithEdgesAndPoints) {
 TEST(Contacts, AVertexAloneMayUseItsWholeBall) {
   Sheet sheet;
   append_sheet(sheet, 2, 0);
-  collision::ContactFinder finder(collision::make_surface(sheet.triangles, 4), {}, collision::ContactSettings{});
+  collision::ContactFinder finder(collision::make_surface(sheet.triangles, 4), {},
+                                  collision::ContactSettings{});
   collision::Contacts contacts;
   finder.detect(sheet.x, std::vector<double>(4, 0.0), contacts);
   EXPECT_NEAR(contacts.reach(0, sheet.x[0], sheet.x[0] + Vec3{0, 0.002, 0}), 0.5, 0.02);
@@ -97,7 +101,8 @@ TEST(Contacts, AVertexAloneMayUseItsWholeBall) {
 TEST(Contacts, FasterVerticesGetLargerBalls) {
   Sheet sheet;
   append_sheet(sheet, 2, 0);
-  collision::ContactFinder finder(collision::make_surface(sheet.triangles, 4), {}, collision::ContactSettings{});
+  collision::ContactFinder finder(collision::make_surface(sheet.triangles, 4), {},
+                                  collision::ContactSettings{});
   collision::Contacts contacts;
   finder.detect(sheet.x, std::vector<double>{0, 0.3, 0.5, 100}, contacts);
   EXPECT_NEAR(contacts.trust_radius[0], 1e-3, 1e-4);

@@ -25,7 +25,8 @@ TEST(Crossings, OrientationChangesSignWhenTwoCornersSwap) {
   for (int i = 0; i < 2000; ++i) {
     collision::ExactPoint p[4];
     for (collision::ExactPoint& q : p) q = {coordinate(random), coordinate(random), coordinate(random)};
-    EXPECT_EQ(collision::orientation(p[0], p[1], p[2], p[3]), -collision::orientation(p[1], p[0], p[2], p[3]));
+    EXPECT_EQ(collision::orientation(p[0], p[1], p[2], p[3]),
+              -collision::orientation(p[1], p[0], p[2], p[3]));
     EXPECT_EQ(collision::orientation(p[0], p[1], p[2], p[3]), collision::orientation(p[1], p[2], p[0], p[3]));
   }
 }
@@ -34,8 +35,10 @@ TEST(Crossings, TouchingIsNoCrossing) {
   const collision::ExactPoint a{0, 0, 0}, b{10, 0, 0}, c{0, 10, 0};
   EXPECT_TRUE(collision::segment_crosses_triangle({2, 2, -5}, {2, 2, 5}, a, b, c));
   EXPECT_FALSE(collision::segment_crosses_triangle({2, 2, 0}, {2, 2, 5}, a, b, c)) << "ends on the face";
-  EXPECT_FALSE(collision::segment_crosses_triangle({5, 0, -5}, {5, 0, 5}, a, b, c)) << "passes through an edge";
-  EXPECT_FALSE(collision::segment_crosses_triangle({0, 0, -5}, {0, 0, 5}, a, b, c)) << "passes through a corner";
+  EXPECT_FALSE(collision::segment_crosses_triangle({5, 0, -5}, {5, 0, 5}, a, b, c))
+      << "passes through an edge";
+  EXPECT_FALSE(collision::segment_crosses_triangle({0, 0, -5}, {0, 0, 5}, a, b, c))
+      << "passes through a corner";
   EXPECT_FALSE(collision::segment_crosses_triangle({-5, 2, 0}, {20, 2, 0}, a, b, c)) << "lies in the plane";
 }
 
@@ -79,10 +82,11 @@ TEST(Crossings, CountsWhatBruteForceCounts) {
   const std::vector<Tri> first(triangles.begin(), triangles.begin() + 150),
       rest(triangles.begin() + 150, triangles.end());
   const auto count = [&](const std::vector<Tri>& part) {
-    return static_cast<int>(collision::self_crossings(collision::make_surface(part, static_cast<Index>(x.size())), x).size());
+    return static_cast<int>(
+        collision::self_crossings(collision::make_surface(part, static_cast<Index>(x.size())), x).size());
   };
-  const auto between =
-      collision::body_crossings(collision::make_surface(first, static_cast<Index>(x.size())), x, collision::make_crossing_body(x, rest));
+  const auto between = collision::body_crossings(collision::make_surface(first, static_cast<Index>(x.size())),
+                                                 x, collision::make_crossing_body(x, rest));
   EXPECT_EQ(static_cast<int>(between.size()), expected - count(first) - count(rest));
 }
 

@@ -55,12 +55,13 @@ TEST(NearEdges, KeepsEveryPairWithinReachAndHardlyAnyOther) {
 
 TEST(NearEdges, LooksAtTheLastOfAnOddNumberOfPairsOnce) {
   const std::vector<collision::EdgeLine> lines{collision::edge_line({0, 0, 0}, {1, 0, 0}, 0.1),
-                                    collision::edge_line({0, 0.1, 0}, {1, 0.1, 0}, 0.1)};
+                                               collision::edge_line({0, 0.1, 0}, {1, 0.1, 0}, 0.1)};
   const std::vector<collision::EdgePair> pairs{{0, 1}, {1, 0}, {0, 1}};
   int visits = 0;
   collision::visit_near(pairs, lines, lines, [&](Index, Index) { ++visits; });
   EXPECT_EQ(visits, 3);
-  collision::visit_near(std::span<const collision::EdgePair>{}, lines, lines, [&](Index, Index) { ++visits; });
+  collision::visit_near(std::span<const collision::EdgePair>{}, lines, lines,
+                        [&](Index, Index) { ++visits; });
   EXPECT_EQ(visits, 3);
 }
 

@@ -37,16 +37,21 @@ TEST(Skirt, HasTheGirthsAndTheLengthThatWereAsked) {
   const draft::SkirtMeasures m;
   const Result<pattern::Pattern> p = draft::draft_skirt(m);
   ASSERT_TRUE(p);
-  EXPECT_NEAR(pattern::arc_length(edge(*p, "front", "waist")) + pattern::arc_length(edge(*p, "back", "waist")), 735, 0.01);
-  EXPECT_NEAR(pattern::arc_length(edge(*p, "band_front", "top")) + pattern::arc_length(edge(*p, "band_back", "top")), 735,
-              1e-9);
-  EXPECT_NEAR(pattern::arc_length(edge(*p, "front", "hem")) + pattern::arc_length(edge(*p, "back", "hem")), 1600, 0.01);
+  EXPECT_NEAR(
+      pattern::arc_length(edge(*p, "front", "waist")) + pattern::arc_length(edge(*p, "back", "waist")), 735,
+      0.01);
+  EXPECT_NEAR(
+      pattern::arc_length(edge(*p, "band_front", "top")) + pattern::arc_length(edge(*p, "band_back", "top")),
+      735, 1e-9);
+  EXPECT_NEAR(pattern::arc_length(edge(*p, "front", "hem")) + pattern::arc_length(edge(*p, "back", "hem")),
+              1600, 0.01);
   EXPECT_NEAR(pattern::arc_length(edge(*p, "front", "side_left")), 560, 0.01);
   EXPECT_LT(m.waist + m.waist_ease, m.hip) << "the band cannot slide over the hips";
 }
 
 TEST(Skirt, SewsSidesOfEqualLengthTheRightWayRound) {
-  const draft::SkirtMeasures straight{.waist = 700, .hip = 1000, .waist_to_hip = 200, .length = 600, .hem = 1100};
+  const draft::SkirtMeasures straight{
+      .waist = 700, .hip = 1000, .waist_to_hip = 200, .length = 600, .hem = 1100};
   for (const draft::SkirtMeasures& m : {draft::SkirtMeasures{}, straight}) {
     const Result<pattern::Pattern> p = draft::draft_skirt(m);
     ASSERT_TRUE(p) << to_string(p.error());

@@ -5,7 +5,9 @@
 
 namespace toile::test {
 
-inline pattern::CubicBezier line(Vec2 a, Vec2 b) { return {a, a + (b - a) * (1.0 / 3), a + (b - a) * (2.0 / 3), b}; }
+inline pattern::CubicBezier line(Vec2 a, Vec2 b) {
+  return {a, a + (b - a) * (1.0 / 3), a + (b - a) * (2.0 / 3), b};
+}
 
 /// A rectangle around the origin of the panel, mm; edges e0 (bottom), e1 (right), e2 (top), e3 (left).
 inline pattern::Panel rectangle(const std::string& id, double width, double height) {
@@ -64,7 +66,8 @@ inline drape::DrapeInput tube() {
   // Both face the same way, so the right edge of one meets the right edge of the other, running the same way.
   input.pattern.seams = {{"left", {{0, 3, false}}, {{1, 3, false}}, true},
                          {"right", {{0, 1, false}}, {{1, 1, false}}, true}};
-  input.placements = {sewing::RigidPlacement{{0, 0.15, 0.1}, {}, false}, sewing::RigidPlacement{{0, 0.15, -0.1}, {}, false}};
+  input.placements = {sewing::RigidPlacement{{0, 0.15, 0.1}, {}, false},
+                      sewing::RigidPlacement{{0, 0.15, -0.1}, {}, false}};
   input.fabrics = {material::Fabric{}};
   input.fabric_of_panel = {0, 0};
   input.bodies = {column(0.07, 0, 0.3)};

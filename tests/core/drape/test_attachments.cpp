@@ -22,7 +22,8 @@ std::vector<Vec3> ring(double radius, double height, int corners = 32) {
   return out;
 }
 
-sewing::Attachment to_goal(Index panel, std::vector<Index> edges, std::vector<Vec3> goal, double release_after) {
+sewing::Attachment to_goal(Index panel, std::vector<Index> edges, std::vector<Vec3> goal,
+                           double release_after) {
   sewing::Attachment a;
   a.id = "to_goal";
   a.panel = panel;
@@ -64,7 +65,8 @@ int crossings_of(const drape::DrapeResult& r) { return r.worst.cloth_body + r.wo
 
 TEST(Attachments, AnEdgeLedToALineStaysOnItUntilItIsReleasedAndFallsThen) {
   const drape::DrapeInput held = tube_on_a_line(-1), freed = tube_on_a_line(0.2);
-  const drape::DrapeResult stays = drape::drape(held, {}, nullptr).value(), falls = drape::drape(freed, {}, nullptr).value();
+  const drape::DrapeResult stays = drape::drape(held, {}, nullptr).value(),
+                           falls = drape::drape(freed, {}, nullptr).value();
   EXPECT_LT(top_of(held, stays.positions).off, 3e-3);
   ASSERT_EQ(stays.holds.size(), 2u);
   EXPECT_FALSE(stays.holds[0].released);

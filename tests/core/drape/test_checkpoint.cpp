@@ -190,7 +190,9 @@ TEST(Checkpoint, OfAnotherInputIsRefused) {
   EXPECT_EQ(code([](drape::DrapeInput& i) { i.attachments[0].release_after = 1; }), other);
   EXPECT_EQ(code([](drape::DrapeInput& i) { i.attachments.clear(); }), other);
   EXPECT_EQ(code([](drape::DrapeInput& i) { i.pattern.seams.pop_back(); }), other);
-  EXPECT_EQ(code([](drape::DrapeInput& i) { std::get<sewing::RigidPlacement>(i.placements[0]).translation.z += 0.01; }),
+  EXPECT_EQ(code([](drape::DrapeInput& i) {
+              std::get<sewing::RigidPlacement>(i.placements[0]).translation.z += 0.01;
+            }),
             other);
 }
 
@@ -202,7 +204,8 @@ TEST(Checkpoint, CutOffOrChangedAnywhereIsRefusedAndNothingBreaks) {
   const std::string good = run->checkpoint(), hash = run->session().start_hash();
   ASSERT_TRUE(drape::decode_checkpoint(good, hash).ok());
   for (std::size_t n = 0; n < good.size(); ++n) {
-    ASSERT_EQ(drape::decode_checkpoint(std::string_view(good).substr(0, n), hash).error().code, "checkpoint.damaged")
+    ASSERT_EQ(drape::decode_checkpoint(std::string_view(good).substr(0, n), hash).error().code,
+              "checkpoint.damaged")
         << n << " bytes";
   }
   for (std::size_t n = 0; n < good.size(); ++n) {
@@ -256,7 +259,8 @@ TEST(Checkpoint, ThatDoesNotFitTheGarmentIsRefused) {
   EXPECT_EQ(code([](drape::RunState&) {}), "");
   const std::string damaged = "checkpoint.damaged";
   EXPECT_EQ(code([](drape::RunState& s) { s.session.joined.pop_back(); }), damaged);
-  EXPECT_EQ(code([](drape::RunState& s) { s.session.joined.flip(); }), damaged) << "other numbers of vertices";
+  EXPECT_EQ(code([](drape::RunState& s) { s.session.joined.flip(); }), damaged)
+      << "other numbers of vertices";
   EXPECT_EQ(code([](drape::RunState& s) { s.session.released.clear(); }), damaged);
   EXPECT_EQ(code([](drape::RunState& s) { s.session.solver.velocities.pop_back(); }), damaged);
   EXPECT_EQ(code([](drape::RunState& s) { s.session.solver.centres.pop_back(); }), damaged);
@@ -264,7 +268,8 @@ TEST(Checkpoint, ThatDoesNotFitTheGarmentIsRefused) {
   EXPECT_EQ(code([](drape::RunState& s) { s.session.solver.velocities[0].x = 1e300; }), damaged);
   EXPECT_EQ(code([](drape::RunState& s) { s.session.watch.window_start.clear(); }), damaged);
   EXPECT_EQ(code([](drape::RunState& s) { s.session.watch.rms.assign(5, 0.0); }), damaged);
-  EXPECT_EQ(code([](drape::RunState& s) { s.session.phase = drape::DrapePhase::kDone; }), damaged) << "without a reason";
+  EXPECT_EQ(code([](drape::RunState& s) { s.session.phase = drape::DrapePhase::kDone; }), damaged)
+      << "without a reason";
   EXPECT_EQ(code([](drape::RunState& s) { s.session.phase = static_cast<drape::DrapePhase>(7); }), damaged);
   EXPECT_EQ(code([](drape::RunState& s) { s.session.steps = -1; }), damaged);
   EXPECT_EQ(code([](drape::RunState& s) { s.cpu_s = std::numeric_limits<double>::infinity(); }), damaged);

@@ -45,10 +45,12 @@ void expect_clean(const drape::DrapeResult& r) {
 
 /// Where a flat point of a panel has come to.
 Vec3 place_of(const drape::DrapeInput& input, const drape::DrapeResult& r, const sewing::PanelPoint& point) {
-  const mesh::PanelMeshes meshes = mesh::make_panel_meshes(input.pattern, input.settings.particle_distance, {}).value();
+  const mesh::PanelMeshes meshes =
+      mesh::make_panel_meshes(input.pattern, input.settings.particle_distance, {}).value();
   sewing::Notions notions;
   notions.buttons = {{"b", point, point, 0}};
-  return sewing::position_of(sewing::locate_notions(notions, meshes, r.garment).value().buttons[0][0], r.positions);
+  return sewing::position_of(sewing::locate_notions(notions, meshes, r.garment).value().buttons[0][0],
+                             r.positions);
 }
 
 TEST(Notions, AButtonDrawsTwoSheetsTogetherAndHoldsThem) {
@@ -93,7 +95,8 @@ TEST(Notions, AButtonBesideItsPieceIsRefusedWithItsName) {
 
 /// Length of the ring that the top edges of a tube's two panels make, m.
 double ring_length(const drape::DrapeInput& input, const drape::DrapeResult& r) {
-  const mesh::PanelMeshes meshes = mesh::make_panel_meshes(input.pattern, input.settings.particle_distance, {}).value();
+  const mesh::PanelMeshes meshes =
+      mesh::make_panel_meshes(input.pattern, input.settings.particle_distance, {}).value();
   double sum = 0;
   for (std::size_t p = 0; p < 2; ++p) {
     const std::vector<Index>& top = meshes.panels[p].edge_vertices[2];
@@ -161,7 +164,8 @@ double volume_inside(const drape::DrapeResult& r) {
   for (const auto& [a, b, c] : r.garment.triangles) {
     joined.push_back({r.garment.weld[a], r.garment.weld[b], r.garment.weld[c]});
   }
-  return solver::constraints::volume_of(solver::constraints::make_chamber(joined, r.garment.vertex_count(), 0, 0), r.positions);
+  return solver::constraints::volume_of(
+      solver::constraints::make_chamber(joined, r.garment.vertex_count(), 0, 0), r.positions);
 }
 
 TEST(Notions, ALongCushionHoldsWhatAPaperBagHolds) {

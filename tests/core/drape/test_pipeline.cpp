@@ -100,7 +100,7 @@ TEST(Pipeline, PiecesThatStartThroughEachOtherAreRefusedWithBothNames) {
 TEST(Pipeline, PiecesThatTouchAtTheStartAreMovedApart) {
   drape::DrapeInput input = test::tube();
   std::get<sewing::RigidPlacement>(input.placements[1]).translation = {0.05, 0.16,
-                                                               0.1};  // overlaps in the same plane
+                                                                       0.1};  // overlaps in the same plane
   input.pattern.seams.clear();
   const auto r = drape::drape(input, {}, nullptr);
   ASSERT_TRUE(r.ok()) << to_string(r.error());
@@ -145,7 +145,8 @@ TEST(Pipeline, ASeamThatNearlyClosesIsNamedAsWell) {
   ASSERT_TRUE(r.ok());
   EXPECT_FALSE(r->settled());
   const std::string widest = widest_seam(input, *r);
-  EXPECT_TRUE(r->stop_reason.kind == drape::Stop::kStalledSeam || r->stop_reason.kind == drape::Stop::kOpenSeam)
+  EXPECT_TRUE(r->stop_reason.kind == drape::Stop::kStalledSeam ||
+              r->stop_reason.kind == drape::Stop::kOpenSeam)
       << drape::to_string(r->stop_reason);
   EXPECT_EQ(r->stop_reason.name, widest) << "is open the most";
   EXPECT_EQ(r->stop_reason.gap, r->seam_gap_max);

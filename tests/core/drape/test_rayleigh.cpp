@@ -59,8 +59,8 @@ TEST(CalmingDamping, GrowsWithTheRateWithinLimits) {
 }
 
 TEST(WayLeft, IsAmplitudeForASwingAndTheRestOfTheWayForACreep) {
-  EXPECT_NEAR(drape::way_left(0.1, 0, 10), 0.01, 1e-12);       // v/ω
-  EXPECT_NEAR(drape::way_left(0.1, 1000, 10), 1, 0.02);        // v c/ω²
+  EXPECT_NEAR(drape::way_left(0.1, 0, 10), 0.01, 1e-12);              // v/ω
+  EXPECT_NEAR(drape::way_left(0.1, 1000, 10), 1, 0.02);               // v c/ω²
   EXPECT_EQ(drape::way_left(0.1, 2, 0), drape::way_left(0.1, 2, 5));  // nothing is taken to be slower
 }
 

@@ -26,7 +26,8 @@ TEST(StopReason, NoTwoStopsHaveTheSameWords) {
 
 TEST(StopReason, ASeamsNameMayHoldAnything) {
   for (const char* name : {"", " ", "open seam", "settled", "a b  c", "größe"}) {
-    const Result<drape::StopReason> read = drape::stop_reason_from(drape::to_string({drape::Stop::kOpenSeam, name, 0}));
+    const Result<drape::StopReason> read =
+        drape::stop_reason_from(drape::to_string({drape::Stop::kOpenSeam, name, 0}));
     ASSERT_TRUE(read.ok()) << name;
     EXPECT_EQ(read->kind, drape::Stop::kOpenSeam);
     EXPECT_EQ(read->name, name);

@@ -40,7 +40,8 @@ TEST(Weld, AWeldThatWouldCrossTheBodyIsNotDone) {
   // A thin wall stands in the gap, so that closing it at vertices 1 and 4 runs cloth through the wall.
   const std::vector<Vec3> wall{
       {0.09, -1e-4, -0.05}, {0.12, -1e-4, -0.05}, {0.09, -1e-4, 0.05}, {0.12, -1e-4, 0.05}};
-  const std::vector<collision::CrossingBody> bodies{collision::make_crossing_body(wall, std::vector<Tri>{{0, 1, 2}, {1, 3, 2}})};
+  const std::vector<collision::CrossingBody> bodies{
+      collision::make_crossing_body(wall, std::vector<Tri>{{0, 1, 2}, {1, 3, 2}})};
   std::vector<Vec3> x = side_by_side(2e-4);
   x[2].y = 0.1;
   x[5].y = -0.1;
@@ -53,7 +54,8 @@ TEST(Weld, AWeldThatWouldCrossTheBodyIsNotDone) {
   std::vector<Vec3> end;
   for (const Index v : w.vertex_of) end.push_back(w.positions[v]);
   const sewing::GarmentMesh g = two_triangles();
-  EXPECT_TRUE(collision::body_crossings(collision::make_surface(g.triangles, 6, g.weld), end, bodies[0]).empty());
+  EXPECT_TRUE(
+      collision::body_crossings(collision::make_surface(g.triangles, 6, g.weld), end, bodies[0]).empty());
 }
 
 }  // namespace

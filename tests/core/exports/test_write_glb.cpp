@@ -180,7 +180,8 @@ TEST_F(WriteGlb, GivesEachPanelItsFabricDoubleSided) {
 
 std::shared_ptr<const image::TextureImage> image_of(const std::string& name, std::string bytes) {
   image::ReadPicture read = image::read_picture(bytes).value();
-  return std::make_shared<const image::TextureImage>(image::TextureImage{name, std::move(bytes), std::move(read)});
+  return std::make_shared<const image::TextureImage>(
+      image::TextureImage{name, std::move(bytes), std::move(read)});
 }
 
 /// What the file has behind image `index`.
@@ -218,7 +219,8 @@ TEST_F(WriteGlb, EmbedsThePictureOfAPanelAndLaysItOnTheCloth) {
 TEST_F(WriteGlb, SharesOnePictureBetweenFabricsUnlessTheyShineThrough) {
   image::Textures textures;
   textures.images = {image_of("squares.png", test::png_of(test::squares()))};
-  textures.of_panel = {image::lay_texture(0, {0, 1}, {}, 0.1, 1, 0), image::lay_texture(0, {1, 0}, {}, 0.2, 1, 0)};
+  textures.of_panel = {image::lay_texture(0, {0, 1}, {}, 0.1, 1, 0),
+                       image::lay_texture(0, {1, 0}, {}, 0.2, 1, 0)};
   exports::GlbModel model = model_of(garment_);
   model.textures = &textures;
   const Glb opaque = parse(*exports::glb_bytes(model));

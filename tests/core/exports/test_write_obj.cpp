@@ -54,7 +54,8 @@ TEST_F(WriteObj, GroupsTrianglesByPanelInTheOrderOfThePanels) {
   const TwoPanels t = two_panels();
   const std::vector<Index> mixed{1, 0, 1, 0};
   ASSERT_TRUE(
-      exports::write_obj(directory_ / "a.obj", t.positions, t.garment.triangles, {{"front", "back"}, mixed}).ok());
+      exports::write_obj(directory_ / "a.obj", t.positions, t.garment.triangles, {{"front", "back"}, mixed})
+          .ok());
   const std::string text = file_text(directory_ / "a.obj");
   EXPECT_NE(text.find("o front\nf 1 3 4\nf 5 7 8\no back\nf 1 2 3\nf 5 6 7\n"), std::string::npos) << text;
   EXPECT_EQ(read_obj(directory_ / "a.obj").vertices.size(), t.positions.size());
@@ -76,7 +77,7 @@ TEST_F(WriteObj, GivesFlatPlacesAsTextureCoordinates) {
 TEST_F(WriteObj, CannotBeBrokenByAPanelsName) {
   const TwoPanels t = two_panels();
   ASSERT_TRUE(exports::write_obj(directory_ / "a.obj", t.positions, t.garment.triangles,
-                        {{"left\nv 9 9 9", ""}, t.garment.panel_of_triangle})
+                                 {{"left\nv 9 9 9", ""}, t.garment.panel_of_triangle})
                   .ok());
   const PlainObj obj = read_obj(directory_ / "a.obj");
   EXPECT_EQ(obj.vertices.size(), t.positions.size());
@@ -104,7 +105,7 @@ TEST_F(WriteObj, RefusesATriangleWithoutItsVertex) {
 TEST_F(WriteObj, RefusesATriangleOfAnUnnamedPanel) {
   const TwoPanels t = two_panels();
   const Status status = exports::write_obj(directory_ / "a.obj", t.positions, t.garment.triangles,
-                                  {{"front"}, t.garment.panel_of_triangle});
+                                           {{"front"}, t.garment.panel_of_triangle});
   ASSERT_FALSE(status.ok());
   EXPECT_EQ(status.error().code, "export.bad_index");
 }
@@ -173,19 +174,23 @@ TEST_F(WriteCheckData, ListsSewnPairsAsJson) {
 
 TEST_F(WriteCheckData, RefusesAGarmentThatDisagreesWithItself) {
   TwoPanels t = two_panels();
-  EXPECT_EQ(exports::write_check_data(directory_, t.garment, std::span(t.positions).first(7), {}).error().code,
-            "export.bad_garment");
+  EXPECT_EQ(
+      exports::write_check_data(directory_, t.garment, std::span(t.positions).first(7), {}).error().code,
+      "export.bad_garment");
   t.garment.panel_of_vertex[3] = 2'000'000'000;
-  EXPECT_EQ(exports::write_check_data(directory_, t.garment, t.positions, {}).error().code, "export.bad_garment");
+  EXPECT_EQ(exports::write_check_data(directory_, t.garment, t.positions, {}).error().code,
+            "export.bad_garment");
   t = two_panels();
   t.garment.sewn[1][0] = -1;
-  EXPECT_EQ(exports::write_check_data(directory_, t.garment, t.positions, {}).error().code, "export.bad_index");
+  EXPECT_EQ(exports::write_check_data(directory_, t.garment, t.positions, {}).error().code,
+            "export.bad_index");
 }
 
 TEST_F(WriteCheckData, SaysWhyTheFolderCannotBeMade) {
   std::ofstream(directory_ / "taken") << "a file";
   const TwoPanels t = two_panels();
-  const Status status = exports::write_check_data(directory_ / "taken" / "inside", t.garment, t.positions, {});
+  const Status status =
+      exports::write_check_data(directory_ / "taken" / "inside", t.garment, t.positions, {});
   ASSERT_FALSE(status.ok());
   EXPECT_EQ(status.error().code, "export.write");
 }

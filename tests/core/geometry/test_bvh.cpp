@@ -14,8 +14,8 @@ std::vector<geometry::Box3> random_boxes(int count, unsigned seed) {
   std::vector<geometry::Box3> boxes;
   for (int i = 0; i < count; ++i) {
     const Vec3 p{place(random), place(random), place(random)};
-    boxes.push_back(
-        geometry::box_around({p, p + Vec3{0.1 * place(random), 0.1 * place(random), 0.1 * place(random)}}, 0));
+    boxes.push_back(geometry::box_around(
+        {p, p + Vec3{0.1 * place(random), 0.1 * place(random), 0.1 * place(random)}}, 0));
   }
   return boxes;
 }

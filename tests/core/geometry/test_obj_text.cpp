@@ -7,8 +7,10 @@ namespace {
 
 TEST(ObjText, WritesAMeshLineByLineWithCornersCountedFromOne) {
   const geometry::TriangleMesh mesh{{{0, -0.0, 1.0 / 3}, {1, 0, 0}, {0, 2e-7, 0}}, {{0, 1, 2}}};
-  EXPECT_EQ(geometry::obj_text(mesh, geometry::ObjDigits::kNine), "v 0 0 0.333333333\nv 1 0 0\nv 0 2e-07 0\nf 1 2 3\n");
-  EXPECT_EQ(geometry::obj_text(mesh, geometry::ObjDigits::kAll), "v 0 -0 0.3333333333333333\nv 1 0 0\nv 0 2e-07 0\nf 1 2 3\n");
+  EXPECT_EQ(geometry::obj_text(mesh, geometry::ObjDigits::kNine),
+            "v 0 0 0.333333333\nv 1 0 0\nv 0 2e-07 0\nf 1 2 3\n");
+  EXPECT_EQ(geometry::obj_text(mesh, geometry::ObjDigits::kAll),
+            "v 0 -0 0.3333333333333333\nv 1 0 0\nv 0 2e-07 0\nf 1 2 3\n");
 }
 
 TEST(ObjText, KeepsNamesToOneWord) {

@@ -20,8 +20,9 @@ std::optional<geometry::Crossing> crossing(std::vector<Vec2> loop) {
 TEST(Polygon2, AreaIsPositiveCounterClockwiseAndKeepsItsDigitsFarFromTheOrigin) {
   EXPECT_DOUBLE_EQ(geometry::signed_area(kSquare), 100);
   EXPECT_DOUBLE_EQ(geometry::signed_area(std::vector<Vec2>{{0, 0}, {0, 10}, {10, 0}}), -50);
-  EXPECT_DOUBLE_EQ(
-      geometry::signed_area(std::vector<Vec2>{{1e9, 1e9}, {1e9 + 1, 1e9}, {1e9 + 1, 1e9 + 1}, {1e9, 1e9 + 1}}), 1);
+  EXPECT_DOUBLE_EQ(geometry::signed_area(
+                       std::vector<Vec2>{{1e9, 1e9}, {1e9 + 1, 1e9}, {1e9 + 1, 1e9 + 1}, {1e9, 1e9 + 1}}),
+                   1);
   EXPECT_EQ(geometry::signed_area(std::vector<Vec2>{}), 0);
 }
 

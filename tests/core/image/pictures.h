@@ -10,7 +10,8 @@
 
 namespace toile::test {
 
-inline image::Picture painted(int width, int height, const std::function<std::array<int, 4>(int, int)>& colour) {
+inline image::Picture painted(int width, int height,
+                              const std::function<std::array<int, 4>(int, int)>& colour) {
   image::Picture picture{width, height, {}, true};
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {

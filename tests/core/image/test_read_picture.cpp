@@ -90,7 +90,9 @@ TEST(ReadPicture, GivesBackThePixelsOfAPng) {
 }
 
 TEST(ReadPicture, KeepsTheOpacityOfAPng) {
-  const image::Picture glass = painted(3, 2, [](int x, int y) -> Colour { return {10, 20, 30, 40 * (x + 3 * y)}; });
+  const image::Picture glass = painted(3, 2, [](int x, int y) -> Colour {
+    return {10, 20, 30, 40 * (x + 3 * y)};
+  });
   const Result<image::ReadPicture> read = image::read_picture(png_of(glass));
   ASSERT_TRUE(read.ok());
   EXPECT_FALSE(read->picture.opaque);
@@ -220,11 +222,13 @@ TEST(ReadPicture, RefusesABombByItsHeader) {
   EXPECT_TRUE(image::read_picture(with_size(small, 16, 16)).ok());
   EXPECT_EQ(image::read_picture(with_size(small, 16384, 16384)).error().code, "image.too_large");
   EXPECT_EQ(image::read_picture(with_size(small, 1u << 30, 1)).ok(), false);
-  EXPECT_EQ(image::read_picture(with_size(interlaced_png(squares()), 8192, 8192)).error().code, "image.too_large");
+  EXPECT_EQ(image::read_picture(with_size(interlaced_png(squares()), 8192, 8192)).error().code,
+            "image.too_large");
   EXPECT_EQ(image::read_picture(small, {.bytes = 50}).error().code, "image.too_large");
   EXPECT_EQ(image::read_picture(jpeg_of(squares()), {.side = 15}).error().code, "image.too_large");
-  EXPECT_EQ(image::read_picture(jpeg_of(squares(), {.progressive = true}), {.whole_pixels = 255}).error().code,
-            "image.too_large");
+  EXPECT_EQ(
+      image::read_picture(jpeg_of(squares(), {.progressive = true}), {.whole_pixels = 255}).error().code,
+      "image.too_large");
   EXPECT_EQ(image::read_picture(jpeg_of(squares(), {.progressive = true}), {.scans = 2}).error().code,
             "image.too_large");
 }
@@ -289,7 +293,9 @@ TEST(Exif, OfADamagedSegmentIsUpright) {
 }
 
 TEST(OverGround, LetsTheGroundShineThroughInLight) {
-  const image::Picture half = painted(2, 1, [](int x, int) -> Colour { return {255, 255, 255, x == 0 ? 0 : 128}; });
+  const image::Picture half = painted(2, 1, [](int x, int) -> Colour {
+    return {255, 255, 255, x == 0 ? 0 : 128};
+  });
   const image::Picture seen = image::over_ground(half, {0, 1, 0});
   EXPECT_TRUE(seen.opaque);
   EXPECT_EQ(at(seen, 0, 0), (Colour{0, 255, 0, 255}));

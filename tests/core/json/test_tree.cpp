@@ -112,7 +112,7 @@ TEST(JsonCodec, BreaksLinesWhereTheyWouldBeLong) {
 TEST(JsonCodec, WritesUtf8EvenFromBrokenBytes) {
   const std::string text =
       json::write_json_line(json::JsonValue(std::string("a\xff"
-                                            "b")));
+                                                        "b")));
   EXPECT_EQ(text,
             "\"a\xEF\xBF\xBD"
             "b\"");

@@ -60,7 +60,8 @@ TEST(GridTriangulation, NoVertexLiesInsideATrianglesCircle) {
   mesh::GridTriangulation mesh(points);
   ASSERT_FALSE(mesh.build(std::vector<std::array<Index, 2>>{{0, 1}, {1, 2}, {2, 3}, {3, 0}}));
   for (const Tri& t : mesh.inside_triangles()) {
-    for (const mesh::GridPoint& p : points) EXPECT_FALSE(mesh::in_circle(points[t[0]], points[t[1]], points[t[2]], p));
+    for (const mesh::GridPoint& p : points)
+      EXPECT_FALSE(mesh::in_circle(points[t[0]], points[t[1]], points[t[2]], p));
   }
 }
 

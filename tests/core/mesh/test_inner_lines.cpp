@@ -77,8 +77,8 @@ TEST(InnerLines, BentAndSlantedLinesInsideAreLaidToo) {
 TEST(InnerLines, TheMeshIsTheSameWhateverIsOnlyDrawn) {
   const pattern::Pattern bare = one_piece({{"fold", {{0, 41}, {202, 53}}}});
   const pattern::Pattern drawn = one_piece({{"mark", {{20, -50}, {20, 80}, {180, 80}}, true},
-                                   {"fold", {{0, 41}, {202, 53}}},
-                                   {"cross", {{20, 80}, {180, 30}}, true}});
+                                            {"fold", {{0, 41}, {202, 53}}},
+                                            {"cross", {{20, 80}, {180, 30}}, true}});
   const mesh::PanelMesh a = mesh::make_panel_meshes(bare, kH, {})->panels[0];
   const mesh::PanelMesh b = mesh::make_panel_meshes(drawn, kH, {})->panels[0];
   EXPECT_EQ(a.rest, b.rest);

@@ -26,7 +26,9 @@ std::string code_of(const pattern::Pattern& pattern, double h = kH) {
   return meshes.ok() ? "" : meshes.error().code;
 }
 
-Vec2 place(const mesh::PanelMeshes& meshes, mesh::PanelVertex v) { return meshes.panels[v.panel].rest[v.vertex]; }
+Vec2 place(const mesh::PanelMeshes& meshes, mesh::PanelVertex v) {
+  return meshes.panels[v.panel].rest[v.vertex];
+}
 
 /// Along the edge from its start, as a share of its length; for straight edges.
 std::vector<double> shares(const mesh::PanelMesh& mesh, Index edge) {

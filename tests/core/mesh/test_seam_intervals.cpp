@@ -51,7 +51,7 @@ TEST(SeamIntervals, CutsRiseOnBothSidesWhateverTheCorners) {
   for (int shift = -20; shift <= 20; ++shift) {
     const double d = shift * 0.0003;
     const auto intervals = mesh::seam_intervals(Breaks{0, 0.1, 0.104, 0.2, 0.29, 0.4},
-                                          Breaks{0, 0.1 + d, 0.103 + d, 0.201, 0.292 - d, 0.45}, 0.01);
+                                                Breaks{0, 0.1 + d, 0.103 + d, 0.201, 0.292 - d, 0.45}, 0.01);
     for (const mesh::SeamInterval& i : intervals) {
       EXPECT_LT(i.a0, i.a1);
       EXPECT_LT(i.b0, i.b1);

@@ -21,7 +21,9 @@ pattern::Panel rectangle(const std::string& id, double width, double height) {
   return panel;
 }
 
-Vec2 point(const mesh::SampledPattern& s, const mesh::EdgeSample& e) { return s.edges[e.panel][e.edge][e.sample]; }
+Vec2 point(const mesh::SampledPattern& s, const mesh::EdgeSample& e) {
+  return s.edges[e.panel][e.edge][e.sample];
+}
 
 TEST(SeamRanges, PairThePointsOfThePartsAlone) {
   pattern::Pattern p;

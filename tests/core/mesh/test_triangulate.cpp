@@ -127,8 +127,8 @@ TEST(Triangulate, ASkirtPanelGetsEvenTriangles) {
 
 TEST(Triangulate, APieceWithTwoHolesKeepsThem) {
   const std::vector<mesh::Polygon> loops{sampled(rectangle(0.5, 0.3), kH),
-                                   clockwise(circle({0.15, 0.15}, 0.06, kH)),
-                                   clockwise(circle({0.36, 0.16}, 0.03, kH))};
+                                         clockwise(circle({0.15, 0.15}, 0.06, kH)),
+                                         clockwise(circle({0.36, 0.16}, 0.03, kH))};
   const mesh::FlatMesh mesh = meshed(loops);
   expect_sound(mesh, loops);
   expect_even(mesh, kH, 25);
@@ -146,7 +146,8 @@ TEST(Triangulate, SharpTipsSpoilOnlyTheTrianglesInThem) {
     for (std::size_t i = 0; i < corners.size(); i += 2)
       to_tip = std::min(to_tip, length(centre - corners[i]));
     if (to_tip < 5 * kH) continue;
-    EXPECT_GE(degrees_from_radians(mesh::least_angle(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]])), 20);
+    EXPECT_GE(
+        degrees_from_radians(mesh::least_angle(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]])), 20);
   }
 }
 
@@ -204,7 +205,8 @@ TEST(Triangulate, MostTrianglesOfRandomPiecesAreWellShaped) {
     const mesh::FlatMesh mesh = meshed({sampled(polygon, kH)});
     for (const Tri& t : mesh.triangles) {
       ++triangles;
-      poor += degrees_from_radians(mesh::least_angle(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]])) < 30;
+      poor += degrees_from_radians(
+                  mesh::least_angle(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]])) < 30;
     }
   }
   EXPECT_LT(poor, 0.005 * triangles);
@@ -283,7 +285,8 @@ TEST(Triangulate, StopsWhenCancelled) {
   const std::atomic<bool> cancel{true};
   RunContext context;
   context.cancel = &cancel;
-  const auto mesh = mesh::triangulate(std::vector<mesh::Polygon>{sampled(rectangle(0.3, 0.3), kH)}, kH, context);
+  const auto mesh =
+      mesh::triangulate(std::vector<mesh::Polygon>{sampled(rectangle(0.3, 0.3), kH)}, kH, context);
   ASSERT_FALSE(mesh.ok());
   EXPECT_EQ(mesh.error().code, "cancelled");
 }

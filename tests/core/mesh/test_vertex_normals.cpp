@@ -42,7 +42,8 @@ TEST(VertexNormals, DoNotDependOnHowAFaceIsCut) {
 
 TEST(VertexNormals, KeepThePiecesOwnWhereASeamJoinsRightToWrongSide) {
   const std::vector<Tri> against{{0, 1, 2}, {3, 4, 5}};  // the second piece turned over
-  const std::vector<Vec3> normals = mesh::vertex_normals(kRoof, against, std::vector<Index>{0, 1, 2, 0, 1, 5});
+  const std::vector<Vec3> normals =
+      mesh::vertex_normals(kRoof, against, std::vector<Index>{0, 1, 2, 0, 1, 5});
   const std::vector<Vec3> own = mesh::vertex_normals(kRoof, against);
   EXPECT_GT(dot(normals[0], own[0]), 0.2);
   EXPECT_GT(dot(normals[3], own[3]), 0.2);

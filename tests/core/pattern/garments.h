@@ -37,7 +37,9 @@ inline pattern::Panel piece(const std::string& id, const std::vector<Node>& node
   return panel;
 }
 
-inline double length_of(const pattern::Panel& p, int edge) { return pattern::arc_length(p.outline.edges[edge]); }
+inline double length_of(const pattern::Panel& p, int edge) {
+  return pattern::arc_length(p.outline.edges[edge]);
+}
 
 /// Edge k keeps its name; the outline runs on counter-clockwise.
 inline pattern::Panel mirrored(const pattern::Panel& panel, const std::string& id) {

@@ -15,7 +15,8 @@ const pattern::CubicBezier kCurve{{0, 0}, {30, 80}, {90, -40}, {120, 20}};
 double chord_length(const pattern::CubicBezier& c, double t0, double t1, int n) {
   double sum = 0;
   for (int i = 0; i < n; ++i)
-    sum += length(pattern::evaluate(c, t0 + (t1 - t0) * (i + 1) / n) - pattern::evaluate(c, t0 + (t1 - t0) * i / n));
+    sum += length(pattern::evaluate(c, t0 + (t1 - t0) * (i + 1) / n) -
+                  pattern::evaluate(c, t0 + (t1 - t0) * i / n));
   return sum;
 }
 
@@ -51,7 +52,8 @@ TEST(Curve, ParameterAtLengthInvertsLength) {
 }
 
 TEST(Curve, PointAtLengthWalksAcrossTheCurvesOfAnEdge) {
-  const pattern::PanelEdge edge{"e0", {pattern::line_segment({0, 0}, {10, 0}), pattern::line_segment({10, 0}, {10, 30})}};
+  const pattern::PanelEdge edge{
+      "e0", {pattern::line_segment({0, 0}, {10, 0}), pattern::line_segment({10, 0}, {10, 30})}};
   EXPECT_NEAR(length(pattern::point_at_length(edge, 25) - Vec2{10, 15}), 0, 1e-9);
   EXPECT_EQ(pattern::point_at_length(edge, 99), (Vec2{10, 30}));
   EXPECT_DOUBLE_EQ(pattern::arc_length(edge), 40);
@@ -74,7 +76,8 @@ TEST(Curve, FlatteningStaysWithinItsTolerance) {
     for (int i = 0; i <= 1000; ++i) {
       double nearest = 1e9;
       for (std::size_t k = 1; k < flat.size(); ++k)
-        nearest = std::min(nearest, geometry::distance_to_segment(pattern::evaluate(kCurve, i / 1000.0), flat[k - 1], flat[k]));
+        nearest = std::min(nearest, geometry::distance_to_segment(pattern::evaluate(kCurve, i / 1000.0),
+                                                                  flat[k - 1], flat[k]));
       EXPECT_LE(nearest, tolerance);
     }
   }
@@ -83,14 +86,17 @@ TEST(Curve, FlatteningStaysWithinItsTolerance) {
 }
 
 TEST(Curve, FlattenedLoopListsEveryPointOnce) {
-  const pattern::Loop loop{{{"a", {pattern::line_segment({0, 0}, {10, 0})}},
-                   {"b", {pattern::line_segment({10, 0}, {10, 10}), pattern::line_segment({10, 10}, {0, 0})}}}};
+  const pattern::Loop loop{
+      {{"a", {pattern::line_segment({0, 0}, {10, 0})}},
+       {"b", {pattern::line_segment({10, 0}, {10, 10}), pattern::line_segment({10, 10}, {0, 0})}}}};
   EXPECT_EQ(pattern::flatten(loop, 0.1), (std::vector<Vec2>{{0, 0}, {10, 0}, {10, 10}}));
 }
 
 TEST(Curve, AreaOfALoopIsExact) {
   const pattern::Loop triangle{
-      {{"a", {pattern::line_segment({0, 0}, {10, 0}), pattern::line_segment({10, 0}, {0, 8}), pattern::line_segment({0, 8}, {0, 0})}}}};
+      {{"a",
+        {pattern::line_segment({0, 0}, {10, 0}), pattern::line_segment({10, 0}, {0, 8}),
+         pattern::line_segment({0, 8}, {0, 0})}}}};
   EXPECT_NEAR(pattern::signed_area(triangle), 40, 1e-12);
   EXPECT_NEAR(pattern::signed_area(pattern::reversed(triangle)), -40, 1e-12);
   const pattern::Loop bow{{{"a", {kCurve, pattern::line_segment(kCurve.p3, kCurve.p0)}}}};
@@ -99,8 +105,8 @@ TEST(Curve, AreaOfALoopIsExact) {
 
 TEST(Curve, ReversedLoopKeepsItsFirstEdgeFirst) {
   const pattern::Loop loop{{{"a", {pattern::line_segment({0, 0}, {10, 0})}},
-                   {"b", {pattern::line_segment({10, 0}, {0, 8})}},
-                   {"c", {pattern::line_segment({0, 8}, {0, 0})}}}};
+                            {"b", {pattern::line_segment({10, 0}, {0, 8})}},
+                            {"c", {pattern::line_segment({0, 8}, {0, 0})}}}};
   const pattern::Loop back = pattern::reversed(loop);
   EXPECT_EQ(back.edges[0].id, "a");
   EXPECT_EQ(back.edges[1].id, "c");

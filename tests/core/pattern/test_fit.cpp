@@ -111,7 +111,8 @@ TEST(Fit, ACircleIsSmoothEverywhere) {
   EXPECT_LE(curves.size(), 8u);
   EXPECT_EQ(curves.front().p0, curves.back().p3);
   for (std::size_t i = 0; i < curves.size(); ++i) {
-    const Vec2 in = pattern::derivative(curves[i], 1), out = pattern::derivative(curves[(i + 1) % curves.size()], 0);
+    const Vec2 in = pattern::derivative(curves[i], 1),
+               out = pattern::derivative(curves[(i + 1) % curves.size()], 0);
     EXPECT_NEAR(cross(normalized(in), normalized(out)), 0, 1e-9);
   }
   EXPECT_NEAR(pattern::arc_length(pattern::PanelEdge{"e", curves}), 2 * kPi * 80, 0.2);

@@ -101,7 +101,8 @@ TEST(Outline, CornersAreFoundHoweverFinelyTheSidesAreSampled) {
     EXPECT_EQ(pattern::find_corners(rounded(0.5, std::min(step, 0.2)), radians_from_degrees(35)).size(), 4u)
         << "a corner eased by half a millimetre is a corner";
   }
-  EXPECT_TRUE(pattern::find_corners(rounded(20, 2), radians_from_degrees(35)).empty()) << "a round pocket has none";
+  EXPECT_TRUE(pattern::find_corners(rounded(20, 2), radians_from_degrees(35)).empty())
+      << "a round pocket has none";
 }
 
 TEST(Outline, TheCornerAngleIsASetting) {
@@ -188,7 +189,8 @@ TEST(Outline, AGapBetweenEdgesNamesTheEdgeAndBothPoints) {
 
 TEST(Outline, ClockwiseEdgesAreTurnedAndTheFirstStaysFirst) {
   auto edges = triangle();
-  std::vector<pattern::PanelEdge> clockwise{pattern::reversed(edges[2]), pattern::reversed(edges[1]), pattern::reversed(edges[0])};
+  std::vector<pattern::PanelEdge> clockwise{pattern::reversed(edges[2]), pattern::reversed(edges[1]),
+                                            pattern::reversed(edges[0])};
   const auto loop = pattern::loop_from_edges(clockwise);
   ASSERT_TRUE(loop);
   EXPECT_GT(pattern::signed_area(*loop), 0);
@@ -203,9 +205,11 @@ TEST(Outline, BadEdgesAreErrors) {
   auto twins = triangle();
   twins[2].id = "hem";
   EXPECT_EQ(pattern::loop_from_edges(twins).error().code, "pattern.duplicate_id");
-  EXPECT_EQ(
-      pattern::loop_from_edges({{"a", {pattern::line_segment({0, 0}, {1, 0}), pattern::line_segment({1, 0}, {0, 0})}}}).error().code,
-      "pattern.zero_area");
+  EXPECT_EQ(pattern::loop_from_edges(
+                {{"a", {pattern::line_segment({0, 0}, {1, 0}), pattern::line_segment({1, 0}, {0, 0})}}})
+                .error()
+                .code,
+            "pattern.zero_area");
 }
 
 TEST(Outline, AnEdgeFromPointsKeepsItsEnds) {

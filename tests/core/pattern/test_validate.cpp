@@ -19,7 +19,8 @@ pattern::Panel square(const std::string& id, double size = 100) {
 }
 
 pattern::Loop hole_at(Vec2 p, const std::string& prefix) {
-  pattern::Loop hole = pattern::reversed(*pattern::loop_from_polyline({p, p + Vec2{10, 0}, p + Vec2{10, 10}, p + Vec2{0, 10}}, {}));
+  pattern::Loop hole = pattern::reversed(
+      *pattern::loop_from_polyline({p, p + Vec2{10, 0}, p + Vec2{10, 10}, p + Vec2{0, 10}}, {}));
   for (pattern::PanelEdge& e : hole.edges) e.id = prefix + e.id;
   return hole;
 }
@@ -32,7 +33,9 @@ pattern::Pattern two_squares() {
   return pattern;
 }
 
-pattern::InnerLine line_through(const std::string& id, std::vector<Vec2> points) { return {id, std::move(points)}; }
+pattern::InnerLine line_through(const std::string& id, std::vector<Vec2> points) {
+  return {id, std::move(points)};
+}
 
 Error broken(const std::function<void(pattern::Pattern&)>& change) {
   pattern::Pattern pattern = two_squares();
@@ -59,7 +62,8 @@ TEST(Validate, LoopsAreClosedExactly) {
   const Error e = broken([](pattern::Pattern& p) { p.panels[0].outline.edges[3].curves[0].p3.x = 1e-9; });
   EXPECT_EQ(e.code, "pattern.open_outline");
   EXPECT_EQ(e.where, "piece front, edge e0");
-  EXPECT_EQ(broken([](pattern::Pattern& p) { p.panels[0].outline.edges.clear(); }).code, "pattern.empty_edge");
+  EXPECT_EQ(broken([](pattern::Pattern& p) { p.panels[0].outline.edges.clear(); }).code,
+            "pattern.empty_edge");
   EXPECT_EQ(broken([](pattern::Pattern& p) { p.panels[0].outline.edges[2].curves.clear(); }).where,
             "piece front, edge e2");
 }
@@ -74,16 +78,19 @@ TEST(Validate, CoordinatesAreFiniteAndEarthly) {
 }
 
 TEST(Validate, OutlinesRunCounterClockwiseAndHolesClockwise) {
-  EXPECT_EQ(broken([](pattern::Pattern& p) { p.panels[0].outline = pattern::reversed(p.panels[0].outline); }).code,
-            "pattern.clockwise");
-  const Error e = broken([](pattern::Pattern& p) { p.panels[0].holes[0] = pattern::reversed(p.panels[0].holes[0]); });
+  EXPECT_EQ(
+      broken([](pattern::Pattern& p) { p.panels[0].outline = pattern::reversed(p.panels[0].outline); }).code,
+      "pattern.clockwise");
+  const Error e =
+      broken([](pattern::Pattern& p) { p.panels[0].holes[0] = pattern::reversed(p.panels[0].holes[0]); });
   EXPECT_EQ(e.code, "pattern.clockwise");
   EXPECT_EQ(e.where, "piece front, hole 0");
 }
 
 TEST(Validate, AnOutlineThatCrossesItselfIsPlaced) {
   const Error e = broken([](pattern::Pattern& p) {
-    pattern::CubicBezier& c = p.panels[1].outline.edges[1].curves[0];  // from (100, 0) up; bend it over the left side
+    pattern::CubicBezier& c =
+        p.panels[1].outline.edges[1].curves[0];  // from (100, 0) up; bend it over the left side
     c.p1 = {-200, 30};
     c.p2 = {-200, 60};
   });
@@ -126,10 +133,13 @@ TEST(Validate, TheGrainIsADirection) {
 }
 
 TEST(Validate, SeamsReferToEdgesThatExist) {
-  EXPECT_EQ(broken([](pattern::Pattern& p) { p.seams[0].a[0].panel = 7; }).where, "seam side_left, side a, item 0");
+  EXPECT_EQ(broken([](pattern::Pattern& p) { p.seams[0].a[0].panel = 7; }).where,
+            "seam side_left, side a, item 0");
   EXPECT_EQ(broken([](pattern::Pattern& p) { p.seams[0].a[0].panel = -1; }).code, "pattern.seam_reference");
-  EXPECT_EQ(broken([](pattern::Pattern& p) { p.seams[1].b[0].edge = 4; }).where, "seam side_right, side b, item 0");
-  EXPECT_EQ(broken([](pattern::Pattern& p) { p.seams[0].a[0].edge = 7; }).code, "accepted") << "the hole's last edge";
+  EXPECT_EQ(broken([](pattern::Pattern& p) { p.seams[1].b[0].edge = 4; }).where,
+            "seam side_right, side b, item 0");
+  EXPECT_EQ(broken([](pattern::Pattern& p) { p.seams[0].a[0].edge = 7; }).code, "accepted")
+      << "the hole's last edge";
   EXPECT_EQ(broken([](pattern::Pattern& p) { p.seams[0].a[0].edge = 8; }).code, "pattern.seam_reference");
   EXPECT_EQ(broken([](pattern::Pattern& p) { p.seams[0].b.clear(); }).code, "pattern.empty_seam_side");
 }

@@ -26,14 +26,15 @@ drape::DrapeInput with_sheet_at(double y) {
 
 /// The tube and a loose patch.
 drape::DrapeInput with_patch(Vec3 at, Vec3 rotation = {}, double size = 60, const std::string& id = "patch",
-                      drape::DrapeInput input = tube()) {
+                             drape::DrapeInput input = tube()) {
   input.pattern.panels.push_back(rectangle(id, size, size));
   input.placements.push_back(sewing::RigidPlacement{at, rotation, false});
   input.fabric_of_panel.push_back(0);
   return input;
 }
 
-drape::DrapeInput with_pieces(double front_width, double front_height, double back_width, double back_height) {
+drape::DrapeInput with_pieces(double front_width, double front_height, double back_width,
+                              double back_height) {
   drape::DrapeInput input = tube();
   input.pattern.panels = {rectangle("front", front_width, front_height),
                           rectangle("back", back_width, back_height)};
@@ -213,18 +214,24 @@ drape::DrapeInput crossed_patches() {
 
 const std::vector<BrokenStart>& broken_starts() {
   static const std::vector<BrokenStart> all{
-      {"front 1 cm into the body", preflight::FindingKind::kCrossesBody, true, [] { return with_front_at(0.06); }},
-      {"front 3 cm into the body", preflight::FindingKind::kCrossesBody, true, [] { return with_front_at(0.04); }},
+      {"front 1 cm into the body", preflight::FindingKind::kCrossesBody, true,
+       [] { return with_front_at(0.06); }},
+      {"front 3 cm into the body", preflight::FindingKind::kCrossesBody, true,
+       [] { return with_front_at(0.04); }},
       {"front through the middle of the body", preflight::FindingKind::kCrossesBody, false,
        [] { return with_front_at(0.003); }},
       {"front on the skin", preflight::FindingKind::kTouches, true, [] { return with_front_at(0.07); }},
       {"front half a millimetre from the skin", preflight::FindingKind::kGap, true,
        [] { return with_front_at(0.0705); }},
-      {"sheet 2 cm in the head", preflight::FindingKind::kCrossesBody, true, [] { return with_sheet_at(0.28); }},
+      {"sheet 2 cm in the head", preflight::FindingKind::kCrossesBody, true,
+       [] { return with_sheet_at(0.28); }},
       {"sheet on the head", preflight::FindingKind::kTouches, true, [] { return with_sheet_at(0.3); }},
-      {"sheet 1 cm in the head", preflight::FindingKind::kCrossesBody, true, [] { return with_sheet_at(0.29); }},
-      {"sheet 0.3 mm over the head", preflight::FindingKind::kGap, true, [] { return with_sheet_at(0.3003); }},
-      {"sheet 10 cm in the head", preflight::FindingKind::kCrossesBody, false, [] { return with_sheet_at(0.2); }},
+      {"sheet 1 cm in the head", preflight::FindingKind::kCrossesBody, true,
+       [] { return with_sheet_at(0.29); }},
+      {"sheet 0.3 mm over the head", preflight::FindingKind::kGap, true,
+       [] { return with_sheet_at(0.3003); }},
+      {"sheet 10 cm in the head", preflight::FindingKind::kCrossesBody, false,
+       [] { return with_sheet_at(0.2); }},
       {"patch in the front's plane", preflight::FindingKind::kTouches, true,
        [] {
          return with_patch({0.05, 0.2, 0.1});
@@ -265,11 +272,14 @@ const std::vector<BrokenStart>& broken_starts() {
       {"back turned left to right", preflight::FindingKind::kTurned, true, turned_left_to_right},
       {"back turned in its plane", preflight::FindingKind::kTurned, true, turned_upside_down},
       {"ten times too large", preflight::FindingKind::kScale, false, huge},
-      {"back in inches", preflight::FindingKind::kScale, false, [] { return with_pieces(260, 120, 660, 304.8); }},
+      {"back in inches", preflight::FindingKind::kScale, false,
+       [] { return with_pieces(260, 120, 660, 304.8); }},
       {"back in another place", preflight::FindingKind::kFar, false, out_of_sight},
       {"gather of 1:4", preflight::FindingKind::kLengthRatio, false, [] { return with_sides_of(40, 160); }},
-      {"gather of 1:2", preflight::FindingKind::kLengthDifference, false, [] { return with_sides_of(80, 160); }},
-      {"5 % of ease", preflight::FindingKind::kLengthDifference, false, [] { return with_sides_of(120, 126); }},
+      {"gather of 1:2", preflight::FindingKind::kLengthDifference, false,
+       [] { return with_sides_of(80, 160); }},
+      {"5 % of ease", preflight::FindingKind::kLengthDifference, false,
+       [] { return with_sides_of(120, 126); }},
       {"edge of 6 mm", preflight::FindingKind::kShortEdge, false, with_short_edge},
       {"girth under the body's", preflight::FindingKind::kTightRing, false,
        [] { return with_pieces(200, 120, 200, 120); }},
@@ -277,7 +287,8 @@ const std::vector<BrokenStart>& broken_starts() {
       {"threads over a shoulder", preflight::FindingKind::kThreadThroughBody, false, over_a_shoulder},
       {"threads beside a limb", preflight::FindingKind::kThreadNearLimb, false, beside_a_limb},
       {"tube beside the body", preflight::FindingKind::kRingAroundNothing, false, beside_the_body},
-      {"threads through a third piece", preflight::FindingKind::kThreadThroughCloth, false, with_patch_between},
+      {"threads through a third piece", preflight::FindingKind::kThreadThroughCloth, false,
+       with_patch_between},
       {"collar across open side seams", preflight::FindingKind::kOnOpenRing, false, with_collar},
       {"both hems about one leg", preflight::FindingKind::kRingOnWrongLimb, false, both_about_one_leg},
       {"back wound the other way", preflight::FindingKind::kWindsOtherWay, false, wound_the_other_way},

@@ -13,7 +13,7 @@ namespace toile::test {
 struct BrokenStart {
   std::string name;
   preflight::FindingKind kind = preflight::FindingKind::kGap;  ///< that must be found
-  bool repaired = false;                 ///< and whether the start is repaired
+  bool repaired = false;                                       ///< and whether the start is repaired
   std::function<drape::DrapeInput()> make;
 };
 

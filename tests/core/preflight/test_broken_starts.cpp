@@ -14,9 +14,9 @@ namespace {
 std::string text_of(const preflight::Findings& findings) {
   std::string text;
   for (const preflight::Finding& f : findings) {
-    text += std::string("  ") + preflight::name_of(f.severity) + " " + std::string(preflight::code_of(f.kind)) +
-            (f.repaired ? " (repaired)" : "") + ": " + f.message + " [" + preflight::where_text(f) + " " +
-            preflight::place_text(f.place) + "]\n";
+    text += std::string("  ") + preflight::name_of(f.severity) + " " +
+            std::string(preflight::code_of(f.kind)) + (f.repaired ? " (repaired)" : "") + ": " + f.message +
+            " [" + preflight::where_text(f) + " " + preflight::place_text(f.place) + "]\n";
   }
   return text;
 }
@@ -27,7 +27,7 @@ int crossings_of(const drape::DrapeInput& input, const sewing::Assembly& assembl
   std::size_t count = collision::self_crossings(surface, assembly.positions).size();
   for (const body::Body& body : input.bodies) {
     count += collision::body_crossings(surface, assembly.positions,
-                            collision::make_crossing_body(body.mesh.vertices, body.mesh.triangles))
+                                       collision::make_crossing_body(body.mesh.vertices, body.mesh.triangles))
                  .size();
   }
   return static_cast<int>(count);
@@ -66,7 +66,8 @@ TEST(BrokenStarts, AreRepairedByHalfAtLeast) {
 TEST(BrokenStarts, SoundStartsHaveNoWarningAndStayAsPlaced) {
   for (const drape::DrapeInput& input : {test::tube(), test::tablecloth()}) {
     const auto start = drape::prepare_start(input, {}).value();
-    for (const preflight::Finding& f : start.findings) EXPECT_EQ(f.severity, preflight::Severity::kNote) << text_of(start.findings);
+    for (const preflight::Finding& f : start.findings)
+      EXPECT_EQ(f.severity, preflight::Severity::kNote) << text_of(start.findings);
     EXPECT_EQ(start.assembly.positions,
               sewing::assemble(start.meshes, input.placements, input.attachments)->positions);
   }

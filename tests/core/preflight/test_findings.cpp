@@ -21,7 +21,8 @@ TEST(Findings, EveryKindHasARowInItsPlaceAndACodeThatReadsBackAsIt) {
 }
 
 TEST(Findings, NoKindIsUsuallyGraverThanAtItsGravest) {
-  for (const preflight::FindingTraits& row : preflight::finding_table()) EXPECT_LE(row.usual, row.gravest) << row.code;
+  for (const preflight::FindingTraits& row : preflight::finding_table())
+    EXPECT_LE(row.usual, row.gravest) << row.code;
 }
 
 TEST(Findings, OnlyWhatLiesInThePlacementIsEverRepaired) {
@@ -41,17 +42,24 @@ TEST(Findings, UnknownCodesAreRefusedAndQuotedAsThePlace) {
 
 TEST(Findings, ThePlaceInWordsNamesPairsWithAndListsWithCommasAndLeavesBodiesToTheMessage) {
   const preflight::Concern a = preflight::piece_named("a"), b = preflight::piece_named("b");
-  EXPECT_EQ(preflight::where_text(preflight::found(preflight::FindingKind::kTouches, "", {a, b}, {})), "piece a and piece b");
-  EXPECT_EQ(preflight::where_text(preflight::found(preflight::FindingKind::kTightRing, "", {a, b}, {})), "piece a, piece b");
-  EXPECT_EQ(preflight::where_text(preflight::found(preflight::FindingKind::kShortEdge, "", {a, preflight::edge_named("e3")}, {})), "piece a, edge e3");
-  EXPECT_EQ(preflight::where_text(preflight::found(preflight::FindingKind::kThreadThroughBody, "", {preflight::seam_named("s"), preflight::body_named("m")}, {})),
-            "seam s");
+  EXPECT_EQ(preflight::where_text(preflight::found(preflight::FindingKind::kTouches, "", {a, b}, {})),
+            "piece a and piece b");
+  EXPECT_EQ(preflight::where_text(preflight::found(preflight::FindingKind::kTightRing, "", {a, b}, {})),
+            "piece a, piece b");
+  EXPECT_EQ(preflight::where_text(preflight::found(preflight::FindingKind::kShortEdge, "",
+                                                   {a, preflight::edge_named("e3")}, {})),
+            "piece a, edge e3");
+  EXPECT_EQ(
+      preflight::where_text(preflight::found(preflight::FindingKind::kThreadThroughBody, "",
+                                             {preflight::seam_named("s"), preflight::body_named("m")}, {})),
+      "seam s");
 }
 
 TEST(Findings, TheFirstErrorCarriesItsCodeItsIdsAndItsPlace) {
   preflight::Findings findings{
       preflight::found(preflight::FindingKind::kFar, "far", {preflight::piece_named("a")}, {}),
-      preflight::found(preflight::FindingKind::kCrossesCloth, "meet", {preflight::piece_named("a"), preflight::piece_named("b")}, {1, 2, 3})};
+      preflight::found(preflight::FindingKind::kCrossesCloth, "meet",
+                       {preflight::piece_named("a"), preflight::piece_named("b")}, {1, 2, 3})};
   preflight::sort_by_severity(findings);
   const auto error = preflight::first_error(findings);
   ASSERT_TRUE(error);

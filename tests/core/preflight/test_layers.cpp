@@ -16,16 +16,19 @@ preflight::Findings findings_of(double z0, int layer0, double z1, int layer1) {
   pattern.panels[0].layer = layer0;
   pattern.panels[1].layer = layer1;
   const mesh::PanelMeshes meshes = mesh::make_panel_meshes(pattern, 0.02, {}).value();
-  sewing::Assembly assembly =
-      sewing::assemble(meshes, {sewing::RigidPlacement{{0, 0.1, z0}, {}, false}, sewing::RigidPlacement{{0, 0.1, z1}, {}, false}}, {})
-          .value();
+  sewing::Assembly assembly = sewing::assemble(meshes,
+                                               {sewing::RigidPlacement{{0, 0.1, z0}, {}, false},
+                                                sewing::RigidPlacement{{0, 0.1, z1}, {}, false}},
+                                               {})
+                                  .value();
   const std::vector<body::Body> bodies{test::column(0.07, 0, 0.3)};
   return preflight::run_preflight({pattern, meshes, bodies, 0.02}, assembly);
 }
 
 const preflight::Finding* layer_finding(const preflight::Findings& findings) {
-  const auto found = std::find_if(findings.begin(), findings.end(),
-                                  [](const preflight::Finding& f) { return f.kind == preflight::FindingKind::kLayerInside; });
+  const auto found = std::find_if(findings.begin(), findings.end(), [](const preflight::Finding& f) {
+    return f.kind == preflight::FindingKind::kLayerInside;
+  });
   return found == findings.end() ? nullptr : &*found;
 }
 

@@ -24,8 +24,8 @@ drape::DrapeInput broken(const std::string& name) {
 }
 
 const preflight::Finding* find(const preflight::Findings& findings, preflight::FindingKind kind) {
-  const auto found =
-      std::find_if(findings.begin(), findings.end(), [&](const preflight::Finding& f) { return f.kind == kind; });
+  const auto found = std::find_if(findings.begin(), findings.end(),
+                                  [&](const preflight::Finding& f) { return f.kind == kind; });
   return found == findings.end() ? nullptr : &*found;
 }
 
@@ -115,8 +115,10 @@ TEST(Preflight, ThreadsThroughTheMiddleAreRefusedAndThoseOverAShoulderAreNot) {
   const auto through = drape::prepare_start(broken("threads through the body"), {}).value();
   // The strips are 20 mm wide: one step aside a thread grazes the upright edges of the column.
   const auto over = drape::prepare_start(broken("threads over a shoulder"), {}).value();
-  EXPECT_EQ(find(through.findings, preflight::FindingKind::kThreadThroughBody)->severity, preflight::Severity::kError);
-  EXPECT_EQ(find(over.findings, preflight::FindingKind::kThreadThroughBody)->severity, preflight::Severity::kNote);
+  EXPECT_EQ(find(through.findings, preflight::FindingKind::kThreadThroughBody)->severity,
+            preflight::Severity::kError);
+  EXPECT_EQ(find(over.findings, preflight::FindingKind::kThreadThroughBody)->severity,
+            preflight::Severity::kNote);
 }
 
 TEST(Preflight, AHeapOfPiecesInOnePlaceIsRefusedAndNotShuffled) {
@@ -129,7 +131,8 @@ TEST(Preflight, AHeapOfPiecesInOnePlaceIsRefusedAndNotShuffled) {
   const auto start = drape::prepare_start(input, {}).value();
   ASSERT_TRUE(preflight::first_error(start.findings));
   EXPECT_EQ(preflight::first_error(start.findings)->code, "start.touches");
-  EXPECT_EQ(start.assembly.positions, sewing::assemble(start.meshes, input.placements, input.attachments)->positions);
+  EXPECT_EQ(start.assembly.positions,
+            sewing::assemble(start.meshes, input.placements, input.attachments)->positions);
 }
 
 TEST(Preflight, ShortThreadsBesideAThickBodyAreNearNoLimb) {
@@ -162,13 +165,17 @@ TEST(Preflight, ABackThatIsCutAsItIsWornWindsLikeTheFront) {
 TEST(Preflight, ThreadsBesideAThirdPieceDoNotMeetIt) {
   drape::DrapeInput input = broken("threads through a third piece");
   std::get<sewing::RigidPlacement>(input.placements[2]).translation.x = 0.4;
-  EXPECT_EQ(find(drape::prepare_start(input, {}).value().findings, preflight::FindingKind::kThreadThroughCloth), nullptr);
+  EXPECT_EQ(
+      find(drape::prepare_start(input, {}).value().findings, preflight::FindingKind::kThreadThroughCloth),
+      nullptr);
 }
 
 TEST(Preflight, AThreadThroughAPiecesRimIsNotedAndThroughItsMiddleIsAWarning) {
   drape::DrapeInput input = broken("threads through a third piece");
-  EXPECT_EQ(find(drape::prepare_start(input, {}).value().findings, preflight::FindingKind::kThreadThroughCloth)->severity,
-            preflight::Severity::kWarning);
+  EXPECT_EQ(
+      find(drape::prepare_start(input, {}).value().findings, preflight::FindingKind::kThreadThroughCloth)
+          ->severity,
+      preflight::Severity::kWarning);
   std::get<sewing::RigidPlacement>(input.placements[2]).translation.x = 0.158;  // 2 mm of it are in the way
   const auto start = drape::prepare_start(input, {}).value();
   const preflight::Finding* rim = find(start.findings, preflight::FindingKind::kThreadThroughCloth);
@@ -178,23 +185,29 @@ TEST(Preflight, AThreadThroughAPiecesRimIsNotedAndThroughItsMiddleIsAWarning) {
 
 TEST(Preflight, HemsAboutTheTwoLegsOfAPairAreRight) {
   drape::DrapeInput input = broken("both hems about one leg");
-  for (const std::size_t p : {2, 3}) std::get<sewing::RigidPlacement>(input.placements[p]).translation.x = -0.2;
-  EXPECT_EQ(find(drape::prepare_start(input, {}).value().findings, preflight::FindingKind::kRingOnWrongLimb), nullptr);
+  for (const std::size_t p : {2, 3})
+    std::get<sewing::RigidPlacement>(input.placements[p]).translation.x = -0.2;
+  EXPECT_EQ(find(drape::prepare_start(input, {}).value().findings, preflight::FindingKind::kRingOnWrongLimb),
+            nullptr);
   std::get<sewing::RigidPlacement>(input.placements[2]).translation.y = 0.5;
   std::get<sewing::RigidPlacement>(input.placements[3]).translation.y = 0.5;
-  EXPECT_NE(find(drape::prepare_start(input, {}).value().findings, preflight::FindingKind::kRingOnWrongLimb), nullptr)
+  EXPECT_NE(find(drape::prepare_start(input, {}).value().findings, preflight::FindingKind::kRingOnWrongLimb),
+            nullptr)
       << "one low and one high are no pair";
 }
 
 TEST(Preflight, ASeamThatRunsStraightOnIsNoOpenRing) {
-  EXPECT_EQ(find(drape::prepare_start(test::tube(), {}).value().findings, preflight::FindingKind::kOnOpenRing), nullptr);
+  EXPECT_EQ(
+      find(drape::prepare_start(test::tube(), {}).value().findings, preflight::FindingKind::kOnOpenRing),
+      nullptr);
 }
 
 TEST(Preflight, ErrorsComeFirstAndNotesLast) {
   for (const test::BrokenStart& b : test::broken_starts()) {
     const auto start = drape::prepare_start(b.make(), {}).value();
-    EXPECT_TRUE(std::is_sorted(start.findings.begin(), start.findings.end(),
-                               [](const preflight::Finding& f, const preflight::Finding& g) { return f.severity > g.severity; }));
+    EXPECT_TRUE(std::is_sorted(
+        start.findings.begin(), start.findings.end(),
+        [](const preflight::Finding& f, const preflight::Finding& g) { return f.severity > g.severity; }));
   }
 }
 

@@ -22,7 +22,7 @@ Result<project::Project> dressed(const std::string& mannequin) {
       "thickness_mm": 0.4}],
     "seams": [],
     "bodies": [{"id": "form", "mannequin": )" +
-                       mannequin + "}]}");
+                                mannequin + "}]}");
 }
 
 Result<mannequin::MannequinSettings> settings_of(const std::string& mannequin) {
@@ -47,7 +47,8 @@ TEST(ProjectMannequin, OfBeforeIsTheSameWoman) {
 }
 
 TEST(ProjectMannequin, HasThePresetsMeasuresWithItsOwnOverThem) {
-  const Result<mannequin::MannequinSettings> made = settings_of(R"({"preset": "m50", "waist_cm": 95, "pose": "t"})");
+  const Result<mannequin::MannequinSettings> made =
+      settings_of(R"({"preset": "m50", "waist_cm": 95, "pose": "t"})");
   ASSERT_TRUE(made) << to_string(made.error());
   const measure::MeasureSet preset = mannequin::find_preset("m50")->measures();
   EXPECT_EQ(made->sex, mannequin::Sex::kMale);
@@ -77,7 +78,8 @@ TEST(ProjectMannequin, IsWrittenAsItWasRead) {
   const Result<project::Project> again = project::parse_project(project::write_project(*project));
   ASSERT_TRUE(again) << to_string(again.error());
   EXPECT_EQ(project->bodies, again->bodies);
-  EXPECT_EQ(project->bodies[1].mannequin->measures_cm[static_cast<std::size_t>(measure::Measure::kCalf)], 36.0);
+  EXPECT_EQ(project->bodies[1].mannequin->measures_cm[static_cast<std::size_t>(measure::Measure::kCalf)],
+            36.0);
 }
 
 TEST(ProjectMannequin, IsGivenBackByUndo) {

@@ -63,14 +63,15 @@ TEST(Project, ComesBackTheSameFromItsOwnText) {
 
 TEST(Project, DefaultsComeBackTheSameToo) {
   project::Project project;
-  project.pieces.push_back({.id = "a",
-                            .from = project::ProjectDxf{.dxf = "a.dxf", .piece = "A", .corners = {}, .units = ""},
-                            .outline = {},
-                            .holes = {},
-                            .edge_names = {},
-                            .grain = {},
-                            .fabric = "f",
-                            .placement = {.rigid = project::ProjectRigid{}, .wrapped = {}}});
+  project.pieces.push_back(
+      {.id = "a",
+       .from = project::ProjectDxf{.dxf = "a.dxf", .piece = "A", .corners = {}, .units = ""},
+       .outline = {},
+       .holes = {},
+       .edge_names = {},
+       .grain = {},
+       .fabric = "f",
+       .placement = {.rigid = project::ProjectRigid{}, .wrapped = {}}});
   project.fabrics.push_back({});
   project.fabrics[0].id = "f";
   const auto again = project::parse_project(project::write_project(project));
@@ -81,7 +82,8 @@ TEST(Project, DefaultsComeBackTheSameToo) {
 TEST(Project, RefusesAKeyItDoesNotKnowAndNamesTheNearest) {
   expect_refused({"\"seams\"", "\"saems\"", "project.unknown_key", "/saems"});
   expect_refused({"\"edge\": \"right\"", "\"egde\": \"right\"", "project.unknown_key", "/seams/0/a/0/egde"});
-  const auto project = project::parse_project(changed(kFullDocument, "\"bend_bias_un_m\"", "\"bend_bais_un_m\""));
+  const auto project =
+      project::parse_project(changed(kFullDocument, "\"bend_bias_un_m\"", "\"bend_bais_un_m\""));
   ASSERT_FALSE(project);
   EXPECT_NE(project.error().message.find("did you mean \"bend_bias_un_m\"?"), std::string::npos)
       << project.error().message;

@@ -13,7 +13,9 @@
 namespace toile {
 namespace {
 
-TEST(ProjectSchema, IsKeptAsTheFieldsSayIt) { test::expect_kept("project.schema.json", project::project_schema()); }
+TEST(ProjectSchema, IsKeptAsTheFieldsSayIt) {
+  test::expect_kept("project.schema.json", project::project_schema());
+}
 
 /// Every path of the full document, with list elements as "*".
 void paths_of(const json::JsonValue& value, const std::string& path, std::set<std::string>& seen) {
@@ -72,7 +74,8 @@ TEST(ProjectSchema, SaysRangesWordsAndWhatMustStandThere) {
   EXPECT_EQ(json::write_json_line(*settings.find("end")->find("enum")), R"(["settled", "time"])");
   const json::JsonValue& body = *schema.find("$defs")->find("body");
   EXPECT_EQ(json::write_json_line(*body.find("required")), R"(["id"])");
-  EXPECT_EQ(json::write_json_line(*body.find("oneOf")), R"([{"required": ["file"]}, {"required": ["mannequin"]}])");
+  EXPECT_EQ(json::write_json_line(*body.find("oneOf")),
+            R"([{"required": ["file"]}, {"required": ["mannequin"]}])");
   EXPECT_EQ(json::write_json_line(*body.find("additionalProperties")), "false");
 }
 

@@ -18,7 +18,8 @@ mesh::PanelMeshes three_triangles() {
 }
 
 std::vector<sewing::Placement> apart() {
-  return {sewing::RigidPlacement{}, sewing::RigidPlacement{{0, 0, 0.1}, {}, false}, sewing::RigidPlacement{{0, 0, 0.2}, {}, false}};
+  return {sewing::RigidPlacement{}, sewing::RigidPlacement{{0, 0, 0.1}, {}, false},
+          sewing::RigidPlacement{{0, 0, 0.2}, {}, false}};
 }
 
 TEST(Assembly, PanelsFollowEachOtherInOneVertexList) {
@@ -72,7 +73,10 @@ TEST(Assembly, APlacementFarAwayOrNowhereIsRefused) {
 
 TEST(Assembly, TheStartStandsOnAGridSoThatItsBytesAreTheSameEverywhere) {
   const sewing::Assembly a =
-      sewing::assemble(three_triangles(), {sewing::WrappedPlacement{}, sewing::WrappedPlacement{}, sewing::WrappedPlacement{}}, {}).value();
+      sewing::assemble(three_triangles(),
+                       {sewing::WrappedPlacement{}, sewing::WrappedPlacement{}, sewing::WrappedPlacement{}},
+                       {})
+          .value();
   for (const Vec3& p : a.positions) EXPECT_EQ(p.x * 0x1p26, std::nearbyint(p.x * 0x1p26));
 }
 

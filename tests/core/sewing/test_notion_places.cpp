@@ -20,7 +20,8 @@ mesh::PanelMeshes two_squares() {
 }
 
 Result<sewing::Assembly> assembled(const sewing::Notions& notions) {
-  return sewing::assemble(two_squares(), {sewing::RigidPlacement{}, sewing::RigidPlacement{{0, 0, 1}, {}, false}}, {}, notions);
+  return sewing::assemble(
+      two_squares(), {sewing::RigidPlacement{}, sewing::RigidPlacement{{0, 0, 1}, {}, false}}, {}, notions);
 }
 
 sewing::Notions button(Vec2 a, Vec2 b) {

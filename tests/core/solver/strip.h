@@ -8,7 +8,9 @@
 namespace toile::test {
 
 /// A line as a cubic.
-inline pattern::CubicBezier line(Vec2 a, Vec2 b) { return {a, a + (b - a) * (1.0 / 3), a + (b - a) * (2.0 / 3), b}; }
+inline pattern::CubicBezier line(Vec2 a, Vec2 b) {
+  return {a, a + (b - a) * (1.0 / 3), a + (b - a) * (2.0 / 3), b};
+}
 
 /// A rectangle from x0 to x1 and 0 to height, mm; edges e0 (bottom), e1 (right), e2 (top), e3 (left).
 inline pattern::Panel rectangle(double x0, double x1, double height, Vec2 grain) {
@@ -27,7 +29,8 @@ struct Strip {
 };
 
 /// A strip of `height` mm with vertices on every x of `cuts` (mm, rising), triangles of about `h` metres.
-inline Strip make_strip(std::vector<double> cuts, double height, double h, Vec2 grain, const material::Fabric& fabric) {
+inline Strip make_strip(std::vector<double> cuts, double height, double h, Vec2 grain,
+                        const material::Fabric& fabric) {
   pattern::Pattern pattern;
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
     pattern.panels.push_back(rectangle(cuts[i], cuts[i + 1], height, grain));
@@ -48,13 +51,14 @@ inline Strip make_strip(std::vector<double> cuts, double height, double h, Vec2 
   const std::vector<Vec2> warps(pattern.panels.size(), grain);
   const std::vector<Index> fabrics(pattern.panels.size(), 0);
   strip.model = solver::make_cloth_model(garment, vertex_of, static_cast<Index>(strip.rest.size()), warps,
-                                 std::span(&fabric, 1), fabrics);
+                                         std::span(&fabric, 1), fabrics);
   return strip;
 }
 
 /// One pass over positions as the rest of the program has them.
 template <typename Pass>
-void sweep(const Pass& pass, std::vector<Vec3>& x, const solver::lanes::LaneKernels& kernels = solver::lanes::lane_kernels()) {
+void sweep(const Pass& pass, std::vector<Vec3>& x,
+           const solver::lanes::LaneKernels& kernels = solver::lanes::lane_kernels()) {
   std::vector<solver::lanes::LanePoint> points;
   solver::lanes::spread(x, points);
   pass.solve(points, kernels);

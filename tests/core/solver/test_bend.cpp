@@ -13,7 +13,8 @@ namespace toile {
 namespace {
 
 /// Energy of the jumps: ½ jᵀ C⁻¹ j, summed over the triangles.
-double bending_energy(const std::vector<solver::constraints::BendTriangle>& triangles, const std::vector<Vec3>& x) {
+double bending_energy(const std::vector<solver::constraints::BendTriangle>& triangles,
+                      const std::vector<Vec3>& x) {
   double energy = 0;
   for (const solver::constraints::BendTriangle& t : triangles) {
     constexpr int kEntry[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};

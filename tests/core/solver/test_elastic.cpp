@@ -73,7 +73,9 @@ TEST(Elastic, AShorterBandFindsTheLengthAtWhichClothAndBandPullAlike) {
 TEST(Elastic, ABandNeverPushes) {
   std::vector<Vec3> x{{0, 0, 0}, {0.005, 0, 0}};
   const std::vector<Vec3> before = x;
-  solver::constraints::solve_elastics(std::vector<solver::constraints::ElasticSegment>{{0, 1, 0.02, 0.01, 50}}, 1, std::vector{1.0, 1.0}, 1e-3, x);
+  solver::constraints::solve_elastics(
+      std::vector<solver::constraints::ElasticSegment>{{0, 1, 0.02, 0.01, 50}}, 1, std::vector{1.0, 1.0},
+      1e-3, x);
   EXPECT_EQ(x, before);
 }
 

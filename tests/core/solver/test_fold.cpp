@@ -11,7 +11,8 @@ namespace {
 constexpr double kPi = 3.14159265358979;
 
 /// Creases all inner edges of a strip on x = `at` (m) to an angle.
-std::vector<solver::constraints::FoldHinge> crease(const test::Strip& strip, double at, double degrees, double stiffness) {
+std::vector<solver::constraints::FoldHinge> crease(const test::Strip& strip, double at, double degrees,
+                                                   double stiffness) {
   std::vector<solver::constraints::FoldHinge> hinges;
   const auto on_line = [&](Index v) { return std::abs(strip.rest[v].x - at) < 1e-9; };
   for (const mesh::MeshEdge& e : mesh::edges_of(strip.model.triangles, strip.model.vertex_count())) {

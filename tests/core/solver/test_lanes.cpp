@@ -62,7 +62,8 @@ void expect_same_bytes(const Shaken& s) {
 }
 
 TEST(Lanes, MakeTheSameBytesOnEveryProcessor) {
-  if (solver::lanes::runnable_lane_kernels().size() < 2) GTEST_SKIP() << "SKIPPED: no other kernels here to compare with";
+  if (solver::lanes::runnable_lane_kernels().size() < 2)
+    GTEST_SKIP() << "SKIPPED: no other kernels here to compare with";
   for (const double strain_limit : {0.0, 0.02}) {
     for (const double height : {8.0, 20.0, 45.0, 70.0}) expect_same_bytes(shaken(strain_limit, height));
   }
@@ -86,7 +87,9 @@ TEST(Lanes, ANegativeZeroLeavesNoTrace) {
   for (const Vec3& p : swept(s, solver::lanes::lane_kernels())) EXPECT_FALSE(std::signbit(p.y));
 }
 
-TEST(Lanes, TheWidestSetIsChosen) { EXPECT_EQ(&solver::lanes::lane_kernels(), solver::lanes::runnable_lane_kernels().back()); }
+TEST(Lanes, TheWidestSetIsChosen) {
+  EXPECT_EQ(&solver::lanes::lane_kernels(), solver::lanes::runnable_lane_kernels().back());
+}
 
 TEST(Lanes, LeaveNumbersAndHeldVerticesInPlace) {
   const Shaken s = shaken();
@@ -97,8 +100,9 @@ TEST(Lanes, LeaveNumbersAndHeldVerticesInPlace) {
 
 TEST(Lanes, AGroupSharesNoVertexAndEveryConstraintIsInOne) {
   const Shaken s = shaken(0, 140);
-  const auto groups = solver::lanes::group_apart(static_cast<Index>(s.model.triangles.size()), s.model.vertex_count(),
-                                  [&](Index t) { return std::span<const Index>(s.model.triangles[t]); });
+  const auto groups =
+      solver::lanes::group_apart(static_cast<Index>(s.model.triangles.size()), s.model.vertex_count(),
+                                 [&](Index t) { return std::span<const Index>(s.model.triangles[t]); });
   std::vector<int> seen(s.model.triangles.size(), 0);
   int lanes = 0;
   for (const solver::lanes::LaneGroup& group : groups) {
@@ -112,12 +116,14 @@ TEST(Lanes, AGroupSharesNoVertexAndEveryConstraintIsInOne) {
     }
   }
   for (const int n : seen) EXPECT_EQ(n, 1);
-  EXPECT_GT(lanes, 7.0 / 8 * solver::lanes::kLanes * static_cast<double>(groups.size())) << "packs are nearly full";
+  EXPECT_GT(lanes, 7.0 / 8 * solver::lanes::kLanes * static_cast<double>(groups.size()))
+      << "packs are nearly full";
 }
 
 TEST(Lanes, ConstraintsThatAllShareAVertexStandAlone) {
   const std::vector<Tri> fan{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}};
-  const auto groups = solver::lanes::group_apart(3, 5, [&](Index t) { return std::span<const Index>(fan[t]); });
+  const auto groups =
+      solver::lanes::group_apart(3, 5, [&](Index t) { return std::span<const Index>(fan[t]); });
   ASSERT_EQ(groups.size(), 3u);
   for (Index t = 0; t < 3; ++t) {
     solver::lanes::LaneGroup alone;

@@ -47,7 +47,8 @@ struct Extent {
 };
 Extent strains(const Hung& hung, int which) {
   Extent extent;
-  for (const solver::constraints::MembraneTriangle& t : solver::constraints::make_membrane(hung.strip.model)) {
+  for (const solver::constraints::MembraneTriangle& t :
+       solver::constraints::make_membrane(hung.strip.model)) {
     const Vec3 strain = solver::constraints::membrane_strain(t, hung.solver.positions());
     const double s = which == 0 ? strain.x : which == 1 ? strain.y : strain.z;
     extent = {std::min(extent.least, s), std::max(extent.most, s)};
@@ -198,7 +199,8 @@ TEST(Membrane, BuckledItIsSoftAlongEitherThreadAndOnTheBias) {
 }
 
 TEST(Membrane, BucklesUnderEulersLoadOfItsOwnSize) {
-  const material::Fabric fabric;  // as in answer_to, of triangles of 0.5 cm²: as wide as equilateral ones of this edge
+  const material::Fabric
+      fabric;  // as in answer_to, of triangles of 0.5 cm²: as wide as equilateral ones of this edge
   const double edge2 = 4 * 0.5e-4 / std::sqrt(3.0), pi = std::acos(-1.0);
   const double strain = pi * pi * fabric.bend_warp / edge2 / fabric.stretch_weft;
   EXPECT_NEAR(answer_to(-0.9 * strain, 0) / answer_to(0.9 * strain, 0), -1, 0.01) << "stiff before";

@@ -20,7 +20,8 @@ Vec3 sum_of(const std::vector<Vec3>& forces) {
 }
 
 TEST(Pressure, ABoxHasItsVolume) {
-  const solver::constraints::PressureChamber chamber = solver::constraints::make_chamber(box_skin(), 8, 100, 0);
+  const solver::constraints::PressureChamber chamber =
+      solver::constraints::make_chamber(box_skin(), 8, 100, 0);
   EXPECT_TRUE(chamber.openings.empty());
   EXPECT_NEAR(solver::constraints::volume_of(chamber, kBox), 30, 1e-9);
 }
@@ -28,7 +29,8 @@ TEST(Pressure, ABoxHasItsVolume) {
 TEST(Pressure, APieceThatWindsTheOtherWayIsTurned) {
   std::vector<Tri> skin = box_skin();
   for (std::size_t t = 4; t < 9; ++t) std::swap(skin[t][0], skin[t][1]);
-  EXPECT_NEAR(solver::constraints::volume_of(solver::constraints::make_chamber(skin, 8, 100, 0), kBox), 30, 1e-9);
+  EXPECT_NEAR(solver::constraints::volume_of(solver::constraints::make_chamber(skin, 8, 100, 0), kBox), 30,
+              1e-9);
 }
 
 TEST(Pressure, AnOpenBoxIsCappedAndItsForcesCancel) {
@@ -54,19 +56,24 @@ TEST(Pressure, ForcesArePressureTimesTheVolumesGradient) {
       std::vector<Vec3> more = kBox, less = kBox;
       more[i] += d;
       less[i] -= d;
-      const double gradient = (solver::constraints::volume_of(chamber, more) - solver::constraints::volume_of(chamber, less)) / 2e-4;
+      const double gradient =
+          (solver::constraints::volume_of(chamber, more) - solver::constraints::volume_of(chamber, less)) /
+          2e-4;
       EXPECT_NEAR(dot(forces[i], d) * 1e4, 7 * gradient, 1e-6);
     }
   }
 }
 
 TEST(Pressure, AFixedAmountOfAirKeepsPressureTimesVolume) {
-  const solver::constraints::PressureChamber chamber = solver::constraints::make_chamber(box_skin(), 8, 100, 30);
+  const solver::constraints::PressureChamber chamber =
+      solver::constraints::make_chamber(box_skin(), 8, 100, 30);
   EXPECT_NEAR(solver::constraints::pressure_at(chamber, 30), 100, 1e-9);
   EXPECT_NEAR(solver::constraints::pressure_at(chamber, 60), 50, 1e-9);
   EXPECT_NEAR(solver::constraints::pressure_at(chamber, 20), 150, 1e-9);
   EXPECT_NEAR(solver::constraints::pressure_at(chamber, 0), 400, 1e-9) << "flat: filled, not blown up";
-  EXPECT_NEAR(solver::constraints::pressure_at(solver::constraints::make_chamber(box_skin(), 8, 100, 0), 1), 100, 1e-9) << "pumped";
+  EXPECT_NEAR(solver::constraints::pressure_at(solver::constraints::make_chamber(box_skin(), 8, 100, 0), 1),
+              100, 1e-9)
+      << "pumped";
 }
 
 }  // namespace

@@ -94,14 +94,16 @@ TEST(Bounce, ThrowsBackOnlyWhatStrikesAtSpeed) {
   const std::vector<collision::Contact> contacts{c};
   const std::vector<double> inverse_mass{2.0};
   const std::vector<Vec3> near{{0, 0.5e-3, 0}}, far{{0, 2e-3, 0}};
-  const std::vector<Vec3> fast{{3, -1, 0}}, slow{{3, -0.9 * solver::constraints::kLeastImpact, 0}}, away{{0, 1, 0}};
+  const std::vector<Vec3> fast{{3, -1, 0}}, slow{{3, -0.9 * solver::constraints::kLeastImpact, 0}},
+      away{{0, 1, 0}};
   EXPECT_EQ(solver::constraints::find_impacts(contacts, 1, near, fast).size(), 1u);
   EXPECT_TRUE(solver::constraints::find_impacts(contacts, 1, far, fast).empty()) << "it is not there yet";
   EXPECT_TRUE(solver::constraints::find_impacts(contacts, 1, near, slow).empty());
   EXPECT_TRUE(solver::constraints::find_impacts(contacts, 1, near, away).empty());
   EXPECT_TRUE(solver::constraints::find_impacts(contacts, 0, near, fast).empty());
   std::vector<Vec3> after{{3, 0, 0}};
-  const std::vector<solver::constraints::Impact> impacts = solver::constraints::find_impacts(contacts, 1, near, fast);
+  const std::vector<solver::constraints::Impact> impacts =
+      solver::constraints::find_impacts(contacts, 1, near, fast);
   solver::constraints::give_back(impacts, inverse_mass, after);
   EXPECT_EQ(after[0], (Vec3{3, 0.5, 0})) << "along the normal, whatever it weighs";
   solver::constraints::give_back(impacts, inverse_mass, after);
@@ -118,7 +120,8 @@ TEST(Bounce, GivesALayersPartsTheirShares) {
   c.rest = 1e-3;
   c.restitution = 1;
   std::vector<Vec3> after(2);
-  solver::constraints::give_back(std::vector<solver::constraints::Impact>{{&c, 1.0}}, std::vector<double>{1.0, 0.0}, after);
+  solver::constraints::give_back(std::vector<solver::constraints::Impact>{{&c, 1.0}},
+                                 std::vector<double>{1.0, 0.0}, after);
   EXPECT_NEAR(0.5 * after[0].y + 0.5 * after[1].y, 1, 1e-12);
   EXPECT_EQ(after[1], Vec3{}) << "a held vertex is not thrown";
 }

@@ -10,7 +10,8 @@ constexpr double kStep = 1e-3;  // s
 /// Where three seams meet: a heavy vertex near the middle, light ones around it.
 const std::vector<Vec3> kApart{{0, 0, 0}, {0.1, 0, 0}, {0, 0.02, 0}, {0, 0, -0.3}};
 const std::vector<double> kInverseMass{1e3, 1e5, 4e4, 2e5};
-const std::vector<solver::constraints::Stitch> kMeeting{{0, 1, 0.1, 0.5}, {0, 2, 0.02, 0.5}, {2, 3, 0.3, 0.5}};
+const std::vector<solver::constraints::Stitch> kMeeting{
+    {0, 1, 0.1, 0.5}, {0, 2, 0.02, 0.5}, {2, 3, 0.3, 0.5}};
 
 Vec3 momentum(const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
   Vec3 sum;
@@ -39,7 +40,8 @@ TEST(Stitch, AGroupClosesAndComesToAVertexThatIsHeld) {
   std::vector<double> w = kInverseMass;
   w[2] = 0;
   std::vector<Vec3> x = kApart;
-  for (int k = 0; k < 2000; ++k) solver::constraints::close_groups(solver::constraints::stitch_groups(kMeeting, 4), w, kStep, x);
+  for (int k = 0; k < 2000; ++k)
+    solver::constraints::close_groups(solver::constraints::stitch_groups(kMeeting, 4), w, kStep, x);
   for (const Vec3& p : x) EXPECT_LT(length(p - kApart[2]), 1e-5);
 }
 

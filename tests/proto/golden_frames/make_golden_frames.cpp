@@ -143,7 +143,9 @@ std::string patched(std::string bytes, std::size_t at, const std::string& by) {
 std::string bytes_of(const FrameCase& c) {
   return c.key ? proto::encode_key(c.header, c.grid) : proto::encode_delta(c.header, c.grid, c.before);
 }
-std::string bytes_of(const TopologyCase& c) { return proto::encode_topology(c.epoch, c.grid, c.garment, c.pieces); }
+std::string bytes_of(const TopologyCase& c) {
+  return proto::encode_topology(c.epoch, c.grid, c.garment, c.pieces);
+}
 
 std::vector<RefusedCase> refused_frames() {
   const auto cases = frame_cases();

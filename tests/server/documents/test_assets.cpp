@@ -21,7 +21,8 @@ double number_at(const json::JsonValue& value, const char* key) {
 TEST(Assets, TellThePiecesOfADrawing) {
   const jobs::TemporaryFolder folder;
   const auto store = opened_documents(folder.path());
-  const Result<store::AssetRow> row = documents::add_asset(store.documents(), kMe, "dxf", "cloth.dxf", cloth_dxf());
+  const Result<store::AssetRow> row =
+      documents::add_asset(store.documents(), kMe, "dxf", "cloth.dxf", cloth_dxf());
   ASSERT_TRUE(row) << to_string(row.error());
   EXPECT_EQ(row->kind, "dxf");
   EXPECT_EQ(row->name, "cloth.dxf");
@@ -41,7 +42,8 @@ TEST(Assets, TellThePiecesOfADrawing) {
 TEST(Assets, TellTheSizeOfABody) {
   const jobs::TemporaryFolder folder;
   const auto store = opened_documents(folder.path());
-  const Result<store::AssetRow> row = documents::add_asset(store.documents(), kMe, "body", "Post.OBJ", kPostObj);
+  const Result<store::AssetRow> row =
+      documents::add_asset(store.documents(), kMe, "body", "Post.OBJ", kPostObj);
   ASSERT_TRUE(row) << to_string(row.error());
   const Result<json::JsonValue> info = json::parse_json(row->info);
   ASSERT_TRUE(info) << row->info;
@@ -55,8 +57,8 @@ TEST(Assets, TellTheSizeOfABody) {
 TEST(Assets, KeepNothingOfAFileThatCannotBeRead) {
   const jobs::TemporaryFolder folder;
   const auto store = opened_documents(folder.path());
-  const Result<store::AssetRow> drawing =
-      documents::add_asset(store.documents(), kMe, "dxf", "cut.dxf", "0\nSECTION\n2\nENTITIES\n0\nLINE\n10\nwide\n");
+  const Result<store::AssetRow> drawing = documents::add_asset(
+      store.documents(), kMe, "dxf", "cut.dxf", "0\nSECTION\n2\nENTITIES\n0\nLINE\n10\nwide\n");
   ASSERT_FALSE(drawing);
   EXPECT_TRUE(drawing.error().code.starts_with("dxf.")) << drawing.error().code;
   EXPECT_TRUE(drawing.error().where.starts_with("cut.dxf")) << drawing.error().where;
@@ -91,7 +93,8 @@ TEST(Assets, DoNotReadOtherFilesThatAnUploadedOneNames) {
   std::ofstream(folder.path() + "/secret", std::ios::binary)
       .write(reinterpret_cast<const char*>(secret.data()), sizeof secret);
   for (const std::string& uri : {std::string("../secret"), folder.path() + "/secret"}) {
-    const Result<store::AssetRow> row = documents::add_asset(store.documents(), kMe, "body", "a.gltf", gltf_of(uri));
+    const Result<store::AssetRow> row =
+        documents::add_asset(store.documents(), kMe, "body", "a.gltf", gltf_of(uri));
     EXPECT_FALSE(row) << row->info;
   }
   const std::string inside =
@@ -99,24 +102,29 @@ TEST(Assets, DoNotReadOtherFilesThatAnUploadedOneNames) {
   EXPECT_TRUE(documents::add_asset(store.documents(), kMe, "body", "a.gltf", gltf_of(inside)))
       << "its own bytes are read";
   const std::string with_material = std::string("mtllib ../secret\n") + kPostObj;
-  EXPECT_TRUE(documents::add_asset(store.documents(), kMe, "body", "a.obj", with_material)) << "without the material";
+  EXPECT_TRUE(documents::add_asset(store.documents(), kMe, "body", "a.obj", with_material))
+      << "without the material";
 }
 
 TEST(Assets, TellTheSizeOfAPictureByItsBytes) {
   const jobs::TemporaryFolder folder;
   const auto store = opened_documents(folder.path());
   const std::string png = test::png_of(test::squares(24));
-  const Result<store::AssetRow> row = documents::add_asset(store.documents(), kMe, "image", "checks.jpg", png);
+  const Result<store::AssetRow> row =
+      documents::add_asset(store.documents(), kMe, "image", "checks.jpg", png);
   ASSERT_TRUE(row) << to_string(row.error());
   EXPECT_EQ(row->info, R"({"format": "png", "width": 24, "height": 24, "opaque": true})");
   EXPECT_EQ(documents::image_media_type(*store->asset_bytes(kMe, row->id)), "image/png");
-  const Result<store::AssetRow> cut = documents::add_asset(store.documents(), kMe, "image", "cut.png", png.substr(0, 60));
+  const Result<store::AssetRow> cut =
+      documents::add_asset(store.documents(), kMe, "image", "cut.png", png.substr(0, 60));
   ASSERT_FALSE(cut);
   EXPECT_EQ(cut.error().code, "image.truncated");
   EXPECT_EQ(cut.error().where, "cut.png");
-  EXPECT_EQ(code_of(documents::add_asset(store.documents(), kMe, "image", "a.png", "<svg/>")), "image.format");
+  EXPECT_EQ(code_of(documents::add_asset(store.documents(), kMe, "image", "a.png", "<svg/>")),
+            "image.format");
   const std::string large = png + std::string(std::size_t{20} << 20, ' ');
-  EXPECT_EQ(code_of(documents::add_asset(store.documents(), kMe, "image", "a.png", large)), "documents.too_large");
+  EXPECT_EQ(code_of(documents::add_asset(store.documents(), kMe, "image", "a.png", large)),
+            "documents.too_large");
   EXPECT_EQ(store->assets(kMe, "image")->size(), 1u);
 }
 
@@ -124,7 +132,8 @@ TEST(Assets, HaveOneOfAFewKinds) {
   const jobs::TemporaryFolder folder;
   const auto store = opened_documents(folder.path());
   EXPECT_EQ(code_of(documents::add_asset(store.documents(), kMe, "picture", "a.png", "x")), "documents.kind");
-  EXPECT_EQ(code_of(documents::add_asset(store.documents(), kMe, "", "a.dxf", cloth_dxf())), "documents.kind");
+  EXPECT_EQ(code_of(documents::add_asset(store.documents(), kMe, "", "a.dxf", cloth_dxf())),
+            "documents.kind");
 }
 
 TEST(Assets, HaveALargestSize) {
@@ -141,8 +150,11 @@ TEST(Assets, RefuseNamesThatLeaveTheirFolder) {
   const jobs::TemporaryFolder folder;
   const auto store = opened_documents(folder.path());
   for (const char* name : {"../cloth.dxf", "/cloth.dxf", "a/b.dxf", "..", ".dxf", "a\n.dxf", ""}) {
-    EXPECT_EQ(code_of(documents::add_asset(store.documents(), kMe, "dxf", name, cloth_dxf())), "store.bad_name") << name;
-    EXPECT_EQ(code_of(documents::add_asset(store.documents(), kMe, "body", name, kPostObj)), "store.bad_name") << name;
+    EXPECT_EQ(code_of(documents::add_asset(store.documents(), kMe, "dxf", name, cloth_dxf())),
+              "store.bad_name")
+        << name;
+    EXPECT_EQ(code_of(documents::add_asset(store.documents(), kMe, "body", name, kPostObj)), "store.bad_name")
+        << name;
   }
 }
 

@@ -71,7 +71,8 @@ TEST(EditsInStore, TheEditedDocumentIsAProjectThatCanBeDraped) {
   EXPECT_EQ(row->revision, 2);
   const project::Project project = project::parse_project(row->document).value();
   EXPECT_FALSE(project.pieces[0].from);
-  EXPECT_TRUE(resolve::resolve_project(project, documents::files_in_store(at.store.documents(), kMe, row->files)));
+  EXPECT_TRUE(
+      resolve::resolve_project(project, documents::files_in_store(at.store.documents(), kMe, row->files)));
 }
 
 TEST(EditsInStore, RefusedEditsChangeNothing) {
@@ -83,7 +84,9 @@ TEST(EditsInStore, RefusedEditsChangeNothing) {
   EXPECT_EQ(at.edit(kRename, 7).error().code, "store.conflict");
   EXPECT_EQ(at.store->project(kMe, at.id)->revision, 1);
   EXPECT_EQ(at.document(), kClothDocument);
-  EXPECT_EQ(documents::edit_project(at.store.documents(), kMe, "p_00000000000000000000", json("[]"), 0).error().code,
+  EXPECT_EQ(documents::edit_project(at.store.documents(), kMe, "p_00000000000000000000", json("[]"), 0)
+                .error()
+                .code,
             "store.not_found");
 }
 
@@ -122,14 +125,16 @@ TEST(Imports, TellWhatAFileHolds) {
 
 TEST(Imports, TakeAPersonsWordForTheUnit) {
   ClothStore at;
-  const json::JsonValue report = json(documents::import_pattern(at.store.documents(), kMe, at.dxf, {"cm", ""}).value());
+  const json::JsonValue report =
+      json(documents::import_pattern(at.store.documents(), kMe, at.dxf, {"cm", ""}).value());
   EXPECT_EQ(*report.find("pieces")->array()->front().find("width_mm")->number(), 3000);
   EXPECT_EQ(*report.find("pieces")->array()->front().find("from")->find("units")->text(), "cm");
 }
 
 TEST(Imports, GiveADocumentThatMakesAProjectOnceItIsSent) {
   ClothStore at;
-  const json::JsonValue report = json(documents::import_pattern(at.store.documents(), kMe, at.dxf, {"mm", ""}).value());
+  const json::JsonValue report =
+      json(documents::import_pattern(at.store.documents(), kMe, at.dxf, {"mm", ""}).value());
   EXPECT_EQ(*report.find("file")->text(), "cloth.dxf");
   const std::string document = json::write_json_line(*report.find("document"));
   const Result<project::Project> project = project::parse_project(document);
@@ -163,10 +168,13 @@ TEST(Imports, TakeASpecificationWithItsSeamsAndPlaces) {
   EXPECT_EQ(report.find("pieces")->array()->front().find("points")->array()->size(), 4u);
   ASSERT_EQ(report.find("seams")->array()->size(), 1u);
   EXPECT_EQ(*report.find("seams")->array()->front().find("confidence")->number(), 1);
-  const auto made = documents::create_project(at.store.documents(), kMe, json::write_json_line(*report.find("document")), {});
+  const auto made = documents::create_project(at.store.documents(), kMe,
+                                              json::write_json_line(*report.find("document")), {});
   ASSERT_TRUE(made) << to_string(made.error());
-  EXPECT_EQ(documents::import_pattern(at.store.documents(), kMe, asset->id, {"mm", ""}).error().code, "documents.unit");
-  EXPECT_EQ(documents::import_pattern(at.store.documents(), kMe, asset->id, {"", "42"}).error().code, "documents.size");
+  EXPECT_EQ(documents::import_pattern(at.store.documents(), kMe, asset->id, {"mm", ""}).error().code,
+            "documents.unit");
+  EXPECT_EQ(documents::import_pattern(at.store.documents(), kMe, asset->id, {"", "42"}).error().code,
+            "documents.size");
   EXPECT_EQ(documents::add_asset(at.store.documents(), kMe, "specification", "no.json", "{}").error().code,
             "garmentcode.missing");
 }
@@ -175,9 +183,11 @@ TEST(Views, ShowCurvesLengthsAndWhatIsWrongWithSeams) {
   ClothStore at;
   const store::AssetRow asset =
       documents::add_asset(at.store.documents(), kMe, "specification", "two.json", kTwoSquares).value();
-  const json::JsonValue report = json(documents::import_pattern(at.store.documents(), kMe, asset.id, {}).value());
-  const std::string id =
-      documents::create_project(at.store.documents(), kMe, json::write_json_line(*report.find("document")), {})->id;
+  const json::JsonValue report =
+      json(documents::import_pattern(at.store.documents(), kMe, asset.id, {}).value());
+  const std::string id = documents::create_project(at.store.documents(), kMe,
+                                                   json::write_json_line(*report.find("document")), {})
+                             ->id;
   const auto seam = [&](const std::string& edge) {
     return json(R"([{"edit": "add_seam", "id": "s", "a": [{"piece": "left", "edge": "e1"}],
                      "b": [{"piece": "right", "edge": ")" +
@@ -186,7 +196,9 @@ TEST(Views, ShowCurvesLengthsAndWhatIsWrongWithSeams) {
   ASSERT_TRUE(documents::edit_project(at.store.documents(), kMe, id, seam("e3"), 0));
   const auto view = [&] {
     const store::ProjectRow row = at.store->project(kMe, id).value();
-    return json(documents::pieces_json(row.document, documents::files_in_store(at.store.documents(), kMe, row.files)).value());
+    return json(
+        documents::pieces_json(row.document, documents::files_in_store(at.store.documents(), kMe, row.files))
+            .value());
   };
   const json::JsonValue shown = view();
   const json::JsonValue& edge = shown.find("pieces")->array()->front().find("edges")->array()->at(1);
@@ -204,10 +216,12 @@ TEST(Proposals, AreThoseThatNoSeamHasYet) {
   ClothStore at;
   const store::AssetRow asset =
       documents::add_asset(at.store.documents(), kMe, "specification", "two.json", kTwoSquares).value();
-  const json::JsonValue report = json(documents::import_pattern(at.store.documents(), kMe, asset.id, {}).value());
+  const json::JsonValue report =
+      json(documents::import_pattern(at.store.documents(), kMe, asset.id, {}).value());
   const auto proposed = [&] {
     const std::string document = json::write_json_line(*report.find("document"));
-    return json(documents::proposals_json(document, documents::files_in_store(at.store.documents(), kMe, {})).value());
+    return json(documents::proposals_json(document, documents::files_in_store(at.store.documents(), kMe, {}))
+                    .value());
   };
   const json::JsonValue found = proposed();
   ASSERT_NE(found.find("proposals")->array(), nullptr);
@@ -220,8 +234,10 @@ TEST(Proposals, AreThoseThatNoSeamHasYet) {
 
 TEST(Imports, RefuseWhatIsNoPattern) {
   ClothStore at;
-  EXPECT_EQ(documents::import_pattern(at.store.documents(), kMe, at.body, {}).error().code, "documents.wrong_kind");
-  EXPECT_EQ(documents::import_pattern(at.store.documents(), kMe, at.dxf, {"yard", ""}).error().code, "documents.unit");
+  EXPECT_EQ(documents::import_pattern(at.store.documents(), kMe, at.body, {}).error().code,
+            "documents.wrong_kind");
+  EXPECT_EQ(documents::import_pattern(at.store.documents(), kMe, at.dxf, {"yard", ""}).error().code,
+            "documents.unit");
   const Error size = documents::import_pattern(at.store.documents(), kMe, at.dxf, {"", "42"}).error();
   EXPECT_EQ(size.code, "dxf.unknown_size");
   EXPECT_TRUE(size.where.starts_with("cloth.dxf")) << size.where;
@@ -293,7 +309,8 @@ TEST(EditsInStore, AProjectWithoutItsPictureIsMissingAFile) {
   files["checks.png"] = at.picture;
   const auto made = documents::create_project(at.store.documents(), kMe, document, files);
   ASSERT_TRUE(made) << to_string(made.error());
-  const std::string pieces = documents::pieces_json(document, documents::files_in_store(at.store.documents(), kMe, files)).value();
+  const std::string pieces =
+      documents::pieces_json(document, documents::files_in_store(at.store.documents(), kMe, files)).value();
   EXPECT_NE(
       pieces.find(R"("texture": {"image": "checks.png", "scale_mm": 40, "offset": [0, 0], "angle": 0})"),
       std::string::npos)

@@ -40,7 +40,7 @@ TEST(Projects, NameTheFilesThatAreMissingAndTheFirstPlace) {
 TEST(Projects, RefuseAFileOfTheWrongKind) {
   ClothStore cloth;
   const auto made = documents::create_project(cloth.store.documents(), kMe, kClothDocument,
-                                   {{"cut/cloth.dxf", cloth.dxf}, {"post.obj", cloth.dxf}});
+                                              {{"cut/cloth.dxf", cloth.dxf}, {"post.obj", cloth.dxf}});
   ASSERT_FALSE(made);
   EXPECT_EQ(made.error().code, "documents.wrong_kind");
   EXPECT_EQ(made.error().where, "/bodies/0/file");
@@ -48,7 +48,8 @@ TEST(Projects, RefuseAFileOfTheWrongKind) {
 
 TEST(Projects, TakeAnotherOwnersFileForOneThatIsNotThere) {
   ClothStore cloth;
-  const auto made = documents::create_project(cloth.store.documents(), kStranger, kClothDocument, cloth.files);
+  const auto made =
+      documents::create_project(cloth.store.documents(), kStranger, kClothDocument, cloth.files);
   ASSERT_FALSE(made);
   EXPECT_EQ(made.error().code, "documents.unknown_asset");
   EXPECT_EQ(made.error().where, "/files/cut~1cloth.dxf");
@@ -70,7 +71,8 @@ TEST(Projects, CheckFilesThatTheDocumentDoesNotUseYet) {
 TEST(Projects, RefuseADocumentOfWhichNoDrapeCanBeMade) {
   ClothStore cloth;
   const auto refused = [&](const std::string& from, const std::string& to) {
-    const auto made = documents::create_project(cloth.store.documents(), kMe, cloth_document(from, to), cloth.files);
+    const auto made =
+        documents::create_project(cloth.store.documents(), kMe, cloth_document(from, to), cloth.files);
     return made ? "made" : made.error().code + " at " + made.error().where;
   };
   EXPECT_EQ(refused("\"CLOTH\"", "\"CLOTHES\""), "project.unknown_piece at /pieces/0/from/piece");
@@ -87,12 +89,14 @@ TEST(Projects, RefuseAFileNameThatLeavesTheProjectEvenWhenItIsMapped) {
   documents::ProjectFileMap files = cloth.files;
   files["../post.obj"] = cloth.body;
   const std::string document = cloth_document("post.obj", "../post.obj");
-  EXPECT_EQ(code_of(documents::create_project(cloth.store.documents(), kMe, document, files)), "project.path");
+  EXPECT_EQ(code_of(documents::create_project(cloth.store.documents(), kMe, document, files)),
+            "project.path");
 }
 
 TEST(Projects, TellABadDrawingThatCameAroundTheUpload) {
   ClothStore cloth;
-  const Result<store::AssetRow> broken = cloth.store->put_asset(kMe, named("dxf", "broken.dxf"), "0\nSECTION\n");
+  const Result<store::AssetRow> broken =
+      cloth.store->put_asset(kMe, named("dxf", "broken.dxf"), "0\nSECTION\n");
   ASSERT_TRUE(broken);
   documents::ProjectFileMap files = cloth.files;
   files["cut/cloth.dxf"] = broken->id;
@@ -104,29 +108,31 @@ TEST(Projects, TellABadDrawingThatCameAroundTheUpload) {
 
 TEST(Projects, AreReplacedAtTheExpectedRevisionOnly) {
   ClothStore cloth;
-  const store::ProjectRow made = *documents::create_project(cloth.store.documents(), kMe, kClothDocument, cloth.files);
+  const store::ProjectRow made =
+      *documents::create_project(cloth.store.documents(), kMe, kClothDocument, cloth.files);
   const std::string renamed = cloth_document("Cloth over a post", "Another name");
   const Result<store::ProjectRow> second =
       documents::replace_project(cloth.store.documents(), kMe, made.id, renamed, cloth.files, 1);
   ASSERT_TRUE(second) << to_string(second.error());
   EXPECT_EQ(second->name, "Another name");
   EXPECT_EQ(second->revision, 2);
-  EXPECT_EQ(code_of(documents::replace_project(cloth.store.documents(), kMe, made.id, renamed, cloth.files, 1)),
-            "store.conflict");
+  EXPECT_EQ(
+      code_of(documents::replace_project(cloth.store.documents(), kMe, made.id, renamed, cloth.files, 1)),
+      "store.conflict");
   EXPECT_EQ(code_of(documents::replace_project(cloth.store.documents(), kMe, made.id, "{", cloth.files, 2)),
             "json.syntax");
   EXPECT_EQ(cloth.store->project(kMe, made.id)->revision, 2);
-  EXPECT_EQ(
-      code_of(documents::replace_project(cloth.store.documents(), kStranger, made.id, kClothDocument, cloth.files, 2)),
-      "store.not_found");
+  EXPECT_EQ(code_of(documents::replace_project(cloth.store.documents(), kStranger, made.id, kClothDocument,
+                                               cloth.files, 2)),
+            "store.not_found");
 }
 
 TEST(FilesInStore, GiveADrapeItsInput) {
   ClothStore cloth;
   const Result<project::Project> project = project::parse_project(kClothDocument);
   ASSERT_TRUE(project);
-  const Result<drape::DrapeInput> input =
-      resolve::resolve_project(*project, documents::files_in_store(cloth.store.documents(), kMe, cloth.files));
+  const Result<drape::DrapeInput> input = resolve::resolve_project(
+      *project, documents::files_in_store(cloth.store.documents(), kMe, cloth.files));
   ASSERT_TRUE(input) << to_string(input.error());
   ASSERT_EQ(input->bodies.size(), 1u);
   EXPECT_EQ(input->bodies[0].mesh.vertices.size(), 8u);
@@ -143,7 +149,8 @@ TEST(FilesInStore, RefuseWhatIsMissingOrOfTheWrongKindOrNotTheirs) {
   EXPECT_EQ(code_of(files.body_mesh("b.obj", {})), "documents.wrong_kind");
   EXPECT_EQ(code_of(files.dxf_text("c.dxf")), "documents.missing_file");
   EXPECT_EQ(code_of(files.body_mesh("c.obj", {})), "documents.missing_file");
-  const resolve::ProjectFiles theirs = documents::files_in_store(cloth.store.documents(), kStranger, cloth.files);
+  const resolve::ProjectFiles theirs =
+      documents::files_in_store(cloth.store.documents(), kStranger, cloth.files);
   EXPECT_EQ(code_of(theirs.dxf_text("cut/cloth.dxf")), "store.not_found");
   EXPECT_EQ(code_of(theirs.body_mesh("post.obj", {})), "store.not_found");
 }

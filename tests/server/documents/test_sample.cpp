@@ -56,7 +56,8 @@ TEST(Sample, DoesNotComeBackOnceItIsDeleted) {
 TEST(Sample, IsNotAddedTwiceWhenTheFirstStartWasCutOff) {
   ClothStore cloth;
   std::ofstream(cloth.folder.path() + "/project.json") << kClothDocument;
-  const store::ProjectRow made = *documents::create_project(cloth.store.documents(), kMe, kClothDocument, cloth.files);
+  const store::ProjectRow made =
+      *documents::create_project(cloth.store.documents(), kMe, kClothDocument, cloth.files);
   ASSERT_TRUE(documents::add_sample_project(cloth.store.documents(), kMe, cloth.folder.path()));
   EXPECT_EQ(ids_in(cloth.store), std::vector<std::string>{made.id});
   EXPECT_EQ(cloth.store->get_setting(kMe, documents::kSampleSetting)->value(), made.id);
@@ -65,7 +66,8 @@ TEST(Sample, IsNotAddedTwiceWhenTheFirstStartWasCutOff) {
 TEST(Sample, IsTriedAgainWhenItsFolderWasNotThere) {
   const jobs::TemporaryFolder folder;
   const auto store = opened_documents(folder.path());
-  EXPECT_EQ(code_of(documents::add_sample_project(store.documents(), kMe, folder.path() + "/absent")), "project.file");
+  EXPECT_EQ(code_of(documents::add_sample_project(store.documents(), kMe, folder.path() + "/absent")),
+            "project.file");
   ASSERT_TRUE(documents::add_sample_project(store.documents(), kMe, kSkirt));
   EXPECT_EQ(ids_in(store).size(), 1u);
 }

@@ -27,8 +27,8 @@ class ScriptedJobs final : public jobs::JobService {
   explicit ScriptedJobs(store::Store& store) : store_(store) {}
   Status start() override { return {}; }
   void stop() override {}
-  Result<store::Made<store::JobRow>> submit(const store::RequestContext& context, const std::string& project_id,
-                              const std::string& key) override {
+  Result<store::Made<store::JobRow>> submit(const store::RequestContext& context,
+                                            const std::string& project_id, const std::string& key) override {
     const store::ProjectRow project = TRY(store_.project(context, project_id));
     store::JobRow row;
     row.project_id = project.id;
@@ -55,10 +55,13 @@ class ScriptedJobs final : public jobs::JobService {
   }
   Counts counts() const override { return {}; }
 
-  Result<store::JobRow> become(const store::RequestContext& context, const std::string& id, store::JobState state) {
+  Result<store::JobRow> become(const store::RequestContext& context, const std::string& id,
+                               store::JobState state) {
     store::JobRow row = TRY(store_.job(context, id));
-    if (row.state == store::JobState::kSucceeded || row.state == store::JobState::kCancelled || row.state == state) {
-      return Error{"jobs.state", "the job is " + std::string(store::name_of(row.state)), id, ErrorKind::kConflict};
+    if (row.state == store::JobState::kSucceeded || row.state == store::JobState::kCancelled ||
+        row.state == state) {
+      return Error{"jobs.state", "the job is " + std::string(store::name_of(row.state)), id,
+                   ErrorKind::kConflict};
     }
     row.state = state;
     TRY(store_.update_job(context, row));
@@ -91,7 +94,8 @@ class Served : public testing::Test {
     settings.port = 0;
     settings.most_connections = 64;
     server = std::make_unique<http::HttpServer>(*store, *jobs, hub, settings, log);
-    handlers::add_routes(server->router(), {*documents, *store, *jobs, hub, server->metrics(), server->ready()});
+    handlers::add_routes(server->router(),
+                         {*documents, *store, *jobs, hub, server->metrics(), server->ready()});
     if (more_routes) more_routes(server->router());
     const Status started = server->start();
     ASSERT_TRUE(started) << to_string(started.error());

@@ -28,7 +28,8 @@ class Dressing : public Served {
   std::string document() { return store->project(kMe, id)->document; }
   json::JsonValue tree_of(const Answer& answer) {
     EXPECT_EQ(answer.status, 200) << answer.body.substr(0, 500);
-    const Result<json::JsonValue> tree = json::parse_json(answer.body, {.bytes = answer.body.size(), .depth = 64});
+    const Result<json::JsonValue> tree =
+        json::parse_json(answer.body, {.bytes = answer.body.size(), .depth = 64});
     return tree ? *tree : json::JsonValue();
   }
   static double measure(const json::JsonValue& figure, const std::string& name) {

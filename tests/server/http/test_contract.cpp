@@ -35,7 +35,9 @@ class Contract : public Served {
           {"body", json ? answer.body : std::string()}});
     return answer;
   }
-  void keep(std::vector<json::JsonMember> members) { lines += json::write_json_line(std::move(members)) + "\n"; }
+  void keep(std::vector<json::JsonMember> members) {
+    lines += json::write_json_line(std::move(members)) + "\n";
+  }
 
   void keep_stream(const std::string& id) {
     Socket viewer(port, "/api/v1/jobs/" + id + "/stream");

@@ -48,11 +48,12 @@ class RequestLog : public Served {
   void SetUp() override {
     log = Log(lines);
     more_routes = [](http::Router& router) {
-      router.add({.method = "GET",
-                  .pattern = "/broken",
-                  .handler = [](const store::RequestContext&, const http::HttpRequest&) -> http::HttpResponse {
-                    throw std::runtime_error("a fault of ours");
-                  }});
+      router.add(
+          {.method = "GET",
+           .pattern = "/broken",
+           .handler = [](const store::RequestContext&, const http::HttpRequest&) -> http::HttpResponse {
+             throw std::runtime_error("a fault of ours");
+           }});
     };
     serve();
   }

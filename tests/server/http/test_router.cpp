@@ -10,7 +10,9 @@ namespace {
 class RouterTest : public testing::Test {
  protected:
   RouterTest() {
-    const auto handler = [](const store::RequestContext&, const http::HttpRequest&) { return http::HttpResponse{}; };
+    const auto handler = [](const store::RequestContext&, const http::HttpRequest&) {
+      return http::HttpResponse{};
+    };
     router.add({.method = "GET", .pattern = "/api/v1/jobs", .handler = handler});
     http::Route post{.method = "POST", .pattern = "/api/v1/jobs", .handler = handler};
     post.body = http::BodyKind::kJson;
@@ -20,7 +22,8 @@ class RouterTest : public testing::Test {
     router.add_page(handler);
   }
 
-  http::Admission admit_one(const std::string& method, const std::string& target, http::Incoming incoming = {}) {
+  http::Admission admit_one(const std::string& method, const std::string& target,
+                            http::Incoming incoming = {}) {
     request = {};
     request.method = method;
     request.target = target;
@@ -68,9 +71,11 @@ TEST_F(RouterTest, TakesAJsonBodyAsJsonOnlyAndOnlySoLarge) {
   EXPECT_EQ(status("POST", "/api/v1/jobs", {.upgrade = false, .has_body = true, .length = 10}), 415);
   headers["content-type"] = "Application/JSON; charset=utf-8";
   EXPECT_EQ(status("POST", "/api/v1/jobs", {.upgrade = false, .has_body = true, .length = 10}), 200);
-  EXPECT_EQ(status("POST", "/api/v1/jobs", {.upgrade = false, .has_body = true, .length = http::kSmallBody}), 200);
-  EXPECT_EQ(status("POST", "/api/v1/jobs", {.upgrade = false, .has_body = true, .length = http::kSmallBody + 1}),
-            413);
+  EXPECT_EQ(status("POST", "/api/v1/jobs", {.upgrade = false, .has_body = true, .length = http::kSmallBody}),
+            200);
+  EXPECT_EQ(
+      status("POST", "/api/v1/jobs", {.upgrade = false, .has_body = true, .length = http::kSmallBody + 1}),
+      413);
 }
 
 TEST_F(RouterTest, ServesNoOtherHost) {

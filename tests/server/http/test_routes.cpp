@@ -12,7 +12,9 @@ namespace {
 class Routes : public Served {
  protected:
   void SetUp() override { serve(); }
-  static Result<json::JsonValue> tree(const Answer& answer) { return json::parse_json(answer.body, {.depth = 64}); }
+  static Result<json::JsonValue> tree(const Answer& answer) {
+    return json::parse_json(answer.body, {.depth = 64});
+  }
   static std::size_t count(const Answer& answer, const char* list) {
     const auto read = tree(answer);
     return read && read->find(list) ? read->find(list)->array()->size() : 999;

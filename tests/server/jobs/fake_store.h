@@ -27,7 +27,8 @@ class FakeStore final : public store::Store {
   std::function<Status(const store::JobRow&)> on_update_job;
   std::function<Status(const std::string& job_id)> on_put_checkpoint;
 
-  Result<store::AssetRow> put_asset(const store::RequestContext& context, store::AssetRow row, std::string_view bytes) override {
+  Result<store::AssetRow> put_asset(const store::RequestContext& context, store::AssetRow row,
+                                    std::string_view bytes) override {
     const std::lock_guard lock(mutex_);
     row.id = next_id("a_");
     row.size = static_cast<std::int64_t>(bytes.size());
@@ -50,14 +51,15 @@ class FakeStore final : public store::Store {
     return std::vector<store::AssetRow>();
   }
 
-  Result<store::Made<store::ProjectRow>> create_project(const store::RequestContext& context, store::ProjectRow row,
-                                          const std::string&) override {
+  Result<store::Made<store::ProjectRow>> create_project(const store::RequestContext& context,
+                                                        store::ProjectRow row, const std::string&) override {
     const std::lock_guard lock(mutex_);
     row.id = next_id("p_");
     projects_[{context.owner, row.id}] = row;
     return store::Made<store::ProjectRow>{row, true};
   }
-  Result<store::ProjectRow> replace_project(const store::RequestContext& context, const store::ProjectRow& row, int) override {
+  Result<store::ProjectRow> replace_project(const store::RequestContext& context,
+                                            const store::ProjectRow& row, int) override {
     const std::lock_guard lock(mutex_);
     projects_[{context.owner, row.id}] = row;
     return row;
@@ -65,7 +67,8 @@ class FakeStore final : public store::Store {
   Result<store::ProjectRow> project(const store::RequestContext& context, const std::string& id) override {
     return one<store::ProjectRow>(projects_, context, id, [](const store::ProjectRow& row) { return row; });
   }
-  Result<std::vector<store::ProjectRow>> projects(const store::RequestContext&, const std::string&, int) override {
+  Result<std::vector<store::ProjectRow>> projects(const store::RequestContext&, const std::string&,
+                                                  int) override {
     return std::vector<store::ProjectRow>();
   }
   Status remove_project(const store::RequestContext& context, const std::string& id, int) override {
@@ -74,19 +77,21 @@ class FakeStore final : public store::Store {
     return {};
   }
 
-  Result<store::ProjectRow> edit_project(const store::RequestContext& context, const store::ProjectRow& row, int expected,
-                                  store::EditStep, const store::EditRow&) override {
+  Result<store::ProjectRow> edit_project(const store::RequestContext& context, const store::ProjectRow& row,
+                                         int expected, store::EditStep, const store::EditRow&) override {
     return replace_project(context, row, expected);
   }
-  Result<std::vector<store::EditRow>> edits(const store::RequestContext&, const std::string&, std::int64_t, int) override {
+  Result<std::vector<store::EditRow>> edits(const store::RequestContext&, const std::string&, std::int64_t,
+                                            int) override {
     return std::vector<store::EditRow>();
   }
-  Result<std::optional<store::EditRow>> next_edit(const store::RequestContext&, const std::string&, store::EditStep) override {
+  Result<std::optional<store::EditRow>> next_edit(const store::RequestContext&, const std::string&,
+                                                  store::EditStep) override {
     return std::optional<store::EditRow>();
   }
 
   Result<store::Made<store::JobRow>> create_job(const store::RequestContext& context, store::JobRow row,
-                                  const std::string& key) override {
+                                                const std::string& key) override {
     const std::lock_guard lock(mutex_);
     if (const auto made = keys_.find({context.owner, key}); made != keys_.end()) {
       return store::Made<store::JobRow>{jobs_.at({context.owner, made->second}), false};
@@ -97,7 +102,8 @@ class FakeStore final : public store::Store {
     if (!key.empty()) keys_[{context.owner, key}] = row.id;
     return store::Made<store::JobRow>{row, true};
   }
-  Result<std::optional<store::JobRow>> job_of_key(const store::RequestContext& context, const std::string& key) override {
+  Result<std::optional<store::JobRow>> job_of_key(const store::RequestContext& context,
+                                                  const std::string& key) override {
     const std::lock_guard lock(mutex_);
     const auto made = keys_.find({context.owner, key});
     return made == keys_.end() ? std::optional<store::JobRow>()
@@ -179,7 +185,8 @@ class FakeStore final : public store::Store {
     ++checkpoints_put_;
     return {};
   }
-  Result<KeptCheckpoint> checkpoint(const store::RequestContext& context, const std::string& job_id) override {
+  Result<KeptCheckpoint> checkpoint(const store::RequestContext& context,
+                                    const std::string& job_id) override {
     return one<KeptCheckpoint>(checkpoints_, context, job_id,
                                [](const KeptCheckpoint& kept) { return kept; });
   }
@@ -197,7 +204,9 @@ class FakeStore final : public store::Store {
   Result<std::optional<std::string>> get_setting(const store::RequestContext&, const std::string&) override {
     return std::optional<std::string>();
   }
-  Status put_setting(const store::RequestContext&, const std::string&, const std::string&) override { return {}; }
+  Status put_setting(const store::RequestContext&, const std::string&, const std::string&) override {
+    return {};
+  }
   std::string scratch_folder() const override { return folder_.string(); }
   Status ping() override { return {}; }
 

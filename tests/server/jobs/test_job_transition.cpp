@@ -52,7 +52,8 @@ TEST(JobTransition, EveryPairOfStateAndEventIsEitherInTheTableOrRefusedWithWords
 }
 
 TEST(JobTransition, TheListHoldsEveryEventOnce) {
-  for (std::size_t i = 0; i < jobs::kJobEvents.size(); ++i) EXPECT_EQ(static_cast<std::size_t>(jobs::kJobEvents[i]), i);
+  for (std::size_t i = 0; i < jobs::kJobEvents.size(); ++i)
+    EXPECT_EQ(static_cast<std::size_t>(jobs::kJobEvents[i]), i);
   EXPECT_EQ(jobs::kJobEvents.back(), E::kRequeue);
 }
 
@@ -77,7 +78,8 @@ TEST(JobTransition, AJobStandsInTheQueueExactlyWhileItIsQueued) {
   for_all_pairs([](S state, E event) {
     const Result<jobs::JobTransition> next = jobs::next_state(state, event);
     if (!next) return;
-    EXPECT_EQ(next->effects.queue != jobs::QueuePlace::kOut, next->state == S::kQueued) << store::name_of(state);
+    EXPECT_EQ(next->effects.queue != jobs::QueuePlace::kOut, next->state == S::kQueued)
+        << store::name_of(state);
   });
 }
 

@@ -43,9 +43,10 @@ class JobsInSqlite : public testing::Test {
   }
 
   std::string submit(double max_time) {
-    const store::AssetRow block = documents::add_asset(*documents_, kOwner, "body", "block.obj", test::kBlock).value();
-    const auto project =
-        documents::create_project(*documents_, kOwner, test::cloth_over_block(200, max_time), {{"block.obj", block.id}});
+    const store::AssetRow block =
+        documents::add_asset(*documents_, kOwner, "body", "block.obj", test::kBlock).value();
+    const auto project = documents::create_project(*documents_, kOwner, test::cloth_over_block(200, max_time),
+                                                   {{"block.obj", block.id}});
     EXPECT_TRUE(project.ok()) << to_string(project.error());
     return service_->submit(kOwner, project->id, "").value().id;
   }

@@ -9,8 +9,9 @@ namespace toile {
 namespace {
 
 TEST(LogText, IsTheEventAndItsFieldsInTheirOrder) {
-  EXPECT_EQ(log::log_text("job claimed", LogFields{{"owner", "ann"}, {"job", "j_1"}}, LogFields{{"attempt", "2"}}),
-            "job claimed owner=ann job=j_1 attempt=2");
+  EXPECT_EQ(
+      log::log_text("job claimed", LogFields{{"owner", "ann"}, {"job", "j_1"}}, LogFields{{"attempt", "2"}}),
+      "job claimed owner=ann job=j_1 attempt=2");
 }
 
 TEST(LogText, PassesOverWhatIsEmptyAndQuotesWhatIsNoPlainWord) {

@@ -28,13 +28,18 @@ struct EditedStore {
   std::unique_ptr<store::Store> store = opened(folder.path());
   std::string id = store->create_project(kMe, project_row("first"))->id;
 
-  Result<store::ProjectRow> act(store::EditStep kind, const store::EditRow& edit, const std::string& document, int expected = 0) {
+  Result<store::ProjectRow> act(store::EditStep kind, const store::EditRow& edit, const std::string& document,
+                                int expected = 0) {
     store::ProjectRow row = *store->project(kMe, id);
     row.document = document;
     return store->edit_project(kMe, row, expected == 0 ? row.revision : expected, kind, edit);
   }
-  Result<store::ProjectRow> do_edit(const std::string& edits) { return act(store::EditStep::kDo, step(edits), edits); }
-  store::EditRow next(store::EditStep kind) { return store->next_edit(kMe, id, kind)->value_or(store::EditRow{}); }
+  Result<store::ProjectRow> do_edit(const std::string& edits) {
+    return act(store::EditStep::kDo, step(edits), edits);
+  }
+  store::EditRow next(store::EditStep kind) {
+    return store->next_edit(kMe, id, kind)->value_or(store::EditRow{});
+  }
   std::vector<store::EditRow> history() { return *store->edits(kMe, id, 0, 1000); }
 };
 
@@ -89,7 +94,8 @@ TEST(StoreEdits, ChangeNothingAtAnotherRevisionOrStep) {
   store::EditRow nobody = step("z");
   nobody.number = 9;
   EXPECT_EQ(at.act(store::EditStep::kUndo, nobody, "z").error().code, "store.not_found");
-  EXPECT_EQ(at.act(store::EditStep::kRedo, at.next(store::EditStep::kUndo), "z").error().code, "store.not_found");
+  EXPECT_EQ(at.act(store::EditStep::kRedo, at.next(store::EditStep::kUndo), "z").error().code,
+            "store.not_found");
   EXPECT_EQ(at.store->project(kMe, at.id)->document, "a") << "all or nothing";
   EXPECT_EQ(at.history().size(), 1u);
   store::ProjectRow stranger = *at.store->project(kMe, at.id);

@@ -10,7 +10,8 @@ namespace {
 
 TEST(JobState, EveryStateHasAWordThatReadsBackAsIt) {
   for (std::size_t i = 0; i < store::kJobStates.size(); ++i) {
-    EXPECT_EQ(static_cast<std::size_t>(store::kJobStates[i]), i) << "the list has every state once, in its order";
+    EXPECT_EQ(static_cast<std::size_t>(store::kJobStates[i]), i)
+        << "the list has every state once, in its order";
     const Result<store::JobState> read = store::job_state_from(store::name_of(store::kJobStates[i]));
     ASSERT_TRUE(read.ok()) << store::name_of(store::kJobStates[i]);
     EXPECT_EQ(*read, store::kJobStates[i]);
@@ -44,8 +45,9 @@ TEST(JobState, TheListForSqlReadsAsInTheIndexOfUnfinishedJobs) {
   const jobs::TemporaryFolder folder;
   sqlite::SqlDatabase database = database_in(folder);
   ASSERT_TRUE(sqlite::migrate(database));
-  Result<sqlite::SqlStatement> plan = database.prepare("EXPLAIN QUERY PLAN SELECT id FROM jobs WHERE state IN (" +
-                                               store::unfinished_states_in_sql() + ") ORDER BY id");
+  Result<sqlite::SqlStatement> plan =
+      database.prepare("EXPLAIN QUERY PLAN SELECT id FROM jobs WHERE state IN (" +
+                       store::unfinished_states_in_sql() + ") ORDER BY id");
   ASSERT_TRUE(plan);
   ASSERT_TRUE(*plan->step());
   const std::string words = plan->text(3);

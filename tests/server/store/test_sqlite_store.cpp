@@ -204,12 +204,13 @@ TEST(SqliteStore, KeepsAJobAndWhatBecomesOfItOverAReopening) {
 TEST(SqliteStore, NamesTheUnfinishedJobsOfAllOwnersOldestFirst) {
   const jobs::TemporaryFolder folder;
   const auto store = opened(folder.path());
-  for (const auto& [owner, state] : std::vector<std::pair<std::string, store::JobState>>{{"b", store::JobState::kRunning},
-                                                                                  {"a", store::JobState::kSucceeded},
-                                                                                  {"a", store::JobState::kPaused},
-                                                                                  {"b", store::JobState::kCancelled},
-                                                                                  {"b", store::JobState::kFailed},
-                                                                                  {"a", store::JobState::kQueued}}) {
+  for (const auto& [owner, state] :
+       std::vector<std::pair<std::string, store::JobState>>{{"b", store::JobState::kRunning},
+                                                            {"a", store::JobState::kSucceeded},
+                                                            {"a", store::JobState::kPaused},
+                                                            {"b", store::JobState::kCancelled},
+                                                            {"b", store::JobState::kFailed},
+                                                            {"a", store::JobState::kQueued}}) {
     const store::RequestContext whose(owner);
     store::JobRow job = *store->create_job(whose, some_job(std::string(store::name_of(state))), "");
     job.state = state;

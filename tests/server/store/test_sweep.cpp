@@ -28,7 +28,7 @@ void put_file(const fs::path& path) {
 
 /// A job in the state, of which `kept` are result files and `named` those that its row names.
 store::JobRow job_with(store::Store& store, store::JobState state, const std::vector<std::string>& kept,
-                const std::vector<std::string>& named) {
+                       const std::vector<std::string>& named) {
   store::JobRow job = *store.create_job(kMe, some_job(std::string(store::name_of(state))), "");
   for (const std::string& name : kept) EXPECT_TRUE(store.put_result(kMe, job.id, name, "bytes"));
   job.state = state;
@@ -99,7 +99,8 @@ TEST(StoreSweep, RemovesTheResultsOfOneJobOnRequest) {
   const jobs::TemporaryFolder folder;
   const auto store = opened(folder.path());
   const std::string id = job_with(*store, store::JobState::kCancelled, {"report.json"}, {}).id;
-  const std::string other = job_with(*store, store::JobState::kSucceeded, {"report.json"}, {"report.json"}).id;
+  const std::string other =
+      job_with(*store, store::JobState::kSucceeded, {"report.json"}, {"report.json"}).id;
   EXPECT_EQ(code_of(store->remove_results(kStranger, id)), "store.not_found");
   EXPECT_TRUE(store->remove_results(kMe, id));
   EXPECT_TRUE(store->remove_results(kMe, id)) << "twice is no error";

@@ -12,7 +12,7 @@
 namespace toile::test {
 
 inline std::shared_ptr<const jobs::StreamTopology> topology(std::uint32_t epoch,
-                                                      const std::string& bytes = "topology") {
+                                                            const std::string& bytes = "topology") {
   return std::make_shared<const jobs::StreamTopology>(jobs::StreamTopology{epoch, bytes});
 }
 
@@ -26,7 +26,7 @@ inline std::vector<std::int16_t> wave(std::uint32_t seq, std::size_t vertices) {
 }
 
 inline std::shared_ptr<const jobs::StreamFrame> frame(std::uint32_t seq, std::uint32_t epoch = 1,
-                                                std::size_t vertices = 16) {
+                                                      std::size_t vertices = 16) {
   auto made = std::make_shared<jobs::StreamFrame>();
   made->epoch = epoch;
   made->seq = seq;

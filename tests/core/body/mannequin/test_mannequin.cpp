@@ -28,7 +28,8 @@ void expect_met(const mannequin::Mannequin& made, const measure::MeasureSet& ask
     const measure::Measure m = measure::measure_at(i);
     if (!asked[m]) continue;
     ASSERT_TRUE(made.measures[m]) << measure::measure_name(m);
-    EXPECT_NEAR(made.measures[m]->value, *asked[m], measure::is_girth(m) ? 0.005 : 0.010) << measure::measure_name(m);
+    EXPECT_NEAR(made.measures[m]->value, *asked[m], measure::is_girth(m) ? 0.005 : 0.010)
+        << measure::measure_name(m);
   }
 }
 
@@ -94,7 +95,9 @@ TEST_P(MannequinOfAnySex, MeetsWhatWasAskedOfPeopleByChance) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Sexes, MannequinOfAnySex, testing::Values(mannequin::Sex::kFemale, mannequin::Sex::kMale, mannequin::Sex::kChild));
+INSTANTIATE_TEST_SUITE_P(Sexes, MannequinOfAnySex,
+                         testing::Values(mannequin::Sex::kFemale, mannequin::Sex::kMale,
+                                         mannequin::Sex::kChild));
 
 TEST(Mannequin, HoldsItsArmsAsAsked) {
   mannequin::MannequinSettings s;
@@ -152,7 +155,8 @@ TEST(BodyProportions, FillTheGapsAndKeepWhatWasAsked) {
   asked[measure::Measure::kHeight] = 1.75;
   asked[measure::Measure::kWaist] = 0.80;
   const measure::MeasureSet all = mannequin::with_proportions(mannequin::Sex::kFemale, asked);
-  for (int i = 0; i < measure::kMeasureCount; ++i) EXPECT_TRUE(all[measure::measure_at(i)]) << measure::measure_name(measure::measure_at(i));
+  for (int i = 0; i < measure::kMeasureCount; ++i)
+    EXPECT_TRUE(all[measure::measure_at(i)]) << measure::measure_name(measure::measure_at(i));
   EXPECT_EQ(*all[measure::Measure::kWaist], 0.80);
   EXPECT_GT(*all[measure::Measure::kHip], *all[measure::Measure::kWaist]);
   EXPECT_GT(*all[measure::Measure::kBust], *all[measure::Measure::kUnderbust]);
@@ -258,7 +262,9 @@ TEST_P(LongMannequin, MakesEverySizeOfTheTables) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Long, LongMannequin, testing::Values(mannequin::Sex::kFemale, mannequin::Sex::kMale, mannequin::Sex::kChild));
+INSTANTIATE_TEST_SUITE_P(Long, LongMannequin,
+                         testing::Values(mannequin::Sex::kFemale, mannequin::Sex::kMale,
+                                         mannequin::Sex::kChild));
 
 }  // namespace
 }  // namespace toile

@@ -14,7 +14,8 @@ namespace toile {
 namespace {
 
 const geometry::TriangleMesh& mannequin() {
-  static const geometry::TriangleMesh mesh = mesh_import::load_mesh(TOILE_SOURCE_DIR "/samples/skirt/body.obj").value();
+  static const geometry::TriangleMesh mesh =
+      mesh_import::load_mesh(TOILE_SOURCE_DIR "/samples/skirt/body.obj").value();
   return mesh;
 }
 
@@ -78,7 +79,8 @@ TEST(Landmarks, AreOnTheSkinOfTheCoarsestFigures) {
     settings.sex = mannequin::find_preset(size)->sex;
     settings.asked = mannequin::find_preset(size)->measures();
     settings.triangle_count = 1000;
-    if (settings.sex == mannequin::Sex::kMale) settings.asked[measure::Measure::kWaist] = 0.92;  // no waist to speak of
+    if (settings.sex == mannequin::Sex::kMale)
+      settings.asked[measure::Measure::kWaist] = 0.92;  // no waist to speak of
     const Result<mannequin::Mannequin> made = mannequin::make_mannequin(settings);
     ASSERT_TRUE(made) << size << ": " << to_string(made.error());
     const Result<measure::BodyFigure> figure = measure::find_figure(made->mesh);
@@ -108,7 +110,8 @@ TEST(Landmarks, StayOnTheSkinWhenTheMeshIsReshaped) {
 TEST(Landmarks, StandWhereTheBodyStandsAndInItsSize) {
   geometry::TriangleMesh moved = mannequin();
   for (Vec3& p : moved.vertices) p = p * 0.7 + Vec3{0.4, 0.25, -0.3};
-  const measure::BodyFigure a = measure::find_figure(mannequin()).value(), b = measure::find_figure(moved).value();
+  const measure::BodyFigure a = measure::find_figure(mannequin()).value(),
+                            b = measure::find_figure(moved).value();
   EXPECT_NEAR(b.waist, a.waist * 0.7 + 0.25, 2e-3);
   EXPECT_NEAR(b.middle, a.middle * 0.7 + 0.4, 1e-6);
   EXPECT_LT(length(b.arm[0].wrist - (a.arm[0].wrist * 0.7 + Vec3{0.4, 0.25, -0.3})), 0.01);
@@ -116,7 +119,7 @@ TEST(Landmarks, StandWhereTheBodyStandsAndInItsSize) {
 
 TEST(Landmarks, AThingWithoutLegsIsRefusedWithWords) {
   const geometry::TriangleMesh box{{{-1, 0, -1}, {1, 0, -1}, {0, 0, 1}, {0, 2, 0}},
-                         {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}};
+                                   {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}};
   const auto figure = measure::find_figure(box);
   ASSERT_FALSE(figure.ok());
   EXPECT_EQ(figure.error().code, "body.not_standing");
@@ -127,7 +130,8 @@ TEST(Landmarks, AreFoundOnBodiesThatOthersMade) {
   const char* shared = std::getenv("TOILE_SHARED");
   if (shared == nullptr) GTEST_SKIP() << "TOILE_SHARED is not set: NO OTHER BODY WAS LOOKED AT";
   for (const char* name : {"garmentcode-mean_all", "makehuman-female-average", "makehuman-male-average"}) {
-    const auto mesh = mesh_import::load_mesh(std::filesystem::path(shared) / "data/bodies" / (std::string(name) + ".obj"));
+    const auto mesh =
+        mesh_import::load_mesh(std::filesystem::path(shared) / "data/bodies" / (std::string(name) + ".obj"));
     ASSERT_TRUE(mesh.ok()) << to_string(mesh.error());
     expect_a_person(*mesh, name);
   }

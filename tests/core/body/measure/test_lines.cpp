@@ -37,7 +37,9 @@ TEST(BodyLines, OfTheTrunkAreAsLongAsTheTapeSays) {
        {std::pair{"waist", person().figure.waist}, {"hip", person().figure.hip}}) {
     const std::vector<Vec3> loop = line(name);
     for (const Vec3& p : loop) EXPECT_NEAR(p.y, height, 1e-9) << name;
-    EXPECT_NEAR(measure::length_of_loop(loop), measure::trunk_girth(person().mesh, person().figure, height), 2e-3) << name;
+    EXPECT_NEAR(measure::length_of_loop(loop), measure::trunk_girth(person().mesh, person().figure, height),
+                2e-3)
+        << name;
   }
 }
 
@@ -71,9 +73,11 @@ TEST(BodyLines, AllGoAroundWhatTheyAreNamedAfter) {
 TEST(BodyLines, AreShiftedUpAndOutwards) {
   const std::vector<Vec3> lower = line("waist", -0.05), out = line("waist", 0, 0.01);
   EXPECT_NEAR(lower[0].y, person().figure.waist - 0.05, 1e-9);
-  EXPECT_GT(measure::length_of_loop(lower), measure::length_of_loop(line("waist"))) << "a body widens below its waist";
+  EXPECT_GT(measure::length_of_loop(lower), measure::length_of_loop(line("waist")))
+      << "a body widens below its waist";
   // A closed convex line that is moved outwards by d grows by 2πd.
-  EXPECT_NEAR(measure::length_of_loop(out) - measure::length_of_loop(line("waist")), 2 * 3.14159265 * 0.01, 1e-3);
+  EXPECT_NEAR(measure::length_of_loop(out) - measure::length_of_loop(line("waist")), 2 * 3.14159265 * 0.01,
+              1e-3);
   const measure::BodyFigure& f = person().figure;
   EXPECT_LT(length(middle(line("wrist_left", 0.04)) - f.arm[0].root), length(f.arm[0].wrist - f.arm[0].root))
       << "up an arm is towards the trunk";

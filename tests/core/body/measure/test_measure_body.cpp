@@ -46,8 +46,10 @@ TEST(MeasureBody, TellsWhereTheTapeLay) {
 }
 
 TEST(MeasureBody, LaysTheTapeAroundTheSkin) {
-  for (const measure::Measure m : {measure::Measure::kBust, measure::Measure::kWaist, measure::Measure::kHip, measure::Measure::kNeck, measure::Measure::kUpperArm,
-                          measure::Measure::kWrist, measure::Measure::kThigh, measure::Measure::kCalf}) {
+  for (const measure::Measure m :
+       {measure::Measure::kBust, measure::Measure::kWaist, measure::Measure::kHip, measure::Measure::kNeck,
+        measure::Measure::kUpperArm, measure::Measure::kWrist, measure::Measure::kThigh,
+        measure::Measure::kCalf}) {
     for (const Vec3& p : figure().measures[m]->line) {
       double nearest = HUGE_VAL;
       for (const Vec3& q : figure().mesh.vertices) nearest = std::min(nearest, length(p - q));
@@ -59,7 +61,7 @@ TEST(MeasureBody, LaysTheTapeAroundTheSkin) {
 TEST(MeasureBody, RefusesWhatIsNoBody) {
   EXPECT_EQ(measure::measure_body({}).error().code, "body.not_a_body");
   const geometry::TriangleMesh tetrahedron{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
-                                 {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
+                                           {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
   EXPECT_EQ(measure::measure_body(tetrahedron).error().code, "body.not_a_body");
   EXPECT_EQ(measure::stand_body(tetrahedron).error().code, "body.not_a_body");
   EXPECT_EQ(measure::stand_body({}).error().code, "body.not_a_body");
@@ -92,12 +94,16 @@ TEST(StandBody, FindsUnitAndDirectionsByShape) {
 }
 
 TEST(StandBody, SaysHowTheBodyStood) {
-  const Result<measure::StandingBody> body = measure::stand_body(turned([](Vec3 p) { return Vec3{p.x, -p.z, p.y} * 1000; }));
+  const Result<measure::StandingBody> body = measure::stand_body(turned([](Vec3 p) {
+    return Vec3{p.x, -p.z, p.y} * 1000;
+  }));
   ASSERT_TRUE(body);
   EXPECT_EQ(body->stance.unit_in_m, 0.001);
   EXPECT_EQ(body->stance.up, 'z');
   EXPECT_FALSE(body->stance.upside_down);
-  const Result<measure::StandingBody> head_down = measure::stand_body(turned([](Vec3 p) { return Vec3{-p.x, -p.y, p.z}; }));
+  const Result<measure::StandingBody> head_down = measure::stand_body(turned([](Vec3 p) {
+    return Vec3{-p.x, -p.y, p.z};
+  }));
   ASSERT_TRUE(head_down);
   EXPECT_TRUE(head_down->stance.upside_down);
 }
@@ -112,21 +118,26 @@ struct Known {
 TEST(MeasureBodyOfFiles, AgreesWithWhatIsKnownToFifteenMillimetres) {
   const char* shared = std::getenv("TOILE_SHARED");
   if (shared == nullptr) GTEST_SKIP() << "TOILE_SHARED is not set: the shared bodies were NOT measured";
-  const Known bodies[] = {
-      {"garmentcode-mean_all.obj",
-       {{measure::Measure::kHeight, 1.7199},
-        {measure::Measure::kBust, 0.998407},
-        {measure::Measure::kUnderbust, 0.862455},
-        {measure::Measure::kWaist, 0.843338},
-        {measure::Measure::kHip, 1.03478},
-        {measure::Measure::kShoulderWidth, 0.364568},
-        {measure::Measure::kWrist, 0.165945},
-        {measure::Measure::kThigh, 0.602039},
-        {measure::Measure::kBackLength, 0.368913}}},
-      {"makehuman-female-average.obj",
-       {{measure::Measure::kHeight, 1.59}, {measure::Measure::kBust, 0.84}, {measure::Measure::kWaist, 0.65}, {measure::Measure::kHip, 0.95}}},
-      {"makehuman-male-average.obj",
-       {{measure::Measure::kHeight, 1.73}, {measure::Measure::kBust, 0.98}, {measure::Measure::kWaist, 0.75}, {measure::Measure::kHip, 0.94}}}};
+  const Known bodies[] = {{"garmentcode-mean_all.obj",
+                           {{measure::Measure::kHeight, 1.7199},
+                            {measure::Measure::kBust, 0.998407},
+                            {measure::Measure::kUnderbust, 0.862455},
+                            {measure::Measure::kWaist, 0.843338},
+                            {measure::Measure::kHip, 1.03478},
+                            {measure::Measure::kShoulderWidth, 0.364568},
+                            {measure::Measure::kWrist, 0.165945},
+                            {measure::Measure::kThigh, 0.602039},
+                            {measure::Measure::kBackLength, 0.368913}}},
+                          {"makehuman-female-average.obj",
+                           {{measure::Measure::kHeight, 1.59},
+                            {measure::Measure::kBust, 0.84},
+                            {measure::Measure::kWaist, 0.65},
+                            {measure::Measure::kHip, 0.95}}},
+                          {"makehuman-male-average.obj",
+                           {{measure::Measure::kHeight, 1.73},
+                            {measure::Measure::kBust, 0.98},
+                            {measure::Measure::kWaist, 0.75},
+                            {measure::Measure::kHip, 0.94}}}};
   for (const Known& body : bodies) {
     const Result<geometry::TriangleMesh> file =
         mesh_import::load_mesh(std::filesystem::path(shared) / "data/bodies" / body.file, {.unit_in_m = 1});
@@ -139,7 +150,8 @@ TEST(MeasureBodyOfFiles, AgreesWithWhatIsKnownToFifteenMillimetres) {
     ASSERT_TRUE(taken) << to_string(taken.error());
     for (const auto& [measure, value] : body.measures) {
       ASSERT_TRUE((*taken)[measure]) << body.file << " " << measure::measure_name(measure);
-      EXPECT_NEAR((*taken)[measure]->value, value, 0.015) << body.file << " " << measure::measure_name(measure);
+      EXPECT_NEAR((*taken)[measure]->value, value, 0.015)
+          << body.file << " " << measure::measure_name(measure);
     }
   }
 }

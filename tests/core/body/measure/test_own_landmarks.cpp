@@ -31,7 +31,8 @@ TEST(OwnLandmarks, AreKeptThroughAChangeOfMeasures) {
   const Person slim = with_waist(0.70), stout = with_waist(0.92);
   ASSERT_NE(slim.mesh.triangles, stout.mesh.triangles)
       << "their triangles have nothing to do with each other";
-  const measure::SkinPoint spot = spot_on(slim, measure::landmark_named(slim.landmarks, "waist_front")->place.y + 0.03);
+  const measure::SkinPoint spot =
+      spot_on(slim, measure::landmark_named(slim.landmarks, "waist_front")->place.y + 0.03);
   const measure::OwnLandmark told = measure::told_from_nearest("pocket", spot, slim.mesh, slim.landmarks);
 
   std::vector<measure::Landmark> again = slim.landmarks, carried = stout.landmarks;
@@ -40,7 +41,8 @@ TEST(OwnLandmarks, AreKeptThroughAChangeOfMeasures) {
   EXPECT_LT(length(again.back().place - measure::position_of(spot, slim.mesh)), 1e-6);
 
   const measure::Landmark& pocket = carried.back();
-  EXPECT_LT(length(measure::position_of(pocket.at, stout.mesh) - pocket.place), 1e-12) << "it lies on the skin";
+  EXPECT_LT(length(measure::position_of(pocket.at, stout.mesh) - pocket.place), 1e-12)
+      << "it lies on the skin";
   const measure::Landmark* before = measure::landmark_named(slim.landmarks, told.near);
   const measure::Landmark* after = measure::landmark_named(stout.landmarks, told.near);
   const Vec3 moved = pocket.place - again.back().place, expected = after->place - before->place;
@@ -58,10 +60,12 @@ TEST(OwnLandmarks, OnAMeshAreAPointOfATriangle) {
 
 TEST(OwnLandmarks, MayBeToldFromEachOtherInTheirOrder) {
   const Person person = with_waist(0.74);
-  const measure::OwnLandmark own[] = {{"first", {}, "hip_front", {0.02, 0, 0}}, {"second", {}, "first", {0, 0.02, 0}}};
+  const measure::OwnLandmark own[] = {{"first", {}, "hip_front", {0.02, 0, 0}},
+                                      {"second", {}, "first", {0, 0.02, 0}}};
   std::vector<measure::Landmark> marks = person.landmarks;
   ASSERT_TRUE(measure::add_own_landmarks(person.mesh, own, marks));
-  EXPECT_GT(measure::landmark_named(marks, "second")->place.y, measure::landmark_named(marks, "first")->place.y + 0.01);
+  EXPECT_GT(measure::landmark_named(marks, "second")->place.y,
+            measure::landmark_named(marks, "first")->place.y + 0.01);
 }
 
 TEST(OwnLandmarks, RefuseWhatIsNotOnTheBody) {

@@ -28,7 +28,8 @@ TEST(Segments, EveryVertexLiesInTheBoxOfItsPart) {
 TEST(Segments, BoxesAreRightHandedAndRunAlongTheirParts) {
   const Parted body;
   for (const measure::PartBox& box : body.boxes) {
-    EXPECT_NEAR(length(cross(box.axis[0], box.axis[1]) - box.axis[2]), 0, 1e-12) << measure::name_of(box.part);
+    EXPECT_NEAR(length(cross(box.axis[0], box.axis[1]) - box.axis[2]), 0, 1e-12)
+        << measure::name_of(box.part);
     EXPECT_GT(box.half.x * box.half.y * box.half.z, 0) << measure::name_of(box.part);
   }
   const measure::PartBox& arm = body.boxes[static_cast<std::size_t>(measure::BodyPart::kLeftArm)];

@@ -35,7 +35,8 @@ TEST(MeshFormats, AreNamedAllWhereAFileIsOfNone) {
 
 TEST(MeshFormats, TellNoFileOfZerosForTheirs) {
   const mesh_import::FileOpening zeros{std::string(200, '\0'), 200};
-  for (const mesh_import::MeshFormat& format : mesh_import::mesh_formats()) EXPECT_FALSE(format.begins(zeros)) << format.name;
+  for (const mesh_import::MeshFormat& format : mesh_import::mesh_formats())
+    EXPECT_FALSE(format.begins(zeros)) << format.name;
 }
 
 }  // namespace

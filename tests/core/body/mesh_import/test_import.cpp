@@ -125,14 +125,16 @@ TEST_F(ImportMesh, TellsOfAReaderThatTalksNonsense) {
 }
 
 TEST_F(ImportMesh, SaysThatTheReaderIsMissing) {
-  const Result<mesh_import::RepairedMesh> mesh = mesh_import::MeshImporter("/no/such/reader").bytes("a.obj", kCube, {});
+  const Result<mesh_import::RepairedMesh> mesh =
+      mesh_import::MeshImporter("/no/such/reader").bytes("a.obj", kCube, {});
   ASSERT_FALSE(mesh);
   EXPECT_EQ(mesh.error().code, "mesh.reader");
   EXPECT_EQ(mesh.error().where, "a.obj");
 }
 
 TEST_F(ImportMesh, ServesManyThreadsTwoAtATime) {
-  const std::string path = write("message", mesh_import::mesh_message(mesh_import::MeshImporter().bytes("cube.obj", kCube, {})));
+  const std::string path =
+      write("message", mesh_import::mesh_message(mesh_import::MeshImporter().bytes("cube.obj", kCube, {})));
   const mesh_import::MeshImporter importer = played_by("cat " + path);
   std::atomic<int> good{0};
   std::vector<std::thread> threads;
@@ -145,18 +147,21 @@ TEST_F(ImportMesh, ServesManyThreadsTwoAtATime) {
 
 TEST(MeshMessage, ComesBackAsItWasSent) {
   const Result<mesh_import::RepairedMesh> mesh = mesh_import::MeshImporter().bytes("cube.obj", kCube, {});
-  const Result<mesh_import::RepairedMesh> back = mesh_import::parse_mesh_message(mesh_import::mesh_message(mesh));
+  const Result<mesh_import::RepairedMesh> back =
+      mesh_import::parse_mesh_message(mesh_import::mesh_message(mesh));
   ASSERT_TRUE(back);
   EXPECT_EQ(back->mesh.vertices, mesh->mesh.vertices);
   EXPECT_EQ(back->repairs, mesh->repairs);
   const Error error{"mesh.unreadable", "Words.", "a.obj: vertex 3"};
-  const Result<mesh_import::RepairedMesh> told = mesh_import::parse_mesh_message(mesh_import::mesh_message(error));
+  const Result<mesh_import::RepairedMesh> told =
+      mesh_import::parse_mesh_message(mesh_import::mesh_message(error));
   ASSERT_FALSE(told);
   EXPECT_EQ(to_string(told.error()), to_string(error));
 }
 
 TEST(MeshMessage, IsRefusedWhenItIsCutOrChangedAnywhere) {
-  const std::string whole = mesh_import::mesh_message(mesh_import::MeshImporter().bytes("cube.obj", kCube, {}));
+  const std::string whole =
+      mesh_import::mesh_message(mesh_import::MeshImporter().bytes("cube.obj", kCube, {}));
   for (std::size_t length = 0; length < whole.size(); ++length) {
     EXPECT_FALSE(mesh_import::parse_mesh_message(whole.substr(0, length))) << length;
   }
@@ -176,16 +181,24 @@ TEST(MeshMessage, IsRefusedWhenItIsCutOrChangedAnywhere) {
 TEST(MeshMessage, CarriesWhatAnErrorMeansAndNoKindThatIsNone) {
   for (const ErrorKind kind :
        {ErrorKind::kInput, ErrorKind::kTooLarge, ErrorKind::kSystem, ErrorKind::kInternal}) {
-    EXPECT_EQ(mesh_import::parse_mesh_message(mesh_import::mesh_message(Error{"mesh.x", "", "", kind})).error().kind, kind);
+    EXPECT_EQ(mesh_import::parse_mesh_message(mesh_import::mesh_message(Error{"mesh.x", "", "", kind}))
+                  .error()
+                  .kind,
+              kind);
   }
   const auto beyond = static_cast<ErrorKind>(static_cast<int>(ErrorKind::kInternal) + 1);
-  const Error refused = mesh_import::parse_mesh_message(mesh_import::mesh_message(Error{"mesh.x", "", "", beyond})).error();
+  const Error refused =
+      mesh_import::parse_mesh_message(mesh_import::mesh_message(Error{"mesh.x", "", "", beyond})).error();
   EXPECT_EQ(refused.code, "mesh.crashed");
 }
 
 TEST(MeshMessage, TakesNoStrangeCodesFromAReader) {
-  EXPECT_EQ(mesh_import::parse_mesh_message(mesh_import::mesh_message(Error{"store.full", "", ""})).error().code, "mesh.crashed");
-  EXPECT_EQ(mesh_import::parse_mesh_message(mesh_import::mesh_message(Error{"mesh.<b>", "", ""})).error().code, "mesh.crashed");
+  EXPECT_EQ(
+      mesh_import::parse_mesh_message(mesh_import::mesh_message(Error{"store.full", "", ""})).error().code,
+      "mesh.crashed");
+  EXPECT_EQ(
+      mesh_import::parse_mesh_message(mesh_import::mesh_message(Error{"mesh.<b>", "", ""})).error().code,
+      "mesh.crashed");
   const Error long_one{"mesh.unreadable", std::string(5000, 'x') + "\x1b[31m", "a\nb"};
   const Error back = mesh_import::parse_mesh_message(mesh_import::mesh_message(long_one)).error();
   EXPECT_LE(back.message.size(), 1000u);

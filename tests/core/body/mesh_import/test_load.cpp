@@ -84,25 +84,28 @@ TEST_F(LoadMesh, PutsEveryNodeOfASceneInItsPlace) {
 
 TEST_F(LoadMesh, TurnsAndScalesToMetresWithYUp) {
   const std::string tall = "v 0 0 0\nv 50 0 0\nv 0 0 170\nf 1 2 3\n";
-  const Result<geometry::TriangleMesh> guessed = mesh_import::load_mesh(write("tall.obj", tall), {.z_up = true});
+  const Result<geometry::TriangleMesh> guessed =
+      mesh_import::load_mesh(write("tall.obj", tall), {.z_up = true});
   ASSERT_TRUE(guessed) << to_string(guessed.error());
   EXPECT_NEAR(guessed->vertices[2].y, 1.7, 1e-9) << "170 units can only be centimetres";
   EXPECT_NEAR(guessed->vertices[2].z, 0, 1e-9);
-  const Result<geometry::TriangleMesh> told = mesh_import::load_mesh(folder_ / "tall.obj", {.unit_in_m = 0.001});
+  const Result<geometry::TriangleMesh> told =
+      mesh_import::load_mesh(folder_ / "tall.obj", {.unit_in_m = 0.001});
   ASSERT_TRUE(told);
   EXPECT_NEAR(told->vertices[2].z, 0.17, 1e-9);
 }
 
 TEST_F(LoadMesh, DropsTrianglesWithoutArea) {
-  const Result<geometry::TriangleMesh> mesh =
-      mesh_import::load_mesh(write("d.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nv 0 0 0\nf 1 2 3\nf 1 2 4\nf 1 5 3\n"));
+  const Result<geometry::TriangleMesh> mesh = mesh_import::load_mesh(
+      write("d.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nv 0 0 0\nf 1 2 3\nf 1 2 4\nf 1 5 3\n"));
   ASSERT_TRUE(mesh) << to_string(mesh.error());
   EXPECT_EQ(mesh->triangles.size(), 1u);
   EXPECT_EQ(mesh->vertices.size(), 3u);
 }
 
 TEST_F(LoadMesh, NamesTheVertexThatIsNoNumber) {
-  const Result<geometry::TriangleMesh> mesh = mesh_import::load_mesh(write("nan.obj", "v 0 0 0\nv 1 0 0\nv nan 1 0\nf 1 2 3\n"));
+  const Result<geometry::TriangleMesh> mesh =
+      mesh_import::load_mesh(write("nan.obj", "v 0 0 0\nv 1 0 0\nv nan 1 0\nf 1 2 3\n"));
   ASSERT_FALSE(mesh);
   EXPECT_EQ(mesh.error().code, "mesh.not_finite");
   EXPECT_NE(mesh.error().where.find("vertex 3"), std::string::npos) << mesh.error().where;
@@ -131,7 +134,8 @@ TEST_F(LoadMesh, RefusesFiftyMegabytesOfZeros) {
 TEST_F(LoadMesh, SurvivesAFileThatEndsAnywhere) {
   const std::string whole = kCube;
   for (size_t length = 1; length < whole.size(); length += 3) {
-    const Result<geometry::TriangleMesh> mesh = mesh_import::load_mesh(write("cut.obj", whole.substr(0, length)));
+    const Result<geometry::TriangleMesh> mesh =
+        mesh_import::load_mesh(write("cut.obj", whole.substr(0, length)));
     if (mesh) {
       EXPECT_LE(mesh->triangles.size(), 12u);
     }
@@ -161,7 +165,8 @@ TEST(LoadMeshBodies, ReadsTheSharedBodiesWhole) {
                                                    {"makehuman-female-average.obj", 26756},
                                                    {"makehuman-male-average.obj", 26756}};
   for (const auto& [name, triangles] : bodies) {
-    const Result<geometry::TriangleMesh> mesh = mesh_import::load_mesh(std::filesystem::path(shared) / "data/bodies" / name);
+    const Result<geometry::TriangleMesh> mesh =
+        mesh_import::load_mesh(std::filesystem::path(shared) / "data/bodies" / name);
     ASSERT_TRUE(mesh) << to_string(mesh.error());
     EXPECT_EQ(mesh->triangles.size(), triangles) << name;
     double high = 0;

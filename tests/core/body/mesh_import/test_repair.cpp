@@ -330,7 +330,8 @@ TEST(RepairMesh, MendsWhatItMendedNoFurther) {
   mesh.triangles.erase(mesh.triangles.begin() + 10, mesh.triangles.begin() + 14);
   std::swap(mesh.triangles[100][0], mesh.triangles[100][1]);
   add(mesh, cube(0.5, {2, 0, 0}));
-  const mesh_import::RepairedMesh once = mesh_import::repair_mesh(mesh), twice = mesh_import::repair_mesh(once.mesh);
+  const mesh_import::RepairedMesh once = mesh_import::repair_mesh(mesh),
+                                  twice = mesh_import::repair_mesh(once.mesh);
   EXPECT_TRUE(mesh_import::repaired(once.repairs));
   EXPECT_FALSE(mesh_import::repaired(twice.repairs));
   EXPECT_EQ(twice.mesh.triangles, once.mesh.triangles);
@@ -340,7 +341,8 @@ TEST(RepairMesh, KeepsScansThatCrossThemselves) {
   const char* shared = std::getenv("TOILE_SHARED");
   if (shared == nullptr) GTEST_SKIP() << "TOILE_SHARED is not set: the shared bodies were NOT looked at";
   for (const char* name : {"makehuman-female-average.obj", "garmentcode-mean_all.obj"}) {
-    const Result<geometry::TriangleMesh> mesh = mesh_import::load_mesh(std::string(shared) + "/data/bodies/" + name);
+    const Result<geometry::TriangleMesh> mesh =
+        mesh_import::load_mesh(std::string(shared) + "/data/bodies/" + name);
     ASSERT_TRUE(mesh) << to_string(mesh.error());
     const mesh_import::RepairedMesh r = mesh_import::repair_mesh(*mesh);
     EXPECT_EQ(r.mesh.triangles.size(), mesh->triangles.size()) << name;

@@ -75,7 +75,8 @@ TEST(DxfBranches, PiecesJoinedByALineOrAPointAreTwo) {
 TEST(DxfBranches, ASewLineHeldByCornerLinesIsStillTheSewLine) {
   const std::string held = line({0, 0}, {10, 10}) + line({300, 0}, {290, 10}) + line({300, 500}, {290, 490}) +
                            line({0, 500}, {10, 490});
-  const dxf::DxfDrawing d = read_one_piece(frame({0, 0}, 300, 500) + held + frame({10, 10}, 280, 480), 280 * 480);
+  const dxf::DxfDrawing d =
+      read_one_piece(frame({0, 0}, 300, 500) + held + frame({10, 10}, 280, 480), 280 * 480);
   EXPECT_TRUE(told(d, "gives way to the sew line"));
 }
 

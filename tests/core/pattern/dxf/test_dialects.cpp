@@ -194,7 +194,8 @@ TEST(DxfFold, AMirrorLineAwayFromTheOutlineIsWarnedOf) {
 
 TEST(DxfFold, ASewLineMayBeOpenAtTheFold) {
   const std::string sew = polyline({{0, 10}, {240, 10}, {220, 395}, {97, 586}, {0, 508}}, "14", 0);
-  const dxf::DxfDrawing d = read_trial(blocks_and_inserts({{"FRONT", kHalf + sew + line({0, 0}, {0, 520}, "6")}}));
+  const dxf::DxfDrawing d =
+      read_trial(blocks_and_inserts({{"FRONT", kHalf + sew + line({0, 0}, {0, 520}, "6")}}));
   ASSERT_EQ(d.pieces.size(), 1u);
   EXPECT_EQ(d.pieces[0].layer, "14");
   EXPECT_TRUE(d.pieces[0].on_sew_line);

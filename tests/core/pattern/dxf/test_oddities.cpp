@@ -193,10 +193,11 @@ TEST(DxfLayers, LinesWithinAPieceHaveALimitThatIsTold) {
 }
 
 TEST(DxfOutline, ASleeveCapIsTwoToSixCurvesHoweverFinelyItIsDrawn) {
-  const std::array<pattern::CubicBezier, 4> cap{pattern::CubicBezier{{180, 0}, {150, 30}, {130, 40}, {110, 80}},
-                                       pattern::CubicBezier{{110, 80}, {85, 130}, {50, 150}, {0, 150}},
-                                       pattern::CubicBezier{{0, 150}, {-55, 150}, {-95, 125}, {-118, 75}},
-                                       pattern::CubicBezier{{-118, 75}, {-135, 38}, {-150, 20}, {-185, 0}}};
+  const std::array<pattern::CubicBezier, 4> cap{
+      pattern::CubicBezier{{180, 0}, {150, 30}, {130, 40}, {110, 80}},
+      pattern::CubicBezier{{110, 80}, {85, 130}, {50, 150}, {0, 150}},
+      pattern::CubicBezier{{0, 150}, {-55, 150}, {-95, 125}, {-118, 75}},
+      pattern::CubicBezier{{-118, 75}, {-135, 38}, {-150, 20}, {-185, 0}}};
   for (const int steps : {7, 10, 20, 100}) {
     std::string out = groups({{0, "LWPOLYLINE"}, {8, "1"}, {70, "1"}});
     const auto vertex = [&](Vec2 p) { out += groups({{10, number(p.x)}, {20, number(p.y)}}); };

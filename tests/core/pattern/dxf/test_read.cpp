@@ -164,7 +164,8 @@ TEST(DxfRead, SplinesFollowTheirControlPointsAndWeights) {
   EXPECT_NEAR(area(d.pieces[0]), kPi * 2500, 2);
   std::string without = spline;
   without.replace(without.find("71\n2\n"), 5, "71\n9\n");
-  const auto open = dxf::read_dxf(entities(line({0, 0}, {100, 0}) + without + line({0, 100}, {0, 0})), in_mm());
+  const auto open =
+      dxf::read_dxf(entities(line({0, 0}, {100, 0}) + without + line({0, 100}, {0, 0})), in_mm());
   EXPECT_EQ(open.error().code, "dxf.open_outline");
 }
 
@@ -184,7 +185,8 @@ TEST(DxfRead, LoopsWithinALoopOfTheSameLayerAreHoles) {
 
 TEST(DxfRead, OverlappingPiecesStayPiecesAndRepeatedOnesAreReadOnce) {
   EXPECT_EQ(read(entities(rectangle({0, 0}, 100, 100) + rectangle({50, 50}, 90, 90))).pieces.size(), 2u);
-  const dxf::DxfDrawing twice = read(entities(rectangle({0, 0}, 100, 100) + rectangle({0, 0}, 100, 100, "copy")));
+  const dxf::DxfDrawing twice =
+      read(entities(rectangle({0, 0}, 100, 100) + rectangle({0, 0}, 100, 100, "copy")));
   EXPECT_EQ(twice.pieces.size(), 1u);
   EXPECT_TRUE(noted(twice, "drawn a second time"));
 }
@@ -249,8 +251,8 @@ TEST(DxfRead, TextsNameTheNearestPiece) {
   const std::string pieces = rectangle({0, 0}, 100, 100) + rectangle({140, 0}, 100, 100) +
                              rectangle({280, 0}, 100, 100) + rectangle({420, 0}, 100, 100);
   const dxf::DxfDrawing d = read(entities(pieces + text({0, -15}, "skirt_back") + text({190, 50}, "front") +
-                                     text({280, -45}, "too far") + text({450, 50}, "front") +
-                                     text({450, 60}, "Cut by: hand")));
+                                          text({280, -45}, "too far") + text({450, 50}, "front") +
+                                          text({450, 60}, "Cut by: hand")));
   ASSERT_EQ(d.pieces.size(), 4u);
   EXPECT_EQ(d.pieces[0].name, "skirt_back");
   EXPECT_EQ(d.pieces[1].name, "front");
@@ -268,16 +270,18 @@ TEST(DxfRead, NamesAreCleanUtf8) {
 
 TEST(DxfRead, ForcedCornersAndBreaksReachThePanel) {
   const dxf::DxfDrawing d = read(entities(line({0, 0}, {50, 0}) + line({50, 0}, {100, 0}) +
-                                     line({100, 0}, {0, 90}) + line({0, 90}, {0, 0})));
+                                          line({100, 0}, {0, 90}) + line({0, 90}, {0, 0})));
   EXPECT_EQ(dxf::panel_from_piece(d.pieces[0])->outline.edges.size(), 3u);
   EXPECT_EQ(dxf::panel_from_piece(d.pieces[0], d.pieces[0].breaks)->outline.edges.size(), 4u);
-  EXPECT_EQ(dxf::panel_from_piece(d.pieces[0], std::vector<Vec2>{{7, 7}}).error().where, "piece piece1, corner 0");
+  EXPECT_EQ(dxf::panel_from_piece(d.pieces[0], std::vector<Vec2>{{7, 7}}).error().where,
+            "piece piece1, corner 0");
 }
 
 TEST(DxfRead, EntitiesThatFaredAlikeAreToldTogetherWithTheirLines) {
   std::string points;
   for (int i = 0; i < 50; ++i) points += groups({{0, "POINT"}, {8, "2"}, {10, "1"}, {20, "1"}});
-  const dxf::DxfDrawing d = read(entities(rectangle({0, 0}, 9, 9) + points + groups({{0, "HATCH"}, {8, "0"}})));
+  const dxf::DxfDrawing d =
+      read(entities(rectangle({0, 0}, 9, 9) + points + groups({{0, "HATCH"}, {8, "0"}})));
   const auto of = [&](const std::string& type) {
     return *std::find_if(d.report.groups.begin(), d.report.groups.end(),
                          [&](const dxf::DxfEntityGroup& g) { return g.type == type; });

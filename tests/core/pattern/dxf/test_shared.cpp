@@ -62,7 +62,8 @@ class DxfShared : public testing::Test {
       EXPECT_TRUE(status) << path << " " << (status ? "" : to_string(status.error()));
       // Curves bulge a little beyond the chords of a sampled outline.
       const double drawn = std::abs(geometry::signed_area(piece.outline));
-      EXPECT_NEAR(pattern::signed_area(panel->outline), drawn, 0.002 * drawn + 10) << path << " " << piece.name;
+      EXPECT_NEAR(pattern::signed_area(panel->outline), drawn, 0.002 * drawn + 10)
+          << path << " " << piece.name;
       expect_few_close_curves(*panel, piece, path);
       result.emplace(piece.name, Read{*panel, piece.unfolded});
     }
@@ -83,7 +84,8 @@ class DxfShared : public testing::Test {
   }
 
   /// All vertices of the file lie within 0.1 mm of the curves, and these are few.
-  static void expect_few_close_curves(const pattern::Panel& panel, const dxf::DxfPiece& piece, const fs::path& path) {
+  static void expect_few_close_curves(const pattern::Panel& panel, const dxf::DxfPiece& piece,
+                                      const fs::path& path) {
     const std::vector<Vec2> curves = pattern::flatten(panel.outline, 0.005);
     for (const Vec2 p : piece.outline) {
       double off = length(p - curves[0]);

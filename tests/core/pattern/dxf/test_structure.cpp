@@ -70,8 +70,8 @@ TEST(DxfStructure, CommentsAttributeTemplatesAndForeignCodesDoNoHarm) {
                                                     {0, "SEQEND"},
                                                     {8, "1"}});
   const dxf::DxfDrawing d = read_trial("999\nANSI/AAMA\n999\nsecond comment\n" +
-                                  section("BLOCKS", block("A", attribute + polyline_with_codes)) +
-                                  entities(insert_with_attribute));
+                                       section("BLOCKS", block("A", attribute + polyline_with_codes)) +
+                                       entities(insert_with_attribute));
   ASSERT_EQ(d.pieces.size(), 1u);
   EXPECT_NEAR(area_of(d.pieces[0]), 75'000, 1e-6);
   EXPECT_TRUE(told(d, "ATTDEF makes no outline"));

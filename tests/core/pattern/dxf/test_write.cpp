@@ -11,9 +11,9 @@ namespace {
 pattern::Loop box(Vec2 low, Vec2 high, bool clockwise) {
   const Vec2 b{high.x, low.y}, d{low.x, high.y};
   const pattern::Loop loop{{{"e0", {pattern::line_segment(low, b)}},
-                   {"e1", {pattern::line_segment(b, high)}},
-                   {"e2", {pattern::line_segment(high, d)}},
-                   {"e3", {pattern::line_segment(d, low)}}}};
+                            {"e1", {pattern::line_segment(b, high)}},
+                            {"e2", {pattern::line_segment(high, d)}},
+                            {"e3", {pattern::line_segment(d, low)}}}};
   return clockwise ? pattern::reversed(loop) : loop;
 }
 
@@ -46,7 +46,8 @@ TEST(DxfWrite, IsReadBackAsItWas) {
     EXPECT_NEAR(std::abs(dot(read->grain, drafted.grain)), 1, 1e-6);
     ASSERT_EQ(read->outline.edges.size(), 4u);
     for (size_t e = 0; e < 4; ++e) {
-      EXPECT_NEAR(pattern::arc_length(read->outline.edges[e]), pattern::arc_length(drafted.outline.edges[e]), 0.1);
+      EXPECT_NEAR(pattern::arc_length(read->outline.edges[e]), pattern::arc_length(drafted.outline.edges[e]),
+                  0.1);
     }
   }
 }
@@ -78,8 +79,10 @@ TEST(DxfWrite, EdgesInOneLineNotchesAndGrainComeBack) {
   for (std::size_t i = 0; i < 5; ++i) {
     EXPECT_EQ(read->outline.edges[i].id, panel.outline.edges[i].id);
     for (double s = 0; s <= 1; s += 0.125) {
-      const Vec2 was = pattern::point_at_length(panel.outline.edges[i], s * pattern::arc_length(panel.outline.edges[i]));
-      const Vec2 is = pattern::point_at_length(read->outline.edges[i], s * pattern::arc_length(read->outline.edges[i]));
+      const Vec2 was =
+          pattern::point_at_length(panel.outline.edges[i], s * pattern::arc_length(panel.outline.edges[i]));
+      const Vec2 is =
+          pattern::point_at_length(read->outline.edges[i], s * pattern::arc_length(read->outline.edges[i]));
       EXPECT_LT(length(is - was), 0.1) << panel.outline.edges[i].id << " at " << s;
     }
   }

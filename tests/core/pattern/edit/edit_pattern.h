@@ -11,7 +11,9 @@
 
 namespace toile::test {
 
-inline pattern::PanelEdge straight(std::string id, Vec2 a, Vec2 b) { return {std::move(id), {pattern::line_segment(a, b)}}; }
+inline pattern::PanelEdge straight(std::string id, Vec2 a, Vec2 b) {
+  return {std::move(id), {pattern::line_segment(a, b)}};
+}
 
 /// 100 × 200 mm at `corner`: bottom, right, top, left.
 inline pattern::Panel sheet(std::string id, Vec2 corner = {}) {

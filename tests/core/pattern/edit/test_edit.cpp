@@ -34,12 +34,14 @@ const pattern::PanelEdge& edge(const pattern::Pattern& pattern, std::size_t pane
 }
 
 /// The points along a seam's side at equal steps of its length, in its direction.
-std::vector<Vec2> along(const pattern::Pattern& pattern, const std::vector<pattern::SeamEdge>& series, int steps = 16) {
+std::vector<Vec2> along(const pattern::Pattern& pattern, const std::vector<pattern::SeamEdge>& series,
+                        int steps = 16) {
   std::vector<Vec2> points;
   double whole = 0;
   std::vector<double> lengths;
   for (const pattern::SeamEdge& item : series) {
-    const pattern::PanelEdge& one = *pattern::edges_of(pattern.panels[std::size_t(item.panel)])[std::size_t(item.edge)];
+    const pattern::PanelEdge& one =
+        *pattern::edges_of(pattern.panels[std::size_t(item.panel)])[std::size_t(item.edge)];
     lengths.push_back(pattern::arc_length(one) * (item.to - item.from));
     whole += lengths.back();
   }
@@ -70,7 +72,8 @@ TEST(PatternEdit, MovesACornerOfBothItsEdgesAndKeepsThemStraight) {
 }
 
 TEST(PatternEdit, MovesTheHandlesBesideAPointOfACurveAlong) {
-  const pattern::Pattern bent = edited(two_sheets(), edit::BendEdge{"back", "right", 0, {420, 60}, {420, 140}});
+  const pattern::Pattern bent =
+      edited(two_sheets(), edit::BendEdge{"back", "right", 0, {420, 60}, {420, 140}});
   const pattern::Pattern now = edited(bent, edit::MovePoint{"back", "right", 1, {410, 205}});
   EXPECT_EQ(edge(now, 1, "right").curves[0].p1, (Vec2{420, 60}));
   EXPECT_EQ(edge(now, 1, "right").curves[0].p2, (Vec2{430, 145}));
@@ -95,11 +98,14 @@ TEST(PatternEdit, MovesAHandle) {
 }
 
 TEST(PatternEdit, InsertsAPointThatChangesNoShapeAndDeletesItAgain) {
-  const pattern::Pattern bent = edited(two_sheets(), edit::BendEdge{"back", "right", 0, {430, 60}, {420, 140}});
+  const pattern::Pattern bent =
+      edited(two_sheets(), edit::BendEdge{"back", "right", 0, {430, 60}, {420, 140}});
   const pattern::Pattern two = edited(bent, edit::InsertPoint{"back", "right", 0.3});
   ASSERT_EQ(edge(two, 1, "right").curves.size(), 2u);
-  EXPECT_NEAR(pattern::arc_length(edge(two, 1, "right").curves[0]), 0.3 * pattern::arc_length(edge(bent, 1, "right")), 1e-6);
-  EXPECT_NEAR(pattern::signed_area(two.panels[1].outline), pattern::signed_area(bent.panels[1].outline), 1e-6);
+  EXPECT_NEAR(pattern::arc_length(edge(two, 1, "right").curves[0]),
+              0.3 * pattern::arc_length(edge(bent, 1, "right")), 1e-6);
+  EXPECT_NEAR(pattern::signed_area(two.panels[1].outline), pattern::signed_area(bent.panels[1].outline),
+              1e-6);
   const pattern::Pattern one = edited(two, edit::DeletePoint{"back", "right", 1});
   ASSERT_EQ(edge(one, 1, "right").curves.size(), 1u);
   EXPECT_LT(length(edge(one, 1, "right").curves[0].p1 - Vec2{430, 60}), 1e-6);
@@ -136,8 +142,8 @@ TEST(PatternEdit, SplitsAtTheJointThatIsThere) {
 
 TEST(PatternEdit, JoiningTheHalvesAgainGivesTheSeamBack) {
   const pattern::Pattern was = two_sheets();
-  const pattern::Pattern now =
-      edited(edited(was, edit::SplitEdge{"front", "right", 0.25, "above"}), edit::JoinEdges{"front", "right", "above"});
+  const pattern::Pattern now = edited(edited(was, edit::SplitEdge{"front", "right", 0.25, "above"}),
+                                      edit::JoinEdges{"front", "right", "above"});
   ASSERT_EQ(now.seams[0].a.size(), 1u);
   EXPECT_EQ(now.seams[0].a[0].from, 0);
   EXPECT_EQ(now.seams[0].a[0].to, 1);
@@ -167,7 +173,8 @@ TEST(PatternEdit, RefusesToJoinEdgesThatDoNotMeet) {
 }
 
 TEST(PatternEdit, StraightensAndBends) {
-  const pattern::Pattern bent = edited(two_sheets(), edit::BendEdge{"back", "right", 0, {430, 60}, {420, 140}});
+  const pattern::Pattern bent =
+      edited(two_sheets(), edit::BendEdge{"back", "right", 0, {430, 60}, {420, 140}});
   EXPECT_FALSE(pattern::is_straight(edge(bent, 1, "right").curves[0]));
   const pattern::Pattern now = edited(bent, edit::StraightenEdge{"back", "right", 0});
   EXPECT_NEAR(pattern::arc_length(edge(now, 1, "right")), 200, 1e-9);
@@ -176,7 +183,8 @@ TEST(PatternEdit, StraightensAndBends) {
 }
 
 TEST(PatternEdit, GivesAnEdgeTheLengthThatIsAskedFor) {
-  const pattern::Pattern bent = edited(two_sheets(), edit::BendEdge{"back", "right", 0, {430, 60}, {420, 140}});
+  const pattern::Pattern bent =
+      edited(two_sheets(), edit::BendEdge{"back", "right", 0, {430, 60}, {420, 140}});
   for (const char* keep : {"start", "end", "middle"}) {
     const pattern::Pattern now = edited(bent, edit::SetEdgeLength{"back", "right", 180, keep});
     EXPECT_NEAR(pattern::arc_length(edge(now, 1, "right")), 180, 1e-6) << keep;
@@ -209,7 +217,8 @@ TEST(PatternEdit, TurnsTheGrain) {
 }
 
 TEST(PatternEdit, AddsAndRemovesALine) {
-  const pattern::Pattern now = edited(two_sheets(), edit::AddLine{"back", {"crease", {{310, 50}, {390, 50}}}});
+  const pattern::Pattern now =
+      edited(two_sheets(), edit::AddLine{"back", {"crease", {{310, 50}, {390, 50}}}});
   ASSERT_EQ(now.panels[1].lines.size(), 1u);
   EXPECT_TRUE(edited(now, edit::RemoveLine{"back", "crease"}).panels[1].lines.empty());
   EXPECT_EQ(refused(now, edit::RemoveLine{"back", "fold"}).code, "edit.unknown_line");
@@ -260,7 +269,8 @@ TEST(PatternEdit, RefusesNotchesWhereThereAreNone) {
   EXPECT_EQ(refused(was, edit::RemoveNotch{"back", 0}).code, "edit.unknown_notch");
   EXPECT_EQ(refused(was, edit::MoveNotch{"front", -1, "top", 0.5, {}}).code, "edit.unknown_notch");
   EXPECT_EQ(refused(was, edit::MoveNotch{"front", 0, "hem", 0.5, {}}).code, "edit.unknown_edge");
-  EXPECT_EQ(refused(was, edit::AddNotch{"front", "right", 0.5, 5}).code, "edit.out_of_range") << "there is one";
+  EXPECT_EQ(refused(was, edit::AddNotch{"front", "right", 0.5, 5}).code, "edit.out_of_range")
+      << "there is one";
   EXPECT_EQ(refused(was, edit::AddNotch{"front", "top", 1.5, 5}).code, "edit.out_of_range");
   EXPECT_EQ(refused(was, edit::AddNotch{"front", "top", NAN, 5}).code, "edit.out_of_range");
   EXPECT_EQ(refused(was, edit::AddNotch{"front", "top", 0.5, NAN}).code, "edit.out_of_range");
@@ -274,13 +284,15 @@ TEST(PatternEdit, CutsADartThatKeepsTheSeamOnBothSidesOfIt) {
   ASSERT_EQ(now.seams.size(), 3u);
   EXPECT_EQ(now.seams[2].id, "dart");
   ASSERT_EQ(now.seams[0].b.size(), 2u);
-  EXPECT_NEAR(pattern::arc_length(edge(now, 1, "left")) + pattern::arc_length(edge(now, 1, "left_2")), 180, 1e-6);
+  EXPECT_NEAR(pattern::arc_length(edge(now, 1, "left")) + pattern::arc_length(edge(now, 1, "left_2")), 180,
+              1e-6);
   EXPECT_EQ(edge(now, 1, "dart_a").curves[0].p3, edge(now, 1, "dart_b").curves[0].p0);
 }
 
 TEST(PatternEdit, TakesADartAwayAgain) {
   const pattern::Pattern was = two_sheets();
-  const pattern::Pattern now = edited(edited(was, edit::AddDart{"back", "left", 0.5, 20, 50, "dart"}), edit::RemoveDart{"dart"});
+  const pattern::Pattern now =
+      edited(edited(was, edit::AddDart{"back", "left", 0.5, 20, 50, "dart"}), edit::RemoveDart{"dart"});
   EXPECT_EQ(now.seams.size(), 2u);
   EXPECT_NEAR(pattern::signed_area(now.panels[1].outline), 200 * 100, 1e-6);
   EXPECT_EQ(now.panels[1].outline.edges.size(), 5u);
@@ -290,7 +302,8 @@ TEST(PatternEdit, TakesADartAwayAgain) {
 
 TEST(PatternEdit, CutsAFishEyeDartWithinTheClothAndTakesItAway) {
   const pattern::Pattern was = two_sheets();
-  const pattern::Pattern now = edited(was, edit::AddInnerDart{"back", {350, 40}, {350, 160}, 16, 0.25, "waist"});
+  const pattern::Pattern now =
+      edited(was, edit::AddInnerDart{"back", {350, 40}, {350, 160}, 16, 0.25, "waist"});
   ASSERT_EQ(now.panels[1].holes.size(), 1u);
   EXPECT_NEAR(pattern::signed_area(now.panels[1].holes[0]), -0.5 * 16 * 120, 1e-6) << "clockwise";
   ASSERT_EQ(now.seams.size(), 3u);
@@ -305,7 +318,8 @@ TEST(PatternEdit, CutsAFishEyeDartWithinTheClothAndTakesItAway) {
   expect_same_path(along(was, was.seams[0].b), along(back, back.seams[0].b));
   EXPECT_EQ(refused(was, edit::AddInnerDart{"back", {350, 40}, {350, 300}, 16, 0.5, "d"}).code,
             "pattern.self_crossing");
-  EXPECT_EQ(refused(was, edit::AddInnerDart{"back", {350, 40}, {350, 40}, 16, 0.5, "d"}).code, "edit.out_of_range");
+  EXPECT_EQ(refused(was, edit::AddInnerDart{"back", {350, 40}, {350, 40}, 16, 0.5, "d"}).code,
+            "edit.out_of_range");
   EXPECT_EQ(refused(now, edit::AddInnerDart{"back", {310, 40}, {310, 60}, 4, 0.5, "waist"}).code,
             "pattern.duplicate_id");
 }
@@ -320,10 +334,12 @@ TEST(PatternEdit, RenamesAnEdgeThatStaysSewn) {
 }
 
 TEST(PatternEdit, RefusesADartThatDoesNotFit) {
-  EXPECT_EQ(refused(two_sheets(), edit::AddDart{"back", "left", 0.01, 20, 50, "dart"}).code, "edit.out_of_range");
+  EXPECT_EQ(refused(two_sheets(), edit::AddDart{"back", "left", 0.01, 20, 50, "dart"}).code,
+            "edit.out_of_range");
   EXPECT_EQ(refused(two_sheets(), edit::AddDart{"back", "left", 0.5, 20, 150, "dart"}).code,
             "pattern.self_crossing");
-  EXPECT_EQ(refused(two_sheets(), edit::AddDart{"back", "left", 0.5, 20, 50, "side"}).code, "pattern.duplicate_id");
+  EXPECT_EQ(refused(two_sheets(), edit::AddDart{"back", "left", 0.5, 20, 50, "side"}).code,
+            "pattern.duplicate_id");
   pattern::Pattern tacked = two_sheets();
   tacked.seams = {{"tack", {{0, 1, false, 0.49, 0.51}}, {{1, 3, false, 0.49, 0.51}}, false}};
   EXPECT_EQ(refused(tacked, edit::AddDart{"back", "left", 0.5, 20, 50, "dart"}).code, "edit.sewn");
@@ -331,13 +347,14 @@ TEST(PatternEdit, RefusesADartThatDoesNotFit) {
 
 TEST(PatternEdit, CutsAHoleAndFillsItWithItsSeams) {
   const std::vector<edit::DrawnEdge> slot{{"s0", {{340, 90}, {360, 90}}, {}},
-                                    {"s1", {}, {{{{360, 90}, {365, 95}, {365, 105}, {360, 110}}}}},
-                                    {"s2", {{360, 110}, {340, 110}}, {}},
-                                    {"s3", {{340, 110}, {340, 90}}, {}}};
+                                          {"s1", {}, {{{{360, 90}, {365, 95}, {365, 105}, {360, 110}}}}},
+                                          {"s2", {{360, 110}, {340, 110}}, {}},
+                                          {"s3", {{340, 110}, {340, 90}}, {}}};
   pattern::Pattern now = edited(two_sheets(), edit::AddHole{"back", slot});
   ASSERT_EQ(now.panels[1].holes.size(), 1u);
   EXPECT_LT(pattern::signed_area(now.panels[1].holes[0]), 0);
-  EXPECT_EQ(refused(two_sheets(), edit::AddHole{"back", {slot[0], slot[2]}}).where, "piece back, hole, edge s2");
+  EXPECT_EQ(refused(two_sheets(), edit::AddHole{"back", {slot[0], slot[2]}}).where,
+            "piece back, hole, edge s2");
   now = edited(now, edit::AddSeam{"shut", {{"back", "s0"}}, {{"back", "s2"}}, false});
   now = edited(now, edit::RemoveHole{"back", "s1"});
   EXPECT_TRUE(now.panels[1].holes.empty());
@@ -360,12 +377,14 @@ TEST(PatternEdit, MovesRenamesDuplicatesAndDeletesPieces) {
   const pattern::Pattern two = edited(three, edit::DeletePiece{"front"});
   ASSERT_EQ(two.panels.size(), 2u);
   EXPECT_TRUE(two.seams.empty()) << "front was one side of both";
-  const pattern::Pattern sewn = edited(three, edit::AddSeam{"hem", {{"back", "bottom"}}, {{"lining", "bottom"}}, false});
+  const pattern::Pattern sewn =
+      edited(three, edit::AddSeam{"hem", {{"back", "bottom"}}, {{"lining", "bottom"}}, false});
   const pattern::Pattern later = edited(sewn, edit::DeletePiece{"front"});
   ASSERT_EQ(later.seams.size(), 1u);
   EXPECT_EQ(later.seams[0].a[0].panel, 0);
   EXPECT_EQ(later.seams[0].b[0].panel, 1);
-  EXPECT_EQ(refused(edited(was, edit::DeletePiece{"front"}), edit::DeletePiece{"back"}).code, "edit.last_piece");
+  EXPECT_EQ(refused(edited(was, edit::DeletePiece{"front"}), edit::DeletePiece{"back"}).code,
+            "edit.last_piece");
 }
 
 TEST(PatternEdit, AddsRemovesAndReversesSeams) {
@@ -408,12 +427,14 @@ TEST(PatternEdit, RefusesAnOutlineThatCrossesItself) {
 }
 
 TEST(PatternEdit, TellsWhichNamesAreOthersNow) {
-  const Result<edit::EditedPattern> split = edit::apply_edit(two_sheets(), edit::SplitEdge{"front", "right", 0.25, "above"});
+  const Result<edit::EditedPattern> split =
+      edit::apply_edit(two_sheets(), edit::SplitEdge{"front", "right", 0.25, "above"});
   ASSERT_TRUE(split);
   ASSERT_EQ(split->effect.parts.size(), 1u);
   EXPECT_EQ(split->effect.parts[0].was, "right");
   EXPECT_EQ(split->effect.parts[0].now, (std::vector<std::string>{"right", "above"}));
-  const Result<edit::EditedPattern> renamed = edit::apply_edit(two_sheets(), edit::RenamePiece{"front", "fore"});
+  const Result<edit::EditedPattern> renamed =
+      edit::apply_edit(two_sheets(), edit::RenamePiece{"front", "fore"});
   ASSERT_TRUE(renamed);
   EXPECT_EQ(renamed->effect.was, "front");
   EXPECT_EQ(renamed->effect.piece, "fore");

@@ -34,7 +34,9 @@ std::string with_first_edge(const std::string& curvature) {
                 R"(}, {"endpoints": [1, 2]}, {"endpoints": [2, 3]}, {"endpoints": [3, 0]})");
 }
 
-Vec2 middle(const pattern::PanelEdge& edge) { return pattern::point_at_length(edge, pattern::arc_length(edge) / 2); }
+Vec2 middle(const pattern::PanelEdge& edge) {
+  return pattern::point_at_length(edge, pattern::arc_length(edge) / 2);
+}
 
 Error error_of(const std::string& text) {
   const auto read = garmentcode::read_garmentcode(text);
@@ -48,7 +50,8 @@ TEST(GarmentCodeRead, CountsCentimetresUnlessTheFileSaysOtherwise) {
   EXPECT_NEAR(pattern::arc_length(plain->pattern.panels[0].outline.edges[0]), 100, 1e-9);
   EXPECT_NEAR(plain->panels[0].placement.translation.y, 0.02, 1e-12);
   EXPECT_NEAR(plain->panels[0].placement.rotation.z, 90, 1e-9);
-  const auto thirds = garmentcode::read_garmentcode(square(kPlainEdges, "", R"(, "properties": {"units_in_meter": 300})"));
+  const auto thirds =
+      garmentcode::read_garmentcode(square(kPlainEdges, "", R"(, "properties": {"units_in_meter": 300})"));
   ASSERT_TRUE(thirds.ok()) << to_string(thirds.error());
   EXPECT_NEAR(pattern::arc_length(thirds->pattern.panels[0].outline.edges[0]), 100.0 / 3, 1e-9);
   EXPECT_NEAR(thirds->panels[0].placement.translation.y, 0.02 / 3, 1e-12);
@@ -60,17 +63,19 @@ TEST(GarmentCodeRead, TakesControlPointsRelativeToTheEdge) {
   const Vec2 m = middle(bare->pattern.panels[0].outline.edges[0]);
   EXPECT_NEAR(m.x, 50, 1e-6);
   EXPECT_NEAR(m.y, -10, 1e-6) << "half way to the control point";
-  const auto named = garmentcode::read_garmentcode(with_first_edge(R"({"type": "quadratic", "params": [[0.5, -0.2]]})"));
+  const auto named =
+      garmentcode::read_garmentcode(with_first_edge(R"({"type": "quadratic", "params": [[0.5, -0.2]]})"));
   ASSERT_TRUE(named.ok()) << to_string(named.error());
   EXPECT_EQ(middle(named->pattern.panels[0].outline.edges[0]), m);
-  const auto cubic =
-      garmentcode::read_garmentcode(with_first_edge(R"({"type": "cubic", "params": [[0.2, -0.2], [0.8, -0.2]]})"));
+  const auto cubic = garmentcode::read_garmentcode(
+      with_first_edge(R"({"type": "cubic", "params": [[0.2, -0.2], [0.8, -0.2]]})"));
   ASSERT_TRUE(cubic.ok()) << to_string(cubic.error());
   EXPECT_NEAR(middle(cubic->pattern.panels[0].outline.edges[0]).y, -15, 1e-6) << "three quarters";
 }
 
 TEST(GarmentCodeRead, TakesTheRadiusOfACircleAsALength) {
-  const auto read = garmentcode::read_garmentcode(with_first_edge(R"({"type": "circle", "params": [5, 0, 1]})"));
+  const auto read =
+      garmentcode::read_garmentcode(with_first_edge(R"({"type": "circle", "params": [5, 0, 1]})"));
   ASSERT_TRUE(read.ok()) << to_string(read.error());
   const pattern::PanelEdge& edge = read->pattern.panels[0].outline.edges[0];
   EXPECT_NEAR(pattern::arc_length(edge), 50 * kPi, 1e-3);

@@ -32,7 +32,8 @@ double length_of(const pattern::Pattern& pattern, const std::vector<pattern::Sea
   return sum;
 }
 
-SeamPoint point_on(const pattern::Pattern& pattern, const std::vector<pattern::SeamEdge>& side, double distance) {
+SeamPoint point_on(const pattern::Pattern& pattern, const std::vector<pattern::SeamEdge>& side,
+                   double distance) {
   for (const pattern::SeamEdge& e : side) {
     const double whole = pattern::arc_length(*pattern::edges_of(pattern.panels[e.panel])[e.edge]);
     const double length = (e.to - e.from) * whole;
@@ -46,8 +47,8 @@ SeamPoint point_on(const pattern::Pattern& pattern, const std::vector<pattern::S
 }
 
 /// Whether the two pairs say the same: both ends on the same pieces, as near as `near` (mm).
-bool agree(const pattern::Pattern& pattern, const std::array<SeamPoint, 2>& x, const std::array<SeamPoint, 2>& y,
-           double near) {
+bool agree(const pattern::Pattern& pattern, const std::array<SeamPoint, 2>& x,
+           const std::array<SeamPoint, 2>& y, double near) {
   for (const bool swapped : {false, true}) {
     bool same = true;
     for (int k = 0; k < 2 && same; ++k) {
@@ -118,10 +119,11 @@ struct TrueSide {
   std::string name;
 };
 
-Result<TrueSide> side_in(const json::JsonValue& file, const json::JsonValue& side, const pattern::Pattern& pattern) {
+Result<TrueSide> side_in(const json::JsonValue& file, const json::JsonValue& side,
+                         const pattern::Pattern& pattern) {
   const std::string& id = *side.find("panel")->text();
-  const auto found =
-      std::find_if(pattern.panels.begin(), pattern.panels.end(), [&](const pattern::Panel& p) { return p.id == id; });
+  const auto found = std::find_if(pattern.panels.begin(), pattern.panels.end(),
+                                  [&](const pattern::Panel& p) { return p.id == id; });
   if (found == pattern.panels.end()) return Error{"test.panel", "the drawing has no such piece", id};
   const json::JsonValue* panel = file.find("panels")->find(id);
   const int edge = static_cast<int>(*side.find("edge")->number());
@@ -136,7 +138,8 @@ SeamPoint point_of(const TrueSide& side, const pattern::Pattern& pattern, double
 }
 
 /// Stitched edges run against each other.
-Result<SewnPoints> true_seam(const json::JsonValue& file, const json::JsonValue& stitch, const pattern::Pattern& pattern) {
+Result<SewnPoints> true_seam(const json::JsonValue& file, const json::JsonValue& stitch,
+                             const pattern::Pattern& pattern) {
   const TrueSide a = TRY(side_in(file, *stitch.find("a"), pattern));
   const TrueSide b = TRY(side_in(file, *stitch.find("b"), pattern));
   SewnPoints seam{a.name + " to " + b.name,

@@ -45,7 +45,7 @@ SeamScore score_of(const pattern::Pattern& pattern, std::span<const seams::SeamP
 
 /// A drawing as the product reads it, and its true seams from the *.seams.json beside it.
 struct TrueGarment {
-  pattern::Pattern pattern;              ///< without seams
+  pattern::Pattern pattern;     ///< without seams
   std::vector<char> clockwise;  ///< one per piece, as the file draws it
   std::vector<SewnPoints> truth;
 };

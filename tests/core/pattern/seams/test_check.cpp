@@ -19,7 +19,8 @@ pattern::Panel rectangle(const std::string& id, double width, double height) {
   const char* names[] = {"bottom", "right", "top", "left"};
   pattern::Panel panel;
   panel.id = id;
-  for (int i = 0; i < 4; ++i) panel.outline.edges.push_back({names[i], {pattern::line_segment(c[i], c[(i + 1) % 4])}});
+  for (int i = 0; i < 4; ++i)
+    panel.outline.edges.push_back({names[i], {pattern::line_segment(c[i], c[(i + 1) % 4])}});
   return panel;
 }
 
@@ -80,7 +81,8 @@ TEST(SeamCheck, FindsATwistedSeam) {
 TEST(SeamCheck, FindsATwistByTheEndsThatOtherSeamsBringTogether) {
   pattern::Pattern p;
   p.panels = {rectangle("a", 100, 100), rectangle("b", 100, 100)};
-  p.panels[0].outline.edges[0].curves = {pattern::line_segment({0, 0}, {50, 0}), pattern::line_segment({50, 0}, {100, 0})};
+  p.panels[0].outline.edges[0].curves = {pattern::line_segment({0, 0}, {50, 0}),
+                                         pattern::line_segment({50, 0}, {100, 0})};
   p.seams = {{"long", {{0, 1}}, {{1, 3}}, false}, {"next", {{0, 2}}, {{1, 2}}, false}};
   EXPECT_EQ(kinds(p), Kinds{}) << "the tops go on from the sides";
   p.seams[1].a[0].reversed = p.seams[1].b[0].reversed = true;
@@ -134,7 +136,8 @@ TEST(SeamCheck, LetsPartsOfAnEdgeBeSewnOnceEach) {
 
 TEST(SeamCheck, EveryKindHasACodeOfItsOwn) {
   std::set<std::string_view> codes;
-  for (std::size_t i = 0; i < seams::kSeamIssueKindCount; ++i) codes.insert(seams::code_of(static_cast<seams::SeamIssueKind>(i)));
+  for (std::size_t i = 0; i < seams::kSeamIssueKindCount; ++i)
+    codes.insert(seams::code_of(static_cast<seams::SeamIssueKind>(i)));
   EXPECT_EQ(codes.size(), seams::kSeamIssueKindCount);
   EXPECT_EQ(seams::code_of(seams::SeamIssueKind::kReference), "seam.reference");
   EXPECT_EQ(seams::code_of(seams::SeamIssueKind::kOpenLoop), "seam.open_loop");

@@ -55,7 +55,8 @@ std::set<SeamKey> keys_of(const Garment::Seams& seams) {
 
 pattern::Pattern pattern_of(const Garment& g) { return {g.panels, {}}; }
 
-Score score_of(const Garment& g, const pattern::Pattern& pattern, bool sides_known, const std::string& variant) {
+Score score_of(const Garment& g, const pattern::Pattern& pattern, bool sides_known,
+               const std::string& variant) {
   std::set<SeamKey> truth = keys_of(g.seams);
   Score score;
   score.known = static_cast<int>(truth.size());
@@ -84,7 +85,8 @@ Score sum(const std::vector<Score>& scores) {
 TEST(ProposeSeams, FindsTheSeamsOfGarmentsDrawnByCode) {
   std::vector<Score> scores;
   for (const Garment& g : garments::all()) {
-    ASSERT_TRUE(pattern::validate(pattern_of(g)).ok()) << g.name << ": " << to_string(pattern::validate(pattern_of(g)).error());
+    ASSERT_TRUE(pattern::validate(pattern_of(g)).ok())
+        << g.name << ": " << to_string(pattern::validate(pattern_of(g)).error());
     scores.push_back(score_of(g, pattern_of(g), true, "as drawn"));
   }
   EXPECT_GE(sum(scores).precision(), 0.95);
@@ -136,7 +138,8 @@ std::map<SeamKey, double> confidences(const Garment& g, const std::vector<std::s
   pattern::Pattern pattern;
   for (const std::size_t i : order) pattern.panels.push_back(g.panels[i]);
   std::map<SeamKey, double> found;
-  for (const seams::SeamProposal& p : seams::propose_seams(pattern)) found[key_of(pattern, p.seam)] = p.confidence;
+  for (const seams::SeamProposal& p : seams::propose_seams(pattern))
+    found[key_of(pattern, p.seam)] = p.confidence;
   return found;
 }
 
@@ -155,22 +158,22 @@ TEST(ProposeSeams, DoNotDependOnTheOrderOfThePieces) {
 TEST(ProposeSeams, SewAFrontsBustDartAgainstASmoothBack) {
   // The side of each front is parted by a dart; closed, it is as long as the back's.
   const pattern::Panel front = garments::piece("front_r", {{0, 0},
-                                                  {240, 0},
-                                                  {248, 250},
-                                                  {120, 262},
-                                                  {246, 290},
-                                                  {250, 400, Vec2{185, 440}},
-                                                  {190, 600},
-                                                  {80, 640, Vec2{10, 550}},
-                                                  {0, 520}});
+                                                           {240, 0},
+                                                           {248, 250},
+                                                           {120, 262},
+                                                           {246, 290},
+                                                           {250, 400, Vec2{185, 440}},
+                                                           {190, 600},
+                                                           {80, 640, Vec2{10, 550}},
+                                                           {0, 520}});
   const pattern::Panel back = garments::piece("back", {{-240, 0},
-                                              {240, 0},
-                                              {250, 360, Vec2{195, 400}},
-                                              {190, 560},
-                                              {80, 600, Vec2{0, 560}},
-                                              {-80, 600},
-                                              {-190, 560, Vec2{-195, 400}},
-                                              {-250, 360}});
+                                                       {240, 0},
+                                                       {250, 360, Vec2{195, 400}},
+                                                       {190, 560},
+                                                       {80, 600, Vec2{0, 560}},
+                                                       {-80, 600},
+                                                       {-190, 560, Vec2{-195, 400}},
+                                                       {-250, 360}});
   const pattern::Pattern pattern{{front, garments::mirrored(front, "front_l"), back}, {}};
   ASSERT_TRUE(pattern::validate(pattern)) << to_string(pattern::validate(pattern).error());
   std::set<SeamKey> sure;
@@ -285,7 +288,8 @@ TEST(ProposeSeams, AreSureOfPiecesThatMayChangeRound) {
 TEST(ProposeSeams, AreUnsureWhereClothLiesOnCloth) {
   pattern::Pattern pattern = pattern_of(garments::trousers());
   int sure = 0;
-  for (const seams::SeamProposal& p : seams::propose_seams(pattern, {true})) sure += p.confidence >= 0.8 ? 1 : 0;
+  for (const seams::SeamProposal& p : seams::propose_seams(pattern, {true}))
+    sure += p.confidence >= 0.8 ? 1 : 0;
   EXPECT_GE(sure, 5);
   for (std::size_t i = 0, n = pattern.panels.size(); i < n; ++i) {
     pattern.panels.push_back(pattern.panels[i]);
@@ -294,7 +298,8 @@ TEST(ProposeSeams, AreUnsureWhereClothLiesOnCloth) {
   for (const seams::SeamProposal& p : seams::propose_seams(pattern, {true})) {
     bool lining = false;
     for (const auto* side : {&p.seam.a, &p.seam.b})
-      for (const pattern::SeamEdge& e : *side) lining = lining || pattern.panels[e.panel].id.ends_with("lining");
+      for (const pattern::SeamEdge& e : *side)
+        lining = lining || pattern.panels[e.panel].id.ends_with("lining");
     if (lining) {
       EXPECT_LE(p.confidence, 0.6) << p.seam.id;
     }

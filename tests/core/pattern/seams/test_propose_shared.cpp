@@ -38,7 +38,8 @@ class LongProposeShared : public testing::Test {
 
   /// One row of the table, with what is wrong and missed.
   static test::SeamScore row(const std::string& name, const pattern::Pattern& pattern,
-                             const seams::ProposalSettings& settings, const std::vector<test::SewnPoints>& truth) {
+                             const seams::ProposalSettings& settings,
+                             const std::vector<test::SewnPoints>& truth) {
     const test::SeamScore s = test::score_of(pattern, seams::propose_seams(pattern, settings), truth);
     std::printf("%-42s seams %2d proposed %2d right %2d wrong %2zu missed %2zu recall %.3f precision %.3f\n",
                 name.c_str(), s.known, s.proposed, s.right, s.wrong.size(), s.missed.size(), s.recall(),
@@ -78,7 +79,8 @@ TEST_F(LongProposeShared, FindTheSeamsOfSpecificationsWithoutTheirStitchesAndPla
     ASSERT_TRUE(garment.ok()) << path << ": " << to_string(garment.error());
     pattern::Pattern& pattern = garment->pattern;
     std::vector<test::SewnPoints> truth;
-    for (const pattern::Seam& seam : std::exchange(pattern.seams, {})) truth.push_back(test::points_of(pattern, seam));
+    for (const pattern::Seam& seam : std::exchange(pattern.seams, {}))
+      truth.push_back(test::points_of(pattern, seam));
     sum.add(row(path.filename(), pattern, {true, {}}, truth));
   }
   ASSERT_GT(sum.known, 0);

@@ -90,7 +90,8 @@ TEST(ProjectNew, CutsAPieceAsOftenAsTheDrawingSays) {
   EXPECT_FALSE(made->project.pieces[1].outline.empty()) << "the one turned over stands in the document";
   EXPECT_NE(made->project.pieces[0].id, made->project.pieces[1].id);
   const pattern::Panel &a = made->pattern.panels[0], &b = made->pattern.panels[1];
-  EXPECT_NEAR(pattern::signed_area(a.outline), pattern::signed_area(b.outline), 1e-6) << "both counter-clockwise";
+  EXPECT_NEAR(pattern::signed_area(a.outline), pattern::signed_area(b.outline), 1e-6)
+      << "both counter-clockwise";
 }
 
 TEST(ProjectNew, WhatIsDrawnWithinAPieceReachesTheProject) {

@@ -20,7 +20,8 @@ inline std::string square_dxf() {
 
 inline resolve::ProjectFiles square_files() {
   return {.dxf_text = [](const std::string&) -> Result<std::string> { return square_dxf(); },
-          .body_mesh = [](const std::string&, const mesh_import::MeshSettings&) -> Result<mesh_import::RepairedMesh> {
+          .body_mesh = [](const std::string&,
+                          const mesh_import::MeshSettings&) -> Result<mesh_import::RepairedMesh> {
             return Error{"test.body", "an edit has no need of bodies", ""};
           }};
 }

@@ -28,7 +28,8 @@ project::Project after(const project::Project& project, const std::string& edits
   EXPECT_TRUE(out) << to_string(out.error());
   if (!out) return project;
   EXPECT_EQ(out->document, project::write_project_line(out->project));
-  const Result<editing::EditedProject> back = editing::apply_edits(out->project, out->inverse, square_files());
+  const Result<editing::EditedProject> back =
+      editing::apply_edits(out->project, out->inverse, square_files());
   EXPECT_TRUE(back) << to_string(back.error());
   EXPECT_EQ(back ? back->document : "", project::write_project_line(project));
   return out->project;
@@ -47,7 +48,8 @@ const T& named(const std::vector<T>& list, const std::string& id) {
   return *found;
 }
 
-std::vector<Vec3> stands(const project::Project& project, const std::string& piece, const std::vector<Vec2>& at_mm) {
+std::vector<Vec3> stands(const project::Project& project, const std::string& piece,
+                         const std::vector<Vec2>& at_mm) {
   project::Project cloth = project;
   cloth.bodies.clear();
   const drape::DrapeInput input = resolve::resolve_project(cloth, square_files()).value();
@@ -61,7 +63,8 @@ std::vector<Vec3> stands(const project::Project& project, const std::string& pie
 }
 
 TEST(ProjectEdit, MakesAnOutlineOfAPieceFromAFileWhenItsShapeChanges) {
-  const project::Project now = after(base(), R"([{"edit": "move_point", "piece": "front", "edge": "right", "point": 1,
+  const project::Project now =
+      after(base(), R"([{"edit": "move_point", "piece": "front", "edge": "right", "point": 1,
                                         "to": [120, 110]}])");
   const project::ProjectPiece& front = named(now.pieces, "front");
   EXPECT_FALSE(front.from);
@@ -104,7 +107,8 @@ TEST(ProjectEdit, LinesOfTheFileComeAlongWhenAPieceLeavesIt) {
   ASSERT_EQ(lines(reshaped).size(), 2u);
   EXPECT_TRUE(lines(reshaped)[0].drawn);
   EXPECT_EQ(lines(reshaped)[0].points, (std::vector<Vec2>{{70, 30}, {30, 30}}));
-  const project::Project rubbed = after(project, R"([{"edit": "remove_line", "piece": "front", "line": "i0"}])");
+  const project::Project rubbed =
+      after(project, R"([{"edit": "remove_line", "piece": "front", "line": "i0"}])");
   EXPECT_FALSE(named(rubbed.pieces, "front").from) << "the file would draw it again";
   ASSERT_EQ(lines(rubbed).size(), 1u);
   EXPECT_EQ(lines(rubbed)[0].id, "pleat");
@@ -129,7 +133,8 @@ TEST(ProjectEdit, MarksMovesAndUnmarksANotch) {
   EXPECT_LT(length(one[0].at - Vec2{50, 0}), 1e-9);
   EXPECT_EQ(one[0].depth_mm, 4);
   EXPECT_EQ(*one[0].inwards, (Vec2{0, 1}));
-  const project::Project moved = after(marked, R"([{"edit": "move_notch", "piece": "band", "notch": 0, "edge": "high",
+  const project::Project moved =
+      after(marked, R"([{"edit": "move_notch", "piece": "band", "notch": 0, "edge": "high",
                                           "at": 0.25}])");
   EXPECT_LT(length(named(moved.pieces, "band").notches[0].at - Vec2{150, 30}), 1e-9);
   EXPECT_EQ(named(moved.pieces, "band").notches[0].depth_mm, 4);
@@ -248,14 +253,16 @@ TEST(ProjectEdit, ButtonsFollowAPieceThatIsTurnedOver) {
 }
 
 TEST(ProjectEdit, KeepsHolesAndNotchesOfAnEditedPiece) {
-  const project::Project now = after(base(), R"([{"edit": "move_point", "piece": "back", "edge": "right", "point": 0,
+  const project::Project now =
+      after(base(), R"([{"edit": "move_point", "piece": "back", "edge": "right", "point": 0,
                                         "to": [105, -5]}])");
   const project::ProjectPiece& back = now.pieces[1];
   ASSERT_EQ(back.holes.size(), 1u);
   ASSERT_EQ(back.notches.size(), 1u);
   EXPECT_EQ(back.notches[0].at, (Vec2{105, -5}));
   EXPECT_EQ(back.notches[0].depth_mm, 5);
-  const project::Project again = after(now, R"([{"edit": "move_point", "piece": "back", "edge": "right", "point": 0,
+  const project::Project again =
+      after(now, R"([{"edit": "move_point", "piece": "back", "edge": "right", "point": 0,
                                        "to": [100, 0]}])");
   EXPECT_EQ(again.pieces[1].holes, back.holes) << "written and read, a hole stays as it is";
 }
@@ -323,7 +330,8 @@ struct CountedFiles {
       ++dxf;
       return read(name);
     };
-    files.body_mesh = [this](const std::string&, const mesh_import::MeshSettings&) -> Result<mesh_import::RepairedMesh> {
+    files.body_mesh = [this](const std::string&,
+                             const mesh_import::MeshSettings&) -> Result<mesh_import::RepairedMesh> {
       ++body;
       return mesh_import::RepairedMesh{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, {}};
     };
@@ -331,7 +339,8 @@ struct CountedFiles {
   }
 };
 
-Result<editing::EditedProject> edited_with(CountedFiles& counted, const project::Project& project, const std::string& edits) {
+Result<editing::EditedProject> edited_with(CountedFiles& counted, const project::Project& project,
+                                           const std::string& edits) {
   const json::JsonValue list = TRY(json::parse_json(edits));
   const std::vector<editing::ProjectEdit> read = TRY(editing::read_edits(list, "/edits"));
   return editing::apply_edits(project, read, counted.files());

@@ -52,8 +52,8 @@ class RandomEdits {
     return of_more(kind, project, pattern, panel);
   }
 
-  editing::ProjectEdit of_edge(int kind, const pattern::Panel& panel, const pattern::PanelEdge& edge, int curves,
-                      const pattern::CubicBezier& curve) {
+  editing::ProjectEdit of_edge(int kind, const pattern::Panel& panel, const pattern::PanelEdge& edge,
+                               int curves, const pattern::CubicBezier& curve) {
     const std::string &p = panel.id, &e = edge.id;
     switch (kind) {
       case 0:
@@ -66,28 +66,31 @@ class RandomEdits {
       case 3:
         return edit::PatternEdit(edit::DeletePoint{p, e, chance_.whole(0, curves)});
       case 4:
-        return edit::PatternEdit(edit::SplitEdge{p, e, chance_.unit(), chance_.happens(0.5) ? fresh("x") : ""});
+        return edit::PatternEdit(
+            edit::SplitEdge{p, e, chance_.unit(), chance_.happens(0.5) ? fresh("x") : ""});
       case 5: {
         const pattern::Loop& loop = panel.outline;
         const auto at = static_cast<std::size_t>(chance_.whole(0, static_cast<int>(loop.edges.size()) - 1));
-        return edit::PatternEdit(edit::JoinEdges{p, loop.edges[at].id, loop.edges[(at + 1) % loop.edges.size()].id});
+        return edit::PatternEdit(
+            edit::JoinEdges{p, loop.edges[at].id, loop.edges[(at + 1) % loop.edges.size()].id});
       }
       case 6:
         return edit::PatternEdit(edit::StraightenEdge{p, e, chance_.whole(-1, curves - 1)});
       case 7:
         return edit::PatternEdit(edit::BendEdge{p, e, 0, near(curve.p1, 20), near(curve.p2, 20)});
       case 8:
-        return edit::PatternEdit(
-            edit::SetEdgeLength{p, e, chance_.between(5, 250),
-                          std::vector<std::string>{"start", "middle",
-                                                   "end"}[static_cast<std::size_t>(chance_.whole(0, 2))]});
+        return edit::PatternEdit(edit::SetEdgeLength{
+            p, e, chance_.between(5, 250),
+            std::vector<std::string>{"start", "middle",
+                                     "end"}[static_cast<std::size_t>(chance_.whole(0, 2))]});
       default:
         return edit::PatternEdit(
             edit::AddDart{p, e, chance_.unit(), chance_.between(1, 10), chance_.between(1, 30), fresh("d")});
     }
   }
 
-  editing::ProjectEdit of_piece(int kind, const project::Project& project, const pattern::Panel& panel, const pattern::PanelEdge& edge) {
+  editing::ProjectEdit of_piece(int kind, const project::Project& project, const pattern::Panel& panel,
+                                const pattern::PanelEdge& edge) {
     const std::string& p = panel.id;
     const Vec2 at = near({50, 50}, 40);
     switch (kind) {
@@ -112,20 +115,23 @@ class RandomEdits {
       default:
         if (chance_.happens(0.3)) return edit::PatternEdit(edit::DeletePiece{p});
         if (project.pieces.size() > 5) return edit::PatternEdit(edit::DeletePiece{p});
-        return edit::PatternEdit(edit::DuplicatePiece{p, fresh("copy"), near({0, 0}, 50), chance_.happens(0.5)});
+        return edit::PatternEdit(
+            edit::DuplicatePiece{p, fresh("copy"), near({0, 0}, 50), chance_.happens(0.5)});
     }
   }
 
-  editing::ProjectEdit of_more(int kind, const project::Project& project, const pattern::Pattern& pattern, const pattern::Panel& panel) {
+  editing::ProjectEdit of_more(int kind, const project::Project& project, const pattern::Pattern& pattern,
+                               const pattern::Panel& panel) {
     const std::string seam = project.seams.empty() ? "none" : any(project.seams).id;
     const Vec2 at = near({50, 50}, 40);
     switch (kind) {
       case 18: {
         const pattern::Panel& other = any(pattern.panels);
-        return edit::PatternEdit(edit::AddSeam{fresh("s"),
-                                   {{panel.id, any(pattern::edges_of(panel))->id, chance_.happens(0.5)}},
-                                   {{other.id, any(pattern::edges_of(other))->id, false, 0, chance_.unit()}},
-                                   chance_.happens(0.5)});
+        return edit::PatternEdit(
+            edit::AddSeam{fresh("s"),
+                          {{panel.id, any(pattern::edges_of(panel))->id, chance_.happens(0.5)}},
+                          {{other.id, any(pattern::edges_of(other))->id, false, 0, chance_.unit()}},
+                          chance_.happens(0.5)});
       }
       case 19:
         return edit::PatternEdit(edit::RemoveSeam{seam});
@@ -142,14 +148,16 @@ class RandomEdits {
             panel.id, {{id, {a, b, c}, {}}, {id + "b", {}, {{{c, c + Vec2{-1, -3}, a + Vec2{0, 2}, a}}}}}});
       }
       case 24:
-        return editing::SetTexture{panel.id,
-                          project::ProjectTexture{"a.png", chance_.between(1, 90), near({0, 0}, 9), chance_.unit()}};
+        return editing::SetTexture{panel.id, project::ProjectTexture{"a.png", chance_.between(1, 90),
+                                                                     near({0, 0}, 9), chance_.unit()}};
       case 25:
-        return edit::PatternEdit(edit::AddNotch{panel.id, any(pattern::edges_of(panel))->id, chance_.unit(), 5});
+        return edit::PatternEdit(
+            edit::AddNotch{panel.id, any(pattern::edges_of(panel))->id, chance_.unit(), 5});
       case 26: {
         const int notch = chance_.whole(0, static_cast<int>(panel.notches.size()));
         if (chance_.happens(0.5)) return edit::PatternEdit(edit::RemoveNotch{panel.id, notch});
-        return edit::PatternEdit(edit::MoveNotch{panel.id, notch, any(pattern::edges_of(panel))->id, chance_.unit(), {}});
+        return edit::PatternEdit(
+            edit::MoveNotch{panel.id, notch, any(pattern::edges_of(panel))->id, chance_.unit(), {}});
       }
       default: {
         project::ProjectPhysical physical;
@@ -171,7 +179,8 @@ struct Step {
 /// The edits as they come out of their own JSON.
 std::vector<editing::ProjectEdit> through_json(const std::vector<editing::ProjectEdit>& edits) {
   const std::string text = json::write_json_line(editing::edits_json(edits));
-  const Result<std::vector<editing::ProjectEdit>> read = editing::read_edits(json::parse_json(text).value(), "");
+  const Result<std::vector<editing::ProjectEdit>> read =
+      editing::read_edits(json::parse_json(text).value(), "");
   EXPECT_TRUE(read) << to_string(read.error()) << text;
   if (!read) return edits;
   EXPECT_EQ(json::write_json_line(editing::edits_json(*read)), text);
@@ -199,14 +208,17 @@ void try_history(std::uint64_t seed, int length, int& carried_out, int& refused)
     project = out->project;
   }
   for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
-    const Result<editing::EditedProject> back = editing::apply_edits(step->after, through_json(step->inverse), square_files());
+    const Result<editing::EditedProject> back =
+        editing::apply_edits(step->after, through_json(step->inverse), square_files());
     ASSERT_TRUE(back) << to_string(back.error()) << json::write_json_line(editing::edits_json(step->edits));
-    ASSERT_EQ(back->document, project::write_project_line(step->before)) << json::write_json_line(editing::edits_json(step->edits));
+    ASSERT_EQ(back->document, project::write_project_line(step->before))
+        << json::write_json_line(editing::edits_json(step->edits));
   }
   ASSERT_FALSE(steps.empty());
   EXPECT_EQ(project::write_project(steps.front().before), first);
   for (const Step& step : steps) {
-    const Result<editing::EditedProject> again = editing::apply_edits(step.before, through_json(step.edits), square_files());
+    const Result<editing::EditedProject> again =
+        editing::apply_edits(step.before, through_json(step.edits), square_files());
     ASSERT_TRUE(again) << to_string(again.error());
     ASSERT_EQ(again->document, project::write_project_line(step.after));
   }
@@ -279,7 +291,8 @@ void fuzz(std::uint64_t seed, int rounds) {
       EXPECT_TRUE(out.error().where.starts_with("/edits")) << text << to_string(out.error());
       continue;
     }
-    const Result<editing::EditedProject> back = editing::apply_edits(out->project, out->inverse, square_files());
+    const Result<editing::EditedProject> back =
+        editing::apply_edits(out->project, out->inverse, square_files());
     ASSERT_TRUE(back) << text << to_string(back.error());
     EXPECT_EQ(back->document, project::write_project_line(project)) << text;
   }

@@ -42,16 +42,19 @@ constexpr const char* kDressed = R"({
 })";
 
 const geometry::TriangleMesh& ann() {
-  static const geometry::TriangleMesh mesh = mesh_import::load_mesh(TOILE_SOURCE_DIR "/samples/skirt/body.obj").value();
+  static const geometry::TriangleMesh mesh =
+      mesh_import::load_mesh(TOILE_SOURCE_DIR "/samples/skirt/body.obj").value();
   return mesh;
 }
 
 Result<drape::DrapeInput> resolved(const std::string& text) {
   const project::Project project = TRY(project::parse_project(text));
   const geometry::TriangleMesh table{{{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, 1, 0}},
-                           {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}};
+                                     {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}};
   const resolve::ProjectFiles files{
-      .dxf_text = {}, .body_mesh = [&](const std::string& name, const mesh_import::MeshSettings&) -> Result<mesh_import::RepairedMesh> {
+      .dxf_text = {},
+      .body_mesh = [&](const std::string& name,
+                       const mesh_import::MeshSettings&) -> Result<mesh_import::RepairedMesh> {
         return mesh_import::RepairedMesh{name == "table.obj" ? table : ann(), {}};
       }};
   return resolve::resolve_project(project, files);
@@ -88,7 +91,8 @@ TEST(ProjectBodyPlaces, APieceGoesAroundAnArmClearOfIt) {
   const auto& wrapped = std::get<sewing::WrappedPlacement>(input.placements[1]);
   EXPECT_EQ(wrapped.anchor, (Vec2{0.15, 0.1}));
   EXPECT_NEAR(length(wrapped.up - box.axis[1]), 0, 1e-12);
-  const double stands_out = arrange::radius_of_part(ann(), measure::find_figure(ann()).value(), box, -0.1, 0.1);
+  const double stands_out =
+      arrange::radius_of_part(ann(), measure::find_figure(ann()).value(), box, -0.1, 0.1);
   EXPECT_NEAR(wrapped.radius, stands_out + 0.015, 1e-12) << "as the piece is 20 cm tall";
 }
 
@@ -123,7 +127,8 @@ TEST(ProjectBodyPlaces, FlippedAPieceTurnsItsRightSideToTheBodyAndKeepsItsMiddle
       resolved(changed(kDressed, "\"at\": [0.02, 0.05]", "\"at\": [0.02, 0.05], \"flipped\": true"));
   ASSERT_TRUE(flipped) << to_string(flipped.error());
   const std::vector<Vec2> flat{{0.15, 0.2}, {0.3, 0.2}, {0.15, 0.4}};
-  const std::vector<Vec3> p = sewing::place(flat, flipped->placements[0]), q = sewing::place(flat, dressed().placements[0]);
+  const std::vector<Vec3> p = sewing::place(flat, flipped->placements[0]),
+                          q = sewing::place(flat, dressed().placements[0]);
   EXPECT_NEAR(length(p[0] - q[0]), 0, 1e-9);
   EXPECT_NEAR(length(p[2] - q[2]), 0, 1e-9);
   EXPECT_NEAR(length(p[1] - p[0] + (q[1] - q[0])), 0, 1e-9) << "left and right swap";
@@ -136,8 +141,8 @@ TEST(ProjectBodyPlaces, AttachmentsLeadToLinesLandmarksAndPlaces) {
   ASSERT_GT(line.size(), 8u);
   for (const Vec3& p : line) EXPECT_NEAR(p.y, figure.waist - 0.02, 1e-7);
   // 1.5 mm of skin offset, and half a millimetre beyond it.
-  EXPECT_NEAR(measure::length_of_loop(line), measure::trunk_girth(ann(), figure, figure.waist - 0.02) + 2 * 3.14159265 * 2e-3,
-              2e-3);
+  EXPECT_NEAR(measure::length_of_loop(line),
+              measure::trunk_girth(ann(), figure, figure.waist - 0.02) + 2 * 3.14159265 * 2e-3, 2e-3);
   ASSERT_EQ(input.attachments[1].goal.size(), 1u);
   const auto marks = measure::find_landmarks(ann(), figure);
   const Vec3 told = measure::landmark_named(marks, "hip_front")->place + Vec3{0.08, 0, 0};

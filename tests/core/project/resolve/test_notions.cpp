@@ -123,7 +123,8 @@ TEST(ProjectNotions, TheExampleDrapes) {
     if (r.garment.panel_of_triangle[t] < 3) continue;
     pad.push_back({r.garment.weld[a], r.garment.weld[b], r.garment.weld[c]});
   }
-  const double volume = solver::constraints::volume_of(solver::constraints::make_chamber(pad, r.garment.vertex_count(), 0, 0), r.positions);
+  const double volume = solver::constraints::volume_of(
+      solver::constraints::make_chamber(pad, r.garment.vertex_count(), 0, 0), r.positions);
   EXPECT_GT(volume, 0.09e-3) << "80 × 120 mm hold about a tenth of a litre";
   EXPECT_LT(volume, 0.2e-3);
   const Vec3 across = middle_at(r, 2, 0.04) - middle_at(r, 2, 0);

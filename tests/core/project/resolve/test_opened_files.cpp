@@ -19,7 +19,8 @@ struct CountedFiles {
               if (name == "none.dxf") return Error{"project.file", "it is not there", ""};
               return test::square_dxf();
             },
-            .body_mesh = [this](const std::string& name, const mesh_import::MeshSettings&) -> Result<mesh_import::RepairedMesh> {
+            .body_mesh = [this](const std::string& name,
+                                const mesh_import::MeshSettings&) -> Result<mesh_import::RepairedMesh> {
               ++reads[name];
               return mesh_import::RepairedMesh{};
             },

@@ -31,11 +31,13 @@ struct Shelf {
   mesh_import::MeshSettings asked;
 
   resolve::ProjectFiles files() {
-    return {.dxf_text = [this](const std::string&) -> Result<std::string> { return ++dxf_reads, dxf; },
-            .body_mesh = [this](const std::string&, const mesh_import::MeshSettings& settings) -> Result<mesh_import::RepairedMesh> {
-              asked = settings;
-              return mesh_import::RepairedMesh{mesh, repairs};
-            }};
+    return {
+        .dxf_text = [this](const std::string&) -> Result<std::string> { return ++dxf_reads, dxf; },
+        .body_mesh = [this](const std::string&,
+                            const mesh_import::MeshSettings& settings) -> Result<mesh_import::RepairedMesh> {
+          asked = settings;
+          return mesh_import::RepairedMesh{mesh, repairs};
+        }};
   }
 };
 

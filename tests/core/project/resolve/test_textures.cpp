@@ -62,7 +62,8 @@ TEST(ProjectTextures, ReadEachPictureOnceAndLayItOnEachPiece) {
   const Vec2 up = image::texture_at(*image::texture_of(*textures, 0), {0.01 - 0.025, 0.02});
   EXPECT_NEAR(up.x, 0, 1e-12);
   EXPECT_NEAR(up.y, 1, 1e-12);
-  EXPECT_NEAR(image::texture_at(*image::texture_of(*textures, 2), {0.05, 0}).y, 1, 1e-12) << "along the grain";
+  EXPECT_NEAR(image::texture_at(*image::texture_of(*textures, 2), {0.05, 0}).y, 1, 1e-12)
+      << "along the grain";
 }
 
 TEST(ProjectTextures, NameThePlaceOfAPictureThatCannotBeRead) {
@@ -70,7 +71,8 @@ TEST(ProjectTextures, NameThePlaceOfAPictureThatCannotBeRead) {
   project.pieces[1].texture = {"a.png", 50};
   Pictures pictures;
   pictures.bytes = "GIF89a";
-  const Result<image::Textures> broken = resolve::read_textures(project, pattern_of(project), pictures.files());
+  const Result<image::Textures> broken =
+      resolve::read_textures(project, pattern_of(project), pictures.files());
   ASSERT_FALSE(broken);
   EXPECT_EQ(broken.error().code, "image.format");
   EXPECT_EQ(broken.error().where, "/pieces/1/texture/image");
@@ -91,7 +93,8 @@ TEST(ProjectTextures, AreNotManyAndNotLarge) {
   EXPECT_EQ(pictures.asked, 0) << "told before any is read";
   project.pieces.resize(4);
   pictures.bytes += std::string((std::size_t{17} << 20), ' ');  // what follows a picture's end is no harm
-  EXPECT_EQ(resolve::read_textures(project, pattern_of(project), pictures.files()).error().code, "image.too_many");
+  EXPECT_EQ(resolve::read_textures(project, pattern_of(project), pictures.files()).error().code,
+            "image.too_many");
 }
 
 TEST(ProjectTextures, OfADocumentOnDiskLieBesideIt) {
