@@ -51,7 +51,7 @@ TOILE_INLINE Floats4 floats_at(const float* first) {
 }
 TOILE_INLINE Floats4 four_of(float value) { return Floats4{value, value, value, value}; }
 
-TOILE_INLINE void store(Floats4 four, float* first) {
+TOILE_INLINE void put(Floats4 four, float* first) {
   for (int i = 0; i < 4; ++i) first[i] = four[i];
 }
 

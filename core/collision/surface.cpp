@@ -37,7 +37,8 @@ Surface make_surface(std::span<const Tri> triangles, Index vertex_count,
                    [](const Half& a, const Half& b) { return a.v0 != b.v0 ? a.v0 < b.v0 : a.v1 < b.v1; });
   for (std::size_t i = 0; i < halves.size(); ++i) {
     const bool first = i == 0 || halves[i].v0 != halves[i - 1].v0 || halves[i].v1 != halves[i - 1].v1;
-    if (first) surface.owned[halves[i].triangle] |= 8u << halves[i].corner;
+    std::uint8_t& owned = surface.owned[halves[i].triangle];
+    if (first) owned = static_cast<std::uint8_t>(owned | 8u << halves[i].corner);
   }
   for (Index t = 0; t < static_cast<Index>(triangles.size()); ++t) {
     for (int k = 0; k < 3; ++k) {

@@ -28,8 +28,8 @@ inline bool overlap(const Box3& a, const Box3& b) {
 /// The least box that holds both.
 inline Box3 join(const Box3& a, const Box3& b) {
   Box3 c;
-  store(least(floats_at(a.lo), floats_at(b.lo)), c.lo);
-  store(most(floats_at(a.hi), floats_at(b.hi)), c.hi);
+  put(least(floats_at(a.lo), floats_at(b.lo)), c.lo);
+  put(most(floats_at(a.hi), floats_at(b.hi)), c.hi);
   return c;
 }
 

@@ -8,7 +8,7 @@
 #include "core/json/fields/range.h"
 #include "core/project/project.h"
 
-namespace toile::project::fields {
+namespace toile::fields {
 
 inline constexpr Range kLength{
     -1e5, 1e5, "coordinate"};  // mm or m: every coordinate, so that sums stay far from overflow
@@ -42,11 +42,11 @@ inline constexpr ElementRule kElement<Vec2> = {kLength};
 template <>
 inline constexpr ElementRule kElement<std::array<Vec2, 4>> = {kLength, "Start, two handles, end, mm."};
 template <>
-inline constexpr ElementRule kElement<std::vector<ProjectEdge>> = {
+inline constexpr ElementRule kElement<std::vector<project::ProjectEdge>> = {
     kSome, "The edges of one hole, as in an outline."};
 
 template <typename Visitor>
-void describe(Visitor& v, ProjectDxf& dxf) {
+void describe(Visitor& v, project::ProjectDxf& dxf) {
   v.object("dxf", "A piece in a DXF file.");
   v.file("dxf", dxf.dxf, "", Need::kRequired);
   v.field("piece", dxf.piece, "The piece's name in the file.", Need::kRequired);
@@ -60,7 +60,7 @@ void describe(Visitor& v, ProjectDxf& dxf) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, ProjectEdge& edge) {
+void describe(Visitor& v, project::ProjectEdge& edge) {
   v.object("edge", "A run of the outline between two corners: what seams and attachments name.");
   v.field("id", edge.id, "Unique within its piece, and stable when the outline is edited.", Need::kRequired);
   v.field("points", edge.points,
@@ -72,7 +72,7 @@ void describe(Visitor& v, ProjectEdge& edge) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, ProjectRigid& rigid) {
+void describe(Visitor& v, project::ProjectRigid& rigid) {
   v.object("",
            "The flat point (u, v) goes to translation + R (u, v, 0). The right side of the cloth faces R (0, "
            "0, 1).");
@@ -84,7 +84,7 @@ void describe(Visitor& v, ProjectRigid& rigid) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, ProjectWrapped& wrapped) {
+void describe(Visitor& v, project::ProjectWrapped& wrapped) {
   v.object("",
            "The piece rolled without stretching around an axis, upright unless told otherwise: u along the "
            "circle, counter-clockwise seen from above, v upwards.");
@@ -120,7 +120,7 @@ void choose_box_side(Visitor& v, std::string& part, std::string& side) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, ProjectOnBox& box) {
+void describe(Visitor& v, project::ProjectOnBox& box) {
   v.object("",
            "A stiff sheet before a side of the box around a part of the body, along that part. It goes where "
            "the body is.");
@@ -139,7 +139,7 @@ void describe(Visitor& v, ProjectOnBox& box) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, ProjectAround& around) {
+void describe(Visitor& v, project::ProjectAround& around) {
   v.object(
       "",
       "Rolled around a part of the body, along its box, clear of all that stands out of it under the piece.");
@@ -162,7 +162,7 @@ void describe(Visitor& v, ProjectAround& around) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, ProjectPlacement& placement) {
+void describe(Visitor& v, project::ProjectPlacement& placement) {
   v.object("placement",
            "Where the flat piece stands before it is sewn: as a stiff sheet, or rolled around an axis; in "
            "space, or told by a part of the body.");
@@ -174,7 +174,7 @@ void describe(Visitor& v, ProjectPlacement& placement) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, ProjectLine& line) {
+void describe(Visitor& v, project::ProjectLine& line) {
   v.object("line",
            "A line on a piece, straight from point to point. An end at the outline joins it; elsewhere lines "
            "may meet each other only in points that both have.");
@@ -187,7 +187,7 @@ void describe(Visitor& v, ProjectLine& line) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, ProjectNotch& notch) {
+void describe(Visitor& v, project::ProjectNotch& notch) {
   v.object("notch", "A mark on the outline, where two pieces meet when they are sewn.");
   v.field("at", notch.at, "mm.", Need::kRequired, kLength);
   v.field("depth_mm", notch.depth_mm, "Of the cut into the allowance. Default 0: not told.", Need::kOptional,
@@ -197,7 +197,7 @@ void describe(Visitor& v, ProjectNotch& notch) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, ProjectTexture& texture) {
+void describe(Visitor& v, project::ProjectTexture& texture) {
   v.object("texture",
            "A picture on the cloth, repeated over the piece; it turns with the grain. Looks alone: a drape "
            "comes out the same with it.");
@@ -214,7 +214,7 @@ void describe(Visitor& v, ProjectTexture& texture) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, ProjectPhysical& physical) {
+void describe(Visitor& v, project::ProjectPhysical& physical) {
   v.object("physical",
            "What the piece has otherwise than its fabric (interlined, pressed, of another lot; keys as of a "
            "fabric), and how finely it is meshed.");
@@ -235,7 +235,7 @@ void describe(Visitor& v, ProjectPhysical& physical) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, ProjectPiece& piece) {
+void describe(Visitor& v, project::ProjectPiece& piece) {
   v.object("piece", "One piece of cloth. Its outline stands here or in a DXF file.");
   v.field("id", piece.id, "Name that seams and attachments use.", Need::kRequired);
   v.field("from", piece.from, "");
@@ -271,7 +271,7 @@ void describe(Visitor& v, ProjectPiece& piece) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, ProjectFabric& fabric) {
+void describe(Visitor& v, project::ProjectFabric& fabric) {
   v.object("fabric", "A fabric in measured units.");
   v.field("id", fabric.id, "Name that pieces use.", Need::kRequired);
   v.field("name", fabric.name, "What people call the fabric.");
@@ -308,7 +308,7 @@ void describe(Visitor& v, ProjectFabric& fabric) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, ProjectSeamEdge& edge) {
+void describe(Visitor& v, project::ProjectSeamEdge& edge) {
   v.object("seam_edge", "An edge of a piece, or a part of one.");
   v.field("piece", edge.piece, "Id of a piece.", Need::kRequired);
   v.field("edge", edge.edge, "Id of one of its edges.", Need::kRequired);
@@ -321,7 +321,7 @@ void describe(Visitor& v, ProjectSeamEdge& edge) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, ProjectSeam& seam) {
+void describe(Visitor& v, project::ProjectSeam& seam) {
   v.object("seam",
            "Sews the path that series a makes to the path that series b makes. Two outlines that both run "
            "counter-clockwise meet with their edges against each other: the start of a meets the end of b.");
@@ -332,7 +332,7 @@ void describe(Visitor& v, ProjectSeam& seam) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, ProjectMannequin& mannequin) {
+void describe(Visitor& v, project::ProjectMannequin& mannequin) {
   v.object("mannequin", "A standing figure made from measures.");
   v.field("preset", mannequin.preset,
           "Of a size table: \"eu34\" to \"eu48\", \"m44\" to \"m58\", \"child92\" to \"child170\". Its sex "
@@ -355,7 +355,7 @@ void describe(Visitor& v, ProjectMannequin& mannequin) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, ProjectLandmark& landmark) {
+void describe(Visitor& v, project::ProjectLandmark& landmark) {
   v.object("landmark",
            "A named place on a body, beside those that every standing body has, or in place of the one of "
            "that name: a point of a triangle of a mesh file, or told from another landmark (for a mannequin "
@@ -378,7 +378,7 @@ void describe(Visitor& v, ProjectLandmark& landmark) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, ProjectBody& body) {
+void describe(Visitor& v, project::ProjectBody& body) {
   v.object("body",
            "Something solid that cloth meets, a person as well as a table or a cushion: a mesh from a file, "
            "or the program's own mannequin. There may be several.");
@@ -407,7 +407,7 @@ void describe(Visitor& v, ProjectBody& body) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, ProjectGoal& goal) {
+void describe(Visitor& v, project::ProjectGoal& goal) {
   v.object("goal",
            "A place to which cloth is led while the seams close. Contact is stronger than the hold: what is "
            "in the way makes it wait.");
@@ -427,7 +427,7 @@ void describe(Visitor& v, ProjectGoal& goal) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, ProjectAttachment& attachment) {
+void describe(Visitor& v, project::ProjectAttachment& attachment) {
   v.object("attachment",
            "Holds part of a piece, e.g. a waistband at its height until friction carries it, or leads it to "
            "a place on the body.");
@@ -446,14 +446,14 @@ void describe(Visitor& v, ProjectAttachment& attachment) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, ProjectButtonPoint& point) {
+void describe(Visitor& v, project::ProjectButtonPoint& point) {
   v.object("button_point", "A point of a flat piece.");
   v.field("piece", point.piece, "Id of a piece.", Need::kRequired);
   v.field("at", point.at, "mm; on the piece.", Need::kRequired, kLength);
 }
 
 template <typename Visitor>
-void describe(Visitor& v, ProjectButton& button) {
+void describe(Visitor& v, project::ProjectButton& button) {
   v.object("button",
            "A short thread from a point of a piece to another point. Cloth and body between are stronger "
            "than it.");
@@ -465,7 +465,7 @@ void describe(Visitor& v, ProjectButton& button) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, ProjectElastic& elastic) {
+void describe(Visitor& v, project::ProjectElastic& elastic) {
   v.object("elastic",
            "A band that pulls with stiffness times strain where it is longer than its own length, and never "
            "pushes.");
@@ -480,7 +480,7 @@ void describe(Visitor& v, ProjectElastic& elastic) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, ProjectFold& fold) {
+void describe(Visitor& v, project::ProjectFold& fold) {
   v.object("fold", "Presses the cloth to an angle along lines.");
   v.field("id", fold.id, "Name that messages use.", Need::kRequired);
   v.field("piece", fold.piece, "Id of a piece.", Need::kRequired);
@@ -495,7 +495,7 @@ void describe(Visitor& v, ProjectFold& fold) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, ProjectCushion& cushion) {
+void describe(Visitor& v, project::ProjectCushion& cushion) {
   v.object("cushion", "Pieces that hold air. Openings that seams leave count as closed by a lid.");
   v.field("id", cushion.id, "Name that messages use.", Need::kRequired);
   v.field("pieces", cushion.pieces,
@@ -510,7 +510,7 @@ void describe(Visitor& v, ProjectCushion& cushion) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, ProjectAir& air) {
+void describe(Visitor& v, project::ProjectAir& air) {
   v.object("air", "Air that resists the cloth, by the speed between them.");
   v.field("density_kg_m3", air.density_kg_m3, "kg/m³. Default 1.2.", Need::kOptional, Range{0, 2000});
   v.field("drag_across", air.drag_across, "Drag coefficient of cloth that moves face-on. Default 1.2.",
@@ -522,7 +522,7 @@ void describe(Visitor& v, ProjectAir& air) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, ProjectSettings& settings) {
+void describe(Visitor& v, project::ProjectSettings& settings) {
   v.object("settings", "How to drape. Every key has a default that suits a garment.");
   v.field("particle_distance_mm", settings.particle_distance_mm,
           "mm; wanted edge length of the triangles. Default 15.", Need::kOptional, Range{0.5, 1000});
@@ -552,7 +552,7 @@ void describe(Visitor& v, ProjectSettings& settings) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, Project& project) {
+void describe(Visitor& v, project::Project& project) {
   v.object("",
            "A garment to drape: flat pieces, what they are made of, how they are sewn, what they hang on. "
            "Millimetres in the pattern, metres in space (y up, right-handed, the body looks along +z), "
@@ -582,4 +582,4 @@ void describe(Visitor& v, Project& project) {
   v.field("settings", project.settings, "");
 }
 
-}  // namespace toile::project::fields
+}  // namespace toile::fields

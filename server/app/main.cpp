@@ -321,7 +321,7 @@ ExitCode run(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     if (const std::optional<int> code = toile::app::read_mesh_for_parent(argc, argv)) return *code;
-    return toile::run(argc, argv);
+    return toile::app::run(argc, argv);
   } catch (const std::bad_alloc&) {
     toile::app::print_error(
         {"internal.memory", "there is not enough memory for this", "", toile::ErrorKind::kInternal}, false);

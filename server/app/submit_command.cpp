@@ -131,7 +131,7 @@ ExitCode exit_code_of(store::JobState end, const json::JsonValue& job) {
 ExitCode fail_remote(const Error& error, bool json) {
   print_error(error, json);
   const bool ours = error.kind == ErrorKind::kSystem || error.kind == ErrorKind::kUnavailable;
-  return ours ? kInternal : exit_code_of(error);
+  return ours ? kInternal : app::exit_code_of(error);
 }
 
 void print_end(const json::JsonValue& job, const SubmitOptions& options) {

@@ -13,7 +13,7 @@ struct Row {
   JobEffects effects;
 };
 
-using enum JobState;
+using enum store::JobState;
 using enum JobEvent;
 
 /// The same wherever a worker may still hold the job.

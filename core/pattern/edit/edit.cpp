@@ -14,11 +14,11 @@ namespace {
 
 /// The edits that edit_shape, edit_edges and edit_piece know.
 template <typename Edit>
-concept ShapesCurves = requires(Panel& panel, const Edit& edit) {
+concept ShapesCurves = requires(pattern::Panel& panel, const Edit& edit) {
   edit_shape(panel, edit);
 };
 template <typename Edit>
-concept ChangesEdges = requires(Pattern& pattern, const Edit& edit) {
+concept ChangesEdges = requires(pattern::Pattern& pattern, const Edit& edit) {
   edit_edges(pattern, Index{}, edit);
 };
 

@@ -6,7 +6,7 @@
 #include "core/project/editing/edits.h"
 #include "core/project/fields.h"
 
-namespace toile::editing::fields {
+namespace toile::fields {
 
 inline constexpr Range kFraction{0, 1};
 inline constexpr Range kIndex{0, 1e6};
@@ -294,21 +294,21 @@ void describe(Visitor& v, edit::SetFabric& edit) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, SetTexture& edit) {
+void describe(Visitor& v, editing::SetTexture& edit) {
   v.object("set_texture", "Prints a picture on a piece, or takes it away.");
   v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
   v.field("texture", edit.texture, "Without it, the piece has none.");
 }
 
 template <typename Visitor>
-void describe(Visitor& v, SetPhysical& edit) {
+void describe(Visitor& v, editing::SetPhysical& edit) {
   v.object("set_physical", "Says what a piece has otherwise than its fabric, or that it has nothing.");
   v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
   v.field("physical", edit.physical, "All of it; what is not given is as the fabric has it.");
 }
 
 template <typename Visitor, typename T>
-void describe(Visitor& v, ListSplice<T>& splice) {
+void describe(Visitor& v, editing::ListSplice<T>& splice) {
   v.object("", "");
   v.field("at", splice.at, "First element, from 0.", Need::kRequired, kIndex);
   v.field("remove", splice.remove, "How many go from there on.", Need::kRequired, kIndex);
@@ -316,7 +316,7 @@ void describe(Visitor& v, ListSplice<T>& splice) {
 }
 
 template <typename Visitor>
-void describe(Visitor& v, RestoreLists& edit) {
+void describe(Visitor& v, editing::RestoreLists& edit) {
   v.object("restore", "Puts back parts of the document's lists: what an undo does.");
   v.field("pieces", edit.pieces, "Of this list.");
   v.field("seams", edit.seams, "Of this list.");
@@ -363,15 +363,15 @@ inline constexpr auto kEditNames = std::tuple{
     NamedEdit<edit::RemoveSeam>{"remove_seam"},
     NamedEdit<edit::ReverseSeam>{"reverse_seam"},
     NamedEdit<edit::SetFabric>{"set_fabric"},
-    NamedEdit<SetTexture>{"set_texture"},
-    NamedEdit<SetPhysical>{"set_physical"},
-    NamedEdit<RestoreLists>{"restore"},
+    NamedEdit<editing::SetTexture>{"set_texture"},
+    NamedEdit<editing::SetPhysical>{"set_physical"},
+    NamedEdit<editing::RestoreLists>{"restore"},
     NamedEdit<edit::AddNotch>{"add_notch"},
     NamedEdit<edit::MoveNotch>{"move_notch"},
     NamedEdit<edit::RemoveNotch>{"remove_notch"},
 };
 
 static_assert(std::tuple_size_v<decltype(kEditNames)> ==
-              std::variant_size_v<edit::PatternEdit> + std::variant_size_v<ProjectEdit> - 1);
+              std::variant_size_v<edit::PatternEdit> + std::variant_size_v<editing::ProjectEdit> - 1);
 
-}  // namespace toile::editing::fields
+}  // namespace toile::fields

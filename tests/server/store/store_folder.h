@@ -19,8 +19,8 @@ class TemporaryFolder {
   TemporaryFolder() : path_(testing::TempDir() + "toile_XXXXXX") {
     if (::mkdtemp(path_.data()) == nullptr) path_.clear();
   }
-  TemporaryFolder(const jobs::TemporaryFolder&) = delete;
-  jobs::TemporaryFolder& operator=(const jobs::TemporaryFolder&) = delete;
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
   ~TemporaryFolder() {
     std::error_code failure;
     if (!path_.empty()) std::filesystem::remove_all(path_, failure);

@@ -6,7 +6,7 @@ namespace toile {
 namespace {
 
 TEST(StoreCheckpoints, AreReplacedKeptOverAReopeningAndRemoved) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   std::string id;
   {
     const auto store = opened(folder.path());
@@ -27,7 +27,7 @@ TEST(StoreCheckpoints, AreReplacedKeptOverAReopeningAndRemoved) {
 }
 
 TEST(StoreCheckpoints, BelongToTheirOwner) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto store = opened(folder.path());
   const std::string id = store->create_job(kAnn, some_job("skirt"), "").value().id;
   EXPECT_TRUE(store->put_checkpoint(kAnn, id, "hers").ok());
@@ -39,7 +39,7 @@ TEST(StoreCheckpoints, BelongToTheirOwner) {
 }
 
 TEST(StoreCheckpoints, OfJobsThatHaveEndedGoWhenTheStoreIsOpened) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   std::string ended, running;
   {
     const auto store = opened(folder.path());

@@ -67,7 +67,7 @@ std::string integrity_of(const std::string& folder) {
 }
 
 TEST(StoreCrash, LosesNothingThatWasAcknowledgedBeforeAKill) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   std::vector<std::string> ids;
   for (std::size_t round = 0; round < 6; ++round) {
     const std::vector<std::string> more = acknowledged_until_killed(folder.path(), 3 + 4 * round);
@@ -129,7 +129,7 @@ int full_disk_story(const std::string& folder) {
 }
 
 TEST(StoreCrash, SaysThatTheDiskIsFullReadsOnAndRecovers) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const pid_t child = ::fork();
   if (child == 0) _exit(full_disk_story(folder.path()));
   int status = 0;

@@ -24,7 +24,7 @@ store::EditRow step(const std::string& edits) {
 
 /// A store with one project, and edits that are done to it.
 struct EditedStore {
-  jobs::TemporaryFolder folder;
+  TemporaryFolder folder;
   std::unique_ptr<store::Store> store = opened(folder.path());
   std::string id = store->create_project(kMe, project_row("first"))->id;
 

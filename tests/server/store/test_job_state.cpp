@@ -35,14 +35,14 @@ TEST(JobState, TheListForSqlHoldsJustTheStatesThatAreNotFinal) {
   }
 }
 
-sqlite::SqlDatabase database_in(const jobs::TemporaryFolder& folder) {
+sqlite::SqlDatabase database_in(const TemporaryFolder& folder) {
   Result<sqlite::SqlDatabase> database = sqlite::SqlDatabase::open(folder.path() + "/toile.db");
   EXPECT_TRUE(database);
   return std::move(*database);
 }
 
 TEST(JobState, TheListForSqlReadsAsInTheIndexOfUnfinishedJobs) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   sqlite::SqlDatabase database = database_in(folder);
   ASSERT_TRUE(sqlite::migrate(database));
   Result<sqlite::SqlStatement> plan =
@@ -55,7 +55,7 @@ TEST(JobState, TheListForSqlReadsAsInTheIndexOfUnfinishedJobs) {
 }
 
 TEST(JobState, ARowOfAnUnknownStateIsToldAsDamagedWithItsJob) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   std::string id;
   {
     const auto store = opened(folder.path());

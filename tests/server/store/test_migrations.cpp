@@ -9,7 +9,7 @@
 namespace toile {
 namespace {
 
-sqlite::SqlDatabase database_in(const jobs::TemporaryFolder& folder) {
+sqlite::SqlDatabase database_in(const TemporaryFolder& folder) {
   Result<sqlite::SqlDatabase> database = sqlite::SqlDatabase::open(folder.path() + "/toile.db");
   EXPECT_TRUE(database);
   return std::move(*database);
@@ -22,7 +22,7 @@ std::int64_t number(sqlite::SqlDatabase& database, const char* sql) {
 }
 
 TEST(Migrations, TakeAnEmptyDatabaseToThePresentSchemaOnce) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   sqlite::SqlDatabase database = database_in(folder);
   ASSERT_TRUE(sqlite::migrate(database));
   ASSERT_TRUE(sqlite::migrate(database)) << "a second time changes nothing";
@@ -37,7 +37,7 @@ TEST(Migrations, AreNumberedWithoutGaps) {
 }
 
 TEST(Migrations, RefuseADatabaseThatANewerProgramHasWritten) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   opened(folder.path());
   {
     sqlite::SqlDatabase database = database_in(folder);
@@ -51,7 +51,7 @@ TEST(Migrations, RefuseADatabaseThatANewerProgramHasWritten) {
 }
 
 TEST(Migrations, GoOnFromWhereAnOlderProgramStopped) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   sqlite::SqlDatabase database = database_in(folder);
   const std::array<sqlite::Migration, 2> steps{{
       {1, "things", "CREATE TABLE things (a INTEGER); INSERT INTO things VALUES (7)"},
@@ -63,7 +63,7 @@ TEST(Migrations, GoOnFromWhereAnOlderProgramStopped) {
 }
 
 TEST(Migrations, LeaveNothingOfAStepThatFails) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   sqlite::SqlDatabase database = database_in(folder);
   const std::array<sqlite::Migration, 2> steps{{
       {1, "good", "CREATE TABLE things (a INTEGER)"},

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 std::string odd_bytes() { return std::string("a\0b\r\n\xff'\"", 8); }
 
 TEST(SqliteStore, KeepsAnAssetOverAReopening) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   store::AssetRow given = named("dxf", "Rock blau.DXF");
   given.info = R"({"pieces": []})";
   std::string id;
@@ -40,7 +40,7 @@ TEST(SqliteStore, KeepsAnAssetOverAReopening) {
 }
 
 TEST(SqliteStore, GivesAPathThatEndsAsTheUploadedNameDoes) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto store = opened(folder.path());
   const Result<store::AssetRow> kept = store->put_asset(kMe, named("body", "Ann.OBJ"), "v 0 0 0\n");
   ASSERT_TRUE(kept);
@@ -52,7 +52,7 @@ TEST(SqliteStore, GivesAPathThatEndsAsTheUploadedNameDoes) {
 }
 
 TEST(SqliteStore, TakesTheSameFileUnderTheSameNameAndKindForOneAsset) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto store = opened(folder.path());
   store::AssetRow first = named("body", "a.obj");
   first.info = R"({"first": true})";
@@ -72,7 +72,7 @@ TEST(SqliteStore, TakesTheSameFileUnderTheSameNameAndKindForOneAsset) {
 }
 
 TEST(SqliteStore, KeepsAProjectOverAReopening) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   store::ProjectRow made;
   {
     const auto store = opened(folder.path());
@@ -91,7 +91,7 @@ TEST(SqliteStore, KeepsAProjectOverAReopening) {
 }
 
 TEST(SqliteStore, ReplacesAProjectOnlyAtTheExpectedRevision) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto store = opened(folder.path());
   store::ProjectRow row = *store->create_project(kMe, some_project("one"));
   row.name = "two";
@@ -112,7 +112,7 @@ TEST(SqliteStore, ReplacesAProjectOnlyAtTheExpectedRevision) {
 }
 
 TEST(SqliteStore, ForgetsARemovedProjectAndKeepsItsJobs) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto store = opened(folder.path());
   const store::ProjectRow row = *store->create_project(kMe, some_project("gone"));
   store::JobRow job = some_job("stays");
@@ -125,7 +125,7 @@ TEST(SqliteStore, ForgetsARemovedProjectAndKeepsItsJobs) {
 }
 
 TEST(SqliteStore, ListsNewestFirstPageByPage) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto store = opened(folder.path());
   std::vector<std::string> made, listed;
   for (int i = 0; i < 25; ++i) {
@@ -154,7 +154,7 @@ TEST(SqliteStore, ListsNewestFirstPageByPage) {
 }
 
 TEST(SqliteStore, RefusesACursorThatNoListGave) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto store = opened(folder.path());
   for (const char* cursor : {"x", "p_", "j_00000000000000000000", "p_0000000000000000000'", "~"}) {
     EXPECT_EQ(code_of(store->projects(kMe, cursor, 10)), "store.cursor") << cursor;
@@ -163,7 +163,7 @@ TEST(SqliteStore, RefusesACursorThatNoListGave) {
 }
 
 TEST(SqliteStore, KeepsAJobAndWhatBecomesOfItOverAReopening) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   store::JobRow job = some_job("drape");
   {
     const auto store = opened(folder.path());
@@ -202,7 +202,7 @@ TEST(SqliteStore, KeepsAJobAndWhatBecomesOfItOverAReopening) {
 }
 
 TEST(SqliteStore, NamesTheUnfinishedJobsOfAllOwnersOldestFirst) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto store = opened(folder.path());
   for (const auto& [owner, state] :
        std::vector<std::pair<std::string, store::JobState>>{{"b", store::JobState::kRunning},
@@ -228,7 +228,7 @@ TEST(SqliteStore, NamesTheUnfinishedJobsOfAllOwnersOldestFirst) {
 }
 
 TEST(SqliteStore, MakesOneJobOfOneIdempotencyKey) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   std::string id;
   {
     const auto store = opened(folder.path());
@@ -248,7 +248,7 @@ TEST(SqliteStore, MakesOneJobOfOneIdempotencyKey) {
 }
 
 TEST(SqliteStore, RefusesAnIdempotencyKeyForAnotherProject) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto store = opened(folder.path());
   const auto once = store->create_job(kMe, some_job("once"), "key");
   ASSERT_TRUE(once && once->anew);
@@ -273,7 +273,7 @@ TEST(SqliteStore, RefusesAnIdempotencyKeyForAnotherProject) {
 }
 
 TEST(SqliteStore, MakesOneProjectOfOneIdempotencyKey) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   std::string id;
   {
     const auto store = opened(folder.path());
@@ -295,7 +295,7 @@ TEST(SqliteStore, MakesOneProjectOfOneIdempotencyKey) {
 }
 
 TEST(SqliteStore, RemovesAProjectOnlyAtTheExpectedRevision) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto store = opened(folder.path());
   const store::ProjectRow row = *store->create_project(kMe, some_project("one"));
   ASSERT_TRUE(store->replace_project(kMe, row, 1));
@@ -306,7 +306,7 @@ TEST(SqliteStore, RemovesAProjectOnlyAtTheExpectedRevision) {
 }
 
 TEST(SqliteStore, FindsNothingForAnotherOwner) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto store = opened(folder.path());
   const store::AssetRow asset = *store->put_asset(kMe, named("dxf", "a.dxf"), "mine");
   const store::ProjectRow project = *store->create_project(kMe, some_project("mine"));
@@ -332,7 +332,7 @@ TEST(SqliteStore, FindsNothingForAnotherOwner) {
 }
 
 TEST(SqliteStore, KeepsResultsAndReplacesThem) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   std::string id;
   {
     const auto store = opened(folder.path());
@@ -351,7 +351,7 @@ TEST(SqliteStore, KeepsResultsAndReplacesThem) {
 }
 
 TEST(SqliteStore, RefusesNamesThatLeaveTheirFolder) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto store = opened(folder.path());
   const std::string id = store->create_job(kMe, some_job("drape"), "")->id;
   for (const std::string& name :
@@ -371,7 +371,7 @@ TEST(SqliteStore, RefusesNamesThatLeaveTheirFolder) {
 }
 
 TEST(SqliteStore, RemembersSettings) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   {
     const auto store = opened(folder.path());
     EXPECT_FALSE(store->get_setting(kMe, "sample")->has_value());
@@ -382,7 +382,7 @@ TEST(SqliteStore, RemembersSettings) {
 }
 
 TEST(SqliteStore, TreatsTextAsTextAndNotAsSql) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto store = opened(folder.path());
   const std::string evil = "'; DROP TABLE projects; --";
   const store::ProjectRow row = *store->create_project(store::RequestContext(evil), some_project(evil));
@@ -391,7 +391,7 @@ TEST(SqliteStore, TreatsTextAsTextAndNotAsSql) {
 }
 
 TEST(SqliteStore, TellsWhenAFileHasChangedOrGone) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto store = opened(folder.path());
   const store::AssetRow asset = *store->put_asset(kMe, named("dxf", "a.dxf"), "content");
   const std::string path = *store->asset_path(kMe, asset.id);
@@ -406,12 +406,12 @@ TEST(SqliteStore, TellsWhenAFileHasChangedOrGone) {
 }
 
 TEST(SqliteStore, AnswersAPing) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   EXPECT_TRUE(opened(folder.path())->ping());
 }
 
 TEST(SqliteStore, HasItsFolderForItself) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto store = opened(folder.path());
   const Result<std::unique_ptr<store::Store>> second = sqlite::open_sqlite_store(folder.path());
   ASSERT_FALSE(second);
@@ -420,7 +420,7 @@ TEST(SqliteStore, HasItsFolderForItself) {
 }
 
 TEST(SqliteStore, SaysWhereItCannotBeOpened) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   std::ofstream(folder.path() + "/file") << "in the way";
   const Result<std::unique_ptr<store::Store>> in_file = sqlite::open_sqlite_store(folder.path() + "/file");
   ASSERT_FALSE(in_file);
@@ -434,7 +434,7 @@ TEST(SqliteStore, SaysWhereItCannotBeOpened) {
 }
 
 TEST(SqliteStore, RemovesWhatACrashLeftInItsScratchFolder) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const std::string scratch = opened(folder.path())->scratch_folder();
   std::ofstream(scratch + "/half") << "written";
   const auto store = opened(folder.path());

@@ -38,7 +38,7 @@ store::JobRow job_with(store::Store& store, store::JobState state, const std::ve
 }
 
 TEST(StoreSweep, RemovesBlobsThatNoAssetNamesAndNoOthers) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   std::string id;
   std::set<std::string> named;
   {
@@ -59,7 +59,7 @@ TEST(StoreSweep, RemovesBlobsThatNoAssetNamesAndNoOthers) {
 }
 
 TEST(StoreSweep, RemovesResultsThatNoJobNamesAndNoOthers) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   std::string done, cancelled, cut_off;
   {
     const auto store = opened(folder.path());
@@ -79,7 +79,7 @@ TEST(StoreSweep, RemovesResultsThatNoJobNamesAndNoOthers) {
 }
 
 TEST(StoreSweep, RemovesNothingWhenTheDatabaseIsNew) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   std::set<std::string> blobs, results;
   {
     const auto store = opened(folder.path());
@@ -96,7 +96,7 @@ TEST(StoreSweep, RemovesNothingWhenTheDatabaseIsNew) {
 }
 
 TEST(StoreSweep, RemovesTheResultsOfOneJobOnRequest) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto store = opened(folder.path());
   const std::string id = job_with(*store, store::JobState::kCancelled, {"report.json"}, {}).id;
   const std::string other =

@@ -21,7 +21,7 @@ void on_threads(Work work) {
 }
 
 TEST(StoreThreads, GiveEachJobItsOwnIdAndLoseNone) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto store = opened(folder.path());
   constexpr int kEach = 10;
   std::atomic<int> faults{0};
@@ -50,7 +50,7 @@ TEST(StoreThreads, GiveEachJobItsOwnIdAndLoseNone) {
 }
 
 TEST(StoreThreads, LetOneOfManyReplaceARevision) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto store = opened(folder.path());
   const store::ProjectRow row = *store->create_project(kMe, some_project("one"));
   std::atomic<int> won{0}, conflicts{0};
@@ -67,7 +67,7 @@ TEST(StoreThreads, LetOneOfManyReplaceARevision) {
 }
 
 TEST(StoreThreads, MakeOneJobOfOneIdempotencyKey) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto store = opened(folder.path());
   std::vector<std::string> ids(kThreads);
   on_threads([&](int thread) {
