@@ -71,7 +71,7 @@ inline OpenedDocuments opened_documents(const std::string& folder) { return Open
 
 /// A store with the two files uploaded.
 struct ClothStore {
-  jobs::TemporaryFolder folder;
+  TemporaryFolder folder;
   OpenedDocuments store = opened_documents(folder.path());
   std::string dxf = documents::add_asset(store.documents(), kMe, "dxf", "cloth.dxf", cloth_dxf())->id;
   std::string body = documents::add_asset(store.documents(), kMe, "body", "post.obj", kPostObj)->id;

@@ -19,7 +19,7 @@ double number_at(const json::JsonValue& value, const char* key) {
 }
 
 TEST(Assets, TellThePiecesOfADrawing) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto store = opened_documents(folder.path());
   const Result<store::AssetRow> row =
       documents::add_asset(store.documents(), kMe, "dxf", "cloth.dxf", cloth_dxf());
@@ -40,7 +40,7 @@ TEST(Assets, TellThePiecesOfADrawing) {
 }
 
 TEST(Assets, TellTheSizeOfABody) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto store = opened_documents(folder.path());
   const Result<store::AssetRow> row =
       documents::add_asset(store.documents(), kMe, "body", "Post.OBJ", kPostObj);
@@ -55,7 +55,7 @@ TEST(Assets, TellTheSizeOfABody) {
 }
 
 TEST(Assets, KeepNothingOfAFileThatCannotBeRead) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto store = opened_documents(folder.path());
   const Result<store::AssetRow> drawing = documents::add_asset(
       store.documents(), kMe, "dxf", "cut.dxf", "0\nSECTION\n2\nENTITIES\n0\nLINE\n10\nwide\n");
@@ -87,7 +87,7 @@ std::string gltf_of(const std::string& uri) {
 }
 
 TEST(Assets, DoNotReadOtherFilesThatAnUploadedOneNames) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto store = opened_documents(folder.path());
   const std::array<float, 9> secret{0, 0, 0, 1, 0, 0, 0, 1, 0.25f};
   std::ofstream(folder.path() + "/secret", std::ios::binary)
@@ -107,7 +107,7 @@ TEST(Assets, DoNotReadOtherFilesThatAnUploadedOneNames) {
 }
 
 TEST(Assets, TellTheSizeOfAPictureByItsBytes) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto store = opened_documents(folder.path());
   const std::string png = test::png_of(test::squares(24));
   const Result<store::AssetRow> row =
@@ -129,7 +129,7 @@ TEST(Assets, TellTheSizeOfAPictureByItsBytes) {
 }
 
 TEST(Assets, HaveOneOfAFewKinds) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto store = opened_documents(folder.path());
   EXPECT_EQ(code_of(documents::add_asset(store.documents(), kMe, "picture", "a.png", "x")), "documents.kind");
   EXPECT_EQ(code_of(documents::add_asset(store.documents(), kMe, "", "a.dxf", cloth_dxf())),
@@ -137,7 +137,7 @@ TEST(Assets, HaveOneOfAFewKinds) {
 }
 
 TEST(Assets, HaveALargestSize) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto store = opened_documents(folder.path());
   const std::string large((std::size_t{50} << 20) + 1, '\n');
   const Result<store::AssetRow> row = documents::add_asset(store.documents(), kMe, "dxf", "a.dxf", large);
@@ -147,7 +147,7 @@ TEST(Assets, HaveALargestSize) {
 }
 
 TEST(Assets, RefuseNamesThatLeaveTheirFolder) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto store = opened_documents(folder.path());
   for (const char* name : {"../cloth.dxf", "/cloth.dxf", "a/b.dxf", "..", ".dxf", "a\n.dxf", ""}) {
     EXPECT_EQ(code_of(documents::add_asset(store.documents(), kMe, "dxf", name, cloth_dxf())),

@@ -18,7 +18,7 @@ store::AssetRow body(const OpenedDocuments& store, const std::string& name) {
 }
 
 TEST(BodyCache, ReadsABodyOnceForEachSetting) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto store = opened_documents(folder.path());
   documents::BodyCache cache(10 * kPostBytes);
   const std::string id = body(store, "a.obj").id;
@@ -34,7 +34,7 @@ TEST(BodyCache, ReadsABodyOnceForEachSetting) {
 }
 
 TEST(BodyCache, LetsGoOfWhatWasUsedLongestAgo) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto store = opened_documents(folder.path());
   documents::BodyCache cache(2 * kPostBytes);
   const std::string a = body(store, "a.obj").id, b = body(store, "b.obj").id, c = body(store, "c.obj").id;
@@ -48,7 +48,7 @@ TEST(BodyCache, LetsGoOfWhatWasUsedLongestAgo) {
 }
 
 TEST(BodyCache, HoldsNothingThatIsLargerThanItself) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto store = opened_documents(folder.path());
   documents::BodyCache cache(kPostBytes - 1);
   EXPECT_TRUE(cache.mesh(store.documents().store(), kMe, body(store, "a.obj").id, {}));
@@ -56,7 +56,7 @@ TEST(BodyCache, HoldsNothingThatIsLargerThanItself) {
 }
 
 TEST(BodyCache, GivesNobodyAnothersBody) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto store = opened_documents(folder.path());
   documents::BodyCache cache(10 * kPostBytes);
   const std::string id = body(store, "a.obj").id;
@@ -65,7 +65,7 @@ TEST(BodyCache, GivesNobodyAnothersBody) {
 }
 
 TEST(BodyCache, ServesManyThreads) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto store = opened_documents(folder.path());
   documents::BodyCache cache(2 * kPostBytes);
   const std::vector<std::string> ids{body(store, "a.obj").id, body(store, "b.obj").id,

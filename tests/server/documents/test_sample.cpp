@@ -22,7 +22,7 @@ std::vector<std::string> ids_in(const OpenedDocuments& store) {
 }
 
 TEST(Sample, IsThereAfterTheFirstStartAndOnlyOnce) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   {
     const auto store = opened_documents(folder.path());
     const Status added = documents::add_sample_project(store.documents(), kMe, kSkirt);
@@ -45,7 +45,7 @@ TEST(Sample, IsThereAfterTheFirstStartAndOnlyOnce) {
 }
 
 TEST(Sample, DoesNotComeBackOnceItIsDeleted) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto store = opened_documents(folder.path());
   ASSERT_TRUE(documents::add_sample_project(store.documents(), kMe, kSkirt));
   ASSERT_TRUE(store->remove_project(kMe, ids_in(store).front(), 0));
@@ -64,7 +64,7 @@ TEST(Sample, IsNotAddedTwiceWhenTheFirstStartWasCutOff) {
 }
 
 TEST(Sample, IsTriedAgainWhenItsFolderWasNotThere) {
-  const jobs::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto store = opened_documents(folder.path());
   EXPECT_EQ(code_of(documents::add_sample_project(store.documents(), kMe, folder.path() + "/absent")),
             "project.file");
