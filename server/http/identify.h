@@ -27,7 +27,7 @@ class RequestIds {
 store::RequestContext local_user(const std::string& request_id, const Log& log);
 
 /// The context of a request. Its id is the caller's X-Request-Id when that is plain (1 to 64 letters, digits,
-/// '-', '_', '.'), so that a caller finds its own words in the log; else a new one.
+/// '-', '_', '.'), so that a caller finds its own words in the log, and in the answer; else a new one.
 store::RequestContext identify(const HttpRequest& request, RequestIds& ids, const Log& log);
 
 }  // namespace toile::http

@@ -280,7 +280,7 @@ asio::awaitable<bool> HttpSession::write(const HttpRequest& request, HttpRespons
   message.set("Referrer-Policy", "no-referrer");
   message.set("Cross-Origin-Resource-Policy", "same-origin");
   if (!response.content_type.empty()) message.set(http::field::content_type, response.content_type);
-  message.set("X-Request-Id", asked_.request_id);
+  if (request.header("x-request-id") == asked_.request_id) message.set("X-Request-Id", asked_.request_id);
   for (const auto& [name, value] : response.headers) message.set(name, value);
   if (!bodiless) message.content_length(response.body.size());
   if (request.method != "HEAD" && !bodiless) message.body() = std::move(response.body);

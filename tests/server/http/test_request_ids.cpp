@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <set>
 #include <stdexcept>
 
 #include "server/http/identify.h"
@@ -37,6 +38,16 @@ class KeptLines final : public LogSink {
     }
     return out;
   }
+  /// How many requests have an id that the server made.
+  std::size_t with_made_ids() const {
+    const std::lock_guard hold(mutex_);
+    std::set<std::string> ids;
+    for (const Line& line : lines_) {
+      const auto id = line.fields.find("request");
+      if (id != line.fields.end() && id->second.starts_with("r_")) ids.insert(id->second);
+    }
+    return ids.size();
+  }
 
  private:
   mutable std::mutex mutex_;
@@ -61,25 +72,23 @@ class RequestLog : public Served {
   KeptLines lines;
 };
 
-TEST_F(RequestLog, AnAnswerSaysWhatItsRequestIsCalled) {
-  const std::string first = get("/healthz").headers.at("x-request-id");
-  const std::string second = get("/api/v1/nothing").headers.at("x-request-id");
-  EXPECT_TRUE(first.starts_with("r_"));
-  EXPECT_NE(first, second);
-  ASSERT_EQ(lines.of(second).size(), 1u);
-  const KeptLines::Line line = lines.of(second)[0];
+TEST_F(RequestLog, EveryLineOfARequestHasTheIdThatItsCallerGave) {
+  EXPECT_EQ(get("/api/v1/nothing", "X-Request-Id: page-17.a\r\n").headers.at("x-request-id"), "page-17.a");
+  ASSERT_EQ(lines.of("page-17.a").size(), 1u);
+  const KeptLines::Line line = lines.of("page-17.a")[0];
   EXPECT_EQ(line.event, "answered");
   EXPECT_EQ(line.fields.at("status"), "404");
   EXPECT_EQ(line.fields.at("target"), "/api/v1/nothing");
   EXPECT_EQ(line.fields.at("owner"), "local");
 }
 
-TEST_F(RequestLog, ACallersOwnPlainIdIsKeptAndAnyOtherReplaced) {
-  EXPECT_EQ(get("/healthz", "X-Request-Id: page-17.a\r\n").headers.at("x-request-id"), "page-17.a");
+TEST_F(RequestLog, ARequestWithoutAPlainIdGetsOneInTheLogAndNoneInItsAnswer) {
+  EXPECT_FALSE(get("/one").headers.contains("x-request-id"));
   for (const std::string& id : {std::string("two words"), std::string("\"quoted\""), std::string(65, 'a')}) {
-    EXPECT_TRUE(get("/healthz", "X-Request-Id: " + id + "\r\n").headers.at("x-request-id").starts_with("r_"))
-        << id;
+    EXPECT_FALSE(get("/one", "X-Request-Id: " + id + "\r\n").headers.contains("x-request-id")) << id;
+    EXPECT_TRUE(lines.of(id).empty());
   }
+  EXPECT_EQ(lines.with_made_ids(), 4u);
 }
 
 TEST_F(RequestLog, AnExceptionOfAHandlerIsToldWithItsPlaceAndItsRequest) {
