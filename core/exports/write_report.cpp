@@ -1,75 +1,122 @@
 #include "core/exports/write_report.h"
 
+#include <string_view>
+#include <utility>
+
 #include <nlohmann/json.hpp>
 
 #include "core/base/write_file.h"
+#include "core/exports/report_fields.h"
 
 namespace toile::exports {
-
 namespace {
 
-nlohmann::ordered_json strain_json(const analysis::StrainFigures& f) {
-  return {{"mean", f.mean}, {"p99", f.p99}, {"max", f.max}};
+using Json = nlohmann::ordered_json;
+
+ReportFigures figures_of(const analysis::StrainFigures& f) { return {f.mean, f.p99, f.max}; }
+
+ReportStretch stretch_of(const analysis::StretchFigures& f) {
+  return {figures_of(f), figures_of(f.tension), figures_of(f.compression)};
 }
 
-nlohmann::ordered_json stretch_json(const analysis::StretchFigures& f) {
-  nlohmann::ordered_json j = strain_json(f);
-  j["tension"] = strain_json(f.tension);
-  j["compression"] = strain_json(f.compression);
-  return j;
+ReportFinding finding_of(const preflight::Finding& f) {
+  return {.code = {std::string(preflight::code_of(f.kind))},
+          .severity = preflight::name_of(f.severity),
+          .message = {f.message},
+          .where = {preflight::where_text(f)},
+          .place = {f.place.x, f.place.y, f.place.z},
+          .repaired = f.repaired};
 }
 
-nlohmann::ordered_json finding_json(const preflight::Finding& f) {
-  return {{"code", preflight::code_of(f.kind)},
-          {"severity", preflight::name_of(f.severity)},
-          {"message", f.message},
-          {"where", preflight::where_text(f)},
-          {"place", {f.place.x, f.place.y, f.place.z}},
-          {"repaired", f.repaired}};
+ReportAttachment attachment_of(const analysis::AttachmentFigures& a) {
+  ReportAttachment out{{a.id}, a.released, a.off_mm, {}};
+  if (a.released) out.released_s = a.released_s;
+  return out;
 }
 
-nlohmann::ordered_json attachment_json(const analysis::AttachmentFigures& a) {
-  nlohmann::ordered_json j{{"id", a.id}, {"released", a.released}, {"off_mm", a.off_mm}};
-  if (a.released) j["released_s"] = a.released_s;
-  return j;
+ReportDocument document_of(const analysis::Report& r) {
+  ReportDocument out;
+  out.name = {r.name};
+  out.settled = r.settled();
+  out.stop_reason = {drape::to_string(r.stop_reason)};
+  out.cpu_s = r.cpu_s;
+  out.wall_s = r.wall_s;
+  out.resumed = r.resumed;
+  out.steps = r.steps;
+  out.simulated_s = r.simulated_s;
+  out.particles = r.particles;
+  out.sewn_particles = r.sewn_particles;
+  out.triangles = r.triangles;
+  out.body_triangles = r.body_triangles;
+  out.intersections = {r.intersections.cloth_body,
+                       r.intersections.cloth_cloth,
+                       {r.worst_frame_step, r.worst_frame.cloth_body, r.worst_frame.cloth_cloth},
+                       r.frames_checked};
+  out.seam_gap_max_mm = r.seam_gap_max_mm;
+  for (const analysis::AttachmentFigures& a : r.attachments) out.attachments.push_back(attachment_of(a));
+  out.strain = {stretch_of(r.warp), stretch_of(r.weft), figures_of(r.shear)};
+  out.rms_speed = r.rms_speed;
+  out.max_speed = r.max_speed;
+  out.lowest_m = r.lowest_m;
+  out.highest_m = r.highest_m;
+  for (const preflight::Finding& f : r.findings) out.findings.push_back(finding_of(f));
+  out.hash = {r.hash};
+  return out;
+}
+
+Json json_of(bool value) { return value; }
+Json json_of(int value) { return value; }
+Json json_of(double value) { return value; }
+Json json_of(const std::string& value) { return value; }
+Json json_of(const FreeText& value) { return value.text; }
+Json json_of(const HexHash& value) { return value.digits; }
+Json json_of(const std::array<double, 3>& values) { return values; }
+template <typename T>
+Json json_of(const std::vector<T>& values);
+template <typename T>
+Json json_of(const T& object);
+
+/// Visitor that writes an object as it always stood in report.json: every key, whole numbers apart from
+/// others.
+struct ReportWriter {
+  Json object_json = Json::object();
+
+  void object(const char*, const char*) {}
+  template <typename T>
+  void field(const char* key, const T& value, const char*, fields::Need, fields::Range = fields::kAnything) {
+    object_json[key] = json_of(value);
+  }
+  void field(const char* key, const std::optional<double>& value, const char*, fields::Need, fields::Range) {
+    if (value) object_json[key] = *value;
+  }
+  void choice(const char* key, const std::string& value, const char*, fields::Words, fields::Need) {
+    object_json[key] = value;
+  }
+};
+
+template <typename T>
+Json json_of(const std::vector<T>& values) {
+  Json list = Json::array();
+  for (const T& value : values) list.push_back(json_of(value));
+  return list;
+}
+
+template <typename T>
+Json json_of(const T& object) {
+  T copy = object;  // a visitor takes places, and writes to none of them here
+  ReportWriter writer;
+  fields::describe(writer, copy);
+  return std::move(writer.object_json);
 }
 
 }  // namespace
 
-std::string report_json(const analysis::Report& r) {
-  nlohmann::ordered_json j;
-  j["name"] = r.name;
-  j["settled"] = r.settled();
-  j["stop_reason"] = drape::to_string(r.stop_reason);
-  j["cpu_s"] = r.cpu_s;
-  j["wall_s"] = r.wall_s;
-  j["resumed"] = r.resumed;
-  j["steps"] = r.steps;
-  j["simulated_s"] = r.simulated_s;
-  j["particles"] = r.particles;
-  j["sewn_particles"] = r.sewn_particles;
-  j["triangles"] = r.triangles;
-  j["body_triangles"] = r.body_triangles;
-  j["intersections"] = {{"cloth_body", r.intersections.cloth_body},
-                        {"cloth_cloth", r.intersections.cloth_cloth},
-                        {"worst_frame",
-                         {{"step", r.worst_frame_step},
-                          {"cloth_body", r.worst_frame.cloth_body},
-                          {"cloth_cloth", r.worst_frame.cloth_cloth}}},
-                        {"frames_checked", r.frames_checked}};
-  j["seam_gap_max_mm"] = r.seam_gap_max_mm;
-  j["attachments"] = nlohmann::ordered_json::array();
-  for (const analysis::AttachmentFigures& a : r.attachments) j["attachments"].push_back(attachment_json(a));
-  j["strain"] = {
-      {"warp", stretch_json(r.warp)}, {"weft", stretch_json(r.weft)}, {"shear", strain_json(r.shear)}};
-  j["rms_speed"] = r.rms_speed;
-  j["max_speed"] = r.max_speed;
-  j["lowest_m"] = r.lowest_m;
-  j["highest_m"] = r.highest_m;
-  j["findings"] = nlohmann::ordered_json::array();
-  for (const preflight::Finding& f : r.findings) j["findings"].push_back(finding_json(f));
-  j["hash"] = r.hash;
-  return j.dump(2) + "\n";
+std::string report_json(const analysis::Report& report) { return json_of(document_of(report)).dump(2) + "\n"; }
+
+json::JsonValue report_schema() {
+  fields::Definitions definitions;
+  const json::JsonValue schema = fields::schema_of(ReportDocument{}, fields::kAnything, definitions);
+  return fields::schema_file("Toile report", "", schema, definitions);
 }
 
 Status write_report(const std::filesystem::path& path, const analysis::Report& report) {

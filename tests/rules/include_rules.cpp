@@ -52,7 +52,7 @@ const std::map<std::string, Names>& table() {
       {"sqlite", {"store"}},
       {"log", {}},
       {"analysis", {"drape"}},
-      {"exports", {"analysis", "drape", "geometry", "image", "material", "mesh"}},
+      {"exports", {"analysis", "drape", "fields", "geometry", "image", "json", "material", "mesh"}},
       {"documents", {"arrange",   "create",  "drape",     "dxf",     "editing", "garmentcode", "geometry",
                      "image",     "json",    "mannequin", "measure", "mesh",    "mesh_import", "pattern",
                      "preflight", "project", "proto",     "resolve", "seams",   "sewing",      "store"}},

@@ -2,13 +2,15 @@
 // JSON objects as structs, said once: for each struct a function describe(visitor, object) names its keys,
 // where they go, what they mean and what they may be. Readers, writers and the schema are visitors of these
 // functions, so that they cannot disagree. A visitor has
-//   object(name, meaning)                   first of all: the object's name among the schema's definitions
-//                                           (empty: it is written out where it stands) and what it is
-//   field(key, place, meaning, need, range) any value; the range holds for numbers and for the count of a
-//   list file(key, place, meaning, need)         a string that names a file choice(key, place, meaning,
-//   {words})    a string out of a few; absent: stays as it is shared_choice(name, meaning, key, place,
-//   {words})  the same, where several objects have it exactly_one(key, key, …)                of these keys,
-//   one must be there
+//
+//   object(name, meaning)         said first: the object's name among the schema's definitions (empty: it is
+//                                 written out where it stands) and what it is
+//   field(key, place, meaning, need, range)    any value; the range is of numbers, and of a list's count
+//   file(key, place, meaning, need)            a string that names a file
+//   choice(key, place, meaning, {words}, need) a string out of a few; absent: stays as it is
+//   shared_choice(name, meaning, key, place, {words})    the same, where several objects have it
+//   exactly_one(key, key, …)      of these keys, one must be there
+//
 // Meanings are for people who read the schema; units stand first in them. An empty one: the value's own
 // definition says enough. The functions stand in this namespace, which is the visitors' own: there the
 // compiler looks for them.

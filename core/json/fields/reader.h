@@ -149,7 +149,9 @@ struct KeyNames {
   void file(std::string_view key, std::string&, const char*, Need = Need::kOptional) {
     keys.emplace_back(key);
   }
-  void choice(std::string_view key, std::string&, const char*, Words) { keys.emplace_back(key); }
+  void choice(std::string_view key, std::string&, const char*, Words, Need = Need::kOptional) {
+    keys.emplace_back(key);
+  }
   void shared_choice(const char*, const char*, std::string_view key, std::string&, Words) {
     keys.emplace_back(key);
   }
@@ -179,8 +181,9 @@ class FieldReader {
     field(key, out, meaning, need);
   }
 
-  void choice(std::string_view key, std::string& out, const char* meaning, Words words) {
-    field(key, out, meaning);
+  void choice(std::string_view key, std::string& out, const char* meaning, Words words,
+              Need need = Need::kOptional) {
+    field(key, out, meaning, need);
     if (at_.error || !at_.value.find(key)) return;
     const std::vector<std::string> names(words.begin(), words.end());
     if (std::find(names.begin(), names.end(), out) != names.end()) return;

@@ -168,8 +168,9 @@ class SchemaWriter {
     });
     add(key, described(meaning, schema), need);
   }
-  void choice(std::string_view key, std::string&, const char* meaning, Words words) {
-    add(key, described(meaning, choice_schema(words)), Need::kOptional);
+  void choice(std::string_view key, std::string&, const char* meaning, Words words,
+              Need need = Need::kOptional) {
+    add(key, described(meaning, choice_schema(words)), need);
   }
   void shared_choice(const char* name, const char* meaning, std::string_view key, std::string&, Words words) {
     add(key, definitions_.refer(name, [&] { return described(meaning, choice_schema(words)); }),
@@ -223,9 +224,7 @@ struct ObjectName {
   void field(Said&&...) {}
   template <typename... Said>
   void file(Said&&...) {}
-  template <typename... Said>
-  void choice(std::string_view, std::string&, Said&&...) {}
-  void choice(std::string_view, std::string&, const char*, Words) {}
+  void choice(std::string_view, std::string&, const char*, Words, Need = Need::kOptional) {}
   void shared_choice(const char*, const char*, std::string_view, std::string&, Words) {}
   template <typename... Keys>
   void exactly_one(Keys...) {}

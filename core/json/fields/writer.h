@@ -84,7 +84,7 @@ struct FieldWriter {
   void file(std::string_view key, std::string& value, const char* meaning, Need = Need::kOptional) {
     field(key, value, meaning);
   }
-  void choice(std::string_view key, std::string& value, const char* meaning, Words) {
+  void choice(std::string_view key, std::string& value, const char* meaning, Words, Need = Need::kOptional) {
     field(key, value, meaning);
   }
   void shared_choice(const char*, const char* meaning, std::string_view key, std::string& value, Words) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "core/base/write_file.h"
+#include "core/exports/write_report.h"
 #include "core/project/editing/edits.h"
 #include "core/project/schema.h"
 
@@ -16,6 +17,7 @@ int main(int count, char** arguments) {
   const std::pair<const char*, toile::json::JsonValue> files[] = {
       {"project.schema.json", toile::project::project_schema()},
       {"edit.schema.json", toile::editing::edit_schema()},
+      {"report.schema.json", toile::exports::report_schema()},
   };
   for (const auto& [name, schema] : files) {
     const toile::Status written = toile::write_file(folder / name, toile::json::write_json(schema));

@@ -2461,10 +2461,10 @@ export interface components {
                 id: string;
                 /** @description Whether it has let go. */
                 released: boolean;
-                /** @description s of simulated time; absent while it holds. */
-                released_s?: number;
                 /** @description mm; how far what it holds was from where it should be, at most: when it was released, or else at the end. */
                 off_mm: number;
+                /** @description s of simulated time; absent while it holds. */
+                released_s?: number;
             }[];
             /** @description Magnitudes of strain over the triangles at the end: stretch as a ratio, shear in radians. */
             strain: {
