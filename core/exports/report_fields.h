@@ -87,7 +87,8 @@ inline json::JsonValue schema_of(const exports::FreeText&, Range, Definitions&) 
   return std::vector<json::JsonMember>{{"type", std::string("string")}};
 }
 inline json::JsonValue schema_of(const exports::HexHash&, Range, Definitions&) {
-  return std::vector<json::JsonMember>{{"type", std::string("string")}, {"pattern", std::string("^[0-9a-f]{32}$")}};
+  return std::vector<json::JsonMember>{{"type", std::string("string")},
+                                       {"pattern", std::string("^[0-9a-f]{32}$")}};
 }
 
 template <typename Visitor>

@@ -111,7 +111,9 @@ Json json_of(const T& object) {
 
 }  // namespace
 
-std::string report_json(const analysis::Report& report) { return json_of(document_of(report)).dump(2) + "\n"; }
+std::string report_json(const analysis::Report& report) {
+  return json_of(document_of(report)).dump(2) + "\n";
+}
 
 json::JsonValue report_schema() {
   fields::Definitions definitions;

@@ -155,10 +155,9 @@ std::vector<json::JsonMember> arrangement_members(const arrange::Arrangement& ma
 Result<ArrangedProject> arrange_project(Documents& documents, const store::RequestContext& context,
                                         const std::string& id, int expected) {
   json::JsonValue arrangement;
-  const ProjectChange change = [&](const project::Project& now,
-                                   ProjectFileMap& files) -> Result<project::Project> {
-    const drape::DrapeInput input =
-        TRY(resolve::resolve_project(now, files_in_store(documents, context, files)));
+  const ProjectChange change = [&](const project::Project& now, ProjectFileMap&,
+                                   resolve::OpenedFiles& opened) -> Result<project::Project> {
+    const drape::DrapeInput input = TRY(resolve::resolve_project(now, opened));
     const arrange::Arrangement made = TRY(arrangement_of(input));
     arrangement = arrangement_members(made);
     project::Project wanted = now;
@@ -188,16 +187,15 @@ Result<PieceWish> read_piece_wish(const json::JsonValue& object) {
 
 Result<store::ProjectRow> place_piece(Documents& documents, const store::RequestContext& context,
                                       const std::string& id, const PieceWish& wish, int expected) {
-  const ProjectChange change = [&](const project::Project& now,
-                                   ProjectFileMap& files) -> Result<project::Project> {
+  const ProjectChange change = [&](const project::Project& now, ProjectFileMap&,
+                                   resolve::OpenedFiles& opened) -> Result<project::Project> {
     const auto at = std::find_if(now.pieces.begin(), now.pieces.end(),
                                  [&](const project::ProjectPiece& piece) { return piece.id == wish.piece; });
     if (at == now.pieces.end())
       return Error{"edit.unknown_piece", "There is no piece of that name.", "piece " + clipped(wish.piece)};
     project::Project wanted = now;
     wanted.pieces[static_cast<std::size_t>(at - now.pieces.begin())].placement = placement_of(wish);
-    const drape::DrapeInput input =
-        TRY(resolve::resolve_project(wanted, files_in_store(documents, context, files)));
+    const drape::DrapeInput input = TRY(resolve::resolve_project(wanted, opened));
     const std::optional<PieceWish> more = wish.with_partner ? partners_wish(input, wish) : std::nullopt;
     for (project::ProjectPiece& piece : wanted.pieces)
       if (more && piece.id == more->piece) piece.placement = placement_of(*more);

@@ -14,6 +14,7 @@
 
 namespace toile::documents {
 
+struct ReadCloth;
 struct StartView;
 
 /// Thread-safe. Whoever makes it owns its caches: two services in one process share nothing.
@@ -34,6 +35,8 @@ class Documents {
   RecentCache<std::vector<json::JsonMember>>& figures() { return figures_; }
   /// By owner, document and files (starts.h).
   RecentCache<StartView>& starts() { return starts_; }
+  /// By owner, document and files (read_cloth.h).
+  RecentCache<ReadCloth>& cloths() { return cloths_; }
 
  private:
   store::Store& store_;
@@ -41,6 +44,7 @@ class Documents {
   MannequinCache mannequins_;
   RecentCache<std::vector<json::JsonMember>> figures_;
   RecentCache<StartView> starts_;
+  RecentCache<ReadCloth> cloths_;
 };
 
 }  // namespace toile::documents

@@ -67,12 +67,10 @@ Status place_file(Documents& documents, const store::RequestContext& context, co
 }
 
 /// Its feet on the floor, once everything else is said.
-Status put_on_floor(Documents& documents, const store::RequestContext& context, ProjectFileMap& files,
-                    project::ProjectBody& body) {
+Status put_on_floor(resolve::OpenedFiles& opened, project::ProjectBody& body) {
   project::Project alone;
   alone.bodies = {body};
-  const drape::DrapeInput input =
-      TRY(resolve::resolve_project(alone, files_in_store(documents, context, files)));
+  const drape::DrapeInput input = TRY(resolve::resolve_project(alone, opened));
   const double floor = lowest(input.bodies[0].mesh);
   body.translation.y = -std::round(floor * 1e6) / 1e6 + 0.0;
   return {};
@@ -90,7 +88,7 @@ Result<project::ProjectBody> made_body(Documents& documents, const json::JsonVal
 
 Result<project::ProjectBody> body_of(Documents& documents, const store::RequestContext& context,
                                      const std::string& id, const json::JsonValue& wish,
-                                     ProjectFileMap& files) {
+                                     ProjectFileMap& files, resolve::OpenedFiles& opened) {
   const json::JsonValue* given = wish.find("asset");
   if (!given) return made_body(documents, document_part(wish, id));
   if (!given->text()) return bad_wish("\"asset\" is the id of an uploaded body", "asset");
@@ -106,7 +104,7 @@ Result<project::ProjectBody> body_of(Documents& documents, const store::RequestC
   project::ProjectBody body = TRY(project::read_body(part, ""));
   TRY(place_file(documents, context, wish, asset, body));
   files[name] = asset.id;
-  TRY(put_on_floor(documents, context, files, body));
+  TRY(put_on_floor(opened, body));
   return body;
 }
 
@@ -149,9 +147,9 @@ Result<store::ProjectRow> dress_project(Documents& documents, const store::Reque
                                         const std::string& id, const std::string& body,
                                         const json::JsonValue& wish, int expected) {
   TRY(check_keys(wish));
-  const ProjectChange change = [&](const project::Project& now,
-                                   ProjectFileMap& files) -> Result<project::Project> {
-    project::ProjectBody made = TRY(body_of(documents, context, body, wish, files));
+  const ProjectChange change = [&](const project::Project& now, ProjectFileMap& files,
+                                   resolve::OpenedFiles& opened) -> Result<project::Project> {
+    project::ProjectBody made = TRY(body_of(documents, context, body, wish, files, opened));
     project::Project wanted = now;
     const auto at = std::find_if(wanted.bodies.begin(), wanted.bodies.end(),
                                  [&](const project::ProjectBody& one) { return one.id == body; });
@@ -168,7 +166,8 @@ Result<store::ProjectRow> dress_project(Documents& documents, const store::Reque
 
 Result<store::ProjectRow> undress_project(Documents& documents, const store::RequestContext& context,
                                           const std::string& id, const std::string& body, int expected) {
-  const ProjectChange change = [&](const project::Project& now, ProjectFileMap&) -> Result<project::Project> {
+  const ProjectChange change = [&](const project::Project& now, ProjectFileMap&,
+                                   resolve::OpenedFiles&) -> Result<project::Project> {
     project::Project wanted = now;
     if (std::erase_if(wanted.bodies, [&](const project::ProjectBody& one) { return one.id == body; }) > 0)
       return wanted;

@@ -1,11 +1,13 @@
 #include "server/documents/edits.h"
 
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include "core/project/editing/edits.h"
 #include "core/project/project.h"
 #include "server/documents/projects.h"
+#include "server/documents/read_cloth.h"
 
 namespace toile::documents {
 namespace {
@@ -14,6 +16,7 @@ namespace {
 struct Standing {
   store::ProjectRow row;
   project::Project project;
+  std::shared_ptr<const ReadCloth> read;  ///< its cloth, where the text was read lately
 };
 
 Result<Standing> standing(Documents& documents, const store::RequestContext& context, const std::string& id,
@@ -24,23 +27,37 @@ Result<Standing> standing(Documents& documents, const store::RequestContext& con
                  "the project has changed since; it is at revision " + std::to_string(row.revision), "",
                  ErrorKind::kStale};
   }
-  project::Project project = TRY(project::parse_project(row.document));
-  return Standing{std::move(row), std::move(project)};
+  auto read = kept_cloth(documents, context.owner, row.document, row.files);
+  project::Project project = read ? read->project : TRY(project::parse_project(row.document));
+  return Standing{std::move(row), std::move(project), std::move(read)};
 }
 
-Result<editing::EditedProject> apply_in_store(Documents& documents, const store::RequestContext& context,
-                                              const Standing& at,
-                                              const std::vector<editing::ProjectEdit>& edits) {
-  return editing::apply_edits(at.project, edits, files_in_store(documents, context, at.row.files));
+Result<editing::EditedProject> apply(const Standing& at, const std::vector<editing::ProjectEdit>& edits,
+                                     resolve::OpenedFiles& files) {
+  return editing::apply_edits(at.project, edits, files, at.read ? &at.read->cloth.pattern : nullptr);
 }
 
+Result<editing::EditedProject> apply(Documents& documents, const store::RequestContext& context,
+                                     const Standing& at, const std::vector<editing::ProjectEdit>& edits) {
+  resolve::OpenedFiles files(files_in_store(documents, context, at.row.files));
+  return apply(at, edits, files);
+}
+
+/// Keeps the project in the store as edited, and what was read of it for whoever asks next. `original`: the
+/// text to keep where it is not the one that the edits gave.
 Result<store::ProjectRow> keep(Documents& documents, const store::RequestContext& context,
-                               const store::ProjectRow& was, std::string document, const std::string& name,
-                               store::EditStep step, const store::EditRow& edit) {
+                               const store::ProjectRow& was, editing::EditedProject edited,
+                               store::EditStep step, const store::EditRow& edit,
+                               const std::string& original = "") {
   store::ProjectRow row = was;
-  row.document = std::move(document);
-  row.name = name;
-  return documents.store().edit_project(context, row, was.revision, step, edit);
+  row.document = original.empty() ? std::move(edited.document) : original;
+  row.name = edited.project.name;
+  store::ProjectRow kept = TRY(documents.store().edit_project(context, row, was.revision, step, edit));
+  if (original.empty()) {
+    keep_cloth(documents, context.owner, kept.document, kept.files,
+               {std::move(edited.read_back), std::move(edited.cloth)});
+  }
+  return kept;
 }
 
 /// The edits of a row, as this program wrote them.
@@ -75,6 +92,19 @@ Status check_pictures(Documents& documents, const store::RequestContext& context
   return {};
 }
 
+/// Does the edits, as the newest step of the project's history.
+Result<store::ProjectRow> do_edits(Documents& documents, const store::RequestContext& context,
+                                   const Standing& at, const std::vector<editing::ProjectEdit>& edits,
+                                   resolve::OpenedFiles& files) {
+  editing::EditedProject edited = TRY(apply(at, edits, files));
+  TRY(check_pictures(documents, context, at.row.files, edits));
+  store::EditRow step;
+  step.edits = json::write_json_line(editing::edits_json(edits));
+  step.inverse = json::write_json_line(editing::edits_json(edited.inverse));
+  if (project::write_project_line(at.project) != at.row.document) step.original = at.row.document;
+  return keep(documents, context, at.row, std::move(edited), store::EditStep::kDo, step);
+}
+
 }  // namespace
 
 Result<store::ProjectRow> edit_project(Documents& documents, const store::RequestContext& context,
@@ -84,24 +114,24 @@ Result<store::ProjectRow> edit_project(Documents& documents, const store::Reques
   TRY(check_more_files(documents, context, at.row.files, more_files));
   at.row.files.insert(more_files.begin(), more_files.end());
   const std::vector<editing::ProjectEdit> wanted = TRY(editing::read_edits(edits, "/edits"));
-  editing::EditedProject edited = TRY(apply_in_store(documents, context, at, wanted));
-  TRY(check_pictures(documents, context, at.row.files, wanted));
-  store::EditRow step;
-  step.edits = json::write_json_line(editing::edits_json(wanted));
-  step.inverse = json::write_json_line(editing::edits_json(edited.inverse));
-  if (project::write_project_line(at.project) != at.row.document) step.original = at.row.document;
-  return keep(documents, context, at.row, std::move(edited.document), edited.project.name,
-              store::EditStep::kDo, step);
+  resolve::OpenedFiles files(files_in_store(documents, context, at.row.files));
+  return do_edits(documents, context, at, wanted, files);
 }
 
 Result<store::ProjectRow> change_project(Documents& documents, const store::RequestContext& context,
                                          const std::string& id, int expected, const ProjectChange& change) {
   Standing at = TRY(standing(documents, context, id, expected));
-  ProjectFileMap files = at.row.files;
-  const project::Project wanted = TRY(change(at.project, files));
+  const auto files = std::make_shared<ProjectFileMap>(at.row.files);  // a change may add to it
+  resolve::OpenedFiles opened(growing_files_in_store(documents, context, files));
+  const project::Project wanted = TRY(change(at.project, *files, opened));
   if (wanted == at.project) return std::move(at.row);
-  const std::vector<editing::ProjectEdit> edits{editing::edit_between(at.project, wanted)};
-  return edit_project(documents, context, id, editing::edits_json(edits), at.row.revision, files);
+  TRY(check_more_files(documents, context, at.row.files, *files));
+  at.row.files.insert(files->begin(), files->end());
+  // Through JSON, as a stranger's: so that a change can do no more than an edit may.
+  const std::vector<editing::ProjectEdit> difference{editing::edit_between(at.project, wanted)};
+  const std::vector<editing::ProjectEdit> edits =
+      TRY(editing::read_edits(editing::edits_json(difference), "/edits"));
+  return do_edits(documents, context, at, edits, opened);
 }
 
 Result<store::ProjectRow> undo_edit(Documents& documents, const store::RequestContext& context,
@@ -109,9 +139,8 @@ Result<store::ProjectRow> undo_edit(Documents& documents, const store::RequestCo
   const Standing at = TRY(standing(documents, context, id, expected));
   const store::EditRow step = TRY(next_step(documents, context, id, store::EditStep::kUndo));
   const std::vector<editing::ProjectEdit> inverse = TRY(kept_edits(step.inverse, id));
-  const editing::EditedProject edited = TRY(apply_in_store(documents, context, at, inverse));
-  const std::string& document = step.original.empty() ? edited.document : step.original;
-  return keep(documents, context, at.row, document, edited.project.name, store::EditStep::kUndo, step);
+  editing::EditedProject edited = TRY(apply(documents, context, at, inverse));
+  return keep(documents, context, at.row, std::move(edited), store::EditStep::kUndo, step, step.original);
 }
 
 Result<store::ProjectRow> redo_edit(Documents& documents, const store::RequestContext& context,
@@ -119,9 +148,8 @@ Result<store::ProjectRow> redo_edit(Documents& documents, const store::RequestCo
   const Standing at = TRY(standing(documents, context, id, expected));
   const store::EditRow step = TRY(next_step(documents, context, id, store::EditStep::kRedo));
   const std::vector<editing::ProjectEdit> edits = TRY(kept_edits(step.edits, id));
-  editing::EditedProject edited = TRY(apply_in_store(documents, context, at, edits));
-  return keep(documents, context, at.row, std::move(edited.document), edited.project.name,
-              store::EditStep::kRedo, step);
+  editing::EditedProject edited = TRY(apply(documents, context, at, edits));
+  return keep(documents, context, at.row, std::move(edited), store::EditStep::kRedo, step);
 }
 
 Result<std::string> history_json(Documents& documents, const store::RequestContext& context,

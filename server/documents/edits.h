@@ -21,10 +21,11 @@ Result<store::ProjectRow> edit_project(Documents& documents, const store::Reques
                                        const std::string& id, const json::JsonValue& edits, int expected,
                                        const ProjectFileMap& more_files = {});
 
-/// Makes the project what `change` makes of it, as one step of its history. `change` gets the document and
-/// the files that it may add to. Errors: those of `change` and of edit_project.
-using ProjectChange =
-    std::function<Result<project::Project>(const project::Project& now, ProjectFileMap& files)>;
+/// Makes the project what `change` makes of it, as one step of its history. `change` gets the document, the
+/// files that it may add to, and the same files to resolve it with. Errors: those of `change` and of
+/// edit_project.
+using ProjectChange = std::function<Result<project::Project>(
+    const project::Project& now, ProjectFileMap& files, resolve::OpenedFiles& opened)>;
 Result<store::ProjectRow> change_project(Documents& documents, const store::RequestContext& context,
                                          const std::string& id, int expected, const ProjectChange& change);
 

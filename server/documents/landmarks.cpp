@@ -71,11 +71,10 @@ Result<store::ProjectRow> move_landmark(Documents& documents, const store::Reque
                                         const std::string& id, const std::string& body,
                                         const std::string& name, Vec3 place, int expected) {
   TRY(check(name, place));
-  const ProjectChange change = [&](const project::Project& now,
-                                   ProjectFileMap& files) -> Result<project::Project> {
+  const ProjectChange change = [&](const project::Project& now, ProjectFileMap&,
+                                   resolve::OpenedFiles& opened) -> Result<project::Project> {
     const std::size_t b = TRY(index_of(now, body));
-    const resolve::ProjectFiles read = files_in_store(documents, context, files);
-    const drape::DrapeInput input = TRY(resolve::resolve_project(now, read));
+    const drape::DrapeInput input = TRY(resolve::resolve_project(now, opened));
     // What stands before it in the document's list can tell it, and what the body has by itself.
     project::Project before = now;
     std::vector<project::ProjectLandmark>& earlier = before.bodies[b].landmarks;
@@ -95,7 +94,7 @@ Result<store::ProjectRow> move_landmark(Documents& documents, const store::Reque
     } else {
       *at = std::move(mark);
     }
-    TRY(resolve::resolve_project(wanted, read));
+    TRY(resolve::resolve_project(wanted, opened));
     return wanted;
   };
   return change_project(documents, context, id, expected, change);
@@ -104,8 +103,8 @@ Result<store::ProjectRow> move_landmark(Documents& documents, const store::Reque
 Result<store::ProjectRow> forget_landmark(Documents& documents, const store::RequestContext& context,
                                           const std::string& id, const std::string& body,
                                           const std::string& name, int expected) {
-  const ProjectChange change = [&](const project::Project& now,
-                                   ProjectFileMap& files) -> Result<project::Project> {
+  const ProjectChange change = [&](const project::Project& now, ProjectFileMap&,
+                                   resolve::OpenedFiles& opened) -> Result<project::Project> {
     const std::size_t b = TRY(index_of(now, body));
     project::Project wanted = now;
     std::vector<project::ProjectLandmark>& list = wanted.bodies[b].landmarks;
@@ -114,7 +113,7 @@ Result<store::ProjectRow> forget_landmark(Documents& documents, const store::Req
       return Error{"edit.unknown_landmark", "The document says nothing of a landmark of that name.",
                    "landmark " + clipped(name)};
     list.erase(at);
-    TRY(resolve::resolve_project(wanted, files_in_store(documents, context, files)));
+    TRY(resolve::resolve_project(wanted, opened));
     return wanted;
   };
   return change_project(documents, context, id, expected, change);

@@ -134,7 +134,11 @@ Status check_image(Documents& documents, const store::RequestContext& context, c
 
 resolve::ProjectFiles files_in_store(Documents& documents, const store::RequestContext& context,
                                      ProjectFileMap files) {
-  const auto map = std::make_shared<const ProjectFileMap>(std::move(files));
+  return growing_files_in_store(documents, context, std::make_shared<const ProjectFileMap>(std::move(files)));
+}
+
+resolve::ProjectFiles growing_files_in_store(Documents& documents, const store::RequestContext& context,
+                                             std::shared_ptr<const ProjectFileMap> map) {
   resolve::ProjectFiles out;
   const auto bytes_of = [&documents, context, map](const char* kind) {
     return [&documents, context, map, kind](const std::string& name) -> Result<std::string> {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 
 #include "core/base/result.h"
@@ -45,6 +46,10 @@ Status check_image(Documents& documents, const store::RequestContext& context, c
 /// its functions: documents.missing_file, documents.wrong_kind, mesh.*, store.*.
 resolve::ProjectFiles files_in_store(Documents& documents, const store::RequestContext& context,
                                      ProjectFileMap files);
+
+/// The same of a map that may get more files as time goes by.
+resolve::ProjectFiles growing_files_in_store(Documents& documents, const store::RequestContext& context,
+                                             std::shared_ptr<const ProjectFileMap> files);
 
 /// The setting that holds the sample project's id once it has been added.
 inline constexpr const char* kSampleSetting = "sample_project";

@@ -13,6 +13,7 @@
 #include "proto/cpp/message_bytes.h"
 #include "server/documents/findings.h"
 #include "server/documents/projects.h"
+#include "server/documents/read_cloth.h"
 #include "server/documents/stream_pieces.h"
 
 namespace toile::documents {
@@ -80,12 +81,6 @@ Result<StartView> make_view(Documents& documents, const store::RequestContext& c
   return StartView{check_of(project, input, start), geometry_of(input, start.assembly)};
 }
 
-std::string key_of(const store::OwnerId& owner, const store::ProjectRow& row) {
-  std::string key = owner + '\n' + row.document;
-  for (const auto& [name, id] : row.files) key += '\n' + name + '\t' + id;
-  return key;
-}
-
 std::size_t bytes_of(const std::string& key, const StartView& view) {
   return key.size() + view.check.size() + view.geometry.size();
 }
@@ -94,7 +89,7 @@ std::size_t bytes_of(const std::string& key, const StartView& view) {
 
 Result<std::shared_ptr<const StartView>> start_of(Documents& documents, const store::RequestContext& context,
                                                   const store::ProjectRow& project) {
-  const std::string key = key_of(context.owner, project);
+  const std::string key = key_of(context.owner, project.document, project.files);
   if (std::shared_ptr<const StartView> kept = documents.starts().find(key)) return kept;
   StartView made = TRY(make_view(documents, context, project));
   auto view = std::make_shared<const StartView>(std::move(made));

@@ -129,19 +129,6 @@ json::JsonValue seam_json(const pattern::Pattern& pattern, const pattern::Seam& 
       {"issues", issues_json(issues, static_cast<Index>(&seam - pattern.seams.data()))}};
 }
 
-struct Read {
-  project::Project project;
-  drape::DrapeInput input;
-};
-
-/// Bodies take long to make; a drawing of the pieces does without.
-Result<Read> read(const std::string& document, const resolve::ProjectFiles& files, bool with_bodies) {
-  project::Project project = TRY(project::parse_project(document));
-  if (!with_bodies) project = project::without_bodies(std::move(project));
-  drape::DrapeInput input = TRY(resolve::resolve_project(project, files));
-  return Read{std::move(project), std::move(input)};
-}
-
 void put(std::string& out, std::uint32_t word) {
   for (int shift = 0; shift < 32; shift += 8) out += static_cast<char>((word >> shift) & 0xff);
 }
@@ -152,17 +139,16 @@ void put(std::string& out, double value) {
 
 }  // namespace
 
-Result<std::string> pieces_json(const std::string& document, const resolve::ProjectFiles& files) {
-  const Read read_in = TRY(read(document, files, false));
-  const drape::DrapeInput& input = read_in.input;
+std::string pieces_json(const ReadCloth& read) {
+  const drape::DrapeInput& input = read.cloth;
   std::vector<json::JsonValue> pieces, seams;
   for (std::size_t i = 0; i < input.pattern.panels.size(); ++i) {
     const auto fabric = static_cast<std::size_t>(input.fabric_of_panel[i]);
-    pieces.push_back(piece_json(input.pattern.panels[i], read_in.project.pieces[i], input.fabrics[fabric]));
+    pieces.push_back(piece_json(input.pattern.panels[i], read.project.pieces[i], input.fabrics[fabric]));
   }
   const std::vector<seams::SeamIssue> issues = seams::check_seams(input.pattern);
   for (std::size_t i = 0; i < input.pattern.seams.size(); ++i) {
-    seams.push_back(seam_json(input.pattern, input.pattern.seams[i], read_in.project.seams[i], issues));
+    seams.push_back(seam_json(input.pattern, input.pattern.seams[i], read.project.seams[i], issues));
   }
   return json::write_json_line(
              std::vector<json::JsonMember>{{"pieces", std::move(pieces)}, {"seams", std::move(seams)}}) +
@@ -170,9 +156,10 @@ Result<std::string> pieces_json(const std::string& document, const resolve::Proj
 }
 
 Result<std::string> body_bytes(const std::string& document, const resolve::ProjectFiles& files) {
-  const Read read_in = TRY(read(document, files, true));
+  const project::Project project = TRY(project::parse_project(document));
+  const drape::DrapeInput input = TRY(resolve::resolve_project(project, files));
   std::size_t vertices = 0, triangles = 0;
-  for (const body::Body& body : read_in.input.bodies) {
+  for (const body::Body& body : input.bodies) {
     vertices += body.mesh.vertices.size();
     triangles += body.mesh.triangles.size();
   }
@@ -180,7 +167,7 @@ Result<std::string> body_bytes(const std::string& document, const resolve::Proje
   out.reserve(8 + 12 * (vertices + triangles));
   put(out, static_cast<std::uint32_t>(vertices));
   put(out, static_cast<std::uint32_t>(triangles));
-  for (const body::Body& body : read_in.input.bodies) {
+  for (const body::Body& body : input.bodies) {
     for (const Vec3 p : body.mesh.vertices) {
       put(out, p.x);
       put(out, p.y);
@@ -188,7 +175,7 @@ Result<std::string> body_bytes(const std::string& document, const resolve::Proje
     }
   }
   std::uint32_t first = 0;
-  for (const body::Body& body : read_in.input.bodies) {
+  for (const body::Body& body : input.bodies) {
     for (const Tri& triangle : body.mesh.triangles) {
       for (const Index corner : triangle) put(out, first + static_cast<std::uint32_t>(corner));
     }

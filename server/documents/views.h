@@ -5,6 +5,7 @@
 
 #include "core/base/result.h"
 #include "core/project/resolve/resolve.h"
+#include "server/documents/read_cloth.h"
 
 namespace toile::documents {
 
@@ -12,12 +13,12 @@ namespace toile::documents {
 /// "length_mm", "loop"}], "notches": [{"at", "depth_mm", "inwards"}], "lines": [{"id", "points"}]}], "seams":
 /// [{…, "length_a_mm", "length_b_mm", "issues": [{"code", "error", "message", "where"}]}]}. Millimetres, y
 /// up; points are curves flattened to 0.2 mm, curves their four control points; loop 0 is the outline, 1 the
-/// first hole. Outlines counter-clockwise, first point not repeated; colour is linear RGB. Errors: json.*,
-/// project.*, dxf.*, pattern.*, … as reading the project gives them.
-Result<std::string> pieces_json(const std::string& document, const resolve::ProjectFiles& files);
+/// first hole. Outlines counter-clockwise, first point not repeated; colour is linear RGB.
+std::string pieces_json(const ReadCloth& read);
 
 /// All bodies of a project in their places as one mesh, little endian: uint32 vertices, uint32 triangles,
-/// float32 x, y, z of each vertex (m, y up), three uint32 a triangle. Errors: as above, mesh.*.
+/// float32 x, y, z of each vertex (m, y up), three uint32 a triangle. Errors: json.*,
+/// project.*, dxf.*, pattern.*, mesh.*, … as reading the project gives them.
 Result<std::string> body_bytes(const std::string& document, const resolve::ProjectFiles& files);
 
 }  // namespace toile::documents

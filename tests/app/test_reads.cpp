@@ -1,52 +1,17 @@
 // A command reads the document and the pattern file once, whatever it makes of them.
 
 #include <gtest/gtest.h>
-#include <sys/inotify.h>
-#include <unistd.h>
 
-#include <array>
-#include <cerrno>
-#include <cstddef>
-#include <cstring>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "tests/app/program.h"
+#include "tests/open_counter.h"
 
 namespace toile {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Counts how often files of a folder are opened, by name, from its making on.
-class OpenCounter {
- public:
-  explicit OpenCounter(const fs::path& folder) : queue_(::inotify_init1(IN_NONBLOCK)) {
-    EXPECT_GE(::inotify_add_watch(queue_, folder.c_str(), IN_OPEN), 0) << std::strerror(errno);
-  }
-  OpenCounter(const OpenCounter&) = delete;
-  OpenCounter& operator=(const OpenCounter&) = delete;
-  ~OpenCounter() { ::close(queue_); }
-
-  /// Of all that has happened.
-  std::map<std::string, int> opened() {
-    alignas(inotify_event) std::array<char, 65536> bytes;
-    for (;;) {
-      const ssize_t got = ::read(queue_, bytes.data(), bytes.size());
-      if (got <= 0) return opened_;
-      for (ssize_t at = 0; at < got;) {
-        const auto* event = reinterpret_cast<const inotify_event*>(bytes.data() + at);
-        if (event->len > 0) ++opened_[event->name];
-        at += static_cast<ssize_t>(sizeof(inotify_event)) + event->len;
-      }
-    }
-  }
-
- private:
-  int queue_;
-  std::map<std::string, int> opened_;
-};
 
 /// A folder with the sample in coarse triangles, of which nobody but the test knows.
 fs::path coarse_sample(const std::string& name) {
@@ -62,14 +27,11 @@ fs::path coarse_sample(const std::string& name) {
 
 void expect_read_once(const std::string& name, const fs::path& folder,
                       const std::vector<std::string>& arguments) {
-  OpenCounter counter(folder);
+  test::OpenCounter document(folder / "project.json"), pattern(folder / "skirt.dxf");
   const Ran ran = run_toile(arguments);
   EXPECT_TRUE(ran.code == 0 || ran.code == 3) << name << ": " << ran.err;  // 3: drape found no rest
-  const std::map<std::string, int> opened = counter.opened();
-  for (const char* file : {"project.json", "skirt.dxf"}) {
-    ASSERT_TRUE(opened.contains(file)) << name << " has not read " << file;
-    EXPECT_EQ(opened.at(file), 1) << name << " has read " << file << " again";
-  }
+  EXPECT_EQ(document.opened(), 1) << name << " reads the document";
+  EXPECT_EQ(pattern.opened(), 1) << name << " reads the pattern";
 }
 
 TEST(Commands, ReadADocumentAndItsPatternOnce) {

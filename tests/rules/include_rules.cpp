@@ -46,7 +46,7 @@ const std::map<std::string, Names>& table() {
        {"arrange", "body", "drape", "dxf", "image", "json", "mannequin", "measure", "mesh_import", "pattern",
         "project", "sewing"}},
       {"create", {"drape", "dxf", "garmentcode", "json", "measure", "pattern", "project", "seams", "sewing"}},
-      {"editing", {"create", "edit", "fields", "json", "pattern", "project", "resolve", "sewing"}},
+      {"editing", {"create", "drape", "edit", "fields", "json", "pattern", "project", "resolve", "sewing"}},
       {"proto", {"drape", "sewing"}},
       {"store", {}},
       {"sqlite", {"store"}},

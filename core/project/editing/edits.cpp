@@ -142,28 +142,29 @@ Status apply_one(Editing& editing, const RestoreLists& edit) {
   return restore(editing.project, edit);
 }
 
-/// The text of the edited document, once it is found to be one that can be draped.
-Result<std::string> checked_text(const project::Project& project, resolve::OpenedFiles& files,
-                                 bool other_bodies) {
+/// The edited document, once it is found to be one that can be draped.
+Result<EditedProject> checked(project::Project project, resolve::OpenedFiles& files, bool other_bodies) {
   Result<project::WrittenProject> written = project::write_checked(project);
   if (!written) return json::error_at("/edits", written.error());
-  const Result<drape::DrapeInput> input = other_bodies ? resolve::resolve_project(written->read_back, files)
-                                                       : resolve_cloth(std::move(written->read_back), files);
+  Result<drape::DrapeInput> input = other_bodies ? resolve::resolve_project(written->read_back, files)
+                                                 : resolve_cloth(written->read_back, files);
   if (!input) return json::error_at("/edits", input.error());
-  return std::move(written->line);
+  return EditedProject{
+      std::move(project), std::move(written->line), {}, std::move(written->read_back), std::move(*input)};
 }
 
 }  // namespace
 
 Result<EditedProject> apply_edits(const project::Project& project, std::span<const ProjectEdit> edits,
-                                  resolve::OpenedFiles& files) {
+                                  resolve::OpenedFiles& files, const pattern::Pattern* known) {
   Editing editing{project, std::nullopt, files};
+  if (known) editing.pattern = *known;
   for (std::size_t i = 0; i < edits.size(); ++i) {
     const Status done = std::visit([&](const auto& edit) { return apply_one(editing, edit); }, edits[i]);
     if (!done) return json::error_at(json::pointer_to("/edits", i), done.error());
   }
-  std::string text = TRY(checked_text(editing.project, files, editing.project.bodies != project.bodies));
-  EditedProject out{std::move(editing.project), std::move(text), {}};
+  const bool other_bodies = editing.project.bodies != project.bodies;
+  EditedProject out = TRY(checked(std::move(editing.project), files, other_bodies));
   if (!(out.project == project)) out.inverse = {difference(out.project, project)};
   return out;
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/drape/drape_input.h"
 #include "core/json/tree.h"
 #include "core/pattern/edit/edit.h"
 #include "core/project/project.h"
@@ -74,18 +75,22 @@ struct EditedProject {
   project::Project project;
   std::string document;              ///< its text, one line
   std::vector<ProjectEdit> inverse;  ///< gives the project of before, every value the same
+  project::Project read_back;        ///< what parse_project makes of the text
+  drape::DrapeInput cloth;           ///< what the text resolves to; bodies are in it only when they changed
 };
 
 /// The project after the edits, one after the other: all of them or none. A piece from a file becomes an
 /// outline of the document when its shape is changed. Attachments, buttons, elastics, folds and cushions
 /// follow the names and places of what they are on, and go with it.
 ///
+/// `known`: the pattern that the project resolves to, where somebody has it; else it is made when an edit
+/// needs it.
+///
 /// Errors: those of apply_edit, edit.in_use (of two edges to be joined only one is held),
 /// edit.unknown_fabric, with "/edits/2" first in `where`; and those of reading and resolving the document
-/// that comes out, with
-/// "/edits" first.
+/// that comes out, with "/edits" first.
 Result<EditedProject> apply_edits(const project::Project& project, std::span<const ProjectEdit> edits,
-                                  resolve::OpenedFiles& files);
+                                  resolve::OpenedFiles& files, const pattern::Pattern* known = nullptr);
 Result<EditedProject> apply_edits(const project::Project& project, std::span<const ProjectEdit> edits,
                                   const resolve::ProjectFiles& files);
 

@@ -8,6 +8,7 @@
 #include "server/documents/imports.h"
 #include "server/documents/projects.h"
 #include "server/documents/proposals.h"
+#include "server/documents/read_cloth.h"
 #include "server/http/handlers/answer.h"
 #include "server/http/handlers/api.h"
 #include "server/http/handlers/project_answer.h"
@@ -69,10 +70,9 @@ http::HttpResponse proposals(const Api& api, const store::RequestContext& contex
                              const http::HttpRequest& request) {
   const Result<store::ProjectRow> project = api.store.project(context, request.captures[0]);
   if (!project) return http::problem(project.error());
-  const resolve::ProjectFiles files = documents::files_in_store(api.documents, context, project->files);
-  const Result<std::string> text = documents::proposals_json(project->document, files);
-  if (!text) return http::problem(text.error());
-  http::HttpResponse response = json_answer(200, *text);
+  const auto read = documents::read_cloth(api.documents, context, project->document, project->files);
+  if (!read) return http::problem(read.error());
+  http::HttpResponse response = json_answer(200, documents::proposals_json((*read)->cloth.pattern));
   response.headers.emplace_back("ETag", etag_of(*project));
   return response;
 }

@@ -110,10 +110,9 @@ http::HttpResponse pieces(const Api& api, const store::RequestContext& context,
                           const http::HttpRequest& request) {
   const Result<store::ProjectRow> project = api.store.project(context, request.captures[0]);
   if (!project) return http::problem(project.error());
-  const Result<std::string> view = documents::pieces_json(
-      project->document, documents::files_in_store(api.documents, context, project->files));
-  if (!view) return http::problem(view.error());
-  http::HttpResponse response = json_answer(200, *view);
+  const auto read = documents::read_cloth(api.documents, context, project->document, project->files);
+  if (!read) return http::problem(read.error());
+  http::HttpResponse response = json_answer(200, documents::pieces_json(**read));
   response.headers.emplace_back("ETag", etag_of(*project));
   return response;
 }

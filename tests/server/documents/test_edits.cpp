@@ -6,8 +6,10 @@
 #include "core/project/resolve/textures.h"
 #include "server/documents/imports.h"
 #include "server/documents/proposals.h"
+#include "server/documents/read_cloth.h"
 #include "server/documents/views.h"
 #include "tests/core/image/pictures.h"
+#include "tests/open_counter.h"
 #include "tests/server/documents/documents_fixture.h"
 
 namespace toile {
@@ -196,9 +198,8 @@ TEST(Views, ShowCurvesLengthsAndWhatIsWrongWithSeams) {
   ASSERT_TRUE(documents::edit_project(at.store.documents(), kMe, id, seam("e3"), 0));
   const auto view = [&] {
     const store::ProjectRow row = at.store->project(kMe, id).value();
-    return json(
-        documents::pieces_json(row.document, documents::files_in_store(at.store.documents(), kMe, row.files))
-            .value());
+    return json(documents::pieces_json(
+        *documents::read_cloth(at.store.documents(), kMe, row.document, row.files).value()));
   };
   const json::JsonValue shown = view();
   const json::JsonValue& edge = shown.find("pieces")->array()->front().find("edges")->array()->at(1);
@@ -220,8 +221,8 @@ TEST(Proposals, AreThoseThatNoSeamHasYet) {
       json(documents::import_pattern(at.store.documents(), kMe, asset.id, {}).value());
   const auto proposed = [&] {
     const std::string document = json::write_json_line(*report.find("document"));
-    return json(documents::proposals_json(document, documents::files_in_store(at.store.documents(), kMe, {}))
-                    .value());
+    return json(documents::proposals_json(
+        documents::read_cloth(at.store.documents(), kMe, document, {}).value()->cloth.pattern));
   };
   const json::JsonValue found = proposed();
   ASSERT_NE(found.find("proposals")->array(), nullptr);
@@ -229,7 +230,7 @@ TEST(Proposals, AreThoseThatNoSeamHasYet) {
     EXPECT_GT(*seam.find("confidence")->number(), 0);
     EXPECT_FALSE(seam.find("a")->array()->empty());
   }
-  EXPECT_FALSE(documents::proposals_json("{", documents::files_in_store(at.store.documents(), kMe, {})));
+  EXPECT_FALSE(documents::read_cloth(at.store.documents(), kMe, "{", {}));
 }
 
 TEST(Imports, RefuseWhatIsNoPattern) {
@@ -310,11 +311,51 @@ TEST(EditsInStore, AProjectWithoutItsPictureIsMissingAFile) {
   const auto made = documents::create_project(at.store.documents(), kMe, document, files);
   ASSERT_TRUE(made) << to_string(made.error());
   const std::string pieces =
-      documents::pieces_json(document, documents::files_in_store(at.store.documents(), kMe, files)).value();
+      documents::pieces_json(*documents::read_cloth(at.store.documents(), kMe, document, files).value());
   EXPECT_NE(
       pieces.find(R"("texture": {"image": "checks.png", "scale_mm": 40, "offset": [0, 0], "angle": 0})"),
       std::string::npos)
       << pieces;
+}
+
+TEST(DocumentEdits, ReadEachFileOnceAndTheDrawingAfterThemNone) {
+  ClothStore at;
+  const auto made = documents::create_project(at.store.documents(), kMe, kClothDocument, at.files);
+  ASSERT_TRUE(made) << to_string(made.error());
+  test::OpenCounter dxf(at.store->asset_path(kMe, at.dxf).value());
+  const auto edited = [&](const char* edits) {
+    const auto row =
+        documents::edit_project(at.store.documents(), kMe, made->id, json::parse_json(edits).value(), 0);
+    EXPECT_TRUE(row) << to_string(row.error());
+    return row.value();
+  };
+  const store::ProjectRow turned = edited(R"([{"edit": "rotate_grain", "piece": "cloth", "angle": 90}])");
+  EXPECT_EQ(dxf.opened(), 1) << "the document was resolved before and after";
+  const auto view = documents::read_cloth(at.store.documents(), kMe, turned.document, turned.files);
+  ASSERT_TRUE(view) << to_string(view.error());
+  EXPECT_NE(documents::pieces_json(**view).find("\"id\": \"cloth\""), std::string::npos);
+  EXPECT_EQ(dxf.opened(), 1) << "what the edit has read is shown";
+  edited(R"([{"edit": "rename_edge", "piece": "cloth", "edge": "e0", "to": "hem"}])");
+  EXPECT_LE(dxf.opened(), 2);
+}
+
+TEST(DocumentEdits, OfAPlacedPieceReadEachFileOnce) {
+  ClothStore at;
+  const auto made = documents::create_project(at.store.documents(), kMe, kClothDocument, at.files);
+  ASSERT_TRUE(made) << to_string(made.error());
+  test::OpenCounter dxf(at.store->asset_path(kMe, at.dxf).value());
+  const documents::ProjectChange change = [](const project::Project& now, documents::ProjectFileMap&,
+                                             resolve::OpenedFiles& opened) -> Result<project::Project> {
+    TRY(resolve::resolve_project(now, opened));
+    project::Project wanted = now;
+    wanted.pieces[0].layer = 3;
+    TRY(resolve::resolve_project(wanted, opened));
+    return wanted;
+  };
+  const auto row = documents::change_project(at.store.documents(), kMe, made->id, 0, change);
+  ASSERT_TRUE(row) << to_string(row.error());
+  EXPECT_EQ(row->revision, 2);
+  EXPECT_EQ(dxf.opened(), 1) << "resolved by the change twice, and once by the edit that keeps it";
 }
 
 }  // namespace
