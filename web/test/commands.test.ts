@@ -154,6 +154,23 @@ describe('the poller', () => {
     vi.useRealTimers();
   });
 
+  it('keeps what comes again as it was, so that nothing is drawn anew for it', async () => {
+    const state = new AppState();
+    let step = 1;
+    const jobs = async () => [jobOf({ id: 'j_1', progress: progressOf({ step }) }), jobOf({ id: 'j_2' })];
+    const poller = new Poller(state, { projects: async () => [projectOf()], jobs }, () => undefined);
+    await poller.refresh();
+    const before = { projects: state.projects.value, jobs: state.jobs.value, second: state.allJobs.value[1] };
+    await poller.refresh();
+    expect(state.projects.value).toBe(before.projects);
+    expect(state.jobs.value).toBe(before.jobs);
+    step = 2;
+    await poller.refresh();
+    poller.stop();
+    expect(state.allJobs.value[0]?.progress?.step).toBe(2);
+    expect(state.allJobs.value[1]).toBe(before.second);
+  });
+
   it('says so when the very first answer fails', async () => {
     const state = new AppState();
     const fail = () => Promise.reject(new ApiError(500, 'http.500', 'Broken.'));
@@ -253,5 +270,12 @@ describe('errors of the service', () => {
   it('say when there was no answer at all', async () => {
     const http = new Http('/api/v1', () => Promise.reject(new TypeError('failed to fetch')));
     await expect(http.get('/jobs')).rejects.toMatchObject({ status: 0, code: 'net.unreachable', unreachable: true });
+  });
+
+  it('say so as well when an answer breaks off after its header', async () => {
+    const broken = () => new Response(new ReadableStream({ start: (body) => body.error(new TypeError('cut')) }));
+    const http = new Http('/api/v1', async () => broken());
+    for (const asked of [http.get('/jobs'), http.text('/jobs'), http.bytes('/jobs')])
+      await expect(asked).rejects.toMatchObject({ code: 'net.unreachable', unreachable: true });
   });
 });

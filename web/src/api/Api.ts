@@ -89,10 +89,10 @@ export function makeApi(http = new Http('/api/v1')): Api {
       return presets.map(({ name, sex }) => ({ id: name, title: `${name} (${sex})` }));
     },
     arrange: (id, revision) => http.post(`/projects/${part(id)}/arrange`, undefined, matching(revision)),
-    uploadAsset: async (kind, name, bytes) => {
+    uploadAsset: (kind, name, bytes) => {
       const path = `/assets?kind=${kind}&name=${part(name)}`;
       const headers = { 'Content-Type': 'application/octet-stream' };
-      return (await http.send(path, { method: 'POST', headers, body: bytes })).json() as Promise<Asset>;
+      return http.json(path, { method: 'POST', headers, body: bytes });
     },
     jobs: async () => (await http.get<Answer<'listJobs'>>('/jobs?limit=100')).jobs,
     job: (id) => http.get(`/jobs/${part(id)}`),
@@ -100,7 +100,7 @@ export function makeApi(http = new Http('/api/v1')): Api {
       http.post('/jobs', { project_id: id } satisfies Question<'submitJob'>, { 'Idempotency-Key': key }),
     act: (id, action) => http.post(`/jobs/${part(id)}/${action}`),
     report: (id) => http.get(result(id, 'report.json')),
-    resultText: async (id, name) => (await http.send(result(id, name))).text(),
+    resultText: (id, name) => http.text(result(id, name)),
     body: async (id) => decodeBody(await http.bytes(`/jobs/${part(id)}/body`)),
     resultUrl: (id, name) => http.url(result(id, name)),
     assetUrl: (id) => http.url(`/assets/${part(id)}/content`),

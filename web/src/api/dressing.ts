@@ -74,8 +74,6 @@ const part = encodeURIComponent;
 
 export function makeDressingApi(http = new Http('/api/v1')): DressingApi {
   const one = (id: string): string => `/projects/${part(id)}`;
-  const json = async <T>(path: string, init: RequestInit): Promise<T> =>
-    (await http.send(path, init)).json() as Promise<T>;
   const changing = (project: Project): Record<string, string> => ({ 'If-Match': `"${project.revision}"` });
   return {
     tables: () => http.get('/bodies/presets'),
@@ -83,21 +81,21 @@ export function makeDressingApi(http = new Http('/api/v1')): DressingApi {
     mesh: async (id) => decodeBody(await http.bytes(`${one(id)}/body`)),
     stance: (asset) => http.get(`/bodies/${part(asset)}/figure`),
     dress: (project, body, wish) =>
-      json(`${one(project.id)}/bodies/${part(body)}`, {
+      http.json(`${one(project.id)}/bodies/${part(body)}`, {
         method: 'PUT',
         headers: { 'Content-Type': 'application/json', ...changing(project) },
         body: JSON.stringify(wish),
       }),
     undress: (project, body) =>
-      json(`${one(project.id)}/bodies/${part(body)}`, { method: 'DELETE', headers: changing(project) }),
+      http.json(`${one(project.id)}/bodies/${part(body)}`, { method: 'DELETE', headers: changing(project) }),
     mark: (project, body, landmark, place) =>
-      json(`${one(project.id)}/bodies/${part(body)}/landmarks/${part(landmark)}`, {
+      http.json(`${one(project.id)}/bodies/${part(body)}/landmarks/${part(landmark)}`, {
         method: 'PUT',
         headers: { 'Content-Type': 'application/json', ...changing(project) },
         body: JSON.stringify({ place } satisfies Question<'moveLandmark'>),
       }),
     unmark: (project, body, landmark) =>
-      json(`${one(project.id)}/bodies/${part(body)}/landmarks/${part(landmark)}`, {
+      http.json(`${one(project.id)}/bodies/${part(body)}/landmarks/${part(landmark)}`, {
         method: 'DELETE',
         headers: changing(project),
       }),
@@ -106,7 +104,7 @@ export function makeDressingApi(http = new Http('/api/v1')): DressingApi {
     check: (id) => http.get(`${one(id)}/check`),
     start: async (id) => decodeStart(await http.bytes(`${one(id)}/start`)),
     upload: (name, bytes) =>
-      json(`/bodies?name=${part(name)}`, {
+      http.json(`/bodies?name=${part(name)}`, {
         method: 'POST',
         headers: { 'Content-Type': 'application/octet-stream' },
         body: bytes,

@@ -44,6 +44,17 @@ export async function problemOf(response: Response): Promise<ApiError> {
   return new ApiError(response.status, code, detail, text(body.where));
 }
 
+const unreachable = (): ApiError => new ApiError(0, 'net.unreachable', 'The server does not answer.');
+
+/** An answer can break off, or take too long, after its header has come. @throws ApiError */
+async function whole<T>(reading: Promise<T>): Promise<T> {
+  try {
+    return await reading;
+  } catch {
+    throw unreachable();
+  }
+}
+
 export class Http {
   constructor(
     readonly base: string,
@@ -67,27 +78,34 @@ export class Http {
     try {
       response = await this.fetch_(this.url(path), { signal: AbortSignal.timeout(kPatience), ...init });
     } catch {
-      throw new ApiError(0, 'net.unreachable', 'The server does not answer.');
+      throw unreachable();
     }
     if (!response.ok) throw await problemOf(response);
     return response;
   }
 
   async get<T>(path: string, patience = kPatience): Promise<T> {
-    return (await this.send(path, { signal: AbortSignal.timeout(patience) })).json() as Promise<T>;
+    return this.json(path, { signal: AbortSignal.timeout(patience) });
   }
 
   async post<T>(path: string, body?: unknown, headers: Record<string, string> = {}, patience = kPatience): Promise<T> {
-    const response = await this.send(path, {
+    return this.json(path, {
       signal: AbortSignal.timeout(patience),
       method: 'POST',
       headers: body === undefined ? headers : { 'Content-Type': 'application/json', ...headers },
       body: body === undefined ? undefined : JSON.stringify(body),
     });
-    return response.json() as Promise<T>;
+  }
+
+  async json<T>(path: string, init: RequestInit): Promise<T> {
+    return whole((await this.send(path, init)).json() as Promise<T>);
+  }
+
+  async text(path: string): Promise<string> {
+    return whole((await this.send(path)).text());
   }
 
   async bytes(path: string): Promise<ArrayBuffer> {
-    return (await this.send(path)).arrayBuffer();
+    return whole((await this.send(path)).arrayBuffer());
   }
 }

@@ -1,10 +1,11 @@
 // Keeps the lists of projects and jobs fresh, and thereby knows whether the service answers. After a failure it asks
 // again with growing pauses.
 
+import type { Signal } from '@preact/signals';
 import type { Api } from '../api/Api';
 import { ApiError } from '../api/http';
 import { backoff } from '../api/JobStream';
-import { ready, valueOf, type AppState } from '../state/AppState';
+import { ready, valueOf, type AppState, type Loaded } from '../state/AppState';
 import { asApiError } from './notices';
 
 const kBusyMs = 1000;
@@ -51,8 +52,8 @@ export class Poller {
       const newest = projects.map((one) =>
         (known.get(one.id)?.revision ?? 0) > one.revision ? known.get(one.id)! : one,
       );
-      this.state_.projects.value = ready(newest);
-      this.state_.jobs.value = ready(jobs);
+      take(this.state_.projects, newest);
+      take(this.state_.jobs, jobs);
       this.answered();
     } catch (error) {
       this.failed(asApiError(error));
@@ -82,4 +83,16 @@ export class Poller {
     if (this.attempt_ > 0) return backoff(this.attempt_, 0.5);
     return this.state_.anyActive.value ? kBusyMs : kIdleMs;
   }
+}
+
+/** Rows that are as they were stay the same objects: whatever hangs on them would be drawn anew every few seconds. */
+function take<Row extends { id: string }>(list: Signal<Loaded<Row[]>>, rows: Row[]): void {
+  const before = valueOf(list.value);
+  const known = new Map((before ?? []).map((row) => [row.id, row]));
+  const taken = rows.map((row) => {
+    const old = known.get(row.id);
+    return old && JSON.stringify(old) === JSON.stringify(row) ? old : row;
+  });
+  const same = before?.length === taken.length && taken.every((row, i) => row === before[i]);
+  if (!same) list.value = ready(taken);
 }

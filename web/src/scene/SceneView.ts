@@ -265,6 +265,7 @@ export class SceneView {
 
   private invalidate(): void {
     this.stale_ = true;
+    this.canvas_.setAttribute('aria-busy', 'true');
     if (this.request_ === 0) this.request_ = requestAnimationFrame((now) => this.tick(now));
   }
 
@@ -279,7 +280,7 @@ export class SceneView {
       this.applyPose(this.pose());
     }
     this.controls_.update();
-    if (!this.stale_) return;
+    if (!this.stale_) return this.restSoon();
     this.stale_ = false;
     this.studio_.face(this.camera_.position, this.controls_.target);
     this.draw(now);
@@ -292,13 +293,22 @@ export class SceneView {
     const spent = now - this.lastDraw_;
     this.lastDraw_ = now;
     if (spent < kPauseMs) this.pace_ += 0.2 * (spent - this.pace_);
-    const finest = Math.min(window.devicePixelRatio, 2),
-      rest = this.slow_ ? 1.5 * finest : finest;
     if (this.pace_ > kSlowMs && spent < kPauseMs) this.sharpness_ = Math.max(kCoarsest, this.sharpness_ * 0.8);
     else if (this.pace_ < kFastMs) this.sharpness_ = Math.min(1, this.sharpness_ * 1.05);
-    this.render(finest * this.sharpness_);
+    this.render(finestRatio() * this.sharpness_);
+    this.restSoon();
+  }
+
+  private restSoon(): void {
     clearTimeout(this.rest_);
-    if (this.slow_ || this.sharpness_ < 1) this.rest_ = setTimeout(() => this.render(rest), kRestMs);
+    this.rest_ = setTimeout(() => this.rest(), kRestMs);
+  }
+
+  /** Nothing has changed for a while: the canvas says so, to whoever wants to look at what stands still. */
+  private rest(): void {
+    if (this.request_ !== 0) return; // the tick that is to come asks again
+    if (this.slow_ || this.sharpness_ < 1) this.render(this.slow_ ? 1.5 * finestRatio() : finestRatio());
+    this.canvas_.setAttribute('aria-busy', 'false');
   }
 
   private render(ratio: number): void {
@@ -348,6 +358,9 @@ export class SceneView {
     this.invalidate();
   }
 }
+
+/** Pixels of the picture to one of the page, at most. */
+const finestRatio = (): number => Math.min(window.devicePixelRatio, 2);
 
 /** Whether WebGL is more than a stand-in drawn by the processor. */
 function hasGraphicsCard(): boolean {
