@@ -27,5 +27,8 @@ export default defineConfig({
     environment: 'node',
     css: true,
     globals: false,
+    // Only so that what never ends does: nothing here is measured against the clock.
+    testTimeout: 300_000,
+    hookTimeout: 300_000,
   },
 });

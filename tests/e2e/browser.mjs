@@ -4,6 +4,7 @@ import { mkdirSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { root } from './service.mjs';
+import { kPatience } from './steps.mjs';
 
 const { chromium } = createRequire(join(root, 'web/package.json'))('playwright-core');
 
@@ -23,12 +24,14 @@ const pictures = join(root, 'out/e2e');
 
 export async function openBrowser() {
   mkdirSync(pictures, { recursive: true });
-  return chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: flags, headless: true });
+  const executablePath = process.env.CHROMIUM ?? '/usr/bin/chromium';
+  return chromium.launch({ executablePath, args: flags, headless: true, timeout: kPatience });
 }
 
 /** A page that remembers what its scripts complained of. */
 export async function openPage(browser, url, options = {}) {
   const page = await browser.newPage({ viewport: { width: 1440, height: 900 }, colorScheme: 'light', ...options });
+  page.setDefaultTimeout(kPatience);
   page.complaints = [];
   page.on('pageerror', (error) => page.complaints.push(error.message));
   page.on('console', (message) => {
@@ -42,11 +45,45 @@ export async function openPage(browser, url, options = {}) {
 
 export const shoot = (page, name) => page.screenshot({ path: join(pictures, `${name}.png`) });
 
+/** What all pages show, for whoever asks why a step failed. */
+export async function shootAll(browser) {
+  const pages = browser.contexts().flatMap((context) => context.pages());
+  for (const [i, page] of pages.entries()) {
+    console.log(`# ${page.url()} as failed-${i}.png`);
+    await shoot(page, `failed-${i}`).catch(() => undefined);
+  }
+}
+
 /** Calls a function of the page's test hook. */
 export const ask = (page, name) => page.evaluate((key) => window.__toile[key](), name);
 
-export const waitFor = (page, condition, timeout = 60_000, argument = undefined) =>
-  page.waitForFunction(condition, argument, { timeout, polling: 50 });
+/** Until a function of the page gives something true. */
+export const waitFor = (page, condition, argument = undefined) =>
+  page.waitForFunction(condition, argument, { polling: 50 });
 
-export const waitForState = (page, state, timeout = 120_000) =>
-  page.waitForFunction((wanted) => window.__toile.job()?.state === wanted, state, { timeout, polling: 50 });
+export const waitForState = (page, state) => waitFor(page, (wanted) => window.__toile.job()?.state === wanted, state);
+
+/** Until the camera of the 3D view has come where it was sent, and all that there is is drawn. */
+export const waitForCalm = (page) => page.locator('.scene canvas:not([aria-busy=true])').waitFor();
+
+/** Until the page has shown so many different places of the cloth. */
+export const waitForMoments = (page, count) =>
+  waitFor(
+    page,
+    (wanted) => {
+      const seen = (window.__moments ??= new Set());
+      seen.add(window.__toile.positionsHash());
+      return seen.size >= wanted;
+    },
+    count,
+  );
+
+/** Until the cloth is the same in twenty looks, one after the other. */
+export async function waitForStandstill(page) {
+  await page.evaluate(() => (window.__stand = { hash: '', looks: 0 }));
+  await waitFor(page, () => {
+    const hash = window.__toile.positionsHash();
+    window.__stand = { hash, looks: window.__stand.hash === hash ? window.__stand.looks + 1 : 0 };
+    return window.__stand.looks >= 20;
+  });
+}

@@ -4,16 +4,17 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { after, before, describe, it } from 'node:test';
-import { ask, openBrowser, openPage, shoot, waitFor, waitForState } from './browser.mjs';
+import { after, before, describe } from 'node:test';
+import { ask, openBrowser, openPage, shoot, shootAll, waitFor, waitForCalm, waitForState } from './browser.mjs';
 import { Service, root } from './service.mjs';
+import { kPatience, steps } from './steps.mjs';
 
 const service = new Service('');
 let browser, page, project;
 
 const sample = (name) => join(root, 'samples/skirt', name);
 const measured = async (name) => (await ask(page, 'dressing'))[0].measures.find((one) => one.name === name).cm;
-const changed = (hook, was) => waitFor(page, ([key, old]) => window.__toile[key]() !== old, 30_000, [hook, was]);
+const changed = (hook, was) => waitFor(page, ([key, old]) => window.__toile[key]() !== old, [hook, was]);
 
 /** The sample's pieces in a heap at the origin, and a mannequin. */
 async function makeProject() {
@@ -21,6 +22,7 @@ async function makeProject() {
   for (const piece of document.pieces) piece.placement = { rigid: {} };
   document.bodies = [{ id: 'anna', mannequin: { preset: 'eu36', triangles: 2000 } }];
   document.settings.particle_distance_mm = 25;
+  document.settings.time_step_s = 1 / 80000; // a drape that is not over before it is cancelled
   const files = { 'skirt.dxf': await service.upload('dxf', 'skirt.dxf', readFileSync(sample('skirt.dxf'))) };
   return service.post('/projects', { document: { ...document, attachments: [] }, files });
 }
@@ -32,7 +34,7 @@ before(
     browser = await openBrowser();
     page = await openPage(browser, `${service.url}/#/projects/${project.id}`);
   },
-  { timeout: 60_000 },
+  { timeout: kPatience },
 );
 
 after(
@@ -40,10 +42,12 @@ after(
     await browser?.close();
     await service.stop();
   },
-  { timeout: 60_000 },
+  { timeout: kPatience },
 );
 
-describe('bodies and places', { timeout: 300_000 }, () => {
+describe('bodies and places', () => {
+  const it = steps(() => shootAll(browser));
+
   it('shows the pieces in space before anything is draped', async () => {
     await page.getByRole('heading', { name: 'Not draped yet' }).waitFor();
     await waitFor(page, () => window.__toile.start() > 0 && window.__toile.dressing() !== null);
@@ -125,7 +129,7 @@ describe('bodies and places', { timeout: 300_000 }, () => {
   it('takes a piece that is dragged onto a side of a box', async () => {
     const was = await ask(page, 'startHash');
     await page.getByRole('button', { name: 'front view' }).click();
-    await page.waitForTimeout(600);
+    await waitForCalm(page);
     const scene = await page.locator('.scene canvas').boundingBox();
     const at = (x, y) => [scene.x + x * scene.width, scene.y + y * scene.height];
     await page.mouse.move(...at(0.5, 0.55));
@@ -147,7 +151,7 @@ describe('bodies and places', { timeout: 300_000 }, () => {
 
   it('drapes from there', async () => {
     await page.locator('.actions .primary').click();
-    await waitForState(page, 'running', 60_000);
+    await waitForState(page, 'running');
     await waitFor(page, () => window.__toile.frames() > 2);
     await page.locator('.actions').getByText('Cancel').click();
     await waitForState(page, 'cancelled');
