@@ -62,7 +62,7 @@ function readHeader(bytes: Uint8Array, header: FrameHeader): number {
   if (!Number.isFinite(time)) throw malformed('the frame’s time is no number');
   let end = bodyAt;
   for (let at = kHeaderSize; at < bodyAt; ++at) {
-    const head = bytes[at];
+    const head = bytes[at]!;
     const width = head & kWidthBits;
     if (width > kMaxWidth || head > (kAlongOrder | kWidthBits)) {
       throw malformed('a block of the frame has no possible width');
@@ -89,18 +89,18 @@ function applyBlocks(bytes: Uint8Array, vertexCount: number, before: Int16Array 
   previous.fill(0);
   for (let first = 0; first < end; first += kAxes * kBlock) {
     for (let axis = 0; axis < kAxes; ++axis) {
-      const head = bytes[headAt++];
+      const head = bytes[headAt++]!;
       const width = head & kWidthBits;
       const mask = (1 << width) - 1;
       const along = (head & kAlongOrder) !== 0 ? -1 : 0;
       const past = Math.min(first + kAxes * kBlock, end);
-      let number = previous[axis];
+      let number = previous[axis]!;
       let bits = 0;
       let bitCount = 0;
       let at = bodyAt;
       for (let i = first + axis; i < past; i += kAxes) {
         if (bitCount < width) {
-          bits |= (bytes[at] | (bytes[at + 1] << 8)) << bitCount;
+          bits |= (bytes[at]! | (bytes[at + 1]! << 8)) << bitCount;
           at += 2;
           bitCount += 16;
         }
@@ -108,7 +108,7 @@ function applyBlocks(bytes: Uint8Array, vertexCount: number, before: Int16Array 
         bits >>>= width;
         bitCount -= width;
         number = (number & along) + ((code >>> 1) ^ -(code & 1));
-        out[i] = before === null ? number : before[i] + number; // stores modulo 2¹⁶
+        out[i] = before === null ? number : before[i]! + number; // stores modulo 2¹⁶
       }
       previous[axis] = number;
       bodyAt += 2 * width;
@@ -182,9 +182,9 @@ export function dequantise(numbers: Int16Array, grid: FrameGrid, out: Float32Arr
   const [x, y, z] = grid.origin;
   const step = grid.step;
   for (let i = 0; i + 2 < numbers.length; i += kAxes) {
-    out[i] = x + step * numbers[i];
-    out[i + 1] = y + step * numbers[i + 1];
-    out[i + 2] = z + step * numbers[i + 2];
+    out[i] = x + step * numbers[i]!;
+    out[i + 1] = y + step * numbers[i + 1]!;
+    out[i + 2] = z + step * numbers[i + 2]!;
   }
 }
 
@@ -241,7 +241,7 @@ function chooseBlock(
 ): { head: number; codes: number[] } {
   const change = (vertex: number): number => {
     const i = kAxes * vertex + axis;
-    return vertex < 0 ? 0 : grid[i] - (before === null ? 0 : before[i]);
+    return vertex < 0 ? 0 : grid[i]! - (before === null ? 0 : before[i]!);
   };
   const plain: number[] = [];
   const along: number[] = [];
@@ -262,7 +262,7 @@ function packBlock(codes: number[], width: number, bytes: Uint8Array, at: number
   codes.forEach((code, i) => {
     for (let b = 0; b < width; ++b) {
       const bit = i * width + b;
-      bytes[at + (bit >> 3)] |= ((code >> b) & 1) << (bit & 7);
+      bytes[at + (bit >> 3)]! |= ((code >> b) & 1) << (bit & 7);
     }
   });
 }

@@ -24,7 +24,7 @@ export type MessageType = (typeof MessageType)[keyof typeof MessageType];
 /** Bytes of magic, version, type and epoch. */
 export const kPrefixSize = 8;
 
-const kMagic = [0x54, 0x4c]; // "TL"
+const kMagic = [0x54, 0x4c] as const; // "TL"
 const kVersion = 1;
 
 /** What a binary message is, from its first bytes. Throws FrameError. */
@@ -35,7 +35,7 @@ export function messageType(bytes: Uint8Array): MessageType {
   if (bytes[2] !== kVersion) {
     throw new FrameError('frame.version', 'the stream speaks another version than this page; reload it');
   }
-  const type = bytes[3];
+  const type = bytes[3]!;
   if (type < MessageType.topology || type > MessageType.delta) throw malformed('the message is of no known type');
   return type as MessageType;
 }
@@ -51,7 +51,7 @@ export function writePrefix(view: DataView, type: MessageType, epoch: number): v
 // Frames come many times a second, so their few numbers are read without making a DataView for each message.
 
 export function uint32At(bytes: Uint8Array, at: number): number {
-  return (bytes[at] | (bytes[at + 1] << 8) | (bytes[at + 2] << 16) | (bytes[at + 3] << 24)) >>> 0;
+  return (bytes[at]! | (bytes[at + 1]! << 8) | (bytes[at + 2]! << 16) | (bytes[at + 3]! << 24)) >>> 0;
 }
 
 export function int32At(bytes: Uint8Array, at: number): number {
@@ -63,5 +63,5 @@ const floatValue = new Float32Array(floatBits.buffer);
 
 export function float32At(bytes: Uint8Array, at: number): number {
   floatBits[0] = uint32At(bytes, at);
-  return floatValue[0];
+  return floatValue[0]!;
 }

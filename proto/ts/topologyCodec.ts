@@ -63,7 +63,7 @@ class ByteReader {
   varint(): number {
     let value = 0;
     for (let shift = 0; shift < 35; shift += 7) {
-      const byte = this.bytes_[this.take(1)];
+      const byte = this.bytes_[this.take(1)]!;
       if (shift === 28 && byte > 0x0f) break; // more than 32 bits
       value |= (byte & 0x7f) << shift;
       if (byte < 0x80) return value >>> 0;
@@ -93,8 +93,13 @@ export function decodeTopology(bytes: Uint8Array): Topology {
   }
   if (bytes.length < kHeaderSize) throw malformed('the topology ends early');
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  const [x, y, z, step] = [8, 16, 24, 32].map((at) => view.getFloat64(at, true));
-  const [vertexCount, triangleCount, pieceCount, sewnCount] = [40, 44, 48, 52].map((at) => uint32At(bytes, at));
+  const metres = (at: number): number => view.getFloat64(at, true);
+  const origin: FrameGrid['origin'] = [metres(8), metres(16), metres(24)];
+  const step = metres(32);
+  const vertexCount = uint32At(bytes, 40);
+  const triangleCount = uint32At(bytes, 44);
+  const pieceCount = uint32At(bytes, 48);
+  const sewnCount = uint32At(bytes, 52);
   const reader = new ByteReader(bytes, kHeaderSize);
   const fits = (count: number, size: number): boolean => count * size <= reader.left;
   // Nothing is made before what the counts promise can be there at all.
@@ -103,7 +108,7 @@ export function decodeTopology(bytes: Uint8Array): Topology {
   if (!allFit) {
     throw malformed('the topology ends early');
   }
-  if (![x, y, z, step].every(Number.isFinite) || step <= 0) throw malformed('the topology’s grid is none');
+  if (![...origin, step].every(Number.isFinite) || step <= 0) throw malformed('the topology’s grid is none');
   const rest = new Float32Array(2 * vertexCount);
   for (let i = 0; i < rest.length; ++i) rest[i] = reader.float32('a rest position');
   const pieces = Array.from({ length: pieceCount }, () => readPiece(reader, vertexCount));
@@ -111,7 +116,7 @@ export function decodeTopology(bytes: Uint8Array): Topology {
   const sewn = readSewn(reader, sewnCount, vertexCount);
   if (reader.left !== 0) throw malformed('the topology is longer than it says');
   const epoch = uint32At(bytes, kPrefixSize - 4);
-  return { epoch, origin: [x, y, z], step, vertexCount, pieces, rest, triangles, sewn };
+  return { epoch, origin, step, vertexCount, pieces, rest, triangles, sewn };
 }
 
 function readPiece(reader: ByteReader, vertices: number): StreamPiece {
@@ -127,8 +132,11 @@ function readTriangles(reader: ByteReader, count: number, vertexCount: number): 
   const triangles = new Uint32Array(3 * count);
   let from = 0;
   for (let t = 0; t < triangles.length; t += 3) {
-    for (let c = 0; c < 3; ++c) triangles[t + c] = from = reader.vertex(from, vertexCount, 'a triangle');
-    from = triangles[t];
+    for (let c = 0; c < 3; ++c) {
+      from = reader.vertex(from, vertexCount, 'a triangle');
+      triangles[t + c] = from;
+    }
+    from = triangles[t]!;
   }
   return triangles;
 }
@@ -136,7 +144,7 @@ function readTriangles(reader: ByteReader, count: number, vertexCount: number): 
 function readSewn(reader: ByteReader, count: number, vertexCount: number): Uint32Array {
   const sewn = new Uint32Array(2 * count);
   for (let i = 0; i < sewn.length; ++i) {
-    sewn[i] = reader.vertex(i < 2 ? 0 : sewn[i - 2], vertexCount, 'a sewn pair');
+    sewn[i] = reader.vertex(i < 2 ? 0 : sewn[i - 2]!, vertexCount, 'a sewn pair');
   }
   return sewn;
 }
@@ -154,10 +162,10 @@ export function encodeTopology(topology: Topology): Uint8Array {
   const tail: number[] = [];
   for (const piece of pieces) pushPiece(tail, piece);
   triangles.forEach((corner, i) => {
-    const from = i % 3 > 0 ? triangles[i - 1] : i > 0 ? triangles[i - 3] : 0;
+    const from = i % 3 > 0 ? triangles[i - 1]! : i > 0 ? triangles[i - 3]! : 0;
     pushDifference(tail, corner - from);
   });
-  sewn.forEach((vertex, i) => pushDifference(tail, vertex - (i < 2 ? 0 : sewn[i - 2])));
+  sewn.forEach((vertex, i) => pushDifference(tail, vertex - (i < 2 ? 0 : sewn[i - 2]!)));
   const bytes = new Uint8Array(head.length + tail.length);
   bytes.set(head);
   bytes.set(tail, head.length);

@@ -16,8 +16,8 @@ const kStep = 1e-4;
 /** Reads `folder`/t.trace, final.obj and rest.obj when there is one. */
 export function readRecording(folder: string, colour: [number, number, number]): Recording {
   const bytes = readFileSync(`${folder}/t.trace`);
-  const vertexCount = bytes.readUInt32LE(12),
-    triangleCount = bytes.readUInt32LE(16);
+  const vertexCount = bytes.readUInt32LE(12);
+  const triangleCount = bytes.readUInt32LE(16);
   const triangles = Uint32Array.from({ length: 3 * triangleCount }, (_, i) => bytes.readUInt32LE(24 + 4 * i));
   const obj = clothFromObj(readFileSync(`${folder}/final.obj`, 'utf8'), () => colour);
   const { sewn } = obj.topology;
@@ -33,8 +33,8 @@ export function readRecording(folder: string, colour: [number, number, number]):
   });
   const size = 16 + 12 * vertexCount;
   const frames: Recording['frames'] = [];
-  let before: Int16Array | null = null,
-    lastTime = 0;
+  let before: Int16Array | null = null;
+  let lastTime = 0;
   for (let at = 24 + 12 * triangleCount; at + size <= bytes.length; at += size) {
     const grid = Int16Array.from({ length: 3 * vertexCount }, (_, i) =>
       Math.round((bytes.readFloatLE(at + 16 + 4 * i) - kOrigin[i % 3]!) / kStep),
@@ -75,8 +75,8 @@ function speedOf(a: Int16Array, b: Int16Array, seconds: number): number {
 function gapOf(grid: Int16Array, sewn: Uint32Array): number {
   let widest = 0;
   for (let i = 0; i < sewn.length; i += 2) {
-    const a = 3 * sewn[i]!,
-      b = 3 * sewn[i + 1]!;
+    const a = 3 * sewn[i]!;
+    const b = 3 * sewn[i + 1]!;
     widest = Math.max(
       widest,
       Math.hypot(grid[a]! - grid[b]!, grid[a + 1]! - grid[b + 1]!, grid[a + 2]! - grid[b + 2]!),

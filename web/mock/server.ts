@@ -137,8 +137,8 @@ function act(job: MockJob, verb: string): void {
 }
 
 function bodyBytes(): Buffer {
-  const xyz: number[] = [],
-    corners: number[] = [];
+  const xyz: number[] = [];
+  const corners: number[] = [];
   for (const line of readFileSync(new URL('../../samples/skirt/body.obj', import.meta.url), 'utf8').split('\n')) {
     const words = line.trim().split(/\s+/);
     if (words[0] === 'v') xyz.push(...words.slice(1, 4).map(Number));
@@ -172,17 +172,17 @@ function pieces(): object {
     ),
   });
   const skirt = [
-      [-380, -560],
-      [380, -560],
-      [190, 0],
-      [-190, 0],
-    ],
-    band = [
-      [-190, 40],
-      [190, 40],
-      [190, 80],
-      [-190, 80],
-    ];
+    [-380, -560],
+    [380, -560],
+    [190, 0],
+    [-190, 0],
+  ];
+  const band = [
+    [-190, 40],
+    [190, 40],
+    [190, 80],
+    [-190, 80],
+  ];
   const seam = (id: string, a: string[], b: string[]): object => ({
     id,
     a: [{ piece: a[0], edge: a[1] }],
@@ -227,21 +227,28 @@ function file(response: ServerResponse, path: string): void {
   answer(response, 200, readFileSync(path), types[extname(path)] ?? 'application/octet-stream');
 }
 
-function api(request: IncomingMessage, response: ServerResponse, words: string[]): void {
-  const [noun, id, verb, name] = words;
-  const job = jobs.find((one) => one.id === id);
-  if (noun === 'projects' && !id) return answer(response, 200, { projects: [project], next: null });
-  if (noun === 'projects' && verb === 'pieces') return answer(response, 200, pieces());
-  if (noun === 'projects' && verb === 'edits') return answer(response, 200, { edits: [], next: null });
-  if (noun === 'jobs' && !id)
-    return request.method === 'POST'
-      ? answer(response, 201, shown(submit()))
-      : answer(response, 200, { jobs: jobs.map((one) => shown(one)), next: null });
-  if (!job) return missing(response);
+function ofProjects(response: ServerResponse, id: string | undefined, verb: string | undefined): void {
+  if (!id) return answer(response, 200, { projects: [project], next: null });
+  if (verb === 'pieces') return answer(response, 200, pieces());
+  if (verb === 'edits') return answer(response, 200, { edits: [], next: null });
+  missing(response);
+}
+
+function ofJob(response: ServerResponse, job: MockJob, verb: string | undefined, name: string | undefined): void {
   if (verb === 'body') return answer(response, 200, bodyBytes(), 'application/octet-stream');
   if (verb === 'results' && name) return file(response, join(folder, name));
   if (verb) act(job, verb);
   answer(response, 200, shown(job));
+}
+
+function api(request: IncomingMessage, response: ServerResponse, words: string[]): void {
+  const [noun, id, verb, name] = words;
+  if (noun === 'projects') return ofProjects(response, id, verb);
+  if (noun === 'jobs' && !id && request.method === 'POST') return answer(response, 201, shown(submit()));
+  if (noun === 'jobs' && !id) return answer(response, 200, { jobs: jobs.map((one) => shown(one)), next: null });
+  const job = jobs.find((one) => one.id === id);
+  if (job) return ofJob(response, job, verb, name);
+  missing(response);
 }
 
 const server = createServer((request, response) => {

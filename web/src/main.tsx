@@ -6,9 +6,9 @@ import { makeApi } from './api/Api';
 import { ClothStream, type WorkerPort } from './api/ClothStream';
 import { Commands } from './commands/Commands';
 import { CommandsContext } from './commands/context';
-import { listenForKeys } from './commands/keys';
 import { Poller } from './commands/Poller';
 import { Watcher } from './commands/Watcher';
+import { ImportPreview } from './pattern/ImportPreview';
 import { PatternPane } from './pattern/PatternPane';
 import { Banner } from './panels/Banner';
 import { DropTarget } from './panels/DropTarget';
@@ -27,6 +27,7 @@ import { StateContext } from './state/context';
 import { jobToOpen } from './state/jobs';
 import { positionsHash } from './state/LiveCloth';
 import { formatRoute, parseRoute } from './state/routes';
+import { listenForKeys } from './tools/keys';
 import './styles/main.css';
 
 // Begins to fetch three.js beside everything else; nothing waits for it but the 3D view.
@@ -39,7 +40,10 @@ const port = new Worker(new URL('./workers/stream.worker.ts', import.meta.url), 
   type: 'module',
 }) as unknown as WorkerPort;
 
-const poller = new Poller(state, api, () => (watcher.retry(), commands.dressing.retry()));
+const poller = new Poller(state, api, () => {
+  watcher.retry();
+  commands.dressing.retry();
+});
 const refresh = (): void => void poller.refresh();
 // The worker answers only after this file has run, so that the watcher is there by then.
 const stream: ClothStream = new ClothStream(port, {
@@ -88,11 +92,13 @@ function drawn(): void {
   hook.firstDrawnMs ||= performance.now();
 }
 
+/** Asks for everything at once, without waiting for the next turn. */
+function retry(): void {
+  refresh();
+  stream.poke();
+}
+
 function Page() {
-  const retry = (): void => {
-    refresh();
-    stream.poke();
-  };
   return (
     <StateContext.Provider value={state}>
       <CommandsContext.Provider value={commands}>
@@ -101,7 +107,7 @@ function Page() {
           <Banner retry={retry} />
           {state.railShown.value && <Rail resultUrl={api.resultUrl} />}
           <main class={state.editing.large.value ? 'pattern-large' : ''}>
-            <ScenePane load={() => sceneCode} drawn={drawn} />
+            <ScenePane code={sceneCode} drawn={drawn} />
             <Splitter />
             <div class="side">
               <PatternPane />
@@ -111,7 +117,7 @@ function Page() {
           </main>
           <StatusBar />
           <Notices />
-          <IntakeDialog />
+          <IntakeDialog Preview={ImportPreview} />
           <HelpDialog />
           <DropTarget />
         </div>
@@ -122,7 +128,7 @@ function Page() {
 
 window.addEventListener('hashchange', () => (state.route.value = parseRoute(location.hash)));
 window.addEventListener('popstate', () => (state.route.value = parseRoute(location.hash)));
-window.addEventListener('online', () => (refresh(), stream.poke()));
+window.addEventListener('online', retry);
 document.addEventListener('visibilitychange', () => document.visibilityState === 'visible' && refresh());
 setInterval(() => (state.now.value = Date.now()), 1000);
 

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { backoff, isRefusal, JobStream, type StreamConnection } from '../src/api/JobStream';
-import { FakeClock, FakeSocket } from './fakes';
+import { FakeClock, FakeSocket, kept } from './fakes';
 
 function begin() {
   const clock = new FakeClock();
@@ -8,16 +8,11 @@ function begin() {
   const connections: StreamConnection[] = [];
   const texts: { type: string }[] = [];
   const binaries: Uint8Array[] = [];
-  const stream = new JobStream(
-    'ws://here/stream',
-    (url) => (sockets.push(new FakeSocket(url)), sockets[sockets.length - 1]!),
-    clock,
-    {
-      connection: (connection) => connections.push(connection),
-      text: (message) => texts.push(message),
-      binary: (bytes) => binaries.push(bytes),
-    },
-  );
+  const stream = new JobStream('ws://here/stream', (url) => kept(sockets, new FakeSocket(url)), clock, {
+    connection: (connection) => connections.push(connection),
+    text: (message) => texts.push(message),
+    binary: (bytes) => binaries.push(bytes),
+  });
   stream.open();
   return {
     clock,

@@ -4,7 +4,7 @@ import { encodeTopology } from '../../proto/ts/topologyCodec';
 import type { ClothTopology } from '../src/api/frames';
 import { FrameSlot, type Moment } from '../src/api/FrameSlot';
 import { StreamReceiver } from '../src/api/StreamReceiver';
-import { FakeClock, FakeSocket } from './fakes';
+import { FakeClock, FakeSocket, kept } from './fakes';
 
 const topology: ClothTopology = {
   epoch: 1,
@@ -24,17 +24,12 @@ function begin() {
   const sockets: FakeSocket[] = [];
   const frames: { positions: Float32Array<ArrayBuffer>; moment: Moment }[] = [];
   const topologies: ClothTopology[] = [];
-  const receiver = new StreamReceiver(
-    'ws://here',
-    (url) => (sockets.push(new FakeSocket(url)), sockets[sockets.length - 1]!),
-    clock,
-    {
-      connection: () => undefined,
-      text: () => undefined,
-      topology: (one) => topologies.push(one),
-      frame: (positions, moment) => frames.push({ positions, moment }),
-    },
-  );
+  const receiver = new StreamReceiver('ws://here', (url) => kept(sockets, new FakeSocket(url)), clock, {
+    connection: () => undefined,
+    text: () => undefined,
+    topology: (one) => topologies.push(one),
+    frame: (positions, moment) => frames.push({ positions, moment }),
+  });
   receiver.open();
   sockets[0]!.open();
   return { clock, sockets, frames, topologies, receiver, socket: () => sockets[sockets.length - 1]! };

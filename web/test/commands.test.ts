@@ -13,7 +13,10 @@ function begin(more: Partial<Api> = {}) {
   const api = fakeApi(more);
   const order: string[] = [];
   const around = {
-    go: (hash: string) => void (order.push(`go ${hash}`), (state.route.value = parseRoute(hash))),
+    go: (hash: string) => {
+      order.push(`go ${hash}`);
+      state.route.value = parseRoute(hash);
+    },
     save: (name: string, text: string) => void order.push(`save ${name} ${text.length}`),
     newKey: () => 'key',
   };
@@ -88,8 +91,8 @@ describe('a project from files', () => {
   ];
 
   it('uploads each file under its kind and names the assets in the project', async () => {
-    const createProject = vi.fn(fakeApi().createProject),
-      uploadAsset = vi.fn(fakeApi().uploadAsset);
+    const createProject = vi.fn(fakeApi().createProject);
+    const uploadAsset = vi.fn(fakeApi().uploadAsset);
     const { commands, state, order } = begin({ createProject, uploadAsset });
     await commands.addFiles(files);
     await commands.createProject(false);

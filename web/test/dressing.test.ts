@@ -4,8 +4,6 @@ import {
   makeDressingApi,
   type Check,
   type DressingApi,
-  type Figure,
-  type Finding,
   type PieceWish,
   type Place,
   type ProjectBody,
@@ -13,8 +11,9 @@ import {
 import { ApiError, Http } from '../src/api/http';
 import { DressingCommands, type Queue } from '../src/commands/DressingCommands';
 import { segmentsOf } from '../src/scene/BodyMarks';
-import { faceOf, onFace, type BoxPlace } from '../src/scene/boxFaces';
+import { faceOf, onFace } from '../src/scene/boxFaces';
 import { closeUp, type Bounds, type Pose } from '../src/scene/framing';
+import type { Project } from '../src/api/types';
 import { AppState, ready } from '../src/state/AppState';
 import {
   centimetres,
@@ -35,37 +34,8 @@ import {
   withPreset,
 } from '../src/state/dressing';
 import { assetOf, jobOf, projectOf } from './fakes';
-
-const finding = (more: Partial<Finding> = {}): Finding => ({
-  code: 'start.touches',
-  severity: 'warning',
-  message: 'it touches',
-  where: 'piece front',
-  place: [0.2, 1, 0],
-  repaired: false,
-  ...more,
-});
-
-const figure: Figure = {
-  stands: true,
-  why: null,
-  vertices: 3,
-  triangles: 1,
-  low: [0, 0, 0],
-  high: [1, 1.7, 0.2],
-  measures: [{ name: 'waist', girth: true, cm: 72, at_cm: 105, asked_cm: 72, rule: 'narrowest', line: [] }],
-  landmarks: [],
-  boxes: [],
-};
-const body = (more: Partial<ProjectBody> = {}): ProjectBody => ({
-  ...figure,
-  id: 'anna',
-  file: null,
-  mannequin: { preset: 'eu38', triangles: 2000 },
-  friction: 0.4,
-  skin_offset_mm: 1,
-  ...more,
-});
+import type { BoxPlace } from '../src/tools/SceneTool';
+import { bodyOf, figure, findingOf, importOf } from './samples';
 
 describe('lengths', () => {
   it('are the same in both units', () => {
@@ -121,20 +91,20 @@ describe('a mannequin', () => {
 describe('findings', () => {
   it('begin with what keeps the drape from beginning and end with what is repaired', () => {
     const all = [
-      finding({ repaired: true, severity: 'error', where: 'a' }),
-      finding({ severity: 'note', where: 'b' }),
-      finding({ severity: 'error', where: 'c' }),
-      finding({ where: 'd' }),
+      findingOf({ repaired: true, severity: 'error', where: 'a' }),
+      findingOf({ severity: 'note', where: 'b' }),
+      findingOf({ severity: 'error', where: 'c' }),
+      findingOf({ where: 'd' }),
     ];
     expect(sortedFindings(all).map((one) => one.where)).toEqual(['c', 'd', 'b', 'a']);
     expect(findingCounts(all)).toEqual({ error: 1, warning: 1, note: 1, repaired: 1 });
   });
 
   it('name a piece only where there is one', () => {
-    expect(pieceOf(finding(), ['front', 'back'])).toBe('front');
-    expect(pieceOf(finding({ where: 'piece front, edge e3' }), ['front'])).toBe('front');
-    expect(pieceOf(finding({ where: 'seam side' }), ['front'])).toBeNull();
-    expect(pieceOf(finding({ where: 'piece sleeve' }), ['front'])).toBeNull();
+    expect(pieceOf(findingOf(), ['front', 'back'])).toBe('front');
+    expect(pieceOf(findingOf({ where: 'piece front, edge e3' }), ['front'])).toBe('front');
+    expect(pieceOf(findingOf({ where: 'seam side' }), ['front'])).toBeNull();
+    expect(pieceOf(findingOf({ where: 'piece sleeve' }), ['front'])).toBeNull();
   });
 
   it('are looked at from outside of the body', () => {
@@ -198,10 +168,10 @@ function begin(more: Partial<DressingApi> = {}) {
   state.jobs.value = ready([]);
   state.route.value = { name: 'project', id: 'p_1' };
   const missing = (): Promise<never> => Promise.reject(new ApiError(404, 'store.not_found', 'Not there.'));
-  const check: Check = { ready: true, findings: [finding()], pieces: [] };
+  const check: Check = { ready: true, findings: [findingOf()], pieces: [] };
   const api: DressingApi = {
     tables: async () => ({ presets: [], measures: [], formats: [] }),
-    bodies: async () => [body()],
+    bodies: async () => [bodyOf()],
     mesh: async () => ({ positions: new Float32Array(3), indices: new Uint32Array(0) }),
     stance: async () => ({ ...figure, stance: null }),
     dress: async (project) => ({ ...project, revision: project.revision + 1 }),
@@ -224,9 +194,9 @@ function begin(more: Partial<DressingApi> = {}) {
 
 describe('dressing', () => {
   it('sends the whole mannequin with the one measure changed', async () => {
-    const dress = vi.fn(async (project) => ({ ...project, revision: 2 }));
+    const dress = vi.fn(async (project: Project) => ({ ...project, revision: 2 }));
     const { state, commands, taken } = begin({ dress });
-    state.dressing.bodies.value = [body()];
+    state.dressing.bodies.value = [bodyOf()];
     await commands.setMeasure('waist', 70);
     expect(dress.mock.calls[0]!.slice(1)).toEqual([
       'anna',
@@ -240,7 +210,7 @@ describe('dressing', () => {
     const refuse = (): Promise<never> =>
       Promise.reject(new ApiError(422, 'mannequin.measures', 'These do not go together.', '/mannequin: waist'));
     const { state, commands, taken } = begin({ dress: refuse });
-    state.dressing.bodies.value = [body()];
+    state.dressing.bodies.value = [bodyOf()];
     await commands.setMeasure('waist', 40);
     expect(state.dressing.problem.value).toMatchObject({ code: 'mannequin.measures' });
     expect(state.notices.value).toEqual([]);
@@ -248,10 +218,10 @@ describe('dressing', () => {
   });
 
   it('moves a landmark of the body that has it, and lets one be picked', async () => {
-    const mark = vi.fn(async (project) => project);
+    const mark = vi.fn(async (project: Project) => project);
     const { state, commands } = begin({ mark });
     const navel = { name: 'navel', place: [0, 1, 0.1] as Place };
-    state.dressing.bodies.value = [body(), body({ id: 'bea', landmarks: [navel] })];
+    state.dressing.bodies.value = [bodyOf(), bodyOf({ id: 'bea', landmarks: [navel] })];
     await commands.mark('navel', [0, 1.1, 0.1]);
     expect(mark.mock.calls[0]!.slice(1)).toEqual(['bea', 'navel', [0, 1.1, 0.1]]);
     commands.pick('  mole ');
@@ -281,17 +251,18 @@ describe('dressing', () => {
   });
 
   it('shows all pieces again when they stood arranged already', async () => {
-    const arrange = vi.fn(async (project) => ({ ...project, arrangement: { pieces: [], holds: [], findings: [] } }));
+    const arrange = vi.fn(async (project: Project) => ({ ...project, document: importOf().document!, arrangement: { pieces: [], holds: [], findings: [] },
+    }));
     const { state, commands } = begin({ arrange });
     const before = state.view.value.turn;
-    commands.look(finding());
+    commands.look(findingOf());
     await commands.arrange();
     expect(state.view.value.turn).toBe(before + 1);
     expect(state.dressing.finding.value).toBeNull();
   });
 
   it('puts a file into the project that has no body yet', async () => {
-    const dress = vi.fn(async (project) => project);
+    const dress = vi.fn(async (project: Project) => project);
     const { state, commands } = begin({ dress });
     state.dressing.bodies.value = [];
     await commands.takeFile('scan.obj', new Blob(['v']));
@@ -300,9 +271,9 @@ describe('dressing', () => {
   });
 
   it('puts an object beside the body under a name of its own', async () => {
-    const dress = vi.fn(async (project) => project);
+    const dress = vi.fn(async (project: Project) => project);
     const { state, commands } = begin({ dress });
-    state.dressing.bodies.value = [body(), body({ id: 'chair' })];
+    state.dressing.bodies.value = [bodyOf(), bodyOf({ id: 'chair' })];
     await commands.takeFile('chair.glb', new Blob(['v']), true);
     expect(dress.mock.calls[0]!.slice(1)).toEqual(['chair_2', { asset: 'a_1' }]);
     expect(freeBodyId('.obj', [])).toBe('object');
@@ -312,12 +283,12 @@ describe('dressing', () => {
     let answer: (bodies: ProjectBody[]) => void = () => undefined;
     const first = new Promise<ProjectBody[]>((done) => (answer = done));
     let calls = 0;
-    const bodies = (): Promise<ProjectBody[]> => (calls++ === 0 ? first : Promise.resolve([body({ id: 'new' })]));
+    const bodies = (): Promise<ProjectBody[]> => (calls++ === 0 ? first : Promise.resolve([bodyOf({ id: 'new' })]));
     const { state, commands } = begin({ bodies });
     const old = commands.load('p_1', 1);
     await new Promise((done) => setTimeout(done, 0));
     await commands.load('p_1', 2);
-    answer([body({ id: 'old' })]);
+    answer([bodyOf({ id: 'old' })]);
     await old;
     expect(state.dressing.bodies.value?.[0]?.id).toBe('new');
     expect(state.dressing.startProblem.value?.code).toBe('store.not_found');
@@ -328,8 +299,8 @@ describe('dressing', () => {
   it('flies to a finding and lights its piece up', () => {
     const { state, commands } = begin();
     state.pieces.value = ready({ pieces: [{ id: 'front' }] as never[], seams: [] });
-    commands.look(finding());
-    commands.look(finding());
+    commands.look(findingOf());
+    commands.look(findingOf());
     expect(state.selected.value).toBe('front');
     expect(state.dressing.finding.value?.turn).toBe(2);
   });

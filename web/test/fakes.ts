@@ -64,6 +64,12 @@ export class FakeSocket implements Socket {
   }
 }
 
+/** Puts one more into a list and hands it on. */
+export function kept<T>(list: T[], one: T): T {
+  list.push(one);
+  return one;
+}
+
 export const progressOf = (more: Partial<Progress> = {}): Progress => ({
   state: 'running',
   phase: 'drape',

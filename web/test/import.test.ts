@@ -1,7 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { Api } from '../src/api/Api';
 import { ApiError } from '../src/api/http';
-import type { Import, ImportedPiece } from '../src/api/types';
 import { ImportCommands } from '../src/commands/ImportCommands';
 import { AppState, valueOf } from '../src/state/AppState';
 import {
@@ -17,88 +16,15 @@ import {
   warningsShown,
 } from '../src/state/importDraft';
 import type { LoosePattern } from '../src/state/intake';
-import { fakeApi, projectOf, seamOf } from './fakes';
-
-const piece = (name: string, more: Partial<ImportedPiece> = {}): ImportedPiece => ({
-  name,
-  grain_deg: 90,
-  quantity: 1,
-  mirrored: 0,
-  unfolded: false,
-  points: [
-    [0, 0],
-    [100, 0],
-    [0, 50],
-  ],
-  hole_points: [],
-  ...more,
-});
-
-const report = (more: Partial<Import> = {}): Import => ({
-  asset: 'a_1',
-  file: 'shirt.dxf',
-  unit: { name: 'cm', mm_per_unit: 10, confidence: 0.9, evidence: ['the size of the pieces'] },
-  style: '',
-  sizes: ['38', '40'],
-  size: '38',
-  sample_size: '38',
-  pieces: [
-    piece('front'),
-    piece('sleeve', { quantity: 2, mirrored: 1 }),
-    piece('torn', { fault: { code: 'x', message: '', where: '' } }),
-  ],
-  seams: [
-    { ...seamOf('seam0', ['front', 'e0'], ['sleeve', 'e1']), confidence: 0.95 },
-    { ...seamOf('seam1', ['front', 'e2'], ['sleeve_mirrored', 'e1']), confidence: 0.5 },
-  ],
-  report: {
-    counts: { records: 20, structure: 4, elsewhere: 1, vertices: 9, entities: 6, kept: 3, converted: 2, dropped: 1 },
-    entities: [
-      {
-        type: 'POLYLINE',
-        layer: '1',
-        block: 'F',
-        fate: 'kept',
-        reason: '',
-        piece: 'front',
-        count: 3,
-        lines: [5, 9, 30],
-      },
-      {
-        type: 'TEXT',
-        layer: '15',
-        block: '',
-        fate: 'converted',
-        reason: 'a name',
-        piece: 'sleeve',
-        count: 2,
-        lines: [40, 44],
-      },
-      { type: 'IMAGE', layer: '0', block: '', fate: 'dropped', reason: 'no cloth', piece: '', count: 1, lines: [60] },
-    ],
-    warnings: [{ line: 9, piece: 'front', at: [1, 2], text: 'a gap was closed', count: 2 }],
-  },
-  document: {
-    toile: 1,
-    name: 'shirt',
-    pieces: [
-      { id: 'front', fabric: 'cotton', placement: {}, from: { dxf: 'shirt.dxf', piece: 'front' } },
-      { id: 'sleeve', fabric: 'cotton', placement: {}, from: { dxf: 'shirt.dxf', piece: 'sleeve' } },
-      { id: 'sleeve_mirrored', fabric: 'cotton', placement: {} },
-    ],
-    fabrics: [],
-    seams: [],
-    bodies: [{ id: 'body', mannequin: {} }],
-  },
-  ...more,
-});
+import { fakeApi, projectOf } from './fakes';
+import { importedPiece, importOf } from './samples';
 
 const source = (): LoosePattern => ({ kind: 'dxf', file: { name: 'shirt.dxf', blob: new Blob(['x']) }, bodies: [] });
 
 function begin(more: Partial<Api> = {}) {
   const state = new AppState();
   const made: string[] = [];
-  const api = fakeApi({ importPattern: async () => report(), ...more });
+  const api = fakeApi({ importPattern: async () => importOf(), ...more });
   const imports = new ImportCommands(
     state,
     api,
@@ -125,7 +51,7 @@ describe('a pattern that was dropped', () => {
     const { imports } = begin({
       importPattern: async (asset, unit, size) => {
         asked.push(`${asset} ${unit} ${size}`);
-        return report();
+        return importOf();
       },
     });
     await imports.follow(source());
@@ -179,39 +105,39 @@ describe('the document of an import', () => {
   };
 
   it('leaves out pieces with all their copies, and the seams that need them', async () => {
-    const made = documentOf({ ...(await draft()), left: new Set(['sleeve']) }, report(), null)!;
+    const made = documentOf({ ...(await draft()), left: new Set(['sleeve']) }, importOf(), null)!;
     expect((made.pieces as { id: string }[]).map((one) => one.id)).toEqual(['front']);
     expect(made.seams).toEqual([]);
-    expect([...sourceNames(report())]).toContainEqual(['sleeve_mirrored', 'sleeve']);
-    expect(seamsInReach(report(), new Set(['torn'])).length).toBe(2);
+    expect([...sourceNames(importOf())]).toContainEqual(['sleeve_mirrored', 'sleeve']);
+    expect(seamsInReach(importOf(), new Set(['torn'])).length).toBe(2);
   });
 
   it('has the mannequin of a size table, or of usual measures', async () => {
-    const sized = documentOf({ ...(await draft()), body: { kind: 'mannequin', preset: 'eu38' } }, report(), null)!;
+    const sized = documentOf({ ...(await draft()), body: { kind: 'mannequin', preset: 'eu38' } }, importOf(), null)!;
     expect(sized.bodies).toEqual([{ id: 'body', mannequin: { preset: 'eu38' } }]);
-    expect(documentOf(await draft(), report(), null)!.bodies).toEqual([{ id: 'body', mannequin: {} }]);
+    expect(documentOf(await draft(), importOf(), null)!.bodies).toEqual([{ id: 'body', mannequin: {} }]);
   });
 
   it('is none without a piece', async () => {
-    expect(documentOf({ ...(await draft()), left: new Set(['front', 'sleeve']) }, report(), null)).toBeNull();
-    expect(documentOf(await draft(), report({ document: null }), null)).toBeNull();
+    expect(documentOf({ ...(await draft()), left: new Set(['front', 'sleeve']) }, importOf(), null)).toBeNull();
+    expect(documentOf(await draft(), importOf({ document: null }), null)).toBeNull();
     expect(namesPattern({ pieces: [{ id: 'a' }] })).toBe(false);
   });
 });
 
 describe('the import report', () => {
   it('adds up to the file, and says when it does not', () => {
-    const accounts = accountsOf(report().report);
+    const accounts = accountsOf(importOf().report);
     expect(accounts.whole).toBe(true);
     expect(accounts.sum).toBe('20 records: 6 entities, 9 vertices, 4 of structure, 1 in tables and objects');
     expect(accounts.shares.map((share) => share.count)).toEqual([3, 2, 1]);
-    const short = { ...report().report, counts: { ...report().report.counts, records: 21 } };
+    const short = { ...importOf().report, counts: { ...importOf().report.counts, records: 21 } };
     expect(accountsOf(short).whole).toBe(false);
     expect(accountsOf({ counts: { panels: 2, edges: 8 }, entities: [], warnings: [] }).sum).toBe('2 panels, 8 edges');
   });
 
   it('can be filtered by what became of things, by piece and by words', () => {
-    const { entities, warnings } = report().report;
+    const { entities, warnings } = importOf().report;
     const filter = { fate: '', piece: '', text: '' } as const;
     expect(entitiesShown(entities, { ...filter, fate: 'dropped' }).map((one) => one.type)).toEqual(['IMAGE']);
     expect(entitiesShown(entities, { ...filter, piece: 'front' }).length).toBe(1);
@@ -228,9 +154,9 @@ describe('the import report', () => {
   });
 
   it('draws a piece with its grain and notches', () => {
-    const drawn = pictureOf(piece('x', { grain_deg: 0, notch_list: [{ at: [1, 1], depth_mm: 4, angle_deg: 90 }] }));
+    const drawn = pictureOf(importedPiece('x', { grain_deg: 0, notch_list: [{ at: [1, 1], depth_mm: 4, angle_deg: 90 }] }));
     expect(drawn.grain![0]).toBeCloseTo(1, 9);
     expect(drawn.notches[0]!.inwards![1]).toBeCloseTo(1, 9);
-    expect(pictureOf(piece('y', { grain_deg: null })).grain).toBeNull();
+    expect(pictureOf(importedPiece('y', { grain_deg: null })).grain).toBeNull();
   });
 });

@@ -1,7 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import type { Commands } from '../src/commands/Commands';
-import { bindings, listenForKeys } from '../src/commands/keys';
+import { bindings, listenForKeys } from '../src/tools/keys';
 import { AppState } from '../src/state/AppState';
+import type { ToolFacts } from '../src/state/editing';
 
 /** A window that hands its key listener out. */
 function begin() {
@@ -9,7 +10,7 @@ function begin() {
   const pattern = {
     undo: () => called.push('undo'),
     redo: () => called.push('redo'),
-    takeTool: (tool: string) => called.push(tool),
+    takeTool: (tool: ToolFacts) => called.push(tool.id),
     remove: () => called.push('remove'),
     finishSide: () => called.push('finish'),
     cancel: () => called.push('cancel') > 0,

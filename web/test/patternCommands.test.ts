@@ -4,6 +4,7 @@ import { ApiError } from '../src/api/http';
 import type { Edit } from '../src/api/types';
 import { PatternCommands } from '../src/commands/PatternCommands';
 import { AppState, ready, valueOf } from '../src/state/AppState';
+import { sew } from '../src/tools/sew';
 import { fakeApi, projectOf, seamOf, squareOf } from './fakes';
 
 function begin(more: Partial<Api> = {}) {
@@ -37,13 +38,8 @@ describe('an edit', () => {
 
   it('that is refused says why and where, until the next one', async () => {
     const refuse = new ApiError(422, 'pattern.self_crossing', 'the outline crosses itself', '/edits/0: piece a');
-    let first = true;
-    const { commands, state } = begin({
-      edit: async (id, revision) => {
-        if (first) throw ((first = false), refuse);
-        return projectOf({ id, revision: revision + 1 });
-      },
-    });
+    const answers = [() => Promise.reject(refuse), () => Promise.resolve(projectOf({ revision: 2 }))];
+    const { commands, state } = begin({ edit: () => answers.shift()!() });
     await commands.edit(move);
     expect(state.editing.problem.value).toBe(refuse);
     expect(state.project.value?.revision).toBe(1);
@@ -88,7 +84,7 @@ describe('deleting', () => {
 describe('sewing', () => {
   it('goes from side A to side B to the seam with Enter', async () => {
     const { commands, sent, state } = begin();
-    commands.takeTool('sew');
+    commands.takeTool(sew);
     await commands.finishSide();
     commands.sewEdge('a', 'e0');
     await commands.finishSide();
@@ -114,7 +110,7 @@ describe('sewing', () => {
 
   it('may take a part of an edge', async () => {
     const { commands, sent } = begin();
-    commands.takeTool('sew');
+    commands.takeTool(sew);
     commands.sewEdge('a', 'e0');
     commands.cutDraft('a', 0, 0.25, 0.5);
     commands.cutDraft('a', 0, 0.7, 0.5); // no part
@@ -126,7 +122,7 @@ describe('sewing', () => {
 
   it('is put down by Escape, from the inside out', () => {
     const { commands, state } = begin();
-    commands.takeTool('sew');
+    commands.takeTool(sew);
     commands.sewEdge('a', 'e0');
     expect(commands.cancel()).toBe(true);
     expect(state.editing.draft.value.a).toEqual([]);

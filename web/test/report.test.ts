@@ -1,40 +1,9 @@
 import { describe, expect, it } from 'vitest';
 import type { Report } from '../src/api/types';
 import { downloadsOf, reportLines, stillsOf } from '../src/state/report';
+import { reportOf } from './samples';
 
-const report: Report = {
-  name: 'A-line skirt',
-  settled: true,
-  stop_reason: 'settled',
-  cpu_s: 7.4,
-  wall_s: 7.45,
-  resumed: 0,
-  steps: 10502,
-  simulated_s: 3.5007,
-  particles: 3286,
-  sewn_particles: 3162,
-  triangles: 6176,
-  body_triangles: 3300,
-  intersections: {
-    cloth_body: 0,
-    cloth_cloth: 0,
-    worst_frame: { step: 0, cloth_body: 0, cloth_cloth: 0 },
-    frames_checked: 212,
-  },
-  seam_gap_max_mm: 0,
-  attachments: [],
-  strain: {
-    warp: { mean: 0.0014, p99: 0.0078, max: 0.02 },
-    weft: { mean: 0.0015, p99: 0.0184, max: 0.05 },
-    shear: { mean: 0, p99: 0.016, max: 0.04 },
-  },
-  rms_speed: 0.00297,
-  max_speed: 0.0156,
-  lowest_m: 0.4774,
-  highest_m: 1.1024,
-  findings: [],
-  hash: 'a5',
-};
+const report = reportOf();
 const line = (label: string, changes: Partial<Report> = {}) =>
   reportLines({ ...report, ...changes }).find((one) => one.label === label)!;
 

@@ -6,12 +6,18 @@ const kAllowed: Record<string, string[]> = {
   state: ['state', 'api'],
   commands: ['commands', 'state', 'api'],
   workers: ['workers', 'api'],
-  pattern: ['pattern', 'commands', 'state', 'api'],
-  scene: ['scene', 'commands', 'state', 'api'],
-  panels: ['panels', 'pattern', 'commands', 'state', 'api'],
+  controls: ['controls'],
+  tools: ['tools', 'controls', 'commands', 'state', 'api'],
+  pattern: ['pattern', 'tools', 'commands', 'state', 'api'],
+  scene: ['scene', 'tools', 'commands', 'state', 'api'],
+  panels: ['panels', 'tools', 'controls', 'commands', 'state', 'api'],
 };
 
 const files = import.meta.glob<string>('../src/**/*.{ts,tsx}', { query: '?raw', import: 'default', eager: true });
+
+const tests = import.meta.glob<string>('./*.{ts,tsx}', { query: '?raw', import: 'default', eager: true });
+
+const panelTests = import.meta.glob<string>('./panels/*.tsx', { query: '?raw', import: 'default', eager: true });
 
 /** Folder of src that an import in `file` leads to; null for packages. */
 function target(file: string, path: string): string | null {
@@ -33,6 +39,24 @@ describe('the rooms of the page', () => {
     }
     expect(wrong).toEqual([]);
     expect(Object.keys(files).length).toBeGreaterThan(30);
+  });
+
+  it('export no value that nobody takes', () => {
+    const all = Object.entries({ ...files, ...tests, ...panelTests });
+    const unused = Object.entries(files).flatMap(([file, text]) =>
+      [...text.matchAll(/^export (?:async )?(?:const|function|class) (\w+)/gm)]
+        .map(([, name]) => name!)
+        .filter((name) => !all.some(([other, code]) => other !== file && new RegExp(`\\b${name}\\b`).test(code)))
+        .map((name) => `${file}: ${name}`),
+    );
+    expect(unused).toEqual([]);
+  });
+
+  it('have each panel drawn by a test', () => {
+    const drawn = Object.values(panelTests).join('\n');
+    const panels = Object.keys(files).filter((file) => file.startsWith('../src/panels/'));
+    expect(panels.filter((file) => !drawn.includes(`'../${file.replace('.tsx', "'")}`))).toEqual([]);
+    expect(panels.length).toBeGreaterThan(20);
   });
 
   it('fetch three.js only with the 3D view', () => {

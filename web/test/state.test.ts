@@ -160,8 +160,8 @@ describe('the live cloth', () => {
   it('gives back the buffer that a newer one replaces', () => {
     const cloth = new LiveCloth();
     cloth.setTopology(topology(1));
-    const a = new Float32Array(3),
-      b = new Float32Array(3);
+    const a = new Float32Array(3);
+    const b = new Float32Array(3);
     expect(cloth.setPositions(a, moment)).toBeNull();
     expect(cloth.setPositions(b, moment)).toBe(a);
   });

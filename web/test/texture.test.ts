@@ -74,7 +74,7 @@ describe('the names of pictures', () => {
       { name: 'cloth/a.PNG', kind: 'image' },
     ]);
     const files = ['p.json', 'a.dxf', 'a.png'].map((name) => ({ name, blob: new Blob([JSON.stringify(document)]) }));
-    const plan = await planIntake(files);
+    const plan = await planIntake(files, null);
     expect(plan.problems).toEqual([]);
     expect(plan.ready).toBe(true);
     expect(plan.needed[1]!.file!.name).toBe('a.png');
@@ -109,7 +109,10 @@ function begin(more: Partial<Api> = {}) {
   state.route.value = { name: 'project', id: 'p_1' };
   state.pieces.value = ready({ pieces: [squareOf('a', 0, 0, 100), squareOf('b', 200, 0, 100)], seams: [] });
   const pattern = new PatternCommands(state, api, () => undefined);
-  const load = async (url: string) => (loaded.push(url), { ...picture, url });
+  const load = async (url: string) => {
+    loaded.push(url);
+    return { ...picture, url };
+  };
   const textures = new TextureCommands(state, api, (ask) => pattern.change(ask), load);
   return { state, api, sent, loaded, textures };
 }

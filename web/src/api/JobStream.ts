@@ -139,7 +139,10 @@ export class JobStream {
     const socket = this.socket_;
     this.socket_ = null;
     if (!socket) return;
-    socket.onopen = socket.onmessage = socket.onclose = socket.onerror = null;
+    socket.onopen = null;
+    socket.onmessage = null;
+    socket.onclose = null;
+    socket.onerror = null;
     socket.close();
   }
 }

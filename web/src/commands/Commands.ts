@@ -107,7 +107,7 @@ export class Commands {
       files.some((file) => file.name.toLowerCase() === old.name.toLowerCase());
     const all = [...(intake.value?.files ?? []).filter((old) => !replaced(old)), ...files];
     intake.value = { files: all, plan: intake.value?.plan ?? null, busy: 'Reading the files', error: null };
-    const plan = await planIntake(all);
+    const plan = await this.planOf(all);
     if (intake.value?.files !== all) return;
     intake.value = { files: all, plan, busy: '', error: null };
     await this.imports.follow(plan.loose);
@@ -125,18 +125,25 @@ export class Commands {
     return true;
   }
 
+  private async planOf(files: readonly GivenFile[]): Promise<IntakePlan> {
+    await this.dressing.loadTables();
+    return planIntake(files, this.state_.dressing.meshEndings.value);
+  }
+
   openIntake(): void {
+    void this.dressing.loadTables();
     this.state_.intake.value ??= { files: [], plan: null, busy: '', error: null };
   }
 
   closeIntake(): void {
-    this.state_.intake.value = this.state_.importing.value = null;
+    this.state_.importing.value = null;
+    this.state_.intake.value = null;
   }
 
   async removeFile(name: string): Promise<void> {
     const { intake } = this.state_;
     const files = (intake.value?.files ?? []).filter((file) => file.name !== name);
-    const plan = files.length > 0 ? await planIntake(files) : null;
+    const plan = files.length > 0 ? await this.planOf(files) : null;
     intake.value = { files, plan, busy: '', error: null };
     await this.imports.follow(plan?.loose ?? null);
   }

@@ -57,13 +57,14 @@ export class DressingCommands {
     void this.load(this.state_.projectId.value, this.state_.project.value?.revision ?? 0);
   }
 
-  private async loadTables(): Promise<void> {
+  /** Sizes, measures and what meshes may be: the same for all projects. */
+  async loadTables(): Promise<void> {
     const { tables } = this.state_.dressing;
     if (tables.value) return;
     try {
       tables.value = await this.api_.tables();
     } catch {
-      // The body is shown all the same; the next look at a project asks again.
+      // What is shown needs none of them; the next look at a project, or for files, asks again.
     }
   }
 
@@ -97,12 +98,14 @@ export class DressingCommands {
       if (this.of_ !== key) return;
       dressing.start.value = start;
       dressing.check.value = check;
-      dressing.startProblem.value = dressing.finding.value = null;
+      dressing.finding.value = null;
+      dressing.startProblem.value = null;
       if (this.reframe_) this.seeAll();
     } catch (error) {
       if (this.of_ !== key) return;
       this.reframe_ = false;
-      dressing.start.value = dressing.check.value = null;
+      dressing.check.value = null;
+      dressing.start.value = null;
       dressing.startProblem.value = asApiError(error);
     }
   }
@@ -144,7 +147,7 @@ export class DressingCommands {
 
   setMannequin(more: Partial<Mannequin>): Promise<void> {
     const mannequin = this.body?.mannequin;
-    return mannequin ? this.dress({ mannequin: { ...mannequin, ...more } as Mannequin }) : Promise.resolve();
+    return mannequin ? this.dress({ mannequin: { ...mannequin, ...more } }) : Promise.resolve();
   }
 
   setSkinOffset(mm: number): Promise<void> {
@@ -195,9 +198,7 @@ export class DressingCommands {
     const { problem } = this.state_.dressing;
     const body = this.body;
     if (!body) return Promise.resolve();
-    return this.change('Putting the landmark back', problem, (project) =>
-      this.api_.unmark(project, body.id, landmark),
-    );
+    return this.change('Putting the landmark back', problem, (project) => this.api_.unmark(project, body.id, landmark));
   }
 
   /** The next click on the body says where the landmark is; an empty name: never mind. */

@@ -155,30 +155,41 @@ export class ImportCommands {
     const draft = importing.value;
     const report = draft && valueOf(draft.report);
     if (!draft || !report || !intake.value || intake.value.busy) return;
-    const say = (busy: string): void => {
-      if (intake.value) intake.value = { ...intake.value, busy, error: null };
-    };
     try {
-      const body = await this.bodyFile(draft, say);
-      const document = documentOf(draft, report, body?.name ?? null);
-      if (!document) return;
-      say('Making the project');
-      const files: Record<string, string> = {};
-      if (namesPattern(document)) files[report.file] = report.asset;
-      if (body) files[body.name] = body.id;
-      const made = await this.api_.createProject(document, files);
-      if (draft.source.kind === 'dxf') say('Standing the pieces around the body');
-      const project = draft.source.kind === 'dxf' ? await this.arranged(made) : made;
+      const made = await this.created(draft, report);
+      if (!made) return;
+      // A specification's pieces stand where it says, and those of a DXF nowhere yet.
+      const fromDxf = draft.source.kind === 'dxf';
+      const project = fromDxf ? await this.arranged(made) : made;
       importing.value = null;
-      const stands = project.revision > made.revision || draft.source.kind !== 'dxf';
+      const stands = project.revision > made.revision || !fromDxf;
       await this.made_(project, drape && stands);
     } catch (error) {
       if (intake.value) intake.value = { ...intake.value, busy: '', error: asApiError(error) };
     }
   }
 
+  /** What is being done, for the dialog. */
+  private say(busy: string): void {
+    const { intake } = this.state_;
+    if (intake.value) intake.value = { ...intake.value, busy, error: null };
+  }
+
+  /** The project without places; null where no piece is left to make one of. */
+  private async created(draft: ImportDraft, report: Import): Promise<Project | null> {
+    const body = await this.bodyFile(draft);
+    const document = documentOf(draft, report, body?.name ?? null);
+    if (!document) return null;
+    this.say('Making the project');
+    const files: Record<string, string> = {};
+    if (namesPattern(document)) files[report.file] = report.asset;
+    if (body) files[body.name] = body.id;
+    return this.api_.createProject(document, files);
+  }
+
   /** A garment that cannot be arranged yet is a project all the same; its pieces then stand in rows. */
   private async arranged(project: Project): Promise<Project> {
+    this.say('Standing the pieces around the body');
     try {
       return await this.api_.arrange(project.id, project.revision);
     } catch (error) {
@@ -188,11 +199,11 @@ export class ImportCommands {
     }
   }
 
-  private async bodyFile(draft: ImportDraft, say: (busy: string) => void): Promise<Pick<Asset, 'id' | 'name'> | null> {
+  private async bodyFile(draft: ImportDraft): Promise<Pick<Asset, 'id' | 'name'> | null> {
     const { body } = draft;
     if (body.kind === 'mannequin') return null;
     if (body.kind === 'asset') return body;
-    say(`Uploading ${body.file.name}`);
+    this.say(`Uploading ${body.file.name}`);
     return this.api_.uploadAsset('body', body.file.name, body.file.blob);
   }
 }

@@ -5,7 +5,7 @@ import type { Api } from '../api/Api';
 import { ApiError } from '../api/http';
 import type { Edit, Piece, Point, Project, SeamProposal } from '../api/types';
 import { loading, ready, valueOf, type AppState } from '../state/AppState';
-import { freePieceId, type EditingState, type Part, type Tool } from '../state/editing';
+import { freePieceId, kRestingTool, type EditingState, type Part, type ToolFacts } from '../state/editing';
 import { bentHandles, isStraight, nextEdge } from '../state/outline';
 import { emptyDraft, freeSeamId, kSure, sewnTogether, ticked, withEdge, type Side } from '../state/seamView';
 import { asApiError, notify, notifyError } from './notices';
@@ -32,8 +32,11 @@ export class PatternCommands {
   /** Another project is shown: puts down everything that belonged to the last one. */
   projectChanged(): void {
     const { editing } = this;
-    editing.tool.value = 'pieces';
-    editing.part.value = editing.seam.value = editing.litSeam.value = editing.problem.value = null;
+    editing.tool.value = kRestingTool;
+    editing.problem.value = null;
+    editing.litSeam.value = null;
+    editing.seam.value = null;
+    editing.part.value = null;
     editing.draft.value = emptyDraft;
     editing.history.value = [];
     editing.proposals.value = null;
@@ -42,14 +45,13 @@ export class PatternCommands {
 
   // ---- tools and what is selected
 
-  takeTool(tool: Tool): void {
+  takeTool({ id, keepsPart }: ToolFacts): void {
     const { editing } = this;
     if (!this.state_.projectId.value) return;
-    editing.tool.value = tool;
-    editing.draft.value = emptyDraft;
-    editing.problem.value = null;
-    if (tool !== 'points') editing.part.value = null;
-    if (tool !== 'pieces') this.state_.tab.value = 'pattern';
+    editing.tool.value = id;
+    this.clearDraft();
+    if (!keepsPart) editing.part.value = null;
+    if (id !== kRestingTool) this.state_.tab.value = 'pattern';
   }
 
   selectPart(part: Part | null): void {
@@ -79,7 +81,7 @@ export class PatternCommands {
     else if (draft.value.a.length + draft.value.b.length > 0) draft.value = emptyDraft;
     else if (part.value) part.value = null;
     else if (seam.value) seam.value = null;
-    else if (tool.value !== 'pieces') tool.value = 'pieces';
+    else if (tool.value !== kRestingTool) tool.value = kRestingTool;
     else return false;
     return true;
   }
@@ -311,6 +313,12 @@ export class PatternCommands {
     if (!(from >= 0 && to <= 1 && from < to)) return;
     const series = draft.value[side].map((use, i) => (i === index ? { ...use, from, to } : use));
     draft.value = { ...draft.value, [side]: series };
+  }
+
+  /** The seam that is being made begins anew. */
+  clearDraft(): void {
+    this.editing.draft.value = emptyDraft;
+    this.editing.problem.value = null;
   }
 
   turnDraft(): void {

@@ -89,7 +89,7 @@ export class Watcher {
         const id = this.state_.watched.value;
         if (id && this.state_.body.value?.state !== 'ready') void this.loadBody(id);
       },
-      frame: (positions, moment) => cloth.setPositions(positions, moment) as Float32Array | null,
+      frame: (positions, moment) => cloth.setPositions(positions, moment),
     };
   }
 
@@ -184,7 +184,10 @@ export class Watcher {
       const text = await this.api_.resultText(id, 'final.obj');
       if (watched.value !== id || cloth.topology) return;
       const known = valueOf(pieces.value ?? loading)?.pieces ?? [];
-      const read = clothFromObj(text, (name) => (name ? known.find((piece) => piece.id === name) : known[0])?.colour ?? null);
+      const read = clothFromObj(
+        text,
+        (name) => (name ? known.find((piece) => piece.id === name) : known[0])?.colour ?? null,
+      );
       cloth.setTopology(read.topology);
       cloth.setPositions(read.positions, { epoch: 0, seq: 1, step: 0, time: 0 });
     } catch {

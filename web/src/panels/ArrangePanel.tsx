@@ -10,7 +10,7 @@ import { useAppState } from '../state/context';
 import { kParts, partTitle } from '../state/dressing';
 import { cssColour } from '../state/patternGeometry';
 import { Refusal } from './BodyPanel';
-import { NumberField } from './NumberField';
+import { NumberField } from '../controls/NumberField';
 import { ProblemList } from './ProblemList';
 
 export function ArrangePanel() {

@@ -1,7 +1,7 @@
 // Says that the connection is gone, when the next try comes, and lets one try now.
 
 import { useAppState } from '../state/context';
-import { Icon } from './Icon';
+import { Icon } from '../controls/Icon';
 
 export function Banner({ retry }: { retry: () => void }) {
   const state = useAppState();

@@ -3,6 +3,7 @@
 import { useSignal } from '@preact/signals';
 import { useEffect, useId, useRef } from 'preact/hooks';
 import type { BodyPreset, MeasureRule, ProjectBody, TakenMeasure } from '../api/dressing';
+import { acceptOf } from '../api/formats';
 import type { ApiError } from '../api/http';
 import { useCommands } from '../commands/context';
 import { useAppState } from '../state/context';
@@ -19,10 +20,8 @@ import {
   type LengthUnit,
 } from '../state/dressing';
 import { sentence } from '../state/words';
-import { Icon } from './Icon';
-import { NumberField } from './NumberField';
-
-const kFormats = '.obj,.stl,.ply,.gltf,.glb,.fbx,.dae,.3ds,.off';
+import { Icon } from '../controls/Icon';
+import { NumberField } from '../controls/NumberField';
 
 export function BodyPanel() {
   const { dressing, projectId } = useAppState();
@@ -38,9 +37,7 @@ export function BodyPanel() {
       {body && dressing.marks.value.landmarks && <Landmarks body={body} />}
       {body?.stands && <Measures body={body} />}
       {body && !body.stands && (
-        <p class="hint">
-          {body.file ?? body.id} is no standing person. Cloth falls on it all the same.
-        </p>
+        <p class="hint">{body.file ?? body.id} is no standing person. Cloth falls on it all the same.</p>
       )}
       <OwnMesh body={body} />
     </>
@@ -153,9 +150,7 @@ function Marks({ body }: { body: ProjectBody }) {
           {measureTitle(kind)}
         </button>
       ))}
-      {mannequin && (
-        <span class="pose">Pose</span>
-      )}
+      {mannequin && <span class="pose">Pose</span>}
       {mannequin && (
         <span class="choice" role="radiogroup" aria-label="Pose">
           {(['a', 't'] as const).map((pose) => (
@@ -264,7 +259,7 @@ function MeasureSlider({ body, taken, rule, base }: SliderProps) {
     void commands.dressing.setMeasure(taken.name, cm).then(() => dressing.problem.value && (wish.value = null));
   };
   // The wish stands until the tape has taken the new body.
-  useEffect(() => void (wish.value = null), [taken]);
+  useEffect(() => void (wish.value = null), [taken, wish]);
   return (
     <MeasureRow taken={taken} own={own}>
       <input
@@ -357,6 +352,7 @@ function OwnMesh({ body }: { body: ProjectBody | null }) {
 }
 
 function MeshButton({ title, label, beside }: { title: string; label: string; beside: boolean }) {
+  const { dressing } = useAppState();
   const commands = useCommands();
   const input = useRef<HTMLInputElement>(null);
   const take = (file: File | undefined): void => {
@@ -372,7 +368,7 @@ function MeshButton({ title, label, beside }: { title: string; label: string; be
         ref={input}
         class="visually-hidden"
         type="file"
-        accept={kFormats}
+        accept={acceptOf(dressing.meshEndings.value)}
         aria-label={label}
         tabIndex={-1}
         onChange={(event) => take(event.currentTarget.files?.[0])}

@@ -35,11 +35,11 @@ function Reason({ job }: { job: Job }) {
   );
 }
 
-const kWidth = 300,
-  kHeight = 92;
+const kWidth = 300;
+const kHeight = 92;
 /** Speeds of the axis, m/s: from hardly moving to falling. */
-const kSlow = 1e-3,
-  kFast = 3;
+const kSlow = 1e-3;
+const kFast = 3;
 /** The document's usual settle_speed_mm_s. */
 const kSettled = 5e-3;
 

@@ -3,7 +3,7 @@
 import { useSignal } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
 import { useCommands } from '../commands/context';
-import { Icon } from './Icon';
+import { Icon } from '../controls/Icon';
 
 const carriesFiles = (event: DragEvent): boolean => event.dataTransfer?.types.includes('Files') ?? false;
 
@@ -33,7 +33,7 @@ export function DropTarget() {
     ] as const;
     for (const [name, listener] of listeners) window.addEventListener(name, listener);
     return () => listeners.forEach(([name, listener]) => window.removeEventListener(name, listener));
-  }, []);
+  }, [commands, over]);
   return over.value ? (
     <div class="drop-veil" aria-hidden="true">
       <div>

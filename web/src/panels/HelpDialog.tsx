@@ -1,7 +1,7 @@
 import { useEffect, useRef } from 'preact/hooks';
-import { bindings } from '../commands/keys';
+import { bindings } from '../tools/keys';
 import { useAppState } from '../state/context';
-import { Icon } from './Icon';
+import { Icon } from '../controls/Icon';
 
 /** The keys, from the table that handles them. */
 export function HelpDialog() {

@@ -2,18 +2,23 @@
 // accept, a body, and what became of every entity.
 
 import { useSignal } from '@preact/signals';
+import type { ComponentType } from 'preact';
 import { useCommands } from '../commands/context';
 import type { Import, Unit } from '../api/types';
-import { ImportPreview } from '../pattern/ImportPreview';
 import { useAppState } from '../state/context';
-import { seamsInReach, sureness, type BodyChoice, type ImportDraft } from '../state/importDraft';
+import { seamsInReach, sureness, type BodyChoice, type ImportDraft, type PreviewProps } from '../state/importDraft';
 import { count, counted, percent, sentence } from '../state/words';
 import { ImportReport } from './ImportReport';
 import { ImportSeams } from './ImportSeams';
 
 type Page = 'pieces' | 'seams' | 'report';
 
-export function ImportPanel({ draft }: { draft: ImportDraft }) {
+/** Draws the file's pieces; who puts the page together says with what. */
+export interface PreviewSlot {
+  Preview: ComponentType<PreviewProps>;
+}
+
+export function ImportPanel({ draft, Preview }: { draft: ImportDraft } & PreviewSlot) {
   const { report } = draft;
   if (report.state === 'loading') {
     return (
@@ -37,7 +42,7 @@ export function ImportPanel({ draft }: { draft: ImportDraft }) {
       </div>
     );
   }
-  return <Read draft={draft} report={report.value} />;
+  return <Read draft={draft} report={report.value} Preview={Preview} />;
 }
 
 function Again() {
@@ -49,7 +54,7 @@ function Again() {
   );
 }
 
-function Read({ draft, report }: { draft: ImportDraft; report: Import }) {
+function Read({ draft, report, Preview }: { draft: ImportDraft; report: Import } & PreviewSlot) {
   const page = useSignal<Page>('pieces');
   const lit = useSignal<string | null>(null);
   const seams = seamsInReach(report, draft.left);
@@ -71,7 +76,7 @@ function Read({ draft, report }: { draft: ImportDraft; report: Import }) {
   };
   return (
     <div class="import">
-      <ImportPreview draft={draft} report={report} lit={lit.value} onLight={(seam) => (lit.value = seam)} />
+      <Preview draft={draft} report={report} lit={lit.value} onLight={(seam) => (lit.value = seam)} />
       <div class="import-side">
         <div class="tabs" role="tablist" aria-label="What the file holds" onKeyDown={turn}>
           {pages.map((one) => (

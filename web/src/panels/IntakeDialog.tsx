@@ -1,34 +1,29 @@
 // Files become a project: shows what was given, what is missing and the way on.
 
 import { useEffect, useRef } from 'preact/hooks';
+import { acceptOf, kPictureEndings } from '../api/formats';
 import { useCommands } from '../commands/context';
 import type { Intake } from '../state/AppState';
 import { useAppState } from '../state/context';
 import type { IntakePlan } from '../state/intake';
 import { valueOf } from '../state/AppState';
-import { documentOf } from '../state/importDraft';
+import { documentOf, type ImportDraft } from '../state/importDraft';
 import { bytes, sentence } from '../state/words';
-import { Icon } from './Icon';
-import { ImportPanel } from './ImportPanel';
+import { Icon } from '../controls/Icon';
+import { ImportPanel, type PreviewSlot } from './ImportPanel';
 
-export function IntakeDialog() {
+export function IntakeDialog({ Preview }: PreviewSlot) {
   const state = useAppState();
-  return state.intake.value ? <Dialog intake={state.intake.value} /> : null;
+  return state.intake.value ? <Dialog intake={state.intake.value} Preview={Preview} /> : null;
 }
 
-function Dialog({ intake }: { intake: Intake }) {
+function Dialog({ intake, Preview }: { intake: Intake } & PreviewSlot) {
   const commands = useCommands();
   const dialog = useRef<HTMLDialogElement>(null);
-  const input = useRef<HTMLInputElement>(null);
   useEffect(() => dialog.current?.showModal(), []);
   const state = useAppState();
-  const { plan } = intake;
+  const { plan, error } = intake;
   const draft = state.importing.value;
-  const report = draft && valueOf(draft.report);
-  const can = draft ? report !== null && documentOf(draft, report, null) !== null : (plan?.ready ?? false);
-  const make = (drape: boolean): void => void (draft ? commands.imports.make(drape) : commands.createProject(drape));
-  const take = (list: FileList | null): void =>
-    void commands.addFiles([...(list ?? [])].map((file) => ({ name: file.name, blob: file })));
   return (
     <dialog
       class={`sheet intake${draft ? ' wide' : ''}`}
@@ -43,52 +38,87 @@ function Dialog({ intake }: { intake: Intake }) {
         </button>
       </header>
       <div class="sheet-body">
-        <button class="dropzone" autofocus onClick={() => input.current?.click()}>
-          <Icon name="file" />
-          <b>{intake.files.length === 0 ? 'Drop files here, or choose them' : 'Add more files'}</b>
-          <small>A pattern (DXF, GarmentCode JSON), a body (OBJ, glTF, …), or a project.json with its files</small>
-        </button>
-        <input
-          ref={input}
-          type="file"
-          multiple
-          hidden
-          accept=".json,.dxf,.obj,.glb,.gltf,.ply,.stl,.fbx,.dae,.png,.jpg,.jpeg"
-          onChange={(event) => {
-            take(event.currentTarget.files);
-            event.currentTarget.value = '';
-          }}
-        />
+        <Dropzone empty={intake.files.length === 0} />
         <Given intake={intake} />
         {plan && <Missing plan={plan} />}
-        {draft && <ImportPanel draft={draft} />}
-        {intake.error && (
-          <div class="problem" role="alert">
-            <Icon name="alert" />
-            <div>
-              <p>{sentence(intake.error.detail)}</p>
-              <p class="code">{[intake.error.code, intake.error.where].filter(Boolean).join(' · ')}</p>
-            </div>
-          </div>
-        )}
+        {draft && <ImportPanel draft={draft} Preview={Preview} />}
+        {error && <Problem text={sentence(error.detail)} code={[error.code, error.where]} />}
       </div>
-      <footer>
-        <span class="busy" role="status">
-          {intake.busy && (
-            <>
-              <span class="spinner" aria-hidden="true" />
-              {intake.busy}…
-            </>
-          )}
-        </span>
-        <button class="plain" disabled={!can || intake.busy !== ''} onClick={() => make(false)}>
-          Create
-        </button>
-        <button class="primary" disabled={!can || intake.busy !== ''} onClick={() => make(true)}>
-          <Icon name="play" /> Create and drape
-        </button>
-      </footer>
+      <Makers intake={intake} draft={draft} />
     </dialog>
+  );
+}
+
+/** Where files are chosen; the whole page takes those that are dropped. */
+function Dropzone({ empty }: { empty: boolean }) {
+  const { dressing } = useAppState();
+  const commands = useCommands();
+  const input = useRef<HTMLInputElement>(null);
+  const take = (list: FileList | null): void =>
+    void commands.addFiles([...(list ?? [])].map((file) => ({ name: file.name, blob: file })));
+  return (
+    <>
+      <button class="dropzone" autofocus onClick={() => input.current?.click()}>
+        <Icon name="file" />
+        <b>{empty ? 'Drop files here, or choose them' : 'Add more files'}</b>
+        <small>A pattern (DXF, GarmentCode JSON), a body (OBJ, glTF, …), or a project.json with its files</small>
+      </button>
+      <input
+        ref={input}
+        type="file"
+        multiple
+        hidden
+        accept={acceptOf(dressing.meshEndings.value, '.json', '.dxf', ...kPictureEndings)}
+        onChange={(event) => {
+          take(event.currentTarget.files);
+          event.currentTarget.value = '';
+        }}
+      />
+    </>
+  );
+}
+
+function Problem({ text, code }: { text: string; code: readonly string[] }) {
+  return (
+    <div class="problem" role="alert">
+      <Icon name="alert" />
+      <div>
+        <p>{text}</p>
+        <p class="code">{code.filter(Boolean).join(' · ')}</p>
+      </div>
+    </div>
+  );
+}
+
+/** Whether a project can be made of what is there. */
+function isWhole(intake: Intake, draft: ImportDraft | null): boolean {
+  if (!draft) return intake.plan?.ready ?? false;
+  const report = valueOf(draft.report);
+  return report !== null && documentOf(draft, report, null) !== null;
+}
+
+/** The way on, and what is being done. */
+function Makers({ intake, draft }: { intake: Intake; draft: ImportDraft | null }) {
+  const commands = useCommands();
+  const make = (drape: boolean): void => void (draft ? commands.imports.make(drape) : commands.createProject(drape));
+  const stuck = !isWhole(intake, draft) || intake.busy !== '';
+  return (
+    <footer>
+      <span class="busy" role="status">
+        {intake.busy && (
+          <>
+            <span class="spinner" aria-hidden="true" />
+            {intake.busy}…
+          </>
+        )}
+      </span>
+      <button class="plain" disabled={stuck} onClick={() => make(false)}>
+        Create
+      </button>
+      <button class="primary" disabled={stuck} onClick={() => make(true)}>
+        <Icon name="play" /> Create and drape
+      </button>
+    </footer>
   );
 }
 
@@ -131,15 +161,7 @@ function Missing({ plan }: { plan: IntakePlan }) {
   return (
     <>
       {plan.problems.map((problem, i) => (
-        <div key={i} class="problem" role="alert">
-          <Icon name="alert" />
-          <div>
-            <p>{problem.text}</p>
-            <p class="code">
-              {problem.code} · {problem.where}
-            </p>
-          </div>
-        </div>
+        <Problem key={i} text={problem.text} code={[problem.code, problem.where]} />
       ))}
       {missing.length > 0 && (
         <div class="missing" role="status">

@@ -1,7 +1,7 @@
 import { dismiss } from '../commands/notices';
 import { useAppState } from '../state/context';
 import { sentence } from '../state/words';
-import { Icon } from './Icon';
+import { Icon } from '../controls/Icon';
 
 /** Short news at the edge of the page. */
 export function Notices() {

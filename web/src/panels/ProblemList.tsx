@@ -5,7 +5,7 @@ import { useCommands } from '../commands/context';
 import { useAppState } from '../state/context';
 import { findingCounts, sortedFindings } from '../state/dressing';
 import { counted, sentence } from '../state/words';
-import { Icon, type IconName } from './Icon';
+import { Icon, type IconName } from '../controls/Icon';
 
 const kIcons: Record<Finding['severity'], IconName> = { error: 'cross', warning: 'alert', note: 'help' };
 const kNames: Record<Finding['severity'], string> = { error: 'Error', warning: 'Warning', note: 'Note' };

@@ -1,5 +1,6 @@
 // Seams that the pieces ask for: looked for on request, accepted by ticks.
 
+import type { ApiError } from '../api/http';
 import type { Pieces, SeamProposal } from '../api/types';
 import { useCommands } from '../commands/context';
 import { useAppState } from '../state/context';
@@ -7,50 +8,61 @@ import { lengthsText, seriesText } from '../state/seamView';
 import { counted, percent, sentence } from '../state/words';
 
 export function ProposalList({ pieces }: { pieces: Pieces }) {
-  const state = useAppState();
-  const { pattern } = useCommands();
-  const { proposals, chosen, busy } = state.editing;
+  const { proposals } = useAppState().editing;
   const found = proposals.value;
   if (pieces.pieces.length === 0) return null;
   return (
     <section class="proposals" aria-label="Proposed seams">
       <h3>Proposals</h3>
-      {(found === null || found.state === 'failed') && (
-        <>
-          {found && <p class="hint bad">{sentence(found.error.detail)}</p>}
-          <button class="plain" disabled={busy.value} onClick={() => void pattern.propose()}>
-            Look for seams
-          </button>
-        </>
-      )}
+      {(found === null || found.state === 'failed') && <Ask failure={found} />}
       {found?.state === 'loading' && (
         <p class="busy" role="status">
           <span class="spinner" aria-hidden="true" /> Looking at lengths, notches and names…
         </p>
       )}
-      {found?.state === 'ready' && found.value.length === 0 && <p class="hint">No further seams are found.</p>}
-      {found?.state === 'ready' && found.value.length > 0 && (
-        <>
-          <ul>
-            {found.value.map((one) => (
-              <ProposalRow
-                key={one.id}
-                proposal={one}
-                on={chosen.value.has(one.id)}
-                turn={(on) => pattern.choose(one.id, on)}
-              />
-            ))}
-          </ul>
-          <button
-            class="primary"
-            disabled={chosen.value.size === 0 || busy.value}
-            onClick={() => void pattern.acceptProposals()}
-          >
-            Sew {counted(chosen.value.size, 'seam')}
-          </button>
-        </>
-      )}
+      {found?.state === 'ready' && <Found proposals={found.value} />}
     </section>
+  );
+}
+
+/** Before anybody asked, and after it came to nothing. */
+function Ask({ failure }: { failure: { error: ApiError } | null }) {
+  const { busy } = useAppState().editing;
+  const { pattern } = useCommands();
+  return (
+    <>
+      {failure && <p class="hint bad">{sentence(failure.error.detail)}</p>}
+      <button class="plain" disabled={busy.value} onClick={() => void pattern.propose()}>
+        Look for seams
+      </button>
+    </>
+  );
+}
+
+function Found({ proposals }: { proposals: readonly SeamProposal[] }) {
+  const { chosen, busy } = useAppState().editing;
+  const { pattern } = useCommands();
+  if (proposals.length === 0) return <p class="hint">No further seams are found.</p>;
+  return (
+    <>
+      <ul>
+        {proposals.map((one) => (
+          <ProposalRow
+            key={one.id}
+            proposal={one}
+            on={chosen.value.has(one.id)}
+            turn={(on) => pattern.choose(one.id, on)}
+          />
+        ))}
+      </ul>
+      <button
+        class="primary"
+        disabled={chosen.value.size === 0 || busy.value}
+        onClick={() => void pattern.acceptProposals()}
+      >
+        Sew {counted(chosen.value.size, 'seam')}
+      </button>
+    </>
   );
 }
 

@@ -6,7 +6,7 @@ import { valueOf } from '../state/AppState';
 import { useAppState } from '../state/context';
 import { activity, isActive, newestJobOf, overall, stateNames, thumbnailOf } from '../state/jobs';
 import { ago, percent } from '../state/words';
-import { Icon } from './Icon';
+import { Icon } from '../controls/Icon';
 
 export interface PicturesProps {
   /** Address of a result file. */
@@ -119,7 +119,7 @@ function JobList({ resultUrl }: PicturesProps) {
 function JobRow({ job, resultUrl }: { job: Job } & PicturesProps) {
   const state = useAppState();
   const shown = state.job.value?.id === job.id;
-  const fresh = shown ? state.job.value! : job;
+  const fresh = shown ? state.job.value : job;
   const name = thumbnailOf(fresh);
   const when = ago(fresh.ended_ms || fresh.created_ms, state.now.value);
   const fraction = fresh.progress ? overall(fresh.progress.phase, fresh.progress.fraction) : 0;

@@ -4,9 +4,9 @@ import { useSignal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import { useAppState } from '../state/context';
 import { isActive } from '../state/jobs';
-import { downloadsOf, reportLines, stillsOf } from '../state/report';
+import { downloadsOf, reportLines, stillsOf, type Download } from '../state/report';
 import { bytes } from '../state/words';
-import { Icon } from './Icon';
+import { Icon } from '../controls/Icon';
 import type { PicturesProps } from './Rail';
 
 const kStillNames: Record<string, string> = {
@@ -15,6 +15,8 @@ const kStillNames: Record<string, string> = {
   'back.png': 'Back',
   'side.png': 'Side',
 };
+
+const stillName = (name: string): string => kStillNames[name] ?? name;
 
 export function Results({ resultUrl }: PicturesProps) {
   const state = useAppState();
@@ -27,57 +29,63 @@ export function Results({ resultUrl }: PicturesProps) {
   if (isActive(job.state) && downloads.length === 0) {
     return <p class="hint">Stills, models and the report are kept here when the drape has ended.</p>;
   }
+  const urlOf = (name: string): string => resultUrl(job.id, name);
   return (
     <>
-      {stills.length > 0 && (
-        <ul class="stills">
-          {stills.map((name) => (
-            <li key={name}>
-              <button onClick={() => (large.value = name)} aria-label={`${kStillNames[name] ?? name} still, enlarge`}>
-                <img src={resultUrl(job.id, name)} alt="" decoding="async" />
-                <span>{kStillNames[name] ?? name}</span>
-              </button>
-            </li>
-          ))}
-        </ul>
-      )}
+      {stills.length > 0 && <Stills names={stills} urlOf={urlOf} enlarge={(name) => (large.value = name)} />}
       <Report />
       {downloads.length > 0 && <h3>Take out</h3>}
       <ul class="downloads">
         {downloads.map((file) => (
-          <li key={file.name}>
-            <a href={resultUrl(job.id, file.name)} download={`${job.name} ${file.name}`} title={file.name}>
-              <Icon name="down" />
-              <span>
-                <b>{file.title}</b>
-                {file.hint && <small>{file.hint}</small>}
-              </span>
-              <em>{bytes(file.bytes)}</em>
-            </a>
-          </li>
+          <FileLink key={file.name} file={file} url={urlOf(file.name)} of={job.name} tip={file.name} />
         ))}
-        {stills.map((name) => (
-          <li key={name}>
-            <a href={resultUrl(job.id, name)} download={`${job.name} ${name}`}>
-              <Icon name="down" />
-              <span>
-                <b>PNG</b>
-                <small>{kStillNames[name] ?? name} still</small>
-              </span>
-              <em>{bytes(results[name]!)}</em>
-            </a>
-          </li>
-        ))}
+        {stills.map((name) => {
+          const file = { name, title: 'PNG', hint: `${stillName(name)} still`, bytes: results[name]! };
+          return <FileLink key={name} file={file} url={urlOf(name)} of={job.name} />;
+        })}
       </ul>
       {downloads.length === 0 && stills.length === 0 && <p class="hint">This drape ended without results.</p>}
       {large.value && (
-        <Enlarged
-          url={resultUrl(job.id, large.value)}
-          name={kStillNames[large.value] ?? large.value}
-          close={() => (large.value = null)}
-        />
+        <Enlarged url={urlOf(large.value)} name={stillName(large.value)} close={() => (large.value = null)} />
       )}
     </>
+  );
+}
+
+interface StillsProps {
+  names: readonly string[];
+  urlOf(name: string): string;
+  enlarge(name: string): void;
+}
+
+function Stills({ names, urlOf, enlarge }: StillsProps) {
+  return (
+    <ul class="stills">
+      {names.map((name) => (
+        <li key={name}>
+          <button onClick={() => enlarge(name)} aria-label={`${stillName(name)} still, enlarge`}>
+            <img src={urlOf(name)} alt="" decoding="async" />
+            <span>{stillName(name)}</span>
+          </button>
+        </li>
+      ))}
+    </ul>
+  );
+}
+
+/** A file to take along; it is saved under the drape's name. */
+function FileLink({ file, url, of, tip }: { file: Download; url: string; of: string; tip?: string }) {
+  return (
+    <li>
+      <a href={url} download={`${of} ${file.name}`} title={tip}>
+        <Icon name="down" />
+        <span>
+          <b>{file.title}</b>
+          {file.hint && <small>{file.hint}</small>}
+        </span>
+        <em>{bytes(file.bytes)}</em>
+      </a>
+    </li>
   );
 }
 

@@ -6,7 +6,7 @@ import { useCommands } from '../commands/context';
 import { useAppState } from '../state/context';
 import { lengthsText, seamColour, seriesText } from '../state/seamView';
 import { counted, sentence } from '../state/words';
-import { Icon } from './Icon';
+import { Icon } from '../controls/Icon';
 
 export function SeamList({ pieces }: { pieces: Pieces }) {
   const state = useAppState();
@@ -61,48 +61,49 @@ function Row({ seam, index, chosen }: { seam: Seam; index: number; chosen: boole
         <span>{lengths}</span>
         {seam.issues.length > 0 && <Icon name="alert" />}
       </button>
-      {chosen && (
-        <div class="seam-more">
-          <p>
-            <em>A</em> {seriesText(seam.a)}
-          </p>
-          <p>
-            <em>B</em> {seriesText(seam.b)}
-          </p>
-          <p>
-            Difference <b>{difference}</b>
-            {seam.same_direction && ', sewn in the same direction'}
-          </p>
-          {seam.issues.map((issue, i) => (
-            <p key={i} class={issue.error ? 'bad' : 'warn'}>
-              {sentence(issue.message)} <span class="code">{issue.code}</span>
-            </p>
-          ))}
-          <div class="button-row">
-            <button class="plain" onClick={() => void pattern.edit({ edit: 'reverse_seam', seam: seam.id })}>
-              Reverse
-            </button>
-            {isDart(seam) && (
-              <button
-                class="plain"
-                title="Takes the wedge out of the outline too"
-                onClick={() => void pattern.edit({ edit: 'remove_dart', seam: seam.id })}
-              >
-                Remove dart
-              </button>
-            )}
-            <button
-              class="plain danger"
-              onClick={() => {
-                void pattern.edit({ edit: 'remove_seam', seam: seam.id });
-                pattern.selectSeam(null);
-              }}
-            >
-              Remove seam
-            </button>
-          </div>
-        </div>
-      )}
+      {chosen && <Chosen seam={seam} difference={difference} />}
     </li>
+  );
+}
+
+/** Both sides of the seam that is selected, what is wrong with it, and what can be done. */
+function Chosen({ seam, difference }: { seam: Seam; difference: string }) {
+  const { pattern } = useCommands();
+  const edit = (kind: 'reverse_seam' | 'remove_dart' | 'remove_seam'): void => void pattern.edit({ edit: kind, seam: seam.id });
+  const remove = (): void => {
+    edit('remove_seam');
+    pattern.selectSeam(null);
+  };
+  return (
+    <div class="seam-more">
+      <p>
+        <em>A</em> {seriesText(seam.a)}
+      </p>
+      <p>
+        <em>B</em> {seriesText(seam.b)}
+      </p>
+      <p>
+        Difference <b>{difference}</b>
+        {seam.same_direction && ', sewn in the same direction'}
+      </p>
+      {seam.issues.map((issue, i) => (
+        <p key={i} class={issue.error ? 'bad' : 'warn'}>
+          {sentence(issue.message)} <span class="code">{issue.code}</span>
+        </p>
+      ))}
+      <div class="button-row">
+        <button class="plain" onClick={() => edit('reverse_seam')}>
+          Reverse
+        </button>
+        {isDart(seam) && (
+          <button class="plain" title="Takes the wedge out of the outline too" onClick={() => edit('remove_dart')}>
+            Remove dart
+          </button>
+        )}
+        <button class="plain danger" onClick={remove}>
+          Remove seam
+        </button>
+      </div>
+    </div>
   );
 }

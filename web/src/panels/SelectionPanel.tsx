@@ -8,7 +8,8 @@ import { findPart, type Part } from '../state/editing';
 import { isStraight, nearestOn, nextEdge, notchAt } from '../state/outline';
 import { boxOf, insideOf } from '../state/patternGeometry';
 import { seamColour, seamsOfEdge } from '../state/seamView';
-import { NumberField } from './NumberField';
+import { NumberField } from '../controls/NumberField';
+import { points } from '../tools/points';
 import { TextureFields } from './TextureFields';
 
 export function SelectionPanel({ pieces }: { pieces: Pieces }) {
@@ -134,7 +135,7 @@ const turn = (degrees: number): number => Math.round((((degrees + 540) % 360) - 
 function EdgeChips({ piece }: { piece: Piece }) {
   const commands = useCommands();
   const pick = (edge: string): void => {
-    commands.pattern.takeTool('points');
+    commands.pattern.takeTool(points);
     commands.pattern.selectPart({ kind: 'edge', piece: piece.id, edge });
   };
   return (
@@ -219,11 +220,6 @@ type Keep = (typeof kKeep)[number][0];
 
 function EdgeFigures({ piece, edge, pieces, part }: { piece: Piece; edge: PieceEdge; pieces: Pieces; part: Part }) {
   const { pattern } = useCommands();
-  const keep = useSignal<Keep>('start');
-  const curved = !edge.curves.every(isStraight);
-  const next = nextEdge(piece, edge.id);
-  const seams = seamsOfEdge(pieces.seams, piece.id, edge.id);
-  const of = { piece: piece.id, edge: edge.id };
   return (
     <>
       <h3 class="edge-head">
@@ -236,59 +232,81 @@ function EdgeFigures({ piece, edge, pieces, part }: { piece: Piece; edge: PieceE
         />
         <span class="head-note">{edgeKind(edge)}</span>
       </h3>
-      <div class="field-row">
-        <NumberField
-          label="Length"
-          value={edge.length_mm}
-          unit="mm"
-          digits={2}
-          take={(length_mm) => void pattern.edit({ edit: 'set_edge_length', ...of, length_mm, keep: keep.value })}
-        />
-        <label class="select-field">
-          <span>Keep</span>
-          <select value={keep.value} onChange={(event) => (keep.value = event.currentTarget.value as Keep)}>
-            {kKeep.map(([value, text]) => (
-              <option key={value} value={value}>
-                {text}
-              </option>
-            ))}
-          </select>
-        </label>
-      </div>
-      <div class="button-row">
-        <button class="plain" onClick={() => void pattern.bendOrStraighten(piece.id, edge.id)}>
-          {curved ? 'Make straight' : 'Make a curve'}
-        </button>
-        <button class="plain" onClick={() => void pattern.edit({ edit: 'insert_point', ...of, at: 0.5 })}>
-          Insert point
-        </button>
-        <button class="plain" onClick={() => void pattern.edit({ edit: 'split_edge', ...of, at: 0.5 })}>
-          Split in the middle
-        </button>
-        {next && (
-          <button class="plain" onClick={() => void pattern.joinWithNext(piece.id, edge.id)}>
-            Join with {next.id}
-          </button>
-        )}
-        {part.kind !== 'edge' && (
-          <button class="plain" onClick={() => pattern.selectPart({ kind: 'edge', ...of })}>
-            Whole edge
-          </button>
-        )}
-      </div>
+      <LengthFields piece={piece} edge={edge} />
+      <EdgeButtons piece={piece} edge={edge} part={part} />
       <DartFields piece={piece.id} edge={edge} />
-      {seams.length > 0 && (
-        <p class="sewn-in">
-          Sewn in{' '}
-          {seams.map((index) => (
-            <button class="seam-chip" key={index} onClick={() => pattern.selectSeam(pieces.seams[index]!.id)}>
-              <i style={{ background: seamColour(index) }} />
-              {pieces.seams[index]!.id}
-            </button>
-          ))}
-        </p>
-      )}
+      <SewnIn piece={piece} edge={edge} pieces={pieces} />
     </>
+  );
+}
+
+function LengthFields({ piece, edge }: { piece: Piece; edge: PieceEdge }) {
+  const { pattern } = useCommands();
+  const keep = useSignal<Keep>('start');
+  const set = (length_mm: number): void =>
+    void pattern.edit({ edit: 'set_edge_length', piece: piece.id, edge: edge.id, length_mm, keep: keep.value });
+  return (
+    <div class="field-row">
+      <NumberField label="Length" value={edge.length_mm} unit="mm" digits={2} take={set} />
+      <label class="select-field">
+        <span>Keep</span>
+        <select value={keep.value} onChange={(event) => (keep.value = event.currentTarget.value as Keep)}>
+          {kKeep.map(([value, text]) => (
+            <option key={value} value={value}>
+              {text}
+            </option>
+          ))}
+        </select>
+      </label>
+    </div>
+  );
+}
+
+function EdgeButtons({ piece, edge, part }: { piece: Piece; edge: PieceEdge; part: Part }) {
+  const { pattern } = useCommands();
+  const curved = !edge.curves.every(isStraight);
+  const next = nextEdge(piece, edge.id);
+  const of = { piece: piece.id, edge: edge.id };
+  return (
+    <div class="button-row">
+      <button class="plain" onClick={() => void pattern.bendOrStraighten(piece.id, edge.id)}>
+        {curved ? 'Make straight' : 'Make a curve'}
+      </button>
+      <button class="plain" onClick={() => void pattern.edit({ edit: 'insert_point', ...of, at: 0.5 })}>
+        Insert point
+      </button>
+      <button class="plain" onClick={() => void pattern.edit({ edit: 'split_edge', ...of, at: 0.5 })}>
+        Split in the middle
+      </button>
+      {next && (
+        <button class="plain" onClick={() => void pattern.joinWithNext(piece.id, edge.id)}>
+          Join with {next.id}
+        </button>
+      )}
+      {part.kind !== 'edge' && (
+        <button class="plain" onClick={() => pattern.selectPart({ kind: 'edge', ...of })}>
+          Whole edge
+        </button>
+      )}
+    </div>
+  );
+}
+
+/** The seams that use the edge, each a way to it. */
+function SewnIn({ piece, edge, pieces }: { piece: Piece; edge: PieceEdge; pieces: Pieces }) {
+  const { pattern } = useCommands();
+  const seams = seamsOfEdge(pieces.seams, piece.id, edge.id);
+  if (seams.length === 0) return null;
+  return (
+    <p class="sewn-in">
+      Sewn in{' '}
+      {seams.map((index) => (
+        <button class="seam-chip" key={index} onClick={() => pattern.selectSeam(pieces.seams[index]!.id)}>
+          <i style={{ background: seamColour(index) }} />
+          {pieces.seams[index]!.id}
+        </button>
+      ))}
+    </p>
   );
 }
 

@@ -3,10 +3,10 @@
 import { useSignal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 
-const kLeast = 280,
-  kMost = 760,
-  kFirst = 400,
-  kStep = 24;
+const kLeast = 280;
+const kMost = 760;
+const kFirst = 400;
+const kStep = 24;
 const kKept = 'toile.side';
 
 const kept = (): number => {

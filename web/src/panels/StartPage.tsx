@@ -2,7 +2,7 @@
 
 import { useCommands } from '../commands/context';
 import { useAppState } from '../state/context';
-import { Icon } from './Icon';
+import { Icon } from '../controls/Icon';
 
 /** Null where there is something to show. */
 export function StartPage() {

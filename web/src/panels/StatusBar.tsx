@@ -1,62 +1,105 @@
 // The drape's figures in one line.
 
+import type { Job, Progress, Report } from '../api/types';
+import { loading, valueOf } from '../state/AppState';
 import { useAppState } from '../state/context';
-import { activity, isActive, overall } from '../state/jobs';
+import { activity, overall } from '../state/jobs';
 import { count, millimetres, percent, speed } from '../state/words';
 
 export function StatusBar() {
   const state = useAppState();
   const job = state.job.value;
-  const progress = job?.progress ?? null;
-  const report = state.report.value?.state === 'ready' ? state.report.value.value : null;
   if (!job)
     return (
       <footer class="status">
         <span class="status-phase">Ready</span>
       </footer>
     );
-  const active = isActive(job.state);
-  const step = progress?.step ?? report?.steps;
-  const simulated = progress?.simulated_s ?? report?.simulated_s;
-  const rms = progress?.rms_speed ?? report?.rms_speed;
-  const gap = progress?.seam_gap_mm ?? report?.seam_gap_max_mm;
-  const crossings = progress
-    ? progress.cloth_body + progress.cloth_cloth
-    : report
-      ? report.intersections.cloth_body + report.intersections.cloth_cloth
-      : undefined;
-  const perStep = progress?.step_ms || (report ? (1000 * report.wall_s) / Math.max(report.steps, 1) : undefined);
-  const fraction = job.state === 'succeeded' ? 1 : progress ? overall(progress.phase, progress.fraction) : 0;
+  const report = valueOf(state.report.value ?? loading);
+  const figures = { ...(report && ended(report)), ...(job.progress && underWay(job.progress)) };
   return (
     <footer class={`status state-${job.state}`} aria-label="Status">
       <span class="status-phase">
         <i class="dot" aria-hidden="true" />
-        {activity(job.state, progress?.phase)}
+        {activity(job.state, job.progress?.phase)}
       </span>
-      <Figure label="Step" value={step === undefined ? '–' : count(step)} />
-      <Figure label="Simulated" value={simulated === undefined ? '–' : `${simulated.toFixed(2)} s`} />
-      <Figure label="A step" value={perStep ? `${perStep.toFixed(2)} ms` : '–'} />
-      <Figure label="Speed" value={rms === undefined ? '–' : speed(rms)} />
-      <Figure label="Seam gap" value={gap === undefined ? '–' : millimetres(gap)} />
-      <Figure
-        label="Intersections"
-        value={crossings === undefined ? '–' : count(crossings)}
-        bad={(crossings ?? 0) > 0}
-      />
-      <span class="status-progress">
-        <span
-          class={`bar${active && job.state === 'queued' ? ' idle' : ''}`}
-          role="progressbar"
-          aria-valuemin={0}
-          aria-valuemax={100}
-          aria-valuenow={Math.round(100 * fraction)}
-          aria-label="Progress"
-        >
-          <i key={job.id} style={{ width: `${100 * fraction}%` }} />
-        </span>
-        <span class="status-percent">{percent(fraction, 0)}</span>
-      </span>
+      <Figures figures={figures} />
+      <Bar job={job} />
     </footer>
+  );
+}
+
+/** What is known of a drape; nothing of one that waits. */
+interface StatusFigures {
+  step?: number;
+  /** Simulated time, s. */
+  simulated?: number;
+  /** Computing time of a step, ms. */
+  perStep?: number;
+  /** rms, m/s. */
+  speed?: number;
+  gapMm?: number;
+  crossings?: number;
+}
+
+const underWay = (progress: Progress): StatusFigures => ({
+  step: progress.step,
+  simulated: progress.simulated_s,
+  ...(progress.step_ms > 0 && { perStep: progress.step_ms }), // not measured yet in the first message
+  speed: progress.rms_speed,
+  gapMm: progress.seam_gap_mm,
+  crossings: progress.cloth_body + progress.cloth_cloth,
+});
+
+const ended = (report: Report): StatusFigures => ({
+  step: report.steps,
+  simulated: report.simulated_s,
+  perStep: (1000 * report.wall_s) / Math.max(report.steps, 1),
+  speed: report.rms_speed,
+  gapMm: report.seam_gap_max_mm,
+  crossings: report.intersections.cloth_body + report.intersections.cloth_cloth,
+});
+
+/** A figure in words; a dash for one that is not known. */
+const said = (value: number | undefined, words: (value: number) => string): string =>
+  value === undefined ? '–' : words(value);
+
+function Figures({ figures }: { figures: StatusFigures }) {
+  const { step, simulated, perStep, gapMm, crossings } = figures;
+  return (
+    <>
+      <Figure label="Step" value={said(step, count)} />
+      <Figure label="Simulated" value={said(simulated, (s) => `${s.toFixed(2)} s`)} />
+      <Figure label="A step" value={said(perStep || undefined, (ms) => `${ms.toFixed(2)} ms`)} />
+      <Figure label="Speed" value={said(figures.speed, speed)} />
+      <Figure label="Seam gap" value={said(gapMm, millimetres)} />
+      <Figure label="Intersections" value={said(crossings, count)} bad={(crossings ?? 0) > 0} />
+    </>
+  );
+}
+
+/** How much of the drape is done. */
+function doneOf({ state, progress }: Job): number {
+  if (state === 'succeeded') return 1;
+  return progress ? overall(progress.phase, progress.fraction) : 0;
+}
+
+function Bar({ job }: { job: Job }) {
+  const fraction = doneOf(job);
+  return (
+    <span class="status-progress">
+      <span
+        class={`bar${job.state === 'queued' ? ' idle' : ''}`}
+        role="progressbar"
+        aria-valuemin={0}
+        aria-valuemax={100}
+        aria-valuenow={Math.round(100 * fraction)}
+        aria-label="Progress"
+      >
+        <i key={job.id} style={{ width: `${100 * fraction}%` }} />
+      </span>
+      <span class="status-percent">{percent(fraction, 0)}</span>
+    </span>
   );
 }
 

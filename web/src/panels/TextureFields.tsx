@@ -1,14 +1,15 @@
 // The picture on a piece, or on all of them: which one, how large, where and how it is turned.
 
 import { useEffect, useRef } from 'preact/hooks';
+import { kPictureEndings } from '../api/formats';
 import type { Piece, Texture } from '../api/types';
 import { useCommands } from '../commands/context';
 import { useAppState } from '../state/context';
 import { commonTexture } from '../state/texture';
-import { NumberField } from './NumberField';
+import { NumberField } from '../controls/NumberField';
 
 /** What a browser can show and the service reads. */
-const kAccepted = 'image/png,image/jpeg,.png,.jpg,.jpeg';
+const kAccepted = ['image/png', 'image/jpeg', ...kPictureEndings].join(',');
 
 export function TextureFields({ pieces, all }: { pieces: readonly Piece[]; all: readonly Piece[] }) {
   const { textures } = useCommands();
@@ -50,7 +51,7 @@ function ImageChoice({ ids, piece, texture }: ImageChoiceProps) {
   const state = useAppState();
   const { textures } = useCommands();
   const input = useRef<HTMLInputElement>(null);
-  useEffect(() => void textures.loadImages(), []);
+  useEffect(() => void textures.loadImages(), [textures]);
   const images = state.editing.images.value;
   const now = texture === 'mixed' || texture === null ? undefined : state.project.value?.files[texture.image];
   const look = now === undefined ? undefined : state.looks.value.get(piece.id);

@@ -3,7 +3,7 @@
 import { useCommands } from '../commands/context';
 import { useAppState } from '../state/context';
 import { commandsOf, isActive } from '../state/jobs';
-import { Icon } from './Icon';
+import { Icon } from '../controls/Icon';
 import { StateChip } from './StateChip';
 
 export function TopBar() {

@@ -2,17 +2,17 @@
 // is selected.
 
 import type { Piece, PieceEdge, Point } from '../api/types';
-import type { Part, Tool } from '../state/editing';
+import { samePart, type Part } from '../state/editing';
 import { isStraight, jointsOf } from '../state/outline';
 import { seamColour, type SeamDraft } from '../state/seamView';
+import type { PatternTool } from '../tools/PatternTool';
 import { linePath } from './PieceShape';
 
 export interface EditMarksProps {
   piece: Piece;
   scale: number;
-  tool: Tool;
-  /** Whether points and handles are shown. */
-  open: boolean;
+  tool: PatternTool;
+  selected: boolean;
   part: Part | null;
   draft: SeamDraft;
   draftColour: number;
@@ -20,48 +20,54 @@ export interface EditMarksProps {
   onInsert(edge: string, event: MouseEvent): void;
   /** Under the pointer; null when it leaves. */
   onLight(edge: string | null): void;
-  onGrab(part: Part, at: Point, event: PointerEvent): void;
+  onGrab(part: Part, at: Point, event: PointerEvent | KeyboardEvent): void;
   onNudge(part: Part, at: Point, by: Point): void;
 }
 
 export function EditMarks(props: EditMarksProps) {
-  const { piece, tool, open, part, draft, draftColour } = props;
+  const { piece, tool, selected } = props;
   return (
     <>
-      {tool !== 'pieces' &&
-        piece.edges.map((edge) => {
-          const chosen = part?.kind === 'edge' && part.piece === piece.id && part.edge === edge.id;
-          const side = (['a', 'b'] as const).find((s) =>
-            draft[s].some((use) => use.piece === piece.id && use.edge === edge.id),
-          );
-          return (
-            <g
-              key={`${edge.loop} ${edge.id}`}
-              class={`edge${chosen ? ' chosen' : ''}${side ? ` side-${side}` : ''}`}
-              style={{ '--seam': seamColour(draftColour) }}
-              data-edge={edge.id}
-              tabindex={open || tool === 'sew' ? 0 : -1}
-              role="button"
-              aria-pressed={chosen || side !== undefined}
-              aria-label={`Edge ${edge.id} of ${piece.id}, ${edge.length_mm.toFixed(1)} mm${side ? `, side ${side.toUpperCase()}` : ''}`}
-              onPointerDown={(event) => props.onEdge(edge.id, event)}
-              onPointerEnter={() => props.onLight(edge.id)}
-              onPointerLeave={() => props.onLight(null)}
-              onDblClick={(event) => props.onInsert(edge.id, event)}
-              onKeyDown={(event) => {
-                if (event.key !== 'Enter' && event.key !== ' ') return;
-                event.preventDefault();
-                event.stopPropagation();
-                props.onEdge(edge.id, event);
-              }}
-            >
-              <path class="edge-catch" d={linePath(edge.points)} />
-              <path class="edge-line" d={linePath(edge.points)} />
-            </g>
-          );
-        })}
-      {open && piece.edges.map((edge) => <EdgePoints key={`${edge.loop} ${edge.id}`} edge={edge} {...props} />)}
+      {tool.edges && piece.edges.map((edge) => <EdgeMark key={`${edge.loop} ${edge.id}`} {...props} edge={edge} />)}
+      {tool.grab &&
+        selected &&
+        piece.edges.map((edge) => <EdgePoints key={`${edge.loop} ${edge.id}`} {...props} edge={edge} />)}
     </>
+  );
+}
+
+/** The side of the seam that is being made which has this edge. */
+const sideOf = (draft: SeamDraft, piece: string, edge: string): 'a' | 'b' | undefined =>
+  (['a', 'b'] as const).find((side) => draft[side].some((use) => use.piece === piece && use.edge === edge));
+
+function EdgeMark({ edge, ...props }: EditMarksProps & { edge: PieceEdge }) {
+  const { piece, tool, selected, part, draft, draftColour } = props;
+  const chosen = part?.kind === 'edge' && part.piece === piece.id && part.edge === edge.id;
+  const side = sideOf(draft, piece.id, edge.id);
+  const keys = (event: KeyboardEvent): void => {
+    if (event.key !== 'Enter' && event.key !== ' ') return;
+    event.preventDefault();
+    event.stopPropagation();
+    props.onEdge(edge.id, event);
+  };
+  return (
+    <g
+      class={`edge${chosen ? ' chosen' : ''}${side ? ` side-${side}` : ''}`}
+      style={{ '--seam': seamColour(draftColour) }}
+      data-edge={edge.id}
+      tabindex={selected || tool.edges?.tabbed === 'all' ? 0 : -1}
+      role="button"
+      aria-pressed={chosen || side !== undefined}
+      aria-label={`Edge ${edge.id} of ${piece.id}, ${edge.length_mm.toFixed(1)} mm${side ? `, side ${side.toUpperCase()}` : ''}`}
+      onPointerDown={(event) => props.onEdge(edge.id, event)}
+      onPointerEnter={() => props.onLight(edge.id)}
+      onPointerLeave={() => props.onLight(null)}
+      onDblClick={(event) => props.onInsert(edge.id, event)}
+      onKeyDown={keys}
+    >
+      <path class="edge-catch" d={linePath(edge.points)} />
+      <path class="edge-line" d={linePath(edge.points)} />
+    </g>
   );
 }
 
@@ -125,11 +131,11 @@ function Grip({
   from: Point | null;
   name: string;
 }) {
-  const chosen = JSON.stringify(part) === JSON.stringify(held);
+  const chosen = samePart(part, held);
   const corner = part.kind === 'point' && part.point === 0;
   const keys = (event: KeyboardEvent): void => {
     const step = kSteps[event.key];
-    if (event.key === 'Enter' || event.key === ' ') onGrab(part, at, event as unknown as PointerEvent);
+    if (event.key === 'Enter' || event.key === ' ') onGrab(part, at, event);
     else if (step) onNudge(part, at, event.shiftKey ? [step[0] * 10, step[1] * 10] : step);
     else return;
     event.preventDefault();

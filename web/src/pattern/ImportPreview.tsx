@@ -1,38 +1,35 @@
 // The pieces of a file as they will be, with the seams that are ticked.
 
-import { useComputed, useSignal } from '@preact/signals';
-import { useEffect, useRef } from 'preact/hooks';
-import type { Import } from '../api/types';
+import { useSignal } from '@preact/signals';
+import { useRef } from 'preact/hooks';
+import type { Import, Piece } from '../api/types';
 import { useCommands } from '../commands/context';
 import { PieceShape } from './PieceShape';
 import { SeamShapes, Threads, type ShownSeam } from './SeamShapes';
+import { useSizeOf } from './useSizeOf';
 import { fit, viewBox } from './Viewport';
-import { pictureOf, seamsInReach, sourceNames, type ImportDraft } from '../state/importDraft';
-import { joined, layOut } from '../state/patternGeometry';
+import { pictureOf, seamsInReach, sourceNames, type ImportDraft, type PreviewProps } from '../state/importDraft';
+import { joined, layOut, type PlacedPiece } from '../state/patternGeometry';
 import { seamParts } from '../state/seamView';
 
-export interface ImportPreviewProps {
-  draft: ImportDraft;
-  report: Import;
-  lit: string | null;
-  onLight(seam: string | null): void;
+/** The ticked seams and the lit one, on the pieces as the file names them. */
+function seamsShown(draft: ImportDraft, report: Import, lit: string | null, pictures: readonly Piece[]): ShownSeam[] {
+  const sources = sourceNames(report);
+  const named = (side: Import['seams'][number]['a']) =>
+    side.map((use) => ({ ...use, piece: sources.get(use.piece) ?? use.piece }));
+  return seamsInReach(report, draft.left)
+    .filter((seam) => draft.chosen.has(seam.id) || seam.id === lit)
+    .map((seam) => ({
+      seam,
+      index: report.seams.indexOf(seam),
+      parts: seamParts(pictures, { ...seam, a: named(seam.a), b: named(seam.b) }),
+    }));
 }
 
-export function ImportPreview({ draft, report, lit, onLight }: ImportPreviewProps) {
-  const { imports } = useCommands();
+export function ImportPreview({ draft, report, lit, onLight }: PreviewProps) {
   const svg = useRef<SVGSVGElement>(null);
-  const size = useSignal({ width: 600, height: 500 });
-  const hovered = useSignal<string | null>(null);
-  useEffect(() => {
-    const element = svg.current!;
-    const watcher = new ResizeObserver(
-      () => (size.value = { width: element.clientWidth || 1, height: element.clientHeight || 1 }),
-    );
-    watcher.observe(element);
-    return () => watcher.disconnect();
-  }, []);
+  const view = useSizeOf(svg, { width: 600, height: 500 }).value;
   const placed = layOut(report.pieces.filter((piece) => piece.points.length > 2).map(pictureOf));
-  const view = useComputed(() => size.value).value;
   if (placed.length === 0) {
     return (
       <div class="import-preview">
@@ -42,17 +39,8 @@ export function ImportPreview({ draft, report, lit, onLight }: ImportPreviewProp
     );
   }
   const port = fit(joined(placed.map((one) => one.box)), view.width, view.height, 24);
-  const sources = sourceNames(report);
   const pictures = placed.map((one) => one.piece);
-  const named = (side: Import['seams'][number]['a']) =>
-    side.map((use) => ({ ...use, piece: sources.get(use.piece) ?? use.piece }));
-  const seams: ShownSeam[] = seamsInReach(report, draft.left)
-    .filter((seam) => draft.chosen.has(seam.id) || seam.id === lit)
-    .map((seam) => ({
-      seam,
-      index: report.seams.indexOf(seam),
-      parts: seamParts(pictures, { ...seam, a: named(seam.a), b: named(seam.b) }),
-    }));
+  const seams = seamsShown(draft, report, lit, pictures);
   const shown = seams.find((one) => one.seam.id === lit);
   return (
     <div class="import-preview">
@@ -63,26 +51,50 @@ export function ImportPreview({ draft, report, lit, onLight }: ImportPreviewProp
         role="group"
         aria-label={`Preview of ${placed.length} pieces`}
       >
-        {placed.map((one) => {
-          const { id } = one.piece;
-          const out = draft.left.has(id);
-          return (
-            <g key={id} class={out ? 'left-out' : ''} onClick={() => imports.takePiece(id, out)}>
-              <PieceShape
-                placed={one}
-                scale={port.scale}
-                selected={false}
-                hovered={hovered.value === id}
-                onSelect={() => imports.takePiece(id, out)}
-                onHover={(on) => (hovered.value = on ? id : null)}
-              >
-                <SeamShapes shown={seams} piece={id} scale={port.scale} lit={lit} onLight={onLight} onSelect={null} />
-              </PieceShape>
-            </g>
-          );
-        })}
+        {placed.map((one) => (
+          <FilePiece key={one.piece.id} placed={one} draft={draft} scale={port.scale}>
+            <SeamShapes
+              shown={seams}
+              piece={one.piece.id}
+              scale={port.scale}
+              lit={lit}
+              onLight={onLight}
+              onSelect={null}
+            />
+          </FilePiece>
+        ))}
         {shown && <Threads shown={shown} placed={placed} scale={port.scale} />}
       </svg>
     </div>
+  );
+}
+
+interface FilePieceProps {
+  placed: PlacedPiece;
+  draft: ImportDraft;
+  scale: number;
+  children: preact.ComponentChildren;
+}
+
+/** A piece of the file: a click leaves it out, or takes it in again. */
+function FilePiece({ placed, draft, scale, children }: FilePieceProps) {
+  const { imports } = useCommands();
+  const hovered = useSignal(false);
+  const { id } = placed.piece;
+  const out = draft.left.has(id);
+  const turn = (): void => imports.takePiece(id, out);
+  return (
+    <g class={out ? 'left-out' : ''} onClick={turn}>
+      <PieceShape
+        placed={placed}
+        scale={scale}
+        selected={false}
+        hovered={hovered.value}
+        onSelect={turn}
+        onHover={(on) => (hovered.value = on)}
+      >
+        {children}
+      </PieceShape>
+    </g>
   );
 }

@@ -38,19 +38,14 @@ export function nameThatFits(name: string, px: number): string {
 export function PieceShape(props: PieceShapeProps) {
   const { placed, scale, selected, hovered, look = null, onSelect, onHover, children } = props;
   const { piece, offset } = placed;
-  const box = boxOf(piece.outline);
-  const across = (box.maxX - box.minX) * scale,
-    down = (box.maxY - box.minY) * scale;
   const press = (event: KeyboardEvent): void => {
     if ((event.key !== 'Enter' && event.key !== ' ') || event.target !== event.currentTarget) return;
     event.preventDefault();
     event.stopPropagation();
     onSelect();
   };
-  const size = `${Math.round(box.maxX - box.minX)} × ${Math.round(box.maxY - box.minY)} mm`;
-  const label = labelAt(placed);
+  const size = sizeText(boxOf(piece.outline));
   const outline = piecePath(piece);
-  const name = Math.min(across, down * 2.2) > kNamePx ? nameThatFits(piece.id, across - 6) : '';
   return (
     <g
       class={`piece${selected ? ' selected' : ''}${hovered ? ' hovered' : ''}${look ? ' printed' : ''}`}
@@ -77,27 +72,38 @@ export function PieceShape(props: PieceShapeProps) {
       {piece.notches.map((notch, i) => (
         <NotchMark key={i} notch={notch} piece={piece} scale={scale} />
       ))}
+      <Label placed={placed} scale={scale} />
+      {children}
+    </g>
+  );
+}
+
+const sizeText = (box: Box): string => `${Math.round(box.maxX - box.minX)} × ${Math.round(box.maxY - box.minY)} mm`;
+
+/** The grain's arrow, the name and the size, as far as there is room for them. */
+function Label({ placed, scale }: { placed: PlacedPiece; scale: number }) {
+  const { piece } = placed;
+  const box = boxOf(piece.outline);
+  const across = (box.maxX - box.minX) * scale;
+  const down = (box.maxY - box.minY) * scale;
+  const at = labelAt(placed);
+  const name = Math.min(across, down * 2.2) > kNamePx ? nameThatFits(piece.id, across - 6) : '';
+  return (
+    <>
       {piece.grain && Math.min(across, down) > kNamePx && (
-        <Grain at={label} along={piece.grain} box={box} scale={scale} down={down} name={name.length * kLetterPx} />
+        <Grain at={at} along={piece.grain} box={box} scale={scale} down={down} name={name.length * kLetterPx} />
       )}
       {name !== '' && (
-        <text
-          class="piece-name"
-          x={label[0]}
-          y={-label[1]}
-          font-size={12 / scale}
-          dy={down > kSizePx ? '-0.2em' : '0.35em'}
-        >
+        <text class="piece-name" x={at[0]} y={-at[1]} font-size={12 / scale} dy={down > kSizePx ? '-0.2em' : '0.35em'}>
           {name}
         </text>
       )}
       {across > kSizePx && down > kSizePx && (
-        <text class="piece-size" x={label[0]} y={-label[1]} font-size={10.5 / scale} dy="1.15em">
-          {size}
+        <text class="piece-size" x={at[0]} y={-at[1]} font-size={10.5 / scale} dy="1.15em">
+          {sizeText(box)}
         </text>
       )}
-      {children}
-    </g>
+    </>
   );
 }
 

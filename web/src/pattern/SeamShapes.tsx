@@ -6,6 +6,9 @@ import type { PlacedPiece } from '../state/patternGeometry';
 import { alongLine, seamColour, seamMarks, type SeamPart } from '../state/seamView';
 import { linePath } from './PieceShape';
 
+/** Id of the seam that is being made, among those that are shown. */
+export const kDraftSeam = 'new';
+
 export interface ShownSeam {
   seam: SeamSides;
   index: number;
@@ -93,8 +96,8 @@ export function Threads({ shown, placed, scale }: { shown: ShownSeam; placed: re
     return { ...part, points: part.points.map(([x, y]): Point => [x + dx, y + dy]) };
   });
   const path = (side: 'a' | 'b'): Point[] => parts.filter((part) => part.side === side).flatMap((part) => part.points);
-  const a = path('a'),
-    b = path('b');
+  const a = path('a');
+  const b = path('b');
   const places = [0, 0.25, 0.5, 0.75, 1];
   const ends = places.map((place) => [alongLine(a, place), alongLine(b, place)] as const);
   return (

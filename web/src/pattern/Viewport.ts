@@ -10,15 +10,15 @@ export interface Viewport {
   scale: number;
 }
 
-export const kSmallest = 0.02;
-export const kLargest = 20;
+const kSmallest = 0.02;
+const kLargest = 20;
 
 const clamped = (scale: number): number => Math.min(kLargest, Math.max(kSmallest, scale));
 
 /** Shows a whole box (y up) with a margin in pixels, and below `top` pixels that are covered. */
 export function fit(box: Box, width: number, height: number, margin = 28, top = 0): Viewport {
-  const w = Math.max(box.maxX - box.minX, 1),
-    h = Math.max(box.maxY - box.minY, 1);
+  const w = Math.max(box.maxX - box.minX, 1);
+  const h = Math.max(box.maxY - box.minY, 1);
   const down = Math.max(height - 2 * margin - top, 20);
   const scale = clamped(Math.min(Math.max(width - 2 * margin, 20) / w, down / h));
   return { x: (box.minX + box.maxX) / 2, y: -(box.minY + box.maxY) / 2 - top / 2 / scale, scale };

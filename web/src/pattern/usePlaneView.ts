@@ -1,9 +1,10 @@
 // What part of the plane is shown: follows its place on the page, wheel and keys.
 
 import { useSignal, useSignalEffect, type Signal } from '@preact/signals';
-import { useEffect, useRef, type MutableRef } from 'preact/hooks';
+import { useRef, type MutableRef } from 'preact/hooks';
 import type { Point } from '../api/types';
 import { joined, type Box } from '../state/patternGeometry';
+import { useSizeOf } from './useSizeOf';
 import { fit, panned, viewBox, zoomed, type Viewport } from './Viewport';
 
 const kWheelStep = 1.0015;
@@ -32,7 +33,7 @@ export interface PlaneView {
 /** `boxes` of all that is shown; the view fits them until it is moved by hand, and again for another `subject`. */
 export function usePlaneView(boxes: () => readonly Box[], subject: () => string | null): PlaneView {
   const svg = useRef<SVGSVGElement>(null);
-  const size = useSignal({ width: 400, height: 400 });
+  const size = useSizeOf(svg, { width: 400, height: 400 });
   const view = useSignal<Viewport>({ x: 0, y: 0, scale: 0.2 });
   const touched = useRef<string | null | false>(false);
 
@@ -42,14 +43,6 @@ export function usePlaneView(boxes: () => readonly Box[], subject: () => string 
     touched.current = false;
     view.value = fit(joined(all), size.value.width, size.value.height, 22, kToolsPx);
   };
-  useEffect(() => {
-    const element = svg.current!;
-    const watcher = new ResizeObserver(
-      () => (size.value = { width: element.clientWidth || 1, height: element.clientHeight || 1 }),
-    );
-    watcher.observe(element);
-    return () => watcher.disconnect();
-  }, []);
   useSignalEffect(() => {
     void size.value;
     const now = subject();

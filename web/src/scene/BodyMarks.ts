@@ -29,15 +29,16 @@ import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
 import type { BoxSide, Finding, PartBox, Place, ProjectBody } from '../api/dressing';
 import type { Marks } from '../state/dressing';
-import { faceOf, onFace, type BoxPlace } from './boxFaces';
+import type { BoxPlace } from '../tools/SceneTool';
+import { faceOf, onFace } from './boxFaces';
 
-const kTape = '#b3261e',
-  kLit = '#ffb300',
-  kBox = '#2e9e5b',
-  kPoint = '#1f6feb';
-const kTapePx = 1.8,
-  kLitPx = 4,
-  kPointPx = 7;
+const kTape = '#b3261e';
+const kLit = '#ffb300';
+const kBox = '#2e9e5b';
+const kPoint = '#1f6feb';
+const kTapePx = 1.8;
+const kLitPx = 4;
+const kPointPx = 7;
 const kMarkPx = 0.055; // of the picture's height
 const kMarkColours: Record<Finding['severity'], string> = { error: '#d32f2f', warning: '#e08a00', note: '#1f6feb' };
 
@@ -243,7 +244,8 @@ export function segmentsOf(line: Place[], closed: boolean): number[] {
 
 function drawn(size: number, draw: (pen: CanvasRenderingContext2D) => void): CanvasTexture {
   const canvas = document.createElement('canvas');
-  canvas.width = canvas.height = size;
+  canvas.width = size;
+  canvas.height = size;
   draw(canvas.getContext('2d')!);
   return new CanvasTexture(canvas);
 }
@@ -259,7 +261,8 @@ const disc = (): CanvasTexture =>
 /** A ring with a dot in it, white so that the material colours it. */
 const ring = (): CanvasTexture =>
   drawn(128, (pen) => {
-    pen.strokeStyle = pen.fillStyle = '#fff';
+    pen.strokeStyle = '#fff';
+    pen.fillStyle = '#fff';
     pen.lineWidth = 9;
     pen.beginPath();
     pen.arc(64, 64, 54, 0, 2 * Math.PI);

@@ -19,7 +19,8 @@ export class BodyObject {
         polygonOffsetUnits: 300,
       }),
     );
-    this.mesh.castShadow = this.mesh.receiveShadow = true;
+    this.mesh.castShadow = true;
+    this.mesh.receiveShadow = true;
     this.mesh.visible = false;
   }
 

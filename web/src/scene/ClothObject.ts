@@ -18,7 +18,16 @@ import {
 import type { ClothTopology } from '../api/frames';
 import { fillRepeats, type Look } from '../state/texture';
 import { PrintMaterials } from './PrintMaterials';
-import { byMaterial, rimEdges, seamEdges, shareNormals, vertexNormals, weldGroups, widestGap, type WeldGroups } from './surface';
+import {
+  byMaterial,
+  rimEdges,
+  seamEdges,
+  shareNormals,
+  vertexNormals,
+  weldGroups,
+  widestGap,
+  type WeldGroups,
+} from './surface';
 import { kTileMetres, weaveTexture } from './weave';
 
 /** Sewn pairs further apart than this still have their threads drawn, m. */
@@ -169,7 +178,10 @@ export class ClothObject {
     for (const lines of this.lines_) lines.dispose();
     this.lines_ = [];
     this.geometry_ = new BufferGeometry();
-    this.mesh_ = this.threads_ = this.wires_ = this.rimOfPiece_ = null;
+    this.mesh_ = null;
+    this.threads_ = null;
+    this.wires_ = null;
+    this.rimOfPiece_ = null;
     this.group.visible = false;
   }
 
@@ -184,7 +196,8 @@ export class ClothObject {
     for (const [name, size] of names)
       this.geometry_.setAttribute(name, new BufferAttribute(new Float32Array(3 * size), size));
     const surface = new Mesh(this.geometry_, this.material_);
-    surface.castShadow = surface.receiveShadow = true;
+    surface.castShadow = true;
+    surface.receiveShadow = true;
     const lines = new LineSegments(this.geometry_, this.seamMaterial_);
     this.group.add(surface, lines);
   }
@@ -224,7 +237,8 @@ export class ClothObject {
     this.geometry_.setAttribute('uv', new BufferAttribute(new Float32Array(2 * vertexCount), 2));
     this.mesh_ = new Mesh(this.geometry_, this.material_);
     this.dress();
-    this.mesh_.castShadow = this.mesh_.receiveShadow = true;
+    this.mesh_.castShadow = true;
+    this.mesh_.receiveShadow = true;
     this.mesh_.frustumCulled = false;
     this.group.add(this.mesh_);
   }
@@ -272,8 +286,8 @@ function allEdges(triangles: Uint32Array, vertexCount: number): Uint32Array {
   const edges = new Map<number, [number, number]>();
   for (let t = 0; t < triangles.length; t += 3) {
     for (let k = 0; k < 3; ++k) {
-      const a = triangles[t + k]!,
-        b = triangles[t + ((k + 1) % 3)]!;
+      const a = triangles[t + k]!;
+      const b = triangles[t + ((k + 1) % 3)]!;
       edges.set(Math.min(a, b) * vertexCount + Math.max(a, b), [a, b]);
     }
   }

@@ -50,7 +50,8 @@ function textureOf({ picture, colour }: Look): CanvasTexture {
   pen.drawImage(picture.image, 0, 0, canvas.width, canvas.height);
   const texture = new CanvasTexture(canvas);
   texture.colorSpace = SRGBColorSpace;
-  texture.wrapS = texture.wrapT = RepeatWrapping;
+  texture.wrapS = RepeatWrapping;
+  texture.wrapT = RepeatWrapping;
   texture.anisotropy = kAnisotropy;
   return texture;
 }

@@ -2,12 +2,13 @@
 
 import { effect, useSignal, useSignalEffect } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
+import type { Job } from '../api/types';
 import { useCommands } from '../commands/context';
 import type { AppState, View } from '../state/AppState';
 import { useAppState } from '../state/context';
 import { activity, isActive, placeInQueue } from '../state/jobs';
 import { counted, sentence } from '../state/words';
-import type { BoxPlace } from './boxFaces';
+import { sceneTools } from '../tools/table';
 import type { SceneView } from './SceneView';
 
 const kViews: { view: View; title: string; key: string }[] = [
@@ -28,37 +29,27 @@ const kNudges: Record<string, [number, number, number]> = {
 };
 
 export interface ScenePaneProps {
-  /** Fetches the 3D code; begun before the page is drawn. */
-  load: () => Promise<typeof import('./SceneView')>;
+  /** The 3D code, which is fetched while the page is drawn. */
+  code: Promise<typeof import('./SceneView')>;
   drawn: () => void;
 }
 
 const token = (name: string): string => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
-export function ScenePane({ load, drawn }: ScenePaneProps) {
+/** The 3D view on the canvas, from when its code is there until the pane goes; and why there is none. */
+function useScene({ code, drawn }: ScenePaneProps) {
   const state = useAppState();
   const commands = useCommands();
   const canvas = useRef<HTMLCanvasElement>(null);
   const scene = useRef<SceneView | null>(null);
   const failed = useSignal('');
-
   useEffect(() => {
     let gone = false;
     let stop = (): void => undefined;
-    load()
+    code
       .then(({ SceneView }) => {
         if (gone || !canvas.current) return;
-        const events = {
-          select: (p: string | null) => commands.select(p),
-          hover: (p: string | null) => commands.hover(p),
-          place: (piece: string, at: BoxPlace) => void commands.dressing.drop(piece, at),
-          mark: (landmark: string | null, place: [number, number, number]) => {
-            const name = landmark ?? state.dressing.picking.peek();
-            if (name) void commands.dressing.mark(name, place);
-          },
-          drawn,
-        };
-        scene.current = new SceneView(canvas.current, state.cloth, events, token('--accent-3d'));
+        scene.current = new SceneView(canvas.current, state.cloth, { state, commands }, drawn, token('--accent-3d'));
         stop = connect(scene.current, state);
       })
       .catch((error: unknown) => (failed.value = error instanceof Error ? error.message : String(error)));
@@ -67,15 +58,18 @@ export function ScenePane({ load, drawn }: ScenePaneProps) {
       stop();
       scene.current?.dispose();
     };
-  }, []);
+  }, [code, drawn, state, commands, failed]);
+  return { canvas, scene, failed };
+}
 
+export function ScenePane(props: ScenePaneProps) {
+  const { canvas, scene, failed } = useScene(props);
   const keys = (event: KeyboardEvent): void => {
     const nudge = kNudges[event.key.toLowerCase()];
     if (!nudge) return;
     event.preventDefault();
     scene.current?.nudge(...nudge);
   };
-
   return (
     <section class="scene" aria-label="3D view">
       <div class="scene-canvas">
@@ -92,33 +86,32 @@ export function ScenePane({ load, drawn }: ScenePaneProps) {
         <Overlay />
       )}
       <Busy />
-      <div class="scene-tools" role="toolbar" aria-label="Views">
-        {kViews.map(({ view, title, key }) => (
-          <button
-            key={view}
-            class="tool"
-            onClick={() => commands.showView(view)}
-            title={`${title} view (${key})`}
-            aria-label={`${view} view`}
-          >
-            {title}
-          </button>
-        ))}
-        <span class="tool-gap" />
-        <Toggle
-          on={state.bodyShown.value}
-          title="Body (B)"
-          label="Body"
-          flip={() => (state.bodyShown.value = !state.bodyShown.value)}
-        />
-        <Toggle
-          on={state.meshShown.value}
-          title="Mesh (M)"
-          label="Mesh"
-          flip={() => (state.meshShown.value = !state.meshShown.value)}
-        />
-      </div>
+      <ViewTools />
     </section>
+  );
+}
+
+/** From where it is seen, and what is shown. */
+function ViewTools() {
+  const { bodyShown, meshShown } = useAppState();
+  const commands = useCommands();
+  return (
+    <div class="scene-tools" role="toolbar" aria-label="Views">
+      {kViews.map(({ view, title, key }) => (
+        <button
+          key={view}
+          class="tool"
+          onClick={() => commands.showView(view)}
+          title={`${title} view (${key})`}
+          aria-label={`${view} view`}
+        >
+          {title}
+        </button>
+      ))}
+      <span class="tool-gap" />
+      <Toggle on={bodyShown.value} title="Body (B)" label="Body" flip={() => (bodyShown.value = !bodyShown.value)} />
+      <Toggle on={meshShown.value} title="Mesh (M)" label="Mesh" flip={() => (meshShown.value = !meshShown.value)} />
+    </div>
   );
 }
 
@@ -139,11 +132,7 @@ function connect(scene: SceneView, state: AppState): () => void {
   const stops = [
     effect(() => scene.setBody(state.shownBody.value)),
     effect(() => scene.setStart(state.beforeDrape.value ? state.dressing.start.value : null)),
-    effect(() => scene.setDraggable(state.beforeDrape.value && state.tab.value === 'arrange')),
-    effect(() => {
-      const shown = state.beforeDrape.value && state.shownMarks.value.landmarks;
-      scene.setMarkable(shown, shown && state.dressing.picking.value !== null);
-    }),
+    effect(() => scene.setTools(sceneTools.filter((tool) => tool.isHeld(state)))),
     effect(() => scene.setFigures(state.beforeDrape.value ? (state.dressing.bodies.value ?? []) : [])),
     effect(() => scene.showMarks(state.shownMarks.value, state.dressing.lit.value)),
     effect(() => {
@@ -193,7 +182,6 @@ function Message({ title, text, children }: { title: string; text: string; child
 /** What is said over an empty stage. Nothing as soon as there is cloth. */
 function Overlay() {
   const state = useAppState();
-  const commands = useCommands();
   const covered = useSignal(false);
   useSignalEffect(() => {
     void state.watched.value;
@@ -202,13 +190,14 @@ function Overlay() {
   });
   if (covered.value) return null;
   const job = state.job.value;
-  if (job?.state === 'queued') {
-    const ahead = placeInQueue(state.allJobs.value, job.id);
-    const text =
-      ahead === 0 ? 'It is next; a worker takes it as soon as one is free.' : `${counted(ahead, 'drape')} before it.`;
-    return <Message title="In the queue" text={text} />;
-  }
-  if (job && isActive(job.state)) {
+  if (job) return <WithoutCloth job={job} />;
+  return state.route.value.name === 'project' && state.project.value ? <NotDraped /> : null;
+}
+
+function WithoutCloth({ job }: { job: Job }) {
+  const state = useAppState();
+  if (job.state === 'queued') return <Waiting ahead={placeInQueue(state.allJobs.value, job.id)} />;
+  if (isActive(job.state)) {
     return (
       <div class="scene-message quiet" role="status">
         <span class="spinner" aria-hidden="true" />
@@ -216,22 +205,29 @@ function Overlay() {
       </div>
     );
   }
-  if (job && job.state === 'failed')
+  if (job.state === 'failed')
     return <Message title="This drape failed" text={sentence(job.reason || 'it ended without a result')} />;
-  if (job && job.state === 'cancelled')
+  if (job.state === 'cancelled')
     return <Message title="Cancelled" text="This drape was stopped before it had cloth to show." />;
-  if (job) return null;
-  if (state.route.value.name === 'project' && state.project.value) {
-    return (
-      <Message
-        title="Not draped yet"
-        text={state.dressing.start.value ? '' : 'The pieces are read and ready. A drape sews them around the body.'}
-      >
-        <button class="primary" disabled={state.submitting.value} onClick={() => void commands.startDrape()}>
-          Start drape <kbd>Space</kbd>
-        </button>
-      </Message>
-    );
-  }
   return null;
+}
+
+function Waiting({ ahead }: { ahead: number }) {
+  const next = 'It is next; a worker takes it as soon as one is free.';
+  return <Message title="In the queue" text={ahead === 0 ? next : `${counted(ahead, 'drape')} before it.`} />;
+}
+
+function NotDraped() {
+  const state = useAppState();
+  const commands = useCommands();
+  return (
+    <Message
+      title="Not draped yet"
+      text={state.dressing.start.value ? '' : 'The pieces are read and ready. A drape sews them around the body.'}
+    >
+      <button class="primary" disabled={state.submitting.value} onClick={() => void commands.startDrape()}>
+        Start drape <kbd>Space</kbd>
+      </button>
+    </Message>
+  );
 }

@@ -18,29 +18,27 @@ import type { LiveCloth } from '../state/LiveCloth';
 import type { Finding, ProjectBody, Start } from '../api/dressing';
 import type { Marks } from '../state/dressing';
 import type { Look } from '../state/texture';
+import type { Hand } from '../tools/PatternTool';
+import type { SceneTool } from '../tools/SceneTool';
 import { BodyMarks } from './BodyMarks';
 import { BodyObject } from './BodyObject';
 import { ClothObject } from './ClothObject';
 import { boundsOf, closeUp, eased, poseFor, union, type Bounds, type Pose, type Vec3 } from './framing';
-import { SceneHands, type HandEvents } from './SceneHands';
+import { PointerRay } from './PointerRay';
+import { SceneHands } from './SceneHands';
 import { Studio, type StudioColours } from './Studio';
 
 const kFov = 32;
 const kTurnMs = 320;
 /** Slower than this, the picture gets coarser; faster, finer again. */
-const kSlowMs = 50,
-  kFastMs = 24;
+const kSlowMs = 50;
+const kFastMs = 24;
 const kCoarsest = 0.6;
 /** A longer wait than this was not the machine's slowness: nothing had changed. */
 const kPauseMs = 400;
 const kRestMs = 250;
 /** A body alone is framed whole; cloth with this much more room around it, m. */
 const kBodyOnly: Bounds = { low: [-0.5, 0, -0.3], high: [0.5, 1.75, 0.3] };
-
-export interface SceneEvents extends HandEvents {
-  /** A frame of the cloth has reached the screen. */
-  drawn(): void;
-}
 
 export class SceneView {
   private readonly renderer_: WebGLRenderer;
@@ -77,7 +75,9 @@ export class SceneView {
   constructor(
     private readonly canvas_: HTMLCanvasElement,
     private readonly live_: LiveCloth,
-    private readonly events_: SceneEvents,
+    hand: Hand,
+    /** A frame of the cloth has reached the screen. */
+    private readonly drawn_: () => void,
     accent: string,
   ) {
     this.slow_ = !hasGraphicsCard();
@@ -106,12 +106,15 @@ export class SceneView {
     this.resizer_.observe(canvas_.parentElement ?? canvas_);
     this.stopListening_ = live_.listen((event) => this.take(event));
     this.takeAll();
-    this.hands_ = new SceneHands(
-      canvas_,
-      { camera: this.camera_, controls: this.controls_, cloth: this.cloth_, body: this.body_, marks: this.marks_ },
-      events_,
-      () => this.invalidate(),
-    );
+    const touchable = {
+      camera: this.camera_,
+      controls: this.controls_,
+      cloth: this.cloth_,
+      body: this.body_,
+      marks: this.marks_,
+    };
+    const ray = new PointerRay(canvas_, touchable);
+    this.hands_ = new SceneHands(canvas_, ray, this.controls_, hand, () => this.invalidate());
     this.resize();
   }
 
@@ -141,9 +144,9 @@ export class SceneView {
     this.invalidate();
   }
 
-  /** Whether pieces can be dragged to the sides of boxes. */
-  setDraggable(draggable: boolean): void {
-    this.hands_.setDraggable(draggable);
+  /** Those that the hand holds now, the first to be asked first. */
+  setTools(tools: readonly SceneTool[]): void {
+    this.hands_.setTools(tools);
   }
 
   /** Marks the place of a finding and flies to it, to the outer side of the body there. */
@@ -155,11 +158,6 @@ export class SceneView {
     const to = closeUp(finding.place, middle, this.currentPose());
     if (still) return this.applyPose(to);
     this.turn_ = { from: this.currentPose(), to, start: performance.now() };
-  }
-
-  /** Whether landmarks can be dragged, and whether the next click on the body places one. */
-  setMarkable(markable: boolean, picking: boolean): void {
-    this.hands_.setMarkable(markable, picking);
   }
 
   setLooks(looks: ReadonlyMap<string, Look>): void {
@@ -284,7 +282,7 @@ export class SceneView {
     this.stale_ = false;
     this.studio_.face(this.camera_.position, this.controls_.target);
     this.draw(now);
-    if (fresh && !this.start_) this.events_.drawn();
+    if (fresh && !this.start_) this.drawn_();
     if (this.turn_) this.invalidate();
   }
 
@@ -337,7 +335,7 @@ export class SceneView {
   }
 
   private currentPose(): Pose {
-    return { eye: this.camera_.position.toArray() as Vec3, target: this.controls_.target.toArray() as Vec3 };
+    return { eye: this.camera_.position.toArray(), target: this.controls_.target.toArray() };
   }
 
   private applyPose({ eye, target }: Pose): void {
@@ -349,8 +347,8 @@ export class SceneView {
 
   private resize(): void {
     const box = this.canvas_.parentElement ?? this.canvas_;
-    const width = Math.max(1, box.clientWidth),
-      height = Math.max(1, box.clientHeight);
+    const width = Math.max(1, box.clientWidth);
+    const height = Math.max(1, box.clientHeight);
     this.renderer_.setSize(width, height, false);
     this.marks_.resize(width, height);
     this.camera_.aspect = width / height;
@@ -373,8 +371,8 @@ function hasGraphicsCard(): boolean {
 function blend(from: Pose, to: Pose, t: number): Pose {
   const target = from.target.map((x, k) => x + t * (to.target[k]! - x)) as Vec3;
   const arm = (pose: Pose): Vector3 => new Vector3(...pose.eye).sub(new Vector3(...pose.target));
-  const a = arm(from),
-    b = arm(to);
+  const a = arm(from);
+  const b = arm(to);
   const angle = (v: Vector3): number => Math.atan2(v.x, v.z);
   let turn = angle(b) - angle(a);
   if (turn > Math.PI) turn -= 2 * Math.PI;

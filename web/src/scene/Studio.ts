@@ -53,8 +53,8 @@ export class Studio {
   face(eye: Vector3, target: Vector3): void {
     const heading = Math.atan2(eye.x - target.x, eye.z - target.z);
     const place = (light: DirectionalLight, right: number, up: number, front: number): void => {
-      const s = Math.sin(heading),
-        c = Math.cos(heading);
+      const s = Math.sin(heading);
+      const c = Math.cos(heading);
       light.position.set(
         target.x + 3 * (right * c + front * s),
         target.y + 3 * up,
@@ -80,8 +80,10 @@ export class Studio {
     this.key_.castShadow = true;
     const { shadow } = this.key_;
     shadow.mapSize.set(1024, 1024);
-    shadow.camera.left = shadow.camera.bottom = -1.3;
-    shadow.camera.right = shadow.camera.top = 1.3;
+    shadow.camera.left = -1.3;
+    shadow.camera.bottom = -1.3;
+    shadow.camera.right = 1.3;
+    shadow.camera.top = 1.3;
     shadow.camera.near = 0.5;
     shadow.camera.far = 9;
     shadow.radius = 7;

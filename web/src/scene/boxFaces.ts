@@ -1,15 +1,7 @@
 // Sides of a body part's box, as a hand meets them. Pure. The box's own axes: x to the wearer's left, y along the part,
 // z to the front.
 
-import type { BodyPart, BoxSide } from '../api/dressing';
-
-/** Where on a box something comes to lie, as the service takes it. */
-export interface BoxPlace {
-  part: BodyPart;
-  side: BoxSide;
-  /** From the side's middle: to the right as one looks at it, and up along the part. */
-  at_mm: [number, number];
-}
+import type { BoxSide } from '../api/dressing';
 
 /** The side with this outward normal, in the box's own axes; null for the two ends. */
 export function faceOf([x, y, z]: [number, number, number]): BoxSide | null {
@@ -18,7 +10,7 @@ export function faceOf([x, y, z]: [number, number, number]): BoxSide | null {
   return x > 0 ? 'left' : 'right';
 }
 
-/** A point of the side, m in the box's own axes from its middle, as the side's own place. */
+/** A point of the side, m in the box's own axes from its middle, as the side's own place: mm to the right as one looks at it, and up along the part. */
 export function onFace(side: BoxSide, [x, y, z]: [number, number, number]): [number, number] {
   const right = { front: x, back: -x, left: -z, right: z }[side];
   return [Math.round(right * 1000), Math.round(y * 1000)];

@@ -23,8 +23,8 @@ const kDirections: Record<View, Vec3> = {
 
 export function boundsOf(positions: Float32Array): Bounds | null {
   if (positions.length < 3) return null;
-  const low: Vec3 = [Infinity, Infinity, Infinity],
-    high: Vec3 = [-Infinity, -Infinity, -Infinity];
+  const low: Vec3 = [Infinity, Infinity, Infinity];
+  const high: Vec3 = [-Infinity, -Infinity, -Infinity];
   for (let i = 0; i < positions.length; ++i) {
     const k = i % 3;
     low[k] = Math.min(low[k]!, positions[i]!);

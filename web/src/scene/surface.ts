@@ -10,12 +10,15 @@ export interface WeldGroups {
 export function weldGroups(sewn: Uint32Array, vertexCount: number): WeldGroups {
   const parent = Uint32Array.from({ length: vertexCount }, (_, v) => v);
   const root = (v: number): number => {
-    while (parent[v] !== v) v = parent[v] = parent[parent[v]!]!;
+    while (parent[v] !== v) {
+      parent[v] = parent[parent[v]!]!; // halves the way for whoever asks next
+      v = parent[v]!;
+    }
     return v;
   };
   for (let i = 0; i < sewn.length; i += 2) {
-    const a = root(sewn[i]!),
-      b = root(sewn[i + 1]!);
+    const a = root(sewn[i]!);
+    const b = root(sewn[i + 1]!);
     parent[Math.max(a, b)] = Math.min(a, b);
   }
   const groups = new Map<number, number[]>();
@@ -38,18 +41,18 @@ export function weldGroups(sewn: Uint32Array, vertexCount: number): WeldGroups {
 export function vertexNormals(positions: Float32Array, triangles: Uint32Array, out: Float32Array): void {
   out.fill(0);
   for (let t = 0; t < triangles.length; t += 3) {
-    const a = 3 * triangles[t]!,
-      b = 3 * triangles[t + 1]!,
-      c = 3 * triangles[t + 2]!;
-    const ux = positions[b]! - positions[a]!,
-      uy = positions[b + 1]! - positions[a + 1]!,
-      uz = positions[b + 2]! - positions[a + 2]!;
-    const vx = positions[c]! - positions[a]!,
-      vy = positions[c + 1]! - positions[a + 1]!,
-      vz = positions[c + 2]! - positions[a + 2]!;
-    const nx = uy * vz - uz * vy,
-      ny = uz * vx - ux * vz,
-      nz = ux * vy - uy * vx;
+    const a = 3 * triangles[t]!;
+    const b = 3 * triangles[t + 1]!;
+    const c = 3 * triangles[t + 2]!;
+    const ux = positions[b]! - positions[a]!;
+    const uy = positions[b + 1]! - positions[a + 1]!;
+    const uz = positions[b + 2]! - positions[a + 2]!;
+    const vx = positions[c]! - positions[a]!;
+    const vy = positions[c + 1]! - positions[a + 1]!;
+    const vz = positions[c + 2]! - positions[a + 2]!;
+    const nx = uy * vz - uz * vy;
+    const ny = uz * vx - ux * vz;
+    const nz = ux * vy - uy * vx;
     for (const v of [a, b, c]) {
       out[v]! += nx;
       out[v + 1]! += ny;
@@ -61,13 +64,13 @@ export function vertexNormals(positions: Float32Array, triangles: Uint32Array, o
 /** Sewn vertices share their normal once they lie together; before, each side keeps its own. Then all get length 1. */
 export function shareNormals(positions: Float32Array, welds: WeldGroups, out: Float32Array, closed = 0.002): void {
   for (let g = 0; g + 1 < welds.start.length; ++g) {
-    const first = welds.start[g]!,
-      end = welds.start[g + 1]!;
+    const first = welds.start[g]!;
+    const end = welds.start[g + 1]!;
     const a = 3 * welds.members[first]!;
-    let x = 0,
-      y = 0,
-      z = 0,
-      apart = false;
+    let x = 0;
+    let y = 0;
+    let z = 0;
+    let apart = false;
     for (let i = first; i < end; ++i) {
       const v = 3 * welds.members[i]!;
       x += out[v]!;
@@ -94,8 +97,8 @@ export function rimEdges(triangles: Uint32Array, vertexCount: number): Uint32Arr
   const once = new Map<number, [number, number]>();
   for (let t = 0; t < triangles.length; t += 3) {
     for (let k = 0; k < 3; ++k) {
-      const a = triangles[t + k]!,
-        b = triangles[t + ((k + 1) % 3)]!;
+      const a = triangles[t + k]!;
+      const b = triangles[t + ((k + 1) % 3)]!;
       const key = Math.min(a, b) * vertexCount + Math.max(a, b);
       if (once.has(key)) once.delete(key);
       else once.set(key, [a, b]);

@@ -31,8 +31,8 @@ function threads(random: () => number): Float32Array {
 
 export function weaveTexture(): DataTexture {
   const random = noise(20030726);
-  const warp = threads(random),
-    weft = threads(random);
+  const warp = threads(random);
+  const weft = threads(random);
   const pixels = new Uint8Array(4 * kSide * kSide);
   for (let y = 0; y < kSide; ++y) {
     for (let x = 0; x < kSide; ++x) {
@@ -43,7 +43,8 @@ export function weaveTexture(): DataTexture {
     }
   }
   const texture = new DataTexture(pixels, kSide, kSide, RGBAFormat);
-  texture.wrapS = texture.wrapT = RepeatWrapping;
+  texture.wrapS = RepeatWrapping;
+  texture.wrapT = RepeatWrapping;
   texture.magFilter = LinearFilter;
   texture.minFilter = LinearMipmapLinearFilter;
   texture.generateMipmaps = true;

@@ -30,7 +30,9 @@ export class LiveCloth {
   }
 
   clear(): void {
-    this.topology = this.positions = this.moment = null;
+    this.topology = null;
+    this.positions = null;
+    this.moment = null;
     this.frames = 0;
     this.tell('cleared');
   }
@@ -39,7 +41,10 @@ export class LiveCloth {
     const same = this.topology?.vertexCount === topology.vertexCount && this.topology.epoch === topology.epoch;
     this.topology = topology;
     // After a lost connection the same cloth comes again: what was there stays in view until the first frame.
-    if (!same) this.positions = this.moment = null;
+    if (!same) {
+      this.positions = null;
+      this.moment = null;
+    }
     this.tell('topology');
   }
 

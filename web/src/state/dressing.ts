@@ -1,6 +1,6 @@
 // What the page knows of bodies, places and problems: who is dressed, where the pieces stand, what the look at them found.
 
-import { signal, type Signal } from '@preact/signals';
+import { computed, signal, type ReadonlySignal, type Signal } from '@preact/signals';
 import type { BodyMesh } from '../api/body';
 import type {
   Arrangement,
@@ -31,6 +31,10 @@ export interface Marks {
 
 export class DressingState {
   readonly tables: Signal<BodyTables | null> = signal(null);
+  /** What a mesh's name may end with; null while the service has not told. */
+  readonly meshEndings: ReadonlySignal<readonly string[] | null> = computed(
+    () => this.tables.value?.formats.map(({ ending }) => ending) ?? null,
+  );
   readonly bodies: Signal<ProjectBody[] | null> = signal(null);
   readonly mesh: Signal<BodyMesh | null> = signal(null);
   readonly check: Signal<Check | null> = signal(null);
@@ -63,9 +67,16 @@ export class DressingState {
 
   /** Another project is shown. */
   clear(): void {
-    this.bodies.value = this.mesh.value = this.check.value = this.start.value = null;
-    this.startProblem.value = this.arrangement.value = this.stance.value = null;
-    this.problem.value = this.placeProblem.value = this.finding.value = null;
+    this.start.value = null;
+    this.check.value = null;
+    this.mesh.value = null;
+    this.bodies.value = null;
+    this.stance.value = null;
+    this.arrangement.value = null;
+    this.startProblem.value = null;
+    this.finding.value = null;
+    this.placeProblem.value = null;
+    this.problem.value = null;
     this.picking.value = null;
     this.shown.value = 0;
   }
@@ -119,13 +130,13 @@ export const withMeasure = (mannequin: Mannequin, measure: MeasureName, cm: numb
 /** The measure follows from the preset and from proportions again. */
 export function withoutMeasure(mannequin: Mannequin, measure: MeasureName): Mannequin {
   const { [key(measure)]: _, ...rest } = mannequin;
-  return rest as Mannequin;
+  return rest;
 }
 
 export const isOwn = (mannequin: Mannequin, measure: MeasureName): boolean => mannequin[key(measure)] !== undefined;
 
 function plain(mannequin: Mannequin): Mannequin {
-  return Object.fromEntries(Object.entries(mannequin).filter(([, value]) => value !== undefined)) as Mannequin;
+  return Object.fromEntries(Object.entries(mannequin).filter(([, value]) => value !== undefined));
 }
 
 /** The preset that a slider's way is laid around: the mannequin's own, or the one whose girths are nearest. */

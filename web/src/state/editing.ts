@@ -5,10 +5,18 @@ import { signal, type Signal } from '@preact/signals';
 import type { Asset, Edit, EditStep, Piece, PieceEdge, Point, SeamProposal } from '../api/types';
 import type { ApiError } from '../api/http';
 import type { Loaded } from './AppState';
+import { jointsOf } from './outline';
 import { emptyDraft, type SeamDraft } from './seamView';
 
-/** pieces: move whole pieces; points: their outlines; sew: click edges together. */
-export type Tool = 'pieces' | 'points' | 'sew';
+/** What has to be known of a tool of the 2D view to take it; the tools themselves stand in tools/. */
+export interface ToolFacts {
+  readonly id: string;
+  /** What is selected within a piece stays so. */
+  readonly keepsPart: boolean;
+}
+
+/** Id of the tool that is held when all others have been put down. */
+export const kRestingTool = 'pieces';
 
 /** A part of the piece that is selected. */
 export type Part =
@@ -17,7 +25,8 @@ export type Part =
   | { kind: 'handle'; piece: string; edge: string; curve: number; handle: 1 | 2 };
 
 export class EditingState {
-  readonly tool: Signal<Tool> = signal('pieces');
+  /** Id of the one that is held. */
+  readonly tool: Signal<string> = signal(kRestingTool);
   readonly part: Signal<Part | null> = signal(null);
   readonly seam: Signal<string | null> = signal(null);
   /** Under the pointer, on either view or in the list. */
@@ -111,15 +120,11 @@ export function findPart(
   const edge = piece?.edges.find((one) => one.id === part.edge);
   if (!piece || !edge) return null;
   if (part.kind === 'edge') return { piece, edge, at: null };
-  if (part.kind === 'point') {
-    const at = part.point === 0 ? edge.curves[0]?.[0] : edge.curves[part.point - 1]?.[3];
-    return at ? { piece, edge, at } : null;
-  }
-  const at = edge.curves[part.curve]?.[part.handle];
+  const at = part.kind === 'point' ? jointsOf(edge)[part.point] : edge.curves[part.curve]?.[part.handle];
   return at ? { piece, edge, at } : null;
 }
 
-export const sameFrom = (a: Part | null, b: Part | null): boolean => JSON.stringify(a) === JSON.stringify(b);
+export const samePart = (a: Part | null, b: Part | null): boolean => JSON.stringify(a) === JSON.stringify(b);
 
 /** A name that no piece has, from the one that is copied. */
 export function freePieceId(pieces: readonly { id: string }[], from: string): string {

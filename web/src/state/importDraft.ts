@@ -41,6 +41,15 @@ export interface ImportDraft {
   error: ApiError | null;
 }
 
+/** What a view of the file's pieces is given. */
+export interface PreviewProps {
+  draft: ImportDraft;
+  report: Import;
+  /** The seam that is pointed at. */
+  lit: string | null;
+  onLight(seam: string | null): void;
+}
+
 const isObject = (value: unknown): value is Record<string, unknown> =>
   typeof value === 'object' && value !== null && !Array.isArray(value);
 const listOf = (value: unknown): Record<string, unknown>[] => (Array.isArray(value) ? value.filter(isObject) : []);

@@ -1,6 +1,8 @@
 // Files that somebody dropped on the page: what they are, whether a project can be made of them, and when not, what is
 // missing and how to get on. Pure but for reading the files' text.
 
+import { hasEnding, kPictureEndings } from '../api/formats';
+
 export interface GivenFile {
   /** Name without folders. */
   name: string;
@@ -37,13 +39,15 @@ export interface IntakeProblem {
 
 /** Largest document and file that are read here; the service has its own limits. */
 export const kLargestDocument = 4 * 1024 * 1024;
-export const kLargestFile = 64 * 1024 * 1024;
+const kLargestFile = 64 * 1024 * 1024;
 
-const kBodyFile = /\.(obj|gltf|glb|ply|stl|fbx|dae)$/i;
 /** A file that can lie on cloth. */
-export const isPicture = (name: string): boolean => /\.(png|jpe?g)$/i.test(name);
-const isDxf = (name: string): boolean => /\.dxf$/i.test(name);
-const isJson = (name: string): boolean => /\.json$/i.test(name);
+export const isPicture = (name: string): boolean => hasEnding(name, kPictureEndings);
+const isDxf = (name: string): boolean => hasEnding(name, ['.dxf']);
+const isJson = (name: string): boolean => hasEnding(name, ['.json']);
+/** What a mesh's name may end with; as long as that is not known, a file that is nothing else may be one. */
+const isMesh = (name: string, endings: readonly string[] | null): boolean =>
+  endings ? hasEnding(name, endings) : !isDxf(name) && !isJson(name) && !isPicture(name);
 const baseName = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
 const sameName = (a: string, b: string): boolean => baseName(a).toLowerCase() === baseName(b).toLowerCase();
 
@@ -93,21 +97,23 @@ async function readJson(file: GivenFile, problems: IntakeProblem[]): Promise<Rea
   return { document: null, specification: false };
 }
 
-/** Looks at everything given so far; of files with the same name the last one counts. */
-export async function planIntake(given: readonly GivenFile[]): Promise<IntakePlan> {
+function problemsOfFile({ name, blob }: GivenFile, meshes: readonly string[] | null): IntakeProblem[] {
+  if (blob.size > kLargestFile) return [{ code: 'file.too_large', text: 'Files have at most 64 MiB.', where: name }];
+  if (isDxf(name) || isJson(name) || isPicture(name) || isMesh(name, meshes)) return [];
+  const text = 'Neither a project (.json), a pattern (.dxf, .json), a body (.obj, .glb, …) nor a picture (.png, .jpg).';
+  return [{ code: 'file.kind', text, where: name }];
+}
+
+/**
+ * Looks at everything given so far; of files with the same name the last one counts. `meshes` are the endings of their
+ * names; null where they are not known.
+ */
+export async function planIntake(
+  given: readonly GivenFile[],
+  meshes: readonly string[] | null,
+): Promise<IntakePlan> {
   const files = given.filter((file, i) => !given.slice(i + 1).some((later) => sameName(later.name, file.name)));
-  const problems: IntakeProblem[] = [];
-  for (const { name, blob } of files) {
-    if (blob.size > kLargestFile)
-      problems.push({ code: 'file.too_large', text: 'Files have at most 64 MiB.', where: name });
-    else if (!isDxf(name) && !isJson(name) && !kBodyFile.test(name) && !isPicture(name)) {
-      problems.push({
-        code: 'file.kind',
-        text: 'Neither a project (.json), a pattern (.dxf, .json), a body (.obj, .glb, …) nor a picture (.png, .jpg).',
-        where: name,
-      });
-    }
-  }
+  const problems = files.flatMap((file) => problemsOfFile(file, meshes));
   const documents = files.filter((file) => isJson(file.name));
   if (documents.length > 1) {
     problems.push({
@@ -118,7 +124,8 @@ export async function planIntake(given: readonly GivenFile[]): Promise<IntakePla
   }
   const json = documents.length === 1 ? await readJson(documents[0]!, problems) : null;
   if (json?.document) return planWith(json.document, documents[0]!.name, files, problems);
-  return planWithout(files, json?.specification ? documents[0]! : null, problems);
+  const bodies = files.filter((file) => isMesh(file.name, meshes) && file.blob.size <= kLargestFile);
+  return planWithout(files, json?.specification ? documents[0]! : null, bodies, problems);
 }
 
 function planWith(
@@ -143,12 +150,12 @@ function planWith(
 function planWithout(
   files: readonly GivenFile[],
   specification: GivenFile | null,
+  bodies: GivenFile[],
   problems: IntakeProblem[],
 ): IntakePlan {
   // Of several the newest counts.
   const drawings = files.filter((file) => isDxf(file.name) && file.blob.size <= kLargestFile);
   const pattern = specification ?? drawings[drawings.length - 1] ?? null;
-  const bodies = files.filter((file) => kBodyFile.test(file.name) && file.blob.size <= kLargestFile);
   const loose: LoosePattern | null = pattern && {
     kind: specification ? 'specification' : 'dxf',
     file: pattern,

@@ -23,7 +23,7 @@ const phaseNames: Record<string, string> = {
   stills: 'Taking the stills',
 };
 
-export const phaseName = (phase: string): string => phaseNames[phase] ?? phase;
+const phaseName = (phase: string): string => phaseNames[phase] ?? phase;
 
 /** How much of a drape's time its phases usually take, in their order. */
 const kShares: [string, number][] = [

@@ -9,9 +9,9 @@ export const distance = (a: Point, b: Point): number => Math.hypot(a[0] - b[0], 
 const mix = (a: Point, b: Point, t: number): Point => [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])];
 
 export function curveAt([p0, p1, p2, p3]: Curve, t: number): Point {
-  const a = mix(p0, p1, t),
-    b = mix(p1, p2, t),
-    c = mix(p2, p3, t);
+  const a = mix(p0, p1, t);
+  const b = mix(p1, p2, t);
+  const c = mix(p2, p3, t);
   return mix(mix(a, b, t), mix(b, c, t), t);
 }
 
@@ -82,8 +82,8 @@ export function nearestOn(edge: PieceEdge, to: Point): Nearest {
   const whole = steps.at(-1)?.length || 1;
   let best: Nearest = { point: steps[0]?.at ?? [0, 0], at: 0, distance: Infinity };
   for (let i = 1; i < steps.length; ++i) {
-    const a = steps[i - 1]!,
-      b = steps[i]!;
+    const a = steps[i - 1]!;
+    const b = steps[i]!;
     const along = minus(b.at, a.at);
     const square = along[0] ** 2 + along[1] ** 2 || 1;
     const t = Math.min(1, Math.max(0, ((to[0] - a.at[0]) * along[0] + (to[1] - a.at[1]) * along[1]) / square));
@@ -135,11 +135,11 @@ const edited = (piece: Piece, curves: (edge: PieceEdge) => Curve[]): Piece => {
 
 /** Both ends of a curve that are at `was` go to `to` with their handles; a straight curve stays straight. */
 function withEndsMoved(curve: Curve, was: Point, by: Point): Curve {
-  const first = distance(curve[0], was) < 1e-3,
-    last = distance(curve[3], was) < 1e-3;
+  const first = distance(curve[0], was) < 1e-3;
+  const last = distance(curve[3], was) < 1e-3;
   if (!first && !last) return curve;
-  const p0 = first ? add(curve[0], by) : curve[0],
-    p3 = last ? add(curve[3], by) : curve[3];
+  const p0 = first ? add(curve[0], by) : curve[0];
+  const p3 = last ? add(curve[3], by) : curve[3];
   if (isStraight(curve)) return straight(p0, p3);
   return [p0, first ? add(curve[1], by) : curve[1], last ? add(curve[2], by) : curve[2], p3];
 }

@@ -98,15 +98,16 @@ function inRows(boxes: readonly Box[]): Point[] {
   const width = Math.max(Math.sqrt(area) * 1.15, ...boxes.map((b) => b.maxX - b.minX));
   const order = boxes.map((_, i) => i).sort((a, b) => heightOf(boxes[b]!) - heightOf(boxes[a]!) || a - b);
   const offsets: Point[] = boxes.map(() => [0, 0]);
-  let x = 0,
-    y = 0,
-    row = 0;
+  let x = 0;
+  let y = 0;
+  let row = 0;
   for (const i of order) {
     const box = boxes[i]!;
     const w = box.maxX - box.minX;
     if (x > 0 && x + w > width) {
       y -= row + kGap;
-      x = row = 0;
+      x = 0;
+      row = 0;
     }
     offsets[i] = [x - box.minX, y - box.maxY];
     x += w + kGap;
@@ -165,8 +166,8 @@ export function cutLine(points: readonly Point[], from: number, to: number): Poi
       const t = step > 0 ? (length - gone) / step : 0;
       return [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])];
     };
-    const first = Math.max(gone, from * whole),
-      last = Math.min(gone + step, to * whole);
+    const first = Math.max(gone, from * whole);
+    const last = Math.min(gone + step, to * whole);
     if (last > first) {
       if (out.length === 0) out.push(at(first));
       out.push(at(last));

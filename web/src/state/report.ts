@@ -57,7 +57,8 @@ function seams({ seam_gap_max_mm: gap }: Report): ReportLine {
 }
 
 function stretch({ strain }: Report): ReportLine {
-  const warp = strain.warp.tension ?? strain.warp, weft = strain.weft.tension ?? strain.weft;
+  const warp = strain.warp.tension ?? strain.warp;
+  const weft = strain.weft.tension ?? strain.weft;
   const value = `${percent(warp.p99)} warp, ${percent(weft.p99)} weft`;
   const mean = Math.max(Math.abs(warp.mean), Math.abs(weft.mean));
   const sentence = `99 % of the cloth is stretched by less than this; ${percent(mean, 2)} on average.`;

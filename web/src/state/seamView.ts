@@ -90,8 +90,8 @@ export function seamLengths(pieces: readonly Piece[], seam: SeamSides): SeamLeng
   const parts = seamParts(pieces, seam);
   const sum = (side: Side): number =>
     parts.filter((part) => part.side === side).reduce((total, part) => total + lengthOf(part.points), 0);
-  const a = sum('a'),
-    b = sum('b');
+  const a = sum('a');
+  const b = sum('b');
   return { a, b, ease: Math.min(a, b) > 0 ? Math.max(a, b) / Math.min(a, b) - 1 : 0 };
 }
 

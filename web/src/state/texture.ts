@@ -92,7 +92,7 @@ export function nameInProject(files: Readonly<Record<string, string>>, name: str
   return free;
 }
 
-export const sameTexture = (a: Texture | null, b: Texture | null): boolean =>
+const sameTexture = (a: Texture | null, b: Texture | null): boolean =>
   a === b ||
   (a !== null &&
     b !== null &&

@@ -11,7 +11,7 @@ interface Scope {
 
 const scope = self as unknown as Scope;
 const clock: Clock = {
-  after: (ms, what) => setTimeout(what, ms) as unknown as number,
+  after: (ms, what) => setTimeout(what, ms),
   cancel: (id) => clearTimeout(id),
   random: () => Math.random(),
 };

@@ -1,7 +1,9 @@
 // Keys and what they do, in one table: the help reads it, and remapping will write it.
 
-import type { Commands } from './Commands';
+import type { Commands } from '../commands/Commands';
 import type { AppState } from '../state/AppState';
+import type { PatternTool } from './PatternTool';
+import { patternTools } from './table';
 
 export interface Binding {
   /** KeyboardEvent.key, lower case. */
@@ -15,12 +17,16 @@ export interface Binding {
   run(commands: Commands, state: AppState): void;
 }
 
+/** The key that takes a tool. */
+function taking(tool: PatternTool): Binding {
+  const { key: shown, help: title } = tool;
+  return { key: shown.toLowerCase(), shown, title, group: 'Pattern', run: (c) => c.pattern.takeTool(tool) };
+}
+
 export const bindings: Binding[] = [
   { key: ' ', shown: 'Space', title: 'Start, pause or go on', group: 'Drape', run: (c) => void c.runOrPause() },
   { key: 'o', shown: 'O', title: 'New project from files', group: 'Drape', run: (c) => c.openIntake() },
-  { key: 'a', shown: 'A', title: 'Move whole pieces', group: 'Pattern', run: (c) => c.pattern.takeTool('pieces') },
-  { key: 'z', shown: 'Z', title: 'Edit points and edges', group: 'Pattern', run: (c) => c.pattern.takeTool('points') },
-  { key: 'n', shown: 'N', title: 'Sew edges together', group: 'Pattern', run: (c) => c.pattern.takeTool('sew') },
+  ...patternTools.map(taking),
   {
     key: 'enter',
     shown: 'Enter',

@@ -4,8 +4,8 @@ import type { Pieces } from '../api/types';
 import { useCommands } from '../commands/context';
 import { useAppState } from '../state/context';
 import { lengthsText, seamColour, seamLengths, seriesText, type Side } from '../state/seamView';
-import { Icon } from './Icon';
-import { NumberField } from './NumberField';
+import { Icon } from '../controls/Icon';
+import { NumberField } from '../controls/NumberField';
 
 export function SeamDraftPanel({ pieces }: { pieces: Pieces }) {
   const state = useAppState();
@@ -43,7 +43,7 @@ export function SeamDraftPanel({ pieces }: { pieces: Pieces }) {
         <button class="plain" disabled={!both} aria-pressed={sameDirection} onClick={() => pattern.turnDraft()}>
           Reverse
         </button>
-        <button class="plain" onClick={() => pattern.takeTool('sew')}>
+        <button class="plain" onClick={() => pattern.clearDraft()}>
           Clear
         </button>
       </div>

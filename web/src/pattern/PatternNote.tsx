@@ -1,0 +1,62 @@
+// One line under the pattern: what was refused, what the hand or the pointer is at, or what to do next.
+
+import type { Piece } from '../api/types';
+import type { ApiError } from '../api/http';
+import { useAppState } from '../state/context';
+import { lengthsText, seamLengths } from '../state/seamView';
+import { sentence } from '../state/words';
+import type { Held, PatternTool } from '../tools/PatternTool';
+import { kDraftSeam, type ShownSeam } from './SeamShapes';
+
+export interface PatternNoteProps {
+  /** As they are shown. */
+  pieces: readonly Piece[];
+  tool: PatternTool;
+  held: Held | null;
+  lit: ShownSeam | null;
+}
+
+export function PatternNote({ pieces, tool, held, lit }: PatternNoteProps) {
+  const state = useAppState();
+  const problem = state.editing.problem.value;
+  if (problem) return <Refusal problem={problem} />;
+  const said = placeOf(held) ?? lengthsOf(pieces, lit) ?? tool.say?.(state) ?? null;
+  if (said === null) return null;
+  return (
+    <p class="pattern-note" role="status">
+      {said}
+    </p>
+  );
+}
+
+function Refusal({ problem }: { problem: ApiError }) {
+  return (
+    <div class="pattern-note bad" role="alert">
+      <p>{sentence(problem.detail)}</p>
+      <p class="code">{[problem.code, problem.where].filter(Boolean).join(' · ')}</p>
+    </div>
+  );
+}
+
+/** Where the part is that is held. */
+function placeOf(held: Held | null) {
+  if (!held?.at) return null;
+  const [x, y] = held.at;
+  return (
+    <>
+      <b>{x.toFixed(1)}</b>, <b>{y.toFixed(1)}</b> mm
+    </>
+  );
+}
+
+/** How long both sides of the lit seam are. */
+function lengthsOf(pieces: readonly Piece[], lit: ShownSeam | null) {
+  if (!lit || lit.seam.b.length === 0) return null;
+  const { a, b } = seamLengths(pieces, lit.seam);
+  const { lengths, difference } = lengthsText(a, b);
+  return (
+    <>
+      <b>{lit.seam.id === kDraftSeam ? 'New seam' : `${lit.index + 1} ${lit.seam.id}`}</b> {lengths} · {difference}
+    </>
+  );
+}

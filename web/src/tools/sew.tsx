@@ -1,0 +1,38 @@
+// Sews edges together: those of one side are clicked, then those of the other.
+
+import type { AppState } from '../state/AppState';
+import { SeamDraftPanel } from './SeamDraftPanel';
+import type { PatternTool } from './PatternTool';
+
+export const sew: PatternTool = {
+  id: 'sew',
+  keepsPart: false,
+  title: 'Sew',
+  key: 'N',
+  hint: 'Click edges together',
+  help: 'Sew edges together',
+  cursor: { paper: 'crosshair', piece: 'crosshair' },
+  clickPiece: ({ commands }, piece) => {
+    commands.pattern.selectPart(null);
+    commands.select(piece);
+  },
+  edges: {
+    tabbed: 'all',
+    press: ({ state, commands }, { piece, edge }, key) => {
+      const draft = state.editing.draft.value;
+      // Enter on an edge that is taken already goes on, as it does after clicks.
+      const taken = draft[draft.side].some((use) => use.piece === piece && use.edge === edge);
+      if (taken && key === 'Enter') void commands.pattern.finishSide();
+      else commands.pattern.sewEdge(piece, edge);
+    },
+  },
+  say: ({ editing }: AppState) => {
+    const { side, a } = editing.draft.value;
+    return (
+      <>
+        Click the edges of {side === 'a' || a.length === 0 ? 'one side' : 'the other side'}, then press <kbd>Enter</kbd>
+      </>
+    );
+  },
+  Panel: SeamDraftPanel,
+};
