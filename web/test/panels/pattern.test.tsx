@@ -1,0 +1,352 @@
+// @vitest-environment jsdom
+import { fireEvent, screen, within } from '@testing-library/dom';
+import { beforeEach, describe, expect, it } from 'vitest';
+import { choose, click, openPage, type, type Page } from './page';
+import { ApiError } from '../../src/api/http';
+import type { Pieces, Seam } from '../../src/api/types';
+import { HistoryList } from '../../src/panels/HistoryList';
+import { PatternPanel } from '../../src/panels/PatternPanel';
+import { ProposalList } from '../../src/panels/ProposalList';
+import { SeamList } from '../../src/panels/SeamList';
+import { SelectionPanel } from '../../src/panels/SelectionPanel';
+import { TextureFields } from '../../src/panels/TextureFields';
+import { ready } from '../../src/state/AppState';
+import { points } from '../../src/tools/points';
+import { assetOf, seamOf, squareOf } from '../fakes';
+
+const side = seamOf('side', ['a', 'e1'], ['b', 'e3'], { length_a_mm: 100, length_b_mm: 98 });
+const two = (seams: Seam[] = [side]): Pieces => ({
+  pieces: [squareOf('a', 0, 0, 100), squareOf('b', 200, 0, 50)],
+  seams,
+});
+const button = (name: string | RegExp): HTMLElement => screen.getByRole('button', { name });
+const field = (name: string): HTMLElement => screen.getByRole('textbox', { name });
+
+let page: Page;
+beforeEach(() => {
+  page = openPage();
+});
+
+/** Draws the panel of these pieces. */
+function open(pieces: Pieces): void {
+  page.change((state) => (state.pieces.value = ready(pieces)));
+  page.show(<PatternPanel />);
+  page.asked();
+}
+
+describe('beside the pattern', () => {
+  it('stands what will be there, while there is none', () => {
+    page.show(<PatternPanel />);
+    expect(screen.getByText('The pattern of the project is edited here.')).toBeTruthy();
+  });
+
+  it('stand the selection, the seams and the proposals', () => {
+    open(two());
+    expect(screen.getByText(/Select a piece to rename/)).toBeTruthy();
+    expect(screen.getByRole('region', { name: 'Seams' })).toBeTruthy();
+    expect(screen.getByRole('region', { name: 'Proposed seams' })).toBeTruthy();
+    expect(screen.queryByRole('region', { name: 'New seam' })).toBeNull();
+  });
+
+  it('stands the panel of the tool that is held', () => {
+    open(two());
+    page.change((state) => (state.editing.tool.value = 'sew'));
+    expect(screen.getByRole('region', { name: 'New seam' })).toBeTruthy();
+  });
+});
+
+describe('a selected piece', () => {
+  beforeEach(() => {
+    page.change((state) => (state.selected.value = 'a'));
+    page.show(<SelectionPanel pieces={two()} />);
+    page.asked();
+  });
+
+  it('is told in figures', () => {
+    expect(screen.getByText(/100.0 × 100.0 mm · 4 edges/)).toBeTruthy();
+    expect((field('Name of the piece') as HTMLInputElement).value).toBe('a');
+  });
+
+  it('is renamed by typing over its name', () => {
+    type(field('Name of the piece'), 'front');
+    expect(page.asked()).toEqual([['pattern.renamePiece', 'a', 'front']]);
+  });
+
+  it('keeps its name when nothing is typed', () => {
+    type(field('Name of the piece'), '  ');
+    expect(page.asked()).toEqual([]);
+    expect((field('Name of the piece') as HTMLInputElement).value).toBe('a');
+  });
+
+  it('is moved and turned by numbers', () => {
+    type(field('x mm'), '12,5');
+    type(field('Grain °'), '45');
+    expect(page.asked()).toEqual([
+      ['pattern.movePiece', 'a', [12.5, 0]],
+      ['pattern.edit', { edit: 'rotate_grain', piece: 'a', angle: -45 }],
+    ]);
+  });
+
+  it('has a button for each thing that is done with a whole piece', () => {
+    for (const name of ['Grain +45°', 'Mirror', 'Duplicate', 'Mirrored copy', 'Delete']) click(button(name));
+    expect(page.asked()).toEqual([
+      ['pattern.edit', { edit: 'rotate_grain', piece: 'a', angle: 45 }],
+      ['pattern.edit', { edit: 'mirror_piece', piece: 'a' }],
+      ['pattern.duplicatePiece', 'a', false],
+      ['pattern.duplicatePiece', 'a', true],
+      ['pattern.removePiece', 'a'],
+    ]);
+  });
+
+  it('has its edges as buttons, which take the points tool', () => {
+    click(within(screen.getByRole('list', { name: 'Edges of a' })).getByRole('button', { name: /e2/ }));
+    expect(page.asked()).toEqual([
+      ['pattern.takeTool', points],
+      ['pattern.selectPart', { kind: 'edge', piece: 'a', edge: 'e2' }],
+    ]);
+  });
+
+  it('gets a dart within its cloth, as wide and long as is said', () => {
+    fireEvent.click(screen.getByText('Dart within the piece'));
+    type(field('Width mm'), '12');
+    type(field('Length mm'), '60');
+    click(button('Add dart'));
+    expect(page.asked()).toEqual([['pattern.addInnerDart', 'a', [50, 20], [50, 80], 12]]);
+  });
+});
+
+describe('a selected edge', () => {
+  beforeEach(() => {
+    page.change((state) => (state.editing.part.value = { kind: 'edge', piece: 'a', edge: 'e1' }));
+    page.show(<SelectionPanel pieces={two()} />);
+    page.asked();
+  });
+
+  it('gets a length, and keeps the end that is chosen', () => {
+    choose(screen.getByRole('combobox', { name: 'Keep' }), 'end');
+    type(field('Length mm'), '120');
+    expect(page.asked()).toEqual([
+      ['pattern.edit', { edit: 'set_edge_length', piece: 'a', edge: 'e1', length_mm: 120, keep: 'end' }],
+    ]);
+  });
+
+  it('has a button for each thing that is done with an edge', () => {
+    for (const name of ['Make a curve', 'Insert point', 'Split in the middle', 'Join with e2']) click(button(name));
+    expect(page.asked()).toEqual([
+      ['pattern.bendOrStraighten', 'a', 'e1'],
+      ['pattern.edit', { edit: 'insert_point', piece: 'a', edge: 'e1', at: 0.5 }],
+      ['pattern.edit', { edit: 'split_edge', piece: 'a', edge: 'e1', at: 0.5 }],
+      ['pattern.joinWithNext', 'a', 'e1'],
+    ]);
+    expect(screen.queryByRole('button', { name: 'Whole edge' })).toBeNull();
+  });
+
+  it('is renamed, gets a dart, and leads to the seam that it is sewn in', () => {
+    type(field('Name of the edge'), 'hem');
+    fireEvent.click(screen.getByText('Dart in the middle'));
+    click(button('Add dart'));
+    click(button('side'));
+    expect(page.asked()).toEqual([
+      ['pattern.renameEdge', 'a', 'e1', 'hem'],
+      ['pattern.addDart', 'a', 'e1', 30, 100],
+      ['pattern.selectSeam', 'side'],
+    ]);
+  });
+});
+
+describe('a selected point', () => {
+  const corner = { kind: 'point', piece: 'a', edge: 'e1', point: 0 } as const;
+
+  it('is moved by numbers and deleted', () => {
+    page.change((state) => (state.editing.part.value = corner));
+    page.show(<SelectionPanel pieces={two()} />);
+    expect(screen.getByRole('heading', { name: 'Corner of e1' })).toBeTruthy();
+    page.asked();
+    type(field('x mm'), '110');
+    click(button('Delete point'));
+    click(button('Whole edge'));
+    expect(page.asked()).toEqual([
+      ['pattern.edit', { edit: 'move_point', piece: 'a', edge: 'e1', point: 0, to: [110, 0] }],
+      ['pattern.remove'],
+      ['pattern.selectPart', { kind: 'edge', piece: 'a', edge: 'e1' }],
+    ]);
+  });
+
+  it('gets a notch, or loses the one that marks it', () => {
+    const pieces = two();
+    page.change((state) => (state.editing.part.value = corner));
+    page.show(<SelectionPanel pieces={pieces} />);
+    page.asked();
+    click(button('Notch'));
+    pieces.pieces[0] = { ...pieces.pieces[0]!, notches: [{ at: [100, 0], depth_mm: 5, inwards: null }] };
+    page.show(<SelectionPanel pieces={{ ...pieces }} />);
+    click(button('Remove notch'));
+    expect(page.asked()).toEqual([
+      ['pattern.edit', { edit: 'add_notch', piece: 'a', edge: 'e1', at: 0, depth_mm: 5 }],
+      ['pattern.edit', { edit: 'remove_notch', piece: 'a', notch: 0 }],
+    ]);
+  });
+
+  it('that is a handle is moved as one', () => {
+    const handle = { kind: 'handle', piece: 'a', edge: 'e0', curve: 0, handle: 2 } as const;
+    page.change((state) => (state.editing.part.value = handle));
+    page.show(<SelectionPanel pieces={two()} />);
+    page.asked();
+    type(field('y mm'), '-20');
+    expect(screen.getByRole('heading', { name: 'Handle of e0' })).toBeTruthy();
+    expect(page.asked()[0]![1]).toMatchObject({ edit: 'move_handle', curve: 0, handle: 2 });
+    expect(button('Make straight')).toBeTruthy();
+  });
+});
+
+describe('the list of seams', () => {
+  it('says that there is none', () => {
+    page.show(<SeamList pieces={two([])} />);
+    expect(screen.getByText('Nothing is sewn yet.')).toBeTruthy();
+  });
+
+  it('tells lengths and warnings, lights what is pointed at and selects what is clicked', () => {
+    const issue = { code: 'seam.lengths', error: false, message: 'one side is longer', where: '' };
+    page.show(<SeamList pieces={two([{ ...side, issues: [issue] }])} />);
+    expect(screen.getByText('1 warning')).toBeTruthy();
+    const row = button(/1 side/);
+    expect(row.textContent).toContain('100.0 ⇄ 98.0 mm');
+    fireEvent.focus(row);
+    click(row);
+    expect(page.asked()).toEqual([
+      ['pattern.lightSeam', 'side'],
+      ['pattern.selectSeam', 'side'],
+    ]);
+  });
+
+  it('opens the one that is selected', () => {
+    page.change((state) => (state.editing.seam.value = 'side'));
+    page.show(<SeamList pieces={two()} />);
+    expect(screen.getByText(/2\.0 mm \(2\.0 %\)/)).toBeTruthy();
+    expect(screen.queryByRole('button', { name: 'Remove dart' })).toBeNull();
+    click(button('Reverse'));
+    click(button('Remove seam'));
+    click(button(/1 side/));
+    expect(page.asked()).toEqual([
+      ['pattern.edit', { edit: 'reverse_seam', seam: 'side' }],
+      ['pattern.edit', { edit: 'remove_seam', seam: 'side' }],
+      ['pattern.selectSeam', null],
+      ['pattern.selectSeam', null],
+    ]);
+  });
+
+  it('takes a dart away as a whole', () => {
+    page.change((state) => (state.editing.seam.value = 'dart1'));
+    page.show(<SeamList pieces={two([seamOf('dart1', ['a', 'dart1_a'], ['a', 'dart1_b'])])} />);
+    click(button('Remove dart'));
+    expect(page.asked()).toEqual([['pattern.edit', { edit: 'remove_dart', seam: 'dart1' }]]);
+  });
+});
+
+describe('the proposals', () => {
+  const found = { ...seamOf('seam0', ['a', 'e0'], ['b', 'e2']), confidence: 0.93, length_a_mm: 10, length_b_mm: 10 };
+
+  it('are looked for when somebody asks', () => {
+    page.show(<ProposalList pieces={two()} />);
+    click(button('Look for seams'));
+    expect(page.asked()).toEqual([['pattern.propose']]);
+    page.change((state) => (state.editing.proposals.value = { state: 'loading' }));
+    expect(screen.getByRole('status').textContent).toContain('Looking at lengths');
+  });
+
+  it('say why there are none', () => {
+    page.change(
+      (state) =>
+        (state.editing.proposals.value = { state: 'failed', error: new ApiError(500, 'x', 'the search ended early') }),
+    );
+    page.show(<ProposalList pieces={two()} />);
+    expect(screen.getByText('The search ended early.')).toBeTruthy();
+    page.change((state) => (state.editing.proposals.value = ready([])));
+    expect(screen.getByText('No further seams are found.')).toBeTruthy();
+  });
+
+  it('are ticked one by one and sewn together', () => {
+    page.change((state) => {
+      state.editing.proposals.value = ready([found]);
+      state.editing.chosen.value = new Set(['seam0']);
+    });
+    page.show(<ProposalList pieces={two()} />);
+    expect(screen.getByTitle('Confidence').textContent).toBe('93 %');
+    click(screen.getByRole('checkbox'));
+    click(button('Sew 1 seam'));
+    expect(page.asked()).toEqual([['pattern.choose', 'seam0', false], ['pattern.acceptProposals']]);
+    page.change((state) => (state.editing.chosen.value = new Set()));
+    expect(button('Sew 0 seams').hasAttribute('disabled')).toBe(true);
+  });
+
+  it('are not asked for where there are no pieces', () => {
+    page.show(<ProposalList pieces={{ pieces: [], seams: [] }} />);
+    expect(screen.queryByRole('region')).toBeNull();
+  });
+});
+
+describe('the history', () => {
+  it('says what was done, newest first, and what was undone', () => {
+    page.show(<HistoryList />);
+    expect(screen.queryByText('History')).toBeNull();
+    page.change((state) => {
+      state.now.value = 100_000;
+      state.editing.history.value = [
+        { number: 2, undone: true, created_ms: 99_000, edits: [{ edit: 'remove_seam', seam: 's' }] },
+        { number: 1, undone: false, created_ms: 98_000, edits: [{ edit: 'mirror_piece', piece: 'a' }] },
+      ];
+    });
+    expect(screen.getAllByRole('listitem', { hidden: true }).map((row) => row.textContent)).toEqual([
+      'Remove seam, sundone',
+      'Mirror piece, ajust now',
+    ]);
+  });
+});
+
+describe('the picture on a piece', () => {
+  const texture = { image: 'check.png', scale_mm: 80, offset: [5, 6] as [number, number], angle: 0 };
+  const printed = two().pieces.map((piece) => ({ ...piece, texture: piece.id === 'a' ? texture : null }));
+
+  it('is chosen of those that were uploaded before', () => {
+    page.change(
+      (state) => (state.editing.images.value = [assetOf({ id: 'a_7', kind: 'image', name: 'check.png' })]),
+    );
+    page.show(<TextureFields pieces={[two().pieces[0]!]} all={two().pieces} />);
+    expect(page.asked()).toEqual([['textures.loadImages']]);
+    choose(screen.getByRole('combobox', { name: 'Picture' }), 'a_7');
+    expect(page.asked()).toMatchObject([['textures.putOn', ['a'], { id: 'a_7' }]]);
+    expect(screen.queryByRole('button', { name: 'Take off' })).toBeNull();
+  });
+
+  it('is uploaded', () => {
+    page.show(<TextureFields pieces={[two().pieces[0]!]} all={two().pieces} />);
+    page.asked();
+    const file = new File(['x'], 'check.png');
+    fireEvent.change(screen.getByLabelText('Picture file'), { target: { files: [file] } });
+    expect(page.asked()).toEqual([['textures.upload', ['a'], 'check.png', file]]);
+    page.change((state) => (state.editing.uploading.value = true));
+    expect(button('Uploading…').hasAttribute('disabled')).toBe(true);
+  });
+
+  it('is laid by numbers, put on all pieces and taken off', () => {
+    page.show(<TextureFields pieces={[printed[0]!]} all={printed} />);
+    page.asked();
+    type(field('Repeat mm'), '120');
+    type(field('Repeat mm'), '-5');
+    type(field('Offset x mm'), '0');
+    click(button('Same on all pieces'));
+    click(button('Take off'));
+    expect(page.asked()).toEqual([
+      ['textures.lay', ['a'], { scale_mm: 120 }],
+      ['textures.lay', ['a'], { offset: [0, 6] }],
+      ['textures.onAll', texture],
+      ['textures.takeOff', ['a']],
+    ]);
+  });
+
+  it('may differ from piece to piece', () => {
+    page.show(<TextureFields pieces={printed} all={printed} />);
+    expect(screen.getByText('pieces differ')).toBeTruthy();
+    expect(screen.queryByRole('textbox')).toBeNull();
+  });
+});

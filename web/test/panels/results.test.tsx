@@ -1,0 +1,135 @@
+// @vitest-environment jsdom
+import { fireEvent, screen, within } from '@testing-library/dom';
+import { beforeEach, describe, expect, it } from 'vitest';
+import { click, openPage, type Page } from './page';
+import { ApiError } from '../../src/api/http';
+import type { Job } from '../../src/api/types';
+import { DrapeFigures } from '../../src/panels/DrapeFigures';
+import { Results } from '../../src/panels/Results';
+import { ready } from '../../src/state/AppState';
+import { jobOf, squareOf } from '../fakes';
+import { reportOf } from '../samples';
+
+const resultUrl = (job: string, name: string): string => `/results/${job}/${name}`;
+
+let page: Page;
+beforeEach(() => {
+  page = openPage();
+});
+
+const drape = (more: Partial<Job> = {}): void => page.change((state) => (state.jobs.value = ready([jobOf(more)])));
+
+describe('a drape under way', () => {
+  it('waits for its first speeds, then draws them', () => {
+    drape();
+    page.show(<DrapeFigures />);
+    expect(screen.getByText(/speed of the cloth is drawn here/)).toBeTruthy();
+    page.change(
+      (state) =>
+        (state.history.value = [
+          { t: 0.5, speed: 1 },
+          { t: 2, speed: 0.02 },
+        ]),
+    );
+    expect(screen.getByRole('img', { name: 'Speed of the cloth, now 20.0 mm/s' })).toBeTruthy();
+    expect(screen.getByText('2.0 s')).toBeTruthy();
+  });
+
+  it('is told in facts', () => {
+    drape({ started_ms: 1000, ended_ms: 66_000, state: 'succeeded', project_revision: 7 });
+    page.show(<DrapeFigures />);
+    const facts = [...document.querySelectorAll('.facts div')].map((row) => row.textContent);
+    expect(facts).toEqual(['Drapej_1', 'Project revision7', 'Running time1 min 5 s']);
+  });
+
+  it('says why it failed, where, and what to do', () => {
+    const code = 'start.crosses_body';
+    drape({ state: 'failed', reason_code: code, reason: 'it stands in the body', reason_where: 'piece front' });
+    page.show(<DrapeFigures />);
+    const said = screen.getByRole('alert');
+    expect(within(said).getByRole('heading').textContent).toBe('The drape failed');
+    for (const text of ['It stands in the body.', 'piece front', code]) {
+      expect(within(said).getByText(text)).toBeTruthy();
+    }
+    expect(within(said).getByText(/Move the piece away from the body/)).toBeTruthy();
+  });
+
+  it('raises no alarm when somebody cancelled it', () => {
+    drape({ state: 'cancelled', reason_code: 'cancelled' });
+    page.show(<DrapeFigures />);
+    expect(screen.getByRole('heading').textContent).toBe('The drape was cancelled');
+    expect(screen.queryByRole('alert')).toBeNull();
+  });
+
+  it('lists the pieces under their fabrics; a click selects, and lets go again', () => {
+    const pieces = [squareOf('a', 0, 0, 10), { ...squareOf('b', 0, 0, 10), fabric: '' }];
+    page.change((state) => (state.pieces.value = ready({ pieces, seams: [] })));
+    page.show(<DrapeFigures />);
+    expect(screen.getAllByRole('heading').map((one) => one.textContent)).toEqual(['f', 'Fabric']);
+    const a = screen.getByRole('button', { name: 'a' });
+    click(a);
+    expect(page.state.selected.value).toBe('a');
+    expect(a.getAttribute('aria-pressed')).toBe('true');
+    click(a);
+    expect(page.state.selected.value).toBeNull();
+    fireEvent.pointerEnter(a);
+    expect(page.state.hovered.value).toBe('a');
+  });
+});
+
+describe('the results', () => {
+  const files = { 'three-quarter.png': 2000, 'front.png': 1000, 'thumbnail.png': 10, 'final.glb': 123_456 };
+
+  it('are none before a drape, and none yet while it runs', () => {
+    page.show(<Results resultUrl={resultUrl} />);
+    expect(screen.getByText('Nothing has been draped yet.')).toBeTruthy();
+    drape();
+    expect(screen.getByText(/are kept here when the drape has ended/)).toBeTruthy();
+  });
+
+  it('are none after a drape that left none', () => {
+    drape({ state: 'failed' });
+    page.show(<Results resultUrl={resultUrl} />);
+    expect(screen.getByText('This drape ended without results.')).toBeTruthy();
+  });
+
+  it('can be taken along, each with what it is for and its size', () => {
+    drape({ state: 'succeeded', results: files });
+    page.show(<Results resultUrl={resultUrl} />);
+    const links = screen.getAllByRole('link');
+    expect(links.map((link) => link.getAttribute('href'))).toEqual([
+      '/results/j_1/final.glb',
+      '/results/j_1/three-quarter.png',
+      '/results/j_1/front.png',
+    ]);
+    expect(links[0]!.textContent).toBe('GLBColoured model for 3D programs and the web123 kB');
+    expect(links[0]!.getAttribute('download')).toBe('Skirt final.glb');
+    expect(links[1]!.textContent).toBe('PNGThree-quarter still2.0 kB');
+  });
+
+  it('show a still large, until it is closed', () => {
+    drape({ state: 'succeeded', results: files });
+    page.show(<Results resultUrl={resultUrl} />);
+    click(screen.getByRole('button', { name: 'Front still, enlarge' }));
+    const large = screen.getByRole('dialog', { name: 'Front still' });
+    expect(within(large).getByRole('img').getAttribute('src')).toBe('/results/j_1/front.png');
+    click(within(large).getByRole('button', { name: 'Close' }));
+    expect(screen.queryByRole('dialog')).toBeNull();
+  });
+
+  it('have the report in words, and say while it comes and why it does not', () => {
+    drape({ state: 'succeeded', results: files });
+    page.change((state) => (state.report.value = { state: 'loading' }));
+    page.show(<Results resultUrl={resultUrl} />);
+    expect(screen.getByRole('status').textContent).toBe('Reading the report…');
+    page.change((state) => (state.report.value = ready(reportOf({ seam_gap_max_mm: 4 }))));
+    const lines = [...document.querySelectorAll('.report li')];
+    expect(lines.map((line) => line.querySelector('b')!.textContent)).toContain('Settled at 3.50 s');
+    expect(lines.filter((line) => line.className === 'verdict-warn').map((line) => line.textContent)).toEqual([
+      'Seams4.00 mmThe widest seam is open by 4.00 mm.',
+    ]);
+    const error = new ApiError(404, 'store.not_found', 'It is gone.');
+    page.change((state) => (state.report.value = { state: 'failed', error }));
+    expect(screen.getByText('It is gone.').textContent).toContain('store.not_found');
+  });
+});
