@@ -67,7 +67,6 @@ ReportDocument document_of(const analysis::Report& r) {
 Json json_of(bool value) { return value; }
 Json json_of(int value) { return value; }
 Json json_of(double value) { return value; }
-Json json_of(const std::string& value) { return value; }
 Json json_of(const FreeText& value) { return value.text; }
 Json json_of(const HexHash& value) { return value.digits; }
 Json json_of(const std::array<double, 3>& values) { return values; }
