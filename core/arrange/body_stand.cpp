@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/body/measure/landmark_slices.h"
+#include "core/body/measure/slices.h"
 #include "core/geometry/polygon2.h"
 
 namespace toile::arrange {

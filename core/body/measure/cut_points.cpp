@@ -70,6 +70,7 @@ struct Axes {
 };
 
 Axes axes_of(Vec3 normal) {
+  // Any two axes in the plane do; this one is never nearly along the normal.
   const Vec3 side = std::abs(normal.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
   const Vec3 u = normalized(cross(side, normal));
   return {u, cross(normal, u)};

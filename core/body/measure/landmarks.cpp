@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/body/measure/landmark_slices.h"
+#include "core/body/measure/slices.h"
 #include "core/geometry/distance.h"
 
 namespace toile::measure {
@@ -74,6 +74,7 @@ class Places {
     add_side("elbow", side, arm.elbow - Vec3{0, 0, thick});
     add_side("wrist", side, arm.wrist + outwards * thick);
     add_side("hand_tip", side, arm.tip);
+    // From a place well outside, so that the nearest skin is that of the side which is meant.
     const double far = 0.1 * f_.height();
     add_side("thigh", side, (leg.top + leg.knee) * 0.5 + Vec3{0, 0, far});
     add_side("knee", side, leg.knee + Vec3{0, 0, far});
@@ -88,6 +89,7 @@ class Places {
       Vec3 best = cut.box.middle();
       double most = -HUGE_VAL;
       for (const Vec3& p : cut.points) {
+        // Front and back are those of the middle: breasts and blades stand out beside it.
         const bool beside = way.x == 0 && std::abs(p.x - f_.middle) > within;
         if (!beside && dot(p, way) > most) {
           most = dot(p, way);
@@ -127,6 +129,7 @@ SkinPoint nearest_on_skin(const geometry::TriangleMesh& mesh, Vec3 p) {
     const Vec3 &a = mesh.vertices[tri[0]], &b = mesh.vertices[tri[1]], &c = mesh.vertices[tri[2]];
     const geometry::TrianglePoint w = geometry::closest_on_triangle(p, a, b, c);
     const Vec3 d = a * w.a + b * w.b + c * w.c - p;
+    // Of equals the first, by number: the same on every machine.
     if (dot(d, d) < least) {
       least = dot(d, d);
       best = {static_cast<Index>(t), {w.a, w.b, w.c}};

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/body/measure/cut_points.h"
-#include "core/body/measure/landmark_slices.h"
+#include "core/body/measure/slices.h"
 
 namespace toile::measure {
 
@@ -77,6 +77,7 @@ std::vector<Vec3> grown(const std::vector<Vec3>& loop, Vec3 normal, double away)
   for (std::size_t i = 0; i < n; ++i) {
     const Vec3 before = normalized(cross(loop[i] - loop[(i + n - 1) % n], normal));
     const Vec3 after = normalized(cross(loop[(i + 1) % n] - loop[i], normal));
+    // Along the bisector by as much as brings both sides out; at a spike not without end.
     out.push_back(loop[i] + (before + after) * (away / std::max(0.2, 1 + dot(before, after))));
   }
   return out;

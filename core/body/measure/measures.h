@@ -72,7 +72,7 @@ struct BodyMeasures {
   const std::optional<TakenMeasure>& operator[](Measure m) const { return taken[static_cast<size_t>(m)]; }
 };
 
-/// Measures a body that stands on y = 0, faces +z and holds its arms 20° to 100° off (see body_stance.h for
+/// Measures a body that stands on y = 0, faces +z and holds its arms 20° to 100° off (see stance.h for
 /// others). A tape spans hollows: girths are perimeters of convex hulls of cuts, without arms or the other
 /// leg. Bust and hip are the widest, waist the narrowest; what cannot be found stays empty. Error:
 /// "body.not_a_body" where the mesh has no trunk, head and two legs.

@@ -9,6 +9,7 @@
 namespace toile::measure {
 namespace {
 
+// Some 7 mm each on a grown-up, about an edge of its mesh: most triangles then lie in one or two bins.
 constexpr size_t kBins = 256;
 
 /// Gathers the crossed edges of a few triangles; equal edges become one point.
@@ -22,7 +23,9 @@ class CutBuilder {
     int found = 0;
     for (int c = 0; c < 3 && found < 2; ++c) {
       const Index a = std::min(t[c], t[(c + 1) % 3]), b = std::max(t[c], t[(c + 1) % 3]);
+      // A vertex in the plane counts as above it for all its edges alike: the line never breaks there.
       if ((height_[a] < level_) == (height_[b] < level_)) continue;
+      // The edge by its vertices: both its triangles name the same point.
       ends[found++] = static_cast<std::uint64_t>(a) << 32 | static_cast<std::uint32_t>(b);
     }
     if (found == 2) segments_.push_back({ends[0], ends[1]});
@@ -31,6 +34,7 @@ class CutBuilder {
   MeshCut take() {
     std::vector<std::uint64_t> edges;
     for (const auto& s : segments_) edges.insert(edges.end(), s.begin(), s.end());
+    // By vertices and not by triangles, so that points come in one order whichever triangles were looked at.
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     const auto place = [&](std::uint64_t e) {

@@ -8,6 +8,7 @@ namespace toile::measure {
 namespace {
 
 bool is_on(const SkinPoint& at, const geometry::TriangleMesh& mesh) {
+  // Of shares that a document writes with a few digits.
   constexpr double kRounding = 1e-6;
   if (at.triangle < 0 || at.triangle >= static_cast<Index>(mesh.triangles.size())) return false;
   const auto [a, b, c] = at.share;
@@ -41,6 +42,7 @@ Status add_own_landmarks(const geometry::TriangleMesh& mesh, std::span<const Own
     const auto before = own.begin() + static_cast<std::ptrdiff_t>(i);
     if (std::any_of(own.begin(), before, same))
       return Error{"landmark.duplicate", "another landmark here has that name", mark.name};
+    // In the document's order: one may be told from one before it, and replaces a found one of its name.
     const SkinPoint at = TRY(skin_point_of(mark, mesh, landmarks));
     const Landmark placed{mark.name, at, position_of(at, mesh)};
     const auto found = std::find_if(landmarks.begin(), landmarks.end(), same);
@@ -55,6 +57,7 @@ Status add_own_landmarks(const geometry::TriangleMesh& mesh, std::span<const Own
 
 OwnLandmark told_from_nearest(const std::string& name, const SkinPoint& at,
                               const geometry::TriangleMesh& mesh, std::span<const Landmark> landmarks) {
+  // From the nearest, since the offset keeps its length on a body of other proportions.
   const Vec3 p = position_of(at, mesh);
   const auto nearest = std::min_element(
       landmarks.begin(), landmarks.end(),

@@ -1,7 +1,8 @@
 #include "core/body/measure/segments.h"
 
-#include <algorithm>
 #include <cmath>
+
+#include "core/base/aabb.h"
 
 namespace toile::measure {
 
@@ -9,6 +10,7 @@ namespace {
 
 std::array<Vec3, 3> axes_along(Vec3 up) {
   const Vec3 y = normalized(up);
+  // As far to the front as a right angle to the limb allows; no limb points straight ahead.
   const Vec3 z = normalized(Vec3{0, 0, 1} - y * y.z);
   return {cross(y, z), y, z};
 }
@@ -34,6 +36,8 @@ bool is_arm(Vec3 p, const BodyFigure& f, int side) {
   const double armpit = (side == kWearersLeft ? 1 : -1) * (f.armpit[side].x - f.middle);
   const ArmLine& arm = f.arm[side];
   const Vec3 along = arm.along();
+  // Inwards of the armpit a hanging upper arm may lie, a hip beside a hand may not: what is near the arm's
+  // line is arm. Above the chin nothing is.
   return x > 0.7 * armpit && dot(p - f.armpit[side], along) > 0 &&
          length(cross(p - arm.root, along)) < 0.75 * arm.girth && p.y < f.chin;
 }
@@ -72,27 +76,25 @@ std::vector<BodyPart> part_of_vertices(const geometry::TriangleMesh& mesh, const
 
 std::array<PartBox, kBodyParts> part_boxes(const geometry::TriangleMesh& mesh, const BodyFigure& figure) {
   std::array<PartBox, kBodyParts> boxes;
-  std::array<std::array<double, 3>, kBodyParts> low, high;
-  for (int k = 0; k < kBodyParts; ++k) {
+  std::array<Aabb3, kBodyParts> around;  // in each part's own axes
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
     boxes[k].part = static_cast<BodyPart>(k);
     boxes[k].axis = axes_of(boxes[k].part, figure);
-    low[k].fill(HUGE_VAL);
-    high[k].fill(-HUGE_VAL);
   }
   const std::vector<BodyPart> parts = part_of_vertices(mesh, figure);
   for (std::size_t v = 0; v < parts.size(); ++v) {
-    const int k = static_cast<int>(parts[v]);
-    for (int a = 0; a < 3; ++a) {
-      const double d = dot(mesh.vertices[v], boxes[k].axis[a]);
-      low[k][a] = std::min(low[k][a], d);
-      high[k][a] = std::max(high[k][a], d);
-    }
+    const auto k = static_cast<std::size_t>(parts[v]);
+    const auto& [x, y, z] = boxes[k].axis;
+    const Vec3 p = mesh.vertices[v];
+    around[k].add({dot(p, x), dot(p, y), dot(p, z)});
   }
-  for (int k = 0; k < kBodyParts; ++k) {
-    if (low[k][0] > high[k][0]) continue;  // nothing of this part: a box without size at the origin
-    const auto half = [&](int a) { return (high[k][a] - low[k][a]) / 2; };
-    boxes[k].half = {half(0), half(1), half(2)};
-    for (int a = 0; a < 3; ++a) boxes[k].centre += boxes[k].axis[a] * ((high[k][a] + low[k][a]) / 2);
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
+    if (around[k].empty()) continue;  // nothing of this part: a box without size at the origin
+    boxes[k].half = around[k].size() * 0.5;
+    const Vec3 middle = around[k].middle();
+    boxes[k].centre += boxes[k].axis[0] * middle.x;
+    boxes[k].centre += boxes[k].axis[1] * middle.y;
+    boxes[k].centre += boxes[k].axis[2] * middle.z;
   }
   return boxes;
 }

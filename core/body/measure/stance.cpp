@@ -42,12 +42,14 @@ Result<StandingBody> stand_body(geometry::TriangleMesh mesh) {
   if (mesh.triangles.empty()) return none;
   StandingBody out{std::move(mesh), {}};
   geometry::TriangleMesh& m = out.mesh;
+  // Each question is put to the body as the answers before it have turned it: up, unit, head or feet, front.
   if (const Vec3 size = bounding_box(m.vertices).size(); size.z > size.y) {
     out.stance.up = 'z';
     turn(m, [](Vec3 p) { return Vec3{p.x, p.z, -p.y}; });
   }
   double stature = bounding_box(m.vertices).size().y;
   if (!(stature > 0)) return none;
+  // The smallest unit of which the body is still as tall as a small child.
   for (double unit : kUnits)
     if (stature * unit >= kLeastStature) out.stance.unit_in_m = unit;
   turn(m, [&](Vec3 p) { return p * out.stance.unit_in_m; });
@@ -56,7 +58,9 @@ Result<StandingBody> stand_body(geometry::TriangleMesh mesh) {
     out.stance.upside_down = true;
     turn(m, [](Vec3 p) { return Vec3{-p.x, -p.y, p.z}; });
   }
+  // A head has one outline; what has two at both ends is no person, or holds its hands up.
   if (!two_legs_at(m, kShins) || two_legs_at(m, kFace + 0.05)) return none;
+  // With arms off the trunk a person is broader than deep.
   if (const Vec3 size = bounding_box(m.vertices).size(); size.z > size.x) {
     out.stance.quarter_turns = 1;
     turn(m, [](Vec3 p) { return Vec3{p.z, p.y, -p.x}; });

@@ -68,6 +68,7 @@ Girth widest_girth(const geometry::TriangleMesh& mesh, double low, double high, 
 TrunkGirths trunk_girths(const geometry::TriangleMesh& standing) {
   double h = 0;
   for (const Vec3& p : standing.vertices) h = std::max(h, p.y);
+  // Shares of the stature: see trunk_girths in the header.
   const double ribs = kWiderThanRibs * half_breadth_at(standing, 0.68 * h);
   return {widest_girth(standing, 0.70 * h, 0.72 * h, ribs), narrowest_girth(standing, 0.58 * h, 0.68 * h),
           widest_girth(standing, 0.48 * h, 0.56 * h)};

@@ -1,4 +1,4 @@
-#include "core/body/measure/landmark_slices.h"
+#include "core/body/measure/slices.h"
 
 #include "core/body/measure/mesh_cut.h"
 #include "core/geometry/convex_hull.h"

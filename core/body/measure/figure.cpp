@@ -1,10 +1,11 @@
+#include "core/body/measure/figure.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "core/base/aabb.h"
-#include "core/body/measure/landmark_slices.h"
-#include "core/body/measure/landmarks.h"
+#include "core/body/measure/slices.h"
 
 namespace toile::measure {
 
