@@ -44,6 +44,7 @@ std::size_t letter_changes(std::string_view a, std::string_view b) {
 std::string_view nearest_name(std::string_view name, std::span<const std::string> names) {
   name = name.substr(0, 60);  // a longer name is near to nothing, and must cost nothing
   std::string_view best;
+  // A third of its letters wrong, and it is another word.
   std::size_t fewest = std::max<std::size_t>(1, name.size() / 3) + 1;
   for (const std::string& candidate : names) {
     const std::size_t changes = letter_changes(name, std::string_view(candidate).substr(0, 60));

@@ -12,6 +12,7 @@ namespace {
 
 Result<GlbImage> image_of(const image::TextureImage& image, const material::Fabric& fabric) {
   const image::ReadPicture& read = image.read;
+  // The file itself, where a viewer would show just what we do: no second compression.
   if (read.plain && read.picture.opaque)
     return GlbImage{image.name, std::string(image::media_type(read.format)), image.bytes};
   const double* const c = fabric.colour;
@@ -71,6 +72,7 @@ std::vector<Vec2> glb_coordinates(const image::PanelTexture& texture, std::span<
   out.reserve(rest.size());
   for (const Vec2 flat : rest) {
     const Vec2 at = image::texture_at(texture, flat);
+    // glTF counts down from a picture's upper rim, we up from the lower one.
     out.push_back({at.x, 1 - at.y});
   }
   return out;

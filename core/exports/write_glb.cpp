@@ -30,6 +30,7 @@ void append_u32(std::string& bytes, std::uint32_t value) {
 }
 
 void append_float(std::string& bytes, double value) {
+  // Adding 0 takes the sign from a zero: one position, one spelling.
   append_u32(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(value + 0.0)));
 }
 
@@ -47,6 +48,7 @@ class GltfBuffer {
  public:
   int add_positions(const std::vector<Vec3>& values) {
     const int accessor = add_vectors(values);
+    // The specification wants the bounds of positions, as they are stored.
     json low = json::array(), high = json::array();
     for (const auto component : {&Vec3::x, &Vec3::y, &Vec3::z}) {
       const auto [least, most] =
@@ -224,6 +226,7 @@ void append_panels(const GlbModel& model, const GlbLooks& looks, std::vector<Par
   for (std::size_t t = 0; t < g.triangles.size(); ++t) {
     const Index panel = g.panel_of_triangle[t], begin = g.first_vertex[panel];
     const Tri& tri = g.triangles[t];
+    // Every panel is a part with vertices of its own, so that seams keep two sides of texture.
     panels[panel].triangles.push_back({tri[0] - begin, tri[1] - begin, tri[2] - begin});
   }
   for (Part& panel : panels) {

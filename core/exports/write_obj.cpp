@@ -61,6 +61,7 @@ std::string obj_text(std::span<const Vec3> positions, std::span<const Tri> trian
   }
   const bool flat = !panels.rest.empty();
   for (const Vec2& p : panels.rest) text.texture_place(p);
+  // An object of OBJ is a run of lines: triangles are gathered by panel, in their order within it.
   std::vector<std::vector<Index>> of_panel(panels.names.size());
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     of_panel[panels.panel_of_triangle[t]].push_back(static_cast<Index>(t));

@@ -25,6 +25,7 @@ void BoxGroups::refit(std::span<const Box3> boxes) {
 }
 
 void BoxGroups::refit_groups(std::span<const Box3> boxes) {
+  // A place without a box holds the empty one, which overlaps none: lanes need no mask.
   const Box3 nothing;
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     Group& group = groups_[g];

@@ -33,6 +33,7 @@ std::span<Index>::iterator part(std::span<Index> order, std::span<const Box3> bo
   const int axis = widest_axis(order, boxes);
   const auto middle = order.begin() + static_cast<std::ptrdiff_t>(left);
   std::nth_element(order.begin(), middle, order.end(), [&](Index p, Index q) {
+    // nth_element and no sort: only the halves matter, and what is within them is parted again.
     const float a = centre2(boxes[p], axis), b = centre2(boxes[q], axis);
     return a != b ? a < b : p < q;  // ties by index: the tree is the same on every library
   });
@@ -45,6 +46,7 @@ void part_by_place(std::span<Index> order, std::span<const Box3> boxes, std::siz
                    const std::function<void(std::span<const Index>)>& emit) {
   if (order.empty()) return;
   if (order.size() <= most) return emit(order);
+  // A whole number of parts to the left, so that all but the last are full.
   const std::size_t half = (order.size() / 2 + most - 1) / most * most;
   const auto middle = part(order, boxes, half);
   part_by_place({order.begin(), middle}, boxes, most, emit);
@@ -85,6 +87,7 @@ Index Bvh::build(std::span<Index> order, std::span<const Box3> boxes) {
 }
 
 void Bvh::refit(std::span<const Box3> boxes) {
+  // Backwards: children stand after their parents, and are joined before them.
   for (auto i = static_cast<Index>(nodes_.size()) - 1; i >= 0; --i) {
     Node& node = nodes_[i];
     node.box =

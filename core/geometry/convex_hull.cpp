@@ -10,6 +10,8 @@ std::vector<Vec2> convex_hull(std::vector<Vec2> points) {
   points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() < 2) return points;
   std::vector<Vec2> out;
+  // A. M. Andrew, "Another efficient algorithm for convex hulls in two dimensions", Information Processing
+  // Letters 9, 1979. Points on a side are left out, for the perimeter does not see them.
   for (int pass = 0; pass < 2; ++pass) {  // lower chain, then upper
     const size_t base = out.size() + 1;
     for (const Vec2& p : points) {

@@ -57,6 +57,7 @@ double orientation(Vec2 a, Vec2 b, Vec2 c) { return cross(b - a, c - a); }
 
 std::optional<Vec2> segment_intersection(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   const double oc = orientation(a, b, c), od = orientation(a, b, d);
+  // Signs only decide: two ends on one side of the other segment, and the two are apart.
   const double oa = orientation(c, d, a), ob = orientation(c, d, b);
   const auto apart = [](double u, double v) { return (u > 0 && v > 0) || (u < 0 && v < 0); };
   if (apart(oc, od) || apart(oa, ob)) return std::nullopt;

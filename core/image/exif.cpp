@@ -35,6 +35,8 @@ int exif_orientation(std::span<const unsigned char> segment) {
     return 1;
   const auto bytes = segment.subspan(sizeof kHead);
   if (bytes[0] != bytes[1] || (bytes[0] != 'I' && bytes[0] != 'M')) return 1;
+  // "II" is little-endian, "MM" big-endian; at 4 stands where the list of tags begins, at 12 bytes each:
+  // number, type, count, value.
   const TiffBlock tiff(bytes, bytes[0] == 'I');
   const std::size_t list = tiff.number(4, 4).value_or(0);
   const std::uint32_t count = tiff.number(list, 2).value_or(0);

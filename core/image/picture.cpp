@@ -47,6 +47,7 @@ Picture over_ground(Picture picture, const std::array<double, 3>& ground) {
     if (pixel[3] == 255) continue;
     const double share = pixel[3] / 255.0;
     for (int c = 0; c < 3; ++c) {
+      // Light adds up, the numbers of sRGB do not: mixed as they are, rims come out dark.
       const double light = share * linear[pixel[c]] + (1 - share) * std::clamp(ground[c], 0.0, 1.0);
       pixel[c] = static_cast<std::uint8_t>(std::lround(255 * std::clamp(srgb_from_linear(light), 0.0, 1.0)));
     }

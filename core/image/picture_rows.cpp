@@ -35,6 +35,7 @@ void PictureRows::add(std::span<const std::uint8_t> row) {
   for (int x = 0; x < width_; ++x) {
     const std::uint8_t* const pixel = &row[static_cast<std::size_t>(x) * 4];
     std::uint64_t* const sum = &sums_[static_cast<std::size_t>(x / factor_) * 4];
+    // Colours count by how opaque they are: what is hidden must not tint the rim of what is seen.
     for (int c = 0; c < 3; ++c) sum[c] += static_cast<std::uint64_t>(pixel[c]) * pixel[3];
     sum[3] += pixel[3];
   }
@@ -50,6 +51,7 @@ void PictureRows::close_row() {
     for (int c = 0; c < 3; ++c) {
       picture_.rgba.push_back(sum[3] == 0 ? 0 : static_cast<std::uint8_t>((sum[c] + sum[3] / 2) / sum[3]));
     }
+    // Whole numbers with half added: rounded to the nearest, alike on every machine.
     picture_.rgba.push_back(static_cast<std::uint8_t>((sum[3] + count / 2) / count));
   }
   std::fill(sums_.begin(), sums_.end(), 0);

@@ -43,6 +43,7 @@ std::optional<PictureFormat> picture_format(std::string_view bytes) {
 Result<ReadPicture> read_picture(std::string_view bytes, const PictureLimits& limits) {
   const std::optional<PictureFormat> format = picture_format(bytes);
   if (!format) return unknown_format(bytes);
+  // After the format: a large file of another kind is told as that, which helps more.
   if (bytes.size() > limits.bytes) {
     return Error{"image.too_large",
                  "the file has more than the " + std::to_string(limits.bytes >> 20) + " MiB that are allowed",

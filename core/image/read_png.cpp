@@ -81,6 +81,7 @@ bool make_room(PngReading& reading, png_structp png, png_infop info) {
   const std::size_t stride = std::size_t{4} * width;
   reading.pixels.resize(interlaced ? stride * height : stride);
   if (!interlaced) return true;
+  // Interlaced pictures come in seven passes over all rows and need them all at once.
   for (png_uint_32 y = 0; y < height; ++y) reading.row_starts.push_back(reading.pixels.data() + stride * y);
   return true;
 }

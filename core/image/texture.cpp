@@ -7,6 +7,7 @@ namespace toile::image {
 
 PanelTexture lay_texture(Index image, Vec2 grain, Vec2 origin_m, double width_m, double aspect,
                          double angle) {
+  // Rows along which texture_at measures: one width, and one height, of the picture are 1.
   const Vec2 up = std::cos(angle) * grain + std::sin(angle) * perpendicular(grain);
   return {image, origin_m, -perpendicular(up) * (1 / width_m), up * (aspect / width_m)};
 }

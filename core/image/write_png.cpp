@@ -26,7 +26,9 @@ bool encode(png_structp png, png_infop info, const Pixels& from, std::string& by
   png_set_IHDR(png, info, static_cast<png_uint_32>(from.width), static_cast<png_uint_32>(from.height), 8,
                from.channels == 4 ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  // Says what the colours are, or some programs show them too dark.
   png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+  // Named, so that libpng's default may change and the bytes do not.
   png_set_compression_level(png, 6);
   png_write_info(png, info);
   for (int y = 0; y < from.height; ++y) {

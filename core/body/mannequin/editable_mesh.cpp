@@ -7,6 +7,7 @@
 namespace toile::mannequin {
 namespace {
 
+/// The corner of t across its edge ab.
 Index third(const Tri& t, Index a, Index b) {
   for (Index v : t)
     if (v != a && v != b) return v;
@@ -24,6 +25,8 @@ EditableMesh::EditableMesh(geometry::TriangleMesh mesh)
       fans_(positions_.size()),
       live_(static_cast<Index>(triangles_.size())) {
   for (Index t = 0; t < live_; ++t)
+    // Fans begin in the order of triangles and change by the order of edits alone: what is visited first
+    // shows in the mesh, and must not hang on addresses.
     for (Index v : triangles_[t]) fans_[v].push_back(t);
 }
 
@@ -38,6 +41,7 @@ std::vector<EditableMesh::Edge> EditableMesh::edges() const {
   for (Index v = 0; v < vertex_count(); ++v) {
     for (Index t : fans_[v]) {
       for (int c = 0; c < 3; ++c) {
+        // In a manifold each edge runs this way in one of its two triangles, so that it is met once.
         if (triangles_[t][c] == v && triangles_[t][(c + 1) % 3] > v)
           out.push_back({v, triangles_[t][(c + 1) % 3]});
       }
@@ -134,8 +138,10 @@ bool EditableMesh::pinches(Edge e) const {
 
 bool EditableMesh::collapse(Edge e, const SurfacePoint& p, double least_facing, double longest) {
   const std::array<Index, 2> apex = across(e);
+  // A vertex that keeps two triangles would have them lie on each other.
   if (valence(apex[0]) <= 3 || valence(apex[1]) <= 3 || pinches(e)) return false;
   if (overstretches(e[0], p.position, longest) || overstretches(e[1], p.position, longest)) return false;
+  // What faces away already may stay so: else a fold could never be worked out of the mesh.
   const double before = std::min(fan_facing(e[0], kNone, at(e[0])), fan_facing(e[1], kNone, at(e[1])));
   const double after = std::min(fan_facing(e[0], e[1], p), fan_facing(e[1], e[0], p));
   if (after < std::min(least_facing, before)) return false;
@@ -157,6 +163,7 @@ bool EditableMesh::collapse(Edge e, const SurfacePoint& p, double least_facing, 
 bool EditableMesh::flip(Edge e, double least_facing) {
   const Index a = e[0], b = e[1], t0 = side(a, b), t1 = side(b, a);
   const Index c = third(triangles_[t0], a, b), d = third(triangles_[t1], a, b);
+  // c and d joined already: the flip would make that edge a second time, with four triangles about it.
   if (c == d || valence(a) <= 3 || valence(b) <= 3 || has_edge({c, d}) || has_edge({d, c})) return false;
   const double before = std::min(facing(triangles_[t0], a, at(a)), facing(triangles_[t1], a, at(a)));
   const double after = std::min(facing({a, d, c}, a, at(a)), facing({b, c, d}, b, at(b)));
@@ -175,6 +182,7 @@ geometry::TriangleMesh EditableMesh::take() const {
   std::vector<Index> number(positions_.size(), kNone);
   for (size_t v = 0; v < positions_.size(); ++v) {
     if (fans_[v].empty()) continue;
+    // In the old order: equal edits give equal bytes.
     number[v] = static_cast<Index>(out.vertices.size());
     out.vertices.push_back(positions_[v]);
   }

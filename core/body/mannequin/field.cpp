@@ -22,9 +22,12 @@ FieldSample ellipsoid_at(const SoftEllipsoid& e, Vec3 p) {
   const Vec3 d = p - e.centre;
   const Vec3 radius{d.x < 0 ? e.low.x : e.high.x, d.y < 0 ? e.low.y : e.high.y, d.z < 0 ? e.low.z : e.high.z};
   const Vec3 q{d.x / radius.x, d.y / radius.y, d.z / radius.z};
+  // (1 − 1/g) is 0 on the surface and grows along the ray from the centre, as the distance does; the least
+  // values keep the centre itself finite.
   const double g = std::max(length(q), 1e-6), r = std::max(length(d), 1e-6);
   const Vec3 by_g{q.x / radius.x, q.y / radius.y, q.z / radius.z};
   const Vec3 gradient = d * ((1 - 1 / g) / r) + by_g * (r / (g * g * g));
+  // By its own slope, as a loft: remeshing steps along the field as if it were a distance.
   const double norm = std::clamp(length(gradient), 0.6, 6.0);
   return {r * (1 - 1 / g) / norm, gradient * (1 / norm)};
 }
@@ -50,6 +53,8 @@ FieldSample smooth_union(const FieldSample& a, const FieldSample& b, double k) {
 
 BodyField::BodyField(const BodyShape& shape) : figure_(shape) {
   const PlacedFigure& f = figure_;
+  // Each: loft, caps at its ends and smoothing, origin, its axes u, v, t, and how far it blends into the
+  // rest.
   parts_.push_back({{f.torso, {0.0071, 0.03, 0.02}}, {}, kX, kZ, kY, 0});
   parts_.push_back({{f.leg, {0.006, 0.01, 0.030}}, {}, kX, kZ, kY, 0.030});
   const double cosine = std::sqrt(1 - kToeOut * kToeOut);
@@ -131,6 +136,7 @@ FieldSample BodyField::half_at(Vec3 p) const {
 }
 
 FieldSample BodyField::at(Vec3 p) const {
+  // The body is its left half seen in a mirror; a mirror alone would leave a crease along the middle.
   const double x = std::sqrt(p.x * p.x + kMidline * kMidline);
   FieldSample s = half_at({x, p.y, p.z});
   s.gradient.x *= p.x / x;
@@ -139,6 +145,7 @@ FieldSample BodyField::at(Vec3 p) const {
 
 double BodyField::fineness(Vec3 p, double detail) const {
   const Vec3 d = Vec3{std::abs(p.x), p.y, p.z} - figure_.shoulder;
+  // Hands, feet, faces and the crotch are finer than the rest: edges there are this share of the usual one.
   const double along = dot(d, figure_.along_arm);
   const double near_arm = length(d - figure_.along_arm * along) < 0.09 ? 1 : 0;
   const double hand = near_arm * smooth_step(figure_.wrist - 0.07, figure_.wrist, along);

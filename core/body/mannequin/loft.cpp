@@ -10,6 +10,8 @@ namespace {
 
 constexpr double kTableStep = 6e-4;  // of the stature, about 1 mm
 constexpr double kLeast = 1e-9;      // keeps ratios finite on the axis itself
+// The field is divided by its own slope to be nearly a distance; within these, so that a sharp rim does not
+// blow it up.
 constexpr double kLeastSlope = 0.6, kGreatestSlope = 6;
 
 using Column = double LoftSection::*;
@@ -26,6 +28,7 @@ double monotone_slope(std::span<const LoftSection> rows, size_t i, Column c) {
   }
   const double h0 = rows[i].t - rows[i - 1].t, h1 = rows[i + 1].t - rows[i].t;
   const double s0 = (rows[i].*c - rows[i - 1].*c) / h0, s1 = (rows[i + 1].*c - rows[i].*c) / h1;
+  // A row that is greatest or least of its neighbours stays so: no bulge that nobody drew.
   if (s0 * s1 <= 0) return 0;
   const double p = (s0 * h1 + s1 * h0) / (h0 + h1);
   const double limit = 2 * std::min(std::abs(s0), std::abs(s1));
@@ -80,6 +83,7 @@ Norm mixed_norm(double p, double q, double squareness) {
   const double p2 = p * p, q2 = q * q;
   const double g2 = std::sqrt(p2 + q2 + kLeast * kLeast);
   if (squareness <= 0) return {g2, p / g2, q / g2};
+  // L4 is a rounded square: backs and chests are flatter than an ellipse.
   const double g4 = std::sqrt(std::sqrt(p2 * p2 + q2 * q2) + kLeast * kLeast);
   const double a = (1 - squareness) / g2, b = squareness / (g4 * g4 * g4);
   return {(1 - squareness) * g2 + squareness * g4, p * (a + b * p2), q * (a + b * q2)};
@@ -104,6 +108,7 @@ LoftSection Loft::section(double t, LoftSection* slope) const {
   const double x = std::clamp((t - start_) / step_, 0.0, static_cast<double>(table_.size() - 1));
   const size_t i = std::min(static_cast<size_t>(x), table_.size() - 2);
   const double f = x - static_cast<double>(i);
+  // Beyond the ends the last section goes on, and does not widen: caps close it.
   const bool outside = t < start_ || t > end_;
   LoftSection s;
   for (Column c : kColumns) {

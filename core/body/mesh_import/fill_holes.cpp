@@ -140,6 +140,8 @@ class LeastFilling {
       : mesh_(mesh), ring_(ring), taken_(taken), n_(ring.size()) {
     area_.assign(n_ * n_, 0);
     middle_.assign(n_ * n_, 0);
+    // Shorter runs first: each is put together of two that are known (G. Barequet and M. Sharir, "Filling
+    // gaps in the boundary of a polyhedron", Computer Aided Geometric Design 12, 1995). O(n³) for n corners.
     for (std::size_t span = 2; span < n_; ++span) {
       for (std::size_t i = 0; i + span < n_; ++i) choose(i, i + span);
     }
@@ -152,6 +154,7 @@ class LeastFilling {
 
  private:
   bool may_cut(std::size_t i, std::size_t j) const {
+    // An edge that the mesh has already would get a third triangle.
     if (i + 1 == j || (i == 0 && j + 1 == n_)) return true;
     return !taken_.contains(std::minmax(ring_[i], ring_[j]));
   }

@@ -23,6 +23,7 @@ std::vector<Side> sorted_sides(const geometry::TriangleMesh& mesh) {
     const auto [low, high] = std::minmax({start_of(mesh, h), end_of(mesh, h)});
     sides.push_back({low, high, h});
   }
+  // Sides of one edge come together; by half-edge within, so that the pairing does not hang on the sort.
   std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
     if (a.low != b.low) return a.low < b.low;
     return a.high != b.high ? a.high < b.high : a.half_edge < b.half_edge;

@@ -72,6 +72,7 @@ class Gatherer {
       if (node.mMeshes[i] >= scene_.mNumMeshes) {
         return fail("mesh.unreadable", "A node names a mesh that is not there.", file_);
       }
+      // What a file claims is passed on unchecked by some readers: every index is looked at before use.
       if (Status s = add_mesh(*scene_.mMeshes[node.mMeshes[i]], place); !s) return s;
     }
     for (unsigned i = 0; i < node.mNumChildren; ++i) {
@@ -96,6 +97,7 @@ class Gatherer {
                     "vertex " + std::to_string(base + v + 1) + " in reading order");
       }
     }
+    // A mirroring node turns triangles inside out; their corners are swapped back.
     const bool mirrored = place.Determinant() < 0;
     for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
       const aiFace& face = mesh.mFaces[f];

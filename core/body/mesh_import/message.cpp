@@ -84,6 +84,7 @@ Error no_message() {
 
 /// A text of the other side, printable and not too long.
 std::string text_of(std::string_view bytes) {
+  // Whatever the reader says ends on a terminal or in a page.
   std::string text(bytes.substr(0, kLongestText));
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c >= 0 && c < 0x20; }, ' ');

@@ -28,6 +28,7 @@ std::vector<Index> border_vertices(const geometry::TriangleMesh& mesh, const Hal
   }
   std::sort(out.begin(), out.end());
   out.erase(std::unique(out.begin(), out.end()), out.end());
+  // By x, so that a point looks only at those up to its reach farther along; equal ones by number.
   std::stable_sort(out.begin(), out.end(),
                    [&](Index a, Index b) { return mesh.vertices[a].x < mesh.vertices[b].x; });
   return out;
@@ -130,6 +131,7 @@ std::vector<ShellMass> masses_of(const geometry::TriangleMesh& mesh, const MeshS
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const Tri& t = mesh.triangles[i];
     ShellMass& s = out[shells.shell_of[i]];
+    // About the shell's own middle: far from the origin a volume would lose its digits in cancellation.
     const double area = 0.5 * length(cross(corner(t, 1) - corner(t, 0), corner(t, 2) - corner(t, 0)));
     s.area += area;
     s.middle += (corner(t, 0) + corner(t, 1) + corner(t, 2)) * (area / 3);
@@ -250,6 +252,9 @@ std::vector<std::string> repair_words(const MeshRepairs& r) {
 
 RepairedMesh repair_mesh(geometry::TriangleMesh mesh) {
   MeshRepairs repairs;
+  // In this order: borders can be told only without empty triangles, sides only once borders are joined,
+  // holes filled only where triangles run alike, and outside is known last, when what can be closed is
+  // closed.
   repairs.flat = drop_flat(mesh);
   repairs.welded = weld_borders(mesh);
   if (repairs.welded > 0) repairs.flat += drop_flat(mesh);
