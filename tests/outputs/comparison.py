@@ -17,6 +17,12 @@ def differences(before, after):
     return lines
 
 
+def broken_off(before, after):
+    """One line for each area that was not collected to its end, which shows nothing even where both lists agree."""
+    return [f"broken   {area} of {which}" for which, manifest in (("before", before), ("after", after))
+            for area in manifest["broken_off"]]
+
+
 def outputs_of(manifest, area):
     return {name: entry for name, entry in manifest["outputs"].items() if name.startswith(area + "/")}
 

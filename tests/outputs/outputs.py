@@ -67,18 +67,18 @@ def collect(options):
         if AREAS[name].needs_shared and not options.shared:
             print(f"The area {name} needs --shared", file=sys.stderr)
             return 2
-    manifest = {"areas": areas, "outputs": {}}
-    all_whole = True
+    manifest = {"areas": areas, "broken_off": [], "outputs": {}}
     for name in areas:
         keep = options.keep and options.keep / name
         if keep:
             keep.mkdir(parents=True, exist_ok=True)
         outputs, whole = collect_area(name, options, keep)
         manifest["outputs"].update(outputs)
-        all_whole = all_whole and whole
+        if not whole:
+            manifest["broken_off"].append(name)
     options.out.write_text(json.dumps(manifest, indent=1) + "\n")
     print(f"{len(manifest['outputs'])} outputs in {options.out}")
-    return 0 if all_whole else 1
+    return 1 if manifest["broken_off"] else 0
 
 
 def compare(options):
@@ -86,7 +86,7 @@ def compare(options):
     skipped = comparison.not_compared(before, after)
     if skipped:
         print(f"NOT COMPARED, since only one of the manifests has them: {', '.join(skipped)}")
-    lines = comparison.differences(before, after)
+    lines = comparison.broken_off(before, after) + comparison.differences(before, after)
     for line in lines:
         print(line)
     areas = [area for area in before["areas"] if area in after["areas"]]
@@ -95,13 +95,20 @@ def compare(options):
     return 1 if lines or compared == 0 else 0
 
 
+def existing(text):
+    path = pathlib.Path(text).resolve()
+    if not path.exists():
+        raise argparse.ArgumentTypeError(f"there is no {path}")
+    return path
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     verbs = parser.add_subparsers(required=True)
     verb = verbs.add_parser("collect", help="run everything with a program and keep the hashes of what it gives")
-    verb.add_argument("--program", type=lambda text: pathlib.Path(text).resolve(strict=True), required=True)
+    verb.add_argument("--program", type=existing, required=True)
     verb.add_argument("--out", type=pathlib.Path, required=True, help="the manifest to write")
-    verb.add_argument("--shared", type=lambda text: pathlib.Path(text).resolve(strict=True),
+    verb.add_argument("--shared", type=existing,
                       help="the folder of reference data from outside (the one with garmentcode, freesewing, bodies)")
     verb.add_argument("--quick", action="store_true", help="leave out the long areas")
     verb.add_argument("--only", help="areas, with commas between them: " + ", ".join(AREAS))
