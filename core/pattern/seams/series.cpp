@@ -162,8 +162,8 @@ std::optional<FoundSeams> with_series(const pattern::Pattern& pattern, const Fou
 
 }  // namespace
 
-void sew_series(const pattern::Pattern& pattern, FoundSeams& found, const std::vector<char>& locked,
-                const GluingSettings& settings, const RunContext& context) {
+FoundSeams sewn_in_series(const pattern::Pattern& pattern, FoundSeams found, const std::vector<char>& locked,
+                          const GluingSettings& settings, const RunContext& context) {
   for (int round = 0; round < 20 && !context.cancelled(); ++round) {
     const std::vector<Chain> chains = chains_of(found.model, free_borders(found.model, found.gluing), locked);
     const double now = gluing_merit(found.model, found.gluing, settings);
@@ -178,9 +178,10 @@ void sew_series(const pattern::Pattern& pattern, FoundSeams& found, const std::v
         best = std::move(next);
       }
     }
-    if (!best) return;
+    if (!best) return found;
     found = std::move(*best);
   }
+  return found;
 }
 
 }  // namespace toile::seams

@@ -8,10 +8,9 @@
 
 namespace toile::seams {
 
-/// Sews free runs of `found` in series where that makes a better garment, the best first, cutting runs where
-/// the corners of the other side come to lie; adds the seams to found.seams. Runs that are `locked` stay
-/// free.
-void sew_series(const pattern::Pattern& pattern, FoundSeams& found, const std::vector<char>& locked,
-                const GluingSettings& settings, const RunContext& context);
+/// `found` with free runs sewn in series where that makes a better garment, the best first; runs are cut
+/// where the corners of the other side come to lie. Runs that are `locked` stay free.
+FoundSeams sewn_in_series(const pattern::Pattern& pattern, FoundSeams found, const std::vector<char>& locked,
+                          const GluingSettings& settings, const RunContext& context);
 
 }  // namespace toile::seams
