@@ -81,7 +81,7 @@ TEST_F(ImportMesh, TakesWhatTheReaderSends) {
 
 TEST_F(ImportMesh, GivesTheReaderTheBytesAndTheSettings) {
   const std::string script =
-      "read first; text=\"$* [$first]\"; printf 'TOILEMSH\\0\\0\\0\\0'"
+      "read first; text=\"$* [$first]\"; printf 'TOILEMSH\\0\\0\\0\\0\\0\\0\\0\\0'"
       "; for part in mesh.unreadable \"$text\" here; do printf \"\\\\$(printf %o ${#part})\\\\0\\\\0\\\\0\"; "
       "printf %s \"$part\"; done";
   const Result<mesh_import::RepairedMesh> mesh =
