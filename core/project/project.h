@@ -1,7 +1,7 @@
 #pragma once
 // The project document (proto/schema/project.schema.json) as plain values, in the document's own units:
 // millimetres in the pattern, metres in space, degrees for angles. Reading it is pure; making a DrapeInput of
-// it (project_resolve.h) opens the files that it names.
+// it (resolve/resolve.h) opens the files that it names.
 
 #include <array>
 #include <optional>
@@ -173,7 +173,7 @@ struct ProjectSeam {
   friend bool operator==(const ProjectSeam&, const ProjectSeam&) = default;
 };
 
-/// What is not said follows from the preset, or else from proportions; project_bodies.h says how.
+/// What is not said follows from the preset, or else from proportions; bodies.h says how.
 struct ProjectMannequin {
   std::string preset = {};               ///< of a size table: "eu38", "m50", "child116"
   std::string sex = {};                  ///< "female", "male", "child"; empty: the preset's, or female

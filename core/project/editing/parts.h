@@ -1,5 +1,5 @@
 #pragma once
-// What edits do to the parts of a document that are no pattern. Internal to pattern_edit.
+// What edits do to the parts of a document that are no pattern. Internal to this room.
 
 #include "core/base/result.h"
 #include "core/pattern/edit/edit.h"
