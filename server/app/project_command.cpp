@@ -109,7 +109,7 @@ Status keep(const create::NewProject& made, const ProjectNewOptions& options) {
   const bool names_pattern = std::any_of(made.project.pieces.begin(), made.project.pieces.end(),
                                          [](const project::ProjectPiece& p) { return p.from.has_value(); });
   if (names_pattern) {
-    if (Status brought = bring(options.pattern, folder); !brought) return brought;
+    TRY(bring(options.pattern, folder));
   }
   TRY(bring(options.body, folder));
   return write_file(options.out, project::write_project(made.project));

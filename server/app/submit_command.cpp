@@ -55,11 +55,10 @@ Result<std::string> send_project(Remote& remote, const std::string& path) {
     if (sent.contains(used.name)) continue;
     if (Status name = resolve::check_file_name(used.name); !name) return placed_at(name.error(), used.where);
     std::string bytes = TRY(read_file(fs::path(path).parent_path() / used.name, used.where));
-    const Result<std::string> id =
-        remote.upload(used.kind, fs::path(used.name).filename().string(), std::move(bytes));
-    if (!id) return id.error();
-    sent[used.name] = *id;
-    files.emplace_back(used.name, *id);
+    const std::string id =
+        TRY(remote.upload(used.kind, fs::path(used.name).filename().string(), std::move(bytes)));
+    sent[used.name] = id;
+    files.emplace_back(used.name, id);
   }
   return remote.create_project(document, files);
 }
@@ -116,7 +115,7 @@ Status bring_home(Remote& remote, const json::JsonValue& job, const fs::path& fo
                    ErrorKind::kSystem};
     }
     const std::string bytes = TRY(remote.result(text_member(job, "id"), file.key));
-    if (Status written = write_file(folder / file.key, bytes); !written) return written;
+    TRY(write_file(folder / file.key, bytes));
   }
   return {};
 }

@@ -8,7 +8,7 @@
 #include "server/app/config.h"
 #include "server/documents/documents.h"
 #include "server/http/server.h"
-#include "server/jobs/job_service.h"
+#include "server/jobs/service.h"
 #include "server/store/store.h"
 #include "server/ws/hub.h"
 

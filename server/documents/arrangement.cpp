@@ -124,7 +124,7 @@ Status read_numbers(const json::JsonValue& object, PieceWish& wish) {
     if (!at->array() || at->array()->size() != 2) return bad_place("this is a list of two numbers", "at_mm");
     const auto& xy = *at->array();
     TRY(read_length(&xy[0], "at_mm", kFarthest_mm, wish.at_mm.x));
-    if (Status s = read_length(&xy[1], "at_mm", kFarthest_mm, wish.at_mm.y); !s) return s;
+    TRY(read_length(&xy[1], "at_mm", kFarthest_mm, wish.at_mm.y));
   }
   TRY(read_length(object.find("away_mm"), "away_mm", kFarthest_mm, wish.away_mm));
   return read_length(object.find("turn"), "turn", 360, wish.turn);

@@ -172,10 +172,9 @@ Result<std::string> import_pattern(Documents& documents, const store::RequestCon
     return Error{"documents.wrong_kind", in_quotes(row.name) + " is no pattern file", "/asset"};
   }
   const std::string bytes = TRY(documents.store().asset_bytes(context, asset));
-  const Result<json::JsonValue> report =
-      row.kind == "dxf" ? import_dxf(bytes, wishes, row) : import_specification(bytes, wishes, row);
-  if (!report) return report.error();
-  return json::write_json_line(*report) + "\n";
+  const json::JsonValue report =
+      TRY(row.kind == "dxf" ? import_dxf(bytes, wishes, row) : import_specification(bytes, wishes, row));
+  return json::write_json_line(report) + "\n";
 }
 
 }  // namespace toile::documents

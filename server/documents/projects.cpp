@@ -154,10 +154,9 @@ resolve::ProjectFiles growing_files_in_store(Documents& documents, const store::
                       const std::string& name,
                       const mesh_import::MeshSettings& settings) -> Result<mesh_import::RepairedMesh> {
     const std::string id = TRY(asset_id_of(*map, name));
-    const Result<std::shared_ptr<const mesh_import::RepairedMesh>> mesh =
-        documents.bodies().mesh(documents.store(), context, id, settings);
-    if (!mesh) return mesh.error();
-    return **mesh;
+    const std::shared_ptr<const mesh_import::RepairedMesh> mesh =
+        TRY(documents.bodies().mesh(documents.store(), context, id, settings));
+    return *mesh;
   };
   out.mannequin =
       [&documents](const mannequin::MannequinSettings& settings) -> Result<geometry::TriangleMesh> {

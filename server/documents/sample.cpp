@@ -61,10 +61,9 @@ Status add_sample_project(Documents& documents, const store::RequestContext& con
   if (known) return {};
   const std::string document = TRY(resolve::read_project_text(folder / "project.json"));
   const std::optional<std::string> before = TRY(added_before(documents, context, document));
-  const Result<std::string> id =
-      before ? Result<std::string>(*before) : add(documents, context, folder, document);
-  if (!id) return id.error();
-  return documents.store().put_setting(context, kSampleSetting, *id);
+  const std::string id =
+      TRY(before ? Result<std::string>(*before) : add(documents, context, folder, document));
+  return documents.store().put_setting(context, kSampleSetting, id);
 }
 
 }  // namespace toile::documents

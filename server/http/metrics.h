@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "server/jobs/job_service.h"
+#include "server/jobs/service.h"
 
 namespace toile::http {
 

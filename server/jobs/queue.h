@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "server/jobs/job_transition.h"
+#include "server/jobs/transition.h"
 
 namespace toile::jobs {
 

@@ -11,7 +11,7 @@
 #include "core/base/units.h"
 #include "core/base/write_file.h"
 #include "core/exports/write_report.h"
-#include "server/jobs/job_input.h"
+#include "server/jobs/input.h"
 #include "server/jobs/results.h"
 
 namespace toile::jobs {

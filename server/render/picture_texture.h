@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/image/picture.h"
-#include "server/render/gl_objects.h"
+#include "server/render/gl/objects.h"
 
 namespace toile::render {
 

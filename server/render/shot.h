@@ -7,7 +7,7 @@
 #include "core/base/aabb.h"
 #include "core/base/result.h"
 #include "server/render/camera.h"
-#include "server/render/gl_objects.h"
+#include "server/render/gl/objects.h"
 #include "server/render/scene.h"
 #include "server/render/studio.h"
 #include "server/render/surface_vertices.h"

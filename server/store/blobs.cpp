@@ -126,7 +126,7 @@ Result<Blobs> Blobs::open(const fs::path& folder) {
   fs::remove_all(blobs.scratch_folder(), failure);  // half-written files of a process that was killed
   for (const fs::path& part :
        {folder / "blobs", folder / "results", folder / "checkpoints", blobs.scratch_folder()}) {
-    if (Status made = make_folder(part); !made) return made.error();
+    TRY(make_folder(part));
   }
   return blobs;
 }

@@ -1,7 +1,7 @@
 #pragma once
 // The states of a job and their words, for everybody: rows keep the words, the service shows them, its
 // clients read them. It stands in the store, the lowest room that knows jobs; how a job gets from one state
-// to another is for server/jobs (job_transition.h) to say.
+// to another is for server/jobs (transition.h) to say.
 
 #include <array>
 #include <cstdint>

@@ -15,7 +15,7 @@
 #include <string>
 #include <string_view>
 
-#include "server/jobs/job_service.h"
+#include "server/jobs/service.h"
 #include "server/store/store.h"
 #include "server/ws/control.h"
 #include "server/ws/feed.h"

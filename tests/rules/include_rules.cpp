@@ -77,7 +77,7 @@ const std::vector<Door>& doors() {
   static const std::vector<Door> all{
       {"assimp/", "assimp", {"core/body/mesh_import/load."}, false},
       {"Eigen/", "Eigen", {"core/body/mannequin/broyden.", "core/pattern/fit_cubic."}, false},
-      {"GL/osmesa", "OSMesa", {"server/render/gl_context."}, false},
+      {"GL/osmesa", "OSMesa", {"server/render/gl/context."}, false},
       {"GL/", "OpenGL", {"server/render/"}, true},
       {"nlohmann/",
        "nlohmann-json",
@@ -103,7 +103,7 @@ bool starts_with_any(std::string_view text, const Names& prefixes) {
 
 /// The folders within a room that are part of it, and no rooms of their own.
 const Names& alcoves() {
-  static const Names folders{"core/solver/constraints", "core/solver/lanes"};
+  static const Names folders{"core/solver/constraints", "core/solver/lanes", "server/render/gl"};
   return folders;
 }
 

@@ -9,7 +9,7 @@
 #include "server/documents/documents.h"
 #include "server/http/metrics.h"
 #include "server/http/router.h"
-#include "server/jobs/job_service.h"
+#include "server/jobs/service.h"
 #include "server/store/store.h"
 #include "server/ws/hub.h"
 

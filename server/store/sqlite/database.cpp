@@ -114,9 +114,8 @@ Result<SqlStatement> SqlDatabase::prepare(std::string_view sql, std::initializer
 Result<int> SqlDatabase::run(std::string_view sql, std::initializer_list<SqlValue> values) {
   SqlStatement statement = TRY(prepare(sql, values));
   for (;;) {
-    const Result<bool> row = statement.step();
-    if (!row) return row.error();
-    if (!*row) return sqlite3_changes(database_.get());
+    const bool row = TRY(statement.step());
+    if (!row) return sqlite3_changes(database_.get());
   }
 }
 

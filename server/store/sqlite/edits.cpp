@@ -29,28 +29,23 @@ Result<StepSize> step_size_from(const SqlStatement& row) { return StepSize{row.i
 }  // namespace
 
 Status SqliteStore::forget_edits(const store::OwnerId& owner, const std::string& project_id) {
-  const Result<int> gone =
-      database_.run("DELETE FROM project_edits WHERE owner = ? AND project_id = ?", {owner, project_id});
-  if (!gone) return gone.error();
+  TRY(database_.run("DELETE FROM project_edits WHERE owner = ? AND project_id = ?", {owner, project_id}));
   return {};
 }
 
 /// Keeps the newest steps, within the bounds; the newest one always.
 Status SqliteStore::trim_edits(const store::OwnerId& owner, const std::string& project_id) {
-  const Result<std::vector<StepSize>> steps =
+  const std::vector<StepSize> steps = TRY(
       rows_of(database_.prepare("SELECT number, bytes FROM project_edits WHERE owner = ? AND project_id = ?"
                                 " ORDER BY number DESC",
                                 {owner, project_id}),
-              step_size_from);
-  if (!steps) return steps.error();
+              step_size_from));
   std::int64_t count = 0, bytes = 0;
-  for (const StepSize& step : *steps) {
+  for (const StepSize& step : steps) {
     bytes += step.bytes;
     if (++count == 1 || (count <= kMostSteps && bytes <= kMostBytes)) continue;
-    const Result<int> gone =
-        database_.run("DELETE FROM project_edits WHERE owner = ? AND project_id = ? AND number <= ?",
-                      {owner, project_id, step.number});
-    if (!gone) return gone.error();
+    TRY(database_.run("DELETE FROM project_edits WHERE owner = ? AND project_id = ? AND number <= ?",
+                      {owner, project_id, step.number}));
     return {};
   }
   return {};
@@ -72,11 +67,10 @@ Status SqliteStore::append_edit(const store::OwnerId& owner, const std::string& 
 
 Status SqliteStore::turn_edit(const store::OwnerId& owner, const std::string& project_id, std::int64_t number,
                               bool undone) {
-  const Result<int> turned = database_.run(
+  const int turned = TRY(database_.run(
       "UPDATE project_edits SET undone = ? WHERE owner = ? AND project_id = ? AND number = ? AND undone = ?",
-      {std::int64_t{undone}, owner, project_id, number, std::int64_t{!undone}});
-  if (!turned) return turned.error();
-  if (*turned == 1) return {};
+      {std::int64_t{undone}, owner, project_id, number, std::int64_t{!undone}}));
+  if (turned == 1) return {};
   return not_found("step", std::to_string(number));
 }
 

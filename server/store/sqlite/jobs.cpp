@@ -37,14 +37,13 @@ Status SqliteStore::insert_job(const store::OwnerId& owner, const store::JobRow&
                                const std::string& idempotency_key) {
   const std::string files = column_text(row.files), results = column_text(row.results);
   const SqlValue key = idempotency_key.empty() ? SqlValue(nullptr) : SqlValue(idempotency_key);
-  const Result<int> kept = database_.run(
+  TRY(database_.run(
       "INSERT INTO jobs (owner, id, project_id, project_revision, name, document, files, state, reason_code,"
       " reason, reason_where, attempt, created_ms, started_ms, ended_ms, report, results, idempotency_key)"
       " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
       {owner, row.id, row.project_id, std::int64_t{row.project_revision}, row.name, row.document, files,
        store::name_of(row.state), row.reason_code, row.reason, row.reason_where, std::int64_t{row.attempt},
-       row.created_ms, row.started_ms, row.ended_ms, row.report, results, key});
-  if (!kept) return kept.error();
+       row.created_ms, row.started_ms, row.ended_ms, row.report, results, key}));
   return {};
 }
 
@@ -90,13 +89,12 @@ Result<std::vector<store::JobRow>> SqliteStore::jobs(const store::RequestContext
 Status SqliteStore::update_job(const store::RequestContext& context, const store::JobRow& row) {
   const std::string results = column_text(row.results);
   const std::lock_guard hold(mutex_);
-  const Result<int> changed = database_.run(
+  const int changed = TRY(database_.run(
       "UPDATE jobs SET state = ?, reason_code = ?, reason = ?, reason_where = ?, attempt = ?, started_ms = ?,"
       " ended_ms = ?, report = ?, results = ? WHERE owner = ? AND id = ?",
       {store::name_of(row.state), row.reason_code, row.reason, row.reason_where, std::int64_t{row.attempt},
-       row.started_ms, row.ended_ms, row.report, results, context.owner, row.id});
-  if (!changed) return changed.error();
-  if (*changed == 0) return not_found("job", row.id);
+       row.started_ms, row.ended_ms, row.report, results, context.owner, row.id}));
+  if (changed == 0) return not_found("job", row.id);
   return {};
 }
 

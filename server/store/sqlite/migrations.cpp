@@ -109,9 +109,8 @@ Result<int> newest_of(SqlDatabase& database) {
 Status apply(SqlDatabase& database, const Migration& step) {
   SqlTransaction transaction = TRY(SqlTransaction::begin(database));
   TRY(database.run_script(step.sql));
-  const Result<int> kept = database.run("INSERT INTO schema_migrations (number, name) VALUES (?, ?)",
-                                        {std::int64_t{step.number}, std::string_view(step.name)});
-  if (!kept) return kept.error();
+  TRY(database.run("INSERT INTO schema_migrations (number, name) VALUES (?, ?)",
+                   {std::int64_t{step.number}, std::string_view(step.name)}));
   return transaction.commit();
 }
 
@@ -132,7 +131,7 @@ Status migrate(SqlDatabase& database, std::span<const Migration> steps) {
   }
   for (const Migration& step : steps) {
     if (step.number <= newest) continue;
-    if (Status applied = apply(database, step); !applied) return applied;
+    TRY(apply(database, step));
   }
   return {};
 }

@@ -126,30 +126,28 @@ Result<std::vector<store::AssetRow>> SqliteStore::assets(const store::RequestCon
 Result<std::optional<store::ProjectRow>> SqliteStore::project_of_key(const store::OwnerId& owner,
                                                                      const std::string& key,
                                                                      const std::string& request) {
-  const Result<std::vector<KeyedProject>> made =
+  const std::vector<KeyedProject> made = TRY(
       rows_of(database_.prepare("SELECT project_id, request FROM project_keys WHERE owner = ? AND key = ?",
                                 {owner, key}),
-              keyed_project_from);
-  if (!made) return made.error();
-  if (made->empty()) return std::optional<store::ProjectRow>();
-  if (made->front().request != request) {
+              keyed_project_from));
+  if (made.empty()) return std::optional<store::ProjectRow>();
+  if (made.front().request != request) {
     return Error{"store.idempotency_mismatch",
                  "this idempotency key was used for another document or other files, for project " +
-                     made->front().id + "; use a new one for another project",
+                     made.front().id + "; use a new one for another project",
                  "", ErrorKind::kConflict};
   }
-  store::ProjectRow project = TRY(find_project(owner, made->front().id));
+  store::ProjectRow project = TRY(find_project(owner, made.front().id));
   return std::optional(std::move(project));
 }
 
 Status SqliteStore::insert_project(const store::OwnerId& owner, const store::ProjectRow& row) {
   const std::string files = column_text(row.files);
-  const Result<int> kept = database_.run(
+  TRY(database_.run(
       "INSERT INTO projects (owner, id, name, revision, document, files, created_ms, updated_ms)"
       " VALUES (?, ?, ?, ?, ?, ?, ?, ?)",
       {owner, row.id, row.name, std::int64_t{row.revision}, row.document, files, row.created_ms,
-       row.updated_ms});
-  if (!kept) return kept.error();
+       row.updated_ms}));
   return {};
 }
 
@@ -170,10 +168,8 @@ Result<store::Made<store::ProjectRow>> SqliteStore::create_project(const store::
   row.id = std::move(id);
   TRY(insert_project(context.owner, row));
   if (!idempotency_key.empty()) {
-    const Result<int> keyed =
-        database_.run("INSERT INTO project_keys (owner, key, project_id, request) VALUES (?, ?, ?, ?)",
-                      {context.owner, idempotency_key, row.id, request});
-    if (!keyed) return keyed.error();
+    TRY(database_.run("INSERT INTO project_keys (owner, key, project_id, request) VALUES (?, ?, ?, ?)",
+                      {context.owner, idempotency_key, row.id, request}));
   }
   TRY(transaction.commit());
   return store::Made<store::ProjectRow>{std::move(row), true};
@@ -202,11 +198,10 @@ Result<store::ProjectRow> SqliteStore::update_project(const store::OwnerId& owne
   next.revision += 1;
   next.updated_ms = store_now_ms();
   const std::string files = column_text(row.files);
-  const Result<int> kept = database_.run(
+  TRY(database_.run(
       "UPDATE projects SET name = ?, document = ?, files = ?, revision = ?, updated_ms = ?"
       " WHERE owner = ? AND id = ?",
-      {next.name, next.document, files, std::int64_t{next.revision}, next.updated_ms, owner, next.id});
-  if (!kept) return kept.error();
+      {next.name, next.document, files, std::int64_t{next.revision}, next.updated_ms, owner, next.id}));
   return next;
 }
 
@@ -240,7 +235,7 @@ Status SqliteStore::remove_project(const store::RequestContext& context, const s
   TRY(check_revision(now, expected));
   for (const char* sql : {"DELETE FROM projects WHERE owner = ? AND id = ?",
                           "DELETE FROM project_keys WHERE owner = ? AND project_id = ?"}) {
-    if (const Result<int> gone = database_.run(sql, {context.owner, id}); !gone) return gone.error();
+    TRY(database_.run(sql, {context.owner, id}));
   }
   TRY(forget_edits(context.owner, id));
   return transaction.commit();

@@ -19,9 +19,8 @@ Status sweep_blobs(SqlDatabase& database, const store::Blobs& blobs) {
   Names unnamed = set_of(blobs.blob_names());  // before the rows are read, so that it can only be too few
   SqlStatement row = TRY(database.prepare("SELECT blob FROM assets"));
   for (;;) {
-    const Result<bool> more = row.step();
-    if (!more) return more.error();
-    if (!*more) break;
+    const bool more = TRY(row.step());
+    if (!more) break;
     unnamed.erase(row.text(0));
   }
   for (const std::string& blob : unnamed) blobs.remove_blob(blob);
@@ -38,9 +37,8 @@ Status sweep_results(SqlDatabase& database, const store::Blobs& blobs) {
   Names unnamed = set_of(blobs.jobs_with_results());
   SqlStatement row = TRY(database.prepare("SELECT id, results FROM jobs"));
   for (;;) {
-    const Result<bool> more = row.step();
-    if (!more) return more.error();
-    if (!*more) break;
+    const bool more = TRY(row.step());
+    if (!more) break;
     const std::string id = row.text(0);
     if (!unnamed.contains(id)) continue;
     const Result<ResultSizes> named = results_from(row.text(1), id);

@@ -9,8 +9,8 @@
 #include "core/base/hash.h"
 #include "core/drape/pipeline.h"
 #include "core/json/tree.h"
-#include "server/jobs/job_input.h"
-#include "server/jobs/job_service.h"
+#include "server/jobs/input.h"
+#include "server/jobs/service.h"
 #include "tests/server/jobs/fake_store.h"
 #include "tests/server/jobs/recorder.h"
 

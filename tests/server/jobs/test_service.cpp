@@ -1,4 +1,4 @@
-#include "server/jobs/job_service.h"
+#include "server/jobs/service.h"
 
 #include <algorithm>
 #include <cmath>

@@ -12,11 +12,11 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "server/jobs/job_service.h"
-#include "server/jobs/job_transition.h"
 #include "server/jobs/publisher.h"
 #include "server/jobs/queue.h"
 #include "server/jobs/runner.h"
+#include "server/jobs/service.h"
+#include "server/jobs/transition.h"
 #include "server/store/store.h"
 
 namespace toile::jobs {

@@ -1,4 +1,4 @@
-#include "server/jobs/job_table.h"
+#include "server/jobs/table.h"
 
 #include <algorithm>
 #include <chrono>
@@ -32,7 +32,7 @@ Status JobTable::change(const Changing&, LiveJob& job, JobEvent event, const Row
   if (store::is_final(next.state)) row.ended_ms = unix_ms();
   if (edit) edit(row);
   if (next.effects.persist) {
-    if (Status written = store_.update_job(job.context, row); !written) return written;
+    TRY(store_.update_job(job.context, row));
   }
   {
     const std::lock_guard lock(mutex_);

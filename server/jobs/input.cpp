@@ -1,4 +1,4 @@
-#include "server/jobs/job_input.h"
+#include "server/jobs/input.h"
 
 #include "core/project/resolve/resolve.h"
 #include "core/project/resolve/textures.h"

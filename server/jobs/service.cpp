@@ -1,16 +1,16 @@
-#include "server/jobs/job_service.h"
+#include "server/jobs/service.h"
 
 #include <algorithm>
 #include <chrono>
 #include <mutex>
 #include <utility>
 
-#include "server/jobs/job_input.h"
-#include "server/jobs/job_table.h"
-#include "server/jobs/job_transition.h"
+#include "server/jobs/input.h"
 #include "server/jobs/render_worker.h"
 #include "server/jobs/row_progress.h"
 #include "server/jobs/runner.h"
+#include "server/jobs/table.h"
+#include "server/jobs/transition.h"
 #include "server/jobs/worker_pool.h"
 
 namespace toile::jobs {
@@ -112,7 +112,7 @@ Result<store::JobRow> QueueingJobService::on_request(const store::RequestContext
   const LiveJobPtr job = table_.find(context, id);
   if (!job || !table_.is_open(changing)) return refusal(context, id, event);
   if (event == JobEvent::kPause) {
-    if (Status room = check_parking(changing, *job); !room) return room.error();
+    TRY(check_parking(changing, *job));
   }
   TRY(table_.change(changing, *job, event, edit));
   context.log.info("job changed", {{"job", id}, {"state", std::string(store::name_of(job->state))}});

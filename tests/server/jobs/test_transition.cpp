@@ -1,4 +1,4 @@
-#include "server/jobs/job_transition.h"
+#include "server/jobs/transition.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include "core/json/tree.h"
 #include "server/documents/assets.h"
 #include "server/documents/projects.h"
-#include "server/jobs/job_service.h"
+#include "server/jobs/service.h"
 #include "server/store/sqlite/open.h"
 #include "tests/server/jobs/house.h"
 

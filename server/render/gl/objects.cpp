@@ -1,4 +1,4 @@
-#include "server/render/gl_objects.h"
+#include "server/render/gl/objects.h"
 
 #include <utility>
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "server/render/gl_context.h"
+#include "server/render/gl/context.h"
 
 namespace toile::render {
 

@@ -1,4 +1,4 @@
-#include "server/render/gl_context.h"
+#include "server/render/gl/context.h"
 
 #include <GL/osmesa.h>
 
