@@ -7,6 +7,7 @@ build_packages=(
   libgtest-dev libbenchmark-dev
 )
 test_packages=(clang-format clang-tidy python3-yaml python3-jsonschema chromium)
+fuzz_packages=(clang-14 libclang-rt-14-dev)  # for ./test --long alone
 
 ensure_packages() {
   local missing=() package

@@ -69,4 +69,11 @@ inline std::string insert(const std::string& name, Vec2 at) {
   return groups({{0, "INSERT"}, {8, "1"}, {2, name}, {10, number(at.x)}, {20, number(at.y)}});
 }
 
+/// A rectangle as four open POLYLINEs, one for each side, from the lower left corner counter-clockwise.
+inline std::string open_sides(Vec2 at, double width, double height, const std::string& layer) {
+  const Vec2 b = at + Vec2{width, 0}, c = at + Vec2{width, height}, d = at + Vec2{0, height};
+  return polyline({at, b}, layer, 0) + polyline({b, c}, layer, 0) + polyline({c, d}, layer, 0) +
+         polyline({d, at}, layer, 0);
+}
+
 }  // namespace toile::dxf_text

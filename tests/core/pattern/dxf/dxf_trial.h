@@ -56,13 +56,6 @@ inline std::string point(Vec2 at, const std::string& layer) {
   return groups({{0, "POINT"}, {8, layer}, {10, number(at.x)}, {20, number(at.y)}});
 }
 
-/// A rectangle as four open POLYLINEs, one for each side, from the lower left corner counter-clockwise.
-inline std::string open_sides(Vec2 at, double width, double height, const std::string& layer) {
-  const Vec2 b = at + Vec2{width, 0}, c = at + Vec2{width, height}, d = at + Vec2{0, height};
-  return polyline({at, b}, layer, 0) + polyline({b, c}, layer, 0) + polyline({c, d}, layer, 0) +
-         polyline({d, at}, layer, 0);
-}
-
 /// One block of a piece, as pattern systems write it.
 inline std::string piece_block(const std::string& name, const std::string& body) { return block(name, body); }
 
