@@ -240,7 +240,8 @@ TEST(ReadPicture, SaysThatAFileEndsEarly) {
   const std::string png = png_of(rough), jpeg = jpeg_of(rough), late = jpeg_of(rough, {.progressive = true});
   for (const double share : {0.3, 0.7, 0.95}) {
     for (const std::string* file : {&png, &jpeg, &late}) {
-      const auto read = image::read_picture(file->substr(0, static_cast<std::size_t>(share * static_cast<double>(file->size()))));
+      const auto read = image::read_picture(
+          file->substr(0, static_cast<std::size_t>(share * static_cast<double>(file->size()))));
       ASSERT_FALSE(read.ok()) << share;
       EXPECT_EQ(read.error().code, "image.truncated") << share << " " << read.error().message;
     }
