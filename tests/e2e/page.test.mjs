@@ -76,6 +76,21 @@ async function revisionAfter(revision) {
   return shownProject();
 }
 
+/** Runs in a page before its own scripts: counts the frames that it asks for and what it draws in 3D. */
+function countDrawing() {
+  const counted = (window.__drawing = { frames: 0, pictures: 0 });
+  const counting = (owner, name, what) => {
+    const own = owner[name];
+    owner[name] = function (...given) {
+      counted[what] += 1;
+      return own.apply(this, given);
+    };
+  };
+  counting(window, 'requestAnimationFrame', 'frames');
+  for (const name of ['clear', 'drawArrays', 'drawElements'])
+    counting(WebGL2RenderingContext.prototype, name, 'pictures');
+}
+
 /** For pages that draw beside others. */
 const kSmall = { viewport: { width: 1000, height: 700 } };
 
@@ -208,6 +223,22 @@ describe('the page', () => {
     await waitFor(again, () => window.__toile.job() && window.__toile.drawn() > 0);
     const { id } = await ask(again, 'job');
     await waitForPositions(again, verticesOf(await (await service.get(`/jobs/${id}/results/final.obj`)).text()));
+    await again.close();
+  });
+
+  it('draws nothing while nothing changes, however often it asks the service', async () => {
+    const again = await openPage(browser, 'about:blank', kSmall);
+    await again.addInitScript(countDrawing);
+    await again.goto(page.url());
+    await waitFor(again, () => window.__toile?.job() && window.__toile.drawn() > 0 && window.__drawing.pictures > 0);
+    const asked = () => again.waitForResponse((response) => response.url().includes('/api/v1/jobs?'));
+    await asked(); // what the first answers bring is drawn
+    await waitForCalm(again);
+    const before = await again.evaluate(() => ({ ...window.__drawing }));
+    for (let i = 0; i < 3; ++i) await asked();
+    assert.deepEqual(await again.evaluate(() => ({ ...window.__drawing })), before);
+    await again.keyboard.press('2');
+    await waitFor(again, (pictures) => window.__drawing.pictures > pictures, before.pictures);
     await again.close();
   });
 

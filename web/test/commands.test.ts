@@ -1,5 +1,5 @@
 import { beforeEach, describe, expect, it, vi } from 'vitest';
-import type { Api } from '../src/api/Api';
+import { makeApi, type Api } from '../src/api/Api';
 import { ApiError, Http, problemOf } from '../src/api/http';
 import { Commands } from '../src/commands/Commands';
 import { Poller } from '../src/commands/Poller';
@@ -280,5 +280,23 @@ describe('errors of the service', () => {
     const http = new Http('/api/v1', async () => broken());
     for (const asked of [http.get('/jobs'), http.text('/jobs'), http.bytes('/jobs')])
       await expect(asked).rejects.toMatchObject({ code: 'net.unreachable', unreachable: true });
+  });
+
+  it('leave the lists as they were when half an answer comes, until a whole one does', async () => {
+    const state = new AppState();
+    let text = JSON.stringify({ jobs: [jobOf({ id: 'j_1' })] });
+    const api = makeApi(new Http('/api/v1', async () => new Response(text)));
+    const poller = new Poller(state, { projects: async () => [projectOf()], jobs: api.jobs }, () => undefined);
+    const shown = async () => {
+      await poller.refresh();
+      return { link: state.link.value.state, jobs: state.allJobs.value.map((job) => job.id) };
+    };
+    expect(await shown()).toEqual({ link: 'ok', jobs: ['j_1'] });
+    const whole = JSON.stringify({ jobs: [jobOf({ id: 'j_1' }), jobOf({ id: 'j_2' })] });
+    text = whole.slice(0, -whole.length / 2);
+    expect(await shown()).toEqual({ link: 'lost', jobs: ['j_1'] });
+    text = whole;
+    expect(await shown()).toEqual({ link: 'ok', jobs: ['j_1', 'j_2'] });
+    poller.stop();
   });
 });
