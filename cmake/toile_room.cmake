@@ -55,7 +55,8 @@ function(toile_test_program NAME FOLDER)
 endfunction()
 
 # toile_tests(core/mesh mesh): such a program, each of its tests known to ctest. Suites whose name begins with
-# "Long" get the label long: ./test leaves them out, ./test --long runs them.
+# "Long" get the label long: ./test leaves them out, ./test --long runs them. rapidcheck's properties are tried with
+# the same cases in every run of ctest; a program run by hand takes others, and says with which seed.
 function(toile_tests FOLDER)
   file(GLOB SOURCES CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${FOLDER}/*.cpp)
   if(NOT SOURCES)
@@ -64,7 +65,8 @@ function(toile_tests FOLDER)
   string(REPLACE "/" "_" NAME test_${FOLDER})
   toile_test_program(${NAME} ${FOLDER} ${ARGN})
   gtest_discover_tests(${NAME} TEST_FILTER -Long* DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
-                       PROPERTIES TIMEOUT 600 LABELS short)
+                       PROPERTIES TIMEOUT 600 LABELS short ENVIRONMENT "RC_PARAMS=seed=1 max_success=500")
   gtest_discover_tests(${NAME} TEST_FILTER Long* TEST_LIST ${NAME}_long DISCOVERY_MODE PRE_TEST
-                       DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 3600 LABELS long)
+                       DISCOVERY_TIMEOUT 60
+                       PROPERTIES TIMEOUT 3600 LABELS long ENVIRONMENT "RC_PARAMS=seed=2 max_success=5000")
 endfunction()

@@ -53,8 +53,8 @@ struct JsonLimits {
 Result<JsonValue> parse_json(std::string_view text, const JsonLimits& limits = {});
 
 /// JSON text with a line feed at the end. What fits goes on one line, the rest is indented by two blanks.
-/// Numbers are written with the fewest digits that read back as the same double; bytes that are not UTF-8
-/// become U+FFFD.
+/// Numbers are written with the fewest digits that read back as the same double, zeros without a sign; bytes
+/// that are not UTF-8 become U+FFFD.
 std::string write_json(const JsonValue& value);
 
 /// The same on one line, without the line feed.

@@ -3,9 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 #include <limits>
-#include <memory>
 
 #include "tests/proto/golden_frames.h"
 
@@ -226,128 +224,6 @@ TEST(FrameReader, RefusesFramesOfAnotherEpochAndOfAnotherGarment) {
   EXPECT_EQ(reader.read(proto::encode_key({3, 1}, cloth(20, 1))).error().code, "frame.wrong_base");
   EXPECT_EQ(reader.read(proto::encode_key({4, 1}, cloth(21, 1))).error().code, "frame.malformed");
   EXPECT_FALSE(reader.frame());
-}
-
-/// Random changes of messages, the same in every run.
-class Mutation {
- public:
-  std::uint32_t below(std::size_t limit) {
-    state_ ^= state_ << 13;
-    state_ ^= state_ >> 17;
-    state_ ^= state_ << 5;
-    return state_ % static_cast<std::uint32_t>(limit);
-  }
-
-  std::string of(std::string bytes) {
-    for (std::uint32_t n = 1 + below(4); n > 0 && !bytes.empty(); --n) change(bytes);
-    return bytes;
-  }
-
- private:
-  void change(std::string& bytes) {
-    const std::uint32_t at = below(bytes.size());
-    switch (below(6)) {
-      case 0:
-        bytes[at] = static_cast<char>(bytes[at] ^ (1 << below(8)));
-        break;
-      case 1:
-        bytes[at] = static_cast<char>(below(256));
-        break;
-      case 2:
-        bytes.resize(at);
-        break;
-      case 3:
-        bytes.append(1 + below(40), static_cast<char>(below(256)));
-        break;
-      case 4:
-        bytes.erase(at, 1 + below(8));
-        break;
-      default:
-        bytes[below(std::min<std::size_t>(bytes.size(), 56))] = static_cast<char>(below(256));
-        break;
-    }
-  }
-
-  std::uint32_t state_ = 2463534242u;
-};
-
-/// The bytes alone on the heap, so that a sanitizer sees a read past either end.
-class Alone {
- public:
-  explicit Alone(const std::string& bytes) : size_(bytes.size()), bytes_(new char[bytes.size()]) {
-    std::memcpy(bytes_.get(), bytes.data(), size_);
-  }
-  std::string_view view() const { return {bytes_.get(), size_}; }
-
- private:
-  std::size_t size_;
-  std::unique_ptr<char[]> bytes_;
-};
-
-bool is_frame_error(const Error& error) {
-  return error.code == "frame.malformed" || error.code == "frame.version" || error.code == "frame.wrong_base";
-}
-
-TEST(FrameCodecFuzz, MutatedFramesAreReadOrRefusedAndNeverHarm) {
-  Mutation mutation;
-  int taken = 0, refused = 0;
-  for (const GoldenFrame& golden : golden_frames()) {
-    for (int i = 0; i < 3000; ++i) {
-      const Alone bytes(mutation.of(golden.bytes));
-      const auto frame = proto::decode_frame(bytes.view(), golden.before);
-      if (frame) {
-        ASSERT_TRUE(std::isfinite(frame->header.time));
-        ASSERT_EQ(frame->grid.size() % 3, 0u);
-        ASSERT_LE(frame->grid.size() * sizeof(std::int16_t), 40 * bytes.view().size());
-      } else {
-        ASSERT_TRUE(is_frame_error(frame.error())) << to_string(frame.error());
-      }
-      ++(frame ? taken : refused);
-    }
-  }
-  EXPECT_GT(taken, 500);
-  EXPECT_GT(refused, 5000);
-}
-
-TEST(FrameCodecFuzz, MutatedTopologiesHoldOnlyVerticesThatAreThere) {
-  Mutation mutation;
-  int taken = 0, refused = 0;
-  for (const GoldenTopology& golden : golden_topologies()) {
-    for (int i = 0; i < 6000; ++i) {
-      const Alone bytes(mutation.of(golden.bytes));
-      const auto topology = proto::decode_topology(bytes.view());
-      ++(topology ? taken : refused);
-      if (!topology) {
-        ASSERT_TRUE(is_frame_error(topology.error())) << to_string(topology.error());
-        continue;
-      }
-      const auto there = [&](Index v) { return v >= 0 && v < topology->vertex_count(); };
-      for (const Tri& t : topology->triangles) ASSERT_TRUE(there(t[0]) && there(t[1]) && there(t[2]));
-      for (const auto& pair : topology->sewn) ASSERT_TRUE(there(pair[0]) && there(pair[1]));
-      for (const proto::StreamPiece& p : topology->pieces) {
-        ASSERT_TRUE(p.first_vertex >= 0 && p.vertex_count >= 0);
-        ASSERT_LE(p.vertex_count, topology->vertex_count() - p.first_vertex);
-      }
-    }
-  }
-  EXPECT_GT(taken, 500);
-  EXPECT_GT(refused, 5000);
-}
-
-TEST(FrameCodecFuzz, EveryTruncationIsRefused) {
-  for (const GoldenFrame& golden : golden_frames()) {
-    for (std::size_t size = 0; size < golden.bytes.size(); ++size) {
-      const Alone bytes(golden.bytes.substr(0, size));
-      ASSERT_EQ(proto::decode_frame(bytes.view(), golden.before).error().code, "frame.malformed")
-          << golden.file << size;
-    }
-  }
-  for (const GoldenTopology& golden : golden_topologies()) {
-    for (std::size_t size = 0; size < golden.bytes.size(); ++size) {
-      const Alone bytes(golden.bytes.substr(0, size));
-      ASSERT_EQ(proto::decode_topology(bytes.view()).error().code, "frame.malformed") << golden.file << size;
-    }
-  }
 }
 
 }  // namespace
