@@ -16,6 +16,7 @@ namespace toile::dxf {
 struct DxfReading {
   const DxfSettings& settings;
   double mm_per_unit;
+  bool has_sew_layer = false;  ///< the file holds lines on the layers of sew lines, 14 or 87
 };
 
 /// x·a + y·b + origin.

@@ -80,6 +80,13 @@ std::optional<std::string> idle_reason(DxfRole role) {
 /// Gives the line to the piece that it lies in. `role`: by AAMA's layers, or `other`.
 void place_in(const DxfChain& chain, DxfRole role, DxfFound& owner, DxfNotes& notes) {
   if (role == DxfRole::grain) return set_grain(chain, owner, notes);
+  if (role == DxfRole::sew && chain.closed) {
+    notes.warn(chain.line,
+               "the closed line on layer " + chain.layer +
+                   " does not follow the cut line: it is a line within the piece, not its sew line",
+               owner.id);
+    return keep_internal(chain, owner, notes);
+  }
   if (role == DxfRole::sew)
     notes.warn(chain.line, "the sew line does not close: the piece is its cut line", owner.id);
   if (const auto idle = idle_reason(role)) return tell(notes, chain, DxfFate::dropped, *idle, owner.id);

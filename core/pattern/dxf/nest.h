@@ -1,5 +1,5 @@
 #pragma once
-// Which closed lines of a drawing lie in which, and which of them are one line drawn twice or its seam line.
+// Which closed lines of a drawing lie in which, and which of them are one line drawn twice.
 
 #include <cstddef>
 #include <optional>
@@ -33,17 +33,19 @@ bool lies_within(const DxfLoop& inner, const DxfLoop& outer);
 /// The loops with each one's parent among those of its layer.
 std::vector<DxfLoop> nested(std::vector<DxfLoop> loops);
 
+/// Distance from p to the closed polyline, mm.
+double distance_to_loop(Vec2 p, const std::vector<Vec2>& loop);
+
 /// Whether the inner loop lies within the outer one or along it, judged by a sample of its vertices.
 bool is_covered(const DxfLoop& inner, const DxfLoop& outer);
+
+/// Whether most of one loop lies within the other, judged by a sample of its vertices.
+bool lies_mostly_within(const DxfLoop& inner, const DxfLoop& outer);
 
 /// Whether one box holds the other, nearly.
 bool same_place(const Aabb2& a, const Aabb2& b);
 
 /// Whether the two are the same line, drawn twice.
 bool is_repeated(const DxfLoop& a, const DxfLoop& b);
-
-/// Whether the inner loop runs along the outer one at the width of a seam allowance (a few mm to a few cm)
-/// all the way round, but for folds and hems.
-bool is_seam_line(const DxfLoop& inner, const DxfLoop& outer);
 
 }  // namespace toile::dxf

@@ -1,9 +1,14 @@
 #include "core/pattern/dxf/outlines.h"
 
 #include <algorithm>
+#include <cmath>
+#include <set>
 #include <string>
 #include <utility>
 
+#include "core/base/text.h"
+#include "core/geometry/polygon2.h"
+#include "core/pattern/dxf/allowance.h"
 #include "core/pattern/dxf/groups.h"
 #include "core/pattern/outline.h"
 
@@ -12,23 +17,98 @@ namespace {
 
 constexpr double kLarger = 1.001;  // times another loop's area: two drawings of one line differ by less
 
-/// Whether `sew` is the sew line within the cut line `loops.outlines[i]`.
-bool is_sew_line_of(const DxfLoops& loops, std::size_t i, const DxfLoop& sew, bool by_aama) {
-  const DxfLoop& cut = loops.outlines[i];
-  if (&sew == &cut || sew.area > cut.area * kLarger) return false;
-  const bool on_sew_layer = by_aama && sew.role == DxfRole::sew && sew.depth % 2 == 0;
-  if (on_sew_layer) return same_place(sew.box, cut.box) && (is_covered(sew, cut) || is_seam_line(sew, cut));
-  return sew.parent == i && is_seam_line(sew, cut);
+constexpr double kMuchLost = 0.5;  // share of a piece's area; when less is left, a person should look
+
+std::string percent_text(double share) { return fixed_text(100 * share, 0) + " %"; }
+
+constexpr std::size_t kMostTried = 8;  // lines tried as a piece's sew line: bounds the work on nests
+
+/// Loops, the largest first.
+using Candidates = std::vector<const DxfLoop*>;
+
+template <typename Wanted>
+Candidates those_of(const std::vector<DxfLoop>& loops, Wanted wanted) {
+  Candidates some;
+  for (const DxfLoop& loop : loops)
+    if (wanted(loop)) some.push_back(&loop);
+  std::stable_sort(some.begin(), some.end(),
+                   [](const DxfLoop* a, const DxfLoop* b) { return a->area > b->area; });
+  return some;
 }
 
-const DxfLoop* sew_line_of(const DxfLoops& loops, std::size_t i, bool by_aama) {
-  const DxfLoop& cut = loops.outlines[i];
-  if (cut.role != DxfRole::cut || cut.depth % 2 != 0) return nullptr;
-  for (const DxfLoop& sew : loops.outlines)
-    if (is_sew_line_of(loops, i, sew, by_aama)) return &sew;
-  for (const DxfLoop& sew : loops.inner)
-    if (is_seam_line(sew, cut)) return &sew;
-  return nullptr;
+/// The candidates that follow the cut line, the largest first.
+Candidates followers_of(const DxfLoop& cut, const Candidates& candidates, DxfSewClaim claim) {
+  Candidates followers;
+  std::size_t tried = 0;
+  for (const DxfLoop* sew : candidates) {
+    const bool near = sew != &cut && sew->area <= cut.area * kLarger && same_place(sew->box, cut.box);
+    if (!near || ++tried > kMostTried) continue;
+    const bool same_line = claim == DxfSewClaim::said && is_repeated(*sew, cut);
+    if (same_line || is_seam_line(*sew, cut, claim)) followers.push_back(sew);
+  }
+  return followers;
+}
+
+const DxfLoop* first_of(const Candidates& list) { return list.empty() ? nullptr : list.front(); }
+
+/// Whether the layer's name says what its lines are, and that they are no sew lines: sizes, other cloth.
+bool names_another_thing(const std::string& layer) {
+  const std::string name = lower_case(layer);
+  for (const char* word : {"lining", "facing", "fus", "futter", "einlage", "doublure", "forro", "size"})
+    if (name.find(word) != std::string::npos) return true;
+  static const std::set<std::string> kSizes{"xxs", "xs", "s", "m", "l", "xl", "xxl", "2xl", "3xl", "4xl"};
+  return kSizes.contains(name) || number_in<int>(name).value_or(0) > 0;
+}
+
+/// Loops of the cut line's own layer with no other one between.
+Candidates next_within(const DxfLoops& loops, const DxfLoop& cut) {
+  return those_of(loops.outlines, [&](const DxfLoop& loop) {
+    return loop.chain->layer == cut.chain->layer && (!loop.parent || &loops.outlines[*loop.parent] == &cut);
+  });
+}
+
+/// The sew line of a drawing of free layers: on the cut line's own layer, else on the only other layer that
+/// has a line along it.
+const DxfLoop* free_sew_line_of(const DxfLoops& loops, const DxfLoop& cut) {
+  const std::string& layer = cut.chain->layer;
+  const auto first = [&](const Candidates& list) {
+    return first_of(followers_of(cut, list, DxfSewClaim::possible));
+  };
+  if (const DxfLoop* sew = first(next_within(loops, cut))) return sew;
+  const auto is_own = [&](const DxfLoop& loop) { return loop.chain->layer == layer; };
+  if (const DxfLoop* sew = first(those_of(loops.inner, is_own))) return sew;
+  if (names_another_thing(layer)) return nullptr;
+  const Candidates others =
+      those_of(loops.outlines, [&](const DxfLoop& loop) { return loop.chain->layer != layer; });
+  const Candidates followers = followers_of(cut, others, DxfSewClaim::possible);
+  for (const DxfLoop* sew : followers)
+    if (sew->chain->layer != followers[0]->chain->layer || names_another_thing(sew->chain->layer))
+      return nullptr;
+  return first_of(followers);
+}
+
+const DxfLoop* sew_line_of(const DxfLoops& loops, const DxfLoop& cut, const DxfSewSearch& search) {
+  if (cut.depth % 2 != 0) return nullptr;
+  if (!search.by_aama) return free_sew_line_of(loops, cut);
+  const auto of_role = [&](DxfRole role) {
+    return those_of(loops.outlines,
+                    [role](const DxfLoop& loop) { return loop.role == role && loop.depth % 2 == 0; });
+  };
+  const auto best = [&](const Candidates& list, DxfSewClaim claim) {
+    return first_of(followers_of(cut, list, claim));
+  };
+  // Some programs change the two layers' places: then the line on that of sew lines is the outer one.
+  if (cut.role == DxfRole::sew) return best(of_role(DxfRole::cut), DxfSewClaim::possible);
+  if (const DxfLoop* sew = best(of_role(DxfRole::sew), DxfSewClaim::said)) return sew;
+  if (const DxfLoop* sew = best(next_within(loops, cut), DxfSewClaim::possible)) return sew;
+  if (search.on_their_layer) return nullptr;
+  const auto is_internal = [](const DxfLoop& loop) { return loop.role == DxfRole::internal; };
+  if (const DxfLoop* sew = best(those_of(loops.inner, is_internal), DxfSewClaim::possible)) return sew;
+  const auto is_other = [&](const DxfLoop& loop) {
+    return loop.role == DxfRole::repeat ||
+           (loop.role == DxfRole::other && !names_another_thing(loop.chain->layer));
+  };
+  return best(those_of(loops.inner, is_other), DxfSewClaim::possible);
 }
 
 /// How the outlines' loops and the pieces are looked at.
@@ -38,12 +118,42 @@ struct Outlines {
   bool by_aama;
 };
 
-enum class Inside { none, repeated, other_layer };
+enum class Inside {
+  none,
+  repeated,
+  other_layer,
+  a_line,  ///< drawn within a piece: told of with the lines
+};
 
-/// Whether loop i repeats another one, or (in drawings of free layers) lies within a piece of another layer:
-/// a pocket's place, a facing, a mark.
+/// Whether the loop follows a sew line within it, as lines of top stitches and hems do.
+bool follows_a_sew_line(const DxfLoop& loop, const DxfSeamLines& seams) {
+  std::size_t tried = 0;
+  for (const DxfLoop* sew : seams.sew_of) {
+    if (!sew || sew->area <= loop.area || !sew->box.grown(kBoxSlack).contains(loop.box)) continue;
+    if (++tried > kMostTried) return false;
+    if (is_seam_line(loop, *sew, DxfSewClaim::possible)) return true;
+  }
+  return false;
+}
+
+bool meet(const Aabb2& a, const Aabb2& b) { return none_above(a.low, b.high) && none_above(b.low, a.high); }
+
+/// Whether the loop stands on the layer of sew lines where a cut line is, and is not its sew line.
+bool is_other_sewing(const Outlines& o, const DxfLoop& loop) {
+  if (!o.by_aama || loop.role != DxfRole::sew) return false;
+  return std::any_of(o.loops.outlines.begin(), o.loops.outlines.end(), [&](const DxfLoop& cut) {
+    return cut.role == DxfRole::cut && meet(cut.box, loop.box) &&
+           (lies_mostly_within(loop, cut) || lies_mostly_within(cut, loop));
+  });
+}
+
+/// Whether loop i repeats another one, is a line within a piece, or (in drawings of free layers) lies within
+/// a piece of another layer: a pocket's place, a facing, a mark.
 Inside inside_other(const Outlines& o, std::size_t i) {
   const DxfLoop& inner = o.loops.outlines[i];
+  const bool has_sew_line = o.seams.sew_of[i] != nullptr;
+  if (!has_sew_line && (is_other_sewing(o, inner) || follows_a_sew_line(inner, o.seams)))
+    return Inside::a_line;
   for (std::size_t k = 0; k < o.loops.outlines.size(); ++k) {
     const DxfLoop& outer = o.loops.outlines[k];
     if (k == i || o.seams.is_sew_line(outer)) continue;
@@ -85,6 +195,26 @@ void tell_outline(const DxfPlaced& placed, DxfNotes& notes) {
              "the cut line (layer " + cut.layer + ") gives way to the sew line (layer " + c.layer + ") in " +
                  line_text(c.line),
              id);
+  const double share = placed.loop->area / placed.cut->area;
+  if (share < kMuchLost)
+    notes.warn(c.line,
+               "the sew line encloses " + percent_text(share) +
+                   " of what the cut line does: look whether it is the sew line",
+               id);
+}
+
+/// Warns of pieces of which holes leave little.
+void tell_large_holes(const std::vector<DxfPlaced>& placed, DxfNotes& notes) {
+  for (const DxfPlaced& p : placed) {
+    double open = 0;
+    for (const std::vector<Vec2>& hole : p.found.piece.holes) open += std::abs(geometry::signed_area(hole));
+    const double left = 1 - open / p.loop->area;
+    if (left < kMuchLost)
+      notes.warn(p.found.piece.line,
+                 "holes take all but " + percent_text(left) +
+                     " of the piece: look whether they are cut out, or lines that are drawn in it",
+                 p.found.id);
+  }
 }
 
 /// A closed line without area, such as a line drawn twice: a mark within a piece, a fault elsewhere.
@@ -95,6 +225,11 @@ void tell_flat(const DxfChain& chain, const DxfLoops& loops, DxfNotes& notes) {
   notes.fail({"dxf.zero_area", "The outline encloses no area.",
               line_text(chain.line) + ", near " + pattern::place_text(chain.points[0])});
   notes.warn(chain.line, "an outline encloses no area and is left out", -1, chain.points[0]);
+}
+
+/// Layers for which there are better uses, and on which some programs put sew lines.
+bool may_hold_sew_lines(DxfRole role) {
+  return role == DxfRole::internal || role == DxfRole::repeat || role == DxfRole::other;
 }
 
 void add_hole(const DxfChain& chain, DxfFound& owner, DxfNotes& notes) {
@@ -108,7 +243,7 @@ Result<DxfLoops> loops_of(const std::vector<DxfChain>& chains, const DxfRoles& r
   DxfLoops loops;
   for (std::size_t i = 0; i < chains.size(); ++i) {
     const bool outline = roles.makes_outlines(i);
-    if (!chains[i].closed || !(outline || roles.of[i] == DxfRole::internal)) continue;
+    if (!chains[i].closed || !(outline || may_hold_sew_lines(roles.of[i]))) continue;
     const DxfLoop loop = loop_of(chains[i], i, roles.of[i]);
     if (loop.area < pattern::kLeastArea && geometry::is_flat(chains[i].points, pattern::kJointTolerance)) {
       if (outline) loops.flat.push_back(i);
@@ -128,15 +263,28 @@ bool DxfSeamLines::is_sew_line(const DxfLoop& loop) const {
   return std::find(sew_of.begin(), sew_of.end(), &loop) != sew_of.end();
 }
 
-DxfSeamLines seam_lines_of(const DxfLoops& loops, bool by_aama) {
+DxfSeamLines seam_lines_of(const DxfLoops& loops, const DxfSewSearch& search) {
+  const std::vector<DxfLoop>& all = loops.outlines;
   DxfSeamLines seams;
-  for (std::size_t i = 0; i < loops.outlines.size(); ++i)
-    seams.sew_of.push_back(sew_line_of(loops, i, by_aama));
-  for (const DxfLoop& loop : loops.outlines) {
-    int around = 0;
-    for (auto parent = loop.parent; parent; parent = loops.outlines[*parent].parent)
-      around += seams.is_sew_line(loops.outlines[*parent]) ? 1 : 0;
-    seams.around.push_back(around);
+  for (const DxfLoop& loop : all) seams.parents.push_back(loop.parent);
+  // From the outside: what is a sew line is no cut line of what lies in it.
+  seams.sew_of.resize(all.size(), nullptr);
+  for (const DxfLoop* loop : those_of(all, [](const DxfLoop&) { return true; }))
+    if (!seams.is_sew_line(*loop))
+      seams.sew_of[std::size_t(loop - all.data())] = sew_line_of(loops, *loop, search);
+  // A sew line on another layer, or one that touches its cut line, lies in that one all the same.
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto at =
+        std::find_if(all.begin(), all.end(), [&](const DxfLoop& loop) { return &loop == seams.sew_of[i]; });
+    if (at == all.end() || at->area >= all[i].area) continue;
+    std::optional<std::size_t>& parent = seams.parents[std::size_t(at - all.begin())];
+    if (!parent) parent = i;
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    int depth = 0;
+    for (auto parent = seams.parents[i]; parent; parent = seams.parents[*parent])
+      depth += seams.is_sew_line(all[*parent]) ? 0 : 1;
+    seams.depths.push_back(depth);
   }
   return seams;
 }
@@ -152,8 +300,12 @@ DxfPieces outlined(const std::vector<DxfChain>& chains, const DxfLoops& loops, c
   }
   int id = first_id;
   for (std::size_t i = 0; i < loops.outlines.size(); ++i) {
-    if (!seams.is_outer(loops, i) || seams.is_sew_line(loops.outlines[i])) continue;
+    if (!seams.is_outer(i) || seams.is_sew_line(loops.outlines[i])) continue;
     const Inside inside = inside_other({loops, seams, by_aama}, i);
+    if (inside == Inside::a_line) {
+      pieces.used[loops.outlines[i].number] = false;
+      continue;
+    }
     if (inside != Inside::none) {
       tell(pieces.notes, *loops.outlines[i].chain, DxfFate::dropped,
            inside == Inside::repeated ? "drawn a second time" : "within a piece of another layer");
@@ -171,8 +323,12 @@ DxfPieces with_holes(DxfPieces pieces, const std::vector<DxfChain>& chains, cons
   std::vector<DxfPlaced>& placed = pieces.placed;
   for (std::size_t i = 0; i < loops.outlines.size(); ++i) {
     const DxfLoop& loop = loops.outlines[i];
-    if (seams.is_outer(loops, i) || seams.is_sew_line(loop)) continue;
-    const DxfLoop* around = &loops.outlines[*loop.parent];
+    if (seams.is_outer(i) || seams.is_sew_line(loop)) continue;
+    if (is_other_sewing({loops, seams, roles.by_aama}, loop) || follows_a_sew_line(loop, seams)) {
+      pieces.used[loop.number] = false;
+      continue;
+    }
+    const DxfLoop* around = &loops.outlines[*seams.parents[i]];
     // In drawings of free layers the hole lies within the seam line, which lies within the cut line.
     const auto owner = std::find_if(placed.begin(), placed.end(), [&](const DxfPlaced& p) {
       return p.loop == around || (p.cut == around && lies_within(loop, *p.loop));
@@ -192,6 +348,7 @@ DxfPieces with_holes(DxfPieces pieces, const std::vector<DxfChain>& chains, cons
     pieces.used[i] = true;
     add_hole(chains[i], owner->found, pieces.notes);
   }
+  tell_large_holes(placed, pieces.notes);
   return pieces;
 }
 

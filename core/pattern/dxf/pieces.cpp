@@ -6,6 +6,7 @@
 #include "core/pattern/dxf/marks.h"
 #include "core/pattern/dxf/outlines.h"
 #include "core/pattern/dxf/roles.h"
+#include "core/pattern/dxf/sew_ends.h"
 #include "core/pattern/dxf/unfold.h"
 
 namespace toile::dxf {
@@ -16,9 +17,10 @@ Result<DxfPlacePieces> pieces_of(const std::vector<DxfPart>& parts, const DxfRea
   const DxfRoles roles = roles_of(drawing.chains);
   const std::vector<DxfFold> folds = folds_of(drawing.chains, roles);
   DxfClosed closed = closed_at_gaps(std::move(drawing.chains), roles, folds);
-  const std::vector<DxfChain>& chains = closed.chains;
+  DxfClosed whole = closed_at_cut_lines(std::move(closed.chains), roles);
+  const std::vector<DxfChain>& chains = whole.chains;
   const DxfLoops loops = TRY(loops_of(chains, roles, reading.settings.max_loops));
-  const DxfSeamLines seams = seam_lines_of(loops, roles.by_aama);
+  const DxfSeamLines seams = seam_lines_of(loops, {roles.by_aama, reading.has_sew_layer});
   DxfPieces pieces = outlined(chains, loops, seams, roles.by_aama, first_id);
   pieces = with_holes(std::move(pieces), chains, roles, loops, seams);
   pieces = with_lines(std::move(pieces), chains, roles);
@@ -27,6 +29,7 @@ Result<DxfPlacePieces> pieces_of(const std::vector<DxfPart>& parts, const DxfRea
 
   DxfPlacePieces made{{}, drawing.drawn, std::move(drawing.notes)};
   made.notes.add(std::move(closed.notes));
+  made.notes.add(std::move(whole.notes));
   made.notes.add(std::move(pieces.notes));
   for (DxfPlaced& placed : pieces.placed) made.pieces.push_back(std::move(placed.found));
   return made;

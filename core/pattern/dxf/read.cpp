@@ -9,6 +9,7 @@
 #include "core/pattern/dxf/chains.h"
 #include "core/pattern/dxf/entities.h"
 #include "core/pattern/dxf/groups.h"
+#include "core/pattern/dxf/layers.h"
 #include "core/pattern/dxf/names.h"
 #include "core/pattern/dxf/pieces.h"
 #include "core/pattern/dxf/places.h"
@@ -54,6 +55,15 @@ void mark_the_rest(const DxfBlock& block, DxfLog& log, const char* reason) {
   for (const DxfText& t : block.texts) mark(t.entity);
   for (const DxfMark& m : block.marks) mark(m.entity);
   for (const DxfInsert& i : block.inserts) mark(i.entity);
+}
+
+/// Whether any line of the file stands on a layer of sew lines.
+bool has_sew_layer(const DxfFile& file) {
+  const auto holds = [](const DxfBlock& block) {
+    return std::any_of(block.curves.begin(), block.curves.end(),
+                       [](const DxfCurve& c) { return repeated_role(c.layer) == DxfRole::sew; });
+  };
+  return holds(file.entities) || std::any_of(file.blocks.begin(), file.blocks.end(), holds);
 }
 
 /// The fault of an outline under a code of this format.
@@ -171,10 +181,11 @@ Result<InUnit> read_in_its_unit(const Drawing& drawing, const DxfSettings& setti
   const std::vector<DxfUnitText>& texts = drawing.layout.style.units;
   const DxfUnit first =
       settings.mm_per_unit ? given_unit(*settings.mm_per_unit) : decide_unit(drawing.file, texts, {});
-  Attempt attempt = TRY(read_all(drawing, {settings, first.mm}));
+  const bool sew_layer = has_sew_layer(drawing.file);
+  Attempt attempt = TRY(read_all(drawing, {settings, first.mm, sew_layer}));
   if (settings.mm_per_unit) return InUnit{first, std::move(attempt)};
   DxfUnit unit = decide_unit(drawing.file, texts, extents_of(attempt, drawing.layout, first.mm));
-  if (unit.mm != first.mm) attempt = TRY(read_all(drawing, {settings, unit.mm}));
+  if (unit.mm != first.mm) attempt = TRY(read_all(drawing, {settings, unit.mm, sew_layer}));
   return InUnit{std::move(unit), std::move(attempt)};
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "core/base/text.h"
@@ -40,21 +41,24 @@ void tell_gap(const DxfChain& chain, DxfNotes& notes) {
 }  // namespace
 
 DxfRoles roles_of(const std::vector<DxfChain>& chains) {
-  bool by_aama = false, repeated = false;
+  std::set<DxfRole> there;  // on the layers of their own numbers
+  bool by_aama = false;
   for (const DxfChain& c : chains) {
     const DxfRole role = role_of_layer(c.layer), deep = repeated_role(c.layer);
-    by_aama = by_aama || role == DxfRole::cut || role == DxfRole::sew;
-    repeated = repeated || (deep != role && (deep == DxfRole::cut || deep == DxfRole::sew));
+    there.insert(role);
+    by_aama = by_aama || deep == DxfRole::cut || deep == DxfRole::sew;
   }
-  const bool only_repeated = !by_aama && repeated;
+  // Of layers that repeat others those have something to say whose others are empty.
+  const auto role_of = [&](const std::string& layer) {
+    const DxfRole deep = repeated_role(layer);
+    return there.contains(deep) ? role_of_layer(layer) : deep;
+  };
   DxfRoles roles;
-  roles.by_aama = by_aama || repeated;
-  for (const DxfChain& c : chains)
-    roles.of.push_back(!roles.by_aama  ? DxfRole::cut
-                       : only_repeated ? repeated_role(c.layer)
-                                       : role_of_layer(c.layer));
-  for (std::size_t i = 0; i < chains.size(); ++i)
+  roles.by_aama = by_aama;
+  for (std::size_t i = 0; i < chains.size(); ++i) {
+    roles.of.push_back(by_aama ? role_of(chains[i].layer) : DxfRole::cut);
     if (chains[i].inner && roles.makes_outlines(i)) roles.of[i] = DxfRole::internal;
+  }
   return roles;
 }
 

@@ -18,8 +18,8 @@ struct DxfRoles {
   bool makes_outlines(std::size_t i) const { return of[i] == DxfRole::cut || of[i] == DxfRole::sew; }
 };
 
-/// Layers have AAMA's meaning where any line stands on those of outlines. Where outlines stand on the layers
-/// that repeat others alone, those count as the others.
+/// Layers have AAMA's meaning where any line stands on those of outlines. Layers that repeat others (84 to
+/// 87) count as the others where nothing stands on those.
 DxfRoles roles_of(const std::vector<DxfChain>& chains);
 
 /// A mirror line of the place.
