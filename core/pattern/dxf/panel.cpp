@@ -1,11 +1,13 @@
 // The panel of a piece: which corners part its edges, and where its curves end.
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "core/geometry/polygon2.h"
 #include "core/pattern/curve.h"
 #include "core/pattern/dxf/read.h"
+#include "core/pattern/validate.h"
 
 namespace toile::dxf {
 namespace {
@@ -59,10 +61,9 @@ std::vector<pattern::InnerLine> drawn_lines(const DxfPiece& piece) {
   return lines;
 }
 
-}  // namespace
-
-Result<pattern::Panel> panel_from_piece(const DxfPiece& piece, std::span<const Vec2> forced_corners,
-                                        const pattern::OutlineSettings& settings) {
+/// The panel with curves that pass the drawing's vertices as closely as the settings ask.
+Result<pattern::Panel> fitted_panel(const DxfPiece& piece, std::span<const Vec2> forced_corners,
+                                    const pattern::OutlineSettings& settings) {
   const auto place = [&](Error error) {
     error.where = "piece " + piece.name + (error.where.empty() ? "" : ", " + error.where);
     return error;
@@ -89,6 +90,61 @@ Result<pattern::Panel> panel_from_piece(const DxfPiece& piece, std::span<const V
   }
   panel.lines = drawn_lines(piece);
   return panel;
+}
+
+/// Whether the panel's lines cross or touch, or a hole leaves the cloth.
+bool crosses(const pattern::Panel& panel) {
+  const Status status = pattern::validate(panel);
+  return !status &&
+         (status.error().code == "pattern.self_crossing" || status.error().code == "pattern.hole_outside");
+}
+
+/// The edge straight from vertex to vertex of the outline; nothing when its ends are none.
+std::optional<pattern::PanelEdge> straightened(const pattern::PanelEdge& edge,
+                                               const std::vector<Vec2>& outline) {
+  const std::size_t n = outline.size();
+  const auto number_of = [&](Vec2 p) {
+    return std::size_t(std::find(outline.begin(), outline.end(), p) - outline.begin());
+  };
+  const std::size_t first = number_of(edge.curves.front().p0), last = number_of(edge.curves.back().p3);
+  if (first == n || last == n || first == last) return std::nullopt;
+  const std::size_t step = geometry::signed_area(outline) < 0 ? n - 1 : 1;
+  pattern::PanelEdge chords{edge.id, {}};
+  for (std::size_t i = first; i != last; i = (i + step) % n)
+    chords.curves.push_back(pattern::line_segment(outline[i], outline[(i + step) % n]));
+  return chords;
+}
+
+/// The panel with as few edges drawn straight from vertex to vertex as keep its lines apart: one, else all
+/// that can be.
+pattern::Panel without_crossings(const pattern::Panel& panel, const std::vector<Vec2>& outline) {
+  pattern::Panel all = panel;
+  for (std::size_t i = 0; i < panel.outline.edges.size(); ++i) {
+    const std::optional<pattern::PanelEdge> chords = straightened(panel.outline.edges[i], outline);
+    if (!chords) continue;
+    pattern::Panel one = panel;
+    one.outline.edges[i] = *chords;
+    if (!crosses(one)) return one;
+    all.outline.edges[i] = *chords;
+  }
+  return all;
+}
+
+}  // namespace
+
+Result<pattern::Panel> panel_from_piece(const DxfPiece& piece, std::span<const Vec2> forced_corners,
+                                        const pattern::OutlineSettings& settings) {
+  constexpr double kCloser = 0.25;  // times the tolerance before
+  constexpr int kMostTries = 3;
+  pattern::Panel panel = TRY(fitted_panel(piece, forced_corners, settings));
+  // Lines that part at an angle of a degree or two, or run side by side within the tolerance, do not cross in
+  // the drawing; their curves may.
+  pattern::OutlineSettings closer = settings;
+  for (int i = 0; i < kMostTries && crosses(panel); ++i) {
+    closer.fit_tolerance_mm *= kCloser;
+    panel = TRY(fitted_panel(piece, forced_corners, closer));
+  }
+  return crosses(panel) ? without_crossings(panel, piece.outline) : panel;
 }
 
 }  // namespace toile::dxf

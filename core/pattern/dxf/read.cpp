@@ -83,7 +83,14 @@ Error too_many_pieces(const DxfSettings& settings) {
 /// The piece with clean outlines, or why it cannot be cut.
 std::optional<Error> clean(DxfFound& found, const std::string& where, DxfNotes& notes) {
   DxfPiece& piece = found.piece;
-  const RepairedOutline repaired = without_small_loops(piece.outline);
+  const RepairedOutline onwards = without_backtracks(piece.outline);
+  if (!onwards.cut_at.empty())
+    notes.warn(piece.line,
+               "the outline turned back within 0.1 mm in " + std::to_string(onwards.cut_at.size()) +
+                   (onwards.cut_at.size() == 1 ? " place" : " places") + " and was smoothed, first at " +
+                   pattern::place_text(onwards.cut_at[0]),
+               found.id, onwards.cut_at[0]);
+  const RepairedOutline repaired = without_small_loops(onwards.points);
   for (const Vec2 at : repaired.cut_at)
     notes.warn(piece.line, "a loop of less than 5 mm was cut off the outline at " + pattern::place_text(at),
                found.id, at);
@@ -91,7 +98,7 @@ std::optional<Error> clean(DxfFound& found, const std::string& where, DxfNotes& 
   if (!outline) return as_dxf(outline.error(), where);
   piece.outline = std::move(*outline);
   for (std::vector<Vec2>& hole : piece.holes) {
-    Result<std::vector<Vec2>> cleaned = pattern::clean_outline(hole);
+    Result<std::vector<Vec2>> cleaned = pattern::clean_outline(without_backtracks(hole).points);
     if (!cleaned) return as_dxf(cleaned.error(), where + ", hole");
     hole = std::move(*cleaned);
   }

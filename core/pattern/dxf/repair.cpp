@@ -39,16 +39,49 @@ std::optional<std::vector<Vec2>> cut(const std::vector<Vec2>& p, const geometry:
   return rest.size() >= 3 && rest.size() <= p.size() + 1 ? std::optional(std::move(rest)) : std::nullopt;
 }
 
+/// Whether the way a → b → c turns back at b on a short stretch.
+bool is_backtrack(Vec2 a, Vec2 b, Vec2 c) {
+  constexpr double kShort = 0.1;       // mm
+  constexpr double kTurnsBack = -0.5;  // cosine of the turn: more than 120°
+  const double in = length(b - a), out = length(c - b);
+  return std::min(in, out) < kShort && dot(b - a, c - b) < kTurnsBack * in * out;
+}
+
+/// Vertices of one place as one: segments must be real ones.
+void join_vertices(std::vector<Vec2>& p) {
+  const auto same = [](Vec2 a, Vec2 b) { return length(b - a) < pattern::kJointTolerance; };
+  p.erase(std::unique(p.begin(), p.end(), same), p.end());
+  while (p.size() > 1 && same(p.back(), p.front())) p.pop_back();
+}
+
 }  // namespace
+
+RepairedOutline without_backtracks(const std::vector<Vec2>& outline) {
+  RepairedOutline result{outline, {}};
+  std::vector<Vec2>& p = result.points;
+  join_vertices(p);
+  bool found = true;
+  while (found &&
+         p.size() > 3) {  // a tip that goes may leave another one: each round takes one away at least
+    found = false;
+    std::vector<Vec2> kept;
+    for (std::size_t i = 0, n = p.size(); i < n; ++i) {
+      const Vec2 before = kept.empty() ? p[n - 1] : kept.back();
+      const bool tip = n - i + kept.size() > 3 && is_backtrack(before, p[i], p[(i + 1) % n]);
+      found = found || tip;
+      if (tip) result.cut_at.push_back(p[i]);
+      if (!tip) kept.push_back(p[i]);
+    }
+    p = std::move(kept);
+    join_vertices(p);
+  }
+  return result.cut_at.empty() ? RepairedOutline{outline, {}} : result;
+}
 
 RepairedOutline without_small_loops(const std::vector<Vec2>& outline) {
   RepairedOutline result{outline, {}};
   std::vector<Vec2>& p = result.points;
-  // Vertices of one place first: the crossing's segments must be real ones.
-  p.erase(std::unique(p.begin(), p.end(),
-                      [](Vec2 a, Vec2 b) { return length(b - a) < pattern::kJointTolerance; }),
-          p.end());
-  while (p.size() > 1 && length(p.back() - p.front()) < pattern::kJointTolerance) p.pop_back();
+  join_vertices(p);
   if (p.size() < 4) return {outline, {}};
   for (int i = 0; i < kMostLoops; ++i) {
     const std::vector<std::vector<Vec2>> loops{p};
