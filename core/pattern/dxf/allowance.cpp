@@ -103,7 +103,7 @@ Between between(const DxfLoop& sew, const DxfLoop& cut) {
 }  // namespace
 
 bool is_seam_line(const DxfLoop& inner, const DxfLoop& outer, DxfSewClaim claim) {
-  const Asked& asked = claim == DxfSewClaim::said ? kSaid : kPossible;
+  const Asked& asked = claim == DxfSewClaim::kSaid ? kSaid : kPossible;
   if (inner.area < asked.area * outer.area || !outer.box.grown(asked.astray).contains(inner.box))
     return false;
   Between lines = between(inner, outer);

@@ -7,8 +7,8 @@ namespace toile::dxf {
 
 /// What the drawing says of a line that may be a sew line.
 enum class DxfSewClaim {
-  said,      ///< it stands on the layer of sew lines: its shape has to contradict that
-  possible,  ///< nothing, or that it is a line within the piece: its shape has to prove it
+  kSaid,      ///< it stands on the layer of sew lines: its shape has to contradict that
+  kPossible,  ///< nothing, or that it is a line within the piece: its shape has to prove it
 };
 
 /// Whether the inner loop follows the outer one at the widths of seam allowances. Each seam may have its own

@@ -149,7 +149,7 @@ bool in_range(const std::vector<Vec2>& points, double limit) {
 /// Tells of a line that leads out of that plane.
 void tell_out_of_range(const DxfCurve& curve, DxfNotes& notes) {
   notes.fail({"dxf.coordinate_range", "The line leads beyond any pattern.", line_text(curve.line)});
-  notes.mark(curve.entity, DxfFate::dropped, "it leads beyond any pattern");
+  notes.mark(curve.entity, DxfFate::kDropped, "it leads beyond any pattern");
   notes.warn(curve.line, "a line leads beyond any pattern and is left out");
 }
 
@@ -163,7 +163,7 @@ void chain_layer(const std::string& layer, const std::vector<DxfStroke>& strokes
                  DxfChains& out) {
   const DxfBranches parts = part_branches(strokes, tolerance);
   for (const std::size_t i : parts.repeated)
-    out.notes.mark(strokes[i].entity, DxfFate::dropped, "drawn a second time");
+    out.notes.mark(strokes[i].entity, DxfFate::kDropped, "drawn a second time");
   for (const std::size_t i : parts.parted)
     out.notes.warn(strokes[i].line,
                    "lines on layer " + layer + " part an outline: it is taken around the outside", -1,
@@ -231,7 +231,7 @@ Result<DxfChains> chains_of(const std::vector<DxfPart>& parts, const DxfReading&
       if (points.empty()) continue;
       const bool curved = !curve.is_straight();
       if (is_dot(points)) {
-        out.notes.mark(curve.entity, DxfFate::dropped, "it has no length");
+        out.notes.mark(curve.entity, DxfFate::kDropped, "it has no length");
       } else if (curve.closed) {
         out.chains.push_back(
             {std::move(points), true, curve.layer, curve.line, {}, false, {curve.entity}, curved});

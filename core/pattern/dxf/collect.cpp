@@ -19,15 +19,15 @@ std::initializer_list<int> needed_codes(DxfType type) {
   static const std::initializer_list<int> kPlace{10, 20}, kLine{10, 20, 11, 21}, kCircle{10, 20, 40},
       kArc{10, 20, 40, 50, 51}, kNone{};
   switch (type) {
-    case DxfType::vertex:
-    case DxfType::point:
+    case DxfType::kVertex:
+    case DxfType::kPoint:
       return kPlace;
-    case DxfType::line:
-    case DxfType::ellipse:
+    case DxfType::kLine:
+    case DxfType::kEllipse:
       return kLine;
-    case DxfType::circle:
+    case DxfType::kCircle:
       return kCircle;
-    case DxfType::arc:
+    case DxfType::kArc:
       return kArc;
     default:
       return kNone;
@@ -37,7 +37,7 @@ std::initializer_list<int> needed_codes(DxfType type) {
 }  // namespace
 
 bool DxfCurve::is_straight() const {
-  if (kind != Kind::polyline) return false;
+  if (kind != Kind::kPolyline) return false;
   for (const DxfVertex& v : vertices)
     if (v.bulge != 0) return false;
   return true;
@@ -58,7 +58,7 @@ std::size_t DxfCollector::add(const DxfDraft& d) {
 }
 
 void DxfCollector::drop(const DxfDraft& d, const std::string& reason) {
-  file_.log.mark(add(d), DxfFate::dropped, reason);
+  file_.log.mark(add(d), DxfFate::kDropped, reason);
 }
 
 void DxfCollector::fail(const DxfDraft& d, const Error& error) {
@@ -80,11 +80,11 @@ std::optional<Error> DxfCollector::missing(const DxfDraft& d) const {
 }
 
 std::optional<Error> DxfCollector::store(DxfDraft& d) {
-  if (d.type == DxfType::block) return begin_block(d), std::nullopt;
-  if (d.type == DxfType::seqend) return end_sequence(d), std::nullopt;
+  if (d.type == DxfType::kBlock) return begin_block(d), std::nullopt;
+  if (d.type == DxfType::kSeqend) return end_sequence(d), std::nullopt;
   std::optional<Error> fault = needs_numbers(d.type) ? d.fault : std::nullopt;
   if (!fault) fault = missing(d);
-  if (d.type == DxfType::vertex) {
+  if (d.type == DxfType::kVertex) {
     if (auto error = count_vertex(d.line)) return error;
     if (polyline_ && fault && !polyline_fault_) polyline_fault_ = fault;
     return add_vertex(d), std::nullopt;
@@ -93,34 +93,34 @@ std::optional<Error> DxfCollector::store(DxfDraft& d) {
   if (fault) return fail(d, *fault), std::nullopt;
   if (d.flags(kPaperSpace) == 1) return drop(d, "lies on the printed sheet (paper space)"), std::nullopt;
   switch (d.type) {
-    case DxfType::polyline:
+    case DxfType::kPolyline:
       begin_polyline(d);
       break;
-    case DxfType::lwpolyline:
+    case DxfType::kLwPolyline:
       add_lwpolyline(d);
       break;
-    case DxfType::line:
+    case DxfType::kLine:
       add_line(d);
       break;
-    case DxfType::arc:
-    case DxfType::circle:
+    case DxfType::kArc:
+    case DxfType::kCircle:
       add_arc(d);
       break;
-    case DxfType::ellipse:
+    case DxfType::kEllipse:
       add_ellipse(d);
       break;
-    case DxfType::spline:
+    case DxfType::kSpline:
       add_spline(d);
       break;
-    case DxfType::point:
+    case DxfType::kPoint:
       add_point(d);
       break;
-    case DxfType::text:
-    case DxfType::mtext:
-    case DxfType::attribute:
+    case DxfType::kText:
+    case DxfType::kMtext:
+    case DxfType::kAttribute:
       add_text(d);
       break;
-    case DxfType::insert:
+    case DxfType::kInsert:
       add_insert(d);
       break;
     default:
@@ -180,22 +180,22 @@ void DxfCollector::end_polyline(int line) {
   DxfCurve curve = std::move(*polyline_);
   polyline_.reset();
   if (line > 0) file_.log.warn(curve.line, "POLYLINE without SEQEND: it ends before " + line_text(line));
-  if (polyline_is_mesh_) return file_.log.mark(curve.entity, DxfFate::dropped, "a mesh makes no outline");
+  if (polyline_is_mesh_) return file_.log.mark(curve.entity, DxfFate::kDropped, "a mesh makes no outline");
   if (polyline_fault_) {
-    file_.log.mark(curve.entity, DxfFate::dropped, polyline_fault_->message);
+    file_.log.mark(curve.entity, DxfFate::kDropped, polyline_fault_->message);
     file_.log.warn(curve.line, "the POLYLINE is left out: " + polyline_fault_->message);
     if (!file_.fault) file_.fault = polyline_fault_;
     return;
   }
   if (curve.vertices.size() < 2)
-    return file_.log.mark(curve.entity, DxfFate::dropped, "it has fewer than two vertices");
+    return file_.log.mark(curve.entity, DxfFate::kDropped, "it has fewer than two vertices");
   target().curves.push_back(std::move(curve));
 }
 
 void DxfCollector::cut_off(const DxfDraft& d) {
-  if (d.type == DxfType::block) return file_.log.structure();
-  if (polyline_ && (d.type == DxfType::vertex || d.type == DxfType::seqend)) {
-    if (d.type == DxfType::seqend) return end_sequence(d);
+  if (d.type == DxfType::kBlock) return file_.log.structure();
+  if (polyline_ && (d.type == DxfType::kVertex || d.type == DxfType::kSeqend)) {
+    if (d.type == DxfType::kSeqend) return end_sequence(d);
     return file_.log.vertex();
   }
   drop(d, "the file ends within it");
@@ -204,7 +204,7 @@ void DxfCollector::cut_off(const DxfDraft& d) {
 
 bool DxfCollector::cut_polyline() {
   if (!polyline_) return false;
-  file_.log.mark(polyline_->entity, DxfFate::dropped, "the file ends within it");
+  file_.log.mark(polyline_->entity, DxfFate::kDropped, "the file ends within it");
   file_.log.warn(polyline_->line, "the POLYLINE is left out: the file ends within it");
   polyline_.reset();
   return true;
@@ -227,19 +227,19 @@ void DxfCollector::add_line(const DxfDraft& d) {
 
 void DxfCollector::add_arc(const DxfDraft& d) {
   DxfCurve c = curve_of(d);
-  c.kind = DxfCurve::Kind::arc;
+  c.kind = DxfCurve::Kind::kArc;
   c.vertices = {{d.at(), 0}};
   c.radius = std::abs(d.number(40));
   c.start = d.number(50);
   c.end = d.number(51);
-  c.closed = d.type == DxfType::circle;
+  c.closed = d.type == DxfType::kCircle;
   target().curves.push_back(std::move(c));
 }
 
 void DxfCollector::add_ellipse(const DxfDraft& d) {
   constexpr double kWhole = 6.283185;  // radians, as far as files carry it
   DxfCurve c = curve_of(d);
-  c.kind = DxfCurve::Kind::ellipse;
+  c.kind = DxfCurve::Kind::kEllipse;
   c.vertices = {{d.at(), 0}, {{d.number(11), d.number(21)}, 0}};
   c.radius = std::abs(d.number(40, 1));
   c.start = d.number(41);
@@ -261,7 +261,7 @@ void DxfCollector::add_spline(DxfDraft& d) {
     return;
   }
   DxfCurve c = curve_of(d);
-  c.kind = sound ? DxfCurve::Kind::spline : DxfCurve::Kind::through;
+  c.kind = sound ? DxfCurve::Kind::kSpline : DxfCurve::Kind::kThrough;
   c.degree = int(degree);
   c.closed = !sound && (d.flags() & 1) != 0;
   c.vertices = std::move(sound ? d.vertices : d.through);

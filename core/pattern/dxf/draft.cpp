@@ -9,12 +9,13 @@ namespace {
 constexpr double kMostBulge = 1e3;  // beyond, an arc is a full circle but for a thousandth
 
 /// A spline lists its control points, the points that it passes, its knots and its weights.
-bool is_spline(const DxfDraft& d) { return d.type == DxfType::spline; }
+bool is_spline(const DxfDraft& d) { return d.type == DxfType::kSpline; }
 
 bool out_of_range(const DxfDraft& d, int code, double v, double max_coordinate) {
-  if (code == 42 && d.type != DxfType::insert && d.type != DxfType::ellipse) return std::abs(v) > kMostBulge;
+  if (code == 42 && d.type != DxfType::kInsert && d.type != DxfType::kEllipse)
+    return std::abs(v) > kMostBulge;
   const bool length = code == 10 || code == 20 || code == 11 || code == 21 ||
-                      (code == 40 && !is_spline(d) && d.type != DxfType::ellipse);
+                      (code == 40 && !is_spline(d) && d.type != DxfType::kEllipse);
   return length && std::abs(v) > max_coordinate;
 }
 
@@ -46,7 +47,7 @@ void take_listed(DxfDraft& d, int code, double v) {
   }
 }
 
-bool lists_points(const DxfDraft& d) { return d.type == DxfType::lwpolyline || is_spline(d); }
+bool lists_points(const DxfDraft& d) { return d.type == DxfType::kLwPolyline || is_spline(d); }
 
 /// What is wrong with the number that the group should hold.
 Error number_fault(const DxfDraft& d, const DxfGroup& group, bool is_none) {
@@ -59,23 +60,23 @@ Error number_fault(const DxfDraft& d, const DxfGroup& group, bool is_none) {
 }  // namespace
 
 DxfType dxf_type_of(std::string_view name) {
-  static const std::map<std::string_view, DxfType> kTypes{{"POLYLINE", DxfType::polyline},
-                                                          {"VERTEX", DxfType::vertex},
-                                                          {"SEQEND", DxfType::seqend},
-                                                          {"LINE", DxfType::line},
-                                                          {"ARC", DxfType::arc},
-                                                          {"CIRCLE", DxfType::circle},
-                                                          {"LWPOLYLINE", DxfType::lwpolyline},
-                                                          {"TEXT", DxfType::text},
-                                                          {"SPLINE", DxfType::spline},
-                                                          {"ELLIPSE", DxfType::ellipse},
-                                                          {"POINT", DxfType::point},
-                                                          {"MTEXT", DxfType::mtext},
-                                                          {"ATTRIB", DxfType::attribute},
-                                                          {"INSERT", DxfType::insert},
-                                                          {"BLOCK", DxfType::block}};
+  static const std::map<std::string_view, DxfType> kTypes{{"POLYLINE", DxfType::kPolyline},
+                                                          {"VERTEX", DxfType::kVertex},
+                                                          {"SEQEND", DxfType::kSeqend},
+                                                          {"LINE", DxfType::kLine},
+                                                          {"ARC", DxfType::kArc},
+                                                          {"CIRCLE", DxfType::kCircle},
+                                                          {"LWPOLYLINE", DxfType::kLwPolyline},
+                                                          {"TEXT", DxfType::kText},
+                                                          {"SPLINE", DxfType::kSpline},
+                                                          {"ELLIPSE", DxfType::kEllipse},
+                                                          {"POINT", DxfType::kPoint},
+                                                          {"MTEXT", DxfType::kMtext},
+                                                          {"ATTRIB", DxfType::kAttribute},
+                                                          {"INSERT", DxfType::kInsert},
+                                                          {"BLOCK", DxfType::kBlock}};
   const auto it = kTypes.find(name);
-  return it == kTypes.end() ? DxfType::skipped : it->second;
+  return it == kTypes.end() ? DxfType::kSkipped : it->second;
 }
 
 bool wants(DxfType type, int code) {
@@ -83,31 +84,31 @@ bool wants(DxfType type, int code) {
     return code == kPaperSpace || std::find(codes.begin(), codes.end(), code) != codes.end();
   };
   switch (type) {
-    case DxfType::polyline:
+    case DxfType::kPolyline:
       return any({70, 230});
-    case DxfType::vertex:
+    case DxfType::kVertex:
       return any({10, 20, 42, 70});
-    case DxfType::lwpolyline:
+    case DxfType::kLwPolyline:
       return any({10, 20, 42, 70, 90, 230});
-    case DxfType::line:
+    case DxfType::kLine:
       return any({10, 20, 11, 21});
-    case DxfType::arc:
+    case DxfType::kArc:
       return any({10, 20, 40, 50, 51, 230});
-    case DxfType::circle:
+    case DxfType::kCircle:
       return any({10, 20, 40, 230});
-    case DxfType::ellipse:
+    case DxfType::kEllipse:
       return any({10, 20, 11, 21, 40, 41, 42, 230});
-    case DxfType::spline:
+    case DxfType::kSpline:
       return any({10, 20, 11, 21, 40, 41, 70, 71, 72, 73});
-    case DxfType::point:
+    case DxfType::kPoint:
       return any({10, 20, 30, 50});
-    case DxfType::text:
-    case DxfType::mtext:
-    case DxfType::attribute:
+    case DxfType::kText:
+    case DxfType::kMtext:
+    case DxfType::kAttribute:
       return any({10, 20, 40});
-    case DxfType::insert:
+    case DxfType::kInsert:
       return any({10, 20, 41, 42, 50, 66, 70, 71, 230});
-    case DxfType::block:
+    case DxfType::kBlock:
       return any({10, 20});
     default:
       return false;
@@ -115,8 +116,8 @@ bool wants(DxfType type, int code) {
 }
 
 bool needs_numbers(DxfType type) {
-  return type != DxfType::text && type != DxfType::mtext && type != DxfType::attribute &&
-         type != DxfType::block && type != DxfType::skipped;
+  return type != DxfType::kText && type != DxfType::kMtext && type != DxfType::kAttribute &&
+         type != DxfType::kBlock && type != DxfType::kSkipped;
 }
 
 bool take_words(DxfDraft& d, const DxfGroup& group, DxfEncoding encoding) {
@@ -129,8 +130,8 @@ bool take_words(DxfDraft& d, const DxfGroup& group, DxfEncoding encoding) {
       return true;
     case 1:
     case 3:  // long MTEXTs come in several groups 3 and a last group 1
-      if (d.type == DxfType::mtext)
-        d.text = clean_text(d.text + clean_text(plain_text(group.value), encoding), DxfEncoding::latin);
+      if (d.type == DxfType::kMtext)
+        d.text = clean_text(d.text + clean_text(plain_text(group.value), encoding), DxfEncoding::kLatin);
       else if (group.code == 1)
         d.text = clean_text(group.value, encoding);
       return true;

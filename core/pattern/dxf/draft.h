@@ -19,22 +19,22 @@ inline constexpr int kPaperSpace = 67;
 
 /// What is read; all else is skipped.
 enum class DxfType {
-  skipped,
-  polyline,
-  vertex,
-  seqend,
-  lwpolyline,
-  line,
-  arc,
-  circle,
-  ellipse,
-  spline,
-  point,
-  text,
-  mtext,
-  insert,
-  attribute,
-  block
+  kSkipped,
+  kPolyline,
+  kVertex,
+  kSeqend,
+  kLwPolyline,
+  kLine,
+  kArc,
+  kCircle,
+  kEllipse,
+  kSpline,
+  kPoint,
+  kText,
+  kMtext,
+  kInsert,
+  kAttribute,
+  kBlock
 };
 
 DxfType dxf_type_of(std::string_view name);
@@ -47,7 +47,7 @@ bool needs_numbers(DxfType type);
 
 /// An entity while its groups come in.
 struct DxfDraft {
-  DxfType type = DxfType::skipped;
+  DxfType type = DxfType::kSkipped;
   std::string name, layer = "0", text, reference;  // reference: group 2, a block's name
   int line = 0;
   std::map<int, double> numbers;

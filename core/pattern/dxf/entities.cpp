@@ -16,7 +16,7 @@ namespace {
 /// What the HEADER says, one variable after the other.
 struct Header {
   std::string variable;  // whose groups come now
-  DxfEncoding encoding = DxfEncoding::unknown;
+  DxfEncoding encoding = DxfEncoding::kUnknown;
 
   void hear(const DxfGroup& group, DxfFile& file) {
     if (group.code == 9) variable = std::string(group.value);
@@ -128,12 +128,12 @@ class Parser {
       return d.numbers.contains(code) && d.number(code) == double(there);
     };
     switch (d.type) {
-      case DxfType::lwpolyline:
+      case DxfType::kLwPolyline:
         return counted(90, d.vertices.size()) && !d.awaits_y;
-      case DxfType::spline:
+      case DxfType::kSpline:
         return counted(73, d.vertices.size()) && counted(72, d.knots.size()) && !d.awaits_y;
-      case DxfType::polyline:
-      case DxfType::vertex:
+      case DxfType::kPolyline:
+      case DxfType::kVertex:
         return false;  // SEQEND is missing
       default:
         return true;  // what a group is missing of is found out as ever
@@ -151,8 +151,8 @@ class Parser {
     draft_->type = dxf_type_of(group.value);
     draft_->name = clean_text(group.value);
     draft_->line = group.line;
-    if (draft_->type == DxfType::vertex || draft_->type == DxfType::seqend ||
-        draft_->type == DxfType::attribute)
+    if (draft_->type == DxfType::kVertex || draft_->type == DxfType::kSeqend ||
+        draft_->type == DxfType::kAttribute)
       return std::nullopt;
     if (!reader_.ended_a_line() && group.value != "ENDBLK")
       return std::nullopt;  // half a word, perhaps VERTEX
@@ -209,7 +209,7 @@ class Parser {
     DxfDraft draft = std::move(*draft_);
     draft_.reset();
     // Between two blocks there is nothing but what a careless program left there.
-    if (section_.name == "BLOCKS" && !collector_.in_block() && draft.type != DxfType::block) {
+    if (section_.name == "BLOCKS" && !collector_.in_block() && draft.type != DxfType::kBlock) {
       file_.log.elsewhere();
       return std::nullopt;
     }

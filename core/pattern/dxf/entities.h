@@ -23,13 +23,14 @@ struct DxfVertex {
 /// A line of the drawing. Which fields count is said beside `Kind`.
 struct DxfCurve {
   enum class Kind {
-    polyline,  ///< vertices, closed
-    arc,       ///< vertices[0] the centre, radius, start and end angle (degrees); closed: a circle
-    ellipse,  ///< vertices[0] the centre, [1] the major axis, radius the axes' ratio, start and end (radians)
-    spline,   ///< vertices the control points, degree, knots, weights (empty: all 1)
-    through,  ///< vertices lie on a smooth curve; closed
+    kPolyline,  ///< vertices, closed
+    kArc,       ///< vertices[0] the centre, radius, start and end angle (degrees); closed: a circle
+    kEllipse,   ///< vertices[0] the centre, [1] the major axis, radius the axes' ratio, start and end
+                ///< (radians)
+    kSpline,    ///< vertices the control points, degree, knots, weights (empty: all 1)
+    kThrough,   ///< vertices lie on a smooth curve; closed
   };
-  Kind kind = Kind::polyline;
+  Kind kind = Kind::kPolyline;
   std::string layer;
   int line = 0;
   std::size_t entity = 0;  ///< its number in the log

@@ -24,55 +24,55 @@ std::optional<int> layer_number(const std::string& layer) {
 
 DxfRole role_of_number(int number) {
   static const std::map<int, DxfRole> kRoles{
-      {1, DxfRole::cut},     {2, DxfRole::turn},   {3, DxfRole::curve},   {4, DxfRole::notch},
-      {5, DxfRole::grade},   {6, DxfRole::mirror}, {7, DxfRole::grain},   {8, DxfRole::internal},
-      {9, DxfRole::guide},   {10, DxfRole::guide}, {11, DxfRole::cutout}, {13, DxfRole::drill},
-      {14, DxfRole::sew},    {15, DxfRole::text},  {80, DxfRole::notch},  {81, DxfRole::notch},
-      {82, DxfRole::notch},  {83, DxfRole::notch}, {84, DxfRole::repeat}, {85, DxfRole::repeat},
-      {86, DxfRole::repeat}, {87, DxfRole::repeat}};
+      {1, DxfRole::kCut},     {2, DxfRole::kTurn},   {3, DxfRole::kCurve},   {4, DxfRole::kNotch},
+      {5, DxfRole::kGrade},   {6, DxfRole::kMirror}, {7, DxfRole::kGrain},   {8, DxfRole::kInternal},
+      {9, DxfRole::kGuide},   {10, DxfRole::kGuide}, {11, DxfRole::kCutout}, {13, DxfRole::kDrill},
+      {14, DxfRole::kSew},    {15, DxfRole::kText},  {80, DxfRole::kNotch},  {81, DxfRole::kNotch},
+      {82, DxfRole::kNotch},  {83, DxfRole::kNotch}, {84, DxfRole::kRepeat}, {85, DxfRole::kRepeat},
+      {86, DxfRole::kRepeat}, {87, DxfRole::kRepeat}};
   const auto it = kRoles.find(number);
-  return it == kRoles.end() ? DxfRole::other : it->second;
+  return it == kRoles.end() ? DxfRole::kOther : it->second;
 }
 
 DxfRole role_of_name(const std::string& layer) {
-  static const std::map<std::string, DxfRole> kRoles{{"cut", DxfRole::cut},
-                                                     {"cutline", DxfRole::cut},
-                                                     {"cutting", DxfRole::cut},
-                                                     {"cuttingline", DxfRole::cut},
-                                                     {"boundary", DxfRole::cut},
-                                                     {"outline", DxfRole::cut},
-                                                     {"pieceboundary", DxfRole::cut},
-                                                     {"sew", DxfRole::sew},
-                                                     {"sewline", DxfRole::sew},
-                                                     {"sewing", DxfRole::sew},
-                                                     {"sewingline", DxfRole::sew},
-                                                     {"stitch", DxfRole::sew},
-                                                     {"stitchline", DxfRole::sew},
-                                                     {"seam", DxfRole::sew},
-                                                     {"seamline", DxfRole::sew},
-                                                     {"notch", DxfRole::notch},
-                                                     {"notches", DxfRole::notch},
-                                                     {"grain", DxfRole::grain},
-                                                     {"grainline", DxfRole::grain},
-                                                     {"mirror", DxfRole::mirror},
-                                                     {"mirrorline", DxfRole::mirror},
-                                                     {"fold", DxfRole::mirror},
-                                                     {"foldline", DxfRole::mirror},
-                                                     {"internal", DxfRole::internal},
-                                                     {"internals", DxfRole::internal},
-                                                     {"internalline", DxfRole::internal},
-                                                     {"drill", DxfRole::drill},
-                                                     {"drillhole", DxfRole::drill},
-                                                     {"drillholes", DxfRole::drill},
-                                                     {"cutout", DxfRole::cutout},
-                                                     {"cutouts", DxfRole::cutout},
-                                                     {"text", DxfRole::text},
-                                                     {"annotation", DxfRole::text}};
+  static const std::map<std::string, DxfRole> kRoles{{"cut", DxfRole::kCut},
+                                                     {"cutline", DxfRole::kCut},
+                                                     {"cutting", DxfRole::kCut},
+                                                     {"cuttingline", DxfRole::kCut},
+                                                     {"boundary", DxfRole::kCut},
+                                                     {"outline", DxfRole::kCut},
+                                                     {"pieceboundary", DxfRole::kCut},
+                                                     {"sew", DxfRole::kSew},
+                                                     {"sewline", DxfRole::kSew},
+                                                     {"sewing", DxfRole::kSew},
+                                                     {"sewingline", DxfRole::kSew},
+                                                     {"stitch", DxfRole::kSew},
+                                                     {"stitchline", DxfRole::kSew},
+                                                     {"seam", DxfRole::kSew},
+                                                     {"seamline", DxfRole::kSew},
+                                                     {"notch", DxfRole::kNotch},
+                                                     {"notches", DxfRole::kNotch},
+                                                     {"grain", DxfRole::kGrain},
+                                                     {"grainline", DxfRole::kGrain},
+                                                     {"mirror", DxfRole::kMirror},
+                                                     {"mirrorline", DxfRole::kMirror},
+                                                     {"fold", DxfRole::kMirror},
+                                                     {"foldline", DxfRole::kMirror},
+                                                     {"internal", DxfRole::kInternal},
+                                                     {"internals", DxfRole::kInternal},
+                                                     {"internalline", DxfRole::kInternal},
+                                                     {"drill", DxfRole::kDrill},
+                                                     {"drillhole", DxfRole::kDrill},
+                                                     {"drillholes", DxfRole::kDrill},
+                                                     {"cutout", DxfRole::kCutout},
+                                                     {"cutouts", DxfRole::kCutout},
+                                                     {"text", DxfRole::kText},
+                                                     {"annotation", DxfRole::kText}};
   std::string name;
   for (const char c : lower_case(layer))
     if (c != ' ' && c != '_' && c != '-') name += c;
   const auto it = kRoles.find(name);
-  return it == kRoles.end() ? DxfRole::other : it->second;
+  return it == kRoles.end() ? DxfRole::kOther : it->second;
 }
 
 }  // namespace
@@ -84,10 +84,10 @@ DxfRole role_of_layer(const std::string& layer) {
 
 DxfRole repeated_role(const std::string& layer) {
   const int number = layer_number(layer).value_or(0);
-  if (number == 84) return DxfRole::cut;
-  if (number == 85) return DxfRole::internal;
-  if (number == 86) return DxfRole::cutout;
-  if (number == 87) return DxfRole::sew;
+  if (number == 84) return DxfRole::kCut;
+  if (number == 85) return DxfRole::kInternal;
+  if (number == 86) return DxfRole::kCutout;
+  if (number == 87) return DxfRole::kSew;
   return role_of_layer(layer);
 }
 

@@ -7,21 +7,21 @@ namespace toile::dxf {
 
 /// By the numbers of ANSI/AAMA-292 and ASTM D6673, and by the names that people give.
 enum class DxfRole {
-  cut,       ///< 1
-  turn,      ///< 2: points where the outline turns
-  curve,     ///< 3: points on its curves
-  notch,     ///< 4, and 80 to 83 for other shapes of notch
-  grade,     ///< 5
-  mirror,    ///< 6
-  grain,     ///< 7
-  internal,  ///< 8
-  guide,     ///< 9, 10: stripes and plaids
-  cutout,    ///< 11
-  drill,     ///< 13
-  sew,       ///< 14
-  text,      ///< 15
-  repeat,    ///< 84, 85, 86, 87: layers 1, 8, 11, 14 once more, more closely drawn
-  other
+  kCut,       ///< 1
+  kTurn,      ///< 2: points where the outline turns
+  kCurve,     ///< 3: points on its curves
+  kNotch,     ///< 4, and 80 to 83 for other shapes of notch
+  kGrade,     ///< 5
+  kMirror,    ///< 6
+  kGrain,     ///< 7
+  kInternal,  ///< 8
+  kGuide,     ///< 9, 10: stripes and plaids
+  kCutout,    ///< 11
+  kDrill,     ///< 13
+  kSew,       ///< 14
+  kText,      ///< 15
+  kRepeat,    ///< 84, 85, 86, 87: layers 1, 8, 11, 14 once more, more closely drawn
+  kOther
 };
 
 DxfRole role_of_layer(const std::string& layer);

@@ -27,22 +27,22 @@ Error open_outline(const DxfChain& chain) {
 /// Tells of a line that lies in no piece. One that may have been meant to close is a fault.
 void tell_homeless(const DxfChain& chain, DxfRole role, DxfNotes& notes) {
   const double gap = length(chain.points.front() - chain.points.back());
-  const bool meant = (role == DxfRole::cut || role == DxfRole::sew) && !chain.closed;
+  const bool meant = (role == DxfRole::kCut || role == DxfRole::kSew) && !chain.closed;
   if (meant && gap <= geometry::polyline_length(chain.points) / 2) {
     const Error error = open_outline(chain);
     notes.fail(error);
-    tell(notes, chain, DxfFate::dropped, "an outline that does not close");
+    tell(notes, chain, DxfFate::kDropped, "an outline that does not close");
     notes.warn(chain.line, "left out: " + error.message, -1, chain.points.back());
     return;
   }
   if (meant && !notes.open) notes.open = open_outline(chain);
-  tell(notes, chain, DxfFate::dropped,
+  tell(notes, chain, DxfFate::kDropped,
        chain.closed ? "it belongs to no piece" : "it encloses nothing and belongs to no piece");
 }
 
 void keep_internal(const DxfChain& chain, DxfFound& owner, DxfNotes& notes) {
   const auto drop = [&](const std::string& reason) {
-    tell(notes, chain, DxfFate::dropped, reason, owner.id);
+    tell(notes, chain, DxfFate::kDropped, reason, owner.id);
   };
   if (geometry::polyline_length(chain.points) < pattern::kJointTolerance)
     return drop("a line without length");
@@ -52,51 +52,51 @@ void keep_internal(const DxfChain& chain, DxfFound& owner, DxfNotes& notes) {
     return drop("a line within a piece has 5,000 points at most");
   owner.piece.internals.push_back(chain.points);
   if (chain.closed) owner.piece.internals.back().push_back(chain.points.front());
-  tell(notes, chain, chain.curved ? DxfFate::converted : DxfFate::kept, "line within the piece", owner.id);
+  tell(notes, chain, chain.curved ? DxfFate::kConverted : DxfFate::kKept, "line within the piece", owner.id);
 }
 
 void keep_drill(const DxfChain& chain, DxfFound& owner, DxfNotes& notes) {
   const Aabb2 box = bounding_box(chain.points);
   owner.piece.drills.push_back(box.middle());
-  tell(notes, chain, DxfFate::converted, "drill hole", owner.id);
+  tell(notes, chain, DxfFate::kConverted, "drill hole", owner.id);
 }
 
 void set_grain(const DxfChain& chain, DxfFound& owner, DxfNotes& notes) {
-  if (owner.piece.grain) return tell(notes, chain, DxfFate::dropped, "a second grain line", owner.id);
+  if (owner.piece.grain) return tell(notes, chain, DxfFate::kDropped, "a second grain line", owner.id);
   const Vec2 d = normalized(chain.points.back() - chain.points.front());
-  if (d == Vec2{}) return tell(notes, chain, DxfFate::dropped, "a grain line without a direction", owner.id);
+  if (d == Vec2{}) return tell(notes, chain, DxfFate::kDropped, "a grain line without a direction", owner.id);
   owner.piece.grain = d.y < 0 || (d.y == 0 && d.x < 0) ? -d : d;
-  tell(notes, chain, DxfFate::kept, "grain line", owner.id);
+  tell(notes, chain, DxfFate::kKept, "grain line", owner.id);
 }
 
 /// Why a line of this role says nothing of its piece's shape; nothing when it says something.
 std::optional<std::string> idle_reason(DxfRole role) {
-  if (role == DxfRole::sew) return "a sew line that does not close";
-  if (role == DxfRole::grade) return "grade reference line";
-  if (role == DxfRole::guide) return "reference line for stripes or plaids";
+  if (role == DxfRole::kSew) return "a sew line that does not close";
+  if (role == DxfRole::kGrade) return "grade reference line";
+  if (role == DxfRole::kGuide) return "reference line for stripes or plaids";
   return std::nullopt;
 }
 
 /// Gives the line to the piece that it lies in. `role`: by AAMA's layers, or `other`.
 void place_in(const DxfChain& chain, DxfRole role, DxfFound& owner, DxfNotes& notes) {
-  if (role == DxfRole::grain) return set_grain(chain, owner, notes);
-  if (role == DxfRole::sew && chain.closed) {
+  if (role == DxfRole::kGrain) return set_grain(chain, owner, notes);
+  if (role == DxfRole::kSew && chain.closed) {
     notes.warn(chain.line,
                "the closed line on layer " + chain.layer +
                    " does not follow the cut line: it is a line within the piece, not its sew line",
                owner.id);
     return keep_internal(chain, owner, notes);
   }
-  if (role == DxfRole::sew)
+  if (role == DxfRole::kSew)
     notes.warn(chain.line, "the sew line does not close: the piece is its cut line", owner.id);
-  if (const auto idle = idle_reason(role)) return tell(notes, chain, DxfFate::dropped, *idle, owner.id);
-  if (role == DxfRole::drill) return keep_drill(chain, owner, notes);
+  if (const auto idle = idle_reason(role)) return tell(notes, chain, DxfFate::kDropped, *idle, owner.id);
+  if (role == DxfRole::kDrill) return keep_drill(chain, owner, notes);
   keep_internal(chain, owner, notes);
 }
 
 /// Whether a later pass tells of the line: mirror lines with the folds, notches with the marks.
 bool comes_later(const DxfChain& chain, DxfRole role) {
-  return role == DxfRole::mirror || (role == DxfRole::notch && !chain.closed);
+  return role == DxfRole::kMirror || (role == DxfRole::kNotch && !chain.closed);
 }
 
 }  // namespace
@@ -104,13 +104,13 @@ bool comes_later(const DxfChain& chain, DxfRole role) {
 DxfPieces with_lines(DxfPieces pieces, const std::vector<DxfChain>& chains, const DxfRoles& roles) {
   for (std::size_t i = 0; i < chains.size(); ++i) {
     const DxfChain& chain = chains[i];
-    const DxfRole meaning = roles.by_aama ? roles.of[i] : DxfRole::other;
+    const DxfRole meaning = roles.by_aama ? roles.of[i] : DxfRole::kOther;
     if (pieces.used[i] || comes_later(chain, meaning)) continue;
-    const bool outline = meaning == DxfRole::cut || meaning == DxfRole::sew;
+    const bool outline = meaning == DxfRole::kCut || meaning == DxfRole::kSew;
     const std::size_t owner = owner_of(pieces.placed, bounding_box(chain.points), outline);
     DxfFound* found = owner < pieces.placed.size() ? &pieces.placed[owner].found : nullptr;
-    if (meaning == DxfRole::repeat)
-      tell(pieces.notes, chain, DxfFate::dropped, "repeats another layer at another density",
+    if (meaning == DxfRole::kRepeat)
+      tell(pieces.notes, chain, DxfFate::kDropped, "repeats another layer at another density",
            found ? found->id : -1);
     else if (found)
       place_in(chain, meaning, *found, pieces.notes);

@@ -70,21 +70,21 @@ struct Told {
 Told give(const DxfMark& mark, DxfRole role, Vec2 at, const DxfTransform& to_mm, double mm_per_unit,
           DxfPiece& piece) {
   switch (role) {
-    case DxfRole::notch:
+    case DxfRole::kNotch:
       add_notch(piece.notches, notch_of(mark, at, to_mm, mm_per_unit));
-      return {DxfFate::kept, "notch"};
-    case DxfRole::turn:
+      return {DxfFate::kKept, "notch"};
+    case DxfRole::kTurn:
       add_apart(piece.turn_points, at);
-      return {DxfFate::kept, "turn point: a curve ends there"};
-    case DxfRole::curve:
-      return {DxfFate::dropped, "curve point: the outline passes it already"};
-    case DxfRole::drill:
+      return {DxfFate::kKept, "turn point: a curve ends there"};
+    case DxfRole::kCurve:
+      return {DxfFate::kDropped, "curve point: the outline passes it already"};
+    case DxfRole::kDrill:
       add_apart(piece.drills, at);
-      return {DxfFate::kept, "drill hole"};
-    case DxfRole::grade:
-      return {DxfFate::dropped, "grade point"};
+      return {DxfFate::kKept, "drill hole"};
+    case DxfRole::kGrade:
+      return {DxfFate::kDropped, "grade point"};
     default:
-      return {DxfFate::dropped, "a point without a meaning"};
+      return {DxfFate::kDropped, "a point without a meaning"};
   }
 }
 
@@ -92,21 +92,21 @@ void place_mark(const DxfMark& mark, DxfRole role, const DxfTransform& to_mm, do
                 DxfPieces& pieces) {
   const Vec2 at = to_mm(mark.at);
   DxfFound* owner = is_finite(at) ? owner_of(at, pieces.placed) : nullptr;
-  if (!owner) return pieces.notes.mark(mark.entity, DxfFate::dropped, "a point that belongs to no piece");
+  if (!owner) return pieces.notes.mark(mark.entity, DxfFate::kDropped, "a point that belongs to no piece");
   const Told told = give(mark, role, at, to_mm, mm_per_unit, owner->piece);
   pieces.notes.mark(mark.entity, told.fate, told.reason, owner->id);
 }
 
 /// A notch drawn as a line: it begins at the outline.
 void place_line(const DxfCurve& curve, const DxfTransform& to_mm, DxfPieces& pieces) {
-  if (curve.vertices.size() < 2 || curve.kind != DxfCurve::Kind::polyline) return;
+  if (curve.vertices.size() < 2 || curve.kind != DxfCurve::Kind::kPolyline) return;
   Vec2 a = to_mm(curve.vertices.front().at), b = to_mm(curve.vertices.back().at);
   DxfFound* owner = is_finite(a) && is_finite(b) ? owner_of(a, pieces.placed) : nullptr;
-  if (!owner) return pieces.notes.mark(curve.entity, DxfFate::dropped, "a notch that belongs to no piece");
+  if (!owner) return pieces.notes.mark(curve.entity, DxfFate::kDropped, "a notch that belongs to no piece");
   const std::vector<Vec2>& outline = owner->piece.outline;
   if (distance_to_outline(b, outline) < distance_to_outline(a, outline)) std::swap(a, b);
   add_notch(owner->piece.notches, {a, length(b - a), normalized(b - a)});
-  pieces.notes.mark(curve.entity, DxfFate::converted, "notch", owner->id);
+  pieces.notes.mark(curve.entity, DxfFate::kConverted, "notch", owner->id);
 }
 
 }  // namespace
@@ -115,11 +115,11 @@ DxfPieces with_marks(DxfPieces pieces, const std::vector<DxfPart>& parts, bool b
   for (const DxfPart& part : parts) {
     const DxfTransform to_mm = part.transform.scaled(mm_per_unit);
     for (const DxfMark& mark : part.block->marks) {
-      const DxfRole role = by_aama ? role_of_layer(mark.layer) : DxfRole::other;
+      const DxfRole role = by_aama ? role_of_layer(mark.layer) : DxfRole::kOther;
       place_mark(mark, role, to_mm, mm_per_unit, pieces);
     }
     for (const DxfCurve& curve : part.block->curves)
-      if (by_aama && !curve.closed && role_of_layer(curve.layer) == DxfRole::notch)
+      if (by_aama && !curve.closed && role_of_layer(curve.layer) == DxfRole::kNotch)
         place_line(curve, to_mm, pieces);
   }
   return pieces;

@@ -109,7 +109,7 @@ void hear(const DxfText& text, const DxfPlace& place, DxfFound& found, Heard& he
   if (told.empty()) return;
   heard.keys.insert(s->key);
   heard.entities.insert(text.entity);
-  notes.mark(text.entity, DxfFate::converted, told, found.id);
+  notes.mark(text.entity, DxfFate::kConverted, told, found.id);
 }
 
 /// Gives the place's only piece its statements; those of the sample size where it has none of its own.
@@ -181,7 +181,7 @@ DxfNamed named_by_texts(std::vector<DxfFound> pieces, const std::vector<DxfText>
     const DxfText& text = texts[t];
     if (log.is_marked(text.entity)) continue;
     const std::optional<DxfStatement> statement = statement_of(text.text);
-    named.notes.mark(text.entity, DxfFate::dropped,
+    named.notes.mark(text.entity, DxfFate::kDropped,
                      statement ? "says nothing of a piece's shape" : "a label");
     if (t >= kMostTexts) continue;
     const std::optional<Nearest> nearest = nearest_piece(named.pieces, boxes, to_mm(text.at));
@@ -191,7 +191,7 @@ DxfNamed named_by_texts(std::vector<DxfFound> pieces, const std::vector<DxfText>
     DxfFound& found = named.pieces[nearest->piece];
     if (statement && !title.stated) {
       const std::string told = take_statement(found, *statement, text.line, named.notes);
-      if (!told.empty()) named.notes.mark(text.entity, DxfFate::converted, told, found.id);
+      if (!told.empty()) named.notes.mark(text.entity, DxfFate::kConverted, told, found.id);
       continue;
     }
     std::optional<Title>& best = titles[nearest->piece];
@@ -201,7 +201,7 @@ DxfNamed named_by_texts(std::vector<DxfFound> pieces, const std::vector<DxfText>
     DxfFound& found = named.pieces[i];
     if (!titles[i] || !found.piece.name.empty() || is_lost(titles[i]->name)) continue;
     found.piece.name = titles[i]->name;
-    named.notes.mark(titles[i]->entity, DxfFate::converted, "name of the piece", found.id);
+    named.notes.mark(titles[i]->entity, DxfFate::kConverted, "name of the piece", found.id);
   }
   return named;
 }

@@ -18,7 +18,7 @@ inline constexpr double kBoxSlack = 1;
 struct DxfLoop {
   const DxfChain* chain = nullptr;  ///< outlives the loop
   std::size_t number = 0;           ///< the chain's, among those of its place
-  DxfRole role = DxfRole::other;
+  DxfRole role = DxfRole::kOther;
   Aabb2 box;
   double area = 0;
   std::optional<std::size_t> parent;  ///< the smallest loop of its layer around it

@@ -43,7 +43,7 @@ Candidates followers_of(const DxfLoop& cut, const Candidates& candidates, DxfSew
   for (const DxfLoop* sew : candidates) {
     const bool near = sew != &cut && sew->area <= cut.area * kLarger && same_place(sew->box, cut.box);
     if (!near || ++tried > kMostTried) continue;
-    const bool same_line = claim == DxfSewClaim::said && is_repeated(*sew, cut);
+    const bool same_line = claim == DxfSewClaim::kSaid && is_repeated(*sew, cut);
     if (same_line || is_seam_line(*sew, cut, claim)) followers.push_back(sew);
   }
   return followers;
@@ -72,7 +72,7 @@ Candidates next_within(const DxfLoops& loops, const DxfLoop& cut) {
 const DxfLoop* free_sew_line_of(const DxfLoops& loops, const DxfLoop& cut) {
   const std::string& layer = cut.chain->layer;
   const auto first = [&](const Candidates& list) {
-    return first_of(followers_of(cut, list, DxfSewClaim::possible));
+    return first_of(followers_of(cut, list, DxfSewClaim::kPossible));
   };
   if (const DxfLoop* sew = first(next_within(loops, cut))) return sew;
   const auto is_own = [&](const DxfLoop& loop) { return loop.chain->layer == layer; };
@@ -80,7 +80,7 @@ const DxfLoop* free_sew_line_of(const DxfLoops& loops, const DxfLoop& cut) {
   if (names_another_thing(layer)) return nullptr;
   const Candidates others =
       those_of(loops.outlines, [&](const DxfLoop& loop) { return loop.chain->layer != layer; });
-  const Candidates followers = followers_of(cut, others, DxfSewClaim::possible);
+  const Candidates followers = followers_of(cut, others, DxfSewClaim::kPossible);
   for (const DxfLoop* sew : followers)
     if (sew->chain->layer != followers[0]->chain->layer || names_another_thing(sew->chain->layer))
       return nullptr;
@@ -98,17 +98,17 @@ const DxfLoop* sew_line_of(const DxfLoops& loops, const DxfLoop& cut, const DxfS
     return first_of(followers_of(cut, list, claim));
   };
   // Some programs change the two layers' places: then the line on that of sew lines is the outer one.
-  if (cut.role == DxfRole::sew) return best(of_role(DxfRole::cut), DxfSewClaim::possible);
-  if (const DxfLoop* sew = best(of_role(DxfRole::sew), DxfSewClaim::said)) return sew;
-  if (const DxfLoop* sew = best(next_within(loops, cut), DxfSewClaim::possible)) return sew;
+  if (cut.role == DxfRole::kSew) return best(of_role(DxfRole::kCut), DxfSewClaim::kPossible);
+  if (const DxfLoop* sew = best(of_role(DxfRole::kSew), DxfSewClaim::kSaid)) return sew;
+  if (const DxfLoop* sew = best(next_within(loops, cut), DxfSewClaim::kPossible)) return sew;
   if (search.on_their_layer) return nullptr;
-  const auto is_internal = [](const DxfLoop& loop) { return loop.role == DxfRole::internal; };
-  if (const DxfLoop* sew = best(those_of(loops.inner, is_internal), DxfSewClaim::possible)) return sew;
+  const auto is_internal = [](const DxfLoop& loop) { return loop.role == DxfRole::kInternal; };
+  if (const DxfLoop* sew = best(those_of(loops.inner, is_internal), DxfSewClaim::kPossible)) return sew;
   const auto is_other = [&](const DxfLoop& loop) {
-    return loop.role == DxfRole::repeat ||
-           (loop.role == DxfRole::other && !names_another_thing(loop.chain->layer));
+    return loop.role == DxfRole::kRepeat ||
+           (loop.role == DxfRole::kOther && !names_another_thing(loop.chain->layer));
   };
-  return best(those_of(loops.inner, is_other), DxfSewClaim::possible);
+  return best(those_of(loops.inner, is_other), DxfSewClaim::kPossible);
 }
 
 /// How the outlines' loops and the pieces are looked at.
@@ -119,10 +119,10 @@ struct Outlines {
 };
 
 enum class Inside {
-  none,
-  repeated,
-  other_layer,
-  a_line,  ///< drawn within a piece: told of with the lines
+  kNone,
+  kRepeated,
+  kOtherLayer,
+  kALine,  ///< drawn within a piece: told of with the lines
 };
 
 /// Whether the loop follows a sew line within it, as lines of top stitches and hems do.
@@ -131,7 +131,7 @@ bool follows_a_sew_line(const DxfLoop& loop, const DxfSeamLines& seams) {
   for (const DxfLoop* sew : seams.sew_of) {
     if (!sew || sew->area <= loop.area || !sew->box.grown(kBoxSlack).contains(loop.box)) continue;
     if (++tried > kMostTried) return false;
-    if (is_seam_line(loop, *sew, DxfSewClaim::possible)) return true;
+    if (is_seam_line(loop, *sew, DxfSewClaim::kPossible)) return true;
   }
   return false;
 }
@@ -140,9 +140,9 @@ bool meet(const Aabb2& a, const Aabb2& b) { return none_above(a.low, b.high) && 
 
 /// Whether the loop stands on the layer of sew lines where a cut line is, and is not its sew line.
 bool is_other_sewing(const Outlines& o, const DxfLoop& loop) {
-  if (!o.by_aama || loop.role != DxfRole::sew) return false;
+  if (!o.by_aama || loop.role != DxfRole::kSew) return false;
   return std::any_of(o.loops.outlines.begin(), o.loops.outlines.end(), [&](const DxfLoop& cut) {
-    return cut.role == DxfRole::cut && meet(cut.box, loop.box) &&
+    return cut.role == DxfRole::kCut && meet(cut.box, loop.box) &&
            (lies_mostly_within(loop, cut) || lies_mostly_within(cut, loop));
   });
 }
@@ -153,7 +153,7 @@ Inside inside_other(const Outlines& o, std::size_t i) {
   const DxfLoop& inner = o.loops.outlines[i];
   const bool has_sew_line = o.seams.sew_of[i] != nullptr;
   if (!has_sew_line && (is_other_sewing(o, inner) || follows_a_sew_line(inner, o.seams)))
-    return Inside::a_line;
+    return Inside::kALine;
   for (std::size_t k = 0; k < o.loops.outlines.size(); ++k) {
     const DxfLoop& outer = o.loops.outlines[k];
     if (k == i || o.seams.is_sew_line(outer)) continue;
@@ -161,9 +161,9 @@ Inside inside_other(const Outlines& o, std::size_t i) {
     const bool equal = is_repeated(inner, outer);
     const bool first = outer.area > inner.area * kLarger || (equal && k < i);
     if (!first || !(other_layer || equal) || !is_covered(inner, outer)) continue;
-    return equal ? Inside::repeated : Inside::other_layer;
+    return equal ? Inside::kRepeated : Inside::kOtherLayer;
   }
-  return Inside::none;
+  return Inside::kNone;
 }
 
 /// The piece of a cut line, by its sew line if it has one.
@@ -177,7 +177,7 @@ DxfPlaced piece_of(const DxfLoop& cut, const DxfLoop* sew, int id) {
   piece.breaks_are_edges = c.breaks_are_edges;
   piece.layer = c.layer;
   piece.line = c.line;
-  piece.on_sew_line = sew != nullptr || cut.role == DxfRole::sew;
+  piece.on_sew_line = sew != nullptr || cut.role == DxfRole::kSew;
   placed.found.id = id;
   placed.found.entities = c.entities;
   return placed;
@@ -186,11 +186,11 @@ DxfPlaced piece_of(const DxfLoop& cut, const DxfLoop* sew, int id) {
 void tell_outline(const DxfPlaced& placed, DxfNotes& notes) {
   const DxfChain& c = *placed.loop->chain;
   const int id = placed.found.id;
-  tell(notes, c, c.curved ? DxfFate::converted : DxfFate::kept,
+  tell(notes, c, c.curved ? DxfFate::kConverted : DxfFate::kKept,
        c.curved ? "outline, its arcs drawn out and fitted anew" : "outline", id);
   if (!placed.cut) return;
   const DxfChain& cut = *placed.cut->chain;
-  tell(notes, cut, DxfFate::dropped, "the cut line gives way to the sew line", id);
+  tell(notes, cut, DxfFate::kDropped, "the cut line gives way to the sew line", id);
   notes.warn(cut.line,
              "the cut line (layer " + cut.layer + ") gives way to the sew line (layer " + c.layer + ") in " +
                  line_text(c.line),
@@ -219,7 +219,7 @@ void tell_large_holes(const std::vector<DxfPlaced>& placed, DxfNotes& notes) {
 
 /// A closed line without area, such as a line drawn twice: a mark within a piece, a fault elsewhere.
 void tell_flat(const DxfChain& chain, const DxfLoops& loops, DxfNotes& notes) {
-  tell(notes, chain, DxfFate::dropped, "it encloses no area");
+  tell(notes, chain, DxfFate::kDropped, "it encloses no area");
   for (const DxfLoop& loop : loops.outlines)
     if (loop.box.grown(kBoxSlack).contains(bounding_box(chain.points))) return;
   notes.fail({"dxf.zero_area", "The outline encloses no area.",
@@ -229,12 +229,12 @@ void tell_flat(const DxfChain& chain, const DxfLoops& loops, DxfNotes& notes) {
 
 /// Layers for which there are better uses, and on which some programs put sew lines.
 bool may_hold_sew_lines(DxfRole role) {
-  return role == DxfRole::internal || role == DxfRole::repeat || role == DxfRole::other;
+  return role == DxfRole::kInternal || role == DxfRole::kRepeat || role == DxfRole::kOther;
 }
 
 void add_hole(const DxfChain& chain, DxfFound& owner, DxfNotes& notes) {
   owner.piece.holes.push_back(chain.points);
-  tell(notes, chain, chain.curved ? DxfFate::converted : DxfFate::kept, "hole", owner.id);
+  tell(notes, chain, chain.curved ? DxfFate::kConverted : DxfFate::kKept, "hole", owner.id);
 }
 
 }  // namespace
@@ -302,13 +302,13 @@ DxfPieces outlined(const std::vector<DxfChain>& chains, const DxfLoops& loops, c
   for (std::size_t i = 0; i < loops.outlines.size(); ++i) {
     if (!seams.is_outer(i) || seams.is_sew_line(loops.outlines[i])) continue;
     const Inside inside = inside_other({loops, seams, by_aama}, i);
-    if (inside == Inside::a_line) {
+    if (inside == Inside::kALine) {
       pieces.used[loops.outlines[i].number] = false;
       continue;
     }
-    if (inside != Inside::none) {
-      tell(pieces.notes, *loops.outlines[i].chain, DxfFate::dropped,
-           inside == Inside::repeated ? "drawn a second time" : "within a piece of another layer");
+    if (inside != Inside::kNone) {
+      tell(pieces.notes, *loops.outlines[i].chain, DxfFate::kDropped,
+           inside == Inside::kRepeated ? "drawn a second time" : "within a piece of another layer");
       continue;
     }
     pieces.placed.push_back(piece_of(loops.outlines[i], seams.sew_of[i], id++));
@@ -334,13 +334,13 @@ DxfPieces with_holes(DxfPieces pieces, const std::vector<DxfChain>& chains, cons
       return p.loop == around || (p.cut == around && lies_within(loop, *p.loop));
     });
     if (owner == placed.end()) {
-      tell(pieces.notes, *loop.chain, DxfFate::dropped, "a hole outside of any piece");
+      tell(pieces.notes, *loop.chain, DxfFate::kDropped, "a hole outside of any piece");
     } else {
       add_hole(*loop.chain, owner->found, pieces.notes);
     }
   }
   for (std::size_t i = 0; i < chains.size(); ++i) {
-    if (!roles.by_aama || !chains[i].closed || roles.of[i] != DxfRole::cutout || pieces.used[i]) continue;
+    if (!roles.by_aama || !chains[i].closed || roles.of[i] != DxfRole::kCutout || pieces.used[i]) continue;
     const DxfLoop hole = loop_of(chains[i], i, roles.of[i]);
     const auto owner = std::find_if(placed.begin(), placed.end(),
                                     [&](const DxfPlaced& p) { return lies_within(hole, *p.loop); });

@@ -62,15 +62,15 @@ class Pen {
  private:
   bool draw_kind(const DxfCurve& c, std::vector<Vec2>& points) {
     switch (c.kind) {
-      case DxfCurve::Kind::polyline:
+      case DxfCurve::Kind::kPolyline:
         return polyline(c, points);
-      case DxfCurve::Kind::arc:
+      case DxfCurve::Kind::kArc:
         return arc(c, points);
-      case DxfCurve::Kind::ellipse:
+      case DxfCurve::Kind::kEllipse:
         return ellipse(c, points);
-      case DxfCurve::Kind::spline:
+      case DxfCurve::Kind::kSpline:
         return spline(c, points);
-      case DxfCurve::Kind::through:
+      case DxfCurve::Kind::kThrough:
         return through(c, points);
     }
     return true;

@@ -30,7 +30,7 @@ void hear_style(const DxfBlock& block, DxfPlaces& out) {
   for (const DxfText& text : block.texts) {
     const auto statement = statement_of(text.text);
     if (!statement) continue;
-    const auto told = [&](const char* what) { out.notes.mark(text.entity, DxfFate::converted, what); };
+    const auto told = [&](const char* what) { out.notes.mark(text.entity, DxfFate::kConverted, what); };
     if (statement->key == "style name") {
       out.style.name = statement->value;
       told("name of the style");
@@ -69,7 +69,7 @@ void add_parts(const NamedBlocks& named, const DxfBlock& block, const DxfTransfo
   for (const DxfInsert& insert : block.inserts) {
     const auto it = named.find(insert.block);
     if (it == named.end() || depth >= kDeepest) {
-      notes.mark(insert.entity, DxfFate::dropped,
+      notes.mark(insert.entity, DxfFate::kDropped,
                  depth >= kDeepest ? "blocks stand in blocks too deeply"
                                    : "the file does not hold the block that it names");
       notes.warn(insert.line, "INSERT of '" + insert.block + "' within a block is left out");
@@ -77,7 +77,7 @@ void add_parts(const NamedBlocks& named, const DxfBlock& block, const DxfTransfo
     }
     const DxfBlock& inner = *it->second.front();
     inserted.used.insert(&inner);
-    notes.mark(insert.entity, DxfFate::kept, "puts a block within a block");
+    notes.mark(insert.entity, DxfFate::kKept, "puts a block within a block");
     add_parts(named, inner, transform.after(transform_of(insert, inner)), depth + 1, place, inserted, notes);
   }
 }
@@ -94,7 +94,7 @@ void tell_unknown_block(const DxfInsert& insert, DxfNotes& notes) {
   notes.fail({"dxf.unknown_block",
               "INSERT names the block '" + insert.block + "', which the file does not hold.",
               line_text(insert.line)});
-  notes.mark(insert.entity, DxfFate::dropped, "the file does not hold the block that it names");
+  notes.mark(insert.entity, DxfFate::kDropped, "the file does not hold the block that it names");
   notes.warn(insert.line, "INSERT names the block '" + insert.block + "', which the file does not hold");
 }
 
@@ -114,7 +114,7 @@ void add_inserted(const NamedBlocks& named, const DxfBlock& drawing, DxfPlaces& 
     inserted.used.insert(&block);
     DxfPlace place = place_of(block, insert.line);
     add_parts(named, block, transform_of(insert, block), 1, place, inserted, out.notes);
-    out.notes.mark(insert.entity, DxfFate::kept, "puts a block in its place");
+    out.notes.mark(insert.entity, DxfFate::kKept, "puts a block in its place");
     out.places.push_back(std::move(place));
   }
 }

@@ -49,7 +49,7 @@ double extent_of(const DxfPlace& place) {
 /// Tells of what no place has used.
 void mark_the_rest(const DxfBlock& block, DxfLog& log, const char* reason) {
   const auto mark = [&](std::size_t entity) {
-    if (!log.is_marked(entity)) log.mark(entity, DxfFate::dropped, reason);
+    if (!log.is_marked(entity)) log.mark(entity, DxfFate::kDropped, reason);
   };
   for (const DxfCurve& c : block.curves) mark(c.entity);
   for (const DxfText& t : block.texts) mark(t.entity);
@@ -61,7 +61,7 @@ void mark_the_rest(const DxfBlock& block, DxfLog& log, const char* reason) {
 bool has_sew_layer(const DxfFile& file) {
   const auto holds = [](const DxfBlock& block) {
     return std::any_of(block.curves.begin(), block.curves.end(),
-                       [](const DxfCurve& c) { return repeated_role(c.layer) == DxfRole::sew; });
+                       [](const DxfCurve& c) { return repeated_role(c.layer) == DxfRole::kSew; });
   };
   return holds(file.entities) || std::any_of(file.blocks.begin(), file.blocks.end(), holds);
 }
@@ -123,7 +123,7 @@ Checked checked(std::vector<DxfFound> pieces) {
     }
     good.notes.fail(*error);
     for (const std::size_t entity : found.entities)
-      good.notes.mark(entity, DxfFate::dropped, error->message, found.id);
+      good.notes.mark(entity, DxfFate::kDropped, error->message, found.id);
     good.notes.warn(piece.line, "the piece is left out: " + error->message, found.id);
   }
   return good;

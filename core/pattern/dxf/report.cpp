@@ -91,9 +91,9 @@ DxfReport DxfLog::report(const std::vector<std::string>& names) const {
   using Key = std::tuple<int, int, int, DxfFate, int, int>;
   std::map<Key, std::size_t> groups;
   for (const Entity& e : entities_) {
-    std::size_t& sum = e.fate == DxfFate::kept        ? report.kept
-                       : e.fate == DxfFate::converted ? report.converted
-                                                      : report.dropped;
+    std::size_t& sum = e.fate == DxfFate::kKept        ? report.kept
+                       : e.fate == DxfFate::kConverted ? report.converted
+                                                       : report.dropped;
     ++sum;
     const Key key{e.type, e.layer, e.block, e.fate, e.reason, e.piece};
     const auto [it, fresh] = groups.emplace(key, report.groups.size());

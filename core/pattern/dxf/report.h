@@ -15,16 +15,16 @@
 namespace toile::dxf {
 
 enum class DxfFate {
-  kept,       ///< as it stands in the file, but for the unit
-  converted,  ///< something else stands for it: curves for arcs, names for texts, a mirrored half for a line
-  dropped,
+  kKept,       ///< as it stands in the file, but for the unit
+  kConverted,  ///< something else stands for it: curves for arcs, names for texts, a mirrored half for a line
+  kDropped,
 };
 
 /// Entities of one kind that fared alike.
 struct DxfEntityGroup {
   std::string type, layer;
   std::string block;  ///< empty: in the section ENTITIES
-  DxfFate fate = DxfFate::dropped;
+  DxfFate fate = DxfFate::kDropped;
   std::string reason;
   std::string piece;       ///< of the result; empty when it has no part in any
   std::vector<int> lines;  ///< where each entity begins, from 1
@@ -59,7 +59,7 @@ std::string warning_text(const DxfWarning& warning);
 struct DxfNotes {
   struct Mark {
     std::size_t entity = 0;
-    DxfFate fate = DxfFate::dropped;
+    DxfFate fate = DxfFate::kDropped;
     std::string reason;
     int piece = -1;
   };
@@ -102,7 +102,7 @@ class DxfLog {
  private:
   struct Entity {
     int type = 0, layer = 0, block = 0, line = 0, reason = -1, piece = -1;
-    DxfFate fate = DxfFate::dropped;
+    DxfFate fate = DxfFate::kDropped;
   };
   struct Warning {
     int line = 0, piece = -1;

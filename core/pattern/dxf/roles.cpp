@@ -46,7 +46,7 @@ DxfRoles roles_of(const std::vector<DxfChain>& chains) {
   for (const DxfChain& c : chains) {
     const DxfRole role = role_of_layer(c.layer), deep = repeated_role(c.layer);
     there.insert(role);
-    by_aama = by_aama || deep == DxfRole::cut || deep == DxfRole::sew;
+    by_aama = by_aama || deep == DxfRole::kCut || deep == DxfRole::kSew;
   }
   // Of layers that repeat others those have something to say whose others are empty.
   const auto role_of = [&](const std::string& layer) {
@@ -56,8 +56,8 @@ DxfRoles roles_of(const std::vector<DxfChain>& chains) {
   DxfRoles roles;
   roles.by_aama = by_aama;
   for (std::size_t i = 0; i < chains.size(); ++i) {
-    roles.of.push_back(by_aama ? role_of(chains[i].layer) : DxfRole::cut);
-    if (chains[i].inner && roles.makes_outlines(i)) roles.of[i] = DxfRole::internal;
+    roles.of.push_back(by_aama ? role_of(chains[i].layer) : DxfRole::kCut);
+    if (chains[i].inner && roles.makes_outlines(i)) roles.of[i] = DxfRole::kInternal;
   }
   return roles;
 }
@@ -65,7 +65,7 @@ DxfRoles roles_of(const std::vector<DxfChain>& chains) {
 std::vector<DxfFold> folds_of(const std::vector<DxfChain>& chains, const DxfRoles& roles) {
   std::vector<DxfFold> folds;
   for (std::size_t i = 0; i < chains.size(); ++i)
-    if (roles.by_aama && roles.of[i] == DxfRole::mirror && !chains[i].closed)
+    if (roles.by_aama && roles.of[i] == DxfRole::kMirror && !chains[i].closed)
       if (const auto axis = fold_axis(chains[i].points)) folds.push_back({i, *axis});
   return folds;
 }

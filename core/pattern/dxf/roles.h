@@ -15,7 +15,7 @@ struct DxfRoles {
   std::vector<DxfRole> of;  ///< each chain
 
   /// Whether chain i may be the outline of a piece.
-  bool makes_outlines(std::size_t i) const { return of[i] == DxfRole::cut || of[i] == DxfRole::sew; }
+  bool makes_outlines(std::size_t i) const { return of[i] == DxfRole::kCut || of[i] == DxfRole::kSew; }
 };
 
 /// Layers have AAMA's meaning where any line stands on those of outlines. Layers that repeat others (84 to

@@ -56,9 +56,9 @@ std::optional<DxfChain> closed_along(const DxfChain& sew, const DxfChain& cut) {
   ahead.closed = other.closed = true;
   ahead.points.insert(ahead.points.end(), onwards.begin(), onwards.end());
   other.points.insert(other.points.end(), back.rbegin(), back.rend());
-  const DxfLoop a = loop_of(ahead, 0, DxfRole::sew), b = loop_of(other, 0, DxfRole::sew);
+  const DxfLoop a = loop_of(ahead, 0, DxfRole::kSew), b = loop_of(other, 0, DxfRole::kSew);
   const bool follows =
-      is_seam_line(a.area >= b.area ? a : b, loop_of(cut, 0, DxfRole::cut), DxfSewClaim::said);
+      is_seam_line(a.area >= b.area ? a : b, loop_of(cut, 0, DxfRole::kCut), DxfSewClaim::kSaid);
   if (!follows) return std::nullopt;
   return a.area >= b.area ? std::move(ahead) : std::move(other);
 }
@@ -68,9 +68,9 @@ std::optional<DxfChain> closed_along(const DxfChain& sew, const DxfChain& cut) {
 DxfClosed closed_at_cut_lines(std::vector<DxfChain> chains, const DxfRoles& roles) {
   DxfNotes notes;
   for (std::size_t i = 0; i < chains.size(); ++i) {
-    if (chains[i].closed || !roles.by_aama || roles.of[i] != DxfRole::sew) continue;
+    if (chains[i].closed || !roles.by_aama || roles.of[i] != DxfRole::kSew) continue;
     for (std::size_t k = 0; k < chains.size() && !chains[i].closed; ++k) {
-      if (!chains[k].closed || roles.of[k] != DxfRole::cut) continue;
+      if (!chains[k].closed || roles.of[k] != DxfRole::kCut) continue;
       std::optional<DxfChain> whole = closed_along(chains[i], chains[k]);
       if (!whole) continue;
       notes.warn(chains[i].line, "the sew line ends on the cut line and is closed along it", -1,

@@ -121,9 +121,9 @@ Error unknown_size(const std::string& wanted, const std::vector<std::string>& si
 void tell_other_size(const DxfPlace& place, DxfNotes& notes) {
   const std::string reason = "another size (" + place.size + ")";
   for (const DxfPart& part : place.parts) {
-    for (const DxfCurve& c : part.block->curves) notes.mark(c.entity, DxfFate::dropped, reason);
-    for (const DxfText& t : part.block->texts) notes.mark(t.entity, DxfFate::dropped, reason);
-    for (const DxfMark& m : part.block->marks) notes.mark(m.entity, DxfFate::dropped, reason);
+    for (const DxfCurve& c : part.block->curves) notes.mark(c.entity, DxfFate::kDropped, reason);
+    for (const DxfText& t : part.block->texts) notes.mark(t.entity, DxfFate::kDropped, reason);
+    for (const DxfMark& m : part.block->marks) notes.mark(m.entity, DxfFate::kDropped, reason);
   }
 }
 

@@ -71,11 +71,11 @@ bool unfold_piece(DxfPiece& piece, const FoldAxis& axis) {
 /// Unfolds the piece about the chain's axis, or says why not.
 void unfold_about(const DxfChain& line, const FoldAxis& axis, DxfFound& owner, DxfNotes& notes) {
   if (spans_fold(owner.piece.outline, axis)) {
-    tell(notes, line, DxfFate::dropped, "mirror line of a piece that is drawn whole", owner.id);
+    tell(notes, line, DxfFate::kDropped, "mirror line of a piece that is drawn whole", owner.id);
   } else if (unfold_piece(owner.piece, axis)) {
-    tell(notes, line, DxfFate::converted, "the piece is unfolded about it", owner.id);
+    tell(notes, line, DxfFate::kConverted, "the piece is unfolded about it", owner.id);
   } else {
-    tell(notes, line, DxfFate::dropped, "a mirror line that does not run along the outline", owner.id);
+    tell(notes, line, DxfFate::kDropped, "a mirror line that does not run along the outline", owner.id);
     notes.warn(line.line, "the mirror line does not run along the outline: the piece is not unfolded",
                owner.id, axis.at);
   }
@@ -92,7 +92,7 @@ DxfPieces unfolded(DxfPieces pieces, const std::vector<DxfChain>& chains, const 
       unfold_about(line, axis, pieces.placed[owner].found, pieces.notes);
       continue;
     }
-    tell(pieces.notes, line, DxfFate::dropped, "a mirror line outside of any piece");
+    tell(pieces.notes, line, DxfFate::kDropped, "a mirror line outside of any piece");
     pieces.notes.warn(line.line, "a mirror line lies outside of any piece", -1, axis.at);
   }
   return pieces;

@@ -83,7 +83,7 @@ bool in_pairs(std::string_view s) {
 /// The text from GBK, nothing when it is none.
 std::optional<std::string> from_gbk(std::string_view s) {
   const iconv_t converter = iconv_open("UTF-8", "GBK");
-  if (converter == iconv_t(-1)) return std::nullopt;
+  if (converter == iconv_t(-1)) return std::nullopt;  // NOLINT(performance-no-int-to-ptr): iconv's own word
   std::string in(s), out(s.size() * 2 + 8, '\0');
   char *from = in.data(), *to = out.data();
   std::size_t left = in.size(), room = out.size();
@@ -116,17 +116,17 @@ std::optional<std::uint32_t> percent_character(std::string_view s) {
 
 DxfEncoding encoding_of(std::string_view code_page) {
   const std::string name = lower_case(code_page);
-  if (name.find("936") != std::string::npos || name.find("gb") == 0) return DxfEncoding::gbk;
+  if (name.find("936") != std::string::npos || name.find("gb") == 0) return DxfEncoding::kGbk;
   // Many programs declare 1252 whatever they write: that says nothing.
   if (name.find("850") != std::string::npos || name.find("8859") != std::string::npos)
-    return DxfEncoding::latin;
-  return DxfEncoding::unknown;
+    return DxfEncoding::kLatin;
+  return DxfEncoding::kUnknown;
 }
 
 std::string clean_text(std::string_view s, DxfEncoding encoding) {
   std::optional<std::string> chinese;
-  const bool guess = encoding == DxfEncoding::unknown && in_pairs(s) && (!is_utf8(s) || has_rare_letters(s));
-  if (guess || (encoding == DxfEncoding::gbk && !is_utf8(s))) chinese = from_gbk(s);
+  const bool guess = encoding == DxfEncoding::kUnknown && in_pairs(s) && (!is_utf8(s) || has_rare_letters(s));
+  if (guess || (encoding == DxfEncoding::kGbk && !is_utf8(s))) chinese = from_gbk(s);
   if (chinese) s = *chinese;
   std::string out;
   for (std::size_t characters = 0; !s.empty() && characters < kLongestText; ++characters) {

@@ -100,7 +100,7 @@ json::JsonValue piece_json(const dxf::DxfPiece& piece) {
 }
 
 std::string fate_name(dxf::DxfFate fate) {
-  return fate == dxf::DxfFate::kept ? "kept" : fate == dxf::DxfFate::converted ? "converted" : "dropped";
+  return fate == dxf::DxfFate::kKept ? "kept" : fate == dxf::DxfFate::kConverted ? "converted" : "dropped";
 }
 
 json::JsonValue entities_json(const dxf::DxfReport& report) {
