@@ -20,20 +20,32 @@ struct DxfFound {
 /// A piece among the loops that it was made from; these outlive it.
 struct DxfPlaced {
   DxfFound found;
-  const DxfLoop* loop = nullptr;  ///< its outline
-  const DxfLoop* cut = nullptr;   ///< the cut line around it, when the outline is the sew line
+  const DxfLoop* loop = nullptr;                 ///< its outline
+  const DxfLoop* cut = nullptr;                  ///< the cut line around it, when the outline is the sew line
+  std::vector<std::size_t> notch_entities = {};  ///< the entity of each notch
+
+  /// The outermost line of the piece.
+  const DxfLoop& border() const { return cut ? *cut : *loop; }
 };
 
 /// The pieces of one place so far.
 struct DxfPieces {
   std::vector<DxfPlaced> placed;  ///< by line
   std::vector<bool> used;  ///< of each chain: it is an outline, a hole or a fault, no line to be placed
+  bool is_block = false;   ///< the place is a block: what stands in it belongs to its pieces
   DxfNotes notes;
 };
 
-/// The number of the piece that a line of this box belongs to: the smallest whose box holds it, or with
-/// `overlap_is_enough` is held by it. placed.size() when there is none.
-std::size_t owner_of(const std::vector<DxfPlaced>& placed, const Aabb2& box, bool overlap_is_enough);
+/// How far a line may lie from the piece that it belongs to.
+enum class DxfReach {
+  kWithin,   ///< the box of the piece holds it, or most of it lies in the piece
+  kAround,   ///< one box holds the other: lines that may be outlines
+  kCrossing  ///< any of it lies in the piece, or it stands in the block of the piece
+};
+
+/// The number of the piece that the line belongs to, of several the smallest whose box holds it, else the one
+/// that most of it lies in, else of a block the nearest. placed.size() when there is none.
+std::size_t owner_of(const DxfPieces& pieces, const std::vector<Vec2>& line, DxfReach reach);
 
 /// Says what became of the chain's entities.
 void tell(DxfNotes& notes, const DxfChain& chain, DxfFate fate, const std::string& reason, int piece = -1);

@@ -99,6 +99,12 @@ bool comes_later(const DxfChain& chain, DxfRole role) {
   return role == DxfRole::kMirror || (role == DxfRole::kNotch && !chain.closed);
 }
 
+/// Lines with a meaning belong to a piece although they leave it; of others nobody knows what they are.
+DxfReach reach_of(DxfRole role) {
+  if (role == DxfRole::kCut || role == DxfRole::kSew) return DxfReach::kAround;
+  return role == DxfRole::kOther ? DxfReach::kWithin : DxfReach::kCrossing;
+}
+
 }  // namespace
 
 DxfPieces with_lines(DxfPieces pieces, const std::vector<DxfChain>& chains, const DxfRoles& roles) {
@@ -106,8 +112,7 @@ DxfPieces with_lines(DxfPieces pieces, const std::vector<DxfChain>& chains, cons
     const DxfChain& chain = chains[i];
     const DxfRole meaning = roles.by_aama ? roles.of[i] : DxfRole::kOther;
     if (pieces.used[i] || comes_later(chain, meaning)) continue;
-    const bool outline = meaning == DxfRole::kCut || meaning == DxfRole::kSew;
-    const std::size_t owner = owner_of(pieces.placed, bounding_box(chain.points), outline);
+    const std::size_t owner = owner_of(pieces, chain.points, reach_of(meaning));
     DxfFound* found = owner < pieces.placed.size() ? &pieces.placed[owner].found : nullptr;
     if (meaning == DxfRole::kRepeat)
       tell(pieces.notes, chain, DxfFate::kDropped, "repeats another layer at another density",

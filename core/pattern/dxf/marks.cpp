@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "core/base/units.h"
 #include "core/geometry/polygon2.h"
@@ -12,27 +13,25 @@ namespace toile::dxf {
 namespace {
 
 constexpr double kMarkReach = 60;  // mm from the outline: an allowance or a hem lies between
+// mm between a notch and the outline, as panel_from_piece takes them
+constexpr double kNotchOffSewLine = 60, kNotchOffCutLine = 15;
 constexpr double kOnePlace = 0.1;  // mm; points nearer than this are one
+constexpr const char* kTwice = "a notch that is drawn twice";
 
-double distance_to_outline(Vec2 p, const std::vector<Vec2>& loop) {
-  double nearest = length(loop[0] - p);
-  for (std::size_t i = 0, n = loop.size(); i < n; ++i)
-    nearest = std::min(nearest, geometry::distance_to_segment(p, loop[i], loop[(i + 1) % n]));
-  return nearest;
-}
-
-/// The piece nearest to the mark, within reach; null when there is none.
-DxfFound* owner_of(Vec2 at, std::vector<DxfPlaced>& placed) {
-  DxfFound* best = nullptr;
+/// The piece nearest to the mark, within reach, and that of a block with one piece in any case; null when
+/// there is none.
+DxfPlaced* owner_of(Vec2 at, DxfPieces& pieces) {
+  if (pieces.is_block && pieces.placed.size() == 1) return &pieces.placed[0];
+  DxfPlaced* best = nullptr;
   double nearest = kMarkReach;
-  for (DxfPlaced& p : placed) {
+  for (DxfPlaced& p : pieces.placed) {
     if (!p.loop->box.grown(kMarkReach).contains(at)) continue;
     const std::vector<Vec2>& outline = p.found.piece.outline;
     const double off =
-        placed.size() == 1 || geometry::contains(outline, at) ? 0 : distance_to_outline(at, outline);
+        pieces.placed.size() == 1 || geometry::contains(outline, at) ? 0 : distance_to_loop(at, outline);
     if (off < nearest) {
       nearest = off;
-      best = &p.found;
+      best = &p;
     }
   }
   return best;
@@ -44,10 +43,13 @@ void add_apart(std::vector<Vec2>& points, Vec2 p) {
   points.push_back(p);
 }
 
-void add_notch(std::vector<pattern::Notch>& notches, const pattern::Notch& notch) {
-  for (const pattern::Notch& n : notches)
-    if (length(n.at - notch.at) < kOnePlace) return;
-  notches.push_back(notch);
+/// Whether the piece has no notch there yet; then it has this one.
+bool add_notch(DxfPlaced& owner, const pattern::Notch& notch, std::size_t entity) {
+  for (const pattern::Notch& n : owner.found.piece.notches)
+    if (length(n.at - notch.at) < kOnePlace) return false;
+  owner.found.piece.notches.push_back(notch);
+  owner.notch_entities.push_back(entity);
+  return true;
 }
 
 /// A notch of a POINT; its direction is told as an angle in the drawing.
@@ -68,10 +70,14 @@ struct Told {
 
 /// Gives the mark to the piece.
 Told give(const DxfMark& mark, DxfRole role, Vec2 at, const DxfTransform& to_mm, double mm_per_unit,
-          DxfPiece& piece) {
+          DxfPlaced& owner) {
+  DxfPiece& piece = owner.found.piece;
   switch (role) {
     case DxfRole::kNotch:
-      add_notch(piece.notches, notch_of(mark, at, to_mm, mm_per_unit));
+      if (distance_to_loop(at, piece.outline) > (piece.on_sew_line ? kNotchOffSewLine : kNotchOffCutLine))
+        return {DxfFate::kDropped, "a notch away from the outline"};
+      if (!add_notch(owner, notch_of(mark, at, to_mm, mm_per_unit), mark.entity))
+        return {DxfFate::kDropped, kTwice};
       return {DxfFate::kKept, "notch"};
     case DxfRole::kTurn:
       add_apart(piece.turn_points, at);
@@ -91,22 +97,57 @@ Told give(const DxfMark& mark, DxfRole role, Vec2 at, const DxfTransform& to_mm,
 void place_mark(const DxfMark& mark, DxfRole role, const DxfTransform& to_mm, double mm_per_unit,
                 DxfPieces& pieces) {
   const Vec2 at = to_mm(mark.at);
-  DxfFound* owner = is_finite(at) ? owner_of(at, pieces.placed) : nullptr;
+  DxfPlaced* owner = is_finite(at) ? owner_of(at, pieces) : nullptr;
   if (!owner) return pieces.notes.mark(mark.entity, DxfFate::kDropped, "a point that belongs to no piece");
-  const Told told = give(mark, role, at, to_mm, mm_per_unit, owner->piece);
-  pieces.notes.mark(mark.entity, told.fate, told.reason, owner->id);
+  const Told told = give(mark, role, at, to_mm, mm_per_unit, *owner);
+  pieces.notes.mark(mark.entity, told.fate, told.reason, owner->found.id);
 }
 
 /// A notch drawn as a line: it begins at the outline.
 void place_line(const DxfCurve& curve, const DxfTransform& to_mm, DxfPieces& pieces) {
   if (curve.vertices.size() < 2 || curve.kind != DxfCurve::Kind::kPolyline) return;
   Vec2 a = to_mm(curve.vertices.front().at), b = to_mm(curve.vertices.back().at);
-  DxfFound* owner = is_finite(a) && is_finite(b) ? owner_of(a, pieces.placed) : nullptr;
+  DxfPlaced* owner = is_finite(a) && is_finite(b) ? owner_of(a, pieces) : nullptr;
   if (!owner) return pieces.notes.mark(curve.entity, DxfFate::kDropped, "a notch that belongs to no piece");
-  const std::vector<Vec2>& outline = owner->piece.outline;
-  if (distance_to_outline(b, outline) < distance_to_outline(a, outline)) std::swap(a, b);
-  add_notch(owner->piece.notches, {a, length(b - a), normalized(b - a)});
-  pieces.notes.mark(curve.entity, DxfFate::kConverted, "notch", owner->id);
+  const std::vector<Vec2>& outline = owner->found.piece.outline;
+  if (distance_to_loop(b, outline) < distance_to_loop(a, outline)) std::swap(a, b);
+  const bool fresh = add_notch(*owner, {a, length(b - a), normalized(b - a)}, curve.entity);
+  pieces.notes.mark(curve.entity, fresh ? DxfFate::kConverted : DxfFate::kDropped, fresh ? "notch" : kTwice,
+                    owner->found.id);
+}
+
+/// The outline's point nearest to p.
+Vec2 foot_on(const std::vector<Vec2>& loop, Vec2 p) {
+  Vec2 best = loop[0];
+  for (std::size_t i = 0, n = loop.size(); i < n; ++i) {
+    const Vec2 a = loop[i], d = loop[(i + 1) % n] - a;
+    const double l2 = dot(d, d);
+    const Vec2 at = a + d * (l2 > 0 ? std::clamp(dot(p - a, d) / l2, 0.0, 1.0) : 0.0);
+    if (length(at - p) < length(best - p)) best = at;
+  }
+  return best;
+}
+
+/// Takes away the notches of the cut line that stand on the sew line too: moved onto it they would be two.
+void part_doubles(DxfPlaced& placed, DxfNotes& notes) {
+  constexpr double kOnLine = 0.5;          // mm
+  constexpr double kSlant = 0.25;          // of the allowance: notches stand about square on the line …
+  constexpr double kLeast = 1, kMost = 3;  // … mm; double notches are farther apart
+  const std::vector<Vec2>& outline = placed.found.piece.outline;
+  const std::vector<pattern::Notch> all = std::exchange(placed.found.piece.notches, {});
+  std::vector<Vec2> feet;
+  for (const pattern::Notch& notch : all) feet.push_back(foot_on(outline, notch.at));
+  const auto off = [&](std::size_t i) { return length(all[i].at - feet[i]); };
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const double reach = std::clamp(kSlant * off(i), kLeast, kMost);
+    bool doubled = false;
+    for (std::size_t k = 0; k < all.size() && off(i) > kOnLine; ++k)
+      doubled = doubled || (off(k) <= kOnLine && length(feet[k] - feet[i]) <= reach);
+    if (!doubled) placed.found.piece.notches.push_back(all[i]);
+    if (doubled)
+      notes.mark(placed.notch_entities[i], DxfFate::kDropped, "the sew line has this notch too",
+                 placed.found.id);
+  }
 }
 
 }  // namespace
@@ -122,6 +163,8 @@ DxfPieces with_marks(DxfPieces pieces, const std::vector<DxfPart>& parts, bool b
       if (by_aama && !curve.closed && role_of_layer(curve.layer) == DxfRole::kNotch)
         place_line(curve, to_mm, pieces);
   }
+  for (DxfPlaced& placed : pieces.placed)
+    if (placed.cut) part_doubles(placed, pieces.notes);
   return pieces;
 }
 

@@ -11,9 +11,9 @@
 
 namespace toile::dxf {
 
-Result<DxfPlacePieces> pieces_of(const std::vector<DxfPart>& parts, const DxfReading& reading,
-                                 std::size_t drawn, int first_id) {
-  DxfChains drawing = TRY(chains_of(parts, reading, drawn));
+Result<DxfPlacePieces> pieces_of(const DxfPlace& place, const DxfReading& reading, std::size_t drawn,
+                                 int first_id) {
+  DxfChains drawing = TRY(chains_of(place.parts, reading, drawn));
   const DxfRoles roles = roles_of(drawing.chains);
   const std::vector<DxfFold> folds = folds_of(drawing.chains, roles);
   DxfClosed closed = closed_at_gaps(std::move(drawing.chains), roles, folds);
@@ -22,9 +22,10 @@ Result<DxfPlacePieces> pieces_of(const std::vector<DxfPart>& parts, const DxfRea
   const DxfLoops loops = TRY(loops_of(chains, roles, reading.settings.max_loops));
   const DxfSeamLines seams = seam_lines_of(loops, {roles.by_aama, reading.has_sew_layer});
   DxfPieces pieces = outlined(chains, loops, seams, roles.by_aama, first_id);
+  pieces.is_block = place.is_block;
   pieces = with_holes(std::move(pieces), chains, roles, loops, seams);
   pieces = with_lines(std::move(pieces), chains, roles);
-  pieces = with_marks(std::move(pieces), parts, roles.by_aama, reading.mm_per_unit);
+  pieces = with_marks(std::move(pieces), place.parts, roles.by_aama, reading.mm_per_unit);
   pieces = unfolded(std::move(pieces), chains, folds);
 
   DxfPlacePieces made{{}, drawing.drawn, std::move(drawing.notes)};

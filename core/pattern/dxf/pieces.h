@@ -6,6 +6,7 @@
 #include "core/base/result.h"
 #include "core/pattern/dxf/chains.h"
 #include "core/pattern/dxf/found.h"
+#include "core/pattern/dxf/places.h"
 
 namespace toile::dxf {
 
@@ -15,9 +16,9 @@ struct DxfPlacePieces {
   DxfNotes notes;
 };
 
-/// The pieces that the parts of one place make, numbered from `first_id`. `drawn`: points over the drawing so
-/// far. Error: dxf.too_large; what else is wrong is told in the notes.
-Result<DxfPlacePieces> pieces_of(const std::vector<DxfPart>& parts, const DxfReading& reading,
-                                 std::size_t drawn, int first_id);
+/// The pieces that one place makes, numbered from `first_id`. `drawn`: points over the drawing so far. Error:
+/// dxf.too_large; what else is wrong is told in the notes.
+Result<DxfPlacePieces> pieces_of(const DxfPlace& place, const DxfReading& reading, std::size_t drawn,
+                                 int first_id);
 
 }  // namespace toile::dxf

@@ -136,7 +136,7 @@ Result<Attempt> pieces_in_places(const Drawing& drawing, const DxfReading& readi
   std::size_t drawn = 0;
   int ids = 0;
   for (const DxfPlace& place : drawing.layout.places) {
-    DxfPlacePieces made = TRY(pieces_of(place.parts, reading, drawn + 1, ids));
+    DxfPlacePieces made = TRY(pieces_of(place, reading, drawn + 1, ids));
     drawn = made.drawn;
     ids += static_cast<int>(made.pieces.size());
     attempt.log.take(made.notes);

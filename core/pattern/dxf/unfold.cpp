@@ -86,7 +86,7 @@ void unfold_about(const DxfChain& line, const FoldAxis& axis, DxfFound& owner, D
 DxfPieces unfolded(DxfPieces pieces, const std::vector<DxfChain>& chains, const std::vector<DxfFold>& folds) {
   for (const auto& [index, axis] : folds) {
     const DxfChain& line = chains[index];
-    std::size_t owner = owner_of(pieces.placed, bounding_box(line.points), true);
+    std::size_t owner = owner_of(pieces, line.points, DxfReach::kAround);
     if (pieces.placed.size() == 1) owner = 0;  // whose else, however the line lies
     if (owner < pieces.placed.size()) {
       unfold_about(line, axis, pieces.placed[owner].found, pieces.notes);
