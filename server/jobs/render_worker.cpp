@@ -1,12 +1,33 @@
 #include "server/jobs/render_worker.h"
 
 #include <chrono>
+#include <exception>
 #include <utility>
 
 namespace toile::jobs {
 namespace {
 
 constexpr auto kAskEvery = std::chrono::milliseconds(10);
+
+/// Who of the two comes first: the caller who gives up, or the drawing that throws. The other knows by it
+/// whether the caller will hear of what was thrown.
+using FirstOfTwo = std::atomic_flag;
+
+/// Throws what the drawing throws; tells the log when nobody is there any more to catch it.
+RenderWorker::Drawing telling(RenderWorker::Drawing drawing, std::shared_ptr<FirstOfTwo> first, Log log) {
+  return [drawing = std::move(drawing), first = std::move(first),
+          log = std::move(log)](const RunContext& context) -> Status {
+    try {
+      return drawing(context);
+    } catch (const std::exception& e) {
+      if (first->test_and_set()) log.error("a drawing that was given up threw", {{"what", e.what()}});
+      throw;
+    } catch (...) {
+      if (first->test_and_set()) log.error("a drawing that was given up threw what is no exception");
+      throw;
+    }
+  };
+}
 
 }  // namespace
 
@@ -22,9 +43,10 @@ RenderWorker::~RenderWorker() {
   thread_.join();
 }
 
-Status RenderWorker::draw(Drawing drawing, const std::function<bool()>& given_up) {
+Status RenderWorker::draw(Drawing drawing, const std::function<bool()>& given_up, const Log& log) {
   const auto dropped = std::make_shared<std::atomic<bool>>(false);
-  std::packaged_task<Status(const RunContext&)> task(std::move(drawing));
+  const auto first = std::make_shared<FirstOfTwo>();
+  std::packaged_task<Status(const RunContext&)> task(telling(std::move(drawing), first, log));
   std::future<Status> drawn = task.get_future();
   {
     const std::lock_guard lock(mutex_);
@@ -36,6 +58,7 @@ Status RenderWorker::draw(Drawing drawing, const std::function<bool()>& given_up
   changed_.notify_one();
   while (drawn.wait_for(kAskEvery) != std::future_status::ready) {
     if (!given_up()) continue;
+    if (first->test_and_set()) break;  // it has thrown just now
     dropped->store(true, std::memory_order_relaxed);
     return Error{"render.given_up", "nobody waits for the pictures any more", "", ErrorKind::kCancelled};
   }

@@ -11,6 +11,7 @@
 #include <mutex>
 #include <thread>
 
+#include "core/base/log.h"
 #include "core/base/result.h"
 #include "core/base/run_context.h"
 
@@ -30,9 +31,9 @@ class RenderWorker {
 
   /// Runs `drawing` on the drawing thread, waits for it and gives back what it gives; what it throws is
   /// thrown here. `given_up` is asked every few milliseconds: once it says so, the drawing is cancelled and
-  /// not waited for, so it must own all that it uses. Errors: render.busy, render.given_up, those of
-  /// `drawing`.
-  Status draw(Drawing drawing, const std::function<bool()>& given_up);
+  /// not waited for, so it must own all that it uses, and what it throws from then on goes to `log`. Errors:
+  /// render.busy, render.given_up, those of `drawing`.
+  Status draw(Drawing drawing, const std::function<bool()>& given_up, const Log& log = {});
 
  private:
   struct Order {

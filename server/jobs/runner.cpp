@@ -43,7 +43,8 @@ struct Delivery {
   std::unique_ptr<TemporaryFolder> folder;
 };
 
-Status draw(const RunPlace& place, const RunControl& control, std::shared_ptr<const Delivery> delivery) {
+Status draw(const RunPlace& place, const RunControl& control, std::shared_ptr<const Delivery> delivery,
+            const Log& log) {
   const auto drawing = [delivery = std::move(delivery), width = place.still_width,
                         height = place.still_height](const RunContext& context) -> Status {
     const std::filesystem::path& path = delivery->folder->path();
@@ -52,7 +53,7 @@ Status draw(const RunPlace& place, const RunControl& control, std::shared_ptr<co
     if (!stills) return stills;
     return write_thumbnail(*delivery->input, *delivery->result, delivery->textures, path);
   };
-  return place.renderer->draw(drawing, control.abandon);
+  return place.renderer->draw(drawing, control.abandon, log);
 }
 
 }  // namespace
@@ -232,7 +233,7 @@ Result<RunEnd> JobRun::deliver(const RunControl& control) {
   }
   TRY(write_models(*input_, *result_, delivery->textures, path, true));
   TRY(write_file(path / "report.json", end.report));
-  if (Status stills = draw(place_, control, delivery); !stills) {
+  if (Status stills = draw(place_, control, delivery, context_.log); !stills) {
     if (stills.error().kind == ErrorKind::kCancelled) return stills.error();
     context_.log.warn("stills not drawn", stills.error());
     end.reason += "; there are no pictures of it: " + stills.error().message;  // the drape is worth keeping

@@ -71,6 +71,36 @@ TEST(RenderWorker, TellsADrawingThatItIsGivenUp) {
   seen.wait();
 }
 
+/// Keeps the last line, and says that there is one.
+class KeptLine final : public LogSink {
+ public:
+  void write(LogLevel, std::string_view event, std::span<const LogField> bound,
+             std::span<const LogField> more) noexcept override {
+    line = std::string(event);
+    for (const auto fields : {bound, more})
+      for (const LogField& field : fields) line += " " + field.key + "=" + field.value;
+    written.count_down();
+  }
+  std::string line;
+  std::latch written{1};
+};
+
+TEST(RenderWorker, TellsTheLogWhatADrawingThrowsThatWasGivenUp) {
+  KeptLine kept;
+  std::latch begun(1);
+  jobs::RenderWorker worker;
+  const Status status = worker.draw(
+      [&](const RunContext& context) -> Status {
+        begun.count_down();
+        while (!context.cancelled()) std::this_thread::yield();
+        throw std::runtime_error("torn");
+      },
+      [&] { return begun.try_wait(); }, Log(kept).with("job", "j_1"));
+  kept.written.wait();
+  EXPECT_EQ(status.error().code, "render.given_up");
+  EXPECT_EQ(kept.line, "a drawing that was given up threw job=j_1 what=torn");
+}
+
 TEST(RenderWorker, RefusesMoreThanItsQueueHolds) {
   std::latch go(1), begun(1);
   jobs::RenderWorker worker(1);
