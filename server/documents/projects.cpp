@@ -66,15 +66,24 @@ Status check_kinds(Documents& documents, const store::RequestContext& context,
   return {};
 }
 
+/// The same; a pointer into the document becomes one into {"document": …, "files": …}.
+template <typename ResultOrStatus>
+ResultOrStatus in_document(ResultOrStatus result) {
+  if (result || !result.error().where.starts_with('/')) return result;
+  Error error = result.error();
+  error.where.insert(0, "/document");
+  return error;
+}
+
 /// A row of the document with its name, once a drape could be made of it.
 Result<store::ProjectRow> checked(Documents& documents, const store::RequestContext& context,
                                   const std::string& document, const ProjectFileMap& files) {
-  const project::Project project = TRY(project::parse_project(document));
+  const project::Project project = TRY(in_document(project::parse_project(document)));
   const std::vector<UsedFile> used = used_files(project);
-  TRY(check_missing(used, files));
+  TRY(in_document(check_missing(used, files)));
   TRY(check_assets(documents, context, files));
-  TRY(check_kinds(documents, context, used, files));
-  TRY(resolve::resolve_project(project, files_in_store(documents, context, files)));
+  TRY(in_document(check_kinds(documents, context, used, files)));
+  TRY(in_document(resolve::resolve_project(project, files_in_store(documents, context, files))));
   store::ProjectRow row;
   row.name = project.name;
   row.document = document;

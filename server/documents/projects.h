@@ -17,9 +17,9 @@ namespace toile::documents {
 using ProjectFileMap = std::map<std::string, std::string>;
 
 /// Keeps a new project under the name that the document gives. Errors: json.*, project.*, dxf.*, mesh.*,
-/// pattern.*, … of reading it, with the JSON pointer in the document first in `where`; documents.missing_file
-/// (with the pointer of the first place that names a file which is not there) and documents.wrong_kind;
-/// documents.unknown_asset and documents.too_many_files with a pointer into {"files": …}; store.*. With an
+/// pattern.*, … of reading it; documents.missing_file (with the first place that names a file which is not
+/// there), documents.wrong_kind, documents.unknown_asset, documents.too_many_files; store.*. First in `where`
+/// stands a JSON pointer into {"document": …, "files": …}, as they come in a request. With an
 /// idempotency key that made this very project before, gives that one back (Store::create_project).
 Result<store::Made<store::ProjectRow>> create_project(Documents& documents,
                                                       const store::RequestContext& context,

@@ -43,20 +43,13 @@ Result<Given> read_given(const http::HttpRequest& request) {
   return given;
 }
 
-/// The place of an error in the document, as a place in the request.
-Error in_request(Error error) {
-  const bool elsewhere = error.code == "documents.unknown_asset" || error.code == "documents.too_many_files";
-  if (!elsewhere && error.where.starts_with('/')) error.where = "/document" + error.where;
-  return error;
-}
-
 http::HttpResponse create(const Api& api, const store::RequestContext& context,
                           const http::HttpRequest& request) {
   const Result<Given> given = read_given(request);
   if (!given) return http::problem(given.error());
   const Result<store::Made<store::ProjectRow>> project = documents::create_project(
       api.documents, context, given->document, given->files, request.header("idempotency-key"));
-  if (!project) return http::problem(in_request(project.error()));
+  if (!project) return http::problem(project.error());
   return made_answer(project_answer(*project), project->anew, "/api/v1/projects/" + project->id);
 }
 
@@ -90,7 +83,7 @@ http::HttpResponse replace(const Api& api, const store::RequestContext& context,
   if (!given) return http::problem(given.error());
   const Result<store::ProjectRow> project = documents::replace_project(
       api.documents, context, request.captures[0], given->document, given->files, *revision);
-  return project ? project_answer(*project) : revision_problem(in_request(project.error()));
+  return project ? project_answer(*project) : revision_problem(project.error());
 }
 
 /// Without If-Match whichever revision there is.

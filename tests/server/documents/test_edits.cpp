@@ -305,7 +305,7 @@ TEST(EditsInStore, AProjectWithoutItsPictureIsMissingAFile) {
   const auto missing = documents::create_project(at.store.documents(), kMe, document, at.files);
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error().code, "documents.missing_file");
-  EXPECT_EQ(missing.error().where, "/pieces/0/texture/image");
+  EXPECT_EQ(missing.error().where, "/document/pieces/0/texture/image");
   documents::ProjectFileMap files = at.files;
   files["checks.png"] = at.picture;
   const auto made = documents::create_project(at.store.documents(), kMe, document, files);

@@ -27,13 +27,13 @@ TEST(Projects, NameTheFilesThatAreMissingAndTheFirstPlace) {
   const auto both = documents::create_project(cloth.store.documents(), kMe, kClothDocument, {});
   ASSERT_FALSE(both);
   EXPECT_EQ(both.error().code, "documents.missing_file");
-  EXPECT_EQ(both.error().where, "/pieces/0/from/dxf");
+  EXPECT_EQ(both.error().where, "/document/pieces/0/from/dxf");
   EXPECT_NE(both.error().message.find("cut/cloth.dxf"), std::string::npos);
   EXPECT_NE(both.error().message.find("post.obj"), std::string::npos);
   const auto one =
       documents::create_project(cloth.store.documents(), kMe, kClothDocument, {{"cut/cloth.dxf", cloth.dxf}});
   ASSERT_FALSE(one);
-  EXPECT_EQ(one.error().where, "/bodies/0/file");
+  EXPECT_EQ(one.error().where, "/document/bodies/0/file");
   EXPECT_TRUE(cloth.store->projects(kMe, "", 10)->empty());
 }
 
@@ -43,7 +43,7 @@ TEST(Projects, RefuseAFileOfTheWrongKind) {
                                               {{"cut/cloth.dxf", cloth.dxf}, {"post.obj", cloth.dxf}});
   ASSERT_FALSE(made);
   EXPECT_EQ(made.error().code, "documents.wrong_kind");
-  EXPECT_EQ(made.error().where, "/bodies/0/file");
+  EXPECT_EQ(made.error().where, "/document/bodies/0/file");
 }
 
 TEST(Projects, TakeAnotherOwnersFileForOneThatIsNotThere) {
@@ -75,12 +75,12 @@ TEST(Projects, RefuseADocumentOfWhichNoDrapeCanBeMade) {
         documents::create_project(cloth.store.documents(), kMe, cloth_document(from, to), cloth.files);
     return made ? "made" : made.error().code + " at " + made.error().where;
   };
-  EXPECT_EQ(refused("\"CLOTH\"", "\"CLOTHES\""), "project.unknown_piece at /pieces/0/from/piece");
+  EXPECT_EQ(refused("\"CLOTH\"", "\"CLOTHES\""), "project.unknown_piece at /document/pieces/0/from/piece");
   EXPECT_EQ(refused("\"fabric\": \"cotton\"", "\"fabric\": \"silk\""),
-            "project.unknown_fabric at /pieces/0/fabric");
+            "project.unknown_fabric at /document/pieces/0/fabric");
   EXPECT_TRUE(refused("\"toile\": 1,", "\"toile\": 1,,").starts_with("json.syntax at line 2"));
   EXPECT_TRUE(refused("\"seams\": []", "\"seam\": []").starts_with("project."));
-  EXPECT_TRUE(refused("post.obj", "../post.obj").starts_with("documents.missing_file at /bodies/0/file"));
+  EXPECT_TRUE(refused("post.obj", "../post.obj").starts_with("documents.missing_file at /document/bodies/0/file"));
   EXPECT_TRUE(cloth.store->projects(kMe, "", 10)->empty());
 }
 
@@ -103,7 +103,7 @@ TEST(Projects, TellABadDrawingThatCameAroundTheUpload) {
   const auto made = documents::create_project(cloth.store.documents(), kMe, kClothDocument, files);
   ASSERT_FALSE(made);
   EXPECT_TRUE(made.error().code.starts_with("dxf.")) << made.error().code;
-  EXPECT_TRUE(made.error().where.starts_with("/pieces/0/from/dxf")) << made.error().where;
+  EXPECT_TRUE(made.error().where.starts_with("/document/pieces/0/from/dxf")) << made.error().where;
 }
 
 TEST(Projects, AreReplacedAtTheExpectedRevisionOnly) {
