@@ -39,6 +39,7 @@ bool Arranger::is_top() const {
 std::vector<ArrangeTrial> Arranger::trials() const {
   if (!is_top()) return {{0, 0, 0}, {0, 0, 0.04}};
   std::vector<ArrangeTrial> trials;
+  trials.reserve(13);
   for (int cm = 0; cm < 10; ++cm) trials.push_back({0.01 * cm, 0, 0});
   for (const double lower : {0.03, 0.06, 0.09}) trials.push_back({lower, 0.05, 0.03});
   return trials;
@@ -285,7 +286,7 @@ Arrangement Arranger::place(const ArrangeTrial& trial) const {
   for (const GarmentPiece& p : plan_.graph.pieces) made.pieces.push_back({p.id, ""});
   const auto take = [&](std::vector<Placed> places) {
     for (Placed& placed : places) {
-      made.placements[placed.piece] = std::move(placed.placement);
+      made.placements[placed.piece] = placed.placement;
       made.pieces[placed.piece].where = std::move(placed.where);
     }
   };

@@ -204,6 +204,7 @@ class Layer {
     }
     const Vec2 grain = turn_by(0, mirrored).turned(piece(unit.piece).grain);
     const double at = kPi / 2 - std::atan2(grain.y, grain.x);
+    angles.reserve(4);
     for (int k = 0; k < 4; ++k) angles.push_back(at + k * kPi / 2);
     return angles;
   }

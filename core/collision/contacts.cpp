@@ -116,7 +116,7 @@ double Contacts::reach(Index v, Vec3 from, Vec3 to) const {
 }
 
 ContactFinder::ContactFinder(Surface cloth, std::span<const Obstacle> obstacles, ContactSettings settings)
-    : cloth_(std::move(cloth)), obstacles_(obstacles), settings_(settings) {
+    : cloth_(std::move(cloth)), obstacles_(obstacles), settings_(std::move(settings)) {
   for (const auto& [a, b] : cloth_.edges) {
     edge_classes_.push_back({cloth_.vertex_class[a], cloth_.vertex_class[b]});
   }

@@ -44,7 +44,7 @@ void ObjText::textured_face(const Tri& t) {
   text_ += 'f';
   for (const Index corner : t) {
     const std::string number = std::to_string(corner + 1);
-    text_ += ' ' + number + '/' + number;
+    text_.append(1, ' ').append(number).append(1, '/').append(number);
   }
   text_ += '\n';
 }

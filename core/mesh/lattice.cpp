@@ -91,6 +91,7 @@ std::vector<Vec2> lattice_points(std::span<const Polygon> loops, double spacing,
   const std::vector<Segment> segments = segments_of(loops);
   if (segments.empty()) return {};
   std::vector<Vec2> corners;
+  corners.reserve(segments.size());
   for (const Segment& s : segments) corners.push_back(s.a);
   const Aabb2 box = bounding_box(corners);
   const Vec2 low = box.low, size = box.size();

@@ -13,9 +13,9 @@
 namespace toile::mesh {
 namespace {
 
-constexpr double kLeastDistance = 5e-4;     ///< m; finer cloth than any computer here drapes
-constexpr double kLeastLength = 1e-6;       ///< m; a shorter edge is no edge
-constexpr double kJoinTolerance_mm = 1e-3;  ///< how far the ends of consecutive edges may be apart
+constexpr double kLeastDistance = 5e-4;    ///< m; finer cloth than any computer here drapes
+constexpr double kLeastLength = 1e-6;      ///< m; a shorter edge is no edge
+constexpr double kJoinToleranceMm = 1e-3;  ///< how far the ends of consecutive edges may be apart
 
 /// A part of an edge that a seam takes: distances along the edge, m.
 struct SewnPart {
@@ -69,7 +69,7 @@ Status check_closed(const pattern::Panel& panel, const pattern::Loop& loop) {
   for (std::size_t i = 0; i < loop.edges.size(); ++i) {
     const pattern::PanelEdge& edge = loop.edges[i];
     const pattern::PanelEdge& next = loop.edges[(i + 1) % loop.edges.size()];
-    if (!(length(edge.curves.back().p3 - next.curves.front().p0) <= kJoinTolerance_mm)) {
+    if (!(length(edge.curves.back().p3 - next.curves.front().p0) <= kJoinToleranceMm)) {
       return Error{"mesh.outline_open", "The edge does not end where edge " + next.id + " starts.",
                    edge_name(panel, edge)};
     }

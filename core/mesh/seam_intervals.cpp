@@ -42,6 +42,7 @@ std::vector<Cut> merged_corners(std::span<const double> a, std::span<const doubl
   }
   std::sort(taken.begin(), taken.end());
   std::vector<Cut> merged;
+  merged.reserve(taken.size());
   for (const auto& [i, j] : taken) merged.push_back({a[i], b[j]});
   return merged;
 }

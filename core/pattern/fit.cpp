@@ -169,6 +169,7 @@ void fit_smooth(Points p, Indices ends, Vec2 t0, Vec2 t1, double tolerance, std:
                  j == last ? t1 : inner_tangent(p, j), tolerance, halves);
   }
   std::vector<Joint> joints;
+  joints.reserve(halves.size());
   for (const std::size_t i : halves)
     joints.push_back({i, i == 0 ? t0 : i == last ? t1 : inner_tangent(p, i), 0});
   const bool many = p.size() > kManyPoints || joints.size() > kManyCurves + 1;

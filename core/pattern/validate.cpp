@@ -113,6 +113,7 @@ std::optional<AreaFault> area_fault(const std::vector<const Loop*>& loops, const
 
 Failure check_crossings(const std::vector<const Loop*>& loops, const std::string& piece) {
   std::vector<std::vector<Vec2>> flat;
+  flat.reserve(loops.size());
   for (const Loop* loop : loops) flat.push_back(flatten(*loop, kFlatness));
   if (const std::optional<geometry::Crossing> c = geometry::find_crossing(flat)) {
     const PanelEdge &a = edge_at(*loops[c->loop_a], c->segment_a),

@@ -123,6 +123,7 @@ void check_cloth_threads(const PreflightInput& input, const sewing::Assembly& as
   const sewing::GarmentMesh& g = assembly.garment;
   const auto pieces = static_cast<Index>(input.pattern.panels.size());
   std::vector<body::Body> bodies;
+  bodies.reserve(input.pattern.panels.size());
   for (Index p = 0; p < pieces; ++p) bodies.push_back(body_of_piece(assembly, p));
   const std::vector<BodyProbe> probes = make_probes(bodies);
   for (Index s = 0; s < static_cast<Index>(input.pattern.seams.size()); ++s) {

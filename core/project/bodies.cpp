@@ -90,7 +90,7 @@ Project without_bodies(Project project) {
 }
 
 std::pair<double, double> measure_range_cm(measure::Measure m) {
-  const fields::Range range = fields::kMeasureRange_cm[static_cast<int>(m)];
+  const fields::Range range = fields::kMeasureRangeCm[static_cast<int>(m)];
   return {range.least, range.most};
 }
 

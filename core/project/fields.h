@@ -12,7 +12,7 @@
 namespace toile::fields {
 
 /// By Measure: what a tape may read of anybody. make_mannequin is stricter, and knows what goes together.
-inline constexpr Range kMeasureRange_cm[measure::kMeasureCount] = {
+inline constexpr Range kMeasureRangeCm[measure::kMeasureCount] = {
     {80, 220}, {30, 250}, {30, 250}, {30, 250}, {30, 250}, {15, 100}, {15, 90},
     {8, 90},   {5, 40},   {15, 120}, {15, 150}, {10, 100}, {20, 150}, {10, 90}};
 inline constexpr const char* kMeasureMeaning[measure::kMeasureCount] = {
@@ -48,7 +48,7 @@ void describe(Visitor& v, project::ProjectMannequin& mannequin) {
   for (int i = 0; i < measure::kMeasureCount; ++i) {
     const std::string key = std::string(measure::measure_name(measure::measure_at(i))) + "_cm";
     v.field(key, mannequin.measures_cm[static_cast<std::size_t>(i)], kMeasureMeaning[i], Need::kOptional,
-            kMeasureRange_cm[i]);
+            kMeasureRangeCm[i]);
   }
   v.field("triangles", mannequin.triangles, "How many triangles the figure has. Default 3300.",
           Need::kOptional, Range{1000, 60000});

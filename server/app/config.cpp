@@ -21,7 +21,7 @@ fs::path shipped_folder(const std::string& relative) {
   std::error_code failure;
   const fs::path program = fs::read_symlink("/proc/self/exe", failure).parent_path();
   for (const fs::path& base : {fs::path("."), program / "../..", program / "../share/toile"}) {
-    const fs::path folder = (base / relative).lexically_normal();
+    fs::path folder = (base / relative).lexically_normal();
     if (fs::is_directory(folder, failure)) return folder;
   }
   return {};

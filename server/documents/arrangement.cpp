@@ -19,7 +19,7 @@
 namespace toile::documents {
 namespace {
 
-constexpr double kFarthest_mm = 5000;  // of a place from a box
+constexpr double kFarthestMm = 5000;  // of a place from a box
 const std::vector<std::string> kSides{"front", "back", "left", "right"};
 
 std::vector<std::string> part_names() {
@@ -123,10 +123,10 @@ Status read_numbers(const json::JsonValue& object, PieceWish& wish) {
   if (const json::JsonValue* at = object.find("at_mm")) {
     if (!at->array() || at->array()->size() != 2) return bad_place("this is a list of two numbers", "at_mm");
     const auto& xy = *at->array();
-    TRY(read_length(&xy[0], "at_mm", kFarthest_mm, wish.at_mm.x));
-    TRY(read_length(&xy[1], "at_mm", kFarthest_mm, wish.at_mm.y));
+    TRY(read_length(&xy[0], "at_mm", kFarthestMm, wish.at_mm.x));
+    TRY(read_length(&xy[1], "at_mm", kFarthestMm, wish.at_mm.y));
   }
-  TRY(read_length(object.find("away_mm"), "away_mm", kFarthest_mm, wish.away_mm));
+  TRY(read_length(object.find("away_mm"), "away_mm", kFarthestMm, wish.away_mm));
   return read_length(object.find("turn"), "turn", 360, wish.turn);
 }
 

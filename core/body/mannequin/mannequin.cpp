@@ -149,7 +149,7 @@ geometry::TriangleMesh stand(geometry::TriangleMesh mesh, double height) {
 class ShapeSolver {
  public:
   ShapeSolver(const measure::MeasureSet& asked, const measure::MeasureSet& wanted, BodyShape start)
-      : shape(std::move(start)), asked_(asked) {
+      : shape(start), asked_(asked) {
     for (int i = 1; i < measure::kMeasureCount; ++i) {
       const measure::Measure m = measure::measure_at(i);
       shape.of(m) = limited(i, *wanted[m] / *wanted[measure::Measure::kHeight] / shape.figure->of(m));

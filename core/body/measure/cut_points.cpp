@@ -10,6 +10,7 @@ namespace toile::measure {
 
 std::vector<Vec2> flat(const std::vector<Vec3>& points) {
   std::vector<Vec2> out;
+  out.reserve(points.size());
   for (const Vec3& p : points) out.push_back({p.x, p.z});
   return out;
 }
@@ -78,6 +79,7 @@ Axes axes_of(Vec3 normal) {
 
 std::vector<Vec2> in_plane(const std::vector<Vec3>& points, const Axes& axes) {
   std::vector<Vec2> out;
+  out.reserve(points.size());
   for (const Vec3& p : points) out.push_back({dot(p, axes.u), dot(p, axes.v)});
   return out;
 }

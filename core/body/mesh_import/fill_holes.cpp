@@ -113,6 +113,7 @@ std::vector<double> diagonals_of(const geometry::TriangleMesh& mesh, const MeshS
     for (const Index v : mesh.triangles[t]) boxes[shells.shell_of[t]].add(mesh.vertices[v]);
   }
   std::vector<double> out;
+  out.reserve(boxes.size());
   for (const Aabb3& box : boxes) out.push_back(length(box.size()));
   return out;
 }

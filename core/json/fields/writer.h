@@ -32,6 +32,7 @@ inline json::JsonValue json_of(Vec3 value) {
 
 inline json::JsonValue json_of(std::vector<std::pair<std::string, std::string>>& names) {
   std::vector<json::JsonMember> members;
+  members.reserve(names.size());
   for (const auto& [from, to] : names) members.push_back({from, to});
   return members;
 }

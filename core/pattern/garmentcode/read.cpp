@@ -17,11 +17,11 @@
 namespace toile::garmentcode {
 namespace {
 
-constexpr double kFarthest_mm = 1e5;  // as project documents allow
+constexpr double kFarthestMm = 1e5;  // as project documents allow
 constexpr std::size_t kMostPanels = 1000;
 constexpr std::size_t kMostEdges = 10000;  // of a panel
 constexpr std::size_t kMostStitches = 1000;
-constexpr double kLeastLength_mm = 1e-3;
+constexpr double kLeastLengthMm = 1e-3;
 
 /// A value with its place, so that every error can name it.
 struct Place {
@@ -108,7 +108,7 @@ Result<Conventions> conventions_of(const Place& root) {
 Result<Vec2> point_mm(const Place& place, const Conventions& conventions) {
   const auto xy = TRY(numbers<2>(place, "a point"));
   const Vec2 p{xy[0] * conventions.mm, xy[1] * conventions.mm};
-  if (std::abs(p.x) <= kFarthest_mm && std::abs(p.y) <= kFarthest_mm) return p;
+  if (std::abs(p.x) <= kFarthestMm && std::abs(p.y) <= kFarthestMm) return p;
   return Error{"garmentcode.range", "the point is over a hundred metres away", place.pointer};
 }
 
@@ -116,7 +116,7 @@ Result<Vec2> control_point(const Place& place, Vec2 a, Vec2 b, const Conventions
   if (!conventions.relative) return point_mm(place, conventions);
   const auto given = TRY(numbers<2>(place, "a control point"));
   const Vec2 p = relative_to_edge(a, b, {given[0], given[1]});
-  if (std::abs(p.x) <= kFarthest_mm && std::abs(p.y) <= kFarthest_mm) return p;
+  if (std::abs(p.x) <= kFarthestMm && std::abs(p.y) <= kFarthestMm) return p;
   return Error{"garmentcode.range", "the control point is over a hundred metres away", place.pointer};
 }
 
@@ -132,7 +132,7 @@ Result<bool> flag(const Place& place) {
 Result<Curves> arc(const Place& params, Vec2 a, Vec2 b, const Conventions& conventions) {
   TRY(list(params, "an arc's radius and two flags", 3, 3));
   const double radius = TRY(number(params.at(0), "a radius"));
-  if (!(radius > 0 && radius * conventions.mm <= kFarthest_mm))
+  if (!(radius > 0 && radius * conventions.mm <= kFarthestMm))
     return Error{"garmentcode.range", "the radius is not within a hundred metres", params.at(0).pointer};
   const bool large = TRY(flag(params.at(1)));
   const bool left = TRY(flag(params.at(2)));
@@ -204,7 +204,7 @@ Result<pattern::Loop> loop_of(const Place& panel, const Conventions& conventions
       return Error{"garmentcode.open_outline", "the edge does not start where the one before it ends",
                    edge.pointer};
     const Vec2 a = vertices[*from], b = vertices[*to];
-    if (length(b - a) < kLeastLength_mm)
+    if (length(b - a) < kLeastLengthMm)
       return Error{"garmentcode.edge_without_length", "the edge ends where it starts", edge.pointer};
     Curves curves = TRY(curves_of(edge, a, b, conventions));
     loop.edges.push_back({"e" + std::to_string(i), std::move(curves)});

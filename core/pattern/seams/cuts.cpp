@@ -177,7 +177,7 @@ SeamModel with_likely_cuts(const pattern::Pattern& pattern, SeamModel model, Cut
         cut_like_mirror(whole, r, cuts);
         continue;
       }
-      const bool exact = kind == CutKind::exact_first || kind == CutKind::exact_second;
+      const bool exact = kind == CutKind::kExactFirst || kind == CutKind::kExactSecond;
       const Two two = best_two(whole, lines, r, exact && !darts ? kWeights.exact : kWeights.ease);
       if (darts) {
         const Line* one = best_one(whole, lines, r);
@@ -187,9 +187,9 @@ SeamModel with_likely_cuts(const pattern::Pattern& pattern, SeamModel model, Cut
           met[part] = 1;
           if (whole.mirror[part] != kNone) met[whole.mirror[part]] = 1;
         }
-      } else if (two.first != nullptr && kind != CutKind::darts) {
+      } else if (two.first != nullptr && kind != CutKind::kDarts) {
         cuts[r] = places_on(whole, two, whole.runs[r].length,
-                            kind == CutKind::second_first || kind == CutKind::exact_second);
+                            kind == CutKind::kSecondFirst || kind == CutKind::kExactSecond);
       }
     }
   }

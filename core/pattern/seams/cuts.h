@@ -6,11 +6,11 @@
 namespace toile::seams {
 
 enum class CutKind {
-  darts,         ///< only edges that meet a line with darts in it
-  exact_first,   ///< those, and edges that meet two others end to end and are as long as these together
-  exact_second,  ///< the same, the two in the other order
-  first_first,   ///< those, and edges that meet two others end to end, with a little ease
-  second_first,  ///< the same, the two in the other order
+  kDarts,        ///< only edges that meet a line with darts in it
+  kExactFirst,   ///< those, and edges that meet two others end to end and are as long as these together
+  kExactSecond,  ///< the same, the two in the other order
+  kFirstFirst,   ///< those, and edges that meet two others end to end, with a little ease
+  kSecondFirst,  ///< the same, the two in the other order
 };
 
 /// The model with runs cut at the ends of what they are probably sewn to, in proportion. A run that is as

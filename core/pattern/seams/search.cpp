@@ -199,8 +199,8 @@ FoundSeams best_garment(const pattern::Pattern& pattern, const FoundSeams& start
   };
   consider(start);
   std::vector<std::vector<double>> known{cuts_of(start.model)};
-  for (const CutKind kind : {CutKind::darts, CutKind::exact_first, CutKind::exact_second,
-                             CutKind::first_first, CutKind::second_first}) {
+  for (const CutKind kind : {CutKind::kDarts, CutKind::kExactFirst, CutKind::kExactSecond,
+                             CutKind::kFirstFirst, CutKind::kSecondFirst}) {
     context.progress("seams", 0.1 * static_cast<double>(1 + static_cast<int>(kind)));
     FoundSeams cut = start;
     cut.model = with_likely_cuts(pattern, start.model, kind);

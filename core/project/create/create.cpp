@@ -177,6 +177,7 @@ void complete(const NewProjectSettings& settings, NewProject& made) {
 
 json::JsonValue side_json(const std::vector<project::ProjectSeamEdge>& side) {
   std::vector<json::JsonValue> edges;
+  edges.reserve(side.size());
   for (const project::ProjectSeamEdge& e : side)
     edges.push_back(std::vector<json::JsonMember>{
         {"piece", e.piece}, {"edge", e.edge}, {"reversed", e.reversed}, {"from", e.from}, {"to", e.to}});

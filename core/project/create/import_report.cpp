@@ -21,6 +21,7 @@ json::JsonValue place(Vec2 p) { return std::vector<json::JsonValue>{rounded(p.x)
 
 json::JsonValue texts(const std::vector<std::string>& list) {
   std::vector<json::JsonValue> values;
+  values.reserve(list.size());
   for (const std::string& text : list) values.emplace_back(text);
   return values;
 }

@@ -131,7 +131,7 @@ std::vector<BendPack> pack_bending(std::span<const constraints::BendTriangle> tr
 }
 
 std::vector<const LaneKernels*> runnable_lane_kernels() {
-  std::vector<const LaneKernels*> sets{&plain_lane_kernels};
+  std::vector<const LaneKernels*> sets{&kPlainLaneKernels};
 #if defined(__x86_64__) && defined(__GNUC__)
   const bool avx2 = __builtin_cpu_supports("avx2");
   const bool avx512 = avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&

@@ -84,7 +84,7 @@ const LaneKernels& lane_kernels();
 std::vector<const LaneKernels*> runnable_lane_kernels();
 
 /// One set for every processor, and those for some of them (null when the compiler has none).
-extern const LaneKernels plain_lane_kernels;
+extern const LaneKernels kPlainLaneKernels;
 const LaneKernels* avx2_lane_kernels();
 const LaneKernels* avx512_lane_kernels();
 

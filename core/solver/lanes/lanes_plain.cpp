@@ -3,6 +3,6 @@
 
 namespace toile::solver::lanes {
 
-const LaneKernels plain_lane_kernels{solve_membrane_packs, solve_bend_packs};
+const LaneKernels kPlainLaneKernels{solve_membrane_packs, solve_bend_packs};
 
 }  // namespace toile::solver::lanes

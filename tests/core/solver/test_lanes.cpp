@@ -52,7 +52,7 @@ std::vector<Vec3> swept(const Shaken& s, const solver::lanes::LaneKernels& kerne
 
 /// Every set of kernels that runs here makes the same bytes of it as the plain one.
 void expect_same_bytes(const Shaken& s) {
-  const std::vector<Vec3> plain = swept(s, solver::lanes::plain_lane_kernels);
+  const std::vector<Vec3> plain = swept(s, solver::lanes::kPlainLaneKernels);
   EXPECT_NE(std::memcmp(plain.data(), s.x.data(), plain.size() * sizeof(Vec3)), 0);
   const auto sets = solver::lanes::runnable_lane_kernels();
   for (std::size_t i = 0; i < sets.size(); ++i) {
