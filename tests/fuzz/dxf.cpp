@@ -2,13 +2,16 @@
 
 #include "core/pattern/dxf/read.h"
 
+#include "tests/core/pattern/dxf/binary_text.h"
 #include "tests/core/pattern/dxf/dialects.h"
 #include "tests/fuzz/fuzz.h"
 
 namespace toile::fuzz {
 
 std::vector<std::string> seeds() {
-  return {dxf_text::graded_blocks(), dxf_text::free_lines(), dxf_text::nested_blocks()};
+  return {dxf_text::graded_blocks(), dxf_text::free_lines(), dxf_text::nested_blocks(),
+          dxf_text::as_binary(dxf_text::graded_blocks(), false),
+          dxf_text::as_binary(dxf_text::free_lines(), true)};
 }
 
 void try_input(std::string_view bytes) {

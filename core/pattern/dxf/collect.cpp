@@ -148,6 +148,7 @@ void DxfCollector::begin_polyline(const DxfDraft& d) {
   polyline_ = curve_of(d);
   polyline_->closed = (d.flags() & 1) != 0;
   polyline_->is_run = true;
+  polyline_has_layer_ = d.has_layer;
   polyline_is_mesh_ = (d.flags() & (16 | 64)) != 0;
   polyline_fault_.reset();
 }
@@ -159,6 +160,10 @@ void DxfCollector::add_vertex(const DxfDraft& d) {
     return;
   }
   file_.log.vertex();
+  if (!polyline_has_layer_ && d.has_layer) {
+    polyline_->layer = d.layer;
+    polyline_has_layer_ = true;
+  }
   const bool control_point = (d.flags() & 16) != 0;  // of a spline that the other vertices draw out
   if (polyline_is_mesh_ || polyline_fault_ || control_point) return;
   polyline_->vertices.push_back({d.at(), d.number(42)});

@@ -55,7 +55,7 @@ class DxfCollector {
   bool in_block_ = false;
   std::optional<DxfCurve> polyline_;
   std::optional<Error> polyline_fault_;
-  bool polyline_is_mesh_ = false, attributes_follow_ = false;
+  bool polyline_is_mesh_ = false, polyline_has_layer_ = false, attributes_follow_ = false;
   std::size_t entities_ = 0, vertices_ = 0;
 };
 

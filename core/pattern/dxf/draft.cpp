@@ -124,6 +124,7 @@ bool take_words(DxfDraft& d, const DxfGroup& group, DxfEncoding encoding) {
   switch (group.code) {
     case 8:
       d.layer = clean_text(group.value, encoding);
+      d.has_layer = true;
       return true;
     case 2:
       d.reference = clean_text(group.value, encoding);
@@ -134,6 +135,8 @@ bool take_words(DxfDraft& d, const DxfGroup& group, DxfEncoding encoding) {
         d.text = clean_text(d.text + clean_text(plain_text(group.value), encoding), DxfEncoding::kLatin);
       else if (group.code == 1)
         d.text = clean_text(group.value, encoding);
+      else if (d.type == DxfType::kBlock && d.reference.empty())  // the block's name stands there once more
+        d.reference = clean_text(group.value, encoding);
       return true;
     default:
       return false;

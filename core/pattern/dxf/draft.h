@@ -49,6 +49,7 @@ bool needs_numbers(DxfType type);
 struct DxfDraft {
   DxfType type = DxfType::kSkipped;
   std::string name, layer = "0", text, reference;  // reference: group 2, a block's name
+  bool has_layer = false;
   int line = 0;
   std::map<int, double> numbers;
   std::vector<DxfVertex> vertices;  // of LWPOLYLINE and SPLINE

@@ -8,7 +8,9 @@
 
 #include "core/pattern/dxf/collect.h"
 #include "core/pattern/dxf/draft.h"
+#include "core/pattern/dxf/group_codes.h"
 #include "core/pattern/dxf/groups.h"
+#include "core/pattern/dxf/mend.h"
 
 namespace toile::dxf {
 namespace {
@@ -51,21 +53,44 @@ class Parser {
     if (auto error = foreign(reader_.beginning())) return *error;
     while (!done_) {
       const std::optional<DxfGroup> group = reader_.next();
+      tell(reader_.take_damages());
       if (!group) {
         if (auto error = stopped()) return *error;
         break;
       }
       if (group->code == 999) continue;  // comment
-      if (!started_ && !(group->code == 0 && (group->value == "SECTION" || group->value == "EOF")))
-        return not_dxf(group->line);
-      started_ = true;
-      if (auto error = group->code == 0 ? start(*group) : take(*group)) return *error;
+      if (auto error = hear(*group)) return *error;
     }
     return std::move(file_);
   }
 
  private:
   using Failure = std::optional<Error>;
+
+  void tell(std::vector<DxfDamage> damages) {
+    for (DxfDamage& damage : damages) {
+      if (!file_.fault) file_.fault = Error{"dxf.bad_group_code", damage.text, line_text(damage.line)};
+      file_.log.warn(damage.line, std::move(damage.text));
+    }
+  }
+
+  /// One group, with the code that it must have had.
+  Failure hear(const DxfGroup& heard) {
+    const DxfDraft* draft = draft_ ? &*draft_ : nullptr;
+    const bool at_border = heard.value == "SECTION" || heard.value == "ENDSEC";
+    const DxfGroup group =
+        section_.holds_drawing() || at_border || !started_ ? mender_.mended(heard, draft) : heard;
+    const std::optional<DxfGroup> before = mender_.lost_x(group, draft);
+    tell(mender_.take_damages());
+    if (!started_ && group.code == kLostCode) return std::nullopt;
+    if (!started_ && !(group.code == 0 && (group.value == "SECTION" || group.value == "EOF")))
+      return not_dxf(group.line);
+    started_ = true;
+    if (before)
+      if (auto error = take(*before)) return error;
+    mender_.taken(group);
+    return group.code == 0 ? start(group) : take(group);
+  }
 
   static Error not_dxf(int line) {
     return {"dxf.not_dxf",
@@ -76,13 +101,12 @@ class Parser {
   /// What the first bytes tell of files that are no text at all.
   Failure foreign(std::string_view text) {
     const std::string way_out = " Export the pattern as ASCII DXF.";
-    if (text.starts_with("AutoCAD Binary DXF"))
-      return Error{"dxf.binary", "This is a binary DXF file; only the ASCII form is read." + way_out,
-                   line_text(1)};
+    if (reader_.is_binary()) return std::nullopt;
     if (text.starts_with("AC10")) return Error{"dxf.not_dxf", "This is a DWG file." + way_out, line_text(1)};
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
       return Error{"dxf.not_dxf", "The text is UTF-16; DXF is ASCII or UTF-8." + way_out, line_text(1)};
-    if (text.find('\0') != std::string_view::npos || text.starts_with("\x89PNG"))
+    constexpr int kMostZeros = 4;  // a text with a few is a damaged one
+    if (std::count(text.begin(), text.end(), '\0') > kMostZeros || text.starts_with("\x89PNG"))
       return Error{"dxf.not_dxf", "This is a binary file of another kind." + way_out, line_text(1)};
     if (text.find_first_not_of(" \t\r\n") == std::string_view::npos && reader_.only_blanks_left() &&
         !reader_.error())
@@ -189,7 +213,8 @@ class Parser {
 
   Failure take(const DxfGroup& group) {
     if (section_.name == "?") {
-      section_.name = group.code == 2 && !group.value.empty() ? clean_text(group.value) : "without a name";
+      const bool named = (group.code == 2 && !group.value.empty()) || is_section_name(group.value);
+      section_.name = named ? clean_text(group.value) : "without a name";
       return std::nullopt;
     }
     if (section_.name == "HEADER") {
@@ -222,6 +247,7 @@ class Parser {
   DxfCollector collector_;
   bool started_ = false, done_ = false;
   Section section_;
+  DxfMender mender_;
   Header header_;
   std::optional<DxfDraft> draft_;  // the entity whose groups come now
 };

@@ -101,7 +101,7 @@ struct DxfFile {
 };
 
 /// Reads the whole text. An entity that cannot be read is left out, told of in the log and in `fault`.
-/// Errors: dxf.empty, dxf.binary, dxf.not_dxf, dxf.truncated, dxf.too_large, dxf.bad_group_code.
+/// Errors: dxf.empty, dxf.not_dxf, dxf.truncated, dxf.too_large, dxf.bad_group_code.
 Result<DxfFile> parse_dxf(std::istream& in, const DxfSettings& settings);
 
 }  // namespace toile::dxf

@@ -61,7 +61,7 @@ struct DxfDrawing {
   std::vector<std::string> notes;  ///< the report's warnings, "line 12: …"
 };
 
-/// Reads the pieces of an ASCII DXF file, R10 to today's, in one pass and bounded memory.
+/// Reads the pieces of a DXF file, text or binary, R10 to today's, in one pass and bounded memory.
 ///
 /// Outlines are POLYLINE, LWPOLYLINE (both with bulges), LINE, ARC, CIRCLE, ELLIPSE and SPLINE, in ENTITIES
 /// or in the BLOCKs that ENTITIES insert, nested ones too (without inserts and entities: each block once).
@@ -73,7 +73,7 @@ struct DxfDrawing {
 /// beside it, else the block's name, else piece1, piece2, …
 ///
 /// What cannot be read is left out and told of in the report, as long as any piece is left. Errors, with the
-/// line in `where`: dxf.empty, dxf.binary, dxf.not_dxf, dxf.truncated, dxf.too_large, dxf.bad_group_code,
+/// line in `where`: dxf.empty, dxf.not_dxf, dxf.truncated, dxf.too_large, dxf.bad_group_code,
 /// dxf.unknown_size; and, when no piece could be read, the first reason: dxf.bad_number,
 /// dxf.coordinate_range, dxf.missing_coordinate, dxf.open_outline (with both ends of the gap), dxf.zero_area,
 /// dxf.self_crossing (with the place), dxf.unknown_block, dxf.no_outline.
