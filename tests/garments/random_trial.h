@@ -12,9 +12,10 @@ struct TrialReport {
   std::string end;  ///< stop_reason, "refused" or "cancelled"
   std::string refusal;
   int particles = 0, steps = 0, frames = 0;
-  double thread = 0;   ///< m, the longest at the start
-  double speed = 0;    ///< m/s, the fastest vertex over a few steps
-  double stretch = 0;  ///< longest over rest length in any direction of any triangle, once sewn
+  double thread = 0;        ///< m, the longest at the start
+  double speed = 0;         ///< m/s, the fastest vertex over a few steps
+  double stretch = 0;       ///< longest over rest length in any direction of any triangle, once sewn
+  double most_stretch = 0;  ///< that the loads of this garment allow
   double cpu_s = 0;
   std::vector<std::string> faults;  ///< empty: all is well
 
