@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "core/base/text.h"
 #include "core/geometry/polygon2.h"
@@ -93,27 +94,45 @@ std::vector<Vec2> apart(const std::vector<Vec2>& points) {
 
 }  // namespace
 
-Result<std::vector<Vec2>> clean_outline(const std::vector<Vec2>& points) {
-  if (auto error = not_finite(points)) return *error;
+std::variant<std::vector<Vec2>, BadOutline> clean_outline(const std::vector<Vec2>& points) {
+  if (const auto error = not_finite(points))
+    return BadOutline{OutlineFault::kNotFinite, error->message, error->where};
   std::vector<Vec2> loop = apart(points);
   while (loop.size() > 1 && length(loop.back() - loop.front()) < kJointTolerance) loop.pop_back();
   const std::string where = points.empty() ? std::string() : "near " + place_text(points.front());
   if (loop.size() < 3)
-    return Error{"pattern.too_few_points", "An outline needs at least three points apart from each other.",
-                 where};
+    return BadOutline{OutlineFault::kTooFewPoints,
+                      "An outline needs at least three points apart from each other.", where};
   // A figure of eight may sum to nothing as well: there the crossing is the better news.
   if (std::abs(geometry::signed_area(loop)) < kLeastArea && geometry::is_flat(loop, kJointTolerance))
-    return Error{"pattern.zero_area", "The outline encloses no area.", where};
+    return BadOutline{OutlineFault::kZeroArea, "The outline encloses no area.", where};
   const std::vector<std::vector<Vec2>> loops{loop};
   const std::optional<geometry::Crossing> crossing = geometry::find_crossing(loops);
   if (crossing)
-    return Error{"pattern.self_crossing",
-                 "The outline crosses or touches itself at " + place_text(crossing->point) + ".",
-                 "at " + place_text(crossing->point)};
+    return BadOutline{OutlineFault::kSelfCrossing,
+                      "The outline crosses or touches itself at " + place_text(crossing->point) + ".",
+                      "at " + place_text(crossing->point)};
   return loop;
 }
 
 namespace {
+
+Error error_of(const BadOutline& bad) {
+  const auto code = [&] {
+    switch (bad.fault) {
+      case OutlineFault::kNotFinite:
+        return "pattern.not_finite";
+      case OutlineFault::kTooFewPoints:
+        return "pattern.too_few_points";
+      case OutlineFault::kZeroArea:
+        return "pattern.zero_area";
+      case OutlineFault::kSelfCrossing:
+        break;
+    }
+    return "pattern.self_crossing";
+  };
+  return {code(), bad.message, bad.where};
+}
 
 Result<std::vector<std::size_t>> forced_vertices(Points loop, Points corners) {
   std::vector<std::size_t> indices;
@@ -210,8 +229,9 @@ void add_corners(Points loop, Points places, std::vector<std::size_t>& corners) 
 
 Result<Loop> loop_from_polyline(const std::vector<Vec2>& points_mm, std::span<const Vec2> forced_corners,
                                 const OutlineSettings& settings) {
-  std::vector<Vec2> cleaned = TRY(clean_outline(points_mm));
-  std::vector<Vec2> loop = cleaned;
+  auto cleaned = clean_outline(points_mm);
+  if (const auto* bad = std::get_if<BadOutline>(&cleaned)) return error_of(*bad);
+  std::vector<Vec2> loop = std::get<std::vector<Vec2>>(std::move(cleaned));
   const std::size_t n = loop.size();
   const bool clockwise = geometry::signed_area(loop) < 0;
   if (clockwise) std::reverse(loop.begin() + 1, loop.end());

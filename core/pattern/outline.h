@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "core/base/result.h"
@@ -37,10 +38,17 @@ inline constexpr double kLeastArea = 1e-2;  // mm²
 /// Indices of the corners of a closed polyline, ascending. REQUIRES neighbours apart, at least 3 vertices.
 std::vector<std::size_t> find_corners(std::span<const Vec2> loop, double corner_angle);
 
+/// Why a closed polyline is no outline. Whoever read it gives it a code of his own.
+enum class OutlineFault { kNotFinite, kTooFewPoints, kZeroArea, kSelfCrossing };
+
+struct BadOutline {
+  OutlineFault fault = OutlineFault::kTooFewPoints;
+  std::string message;
+  std::string where;  ///< with coordinates, mm
+};
+
 /// The closed polyline without repeated vertices and segments under 0.01 mm, first vertex kept.
-/// Errors: pattern.not_finite, pattern.too_few_points, pattern.zero_area, pattern.self_crossing, with
-/// coordinates.
-Result<std::vector<Vec2>> clean_outline(const std::vector<Vec2>& points_mm);
+std::variant<std::vector<Vec2>, BadOutline> clean_outline(const std::vector<Vec2>& points_mm);
 
 /// The closed polyline `points_mm` as a loop of fitted edges e0, e1, …: counter-clockwise, whatever the order
 /// of the points was. Repeated vertices, a repeated first vertex and segments under 0.01 mm are dropped

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <streambuf>
 #include <utility>
+#include <variant>
 
 #include "core/geometry/polygon2.h"
 #include "core/pattern/curve.h"
@@ -67,10 +68,20 @@ bool has_sew_layer(const DxfFile& file) {
 }
 
 /// The fault of an outline under a code of this format.
-Error as_dxf(const Error& error, const std::string& where) {
-  const std::string fault = error.code.substr(error.code.find('.') + 1);
-  return {"dxf." + (fault == "too_few_points" ? "zero_area" : fault), error.message,
-          where + (error.where.empty() ? "" : ", " + error.where), error.kind};
+Error error_of(const pattern::BadOutline& bad, const std::string& where) {
+  const auto code = [&] {
+    switch (bad.fault) {
+      case pattern::OutlineFault::kNotFinite:
+        return "dxf.not_finite";
+      case pattern::OutlineFault::kTooFewPoints:
+      case pattern::OutlineFault::kZeroArea:
+        return "dxf.zero_area";
+      case pattern::OutlineFault::kSelfCrossing:
+        break;
+    }
+    return "dxf.self_crossing";
+  };
+  return {code(), bad.message, where + (bad.where.empty() ? "" : ", " + bad.where)};
 }
 
 Error too_many_pieces(const DxfSettings& settings) {
@@ -94,13 +105,13 @@ std::optional<Error> clean(DxfFound& found, const std::string& where, DxfNotes& 
   for (const Vec2 at : repaired.cut_at)
     notes.warn(piece.line, "a loop of less than 5 mm was cut off the outline at " + pattern::place_text(at),
                found.id, at);
-  Result<std::vector<Vec2>> outline = pattern::clean_outline(repaired.points);
-  if (!outline) return as_dxf(outline.error(), where);
-  piece.outline = std::move(*outline);
+  auto outline = pattern::clean_outline(repaired.points);
+  if (const auto* bad = std::get_if<pattern::BadOutline>(&outline)) return error_of(*bad, where);
+  piece.outline = std::get<std::vector<Vec2>>(std::move(outline));
   for (std::vector<Vec2>& hole : piece.holes) {
-    Result<std::vector<Vec2>> cleaned = pattern::clean_outline(without_backtracks(hole).points);
-    if (!cleaned) return as_dxf(cleaned.error(), where + ", hole");
-    hole = std::move(*cleaned);
+    auto cleaned = pattern::clean_outline(without_backtracks(hole).points);
+    if (const auto* bad = std::get_if<pattern::BadOutline>(&cleaned)) return error_of(*bad, where + ", hole");
+    hole = std::get<std::vector<Vec2>>(std::move(cleaned));
   }
   return std::nullopt;
 }
