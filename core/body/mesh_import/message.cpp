@@ -58,7 +58,7 @@ class MessageReader {
   std::vector<T> list(std::size_t count) {
     std::vector<T> out;
     const std::string_view taken = take(count * sizeof(T));
-    if (!whole_) return out;
+    if (!whole_ || count == 0) return out;  // an empty list has no address, and memcpy wants one
     out.resize(count);
     std::memcpy(out.data(), taken.data(), taken.size());
     return out;

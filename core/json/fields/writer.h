@@ -40,6 +40,7 @@ inline json::JsonValue json_of(std::vector<std::pair<std::string, std::string>>&
 template <typename T, std::size_t N>
 json::JsonValue json_of(std::array<T, N>& values) {
   std::vector<json::JsonValue> elements;
+  elements.reserve(values.size());
   for (T& value : values) elements.push_back(json_of(value));
   return elements;
 }
@@ -50,6 +51,7 @@ json::JsonValue json_of(T& object);
 template <typename T>
 json::JsonValue json_of(std::vector<T>& values) {
   std::vector<json::JsonValue> elements;
+  elements.reserve(values.size());
   for (T& value : values) elements.push_back(json_of(value));
   return elements;
 }

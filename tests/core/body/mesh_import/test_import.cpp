@@ -178,6 +178,13 @@ TEST(MeshMessage, IsRefusedWhenItIsCutOrChangedAnywhere) {
   }
 }
 
+TEST(MeshMessage, OfNoTrianglesIsRefused) {
+  mesh_import::RepairedMesh mesh;
+  EXPECT_EQ(mesh_import::parse_mesh_message(mesh_import::mesh_message(mesh)).error().code, "mesh.crashed");
+  mesh.mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  EXPECT_EQ(mesh_import::parse_mesh_message(mesh_import::mesh_message(mesh)).error().code, "mesh.crashed");
+}
+
 TEST(MeshMessage, CarriesWhatAnErrorMeansAndNoKindThatIsNone) {
   for (const ErrorKind kind :
        {ErrorKind::kInput, ErrorKind::kTooLarge, ErrorKind::kSystem, ErrorKind::kInternal}) {
