@@ -42,6 +42,7 @@ std::vector<Index> least_of_class(Index vertex_count, const std::vector<std::arr
   DisjointSets classes(static_cast<std::size_t>(vertex_count));
   for (const auto& [i, j] : joined) classes.join(i, j);
   std::vector<Index> least;
+  least.reserve(static_cast<std::size_t>(vertex_count));
   for (Index i = 0; i < vertex_count; ++i) least.push_back(classes.root(i));
   return least;
 }

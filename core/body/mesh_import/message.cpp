@@ -145,7 +145,13 @@ Result<RepairedMesh> parse_mesh_message(std::string_view bytes) {
   if (reader.whole() && kind == kError) return error_of(reader);
   if (kind != kMesh) return no_message();
   RepairedMesh out;
-  each_count(out.repairs, [&](int& count) { count = static_cast<int>(reader.number() & 0x7fffffff); });
+  bool countable = true;
+  each_count(out.repairs, [&](int& count) {
+    const std::uint32_t number = reader.number();
+    countable = countable && std::in_range<int>(number);
+    count = countable ? static_cast<int>(number) : 0;
+  });
+  if (!countable) return no_message();
   const std::size_t vertices = reader.number(), triangles = reader.number();
   out.mesh.vertices = reader.list<Vec3>(vertices);
   out.mesh.triangles = reader.list<Tri>(triangles);

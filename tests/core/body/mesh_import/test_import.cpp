@@ -178,6 +178,13 @@ TEST(MeshMessage, IsRefusedWhenItIsCutOrChangedAnywhere) {
   }
 }
 
+TEST(MeshMessage, WithMoreRepairsThanCanBeCountedIsRefused) {
+  std::string message = mesh_import::mesh_message(mesh_import::MeshImporter().bytes("cube.obj", kCube, {}));
+  message[15] =
+      static_cast<char>(0x80);  // the highest byte of the first count, behind the opening and the kind
+  EXPECT_FALSE(mesh_import::parse_mesh_message(message));
+}
+
 TEST(MeshMessage, OfNoTrianglesIsRefused) {
   mesh_import::RepairedMesh mesh;
   EXPECT_EQ(mesh_import::parse_mesh_message(mesh_import::mesh_message(mesh)).error().code, "mesh.crashed");
