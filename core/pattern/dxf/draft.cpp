@@ -132,7 +132,7 @@ bool take_words(DxfDraft& d, const DxfGroup& group, DxfEncoding encoding) {
     case 1:
     case 3:  // long MTEXTs come in several groups 3 and a last group 1
       if (d.type == DxfType::kMtext)
-        d.text = clean_text(d.text + clean_text(plain_text(group.value), encoding), DxfEncoding::kLatin);
+        d.text = clean_text(d.text + clean_text(plain_text(group.value), encoding), {"UTF-8"});
       else if (group.code == 1)
         d.text = clean_text(group.value, encoding);
       else if (d.type == DxfType::kBlock && d.reference.empty())  // the block's name stands there once more

@@ -18,7 +18,7 @@ namespace {
 /// What the HEADER says, one variable after the other.
 struct Header {
   std::string variable;  // whose groups come now
-  DxfEncoding encoding = DxfEncoding::kUnknown;
+  DxfEncoding encoding;
 
   void hear(const DxfGroup& group, DxfFile& file) {
     if (group.code == 9) variable = std::string(group.value);

@@ -65,12 +65,13 @@ struct DxfDrawing {
 ///
 /// Outlines are POLYLINE, LWPOLYLINE (both with bulges), LINE, ARC, CIRCLE, ELLIPSE and SPLINE, in ENTITIES
 /// or in the BLOCKs that ENTITIES insert, nested ones too (without inserts and entities: each block once).
-/// Open ones of one layer are chained end to end, in any order and direction. A loop within another of its
-/// layer is its seam line where it follows it at the width of a seam allowance, else a hole. Where lines
-/// stand on AAMA layers, 14 (sew) is taken before 1 (cut), and the others have the meaning of their numbers
-/// (dxf_layers.h); a half with a mirror line (6) along its outline is unfolded. Of a graded file (a BLOCK for
-/// each piece and size) one size is taken. Names: "Piece Name: …", else a text in the piece or up to 20 mm
-/// beside it, else the block's name, else piece1, piece2, …
+/// Open ones of one layer are chained end to end, in any order and direction. A loop that follows a cut line
+/// at the widths of seam allowances is its sew line (allowance.h), whatever its layer; another one within it
+/// is a hole or, on a layer for such, a line. Where lines stand on AAMA layers, 14 (sew) is asked before
+/// others and 1 is the cut line; the others have the meaning of their numbers (layers.h); a half with a
+/// mirror line (6) along its outline is unfolded. Of a graded file (a BLOCK for each piece and size) one size
+/// is taken. Names: "Piece Name: …", else a text in the piece or up to 20 mm beside it, else the block's
+/// name, else piece1, piece2, …
 ///
 /// What cannot be read is left out and told of in the report, as long as any piece is left. Errors, with the
 /// line in `where`: dxf.empty, dxf.not_dxf, dxf.truncated, dxf.too_large, dxf.bad_group_code,

@@ -1,7 +1,5 @@
 #include "core/pattern/dxf/words.h"
 
-#include <iconv.h>
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -28,72 +26,6 @@ void append_utf8(std::string& out, std::uint32_t c) {
   }
 }
 
-/// Length in bytes of the well-formed UTF-8 sequence at the start of s, 0 if it is none.
-std::size_t sequence_length(std::string_view s) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(s[i]); };
-  const unsigned char lead = byte(0);
-  const std::size_t n = lead < 0x80                   ? 1
-                        : lead >= 0xC2 && lead < 0xE0 ? 2
-                        : lead >= 0xE0 && lead < 0xF0 ? 3
-                        : lead >= 0xF0 && lead < 0xF5 ? 4
-                                                      : 0;
-  if (n == 0 || s.size() < n) return 0;
-  for (std::size_t i = 1; i < n; ++i)
-    if ((byte(i) & 0xC0) != 0x80) return 0;
-  // Overlong forms, surrogates and values past the last plane.
-  if (lead == 0xE0 && byte(1) < 0xA0) return 0;
-  if (lead == 0xED && byte(1) > 0x9F) return 0;
-  if (lead == 0xF0 && byte(1) < 0x90) return 0;
-  if (lead == 0xF4 && byte(1) > 0x8F) return 0;
-  return n;
-}
-
-bool is_utf8(std::string_view s) {
-  while (!s.empty()) {
-    const std::size_t n = sequence_length(s);
-    if (n == 0) return false;
-    s.remove_prefix(n);
-  }
-  return true;
-}
-
-/// Whether a text that is UTF-8 by its form holds letters that nobody writes patterns with (rare extensions
-/// of Latin, Armenian): many pairs of GB 2312 have that form.
-bool has_rare_letters(std::string_view s) {
-  for (std::size_t i = 0; i < s.size(); i += std::max<std::size_t>(1, sequence_length(s.substr(i)))) {
-    const unsigned char lead = static_cast<unsigned char>(s[i]);
-    if ((lead >= 0xC6 && lead <= 0xCD) || (lead >= 0xD2 && lead <= 0xD6)) return true;
-  }
-  return false;
-}
-
-/// Whether all high bytes come in pairs of GB 2312: letters of Latin 1 seldom stand two by two.
-bool in_pairs(std::string_view s) {
-  const auto high = [&](std::size_t i) { return i < s.size() && static_cast<unsigned char>(s[i]) >= 0xA1; };
-  for (std::size_t i = 0; i < s.size(); ++i) {
-    if (static_cast<unsigned char>(s[i]) < 0x80) continue;
-    const unsigned char lead = static_cast<unsigned char>(s[i]);
-    const bool chinese = (lead >= 0xA1 && lead <= 0xA9) || (lead >= 0xB0 && lead <= 0xF7);
-    if (!chinese || !high(i + 1)) return false;
-    ++i;
-  }
-  return true;
-}
-
-/// The text from GBK, nothing when it is none.
-std::optional<std::string> from_gbk(std::string_view s) {
-  const iconv_t converter = iconv_open("UTF-8", "GBK");
-  if (converter == iconv_t(-1)) return std::nullopt;  // NOLINT(performance-no-int-to-ptr): iconv's own word
-  std::string in(s), out(s.size() * 2 + 8, '\0');
-  char *from = in.data(), *to = out.data();
-  std::size_t left = in.size(), room = out.size();
-  const bool whole = iconv(converter, &from, &left, &to, &room) != std::size_t(-1) && left == 0;
-  iconv_close(converter);
-  if (!whole) return std::nullopt;
-  out.resize(out.size() - room);
-  return out;
-}
-
 /// The character of an escape \U+XXXX at the start of s, if it is one that stands for itself.
 std::optional<std::uint32_t> escaped_character(std::string_view s) {
   if (s.size() < 7 || s.substr(0, 3) != "\\U+") return std::nullopt;
@@ -114,20 +46,9 @@ std::optional<std::uint32_t> percent_character(std::string_view s) {
 
 }  // namespace
 
-DxfEncoding encoding_of(std::string_view code_page) {
-  const std::string name = lower_case(code_page);
-  if (name.find("936") != std::string::npos || name.find("gb") == 0) return DxfEncoding::kGbk;
-  // Many programs declare 1252 whatever they write: that says nothing.
-  if (name.find("850") != std::string::npos || name.find("8859") != std::string::npos)
-    return DxfEncoding::kLatin;
-  return DxfEncoding::kUnknown;
-}
-
-std::string clean_text(std::string_view s, DxfEncoding encoding) {
-  std::optional<std::string> chinese;
-  const bool guess = encoding == DxfEncoding::kUnknown && in_pairs(s) && (!is_utf8(s) || has_rare_letters(s));
-  if (guess || (encoding == DxfEncoding::kGbk && !is_utf8(s))) chinese = from_gbk(s);
-  if (chinese) s = *chinese;
+std::string clean_text(std::string_view text, DxfEncoding encoding) {
+  const std::string whole = utf8_of(text, encoding);
+  std::string_view s = whole;
   std::string out;
   for (std::size_t characters = 0; !s.empty() && characters < kLongestText; ++characters) {
     if (const auto c = escaped_character(s)) {
@@ -140,10 +61,9 @@ std::string clean_text(std::string_view s, DxfEncoding encoding) {
       s.remove_prefix(3);
       continue;
     }
-    const std::size_t n = sequence_length(s);
-    if (n == 0) append_utf8(out, static_cast<unsigned char>(s[0]));
-    if (n > 1 || (n == 1 && s[0] >= 0x20 && s[0] != 0x7F)) out += s.substr(0, n);
-    s.remove_prefix(n == 0 ? 1 : n);
+    const std::size_t n = std::max<std::size_t>(1, utf8_length(s));
+    if (n > 1 || (s[0] >= 0x20 && s[0] != 0x7F)) out += s.substr(0, n);
+    s.remove_prefix(n);
   }
   return std::string(trimmed(out));
 }

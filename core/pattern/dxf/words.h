@@ -5,21 +5,13 @@
 #include <string>
 #include <string_view>
 
+#include "core/pattern/dxf/encoding.h"
+
 namespace toile::dxf {
-
-/// How bytes beyond ASCII are to be read where they are not UTF-8.
-enum class DxfEncoding {
-  kUnknown,  ///< pairs of high bytes are Chinese (GB 2312), single ones Windows Latin 1
-  kGbk,      ///< declared by $DWGCODEPAGE
-  kLatin,    ///< likewise
-};
-
-/// What a value of $DWGCODEPAGE declares.
-DxfEncoding encoding_of(std::string_view code_page);
 
 /// The text as valid UTF-8 without control characters, at most 120 characters long; escapes such as \U+00E9
 /// and %%D become their characters.
-std::string clean_text(std::string_view text, DxfEncoding encoding = DxfEncoding::kUnknown);
+std::string clean_text(std::string_view text, DxfEncoding encoding = {});
 
 /// The words of an MTEXT without its formatting codes.
 std::string plain_text(std::string_view mtext);

@@ -74,6 +74,24 @@ TEST(DxfSewLines, OneThatLeavesTheCutLineByALittleMakesNoPieceOfItsOwn) {
   }
 }
 
+TEST(DxfSewLines, NotchesMayBeCutIntoTheCutLineAtTheFold) {
+  for (const Layers& layers : kAllLayers) {
+    const std::string cut = polyline({{0, 0},
+                                      {280, 0},
+                                      {280, 300},
+                                      {275, 302.5},
+                                      {280, 305},
+                                      {280, 650},
+                                      {0, 650},
+                                      {0, 402.5},
+                                      {4, 400},
+                                      {0, 397.5}},
+                                     layers.cut);
+    const std::string body = cut + rectangle({0, 30}, 270, 610, layers.sew);
+    EXPECT_NEAR(area_of(sewn_piece(body, described(layers))), 270 * 610, 1e-6);
+  }
+}
+
 TEST(DxfSewLines, EveryPieceHasItsOwn) {
   for (const Layers& layers : kAllLayers) {
     std::string body;
