@@ -76,6 +76,7 @@ struct PatternImportOptions {
   std::string size;  ///< of a graded file; empty: its sample size
   std::string unit;  ///< mm, cm or inch; empty: decided
   bool json = false;
+  bool no_seams = false;  ///< leave out the search for seams, which may take seconds
 };
 
 ExitCode pattern_import_command(const PatternImportOptions& options);

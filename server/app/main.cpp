@@ -195,11 +195,15 @@ CLI::App* add_submit(CLI::App& app, Options& options) {
 CLI::App* add_pattern_import(CLI::App& pattern, PatternImportOptions& import) {
   CLI::App* verb =
       pattern.add_subcommand("import", "Read a DXF file; say what it holds and what became of it");
-  verb->add_option("file", import.file, "DXF file: AAMA, ASTM or plain, ASCII, R10 or later")->required();
+  verb->add_option("file", import.file, "DXF file: AAMA, ASTM or plain, text or binary, R10 or later")
+      ->required();
   verb->add_option("--size", import.size, "Size to take of a graded file (default: its sample size)");
   verb->add_option("--unit", import.unit, "Unit of the drawing (default: decided by what the file says)")
       ->check(CLI::IsMember({"mm", "cm", "inch"}));
-  verb->add_flag("--json", import.json, "Print as JSON, with every entity's fate and its lines");
+  CLI::Option* json =
+      verb->add_flag("--json", import.json, "Print as JSON, with every entity's fate and its lines");
+  verb->add_flag("--no-seams", import.no_seams, "Leave out the proposals of seams, which take the longest")
+      ->needs(json);
   verb->footer(std::string("Examples:\n"
                            "  toile pattern import shirt.dxf\n"
                            "  toile pattern import shirt.dxf --size 42 --unit cm --json\n\n") +

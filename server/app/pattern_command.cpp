@@ -131,7 +131,9 @@ ExitCode pattern_import_command(const PatternImportOptions& options) {
   const Result<dxf::DxfDrawing> drawing = dxf::read_dxf(*text, settings_of(options));
   if (!drawing) return fail(in_file(drawing.error(), options.file), options.json);
   if (options.json) {
-    std::printf("%s", json::write_json(create::import_json(*drawing, proposals_of(*drawing))).c_str());
+    const std::vector<json::JsonValue> seams =
+        options.no_seams ? std::vector<json::JsonValue>{} : proposals_of(*drawing);
+    std::printf("%s", json::write_json(create::import_json(*drawing, seams)).c_str());
   } else {
     print_drawing(*drawing);
   }

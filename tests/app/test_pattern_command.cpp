@@ -66,6 +66,25 @@ TEST(PatternCommand, ImportTellsPiecesUnitAndEveryEntity) {
   fs::remove_all(folder);
 }
 
+TEST(PatternCommand, ImportLeavesTheSeamsOutWhenAsked) {
+  const fs::path folder = fresh_folder("toile_pattern");
+  std::string pieces;
+  for (const char* left : {"0", "500"}) {
+    const std::string right = std::to_string(std::atoi(left) + 400);
+    pieces += std::string("0\nLWPOLYLINE\n8\n1\n90\n4\n70\n1\n10\n") + left + "\n20\n0\n10\n" + right +
+              "\n20\n0\n10\n" + right + "\n20\n600\n10\n" + left + "\n20\n600\n";
+  }
+  write_text(folder / "two.dxf", "0\nSECTION\n2\nENTITIES\n" + pieces + "0\nENDSEC\n0\nEOF\n");
+  const auto seams_of = [](const Ran& run) {
+    EXPECT_EQ(run.code, 0) << run.err;
+    return json::parse_json(run.out)->find("seams")->array()->size();
+  };
+  EXPECT_GT(seams_of(run_toile({"pattern", "import", folder / "two.dxf", "--json"})), 0u);
+  EXPECT_EQ(seams_of(run_toile({"pattern", "import", folder / "two.dxf", "--json", "--no-seams"})), 0u);
+  EXPECT_EQ(run_toile({"pattern", "import", folder / "two.dxf", "--no-seams"}).code, 2) << "--json is needed";
+  fs::remove_all(folder);
+}
+
 TEST(PatternCommand, ImportTakesTheSizeAndUnitAskedFor) {
   const fs::path folder = fresh_folder("toile_pattern");
   write_text(folder / "graded.dxf", kGraded);
