@@ -332,6 +332,18 @@ Result<pattern::SeamEdge> seam_edge_of(const Place& side, const pattern::Pattern
                            false};
 }
 
+/// A stitch's third element, "right_wrong": the right side of one edge's cloth comes to lie beside the wrong
+/// side of the other's, as where a lapel or collar is turned over. Its edges then run the same way.
+Result<bool> joins_right_to_wrong(const Place& stitch) {
+  if (stitch.value->array()->size() < 3) return false;
+  const Place given = stitch.at(2);
+  const std::string* flag = given.value->text();
+  if (flag == nullptr) return wrong_type(given, "a stitch's flag");
+  if (*flag == "right_wrong") return true;
+  return Error{"garmentcode.stitch", "a stitch knows the flag \"right_wrong\", not " + in_quotes(*flag),
+               given.pointer};
+}
+
 Status add_stitches(const Place& stitches, GarmentCodeGarment& garment) {
   if (stitches.value == nullptr) return {};
   TRY(list(stitches, "the list of stitches", 0, kMostStitches));
@@ -348,10 +360,8 @@ Status add_stitches(const Place& stitches, GarmentCodeGarment& garment) {
     }
     sewn.insert(at_a);
     sewn.insert(at_b);
-    if (stitch.value->array()->size() == 3)
-      garment.notes.push_back(stitch.pointer +
-                              "/2: what is said of the stitch beyond its sides is passed over");
-    garment.pattern.seams.push_back({"seam" + std::to_string(i), {a}, {b}, false});
+    const bool right_on_wrong = TRY(joins_right_to_wrong(stitch));
+    garment.pattern.seams.push_back({"seam" + std::to_string(i), {a}, {b}, right_on_wrong});
   }
   return {};
 }

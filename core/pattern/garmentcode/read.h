@@ -41,7 +41,8 @@ struct GarmentCodeGarment {
 ///
 /// A panel's vertices run counter-clockwise as seen from its right side; a panel that the file draws
 /// clockwise is therefore mirrored in x and placed `flipped`, so that it stands in space as the file says and
-/// its right side faces as the file says. With that, all stitched edges run against each other.
+/// its right side faces as the file says. With that, stitched edges run against each other, but those of a
+/// stitch with the flag "right_wrong" run the same way.
 ///
 /// Errors, with a JSON pointer in `where`: json.*; garmentcode.missing, .type, .unit, .range, .reference (a
 /// vertex, panel or edge that is not there), .open_outline, .edge_without_length, .curve, .no_panels;
