@@ -36,8 +36,10 @@ const std::map<std::string, Names>& table() {
       {"render", {"body", "image", "mesh"}},
       {"mannequin", {"geometry", "measure"}},
       {"preflight", {"body", "collision", "geometry", "measure", "mesh", "pattern", "sewing"}},
+      {"dressing", {"body", "collision", "geometry", "measure", "mesh", "sewing"}},
       {"arrange", {"body", "geometry", "measure", "mesh", "pattern", "preflight", "seams", "sewing"}},
-      {"drape", {"body", "collision", "material", "mesh", "pattern", "preflight", "sewing", "solver"}},
+      {"drape",
+       {"body", "collision", "dressing", "material", "mesh", "pattern", "preflight", "sewing", "solver"}},
       {"json", {}},
       {"fields", {"json"}},
       {"garmentcode", {"json", "pattern"}},
@@ -76,7 +78,10 @@ struct Door {
 const std::vector<Door>& doors() {
   static const std::vector<Door> all{
       {"assimp/", "assimp", {"core/body/mesh_import/load."}, false},
-      {"Eigen/", "Eigen", {"core/body/mannequin/broyden.", "core/pattern/fit_cubic."}, false},
+      {"Eigen/",
+       "Eigen",
+       {"core/body/mannequin/broyden.", "core/dressing/shape_solver.", "core/pattern/fit_cubic."},
+       false},
       {"GL/osmesa", "OSMesa", {"server/render/gl/context."}, false},
       {"GL/", "OpenGL", {"server/render/"}, true},
       {"nlohmann/",

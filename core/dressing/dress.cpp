@@ -1,0 +1,235 @@
+#include "core/dressing/dress.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/dressing/shape_solver.h"
+#include "core/sewing/rings.h"
+
+namespace toile::dressing {
+
+namespace {
+
+constexpr int kClosing = 110, kLater = 60, kPulling = 50;  // passes in which threads shorten, and are short
+constexpr int kSewing = kLater + kClosing + kPulling;
+constexpr int kGrowing = 90, kSpreading = 20;
+constexpr double kComingBack[] = {0.3,  0.5,  0.7, 0.85,
+                                  0.95, 0.98, 0.99};  // shares of its size that cloth keeps
+constexpr double kHang = 1.5e-5;                      // as ShapeWishes
+constexpr double kOnBody = 0.04;                      // m
+constexpr double kFinishing = 0.01;                   // m, that a finer mesh is moved off the body at most
+constexpr int kUntangling = 120;
+
+struct Sewn {
+  std::vector<Index> vertex_of;  ///< shape vertex of each garment vertex
+  ShapeMesh mesh;
+  std::vector<Vec3> x;
+};
+
+double mean_edge(const sewing::GarmentMesh& g) {
+  double sum = 0;
+  for (const Tri& t : g.triangles) sum += length(g.rest[t[0]] - g.rest[t[1]]);
+  return sum / static_cast<double>(std::max<std::size_t>(1, g.triangles.size()));
+}
+
+Sewn shape_of(const sewing::GarmentMesh& g, std::vector<Index> vertex_of, std::span<const Vec3> x) {
+  Sewn s;
+  s.mesh.vertex_count = 1 + *std::max_element(vertex_of.begin(), vertex_of.end());
+  s.mesh.spacing = mean_edge(g);
+  std::vector<int> count(static_cast<std::size_t>(s.mesh.vertex_count), 0);
+  s.x.resize(count.size());
+  for (std::size_t i = 0; i < vertex_of.size(); ++i) {
+    s.x[vertex_of[i]] += x[i];
+    ++count[vertex_of[i]];
+  }
+  for (std::size_t v = 0; v < count.size(); ++v) s.x[v] = s.x[v] * (1.0 / count[v]);
+  for (const Tri& t : g.triangles) {
+    const Tri w{vertex_of[t[0]], vertex_of[t[1]], vertex_of[t[2]]};
+    if (w[0] == w[1] || w[1] == w[2] || w[2] == w[0]) continue;
+    s.mesh.triangles.push_back(w);
+    s.mesh.rest.push_back({g.rest[t[0]], g.rest[t[1]], g.rest[t[2]]});
+  }
+  s.vertex_of = std::move(vertex_of);
+  return s;
+}
+
+/// As starts are (core/sewing/assembly.cpp): the factorisation's sums may differ in their last bits.
+Vec3 snapped(Vec3 p) {
+  constexpr double kGrid = 0x1p26;
+  return {std::nearbyint(p.x * kGrid) / kGrid, std::nearbyint(p.y * kGrid) / kGrid,
+          std::nearbyint(p.z * kGrid) / kGrid};
+}
+
+std::vector<Index> each_for_itself(Index count) {
+  std::vector<Index> v(static_cast<std::size_t>(count));
+  for (Index i = 0; i < count; ++i) v[i] = i;
+  return v;
+}
+
+std::vector<Index> joined(const sewing::GarmentMesh& g) {
+  std::vector<Index> v(static_cast<std::size_t>(g.vertex_count()), kNone);
+  Index next = 0;
+  for (Index i = 0; i < g.vertex_count(); ++i) v[i] = g.weld[i] == i ? next++ : v[g.weld[i]];
+  return v;
+}
+
+/// A large skirt would draw the bodice down to it: pieces of the trunk go sideways only, as a whole.
+void keep_up(const sewing::GarmentMesh& g, std::span<const Covers> covers, std::span<const Vec3> before,
+             std::vector<Vec3>& x) {
+  for (std::size_t p = 0; p < covers.size(); ++p) {
+    if (covers[p] != Covers::kTrunk) continue;
+    const Index from = g.first_vertex[p], to = g.first_vertex[p + 1];
+    double sunk = 0;
+    for (Index v = from; v < to; ++v) sunk += before[v].y - x[v].y;
+    sunk /= std::max<Index>(1, to - from);
+    for (Index v = from; v < to; ++v) x[v].y += sunk;
+  }
+}
+
+/// Nothing holds a garment up yet: it sinks no more than what lies on the trunk does.
+void stay_up(const Wearer& wearer, std::span<const Vec3> before, std::vector<Vec3>& x) {
+  const measure::BodyFigure& f = wearer.figure();
+  const SlimFigure whole = wearer.slim(0);
+  double sunk = 0;
+  int count = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (x[i].y < f.crotch || x[i].y > f.chin || std::abs(x[i].x - f.middle) > f.armpit[0].x - f.middle)
+      continue;
+    if (whole.clearance(x[i]) > kOnBody) continue;
+    sunk += before[i].y - x[i].y;
+    ++count;
+  }
+  if (count == 0 || sunk <= 0) return;
+  for (Vec3& p : x) p.y += sunk / count;
+}
+
+/// Whether something goes around one leg alone, as trousers do: the crotch then says how high they hang.
+bool has_legs(const sewing::GarmentMesh& g, std::span<const Vec3> x, const Skeleton& skeleton) {
+  for (const std::vector<Index>& ring : sewing::rings_of(g)) {
+    std::vector<Vec3> line;
+    for (const Index v : ring) line.push_back(x[v]);
+    const std::optional<Enclosure> around = enclosed_by(line, skeleton);
+    if (around && (around->times[kLeftLeg] != 0) != (around->times[kRightLeg] != 0)) return true;
+  }
+  return false;
+}
+
+/// Bodice and skirt, sleeves and legs become tubes first; what joins them to each other comes later.
+std::vector<Thread> threads_of(const sewing::GarmentMesh& g, std::span<const Covers> covers,
+                               std::span<const Vec3> x) {
+  std::vector<Thread> threads;
+  for (const auto& [i, j] : g.sewn) {
+    const bool late = covers[static_cast<std::size_t>(g.panel_of_vertex[i])] !=
+                      covers[static_cast<std::size_t>(g.panel_of_vertex[j])];
+    threads.push_back({i, j, length(x[i] - x[j]), late});
+  }
+  return threads;
+}
+
+ShapeWishes rubber(const DressingWay& way) { return {way.least_stretch, 1.05, way.bending, 1, 0.05, 0}; }
+
+Shrunk shrunk_at(int pass) {
+  const auto share = [](int since) { return std::max(0.0, 1 - static_cast<double>(since) / kClosing); };
+  return {share(pass), pass < kLater ? std::nullopt : std::optional(share(pass - kLater))};
+}
+
+}  // namespace
+
+namespace {
+
+/// Threads draw the pieces together around the slim figure.
+std::vector<Vec3> drawn_together(const sewing::Assembly& assembly, const Wearer& wearer,
+                                 const DressingWay& way, const RunContext& context) {
+  const sewing::GarmentMesh& g = assembly.garment;
+  const std::vector<Covers> covers = covers_of(assembly, wearer.figure());
+  const std::vector<Vec3> start = staged(assembly, covers, wearer.figure(), way.staging);
+  const SlimFigure slim = wearer.slim(way.slim);
+  Sewn open = shape_of(g, each_for_itself(g.vertex_count()), start);
+  ShapeSolver solver(open.mesh, threads_of(g, covers, start), rubber(way));
+  for (int i = 0; i < kSewing && !context.cancelled(); ++i) {
+    const std::vector<Vec3> before = open.x;
+    solver.pass(open.x, shrunk_at(i), &slim);
+    keep_up(g, covers, before, open.x);
+    context.progress("dress", 0.5 * i / kSewing);
+  }
+  return open.x;
+}
+
+/// The figure grows to the body within the sewn garment.
+void grow(const sewing::Assembly& assembly, const Wearer& wearer, const DressingWay& way,
+          const RunContext& context, Sewn& sewn) {
+  // A crotch says how high trousers hang; all else needs something to keep it up, and down.
+  const bool hangs = !has_legs(assembly.garment, assembly.positions, wearer.skeleton());
+  ShapeWishes growing = rubber(way);
+  if (hangs) {
+    growing.stay = 0.02;
+    growing.hang = kHang;
+  }
+  ShapeSolver solver(sewn.mesh, {}, growing);
+  for (int i = 0; i <= kGrowing && !context.cancelled(); ++i) {
+    const SlimFigure figure = wearer.slim(way.slim * (1 - static_cast<double>(i) / kGrowing));
+    const std::vector<Vec3> before = sewn.x;
+    solver.pass(sewn.x, {}, &figure);
+    if (hangs) stay_up(wearer, before, sewn.x);
+    context.progress("dress", 0.5 + 0.3 * i / kGrowing);
+  }
+}
+
+/// The cloth comes back to its shape, as far as that makes no new tangle.
+void come_back(const Wearer& wearer, const DressingWay& way, const RunContext& context, Sewn& sewn) {
+  const SlimFigure whole = wearer.slim(0);
+  const collision::Surface surface = collision::make_surface(sewn.mesh.triangles, sewn.mesh.vertex_count);
+  const auto parted = [&](std::vector<Vec3>& x) {
+    return untangle(surface, whole, wearer.crossing(), sewn.mesh.spacing, kUntangling, x).none();
+  };
+  if (!parted(sewn.x)) return;
+  for (const double least : kComingBack) {
+    if (context.cancelled()) return;
+    ShapeSolver solver(sewn.mesh, {},
+                       {std::max(least, way.least_stretch), 1.02, 0.5 * way.bending, 0, 0.05, 0});
+    std::vector<Vec3> x = sewn.x;
+    for (int i = 0; i < kSpreading; ++i) solver.pass(x, {}, &whole);
+    if (!parted(x)) return;
+    sewn.x = std::move(x);
+  }
+}
+
+}  // namespace
+
+Dressed dress(const sewing::Assembly& assembly, const Wearer& wearer, const DressingWay& way,
+              const RunContext& context) {
+  const sewing::GarmentMesh& g = assembly.garment;
+  Dressed dressed{{}, {}, way, 0};
+  const std::vector<Vec3> open = drawn_together(assembly, wearer, way, context);
+  for (const auto& [i, j] : g.sewn) dressed.seam_gap = std::max(dressed.seam_gap, length(open[i] - open[j]));
+  Sewn sewn = shape_of(g, joined(g), open);
+  grow(assembly, wearer, way, context, sewn);
+  come_back(wearer, way, context, sewn);
+  for (Index i = 0; i < g.vertex_count(); ++i)
+    dressed.positions.push_back(snapped(sewn.x[sewn.vertex_of[i]]));
+  dressed.certificate = certify(g, dressed.positions, wearer.slim(0), wearer.crossing(), wearer.skeleton());
+  return dressed;
+}
+
+void finish(const sewing::Assembly& assembly, const Wearer& wearer, Dressed& dressed) {
+  const sewing::GarmentMesh& g = assembly.garment;
+  const SlimFigure whole = wearer.slim(0);
+  Sewn sewn = shape_of(g, joined(g), dressed.positions);
+  for (Vec3& p : sewn.x) p = whole.moved_out(p, kFinishing);
+  untangle(collision::make_surface(sewn.mesh.triangles, sewn.mesh.vertex_count), whole, wearer.crossing(),
+           sewn.mesh.spacing, kUntangling, sewn.x);
+  for (std::size_t i = 0; i < dressed.positions.size(); ++i)
+    dressed.positions[i] = snapped(sewn.x[sewn.vertex_of[i]]);
+  dressed.certificate = certify(g, dressed.positions, whole, wearer.crossing(), wearer.skeleton());
+}
+
+const std::vector<DressingWay>& dressing_ways() {
+  static const std::vector<DressingWay> kWays{
+      {{0.12, 0, true, true}, 0.5, 0.3, 0.3},      {{0, 0.12, true, true}, 0.5, 0.3, 0.3},
+      {{0.05, 0.05, true, true}, 0.5, 0.9, 0.03},  {{0.12, 0.05, false, true}, 0.5, 0.3, 0.3},
+      {{0.12, 0, true, false}, 0.5, 0.3, 0.3},     {{0, 0, true, true}, 0.5, 0.9, 0.03},
+      {{0.08, 0.08, false, false}, 0.65, 0.3, 0.1}};
+  return kWays;
+}
+
+}  // namespace toile::dressing

@@ -1,0 +1,40 @@
+#pragma once
+// Puts a garment on a body: sews it around a slim figure of it, lets the figure grow, parts what crosses, and
+// gives back a shape only with the certificate that it is on.
+
+#include <vector>
+
+#include "core/base/run_context.h"
+#include "core/dressing/certificate.h"
+#include "core/dressing/staging.h"
+#include "core/dressing/wearer.h"
+#include "core/sewing/assembly.h"
+
+namespace toile::dressing {
+
+/// One way to try it.
+struct DressingWay {
+  Staging staging;
+  double slim = 0.5;           ///< share of its half thickness by which the body is drawn in
+  double least_stretch = 0.3;  ///< to which cloth may shrink while it is sewn
+  double bending = 0.1;
+};
+
+struct Dressed {
+  std::vector<Vec3> positions;  ///< m, one a garment vertex, sewn ones together
+  Certificate certificate;
+  DressingWay way;
+  double seam_gap = 0;  ///< m, the widest when the seams were joined
+};
+
+/// One try. Progress phase: "dress".
+Dressed dress(const sewing::Assembly& assembly, const Wearer& wearer, const DressingWay& way,
+              const RunContext& context);
+
+/// Parts what still crosses in a shape whose seams are shut, and judges it.
+void finish(const sewing::Assembly& assembly, const Wearer& wearer, Dressed& dressed);
+
+/// The ways, in the order in which they are worth trying.
+const std::vector<DressingWay>& dressing_ways();
+
+}  // namespace toile::dressing

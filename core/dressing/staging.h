@@ -1,0 +1,32 @@
+#pragma once
+// Where the pieces begin before they are sewn around the slim figure: higher than they were placed, since
+// shoulder seams close under the arms otherwise, and clear of the arms.
+
+#include <span>
+#include <vector>
+
+#include "core/body/measure/figure.h"
+#include "core/sewing/assembly.h"
+
+namespace toile::dressing {
+
+/// What of the body a piece is for, by where it is placed.
+enum class Covers : std::uint8_t { kTrunk, kArm, kBelow, kNeck };
+
+/// One a panel.
+std::vector<Covers> covers_of(const sewing::Assembly& assembly, const measure::BodyFigure& figure);
+
+/// How far from where they were placed pieces begin.
+struct Staging {
+  double lift = 0;         ///< m, upwards, of garments that have something for the trunk
+  double lift_others = 0;  ///< m, of skirts and trousers
+  bool arms_centred =
+      true;  ///< pieces for an arm have its line in their middle; else they go up as the trunk
+  bool below_narrow = true;  ///< what is wider below the waist than can pass the hands is drawn in
+};
+
+/// The start of each garment vertex, m.
+std::vector<Vec3> staged(const sewing::Assembly& assembly, std::span<const Covers> covers,
+                         const measure::BodyFigure& figure, const Staging& staging);
+
+}  // namespace toile::dressing

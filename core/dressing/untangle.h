@@ -1,0 +1,27 @@
+#pragma once
+// Parts cloth that has gone through itself or the body: what no contact can do, since it does not know which
+// side is right.
+
+#include <span>
+#include <vector>
+
+#include "core/collision/crossings.h"
+#include "core/collision/surface.h"
+#include "core/dressing/figure.h"
+
+namespace toile::dressing {
+
+struct Tangle {
+  int cloth_body = 0, cloth_cloth = 0;  ///< pairs of triangles that cross
+  bool none() const { return cloth_body + cloth_cloth == 0; }
+  int all() const { return cloth_body + cloth_cloth; }
+};
+
+/// Shortens the lines in which cloth crosses itself until none is left (Volino and Magnenat-Thalmann,
+/// "Resolving surface collisions through intersection contour minimization", 2006), smooths the cloth there,
+/// and moves what crosses the body outwards. At most `passes` times; `spacing` is the mean edge, m. Gives
+/// back what is left.
+Tangle untangle(const collision::Surface& cloth, const SlimFigure& figure,
+                const collision::CrossingBody& body, double spacing, int passes, std::vector<Vec3>& x);
+
+}  // namespace toile::dressing

@@ -1,0 +1,22 @@
+#include "core/dressing/wearer.h"
+
+#include <algorithm>
+
+namespace toile::dressing {
+
+namespace {
+
+constexpr double kCell = 0.01;    // m, of the distance field
+constexpr double kMargin = 4e-3;  // m off the skin
+
+}  // namespace
+
+Wearer::Wearer(const Person& person)
+    : figure_(person.figure),
+      field_(person.body->mesh, kCell),
+      mittens_(figure_),
+      crossing_(collision::make_crossing_body(person.body->mesh.vertices, person.body->mesh.triangles)),
+      skeleton_(skeleton_of(figure_)),
+      margin_(std::max(kMargin, 2 * person.body->skin_offset)) {}
+
+}  // namespace toile::dressing

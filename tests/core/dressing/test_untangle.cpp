@@ -1,0 +1,69 @@
+#include "core/dressing/untangle.h"
+
+#include <gtest/gtest.h>
+
+#include "core/dressing/wearer.h"
+#include "tests/core/dressing/dressed_person.h"
+
+namespace toile {
+namespace {
+
+constexpr double kSpacing = 0.02;  // m
+
+/// A square sheet of n × n squares of kSpacing, from `corner` along u and v; appended.
+void add_sheet(Index n, Vec3 corner, Vec3 u, Vec3 v, std::vector<Vec3>& x, std::vector<Tri>& triangles) {
+  const auto first = static_cast<Index>(x.size());
+  for (Index i = 0; i <= n; ++i)
+    for (Index j = 0; j <= n; ++j) x.push_back(corner + u * (kSpacing * i) + v * (kSpacing * j));
+  for (Index i = 0; i < n; ++i) {
+    for (Index j = 0; j < n; ++j) {
+      const Index a = first + i * (n + 1) + j, b = a + n + 1;
+      triangles.push_back({a, b, a + 1});
+      triangles.push_back({b, b + 1, a + 1});
+    }
+  }
+}
+
+const dressing::Wearer& wearer() {
+  static const dressing::Wearer wearer(test::person());
+  return wearer;
+}
+
+TEST(Untangle, ASheetThatPokesThroughAnotherIsDrawnBack) {
+  std::vector<Vec3> x;
+  std::vector<Tri> triangles;
+  add_sheet(10, {2, 1, 0}, {1, 0, 0}, {0, 1, 0}, x, triangles);
+  add_sheet(6, {2.043, 1.047, -0.105}, {1, 0, 0.001}, {0.001, 0, 1}, x,
+            triangles);  // its edge sticks out by 15 mm
+  const auto surface = collision::make_surface(triangles, static_cast<Index>(x.size()));
+  ASSERT_FALSE(collision::self_crossings(surface, x).empty());
+  const auto left = dressing::untangle(surface, wearer().slim(0), wearer().crossing(), kSpacing, 100, x);
+  EXPECT_TRUE(left.none()) << left.cloth_cloth;
+  EXPECT_TRUE(collision::self_crossings(surface, x).empty());
+}
+
+TEST(Untangle, ClothInTheSkinComesOut) {
+  const measure::BodyFigure& f = test::person().figure;
+  std::vector<Vec3> x;
+  std::vector<Tri> triangles;
+  Vec3 skin{f.middle - 0.06, f.waist + 0.05, 0};
+  while (wearer().slim(0).clearance(skin) < 0) skin.z += 1e-3;
+  add_sheet(6, skin - Vec3{0, 0, 0.02}, {1, 0, 0}, {0, 0.95, 0.31}, x, triangles);  // leans out
+  const auto surface = collision::make_surface(triangles, static_cast<Index>(x.size()));
+  ASSERT_FALSE(collision::body_crossings(surface, x, wearer().crossing()).empty());
+  const auto left = dressing::untangle(surface, wearer().slim(0), wearer().crossing(), kSpacing, 100, x);
+  EXPECT_TRUE(left.none()) << left.cloth_body;
+}
+
+TEST(Untangle, WhatCrossesNothingStaysWhereItIs) {
+  std::vector<Vec3> x;
+  std::vector<Tri> triangles;
+  add_sheet(5, {2, 1, 0}, {1, 0, 0}, {0, 1, 0}, x, triangles);
+  const std::vector<Vec3> before = x;
+  const auto surface = collision::make_surface(triangles, static_cast<Index>(x.size()));
+  dressing::untangle(surface, wearer().slim(0), wearer().crossing(), kSpacing, 100, x);
+  EXPECT_EQ(x, before);
+}
+
+}  // namespace
+}  // namespace toile
