@@ -28,6 +28,8 @@ Report make_report(const drape::DrapeInput& input, const drape::DrapeResult& res
   r.worst_frame_step = result.worst_frame_step;
   r.frames_checked = result.frames_checked;
   r.seam_gap_max_mm = 1e3 * result.seam_gap_max;
+  r.open_seams = result.open_seams;
+  r.worn = result.worn;
   for (std::size_t a = 0; a < result.holds.size(); ++a) {
     const drape::HoldFigures& hold = result.holds[a];
     r.attachments.push_back({input.attachments[a].id, hold.released, hold.released_at, 1e3 * hold.off});

@@ -34,6 +34,8 @@ struct Report {
   int worst_frame_step = 0;
   int frames_checked = 0;
   double seam_gap_max_mm = 0;
+  std::vector<drape::OpenSeam> open_seams;
+  drape::Worn worn = drape::Worn::kNobody;
   std::vector<AttachmentFigures> attachments;
   StretchFigures warp, weft;
   StrainFigures shear;

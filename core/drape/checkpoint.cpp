@@ -38,6 +38,8 @@ template <typename Archive>
 void fields(Archive& a, RunState& run) {
   SessionState& s = run.session;
   a.value(s.phase);
+  a.value(s.dressed);
+  a.value(s.lost);
   stop_value(a, s.stop_reason);
   a.value(s.steps);
   a.value(s.time);

@@ -26,13 +26,15 @@ namespace toile::drape {
 
 /// Rises when the fields change, and whenever a change of the engine gives a drape other bytes: a drape begun
 /// by one engine and ended by another would be neither's.
-inline constexpr std::uint32_t kCheckpointVersion = 6;
+inline constexpr std::uint32_t kCheckpointVersion = 7;
 
 enum class DrapePhase : std::uint8_t { kSew, kDrape, kDone };
 
 /// What a DrapeSession remembers.
 struct SessionState {
   DrapePhase phase = DrapePhase::kSew;
+  bool dressed = false;                   ///< it began on the body
+  std::vector<bool> lost;                 ///< seams whose threads have let go
   std::optional<StopReason> stop_reason;  ///< while phase is kDone
   int steps = 0;
   double time = 0, phase_start = 0, last_weld = 0;  ///< s

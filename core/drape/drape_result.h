@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/types.h"
@@ -31,6 +33,22 @@ struct HoldFigures {
   double off = 0;          ///< m, from where it should be, at most: when it was released, or else at the end
 };
 
+/// A seam that did not close.
+struct OpenSeam {
+  std::string id;
+  double gap = 0;  ///< m, the widest
+};
+
+/// Whether the body wears what was draped.
+enum class Worn : std::uint8_t {
+  kNobody,  ///< there is no standing person, or nothing that is sewn
+  kYes,
+  kPartly,  ///< a seam is open
+  kNo,      ///< a ring is not around the limb that it is for, or the garment lies on the ground
+};
+/// "", "yes", "partly", "no".
+std::string_view word_of(Worn worn);
+
 struct DrapeResult {
   sewing::GarmentMesh garment;
   std::vector<Vec3> positions;  ///< m, at the end
@@ -44,8 +62,10 @@ struct DrapeResult {
   CrossingCount worst;  ///< of all recorded frames
   int worst_frame_step = 0;
   int frames_checked = 0;
-  preflight::Findings findings;    ///< of the look at the start, worst first
-  double seam_gap_max = 0;         ///< m
+  preflight::Findings findings;  ///< of the look at the start, worst first
+  double seam_gap_max = 0;       ///< m
+  std::vector<OpenSeam> open_seams;
+  Worn worn = Worn::kNobody;
   std::vector<HoldFigures> holds;  ///< one for each attachment
 
   bool settled() const { return stop_reason.kind == Stop::kSettled; }

@@ -20,6 +20,10 @@ struct DrapeSettings {
   double max_time = 8.0;             ///< s of simulated time after which an unsettled drape ends
   int frame_interval = 50;           ///< substeps between frames that viewers see, at most
   DrapeMode mode = DrapeMode::kDrape;
+  /// Begins with the garment on the body, where that can be certified (core/dressing); otherwise pieces are
+  /// sewn from where they stand.
+  bool dress = true;
+  bool ground = true;                     ///< a person stands on ground that cloth does not go through
   bool until_settled = true;              ///< ends when the cloth is at rest; otherwise at max_time
   solver::constraints::AirDrag air = {};  ///< while draping, not while sewing
 };

@@ -120,9 +120,9 @@ void write_one(StateWriter& out, const solver::constraints::AirDrag& air) {
 }
 void write_one(StateWriter& out, const DrapeSettings& settings) {
   const auto& [particle_distance, time_step, gravity, sew_time, settle_speed, max_time, frame_interval, mode,
-               until_settled, air] = settings;
+               dress, ground, until_settled, air] = settings;
   write(out, particle_distance, time_step, gravity, sew_time, settle_speed, max_time, frame_interval, mode,
-        until_settled, air);
+        dress, ground, until_settled, air);
 }
 void write_one(StateWriter& out, const DrapeInput& input) {
   const auto& [name, pattern, placements, fabrics, fabric_of_panel, bodies, attachments, notions, settings] =

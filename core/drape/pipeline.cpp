@@ -4,6 +4,8 @@
 #include <limits>
 
 #include "core/base/stopwatch.h"
+#include "core/drape/input_hash.h"
+#include "core/dressing/put_on.h"
 #include "core/mesh/make_panel_meshes.h"
 #include "core/preflight/preflight.h"
 #include "core/sewing/assembly.h"
@@ -41,6 +43,88 @@ class GoTimer {
   Stopwatch watch_;
 };
 
+/// Garments are put on by a mesh of this particle distance where theirs is finer: a shape needs no more.
+constexpr double kCoarse = 0.02;  // m
+
+constexpr double kOffGround = 1.5e-3;  // m, that cloth starts above the ground at least
+constexpr double kDropped = 0.01;      // m above the ground: what lies there all around has fallen
+
+/// Layers worn over each other: which of them is inside is known to contact alone.
+bool layered(const pattern::Pattern& pattern) {
+  return std::any_of(pattern.panels.begin(), pattern.panels.end(),
+                     [&](const pattern::Panel& p) { return p.layer != pattern.panels.front().layer; });
+}
+
+/// The floor that the person stands on, where all of the cloth starts above it.
+std::optional<double> ground_under(const DrapeInput& input, const DrapeStart& start) {
+  if (!input.settings.ground || !start.person) return std::nullopt;
+  const double floor = start.person->figure.floor;
+  const std::vector<Vec3>& x = start.dressed ? *start.dressed : start.assembly.positions;
+  const bool above = std::all_of(x.begin(), x.end(), [&](Vec3 p) { return p.y > floor + kOffGround; });
+  return above ? std::optional(floor) : std::nullopt;
+}
+
+/// Whether something about where the pieces stand may keep them from being sewn there: a start that is in
+/// order is sewn under contact, which keeps the cloth's shape from the first step on.
+bool in_question(const preflight::Findings& findings) {
+  return std::any_of(findings.begin(), findings.end(), [](const preflight::Finding& f) {
+    return preflight::traits_of(f.kind).cause == preflight::Cause::kPlacement;
+  });
+}
+
+std::optional<sewing::Assembly> coarse_assembly(const DrapeInput& input, const RunContext& context) {
+  pattern::Pattern pattern = input.pattern;
+  for (pattern::Panel& panel : pattern.panels) panel.spacing = std::max(panel.spacing, kCoarse);
+  const auto meshes = mesh::make_panel_meshes(pattern, kCoarse, context);
+  if (!meshes) return std::nullopt;
+  auto assembly = sewing::assemble(*meshes, input.placements, {}, {});
+  if (!assembly) return std::nullopt;
+  return std::move(*assembly);
+}
+
+preflight::Concerns pieces_of(const DrapeInput& input, const sewing::GarmentMesh& garment,
+                              const std::vector<Index>& ring) {
+  preflight::Concerns pieces;
+  for (const Index v : ring) {
+    preflight::Concern piece = preflight::piece_named(input.pattern.panels[garment.panel_of_vertex[v]].id);
+    if (std::find(pieces.begin(), pieces.end(), piece) == pieces.end()) pieces.push_back(std::move(piece));
+  }
+  return pieces;
+}
+
+/// Whether the garment ended where it is worn: rings around limbs, and not all on the ground.
+void judge_worn(const DrapeInput& input, const std::optional<dressing::Person>& person, DrapeResult& result) {
+  if (!person || result.garment.sewn.empty()) return;
+  result.worn = result.open_seams.empty() ? Worn::kYes : Worn::kPartly;
+  const auto add = [&](preflight::FindingKind kind, std::string message, preflight::Concerns about, Vec3 at) {
+    result.findings.push_back(preflight::found(kind, std::move(message), std::move(about), at));
+    result.worn = Worn::kNo;
+  };
+  const dressing::Skeleton skeleton = dressing::skeleton_of(person->figure);
+  for (const dressing::WornRing& ring : dressing::worn_rings(result.garment, result.positions, skeleton)) {
+    if (ring.right) continue;
+    add(preflight::FindingKind::kRingOff,
+        "the ring of " + preflight::length_text(ring.girth) + " ended around no part of the body",
+        pieces_of(input, result.garment, ring.vertices), result.positions[ring.vertices.front()]);
+  }
+  const auto highest = std::max_element(result.positions.begin(), result.positions.end(),
+                                        [](Vec3 a, Vec3 b) { return a.y < b.y; });
+  if (highest->y < person->figure.leg[0].ankle.y + kDropped)
+    add(preflight::FindingKind::kOnGround, "the garment has fallen to the ground", {}, *highest);
+  preflight::sort_by_severity(result.findings);
+}
+
+/// Where pieces were placed does not matter any more.
+void begin_on_body(DrapeStart& start) {
+  start.assembly = start.placed;
+  for (preflight::Finding& f : start.findings) {
+    if (preflight::traits_of(f.kind).cause != preflight::Cause::kPlacement) continue;
+    f.severity = preflight::Severity::kNote;
+    f.repaired = true;
+  }
+  preflight::sort_by_severity(start.findings);
+}
+
 }  // namespace
 
 Result<DrapeStart> prepare_start(const DrapeInput& input, const RunContext& context) {
@@ -48,10 +132,24 @@ Result<DrapeStart> prepare_start(const DrapeInput& input, const RunContext& cont
   auto meshes = TRY(mesh::make_panel_meshes(input.pattern, input.settings.particle_distance, context));
   context.progress("place", 0);
   auto assembly = TRY(sewing::assemble(meshes, input.placements, input.attachments, input.notions));
-  DrapeStart start{std::move(meshes), std::move(assembly), {}};
+  DrapeStart start{std::move(meshes), assembly, std::move(assembly), {}, {}, {}};
+  start.person = dressing::find_person(input.bodies);
   start.findings = preflight::run_preflight(
       {input.pattern, start.meshes, input.bodies, input.settings.particle_distance}, start.assembly);
   return start;
+}
+
+void dress_start(const DrapeInput& input, DrapeStart& start, const RunContext& context) {
+  if (!input.settings.dress || !start.person || start.placed.garment.sewn.empty() || layered(input.pattern))
+    return;
+  if (!in_question(start.findings)) return;
+  const dressing::Wearer wearer(*start.person);
+  std::optional<sewing::Assembly> coarse;
+  if (input.settings.particle_distance < kCoarse) coarse = coarse_assembly(input, context);
+  auto on = dressing::put_on(start.placed, coarse ? *coarse : start.placed, wearer, context);
+  if (!on) return;
+  start.dressed = std::move(on->positions);
+  begin_on_body(start);
 }
 
 DrapeRun::DrapeRun(const DrapeInput& input, FrameSink* sink)
@@ -69,14 +167,16 @@ Result<std::unique_ptr<DrapeRun>> DrapeRun::start(const DrapeInput& input, const
 Result<std::unique_ptr<DrapeRun>> DrapeRun::resume(const DrapeInput& input, std::string_view checkpoint,
                                                    const RunContext& context, FrameSink* sink) {
   std::unique_ptr<DrapeRun> run(new DrapeRun(input, sink));
-  TRY(run->prepare(context));
-  TRY(run->restore(checkpoint));
+  TRY(run->restore(checkpoint, context));
   return run;
 }
 
-Status DrapeRun::restore(std::string_view checkpoint) {
+Status DrapeRun::restore(std::string_view checkpoint, const RunContext& context) {
   const GoTimer timer(result_);
-  RunState state = TRY(decode_checkpoint(checkpoint, session_->start_hash()));
+  DrapeStart start = TRY(prepare_start(input_, context));
+  RunState state = TRY(decode_checkpoint(checkpoint, input_hash(input_, start.placed)));
+  if (state.session.dressed) begin_on_body(start);
+  TRY(begin(std::move(start)));
   TRY(session_->restore(std::move(state.session)));
   result_.at_end = state.at_end;
   result_.worst = state.worst;
@@ -91,17 +191,24 @@ Status DrapeRun::restore(std::string_view checkpoint) {
 
 std::string DrapeRun::checkpoint() const {
   return encode_checkpoint(
-      session_->start_hash(),
-      {session_->state(), result_.at_end, result_.worst, result_.worst_frame_step, result_.frames_checked,
-       result_.resumed, recorded_, result_.cpu_s, result_.wall_s});
+      start_hash_, {session_->state(), result_.at_end, result_.worst, result_.worst_frame_step,
+                    result_.frames_checked, result_.resumed, recorded_, result_.cpu_s, result_.wall_s});
 }
 
 Status DrapeRun::prepare(const RunContext& context) {
   const GoTimer timer(result_);
-  auto start = TRY(prepare_start(input_, context));
+  DrapeStart start = TRY(prepare_start(input_, context));
+  dress_start(input_, start, context);
+  return begin(std::move(start));
+}
+
+Status DrapeRun::begin(DrapeStart start) {
   if (auto refused = preflight::first_error(start.findings)) return *refused;
+  start_hash_ = input_hash(input_, start.placed);
   result_.findings = std::move(start.findings);
-  session_ = DrapeSession::start(input_, start.meshes, std::move(start.assembly));
+  const std::optional<double> ground = ground_under(input_, start);
+  person_ = start.person;
+  session_ = DrapeSession::start(input_, start.meshes, std::move(start.assembly), start.dressed, ground);
   result_.garment = session_->garment();
   if (sink_) sink_->begin(result_.garment);
   return {};
@@ -151,6 +258,8 @@ DrapeResult DrapeRun::conclude() {
   result.rms_speed = session_->rms_speed();
   result.max_speed = session_->max_speed();
   result.seam_gap_max = session_->seam_gap();
+  result.open_seams = session_->open_seams();
+  judge_worn(input_, person_, result);
   result.holds = session_->holds();
   return result;
 }

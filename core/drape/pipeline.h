@@ -3,8 +3,10 @@
 // Pattern → PanelMeshes → Assembly → ClothState → Frames → result.
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/result.h"
 #include "core/base/run_context.h"
@@ -12,6 +14,7 @@
 #include "core/drape/drape_result.h"
 #include "core/drape/frame_sink.h"
 #include "core/drape/session.h"
+#include "core/dressing/person.h"
 #include "core/mesh/panel_mesh.h"
 #include "core/preflight/finding.h"
 #include "core/sewing/assembly.h"
@@ -22,12 +25,21 @@ namespace toile::drape {
 struct DrapeStart {
   mesh::PanelMeshes meshes;
   sewing::Assembly assembly;     ///< repaired where that could be done
+  sewing::Assembly placed;       ///< as the document has it
   preflight::Findings findings;  ///< of run_preflight, worst first; with an error among them no drape begins
+  std::optional<dressing::Person> person;    ///< whom it is for
+  std::optional<std::vector<Vec3>> dressed;  ///< m, the garment on the body, once it was put there
 };
 
 /// Meshes, places and looks at the start. Progress phases: "mesh", "place". Errors: pattern.*, mesh.*,
 /// placement.* with the piece or seam at fault; "cancelled". What is wrong with the start is no error here.
 Result<DrapeStart> prepare_start(const DrapeInput& input, const RunContext& context);
+
+/// Puts the garment on the first body that stands like a person (core/dressing), if it has seams, the
+/// settings want it, and the look at the start found anything about where its pieces stand. Where that is
+/// certified, `start.dressed` has the shape, and findings about where pieces stand become notes; else nothing
+/// changes. Progress phase: "dress".
+void dress_start(const DrapeInput& input, DrapeStart& start, const RunContext& context);
 
 /// A drape from its input to its result, in as many goes as the caller likes: between two of them it may lie
 /// in memory, and any thread may take it up again. How it is cut into goes changes nothing in the result but
@@ -58,18 +70,23 @@ class DrapeRun {
   DrapeResult conclude();
 
   const DrapeSession& session() const { return *session_; }
+  /// Of the input and where its pieces stand (core/drape/input_hash.h): what a checkpoint belongs to.
+  const std::string& start_hash() const { return start_hash_; }
   /// Crossings at the newest recorded frame.
   CrossingCount crossings() const { return result_.at_end; }
 
  private:
   DrapeRun(const DrapeInput& input, FrameSink* sink);
+  Status begin(DrapeStart start);
   Status prepare(const RunContext& context);
-  Status restore(std::string_view checkpoint);
+  Status restore(std::string_view checkpoint, const RunContext& context);
   void record_frame();
 
   const DrapeInput& input_;
   FrameSink* sink_;
   std::unique_ptr<DrapeSession> session_;
+  std::optional<dressing::Person> person_;
+  std::string start_hash_;
   DrapeResult result_;  ///< so far: the garment, times and crossings
   int frame_interval_;  ///< steps
   int recorded_ = -1;   ///< step of the newest recorded frame

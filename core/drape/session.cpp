@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/base/check.h"
-#include "core/drape/input_hash.h"
 #include "core/drape/make_features.h"
 #include "core/drape/weld.h"
 #include "core/solver/constraints/viscosity.h"
@@ -40,23 +39,60 @@ constexpr double kButtonTolerance = 3e-3;  // m
 constexpr double kSeamLost = 10e-3;  // m
 /// How much calmer cloth must be than at rest before a seam or button is given up as open.
 constexpr double kOpenCalm = 0.2;
+/// Cloth that begins on the body comes back to its shape for so long before gravity comes in.
+constexpr double kEaseTime = 0.25;  // s
+/// The ground: a square that no garment reaches beyond, and what lies on it does not slide.
+constexpr double kGroundReach = 20, kGroundSkin = 1e-3;  // m
+constexpr double kGroundFriction = 0.5;
 constexpr double kWeldInterval = 0.25;  // s between tries to weld what was left open
 constexpr double kPullPerMetre = 150;   // N/m, pull of all threads along a seam's length
 
 }  // namespace
 
 std::unique_ptr<DrapeSession> DrapeSession::start(const DrapeInput& input, const mesh::PanelMeshes& meshes,
-                                                  sewing::Assembly assembly) {
-  return std::unique_ptr<DrapeSession>(new DrapeSession(input, meshes, std::move(assembly)));
+                                                  sewing::Assembly assembly,
+                                                  const std::optional<std::vector<Vec3>>& dressed,
+                                                  std::optional<double> ground) {
+  std::unique_ptr<DrapeSession> session(new DrapeSession(input, meshes, std::move(assembly), ground));
+  if (dressed) session->begin_dressed(*dressed);
+  return session;
+}
+
+void DrapeSession::add_ground(double height) {
+  const std::array<Vec3, 4> corners{{{-kGroundReach, height, -kGroundReach},
+                                     {-kGroundReach, height, kGroundReach},
+                                     {kGroundReach, height, kGroundReach},
+                                     {kGroundReach, height, -kGroundReach}}};
+  const std::array<Tri, 2> triangles{{{0, 1, 2}, {0, 2, 3}}};
+  obstacles_.push_back(collision::make_obstacle(corners, triangles, kGroundFriction, kGroundSkin));
+  crossing_bodies_.push_back(collision::make_crossing_body(corners, triangles));
+}
+
+void DrapeSession::begin_dressed(const std::vector<Vec3>& positions) {
+  dressed_ = true;
+  Weld weld = joined_as(assembly_.garment, std::vector<bool>(positions.size(), true));
+  vertex_of_ = weld.vertex_of;
+  weld.positions.resize(static_cast<std::size_t>(weld.vertex_count));
+  for (std::size_t i = 0; i < positions.size(); ++i) weld.positions[vertex_of_[i]] = positions[i];
+  build_solver(model_of(vertex_of_, weld.vertex_count), std::move(weld.positions), {});
+  solver_->set_stitches(stitches_now());
+}
+
+/// A garment that is on already only lets go of what it was stretched, unless threads or goals lead it.
+double DrapeSession::sew_time() const {
+  const bool led = std::any_of(input_.attachments.begin(), input_.attachments.end(),
+                               [](const auto& a) { return a.hold == sewing::Attachment::Hold::kGoal; });
+  if (!dressed_ || led || !input_.notions.buttons.empty()) return input_.settings.sew_time;
+  return std::min(input_.settings.sew_time, kEaseTime);
 }
 
 DrapeSession::DrapeSession(const DrapeInput& input, const mesh::PanelMeshes& meshes,
-                           sewing::Assembly assembly)
+                           sewing::Assembly assembly, std::optional<double> ground)
     : input_(input),
       assembly_(std::move(assembly)),
       crossings_(collision::make_surface(assembly_.garment.triangles, assembly_.garment.vertex_count(),
                                          assembly_.garment.weld)),
-      start_hash_(input_hash(input, assembly_)),
+      lost_(input.pattern.seams.size(), false),
       released_(input.attachments.size(), false),
       off_at_release_(input.attachments.size(), 0),
       watch_(input.settings.time_step, input.settings.settle_speed) {
@@ -66,6 +102,7 @@ DrapeSession::DrapeSession(const DrapeInput& input, const mesh::PanelMeshes& mes
                                                   body.skin_offset, body.restitution));
     crossing_bodies_.push_back(collision::make_crossing_body(body.mesh.vertices, body.mesh.triangles));
   }
+  if (ground) add_ground(*ground);
   const Weld open = no_weld(assembly_.positions);
   vertex_of_ = open.vertex_of;
   build_solver(model_of(vertex_of_, open.vertex_count), open.positions, {});
@@ -98,7 +135,7 @@ std::vector<solver::constraints::Stitch> DrapeSession::stitches_now() const {
   std::vector<solver::constraints::Stitch> stitches;
   for (std::size_t k = 0; k < g.sewn.size(); ++k) {
     const auto [i, j] = g.sewn[k];
-    if (vertex_of_[i] == vertex_of_[j]) continue;
+    if (vertex_of_[i] == vertex_of_[j] || lost_[g.seam_of_sewn[k]]) continue;
     const double seam = held[k] > 0 ? held[k] : input_.settings.particle_distance;
     stitches.push_back({vertex_of_[i], vertex_of_[j], length(assembly_.positions[i] - assembly_.positions[j]),
                         kPullPerMetre * seam});
@@ -146,7 +183,7 @@ solver::StepForces DrapeSession::forces_now() const {
     forces.gravity = 0;
     forces.friction = forces.restitution = 0;
     forces.damping = kSewDamping;
-    forces.stitch_length = std::max(0.0, 1 - since / input_.settings.sew_time);
+    forces.stitch_length = std::max(0.0, 1 - since / sew_time());
     forces.features = {forces.stitch_length, 0, false};
     return forces;
   }
@@ -167,19 +204,21 @@ SessionState DrapeSession::state() const {
   for (std::size_t i = 0; i < joined.size(); ++i) {
     joined[i] = vertex_of_[i] == vertex_of_[assembly_.garment.weld[i]];
   }
-  return {phase_,     stop_reason_, steps_,    time_,           phase_start_,   last_weld_,
-          slackened_, joined,       released_, off_at_release_, watch_.state(), solver_->state()};
+  return {phase_,     dressed_,   lost_,  stop_reason_, steps_,          time_,          phase_start_,
+          last_weld_, slackened_, joined, released_,    off_at_release_, watch_.state(), solver_->state()};
 }
 
 Status DrapeSession::restore(SessionState state) {
-  if (state.joined.size() != vertex_of_.size() || state.released.size() != released_.size() ||
-      state.off_at_release.size() != released_.size()) {
+  if (state.joined.size() != vertex_of_.size() || state.lost.size() != lost_.size() ||
+      state.released.size() != released_.size() || state.off_at_release.size() != released_.size()) {
     return damaged_checkpoint();
   }
   const Weld weld = joined_as(assembly_.garment, state.joined);
   const auto count = static_cast<std::size_t>(weld.vertex_count);
   if (state.solver.positions.size() != count) return damaged_checkpoint();
   vertex_of_ = weld.vertex_of;
+  dressed_ = state.dressed;
+  lost_ = state.lost;
   released_ = state.released;
   off_at_release_ = state.off_at_release;
   build_solver(model_of(vertex_of_, weld.vertex_count), state.solver.positions, {});
@@ -216,23 +255,31 @@ void DrapeSession::step() {
 
 void DrapeSession::sew_or_weld() {
   const double since = time_ - phase_start_;
-  if (since < input_.settings.sew_time) return;
+  if (since < sew_time()) return;
   const double gap = solver::constraints::largest_gap(solver_->stitches(), solver_->positions());
   const bool shut = gap <= kSeamShut && open_button().excess <= kSeamShut;
-  if (!shut && slackened_ < kMostSlackened && since >= input_.settings.sew_time + kJamTime) {
+  if (!shut && slackened_ < kMostSlackened && since >= sew_time() + kJamTime) {
     ++slackened_;
-    phase_start_ = time_ - (1 - kSlack) * input_.settings.sew_time;
+    phase_start_ = time_ - (1 - kSlack) * sew_time();
     return;
   }
   const bool still = slackened_ == kMostSlackened && watch_.rms_speed() < input_.settings.settle_speed;
-  if (!shut && !still && since < input_.settings.sew_time + kStallTime) return;
-  if (gap > kSeamLost) {
-    end(Stop::kStalledSeam);
-    return;
-  }
+  if (!shut && !still && since < sew_time() + kStallTime) return;
+  if (gap > kSeamLost) let_go_of_lost_seams();
   weld();
   phase_ = Phase::kDrape;
   phase_start_ = last_weld_ = time_;
+}
+
+/// What does not close is left open, and the rest is draped: threads that went on pulling would draw the
+/// garment to where it should not be.
+void DrapeSession::let_go_of_lost_seams() {
+  const sewing::GarmentMesh& g = assembly_.garment;
+  const std::vector<Vec3>& x = solver_->positions();
+  for (std::size_t k = 0; k < g.sewn.size(); ++k) {
+    const auto [i, j] = g.sewn[k];
+    if (length(x[vertex_of_[i]] - x[vertex_of_[j]]) > kSeamLost) lost_[g.seam_of_sewn[k]] = true;
+  }
 }
 
 void DrapeSession::weld() {
@@ -295,12 +342,14 @@ bool DrapeSession::lies_still() const { return watch_.settled(forces_now().dampi
 
 /// What threads still hold open may close while the cloth creeps: that is waited for.
 bool DrapeSession::nothing_closes() const {
-  return stop_at_rest() == Stop::kSettled || watch_.settled(forces_now().damping, kOpenCalm);
+  const double pulled = solver::constraints::largest_gap(solver_->stitches(), solver_->positions());
+  const bool shut = pulled <= kSeamTolerance && open_button().excess <= kButtonTolerance;
+  return shut || watch_.settled(forces_now().damping, kOpenCalm);
 }
 
 Progress DrapeSession::progress() const {
   const double since = time_ - phase_start_;
-  if (phase_ == Phase::kSew) return {"sew", std::min(1.0, since / input_.settings.sew_time)};
+  if (phase_ == Phase::kSew) return {"sew", std::min(1.0, since / sew_time())};
   if (phase_ == Phase::kDone) return {"drape", 1};
   const double left = std::max(1e-3, input_.settings.max_time - phase_start_);
   return {"drape", std::min(1.0, since / left)};
@@ -351,6 +400,20 @@ double DrapeSession::seam_gap() const {
     gap = std::max(gap, length(solver_->positions()[vertex_of_[i]] - solver_->positions()[vertex_of_[j]]));
   }
   return gap;
+}
+
+std::vector<OpenSeam> DrapeSession::open_seams() const {
+  std::vector<double> gaps(input_.pattern.seams.size(), 0);
+  const sewing::GarmentMesh& g = assembly_.garment;
+  for (std::size_t k = 0; k < g.sewn.size(); ++k) {
+    const auto [i, j] = g.sewn[k];
+    double& gap = gaps[g.seam_of_sewn[k]];
+    gap = std::max(gap, length(solver_->positions()[vertex_of_[i]] - solver_->positions()[vertex_of_[j]]));
+  }
+  std::vector<OpenSeam> open;
+  for (std::size_t s = 0; s < gaps.size(); ++s)
+    if (gaps[s] > kSeamTolerance) open.push_back({input_.pattern.seams[s].id, gaps[s]});
+  return open;
 }
 
 std::string DrapeSession::name_of_widest_seam() const {

@@ -22,9 +22,13 @@ namespace toile::drape {
 class DrapeSession {
  public:
   /// Prepares a drape. `input` must outlive the session. `assembly` has passed run_preflight without an
-  /// error: from a start without crossings none will come.
+  /// error: from a start without crossings none will come. With `dressed` (m, one a garment vertex, sewn ones
+  /// together, certified) it begins there, with all seams shut. `ground` (m) is the height of a floor under
+  /// all of it.
   static std::unique_ptr<DrapeSession> start(const DrapeInput& input, const mesh::PanelMeshes& meshes,
-                                             sewing::Assembly assembly);
+                                             sewing::Assembly assembly,
+                                             const std::optional<std::vector<Vec3>>& dressed = std::nullopt,
+                                             std::optional<double> ground = std::nullopt);
 
   /// One substep. REQUIRES !done().
   void step();
@@ -34,9 +38,8 @@ class DrapeSession {
   /// Goes on where another session stood that was started from the same input. Error: checkpoint.damaged when
   /// the state does not fit this garment.
   Status restore(SessionState state);
-  /// Of the drape's start: the input and what was made of it (core/drape/input_hash.h).
-  const std::string& start_hash() const { return start_hash_; }
 
+  bool dressed() const { return dressed_; }  ///< it began on the body
   bool done() const { return phase_ == Phase::kDone; }
   /// Why it ended; nothing until done(). Never Stop::kCancelled: that is for whoever runs the session to say.
   const std::optional<StopReason>& stop_reason() const { return stop_reason_; }
@@ -48,7 +51,8 @@ class DrapeSession {
   const sewing::GarmentMesh& garment() const { return assembly_.garment; }
   double rms_speed() const { return watch_.rms_speed(); }
   double max_speed() const { return watch_.max_speed(); }
-  double seam_gap() const;                 ///< m, the largest
+  double seam_gap() const;  ///< m, the largest
+  std::vector<OpenSeam> open_seams() const;
   std::vector<HoldFigures> holds() const;  ///< one for each attachment
 
   std::vector<Vec3> positions() const;  ///< m, of the garment's vertices
@@ -58,7 +62,11 @@ class DrapeSession {
  private:
   using Phase = DrapePhase;
 
-  DrapeSession(const DrapeInput& input, const mesh::PanelMeshes& meshes, sewing::Assembly assembly);
+  DrapeSession(const DrapeInput& input, const mesh::PanelMeshes& meshes, sewing::Assembly assembly,
+               std::optional<double> ground);
+  void add_ground(double height);
+  void begin_dressed(const std::vector<Vec3>& positions);
+  double sew_time() const;
   void build_solver(solver::ClothModel model, std::vector<Vec3> positions, std::vector<Vec3> velocities);
   solver::ClothModel model_of(std::span<const Index> vertex_of, Index vertex_count) const;
   std::vector<solver::constraints::Stitch> stitches_now() const;
@@ -68,6 +76,7 @@ class DrapeSession {
   void sew_or_weld();
   void weld();
   void weld_what_closed();
+  void let_go_of_lost_seams();
   void settle_or_stop();
   double time_of_full_gravity() const;
   bool dynamic() const;
@@ -82,16 +91,17 @@ class DrapeSession {
   const DrapeInput& input_;
   sewing::Assembly assembly_;
   collision::CrossingCounter crossings_;  ///< of the garment's own vertices
-  std::string start_hash_;
   std::vector<Vec2> warps_;
   std::vector<collision::Obstacle> obstacles_;
   std::vector<collision::CrossingBody> crossing_bodies_;
   std::unique_ptr<solver::ClothSolver> solver_;
   std::vector<Index> vertex_of_;
+  std::vector<bool> lost_;              ///< seams that did not close: their threads have let go
   std::vector<bool> released_;          ///< attachments
   std::vector<double> off_at_release_;  ///< m, of each
 
   Phase phase_ = Phase::kSew;
+  bool dressed_ = false;
   std::optional<StopReason> stop_reason_;  ///< while phase_ is kDone
   SettleWatch watch_;
   int steps_ = 0;
@@ -102,7 +112,7 @@ class DrapeSession {
 
 /// Simulated s that a drape takes at least, if it runs until it is at rest.
 double shortest_drape(const DrapeInput& input);
-/// Simulated s after which a drape is sewn or has stopped with a stalled seam.
+/// Simulated s after which a garment is sewn, but for seams that do not close.
 double longest_sewing(const DrapeSettings& settings);
 
 }  // namespace toile::drape

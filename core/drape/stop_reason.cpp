@@ -14,7 +14,6 @@ constexpr std::array<Words, kStops.size()> kWords{{{Stop::kSettled, "settled", f
                                                    {Stop::kTime, "time", false},
                                                    {Stop::kCancelled, "cancelled", false},
                                                    {Stop::kNotFinite, "not finite", false},
-                                                   {Stop::kStalledSeam, "stalled seam", true},
                                                    {Stop::kOpenSeam, "open seam", true},
                                                    {Stop::kOpenButton, "open button", true}}};
 

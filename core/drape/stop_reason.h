@@ -12,16 +12,15 @@
 namespace toile::drape {
 
 enum class Stop : std::uint8_t {
-  kSettled,      ///< the cloth is at rest, everything is shut
-  kTime,         ///< DrapeSettings::max_time is over and it still moves
-  kCancelled,    ///< whoever ran it wanted no more
-  kNotFinite,    ///< a position is no number any more
-  kStalledSeam,  ///< threads could not close a seam; it was never welded, and no gravity came in
-  kOpenSeam,     ///< the cloth is at rest, but a seam is not shut
-  kOpenButton,   ///< the cloth is at rest, but a button's thread is longer than it should be
+  kSettled,     ///< the cloth is at rest, everything is shut
+  kTime,        ///< DrapeSettings::max_time is over and it still moves
+  kCancelled,   ///< whoever ran it wanted no more
+  kNotFinite,   ///< a position is no number any more
+  kOpenSeam,    ///< the cloth is at rest, but a seam is not shut
+  kOpenButton,  ///< the cloth is at rest, but a button's thread is longer than it should be
 };
-inline constexpr std::array kStops{Stop::kSettled,     Stop::kTime,     Stop::kCancelled, Stop::kNotFinite,
-                                   Stop::kStalledSeam, Stop::kOpenSeam, Stop::kOpenButton};
+inline constexpr std::array kStops{Stop::kSettled,   Stop::kTime,     Stop::kCancelled,
+                                   Stop::kNotFinite, Stop::kOpenSeam, Stop::kOpenButton};
 
 /// Whether a stop is one of a certain seam or button, which StopReason::name then gives.
 bool has_name(Stop kind);
@@ -32,7 +31,7 @@ struct StopReason {
   double gap = 0;    ///< m, how far that is open
 };
 
-/// "settled", "time", "cancelled", "not finite", "stalled seam NAME", "open seam NAME", "open button NAME":
+/// "settled", "time", "cancelled", "not finite", "open seam NAME", "open button NAME":
 /// as report.json has it.
 std::string to_string(const StopReason& reason);
 

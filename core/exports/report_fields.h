@@ -60,6 +60,11 @@ struct ReportFinding {
   bool repaired = false;
 };
 
+struct ReportSeam {
+  FreeText id;
+  double gap_mm = 0;
+};
+
 struct ReportDocument {
   FreeText name;
   bool settled = false;
@@ -70,6 +75,8 @@ struct ReportDocument {
   int particles = 0, sewn_particles = 0, triangles = 0, body_triangles = 0;
   ReportCrossings intersections;
   double seam_gap_max_mm = 0;
+  std::vector<ReportSeam> open_seams;
+  std::string worn;
   std::vector<ReportAttachment> attachments;
   ReportStrain strain;
   double rms_speed = 0, max_speed = 0, lowest_m = 0, highest_m = 0;
@@ -111,6 +118,13 @@ void describe(Visitor& v, exports::ReportCrossings& counts) {
   v.field("worst_frame", counts.worst_frame, "The frame with the most crossings.", Need::kRequired);
   v.field("frames_checked", counts.frames_checked, "How many frames were checked.", Need::kRequired,
           kNotNegative);
+}
+
+template <typename Visitor>
+void describe(Visitor& v, exports::ReportSeam& seam) {
+  v.object("", "");
+  v.field("id", seam.id, "Its name; empty where it has none.", Need::kRequired);
+  v.field("gap_mm", seam.gap_mm, "mm; how far it is open, at most.", Need::kRequired, kNotNegative);
 }
 
 template <typename Visitor>
@@ -192,6 +206,12 @@ void describe(Visitor& v, exports::ReportDocument& report) {
           Need::kRequired);
   v.field("seam_gap_max_mm", report.seam_gap_max_mm,
           "mm; the widest distance between two sewn vertices at the end.", Need::kRequired, kNotNegative);
+  v.field("open_seams", report.open_seams, "The seams that did not close.", Need::kRequired);
+  v.choice(
+      "worn", report.worn,
+      "Whether the body wears the garment: every ring around the limb that it is for, and nothing fallen. "
+      "partly: but for a seam that is open. Absent where nobody stands there.",
+      {"yes", "partly", "no"});
   v.field("attachments", report.attachments, "What the document's attachments did, in their order.",
           Need::kRequired);
   v.field("strain", report.strain,

@@ -53,6 +53,8 @@ ReportDocument document_of(const analysis::Report& r) {
                        {r.worst_frame_step, r.worst_frame.cloth_body, r.worst_frame.cloth_cloth},
                        r.frames_checked};
   out.seam_gap_max_mm = r.seam_gap_max_mm;
+  for (const drape::OpenSeam& s : r.open_seams) out.open_seams.push_back({{s.id}, 1e3 * s.gap});
+  out.worn = drape::word_of(r.worn);
   for (const analysis::AttachmentFigures& a : r.attachments) out.attachments.push_back(attachment_of(a));
   out.strain = {stretch_of(r.warp), stretch_of(r.weft), figures_of(r.shear)};
   out.rms_speed = r.rms_speed;
@@ -88,8 +90,9 @@ struct ReportWriter {
   void field(const char* key, const std::optional<double>& value, const char*, fields::Need, fields::Range) {
     if (value) object_json[key] = *value;
   }
-  void choice(const char* key, const std::string& value, const char*, fields::Words, fields::Need) {
-    object_json[key] = value;
+  void choice(const char* key, const std::string& value, const char*, fields::Words,
+              fields::Need = fields::Need::kOptional) {
+    if (!value.empty()) object_json[key] = value;
   }
 };
 

@@ -43,8 +43,10 @@ enum class FindingKind : std::uint8_t {
   kTightRing,
   kRingAroundNothing,
   kRingOnWrongLimb,
+  kRingOff,
+  kOnGround,
 };
-inline constexpr std::size_t kFindingKindCount = static_cast<std::size_t>(FindingKind::kRingOnWrongLimb) + 1;
+inline constexpr std::size_t kFindingKindCount = static_cast<std::size_t>(FindingKind::kOnGround) + 1;
 
 /// What would have to change for a finding to go.
 enum class Cause : std::uint8_t {

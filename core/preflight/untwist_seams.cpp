@@ -10,6 +10,8 @@ namespace {
 
 /// How far two sides must run against each other, as a correlation from -1 to 1.
 constexpr double kAgainst = -0.5, kAlong = 0.5;
+/// A seam is reversed only where that shortens its threads to less than this share.
+constexpr double kWorth = 0.97;
 
 struct Threads {
   std::vector<std::size_t> rows;  ///< of GarmentMesh::sewn, in order along side a
@@ -67,7 +69,7 @@ void untwist_seams(const PreflightInput& input, sewing::Assembly& assembly, Find
     if (t.rows.size() < 3) continue;
     const std::vector<Vec3> back(t.b.rbegin(), t.b.rend());
     const double now = total_length(t.a, t.b), then = total_length(t.a, back);
-    if (correlation(t.a, t.b) > kAgainst || correlation(t.a, back) < kAlong || then >= now) continue;
+    if (correlation(t.a, t.b) > kAgainst || correlation(t.a, back) < kAlong || then >= kWorth * now) continue;
     const pattern::Seam& seam = input.pattern.seams[s];
     Finding f = found(FindingKind::kTwisted,
                       "the threads of the seam cross over: " + length_text(now) + " of thread in all, and " +

@@ -239,6 +239,13 @@ void describe(Visitor& v, project::ProjectSettings& settings) {
           Range{0, 3600});
   v.field("frame_interval_steps", settings.frame_interval_steps,
           "Substeps between frames that viewers see, at most. Default 50.", Need::kOptional, Range{1, 1e6});
+  v.choice(
+      "start", settings.start,
+      "auto: the garment is put on the body first, where that can be certified (default); sewn: the pieces "
+      "are sewn together from where they stand.",
+      {"auto", "sewn"});
+  v.field("ground", settings.ground, "Whether a person stands on ground that cloth lies on. Default true.",
+          Need::kOptional);
   v.choice("mode", settings.mode,
            "drape: only the end matters, and added damping brings the cloth to rest (default); dynamic: true "
            "time once the garment is sewn, slowed by air and friction only.",

@@ -287,6 +287,8 @@ struct ProjectSettings {
   double settle_speed_mm_s = 5;
   double max_time_s = 8;
   int frame_interval_steps = 50;
+  std::string start = "auto";  ///< or "sewn"
+  bool ground = true;
   std::string mode = "drape";     ///< or "dynamic"
   std::string end;                ///< "settled", "time"; empty: settled in mode drape, time in mode dynamic
   std::optional<ProjectAir> air;  ///< none: still air in mode dynamic, none in mode drape

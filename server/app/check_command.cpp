@@ -119,8 +119,9 @@ ExitCode check_command(const CheckOptions& options) {
   const drape::DrapeInput& input = read->input;
   const Result<image::Textures> textures = resolve::read_textures(*read);
   if (!textures) return fail(textures.error(), options.json);
-  const Result<drape::DrapeStart> start = drape::prepare_start(input, {});
+  Result<drape::DrapeStart> start = drape::prepare_start(input, {});
   if (!start) return fail(start.error(), options.json);
+  if (preflight::first_error(start->findings)) drape::dress_start(input, *start, {});
   if (options.json) {
     std::printf("%s", json::write_json(project_json(input, start->findings)).c_str());
   } else {

@@ -49,6 +49,8 @@ void print_summary(const analysis::Report& report, const DrapeOptions& options) 
   const auto stretch = [](const analysis::StretchFigures& f) {
     return percent(f.tension.p99) + " stretched (" + percent(f.compression.p99) + " pushed)";
   };
+  if (report.worn != drape::Worn::kNobody)
+    std::printf("  worn       %s\n", std::string(drape::word_of(report.worn)).c_str());
   std::printf("  strain     99th percentile: warp %s, weft %s, shear %s degrees\n",
               stretch(report.warp).c_str(), stretch(report.weft).c_str(),
               fixed_text(degrees_from_radians(report.shear.p99), 1).c_str());
@@ -57,7 +59,7 @@ void print_summary(const analysis::Report& report, const DrapeOptions& options) 
 }
 
 ExitCode exit_code_of(const drape::DrapeResult& result) {
-  if (result.settled()) return kDone;
+  if (result.settled()) return result.worn == drape::Worn::kNo ? kNotWorn : kDone;
   return result.stop_reason.kind == drape::Stop::kCancelled ? kCancelled : kUnsettled;
 }
 

@@ -9,6 +9,7 @@ enum ExitCode : int {
   kBadInput = 2,   ///< wrong arguments, or a document or file that cannot be used
   kUnsettled = 3,  ///< the drape ended before the cloth came to rest; its results are written
   kCancelled = 4,  ///< interrupted from outside
+  kNotWorn = 5,    ///< the cloth came to rest, but the body does not wear it; its results are written
 };
 
 }  // namespace toile::app

@@ -77,7 +77,8 @@ Result<StartView> make_view(Documents& documents, const store::RequestContext& c
   const project::Project project = TRY(project::parse_project(row.document));
   const drape::DrapeInput input =
       TRY(resolve::resolve_project(project, files_in_store(documents, context, row.files)));
-  const drape::DrapeStart start = TRY(drape::prepare_start(input, {}));
+  drape::DrapeStart start = TRY(drape::prepare_start(input, {}));
+  if (preflight::first_error(start.findings)) drape::dress_start(input, start, {});
   return StartView{check_of(project, input, start), geometry_of(input, start.assembly)};
 }
 

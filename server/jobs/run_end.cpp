@@ -25,6 +25,13 @@ RunEnd succeeded(std::string code, std::string reason) {
   return end;
 }
 
+/// A result with a fault in one place.
+RunEnd partly(std::string code, std::string reason, std::string where) {
+  RunEnd end = succeeded(std::move(code), std::move(reason));
+  end.where = std::move(where);
+  return end;
+}
+
 RunEnd failed(std::string code, std::string reason, std::string where) {
   RunEnd end;
   end.code = std::move(code);
@@ -41,15 +48,16 @@ RunEnd verdict_on(const drape::DrapeInput& input, const drape::DrapeResult& resu
     case drape::Stop::kSettled:
       return succeeded("settled", "the cloth came to rest after " + seconds(result.simulated_time));
     case drape::Stop::kTime:
+      if (!result.open_seams.empty())
+        return partly("open_seam",
+                      "the cloth still moved after " + seconds(input.settings.max_time) + ", with the seam " +
+                          millimetres(result.open_seams.front().gap) +
+                          " open; see what lies between its sides",
+                      "seam " + result.open_seams.front().id);
       return succeeded("time", "the cloth still moved after " + seconds(input.settings.max_time) +
                                    "; a higher settings.max_time_s or settle_speed_mm_s lets it settle");
-    case drape::Stop::kStalledSeam:
-      return failed(
-          "drape.stalled_seam",
-          "the seam did not close; place its pieces nearer to each other, with nothing between them",
-          "seam " + why.name);
     case drape::Stop::kOpenSeam:
-      return failed("drape.open_seam",
+      return partly("open_seam",
                     at_rest(result) + "the seam still " + millimetres(why.gap) +
                         " open; see whether its sides are as long as each other and nothing lies between",
                     "seam " + why.name);

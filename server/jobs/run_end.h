@@ -19,9 +19,9 @@ struct RunEnd {
 };
 
 /// What a drape's end means for its job, in words that say what to do next. A drape that ran out of time
-/// succeeded with code "time": there is cloth to look at. drape.stalled_seam, drape.open_seam and
-/// drape.open_button (with the seam or button as their place), drape.not_finite and drape.stopped are
-/// failures. Report and results stay empty.
+/// succeeded with code "time", and one that came to rest with an open seam with "open_seam" and the seam as
+/// its place: there is cloth to look at. drape.open_button (with the button as its place), drape.not_finite
+/// and drape.stopped are failures. Report and results stay empty.
 RunEnd verdict_on(const drape::DrapeInput& input, const drape::DrapeResult& result);
 
 }  // namespace toile::jobs

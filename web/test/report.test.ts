@@ -34,6 +34,19 @@ describe('a report in words', () => {
     expect(line('Seams', { seam_gap_max_mm: 12.34 })).toMatchObject({ value: '12.3 mm', verdict: 'warn' });
   });
 
+  it('names the seams that were left open', () => {
+    const open = { seam_gap_max_mm: 30, open_seams: [{ id: 'cuff_left', gap_mm: 30 }] };
+    expect(line('Seams', open).sentence).toBe('Left open: cuff_left by 30.0 mm.');
+  });
+
+  it('says whether the body wears it, and why not', () => {
+    expect(line('Worn')).toMatchObject({ value: 'Yes', verdict: 'good' });
+    expect(line('Worn', { worn: 'partly' })).toMatchObject({ value: 'In part', verdict: 'warn' });
+    const off: Report['findings'][number] = { code: 'worn.ring_off', severity: 'warning', message: 'a ring is off', where: '', place: [0, 0, 0], repaired: false };
+    expect(line('Worn', { worn: 'no', findings: [off] })).toMatchObject({ value: 'No', sentence: 'a ring is off.' });
+    expect(reportLines({ ...report, worn: undefined }).some((one) => one.label === 'Worn')).toBe(false);
+  });
+
   it('gives the measures of the garment', () => {
     expect(line('Garment').value).toBe('62.5 cm tall');
     expect(line('Stretch').value).toBe('0.8 % warp, 1.8 % weft');

@@ -138,6 +138,8 @@ export const reportOf = (more: Partial<Report> = {}): Report => ({
     frames_checked: 212,
   },
   seam_gap_max_mm: 0,
+  open_seams: [],
+  worn: 'yes',
   attachments: [],
   strain: {
     warp: { mean: 0.0014, p99: 0.0078, max: 0.02 },

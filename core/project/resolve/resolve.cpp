@@ -123,6 +123,8 @@ drape::DrapeSettings settings_of(const project::ProjectSettings& given) {
   settings.settle_speed = metres_from_mm(given.settle_speed_mm_s);
   settings.max_time = given.max_time_s;
   settings.frame_interval = given.frame_interval_steps;
+  settings.dress = given.start == "auto";
+  settings.ground = given.ground;
   const bool dynamic = given.mode == "dynamic";
   settings.mode = dynamic ? drape::DrapeMode::kDynamic : drape::DrapeMode::kDrape;
   settings.until_settled = given.end.empty() ? !dynamic : given.end == "settled";

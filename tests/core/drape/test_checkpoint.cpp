@@ -28,7 +28,7 @@ std::unique_ptr<drape::DrapeRun> resumed(const drape::DrapeInput& input, const s
 
 /// A checkpoint without what belongs to the run and not to the drape: times, and how often it was broken off.
 std::string state_in(const drape::DrapeRun& run) {
-  const std::string hash = run.session().start_hash();
+  const std::string hash = run.start_hash();
   drape::RunState state = drape::decode_checkpoint(run.checkpoint(), hash).value();
   state.cpu_s = state.wall_s = 0;
   state.resumed = 0;
@@ -201,7 +201,7 @@ TEST(Checkpoint, CutOffOrChangedAnywhereIsRefusedAndNothingBreaks) {
   input.settings.particle_distance = 0.06;  // little to look through
   const auto run = begun(input);
   run->advance(100, {});
-  const std::string good = run->checkpoint(), hash = run->session().start_hash();
+  const std::string good = run->checkpoint(), hash = run->start_hash();
   ASSERT_TRUE(drape::decode_checkpoint(good, hash).ok());
   for (std::size_t n = 0; n < good.size(); ++n) {
     ASSERT_EQ(drape::decode_checkpoint(std::string_view(good).substr(0, n), hash).error().code,
@@ -228,7 +228,7 @@ TEST(Checkpoint, WithAForgedSealIsStillReadWithCare) {
   input.settings.particle_distance = 0.06;
   const auto run = begun(input);
   run->advance(100, {});
-  const std::string good = run->checkpoint(), hash = run->session().start_hash();
+  const std::string good = run->checkpoint(), hash = run->start_hash();
   ASSERT_EQ(sealed(good), good);
   int refused = 0;
   for (std::size_t n = 0; n + 32 < good.size(); ++n) {
@@ -249,7 +249,7 @@ TEST(Checkpoint, ThatDoesNotFitTheGarmentIsRefused) {
   const drape::DrapeInput input = test::tube();
   const auto run = begun(input);
   run->advance(50, {});
-  const std::string hash = run->session().start_hash();
+  const std::string hash = run->start_hash();
   const auto code = [&](const std::function<void(drape::RunState&)>& change) {
     drape::RunState state = drape::decode_checkpoint(run->checkpoint(), hash).value();
     change(state);

@@ -118,11 +118,13 @@ drape::DrapeInput too_short_around(double width_mm) {
   return input;
 }
 
-TEST(Pipeline, ASeamThatCannotCloseStopsTheDrapeWithItsName) {
+TEST(Pipeline, ASeamThatCannotCloseIsLeftOpenAndNamedAndTheRestIsDraped) {
   const auto r = drape::drape(too_short_around(140), {}, nullptr);
   ASSERT_TRUE(r.ok());
   EXPECT_FALSE(r->settled());
-  EXPECT_EQ(r->stop_reason.kind, drape::Stop::kStalledSeam) << drape::to_string(r->stop_reason);
+  EXPECT_GT(r->simulated_time, 4) << "what is sewn goes on falling";
+  ASSERT_FALSE(r->open_seams.empty());
+  EXPECT_GT(r->open_seams[0].gap, 10e-3);
   EXPECT_EQ(r->worst.cloth_body + r->worst.cloth_cloth, 0) << "a thread is never stronger than contact";
 }
 
@@ -145,9 +147,7 @@ TEST(Pipeline, ASeamThatNearlyClosesIsNamedAsWell) {
   ASSERT_TRUE(r.ok());
   EXPECT_FALSE(r->settled());
   const std::string widest = widest_seam(input, *r);
-  EXPECT_TRUE(r->stop_reason.kind == drape::Stop::kStalledSeam ||
-              r->stop_reason.kind == drape::Stop::kOpenSeam)
-      << drape::to_string(r->stop_reason);
+  EXPECT_EQ(r->stop_reason.kind, drape::Stop::kOpenSeam) << drape::to_string(r->stop_reason);
   EXPECT_EQ(r->stop_reason.name, widest) << "is open the most";
   EXPECT_EQ(r->stop_reason.gap, r->seam_gap_max);
   EXPECT_EQ(r->worst.cloth_body + r->worst.cloth_cloth, 0);

@@ -80,7 +80,8 @@ TEST(Projects, RefuseADocumentOfWhichNoDrapeCanBeMade) {
             "project.unknown_fabric at /document/pieces/0/fabric");
   EXPECT_TRUE(refused("\"toile\": 1,", "\"toile\": 1,,").starts_with("json.syntax at line 2"));
   EXPECT_TRUE(refused("\"seams\": []", "\"seam\": []").starts_with("project."));
-  EXPECT_TRUE(refused("post.obj", "../post.obj").starts_with("documents.missing_file at /document/bodies/0/file"));
+  EXPECT_TRUE(
+      refused("post.obj", "../post.obj").starts_with("documents.missing_file at /document/bodies/0/file"));
   EXPECT_TRUE(cloth.store->projects(kMe, "", 10)->empty());
 }
 

@@ -18,7 +18,7 @@ const kClosed = 1;
 const kTight = 0.05;
 
 export function reportLines(report: Report): ReportLine[] {
-  return [ending(report), crossings(report), seams(report), stretch(report), rest(report), size(report)];
+  return [ending(report), ...wearing(report), crossings(report), seams(report), stretch(report), rest(report), size(report)];
 }
 
 function ending(report: Report): ReportLine {
@@ -48,11 +48,27 @@ function crossings({ intersections }: Report): ReportLine {
   return { label: 'Intersections', value: count(cloth_body + cloth_cloth), sentence, verdict: 'warn' };
 }
 
-function seams({ seam_gap_max_mm: gap }: Report): ReportLine {
+/** Nothing where nobody stands there to wear it. */
+function wearing({ worn, findings }: Report): ReportLine[] {
+  if (worn === undefined) return [];
+  const off = findings.filter((finding) => finding.code.startsWith('worn.')).map((finding) => finding.message);
+  const sentence = {
+    yes: 'Every opening goes around the limb that it is for.',
+    partly: 'It is on, but for what did not close.',
+    no: `${off.join('; ') || 'It did not end where it belongs'}.`,
+  }[worn];
+  const value = { yes: 'Yes', partly: 'In part', no: 'No' }[worn];
+  return [{ label: 'Worn', value, sentence, verdict: worn === 'yes' ? 'good' : 'warn' }];
+}
+
+function seams({ seam_gap_max_mm: gap, open_seams: open }: Report): ReportLine {
   const closed = gap <= kClosed;
+  const names = open.map((seam) => `${seam.id} by ${millimetres(seam.gap_mm)}`).join(', ');
   const sentence = closed
     ? 'Every seam is closed over its whole length.'
-    : `The widest seam is open by ${millimetres(gap)}.`;
+    : names
+      ? `Left open: ${names}.`
+      : `The widest seam is open by ${millimetres(gap)}.`;
   return { label: 'Seams', value: closed ? 'Closed' : millimetres(gap), sentence, verdict: closed ? 'good' : 'warn' };
 }
 

@@ -1789,6 +1789,13 @@ export interface components {
             /** @description Substeps between frames that viewers see, at most. Default 50. */
             frame_interval_steps?: number;
             /**
+             * @description auto: the garment is put on the body first, where that can be certified (default); sewn: the pieces are sewn together from where they stand.
+             * @enum {string}
+             */
+            start?: "auto" | "sewn";
+            /** @description Whether a person stands on ground that cloth lies on. Default true. */
+            ground?: boolean;
+            /**
              * @description drape: only the end matters, and added damping brings the cloth to rest (default); dynamic: true time once the garment is sewn, slowed by air and friction only.
              * @enum {string}
              */
@@ -2455,6 +2462,18 @@ export interface components {
             };
             /** @description mm; the widest distance between two sewn vertices at the end. */
             seam_gap_max_mm: number;
+            /** @description The seams that did not close. */
+            open_seams: {
+                /** @description Its name; empty where it has none. */
+                id: string;
+                /** @description mm; how far it is open, at most. */
+                gap_mm: number;
+            }[];
+            /**
+             * @description Whether the body wears the garment: every ring around the limb that it is for, and nothing fallen. partly: but for a seam that is open. Absent where nobody stands there.
+             * @enum {string}
+             */
+            worn?: "yes" | "partly" | "no";
             /** @description What the document's attachments did, in their order. */
             attachments: {
                 /** @description Its name; empty where it has none. */
