@@ -1,6 +1,6 @@
-// bench_dressing DATA even|odd|NAME… [--mm 22] [--way K] [--stills DIR]: puts the random GarmentCode designs
-// of DATA/garmentcode/random on garmentcode-mean_all, each in the ways of core/dressing until one is
-// certified, and prints what each try gave, and its time.
+// bench_dressing DATA even|odd|NAME|PROJECT.json… [--mm 22] [--way K] [--stills DIR]: puts the random
+// GarmentCode designs of DATA/garmentcode/random on garmentcode-mean_all, each in the ways of core/dressing
+// until one is certified, and prints what each try gave, and its time.
 
 #include <cstdio>
 #include <cstdlib>
@@ -29,6 +29,11 @@ std::string slurp(const std::filesystem::path& p) {
 
 Result<drape::DrapeInput> input_of(const std::filesystem::path& data, const std::string& name, double mm,
                                    bool with_body) {
+  if (name.ends_with(".json")) {
+    auto read = TRY(resolve::read_project(name));
+    read.input.settings.particle_distance = mm * 1e-3;
+    return std::move(read.input);
+  }
   create::NewProjectSettings settings;
   settings.name = name;
   settings.body_file = "garmentcode-mean_all.obj";
@@ -92,7 +97,7 @@ int main(int count, char** arguments) {
       std::printf("%s: %s\n", name.c_str(), to_string(input.error()).c_str());
       continue;
     }
-    if (bodies.empty()) {
+    if (bodies.empty() || name.ends_with(".json")) {
       bodies = input->bodies;
       Stopwatch w;
       const auto person = dressing::find_person(bodies);
@@ -129,7 +134,9 @@ int main(int count, char** arguments) {
       std::fflush(stdout);
       if (!stills.empty())
         still(assembly->garment, d.positions, bodies[0],
-              std::filesystem::path(stills) / (name + "_w" + std::to_string(k)));
+              std::filesystem::path(stills) /
+                  (std::filesystem::path(name).parent_path().filename().string() +
+                   (name.ends_with(".json") ? "" : name) + "_w" + std::to_string(k)));
     }
     certified += done;
     cpu += all.cpu_s();

@@ -1,7 +1,9 @@
 #include "core/pattern/seams/propose.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -76,6 +78,31 @@ std::vector<FoundSeam> parts_of(const FoundSeams& found, const FoundSeam& seam) 
     parts.back().b.push_back(seam.b[k]);
   }
   return parts;
+}
+
+/// The pairs of runs that a seam joins, each with the lesser first, rising. With `mirrored`, those on the
+/// mirrored pieces; nothing where one of them has no mirror image.
+std::vector<std::array<Index, 2>> joined_runs(const SeamModel& model, const FoundSeam& seam, bool mirrored) {
+  std::vector<std::array<Index, 2>> pairs;
+  for (std::size_t k = 0; k < seam.a.size(); ++k) {
+    const Index a = mirrored ? model.mirror[seam.a[k]] : seam.a[k];
+    const Index b = mirrored ? model.mirror[seam.b[k]] : seam.b[k];
+    if (a == kNone || b == kNone) return {};
+    pairs.push_back({std::min(a, b), std::max(a, b)});
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+/// Left and right are sewn alike: a seam is as sure as its mirror image, of which the garment has both. Each
+/// by itself may seem to be missed less, since the other's pieces could take its place.
+void share_with_mirror_images(FoundSeams& found) {
+  std::map<std::vector<std::array<Index, 2>>, double> margin;
+  for (const FoundSeam& seam : found.seams) margin[joined_runs(found.model, seam, false)] = seam.margin;
+  for (FoundSeam& seam : found.seams) {
+    const auto twin = margin.find(joined_runs(found.model, seam, true));
+    if (twin != margin.end()) seam.margin = std::max(seam.margin, twin->second);
+  }
 }
 
 /// Where pieces lie upon others there is a seam for every edge in every layer, and nothing in their outlines
@@ -164,10 +191,11 @@ std::vector<SeamProposal> proposals_in_order(const pattern::Pattern& pattern,
   std::vector<std::array<Index, 2>> sewn;
   std::vector<Index> blocked;
   sort_sewn(pattern, sewn, blocked);
-  const FoundSeams found =
+  FoundSeams found =
       search_seams(pattern, sewn, blocked, {settings.sides_known, settings.clockwise}, context);
   std::vector<SeamProposal> proposals;
   if (context.cancelled()) return proposals;
+  share_with_mirror_images(found);
   const double belief = puzzle_share(found, settings.sides_known);
   for (const FoundSeam& seam : found.seams)
     for (const FoundSeam& part : parts_of(found, seam)) proposals.push_back(proposal_of(found, part, belief));
