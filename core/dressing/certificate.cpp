@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/dressing/clearance.h"
 #include "core/sewing/rings.h"
 
 namespace toile::dressing {
@@ -47,7 +48,7 @@ int Certificate::wrong_rings() const {
 
 bool Certificate::holds() const {
   return crossings.none() && wrong_rings() == 0 && stretch_p99 < kMostStretch && faces_out > kMostlyOut &&
-         lowest > kOffGround;
+         lowest > kOffGround && gap >= kLeastGap;
 }
 
 std::vector<WornRing> worn_rings(const sewing::GarmentMesh& garment, std::span<const Vec3> x,
@@ -68,12 +69,14 @@ std::vector<WornRing> worn_rings(const sewing::GarmentMesh& garment, std::span<c
 }
 
 Certificate certify(const sewing::GarmentMesh& garment, std::span<const Vec3> x, const SlimFigure& body,
-                    const collision::CrossingBody& crossing, const Skeleton& skeleton) {
+                    const collision::CrossingBody& crossing, std::span<const collision::Obstacle> obstacles,
+                    const Skeleton& skeleton) {
   Certificate c;
   const collision::Surface surface =
       collision::make_surface(garment.triangles, garment.vertex_count(), garment.weld);
   c.crossings = {static_cast<int>(collision::body_crossings(surface, x, crossing).size()),
                  static_cast<int>(collision::self_crossings(surface, x).size())};
+  c.gap = least_gap(surface, obstacles, x);
   c.rings = worn_rings(garment, x, skeleton);
   std::vector<double> stretches;
   double out = 0, near = 0;

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/collision/contacts.h"
 #include "core/dressing/linking.h"
 #include "core/dressing/untangle.h"
 #include "core/sewing/garment_mesh.h"
@@ -25,6 +26,7 @@ struct Certificate {
   double stretch_p99 = 0, stretch_max = 0;  ///< of edges, 0.1: a tenth longer than flat
   double faces_out = 1;  ///< share of the cloth near the body whose right side is away from it
 
+  double gap = 1;       ///< m, least of cloth to cloth and body
   double lowest = 1e9;  ///< m above the ground
 
   int wrong_rings() const;
@@ -37,6 +39,7 @@ std::vector<WornRing> worn_rings(const sewing::GarmentMesh& garment, std::span<c
 
 /// `x`: one position a garment vertex, sewn ones together. `body` is the whole figure, not drawn in.
 Certificate certify(const sewing::GarmentMesh& garment, std::span<const Vec3> x, const SlimFigure& body,
-                    const collision::CrossingBody& crossing, const Skeleton& skeleton);
+                    const collision::CrossingBody& crossing, std::span<const collision::Obstacle> obstacles,
+                    const Skeleton& skeleton);
 
 }  // namespace toile::dressing

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/dressing/clearance.h"
 #include "core/dressing/shape_solver.h"
 #include "core/sewing/rings.h"
 
@@ -175,6 +176,11 @@ void grow(const sewing::Assembly& assembly, const Wearer& wearer, const Dressing
   }
 }
 
+/// Gaps that contact can begin with.
+void make_room(const Wearer& wearer, Sewn& sewn) {
+  open_gaps(collision::make_surface(sewn.mesh.triangles, sewn.mesh.vertex_count), wearer.obstacles(), sewn.x);
+}
+
 /// The cloth comes back to its shape, as far as that makes no new tangle.
 void come_back(const Wearer& wearer, const DressingWay& way, const RunContext& context, Sewn& sewn) {
   const SlimFigure whole = wearer.slim(0);
@@ -205,9 +211,11 @@ Dressed dress(const sewing::Assembly& assembly, const Wearer& wearer, const Dres
   Sewn sewn = shape_of(g, joined(g), open);
   grow(assembly, wearer, way, context, sewn);
   come_back(wearer, way, context, sewn);
+  make_room(wearer, sewn);
   for (Index i = 0; i < g.vertex_count(); ++i)
     dressed.positions.push_back(snapped(sewn.x[sewn.vertex_of[i]]));
-  dressed.certificate = certify(g, dressed.positions, wearer.slim(0), wearer.crossing(), wearer.skeleton());
+  dressed.certificate =
+      certify(g, dressed.positions, wearer.slim(0), wearer.crossing(), wearer.obstacles(), wearer.skeleton());
   return dressed;
 }
 
@@ -218,9 +226,11 @@ void finish(const sewing::Assembly& assembly, const Wearer& wearer, Dressed& dre
   for (Vec3& p : sewn.x) p = whole.moved_out(p, kFinishing);
   untangle(collision::make_surface(sewn.mesh.triangles, sewn.mesh.vertex_count), whole, wearer.crossing(),
            sewn.mesh.spacing, kUntangling, sewn.x);
+  make_room(wearer, sewn);
   for (std::size_t i = 0; i < dressed.positions.size(); ++i)
     dressed.positions[i] = snapped(sewn.x[sewn.vertex_of[i]]);
-  dressed.certificate = certify(g, dressed.positions, whole, wearer.crossing(), wearer.skeleton());
+  dressed.certificate =
+      certify(g, dressed.positions, whole, wearer.crossing(), wearer.obstacles(), wearer.skeleton());
 }
 
 const std::vector<DressingWay>& dressing_ways() {

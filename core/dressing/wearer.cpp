@@ -16,6 +16,8 @@ Wearer::Wearer(const Person& person)
       field_(person.body->mesh, kCell),
       mittens_(figure_),
       crossing_(collision::make_crossing_body(person.body->mesh.vertices, person.body->mesh.triangles)),
+      obstacle_(collision::make_obstacle(person.body->mesh.vertices, person.body->mesh.triangles,
+                                         person.body->friction, person.body->skin_offset)),
       skeleton_(skeleton_of(figure_)),
       margin_(std::max(kMargin, 2 * person.body->skin_offset)) {}
 

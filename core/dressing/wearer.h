@@ -1,6 +1,9 @@
 #pragma once
 // The body to be dressed, made ready once for all tries.
 
+#include <span>
+
+#include "core/collision/contacts.h"
 #include "core/collision/crossings.h"
 #include "core/dressing/figure.h"
 #include "core/dressing/linking.h"
@@ -15,6 +18,8 @@ class Wearer {
   /// Drawn in by this share of its half thickness.
   SlimFigure slim(double share) const { return {&field_, &mittens_, share, margin_, figure_.floor}; }
   const collision::CrossingBody& crossing() const { return crossing_; }
+  /// The body as contact will see it.
+  std::span<const collision::Obstacle> obstacles() const { return {&obstacle_, 1}; }
   const Skeleton& skeleton() const { return skeleton_; }
   const measure::BodyFigure& figure() const { return figure_; }
 
@@ -23,6 +28,7 @@ class Wearer {
   DistanceField field_;
   Mittens mittens_;
   collision::CrossingBody crossing_;
+  collision::Obstacle obstacle_;
   Skeleton skeleton_;
   double margin_;
 };

@@ -126,11 +126,12 @@ int main(int count, char** arguments) {
       }
       done = c.holds();
       std::printf(
-          "%s way %zu: %d v gap %.1f mm body %d cloth %d stretch %.2f %.2f shrink %.2f out %.2f rings%s  "
+          "%s way %zu: %d v gap %.1f mm body %d cloth %d stretch %.2f %.2f shrink %.2f gap %.0f um out %.2f "
+          "rings%s  "
           "%.2f s %s\n",
           name.c_str(), k, assembly->garment.vertex_count(), d.seam_gap * 1e3, c.crossings.cloth_body,
-          c.crossings.cloth_cloth, c.stretch_p99, c.stretch_max, c.shrink_p99, c.faces_out, rings.c_str(),
-          w.cpu_s(), done ? "OK" : "-");
+          c.crossings.cloth_cloth, c.stretch_p99, c.stretch_max, c.shrink_p99, c.gap * 1e6, c.faces_out,
+          rings.c_str(), w.cpu_s(), done ? "OK" : "-");
       std::fflush(stdout);
       if (!stills.empty())
         still(assembly->garment, d.positions, bodies[0],

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "core/dressing/clearance.h"
 #include "core/dressing/wearer.h"
 #include "tests/core/dressing/dressed_person.h"
 
@@ -53,6 +56,18 @@ TEST(Untangle, ClothInTheSkinComesOut) {
   ASSERT_FALSE(collision::body_crossings(surface, x, wearer().crossing()).empty());
   const auto left = dressing::untangle(surface, wearer().slim(0), wearer().crossing(), kSpacing, 100, x);
   EXPECT_TRUE(left.none()) << left.cloth_body;
+}
+
+TEST(Clearance, SheetsThatNearlyTouchAreMovedToWhereContactCanBegin) {
+  std::vector<Vec3> x;
+  std::vector<Tri> triangles;
+  add_sheet(6, {2, 1, 0}, {1, 0, 0}, {0, 1, 0}, x, triangles);
+  add_sheet(6, {2.003, 1.004, 3e-6}, {1, 0, 0}, {0, 1, 0}, x, triangles);
+  const auto surface = collision::make_surface(triangles, static_cast<Index>(x.size()));
+  ASSERT_LT(dressing::least_gap(surface, {}, x), dressing::kLeastGap);
+  EXPECT_GE(dressing::open_gaps(surface, {}, x), dressing::kLeastGap);
+  EXPECT_TRUE(collision::self_crossings(surface, x).empty());
+  for (const Vec3& p : x) EXPECT_LT(std::abs(p.z), 1e-3) << "and hardly farther";
 }
 
 TEST(Untangle, WhatCrossesNothingStaysWhereItIs) {
