@@ -5,6 +5,7 @@
 #include "core/arrange/arrange.h"
 #include "core/base/units.h"
 #include "core/base/write_file.h"
+#include "core/drape/pipeline.h"
 #include "core/json/tree.h"
 #include "core/mesh/make_panel_meshes.h"
 #include "core/project/create/places.h"
@@ -31,6 +32,18 @@ void print_arrangement(const arrange::Arrangement& made, const std::string& file
     std::printf("%s: at its height until gravity is full\n", a.id.c_str());
   print_findings(made.findings);
   std::printf("%s\n", file.c_str());
+}
+
+/// Why no drape would begin from there: what the look at the start refuses, unless the garment can be put on
+/// the body all the same.
+std::optional<Error> still_refused(const arrange::Arrangement& made, drape::DrapeInput& input) {
+  std::optional<Error> refused = preflight::first_error(made.findings);
+  if (!refused) return std::nullopt;
+  input.placements = made.placements;
+  Result<drape::DrapeStart> start = drape::prepare_start(input, {});
+  if (!start) return start.error();
+  drape::dress_start(input, *start, {});
+  return preflight::first_error(start->findings);
 }
 
 }  // namespace
@@ -61,7 +74,7 @@ ExitCode project_arrange_command(const ProjectArrangeOptions& options) {
   } else {
     print_arrangement(*made, file);
   }
-  const std::optional<Error> refused = preflight::first_error(made->findings);
+  const std::optional<Error> refused = still_refused(*made, *input);
   return refused ? fail(*refused, options.json) : kDone;
 }
 
