@@ -20,6 +20,7 @@ double flat_length(const sewing::GarmentMesh& g, const std::vector<Index>& ring)
   // Border edges by their classes: a ring's edge has one triangle.
   double sum = 0;
   std::vector<std::array<Index, 2>> wanted;
+  wanted.reserve(ring.size());
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Index a = ring[i], b = ring[(i + 1) % ring.size()];
     wanted.push_back({std::min(a, b), std::max(a, b)});
@@ -59,6 +60,7 @@ std::vector<WornRing> worn_rings(const sewing::GarmentMesh& garment, std::span<c
     ring.girth = flat_length(garment, ring.vertices);
     if (ring.girth < kLeastRing) continue;
     std::vector<Vec3> line;
+    line.reserve(ring.vertices.size());
     for (const Index v : ring.vertices) line.push_back(x[v]);
     const std::optional<Enclosure> around = enclosed_by(line, skeleton);
     ring.right = around && !around->nothing() && around->simple();
@@ -79,6 +81,7 @@ Certificate certify(const sewing::GarmentMesh& garment, std::span<const Vec3> x,
   c.gap = least_gap(surface, obstacles, x);
   c.rings = worn_rings(garment, x, skeleton);
   std::vector<double> stretches;
+  stretches.reserve(3 * garment.triangles.size());
   double out = 0, near = 0;
   for (const Tri& t : garment.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {

@@ -108,6 +108,7 @@ void stay_up(const Wearer& wearer, std::span<const Vec3> before, std::vector<Vec
 bool has_legs(const sewing::GarmentMesh& g, std::span<const Vec3> x, const Skeleton& skeleton) {
   for (const std::vector<Index>& ring : sewing::rings_of(g)) {
     std::vector<Vec3> line;
+    line.reserve(ring.size());
     for (const Index v : ring) line.push_back(x[v]);
     const std::optional<Enclosure> around = enclosed_by(line, skeleton);
     if (around && (around->times[kLeftLeg] != 0) != (around->times[kRightLeg] != 0)) return true;

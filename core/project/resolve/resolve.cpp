@@ -21,6 +21,7 @@ namespace {
 template <typename T>
 std::vector<std::string> ids_of(const std::vector<T>& things) {
   std::vector<std::string> ids;
+  ids.reserve(things.size());
   for (const T& thing : things) ids.push_back(thing.id);
   return ids;
 }
@@ -362,7 +363,7 @@ Status add_told_by_bodies(const project::Project& project, const Names& names, d
     Result<sewing::Placement> placement =
         places.placement(project.pieces[i].placement, input.pattern.panels[i], where);
     if (!placement) return placement.error();
-    input.placements.push_back(std::move(*placement));
+    input.placements.push_back(*placement);
   }
   const auto hold = [&](const project::ProjectAttachment& given, const std::string& at) {
     return attachment_of(given, names, places, at);
