@@ -593,6 +593,7 @@ describe('the page', () => {
   it('says why a drape failed, where, and what to do', async () => {
     const document = sampleDocument({ name: 'Too tight' });
     for (const piece of document.pieces) piece.placement.wrapped.radius = 0.09; // inside the body
+    document.settings.start = 'sewn'; // or it would be put on from there
     const project = await makeProject(document);
     const other = await openPage(browser, `${service.url}/#/projects/${project.id}`);
     await other.getByRole('heading', { name: 'Not draped yet' }).waitFor();
