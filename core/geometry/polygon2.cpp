@@ -111,7 +111,9 @@ std::vector<SweepSegment> segments_of(std::span<const std::vector<Vec2>> loops) 
 /// at one time and do not cross are ordered alike at every place, so no sweep position is needed.
 struct Below {
   const std::vector<SweepSegment>* segments;
+  std::size_t* compared;
   bool operator()(std::size_t i, std::size_t j) const {
+    ++*compared;
     if (i == j) return false;
     const SweepSegment &a = (*segments)[i], &b = (*segments)[j];
     if (before(b.left, a.left)) return !above(b, a, j < i);
@@ -171,13 +173,16 @@ std::size_t vertex_at(const SweepSegment& s, const std::span<const std::vector<V
 
 }  // namespace
 
-std::optional<Crossing> find_crossing(std::span<const std::vector<Vec2>> loops) {
+std::optional<Crossing> find_crossing(std::span<const std::vector<Vec2>> loops, std::size_t* compared) {
+  std::size_t uncounted = 0;
+  if (compared == nullptr) compared = &uncounted;
   const std::vector<SweepSegment> segments = segments_of(loops);
   const std::vector<Event> events = events_of(segments);
-  std::multiset<std::size_t, Below> sweep(Below{&segments});
+  std::multiset<std::size_t, Below> sweep(Below{&segments, compared});
   std::vector<std::multiset<std::size_t, Below>::iterator> place(segments.size(), sweep.end());
 
   const auto check = [&](std::size_t i, std::size_t j) -> std::optional<Crossing> {
+    ++*compared;
     const std::optional<Vec2> p = meeting(segments[i], segments[j]);
     return p ? std::optional(crossing_of(segments[i], segments[j], *p)) : std::nullopt;
   };

@@ -46,7 +46,8 @@ struct Crossing {
 /// share a point without being neighbours, or neighbours that fold back onto each other. Nothing when all
 /// loops are simple and apart. Repeated vertices are passed over. O(n log n) for n vertices in all, by a
 /// sweep from left to right: M. I. Shamos and D. Hoey, "Geometric intersection problems", FOCS 1976. REQUIRES
-/// finite coordinates.
-std::optional<Crossing> find_crossing(std::span<const std::vector<Vec2>> loops);
+/// finite coordinates. `compared` counts how often two segments were held against each other.
+std::optional<Crossing> find_crossing(std::span<const std::vector<Vec2>> loops,
+                                      std::size_t* compared = nullptr);
 
 }  // namespace toile::geometry

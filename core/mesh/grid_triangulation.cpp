@@ -46,9 +46,10 @@ void GridTriangulation::add_frame() {
 }
 
 /// The triangle that holds p, on its border or inside. Walks by orientation, which ends on Delaunay meshes.
-Index GridTriangulation::locate(const GridPoint& p, Index from) const {
+Index GridTriangulation::locate(const GridPoint& p, Index from) {
   Index t = from, previous = kNone;
   while (true) {
+    ++work_;
     const Triangle& triangle = triangles_[t];
     Index out = kNone;
     for (int i = 0; i < 3 && out == kNone; ++i) {
@@ -100,6 +101,7 @@ void GridTriangulation::relink(Index t, Index from, Index to) {
 /// Turns the edge opposite `corner` of t: (a, b, c) and (d, c, b) become (a, b, d) in t and (a, d, c) in its
 /// neighbour. All their outer edges become suspects.
 void GridTriangulation::flip(Index t, int corner) {
+  ++work_;
   Triangle& x = triangles_[t];
   const Index u = x.next[corner];
   Triangle& y = triangles_[u];

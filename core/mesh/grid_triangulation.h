@@ -4,6 +4,7 @@
 // they cross (S. W. Sloan, "A fast algorithm for generating constrained Delaunay triangulations", 1993).
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
@@ -47,6 +48,9 @@ class GridTriangulation {
   /// The triangles between the constraints, counter-clockwise.
   std::vector<Tri> inside_triangles() const;
 
+  /// Triangles walked through in search of points, and edges flipped, since the beginning: what it all costs.
+  std::size_t work() const { return work_; }
+
   /// Calls f(b, c) for each triangle (v, b, c) around v, counter-clockwise. v must not be a border vertex of
   /// the hull; every given point qualifies.
   template <typename F>
@@ -80,7 +84,7 @@ class GridTriangulation {
     return orientation(points_[a], points_[b], points_[c]);
   }
   void add_frame();
-  Index locate(const GridPoint& p, Index from) const;
+  Index locate(const GridPoint& p, Index from);
   std::optional<GridConflict> insert(Index v);
   void relink(Index t, Index from, Index to);
   void flip(Index t, int corner);
@@ -101,6 +105,7 @@ class GridTriangulation {
   std::vector<Index> triangle_of_;  ///< some triangle at each vertex
   std::vector<Side> suspects_;      ///< edges that may have to be flipped
   Index last_ = 0;                  ///< triangle made last, where the next search starts
+  std::size_t work_ = 0;
 };
 
 }  // namespace toile::mesh

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <string>
 
 namespace toile {
@@ -34,15 +33,12 @@ TEST(JsonCodec, ReadsAsDeepAsAllowedAndNoDeeper) {
   EXPECT_EQ(deeper.error().code, "json.too_deep");
 }
 
-TEST(JsonCodec, RefusesTenThousandLevelsAtOnce) {
+TEST(JsonCodec, ReadsNoFurtherThanTheLevelThatIsTooDeep) {
   for (const char* level : {"[", "{\"a\":"}) {
-    const std::string text = repeated(level, 10000);
-    const auto start = std::chrono::steady_clock::now();
-    const auto tree = json::parse_json(text);
-    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+    // Whoever read on would meet the question mark, which is another error.
+    const auto tree = json::parse_json(repeated(level, 10000) + "?");
     ASSERT_FALSE(tree);
     EXPECT_EQ(tree.error().code, "json.too_deep");
-    EXPECT_LT(spent.count(), 0.5);
   }
 }
 

@@ -50,6 +50,21 @@ TEST(GridTriangulation, ForcesALongConstraintThroughManyEdges) {
   EXPECT_EQ(twice_area, 2 * 4000 * 1500);
 }
 
+TEST(GridTriangulation, APointCostsHardlyMoreAmongManyThanAmongFew) {
+  const auto work_each = [](std::int64_t side) {
+    std::vector<mesh::GridPoint> points{{0, 0}, {100 * side, 0}, {100 * side, 100 * side}, {0, 100 * side}};
+    for (std::int64_t y = 1; y < side; ++y) {
+      for (std::int64_t x = 1; x < side; ++x) points.push_back({100 * x + y % 2 * 50, 100 * y});
+    }
+    mesh::GridTriangulation mesh(points);
+    EXPECT_FALSE(mesh.build(std::vector<std::array<Index, 2>>{{0, 1}, {1, 2}, {2, 3}, {3, 0}}));
+    return double(mesh.work()) / double(points.size());
+  };
+  const double few = work_each(40), many = work_each(160);  // 1,525 and 25,285 points
+  EXPECT_LT(few, 15);
+  EXPECT_LT(many, 2 * few);  // a search that began anywhere would cost four times as much
+}
+
 TEST(GridTriangulation, NoVertexLiesInsideATrianglesCircle) {
   std::vector<mesh::GridPoint> points{{0, 0}, {10000, 0}, {10000, 10000}, {0, 10000}};
   std::uint64_t state = 7;

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 
 #include "core/mesh/quality.h"
@@ -89,23 +88,6 @@ TEST(TriangleFigures, HoldForSliversAndForPiecesOfAMillimetreAndOfThreeMetres) {
     EXPECT_EQ(quality.inverted, 0);
     EXPECT_NEAR(quality.area / mesh::enclosed_area(loops), 1, 1e-6);
   }
-}
-
-TEST(TriangleFigures, FiveThousandParticlesTakeLessThanATenthOfASecond) {
-#if !defined(NDEBUG) || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  GTEST_SKIP() << "this build is not one to measure times with";
-#endif
-  const std::vector<mesh::Polygon> loops{sampled(rectangle(1.0, 0.98), kStep)};
-  double best = 1e9;
-  for (int i = 0; i < 5; ++i) {
-    const auto start = std::chrono::steady_clock::now();
-    const Result<mesh::FlatMesh> mesh = mesh::triangulate(loops, kStep, {});
-    best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-    ASSERT_TRUE(mesh.ok());
-    ASSERT_GT(mesh->points.size(), 5000u);
-  }
-  std::printf("%.1f ms\n", best * 1e3);
-  EXPECT_LT(best, 0.1);
 }
 
 }  // namespace

@@ -293,12 +293,19 @@ TEST_F(Stream, DropsAViewerThatAnswersNoPing) {
   Socket quiet(port, target()), lively(port, target());
   ASSERT_TRUE(viewers_become(2));
   std::atomic<bool> done{false};
+  std::atomic<int> answered{0};
   std::thread answering([&] {
-    while (!done) lively.read(0.05);
+    while (!done) {
+      const auto message = lively.read(0.05, false);
+      if (message && message->opcode == Socket::kPing && lively.send(Socket::kPong, message->payload))
+        ++answered;
+    }
   });
   EXPECT_TRUE(viewers_become(1));
   EXPECT_GT(std::chrono::steady_clock::now() - began, std::chrono::milliseconds(1200));
-  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+  for (const int before = answered; answered < before + 4 && hub.viewers() == 1;) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
   EXPECT_EQ(hub.viewers(), 1u) << "who answers stays";
   done = true;
   answering.join();

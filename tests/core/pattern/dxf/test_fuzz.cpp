@@ -1,7 +1,6 @@
 // Random damage to files of every dialect: reading them ends with a drawing whose report sums up, or with an
 // error; never with a crash, a hang or a piece that is none. Deterministic: a case is its number.
 
-#include <chrono>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
@@ -120,14 +119,10 @@ TEST(DxfFuzz, DamagedFilesAreReadOrRefused) {
     try_case(texts, number);
 }
 
-TEST(LongDxfFuzz, AMinuteOfDamagedFiles) {
+TEST(LongDxfFuzz, TwentyThousandDamagedFilesAreReadOrRefused) {
   const std::vector<std::string> texts = seeds();
-  const auto start = std::chrono::steady_clock::now();
-  std::uint64_t number = 1'000'000;
-  while (std::chrono::steady_clock::now() - start < std::chrono::seconds(60) &&
-         !testing::Test::HasFatalFailure())
-    try_case(texts, number++);
-  std::printf("cases 1000000 to %llu\n", static_cast<unsigned long long>(number));
+  for (std::uint64_t number = 1'000'000; number < 1'020'000 && !testing::Test::HasFatalFailure(); ++number)
+    try_case(texts, number);
 }
 
 /// A star-shaped outline of random radii, counter-clockwise.
