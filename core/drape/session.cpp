@@ -5,6 +5,7 @@
 
 #include "core/base/check.h"
 #include "core/drape/make_features.h"
+#include "core/drape/make_threads.h"
 #include "core/drape/weld.h"
 #include "core/solver/constraints/viscosity.h"
 
@@ -45,7 +46,6 @@ constexpr double kEaseTime = 0.25;  // s
 constexpr double kGroundReach = 20, kGroundSkin = 1e-3;  // m
 constexpr double kGroundFriction = 0.5;
 constexpr double kWeldInterval = 0.25;  // s between tries to weld what was left open
-constexpr double kPullPerMetre = 150;   // N/m, pull of all threads along a seam's length
 
 }  // namespace
 
@@ -127,45 +127,12 @@ void DrapeSession::build_solver(solver::ClothModel model, std::vector<Vec3> posi
   watch_.restart(solver_->positions());
 }
 
-/// Each thread pulls for the seam that it holds: where a side is sampled finely, more and weaker threads
-/// pull.
 std::vector<solver::constraints::Stitch> DrapeSession::stitches_now() const {
-  const sewing::GarmentMesh& g = assembly_.garment;
-  const std::vector<double> held = sewing::seam_held_by_pairs(g);
-  std::vector<solver::constraints::Stitch> stitches;
-  for (std::size_t k = 0; k < g.sewn.size(); ++k) {
-    const auto [i, j] = g.sewn[k];
-    if (vertex_of_[i] == vertex_of_[j] || lost_[g.seam_of_sewn[k]]) continue;
-    const double seam = held[k] > 0 ? held[k] : input_.settings.particle_distance;
-    stitches.push_back({vertex_of_[i], vertex_of_[j], length(assembly_.positions[i] - assembly_.positions[j]),
-                        kPullPerMetre * seam});
-  }
-  return stitches;
+  return make_stitches(assembly_, vertex_of_, lost_, input_.settings.particle_distance);
 }
 
-/// Targets are where the attached vertices stood at the start; welded ones share the mean of theirs.
 std::vector<solver::constraints::HeldVertex> DrapeSession::held_now() const {
-  struct Sum {
-    Vec3 target;
-    int count = 0;
-    bool height_only = true;
-  };
-  std::vector<Sum> sums(solver_->positions().size());
-  for (std::size_t a = 0; a < input_.attachments.size(); ++a) {
-    if (released_[a]) continue;
-    for (const Index i : assembly_.attached[a]) {
-      Sum& sum = sums[vertex_of_[i]];
-      sum.target += assembly_.positions[i];
-      ++sum.count;
-      sum.height_only &= input_.attachments[a].hold == sewing::Attachment::Hold::kHeight;
-    }
-  }
-  std::vector<solver::constraints::HeldVertex> held;
-  for (std::size_t v = 0; v < sums.size(); ++v) {
-    if (sums[v].count == 0) continue;
-    held.push_back({static_cast<Index>(v), sums[v].height_only, sums[v].target * (1.0 / sums[v].count)});
-  }
-  return held;
+  return make_holds(input_, assembly_, vertex_of_, solver_->model().vertex_count(), released_);
 }
 
 solver::ClothFeatures DrapeSession::features_now() const {
@@ -274,32 +241,22 @@ void DrapeSession::sew_or_weld() {
 /// What does not close is left open, and the rest is draped: threads that went on pulling would draw the
 /// garment to where it should not be.
 void DrapeSession::let_go_of_lost_seams() {
-  const sewing::GarmentMesh& g = assembly_.garment;
-  const std::vector<Vec3>& x = solver_->positions();
-  for (std::size_t k = 0; k < g.sewn.size(); ++k) {
-    const auto [i, j] = g.sewn[k];
-    if (length(x[vertex_of_[i]] - x[vertex_of_[j]]) > kSeamLost) lost_[g.seam_of_sewn[k]] = true;
+  const std::vector<double> gaps = pair_gaps();
+  for (std::size_t k = 0; k < gaps.size(); ++k) {
+    if (gaps[k] > kSeamLost) lost_[assembly_.garment.seam_of_sewn[k]] = true;
   }
 }
 
 void DrapeSession::weld() {
   welded_at_ = steps_;
-  const std::vector<Vec3> velocities = solver_->velocities();
   const std::vector<Index> before = vertex_of_;
   Weld weld = weld_seams(assembly_.garment, positions(), kSeamTolerance, crossing_bodies_);
   vertex_of_ = weld.vertex_of;
 
   solver::ClothModel model = model_of(vertex_of_, weld.vertex_count);
-  std::vector<Vec3> momentum(
-      weld.vertex_count);  // of the parts, so that a weld neither starts nor stops anything
-  std::vector<double> mass(weld.vertex_count, 0);
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    const double m = solver_->model().mass[before[i]];
-    momentum[vertex_of_[i]] += velocities[before[i]] * m;
-    mass[vertex_of_[i]] += m;
-  }
-  for (std::size_t v = 0; v < momentum.size(); ++v) momentum[v] = momentum[v] * (1 / mass[v]);
-  build_solver(std::move(model), std::move(weld.positions), std::move(momentum));
+  std::vector<Vec3> velocities =
+      velocities_of_joined(before, weld, solver_->model().mass, solver_->velocities());
+  build_solver(std::move(model), std::move(weld.positions), std::move(velocities));
   solver_->set_stitches(stitches_now());
 }
 
@@ -394,21 +351,29 @@ std::vector<HoldFigures> DrapeSession::holds() const {
   return figures;
 }
 
-double DrapeSession::seam_gap() const {
-  double gap = 0;
+/// m, of each sewn pair.
+std::vector<double> DrapeSession::pair_gaps() const {
+  const std::vector<Vec3>& x = solver_->positions();
+  std::vector<double> gaps;
+  gaps.reserve(assembly_.garment.sewn.size());
   for (const auto& [i, j] : assembly_.garment.sewn) {
-    gap = std::max(gap, length(solver_->positions()[vertex_of_[i]] - solver_->positions()[vertex_of_[j]]));
+    gaps.push_back(length(x[vertex_of_[i]] - x[vertex_of_[j]]));
   }
-  return gap;
+  return gaps;
+}
+
+double DrapeSession::seam_gap() const {
+  double widest = 0;
+  for (const double gap : pair_gaps()) widest = std::max(widest, gap);
+  return widest;
 }
 
 std::vector<OpenSeam> DrapeSession::open_seams() const {
+  const std::vector<double> of_pair = pair_gaps();
   std::vector<double> gaps(input_.pattern.seams.size(), 0);
-  const sewing::GarmentMesh& g = assembly_.garment;
-  for (std::size_t k = 0; k < g.sewn.size(); ++k) {
-    const auto [i, j] = g.sewn[k];
-    double& gap = gaps[g.seam_of_sewn[k]];
-    gap = std::max(gap, length(solver_->positions()[vertex_of_[i]] - solver_->positions()[vertex_of_[j]]));
+  for (std::size_t k = 0; k < of_pair.size(); ++k) {
+    double& gap = gaps[assembly_.garment.seam_of_sewn[k]];
+    gap = std::max(gap, of_pair[k]);
   }
   std::vector<OpenSeam> open;
   for (std::size_t s = 0; s < gaps.size(); ++s)
@@ -417,17 +382,10 @@ std::vector<OpenSeam> DrapeSession::open_seams() const {
 }
 
 std::string DrapeSession::name_of_widest_seam() const {
-  double widest = -1;
-  Index seam = kNone;
-  for (std::size_t k = 0; k < assembly_.garment.sewn.size(); ++k) {
-    const auto [i, j] = assembly_.garment.sewn[k];
-    const double gap = length(solver_->positions()[vertex_of_[i]] - solver_->positions()[vertex_of_[j]]);
-    if (gap > widest) {
-      widest = gap;
-      seam = assembly_.garment.seam_of_sewn[k];
-    }
-  }
-  return seam == kNone ? "" : input_.pattern.seams[seam].id;
+  const std::vector<double> gaps = pair_gaps();
+  if (gaps.empty()) return "";
+  const auto widest = std::max_element(gaps.begin(), gaps.end()) - gaps.begin();
+  return input_.pattern.seams[assembly_.garment.seam_of_sewn[static_cast<std::size_t>(widest)]].id;
 }
 
 std::vector<Vec3> DrapeSession::positions() const {

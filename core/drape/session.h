@@ -77,6 +77,7 @@ class DrapeSession {
   void weld();
   void weld_what_closed();
   void let_go_of_lost_seams();
+  std::vector<double> pair_gaps() const;
   void settle_or_stop();
   double time_of_full_gravity() const;
   bool dynamic() const;

@@ -98,4 +98,17 @@ Weld weld_seams(const sewing::GarmentMesh& garment, std::span<const Vec3> positi
   return weld;
 }
 
+std::vector<Vec3> velocities_of_joined(std::span<const Index> before, const Weld& after,
+                                       std::span<const double> mass, std::span<const Vec3> velocities) {
+  std::vector<Vec3> joined(after.vertex_count);
+  std::vector<double> joined_mass(after.vertex_count, 0);
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const double m = mass[before[i]];
+    joined[after.vertex_of[i]] += velocities[before[i]] * m;
+    joined_mass[after.vertex_of[i]] += m;
+  }
+  for (std::size_t v = 0; v < joined.size(); ++v) joined[v] = joined[v] * (1 / joined_mass[v]);
+  return joined;
+}
+
 }  // namespace toile::drape

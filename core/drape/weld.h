@@ -28,4 +28,10 @@ Weld no_weld(std::span<const Vec3> positions);
 Weld weld_seams(const sewing::GarmentMesh& garment, std::span<const Vec3> positions, double reach,
                 std::span<const collision::CrossingBody> bodies);
 
+/// The velocities of the solver's vertices after a weld, with the momentum of the parts, so that it neither
+/// starts nor stops anything. `before` and `after` give each garment vertex its solver vertex; masses and
+/// velocities are those of before.
+std::vector<Vec3> velocities_of_joined(std::span<const Index> before, const Weld& after,
+                                       std::span<const double> mass, std::span<const Vec3> velocities);
+
 }  // namespace toile::drape

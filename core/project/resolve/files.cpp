@@ -54,6 +54,25 @@ Result<std::string> bytes_of(const fs::path& path, std::size_t limit, const char
 
 }  // namespace
 
+Status check_file_name(const std::string& name) {
+  const auto refused = [&](const char* reason) {
+    return Error{"project.path", "the file name " + in_quotes(name) + " " + reason, ""};
+  };
+  if (name.empty()) return refused("is empty");
+  if (std::any_of(name.begin(), name.end(), [](char c) { return c >= 0 && c < 0x20; })) {
+    return refused("has a control character in it");
+  }
+  if (name.find('\\') != std::string::npos) return refused("has a \\ in it; write / between folders");
+  if (name.front() == '/' || (name.size() > 1 && name[1] == ':')) {
+    return refused("is absolute; a document names files in its own folder or below");
+  }
+  const std::filesystem::path path(name);
+  for (const std::filesystem::path& part : path) {
+    if (part == "..") return refused("leaves the document's folder");
+  }
+  return {};
+}
+
 ProjectFiles files_in(const fs::path& folder, const mesh_import::MeshImporter& importer) {
   ProjectFiles files;
   files.dxf_text = [folder](const std::string& name) {
