@@ -52,10 +52,16 @@ struct ReportStrain {
   ReportFigures shear;
 };
 
+struct ReportConcern {
+  std::string thing;
+  FreeText id;
+};
+
 struct ReportFinding {
   FreeText code;
   std::string severity;
   FreeText message, where;
+  std::vector<ReportConcern> about;
   std::array<double, 3> place{};
   bool repaired = false;
 };
@@ -169,13 +175,23 @@ void describe(Visitor& v, exports::ReportStrain& strain) {
 }
 
 template <typename Visitor>
+void describe(Visitor& v, exports::ReportConcern& concern) {
+  v.object("concern", "A thing of the garment or the scene that a finding is about.");
+  v.choice("thing", concern.thing, "\"edge\": of the piece before it.", {"piece", "edge", "seam", "body"},
+           Need::kRequired);
+  v.field("id", concern.id, "Its id in the document.", Need::kRequired);
+}
+
+template <typename Visitor>
 void describe(Visitor& v, exports::ReportFinding& finding) {
   v.object("finding", "");
   v.field("code", finding.code, "Stable, for programs, e.g. \"start.crosses_body\".", Need::kRequired);
   v.choice("severity", finding.severity, "\"note\", \"warning\" or \"error\".", {"note", "warning", "error"},
            Need::kRequired);
   v.field("message", finding.message, "What it is, in words, and the way out.", Need::kRequired);
-  v.field("where", finding.where, "The piece, edge or seam.", Need::kRequired);
+  v.field("where", finding.where, "The piece, edge or seam, in words.", Need::kRequired);
+  v.field("about", finding.about, "The same for programs, what has to be seen to first; bodies last.",
+          Need::kRequired);
   v.field("place", finding.place, "m; x, y, z of the spot, at the start.", Need::kRequired);
   v.field("repaired", finding.repaired, "Whether the start was changed so that it is gone.", Need::kRequired);
 }

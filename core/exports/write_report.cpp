@@ -20,10 +20,13 @@ ReportStretch stretch_of(const analysis::StretchFigures& f) {
 }
 
 ReportFinding finding_of(const preflight::Finding& f) {
+  std::vector<ReportConcern> about;
+  for (const preflight::Concern& c : f.about) about.push_back({preflight::name_of(c.thing), {c.id}});
   return {.code = {std::string(preflight::code_of(f.kind))},
           .severity = preflight::name_of(f.severity),
           .message = {f.message},
           .where = {preflight::where_text(f)},
+          .about = std::move(about),
           .place = {f.place.x, f.place.y, f.place.z},
           .repaired = f.repaired};
 }

@@ -9,26 +9,26 @@ namespace toile::preflight {
 
 namespace {
 
-const char* name_of(Concern::Thing thing) {
-  switch (thing) {
-    case Concern::Thing::kPiece:
-      return "piece ";
-    case Concern::Thing::kEdge:
-      return "edge ";
-    case Concern::Thing::kSeam:
-      return "seam ";
-    case Concern::Thing::kBody:
-      break;
-  }
-  return "body ";
-}
-
 /// Two pieces that get in each other's way are a pair; pieces of a ring or of one kind are a list.
 bool is_of_pair(FindingKind kind) {
   return kind == FindingKind::kCrossesCloth || kind == FindingKind::kTouches || kind == FindingKind::kGap;
 }
 
 }  // namespace
+
+const char* name_of(Concern::Thing thing) {
+  switch (thing) {
+    case Concern::Thing::kPiece:
+      return "piece";
+    case Concern::Thing::kEdge:
+      return "edge";
+    case Concern::Thing::kSeam:
+      return "seam";
+    case Concern::Thing::kBody:
+      break;
+  }
+  return "body";
+}
 
 Concern piece_named(const std::string& id) { return {Concern::Thing::kPiece, id}; }
 Concern edge_named(const std::string& id) { return {Concern::Thing::kEdge, id}; }
@@ -44,7 +44,7 @@ std::string where_text(const Finding& finding) {
   for (const Concern& c : finding.about) {
     if (c.thing == Concern::Thing::kBody) continue;
     if (!text.empty()) text += is_of_pair(finding.kind) ? " and " : ", ";
-    text += name_of(c.thing) + c.id;
+    text += std::string(name_of(c.thing)) + " " + c.id;
   }
   return text;
 }

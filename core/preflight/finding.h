@@ -21,6 +21,9 @@ struct Concern {
 };
 using Concerns = std::vector<Concern>;
 
+/// "piece", "edge", "seam", "body".
+const char* name_of(Concern::Thing thing);
+
 Concern piece_named(const std::string& id);
 /// Of the piece before it.
 Concern edge_named(const std::string& id);

@@ -5,7 +5,7 @@
 
 namespace toile::documents {
 
-/// {"code", "severity", "message", "where", "place": [x, y, z] (m), "repaired"}.
+/// {"code", "severity", "message", "where", "about": [{"thing", "id"}], "place": [x, y, z] (m), "repaired"}.
 json::JsonValue finding_json(const preflight::Finding& finding);
 
 }  // namespace toile::documents

@@ -4,6 +4,7 @@ import {
   makeDressingApi,
   type Check,
   type DressingApi,
+  type Finding,
   type PieceWish,
   type Place,
   type ProjectBody,
@@ -102,9 +103,12 @@ describe('findings', () => {
 
   it('name a piece only where there is one', () => {
     expect(pieceOf(findingOf(), ['front', 'back'])).toBe('front');
-    expect(pieceOf(findingOf({ where: 'piece front, edge e3' }), ['front'])).toBe('front');
-    expect(pieceOf(findingOf({ where: 'seam side' }), ['front'])).toBeNull();
-    expect(pieceOf(findingOf({ where: 'piece sleeve' }), ['front'])).toBeNull();
+    const about = (...concerns: ['piece' | 'edge' | 'seam' | 'body', string][]): Finding =>
+      findingOf({ about: concerns.map(([thing, id]) => ({ thing, id })) });
+    expect(pieceOf(about(['piece', 'front, left'], ['edge', 'e3']), ['front, left'])).toBe('front, left');
+    expect(pieceOf(about(['piece', 'back'], ['piece', 'front']), ['front', 'back'])).toBe('back');
+    expect(pieceOf(about(['seam', 'front']), ['front'])).toBeNull();
+    expect(pieceOf(about(['piece', 'sleeve']), ['front'])).toBeNull();
   });
 
   it('are looked at from outside of the body', () => {

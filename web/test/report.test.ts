@@ -42,7 +42,7 @@ describe('a report in words', () => {
   it('says whether the body wears it, and why not', () => {
     expect(line('Worn')).toMatchObject({ value: 'Yes', verdict: 'good' });
     expect(line('Worn', { worn: 'partly' })).toMatchObject({ value: 'In part', verdict: 'warn' });
-    const off: Report['findings'][number] = { code: 'worn.ring_off', severity: 'warning', message: 'a ring is off', where: '', place: [0, 0, 0], repaired: false };
+    const off: Report['findings'][number] = { code: 'worn.ring_off', severity: 'warning', message: 'a ring is off', where: '', about: [], place: [0, 0, 0], repaired: false };
     expect(line('Worn', { worn: 'no', findings: [off] })).toMatchObject({ value: 'No', sentence: 'a ring is off.' });
     expect(reportLines({ ...report, worn: undefined }).some((one) => one.label === 'Worn')).toBe(false);
   });

@@ -9,6 +9,7 @@ export const findingOf = (more: Partial<Finding> = {}): Finding => ({
   severity: 'warning',
   message: 'it touches',
   where: 'piece front',
+  about: [{ thing: 'piece', id: 'front' }],
   place: [0.2, 1, 0],
   repaired: false,
   ...more,

@@ -30,6 +30,22 @@ TEST(WriteReport, KeepsTheLayoutThatProgramsReadByLine) {
   EXPECT_NE(text.find("\n  \"findings\": [],\n"), std::string::npos) << text;
 }
 
+TEST(WriteReport, NamesWhatAFindingIsAboutApartFromTheWords) {
+  analysis::Report report;
+  report.findings = {
+      preflight::found(preflight::FindingKind::kShortEdge, "short",
+                       {preflight::piece_named("front, left"), preflight::edge_named("e3")}, {}),
+      preflight::found(preflight::FindingKind::kThreadThroughBody, "through",
+                       {preflight::seam_named("side"), preflight::body_named("woman")}, {})};
+  const json::JsonValue written = json::parse_json(report_json(report)).value();
+  const std::vector<json::JsonValue>& findings = *written.find("findings")->array();
+  ASSERT_EQ(findings.size(), 2u);
+  EXPECT_EQ(json::write_json_line(*findings[0].find("about")),
+            R"([{"thing": "piece", "id": "front, left"}, {"thing": "edge", "id": "e3"}])");
+  EXPECT_EQ(json::write_json_line(*findings[1].find("about")),
+            R"([{"thing": "seam", "id": "side"}, {"thing": "body", "id": "woman"}])");
+}
+
 TEST(WriteReport, WritesEveryKeyThatTheSchemaWants) {
   const json::JsonValue written = json::parse_json(report_json({})).value();
   const json::JsonValue schema = report_schema();

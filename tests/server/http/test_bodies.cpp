@@ -143,6 +143,11 @@ TEST_F(Dressing, ArrangesAllPiecesAsOneStepThatCanBeUndone) {
   const std::string first = document();
   const json::JsonValue before = tree_of(get(one + "/check"));
   EXPECT_FALSE(*before.find("ready")->boolean()) << "four pieces lie on one another";
+  const json::JsonValue& worst = before.find("findings")->array()->front();
+  const json::JsonValue& first_concern = worst.find("about")->array()->front();
+  EXPECT_EQ(*first_concern.find("thing")->text(), "piece");
+  EXPECT_TRUE(worst.find("where")->text()->starts_with("piece " + *first_concern.find("id")->text()))
+      << json::write_json(worst);
   const Answer arranged = change("POST", "/arrange", "", "\"1\"");
   const json::JsonValue tree = tree_of(arranged);
   EXPECT_EQ(arranged.headers.at("etag"), "\"2\"");

@@ -194,10 +194,10 @@ export function findingCounts(findings: Finding[]): Record<Severity | 'repaired'
   return counts;
 }
 
-/** The piece that a finding names, if it is one of these. */
+/** The first piece that a finding is about, if it is one of these. */
 export function pieceOf(finding: Finding, pieces: string[]): string | null {
-  const named = /piece ([^,]+)/.exec(finding.where)?.[1]?.trim();
-  return named !== undefined && pieces.includes(named) ? named : null;
+  const first = finding.about.find((concern) => concern.thing === 'piece');
+  return first !== undefined && pieces.includes(first.id) ? first.id : null;
 }
 
 // ---- places

@@ -2371,6 +2371,16 @@ export interface components {
          * @description Edits of a project, one after the other: in requests, in the undo history and in a replay.
          */
         "edit.schema": (components["schemas"]["move_point"] | components["schemas"]["move_handle"] | components["schemas"]["insert_point"] | components["schemas"]["delete_point"] | components["schemas"]["split_edge"] | components["schemas"]["join_edges"] | components["schemas"]["straighten_edge"] | components["schemas"]["bend_edge"] | components["schemas"]["set_edge_length"] | components["schemas"]["mirror_piece"] | components["schemas"]["rotate_grain"] | components["schemas"]["add_line"] | components["schemas"]["remove_line"] | components["schemas"]["add_dart"] | components["schemas"]["add_inner_dart"] | components["schemas"]["rename_edge"] | components["schemas"]["remove_dart"] | components["schemas"]["add_hole"] | components["schemas"]["remove_hole"] | components["schemas"]["move_piece"] | components["schemas"]["rename_piece"] | components["schemas"]["duplicate_piece"] | components["schemas"]["delete_piece"] | components["schemas"]["add_seam"] | components["schemas"]["remove_seam"] | components["schemas"]["reverse_seam"] | components["schemas"]["set_fabric"] | components["schemas"]["set_texture"] | components["schemas"]["set_physical"] | components["schemas"]["restore"] | components["schemas"]["add_notch"] | components["schemas"]["move_notch"] | components["schemas"]["remove_notch"])[];
+        /** @description A thing of the garment or the scene that a finding is about. */
+        concern: {
+            /**
+             * @description "edge": of the piece before it.
+             * @enum {string}
+             */
+            thing: "piece" | "edge" | "seam" | "body";
+            /** @description Its id in the document. */
+            id: string;
+        };
         finding: {
             /** @description Stable, for programs, e.g. "start.crosses_body". */
             code: string;
@@ -2381,8 +2391,10 @@ export interface components {
             severity: "note" | "warning" | "error";
             /** @description What it is, in words, and the way out. */
             message: string;
-            /** @description The piece, edge or seam. */
+            /** @description The piece, edge or seam, in words. */
             where: string;
+            /** @description The same for programs, what has to be seen to first; bodies last. */
+            about: components["schemas"]["concern"][];
             /** @description m; x, y, z of the spot, at the start. */
             place: [
                 number,
