@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/base/check.h"
 #include "core/base/units.h"
 #include "core/geometry/polygon2.h"
 
@@ -36,9 +37,10 @@ struct Station {
   Vec2 at, along;
 };
 
-/// Stations at even distances around the loop.
+/// Stations at even distances around the loop, which has points.
 std::vector<Station> stations(const std::vector<Vec2>& loop, std::size_t count) {
   const std::size_t n = loop.size();
+  TOILE_CHECK(n > 0);
   std::vector<double> walked{0};
   for (std::size_t i = 0; i < n; ++i) walked.push_back(walked.back() + length(loop[(i + 1) % n] - loop[i]));
   const double around = walked.back();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
@@ -91,7 +92,8 @@ Converted from_latin(std::string_view s) {
 
 Converted converted(std::string_view s, const char* code_page) {
   const iconv_t converter = iconv_open("UTF-8", code_page);
-  if (converter == iconv_t(-1)) return from_latin(s);  // a machine without tables of letters
+  if (reinterpret_cast<std::intptr_t>(converter) == -1)
+    return from_latin(s);  // a machine without tables of letters
   constexpr std::size_t kMostPerByte = 4;
   std::string in(s), out(s.size() * kMostPerByte + 8, '\0');
   char *from = in.data(), *to = out.data();

@@ -136,6 +136,7 @@ void part_doubles(DxfPlaced& placed, DxfNotes& notes) {
   const std::vector<Vec2>& outline = placed.found.piece.outline;
   const std::vector<pattern::Notch> all = std::exchange(placed.found.piece.notches, {});
   std::vector<Vec2> feet;
+  feet.reserve(all.size());
   for (const pattern::Notch& notch : all) feet.push_back(foot_on(outline, notch.at));
   const auto off = [&](std::size_t i) { return length(all[i].at - feet[i]); };
   for (std::size_t i = 0; i < all.size(); ++i) {
