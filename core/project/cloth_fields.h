@@ -39,8 +39,9 @@ void describe(Visitor& v, project::ProjectDxf& dxf) {
   v.field("size", dxf.size, "Size to take of a graded file, instead of its sample size.");
 }
 
-template <typename Visitor>
-void describe(Visitor& v, project::ProjectEdge& edge) {
+/// An edge as the document has it, and as an edit draws one.
+template <typename Visitor, typename Edge>
+void describe_drawn_edge(Visitor& v, Edge& edge) {
   v.object("edge", "A run of the outline between two corners: what seams and attachments name.");
   v.field("id", edge.id, "Unique within its piece, and stable when the outline is edited.", Need::kRequired);
   v.field("points", edge.points,
@@ -49,6 +50,11 @@ void describe(Visitor& v, project::ProjectEdge& edge) {
   v.field("curves", edge.curves, "Cubic Béziers, each beginning where the one before it ends.",
           Need::kOptional, Range{1, 10000});
   v.exactly_one("points", "curves");
+}
+
+template <typename Visitor>
+void describe(Visitor& v, project::ProjectEdge& edge) {
+  describe_drawn_edge(v, edge);
 }
 
 template <typename Visitor>

@@ -11,11 +11,17 @@ namespace toile::fields {
 inline constexpr Range kFraction{0, 1};
 inline constexpr Range kIndex{0, 1e6};
 
+/// The piece that an edit is about.
+template <typename Visitor, typename Edit>
+void describe_piece(Visitor& v, Edit& edit) {
+  v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
+}
+
 /// The piece and the edge that an edit is about.
 template <typename Visitor, typename Edit>
 void describe_edge(Visitor& v, Edit& edit,
                    const char* which = "Id of one of its edges or of its holes' edges.") {
-  v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
+  describe_piece(v, edit);
   v.field("edge", edit.edge, which, Need::kRequired);
 }
 
@@ -101,20 +107,20 @@ void describe(Visitor& v, edit::SetEdgeLength& edit) {
 template <typename Visitor>
 void describe(Visitor& v, edit::MirrorPiece& edit) {
   v.object("mirror_piece", "Turns the piece over, about the upright middle line of its box.");
-  v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
+  describe_piece(v, edit);
 }
 
 template <typename Visitor>
 void describe(Visitor& v, edit::RotateGrain& edit) {
   v.object("rotate_grain", "Turns the direction of the warp.");
-  v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
+  describe_piece(v, edit);
   v.field("angle", edit.angle, "Degrees, counter-clockwise.", Need::kRequired, Range{-360, 360});
 }
 
 template <typename Visitor>
 void describe(Visitor& v, edit::AddLine& edit) {
   v.object("add_line", "Draws a line on the piece.");
-  v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
+  describe_piece(v, edit);
   v.field("id", edit.line.id, "Unique within the piece.", Need::kRequired);
   v.field("points", edit.line.points, "mm; inside the outline, or on it at the ends.", Need::kRequired,
           Range{2, 10000});
@@ -124,7 +130,7 @@ void describe(Visitor& v, edit::AddLine& edit) {
 template <typename Visitor>
 void describe(Visitor& v, edit::RemoveLine& edit) {
   v.object("remove_line", "Takes a line away.");
-  v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
+  describe_piece(v, edit);
   v.field("line", edit.line, "Id of the line.", Need::kRequired);
 }
 
@@ -140,7 +146,7 @@ void describe(Visitor& v, edit::AddNotch& edit) {
 template <typename Visitor>
 void describe(Visitor& v, edit::MoveNotch& edit) {
   v.object("move_notch", "Moves a notch to a place on any edge of its piece.");
-  v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
+  describe_piece(v, edit);
   v.field("notch", edit.notch, "Which one, from 0, in the piece's order.", Need::kRequired, kIndex);
   v.field("edge", edit.edge, "Id of the edge to which it comes.", Need::kRequired);
   v.field("at", edit.at, "Fraction of the edge's length, in the outline's direction.", Need::kRequired,
@@ -152,7 +158,7 @@ void describe(Visitor& v, edit::MoveNotch& edit) {
 template <typename Visitor>
 void describe(Visitor& v, edit::RemoveNotch& edit) {
   v.object("remove_notch", "Takes a notch away, and its point where the edge looks the same without it.");
-  v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
+  describe_piece(v, edit);
   v.field("notch", edit.notch, "Which one, from 0, in the piece's order.", Need::kRequired, kIndex);
 }
 
@@ -173,7 +179,7 @@ template <typename Visitor>
 void describe(Visitor& v, edit::AddInnerDart& edit) {
   v.object("add_inner_dart",
            "Cuts a fish-eye dart, a diamond within the cloth, and sews its sides together.");
-  v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
+  describe_piece(v, edit);
   v.field("from", edit.from, "mm, one tip.", Need::kRequired, kLength);
   v.field("to", edit.to, "mm, the other tip.", Need::kRequired, kLength);
   v.field("width_mm", edit.width_mm, "mm, where it is widest.", Need::kRequired, Range{1, 1e5});
@@ -199,20 +205,13 @@ void describe(Visitor& v, edit::RemoveDart& edit) {
 
 template <typename Visitor>
 void describe(Visitor& v, edit::DrawnEdge& edge) {
-  v.object("edge", "A run of the outline between two corners: what seams and attachments name.");
-  v.field("id", edge.id, "Unique within its piece, and stable when the outline is edited.", Need::kRequired);
-  v.field("points", edge.points,
-          "The edge passes through these points, mm: smoothly where they bend gently, within 0.1 mm of each.",
-          Need::kOptional, Range{2, 100000});
-  v.field("curves", edge.curves, "Cubic Béziers, each beginning where the one before it ends.",
-          Need::kOptional, Range{1, 10000});
-  v.exactly_one("points", "curves");
+  describe_drawn_edge(v, edge);
 }
 
 template <typename Visitor>
 void describe(Visitor& v, edit::AddHole& edit) {
   v.object("add_hole", "Cuts a hole.");
-  v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
+  describe_piece(v, edit);
   v.field("edges", edit.edges, "Its edges in order, either way round.", Need::kRequired, kSome);
 }
 
@@ -225,21 +224,21 @@ void describe(Visitor& v, edit::RemoveHole& edit) {
 template <typename Visitor>
 void describe(Visitor& v, edit::MovePiece& edit) {
   v.object("move_piece", "Moves a piece in its drawing. In space it stays where it stands.");
-  v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
+  describe_piece(v, edit);
   v.field("by", edit.by, "mm.", Need::kRequired, kLength);
 }
 
 template <typename Visitor>
 void describe(Visitor& v, edit::RenamePiece& edit) {
   v.object("rename_piece", "Gives a piece another id, wherever it is named.");
-  v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
+  describe_piece(v, edit);
   v.field("to", edit.to, "The new id.", Need::kRequired);
 }
 
 template <typename Visitor>
 void describe(Visitor& v, edit::DuplicatePiece& edit) {
   v.object("duplicate_piece", "Adds a copy at the end of the list, without seams.");
-  v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
+  describe_piece(v, edit);
   v.field("id", edit.id, "Of the copy.", Need::kRequired);
   v.field("by", edit.by, "mm that it lies and stands away from its original. Default [0, 0].",
           Need::kOptional, kLength);
@@ -249,7 +248,7 @@ void describe(Visitor& v, edit::DuplicatePiece& edit) {
 template <typename Visitor>
 void describe(Visitor& v, edit::DeletePiece& edit) {
   v.object("delete_piece", "Removes a piece, its part of all seams, and what is on it.");
-  v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
+  describe_piece(v, edit);
 }
 
 template <typename Visitor>
@@ -289,21 +288,21 @@ void describe(Visitor& v, edit::ReverseSeam& edit) {
 template <typename Visitor>
 void describe(Visitor& v, edit::SetFabric& edit) {
   v.object("set_fabric", "Cuts a piece of another fabric.");
-  v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
+  describe_piece(v, edit);
   v.field("fabric", edit.fabric, "Id of a fabric.", Need::kRequired);
 }
 
 template <typename Visitor>
 void describe(Visitor& v, editing::SetTexture& edit) {
   v.object("set_texture", "Prints a picture on a piece, or takes it away.");
-  v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
+  describe_piece(v, edit);
   v.field("texture", edit.texture, "Without it, the piece has none.");
 }
 
 template <typename Visitor>
 void describe(Visitor& v, editing::SetPhysical& edit) {
   v.object("set_physical", "Says what a piece has otherwise than its fabric, or that it has nothing.");
-  v.field("piece", edit.piece, "Id of a piece.", Need::kRequired);
+  describe_piece(v, edit);
   v.field("physical", edit.physical, "All of it; what is not given is as the fabric has it.");
 }
 
