@@ -11,6 +11,7 @@ import {
   placeInQueue,
   thumbnailOf,
 } from '../src/state/jobs';
+import { kRestingTool } from '../src/state/editing';
 import { LiveCloth, positionsHash } from '../src/state/LiveCloth';
 import { formatRoute, parseRoute } from '../src/state/routes';
 import { ago, bytes, counted, duration, sentence, speed } from '../src/state/words';
@@ -30,6 +31,21 @@ describe('routes', () => {
 });
 
 describe('the state', () => {
+  it('begins anew with another project, but for what a person likes', () => {
+    const { dressing, editing } = new AppState();
+    dressing.picking.value = 'navel';
+    dressing.shown.value = 2;
+    dressing.unit.value = 'inch';
+    editing.tool.value = 'pen';
+    editing.offsets.value = new Map([['front', [1, 2]]]);
+    editing.large.value = true;
+    dressing.clear();
+    editing.clear();
+    expect([dressing.picking.value, dressing.shown.value, editing.tool.value]).toEqual([null, 0, kRestingTool]);
+    expect(editing.offsets.value.size).toBe(0);
+    expect([dressing.unit.value, editing.large.value]).toEqual(['inch', true]);
+  });
+
   it('shows the job of the route, and of a project its newest job', () => {
     const state = new AppState();
     state.projects.value = ready([projectOf()]);

@@ -31,16 +31,7 @@ export class PatternCommands {
 
   /** Another project is shown: puts down everything that belonged to the last one. */
   projectChanged(): void {
-    const { editing } = this;
-    editing.tool.value = kRestingTool;
-    editing.problem.value = null;
-    editing.litSeam.value = null;
-    editing.seam.value = null;
-    editing.part.value = null;
-    editing.draft.value = emptyDraft;
-    editing.history.value = [];
-    editing.proposals.value = null;
-    editing.offsets.value = new Map();
+    this.editing.clear();
   }
 
   // ---- tools and what is selected

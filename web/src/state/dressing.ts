@@ -19,6 +19,7 @@ import type {
   TakenMeasure,
 } from '../api/dressing';
 import type { ApiError } from '../api/http';
+import { PerProject } from './PerProject';
 
 export type LengthUnit = 'cm' | 'inch';
 
@@ -29,57 +30,41 @@ export interface Marks {
   boxes: boolean;
 }
 
-export class DressingState {
+export class DressingState extends PerProject {
   readonly tables: Signal<BodyTables | null> = signal(null);
   /** What a mesh's name may end with; null while the service has not told. */
   readonly meshEndings: ReadonlySignal<readonly string[] | null> = computed(
     () => this.tables.value?.formats.map(({ ending }) => ending) ?? null,
   );
-  readonly bodies: Signal<ProjectBody[] | null> = signal(null);
-  readonly mesh: Signal<BodyMesh | null> = signal(null);
-  readonly check: Signal<Check | null> = signal(null);
-  readonly start: Signal<Start | null> = signal(null);
+  readonly bodies: Signal<ProjectBody[] | null> = this.perProject(null);
+  readonly mesh: Signal<BodyMesh | null> = this.perProject(null);
+  readonly check: Signal<Check | null> = this.perProject(null);
+  readonly start: Signal<Start | null> = this.perProject(null);
   /** Why the start cannot be shown. */
-  readonly startProblem: Signal<ApiError | null> = signal(null);
+  readonly startProblem: Signal<ApiError | null> = this.perProject(null);
   /** Of the arrangement that was made last on this page: what was decided for each piece. */
-  readonly arrangement: Signal<Arrangement | null> = signal(null);
+  readonly arrangement: Signal<Arrangement | null> = this.perProject(null);
   /** How the file that was taken last stood in itself. */
-  readonly stance: Signal<{ file: string; asset: string; stance: Stance | null } | null> = signal(null);
+  readonly stance: Signal<{ file: string; asset: string; stance: Stance | null } | null> = this.perProject(null);
 
   /** What is being done, in words; empty: nothing. */
   readonly busy: Signal<string> = signal('');
   /** Why the last wish for a body was refused. */
-  readonly problem: Signal<ApiError | null> = signal(null);
+  readonly problem: Signal<ApiError | null> = this.perProject(null);
   /** Why the last wish for a place was refused. */
-  readonly placeProblem: Signal<ApiError | null> = signal(null);
+  readonly placeProblem: Signal<ApiError | null> = this.perProject(null);
   /** The body whose measures are shown, by its place in the list. */
-  readonly shown: Signal<number> = signal(0);
+  readonly shown: Signal<number> = this.perProject(0);
   readonly unit: Signal<LengthUnit> = signal('cm');
   readonly marks: Signal<Marks> = signal({ tape: true, landmarks: false, boxes: false });
   /** Whether the mirror image of a piece that is placed by hand goes along, on the other side. */
   readonly partners: Signal<boolean> = signal(true);
   /** The landmark that the next click on the body places; null: none. */
-  readonly picking: Signal<string | null> = signal(null);
+  readonly picking: Signal<string | null> = this.perProject(null);
   /** The measure whose tape is lit. */
   readonly lit: Signal<string | null> = signal(null);
   /** The finding that is shown in space; `turn` rises with every click. */
-  readonly finding: Signal<{ finding: Finding; turn: number } | null> = signal(null);
-
-  /** Another project is shown. */
-  clear(): void {
-    this.start.value = null;
-    this.check.value = null;
-    this.mesh.value = null;
-    this.bodies.value = null;
-    this.stance.value = null;
-    this.arrangement.value = null;
-    this.startProblem.value = null;
-    this.finding.value = null;
-    this.placeProblem.value = null;
-    this.problem.value = null;
-    this.picking.value = null;
-    this.shown.value = 0;
-  }
+  readonly finding: Signal<{ finding: Finding; turn: number } | null> = this.perProject(null);
 }
 
 // ---- lengths

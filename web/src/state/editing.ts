@@ -6,6 +6,7 @@ import type { Asset, Edit, EditStep, Piece, PieceEdge, Point, SeamProposal } fro
 import type { ApiError } from '../api/http';
 import type { Loaded } from './AppState';
 import { jointsOf } from './outline';
+import { PerProject } from './PerProject';
 import { emptyDraft, type SeamDraft } from './seamView';
 
 /** What has to be known of a tool of the 2D view to take it; the tools themselves stand in tools/. */
@@ -24,27 +25,27 @@ export type Part =
   | { kind: 'point'; piece: string; edge: string; point: number }
   | { kind: 'handle'; piece: string; edge: string; curve: number; handle: 1 | 2 };
 
-export class EditingState {
+export class EditingState extends PerProject {
   /** Id of the one that is held. */
-  readonly tool: Signal<string> = signal(kRestingTool);
-  readonly part: Signal<Part | null> = signal(null);
-  readonly seam: Signal<string | null> = signal(null);
+  readonly tool: Signal<string> = this.perProject(kRestingTool);
+  readonly part: Signal<Part | null> = this.perProject(null);
+  readonly seam: Signal<string | null> = this.perProject(null);
   /** Under the pointer, on either view or in the list. */
-  readonly litSeam: Signal<string | null> = signal(null);
-  readonly draft: Signal<SeamDraft> = signal(emptyDraft);
+  readonly litSeam: Signal<string | null> = this.perProject(null);
+  readonly draft: Signal<SeamDraft> = this.perProject(emptyDraft);
   readonly busy: Signal<boolean> = signal(false);
   /** The last edit that was refused, until another one is tried. */
-  readonly problem: Signal<ApiError | null> = signal(null);
-  readonly history: Signal<EditStep[]> = signal([]);
+  readonly problem: Signal<ApiError | null> = this.perProject(null);
+  readonly history: Signal<EditStep[]> = this.perProject([]);
   /** Uploaded pictures, for choosing. */
   readonly images: Signal<Asset[]> = signal([]);
   readonly uploading: Signal<boolean> = signal(false);
-  readonly proposals: Signal<Loaded<SeamProposal[]> | null> = signal(null);
+  readonly proposals: Signal<Loaded<SeamProposal[]> | null> = this.perProject(null);
   readonly chosen: Signal<ReadonlySet<string>> = signal(new Set());
   /** The pattern has the large place, the 3D view the small one. */
   readonly large: Signal<boolean> = signal(false);
   /** Where pieces that lie on one another are shown instead, mm, by their id; kept while the project is shown. */
-  readonly offsets: Signal<ReadonlyMap<string, Point>> = signal(new Map());
+  readonly offsets: Signal<ReadonlyMap<string, Point>> = this.perProject(new Map());
 }
 
 const kWords: Record<string, string> = {
