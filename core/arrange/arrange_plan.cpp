@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "core/arrange/trouser_legs.h"
@@ -9,11 +10,37 @@
 namespace toile::arrange {
 namespace {
 
-bool is_sewn_to_sleeve(const GarmentGraph& graph, Index piece) {
-  return std::any_of(graph.ties.begin(), graph.ties.end(), [&](const GarmentTie& t) {
-    const Index other = t.a == piece ? t.b : t.b == piece ? t.a : kNone;
-    return other != kNone && other != piece && graph.pieces[other].cover == Cover::kSleeve;
-  });
+/// Sleeves and cuffs sewn to them, and what is sewn to the rest of the garment through those alone.
+std::vector<bool> hang_on_arms(const GarmentGraph& graph) {
+  std::vector<bool> on_arm(graph.pieces.size(), false);
+  for (std::size_t p = 0; p < on_arm.size(); ++p) on_arm[p] = graph.pieces[p].cover == Cover::kSleeve;
+  const auto spread = [&](std::vector<bool>& marked, auto may) {
+    for (bool more = true; more;) {
+      more = false;
+      for (const GarmentTie& t : graph.ties) {
+        for (const auto& [from, to] : {std::pair{t.a, t.b}, std::pair{t.b, t.a}}) {
+          if (!marked[from] || marked[to] || !may(to)) continue;
+          marked[to] = more = true;
+        }
+      }
+    }
+  };
+  if (std::find(on_arm.begin(), on_arm.end(), true) == on_arm.end()) return on_arm;
+  spread(on_arm, [&](Index p) { return graph.pieces[p].cover == Cover::kCuff; });
+  std::vector<bool> elsewhere(graph.pieces.size(), false);
+  double most = 0;
+  Index root = kNone;
+  for (Index p = 0; p < static_cast<Index>(elsewhere.size()); ++p) {
+    const Cover c = graph.pieces[p].cover;
+    if (on_arm[p] || c == Cover::kCuff || graph.pieces[p].area <= most) continue;
+    most = graph.pieces[p].area;
+    root = p;
+  }
+  if (root == kNone) return on_arm;
+  elsewhere[root] = true;
+  spread(elsewhere, [&](Index p) { return !on_arm[p]; });
+  spread(on_arm, [&](Index p) { return !elsewhere[p]; });
+  return on_arm;
 }
 
 /// The trunk's pieces on their sheets, clear of each other, legs over legs.
@@ -28,9 +55,13 @@ Result<FlatLayout> trunk_layout(GarmentGraph& graph, const std::vector<Index>& t
         "place it by hand",
         "piece " + graph.pieces[p].id};
   }
-  part_pieces(graph, trunk, kSheetGap, layout);
+  // Collars lie before the others: fronts that made room for lapels would stand far aside.
+  std::vector<Index> flat;
+  std::copy_if(trunk.begin(), trunk.end(), std::back_inserter(flat),
+               [&](Index p) { return graph.pieces[p].cover != Cover::kCollar; });
+  part_pieces(graph, flat, kSheetGap, layout);
   layout = with_legs_over_legs(graph, trunk, stand, std::move(layout));
-  part_pieces(graph, trunk, kSheetGap, layout);  // turned legs may have come to lie on each other
+  part_pieces(graph, flat, kSheetGap, layout);  // turned legs may have come to lie on each other
   return layout;
 }
 
@@ -57,15 +88,20 @@ ArmPieces arm_pieces_of(const GarmentGraph& graph, const std::vector<Index>& on_
 
 PieceRoles roles_of(const GarmentGraph& graph) {
   PieceRoles roles;
+  const std::vector<bool> on_arm = hang_on_arms(graph);
+  roles.gores = gore_ring(graph, on_arm);
+  const auto is_gore = [&](Index p) {
+    return std::any_of(roles.gores.begin(), roles.gores.end(), [&](const Gore& g) { return g.piece == p; });
+  };
   for (Index p = 0; p < static_cast<Index>(graph.pieces.size()); ++p) {
     const GarmentPiece& piece = graph.pieces[p];
-    if (piece.cover == Cover::kSleeve || (piece.cover == Cover::kCuff && is_sewn_to_sleeve(graph, p))) {
+    if (on_arm[p]) {
       roles.on_arms.push_back(p);
     } else if (piece.cover == Cover::kHood) {
       roles.hoods.push_back(p);
     } else if (piece.tube) {
       roles.bands.push_back(p);
-    } else {
+    } else if (!is_gore(p)) {
       roles.trunk.push_back(p);
     }
   }

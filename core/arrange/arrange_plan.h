@@ -8,6 +8,7 @@
 #include "core/arrange/arrange.h"
 #include "core/arrange/body_stand.h"
 #include "core/arrange/flat_layout.h"
+#include "core/arrange/gore_ring.h"
 
 namespace toile::arrange {
 
@@ -19,6 +20,7 @@ struct PieceRoles {
   std::vector<Index> on_arms;  ///< sleeves and what is sewn to them
   std::vector<Index> hoods;
   std::vector<Index> bands;  ///< they close in themselves around trunk or neck
+  std::vector<Gore> gores;   ///< around the body in a ring
 };
 PieceRoles roles_of(const GarmentGraph& graph);
 

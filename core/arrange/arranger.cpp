@@ -1,7 +1,9 @@
 #include "core/arrange/arranger.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <utility>
 
@@ -18,11 +20,30 @@ namespace {
 constexpr double kUnder = 0.025;     ///< m, how far beside an outline the body still counts
 constexpr double kSleeveOut = 0.03;  ///< m, sleeves begin beyond the arm's root
 constexpr double kTopBand = 0.10;    ///< m, what lies that far under the top is the top edge
-constexpr double kCrotchEase = 0.015, kMostSunk = 0.08;  // m
-constexpr double kBelowCrotch = 0.022;                   // m
-constexpr double kApart = 0.02;                          ///< m, between sheets that face one way
+constexpr double kCrotchEase = 0.015, kMostSunk = 0.08;   // m
+constexpr double kBelowCrotch = 0.022;                    // m
+constexpr double kOverNeck = 0.005, kBelowArmpit = 0.02;  // m
+constexpr double kShoulderLow = 0.12;  // m, how far shoulder seams may lie below the highest stitches
+constexpr double kCollarAway = 0.04;   ///< m, before what they are sewn to
+constexpr double kApart = 0.02;        ///< m, between sheets that face one way
 
-bool is_bottom(Cover c) { return c == Cover::kSkirt || c == Cover::kLeg || c == Cover::kWaistband; }
+/// Cuffs among the trunk's pieces are those of legs.
+bool is_bottom(Cover c) {
+  return c == Cover::kSkirt || c == Cover::kLeg || c == Cover::kWaistband || c == Cover::kCuff;
+}
+
+/// The stitches of one seam on the sheets.
+struct SeamRun {
+  double low = HUGE_VAL, high = -HUGE_VAL, left = HUGE_VAL, right = -HUGE_VAL;
+  void take(Vec2 p) {
+    low = std::min(low, p.y);
+    high = std::max(high, p.y);
+    left = std::min(left, p.x);
+    right = std::max(right, p.x);
+  }
+  /// As shoulder seams do; side seams run downwards.
+  bool across() const { return right - left > 0.5 * (high - low); }
+};
 
 }  // namespace
 
@@ -50,16 +71,26 @@ double Arranger::rise_of_trunk(const ArrangeTrial& trial) const {
   return is_top() ? rise_of_top() - trial.lower : rise_of_bottom();
 }
 
-/// The highest stitches between fronts and backs come to the neck's sides.
+/// The highest stitches between fronts and backs come to the neck's sides; without shoulders, to where sides
+/// end below the arms.
 double Arranger::rise_of_top() const {
-  double highest = -HUGE_VAL;
+  std::map<std::array<Index, 3>, SeamRun> runs;  // by seam and pieces: one name may be sewn on both sides
   for (const GarmentTie& t : plan_.graph.ties) {
     if (!plan_.layout.has(t.a) || !plan_.layout.has(t.b) || plan_.layout.face[t.a] == plan_.layout.face[t.b])
       continue;
-    highest = std::max({highest, plan_.layout.pose[t.a](t.at_a).y, plan_.layout.pose[t.b](t.at_b).y});
+    SeamRun& run = runs[{t.seam, t.a, t.b}];
+    run.take(plan_.layout.pose[t.a](t.at_a));
+    run.take(plan_.layout.pose[t.b](t.at_b));
   }
-  if (highest == -HUGE_VAL) highest = plan_.top;
-  return stand_.figure().neck_side[0].y + 0.005 - highest;
+  double highest = -HUGE_VAL, shoulder = -HUGE_VAL;
+  for (const auto& [seam, run] : runs) {
+    highest = std::max(highest, run.high);
+    if (run.across()) shoulder = std::max(shoulder, run.high);
+  }
+  const measure::BodyFigure& f = stand_.figure();
+  if (highest == -HUGE_VAL) return f.neck_side[0].y + kOverNeck - plan_.top;
+  if (shoulder < highest - kShoulderLow) return f.armpit[0].y - kBelowArmpit - highest;
+  return f.neck_side[0].y + kOverNeck - highest;
 }
 
 bool Arranger::is_top_segment(Index piece, std::size_t i) const {
@@ -132,7 +163,9 @@ std::vector<Arranger::Placed> Arranger::trunk_places(const ArrangeTrial& trial, 
   for (const Index p : plan_.roles.trunk) {
     FlatMove pose = plan_.layout.pose[p];
     pose.t = pose.t + Vec2{stand_.figure().middle, rise};
-    places.push_back({p, on_upright_sheet(pose, plan_.layout.face[p] > 0 ? front : back),
+    double depth = plan_.layout.face[p] > 0 ? front : back;
+    if (plan_.graph.pieces[p].cover == Cover::kCollar) depth += plan_.layout.face[p] * kCollarAway;
+    places.push_back({p, on_upright_sheet(pose, depth),
                       std::string(name_of(plan_.graph.pieces[p].cover)) +
                           (plan_.layout.face[p] > 0 ? ", front" : ", back")});
   }
@@ -298,6 +331,7 @@ Arrangement Arranger::place(const ArrangeTrial& trial) const {
   }
   take(hood_places(rise));
   take(band_places(rise));
+  take(gore_places(rise));
   made.attachments = holds();
   return made;
 }

@@ -62,6 +62,7 @@ class Arranger {
   Placed tube_place(Index piece, measure::BodySide side, const ArrangeTrial& trial) const;
   std::vector<Placed> hood_places(double rise) const;
   std::vector<Placed> band_places(double rise) const;
+  std::vector<Placed> gore_places(double rise) const;
   std::vector<sewing::Attachment> holds() const;
 
   ArrangePlan plan_;  ///< never changes

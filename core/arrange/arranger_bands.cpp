@@ -1,4 +1,4 @@
-// Hoods and the strips that go around trunk and neck.
+// Hoods, the strips that go around trunk and neck, and rings of gores.
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +14,7 @@ namespace toile::arrange {
 namespace {
 
 constexpr double kClose = 0.012;  // m, strips lie nearer than sheets, so that their ends meet
+constexpr double kSteepest = 0.6, kOffHips = 0.03;    // of a skirt's cone, as WrappedPlacement::slope; m
 constexpr double kNeckDepth = 0.07, kNeckHalf = 0.1;  // m, of a neckline
 
 }  // namespace
@@ -141,6 +142,45 @@ sewing::WrappedPlacement Arranger::band_around(Index p, double rise) const {
   w.flipped = piece.outside < 0;
   w.angle = angle_of_band(p, w);
   return w;
+}
+
+/// On a cone around the hips, each beside the next, turned so that their stitches to the rest are short.
+std::vector<Arranger::Placed> Arranger::gore_places(double rise) const {
+  std::vector<Placed> places;
+  double above = 0, below = 0, length = 0;
+  Vec2 lowest{0, HUGE_VAL};
+  for (const Gore& gore : plan_.roles.gores) {
+    above += gore.width;
+    below += gore.below;
+    length = std::max(length, gore.length);
+    const std::optional<Vec2> tie = mean_tie_on_trunk(gore.piece);
+    if (tie && tie->y + rise < lowest.y) lowest = {tie->x, tie->y + rise};
+  }
+  if (plan_.roles.gores.empty()) return places;
+  const measure::BodyFigure& f = stand_.figure();
+  sewing::WrappedPlacement cone;
+  cone.height = (lowest.y < HUGE_VAL ? lowest.y : stand_.height_of_ring(above)) - kSheetGap;
+  const Vec2 axis = stand_.middle_at(cone.height);
+  cone.axis = {axis.x, 0, axis.y};
+  cone.radius = std::max(above / (2 * std::numbers::pi),
+                         stand_.radius_about(axis, f.hip - 0.05, cone.height + 0.02, 0.25) + kOffHips);
+  cone.slope = std::clamp((below - above) / (2 * std::numbers::pi * length), 0.0, kSteepest);
+  double sines = 0, cosines = 0;
+  for (const Gore& gore : plan_.roles.gores) {
+    sewing::WrappedPlacement w = cone;
+    w.anchor = gore.top;
+    w.turn = 0.5 * std::numbers::pi - std::atan2(gore.up.y, gore.up.x);
+    w.flipped = plan_.graph.pieces[gore.piece].outside < 0;
+    w.angle = gore.angle;
+    if (mean_tie_on_trunk(gore.piece)) {
+      sines += std::sin(angle_of_band(gore.piece, w) - gore.angle);
+      cosines += std::cos(angle_of_band(gore.piece, w) - gore.angle);
+    }
+    places.push_back({gore.piece, w, "gore, around the hips"});
+  }
+  const double turn = std::atan2(sines, cosines);
+  for (Placed& placed : places) std::get<sewing::WrappedPlacement>(placed.placement).angle += turn;
+  return places;
 }
 
 }  // namespace toile::arrange

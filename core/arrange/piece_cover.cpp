@@ -83,7 +83,10 @@ int face_of_name(const std::string& name) {
   for (const std::string& w : words_of_name(name)) {
     if (w.find("front") != std::string::npos) return 1;
     if (w.find("back") != std::string::npos) return -1;
-    if ((w[0] == 'f' || w[0] == 'b') && holds_cover(w, 1)) return w[0] == 'f' ? 1 : -1;
+    // "ftorso", and "rbsleeve": a hand's letter before the face's.
+    const std::size_t at = (w[0] == 'l' || w[0] == 'r') && w.size() > 1 ? 1 : 0;
+    for (const std::size_t k : {std::size_t{0}, at})
+      if ((w[k] == 'f' || w[k] == 'b') && holds_cover(w, k + 1)) return w[k] == 'f' ? 1 : -1;
   }
   return 0;
 }

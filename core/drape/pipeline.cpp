@@ -44,7 +44,8 @@ class GoTimer {
 };
 
 /// Garments are put on by a mesh of this particle distance where theirs is finer: a shape needs no more.
-constexpr double kCoarse = 0.02;  // m
+constexpr double kCoarse = 0.02;   // m
+constexpr int kMostCoarse = 6000;  // particles, about
 
 constexpr double kOffGround = 1.5e-3;  // m, that cloth starts above the ground at least
 constexpr double kDropped = 0.01;      // m above the ground: what lies there all around has fallen
@@ -72,10 +73,22 @@ bool in_question(const preflight::Findings& findings) {
   });
 }
 
-std::optional<sewing::Assembly> coarse_assembly(const DrapeInput& input, const RunContext& context) {
+/// Particle distance at which the garment is put on, m: no finer than a shape needs, and coarser for very
+/// large skirts.
+double coarse_distance(const mesh::PanelMeshes& meshes) {
+  double area = 0;
+  for (const mesh::PanelMesh& panel : meshes.panels)
+    for (const Tri& t : panel.triangles)
+      area += 0.5 * std::abs(cross(panel.rest[t[1]] - panel.rest[t[0]], panel.rest[t[2]] - panel.rest[t[0]]));
+  constexpr double kPerVertex = 0.866;  // of the squared distance, where triangles are even
+  return std::max(kCoarse, std::sqrt(area / (kPerVertex * kMostCoarse)));
+}
+
+std::optional<sewing::Assembly> coarse_assembly(const DrapeInput& input, double distance,
+                                                const RunContext& context) {
   pattern::Pattern pattern = input.pattern;
-  for (pattern::Panel& panel : pattern.panels) panel.spacing = std::max(panel.spacing, kCoarse);
-  const auto meshes = mesh::make_panel_meshes(pattern, kCoarse, context);
+  for (pattern::Panel& panel : pattern.panels) panel.spacing = std::max(panel.spacing, distance);
+  const auto meshes = mesh::make_panel_meshes(pattern, distance, context);
   if (!meshes) return std::nullopt;
   auto assembly = sewing::assemble(*meshes, input.placements, {}, {});
   if (!assembly) return std::nullopt;
@@ -145,7 +158,8 @@ void dress_start(const DrapeInput& input, DrapeStart& start, const RunContext& c
   if (!in_question(start.findings)) return;
   const dressing::Wearer wearer(*start.person);
   std::optional<sewing::Assembly> coarse;
-  if (input.settings.particle_distance < kCoarse) coarse = coarse_assembly(input, context);
+  const double distance = coarse_distance(start.meshes);
+  if (input.settings.particle_distance < distance) coarse = coarse_assembly(input, distance, context);
   auto on = dressing::put_on(start.placed, coarse ? *coarse : start.placed, wearer, context);
   if (!on) return;
   start.dressed = std::move(on->positions);

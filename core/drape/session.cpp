@@ -42,6 +42,8 @@ constexpr double kSeamLost = 10e-3;  // m
 constexpr double kOpenCalm = 0.2;
 /// Cloth that begins on the body comes back to its shape for so long before gravity comes in.
 constexpr double kEaseTime = 0.25;  // s
+/// What was bunched while it was put on falls into place before friction holds it.
+constexpr double kSlipTime = 0.25, kGripTime = 0.25;  // s
 /// The ground: a square that no garment reaches beyond, and what lies on it does not slide.
 constexpr double kGroundReach = 20, kGroundSkin = 1e-3;  // m
 constexpr double kGroundFriction = 0.5;
@@ -161,6 +163,7 @@ solver::StepForces DrapeSession::forces_now() const {
     return forces;
   }
   forces.gravity = input_.settings.gravity * std::min(1.0, since / kGravityRamp);
+  if (dressed_) forces.friction = std::clamp((since - kSlipTime) / kGripTime, 0.0, 1.0);
   forces.damping = watch_.damping();
   forces.viscosity = solver::constraints::viscous_share(kViscosity, input_.settings.time_step, steps_);
   return forces;

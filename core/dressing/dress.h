@@ -2,6 +2,8 @@
 // Puts a garment on a body: sews it around a slim figure of it, lets the figure grow, parts what crosses, and
 // gives back a shape only with the certificate that it is on.
 
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "core/base/run_context.h"
@@ -27,9 +29,12 @@ struct Dressed {
   double seam_gap = 0;  ///< m, the widest when the seams were joined
 };
 
+/// Who looks on: called now and then with where each garment vertex is, m. May be empty.
+using ShapeWatch = std::function<void(std::span<const Vec3>)>;
+
 /// One try. Progress phase: "dress".
 Dressed dress(const sewing::Assembly& assembly, const Wearer& wearer, const DressingWay& way,
-              const RunContext& context);
+              const RunContext& context, const ShapeWatch& watch = {});
 
 /// Parts what still crosses in a shape whose seams are shut, and judges it.
 void finish(const sewing::Assembly& assembly, const Wearer& wearer, Dressed& dressed);

@@ -13,6 +13,7 @@ namespace toile::dressing {
 namespace {
 
 constexpr double kFarthest = 0.02;   // m that a vertex goes in one pass
+constexpr int kSteps = 4;            // in which it goes there, close to the figure
 constexpr double kLeastArea = 1e-9;  // m²
 
 Vec3 any_across(Vec3 d) {
@@ -39,6 +40,14 @@ std::array<Vec3, 2> within(const std::array<Vec3, 2>& f, double least, double mo
   const Vec3 e1 = s1 > 1e-6 ? short_way * (1 / s1) : any_across(e0);
   const Vec3 p = e0 * std::clamp(s0, least, most), q = e1 * std::clamp(s1, least, most);
   return {p * u - q * v, p * v + q * u};
+}
+
+/// Where a way leads that goes around the figure, not through its limbs: those drawn in are hardly thicker
+/// than a pass is long.
+Vec3 gone(Vec3 from, Vec3 way, const SlimFigure* figure) {
+  if (figure == nullptr || figure->clearance(from) > length(way)) return from + way;
+  for (int i = 0; i < kSteps; ++i) from = figure->moved_out(from + way * (1.0 / kSteps), kFarthest);
+  return from;
 }
 
 }  // namespace
@@ -157,7 +166,7 @@ void ShapeSolver::pass(std::vector<Vec3>& x, const Shrunk& shrunk, const SlimFig
   for (Index v = 0; v < mesh_.vertex_count; ++v) {
     const Vec3 way = Vec3{system_->solved(v, 0), system_->solved(v, 1), system_->solved(v, 2)} - x[v];
     const double far = length(way);
-    x[v] += far > kFarthest ? way * (kFarthest / far) : way;
+    x[v] = gone(x[v], far > kFarthest ? way * (kFarthest / far) : way, figure);
   }
   if (figure != nullptr) keep_out(x, *figure);
 }

@@ -15,6 +15,8 @@ constexpr double kTrunkTop = 0.35;  // of the way from waist to armpit, that pie
 constexpr double kWide = 0.4;       // m from the middle: hands hang in the way of what is wider,
 constexpr double kBelowHands = 0.05, kFarOff = 0.8;  // m, from where much wider things are in nobody's way
 constexpr double kNarrowed = 0.3;                    // and it is drawn in to this
+constexpr double kPastWrist = 0.03, kUpArm = 0.15;   // m, that cuffs begin beyond; that sleeves move at most
+constexpr double kSleeved = 2;       // times as wide as the armpits, from where a piece has sleeves
 constexpr double kNarrowest = 0.35;  // share of its size that a piece keeps: cloth gives way no further
 
 double distance_to_line(Vec3 p, std::initializer_list<Vec3> corners) {
@@ -76,24 +78,51 @@ Narrowing narrowing_of(const sewing::Assembly& assembly, std::span<const Covers>
   return {in_the_way ? std::max(kNarrowest, kNarrowed / widest) : 1, top};
 }
 
-/// Upwards, across each arm's line, from the middle of what is to go around it: left, right. m.
+/// How much narrower what lies on the trunk begins, so that its sides close below the arms. What reaches far
+/// beyond the armpits is meant to go along the arms.
+double narrowing_of_trunk(const sewing::Assembly& assembly, std::span<const Covers> covers,
+                          const measure::BodyFigure& f) {
+  double widest = 0;
+  for (std::size_t i = 0; i < assembly.positions.size(); ++i)
+    if (covers[static_cast<std::size_t>(assembly.garment.panel_of_vertex[i])] == Covers::kTrunk)
+      widest = std::max(widest, std::abs(assembly.positions[i].x - f.middle));
+  const double room = f.armpit[0].x - f.middle;
+  return widest > room && widest < kSleeved * room ? room / widest : 1;
+}
+
+/// Where an arm's middle line is at `along` metres from its root, measured straight towards the wrist.
+Vec3 on_line(const measure::ArmLine& arm, double along) {
+  const Vec3 way = arm.along();
+  const std::array<Vec3, 4> corners{arm.root, arm.elbow, arm.wrist, arm.tip};
+  for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
+    const double from = dot(corners[i] - arm.root, way), to = dot(corners[i + 1] - arm.root, way);
+    if (along > to && i + 2 < corners.size()) continue;
+    return corners[i] + (corners[i + 1] - corners[i]) * ((along - from) / std::max(1e-6, to - from));
+  }
+  return arm.root;
+}
+
+/// What moves pieces for an arm so that its line runs in their middle, and so that cuffs are no farther out
+/// than its wrist: hands are in their way. m.
+Vec3 to_arm(const std::vector<Vec3>& cloth, const measure::ArmLine& arm) {
+  if (cloth.empty()) return {};
+  const Vec3 way = arm.along(), across = normalized(cross(way, {0, 0, 1}));
+  double longest = 0, sum = 0;
+  for (const Vec3 p : cloth) longest = std::max(longest, dot(p - arm.root, way));
+  const double up = std::clamp(longest - dot(arm.wrist - arm.root, way) - kPastWrist, 0.0, kUpArm);
+  for (const Vec3 p : cloth) sum += dot(on_line(arm, dot(p - arm.root, way) - up) - p, across);
+  return across * (sum / static_cast<double>(cloth.size())) - way * up;
+}
+
+/// Left, right.
 std::array<Vec3, 2> ways_to_arms(const sewing::Assembly& assembly, std::span<const Covers> covers,
                                  const measure::BodyFigure& f) {
-  std::array<Vec3, 2> sum{}, way{};
-  std::array<double, 2> count{};
+  std::array<std::vector<Vec3>, 2> cloth;
   for (std::size_t i = 0; i < assembly.positions.size(); ++i) {
     if (covers[static_cast<std::size_t>(assembly.garment.panel_of_vertex[i])] != Covers::kArm) continue;
-    const std::size_t side = assembly.positions[i].x > f.middle ? 0 : 1;
-    sum[side] += assembly.positions[i];
-    count[side] += 1;
+    cloth[assembly.positions[i].x > f.middle ? 0 : 1].push_back(assembly.positions[i]);
   }
-  for (std::size_t side = 0; side < 2; ++side) {
-    if (count[side] == 0) continue;
-    const Vec3 along = f.arm[side].along();
-    const Vec3 across = normalized(cross(along, {0, 0, 1}));
-    way[side] = across * dot(f.arm[side].elbow - sum[side] * (1 / count[side]), across);
-  }
-  return way;
+  return {to_arm(cloth[0], f.arm[0]), to_arm(cloth[1], f.arm[1])};
 }
 
 }  // namespace
@@ -119,13 +148,15 @@ std::vector<Vec3> staged(const sewing::Assembly& assembly, std::span<const Cover
   const Vec3 top{figure.middle, narrow.top, 0}, waist{figure.middle, figure.waist, 0};
   const bool on_trunk = std::find(covers.begin(), covers.end(), Covers::kTrunk) != covers.end();
   const double lift = on_trunk ? staging.lift : staging.lift_others;
-  const std::array<Vec3, 2> to_arm = ways_to_arms(assembly, covers, figure);
+  const double trunk = staging.trunk_narrow ? narrowing_of_trunk(assembly, covers, figure) : 1;
+  const std::array<Vec3, 2> to_arms = ways_to_arms(assembly, covers, figure);
   for (std::size_t i = 0; i < x.size(); ++i) {
     const Covers part = covers[static_cast<std::size_t>(assembly.garment.panel_of_vertex[i])];
     if (part == Covers::kArm && staging.arms_centred) {
-      x[i] += to_arm[x[i].x > figure.middle ? 0 : 1];
+      x[i] += to_arms[x[i].x > figure.middle ? 0 : 1];
       continue;
     }
+    if (part == Covers::kTrunk) x[i].x = figure.middle + (x[i].x - figure.middle) * trunk;
     if (part == Covers::kBelow && narrow.share < 1) x[i] = waist + (x[i] - top) * narrow.share;
     x[i].y += lift;
   }

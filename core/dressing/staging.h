@@ -22,7 +22,8 @@ struct Staging {
   double lift_others = 0;  ///< m, of skirts and trousers
   bool arms_centred =
       true;  ///< pieces for an arm have its line in their middle; else they go up as the trunk
-  bool below_narrow = true;  ///< what is wider below the waist than can pass the hands is drawn in
+  bool trunk_narrow = false;  ///< pieces of the trunk that reach beyond the armpits are drawn in between them
+  bool below_narrow = true;   ///< what is wider below the waist than can pass the hands is drawn in
 };
 
 /// The start of each garment vertex, m.

@@ -1,7 +1,12 @@
-// bench_dressing DATA even|odd|NAME|PROJECT.json… [--mm 22] [--way K] [--stills DIR]: puts the random
-// GarmentCode designs of DATA/garmentcode/random on garmentcode-mean_all, each in the ways of core/dressing
-// until one is certified, and prints what each try gave, and its time.
+// bench_dressing DATA even|odd|NAME|PROJECT.json… [--body OBJ]… [--arrange] [--mm 20] [--way K]
+//                [--film] [--stills DIR]
+// Puts garments on people, each in the ways of core/dressing until one is certified, and prints what each try
+// gave, and its time. Garments: the random GarmentCode designs of DATA/garmentcode/random, on
+// DATA/bodies/garmentcode-mean_all.obj or the bodies named, where they were placed or arranged anew; or
+// projects with bodies of their own. --film tells of the way there, not of the end alone.
 
+#include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -9,6 +14,7 @@
 #include <iterator>
 #include <string>
 
+#include "core/arrange/arrange.h"
 #include "core/base/stopwatch.h"
 #include "core/drape/pipeline.h"
 #include "core/dressing/dress.h"
@@ -20,37 +26,79 @@
 
 namespace {
 
+namespace fs = std::filesystem;
 using namespace toile;
 
-std::string slurp(const std::filesystem::path& p) {
+struct Options {
+  fs::path data;
+  std::vector<fs::path> bodies;
+  std::vector<std::string> garments;
+  bool arrange = false, film = false;
+  double mm = 20;
+  int way = -1;  ///< of dressing_ways(), -1: each in turn
+  fs::path stills;
+};
+
+std::string slurp(const fs::path& p) {
   std::ifstream in(p, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-Result<drape::DrapeInput> input_of(const std::filesystem::path& data, const std::string& name, double mm,
-                                   bool with_body) {
-  if (name.ends_with(".json")) {
-    auto read = TRY(resolve::read_project(name));
-    read.input.settings.particle_distance = mm * 1e-3;
-    return std::move(read.input);
+std::vector<std::string> designs_of(const fs::path& data, bool even) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(data / "garmentcode/random")) {
+    const std::string file = entry.path().filename().string();
+    const auto end = file.find("_specification.json");
+    if (end == std::string::npos) continue;
+    if ((std::atoi(file.substr(7, 4).c_str()) % 2 == 0) == even) names.push_back(file.substr(0, end));
   }
-  create::NewProjectSettings settings;
-  settings.name = name;
-  settings.body_file = "garmentcode-mean_all.obj";
-  auto made =
-      TRY(create::new_project(slurp(data / (name.find("random") == 0 ? "garmentcode/random" : "garmentcode") /
-                                    (name + "_specification.json")),
-                              settings));
-  made.project.bodies[0].unit = "m";
-  if (!with_body) made.project.bodies.clear();
-  made.project.settings.particle_distance_mm = mm;
-  return resolve::resolve_project(made.project, resolve::files_in(data / "bodies", {}));
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
-void still(const sewing::GarmentMesh& g, const std::vector<Vec3>& x, const body::Body& body,
-           const std::filesystem::path& file) {
+Options read_options(int count, char** arguments) {
+  Options o;
+  o.data = arguments[1];
+  for (int i = 2; i < count; ++i) {
+    const std::string a = arguments[i];
+    if (a == "--mm") {
+      o.mm = std::atof(arguments[++i]);
+    } else if (a == "--way") {
+      o.way = std::atoi(arguments[++i]);
+    } else if (a == "--body") {
+      o.bodies.emplace_back(arguments[++i]);
+    } else if (a == "--stills") {
+      o.stills = arguments[++i];
+    } else if (a == "--arrange") {
+      o.arrange = true;
+    } else if (a == "--film") {
+      o.film = true;
+    } else if (a == "even" || a == "odd") {
+      const auto names = designs_of(o.data, a == "even");
+      o.garments.insert(o.garments.end(), names.begin(), names.end());
+    } else {
+      o.garments.push_back(std::isdigit(static_cast<unsigned char>(a[0])) ? "random_" + a : a);
+    }
+  }
+  if (o.bodies.empty()) o.bodies.push_back(o.data / "bodies/garmentcode-mean_all.obj");
+  return o;
+}
+
+Result<drape::DrapeInput> input_of(const Options& o, const std::string& garment, const fs::path& body) {
+  if (garment.ends_with(".json")) return std::move(TRY(resolve::read_project(garment)).input);
+  create::NewProjectSettings settings;
+  settings.name = garment;
+  settings.body_file = body.filename().string();
+  auto made = TRY(create::new_project(
+      slurp(o.data / "garmentcode/random" / (garment + "_specification.json")), settings));
+  made.project.bodies[0].unit = "m";
+  return resolve::resolve_project(made.project, resolve::files_in(body.parent_path(), {}));
+}
+
+void make_still(const sewing::GarmentMesh& g, std::span<const Vec3> x, const body::Body& body,
+                const fs::path& file) {
   render::Scene scene;
-  scene.cloth = {x, g.triangles, g.panel_of_triangle, g.weld, {}, {}, nullptr};
+  scene.cloth = {{x.begin(), x.end()}, g.triangles, g.panel_of_triangle, g.weld, {}, {}, nullptr};
   scene.bodies.push_back({&body.mesh});
   scene.floor = 0;
   for (const auto& [view, tag] : {std::pair{render::View::kFront, "_f"}, {render::View::kBack, "_b"}}) {
@@ -59,89 +107,97 @@ void still(const sewing::GarmentMesh& g, const std::vector<Vec3>& x, const body:
   }
 }
 
+/// What goes through each: head, left and right arm, left and right leg.
+std::string words_of(const std::vector<dressing::WornRing>& rings) {
+  std::string words;
+  for (const dressing::WornRing& r : rings) {
+    words += r.right ? " " : " !";
+    for (const int n : r.around.times) words += std::to_string(n);
+  }
+  return words;
+}
+
+std::string words_of(const dressing::Dressed& d) {
+  const dressing::Certificate& c = d.certificate;
+  char text[300];
+  std::snprintf(
+      text, sizeof text,
+      "seams %.1f mm, body %d cloth %d, stretch %.2f %.2f shrink %.2f, room %.0f um, out %.2f, rings",
+      d.seam_gap * 1e3, c.crossings.cloth_body, c.crossings.cloth_cloth, c.stretch_p99, c.stretch_max,
+      c.shrink_p99, c.gap * 1e6, c.faces_out);
+  return text + words_of(c.rings);
+}
+
+Status place_anew(drape::DrapeInput& input, const mesh::PanelMeshes& meshes) {
+  arrange::Arrangement made = TRY(arrange::arrange({input.pattern, meshes, input.bodies}));
+  input.placements = std::move(made.placements);
+  input.attachments = std::move(made.attachments);
+  return {};
+}
+
+/// Whether a way was certified.
+Result<bool> put_on(const Options& o, const std::string& garment, const fs::path& body) {
+  drape::DrapeInput input = TRY(input_of(o, garment, body));
+  const auto person = dressing::find_person(input.bodies);
+  if (!person) return Error{"body.not_standing", "nobody to dress", body.string()};
+  const dressing::Wearer wearer(*person);
+  const auto meshes = TRY(mesh::make_panel_meshes(input.pattern, o.mm * 1e-3, {}));
+  if (o.arrange) TRY(place_anew(input, meshes));
+  const auto assembly = TRY(sewing::assemble(meshes, input.placements, input.attachments, input.notions));
+  const std::string name =
+      fs::path(garment).stem().string() + "_" + body.stem().string() + (o.arrange ? "_arranged" : "");
+  for (std::size_t k = 0; k < dressing::dressing_ways().size(); ++k) {
+    if (o.way >= 0 && static_cast<int>(k) != o.way) continue;
+    const std::string title = name + "_w" + std::to_string(k);
+    int looked = 0;
+    const dressing::ShapeWatch film = [&](std::span<const Vec3> x) {
+      char number[16];
+      std::snprintf(number, sizeof number, "_%02d", looked++);
+      std::printf("%s%s%s\n", title.c_str(), number,
+                  words_of(dressing::worn_rings(assembly.garment, x, wearer.skeleton())).c_str());
+      if (!o.stills.empty()) make_still(assembly.garment, x, input.bodies[0], o.stills / (title + number));
+    };
+    const Stopwatch watch;
+    auto way = dressing::dressing_ways()[k];
+    if (const char* e = getenv("WAY")) {
+      double l, lo, sl, le, be;
+      int tn, ac, bn;
+      sscanf(e, "%lf,%lf,%d,%d,%d,%lf,%lf,%lf", &l, &lo, &ac, &tn, &bn, &sl, &le, &be);
+      way = {{l, lo, ac == 1, tn == 1, bn == 1}, sl, le, be};
+    }
+    const auto on = dressing::dress(assembly, wearer, way, {}, o.film ? film : dressing::ShapeWatch{});
+    const bool holds = on.certificate.holds();
+    std::printf("%s: %s  %.2f s %s\n", title.c_str(), words_of(on).c_str(), watch.cpu_s(),
+                holds ? "OK" : "-");
+    std::fflush(stdout);
+    if (!o.stills.empty()) make_still(assembly.garment, on.positions, input.bodies[0], o.stills / title);
+    if (holds) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
-  const std::filesystem::path data = arguments[1];
-  double mm = 22;
-  int only = -1;
-  std::string stills;
-  std::vector<std::string> names;
-  for (int i = 2; i < count; ++i) {
-    const std::string a = arguments[i];
-    if (a == "--mm")
-      mm = std::atof(arguments[++i]);
-    else if (a == "--way")
-      only = std::atoi(arguments[++i]);
-    else if (a == "--stills")
-      stills = arguments[++i];
-    else if (a == "even" || a == "odd") {
-      for (const auto& entry : std::filesystem::directory_iterator(data / "garmentcode/random")) {
-        const std::string f = entry.path().filename().string();
-        const auto end = f.find("_specification.json");
-        if (end == std::string::npos) continue;
-        const int seed = std::atoi(f.substr(7, 4).c_str());
-        if ((seed % 2 == 0) == (a == "even")) names.push_back(f.substr(0, end));
-      }
-      std::sort(names.begin(), names.end());
-    } else
-      names.push_back(std::isdigit(static_cast<unsigned char>(a[0])) ? "random_" + a : a);
+  if (count < 3) {
+    std::fprintf(stderr, "bench_dressing DATA even|odd|NAME|PROJECT.json… see the head of its source\n");
+    return 2;
   }
-  std::unique_ptr<const dressing::Wearer> wearer;
-  std::vector<body::Body> bodies;
-  int certified = 0;
-  double cpu = 0;
-  for (const std::string& name : names) {
-    auto input = input_of(data, name, mm, bodies.empty());
-    if (!input) {
-      std::printf("%s: %s\n", name.c_str(), to_string(input.error()).c_str());
-      continue;
+  const Options o = read_options(count, arguments);
+  const Stopwatch watch;
+  std::size_t certified = 0, tried = 0;
+  for (const fs::path& body : o.bodies) {
+    std::size_t here = 0;
+    for (const std::string& garment : o.garments) {
+      const auto on = put_on(o, garment, body);
+      if (!on)
+        std::printf("%s %s: %s\n", garment.c_str(), body.stem().c_str(), to_string(on.error()).c_str());
+      here += on && *on;
     }
-    if (bodies.empty() || name.ends_with(".json")) {
-      bodies = input->bodies;
-      Stopwatch w;
-      const auto person = dressing::find_person(bodies);
-      if (!person) return 1;
-      wearer = std::make_unique<const dressing::Wearer>(*person);
-      std::printf("wearer %.2f s\n", w.cpu_s());
-    }
-    auto meshes = mesh::make_panel_meshes(input->pattern, mm * 1e-3, {});
-    if (!meshes) {
-      std::printf("%s: %s\n", name.c_str(), to_string(meshes.error()).c_str());
-      continue;
-    }
-    auto assembly = sewing::assemble(*meshes, input->placements, input->attachments, input->notions);
-    if (!assembly) continue;
-    Stopwatch all;
-    bool done = false;
-    for (std::size_t k = 0; k < dressing::dressing_ways().size() && !done; ++k) {
-      if (only >= 0 && static_cast<int>(k) != only) continue;
-      Stopwatch w;
-      const auto d = dressing::dress(*assembly, *wearer, dressing::dressing_ways()[k], {});
-      const auto& c = d.certificate;
-      std::string rings;
-      for (const auto& r : c.rings) {
-        rings += r.right ? " " : " !";
-        for (int n : r.around.times) rings += std::to_string(n);
-      }
-      done = c.holds();
-      std::printf(
-          "%s way %zu: %d v gap %.1f mm body %d cloth %d stretch %.2f %.2f shrink %.2f gap %.0f um out %.2f "
-          "rings%s  "
-          "%.2f s %s\n",
-          name.c_str(), k, assembly->garment.vertex_count(), d.seam_gap * 1e3, c.crossings.cloth_body,
-          c.crossings.cloth_cloth, c.stretch_p99, c.stretch_max, c.shrink_p99, c.gap * 1e6, c.faces_out,
-          rings.c_str(), w.cpu_s(), done ? "OK" : "-");
-      std::fflush(stdout);
-      if (!stills.empty())
-        still(assembly->garment, d.positions, bodies[0],
-              std::filesystem::path(stills) /
-                  (std::filesystem::path(name).parent_path().filename().string() +
-                   (name.ends_with(".json") ? "" : name) + "_w" + std::to_string(k)));
-    }
-    certified += done;
-    cpu += all.cpu_s();
+    std::printf("%s: %zu of %zu certified\n", body.stem().c_str(), here, o.garments.size());
+    certified += here;
+    tried += o.garments.size();
   }
-  std::printf("%d of %zu certified, %.2f s each\n", certified, names.size(),
-              cpu / static_cast<double>(names.size()));
+  std::printf("%zu of %zu certified, %.2f s each\n", certified, tried,
+              watch.cpu_s() / static_cast<double>(std::max<std::size_t>(1, tried)));
 }

@@ -1,0 +1,76 @@
+#include "core/dressing/axis_guard.h"
+
+#include <algorithm>
+
+namespace toile::dressing {
+
+namespace {
+
+constexpr int kRounds = 6;             // of taking back, since what goes back may draw its neighbours in
+constexpr double kBeyondHands = 0.12;  // m, so that cuffs stay on while they are pulled
+
+/// Signed volume of the tetrahedron, times six.
+double volume(Vec3 a, Vec3 b, Vec3 c, Vec3 d) { return dot(cross(b - a, c - a), d - a); }
+
+bool goes_through(const std::array<Vec3, 2>& axis, Vec3 a, Vec3 b, Vec3 c) {
+  const double from = volume(a, b, c, axis[0]), to = volume(a, b, c, axis[1]);
+  if ((from > 0) == (to > 0)) return false;
+  const bool ab = volume(axis[0], axis[1], a, b) > 0, bc = volume(axis[0], axis[1], b, c) > 0;
+  return ab == bc && bc == (volume(axis[0], axis[1], c, a) > 0);
+}
+
+bool apart(const std::array<Vec3, 2>& axis, Vec3 low, Vec3 high) {
+  const auto beside = [](double p, double q, double lo, double hi) {
+    return std::max(p, q) < lo || std::min(p, q) > hi;
+  };
+  return beside(axis[0].x, axis[1].x, low.x, high.x) || beside(axis[0].y, axis[1].y, low.y, high.y) ||
+         beside(axis[0].z, axis[1].z, low.z, high.z);
+}
+
+}  // namespace
+
+std::vector<std::array<Vec3, 2>> axes_of(const Skeleton& skeleton) {
+  std::vector<std::array<Vec3, 2>> axes;
+  for (std::size_t limb = 0; limb < skeleton.size(); ++limb) {
+    const std::vector<Vec3>& line = skeleton[limb];
+    for (std::size_t i = 0; i + 2 < line.size(); ++i) axes.push_back({line[i], line[i + 1]});
+    if (limb != kLeftArm && limb != kRightArm) continue;
+    const Vec3 tip = line[line.size() - 2];
+    axes.push_back({tip, tip + normalized(line.back() - tip) * kBeyondHands});
+  }
+  return axes;
+}
+
+AxisGuard::AxisGuard(std::vector<std::array<Vec3, 2>> axes, std::span<const Tri> triangles,
+                     std::span<const Vec3> x)
+    : axes_(std::move(axes)), triangles_(triangles), crossed_(crossed_at(x)) {}
+
+std::vector<bool> AxisGuard::crossed_at(std::span<const Vec3> x) const {
+  std::vector<bool> crossed(triangles_.size(), false);
+  for (std::size_t t = 0; t < triangles_.size(); ++t) {
+    const Vec3 a = x[triangles_[t][0]], b = x[triangles_[t][1]], c = x[triangles_[t][2]];
+    const Vec3 low{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})};
+    const Vec3 high{std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})};
+    crossed[t] = std::any_of(axes_.begin(), axes_.end(), [&](const std::array<Vec3, 2>& axis) {
+      return !apart(axis, low, high) && goes_through(axis, a, b, c);
+    });
+  }
+  return crossed;
+}
+
+void AxisGuard::keep(std::span<const Vec3> before, std::vector<Vec3>& x) {
+  std::vector<bool> now = crossed_at(x);
+  for (int round = 0; round < kRounds; ++round) {
+    bool taken_back = false;
+    for (std::size_t t = 0; t < now.size(); ++t) {
+      if (!now[t] || crossed_[t]) continue;
+      for (const Index v : triangles_[t]) x[v] = before[static_cast<std::size_t>(v)];
+      taken_back = true;
+    }
+    if (!taken_back) break;
+    now = crossed_at(x);
+  }
+  crossed_ = std::move(now);
+}
+
+}  // namespace toile::dressing
