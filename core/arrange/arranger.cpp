@@ -328,6 +328,8 @@ Arrangement Arranger::place(const ArrangeTrial& trial) const {
   for (const measure::BodySide side : {measure::kWearersLeft, measure::kWearersRight}) {
     take(limb_places(side, trial, rise));
     for (const Index p : plan_.arms.tube[side]) take({tube_place(p, side, trial)});
+    for (const Index p : plan_.arms.limb[side])  // no flat sleeve to lie beside
+      if (made.pieces[p].where.empty()) take({tube_place(p, side, trial)});
   }
   take(hood_places(rise));
   take(band_places(rise));

@@ -5,8 +5,7 @@
 
 #include "core/base/stopwatch.h"
 #include "core/drape/input_hash.h"
-#include "core/dressing/put_on.h"
-#include "core/mesh/make_panel_meshes.h"
+#include "core/dressing/certificate.h"
 #include "core/preflight/preflight.h"
 #include "core/sewing/assembly.h"
 
@@ -43,18 +42,8 @@ class GoTimer {
   Stopwatch watch_;
 };
 
-/// Garments are put on by a mesh of this particle distance where theirs is finer: a shape needs no more.
-constexpr double kCoarse = 0.02;   // m
-constexpr int kMostCoarse = 6000;  // particles, about
-
 constexpr double kOffGround = 1.5e-3;  // m, that cloth starts above the ground at least
 constexpr double kDropped = 0.01;      // m above the ground: what lies there all around has fallen
-
-/// Layers worn over each other: which of them is inside is known to contact alone.
-bool layered(const pattern::Pattern& pattern) {
-  return std::any_of(pattern.panels.begin(), pattern.panels.end(),
-                     [&](const pattern::Panel& p) { return p.layer != pattern.panels.front().layer; });
-}
 
 /// The floor that the person stands on, where all of the cloth starts above it.
 std::optional<double> ground_under(const DrapeInput& input, const DrapeStart& start) {
@@ -63,36 +52,6 @@ std::optional<double> ground_under(const DrapeInput& input, const DrapeStart& st
   const std::vector<Vec3>& x = start.dressed ? *start.dressed : start.assembly.positions;
   const bool above = std::all_of(x.begin(), x.end(), [&](Vec3 p) { return p.y > floor + kOffGround; });
   return above ? std::optional(floor) : std::nullopt;
-}
-
-/// Whether something about where the pieces stand may keep them from being sewn there: a start that is in
-/// order is sewn under contact, which keeps the cloth's shape from the first step on.
-bool in_question(const preflight::Findings& findings) {
-  return std::any_of(findings.begin(), findings.end(), [](const preflight::Finding& f) {
-    return preflight::traits_of(f.kind).cause == preflight::Cause::kPlacement;
-  });
-}
-
-/// Particle distance at which the garment is put on, m: no finer than a shape needs, and coarser for very
-/// large skirts.
-double coarse_distance(const mesh::PanelMeshes& meshes) {
-  double area = 0;
-  for (const mesh::PanelMesh& panel : meshes.panels)
-    for (const Tri& t : panel.triangles)
-      area += 0.5 * std::abs(cross(panel.rest[t[1]] - panel.rest[t[0]], panel.rest[t[2]] - panel.rest[t[0]]));
-  constexpr double kPerVertex = 0.866;  // of the squared distance, where triangles are even
-  return std::max(kCoarse, std::sqrt(area / (kPerVertex * kMostCoarse)));
-}
-
-std::optional<sewing::Assembly> coarse_assembly(const DrapeInput& input, double distance,
-                                                const RunContext& context) {
-  pattern::Pattern pattern = input.pattern;
-  for (pattern::Panel& panel : pattern.panels) panel.spacing = std::max(panel.spacing, distance);
-  const auto meshes = mesh::make_panel_meshes(pattern, distance, context);
-  if (!meshes) return std::nullopt;
-  auto assembly = sewing::assemble(*meshes, input.placements, {}, {});
-  if (!assembly) return std::nullopt;
-  return std::move(*assembly);
 }
 
 preflight::Concerns pieces_of(const DrapeInput& input, const sewing::GarmentMesh& garment,
@@ -127,44 +86,7 @@ void judge_worn(const DrapeInput& input, const std::optional<dressing::Person>& 
   preflight::sort_by_severity(result.findings);
 }
 
-/// Where pieces were placed does not matter any more.
-void begin_on_body(DrapeStart& start) {
-  start.assembly = start.placed;
-  for (preflight::Finding& f : start.findings) {
-    if (preflight::traits_of(f.kind).cause != preflight::Cause::kPlacement) continue;
-    f.severity = preflight::Severity::kNote;
-    f.repaired = true;
-  }
-  preflight::sort_by_severity(start.findings);
-}
-
 }  // namespace
-
-Result<DrapeStart> prepare_start(const DrapeInput& input, const RunContext& context) {
-  context.progress("mesh", 0);
-  auto meshes = TRY(mesh::make_panel_meshes(input.pattern, input.settings.particle_distance, context));
-  context.progress("place", 0);
-  auto assembly = TRY(sewing::assemble(meshes, input.placements, input.attachments, input.notions));
-  DrapeStart start{std::move(meshes), assembly, std::move(assembly), {}, {}, {}};
-  start.person = dressing::find_person(input.bodies);
-  start.findings = preflight::run_preflight(
-      {input.pattern, start.meshes, input.bodies, input.settings.particle_distance}, start.assembly);
-  return start;
-}
-
-void dress_start(const DrapeInput& input, DrapeStart& start, const RunContext& context) {
-  if (!input.settings.dress || !start.person || start.placed.garment.sewn.empty() || layered(input.pattern))
-    return;
-  if (!in_question(start.findings)) return;
-  const dressing::Wearer wearer(*start.person);
-  std::optional<sewing::Assembly> coarse;
-  const double distance = coarse_distance(start.meshes);
-  if (input.settings.particle_distance < distance) coarse = coarse_assembly(input, distance, context);
-  auto on = dressing::put_on(start.placed, coarse ? *coarse : start.placed, wearer, context);
-  if (!on) return;
-  start.dressed = std::move(on->positions);
-  begin_on_body(start);
-}
 
 DrapeRun::DrapeRun(const DrapeInput& input, FrameSink* sink)
     : input_(input), sink_(sink), frame_interval_(frame_interval_of(input)) {}

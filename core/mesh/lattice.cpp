@@ -76,7 +76,8 @@ std::vector<std::pair<Index, double>> row_crossings(const std::vector<Segment>& 
     const double high = (std::max(s.a.y, s.b.y) - origin) / spacing;
     // Half open, so that a line through a shared end point counts once.
     for (auto k = static_cast<Index>(std::ceil(low)); k < high; ++k) {
-      const double t = (origin + k * spacing - s.a.y) / (s.b.y - s.a.y);
+      // Clamped: an edge that rises by a rounding error alone is met anywhere along its line.
+      const double t = std::clamp((origin + k * spacing - s.a.y) / (s.b.y - s.a.y), 0.0, 1.0);
       crossings.push_back({k, s.a.x + t * (s.b.x - s.a.x)});
     }
   }

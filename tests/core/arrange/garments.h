@@ -109,4 +109,34 @@ inline pattern::Pattern trousers() {
   return pattern;
 }
 
+/// Fourteen wedges around a band: the skirt opens to a half circle.
+inline pattern::Pattern wedge_skirt() {
+  pattern::Pattern pattern;
+  for (int k = 0; k < 14; ++k)
+    pattern.panels.push_back(
+        polygon("skirt_panel_" + std::to_string(k), {{-90, 0}, {90, 0}, {27, 500}, {-27, 500}}));
+  const std::vector<Vec2> band{{0, 0}, {378, 0}, {378, 40}, {0, 40}};
+  pattern.panels.push_back(polygon("wb_front", band));
+  pattern.panels.push_back(polygon("wb_back", band));
+  for (int k = 0; k < 14; ++k)
+    pattern.seams.push_back(seam("side" + std::to_string(k), {{k, 1}}, {{(k + 1) % 14, 3}}));
+  std::vector<pattern::SeamEdge> front, back;
+  for (int k = 6; k >= 0; --k) front.push_back({k, 2});
+  for (int k = 13; k >= 7; --k) back.push_back({k, 2});
+  pattern.seams.push_back(seam("front", {{14, 0}}, front));
+  pattern.seams.push_back(seam("back", {{15, 0}}, back));
+  pattern.seams.push_back(seam("band_left", {{14, 1}}, {{15, 3}}));
+  pattern.seams.push_back(seam("band_right", {{14, 3}}, {{15, 1}}));
+  return pattern;
+}
+
+/// Two rectangles sewn at their sides, as a top without straps.
+inline pattern::Pattern strapless() {
+  pattern::Pattern pattern;
+  const std::vector<Vec2> piece{{-240, 0}, {240, 0}, {240, 400}, {-240, 400}};
+  pattern.panels = {polygon("bodice_front", piece), polygon("bodice_back", piece)};
+  pattern.seams = {seam("left", {{0, 1}}, {{1, 3}}), seam("right", {{0, 3}}, {{1, 1}})};
+  return pattern;
+}
+
 }  // namespace toile::test

@@ -281,6 +281,43 @@ TEST(Arrange, EqualGoresWithoutNamesGoOnceAroundTheHips) {
   EXPECT_LT(longest_thread(s), 0.5);
 }
 
+TEST(Arrange, WedgesStandAroundTheHipsEachBesideTheNext) {
+  const Start s = started(test::wedge_skirt());
+  const auto all = rings(s.assembly.garment);
+  ASSERT_EQ(all.size(), 2u);
+  for (const auto& ring : all) EXPECT_EQ(std::abs(winding(s, ring, {0, 1, 0}, {0, 1, 0})), 1);
+  for (Index k = 0; k < 14; ++k) {
+    EXPECT_LT(centre_of(s, k).y, figure().waist);
+    EXPECT_EQ(centre_of(s, k).z > 0, k < 7) << "those of the front band before the body";
+  }
+}
+
+TEST(Arrange, ATopWithoutStrapsStandsBelowTheArms) {
+  const Start s = started(test::strapless());
+  expect_clean(s);
+  for (const Vec3 p : s.assembly.positions) EXPECT_LT(p.y, figure().armpit[0].y);
+  EXPECT_GT(centre_of(s, 0).y + 0.2, figure().waist + 0.05) << "its upper edge";
+}
+
+TEST(Arrange, LapelsLieBeforeFrontsThatStayTogether) {
+  pattern::Pattern pattern = test::shirt();
+  pattern.panels.push_back(test::polygon("collar_front", {{-60, 0}, {60, 0}, {60, 300}, {-60, 300}}));
+  pattern.seams.push_back(test::seam("lapel", {{4, 2}}, {{0, 4}}));
+  const Start without = started(test::shirt()), with = started(pattern);
+  EXPECT_NEAR(centre_of(with, 0).x, centre_of(without, 0).x, 1e-3);
+  EXPECT_GT(centre_of(with, 4).z, centre_of(with, 0).z + 0.02);
+}
+
+TEST(Arrange, WhatHangsOnASleevesCuffGoesToThatArm) {
+  pattern::Pattern pattern = test::shirt();
+  pattern.panels.push_back(test::polygon("cuff_skirt", {{-250, -120}, {250, -120}, {165, 0}, {-165, 0}}));
+  pattern.seams.push_back(test::seam("frill", {{4, 2}}, {{2, 0}}));
+  const Start s = started(pattern);
+  ASSERT_TRUE(s.made.placements.size() == 5);
+  EXPECT_LT(length(centre_of(s, 4) - centre_of(s, 2)), 0.35);
+  EXPECT_GT(std::abs(centre_of(s, 4).x), figure().armpit[0].x);
+}
+
 TEST(Arrange, ADressHangsFromItsShouldersItsCollarAroundTheNeck) {
   const Start s = started(test::dress());
   expect_clean(s);

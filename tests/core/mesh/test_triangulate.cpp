@@ -193,6 +193,14 @@ TEST(Triangulate, StaysSoundOnFiveHundredRandomStarShapedPieces) {
   }
 }
 
+TEST(Triangulate, AnEdgeThatRisesByRoundingErrorsAloneLeadsNoPointOutside) {
+  mesh::Polygon piece;
+  for (int i = 0; i < 25; ++i) piece.push_back(Vec2{-0.020680777044770469, 1.4802973661668755e-18} * i);
+  const Vec2 left{-0.38901277659931882, -0.27053210433641472}, right{0, -0.0829725};
+  for (int i = 0; i <= 20; ++i) piece.push_back(left + (right - left) * (i / 20.0));
+  expect_sound(meshed({piece}, 0.021052288173204831), {piece});
+}
+
 TEST(Triangulate, MostTrianglesOfRandomPiecesAreWellShaped) {
   int triangles = 0, poor = 0;
   for (std::uint64_t seed = 1000; seed < 1040; ++seed) {

@@ -1,0 +1,108 @@
+#include "core/drape/drape_start.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/arrange/arrange.h"
+#include "core/dressing/put_on.h"
+#include "core/mesh/make_panel_meshes.h"
+#include "core/preflight/preflight.h"
+
+namespace toile::drape {
+
+namespace {
+
+/// Garments are put on by a mesh of this particle distance where theirs is finer: a shape needs no more.
+constexpr double kCoarse = 0.02;   // m
+constexpr int kMostCoarse = 6000;  // particles, about
+
+/// Layers worn over each other: which of them is inside is known to contact alone.
+bool layered(const pattern::Pattern& pattern) {
+  return std::any_of(pattern.panels.begin(), pattern.panels.end(),
+                     [&](const pattern::Panel& p) { return p.layer != pattern.panels.front().layer; });
+}
+
+/// Whether something about where the pieces stand may keep them from being sewn there: a start that is in
+/// order is sewn under contact, which keeps the cloth's shape from the first step on.
+bool in_question(const preflight::Findings& findings) {
+  return std::any_of(findings.begin(), findings.end(), [](const preflight::Finding& f) {
+    return preflight::traits_of(f.kind).cause == preflight::Cause::kPlacement;
+  });
+}
+
+/// Particle distance at which the garment is put on, m: no finer than a shape needs, and coarser for very
+/// large skirts.
+double coarse_distance(const mesh::PanelMeshes& meshes) {
+  double area = 0;
+  for (const mesh::PanelMesh& panel : meshes.panels)
+    for (const Tri& t : panel.triangles)
+      area += 0.5 * std::abs(cross(panel.rest[t[1]] - panel.rest[t[0]], panel.rest[t[2]] - panel.rest[t[0]]));
+  constexpr double kPerVertex = 0.866;  // of the squared distance, where triangles are even
+  return std::max(kCoarse, std::sqrt(area / (kPerVertex * kMostCoarse)));
+}
+
+std::optional<sewing::Assembly> coarse_assembly(const DrapeInput& input,
+                                                const std::vector<sewing::Placement>& placements,
+                                                double distance, const RunContext& context) {
+  pattern::Pattern pattern = input.pattern;
+  for (pattern::Panel& panel : pattern.panels) panel.spacing = std::max(panel.spacing, distance);
+  const auto meshes = mesh::make_panel_meshes(pattern, distance, context);
+  if (!meshes) return std::nullopt;
+  auto assembly = sewing::assemble(*meshes, placements, {}, {});
+  if (!assembly) return std::nullopt;
+  return std::move(*assembly);
+}
+
+/// The garment put on from where `placements` have its pieces.
+std::optional<std::vector<Vec3>> put_on_from(const DrapeInput& input, const mesh::PanelMeshes& meshes,
+                                             const std::vector<sewing::Placement>& placements,
+                                             const dressing::Wearer& wearer, const RunContext& context) {
+  const auto fine = sewing::assemble(meshes, placements, {}, {});
+  if (!fine) return std::nullopt;
+  std::optional<sewing::Assembly> coarse;
+  const double distance = coarse_distance(meshes);
+  if (input.settings.particle_distance < distance)
+    coarse = coarse_assembly(input, placements, distance, context);
+  auto on = dressing::put_on(*fine, coarse ? *coarse : *fine, wearer, context);
+  if (!on) return std::nullopt;
+  return std::move(on->positions);
+}
+
+}  // namespace
+
+void begin_on_body(DrapeStart& start) {
+  start.assembly = start.placed;
+  for (preflight::Finding& f : start.findings) {
+    if (preflight::traits_of(f.kind).cause != preflight::Cause::kPlacement) continue;
+    f.severity = preflight::Severity::kNote;
+    f.repaired = true;
+  }
+  preflight::sort_by_severity(start.findings);
+}
+
+Result<DrapeStart> prepare_start(const DrapeInput& input, const RunContext& context) {
+  context.progress("mesh", 0);
+  auto meshes = TRY(mesh::make_panel_meshes(input.pattern, input.settings.particle_distance, context));
+  context.progress("place", 0);
+  auto assembly = TRY(sewing::assemble(meshes, input.placements, input.attachments, input.notions));
+  DrapeStart start{std::move(meshes), assembly, std::move(assembly), {}, {}, {}};
+  start.person = dressing::find_person(input.bodies);
+  start.findings = preflight::run_preflight(
+      {input.pattern, start.meshes, input.bodies, input.settings.particle_distance}, start.assembly);
+  return start;
+}
+
+void dress_start(const DrapeInput& input, DrapeStart& start, const RunContext& context) {
+  if (!input.settings.dress || !start.person || start.placed.garment.sewn.empty() || layered(input.pattern))
+    return;
+  if (!in_question(start.findings)) return;
+  const dressing::Wearer wearer(*start.person);
+  start.dressed = put_on_from(input, start.meshes, input.placements, wearer, context);
+  if (!start.dressed && !context.cancelled()) {
+    const auto anew = arrange::arrange({input.pattern, start.meshes, input.bodies});
+    if (anew) start.dressed = put_on_from(input, start.meshes, anew->placements, wearer, context);
+  }
+  if (start.dressed) begin_on_body(start);
+}
+
+}  // namespace toile::drape
