@@ -152,6 +152,57 @@ Result<SewnPoints> true_seam(const json::JsonValue& file, const json::JsonValue&
   return seam;
 }
 
+/// The outline as one line: distances from its start are found by place, and places by distance.
+class OutlineWalk {
+ public:
+  OutlineWalk(const pattern::Panel& panel, Index index) : panel_(panel), index_(index) {
+    starts_.push_back(0);
+    for (const pattern::PanelEdge& edge : panel.outline.edges)
+      starts_.push_back(starts_.back() + pattern::arc_length(edge));
+  }
+  double girth() const { return starts_.back(); }
+  double distance_of(Vec2 at) const {
+    const SeamPoint p = nearest_on(panel_, index_, at);
+    return starts_[p.edge] + p.along * (starts_[p.edge + 1] - starts_[p.edge]);
+  }
+  SeamPoint point_at(double distance) const {
+    distance -= girth() * std::floor(distance / girth());
+    const auto after = std::upper_bound(starts_.begin() + 1, starts_.end() - 1, distance);
+    const auto e = static_cast<std::size_t>(after - starts_.begin()) - 1;
+    return {index_, static_cast<Index>(e),
+            std::clamp((distance - starts_[e]) / (starts_[e + 1] - starts_[e]), 0.0, 1.0)};
+  }
+
+ private:
+  const pattern::Panel& panel_;
+  Index index_;
+  std::vector<double> starts_;
+};
+
+/// Points along an edge that is told by its ends and its length.
+struct DrawnEdge {
+  std::string name;
+  double length = 0;              ///< mm
+  std::vector<SeamPoint> points;  ///< evenly along it, from its start
+};
+
+Result<DrawnEdge> drawn_edge(const json::JsonValue& file, const std::string& piece, int number,
+                             const pattern::Pattern& pattern) {
+  const auto found = std::find_if(pattern.panels.begin(), pattern.panels.end(),
+                                  [&](const pattern::Panel& p) { return p.id == piece; });
+  if (found == pattern.panels.end()) return Error{"test.panel", "the drawing has no such piece", piece};
+  const json::JsonValue& edge = (*file.find("pieces")->find(piece)->find("edges")->array())[number];
+  DrawnEdge drawn{piece + "." + std::to_string(number), *edge.find("length_mm")->number(), {}};
+  const OutlineWalk walk(*found, static_cast<Index>(found - pattern.panels.begin()));
+  const double from = walk.distance_of(point_in(*edge.find("from"), {}));
+  const double to = walk.distance_of(point_in(*edge.find("to"), {}));
+  const double ahead = to > from ? to - from : to - from + walk.girth();
+  const double back = ahead - walk.girth();
+  const double way = std::abs(ahead - drawn.length) < std::abs(-back - drawn.length) ? ahead : back;
+  for (int k = 0; k < kPoints; ++k) drawn.points.push_back(walk.point_at(from + way * (k + 0.5) / kPoints));
+  return drawn;
+}
+
 Result<std::string> bytes_of(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in) return Error{"test.file", "cannot be read", path.string()};
@@ -207,6 +258,31 @@ SeamScore score_of(const pattern::Pattern& pattern, std::span<const seams::SeamP
     if (!found) score.missed.push_back(seam.name);
   }
   return score;
+}
+
+std::vector<bool> right_of(const pattern::Pattern& pattern, std::span<const seams::SeamProposal> proposals,
+                           std::span<const SewnPoints> truth) {
+  std::vector<bool> right;
+  for (const seams::SeamProposal& p : proposals)
+    right.push_back(share_of(pattern, points_of(pattern, p.seam), truth) >= kMostOfIt);
+  return right;
+}
+
+Result<std::vector<SewnPoints>> read_seams_by_ends(const std::filesystem::path& path,
+                                                   const pattern::Pattern& pattern) {
+  const std::string text = TRY(bytes_of(path));
+  const json::JsonValue file = TRY(json::parse_json(text));
+  std::vector<SewnPoints> truth;
+  for (const json::JsonValue& seam : *file.find("seams")->array()) {
+    const std::vector<json::JsonValue>& s = *seam.array();
+    const DrawnEdge a = TRY(drawn_edge(file, *s[0].text(), static_cast<int>(*s[1].number()), pattern));
+    const DrawnEdge b = TRY(drawn_edge(file, *s[2].text(), static_cast<int>(*s[3].number()), pattern));
+    const bool same = *s[4].text() == "same";
+    SewnPoints& points = truth.emplace_back(a.name + " to " + b.name, std::max(a.length, b.length));
+    for (int k = 0; k < kPoints; ++k)
+      points.pairs.push_back({a.points[k], b.points[same ? k : kPoints - 1 - k]});
+  }
+  return truth;
 }
 
 Result<TrueGarment> read_true_garment(const std::filesystem::path& dxf) {

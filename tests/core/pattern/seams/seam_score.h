@@ -43,6 +43,10 @@ SewnPoints points_of(const pattern::Pattern& pattern, const pattern::Seam& seam)
 SeamScore score_of(const pattern::Pattern& pattern, std::span<const seams::SeamProposal> proposals,
                    std::span<const SewnPoints> truth, double confidence = 0.8);
 
+/// Which proposals are right: of each that four in five points are truly sewn so.
+std::vector<bool> right_of(const pattern::Pattern& pattern, std::span<const seams::SeamProposal> proposals,
+                           std::span<const SewnPoints> truth);
+
 /// A drawing as the product reads it, and its true seams from the *.seams.json beside it.
 struct TrueGarment {
   pattern::Pattern pattern;     ///< without seams
@@ -50,5 +54,11 @@ struct TrueGarment {
   std::vector<SewnPoints> truth;
 };
 Result<TrueGarment> read_true_garment(const std::filesystem::path& dxf);
+
+/// The true seams from a file of edges with their ends, as data/garmentcode/random has them: pieces
+/// {name: {edges: [{length_mm, from, to}]}} as drawn (mm), seams [piece, edge, piece, edge, "opposite" or
+/// "same"]. An edge is the way along the drawn outline between its ends that has its length.
+Result<std::vector<SewnPoints>> read_seams_by_ends(const std::filesystem::path& file,
+                                                   const pattern::Pattern& pattern);
 
 }  // namespace toile::test
