@@ -102,7 +102,8 @@ Status take_dxf_piece(const dxf::DxfPiece& drawn, const dxf::DxfDrawing& drawing
     }
     made.project.pieces.push_back(std::move(piece));
     made.pattern.panels.push_back(std::move(copy));
-    clockwise.push_back(seams::runs_clockwise(drawn.outline) != over);
+    clockwise.push_back(
+        seams::runs_clockwise(drawn.outline));  // a copy turned over shows its right side, too
   }
   return {};
 }
