@@ -160,6 +160,29 @@ void cut_like_mirror(const SeamModel& m, Index r, std::vector<std::vector<double
   std::reverse(cuts[r].begin(), cuts[r].end());
 }
 
+/// Whether the panel is one side's of what it is a part of, and there is the other side's.
+bool is_half(const SeamModel& m, Index p) {
+  if (m.twin[p] != kNone && m.twin[p] != p) return true;
+  const PieceWords& here = m.words[p];
+  return here.side != 0 && std::any_of(m.words.begin(), m.words.end(), [&](const PieceWords& other) {
+           return other.side == -here.side && other.kind == here.kind && other.face == here.face;
+         });
+}
+
+/// Whether the run is the upper or lower end of a whole piece and halves come to it, as those of a bodice to
+/// a band.
+bool meets_halves(const SeamModel& m, Index r) {
+  const SeamRun& run = m.runs[r];
+  if (run.side || is_half(m, run.panel)) return false;
+  if (m.twin[run.panel] != kNone && m.mirror[r] != r) return false;
+  for (Index q = 0; q < static_cast<Index>(m.twin.size()); ++q) {
+    if (!is_half(m, q) || m.words[q].face * m.words[run.panel].face < 0) continue;
+    if (run.up > kWeights.level && hangs_from(m, run.panel, q) > 0) return true;
+    if (run.up < -kWeights.level && hangs_from(m, q, run.panel) > 0) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 SeamModel with_likely_cuts(const pattern::Pattern& pattern, SeamModel model, CutKind kind) {
@@ -168,6 +191,8 @@ SeamModel with_likely_cuts(const pattern::Pattern& pattern, SeamModel model, Cut
   const Index count = static_cast<Index>(whole.runs.size());
   std::vector<std::vector<double>> cuts(whole.runs.size());
   std::vector<char> met(whole.runs.size(), 0);  // parts of a line with darts that has found its partner
+  for (Index r = 0; r < count; ++r)
+    if (meets_halves(whole, r)) cuts[r] = {whole.runs[r].length / 2};
   for (const bool darts : {true, false}) {
     for (Index r = 0; r < count; ++r) {
       if (whole.runs[r].length < kWeights.shortest_mm || !cuts[r].empty() || met[r] || has_partner(whole, r))

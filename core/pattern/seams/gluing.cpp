@@ -38,6 +38,12 @@ void join_corners(const SeamModel& m, const SeamGluing& g, DisjointSets& corners
   }
 }
 
+/// Whether the run faces down along the grain. The hem of a wide skirt is round.
+bool is_hem(const SeamModel& m, const SeamRun& run) {
+  const Vec2 chord = run.at.back() - run.at.front();
+  return m.upright[run.panel] && dot(normalized(-perpendicular(chord)), m.up[run.panel]) < kWeights.hem;
+}
+
 }  // namespace
 
 GluingJudge::GluingJudge(const SeamModel& model, const GluingSettings& settings)
@@ -45,8 +51,9 @@ GluingJudge::GluingJudge(const SeamModel& model, const GluingSettings& settings)
   for (std::size_t i = 0; i < model.runs.size(); ++i) {
     const SeamRun& run = model.runs[i];
     runs_.push_back({run.next, run.panel, model.mirror[i], run.from > 0 || run.to<1, run.from> 0,
-                     run.turn.back() > kWeights.round_deg, std::abs(run.angle - 180) < kWeights.smooth_deg,
-                     run.angle, run.length, run.to - run.from});
+                     run.turn.back() > kWeights.round_deg && !is_hem(model, run),
+                     std::abs(run.angle - 180) < kWeights.smooth_deg, run.angle, run.length,
+                     run.to - run.from});
   }
   root_.resize(runs_.size());
 }
@@ -80,12 +87,15 @@ double GluingJudge::pairs(const SeamGluing& g) const {
 
 /// Pieces are mostly drawn from their right side, and mirrored ones from the same side.
 double GluingJudge::sides(const SeamGluing& g) const {
-  double turned = 0;
-  for (std::size_t p = 0; p < g.turned.size(); ++p)
-    turned += (g.turned[p] != 0) != (!settings_.turned.empty() && settings_.turned[p] != 0);
-  double merit = settings_.sides_known
-                     ? kWeights.turned_known * turned
-                     : kWeights.turned * std::min(turned, static_cast<double>(g.turned.size()) - turned);
+  double turned = 0, count = 0;  // collars are folded over: they hardly count
+  for (std::size_t p = 0; p < g.turned.size(); ++p) {
+    const bool hinted = !settings_.turned.empty() && settings_.turned[p] != 0;
+    const double weight = m_.words[p].kind == PieceKind::kCollar ? kWeights.turned_collar : 1;
+    turned += (g.turned[p] != 0) != hinted ? weight : 0;
+    count += weight;
+  }
+  double merit = settings_.sides_known ? kWeights.turned_known * turned
+                                       : kWeights.turned * std::min(turned, count - turned);
   double faces[2][2] = {};  // pieces named front and back, as drawn and turned
   for (std::size_t p = 0; p < m_.twin.size(); ++p) {
     const Index q = m_.twin[p];
@@ -96,13 +106,34 @@ double GluingJudge::sides(const SeamGluing& g) const {
   return merit;
 }
 
+/// Gores meet along one line, unless there are but two.
+int GluingJudge::second_lines_in_rows(const SeamGluing& g) const {
+  const auto mate = [&](Index r) {
+    const PieceRow& here = m_.rows[runs_[r].panel];
+    if (here.size < 3 || g.partner[r] == kNone) return kNone;
+    const Index other = runs_[g.partner[r]].panel;
+    return m_.rows[other].row == here.row ? other : kNone;
+  };
+  int second = 0;
+  for (Index r = 0; r < static_cast<Index>(runs_.size()); ++r) {
+    const Index other = mate(r);
+    if (other <= runs_[r].panel) continue;
+    for (Index next = runs_[r].next; next != r; next = runs_[next].next) second += mate(next) == other;
+  }
+  return second / 2;
+}
+
 /// Two pieces that mirror each other meet along one line, the middle of the body, seldom along two.
 double GluingJudge::middles(const SeamGluing& g) {
   lines_.assign(m_.words.size(), 0);
+  // A line ends where it bends: there a vent begins, or the next piece. Hoods are shaped by their corners.
+  const auto goes_on = [&](Index r) {
+    return runs_[r].smooth || m_.words[runs_[r].panel].kind == PieceKind::kHood;
+  };
   const auto in_middle = [&](Index r) { return g.partner[r] != kNone && g.partner[r] == runs_[r].mirror; };
   for (Index r = 0; r < static_cast<Index>(runs_.size()); ++r)
-    lines_[runs_[r].panel] += in_middle(r) && !in_middle(runs_[r].next);
-  double merit = 0;
+    lines_[runs_[r].panel] += in_middle(r) && !(in_middle(runs_[r].next) && goes_on(runs_[r].next));
+  double merit = kWeights.second_line * static_cast<double>(second_lines_in_rows(g));
   for (std::size_t p = 0; p < lines_.size(); ++p)
     if (m_.twin[p] > static_cast<Index>(p)) merit += kWeights.second_line * std::max(0, lines_[p] - 1);
   return merit;
@@ -130,6 +161,7 @@ double GluingJudge::points(const SeamGluing& g) {
     s.angle += runs_[i].angle;
     ++s.corners;
     s.cut = s.cut || runs_[i].cut_start;
+    s.crotch = s.crotch || m_.words[runs_[i].panel].kind == PieceKind::kLegs;
     if (g.partner[i] != kNone) continue;
     ++s.free_ends;
     ++sums_[root_[runs_[i].next]].free_ends;
@@ -140,6 +172,7 @@ double GluingJudge::points(const SeamGluing& g) {
     if (s.corners == 0) continue;
     ++points_;
     const double here = s.free_ends == 0 ? inner_merit(s.angle) : s.corners > 1 ? border_merit(s.angle) : 0;
+    if (s.crotch && s.free_ends == 0 && s.angle < 360) continue;  // legs end sharply where they meet
     merit += s.cut ? std::min(0.0, here) : here;  // a cut is no corner of the drawing: it proves nothing
   }
   return merit;

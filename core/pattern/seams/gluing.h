@@ -60,14 +60,14 @@ class GluingJudge {
   struct Run {
     Index next, panel, mirror;
     bool cut, cut_start;  ///< one end, or the start, is no corner of the drawing
-    bool round;           ///< turns by more than an opening does
+    bool round;           ///< turns by more than an opening does, and is no hem
     bool smooth;          ///< the outline runs on smoothly at its start
     double angle, length, share;
   };
   struct PointSums {
     double angle = 0;
     int corners = 0, free_ends = 0;
-    bool cut = false;
+    bool cut = false, crotch = false;
   };
   struct Gather {
     double ratio;
@@ -80,6 +80,7 @@ class GluingJudge {
   void join_corners(const SeamGluing& g);
   double pairs(const SeamGluing& g) const;
   double sides(const SeamGluing& g) const;
+  int second_lines_in_rows(const SeamGluing& g) const;
   double middles(const SeamGluing& g);
   double free_edges(const SeamGluing& g);
   double points(const SeamGluing& g);

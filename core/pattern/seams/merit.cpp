@@ -54,6 +54,8 @@ double shape_merit(const SeamRun& a, const SeamRun& b) {
 
 Vec2 chord(const SeamRun& run) { return run.at[kSamples - 1] - run.at[0]; }
 
+bool is_neck(PieceKind kind) { return kind == PieceKind::kCollar || kind == PieceKind::kHood; }
+
 /// Height of each sample along the grain over the run's mean, and the root mean square of it.
 double heights(const SeamModel& m, const SeamRun& run, std::array<double, kSamples>& h) {
   double mean = 0, square = 0;
@@ -81,17 +83,134 @@ double rise(const SeamModel& m, const SeamRun& run) {
   return std::abs(dot(normalized(chord(run)), m.up[run.panel]));
 }
 
-/// How much the cloth's outside at the run faces up along the grain, -1 to 1.
-double facing_up(const SeamModel& m, const SeamRun& run) {
-  return dot(normalized(-perpendicular(chord(run))), m.up[run.panel]);
+/// Whether the two pieces are as large as each other: gores stand side by side.
+bool gores(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
+  const double x = m.girth[a.panel], y = m.girth[b.panel];
+  return std::abs(x - y) < kWeights.gores * std::max(x, y);
+}
+
+/// Whether `cuff` is the upper end of what hangs from the sleeve that `end` is on, and that the opening of
+/// the sleeve: sleeves without a grain line mostly lie, with it to a side.
+bool is_cuffed(const SeamModel& m, const SeamRun& end, const SeamRun& cuff) {
+  const bool lies = m.words[end.panel].kind == PieceKind::kSleeve && !m.upright[end.panel];
+  return lies && cuff.up > kWeights.facing && std::abs(end.up) < kWeights.lying &&
+         hangs_from(m, cuff.panel, end.panel) > 0;
+}
+
+/// A piece of two edges has its sides somewhere on them, and none of the two is an upper or lower end.
+bool has_no_sides(const SeamModel& m, const SeamRun& run) { return m.lines[run.panel] < 3; }
+
+/// Whether one of the runs is the lower end of a piece and the other the upper one of a piece that hangs from
+/// it, by their names: +1; −1 where they say the contrary; else 0.
+int told_to_hang(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
+  if (a.panel == b.panel) return 0;
+  if (is_cuffed(m, a, b) || is_cuffed(m, b, a)) return 1;
+  if (!m.upright[a.panel] || !m.upright[b.panel]) return 0;
+  if (std::min(a.up, b.up) > -kWeights.facing || std::max(a.up, b.up) < kWeights.facing) return 0;
+  const PieceKind ka = m.words[a.panel].kind, kb = m.words[b.panel].kind;
+  if (a.side || b.side || has_no_sides(m, a) || has_no_sides(m, b)) return 0;
+  if (ka == kb && m.rows[a.panel].row == m.rows[b.panel].row && gores(m, a, b)) return 0;
+  return a.up > 0 ? hangs_from(m, a.panel, b.panel) : hangs_from(m, b.panel, a.panel);
+}
+
+/// Whether a sleeve is sewn to a bodice, which is no longer than it: caps are often gathered.
+bool is_cap(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
+  const PieceKind ka = m.words[a.panel].kind, kb = m.words[b.panel].kind;
+  return (ka == PieceKind::kSleeve && kb == PieceKind::kTorso && a.length > b.length) ||
+         (kb == PieceKind::kSleeve && ka == PieceKind::kTorso && b.length > a.length);
+}
+
+/// Whether the piece turns in at an end of the run, as at the corner of a square neck.
+bool turns_in(const SeamModel& m, const SeamRun& run) {
+  const auto in = [](double angle) {
+    return angle > kWeights.turns_in_deg && angle < 360 - kWeights.turns_in_deg / 3;
+  };
+  return in(run.angle) || in(m.runs[run.next].angle);
+}
+
+/// Whether the run may lie in the middle of the body: straight along the grain.
+bool is_middle(const SeamModel& m, const SeamRun& run) {
+  return run.straight && rise(m, run) > kWeights.twin_straight_rise;
+}
+
+/// How much the run faces the middle of the body, -1 to 1, if its piece is a side's front or back, seen from
+/// outside; 0 where that is not known.
+double inwards(const SeamModel& m, const SeamRun& run) {
+  const PieceWords& words = m.words[run.panel];
+  return m.handed * words.side * words.face * faces_right(m, run);
+}
+
+bool on_limb(const PieceWords& words) { return words.limb || words.leg; }
+
+/// A side's edges in the middle of the body go to the other side's, not to its own; its other edges do not.
+double middle_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
+  const PieceWords &x = m.words[a.panel], &y = m.words[b.panel];
+  const double ia = inwards(m, a), ib = inwards(m, b);
+  const bool torsos = x.kind == PieceKind::kTorso && y.kind == PieceKind::kTorso;
+  const bool own = torsos && x.side == y.side && std::min(ia, ib) > kWeights.fully_inner;
+  const bool across = x.side != y.side && std::max(ia, ib) < -kWeights.inner;
+  return own || across ? kWeights.not_middle : 0;
+}
+
+/// A sleeve is sewn with its cap to a hollow edge of a bodice that does not face the middle.
+double armhole_merit(const SeamModel& m, const SeamRun& torso, const SeamRun& sleeve) {
+  const bool hollow = torso.turn.back() < kWeights.twin_hollow_deg && inwards(m, torso) < kWeights.inner;
+  return (hollow ? kWeights.armhole : -kWeights.armhole) + (sleeve.cap ? kWeights.cap : -kWeights.cap);
+}
+
+/// Numbers of inserts run to the right, seen from the front, as the places do that they are let into.
+double insert_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
+  const bool first = m.words[a.panel].kind == PieceKind::kInsert;
+  const SeamRun &insert = first ? a : b, &whole = first ? b : a;
+  const PieceRow& row = m.rows[insert.panel];
+  if (row.row == kNone || row.size < 2 || m.words[whole.panel].kind == PieceKind::kInsert) return 0;
+  const Vec2 up = m.up[whole.panel], right{up.y, -up.x};
+  double low = 1e30, high = -1e30;
+  for (const SeamRun& run : m.runs) {
+    if (run.panel != whole.panel) continue;
+    low = std::min(low, dot(run.at[0], right));
+    high = std::max(high, dot(run.at[0], right));
+  }
+  const double along = (dot(whole.at[kSamples / 2], right) - low) / (high - low);
+  const double place = (static_cast<double>(row.place) + 0.5) / static_cast<double>(row.size);
+  return kWeights.insert_place * std::abs(place - (m.words[whole.panel].face < 0 ? 1 - along : along));
+}
+
+/// What the kinds of the two pieces say.
+double kind_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b, int hangs) {
+  const PieceKind ka = m.words[a.panel].kind, kb = m.words[b.panel].kind;
+  const PieceWords &x = m.words[a.panel], &y = m.words[b.panel];
+  if (!ever_meet(ka, kb) || (on_limb(x) && on_limb(y) && x.leg != y.leg)) return kWeights.never_meet;
+  if (ka == PieceKind::kInsert || kb == PieceKind::kInsert)
+    return kWeights.insert_face * x.face * y.face + insert_merit(m, a, b);
+  if (ka == PieceKind::kSleeve && kb == PieceKind::kSleeve)
+    return a.cap || b.cap ? kWeights.cap_to_sleeve : 0;
+  if (ka == PieceKind::kTorso && kb == PieceKind::kSleeve) return armhole_merit(m, a, b);
+  if (kb == PieceKind::kTorso && ka == PieceKind::kSleeve) return armhole_merit(m, b, a);
+  if ((is_neck(ka) && kb == PieceKind::kTorso && is_middle(m, b)) ||
+      (is_neck(kb) && ka == PieceKind::kTorso && is_middle(m, a)))
+    return kWeights.not_middle;
+  const bool upright = m.upright[a.panel] && m.upright[b.panel];
+  if (hangs > 0) return kWeights.hangs + (upright ? 0 : kWeights.hanging_face * x.face * y.face);
+  if (hangs < 0) return kWeights.hangs_not;
+  const bool hanging = ka != kb && (hangs_from(ka, kb) > 0 || hangs_from(kb, ka) > 0);
+  return hanging && upright && !is_neck(ka) && !is_neck(kb) ? kWeights.only_hangs : 0;
+}
+
+/// Whether both pieces are known to be of one kind, which lie alike.
+bool is_named_alike(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
+  const PieceKind kind = m.words[a.panel].kind;
+  return kind == m.words[b.panel].kind && kind != PieceKind::kOther && !is_neck(kind);
 }
 
 double facing_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   constexpr double mostly = kWeights.facing, fully = kWeights.facing_fully;
   if (!m.upright[a.panel] || !m.upright[b.panel]) return 0;
-  const double ua = facing_up(m, a), ub = facing_up(m, b);
+  const double ua = a.up, ub = b.up;
   if (ua < -mostly && ub < -mostly) return kWeights.two_hems;
   if (ua > fully && ub > fully) return kWeights.two_waists;
+  const double level = std::max(std::abs(ua), std::abs(ub)), upright = std::min(std::abs(ua), std::abs(ub));
+  if (level > fully && upright < kWeights.side_up && is_named_alike(m, a, b)) return kWeights.side_to_hem;
   if (std::min(ua, ub) > -mostly || std::max(ua, ub) < mostly) return 0;
   if (a.panel == b.panel) return kWeights.hem_to_own_waist;
   const bool larger_hangs = (m.girth[a.panel] > m.girth[b.panel]) == (ua > 0);
@@ -99,40 +218,52 @@ double facing_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   return (larger_hangs ? kWeights.larger_hangs : kWeights.smaller_hangs) + kWeights.hanging_face * faces;
 }
 
-/// `alike`: the two edges are the same one of two pieces that are drawn alike.
-double name_merit(const PieceWords& a, const PieceWords& b, bool twins, bool alike) {
+/// `alike`: the two edges are the same one of two pieces that are drawn alike; `middle`: both may lie in the
+/// middle of the body.
+double name_merit(const PieceWords& a, const PieceWords& b, bool twins, bool alike, bool middle) {
   double merit = 0;
+  if (twins && a.flank) return kWeights.both_sleeves;
   if (alike && a.limb && b.limb && a.face * b.face >= 0 && a.side * b.side <= 0) return kWeights.both_sleeves;
   if (a.side * b.side > 0) merit += kWeights.same_side;
   if (a.side * b.side < 0)
-    merit += a.limb && b.limb   ? kWeights.other_side_limbs
-             : a.limb || b.limb ? kWeights.other_side_limb
-             : twins            ? 0
-                                : kWeights.other_side;
+    merit += a.limb && b.limb                        ? kWeights.other_side_limbs
+             : a.limb || b.limb                      ? kWeights.other_side_limb
+             : twins || (middle && a.face == b.face) ? 0
+                                                     : kWeights.other_side;
   if (a.limb != b.limb) merit += kWeights.limb_face * a.face * b.face;
   return merit;
 }
 
-bool is_dart(const SeamModel& m, Index a, Index b) {
-  constexpr double least = 360 - kWeights.dart_deg, most = 360 - kWeights.dart_least_deg;
-  const auto at = [&](Index leg, Index other) {
-    const double angle = m.runs[other].angle;
-    return m.runs[leg].next == other && angle > least && angle < most;
-  };
-  const double la = m.runs[a].length, lb = m.runs[b].length;
-  return m.runs[a].panel == m.runs[b].panel && (at(a, b) || at(b, a)) &&
-         std::abs(la - lb) < kWeights.dart_ease * std::max(la, lb);
+/// Two edges that run into a narrow corner: what is no dart is a slit, or another piece is let in.
+bool is_slit(const SeamModel& m, const SeamRun& a, Index i, const SeamRun& b, Index j) {
+  return (a.next == j && m.runs[j].angle > kWeights.slit_deg) ||
+         (b.next == i && m.runs[i].angle > kWeights.slit_deg);
+}
+
+/// Pieces of a row are sewn in their order.
+double row_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
+  const PieceRow &x = m.rows[a.panel], &y = m.rows[b.panel];
+  if (x.row == kNone || x.row != y.row || x.place == y.place) return 0;
+  const bool after = y.place - x.place == 1 || x.place - y.place == x.size - 1;
+  const bool before = x.place - y.place == 1 || y.place - x.place == x.size - 1;
+  if (!after && !before) return kWeights.not_in_order;
+  if (after && before) return kWeights.next_in_row;
+  // Numbers run from left to right, as writing does.
+  const SeamRun &first = after ? a : b, &second = after ? b : a;
+  return kWeights.next_in_row * (faces_right(m, first) - faces_right(m, second)) / 2;
 }
 
 /// Mirrored pieces meet in a straight line along the grain, as at a centre front, rather than along a hollow
 /// (a neck, an armhole) or across the grain (a hem).
-double twin_merit(const SeamRun& run, double along_grain) {
+double twin_merit(const SeamRun& run, double along_grain, PieceKind kind) {
   const bool round = run.turn.back() > kWeights.twin_round_deg;
   double merit =
       (round ? kWeights.twin_across_round : kWeights.twin_across) * (1 - along_grain * along_grain);
   if (bend_of(run) < kWeights.straight_deg && along_grain > kWeights.twin_straight_rise)
-    merit += kWeights.twin_straight;
-  if (run.turn.back() < kWeights.twin_hollow_deg)
+    merit += kind == PieceKind::kHood ? kWeights.twin_face : kWeights.twin_straight;
+  if (run.turn.back() < kWeights.twin_hollow_deg && kind == PieceKind::kLegs)
+    merit += kWeights.twin_crotch;
+  else if (run.turn.back() < kWeights.twin_hollow_deg)
     merit += kWeights.twin_hollow *
              std::clamp((kWeights.twin_upright_rise - along_grain) / kWeights.twin_upright_width, 0.0, 1.0);
   return merit;
@@ -163,8 +294,14 @@ double weight_of_part(const SeamRun& a, const SeamRun& b) {
                   kWeights.part_least + kWeights.part_per_share * std::min(a.to - a.from, b.to - b.from));
 }
 
+/// Whether the run is a half of an edge that mirrors itself.
+bool ends_in_middle(const SeamModel& m, const SeamRun& run) {
+  return m.twin[run.panel] == run.panel && run.mirror_edge == run.edge && run.to - run.from == 0.5;
+}
+
 /// Ends of both runs that meet and are cuts: nothing is there to cut them for.
-int cut_ends_that_meet(const SeamRun& a, const SeamRun& b, bool along) {
+int cut_ends_that_meet(const SeamModel& m, const SeamRun& a, const SeamRun& b, bool along) {
+  if (ends_in_middle(m, a) && ends_in_middle(m, b)) return 0;
   const bool b_start = b.from > 0, b_end = b.to < 1;
   return (a.from > 0 && (along ? b_start : b_end)) + (a.to < 1 && (along ? b_end : b_start));
 }
@@ -183,15 +320,18 @@ namespace {
 bool is_cut(const SeamRun& run) { return run.from > 0 || run.to < 1; }
 
 /// What the lengths say, `lengths` or not: along the grain cloth is gathered seldom.
-double length_part(const SeamModel& m, Index i, Index j, bool lengths, bool counterparts) {
+double length_part(const SeamModel& m, Index i, Index j, bool lengths, bool counterparts, bool gathers) {
   const SeamRun &a = m.runs[i], &b = m.runs[j];
   double merit = lengths ? length_merit(a.length, b.length) : 0;
+  if (gathers && lengths)
+    merit = std::max(merit, kWeights.gathered_least - kWeights.gathered_slope * difference(a, b));
   // Mirrored edges are of one length whether they are sewn or not: that says little.
   if (m.mirror[i] == j || a.panel == b.panel) merit = std::min(merit, kWeights.most_of_twins);
   if (lengths && counterparts) merit = std::min(merit, kWeights.most_of_counterparts);
   const bool straight = a.straight && b.straight;
   const double fair = straight ? kWeights.fair_straight : kWeights.fair_curved, off = difference(a, b);
-  if (std::min(rise(m, a), rise(m, b)) > kWeights.upright)
+  const bool known = m.upright[a.panel] && m.upright[b.panel];
+  if (known && std::min(rise(m, a), rise(m, b)) > kWeights.upright)
     merit -= kWeights.ease_upright * std::clamp(off / fair - kWeights.ease_begins, 0.0, 1.0);
   if (lengths && straight && off < kWeights.gathered)
     merit -= kWeights.inexact * std::clamp(off / kWeights.inexact_share - kWeights.inexact_begins, 0.0, 1.0);
@@ -203,7 +343,7 @@ double own_piece_part(const SeamModel& m, Index i, Index j) {
   const SeamRun &a = m.runs[i], &b = m.runs[j];
   const PieceWords& words = m.words[a.panel];
   const bool mirrored = m.mirror[i] == j;
-  if (mirrored && words.face != 0 && !words.limb) return kWeights.own_front;
+  if (mirrored && words.face != 0) return kWeights.own_front;
   const bool tube =
       mirrored && a.straight && b.straight && std::min(rise(m, a), rise(m, b)) > kWeights.own_tube_rise;
   return tube ? kWeights.own_tube : kWeights.own_piece;
@@ -213,30 +353,33 @@ double own_piece_part(const SeamModel& m, Index i, Index j) {
 
 std::array<double, 2> pair_merit(const SeamModel& m, Index i, Index j, bool lengths) {
   const SeamRun &a = m.runs[i], &b = m.runs[j];
-  if (is_dart(m, i, j)) {
-    const double merit = lengths ? length_merit(a.length, b.length) : 0;
-    return {merit + kWeights.dart, merit - kWeights.dart};
-  }
   const bool twins = m.mirror[i] == j;
   const std::vector<Index>& alike = m.counterparts[i];
   const bool counterparts = std::find(alike.begin(), alike.end(), j) != alike.end();
-  double merit = length_part(m, i, j, lengths, counterparts) + shape_merit(a, b) + facing_merit(m, a, b);
+  const int hangs = told_to_hang(m, a, b);
+  const bool gathers = hangs > 0 || is_cap(m, a, b);
+  double merit = length_part(m, i, j, lengths, counterparts, gathers) + shape_merit(a, b) +
+                 facing_merit(m, a, b) + kind_merit(m, a, b, hangs);
   if (!twins && std::max(a.turn.back(), b.turn.back()) < kWeights.hollow_deg) merit += kWeights.two_hollows;
+  if (turns_in(m, a) && turns_in(m, b)) merit += kWeights.two_corners;
+  merit += row_merit(m, a, b);
   if (a.panel == b.panel) {
-    merit += own_piece_part(m, i, j);
+    merit += own_piece_part(m, i, j) + (is_slit(m, a, i, b, j) ? kWeights.slit : 0);
   } else {
-    merit += name_merit(m.words[a.panel], m.words[b.panel], twins, twins || counterparts);
-    if (twins) merit += twin_merit(a, rise(m, a));
+    merit += name_merit(m.words[a.panel], m.words[b.panel], twins, twins || counterparts,
+                        is_middle(m, a) && is_middle(m, b));
+    merit += middle_merit(m, a, b);
+    if (twins) merit += twin_merit(a, rise(m, a), m.words[a.panel].kind);
   }
   std::array<double, 2> both{};
   for (const bool along : {false, true})
     both[along] = merit + kWeights.height * height_merit(m, a, b, along) + notch_merit(a, b, along) +
-                  kWeights.cut_to_cut * cut_ends_that_meet(a, b, along);
+                  kWeights.cut_to_cut * cut_ends_that_meet(m, a, b, along);
   // Parts were cut to fit: that they agree says less, and together they are one coincidence.
   if (lengths && (is_cut(a) || is_cut(b)))
     for (double& x : both)
       x = std::min(x, weight_of_part(a, b) * x) +
-          (difference(a, b) > kWeights.cut_ease ? kWeights.cut_differs : 0);
+          (!gathers && difference(a, b) > kWeights.cut_ease ? kWeights.cut_differs : 0);
   return both;
 }
 

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "core/base/text.h"
@@ -42,14 +45,6 @@ void measure(const pattern::PanelEdge& edge, SeamRun& run) {
   }
 }
 
-/// Degrees that the cloth has between the end of one edge and the start of the next.
-double corner_angle(const pattern::PanelEdge& before, const pattern::PanelEdge& after) {
-  const double a = pattern::arc_length(before), b = pattern::arc_length(after);
-  const Vec2 in = before.curves.back().p3 - pattern::point_at_length(before, a - end_reach(a));
-  const Vec2 out = pattern::point_at_length(after, end_reach(b)) - after.curves.front().p0;
-  return 180 - degrees_between(in, out);
-}
-
 /// Notches within 3 mm of the edge, as distances from its start.
 std::vector<double> notches_on(const pattern::Panel& panel, const pattern::PanelEdge& edge) {
   constexpr double kNear = 3, kStep = 1;  // mm
@@ -82,6 +77,7 @@ void add_panel(const pattern::Panel& panel, Index index, SeamModel& model) {
     run.edge = static_cast<Index>(e);
     run.next = first + static_cast<Index>((e + 1) % count);
     measure(edges[e], run);
+    run.up = dot(normalized(-perpendicular(run.at.back() - run.at.front())), normalized(panel.grain));
     run.angle = corner_angle(edges[(e + count - 1) % count], edges[e]);
     if (!panel.notches.empty()) run.notches = notches_on(panel, edges[e]);
     model.runs.push_back(std::move(run));
@@ -108,21 +104,28 @@ std::vector<Index> runs_of(const SeamModel& m, Index panel) {
   return runs;
 }
 
-/// The run of q that each run of p mirrors to, or nothing when q is not p turned over.
+/// The run of q that each run of p mirrors to, or nothing when q is not p turned over. Of several ways (a
+/// rectangle has two) the one that keeps up what is up.
 std::vector<Index> mirror_image(const SeamModel& m, Index p, Index q) {
   const std::vector<Index> a = runs_of(m, p), b = runs_of(m, q);
   const std::size_t n = a.size();
   if (n != b.size()) return {};
+  std::vector<Index> best;
+  double least = 0;
   for (std::size_t shift = 0; shift < n; ++shift) {
     std::vector<Index> image(n);
     bool all = true;
+    double turned = 0;
     for (std::size_t k = 0; k < n && all; ++k) {
       image[k] = b[(shift + n - k) % n];
       all = mirrors(m, a[k], image[k]);
+      turned += std::abs(m.runs[a[k]].up - m.runs[image[k]].up);
     }
-    if (all) return image;
+    if (!all || (!best.empty() && turned >= least)) continue;
+    best = std::move(image);
+    least = turned;
   }
-  return {};
+  return best;
 }
 
 void set_mirror(SeamModel& m, Index p, const std::vector<Index>& image) {
@@ -139,6 +142,11 @@ void set_mirror(SeamModel& m, Index p, const std::vector<Index>& image) {
   m.twin[q] = p;
 }
 
+/// Whether the two may be mirror images by their places in rows: the first is that of the last.
+bool places_mirror(const PieceRow& a, const PieceRow& b) {
+  return a.row == b.row && (a.row == kNone || a.place + b.place == a.size - 1);
+}
+
 /// Pieces whose names say left and right go first, then any two, then those that mirror themselves.
 void find_mirrors(SeamModel& m) {
   const Index count = static_cast<Index>(m.words.size());
@@ -149,7 +157,8 @@ void find_mirrors(SeamModel& m) {
       for (Index q = p + 1; q < count && !taken[p]; ++q) {
         const int sides = m.words[p].side * m.words[q].side;
         const bool faces = m.words[p].face * m.words[q].face < 0;
-        if (taken[q] || faces || (named ? sides >= 0 : sides > 0)) continue;
+        if (taken[q] || faces || (named ? sides >= 0 : sides > 0) || !places_mirror(m.rows[p], m.rows[q]))
+          continue;
         const std::vector<Index> image = mirror_image(m, p, q);
         if (image.empty()) continue;
         set_mirror(m, p, image);
@@ -212,6 +221,41 @@ bool is_same(const SeamModel& m, Index i, Index j) {
   return true;
 }
 
+/// Edges of one length and turning that the two pieces have.
+int edges_in_common(const SeamModel& m, Index p, Index q) {
+  constexpr double kLeast = 30, kTurn = 4;  // mm, degrees
+  int common = 0;
+  for (const Index i : runs_of(m, p)) {
+    const SeamRun& a = m.runs[i];
+    if (a.length < kLeast) continue;
+    for (const Index j : runs_of(m, q)) {
+      const SeamRun& b = m.runs[j];
+      if (!alike(a.length, b.length) || std::abs(a.turn.back() - b.turn.back()) > kTurn) continue;
+      ++common;
+      break;
+    }
+  }
+  return common;
+}
+
+void find_rivals(SeamModel& m) {
+  constexpr int kSeveral = 3;
+  m.rival.assign(m.words.size(), 0);
+  const auto count = static_cast<Index>(m.words.size());
+  for (Index p = 0; p < count; ++p) {
+    for (Index q = p + 1; q < count; ++q) {
+      const PieceWords &a = m.words[p], &b = m.words[q];
+      const bool named = a.face != 0 || a.side != 0;
+      const bool one_role =
+          (a.kind == b.kind || a.kind == PieceKind::kOther || b.kind == PieceKind::kOther) &&
+          a.side == b.side && a.face == b.face && m.level[p] == m.level[q];
+      const bool in_row = m.rows[p].row != kNone && m.rows[p].row == m.rows[q].row;
+      if (!named || !one_role || in_row || m.twin[p] == q || edges_in_common(m, p, q) < kSeveral) continue;
+      m.rival[p] = m.rival[q] = 1;
+    }
+  }
+}
+
 /// Pairs up the runs of two pieces of one form.
 void find_same(SeamModel& m, Index p, Index q) {
   const std::vector<Index> a = runs_of(m, p), b = runs_of(m, q);
@@ -228,16 +272,169 @@ void find_same(SeamModel& m, Index p, Index q) {
   }
 }
 
+/// Pieces whose names differ by their last number alone, in its order: levels, where there is one without
+/// any, else in a row.
+void find_rows(const pattern::Pattern& pattern, SeamModel& m) {
+  std::map<std::string, std::vector<std::pair<int, Index>>> rows;
+  for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
+    const std::string& id = pattern.panels[p].id;
+    const std::size_t end = id.find_last_not_of("0123456789") + 1;
+    const std::optional<int> number = number_in<int>(std::string_view(id).substr(end));
+    if (m.words[p].kind != PieceKind::kOther && number)
+      rows[id.substr(0, end)].push_back({*number, static_cast<Index>(p)});
+  }
+  m.rows.assign(pattern.panels.size(), {});
+  m.level.assign(pattern.panels.size(), 0);
+  Index row = 0;
+  for (auto& [stem, pieces] : rows) {
+    std::sort(pieces.begin(), pieces.end());
+    const std::string base = stem.substr(0, stem.find_last_not_of("_-. ") + 1);
+    if (std::any_of(pattern.panels.begin(), pattern.panels.end(),
+                    [&](const pattern::Panel& panel) { return panel.id == base; })) {
+      // "skirt", "skirt_0", "skirt_1" lie one below the other
+      for (std::size_t k = 0; k < pieces.size(); ++k) m.level[pieces[k].second] = static_cast<int>(k) + 1;
+      continue;
+    }
+    for (std::size_t k = 0; k < pieces.size(); ++k)
+      m.rows[pieces[k].second] = {row, static_cast<Index>(k), static_cast<Index>(pieces.size())};
+    ++row;
+  }
+}
+
+/// The middle of a bodice's half runs straight along the grain, and the crotch of a leg is hollow: on which
+/// side of the pieces they lie says which way left and right are meant.
+void find_hands(SeamModel& m) {
+  double votes = 0, all = 0;
+  for (const SeamRun& run : m.runs) {
+    const PieceWords& words = m.words[run.panel];
+    const bool middle = words.kind == PieceKind::kTorso && run.straight && std::abs(run.up) < 0.003;
+    const bool crotch = words.kind == PieceKind::kLegs && run.turn.back() < -40 && std::abs(run.up) < 0.5;
+    if (words.side * words.face == 0 || (!middle && !crotch)) continue;
+    votes += words.side * words.face * faces_right(m, run) * run.length;
+    all += run.length;
+  }
+  m.handed = std::abs(votes) < 0.3 * all || all == 0 ? 0 : votes > 0 ? 1 : -1;
+}
+
+/// Sleeves' caps: their edges that bulge most, and their mirror images. A sleeve whose cap is above stands,
+/// also where no grain line says so.
+void find_caps(SeamModel& m) {
+  constexpr double kBulge = 10, kAbove = 0.8;  // degrees; facing
+  std::vector<double> most(m.words.size(), kBulge);
+  for (const SeamRun& run : m.runs) most[run.panel] = std::max(most[run.panel], run.turn.back());
+  for (SeamRun& run : m.runs) {
+    run.cap = m.words[run.panel].kind == PieceKind::kSleeve && run.turn.back() >= 0.8 * most[run.panel] &&
+              run.turn.back() >= kBulge;
+    if (run.cap && run.up > kAbove) m.upright[run.panel] = 1;
+  }
+}
+
+/// Bands and cuffs, that other pieces hang from.
+void find_between(SeamModel& m) {
+  m.below_cuff.assign(m.words.size(), 0);
+  for (const PieceWords& cuff : m.words) {
+    m.has_band = m.has_band || cuff.kind == PieceKind::kBand;
+    for (std::size_t p = 0; p < m.words.size() && cuff.kind == PieceKind::kCuff; ++p)
+      if (m.words[p].kind == PieceKind::kFrill && m.words[p].leg == cuff.leg &&
+          m.words[p].side * cuff.side >= 0)
+        m.below_cuff[p] = 1;
+  }
+}
+
+/// Whether the piece has another edge of the run's length that faces up as well: the sides of a wide skirt
+/// do.
+bool is_side(const SeamModel& m, Index r) {
+  constexpr double kUp = 0.8;
+  const SeamRun& run = m.runs[r];
+  if (run.up < kUp) return false;
+  return std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& other) {
+    return other.panel == run.panel && other.edge != run.edge && other.up > kUp &&
+           alike(other.length, run.length);
+  });
+}
+
 bool is_part_word(const std::string& w) {
   static const char* const kParts[] = {"torso", "bodice", "body", "panel", "skirt",
                                        "pant",  "leg",    "yoke", "sleeve"};
   return std::any_of(std::begin(kParts), std::end(kParts), [&](const char* part) { return w == part; });
 }
 
+/// The most telling word counts: a skirt of a cuff is a frill.
+PieceKind kind_of(const std::vector<std::string>& words) {
+  struct KindWord {
+    const char* word;
+    PieceKind kind;
+  };
+  static const KindWord kWords[] = {
+      {"collar", PieceKind::kCollar}, {"hood", PieceKind::kHood},     {"lapel", PieceKind::kCollar},
+      {"torso", PieceKind::kTorso},   {"ftorso", PieceKind::kTorso},  {"btorso", PieceKind::kTorso},
+      {"bodice", PieceKind::kTorso},  {"wb", PieceKind::kBand},       {"waistband", PieceKind::kBand},
+      {"skirt", PieceKind::kSkirt},   {"pant", PieceKind::kLegs},     {"pants", PieceKind::kLegs},
+      {"trouser", PieceKind::kLegs},  {"trousers", PieceKind::kLegs}, {"leg", PieceKind::kLegs},
+      {"sleeve", PieceKind::kSleeve}, {"slv", PieceKind::kSleeve},    {"cuff", PieceKind::kCuff},
+      {"ins", PieceKind::kInsert},    {"insert", PieceKind::kInsert}, {"godet", PieceKind::kInsert},
+      {"gusset", PieceKind::kInsert}};
+  const auto has = [&](const char* word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+  };
+  if (has("cuff") && has("skirt")) return PieceKind::kFrill;
+  PieceKind kind = PieceKind::kOther;
+  for (const KindWord& known : kWords)
+    if (has(known.word)) kind = known.kind;
+  return kind;
+}
+
 }  // namespace
+
+double corner_angle(const pattern::PanelEdge& before, const pattern::PanelEdge& after) {
+  const double a = pattern::arc_length(before), b = pattern::arc_length(after);
+  const Vec2 in = before.curves.back().p3 - pattern::point_at_length(before, a - end_reach(a));
+  const Vec2 out = pattern::point_at_length(after, end_reach(b)) - after.curves.front().p0;
+  return 180 - degrees_between(in, out);
+}
+
+double faces_right(const SeamModel& m, const SeamRun& run) {
+  const Vec2 up = m.up[run.panel], right{up.y, -up.x};
+  return dot(normalized(-perpendicular(run.at.back() - run.at.front())), right);
+}
+
+int hangs_from(PieceKind lower, PieceKind upper) {
+  using enum PieceKind;
+  if (lower == kOther || upper == kOther || lower == kInsert || upper == kInsert) return 0;
+  const bool told = ((upper == kCollar || upper == kHood) && lower == kTorso) ||
+                    (upper == kTorso && (lower == kBand || lower == kSkirt || lower == kLegs)) ||
+                    (upper == kBand && (lower == kSkirt || lower == kLegs)) ||
+                    ((upper == kSleeve || upper == kLegs) && lower == kCuff) ||
+                    ((upper == kCuff || upper == kSleeve || upper == kLegs) && lower == kFrill) ||
+                    (upper == kSkirt && lower == kSkirt);
+  return told ? 1 : -1;
+}
+
+int hangs_from(const SeamModel& m, Index lower, Index upper) {
+  using enum PieceKind;
+  const PieceWords &x = m.words[lower], &y = m.words[upper];
+  const bool past_band = m.has_band && y.kind == kTorso && (x.kind == kSkirt || x.kind == kLegs);
+  const bool past_cuff = m.below_cuff[lower] && y.kind != kCuff;
+  const bool other_limb =
+      x.kind != kOther && y.kind != kOther && x.limb && (y.limb || y.leg) && x.leg != y.leg;
+  const bool past_level = m.level[lower] != (x.kind == y.kind ? m.level[upper] + 1 : 0);
+  if (x.kind == y.kind && !past_level) return hangs_from(x.kind, y.kind);
+  return past_band || past_cuff || other_limb || (x.kind == PieceKind::kSkirt && past_level)
+             ? -1
+             : hangs_from(x.kind, y.kind);
+}
+
+bool ever_meet(PieceKind a, PieceKind b) {
+  using enum PieceKind;
+  if (a == kOther || b == kOther || a == b || a == kInsert || b == kInsert) return true;
+  const auto either = [&](PieceKind x, PieceKind y) { return (a == x && b == y) || (a == y && b == x); };
+  return hangs_from(a, b) == 1 || hangs_from(b, a) == 1 || either(kTorso, kSleeve);
+}
 
 PieceWords words_of(const std::string& name) {
   PieceWords words;
+  words.kind = kind_of(words_of_name(name));
+  words.leg = words.kind == PieceKind::kLegs;
   for (const std::string& w : words_of_name(name)) {
     const auto is = [&](std::initializer_list<const char*> any) {
       return std::any_of(any.begin(), any.end(), [&](const char* x) { return w == x; });
@@ -250,6 +447,8 @@ PieceWords words_of(const std::string& name) {
     if (is({"r", "rt", "rgt", "rh"}) || starts("right", 'r')) words.side = 1;
     if (is({"f", "fr", "frt", "fnt", "ft", "cf"}) || starts("front", 'f')) words.face = 1;
     if (is({"b", "bk", "bck", "rear", "cb"}) || starts("back", 'b')) words.face = -1;
+    if (is({"pant", "pants", "trouser", "trousers", "leg"})) words.leg = true;
+    if (is({"side", "sidepanel", "flank"})) words.flank = true;
     if (is({"lining", "facing", "interfacing", "interlining", "fusing", "canvas", "pocket", "welt", "bag",
             "flap"}))
       words.layer = true;
@@ -263,14 +462,24 @@ SeamModel make_seam_model(const pattern::Pattern& pattern) {
   for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
     add_panel(pattern.panels[p], static_cast<Index>(p), model);
     model.words.push_back(words_of(pattern.panels[p].id));
+    model.lines.push_back(static_cast<int>(pattern.panels[p].outline.edges.size()));
     model.up.push_back(normalized(pattern.panels[p].grain));
     // Sleeves are often drawn lying, and files without grain lines have it upright.
-    model.upright.push_back(!model.words[p].limb || pattern.panels[p].grain != Vec2{0, 1});
+    model.upright.push_back(
+        !model.words[p].limb || model.words[p].leg || model.words[p].kind == PieceKind::kCuff ||
+        model.words[p].kind == PieceKind::kFrill || pattern.panels[p].grain != Vec2{0, 1});
   }
   model.girth.assign(pattern.panels.size(), 0);
   for (const SeamRun& run : model.runs) model.girth[run.panel] += run.length;
+  find_rows(pattern, model);
+  find_between(model);
+  find_hands(model);
+  find_caps(model);
+  for (std::size_t r = 0; r < model.runs.size(); ++r)
+    model.runs[r].side = is_side(model, static_cast<Index>(r));
   find_mirrors(model);
   match_mirrors(model);
+  find_rivals(model);
   model.counterparts.resize(model.runs.size());
   model.same.resize(model.runs.size());
   const auto count = static_cast<Index>(model.words.size());

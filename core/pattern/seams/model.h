@@ -16,10 +16,13 @@ struct SeamRun {
   static constexpr std::size_t kSamples = 9;
 
   Index panel = kNone, edge = kNone;
-  double from = 0, to = 1;                          ///< fractions of the edge's length
-  double length = 0;                                ///< mm
-  double angle = 180;                               ///< degrees, of the cloth's corner at its start
-  Index next = kNone;                               ///< run after it around the outline
+  double from = 0, to = 1;  ///< fractions of the edge's length
+  double length = 0;        ///< mm
+  double angle = 180;       ///< degrees, of the cloth's corner at its start
+  Index next = kNone;       ///< run after it around the outline
+  double up = 0;      ///< how much the cloth's outside at its whole edge faces up along the grain, -1 to 1
+  bool side = false;  ///< faces up, and so does another edge of its length: neither is the upper end
+  bool cap = false;   ///< of a sleeve's edges the one that bulges most
   Index mirror_panel = kNone, mirror_edge = kNone;  ///< the edge that mirrors its edge, itself perhaps
   std::array<Vec2, kSamples> at;                    ///< mm, evenly along it, ends included
   std::array<double, kSamples - 1> turn;  ///< degrees from its first chord, of each chord between samples
@@ -27,12 +30,35 @@ struct SeamRun {
   std::vector<double> notches;            ///< mm from its start
 };
 
+/// What kind of piece a name tells of.
+enum class PieceKind {
+  kOther,
+  kCollar,
+  kHood,
+  kTorso,
+  kBand,
+  kSkirt,
+  kLegs,
+  kSleeve,
+  kCuff,
+  kFrill,
+  kInsert
+};
+
 /// What a piece's name says of its place, as far as it says anything.
 struct PieceWords {
+  PieceKind kind = PieceKind::kOther;
   int side = 0;        ///< -1 left, +1 right
   int face = 0;        ///< +1 front, -1 back
+  bool flank = false;  ///< the side of a body: left and right never meet
+  bool leg = false;    ///< of trousers
   bool limb = false;   ///< a sleeve or a cuff: left and right never meet
   bool layer = false;  ///< a lining, a facing, a pocket: cloth that lies on other cloth
+};
+
+/// Pieces of one kind and one name that numbers tell apart, as the gores of a skirt.
+struct PieceRow {
+  Index row = kNone, place = 0, size = 0;
 };
 
 struct SeamModel {
@@ -44,10 +70,22 @@ struct SeamModel {
   /// The same run of other pieces of the same form, not turned over. Empty for each run without any.
   std::vector<std::vector<Index>> same;
   std::vector<PieceWords> words;  ///< one per panel
-  std::vector<Vec2> up;           ///< unit vector of each panel's grain
-  std::vector<char> upright;      ///< of each panel: whether `up` is likely to be up when it is worn
-  std::vector<Index> twin;        ///< the panel that mirrors each, itself perhaps; kNone
-  std::vector<double> girth;      ///< mm, length of each outline
+  std::vector<PieceRow> rows;     ///< one per panel
+  std::vector<int> level;         ///< one per panel: of the levels of a skirt, from above
+  /// Which way the file means left and right, told by pieces that have sides and faces: +1 where left pieces
+  /// are the wearer's left ones seen from outside, -1 where it is the other way round, 0 where nothing tells.
+  int handed = 0;
+  bool has_band = false;  ///< a waistband: what hangs from the waist hangs from it
+  /// Of each panel: it is a frill whose limb has a cuff, so that it hangs from that.
+  std::vector<char> below_cuff;
+  std::vector<Vec2> up;       ///< unit vector of each panel's grain
+  std::vector<char> upright;  ///< of each panel: whether `up` is likely to be up when it is worn
+  std::vector<Index> twin;    ///< the panel that mirrors each, itself perhaps; kNone
+  /// Of each panel: another has its name's words and several of its edges, as in a wardrobe, or where a file
+  /// holds a piece's lining or another version of it. Which of the two is meant nobody can tell.
+  std::vector<char> rival;
+  std::vector<int> lines;     ///< of each panel: edges of its outline
+  std::vector<double> girth;  ///< mm, length of each outline
 };
 
 /// Outlines only; holes have no runs. REQUIRES a pattern that validate() accepts.
@@ -57,6 +95,22 @@ SeamModel make_seam_model(const pattern::Pattern& pattern);
 /// keeps the index, the others stand at the end. Parts mirror each other where both edges are cut alike.
 SeamModel with_cuts(const pattern::Pattern& pattern, SeamModel model, Index r,
                     const std::vector<double>& cuts);
+
+/// Degrees that the cloth has between the end of one edge and the start of the next.
+double corner_angle(const pattern::PanelEdge& before, const pattern::PanelEdge& after);
+
+/// How much the cloth's outside at the run faces right of the grain, -1 to 1.
+double faces_right(const SeamModel& model, const SeamRun& run);
+
+/// Whether a piece of kind `lower` is sewn to hang from the lower end of one of kind `upper`, as a skirt from
+/// a bodice: +1. −1: the two are never sewn so, or not at all. 0: the kinds do not tell.
+int hangs_from(PieceKind lower, PieceKind upper);
+
+/// The same of two panels: nothing hangs past a band or a cuff that is between.
+int hangs_from(const SeamModel& model, Index lower, Index upper);
+
+/// Whether pieces of the two kinds are ever sewn to each other.
+bool ever_meet(PieceKind a, PieceKind b);
 
 /// The words of one name, such as "left_sleeve_f", "FrontL" or "BK-2".
 PieceWords words_of(const std::string& name);

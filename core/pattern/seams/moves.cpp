@@ -6,8 +6,8 @@
 namespace toile::seams {
 namespace {
 
-constexpr double kWeakest = -4;              // a pair that is worth less is no candidate
-constexpr std::size_t kMostCandidates = 24;  // of a run
+constexpr double kWeakest = -1;              // a pair that is worth less is no candidate
+constexpr std::size_t kMostCandidates = 12;  // of a run
 
 double best_of(const Candidate& c) { return std::max(c.merit[0], c.merit[1]); }
 
@@ -136,6 +136,18 @@ Choices choices_of(const SeamModel& model, const std::vector<char>& locked) {
 
 Limits without_pair(Limits limits, const SeamModel& model, Index a, Index b) {
   limits.forbidden.push_back({a, b});
+  // Nor the mirror image of one of them, where no name tells left from right.
+  const auto unnamed_image = [&](Index r) {
+    const Index image = model.mirror[r];
+    return image != kNone && model.runs[image].panel != model.runs[r].panel &&
+                   model.words[model.runs[r].panel].side == 0
+               ? image
+               : r;
+  };
+  if (unnamed_image(a) != b) {
+    limits.forbidden.push_back({unnamed_image(a), b});
+    limits.forbidden.push_back({a, unnamed_image(b)});
+  }
   for (const Index x : model.same[a]) limits.forbidden.push_back({x, b});
   for (const Index x : model.same[b]) limits.forbidden.push_back({a, x});
   return limits;

@@ -50,7 +50,8 @@ struct Limits {
 };
 
 /// The limits, and never run a to run b, nor a run of another piece of the same form in place of one of them:
-/// the garment with two such pieces changed round is the same garment.
+/// the garment with two such pieces changed round is the same garment. Neither the mirror image of one, where
+/// no name tells left from right.
 Limits without_pair(Limits limits, const SeamModel& model, Index a, Index b);
 
 /// Changes `gluing` a little; false when the move that was drawn does not fit it. What is left of it then is

@@ -10,6 +10,7 @@
 
 #include "core/geometry/polygon2.h"
 #include "core/pattern/curve.h"
+#include "core/pattern/seams/lines.h"
 #include "core/pattern/seams/search.h"
 #include "core/pattern/seams/weights.h"
 
@@ -58,8 +59,13 @@ std::vector<pattern::SeamEdge> series_of(const FoundSeams& found, const std::vec
   for (const Index r : runs) {
     const SeamRun& run = found.model.runs[r];
     length += run.length;
-    if (!series.empty() && series.back().panel == run.panel && series.back().edge == run.edge) continue;
-    series.push_back({run.panel, run.edge, found.gluing.turned[run.panel] != 0});
+    pattern::SeamEdge* const last = series.empty() ? nullptr : &series.back();
+    if (last != nullptr && last->panel == run.panel && last->edge == run.edge) {
+      last->from = std::min(last->from, run.from);
+      last->to = std::max(last->to, run.to);
+      continue;
+    }
+    series.push_back({run.panel, run.edge, found.gluing.turned[run.panel] != 0, run.from, run.to});
   }
   return series;
 }
@@ -105,6 +111,34 @@ void share_with_mirror_images(FoundSeams& found) {
   }
 }
 
+bool are_neighbours(const SeamModel& m, Index x, Index y) {
+  return m.runs[x].next == y || m.runs[y].next == x;
+}
+
+/// Whether the seam brings the ends of runs x and y together, which are of two pieces.
+bool leads_over(const SeamModel& m, const FoundSeam& seam, Index x, Index y) {
+  if (seam.a.size() != 1) return false;
+  const Index a = seam.a[0], b = seam.b[0];
+  return (are_neighbours(m, a, x) && are_neighbours(m, b, y)) ||
+         (are_neighbours(m, a, y) && are_neighbours(m, b, x));
+}
+
+/// A sleeve that is sewn to front and back needs the shoulder: a seam over which another leads is as sure as
+/// that.
+void share_with_what_leads_over(FoundSeams& found) {
+  const SeamModel& m = found.model;
+  for (const FoundSeam& over : found.seams) {
+    for (const std::vector<Index>* side : {&over.a, &over.b}) {
+      for (std::size_t k = 1; k < side->size(); ++k) {
+        const Index x = (*side)[k - 1], y = (*side)[k];
+        if (m.runs[x].panel == m.runs[y].panel) continue;
+        for (FoundSeam& seam : found.seams)
+          if (leads_over(m, seam, x, y)) seam.margin = std::max(seam.margin, over.margin);
+      }
+    }
+  }
+}
+
 /// Where pieces lie upon others there is a seam for every edge in every layer, and nothing in their outlines
 /// says which belong to one: such seams are for a person to decide, the more where a layer takes part.
 double layer_share(const FoundSeams& found, const FoundSeam& seam) {
@@ -117,19 +151,35 @@ double layer_share(const FoundSeams& found, const FoundSeam& seam) {
   return kWeights.beside_layer;
 }
 
+/// Collars lie flat, stand, or are folded over, which changes the way their seams run; outlines do not say.
+double collar_share(const FoundSeams& found, const FoundSeam& seam) {
+  for (const std::vector<Index>* side : {&seam.a, &seam.b})
+    for (const Index r : *side)
+      if (found.model.words[found.model.runs[r].panel].kind == PieceKind::kCollar) return kWeights.collar;
+  return 1;
+}
+
+/// Where two pieces of a file have one role, as in a wardrobe, nothing says which is meant.
+double rival_share(const FoundSeams& found, const FoundSeam& seam) {
+  for (const std::vector<Index>* side : {&seam.a, &seam.b})
+    for (const Index r : *side)
+      if (found.model.rival[found.model.runs[r].panel]) return kWeights.rival;
+  return 1;
+}
+
 /// How far the garment that was found is to be believed in. Where few names tell fronts from backs, and it is
-/// not known which side of the pieces one sees, another garment is often as good; and of very many edges, as
-/// in a whole wardrobe, the best garment is seldom found. What is then proposed is for a person to decide.
+/// not known which side of the pieces one sees, another garment is often as good: what is then proposed is
+/// for a person to decide.
 double puzzle_share(const FoundSeams& found, bool sides_known) {
   double named = 0;
   for (const PieceWords& words : found.model.words)
-    named += words.side != 0 || words.face != 0 || words.limb || words.layer ? 1 : 0;
+    named +=
+        words.kind != PieceKind::kOther || words.side != 0 || words.face != 0 || words.limb || words.layer
+            ? 1
+            : 0;
   const double share =
       named / std::max(1.0, static_cast<double>(found.model.words.size())) / kWeights.enough_names;
-  const double names = sides_known ? 1 : std::min(1.0, kWeights.nameless + (1 - kWeights.nameless) * share);
-  const std::ptrdiff_t edges = std::count_if(found.model.runs.begin(), found.model.runs.end(),
-                                             [](const SeamRun& run) { return run.from == 0; });
-  return std::min(names, edges > kWeights.many ? kWeights.many_edges : 1);
+  return sides_known ? 1 : std::min(1.0, kWeights.nameless + (1 - kWeights.nameless) * share);
 }
 
 bool all_reversed(const std::vector<pattern::SeamEdge>& side) {
@@ -152,7 +202,8 @@ SeamProposal proposal_of(const FoundSeams& found, const FoundSeam& seam, double 
   std::vector<Index> other(seam.b.rbegin(), seam.b.rend());  // walked with the cloth at the left, too
   p.seam.b = series_of(found, other, p.length_b);
   plainly(p.seam);
-  p.confidence = confidence_of(seam.margin, p.length_a, p.length_b) * layer_share(found, seam) * belief;
+  p.confidence = confidence_of(seam.margin, p.length_a, p.length_b) * layer_share(found, seam) *
+                 collar_share(found, seam) * rival_share(found, seam) * belief;
   return p;
 }
 
@@ -185,20 +236,90 @@ pattern::Pattern in_order(const pattern::Pattern& pattern, const std::vector<Ind
   return sorted;
 }
 
+/// A dart's legs to each other.
+SeamProposal closing(const pattern::Pattern& pattern, const SeamDart& dart) {
+  const std::vector<pattern::PanelEdge>& edges = pattern.panels[dart.panel].outline.edges;
+  SeamProposal p;
+  p.seam.a = {{dart.panel, dart.first}};
+  p.seam.b = {{dart.panel, dart.second}};
+  p.confidence = kWeights.dart;
+  p.length_a = pattern::arc_length(edges[dart.first]);
+  p.length_b = pattern::arc_length(edges[dart.second]);
+  return p;
+}
+
+/// The seam's lines as edges of the pattern.
+void name_edges(const SeamLines& lines, const pattern::Pattern& pattern, pattern::Seam& seam) {
+  for (std::vector<pattern::SeamEdge>* side : {&seam.a, &seam.b}) {
+    std::vector<pattern::SeamEdge> edges;
+    for (const pattern::SeamEdge& part : *side) {
+      const std::vector<pattern::SeamEdge> more = edges_of_line(lines, pattern, part);
+      edges.insert(edges.end(), more.begin(), more.end());
+    }
+    *side = std::move(edges);
+  }
+}
+
+/// Lengths from the series' start to the end of each of its edges, mm.
+std::vector<double> ends_along(const pattern::Pattern& pattern, const std::vector<pattern::SeamEdge>& side) {
+  std::vector<double> ends;
+  double at = 0;
+  for (const pattern::SeamEdge& e : side)
+    ends.push_back(at += (e.to - e.from) *
+                         pattern::arc_length(*pattern::edges_of(pattern.panels[e.panel])[e.edge]));
+  return ends;
+}
+
+/// The seam in parts that meet where an edge ends on both sides, in the order of side a.
+std::vector<SeamProposal> parted(const pattern::Pattern& pattern, SeamProposal whole) {
+  constexpr double kMeet = 0.01;  // of the seam's length
+  pattern::Seam& seam = whole.seam;
+  if (!seam.same_direction) std::reverse(seam.b.begin(), seam.b.end());  // as side a meets them
+  const std::vector<double> a = ends_along(pattern, seam.a), b = ends_along(pattern, seam.b);
+  std::vector<SeamProposal> parts;
+  std::size_t from_a = 0, from_b = 0;
+  for (std::size_t i = 0, j = 0; i < a.size(); ++i) {
+    const double here = a[i] / a.back();
+    while (j + 1 < b.size() && b[j] / b.back() < here - kMeet) ++j;
+    if (i + 1 < a.size() && (j + 1 == b.size() || std::abs(b[j] / b.back() - here) > kMeet)) continue;
+    if (i + 1 == a.size()) j = b.size() - 1;
+    SeamProposal part = whole;
+    part.seam.a.assign(seam.a.begin() + static_cast<std::ptrdiff_t>(from_a),
+                       seam.a.begin() + static_cast<std::ptrdiff_t>(i + 1));
+    part.seam.b.assign(seam.b.begin() + static_cast<std::ptrdiff_t>(from_b),
+                       seam.b.begin() + static_cast<std::ptrdiff_t>(j + 1));
+    if (!seam.same_direction) std::reverse(part.seam.b.begin(), part.seam.b.end());
+    part.length_a = ends_along(pattern, part.seam.a).back();
+    part.length_b = ends_along(pattern, part.seam.b).back();
+    parts.push_back(std::move(part));
+    from_a = i + 1;
+    from_b = j + 1;
+  }
+  return parts;
+}
+
 /// The proposals for one order of the pieces, surest first.
 std::vector<SeamProposal> proposals_in_order(const pattern::Pattern& pattern,
                                              const ProposalSettings& settings, const RunContext& context) {
+  const SeamLines lines = lines_of(pattern);
   std::vector<std::array<Index, 2>> sewn;
   std::vector<Index> blocked;
-  sort_sewn(pattern, sewn, blocked);
+  sort_sewn(lines.pattern, sewn, blocked);
   FoundSeams found =
-      search_seams(pattern, sewn, blocked, {settings.sides_known, settings.clockwise}, context);
+      search_seams(lines.pattern, sewn, blocked, {settings.sides_known, settings.clockwise}, context);
   std::vector<SeamProposal> proposals;
   if (context.cancelled()) return proposals;
+  for (const SeamDart& dart : lines.darts)
+    if (!dart.slit) proposals.push_back(closing(pattern, dart));
+  share_with_what_leads_over(found);
   share_with_mirror_images(found);
   const double belief = puzzle_share(found, settings.sides_known);
   for (const FoundSeam& seam : found.seams)
-    for (const FoundSeam& part : parts_of(found, seam)) proposals.push_back(proposal_of(found, part, belief));
+    for (const FoundSeam& part : parts_of(found, seam)) {
+      SeamProposal proposal = proposal_of(found, part, belief);
+      name_edges(lines, pattern, proposal.seam);
+      for (SeamProposal& p : parted(pattern, std::move(proposal))) proposals.push_back(std::move(p));
+    }
   std::stable_sort(proposals.begin(), proposals.end(),
                    [](const SeamProposal& x, const SeamProposal& y) { return x.confidence > y.confidence; });
   return proposals;

@@ -34,10 +34,10 @@ bool runs_clockwise(std::span<const Vec2> outline);
 /// What decides is the garment that all seams make together: pairs of like length (and shape, notches, height
 /// along the grain); cloth that lies about flat around the points where pieces meet; borders that run on
 /// straight; openings that stay open, no handles; the same seams on mirrored pieces; and names that say left,
-/// right, front, back or sleeve, where they do. Confidence is how much worse the best garment without the
-/// seam would be, and lower where few names say what is what, where cloth lies on cloth, and in a wardrobe of
-/// many pieces. The order of the pieces does not matter. REQUIRES a pattern that validate() accepts. Some 0.1
-/// to 2 s; a cancelled run proposes nothing.
+/// right, front, back, or a kind of piece, where they do. Confidence is how much worse the best garment
+/// without the seam would be, and lower where few names say what is what, where cloth lies on cloth or two
+/// pieces have one role, and for collars. Seams may join parts of edges. The order of the pieces does not
+/// matter. REQUIRES a pattern that validate() accepts. Some 0.1 to 4 s; a cancelled run proposes nothing.
 std::vector<SeamProposal> propose_seams(const pattern::Pattern& pattern,
                                         const ProposalSettings& settings = {},
                                         const RunContext& context = {});

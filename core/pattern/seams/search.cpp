@@ -19,7 +19,7 @@ constexpr double kThreshold = 13;          // as much as two good seams
 constexpr double kDoubtThreshold = 2.5;    // once the garment stands
 constexpr int kTriesPerRun = 2000, kDoubtsPerRun = 25;
 constexpr int kMostWork = 3000000;      // tries times runs, of one search: a jacket takes as long as a shirt
-constexpr std::size_t kManyRuns = 70;   // a whole wardrobe: fewer and shorter searches
+constexpr std::size_t kManyRuns = 150;  // a whole wardrobe: fewer and shorter searches
 constexpr int kManyRunsWork = 1000000;  // of one of them
 constexpr double kSameMerit = 1e-6;
 constexpr int kAgree = 2;  // searches that find the same best: others would, too
@@ -77,7 +77,15 @@ std::vector<Index> parts_of_edge(const SeamModel& m, Index first) {
   return parts;
 }
 
-/// An edge whose parts are all sewn to whole edges is one seam; else every pair is.
+/// Whether the partners of run k and the next of `parts` are parts of one edge that follow each other.
+bool follow(const SeamModel& m, const SeamGluing& g, Index part, Index next) {
+  const Index x = g.partner[part], y = g.partner[next];
+  if (x == kNone || y == kNone || m.runs[x].panel != m.runs[y].panel || m.runs[x].edge != m.runs[y].edge)
+    return false;
+  return m.runs[x].from == m.runs[y].to || m.runs[x].to == m.runs[y].from;
+}
+
+/// An edge whose parts are all sewn to whole edges, or to the parts of one, is one seam; else every pair is.
 std::vector<FoundSeam> sewn_seams(const SeamModel& m, const SeamGluing& g, const std::vector<char>& locked) {
   std::vector<FoundSeam> seams;
   std::vector<bool> done(m.runs.size(), false);
@@ -85,9 +93,13 @@ std::vector<FoundSeam> sewn_seams(const SeamModel& m, const SeamGluing& g, const
   for (Index r = 0; r < static_cast<Index>(m.runs.size()); ++r) {
     if (whole(r) || m.runs[r].from > 0) continue;
     std::vector<Index> a = parts_of_edge(m, r), b;
-    for (const Index part : a)
-      if (g.partner[part] != kNone && whole(g.partner[part])) b.push_back(g.partner[part]);
-    if (a.size() != b.size()) continue;
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      const Index other = g.partner[a[k]];
+      const bool in_row =
+          (k > 0 && follow(m, g, a[k - 1], a[k])) || (k + 1 < a.size() && follow(m, g, a[k], a[k + 1]));
+      if (other != kNone && (whole(other) || in_row)) b.push_back(other);
+    }
+    if (a.size() != b.size() || std::any_of(a.begin(), a.end(), [&](Index x) { return done[x]; })) continue;
     if (g.turned[m.runs[r].panel]) {
       std::reverse(a.begin(), a.end());
       std::reverse(b.begin(), b.end());

@@ -10,7 +10,7 @@
 namespace toile::seams {
 namespace {
 
-constexpr std::size_t kLongest = 8;       // runs on a side
+constexpr std::size_t kLongest = 8;       // runs on a side, if it is not a whole border
 constexpr std::size_t kMostTrials = 150;  // that are looked at closely, at a time
 constexpr const SeriesWeights& kWeights = kSeriesWeights;
 
@@ -34,13 +34,13 @@ std::vector<Chain> chains_of(const SeamModel& m, const std::vector<std::vector<I
     const std::size_t n = borders[l].size();
     for (std::size_t first = 0; first < n; ++first) {
       Chain chain{l, first, {}, 0, false};
-      for (std::size_t k = 0; k < std::min(n, kLongest); ++k) {
+      for (std::size_t k = 0; k < n; ++k) {
         const Index r = borders[l][(first + k) % n];
         if (r < static_cast<Index>(locked.size()) && locked[r]) break;
         chain.runs.push_back(r);
         chain.length += m.runs[r].length;
         chain.whole = k + 1 == n;
-        chains.push_back(chain);
+        if (k < kLongest || chain.whole) chains.push_back(chain);
       }
     }
   }

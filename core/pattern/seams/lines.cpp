@@ -1,0 +1,197 @@
+#include "core/pattern/seams/lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "core/pattern/curve.h"
+#include "core/pattern/seams/model.h"
+#include "core/pattern/seams/weights.h"
+
+namespace toile::seams {
+namespace {
+
+constexpr const DartWeights& kWeights = kDartWeights;
+
+using EdgeSet = std::set<std::pair<Index, Index>>;
+
+EdgeSet sewn_edges(const pattern::Pattern& pattern) {
+  EdgeSet sewn;
+  for (const pattern::Seam& seam : pattern.seams)
+    for (const std::vector<pattern::SeamEdge>* side : {&seam.a, &seam.b})
+      for (const pattern::SeamEdge& e : *side) sewn.insert({e.panel, e.edge});
+  return sewn;
+}
+
+/// Whether the piece's lower end is a hem for certain.
+bool hangs_free(PieceKind kind) {
+  return kind == PieceKind::kSkirt || kind == PieceKind::kLegs || kind == PieceKind::kSleeve ||
+         kind == PieceKind::kFrill;
+}
+
+/// Whether the edges `first` and the next of the panel are a dart's legs.
+bool is_closed(const pattern::Panel& panel, std::size_t first) {
+  const std::vector<pattern::PanelEdge>& edges = panel.outline.edges;
+  const std::size_t n = edges.size();
+  const pattern::PanelEdge& in = edges[first];
+  const pattern::PanelEdge& out = edges[(first + 1) % n];
+  const double a = pattern::arc_length(in), b = pattern::arc_length(out);
+  if (std::abs(a - b) > kWeights.legs * std::max(a, b)) return false;
+  const double tip = 360 - corner_angle(in, out);
+  if (tip < kWeights.least_deg || tip > kWeights.most_deg) return false;
+  const double mouth =
+      corner_angle(edges[(first + n - 1) % n], in) + corner_angle(out, edges[(first + 2) % n]);
+  if (std::abs(mouth - 180) > kWeights.mouth_deg) return false;
+  return true;
+}
+
+/// Whether the dart's mouth is in a hem.
+bool is_slit(const pattern::Panel& panel, std::size_t first) {
+  const std::vector<pattern::PanelEdge>& edges = panel.outline.edges;
+  const pattern::PanelEdge& in = edges[first];
+  const pattern::PanelEdge& out = edges[(first + 1) % edges.size()];
+  const Vec2 across = out.curves.back().p3 - in.curves.front().p0;
+  const double up = dot(normalized(-perpendicular(across)), normalized(panel.grain));
+  return up < kWeights.top && hangs_free(words_of(panel.id).kind);
+}
+
+/// First legs of the panel's darts.
+std::vector<std::size_t> darts_of(const pattern::Panel& panel, Index index, const EdgeSet& sewn) {
+  const std::size_t n = panel.outline.edges.size();
+  std::vector<std::size_t> darts;
+  if (n < 5) return darts;
+  std::vector<char> used(n, 0);
+  for (std::size_t e = 0; e < n; ++e) {
+    const std::size_t around[] = {(e + n - 1) % n, e, (e + 1) % n, (e + 2) % n};
+    const auto taken = [&](std::size_t k) { return sewn.contains({index, static_cast<Index>(k)}); };
+    if (used[e] || used[around[2]] || std::any_of(std::begin(around), std::end(around), taken)) continue;
+    if (used[around[0]] == 1 || used[around[3]] == 1 || !is_closed(panel, e)) continue;
+    darts.push_back(e);
+    used[e] = used[around[2]] = 1;
+  }
+  return darts;
+}
+
+/// Whether edges of such pieces are parted where nothing but their program's way of drawing asks for it.
+bool is_parted_freely(PieceKind kind) {
+  return kind == PieceKind::kTorso || kind == PieceKind::kBand || kind == PieceKind::kSkirt ||
+         kind == PieceKind::kLegs;
+}
+
+/// Edges that go on from the one before without a corner.
+std::vector<char> goes_on(const pattern::Panel& panel, Index index, const EdgeSet& sewn) {
+  const std::vector<pattern::PanelEdge>& edges = panel.outline.edges;
+  const std::size_t n = edges.size();
+  std::vector<char> on(n, 0);
+  if (n < 2 || !is_parted_freely(words_of(panel.id).kind)) return on;
+  for (std::size_t e = 0; e < n; ++e) {
+    const std::size_t before = (e + n - 1) % n;
+    const bool free =
+        !sewn.contains({index, static_cast<Index>(e)}) && !sewn.contains({index, static_cast<Index>(before)});
+    const double a = pattern::arc_length(edges[before]), b = pattern::arc_length(edges[e]);
+    const bool halves = std::abs(a - b) < kWeights.halves * std::max(a, b);  // a middle that is marked
+    on[e] = free && !halves && std::abs(corner_angle(edges[before], edges[e]) - 180) < kWeights.smooth_deg;
+  }
+  return on;
+}
+
+/// The outline's edges by lines: each begins where no dart ends and no edge goes on.
+std::vector<std::vector<Index>> lines_around(std::size_t n, const std::vector<std::size_t>& darts,
+                                             std::vector<char> on) {
+  std::vector<char> leg(n, 0);
+  for (const std::size_t first : darts) {
+    leg[first] = leg[(first + 1) % n] = 1;
+    on[(first + 2) % n] = 1;
+  }
+  std::vector<std::vector<Index>> lines;
+  for (std::size_t e = 0; e < n; ++e) {
+    if (leg[e] || on[e]) continue;
+    std::vector<Index>& line = lines.emplace_back();
+    std::size_t at = e;
+    do {
+      line.push_back(static_cast<Index>(at));
+      at = (at + (leg[(at + 1) % n] ? 3 : 1)) % n;
+    } while (on[at]);
+  }
+  return lines;
+}
+
+pattern::PanelEdge joined(const pattern::Panel& panel, const std::vector<Index>& line) {
+  pattern::PanelEdge edge = panel.outline.edges[line.front()];
+  for (std::size_t k = 1; k < line.size(); ++k) {
+    const std::vector<pattern::CubicBezier>& more = panel.outline.edges[line[k]].curves;
+    edge.curves.insert(edge.curves.end(), more.begin(), more.end());
+  }
+  return edge;
+}
+
+void name_lines(const pattern::Pattern& pattern, SeamLines& lines) {
+  for (pattern::Seam& seam : lines.pattern.seams) {
+    for (std::vector<pattern::SeamEdge>* side : {&seam.a, &seam.b}) {
+      for (pattern::SeamEdge& e : *side) {
+        const std::vector<std::vector<Index>>& of = lines.edges[e.panel];
+        const auto outline = static_cast<Index>(pattern.panels[e.panel].outline.edges.size());
+        const auto at = std::find_if(of.begin(), of.end(), [&](const std::vector<Index>& line) {
+          return line.size() == 1 && line[0] == e.edge;
+        });
+        e.edge = e.edge >= outline ? e.edge - outline + static_cast<Index>(of.size())
+                                   : static_cast<Index>(at - of.begin());
+      }
+    }
+  }
+}
+
+}  // namespace
+
+SeamLines lines_of(const pattern::Pattern& pattern) {
+  SeamLines lines{pattern, {}, {}};
+  const EdgeSet sewn = sewn_edges(pattern);
+  for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
+    const pattern::Panel& panel = pattern.panels[p];
+    const std::size_t n = panel.outline.edges.size();
+    const auto index = static_cast<Index>(p);
+    std::vector<std::size_t> darts = darts_of(panel, index, sewn);
+    std::vector<char> on = goes_on(panel, index, sewn);
+    if (lines_around(n, darts, on).empty()) {  // no line has an end
+      darts.clear();
+      on.assign(n, 0);
+    }
+    for (const std::size_t first : darts)
+      lines.darts.push_back(
+          {index, static_cast<Index>(first), static_cast<Index>((first + 1) % n), is_slit(panel, first)});
+    lines.edges.push_back(lines_around(n, darts, on));
+    pattern::Loop loop;
+    for (const std::vector<Index>& line : lines.edges.back()) loop.edges.push_back(joined(panel, line));
+    lines.pattern.panels[p].outline = std::move(loop);
+  }
+  name_lines(pattern, lines);
+  return lines;
+}
+
+std::vector<pattern::SeamEdge> edges_of_line(const SeamLines& lines, const pattern::Pattern& pattern,
+                                             const pattern::SeamEdge& part) {
+  constexpr double kNear = 0.02, kNearMm = 3;  // a part that ends so close to a corner ends there
+  const std::vector<Index>& line = lines.edges[part.panel][part.edge];
+  std::vector<double> length;
+  double whole = 0;
+  for (const Index e : line) {
+    length.push_back(pattern::arc_length(pattern.panels[part.panel].outline.edges[e]));
+    whole += length.back();
+  }
+  std::vector<pattern::SeamEdge> edges;
+  double start = 0;
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    const double near = std::min(kNear, kNearMm / length[k]);
+    double from = std::clamp((part.from * whole - start) / length[k], 0.0, 1.0);
+    double to = std::clamp((part.to * whole - start) / length[k], 0.0, 1.0);
+    if (from < near) from = 0;
+    if (to > 1 - near) to = 1;
+    if (from < 1 - near && to > near) edges.push_back({part.panel, line[k], part.reversed, from, to});
+    start += length[k];
+  }
+  if (part.reversed) std::reverse(edges.begin(), edges.end());
+  return edges;
+}
+
+}  // namespace toile::seams

@@ -1,0 +1,152 @@
+// What names that tell kinds of pieces make of proposals.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "core/pattern/seams/model.h"
+#include "core/pattern/seams/propose.h"
+#include "core/pattern/validate.h"
+#include "tests/core/pattern/garments.h"
+
+namespace toile {
+namespace {
+
+using seams::SeamProposal;
+
+pattern::Panel sheet(const std::string& id, double hem, double top, double height) {
+  return garments::piece(id, {{0, 0}, {hem, 0}, {(hem + top) / 2, height}, {(hem - top) / 2, height}});
+}
+
+/// The most sure proposal that joins edges of the two pieces; none: 0.
+double surest(const pattern::Pattern& pattern, const std::vector<SeamProposal>& proposals,
+              const std::string& a, const std::string& b) {
+  double most = 0;
+  for (const SeamProposal& p : proposals) {
+    const std::string& x = pattern.panels[p.seam.a[0].panel].id;
+    const std::string& y = pattern.panels[p.seam.b[0].panel].id;
+    if ((x == a && y == b) || (x == b && y == a)) most = std::max(most, p.confidence);
+  }
+  return most;
+}
+
+TEST(ProposeByKinds, HangASkirtFromTheBandAndTheBandFromTheBodice) {
+  // The skirt is gathered to the band; its upper edge is as long as the bodice's lower one.
+  const pattern::Pattern pattern{
+      {sheet("bodice_front", 500, 420, 350), sheet("bodice_back", 480, 420, 350),
+       sheet("waistband_front", 380, 380, 50), sheet("waistband_back", 370, 370, 50),
+       sheet("skirt_front", 700, 500, 600), sheet("skirt_back", 690, 480, 600)},
+      {}};
+  const std::vector<SeamProposal> proposals = seams::propose_seams(pattern, {true});
+  for (const std::string face : {"front", "back"}) {
+    EXPECT_GT(surest(pattern, proposals, "bodice_" + face, "waistband_" + face), 0.8) << face;
+    EXPECT_GT(surest(pattern, proposals, "waistband_" + face, "skirt_" + face), 0.8) << face;
+    EXPECT_EQ(surest(pattern, proposals, "bodice_" + face, "skirt_" + face), 0) << face;
+  }
+}
+
+TEST(ProposeByKinds, HangLevelsOfASkirtInTheOrderOfTheirNumbers) {
+  const pattern::Pattern pattern{
+      {sheet("skirt_front", 600, 400, 250), sheet("skirt_back", 600, 400, 250),
+       sheet("skirt_front_0", 900, 900, 200), sheet("skirt_back_0", 900, 900, 200),
+       sheet("skirt_front_1", 1300, 1300, 180), sheet("skirt_back_1", 1300, 1300, 180)},
+      {}};
+  const std::vector<SeamProposal> proposals = seams::propose_seams(pattern, {true});
+  EXPECT_GT(surest(pattern, proposals, "skirt_front", "skirt_front_0"), 0.8);
+  EXPECT_GT(surest(pattern, proposals, "skirt_front_0", "skirt_front_1"), 0.8);
+  EXPECT_EQ(surest(pattern, proposals, "skirt_front", "skirt_front_1"), 0);
+}
+
+TEST(ProposeByKinds, SewGoresInTheOrderOfTheirNumbers) {
+  pattern::Pattern pattern;
+  for (int k = 0; k < 6; ++k)
+    pattern.panels.push_back(sheet("skirt_panel_" + std::to_string(k), 220, 120, 500));
+  const std::vector<SeamProposal> proposals = seams::propose_seams(pattern, {true});
+  for (int k = 0; k < 6; ++k) {
+    const std::string here = "skirt_panel_" + std::to_string(k),
+                      next = "skirt_panel_" + std::to_string((k + 1) % 6);
+    EXPECT_GT(surest(pattern, proposals, here, next), 0.5) << here;
+  }
+  EXPECT_EQ(surest(pattern, proposals, "skirt_panel_0", "skirt_panel_2"), 0);
+}
+
+TEST(ProposeByKinds, NeverSewAHemToAHem) {
+  const pattern::Pattern pattern{
+      {sheet("skirt_front", 700, 500, 600), sheet("skirt_back", 700, 500, 600),
+       sheet("skirt_front_lining", 700, 500, 600), sheet("skirt_back_lining", 700, 500, 600)},
+      {}};
+  for (const SeamProposal& p : seams::propose_seams(pattern)) {
+    const bool hems = p.seam.a[0].edge == 0 && p.seam.b[0].edge == 0;
+    EXPECT_FALSE(hems && p.confidence >= 0.5) << p.seam.id;
+  }
+}
+
+TEST(ProposeByKinds, AreUnsureOfEveryPieceThatHasARival) {
+  // Two fronts for one back: which of them is meant a person knows.
+  const pattern::Pattern pattern{{garments::bodice("front", 500, 85), garments::bodice("back", 610, 70),
+                                  garments::bodice("front_plain", 520, 85)},
+                                 {}};
+  for (const SeamProposal& p : seams::propose_seams(pattern)) EXPECT_LT(p.confidence, 0.8) << p.seam.id;
+}
+
+TEST(ProposeByKinds, LeaveAVentOpen) {
+  // The centre back runs down to a vent, which stands out from it.
+  const auto half = [](const std::string& id) {
+    return garments::piece(id, {{0, 0}, {290, 0}, {260, 620}, {30, 610}, {30, 280}, {0, 250}});
+  };
+  const pattern::Pattern pattern{{half("back_r"), garments::mirrored(half("x"), "back_l"),
+                                  garments::piece("front", {{0, 0}, {500, 0}, {470, 620}, {30, 620}})},
+                                 {}};
+  for (const SeamProposal& p : seams::propose_seams(pattern)) {
+    const std::string& a = pattern.panels[p.seam.a[0].panel].outline.edges[p.seam.a[0].edge].id;
+    const bool across =
+        p.seam.a[0].panel != p.seam.b[0].panel && p.seam.a[0].panel < 2 && p.seam.b[0].panel < 2;
+    EXPECT_FALSE(across && a == "e5" && p.confidence >= 0.8);
+  }
+}
+
+TEST(ProposeByKinds, PartASeamWhereEdgesEndOnBothSides) {
+  // Darts parted both waists at the same places.
+  const auto darted = [](const std::string& id, bool above, double width) {
+    const double y = above ? 0 : 400, tip = above ? 120 : 280;
+    std::vector<garments::Node> nodes{{0, y}, {140, y}, {140 + width / 2, tip}, {140 + width, y}, {400, y}};
+    if (above)
+      nodes.insert(nodes.end(), {{390, 400}, {10, 400}});
+    else
+      nodes = {{-80, 0}, {480, 0}, {400, y}, {140 + width, y}, {140 + width / 2, tip}, {140, y}, {0, y}};
+    return garments::piece(id, nodes);
+  };
+  const pattern::Pattern pattern{{darted("bodice_front", true, 20), darted("bodice_back", true, 24),
+                                  darted("skirt_front", false, 20), darted("skirt_back", false, 24)},
+                                 {}};
+  int parts = 0;
+  for (const SeamProposal& p : seams::propose_seams(pattern, {true})) {
+    const bool waist = (p.seam.a[0].panel < 2) != (p.seam.b[0].panel < 2);
+    if (!waist) continue;
+    EXPECT_EQ(p.seam.a.size(), 1u);
+    EXPECT_EQ(p.seam.b.size(), 1u);
+    EXPECT_NEAR(p.length_a, p.length_b, 1);
+    ++parts;
+  }
+  EXPECT_EQ(parts, 4);
+}
+
+TEST(PieceWords, TellKindsOfPieces) {
+  using seams::PieceKind;
+  EXPECT_EQ(seams::words_of("left_ftorso").kind, PieceKind::kTorso);
+  EXPECT_EQ(seams::words_of("skirt_panel_3").kind, PieceKind::kSkirt);
+  EXPECT_EQ(seams::words_of("sl_left_cuff_skirt_f").kind, PieceKind::kFrill);
+  EXPECT_EQ(seams::words_of("pant_r_cuff_f").kind, PieceKind::kCuff);
+  EXPECT_TRUE(seams::words_of("pant_r_cuff_f").leg);
+  EXPECT_EQ(seams::words_of("Waistband").kind, PieceKind::kBand);
+  EXPECT_EQ(seams::words_of("front").kind, PieceKind::kOther);
+  EXPECT_EQ(seams::hangs_from(PieceKind::kSkirt, PieceKind::kTorso), 1);
+  EXPECT_EQ(seams::hangs_from(PieceKind::kTorso, PieceKind::kSkirt), -1);
+  EXPECT_EQ(seams::hangs_from(PieceKind::kSkirt, PieceKind::kOther), 0);
+  EXPECT_FALSE(seams::ever_meet(PieceKind::kHood, PieceKind::kLegs));
+}
+
+}  // namespace
+}  // namespace toile
