@@ -1,5 +1,6 @@
 #include "proto/cpp/bit_pack.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -37,7 +38,7 @@ void pack_eight(const std::uint16_t* v, char* out) {
 template <int W>
 void unpack_eight(const char* in, std::uint16_t* v) {
   std::uint64_t low = 0, high = 0;
-  std::memcpy(&low, in, W < 8 ? W : 8);
+  std::memcpy(&low, in, std::min(W, 8));
   if constexpr (W > 8) std::memcpy(&high, in + 8, W - 8);
   if constexpr (W <= 8) {
     high = low >> (4 * W);

@@ -23,7 +23,8 @@ std::int16_t nearest(double steps) {
   if (std::isnan(steps)) return 0;
   const double inside = std::clamp(steps, low, high);
   // From −32768 everything is positive, and cutting off is rounding down.
-  return static_cast<std::int16_t>(static_cast<int>(inside - low + 0.5) + static_cast<int>(low));
+  const double half_up = inside - low + 0.5;
+  return static_cast<std::int16_t>(static_cast<int>(half_up) + static_cast<int>(low));
 }
 
 }  // namespace
