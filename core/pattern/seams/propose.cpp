@@ -80,6 +80,7 @@ std::vector<FoundSeam> parts_of(const FoundSeams& found, const FoundSeam& seam) 
   for (std::size_t k = 0; k < seam.a.size(); ++k) {
     if (k == 0 || (ends(seam.a[k - 1], seam.a[k]) && ends(seam.b[k - 1], seam.b[k])))
       parts.push_back({{}, {}, seam.margin});
+    parts.back().adrift = seam.adrift;
     parts.back().a.push_back(seam.a[k]);
     parts.back().b.push_back(seam.b[k]);
   }
@@ -204,6 +205,7 @@ SeamProposal proposal_of(const FoundSeams& found, const FoundSeam& seam, double 
   plainly(p.seam);
   p.confidence = confidence_of(seam.margin, p.length_a, p.length_b) * layer_share(found, seam) *
                  collar_share(found, seam) * rival_share(found, seam) * belief;
+  if (seam.adrift) p.confidence *= kWeights.adrift;
   return p;
 }
 

@@ -72,6 +72,23 @@ TEST(ProposeByKinds, SewGoresInTheOrderOfTheirNumbers) {
   EXPECT_EQ(surest(pattern, proposals, "skirt_panel_0", "skirt_panel_2"), 0);
 }
 
+TEST(ProposeByKinds, DoNotSayHowFarARingOfGoresIsTurnedInItsBand) {
+  // Seven gores in a band of two pieces: its side seams meet no more than one of theirs.
+  pattern::Pattern pattern{{sheet("waistband_front", 430, 430, 60), sheet("waistband_back", 400, 400, 60)},
+                           {}};
+  for (int k = 0; k < 7; ++k)
+    pattern.panels.push_back(sheet("skirt_panel_" + std::to_string(k), 220, 120, 500));
+  double gores = 0;
+  for (const SeamProposal& p : seams::propose_seams(pattern, {true})) {
+    const bool waist = (p.seam.a[0].panel < 2) != (p.seam.b[0].panel < 2);
+    if (waist) {
+      EXPECT_LT(p.confidence, 0.8) << p.seam.id;
+    }
+    if (!waist && p.seam.a[0].panel >= 2) gores = std::max(gores, p.confidence);
+  }
+  EXPECT_GT(gores, 0.8) << "of the gores themselves it is sure";
+}
+
 TEST(ProposeByKinds, NeverSewAHemToAHem) {
   const pattern::Pattern pattern{
       {sheet("skirt_front", 700, 500, 600), sheet("skirt_back", 700, 500, 600),
