@@ -12,6 +12,7 @@
 #include "core/json/tree.h"
 #include "core/pattern/curve.h"
 #include "core/pattern/garmentcode/curves.h"
+#include "core/pattern/garmentcode/trim.h"
 #include "core/pattern/validate.h"
 
 namespace toile::garmentcode {
@@ -297,8 +298,11 @@ Status add_panel(const std::string& name, const Place& place, const Conventions&
     mirror_x(panel.outline);
     extra.placement.flipped = true;
   }
-  if (const Status valid = pattern::validate(panel); !valid)
-    return json::error_at(place.pointer, valid.error());
+  if (const Status valid = pattern::validate(panel); !valid) {
+    const std::vector<std::string> trimmed = trim_crossing_corners(panel);
+    if (trimmed.empty() || !pattern::validate(panel)) return json::error_at(place.pointer, valid.error());
+    for (const std::string& what : trimmed) garment.notes.push_back(place.pointer + ": " + what);
+  }
   garment.pattern.panels.push_back(std::move(panel));
   garment.panels.push_back(std::move(extra));
   return {};

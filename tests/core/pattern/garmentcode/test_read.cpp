@@ -57,6 +57,36 @@ TEST(GarmentCodeRead, CountsCentimetresUnlessTheFileSaysOtherwise) {
   EXPECT_NEAR(thirds->panels[0].placement.translation.y, 0.02 / 3, 1e-12);
 }
 
+/// A bodice half whose neckline is an arc of `radius` about its neck point at (5, 46), sewn nowhere.
+std::string bodice(double radius) {
+  return R"({"pattern": {"panels": {"front": {"vertices": [[0, 0], [25, 0], [25, 20], [17, 41], [5, 46], [0, 15]],
+    "edges": [{"endpoints": [0, 1]}, {"endpoints": [1, 2]}, {"endpoints": [2, 3]}, {"endpoints": [3, 4]},
+      {"endpoints": [4, 5], "curvature": {"type": "circle", "params": [)" +
+         std::to_string(radius) + R"(, 0, 0]}}, {"endpoints": [5, 0]}]}}}})";
+}
+
+TEST(GarmentCodeRead, ANecklineThatRunsPastTheShoulderEndsOnIt) {
+  const auto read = garmentcode::read_garmentcode(bodice(15.9));
+  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  const pattern::Panel& panel = read->pattern.panels[0];
+  EXPECT_TRUE(pattern::validate(panel).ok());
+  ASSERT_EQ(panel.outline.edges.size(), 6u);
+  const Vec2 end = panel.outline.edges[3].curves.back().p3;
+  EXPECT_EQ(end, panel.outline.edges[4].curves.front().p0);
+  const Vec2 along = normalized(Vec2{170, 410} - Vec2{50, 460});
+  EXPECT_NEAR(cross(end - Vec2{50, 460}, along), 0, 1e-3) << "on the shoulder line";
+  EXPECT_GT(dot(end - Vec2{50, 460}, along), 1);
+  ASSERT_EQ(read->notes.size(), 1u);
+  EXPECT_NE(read->notes[0].find("/pattern/panels/front"), std::string::npos) << read->notes[0];
+}
+
+TEST(GarmentCodeRead, AnOutlineThatCrossesItselfElsewhereIsRefused) {
+  const Error crossed = error_of(
+      R"({"pattern": {"panels": {"front": {"vertices": [[0, 0], [20, 0], [2, 20], [18, 20]], "edges":
+        [{"endpoints": [0, 1]}, {"endpoints": [1, 2]}, {"endpoints": [2, 3]}, {"endpoints": [3, 0]}]}}}})");
+  EXPECT_EQ(crossed.code, "pattern.self_crossing");
+}
+
 TEST(GarmentCodeRead, TakesControlPointsRelativeToTheEdge) {
   const auto bare = garmentcode::read_garmentcode(with_first_edge("[0.5, -0.2]"));
   ASSERT_TRUE(bare.ok()) << to_string(bare.error());
@@ -167,7 +197,7 @@ TEST(GarmentCodeRead, NamesThePlaceOfWhatIsBroken) {
        front + "/edges/0/curvature/params/0"},
       {with_first_edge("[0.5]"), "garmentcode.range", front + "/edges/0/curvature"},
       {with_first_edge("[0.5, 1e300]"), "garmentcode.range", front + "/edges/0/curvature/1"},
-      {with_first_edge("[1.5, 0.4]"), "pattern.self_crossing", front + ": piece front, edge e0"},
+      {with_first_edge("[0.5, 3]"), "pattern.self_crossing", front + ": piece front, edge e0"},
       {square(kPlainEdges,
               R"(, "stitches": [[{"panel": "front", "edge": 4}, {"panel": "front", "edge": 1}]])"),
        "garmentcode.reference", "/pattern/stitches/0/0/edge"},
