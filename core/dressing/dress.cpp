@@ -209,22 +209,25 @@ void make_room(const Wearer& wearer, Sewn& sewn) {
 void come_back(const Wearer& wearer, const DressingWay& way, const RunContext& context, Sewn& sewn) {
   const SlimFigure whole = wearer.slim(0);
   const collision::Surface surface = collision::make_surface(sewn.mesh.triangles, sewn.mesh.vertex_count);
-  const auto parted = [&](std::vector<Vec3>& x) {
-    return untangle(surface, whole, wearer.crossing(), sewn.mesh.spacing, kUntangling, x).none();
-  };
-  for (int round = 0; !parted(sewn.x); ++round) {
-    if (round == kSmoothings || context.cancelled()) return;
-    // What is caught in a fold comes free as the fold is smoothed.
-    ShapeSolver solver(sewn.mesh, {}, {way.least_stretch, 1.05, kSmooth, 0, 0.05, 0});
-    for (int i = 0; i < kSpreading; ++i) solver.pass(sewn.x, {}, &whole);
-  }
-  for (const double least : kComingBack) {
-    if (context.cancelled()) return;
-    ShapeSolver solver(sewn.mesh, {},
-                       {std::max(least, way.least_stretch), 1.02, 0.5 * way.bending, 0, 0.05, 0});
-    std::vector<Vec3> x = sewn.x;
+  const auto pass = [&](std::vector<Vec3>& x, double least, double bending) {
+    ShapeSolver solver(sewn.mesh, {}, {least, 1.02, bending, 0, 0.05, 0});
     for (int i = 0; i < kSpreading; ++i) solver.pass(x, {}, &whole);
-    if (!parted(x)) return;
+  };
+  // What is caught in a fold comes free as the fold is smoothed.
+  const auto parted = [&](std::vector<Vec3>& x, double least) {
+    for (int round = 0;; ++round) {
+      if (untangle(surface, whole, wearer.crossing(), sewn.mesh.spacing, kUntangling, x).none()) return true;
+      if (round == kSmoothings || context.cancelled()) return false;
+      pass(x, least, kSmooth);
+    }
+  };
+  if (!parted(sewn.x, way.least_stretch)) return;
+  for (const double wanted : kComingBack) {
+    if (context.cancelled()) return;
+    const double least = std::max(wanted, way.least_stretch);
+    std::vector<Vec3> x = sewn.x;
+    pass(x, least, 0.5 * way.bending);
+    if (!parted(x, least)) return;
     sewn.x = std::move(x);
   }
 }

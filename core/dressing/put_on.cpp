@@ -7,6 +7,9 @@ namespace toile::dressing {
 
 namespace {
 
+/// Cloth that keeps less of its size than this leaves takes long to unfold: another way may do better.
+constexpr double kSqueezed = 0.4;  // as Certificate::shrink_p99
+
 /// Where a flat point lies in a triangle, as weights of its corners; how far outside at worst (0: inside).
 struct FlatPlace {
   std::array<double, 3> share{};
@@ -54,17 +57,23 @@ std::vector<Vec3> carried_over(const sewing::GarmentMesh& fine, const sewing::Ga
 
 std::optional<Dressed> put_on(const sewing::Assembly& fine, const sewing::Assembly& coarse,
                               const Wearer& wearer, const RunContext& context) {
+  std::optional<Dressed> best;  // the least squeezed
   for (const DressingWay& way : dressing_ways()) {
     if (context.cancelled()) return std::nullopt;
     Dressed dressed = dress(coarse, wearer, way, context);
     if (!dressed.certificate.holds()) continue;
+    const double squeezed = dressed.certificate.shrink_p99;
+    if (best && squeezed >= best->certificate.shrink_p99) continue;
     if (&fine != &coarse) {
       dressed.positions = carried_over(fine.garment, coarse.garment, dressed.positions);
       finish(fine, wearer, dressed);
     }
-    if (dressed.certificate.holds()) return dressed;
+    if (!dressed.certificate.holds()) continue;
+    best = std::move(dressed);
+    best->certificate.shrink_p99 = squeezed;
+    if (squeezed < kSqueezed) break;
   }
-  return std::nullopt;
+  return best;
 }
 
 }  // namespace toile::dressing

@@ -12,6 +12,8 @@ constexpr double kStep = 0.08;      // of the mean edge, by which a crossing mov
 constexpr double kMost = 0.25;      // of the mean edge, that a vertex moves in a pass
 constexpr double kSteepest = 3;     // where an edge runs nearly along the face that it crosses
 constexpr double kSmoothing = 0.3;  // of the way to the neighbours' mean
+constexpr int kPatience = 40;       // passes in which a tangle must become smaller,
+constexpr double kProgress = 0.9;   // to this share at most, or it is left
 constexpr double kOut = 1.5e-3;     // m, that what crosses the body moves outwards in a pass
 
 /// The neighbours of each vertex, once for each triangle that they share.
@@ -123,9 +125,14 @@ Tangle untangle(const collision::Surface& cloth, const SlimFigure& figure,
                 const collision::CrossingBody& body, double spacing, int passes, std::vector<Vec3>& x) {
   Untangler untangler(cloth, spacing, x);
   Tangle left = untangler.look(body);
+  int before = left.cloth_body + left.cloth_cloth;
   for (int i = 0; i < passes && !left.none(); ++i) {
     untangler.pass(figure);
     left = untangler.look(body);
+    if ((i + 1) % kPatience != 0) continue;
+    const int now = left.cloth_body + left.cloth_cloth;
+    if (now > kProgress * before) break;
+    before = now;
   }
   return left;
 }

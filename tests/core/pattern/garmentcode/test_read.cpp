@@ -197,7 +197,7 @@ TEST(GarmentCodeRead, NamesThePlaceOfWhatIsBroken) {
        front + "/edges/0/curvature/params/0"},
       {with_first_edge("[0.5]"), "garmentcode.range", front + "/edges/0/curvature"},
       {with_first_edge("[0.5, 1e300]"), "garmentcode.range", front + "/edges/0/curvature/1"},
-      {with_first_edge("[0.5, 3]"), "pattern.self_crossing", front + ": piece front, edge e0"},
+      {with_first_edge("[0.5, 2.5]"), "pattern.self_crossing", front + ": piece front, edge e0"},
       {square(kPlainEdges,
               R"(, "stitches": [[{"panel": "front", "edge": 4}, {"panel": "front", "edge": 1}]])"),
        "garmentcode.reference", "/pattern/stitches/0/0/edge"},
