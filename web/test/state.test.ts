@@ -110,6 +110,8 @@ describe('facts about jobs', () => {
     ];
     expect(placeInQueue(queue, 'a')).toBe(1);
     expect(placeInQueue(queue, 'b')).toBe(0);
+    const atOnce = queue.map((job) => ({ ...job, state: 'queued' as const, created_ms: 5 }));
+    expect(['a', 'b', 'c'].map((id) => placeInQueue(atOnce, id))).toEqual([0, 1, 2]);
   });
 
   it('open a running job before a newer one that has ended', () => {

@@ -62,7 +62,10 @@ export const commandsOf = (state: JobState): { pause: boolean; resume: boolean; 
 export function placeInQueue(jobs: readonly Job[], id: string): number {
   const own = jobs.find((job) => job.id === id);
   if (!own) return 0;
-  return jobs.filter((job) => job.state === 'queued' && job.id !== id && job.created_ms < own.created_ms).length;
+  // Ids are given in order: several jobs may come within a millisecond.
+  const earlier = (job: Job) =>
+    job.created_ms < own.created_ms || (job.created_ms === own.created_ms && job.id < own.id);
+  return jobs.filter((job) => job.state === 'queued' && earlier(job)).length;
 }
 
 /** The newest job of a project, or null. */
