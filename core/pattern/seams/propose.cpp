@@ -80,7 +80,6 @@ std::vector<FoundSeam> parts_of(const FoundSeams& found, const FoundSeam& seam) 
   for (std::size_t k = 0; k < seam.a.size(); ++k) {
     if (k == 0 || (ends(seam.a[k - 1], seam.a[k]) && ends(seam.b[k - 1], seam.b[k])))
       parts.push_back({{}, {}, seam.margin});
-    parts.back().adrift = seam.adrift;
     parts.back().a.push_back(seam.a[k]);
     parts.back().b.push_back(seam.b[k]);
   }
@@ -168,6 +167,18 @@ double rival_share(const FoundSeams& found, const FoundSeam& seam) {
   return 1;
 }
 
+/// Gores go around what they hang from, and nothing says how far they are turned.
+double gores_share(const FoundSeams& found, const FoundSeam& seam) {
+  const SeamModel& m = found.model;
+  const auto gore = [&](Index r) {
+    const Index p = m.runs[r].panel;
+    return m.rows[p].size > 2 && m.words[p].kind == PieceKind::kSkirt;
+  };
+  const bool a = std::any_of(seam.a.begin(), seam.a.end(), gore);
+  const bool b = std::any_of(seam.b.begin(), seam.b.end(), gore);
+  return a != b ? kWeights.gores : 1;
+}
+
 /// How far the garment that was found is to be believed in. Where few names tell fronts from backs, and it is
 /// not known which side of the pieces one sees, another garment is often as good: what is then proposed is
 /// for a person to decide.
@@ -204,8 +215,7 @@ SeamProposal proposal_of(const FoundSeams& found, const FoundSeam& seam, double 
   p.seam.b = series_of(found, other, p.length_b);
   plainly(p.seam);
   p.confidence = confidence_of(seam.margin, p.length_a, p.length_b) * layer_share(found, seam) *
-                 collar_share(found, seam) * rival_share(found, seam) * belief;
-  if (seam.adrift) p.confidence *= kWeights.adrift;
+                 collar_share(found, seam) * rival_share(found, seam) * gores_share(found, seam) * belief;
   return p;
 }
 

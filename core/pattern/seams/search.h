@@ -13,9 +13,6 @@ namespace toile::seams {
 struct FoundSeam {
   std::vector<Index> a, b;
   double margin = 0;  ///< merit that the best garment without this seam lacks
-  /// A ring of many edges sewn to a ring, and no corners but the first meet: how far it is turned nothing
-  /// says.
-  bool adrift = false;
 };
 
 struct FoundSeams {

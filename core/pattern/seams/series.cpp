@@ -11,7 +11,6 @@ namespace toile::seams {
 namespace {
 
 constexpr std::size_t kLongest = 8;       // runs on a side, if it is not a whole border
-constexpr std::size_t kManyRuns = 4;      // of a ring whose corners ought to meet others
 constexpr std::size_t kMostTrials = 150;  // that are looked at closely, at a time
 constexpr const SeriesWeights& kWeights = kSeriesWeights;
 
@@ -146,8 +145,6 @@ std::optional<FoundSeams> with_series(const pattern::Pattern& pattern, const Fou
   std::reverse(from_a.begin(), from_a.end());
   const std::vector<double> from_b = seen_from(found.model, a, b);
   FoundSeam seam;
-  seam.adrift = a.whole && b.whole && std::max(a.runs.size(), b.runs.size()) >= kManyRuns &&
-                meeting_corners(found.model, a, b) == 0;
   seam.a = cut_chain(pattern, next.model, next.gluing, a.runs, from_b, near);
   seam.b = cut_chain(pattern, next.model, next.gluing, b.runs, from_a, near * b.length / a.length);
   if (seam.a.size() != seam.b.size()) return std::nullopt;

@@ -221,7 +221,7 @@ struct ConfidenceWeights {
   double beside_layer = 0.85;   ///< … and for others of a garment that has any
   double nameless = 0.78;       ///< factor where no name tells sides or fronts …
   double enough_names = 0.5;    ///< … none from this share of pieces on
-  double adrift = 0.6;          ///< factor for rings that may be turned against each other
+  double gores = 0.6;           ///< factor for the waist of a skirt of gores: they may be turned in it
   double rival = 0.79;          ///< factor where another piece has the role of one of its pieces
 };
 
