@@ -82,7 +82,8 @@ Result<std::string> Remote::id_of(const http::HttpClient::Request& request) {
   return Error{"client.malformed", "the server's answer has no id", request.target, ErrorKind::kSystem};
 }
 
-Result<std::string> Remote::upload(const std::string& kind, const std::string& name, std::string bytes) {
+Result<std::string> Remote::upload(const std::string& kind, const std::string& name,
+                                   const std::string& bytes) {
   return id_of(post("/api/v1/assets?kind=" + kind + "&name=" + percent_encoded(name), bytes,
                     "application/octet-stream"));
 }
@@ -90,6 +91,7 @@ Result<std::string> Remote::upload(const std::string& kind, const std::string& n
 Result<std::string> Remote::create_project(const std::string& document,
                                            const std::vector<std::pair<std::string, std::string>>& files) {
   std::vector<json::JsonMember> names;
+  names.reserve(files.size());
   for (const auto& [name, id] : files) names.push_back({name, id});
   const std::string body =
       "{\"document\": " + document + ", \"files\": " + json::write_json_line(names) + "}";

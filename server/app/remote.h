@@ -18,7 +18,7 @@ class Remote {
   explicit Remote(http::HttpClient client) : client_(std::move(client)) {}
 
   /// The asset's id.
-  Result<std::string> upload(const std::string& kind, const std::string& name, std::string bytes);
+  Result<std::string> upload(const std::string& kind, const std::string& name, const std::string& bytes);
   /// The project's id. `files`: name in the document → asset id.
   Result<std::string> create_project(const std::string& document,
                                      const std::vector<std::pair<std::string, std::string>>& files);

@@ -54,9 +54,8 @@ Result<std::string> send_project(Remote& remote, const std::string& path) {
   for (const documents::UsedFile& used : documents::used_files(project)) {
     if (sent.contains(used.name)) continue;
     if (Status name = resolve::check_file_name(used.name); !name) return placed_at(name.error(), used.where);
-    std::string bytes = TRY(read_file(fs::path(path).parent_path() / used.name, used.where));
-    const std::string id =
-        TRY(remote.upload(used.kind, fs::path(used.name).filename().string(), std::move(bytes)));
+    const std::string bytes = TRY(read_file(fs::path(path).parent_path() / used.name, used.where));
+    const std::string id = TRY(remote.upload(used.kind, fs::path(used.name).filename().string(), bytes));
     sent[used.name] = id;
     files.emplace_back(used.name, id);
   }
