@@ -139,6 +139,33 @@ void share_with_what_leads_over(FoundSeams& found) {
   }
 }
 
+bool is_middle_of_back(const SeamModel& m, const FoundSeam& seam) {
+  if (seam.a.size() != 1 || seam.b.size() != 1 || m.mirror[seam.a[0]] != seam.b[0]) return false;
+  const SeamRun &a = m.runs[seam.a[0]], &b = m.runs[seam.b[0]];
+  return a.panel != b.panel && a.straight && m.words[a.panel].face < 0 && m.words[b.panel].face < 0;
+}
+
+/// Fronts may stay open in the middle; a back that is cut in two halves does not, if it is sewn to anything.
+void share_with_sides(FoundSeams& found) {
+  const SeamModel& m = found.model;
+  for (FoundSeam& middle : found.seams) {
+    if (!is_middle_of_back(m, middle)) continue;
+    const Index half = m.runs[middle.a[0]].panel, other = m.runs[middle.b[0]].panel;
+    const bool only = std::count_if(found.seams.begin(), found.seams.end(), [&](const FoundSeam& seam) {
+                        return is_middle_of_back(m, seam) &&
+                               (m.runs[seam.a[0]].panel == half || m.runs[seam.a[0]].panel == other);
+                      }) == 1;
+    if (!only) continue;
+    double surest = 0;
+    for (const FoundSeam& seam : found.seams) {
+      const Index p = m.runs[seam.a[0]].panel, q = m.runs[seam.b[0]].panel;
+      if ((p == half) == (q == half) || p == other || q == other) continue;
+      surest = std::max(surest, seam.margin);
+    }
+    middle.margin = std::max(middle.margin, surest);
+  }
+}
+
 /// Where pieces lie upon others there is a seam for every edge in every layer, and nothing in their outlines
 /// says which belong to one: such seams are for a person to decide, the more where a layer takes part.
 double layer_share(const FoundSeams& found, const FoundSeam& seam) {
@@ -325,6 +352,7 @@ std::vector<SeamProposal> proposals_in_order(const pattern::Pattern& pattern,
     if (!dart.slit) proposals.push_back(closing(pattern, dart));
   share_with_what_leads_over(found);
   share_with_mirror_images(found);
+  share_with_sides(found);
   const double belief = puzzle_share(found, settings.sides_known);
   for (const FoundSeam& seam : found.seams)
     for (const FoundSeam& part : parts_of(found, seam)) {

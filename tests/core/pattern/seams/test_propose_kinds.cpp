@@ -124,6 +124,24 @@ TEST(ProposeByKinds, LeaveAVentOpen) {
   }
 }
 
+TEST(ProposeByKinds, CloseABackThatIsCutInHalvesOverItsVent) {
+  const std::vector<garments::Node> half{{-40, 0},  {210, 0}, {225, 400}, {190, 600},
+                                         {0, 590}, {0, 250}, {-40, 250}};
+  std::vector<garments::Node> other;
+  for (auto p = half.rbegin(); p != half.rend(); ++p) {
+    garments::Node node = *p;
+    node.x = -node.x;
+    other.push_back(node);
+  }
+  const pattern::Pattern pattern{
+      {garments::piece("front", {{-215, 0}, {215, 0}, {230, 400}, {195, 600}, {-195, 600}, {-230, 400}}),
+       garments::piece("back", half), garments::piece("back_mirrored", other)},
+      {}};
+  const std::vector<SeamProposal> proposals = seams::propose_seams(pattern, {true});
+  EXPECT_GE(surest(pattern, proposals, "back", "back_mirrored"), 0.8);
+  EXPECT_GE(surest(pattern, proposals, "front", "back"), 0.8);
+}
+
 TEST(ProposeByKinds, PartASeamWhereEdgesEndOnBothSides) {
   // Darts parted both waists at the same places.
   const auto darted = [](const std::string& id, bool above, double width) {
