@@ -302,6 +302,7 @@ void name_edges(const SeamLines& lines, const pattern::Pattern& pattern, pattern
 /// Lengths from the series' start to the end of each of its edges, mm.
 std::vector<double> ends_along(const pattern::Pattern& pattern, const std::vector<pattern::SeamEdge>& side) {
   std::vector<double> ends;
+  ends.reserve(side.size());
   double at = 0;
   for (const pattern::SeamEdge& e : side)
     ends.push_back(at += (e.to - e.from) *

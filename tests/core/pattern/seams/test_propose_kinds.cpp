@@ -125,7 +125,7 @@ TEST(ProposeByKinds, LeaveAVentOpen) {
 }
 
 TEST(ProposeByKinds, CloseABackThatIsCutInHalvesOverItsVent) {
-  const std::vector<garments::Node> half{{-40, 0},  {210, 0}, {225, 400}, {190, 600},
+  const std::vector<garments::Node> half{{-40, 0}, {210, 0}, {225, 400}, {190, 600},
                                          {0, 590}, {0, 250}, {-40, 250}};
   std::vector<garments::Node> other;
   for (auto p = half.rbegin(); p != half.rend(); ++p) {
