@@ -7,7 +7,7 @@
 #include "core/arrange/piece_cover.h"
 #include "core/base/disjoint_sets.h"
 #include "core/geometry/polygon2.h"
-#include "core/pattern/seams/model.h"
+#include "core/pattern/seams/piece_words.h"
 
 namespace toile::arrange {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/text.h"
-#include "core/pattern/seams/model.h"
+#include "core/pattern/seams/piece_words.h"
 
 namespace toile::arrange {
 

@@ -62,11 +62,22 @@ Vec2 guessed_tangent(Points p, std::size_t i, const TangentGuess& guess) {
   return guess.turn == 0 ? t : t * std::cos(guess.turn) + perpendicular(t) * std::sin(guess.turn);
 }
 
+/// How close cubics must come.
+struct Closeness {
+  double tolerance;       // mm
+  std::size_t* compared;  // counts points held against a cubic
+};
+
+std::optional<CubicBezier> tried(Points p, Vec2 t0, Vec2 t1, const Closeness& close, std::size_t& farthest) {
+  *close.compared += p.size();
+  return fit_cubic(p, t0, t1, close.tolerance, farthest);
+}
+
 /// Indices where cubics for the smooth run p meet, by halving it at the worst point; ascending, both ends in.
-void halve_smooth(Points p, std::size_t offset, Vec2 t0, Vec2 t1, double tolerance,
+void halve_smooth(Points p, std::size_t offset, Vec2 t0, Vec2 t1, const Closeness& close,
                   std::vector<std::size_t>& joints) {
   std::size_t farthest = 0;
-  if (fit_cubic(p, t0, t1, tolerance, farthest)) {
+  if (tried(p, t0, t1, close, farthest)) {
     joints.push_back(offset + p.size() - 1);
     return;
   }
@@ -74,8 +85,8 @@ void halve_smooth(Points p, std::size_t offset, Vec2 t0, Vec2 t1, double toleran
   const std::size_t last = p.size() - 1, margin = std::max<std::size_t>(1, last / 10);
   const std::size_t at = std::clamp(farthest, margin, last - margin);
   const Vec2 tangent = inner_tangent(p, at);
-  halve_smooth(p.first(at + 1), offset, t0, tangent, tolerance, joints);
-  halve_smooth(p.subspan(at), offset + at, tangent, t1, tolerance, joints);
+  halve_smooth(p.first(at + 1), offset, t0, tangent, close, joints);
+  halve_smooth(p.subspan(at), offset + at, tangent, t1, close, joints);
 }
 
 /// A place where two cubics meet.
@@ -87,7 +98,7 @@ struct Joint {
 
 /// How far one cubic reaches from a joint, by each way to guess the tangent at its end: one joint each.
 void reach_from(Points p, Indices ends, const std::vector<Joint>& joints, std::size_t from, Vec2 t1,
-                double tolerance, const Effort& effort, std::vector<Joint>& reached) {
+                const Closeness& close, const Effort& effort, std::vector<Joint>& reached) {
   const std::size_t begin = joints[from].at;
   const auto stop = std::upper_bound(ends.begin(), ends.end(), begin);
   const std::size_t last = stop == ends.end() ? p.size() - 1 : *stop;
@@ -98,8 +109,7 @@ void reach_from(Points p, Indices ends, const std::vector<Joint>& joints, std::s
       return Joint{j, j + 1 == p.size() ? t1 : guessed_tangent(p, j, guess), from};
     };
     const auto fits = [&](std::size_t j) {
-      return fit_cubic(p.subspan(begin, j - begin + 1), t0, joint(j).tangent, tolerance, farthest)
-          .has_value();
+      return tried(p.subspan(begin, j - begin + 1), t0, joint(j).tangent, close, farthest).has_value();
     };
     // A longer run is harder to fit, but for exceptions that cost a curve at most.
     std::size_t good = begin + 1, bad = last + 1;
@@ -122,15 +132,15 @@ void reach_from(Points p, Indices ends, const std::vector<Joint>& joints, std::s
 /// As few cubics as a look at several ways finds: from each place on as far as a cubic reaches, with several
 /// tangents at its end, since those of files whose curves were sampled, rounded or made of arcs are not exact
 /// and which one serves best shows only later. Nothing when that takes `most` cubics or more.
-std::vector<Joint> reach_on(Points p, Indices ends, Vec2 t0, Vec2 t1, double tolerance, const Effort& effort,
-                            std::size_t most) {
+std::vector<Joint> reach_on(Points p, Indices ends, Vec2 t0, Vec2 t1, const Closeness& close,
+                            const Effort& effort, std::size_t most) {
   const std::size_t last = p.size() - 1;
   std::vector<Joint> joints{{0, t0, 0}};
   std::size_t first = 0;  // of the newest
   for (std::size_t count = 1; count < most; ++count) {
     std::vector<Joint> reached;
     for (std::size_t k = first, end = joints.size(); k < end; ++k)
-      reach_from(p, ends, joints, k, t1, tolerance, effort, reached);
+      reach_from(p, ends, joints, k, t1, close, effort, reached);
     std::stable_sort(reached.begin(), reached.end(),
                      [](const Joint& a, const Joint& b) { return a.at > b.at; });
     if (reached.front().at == last) {
@@ -147,12 +157,12 @@ std::vector<Joint> reach_on(Points p, Indices ends, Vec2 t0, Vec2 t1, double tol
 }
 
 /// The same from the end on.
-std::vector<Joint> reach_back(Points p, Indices ends, Vec2 t0, Vec2 t1, double tolerance,
+std::vector<Joint> reach_back(Points p, Indices ends, Vec2 t0, Vec2 t1, const Closeness& close,
                               const Effort& effort, std::size_t most) {
   const std::vector<Vec2> turned(p.rbegin(), p.rend());
   std::vector<std::size_t> turned_ends;
   for (auto end = ends.rbegin(); end != ends.rend(); ++end) turned_ends.push_back(p.size() - 1 - *end);
-  std::vector<Joint> joints = reach_on(turned, turned_ends, -t1, -t0, tolerance, effort, most);
+  std::vector<Joint> joints = reach_on(turned, turned_ends, -t1, -t0, close, effort, most);
   std::reverse(joints.begin(), joints.end());
   for (Joint& joint : joints) joint = {p.size() - 1 - joint.at, -joint.tangent, 0};
   return joints;
@@ -160,13 +170,14 @@ std::vector<Joint> reach_back(Points p, Indices ends, Vec2 t0, Vec2 t1, double t
 
 /// Appends few cubics for the smooth run p with forward end tangents t0, t1: from the start or from the end
 /// as far as each one reaches, or by halving where that takes no fewer. Cubics end at the points `ends`.
-void fit_smooth(Points p, Indices ends, Vec2 t0, Vec2 t1, double tolerance, std::vector<CubicBezier>& out) {
+void fit_smooth(Points p, Indices ends, Vec2 t0, Vec2 t1, const Closeness& close,
+                std::vector<CubicBezier>& out) {
   const std::size_t last = p.size() - 1;
   std::vector<std::size_t> halves{0};
   for (std::size_t k = 0; k <= ends.size(); ++k) {
     const std::size_t i = k == 0 ? 0 : ends[k - 1], j = k == ends.size() ? last : ends[k];
     halve_smooth(p.subspan(i, j - i + 1), i, i == 0 ? t0 : inner_tangent(p, i),
-                 j == last ? t1 : inner_tangent(p, j), tolerance, halves);
+                 j == last ? t1 : inner_tangent(p, j), close, halves);
   }
   std::vector<Joint> joints;
   joints.reserve(halves.size());
@@ -176,7 +187,7 @@ void fit_smooth(Points p, Indices ends, Vec2 t0, Vec2 t1, double tolerance, std:
   const Effort effort = many ? Effort{1, 1} : Effort{4, kTangentGuesses.size()};
   for (const auto& reach : {reach_on, reach_back}) {
     if (joints.size() <= 2 + ends.size() || (many && reach == reach_back)) break;
-    std::vector<Joint> fewer = reach(p, ends, t0, t1, tolerance, effort, joints.size() - 1);
+    std::vector<Joint> fewer = reach(p, ends, t0, t1, close, effort, joints.size() - 1);
     if (!fewer.empty()) joints = std::move(fewer);
   }
   std::size_t farthest = 0;
@@ -184,7 +195,7 @@ void fit_smooth(Points p, Indices ends, Vec2 t0, Vec2 t1, double tolerance, std:
     const std::size_t i = joints[k].at, j = joints[k + 1].at;
     // Run backwards a cubic's handles may come out otherwise by the last bit.
     if (const auto curve = fit_cubic(p.subspan(i, j - i + 1), joints[k].tangent, joints[k + 1].tangent,
-                                     1.001 * tolerance, farthest))
+                                     1.001 * close.tolerance, farthest))
       out.push_back(*curve);
   }
 }
@@ -258,7 +269,7 @@ Vec2 joined_tangent(Vec2 own, std::optional<Vec2> line) {
 }
 
 /// Appends curves for points without sharp bends; curves end at the points `ends`.
-void fit_run(Points p, Indices ends, double tolerance, std::vector<CubicBezier>& out) {
+void fit_run(Points p, Indices ends, const Closeness& close, std::vector<CubicBezier>& out) {
   const auto inside = [&](std::size_t i, std::size_t j) {
     std::vector<std::size_t> some;
     for (const std::size_t end : ends)
@@ -287,7 +298,7 @@ void fit_run(Points p, Indices ends, double tolerance, std::vector<CubicBezier>&
     if (k > 0) before = direction(runs[k - 1]);
     if (k + 1 < runs.size()) after = direction(runs[k + 1]);
     fit_smooth(q, inside(r.begin, r.end), joined_tangent(start_tangent(q), before),
-               joined_tangent(last_tangent(q), after), tolerance, out);
+               joined_tangent(last_tangent(q), after), close, out);
   }
 }
 
@@ -310,15 +321,16 @@ bool is_sharp(Points p, std::size_t i) {
 }  // namespace
 
 std::vector<CubicBezier> fit_polyline(std::span<const Vec2> p, double tolerance_mm,
-                                      std::span<const std::size_t> ends) {
+                                      std::span<const std::size_t> ends, std::size_t* compared) {
   std::vector<CubicBezier> curves;
-  std::size_t begin = 0;
+  std::size_t begin = 0, uncounted = 0;
+  const Closeness close{tolerance_mm, compared == nullptr ? &uncounted : compared};
   for (std::size_t i = 1; i < p.size(); ++i) {
     if (i + 1 < p.size() && !is_sharp(p, i)) continue;
     std::vector<std::size_t> inner;
     for (const std::size_t end : ends)
       if (end > begin && end < i) inner.push_back(end - begin);
-    fit_run(p.subspan(begin, i - begin + 1), inner, tolerance_mm, curves);
+    fit_run(p.subspan(begin, i - begin + 1), inner, close, curves);
     begin = i;
   }
   return curves;
@@ -346,10 +358,12 @@ std::vector<CubicBezier> fit_smooth_loop(std::span<const Vec2> loop, double tole
   const auto tangent = [&](std::size_t i) {
     return middle_tangent(loop[(i + n - 1) % n], loop[i % n], loop[(i + 1) % n]);
   };
+  std::size_t uncounted = 0;
+  const Closeness close{tolerance_mm, &uncounted};
   std::vector<CubicBezier> curves;
   for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
     const Points q(points.data() + cuts[k], cuts[k + 1] - cuts[k] + 1);
-    fit_smooth(q, {}, tangent(cuts[k]), tangent(cuts[k + 1]), tolerance_mm, curves);
+    fit_smooth(q, {}, tangent(cuts[k]), tangent(cuts[k + 1]), close, curves);
   }
   return curves;
 }

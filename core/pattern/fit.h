@@ -19,9 +19,11 @@ namespace toile::pattern {
 /// where that does not suffice, sought so that few curves come out. Tangents come from parabolas through
 /// neighbouring points, between two curves from whichever of several serves best.
 /// At the points `ends` (indices, ascending, none first or last) a curve ends too, smoothly.
+/// `compared` counts how often a point was held against a cubic.
 /// REQUIRES at least two points, finite, neighbours apart.
 std::vector<CubicBezier> fit_polyline(std::span<const Vec2> points, double tolerance_mm,
-                                      std::span<const std::size_t> ends = {});
+                                      std::span<const std::size_t> ends = {},
+                                      std::size_t* compared = nullptr);
 
 /// The same for a closed line without corners: `loop` lists each vertex once, the result starts and ends at
 /// loop[0], smooth there too, in four or more curves (a loop with sharp bends is fitted as an open polyline

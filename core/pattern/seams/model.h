@@ -8,6 +8,7 @@
 
 #include "core/base/types.h"
 #include "core/pattern/pattern.h"
+#include "core/pattern/seams/piece_words.h"
 
 namespace toile::seams {
 
@@ -28,32 +29,6 @@ struct SeamRun {
   std::array<double, kSamples - 1> turn;  ///< degrees from its first chord, of each chord between samples
   bool straight = true;                   ///< drawn as a line: within 0.2 % of its length
   std::vector<double> notches;            ///< mm from its start
-};
-
-/// What kind of piece a name tells of.
-enum class PieceKind {
-  kOther,
-  kCollar,
-  kHood,
-  kTorso,
-  kBand,
-  kSkirt,
-  kLegs,
-  kSleeve,
-  kCuff,
-  kFrill,
-  kInsert
-};
-
-/// What a piece's name says of its place, as far as it says anything.
-struct PieceWords {
-  PieceKind kind = PieceKind::kOther;
-  int side = 0;        ///< -1 left, +1 right
-  int face = 0;        ///< +1 front, -1 back
-  bool flank = false;  ///< the side of a body: left and right never meet
-  bool leg = false;    ///< of trousers
-  bool limb = false;   ///< a sleeve or a cuff: left and right never meet
-  bool layer = false;  ///< a lining, a facing, a pocket: cloth that lies on other cloth
 };
 
 /// Pieces of one kind and one name that numbers tell apart, as the gores of a skirt.
@@ -102,17 +77,7 @@ double corner_angle(const pattern::PanelEdge& before, const pattern::PanelEdge& 
 /// How much the cloth's outside at the run faces right of the grain, -1 to 1.
 double faces_right(const SeamModel& model, const SeamRun& run);
 
-/// Whether a piece of kind `lower` is sewn to hang from the lower end of one of kind `upper`, as a skirt from
-/// a bodice: +1. −1: the two are never sewn so, or not at all. 0: the kinds do not tell.
-int hangs_from(PieceKind lower, PieceKind upper);
-
-/// The same of two panels: nothing hangs past a band or a cuff that is between.
+/// hangs_from() of two panels: nothing hangs past a band or a cuff that is between.
 int hangs_from(const SeamModel& model, Index lower, Index upper);
-
-/// Whether pieces of the two kinds are ever sewn to each other.
-bool ever_meet(PieceKind a, PieceKind b);
-
-/// The words of one name, such as "left_sleeve_f", "FrontL" or "BK-2".
-PieceWords words_of(const std::string& name);
 
 }  // namespace toile::seams

@@ -10,7 +10,7 @@
 #include "core/pattern/curve.h"
 #include "core/pattern/garmentcode/read.h"
 #include "core/pattern/seams/check.h"
-#include "core/pattern/seams/model.h"
+#include "core/pattern/seams/piece_words.h"
 #include "core/pattern/validate.h"
 
 namespace toile::create {

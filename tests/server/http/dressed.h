@@ -22,8 +22,9 @@ inline std::string skirt_seam(const std::string& id, const std::string& a, const
          R"("}], "b": [{"piece": ")" + b + R"(", "edge": ")" + eb + R"("}]})";
 }
 
-/// A request's body; all pieces lie at the origin. `post` is an asset that the project may use later.
-inline std::string dressed_pair(const std::string& post) {
+/// A request's body; all pieces lie at the origin. `post` is an asset that the project may use later, `start`
+/// how the drape is to begin.
+inline std::string dressed_pair(const std::string& post, const std::string& start = "auto") {
   return R"({"document": {"toile": 1, "name": "Skirt", "pieces": [)" +
          skirt_piece("front", "280", "250", "500") + ", " + skirt_piece("back", "280", "250", "500") + ", " +
          skirt_piece("band_front", "187", "187", "40") + ", " + skirt_piece("band_back", "187", "187", "40") +
@@ -37,8 +38,8 @@ inline std::string dressed_pair(const std::string& post) {
          skirt_seam("waist_front", "band_front", "e0", "front", "e2") + ", " +
          skirt_seam("waist_back", "band_back", "e0", "back", "e2") +
          R"(], "bodies": [{"id": "anna", "mannequin": {"triangles": 1000}}],
-      "settings": {"particle_distance_mm": 40}}, "files": {"post.obj": ")" +
-         post + R"("}})";
+      "settings": {"particle_distance_mm": 40, "start": ")" +
+         start + R"("}}, "files": {"post.obj": ")" + post + R"("}})";
 }
 
 }  // namespace toile::test

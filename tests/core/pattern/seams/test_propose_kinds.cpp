@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/pattern/seams/model.h"
+#include "core/pattern/seams/piece_words.h"
 #include "core/pattern/seams/propose.h"
 #include "core/pattern/validate.h"
 #include "tests/core/pattern/garments.h"

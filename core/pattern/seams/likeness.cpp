@@ -1,0 +1,213 @@
+#include "core/pattern/seams/likeness.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace toile::seams {
+namespace {
+
+constexpr std::size_t kSamples = SeamRun::kSamples;
+
+/// Whether run i of a, turned over, is run j of b, with its corners.
+bool mirrors(const SeamModel& m, Index i, Index j) {
+  const SeamRun &a = m.runs[i], &b = m.runs[j];
+  if (!equally_long(a.length, b.length) || std::abs(a.angle - m.runs[b.next].angle) > 2) return false;
+  for (std::size_t k = 0; k + 1 < kSamples; ++k) {
+    const double seen_back = b.turn[kSamples - 2] - b.turn[kSamples - 2 - k];
+    if (std::abs(a.turn[k] - seen_back) > 4) return false;
+  }
+  return true;
+}
+
+std::vector<Index> runs_of(const SeamModel& m, Index panel) {
+  std::vector<Index> runs;
+  for (Index i = 0; i < static_cast<Index>(m.runs.size()); ++i)
+    if (m.runs[i].panel == panel) runs.push_back(i);
+  return runs;
+}
+
+/// The run of q that each run of p mirrors to, or nothing when q is not p turned over. Of several ways (a
+/// rectangle has two) the one that keeps up what is up.
+std::vector<Index> mirror_image(const SeamModel& m, Index p, Index q) {
+  const std::vector<Index> a = runs_of(m, p), b = runs_of(m, q);
+  const std::size_t n = a.size();
+  if (n != b.size()) return {};
+  std::vector<Index> best;
+  double least = 0;
+  for (std::size_t shift = 0; shift < n; ++shift) {
+    std::vector<Index> image(n);
+    bool all = true;
+    double turned = 0;
+    for (std::size_t k = 0; k < n && all; ++k) {
+      image[k] = b[(shift + n - k) % n];
+      all = mirrors(m, a[k], image[k]);
+      turned += std::abs(m.runs[a[k]].up - m.runs[image[k]].up);
+    }
+    if (!all || (!best.empty() && turned >= least)) continue;
+    best = std::move(image);
+    least = turned;
+  }
+  return best;
+}
+
+void set_mirror(SeamModel& m, Index p, const std::vector<Index>& image) {
+  const std::vector<Index> runs = runs_of(m, p);
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    SeamRun &a = m.runs[runs[k]], &b = m.runs[image[k]];
+    a.mirror_panel = b.panel;
+    a.mirror_edge = b.edge;
+    b.mirror_panel = a.panel;
+    b.mirror_edge = a.edge;
+  }
+  const Index q = m.runs[image[0]].panel;
+  m.twin[p] = q;
+  m.twin[q] = p;
+}
+
+/// Whether the two may be mirror images by their places in rows: the first is that of the last.
+bool places_mirror(const PieceRow& a, const PieceRow& b) {
+  return a.row == b.row && (a.row == kNone || a.place + b.place == a.size - 1);
+}
+
+bool near(double a, double b) { return std::abs(a - b) <= 0.03 * std::max(a, b); }
+
+/// Pairs up the runs of two pieces of which most of the outline agrees in length, as drawn or one of them
+/// turned over.
+void find_counterparts(SeamModel& m, Index p, Index q) {
+  constexpr double kMost = 0.7;  // of the outline
+  const std::vector<Index> a = runs_of(m, p), b = runs_of(m, q);
+  const std::size_t n = a.size();
+  if (n != b.size()) return;
+  for (std::size_t way = 0; way < 2 * n; ++way) {
+    const auto other = [&](std::size_t k) { return b[(way < n ? way + k : way - n + (n - k)) % n]; };
+    double agreeing = 0;
+    for (std::size_t k = 0; k < n; ++k)
+      if (near(m.runs[a[k]].length, m.runs[other(k)].length)) agreeing += m.runs[a[k]].length;
+    if (agreeing < kMost * m.girth[p]) continue;
+    for (std::size_t k = 0; k < n; ++k) {
+      m.counterparts[a[k]].push_back(other(k));
+      m.counterparts[other(k)].push_back(a[k]);
+    }
+  }
+}
+
+/// Whether run i of a is run j of b, with its corners.
+bool is_same(const SeamModel& m, Index i, Index j) {
+  const SeamRun &a = m.runs[i], &b = m.runs[j];
+  if (!equally_long(a.length, b.length) || std::abs(a.angle - b.angle) > 2) return false;
+  for (std::size_t k = 0; k + 1 < kSamples; ++k)
+    if (std::abs(a.turn[k] - b.turn[k]) > 4) return false;
+  return true;
+}
+
+/// Edges of one length and turning that the two pieces have.
+int edges_in_common(const SeamModel& m, Index p, Index q) {
+  constexpr double kLeast = 30, kTurn = 4;  // mm, degrees
+  int common = 0;
+  for (const Index i : runs_of(m, p)) {
+    const SeamRun& a = m.runs[i];
+    if (a.length < kLeast) continue;
+    for (const Index j : runs_of(m, q)) {
+      const SeamRun& b = m.runs[j];
+      if (!equally_long(a.length, b.length) || std::abs(a.turn.back() - b.turn.back()) > kTurn) continue;
+      ++common;
+      break;
+    }
+  }
+  return common;
+}
+
+/// Pairs up the runs of two pieces of one form.
+void find_same(SeamModel& m, Index p, Index q) {
+  const std::vector<Index> a = runs_of(m, p), b = runs_of(m, q);
+  const std::size_t n = a.size();
+  if (n != b.size()) return;
+  for (std::size_t shift = 0; shift < n; ++shift) {
+    bool all = true;
+    for (std::size_t k = 0; k < n && all; ++k) all = is_same(m, a[k], b[(k + shift) % n]);
+    if (!all) continue;
+    for (std::size_t k = 0; k < n; ++k) {
+      m.same[a[k]].push_back(b[(k + shift) % n]);
+      m.same[b[(k + shift) % n]].push_back(a[k]);
+    }
+  }
+}
+
+}  // namespace
+
+bool equally_long(double a, double b) { return std::abs(a - b) <= 0.5 + 0.005 * std::max(a, b); }
+
+void find_twins(SeamModel& m) {
+  const Index count = static_cast<Index>(m.words.size());
+  m.twin.assign(m.words.size(), kNone);
+  std::vector<bool> taken(static_cast<std::size_t>(count), false);
+  for (const bool named : {true, false}) {
+    for (Index p = 0; p < count; ++p) {
+      for (Index q = p + 1; q < count && !taken[p]; ++q) {
+        const int sides = m.words[p].side * m.words[q].side;
+        const bool faces = m.words[p].face * m.words[q].face < 0;
+        if (taken[q] || faces || (named ? sides >= 0 : sides > 0) || !places_mirror(m.rows[p], m.rows[q]))
+          continue;
+        const std::vector<Index> image = mirror_image(m, p, q);
+        if (image.empty()) continue;
+        set_mirror(m, p, image);
+        taken[p] = taken[q] = true;
+      }
+    }
+  }
+  for (Index p = 0; p < count; ++p) {
+    if (taken[p]) continue;
+    const std::vector<Index> image = mirror_image(m, p, p);
+    if (!image.empty()) set_mirror(m, p, image);
+  }
+}
+
+void match_mirrors(SeamModel& m) {
+  constexpr double kSame = 0.01;  // of the edge
+  const auto count = static_cast<Index>(m.runs.size());
+  m.mirror.assign(m.runs.size(), kNone);
+  for (Index i = 0; i < count; ++i) {
+    const SeamRun& a = m.runs[i];
+    for (Index j = i; j < count && a.mirror_panel != kNone && m.mirror[i] == kNone; ++j) {
+      const SeamRun& b = m.runs[j];
+      if (b.panel != a.mirror_panel || b.edge != a.mirror_edge) continue;
+      if (std::abs(a.from - (1 - b.to)) > kSame || std::abs(a.to - (1 - b.from)) > kSame) continue;
+      m.mirror[i] = j;
+      m.mirror[j] = i;
+    }
+  }
+}
+
+void find_rivals(SeamModel& m) {
+  constexpr int kSeveral = 3;
+  m.rival.assign(m.words.size(), 0);
+  const auto count = static_cast<Index>(m.words.size());
+  for (Index p = 0; p < count; ++p) {
+    for (Index q = p + 1; q < count; ++q) {
+      const PieceWords &a = m.words[p], &b = m.words[q];
+      const bool named = a.face != 0 || a.side != 0;
+      const bool one_role =
+          (a.kind == b.kind || a.kind == PieceKind::kOther || b.kind == PieceKind::kOther) &&
+          a.side == b.side && a.face == b.face && m.level[p] == m.level[q];
+      const bool in_row = m.rows[p].row != kNone && m.rows[p].row == m.rows[q].row;
+      if (!named || !one_role || in_row || m.twin[p] == q || edges_in_common(m, p, q) < kSeveral) continue;
+      m.rival[p] = m.rival[q] = 1;
+    }
+  }
+}
+
+void find_alike(SeamModel& m) {
+  m.counterparts.resize(m.runs.size());
+  m.same.resize(m.runs.size());
+  const auto count = static_cast<Index>(m.words.size());
+  for (Index p = 0; p < count; ++p) {
+    for (Index q = p + 1; q < count; ++q) {
+      if (m.twin[p] != q) find_counterparts(m, p, q);
+      find_same(m, p, q);
+    }
+  }
+}
+
+}  // namespace toile::seams

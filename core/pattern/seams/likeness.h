@@ -1,0 +1,25 @@
+#pragma once
+// Which pieces of a pattern mirror each other, are drawn alike, or have one role. The parts of
+// make_seam_model() that fill in what SeamModel says of it; each REQUIRES what stands before it there.
+
+#include "core/pattern/seams/model.h"
+
+namespace toile::seams {
+
+/// Whether two lengths (mm) are one but for the rounding of a drawing.
+bool equally_long(double a, double b);
+
+/// `twin`, and `mirror_panel` and `mirror_edge` of runs: pieces whose names say left and right go first, then
+/// any two, then those that mirror themselves.
+void find_twins(SeamModel& m);
+
+/// `mirror`: the run that mirrors each, as the edges do.
+void match_mirrors(SeamModel& m);
+
+/// `rival`.
+void find_rivals(SeamModel& m);
+
+/// `counterparts` and `same`.
+void find_alike(SeamModel& m);
+
+}  // namespace toile::seams

@@ -1,0 +1,91 @@
+#include "core/pattern/seams/piece_words.h"
+
+#include <algorithm>
+#include <initializer_list>
+#include <iterator>
+#include <vector>
+
+#include "core/base/text.h"
+
+namespace toile::seams {
+namespace {
+
+bool is_part_word(const std::string& w) {
+  static const char* const kParts[] = {"torso", "bodice", "body", "panel", "skirt",
+                                       "pant",  "leg",    "yoke", "sleeve"};
+  return std::any_of(std::begin(kParts), std::end(kParts), [&](const char* part) { return w == part; });
+}
+
+/// The most telling word counts: a skirt of a cuff is a frill.
+PieceKind kind_of(const std::vector<std::string>& words) {
+  struct KindWord {
+    const char* word;
+    PieceKind kind;
+  };
+  static const KindWord kWords[] = {
+      {"collar", PieceKind::kCollar}, {"hood", PieceKind::kHood},     {"lapel", PieceKind::kCollar},
+      {"torso", PieceKind::kTorso},   {"ftorso", PieceKind::kTorso},  {"btorso", PieceKind::kTorso},
+      {"bodice", PieceKind::kTorso},  {"wb", PieceKind::kBand},       {"waistband", PieceKind::kBand},
+      {"skirt", PieceKind::kSkirt},   {"pant", PieceKind::kLegs},     {"pants", PieceKind::kLegs},
+      {"trouser", PieceKind::kLegs},  {"trousers", PieceKind::kLegs}, {"leg", PieceKind::kLegs},
+      {"sleeve", PieceKind::kSleeve}, {"slv", PieceKind::kSleeve},    {"cuff", PieceKind::kCuff},
+      {"ins", PieceKind::kInsert},    {"insert", PieceKind::kInsert}, {"godet", PieceKind::kInsert},
+      {"gusset", PieceKind::kInsert}};
+  const auto has = [&](const char* word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+  };
+  if (has("cuff") && has("skirt")) return PieceKind::kFrill;
+  PieceKind kind = PieceKind::kOther;
+  for (const KindWord& known : kWords)
+    if (has(known.word)) kind = known.kind;
+  return kind;
+}
+
+}  // namespace
+
+int hangs_from(PieceKind lower, PieceKind upper) {
+  using enum PieceKind;
+  if (lower == kOther || upper == kOther || lower == kInsert || upper == kInsert) return 0;
+  const bool told = ((upper == kCollar || upper == kHood) && lower == kTorso) ||
+                    (upper == kTorso && (lower == kBand || lower == kSkirt || lower == kLegs)) ||
+                    (upper == kBand && (lower == kSkirt || lower == kLegs)) ||
+                    ((upper == kSleeve || upper == kLegs) && lower == kCuff) ||
+                    ((upper == kCuff || upper == kSleeve || upper == kLegs) && lower == kFrill) ||
+                    (upper == kSkirt && lower == kSkirt);
+  return told ? 1 : -1;
+}
+
+bool ever_meet(PieceKind a, PieceKind b) {
+  using enum PieceKind;
+  if (a == kOther || b == kOther || a == b || a == kInsert || b == kInsert) return true;
+  const auto either = [&](PieceKind x, PieceKind y) { return (a == x && b == y) || (a == y && b == x); };
+  return hangs_from(a, b) == 1 || hangs_from(b, a) == 1 || either(kTorso, kSleeve);
+}
+
+PieceWords words_of(const std::string& name) {
+  PieceWords words;
+  words.kind = kind_of(words_of_name(name));
+  words.leg = words.kind == PieceKind::kLegs;
+  for (const std::string& w : words_of_name(name)) {
+    const auto is = [&](std::initializer_list<const char*> any) {
+      return std::any_of(any.begin(), any.end(), [&](const char* x) { return w == x; });
+    };
+    // "backpanel", "ftorso": written as one
+    const auto starts = [&](const char* start, char letter) {
+      return w.starts_with(start) || (w[0] == letter && is_part_word(w.substr(1)));
+    };
+    if (is({"l", "lf", "lt", "lft"}) || starts("left", 'l')) words.side = -1;
+    if (is({"r", "rt", "rgt", "rh"}) || starts("right", 'r')) words.side = 1;
+    if (is({"f", "fr", "frt", "fnt", "ft", "cf"}) || starts("front", 'f')) words.face = 1;
+    if (is({"b", "bk", "bck", "rear", "cb"}) || starts("back", 'b')) words.face = -1;
+    if (is({"pant", "pants", "trouser", "trousers", "leg"})) words.leg = true;
+    if (is({"side", "sidepanel", "flank"})) words.flank = true;
+    if (is({"lining", "facing", "interfacing", "interlining", "fusing", "canvas", "pocket", "welt", "bag",
+            "flap"}))
+      words.layer = true;
+    if (is({"slv", "sl", "arm"}) || w.ends_with("sleeve") || w.ends_with("cuff")) words.limb = true;
+  }
+  return words;
+}
+
+}  // namespace toile::seams

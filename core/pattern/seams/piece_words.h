@@ -1,0 +1,44 @@
+#pragma once
+// What the names of pieces say: what kind of piece it is, for which side and face of the body.
+
+#include <string>
+
+namespace toile::seams {
+
+/// What kind of piece a name tells of.
+enum class PieceKind {
+  kOther,
+  kCollar,
+  kHood,
+  kTorso,
+  kBand,
+  kSkirt,
+  kLegs,
+  kSleeve,
+  kCuff,
+  kFrill,
+  kInsert
+};
+
+/// What a piece's name says of its place, as far as it says anything.
+struct PieceWords {
+  PieceKind kind = PieceKind::kOther;
+  int side = 0;        ///< -1 left, +1 right
+  int face = 0;        ///< +1 front, -1 back
+  bool flank = false;  ///< the side of a body: left and right never meet
+  bool leg = false;    ///< of trousers
+  bool limb = false;   ///< a sleeve or a cuff: left and right never meet
+  bool layer = false;  ///< a lining, a facing, a pocket: cloth that lies on other cloth
+};
+
+/// Whether a piece of kind `lower` is sewn to hang from the lower end of one of kind `upper`, as a skirt from
+/// a bodice: +1. −1: the two are never sewn so, or not at all. 0: the kinds do not tell.
+int hangs_from(PieceKind lower, PieceKind upper);
+
+/// Whether pieces of the two kinds are ever sewn to each other.
+bool ever_meet(PieceKind a, PieceKind b);
+
+/// The words of one name, such as "left_sleeve_f", "FrontL" or "BK-2".
+PieceWords words_of(const std::string& name);
+
+}  // namespace toile::seams
