@@ -1,6 +1,7 @@
 // Random damage to files of every dialect: reading them ends with a drawing whose report sums up, or with an
 // error; never with a crash, a hang or a piece that is none. Deterministic: a case is its number.
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
@@ -91,9 +92,43 @@ void damage(std::string& text, Chance& chance) {
   }
 }
 
-void try_case(const std::vector<std::string>& texts, std::uint64_t number) {
+bool alike(const pattern::Notch& a, const pattern::Notch& b) {
+  return a.at == b.at && a.depth == b.depth && a.inwards == b.inwards;
+}
+
+/// Whether two pieces agree in what a panel's shape comes from.
+bool drawn_alike(const dxf::DxfPiece& a, const dxf::DxfPiece& b) {
+  return a.outline == b.outline && a.holes == b.holes && a.breaks == b.breaks &&
+         a.breaks_are_edges == b.breaks_are_edges && a.turn_points == b.turn_points &&
+         a.internals == b.internals && std::ranges::equal(a.notches, b.notches, alike);
+}
+
+/// The files to damage, and their pieces, each known to make a panel: curves for the thousand points of a
+/// sampled one take a quarter of a second, and most damage leaves a file's pieces as they are.
+struct Originals {
+  std::vector<std::string> texts = seeds();
+  std::vector<dxf::DxfPiece> pieces;
+
+  bool has(const dxf::DxfPiece& piece) const {
+    return std::any_of(pieces.begin(), pieces.end(),
+                       [&](const auto& own) { return drawn_alike(own, piece); });
+  }
+};
+
+Originals originals() {
+  Originals made;
+  for (const std::string& text : made.texts) {
+    for (const dxf::DxfPiece& piece : read_trial(text).pieces) {
+      EXPECT_TRUE(dxf::panel_from_piece(piece)) << piece.name;
+      made.pieces.push_back(piece);
+    }
+  }
+  return made;
+}
+
+void try_case(const Originals& from, std::uint64_t number) {
   Chance chance(number);
-  std::string text = texts[chance.below(texts.size())];
+  std::string text = from.texts[chance.below(from.texts.size())];
   for (std::size_t i = 0, n = 1 + chance.below(12); i < n && !text.empty(); ++i) damage(text, chance);
   dxf::DxfSettings settings;
   settings.max_drawn_points = 20'000;
@@ -108,21 +143,22 @@ void try_case(const std::vector<std::string>& texts, std::uint64_t number) {
   ASSERT_FALSE(drawing->pieces.empty()) << number;
   for (const dxf::DxfPiece& piece : drawing->pieces) {
     for (const Vec2 p : piece.outline) ASSERT_TRUE(is_finite(p)) << number << " " << piece.name;
+    if (from.has(piece)) continue;
     const Result<pattern::Panel> panel = dxf::panel_from_piece(piece);
     ASSERT_TRUE(panel) << number << " " << piece.name << " " << to_string(panel.error());
   }
 }
 
 TEST(DxfFuzz, DamagedFilesAreReadOrRefused) {
-  const std::vector<std::string> texts = seeds();
+  const Originals from = originals();
   for (std::uint64_t number = 0; number < 800 && !testing::Test::HasFatalFailure(); ++number)
-    try_case(texts, number);
+    try_case(from, number);
 }
 
 TEST(LongDxfFuzz, TwentyThousandDamagedFilesAreReadOrRefused) {
-  const std::vector<std::string> texts = seeds();
+  const Originals from = originals();
   for (std::uint64_t number = 1'000'000; number < 1'020'000 && !testing::Test::HasFatalFailure(); ++number)
-    try_case(texts, number);
+    try_case(from, number);
 }
 
 /// A star-shaped outline of random radii, counter-clockwise.
