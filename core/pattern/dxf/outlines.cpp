@@ -156,11 +156,13 @@ Inside inside_other(const Outlines& o, std::size_t i) {
     return Inside::kALine;
   for (std::size_t k = 0; k < o.loops.outlines.size(); ++k) {
     const DxfLoop& outer = o.loops.outlines[k];
-    if (k == i || o.seams.is_sew_line(outer)) continue;
+    if (k == i) continue;
     const bool other_layer = !o.by_aama && outer.chain->layer != inner.chain->layer;
     const bool equal = is_repeated(inner, outer);
     const bool first = outer.area > inner.area * kLarger || (equal && k < i);
-    if (!first || !(other_layer || equal) || !is_covered(inner, outer)) continue;
+    if (!first || !(other_layer || equal)) continue;
+    // These look through loops or points: asked for every two of a drawing's loops they would take seconds.
+    if (!is_covered(inner, outer) || o.seams.is_sew_line(outer)) continue;
     return equal ? Inside::kRepeated : Inside::kOtherLayer;
   }
   return Inside::kNone;
@@ -280,10 +282,12 @@ DxfSeamLines seam_lines_of(const DxfLoops& loops, const DxfSewSearch& search) {
     std::optional<std::size_t>& parent = seams.parents[std::size_t(at - all.begin())];
     if (!parent) parent = i;
   }
+  std::vector<bool> sews;  // of each loop
+  for (const DxfLoop& loop : all) sews.push_back(seams.is_sew_line(loop));
   for (std::size_t i = 0; i < all.size(); ++i) {
     int depth = 0;
     for (auto parent = seams.parents[i]; parent; parent = seams.parents[*parent])
-      depth += seams.is_sew_line(all[*parent]) ? 0 : 1;
+      depth += sews[*parent] ? 0 : 1;
     seams.depths.push_back(depth);
   }
   return seams;

@@ -249,6 +249,16 @@ TEST(DxfFaults, ThousandsOfNestedLoopsAreBoundedWork) {
   EXPECT_LT(work_of_nested_loops(1900), 3 * work) << "not each against each";
 }
 
+TEST(DxfFaults, AsManyOutlinesAsAreAllowedOnTwoLayersAreAPieceEach) {
+  const std::size_t most = dxf::DxfSettings{}.max_loops;
+  std::string beside;
+  for (std::size_t i = 0; i < most; ++i)
+    beside += rectangle({20.0 * double(i), 0}, 9, 9 + 0.001 * double(i), i % 2 == 0 ? "front" : "back");
+  const auto drawing = dxf::read_dxf(entities(beside), in_mm());
+  EXPECT_EQ(drawing ? drawing->pieces.size() : 0, most);
+  EXPECT_EQ(error_of(entities(beside + rectangle({0, 50}, 9, 9))).code, "dxf.too_large");
+}
+
 TEST(DxfFaults, FiftyMegabytesOfNothingAreRefusedAtOnce) {
   constexpr std::size_t kLittle = 1000;
   EXPECT_LT(work_to_refuse(std::string(50'000'000, 'A'), "dxf.not_dxf"), kLittle);
