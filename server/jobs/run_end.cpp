@@ -42,6 +42,11 @@ RunEnd failed(std::string code, std::string reason, std::string where) {
 
 }  // namespace
 
+void fall_short(RunEnd& end, const std::string& code, const std::string& message) {
+  end.notes.push_back({code, message});
+  end.reason += "; " + message;
+}
+
 RunEnd verdict_on(const drape::DrapeInput& input, const drape::DrapeResult& result) {
   const drape::StopReason& why = result.stop_reason;
   switch (why.kind) {

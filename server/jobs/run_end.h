@@ -4,9 +4,11 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "core/drape/drape_input.h"
 #include "core/drape/drape_result.h"
+#include "server/store/store.h"
 
 namespace toile::jobs {
 
@@ -14,9 +16,13 @@ namespace toile::jobs {
 struct RunEnd {
   bool succeeded = false;
   std::string code, reason, where;
+  std::vector<store::JobNote> notes;            ///< what it fell short of although it ended well
   std::string report;                           ///< report.json's text; empty when nothing was draped
   std::map<std::string, std::int64_t> results;  ///< file name → bytes
 };
+
+/// Says what an end falls short of: a note for programs, and the same at the end of the reason.
+void fall_short(RunEnd& end, const std::string& code, const std::string& message);
 
 /// What a drape's end means for its job, in words that say what to do next. A drape that ran out of time
 /// succeeded with code "time", and one that came to rest with an open seam with "open_seam" and the seam as

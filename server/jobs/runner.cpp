@@ -35,7 +35,7 @@ RunEnd failed(const Error& error) {
   return end;
 }
 
-/// What pictures are drawn from and where they go. The drawing thread may hold it longer than the run lives.
+/// What stills are drawn from and where they go. The drawing thread may hold it longer than the run lives.
 struct Delivery {
   std::shared_ptr<const drape::DrapeInput> input;
   std::shared_ptr<const drape::DrapeResult> result;
@@ -142,12 +142,13 @@ Result<std::unique_ptr<drape::DrapeRun>> JobRun::start_or_resume(const RunContex
 
 /// A store that takes none (its disk is full) is no reason to stop. Keeping takes at most a twentieth of the
 /// time.
-void JobRun::keep_checkpoint() {
+void JobRun::keep_checkpoint(const RunControl& control) {
   if (checkpoint_step_ == run_->session().steps()) return;
   const Clock::time_point before = Clock::now();
   const Status kept = place_.documents->store().put_checkpoint(context_, job_id_, run_->checkpoint());
   if (kept) {
     checkpoint_step_ = run_->session().steps();
+    if (!run_->done()) control.on_kept();  // the end is told when it is in the store
   } else {
     context_.log.warn("checkpoint not kept", kept.error());
   }
@@ -158,9 +159,10 @@ void JobRun::keep_checkpoint() {
 void JobRun::drape_on(const RunControl& control) {
   while (!run_->done() && !control.interrupt->load(std::memory_order_relaxed)) {
     advance_slice(control);
-    if (Clock::now() >= next_checkpoint_) keep_checkpoint();
+    if (Clock::now() >= next_checkpoint_) keep_checkpoint(control);
   }
-  if (!run_->done() && control.worth_keeping()) keep_checkpoint();
+  // The end as well: a crash among models and pictures must cost no step.
+  if (control.worth_keeping()) keep_checkpoint(control);
   const drape::DrapeSession& session = run_->session();
   if (run_->done() && stream_->step() != session.steps()) {
     stream_->show(session.steps(), session.time(), session.positions());
@@ -212,36 +214,67 @@ Result<image::Textures> JobRun::read_pictures() {
   return textures_of(*place_.documents, context_, row.document, row.files, input_->pattern);
 }
 
-/// Results first: the state that names them is written by whoever gets the end.
-Result<RunEnd> JobRun::deliver(const RunControl& control) {
-  tell(control, "stills", 0);
-  std::unique_ptr<TemporaryFolder> folder =
-      TRY(TemporaryFolder::make(place_.documents->store().scratch_folder()));
+/// The drape is worth keeping without them.
+void JobRun::read_pictures_into(RunEnd& end) {
+  Result<image::Textures> textures = read_pictures();
+  if (textures) {
+    textures_ = std::move(*textures);
+    return;
+  }
+  context_.log.warn("pictures on pieces not read", textures.error());
+  fall_short(end, "pictures.not_read",
+             "it is shown without the pictures on its pieces: " + textures.error().message);
+}
+
+/// Models and report into the store.
+Result<RunEnd> JobRun::deliver_models() {
+  store::Store& store = place_.documents->store();
+  const std::unique_ptr<TemporaryFolder> folder = TRY(TemporaryFolder::make(store.scratch_folder()));
+  RunEnd end = verdict_on(*input_, *result_);
+  end.report = exports::report_json(analysis::make_report(*input_, *result_));
+  read_pictures_into(end);
+  TRY(write_models(*input_, *result_, textures_, folder->path(), true));
+  TRY(write_file(folder->path() / "report.json", end.report));
+  auto results = TRY(keep_results(store, context_, job_id_, folder->path()));
+  end.results = std::move(results);
+  return end;
+}
+
+Status JobRun::add_stills(const RunControl& control, RunEnd& end) {
+  store::Store& store = place_.documents->store();
   auto delivery = std::make_shared<Delivery>();
   delivery->input = input_;
   delivery->result = result_;
+  delivery->textures = textures_;
+  std::unique_ptr<TemporaryFolder> folder = TRY(TemporaryFolder::make(store.scratch_folder()));
   delivery->folder = std::move(folder);
-  const std::filesystem::path& path = delivery->folder->path();
+  const Status drawn = draw(place_, control, delivery, context_.log);
+  if (!drawn && drawn.error().kind == ErrorKind::kCancelled) return drawn;
+  if (!drawn) {
+    context_.log.warn("stills not drawn", drawn.error());
+    fall_short(end, "stills.not_drawn", "there are no pictures of it: " + drawn.error().message);
+  }
+  end.results.merge(TRY(keep_results(store, context_, job_id_, delivery->folder->path())));
+  return {};
+}
 
-  RunEnd end = verdict_on(*input_, *result_);
-  end.report = exports::report_json(analysis::make_report(*input_, *result_));
-  if (Result<image::Textures> textures = read_pictures(); textures) {
-    delivery->textures = std::move(*textures);
-  } else {  // the drape is worth keeping without them
-    context_.log.warn("pictures on pieces not read", textures.error());
-    end.reason += "; it is shown without the pictures on its pieces: " + textures.error().message;
+/// Results first: the state that names them is written by whoever is told.
+Result<RunEnd> JobRun::deliver(const RunControl& control) {
+  if (!end_) {
+    RunEnd end = TRY(deliver_models());
+    TRY(control.on_draped(end));
+    end_ = std::move(end);
   }
-  TRY(write_models(*input_, *result_, delivery->textures, path, true));
-  TRY(write_file(path / "report.json", end.report));
-  if (Status stills = draw(place_, control, delivery, context_.log); !stills) {
-    if (stills.error().kind == ErrorKind::kCancelled) return stills.error();
-    context_.log.warn("stills not drawn", stills.error());
-    end.reason += "; there are no pictures of it: " + stills.error().message;  // the drape is worth keeping
+  tell(control, "stills", 0);
+  RunEnd whole = *end_;
+  if (Status added = add_stills(control, whole); !added) {
+    if (added.error().kind == ErrorKind::kCancelled) return added.error();
+    context_.log.warn("stills not kept", added.error());
+    whole = *end_;
+    fall_short(whole, "stills.not_kept", "its pictures could not be kept: " + added.error().message);
   }
-  auto results = TRY(keep_results(place_.documents->store(), context_, job_id_, path));
-  end.results = std::move(results);
   tell(control, "stills", 1);
-  return end;
+  return whole;
 }
 
 }  // namespace toile::jobs

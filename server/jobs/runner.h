@@ -40,6 +40,10 @@ struct RunControl {
   std::function<bool()> abandon;  ///< whether even a finished drape lets go, without its pictures and results
   std::function<bool()> worth_keeping;  ///< whether a drape that lets go will be taken up again
   std::function<void(const JobProgress&)> on_progress;  ///< at most about ten times a second
+  std::function<void()> on_kept;                        ///< a checkpoint: the drape has come further
+  /// The drape is done, and what `end` names is in the store; its pictures are to come. An error ends the run
+  /// here, as a store's does; one of kind kCancelled lets go.
+  std::function<Status(const RunEnd& end)> on_draped;
 };
 
 /// A job's drape under way. Between two calls of go_on it lies in memory, and any thread may call it next.
@@ -56,11 +60,14 @@ class JobRun {
   std::optional<RunEnd> through_all_stages(const RunControl& control);
   Status begin(const RunControl& control);
   Result<std::unique_ptr<drape::DrapeRun>> start_or_resume(const RunContext& context);
-  void keep_checkpoint();
+  void keep_checkpoint(const RunControl& control);
   void drape_on(const RunControl& control);
   void advance_slice(const RunControl& control);
   Result<image::Textures> read_pictures();
+  void read_pictures_into(RunEnd& end);
+  Result<RunEnd> deliver_models();
   Result<RunEnd> deliver(const RunControl& control);
+  Status add_stills(const RunControl& control, RunEnd& end);
   void tell(const RunControl& control, std::string_view phase, double fraction);
   void read_figures();
   RunContext context_of(const RunControl& control);
@@ -74,6 +81,8 @@ class JobRun {
   std::unique_ptr<drape::DrapeRun> run_;            ///< until the drape is done
   std::optional<JobStream> stream_;
   std::shared_ptr<const drape::DrapeResult> result_;  ///< from then on
+  image::Textures textures_;                          ///< for who shows it
+  std::optional<RunEnd> end_;                         ///< without stills, once it is in the store
 
   JobProgress progress_;
   std::chrono::steady_clock::time_point told_;

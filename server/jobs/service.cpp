@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "server/jobs/input.h"
+#include "server/jobs/recovery.h"
 #include "server/jobs/render_worker.h"
 #include "server/jobs/row_progress.h"
 #include "server/jobs/runner.h"
@@ -16,13 +17,60 @@
 namespace toile::jobs {
 namespace {
 
-/// A job that takes the server down with it is not tried for ever.
-constexpr int kMaxAttempts = 3;
 /// After the store has refused a claim a worker waits: a full disk is not emptied in a millisecond.
 constexpr auto kStorePause = std::chrono::seconds(1);
 
 RowEdit requeued() {
   return with_reason("requeued", "the server stopped before its end; it goes on from where it was kept last");
+}
+
+/// Whoever let go of it in good order did not crash with it: that start does not count.
+void uncount(store::JobRow& row) { row.attempt = std::max(0, row.attempt - 1); }
+
+RowEdit cancelled() {
+  return [](store::JobRow& row) {
+    with_reason("cancelled", "cancelled on request")(row);
+    row.verdict.reset();
+    row.report.clear();
+    row.results.clear();
+  };
+}
+
+/// What a job's row keeps of a drape whose pictures are still to be drawn.
+RowEdit draped(const RunEnd& end) {
+  return [&end](store::JobRow& row) {
+    if (!row.verdict) row.attempt = 1;  // it has come as far as that: counted anew
+    row.verdict = store::JobVerdict{end.succeeded, end.code, end.reason, end.where};
+    row.notes = end.notes;
+    row.report = end.report;
+    row.results = end.results;
+  };
+}
+
+RowEdit ended(const RunEnd& end) {
+  return [&end](store::JobRow& row) {
+    with_reason(end.code, end.reason, end.where)(row);
+    row.verdict.reset();
+    row.notes = end.notes;
+    row.report = end.report;
+    row.results = end.results;
+  };
+}
+
+/// The end of a drape whose pictures take the server down each time that they are drawn. REQUIRES a verdict.
+RunEnd without_pictures(const store::JobRow& row) {
+  RunEnd end;
+  end.succeeded = row.verdict->succeeded;
+  end.code = row.verdict->code;
+  end.reason = row.verdict->reason;
+  end.where = row.verdict->where;
+  end.notes = row.notes;
+  end.report = row.report;
+  end.results = row.results;
+  fall_short(end, "stills.not_drawn",
+             "there are no pictures of it: the server broke down " + std::to_string(row.attempt) +
+                 " times while they were drawn");
+  return end;
 }
 
 class QueueingJobService final : public JobService {
@@ -59,7 +107,8 @@ class QueueingJobService final : public JobService {
   Result<store::JobRow> row_of_drape(const store::RequestContext& context, const std::string& project_id);
 
   Status take_up_all();
-  Status take_up(const Changing& changing, const store::Store::OwnedJob& found);
+  Status take_up(const Changing& changing, const store::Store::OwnedJob& found, int running);
+  Status give_up(const Changing& changing, const LiveJobPtr& job, const Recovery& recovery);
   store::RequestContext context_of(const store::Store::OwnedJob& found) const;
   bool has_come_further(const store::Store::OwnedJob& found);
   void forget_checkpoint(const LiveJob& job);
@@ -70,6 +119,8 @@ class QueueingJobService final : public JobService {
   LiveJobPtr claim();
   Status claim(const Changing& changing, LiveJob& job);
   void forget_results(const LiveJob& job);
+  void come_further(const LiveJobPtr& job);
+  Status keep_draped(const LiveJobPtr& job, const RunEnd& end);
   void let_go(const LiveJobPtr& job, const std::optional<RunEnd>& run_end);
   void end(const Changing& changing, LiveJob& job, const RunEnd& run_end);
 
@@ -114,7 +165,8 @@ Result<store::JobRow> QueueingJobService::on_request(const store::RequestContext
   if (event == JobEvent::kPause) {
     TRY(check_parking(changing, *job));
   }
-  TRY(table_.change(changing, *job, event, edit));
+  const bool interrupted = event == JobEvent::kPause && job->state == store::JobState::kRunning;
+  TRY(table_.change(changing, *job, event, interrupted ? RowEdit(uncount) : edit));
   context.log.info("job changed", {{"job", id}, {"state", std::string(store::name_of(job->state))}});
   if (job->held) return job->row;  // the worker tells when it lets go
   table_.announce(changing, *job);
@@ -136,11 +188,12 @@ Result<store::JobRow> QueueingJobService::resume(const store::RequestContext& co
 
 Result<store::JobRow> QueueingJobService::cancel(const store::RequestContext& context,
                                                  const std::string& id) {
-  return on_request(context, id, JobEvent::kCancel, with_reason("cancelled", "cancelled on request"));
+  return on_request(context, id, JobEvent::kCancel, cancelled());
 }
 
 Status QueueingJobService::check_queue() const {
-  if (table_.counts().queued < settings_.max_queued) return {};
+  const Counts now = table_.counts();
+  if (now.queued + now.paused < settings_.max_queued) return {};  // what is paused comes back
   return Error{"jobs.queue_full", "the queue is full; try again when some drapes have ended", "",
                ErrorKind::kTooMany};
 }
@@ -173,7 +226,7 @@ Result<store::Made<store::JobRow>> QueueingJobService::submit(const store::Reque
   TRY(check_queue());  // others came while the document was read
   const store::Made<store::JobRow> made = TRY(store_.create_job(context, std::move(row), idempotency_key));
   if (made.anew) {
-    const LiveJobPtr job = table_.insert(changing, context, made, store::JobState::kQueued);
+    const LiveJobPtr job = table_.insert(changing, context, made);
     if (job) table_.announce(changing, *job);
     context.log.info("job queued", {{"job", made.id}, {"project", project_id}});
   }
@@ -205,8 +258,11 @@ Status QueueingJobService::take_up_all() {
     return std::pair(a.job.created_ms, a.job.id) < std::pair(b.job.created_ms, b.job.id);
   });
   table_.open(changing);
+  const auto running = std::count_if(found.begin(), found.end(), [](const store::Store::OwnedJob& owned) {
+    return owned.job.state == store::JobState::kRunning;
+  });
   for (const store::Store::OwnedJob& job : found) {
-    Status taken = take_up(changing, job);
+    Status taken = take_up(changing, job, static_cast<int>(running));
     if (taken) continue;
     table_.close(changing);
     for (const LiveJobPtr& had : table_.all(changing)) table_.remove(changing, had);
@@ -215,22 +271,33 @@ Status QueueingJobService::take_up_all() {
   return {};
 }
 
-Status QueueingJobService::take_up(const Changing& changing, const store::Store::OwnedJob& found) {
-  const store::JobState state = found.job.state;
-  if (store::is_final(state)) return {};
-  const LiveJobPtr job = table_.insert(changing, context_of(found), found.job, state);
-  if (!job || state == store::JobState::kQueued) return {};
-  const bool further = state == store::JobState::kRunning && has_come_further(found);
-  if (state == store::JobState::kPaused || found.job.attempt < kMaxAttempts || further) {
-    const RowEdit reason = requeued();
-    return table_.change(changing, *job, JobEvent::kRequeue, [&](store::JobRow& row) {
-      reason(row);
-      if (further) row.attempt = 0;
-    });
+Status QueueingJobService::take_up(const Changing& changing, const store::Store::OwnedJob& found,
+                                   int running) {
+  const bool further = found.job.state == store::JobState::kRunning && has_come_further(found);
+  const Recovery recovery = recover(found.job, further, running);
+  const LiveJobPtr job = table_.insert(changing, context_of(found), found.job);
+  if (!job || recovery.fate == Fate::kStays) return {};
+  if (recovery.fate == Fate::kFails || recovery.fate == Fate::kWithoutPictures)
+    return give_up(changing, job, recovery);
+  if (recovery.fate == Fate::kGoesAlone) table_.suspect(changing, *job);
+  return table_.change(changing, *job, JobEvent::kRequeue, [&](store::JobRow& row) {
+    requeued()(row);
+    row.attempt = recovery.attempt;
+  });
+}
+
+/// A job that has taken the server down too often.
+Status QueueingJobService::give_up(const Changing& changing, const LiveJobPtr& job,
+                                   const Recovery& recovery) {
+  RunEnd last;
+  if (recovery.fate == Fate::kWithoutPictures) {
+    last = without_pictures(job->row);
+  } else {
+    last.code = "jobs.attempts";
+    last.reason =
+        "the server broke down " + std::to_string(recovery.attempt) + " times while this was draped";
   }
-  const std::string reason =
-      "the server broke down " + std::to_string(found.job.attempt) + " times while this was draped";
-  TRY(table_.change(changing, *job, JobEvent::kFail, with_reason("jobs.attempts", reason)));
+  TRY(table_.change(changing, *job, last.succeeded ? JobEvent::kFinish : JobEvent::kFail, ended(last)));
   forget_checkpoint(*job);
   table_.announce(changing, *job);
   table_.remove(changing, job);
@@ -274,15 +341,13 @@ void QueueingJobService::give_back_all() {
   }
 }
 
-/// An orderly stop does not count as an attempt. What the store will not take is found at the next start as
-/// after a crash.
+/// What is paused stays so, and what has not begun is in the store as it is. What the store will not take is
+/// found at the next start as after a crash.
 void QueueingJobService::give_back(const Changing& changing, LiveJob& job) {
-  const bool begun = job.run != nullptr;
-  if (!begun && job.state == store::JobState::kQueued) return;  // as the store has it
-  const RowEdit reason = requeued();
-  const Status given = table_.change(changing, job, JobEvent::kRequeue, [&](store::JobRow& row) {
-    reason(row);
-    if (begun) row.attempt = std::max(0, row.attempt - 1);
+  if (job.state != store::JobState::kRunning) return;
+  const Status given = table_.change(changing, job, JobEvent::kRequeue, [](store::JobRow& row) {
+    requeued()(row);
+    uncount(row);
   });
   if (!given) job.context.log.warn("job not given back to the queue", given.error());
 }
@@ -309,10 +374,8 @@ Status QueueingJobService::claim(const Changing& changing, LiveJob& job) {
     row.reason_code.clear();
     row.reason.clear();
     row.reason_where.clear();
-    if (anew) {
-      ++row.attempt;
-      row.started_ms = unix_ms();
-    }
+    if (anew || row.attempt == 0) ++row.attempt;
+    if (anew) row.started_ms = unix_ms();
   });
   if (!claimed) {
     job.context.log.warn("job not claimed", claimed.error());
@@ -342,13 +405,34 @@ bool QueueingJobService::work_once() {
   control.abandon = [&] { return table_.state(*job) != store::JobState::kRunning; };
   control.worth_keeping = [&] { return !store::is_final(table_.state(*job)); };
   control.on_progress = [&](const JobProgress& progress) { table_.hear(*job, progress); };
+  control.on_kept = [&] { come_further(job); };
+  control.on_draped = [&](const RunEnd& end) { return keep_draped(job, end); };
   let_go(job, job->run->go_on(control));
   return true;
 }
 
+/// A job that was suspected of a crash is past where it may have been; when there are others it makes room,
+/// so that each has its turn alone.
+void QueueingJobService::come_further(const LiveJobPtr& job) {
+  if (!job->suspect) return;  // only whoever holds it, and that is this worker, clears it
+  const Changing changing = table_.changing();
+  const bool others = table_.clear(changing, *job);
+  if (!others || job->state != store::JobState::kRunning) return;
+  const Status requeued = table_.change(changing, *job, JobEvent::kRequeue, uncount);
+  if (!requeued) job->context.log.warn("job makes no room for another", requeued.error());
+}
+
+Status QueueingJobService::keep_draped(const LiveJobPtr& job, const RunEnd& end) {
+  const Changing changing = table_.changing();
+  if (job->state != store::JobState::kRunning)
+    return Error{"jobs.state", "the job is not running any more", "", ErrorKind::kCancelled};
+  return table_.change(changing, *job, JobEvent::kDraped, draped(end));
+}
+
 void QueueingJobService::let_go(const LiveJobPtr& job, const std::optional<RunEnd>& run_end) {
   std::unique_ptr<JobRun> run;  // freed after the lock
-  bool unnamed_results = false;
+  bool unnamed_results = table_.state(*job) == store::JobState::kCancelled;
+  if (unnamed_results) forget_results(*job);  // before anybody is told that it has ended
   {
     const Changing changing = table_.changing();
     table_.take_back(changing, *job);
@@ -357,7 +441,7 @@ void QueueingJobService::let_go(const LiveJobPtr& job, const std::optional<RunEn
       job->context.log.info("job ended", {{"state", std::string(store::name_of(job->state))},
                                           {"reason", job->row.reason_code}});
       forget_checkpoint(*job);
-      unnamed_results = job->row.results.empty();
+      unnamed_results = !unnamed_results && job->row.results.empty();
       table_.announce(changing, *job);
       run = table_.remove(changing, job);
     } else if (table_.is_open(changing)) {  // else it is told when it has been given back
@@ -376,20 +460,15 @@ void QueueingJobService::forget_results(const LiveJob& job) {
 
 void QueueingJobService::end(const Changing& changing, LiveJob& job, const RunEnd& run_end) {
   if (store::is_final(job.state)) return;  // cancelled before: the end comes too late
-  const RowEdit reason = with_reason(run_end.code, run_end.reason, run_end.where);
   const JobEvent event = run_end.succeeded ? JobEvent::kFinish : JobEvent::kFail;
-  Status ended = table_.change(changing, job, event, [&](store::JobRow& row) {
-    reason(row);
-    row.report = run_end.report;
-    row.results = run_end.results;
-  });
-  if (ended) return;
-  const Error refusal = ended.error();  // of the store; it may still take the few words of a failure
+  Status kept = table_.change(changing, job, event, ended(run_end));
+  if (kept) return;
+  const Error refusal = kept.error();  // of the store; it may still take the few words of a failure
   job.context.log.warn("job's end not kept", refusal);
-  ended = table_.change(changing, job, JobEvent::kFail,
-                        with_reason(refusal.code, refusal.message, refusal.where));
-  if (ended) return;
-  job.context.log.error("job's failure not kept", {{"code", ended.error().code}});
+  kept = table_.change(changing, job, JobEvent::kFail,
+                       with_reason(refusal.code, refusal.message, refusal.where));
+  if (kept) return;
+  job.context.log.error("job's failure not kept", {{"code", kept.error().code}});
   table_.fail_in_memory(changing, job);
 }
 

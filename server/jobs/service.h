@@ -15,7 +15,7 @@ namespace toile::jobs {
 
 struct JobServiceSettings {
   int workers = 2;        ///< threads that drape
-  int max_queued = 1000;  ///< beyond it submissions are refused (jobs.queue_full)
+  int max_queued = 1000;  ///< waiting or paused; beyond it submissions are refused (jobs.queue_full)
   int max_parked =
       16;  ///< drapes that lie paused in memory; beyond it a pause is refused (jobs.too_many_paused)
   int stream_interval = 50;                     ///< substeps between streamed frames
@@ -28,13 +28,14 @@ class JobService {
  public:
   virtual ~JobService() = default;
 
-  /// Takes up what was left queued, running or paused, and starts the workers. What had begun goes on from
-  /// its newest checkpoint, and ends in the same bytes as if nothing had happened. A job that a crash has cut
-  /// off for the third time without having come further is not tried again but failed (jobs.attempts). Twice
-  /// is safe, and so is a start after a stop. Errors: those of the store.
+  /// Takes up what was left queued, running or paused, and starts the workers. What is paused stays so. What
+  /// had begun goes on from its newest checkpoint, and ends in the same bytes as if nothing had happened.
+  /// What a crash may be put down to runs alone until it has come further; what has crashed alone three times
+  /// is not tried again but failed (jobs.attempts), or ends without pictures when it has been draped
+  /// (recovery.h). Twice is safe, and so is a start after a stop. Errors: those of the store.
   virtual Status start() = 0;
-  /// Claims nothing more, lets running and paused drapes go back to the queue, joins the threads. A drape of
-  /// which only pictures and results are missing is brought to its end. Twice is safe.
+  /// Claims nothing more, lets running drapes go back to the queue, joins the threads. A drape of which only
+  /// pictures and results are missing is brought to its end. Twice is safe.
   virtual void stop() = 0;
 
   /// Queues a drape of the project as it is now. Durable when it returns; while the service does not run, the

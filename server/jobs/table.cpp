@@ -77,17 +77,16 @@ void JobTable::announce(const Changing&, const LiveJob& job) {
   }
 }
 
-LiveJobPtr JobTable::insert(const Changing&, const store::RequestContext& context, const store::JobRow& row,
-                            store::JobState state) {
+LiveJobPtr JobTable::insert(const Changing&, const store::RequestContext& context, const store::JobRow& row) {
   auto job = std::make_shared<LiveJob>();
   job->id = row.id;
   job->context = context.for_job(row.id);
   job->row = without_document(row);
-  job->state = state;
+  job->state = row.state;
   {
     const std::lock_guard lock(mutex_);
     if (!open_ || !jobs_.emplace(job->id, job).second) return nullptr;
-    queue_.put(job->id, QueuePlace::kBack);
+    queue_.put(job->id, row.state == store::JobState::kPaused ? QueuePlace::kOut : QueuePlace::kBack);
   }
   bell_.notify_all();
   return job;
@@ -101,11 +100,41 @@ std::unique_ptr<JobRun> JobTable::remove(const Changing&, const LiveJobPtr& job)
   return std::move(job->run);
 }
 
+void JobTable::suspect(const Changing&, LiveJob& job) {
+  const std::lock_guard lock(mutex_);
+  job.suspect = true;
+}
+
+bool JobTable::clear(const Changing&, LiveJob& job) {
+  bool others = false;
+  {
+    const std::lock_guard lock(mutex_);
+    if (!std::exchange(job.suspect, false)) return false;
+    others = first_in_queue(true) != nullptr;
+  }
+  bell_.notify_all();
+  return others;
+}
+
+/// REQUIRES mutex_.
+LiveJobPtr JobTable::first_in_queue(bool suspects_only) const {
+  const std::optional<std::string> id = queue_.first([&](const std::string& waiting) {
+    const LiveJob& job = *jobs_.at(waiting);
+    return !job.held && (job.suspect || !suspects_only);
+  });
+  return id ? jobs_.at(*id) : nullptr;
+}
+
 /// REQUIRES mutex_.
 LiveJobPtr JobTable::ready() const {
-  const std::optional<std::string> id =
-      queue_.first([this](const std::string& waiting) { return !jobs_.at(waiting)->held; });
-  return id ? jobs_.at(*id) : nullptr;
+  bool anybody_runs = false, suspect_runs = false;
+  for (const auto& [id, job] : jobs_) {
+    anybody_runs = anybody_runs || job->held;
+    suspect_runs = suspect_runs || (job->held && job->suspect);
+  }
+  if (suspect_runs) return nullptr;
+  if (LiveJobPtr suspect = first_in_queue(true)) return anybody_runs ? nullptr : suspect;
+  return first_in_queue(false);
 }
 
 LiveJobPtr JobTable::next_ready(const Changing&) const {

@@ -30,6 +30,7 @@ struct LiveJob {
   store::JobRow row;              ///< without the document
   store::JobState state = store::JobState::kQueued;
   bool held = false;            ///< a worker has it
+  bool suspect = false;         ///< may have crashed the server: runs alone until it has come further
   JobProgress progress;         ///< as the worker told it last
   std::unique_ptr<JobRun> run;  ///< begun, maybe parked
   std::uint32_t epoch = 0;      ///< of the run's stream
@@ -64,13 +65,16 @@ class JobTable {
   /// Tells viewers the state, and that it is the last one when the job has ended or the table is closed.
   /// REQUIRES that no worker drapes the job.
   void announce(const Changing&, const LiveJob& job);
-  /// Puts a job at the end of the queue as `state`. Gives back nothing when it is there already or the table
-  /// is closed.
-  LiveJobPtr insert(const Changing&, const store::RequestContext& context, const store::JobRow& row,
-                    store::JobState state);
+  /// Takes a job in as its row has it, at the end of the queue unless it is paused. Gives back nothing when
+  /// it is there already or the table is closed.
+  LiveJobPtr insert(const Changing&, const store::RequestContext& context, const store::JobRow& row);
+  /// From now on nothing runs beside it, until clear().
+  void suspect(const Changing&, LiveJob& job);
+  /// It has come further: others may run beside it. Whether another suspect waits for a turn alone.
+  bool clear(const Changing&, LiveJob& job);
   /// Takes a job out and gives back its drape, to be freed when the locks are not held.
   std::unique_ptr<JobRun> remove(const Changing&, const LiveJobPtr& job);
-  /// The first of the queue that no worker holds.
+  /// The first of the queue that no worker holds; a suspect before all others, and once nothing else runs.
   LiveJobPtr next_ready(const Changing&) const;
   /// A worker takes the job; without a drape it gets one from `make`, for the stream of that epoch.
   void hand_out(const Changing&, LiveJob& job,
@@ -101,6 +105,7 @@ class JobTable {
 
  private:
   LiveJobPtr ready() const;
+  LiveJobPtr first_in_queue(bool suspects_only) const;
   JobProgress progress_now(const LiveJob& job) const;
   void count_end(store::JobState state);
 

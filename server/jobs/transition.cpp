@@ -36,10 +36,10 @@ constexpr Row kTable[] = {
     {kRunning, kPause, kPaused, kLetGo},
     {kRunning, kRequeue, kQueued, kLetGoToBack},
     {kRunning, kCancel, kCancelled, kEnd},
+    {kRunning, kDraped, kRunning, kOutOfQueue},
     {kRunning, kFinish, kSucceeded, kEnd},
     {kRunning, kFail, kFailed, kEnd},
     {kPaused, kResume, kQueued, kToFront},
-    {kPaused, kRequeue, kQueued, kLetGoToBack},
     {kPaused, kCancel, kCancelled, kEnd},
     {kPaused, kFinish, kSucceeded, kEnd},
     {kPaused, kFail, kFailed, kEnd},
@@ -47,8 +47,9 @@ constexpr Row kTable[] = {
 
 /// Words for "a job that is … cannot be …", in the order of the enumerators.
 constexpr std::array<std::string_view, kJobEvents.size()> kEventWords{
-    "taken by a worker", "reported on", "paused", "resumed",
-    "cancelled",         "finished",    "failed", "put back into the queue"};
+    "taken by a worker", "reported on", "paused",
+    "resumed",           "cancelled",   "said to be draped",
+    "finished",          "failed",      "put back into the queue"};
 
 Error refusal(store::JobState state, JobEvent event) {
   const std::string verb = state == kCancelled ? "was " : store::is_final(state) ? "has " : "is ";

@@ -5,14 +5,14 @@
 //                     claim                  finish
 //   submit ─▶ queued ─────────▶ running ─────────────▶ succeeded
 //             │ ▲ ▲             │ │ │ ▲│ progress
-//             │ │ └── requeue ──┘ │ │ └┘
+//             │ │ └── requeue ──┘ │ │ └┘ draped
 //             │ │                 │ └── fail ─────────▶ failed
-//       pause │ │ resume,         │ pause
-//             │ │ requeue         │
+//       pause │ │ resume          │ pause
 //             ▼ │                 ▼                      cancelled ◀── cancel ── queued, running, paused
 //             paused ◀────────────┘
 //
-// requeue: a drain takes the job from its worker, or a start finds it cut off.
+// requeue: a drain takes the job from its worker, a start finds it cut off, or it makes room for one that is
+// to run alone. What is paused stays so over stops and crashes.
 //
 // The worker that drapes learns of a pause or a cancel up to 50 ms after the state has changed. Until then it
 // may come with its end: finish and fail are therefore legal wherever a worker may still hold the job, that
@@ -32,13 +32,14 @@ enum class JobEvent {
   kPause,
   kResume,
   kCancel,
-  kFinish,   ///< the drape has ended and its results are kept
+  kDraped,   ///< the drape has ended and its models are kept; its pictures are to come
+  kFinish,   ///< all that there will be is kept
   kFail,     ///< it cannot be draped, or something broke
-  kRequeue,  ///< a drain takes it from its worker, or a start finds it unfinished
+  kRequeue,  ///< it is taken from its worker, or a start finds it cut off
 };
 inline constexpr std::array kJobEvents{JobEvent::kClaim,  JobEvent::kProgress, JobEvent::kPause,
-                                       JobEvent::kResume, JobEvent::kCancel,   JobEvent::kFinish,
-                                       JobEvent::kFail,   JobEvent::kRequeue};
+                                       JobEvent::kResume, JobEvent::kCancel,   JobEvent::kDraped,
+                                       JobEvent::kFinish, JobEvent::kFail,     JobEvent::kRequeue};
 
 /// Where in the queue a job comes to stand.
 enum class QueuePlace { kOut, kFront, kBack };

@@ -50,6 +50,20 @@ struct EditRow {
 
 enum class EditStep { kDo, kUndo, kRedo };
 
+/// What a job's end fell short of although it ended well: "stills.not_drawn", with a sentence for a person.
+struct JobNote {
+  std::string code, message;
+  friend bool operator==(const JobNote&, const JobNote&) = default;
+};
+
+/// How a drape came out whose pictures are still to be drawn: what its job will say once they are, or once
+/// they are given up.
+struct JobVerdict {
+  bool succeeded = false;
+  std::string code, reason, where;
+  friend bool operator==(const JobVerdict&, const JobVerdict&) = default;
+};
+
 /// A drape that was asked for. The document and files are copies of the project's at that moment.
 struct JobRow {
   std::string id;  ///< "j_" and 20 characters; rises with time
@@ -62,7 +76,9 @@ struct JobRow {
   std::string reason_code;  ///< of a final state, e.g. "settled", "time", "start.crosses_body"
   std::string reason;       ///< a sentence for a person
   std::string reason_where;
-  int attempt = 0;
+  std::vector<JobNote> notes;
+  std::optional<JobVerdict> verdict;  ///< there while the job has been draped and has not ended
+  int attempt = 0;                    ///< starts that nothing is known to have come of
   std::int64_t created_ms = 0, started_ms = 0, ended_ms = 0;
   std::string report;                           ///< report.json's text once there is one
   std::map<std::string, std::int64_t> results;  ///< file name → bytes
@@ -138,7 +154,7 @@ class Store {
   /// Newest first, as projects(); without documents (row.document is empty).
   virtual Result<std::vector<JobRow>> jobs(const RequestContext& context, const std::string& cursor,
                                            int limit) = 0;
-  /// Writes state, reason, attempt, times, report and results of a job that exists.
+  /// Writes state, reason, notes, verdict, attempt, times, report and results of a job that exists.
   virtual Status update_job(const RequestContext& context, const JobRow& row) = 0;
   /// The oldest queued jobs of all owners, for the workers; and at a start those left running or paused.
   struct OwnedJob {

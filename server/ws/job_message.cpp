@@ -22,7 +22,13 @@ std::vector<json::JsonMember> message(const char* type, std::vector<json::JsonMe
 
 std::vector<json::JsonMember> job_members(const store::JobRow& job) {
   std::vector<json::JsonMember> results;
-  for (const auto& [name, bytes] : job.results) results.push_back({name, number(bytes)});
+  if (store::is_final(job.state)) {  // a drape whose pictures are still to come has some, but not all
+    for (const auto& [name, bytes] : job.results) results.push_back({name, number(bytes)});
+  }
+  std::vector<json::JsonValue> notes;
+  for (const store::JobNote& note : job.notes) {
+    notes.push_back(std::vector<json::JsonMember>{{"code", note.code}, {"message", note.message}});
+  }
   return {{"id", job.id},
           {"project_id", job.project_id},
           {"project_revision", number(job.project_revision)},
@@ -31,6 +37,7 @@ std::vector<json::JsonMember> job_members(const store::JobRow& job) {
           {"reason_code", job.reason_code},
           {"reason", job.reason},
           {"reason_where", job.reason_where},
+          {"notes", std::move(notes)},
           {"attempt", number(job.attempt)},
           {"created_ms", number(job.created_ms)},
           {"started_ms", number(job.started_ms)},

@@ -6,8 +6,10 @@
 #include <chrono>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "core/json/tree.h"
 #include "tests/app/napkin.h"
@@ -78,6 +80,72 @@ TEST(Recovery, ADrapeThatWasKilledTwiceEndsInTheBytesOfOneThatWasNot) {
   EXPECT_FALSE(fs::exists(folder / "data/checkpoints" / id)) << "an ended job needs none";
   fs::remove_all(folder);
   fs::remove_all(napkin);
+}
+
+/// A server over a napkin that takes a while, and its job.
+class KilledServer : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder = fresh_folder("toile_killed");
+    fs::create_directories(folder / "empty");
+  }
+  void TearDown() override { fs::remove_all(folder); }
+  std::unique_ptr<Serving> serve() {
+    return std::make_unique<Serving>(folder / "data",
+                                     std::vector<std::string>{"--sample", folder / "empty", "--workers", "1",
+                                                              "--checkpoint-every", "0.1"});
+  }
+  std::string submit(const Serving& server, const std::string& from, const std::string& to) {
+    const fs::path napkin = napkin_folder("toile_killed_napkin", from, to);
+    const Ran sent = run_toile({"submit", napkin / "project.json", "--server", server.url()});
+    EXPECT_EQ(sent.code, 0) << sent.err;
+    fs::remove_all(napkin);
+    return sent.out.substr(0, sent.out.find('\n'));
+  }
+  static std::string job(const Serving& server, const std::string& id) {
+    return server.get("/api/v1/jobs/" + id).body;
+  }
+
+  fs::path folder;
+};
+
+TEST_F(KilledServer, StartsAgainWithWhatWasPausedStillPaused) {
+  auto server = serve();
+  ASSERT_TRUE(server->up()) << server->said();
+  const std::string id = submit(*server, "\"particle_distance_mm\": 25",
+                                "\"particle_distance_mm\": 12, \"time_step_s\": 0.00025");
+  ASSERT_TRUE(wait_for([&] { return fs::exists(folder / "data/checkpoints" / id); }));
+  ASSERT_EQ(server->post("/api/v1/jobs/" + id + "/pause", "").status, 200);
+  for (const int signal : {SIGTERM, SIGKILL, SIGTERM}) {
+    ASSERT_EQ(member(job(*server, id), "state"), "paused");
+    EXPECT_EQ(server->end(signal), signal == SIGKILL ? -SIGKILL : 0);
+    server = serve();
+    ASSERT_TRUE(server->up()) << server->said();
+  }
+  EXPECT_EQ(member(job(*server, id), "state"), "paused");
+  ASSERT_EQ(server->post("/api/v1/jobs/" + id + "/resume", "").status, 200);
+  ASSERT_TRUE(wait_for([&] { return member(job(*server, id), "state") == "succeeded"; }));
+}
+
+TEST_F(KilledServer, KeepsAFinishedDrapeHoweverOftenItsPicturesAreCutOff) {
+  std::string id;
+  for (int kills = 0; kills < 5; ++kills) {
+    const auto server = serve();
+    ASSERT_TRUE(server->up()) << server->said();
+    if (id.empty()) id = submit(*server, "\"max_time_s\": 8", "\"max_time_s\": 0.2");
+    const auto drawing = [&] {
+      const std::string now = job(*server, id);
+      return now.find("\"phase\": \"stills\"") != std::string::npos || member(now, "state") == "succeeded";
+    };
+    ASSERT_TRUE(wait_for(drawing)) << job(*server, id);
+    EXPECT_NE(member(job(*server, id), "state"), "failed");
+    EXPECT_EQ(server->end(SIGKILL), -SIGKILL);
+  }
+  const auto server = serve();
+  ASSERT_TRUE(server->up()) << server->said();
+  ASSERT_TRUE(wait_for([&] { return member(job(*server, id), "state") == "succeeded"; })) << job(*server, id);
+  EXPECT_EQ(server->get("/api/v1/jobs/" + id + "/results/final.glb").status, 200);
+  EXPECT_NE(member(server->get("/api/v1/jobs/" + id + "/results/report.json").body, "hash"), "");
 }
 
 }  // namespace

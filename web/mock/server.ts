@@ -30,6 +30,7 @@ interface MockJob {
   reason_code: string;
   reason: string;
   reason_where: string;
+  notes: { code: string; message: string }[];
   attempt: number;
   created_ms: number;
   started_ms: number;
@@ -65,6 +66,7 @@ function submit(): MockJob {
     reason_code: '',
     reason: '',
     reason_where: '',
+    notes: [],
     attempt: 1,
     created_ms: Date.now(),
     started_ms: Date.now(),

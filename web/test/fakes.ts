@@ -93,6 +93,7 @@ export const jobOf = (more: Partial<Job> = {}): Job => ({
   reason_code: '',
   reason: '',
   reason_where: '',
+  notes: [],
   attempt: 1,
   created_ms: 1000,
   started_ms: 1100,

@@ -32,7 +32,7 @@ std::vector<json::JsonMember> members_with_progress(const Api& api, const store:
 http::HttpResponse job_answer(const Api& api, const store::RequestContext& context,
                               const store::JobRow& job) {
   return json_answer(200, members_with_progress(api, context, job), "report",
-                     job.report.empty() ? "null" : job.report);
+                     job.report.empty() || !store::is_final(job.state) ? "null" : job.report);
 }
 
 http::HttpResponse submit(const Api& api, const store::RequestContext& context,

@@ -87,13 +87,14 @@ Result<std::vector<store::JobRow>> SqliteStore::jobs(const store::RequestContext
 }
 
 Status SqliteStore::update_job(const store::RequestContext& context, const store::JobRow& row) {
-  const std::string results = column_text(row.results);
+  const std::string results = column_text(row.results), notes = column_text(row.notes),
+                    verdict = column_text(row.verdict);
   const std::lock_guard hold(mutex_);
   const int changed = TRY(database_.run(
       "UPDATE jobs SET state = ?, reason_code = ?, reason = ?, reason_where = ?, attempt = ?, started_ms = ?,"
-      " ended_ms = ?, report = ?, results = ? WHERE owner = ? AND id = ?",
+      " ended_ms = ?, report = ?, results = ?, notes = ?, verdict = ? WHERE owner = ? AND id = ?",
       {store::name_of(row.state), row.reason_code, row.reason, row.reason_where, std::int64_t{row.attempt},
-       row.started_ms, row.ended_ms, row.report, results, context.owner, row.id}));
+       row.started_ms, row.ended_ms, row.report, results, notes, verdict, context.owner, row.id}));
   if (changed == 0) return not_found("job", row.id);
   return {};
 }

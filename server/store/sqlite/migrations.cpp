@@ -90,6 +90,10 @@ CREATE TABLE project_edits (
   PRIMARY KEY (owner, project_id, number)
 ) STRICT;
 )sql"},
+    {4, "what a drape came to before its pictures, and what it fell short of", R"sql(
+ALTER TABLE jobs ADD COLUMN notes TEXT NOT NULL DEFAULT '[]';
+ALTER TABLE jobs ADD COLUMN verdict TEXT NOT NULL DEFAULT '';
+)sql"},
 };
 
 constexpr const char* kRemembered = R"sql(

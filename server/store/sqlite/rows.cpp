@@ -30,15 +30,41 @@ Result<FileIds> files_from(const std::string& text, const std::string& thing) {
   return map_from<std::string>(text, thing, [](const Json& value) { return value.is_string(); });
 }
 
+/// The text under a key; empty where there is none.
+std::string text_at(const Json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+Result<std::vector<store::JobNote>> notes_from(const std::string& text, const std::string& thing) {
+  const Json list = Json::parse(text, nullptr, false);
+  if (!list.is_array()) return damaged(thing);
+  std::vector<store::JobNote> notes;
+  for (const Json& note : list) {
+    if (note.is_object()) notes.push_back({text_at(note, "code"), text_at(note, "message")});
+  }
+  return notes;
+}
+
+Result<std::optional<store::JobVerdict>> verdict_from(const std::string& text, const std::string& thing) {
+  if (text.empty()) return std::optional<store::JobVerdict>();
+  const Json object = Json::parse(text, nullptr, false);
+  if (!object.is_object()) return damaged(thing);
+  const auto succeeded = object.find("succeeded");
+  const bool well = succeeded != object.end() && succeeded->is_boolean() && succeeded->get<bool>();
+  return std::optional(
+      store::JobVerdict{well, text_at(object, "code"), text_at(object, "reason"), text_at(object, "where")});
+}
+
+/// Bytes that are no UTF-8 would throw.
+std::string dumped(const Json& value) { return value.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
 /// One line, with blanks as the rows that are there already have them.
 template <typename Map>
 std::string text_of(const Map& map) {
-  const auto quoted = [](const Json& value) {
-    return value.dump(-1, ' ', false, Json::error_handler_t::replace);
-  };
   std::string text;
   for (const auto& [name, value] : map)
-    text += (text.empty() ? "" : ", ") + quoted(name) + ": " + quoted(value);
+    text += (text.empty() ? "" : ", ") + dumped(name) + ": " + dumped(value);
   return "{" + text + "}";
 }
 
@@ -94,11 +120,29 @@ Result<store::JobRow> job_from(const SqlStatement& row) {
   job.files = std::move(files);
   job.report = row.text(14);
   job.document = row.text(15);
+  std::vector<store::JobNote> notes = TRY(notes_from(row.text(16), job.id));
+  job.notes = std::move(notes);
+  std::optional<store::JobVerdict> verdict = TRY(verdict_from(row.text(17), job.id));
+  job.verdict = std::move(verdict);
   return job;
 }
 
 std::string column_text(const FileIds& files) { return text_of(files); }
 
 std::string column_text(const ResultSizes& results) { return text_of(results); }
+
+std::string column_text(const std::vector<store::JobNote>& notes) {
+  Json list = Json::array();
+  for (const store::JobNote& note : notes) list.push_back({{"code", note.code}, {"message", note.message}});
+  return dumped(list);
+}
+
+std::string column_text(const std::optional<store::JobVerdict>& verdict) {
+  if (!verdict) return "";
+  return dumped({{"succeeded", verdict->succeeded},
+                 {"code", verdict->code},
+                 {"reason", verdict->reason},
+                 {"where", verdict->where}});
+}
 
 }  // namespace toile::sqlite

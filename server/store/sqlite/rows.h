@@ -3,7 +3,9 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "core/base/result.h"
 #include "server/store/sqlite/database.h"
@@ -20,13 +22,13 @@ inline constexpr const char* kAssetColumns = "id, kind, name, size, created_ms, 
 inline constexpr const char* kProjectColumns = "id, name, revision, created_ms, updated_ms, files, document";
 inline constexpr const char* kJobColumns =
     "id, project_id, project_revision, name, state, reason_code, reason, reason_where, attempt, created_ms, "
-    "started_ms, ended_ms, results, files, report, document";
+    "started_ms, ended_ms, results, files, report, document, notes, verdict";
 /// The same without the document.
 inline constexpr const char* kJobListColumns =
     "id, project_id, project_revision, name, state, reason_code, reason, reason_where, attempt, created_ms, "
-    "started_ms, ended_ms, results, files, report, ''";
+    "started_ms, ended_ms, results, files, report, '', notes, verdict";
 /// How many columns a job has: where one more may stand.
-inline constexpr int kJobColumnCount = 16;
+inline constexpr int kJobColumnCount = 18;
 
 /// Error of each: store.corrupt.
 Result<store::AssetRow> asset_from(const SqlStatement& row);
@@ -36,6 +38,9 @@ Result<store::JobRow> job_from(const SqlStatement& row);
 /// A map as the JSON object that its column keeps.
 std::string column_text(const FileIds& files);
 std::string column_text(const ResultSizes& results);
+/// JobRow::notes as a JSON list, JobRow::verdict as an object or an empty text.
+std::string column_text(const std::vector<store::JobNote>& notes);
+std::string column_text(const std::optional<store::JobVerdict>& verdict);
 /// And back; `thing` names the row. Error: store.corrupt.
 Result<ResultSizes> results_from(const std::string& text, const std::string& thing);
 

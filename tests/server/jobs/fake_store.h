@@ -132,6 +132,8 @@ class FakeStore final : public store::Store {
     kept.ended_ms = row.ended_ms;
     kept.report = row.report;
     kept.results = row.results;
+    kept.notes = row.notes;
+    kept.verdict = row.verdict;
     return {};
   }
   Result<std::vector<OwnedJob>> unfinished_jobs() override {

@@ -84,6 +84,8 @@ TEST_F(JobCheckpoints, AStopKeepsRunningAndPausedDrapesWhereTheyStand) {
   ASSERT_TRUE(publisher.wait_for_frames(running, 3));
   service.reset();
   house(2, kNever);
+  EXPECT_EQ(row(parked).state, store::JobState::kPaused);
+  ASSERT_TRUE(service->resume(kOwner, parked).ok());
   for (const std::string& id : {parked, running}) {
     ASSERT_TRUE(publisher.wait_for_end(id, 2));
     const store::JobRow job = row(id);

@@ -136,7 +136,8 @@ TEST_F(JobFailures, TheStateThatNamesTheResultsIsWrittenAfterAllOfThem) {
   ASSERT_TRUE(service->start().ok());
   const std::string id = submit(cloth_over_block(200));
   ASSERT_TRUE(publisher.wait_for_end(id));
-  EXPECT_EQ(order, "srrrrrrrrrrrS") << "a claim, eleven results, the end: one write";
+  EXPECT_EQ(order, "srrrrrrsrrrrrS")
+      << "a claim, models and report, the drape, pictures, the end: one write each";
 }
 
 TEST_F(JobFailures, AChangeThatTheStoreRefusesHasNotHappened) {

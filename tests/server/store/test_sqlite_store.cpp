@@ -177,6 +177,8 @@ TEST(SqliteStore, KeepsAJobAndWhatBecomesOfItOverAReopening) {
     job.started_ms = job.created_ms + 5;
     job.ended_ms = job.created_ms + 9;
     job.report = R"({"steps": 12})";
+    job.notes = {{"stills.not_drawn", "there are \"none\""}};
+    job.verdict = store::JobVerdict{true, "settled", "the cloth came to rest", "seam a"};
     job.results = {{"report.json", 13}, {"front.png", std::int64_t{5'000'000'000}}};
     ASSERT_TRUE(store->update_job(kMe, job));
   }
@@ -198,6 +200,8 @@ TEST(SqliteStore, KeepsAJobAndWhatBecomesOfItOverAReopening) {
   EXPECT_EQ(row->ended_ms, job.ended_ms);
   EXPECT_EQ(row->report, job.report);
   EXPECT_EQ(row->results, job.results);
+  EXPECT_EQ(row->notes, job.notes);
+  EXPECT_EQ(row->verdict, job.verdict);
   EXPECT_EQ(code_of(store->update_job(kMe, some_job("no id"))), "store.not_found");
 }
 

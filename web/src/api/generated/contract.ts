@@ -1233,6 +1233,13 @@ export interface components {
             /** @description a sentence for a person */
             reason: string;
             reason_where: string;
+            /** @description What the end fell short of although it ended well; the reason says the same in words */
+            notes: {
+                /** @description stills.not_drawn, stills.not_kept, pictures.not_read */
+                code: string;
+                message: string;
+            }[];
+            /** @description starts that nothing is known to have come of */
             attempt: number;
             created_ms: number;
             started_ms: number;
@@ -1254,6 +1261,7 @@ export interface components {
          *       "reason_code": "",
          *       "reason": "",
          *       "reason_where": "",
+         *       "notes": [],
          *       "attempt": 1,
          *       "created_ms": 1795229571125,
          *       "started_ms": 1795229571300,
