@@ -118,21 +118,33 @@ pid_t start(const Launch& launch) {
   return pid;
 }
 
-int milliseconds_until(Clock::time_point end) {
-  const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
-  return static_cast<int>(std::clamp<long long>(left, 0, 1000));
-}
+/// How long a child may go on: until a moment, and until somebody wants it no more.
+struct Patience {
+  Clock::time_point end;
+  const std::atomic<bool>* cancel = nullptr;
+
+  bool cancelled() const { return cancel != nullptr && cancel->load(std::memory_order_relaxed); }
+  bool over() const { return Clock::now() >= end || cancelled(); }
+  int milliseconds() const {
+    constexpr long long kAskEvery = 50;
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
+    return static_cast<int>(std::clamp<long long>(left, 0, kAskEvery));
+  }
+  ChildOutcome::End reason() const {
+    return cancelled() ? ChildOutcome::End::kCancelled : ChildOutcome::End::kTookTooLong;
+  }
+};
 
 /// Reads until the child closes its output. kExited means that it did.
-ChildOutcome::End read_all(int fd, Clock::time_point end, std::size_t most, std::string& output) {
+ChildOutcome::End read_all(int fd, const Patience& patience, std::size_t most, std::string& output) {
   constexpr std::size_t kChunk = std::size_t{1} << 16;
   for (;;) {
     pollfd waiting{fd, POLLIN, 0};
-    if (::poll(&waiting, 1, milliseconds_until(end)) < 0 && errno != EINTR) {
+    if (::poll(&waiting, 1, patience.milliseconds()) < 0 && errno != EINTR) {
       return ChildOutcome::End::kTookTooLong;
     }
     if (waiting.revents == 0) {
-      if (Clock::now() >= end) return ChildOutcome::End::kTookTooLong;
+      if (patience.over()) return patience.reason();
       continue;
     }
     const std::size_t had = output.size();
@@ -146,12 +158,12 @@ ChildOutcome::End read_all(int fd, Clock::time_point end, std::size_t most, std:
 }
 
 /// Whether the child ended by itself in time. It is not reaped yet, so that its number stays its own.
-bool ended(pid_t pid, Clock::time_point end) {
+bool ended(pid_t pid, const Patience& patience) {
   for (long pause_us = 200;; pause_us = std::min(2 * pause_us, 20'000L)) {
     siginfo_t info{};
     const int done = ::waitid(P_PID, static_cast<id_t>(pid), &info, WEXITED | WNOHANG | WNOWAIT);
     if (done == 0 && info.si_pid == pid) return true;
-    if ((done < 0 && errno != EINTR) || Clock::now() >= end) return false;
+    if ((done < 0 && errno != EINTR) || patience.over()) return false;
     const timespec pause{0, pause_us * 1000};
     ::nanosleep(&pause, nullptr);
   }
@@ -159,13 +171,12 @@ bool ended(pid_t pid, Clock::time_point end) {
 
 ChildOutcome not_started(int reason) { return {ChildOutcome::End::kNotStarted, reason, {}}; }
 
-ChildOutcome wait_for(pid_t pid, int output, const ChildLimits& limits) {
-  const auto end = Clock::now() + std::chrono::microseconds(static_cast<long long>(limits.wall_s * 1e6));
+ChildOutcome wait_for(pid_t pid, int output, const ChildLimits& limits, const std::atomic<bool>* cancel) {
+  const Patience patience{
+      Clock::now() + std::chrono::microseconds(static_cast<long long>(limits.wall_s * 1e6)), cancel};
   ChildOutcome outcome;
-  outcome.end = read_all(output, end, limits.output_bytes, outcome.output);
-  if (outcome.end == ChildOutcome::End::kExited && !ended(pid, end)) {
-    outcome.end = ChildOutcome::End::kTookTooLong;
-  }
+  outcome.end = read_all(output, patience, limits.output_bytes, outcome.output);
+  if (outcome.end == ChildOutcome::End::kExited && !ended(pid, patience)) outcome.end = patience.reason();
   ::kill(-pid, SIGKILL);  // and whatever it may have left behind
   int status = 0;
   while (::waitpid(pid, &status, 0) < 0 && errno == EINTR) {
@@ -184,7 +195,8 @@ ChildOutcome wait_for(pid_t pid, int output, const ChildLimits& limits) {
 
 }  // namespace
 
-ChildOutcome run_child(const ChildCommand& command, const ChildLimits& limits) {
+ChildOutcome run_child(const ChildCommand& command, const ChildLimits& limits,
+                       const std::atomic<bool>* cancel) {
   const OpenFile nothing(::open("/dev/null", O_RDWR | O_CLOEXEC));
   int ends[2] = {-1, -1};
   if (nothing.get() < 0 || ::pipe2(ends, O_CLOEXEC) != 0) return not_started(errno);
@@ -212,7 +224,7 @@ ChildOutcome run_child(const ChildCommand& command, const ChildLimits& limits) {
   const pid_t pid = start(launch);
   if (pid < 0) return not_started(errno);
   out.close();  // else the end of the child's output would never come
-  return wait_for(pid, read_end.get(), limits);
+  return wait_for(pid, read_end.get(), limits, cancel);
 }
 
 }  // namespace toile

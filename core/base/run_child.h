@@ -2,6 +2,7 @@
 // Another program, run for its output and kept on a short leash: limits on memory, processor time, time by
 // the clock and output, no files of ours but the one it is given, and it never outlives the call.
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -23,15 +24,16 @@ struct ChildCommand {
 };
 
 struct ChildOutcome {
-  enum class End { kExited, kKilledBySignal, kTookTooLong, kWroteTooMuch, kNotStarted };
+  enum class End { kExited, kKilledBySignal, kTookTooLong, kWroteTooMuch, kCancelled, kNotStarted };
   End end = End::kNotStarted;
   int code = 0;        ///< exit code, signal, or errno of what kept it from starting
   std::string output;  ///< of its standard output; standard error is dropped
 };
 
 /// Runs the program and waits for its end. It gets an empty environment (but LD_LIBRARY_PATH), "/" as its
-/// folder, can write no file, and is killed with all that it has started once a limit is passed or this
-/// thread ends. Safe in a process with many threads. Linux.
-ChildOutcome run_child(const ChildCommand& command, const ChildLimits& limits);
+/// folder, can write no file, and is killed with all that it has started once a limit is passed, this thread
+/// ends, or `cancel` (which may be null) becomes true. Safe in a process with many threads. Linux.
+ChildOutcome run_child(const ChildCommand& command, const ChildLimits& limits,
+                       const std::atomic<bool>* cancel = nullptr);
 
 }  // namespace toile

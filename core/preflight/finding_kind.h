@@ -43,7 +43,6 @@ enum class FindingKind : std::uint8_t {
   kTightRing,
   kRingAroundNothing,
   kRingOnWrongLimb,
-  kLeftOut,
   kRingOff,
   kOnGround,
 };

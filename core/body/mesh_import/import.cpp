@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -22,7 +23,7 @@
 namespace toile::mesh_import {
 namespace {
 
-constexpr int kAtOnce = 2;  // readers, of one importer
+constexpr int kAtOnce = 3;  // readers, of one importer
 constexpr std::uint64_t kMemory = std::uint64_t{3} << 30;
 constexpr int kCpuSeconds = 30;
 constexpr double kWallSeconds = 90;
@@ -133,13 +134,26 @@ struct MeshImporter::Reader {
     ~Release() { places.release(); }
   };
 
-  Result<RepairedMesh> run(const char* how, const std::string& name, int input,
-                           const MeshSettings& settings) const {
+  /// Waits for a place among the readers. Error: mesh.cancelled.
+  Status take_place(const std::string& name, const std::atomic<bool>* cancel) const {
+    while (!free.try_acquire_for(std::chrono::milliseconds(50))) {
+      if (cancel != nullptr && cancel->load(std::memory_order_relaxed)) return cancelled(name);
+    }
+    return {};
+  }
+
+  static Error cancelled(const std::string& name) {
+    return {"mesh.cancelled", "Nobody waits for the mesh any more, or reading it took too long.", name,
+            ErrorKind::kCancelled};
+  }
+
+  Result<RepairedMesh> run(const char* how, const std::string& name, int input, const MeshSettings& settings,
+                           const std::atomic<bool>* cancel = nullptr) const {
     ChildCommand command{program, {kMeshImportVerb, how, name}, input};
     for (std::string& word : words_of(settings)) command.arguments.push_back(std::move(word));
-    free.acquire();
+    TRY(take_place(name, cancel));
     const Release release{free};
-    return answer_of(run_child(command, limits), name);
+    return answer_of(run_child(command, limits, cancel), name);
   }
 
   Result<RepairedMesh> answer_of(const ChildOutcome& outcome, const std::string& name) const {
@@ -156,6 +170,8 @@ struct MeshImporter::Reader {
                 " s and was broken off. It is damaged or far too large; export it anew, as OBJ, STL or "
                 "GLB, with fewer triangles.",
             name};
+      case End::kCancelled:
+        return cancelled(name);
       case End::kWroteTooMuch:
         return Error{"mesh.too_large", "The mesh has too many triangles; export it with fewer.", name,
                      ErrorKind::kTooLarge};
@@ -195,23 +211,25 @@ Result<RepairedMesh> MeshImporter::file(const std::filesystem::path& path,
 }
 
 Result<RepairedMesh> MeshImporter::bytes(const std::string& name, std::string_view bytes,
-                                         const MeshSettings& settings) const {
+                                         const MeshSettings& settings,
+                                         const std::atomic<bool>* cancel) const {
   if (!reader_) return mended(load_mesh_bytes(name, bytes, settings));
   const Descriptor memory{::memfd_create("mesh", MFD_CLOEXEC)};
   if (memory.fd < 0) return reader_error(name, reason_of(errno));
   if (!write_whole(memory.fd, bytes) || ::lseek(memory.fd, 0, SEEK_SET) != 0) {
     return reader_error(name, reason_of(errno));
   }
-  return reader_->run("bytes", name, memory.fd, settings);
+  return reader_->run("bytes", name, memory.fd, settings, cancel);
 }
 
 Result<RepairedMesh> MeshImporter::stored(const std::filesystem::path& path, const std::string& name,
-                                          const MeshSettings& settings) const {
+                                          const MeshSettings& settings,
+                                          const std::atomic<bool>* cancel) const {
   const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
   if (file.fd < 0) {
     return Error{"mesh.not_found", "The file cannot be opened: " + reason_of(errno) + ".", name};
   }
-  if (reader_) return reader_->run("bytes", name, file.fd, settings);
+  if (reader_) return reader_->run("bytes", name, file.fd, settings, cancel);
   const std::string read = TRY(read_whole(file.fd, name));
   return mended(load_mesh_bytes(name, read, settings));
 }

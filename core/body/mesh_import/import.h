@@ -2,6 +2,7 @@
 // A mesh file made fit to be a body: read, then mended; in a process of its own, when the file may be
 // anything.
 
+#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -24,7 +25,8 @@ class MeshImporter {
   /// Reads in this process: for files that one trusts. Only the formats of mesh_formats().
   MeshImporter();
   /// Has `program` read, in a process of its own, with kMeshImportVerb and the arguments that
-  /// run_mesh_import() takes: any format that assimp knows. At most two at once; further calls wait.
+  /// run_mesh_import() takes: any format that assimp knows. At most three at once; further calls wait. The
+  /// process ends when `cancel`, that each of the calls below takes, becomes true: error mesh.cancelled.
   explicit MeshImporter(std::string program, const ChildLimits& limits = mesh_import_limits());
 
   /// A file on this machine's disk, and the files that it names. Errors: those of load_mesh; of a reader in
@@ -33,11 +35,11 @@ class MeshImporter {
 
   /// A file that a stranger gave the name `name`; nothing but its bytes is read. Errors: the same, with
   /// `name` as place.
-  Result<RepairedMesh> bytes(const std::string& name, std::string_view bytes,
-                             const MeshSettings& settings) const;
+  Result<RepairedMesh> bytes(const std::string& name, std::string_view bytes, const MeshSettings& settings,
+                             const std::atomic<bool>* cancel = nullptr) const;
   /// The same of a file on disk that goes by `name`.
   Result<RepairedMesh> stored(const std::filesystem::path& path, const std::string& name,
-                              const MeshSettings& settings) const;
+                              const MeshSettings& settings, const std::atomic<bool>* cancel = nullptr) const;
 
  private:
   struct Reader;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <assimp/Importer.hpp>
+#include <cstdint>
 #include <cstring>
 #include <exception>
 #include <new>
@@ -22,6 +23,9 @@ namespace {
 
 constexpr int kDeepest = 256;          // levels of the scene's tree
 constexpr double kLeastArea2 = 1e-14;  // m², twice the area under which a triangle is a line
+// Cutting a polygon into triangles costs the square of its corners: half a million of them take minutes.
+constexpr unsigned kMostCorners = 1000;              // of one face; a cap of a cylinder has a hundred
+constexpr std::uint64_t kMostCutting = 200'000'000;  // corners², of all faces together
 
 Error fail(const char* code, std::string message, const std::string& file, const std::string& place = {}) {
   return {code, std::move(message), file + (place.empty() ? "" : ": " + place)};
@@ -206,13 +210,35 @@ Result<geometry::TriangleMesh> gathered(const aiScene& scene, const std::string&
   return mesh;
 }
 
+/// Before they are cut.
+Status check_faces(const aiScene& scene, const std::string& file) {
+  std::uint64_t cutting = 0;
+  for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+    for (unsigned f = 0; f < scene.mMeshes[m]->mNumFaces; ++f) {
+      const std::uint64_t corners = scene.mMeshes[m]->mFaces[f].mNumIndices;
+      cutting += corners > 4 ? corners * corners : 0;
+      if (corners <= kMostCorners && cutting <= kMostCutting) continue;
+      return fail(
+          "mesh.huge_face",
+          "A face has " + std::to_string(corners) +
+              " corners, and such faces are not cut into triangles here; export the mesh as triangles.",
+          file, "face " + std::to_string(f + 1) + " of mesh " + std::to_string(m + 1));
+    }
+  }
+  return {};
+}
+
 Result<geometry::TriangleMesh> import(Assimp::Importer& importer, const std::string& file,
                                       const MeshSettings& settings) {
   if (!importer.IsExtensionSupported(std::filesystem::path(file).extension().string())) {
     return fail("mesh.unreadable", "Files with this ending are no meshes that can be read.", file);
   }
   // No other processing: positions stay as the file says, and what is not geometry is not looked at.
-  const aiScene* scene = importer.ReadFile(file, aiProcess_Triangulate);
+  const aiScene* scene = importer.ReadFile(file, 0);
+  if (scene != nullptr) {
+    TRY(check_faces(*scene, file));
+    scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
+  }
   if (scene != nullptr && scene->mRootNode != nullptr) return gathered(*scene, file, settings);
   const std::string reason = importer.GetErrorString();
   if (reason.find("bad_alloc") != std::string::npos) return no_memory(file);

@@ -27,8 +27,8 @@ struct MeshSettings {
 /// Assimp keeps coordinates as 32-bit floats: seven digits, 0.1 µm on a body in metres.
 ///
 /// Errors, with the file as place: "mesh.not_found", "mesh.empty", "mesh.too_large" (over 256 MiB or 2
-/// million triangles), "mesh.memory", "mesh.unreadable", "mesh.no_triangles", "mesh.not_finite" (place with
-/// the vertex), "mesh.setting".
+/// million triangles), "mesh.huge_face" (over 1,000 corners), "mesh.memory", "mesh.unreadable",
+/// "mesh.no_triangles", "mesh.not_finite" (place with the vertex), "mesh.setting".
 Result<geometry::TriangleMesh> load_mesh(const std::filesystem::path& path,
                                          const MeshSettings& settings = {});
 

@@ -105,6 +105,16 @@ TEST_F(ImportMesh, TellsOfAReaderThatHangs) {
   EXPECT_EQ(error_of("while :; do :; done").code, "mesh.too_long");
 }
 
+TEST_F(ImportMesh, EndsAReaderForWhichNobodyWaits) {
+  const std::atomic<bool> cancel{true};
+  const Result<mesh_import::RepairedMesh> mesh =
+      played_by("exec sleep 1000").bytes("given.obj", kCube, {}, &cancel);
+  ASSERT_FALSE(mesh);
+  EXPECT_EQ(mesh.error().code, "mesh.cancelled");
+  EXPECT_EQ(mesh.error().kind, ErrorKind::kCancelled);
+  EXPECT_EQ(mesh.error().where, "given.obj");
+}
+
 TEST_F(ImportMesh, TellsOfAReaderThatEatsMemory) {
   const Error error = error_of("x=aaaaaaaaaaaaaaaa; while :; do x=$x$x; done; echo never");
   EXPECT_TRUE(error.code == "mesh.crashed" || error.code == "mesh.too_long") << to_string(error);

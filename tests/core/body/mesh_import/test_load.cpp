@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <numbers>
 #include <string>
 
 #include "tests/core/body/mesh_checks.h"
@@ -156,6 +158,30 @@ TEST_F(LoadMesh, RefusesMoreTrianglesThanTwoMillion) {
     }
   }
   EXPECT_EQ(code("grid.obj", text), "mesh.too_large");
+}
+
+/// A flat ring of `corners` points as one face.
+std::string disc(int corners, int faces = 1) {
+  std::string text, face = "f";
+  for (int k = 0; k < corners; ++k) {
+    const double angle = 2 * std::numbers::pi * k / corners;
+    text += "v " + std::to_string(std::cos(angle)) + " " + std::to_string(std::sin(angle)) + " 0\n";
+    face += " " + std::to_string(k + 1);
+  }
+  for (int k = 0; k < faces; ++k) text += face + "\n";
+  return text;
+}
+
+TEST(LoadMeshFaces, OfAFewHundredCornersAreCutAndOfManyAreRefusedByName) {
+  const Result<geometry::TriangleMesh> cap = mesh_import::load_mesh_bytes("cap.obj", disc(512));
+  ASSERT_TRUE(cap) << to_string(cap.error());
+  EXPECT_EQ(cap->triangles.size(), 510u);
+  for (const std::string& text : {disc(1001), disc(200'000), disc(999, 300)}) {
+    const Result<geometry::TriangleMesh> huge = mesh_import::load_mesh_bytes("huge.obj", text);
+    ASSERT_FALSE(huge);
+    EXPECT_EQ(huge.error().code, "mesh.huge_face");
+    EXPECT_TRUE(huge.error().where.starts_with("huge.obj: face ")) << huge.error().where;
+  }
 }
 
 TEST(LoadMeshBodies, ReadsTheSharedBodiesWhole) {
