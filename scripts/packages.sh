@@ -3,7 +3,7 @@
 
 build_packages=(
   g++ cmake ninja-build pkg-config ccache
-  libeigen3-dev nlohmann-json3-dev libassimp-dev libosmesa6-dev libcli11-dev libpng-dev libjpeg62-turbo-dev libxxhash-dev libsqlite3-dev libboost1.81-dev libboost-url1.81-dev libspdlog-dev
+  libeigen3-dev nlohmann-json3-dev libassimp-dev libosmesa6-dev libcli11-dev libpng-dev zlib1g-dev libjpeg62-turbo-dev libxxhash-dev libsqlite3-dev libboost1.81-dev libboost-url1.81-dev libspdlog-dev
   libgtest-dev librapidcheck-dev libbenchmark-dev
 )
 test_packages=(clang-format clang-tidy python3-yaml python3-jsonschema chromium)

@@ -1,9 +1,12 @@
 #include <pthread.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <memory>
 #include <string>
+#include <thread>
 
 #include "server/app/commands.h"
 #include "server/app/console.h"
@@ -23,6 +26,16 @@ sigset_t hold_ending_signals() {
   return signals;
 }
 
+/// Ends the process by then, whatever still runs in it: a picture or an arrangement cannot be broken off. The
+/// store has all that it said it had, so that this costs no more than a crash.
+void end_anyway_in(std::chrono::seconds time, const Log& log) {
+  std::thread([time, log] {
+    std::this_thread::sleep_for(time);
+    log.warn("what still runs is cut off", LogFields{});
+    std::_Exit(kDone);
+  }).detach();
+}
+
 }  // namespace
 
 ExitCode serve_command(const ServeOptions& given) {
@@ -40,6 +53,7 @@ ExitCode serve_command(const ServeOptions& given) {
   sigwait(&signals, &signal);
   (*service)->log().info("stopping; running drapes go back to the queue");
   pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);  // a second signal ends at once
+  end_anyway_in(std::chrono::seconds(25), (*service)->log());
   (*service)->stop();
   return kDone;
 }

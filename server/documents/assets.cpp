@@ -71,9 +71,9 @@ Result<std::string> specification_info(const std::string& name, std::string_view
   }));
 }
 
-Result<std::string> body_info(const mesh_import::MeshImporter& importer, const std::string& name,
-                              std::string_view bytes) {
-  const mesh_import::RepairedMesh read = TRY(importer.bytes(name, bytes, {}));
+Result<std::string> body_info(const mesh_import::MeshImporter& importer, const store::RequestContext& context,
+                              const std::string& name, std::string_view bytes) {
+  const mesh_import::RepairedMesh read = TRY(importer.bytes(name, bytes, {}, context.given_up.get()));
   const geometry::TriangleMesh& mesh = read.mesh;
   const Vec3 size = bounding_box(mesh.vertices).size();
   std::vector<json::JsonValue> notes;
@@ -101,12 +101,12 @@ Result<std::string> image_info(const std::string& name, std::string_view bytes) 
   }));
 }
 
-Result<std::string> info_of(const mesh_import::MeshImporter& importer, const std::string& kind,
-                            const std::string& name, std::string_view bytes) {
+Result<std::string> info_of(const mesh_import::MeshImporter& importer, const store::RequestContext& context,
+                            const std::string& kind, const std::string& name, std::string_view bytes) {
   if (kind == "dxf") return dxf_info(name, bytes);
   if (kind == "specification") return specification_info(name, bytes);
   if (kind == "image") return image_info(name, bytes);
-  return body_info(importer, name, bytes);
+  return body_info(importer, context, name, bytes);
 }
 
 }  // namespace
@@ -135,7 +135,7 @@ Result<store::AssetRow> add_asset(Documents& documents, const store::RequestCont
                  "the file has more than the " + std::to_string(most >> 20) + " MiB that are allowed", name,
                  ErrorKind::kTooLarge};
   }
-  std::string info = TRY(info_of(documents.importer(), kind, name, bytes));
+  std::string info = TRY(info_of(documents.importer(), context, kind, name, bytes));
   store::AssetRow row;
   row.kind = kind;
   row.name = name;

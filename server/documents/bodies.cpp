@@ -28,7 +28,7 @@ Result<std::shared_ptr<const mesh_import::RepairedMesh>> BodyCache::mesh(
   const std::string key = key_of(asset_id, settings);
   if (std::shared_ptr<const mesh_import::RepairedMesh> kept = kept_.find(key)) return kept;
   const std::string path = TRY(store.asset_path(context, asset_id));
-  mesh_import::RepairedMesh read = TRY(importer_.stored(path, asset->name, settings));
+  mesh_import::RepairedMesh read = TRY(importer_.stored(path, asset->name, settings, context.given_up.get()));
   auto made = std::make_shared<const mesh_import::RepairedMesh>(std::move(read));
   kept_.keep(key, made, bytes_of(*made));
   return std::shared_ptr<const mesh_import::RepairedMesh>(std::move(made));

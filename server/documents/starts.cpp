@@ -8,7 +8,6 @@
 #include "core/base/aabb.h"
 #include "core/base/units.h"
 #include "core/drape/pipeline.h"
-#include "core/drape/worn_part.h"
 #include "core/project/project.h"
 #include "proto/cpp/frame_codec.h"
 #include "proto/cpp/message_bytes.h"
@@ -52,24 +51,24 @@ json::JsonValue by_hand(const project::ProjectPlacement& placement) {
   return {};
 }
 
-/// `assembly`: of all pieces; `found`: of those that would be draped.
 std::string check_of(const project::Project& project, const drape::DrapeInput& input,
-                     const sewing::Assembly& assembly, const preflight::Findings& found) {
+                     const drape::DrapeStart& start) {
   std::vector<json::JsonValue> findings, pieces;
-  for (const preflight::Finding& finding : found) findings.push_back(finding_json(finding));
-  const sewing::GarmentMesh& garment = assembly.garment;
+  for (const preflight::Finding& finding : start.findings) findings.push_back(finding_json(finding));
+  const sewing::GarmentMesh& garment = start.assembly.garment;
   for (std::size_t p = 0; p < input.pattern.panels.size(); ++p) {
     const auto first = static_cast<std::size_t>(garment.first_vertex[p]);
     const auto end = static_cast<std::size_t>(garment.first_vertex[p + 1]);
-    const Aabb3 e = bounding_box(std::span(assembly.positions).subspan(first, end - first));
+    const Aabb3 e = bounding_box(std::span(start.assembly.positions).subspan(first, end - first));
     pieces.push_back(std::vector<json::JsonMember>{{"id", input.pattern.panels[p].id},
                                                    {"low", vector_json(e.low)},
                                                    {"high", vector_json(e.high)},
                                                    {"by_hand", by_hand(project.pieces[p].placement)}});
   }
-  return json::write_json_line(std::vector<json::JsonMember>{{"ready", !preflight::first_error(found)},
-                                                             {"findings", std::move(findings)},
-                                                             {"pieces", std::move(pieces)}}) +
+  return json::write_json_line(
+             std::vector<json::JsonMember>{{"ready", !preflight::first_error(start.findings)},
+                                           {"findings", std::move(findings)},
+                                           {"pieces", std::move(pieces)}}) +
          "\n";
 }
 
@@ -78,15 +77,13 @@ Result<StartView> make_view(Documents& documents, const store::RequestContext& c
   const project::Project project = TRY(project::parse_project(row.document));
   const drape::DrapeInput input =
       TRY(resolve::resolve_project(project, files_in_store(documents, context, row.files)));
-  const drape::DrapeInput worn = drape::worn_part(input);
-  drape::DrapeStart start = TRY(drape::prepare_start(worn, {}));
-  if (preflight::first_error(start.findings)) drape::dress_start(worn, start, {});
-  if (worn.left_out.empty())
-    return StartView{check_of(project, input, start.assembly, start.findings),
-                     geometry_of(input, start.assembly)};
-  const drape::DrapeStart whole = TRY(drape::prepare_start(input, {}));
-  return StartView{check_of(project, input, whole.assembly, start.findings),
-                   geometry_of(input, whole.assembly)};
+  RunContext run;
+  run.cancel = context.given_up.get();
+  drape::DrapeStart start = TRY(drape::prepare_start(input, run));
+  if (preflight::first_error(start.findings)) drape::dress_start(input, start, run);
+  if (run.cancelled())  // then it may have been left half dressed, which nobody must keep
+    return Error{"cancelled", "nobody waits for the start any more", "", ErrorKind::kCancelled};
+  return StartView{check_of(project, input, start), geometry_of(input, start.assembly)};
 }
 
 std::size_t bytes_of(const std::string& key, const StartView& view) {

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <memory>
 #include <mutex>
+#include <string>
 #include <vector>
 
 #include "core/base/log.h"
@@ -24,6 +25,9 @@ class HttpSession;
 /// Who is connected, so that a stop can tell them. Thread-safe.
 class Connections {
  public:
+  /// Whether one more of that address may come: when there are too many, of all or of the address, the one of
+  /// them that has been idle longest is ended. `count` are connected.
+  bool make_room(const std::string& address, int count, const ServerSettings& settings);
   /// False when the server is stopping.
   bool add(const std::shared_ptr<HttpSession>& session);
   void remove(const HttpSession* session);
@@ -57,15 +61,42 @@ class BodyBudget {
   std::atomic<std::size_t> taken_{0};
 };
 
+/// Threads for each kind of work.
+class WorkPools {
+ public:
+  WorkPools(int light, int heavy)
+      : store_(threads(light)), document_(threads(light)), heavy_(threads(heavy)), upload_(threads(heavy)) {}
+  boost::asio::thread_pool& of(Work work) {
+    switch (work) {
+      case Work::kStore:
+        break;
+      case Work::kDocument:
+        return document_;
+      case Work::kHeavy:
+        return heavy_;
+      case Work::kUpload:
+        return upload_;
+    }
+    return store_;
+  }
+  void join() {
+    for (boost::asio::thread_pool* pool : {&store_, &document_, &heavy_, &upload_}) pool->join();
+  }
+
+ private:
+  static std::size_t threads(int count) { return static_cast<std::size_t>(count); }
+  boost::asio::thread_pool store_, document_, heavy_, upload_;
+};
+
 struct ConnectionContext {
   const Log& log;
   RequestIds& request_ids;
   const ServerSettings& settings;
   const Router& router;
   Metrics& metrics;
-  boost::asio::thread_pool& light;
-  boost::asio::thread_pool& heavy;
-  BodyBudget& budget;
+  WorkPools& pools;
+  BodyBudget& budget;   ///< of requests
+  BodyBudget& answers;  ///< that lie in memory
   Connections& connections;
   const ws::StreamServices& streams;
 };

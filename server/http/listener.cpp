@@ -73,8 +73,12 @@ asio::awaitable<void> Listener::accept_all() {
       co_await pause.async_wait(kTuple);
       continue;
     }
-    if (context_.metrics.connections.load() >= context_.settings.most_connections) continue;  // closes it
-    const auto session = std::make_shared<HttpSession>(std::move(socket), context_);
+    boost::system::error_code gone;
+    const tcp::endpoint other = socket.remote_endpoint(gone);
+    const std::string address = gone ? std::string() : other.address().to_string();
+    if (!context_.connections.make_room(address, context_.metrics.connections.load(), context_.settings))
+      continue;  // closes it
+    const auto session = std::make_shared<HttpSession>(std::move(socket), address, context_);
     asio::co_spawn(session->executor(), session->run(), or_log(context_.log, "connection broke off"));
   }
 }

@@ -1,7 +1,10 @@
 #pragma once
 // Requests and answers as plain values, so that routes and handlers know nothing of sockets.
 
+#include <cstddef>
+#include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -23,10 +26,30 @@ struct HttpRequest {
   std::string parameter(const std::string& name) const;
 };
 
+/// A file that an answer is sent from, piece by piece, open as long as it is needed.
+class AnswerFile {
+ public:
+  /// Null when there is no such regular file.
+  static std::shared_ptr<const AnswerFile> open(const std::string& path);
+  ~AnswerFile();
+  AnswerFile(const AnswerFile&) = delete;
+  AnswerFile& operator=(const AnswerFile&) = delete;
+
+  std::uint64_t size() const { return size_; }
+  /// At most `most` bytes; none at its end, or where it cannot be read.
+  std::string read(std::uint64_t at, std::size_t most) const;
+
+ private:
+  AnswerFile(int fd, std::uint64_t size) : fd_(fd), size_(size) {}
+  int fd_;
+  std::uint64_t size_;
+};
+
 struct HttpResponse {
   int status = 200;
   std::string content_type;  ///< empty: no body
   std::string body;
+  std::shared_ptr<const AnswerFile> file{};  ///< in place of the body
   std::vector<std::pair<std::string, std::string>> headers;
 };
 

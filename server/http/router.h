@@ -24,6 +24,14 @@ enum class BodyKind {
   kFile,    ///< raw bytes of some file type
 };
 
+/// What a handler does. Each kind has threads of its own, so that none waits for one that takes longer.
+enum class Work {
+  kStore,     ///< asks the store: milliseconds
+  kDocument,  ///< reads a document and its cloth: submitting, editing, showing pieces
+  kHeavy,     ///< bodies, starts, arrangements: seconds
+  kUpload,    ///< reads a stranger's file
+};
+
 inline constexpr std::size_t kSmallBody = std::size_t{256} << 10;
 inline std::size_t small_body(const HttpRequest&) { return kSmallBody; }
 
@@ -34,7 +42,7 @@ struct Route {
   BodyKind body = BodyKind::kUnused;
   /// Most bytes that the body may have.
   std::function<std::size_t(const HttpRequest&)> limit = small_body;
-  bool heavy = false;  ///< reads geometry: runs beside the light ones, so that those never wait for it
+  Work work = Work::kStore;
   bool websocket =
       false;  ///< an upgrade is wanted; the handler says what is wrong with it (status 200: nothing)
 };

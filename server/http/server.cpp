@@ -25,11 +25,11 @@ class HttpServer::Impl {
         log_(log),
         page_(settings_.web),
         budget_(settings_.most_body_bytes),
-        light_(static_cast<std::size_t>(settings_.light_threads)),
-        heavy_(static_cast<std::size_t>(settings_.heavy_threads)),
-        streams_{store, jobs, hub, light_, settings_.stream},
+        answers_(settings_.most_answer_bytes),
+        pools_(settings_.light_threads, settings_.heavy_threads),
+        streams_{store, jobs, hub, pools_.of(Work::kStore), settings_.stream},
         context_{log_,   request_ids_, settings_, router_,      metrics_,
-                 light_, heavy_,       budget_,   connections_, streams_},
+                 pools_, budget_,      answers_,  connections_, streams_},
         io_(settings_.io_threads),
         listener_(io_, context_) {
     router_.add_page(
@@ -60,8 +60,7 @@ class HttpServer::Impl {
     work_.reset();
     io_.stop();
     for (std::thread& thread : threads_) thread.join();
-    light_.join();  // nobody waits for them any more, but they still look at their connections
-    heavy_.join();
+    pools_.join();  // nobody waits for them any more, but they still look at their connections
     connections_.forget_all();
   }
 
@@ -78,9 +77,9 @@ class HttpServer::Impl {
   Metrics metrics_;
   StaticFiles page_;
   Router router_;
-  BodyBudget budget_;
+  BodyBudget budget_, answers_;
   Connections connections_;
-  asio::thread_pool light_, heavy_;
+  WorkPools pools_;
   const ws::StreamServices streams_;
   const ConnectionContext context_;
   asio::io_context io_;

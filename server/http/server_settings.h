@@ -14,17 +14,23 @@ struct ServerSettings {
   int port = 8460;                    ///< 0: any that is free
   std::filesystem::path web;          ///< folder of the built page; need not be there
   int io_threads = 2;
-  int light_threads = 2;  ///< for handlers that ask the store
-  int heavy_threads = 2;  ///< for those that read geometry
+  int light_threads = 2;  ///< for handlers that ask the store, and as many for those that read documents
+  int heavy_threads = 2;  ///< for those that read bodies and starts, and as many for uploads
 
-  std::chrono::milliseconds idle_within{60'000};   ///< from one request to the next
-  std::chrono::milliseconds header_within{3'000};  ///< from the first byte of a request
-  std::chrono::milliseconds body_within{60'000};
-  std::chrono::milliseconds write_within{60'000};
+  std::chrono::milliseconds idle_within{60'000};        ///< from one request to the next
+  std::chrono::milliseconds header_within{3'000};       ///< from the first byte of a request
+  std::chrono::milliseconds body_pause_within{10'000};  ///< from one piece of a body to the next
+  std::chrono::milliseconds slow_for{5'000};            ///< before a body's rate is looked at
+  std::size_t least_body_rate = 16 << 10;               ///< bytes a second on average from then on
+  std::chrono::milliseconds write_within{20'000};       ///< for one piece of an answer
+  std::chrono::milliseconds work_within{120'000};       ///< for a handler, before it is asked to give up
   std::size_t most_header_bytes = 8 << 10;
-  int most_connections = 512;
+  int most_connections = 512;  ///< beyond it the one that has been idle longest makes room
+  int most_of_address = 384;   ///< of them
   /// Of all bodies that are being received or worked on together; beyond it uploads wait for later (503).
   std::size_t most_body_bytes = std::size_t{512} << 20;
+  /// Of all answers that lie in memory while they are sent; files are sent piece by piece and count nothing.
+  std::size_t most_answer_bytes = std::size_t{256} << 20;
 
   ws::StreamSettings stream;
 };

@@ -3,16 +3,20 @@
 #include <boost/asio/as_tuple.hpp>
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
 #include <boost/asio/use_awaitable.hpp>
 #include <boost/asio/write.hpp>
 #include <boost/beast/http/read.hpp>
 #include <boost/beast/http/write.hpp>
 #include <boost/beast/websocket/rfc6455.hpp>
 
+#include <sys/socket.h>
+
 #include <algorithm>
 #include <array>
 #include <exception>
 #include <new>
+#include <sstream>
 #include <utility>
 
 #include "core/base/names.h"
@@ -30,6 +34,7 @@ namespace http = beast::http;
 
 constexpr auto kTuple = asio::as_tuple(asio::use_awaitable);
 constexpr std::size_t kBufferBytes = 64 << 10;
+constexpr std::size_t kPieceBytes = 256 << 10;  // of an answer: what a connection that does not read can hold
 
 // In this file nothing that must be destroyed is made within an awaited call: GCC 12 destroys such
 // temporaries twice.
@@ -65,30 +70,34 @@ std::optional<HttpResponse> malformed(const Header& header, bool chunked) {
   return std::nullopt;
 }
 
-/// Returns what it took of the budget.
-class Taken {
- public:
-  explicit Taken(BodyBudget& budget) : budget_(budget) {}
-  ~Taken() { budget_.give_back(bytes_); }
-  Taken(const Taken&) = delete;
-  Taken& operator=(const Taken&) = delete;
-  bool take(std::size_t bytes) {
-    if (!budget_.take(bytes)) return false;
-    bytes_ += bytes;
-    return true;
-  }
+// Why a body is not read to its end, beside what Beast says.
+const boost::system::error_code kNoRoom = asio::error::no_memory;   // the budget is spent
+const boost::system::error_code kTooSlow = asio::error::timed_out;  // Beast's own timeout is another
 
- private:
-  BodyBudget& budget_;
-  std::size_t bytes_ = 0;
-};
+HttpResponse busy() {
+  return problem(503, {"server.busy", "too many uploads or large answers at once; try again in a few seconds",
+                       "", ErrorKind::kUnavailable});
+}
 
 HttpResponse broke(const char* code, const char* words) { return problem(500, {code, words, ""}); }
 
+template <typename Message>
+std::string header_text(const Message& message) {
+  std::ostringstream out;
+  out << message.base();
+  return out.str();
+}
+
+HttpResponse gave_up() {
+  return problem(
+      503, {"server.gave_up", "this took too long, or the server is stopping", "", ErrorKind::kUnavailable});
+}
+
 }  // namespace
 
-HttpSession::HttpSession(asio::ip::tcp::socket socket, const ConnectionContext& context)
+HttpSession::HttpSession(asio::ip::tcp::socket socket, std::string address, const ConnectionContext& context)
     : stream_(std::move(socket)),
+      address_(std::move(address)),
       context_(context),
       buffer_(kBufferBytes),
       asked_("", "", context.log) {}  // nobody has asked yet
@@ -124,9 +133,11 @@ asio::awaitable<void> HttpSession::serve() {
 asio::awaitable<bool> HttpSession::wait_for_request() {
   if (buffer_.size() > 0) co_return true;
   idle_ = true;
+  idle_since_ = Clock::now();
   stream_.expires_after(context_.settings.idle_within);
   const auto [failure, size] = co_await stream_.async_read_some(buffer_.prepare(4096), kTuple);
   idle_ = false;
+  idle_since_ = kBusy;
   if (failure) co_return false;
   buffer_.commit(size);
   began_ = Clock::now();
@@ -157,15 +168,9 @@ asio::awaitable<bool> HttpSession::serve_one() {
 
   const Route& route = *admission.route;
   Taken taken(context_.budget);
-  const std::size_t most = incoming.has_body ? incoming.length.value_or(route.limit(request)) : 0;
-  if (!taken.take(most)) {
-    HttpResponse busy = problem(503, {"server.busy", "too many uploads at once; try again in a few seconds",
-                                      "", ErrorKind::kUnavailable});
-    co_return co_await refuse(request, std::move(busy));
-  }
   if (incoming.has_body) {
     keep_alive_ = false;
-    const bool whole = co_await read_body(parser, route, request);
+    const bool whole = co_await read_body(parser, route, taken, request);
     if (!whole) co_return false;
   }
   HttpResponse response = co_await handle(route, request);
@@ -228,18 +233,42 @@ asio::awaitable<void> HttpSession::linger() {
   idle_ = false;
 }
 
-asio::awaitable<bool> HttpSession::read_body(Parser& parser, const Route& route, HttpRequest& request) {
+/// Until the body is whole. What comes counts against the budget as it comes: who announces much and sends
+/// nothing takes nothing from others, and is not waited for.
+asio::awaitable<boost::system::error_code> HttpSession::read_all(Parser& parser, Taken& taken) {
+  const ServerSettings& settings = context_.settings;
+  const Clock::time_point began = Clock::now();
+  parser.eager(true);
+  while (!parser.is_done()) {
+    stream_.expires_after(settings.body_pause_within);
+    const auto [failure, size] = co_await http::async_read_some(stream_, buffer_, parser, kTuple);
+    if (failure) co_return failure;
+    const std::size_t has = parser.get().body().size();
+    if (!taken.have(has)) co_return kNoRoom;
+    const std::chrono::duration<double> late = Clock::now() - began - settings.slow_for;
+    if (late.count() * static_cast<double>(settings.least_body_rate) > static_cast<double>(has))
+      co_return kTooSlow;
+  }
+  co_return boost::system::error_code();
+}
+
+asio::awaitable<bool> HttpSession::read_body(Parser& parser, const Route& route, Taken& taken,
+                                             HttpRequest& request) {
   parser.body_limit(route.limit(request));
-  stream_.expires_after(context_.settings.body_within);
   if (beast::iequals(parser.get()[http::field::expect], "100-continue")) {
     static constexpr std::string_view kGoOn = "HTTP/1.1 100 Continue\r\n\r\n";
     const auto [failure, size] = co_await asio::async_write(stream_, asio::buffer(kGoOn), kTuple);
     if (failure) co_return false;
   }
-  const auto [failure, size] = co_await http::async_read(stream_, buffer_, parser, kTuple);
+  const boost::system::error_code failure = co_await read_all(parser, taken);
   if (!failure) {
     request.body = std::move(parser.get().body());
     co_return true;
+  }
+  if (failure == kNoRoom) co_return co_await refuse(request, busy());
+  if (failure == kTooSlow) {
+    HttpResponse slow = problem(408, {"http.too_slow", "the body came too slowly; send it again", ""});
+    co_return co_await refuse(request, std::move(slow));
   }
   if (failure == http::error::body_limit) {
     const std::string most = std::to_string(route.limit(request));
@@ -254,23 +283,84 @@ asio::awaitable<bool> HttpSession::read_body(Parser& parser, const Route& route,
   co_return co_await refuse(request, std::move(broken));
 }
 
+/// On a thread of the route's kind of work. What waited so long for one that nobody waits for it is not
+/// begun.
+HttpResponse HttpSession::work_on(const Route& route, const HttpRequest& request) const {
+  try {
+    if (asked_.is_given_up()) return gave_up();
+    HttpResponse response = route.handler(asked_, request);
+    return asked_.is_given_up() && response.status >= 500 ? gave_up() : response;
+  } catch (const std::bad_alloc&) {
+    asked_.log.error("handler ran out of memory", LogFields{{"route", route.pattern}});
+    return broke("internal.memory", "there is not enough memory for this");
+  } catch (const std::exception& e) {
+    asked_.log.error("handler threw", LogFields{{"route", route.pattern}, {"what", e.what()}});
+    return broke("internal.exception", e.what());
+  }
+}
+
+/// Work is given up when the other side ends the connection, when it takes too long, and when the server
+/// stops.
 asio::awaitable<HttpResponse> HttpSession::handle(const Route& route, const HttpRequest& request) {
-  co_return co_await ws::on_pool(route.heavy ? context_.heavy : context_.light, [this, &route, &request] {
-    try {
-      return route.handler(asked_, request);
-    } catch (const std::bad_alloc&) {
-      asked_.log.error("handler ran out of memory", LogFields{{"route", route.pattern}});
-      return broke("internal.memory", "there is not enough memory for this");
-    } catch (const std::exception& e) {
-      asked_.log.error("handler threw", LogFields{{"route", route.pattern}, {"what", e.what()}});
-      return broke("internal.exception", e.what());
-    }
+  const auto given_up = std::make_shared<std::atomic<bool>>(stopping_);
+  given_up_ = given_up;
+  asked_.given_up = given_up;
+  asio::steady_timer limit(stream_.get_executor(), context_.settings.work_within);
+  limit.async_wait([given_up](boost::system::error_code cancelled) {
+    if (!cancelled) given_up->store(true);
   });
+  const bool watched = route.work != Work::kStore;
+  if (watched) watch_for_end();
+  HttpResponse response = co_await ws::on_pool(context_.pools.of(route.work),
+                                               [this, &route, &request] { return work_on(route, request); });
+  boost::system::error_code ignored;
+  if (watched) stream_.socket().cancel(ignored);
+  given_up_ = nullptr;
+  co_return response;
+}
+
+/// Looks whether the other side has gone while its request is worked on. One that has sent its next request
+/// already is not watched any further.
+void HttpSession::watch_for_end() {
+  auto readable = [self = shared_from_this(), given_up = given_up_](boost::system::error_code cancelled) {
+    if (cancelled) return;
+    char byte = 0;
+    const int socket = self->stream_.socket().native_handle();
+    if (::recv(socket, &byte, 1, MSG_PEEK | MSG_DONTWAIT) == 0) given_up->store(true);
+  };
+  stream_.socket().async_wait(asio::ip::tcp::socket::wait_read, std::move(readable));
+}
+
+/// Piece by piece, each within a time: who does not read is not waited for.
+asio::awaitable<bool> HttpSession::write_bytes(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const std::string_view piece = bytes.substr(0, kPieceBytes);
+    stream_.expires_after(context_.settings.write_within);
+    const auto [failure, size] = co_await asio::async_write(stream_, asio::buffer(piece), kTuple);
+    if (failure) co_return false;
+    bytes.remove_prefix(piece.size());
+  }
+  co_return true;
+}
+
+/// The disk is not waited for on a thread of the sockets.
+asio::awaitable<bool> HttpSession::write_file(const AnswerFile& file) {
+  for (std::uint64_t at = 0; at < file.size();) {
+    const std::string piece = co_await ws::on_pool(context_.pools.of(Work::kStore),
+                                                   [&file, at] { return file.read(at, kPieceBytes); });
+    if (piece.empty()) co_return false;  // it has become shorter: the other side sees that it is cut off
+    const bool written = co_await write_bytes(piece);
+    if (!written) co_return false;
+    at += piece.size();
+  }
+  co_return true;
 }
 
 asio::awaitable<bool> HttpSession::write(const HttpRequest& request, HttpResponse response, bool keep_alive) {
+  Taken taken(context_.answers);
+  if (response.body.size() > kPieceBytes && !taken.have(response.body.size())) response = busy();
   const bool bodiless = response.status == 204 || response.status == 304;
-  http::response<http::string_body> message;
+  http::response<http::empty_body> message;
   message.version(11);
   message.result(static_cast<unsigned>(response.status));
   message.reason(status_phrase(response.status));
@@ -282,18 +372,31 @@ asio::awaitable<bool> HttpSession::write(const HttpRequest& request, HttpRespons
   if (!response.content_type.empty()) message.set(http::field::content_type, response.content_type);
   if (request.header("x-request-id") == asked_.request_id) message.set("X-Request-Id", asked_.request_id);
   for (const auto& [name, value] : response.headers) message.set(name, value);
-  if (!bodiless) message.content_length(response.body.size());
-  if (request.method != "HEAD" && !bodiless) message.body() = std::move(response.body);
+  if (!bodiless) message.content_length(response.file ? response.file->size() : response.body.size());
 
   // Before it is sent: who has got the answer finds it counted.
   const double seconds = std::chrono::duration<double>(Clock::now() - began_).count();
   context_.metrics.count_request(request.method, response.status, seconds);
   tell(request, response.status, seconds);
-  stream_.expires_after(context_.settings.write_within);
-  http::response_serializer<http::string_body> serializer(message);
-  const auto [failure, size] = co_await http::async_write(stream_, serializer, kTuple);
+  const bool written = co_await write_message(message, response, request.method != "HEAD" && !bodiless);
   began_ = Clock::now();
-  co_return !failure;
+  co_return written;
+}
+
+asio::awaitable<bool> HttpSession::write_message(Header& message, const HttpResponse& response, bool body) {
+  stream_.expires_after(context_.settings.write_within);
+  http::response_serializer<http::empty_body> serializer(message);
+  // A small answer goes with its header in one piece.
+  if (body && !response.file && response.body.size() <= kPieceBytes) {
+    std::string whole = header_text(message);
+    whole += response.body;
+    co_return co_await write_bytes(whole);
+  }
+  const auto [failure, size] = co_await http::async_write_header(stream_, serializer, kTuple);
+  if (failure) co_return false;
+  if (!body) co_return true;
+  if (response.file) co_return co_await write_file(*response.file);
+  co_return co_await write_bytes(response.body);
 }
 
 /// What only looks and goes well is told when somebody wants to hear all: a page asks several times a second.
@@ -323,6 +426,7 @@ asio::awaitable<bool> HttpSession::serve_stream(Parser& parser, const HttpReques
 void HttpSession::stop() {
   asio::post(stream_.get_executor(), [self = shared_from_this()] {
     self->stopping_ = true;
+    if (self->given_up_) self->given_up_->store(true);
     if (self->viewer_) {
       self->viewer_->stop();
     } else if (self->idle_) {
@@ -330,6 +434,31 @@ void HttpSession::stop() {
       self->stream_.socket().close(ignored);
     }
   });
+}
+
+void HttpSession::make_room() {
+  idle_since_ = kBusy;  // not to be asked twice
+  asio::post(stream_.get_executor(), [self = shared_from_this()] {
+    if (!self->idle_ || self->viewer_) return;
+    boost::system::error_code ignored;
+    self->stream_.socket().close(ignored);
+  });
+}
+
+bool Connections::make_room(const std::string& address, int count, const ServerSettings& settings) {
+  const std::lock_guard lock(mutex_);
+  const auto of_address = std::count_if(sessions_.begin(), sessions_.end(),
+                                        [&](const auto& session) { return session->address() == address; });
+  const bool too_many_of_it = of_address >= settings.most_of_address;
+  if (count < settings.most_connections && !too_many_of_it) return true;
+  HttpSession* idlest = nullptr;
+  for (const auto& session : sessions_) {
+    if (too_many_of_it && session->address() != address) continue;
+    if (idlest == nullptr || session->idle_since() < idlest->idle_since()) idlest = session.get();
+  }
+  if (idlest == nullptr || idlest->idle_since() == std::chrono::steady_clock::time_point::max()) return false;
+  idlest->make_room();
+  return true;
 }
 
 bool Connections::add(const std::shared_ptr<HttpSession>& session) {

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "core/base/names.h"
+#include "server/http/compress.h"
 #include "server/http/problem.h"
 
 namespace toile::http {
@@ -16,6 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{64} << 20;
+constexpr std::size_t kLeastWorthwhile = 1024;  // bytes; less fits one packet either way
 
 /// Only this server's own scripts, styles and connections.
 constexpr const char* kContentPolicy =
@@ -38,6 +40,11 @@ std::optional<std::string> bytes_of(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in) return std::nullopt;
   return std::string{std::istreambuf_iterator<char>(in), {}};
+}
+
+bool is_text(const std::string& content_type) {
+  return content_type.starts_with("text/") || content_type == "application/json" ||
+         content_type == "image/svg+xml" || content_type == "application/wasm";
 }
 
 /// The file below `folder` that the segments name.
@@ -105,13 +112,32 @@ HttpResponse StaticFiles::get(const HttpRequest& request) const {
     return problem(404, {"http.not_found", "there is nothing at this address", clipped(request.target, 200)});
   }
   const std::string type = content_type_of(segments.back());
-  if (type.starts_with("text/html")) return html(std::move(*bytes));
   HttpResponse response;
-  response.content_type = type;
-  response.body = std::move(*bytes);
-  const bool hashed = segments.front() == "assets";
-  response.headers.emplace_back("Cache-Control", hashed ? "public, max-age=31536000, immutable" : "no-cache");
+  if (type.starts_with("text/html")) {
+    response = html(std::move(*bytes));
+  } else {
+    const bool hashed = segments.front() == "assets";
+    response.content_type = type;
+    response.body = std::move(*bytes);
+    response.headers.emplace_back("Cache-Control",
+                                  hashed ? "public, max-age=31536000, immutable" : "no-cache");
+  }
+  compress(request, *path, response);
   return response;
+}
+
+void StaticFiles::compress(const HttpRequest& request, const fs::path& path, HttpResponse& response) const {
+  if (!is_text(response.content_type) || response.body.size() < kLeastWorthwhile) return;
+  response.headers.emplace_back("Vary", "Accept-Encoding");
+  if (!takes_gzip(request.header("accept-encoding"))) return;
+  std::error_code failure;
+  const fs::file_time_type written = fs::last_write_time(path, failure);
+  const std::lock_guard hold(mutex_);
+  Compressed& kept = compressed_[path];
+  if (kept.bytes.empty() || kept.written != written) kept = {written, gzipped(response.body)};
+  if (kept.bytes.empty()) return;
+  response.body = kept.bytes;
+  response.headers.emplace_back("Content-Encoding", "gzip");
 }
 
 }  // namespace toile::http

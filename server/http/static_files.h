@@ -2,6 +2,9 @@
 // The page: files of one folder.
 
 #include <filesystem>
+#include <map>
+#include <mutex>
+#include <string>
 
 #include "server/http/message.h"
 
@@ -15,9 +18,18 @@ class StaticFiles {
 
   /// `request.segments` have passed parse_target. 404 where there is no regular file, or one that a link
   /// leads out of the folder to; "/" is index.html, or a few words when the page has not been built.
+  /// Text is compressed for who takes it, once for as long as the file stays the same.
   HttpResponse get(const HttpRequest& request) const;
 
  private:
+  struct Compressed {
+    std::filesystem::file_time_type written;
+    std::string bytes;
+  };
+  void compress(const HttpRequest& request, const std::filesystem::path& path, HttpResponse& response) const;
+
+  mutable std::mutex mutex_;
+  mutable std::map<std::filesystem::path, Compressed> compressed_;
   std::filesystem::path folder_;  ///< canonical; empty: there is none
 };
 

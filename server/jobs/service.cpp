@@ -5,7 +5,7 @@
 #include <mutex>
 #include <utility>
 
-#include "server/jobs/input.h"
+#include "server/documents/read_cloth.h"
 #include "server/jobs/recovery.h"
 #include "server/jobs/render_worker.h"
 #include "server/jobs/row_progress.h"
@@ -93,6 +93,7 @@ class QueueingJobService final : public JobService {
   Result<store::JobRow> pause(const store::RequestContext& context, const std::string& id) override;
   Result<store::JobRow> resume(const store::RequestContext& context, const std::string& id) override;
   Result<store::JobRow> cancel(const store::RequestContext& context, const std::string& id) override;
+  Status remove(const store::RequestContext& context, const std::string& id) override;
   Result<JobProgress> progress(const store::RequestContext& context, const std::string& id) override;
   Counts counts() const override { return table_.counts(); }
 
@@ -202,7 +203,8 @@ Status QueueingJobService::check_queue() const {
 Result<store::JobRow> QueueingJobService::row_of_drape(const store::RequestContext& context,
                                                        const std::string& project_id) {
   const store::ProjectRow project = TRY(store_.project(context, project_id));
-  TRY(drape_input_of(documents_, context, project.document, project.files));
+  // Without the bodies, which may take long: they were read when the project was kept.
+  TRY(documents::read_cloth(documents_, context, project.document, project.files));
   store::JobRow row;
   row.project_id = project.id;
   row.project_revision = project.revision;
@@ -231,6 +233,18 @@ Result<store::Made<store::JobRow>> QueueingJobService::submit(const store::Reque
     context.log.info("job queued", {{"job", made.id}, {"project", project_id}});
   }
   return store::Made<store::JobRow>{without_document(made), made.anew};
+}
+
+Status QueueingJobService::remove(const store::RequestContext& context, const std::string& id) {
+  const Changing changing = table_.changing();
+  const store::JobRow row = TRY(store_.job(context, id));
+  if (!store::is_final(row.state) || table_.find(context, id)) {  // a worker may still have it
+    return Error{"jobs.state",
+                 "a job that is " + std::string(store::name_of(row.state)) +
+                     " cannot be removed; cancel it first and wait until it has ended",
+                 "", ErrorKind::kConflict};
+  }
+  return store_.remove_job(context, id);
 }
 
 Result<JobProgress> QueueingJobService::progress(const store::RequestContext& context,
@@ -400,9 +414,11 @@ bool QueueingJobService::work_once() {
   const LiveJobPtr job = claim();
   if (!job) return false;
   RunControl control;
-  control.interrupt = &job->interrupt;
-  // A stop waits for pictures of a finished drape; a person who paused or cancelled does not.
-  control.abandon = [&] { return table_.state(*job) != store::JobState::kRunning; };
+  control.interrupt = job->interrupt.get();
+  // A stop waits a while for pictures of a finished drape; a person who paused or cancelled does not.
+  control.abandon = [&] {
+    return table_.state(*job) != store::JobState::kRunning || table_.is_out_of_patience();
+  };
   control.worth_keeping = [&] { return !store::is_final(table_.state(*job)); };
   control.on_progress = [&](const JobProgress& progress) { table_.hear(*job, progress); };
   control.on_kept = [&] { come_further(job); };

@@ -55,6 +55,10 @@ class JobService {
   virtual Result<store::JobRow> resume(const store::RequestContext& context, const std::string& id) = 0;
   virtual Result<store::JobRow> cancel(const store::RequestContext& context, const std::string& id) = 0;
 
+  /// Removes a job that has ended, with its results. Errors: store.not_found; jobs.state when it has not
+  /// ended; those of the store.
+  virtual Status remove(const store::RequestContext& context, const std::string& id) = 0;
+
   /// What a job is doing now; from the store's row when it is not under way. Error: store.not_found.
   virtual Result<JobProgress> progress(const store::RequestContext& context, const std::string& id) = 0;
 

@@ -39,7 +39,7 @@ Status JobTable::change(const Changing&, LiveJob& job, JobEvent event, const Row
     job.row = std::move(row);
     job.state = next.state;
     queue_.put(job.id, next.effects.queue);
-    if (next.effects.interrupt) job.interrupt.store(true, std::memory_order_relaxed);
+    if (next.effects.interrupt) job.interrupt->store(true, std::memory_order_relaxed);
     if (next.effects.ends) count_end(job.state);
   }
   bell_.notify_all();
@@ -81,6 +81,7 @@ LiveJobPtr JobTable::insert(const Changing&, const store::RequestContext& contex
   auto job = std::make_shared<LiveJob>();
   job->id = row.id;
   job->context = context.for_job(row.id);
+  job->context.given_up = job->interrupt;
   job->row = without_document(row);
   job->state = row.state;
   {
@@ -146,7 +147,7 @@ void JobTable::hand_out(const Changing&, LiveJob& job,
                         const std::function<std::unique_ptr<JobRun>(std::uint32_t epoch)>& make) {
   const std::lock_guard lock(mutex_);
   job.held = true;
-  job.interrupt.store(false, std::memory_order_relaxed);
+  job.interrupt->store(false, std::memory_order_relaxed);
   if (job.run) return;
   job.progress = {};
   job.run = make(++epochs_[job.id]);
@@ -182,8 +183,9 @@ void JobTable::close(const Changing&) {
   {
     const std::lock_guard lock(mutex_);
     open_ = false;
+    closed_ = std::chrono::steady_clock::now();
     for (const auto& [id, job] : jobs_) {
-      if (job->held) job->interrupt.store(true, std::memory_order_relaxed);
+      if (job->held) job->interrupt->store(true, std::memory_order_relaxed);
     }
   }
   bell_.notify_all();
@@ -214,6 +216,12 @@ JobService::Counts JobTable::counts() const {
     counts.paused += job->state == store::JobState::kPaused;
   }
   return counts;
+}
+
+bool JobTable::is_out_of_patience() const {
+  constexpr auto kPatience = std::chrono::seconds(8);
+  const std::lock_guard lock(mutex_);
+  return !open_ && std::chrono::steady_clock::now() - closed_ > kPatience;
 }
 
 bool JobTable::wait_for_work() {

@@ -34,7 +34,7 @@ struct LiveJob {
   JobProgress progress;         ///< as the worker told it last
   std::unique_ptr<JobRun> run;  ///< begun, maybe parked
   std::uint32_t epoch = 0;      ///< of the run's stream
-  std::atomic<bool> interrupt{false};
+  std::shared_ptr<std::atomic<bool>> interrupt = std::make_shared<std::atomic<bool>>(false);
 };
 using LiveJobPtr = std::shared_ptr<LiveJob>;
 
@@ -96,6 +96,8 @@ class JobTable {
   JobProgress progress(const LiveJob& job) const;
   store::JobState state(const LiveJob& job) const;
   JobService::Counts counts() const;
+  /// Whether a stop has waited long enough for what could be brought to its end.
+  bool is_out_of_patience() const;
   /// Waits until a job may be taken: true; or until the table is closed: false.
   bool wait_for_work();
   /// Waits, but not for a closed table.
@@ -115,6 +117,7 @@ class JobTable {
   mutable std::mutex mutex_;
   std::condition_variable bell_;
   bool open_ = false;
+  std::chrono::steady_clock::time_point closed_;
   std::map<std::string, LiveJobPtr> jobs_;  ///< by id
   JobQueue queue_;
   std::map<std::string, std::uint32_t> epochs_;  ///< newest of each job that has not ended; outlives a stop

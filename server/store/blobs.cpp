@@ -190,10 +190,15 @@ Status Blobs::put_result(const std::string& job_id, const std::string& name, std
 }
 
 Result<std::string> Blobs::result(const std::string& job_id, const std::string& name) const {
+  const fs::path path = TRY(result_path(job_id, name));
+  return read_all(path);
+}
+
+Result<fs::path> Blobs::result_path(const std::string& job_id, const std::string& name) const {
   TRY(check_name(name));
   const fs::path path = folder_ / "results" / job_id / name;
   std::error_code failure;
-  if (fs::is_regular_file(path, failure)) return read_all(path);
+  if (fs::is_regular_file(path, failure)) return path;
   return Error{"store.not_found", "the job has no result " + in_quotes(name), "", ErrorKind::kNotFound};
 }
 

@@ -32,6 +32,7 @@ class Blobs {
   Status put_result(const std::string& job_id, const std::string& name, std::string_view bytes) const;
   /// Errors: store.bad_name, store.not_found.
   Result<std::string> result(const std::string& job_id, const std::string& name) const;
+  Result<std::filesystem::path> result_path(const std::string& job_id, const std::string& name) const;
   Status remove_results(const std::string& job_id) const;
 
   /// Names of what there is, in no order; what the store has not named itself is passed over.

@@ -2,6 +2,8 @@
 // On whose behalf something is done. Made once, where a request comes in (server/http/identify.h) or where
 // the service acts by itself, and handed down to everything that is done for it.
 
+#include <atomic>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -14,7 +16,10 @@ using OwnerId = std::string;
 struct RequestContext {
   OwnerId owner;           ///< what is looked up, made and changed is theirs
   std::string request_id;  ///< empty where no request asked
-  Log log{};               ///< says request and owner (and, of a drape, the job) with every line
+  /// Becomes true once nobody waits for what is done, or it takes too long: what takes long looks at it. Null
+  /// where nothing can be given up.
+  std::shared_ptr<const std::atomic<bool>> given_up{};
+  Log log{};  ///< says request and owner (and, of a drape, the job) with every line
 
   RequestContext() = default;
   explicit RequestContext(OwnerId whose, std::string request = "", const Log& to = {})
@@ -22,10 +27,13 @@ struct RequestContext {
     if (!request_id.empty()) log = log.with("request", request_id);
   }
 
+  bool is_given_up() const { return given_up && given_up->load(std::memory_order_relaxed); }
+
   /// What is done for a job, also when the request that asked for it has long been answered.
   RequestContext for_job(const std::string& job_id) const {
     RequestContext job = *this;
     job.log = log.with("job", job_id);
+    job.given_up = nullptr;
     return job;
   }
 };

@@ -107,6 +107,8 @@ class Store {
   virtual Result<std::string> asset_path(const RequestContext& context, const std::string& id) = 0;
   /// Newest first; of every kind when `kind` is empty.
   virtual Result<std::vector<AssetRow>> assets(const RequestContext& context, const std::string& kind) = 0;
+  /// Removes it with its bytes. Error: store.in_use while a project or a job of this owner names it.
+  virtual Status remove_asset(const RequestContext& context, const std::string& id) = 0;
 
   /// Keeps name, document and files; id, revision and times are the store's to give. With an idempotency key
   /// that this owner has used, gives back the project that was made then, as it is now; a removed project has
@@ -154,6 +156,11 @@ class Store {
   /// Newest first, as projects(); without documents (row.document is empty).
   virtual Result<std::vector<JobRow>> jobs(const RequestContext& context, const std::string& cursor,
                                            int limit) = 0;
+  /// Those of a project, oldest first, by their ids.
+  virtual Result<std::vector<std::string>> jobs_of_project(const RequestContext& context,
+                                                           const std::string& project_id) = 0;
+  /// Removes a job with its results and its idempotency key. Error: store.in_use while it has not ended.
+  virtual Status remove_job(const RequestContext& context, const std::string& id) = 0;
   /// Writes state, reason, notes, verdict, attempt, times, report and results of a job that exists.
   virtual Status update_job(const RequestContext& context, const JobRow& row) = 0;
   /// The oldest queued jobs of all owners, for the workers; and at a start those left running or paused.
@@ -169,6 +176,9 @@ class Store {
                             std::string_view bytes) = 0;
   virtual Result<std::string> result_bytes(const RequestContext& context, const std::string& job_id,
                                            const std::string& name) = 0;
+  /// Where a result lies as a file. Only to read.
+  virtual Result<std::string> result_path(const RequestContext& context, const std::string& job_id,
+                                          const std::string& name) = 0;
   /// Removes all result files of a job. Nothing to remove is no error.
   virtual Status remove_results(const RequestContext& context, const std::string& job_id) = 0;
 

@@ -39,8 +39,8 @@ const std::map<std::string, Names>& table() {
       {"dressing", {"body", "collision", "geometry", "measure", "mesh", "sewing"}},
       {"arrange", {"body", "geometry", "measure", "mesh", "pattern", "preflight", "seams", "sewing"}},
       {"drape",
-       {"arrange", "body", "collision", "dressing", "material", "mesh", "pattern", "preflight", "seams",
-        "sewing", "solver"}},
+       {"arrange", "body", "collision", "dressing", "material", "mesh", "pattern", "preflight", "sewing",
+        "solver"}},
       {"json", {}},
       {"fields", {"json"}},
       {"garmentcode", {"json", "pattern"}},
@@ -97,6 +97,7 @@ const std::vector<Door>& doors() {
       {"CLI/", "CLI11", {"server/app/"}, true},
       {"boost/", "Boost", {"server/http/", "server/ws/"}, true},
       {"sqlite3", "SQLite", {"server/store/sqlite/"}, false},
+      {"zlib", "zlib", {"server/http/compress."}, false},
       {"spdlog/", "spdlog", {"server/log/"}, false},
   };
   return all;

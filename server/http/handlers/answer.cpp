@@ -4,6 +4,7 @@
 
 #include "core/base/names.h"
 #include "core/base/text.h"
+#include "server/http/problem.h"
 
 namespace toile::handlers {
 
@@ -32,6 +33,12 @@ http::HttpResponse json_answer(int status, std::vector<json::JsonMember> members
                                const std::string& json) {
   if (json.empty()) return json_answer(status, std::move(members));
   return json_answer(status, json_with(std::move(members), key, json) + "\n");
+}
+
+http::HttpResponse no_content() {
+  http::HttpResponse response;
+  response.status = 204;
+  return response;
 }
 
 http::HttpResponse created(http::HttpResponse answer, const std::string& location) {
@@ -84,6 +91,14 @@ http::HttpResponse file_answer(std::string bytes, const std::string& content_typ
   response.headers = {{"Content-Disposition", "inline; filename=\"" + plain + "\""},
                       {"Content-Security-Policy", "default-src 'none'; sandbox"}};
   return response;
+}
+
+http::HttpResponse file_answer_from(const std::string& path, const std::string& content_type,
+                                    const std::string& name) {
+  http::HttpResponse response = file_answer("", content_type, name);
+  response.file = http::AnswerFile::open(path);
+  if (response.file) return response;
+  return http::problem({"store.corrupt", "a file of the store is gone", name, ErrorKind::kSystem});
 }
 
 }  // namespace toile::handlers

@@ -19,6 +19,8 @@ http::HttpResponse json_answer(int status, std::vector<json::JsonMember> members
 /// One line of JSON: `members` and, at its end, the member whose value is JSON text already.
 std::string json_with(std::vector<json::JsonMember> members, const std::string& key, const std::string& json);
 
+/// 204: it is gone.
+http::HttpResponse no_content();
 http::HttpResponse created(http::HttpResponse answer, const std::string& location);
 /// 201 for what this request made, 200 for what an earlier one with the same key did; with its place.
 http::HttpResponse made_answer(http::HttpResponse answer, bool anew, const std::string& location);
@@ -52,5 +54,9 @@ http::HttpResponse page_answer(const char* name, const Page& page, std::vector<R
 
 /// Bytes that are somebody's own: shown for what `content_type` says and nothing else.
 http::HttpResponse file_answer(std::string bytes, const std::string& content_type, const std::string& name);
+
+/// The same, sent from the file at `path`. 500 when it is gone.
+http::HttpResponse file_answer_from(const std::string& path, const std::string& content_type,
+                                    const std::string& name);
 
 }  // namespace toile::handlers

@@ -33,7 +33,7 @@ struct ApiRoute {
       handler;
   http::BodyKind body = http::BodyKind::kUnused;
   std::function<std::size_t(const http::HttpRequest&)> limit = http::small_body;
-  bool heavy = false;
+  http::Work work = http::Work::kStore;
   bool websocket = false;
 };
 using ApiRoutes = std::vector<ApiRoute>;

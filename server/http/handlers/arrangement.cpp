@@ -77,14 +77,17 @@ http::HttpResponse start(const Api& api, const store::RequestContext& context,
 
 ApiRoutes arrangement_routes() {
   return {
-      {.method = "POST", .pattern = "/api/v1/projects/{id}/arrange", .handler = arrange_all, .heavy = true},
+      {.method = "POST",
+       .pattern = "/api/v1/projects/{id}/arrange",
+       .handler = arrange_all,
+       .work = http::Work::kHeavy},
       {.method = "POST",
        .pattern = "/api/v1/projects/{id}/place",
        .handler = place_one,
        .body = http::BodyKind::kJson,
-       .heavy = true},
-      {.pattern = "/api/v1/projects/{id}/check", .handler = check, .heavy = true},
-      {.pattern = "/api/v1/projects/{id}/start", .handler = start, .heavy = true},
+       .work = http::Work::kHeavy},
+      {.pattern = "/api/v1/projects/{id}/check", .handler = check, .work = http::Work::kHeavy},
+      {.pattern = "/api/v1/projects/{id}/start", .handler = start, .work = http::Work::kHeavy},
   };
 }
 

@@ -61,9 +61,10 @@ http::HttpResponse show(const Api& api, const store::RequestContext& context,
 }
 
 /// Only types that a browser does not run: the name is the uploader's own.
-std::string type_of(const store::AssetRow& asset, std::string_view bytes) {
+std::string type_of(const store::AssetRow& asset, const http::AnswerFile* file) {
+  constexpr std::size_t kOpening = 16;  // bytes that tell a picture's format
   if (asset.kind == "dxf") return "image/vnd.dxf";
-  if (asset.kind == "image") return documents::image_media_type(bytes);
+  if (asset.kind == "image") return documents::image_media_type(file ? file->read(0, kOpening) : "");
   const std::string type = http::content_type_of(asset.name);
   return type.starts_with("model/") ? type : "application/octet-stream";
 }
@@ -72,12 +73,19 @@ http::HttpResponse content(const Api& api, const store::RequestContext& context,
                            const http::HttpRequest& request) {
   const Result<store::AssetRow> asset = api.store.asset(context, request.captures[0]);
   if (!asset) return http::problem(asset.error());
-  Result<std::string> bytes = api.store.asset_bytes(context, asset->id);
-  if (!bytes) return http::problem(bytes.error());
-  const std::string type = type_of(*asset, *bytes);
-  http::HttpResponse response = file_answer(std::move(*bytes), type, asset->name);
+  const Result<std::string> path = api.store.asset_path(context, asset->id);
+  if (!path) return http::problem(path.error());
+  http::HttpResponse response = file_answer_from(*path, "application/octet-stream", asset->name);
+  if (!response.file) return response;
+  response.content_type = type_of(*asset, response.file.get());
   response.headers.emplace_back("Cache-Control", "private, max-age=31536000, immutable");
   return response;
+}
+
+http::HttpResponse remove(const Api& api, const store::RequestContext& context,
+                          const http::HttpRequest& request) {
+  const Status removed = api.store.remove_asset(context, request.captures[0]);
+  return removed ? no_content() : http::problem(removed.error());
 }
 
 std::size_t most_bytes_of_kind(const http::HttpRequest& request) {
@@ -94,17 +102,18 @@ ApiRoutes asset_routes() {
        .handler = upload,
        .body = http::BodyKind::kFile,
        .limit = most_bytes_of_kind,
-       .heavy = true},
+       .work = http::Work::kUpload},
       {.method = "POST",
        .pattern = "/api/v1/bodies",
        .handler = upload_body,
        .body = http::BodyKind::kFile,
        .limit = [](const http::HttpRequest&) { return documents::kMostBodyBytes; },
-       .heavy = true},
+       .work = http::Work::kUpload},
       {.pattern = "/api/v1/assets", .handler = list},
       {.pattern = "/api/v1/bodies", .handler = list_bodies},
       {.pattern = "/api/v1/assets/{id}", .handler = show},
       {.pattern = "/api/v1/assets/{id}/content", .handler = content},
+      {.method = "DELETE", .pattern = "/api/v1/assets/{id}", .handler = remove},
   };
 }
 

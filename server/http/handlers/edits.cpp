@@ -107,14 +107,20 @@ ApiRoutes edit_routes() {
   return {
       document_route("POST", kEdits, edit),
       {.pattern = kEdits, .handler = history},
-      {.method = "POST", .pattern = "/api/v1/projects/{id}/undo", .handler = undo, .heavy = true},
-      {.method = "POST", .pattern = "/api/v1/projects/{id}/redo", .handler = redo, .heavy = true},
-      {.pattern = "/api/v1/projects/{id}/proposals", .handler = proposals, .heavy = true},
+      {.method = "POST",
+       .pattern = "/api/v1/projects/{id}/undo",
+       .handler = undo,
+       .work = http::Work::kDocument},
+      {.method = "POST",
+       .pattern = "/api/v1/projects/{id}/redo",
+       .handler = redo,
+       .work = http::Work::kDocument},
+      {.pattern = "/api/v1/projects/{id}/proposals", .handler = proposals, .work = http::Work::kHeavy},
       {.method = "POST",
        .pattern = "/api/v1/imports",
        .handler = import,
        .body = http::BodyKind::kJson,
-       .heavy = true},
+       .work = http::Work::kHeavy},
   };
 }
 

@@ -89,6 +89,12 @@ http::HttpResponse cancel(const Api& api, const store::RequestContext& context,
   return changed(api, context, api.jobs.cancel(context, request.captures[0]));
 }
 
+http::HttpResponse remove(const Api& api, const store::RequestContext& context,
+                          const http::HttpRequest& request) {
+  const Status removed = api.jobs.remove(context, request.captures[0]);
+  return removed ? no_content() : http::problem(removed.error());
+}
+
 http::HttpResponse list_results(const Api& api, const store::RequestContext& context,
                                 const http::HttpRequest& request) {
   const Result<store::JobRow> job = api.store.job(context, request.captures[0]);
@@ -112,9 +118,9 @@ http::HttpResponse result(const Api& api, const store::RequestContext& context,
     return http::problem(
         404, {"store.not_found", "the job has no result of that name", clipped(name), ErrorKind::kNotFound});
   }
-  Result<std::string> bytes = api.store.result_bytes(context, job->id, name);
-  if (!bytes) return http::problem(bytes.error());
-  http::HttpResponse response = file_answer(std::move(*bytes), http::content_type_of(name), name);
+  const Result<std::string> path = api.store.result_path(context, job->id, name);
+  if (!path) return http::problem(path.error());
+  http::HttpResponse response = file_answer_from(*path, http::content_type_of(name), name);
   response.headers.emplace_back("Cache-Control", "no-cache");
   return response;
 }
@@ -146,15 +152,16 @@ ApiRoutes job_routes() {
        .pattern = "/api/v1/jobs",
        .handler = submit,
        .body = http::BodyKind::kJson,
-       .heavy = true},
+       .work = http::Work::kDocument},
       {.pattern = "/api/v1/jobs", .handler = list},
       {.pattern = "/api/v1/jobs/{id}", .handler = show},
+      {.method = "DELETE", .pattern = "/api/v1/jobs/{id}", .handler = remove},
       {.method = "POST", .pattern = "/api/v1/jobs/{id}/pause", .handler = pause},
       {.method = "POST", .pattern = "/api/v1/jobs/{id}/resume", .handler = resume},
       {.method = "POST", .pattern = "/api/v1/jobs/{id}/cancel", .handler = cancel},
       {.pattern = "/api/v1/jobs/{id}/results", .handler = list_results},
       {.pattern = "/api/v1/jobs/{id}/results/{name}", .handler = result},
-      {.pattern = "/api/v1/jobs/{id}/body", .handler = body, .heavy = true},
+      {.pattern = "/api/v1/jobs/{id}/body", .handler = body, .work = http::Work::kHeavy},
       {.pattern = "/api/v1/jobs/{id}/stream", .handler = stream, .websocket = true},
   };
 }

@@ -72,7 +72,7 @@ ApiRoute document_route(const char* method, const char* pattern, decltype(ApiRou
   ApiRoute route{.method = method, .pattern = pattern, .handler = std::move(handler)};
   route.body = http::BodyKind::kJson;
   route.limit = [](const http::HttpRequest&) { return kMostRequestBytes; };
-  route.heavy = true;
+  route.work = http::Work::kHeavy;
   return route;
 }
 

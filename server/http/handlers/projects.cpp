@@ -86,17 +86,52 @@ http::HttpResponse replace(const Api& api, const store::RequestContext& context,
   return project ? project_answer(*project) : revision_problem(project.error());
 }
 
+/// Jobs of a project that is gone, and files that nobody else uses. What stays for some reason (another
+/// project uses the file) is no error.
+Status remove_data(const Api& api, const store::RequestContext& context, const store::ProjectRow& project) {
+  const std::vector<std::string> jobs = TRY(api.store.jobs_of_project(context, project.id));
+  for (const std::string& id : jobs) {
+    TRY(api.jobs.remove(context, id));
+  }
+  for (const auto& [name, id] : project.files) {
+    const Status removed = api.store.remove_asset(context, id);
+    if (removed || removed.error().kind == ErrorKind::kConflict) continue;
+    if (removed.error().kind != ErrorKind::kNotFound) return removed;
+  }
+  return {};
+}
+
+/// Error: jobs.state while a job of the project has not ended.
+Status check_ended(const Api& api, const store::RequestContext& context, const std::string& project) {
+  const std::vector<std::string> jobs = TRY(api.store.jobs_of_project(context, project));
+  for (const std::string& id : jobs) {
+    const store::JobRow job = TRY(api.store.job(context, id));
+    if (store::is_final(job.state)) continue;
+    return Error{"jobs.state", "a drape of the project has not ended; cancel it first", id,
+                 ErrorKind::kConflict};
+  }
+  return {};
+}
+
 /// Without If-Match whichever revision there is.
 http::HttpResponse remove(const Api& api, const store::RequestContext& context,
                           const http::HttpRequest& request) {
   const bool any = request.header("if-match").empty();
   const Result<int> revision = any ? Result<int>(0) : required_revision(request);
   if (!revision) return revision_problem(revision.error());
-  const Status removed = api.store.remove_project(context, request.captures[0], *revision);
+  const std::string data = request.parameter("data");
+  if (!data.empty() && data != "true" && data != "false")
+    return http::problem(400, {"request.data", "data is true or false", "data"});
+  const Result<store::ProjectRow> project = api.store.project(context, request.captures[0]);
+  if (!project) return http::problem(project.error());
+  if (data == "true") {
+    const Status ended = check_ended(api, context, project->id);
+    if (!ended) return http::problem(ended.error());
+  }
+  const Status removed = api.store.remove_project(context, project->id, *revision);
   if (!removed) return revision_problem(removed.error());
-  http::HttpResponse response;
-  response.status = 204;
-  return response;
+  const Status rest = data == "true" ? remove_data(api, context, *project) : Status();
+  return rest ? no_content() : http::problem(rest.error());
 }
 
 http::HttpResponse pieces(const Api& api, const store::RequestContext& context,
@@ -110,18 +145,25 @@ http::HttpResponse pieces(const Api& api, const store::RequestContext& context,
   return response;
 }
 
+/// Reads the document with its bodies.
+ApiRoute whole_document_route(const char* method, const char* pattern, decltype(ApiRoute::handler) handler) {
+  ApiRoute route = document_route(method, pattern, std::move(handler));
+  route.work = http::Work::kHeavy;
+  return route;
+}
+
 }  // namespace
 
 ApiRoutes project_routes() {
   constexpr const char* kAll = "/api/v1/projects";
   constexpr const char* kOne = "/api/v1/projects/{id}";
   return {
-      document_route("POST", kAll, create),
-      document_route("PUT", kOne, replace),
+      whole_document_route("POST", kAll, create),
+      whole_document_route("PUT", kOne, replace),
       {.pattern = kAll, .handler = list},
       {.pattern = kOne, .handler = show},
       {.method = "DELETE", .pattern = kOne, .handler = remove},
-      {.pattern = "/api/v1/projects/{id}/pieces", .handler = pieces, .heavy = true},
+      {.pattern = "/api/v1/projects/{id}/pieces", .handler = pieces, .work = http::Work::kDocument},
   };
 }
 

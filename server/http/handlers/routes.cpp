@@ -17,7 +17,7 @@ void add_routes(http::Router& router, const Api& api) {
       };
       route.body = line.body;
       route.limit = std::move(line.limit);
-      route.heavy = line.heavy;
+      route.work = line.work;
       route.websocket = line.websocket;
       router.add(std::move(route));
     }

@@ -1,5 +1,7 @@
 // Jobs of the store, their results and checkpoints.
 
+#include <filesystem>
+
 #include "server/store/sqlite/read_rows.h"
 #include "server/store/sqlite/rows.h"
 #include "server/store/sqlite/store.h"
@@ -86,6 +88,31 @@ Result<std::vector<store::JobRow>> SqliteStore::jobs(const store::RequestContext
                  job_from);
 }
 
+Result<std::vector<std::string>> SqliteStore::jobs_of_project(const store::RequestContext& context,
+                                                              const std::string& project_id) {
+  const std::lock_guard hold(mutex_);
+  return rows_of(database_.prepare("SELECT id FROM jobs WHERE owner = ? AND project_id = ? ORDER BY id",
+                                   {context.owner, project_id}),
+                 text_from);
+}
+
+/// The row first: what is left of its files after a crash, the next start removes.
+Status SqliteStore::remove_job(const store::RequestContext& context, const std::string& id) {
+  {
+    const std::lock_guard hold(mutex_);
+    const std::string word = TRY(
+        row_of(database_.prepare("SELECT state FROM jobs WHERE owner = ? AND id = ?", {context.owner, id}),
+               text_from, "job", id));
+    const Result<store::JobState> state = store::job_state_from(word);
+    if (state && !store::is_final(*state)) {
+      return Error{"store.in_use", "the job has not ended; cancel it first", "", ErrorKind::kConflict};
+    }
+    TRY(database_.run("DELETE FROM jobs WHERE owner = ? AND id = ?", {context.owner, id}));
+  }
+  TRY(blobs_.remove_checkpoint(id));
+  return blobs_.remove_results(id);
+}
+
 Status SqliteStore::update_job(const store::RequestContext& context, const store::JobRow& row) {
   const std::string results = column_text(row.results), notes = column_text(row.notes),
                     verdict = column_text(row.verdict);
@@ -126,6 +153,13 @@ Result<std::string> SqliteStore::result_bytes(const store::RequestContext& conte
                                               const std::string& name) {
   TRY(check_job(context.owner, job_id));
   return blobs_.result(job_id, name);
+}
+
+Result<std::string> SqliteStore::result_path(const store::RequestContext& context, const std::string& job_id,
+                                             const std::string& name) {
+  TRY(check_job(context.owner, job_id));
+  const std::filesystem::path path = TRY(blobs_.result_path(job_id, name));
+  return path.string();
 }
 
 Status SqliteStore::remove_results(const store::RequestContext& context, const std::string& job_id) {

@@ -74,6 +74,7 @@ Result<store::AssetRow> SqliteStore::put_asset(const store::RequestContext& cont
   row.id = "a_" + hash_of(row.kind + '/' + row.name + '/' + hash_of(bytes));  // no kind, no name has a slash
   row.size = static_cast<std::int64_t>(bytes.size());
   row.created_ms = store_now_ms();
+  const std::shared_lock putting(blob_mutex_);
   const std::string blob = TRY(blobs_.put_blob(bytes, row.name));
   const std::lock_guard hold(mutex_);
   TRY(database_.run(
@@ -118,6 +119,34 @@ Result<std::vector<store::AssetRow>> SqliteStore::assets(const store::RequestCon
                                           " ORDER BY created_ms DESC, rowid DESC"),
                                    {context.owner, kind}),
                  asset_from);
+}
+
+/// Whether a project or a job has the asset among its files, as column_text writes them: `"name": "id"`.
+Result<bool> SqliteStore::names_asset(const store::OwnerId& owner, const std::string& id) {
+  const std::string quoted = '"' + id + '"';
+  for (const char* sql : {"SELECT count(*) FROM projects WHERE owner = ? AND instr(files, ?) > 0",
+                          "SELECT count(*) FROM jobs WHERE owner = ? AND instr(files, ?) > 0"}) {
+    SqlStatement count = TRY(database_.prepare(sql, {owner, quoted}));
+    TRY(count.step());
+    if (count.integer(0) > 0) return true;
+  }
+  return false;
+}
+
+Status SqliteStore::remove_asset(const store::RequestContext& context, const std::string& id) {
+  const std::unique_lock alone(blob_mutex_);
+  const BlobPlace place = TRY(blob_place(context.owner, id));
+  const std::lock_guard hold(mutex_);
+  const bool named = TRY(names_asset(context.owner, id));
+  if (named) {
+    return Error{"store.in_use", "a project or a job uses this file; remove that first", "",
+                 ErrorKind::kConflict};
+  }
+  TRY(database_.run("DELETE FROM assets WHERE owner = ? AND id = ?", {context.owner, id}));
+  SqlStatement others = TRY(database_.prepare("SELECT count(*) FROM assets WHERE blob = ?", {place.blob}));
+  TRY(others.step());
+  if (others.integer(0) == 0) blobs_.remove_blob(place.blob);
+  return {};
 }
 
 // Projects

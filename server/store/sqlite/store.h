@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <mutex>
 #include <optional>
+#include <shared_mutex>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -35,6 +36,7 @@ class SqliteStore final : public store::Store {
   Result<std::string> asset_path(const store::RequestContext& context, const std::string& id) override;
   Result<std::vector<store::AssetRow>> assets(const store::RequestContext& context,
                                               const std::string& kind) override;
+  Status remove_asset(const store::RequestContext& context, const std::string& id) override;
 
   Result<store::Made<store::ProjectRow>> create_project(const store::RequestContext& context,
                                                         store::ProjectRow row,
@@ -63,6 +65,9 @@ class SqliteStore final : public store::Store {
   Result<store::JobRow> job(const store::RequestContext& context, const std::string& id) override;
   Result<std::vector<store::JobRow>> jobs(const store::RequestContext& context, const std::string& cursor,
                                           int limit) override;
+  Result<std::vector<std::string>> jobs_of_project(const store::RequestContext& context,
+                                                   const std::string& project_id) override;
+  Status remove_job(const store::RequestContext& context, const std::string& id) override;
   Status update_job(const store::RequestContext& context, const store::JobRow& row) override;
   Result<std::vector<OwnedJob>> unfinished_jobs() override;
 
@@ -70,6 +75,8 @@ class SqliteStore final : public store::Store {
                     std::string_view bytes) override;
   Result<std::string> result_bytes(const store::RequestContext& context, const std::string& job_id,
                                    const std::string& name) override;
+  Result<std::string> result_path(const store::RequestContext& context, const std::string& job_id,
+                                  const std::string& name) override;
   Status remove_results(const store::RequestContext& context, const std::string& job_id) override;
 
   Status put_checkpoint(const store::RequestContext& context, const std::string& job_id,
@@ -86,6 +93,7 @@ class SqliteStore final : public store::Store {
 
  private:
   // What follows expects mutex_ to be held.
+  Result<bool> names_asset(const store::OwnerId& owner, const std::string& id);
   Result<store::ProjectRow> find_project(const store::OwnerId& owner, const std::string& id);
   Status insert_job(const store::OwnerId& owner, const store::JobRow& row,
                     const std::string& idempotency_key);
@@ -107,6 +115,8 @@ class SqliteStore final : public store::Store {
 
   const store::FolderLock lock_;
   const store::Blobs blobs_;
+  /// Shared while bytes are put and named, held alone while a blob goes; before mutex_.
+  std::shared_mutex blob_mutex_;
   std::mutex mutex_;  // guards what stands below; files are read and written without it
   SqlDatabase database_;
   store::IdSource ids_;

@@ -47,6 +47,9 @@ class ScriptedJobs final : public jobs::JobService {
   Result<store::JobRow> cancel(const store::RequestContext& context, const std::string& id) override {
     return become(context, id, store::JobState::kCancelled);
   }
+  Status remove(const store::RequestContext& context, const std::string& id) override {
+    return store_.remove_job(context, id);
+  }
   Result<jobs::JobProgress> progress(const store::RequestContext& context, const std::string& id) override {
     const store::JobRow row = TRY(store_.job(context, id));
     jobs::JobProgress progress;

@@ -206,6 +206,11 @@ TEST_F(Contract, EveryAnswerAndMessageFitsItsSchema) {
   recorded("POST", "/api/v1/jobs/" + held + "/resume");
   recorded("POST", "/api/v1/jobs/" + held + "/cancel");
   recorded("GET", "/metrics");
+  recorded("DELETE", address);
+  recorded("DELETE", address);
+  recorded("DELETE", "/api/v1/assets/" + asset);
+  const std::string spare = member(upload("body", "spare.obj", kPost), "id");
+  recorded("DELETE", "/api/v1/assets/" + spare);
   recorded("DELETE", one, "", "If-Match: \"9\"\r\n");
   recorded("DELETE", one);
   recorded("DELETE", one);

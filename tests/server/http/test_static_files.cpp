@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "server/http/compress.h"
 #include "server/http/url.h"
 
 namespace toile {
@@ -28,10 +29,12 @@ class StaticFilesTest : public testing::Test {
   ~StaticFilesTest() override { fs::remove_all(root); }
   void write(const std::string& name, const std::string& text) { std::ofstream(root / name) << text; }
 
-  http::HttpResponse get(const std::string& target, const std::string& folder = "dist") {
+  http::HttpResponse get(const std::string& target, const std::string& folder = "dist",
+                         const std::string& accept_encoding = "") {
     http::HttpRequest request;
     request.method = "GET";
     request.target = target;
+    request.headers["accept-encoding"] = accept_encoding;
     const auto parsed = http::parse_target(target);
     if (!parsed) return {.status = 400, .content_type = {}, .body = {}, .headers = {}};
     request.segments = parsed->segments;
@@ -54,6 +57,30 @@ TEST_F(StaticFilesTest, ServesThePageAndAsksForItAgain) {
   EXPECT_EQ(page.content_type, "text/html; charset=utf-8");
   EXPECT_EQ(header(page, "Cache-Control"), "no-cache");
   EXPECT_NE(header(page, "Content-Security-Policy").find("default-src 'self'"), std::string::npos);
+}
+
+TEST_F(StaticFilesTest, CompressesTextForWhoTakesIt) {
+  std::string script;
+  for (int k = 0; k < 2000; ++k) script += "export const value" + std::to_string(k) + " = 1;\n";
+  write("dist/assets/large.js", script);
+  const http::HttpResponse plain = get("/assets/large.js"), small = get("/", "dist", "gzip");
+  EXPECT_EQ(plain.body, script);
+  EXPECT_EQ(header(plain, "Content-Encoding"), "");
+  EXPECT_EQ(header(plain, "Vary"), "Accept-Encoding");
+  EXPECT_EQ(header(small, "Content-Encoding"), "") << "not worth it";
+  const http::HttpResponse packed = get("/assets/large.js", "dist", "br, gzip;q=0.8");
+  EXPECT_EQ(header(packed, "Content-Encoding"), "gzip");
+  EXPECT_EQ(packed.content_type, plain.content_type);
+  EXPECT_TRUE(packed.body.starts_with("\x1f\x8b"));
+  EXPECT_LT(packed.body.size(), script.size() / 4);
+  EXPECT_EQ(header(get("/assets/large.js", "dist", "gzip;q=0, br"), "Content-Encoding"), "");
+}
+
+TEST(TakesGzip, ByItsNameOrUnderTheStar) {
+  for (const char* yes : {"gzip", "GZIP", "br, gzip", "gzip;q=0.1", "*", "br;q=1, *;q=0.5"})
+    EXPECT_TRUE(http::takes_gzip(yes)) << yes;
+  for (const char* no : {"", "br", "gzip;q=0", "gzip; q=0.000", "*;q=0", "identity", "gzip;q=0, *"})
+    EXPECT_FALSE(http::takes_gzip(no)) << no;
 }
 
 TEST_F(StaticFilesTest, LetsHashedFilesBeKept) {

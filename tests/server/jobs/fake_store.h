@@ -50,6 +50,7 @@ class FakeStore final : public store::Store {
   Result<std::vector<store::AssetRow>> assets(const store::RequestContext&, const std::string&) override {
     return std::vector<store::AssetRow>();
   }
+  Status remove_asset(const store::RequestContext&, const std::string&) override { return {}; }
 
   Result<store::Made<store::ProjectRow>> create_project(const store::RequestContext& context,
                                                         store::ProjectRow row, const std::string&) override {
@@ -115,6 +116,15 @@ class FakeStore final : public store::Store {
   Result<std::vector<store::JobRow>> jobs(const store::RequestContext&, const std::string&, int) override {
     return std::vector<store::JobRow>();
   }
+  Result<std::vector<std::string>> jobs_of_project(const store::RequestContext&,
+                                                   const std::string&) override {
+    return std::vector<std::string>();
+  }
+  Status remove_job(const store::RequestContext& context, const std::string& id) override {
+    const std::lock_guard lock(mutex_);
+    jobs_.erase({context.owner, id});
+    return {};
+  }
   Status update_job(const store::RequestContext& context, const store::JobRow& row) override {
     if (on_update_job) {
       if (Status refused = on_update_job(row); !refused) return refused;
@@ -160,6 +170,10 @@ class FakeStore final : public store::Store {
                                    const std::string& name) override {
     return one<std::string>(results_, context, job_id + "/" + name,
                             [](const std::string& bytes) { return bytes; });
+  }
+  Result<std::string> result_path(const store::RequestContext&, const std::string&,
+                                  const std::string&) override {
+    return Error{"store.not_found", "results lie in memory here", "", ErrorKind::kNotFound};
   }
   Status remove_results(const store::RequestContext& context, const std::string& job_id) override {
     const std::lock_guard lock(mutex_);

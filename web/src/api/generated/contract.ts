@@ -120,7 +120,8 @@ export interface paths {
         get: operations["showAsset"];
         put?: never;
         post?: never;
-        delete?: never;
+        /** Remove a file that no project and no job uses */
+        delete: operations["removeAsset"];
         options?: never;
         head?: never;
         patch?: never;
@@ -207,7 +208,7 @@ export interface paths {
         /** Replace a project */
         put: operations["replaceProject"];
         post?: never;
-        /** Remove a project; its jobs stay */
+        /** Remove a project; its jobs and files stay unless data is true */
         delete: operations["removeProject"];
         options?: never;
         head?: never;
@@ -556,7 +557,8 @@ export interface paths {
         get: operations["showJob"];
         put?: never;
         post?: never;
-        delete?: never;
+        /** Remove a job that has ended, with its results */
+        delete: operations["removeJob"];
         options?: never;
         head?: never;
         patch?: never;
@@ -2952,6 +2954,30 @@ export interface operations {
             default: components["responses"]["Problem"];
         };
     };
+    removeAsset: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example a_54ce42ce6ee49336caaa45f5216ac786 */
+                id: components["parameters"]["AssetId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description It is gone */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            404: components["responses"]["Problem"];
+            409: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
     assetContent: {
         parameters: {
             query?: never;
@@ -3141,7 +3167,10 @@ export interface operations {
     };
     removeProject: {
         parameters: {
-            query?: never;
+            query?: {
+                /** @description true removes its jobs with their results and the files that nothing else uses; 409 while a job has not ended */
+                data?: boolean;
+            };
             header?: {
                 /**
                  * @description The ETag of the revision to remove; without it, or with *, whichever there is
@@ -3165,6 +3194,7 @@ export interface operations {
                 content?: never;
             };
             404: components["responses"]["Problem"];
+            409: components["responses"]["Problem"];
             412: components["responses"]["Problem"];
             default: components["responses"]["Problem"];
         };
@@ -3858,6 +3888,30 @@ export interface operations {
         responses: {
             200: components["responses"]["Job"];
             404: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    removeJob: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example j_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["JobId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description It is gone */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            404: components["responses"]["Problem"];
+            409: components["responses"]["Problem"];
             default: components["responses"]["Problem"];
         };
     };
