@@ -1,12 +1,10 @@
 #include "core/arrange/garment_graph.h"
 
 #include <algorithm>
-#include <map>
-#include <set>
 
 #include "core/arrange/piece_cover.h"
-#include "core/base/disjoint_sets.h"
 #include "core/geometry/polygon2.h"
+#include "core/mesh/sewn_part.h"
 #include "core/pattern/seams/piece_words.h"
 
 namespace toile::arrange {
@@ -125,36 +123,6 @@ void find_outsides(const std::vector<std::array<Index, 3>>& parities, std::vecto
   }
 }
 
-/// Borders of the sewn garment.
-int count_rings(const mesh::PanelMeshes& meshes) {
-  std::vector<Index> first{0};
-  for (const mesh::PanelMesh& m : meshes.panels)
-    first.push_back(first.back() + static_cast<Index>(m.rest.size()));
-  DisjointSets vertices(static_cast<std::size_t>(first.back()));
-  for (const mesh::MatchedSeam& seam : meshes.seams) {
-    for (const mesh::SewnPair& p : seam.pairs)
-      vertices.join(first[p.a.panel] + p.a.vertex, first[p.b.panel] + p.b.vertex);
-  }
-  std::map<std::pair<Index, Index>, int> count;
-  for (std::size_t m = 0; m < meshes.panels.size(); ++m) {
-    for (const Tri& t : meshes.panels[m].triangles) {
-      for (int k = 0; k < 3; ++k) {
-        const Index i = vertices.root(first[m] + t[k]), j = vertices.root(first[m] + t[(k + 1) % 3]);
-        ++count[{std::min(i, j), std::max(i, j)}];
-      }
-    }
-  }
-  // Borders are counted after their vertices have been joined along them.
-  std::set<Index> borders;
-  for (const auto& [edge, times] : count) {
-    if (times == 1) vertices.join(edge.first, edge.second);
-  }
-  for (const auto& [edge, times] : count) {
-    if (times == 1) borders.insert(vertices.root(edge.first));
-  }
-  return static_cast<int>(borders.size());
-}
-
 /// Pieces whose names say nothing cover what the others, or the number of the garment's borders, tell.
 void cover_the_rest(GarmentGraph& graph) {
   bool any[9] = {};
@@ -247,7 +215,7 @@ GarmentGraph make_garment_graph(const pattern::Pattern& pattern, const mesh::Pan
     }
   }
   find_outsides(parities, graph.pieces);
-  graph.rings = count_rings(meshes);
+  for (const mesh::SewnPart& part : mesh::sewn_parts(meshes)) graph.rings += part.borders;
   cover_the_rest(graph);
   return graph;
 }

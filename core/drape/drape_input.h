@@ -14,6 +14,13 @@
 
 namespace toile::drape {
 
+/// A piece that nothing holds on.
+struct LeftOut {
+  std::string id;
+  bool layer = false;  ///< by its name a lining, facing or pocket: the garment is whole without it
+  Vec3 place;          ///< m, its middle where it stands
+};
+
 struct DrapeInput {
   std::string name;
   pattern::Pattern pattern;
@@ -24,6 +31,7 @@ struct DrapeInput {
   std::vector<sewing::Attachment> attachments;
   sewing::Notions notions;
   DrapeSettings settings;
+  std::vector<LeftOut> left_out;  ///< not in `pattern` (core/drape/worn_part.h)
 };
 
 }  // namespace toile::drape

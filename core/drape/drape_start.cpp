@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/arrange/arrange.h"
+#include "core/drape/worn_part.h"
 #include "core/dressing/put_on.h"
 #include "core/mesh/make_panel_meshes.h"
 #include "core/preflight/preflight.h"
@@ -89,6 +90,7 @@ Result<DrapeStart> prepare_start(const DrapeInput& input, const RunContext& cont
   start.person = dressing::find_person(input.bodies);
   start.findings = preflight::run_preflight(
       {input.pattern, start.meshes, input.bodies, input.settings.particle_distance}, start.assembly);
+  tell_left_out(input, start.findings);
   return start;
 }
 

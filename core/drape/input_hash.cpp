@@ -124,10 +124,15 @@ void write_one(StateWriter& out, const DrapeSettings& settings) {
   write(out, particle_distance, time_step, gravity, sew_time, settle_speed, max_time, frame_interval, mode,
         dress, ground, until_settled, air);
 }
+void write_one(StateWriter& out, const LeftOut& piece) {
+  const auto& [id, layer, place] = piece;
+  write(out, id, layer, place);
+}
 void write_one(StateWriter& out, const DrapeInput& input) {
-  const auto& [name, pattern, placements, fabrics, fabric_of_panel, bodies, attachments, notions, settings] =
-      input;
-  write(out, name, pattern, placements, fabrics, fabric_of_panel, bodies, attachments, notions, settings);
+  const auto& [name, pattern, placements, fabrics, fabric_of_panel, bodies, attachments, notions, settings,
+               left_out] = input;
+  write(out, name, pattern, placements, fabrics, fabric_of_panel, bodies, attachments, notions, settings,
+        left_out);
 }
 void write_one(StateWriter& out, const sewing::GarmentMesh& garment) {
   const auto& [rest, triangles, panel_of_vertex, panel_of_triangle, first_vertex, sewn, seam_of_sewn, weld] =

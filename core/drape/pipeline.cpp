@@ -67,7 +67,10 @@ preflight::Concerns pieces_of(const DrapeInput& input, const sewing::GarmentMesh
 /// Whether the garment ended where it is worn: rings around limbs, and not all on the ground.
 void judge_worn(const DrapeInput& input, const std::optional<dressing::Person>& person, DrapeResult& result) {
   if (!person || result.garment.sewn.empty()) return;
-  result.worn = result.open_seams.empty() ? Worn::kYes : Worn::kPartly;
+  const bool whole =
+      result.open_seams.empty() && std::all_of(input.left_out.begin(), input.left_out.end(),
+                                               [](const LeftOut& piece) { return piece.layer; });
+  result.worn = whole ? Worn::kYes : Worn::kPartly;
   const auto add = [&](preflight::FindingKind kind, std::string message, preflight::Concerns about, Vec3 at) {
     result.findings.push_back(preflight::found(kind, std::move(message), std::move(about), at));
     result.worn = Worn::kNo;

@@ -225,6 +225,17 @@ void add_corners(Points loop, Points places, std::vector<std::size_t>& corners) 
   std::sort(corners.begin(), corners.end());
 }
 
+/// The blunt corners that the drawing tells.
+std::vector<Vec2> told_corners(Points loop, const OutlineSettings& settings) {
+  std::vector<Vec2> told;
+  if (settings.turn_points.empty()) return told;
+  for (const std::size_t i : find_corners(loop, settings.told_angle))
+    if (std::any_of(settings.turn_points.begin(), settings.turn_points.end(),
+                    [&](Vec2 p) { return length(p - loop[i]) <= kForcedReach; }))
+      told.push_back(loop[i]);
+  return told;
+}
+
 }  // namespace
 
 Result<Loop> loop_from_polyline(const std::vector<Vec2>& points_mm, std::span<const Vec2> forced_corners,
@@ -244,6 +255,7 @@ Result<Loop> loop_from_polyline(const std::vector<Vec2>& points_mm, std::span<co
     first = corners.front();
   } else {
     corners = find_corners(loop, settings.corner_angle);
+    add_corners(loop, told_corners(loop, settings), corners);
     add_corners(loop, settings.further_corners, corners);
     if (corners.empty() && n < 4) corners = {0};
     // Vertex i of a reversed loop was vertex n - i of the file; vertex 0 stays.

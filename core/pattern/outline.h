@@ -27,6 +27,10 @@ struct OutlineSettings {
   std::vector<Vec2> further_corners = {};
   /// Places on the outline where a curve ends, smoothly: notches, turn points.
   std::vector<Vec2> curve_ends = {};
+  /// Places that the drawing tells as turn points. Programs set them at smooth joints, too, so that an edge
+  /// ends there only where the outline turns by more than `told_angle` (radians).
+  std::vector<Vec2> turn_points = {};
+  double told_angle = radians_from_degrees(15);
 };
 
 /// Joints of explicit edges that are this close are snapped; vertices this close are one.

@@ -36,6 +36,7 @@ constexpr std::array<FindingTraits, kFindingKindCount> kTable{{
     {kTightRing, "ring.tight", kNote, kWarning, kPattern, false},
     {kRingAroundNothing, "ring.around_nothing", kNote, kNote, kPlacement, false},
     {kRingOnWrongLimb, "ring.wrong_limb", kWarning, kWarning, kPlacement, false},
+    {kLeftOut, "piece.left_out", kWarning, kWarning, kPattern, false},
     {kRingOff, "worn.ring_off", kWarning, kWarning, kPlacement, false},
     {kOnGround, "worn.on_ground", kWarning, kWarning, kPlacement, false},
 }};

@@ -43,6 +43,7 @@ enum class FindingKind : std::uint8_t {
   kTightRing,
   kRingAroundNothing,
   kRingOnWrongLimb,
+  kLeftOut,
   kRingOff,
   kOnGround,
 };

@@ -5,9 +5,9 @@
 #include "core/arrange/arrange.h"
 #include "core/base/units.h"
 #include "core/base/write_file.h"
-#include "core/drape/pipeline.h"
+#include "core/drape/drape_start.h"
+#include "core/drape/worn_part.h"
 #include "core/json/tree.h"
-#include "core/mesh/make_panel_meshes.h"
 #include "core/project/create/places.h"
 #include "core/project/resolve/resolve.h"
 #include "server/app/commands.h"
@@ -40,9 +40,10 @@ std::optional<Error> still_refused(const arrange::Arrangement& made, drape::Drap
   std::optional<Error> refused = preflight::first_error(made.findings);
   if (!refused) return std::nullopt;
   input.placements = made.placements;
-  Result<drape::DrapeStart> start = drape::prepare_start(input, {});
+  const drape::DrapeInput worn = drape::worn_part(input);
+  Result<drape::DrapeStart> start = drape::prepare_start(worn, {});
   if (!start) return start.error();
-  drape::dress_start(input, *start, {});
+  drape::dress_start(worn, *start, {});
   return preflight::first_error(start->findings);
 }
 
@@ -56,10 +57,7 @@ ExitCode project_arrange_command(const ProjectArrangeOptions& options) {
   Result<drape::DrapeInput> input = resolve::resolve_project(
       *project, resolve::files_in(std::filesystem::path(options.project).parent_path(), own_mesh_importer()));
   if (!input) return fail(input.error(), options.json);
-  const Result<mesh::PanelMeshes> meshes =
-      mesh::make_panel_meshes(input->pattern, input->settings.particle_distance, {});
-  if (!meshes) return fail(meshes.error(), options.json);
-  const Result<arrange::Arrangement> made = arrange::arrange({input->pattern, *meshes, input->bodies});
+  const Result<arrange::Arrangement> made = documents::arrangement_of(*input);
   if (!made) return fail(made.error(), options.json);
   documents::take_arrangement(*made, input->pattern, *project);
   if (options.as == "box") {

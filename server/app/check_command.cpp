@@ -6,6 +6,7 @@
 #include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/drape/pipeline.h"
+#include "core/drape/worn_part.h"
 #include "core/json/tree.h"
 #include "core/pattern/curve.h"
 #include "core/project/resolve/resolve.h"
@@ -119,9 +120,10 @@ ExitCode check_command(const CheckOptions& options) {
   const drape::DrapeInput& input = read->input;
   const Result<image::Textures> textures = resolve::read_textures(*read);
   if (!textures) return fail(textures.error(), options.json);
-  Result<drape::DrapeStart> start = drape::prepare_start(input, {});
+  const drape::DrapeInput worn = drape::worn_part(input);
+  Result<drape::DrapeStart> start = drape::prepare_start(worn, {});
   if (!start) return fail(start.error(), options.json);
-  if (preflight::first_error(start->findings)) drape::dress_start(input, *start, {});
+  if (preflight::first_error(start->findings)) drape::dress_start(worn, *start, {});
   if (options.json) {
     std::printf("%s", json::write_json(project_json(input, start->findings)).c_str());
   } else {

@@ -7,6 +7,7 @@
 #include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/drape/pipeline.h"
+#include "core/drape/worn_part.h"
 #include "core/exports/write_report.h"
 #include "core/project/resolve/resolve.h"
 #include "proto/cpp/trace_file.h"
@@ -83,8 +84,9 @@ Status deliver(const drape::DrapeInput& input, const drape::DrapeResult& result,
 }  // namespace
 
 ExitCode drape_command(const DrapeOptions& options) {
-  const Result<resolve::ResolvedProject> read = resolve::read_project(options.project, own_mesh_importer());
+  Result<resolve::ResolvedProject> read = resolve::read_project(options.project, own_mesh_importer());
   if (!read) return fail(read.error(), options.json);
+  read->input = drape::worn_part(std::move(read->input));
   const drape::DrapeInput& input = read->input;
   const Result<image::Textures> textures = resolve::read_textures(*read);
   if (!textures) return fail(textures.error(), options.json);

@@ -9,6 +9,7 @@
 #include "core/base/names.h"
 #include "core/base/units.h"
 #include "core/body/measure/segments.h"
+#include "core/drape/worn_part.h"
 #include "core/mesh/make_panel_meshes.h"
 #include "core/project/create/places.h"
 #include "core/project/resolve/resolve.h"
@@ -65,12 +66,6 @@ std::optional<PieceWish> partners_wish(const drape::DrapeInput& input, const Pie
   const arrange::GarmentPiece& other = graph.pieces[static_cast<std::size_t>(partner)];
   const std::optional<arrange::FlatMove> onto = arrange::lay_on(other, *at, true);
   return onto ? std::optional(mirrored(wish, other.id, onto->angle())) : std::nullopt;
-}
-
-Result<arrange::Arrangement> arrangement_of(const drape::DrapeInput& input) {
-  const mesh::PanelMeshes meshes =
-      TRY(mesh::make_panel_meshes(input.pattern, input.settings.particle_distance, {}));
-  return arrange::arrange({input.pattern, meshes, input.bodies});
 }
 
 /// Told by the body, so that the piece goes along when the measures change.
@@ -130,7 +125,35 @@ Status read_numbers(const json::JsonValue& object, PieceWish& wish) {
   return read_length(object.find("turn"), "turn", 360, wish.turn);
 }
 
+/// The arrangement of some pieces as one of all; the others stay where they are.
+arrange::Arrangement of_all(arrange::Arrangement some, const drape::DrapeInput& input,
+                            const drape::DrapeInput& worn) {
+  std::vector<sewing::Placement> placements = input.placements;
+  std::vector<Index> index;
+  for (std::size_t p = 0; p < input.pattern.panels.size(); ++p) {
+    const bool kept = index.size() < worn.pattern.panels.size() &&
+                      worn.pattern.panels[index.size()].id == input.pattern.panels[p].id;
+    if (!kept) continue;
+    placements[p] = some.placements[index.size()];
+    index.push_back(static_cast<Index>(p));
+  }
+  some.placements = std::move(placements);
+  for (sewing::Attachment& a : some.attachments) a.panel = index[static_cast<std::size_t>(a.panel)];
+  for (const drape::LeftOut& piece : worn.left_out)
+    some.pieces.push_back({piece.id, "left where it is, nothing holds it"});
+  drape::tell_left_out(worn, some.findings);
+  return some;
+}
+
 }  // namespace
+
+Result<arrange::Arrangement> arrangement_of(const drape::DrapeInput& input) {
+  const drape::DrapeInput worn = drape::worn_part(input);
+  const mesh::PanelMeshes meshes =
+      TRY(mesh::make_panel_meshes(worn.pattern, worn.settings.particle_distance, {}));
+  arrange::Arrangement made = TRY(arrange::arrange({worn.pattern, meshes, worn.bodies}));
+  return worn.left_out.empty() ? std::move(made) : of_all(std::move(made), input, worn);
+}
 
 void take_arrangement(const arrange::Arrangement& made, const pattern::Pattern& pattern,
                       project::Project& project) {

@@ -6,11 +6,16 @@
 
 #include "core/arrange/arrange.h"
 #include "core/base/result.h"
+#include "core/drape/drape_input.h"
 #include "core/json/tree.h"
 #include "core/project/project.h"
 #include "server/documents/documents.h"
 
 namespace toile::documents {
+
+/// Places for all pieces (core/arrange/arrange.h). Those that nothing holds on stay where `input` has them,
+/// with a finding each (core/drape/worn_part.h). Errors: mesh.*, those of arrange().
+Result<arrange::Arrangement> arrangement_of(const drape::DrapeInput& input);
 
 /// The arrangement's places and holds in the document; holds of an arrangement before this one are replaced,
 /// others stay. REQUIRES that `project` and `pattern` have the same pieces.

@@ -8,6 +8,7 @@
 #include "core/base/aabb.h"
 #include "core/base/units.h"
 #include "core/drape/pipeline.h"
+#include "core/drape/worn_part.h"
 #include "core/project/project.h"
 #include "proto/cpp/frame_codec.h"
 #include "proto/cpp/message_bytes.h"
@@ -51,24 +52,24 @@ json::JsonValue by_hand(const project::ProjectPlacement& placement) {
   return {};
 }
 
+/// `assembly`: of all pieces; `found`: of those that would be draped.
 std::string check_of(const project::Project& project, const drape::DrapeInput& input,
-                     const drape::DrapeStart& start) {
+                     const sewing::Assembly& assembly, const preflight::Findings& found) {
   std::vector<json::JsonValue> findings, pieces;
-  for (const preflight::Finding& finding : start.findings) findings.push_back(finding_json(finding));
-  const sewing::GarmentMesh& garment = start.assembly.garment;
+  for (const preflight::Finding& finding : found) findings.push_back(finding_json(finding));
+  const sewing::GarmentMesh& garment = assembly.garment;
   for (std::size_t p = 0; p < input.pattern.panels.size(); ++p) {
     const auto first = static_cast<std::size_t>(garment.first_vertex[p]);
     const auto end = static_cast<std::size_t>(garment.first_vertex[p + 1]);
-    const Aabb3 e = bounding_box(std::span(start.assembly.positions).subspan(first, end - first));
+    const Aabb3 e = bounding_box(std::span(assembly.positions).subspan(first, end - first));
     pieces.push_back(std::vector<json::JsonMember>{{"id", input.pattern.panels[p].id},
                                                    {"low", vector_json(e.low)},
                                                    {"high", vector_json(e.high)},
                                                    {"by_hand", by_hand(project.pieces[p].placement)}});
   }
-  return json::write_json_line(
-             std::vector<json::JsonMember>{{"ready", !preflight::first_error(start.findings)},
-                                           {"findings", std::move(findings)},
-                                           {"pieces", std::move(pieces)}}) +
+  return json::write_json_line(std::vector<json::JsonMember>{{"ready", !preflight::first_error(found)},
+                                                             {"findings", std::move(findings)},
+                                                             {"pieces", std::move(pieces)}}) +
          "\n";
 }
 
@@ -79,11 +80,17 @@ Result<StartView> make_view(Documents& documents, const store::RequestContext& c
       TRY(resolve::resolve_project(project, files_in_store(documents, context, row.files)));
   RunContext run;
   run.cancel = context.given_up.get();
-  drape::DrapeStart start = TRY(drape::prepare_start(input, run));
-  if (preflight::first_error(start.findings)) drape::dress_start(input, start, run);
+  const drape::DrapeInput worn = drape::worn_part(input);
+  drape::DrapeStart start = TRY(drape::prepare_start(worn, run));
+  if (preflight::first_error(start.findings)) drape::dress_start(worn, start, run);
   if (run.cancelled())  // then it may have been left half dressed, which nobody must keep
     return Error{"cancelled", "nobody waits for the start any more", "", ErrorKind::kCancelled};
-  return StartView{check_of(project, input, start), geometry_of(input, start.assembly)};
+  if (worn.left_out.empty())
+    return StartView{check_of(project, input, start.assembly, start.findings),
+                     geometry_of(input, start.assembly)};
+  const drape::DrapeStart whole = TRY(drape::prepare_start(input, run));
+  return StartView{check_of(project, input, whole.assembly, start.findings),
+                   geometry_of(input, whole.assembly)};
 }
 
 std::size_t bytes_of(const std::string& key, const StartView& view) {

@@ -74,8 +74,10 @@ Result<pattern::Panel> fitted_panel(const DxfPiece& piece, std::span<const Vec2>
   pattern::OutlineSettings own = settings;
   for (const pattern::Notch& notch : panel.notches) own.curve_ends.push_back(notch.at);
   for (const Vec2 turn : piece.turn_points)
-    if (const Foot foot = foot_on(piece.outline, turn); foot.off <= kTurnReach)
+    if (const Foot foot = foot_on(piece.outline, turn); foot.off <= kTurnReach) {
       own.curve_ends.push_back(foot.at);
+      own.turn_points.push_back(foot.at);
+    }
   if (piece.breaks_are_edges) own.further_corners = piece.breaks;
   Result<pattern::Loop> outline = pattern::loop_from_polyline(piece.outline, forced_corners, own);
   if (!outline) return place(outline.error());

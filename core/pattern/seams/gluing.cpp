@@ -51,7 +51,7 @@ GluingJudge::GluingJudge(const SeamModel& model, const GluingSettings& settings)
   for (std::size_t i = 0; i < model.runs.size(); ++i) {
     const SeamRun& run = model.runs[i];
     runs_.push_back({run.next, run.panel, model.mirror[i], run.from > 0 || run.to<1, run.from> 0,
-                     run.turn.back() > kWeights.round_deg && !is_hem(model, run),
+                     run.turn.back() > kWeights.round_deg && !run.open_front && !is_hem(model, run),
                      std::abs(run.angle - 180) < kWeights.smooth_deg, run.angle, run.length,
                      run.to - run.from});
   }

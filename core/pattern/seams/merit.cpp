@@ -255,17 +255,18 @@ double row_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
 
 /// Mirrored pieces meet in a straight line along the grain, as at a centre front, rather than along a hollow
 /// (a neck, an armhole) or across the grain (a hem).
-double twin_merit(const SeamRun& run, double along_grain, PieceKind kind) {
+double twin_merit(const SeamRun& run, double along_grain, const PieceWords& words) {
   const bool round = run.turn.back() > kWeights.twin_round_deg;
   double merit =
       (round ? kWeights.twin_across_round : kWeights.twin_across) * (1 - along_grain * along_grain);
   if (bend_of(run) < kWeights.straight_deg && along_grain > kWeights.twin_straight_rise)
-    merit += kind == PieceKind::kHood ? kWeights.twin_face : kWeights.twin_straight;
-  if (run.turn.back() < kWeights.twin_hollow_deg && kind == PieceKind::kLegs)
+    merit += words.kind == PieceKind::kHood ? kWeights.twin_face : kWeights.twin_straight;
+  if (run.turn.back() < kWeights.twin_hollow_deg && words.kind == PieceKind::kLegs)
     merit += kWeights.twin_crotch;
   else if (run.turn.back() < kWeights.twin_hollow_deg)
     merit += kWeights.twin_hollow *
              std::clamp((kWeights.twin_upright_rise - along_grain) / kWeights.twin_upright_width, 0.0, 1.0);
+  if (run.open_front) merit += kWeights.twin_round_front;
   return merit;
 }
 
@@ -369,7 +370,7 @@ std::array<double, 2> pair_merit(const SeamModel& m, Index i, Index j, bool leng
     merit += name_merit(m.words[a.panel], m.words[b.panel], twins, twins || counterparts,
                         is_middle(m, a) && is_middle(m, b));
     merit += middle_merit(m, a, b);
-    if (twins) merit += twin_merit(a, rise(m, a), m.words[a.panel].kind);
+    if (twins) merit += twin_merit(a, rise(m, a), m.words[a.panel]);
   }
   std::array<double, 2> both{};
   for (const bool along : {false, true})

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <string>
@@ -13,6 +14,7 @@
 #include "core/base/units.h"
 #include "core/pattern/curve.h"
 #include "core/pattern/seams/likeness.h"
+#include "core/pattern/seams/weights.h"
 
 namespace toile::seams {
 namespace {
@@ -166,6 +168,38 @@ bool is_side(const SeamModel& m, Index r) {
   });
 }
 
+/// What is only called front, back or side is of the trunk where sleeves, collars or hoods say that it is a
+/// top, and nothing else says what covers the trunk.
+void name_trunk(std::vector<PieceWords>& words) {
+  using enum PieceKind;
+  const auto any = [&](std::initializer_list<PieceKind> kinds) {
+    return std::any_of(words.begin(), words.end(), [&](const PieceWords& w) {
+      return std::find(kinds.begin(), kinds.end(), w.kind) != kinds.end();
+    });
+  };
+  if (!any({kSleeve, kCollar, kHood}) || any({kTorso, kSkirt, kLegs, kBand})) return;
+  for (PieceWords& w : words)
+    if (w.kind == kOther && (w.face != 0 || w.flank) && !w.limb && !w.layer) w.kind = kTorso;
+}
+
+/// Fronts that close with buttons are often rounded into the hem: no seam goes there. The run's lower end is
+/// level, the upper one upright.
+void find_open_fronts(SeamModel& m) {
+  constexpr double kLevel = 0.5, kUpright = 0.8;
+  for (SeamRun& run : m.runs) {
+    const Index other = run.mirror_panel;
+    const bool pair = other != kNone && other != run.panel && m.words[run.panel].face > 0;
+    if (!pair || run.turn.back() < kPairWeights.twin_round_deg) continue;
+    const Vec2 up = m.up[run.panel];
+    const bool down = dot(run.at.back() - run.at.front(), up) < 0;
+    const Vec2 first = normalized(run.at[1] - run.at[0]);
+    const Vec2 last = normalized(run.at[SeamRun::kSamples - 1] - run.at[SeamRun::kSamples - 2]);
+    const double lower = std::abs(dot(down ? last : first, up));
+    const double upper = std::abs(dot(down ? first : last, up));
+    run.open_front = lower < kLevel && upper > kUpright;
+  }
+}
+
 }  // namespace
 
 double corner_angle(const pattern::PanelEdge& before, const pattern::PanelEdge& after) {
@@ -208,6 +242,7 @@ SeamModel make_seam_model(const pattern::Pattern& pattern) {
   }
   model.girth.assign(pattern.panels.size(), 0);
   for (const SeamRun& run : model.runs) model.girth[run.panel] += run.length;
+  name_trunk(model.words);
   find_rows(pattern, model);
   find_between(model);
   find_hands(model);
@@ -216,6 +251,7 @@ SeamModel make_seam_model(const pattern::Pattern& pattern) {
     model.runs[r].side = is_side(model, static_cast<Index>(r));
   find_twins(model);
   match_mirrors(model);
+  find_open_fronts(model);
   find_rivals(model);
   find_alike(model);
   return model;
@@ -252,6 +288,7 @@ SeamModel with_cuts(const pattern::Pattern& pattern, SeamModel model, Index r,
     if (part.next == r) break;  // the outline is this one run
   }
   match_mirrors(model);
+  find_open_fronts(model);
   return model;
 }
 

@@ -1,6 +1,8 @@
 #include "core/pattern/seams/piece_words.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstring>
 #include <initializer_list>
 #include <iterator>
 #include <vector>
@@ -38,7 +40,19 @@ PieceKind kind_of(const std::vector<std::string>& words) {
   PieceKind kind = PieceKind::kOther;
   for (const KindWord& known : kWords)
     if (has(known.word)) kind = known.kind;
+  if (kind != PieceKind::kOther) return kind;
+  const auto any_ends = [&](const char* end) {  // "undersleeve", "overskirt"
+    return std::any_of(words.begin(), words.end(), [&](const std::string& w) { return w.ends_with(end); });
+  };
+  for (const KindWord& known : kWords)
+    if (std::strlen(known.word) > 3 && any_ends(known.word)) kind = known.kind;
   return kind;
+}
+
+bool holds_in_a_row(const std::vector<std::string>& words, const char* first, const char* second) {
+  for (std::size_t k = 1; k < words.size(); ++k)
+    if (words[k - 1] == first && words[k] == second) return true;
+  return false;
 }
 
 }  // namespace
@@ -64,9 +78,12 @@ bool ever_meet(PieceKind a, PieceKind b) {
 
 PieceWords words_of(const std::string& name) {
   PieceWords words;
-  words.kind = kind_of(words_of_name(name));
+  const std::vector<std::string> all = words_of_name(name);
+  words.kind = kind_of(all);
+  words.layer = holds_in_a_row(all, "chest", "piece") || holds_in_a_row(all, "under", "collar") ||
+                holds_in_a_row(all, "collar", "under");
   words.leg = words.kind == PieceKind::kLegs;
-  for (const std::string& w : words_of_name(name)) {
+  for (const std::string& w : all) {
     const auto is = [&](std::initializer_list<const char*> any) {
       return std::any_of(any.begin(), any.end(), [&](const char* x) { return w == x; });
     };
@@ -80,8 +97,8 @@ PieceWords words_of(const std::string& name) {
     if (is({"b", "bk", "bck", "rear", "cb"}) || starts("back", 'b')) words.face = -1;
     if (is({"pant", "pants", "trouser", "trousers", "leg"})) words.leg = true;
     if (is({"side", "sidepanel", "flank"})) words.flank = true;
-    if (is({"lining", "facing", "interfacing", "interlining", "fusing", "canvas", "pocket", "welt", "bag",
-            "flap"}))
+    if (is({"lining", "underlining", "facing", "interfacing", "interlining", "fusing", "fusible", "canvas",
+            "pocket", "welt", "bag", "flap", "undercollar"}))
       words.layer = true;
     if (is({"slv", "sl", "arm"}) || w.ends_with("sleeve") || w.ends_with("cuff")) words.limb = true;
   }

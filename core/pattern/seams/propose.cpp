@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <set>
@@ -260,18 +261,23 @@ std::vector<Index> order_of_pieces(const pattern::Pattern& pattern) {
   return order;
 }
 
-/// The pattern with its pieces in another order.
+/// Pieces of the pattern, in this order, with the seams that join no others.
 pattern::Pattern in_order(const pattern::Pattern& pattern, const std::vector<Index>& order) {
-  std::vector<Index> place(order.size());
+  std::vector<Index> place(pattern.panels.size(), kNone);
   pattern::Pattern sorted;
   for (std::size_t i = 0; i < order.size(); ++i) {
     place[order[i]] = static_cast<Index>(i);
     sorted.panels.push_back(pattern.panels[order[i]]);
   }
-  sorted.seams = pattern.seams;
-  for (pattern::Seam& seam : sorted.seams)
+  for (pattern::Seam seam : pattern.seams) {
+    bool inside = true;
     for (std::vector<pattern::SeamEdge>* side : {&seam.a, &seam.b})
-      for (pattern::SeamEdge& e : *side) e.panel = place[e.panel];
+      for (pattern::SeamEdge& e : *side) {
+        e.panel = place[e.panel];
+        inside = inside && e.panel != kNone;
+      }
+    if (inside) sorted.seams.push_back(std::move(seam));
+  }
   return sorted;
 }
 
@@ -338,6 +344,8 @@ std::vector<SeamProposal> parted(const pattern::Pattern& pattern, SeamProposal w
   return parts;
 }
 
+bool surer(const SeamProposal& x, const SeamProposal& y) { return x.confidence > y.confidence; }
+
 /// The proposals for one order of the pieces, surest first.
 std::vector<SeamProposal> proposals_in_order(const pattern::Pattern& pattern,
                                              const ProposalSettings& settings, const RunContext& context) {
@@ -361,8 +369,39 @@ std::vector<SeamProposal> proposals_in_order(const pattern::Pattern& pattern,
       name_edges(lines, pattern, proposal.seam);
       for (SeamProposal& p : parted(pattern, std::move(proposal))) proposals.push_back(std::move(p));
     }
-  std::stable_sort(proposals.begin(), proposals.end(),
-                   [](const SeamProposal& x, const SeamProposal& y) { return x.confidence > y.confidence; });
+  std::stable_sort(proposals.begin(), proposals.end(), surer);
+  return proposals;
+}
+
+std::vector<SeamProposal> proposals_of(const pattern::Pattern& pattern, const std::vector<Index>& pieces,
+                                       const ProposalSettings& settings, const RunContext& context) {
+  ProposalSettings sorted = settings;
+  sorted.clockwise.clear();
+  if (!settings.clockwise.empty())
+    for (const Index p : pieces) sorted.clockwise.push_back(settings.clockwise[p]);
+  std::vector<SeamProposal> proposals = proposals_in_order(in_order(pattern, pieces), sorted, context);
+  for (SeamProposal& p : proposals)
+    for (std::vector<pattern::SeamEdge>* side : {&p.seam.a, &p.seam.b})
+      for (pattern::SeamEdge& e : *side) e.panel = pieces[e.panel];
+  return proposals;
+}
+
+/// First for the pieces that make the garment, then for what lies on them: linings, facings and pockets
+/// repeat their outlines, and would take their edges.
+std::vector<SeamProposal> proposals_by_layers(const pattern::Pattern& pattern,
+                                              const ProposalSettings& settings, const RunContext& context) {
+  const std::vector<Index> all = order_of_pieces(pattern);
+  std::vector<Index> shell;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(shell),
+               [&](Index p) { return !words_of(pattern.panels[p].id).layer; });
+  if (shell.size() < 2 || shell.size() == all.size()) return proposals_of(pattern, all, settings, context);
+  std::vector<SeamProposal> proposals = proposals_of(pattern, shell, settings, context);
+  const std::vector<bool> taken = sewn_together(proposals, kWeights.settled);
+  pattern::Pattern sewn = pattern;
+  for (std::size_t i = 0; i < proposals.size(); ++i)
+    if (taken[i]) sewn.seams.push_back(proposals[i].seam);
+  for (SeamProposal& p : proposals_of(sewn, all, settings, context)) proposals.push_back(std::move(p));
+  std::stable_sort(proposals.begin(), proposals.end(), surer);
   return proposals;
 }
 
@@ -372,14 +411,7 @@ bool runs_clockwise(std::span<const Vec2> outline) { return geometry::signed_are
 
 std::vector<SeamProposal> propose_seams(const pattern::Pattern& pattern, const ProposalSettings& settings,
                                         const RunContext& context) {
-  const std::vector<Index> order = order_of_pieces(pattern);
-  ProposalSettings sorted = settings;
-  for (std::size_t i = 0; i < settings.clockwise.size(); ++i)
-    sorted.clockwise[i] = settings.clockwise[order[i]];
-  std::vector<SeamProposal> proposals = proposals_in_order(in_order(pattern, order), sorted, context);
-  for (SeamProposal& p : proposals)
-    for (std::vector<pattern::SeamEdge>* side : {&p.seam.a, &p.seam.b})
-      for (pattern::SeamEdge& e : *side) e.panel = order[e.panel];
+  std::vector<SeamProposal> proposals = proposals_by_layers(pattern, settings, context);
   std::set<std::string> ids;
   for (const pattern::Seam& seam : pattern.seams) ids.insert(seam.id);
   int number = 0;

@@ -103,6 +103,8 @@ struct PairWeights {
   double twin_across = -3;        ///< in full for edges across the grain …
   double twin_across_round = -1;  ///< … that are not round: a hood's back, a seam that gives shape
   double twin_round_deg = 45;
+  double twin_round_front = -6;     ///< a front's round edge …
+  double round_front_rise = 0.85;   ///< … of this rise
   double twin_face = -2;            ///< a hood's straight edge is around the face
   double twin_crotch = 3;           ///< legs meet along a hollow
   double twin_straight = 4;         ///< a straight one …
@@ -218,6 +220,7 @@ struct ConfidenceWeights {
   double dart = 0.97;           ///< of a dart's legs
   double collar = 0.6;          ///< factor for a collar's: nothing tells how it is folded over
   double layer = 0.6;           ///< factor for a seam of a lining, facing or pocket …
+  double settled = 0.5;         ///< seams of the pieces below are kept when layers are sewn to them
   double beside_layer = 0.85;   ///< … and for others of a garment that has any
   double nameless = 0.78;       ///< factor where no name tells sides or fronts …
   double enough_names = 0.5;    ///< … none from this share of pieces on

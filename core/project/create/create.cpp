@@ -6,12 +6,14 @@
 #include <utility>
 
 #include "core/base/aabb.h"
+#include "core/base/names.h"
 #include "core/base/units.h"
 #include "core/pattern/curve.h"
 #include "core/pattern/garmentcode/read.h"
 #include "core/pattern/seams/check.h"
 #include "core/pattern/seams/piece_words.h"
 #include "core/pattern/validate.h"
+#include "core/project/create/halves.h"
 
 namespace toile::create {
 namespace {
@@ -76,16 +78,11 @@ std::string unused_id(const std::string& wanted, std::set<std::string>& used) {
   return id;
 }
 
-/// The piece as often as it is cut: from the file, and turned over in the document.
-Status take_dxf_piece(const dxf::DxfPiece& drawn, const dxf::DxfDrawing& drawing,
-                      const NewProjectSettings& settings, std::set<std::string>& used, NewProject& made,
-                      std::vector<char>& clockwise) {
-  constexpr int kMostCopies = 20;
-  pattern::Panel panel = TRY(dxf::panel_from_piece(drawn));
-  if (drawn.grain) panel.grain = *drawn.grain;
-  TRY(pattern::validate(panel));
-  const int count = std::clamp(drawn.quantity, 1, kMostCopies);
-  const int mirrored = std::clamp(drawn.mirrored, 0, count);
+/// The piece as often as it is cut, `mirrored` of them turned over: from the file, and turned over in the
+/// document.
+void take_dxf_piece(const dxf::DxfPiece& drawn, const pattern::Panel& panel, int count, int mirrored,
+                    const dxf::DxfDrawing& drawing, const NewProjectSettings& settings,
+                    std::set<std::string>& used, NewProject& made, std::vector<char>& clockwise) {
   for (int k = 0; k < count; ++k) {
     const bool over = k >= count - mirrored;
     pattern::Panel copy = over ? turned_over(panel, "") : panel;
@@ -105,7 +102,19 @@ Status take_dxf_piece(const dxf::DxfPiece& drawn, const dxf::DxfDrawing& drawing
     clockwise.push_back(
         seams::runs_clockwise(drawn.outline));  // a copy turned over shows its right side, too
   }
-  return {};
+}
+
+/// The drawing's pieces as they lie in it.
+Result<std::vector<pattern::Panel>> panels_of(const dxf::DxfDrawing& drawing) {
+  std::vector<pattern::Panel> panels;
+  for (const dxf::DxfPiece& drawn : drawing.pieces) {
+    pattern::Panel panel = TRY(dxf::panel_from_piece(drawn));
+    panel.id = drawn.name;
+    if (drawn.grain) panel.grain = *drawn.grain;
+    TRY(pattern::validate(panel));
+    panels.push_back(std::move(panel));
+  }
+  return panels;
 }
 
 Aabb2 box_of(const pattern::Panel& panel) { return bounding_box(pattern::flatten(panel.outline, 1)); }
@@ -141,11 +150,21 @@ void stand_in_rows(const NewProjectSettings& settings, NewProject& made) {
 
 Status take_dxf(const dxf::DxfDrawing& drawing, const NewProjectSettings& settings, NewProject& made,
                 std::vector<char>& clockwise) {
+  constexpr int kMostCopies = 20;
   std::set<std::string> used;
-  for (const dxf::DxfPiece& piece : drawing.pieces) {
-    if (Status taken = take_dxf_piece(piece, drawing, settings, used, made, clockwise); !taken) return taken;
-  }
+  const std::vector<pattern::Panel> panels = TRY(panels_of(drawing));
+  const std::vector<char> halves = forgotten_halves(drawing, panels);
   made.notes = drawing.notes;
+  for (std::size_t p = 0; p < panels.size(); ++p) {
+    const dxf::DxfPiece& piece = drawing.pieces[p];
+    const int count = halves[p] ? 2 : std::clamp(piece.quantity, 1, kMostCopies);
+    const int mirrored = halves[p] ? 1 : std::clamp(piece.mirrored, 0, count);
+    take_dxf_piece(piece, panels[p], count, mirrored, drawing, settings, used, made, clockwise);
+    if (halves[p])
+      made.notes.push_back("piece " + in_quotes(piece.name) +
+                           " is half a garment wide and not symmetric, yet the file has it cut once: it is "
+                           "taken twice, once mirrored");
+  }
   stand_in_rows(settings, made);
   return {};
 }

@@ -81,13 +81,14 @@ Result<image::Textures> read_textures(const project::Project& project, const pat
     index[named.name] = static_cast<Index>(textures.images.size());
     textures.images.push_back(std::move(image));
   }
-  for (std::size_t i = 0; i < project.pieces.size(); ++i) {
-    const std::optional<project::ProjectTexture>& texture = project.pieces[i].texture;
+  for (const pattern::Panel& panel : pattern.panels) {
     textures.of_panel.emplace_back();
-    if (!texture) continue;
-    const Index image = index.at(texture->image);
+    const auto piece = std::find_if(project.pieces.begin(), project.pieces.end(),
+                                    [&](const project::ProjectPiece& p) { return p.id == panel.id; });
+    if (piece == project.pieces.end() || !piece->texture) continue;
+    const Index image = index.at(piece->texture->image);
     textures.of_panel.back() =
-        lay(*texture, image, textures.images[static_cast<std::size_t>(image)]->read, pattern.panels[i].grain);
+        lay(*piece->texture, image, textures.images[static_cast<std::size_t>(image)]->read, panel.grain);
   }
   return textures;
 }

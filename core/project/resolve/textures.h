@@ -17,7 +17,8 @@ inline constexpr std::size_t kMostTextureImages = 32;
 inline constexpr std::size_t kMostTextureBytes = std::size_t{64} << 20;
 
 /// Reads each picture once, in the order of the pieces, and lays it on them. Of more than four each keeps
-/// half as many pixels a side. REQUIRES the pattern that the project resolves to. Errors: image.*,
+/// half as many pixels a side. REQUIRES a pattern whose panels are pieces of the
+/// project. Errors: image.*,
 /// image.too_many, and whatever the files give; `where` is the JSON pointer of the piece's picture.
 Result<image::Textures> read_textures(const project::Project& project, const pattern::Pattern& pattern,
                                       const ProjectFiles& files);

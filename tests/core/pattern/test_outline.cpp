@@ -113,6 +113,16 @@ TEST(Outline, TheCornerAngleIsASetting) {
   EXPECT_EQ(pattern::loop_from_polyline(bent, {}, settings)->edges.size(), 5u);
 }
 
+TEST(Outline, ABluntCornerIsOneWhereTheDrawingTellsIt) {
+  const std::vector<Vec2> bent{{0, 0}, {100, 0}, {200, 36}, {200, 200}, {0, 200}};  // 20° at (100, 0)
+  pattern::OutlineSettings settings;
+  settings.turn_points = {{100, 0}};
+  EXPECT_EQ(pattern::loop_from_polyline(bent, {}, settings)->edges.size(), 5u);
+  settings.turn_points = {{150, 18}};
+  EXPECT_EQ(pattern::loop_from_polyline(bent, {}, settings)->edges.size(), 4u)
+      << "programs set turn points where lines go on straight, too";
+}
+
 TEST(Outline, ForcedCornersAreExactlyTheEndsOfEdges) {
   const std::vector<Vec2> points{{0, 0}, {150, 0}, {300, 0}, {300, 200}, {0, 200}};
   const std::vector<Vec2> forced{{150.2, 0.1}, {0, 200}};

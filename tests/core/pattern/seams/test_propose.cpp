@@ -298,6 +298,16 @@ TEST(ProposeSeams, AreSureOfPiecesThatMayChangeRound) {
   EXPECT_EQ(waists, 2);
 }
 
+/// The two edges that a proposal joins, in words.
+std::string pair_of(const pattern::Pattern& pattern, const seams::SeamProposal& p) {
+  std::vector<std::string> sides;
+  for (const auto* side : {&p.seam.a, &p.seam.b}) {
+    const pattern::Panel& panel = pattern.panels[side->front().panel];
+    sides.push_back(panel.id + "." + panel.outline.edges[side->front().edge].id);
+  }
+  return std::min(sides[0], sides[1]) + " " + std::max(sides[0], sides[1]);
+}
+
 TEST(ProposeSeams, AreUnsureWhereClothLiesOnCloth) {
   pattern::Pattern pattern = pattern_of(garments::trousers());
   int sure = 0;
@@ -317,6 +327,23 @@ TEST(ProposeSeams, AreUnsureWhereClothLiesOnCloth) {
       EXPECT_LE(p.confidence, 0.6) << p.seam.id;
     }
   }
+}
+
+TEST(ProposeSeams, APatternIsSewnAsSurelyBesideItsLining) {
+  const auto sure_of = [](const pattern::Pattern& pattern) {
+    std::set<std::string> sure;
+    for (const seams::SeamProposal& p : seams::propose_seams(pattern, {true}))
+      if (p.confidence >= 0.8) sure.insert(pair_of(pattern, p));
+    return sure;
+  };
+  pattern::Pattern pattern = pattern_of(garments::trousers());
+  const std::set<std::string> alone = sure_of(pattern);
+  EXPECT_GE(alone.size(), 5U);
+  for (std::size_t i = 0, n = pattern.panels.size(); i < n; ++i) {
+    pattern.panels.push_back(pattern.panels[i]);
+    pattern.panels.back().id += " lining";
+  }
+  EXPECT_EQ(sure_of(pattern), alone);
 }
 
 TEST(ProposeSeams, OfAlternativesTheSurerOneIsSewn) {

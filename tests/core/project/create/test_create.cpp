@@ -152,6 +152,24 @@ TEST(ProjectNew, OfTwoOfAKindOneIsTurnedOver) {
   }
 }
 
+TEST(ProjectNew, AHalfBackAmongPairsIsCutTwice) {
+  const std::vector<garments::Node> half{{0, 0}, {300, 0}, {260, 500}, {0, 520}};
+  const auto made_of = [&](const std::vector<garments::Node>& back, const char* fronts) {
+    std::string text = drawing_of({garments::piece("front", {{0, 0}, {280, 0}, {250, 500}, {20, 480}}),
+                                   garments::piece("sleeve", {{0, 0}, {200, 0}, {180, 400}, {30, 420}}),
+                                   garments::piece("back", back)});
+    for (int k = 0; k < 2; ++k) text.replace(text.find("Quantity: 1"), 11, fronts);
+    return create::new_project(text, settings()).value();
+  };
+  const create::NewProject halves = made_of(half, "Quantity: 2");
+  EXPECT_EQ(halves.project.pieces.size(), 6U);
+  ASSERT_FALSE(halves.notes.empty());
+  EXPECT_NE(halves.notes.back().find("\"back\""), std::string::npos) << halves.notes.back();
+  const create::NewProject whole = made_of({{-300, 0}, {300, 0}, {260, 500}, {-260, 500}}, "Quantity: 2");
+  EXPECT_EQ(whole.project.pieces.size(), 5U) << "its own mirror image needs no other";
+  EXPECT_EQ(made_of(half, "Quantity: 1").project.pieces.size(), 3U) << "a file that counts nothing";
+}
+
 TEST(ProjectNew, SaysWhatIsWrongWithAPattern) {
   EXPECT_EQ(create::new_project("", settings()).error().code, "dxf.empty");
   EXPECT_EQ(create::new_project("{", settings()).error().code, "json.syntax");
