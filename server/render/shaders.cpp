@@ -218,9 +218,10 @@ float weave() {
   return tone;
 }
 
-// How much the seams and hems darken this pixel: a thin line at least a pixel wide, in a faint soft groove.
-float lines() {
-  float darkest = 0.0;
+// How much the seams and hems darken this pixel, and how red an open seam makes it: a thin line at least a pixel
+// wide, in a faint soft groove.
+vec2 lines() {
+  float darkest = 0.0, reddest = 0.0;
   for (int i = 0; i < 3; ++i) {
     float d = v_line_distance[i];
     float a_pixel = length(vec2(dFdx(d), dFdy(d)));
@@ -228,8 +229,9 @@ float lines() {
     float thin = 1.0 - smoothstep(half_width - 0.5 * a_pixel, half_width + 0.5 * a_pixel, d);
     float groove = 0.30 * exp(-d / (3.5 * line_half_width));
     darkest = max(darkest, v_line_strength[i] * max(thin, groove));
+    reddest = max(reddest, -v_line_strength[i] * (1.0 - smoothstep(1.5 * half_width, 2.5 * half_width, d)));
   }
-  return darkest;
+  return vec2(darkest, reddest);
 }
 #else
 uniform vec3 body_colour;
@@ -270,7 +272,8 @@ void main() {
     base = mix(base, shown.rgb, shown.a);
   }
   if (side < 0.0) base = mix(base, vec3(dot(base, vec3(0.2126, 0.7152, 0.0722))), 0.18) * 0.80;
-  base *= weave() * (1.0 - lines());
+  vec2 line = lines();
+  base = mix(base * weave() * (1.0 - line.x), vec3(0.72, 0.03, 0.03), line.y);
   light += vec3(1.0, 0.93, 0.82) * (0.18 * max(-key, 0.0) * lit + 0.10 * through);   // shines through
   vec3 sheen = vec3(0.085) * pow(1.0 - facing, 3.0) * (openness + max(key, 0.0) * lit);
   pixel = developed(base * light + sheen * mix(vec3(1.0), base, 0.5));

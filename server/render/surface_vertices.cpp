@@ -1,6 +1,7 @@
 #include "server/render/surface_vertices.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -12,10 +13,21 @@ namespace {
 
 constexpr float kSeamStrength = 0.62f;
 constexpr float kHemStrength = 0.30f;
-constexpr float kFarFromLine = 1.0f;  // m: a line that the triangle does not have
+constexpr float kOpenStrength = -0.95f;  // below 0: in red
+constexpr double kOpen = 2e-3;           // m that the sides of a seam are apart that did not close
+constexpr float kFarFromLine = 1.0f;     // m: a line that the triangle does not have
 
 using Edge = std::pair<Index, Index>;
 Edge edge_key(Index a, Index b) { return {std::min(a, b), std::max(a, b)}; }
+
+/// Of each vertex: whether it is sewn to one that it did not come to.
+std::vector<char> open_vertices(const ClothView& cloth) {
+  std::vector<char> open(cloth.positions.size(), 0);
+  for (std::size_t v = 0; v < cloth.weld.size(); ++v)
+    if (length(cloth.positions[v] - cloth.positions[cloth.weld[v]]) > kOpen)
+      open[cloth.weld[v]] = open[v] = 1;
+  return open;
+}
 
 /// Edges of one triangle only, with how dark their line is.
 std::map<Edge, float> border_edges(const ClothView& cloth) {
@@ -29,9 +41,13 @@ std::map<Edge, float> border_edges(const ClothView& cloth) {
   for (const auto& [edge, count] : uses) {
     if (count == 1) ++joint_uses[joint(edge)];
   }
+  const std::vector<char> open = open_vertices(cloth);
   std::map<Edge, float> border;
   for (const auto& [edge, count] : uses) {
-    if (count == 1) border[edge] = joint_uses[joint(edge)] > 1 ? kSeamStrength : kHemStrength;
+    if (count != 1) continue;
+    const bool sewn = joint_uses[joint(edge)] > 1;
+    const bool apart = sewn && open[edge.first] && open[edge.second];
+    border[edge] = apart ? kOpenStrength : sewn ? kSeamStrength : kHemStrength;
   }
   return border;
 }
@@ -48,8 +64,8 @@ std::vector<BorderVertex> border_vertices(const ClothView& cloth, const std::map
     const Vec3 along = normalized(cloth.positions[edge.second] - cloth.positions[edge.first]);
     for (const Index v : {edge.first, edge.second}) {
       BorderVertex& at = vertices[v];
-      if (strength < at.strength) continue;
-      if (strength > at.strength) at = {strength, {}};
+      if (std::abs(strength) < std::abs(at.strength)) continue;
+      if (std::abs(strength) > std::abs(at.strength)) at = {strength, {}};
       at.along += dot(at.along, along) < 0 ? -along : along;
     }
   }

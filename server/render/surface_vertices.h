@@ -14,7 +14,8 @@ struct ClothVertex {
   float colour[3];         ///< linear RGB
   float rest[2];           ///< m
   float line_distance[3];  ///< m, interpolated: distance to up to three lines that cross the triangle
-  float line_strength[3];  ///< darkness of these lines, 0 to 1; the same at all corners
+  float line_strength[3];  ///< darkness of these lines, 0 to 1; below 0: how red, of an
+                           ///< open seam; the same at all corners
   float picture_at[2];     ///< repeats of the panel's picture, right and down from its upper left corner
 };
 

@@ -31,6 +31,15 @@ TEST(ClothVertices, DrawSeamsDarkerThanHems) {
   EXPECT_EQ(strength(v, 0, 1), 0);  // the diagonal is no border
 }
 
+TEST(ClothVertices, TellASeamThatDidNotCloseFromOneThatDid) {
+  TwoSquares squares;
+  for (std::size_t v = 4; v < 8; ++v) squares.positions[v].x += 0.02;
+  const std::vector<render::ClothVertex> v = render::cloth_vertices(squares.view());
+  EXPECT_LT(strength(v, 0, 0), 0) << "both sides are drawn in red";
+  EXPECT_LT(strength(v, 3, 1), 0);
+  EXPECT_GT(strength(v, 0, 2), 0) << "the hem beside it is not";
+}
+
 TEST(ClothVertices, DrawNoSeamWhereNothingIsSewn) {
   const TwoSquares squares;
   render::ClothView apart = squares.view();

@@ -137,6 +137,11 @@ export class ClothObject {
     this.paint();
   }
 
+  /** In this colour, or in the usual one. */
+  colourThreads(colour: Color | null): void {
+    this.threadMaterial_.color.copy(colour ?? this.colours_.thread);
+  }
+
   showWires(shown: boolean): void {
     this.wiresShown_ = shown;
     if (this.wires_) this.wires_.visible = shown;

@@ -141,6 +141,7 @@ function connect(scene: SceneView, state: AppState): () => void {
     }),
     effect(() => scene.show(state.bodyShown.value && state.shownBody.value !== null, state.meshShown.value)),
     effect(() => scene.setLooks(state.looks.value)),
+    effect(() => scene.showOpenSeams(!state.beforeDrape.value && state.job.value?.state === 'succeeded', token('--bad'))),
     effect(() => scene.highlight(state.selected.value, state.hovered.value)),
     effect(() => {
       if (state.view.value.turn > turn) scene.look(state.view.value.view, calm.matches);

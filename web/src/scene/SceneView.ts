@@ -165,6 +165,12 @@ export class SceneView {
     this.invalidate();
   }
 
+  /** Threads that are left once a drape is done belong to seams that did not close. */
+  showOpenSeams(done: boolean, colour: string): void {
+    this.cloth_.colourThreads(done ? new Color(colour) : null);
+    this.invalidate();
+  }
+
   show(bodyShown: boolean, meshShown: boolean): void {
     this.body_.mesh.visible = bodyShown && this.bodyBounds_ !== null;
     this.cloth_.showWires(meshShown);
