@@ -1,4 +1,5 @@
 #include <pthread.h>
+#include <sys/stat.h>
 
 #include <chrono>
 #include <csignal>
@@ -40,6 +41,7 @@ void end_anyway_in(std::chrono::seconds time, const Log& log) {
 
 ExitCode serve_command(const ServeOptions& given) {
   const ServeOptions options = completed(given);
+  ::umask(0077);  // what users upload and drape is for nobody else on this machine
   const sigset_t signals = hold_ending_signals();
   Result<std::unique_ptr<Service>> service = Service::start(options);
   if (!service) return fail(service.error(), false);

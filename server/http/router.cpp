@@ -65,6 +65,7 @@ void Router::add(Route route) {
 void Router::add_page(HttpHandler handler) {
   page_.emplace();
   page_->method = "GET";
+  page_->any_parameter = true;
   page_->handler = std::move(handler);
 }
 

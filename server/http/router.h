@@ -43,6 +43,8 @@ struct Route {
   /// Most bytes that the body may have.
   std::function<std::size_t(const HttpRequest&)> limit = small_body;
   Work work = Work::kStore;
+  std::vector<std::string> parameters{};  ///< of the query; any other is refused
+  bool any_parameter = false;             ///< none is refused
   bool websocket =
       false;  ///< an upgrade is wanted; the handler says what is wrong with it (status 200: nothing)
 };

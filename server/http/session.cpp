@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <ctime>
 #include <exception>
 #include <new>
 #include <sstream>
@@ -63,7 +64,9 @@ std::optional<HttpResponse> malformed(const Header& header, bool chunked) {
   if (header.count(http::field::content_length) > 1 || !digits) {
     return refused("http.content_length", "a request has one Content-Length, a number", "Content-Length");
   }
-  if (header.count(http::field::transfer_encoding) > 0 && !chunked) {
+  const beast::string_view coding = header[http::field::transfer_encoding];
+  const bool only_chunked = chunked && beast::iequals(coding, "chunked");  // "gzip, chunked" is chunked too
+  if (header.count(http::field::transfer_encoding) > 0 && !only_chunked) {
     return refused("http.transfer_encoding", "only chunked is understood here", "Transfer-Encoding");
   }
   if (header.count(http::field::host) > 1) return refused("http.host", "a request has one Host", "Host");
@@ -80,6 +83,16 @@ HttpResponse busy() {
 }
 
 HttpResponse broke(const char* code, const char* words) { return problem(500, {code, words, ""}); }
+
+/// "Sun, 06 Nov 1994 08:49:37 GMT" (RFC 9110, 5.6.7), of now.
+std::string http_date() {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  ::gmtime_r(&now, &utc);
+  std::array<char, 40> text{};
+  const std::size_t size = std::strftime(text.data(), text.size(), "%a, %d %b %Y %H:%M:%S GMT", &utc);
+  return {text.data(), size};
+}
 
 template <typename Message>
 std::string header_text(const Message& message) {
@@ -366,6 +379,7 @@ asio::awaitable<bool> HttpSession::write(const HttpRequest& request, HttpRespons
   message.reason(status_phrase(response.status));
   message.keep_alive(keep_alive);
   message.set(http::field::server, "toile");
+  message.set(http::field::date, http_date());
   message.set("X-Content-Type-Options", "nosniff");
   message.set("Referrer-Policy", "no-referrer");
   message.set("Cross-Origin-Resource-Policy", "same-origin");

@@ -125,4 +125,20 @@ bool is_loopback_name(std::string_view name) {
   return name == "localhost" || name.ends_with(".localhost") || name == "::1" || is_loopback_v4(name);
 }
 
+bool names_tag(std::string_view list, std::string_view tag) {
+  while (!list.empty()) {
+    if (list.front() == ' ' || list.front() == ',' || list.front() == '\t') {
+      list.remove_prefix(1);
+      continue;
+    }
+    if (list.front() == '*') return true;
+    if (list.starts_with("W/")) list.remove_prefix(2);
+    const std::size_t close = list.starts_with('"') ? list.find('"', 1) : std::string_view::npos;
+    if (close == std::string_view::npos) return false;
+    if (list.substr(0, close + 1) == tag) return true;
+    list.remove_prefix(close + 1);
+  }
+  return false;
+}
+
 }  // namespace toile::http

@@ -25,4 +25,7 @@ std::optional<std::string> host_name(std::string_view host);
 /// localhost, names below it, 127.0.0.0/8 and ::1.
 bool is_loopback_name(std::string_view name);
 
+/// Whether a list of entity tags (If-None-Match) has the tag, compared weakly, or is "*".
+bool names_tag(std::string_view list, std::string_view tag);
+
 }  // namespace toile::http

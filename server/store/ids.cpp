@@ -3,7 +3,6 @@
 #include <sys/random.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 
 namespace toile::store {
@@ -15,13 +14,17 @@ constexpr std::size_t kPrefixSize = 2, kTimeDigits = 8, kChanceDigits = 12;
 /// 2025-01-01; 40 bits of milliseconds reach from there to 2059.
 constexpr std::int64_t kFirstMs = 1'735'689'600'000;
 constexpr std::int64_t kLastTick = (std::int64_t{1} << (5 * kTimeDigits)) - 1;
+constexpr std::uint64_t kLastChance = (std::uint64_t{1} << (5 * kChanceDigits)) - 1;
+constexpr std::uint64_t kStride = std::uint64_t{1} << 24;  // hard to guess, and room for 2³⁶ more ids
 
-std::int64_t tick_of(std::string_view id) {
-  std::int64_t tick = 0;
-  for (const char c : id.substr(kPrefixSize, kTimeDigits)) {
-    tick = tick * 32 + static_cast<std::int64_t>(kDigits.find(c));
-  }
-  return tick;
+std::uint64_t number_of(std::string_view digits) {
+  std::uint64_t number = 0;
+  for (const char c : digits) number = number * 32 + kDigits.find(c);
+  return number;
+}
+
+void append(std::string& id, std::uint64_t number, std::size_t digits) {
+  for (std::size_t digit = digits; digit-- > 0;) id += kDigits[(number >> (5 * digit)) & 31];
 }
 
 }  // namespace
@@ -32,19 +35,31 @@ bool is_id(std::string_view text, char letter) {
 }
 
 void IdSource::start_after(std::string_view id) {
-  if (!id.empty() && is_id(id, id[0])) last_ = std::max(last_, tick_of(id));
+  if (id.empty() || !is_id(id, id[0])) return;
+  const auto tick = static_cast<std::int64_t>(number_of(id.substr(kPrefixSize, kTimeDigits)));
+  const std::uint64_t chance = number_of(id.substr(kPrefixSize + kTimeDigits));
+  last_chance_ = tick > last_ ? chance : tick == last_ ? std::max(last_chance_, chance) : last_chance_;
+  last_ = std::max(last_, tick);
 }
 
 Result<std::string> IdSource::next(char letter, std::int64_t now_ms) {
-  std::array<unsigned char, kChanceDigits> chance;
-  if (getrandom(chance.data(), chance.size(), 0) != static_cast<ssize_t>(chance.size())) {
+  std::uint64_t chance = 0;
+  if (getrandom(&chance, sizeof chance, 0) != static_cast<ssize_t>(sizeof chance)) {
     return Error{"store.failed", "the system gives no random numbers", "", ErrorKind::kSystem};
   }
   // Two ids of one millisecond, or a clock that was set back: the time is then one more than the last.
-  last_ = std::min(std::max(now_ms - kFirstMs, last_ + 1), kLastTick);
+  const std::int64_t tick = std::min(std::max(now_ms - kFirstMs, last_ + 1), kLastTick);
+  chance &= kLastChance;
+  // A clock was once beyond the last time there is: ids go on rising in the digits behind it.
+  if (tick == last_) chance = last_chance_ + 1 + chance % kStride;
+  if (chance > kLastChance)
+    return Error{"store.failed", "there are no more ids; set the clock right and start with a new folder", "",
+                 ErrorKind::kSystem};
+  last_ = tick;
+  last_chance_ = chance;
   std::string id{letter, '_'};
-  for (std::size_t digit = kTimeDigits; digit-- > 0;) id += kDigits[(last_ >> (5 * digit)) & 31];
-  for (const unsigned char byte : chance) id += kDigits[byte & 31];
+  append(id, static_cast<std::uint64_t>(tick), kTimeDigits);
+  append(id, chance, kChanceDigits);
   return id;
 }
 

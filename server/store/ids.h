@@ -19,7 +19,8 @@ class IdSource {
   Result<std::string> next(char letter, std::int64_t now_ms);
 
  private:
-  std::int64_t last_ = -1;  ///< ms since kFirstMs that the newest id carries
+  std::int64_t last_ = -1;         ///< ms since kFirstMs that the newest id carries
+  std::uint64_t last_chance_ = 0;  ///< the digits behind, of that id
 };
 
 /// Whether `text` has the form of an id of that letter.

@@ -203,7 +203,7 @@ class Store {
   /// A folder for files that live no longer than a call; what a crash leaves there, the next start removes.
   virtual std::string scratch_folder() const = 0;
 
-  /// Cheap proof that the store answers, for /readyz.
+  /// Proof that the store takes and gives, for /readyz: writes a little and reads it back.
   virtual Status ping() = 0;
 };
 

@@ -30,6 +30,8 @@ http::HttpResponse made_answer(http::HttpResponse answer, bool anew, const std::
 Result<json::JsonValue> read_object(const http::HttpRequest& request, const std::vector<std::string>& known,
                                     const json::JsonLimits& limits);
 
+/// What read_page takes.
+inline const std::vector<std::string> kPageParameters{"cursor", "limit"};
 /// A page of a list.
 struct Page {
   std::string cursor;

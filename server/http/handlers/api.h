@@ -34,6 +34,7 @@ struct ApiRoute {
   http::BodyKind body = http::BodyKind::kUnused;
   std::function<std::size_t(const http::HttpRequest&)> limit = http::small_body;
   http::Work work = http::Work::kStore;
+  std::vector<std::string> parameters{};
   bool websocket = false;
 };
 using ApiRoutes = std::vector<ApiRoute>;

@@ -106,7 +106,7 @@ ApiRoutes edit_routes() {
   constexpr const char* kEdits = "/api/v1/projects/{id}/edits";
   return {
       document_route("POST", kEdits, edit),
-      {.pattern = kEdits, .handler = history},
+      {.pattern = kEdits, .handler = history, .parameters = kPageParameters},
       {.method = "POST",
        .pattern = "/api/v1/projects/{id}/undo",
        .handler = undo,

@@ -153,7 +153,7 @@ ApiRoutes job_routes() {
        .handler = submit,
        .body = http::BodyKind::kJson,
        .work = http::Work::kDocument},
-      {.pattern = "/api/v1/jobs", .handler = list},
+      {.pattern = "/api/v1/jobs", .handler = list, .parameters = kPageParameters},
       {.pattern = "/api/v1/jobs/{id}", .handler = show},
       {.method = "DELETE", .pattern = "/api/v1/jobs/{id}", .handler = remove},
       {.method = "POST", .pattern = "/api/v1/jobs/{id}/pause", .handler = pause},

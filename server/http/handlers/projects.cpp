@@ -9,6 +9,7 @@
 #include "server/http/handlers/api.h"
 #include "server/http/handlers/project_answer.h"
 #include "server/http/problem.h"
+#include "server/http/url.h"
 
 namespace toile::handlers {
 namespace {
@@ -68,7 +69,7 @@ http::HttpResponse show(const Api& api, const store::RequestContext& context,
   const Result<store::ProjectRow> project = api.store.project(context, request.captures[0]);
   if (!project) return http::problem(project.error());
   http::HttpResponse response = project_answer(*project);
-  if (request.header("if-none-match") != etag_of(*project)) return response;
+  if (!http::names_tag(request.header("if-none-match"), etag_of(*project))) return response;
   response.status = 304;
   response.content_type.clear();
   response.body.clear();
@@ -160,9 +161,9 @@ ApiRoutes project_routes() {
   return {
       whole_document_route("POST", kAll, create),
       whole_document_route("PUT", kOne, replace),
-      {.pattern = kAll, .handler = list},
+      {.pattern = kAll, .handler = list, .parameters = kPageParameters},
       {.pattern = kOne, .handler = show},
-      {.method = "DELETE", .pattern = kOne, .handler = remove},
+      {.method = "DELETE", .pattern = kOne, .handler = remove, .parameters = {"data"}},
       {.pattern = "/api/v1/projects/{id}/pieces", .handler = pieces, .work = http::Work::kDocument},
   };
 }

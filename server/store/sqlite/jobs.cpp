@@ -82,10 +82,11 @@ Result<std::vector<store::JobRow>> SqliteStore::jobs(const store::RequestContext
                                                      const std::string& cursor, int limit) {
   const std::string before = TRY(before_what(cursor, 'j'));
   const std::lock_guard hold(mutex_);
-  return rows_of(database_.prepare(
-                     select(kJobListColumns, "FROM jobs WHERE owner = ? AND id < ? ORDER BY id DESC LIMIT ?"),
-                     {context.owner, before, page_limit(limit)}),
-                 job_from);
+  return readable_rows_of(
+      database_.prepare(
+          select(kJobListColumns, "FROM jobs WHERE owner = ? AND id < ? ORDER BY id DESC LIMIT ?"),
+          {context.owner, before, page_limit(limit)}),
+      job_from, context.log);
 }
 
 Result<std::vector<std::string>> SqliteStore::jobs_of_project(const store::RequestContext& context,
@@ -128,10 +129,10 @@ Status SqliteStore::update_job(const store::RequestContext& context, const store
 
 Result<std::vector<store::Store::OwnedJob>> SqliteStore::unfinished_jobs() {
   const std::lock_guard hold(mutex_);
-  return rows_of(
+  return readable_rows_of(
       database_.prepare(std::string("SELECT ") + kJobColumns + ", owner FROM jobs WHERE state IN (" +
                         store::unfinished_states_in_sql() + ") ORDER BY id"),
-      owned_job_from);
+      owned_job_from, Log());
 }
 
 // Results

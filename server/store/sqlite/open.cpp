@@ -24,6 +24,14 @@ Result<store::IdSource> ids_after(SqlDatabase& database) {
   return ids;
 }
 
+/// Pages that a disk has spoilt are told at the start and not by whoever meets them.
+Status check_pages(SqlDatabase& database) {
+  const std::string said = TRY(row_of(database.prepare("PRAGMA quick_check(1)"), text_from, "check", ""));
+  if (said == "ok") return {};
+  return Error{"store.corrupt", "the database is damaged (" + said + "); put back a copy of it", "",
+               ErrorKind::kSystem};
+}
+
 /// The error of a part of the store as one of opening it. What a person must tell apart keeps its code.
 Error opening(const fs::path& path, const Error& error) {
   if (error.kind == ErrorKind::kConflict) return placed_at(error, path.string());  // in use, or too new
@@ -47,6 +55,7 @@ Result<std::unique_ptr<store::Store>> open_sqlite_store(const std::string& folde
   const bool had_database = fs::exists(file, failure);
   Result<SqlDatabase> database = SqlDatabase::open(file.string());
   if (!database) return opening(file, database.error());
+  if (Status sound = check_pages(*database); !sound) return opening(file, sound.error());
   if (Status migrated = migrate(*database); !migrated) return opening(file, migrated.error());
   if (had_database) {  // a lost database must not take the files with it
     if (Status swept = sweep_files(*database, *blobs); !swept) return opening(file, swept.error());

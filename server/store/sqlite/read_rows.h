@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/log.h"
 #include "core/base/names.h"
 #include "core/base/result.h"
 #include "server/store/sqlite/database.h"
@@ -33,6 +34,26 @@ Result<std::vector<Row>> rows_of(Result<SqlStatement> statement, Result<Row> (*r
     if (!*more) return rows;
     Row row = TRY(read(*statement));
     rows.push_back(std::move(row));
+  }
+}
+
+/// The same for a list that somebody looks through: a damaged row is passed over, with a line in the log, so
+/// that it hides none of the others.
+template <typename Row>
+Result<std::vector<Row>> readable_rows_of(Result<SqlStatement> statement,
+                                          Result<Row> (*read)(const SqlStatement&), const Log& log) {
+  if (!statement) return statement.error();
+  std::vector<Row> rows;
+  for (;;) {
+    const bool more = TRY(statement->step());
+    if (!more) return rows;
+    Result<Row> row = read(*statement);
+    if (row) {
+      rows.push_back(std::move(*row));
+    } else {
+      log.error("a row of the database is passed over",
+                {{"code", row.error().code}, {"row", row.error().where}});
+    }
   }
 }
 

@@ -249,11 +249,11 @@ Result<std::vector<store::ProjectRow>> SqliteStore::projects(const store::Reques
                                                              const std::string& cursor, int limit) {
   const std::string before = TRY(before_what(cursor, 'p'));
   const std::lock_guard hold(mutex_);
-  return rows_of(
+  return readable_rows_of(
       database_.prepare(
           select(kProjectColumns, "FROM projects WHERE owner = ? AND id < ? ORDER BY id DESC LIMIT ?"),
           {context.owner, before, page_limit(limit)}),
-      project_from);
+      project_from, context.log);
 }
 
 Status SqliteStore::remove_project(const store::RequestContext& context, const std::string& id,
@@ -294,8 +294,16 @@ Status SqliteStore::put_setting(const store::RequestContext& context, const std:
 
 Status SqliteStore::ping() {
   const std::lock_guard hold(mutex_);
-  TRY(database_.run("SELECT number FROM schema_migrations LIMIT 1"));
-  return {};
+  const std::string now = std::to_string(store_now_ms());
+  TRY(
+      database_.run("INSERT INTO settings (owner, key, value) VALUES ('', 'ping', ?)"
+                    " ON CONFLICT (owner, key) DO UPDATE SET value = excluded.value",
+                    {now}));
+  const std::string read =
+      TRY(row_of(database_.prepare("SELECT value FROM settings WHERE owner = '' AND key = 'ping'"), text_from,
+                 "row", ""));
+  if (read == now) return {};
+  return Error{"store.failed", "the database does not give back what it was given", "", ErrorKind::kSystem};
 }
 
 }  // namespace toile::sqlite

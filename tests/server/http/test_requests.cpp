@@ -91,7 +91,10 @@ TEST_F(Requests, RefusesWhatLeavesTheLengthOfTheBodyInDoubt) {
   EXPECT_EQ(status_of(post + "Content-Length: 2, 2\r\n\r\n{}"), 400);
   EXPECT_EQ(status_of(post + "Content-Length: -1\r\n\r\n{}"), 400);
   EXPECT_EQ(status_of(post + "Content-Length: 99999999999999999999\r\n\r\n{}"), 400);
-  EXPECT_EQ(status_of(post + "Transfer-Encoding: gzip\r\n\r\n{}"), 400);
+  for (const char* coding : {"gzip", "gzip, chunked", "chunked, chunked"}) {
+    EXPECT_EQ(status_of(post + "Transfer-Encoding: " + coding + "\r\n\r\n2\r\n{}\r\n0\r\n\r\n"), 400)
+        << coding;
+  }
   EXPECT_EQ(status_of(post + "Transfer-Encoding: chunked\r\n\r\nzz\r\n{}\r\n0\r\n\r\n"), 400);
   expect_alive();
 }
@@ -162,6 +165,19 @@ TEST_F(Requests, LetsThoseGoOnWhoAskFirst) {
   EXPECT_TRUE(go_on->starts_with("HTTP/1.1 100 "));
   wire.send("{}");
   EXPECT_EQ(read_answer(wire).status, 422);
+}
+
+TEST_F(Requests, RefusesParametersThatItDoesNotKnow) {
+  EXPECT_PROBLEM(get("/api/v1/jobs?state=failed"), 400, "request.unknown_parameter");
+  EXPECT_EQ(member(get("/api/v1/jobs?limits=3"), "where"), "limits");
+  EXPECT_EQ(get("/api/v1/jobs?limit=3").status, 200);
+  EXPECT_EQ(get("/?from=bookmark").status, 200) << "the page is asked in many ways";
+}
+
+TEST_F(Requests, SaysWhenItAnswers) {
+  const std::string date = get("/healthz").headers.at("date");
+  EXPECT_EQ(date.size(), 29u) << date;
+  EXPECT_TRUE(date.ends_with(" GMT")) << date;
 }
 
 TEST_F(Requests, GivesMethodsAndAddressesTheirDue) {

@@ -18,7 +18,9 @@ class RouterTest : public testing::Test {
     post.body = http::BodyKind::kJson;
     router.add(std::move(post));
     router.add({.method = "GET", .pattern = "/api/v1/jobs/{id}", .handler = handler});
-    router.add({.method = "GET", .pattern = "/api/v1/jobs/{id}/results/{name}", .handler = handler});
+    http::Route result{.method = "GET", .pattern = "/api/v1/jobs/{id}/results/{name}", .handler = handler};
+    result.parameters = {"x"};
+    router.add(std::move(result));
     router.add_page(handler);
   }
 
@@ -46,6 +48,15 @@ TEST_F(RouterTest, FindsTheRouteAndWhatItsBracesStandFor) {
   EXPECT_EQ(found.route->pattern, "/api/v1/jobs/{id}/results/{name}");
   EXPECT_EQ(request.captures, (std::vector<std::string>{"j_1", "final.glb"}));
   EXPECT_EQ(request.parameter("x"), "1");
+}
+
+TEST_F(RouterTest, TakesNoParameterThatTheRouteDoesNotKnow) {
+  const http::Admission refused = admit_one("GET", "/api/v1/jobs/j_1/results/final.glb?x=1&y=2");
+  EXPECT_FALSE(refused.route);
+  EXPECT_EQ(refused.refusal.status, 400);
+  EXPECT_NE(refused.refusal.body.find("request.unknown_parameter"), std::string::npos)
+      << refused.refusal.body;
+  EXPECT_EQ(status("GET", "/index.html?y=2"), 200);
 }
 
 TEST_F(RouterTest, SaysWhichMethodsThereAre) {

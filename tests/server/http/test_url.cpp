@@ -32,6 +32,13 @@ TEST(Url, RefusesTargetsThatLeaveTheirFolder) {
   }
 }
 
+TEST(Url, FindsATagInAListHoweverWeak) {
+  for (const char* list : {"\"3\"", "W/\"3\"", "\"1\", \"3\"", "W/\"1\",W/\"3\"", "*", "\"a, b\", \"3\""})
+    EXPECT_TRUE(http::names_tag(list, "\"3\"")) << list;
+  for (const char* list : {"", "3", "\"33\"", "\"1\", \"2\"", "\"3", "W/3"})
+    EXPECT_FALSE(http::names_tag(list, "\"3\"")) << list;
+}
+
 TEST(Url, KnowsTheLoopbackByItsNames) {
   for (const char* host : {"localhost", "LOCALHOST:80", "127.0.0.1:8460", "127.9.9.9", "[::1]", "[::1]:8460",
                            "toile.localhost:1"}) {

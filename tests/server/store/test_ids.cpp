@@ -29,6 +29,22 @@ TEST(Ids, RiseWhenTheClockIsSetBack) {
   EXPECT_LT(newest, *after.next('j', 0));
 }
 
+TEST(Ids, RiseAfterAClockThatStoodBeyondTheLastTimeThereIs) {
+  constexpr std::int64_t kYear2061 = 2'871'763'200'000;
+  store::IdSource ids;
+  std::string last = *ids.next('j', kYear2061);
+  for (int i = 0; i < 200; ++i) {
+    if (i == 100) {  // the next start, with the clock set right
+      ids = store::IdSource();
+      ids.start_after(last);
+    }
+    const std::string id = *ids.next('j', i < 100 ? kYear2061 : kNow);
+    EXPECT_TRUE(store::is_id(id, 'j')) << id;
+    EXPECT_LT(last, id);
+    last = id;
+  }
+}
+
 TEST(Ids, OfTheSameMomentDiffer) {
   std::set<std::string> seen;
   for (int i = 0; i < 200; ++i) {

@@ -69,5 +69,22 @@ TEST(JobState, ARowOfAnUnknownStateIsToldAsDamagedWithItsJob) {
   EXPECT_EQ(row.error().where, id);
 }
 
+TEST(JobState, ADamagedRowHidesNoOtherOfItsList) {
+  const TemporaryFolder folder;
+  std::string bad, good;
+  {
+    const auto store = opened(folder.path());
+    bad = store->create_job(kMe, some_job("bad"), "").value().id;
+    good = store->create_job(kMe, some_job("good"), "").value().id;
+  }
+  ASSERT_TRUE(database_in(folder).run("UPDATE jobs SET state = 'sleeping' WHERE id = ?", {bad}));
+  const auto store = opened(folder.path());
+  const Result<std::vector<store::JobRow>> jobs = store->jobs(kMe, "", 10);
+  ASSERT_TRUE(jobs);
+  ASSERT_EQ(jobs->size(), 1u);
+  EXPECT_EQ(jobs->front().id, good);
+  EXPECT_TRUE(store->unfinished_jobs()) << "and keeps no server from starting";
+}
+
 }  // namespace
 }  // namespace toile
