@@ -63,6 +63,9 @@ void fields(Archive& a, RunState& run) {
   a.value(s.solver.detection_speeds);
   a.value(s.solver.held_back);
   a.value(s.solver.hits);
+  a.value(s.solver.preloads);
+  a.value(s.solver.pace.steps);
+  a.value(s.solver.pace.learnt);
   a.value(run.at_end.cloth_body);
   a.value(run.at_end.cloth_cloth);
   a.value(run.worst.cloth_body);
@@ -106,16 +109,18 @@ bool sound(const SessionState& s) {
   const std::size_t n = s.solver.positions.size();
   const std::size_t m = s.solver.centres.size();
   return s.phase <= DrapePhase::kDone && (s.phase == DrapePhase::kDone) == s.stop_reason.has_value() &&
-         all_counts(s.steps, s.watch.step, s.solver.held_back, s.solver.hits, s.slackened) &&
-         all_times(s.time, s.phase_start, s.last_weld) && s.solver.velocities.size() == n &&
-         (m == 0 || m == n) && s.solver.detection_speeds.size() == m && s.watch.window_start.size() == n &&
-         sound_ways(s.watch.ways, n) && s.watch.rms.size() <= SettleState::kMostWindows &&
+         all_counts(s.steps, s.watch.step, s.solver.held_back, s.solver.hits, s.solver.pace.steps,
+                    s.slackened) &&
+         all_times(s.time, s.phase_start, s.last_weld, s.solver.pace.learnt) &&
+         s.solver.velocities.size() == n && (m == 0 || m == n) && s.solver.detection_speeds.size() == m &&
+         s.watch.window_start.size() == n && sound_ways(s.watch.ways, n) &&
+         s.watch.rms.size() <= SettleState::kMostWindows &&
          s.watch.rates.size() <= SettleState::kMostWindows && all_speeds(s.watch.rates) &&
          all_speeds(s.off_at_release) && all_speeds(s.watch.rms) &&
          all_speeds({s.watch.max_speed, s.watch.drift, s.watch.usual_drift}) &&
          all_speeds(s.solver.detection_speeds) && all_within(s.solver.positions, kFarthest) &&
          all_within(s.solver.velocities, kFarthest) && all_within(s.solver.centres, kFarthest) &&
-         all_within(s.watch.window_start, kFarthest);
+         all_within(s.solver.preloads, 1) && all_within(s.watch.window_start, kFarthest);
 }
 
 bool sound(const RunState& run) {

@@ -185,7 +185,10 @@ Status DrapeSession::restore(SessionState state) {
   }
   const Weld weld = joined_as(assembly_.garment, state.joined);
   const auto count = static_cast<std::size_t>(weld.vertex_count);
-  if (state.solver.positions.size() != count) return damaged_checkpoint();
+  if (state.solver.positions.size() != count ||
+      state.solver.preloads.size() != assembly_.garment.triangles.size()) {
+    return damaged_checkpoint();
+  }
   vertex_of_ = weld.vertex_of;
   dressed_ = state.dressed;
   lost_ = state.lost;
@@ -259,8 +262,11 @@ void DrapeSession::weld() {
   solver::ClothModel model = model_of(vertex_of_, weld.vertex_count);
   std::vector<Vec3> velocities =
       velocities_of_joined(before, weld, solver_->model().mass, solver_->velocities());
+  std::vector<Vec3> preloads = solver_->preloads();
   build_solver(std::move(model), std::move(weld.positions), std::move(velocities));
   solver_->set_stitches(stitches_now());
+  if (!dynamic())
+    solver_->set_preloads(std::move(preloads));  // true motion would keep those of sewing for ever
 }
 
 void DrapeSession::weld_what_closed() {

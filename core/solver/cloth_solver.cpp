@@ -85,13 +85,18 @@ void ClothSolver::set_holds(std::vector<constraints::HeldVertex> held) {
   }
   if (w == inverse_mass_) return;
   inverse_mass_ = std::move(w);
+  pace_ = {};
   membrane_.prepare(inverse_mass_, h_);
   bending_.prepare(inverse_mass_, h_);
 }
 
 SolverState ClothSolver::state() const {
-  if (!detected_) return {x_, velocity_, {}, {}, held_back_, hits_};
-  return {x_, velocity_, contacts_.centre, speed_, held_back_, hits_};
+  SolverState now{x_, velocity_, {}, {}, held_back_, hits_, membrane_.preloads(), pace_};
+  if (detected_) {
+    now.centres = contacts_.centre;
+    now.detection_speeds = speed_;
+  }
+  return now;
 }
 
 void ClothSolver::restore(SolverState state) {
@@ -100,6 +105,8 @@ void ClothSolver::restore(SolverState state) {
   velocity_ = std::move(state.velocities);
   held_back_ = state.held_back;
   hits_ = state.hits;
+  membrane_.set_preloads(std::move(state.preloads));
+  pace_ = state.pace;
   detected_ = !state.centres.empty();
   if (!detected_) return;
   speed_ = std::move(state.detection_speeds);
@@ -111,7 +118,8 @@ StepReport ClothSolver::step(const StepForces& forces) {
                 velocity_);
   predict(forces);
   lanes::spread(x_, points_);
-  membrane_.solve(points_);
+  const bool learns = pace_.due(forces.damping);
+  membrane_.solve(points_, learns);
   bending_.solve(points_);
   lanes::collect(points_, x_);
   solve_features(features_, forces.features, inverse_mass_, h_, x_);
@@ -125,6 +133,7 @@ StepReport ClothSolver::step(const StepForces& forces) {
   finish(forces);
   if (forces.viscosity > 0)
     constraints::even_velocities(model_.triangles, model_.mass, forces.viscosity, velocity_);
+  if (learns) membrane_.learn(x_, pace_.next_share(forces.damping, h_));
   return report;
 }
 

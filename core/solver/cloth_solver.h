@@ -15,11 +15,11 @@ namespace toile::solver {
 
 /// What acts on the cloth during a step. May change from step to step.
 struct StepForces {
-  double gravity = 9.81;     ///< m/s², downwards
-  double damping = 1;        ///< 1/s, of the velocity, as if in a thick medium
-  double viscosity = 0;      ///< share of velocity differences that triangles lose in this step, 0 to 1
-  double friction = 1;       ///< factor on all coefficients
-  double restitution = 1;    ///< likewise
+  double gravity = 9.81;   ///< m/s², downwards
+  double damping = 1;      ///< 1/s, of the velocity, as if in a thick medium; sets the pace of learning, too
+  double viscosity = 0;    ///< share of velocity differences that triangles lose in this step, 0 to 1
+  double friction = 1;     ///< factor on all coefficients
+  double restitution = 1;  ///< likewise
   double stitch_length = 0;  ///< 1: stitches as long as at the start, 0: closed
   FeatureProgress features;
 };
@@ -39,6 +39,8 @@ struct SolverState {
   std::vector<double> detection_speeds;     ///< m/s, that sized the trust regions then
   int held_back = 0;                        ///< vertices that the bounds stopped right after
   int hits = 0;                             ///< more than those, summed over the steps since
+  std::vector<Vec3> preloads;               ///< of the membrane, one a triangle
+  constraints::LearningPace pace;           ///< of those
 };
 
 class ClothSolver {
@@ -57,6 +59,10 @@ class ClothSolver {
   void set_holds(std::vector<constraints::HeldVertex> held);
   void set_features(ClothFeatures features) { features_ = std::move(features); }
   void set_velocities(std::vector<Vec3> velocities) { velocity_ = std::move(velocities); }
+
+  /// What the membrane has learnt, one a triangle; another solver of the same triangles may go on with it.
+  const std::vector<Vec3>& preloads() const { return membrane_.preloads(); }
+  void set_preloads(std::vector<Vec3> preloads) { membrane_.set_preloads(std::move(preloads)); }
 
   SolverState state() const;
   /// REQUIRES a state of a solver with the same model; holds, stitches and features are not part of it.
@@ -98,8 +104,9 @@ class ClothSolver {
   collision::ContactFinder finder_;
   collision::Contacts contacts_;
   bool detected_ = false;
-  int held_back_ = 0;  ///< vertices that the bounds stopped right after the last detection
-  int hits_ = 0;       ///< more than those, summed over the steps since
+  int held_back_ = 0;               ///< vertices that the bounds stopped right after the last detection
+  int hits_ = 0;                    ///< more than those, summed over the steps since
+  constraints::LearningPace pace_;  ///< at which the membrane learns its preloads
 };
 
 /// Thickness, friction and trust region sizes for a cloth: thickness at most 0.3 and trust regions at most

@@ -18,6 +18,9 @@
 
 namespace toile::solver::constraints {
 
+/// Share of its stiffness that cloth has left once it has buckled between the vertices.
+inline constexpr double kBuckledStiffness = 0.05;
+
 struct MembraneTriangle {
   Tri v{};
   double b[4] = {};  ///< inverse of the rest edges' matrix: f_weft = e1·b0 + e2·b1, f_warp = e1·b2 + e2·b3

@@ -25,6 +25,10 @@ double mobility_of(const constraints::MembraneTriangle& t, std::span<const doubl
 
 }  // namespace
 
+double lane_unit(const constraints::MembraneTriangle& t, std::span<const double> w) {
+  return 1 / mobility_of(t, w);
+}
+
 std::vector<LaneGroup> group_apart(Index count, Index vertex_count,
                                    const std::function<std::span<const Index>(Index)>& vertices) {
   std::vector<LaneGroup> groups;

@@ -51,6 +51,12 @@ struct LimitPack {
   Lanes limit[3], stop[3];  ///< of weft, warp, shear
 };
 
+/// Beside each membrane pack: what core/solver/constraints/preload.h is about.
+struct PreloadPack {
+  Lanes strain[3];  ///< of weft, warp, shear: added to what is measured
+  Lanes lambda[3];  ///< what the last pass that took note found
+};
+
 struct BendPack {
   LaneOffset v[6][kLanes];  ///< a missing neighbour repeats corner 0, with weight 0; lanes as in MembranePack
   Lanes w[6], own[3][2], far[3], response[6], hard;  ///< own: of corners 1 and 2; corner 0 takes what is left
@@ -66,6 +72,8 @@ std::vector<LaneGroup> group_apart(Index count, Index vertex_count,
 std::vector<MembranePack> pack_membrane(std::span<const constraints::MembraneTriangle> triangles,
                                         std::span<const LaneGroup> groups, std::span<const double> w,
                                         double h);
+/// What the λ of a triangle's lane is divided by.
+double lane_unit(const constraints::MembraneTriangle& triangle, std::span<const double> w);
 /// Empty where no triangle has a limit.
 std::vector<LimitPack> pack_limits(std::span<const constraints::MembraneTriangle> triangles,
                                    std::span<const LaneGroup> groups, std::span<const double> w);
@@ -73,9 +81,10 @@ std::vector<BendPack> pack_bending(std::span<const constraints::BendTriangle> tr
                                    std::span<const LaneGroup> groups, std::span<const double> w);
 
 /// One Gauss-Seidel pass over packs; `limits` is null where there are none, `x` the positions and nobody's
-/// point behind them.
+/// point behind them. A pass that takes note leaves its λ in `preloads`.
 struct LaneKernels {
-  void (*solve_membrane)(const MembranePack* packs, const LimitPack* limits, std::size_t count, LanePoint* x);
+  void (*solve_membrane)(const MembranePack* packs, const LimitPack* limits, PreloadPack* preloads,
+                         std::size_t count, bool takes_note, LanePoint* x);
   void (*solve_bending)(const BendPack* packs, std::size_t count, LanePoint* x);
 };
 

@@ -1,13 +1,14 @@
 #pragma once
 // The membrane's pass (core/solver/constraints/membrane.h says what it stands for). See wide.h.
 
+#include <type_traits>
+
 #include "core/solver/lanes/wide.h"
 
 namespace toile::solver::lanes {
 namespace {
 
-/// Share of its stiffness that cloth has left once it has buckled between the vertices (membrane.h).
-constexpr float kBuckled = 0.05F;
+constexpr auto kBuckled = static_cast<float>(constraints::kBuckledStiffness);
 
 /// What the triangles' strains ask for, lane by lane: symmetric systems A λ = r, solved, that can still
 /// change along one direction after another. Entries (00, 11, 22, 01, 02, 12); λ > 0 pushes apart.
@@ -89,7 +90,9 @@ TOILE_INLINE void keep_limits(const LimitPack& l, LaneReader of, const Wide (&c)
            either(above(kNothing, sheared), -most_shear, most_shear));
 }
 
-TOILE_INLINE void solve(const MembranePack& t, const LimitPack* limits, LaneReader of, LanePoint* x) {
+template <bool kTakesNote>
+TOILE_INLINE void solve(const MembranePack& t, const LimitPack* limits, PreloadPack& preload, LaneReader of,
+                        LanePoint* x) {
   const Wide w0 = of(t.w[0]), w1 = of(t.w[1]), w2 = of(t.w[2]), share = of(t.share);
   const Wide b0 = of(t.b[0]), b1 = of(t.b[1]), b2 = of(t.b[2]), b3 = of(t.b[3]);
   const Wide3 e1 = ways(x, of(t.v[0]), of(t.v[1])), e2 = ways(x, of(t.v[0]), of(t.v[2]));
@@ -113,7 +116,8 @@ TOILE_INLINE void solve(const MembranePack& t, const LimitPack* limits, LaneRead
   const Wide system[6] = {share * mass_uu + soft[0], share * mass_vv + soft[1], share * mass_ss + soft[3],
                           share * mass_uv + soft[2], share * dot(along_u, nu),  share * dot(along_v, nv)};
   WideResponses response;
-  response.solve(system, {kOne - lu, kOne - lv, -dot(fu, fv)});
+  response.solve(system, {kOne - lu - of(preload.strain[0]), kOne - lv - of(preload.strain[1]),
+                          -dot(fu, fv) - of(preload.strain[2])});
   buckle(soft, of(t.buckling), response);
   // Torn out to twice its size a triangle is as mobile as no limit reckoned with; its plain spring brings it
   // back.
@@ -134,22 +138,37 @@ TOILE_INLINE void solve(const MembranePack& t, const LimitPack* limits, LaneRead
     return Wide3{either(sound, d.x * s, kNothing), either(sound, d.y * s, kNothing),
                  either(sound, d.z * s, kNothing)};
   };
+  if (kTakesNote) {
+    const Wide3 applied = kept(lambda, scale);
+    of(preload.lambda[0]) = applied.x;
+    of(preload.lambda[1]) = applied.y;
+    of(preload.lambda[2]) = applied.z;
+  }
   move(x, of(t.v[0]), kept(d0, -w0 * scale));
   move(x, of(t.v[1]), kept(d1, w1 * scale));
   move(x, of(t.v[2]), kept(d2, w2 * scale));
 }
 
-void solve_membrane_packs(const MembranePack* packs, const LimitPack* limits, std::size_t count,
-                          LanePoint* x) {
-  const auto solve_all = [&](auto limits_of) {
+void solve_membrane_packs(const MembranePack* packs, const LimitPack* limits, PreloadPack* preloads,
+                          std::size_t count, bool takes_note, LanePoint* x) {
+  const auto solve_all = [&](auto note, auto limits_of) {
     for (std::size_t i = 0; i < count; ++i) {
-      for (int first = 0; first < kLanes; first += kWide) solve(packs[i], limits_of(i), {first}, x);
+      for (int first = 0; first < kLanes; first += kWide) {
+        solve<decltype(note)::value>(packs[i], limits_of(i), preloads[i], {first}, x);
+      }
     }
   };
-  if (limits == nullptr) {
-    solve_all([](std::size_t) { return nullptr; });
+  const auto solve_noting = [&](auto note) {
+    if (limits == nullptr) {
+      solve_all(note, [](std::size_t) { return nullptr; });
+    } else {
+      solve_all(note, [&](std::size_t i) { return limits + i; });
+    }
+  };
+  if (takes_note) {
+    solve_noting(std::true_type());
   } else {
-    solve_all([&](std::size_t i) { return limits + i; });
+    solve_noting(std::false_type());
   }
 }
 

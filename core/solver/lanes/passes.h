@@ -8,6 +8,7 @@
 
 #include "core/base/types.h"
 #include "core/solver/cloth_model.h"
+#include "core/solver/constraints/preload.h"
 #include "core/solver/lanes/lanes.h"
 
 namespace toile::solver::lanes {
@@ -24,10 +25,24 @@ class MembranePass {
   /// Fits it to inverse masses `w` (1/kg) and substep `h` (s); needed first, and when either changes.
   void prepare(std::span<const double> w, double h);
   /// One Gauss-Seidel pass over positions x (m).
-  void solve(std::span<LanePoint> x, const LaneKernels& kernels = lane_kernels()) const;
+  /// One that takes note can be learnt from.
+  void solve(std::span<LanePoint> x, bool takes_note = false, const LaneKernels& kernels = lane_kernels());
+  /// Learns from the pass that took note last: `x` (m) is where its step ended, `share` as for
+  /// learn_preloads.
+  void learn(std::span<const Vec3> x, double share);
+
+  /// One Vec3 a triangle.
+  const std::vector<Vec3>& preloads() const { return preloads_; }
+  void set_preloads(std::vector<Vec3> preloads);
 
  private:
+  void lay_out_preloads();
+
   std::vector<constraints::MembraneTriangle> triangles_;
+  std::vector<Vec3> preloads_;
+  std::vector<PreloadPack> preload_packs_;
+  std::vector<double> w_;
+  double h_ = 0;
   std::vector<LaneGroup> groups_;
   std::vector<MembranePack> packs_;
   std::vector<LimitPack> limits_;

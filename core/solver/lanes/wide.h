@@ -46,6 +46,7 @@ TOILE_INLINE Wide magnitude(Wide a) { return either(above(kNothing, a), -a, a); 
 struct LaneReader {
   int first = 0;
   TOILE_INLINE Wide operator()(const Lanes& l) const { return *reinterpret_cast<const Wide*>(l.at + first); }
+  TOILE_INLINE Wide& operator()(Lanes& l) const { return *reinterpret_cast<Wide*>(l.at + first); }
   TOILE_INLINE const LaneOffset* operator()(const LaneOffset (&v)[kLanes]) const { return v + first; }
 };
 

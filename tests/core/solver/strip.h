@@ -57,11 +57,15 @@ inline Strip make_strip(std::vector<double> cuts, double height, double h, Vec2 
 
 /// One pass over positions as the rest of the program has them.
 template <typename Pass>
-void sweep(const Pass& pass, std::vector<Vec3>& x,
+void sweep(Pass& pass, std::vector<Vec3>& x,
            const solver::lanes::LaneKernels& kernels = solver::lanes::lane_kernels()) {
   std::vector<solver::lanes::LanePoint> points;
   solver::lanes::spread(x, points);
-  pass.solve(points, kernels);
+  if constexpr (std::is_same_v<Pass, solver::lanes::MembranePass>) {
+    pass.solve(points, false, kernels);
+  } else {
+    pass.solve(points, kernels);
+  }
   solver::lanes::collect(points, x);
 }
 

@@ -43,8 +43,12 @@ std::vector<Vec3> swept(const Shaken& s, const solver::lanes::LaneKernels& kerne
   membrane.prepare(s.w, 1.0 / 3000);
   bending.prepare(s.w, 1.0 / 3000);
   std::vector<Vec3> x = s.x;
+  std::vector<solver::lanes::LanePoint> points;
   for (int i = 0; i < 20; ++i) {
-    test::sweep(membrane, x, kernels);
+    solver::lanes::spread(x, points);
+    membrane.solve(points, i % 2 == 0, kernels);
+    solver::lanes::collect(points, x);
+    if (i % 2 == 0) membrane.learn(x, 0.1);
     test::sweep(bending, x, kernels);
   }
   return x;
