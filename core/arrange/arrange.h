@@ -19,6 +19,8 @@ struct ArrangeInput {
   const pattern::Pattern& pattern;
   const mesh::PanelMeshes& meshes;     ///< of any particle distance that shows the outlines
   std::span<const body::Body> bodies;  ///< the first that stands like a person is dressed
+  /// Names of the garment's pieces that are not here: sleeves that are not sewn say that it is a top.
+  std::vector<std::string> absent = {};
 };
 
 /// What was decided for a piece, in words: "torso, front", "left sleeve, around the arm".

@@ -137,7 +137,7 @@ measure::BodySide side_of(const GarmentGraph& graph, const FlatLayout& layout, c
 
 Result<ArrangePlan> plan_arrangement(const ArrangeInput& input, const BodyStand& stand) {
   ArrangePlan plan;
-  plan.graph = make_garment_graph(input.pattern, input.meshes);
+  plan.graph = make_garment_graph(input.pattern, input.meshes, input.absent);
   plan.roles = roles_of(plan.graph);
   FlatLayout layout = TRY(trunk_layout(plan.graph, plan.roles.trunk, stand));
   plan.layout = std::move(layout);

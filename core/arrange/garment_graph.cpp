@@ -124,8 +124,9 @@ void find_outsides(const std::vector<std::array<Index, 3>>& parities, std::vecto
 }
 
 /// Pieces whose names say nothing cover what the others, or the number of the garment's borders, tell.
-void cover_the_rest(GarmentGraph& graph) {
+void cover_the_rest(GarmentGraph& graph, const std::vector<std::string>& absent) {
   bool any[9] = {};
+  for (const std::string& name : absent) any[static_cast<int>(cover_of_name(name))] = true;
   for (const GarmentPiece& p : graph.pieces) any[static_cast<int>(p.cover)] = true;
   const auto has = [&](Cover c) { return any[static_cast<int>(c)]; };
   Cover rest = Cover::kTorso;
@@ -180,7 +181,8 @@ std::optional<FlatFit> fit_at(const std::vector<Vec2>& points, const GarmentPiec
 
 }  // namespace
 
-GarmentGraph make_garment_graph(const pattern::Pattern& pattern, const mesh::PanelMeshes& meshes) {
+GarmentGraph make_garment_graph(const pattern::Pattern& pattern, const mesh::PanelMeshes& meshes,
+                                const std::vector<std::string>& absent) {
   GarmentGraph graph;
   std::vector<std::vector<Index>> numbers;
   for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
@@ -216,7 +218,7 @@ GarmentGraph make_garment_graph(const pattern::Pattern& pattern, const mesh::Pan
   }
   find_outsides(parities, graph.pieces);
   for (const mesh::SewnPart& part : mesh::sewn_parts(meshes)) graph.rings += part.borders;
-  cover_the_rest(graph);
+  cover_the_rest(graph, absent);
   return graph;
 }
 

@@ -43,7 +43,9 @@ struct GarmentGraph {
   int rings = 0;                 ///< borders that the sewn garment has
 };
 
-GarmentGraph make_garment_graph(const pattern::Pattern& pattern, const mesh::PanelMeshes& meshes);
+/// `absent`: names of pieces that belong to the garment and are not in the pattern.
+GarmentGraph make_garment_graph(const pattern::Pattern& pattern, const mesh::PanelMeshes& meshes,
+                                const std::vector<std::string>& absent = {});
 
 /// The isometry that lays piece `from` on piece `to`, mirrored or not as told, when they are alike to 1 % of
 /// their size.

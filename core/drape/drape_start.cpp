@@ -101,7 +101,7 @@ void dress_start(const DrapeInput& input, DrapeStart& start, const RunContext& c
   const dressing::Wearer wearer(*start.person);
   start.dressed = put_on_from(input, start.meshes, input.placements, wearer, context);
   if (!start.dressed && !context.cancelled()) {
-    const auto anew = arrange::arrange({input.pattern, start.meshes, input.bodies});
+    const auto anew = arrange::arrange({input.pattern, start.meshes, input.bodies, names_left_out(input)});
     if (anew) start.dressed = put_on_from(input, start.meshes, anew->placements, wearer, context);
   }
   if (start.dressed) begin_on_body(start);

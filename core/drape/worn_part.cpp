@@ -163,6 +163,12 @@ DrapeInput worn_part(DrapeInput input) {
   return part;
 }
 
+std::vector<std::string> names_left_out(const DrapeInput& input) {
+  std::vector<std::string> names;
+  for (const LeftOut& piece : input.left_out) names.push_back(piece.id);
+  return names;
+}
+
 void tell_left_out(const DrapeInput& input, preflight::Findings& findings) {
   for (const LeftOut& piece : input.left_out) {
     preflight::Finding& told =

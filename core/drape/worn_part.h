@@ -1,6 +1,7 @@
 #pragma once
 // A garment without the pieces that nothing holds on.
 
+#include <string>
 #include <vector>
 
 #include "core/base/types.h"
@@ -21,6 +22,9 @@ DrapeInput worn_part(DrapeInput input);
 
 /// A finding for each piece that was left out.
 void tell_left_out(const DrapeInput& input, preflight::Findings& findings);
+
+/// Ids of the pieces that were left out.
+std::vector<std::string> names_left_out(const DrapeInput& input);
 
 /// The input with these panels alone, `kept` rising, and what is told of them.
 DrapeInput with_panels(const DrapeInput& input, const std::vector<Index>& kept);

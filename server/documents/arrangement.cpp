@@ -151,7 +151,8 @@ Result<arrange::Arrangement> arrangement_of(const drape::DrapeInput& input) {
   const drape::DrapeInput worn = drape::worn_part(input);
   const mesh::PanelMeshes meshes =
       TRY(mesh::make_panel_meshes(worn.pattern, worn.settings.particle_distance, {}));
-  arrange::Arrangement made = TRY(arrange::arrange({worn.pattern, meshes, worn.bodies}));
+  arrange::Arrangement made =
+      TRY(arrange::arrange({worn.pattern, meshes, worn.bodies, drape::names_left_out(worn)}));
   return worn.left_out.empty() ? std::move(made) : of_all(std::move(made), input, worn);
 }
 

@@ -253,15 +253,28 @@ double row_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   return kWeights.next_in_row * (faces_right(m, first) - faces_right(m, second)) / 2;
 }
 
+/// Whether a run twice as long faces the same side of its piece, along the grain as well: beside the middle
+/// of a back, a shorter edge is that of a vent or a fly.
+bool is_vent(const SeamModel& m, const SeamRun& run) {
+  const double side = faces_right(m, run);
+  return std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& other) {
+    return other.panel == run.panel && other.length > 2 * run.length && other.mirror_edge != kNone &&
+           std::abs(other.turn.back()) < kWeights.curved_deg &&
+           rise(m, other) > kWeights.twin_straight_rise &&
+           side * faces_right(m, other) > kWeights.facing * kWeights.facing;
+  });
+}
+
 /// Mirrored pieces meet in a straight line along the grain, as at a centre front, rather than along a hollow
 /// (a neck, an armhole) or across the grain (a hem).
-double twin_merit(const SeamRun& run, double along_grain, const PieceWords& words) {
+double twin_merit(const SeamModel& m, const SeamRun& run, double along_grain) {
+  const PieceKind kind = m.words[run.panel].kind;
   const bool round = run.turn.back() > kWeights.twin_round_deg;
   double merit =
       (round ? kWeights.twin_across_round : kWeights.twin_across) * (1 - along_grain * along_grain);
-  if (bend_of(run) < kWeights.straight_deg && along_grain > kWeights.twin_straight_rise)
-    merit += words.kind == PieceKind::kHood ? kWeights.twin_face : kWeights.twin_straight;
-  if (run.turn.back() < kWeights.twin_hollow_deg && words.kind == PieceKind::kLegs)
+  if (bend_of(run) < kWeights.straight_deg && along_grain > kWeights.twin_straight_rise && !is_vent(m, run))
+    merit += kind == PieceKind::kHood ? kWeights.twin_face : kWeights.twin_straight;
+  if (run.turn.back() < kWeights.twin_hollow_deg && kind == PieceKind::kLegs)
     merit += kWeights.twin_crotch;
   else if (run.turn.back() < kWeights.twin_hollow_deg)
     merit += kWeights.twin_hollow *
@@ -370,7 +383,7 @@ std::array<double, 2> pair_merit(const SeamModel& m, Index i, Index j, bool leng
     merit += name_merit(m.words[a.panel], m.words[b.panel], twins, twins || counterparts,
                         is_middle(m, a) && is_middle(m, b));
     merit += middle_merit(m, a, b);
-    if (twins) merit += twin_merit(a, rise(m, a), m.words[a.panel]);
+    if (twins) merit += twin_merit(m, a, rise(m, a));
   }
   std::array<double, 2> both{};
   for (const bool along : {false, true})

@@ -143,7 +143,12 @@ void share_with_what_leads_over(FoundSeams& found) {
 bool is_middle_of_back(const SeamModel& m, const FoundSeam& seam) {
   if (seam.a.size() != 1 || seam.b.size() != 1 || m.mirror[seam.a[0]] != seam.b[0]) return false;
   const SeamRun &a = m.runs[seam.a[0]], &b = m.runs[seam.b[0]];
-  return a.panel != b.panel && a.straight && m.words[a.panel].face < 0 && m.words[b.panel].face < 0;
+  // It is straight, or shaped a little where a back is fitted.
+  const bool upright =
+      std::abs(dot(normalized(a.at.back() - a.at.front()), m.up[a.panel])) > kPairWeights.twin_straight_rise;
+  const bool shaped = upright && std::abs(a.turn.back()) < kPairWeights.curved_deg;
+  return a.panel != b.panel && (a.straight || shaped) && m.words[a.panel].face < 0 &&
+         m.words[b.panel].face < 0;
 }
 
 /// Fronts may stay open in the middle; a back that is cut in two halves does not, if it is sewn to anything.

@@ -79,17 +79,29 @@ TEST(WornPart, KeepsASecondGarment) {
   EXPECT_TRUE(drape::worn_part(dressed_in(both)).left_out.empty());
 }
 
-TEST(WornPart, LeavesOutASleeveWithoutItsArmhole) {
+/// A shirt whose sleeves are sewn to themselves alone.
+pattern::Pattern without_caps() {
   pattern::Pattern shirt = test::shirt();
-  const auto panel_named = [&](const pattern::SeamEdge& e) { return shirt.panels[e.panel].id; };
-  const auto sleeve = [&](const pattern::SeamEdge& e) {
-    return panel_named(e).find("sleeve") != std::string::npos;
+  const auto on_sleeve = [&](const pattern::SeamEdge& e) {
+    return shirt.panels[e.panel].id.find("sleeve") != std::string::npos;
   };
   std::erase_if(shirt.seams,
-                [&](const pattern::Seam& s) { return sleeve(s.a.front()) != sleeve(s.b.front()); });
-  const drape::DrapeInput worn = drape::worn_part(dressed_in(shirt));
+                [&](const pattern::Seam& s) { return on_sleeve(s.a.front()) != on_sleeve(s.b.front()); });
+  return shirt;
+}
+
+TEST(WornPart, LeavesOutASleeveWithoutItsArmhole) {
+  const drape::DrapeInput worn = drape::worn_part(dressed_in(without_caps()));
   ASSERT_EQ(worn.left_out.size(), 2U);
   for (const drape::LeftOut& piece : worn.left_out) EXPECT_FALSE(piece.layer) << piece.id;
+}
+
+TEST(WornPart, ABodiceWithoutItsSleevesIsPutOnAsATop) {
+  const drape::DrapeInput worn = drape::worn_part(dressed_in(without_caps()));
+  ASSERT_EQ(worn.pattern.panels.size(), 2U);
+  drape::DrapeStart start = drape::prepare_start(worn, {}).value();
+  drape::dress_start(worn, start, {});
+  EXPECT_TRUE(start.dressed.has_value());
 }
 
 TEST(WornPart, IsAllWhereNobodyIsDressed) {
