@@ -5,7 +5,9 @@
 #include <mutex>
 #include <utility>
 
+#include "core/base/names.h"
 #include "server/documents/read_cloth.h"
+#include "server/documents/used_files.h"
 #include "server/jobs/recovery.h"
 #include "server/jobs/render_worker.h"
 #include "server/jobs/row_progress.h"
@@ -204,7 +206,12 @@ Result<store::JobRow> QueueingJobService::row_of_drape(const store::RequestConte
                                                        const std::string& project_id) {
   const store::ProjectRow project = TRY(store_.project(context, project_id));
   // Without the bodies, which may take long: they were read when the project was kept.
-  TRY(documents::read_cloth(documents_, context, project.document, project.files));
+  const auto read = TRY(documents::read_cloth(documents_, context, project.document, project.files));
+  for (const documents::UsedFile& file : documents::used_files(read->project)) {
+    if (project.files.contains(file.name)) continue;
+    return Error{"documents.missing_file", "the file " + in_quotes(file.name) + " is not among the uploads",
+                 file.where};
+  }
   store::JobRow row;
   row.project_id = project.id;
   row.project_revision = project.revision;
