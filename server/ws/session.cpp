@@ -214,9 +214,10 @@ void StreamSession::ask_to_close(websocket::close_code code, std::string_view wo
 
 void StreamSession::wake() {
   if (wake_posted_.exchange(true)) return;  // one post at a time, however fast frames come
-  const auto self = weak_from_this().lock();
+  auto self = weak_from_this().lock();
   if (!self) return;
-  asio::post(socket_.get_executor(), [self] {
+  // Moved: were this the last holder, the session would unsubscribe here, under the lock that its caller has.
+  asio::post(socket_.get_executor(), [self = std::move(self)] {
     self->wake_posted_ = false;
     self->rouse();
   });
