@@ -208,7 +208,8 @@ Result<store::JobRow> QueueingJobService::row_of_drape(const store::RequestConte
   // Without the bodies, which may take long: they were read when the project was kept.
   const auto read = TRY(documents::read_cloth(documents_, context, project.document, project.files));
   for (const documents::UsedFile& file : documents::used_files(read->project)) {
-    if (project.files.contains(file.name)) continue;
+    // A drape is worth having without its pictures.
+    if (file.kind == "image" || project.files.contains(file.name)) continue;
     return Error{"documents.missing_file", "the file " + in_quotes(file.name) + " is not among the uploads",
                  file.where};
   }
