@@ -7,6 +7,8 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <fstream>
+#include <system_error>
 #include <thread>
 
 #include "tests/app/program.h"
@@ -63,6 +65,22 @@ int Serving::end(int signal, double within_s) {
   }
   pid_ = -1;
   return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+}
+
+std::vector<pid_t> Serving::readers() const {
+  std::vector<pid_t> found;
+  std::error_code gone;
+  for (const auto& thread :
+       std::filesystem::directory_iterator("/proc/" + std::to_string(pid_) + "/task", gone)) {
+    std::ifstream in(thread.path() / "children");
+    for (pid_t child = 0; in >> child;) {
+      // Before it becomes the reader it shares the server's memory, which waits for it.
+      const bool reads =
+          text_of("/proc/" + std::to_string(child) + "/cmdline").find("import-mesh") != std::string::npos;
+      if (reads) found.push_back(child);
+    }
+  }
+  return found;
 }
 
 std::string Serving::said() const { return text_of(log_); }

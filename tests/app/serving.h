@@ -20,6 +20,8 @@ class Serving {
 
   bool up() const { return port_ > 0; }
   int port() const { return port_; }
+  /// The server's processes that read meshes, now.
+  std::vector<pid_t> readers() const;
   std::string url() const { return "http://127.0.0.1:" + std::to_string(port_); }
   /// Sends a signal and waits at most `within_s`; the exit code, or minus the signal that ended it.
   int end(int signal, double within_s = 20);

@@ -127,6 +127,25 @@ TEST_F(KilledServer, StartsAgainWithWhatWasPausedStillPaused) {
   ASSERT_TRUE(wait_for([&] { return member(job(*server, id), "state") == "succeeded"; }));
 }
 
+TEST_F(KilledServer, EndsInTimeWhileAReaderOfAMeshHangs) {
+  const auto server = serve();
+  ASSERT_TRUE(server->up()) << server->said();
+  std::string mesh;  // large enough to be met at work
+  for (int k = 0; k < 60'000; ++k) {
+    const std::string x = std::to_string(k % 300), y = std::to_string(k / 300);
+    mesh += "v " + x + " " + y + " 0\nv " + x + ".5 " + y + " 0\nv " + x + " " + y + ".5 0\nf -3 -2 -1\n";
+  }
+  const http::HttpClient::Request upload{.method = "POST",
+                                         .target = "/api/v1/bodies?name=large.obj",
+                                         .body = mesh,
+                                         .content_type = "application/octet-stream",
+                                         .headers = {}};
+  std::jthread sending([&] { server->ask(upload); });
+  ASSERT_TRUE(wait_for([&] { return !server->readers().empty(); }));
+  for (const pid_t reader : server->readers()) kill(reader, SIGSTOP);
+  EXPECT_EQ(server->end(SIGTERM, 30), 0) << "a reader may take 90 s";
+}
+
 TEST_F(KilledServer, KeepsAFinishedDrapeHoweverOftenItsPicturesAreCutOff) {
   std::string id;
   for (int kills = 0; kills < 5; ++kills) {
