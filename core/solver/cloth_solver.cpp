@@ -133,7 +133,7 @@ StepReport ClothSolver::step(const StepForces& forces) {
   finish(forces);
   if (forces.viscosity > 0)
     constraints::even_velocities(model_.triangles, model_.mass, forces.viscosity, velocity_);
-  if (learns) membrane_.learn(x_, pace_.next_share(forces.damping, h_));
+  if (learns) membrane_.learn(x_, pace_.next_share(forces.damping, h_), pace_.ended());
   return report;
 }
 

@@ -13,6 +13,9 @@ constexpr int kInterval = 64;
 constexpr double kPerDamping = 0.5;
 /// How much is learnt before the shares shrink.
 constexpr double kSoon = 2;
+/// How much is learnt at all. Cloth whose triangles are taut and slack by turns would learn and forget for
+/// ever, and never come to rest.
+constexpr double kEnough = 3.5;
 /// Triangles that differ from their neighbours do so by their place in the order of the pass. What they
 /// differ by moves no mass, so it is learnt faster by this.
 constexpr double kApart = 2, kMostApart = 0.3;
@@ -72,9 +75,11 @@ Vec3 held_within(Vec3 p, double most) {
 }  // namespace
 
 bool LearningPace::due(double damping) {
-  if (damping <= 0) return false;
+  if (damping <= 0 || ended()) return false;
   return ++steps >= kInterval;
 }
+
+bool LearningPace::ended() const { return learnt >= kEnough; }
 
 double LearningPace::next_share(double damping, double h) {
   const double sooner = learnt / kSoon;
@@ -85,7 +90,7 @@ double LearningPace::next_share(double damping, double h) {
 }
 
 void learn_preloads(std::span<const MembraneTriangle> triangles, std::span<const Vec3> noted, double h,
-                    double share, std::span<const Vec3> x, std::vector<Vec3>& preloads) {
+                    double share, bool at_last, std::span<const Vec3> x, std::vector<Vec3>& preloads) {
   std::vector<Around> around(x.size());
   std::vector<Vec3> off(triangles.size());
   for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -98,6 +103,7 @@ void learn_preloads(std::span<const MembraneTriangle> triangles, std::span<const
       ++around[v].count;
     }
   }
+  const double forgotten = at_last ? 1 : kForgotten;
   const double apart = std::min(kApart * share, kMostApart);
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     double tautness = 0;
@@ -110,7 +116,7 @@ void learn_preloads(std::span<const MembraneTriangle> triangles, std::span<const
       preloads[i] = {};
       continue;
     }
-    const Vec3 change = tautness > 0 ? off[i] * share + (off[i] - mean) * apart : preloads[i] * -kForgotten;
+    const Vec3 change = tautness > 0 ? off[i] * share + (off[i] - mean) * apart : preloads[i] * -forgotten;
     preloads[i] = held_within(preloads[i] + change, kMost);
   }
 }

@@ -20,8 +20,8 @@
 
 namespace toile::solver::constraints {
 
-/// When to learn and how much. The more has been learnt the less is added, so that it comes to an end and the
-/// cloth to rest (steps that shrink, as in Robbins and Monro's stochastic approximation, 1951).
+/// When to learn and how much. The more has been learnt the less is added, until it ends and the cloth comes
+/// to rest (steps that shrink, as in Robbins and Monro's stochastic approximation, 1951).
 struct LearningPace {
   int steps = 0;      ///< since the last look at the strains
   double learnt = 0;  ///< sum of all shares
@@ -30,12 +30,14 @@ struct LearningPace {
   bool due(double damping);
   /// Share of what is off that is learnt now, after steps of `h` seconds.
   double next_share(double damping, double h);
+  /// Enough has been learnt: preloads stay as they are.
+  bool ended() const;
 };
 
 /// Moves preloads (of weft, warp and shear, one a triangle) by `share` of what the strains at x (m) are off
 /// from what `noted` asks for: the λ of the step that led there (J s², positive where it pushes apart), of
-/// substeps of `h` seconds. Slack triangles forget instead.
+/// substeps of `h` seconds. Slack triangles forget instead, `at_last` all that they know.
 void learn_preloads(std::span<const MembraneTriangle> triangles, std::span<const Vec3> noted, double h,
-                    double share, std::span<const Vec3> x, std::vector<Vec3>& preloads);
+                    double share, bool at_last, std::span<const Vec3> x, std::vector<Vec3>& preloads);
 
 }  // namespace toile::solver::constraints

@@ -58,7 +58,7 @@ void MembranePass::set_preloads(std::vector<Vec3> preloads) {
   lay_out_preloads();
 }
 
-void MembranePass::learn(std::span<const Vec3> x, double share) {
+void MembranePass::learn(std::span<const Vec3> x, double share, bool at_last) {
   std::vector<Vec3> noted(triangles_.size());
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     const Lanes(&lambda)[3] = preload_packs_[g].lambda;
@@ -69,7 +69,7 @@ void MembranePass::learn(std::span<const Vec3> x, double share) {
           Vec3{lambda[0].at[lane], lambda[1].at[lane], lambda[2].at[lane]} * lane_unit(triangles_[t], w_);
     }
   }
-  constraints::learn_preloads(triangles_, noted, h_, share, x, preloads_);
+  constraints::learn_preloads(triangles_, noted, h_, share, at_last, x, preloads_);
   lay_out_preloads();
 }
 

@@ -27,9 +27,9 @@ class MembranePass {
   /// One Gauss-Seidel pass over positions x (m).
   /// One that takes note can be learnt from.
   void solve(std::span<LanePoint> x, bool takes_note = false, const LaneKernels& kernels = lane_kernels());
-  /// Learns from the pass that took note last: `x` (m) is where its step ended, `share` as for
+  /// Learns from the pass that took note last: `x` (m) is where its step ended, `share` and `at_last` as for
   /// learn_preloads.
-  void learn(std::span<const Vec3> x, double share);
+  void learn(std::span<const Vec3> x, double share, bool at_last = false);
 
   /// One Vec3 a triangle.
   const std::vector<Vec3>& preloads() const { return preloads_; }
