@@ -41,7 +41,18 @@ describe('a report in words', () => {
 
   it('says whether the body wears it, and why not', () => {
     expect(line('Worn')).toMatchObject({ value: 'Yes', verdict: 'good' });
-    expect(line('Worn', { worn: 'partly' })).toMatchObject({ value: 'In part', verdict: 'warn' });
+    const open_seams = [{ id: 'side', gap_mm: 12 }];
+    expect(line('Worn', { worn: 'partly', open_seams })).toMatchObject({
+      value: 'In part',
+      verdict: 'warn',
+      sentence: 'It is on, but for what did not close.',
+    });
+    const out = { code: 'piece.left_out', message: 'no seam', where: '', repaired: false } as const;
+    const findings: Report['findings'] = [
+      { ...out, place: [0, 0, 0], severity: 'warning', about: [{ thing: 'piece', id: 'sleeve' }] },
+      { ...out, place: [0, 0, 0], severity: 'note', about: [{ thing: 'piece', id: 'pocket' }] },
+    ];
+    expect(line('Worn', { worn: 'partly', findings })).toMatchObject({ sentence: 'It is on, but for sleeve.' });
     const off: Report['findings'][number] = { code: 'worn.ring_off', severity: 'warning', message: 'a ring is off', where: '', about: [], place: [0, 0, 0], repaired: false };
     expect(line('Worn', { worn: 'no', findings: [off] })).toMatchObject({ value: 'No', sentence: 'a ring is off.' });
     expect(reportLines({ ...report, worn: undefined }).some((one) => one.label === 'Worn')).toBe(false);

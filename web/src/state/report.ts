@@ -49,12 +49,16 @@ function crossings({ intersections }: Report): ReportLine {
 }
 
 /** Nothing where nobody stands there to wear it. */
-function wearing({ worn, findings }: Report): ReportLine[] {
+function wearing({ worn, findings, open_seams: open }: Report): ReportLine[] {
   if (worn === undefined) return [];
+  const missing = findings
+    .filter((finding) => finding.code === 'piece.left_out' && finding.severity === 'warning')
+    .flatMap((finding) => finding.about.map((piece) => piece.id));
+  const without = [open.length > 0 ? ['what did not close'] : [], missing].flat().join(', ');
   const off = findings.filter((finding) => finding.code.startsWith('worn.')).map((finding) => finding.message);
   const sentence = {
     yes: 'Every opening goes around the limb that it is for.',
-    partly: 'It is on, but for what did not close.',
+    partly: `It is on, but for ${without || 'a part'}.`,
     no: `${off.join('; ') || 'It did not end where it belongs'}.`,
   }[worn];
   const value = { yes: 'Yes', partly: 'In part', no: 'No' }[worn];
