@@ -95,8 +95,10 @@ def stamp_of(name, entry, headers):
 
 
 def check(name, database, stamp):
+    # Clang 14's analyzer does not follow coroutines: it takes the pointers in Boost's frames for uninitialised.
+    fewer = ["--checks=-clang-analyzer-core.CallAndMessage"] if "co_await" in (ROOT / name).read_text() else []
     # The commands are GCC's, whose own warnings Clang does not know.
-    ran = subprocess.run(["clang-tidy", "--quiet", "--warnings-as-errors=*", "-p", database,
+    ran = subprocess.run(["clang-tidy", "--quiet", "--warnings-as-errors=*", "-p", database, *fewer,
                           "--extra-arg=-Wno-unknown-warning-option", str(ROOT / name)], capture_output=True, text=True)
     if ran.returncode == 0:
         for old in stamp.parent.glob(f"{name.replace('/', '_')}.*"):

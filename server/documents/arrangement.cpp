@@ -25,6 +25,7 @@ const std::vector<std::string> kSides{"front", "back", "left", "right"};
 
 std::vector<std::string> part_names() {
   std::vector<std::string> names;
+  names.reserve(measure::kBodyParts);
   for (int p = 0; p < measure::kBodyParts; ++p)
     names.emplace_back(measure::name_of(static_cast<measure::BodyPart>(p)));
   return names;

@@ -381,7 +381,7 @@ LiveJobPtr QueueingJobService::claim() {
   while (table_.wait_for_work()) {
     {
       const Changing changing = table_.changing();
-      const LiveJobPtr job = table_.next_ready(changing);
+      LiveJobPtr job = table_.next_ready(changing);
       if (!job) continue;  // another worker was quicker
       if (claim(changing, *job)) return job;
     }
