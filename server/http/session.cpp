@@ -12,7 +12,6 @@
 
 #include <sys/socket.h>
 
-#include <algorithm>
 #include <array>
 #include <ctime>
 #include <exception>
@@ -24,6 +23,7 @@
 #include "core/base/text.h"
 #include "server/http/admission.h"
 #include "server/http/problem.h"
+#include "server/http/request_header.h"
 #include "server/ws/on_pool.h"
 
 namespace toile::http {
@@ -39,39 +39,6 @@ constexpr std::size_t kPieceBytes = 256 << 10;  // of an answer: what a connecti
 
 // In this file nothing that must be destroyed is made within an awaited call: GCC 12 destroys such
 // temporaries twice.
-
-std::string text_of(beast::string_view view) { return {view.data(), view.size()}; }
-
-template <typename Header>
-HttpRequest request_of(const Header& header) {
-  HttpRequest request;
-  request.method = text_of(header.method_string());
-  request.target = text_of(header.target());
-  for (const auto& field : header) {
-    request.headers[lower_case(text_of(field.name_string()))] = text_of(field.value());
-  }
-  return request;
-}
-
-/// What makes it doubtful where this request ends and the next begins, or whom it is meant for.
-template <typename Header>
-std::optional<HttpResponse> malformed(const Header& header, bool chunked) {
-  const auto refused = [](const char* code, const char* words, const char* where) {
-    return problem(400, {code, words, where});
-  };
-  const beast::string_view length = header[http::field::content_length];
-  const bool digits = std::all_of(length.begin(), length.end(), [](char c) { return c >= '0' && c <= '9'; });
-  if (header.count(http::field::content_length) > 1 || !digits) {
-    return refused("http.content_length", "a request has one Content-Length, a number", "Content-Length");
-  }
-  const beast::string_view coding = header[http::field::transfer_encoding];
-  const bool only_chunked = chunked && beast::iequals(coding, "chunked");  // "gzip, chunked" is chunked too
-  if (header.count(http::field::transfer_encoding) > 0 && !only_chunked) {
-    return refused("http.transfer_encoding", "only chunked is understood here", "Transfer-Encoding");
-  }
-  if (header.count(http::field::host) > 1) return refused("http.host", "a request has one Host", "Host");
-  return std::nullopt;
-}
 
 // Why a body is not read to its end, beside what Beast says.
 const boost::system::error_code kNoRoom = asio::error::no_memory;   // the budget is spent
@@ -457,49 +424,6 @@ void HttpSession::make_room() {
     boost::system::error_code ignored;
     self->stream_.socket().close(ignored);
   });
-}
-
-bool Connections::make_room(const std::string& address, int count, const ServerSettings& settings) {
-  const std::lock_guard lock(mutex_);
-  const auto of_address = std::count_if(sessions_.begin(), sessions_.end(),
-                                        [&](const auto& session) { return session->address() == address; });
-  const bool too_many_of_it = of_address >= settings.most_of_address;
-  if (count < settings.most_connections && !too_many_of_it) return true;
-  HttpSession* idlest = nullptr;
-  for (const auto& session : sessions_) {
-    if (too_many_of_it && session->address() != address) continue;
-    if (idlest == nullptr || session->idle_since() < idlest->idle_since()) idlest = session.get();
-  }
-  if (idlest == nullptr || idlest->idle_since() == std::chrono::steady_clock::time_point::max()) return false;
-  idlest->make_room();
-  return true;
-}
-
-bool Connections::add(const std::shared_ptr<HttpSession>& session) {
-  const std::lock_guard lock(mutex_);
-  if (!stopping_) sessions_.push_back(session);
-  return !stopping_;
-}
-
-void Connections::remove(const HttpSession* session) {
-  const std::lock_guard lock(mutex_);
-  std::erase_if(sessions_, [session](const auto& other) { return other.get() == session; });
-}
-
-void Connections::stop_all() {
-  const std::lock_guard lock(mutex_);
-  stopping_ = true;
-  for (const auto& session : sessions_) session->stop();
-}
-
-void Connections::forget_all() {
-  const std::lock_guard lock(mutex_);
-  sessions_.clear();
-}
-
-std::size_t Connections::count() const {
-  const std::lock_guard lock(mutex_);
-  return sessions_.size();
 }
 
 }  // namespace toile::http

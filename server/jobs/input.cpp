@@ -1,9 +1,14 @@
 #include "server/jobs/input.h"
 
+#include <utility>
+
+#include "core/base/names.h"
 #include "core/drape/worn_part.h"
 #include "core/project/resolve/resolve.h"
 #include "core/project/resolve/textures.h"
 #include "server/documents/projects.h"
+#include "server/documents/read_cloth.h"
+#include "server/documents/used_files.h"
 
 namespace toile::jobs {
 
@@ -22,6 +27,26 @@ Result<image::Textures> textures_of(documents::Documents& documents, const store
                                     const pattern::Pattern& pattern) {
   const project::Project project = TRY(project::parse_project(document));
   return resolve::read_textures(project, pattern, documents::files_in_store(documents, context, files));
+}
+
+Result<store::JobRow> row_of_drape(documents::Documents& documents, const store::RequestContext& context,
+                                   const std::string& project_id) {
+  const store::ProjectRow project = TRY(documents.store().project(context, project_id));
+  // Without the bodies, which may take long: they were read when the project was kept.
+  const auto read = TRY(documents::read_cloth(documents, context, project.document, project.files));
+  for (const documents::UsedFile& file : documents::used_files(read->project)) {
+    // A drape is worth having without its pictures.
+    if (file.kind == "image" || project.files.contains(file.name)) continue;
+    return Error{"documents.missing_file", "the file " + in_quotes(file.name) + " is not among the uploads",
+                 file.where};
+  }
+  store::JobRow row;
+  row.project_id = project.id;
+  row.project_revision = project.revision;
+  row.name = project.name;
+  row.document = project.document;
+  row.files = project.files;
+  return row;
 }
 
 }  // namespace toile::jobs

@@ -10,17 +10,23 @@
 
 namespace toile::jobs {
 
-/// A document and the owner's assets that it names (file name → asset id) as what a drape needs. Errors:
+/// A document and the owner's assets that it names (file name → asset id) as what a drape needs, without the
+/// pieces that nothing holds on (core/drape/worn_part.h). Errors:
 /// json.*, project.*, dxf.*, pattern.*, body.*, store.*; `where` is the place in the document.
 Result<drape::DrapeInput> drape_input_of(documents::Documents& documents,
                                          const store::RequestContext& context, const std::string& document,
                                          const std::map<std::string, std::string>& files);
 
-/// The pictures of the same document, for whoever draws it. REQUIRES the pattern that it resolves to. Errors:
+/// The pictures of the same document, for whoever draws it. REQUIRES a pattern of its pieces. Errors:
 /// json.*, project.*, image.*, documents.*, store.*.
 Result<image::Textures> textures_of(documents::Documents& documents, const store::RequestContext& context,
                                     const std::string& document,
                                     const std::map<std::string, std::string>& files,
                                     const pattern::Pattern& pattern);
+
+/// A drape of the project as it is now, once it is known that one can be made. Errors: store.not_found,
+/// documents.missing_file, and those of reading the document without its bodies.
+Result<store::JobRow> row_of_drape(documents::Documents& documents, const store::RequestContext& context,
+                                   const std::string& project_id);
 
 }  // namespace toile::jobs

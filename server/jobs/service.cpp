@@ -5,11 +5,10 @@
 #include <mutex>
 #include <utility>
 
-#include "core/base/names.h"
-#include "server/documents/read_cloth.h"
-#include "server/documents/used_files.h"
+#include "server/jobs/input.h"
 #include "server/jobs/recovery.h"
 #include "server/jobs/render_worker.h"
+#include "server/jobs/row_edits.h"
 #include "server/jobs/row_progress.h"
 #include "server/jobs/runner.h"
 #include "server/jobs/table.h"
@@ -21,59 +20,6 @@ namespace {
 
 /// After the store has refused a claim a worker waits: a full disk is not emptied in a millisecond.
 constexpr auto kStorePause = std::chrono::seconds(1);
-
-RowEdit requeued() {
-  return with_reason("requeued", "the server stopped before its end; it goes on from where it was kept last");
-}
-
-/// Whoever let go of it in good order did not crash with it: that start does not count.
-void uncount(store::JobRow& row) { row.attempt = std::max(0, row.attempt - 1); }
-
-RowEdit cancelled() {
-  return [](store::JobRow& row) {
-    with_reason("cancelled", "cancelled on request")(row);
-    row.verdict.reset();
-    row.report.clear();
-    row.results.clear();
-  };
-}
-
-/// What a job's row keeps of a drape whose pictures are still to be drawn.
-RowEdit draped(const RunEnd& end) {
-  return [&end](store::JobRow& row) {
-    if (!row.verdict) row.attempt = 1;  // it has come as far as that: counted anew
-    row.verdict = store::JobVerdict{end.succeeded, end.code, end.reason, end.where};
-    row.notes = end.notes;
-    row.report = end.report;
-    row.results = end.results;
-  };
-}
-
-RowEdit ended(const RunEnd& end) {
-  return [&end](store::JobRow& row) {
-    with_reason(end.code, end.reason, end.where)(row);
-    row.verdict.reset();
-    row.notes = end.notes;
-    row.report = end.report;
-    row.results = end.results;
-  };
-}
-
-/// The end of a drape whose pictures take the server down each time that they are drawn. REQUIRES a verdict.
-RunEnd without_pictures(const store::JobRow& row) {
-  RunEnd end;
-  end.succeeded = row.verdict->succeeded;
-  end.code = row.verdict->code;
-  end.reason = row.verdict->reason;
-  end.where = row.verdict->where;
-  end.notes = row.notes;
-  end.report = row.report;
-  end.results = row.results;
-  fall_short(end, "stills.not_drawn",
-             "there are no pictures of it: the server broke down " + std::to_string(row.attempt) +
-                 " times while they were drawn");
-  return end;
-}
 
 class QueueingJobService final : public JobService {
  public:
@@ -107,7 +53,6 @@ class QueueingJobService final : public JobService {
   Error refusal(const store::RequestContext& context, const std::string& id, JobEvent event);
   Status check_parking(const Changing& changing, const LiveJob& job) const;
   Status check_queue() const;
-  Result<store::JobRow> row_of_drape(const store::RequestContext& context, const std::string& project_id);
 
   Status take_up_all();
   Status take_up(const Changing& changing, const store::Store::OwnedJob& found, int running);
@@ -201,27 +146,6 @@ Status QueueingJobService::check_queue() const {
                ErrorKind::kTooMany};
 }
 
-/// A drape of the project as it is now, once it is known that one can be made.
-Result<store::JobRow> QueueingJobService::row_of_drape(const store::RequestContext& context,
-                                                       const std::string& project_id) {
-  const store::ProjectRow project = TRY(store_.project(context, project_id));
-  // Without the bodies, which may take long: they were read when the project was kept.
-  const auto read = TRY(documents::read_cloth(documents_, context, project.document, project.files));
-  for (const documents::UsedFile& file : documents::used_files(read->project)) {
-    // A drape is worth having without its pictures.
-    if (file.kind == "image" || project.files.contains(file.name)) continue;
-    return Error{"documents.missing_file", "the file " + in_quotes(file.name) + " is not among the uploads",
-                 file.where};
-  }
-  store::JobRow row;
-  row.project_id = project.id;
-  row.project_revision = project.revision;
-  row.name = project.name;
-  row.document = project.document;
-  row.files = project.files;
-  return row;
-}
-
 Result<store::Made<store::JobRow>> QueueingJobService::submit(const store::RequestContext& context,
                                                               const std::string& project_id,
                                                               const std::string& idempotency_key) {
@@ -230,7 +154,7 @@ Result<store::Made<store::JobRow>> QueueingJobService::submit(const store::Reque
     return store::Made<store::JobRow>{without_document(std::move(*before)), false};
   }
   TRY(check_queue());
-  store::JobRow row = TRY(row_of_drape(context, project_id));
+  store::JobRow row = TRY(row_of_drape(documents_, context, project_id));
 
   const Changing changing = table_.changing();
   TRY(check_queue());  // others came while the document was read

@@ -8,22 +8,13 @@
 
 #include "core/dressing/certificate.h"
 #include "tests/core/arrange/garments.h"
-#include "tests/core/dressing/dressed_person.h"
+#include "tests/core/drape/heap.h"
 
 namespace toile {
 namespace {
 
 /// A front, a back and two sleeves, all in one place at the mannequin's feet.
-drape::DrapeInput heap() {
-  drape::DrapeInput input;
-  input.pattern = test::shirt();
-  input.fabrics.resize(1);
-  input.fabric_of_panel.assign(input.pattern.panels.size(), 0);
-  input.placements.assign(input.pattern.panels.size(), sewing::RigidPlacement{});
-  input.bodies = {*test::person().body};
-  input.settings.particle_distance = 0.022;
-  return input;
-}
+drape::DrapeInput heap() { return test::heap_of(test::shirt()); }
 
 drape::DrapeStart started(const drape::DrapeInput& input) {
   drape::DrapeStart start = drape::prepare_start(input, {}).value();

@@ -6,21 +6,10 @@
 
 #include "core/drape/pipeline.h"
 #include "tests/core/arrange/garments.h"
-#include "tests/core/dressing/dressed_person.h"
+#include "tests/core/drape/heap.h"
 
 namespace toile {
 namespace {
-
-drape::DrapeInput dressed_in(pattern::Pattern pattern) {
-  drape::DrapeInput input;
-  input.pattern = std::move(pattern);
-  input.fabrics.resize(1);
-  input.fabric_of_panel.assign(input.pattern.panels.size(), 0);
-  input.placements.assign(input.pattern.panels.size(), sewing::RigidPlacement{});
-  input.bodies = {*test::person().body};
-  input.settings.particle_distance = 0.022;
-  return input;
-}
 
 void add_piece(drape::DrapeInput& input, const std::string& id) {
   input.pattern.panels.push_back(test::polygon(id, {{0, 0}, {80, 0}, {80, 60}, {0, 60}}));
@@ -29,13 +18,13 @@ void add_piece(drape::DrapeInput& input, const std::string& id) {
 }
 
 TEST(WornPart, IsAllOfWhatIsSewn) {
-  const drape::DrapeInput input = dressed_in(test::shirt());
+  const drape::DrapeInput input = test::heap_of(test::shirt());
   EXPECT_TRUE(drape::worn_part(input).left_out.empty());
   EXPECT_EQ(drape::worn_part(input).pattern.panels.size(), input.pattern.panels.size());
 }
 
 TEST(WornPart, LeavesOutAPocketThatNobodySewsOn) {
-  drape::DrapeInput input = dressed_in(test::shirt());
+  drape::DrapeInput input = test::heap_of(test::shirt());
   const std::size_t pieces = input.pattern.panels.size(), seams = input.pattern.seams.size();
   add_piece(input, "pocket");
   // The pocket goes first, so that every number changes.
@@ -57,7 +46,7 @@ TEST(WornPart, LeavesOutAPocketThatNobodySewsOn) {
 }
 
 TEST(WornPart, KeepsWhatIsHeldOtherwise) {
-  drape::DrapeInput input = dressed_in(test::shirt());
+  drape::DrapeInput input = test::heap_of(test::shirt());
   add_piece(input, "scarf");
   sewing::Attachment hold;
   hold.panel = static_cast<Index>(input.pattern.panels.size()) - 1;
@@ -76,7 +65,7 @@ TEST(WornPart, KeepsASecondGarment) {
       for (pattern::SeamEdge& e : *side) e.panel += above;
     both.seams.push_back(seam);
   }
-  EXPECT_TRUE(drape::worn_part(dressed_in(both)).left_out.empty());
+  EXPECT_TRUE(drape::worn_part(test::heap_of(both)).left_out.empty());
 }
 
 /// A shirt whose sleeves are sewn to themselves alone.
@@ -91,13 +80,13 @@ pattern::Pattern without_caps() {
 }
 
 TEST(WornPart, LeavesOutASleeveWithoutItsArmhole) {
-  const drape::DrapeInput worn = drape::worn_part(dressed_in(without_caps()));
+  const drape::DrapeInput worn = drape::worn_part(test::heap_of(without_caps()));
   ASSERT_EQ(worn.left_out.size(), 2U);
   for (const drape::LeftOut& piece : worn.left_out) EXPECT_FALSE(piece.layer) << piece.id;
 }
 
 TEST(WornPart, ABodiceWithoutItsSleevesIsPutOnAsATop) {
-  const drape::DrapeInput worn = drape::worn_part(dressed_in(without_caps()));
+  const drape::DrapeInput worn = drape::worn_part(test::heap_of(without_caps()));
   ASSERT_EQ(worn.pattern.panels.size(), 2U);
   drape::DrapeStart start = drape::prepare_start(worn, {}).value();
   drape::dress_start(worn, start, {});
@@ -105,7 +94,7 @@ TEST(WornPart, ABodiceWithoutItsSleevesIsPutOnAsATop) {
 }
 
 TEST(WornPart, IsAllWhereNobodyIsDressed) {
-  drape::DrapeInput input = dressed_in(test::shirt());
+  drape::DrapeInput input = test::heap_of(test::shirt());
   add_piece(input, "pocket");
   drape::DrapeInput alone = input;
   alone.bodies.clear();
@@ -115,7 +104,7 @@ TEST(WornPart, IsAllWhereNobodyIsDressed) {
 }
 
 TEST(WornPart, WhatWasLeftOutIsTold) {
-  drape::DrapeInput input = dressed_in(test::shirt());
+  drape::DrapeInput input = test::heap_of(test::shirt());
   add_piece(input, "pocket");
   add_piece(input, "strap");
   const drape::DrapeStart start = drape::prepare_start(drape::worn_part(input), {}).value();

@@ -431,6 +431,7 @@ TEST_F(Jobs, ADrapeThatRanAloneInThreeCrashesFailsAndOneOfTwoIsTriedAgain) {
   ASSERT_TRUE(publisher.wait_for_end(again));
   EXPECT_EQ(row(again).state, store::JobState::kSucceeded);
   EXPECT_EQ(row(again).reason_code, "time");
+  EXPECT_EQ(row(again).attempt, 1) << "counted anew since it was draped: pictures have tries of their own";
   service->stop();
   const std::string never = submit(cloth_over_block(190));  // now, so that it has come no way before
   cut_off(never, 3);

@@ -1,0 +1,58 @@
+#include "server/jobs/row_edits.h"
+
+#include <algorithm>
+#include <string>
+
+namespace toile::jobs {
+
+RowEdit requeued() {
+  return with_reason("requeued", "the server stopped before its end; it goes on from where it was kept last");
+}
+
+void uncount(store::JobRow& row) { row.attempt = std::max(0, row.attempt - 1); }
+
+RowEdit cancelled() {
+  return [](store::JobRow& row) {
+    with_reason("cancelled", "cancelled on request")(row);
+    row.verdict.reset();
+    row.report.clear();
+    row.results.clear();
+  };
+}
+
+RowEdit draped(const RunEnd& end) {
+  return [&end](store::JobRow& row) {
+    if (!row.verdict) row.attempt = 1;  // it has come as far as that: counted anew
+    row.verdict = store::JobVerdict{end.succeeded, end.code, end.reason, end.where};
+    row.notes = end.notes;
+    row.report = end.report;
+    row.results = end.results;
+  };
+}
+
+RowEdit ended(const RunEnd& end) {
+  return [&end](store::JobRow& row) {
+    with_reason(end.code, end.reason, end.where)(row);
+    row.verdict.reset();
+    row.notes = end.notes;
+    row.report = end.report;
+    row.results = end.results;
+  };
+}
+
+RunEnd without_pictures(const store::JobRow& row) {
+  RunEnd end;
+  end.succeeded = row.verdict->succeeded;
+  end.code = row.verdict->code;
+  end.reason = row.verdict->reason;
+  end.where = row.verdict->where;
+  end.notes = row.notes;
+  end.report = row.report;
+  end.results = row.results;
+  fall_short(end, "stills.not_drawn",
+             "there are no pictures of it: the server broke down " + std::to_string(row.attempt) +
+                 " times while they were drawn");
+  return end;
+}
+
+}  // namespace toile::jobs

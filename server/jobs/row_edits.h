@@ -1,0 +1,27 @@
+#pragma once
+// What becomes of a job's row when its state changes.
+
+#include "server/jobs/run_end.h"
+#include "server/jobs/table.h"
+#include "server/store/store.h"
+
+namespace toile::jobs {
+
+/// Back in the queue because the server stops.
+RowEdit requeued();
+
+/// Whoever let go of it in good order did not crash with it: that start does not count.
+void uncount(store::JobRow& row);
+
+RowEdit cancelled();
+
+/// What is kept of a drape whose pictures are still to be drawn. `end` must outlive the edit.
+RowEdit draped(const RunEnd& end);
+
+/// What is kept at the end. `end` must outlive the edit.
+RowEdit ended(const RunEnd& end);
+
+/// The end of a drape whose pictures take the server down each time that they are drawn. REQUIRES a verdict.
+RunEnd without_pictures(const store::JobRow& row);
+
+}  // namespace toile::jobs
