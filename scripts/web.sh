@@ -20,7 +20,7 @@ install_web_packages() {
 }
 
 web_is_built() {
-  local sources=(web/src web/public web/index.html web/package-lock.json web/tsconfig.json web/vite.config.ts proto/ts)
+  local sources=(web/src web/public web/index.html web/package-lock.json web/tsconfig.json web/vite.config.ts proto/ts samples)
   [ -f web/dist/index.html ] && [ -z "$(find "${sources[@]}" -newer web/dist/index.html -print -quit)" ]
 }
 

@@ -10,6 +10,8 @@ export default defineConfig({
   esbuild: { jsx: 'automatic', jsxImportSource: 'preact' },
   build: {
     target: 'es2022',
+    // A sample's files are fetched, which a page from elsewhere than its own address must not do.
+    assetsInlineLimit: (file) => (file.includes('/samples/') ? false : undefined),
     // three.js is one file of its own, fetched beside the page and not before it.
     chunkSizeWarningLimit: 900,
     rollupOptions: { output: { manualChunks: { three: ['three'] } } },

@@ -84,6 +84,7 @@ std::string content_type_of(const std::string& name) {
       {".map", "application/json"},
       {".svg", "image/svg+xml"},
       {".png", "image/png"},
+      {".jpg", "image/jpeg"},
       {".ico", "image/x-icon"},
       {".woff2", "font/woff2"},
       {".wasm", "application/wasm"},

@@ -116,14 +116,17 @@ after(
 describe('the page', () => {
   const it = steps(() => shootAll(browser));
 
-  it('shows the sample being draped as an ordinary job to whoever opens it', async () => {
+  it('says to a newcomer what it is, while the sample is draped as an ordinary job', async () => {
+    await page.getByRole('heading', { name: 'See your pattern on a body' }).waitFor();
     await waitFor(page, () => window.__toile.job());
-    assert.match(await ask(page, 'route'), /^#\/jobs\/j_/);
     const { jobs } = await (await service.get('/jobs')).json();
     assert.equal(jobs.length, 1);
     await page.locator('.rail .row').nth(1).waitFor();
     assert.equal(await page.locator('.rail .row').count(), 2);
     await waitFor(page, () => window.__toile.drawn() > 0);
+    await shoot(page, '00-start');
+    await page.locator('.scene-caption').click();
+    await waitFor(page, (id) => window.__toile.route() === `#/jobs/${id}`, jobs[0].id);
     sampleJob = jobs[0].id;
   });
 
@@ -606,12 +609,16 @@ describe('the page', () => {
     await other.close();
   });
 
-  it('invites to the first garment where there is none yet', async () => {
+  it('drapes a sample with one click where there is nothing yet', async () => {
     const empty = new Service('');
     await empty.start();
     const other = await openPage(browser, empty.url);
-    await other.getByText('Drape your first garment').waitFor();
+    const sampleCard = other.getByRole('button', { name: 'T-shirt' });
+    await sampleCard.waitFor();
+    await waitFor(other, () => [...document.querySelectorAll('.card img')].every((image) => image.naturalWidth > 0));
     await shoot(other, '19-empty');
+    await sampleCard.click();
+    await waitFor(other, () => window.__toile.job()?.name === 'T-shirt' && window.__toile.frames() > 0);
     await other.close();
     await empty.stop();
   });

@@ -24,7 +24,6 @@ import { TopBar } from './panels/TopBar';
 import { ScenePane } from './scene/ScenePane';
 import { AppState } from './state/AppState';
 import { StateContext } from './state/context';
-import { jobToOpen } from './state/jobs';
 import { positionsHash } from './state/LiveCloth';
 import { formatRoute, parseRoute } from './state/routes';
 import { listenForKeys } from './tools/keys';
@@ -75,16 +74,6 @@ const newKey = (): string =>
 
 const commands = new Commands(state, api, { go, save, newKey }, refresh, (id) => watcher.show(id));
 
-/** A page without a route opens what is most worth seeing, once it is known. */
-function openSomething(): void {
-  if (state.route.value.name !== 'home' || state.jobs.value.state !== 'ready' || state.projects.value.state !== 'ready')
-    return;
-  const job = jobToOpen(state.jobs.value.value);
-  const project = state.projects.value.value[0];
-  if (job) commands.open({ name: 'job', id: job.id }, true);
-  else if (project) commands.open({ name: 'project', id: project.id }, true);
-}
-
 /** What the page test looks through. */
 const hook = { drawn: 0, firstDrawnMs: 0 };
 function drawn(): void {
@@ -98,6 +87,27 @@ function retry(): void {
   stream.poke();
 }
 
+/** The drape beside what is worked with, or beside the first page. */
+function Main() {
+  const home = state.atHome.value;
+  const shape = home ? `home${state.job.value ? '' : ' alone'}` : state.editing.large.value ? 'pattern-large' : '';
+  return (
+    <main class={shape}>
+      <ScenePane code={sceneCode} drawn={drawn} />
+      {!home && (
+        <>
+          <Splitter />
+          <div class="side">
+            <PatternPane />
+            <Inspector resultUrl={api.resultUrl} />
+          </div>
+        </>
+      )}
+      <StartPage resultUrl={api.resultUrl} />
+    </main>
+  );
+}
+
 function Page() {
   return (
     <StateContext.Provider value={state}>
@@ -106,15 +116,7 @@ function Page() {
           <TopBar />
           <Banner retry={retry} />
           {state.railShown.value && <Rail resultUrl={api.resultUrl} />}
-          <main class={state.editing.large.value ? 'pattern-large' : ''}>
-            <ScenePane code={sceneCode} drawn={drawn} />
-            <Splitter />
-            <div class="side">
-              <PatternPane />
-              <Inspector resultUrl={api.resultUrl} />
-            </div>
-            <StartPage />
-          </main>
+          <Main />
           <StatusBar />
           <Notices />
           <IntakeDialog Preview={ImportPreview} />
@@ -135,7 +137,6 @@ setInterval(() => (state.now.value = Date.now()), 1000);
 state.route.value = parseRoute(location.hash);
 listenForKeys(commands, state);
 watcher.start();
-effect(openSomething);
 effect(() => {
   void state.projectId.value;
   untracked(() => commands.pattern.projectChanged());
@@ -157,7 +158,7 @@ effect(() => {
   untracked(() => void commands.textures.follow());
 });
 effect(() => {
-  const shown = state.job.value?.name ?? state.project.value?.name;
+  const shown = state.atHome.value ? '' : (state.job.value?.name ?? state.project.value?.name);
   document.title = shown ? `${shown} · Toile` : 'Toile';
 });
 refresh();

@@ -132,6 +132,40 @@ describe('a project from files', () => {
   });
 });
 
+describe('a sample', () => {
+  const sample = {
+    id: 'napkin',
+    title: 'Napkin',
+    picture: '',
+    files: new Map([
+      ['project.json', '/napkin/project.json'],
+      ['n.dxf', '/napkin/n.dxf'],
+    ]),
+  };
+  const document = { toile: 1, name: 'Napkin', pieces: [{ from: { dxf: 'n.dxf' } }] };
+  const answers: Record<string, string> = { '/napkin/project.json': JSON.stringify(document), '/napkin/n.dxf': '0' };
+
+  it('becomes a project that is draped at once', async () => {
+    vi.stubGlobal('fetch', async (url: string) => new Response(answers[url]));
+    const createProject = vi.fn(fakeApi().createProject);
+    const { commands, state, order } = begin({ createProject });
+    await commands.startSample(sample);
+    expect(createProject).toHaveBeenCalledWith(document, { 'n.dxf': 'a_n.dxf' });
+    expect(order).toEqual(['go #/projects/p_new', 'watch j_new', 'go #/jobs/j_new']);
+    expect(state.sampling.value).toBe('');
+    vi.unstubAllGlobals();
+  });
+
+  it('says so when it does not come', async () => {
+    vi.stubGlobal('fetch', async () => new Response('', { status: 404 }));
+    const { commands, state, order } = begin();
+    await commands.startSample(sample);
+    expect(order).toEqual([]);
+    expect(state.notices.value[0]?.text).toMatch(/did not come: 404/);
+    vi.unstubAllGlobals();
+  });
+});
+
 describe('the poller', () => {
   it('tells a lost service and calls when it is back', async () => {
     vi.useFakeTimers();

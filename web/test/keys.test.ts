@@ -20,9 +20,11 @@ function begin() {
     addEventListener: (_: string, listener: typeof press) => (press = listener),
     removeEventListener: () => undefined,
   };
+  const state = new AppState();
+  state.route.value = { name: 'project', id: 'p_1' };
   const stop = listenForKeys(
     { pattern } as unknown as Commands,
-    new AppState(),
+    state,
     target as unknown as Window & typeof globalThis,
   );
   let taken = 0;
@@ -36,7 +38,7 @@ function begin() {
       preventDefault: () => ++taken,
       ...more,
     } as KeyboardEvent);
-  return { called, key, stop, taken: () => taken };
+  return { called, key, state, stop, taken: () => taken };
 }
 
 describe('keys', () => {
@@ -50,6 +52,16 @@ describe('keys', () => {
     key('Z', { ctrlKey: true, shiftKey: true });
     key('z', { metaKey: true });
     expect(called).toEqual(['points', 'undo', 'redo', 'undo']);
+  });
+
+  it('change nothing from the first page, where no project is open', () => {
+    const { called, key, state, taken } = begin();
+    state.route.value = { name: 'home' };
+    for (const name of ['z', 'Delete', ' ', 'Enter']) key(name);
+    expect(called).toEqual([]);
+    expect(taken()).toBe(0);
+    key('?');
+    expect(state.helpShown.value).toBe(true);
   });
 
   it('leave what the browser has on Ctrl and Alt alone', () => {

@@ -5,7 +5,7 @@ import {
   activity,
   adviceFor,
   commandsOf,
-  jobToOpen,
+  jobAtHome,
   newestJobOf,
   overall,
   placeInQueue,
@@ -114,12 +114,16 @@ describe('facts about jobs', () => {
     expect(['a', 'b', 'c'].map((id) => placeInQueue(atOnce, id))).toEqual([0, 1, 2]);
   });
 
-  it('open a running job before a newer one that has ended', () => {
-    const jobs = [jobOf({ id: 'a', state: 'succeeded', created_ms: 9 }), jobOf({ id: 'b', created_ms: 2 })];
-    expect(jobToOpen(jobs)?.id).toBe('b');
-    expect(jobToOpen(jobs.slice(0, 1))?.id).toBe('a');
-    expect(jobToOpen([])).toBeNull();
-    expect(newestJobOf(jobs, 'p_1')?.id).toBe('a');
+  it('are seen on the first page while one is under way, or the newest that came to an end', () => {
+    const jobs = [
+      jobOf({ id: 'a', state: 'succeeded', created_ms: 9 }),
+      jobOf({ id: 'b', created_ms: 2 }),
+      jobOf({ id: 'c', state: 'failed', created_ms: 10 }),
+    ];
+    expect(jobAtHome(jobs)?.id).toBe('b');
+    expect(jobAtHome([jobs[0]!, jobs[2]!])?.id).toBe('a');
+    expect(jobAtHome([jobs[2]!])).toBeNull();
+    expect(newestJobOf(jobs, 'p_1')?.id).toBe('c');
   });
 
   it('say what is going on and what to do', () => {

@@ -2,6 +2,7 @@
 
 import type { Api, JobAction } from '../api/Api';
 import { makeDressingApi, type DressingApi } from '../api/dressing';
+import { fetchSample, type Sample } from '../api/samples';
 import type { Job, Project } from '../api/types';
 import type { AppState, View } from '../state/AppState';
 import { loading, ready, valueOf } from '../state/AppState';
@@ -74,6 +75,21 @@ export class Commands {
       notifyError(this.state_, error);
     }
     this.refresh_();
+  }
+
+  /** Makes a project of a sample and drapes it. */
+  async startSample(sample: Sample): Promise<void> {
+    const { sampling } = this.state_;
+    if (sampling.value !== '') return;
+    sampling.value = sample.id;
+    try {
+      const plan = await this.planOf(await fetchSample(sample));
+      await this.made(await this.upload(plan, () => undefined), true);
+    } catch (error) {
+      notifyError(this.state_, error);
+    } finally {
+      sampling.value = '';
+    }
   }
 
   /** Space: runs what does not run, pauses what does. */

@@ -1,7 +1,6 @@
 // Files become a project: shows what was given, what is missing and the way on.
 
 import { useEffect, useRef } from 'preact/hooks';
-import { acceptOf, kPictureEndings } from '../api/formats';
 import { useCommands } from '../commands/context';
 import type { Intake } from '../state/AppState';
 import { useAppState } from '../state/context';
@@ -10,6 +9,7 @@ import { valueOf } from '../state/AppState';
 import { documentOf, type ImportDraft } from '../state/importDraft';
 import { bytes, sentence } from '../state/words';
 import { Icon } from '../controls/Icon';
+import { Dropzone } from './Dropzone';
 import { ImportPanel, type PreviewSlot } from './ImportPanel';
 
 export function IntakeDialog({ Preview }: PreviewSlot) {
@@ -38,7 +38,7 @@ function Dialog({ intake, Preview }: { intake: Intake } & PreviewSlot) {
         </button>
       </header>
       <div class="sheet-body">
-        <Dropzone empty={intake.files.length === 0} />
+        <Dropzone title={intake.files.length === 0 ? 'Drop files here, or choose them' : 'Add more files'} focused />
         <Given intake={intake} />
         {plan && <Missing plan={plan} />}
         {draft && <ImportPanel draft={draft} Preview={Preview} />}
@@ -46,35 +46,6 @@ function Dialog({ intake, Preview }: { intake: Intake } & PreviewSlot) {
       </div>
       <Makers intake={intake} draft={draft} />
     </dialog>
-  );
-}
-
-/** Where files are chosen; the whole page takes those that are dropped. */
-function Dropzone({ empty }: { empty: boolean }) {
-  const { dressing } = useAppState();
-  const commands = useCommands();
-  const input = useRef<HTMLInputElement>(null);
-  const take = (list: FileList | null): void =>
-    void commands.addFiles([...(list ?? [])].map((file) => ({ name: file.name, blob: file })));
-  return (
-    <>
-      <button class="dropzone" autofocus onClick={() => input.current?.click()}>
-        <Icon name="file" />
-        <b>{empty ? 'Drop files here, or choose them' : 'Add more files'}</b>
-        <small>A pattern (DXF, GarmentCode JSON), a body (OBJ, glTF, …), or a project.json with its files</small>
-      </button>
-      <input
-        ref={input}
-        type="file"
-        multiple
-        hidden
-        accept={acceptOf(dressing.meshEndings.value, '.json', '.dxf', ...kPictureEndings)}
-        onChange={(event) => {
-          take(event.currentTarget.files);
-          event.currentTarget.value = '';
-        }}
-      />
-    </>
   );
 }
 

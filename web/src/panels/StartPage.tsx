@@ -1,13 +1,21 @@
-// What stands where the work will be when there is none to show: a first visit, an address that leads nowhere, no service.
+// What stands where the work will be when there is none to show: the first page, an address that leads nowhere, no service.
 
-import { useCommands } from '../commands/context';
 import { useAppState } from '../state/context';
-import { Icon } from '../controls/Icon';
+import type { Route } from '../state/routes';
+import type { PicturesProps } from './Rail';
+import { Welcome } from './Welcome';
 
-/** Null where there is something to show. */
-export function StartPage() {
+/** What is said of an address by what it names. */
+const kLost: Record<Route['name'], string> = {
+  home: '',
+  job: 'This drape does not exist, or no longer does.',
+  project: 'This project does not exist, or no longer does.',
+  unknown: 'The page has nothing at this address.',
+};
+
+/** Null where there is work to show. */
+export function StartPage({ resultUrl }: PicturesProps) {
   const state = useAppState();
-  const commands = useCommands();
   const route = state.route.value;
   const { projects, jobs } = state;
   if (projects.value.state === 'failed' && jobs.value.state === 'failed') {
@@ -23,6 +31,7 @@ export function StartPage() {
       </Sheet>
     );
   }
+  if (state.atHome.value) return <Welcome resultUrl={resultUrl} />;
   if (projects.value.state !== 'ready' || jobs.value.state !== 'ready') return null;
   const lost =
     route.name === 'unknown' ||
@@ -31,29 +40,16 @@ export function StartPage() {
   if (lost) {
     return (
       <Sheet title="Nothing is here" code={location.hash}>
-        <p>This drape or project does not exist, or no longer does.</p>
+        <p>{kLost[route.name]}</p>
         <p>
           <a class="button primary" href="#/">
-            To the newest drape
+            To the start page
           </a>
         </p>
       </Sheet>
     );
   }
-  if (projects.value.value.length > 0 || jobs.value.value.length > 0) return null;
-  return (
-    <Sheet title="Drape your first garment">
-      <p>
-        Drop a <b>DXF</b> pattern anywhere on this page. Toile reads its pieces, proposes the seams, stands them around
-        a body and lets the cloth hang, here before your eyes.
-      </p>
-      <p>
-        <button class="primary" onClick={() => commands.openIntake()}>
-          <Icon name="plus" /> New project
-        </button>
-      </p>
-    </Sheet>
-  );
+  return null;
 }
 
 function Sheet({ title, code = '', children }: { title: string; code?: string; children: preact.ComponentChildren }) {

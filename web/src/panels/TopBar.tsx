@@ -8,8 +8,7 @@ import { StateChip } from './StateChip';
 
 export function TopBar() {
   const state = useAppState();
-  const project = state.project.value;
-  const job = state.job.value;
+  const home = state.atHome.value;
   return (
     <header class="topbar">
       <button
@@ -29,23 +28,8 @@ export function TopBar() {
         </svg>
         <span>Toile</span>
       </a>
-      <div class="crumbs">
-        {project && (
-          <a class="crumb" href={`#/projects/${project.id}`} title="Project">
-            {project.name}
-          </a>
-        )}
-        {!project && job && <span class="crumb">{job.name}</span>}
-        {job && (
-          <>
-            <span class="crumb-sep" aria-hidden="true">
-              /
-            </span>
-            <StateChip state={job.state} />
-          </>
-        )}
-      </div>
-      <Actions />
+      <div class="crumbs">{!home && <Crumbs />}</div>
+      {!home && <Actions />}
       <button
         class="tool flat"
         title="Keys (?)"
@@ -55,6 +39,31 @@ export function TopBar() {
         <Icon name="help" />
       </button>
     </header>
+  );
+}
+
+/** The project and the state of its drape. */
+function Crumbs() {
+  const state = useAppState();
+  const project = state.project.value;
+  const job = state.job.value;
+  return (
+    <>
+      {project && (
+        <a class="crumb" href={`#/projects/${project.id}`} title="Project">
+          {project.name}
+        </a>
+      )}
+      {!project && job && <span class="crumb">{job.name}</span>}
+      {job && (
+        <>
+          <span class="crumb-sep" aria-hidden="true">
+            /
+          </span>
+          <StateChip state={job.state} />
+        </>
+      )}
+    </>
   );
 }
 

@@ -6,8 +6,8 @@ import type { Job } from '../api/types';
 import { useCommands } from '../commands/context';
 import type { AppState, View } from '../state/AppState';
 import { useAppState } from '../state/context';
-import { activity, isActive, placeInQueue } from '../state/jobs';
-import { counted, sentence } from '../state/words';
+import { activity, isActive, overall, placeInQueue } from '../state/jobs';
+import { counted, percent, sentence } from '../state/words';
 import { sceneTools } from '../tools/table';
 import type { SceneView } from './SceneView';
 
@@ -132,7 +132,7 @@ function connect(scene: SceneView, state: AppState): () => void {
   const stops = [
     effect(() => scene.setBody(state.shownBody.value)),
     effect(() => scene.setStart(state.beforeDrape.value ? state.dressing.start.value : null)),
-    effect(() => scene.setTools(sceneTools.filter((tool) => tool.isHeld(state)))),
+    effect(() => scene.setTools(state.atHome.value ? [] : sceneTools.filter((tool) => tool.isHeld(state)))),
     effect(() => scene.setFigures(state.beforeDrape.value ? (state.dressing.bodies.value ?? []) : [])),
     effect(() => scene.showMarks(state.shownMarks.value, state.dressing.lit.value)),
     effect(() => {
@@ -189,10 +189,27 @@ function Overlay() {
     covered.value = state.cloth.positions !== null;
     return state.cloth.listen(() => (covered.value = state.cloth.positions !== null));
   });
-  if (covered.value) return null;
   const job = state.job.value;
+  if (state.atHome.value) return job && <Caption job={job} />;
+  if (covered.value) return null;
   if (job) return <WithoutCloth job={job} />;
   return state.route.value.name === 'project' && state.project.value ? <NotDraped /> : null;
+}
+
+/** On the first page: what is seen there, and the way to it. */
+function Caption({ job }: { job: Job }) {
+  const done = job.progress ? overall(job.progress.phase, job.progress.fraction) : 0;
+  const doing = activity(job.state, job.progress?.phase);
+  return (
+    <a class="scene-caption" href={`#/jobs/${job.id}`}>
+      <b>{job.name}</b>
+      <span class={`state-${job.state}`}>
+        <i class="dot" aria-hidden="true" />
+        {isActive(job.state) ? `${doing} · ${percent(done, 0)}` : doing}
+      </span>
+      <em>Open</em>
+    </a>
+  );
 }
 
 function WithoutCloth({ job }: { job: Job }) {

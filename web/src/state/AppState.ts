@@ -10,7 +10,7 @@ import { DressingState, type Marks } from './dressing';
 import { EditingState } from './editing';
 import type { ImportDraft } from './importDraft';
 import type { IntakePlan } from './intake';
-import { isActive, newestJobOf, withProgress } from './jobs';
+import { isActive, jobAtHome, newestJobOf, withProgress } from './jobs';
 import { LiveCloth } from './LiveCloth';
 import type { Route } from './routes';
 import { looksOf, type Look } from './texture';
@@ -79,6 +79,8 @@ export class AppState {
   readonly intake: Signal<Intake | null> = signal(null);
   readonly importing: Signal<ImportDraft | null> = signal(null);
   readonly submitting: Signal<boolean> = signal(false);
+  /** The sample that a project is being made of, by its id; empty: none. */
+  readonly sampling: Signal<string> = signal('');
   readonly helpShown: Signal<boolean> = signal(false);
   readonly railShown: Signal<boolean> = signal((globalThis.innerWidth ?? 1440) > 860);
   readonly tab: Signal<Tab> = signal('pattern');
@@ -90,7 +92,9 @@ export class AppState {
 
   readonly allJobs: ReadonlySignal<Job[]> = computed(() => valueOf(this.jobs.value) ?? []);
 
-  /** The job on the page: the route's, or the newest of the route's project. */
+  readonly atHome: ReadonlySignal<boolean> = computed(() => this.route.value.name === 'home');
+
+  /** The job on the page: the route's, the newest of the route's project, or the one to be seen at the first page. */
   readonly job: ReadonlySignal<Job | null> = computed(() => {
     const route = this.route.value;
     const found =
@@ -98,7 +102,9 @@ export class AppState {
         ? (this.allJobs.value.find((job) => job.id === route.id) ?? null)
         : route.name === 'project'
           ? newestJobOf(this.allJobs.value, route.id)
-          : null;
+          : route.name === 'home'
+            ? jobAtHome(this.allJobs.value)
+            : null;
     return found && withProgress(found, this.watched.value === found.id ? this.progress.value : null);
   });
 

@@ -76,11 +76,14 @@ export function newestJobOf(jobs: readonly Job[], projectId: string): Job | null
   }, null);
 }
 
-/** The job that a page without a route opens: one that runs before the newest of all. */
-export function jobToOpen(jobs: readonly Job[]): Job | null {
+/** The drape that is seen on the first page: one that is under way, or the newest that came to an end. */
+export function jobAtHome(jobs: readonly Job[]): Job | null {
   const newest = (some: readonly Job[]): Job | null =>
     some.reduce<Job | null>((best, job) => (!best || job.created_ms > best.created_ms ? job : best), null);
-  return newest(jobs.filter((job) => job.state === 'running' || job.state === 'paused')) ?? newest(jobs);
+  return (
+    newest(jobs.filter((job) => job.state === 'running' || job.state === 'paused')) ??
+    newest(jobs.filter((job) => job.state === 'succeeded'))
+  );
 }
 
 /** A picture of how the drape ended, or null. The small one where the service made one. */

@@ -14,17 +14,19 @@ export interface Binding {
   /** With Ctrl, or the command key. */
   ctrl?: boolean;
   shift?: boolean;
+  /** It is for the project that is open, and does nothing on the first page. */
+  work?: boolean;
   run(commands: Commands, state: AppState): void;
 }
 
 /** The key that takes a tool. */
 function taking(tool: PatternTool): Binding {
   const { key: shown, help: title } = tool;
-  return { key: shown.toLowerCase(), shown, title, group: 'Pattern', run: (c) => c.pattern.takeTool(tool) };
+  return { key: shown.toLowerCase(), shown, title, group: 'Pattern', work: true, run: (c) => c.pattern.takeTool(tool) };
 }
 
 export const bindings: Binding[] = [
-  { key: ' ', shown: 'Space', title: 'Start, pause or go on', group: 'Drape', run: (c) => void c.runOrPause() },
+  { key: ' ', shown: 'Space', title: 'Start, pause or go on', group: 'Drape', work: true, run: (c) => void c.runOrPause() },
   { key: 'o', shown: 'O', title: 'New project from files', group: 'Drape', run: (c) => c.openIntake() },
   ...patternTools.map(taking),
   {
@@ -32,6 +34,7 @@ export const bindings: Binding[] = [
     shown: 'Enter',
     title: 'Other side, then sew',
     group: 'Pattern',
+    work: true,
     run: (c) => void c.pattern.finishSide(),
   },
   {
@@ -39,6 +42,7 @@ export const bindings: Binding[] = [
     shown: 'Del',
     title: 'Delete what is selected',
     group: 'Pattern',
+    work: true,
     run: (c) => void c.pattern.remove(),
   },
   {
@@ -46,6 +50,7 @@ export const bindings: Binding[] = [
     shown: 'E',
     title: 'Large or small pattern',
     group: 'Pattern',
+    work: true,
     run: (_, s) => void (s.editing.large.value = !s.editing.large.value),
   },
   {
@@ -53,6 +58,7 @@ export const bindings: Binding[] = [
     shown: 'Ctrl Z',
     title: 'Undo',
     group: 'Pattern',
+    work: true,
     ctrl: true,
     run: (c) => void c.pattern.undo(),
   },
@@ -61,6 +67,7 @@ export const bindings: Binding[] = [
     shown: 'Ctrl Shift Z',
     title: 'Redo',
     group: 'Pattern',
+    work: true,
     ctrl: true,
     shift: true,
     run: (c) => void c.pattern.redo(),
@@ -129,7 +136,8 @@ export function listenForKeys(commands: Commands, state: AppState, target: Windo
         (candidate.ctrl ?? false) === ctrl &&
         (!ctrl || (candidate.shift ?? false) === event.shiftKey),
     );
-    if (!binding || belongsTo(event.target, key) || (event.repeat && key === ' ')) return;
+    if (!binding || (binding.work && state.atHome.value)) return;
+    if (belongsTo(event.target, key) || (event.repeat && key === ' ')) return;
     event.preventDefault();
     binding.run(commands, state);
   };

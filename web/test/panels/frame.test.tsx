@@ -3,9 +3,11 @@ import { fireEvent, screen, within } from '@testing-library/dom';
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { click, openPage, type Page } from './page';
 import { ApiError } from '../../src/api/http';
+import type { Sample } from '../../src/api/samples';
 import type { Job } from '../../src/api/types';
 import { Banner } from '../../src/panels/Banner';
 import { DropTarget } from '../../src/panels/DropTarget';
+import { Dropzone } from '../../src/panels/Dropzone';
 import { HelpDialog } from '../../src/panels/HelpDialog';
 import { Inspector } from '../../src/panels/Inspector';
 import { Notices } from '../../src/panels/Notices';
@@ -15,6 +17,7 @@ import { StartPage } from '../../src/panels/StartPage';
 import { StateChip } from '../../src/panels/StateChip';
 import { StatusBar } from '../../src/panels/StatusBar';
 import { TopBar } from '../../src/panels/TopBar';
+import { Welcome } from '../../src/panels/Welcome';
 import { ready } from '../../src/state/AppState';
 import { bindings } from '../../src/tools/keys';
 import { jobOf, progressOf, projectOf } from '../fakes';
@@ -68,6 +71,14 @@ describe('the top bar', () => {
     page.show(<TopBar />);
     expect(button('Pause').hasAttribute('disabled')).toBe(true);
     expect(button('Cancel').hasAttribute('disabled')).toBe(true);
+  });
+
+  it('has nothing to run on the first page', () => {
+    drape();
+    page.change((state) => (state.route.value = { name: 'home' }));
+    page.show(<TopBar />);
+    expect(noButton(/Pause|Cancel|drape/i)).toBe(true);
+    expect(screen.queryByTitle('Project')).toBeNull();
   });
 
   it('opens the list of projects and the list of keys', () => {
@@ -177,22 +188,47 @@ describe('the state of a job', () => {
 });
 
 describe('the start page', () => {
-  it('invites to the first garment', () => {
+  it('says what this is, takes a pattern, and offers samples and what was begun', () => {
     page.change((state) => {
       state.route.value = { name: 'home' };
-      state.projects.value = ready([]);
+      state.jobs.value = ready([jobOf({ state: 'succeeded', results: { 'thumbnail.png': 9 } })]);
     });
-    page.show(<StartPage />);
-    expect(screen.getByRole('heading').textContent).toBe('Drape your first garment');
-    click(button('New project'));
-    expect(page.asked()).toEqual([['openIntake']]);
+    page.show(<StartPage resultUrl={resultUrl} />);
+    expect(screen.getByRole('heading', { level: 1 }).textContent).toBe('See your pattern on a body');
+    expect(button(/Drop a DXF pattern here/)).toBeTruthy();
+    click(button('T-shirt'));
+    const [[command, sample]] = page.asked() as [[string, Sample]];
+    expect(command).toBe('startSample');
+    expect([...sample.files.keys()].sort()).toEqual(['project.json', 'tshirt.dxf']);
+    expect(sample.picture).toMatch(/picture/);
+    const project = screen.getByRole('link', { name: /Skirt/ });
+    expect(project.getAttribute('href')).toBe('#/projects/p_1');
+    expect(project.querySelector('img')?.getAttribute('src')).toBe('/results/j_1/thumbnail.png');
+  });
+
+  it('takes files that are chosen, as those that are dropped', () => {
+    page.show(<Dropzone title="Choose" />);
+    const field = document.querySelector('input[type=file]')!;
+    Object.defineProperty(field, 'files', { value: [new File(['0'], 'shirt.dxf')] });
+    fireEvent.change(field);
+    expect(page.asked()).toMatchObject([['addFiles', [{ name: 'shirt.dxf' }]]]);
+  });
+
+  it('makes one sample at a time, and says of which a project is being made', () => {
+    page.change((state) => {
+      state.route.value = { name: 'home' };
+      state.sampling.value = 'tshirt';
+    });
+    page.show(<Welcome resultUrl={resultUrl} />);
+    expect(button('T-shirt').getAttribute('aria-busy')).toBe('true');
+    expect(button('Trousers').hasAttribute('disabled')).toBe(true);
   });
 
   it('says that an address leads nowhere', () => {
     page.change((state) => (state.route.value = { name: 'job', id: 'j_gone' }));
-    page.show(<StartPage />);
+    page.show(<StartPage resultUrl={resultUrl} />);
     expect(screen.getByRole('heading').textContent).toBe('Nothing is here');
-    expect(screen.getByRole('link', { name: 'To the newest drape' }).getAttribute('href')).toBe('#/');
+    expect(screen.getByRole('link', { name: 'To the start page' }).getAttribute('href')).toBe('#/');
   });
 
   it('says that the service is not there', () => {
@@ -201,13 +237,13 @@ describe('the start page', () => {
       state.projects.value = failed;
       state.jobs.value = failed;
     });
-    page.show(<StartPage />);
+    page.show(<StartPage resultUrl={resultUrl} />);
     expect(screen.getByRole('heading').textContent).toBe('The server does not answer');
     expect(screen.getByText('net.unreachable')).toBeTruthy();
   });
 
   it('is away where there is something to show, and while nothing is known', () => {
-    page.show(<StartPage />);
+    page.show(<StartPage resultUrl={resultUrl} />);
     expect(screen.queryByRole('heading')).toBeNull();
     page.change((state) => (state.projects.value = { state: 'loading' }));
     expect(screen.queryByRole('heading')).toBeNull();
