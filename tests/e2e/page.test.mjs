@@ -603,9 +603,15 @@ describe('the page', () => {
     await shoot(other, '17-not-draped');
     await other.keyboard.press(' ');
     await waitForState(other, 'failed');
+    const failed = await ask(other, 'job');
     await other.locator('.reason .code').getByText('start.crosses_body').waitFor();
-    await other.locator('.reason').getByText('placement').waitFor();
+    await waitFor(other, () => window.__toile.start() > 0);
+    await waitForCalm(other);
     await shoot(other, '18-failed');
+    await other.keyboard.press(' ');
+    await other.locator('.notices').getByText('would fail again').waitFor();
+    await other.locator('.reason').getByRole('button', { name: 'Arrange anew and drape' }).click();
+    await waitFor(other, (id) => window.__toile.project().revision > 1 && window.__toile.job().id !== id, failed.id);
     await other.close();
   });
 

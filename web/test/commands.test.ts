@@ -82,6 +82,72 @@ describe('the run key', () => {
   });
 });
 
+describe('after a drape that failed', () => {
+  it('the run key does not start another until something has changed', async () => {
+    const { commands, state, order } = begin();
+    state.putJob(jobOf({ state: 'failed' }));
+    await commands.runOrPause();
+    expect(order).toEqual([]);
+    expect(state.notices.value[0]?.text).toMatch(/would fail again/);
+    state.projects.value = ready([projectOf({ revision: 2 })]);
+    await commands.runOrPause();
+    expect(order).toContain('go #/jobs/j_new');
+  });
+
+  it('a seam is turned over and draped with one click', async () => {
+    const edit = vi.fn(async () => projectOf({ revision: 2 }));
+    const { commands, order } = begin({ edit });
+    await commands.mend({ kind: 'reverse', seam: 's' });
+    expect(edit).toHaveBeenCalledWith('p_1', 1, [{ edit: 'reverse_seam', seam: 's' }]);
+    expect(order).toEqual(['watch j_new', 'go #/jobs/j_new']);
+  });
+
+  it('what was refused is not draped', async () => {
+    const { commands, state, order } = begin({
+      edit: () => Promise.reject(new ApiError(422, 'edit.seam', 'There is no such seam.')),
+    });
+    await commands.mend({ kind: 'reverse', seam: 's' });
+    expect(order).toEqual([]);
+    expect(state.notices.value[0]?.code).toBe('edit.seam');
+  });
+
+  it('a piece is shown where it can be placed by hand', async () => {
+    const { commands, state } = begin();
+    await commands.mend({ kind: 'place', piece: 'front' });
+    expect([state.selected.value, state.tab.value]).toEqual(['front', 'arrange']);
+  });
+});
+
+describe('removing', () => {
+  it('takes a drape from the list and shows its project', async () => {
+    const removeJob = vi.fn(async () => undefined);
+    const { commands, state, order } = begin({ removeJob });
+    state.putJob(jobOf({ state: 'succeeded' }));
+    state.route.value = { name: 'job', id: 'j_1' };
+    await commands.removeJob('j_1');
+    expect(removeJob).toHaveBeenCalledWith('j_1');
+    expect(state.allJobs.value).toEqual([]);
+    expect(order).toEqual(['go #/projects/p_1']);
+  });
+
+  it('goes to the first page from a project that is gone', async () => {
+    const { commands, state, order } = begin();
+    await commands.removeProject('p_1');
+    expect(state.projects.value).toEqual(ready([]));
+    expect(order).toEqual(['go #/']);
+  });
+
+  it('says what the service said when it refuses', async () => {
+    const { commands, state } = begin({
+      removeJob: () => Promise.reject(new ApiError(409, 'jobs.state', 'It has not ended.')),
+    });
+    state.putJob(jobOf());
+    await commands.removeJob('j_1');
+    expect(state.allJobs.value.length).toBe(1);
+    expect(state.notices.value[0]?.code).toBe('jobs.state');
+  });
+});
+
 describe('a project from files', () => {
   const document = { toile: 1, name: 'Napkin', pieces: [{ from: { dxf: 'n.dxf' } }], bodies: [{ file: 'b.obj' }] };
   const files = [

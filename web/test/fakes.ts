@@ -132,6 +132,7 @@ export function fakeApi(more: Partial<Api> = {}): Api {
     project: async () => projectOf(),
     createProject: async () => projectOf({ id: 'p_new', name: 'New' }),
     removeProject: async () => undefined,
+    removeJob: async () => undefined,
     pieces: async () => ({ pieces: [], seams: [] }),
     edit: async (id, revision) => projectOf({ id, revision: revision + 1 }),
     turn: async (id, revision) => projectOf({ id, revision: revision + 1 }),

@@ -4,7 +4,7 @@ import { clothFromObj } from '../src/api/objCloth';
 import { nameThatFits } from '../src/pattern/PieceShape';
 import { fit, panned, zoomed } from '../src/pattern/Viewport';
 import { boundsOf, poseFor } from '../src/scene/framing';
-import { rimEdges, seamEdges, shareNormals, vertexNormals, weldGroups, widestGap } from '../src/scene/surface';
+import { rimEdges, seamEdges, shareNormals, vertexNormals, verticesAlong, weldGroups, widestGap } from '../src/scene/surface';
 import { cssColour, cutLine, insideOf, layOut } from '../src/state/patternGeometry';
 import { squareOf } from './fakes';
 
@@ -12,6 +12,18 @@ import { squareOf } from './fakes';
 const positions = new Float32Array([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 1, 0, 0, 1, 0, -1, 1, 1, -1, 1, 1, 0]);
 const triangles = new Uint32Array([0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7]);
 const sewn = new Uint32Array([1, 4, 2, 7]);
+
+describe('a seam in the cloth', () => {
+  it('is found among the vertices of its pieces’ rims by their flat places', () => {
+    const piece = (id: string, firstVertex: number) => ({ id, firstVertex, vertexCount: 3, colour: [1, 1, 1] as const });
+    // Two triangles with the same flat places, m.
+    const flat = [0, 0, 0.1, 0, 0, 0.1];
+    const topology = { pieces: [piece('a', 0), piece('b', 3)], rest: new Float32Array([...flat, ...flat]) };
+    const rim = new Uint32Array([0, 1, 1, 2, 2, 0, 3, 4, 4, 5, 5, 3]);
+    const part = { piece: 'b', edge: 'e0', side: 'a', points: [[-50, 0], [100, 0]] } as const;
+    expect(verticesAlong([part] as never, topology as never, rim)).toEqual([3, 4]);
+  });
+});
 
 describe('the cloth’s surface', () => {
   it('has one normal over a closed seam and its own on either side of an open one', () => {

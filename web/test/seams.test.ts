@@ -3,6 +3,7 @@ import type { Edit } from '../src/api/types';
 import { findPart, freePieceId, stepText, turnsOf } from '../src/state/editing';
 import {
   alongLine,
+  alongSide,
   clash,
   emptyDraft,
   freeSeamId,
@@ -10,6 +11,7 @@ import {
   seamLengths,
   seamMarks,
   seamParts,
+  seamTitle,
   seamsOfEdge,
   seriesText,
   sewnTogether,
@@ -21,6 +23,24 @@ import { seamOf, squareOf } from './fakes';
 const pieces = [squareOf('a', 0, 0, 100), squareOf('b', 200, 0, 100)];
 
 describe('a seam on the pieces', () => {
+  it('is called by its number and its name, or by the pieces that it joins', () => {
+    const named = seamOf('side_left', ['a', 'e1'], ['b', 'e3']);
+    const given = { ...named, id: 'seam7', b: [{ piece: 'b', edge: 'e3' }, { piece: 'c', edge: 'e0' }] };
+    const tube = seamOf('seam8', ['a', 'e1'], ['a', 'e3']);
+    const seams = [named, given, tube];
+    expect(seams.map(({ id }) => seamTitle(seams, id))).toEqual(['1 side_left', '2 a to b and c', '3 a, to itself']);
+    expect(seamTitle(seams, 'gone')).toBe('gone');
+  });
+
+  it('has its threads on its edges also where a side goes over two pieces', () => {
+    const apart = [...pieces, squareOf('c', 500, 0, 100)];
+    const seam = { ...seamOf('s', ['a', 'e1'], ['b', 'e3']), b: [{ piece: 'b', edge: 'e3' }, { piece: 'c', edge: 'e3' }] };
+    const side = seamParts(apart, seam).filter((part) => part.side === 'b');
+    const xs = [0, 0.25, 0.5, 0.75, 1].map((place) => alongSide(side, place)![0]);
+    expect(xs.every((x) => side.some((part) => part.points.every(([own]) => own === x)))).toBe(true);
+    expect(new Set(xs).size).toBe(2);
+  });
+
   it('has marks that run the same way on both sides', () => {
     // Right side of a to left side of b, as they lie beside each other.
     const [a, b] = seamParts(pieces, seamOf('s', ['a', 'e1'], ['b', 'e3']));

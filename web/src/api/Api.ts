@@ -23,6 +23,7 @@ export interface Api {
   projects(): Promise<Project[]>;
   project(id: string): Promise<Project>;
   createProject(document: unknown, files: Record<string, string>): Promise<Project>;
+  /** With its drapes, and the files that nobody else uses. */
   removeProject(id: string): Promise<void>;
   pieces(projectId: string): Promise<Pieces>;
   /** All edits or none; `revision` is the one that they were made for. `files` (name → asset) come to the project's own. */
@@ -44,6 +45,8 @@ export interface Api {
   job(id: string): Promise<Job>;
   /** `key` makes asking twice (a lost answer) start one drape only. */
   submit(projectId: string, key: string): Promise<Job>;
+  /** One that has ended, with its results. */
+  removeJob(id: string): Promise<void>;
   act(id: string, action: JobAction): Promise<Job>;
   report(id: string): Promise<Report>;
   resultText(id: string, name: string): Promise<string>;
@@ -63,7 +66,7 @@ export function makeApi(http = new Http('/api/v1')): Api {
     projects: async () => (await http.get<Answer<'listProjects'>>('/projects?limit=100')).projects,
     project: (id) => http.get(`/projects/${part(id)}`),
     createProject: (document, files) => http.post('/projects', { document, files }),
-    removeProject: async (id) => void (await http.send(`/projects/${part(id)}`, { method: 'DELETE' })),
+    removeProject: async (id) => void (await http.send(`/projects/${part(id)}?data=true`, { method: 'DELETE' })),
     pieces: (id) => http.get(`/projects/${part(id)}/pieces`),
     edit: (id, revision, edits, files = {}) =>
       http.post(
@@ -98,6 +101,7 @@ export function makeApi(http = new Http('/api/v1')): Api {
     job: (id) => http.get(`/jobs/${part(id)}`),
     submit: (id, key) =>
       http.post('/jobs', { project_id: id } satisfies Question<'submitJob'>, { 'Idempotency-Key': key }),
+    removeJob: async (id) => void (await http.send(`/jobs/${part(id)}`, { method: 'DELETE' })),
     act: (id, action) => http.post(`/jobs/${part(id)}/${action}`),
     report: (id) => http.get(result(id, 'report.json')),
     resultText: (id, name) => http.text(result(id, name)),

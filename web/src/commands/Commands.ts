@@ -8,6 +8,7 @@ import type { AppState, View } from '../state/AppState';
 import { loading, ready, valueOf } from '../state/AppState';
 import { isPicture, planIntake, type GivenFile, type IntakePlan } from '../state/intake';
 import { commandsOf } from '../state/jobs';
+import type { Fix } from '../state/outcome';
 import { formatRoute, type Route } from '../state/routes';
 import { DressingCommands } from './DressingCommands';
 import { ImportCommands } from './ImportCommands';
@@ -92,12 +93,72 @@ export class Commands {
     }
   }
 
+  /** Removes a drape that has ended, with its results. */
+  removeJob(id: string): Promise<void> {
+    const { allJobs, jobs } = this.state_;
+    return this.remove(id, () => this.api_.removeJob(id), () => {
+      jobs.value = ready(allJobs.value.filter((job) => job.id !== id));
+    });
+  }
+
+  /** Removes a project with all its drapes. */
+  removeProject(id: string): Promise<void> {
+    const { projects, jobs, allJobs } = this.state_;
+    return this.remove(id, () => this.api_.removeProject(id), () => {
+      projects.value = ready((valueOf(projects.value) ?? []).filter((project) => project.id !== id));
+      jobs.value = ready(allJobs.value.filter((job) => job.project_id !== id));
+    });
+  }
+
+  /** What is gone is not shown any more: the page goes to where there is something. */
+  private async remove(id: string, ask: () => Promise<void>, gone: () => void): Promise<void> {
+    const { job, projectId } = this.state_;
+    const project = projectId.value;
+    const shown = project === id || job.value?.id === id;
+    try {
+      await ask();
+      if (shown) this.open(project === null || project === id ? { name: 'home' } : { name: 'project', id: project });
+      gone();
+    } catch (error) {
+      notifyError(this.state_, error);
+    }
+    this.refresh_();
+  }
+
   /** Space: runs what does not run, pauses what does. */
   runOrPause(): Promise<void> {
     const job = this.state_.job.value;
     if (job && commandsOf(job.state).resume) return this.act('resume');
     if (job && commandsOf(job.state).pause) return this.act('pause');
+    const { project } = this.state_;
+    if (job?.state === 'failed' && project.value?.revision === job.project_revision) {
+      const text = 'Nothing has changed since this drape failed: it would fail again.';
+      notify(this.state_, { tone: 'info', text });
+      this.state_.tab.value = 'drape';
+      return Promise.resolve();
+    }
     return this.startDrape();
+  }
+
+  /** Does what a drape's end asks for, and drapes again where that may be all there was to do. */
+  async mend(fix: Fix): Promise<void> {
+    const { project, tab, selected } = this.state_;
+    const before = project.value?.revision;
+    if (fix.kind === 'place' || fix.kind === 'edit') {
+      selected.value = fix.piece;
+      tab.value = fix.kind === 'place' ? 'arrange' : 'pattern';
+      return;
+    }
+    if (fix.kind === 'sew') {
+      tab.value = 'pattern';
+      return this.pattern.propose();
+    }
+    if (fix.kind === 'reverse') await this.pattern.edit({ edit: 'reverse_seam', seam: fix.seam });
+    else await this.dressing.arrange();
+    if (project.value?.revision !== before) return this.startDrape();
+    const refused = this.state_.editing.problem.value ?? this.state_.dressing.placeProblem.value;
+    if (refused) return notifyError(this.state_, refused);
+    notify(this.state_, { tone: 'info', text: 'Nothing is to be changed there: it is as it was draped.' });
   }
 
   select(piece: string | null): void {

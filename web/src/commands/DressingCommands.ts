@@ -257,13 +257,16 @@ export class DressingCommands {
     this.state_.dressing.lit.value = measure;
   }
 
-  /** Flies to what was found and lights up the piece that it names. */
+  /** Flies to what was found and lights up the piece and the seam that it names. */
   look(finding: Finding): void {
-    const { dressing, pieces, selected } = this.state_;
+    const { dressing, editing, pieces, selected } = this.state_;
     dressing.finding.value = { finding, turn: (dressing.finding.value?.turn ?? 0) + 1 };
-    const known = (valueOf(pieces.value ?? loading)?.pieces ?? []).map((piece) => piece.id);
+    const pattern = valueOf(pieces.value ?? loading);
+    const known = (pattern?.pieces ?? []).map((piece) => piece.id);
     const piece = pieceOf(finding, known);
     if (piece) selected.value = piece;
+    const seam = finding.about.find((concern) => concern.thing === 'seam')?.id;
+    editing.seam.value = pattern?.seams.some((one) => one.id === seam) ? seam! : null;
   }
 
   /** A refusal stays here, in words beside what was wished; the others of the queue do not see it. */

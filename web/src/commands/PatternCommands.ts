@@ -61,6 +61,12 @@ export class PatternCommands {
     if (seam) this.state_.tab.value = 'pattern';
   }
 
+  /** Lights a seam in both views, and leaves open what is open. */
+  pointAtSeam(seam: string | null): void {
+    this.editing.seam.value = seam;
+    this.editing.part.value = null;
+  }
+
   lightSeam(seam: string | null): void {
     this.editing.litSeam.value = seam;
   }

@@ -72,8 +72,9 @@ function PieceRow({ piece }: { piece: Piece }) {
   const chosen = state.selected.value === piece.id;
   const row = useRef<HTMLLIElement>(null);
   useEffect(() => {
-    if (chosen) row.current?.scrollIntoView({ block: 'nearest' });
-  }, [chosen]);
+    // A finding that was clicked stays in sight, whichever piece it has selected.
+    if (chosen && !state.dressing.finding.peek()) row.current?.scrollIntoView({ block: 'nearest' });
+  }, [chosen, state]);
   const hand = state.dressing.check.value?.pieces.find((one) => one.id === piece.id)?.by_hand;
   const made = state.dressing.arrangement.value?.pieces.find((one) => one.id === piece.id)?.place;
   const where = hand ? `by hand: ${partTitle(hand.part).toLowerCase()}, ${hand.side}` : made;

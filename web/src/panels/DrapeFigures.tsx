@@ -3,35 +3,21 @@
 import type { Job } from '../api/types';
 import { valueOf, type Sample } from '../state/AppState';
 import { useAppState } from '../state/context';
-import { adviceFor, isActive } from '../state/jobs';
+import { isActive } from '../state/jobs';
 import { cssColour } from '../state/patternGeometry';
-import { duration, sentence, speed } from '../state/words';
+import { duration, speed } from '../state/words';
+import { OutcomeList } from './OutcomeList';
 
 export function DrapeFigures() {
   const state = useAppState();
   const job = state.job.value;
   return (
     <>
-      {job && <Reason job={job} />}
+      <OutcomeList />
       {job && <Speed samples={state.history.value} job={job} />}
       {job && <Facts job={job} />}
       <Parts />
     </>
-  );
-}
-
-/** Why it ended as it did, and what to do next. */
-function Reason({ job }: { job: Job }) {
-  if (job.state !== 'failed' && job.state !== 'cancelled') return null;
-  const advice = adviceFor(job.reason_code ?? '');
-  return (
-    <div class={`reason state-${job.state}`} role={job.state === 'failed' ? 'alert' : undefined}>
-      <h3>{job.state === 'failed' ? 'The drape failed' : 'The drape was cancelled'}</h3>
-      {job.reason && <p>{sentence(job.reason)}</p>}
-      {job.reason_where && <p class="where">{job.reason_where}</p>}
-      {advice && <p>{advice}</p>}
-      {job.state === 'failed' && job.reason_code && <p class="code">{job.reason_code}</p>}
-    </div>
   );
 }
 

@@ -2,8 +2,9 @@
 
 import type { Finding } from '../api/dressing';
 import { useCommands } from '../commands/context';
+import { loading, valueOf } from '../state/AppState';
 import { useAppState } from '../state/context';
-import { findingCounts, sortedFindings } from '../state/dressing';
+import { aboutText, findingCounts, sortedFindings } from '../state/dressing';
 import { counted, sentence } from '../state/words';
 import { Icon, type IconName } from '../controls/Icon';
 
@@ -77,9 +78,10 @@ function Verdict({ ready, findings }: { ready: boolean; findings: Finding[] }) {
 }
 
 function Row({ finding }: { finding: Finding }) {
-  const { dressing } = useAppState();
+  const { dressing, pieces } = useAppState();
   const commands = useCommands();
   const shown = dressing.finding.value?.finding === finding;
+  const seams = valueOf(pieces.value ?? loading)?.seams ?? [];
   const kind = finding.repaired ? 'repaired' : finding.severity;
   return (
     <li>
@@ -87,7 +89,7 @@ function Row({ finding }: { finding: Finding }) {
         <Icon name={finding.repaired ? 'check' : kIcons[finding.severity]} />
         <span>
           <em>{finding.repaired ? 'Repaired' : kNames[finding.severity]}</em> {sentence(finding.message)}
-          <small>{finding.where}</small>
+          <small>{aboutText(finding, seams) || finding.where}</small>
         </span>
       </button>
     </li>

@@ -1,11 +1,12 @@
 // Projects and drapes, with pictures and states.
 
+import { useSignal } from '@preact/signals';
 import type { Job, Project } from '../api/types';
 import { useCommands } from '../commands/context';
 import { valueOf } from '../state/AppState';
 import { useAppState } from '../state/context';
-import { activity, isActive, newestJobOf, overall, stateNames, thumbnailOf } from '../state/jobs';
-import { ago, percent } from '../state/words';
+import { activity, isActive, newestJobOf, overall, stateNames, thumbnailOf, withoutStale } from '../state/jobs';
+import { ago, percent, sentence } from '../state/words';
 import { Icon } from '../controls/Icon';
 
 export interface PicturesProps {
@@ -79,6 +80,7 @@ function ProjectList({ resultUrl }: PicturesProps) {
 
 function ProjectRow({ project, resultUrl }: { project: Project } & PicturesProps) {
   const state = useAppState();
+  const commands = useCommands();
   const finished = state.allJobs.value.filter((job) => job.project_id === project.id && thumbnailOf(job));
   const job = newestJobOf(finished, project.id);
   const drapes = state.allJobs.value.filter((other) => other.project_id === project.id).length;
@@ -97,7 +99,25 @@ function ProjectRow({ project, resultUrl }: { project: Project } & PicturesProps
           </small>
         </span>
       </a>
+      <Remove what={`the project ${project.name} and its drapes`} remove={() => commands.removeProject(project.id)} />
     </li>
+  );
+}
+
+/** Asks once more before it removes anything. */
+function Remove({ what, remove }: { what: string; remove(): Promise<void> }) {
+  const asked = useSignal(false);
+  return (
+    <button
+      class={`row-remove${asked.value ? ' asked' : ''}`}
+      aria-label={asked.value ? `Really remove ${what}` : `Remove ${what}`}
+      title={asked.value ? `Removes ${what} for good` : `Remove ${what}`}
+      onClick={() => (asked.value ? void remove() : (asked.value = true))}
+      onBlur={() => (asked.value = false)}
+      onPointerLeave={() => (asked.value = false)}
+    >
+      {asked.value ? 'Remove?' : <Icon name="cross" />}
+    </button>
   );
 }
 
@@ -107,12 +127,24 @@ function JobList({ resultUrl }: PicturesProps) {
   if (!jobs) return state.jobs.value.state === 'loading' ? <Skeleton rows={3} /> : null;
   if (jobs.length === 0)
     return <p class="hint">What you drape is listed here, with its place in the queue and its picture at the end.</p>;
-  return (
+  const [shown, stale] = withoutStale(jobs, state.job.value?.id);
+  const rows = (some: readonly Job[]) => (
     <ul class="rail-list">
-      {jobs.map((job) => (
+      {some.map((job) => (
         <JobRow key={job.id} job={job} resultUrl={resultUrl} />
       ))}
     </ul>
+  );
+  return (
+    <>
+      {rows(shown)}
+      {stale.length > 0 && (
+        <details class="rail-more">
+          <summary>{stale.length} earlier without a result</summary>
+          {rows(stale)}
+        </details>
+      )}
+    </>
   );
 }
 
@@ -121,32 +153,55 @@ function JobRow({ job, resultUrl }: { job: Job } & PicturesProps) {
   const shown = state.job.value?.id === job.id;
   const fresh = shown ? state.job.value : job;
   const name = thumbnailOf(fresh);
-  const when = ago(fresh.ended_ms || fresh.created_ms, state.now.value);
-  const fraction = fresh.progress ? overall(fresh.progress.phase, fresh.progress.fraction) : 0;
+  const commands = useCommands();
+  const active = isActive(fresh.state);
   return (
     <li>
-      <a class="row" href={`#/jobs/${job.id}`} aria-current={shown ? 'page' : undefined}>
-        <Thumb url={name && resultUrl(job.id, name)} />
+      <a
+        class="row"
+        href={`#/jobs/${job.id}`}
+        aria-current={shown ? 'page' : undefined}
+        title={fresh.reason ? sentence(fresh.reason) : undefined}
+      >
+        <Thumb url={name && resultUrl(job.id, name)} failed={fresh.state === 'failed'} />
         <span class="row-text">
           <b>{job.name}</b>
-          <small class={`state-${fresh.state}`}>
-            <i class="dot" aria-hidden="true" />
-            {fresh.state === 'running' ? activity(fresh.state, fresh.progress?.phase) : stateNames[fresh.state]}
-            {isActive(fresh.state) && fresh.state !== 'queued' ? ` · ${percent(fraction, 0)}` : ` · ${when}`}
-          </small>
-          {isActive(fresh.state) && (
-            <span class={`hairbar state-${fresh.state}`}>
-              <i style={{ width: percent(fraction, 1).replace(' ', '') }} />
-            </span>
-          )}
+          <Standing job={fresh} />
         </span>
       </a>
+      {!active && <Remove what={`this drape of ${job.name}`} remove={() => commands.removeJob(job.id)} />}
     </li>
   );
 }
 
-function Thumb({ url }: { url: string | null }) {
+/** The drape's state in a line, with how far it is or when it was. */
+function Standing({ job }: { job: Job }) {
+  const { now } = useAppState();
+  const { state, progress } = job;
+  const active = isActive(state);
+  const fraction = progress ? overall(progress.phase, progress.fraction) : 0;
+  const when = ago(job.ended_ms || job.created_ms, now.value);
+  const word = state === 'running' ? activity(state, progress?.phase) : stateNames[state];
+  const rest = active && state !== 'queued' ? percent(fraction, 0) : `rev ${job.project_revision} · ${when}`;
   return (
-    <span class="thumb">{url ? <img src={url} alt="" loading="lazy" decoding="async" /> : <Icon name="shirt" />}</span>
+    <>
+      <small class={`state-${state}`}>
+        <i class="dot" aria-hidden="true" />
+        {`${word} · ${rest}`}
+      </small>
+      {active && (
+        <span class={`hairbar state-${state}`}>
+          <i style={{ width: percent(fraction, 1).replace(' ', '') }} />
+        </span>
+      )}
+    </>
+  );
+}
+
+function Thumb({ url, failed = false }: { url: string | null; failed?: boolean }) {
+  return (
+    <span class={`thumb${failed ? ' failed' : ''}`}>
+      {url ? <img src={url} alt="" loading="lazy" decoding="async" /> : <Icon name={failed ? 'alert' : 'shirt'} />}
+    </span>
   );
 }

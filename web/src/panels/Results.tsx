@@ -2,11 +2,14 @@
 
 import { useSignal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
+import { loading, valueOf } from '../state/AppState';
 import { useAppState } from '../state/context';
 import { isActive } from '../state/jobs';
 import { downloadsOf, reportLines, stillsOf, type Download } from '../state/report';
+import { seamTitle } from '../state/seamView';
 import { bytes } from '../state/words';
 import { Icon } from '../controls/Icon';
+import { OutcomeList } from './OutcomeList';
 import type { PicturesProps } from './Rail';
 
 const kStillNames: Record<string, string> = {
@@ -32,6 +35,7 @@ export function Results({ resultUrl }: PicturesProps) {
   const urlOf = (name: string): string => resultUrl(job.id, name);
   return (
     <>
+      <OutcomeList />
       {stills.length > 0 && <Stills names={stills} urlOf={urlOf} enlarge={(name) => (large.value = name)} />}
       <Report />
       {downloads.length > 0 && <h3>Take out</h3>}
@@ -105,9 +109,10 @@ function Report() {
       </p>
     );
   if (!report) return null;
+  const seams = valueOf(state.pieces.value ?? loading)?.seams ?? [];
   return (
     <ul class="report">
-      {reportLines(report.value).map((line) => (
+      {reportLines(report.value, (id) => seamTitle(seams, id)).map((line) => (
         <li key={line.label} class={`verdict-${line.verdict}`}>
           <Icon name={line.verdict === 'warn' ? 'alert' : 'check'} />
           <div>

@@ -4,7 +4,7 @@ import { useEffect, useRef } from 'preact/hooks';
 import type { Pieces, Seam } from '../api/types';
 import { useCommands } from '../commands/context';
 import { useAppState } from '../state/context';
-import { lengthsText, seamColour, seriesText } from '../state/seamView';
+import { lengthsText, seamColour, seamTitle, seriesText } from '../state/seamView';
 import { counted, sentence } from '../state/words';
 import { Icon } from '../controls/Icon';
 
@@ -20,7 +20,7 @@ export function SeamList({ pieces }: { pieces: Pieces }) {
       {pieces.seams.length === 0 && <p class="hint">Nothing is sewn yet.</p>}
       <ul>
         {pieces.seams.map((seam, index) => (
-          <Row key={seam.id} seam={seam} index={index} chosen={state.editing.seam.value === seam.id} />
+          <Row key={seam.id} seam={seam} index={index} title={seamTitle(pieces.seams, seam.id)} chosen={state.editing.seam.value === seam.id} />
         ))}
       </ul>
     </section>
@@ -31,7 +31,14 @@ export function SeamList({ pieces }: { pieces: Pieces }) {
 const isDart = ({ id, a, b }: Seam): boolean =>
   a.length === 1 && b.length === 1 && a[0]!.edge === `${id}_a` && b[0]!.edge === `${id}_b`;
 
-function Row({ seam, index, chosen }: { seam: Seam; index: number; chosen: boolean }) {
+interface RowProps {
+  seam: Seam;
+  index: number;
+  title: string;
+  chosen: boolean;
+}
+
+function Row({ seam, index, title, chosen }: RowProps) {
   const state = useAppState();
   const { pattern } = useCommands();
   const row = useRef<HTMLLIElement>(null);
@@ -56,7 +63,7 @@ function Row({ seam, index, chosen }: { seam: Seam; index: number; chosen: boole
       >
         <i style={{ background: seamColour(index) }} aria-hidden="true" />
         <b>
-          {index + 1} {seam.id}
+          {title}
         </b>
         <span>{lengths}</span>
         {seam.issues.length > 0 && <Icon name="alert" />}

@@ -7,7 +7,7 @@ import { useAppState } from '../state/context';
 import { findPart, type Part } from '../state/editing';
 import { isStraight, nearestOn, nextEdge, notchAt } from '../state/outline';
 import { boxOf, insideOf } from '../state/patternGeometry';
-import { seamColour, seamsOfEdge } from '../state/seamView';
+import { seamColour, seamsOfEdge, seamTitle } from '../state/seamView';
 import { NumberField } from '../controls/NumberField';
 import { points } from '../tools/points';
 import { TextureFields } from './TextureFields';
@@ -303,7 +303,7 @@ function SewnIn({ piece, edge, pieces }: { piece: Piece; edge: PieceEdge; pieces
       {seams.map((index) => (
         <button class="seam-chip" key={index} onClick={() => pattern.selectSeam(pieces.seams[index]!.id)}>
           <i style={{ background: seamColour(index) }} />
-          {pieces.seams[index]!.id}
+          {seamTitle(pieces.seams, pieces.seams[index]!.id)}
         </button>
       ))}
     </p>

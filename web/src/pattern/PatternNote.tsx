@@ -3,7 +3,7 @@
 import type { Piece } from '../api/types';
 import type { ApiError } from '../api/http';
 import { useAppState } from '../state/context';
-import { lengthsText, seamLengths } from '../state/seamView';
+import { lengthsText, numberedTitle, seamLengths } from '../state/seamView';
 import { sentence } from '../state/words';
 import type { Held, PatternTool } from '../tools/PatternTool';
 import { kDraftSeam, type ShownSeam } from './SeamShapes';
@@ -56,7 +56,7 @@ function lengthsOf(pieces: readonly Piece[], lit: ShownSeam | null) {
   const { lengths, difference } = lengthsText(a, b);
   return (
     <>
-      <b>{lit.seam.id === kDraftSeam ? 'New seam' : `${lit.index + 1} ${lit.seam.id}`}</b> {lengths} · {difference}
+      <b>{lit.seam.id === kDraftSeam ? 'New seam' : numberedTitle(lit.seam, lit.index)}</b> {lengths} · {difference}
     </>
   );
 }

@@ -3,7 +3,7 @@
 
 import type { Point, SeamSides } from '../api/types';
 import type { PlacedPiece } from '../state/patternGeometry';
-import { alongLine, seamColour, seamMarks, type SeamPart } from '../state/seamView';
+import { alongLine, alongSide, seamColour, seamMarks, type SeamPart } from '../state/seamView';
 import { linePath } from './PieceShape';
 
 /** Id of the seam that is being made, among those that are shown. */
@@ -95,14 +95,12 @@ export function Threads({ shown, placed, scale }: { shown: ShownSeam; placed: re
     const [dx, dy] = offsets.get(part.piece) ?? [0, 0];
     return { ...part, points: part.points.map(([x, y]): Point => [x + dx, y + dy]) };
   });
-  const path = (side: 'a' | 'b'): Point[] => parts.filter((part) => part.side === side).flatMap((part) => part.points);
-  const a = path('a');
-  const b = path('b');
+  const side = (which: 'a' | 'b'): SeamPart[] => parts.filter((part) => part.side === which);
   const places = [0, 0.25, 0.5, 0.75, 1];
-  const ends = places.map((place) => [alongLine(a, place), alongLine(b, place)] as const);
+  const ends = places.map((place) => [alongSide(side('a'), place), alongSide(side('b'), place)] as const);
   return (
     <g class="threads" style={{ '--seam': seamColour(shown.index) }} aria-hidden="true">
-      {ends.map(([from, to], i) => (from && to ? <path key={i} d={linePath([from.at, to.at])} /> : null))}
+      {ends.map(([from, to], i) => (from && to ? <path key={i} d={linePath([from, to])} /> : null))}
       {parts.map((part, i) => (
         <Badge key={`badge ${i}`} part={part} number={shown.index + 1} scale={scale} />
       ))}

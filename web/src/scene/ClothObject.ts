@@ -11,11 +11,14 @@ import {
   LineSegments,
   Mesh,
   MeshStandardMaterial,
+  Points,
+  PointsMaterial,
   type DataTexture,
   type Intersection,
   type Material,
 } from 'three';
 import type { ClothTopology } from '../api/frames';
+import type { SeamPart } from '../state/seamView';
 import { fillRepeats, type Look } from '../state/texture';
 import { PrintMaterials } from './PrintMaterials';
 import {
@@ -23,6 +26,7 @@ import {
   rimEdges,
   seamEdges,
   shareNormals,
+  verticesAlong,
   vertexNormals,
   weldGroups,
   widestGap,
@@ -51,6 +55,7 @@ export class ClothObject {
   private rimOfPiece_: LineSegments | null = null;
   private wires_: LineSegments | null = null;
   private threads_: LineSegments | null = null;
+  private litSeam_: Points | null = null;
   private weave_: DataTexture = weaveTexture();
   private readonly material_ = new MeshStandardMaterial({
     side: DoubleSide,
@@ -66,6 +71,7 @@ export class ClothObject {
   private readonly wireMaterial_ = new LineBasicMaterial({ color: 0x000000, transparent: true, opacity: 0.22 });
   private readonly threadMaterial_: LineBasicMaterial;
   private readonly rimMaterial_: LineBasicMaterial;
+  private readonly litMaterial_: PointsMaterial;
   private mesh_: Mesh | null = null;
   private selected_: string | null = null;
   private hovered_: string | null = null;
@@ -77,6 +83,7 @@ export class ClothObject {
     this.threadMaterial_ = new LineBasicMaterial({ color: colours_.thread, transparent: true, opacity: 0.9 });
     this.prints_ = new PrintMaterials(this.material_);
     this.rimMaterial_ = new LineBasicMaterial({ color: colours_.selected, depthTest: false, transparent: true });
+    this.litMaterial_ = new PointsMaterial({ color: colours_.selected, size: 6, sizeAttenuation: false, depthTest: false });
     this.addStandIn();
   }
 
@@ -97,6 +104,7 @@ export class ClothObject {
     this.wires_ = this.addLines(allEdges(triangles, vertexCount), this.wireMaterial_, 1);
     this.rimOfPiece_ = this.addLines(new Uint32Array(0), this.rimMaterial_, 3);
     this.rim_ = rim;
+    this.litSeam_ = this.addLitSeam();
     this.group.visible = false; // until the first positions are there
     this.paint();
     this.showWires(this.wiresShown_);
@@ -137,6 +145,12 @@ export class ClothObject {
     this.paint();
   }
 
+  /** Draws the vertices along a seam's sides as a dotted line, over everything. */
+  lightSeam(parts: readonly SeamPart[]): void {
+    this.litParts_ = parts;
+    this.outlineSeam();
+  }
+
   /** In this colour, or in the usual one. */
   colourThreads(colour: Color | null): void {
     this.threadMaterial_.color.copy(colour ?? this.colours_.thread);
@@ -171,11 +185,13 @@ export class ClothObject {
       this.wireMaterial_,
       this.threadMaterial_,
       this.rimMaterial_,
+      this.litMaterial_,
     ])
       material.dispose();
   }
 
   private rim_: Uint32Array = new Uint32Array(0);
+  private litParts_: readonly SeamPart[] = [];
 
   private clear(): void {
     this.group.clear();
@@ -187,6 +203,7 @@ export class ClothObject {
     this.threads_ = null;
     this.wires_ = null;
     this.rimOfPiece_ = null;
+    this.litSeam_ = null;
     this.group.visible = false;
   }
 
@@ -260,6 +277,24 @@ export class ClothObject {
     return lines;
   }
 
+  private addLitSeam(): Points {
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', this.geometry_.getAttribute('position'));
+    this.lines_.push(geometry);
+    const points = new Points(geometry, this.litMaterial_);
+    points.renderOrder = 4;
+    points.frustumCulled = false;
+    this.group.add(points);
+    return points;
+  }
+
+  private outlineSeam(): void {
+    if (!this.litSeam_ || !this.topology_) return;
+    const vertices = verticesAlong(this.litParts_, this.topology_, this.rim_);
+    this.litSeam_.geometry.setIndex(new BufferAttribute(new Uint32Array(vertices), 1));
+    this.litSeam_.visible = vertices.length > 0;
+  }
+
   private paint(): void {
     if (!this.topology_) return;
     const attribute = this.geometry_.getAttribute('color') as BufferAttribute;
@@ -271,6 +306,7 @@ export class ClothObject {
     }
     attribute.needsUpdate = true;
     this.outlineSelected();
+    this.outlineSeam();
   }
 
   private outlineSelected(): void {

@@ -1,13 +1,13 @@
 // The 3D view's place on the page: its canvas, its buttons, and what is said while there is nothing to show.
 
-import { effect, useSignal, useSignalEffect } from '@preact/signals';
+import { effect, useSignal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import type { Job } from '../api/types';
 import { useCommands } from '../commands/context';
 import type { AppState, View } from '../state/AppState';
 import { useAppState } from '../state/context';
 import { activity, isActive, overall, placeInQueue } from '../state/jobs';
-import { counted, percent, sentence } from '../state/words';
+import { counted, percent } from '../state/words';
 import { sceneTools } from '../tools/table';
 import type { SceneView } from './SceneView';
 
@@ -142,6 +142,7 @@ function connect(scene: SceneView, state: AppState): () => void {
     effect(() => scene.show(state.bodyShown.value && state.shownBody.value !== null, state.meshShown.value)),
     effect(() => scene.setLooks(state.looks.value)),
     effect(() => scene.showOpenSeams(!state.beforeDrape.value && state.job.value?.state === 'succeeded', token('--bad'))),
+    effect(() => scene.lightSeam(state.litParts.value)),
     effect(() => scene.highlight(state.selected.value, state.hovered.value)),
     effect(() => {
       if (state.view.value.turn > turn) scene.look(state.view.value.view, calm.matches);
@@ -183,15 +184,9 @@ function Message({ title, text, children }: { title: string; text: string; child
 /** What is said over an empty stage. Nothing as soon as there is cloth. */
 function Overlay() {
   const state = useAppState();
-  const covered = useSignal(false);
-  useSignalEffect(() => {
-    void state.watched.value;
-    covered.value = state.cloth.positions !== null;
-    return state.cloth.listen(() => (covered.value = state.cloth.positions !== null));
-  });
   const job = state.job.value;
   if (state.atHome.value) return job && <Caption job={job} />;
-  if (covered.value) return null;
+  if (state.covered.value) return null;
   if (job) return <WithoutCloth job={job} />;
   return state.route.value.name === 'project' && state.project.value ? <NotDraped /> : null;
 }
@@ -223,11 +218,25 @@ function WithoutCloth({ job }: { job: Job }) {
       </div>
     );
   }
-  if (job.state === 'failed')
-    return <Message title="This drape failed" text={sentence(job.reason || 'it ended without a result')} />;
-  if (job.state === 'cancelled')
-    return <Message title="Cancelled" text="This drape was stopped before it had cloth to show." />;
+  if (job.state === 'failed') return <Ended title="This drape failed" text="Its pieces stand where it began." />;
+  if (job.state === 'cancelled') return <Ended title="Cancelled" text="Its pieces stand where it began." />;
   return null;
+}
+
+/** A drape without cloth to show: the panel beside says why, and what to do. */
+function Ended({ title, text }: { title: string; text: string }) {
+  const { tab } = useAppState();
+  return (
+    <div class="scene-message strip">
+      <h2>{title}</h2>
+      <p>{text}</p>
+      {tab.value !== 'drape' && (
+        <button class="plain" onClick={() => (tab.value = 'drape')}>
+          Why
+        </button>
+      )}
+    </div>
+  );
 }
 
 function Waiting({ ahead }: { ahead: number }) {

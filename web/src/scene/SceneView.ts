@@ -17,6 +17,7 @@ import type { View } from '../state/AppState';
 import type { LiveCloth } from '../state/LiveCloth';
 import type { Finding, ProjectBody, Start } from '../api/dressing';
 import type { Marks } from '../state/dressing';
+import type { SeamPart } from '../state/seamView';
 import type { Look } from '../state/texture';
 import type { Hand } from '../tools/PatternTool';
 import type { SceneTool } from '../tools/SceneTool';
@@ -179,6 +180,12 @@ export class SceneView {
 
   highlight(selected: string | null, hovered: string | null): void {
     this.cloth_.highlight(selected, hovered);
+    this.invalidate();
+  }
+
+  /** Lights a seam along its sides. */
+  lightSeam(parts: readonly SeamPart[]): void {
+    this.cloth_.lightSeam(parts);
     this.invalidate();
   }
 

@@ -1,5 +1,9 @@
 // Geometry of the cloth for drawing: which vertices seams join, smooth normals over them, edges worth a line. Pure.
 
+import type { ClothTopology } from '../api/frames';
+import type { Point } from '../api/types';
+import type { SeamPart } from '../state/seamView';
+
 /** Vertices that sewing makes one, as groups of two and more. */
 export interface WeldGroups {
   /** Where each group begins in `members`, and one past the last. */
@@ -151,4 +155,32 @@ export function byMaterial(
     if (at > start) groups.push({ start, count: at - start, material });
   }
   return { index, groups };
+}
+
+/** How far a vertex of an outline may lie off the line that it was sampled from, mm. */
+const kOnLine = 1.5;
+
+/** Vertices of the cloth's rim (pairs, as rimEdges has them) that lie on a seam's sides, told by their flat places. */
+export function verticesAlong(parts: readonly SeamPart[], { pieces, rest }: ClothTopology, rim: Uint32Array): number[] {
+  const found = new Set<number>();
+  for (const part of parts) {
+    const piece = pieces.find((one) => one.id === part.piece);
+    if (!piece) continue;
+    const end = piece.firstVertex + piece.vertexCount;
+    for (const v of rim) {
+      if (v < piece.firstVertex || v >= end || found.has(v)) continue;
+      if (isOnLine([1000 * rest[2 * v]!, 1000 * rest[2 * v + 1]!], part.points)) found.add(v);
+    }
+  }
+  return [...found];
+}
+
+function isOnLine([x, y]: Point, line: readonly Point[]): boolean {
+  return line.some(([ax, ay], i) => {
+    const [bx, by] = line[i + 1] ?? [ax, ay];
+    const [dx, dy] = [bx - ax, by - ay];
+    const square = dx * dx + dy * dy;
+    const t = square > 0 ? Math.min(1, Math.max(0, ((x - ax) * dx + (y - ay) * dy) / square)) : 0;
+    return Math.hypot(x - ax - t * dx, y - ay - t * dy) < kOnLine;
+  });
 }

@@ -13,6 +13,7 @@ import type { IntakePlan } from './intake';
 import { isActive, jobAtHome, newestJobOf, withProgress } from './jobs';
 import { LiveCloth } from './LiveCloth';
 import type { Route } from './routes';
+import { seamParts, type SeamPart } from './seamView';
 import { looksOf, type Look } from './texture';
 
 /** Something that is fetched. */
@@ -65,6 +66,8 @@ export class AppState {
   readonly body: Signal<Loaded<BodyMesh> | null> = signal(null);
   readonly report: Signal<Loaded<Report> | null> = signal(null);
   readonly cloth = new LiveCloth();
+  /** Whether there is cloth to show. */
+  readonly covered: Signal<boolean> = signal(false);
 
   // Of the project that is shown.
   readonly pieces: Signal<Loaded<Pieces> | null> = signal(null);
@@ -123,9 +126,21 @@ export class AppState {
   );
 
   /** Whether the 3D view shows what a drape would begin with, not what it came to. */
-  readonly beforeDrape: ReadonlySignal<boolean> = computed(
-    () => this.projectId.value !== null && (this.job.value === null || ['body', 'arrange'].includes(this.tab.value)),
-  );
+  readonly beforeDrape: ReadonlySignal<boolean> = computed(() => {
+    if (this.projectId.value === null || this.atHome.value) return false;
+    const job = this.job.value;
+    if (job === null || ['body', 'arrange'].includes(this.tab.value)) return true;
+    // What failed or was cancelled early has no cloth to show: its pieces stand where it began.
+    return (job.state === 'failed' || job.state === 'cancelled') && !this.covered.value && !job.results?.['final.obj'];
+  });
+
+  /** The seam that is lit, as its parts lie on the pieces. */
+  readonly litParts: ReadonlySignal<readonly SeamPart[]> = computed(() => {
+    const id = this.editing.litSeam.value ?? this.editing.seam.value;
+    const pattern = valueOf(this.pieces.value ?? loading);
+    const seam = id === null ? undefined : pattern?.seams.find((one) => one.id === id);
+    return pattern && seam ? seamParts(pattern.pieces, seam) : [];
+  });
 
   readonly shownBody: ReadonlySignal<BodyMesh | null> = computed(() =>
     this.beforeDrape.value ? this.dressing.mesh.value : valueOf(this.body.value ?? loading),
@@ -139,6 +154,10 @@ export class AppState {
   });
 
   readonly anyActive: ReadonlySignal<boolean> = computed(() => this.allJobs.value.some((job) => isActive(job.state)));
+
+  constructor() {
+    this.cloth.listen(() => (this.covered.value = this.cloth.positions !== null));
+  }
 
   /** Puts one job's newest row into the list. */
   putJob(job: Job): void {

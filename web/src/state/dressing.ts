@@ -19,7 +19,9 @@ import type {
   TakenMeasure,
 } from '../api/dressing';
 import type { ApiError } from '../api/http';
+import type { SeamSides } from '../api/types';
 import { PerProject } from './PerProject';
+import { seamTitle } from './seamView';
 
 export type LengthUnit = 'cm' | 'inch';
 
@@ -183,6 +185,12 @@ export function findingCounts(findings: Finding[]): Record<Severity | 'repaired'
 export function pieceOf(finding: Finding, pieces: string[]): string | null {
   const first = finding.about.find((concern) => concern.thing === 'piece');
   return first !== undefined && pieces.includes(first.id) ? first.id : null;
+}
+
+/** What a finding is about, as a person calls it: seams by the pieces that they join. Empty where nothing is named. */
+export function aboutText({ about }: Finding, seams: readonly SeamSides[]): string {
+  const named = about.filter(({ thing }) => thing !== 'body');
+  return named.map(({ thing, id }) => (thing === 'seam' ? `seam ${seamTitle(seams, id)}` : `${thing} ${id}`)).join(', ');
 }
 
 // ---- places

@@ -76,6 +76,14 @@ export function newestJobOf(jobs: readonly Job[], projectId: string): Job | null
   }, null);
 }
 
+/** Those to list, and those that left nothing and were followed by another of their project; `shown` stays in sight. */
+export function withoutStale(jobs: readonly Job[], shown: string | undefined): [listed: Job[], stale: Job[]] {
+  const newest = new Set(jobs.map((job) => newestJobOf(jobs, job.project_id)?.id));
+  const isStale = (job: Job): boolean =>
+    (job.state === 'failed' || job.state === 'cancelled') && job.id !== shown && !newest.has(job.id);
+  return [jobs.filter((job) => !isStale(job)), jobs.filter(isStale)];
+}
+
 /** The drape that is seen on the first page: one that is under way, or the newest that came to an end. */
 export function jobAtHome(jobs: readonly Job[]): Job | null {
   const newest = (some: readonly Job[]): Job | null =>
@@ -91,21 +99,6 @@ export function thumbnailOf(job: Job): string | null {
   const names = Object.keys(job.results ?? {});
   return ['thumbnail.png', 'thumb.png', 'three-quarter.png', 'front.png'].find((name) => names.includes(name)) ?? null;
 }
-
-const kAdvice: [RegExp, string][] = [
-  [/^start\.crosses_body/, 'Move the piece away from the body in project.json (placement), then start again.'],
-  [/^start\.crosses_cloth/, 'Move the two pieces apart in project.json (placement), then start again.'],
-  [/^(stalled|drape\.stalled)/, 'Bring the sewn edges nearer to each other, or sew for longer (settings.sew_time_s).'],
-  [/^(json|project)\./, 'Correct project.json at the place named, and add it again.'],
-  [/^dxf\./, 'Export the DXF again from the pattern program, or correct the line named.'],
-  [/^body\./, 'Check the body file: one closed mesh of triangles, with its unit said in project.json.'],
-  [/^(mesh|pattern)\./, 'Correct the outline of the piece named, or choose a smaller particle distance.'],
-  [/^placement\./, 'Correct the placement of the piece named in project.json.'],
-  [/^time$/, 'Allow more simulated time (settings.max_time_s) if it should come to rest.'],
-];
-
-/** What a person can do about a reason code; empty when there is nothing to say. */
-export const adviceFor = (code: string): string => kAdvice.find(([pattern]) => pattern.test(code))?.[1] ?? '';
 
 /** The job as its row and its latest progress together tell it. Late progress does not revive an ended job, but its last figures stay. */
 export function withProgress(job: Job, progress: Progress | null): Job {

@@ -17,17 +17,21 @@ const kClosed = 1;
 /** Stretch at the 99th percentile beyond which a garment is tight, not draped. */
 const kTight = 0.05;
 
-export function reportLines(report: Report): ReportLine[] {
-  return [ending(report), ...wearing(report), crossings(report), seams(report), stretch(report), rest(report), size(report)];
+/** `seamName` makes of a seam's id what a person calls it. */
+export function reportLines(report: Report, seamName: (id: string) => string = (id) => id): ReportLine[] {
+  return [ending(report, seamName), ...wearing(report), crossings(report), seams(report, seamName), stretch(report), rest(report), size(report)];
 }
 
-function ending(report: Report): ReportLine {
+const kOpenSeam = 'open seam ';
+
+function ending(report: Report, seamName: (id: string) => string): ReportLine {
   const took = `${counted(report.steps, 'step')}, computed in ${duration(report.wall_s)}.`;
   if (report.settled) {
     const value = `Settled at ${report.simulated_s.toFixed(2)} s`;
     return { label: 'Ending', value, sentence: `The cloth came to rest after ${took}`, verdict: 'good' };
   }
-  const value = `Stopped: ${report.stop_reason}`;
+  const { stop_reason: why } = report;
+  const value = `Stopped: ${why.startsWith(kOpenSeam) ? kOpenSeam + seamName(why.slice(kOpenSeam.length)) : why}`;
   const sentence = `The cloth had not come to rest at ${report.simulated_s.toFixed(2)} s; ${took}`;
   return { label: 'Ending', value, sentence, verdict: 'warn' };
 }
@@ -65,9 +69,9 @@ function wearing({ worn, findings, open_seams: open }: Report): ReportLine[] {
   return [{ label: 'Worn', value, sentence, verdict: worn === 'yes' ? 'good' : 'warn' }];
 }
 
-function seams({ seam_gap_max_mm: gap, open_seams: open }: Report): ReportLine {
+function seams({ seam_gap_max_mm: gap, open_seams: open }: Report, seamName: (id: string) => string): ReportLine {
   const closed = gap <= kClosed;
-  const names = open.map((seam) => `${seam.id} by ${millimetres(seam.gap_mm)}`).join(', ');
+  const names = open.map((seam) => `${seamName(seam.id)} by ${millimetres(seam.gap_mm)}`).join('; ');
   const sentence = closed
     ? 'Every seam is closed over its whole length.'
     : names

@@ -67,6 +67,20 @@ export function alongLine(points: readonly Point[], fraction: number): { at: Poi
   return null;
 }
 
+/** The place at a fraction of a side's whole length, though its parts may lie on several pieces. */
+export function alongSide(parts: readonly SeamPart[], fraction: number): Point | null {
+  const lengths = parts.map((part) => lengthOf(part.points));
+  let wanted = lengths.reduce((sum, length) => sum + length, 0) * fraction;
+  for (const [i, part] of parts.entries()) {
+    const length = lengths[i]!;
+    if (length > 0 && (wanted <= length || i === parts.length - 1)) {
+      return alongLine(part.points, Math.min(1, wanted / length))?.at ?? null;
+    }
+    wanted -= length;
+  }
+  return null;
+}
+
 /** A mark in the middle of each part, three on a long one (`long` mm), none on one that is shorter than a mark. */
 export function seamMarks(parts: readonly SeamPart[], long: number): SeamMark[] {
   return parts.flatMap((part) => {
@@ -113,6 +127,26 @@ export const seriesText = (series: readonly SeamEdge[]): string =>
 
 const partText = ({ from = 0, to = 1 }: SeamEdge): string =>
   from > 0 || to < 1 ? ` (${Math.round(100 * from)}–${Math.round(100 * to)} %)` : '';
+
+/** Ids that the service or the page gave, not a person. */
+const kGivenId = /^(seam|s)?\d+$/;
+
+/** "front to back and back_mirrored": the pieces that a seam joins, each once. */
+function joins({ a, b }: SeamSides): string {
+  const [from, to] = [a, b].map((series) => [...new Set(series.map((use) => use.piece))]);
+  if (from!.join() === to!.join()) return `${from!.join(' and ')}, to itself`;
+  return `${from!.join(' and ')} to ${to!.join(' and ')}`;
+}
+
+/** A seam as a person would call it: its number on the pattern with its name, or with the pieces that it joins. */
+export function seamTitle(seams: readonly SeamSides[], id: string): string {
+  const index = seams.findIndex((seam) => seam.id === id);
+  const seam = seams[index];
+  return seam ? numberedTitle(seam, index) : id;
+}
+
+export const numberedTitle = (seam: SeamSides, index: number): string =>
+  `${index + 1} ${kGivenId.test(seam.id) ? joins(seam) : seam.id}`;
 
 /** Seams that use an edge, by their number. */
 export function seamsOfEdge(seams: readonly SeamSides[], piece: string, edge: string): number[] {

@@ -273,6 +273,33 @@ describe('the list of projects and drapes', () => {
     expect(screen.getByText('The disk is full.')).toBeTruthy();
   });
 
+  it('asks once more before it removes a drape or a project', () => {
+    drape({ state: 'succeeded' });
+    page.show(<Rail resultUrl={resultUrl} />);
+    click(button('Remove this drape of Skirt'));
+    expect(page.asked()).toEqual([]);
+    click(button('Really remove this drape of Skirt'));
+    click(button('Remove the project Skirt and its drapes'));
+    click(button('Really remove the project Skirt and its drapes'));
+    expect(page.asked()).toEqual([
+      ['removeJob', 'j_1'],
+      ['removeProject', 'p_1'],
+    ]);
+  });
+
+  it('folds away what failed before a newer drape of its project', () => {
+    page.change((state) => {
+      state.jobs.value = ready([
+        jobOf({ id: 'j_3', state: 'failed', created_ms: 3 }),
+        jobOf({ id: 'j_2', state: 'failed', created_ms: 2 }),
+        jobOf({ id: 'j_1', state: 'succeeded', created_ms: 1 }),
+      ]);
+    });
+    page.show(<Rail resultUrl={resultUrl} />);
+    const folded = screen.getByText('1 earlier without a result').closest('details')!;
+    expect(within(folded).getByRole('link').getAttribute('href')).toBe('#/jobs/j_2');
+  });
+
   it('leads to each project and drape, with picture, state and progress', () => {
     page.change((state) => {
       state.now.value = 3_600_000;
@@ -287,7 +314,7 @@ describe('the list of projects and drapes', () => {
     expect(links.map((link) => link.textContent)).toEqual([
       'Skirt2 drapes · rev 1',
       'SecondSewing · 20 %',
-      'SkirtDone · 10 min ago',
+      'SkirtDone · rev 1 · 10 min ago',
     ]);
     expect(links[0]!.getAttribute('aria-current')).toBe('true');
     expect(links[1]!.getAttribute('aria-current')).toBe('page');

@@ -145,7 +145,7 @@ describe('a selected edge', () => {
     type(field('Name of the edge'), 'hem');
     fireEvent.click(screen.getByText('Dart in the middle'));
     click(button('Add dart'));
-    click(button('side'));
+    click(button('1 side'));
     expect(page.asked()).toEqual([
       ['pattern.renameEdge', 'a', 'e1', 'hem'],
       ['pattern.addDart', 'a', 'e1', 30, 100],

@@ -5,9 +5,11 @@ import { click, openPage, type Page } from './page';
 import { ApiError } from '../../src/api/http';
 import type { Job } from '../../src/api/types';
 import { DrapeFigures } from '../../src/panels/DrapeFigures';
+import { OutcomeList } from '../../src/panels/OutcomeList';
 import { Results } from '../../src/panels/Results';
+import { SeamChip } from '../../src/panels/SeamChip';
 import { ready } from '../../src/state/AppState';
-import { jobOf, squareOf } from '../fakes';
+import { jobOf, seamOf, squareOf } from '../fakes';
 import { reportOf } from '../samples';
 
 const resultUrl = (job: string, name: string): string => `/results/${job}/${name}`;
@@ -42,16 +44,43 @@ describe('a drape under way', () => {
     expect(facts).toEqual(['Drapej_1', 'Project revision7', 'Running time1 min 5 s']);
   });
 
-  it('says why it failed, where, and what to do', () => {
+  it('says why it failed, where, and offers the way out', () => {
+    page.change((state) => (state.pieces.value = ready({ pieces: [squareOf('front', 0, 0, 10)], seams: [] })));
     const code = 'start.crosses_body';
-    drape({ state: 'failed', reason_code: code, reason: 'it stands in the body', reason_where: 'piece front' });
-    page.show(<DrapeFigures />);
-    const said = screen.getByRole('alert');
-    expect(within(said).getByRole('heading').textContent).toBe('The drape failed');
-    for (const text of ['It stands in the body.', 'piece front', code]) {
-      expect(within(said).getByText(text)).toBeTruthy();
-    }
-    expect(within(said).getByText(/Move the piece away from the body/)).toBeTruthy();
+    drape({ state: 'failed', reason_code: code, reason: 'it stands in the body', reason_where: 'piece front at (0, 1, 0) m' });
+    page.show(<OutcomeList />);
+    const said = within(screen.getByRole('alert'));
+    expect(said.getByRole('heading').textContent).toBe('The drape failed');
+    expect(said.getByText(/begins within the body/)).toBeTruthy();
+    expect(said.getByText(code)).toBeTruthy();
+    for (const name of ['front', 'Arrange anew and drape', 'Place it by hand']) click(said.getByRole('button', { name }));
+    expect(page.asked()).toEqual([
+      ['select', 'front'],
+      ['mend', { kind: 'arrange' }],
+      ['mend', { kind: 'place', piece: 'front' }],
+    ]);
+  });
+
+  it('names the seam that stayed open by its pieces, and offers to turn it over', () => {
+    const pieces = [squareOf('front', 0, 0, 10), squareOf('back', 20, 0, 10)];
+    const seams = [{ ...seamOf('seam3', ['front', 'e1'], ['back', 'e3']), length_a_mm: 10, length_b_mm: 10, issues: [] }];
+    page.change((state) => {
+      state.pieces.value = ready({ pieces, seams });
+      state.report.value = ready(reportOf({ open_seams: [{ id: 'seam3', gap_mm: 150 }], seam_gap_max_mm: 150 }));
+    });
+    drape({ state: 'succeeded', reason_code: 'open_seam' });
+    page.show(<OutcomeList />);
+    const chip = screen.getByRole('button', { name: '1 front to back' });
+    fireEvent.pointerEnter(chip);
+    click(chip);
+    click(screen.getByRole('button', { name: 'Turn seam 1 over and drape' }));
+    expect(page.asked()).toEqual([
+      ['pattern.lightSeam', 'seam3'],
+      ['pattern.pointAtSeam', 'seam3'],
+      ['mend', { kind: 'reverse', seam: 'seam3' }],
+    ]);
+    page.show(<SeamChip seam="seam3" />);
+    expect(screen.getByRole('button', { name: '1 front to back' })).toBeTruthy();
   });
 
   it('raises no alarm when somebody cancelled it', () => {

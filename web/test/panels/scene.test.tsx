@@ -224,7 +224,10 @@ describe('the 3D view without its picture', () => {
     drape({ state: 'running' });
     expect(screen.getByRole('status').textContent).toBe('Starting…');
     drape({ state: 'failed', reason: 'the start crosses the body' });
-    expect(screen.getByText('The start crosses the body.')).toBeTruthy();
+    expect(screen.getByRole('heading').textContent).toBe('This drape failed');
+    click(screen.getByRole('button', { name: 'Why' }));
+    expect(page.state.tab.value).toBe('drape');
+    expect(page.state.beforeDrape.value).toBe(true);
     drape({ state: 'cancelled' });
     expect(screen.getByRole('heading').textContent).toBe('Cancelled');
     drape({ state: 'succeeded' });

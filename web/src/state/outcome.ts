@@ -1,0 +1,148 @@
+// What a drape came to, where it is not simply done: in words, with what it is about and the ways on. Pure.
+
+import type { Finding } from '../api/dressing';
+import type { Job, Report } from '../api/types';
+import { sentence } from './words';
+
+/** A way on that is one click. */
+export type Fix =
+  | { kind: 'reverse'; seam: string }
+  | { kind: 'arrange' }
+  | { kind: 'place'; piece: string }
+  | { kind: 'sew' }
+  | { kind: 'edit'; piece: string };
+
+export interface Outcome {
+  tone: 'bad' | 'warn' | 'plain';
+  title: string;
+  text: string;
+  /** What the words are about: ids. */
+  seams: string[];
+  pieces: string[];
+  /** The likeliest first. */
+  fixes: Fix[];
+  code: string;
+}
+
+/** "piece front at (0.1, 1, 0) m", "seam side": what a reason's place names. */
+function named(where: string, thing: 'piece' | 'seam', known: readonly string[]): string[] {
+  const rest = where.startsWith(`${thing} `) ? where.slice(thing.length + 1) : '';
+  // Ids may hold spaces: the longest that fits is the one.
+  const fits = known.filter((id) => rest === id || rest.startsWith(`${id} at `) || rest.startsWith(`${id},`));
+  return fits.sort((a, b) => b.length - a.length).slice(0, 1);
+}
+
+const kTexts: [RegExp, string][] = [
+  [/^start\.(crosses|inside)_body/, 'The piece begins within the body. Arranged anew it stands clear of it.'],
+  [/^start\.(crosses_cloth|touches)/, 'Two pieces begin within each other. Arranged anew they stand apart.'],
+  [/^(stalled|drape\.stalled)/, 'The seams could not be pulled shut. Nearer to each other, the pieces have less in their way.'],
+  [/^(json|project)\./, 'The project itself is at fault, at the place named.'],
+  [/^dxf\./, 'Export the DXF again from the pattern program, or correct the line named.'],
+  [/^body\./, 'A body is one closed mesh of triangles. Another file, or a mannequin, can be chosen under Body.'],
+  [/^(mesh|pattern)\./, 'The outline of the piece wants correcting.'],
+];
+
+const textOf = (code: string): string => kTexts.find(([pattern]) => pattern.test(code))?.[1] ?? '';
+
+function fixesOf(code: string, pieces: readonly string[]): Fix[] {
+  const [piece] = pieces;
+  if (/^(start|placement)\.|stalled/.test(code)) {
+    return [{ kind: 'arrange' }, ...(piece ? [{ kind: 'place', piece } as const] : [])];
+  }
+  return /^(mesh|pattern)\./.test(code) && piece ? [{ kind: 'edit', piece }] : [];
+}
+
+function failed(job: Job, known: Known): Outcome {
+  const code = job.reason_code;
+  const pieces = named(job.reason_where, 'piece', known.pieces);
+  const seams = named(job.reason_where, 'seam', known.seams);
+  const place = pieces.length + seams.length > 0 || !job.reason_where ? '' : ` (${job.reason_where})`;
+  const said = sentence(`${job.reason || 'it ended without a result'}${place}`);
+  // Of a start the place is lit: the words need not tell it in metres.
+  const text = code.startsWith('start.') ? textOf(code) || said : `${said} ${textOf(code)}`.trim();
+  return { tone: 'bad', title: 'The drape failed', text, seams, pieces, fixes: fixesOf(code, pieces), code };
+}
+
+function openSeams(open: Report['open_seams'], known: Known): Outcome {
+  const widest = [...open].sort((a, b) => b.gap_mm - a.gap_mm);
+  const seams = widest.map((seam) => seam.id).filter((id) => known.seams.includes(id));
+  const one = open.length === 1;
+  return {
+    tone: 'warn',
+    title: one ? 'A seam stayed open' : `${open.length} seams stayed open`,
+    text: 'Most often a seam is then sewn the wrong way round, or the body stands between its sides.',
+    seams,
+    pieces: [],
+    fixes: [...seams.slice(0, 1).map((seam): Fix => ({ kind: 'reverse', seam })), { kind: 'arrange' }],
+    code: 'open_seam',
+  };
+}
+
+const idsOf = (findings: readonly Finding[], thing: 'piece' | 'seam'): string[] => [
+  ...new Set(findings.flatMap(({ about }) => about.filter((one) => one.thing === thing).map(({ id }) => id))),
+];
+
+function notWorn(report: Report): Outcome | null {
+  const off = report.findings.filter(({ code }) => code.startsWith('worn.'));
+  if (off.length === 0) return null;
+  const text = sentence(off.map((finding) => finding.message).join('; '));
+  const [seams, pieces] = [idsOf(off, 'seam'), idsOf(off, 'piece')];
+  return { tone: 'warn', title: 'It is not worn as it should be', text, seams, pieces, fixes: [{ kind: 'arrange' }], code: 'worn' };
+}
+
+function leftOut(report: Report): Outcome | null {
+  const out = report.findings.filter(({ code, severity }) => code === 'piece.left_out' && severity === 'warning');
+  if (out.length === 0) return null;
+  const pieces = idsOf(out, 'piece');
+  return {
+    tone: 'warn',
+    title: pieces.length === 1 ? 'A piece was left out' : `${pieces.length} pieces were left out`,
+    text: 'No seam holds them to the rest, so it was draped without them.',
+    seams: [],
+    pieces,
+    fixes: [{ kind: 'sew' }],
+    code: 'piece.left_out',
+  };
+}
+
+const kMoving: Outcome = {
+  tone: 'warn',
+  title: 'It still moved at the end',
+  text: 'Its time was up before it came to rest. What is seen is its last moment; wide and light cloth takes longest.',
+  seams: [],
+  pieces: [],
+  fixes: [],
+  code: 'time',
+};
+
+/** Ids that the pattern has now. */
+export interface Known {
+  pieces: readonly string[];
+  seams: readonly string[];
+}
+
+/** All that there is to say, gravest first; nothing of a drape that is under way or well. */
+export function outcomesOf(job: Job, report: Report | null, known: Known): Outcome[] {
+  if (job.state === 'failed') return [failed(job, known)];
+  if (job.state === 'cancelled') {
+    const text = sentence(job.reason);
+    return [{ tone: 'plain', title: 'The drape was cancelled', text, seams: [], pieces: [], fixes: [], code: '' }];
+  }
+  if (job.state !== 'succeeded' || !report) return [];
+  return [
+    report.open_seams.length > 0 ? openSeams(report.open_seams, known) : null,
+    notWorn(report),
+    leftOut(report),
+    job.reason_code === 'time' ? kMoving : null,
+  ].filter((one) => one !== null);
+}
+
+/** What the button of a fix says; `seams` are those of the pattern, which gives them their numbers. */
+export const fixTitle = (fix: Fix, seams: readonly string[]): string =>
+  ({
+    reverse: `Turn seam ${fix.kind === 'reverse' ? seams.indexOf(fix.seam) + 1 : ''} over and drape`,
+    arrange: 'Arrange anew and drape',
+    place: 'Place it by hand',
+    sew: 'Look for its seams',
+    edit: 'See its outline',
+  })[fix.kind];
