@@ -204,6 +204,10 @@ void describe(Visitor& v, project::ProjectPhysical& physical) {
   v.object("physical",
            "What the piece has otherwise than its fabric (interlined, pressed, of another lot; keys as of a "
            "fabric), and how finely it is meshed.");
+  v.field(
+      "interlining", physical.interlining,
+      "Name of a fabric of the library that is fused to the piece: both masses, both stiffnesses, and as a "
+      "laminate far stiffer in bending. What else stands here holds for the two together.");
   v.field("areal_mass_g_m2", physical.areal_mass_g_m2, "g/m².", Need::kOptional, Range{1, 10000});
   v.field("stretch_warp_n_m", physical.stretch_warp_n_m, "N/m along the warp.", Need::kOptional, kStiffness);
   v.field("stretch_weft_n_m", physical.stretch_weft_n_m, "N/m along the weft.", Need::kOptional, kStiffness);
@@ -240,7 +244,10 @@ void describe(Visitor& v, project::ProjectPiece& piece) {
           "Direction of the warp in the flat piece; its length does not matter. Without it, the file's grain "
           "line, or [0, 1].",
           Need::kOptional, kLength);
-  v.field("fabric", piece.fabric, "Id of a fabric.", Need::kRequired);
+  v.field(
+      "fabric", piece.fabric,
+      "Id of a fabric of this document, or the name of one of the library (`toile fabric list`). Default: "
+      "the project's.");
   v.field("lines", piece.lines,
           "Lines on the piece, beside those that stand in its file. Edges of the mesh lie on those that are "
           "not only drawn.",
@@ -258,19 +265,26 @@ void describe(Visitor& v, project::ProjectPiece& piece) {
 
 template <typename Visitor>
 void describe(Visitor& v, project::ProjectFabric& fabric) {
-  v.object("fabric", "A fabric in measured units.");
+  v.object("fabric",
+           "A fabric in measured units: figures of its own, or those of a fabric of the library where it has "
+           "none.");
   v.field("id", fabric.id, "Name that pieces use.", Need::kRequired);
   v.field("name", fabric.name, "What people call the fabric.");
-  v.field("areal_mass_g_m2", fabric.areal_mass_g_m2, "g/m².", Need::kRequired, Range{1, 10000});
+  v.field(
+      "like", fabric.like,
+      "Name of a fabric of the library (`toile fabric list`): it has the figures that do not stand here.");
+  v.unless("like", {"areal_mass_g_m2", "stretch_warp_n_m", "stretch_weft_n_m", "stretch_shear_n_m",
+                    "bend_warp_un_m", "bend_weft_un_m", "bend_bias_un_m", "thickness_mm"});
+  v.field("areal_mass_g_m2", fabric.areal_mass_g_m2, "g/m².", Need::kOptional, Range{1, 10000});
   v.field("stretch_warp_n_m", fabric.stretch_warp_n_m, "N/m; tension per strain along the warp.",
-          Need::kRequired, kStiffness);
+          Need::kOptional, kStiffness);
   v.field("stretch_weft_n_m", fabric.stretch_weft_n_m, "N/m; tension per strain along the weft.",
-          Need::kRequired, kStiffness);
+          Need::kOptional, kStiffness);
   v.field("stretch_coupling_n_m", fabric.stretch_coupling_n_m,
           "N/m; tension along one per strain along the other; its square is less than warp times weft. "
           "Default 600.",
           Need::kOptional, Range{-1e6, 1e6});
-  v.field("stretch_shear_n_m", fabric.stretch_shear_n_m, "N/m per radian of shear.", Need::kRequired,
+  v.field("stretch_shear_n_m", fabric.stretch_shear_n_m, "N/m per radian of shear.", Need::kOptional,
           kStiffness);
   v.field("limit_warp_percent", fabric.limit_warp_percent,
           "%; strain along the warp beyond which the cloth is much stiffer. 0, the default: never.",
@@ -280,12 +294,12 @@ void describe(Visitor& v, project::ProjectFabric& fabric) {
   v.field("limit_shear_rad", fabric.limit_shear_rad, "Radians; the same for shear.", Need::kOptional,
           Range{0, 1.5});
   v.field("bend_warp_un_m", fabric.bend_warp_un_m,
-          "µN·m; bending rigidity per width of a strip cut along the warp.", Need::kRequired, Range{0, 1e6});
-  v.field("bend_weft_un_m", fabric.bend_weft_un_m, "µN·m; of a strip cut along the weft.", Need::kRequired,
+          "µN·m; bending rigidity per width of a strip cut along the warp.", Need::kOptional, Range{0, 1e6});
+  v.field("bend_weft_un_m", fabric.bend_weft_un_m, "µN·m; of a strip cut along the weft.", Need::kOptional,
           Range{0, 1e6});
-  v.field("bend_bias_un_m", fabric.bend_bias_un_m, "µN·m; of a strip cut at 45°.", Need::kRequired,
+  v.field("bend_bias_un_m", fabric.bend_bias_un_m, "µN·m; of a strip cut at 45°.", Need::kOptional,
           Range{0, 1e6});
-  v.field("thickness_mm", fabric.thickness_mm, "mm; also the distance that layers keep.", Need::kRequired,
+  v.field("thickness_mm", fabric.thickness_mm, "mm; also the distance that layers keep.", Need::kOptional,
           Range{0.01, 50});
   v.field("friction", fabric.friction, "Coulomb's coefficient, cloth on cloth. Default 0.3.", Need::kOptional,
           kFriction);

@@ -268,7 +268,12 @@ void describe(Visitor& v, project::Project& project) {
   v.field("name", project.name, "What people call the project.");
   v.field("pieces", project.pieces, "The pieces of cloth, as they are cut. Their ids are unique.",
           Need::kRequired, kSome);
-  v.field("fabrics", project.fabrics, "What the pieces are made of. Their ids are unique.", Need::kRequired,
+  v.field(
+      "fabric", project.fabric,
+      "What the pieces are made of that name no fabric: the id of one of this document, or the name of one "
+      "of the library (`toile fabric list`).");
+  v.field("fabrics", project.fabrics,
+          "Fabrics with figures of their own, for the pieces to name. Their ids are unique.", Need::kOptional,
           kSome);
   v.field("seams", project.seams, "What is sewn to what. Their ids are unique.", Need::kOptional, kMany);
   v.field("bodies", project.bodies,

@@ -115,8 +115,10 @@ struct ProjectTexture {
   friend bool operator==(const ProjectTexture&, const ProjectTexture&) = default;
 };
 
-/// What a piece has otherwise than its fabric: interlined, pressed, cut from another lot. Units as there.
+/// What a piece has otherwise than its fabric: interlined, pressed, cut from another lot. Units as there;
+/// what is given here holds for the piece with its interlining.
 struct ProjectPhysical {
+  std::string interlining = {};  ///< name of a fabric of the library, fused to the piece
   std::optional<double> areal_mass_g_m2 = {};
   std::optional<double> stretch_warp_n_m = {}, stretch_weft_n_m = {}, stretch_coupling_n_m = {};
   std::optional<double> stretch_shear_n_m = {};
@@ -134,7 +136,7 @@ struct ProjectPiece {
   std::vector<std::vector<ProjectEdge>> holes;
   std::vector<std::pair<std::string, std::string>> edge_names;  ///< id that the file gives → id used here
   std::optional<Vec2> grain;  ///< direction of the warp; without it what the DXF says, or (0, 1)
-  std::string fabric;
+  std::string fabric;         ///< id in the document or name in the library; empty: the project's
   std::vector<ProjectLine> lines = {};
   int layer = 0;
   ProjectPlacement placement;
@@ -144,18 +146,19 @@ struct ProjectPiece {
   friend bool operator==(const ProjectPiece&, const ProjectPiece&) = default;
 };
 
-/// Units as the keys name them; what each figure means stands in core/material/fabric.h.
+/// Units as the keys name them; what each figure means stands in core/material/fabric.h. What is not given is
+/// as in the fabric of the library that it is like, or else as there.
 struct ProjectFabric {
   std::string id, name;
-  double areal_mass_g_m2 = 200;
-  double stretch_warp_n_m = 2000, stretch_weft_n_m = 2000;
-  double stretch_coupling_n_m = 600;
-  double stretch_shear_n_m = 700;
-  double limit_warp_percent = 0, limit_weft_percent = 0, limit_shear_rad = 0;
-  double bend_warp_un_m = 13, bend_weft_un_m = 13, bend_bias_un_m = 13;
-  double thickness_mm = 0.5;
-  double friction = 0.3;
-  std::array<double, 3> colour{0.55, 0.62, 0.72};
+  std::string like;  ///< name of a fabric of the library
+  std::optional<double> areal_mass_g_m2 = {};
+  std::optional<double> stretch_warp_n_m = {}, stretch_weft_n_m = {}, stretch_coupling_n_m = {};
+  std::optional<double> stretch_shear_n_m = {};
+  std::optional<double> limit_warp_percent = {}, limit_weft_percent = {}, limit_shear_rad = {};
+  std::optional<double> bend_warp_un_m = {}, bend_weft_un_m = {}, bend_bias_un_m = {};
+  std::optional<double> thickness_mm = {};
+  std::optional<double> friction = {};
+  std::optional<std::array<double, 3>> colour = {};
   friend bool operator==(const ProjectFabric&, const ProjectFabric&) = default;
 };
 
@@ -299,6 +302,7 @@ struct Project {
   int toile = 1;  ///< version of the format
   std::string name;
   std::vector<ProjectPiece> pieces;
+  std::string fabric;  ///< of the pieces that name none: id, or name in the library
   std::vector<ProjectFabric> fabrics;
   std::vector<ProjectSeam> seams;
   std::vector<ProjectBody> bodies;

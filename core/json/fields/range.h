@@ -10,6 +10,7 @@
 //   choice(key, place, meaning, {words}, need) a string out of a few; absent: stays as it is
 //   shared_choice(name, meaning, key, place, {words})    the same, where several objects have it
 //   exactly_one(key, key, …)      of these keys, one must be there
+//   unless(key, {keys})           these keys must be there where that one is not
 //
 // Meanings are for people who read the schema; units stand first in them. An empty one: the value's own
 // definition says enough. The functions stand in this namespace, which is the visitors' own: there the

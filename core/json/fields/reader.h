@@ -157,6 +157,7 @@ struct KeyNames {
   }
   template <typename... Keys>
   void exactly_one(Keys...) {}
+  void unless(std::string_view, Words) {}
 };
 
 /// Visitor that fills an object's fields.
@@ -207,6 +208,14 @@ class FieldReader {
     if (found == 1) return;
     at_.fail(found > 1 ? "project.two_ways" : "project.missing_key",
              found > 1 ? "only one of " + all + " may stand here" : "one of " + all + " must stand here");
+  }
+  void unless(std::string_view other, Words keys) {
+    if (at_.error || at_.value.find(other)) return;
+    for (const char* key : keys) {
+      if (at_.value.find(key)) continue;
+      return at_.fail("project.missing_key",
+                      "the key " + in_quotes(key) + " is missing, and " + in_quotes(other) + " as well");
+    }
   }
 
  private:

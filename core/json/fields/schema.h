@@ -183,6 +183,12 @@ class SchemaWriter {
       one_of_.push_back(std::vector<json::JsonMember>{{"required", std::move(required)}});
     }
   }
+  void unless(std::string_view other, Words keys) {
+    std::vector<json::JsonValue> instead{std::string(other)}, those;
+    for (const char* key : keys) those.emplace_back(std::string(key));
+    any_of_ = {std::vector<json::JsonMember>{{"required", std::move(instead)}},
+               std::vector<json::JsonMember>{{"required", std::move(those)}}};
+  }
   /// A key that says which kind of object this is.
   void constant(std::string_view key, const char* meaning, const char* value) {
     add(key, described(meaning, std::vector<json::JsonMember>{{"const", std::string(value)}}),
@@ -194,6 +200,7 @@ class SchemaWriter {
     std::vector<json::JsonMember> members{{"type", std::string("object")}, {"additionalProperties", false}};
     if (!required_.empty()) members.push_back({"required", required_});
     if (!one_of_.empty()) members.push_back({"oneOf", one_of_});
+    if (!any_of_.empty()) members.push_back({"anyOf", any_of_});
     members.push_back({"properties", properties_});
     return described(meaning_, members);
   }
@@ -211,7 +218,7 @@ class SchemaWriter {
 
   Definitions& definitions_;
   const char* meaning_ = "";
-  std::vector<json::JsonValue> required_, one_of_;
+  std::vector<json::JsonValue> required_, one_of_, any_of_;
   std::vector<json::JsonMember> properties_;
 };
 
@@ -228,6 +235,7 @@ struct ObjectName {
   void shared_choice(const char*, const char*, std::string_view, std::string&, Words) {}
   template <typename... Keys>
   void exactly_one(Keys...) {}
+  void unless(std::string_view, Words) {}
 };
 
 /// An object with fields of its own.

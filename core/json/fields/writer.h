@@ -95,6 +95,7 @@ struct FieldWriter {
   }
   template <typename... Keys>
   void exactly_one(Keys...) {}
+  void unless(std::string_view, Words) {}
 };
 
 template <typename T>

@@ -13,6 +13,7 @@
 #include "core/pattern/seams/check.h"
 #include "core/pattern/seams/piece_words.h"
 #include "core/pattern/validate.h"
+#include "core/project/create/choose_fabrics.h"
 #include "core/project/create/halves.h"
 
 namespace toile::create {
@@ -34,7 +35,6 @@ project::ProjectPiece inline_piece(const pattern::Panel& panel, const project::P
   for (const pattern::InnerLine& line : panel.lines)
     piece.lines.push_back({line.id, line.points, line.drawn});
   if (panel.grain != Vec2{0, 1}) piece.grain = panel.grain;
-  piece.fabric = "cotton";
   piece.placement.rigid = placement;
   return piece;
 }
@@ -188,7 +188,7 @@ void complete(const NewProjectSettings& settings, NewProject& made) {
   project.name = settings.name;
   for (const pattern::Seam& seam : made.pattern.seams)
     project.seams.push_back(project_seam(made.pattern, seam));
-  project.fabrics = {plain_cotton()};
+  choose_fabrics(project);
   project::ProjectBody body;
   body.id = "body";
   body.file = settings.body_file;
@@ -232,22 +232,6 @@ std::vector<json::JsonValue> seams_json(const NewProject& made) {
   }
   for (const seams::SeamProposal& p : made.proposals) seams.push_back(proposal_json(made.pattern, p));
   return seams;
-}
-
-project::ProjectFabric plain_cotton() {
-  project::ProjectFabric fabric;
-  fabric.id = "cotton";
-  fabric.name = "Plain cotton";
-  fabric.areal_mass_g_m2 = 150;
-  fabric.stretch_coupling_n_m = 20;
-  fabric.stretch_shear_n_m = 100;
-  fabric.limit_warp_percent = 4;
-  fabric.limit_weft_percent = 6;
-  fabric.limit_shear_rad = 0.35;
-  fabric.bend_warp_un_m = 12;
-  fabric.bend_weft_un_m = 8;
-  fabric.bend_bias_un_m = 9;
-  return fabric;
 }
 
 std::vector<project::ProjectEdge> outline_of(const pattern::Loop& loop) {

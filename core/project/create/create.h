@@ -41,8 +41,8 @@ struct NewProject {
 /// A project with the pieces of a GarmentCode specification (text that begins with "{"), their seams and
 /// places, or with those of a DXF file. Pieces of a DXF are cut as often as it says, mirrored ones as
 /// outlines of the document; they stand flat in rows before and behind the body, after what their names say,
-/// to be arranged. Cloth: a plain cotton. Errors: those of read_garmentcode and read_dxf, pattern.* with the
-/// piece; "cancelled".
+/// to be arranged. Cloth: as names tell, see choose_fabrics.h. Errors: those of read_garmentcode and
+/// read_dxf, pattern.* with the piece; "cancelled".
 Result<NewProject> new_project(std::string_view pattern_text, const NewProjectSettings& settings,
                                const RunContext& context = {});
 
@@ -59,10 +59,6 @@ json::JsonValue proposal_json(const pattern::Pattern& pattern, const seams::Seam
 
 /// The file's own seams, with confidence 1, or all proposals.
 std::vector<json::JsonValue> seams_json(const NewProject& made);
-
-/// A plain cotton shirting, id "cotton": mass, bending and stretch of the order of Wang et al. 2011 and Feng
-/// et al. 2022.
-project::ProjectFabric plain_cotton();
 
 /// The panel's outline as a document says it, curve by curve.
 std::vector<project::ProjectEdge> outline_of(const pattern::Loop& loop);

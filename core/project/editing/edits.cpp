@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/names.h"
+#include "core/fabric/library.h"
 #include "core/pattern/curve.h"
 #include "core/project/bodies.h"
 #include "core/project/create/create.h"
@@ -101,8 +102,10 @@ void write_pieces(project::Project& project, const pattern::Pattern& before,
 
 Status apply_one(Editing& editing, const edit::PatternEdit& edit) {
   if (const auto* fabric = std::get_if<edit::SetFabric>(&edit);
-      fabric && named(editing.project.fabrics, fabric->fabric) == editing.project.fabrics.end()) {
-    return Error{"edit.unknown_fabric", "the project has no fabric " + in_quotes(fabric->fabric), ""};
+      fabric && named(editing.project.fabrics, fabric->fabric) == editing.project.fabrics.end() &&
+      !fabric::find(fabric->fabric)) {
+    return Error{"edit.unknown_fabric",
+                 "neither the project nor the library has a fabric " + in_quotes(fabric->fabric), ""};
   }
   if (!editing.pattern) {
     drape::DrapeInput input = TRY(resolve_cloth(editing.project, editing.files));

@@ -289,7 +289,8 @@ template <typename Visitor>
 void describe(Visitor& v, edit::SetFabric& edit) {
   v.object("set_fabric", "Cuts a piece of another fabric.");
   describe_piece(v, edit);
-  v.field("fabric", edit.fabric, "Id of a fabric.", Need::kRequired);
+  v.field("fabric", edit.fabric, "Id of a fabric of the document, or the name of one of the library.",
+          Need::kRequired);
 }
 
 template <typename Visitor>

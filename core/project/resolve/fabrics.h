@@ -7,8 +7,12 @@
 
 namespace toile::resolve {
 
-/// Sets fabrics and fabric_of_panel: the document's fabrics, then one more for each piece that has its own.
-/// Errors: project.unknown_fabric, project.unstable_fabric.
+/// What the piece is made of: its own fabric's name, or the project's. Empty: neither says one.
+const std::string& fabric_name(const project::Project& project, const project::ProjectPiece& piece);
+
+/// Sets fabrics and fabric_of_panel: the document's fabrics, then those of the library that pieces name, then
+/// one more for each piece that has its own. Errors: project.unknown_fabric, project.unstable_fabric,
+/// project.missing_key (a piece of no fabric).
 Status add_fabrics(const project::Project& project, drape::DrapeInput& input);
 
 }  // namespace toile::resolve

@@ -146,21 +146,6 @@ Result<pattern::Panel> panel_of(const project::ProjectPiece& piece, OpenedFiles&
 
 }  // namespace
 
-project::ProjectFabric with_physical(project::ProjectFabric fabric, const project::ProjectPhysical& own) {
-  const auto take = [](double& value, const std::optional<double>& given) { value = given.value_or(value); };
-  take(fabric.areal_mass_g_m2, own.areal_mass_g_m2);
-  take(fabric.stretch_warp_n_m, own.stretch_warp_n_m);
-  take(fabric.stretch_weft_n_m, own.stretch_weft_n_m);
-  take(fabric.stretch_coupling_n_m, own.stretch_coupling_n_m);
-  take(fabric.stretch_shear_n_m, own.stretch_shear_n_m);
-  take(fabric.bend_warp_un_m, own.bend_warp_un_m);
-  take(fabric.bend_weft_un_m, own.bend_weft_un_m);
-  take(fabric.bend_bias_un_m, own.bend_bias_un_m);
-  take(fabric.thickness_mm, own.thickness_mm);
-  take(fabric.friction, own.friction);
-  return fabric;
-}
-
 Result<std::vector<pattern::Panel>> panels_of(const std::vector<project::ProjectPiece>& pieces,
                                               OpenedFiles& files) {
   std::vector<pattern::Panel> panels;

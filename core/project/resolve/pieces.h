@@ -17,9 +17,6 @@ namespace toile::resolve {
 Result<std::vector<pattern::Panel>> panels_of(const std::vector<project::ProjectPiece>& pieces,
                                               OpenedFiles& files);
 
-/// The fabric as a piece has it.
-project::ProjectFabric with_physical(project::ProjectFabric fabric, const project::ProjectPhysical& own);
-
 /// Makes lines that elastics or creases lie on ones that the mesh follows. Error: pattern.bad_line, where
 /// such a line does not lie in its piece; the notions' place in the document.
 Status follow_used_lines(const sewing::Notions& notions, pattern::Pattern& pattern);

@@ -36,7 +36,7 @@ inline const char* const kFullDocument = R"({
       "layer": 2,
       "notches": [{"at": [100, 100], "depth_mm": 4, "inwards": [-1, -1]}],
       "texture": {"image": "cloth/tartan.png", "scale_mm": 240, "offset": [3, -4], "angle": 45},
-      "physical": {"areal_mass_g_m2": 300, "stretch_warp_n_m": 2500, "stretch_weft_n_m": 1800,
+      "physical": {"interlining": "interlining", "areal_mass_g_m2": 300, "stretch_warp_n_m": 2500, "stretch_weft_n_m": 1800,
                    "stretch_coupling_n_m": 400, "stretch_shear_n_m": 220, "bend_warp_un_m": 30,
                    "bend_weft_un_m": 28, "bend_bias_un_m": 20, "thickness_mm": 0.9, "friction": 0.4, "particle_distance_mm": 8},
       "fabric": "wool",
@@ -53,8 +53,9 @@ inline const char* const kFullDocument = R"({
                                "turn": 90, "slope": -0.1, "anchor": [25, 20], "flipped": true}}
     }
   ],
+  "fabric": "poplin",
   "fabrics": [
-    {"id": "wool", "name": "Worsted", "areal_mass_g_m2": 210, "stretch_warp_n_m": 1500, "stretch_weft_n_m": 900,
+    {"id": "wool", "name": "Worsted", "like": "wool-suiting", "areal_mass_g_m2": 210, "stretch_warp_n_m": 1500, "stretch_weft_n_m": 900,
      "stretch_coupling_n_m": 210.5, "stretch_shear_n_m": 120, "limit_warp_percent": 12.5,
      "limit_weft_percent": 20, "limit_shear_rad": 0.4, "bend_warp_un_m": 14.5, "bend_weft_un_m": 9,
      "bend_bias_un_m": 7, "thickness_mm": 0.61, "friction": 0.25, "colour": [0.2, 0.3, 0.9]}

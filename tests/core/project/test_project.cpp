@@ -74,6 +74,7 @@ TEST(Project, DefaultsComeBackTheSameToo) {
        .placement = {.rigid = project::ProjectRigid{}, .wrapped = {}}});
   project.fabrics.push_back({});
   project.fabrics[0].id = "f";
+  project.fabrics[0].like = "felt";
   const auto again = project::parse_project(project::write_project(project));
   ASSERT_TRUE(again) << to_string(again.error());
   EXPECT_EQ(project, *again);
@@ -94,6 +95,16 @@ TEST(Project, RefusesAMissingKey) {
   expect_refused({"\"piece\": \"FRONT\",", "", "project.missing_key", "/pieces/0/from"});
   expect_refused({"\"radius\": 0.25,", "", "project.missing_key", "/pieces/0/placement/wrapped"});
   expect_refused({"\"file\": \"people/ann.obj\",", "", "project.missing_key", "/bodies/0"});
+}
+
+TEST(Project, RefusesAFabricThatIsLikeNoneAndLacksFigures) {
+  const std::string alone = changed(kFullDocument, "\"like\": \"wool-suiting\", ", "");
+  EXPECT_TRUE(project::parse_project(alone));
+  const Result<project::Project> lacking =
+      project::parse_project(changed(alone, "\"bend_warp_un_m\": 14.5, ", ""));
+  ASSERT_FALSE(lacking);
+  EXPECT_EQ(lacking.error().code, "project.missing_key");
+  EXPECT_EQ(lacking.error().where, "/fabrics/0");
 }
 
 TEST(Project, RefusesTwoWaysToSayOneThing) {

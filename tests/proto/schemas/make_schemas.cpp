@@ -5,6 +5,7 @@
 
 #include "core/base/write_file.h"
 #include "core/exports/write_report.h"
+#include "core/fabric/schema.h"
 #include "core/project/editing/edits.h"
 #include "core/project/schema.h"
 
@@ -17,6 +18,7 @@ int main(int count, char** arguments) {
   const std::pair<const char*, toile::json::JsonValue> files[] = {
       {"project.schema.json", toile::project::project_schema()},
       {"edit.schema.json", toile::editing::edit_schema()},
+      {"fabric.schema.json", toile::fabric::fabric_schema()},
       {"report.schema.json", toile::exports::report_schema()},
   };
   for (const auto& [name, schema] : files) {

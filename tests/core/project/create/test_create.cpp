@@ -7,6 +7,7 @@
 #include "core/pattern/curve.h"
 #include "core/pattern/dxf/write.h"
 #include "core/pattern/validate.h"
+#include "core/project/create/choose_fabrics.h"
 #include "core/project/create/create.h"
 #include "core/project/resolve/resolve.h"
 #include "tests/core/pattern/garments.h"
@@ -168,6 +169,20 @@ TEST(ProjectNew, AHalfBackAmongPairsIsCutTwice) {
   const create::NewProject whole = made_of({{-300, 0}, {300, 0}, {260, 500}, {-260, 500}}, "Quantity: 2");
   EXPECT_EQ(whole.project.pieces.size(), 5U) << "its own mirror image needs no other";
   EXPECT_EQ(made_of(half, "Quantity: 1").project.pieces.size(), 3U) << "a file that counts nothing";
+}
+
+TEST(ProjectNew, NamesTellWhatAGarmentIsMadeOf) {
+  const std::vector<std::string> bodice{"front", "back", "sleeve"}, legs{"pant_front_left", "pant_back_left"};
+  EXPECT_EQ(create::garment_fabric("summer T-shirt", bodice), "single-jersey");
+  EXPECT_EQ(create::garment_fabric("BoxyTee", bodice), "single-jersey");
+  EXPECT_EQ(create::garment_fabric("work_pants", {"a", "b"}), "twill");
+  EXPECT_EQ(create::garment_fabric("shirt dress", bodice), "shirting");
+  EXPECT_EQ(create::garment_fabric("trial", bodice), "shirting");
+  EXPECT_EQ(create::garment_fabric("trial", legs), "twill") << "pieces tell, too";
+  EXPECT_EQ(create::garment_fabric("trial", {"pant_front", "left_torso"}), "shirting") << "an overall";
+  EXPECT_EQ(create::piece_fabric("back_lining"), "lining");
+  EXPECT_EQ(create::piece_fabric("collar-interfacing"), "interlining");
+  EXPECT_EQ(create::piece_fabric("front"), "");
 }
 
 TEST(ProjectNew, SaysWhatIsWrongWithAPattern) {

@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 
 #include "core/base/units.h"
+#include "core/fabric/library.h"
 #include "tests/core/project/documents.h"
 
 namespace toile {
@@ -216,6 +218,75 @@ TEST(ProjectResolve, SwapsEdgeNamesWithoutLosingOne) {
   EXPECT_EQ(input->pattern.panels[0].outline.edges[1].id, "e0");
 }
 
+drape::DrapeInput changed_input(const std::string& from, const std::string& to) {
+  Shelf shelf;
+  Result<drape::DrapeInput> input = resolved(changed(kSmall, from, to), shelf);
+  EXPECT_TRUE(input) << to_string(input.error());
+  return input ? *std::move(input) : drape::DrapeInput{};
+}
+
+const material::Fabric& fabric_of(const drape::DrapeInput& input, std::size_t piece) {
+  return input.fabrics[static_cast<std::size_t>(input.fabric_of_panel[piece])];
+}
+
+TEST(ProjectResolve, PiecesMayNameAFabricOfTheLibrary) {
+  const drape::DrapeInput input =
+      changed_input("\"grain\": [3, 4], \"fabric\": \"wool\"", "\"fabric\": \"single-jersey\"");
+  EXPECT_EQ(fabric_of(input, 0).id, "wool");
+  EXPECT_EQ(fabric_of(input, 1).id, "single-jersey");
+  EXPECT_DOUBLE_EQ(fabric_of(input, 1).areal_mass, 0.16);
+}
+
+/// From the second piece's fabric to the fabrics' list; and the same with the fabric said for the garment.
+const std::string kTail = [] {
+  const std::string text = kSmall;
+  const std::size_t from = text.find("\"grain\": [3, 4]"), to = text.find("\"fabrics\": [");
+  return text.substr(from, to + std::string_view("\"fabrics\": [").size() - from);
+}();
+const std::string kTailOf =
+    changed(changed(kTail, ", \"fabric\": \"wool\"", ""), "\"fabrics\": [", "\"fabric\": ");
+
+TEST(ProjectResolve, PiecesThatNameNoFabricAreOfTheGarments) {
+  const drape::DrapeInput input = changed_input(kTail, kTailOf + "\"twill\", \"fabrics\": [");
+  EXPECT_EQ(fabric_of(input, 0).id, "wool");
+  EXPECT_EQ(fabric_of(input, 1).id, "twill");
+}
+
+TEST(ProjectResolve, AFabricLikeAnotherHasItsOwnFiguresFirst) {
+  const drape::DrapeInput input = changed_input(
+      "{\"id\": \"wool\", \"areal_mass_g_m2\": 210,",
+      "{\"id\": \"old\", \"like\": \"denim-14oz\", \"areal_mass_g_m2\": 450}, {\"id\": \"wool\", "
+      "\"areal_mass_g_m2\": 210,");
+  const material::Fabric denim = fabric::fabric_of(*fabric::find("denim-14oz"));
+  const material::Fabric& old = input.fabrics[1];
+  EXPECT_EQ(old.id, "old");
+  EXPECT_DOUBLE_EQ(old.areal_mass, 0.45);
+  EXPECT_EQ(old.bend_warp, denim.bend_warp);
+  EXPECT_EQ(old.limit_weft, denim.limit_weft);
+}
+
+TEST(ProjectResolve, AnInterliningStiffensThePieceThatItIsOn) {
+  const drape::DrapeInput input =
+      changed_input("\"grain\": [3, 4], \"fabric\": \"wool\"",
+                    "\"physical\": {\"interlining\": \"interlining\", \"friction\": 0.5}, "
+                    "\"fabric\": \"wool\"");
+  const material::Fabric wool = fabric_of(input, 0), stiff = fabric_of(input, 1);
+  const material::Fabric lining = fabric::fabric_of(*fabric::find("interlining"));
+  EXPECT_DOUBLE_EQ(stiff.areal_mass, wool.areal_mass + lining.areal_mass);
+  EXPECT_DOUBLE_EQ(stiff.thickness, wool.thickness + lining.thickness);
+  EXPECT_GT(stiff.bend_warp, 2 * (wool.bend_warp + lining.bend_warp)) << "a laminate";
+  EXPECT_DOUBLE_EQ(stiff.limit_warp, std::min(wool.limit_warp, lining.limit_warp));
+  EXPECT_DOUBLE_EQ(stiff.friction, 0.5);
+}
+
+TEST(ProjectResolve, RefusesAPieceOfNoFabric) {
+  expect_refused("\"grain\": [3, 4], \"fabric\": \"wool\"", "\"grain\": [3, 4]", "project.missing_key",
+                 "/pieces/1");
+  expect_refused(kTail, kTailOf + "\"twil\", \"fabrics\": [", "project.unknown_fabric", "/fabric");
+  expect_refused("{\"id\": \"wool\",", "{\"id\": \"wool\", \"like\": \"wol\",", "project.unknown_fabric",
+                 "/fabrics/1/like");
+}
+
 TEST(ProjectResolve, RefusesNamesThatNothingBears) {
   expect_refused("\"piece\": \"front\", \"edge\": \"waist\"", "\"piece\": \"frnot\", \"edge\": \"waist\"",
                  "project.unknown_piece", "/seams/0/a/0/piece");
@@ -225,7 +296,7 @@ TEST(ProjectResolve, RefusesNamesThatNothingBears) {
   expect_refused("\"piece\": \"FRONT\"", "\"piece\": \"BACK\"", "project.unknown_piece",
                  "/pieces/0/from/piece");
   expect_refused("\"e2\": \"waist\"", "\"e9\": \"waist\"", "project.unknown_edge", "/pieces/0/edge_names/e9");
-  expect_refused("\"grain\": [3, 4], \"fabric\": \"wool\"", "\"fabric\": \"felt\"", "project.unknown_fabric",
+  expect_refused("\"grain\": [3, 4], \"fabric\": \"wool\"", "\"fabric\": \"lead\"", "project.unknown_fabric",
                  "/pieces/1/fabric");
 }
 
