@@ -77,10 +77,12 @@ Result<FabricCard> parse_fabric(std::string_view text) {
   return card;
 }
 
-std::string write_fabric(const FabricCard& card) {
+json::JsonValue fabric_json(const FabricCard& card) {
   FabricCard copy = card;  // a visitor takes places, and writes to none of them here
-  return json::write_json(fields::json_of(copy));
+  return fields::json_of(copy);
 }
+
+std::string write_fabric(const FabricCard& card) { return json::write_json(fabric_json(card)); }
 
 StretchLaw stretch_law(const StretchCurve& curve) {
   constexpr double kPercent = 0.01;
@@ -123,6 +125,12 @@ material::Fabric fabric_of(const FabricCard& card) {
 double bending_length(double rigidity, double areal_mass) {
   constexpr double kGravity = 9.81;  // m/s²
   return std::cbrt(rigidity / (areal_mass * kGravity));
+}
+
+double fitting_distance(const material::Fabric& fabric) {
+  constexpr double kShare = 1.0 / 3, kFinest = 0.006, kCoarsest = 0.015;
+  const double least = std::min({fabric.bend_warp, fabric.bend_weft, fabric.bend_bias});
+  return std::clamp(kShare * bending_length(least, fabric.areal_mass), kFinest, kCoarsest);
 }
 
 }  // namespace toile::fabric

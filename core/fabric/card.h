@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/json/tree.h"
 #include "core/material/fabric.h"
 
 namespace toile::fabric {
@@ -55,6 +56,9 @@ struct FabricCard {
 /// fabric.source (a figure without its source, or with two); `where` is a JSON pointer.
 Result<FabricCard> parse_fabric(std::string_view text);
 
+/// The card as a tree, as files have it.
+json::JsonValue fabric_json(const FabricCard& card);
+
 /// The text of a fabric file; parse_fabric gives the same card back.
 std::string write_fabric(const FabricCard& card);
 
@@ -72,5 +76,9 @@ material::Fabric fabric_of(const FabricCard& card);
 /// A strip of length 2c held level at one end droops until its chord lies at 41.5°. After F. T. Peirce, "The
 /// Handle of Cloth as a Measurable Quantity" (1930); ASTM D1388.
 double bending_length(double rigidity, double areal_mass);
+
+/// Edge length (m) of triangles that lets such cloth fold as it likes to: a third of its least bending
+/// length, 6 to 15 mm.
+double fitting_distance(const material::Fabric& fabric);
 
 }  // namespace toile::fabric

@@ -58,6 +58,19 @@ struct BodyPresetsOptions {
 
 ExitCode body_presets_command(const BodyPresetsOptions& options);
 
+struct FabricListOptions {
+  bool json = false;
+};
+
+ExitCode fabric_list_command(const FabricListOptions& options);
+
+struct FabricShowOptions {
+  std::string name;  ///< of the library
+  bool json = false;
+};
+
+ExitCode fabric_show_command(const FabricShowOptions& options);
+
 /// Serves until SIGTERM or SIGINT.
 ExitCode serve_command(const ServeOptions& options);
 

@@ -31,6 +31,8 @@ struct Options {
   BodyMakeOptions body_make;
   BodyMeasureOptions body_measure;
   BodyPresetsOptions body_presets;
+  FabricListOptions fabric_list;
+  FabricShowOptions fabric_show;
   ServeOptions serve;
   SubmitOptions submit;
   PatternImportOptions import;
@@ -174,6 +176,20 @@ CLI::App* add_serve(CLI::App& app, Options& options) {
   return verb;
 }
 
+CLI::App* add_fabric_list(CLI::App& fabric, FabricListOptions& list) {
+  CLI::App* verb = fabric.add_subcommand("list", "The fabrics that documents may name");
+  verb->add_flag("--json", list.json, "Print as JSON, with every figure");
+  return verb;
+}
+
+CLI::App* add_fabric_show(CLI::App& fabric, FabricShowOptions& show) {
+  CLI::App* verb = fabric.add_subcommand("show", "A fabric's figures, and where they come from");
+  verb->add_option("name", show.name, "Its name, see fabric list")->required();
+  verb->add_flag("--json", show.json, "Print as JSON");
+  verb->footer("Example:\n  toile fabric show single-jersey\n");
+  return verb;
+}
+
 CLI::App* add_submit(CLI::App& app, Options& options) {
   SubmitOptions& submit = options.submit;
   CLI::App* verb = app.add_subcommand("submit", "Have a project draped by a server");
@@ -290,6 +306,10 @@ ExitCode run(int argc, char** argv) {
   pattern->require_subcommand(1);
   const CLI::App* import = add_pattern_import(*pattern, options.import);
   const CLI::App* exporting = add_pattern_export(*pattern, options.exporting);
+  CLI::App* fabric = app.add_subcommand("fabric", "Fabrics: list them, show one");
+  fabric->require_subcommand(1);
+  const CLI::App* fabric_list = add_fabric_list(*fabric, options.fabric_list);
+  const CLI::App* fabric_show = add_fabric_show(*fabric, options.fabric_show);
   CLI::App* project = app.add_subcommand("project", "Project documents: make one, place its pieces");
   project->require_subcommand(1);
   const CLI::App* project_new = add_project_new(*project, options.project_new);
@@ -312,6 +332,8 @@ ExitCode run(int argc, char** argv) {
   if (body_make->parsed()) return body_make_command(options.body_make);
   if (body_measure->parsed()) return body_measure_command(options.body_measure);
   if (body_presets->parsed()) return body_presets_command(options.body_presets);
+  if (fabric_list->parsed()) return fabric_list_command(options.fabric_list);
+  if (fabric_show->parsed()) return fabric_show_command(options.fabric_show);
   if (serve->parsed()) return serve_command(options.serve);
   if (import->parsed()) return pattern_import_command(options.import);
   if (exporting->parsed()) return pattern_export_command(options.exporting);

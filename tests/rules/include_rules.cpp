@@ -65,7 +65,7 @@ const std::map<std::string, Names>& table() {
        {"analysis", "documents", "drape", "exports", "image", "json", "proto", "render", "resolve", "store"}},
       {"ws", {"jobs", "json", "proto", "store"}},
       {"http", {"jobs", "json", "store", "ws"}},
-      {"handlers", {"documents", "http", "jobs", "json", "store", "ws"}},
+      {"handlers", {"documents", "fabric", "http", "jobs", "json", "store", "ws"}},
   };
   return rooms;
 }

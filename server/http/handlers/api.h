@@ -44,6 +44,7 @@ ApiRoutes asset_routes();
 ApiRoutes project_routes();
 ApiRoutes edit_routes();
 ApiRoutes body_routes();
+ApiRoutes fabric_routes();
 ApiRoutes arrangement_routes();
 ApiRoutes job_routes();
 

@@ -78,6 +78,9 @@ class Contract : public Served {
 
   void record_bodies(const std::string& post) {
     recorded("GET", "/api/v1/bodies/presets");
+    recorded("GET", "/api/v1/fabrics");
+    recorded("GET", "/api/v1/fabrics/single-jersey");
+    recorded("GET", "/api/v1/fabrics/singel-jersey");
     recorded("GET", "/api/v1/bodies/" + post + "/figure");
     recorded("GET", "/api/v1/bodies/a_0/figure");
     const std::string slim = R"({"mannequin": {"preset": "eu38", "triangles": 1000}, "name": "anna"})";

@@ -41,6 +41,46 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/fabrics": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * The library of fabrics
+         * @description By name. A document says a name for the garment or for a piece; `like` takes one with other figures.
+         */
+        get: operations["listFabrics"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/fabrics/{name}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example single-jersey */
+                name: string;
+            };
+            cookie?: never;
+        };
+        /** One fabric, with where its figures come from */
+        get: operations["showFabric"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/bodies/presets": {
         parameters: {
             query?: never;
@@ -869,6 +909,7 @@ export interface components {
         ];
         BodyPart: components["schemas"]["body_part"];
         BoxSide: components["schemas"]["box_side"];
+        Fabric: components["schemas"]["fabric.schema"];
         BodyPresets: {
             presets: {
                 name: string;
@@ -1307,6 +1348,79 @@ export interface components {
             href: string;
         };
         text: string;
+        /** @description A point of a curve of tension over strain, which begins at 0, 0. */
+        curve_point: {
+            /** @description %; more than at the point before. */
+            strain_percent: number;
+            /** @description N/m; more than at the point before. */
+            tension_n_m: number;
+        };
+        /** @description Where figures come from. */
+        figure_source: {
+            /** @description Their keys; every figure of the file stands in one such list. */
+            of: components["schemas"]["text"][];
+            /** @description Who measured them, and when. */
+            source?: components["schemas"]["text"];
+            /** @description What they are estimated from: nobody measured them. */
+            estimated_from?: components["schemas"]["text"];
+        } & (unknown | unknown);
+        /**
+         * Toile fabric
+         * @description A fabric of the library: what it is, its figures, and where each of them comes from.
+         */
+        "fabric.schema": {
+            /** @description Version of this format. */
+            toile_fabric: number;
+            /** @description As documents name it: small letters, digits and hyphens; the file's own name. */
+            name: components["schemas"]["text"];
+            /** @description What people call it. */
+            title: components["schemas"]["text"];
+            /** @description What it is spun of. */
+            fibre: components["schemas"]["text"];
+            /**
+             * @description How it is made.
+             * @enum {string}
+             */
+            construction: "woven" | "knit" | "nonwoven" | "net" | "leather";
+            /** @description How its threads run, for the look. */
+            weave: components["schemas"]["text"];
+            /** @description What is sewn of it. */
+            use?: components["schemas"]["text"];
+            /** @description g/m². */
+            areal_mass_g_m2: number;
+            /** @description mm; also the distance that layers keep. */
+            thickness_mm: number;
+            /** @description µN·m; bending rigidity per width of a strip cut along the warp. */
+            bend_warp_un_m: number;
+            /** @description µN·m; of a strip cut along the weft. */
+            bend_weft_un_m: number;
+            /** @description µN·m; of a strip cut at 45°. */
+            bend_bias_un_m: number;
+            /** @description Tension over strain along the warp, or along a knit's wales. The solver takes the slope of the first part, and as its limit the strain where that line meets the line of the last part. */
+            stretch_warp: components["schemas"]["curve_point"][];
+            /** @description The same along the weft, or along a knit's courses. */
+            stretch_weft: components["schemas"]["curve_point"][];
+            /** @description N/m; tension along one per strain along the other at small strain; its square is less than the product of both first stiffnesses. */
+            stretch_coupling_n_m: number;
+            /** @description N/m per radian of shear. */
+            stretch_shear_n_m: number;
+            /** @description Radians of shear beyond which the cloth is much stiffer. 0: never. */
+            limit_shear_rad: number;
+            /** @description Coulomb's coefficient, cloth on cloth. */
+            friction: number;
+            /** @description %; where the drape coefficient of such fabrics (30 cm on 18 cm) begins, where that is published. */
+            drape_least_percent?: number;
+            /** @description %; and where it ends. */
+            drape_most_percent?: number;
+            /** @description Linear red, green and blue for pictures, 0 to 1. */
+            colour: [
+                number,
+                number,
+                number
+            ];
+            /** @description Where the figures come from; each of them stands in one. */
+            sources: components["schemas"]["figure_source"][];
+        };
         /** @description A standing figure made from measures. */
         mannequin: {
             /** @description Of a size table: "eu34" to "eu48", "m44" to "m58", "child92" to "child170". Its sex and measures hold where no other stand here. */
@@ -1427,6 +1541,8 @@ export interface components {
         };
         /** @description What the piece has otherwise than its fabric (interlined, pressed, of another lot; keys as of a fabric), and how finely it is meshed. */
         physical: {
+            /** @description Name of a fabric of the library that is fused to the piece: both masses, both stiffnesses, and as a laminate far stiffer in bending. What else stands here holds for the two together. */
+            interlining?: components["schemas"]["text"];
             /** @description g/m². */
             areal_mass_g_m2?: number;
             /** @description N/m along the warp. */
@@ -1622,8 +1738,8 @@ export interface components {
             };
             /** @description Direction of the warp in the flat piece; its length does not matter. Without it, the file's grain line, or [0, 1]. */
             grain?: components["schemas"]["pair"];
-            /** @description Id of a fabric. */
-            fabric: components["schemas"]["text"];
+            /** @description Id of a fabric of this document, or the name of one of the library (`toile fabric list`). Default: the project's. */
+            fabric?: components["schemas"]["text"];
             /** @description Lines on the piece, beside those that stand in its file. Edges of the mesh lie on those that are not only drawn. */
             lines?: components["schemas"]["line"][];
             /** @description Order outwards: a piece of a higher layer is worn over those of lower ones. Default 0. */
@@ -1634,22 +1750,24 @@ export interface components {
             physical?: components["schemas"]["physical"];
             placement: components["schemas"]["placement"];
         } & (unknown | unknown);
-        /** @description A fabric in measured units. */
+        /** @description A fabric in measured units: figures of its own, or those of a fabric of the library where it has none. */
         fabric: {
             /** @description Name that pieces use. */
             id: components["schemas"]["text"];
             /** @description What people call the fabric. */
             name?: components["schemas"]["text"];
+            /** @description Name of a fabric of the library (`toile fabric list`): it has the figures that do not stand here. */
+            like?: components["schemas"]["text"];
             /** @description g/m². */
-            areal_mass_g_m2: number;
+            areal_mass_g_m2?: number;
             /** @description N/m; tension per strain along the warp. */
-            stretch_warp_n_m: number;
+            stretch_warp_n_m?: number;
             /** @description N/m; tension per strain along the weft. */
-            stretch_weft_n_m: number;
+            stretch_weft_n_m?: number;
             /** @description N/m; tension along one per strain along the other; its square is less than warp times weft. Default 600. */
             stretch_coupling_n_m?: number;
             /** @description N/m per radian of shear. */
-            stretch_shear_n_m: number;
+            stretch_shear_n_m?: number;
             /** @description %; strain along the warp beyond which the cloth is much stiffer. 0, the default: never. */
             limit_warp_percent?: number;
             /** @description %; the same along the weft. */
@@ -1657,13 +1775,13 @@ export interface components {
             /** @description Radians; the same for shear. */
             limit_shear_rad?: number;
             /** @description µN·m; bending rigidity per width of a strip cut along the warp. */
-            bend_warp_un_m: number;
+            bend_warp_un_m?: number;
             /** @description µN·m; of a strip cut along the weft. */
-            bend_weft_un_m: number;
+            bend_weft_un_m?: number;
             /** @description µN·m; of a strip cut at 45°. */
-            bend_bias_un_m: number;
+            bend_bias_un_m?: number;
             /** @description mm; also the distance that layers keep. */
-            thickness_mm: number;
+            thickness_mm?: number;
             /** @description Coulomb's coefficient, cloth on cloth. Default 0.3. */
             friction?: number;
             /** @description Linear red, green and blue for pictures, 0 to 1. */
@@ -1672,7 +1790,7 @@ export interface components {
                 number,
                 number
             ];
-        };
+        } | unknown | unknown;
         /** @description Sews the path that series a makes to the path that series b makes. Two outlines that both run counter-clockwise meet with their edges against each other: the start of a meets the end of b. */
         seam: {
             /** @description Name that messages use. */
@@ -1829,8 +1947,10 @@ export interface components {
             name?: components["schemas"]["text"];
             /** @description The pieces of cloth, as they are cut. Their ids are unique. */
             pieces: components["schemas"]["piece"][];
-            /** @description What the pieces are made of. Their ids are unique. */
-            fabrics: components["schemas"]["fabric"][];
+            /** @description What the pieces are made of that name no fabric: the id of one of this document, or the name of one of the library (`toile fabric list`). */
+            fabric?: components["schemas"]["text"];
+            /** @description Fabrics with figures of their own, for the pieces to name. Their ids are unique. */
+            fabrics?: components["schemas"]["fabric"][];
             /** @description What is sewn to what. Their ids are unique. */
             seams?: components["schemas"]["seam"][];
             /** @description Bodies and objects that the cloth hangs on or falls on. Their ids are unique. */
@@ -2223,7 +2343,7 @@ export interface components {
             edit: "set_fabric";
             /** @description Id of a piece. */
             piece: components["schemas"]["text"];
-            /** @description Id of a fabric. */
+            /** @description Id of a fabric of the document, or the name of one of the library. */
             fabric: components["schemas"]["text"];
         };
         /** @description Prints a picture on a piece, or takes it away. */
@@ -2830,6 +2950,56 @@ export interface operations {
             413: components["responses"]["Problem"];
             415: components["responses"]["Problem"];
             422: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    listFabrics: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The fabrics */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": {
+                        fabrics: components["schemas"]["fabric.schema"][];
+                    };
+                };
+            };
+            421: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    showFabric: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example single-jersey */
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The fabric */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["fabric.schema"];
+                };
+            };
+            404: components["responses"]["Problem"];
+            421: components["responses"]["Problem"];
             default: components["responses"]["Problem"];
         };
     };
