@@ -71,6 +71,16 @@ struct FabricShowOptions {
 
 ExitCode fabric_show_command(const FabricShowOptions& options);
 
+struct FabricTestOptions {
+  std::string name;                 ///< of the library
+  std::string out;                  ///< folder for the figure sheet; empty: none
+  int drapes = 6;                   ///< of the Cusick test, 1 to 6
+  double particle_distance_mm = 0;  ///< of its triangles; 0: what fits the fabric
+  bool json = false;
+};
+
+ExitCode fabric_test_command(const FabricTestOptions& options);
+
 /// Serves until SIGTERM or SIGINT.
 ExitCode serve_command(const ServeOptions& options);
 

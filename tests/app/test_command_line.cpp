@@ -184,6 +184,37 @@ TEST(CommandLine, BodyListsItsSizes) {
   EXPECT_EQ(run_toile({"body", "make", "--preset", "xxl", "--out", "/tmp/never.obj"}).code, 2);
 }
 
+TEST(CommandLine, FabricsAreListedAndShownWithTheirSources) {
+  const Ran list = run_toile({"fabric", "list"});
+  EXPECT_EQ(list.code, 0) << list.err;
+  EXPECT_TRUE(has(list.out, "\nsingle-jersey ")) << list.out;
+  const Ran show = run_toile({"fabric", "show", "denim-10oz", "--json"});
+  ASSERT_EQ(show.code, 0) << show.err;
+  const Result<json::JsonValue> card = json::parse_json(show.out);
+  ASSERT_TRUE(card);
+  EXPECT_EQ(*card->find("areal_mass_g_m2")->number(), 339);
+  EXPECT_NEAR(*card->find("derived")->find("bending_length_warp_mm")->number(), 31, 0.1);
+  EXPECT_FALSE(card->find("sources")->array()->empty());
+  const Ran unknown = run_toile({"fabric", "show", "denim-10os"});
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_TRUE(has(unknown.err, "did you mean \"denim-10oz\"?")) << unknown.err;
+}
+
+TEST(CommandLine, AFabricIsTestedBesideWhatIsKnownOfIt) {
+  const fs::path folder = fs::temp_directory_path() / "toile_fabric_test";
+  fs::remove_all(folder);
+  const Ran run = run_toile({"fabric", "test", "leather", "--drapes", "1", "--particle-distance", "20",
+                             "--out", folder.string(), "--json"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const Result<json::JsonValue> trial = json::parse_json(run.out);
+  ASSERT_TRUE(trial);
+  EXPECT_EQ(trial->find("drape")->find("drapes")->array()->size(), 1u);
+  EXPECT_GT(*trial->find("bending_length")->find("warp")->find("measured_mm")->number(), 20);
+  const std::string sheet = text_of(folder / "leather.svg");
+  EXPECT_TRUE(sheet.starts_with("<svg ") && sheet.ends_with("</svg>\n"));
+  EXPECT_TRUE(has(sheet, "Garment leather")) << sheet;
+}
+
 TEST(CommandLine, BodyRefusesMeasuresThatNobodyHas) {
   const Ran run = run_toile({"body", "make", "--out", "/tmp/never.obj", "--waist", "300"});
   EXPECT_EQ(run.code, 2);

@@ -57,6 +57,7 @@ const std::map<std::string, Names>& table() {
       {"sqlite", {"store"}},
       {"log", {}},
       {"analysis", {"drape"}},
+      {"trials", {"drape", "fabric", "material", "mesh", "pattern", "sewing", "solver"}},
       {"exports", {"analysis", "drape", "fields", "geometry", "image", "json", "material", "mesh"}},
       {"documents", {"arrange",   "create",  "drape",     "dxf",     "editing", "garmentcode", "geometry",
                      "image",     "json",    "mannequin", "measure", "mesh",    "mesh_import", "pattern",

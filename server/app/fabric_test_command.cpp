@@ -1,0 +1,121 @@
+// A fabric in the tests of laboratories, beside what is known beforehand.
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+
+#include "core/base/write_file.h"
+#include "core/fabric/library.h"
+#include "core/trials/fabric_trial.h"
+#include "server/app/commands.h"
+#include "server/app/console.h"
+
+namespace toile::app {
+namespace {
+
+constexpr double kMillimetres = 1e3;  // per m
+
+double rounded(double value, double per) { return std::round(value * per) / per; }
+
+json::JsonValue cantilever_json(const trials::CantileverResult& r) {
+  return std::vector<json::JsonMember>{{"measured_mm", rounded(r.measured * kMillimetres, 100)},
+                                       {"known_mm", rounded(r.known * kMillimetres, 100)},
+                                       {"chord_degrees", rounded(r.angle, 100)}};
+}
+
+json::JsonValue tension_json(const trials::TensionResult& r) {
+  return std::vector<json::JsonMember>{{"measured_n_m", rounded(r.measured, 10)},
+                                       {"known_n_m", rounded(r.known, 10)}};
+}
+
+json::JsonValue drapes_json(const fabric::FabricCard& card, const trials::FabricTrial& trial) {
+  std::vector<json::JsonValue> each;
+  for (const trials::CusickDrape& d : trial.drapes) {
+    each.push_back(std::vector<json::JsonMember>{{"percent", rounded(100 * d.shadow.coefficient, 100)},
+                                                 {"folds", static_cast<double>(d.shadow.nodes)},
+                                                 {"settled", d.settled},
+                                                 {"particles", static_cast<double>(d.particles)},
+                                                 {"cpu_s", rounded(d.cpu_s, 100)},
+                                                 {"crossings_cloth_body", double(d.worst.cloth_body)},
+                                                 {"crossings_cloth_cloth", double(d.worst.cloth_cloth)}});
+  }
+  std::vector<json::JsonMember> out{
+      {"percent", rounded(100 * trial.coefficient(), 100)},
+      {"spread", rounded(100 * trial.spread(), 100)},
+      {"folds", rounded(trial.nodes(), 100)},
+      {"particle_distance_mm", rounded(trial.particle_distance * kMillimetres, 100)},
+      {"drapes", std::move(each)}};
+  if (card.drape_least_percent && card.drape_most_percent) {
+    out.push_back({"published_percent",
+                   std::vector<json::JsonValue>{*card.drape_least_percent, *card.drape_most_percent}});
+  }
+  return out;
+}
+
+void print_trial(const fabric::FabricCard& card, const trials::FabricTrial& trial) {
+  const auto bending = [](const char* way, const trials::CantileverResult& r) {
+    std::printf("  %s  %5.1f mm, known %5.1f mm; the chord falls by %.1f°, 41.5° is right\n", way,
+                r.measured * kMillimetres, r.known * kMillimetres, r.angle);
+  };
+  const auto pull = [](const char* way, const trials::TensionResult& r) {
+    std::printf("  %s  %7.1f N/m, known %7.1f N/m\n", way, r.measured, r.known);
+  };
+  std::printf("%s: %s\nBending length, strip 25 mm wide (ASTM D1388)\n", card.name.c_str(),
+              card.title.c_str());
+  bending("warp", trial.warp);
+  bending("weft", trial.weft);
+  bending("bias", trial.bias);
+  std::printf("Tension per strain at 0.5 %%, strip of 50 by 200 mm\n");
+  pull("warp", trial.pull_warp);
+  pull("weft", trial.pull_weft);
+  std::printf("Drape, 30 cm on 18 cm (BS 5058, ISO 9073-9), triangles of %.1f mm, %d of %zu at rest\n",
+              trial.particle_distance * kMillimetres, trial.settled(), trial.drapes.size());
+  std::printf("  coefficient %.1f %%, spread %.1f; %.1f folds\n", 100 * trial.coefficient(),
+              100 * trial.spread(), trial.nodes());
+  if (!card.drape_least_percent || !card.drape_most_percent) return;
+  const double percent = 100 * trial.coefficient();
+  const bool inside = percent >= *card.drape_least_percent && percent <= *card.drape_most_percent;
+  std::printf("  published %g to %g %%: %s\n", *card.drape_least_percent, *card.drape_most_percent,
+              inside ? "inside" : "outside");
+}
+
+void print_json(const fabric::FabricCard& card, const trials::FabricTrial& trial) {
+  const std::vector<json::JsonMember> out{
+      {"name", card.name},
+      {"bending_length", std::vector<json::JsonMember>{{"warp", cantilever_json(trial.warp)},
+                                                       {"weft", cantilever_json(trial.weft)},
+                                                       {"bias", cantilever_json(trial.bias)}}},
+      {"tension", std::vector<json::JsonMember>{{"warp", tension_json(trial.pull_warp)},
+                                                {"weft", tension_json(trial.pull_weft)}}},
+      {"drape", drapes_json(card, trial)}};
+  std::printf("%s", json::write_json(out).c_str());
+}
+
+Status write_sheet(const FabricTestOptions& options, const fabric::FabricCard& card,
+                   const trials::FabricTrial& trial) {
+  if (options.out.empty()) return {};
+  const std::filesystem::path folder = options.out;
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);  // write_file says what is wrong with it
+  return write_file(folder / (card.name + ".svg"), trials::figure_sheet(card, trial));
+}
+
+}  // namespace
+
+ExitCode fabric_test_command(const FabricTestOptions& options) {
+  const Result<const fabric::FabricCard*> card = fabric::named(options.name, "");
+  if (!card) return fail(card.error(), options.json);
+  const Result<trials::FabricTrial> trial = trials::try_fabric(
+      fabric::fabric_of(**card), options.drapes, options.particle_distance_mm / kMillimetres, RunContext{});
+  if (!trial) return fail(trial.error(), options.json);
+  if (Status written = write_sheet(options, **card, *trial); !written)
+    return fail(written.error(), options.json);
+  if (options.json)
+    print_json(**card, *trial);
+  else
+    print_trial(**card, *trial);
+  return kDone;
+}
+
+}  // namespace toile::app
