@@ -55,7 +55,7 @@ std::string shadow_picture(const Shadow& shadow) {
 
 /// Tension over strain, both axes from 0 to the larger curve's end.
 std::string stretch_picture(const fabric::FabricCard& card) {
-  const double left = 480, bottom = 520, width = 380, height = 170;
+  const double left = 440, bottom = 520, width = 380, height = 170;
   double strain = 0, tension = 0;
   for (const fabric::StretchCurve* curve : {&card.stretch_warp, &card.stretch_weft}) {
     strain = std::max(strain, curve->back().strain_percent);
@@ -96,9 +96,9 @@ std::string drape_lines(const fabric::FabricCard& card, const FabricTrial& trial
     band = "; published " + number(*card.drape_least_percent, 0) + " to " +
            number(*card.drape_most_percent, 0) + " %";
   return text_at(
-             480, 222,
+             440, 222,
              "drape coefficient: " + number(percent) + " %, spread " + number(100 * trial.spread()) + band) +
-         text_at(480, 242,
+         text_at(440, 242,
                  "folds: " + number(trial.nodes()) + "; " + std::to_string(trial.drapes.size()) +
                      " drapes, triangles of " + number(trial.particle_distance * kMillimetres) + " mm");
 }
@@ -114,15 +114,16 @@ std::string figure_sheet(const fabric::FabricCard& card, const FabricTrial& tria
                  card.fibre + ", " + card.construction + ", " + card.weave + "; " +
                      number(card.areal_mass_g_m2, 0) + " g/m², " + number(card.thickness_mm, 2) + " mm");
   out += shadow_picture(trial.drapes.front().shadow);
-  out += text_at(20, 500, "Piece of 30 cm (dashed) on a disc of 18 cm, seen from above: BS 5058, ISO 9073-9");
-  out += text_at(480, 90, "Strip 25 mm wide under its own weight: ASTM D1388");
-  out += text_at(480, 110, cantilever_line("warp", trial.warp));
-  out += text_at(480, 130, cantilever_line("weft", trial.weft));
-  out += text_at(480, 150, cantilever_line("bias", trial.bias));
-  out += text_at(480, 176, tension_line("warp", trial.pull_warp));
-  out += text_at(480, 196, tension_line("weft", trial.pull_weft));
+  out += text_at(20, 500, "Piece of 30 cm (dashed) on a disc of 18 cm, from above: BS 5058, ISO 9073-9");
+  out +=
+      text_at(440, 90, "Strip 25 mm wide under its own weight: ASTM D1388, its chord at 41.5° where right");
+  out += text_at(440, 110, cantilever_line("warp", trial.warp));
+  out += text_at(440, 130, cantilever_line("weft", trial.weft));
+  out += text_at(440, 150, cantilever_line("bias", trial.bias));
+  out += text_at(440, 176, tension_line("warp", trial.pull_warp));
+  out += text_at(440, 196, tension_line("weft", trial.pull_weft));
   out += drape_lines(card, trial);
-  out += text_at(480, 320, "Tension over strain as the fabric's file has it");
+  out += text_at(440, 320, "Tension over strain as the fabric's file has it");
   out += stretch_picture(card);
   return out + "</svg>\n";
 }

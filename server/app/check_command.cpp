@@ -13,6 +13,7 @@
 #include "server/app/commands.h"
 #include "server/app/console.h"
 #include "server/app/findings_text.h"
+#include "server/app/mesh_fit.h"
 #include "server/app/mesh_reader.h"
 
 namespace toile::app {
@@ -76,8 +77,12 @@ json::JsonValue project_json(const drape::DrapeInput& input, const preflight::Fi
                                       {"height_m", rounded(body_height(body))},
                                       {"notes", notes}});
   }
-  return std::vector<json::JsonMember>{
-      {"name", input.name}, {"pieces", pieces}, {"seams", seams}, {"bodies", bodies}, {"findings", found}};
+  return std::vector<json::JsonMember>{{"name", input.name},
+                                       {"pieces", pieces},
+                                       {"seams", seams},
+                                       {"bodies", bodies},
+                                       {"mesh", mesh_fit_json(mesh_fit(input))},
+                                       {"findings", found}};
 }
 
 void print_piece(const pattern::Panel& panel, const std::string& fabric) {
@@ -110,6 +115,8 @@ void print_project(const drape::DrapeInput& input) {
                 fixed_text(body_height(body), 2).c_str());
     for (const std::string& note : body.notes) std::printf("body %s: %s\n", body.id.c_str(), note.c_str());
   }
+  const std::string finer = mesh_fit_text(mesh_fit(input));
+  if (!finer.empty()) std::printf("mesh: %s\n", finer.c_str());
 }
 
 }  // namespace

@@ -184,6 +184,19 @@ TEST(CommandLine, BodyListsItsSizes) {
   EXPECT_EQ(run_toile({"body", "make", "--preset", "xxl", "--out", "/tmp/never.obj"}).code, 2);
 }
 
+TEST(CommandLine, CheckTellsHowFineAMeshTheFabricWantsAndWhatItCosts) {
+  const fs::path folder = napkin_folder("toile_finer");
+  const Ran human = run_toile({"check", folder / "project.json"});
+  EXPECT_TRUE(has(human.out, "mesh: triangles of ")) << human.out;
+  const Ran machine = run_toile({"check", folder / "project.json", "--json"});
+  const Result<json::JsonValue> told = json::parse_json(machine.out);
+  ASSERT_TRUE(told);
+  const json::JsonValue& mesh = *told->find("mesh");
+  const double ratio = *mesh.find("particle_distance_mm")->number() / *mesh.find("fitting_mm")->number();
+  EXPECT_GT(ratio, 1);
+  EXPECT_NEAR(*mesh.find("times")->number(), ratio * ratio, 0.1 * ratio * ratio);
+}
+
 TEST(CommandLine, FabricsAreListedAndShownWithTheirSources) {
   const Ran list = run_toile({"fabric", "list"});
   EXPECT_EQ(list.code, 0) << list.err;
