@@ -141,6 +141,7 @@ export function fakeApi(more: Partial<Api> = {}): Api {
     importPattern: missing,
     bodies: async () => [],
     images: async () => [],
+    fabrics: async () => [],
     bodyPresets: async () => [],
     arrange: async (id, revision) => projectOf({ id, revision: revision + 1 }),
     uploadAsset: async (kind, name) => assetOf({ id: `a_${name}`, kind, name }),

@@ -7,6 +7,7 @@ import type {
   Asset,
   Edit,
   EditStep,
+  Fabric,
   Import,
   Job,
   Pieces,
@@ -36,6 +37,8 @@ export interface Api {
   bodies(): Promise<Asset[]>;
   /** Uploaded pictures, newest first. */
   images(): Promise<Asset[]>;
+  /** The fabrics that pieces may be cut of, by name. */
+  fabrics(): Promise<Fabric[]>;
   /** Size tables for mannequins. */
   bodyPresets(): Promise<{ id: string; title: string }[]>;
   /** Stands the pieces around the body: one step of the history. */
@@ -87,6 +90,7 @@ export function makeApi(http = new Http('/api/v1')): Api {
       ),
     bodies: async () => (await http.get<Answer<'listBodies'>>('/bodies')).assets,
     images: async () => (await http.get<Answer<'listAssets'>>('/assets?kind=image')).assets,
+    fabrics: async () => (await http.get<Answer<'listFabrics'>>('/fabrics')).fabrics,
     bodyPresets: async () => {
       const { presets } = await http.get<Answer<'listBodyPresets'>>('/bodies/presets');
       return presets.map(({ name, sex }) => ({ id: name, title: `${name} (${sex})` }));

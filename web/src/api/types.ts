@@ -38,6 +38,7 @@ export type Stretch = Strain & Partial<Schemas['stretch_figures']>;
 export type Project = Schemas['ProjectFields'] & { document?: Document };
 export type Document = Schemas['Document'];
 export type Asset = Schemas['Asset'];
+export type Fabric = Schemas['Fabric'];
 /** A step of a project's history. */
 export type EditStep = Schemas['EditStep'];
 export type Edit = One<Schemas['EditList']>;

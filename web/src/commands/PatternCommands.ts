@@ -10,7 +10,7 @@ import { bentHandles, isStraight, nextEdge } from '../state/outline';
 import { emptyDraft, freeSeamId, kSure, sewnTogether, ticked, withEdge, type Side } from '../state/seamView';
 import { asApiError, notify, notifyError } from './notices';
 
-export type PatternApi = Pick<Api, 'edit' | 'turn' | 'history' | 'proposals' | 'project'>;
+export type PatternApi = Pick<Api, 'edit' | 'turn' | 'history' | 'proposals' | 'project' | 'fabrics'>;
 
 export class PatternCommands {
   private last_: Promise<void> = Promise.resolve();
@@ -122,6 +122,17 @@ export class PatternCommands {
   /** Sends the edits as one step. */
   edit(...edits: Edit[]): Promise<void> {
     return this.queue((project) => this.api_.edit(project.id, project.revision, edits));
+  }
+
+  /** The fabrics to choose from, asked for once. */
+  async loadFabrics(): Promise<void> {
+    const { fabrics } = this.editing;
+    if (fabrics.value.length > 0) return;
+    try {
+      fabrics.value = await this.api_.fabrics();
+    } catch {
+      // The pieces keep theirs; the next look asks again.
+    }
   }
 
   /** Any other change of the project, after those that are under way. */

@@ -10,6 +10,7 @@ import { boxOf, insideOf } from '../state/patternGeometry';
 import { seamColour, seamsOfEdge, seamTitle } from '../state/seamView';
 import { NumberField } from '../controls/NumberField';
 import { points } from '../tools/points';
+import { FabricField } from './FabricField';
 import { TextureFields } from './TextureFields';
 
 export function SelectionPanel({ pieces }: { pieces: Pieces }) {
@@ -25,6 +26,7 @@ export function SelectionPanel({ pieces }: { pieces: Pieces }) {
           Select a piece to rename, mirror or copy it. <b>Points</b> (Z) changes its outline, <b>Sew</b> (N) joins
           edges.
         </p>
+        <FabricField pieces={pieces.pieces} />
         <TextureFields pieces={pieces.pieces} all={pieces.pieces} />
       </>
     );
@@ -122,6 +124,7 @@ function PieceFigures({ piece, all }: { piece: Piece; all: readonly Piece[] }) {
           Delete
         </button>
       </div>
+      <FabricField pieces={[piece]} />
       <TextureFields key={piece.id} pieces={[piece]} all={all} />
       <EdgeChips piece={piece} />
       <InnerDartFields piece={piece} />

@@ -2,7 +2,7 @@
 // undone. Commands write it, views read it.
 
 import { signal, type Signal } from '@preact/signals';
-import type { Asset, Edit, EditStep, Piece, PieceEdge, Point, SeamProposal } from '../api/types';
+import type { Asset, Edit, EditStep, Fabric, Piece, PieceEdge, Point, SeamProposal } from '../api/types';
 import type { ApiError } from '../api/http';
 import type { Loaded } from './AppState';
 import { jointsOf } from './outline';
@@ -39,6 +39,8 @@ export class EditingState extends PerProject {
   readonly history: Signal<EditStep[]> = this.perProject([]);
   /** Uploaded pictures, for choosing. */
   readonly images: Signal<Asset[]> = signal([]);
+  /** The library; empty until it was asked for. */
+  readonly fabrics: Signal<Fabric[]> = signal([]);
   readonly uploading: Signal<boolean> = signal(false);
   readonly proposals: Signal<Loaded<SeamProposal[]> | null> = this.perProject(null);
   readonly chosen: Signal<ReadonlySet<string>> = signal(new Set());

@@ -3,7 +3,8 @@ import { fireEvent, screen, within } from '@testing-library/dom';
 import { beforeEach, describe, expect, it } from 'vitest';
 import { choose, click, openPage, type, type Page } from './page';
 import { ApiError } from '../../src/api/http';
-import type { Pieces, Seam } from '../../src/api/types';
+import type { Fabric, Pieces, Seam } from '../../src/api/types';
+import { FabricField } from '../../src/panels/FabricField';
 import { HistoryList } from '../../src/panels/HistoryList';
 import { PatternPanel } from '../../src/panels/PatternPanel';
 import { ProposalList } from '../../src/panels/ProposalList';
@@ -300,6 +301,32 @@ describe('the history', () => {
       'Remove seam, sundone',
       'Mirror piece, ajust now',
     ]);
+  });
+});
+
+describe('the fabric of pieces', () => {
+  const library = ['denim-10oz', 'twill'].map(
+    (name) => ({ name, title: `Title of ${name}`, areal_mass_g_m2: 240, thickness_mm: 0.5 }) as Fabric,
+  );
+  const chooser = (): HTMLElement => screen.getByRole('combobox', { name: 'Cut of' });
+
+  it('is chosen out of the library, for one piece or for all', () => {
+    page.change((state) => (state.editing.fabrics.value = library));
+    page.show(<FabricField pieces={two().pieces} />);
+    expect(page.asked()).toEqual([['pattern.loadFabrics']]);
+    choose(chooser(), 'twill');
+    expect(page.asked()).toEqual([
+      ['pattern.edit', ...two().pieces.map(({ id }) => ({ edit: 'set_fabric', piece: id, fabric: 'twill' }))],
+    ]);
+  });
+
+  it('says that pieces differ, and of a known one what it weighs', () => {
+    page.change((state) => (state.editing.fabrics.value = library));
+    const [a, b] = two().pieces.map((piece, i) => ({ ...piece, fabric: i === 0 ? 'twill' : 'my own' }));
+    page.show(<FabricField pieces={[a!, b!]} />);
+    expect(screen.getByText('pieces differ')).toBeTruthy();
+    page.show(<FabricField pieces={[a!]} />);
+    expect(screen.getByText(/240 g\/m²/)).toBeTruthy();
   });
 });
 
