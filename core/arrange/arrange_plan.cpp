@@ -55,10 +55,12 @@ Result<FlatLayout> trunk_layout(GarmentGraph& graph, const std::vector<Index>& t
         "place it by hand",
         "piece " + graph.pieces[p].id};
   }
-  // Collars lie before the others: fronts that made room for lapels would stand far aside.
+  // Collars and frills of legs lie before the others: fronts that made room for lapels would stand far aside,
+  // and so would two frills that made room for each other.
   std::vector<Index> flat;
-  std::copy_if(trunk.begin(), trunk.end(), std::back_inserter(flat),
-               [&](Index p) { return graph.pieces[p].cover != Cover::kCollar; });
+  std::copy_if(trunk.begin(), trunk.end(), std::back_inserter(flat), [&](Index p) {
+    return graph.pieces[p].cover != Cover::kCollar && graph.pieces[p].cover != Cover::kCuff;
+  });
   part_pieces(graph, flat, kSheetGap, layout);
   layout = with_legs_over_legs(graph, trunk, stand, std::move(layout));
   part_pieces(graph, flat, kSheetGap, layout);  // turned legs may have come to lie on each other

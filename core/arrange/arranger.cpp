@@ -25,6 +25,7 @@ constexpr double kBelowCrotch = 0.022;                    // m
 constexpr double kOverNeck = 0.005, kBelowArmpit = 0.02;  // m
 constexpr double kShoulderLow = 0.12;  // m, how far shoulder seams may lie below the highest stitches
 constexpr double kCollarAway = 0.04;   ///< m, before what they are sewn to
+constexpr double kCuffAway = 0.06;     ///< m, of the right leg's: the left one's lies between
 constexpr double kApart = 0.02;        ///< m, between sheets that face one way
 
 /// Cuffs among the trunk's pieces are those of legs.
@@ -165,6 +166,9 @@ std::vector<Arranger::Placed> Arranger::trunk_places(const ArrangeTrial& trial, 
     pose.t = pose.t + Vec2{stand_.figure().middle, rise};
     double depth = plan_.layout.face[p] > 0 ? front : back;
     if (plan_.graph.pieces[p].cover == Cover::kCollar) depth += plan_.layout.face[p] * kCollarAway;
+    if (plan_.graph.pieces[p].cover == Cover::kCuff)
+      depth += plan_.layout.face[p] *
+               (pose(plan_.graph.pieces[p].centroid).x > stand_.figure().middle ? kCollarAway : kCuffAway);
     places.push_back({p, on_upright_sheet(pose, depth),
                       std::string(name_of(plan_.graph.pieces[p].cover)) +
                           (plan_.layout.face[p] > 0 ? ", front" : ", back")});

@@ -59,14 +59,29 @@ std::optional<FlatMove> move_over_leg(const GarmentGraph& graph, const FlatLayou
   return move;
 }
 
+/// What hangs from the leg piece on its sheet and goes where it goes: its cuff or frill.
+std::vector<Index> hangs_from(const GarmentGraph& graph, const FlatLayout& layout, Index leg) {
+  std::vector<Index> hanging;
+  for (const GarmentTie& t : graph.ties) {
+    if (t.a != leg && t.b != leg) continue;
+    const Index other = t.a == leg ? t.b : t.a;
+    if (graph.pieces[other].cover != Cover::kCuff || !layout.has(other)) continue;
+    if (layout.face[other] != layout.face[leg]) continue;
+    if (std::find(hanging.begin(), hanging.end(), other) == hanging.end()) hanging.push_back(other);
+  }
+  return hanging;
+}
+
 }  // namespace
 
 FlatLayout with_legs_over_legs(const GarmentGraph& graph, const std::vector<Index>& members,
                                const BodyStand& stand, FlatLayout layout) {
   for (const Index p : members) {
     if (graph.pieces[p].cover != Cover::kLeg || !layout.has(p)) continue;
-    if (const auto move = move_over_leg(graph, layout, p, stand))
-      layout.pose[p] = after(*move, layout.pose[p]);
+    const auto move = move_over_leg(graph, layout, p, stand);
+    if (!move) continue;
+    layout.pose[p] = after(*move, layout.pose[p]);
+    for (const Index cuff : hangs_from(graph, layout, p)) layout.pose[cuff] = after(*move, layout.pose[cuff]);
   }
   return layout;
 }

@@ -272,6 +272,36 @@ TEST(Arrange, EachTrouserLegGoesAroundItsOwnLeg) {
   EXPECT_FALSE(s.made.attachments.empty()) << "the waist is held";
 }
 
+/// m, middle of the piece's lowest 6 cm: hems slant.
+Vec3 hem_of(const Start& s, Index piece) {
+  const sewing::GarmentMesh& g = s.assembly.garment;
+  const auto from = s.assembly.positions.begin() + g.first_vertex[piece],
+             to = s.assembly.positions.begin() + g.first_vertex[piece + 1];
+  const double low = std::min_element(from, to, [](Vec3 a, Vec3 b) { return a.y < b.y; })->y;
+  Vec3 sum;
+  int count = 0;
+  for (auto p = from; p != to; ++p) {
+    if (p->y > low + 0.06) continue;
+    sum += *p;
+    ++count;
+  }
+  return sum * (1.0 / count);
+}
+
+TEST(Arrange, WideFrillsOfTrousersHangUnderTheirLegsOneBeforeTheOther) {
+  pattern::Pattern pattern = test::trousers();
+  const std::vector<Vec2> frill{{-300, -100}, {300, -100}, {150, 0}, {-150, 0}};
+  pattern.panels.push_back(test::polygon("right_cuff_skirt_front", frill));
+  pattern.panels.push_back(test::turned_over("left_cuff_skirt_front", frill));
+  pattern.seams.push_back(test::seam("right_frill", {{4, 2}}, {{0, 0}}));
+  pattern.seams.push_back(test::seam("left_frill", {{5, 1}}, {{1, 4}}));
+  const Start s = started(pattern);
+  EXPECT_NEAR(centre_of(s, 4).x, hem_of(s, 0).x, 0.08);
+  EXPECT_NEAR(centre_of(s, 5).x, hem_of(s, 1).x, 0.08);
+  EXPECT_GT(std::abs(centre_of(s, 4).z - centre_of(s, 5).z), 0.01) << "they are too wide to lie side by side";
+  for (const Index frill_piece : {4, 5}) EXPECT_GT(centre_of(s, frill_piece).z, centre_of(s, 0).z + 0.01);
+}
+
 TEST(Arrange, EqualGoresWithoutNamesGoOnceAroundTheHips) {
   const Start s = started(test::gored_skirt());
   expect_clean(s);
