@@ -17,7 +17,7 @@ constexpr std::size_t kHeader = kMagic.size() + sizeof(std::uint32_t) + kHashDig
 constexpr double kFarthest = 1e6;         // m
 constexpr int kMostSteps = 1 << 30;       // so that counting on cannot overflow
 constexpr double kLongest = 1e9;          // s
-constexpr std::size_t kMostWords = 1000;  // bytes of a reason
+constexpr std::size_t kMostWords = 1000;  // bytes of a reason, or of a sentence
 
 /// As its words, so that a checkpoint does not depend on the order of an enum; none are empty words.
 void stop_value(StateWriter& out, const std::optional<StopReason>& stop) {
@@ -43,6 +43,7 @@ void fields(Archive& a, RunState& run) {
   stop_value(a, s.stop_reason);
   a.value(s.steps);
   a.value(s.time);
+  a.value(s.begun);
   a.value(s.phase_start);
   a.value(s.last_weld);
   a.value(s.slackened);
@@ -74,6 +75,9 @@ void fields(Archive& a, RunState& run) {
   a.value(run.frames_checked);
   a.value(run.resumed);
   a.value(run.recorded);
+  a.value(run.start);
+  a.value(run.last_start);
+  a.value(run.begun_anew);
   a.value(run.cpu_s);
   a.value(run.wall_s);
 }
@@ -111,7 +115,7 @@ bool sound(const SessionState& s) {
   return s.phase <= DrapePhase::kDone && (s.phase == DrapePhase::kDone) == s.stop_reason.has_value() &&
          all_counts(s.steps, s.watch.step, s.solver.held_back, s.solver.hits, s.solver.pace.steps,
                     s.slackened) &&
-         all_times(s.time, s.phase_start, s.last_weld, s.solver.pace.learnt) &&
+         all_times(s.time, s.begun, s.phase_start, s.last_weld, s.solver.pace.learnt) &&
          s.solver.velocities.size() == n && (m == 0 || m == n) && s.solver.detection_speeds.size() == m &&
          s.watch.window_start.size() == n && sound_ways(s.watch.ways, n) &&
          s.watch.rms.size() <= SettleState::kMostWindows &&
@@ -126,8 +130,8 @@ bool sound(const SessionState& s) {
 bool sound(const RunState& run) {
   return all_counts(run.at_end.cloth_body, run.at_end.cloth_cloth, run.worst.cloth_body,
                     run.worst.cloth_cloth, run.worst_frame_step, run.frames_checked, run.resumed,
-                    run.recorded + 1) &&
-         all_times(run.cpu_s, run.wall_s) && sound(run.session);
+                    run.recorded + 1, run.start) &&
+         run.begun_anew.size() <= kMostWords && all_times(run.cpu_s, run.wall_s) && sound(run.session);
 }
 
 }  // namespace

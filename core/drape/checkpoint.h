@@ -26,7 +26,7 @@ namespace toile::drape {
 
 /// Rises when the fields change, and whenever a change of the engine gives a drape other bytes: a drape begun
 /// by one engine and ended by another would be neither's.
-inline constexpr std::uint32_t kCheckpointVersion = 8;
+inline constexpr std::uint32_t kCheckpointVersion = 9;
 
 enum class DrapePhase : std::uint8_t { kSew, kDrape, kDone };
 
@@ -37,11 +37,11 @@ struct SessionState {
   std::vector<bool> lost;                 ///< seams whose threads have let go
   std::optional<StopReason> stop_reason;  ///< while phase is kDone
   int steps = 0;
-  double time = 0, phase_start = 0, last_weld = 0;  ///< s
-  int slackened = 0;                                ///< how often threads were let out again
-  std::vector<bool> joined;                         ///< garment vertices welded to the least of their class
-  std::vector<bool> released;                       ///< attachments
-  std::vector<double> off_at_release;               ///< m, of each
+  double time = 0, begun = 0, phase_start = 0, last_weld = 0;  ///< s
+  int slackened = 0;                                           ///< how often threads were let out again
+  std::vector<bool> joined;            ///< garment vertices welded to the least of their class
+  std::vector<bool> released;          ///< attachments
+  std::vector<double> off_at_release;  ///< m, of each
   SettleState watch;
   solver::SolverState solver;
 };
@@ -52,6 +52,9 @@ struct RunState {
   CrossingCount at_end, worst;
   int worst_frame_step = 0, frames_checked = 0, resumed = 0;
   int recorded = -1;             ///< step of the newest recorded frame
+  int start = 0;                 ///< number of the start it goes on from (core/drape/drape_start.h)
+  bool last_start = false;       ///< no other leads on
+  std::string begun_anew;        ///< why it does not go on from its first start; empty when it does
   double cpu_s = 0, wall_s = 0;  ///< so far
 };
 

@@ -54,19 +54,18 @@ std::optional<sewing::Assembly> coarse_assembly(const DrapeInput& input,
   return std::move(*assembly);
 }
 
-/// The garment put on from where `placements` have its pieces.
-std::optional<std::vector<Vec3>> put_on_from(const DrapeInput& input, const mesh::PanelMeshes& meshes,
+/// The garment put on from where `placements` have its pieces, by the ways from number `first` on.
+std::optional<dressing::Dressed> put_on_from(const DrapeInput& input, const mesh::PanelMeshes& meshes,
                                              const std::vector<sewing::Placement>& placements,
-                                             const dressing::Wearer& wearer, const RunContext& context) {
+                                             const dressing::Wearer& wearer, std::size_t first,
+                                             const RunContext& context) {
   const auto fine = sewing::assemble(meshes, placements, {}, {});
   if (!fine) return std::nullopt;
   std::optional<sewing::Assembly> coarse;
   const double distance = coarse_distance(meshes);
   if (input.settings.particle_distance < distance)
     coarse = coarse_assembly(input, placements, distance, context);
-  auto on = dressing::put_on(*fine, coarse ? *coarse : *fine, wearer, context);
-  if (!on) return std::nullopt;
-  return std::move(on->positions);
+  return dressing::put_on(*fine, coarse ? *coarse : *fine, wearer, context, first);
 }
 
 }  // namespace
@@ -94,17 +93,36 @@ Result<DrapeStart> prepare_start(const DrapeInput& input, const RunContext& cont
   return start;
 }
 
-void dress_start(const DrapeInput& input, DrapeStart& start, const RunContext& context) {
-  if (!input.settings.dress || !start.person || start.placed.garment.sewn.empty() || layered(input.pattern))
-    return;
-  if (!in_question(start.findings)) return;
+bool may_put_on(const DrapeInput& input, const DrapeStart& start) {
+  return input.settings.dress && start.person && !start.placed.garment.sewn.empty() &&
+         !layered(input.pattern);
+}
+
+std::optional<PutOn> put_on_after(int after, const DrapeInput& input, const DrapeStart& start,
+                                  const RunContext& context) {
+  const auto ways = static_cast<int>(dressing::dressing_ways().size());
   const dressing::Wearer wearer(*start.person);
-  start.dressed = put_on_from(input, start.meshes, input.placements, wearer, context);
-  if (!start.dressed && !context.cancelled()) {
-    const auto anew = arrange::arrange({input.pattern, start.meshes, input.bodies, names_left_out(input)});
-    if (anew) start.dressed = put_on_from(input, start.meshes, anew->placements, wearer, context);
+  const auto from = [&](const std::vector<sewing::Placement>& placements,
+                        int before) -> std::optional<PutOn> {
+    const int first = std::max(0, after - before);  // ways, numbered from 0
+    auto on = put_on_from(input, start.meshes, placements, wearer, static_cast<std::size_t>(first), context);
+    if (!on) return std::nullopt;
+    return PutOn{std::move(on->positions), before + static_cast<int>(on->number) + 1};
+  };
+  if (after < ways) {
+    if (auto on = from(input.placements, 0)) return on;
   }
+  if (after >= 2 * ways || context.cancelled()) return std::nullopt;
+  const auto anew = arrange::arrange({input.pattern, start.meshes, input.bodies, names_left_out(input)});
+  if (!anew) return std::nullopt;
+  return from(anew->placements, ways);
+}
+
+bool dress_start(const DrapeInput& input, DrapeStart& start, const RunContext& context) {
+  if (!may_put_on(input, start) || !in_question(start.findings)) return false;
+  start.dressed = put_on_after(kSewnInPlace, input, start, context);
   if (start.dressed) begin_on_body(start);
+  return true;
 }
 
 }  // namespace toile::drape

@@ -14,14 +14,23 @@
 
 namespace toile::drape {
 
+/// A garment that was put on: one of the starts from which it may be draped. They are numbered in the order
+/// in which they are tried: kSewnInPlace is sewing under contact from where the pieces stand; then come the
+/// ways of core/dressing from there, and the same ways from where the pieces are arranged anew.
+struct PutOn {
+  std::vector<Vec3> positions;  ///< m, one a garment vertex, sewn ones together
+  int start = 0;
+};
+inline constexpr int kSewnInPlace = 0;
+
 /// What a drape begins with.
 struct DrapeStart {
   mesh::PanelMeshes meshes;
   sewing::Assembly assembly;     ///< repaired where that could be done
   sewing::Assembly placed;       ///< as the document has it
   preflight::Findings findings;  ///< of run_preflight, worst first; with an error among them no drape begins
-  std::optional<dressing::Person> person;    ///< whom it is for
-  std::optional<std::vector<Vec3>> dressed;  ///< m, the garment on the body, once it was put there
+  std::optional<dressing::Person> person;  ///< whom it is for
+  std::optional<PutOn> dressed;            ///< the garment on the body, once it was put there
 };
 
 /// Meshes, places and looks at the start. Progress phases: "mesh", "place". Errors: pattern.*, mesh.*,
@@ -31,9 +40,18 @@ Result<DrapeStart> prepare_start(const DrapeInput& input, const RunContext& cont
 /// Puts the garment on the first body that stands like a person (core/dressing), if it has seams, the
 /// settings want it, and the look at the start found anything about where its pieces stand. Where they cannot
 /// be sewn from there, they are arranged anew (core/arrange) for that. With a certificate `start.dressed` has
-/// the shape, and findings about where pieces stand become notes; else nothing changes. Progress phase:
-/// "dress".
-void dress_start(const DrapeInput& input, DrapeStart& start, const RunContext& context);
+/// the shape, and findings about where pieces stand become notes; else nothing changes. Gives back whether it
+/// was tried. Progress phase: "dress".
+bool dress_start(const DrapeInput& input, DrapeStart& start, const RunContext& context);
+
+/// Whether putting on can be tried: a person is to wear something that is sewn and has no layers, and the
+/// settings want it.
+bool may_put_on(const DrapeInput& input, const DrapeStart& start);
+
+/// The next start after number `after` that is certified; nothing where none is left, or where the context
+/// was cancelled. REQUIRES may_put_on(). Progress phase: "dress".
+std::optional<PutOn> put_on_after(int after, const DrapeInput& input, const DrapeStart& start,
+                                  const RunContext& context);
 
 /// Where pieces were placed does not matter any more: the garment is on.
 void begin_on_body(DrapeStart& start);

@@ -1,11 +1,12 @@
 #include "core/drape/pipeline.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include "core/base/stopwatch.h"
 #include "core/drape/input_hash.h"
-#include "core/dressing/certificate.h"
+#include "core/drape/worn_verdict.h"
 #include "core/preflight/preflight.h"
 #include "core/sewing/assembly.h"
 
@@ -43,50 +44,30 @@ class GoTimer {
 };
 
 constexpr double kOffGround = 1.5e-3;  // m, that cloth starts above the ground at least
-constexpr double kDropped = 0.01;      // m above the ground: what lies there all around has fallen
+constexpr std::size_t kMostId = 200;   // bytes of a seam's id within a sentence
 
-/// The floor that the person stands on, where all of the cloth starts above it.
-std::optional<double> ground_under(const DrapeInput& input, const DrapeStart& start) {
+/// The floor that the person stands on, where all of the cloth starts above it; what was put on does.
+std::optional<double> ground_under(const DrapeInput& input, const DrapeStart& start, bool on_body) {
   if (!input.settings.ground || !start.person) return std::nullopt;
   const double floor = start.person->figure.floor;
-  const std::vector<Vec3>& x = start.dressed ? *start.dressed : start.assembly.positions;
-  const bool above = std::all_of(x.begin(), x.end(), [&](Vec3 p) { return p.y > floor + kOffGround; });
+  const std::vector<Vec3>& x = start.assembly.positions;
+  const bool above =
+      on_body || std::all_of(x.begin(), x.end(), [&](Vec3 p) { return p.y > floor + kOffGround; });
   return above ? std::optional(floor) : std::nullopt;
 }
 
-preflight::Concerns pieces_of(const DrapeInput& input, const sewing::GarmentMesh& garment,
-                              const std::vector<Index>& ring) {
-  preflight::Concerns pieces;
-  for (const Index v : ring) {
-    preflight::Concern piece = preflight::piece_named(input.pattern.panels[garment.panel_of_vertex[v]].id);
-    if (std::find(pieces.begin(), pieces.end(), piece) == pieces.end()) pieces.push_back(std::move(piece));
-  }
-  return pieces;
-}
-
-/// Whether the garment ended where it is worn: rings around limbs, and not all on the ground.
-void judge_worn(const DrapeInput& input, const std::optional<dressing::Person>& person, DrapeResult& result) {
-  if (!person || result.garment.sewn.empty()) return;
-  const bool whole =
-      result.open_seams.empty() && std::all_of(input.left_out.begin(), input.left_out.end(),
-                                               [](const LeftOut& piece) { return piece.layer; });
-  result.worn = whole ? Worn::kYes : Worn::kPartly;
-  const auto add = [&](preflight::FindingKind kind, std::string message, preflight::Concerns about, Vec3 at) {
-    result.findings.push_back(preflight::found(kind, std::move(message), std::move(about), at));
-    result.worn = Worn::kNo;
-  };
-  const dressing::Skeleton skeleton = dressing::skeleton_of(person->figure);
-  for (const dressing::WornRing& ring : dressing::worn_rings(result.garment, result.positions, skeleton)) {
-    if (ring.right) continue;
-    add(preflight::FindingKind::kRingOff,
-        "the ring of " + preflight::length_text(ring.girth) + " ended around no part of the body",
-        pieces_of(input, result.garment, ring.vertices), result.positions[ring.vertices.front()]);
-  }
-  const auto highest = std::max_element(result.positions.begin(), result.positions.end(),
-                                        [](Vec3 a, Vec3 b) { return a.y < b.y; });
-  if (highest->y < person->figure.leg[0].ankle.y + kDropped)
-    add(preflight::FindingKind::kOnGround, "the garment has fallen to the ground", {}, *highest);
-  preflight::sort_by_severity(result.findings);
+/// Why another start is tried, as it is told.
+std::string why_anew(const DrapeSession& session, int start) {
+  if (start != kSewnInPlace)
+    return "the garment did not stay where it is worn, so that it was put on in another way and draped anew";
+  const std::vector<OpenSeam> open = session.open_seams();
+  const auto widest = std::max_element(open.begin(), open.end(),
+                                       [](const OpenSeam& a, const OpenSeam& b) { return a.gap < b.gap; });
+  const std::string what = widest == open.end() ? "the garment did not end where it is worn"
+                                                : "the seam " + widest->id.substr(0, kMostId) + " stayed " +
+                                                      preflight::length_text(widest->gap) + " open";
+  return what +
+         " when it was sewn from where the pieces stand, so that it was put on the body and draped anew";
 }
 
 }  // namespace
@@ -115,8 +96,11 @@ Status DrapeRun::restore(std::string_view checkpoint, const RunContext& context)
   DrapeStart start = TRY(prepare_start(input_, context));
   RunState state = TRY(decode_checkpoint(checkpoint, input_hash(input_, start.placed)));
   if (state.session.dressed) begin_on_body(start);
-  TRY(begin(std::move(start)));
+  TRY(begin(std::move(start), state.session.dressed));
   TRY(session_->restore(std::move(state.session)));
+  start_ = state.start;
+  last_start_ = state.last_start;
+  begun_anew_ = std::move(state.begun_anew);
   result_.at_end = state.at_end;
   result_.worst = state.worst;
   result_.worst_frame_step = state.worst_frame_step;
@@ -125,32 +109,70 @@ Status DrapeRun::restore(std::string_view checkpoint, const RunContext& context)
   result_.wall_s += state.wall_s;
   result_.resumed = state.resumed + 1;
   recorded_ = state.recorded;
+  ended_badly_ = ends_badly();
   return {};
 }
 
 std::string DrapeRun::checkpoint() const {
   return encode_checkpoint(
-      start_hash_, {session_->state(), result_.at_end, result_.worst, result_.worst_frame_step,
-                    result_.frames_checked, result_.resumed, recorded_, result_.cpu_s, result_.wall_s});
+      start_hash_,
+      {session_->state(), result_.at_end, result_.worst, result_.worst_frame_step, result_.frames_checked,
+       result_.resumed, recorded_, start_, last_start_, begun_anew_, result_.cpu_s, result_.wall_s});
 }
 
 Status DrapeRun::prepare(const RunContext& context) {
   const GoTimer timer(result_);
   DrapeStart start = TRY(prepare_start(input_, context));
-  dress_start(input_, start, context);
-  return begin(std::move(start));
+  const bool tried = dress_start(input_, start, context);
+  if (context.cancelled()) return Error{"cancelled", "Putting on was cancelled.", "", ErrorKind::kCancelled};
+  last_start_ = !may_put_on(input_, start) || (tried && !start.dressed);
+  if (start.dressed) start_ = start.dressed->start;
+  const bool on_body = start.dressed.has_value();
+  return begin(std::move(start), on_body);
 }
 
-Status DrapeRun::begin(DrapeStart start) {
+Status DrapeRun::begin(DrapeStart start, bool on_body) {
   if (auto refused = preflight::first_error(start.findings)) return *refused;
   start_hash_ = input_hash(input_, start.placed);
   result_.findings = std::move(start.findings);
-  const std::optional<double> ground = ground_under(input_, start);
+  const std::optional<double> ground = ground_under(input_, start, on_body);
   person_ = start.person;
-  session_ = DrapeSession::start(input_, start.meshes, std::move(start.assembly), start.dressed, ground);
+  std::optional<std::vector<Vec3>> dressed;
+  if (start.dressed) dressed = std::move(start.dressed->positions);
+  session_ = DrapeSession::start(input_, start.meshes, std::move(start.assembly), dressed, ground);
   result_.garment = session_->garment();
   if (sink_) sink_->begin(result_.garment);
   return {};
+}
+
+/// Whether another start may do better: seams do not close, or the garment is not where it is worn.
+bool DrapeRun::ends_badly() const {
+  if (last_start_) return false;
+  if (!session_->done()) return session_->lost_seams();
+  const std::vector<OpenSeam> open = session_->open_seams();
+  if (!open.empty() || session_->stop_reason()->kind == Stop::kNotFinite) return true;
+  const WornVerdict verdict = judge_worn(input_, person_, result_.garment, session_->positions(), open);
+  const auto told = [&](preflight::FindingKind kind) {
+    return std::any_of(verdict.findings.begin(), verdict.findings.end(),
+                       [&](const preflight::Finding& f) { return f.kind == kind; });
+  };
+  // What is too wide falls from any start.
+  return told(preflight::FindingKind::kRingOff) && !told(preflight::FindingKind::kOnGround);
+}
+
+/// From the next start that is certified, where there is one, and only once; else it goes on as it is. What a
+/// cancel breaks off is done by the next go.
+void DrapeRun::begin_anew(const RunContext& context) {
+  auto start = prepare_start(input_, context);
+  std::optional<PutOn> on;
+  if (start) on = put_on_after(start_, input_, *start, context);
+  if (context.cancelled()) return;
+  ended_badly_ = false;
+  last_start_ = true;
+  if (!on) return;
+  begun_anew_ = why_anew(*session_, start_);
+  start_ = on->start;
+  session_->begin_anew(on->positions, ground_under(input_, *start, true));
 }
 
 /// Shows a frame to the sink and counts its crossings.
@@ -172,9 +194,14 @@ void DrapeRun::record_frame() {
 int DrapeRun::advance(int max_steps, const RunContext& context) {
   const GoTimer timer(result_);
   int taken = 0;
-  while (taken < max_steps && !session_->done() && !context.cancelled()) {
+  while (taken < max_steps && !done() && !context.cancelled()) {
+    if (ended_badly_) {
+      begin_anew(context);
+      continue;
+    }
     session_->step();
     ++taken;
+    if (session_->done() || session_->lost_seams()) ended_badly_ = ends_badly();
     if (session_->steps() % kProgressInterval == 0) {
       const Progress p = session_->progress();
       context.progress(p.phase, p.fraction);
@@ -198,7 +225,12 @@ DrapeResult DrapeRun::conclude() {
   result.max_speed = session_->max_speed();
   result.seam_gap_max = session_->seam_gap();
   result.open_seams = session_->open_seams();
-  judge_worn(input_, person_, result);
+  WornVerdict verdict = judge_worn(input_, person_, result.garment, result.positions, result.open_seams);
+  result.worn = verdict.worn;
+  std::move(verdict.findings.begin(), verdict.findings.end(), std::back_inserter(result.findings));
+  if (!begun_anew_.empty())
+    result.findings.push_back(preflight::found(preflight::FindingKind::kBegunAnew, begun_anew_, {}, {}));
+  preflight::sort_by_severity(result.findings);
   result.holds = session_->holds();
   return result;
 }

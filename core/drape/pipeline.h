@@ -38,9 +38,11 @@ class DrapeRun {
   /// The drape as it stands between two goes (core/drape/checkpoint.h), for resume().
   std::string checkpoint() const;
 
-  bool done() const { return session_->done(); }
-  /// At most `max_steps` substeps: fewer when the drape is done or the context is cancelled before. Progress
-  /// phases: "sew", "drape". Gives back the number of substeps taken.
+  bool done() const { return session_->done() && !ended_badly_; }
+  /// At most `max_steps` substeps: fewer when the drape is done or the context is cancelled before. Where
+  /// seams do not close, or the garment does not end where it is worn, it begins anew from the next certified
+  /// start, once; steps and time count on. Progress phases: "sew", "drape", "dress". Gives
+  /// back the number of substeps taken.
   int advance(int max_steps, const RunContext& context);
   /// What there is, finished or not; stop_reason is kCancelled for a drape that is not done. Records a last
   /// frame if the newest step was not.
@@ -54,9 +56,11 @@ class DrapeRun {
 
  private:
   DrapeRun(const DrapeInput& input, FrameSink* sink);
-  Status begin(DrapeStart start);
+  Status begin(DrapeStart start, bool on_body);
   Status prepare(const RunContext& context);
   Status restore(std::string_view checkpoint, const RunContext& context);
+  bool ends_badly() const;
+  void begin_anew(const RunContext& context);
   void record_frame();
 
   const DrapeInput& input_;
@@ -67,6 +71,10 @@ class DrapeRun {
   DrapeResult result_;  ///< so far: the garment, times and crossings
   int frame_interval_;  ///< steps
   int recorded_ = -1;   ///< step of the newest recorded frame
+  int start_ = kSewnInPlace;
+  bool last_start_ = false;   ///< no other leads on
+  bool ended_badly_ = false;  ///< another start is to be tried
+  std::string begun_anew_;    ///< why the newest was; empty while it is the first
 };
 
 /// Drapes `input` in one go and returns the end, settled or not. `sink` may be null. Progress phases: "mesh",

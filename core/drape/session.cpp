@@ -61,6 +61,7 @@ std::unique_ptr<DrapeSession> DrapeSession::start(const DrapeInput& input, const
 }
 
 void DrapeSession::add_ground(double height) {
+  grounded_ = true;
   const std::array<Vec3, 4> corners{{{-kGroundReach, height, -kGroundReach},
                                      {-kGroundReach, height, kGroundReach},
                                      {kGroundReach, height, kGroundReach},
@@ -79,6 +80,20 @@ void DrapeSession::begin_dressed(const std::vector<Vec3>& positions) {
   build_solver(model_of(vertex_of_, weld.vertex_count), std::move(weld.positions), {});
   solver_->set_stitches(stitches_now());
 }
+
+void DrapeSession::begin_anew(const std::vector<Vec3>& dressed, std::optional<double> ground) {
+  if (ground && !grounded_) add_ground(*ground);
+  phase_ = Phase::kSew;
+  stop_reason_.reset();
+  lost_.assign(lost_.size(), false);
+  released_.assign(released_.size(), false);
+  off_at_release_.assign(off_at_release_.size(), 0);
+  slackened_ = 0;
+  begun_ = phase_start_ = last_weld_ = time_;
+  begin_dressed(dressed);
+}
+
+bool DrapeSession::lost_seams() const { return std::find(lost_.begin(), lost_.end(), true) != lost_.end(); }
 
 /// A garment that is on already only lets go of what it was stretched, unless threads or goals lead it.
 double DrapeSession::sew_time() const {
@@ -174,8 +189,9 @@ SessionState DrapeSession::state() const {
   for (std::size_t i = 0; i < joined.size(); ++i) {
     joined[i] = vertex_of_[i] == vertex_of_[assembly_.garment.weld[i]];
   }
-  return {phase_,     dressed_,   lost_,  stop_reason_, steps_,          time_,          phase_start_,
-          last_weld_, slackened_, joined, released_,    off_at_release_, watch_.state(), solver_->state()};
+  return {phase_, dressed_,  lost_,           stop_reason_,   steps_,
+          time_,  begun_,    phase_start_,    last_weld_,     slackened_,
+          joined, released_, off_at_release_, watch_.state(), solver_->state()};
 }
 
 Status DrapeSession::restore(SessionState state) {
@@ -204,6 +220,7 @@ Status DrapeSession::restore(SessionState state) {
     stop_reason_->gap = gap_at(stop_reason_->kind);  // no checkpoint keeps what positions tell
   steps_ = state.steps;
   time_ = state.time;
+  begun_ = state.begun;
   phase_start_ = state.phase_start;
   last_weld_ = state.last_weld;
   slackened_ = state.slackened;
@@ -296,7 +313,7 @@ void DrapeSession::settle_or_stop() {
   }
   const bool may_rest =
       input_.settings.until_settled && !holding && time_ >= phase_start_ + kSoonestRest && lies_still();
-  const bool out_of_time = time_ >= input_.settings.max_time;
+  const bool out_of_time = time_ >= begun_ + input_.settings.max_time;
   if (may_rest && (out_of_time || nothing_closes())) {
     end(stop_at_rest());
   } else if (out_of_time) {
@@ -317,7 +334,7 @@ Progress DrapeSession::progress() const {
   const double since = time_ - phase_start_;
   if (phase_ == Phase::kSew) return {"sew", std::min(1.0, since / sew_time())};
   if (phase_ == Phase::kDone) return {"drape", 1};
-  const double left = std::max(1e-3, input_.settings.max_time - phase_start_);
+  const double left = std::max(1e-3, begun_ + input_.settings.max_time - phase_start_);
   return {"drape", std::min(1.0, since / left)};
 }
 

@@ -32,6 +32,8 @@ class DrapeSession {
 
   /// One substep. REQUIRES !done().
   void step();
+  /// Begins once more, on the body, as with `dressed` and `ground` of start(): steps and time count on.
+  void begin_anew(const std::vector<Vec3>& dressed, std::optional<double> ground);
 
   /// All that the session must remember, for restore().
   SessionState state() const;
@@ -40,6 +42,7 @@ class DrapeSession {
   Status restore(SessionState state);
 
   bool dressed() const { return dressed_; }  ///< it began on the body
+  bool lost_seams() const;                   ///< the threads of a seam have let go
   bool done() const { return phase_ == Phase::kDone; }
   /// Why it ended; nothing until done(). Never Stop::kCancelled: that is for whoever runs the session to say.
   const std::optional<StopReason>& stop_reason() const { return stop_reason_; }
@@ -102,11 +105,11 @@ class DrapeSession {
   std::vector<double> off_at_release_;  ///< m, of each
 
   Phase phase_ = Phase::kSew;
-  bool dressed_ = false;
+  bool dressed_ = false, grounded_ = false;
   std::optional<StopReason> stop_reason_;  ///< while phase_ is kDone
   SettleWatch watch_;
   int steps_ = 0;
-  double time_ = 0, phase_start_ = 0, last_weld_ = 0;
+  double time_ = 0, begun_ = 0, phase_start_ = 0, last_weld_ = 0;
   int welded_at_ = -1;  ///< step of the last weld; not kept by checkpoints, which lie between steps
   int slackened_ = 0;   ///< how often threads were let out again
 };

@@ -237,7 +237,7 @@ void come_back(const Wearer& wearer, const DressingWay& way, const RunContext& c
 Dressed dress(const sewing::Assembly& assembly, const Wearer& wearer, const DressingWay& way,
               const RunContext& context, const ShapeWatch& watch) {
   const sewing::GarmentMesh& g = assembly.garment;
-  Dressed dressed{{}, {}, way, 0};
+  Dressed dressed{{}, {}, way, 0, 0};
   const std::vector<Vec3> open = drawn_together(assembly, wearer, way, context, watch);
   for (const auto& [i, j] : g.sewn) dressed.seam_gap = std::max(dressed.seam_gap, length(open[i] - open[j]));
   Sewn sewn = shape_of(g, joined(g), open);

@@ -26,7 +26,8 @@ struct Dressed {
   std::vector<Vec3> positions;  ///< m, one a garment vertex, sewn ones together
   Certificate certificate;
   DressingWay way;
-  double seam_gap = 0;  ///< m, the widest when the seams were joined
+  std::size_t number = 0;  ///< of the way, in dressing_ways()
+  double seam_gap = 0;     ///< m, the widest when the seams were joined
 };
 
 /// Who looks on: called now and then with where each garment vertex is, m. May be empty.

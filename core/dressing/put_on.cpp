@@ -56,11 +56,12 @@ std::vector<Vec3> carried_over(const sewing::GarmentMesh& fine, const sewing::Ga
 }
 
 std::optional<Dressed> put_on(const sewing::Assembly& fine, const sewing::Assembly& coarse,
-                              const Wearer& wearer, const RunContext& context) {
+                              const Wearer& wearer, const RunContext& context, std::size_t first) {
   std::optional<Dressed> best;  // the least squeezed
-  for (const DressingWay& way : dressing_ways()) {
+  for (std::size_t number = first; number < dressing_ways().size(); ++number) {
     if (context.cancelled()) return std::nullopt;
-    Dressed dressed = dress(coarse, wearer, way, context);
+    Dressed dressed = dress(coarse, wearer, dressing_ways()[number], context);
+    dressed.number = number;
     if (!dressed.certificate.holds()) continue;
     const double squeezed = dressed.certificate.shrink_p99;
     if (best && squeezed >= best->certificate.shrink_p99) continue;

@@ -39,6 +39,7 @@ constexpr std::array<FindingTraits, kFindingKindCount> kTable{{
     {kLeftOut, "piece.left_out", kWarning, kWarning, kPattern, false},
     {kRingOff, "worn.ring_off", kWarning, kWarning, kPlacement, false},
     {kOnGround, "worn.on_ground", kWarning, kWarning, kPlacement, false},
+    {kBegunAnew, "start.begun_anew", kNote, kNote, kPlacement, false},
 }};
 
 }  // namespace

@@ -46,8 +46,9 @@ enum class FindingKind : std::uint8_t {
   kLeftOut,
   kRingOff,
   kOnGround,
+  kBegunAnew,
 };
-inline constexpr std::size_t kFindingKindCount = static_cast<std::size_t>(FindingKind::kOnGround) + 1;
+inline constexpr std::size_t kFindingKindCount = static_cast<std::size_t>(FindingKind::kBegunAnew) + 1;
 
 /// What would have to change for a finding to go.
 enum class Cause : std::uint8_t {

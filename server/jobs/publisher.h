@@ -31,7 +31,7 @@ struct StreamFrame {
 /// Figures that go along with a running job, for progress displays.
 struct JobProgress {
   store::JobState state = store::JobState::kQueued;
-  std::string phase;  ///< "queued", "mesh", "sew", "drape", "stills"
+  std::string phase;  ///< "queued", "mesh", "dress", "sew", "drape", "stills"
   double fraction = 0;
   int step = 0;
   int first_step = 0;  ///< where this run of it began: 0, or at its checkpoint

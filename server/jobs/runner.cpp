@@ -118,7 +118,10 @@ Status JobRun::begin(const RunControl& control) {
     input_ = std::make_shared<const drape::DrapeInput>(std::move(input));
   }
   RunContext context = context_of(control);
-  context.on_progress = [&](const Progress& p) { tell(control, "mesh", p.phase == "mesh" ? p.fraction : 1); };
+  context.on_progress = [&](const Progress& p) {
+    if (p.phase == "dress") return tell(control, p.phase, p.fraction);
+    tell(control, "mesh", p.phase == "mesh" ? p.fraction : 1);
+  };
   std::unique_ptr<drape::DrapeRun> run = TRY(start_or_resume(context));
   run_ = std::move(run);
   const drape::DrapeSession& session = run_->session();
@@ -176,7 +179,11 @@ void JobRun::advance_slice(const RunControl& control) {
   const double affordable = kSlice / std::max(1e-3, progress_.step_ms);
   const int steps = std::clamp(static_cast<int>(std::min(affordable, 1e6)), 1, to_frame);
   const Clock::time_point before = Clock::now();
-  const int taken = run_->advance(steps, context_of(control));
+  RunContext context = context_of(control);
+  context.on_progress = [&](const Progress& p) {  // it may begin anew; the session tells of all else
+    if (p.phase == "dress") tell(control, p.phase, p.fraction);
+  };
+  const int taken = run_->advance(steps, context);
   if (taken > 0) {
     progress_.step_ms = std::chrono::duration<double, std::milli>(Clock::now() - before).count() / taken;
   }

@@ -27,8 +27,8 @@ TEST(DrapeStart, PiecesInAHeapAreArrangedAnewAndPutOn) {
   const drape::DrapeStart start = started(input);
   ASSERT_TRUE(start.dressed.has_value());
   EXPECT_FALSE(preflight::first_error(start.findings)) << "where they were placed does not matter any more";
-  const auto rings =
-      dressing::worn_rings(start.placed.garment, *start.dressed, dressing::skeleton_of(start.person->figure));
+  const auto rings = dressing::worn_rings(start.placed.garment, start.dressed->positions,
+                                          dressing::skeleton_of(start.person->figure));
   EXPECT_EQ(rings.size(), 4U) << "neck, hem and two cuffs";
   for (const dressing::WornRing& ring : rings) EXPECT_TRUE(ring.right);
 }

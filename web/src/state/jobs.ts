@@ -17,6 +17,7 @@ const phaseNames: Record<string, string> = {
   queued: 'Waiting for a worker',
   mesh: 'Meshing the pieces',
   place: 'Placing the pieces',
+  dress: 'Putting the garment on',
   sew: 'Sewing',
   drape: 'Draping',
   check: 'Checking',
@@ -29,7 +30,8 @@ const phaseName = (phase: string): string => phaseNames[phase] ?? phase;
 const kShares: [string, number][] = [
   ['mesh', 0.04],
   ['place', 0.01],
-  ['sew', 0.3],
+  ['dress', 0.05],
+  ['sew', 0.25],
   ['drape', 0.58],
   ['check', 0.02],
   ['stills', 0.05],

@@ -1248,7 +1248,7 @@ export interface components {
         Progress: components["schemas"]["ProgressFields"];
         ProgressFields: {
             state: components["schemas"]["JobState"];
-            /** @description queued, mesh, place, sew, drape, check, stills; what the drape does */
+            /** @description queued, mesh, place, dress, sew, drape, check, stills; what the drape does */
             phase: string;
             /** @description of the phase */
             fraction: number;

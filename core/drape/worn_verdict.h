@@ -1,0 +1,27 @@
+#pragma once
+// Whether the body wears what was draped.
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/drape/drape_input.h"
+#include "core/drape/drape_result.h"
+#include "core/dressing/person.h"
+#include "core/preflight/finding.h"
+#include "core/sewing/garment_mesh.h"
+
+namespace toile::drape {
+
+struct WornVerdict {
+  Worn worn = Worn::kNobody;
+  preflight::Findings findings;  ///< why not
+};
+
+/// Rings around limbs, not all on the ground, no seam among `open`, and no piece missing but linings, facings
+/// and pockets. `x`: m, one a garment vertex.
+WornVerdict judge_worn(const DrapeInput& input, const std::optional<dressing::Person>& person,
+                       const sewing::GarmentMesh& garment, std::span<const Vec3> x,
+                       const std::vector<OpenSeam>& open);
+
+}  // namespace toile::drape
