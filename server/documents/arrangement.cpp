@@ -81,6 +81,7 @@ project::ProjectPlacement placement_of(const PieceWish& wish) {
     around.at = at;
     around.away = std::max(away, 0.0);
     around.turn = wish.turn;
+    around.flipped = wish.flipped;
   } else {
     project::ProjectOnBox& box = out.on_box.emplace();
     box.part = wish.part;
@@ -88,6 +89,7 @@ project::ProjectPlacement placement_of(const PieceWish& wish) {
     box.at = at;
     box.away = away;
     box.turn = wish.turn;
+    box.flipped = wish.flipped;
   }
   return out;
 }
@@ -201,7 +203,9 @@ Result<PieceWish> read_piece_wish(const json::JsonValue& object) {
   TRY(read_word(object, "part", part_names(), wish.part));
   TRY(read_word(object, "side", kSides, wish.side));
   TRY(read_numbers(object, wish));
-  for (const auto& [key, out] : {std::pair{"wrapped", &wish.wrapped}, {"with_partner", &wish.with_partner}}) {
+  for (const auto& [key, out] : {std::pair{"wrapped", &wish.wrapped},
+                                 {"flipped", &wish.flipped},
+                                 {"with_partner", &wish.with_partner}}) {
     const json::JsonValue* given = object.find(key);
     if (!given) continue;
     if (!given->boolean()) return bad_place("this is true or false", key);

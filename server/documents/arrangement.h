@@ -43,6 +43,7 @@ struct PieceWish {
   double away_mm = 50;         ///< from the side; of a wrapped piece from what stands out farthest
   double turn = 0;             ///< degrees, counter-clockwise as one looks at it
   bool wrapped = false;        ///< rolled around the part
+  bool flipped = false;        ///< turned over: the right side faces the body
   bool with_partner = false;   ///< its mirror image in the garment, if any, goes to the other side
 };
 /// Keys as in PieceWish; all but "piece" may be missing. Errors: request.unknown_key, request.place.

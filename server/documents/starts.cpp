@@ -1,6 +1,7 @@
 #include "server/documents/starts.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "proto/cpp/frame_codec.h"
 #include "proto/cpp/message_bytes.h"
 #include "server/documents/findings.h"
+#include "server/documents/piece_stand.h"
 #include "server/documents/projects.h"
 #include "server/documents/read_cloth.h"
 #include "server/documents/stream_pieces.h"
@@ -36,36 +38,36 @@ std::string geometry_of(const drape::DrapeInput& input, const sewing::Assembly& 
 
 json::JsonValue vector_json(Vec3 p) { return std::vector<json::JsonValue>{p.x, p.y, p.z}; }
 
-/// What a hand said of the place, in the words of a request to place the piece; null where nothing did.
-json::JsonValue by_hand(const project::ProjectPlacement& placement) {
-  const auto told = [](const auto& place, bool wrapped) -> json::JsonValue {
-    return std::vector<json::JsonMember>{
-        {"part", place.part},
-        {"side", place.side},
-        {"at_mm", std::vector<json::JsonValue>{mm_from_metres(place.at.x), mm_from_metres(place.at.y)}},
-        {"away_mm", mm_from_metres(place.away)},
-        {"turn", place.turn},
-        {"wrapped", wrapped}};
-  };
-  if (placement.on_box) return told(*placement.on_box, false);
-  if (placement.around) return told(*placement.around, true);
-  return {};
+/// A place in the words of a request to place the piece; null where there is nothing to say.
+json::JsonValue wish_json(const std::optional<PieceWish>& wish) {
+  if (!wish) return {};
+  return std::vector<json::JsonMember>{{"part", wish->part},
+                                       {"side", wish->side},
+                                       {"at_mm", std::vector<json::JsonValue>{wish->at_mm.x, wish->at_mm.y}},
+                                       {"away_mm", wish->away_mm},
+                                       {"turn", wish->turn},
+                                       {"wrapped", wish->wrapped},
+                                       {"flipped", wish->flipped}};
 }
 
 /// `assembly`: of all pieces; `found`: of those that would be draped.
 std::string check_of(const project::Project& project, const drape::DrapeInput& input,
                      const sewing::Assembly& assembly, const preflight::Findings& found) {
   std::vector<json::JsonValue> findings, pieces;
+  const PieceStands stands(input);
   for (const preflight::Finding& finding : found) findings.push_back(finding_json(finding));
   const sewing::GarmentMesh& garment = assembly.garment;
   for (std::size_t p = 0; p < input.pattern.panels.size(); ++p) {
     const auto first = static_cast<std::size_t>(garment.first_vertex[p]);
     const auto end = static_cast<std::size_t>(garment.first_vertex[p + 1]);
     const Aabb3 e = bounding_box(std::span(assembly.positions).subspan(first, end - first));
-    pieces.push_back(std::vector<json::JsonMember>{{"id", input.pattern.panels[p].id},
-                                                   {"low", vector_json(e.low)},
-                                                   {"high", vector_json(e.high)},
-                                                   {"by_hand", by_hand(project.pieces[p].placement)}});
+    const std::optional<PieceWish> hand = wish_of_hand(project.pieces[p]);
+    pieces.push_back(
+        std::vector<json::JsonMember>{{"id", input.pattern.panels[p].id},
+                                      {"low", vector_json(e.low)},
+                                      {"high", vector_json(e.high)},
+                                      {"by_hand", wish_json(hand)},
+                                      {"stands", wish_json(hand ? hand : stands.of(static_cast<Index>(p)))}});
   }
   return json::write_json_line(std::vector<json::JsonMember>{{"ready", !preflight::first_error(found)},
                                                              {"findings", std::move(findings)},

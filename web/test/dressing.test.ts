@@ -158,6 +158,7 @@ describe('the service', () => {
       away_mm: 50,
       turn: 0,
       wrapped: false,
+      flipped: false,
     });
     expect(asked[0]![0]).toBe('/api/v1/projects/p_1/bodies/my%20body');
     expect(asked[0]![1]).toMatchObject({ method: 'PUT', body: '{"mannequin":{"preset":"eu38"}}' });
@@ -247,6 +248,7 @@ describe('dressing', () => {
       away_mm: 50,
       turn: 0,
       wrapped: false,
+      flipped: false,
     };
     await commands.place(at);
     state.dressing.partners.value = false;
@@ -329,14 +331,14 @@ describe('a piece let go over a box', () => {
     const there: BoxPlace = { part: 'hips', side: 'back', at_mm: [0, 0] };
     await commands.drop('front', there);
     expect(place.mock.calls[0]![1]).toMatchObject({ piece: 'front', part: 'hips', side: 'back', away_mm: 50 });
-    const by_hand = { ...there, away_mm: 80, turn: 10, wrapped: true };
+    const by_hand = { ...there, away_mm: 80, turn: 10, wrapped: true, flipped: true };
     state.dressing.check.value = {
       ready: true,
       findings: [],
-      pieces: [{ id: 'front', low: [0, 0, 0], high: [1, 1, 1], by_hand }],
+      pieces: [{ id: 'front', low: [0, 0, 0], high: [1, 1, 1], by_hand, stands: by_hand }],
     };
     await commands.drop('front', { ...there, side: 'left' });
-    expect(place.mock.calls[1]![1]).toMatchObject({ side: 'left', away_mm: 80, turn: 0, wrapped: false });
+    expect(place.mock.calls[1]![1]).toMatchObject({ side: 'left', away_mm: 80, turn: 0, wrapped: false, flipped: true });
   });
 });
 

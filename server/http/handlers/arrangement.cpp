@@ -31,9 +31,9 @@ http::HttpResponse place_one(const Api& api, const store::RequestContext& contex
                              const http::HttpRequest& request) {
   const Result<int> revision = required_revision(request);
   if (!revision) return revision_problem(revision.error());
-  const Result<json::JsonValue> tree =
-      read_object(request, {"piece", "part", "side", "at_mm", "away_mm", "turn", "wrapped", "with_partner"},
-                  {.bytes = http::kSmallBody, .depth = 8});
+  const Result<json::JsonValue> tree = read_object(
+      request, {"piece", "part", "side", "at_mm", "away_mm", "turn", "wrapped", "flipped", "with_partner"},
+      {.bytes = http::kSmallBody, .depth = 8});
   if (!tree) return http::problem(tree.error());
   const Result<documents::PieceWish> wish = documents::read_piece_wish(*tree);
   if (!wish) return http::problem(wish.error());

@@ -195,6 +195,35 @@ TEST_F(Dressing, PlacesAPieceOnASideOfABox) {
   EXPECT_PROBLEM(change("POST", "/place", R"({"piece": "front", "with_partner": 1})"), 422, "request.place");
 }
 
+TEST_F(Dressing, TellsWhereAPieceStandsInWordsThatPlaceItThereAgain) {
+  const auto pieces = [&] { return *tree_of(get(one + "/check")).find("pieces")->array(); };
+  const auto low = [](const json::JsonValue& piece, std::size_t k) {
+    return *(*piece.find("low")->array())[k].number();
+  };
+  ASSERT_EQ(change("POST", "/arrange").status, 200);
+  const std::vector<json::JsonValue> before = pieces();
+  for (const json::JsonValue& piece : before) {
+    ASSERT_FALSE(piece.find("by_hand")->object());
+    ASSERT_TRUE(piece.find("stands")->object()) << json::write_json(piece);
+    json::JsonValue wish = *piece.find("stands");
+    std::get<std::vector<json::JsonMember>>(wish.data).push_back({"piece", *piece.find("id")});
+    ASSERT_EQ(change("POST", "/place", json::write_json(wish)).status, 200);
+  }
+  const std::vector<json::JsonValue> after = pieces();
+  for (std::size_t p = 0; p < before.size(); ++p) {
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_NEAR(low(after[p], k), low(before[p], k), 0.03) << json::write_json(before[p]);
+  }
+}
+
+TEST_F(Dressing, TurnsAPieceOver) {
+  ASSERT_EQ(change("POST", "/place", R"({"piece": "front", "flipped": true})").status, 200);
+  const json::JsonValue check = tree_of(get(one + "/check"));
+  EXPECT_TRUE(*(*check.find("pieces")->array())[0].find("by_hand")->find("flipped")->boolean());
+  EXPECT_NE(document().find("\"flipped\": true"), std::string::npos) << document();
+  EXPECT_PROBLEM(change("POST", "/place", R"({"piece": "front", "flipped": 1})"), 422, "request.place");
+}
+
 TEST_F(Dressing, KeepsLandmarksThatArePutElsewhereAndTheyGrowWithTheBody) {
   const auto mark = [&](const std::string& name) -> std::optional<Vec3> {
     const json::JsonValue body = first_body();

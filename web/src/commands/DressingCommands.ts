@@ -242,8 +242,9 @@ export class DressingCommands {
   drop(piece: string, at: Pick<PieceWish, 'part' | 'side' | 'at_mm'>): Promise<void> {
     const { check } = this.state_.dressing;
     const before = check.value?.pieces.find((one) => one.id === piece)?.by_hand;
+    const { away_mm, flipped } = before ?? { away_mm: kAway_mm, flipped: false };
     this.state_.selected.value = piece;
-    return this.place({ piece, ...at, away_mm: before?.away_mm ?? kAway_mm, turn: 0, wrapped: false });
+    return this.place({ piece, ...at, away_mm, turn: 0, wrapped: false, flipped });
   }
 
   // ---- looks

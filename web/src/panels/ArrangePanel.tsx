@@ -98,7 +98,7 @@ function PieceRow({ piece }: { piece: Piece }) {
 
 const kSides: BoxSide[] = ['front', 'back', 'left', 'right'];
 
-/** Offered where nothing has been said of a piece. */
+/** Offered where no body stands that could say where a piece is. */
 const kFirstPlace: Omit<PieceWish, 'piece'> = {
   part: 'torso',
   side: 'front',
@@ -106,17 +106,18 @@ const kFirstPlace: Omit<PieceWish, 'piece'> = {
   away_mm: kAway_mm,
   turn: 0,
   wrapped: false,
+  flipped: false,
 };
 
-/** A place by hand: every change of it is sent. */
+/** Where the piece stands, by hand or as it was arranged: every change of it is sent. */
 function PlaceForm({ piece }: { piece: string }) {
   const commands = useCommands();
   const state = useAppState();
   const { dressing } = state;
-  const wish = dressing.check.value?.pieces.find((one) => one.id === piece)?.by_hand ?? kFirstPlace;
+  const wish = dressing.check.value?.pieces.find((one) => one.id === piece)?.stands ?? kFirstPlace;
   const busy = dressing.busy.value !== '';
   const put = (more: Partial<PieceWish>): void => void commands.dressing.place({ ...wish, piece, ...more });
-  const { part, side, at_mm, away_mm, turn, wrapped } = wish;
+  const { part, side, at_mm, away_mm, turn } = wish;
   return (
     <div class="place-form">
       <label>
@@ -148,6 +149,21 @@ function PlaceForm({ piece }: { piece: string }) {
         <NumberField label="Away" value={away_mm} unit="mm" digits={0} take={(away) => put({ away_mm: away })} />
         <NumberField label="Turn" value={turn} unit="°" digits={0} take={(angle) => put({ turn: angle })} />
       </div>
+      <Turns wish={wish} busy={busy} put={put} />
+    </div>
+  );
+}
+
+interface TurnsProps {
+  wish: Pick<PieceWish, 'wrapped' | 'flipped'>;
+  busy: boolean;
+  put(more: Partial<PieceWish>): void;
+}
+
+/** Whether the piece is rolled, and which of its sides is the outer one. */
+function Turns({ wish: { wrapped, flipped }, busy, put }: TurnsProps) {
+  return (
+    <>
       <label class="check">
         <input
           type="checkbox"
@@ -157,6 +173,17 @@ function PlaceForm({ piece }: { piece: string }) {
         />
         Rolled around the part
       </label>
-    </div>
+      <div class="button-row">
+        <button
+          class="plain"
+          aria-pressed={flipped}
+          disabled={busy}
+          title="The other side of the cloth to the body"
+          onClick={() => put({ flipped: !flipped })}
+        >
+          Turn the piece over
+        </button>
+      </div>
+    </>
   );
 }

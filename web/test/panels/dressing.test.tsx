@@ -220,7 +220,7 @@ describe('the places of the pieces', () => {
   });
 
   it('are told beside each piece: by hand, or as they were made', () => {
-    const by_hand = { part: 'left_arm', side: 'front', at_mm: [0, 0], away_mm: 50, turn: 0, wrapped: false } as const;
+    const by_hand = { part: 'left_arm', side: 'front', at_mm: [0, 0], away_mm: 50, turn: 0, wrapped: false, flipped: false } as const;
     const hand = { ...by_hand, at_mm: [0, 0] as [number, number] };
     page.change(
       (state) =>
@@ -230,11 +230,33 @@ describe('the places of the pieces', () => {
           findings: [],
         }),
     );
-    open({ pieces: [{ id: 'front', low: [0, 0, 0], high: [0, 0, 0], by_hand: hand }] });
+    open({ pieces: [{ id: 'front', low: [0, 0, 0], high: [0, 0, 0], by_hand: hand, stands: hand }] });
     expect(button(/^front/).textContent).toBe('frontby hand: left arm, front');
     expect(button(/^back/).textContent).toBe('backtorso, back');
     click(button(/^back/));
     expect(page.asked()).toEqual([['select', 'back']]);
+  });
+
+  it('are shown as the arrangement made them, and are gone on from', () => {
+    const stands = {
+      part: 'left_arm' as const,
+      side: 'left' as const,
+      at_mm: [4, -30] as [number, number],
+      away_mm: 20,
+      turn: 12,
+      wrapped: true,
+      flipped: false,
+    };
+    open({ pieces: [{ id: 'front', low: [0, 0, 0], high: [0, 0, 0], by_hand: null, stands }] });
+    page.change((state) => (state.selected.value = 'front'));
+    expect(screen.getByRole('combobox', { name: 'Part' })).toHaveProperty('value', 'left_arm');
+    expect(screen.getByRole('checkbox', { name: 'Rolled around the part' })).toHaveProperty('checked', true);
+    type(screen.getByRole('textbox', { name: 'Away mm' }), '35');
+    click(button('Turn the piece over'));
+    expect(page.asked()).toEqual([
+      ['dressing.place', { ...stands, piece: 'front', away_mm: 35 }],
+      ['dressing.place', { ...stands, piece: 'front', flipped: true }],
+    ]);
   });
 
   it('are changed by hand, and every change is sent', () => {
@@ -244,7 +266,7 @@ describe('the places of the pieces', () => {
     click(screen.getByRole('radio', { name: 'Left' }));
     type(screen.getByRole('textbox', { name: 'Up mm' }), '30');
     click(screen.getByRole('checkbox', { name: 'Rolled around the part' }));
-    const first = { part: 'torso', side: 'front', at_mm: [0, 0], away_mm: 50, turn: 0, wrapped: false };
+    const first = { part: 'torso', side: 'front', at_mm: [0, 0], away_mm: 50, turn: 0, wrapped: false, flipped: false };
     expect(page.asked()).toEqual(
       [{ part: 'hips' }, { side: 'left' }, { at_mm: [0, 30] }, { wrapped: true }].map((change) => [
         'dressing.place',

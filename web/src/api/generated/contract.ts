@@ -1003,18 +1003,25 @@ export interface components {
                 low: components["schemas"]["Place"];
                 high: components["schemas"]["Place"];
                 /** @description Where a hand put it, as POST /api/v1/projects/{id}/place took it */
-                by_hand: null | {
-                    part: components["schemas"]["body_part"];
-                    side: components["schemas"]["box_side"];
-                    at_mm: [
-                        number,
-                        number
-                    ];
-                    away_mm: number;
-                    turn: number;
-                    wrapped: boolean;
-                };
+                by_hand: null | components["schemas"]["PieceStand"];
+                /**
+                 * @description Where it stands, as POST /api/v1/projects/{id}/place would be told: by_hand where a hand put it, else the
+                 *     nearest that can be said. Null where no body stands.
+                 */
+                stands: null | components["schemas"]["PieceStand"];
             }[];
+        };
+        PieceStand: {
+            part: components["schemas"]["body_part"];
+            side: components["schemas"]["box_side"];
+            at_mm: [
+                number,
+                number
+            ];
+            away_mm: number;
+            turn: number;
+            wrapped: boolean;
+            flipped: boolean;
         };
         Arrangement: {
             pieces: {
@@ -3875,6 +3882,11 @@ export interface operations {
                      * @default false
                      */
                     wrapped?: boolean;
+                    /**
+                     * @description Turned over, the right side to the body
+                     * @default false
+                     */
+                    flipped?: boolean;
                     /**
                      * @description The piece's mirror image in the garment, if there is one, goes to the other side
                      * @default false
