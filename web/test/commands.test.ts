@@ -6,7 +6,8 @@ import { Poller } from '../src/commands/Poller';
 import { Watcher } from '../src/commands/Watcher';
 import { AppState, ready } from '../src/state/AppState';
 import { parseRoute } from '../src/state/routes';
-import { fakeApi, jobOf, progressOf, projectOf } from './fakes';
+import type { Pieces } from '../src/api/types';
+import { fakeApi, jobOf, progressOf, projectOf, squareOf } from './fakes';
 
 function begin(more: Partial<Api> = {}) {
   const state = new AppState();
@@ -346,6 +347,26 @@ describe('the watcher', () => {
     watcher.start();
     await settle();
     expect(state.cloth.topology?.vertexCount).toBe(3);
+    watcher.stop();
+  });
+
+  it('fetches that file once, and waits for the colours of the pieces', async () => {
+    const resultText = vi.fn(async () => 'v 0 0 0\nv 1 0 0\nv 0 1 0\no front\nf 1 2 3\n');
+    let come = (_: Pieces): void => undefined;
+    const pieces = () => new Promise<Pieces>((done) => (come = done));
+    const watcher = new Watcher(state, fakeApi({ resultText, pieces }), stream, () => undefined);
+    state.projects.value = ready([projectOf()]);
+    state.jobs.value = ready([jobOf({ state: 'succeeded', results: { 'final.obj': 10 } })]);
+    state.route.value = { name: 'job', id: 'j_1' };
+    watcher.start();
+    await settle();
+    state.putJob(jobOf({ state: 'succeeded', ended_ms: 5, results: { 'final.obj': 10 } }));
+    await settle();
+    expect(state.cloth.topology).toBeNull();
+    come({ pieces: [{ ...squareOf('front', 0, 0, 10), colour: [1, 0, 0] }], seams: [] });
+    await settle();
+    expect(state.cloth.topology?.pieces[0]?.colour).toEqual([1, 0, 0]);
+    expect(resultText).toHaveBeenCalledTimes(1);
     watcher.stop();
   });
 });

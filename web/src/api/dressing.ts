@@ -2,7 +2,7 @@
 
 import { decodeBody, type BodyMesh } from './body';
 import { decodeTopology, type ClothTopology } from './frames';
-import { ApiError, Http } from './http';
+import { ApiError, Http, kLongPatience } from './http';
 import type { Answer, Asset, One, Project, Question, Schemas } from './types';
 
 export type Place = Schemas['Place'];
@@ -101,8 +101,9 @@ export function makeDressingApi(http = new Http('/api/v1')): DressingApi {
       }),
     arrange: (project) => http.post(`${one(project.id)}/arrange`, undefined, changing(project)),
     place: (project, wish) => http.post(`${one(project.id)}/place`, wish, changing(project)),
-    check: (id) => http.get(`${one(id)}/check`),
-    start: async (id) => decodeStart(await http.bytes(`${one(id)}/start`)),
+    // The service may put the garment on to see whether it can be: that takes it longer.
+    check: (id) => http.get(`${one(id)}/check`, kLongPatience),
+    start: async (id) => decodeStart(await http.bytes(`${one(id)}/start`, kLongPatience)),
     upload: (name, bytes) =>
       http.json(`/bodies?name=${part(name)}`, {
         method: 'POST',

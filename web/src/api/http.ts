@@ -105,7 +105,7 @@ export class Http {
     return whole((await this.send(path)).text());
   }
 
-  async bytes(path: string): Promise<ArrayBuffer> {
-    return whole((await this.send(path)).arrayBuffer());
+  async bytes(path: string, patience = kPatience): Promise<ArrayBuffer> {
+    return whole((await this.send(path, { signal: AbortSignal.timeout(patience) })).arrayBuffer());
   }
 }

@@ -149,6 +149,7 @@ export class Commands {
       tab.value = fix.kind === 'place' ? 'arrange' : 'pattern';
       return;
     }
+    if (fix.kind === 'drape') return this.startDrape();
     if (fix.kind === 'sew') {
       tab.value = 'pattern';
       return this.pattern.propose();

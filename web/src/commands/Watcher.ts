@@ -16,6 +16,8 @@ const kHistory = 600;
 export class Watcher {
   private readonly stops_: (() => void)[] = [];
   private piecesOf_ = '';
+  /** The drape whose cloth is being fetched: every new row of it would ask for it again. */
+  private clothOf_ = '';
 
   constructor(
     private readonly state_: AppState,
@@ -61,6 +63,7 @@ export class Watcher {
     state.body.value = null;
     state.cloth.clear();
     state.tab.value = id ? 'drape' : 'pattern';
+    this.clothOf_ = '';
     if (!id) return this.stream_.leave();
     this.stream_.watch(this.api_.streamUrl(id));
     void this.loadBody(id);
@@ -163,25 +166,30 @@ export class Watcher {
 
   /** Once a drape has ended: its report, and its cloth when the stream has none to show any more. */
   private async loadEnd(id: string): Promise<void> {
-    const { report, job, watched, tab, cloth } = this.state_;
+    const { report, job, watched, cloth } = this.state_;
     if (watched.value !== id) return;
     const results = job.value?.results ?? {};
-    if ('report.json' in results && !report.value) {
-      report.value = loading;
-      try {
-        report.value = ready(await this.api_.report(id));
-        if (watched.value === id && job.value?.state === 'succeeded') tab.value = 'result';
-      } catch (error) {
-        report.value = { state: 'failed', error: asApiError(error) };
-      }
+    if ('report.json' in results && !report.value) await this.loadReport(id);
+    if ('final.obj' in results && !cloth.topology && this.clothOf_ !== id) await this.loadCloth(id);
+  }
+
+  private async loadReport(id: string): Promise<void> {
+    const { report, job, watched, tab } = this.state_;
+    report.value = loading;
+    try {
+      report.value = ready(await this.api_.report(id));
+      if (watched.value === id && job.value?.state === 'succeeded') tab.value = 'result';
+    } catch (error) {
+      report.value = { state: 'failed', error: asApiError(error) };
     }
-    if ('final.obj' in results && !cloth.topology) await this.loadCloth(id);
   }
 
   private async loadCloth(id: string): Promise<void> {
     const { cloth, watched, pieces } = this.state_;
+    this.clothOf_ = id;
     try {
       const text = await this.api_.resultText(id, 'final.obj');
+      await this.piecesCame(); // they have its colours
       if (watched.value !== id || cloth.topology) return;
       const known = valueOf(pieces.value ?? loading)?.pieces ?? [];
       const read = clothFromObj(
@@ -192,6 +200,21 @@ export class Watcher {
       cloth.setPositions(read.positions, { epoch: 0, seq: 1, step: 0, time: 0 });
     } catch {
       // The gallery and the report still show how it ended.
+    } finally {
+      this.clothOf_ = '';
     }
+  }
+
+  /** Resolves once the pieces are there, or are known not to come. */
+  private async piecesCame(): Promise<void> {
+    const { pieces } = this.state_;
+    if (pieces.value?.state !== 'loading') return;
+    await new Promise<void>((done) => {
+      const stop = effect(() => {
+        if (pieces.value?.state === 'loading') return;
+        done();
+        queueMicrotask(() => stop());
+      });
+    });
   }
 }

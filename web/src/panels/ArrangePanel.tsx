@@ -75,6 +75,8 @@ function PieceRow({ piece }: { piece: Piece }) {
     // A finding that was clicked stays in sight, whichever piece it has selected.
     if (chosen && !state.dressing.finding.peek()) row.current?.scrollIntoView({ block: 'nearest' });
   }, [chosen, state]);
+  // Before it is known where the piece stands there is nothing to go on from.
+  const known = state.dressing.check.value !== null || state.dressing.startProblem.value !== null;
   const hand = state.dressing.check.value?.pieces.find((one) => one.id === piece.id)?.by_hand;
   const made = state.dressing.arrangement.value?.pieces.find((one) => one.id === piece.id)?.place;
   const where = hand ? `by hand: ${partTitle(hand.part).toLowerCase()}, ${hand.side}` : made;
@@ -91,7 +93,7 @@ function PieceRow({ piece }: { piece: Piece }) {
         <b>{piece.id}</b>
         <small>{where ?? ''}</small>
       </button>
-      {chosen && <PlaceForm key={piece.id} piece={piece.id} />}
+      {chosen && known && <PlaceForm key={piece.id} piece={piece.id} />}
     </li>
   );
 }

@@ -19,7 +19,7 @@ export function OutcomeList() {
   const report: Report | null = valueOf(state.report.value ?? loading);
   return (
     <>
-      {outcomesOf(job, report, known).map((outcome) => (
+      {outcomesOf(job, report, known, state.since.value).map((outcome) => (
         <Said key={outcome.title} outcome={outcome} all={known.seams} />
       ))}
     </>

@@ -186,7 +186,7 @@ function Overlay() {
   const state = useAppState();
   const job = state.job.value;
   if (state.atHome.value) return job && <Caption job={job} />;
-  if (state.covered.value) return null;
+  if (state.covered.value) return state.since.value && !state.beforeDrape.value ? <Older /> : null;
   if (job) return <WithoutCloth job={job} />;
   return state.route.value.name === 'project' && state.project.value ? <NotDraped /> : null;
 }
@@ -221,6 +221,20 @@ function WithoutCloth({ job }: { job: Job }) {
   if (job.state === 'failed') return <Ended title="This drape failed" text="Its pieces stand where it began." />;
   if (job.state === 'cancelled') return <Ended title="Cancelled" text="Its pieces stand where it began." />;
   return null;
+}
+
+/** What is seen is no longer what the pattern says. */
+function Older() {
+  const state = useAppState();
+  const commands = useCommands();
+  return (
+    <div class="scene-message strip" role="status">
+      <p>The project has changed since this drape.</p>
+      <button class="plain" disabled={state.submitting.value} onClick={() => void commands.startDrape()}>
+        Drape again
+      </button>
+    </div>
+  );
 }
 
 /** A drape without cloth to show: the panel beside says why, and what to do. */

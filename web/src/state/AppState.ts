@@ -7,7 +7,7 @@ import type { StreamConnection } from '../api/JobStream';
 import type { Picture } from '../api/pictures';
 import type { Job, Pieces, Progress, Project, Report } from '../api/types';
 import { DressingState, type Marks } from './dressing';
-import { EditingState } from './editing';
+import { EditingState, stepText } from './editing';
 import type { ImportDraft } from './importDraft';
 import type { IntakePlan } from './intake';
 import { isActive, jobAtHome, newestJobOf, withProgress } from './jobs';
@@ -132,6 +132,15 @@ export class AppState {
     if (job === null || ['body', 'arrange'].includes(this.tab.value)) return true;
     // What failed or was cancelled early has no cloth to show: its pieces stand where it began.
     return (job.state === 'failed' || job.state === 'cancelled') && !this.covered.value && !job.results?.['final.obj'];
+  });
+
+  /** What was done to the project after its drape had begun, newest first; null while the drape is as new as the project. */
+  readonly since: ReadonlySignal<readonly string[] | null> = computed(() => {
+    const job = this.job.value;
+    const project = this.project.value;
+    if (!job || !project || isActive(job.state) || project.revision <= job.project_revision) return null;
+    const steps = this.editing.history.value.filter((step) => !step.undone && step.created_ms > job.created_ms);
+    return steps.map((step) => stepText(step.edits));
   });
 
   /** The seam that is lit, as its parts lie on the pieces. */

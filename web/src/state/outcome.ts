@@ -8,6 +8,7 @@ import { sentence } from './words';
 export type Fix =
   | { kind: 'reverse'; seam: string }
   | { kind: 'arrange' }
+  | { kind: 'drape' }
   | { kind: 'place'; piece: string }
   | { kind: 'sew' }
   | { kind: 'edit'; piece: string };
@@ -121,15 +122,40 @@ export interface Known {
   seams: readonly string[];
 }
 
-/** All that there is to say, gravest first; nothing of a drape that is under way or well. */
-export function outcomesOf(job: Job, report: Report | null, known: Known): Outcome[] {
+/** `since`: what was done to the project after the drape had begun, in words. */
+function older(since: readonly string[]): Outcome {
+  const what = since.length > 0 ? ` ${since.slice(0, 3).join('; ')}${since.length > 3 ? ' and more' : ''}.` : '';
+  return {
+    tone: 'warn',
+    title: 'Changed since this drape',
+    text: `${what} Cloth, figures and files here are without it.`.trim(),
+    seams: [],
+    pieces: [],
+    fixes: [{ kind: 'drape' }],
+    code: 'older',
+  };
+}
+
+/**
+ * All that there is to say, gravest first; nothing of a drape that is under way or well. `since` is what was changed after
+ * it had begun; null: nothing.
+ */
+export function outcomesOf(
+  job: Job,
+  report: Report | null,
+  known: Known,
+  since: readonly string[] | null = null,
+): Outcome[] {
   if (job.state === 'failed') return [failed(job, known)];
   if (job.state === 'cancelled') {
     const text = sentence(job.reason);
     return [{ tone: 'plain', title: 'The drape was cancelled', text, seams: [], pieces: [], fixes: [], code: '' }];
   }
-  if (job.state !== 'succeeded' || !report) return [];
+  if (job.state !== 'succeeded') return [];
+  const behind = since && older(since);
+  if (!report) return behind ? [behind] : [];
   return [
+    behind,
     report.open_seams.length > 0 ? openSeams(report.open_seams, known) : null,
     notWorn(report),
     leftOut(report),
@@ -142,6 +168,7 @@ export const fixTitle = (fix: Fix, seams: readonly string[]): string =>
   ({
     reverse: `Turn seam ${fix.kind === 'reverse' ? seams.indexOf(fix.seam) + 1 : ''} over and drape`,
     arrange: 'Arrange anew and drape',
+    drape: 'Drape again',
     place: 'Place it by hand',
     sew: 'Look for its seams',
     edit: 'See its outline',

@@ -3,13 +3,13 @@ import { fireEvent, screen, within } from '@testing-library/dom';
 import { beforeEach, describe, expect, it } from 'vitest';
 import { click, openPage, type Page } from './page';
 import { ApiError } from '../../src/api/http';
-import type { Job } from '../../src/api/types';
+import type { Edit, Job } from '../../src/api/types';
 import { DrapeFigures } from '../../src/panels/DrapeFigures';
 import { OutcomeList } from '../../src/panels/OutcomeList';
 import { Results } from '../../src/panels/Results';
 import { SeamChip } from '../../src/panels/SeamChip';
 import { ready } from '../../src/state/AppState';
-import { jobOf, seamOf, squareOf } from '../fakes';
+import { jobOf, projectOf, seamOf, squareOf } from '../fakes';
 import { reportOf } from '../samples';
 
 const resultUrl = (job: string, name: string): string => `/results/${job}/${name}`;
@@ -59,6 +59,23 @@ describe('a drape under way', () => {
       ['mend', { kind: 'arrange' }],
       ['mend', { kind: 'place', piece: 'front' }],
     ]);
+  });
+
+  it('says what has been changed since, and drapes again', () => {
+    drape({ state: 'succeeded', created_ms: 100 });
+    page.show(<OutcomeList />);
+    expect(screen.queryByText('Changed since this drape')).toBeNull();
+    const step = (number: number, created_ms: number, edit: Edit) => ({ number, created_ms, undone: false, edits: [edit] });
+    page.change((state) => {
+      state.projects.value = ready([projectOf({ revision: 3 })]);
+      state.editing.history.value = [
+        step(2, 200, { edit: 'set_texture', piece: 'front' }),
+        step(1, 50, { edit: 'mirror_piece', piece: 'front' }),
+      ];
+    });
+    expect(screen.getByText(/^Change picture, front\. Cloth, figures and files/)).toBeTruthy();
+    click(screen.getByRole('button', { name: 'Drape again' }));
+    expect(page.asked()).toEqual([['mend', { kind: 'drape' }]]);
   });
 
   it('names the seam that stayed open by its pieces, and offers to turn it over', () => {
