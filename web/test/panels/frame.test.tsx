@@ -313,7 +313,7 @@ describe('the list of projects and drapes', () => {
     expect(links.map((link) => link.getAttribute('href'))).toEqual(['#/projects/p_1', '#/jobs/j_2', '#/jobs/j_1']);
     expect(links.map((link) => link.textContent)).toEqual([
       'Skirt2 drapes · rev 1',
-      'SecondSewing · 20 %',
+      'SecondSewing · 23 %',
       'SkirtDone · rev 1 · 10 min ago',
     ]);
     expect(links[0]!.getAttribute('aria-current')).toBe('true');
