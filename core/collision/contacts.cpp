@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <utility>
 
 #include "core/geometry/distance.h"
@@ -25,6 +26,16 @@ constexpr double kInsideRounding = 1 - 1e-9;
 /// Cosine above which two contacts of a vertex count as on the same side.
 constexpr double kSameSide = 0.2;
 
+/// Of the gap to a body, or of its skin offset if that is less, how far cloth must lie above its own plane
+/// for that one to serve.
+constexpr double kFlatShare = 0.5;
+
+/// Planes that a vertex is led along before it is stopped.
+constexpr int kMostTurns = 3;
+
+/// Of a way, what may seem to lead into a plane that it runs along: rounding.
+constexpr double kAlong = 1e-12;
+
 double body_allowance(double gap) {
   return std::max(0.0, std::min(kShareOfBodyGap * gap, gap - kContactFloor));
 }
@@ -32,8 +43,51 @@ double cloth_allowance(double gap) {
   return std::max(0.0, std::min(kShareOfClothGap * gap, 0.5 * (gap - kContactFloor)));
 }
 
+/// A plane that keeps a feature of the cloth and one of a body apart: c is n·x on the body's side, gap how
+/// far above the cloth's lies.
+struct Separation {
+  Vec3 n;
+  double c = 0, gap = 0;
+  bool flat = false;
+};
+
+/// Where the closest points lie on a border, the plane between them slants across the way of cloth that
+/// slides past, which would be held up by ground that is as flat there as before. If the cloth, `lowest` by
+/// its lowest point, lies well above the body's own plane with normal `normal` through q, that one serves.
+Separation flattest(const Separation& between, Vec3 normal, Vec3 q, Vec3 lowest, double skin_offset) {
+  const double gap = dot(normal, lowest - q);
+  if (gap < kFlatShare * std::min(between.gap, skin_offset)) return between;
+  return {normal, dot(normal, q), gap, true};
+}
+
+/// A null vector where there is none.
+void lay_normals(Obstacle& obstacle) {
+  const Surface& surface = obstacle.surface;
+  obstacle.vertex_normals.resize(obstacle.vertices.size());
+  std::map<std::array<Index, 2>, Vec3> sums;  // by ends, the lesser first
+  for (const auto& [a, b, c] : surface.triangles) {
+    const Vec3 p = obstacle.vertices[a];
+    const Vec3 n = normalized(cross(obstacle.vertices[b] - p, obstacle.vertices[c] - p));
+    obstacle.face_normals.push_back(n);
+    for (const Index v : {a, b, c}) obstacle.vertex_normals[v] += n;
+    for (const auto& [i, j] : {std::pair{a, b}, {b, c}, {c, a}}) sums[{std::min(i, j), std::max(i, j)}] += n;
+  }
+  for (Vec3& n : obstacle.vertex_normals) n = normalized(n);
+  for (const auto& [i, j] : surface.edges)
+    obstacle.edge_normals.push_back(normalized(sums[{std::min(i, j), std::max(i, j)}]));
+}
+
 double largest_radius(const std::vector<double>& radius, const Tri& t) {
   return std::max({radius[t[0]], radius[t[1]], radius[t[2]]});
+}
+
+/// Largest t in [0, 1] with |start + t·way| within the radius; start lies inside.
+double within_ball(Vec3 start, Vec3 way, double radius) {
+  const Vec3 end = start + way;
+  if (dot(end, end) <= radius * radius) return 1;
+  const double a = dot(way, way), b = dot(start, way), c = dot(start, start) - radius * radius;
+  const double root = b * b - a * c;
+  return root > 0 && a > 0 ? std::clamp((std::sqrt(root) - b) / a, 0.0, 1.0) : 0;
 }
 
 bool inside_both(geometry::EdgePoints at) { return at.s > 0 && at.s < 1 && at.t > 0 && at.t < 1; }
@@ -73,6 +127,7 @@ Obstacle make_obstacle(std::span<const Vec3> vertices, std::span<const Tri> tria
   for (const auto& [a, b] : obstacle.surface.edges) {
     obstacle.edge_lines.push_back(edge_line(vertices[a], vertices[b], 0));
   }
+  lay_normals(obstacle);
   obstacle.friction = friction;
   obstacle.skin_offset = skin_offset;
   obstacle.restitution = restitution;
@@ -104,15 +159,28 @@ double Contacts::plane_reach(Index v, Vec3 from, Vec3 to) const {
   return t;
 }
 
-double Contacts::reach(Index v, Vec3 from, Vec3 to) const {
-  const double t = plane_reach(v, from, to);
-  const Vec3 start = from - centre[v], way = to - from, end = start + way * t;
-  if (dot(end, end) <= trust_radius[v] * trust_radius[v]) return t;
-  // |start + t·way| = trust radius, the larger root; start lies inside.
-  const double a = dot(way, way), b = dot(start, way),
-               c = dot(start, start) - trust_radius[v] * trust_radius[v];
-  const double root = b * b - a * c;
-  return root > 0 && a > 0 ? std::clamp((std::sqrt(root) - b) / a, 0.0, t) : 0;
+Vec3 Contacts::reached(Index v, Vec3 from, Vec3 to) const {
+  for (int turn = 0; turn < kMostTurns; ++turn) {
+    const Vec3 start = from - centre[v], way = to - from;
+    const double along = kAlong * length(way);
+    const DivisionPlane* met = nullptr;
+    double t = 1;
+    for (Index k = plane_start[v]; k < plane_start[v + 1]; ++k) {
+      const double inwards = -dot(planes[k].n, way);
+      if (inwards <= along) continue;
+      const double free = std::max(0.0, (dot(planes[k].n, start) + planes[k].slack) / inwards);
+      if (free >= t) continue;
+      t = free;
+      met = &planes[k];
+    }
+    const double ball = within_ball(start, way, trust_radius[v]);
+    if (ball < t) return from + way * ball;
+    if (!met) return to;
+    from += way * t;
+    const Vec3 left = to - from;
+    to = from + (left - met->n * dot(met->n, left));
+  }
+  return from;
 }
 
 ContactFinder::ContactFinder(Surface cloth, std::span<const Obstacle> obstacles, ContactSettings settings)
@@ -179,20 +247,17 @@ void ContactFinder::lay_edge_lines(std::span<const Vec3> positions, const Contac
 
 void ContactFinder::pair_with_obstacles(Contacts& out) {
   for (const Obstacle& obstacle : obstacles_) {
-    const Surface& body = obstacle.surface;
-    const auto& points = obstacle.vertices;
-    boxes_.vertex_groups.pairs(obstacle.boxes.face_groups, [&](Index v, Index t) {
-      vertex_on_obstacle(obstacle, v, body.triangles[t], out);
-    });
+    boxes_.vertex_groups.pairs(obstacle.boxes.face_groups,
+                               [&](Index v, Index t) { vertex_on_obstacle(obstacle, v, t, out); });
     boxes_.face_groups.pairs(obstacle.boxes.vertex_groups, [&](Index t, Index v) {
-      obstacle_vertex_on_cloth(obstacle, points[v], cloth_.triangles[t], out);
+      obstacle_vertex_on_cloth(obstacle, v, cloth_.triangles[t], out);
     });
     edge_pairs_.clear();
     boxes_.edge_groups.pairs(obstacle.boxes.edge_groups,
                              [&](Index e, Index f) { edge_pairs_.emplace_back(e, f); });
     visit_near(edge_pairs_, edge_lines_, obstacle.edge_lines, [&](Index e, Index f) {
       const auto [a0, a1] = cloth_.edges[e];
-      edge_on_obstacle(obstacle, a0, a1, points[body.edges[f][0]], points[body.edges[f][1]], out);
+      edge_on_obstacle(obstacle, a0, a1, f, out);
     });
   }
 }
@@ -211,31 +276,35 @@ void ContactFinder::pair_with_itself(Contacts& out) {
   });
 }
 
-void ContactFinder::vertex_on_obstacle(const Obstacle& obstacle, Index vertex, const Tri& face,
-                                       Contacts& out) {
+void ContactFinder::vertex_on_obstacle(const Obstacle& obstacle, Index vertex, Index face, Contacts& out) {
+  const Tri& corners = obstacle.surface.triangles[face];
   const Vec3 p = out.centre[vertex];
-  const Vec3 a = obstacle.vertices[face[0]], b = obstacle.vertices[face[1]], c = obstacle.vertices[face[2]];
+  const Vec3 a = obstacle.vertices[corners[0]], b = obstacle.vertices[corners[1]],
+             c = obstacle.vertices[corners[2]];
   const double reach = out.trust_radius[vertex] + obstacle.skin_offset;
   const geometry::TrianglePoint at = geometry::closest_on_triangle(p, a, b, c);
   const Vec3 q = a * at.a + b * at.b + c * at.c;
   const double gap = length(p - q);
   if (!has_gap(gap, reach, vertex, out)) return;
   const Vec3 n = (p - q) * (1 / gap);
-  bound(vertex, n, p, body_allowance(gap), out);
+  const Separation apart =
+      flattest({n, dot(n, q), gap}, obstacle.face_normals[face], a, p, obstacle.skin_offset);
+  bound(vertex, apart.n, p, body_allowance(apart.gap), out);
   Contact contact;
   contact.count = 1;
   contact.v[0] = vertex;
   contact.w[0] = 1;
-  contact.n = n;
-  contact.c = dot(n, q);
+  contact.n = apart.n;
+  contact.c = apart.c;
   contact.rest = obstacle.skin_offset;
   contact.friction = obstacle.friction;
   contact.restitution = obstacle.restitution;
   near_.push_back({gap, contact});
 }
 
-void ContactFinder::obstacle_vertex_on_cloth(const Obstacle& obstacle, Vec3 point, const Tri& triangle,
+void ContactFinder::obstacle_vertex_on_cloth(const Obstacle& obstacle, Index theirs, const Tri& triangle,
                                              Contacts& out) {
+  const Vec3 point = obstacle.vertices[theirs];
   const Vec3 a = out.centre[triangle[0]], b = out.centre[triangle[1]], c = out.centre[triangle[2]];
   const double reach = largest_radius(out.trust_radius, triangle);
   const geometry::TrianglePoint at = geometry::closest_on_triangle(point, a, b, c);
@@ -243,7 +312,13 @@ void ContactFinder::obstacle_vertex_on_cloth(const Obstacle& obstacle, Vec3 poin
   const double gap = length(q - point);
   if (!has_gap(gap, reach, triangle[0], out)) return;
   const Vec3 n = (q - point) * (1 / gap);
-  for (const Index v : triangle) bound(v, n, q, body_allowance(gap), out);
+  const Vec3 normal = obstacle.vertex_normals[theirs];
+  Vec3 lowest = a;
+  for (const Vec3& corner : {b, c}) {
+    if (dot(normal, corner - lowest) < 0) lowest = corner;
+  }
+  const Separation apart = flattest({n, dot(n, point), gap}, normal, point, lowest, obstacle.skin_offset);
+  for (const Index v : triangle) bound(v, apart.n, apart.flat ? lowest : q, body_allowance(apart.gap), out);
   if (gap < obstacle.skin_offset && std::min({at.a, at.b, at.c}) > 0) {
     rims_.push_back({3,
                      {triangle[0], triangle[1], triangle[2], kNone},
@@ -256,8 +331,10 @@ void ContactFinder::obstacle_vertex_on_cloth(const Obstacle& obstacle, Vec3 poin
   }
 }
 
-void ContactFinder::edge_on_obstacle(const Obstacle& obstacle, Index a0, Index a1, Vec3 b0, Vec3 b1,
+void ContactFinder::edge_on_obstacle(const Obstacle& obstacle, Index a0, Index a1, Index theirs,
                                      Contacts& out) {
+  const Vec3 b0 = obstacle.vertices[obstacle.surface.edges[theirs][0]],
+             b1 = obstacle.vertices[obstacle.surface.edges[theirs][1]];
   const Vec3 p0 = out.centre[a0], p1 = out.centre[a1];
   const double reach = std::max(out.trust_radius[a0], out.trust_radius[a1]);
   const geometry::EdgePoints at = geometry::closest_on_edges(p0, p1, b0, b1);
@@ -265,9 +342,13 @@ void ContactFinder::edge_on_obstacle(const Obstacle& obstacle, Index a0, Index a
   const double gap = length(p - q);
   if (!has_gap(gap, reach, a0, out)) return;
   const Vec3 n = (p - q) * (1 / gap);
-  bound(a0, n, p, body_allowance(gap), out);
-  bound(a1, n, p, body_allowance(gap), out);
-  if (gap < obstacle.skin_offset && inside_both(at)) {
+  const Vec3 normal = obstacle.edge_normals[theirs];
+  const Vec3 lowest = dot(normal, p1 - p0) > 0 ? p0 : p1;
+  const Separation apart = flattest({n, dot(n, q), gap}, normal, b0, lowest, obstacle.skin_offset);
+  for (const Index v : {a0, a1}) bound(v, apart.n, apart.flat ? lowest : p, body_allowance(apart.gap), out);
+  // On flat ground the ends carry an edge.
+  const bool clear = apart.flat && apart.gap >= kRimShare * obstacle.skin_offset;
+  if (gap < obstacle.skin_offset && inside_both(at) && !clear) {
     rims_.push_back({2,
                      {a0, a1, kNone, kNone},
                      {1 - at.s, at.s, 0, 0},

@@ -33,6 +33,8 @@ struct Obstacle {
   Surface surface;
   FeatureBoxes boxes;  ///< grown by the skin offset
   std::vector<EdgeLine> edge_lines;
+  /// Outwards; those of vertices and edges are the means of their faces'.
+  std::vector<Vec3> vertex_normals, edge_normals, face_normals;
   double friction = 0.4;      ///< Coulomb
   double skin_offset = 1e-3;  ///< m
   double restitution = 0;     ///< share of the speed of a impact that cloth leaves with
@@ -47,7 +49,7 @@ struct ContactSettings {
   std::vector<double> vertex_thickness;
   double cloth_friction = 0.3;
   double trust_radius_least = 1e-3;  ///< m
-  double trust_radius_most = 5e-3;   ///< m; at most 0.35 of the mean edge
+  double trust_radius_most = 5e-3;   ///< m; at most a quarter of the mean edge
   double trust_radius_seconds =
       4e-3;  ///< s, time ahead that a trust region covers at 1.5 times the present speed
 };
@@ -92,10 +94,11 @@ struct Contacts {
   }
   bool inside_trust_region(Index v, Vec3 x) const;
   bool inside_planes(Index v, Vec3 x) const;
-  /// As reach, but for the planes alone.
+  /// Largest t in [0, 1] such that from + t·(to − from) stays within the vertex's planes.
   double plane_reach(Index v, Vec3 from, Vec3 to) const;
-  /// Largest t in [0, 1] such that from + t·(to − from) keeps the vertex's bounds. `from` must keep them.
-  double reach(Index v, Vec3 from, Vec3 to) const;
+  /// Where a vertex comes that wants to go to `to`: along the planes that it meets, up to the rim of its
+  /// trust region. `from` must keep the bounds; so does what is returned.
+  Vec3 reached(Index v, Vec3 from, Vec3 to) const;
 };
 
 /// Finds contacts and bounds of a cloth among obstacles, over and over. The obstacles must outlive it.
@@ -120,9 +123,9 @@ class ContactFinder {
   void lay_edge_lines(std::span<const Vec3> positions, const Contacts& out);
   void pair_with_obstacles(Contacts& out);
   void pair_with_itself(Contacts& out);
-  void vertex_on_obstacle(const Obstacle& obstacle, Index vertex, const Tri& face, Contacts& out);
-  void obstacle_vertex_on_cloth(const Obstacle& obstacle, Vec3 point, const Tri& triangle, Contacts& out);
-  void edge_on_obstacle(const Obstacle& obstacle, Index a0, Index a1, Vec3 b0, Vec3 b1, Contacts& out);
+  void vertex_on_obstacle(const Obstacle& obstacle, Index vertex, Index face, Contacts& out);
+  void obstacle_vertex_on_cloth(const Obstacle& obstacle, Index theirs, const Tri& triangle, Contacts& out);
+  void edge_on_obstacle(const Obstacle& obstacle, Index a0, Index a1, Index theirs, Contacts& out);
   void vertex_on_cloth(Index vertex, const Tri& triangle, Contacts& out);
   void edges_of_cloth(Index a0, Index a1, Index b0, Index b1, Contacts& out);
   /// Notes a pair's gap; false when there is none to push along (the features touch, or are out of reach).

@@ -110,7 +110,7 @@ class ClothSolver {
 };
 
 /// Thickness, friction and trust region sizes for a cloth: thickness at most 0.3 and trust regions at most
-/// 0.35 of the mean edge.
+/// a quarter of the mean edge.
 collision::ContactSettings contact_settings(const ClothModel& model);
 
 }  // namespace toile::solver

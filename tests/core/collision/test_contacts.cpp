@@ -35,8 +35,7 @@ void move_at_random(const collision::Contacts& contacts, std::mt19937& random, d
   std::uniform_real_distribution<double> step(-reach, reach);
   for (std::size_t i = 0; i < x.size(); ++i) {
     const Vec3 to = x[i] + Vec3{step(random), step(random), step(random)};
-    const double t = contacts.reach(static_cast<Index>(i), x[i], to);
-    x[i] = x[i] + (to - x[i]) * t;
+    x[i] = contacts.reached(static_cast<Index>(i), x[i], to);
   }
 }
 
@@ -79,8 +78,7 @@ TEST(Contacts, BoundsKeepASheetOutOfABodyWithEdgesAndPoints) {
     move_at_random(contacts, random, 0.006, sheet.x);
     for (Vec3& p : sheet.x) {  // and a steady pull down
       const auto i = static_cast<Index>(&p - sheet.x.data());
-      const Vec3 down = p - Vec3{0, 0.001, 0};
-      p = p + (down - p) * contacts.reach(i, p, down);
+      p = contacts.reached(i, p, p - Vec3{0, 0.001, 0});
     }
     ASSERT_TRUE(collision::body_crossings(surface, sheet.x, crossing_body).empty()) << "move " << k;
     ASSERT_TRUE(collision::self_crossings(surface, sheet.x).empty()) << "move " << k;
@@ -94,8 +92,9 @@ TEST(Contacts, AVertexAloneMayUseItsWholeBall) {
                                   collision::ContactSettings{});
   collision::Contacts contacts;
   finder.detect(sheet.x, std::vector<double>(4, 0.0), contacts);
-  EXPECT_NEAR(contacts.reach(0, sheet.x[0], sheet.x[0] + Vec3{0, 0.002, 0}), 0.5, 0.02);
-  EXPECT_EQ(contacts.reach(0, sheet.x[0], sheet.x[0] + Vec3{0, 0.0005, 0}), 1);
+  const Vec3 start = sheet.x[0];
+  EXPECT_NEAR(contacts.reached(0, start, start + Vec3{0, 0.002, 0}).y - start.y, 0.001, 4e-5);
+  EXPECT_EQ(contacts.reached(0, start, start + Vec3{0, 0.0005, 0}).y, start.y + 0.0005);
 }
 
 TEST(Contacts, FasterVerticesGetLargerBalls) {

@@ -77,6 +77,65 @@ TEST(ClothSolver, ASheetSlidesFreelyWithoutFriction) {
   EXPECT_NEAR(slide(0.3, 0), 0.5 * 9.81 * std::sin(0.3) * 0.25, 0.02);
 }
 
+/// A plane of `cell` m squares around the start of a slide by `angle`, long enough for `way` m down it.
+collision::Obstacle long_slope(double angle, double way, double cell, double friction) {
+  const Vec3 along{-std::cos(angle), -std::sin(angle), 0};
+  const int rows = static_cast<int>((way + 1) / cell) + 1, columns = static_cast<int>(0.5 / cell) + 1;
+  std::vector<Vec3> x;
+  std::vector<Tri> triangles;
+  for (int i = 0; i <= rows; ++i) {
+    for (int j = 0; j <= columns; ++j) x.push_back(along * (i * cell - 0.5) + Vec3{0, 0, j * cell - 0.25});
+  }
+  for (Index i = 0; i < rows; ++i) {
+    for (Index j = 0; j < columns; ++j) {
+      const Index v = i * (columns + 1) + j, below = v + columns + 1;
+      triangles.push_back({v, below, v + 1});
+      triangles.push_back({v + 1, below, below + 1});
+    }
+  }
+  return collision::make_obstacle(x, triangles, friction, 1e-3);
+}
+
+struct Slide {
+  double way, speed;  ///< m, m/s, mean of the sheet down the slope
+};
+
+/// Of a sheet of `edge` m triangles, laid down on the slope.
+Slide long_slide(double angle, double friction, double edge, double cell, double seconds) {
+  const test::Strip strip = test::make_strip({0, 200}, 200, edge, {0, 1}, material::Fabric{});
+  const Vec3 along{-std::cos(angle), -std::sin(angle), 0}, up{-std::sin(angle), std::cos(angle), 0};
+  std::vector<Vec3> x;
+  for (const Vec2& p : strip.rest) x.push_back(along * (0.1 - p.x) + up * 1.01e-3 + Vec3{0, 0, p.y - 0.1});
+  const double a = 9.81 * (std::sin(angle) - friction * std::cos(angle));
+  const std::vector<collision::Obstacle> obstacles{
+      long_slope(angle, 0.5 * a * seconds * seconds, cell, friction)};
+  solver::ClothSolver solver(strip.model, x, obstacles, 1.0 / 3000);
+  run(solver, damped(0), seconds);
+  Slide slide{};
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    slide.way += dot(solver.positions()[i] - x[i], along) / static_cast<double>(x.size());
+    slide.speed += dot(solver.velocities()[i], along) / static_cast<double>(x.size());
+  }
+  return slide;
+}
+
+TEST(ClothSolver, BoundsDoNotBrakeWhatSlides) {
+  const double angle = radians_from_degrees(19);
+  struct Sheet {
+    double edge, cell;  // m, of the cloth and of the ground
+  };
+  for (const double friction : {0.0, 0.3}) {
+    for (const Sheet& sheet : {Sheet{0.02, 1}, {0.02, 0.03}, {0.01, 1}}) {
+      const double seconds = friction > 0 ? 2 : 1;
+      const double a = 9.81 * (std::sin(angle) - friction * std::cos(angle));
+      const Slide slide = long_slide(angle, friction, sheet.edge, sheet.cell, seconds);
+      EXPECT_NEAR(slide.speed / (a * seconds), 1, 0.03)
+          << friction << ", " << sheet.edge << ", " << sheet.cell;
+      EXPECT_NEAR(slide.way / (0.5 * a * seconds * seconds), 1, 0.03) << friction << ", " << sheet.edge;
+    }
+  }
+}
+
 TEST(ClothSolver, AClothOnATableRestsAtTheSkinOffset) {
   const test::Strip strip = test::make_strip({0, 200}, 200, 0.02, {0, 1}, material::Fabric{});
   std::vector<Vec3> x = lying(strip, 0.01);
