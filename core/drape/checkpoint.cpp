@@ -58,6 +58,9 @@ void fields(Archive& a, RunState& run) {
   a.value(s.watch.drift);
   a.value(s.watch.usual_drift);
   a.value(s.watch.rates);
+  a.value(s.watch.mark);
+  a.value(s.watch.long_drift);
+  a.value(s.watch.long_usual_drift);
   a.value(s.solver.positions);
   a.value(s.solver.velocities);
   a.value(s.solver.centres);
@@ -117,14 +120,16 @@ bool sound(const SessionState& s) {
                     s.slackened) &&
          all_times(s.time, s.begun, s.phase_start, s.last_weld, s.solver.pace.learnt) &&
          s.solver.velocities.size() == n && (m == 0 || m == n) && s.solver.detection_speeds.size() == m &&
-         s.watch.window_start.size() == n && sound_ways(s.watch.ways, n) &&
+         s.watch.window_start.size() == n && s.watch.mark.size() == n && sound_ways(s.watch.ways, n) &&
          s.watch.rms.size() <= SettleState::kMostWindows &&
          s.watch.rates.size() <= SettleState::kMostWindows && all_speeds(s.watch.rates) &&
          all_speeds(s.off_at_release) && all_speeds(s.watch.rms) &&
          all_speeds({s.watch.max_speed, s.watch.drift, s.watch.usual_drift}) &&
          all_speeds(s.solver.detection_speeds) && all_within(s.solver.positions, kFarthest) &&
          all_within(s.solver.velocities, kFarthest) && all_within(s.solver.centres, kFarthest) &&
-         all_within(s.solver.preloads, 1) && all_within(s.watch.window_start, kFarthest);
+         all_within(s.solver.preloads, 1) && all_within(s.watch.window_start, kFarthest) &&
+         all_within(s.watch.mark, kFarthest) && s.watch.long_drift >= -1 && s.watch.long_drift <= kFarthest &&
+         s.watch.long_usual_drift >= -1 && s.watch.long_usual_drift <= kFarthest;
 }
 
 bool sound(const RunState& run) {

@@ -14,6 +14,12 @@ constexpr std::size_t kQuietWindows = SettleState::kMostWindows;
 /// hundred: a corner that creeps is little of the cloth, but goes far.
 constexpr double kWayLeft = 0.12, kUsualWayLeft = 0.3;  // s
 
+/// Over so many windows cloth that flutters in place is watched. It may go this share of the speed of rest,
+/// in the RMS and for 99 of a hundred, which is no more than kWayLeft and kUsualWayLeft allow slow cloth
+/// under the least damping; meanwhile it may shake at so many times that speed.
+constexpr int kLongWindows = 40;
+constexpr double kLongDrift = 0.2, kLongUsualDrift = 1, kFlutter = 2;
+
 struct Sizes {
   double rms = 0, usual = 0, most = 0;  ///< m; usual: what 99 of a hundred stay under
 };
@@ -58,12 +64,19 @@ SettleWatch::SettleWatch(double time_step, double speed)
 void SettleWatch::restart(std::span<const Vec3> x) {
   seen_ = {};
   seen_.window_start.assign(x.begin(), x.end());
+  seen_.mark = seen_.window_start;
 }
 
 void SettleWatch::observe(std::span<const Vec3> x, double damping) {
   if (seen_.window_start.size() != x.size()) restart(x);
   if (++seen_.step % window_steps_ != 0) return;
   const double seconds = window_steps_ * time_step_;
+  if (seen_.step % (kLongWindows * window_steps_) == 0) {
+    const Sizes far = sizes_of(ways_between(seen_.mark, x));
+    seen_.long_drift = far.rms / (kLongWindows * seconds);
+    seen_.long_usual_drift = far.usual / (kLongWindows * seconds);
+    seen_.mark.assign(x.begin(), x.end());
+  }
   const std::vector<float> newest = ways_between(seen_.window_start, x);
   seen_.window_start.assign(x.begin(), x.end());
   const Sizes now = sizes_of(newest);
@@ -99,10 +112,17 @@ double SettleWatch::slowest_rate() const {
 
 double SettleWatch::damping() const { return calming_damping(slowest_rate()); }
 
+bool SettleWatch::stays(double speed) const {
+  return seen_.long_drift >= 0 && seen_.long_drift <= kLongDrift * speed &&
+         seen_.long_usual_drift <= kLongUsualDrift * speed &&
+         std::all_of(seen_.rms.begin(), seen_.rms.end(), [&](double v) { return v < kFlutter * speed; });
+}
+
 bool SettleWatch::settled(double damping, double calm) const {
   if (seen_.rms.size() < kQuietWindows) return false;
   const std::vector<double>& last = seen_.rms;
   const double speed = calm * speed_;
+  if (stays(speed)) return true;
   const bool slow = std::all_of(last.begin(), last.end(), [&](double v) { return v < speed; });
   return slow && way_left(seen_.drift, damping, slowest_rate()) <= kWayLeft * speed &&
          way_left(seen_.usual_drift, damping, 0) <= kUsualWayLeft * speed &&

@@ -26,6 +26,11 @@ struct SettleState {
   double drift = 0;           ///< m/s RMS, over kMostWindows windows; what swings to and fro does not count
   double usual_drift = 0;     ///< m/s, what 99 vertices of a hundred stayed under over the same windows
   std::vector<double> rates;  ///< 1/s, of the newest kMostWindows windows that told one
+
+  std::vector<Vec3> mark;  ///< m, where the cloth was when the newest long window began
+  /// m/s over the last full long window, RMS and what 99 of a hundred stayed under; negative before there is
+  /// one.
+  double long_drift = -1, long_usual_drift = -1;
 };
 
 class SettleWatch {
@@ -39,7 +44,8 @@ class SettleWatch {
   void observe(std::span<const Vec3> x, double damping);
 
   /// Slow in each of the last four windows, not speeding up, and with hardly any way left under this damping
-  /// (1/s): folds that creep through a thick medium are slow, and go far once it is gone.
+  /// (1/s): folds that creep through a thick medium are slow, and go far once it is gone. Or hardly anywhere
+  /// else than two seconds before, though it is not still: gathered frills flutter in place for ever.
   /// `calm`: share of the speed at which cloth counts as at rest.
   bool settled(double damping, double calm = 1) const;
   /// 1/s, under which the cloth comes to rest soon.
@@ -54,6 +60,7 @@ class SettleWatch {
 
  private:
   double slowest_rate() const;
+  bool stays(double speed) const;
 
   double time_step_, speed_;
   int window_steps_;

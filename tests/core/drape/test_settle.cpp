@@ -59,6 +59,25 @@ TEST(Settle, AJitterOfSingleStepsDoesNotCount) {
   EXPECT_TRUE(settles([](int i) { return Vec3{i % 2 * 1e-4, 0, 0}; }));  // 0.1 m/s from step to step
 }
 
+/// A particle that shakes too fast to count as slow, and drifts at `drift` m/s: whether it settles in 3 s.
+bool settles_shaking(double drift) {
+  drape::SettleWatch watch(kStep, 0.005);
+  const auto at = [&](int i) { return Vec3{2.2e-4 * std::sin(42 * kStep * i), drift * kStep * i, 0}; };
+  watch.restart(std::vector<Vec3>{at(0)});
+  for (int i = 1; i <= 3000; ++i) {
+    watch.observe(std::vector<Vec3>{at(i)}, kDamping);
+    if (!watch.settled(kDamping)) continue;
+    EXPECT_GE(i, 2000);
+    return true;
+  }
+  return false;
+}
+
+TEST(Settle, WhatFluttersInPlaceIsAtRestOnceItHasBeenNowhereElseForTwoSeconds) {
+  EXPECT_TRUE(settles_shaking(0));
+  EXPECT_FALSE(settles_shaking(0.0015)) << "and goes on its way";
+}
+
 TEST(Settle, TheDampingFollowsTheSwing) {
   const auto damping_for = [](double rate) {
     drape::SettleWatch watch(kStep, 0.005);
