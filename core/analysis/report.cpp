@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/analysis/over_limit.h"
 #include "core/analysis/strain.h"
 #include "core/base/hash.h"
 
@@ -47,6 +48,9 @@ Report make_report(const drape::DrapeInput& input, const drape::DrapeResult& res
     r.highest_m = high->y;
   }
   r.findings = result.findings;
+  const preflight::Findings over = find_over_limit(input, result);
+  r.findings.insert(r.findings.end(), over.begin(), over.end());
+  preflight::sort_by_severity(r.findings);
   r.hash = hash_of(result.positions);
   return r;
 }

@@ -41,7 +41,7 @@ struct Report {
   StrainFigures shear;
   double rms_speed = 0, max_speed = 0;  ///< m/s
   double lowest_m = 0, highest_m = 0;   ///< of the cloth
-  preflight::Findings findings;         ///< of the look at the start, worst first
+  preflight::Findings findings;         ///< of the start and the end, worst first
   std::string hash;                     ///< of the final positions
 
   bool settled() const { return stop_reason.kind == drape::Stop::kSettled; }

@@ -35,7 +35,7 @@ struct Finding {
   Severity severity = Severity::kNote;
   std::string message;    ///< what it is and the way out
   Concerns about;         ///< what has to be seen to first; bodies last
-  Vec3 place;             ///< m, at the start as it was placed
+  Vec3 place;             ///< m, at the start as it was placed; of what the end shows, there
   bool repaired = false;  ///< the start was changed so that it is gone
 };
 

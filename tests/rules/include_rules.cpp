@@ -56,7 +56,7 @@ const std::map<std::string, Names>& table() {
       {"store", {}},
       {"sqlite", {"store"}},
       {"log", {}},
-      {"analysis", {"drape"}},
+      {"analysis", {"drape", "preflight"}},
       {"trials", {"drape", "fabric", "material", "mesh", "pattern", "sewing", "solver"}},
       {"exports", {"analysis", "drape", "fields", "geometry", "image", "json", "material", "mesh"}},
       {"documents", {"arrange",   "create",  "drape",     "dxf",     "editing", "garmentcode", "geometry",
