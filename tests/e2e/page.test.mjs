@@ -675,6 +675,7 @@ describe('the page', () => {
     for (const [name, options] of [
       ['14-dark', { colorScheme: 'dark' }],
       ['15-small', { viewport: { width: 820, height: 1000 } }],
+      ['15-phone', { viewport: { width: 390, height: 844 } }],
     ]) {
       const other = await openPage(browser, `${service.url}/#/jobs/${done.id}`, options);
       await waitFor(other, () => window.__toile.drawn() > 0 && document.querySelector('.report'));

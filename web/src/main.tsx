@@ -90,7 +90,8 @@ function retry(): void {
 /** The drape beside what is worked with, or beside the first page. */
 function Main() {
   const home = state.atHome.value;
-  const shape = home ? `home${state.job.value ? '' : ' alone'}` : state.editing.large.value ? 'pattern-large' : '';
+  const large = state.editing.large.value ? ' pattern-large' : '';
+  const shape = home ? `home${state.job.value ? '' : ' alone'}` : `at-${state.tab.value}${large}`;
   return (
     <main class={shape}>
       <ScenePane code={sceneCode} drawn={drawn} />

@@ -40,7 +40,7 @@ export interface Api {
   /** The fabrics that pieces may be cut of, by name. */
   fabrics(): Promise<Fabric[]>;
   /** Size tables for mannequins. */
-  bodyPresets(): Promise<{ id: string; title: string }[]>;
+  bodyPresets(): Promise<{ id: string }[]>;
   /** Stands the pieces around the body: one step of the history. */
   arrange(projectId: string, revision: number): Promise<Project>;
   uploadAsset(kind: Asset['kind'], name: string, bytes: Blob): Promise<Asset>;
@@ -93,7 +93,7 @@ export function makeApi(http = new Http('/api/v1')): Api {
     fabrics: async () => (await http.get<Answer<'listFabrics'>>('/fabrics')).fabrics,
     bodyPresets: async () => {
       const { presets } = await http.get<Answer<'listBodyPresets'>>('/bodies/presets');
-      return presets.map(({ name, sex }) => ({ id: name, title: `${name} (${sex})` }));
+      return presets.map(({ name }) => ({ id: name }));
     },
     arrange: (id, revision) => http.post(`/projects/${part(id)}/arrange`, undefined, matching(revision)),
     uploadAsset: (kind, name, bytes) => {

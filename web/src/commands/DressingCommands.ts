@@ -15,7 +15,8 @@ import type {
 import type { ApiError } from '../api/http';
 import type { Project } from '../api/types';
 import { valueOf, loading, type AppState } from '../state/AppState';
-import { bearerOf, freeBodyId, pieceOf, withMeasure, withoutMeasure, withPreset, type Marks } from '../state/dressing';
+import { bearerOf, freeBodyId, pieceOf, withMeasure, withoutMeasure, withPreset, type LengthUnit, type Marks } from '../state/dressing';
+import { keep } from '../state/kept';
 import { asApiError, notify, notifyError } from './notices';
 
 /** Does one change after those that are under way; the project that comes back is shown. */
@@ -252,6 +253,12 @@ export class DressingCommands {
   showMarks(more: Partial<Marks>): void {
     const { marks } = this.state_.dressing;
     marks.value = { ...marks.value, ...more };
+  }
+
+  /** Lengths of bodies are told in it, on this visit and the next. */
+  takeUnit(unit: LengthUnit): void {
+    this.state_.dressing.unit.value = unit;
+    keep('unit', unit);
   }
 
   light(measure: string | null): void {

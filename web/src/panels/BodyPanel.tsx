@@ -68,12 +68,22 @@ export function Refusal({ problem }: { problem: ApiError | null }) {
   );
 }
 
+/** The size that a body has, and what is said where it has none. */
+function sizeOf(body: ProjectBody | null | undefined): { preset: string; other: string } {
+  const mannequin = body?.mannequin;
+  if (!mannequin) return { preset: '', other: body?.file ?? 'Nobody' };
+  const { preset = '' } = mannequin;
+  // A size with a measure of its own is that size no more.
+  const own = Object.keys(mannequin).some((key) => key.endsWith('_cm'));
+  return { preset: own ? '' : preset, other: own && preset ? `${presetTitle(preset)} with own measures` : 'Own measures' };
+}
+
 function Chooser({ bodies, body }: { bodies: ProjectBody[]; body: ProjectBody | null }) {
   const { dressing } = useAppState();
   const commands = useCommands();
   const id = useId();
   const groups = presetGroups(dressing.tables.value?.presets ?? []);
-  const preset = body?.mannequin?.preset ?? '';
+  const { preset, other } = sizeOf(body);
   return (
     <div class="body-head">
       {bodies.length > 1 && (
@@ -97,7 +107,7 @@ function Chooser({ bodies, body }: { bodies: ProjectBody[]; body: ProjectBody | 
         onChange={(event) => void commands.dressing.choosePreset(event.currentTarget.value)}
       >
         <option value="" disabled>
-          {body?.mannequin ? 'Own measures' : (body?.file ?? 'Nobody')}
+          {other}
         </option>
         {groups.map((group) => (
           <optgroup key={group.title} label={group.title}>
@@ -116,6 +126,7 @@ function Chooser({ bodies, body }: { bodies: ProjectBody[]; body: ProjectBody | 
 }
 
 function Units() {
+  const commands = useCommands();
   const { dressing } = useAppState();
   return (
     <span class="choice" role="radiogroup" aria-label="Unit">
@@ -124,7 +135,7 @@ function Units() {
           key={unit}
           role="radio"
           aria-checked={dressing.unit.value === unit}
-          onClick={() => (dressing.unit.value = unit)}
+          onClick={() => commands.dressing.takeUnit(unit)}
         >
           {unit === 'cm' ? 'cm' : 'in'}
         </button>

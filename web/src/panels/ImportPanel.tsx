@@ -6,6 +6,7 @@ import type { ComponentType } from 'preact';
 import { useCommands } from '../commands/context';
 import type { Import, Unit } from '../api/types';
 import { useAppState } from '../state/context';
+import { presetTitle } from '../state/dressing';
 import { seamsInReach, sureness, type BodyChoice, type ImportDraft, type PreviewProps } from '../state/importDraft';
 import { count, counted, percent, sentence } from '../state/words';
 import { ImportReport } from './ImportReport';
@@ -244,7 +245,7 @@ function NameAndBody({ draft }: { draft: ImportDraft }) {
           <option value="mannequin ">Mannequin, 170 cm</option>
           {draft.presets.map((preset) => (
             <option key={preset.id} value={`mannequin ${preset.id}`}>
-              Mannequin {preset.title}
+              Mannequin {presetTitle(preset.id)}
             </option>
           ))}
           {files.length > 0 && <option value="file">{files[files.length - 1]!.name} (dropped)</option>}

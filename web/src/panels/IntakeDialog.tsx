@@ -1,5 +1,6 @@
 // Files become a project: shows what was given, what is missing and the way on.
 
+import { useSignal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import { useCommands } from '../commands/context';
 import type { Intake } from '../state/AppState';
@@ -17,9 +18,12 @@ export function IntakeDialog({ Preview }: PreviewSlot) {
   return state.intake.value ? <Dialog intake={state.intake.value} Preview={Preview} /> : null;
 }
 
+const kLeaving = 'Escape once more closes it; nothing of this is kept.';
+
 function Dialog({ intake, Preview }: { intake: Intake } & PreviewSlot) {
   const commands = useCommands();
   const dialog = useRef<HTMLDialogElement>(null);
+  const warned = useSignal(false);
   useEffect(() => dialog.current?.showModal(), []);
   const state = useAppState();
   const { plan, error } = intake;
@@ -29,6 +33,12 @@ function Dialog({ intake, Preview }: { intake: Intake } & PreviewSlot) {
       class={`sheet intake${draft ? ' wide' : ''}`}
       ref={dialog}
       onClose={() => commands.closeIntake()}
+      onCancel={(event) => {
+        // What was decided of a file would be lost: the first Escape only says so.
+        if (!draft || warned.value) return;
+        event.preventDefault();
+        warned.value = true;
+      }}
       aria-labelledby="intake-title"
     >
       <header>
@@ -44,7 +54,7 @@ function Dialog({ intake, Preview }: { intake: Intake } & PreviewSlot) {
         {draft && <ImportPanel draft={draft} Preview={Preview} />}
         {error && <Problem text={sentence(error.detail)} code={[error.code, error.where]} />}
       </div>
-      <Makers intake={intake} draft={draft} />
+      <Makers intake={intake} draft={draft} hint={warned.value ? kLeaving : ''} />
     </dialog>
   );
 }
@@ -69,7 +79,7 @@ function isWhole(intake: Intake, draft: ImportDraft | null): boolean {
 }
 
 /** The way on, and what is being done. */
-function Makers({ intake, draft }: { intake: Intake; draft: ImportDraft | null }) {
+function Makers({ intake, draft, hint }: { intake: Intake; draft: ImportDraft | null; hint: string }) {
   const commands = useCommands();
   const make = (drape: boolean): void => void (draft ? commands.imports.make(drape) : commands.createProject(drape));
   const stuck = !isWhole(intake, draft) || intake.busy !== '';
@@ -82,6 +92,7 @@ function Makers({ intake, draft }: { intake: Intake; draft: ImportDraft | null }
             {intake.busy}…
           </>
         )}
+        {!intake.busy && hint}
       </span>
       <button class="plain" disabled={stuck} onClick={() => make(false)}>
         Create

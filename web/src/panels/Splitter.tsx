@@ -2,31 +2,18 @@
 
 import { useSignal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
+import { keep, kept } from '../state/kept';
 
 const kLeast = 280;
 const kMost = 760;
 const kFirst = 400;
 const kStep = 24;
-const kKept = 'toile.side';
-
-const kept = (): number => {
-  try {
-    return Number(localStorage.getItem(kKept)) || kFirst;
-  } catch {
-    return kFirst; // storage may be refused
-  }
-};
-
 export function Splitter() {
   const bar = useRef<HTMLDivElement>(null);
-  const width = useSignal(kept());
+  const width = useSignal(Number(kept('side')) || kFirst);
   const set = (wanted: number): void => {
     width.value = Math.round(Math.min(kMost, Math.max(kLeast, wanted)));
-    try {
-      localStorage.setItem(kKept, String(width.value));
-    } catch {
-      // It then lasts for this visit.
-    }
+    keep('side', String(width.value));
   };
   useEffect(() => bar.current?.parentElement?.style.setProperty('--side', `${width.value}px`), [width.value]);
   const drag = (event: PointerEvent): void => {

@@ -5,7 +5,7 @@ import type { ApiError } from '../api/http';
 import type { BodyMesh } from '../api/body';
 import type { StreamConnection } from '../api/JobStream';
 import type { Picture } from '../api/pictures';
-import type { Job, Pieces, Progress, Project, Report } from '../api/types';
+import type { EditStep, Job, Pieces, Progress, Project, Report } from '../api/types';
 import { DressingState, type Marks } from './dressing';
 import { EditingState, stepText } from './editing';
 import type { ImportDraft } from './importDraft';
@@ -139,7 +139,11 @@ export class AppState {
     const job = this.job.value;
     const project = this.project.value;
     if (!job || !project || isActive(job.state) || project.revision <= job.project_revision) return null;
-    const steps = this.editing.history.value.filter((step) => !step.undone && step.created_ms > job.created_ms);
+    const isNewer = (step: EditStep): boolean => step.created_ms > job.created_ms;
+    const [newer, before] = [true, false].map((is) => this.editing.history.value.filter((step) => isNewer(step) === is));
+    const steps = newer!.filter((step) => !step.undone);
+    // All that was done has been undone, and no more than that: it is as it was draped.
+    if (newer!.length > 0 && steps.length === 0 && !before!.some((step) => step.undone)) return null;
     return steps.map((step) => stepText(step.edits));
   });
 

@@ -20,6 +20,7 @@ import type {
 } from '../api/dressing';
 import type { ApiError } from '../api/http';
 import type { SeamSides } from '../api/types';
+import { kept } from './kept';
 import { PerProject } from './PerProject';
 import { seamTitle } from './seamView';
 
@@ -57,7 +58,7 @@ export class DressingState extends PerProject {
   readonly placeProblem: Signal<ApiError | null> = this.perProject(null);
   /** The body whose measures are shown, by its place in the list. */
   readonly shown: Signal<number> = this.perProject(0);
-  readonly unit: Signal<LengthUnit> = signal('cm');
+  readonly unit: Signal<LengthUnit> = signal(kept('unit') === 'inch' ? 'inch' : 'cm');
   readonly marks: Signal<Marks> = signal({ tape: true, landmarks: false, boxes: false });
   /** Whether the mirror image of a piece that is placed by hand goes along, on the other side. */
   readonly partners: Signal<boolean> = signal(true);

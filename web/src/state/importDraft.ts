@@ -37,7 +37,7 @@ export interface ImportDraft {
   name: string;
   /** Bodies that the service has. */
   bodies: Asset[];
-  presets: { id: string; title: string }[];
+  presets: { id: string }[];
   error: ApiError | null;
 }
 

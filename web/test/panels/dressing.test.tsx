@@ -62,11 +62,19 @@ describe('the body', () => {
     open();
     fireEvent.change(screen.getByRole('slider', { name: 'Waist' }), { target: { value: '75' } });
     click(screen.getByRole('radio', { name: 'in' }));
+    page.change((state) => (state.dressing.unit.value = 'inch'));
     type(screen.getByRole('textbox', { name: 'Waist in' }), '30');
     expect(page.asked()).toEqual([
       ['dressing.setMeasure', 'waist', 75],
+      ['dressing.takeUnit', 'inch'],
       ['dressing.setMeasure', 'waist', 76.2],
     ]);
+  });
+
+  it('is not of a size any more once a measure of it is its own', () => {
+    open([bodyOf({ mannequin: { preset: 'eu38', waist_cm: 72 } })]);
+    const size = screen.getByRole<HTMLSelectElement>('combobox', { name: 'Size' });
+    expect(size.selectedOptions[0]?.textContent).toBe('EU 38 with own measures');
   });
 
   it('gives a measure of its own back to the table', () => {

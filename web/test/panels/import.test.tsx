@@ -55,6 +55,14 @@ describe('the dialog of a new project', () => {
     expect(screen.queryByRole('dialog')).toBeNull();
   });
 
+  it('is left by a second Escape only, once there is something to lose', () => {
+    open(intakeOf(), draftOf());
+    const dialog = screen.getByRole('dialog');
+    expect(fireEvent(dialog, new Event('cancel', { cancelable: true }))).toBe(false);
+    expect(screen.getByText(/Escape once more/)).toBeTruthy();
+    expect(fireEvent(dialog, new Event('cancel', { cancelable: true }))).toBe(true);
+  });
+
   it('asks for files, and makes nothing of none', () => {
     open(intakeOf());
     expect(screen.getByRole('dialog', { name: 'New project' })).toBeTruthy();
@@ -178,7 +186,7 @@ describe('a pattern file', () => {
     open(
       draftOf({
         bodies,
-        presets: [{ id: 'eu38', title: 'eu38 (female)' }],
+        presets: [{ id: 'eu38' }],
         source: { ...draftOf().source, bodies: [mesh] },
       }),
     );

@@ -76,6 +76,12 @@ describe('a drape under way', () => {
     expect(screen.getByText(/^Change picture, front\. Cloth, figures and files/)).toBeTruthy();
     click(screen.getByRole('button', { name: 'Drape again' }));
     expect(page.asked()).toEqual([['mend', { kind: 'drape' }]]);
+    // What has been undone again is no change.
+    page.change((state) => {
+      const { history } = state.editing;
+      history.value = history.value.map((one) => (one.number === 2 ? { ...one, undone: true } : one));
+    });
+    expect(screen.queryByText('Changed since this drape')).toBeNull();
   });
 
   it('names the seam that stayed open by its pieces, and offers to turn it over', () => {
