@@ -264,6 +264,24 @@ void describe(Visitor& v, project::ProjectPiece& piece) {
 }
 
 template <typename Visitor>
+void describe(Visitor& v, project::ProjectCoefficients& coefficients) {
+  v.object("coefficients",
+           "Coefficients from 0 to 1 in place of figures; figures that stand here go before them.");
+  v.field("elasticity_warp", coefficients.elasticity_warp,
+          "Largest strain along the warp: 0.05 is 5 %; 1 is soft. The stiffness becomes 60 N/m over it.",
+          Need::kOptional, Range{0.001, 1});
+  v.field("elasticity_weft", coefficients.elasticity_weft, "The same along the weft.", Need::kOptional,
+          Range{0.001, 1});
+  v.field(
+      "bending_warp", coefficients.bending_warp,
+      "Bending length (B / w)^(1/3) along the warp over 50 mm, w the weight per area: 0 is limp, 1 stiff. "
+      "Of the bias, where both stand here: the radius at 45° of the ellipse with these half axes.",
+      Need::kOptional, Range{0, 1});
+  v.field("bending_weft", coefficients.bending_weft, "The same along the weft.", Need::kOptional,
+          Range{0, 1});
+}
+
+template <typename Visitor>
 void describe(Visitor& v, project::ProjectFabric& fabric) {
   v.object("fabric",
            "A fabric in measured units: figures of its own, or those of a fabric of the library where it has "
@@ -273,6 +291,7 @@ void describe(Visitor& v, project::ProjectFabric& fabric) {
   v.field(
       "like", fabric.like,
       "Name of a fabric of the library (`toile fabric list`): it has the figures that do not stand here.");
+  v.field("coefficients", fabric.coefficients, "");
   v.unless("like", {"areal_mass_g_m2", "stretch_warp_n_m", "stretch_weft_n_m", "stretch_shear_n_m",
                     "bend_warp_un_m", "bend_weft_un_m", "bend_bias_un_m", "thickness_mm"});
   v.field("areal_mass_g_m2", fabric.areal_mass_g_m2, "g/m².", Need::kOptional, Range{1, 10000});

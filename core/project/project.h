@@ -146,11 +146,20 @@ struct ProjectPiece {
   friend bool operator==(const ProjectPiece&, const ProjectPiece&) = default;
 };
 
+/// A fabric's view by coefficients from 0 to 1; their map to real units stands in
+/// core/material/coefficients.h.
+struct ProjectCoefficients {
+  std::optional<double> elasticity_warp = {}, elasticity_weft = {};  ///< 1: soft
+  std::optional<double> bending_warp = {}, bending_weft = {};        ///< 1: stiff
+  friend bool operator==(const ProjectCoefficients&, const ProjectCoefficients&) = default;
+};
+
 /// Units as the keys name them; what each figure means stands in core/material/fabric.h. What is not given is
 /// as in the fabric of the library that it is like, or else as there.
 struct ProjectFabric {
   std::string id, name;
   std::string like;  ///< name of a fabric of the library
+  std::optional<ProjectCoefficients> coefficients = {};
   std::optional<double> areal_mass_g_m2 = {};
   std::optional<double> stretch_warp_n_m = {}, stretch_weft_n_m = {}, stretch_coupling_n_m = {};
   std::optional<double> stretch_shear_n_m = {};

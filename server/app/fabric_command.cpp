@@ -1,10 +1,12 @@
 // The fabrics of the library: a list, and one with its figures and their sources.
 
+#include <cmath>
 #include <cstdio>
 #include <string>
 
 #include "core/base/text.h"
 #include "core/fabric/library.h"
+#include "core/material/coefficients.h"
 #include "server/app/commands.h"
 #include "server/app/console.h"
 
@@ -17,6 +19,19 @@ double bending_mm(double rigidity, const material::Fabric& cloth) {
   return std::round(fabric::bending_length(rigidity, cloth.areal_mass) * kMillimetres * 10) / 10;
 }
 
+double hundredths(double value) { return std::round(value * 100) / 100; }
+
+json::JsonValue coefficients_json(const material::Fabric& cloth) {
+  const auto bending = [&](double rigidity) {
+    return hundredths(material::bending_coefficient(rigidity, cloth.areal_mass));
+  };
+  return std::vector<json::JsonMember>{
+      {"elasticity_warp", hundredths(material::elasticity_of(cloth.stretch_warp, cloth.limit_warp))},
+      {"elasticity_weft", hundredths(material::elasticity_of(cloth.stretch_weft, cloth.limit_weft))},
+      {"bending_warp", bending(cloth.bend_warp)},
+      {"bending_weft", bending(cloth.bend_weft)}};
+}
+
 /// What follows from a card's figures.
 std::vector<json::JsonMember> derived_json(const material::Fabric& cloth) {
   return {{"bending_length_warp_mm", bending_mm(cloth.bend_warp, cloth)},
@@ -26,6 +41,7 @@ std::vector<json::JsonMember> derived_json(const material::Fabric& cloth) {
           {"stretch_weft_n_m", cloth.stretch_weft},
           {"limit_warp_percent", cloth.limit_warp * 100},
           {"limit_weft_percent", cloth.limit_weft * 100},
+          {"coefficients", coefficients_json(cloth)},
           {"particle_distance_mm", std::round(fabric::fitting_distance(cloth) * kMillimetres * 10) / 10}};
 }
 
@@ -62,6 +78,11 @@ void print_card(const fabric::FabricCard& card) {
   if (card.drape_least_percent && card.drape_most_percent)
     std::printf("drape           %g to %g %% are published\n", *card.drape_least_percent,
                 *card.drape_most_percent);
+  std::printf("coefficients    elasticity %.2f and %.2f, bending %.2f and %.2f (0 to 1, warp and weft)\n",
+              material::elasticity_of(cloth.stretch_warp, cloth.limit_warp),
+              material::elasticity_of(cloth.stretch_weft, cloth.limit_weft),
+              material::bending_coefficient(cloth.bend_warp, cloth.areal_mass),
+              material::bending_coefficient(cloth.bend_weft, cloth.areal_mass));
   std::printf("triangles       %.1f mm fit it\n", fabric::fitting_distance(cloth) * kMillimetres);
   for (const fabric::FigureSource& source : card.sources) {
     for (std::size_t i = 0; i < source.of.size(); ++i)

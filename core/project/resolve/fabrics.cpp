@@ -7,6 +7,8 @@
 #include "core/base/names.h"
 #include "core/base/units.h"
 #include "core/fabric/library.h"
+#include "core/material/coefficients.h"
+#include "core/material/ellipse.h"
 #include "core/material/laminate.h"
 #include "core/project/resolve/make_all.h"
 #include "core/project/resolve/pattern_names.h"
@@ -44,12 +46,30 @@ Status check_stable(const material::Fabric& fabric, const std::string& where) {
                json::pointer_to(where, "stretch_coupling_n_m")};
 }
 
+/// REQUIRES a fabric that has its mass already.
+void take_coefficients(const project::ProjectCoefficients& given, material::Fabric& fabric) {
+  const auto stretch = [](const std::optional<double>& elasticity, double& stiffness, double& limit) {
+    if (!elasticity) return;
+    stiffness = material::stretch_of_elasticity(*elasticity);
+    limit = *elasticity;
+  };
+  stretch(given.elasticity_warp, fabric.stretch_warp, fabric.limit_warp);
+  stretch(given.elasticity_weft, fabric.stretch_weft, fabric.limit_weft);
+  const auto rigidity = [&](double b) { return material::rigidity_of_bending(b, fabric.areal_mass); };
+  if (given.bending_warp) fabric.bend_warp = rigidity(*given.bending_warp);
+  if (given.bending_weft) fabric.bend_weft = rigidity(*given.bending_weft);
+  if (given.bending_warp && given.bending_weft)
+    fabric.bend_bias = rigidity(material::elliptical(*given.bending_warp, *given.bending_weft, kPi / 4));
+}
+
 Result<material::Fabric> fabric_of(const project::ProjectFabric& given, const std::string& where) {
   material::Fabric fabric;
   if (!given.like.empty())
     fabric = fabric::fabric_of(*TRY(fabric::named(given.like, json::pointer_to(where, "like"))));
   fabric.id = given.id;
   if (!given.name.empty() || given.like.empty()) fabric.name = given.name;
+  take(fabric.areal_mass, given.areal_mass_g_m2, kKilograms);
+  if (given.coefficients) take_coefficients(*given.coefficients, fabric);
   take_figures(given, fabric);
   if (given.limit_warp_percent) fabric.limit_warp = *given.limit_warp_percent / 100;
   if (given.limit_weft_percent) fabric.limit_weft = *given.limit_weft_percent / 100;

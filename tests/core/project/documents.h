@@ -55,7 +55,8 @@ inline const char* const kFullDocument = R"({
   ],
   "fabric": "poplin",
   "fabrics": [
-    {"id": "wool", "name": "Worsted", "like": "wool-suiting", "areal_mass_g_m2": 210, "stretch_warp_n_m": 1500, "stretch_weft_n_m": 900,
+    {"id": "wool", "name": "Worsted", "like": "wool-suiting",
+     "coefficients": {"elasticity_warp": 0.1, "elasticity_weft": 0.2, "bending_warp": 0.3, "bending_weft": 0.25}, "areal_mass_g_m2": 210, "stretch_warp_n_m": 1500, "stretch_weft_n_m": 900,
      "stretch_coupling_n_m": 210.5, "stretch_shear_n_m": 120, "limit_warp_percent": 12.5,
      "limit_weft_percent": 20, "limit_shear_rad": 0.4, "bend_warp_un_m": 14.5, "bend_weft_un_m": 9,
      "bend_bias_un_m": 7, "thickness_mm": 0.61, "friction": 0.25, "colour": [0.2, 0.3, 0.9]}

@@ -98,7 +98,7 @@ TEST(Project, RefusesAMissingKey) {
 }
 
 TEST(Project, RefusesAFabricThatIsLikeNoneAndLacksFigures) {
-  const std::string alone = changed(kFullDocument, "\"like\": \"wool-suiting\", ", "");
+  const std::string alone = changed(kFullDocument, "\"like\": \"wool-suiting\",", "");
   EXPECT_TRUE(project::parse_project(alone));
   const Result<project::Project> lacking =
       project::parse_project(changed(alone, "\"bend_warp_un_m\": 14.5, ", ""));

@@ -265,6 +265,21 @@ TEST(ProjectResolve, AFabricLikeAnotherHasItsOwnFiguresFirst) {
   EXPECT_EQ(old.limit_weft, denim.limit_weft);
 }
 
+TEST(ProjectResolve, CoefficientsStandForFigures) {
+  const drape::DrapeInput input = changed_input(
+      "{\"id\": \"wool\", \"areal_mass_g_m2\": 210,",
+      "{\"id\": \"view\", \"like\": \"twill\", \"areal_mass_g_m2\": 100, \"coefficients\": "
+      "{\"elasticity_warp\": 0.1, "
+      "\"bending_warp\": 0.4, \"bending_weft\": 0.4}}, {\"id\": \"wool\", \"areal_mass_g_m2\": 210,");
+  const material::Fabric& view = input.fabrics[1];
+  const material::Fabric twill = fabric::fabric_of(*fabric::find("twill"));
+  EXPECT_DOUBLE_EQ(view.limit_warp, 0.1);
+  EXPECT_DOUBLE_EQ(view.stretch_warp, 600);
+  EXPECT_EQ(view.limit_weft, twill.limit_weft) << "what is not told stays";
+  EXPECT_NEAR(fabric::bending_length(view.bend_warp, 0.1), 0.02, 1e-12) << "by its own mass";
+  EXPECT_NEAR(view.bend_bias, view.bend_warp, 1e-18) << "a circle is the same everywhere";
+}
+
 TEST(ProjectResolve, AnInterliningStiffensThePieceThatItIsOn) {
   const drape::DrapeInput input =
       changed_input("\"grain\": [3, 4], \"fabric\": \"wool\"",

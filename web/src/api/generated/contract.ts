@@ -1659,6 +1659,17 @@ export interface components {
                 flipped?: boolean;
             };
         } & (unknown | unknown | unknown | unknown);
+        /** @description Coefficients from 0 to 1 in place of figures; figures that stand here go before them. */
+        coefficients: {
+            /** @description Largest strain along the warp: 0.05 is 5 %; 1 is soft. The stiffness becomes 60 N/m over it. */
+            elasticity_warp?: number;
+            /** @description The same along the weft. */
+            elasticity_weft?: number;
+            /** @description Bending length (B / w)^(1/3) along the warp over 50 mm, w the weight per area: 0 is limp, 1 stiff. Of the bias, where both stand here: the radius at 45° of the ellipse with these half axes. */
+            bending_warp?: number;
+            /** @description The same along the weft. */
+            bending_weft?: number;
+        };
         /** @description An edge of a piece, or a part of one. */
         seam_edge: {
             /** @description Id of a piece. */
@@ -1765,6 +1776,7 @@ export interface components {
             name?: components["schemas"]["text"];
             /** @description Name of a fabric of the library (`toile fabric list`): it has the figures that do not stand here. */
             like?: components["schemas"]["text"];
+            coefficients?: components["schemas"]["coefficients"];
             /** @description g/m². */
             areal_mass_g_m2?: number;
             /** @description N/m; tension per strain along the warp. */
