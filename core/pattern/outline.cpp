@@ -225,6 +225,45 @@ void add_corners(Points loop, Points places, std::vector<std::size_t>& corners) 
   std::sort(corners.begin(), corners.end());
 }
 
+/// Turn from the segment that ends at vertex i to the one that begins there, radians.
+double vertex_turn(Points loop, std::size_t i) {
+  const std::size_t n = loop.size();
+  const Vec2 in = loop[i] - loop[(i + n - 1) % n], out = loop[(i + 1) % n] - loop[i];
+  return std::abs(std::atan2(cross(in, out), dot(in, out)));
+}
+
+/// Vertices after i (`step` 1) or before it (n - 1) that turn about as much or more, up to a sharp corner.
+std::size_t turning_alike(Points loop, std::size_t i, std::size_t step, double sharp) {
+  constexpr double kStandsOut = 2.5;  // times the turn at a sample of a curve
+  const double turn = vertex_turn(loop, i);
+  std::size_t count = 0;
+  for (std::size_t k = (i + step) % loop.size(); k != i; k = (k + step) % loop.size(), ++count) {
+    const double other = vertex_turn(loop, k);
+    if (other > sharp || turn > kStandsOut * other) break;
+  }
+  return count;
+}
+
+/// Whether a straight line ends at vertex i, and the outline turns there far more than at the vertices beside
+/// it, but for sharp corners and one blunt corner more.
+bool is_blunt_corner(Points loop, std::size_t i, const OutlineSettings& settings) {
+  constexpr double kShort = 3, kLine = 20;  // mm: too short for a direction; long enough for a line
+  const std::size_t n = loop.size();
+  const double a = length(loop[i] - loop[(i + n - 1) % n]), b = length(loop[(i + 1) % n] - loop[i]);
+  if (std::max(a, b) < kLine || std::min(a, b) < kShort) return false;
+  if (vertex_turn(loop, i) < settings.blunt_corner_angle) return false;
+  const double sharp = settings.corner_angle;
+  return turning_alike(loop, i, 1, sharp) + turning_alike(loop, i, n - 1, sharp) <= 1;
+}
+
+/// The blunt corners that the drawing shows.
+std::vector<Vec2> blunt_corners(Points loop, const OutlineSettings& settings) {
+  std::vector<Vec2> blunt;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    if (is_blunt_corner(loop, i, settings)) blunt.push_back(loop[i]);
+  return blunt;
+}
+
 /// The blunt corners that the drawing tells.
 std::vector<Vec2> told_corners(Points loop, const OutlineSettings& settings) {
   std::vector<Vec2> told;
@@ -255,6 +294,7 @@ Result<Loop> loop_from_polyline(const std::vector<Vec2>& points_mm, std::span<co
     first = corners.front();
   } else {
     corners = find_corners(loop, settings.corner_angle);
+    add_corners(loop, blunt_corners(loop, settings), corners);
     add_corners(loop, told_corners(loop, settings), corners);
     add_corners(loop, settings.further_corners, corners);
     if (corners.empty() && n < 4) corners = {0};

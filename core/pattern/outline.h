@@ -20,6 +20,10 @@ struct OutlineSettings {
   /// 2 mm, is judged by its shape and not by its samples. 35° passes over curves sampled every 5 mm down to a
   /// radius of 8 mm, and finds the corners of panels, which are seldom blunter than 60°.
   double corner_angle = radians_from_degrees(35);
+  /// Radians. Blunter corners, as of a flared cuff or of a sleeve's cap and its underarm, end an edge from
+  /// this turn on, if a straight line of the drawing ends there and no vertex beside it turns nearly as much:
+  /// then it is no sample of a curve.
+  double blunt_corner_angle = radians_from_degrees(9);
   /// mm, the farthest a fitted curve may pass from a vertex of the polyline.
   double fit_tolerance_mm = 0.1;
   /// Places on the outline where edges end too, beside the corners: at the nearest vertex within 0.5 mm. Of

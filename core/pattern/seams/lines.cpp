@@ -30,6 +30,23 @@ bool hangs_free(PieceKind kind) {
          kind == PieceKind::kFrill;
 }
 
+/// Whether the piece's upper end may be a waist.
+bool has_waist(PieceKind kind) { return kind == PieceKind::kSkirt || kind == PieceKind::kLegs; }
+
+/// How much the mouth between the edges `first` and the next faces up along the grain, -1 to 1.
+double mouth_up(const pattern::Panel& panel, std::size_t first) {
+  const std::vector<pattern::PanelEdge>& edges = panel.outline.edges;
+  const pattern::PanelEdge& in = edges[first];
+  const pattern::PanelEdge& out = edges[(first + 1) % edges.size()];
+  const Vec2 across = out.curves.back().p3 - in.curves.front().p0;
+  return dot(normalized(-perpendicular(across)), normalized(panel.grain));
+}
+
+/// Whether the dart's mouth is in a hem.
+bool is_slit(const pattern::Panel& panel, std::size_t first) {
+  return mouth_up(panel, first) < kWeights.top && hangs_free(words_of(panel.id).kind);
+}
+
 /// Whether the edges `first` and the next of the panel are a dart's legs.
 bool is_closed(const pattern::Panel& panel, std::size_t first) {
   const std::vector<pattern::PanelEdge>& edges = panel.outline.edges;
@@ -39,34 +56,41 @@ bool is_closed(const pattern::Panel& panel, std::size_t first) {
   const double a = pattern::arc_length(in), b = pattern::arc_length(out);
   if (std::abs(a - b) > kWeights.legs * std::max(a, b)) return false;
   const double tip = 360 - corner_angle(in, out);
-  if (tip < kWeights.least_deg || tip > kWeights.most_deg) return false;
+  const bool waist = mouth_up(panel, first) > kWeights.top && has_waist(words_of(panel.id).kind);
+  if (tip < kWeights.least_deg || tip > (waist ? kWeights.most_up_deg : kWeights.most_deg)) return false;
   const double mouth =
       corner_angle(edges[(first + n - 1) % n], in) + corner_angle(out, edges[(first + 2) % n]);
   if (std::abs(mouth - 180) > kWeights.mouth_deg) return false;
   return true;
 }
 
-/// Whether the dart's mouth is in a hem.
-bool is_slit(const pattern::Panel& panel, std::size_t first) {
-  const std::vector<pattern::PanelEdge>& edges = panel.outline.edges;
-  const pattern::PanelEdge& in = edges[first];
-  const pattern::PanelEdge& out = edges[(first + 1) % edges.size()];
-  const Vec2 across = out.curves.back().p3 - in.curves.front().p0;
-  const double up = dot(normalized(-perpendicular(across)), normalized(panel.grain));
-  return up < kWeights.top && hangs_free(words_of(panel.id).kind);
+/// Lengths of the sides of what is let into other pieces, mm.
+std::vector<double> sides_of_inserts(const pattern::Pattern& pattern) {
+  std::vector<double> sides;
+  for (const pattern::Panel& panel : pattern.panels)
+    if (words_of(panel.id).kind == PieceKind::kInsert)
+      for (const pattern::PanelEdge& edge : panel.outline.edges) sides.push_back(pattern::arc_length(edge));
+  return sides;
 }
 
-/// First legs of the panel's darts.
-std::vector<std::size_t> darts_of(const pattern::Panel& panel, Index index, const EdgeSet& sewn) {
+/// First legs of the panel's darts. Slits that are as long as one of `inserts` (mm) are open for those.
+std::vector<std::size_t> darts_of(const pattern::Panel& panel, Index index, const EdgeSet& sewn,
+                                  const std::vector<double>& inserts) {
   const std::size_t n = panel.outline.edges.size();
   std::vector<std::size_t> darts;
   if (n < 5) return darts;
   std::vector<char> used(n, 0);
+  const auto let_in = [&](std::size_t e) {
+    const double leg = pattern::arc_length(panel.outline.edges[e]);
+    return is_slit(panel, e) && std::any_of(inserts.begin(), inserts.end(), [&](double side) {
+             return std::abs(side - leg) < kWeights.legs * leg;
+           });
+  };
   for (std::size_t e = 0; e < n; ++e) {
     const std::size_t around[] = {(e + n - 1) % n, e, (e + 1) % n, (e + 2) % n};
     const auto taken = [&](std::size_t k) { return sewn.contains({index, static_cast<Index>(k)}); };
     if (used[e] || used[around[2]] || std::any_of(std::begin(around), std::end(around), taken)) continue;
-    if (used[around[0]] == 1 || used[around[3]] == 1 || !is_closed(panel, e)) continue;
+    if (used[around[0]] == 1 || used[around[3]] == 1 || !is_closed(panel, e) || let_in(e)) continue;
     darts.push_back(e);
     used[e] = used[around[2]] = 1;
   }
@@ -147,11 +171,12 @@ void name_lines(const pattern::Pattern& pattern, SeamLines& lines) {
 SeamLines lines_of(const pattern::Pattern& pattern) {
   SeamLines lines{pattern, {}, {}};
   const EdgeSet sewn = sewn_edges(pattern);
+  const std::vector<double> inserts = sides_of_inserts(pattern);
   for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
     const pattern::Panel& panel = pattern.panels[p];
     const std::size_t n = panel.outline.edges.size();
     const auto index = static_cast<Index>(p);
-    std::vector<std::size_t> darts = darts_of(panel, index, sewn);
+    std::vector<std::size_t> darts = darts_of(panel, index, sewn, inserts);
     std::vector<char> on = goes_on(panel, index, sewn);
     if (lines_around(n, darts, on).empty()) {  // no line has an end
       darts.clear();

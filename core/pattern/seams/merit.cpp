@@ -140,6 +140,11 @@ double inwards(const SeamModel& m, const SeamRun& run) {
   return m.handed * words.side * words.face * faces_right(m, run);
 }
 
+bool are_torsos(const SeamModel& m, Index i, Index j) {
+  return m.words[m.runs[i].panel].kind == PieceKind::kTorso &&
+         m.words[m.runs[j].panel].kind == PieceKind::kTorso;
+}
+
 bool on_limb(const PieceWords& words) { return words.limb || words.leg; }
 
 /// A side's edges in the middle of the body go to the other side's, not to its own; its other edges do not.
@@ -280,6 +285,9 @@ double twin_merit(const SeamModel& m, const SeamRun& run, double along_grain) {
     merit += kWeights.twin_hollow *
              std::clamp((kWeights.twin_upright_rise - along_grain) / kWeights.twin_upright_width, 0.0, 1.0);
   if (run.open_front) merit += kWeights.twin_round_front;
+  // Halves of a collar meet at a short end; a lapel's long edges go to the neck, or to nothing.
+  if (kind == PieceKind::kCollar && run.length > kWeights.collar_end * m.girth[run.panel])
+    merit += kWeights.twin_collar_long;
   return merit;
 }
 
@@ -374,7 +382,8 @@ std::array<double, 2> pair_merit(const SeamModel& m, Index i, Index j, bool leng
   const bool gathers = hangs > 0 || is_cap(m, a, b);
   double merit = length_part(m, i, j, lengths, counterparts, gathers) + shape_merit(a, b) +
                  facing_merit(m, a, b) + kind_merit(m, a, b, hangs);
-  if (!twins && std::max(a.turn.back(), b.turn.back()) < kWeights.hollow_deg) merit += kWeights.two_hollows;
+  if (!twins && std::max(a.turn.back(), b.turn.back()) < kWeights.hollow_deg)
+    merit += are_torsos(m, i, j) ? kWeights.two_armholes : kWeights.two_hollows;
   if (turns_in(m, a) && turns_in(m, b)) merit += kWeights.two_corners;
   merit += row_merit(m, a, b);
   if (a.panel == b.panel) {

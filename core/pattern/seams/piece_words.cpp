@@ -71,6 +71,7 @@ int hangs_from(PieceKind lower, PieceKind upper) {
 
 bool ever_meet(PieceKind a, PieceKind b) {
   using enum PieceKind;
+  if (a == kInsert && b == kInsert) return false;  // each is let into a piece, not into another
   if (a == kOther || b == kOther || a == b || a == kInsert || b == kInsert) return true;
   const auto either = [&](PieceKind x, PieceKind y) { return (a == x && b == y) || (a == y && b == x); };
   return hangs_from(a, b) == 1 || hangs_from(b, a) == 1 || either(kTorso, kSleeve);

@@ -184,12 +184,20 @@ double layer_share(const FoundSeams& found, const FoundSeam& seam) {
   return kWeights.beside_layer;
 }
 
-/// Collars lie flat, stand, or are folded over, which changes the way their seams run; outlines do not say.
+/// Whether the piece is a lapel: a collar's front that runs out in a point.
+bool is_lapel(const SeamModel& m, Index p) {
+  return m.words[p].kind == PieceKind::kCollar && m.words[p].face > 0 && m.lines[p] < 4;
+}
+
+/// Collars stand, or are folded over, which changes the way their seams run. Outlines do not say, but for
+/// lapels, which are folded.
 double collar_share(const FoundSeams& found, const FoundSeam& seam) {
+  const SeamModel& m = found.model;
+  bool collar = false, lapel = false;
   for (const std::vector<Index>* side : {&seam.a, &seam.b})
-    for (const Index r : *side)
-      if (found.model.words[found.model.runs[r].panel].kind == PieceKind::kCollar) return kWeights.collar;
-  return 1;
+    for (const Index r : *side) collar = collar || m.words[m.runs[r].panel].kind == PieceKind::kCollar;
+  for (Index p = 0; p < static_cast<Index>(m.words.size()); ++p) lapel = lapel || is_lapel(m, p);
+  return !collar ? 1 : lapel ? kWeights.folded_collar : kWeights.collar;
 }
 
 /// Where two pieces of a file have one role, as in a wardrobe, nothing says which is meant.

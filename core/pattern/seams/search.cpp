@@ -137,7 +137,8 @@ Sewn doubted(const Choices& choices, const Limits& limits, GluingJudge& judge, S
   return garment;
 }
 
-/// Which panels may be drawn from the other side: none, as the drawing hints, or those called back.
+/// Which panels may be drawn from the other side: none, as the drawing hints, those called back, or a
+/// collar's front, which as a lapel shows what is inside elsewhere.
 std::vector<std::vector<char>> likely_sides(const SeamModel& m, const SeamGluing& g,
                                             const GluingSettings& settings) {
   if (settings.sides_known) return {};
@@ -146,9 +147,13 @@ std::vector<std::vector<char>> likely_sides(const SeamModel& m, const SeamGluing
     if (std::find(sides.begin(), sides.end(), turned) == sides.end()) sides.push_back(turned);
   };
   if (!settings.turned.empty()) add(settings.turned);
-  std::vector<char> backs;
-  for (const PieceWords& words : m.words) backs.push_back(words.face < 0);
+  std::vector<char> backs, lapels;
+  for (const PieceWords& words : m.words) {
+    backs.push_back(words.face < 0);
+    lapels.push_back(words.kind == PieceKind::kCollar && words.face > 0);
+  }
   add(backs);
+  add(lapels);
   return sides;
 }
 

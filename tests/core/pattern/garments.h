@@ -104,6 +104,8 @@ inline Garment dart_skirt() {
   g.seams.push_back({{{"front", {"e9"}}}, {{"back", {"e1"}}}});
   g.seams.push_back({{{"band", {"e1"}}}, {{"band", {"e3"}}}});
   g.seams.push_back({{{"front", {"e2", "e5", "e8"}}, {"back", {"e2", "e5", "e8"}}}, {{"band", {"e0"}}}});
+  // A rectangle has no lower edge.
+  g.as_good.push_back({{{"front", {"e2", "e5", "e8"}}, {"back", {"e2", "e5", "e8"}}}, {{"band", {"e2"}}}});
   return g;
 }
 

@@ -21,6 +21,11 @@ std::vector<Vec2> circle(double radius, double segment) {
   return points;
 }
 
+Vec2 at_degrees(double radius, double degrees) {
+  const double a = radians_from_degrees(degrees);
+  return {radius * std::cos(a), radius * std::sin(a)};
+}
+
 /// A 200 × 100 rectangle with all its sides sampled every `step`, and its corners rounded by radius r.
 std::vector<Vec2> rounded(double r, double step) {
   std::vector<Vec2> points;
@@ -105,22 +110,53 @@ TEST(Outline, CornersAreFoundHoweverFinelyTheSidesAreSampled) {
       << "a round pocket has none";
 }
 
-TEST(Outline, TheCornerAngleIsASetting) {
-  const std::vector<Vec2> bent{{0, 0}, {100, 0}, {200, 36}, {200, 200}, {0, 200}};  // 20° at (100, 0)
-  EXPECT_EQ(pattern::loop_from_polyline(bent, {})->edges.size(), 4u);
+/// 20° at (100, 0), between straight lines.
+const std::vector<Vec2> kBent{{0, 0}, {100, 0}, {200, 36}, {200, 200}, {0, 200}};
+
+/// No corner but sharp ones.
+pattern::OutlineSettings sharp_only() {
   pattern::OutlineSettings settings;
+  settings.blunt_corner_angle = kPi;
+  return settings;
+}
+
+TEST(Outline, TheCornerAngleIsASetting) {
+  pattern::OutlineSettings settings = sharp_only();
+  EXPECT_EQ(pattern::loop_from_polyline(kBent, {}, settings)->edges.size(), 4u);
   settings.corner_angle = radians_from_degrees(15);
-  EXPECT_EQ(pattern::loop_from_polyline(bent, {}, settings)->edges.size(), 5u);
+  EXPECT_EQ(pattern::loop_from_polyline(kBent, {}, settings)->edges.size(), 5u);
 }
 
 TEST(Outline, ABluntCornerIsOneWhereTheDrawingTellsIt) {
-  const std::vector<Vec2> bent{{0, 0}, {100, 0}, {200, 36}, {200, 200}, {0, 200}};  // 20° at (100, 0)
-  pattern::OutlineSettings settings;
+  pattern::OutlineSettings settings = sharp_only();
   settings.turn_points = {{100, 0}};
-  EXPECT_EQ(pattern::loop_from_polyline(bent, {}, settings)->edges.size(), 5u);
+  EXPECT_EQ(pattern::loop_from_polyline(kBent, {}, settings)->edges.size(), 5u);
   settings.turn_points = {{150, 18}};
-  EXPECT_EQ(pattern::loop_from_polyline(bent, {}, settings)->edges.size(), 4u)
+  EXPECT_EQ(pattern::loop_from_polyline(kBent, {}, settings)->edges.size(), 4u)
       << "programs set turn points where lines go on straight, too";
+}
+
+TEST(Outline, ABluntCornerIsOneWhereStraightLinesMeet) {
+  EXPECT_EQ(pattern::loop_from_polyline(kBent, {})->edges.size(), 5u);
+  const std::vector<Vec2> flared{{0, 0}, {400, 0}, {300, 50}, {100, 50}};  // a cuff: 27° at both upper ends
+  EXPECT_EQ(pattern::loop_from_polyline(flared, {})->edges.size(), 4u);
+}
+
+TEST(Outline, ABluntCornerIsOneWhereALineMeetsACurve) {
+  std::vector<Vec2> sleeve{{0, 0}, {200, -60}};  // the underarm, at -17°; the cap begins at 30°
+  for (int i = 1; i <= 10; ++i) sleeve.push_back(sleeve.back() + at_degrees(10, 30 + 6 * i));
+  sleeve.push_back({0, sleeve.back().y});
+  EXPECT_EQ(pattern::loop_from_polyline(sleeve, {})->edges.size(), 4u);
+}
+
+TEST(Outline, SamplesOfACurveAreNoCorners) {
+  for (const double chord : {10.0, 40.0, 120.0}) {
+    std::vector<Vec2> sector;  // half a circle skirt, waist and hem, turning by 12° at each sample
+    const double hem = chord / (2 * std::sin(radians_from_degrees(6)));
+    for (int i = 0; i <= 15; ++i) sector.push_back(at_degrees(hem, 180 + 12 * i));
+    for (int i = 15; i >= 0; --i) sector.push_back(at_degrees(hem / 3, 180 + 12 * i));
+    EXPECT_EQ(pattern::loop_from_polyline(sector, {})->edges.size(), 4u) << chord;
+  }
 }
 
 TEST(Outline, ForcedCornersAreExactlyTheEndsOfEdges) {

@@ -141,7 +141,7 @@ TEST(DxfFold, AMirrorLineUnfoldsTheHalfWithItsMarks) {
   EXPECT_EQ(piece.internals.size(), 2u);
   const pattern::Panel panel = panel_of(piece);
   EXPECT_TRUE(pattern::validate(panel));
-  EXPECT_EQ(panel.outline.edges.size(), 5u) << "the hem is one edge, the neck two";
+  EXPECT_EQ(panel.outline.edges.size(), 7u) << "the hem is one edge, sides, shoulders and neck are two each";
 }
 
 TEST(DxfFold, ALineThatEndsOnTheFoldGoesOnBehindIt) {

@@ -222,7 +222,11 @@ TEST(ProposeSeams, AreSureInAWardrobeOnlyOfTrueSeamsWithinAGarment) {
   EXPECT_GE(proposals.size(), 20u);
   for (const seams::SeamProposal& p : proposals) {
     if (p.confidence < 0.8) continue;
-    EXPECT_TRUE(truth.contains(key_of(wardrobe, p.seam))) << p.seam.id << " at " << p.confidence;
+    std::string edges;
+    for (const auto* side : {&p.seam.a, &p.seam.b})
+      for (const pattern::SeamEdge& e : *side)
+        edges += " " + wardrobe.panels[e.panel].id + "/" + std::to_string(e.edge);
+    EXPECT_TRUE(truth.contains(key_of(wardrobe, p.seam))) << p.seam.id << edges << " at " << p.confidence;
   }
 }
 
