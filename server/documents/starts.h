@@ -11,8 +11,8 @@ namespace toile::documents {
 
 struct StartView {
   /// {"ready", "findings": […], "pieces": [{"id", "low", "high", "by_hand", "stands"}]}: by_hand is what
-  /// place_piece was asked, or null; stands is what it would be asked for the piece to stand as it does; ready when no error is among the findings; places in metres, after what could be
-  /// repaired.
+  /// place_piece was asked, or null; stands is what it would be asked for the piece to stand as it does;
+  /// ready when no error is among the findings; places in metres, after what could be repaired.
   std::string check;
   /// uint32 bytes of the topology, the topology as in frames.md (epoch 1), float32 x, y, z of each vertex
   /// (m). Little endian.
