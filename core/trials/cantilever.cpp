@@ -5,6 +5,7 @@
 
 #include "core/base/units.h"
 #include "core/fabric/card.h"
+#include "core/material/elastic_line.h"
 #include "core/solver/cloth_solver.h"
 #include "core/trials/specimen.h"
 
@@ -15,34 +16,11 @@ constexpr double kWidth = 0.025;        // m, of the standard's strip
 constexpr double kRowsOfOverhang = 10;  // triangles along it
 constexpr double kRows = 3;             // and before the clamp
 
-/// Points along an elastic line of length 1 that leaves its clamp level: B θ'' = −w (1 − s) cos θ, θ falling,
-/// θ(0) = 0, θ'(1) = 0; `load` is w / B. Found by shooting with the slope at the clamp.
-std::vector<Vec2> elastic_line(double load) {
-  constexpr int kSteps = 500;
-  const auto shoot = [&](double bend, std::vector<Vec2>* line) {
-    double angle = 0;
-    Vec2 p;
-    for (int i = 0; i < kSteps; ++i) {
-      if (line) line->push_back(p);
-      const double s = (i + 0.5) / kSteps, middle = angle + 0.5 * bend / kSteps;
-      p = p + Vec2{std::cos(middle), -std::sin(middle)} * (1.0 / kSteps);
-      bend -= load * (1 - s) * std::cos(middle) / kSteps;
-      angle += bend / kSteps;
-    }
-    if (line) line->push_back(p);
-    return bend;
-  };
-  double low = 0, high = load;
-  for (int i = 0; i < 60; ++i) (shoot((low + high) / 2, nullptr) < 0 ? low : high) = (low + high) / 2;
-  std::vector<Vec2> line;
-  shoot(high, &line);
-  return line;
-}
-
 /// Where the strip begins: as one a fifth stiffer would hang, so that it has to find its own way.
 std::vector<Vec3> start_of(const Specimen& strip, double clamp, double overhang) {
   constexpr double kOwnLoad = 8, kStiffer = 1.2;  // w L³ / B is 8 for an overhang of two bending lengths
-  const std::vector<Vec2> line = elastic_line(kOwnLoad / kStiffer);
+  constexpr int kSteps = 500;
+  const std::vector<Vec2> line = material::elastic_line(kOwnLoad / kStiffer, kSteps);
   std::vector<Vec3> x;
   for (const Vec2& p : strip.rest) {
     const double s = std::max(0.0, (p.x - clamp) / overhang);

@@ -158,13 +158,7 @@ Result<bool> put_on(const Options& o, const std::string& garment, const fs::path
       if (!o.stills.empty()) make_still(assembly.garment, x, input.bodies[0], o.stills / (title + number));
     };
     const Stopwatch watch;
-    auto way = dressing::dressing_ways()[k];
-    if (const char* e = getenv("WAY")) {
-      double l, lo, sl, le, be;
-      int tn, ac, bn;
-      sscanf(e, "%lf,%lf,%d,%d,%d,%lf,%lf,%lf", &l, &lo, &ac, &tn, &bn, &sl, &le, &be);
-      way = {{l, lo, ac == 1, tn == 1, bn == 1}, sl, le, be};
-    }
+    const auto way = dressing::dressing_ways()[k];
     const auto on = dressing::dress(assembly, wearer, way, {}, o.film ? film : dressing::ShapeWatch{});
     const bool holds = on.certificate.holds();
     std::printf("%s: %s  %.2f s %s\n", title.c_str(), words_of(on).c_str(), watch.cpu_s(),

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/units.h"
+#include "core/material/elastic_line.h"
 #include "tests/core/solver/strip.h"
 
 namespace toile {
@@ -17,29 +18,8 @@ double rigidity_for(double areal_mass) {
   return half * half * half * areal_mass * kGravity;
 }
 
-/// Points along an elastic line of length 1 that leaves its clamp level: B θ'' = −w (1 − s) cos θ, θ falling,
-/// θ(0) = 0, θ'(1) = 0; `load` is w / B. Found by shooting with the slope at the clamp.
-std::vector<Vec2> elastica(double load) {
-  constexpr int kSteps = 2000;
-  const auto shoot = [&](double bend, std::vector<Vec2>* line) {
-    double angle = 0;
-    Vec2 p;
-    for (int i = 0; i < kSteps; ++i) {
-      if (line) line->push_back(p);
-      const double s = (i + 0.5) / kSteps, middle = angle + 0.5 * bend / kSteps;
-      p = p + Vec2{std::cos(middle), -std::sin(middle)} * (1.0 / kSteps);
-      bend -= load * (1 - s) * std::cos(middle) / kSteps;
-      angle += bend / kSteps;
-    }
-    if (line) line->push_back(p);
-    return bend;
-  };
-  double low = 0, high = load;
-  for (int i = 0; i < 60; ++i) (shoot((low + high) / 2, nullptr) < 0 ? low : high) = (low + high) / 2;
-  std::vector<Vec2> line;
-  shoot(high, &line);
-  return line;
-}
+/// Points along a strip of `load` w / B, fine enough to be the answer known beforehand.
+std::vector<Vec2> elastica(double load) { return material::elastic_line(load, 2000); }
 
 double chord_fall(Vec2 tip) { return degrees_from_radians(std::atan2(-tip.y, tip.x)); }
 
