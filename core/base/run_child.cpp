@@ -5,12 +5,14 @@
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <ctime>
 #include <utility>
@@ -65,6 +67,16 @@ constexpr bool kCanLimitFiles = false;  // its runtime writes a file of its own 
 constexpr bool kCanLimitFiles = true;
 #endif
 
+/// To the millisecond by a timer, which outlives the start of the program and which it could set anew; and to
+/// the second by what it cannot change.
+void limit_time(double cpu_s) {
+  const auto whole = static_cast<rlim_t>(std::ceil(cpu_s));
+  limit(RLIMIT_CPU, whole, whole + 1);  // SIGXCPU, and SIGKILL for who ignores it
+  const auto us = static_cast<long>(cpu_s * 1e6);
+  const itimerval once{{0, 0}, {us / 1'000'000, us % 1'000'000}};
+  ::setitimer(ITIMER_PROF, &once, nullptr);  // SIGPROF
+}
+
 [[noreturn]] void become(const Launch& launch) {
   ::setpgid(0, 0);  // so that what it starts can be killed with it
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -72,8 +84,7 @@ constexpr bool kCanLimitFiles = true;
   for (int signal = 1; signal < NSIG; ++signal) ::signal(signal, SIG_DFL);
   limit(RLIMIT_CORE, 0, 0);
   if (kCanLimitFiles) limit(RLIMIT_FSIZE, 0, 0);  // pipes are no files
-  const auto cpu = static_cast<rlim_t>(launch.limits.cpu_s);
-  limit(RLIMIT_CPU, cpu, cpu + 1);  // SIGXCPU, and SIGKILL for who ignores it
+  limit_time(launch.limits.cpu_s);
   if (launch.limits.memory_bytes > 0) {
     limit(RLIMIT_AS, launch.limits.memory_bytes, launch.limits.memory_bytes);
   }
@@ -184,8 +195,8 @@ ChildOutcome wait_for(pid_t pid, int output, const ChildLimits& limits, const st
   if (outcome.end != ChildOutcome::End::kExited) return outcome;
   if (WIFSIGNALED(status)) {
     outcome.code = WTERMSIG(status);
-    outcome.end =
-        outcome.code == SIGXCPU ? ChildOutcome::End::kTookTooLong : ChildOutcome::End::kKilledBySignal;
+    const bool late = outcome.code == SIGXCPU || outcome.code == SIGPROF;
+    outcome.end = late ? ChildOutcome::End::kTookTooLong : ChildOutcome::End::kKilledBySignal;
     return outcome;
   }
   outcome.code = WEXITSTATUS(status);

@@ -12,7 +12,7 @@ namespace toile {
 
 struct ChildLimits {
   std::uint64_t memory_bytes = 0;  ///< of address space; 0: no limit
-  int cpu_s = 20;                  ///< of processor time
+  double cpu_s = 20;               ///< of processor time
   double wall_s = 40;              ///< by the clock
   std::size_t output_bytes = std::size_t{1} << 20;
 };

@@ -1,5 +1,7 @@
 #include "server/app/config.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <system_error>
 #include <thread>
@@ -10,6 +12,7 @@ namespace fs = std::filesystem;
 
 ServeOptions completed(ServeOptions options) {
   const int cores = static_cast<int>(std::thread::hardware_concurrency());
+  if (!options.log) options.log = ::isatty(2) != 0 ? log::LogFormat::kText : log::LogFormat::kJson;
   if (options.workers == 0) options.workers = std::clamp(cores, 1, kMostWorkers);
   if (options.web.empty()) options.web = shipped_folder("web/dist").string();
   if (options.no_sample) options.sample.clear();

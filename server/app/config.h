@@ -2,7 +2,13 @@
 // Where a server finds what it works with.
 
 #include <filesystem>
+#include <optional>
 #include <string>
+
+#include "server/jobs/limits.h"
+#include "server/jobs/retention.h"
+#include "server/log/stderr_sink.h"
+#include "server/store/store.h"
 
 namespace toile::app {
 
@@ -15,6 +21,10 @@ struct ServeOptions {
   std::string web;                ///< folder of the built page; empty: the one that came with the program
   std::string sample;             ///< folder of the first project; empty: the one that came with the program
   bool no_sample = false;         ///< begin a new store empty
+  std::optional<log::LogFormat> log;  ///< nothing: text on a terminal, else JSON
+  store::Quotas quotas;               ///< of each user
+  jobs::JobLimits limits;             ///< of each drape
+  jobs::RetentionSettings retention;
 };
 
 inline constexpr int kMostWorkers = 64;

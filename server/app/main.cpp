@@ -148,6 +148,31 @@ CLI::App* add_body_measure(CLI::App& body, BodyMeasureOptions& measure) {
   return verb;
 }
 
+/// What users and drapes may take, how long things are kept, and how it is told.
+void add_serve_limits(CLI::App& verb, ServeOptions& serve) {
+  constexpr double kMost = 1e12;
+  const auto number = [&](const char* name, auto& value, const char* words) {
+    verb.add_option(name, value, words)->check(CLI::Range(0.0, kMost))->group("Limits (0: none)");
+  };
+  verb.add_option_function<double>(
+          "--quota-mb",
+          [&serve](double megabytes) { serve.quotas.bytes = static_cast<std::int64_t>(megabytes * 1e6); },
+          "What a user may keep: uploads, documents and results, in MB")
+      ->check(CLI::Range(0.0, kMost))
+      ->group("Limits (0: none)");
+  number("--quota-jobs", serve.quotas.unfinished_jobs, "Drapes of a user that have not ended");
+  number("--most-seconds", serve.limits.work_s, "Processor time of a drape, without its pictures");
+  number("--most-steps", serve.limits.steps, "Steps of a drape");
+  number("--most-particles", serve.limits.particles, "Particles of a garment");
+  number("--keep-jobs", serve.retention.jobs_days, "Days after which a drape that has ended is removed");
+  number("--keep-uploads", serve.retention.uploads_days,
+         "Days after which a file that nothing uses is removed");
+  const std::map<std::string, log::LogFormat> formats{{"text", log::LogFormat::kText},
+                                                      {"json", log::LogFormat::kJson}};
+  verb.add_option("--log", serve.log, "text or json (default: text on a terminal, else json)")
+      ->transform(CLI::CheckedTransformer(formats, CLI::ignore_case));
+}
+
 CLI::App* add_serve(CLI::App& app, Options& options) {
   ServeOptions& serve = options.serve;
   CLI::App* verb = app.add_subcommand("serve", "Drape for programs and browsers of this machine, over HTTP");
@@ -167,6 +192,7 @@ CLI::App* add_serve(CLI::App& app, Options& options) {
   verb->add_option("--sample", serve.sample,
                    "Folder of the project that a new store begins with (default: samples/skirt)");
   verb->add_flag("--no-sample", serve.no_sample, "Begin a new store empty");
+  add_serve_limits(*verb, serve);
   verb->footer(
       std::string("Prints its address once it answers. SIGTERM and Ctrl-C end it in good order: running\n"
                   "drapes go back to the queue, and the next start goes on where they stood.\n\n"

@@ -8,6 +8,7 @@
 #include "server/documents/projects.h"
 #include "server/http/handlers/routes.h"
 #include "server/http/identify.h"
+#include "server/log/job_log.h"
 #include "server/log/stderr_sink.h"
 #include "server/store/sqlite/open.h"
 
@@ -31,15 +32,17 @@ Status drape_sample(documents::Documents& documents, jobs::JobService& jobs,
 
 Result<std::unique_ptr<Service>> Service::start(const ServeOptions& options) {
   std::unique_ptr<Service> service(new Service);
-  service->log_sink_ = log::make_stderr_sink();
-  const Log log(*service->log_sink_);
-  std::unique_ptr<store::Store> store = TRY(sqlite::open_sqlite_store(options.data));
+  service->log_sink_ = log::make_stderr_sink(options.log.value_or(log::LogFormat::kText));
+  std::unique_ptr<store::Store> store = TRY(sqlite::open_sqlite_store(options.data, options.quotas));
   service->store_ = std::move(store);
+  service->job_log_ = log::make_job_log(*service->log_sink_, service->store_->log_folder());
+  const Log log = service->log();
   service->documents_ = std::make_unique<documents::Documents>(*service->store_, own_mesh_importer());
   service->hub_ = std::make_unique<ws::Hub>();
   jobs::JobServiceSettings jobs;
   jobs.workers = options.workers;
   jobs.checkpoint_every_s = options.checkpoint_every_s;
+  jobs.limits = options.limits;
   service->jobs_ = jobs::make_job_service(*service->documents_, *service->hub_, jobs, log);
   http::ServerSettings http;
   http.address = options.address;
@@ -52,6 +55,8 @@ Result<std::unique_ptr<Service>> Service::start(const ServeOptions& options) {
                                          *service->hub_, server.metrics(), server.ready()});
   TRY(server.start());
   TRY(service->jobs_->start());
+  service->retention_ =
+      std::make_unique<jobs::Retention>(*service->store_, *service->jobs_, options.retention, log);
   const store::RequestContext local = http::local_user("", log);
   if (Status sample = drape_sample(*service->documents_, *service->jobs_, local, options.sample); !sample) {
     log.warn("sample not draped", sample.error());  // no reason not to serve
@@ -63,6 +68,7 @@ Service::~Service() { stop(); }
 
 void Service::stop() {
   if (server_) server_->drain();
+  retention_.reset();
   if (jobs_) jobs_->stop();
   if (server_) server_->stop();
 }

@@ -8,6 +8,7 @@
 #include "server/app/config.h"
 #include "server/documents/documents.h"
 #include "server/http/server.h"
+#include "server/jobs/retention.h"
 #include "server/jobs/service.h"
 #include "server/store/store.h"
 #include "server/ws/hub.h"
@@ -22,7 +23,7 @@ class Service {
   ~Service();  ///< stops
 
   int port() const { return server_->port(); }
-  Log log() const { return Log(*log_sink_); }
+  Log log() const { return Log(*job_log_); }
   /// Takes no new work, lets running drapes go back to the queue, says good-bye to viewers. Twice is safe.
   void stop();
 
@@ -32,9 +33,11 @@ class Service {
   // Destroyed from below: each of these works with what stands above it.
   std::unique_ptr<LogSink> log_sink_;
   std::unique_ptr<store::Store> store_;
+  std::unique_ptr<LogSink> job_log_;  ///< log_sink_, and a file for each job
   std::unique_ptr<documents::Documents> documents_;
   std::unique_ptr<ws::Hub> hub_;
   std::unique_ptr<jobs::JobService> jobs_;
+  std::unique_ptr<jobs::Retention> retention_;
   std::unique_ptr<http::HttpServer> server_;
 };
 

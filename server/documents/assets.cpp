@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/aabb.h"
+#include "core/base/hash.h"
 #include "core/base/names.h"
 #include "core/json/tree.h"
 #include "core/pattern/dxf/read.h"
@@ -135,11 +136,18 @@ Result<store::AssetRow> add_asset(Documents& documents, const store::RequestCont
                  "the file has more than the " + std::to_string(most >> 20) + " MiB that are allowed", name,
                  ErrorKind::kTooLarge};
   }
-  std::string info = TRY(info_of(documents.importer(), context, kind, name, bytes));
+  Result<std::string> read = info_of(documents.importer(), context, kind, name, bytes);
+  if (!read) {  // who looks for what brings readers down finds the file by its hash
+    context.log.info("upload refused", {{"code", read.error().code},
+                                        {"kind", kind},
+                                        {"bytes", std::to_string(bytes.size())},
+                                        {"xxh3", hash_of(bytes)}});
+    return read.error();
+  }
   store::AssetRow row;
   row.kind = kind;
   row.name = name;
-  row.info = std::move(info);
+  row.info = std::move(*read);
   return documents.store().put_asset(context, std::move(row), bytes);
 }
 

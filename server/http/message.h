@@ -50,6 +50,7 @@ struct HttpResponse {
   std::string content_type;  ///< empty: no body
   std::string body;
   std::shared_ptr<const AnswerFile> file{};  ///< in place of the body
+  std::string code{};                        ///< of a problem, for whoever counts them
   std::vector<std::pair<std::string, std::string>> headers;
 };
 

@@ -79,6 +79,7 @@ HttpResponse problem(int status, const Error& error) {
       {"detail", clipped(error.message, kMostWords)}, {"where", clipped(error.where, kMostWords)}};
   HttpResponse response;
   response.status = status;
+  response.code = error.code;
   response.content_type = "application/problem+json";
   response.body = json::write_json(members);
   if (status == 429 || status == 503) response.headers.emplace_back("Retry-After", "5");

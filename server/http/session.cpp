@@ -357,8 +357,8 @@ asio::awaitable<bool> HttpSession::write(const HttpRequest& request, HttpRespons
 
   // Before it is sent: who has got the answer finds it counted.
   const double seconds = std::chrono::duration<double>(Clock::now() - began_).count();
-  context_.metrics.count_request(request.method, response.status, seconds);
-  tell(request, response.status, seconds);
+  context_.metrics.count_request(request.method, response.status, response.code, seconds);
+  tell(request, response.status, response.code, seconds);
   const bool written = co_await write_message(message, response, request.method != "HEAD" && !bodiless);
   began_ = Clock::now();
   co_return written;
@@ -381,7 +381,8 @@ asio::awaitable<bool> HttpSession::write_message(Header& message, const HttpResp
 }
 
 /// What only looks and goes well is told when somebody wants to hear all: a page asks several times a second.
-void HttpSession::tell(const HttpRequest& request, int status, double seconds) const {
+void HttpSession::tell(const HttpRequest& request, int status, const std::string& code,
+                       double seconds) const {
   const bool looks = request.method == "GET" || request.method == "HEAD";
   const LogLevel level = status >= 500           ? LogLevel::kError
                          : looks && status < 400 ? LogLevel::kDebug
@@ -392,6 +393,7 @@ void HttpSession::tell(const HttpRequest& request, int status, double seconds) c
                    {{"method", request.method},
                     {"target", clipped(request.target, kLongestTarget)},
                     {"status", std::to_string(status)},
+                    {"code", code},
                     {"ms", std::to_string(ms)}});
 }
 

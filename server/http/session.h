@@ -83,7 +83,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   boost::asio::awaitable<bool> write_file(const AnswerFile& file);
   boost::asio::awaitable<bool> serve_stream(Parser& parser, const HttpRequest& request);
   boost::asio::awaitable<void> linger();
-  void tell(const HttpRequest& request, int status, double seconds) const;
+  void tell(const HttpRequest& request, int status, const std::string& code, double seconds) const;
 
   static constexpr Clock::time_point kBusy = Clock::time_point::max();
 

@@ -30,10 +30,11 @@ Result<image::Textures> textures_of(documents::Documents& documents, const store
 }
 
 Result<store::JobRow> row_of_drape(documents::Documents& documents, const store::RequestContext& context,
-                                   const std::string& project_id) {
+                                   const std::string& project_id, const JobLimits& limits) {
   const store::ProjectRow project = TRY(documents.store().project(context, project_id));
   // Without the bodies, which may take long: they were read when the project was kept.
   const auto read = TRY(documents::read_cloth(documents, context, project.document, project.files));
+  TRY(check_size(limits, read->cloth));
   for (const documents::UsedFile& file : documents::used_files(read->project)) {
     // A drape is worth having without its pictures.
     if (file.kind == "image" || project.files.contains(file.name)) continue;

@@ -7,6 +7,7 @@
 #include "core/drape/drape_input.h"
 #include "core/image/texture.h"
 #include "server/documents/documents.h"
+#include "server/jobs/limits.h"
 
 namespace toile::jobs {
 
@@ -25,8 +26,8 @@ Result<image::Textures> textures_of(documents::Documents& documents, const store
                                     const pattern::Pattern& pattern);
 
 /// A drape of the project as it is now, once it is known that one can be made. Errors: store.not_found,
-/// documents.missing_file, and those of reading the document without its bodies.
+/// documents.missing_file, limits.particles, and those of reading the document without its bodies.
 Result<store::JobRow> row_of_drape(documents::Documents& documents, const store::RequestContext& context,
-                                   const std::string& project_id);
+                                   const std::string& project_id, const JobLimits& limits = {});
 
 }  // namespace toile::jobs

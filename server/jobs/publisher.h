@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/types.h"
@@ -27,6 +28,9 @@ struct StreamFrame {
   std::vector<std::int16_t> grid;
   std::string delta;  ///< encoded against seq − 1; empty for the first
 };
+
+/// The phase in which a drape's pictures are drawn, on another thread.
+inline constexpr std::string_view kStillsPhase = "stills";
 
 /// Figures that go along with a running job, for progress displays.
 struct JobProgress {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/hash.h"
 #include "core/exports/write_glb.h"
 #include "core/exports/write_obj.h"
 #include "server/render/png.h"
@@ -113,9 +114,8 @@ TemporaryFolder::~TemporaryFolder() {
   fs::remove_all(path_, ignored);
 }
 
-Result<std::map<std::string, std::int64_t>> keep_results(store::Store& store,
-                                                         const store::RequestContext& context,
-                                                         const std::string& job_id, const fs::path& folder) {
+Result<store::ResultFiles> keep_results(store::Store& store, const store::RequestContext& context,
+                                        const std::string& job_id, const fs::path& folder) {
   std::map<std::string, fs::path> files;
   std::error_code failure;
   for (fs::directory_iterator at(folder, failure), end; !failure && at != end; at.increment(failure)) {
@@ -124,13 +124,13 @@ Result<std::map<std::string, std::int64_t>> keep_results(store::Store& store,
   if (failure)
     return Error{"export.read", "cannot list the results: " + failure.message(), folder.string(),
                  ErrorKind::kInternal};
-  std::map<std::string, std::int64_t> sizes;
+  store::ResultFiles kept;
   for (const auto& [name, path] : files) {
     const std::string bytes = TRY(bytes_of(path));
     TRY(store.put_result(context, job_id, name, bytes));
-    sizes[name] = static_cast<std::int64_t>(bytes.size());
+    kept[name] = {static_cast<std::int64_t>(bytes.size()), hash_of(std::string_view(bytes))};
   }
-  return sizes;
+  return kept;
 }
 
 }  // namespace toile::jobs

@@ -47,11 +47,9 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-/// Puts every file of `folder` into the store as a result of the job, in the order of their names. Gives back
-/// name → bytes, as JobRow::results has them. Errors: export.read, those of the store.
-Result<std::map<std::string, std::int64_t>> keep_results(store::Store& store,
-                                                         const store::RequestContext& context,
-                                                         const std::string& job_id,
-                                                         const std::filesystem::path& folder);
+/// Puts every file of `folder` into the store as a result of the job, in the order of their names. Gives
+/// them back as JobRow::results has them. Errors: export.read, those of the store.
+Result<store::ResultFiles> keep_results(store::Store& store, const store::RequestContext& context,
+                                        const std::string& job_id, const std::filesystem::path& folder);
 
 }  // namespace toile::jobs

@@ -16,9 +16,9 @@ namespace toile::jobs {
 struct RunEnd {
   bool succeeded = false;
   std::string code, reason, where;
-  std::vector<store::JobNote> notes;            ///< what it fell short of although it ended well
-  std::string report;                           ///< report.json's text; empty when nothing was draped
-  std::map<std::string, std::int64_t> results;  ///< file name → bytes
+  std::vector<store::JobNote> notes;  ///< what it fell short of although it ended well
+  std::string report;                 ///< report.json's text; empty when nothing was draped
+  store::ResultFiles results;
 };
 
 /// Says what an end falls short of: a note for programs, and the same at the end of the reason.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/analysis/report.h"
+#include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/base/write_file.h"
 #include "core/exports/write_report.h"
@@ -64,6 +65,24 @@ JobRun::JobRun(const RunPlace& place, store::RequestContext context, std::string
 }
 
 std::optional<RunEnd> JobRun::go_on(const RunControl& control) {
+  work_ = WorkClock();  // another thread's than the last
+  std::optional<RunEnd> end = caught(control);
+  account(control);
+  return end;
+}
+
+void JobRun::account(const RunControl& control) {
+  const double seconds = work_.lap();
+  if (progress_.phase == kStillsPhase) return;  // a thread that waits; add_stills looks at the clock
+  worked_s_ += seconds;
+  control.on_worked(progress_.phase.empty() ? "mesh" : progress_.phase, seconds);
+}
+
+Status JobRun::check_limits() const {
+  return check_work(place_.limits, worked_s_, run_ ? run_->session().steps() : 0);
+}
+
+std::optional<RunEnd> JobRun::caught(const RunControl& control) {
   try {
     return through_all_stages(control);
   } catch (const std::bad_alloc&) {
@@ -92,7 +111,8 @@ std::optional<RunEnd> JobRun::through_all_stages(const RunControl& control) {
     }
   }
   if (run_) {
-    drape_on(control);
+    const Status draped = drape_on(control);
+    if (!draped) return failed(draped.error());
     if (!run_->done()) return std::nullopt;
     result_ = std::make_shared<const drape::DrapeResult>(run_->conclude());
     read_figures();
@@ -114,6 +134,7 @@ Status JobRun::begin(const RunControl& control) {
   tell(control, "mesh", 0);
   if (!input_) {
     const store::JobRow row = TRY(place_.documents->store().job(context_, job_id_));
+    worked_s_ = static_cast<double>(row.worked_ms) / 1000;
     drape::DrapeInput input = TRY(drape_input_of(*place_.documents, context_, row.document, row.files));
     input_ = std::make_shared<const drape::DrapeInput>(std::move(input));
   }
@@ -159,9 +180,11 @@ void JobRun::keep_checkpoint(const RunControl& control) {
   next_checkpoint_ = later(std::max(place_.checkpoint_every, 20 * took));
 }
 
-void JobRun::drape_on(const RunControl& control) {
+Status JobRun::drape_on(const RunControl& control) {
   while (!run_->done() && !control.interrupt->load(std::memory_order_relaxed)) {
     advance_slice(control);
+    account(control);
+    TRY(check_limits());
     if (Clock::now() >= next_checkpoint_) keep_checkpoint(control);
   }
   // The end as well: a crash among models and pictures must cost no step.
@@ -170,6 +193,7 @@ void JobRun::drape_on(const RunControl& control) {
   if (run_->done() && stream_->step() != session.steps()) {
     stream_->show(session.steps(), session.time(), session.positions());
   }
+  return {};
 }
 
 /// To the next streamed frame, or as far as the time of a slice goes.
@@ -210,6 +234,10 @@ void JobRun::tell(const RunControl& control, std::string_view phase, double frac
   const Clock::time_point now = Clock::now();
   if (phase == progress_.phase && now - told_ < kTellEvery) return;
   told_ = now;
+  account(control);
+  if (phase != progress_.phase) {
+    context_.log.debug("phase", {{"phase", std::string(phase)}, {"worked_s", fixed_text(worked_s_, 3)}});
+  }
   progress_.phase = phase;
   progress_.fraction = fraction;
   read_figures();
@@ -272,15 +300,18 @@ Result<RunEnd> JobRun::deliver(const RunControl& control) {
     TRY(control.on_draped(end));
     end_ = std::move(end);
   }
-  tell(control, "stills", 0);
+  tell(control, kStillsPhase, 0);
   RunEnd whole = *end_;
-  if (Status added = add_stills(control, whole); !added) {
+  const Clock::time_point before = Clock::now();
+  Status added = add_stills(control, whole);
+  control.on_worked(kStillsPhase, std::chrono::duration<double>(Clock::now() - before).count());
+  if (!added) {
     if (added.error().kind == ErrorKind::kCancelled) return added.error();
     context_.log.warn("stills not kept", added.error());
     whole = *end_;
     fall_short(whole, "stills.not_kept", "its pictures could not be kept: " + added.error().message);
   }
-  tell(control, "stills", 1);
+  tell(control, kStillsPhase, 1);
   return whole;
 }
 

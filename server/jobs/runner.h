@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "core/base/result.h"
 #include "core/drape/drape_input.h"
@@ -16,10 +17,12 @@
 #include "core/drape/pipeline.h"
 #include "core/image/texture.h"
 #include "server/documents/documents.h"
+#include "server/jobs/limits.h"
 #include "server/jobs/publisher.h"
 #include "server/jobs/render_worker.h"
 #include "server/jobs/run_end.h"
 #include "server/jobs/stream.h"
+#include "server/jobs/work_clock.h"
 #include "server/store/store.h"
 
 namespace toile::jobs {
@@ -32,6 +35,7 @@ struct RunPlace {
   int stream_interval = 50;  ///< substeps between streamed frames
   std::chrono::duration<double> checkpoint_every{5};
   int still_width = 1024, still_height = 1280;  ///< pixels
+  JobLimits limits;
 };
 
 /// What the worker that holds a run wants of it.
@@ -41,6 +45,8 @@ struct RunControl {
   std::function<bool()> worth_keeping;  ///< whether a drape that lets go will be taken up again
   std::function<void(const JobProgress&)> on_progress;  ///< at most about ten times a second
   std::function<void()> on_kept;                        ///< a checkpoint: the drape has come further
+  /// s that went into a phase, often: processor time, and for kStillsPhase time by the clock.
+  std::function<void(std::string_view phase, double seconds)> on_worked;
   /// The drape is done, and what `end` names is in the store; its pictures are to come. An error ends the run
   /// here, as a store's does; one of kind kCancelled lets go.
   std::function<Status(const RunEnd& end)> on_draped;
@@ -57,11 +63,14 @@ class JobRun {
   std::optional<RunEnd> go_on(const RunControl& control);
 
  private:
+  std::optional<RunEnd> caught(const RunControl& control);
   std::optional<RunEnd> through_all_stages(const RunControl& control);
+  void account(const RunControl& control);
+  Status check_limits() const;
   Status begin(const RunControl& control);
   Result<std::unique_ptr<drape::DrapeRun>> start_or_resume(const RunContext& context);
   void keep_checkpoint(const RunControl& control);
-  void drape_on(const RunControl& control);
+  Status drape_on(const RunControl& control);
   void advance_slice(const RunControl& control);
   Result<image::Textures> read_pictures();
   void read_pictures_into(RunEnd& end);
@@ -85,6 +94,8 @@ class JobRun {
   std::optional<RunEnd> end_;                         ///< without stills, once it is in the store
 
   JobProgress progress_;
+  WorkClock work_;       ///< of the thread that goes on with it
+  double worked_s_ = 0;  ///< by all who went on with it
   std::chrono::steady_clock::time_point told_;
   std::chrono::steady_clock::time_point next_checkpoint_;
   int checkpoint_step_ = -1;

@@ -5,6 +5,7 @@
 #include <mutex>
 #include <utility>
 
+#include "core/base/text.h"
 #include "server/jobs/input.h"
 #include "server/jobs/recovery.h"
 #include "server/jobs/render_worker.h"
@@ -154,7 +155,7 @@ Result<store::Made<store::JobRow>> QueueingJobService::submit(const store::Reque
     return store::Made<store::JobRow>{without_document(std::move(*before)), false};
   }
   TRY(check_queue());
-  store::JobRow row = TRY(row_of_drape(documents_, context, project_id));
+  store::JobRow row = TRY(row_of_drape(documents_, context, project_id, settings_.limits));
 
   const Changing changing = table_.changing();
   TRY(check_queue());  // others came while the document was read
@@ -334,7 +335,8 @@ Status QueueingJobService::claim(const Changing& changing, LiveJob& job) {
                          settings_.stream_interval,
                          std::chrono::duration<double>(settings_.checkpoint_every_s),
                          settings_.still_width,
-                         settings_.still_height};
+                         settings_.still_height,
+                         settings_.limits};
     return std::make_unique<JobRun>(place, job.context, job.id, epoch);
   });
   table_.announce(changing, job);
@@ -354,6 +356,7 @@ bool QueueingJobService::work_once() {
   control.worth_keeping = [&] { return !store::is_final(table_.state(*job)); };
   control.on_progress = [&](const JobProgress& progress) { table_.hear(*job, progress); };
   control.on_kept = [&] { come_further(job); };
+  control.on_worked = [&](std::string_view phase, double seconds) { table_.charge(*job, phase, seconds); };
   control.on_draped = [&](const RunEnd& end) { return keep_draped(job, end); };
   let_go(job, job->run->go_on(control));
   return true;
@@ -387,7 +390,8 @@ void QueueingJobService::let_go(const LiveJobPtr& job, const std::optional<RunEn
     if (run_end) end(changing, *job, *run_end);
     if (store::is_final(job->state)) {
       job->context.log.info("job ended", {{"state", std::string(store::name_of(job->state))},
-                                          {"reason", job->row.reason_code}});
+                                          {"reason", job->row.reason_code},
+                                          {"worked_s", fixed_text(table_.worked(*job), 3)}});
       forget_checkpoint(*job);
       unnamed_results = !unnamed_results && job->row.results.empty();
       table_.announce(changing, *job);

@@ -1,6 +1,7 @@
 #pragma once
 // Jobs as the HTTP service and the page see them. Owns the queue and the worker threads.
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -8,6 +9,8 @@
 #include "core/base/log.h"
 #include "core/base/result.h"
 #include "server/documents/documents.h"
+#include "server/jobs/figures.h"
+#include "server/jobs/limits.h"
 #include "server/jobs/publisher.h"
 #include "server/store/store.h"
 
@@ -21,6 +24,7 @@ struct JobServiceSettings {
   int stream_interval = 50;                     ///< substeps between streamed frames
   double checkpoint_every_s = 5;                ///< by the clock; what a crash can cost
   int still_width = 1024, still_height = 1280;  ///< pixels
+  JobLimits limits;                             ///< of each job
 };
 
 /// All calls are thread-safe. The rows that they give back are without the document.
@@ -42,8 +46,8 @@ class JobService {
   /// next start takes it up. Under a key that made a job of this project before, gives back that job,
   /// whatever has become of the project or the queue since. Errors: store.not_found,
   /// store.idempotency_mismatch when the key was for another project, store.idempotency_key, jobs.queue_full,
-  /// and whatever reading the document gives (json.*, project.*, dxf.*, …), so that bad input is told at
-  /// once.
+  /// limits.particles, quota.bytes, quota.jobs, and whatever reading the document gives (json.*, project.*,
+  /// dxf.*, …), so that bad input is told at once.
   virtual Result<store::Made<store::JobRow>> submit(const store::RequestContext& context,
                                                     const std::string& project_id,
                                                     const std::string& idempotency_key) = 0;
@@ -66,6 +70,9 @@ class JobService {
     int queued = 0, running = 0, paused = 0;
     long long succeeded = 0, failed = 0, cancelled = 0;  ///< since the service was made
     long long steps = 0;                                 ///< substeps since then
+    double oldest_queued_s = 0;                          ///< age of the job that waits longest
+    Histogram wait, run;                   ///< from submission to the first claim; from there to the end
+    std::map<std::string, double> work_s;  ///< processor time by phase; of "stills" time by the clock
   };
   virtual Counts counts() const = 0;
 };

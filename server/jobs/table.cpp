@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 namespace toile::jobs {
@@ -31,11 +32,13 @@ Status JobTable::change(const Changing&, LiveJob& job, JobEvent event, const Row
   row.state = next.state;
   if (store::is_final(next.state)) row.ended_ms = unix_ms();
   if (edit) edit(row);
+  row.worked_ms = std::llround(1000 * worked(job));
   if (next.effects.persist) {
     TRY(store_.update_job(job.context, row));
   }
   {
     const std::lock_guard lock(mutex_);
+    count_times(event, job.row, row);
     job.row = std::move(row);
     job.state = next.state;
     queue_.put(job.id, next.effects.queue);
@@ -61,6 +64,17 @@ void JobTable::count_end(store::JobState state) {
 }
 
 /// REQUIRES mutex_.
+void JobTable::count_times(JobEvent event, const store::JobRow& before, const store::JobRow& after) {
+  const auto seconds = [](std::int64_t from, std::int64_t to) {
+    return static_cast<double>(std::max<std::int64_t>(0, to - from)) / 1000;
+  };
+  if (event == JobEvent::kClaim && before.started_ms == 0)
+    totals_.wait.add(seconds(after.created_ms, after.started_ms));
+  if (store::is_final(after.state) && after.started_ms > 0)
+    totals_.run.add(seconds(after.started_ms, after.ended_ms));
+}
+
+/// REQUIRES mutex_.
 JobProgress JobTable::progress_now(const LiveJob& job) const {
   JobProgress progress = job.progress;
   progress.state = job.state;
@@ -83,6 +97,7 @@ LiveJobPtr JobTable::insert(const Changing&, const store::RequestContext& contex
   job->context = context.for_job(row.id);
   job->context.given_up = job->interrupt;
   job->row = without_document(row);
+  job->worked_s = static_cast<double>(row.worked_ms) / 1000;
   job->state = row.state;
   {
     const std::lock_guard lock(mutex_);
@@ -210,12 +225,21 @@ store::JobState JobTable::state(const LiveJob& job) const {
 JobService::Counts JobTable::counts() const {
   const std::lock_guard lock(mutex_);
   JobService::Counts counts = totals_;
+  const std::int64_t now_ms = unix_ms();
+  std::int64_t oldest_ms = now_ms;
   for (const auto& [id, job] : jobs_) {
     counts.queued += job->state == store::JobState::kQueued;
     counts.running += job->state == store::JobState::kRunning;
     counts.paused += job->state == store::JobState::kPaused;
+    if (job->state == store::JobState::kQueued) oldest_ms = std::min(oldest_ms, job->row.created_ms);
   }
+  counts.oldest_queued_s = static_cast<double>(now_ms - oldest_ms) / 1000;
   return counts;
+}
+
+double JobTable::worked(const LiveJob& job) const {
+  const std::lock_guard lock(mutex_);
+  return job.worked_s;
 }
 
 bool JobTable::is_out_of_patience() const {
@@ -243,6 +267,12 @@ void JobTable::hear(LiveJob& job, const JobProgress& progress) {
     if (!next_state(job.state, JobEvent::kProgress)) return;
   }
   publisher_.progress(job.id, progress);
+}
+
+void JobTable::charge(LiveJob& job, std::string_view phase, double seconds) {
+  const std::lock_guard lock(mutex_);
+  totals_.work_s[std::string(phase)] += seconds;
+  if (phase != kStillsPhase) job.worked_s += seconds;
 }
 
 }  // namespace toile::jobs

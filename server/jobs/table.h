@@ -9,6 +9,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/result.h"
@@ -22,8 +23,8 @@
 namespace toile::jobs {
 
 /// A job that has not ended, or whose worker has not yet let go. Members are written under both locks of the
-/// table and read under either. Two exceptions: progress is under the lock of memory only, and run belongs to
-/// the worker while it holds the job.
+/// table and read under either. Three exceptions: progress and worked_s are under the lock of memory only,
+/// and run belongs to the worker while it holds the job.
 struct LiveJob {
   std::string id;
   store::RequestContext context;  ///< of whoever asked for it; its log names the job
@@ -33,7 +34,7 @@ struct LiveJob {
   bool suspect = false;         ///< may have crashed the server: runs alone until it has come further
   JobProgress progress;         ///< as the worker told it last
   std::unique_ptr<JobRun> run;  ///< begun, maybe parked
-  std::uint32_t epoch = 0;      ///< of the run's stream
+  double worked_s = 0;          ///< processor time, as the row's at its last change and since
   std::shared_ptr<std::atomic<bool>> interrupt = std::make_shared<std::atomic<bool>>(false);
 };
 using LiveJobPtr = std::shared_ptr<LiveJob>;
@@ -96,6 +97,7 @@ class JobTable {
   JobProgress progress(const LiveJob& job) const;
   store::JobState state(const LiveJob& job) const;
   JobService::Counts counts() const;
+  double worked(const LiveJob& job) const;
   /// Whether a stop has waited long enough for what could be brought to its end.
   bool is_out_of_patience() const;
   /// Waits until a job may be taken: true; or until the table is closed: false.
@@ -104,12 +106,15 @@ class JobTable {
   void pause(std::chrono::milliseconds time);
   /// Takes down and publishes what the holder of the job tells, unless the job is not running any more.
   void hear(LiveJob& job, const JobProgress& progress);
+  /// Takes down what the holder of the job has spent on it.
+  void charge(LiveJob& job, std::string_view phase, double seconds);
 
  private:
   LiveJobPtr ready() const;
   LiveJobPtr first_in_queue(bool suspects_only) const;
   JobProgress progress_now(const LiveJob& job) const;
   void count_end(store::JobState state);
+  void count_times(JobEvent event, const store::JobRow& before, const store::JobRow& after);
 
   store::Store& store_;
   Publisher& publisher_;
@@ -121,7 +126,7 @@ class JobTable {
   std::map<std::string, LiveJobPtr> jobs_;  ///< by id
   JobQueue queue_;
   std::map<std::string, std::uint32_t> epochs_;  ///< newest of each job that has not ended; outlives a stop
-  JobService::Counts totals_;                    ///< ends and steps only
+  JobService::Counts totals_;                    ///< what has been, and not what is
 };
 
 }  // namespace toile::jobs

@@ -1,5 +1,5 @@
 #pragma once
-// Lines to stderr, one each: "2026-05-04T10:11:12.123Z info  job queued owner=local request=r_… job=j_…".
+// Lines to stderr, one each, for people or for programs.
 
 #include <memory>
 
@@ -7,11 +7,14 @@
 
 namespace toile::log {
 
-/// Tells what is at least as grave as `least`.
-std::unique_ptr<LogSink> make_stderr_sink(LogLevel least = LogLevel::kInfo);
+enum class LogFormat {
+  kText,  ///< "2026-05-04T10:11:12.123Z info  job queued owner=local request=r_… job=j_…"
+  kJson,  ///< {"time": "2026-05-04T10:11:12.123Z", "level": "info", "event": "job queued", "owner": "local",
+          ///< …}
+};
 
-/// One line's text, without time and level. What is no plain word stands in quotes, with what could end the
-/// line or the quotes escaped: a stranger's header must not forge a line.
-std::string log_text(std::string_view event, std::span<const LogField> bound, std::span<const LogField> more);
+/// Tells what is at least as grave as `least`.
+std::unique_ptr<LogSink> make_stderr_sink(LogFormat format = LogFormat::kText,
+                                          LogLevel least = LogLevel::kInfo);
 
 }  // namespace toile::log

@@ -120,12 +120,12 @@ Status sync_folder(const fs::path& folder) {
   return {};
 }
 
-Result<Blobs> Blobs::open(const fs::path& folder) {
-  Blobs blobs(folder);
+Result<Blobs> Blobs::open(const fs::path& folder, std::shared_ptr<Failures> failures) {
+  Blobs blobs(folder, std::move(failures));
   std::error_code failure;
   fs::remove_all(blobs.scratch_folder(), failure);  // half-written files of a process that was killed
-  for (const fs::path& part :
-       {folder / "blobs", folder / "results", folder / "checkpoints", blobs.scratch_folder()}) {
+  for (const fs::path& part : {folder / "blobs", folder / "results", folder / "checkpoints",
+                               blobs.log_folder(), blobs.scratch_folder()}) {
     TRY(make_folder(part));
   }
   return blobs;
@@ -145,7 +145,11 @@ Status Blobs::write(const fs::path& path, std::string_view bytes) const {
   if (written && ::rename(temporary.c_str(), path.c_str()) != 0) written = system_error(path, "name");
   if (written) return sync_folder(path.parent_path());
   ::unlink(temporary.c_str());
-  return written;
+  return failures_->counted(written.error());
+}
+
+Error Blobs::corrupt(const char* message, const std::string& what) const {
+  return failures_->counted({"store.corrupt", message, what, ErrorKind::kSystem});
 }
 
 Result<std::string> Blobs::put_blob(std::string_view bytes, std::string_view file_name) const {
@@ -173,15 +177,14 @@ Result<fs::path> Blobs::blob_path(const std::string& blob, std::int64_t size) co
   const fs::path path = place_of(blob);
   const std::uintmax_t found = fs::file_size(path, failure);
   if (!failure && found == static_cast<std::uintmax_t>(size)) return path;
-  return Error{"store.corrupt", "a file of the store is gone or has another length; upload it again", blob,
-               ErrorKind::kSystem};
+  return corrupt("a file of the store is gone or has another length; upload it again", blob);
 }
 
 Result<std::string> Blobs::blob(const std::string& blob, std::int64_t size) const {
   const fs::path path = TRY(blob_path(blob, size));
   Result<std::string> bytes = read_all(path);
   if (!bytes || hash_of(std::string_view(*bytes)) == blob.substr(0, kHashDigits)) return bytes;
-  return Error{"store.corrupt", "a file of the store has changed; upload it again", blob, ErrorKind::kSystem};
+  return corrupt("a file of the store has changed; upload it again", blob);
 }
 
 Status Blobs::put_result(const std::string& job_id, const std::string& name, std::string_view bytes) const {
@@ -189,9 +192,12 @@ Status Blobs::put_result(const std::string& job_id, const std::string& name, std
   return write(folder_ / "results" / job_id / name, bytes);
 }
 
-Result<std::string> Blobs::result(const std::string& job_id, const std::string& name) const {
+Result<std::string> Blobs::result(const std::string& job_id, const std::string& name,
+                                  const ResultFile& kept) const {
   const fs::path path = TRY(result_path(job_id, name));
-  return read_all(path);
+  Result<std::string> bytes = read_all(path);
+  if (!bytes || kept.hash.empty() || hash_of(std::string_view(*bytes)) == kept.hash) return bytes;
+  return corrupt("a result has changed on the disk since it was kept; drape the project again", name);
 }
 
 Result<fs::path> Blobs::result_path(const std::string& job_id, const std::string& name) const {
@@ -258,6 +264,22 @@ Status Blobs::remove_checkpoint(const std::string& job_id) const {
   const fs::path path = folder_ / "checkpoints" / job_id;
   if (::unlink(path.c_str()) != 0 && errno != ENOENT) return system_error(path, "remove");
   return {};
+}
+
+std::string Blobs::log(const std::string& job_id) const {
+  Result<std::string> bytes = read_all(log_folder() / job_id);
+  return bytes ? std::move(*bytes) : std::string();
+}
+
+void Blobs::remove_log(const std::string& job_id) const {
+  std::error_code ignored;
+  fs::remove(log_folder() / job_id, ignored);
+}
+
+std::vector<std::string> Blobs::jobs_with_logs() const {
+  std::vector<std::string> ids = names_in(log_folder(), fs::file_type::regular);
+  std::erase_if(ids, [](const std::string& name) { return !is_id(name, 'j'); });
+  return ids;
 }
 
 void Blobs::keep_checkpoints_of(const std::set<std::string>& job_ids) const {

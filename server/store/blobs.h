@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <set>
 #include <string>
 #include <string_view>
@@ -11,14 +12,17 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "server/store/failures.h"
 #include "server/store/store.h"
 
 namespace toile::store {
 
 class Blobs {
  public:
-  /// Makes blobs/, results/, checkpoints/ and an empty scratch/ in `folder`. Errors: store.open, store.full.
-  static Result<Blobs> open(const std::filesystem::path& folder);
+  /// Makes blobs/, results/, checkpoints/, logs/ and an empty scratch/ in `folder`. What fails later is
+  /// counted in `failures`. Errors: store.open, store.full.
+  static Result<Blobs> open(const std::filesystem::path& folder,
+                            std::shared_ptr<Failures> failures = std::make_shared<Failures>());
 
   /// Keeps the bytes and gives back their blob's name: hash and the ending of `file_name` ("….obj"). Errors:
   /// store.full, store.failed; store.hash_collision when other bytes have the same hash.
@@ -30,8 +34,10 @@ class Blobs {
 
   /// `job_id` is an id. Errors: store.bad_name, store.full, store.failed.
   Status put_result(const std::string& job_id, const std::string& name, std::string_view bytes) const;
-  /// Errors: store.bad_name, store.not_found.
-  Result<std::string> result(const std::string& job_id, const std::string& name) const;
+  /// `kept` says what it must be; without a hash it may be anything. Errors: store.bad_name,
+  /// store.not_found, store.corrupt.
+  Result<std::string> result(const std::string& job_id, const std::string& name,
+                             const ResultFile& kept = {}) const;
   Result<std::filesystem::path> result_path(const std::string& job_id, const std::string& name) const;
   Status remove_results(const std::string& job_id) const;
 
@@ -51,14 +57,24 @@ class Blobs {
   /// Removes those of all other jobs.
   void keep_checkpoints_of(const std::set<std::string>& job_ids) const;
 
+  /// What was written of a job; empty when nothing was, or when it cannot be read.
+  std::string log(const std::string& job_id) const;
+  void remove_log(const std::string& job_id) const;
+  std::vector<std::string> jobs_with_logs() const;
+
+  std::filesystem::path log_folder() const { return folder_ / "logs"; }
   std::filesystem::path scratch_folder() const { return folder_ / "scratch"; }
 
  private:
-  explicit Blobs(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  Blobs(std::filesystem::path folder, std::shared_ptr<Failures> failures)
+      : folder_(std::move(folder)), failures_(std::move(failures)) {}
   std::filesystem::path place_of(const std::string& blob) const;
   Status write(const std::filesystem::path& path, std::string_view bytes) const;
 
+  Error corrupt(const char* message, const std::string& what) const;
+
   std::filesystem::path folder_;
+  std::shared_ptr<Failures> failures_;
 };
 
 /// Waits until the disk has the folder's list of names. Errors: store.full, store.failed.

@@ -64,6 +64,16 @@ struct JobVerdict {
   friend bool operator==(const JobVerdict&, const JobVerdict&) = default;
 };
 
+/// A file that a job has left.
+struct ResultFile {
+  std::int64_t bytes = 0;
+  std::string hash;  ///< XXH3 of its bytes (core/base/hash.h); empty in rows of before it was kept
+  ResultFile() = default;
+  ResultFile(std::int64_t size, std::string digits = "") : bytes(size), hash(std::move(digits)) {}
+  friend bool operator==(const ResultFile&, const ResultFile&) = default;
+};
+using ResultFiles = std::map<std::string, ResultFile>;  ///< by name
+
 /// A drape that was asked for. The document and files are copies of the project's at that moment.
 struct JobRow {
   std::string id;  ///< "j_" and 20 characters; rises with time
@@ -80,8 +90,34 @@ struct JobRow {
   std::optional<JobVerdict> verdict;  ///< there while the job has been draped and has not ended
   int attempt = 0;                    ///< starts that nothing is known to have come of
   std::int64_t created_ms = 0, started_ms = 0, ended_ms = 0;
-  std::string report;                           ///< report.json's text once there is one
-  std::map<std::string, std::int64_t> results;  ///< file name → bytes
+  std::int64_t worked_ms = 0;  ///< processor time, over all its starts, without that of its pictures
+  std::string report;          ///< report.json's text once there is one
+  ResultFiles results;
+};
+
+/// What an owner may keep. 0: as much as there is room for.
+struct Quotas {
+  std::int64_t bytes = 0;   ///< of uploads, documents and results together
+  int unfinished_jobs = 0;  ///< waiting, running or paused
+};
+
+/// What an owner keeps.
+struct Usage {
+  std::int64_t bytes = 0;  ///< as Quotas counts them
+  int assets = 0, projects = 0, jobs = 0, unfinished_jobs = 0;
+};
+
+/// How a store fares, for whoever runs it.
+struct StoreFigures {
+  std::map<std::string, std::int64_t> failures;      ///< since it was opened, by code (failures.h)
+  std::int64_t disk_bytes = 0, disk_free_bytes = 0;  ///< of the disk that it is on; 0 where it has none
+};
+
+/// Something of some owner.
+struct OwnedId {
+  OwnerId owner;
+  std::string id;
+  friend bool operator==(const OwnedId&, const OwnedId&) = default;
 };
 
 /// A row that was asked for under an idempotency key: made by this call, or there already.
@@ -98,7 +134,7 @@ class Store {
 
   /// Keeps the bytes under row's kind, name and info; id, size and time are the store's to give. Gives back
   /// the existing asset when this owner has the same content under the same name and kind. Errors:
-  /// store.bad_name.
+  /// store.bad_name, quota.bytes.
   virtual Result<AssetRow> put_asset(const RequestContext& context, AssetRow row, std::string_view bytes) = 0;
   virtual Result<AssetRow> asset(const RequestContext& context, const std::string& id) = 0;
   virtual Result<std::string> asset_bytes(const RequestContext& context, const std::string& id) = 0;
@@ -113,7 +149,7 @@ class Store {
   /// Keeps name, document and files; id, revision and times are the store's to give. With an idempotency key
   /// that this owner has used, gives back the project that was made then, as it is now; a removed project has
   /// freed its key. Errors: store.idempotency_mismatch when the key was used for another document or other
-  /// files, store.idempotency_key (empty means none; else 1 to 200 printable ASCII characters).
+  /// files, store.idempotency_key (empty means none; else 1 to 200 printable ASCII characters), quota.bytes.
   virtual Result<Made<ProjectRow>> create_project(const RequestContext& context, ProjectRow row,
                                                   const std::string& idempotency_key = "") = 0;
   /// Replaces document, files and name when the stored revision is `expected` (or expected is 0); its history
@@ -145,7 +181,7 @@ class Store {
 
   /// Keeps the row under a new id; its time is the store's to give. With an idempotency key that this owner
   /// has used, gives back the job it made then. Errors: store.idempotency_mismatch when that was for another
-  /// project, store.idempotency_key (as for projects).
+  /// project, store.idempotency_key (as for projects), quota.bytes, quota.jobs.
   virtual Result<Made<JobRow>> create_job(const RequestContext& context, JobRow row,
                                           const std::string& idempotency_key) = 0;
   /// The job that this owner made with the key; nothing when there is none, or the key is empty. Error:
@@ -161,7 +197,7 @@ class Store {
                                                            const std::string& project_id) = 0;
   /// Removes a job with its results and its idempotency key. Error: store.in_use while it has not ended.
   virtual Status remove_job(const RequestContext& context, const std::string& id) = 0;
-  /// Writes state, reason, notes, verdict, attempt, times, report and results of a job that exists.
+  /// Writes state, reason, notes, verdict, attempt, times, work, report and results of a job that exists.
   virtual Status update_job(const RequestContext& context, const JobRow& row) = 0;
   /// The oldest queued jobs of all owners, for the workers; and at a start those left running or paused.
   struct OwnedJob {
@@ -170,13 +206,21 @@ class Store {
   };
   virtual Result<std::vector<OwnedJob>> unfinished_jobs() = 0;
 
+  /// Jobs that ended before then, the oldest first, at most `limit`: what retention looks for.
+  virtual Result<std::vector<OwnedId>> jobs_ended_before(std::int64_t unix_ms, int limit) = 0;
+  /// Uploads from before then that no project and no job of their owner names.
+  virtual Result<std::vector<OwnedId>> unused_assets(std::int64_t before_ms) = 0;
+  virtual Result<Usage> usage(const RequestContext& context) = 0;
+
   /// Result files of a job. A name stands for a file of that job's own folder: no slash, no leading dot, no
   /// control character (store.bad_name). Writing one again replaces it. row.results is update_job's to write.
   virtual Status put_result(const RequestContext& context, const std::string& job_id, const std::string& name,
                             std::string_view bytes) = 0;
+  /// Of a result that its row names with a hash, only what has it. Error: store.corrupt when the disk has
+  /// something else.
   virtual Result<std::string> result_bytes(const RequestContext& context, const std::string& job_id,
                                            const std::string& name) = 0;
-  /// Where a result lies as a file. Only to read.
+  /// Where a result lies as a file. Only to read. Errors: as result_bytes.
   virtual Result<std::string> result_path(const RequestContext& context, const std::string& job_id,
                                           const std::string& name) = 0;
   /// Removes all result files of a job. Nothing to remove is no error.
@@ -202,6 +246,13 @@ class Store {
 
   /// A folder for files that live no longer than a call; what a crash leaves there, the next start removes.
   virtual std::string scratch_folder() const = 0;
+
+  /// Where each job's log lies under its id: whoever writes them (server/log) needs no word of the store.
+  virtual std::string log_folder() const = 0;
+  /// What was written there of a job; empty when there is none.
+  virtual Result<std::string> job_log(const RequestContext& context, const std::string& job_id) = 0;
+
+  virtual StoreFigures figures() const = 0;
 
   /// Proof that the store takes and gives, for /readyz: writes a little and reads it back.
   virtual Status ping() = 0;

@@ -23,7 +23,7 @@ std::vector<json::JsonMember> message(const char* type, std::vector<json::JsonMe
 std::vector<json::JsonMember> job_members(const store::JobRow& job) {
   std::vector<json::JsonMember> results;
   if (store::is_final(job.state)) {  // a drape whose pictures are still to come has some, but not all
-    for (const auto& [name, bytes] : job.results) results.push_back({name, number(bytes)});
+    for (const auto& [name, file] : job.results) results.push_back({name, number(file.bytes)});
   }
   std::vector<json::JsonValue> notes;
   for (const store::JobNote& note : job.notes) {
@@ -42,6 +42,7 @@ std::vector<json::JsonMember> job_members(const store::JobRow& job) {
           {"created_ms", number(job.created_ms)},
           {"started_ms", number(job.started_ms)},
           {"ended_ms", number(job.ended_ms)},
+          {"worked_s", number(job.worked_ms) / 1000},
           {"results", std::move(results)}};
 }
 

@@ -85,6 +85,39 @@ TEST(MeshReader, OpensNoOtherFileForAStrangersMesh) {
   fs::remove_all(folder);
 }
 
+/// 3 KB that are 134 million triangles: each node has the next one twice.
+std::string doubling_dae() {
+  constexpr int kDeep = 27;
+  std::string nodes;
+  for (int i = 0; i < kDeep; ++i) {
+    const std::string next = "<instance_node url=\"#n" + std::to_string(i + 1) + "\"/>";
+    const std::string kids = i + 1 < kDeep ? next + next : "<instance_geometry url=\"#g\"/>";
+    nodes += "<node id=\"n" + std::to_string(i) + "\">" + kids + "</node>";
+  }
+  return R"(<?xml version="1.0"?><COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+    <library_geometries><geometry id="g"><mesh><source id="p"><float_array id="a" count="9">0 0 0 1 0 0 0 1 0</float_array>
+    <technique_common><accessor source="#a" count="3" stride="3"><param name="X" type="float"/>
+    <param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common></source>
+    <vertices id="v"><input semantic="POSITION" source="#p"/></vertices><triangles count="1">
+    <input semantic="VERTEX" source="#v" offset="0"/><p>0 1 2</p></triangles></mesh></geometry></library_geometries>
+    <library_nodes>)" +
+         nodes +
+         R"(</library_nodes><library_visual_scenes><visual_scene id="s"><node><instance_node url="#n0"/></node>
+    </visual_scene></library_visual_scenes><scene><instance_visual_scene url="#s"/></scene></COLLADA>)";
+}
+
+TEST(MeshReader, RefusesASmallFileThatWantsMuchAndCountsIt) {
+  const mesh_import::MeshImporter importer(kProgram);
+  const Result<mesh_import::RepairedMesh> mesh = importer.bytes("bomb.dae", doubling_dae(), {});
+  ASSERT_FALSE(mesh);
+  EXPECT_TRUE(mesh.error().code == "mesh.memory" || mesh.error().code == "mesh.too_long" ||
+              mesh.error().code == "mesh.crashed")
+      << to_string(mesh.error());
+  EXPECT_EQ(mesh.error().where, "bomb.dae");
+  EXPECT_EQ(importer.ends().started, 1);
+  EXPECT_EQ(importer.ends().refused, mesh.error().code == "mesh.too_long" ? 1 : 0);
+}
+
 TEST(MeshReader, BringsNoServerDown) {
   const fs::path folder = fresh_folder("toile_mesh_reader");
   fs::create_directories(folder / "empty");

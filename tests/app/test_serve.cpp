@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <mutex>
 #include <set>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -72,6 +73,56 @@ TEST_F(Serve, PrintsItsAddressAndEndsInGoodOrder) {
     EXPECT_EQ(server.get("/readyz").status, 200);
     EXPECT_EQ(server.end(signal), 0) << server.said();
   }
+}
+
+/// Of the lines of JSON, those of an event.
+std::vector<json::JsonValue> events(const std::string& lines, const std::string& event) {
+  std::vector<json::JsonValue> found;
+  std::istringstream in(lines);
+  for (std::string line; std::getline(in, line);) {
+    if (!line.starts_with('{')) continue;  // what is printed for people
+    Result<json::JsonValue> read = json::parse_json(line);
+    EXPECT_TRUE(read) << line;
+    if (read && *read->find("event")->text() == event) found.push_back(std::move(*read));
+  }
+  return found;
+}
+
+TEST_F(Serve, TellsWhatBecameOfAJobInJsonWithItsRequestAndInALogOfItsOwn) {
+  const fs::path napkin = napkin_folder("toile_logged");
+  std::vector<std::string> options = plain();
+  options.insert(options.end(), {"--log", "json"});
+  Serving server(folder / "data", options);
+  ASSERT_TRUE(server.up()) << server.said();
+  const Ran afar =
+      run_toile({"submit", napkin / "project.json", "--server", server.url(), "--watch", "--json"}, 240);
+  ASSERT_EQ(afar.code, 0) << afar.err;
+  const http::HttpReply jobs = server.get("/api/v1/jobs");
+  const std::string id = *json::parse_json(jobs.body)->find("jobs")->array()->front().find("id")->text();
+  const std::string own = server.get("/api/v1/jobs/" + id + "/log").body;
+  for (const char* event : {"job queued", "job claimed", "phase", "job ended"}) {
+    ASSERT_FALSE(events(own, event).empty()) << event << " is not in\n" << own;
+    EXPECT_EQ(*events(own, event).front().find("job")->text(), id);
+    EXPECT_TRUE(events(own, event).front().find("request")) << "whose request it was";
+  }
+  EXPECT_EQ(server.end(SIGTERM), 0);
+  EXPECT_EQ(events(server.said(), "job ended").size(), 1u);
+  EXPECT_TRUE(events(server.said(), "phase").empty()) << "light lines stand in the job's log only";
+  fs::remove_all(napkin);
+}
+
+TEST_F(Serve, TakesNoMoreThanAUserMayKeep) {
+  std::vector<std::string> options = plain();
+  options.insert(options.end(), {"--quota-mb", "0.0001"});
+  Serving server(folder / "data", options);
+  ASSERT_TRUE(server.up()) << server.said();
+  const http::HttpReply refused = server.ask({.method = "POST",
+                                              .target = "/api/v1/bodies?name=post.obj",
+                                              .body = kPost,
+                                              .content_type = "application/octet-stream",
+                                              .headers = {}});
+  EXPECT_EQ(refused.status, 507) << refused.body;
+  EXPECT_EQ(member(refused.body, "code"), "quota.bytes");
 }
 
 TEST_F(Serve, BeginsWithTheSampleAndItsDrapeOnce) {

@@ -3,6 +3,7 @@
 // anything.
 
 #include <atomic>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -19,6 +20,16 @@ namespace toile::mesh_import {
 /// Limits of the reader's process: far more than two million triangles need, far less than a server has.
 ChildLimits mesh_import_limits();
 
+/// Of those, what a file of so many bytes may take: a small file that wants much is no mesh but a bomb.
+ChildLimits limits_for(const ChildLimits& most, std::uint64_t bytes);
+
+/// How the readers of one importer ended.
+struct ReaderEnds {
+  std::int64_t started = 0;
+  std::int64_t crashed = 0;  ///< by what they read
+  std::int64_t refused = 0;  ///< took too much time, memory or output
+};
+
 /// Reads and mends mesh files. Safe to use from many threads.
 class MeshImporter {
  public:
@@ -28,6 +39,8 @@ class MeshImporter {
   /// run_mesh_import() takes: any format that assimp knows. At most three at once; further calls wait. The
   /// process ends when `cancel`, that each of the calls below takes, becomes true: error mesh.cancelled.
   explicit MeshImporter(std::string program, const ChildLimits& limits = mesh_import_limits());
+
+  ReaderEnds ends() const;
 
   /// A file on this machine's disk, and the files that it names. Errors: those of load_mesh; of a reader in
   /// another process also "mesh.crashed", "mesh.too_long", "mesh.memory", "mesh.reader" (not started).
@@ -50,7 +63,7 @@ class MeshImporter {
 inline constexpr const char* kMeshImportVerb = "import-mesh";
 
 /// The other side: reads as the arguments say, writes the mesh or the error to standard output, and returns
-/// the exit code. Before it looks at a byte of a stranger it gives up opening files and starting processes.
+/// the exit code. Before it looks at a byte of a stranger it is confined (confine.h).
 int run_mesh_import(const std::vector<std::string>& arguments);
 
 }  // namespace toile::mesh_import

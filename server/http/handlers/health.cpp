@@ -21,7 +21,11 @@ http::HttpResponse ready(const Api& api, const store::RequestContext&, const htt
 http::HttpResponse metrics(const Api& api, const store::RequestContext&, const http::HttpRequest&) {
   http::HttpResponse response;
   response.content_type = "text/plain; version=0.0.4; charset=utf-8";
-  response.body = api.metrics.text(api.jobs.counts(), api.hub.viewers());
+  const auto readers = api.documents.importer().ends();
+  response.body = api.metrics.text({.jobs = api.jobs.counts(),
+                                    .store = api.store.figures(),
+                                    .readers = {readers.started, readers.crashed, readers.refused},
+                                    .viewers = api.hub.viewers()});
   return response;
 }
 

@@ -100,9 +100,10 @@ http::HttpResponse list_results(const Api& api, const store::RequestContext& con
   const Result<store::JobRow> job = api.store.job(context, request.captures[0]);
   if (!job) return http::problem(job.error());
   std::vector<json::JsonValue> results;
-  for (const auto& [name, bytes] : job->results) {
+  for (const auto& [name, file] : job->results) {
     results.push_back(std::vector<json::JsonMember>{{"name", name},
-                                                    {"size", static_cast<double>(bytes)},
+                                                    {"size", static_cast<double>(file.bytes)},
+                                                    {"xxh3", file.hash},
                                                     {"content_type", http::content_type_of(name)},
                                                     {"href", place_of(*job) + "/results/" + name}});
   }
@@ -121,6 +122,16 @@ http::HttpResponse result(const Api& api, const store::RequestContext& context,
   const Result<std::string> path = api.store.result_path(context, job->id, name);
   if (!path) return http::problem(path.error());
   http::HttpResponse response = file_answer_from(*path, http::content_type_of(name), name);
+  response.headers.emplace_back("Cache-Control", "no-cache");
+  return response;
+}
+
+/// What the service did for the job, a line of JSON each.
+http::HttpResponse log(const Api& api, const store::RequestContext& context,
+                       const http::HttpRequest& request) {
+  Result<std::string> lines = api.store.job_log(context, request.captures[0]);
+  if (!lines) return http::problem(lines.error());
+  http::HttpResponse response = file_answer(std::move(*lines), "application/x-ndjson", "log.jsonl");
   response.headers.emplace_back("Cache-Control", "no-cache");
   return response;
 }
@@ -161,6 +172,7 @@ ApiRoutes job_routes() {
       {.method = "POST", .pattern = "/api/v1/jobs/{id}/cancel", .handler = cancel},
       {.pattern = "/api/v1/jobs/{id}/results", .handler = list_results},
       {.pattern = "/api/v1/jobs/{id}/results/{name}", .handler = result},
+      {.pattern = "/api/v1/jobs/{id}/log", .handler = log},
       {.pattern = "/api/v1/jobs/{id}/body", .handler = body, .work = http::Work::kHeavy},
       {.pattern = "/api/v1/jobs/{id}/stream", .handler = stream, .websocket = true},
   };

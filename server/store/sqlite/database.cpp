@@ -19,7 +19,7 @@ bool out_of_room(int code, int reason) {
 }
 
 /// What the connection's last call says went wrong; `system_reason` is errno after it, where it was 0 before.
-Error error_of(sqlite3* database, int system_reason = 0) {
+Error error_of(sqlite3* database, int system_reason) {
   const int code = sqlite3_errcode(database) & 0xff;
   const std::string reason = sqlite3_errmsg(database);
   if (out_of_room(code, system_reason)) {
@@ -65,7 +65,7 @@ Result<bool> SqlStatement::step() {
   const int reason = errno;
   if (code == SQLITE_ROW) return true;
   if (code == SQLITE_DONE) return false;
-  return error_of(sqlite3_db_handle(statement_.get()), reason);
+  return failures_->counted(error_of(sqlite3_db_handle(statement_.get()), reason));
 }
 
 std::int64_t SqlStatement::integer(int column) const {
@@ -78,8 +78,13 @@ std::string SqlStatement::text(int column) const {
   return begin == nullptr ? std::string() : std::string(begin, static_cast<std::size_t>(size));
 }
 
-Result<SqlDatabase> SqlDatabase::open(const std::string& path) {
+Error SqlDatabase::failure(int system_reason) const {
+  return failures_->counted(error_of(database_.get(), system_reason));
+}
+
+Result<SqlDatabase> SqlDatabase::open(const std::string& path, std::shared_ptr<store::Failures> failures) {
   SqlDatabase made;
+  made.failures_ = std::move(failures);
   sqlite3* raw = nullptr;
   constexpr int kFlags =
       SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_EXRESCODE;
@@ -87,7 +92,7 @@ Result<SqlDatabase> SqlDatabase::open(const std::string& path) {
   made.database_.reset(raw);
   if (raw == nullptr)
     return Error{"store.failed", "there is no memory for a connection", path, ErrorKind::kSystem};
-  if (code != SQLITE_OK) return error_of(raw);
+  if (code != SQLITE_OK) return made.failure();
   sqlite3_busy_timeout(raw, kBusyTimeoutMs);
   TRY(use_write_ahead_log(made));
   if (Status set = made.run_script("PRAGMA synchronous=FULL; PRAGMA foreign_keys=ON"); !set) {
@@ -98,15 +103,16 @@ Result<SqlDatabase> SqlDatabase::open(const std::string& path) {
 
 Result<SqlStatement> SqlDatabase::prepare(std::string_view sql, std::initializer_list<SqlValue> values) {
   SqlStatement made;
+  made.failures_ = failures_;
   sqlite3_stmt* raw = nullptr;
   if (sqlite3_prepare_v2(database_.get(), sql.data(), static_cast<int>(sql.size()), &raw, nullptr) !=
       SQLITE_OK) {
-    return error_of(database_.get());
+    return failure();
   }
   made.statement_.reset(raw);
   int place = 0;
   for (const SqlValue& value : values) {
-    if (bind(raw, ++place, value) != SQLITE_OK) return error_of(database_.get());
+    if (bind(raw, ++place, value) != SQLITE_OK) return failure();
   }
   return made;
 }
@@ -124,7 +130,7 @@ Status SqlDatabase::run_script(const char* sql) {
   const int code = sqlite3_exec(database_.get(), sql, nullptr, nullptr, nullptr);
   const int reason = errno;
   if (code == SQLITE_OK) return {};
-  return error_of(database_.get(), reason);
+  return failure(reason);
 }
 
 Result<SqlTransaction> SqlTransaction::begin(SqlDatabase& database) {

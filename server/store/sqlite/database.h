@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "core/base/result.h"
+#include "server/store/failures.h"
 
 struct sqlite3;
 struct sqlite3_stmt;
@@ -34,13 +35,16 @@ class SqlStatement {
     void operator()(sqlite3_stmt* statement) const;
   };
   std::unique_ptr<sqlite3_stmt, Finalize> statement_;
+  std::shared_ptr<store::Failures> failures_;
 };
 
 /// A connection. Errors of its calls: store.full, store.busy, store.corrupt, store.failed.
 class SqlDatabase {
  public:
   /// Opens or makes the file with a write-ahead log, and each commit waits until the disk has it.
-  static Result<SqlDatabase> open(const std::string& path);
+  /// What fails is counted in `failures`.
+  static Result<SqlDatabase> open(const std::string& path, std::shared_ptr<store::Failures> failures =
+                                                               std::make_shared<store::Failures>());
 
   Result<SqlStatement> prepare(std::string_view sql, std::initializer_list<SqlValue> values = {});
   /// Runs one statement to its end and tells how many rows it changed.
@@ -53,7 +57,9 @@ class SqlDatabase {
   struct Close {
     void operator()(sqlite3* database) const;
   };
+  Error failure(int system_reason = 0) const;
   std::unique_ptr<sqlite3, Close> database_;
+  std::shared_ptr<store::Failures> failures_;
 };
 
 /// All or nothing: what is not committed when this goes is undone.

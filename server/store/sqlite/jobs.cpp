@@ -14,6 +14,12 @@ Result<store::Store::OwnedJob> owned_job_from(const SqlStatement& row) {
   return store::Store::OwnedJob{row.text(kJobColumnCount), std::move(job)};
 }
 
+std::int64_t bytes_of(const store::ResultFiles& results) {
+  std::int64_t bytes = 0;
+  for (const auto& [name, file] : results) bytes += file.bytes;
+  return bytes;
+}
+
 }  // namespace
 
 Result<std::optional<store::JobRow>> SqliteStore::find_job_of_key(const store::OwnerId& owner,
@@ -41,11 +47,12 @@ Status SqliteStore::insert_job(const store::OwnerId& owner, const store::JobRow&
   const SqlValue key = idempotency_key.empty() ? SqlValue(nullptr) : SqlValue(idempotency_key);
   TRY(database_.run(
       "INSERT INTO jobs (owner, id, project_id, project_revision, name, document, files, state, reason_code,"
-      " reason, reason_where, attempt, created_ms, started_ms, ended_ms, report, results, idempotency_key)"
-      " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+      " reason, reason_where, attempt, created_ms, started_ms, ended_ms, report, results, idempotency_key,"
+      " document_bytes) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
       {owner, row.id, row.project_id, std::int64_t{row.project_revision}, row.name, row.document, files,
        store::name_of(row.state), row.reason_code, row.reason, row.reason_where, std::int64_t{row.attempt},
-       row.created_ms, row.started_ms, row.ended_ms, row.report, results, key}));
+       row.created_ms, row.started_ms, row.ended_ms, row.report, results, key,
+       static_cast<std::int64_t>(row.document.size())}));
   return {};
 }
 
@@ -63,6 +70,7 @@ Result<store::Made<store::JobRow>> SqliteStore::create_job(const store::RequestC
         "this idempotency key was used for project " + made->project_id + "; use a new one for another drape",
         "", ErrorKind::kConflict};
   }
+  TRY(check_room_for_job(context.owner, row.document.size()));
   row.created_ms = store_now_ms();
   std::string id = TRY(ids_.next('j', row.created_ms));
   row.id = std::move(id);
@@ -110,6 +118,7 @@ Status SqliteStore::remove_job(const store::RequestContext& context, const std::
     }
     TRY(database_.run("DELETE FROM jobs WHERE owner = ? AND id = ?", {context.owner, id}));
   }
+  blobs_.remove_log(id);
   TRY(blobs_.remove_checkpoint(id));
   return blobs_.remove_results(id);
 }
@@ -120,9 +129,11 @@ Status SqliteStore::update_job(const store::RequestContext& context, const store
   const std::lock_guard hold(mutex_);
   const int changed = TRY(database_.run(
       "UPDATE jobs SET state = ?, reason_code = ?, reason = ?, reason_where = ?, attempt = ?, started_ms = ?,"
-      " ended_ms = ?, report = ?, results = ?, notes = ?, verdict = ? WHERE owner = ? AND id = ?",
+      " ended_ms = ?, report = ?, results = ?, notes = ?, verdict = ?,"
+      " result_bytes = ?, worked_ms = ? WHERE owner = ? AND id = ?",
       {store::name_of(row.state), row.reason_code, row.reason, row.reason_where, std::int64_t{row.attempt},
-       row.started_ms, row.ended_ms, row.report, results, notes, verdict, context.owner, row.id}));
+       row.started_ms, row.ended_ms, row.report, results, notes, verdict, bytes_of(row.results),
+       row.worked_ms, context.owner, row.id}));
   if (changed == 0) return not_found("job", row.id);
   return {};
 }
@@ -136,6 +147,18 @@ Result<std::vector<store::Store::OwnedJob>> SqliteStore::unfinished_jobs() {
 }
 
 // Results
+
+/// As its row has it; one that no row names yet may be anything.
+Result<store::ResultFile> SqliteStore::kept_result(const store::OwnerId& owner, const std::string& job_id,
+                                                   const std::string& name) {
+  const std::lock_guard hold(mutex_);
+  const std::string column =
+      TRY(row_of(database_.prepare("SELECT results FROM jobs WHERE owner = ? AND id = ?", {owner, job_id}),
+                 text_from, "job", job_id));
+  const store::ResultFiles results = TRY(results_from(column, job_id));
+  const auto found = results.find(name);
+  return found == results.end() ? store::ResultFile() : found->second;
+}
 
 Status SqliteStore::check_job(const store::OwnerId& owner, const std::string& id) {
   const std::lock_guard hold(mutex_);
@@ -152,13 +175,16 @@ Status SqliteStore::put_result(const store::RequestContext& context, const std::
 
 Result<std::string> SqliteStore::result_bytes(const store::RequestContext& context, const std::string& job_id,
                                               const std::string& name) {
-  TRY(check_job(context.owner, job_id));
-  return blobs_.result(job_id, name);
+  const store::ResultFile kept = TRY(kept_result(context.owner, job_id, name));
+  return blobs_.result(job_id, name, kept);
 }
 
 Result<std::string> SqliteStore::result_path(const store::RequestContext& context, const std::string& job_id,
                                              const std::string& name) {
-  TRY(check_job(context.owner, job_id));
+  const store::ResultFile kept = TRY(kept_result(context.owner, job_id, name));
+  if (!kept.hash.empty()) {
+    TRY(blobs_.result(job_id, name, kept));
+  }
   const std::filesystem::path path = TRY(blobs_.result_path(job_id, name));
   return path.string();
 }

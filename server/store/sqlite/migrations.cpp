@@ -94,6 +94,19 @@ CREATE TABLE project_edits (
 ALTER TABLE jobs ADD COLUMN notes TEXT NOT NULL DEFAULT '[]';
 ALTER TABLE jobs ADD COLUMN verdict TEXT NOT NULL DEFAULT '';
 )sql"},
+    // An index of its own, so that summing up somebody's jobs reads no documents.
+    {5, "how many bytes projects and jobs keep, how long jobs worked, and when they ended", R"sql(
+ALTER TABLE projects ADD COLUMN document_bytes INTEGER NOT NULL DEFAULT 0;
+ALTER TABLE jobs ADD COLUMN document_bytes INTEGER NOT NULL DEFAULT 0;
+ALTER TABLE jobs ADD COLUMN result_bytes INTEGER NOT NULL DEFAULT 0;
+ALTER TABLE jobs ADD COLUMN worked_ms INTEGER NOT NULL DEFAULT 0;
+CREATE INDEX projects_kept ON projects (owner, document_bytes);
+CREATE INDEX jobs_kept ON jobs (owner, document_bytes, result_bytes);
+CREATE INDEX jobs_ended ON jobs (ended_ms, owner, id) WHERE ended_ms > 0;
+UPDATE projects SET document_bytes = length(CAST(document AS BLOB));
+UPDATE jobs SET document_bytes = length(CAST(document AS BLOB)), result_bytes =
+  coalesce((SELECT sum(value) FROM json_each(CASE WHEN json_valid(results) THEN results ELSE '{}' END)), 0);
+)sql"},
 };
 
 constexpr const char* kRemembered = R"sql(

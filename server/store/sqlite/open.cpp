@@ -40,7 +40,8 @@ Error opening(const fs::path& path, const Error& error) {
 
 }  // namespace
 
-Result<std::unique_ptr<store::Store>> open_sqlite_store(const std::string& folder) {
+Result<std::unique_ptr<store::Store>> open_sqlite_store(const std::string& folder,
+                                                        const store::Quotas& quotas) {
   std::error_code failure;
   const fs::path root = fs::absolute(folder, failure);
   if (fs::create_directories(root, failure)) fs::permissions(root, fs::perms::owner_all, failure);
@@ -49,11 +50,12 @@ Result<std::unique_ptr<store::Store>> open_sqlite_store(const std::string& folde
                  ErrorKind::kSystem};
   }
   store::FolderLock lock = TRY(store::FolderLock::take(root));
-  Result<store::Blobs> blobs = store::Blobs::open(root);
+  const auto failures = std::make_shared<store::Failures>();
+  Result<store::Blobs> blobs = store::Blobs::open(root, failures);
   if (!blobs) return opening(root, blobs.error());
   const fs::path file = root / "toile.db";
   const bool had_database = fs::exists(file, failure);
-  Result<SqlDatabase> database = SqlDatabase::open(file.string());
+  Result<SqlDatabase> database = SqlDatabase::open(file.string(), failures);
   if (!database) return opening(file, database.error());
   if (Status sound = check_pages(*database); !sound) return opening(file, sound.error());
   if (Status migrated = migrate(*database); !migrated) return opening(file, migrated.error());
@@ -63,8 +65,8 @@ Result<std::unique_ptr<store::Store>> open_sqlite_store(const std::string& folde
   const Result<store::IdSource> ids = ids_after(*database);
   if (!ids) return opening(file, ids.error());
   if (Status synced = store::sync_folder(root); !synced) return opening(root, synced.error());
-  return std::unique_ptr<store::Store>(
-      std::make_unique<SqliteStore>(std::move(lock), std::move(*blobs), std::move(*database), *ids));
+  return std::unique_ptr<store::Store>(std::make_unique<SqliteStore>(
+      std::move(lock), std::move(*blobs), std::move(*database), *ids, failures, quotas));
 }
 
 }  // namespace toile::sqlite

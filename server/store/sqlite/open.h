@@ -12,6 +12,7 @@ namespace toile::sqlite {
 /// has for itself. Files that no row names go: uploads that a crash has cut off, results of drapes that did
 /// not come to their end. Errors: store.open with path and reason, store.in_use when another process has it
 /// open, store.newer_schema when a newer program has written it.
-Result<std::unique_ptr<store::Store>> open_sqlite_store(const std::string& folder);
+Result<std::unique_ptr<store::Store>> open_sqlite_store(const std::string& folder,
+                                                        const store::Quotas& quotas = {});
 
 }  // namespace toile::sqlite

@@ -70,8 +70,19 @@ std::string text_of(const Map& map) {
 
 }  // namespace
 
-Result<ResultSizes> results_from(const std::string& text, const std::string& thing) {
-  return map_from<std::int64_t>(text, thing, [](const Json& value) { return value.is_number(); });
+/// A number of bytes alone is a row of before results had hashes.
+Result<store::ResultFiles> results_from(const std::string& text, const std::string& thing) {
+  const Json object = Json::parse(text, nullptr, false);
+  if (!object.is_object()) return damaged(thing);
+  store::ResultFiles results;
+  for (const auto& [name, value] : object.items()) {
+    if (value.is_number()) results[name] = value.get<std::int64_t>();
+    if (!value.is_object()) continue;
+    const auto bytes = value.find("bytes");
+    if (bytes != value.end() && bytes->is_number())
+      results[name] = {bytes->get<std::int64_t>(), text_at(value, "xxh3")};
+  }
+  return results;
 }
 
 Result<store::AssetRow> asset_from(const SqlStatement& row) {
@@ -114,7 +125,7 @@ Result<store::JobRow> job_from(const SqlStatement& row) {
   job.created_ms = row.integer(9);
   job.started_ms = row.integer(10);
   job.ended_ms = row.integer(11);
-  ResultSizes results = TRY(results_from(row.text(12), job.id));
+  store::ResultFiles results = TRY(results_from(row.text(12), job.id));
   job.results = std::move(results);
   FileIds files = TRY(files_from(row.text(13), job.id));
   job.files = std::move(files);
@@ -124,12 +135,17 @@ Result<store::JobRow> job_from(const SqlStatement& row) {
   job.notes = std::move(notes);
   std::optional<store::JobVerdict> verdict = TRY(verdict_from(row.text(17), job.id));
   job.verdict = std::move(verdict);
+  job.worked_ms = row.integer(18);
   return job;
 }
 
 std::string column_text(const FileIds& files) { return text_of(files); }
 
-std::string column_text(const ResultSizes& results) { return text_of(results); }
+std::string column_text(const store::ResultFiles& results) {
+  Json object = Json::object();
+  for (const auto& [name, file] : results) object[name] = {{"bytes", file.bytes}, {"xxh3", file.hash}};
+  return dumped(object);
+}
 
 std::string column_text(const std::vector<store::JobNote>& notes) {
   Json list = Json::array();

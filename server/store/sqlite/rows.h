@@ -13,22 +13,21 @@
 
 namespace toile::sqlite {
 
-/// ProjectRow::files and JobRow::results.
+/// ProjectRow::files.
 using FileIds = std::map<std::string, std::string>;
-using ResultSizes = std::map<std::string, std::int64_t>;
 
 // What a SELECT must ask for, in the order in which the readers below take it.
 inline constexpr const char* kAssetColumns = "id, kind, name, size, created_ms, info";
 inline constexpr const char* kProjectColumns = "id, name, revision, created_ms, updated_ms, files, document";
 inline constexpr const char* kJobColumns =
     "id, project_id, project_revision, name, state, reason_code, reason, reason_where, attempt, created_ms, "
-    "started_ms, ended_ms, results, files, report, document, notes, verdict";
+    "started_ms, ended_ms, results, files, report, document, notes, verdict, worked_ms";
 /// The same without the document.
 inline constexpr const char* kJobListColumns =
     "id, project_id, project_revision, name, state, reason_code, reason, reason_where, attempt, created_ms, "
-    "started_ms, ended_ms, results, files, report, '', notes, verdict";
+    "started_ms, ended_ms, results, files, report, '', notes, verdict, worked_ms";
 /// How many columns a job has: where one more may stand.
-inline constexpr int kJobColumnCount = 18;
+inline constexpr int kJobColumnCount = 19;
 
 /// Error of each: store.corrupt.
 Result<store::AssetRow> asset_from(const SqlStatement& row);
@@ -37,11 +36,11 @@ Result<store::JobRow> job_from(const SqlStatement& row);
 
 /// A map as the JSON object that its column keeps.
 std::string column_text(const FileIds& files);
-std::string column_text(const ResultSizes& results);
+std::string column_text(const store::ResultFiles& results);
 /// JobRow::notes as a JSON list, JobRow::verdict as an object or an empty text.
 std::string column_text(const std::vector<store::JobNote>& notes);
 std::string column_text(const std::optional<store::JobVerdict>& verdict);
 /// And back; `thing` names the row. Error: store.corrupt.
-Result<ResultSizes> results_from(const std::string& text, const std::string& thing);
+Result<store::ResultFiles> results_from(const std::string& text, const std::string& thing);
 
 }  // namespace toile::sqlite

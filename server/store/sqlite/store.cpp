@@ -74,6 +74,10 @@ Result<store::AssetRow> SqliteStore::put_asset(const store::RequestContext& cont
   row.id = "a_" + hash_of(row.kind + '/' + row.name + '/' + hash_of(bytes));  // no kind, no name has a slash
   row.size = static_cast<std::int64_t>(bytes.size());
   row.created_ms = store_now_ms();
+  if (const Result<store::AssetRow> there = asset(context, row.id); !there) {
+    const std::lock_guard hold(mutex_);
+    TRY(check_room(context.owner, bytes.size()));
+  }
   const std::shared_lock putting(blob_mutex_);
   const std::string blob = TRY(blobs_.put_blob(bytes, row.name));
   const std::lock_guard hold(mutex_);
@@ -172,11 +176,12 @@ Result<std::optional<store::ProjectRow>> SqliteStore::project_of_key(const store
 
 Status SqliteStore::insert_project(const store::OwnerId& owner, const store::ProjectRow& row) {
   const std::string files = column_text(row.files);
-  TRY(database_.run(
-      "INSERT INTO projects (owner, id, name, revision, document, files, created_ms, updated_ms)"
-      " VALUES (?, ?, ?, ?, ?, ?, ?, ?)",
-      {owner, row.id, row.name, std::int64_t{row.revision}, row.document, files, row.created_ms,
-       row.updated_ms}));
+  TRY(
+      database_.run("INSERT INTO projects (owner, id, name, revision, document, files, created_ms, "
+                    "updated_ms, document_bytes)"
+                    " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)",
+                    {owner, row.id, row.name, std::int64_t{row.revision}, row.document, files, row.created_ms,
+                     row.updated_ms, static_cast<std::int64_t>(row.document.size())}));
   return {};
 }
 
@@ -191,6 +196,7 @@ Result<store::Made<store::ProjectRow>> SqliteStore::create_project(const store::
     std::optional<store::ProjectRow> made = TRY(project_of_key(context.owner, idempotency_key, request));
     if (made) return store::Made<store::ProjectRow>{std::move(*made), false};
   }
+  TRY(check_room(context.owner, row.document.size()));
   row.created_ms = row.updated_ms = store_now_ms();
   row.revision = 1;
   std::string id = TRY(ids_.next('p', row.created_ms));
@@ -227,10 +233,12 @@ Result<store::ProjectRow> SqliteStore::update_project(const store::OwnerId& owne
   next.revision += 1;
   next.updated_ms = store_now_ms();
   const std::string files = column_text(row.files);
-  TRY(database_.run(
-      "UPDATE projects SET name = ?, document = ?, files = ?, revision = ?, updated_ms = ?"
-      " WHERE owner = ? AND id = ?",
-      {next.name, next.document, files, std::int64_t{next.revision}, next.updated_ms, owner, next.id}));
+  TRY(
+      database_.run("UPDATE projects SET name = ?, document = ?, files = ?, revision = ?, updated_ms = ?,"
+                    " document_bytes = ?"
+                    " WHERE owner = ? AND id = ?",
+                    {next.name, next.document, files, std::int64_t{next.revision}, next.updated_ms,
+                     static_cast<std::int64_t>(next.document.size()), owner, next.id}));
   return next;
 }
 

@@ -2,6 +2,7 @@
 // The store on one machine: a SQLite database and folders of files. Internal to the store.
 
 #include <cstdint>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <shared_mutex>
@@ -26,8 +27,15 @@ struct BlobPlace {
 
 class SqliteStore final : public store::Store {
  public:
-  SqliteStore(store::FolderLock lock, store::Blobs blobs, SqlDatabase database, store::IdSource ids)
-      : lock_(std::move(lock)), blobs_(std::move(blobs)), database_(std::move(database)), ids_(ids) {}
+  /// `failures` are those that blobs and database count in.
+  SqliteStore(store::FolderLock lock, store::Blobs blobs, SqlDatabase database, store::IdSource ids,
+              std::shared_ptr<const store::Failures> failures, store::Quotas quotas)
+      : lock_(std::move(lock)),
+        failures_(std::move(failures)),
+        quotas_(quotas),
+        blobs_(std::move(blobs)),
+        database_(std::move(database)),
+        ids_(ids) {}
 
   Result<store::AssetRow> put_asset(const store::RequestContext& context, store::AssetRow row,
                                     std::string_view bytes) override;
@@ -70,6 +78,9 @@ class SqliteStore final : public store::Store {
   Status remove_job(const store::RequestContext& context, const std::string& id) override;
   Status update_job(const store::RequestContext& context, const store::JobRow& row) override;
   Result<std::vector<OwnedJob>> unfinished_jobs() override;
+  Result<std::vector<store::OwnedId>> jobs_ended_before(std::int64_t unix_ms, int limit) override;
+  Result<std::vector<store::OwnedId>> unused_assets(std::int64_t before_ms) override;
+  Result<store::Usage> usage(const store::RequestContext& context) override;
 
   Status put_result(const store::RequestContext& context, const std::string& job_id, const std::string& name,
                     std::string_view bytes) override;
@@ -89,6 +100,9 @@ class SqliteStore final : public store::Store {
   Status put_setting(const store::RequestContext& context, const std::string& key,
                      const std::string& value) override;
   std::string scratch_folder() const override { return blobs_.scratch_folder().string(); }
+  std::string log_folder() const override { return blobs_.log_folder().string(); }
+  Result<std::string> job_log(const store::RequestContext& context, const std::string& job_id) override;
+  store::StoreFigures figures() const override;
   Status ping() override;
 
  private:
@@ -109,11 +123,22 @@ class SqliteStore final : public store::Store {
   Status forget_edits(const store::OwnerId& owner, const std::string& project_id);
   Result<std::optional<store::JobRow>> find_job_of_key(const store::OwnerId& owner, const std::string& key);
 
+  Result<store::Usage> usage_of(const store::OwnerId& owner);
+  /// Error: quota.bytes when `more` bytes would be too many.
+  Status check_room(const store::OwnerId& owner, std::size_t more);
+  /// The same, and one more job: quota.jobs.
+  Status check_room_for_job(const store::OwnerId& owner, std::size_t more);
+  Result<std::vector<std::string>> files_columns(const char* table);
+
   // And what follows takes it.
   Result<BlobPlace> blob_place(const store::OwnerId& owner, const std::string& id);
   Status check_job(const store::OwnerId& owner, const std::string& id);
+  Result<store::ResultFile> kept_result(const store::OwnerId& owner, const std::string& job_id,
+                                        const std::string& name);
 
   const store::FolderLock lock_;
+  const std::shared_ptr<const store::Failures> failures_;
+  const store::Quotas quotas_;
   const store::Blobs blobs_;
   /// Shared while bytes are put and named, held alone while a blob goes; before mutex_.
   std::shared_mutex blob_mutex_;

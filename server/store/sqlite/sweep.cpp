@@ -27,7 +27,7 @@ Status sweep_blobs(SqlDatabase& database, const store::Blobs& blobs) {
   return {};
 }
 
-void keep_only(const store::Blobs& blobs, const std::string& job_id, const ResultSizes& named) {
+void keep_only(const store::Blobs& blobs, const std::string& job_id, const store::ResultFiles& named) {
   for (const std::string& name : blobs.result_names(job_id)) {
     if (!named.contains(name)) blobs.remove_result(job_id, name);
   }
@@ -41,7 +41,7 @@ Status sweep_results(SqlDatabase& database, const store::Blobs& blobs) {
     if (!more) break;
     const std::string id = row.text(0);
     if (!unnamed.contains(id)) continue;
-    const Result<ResultSizes> named = results_from(row.text(1), id);
+    const Result<store::ResultFiles> named = results_from(row.text(1), id);
     if (named && named->empty()) continue;
     unnamed.erase(id);
     if (named) keep_only(blobs, id, *named);  // a damaged row says nothing about its files
@@ -61,11 +61,20 @@ Status sweep_checkpoints(SqlDatabase& database, const store::Blobs& blobs) {
   return {};
 }
 
+Status sweep_logs(SqlDatabase& database, const store::Blobs& blobs) {
+  Names unnamed = set_of(blobs.jobs_with_logs());
+  const std::vector<std::string> named = TRY(rows_of(database.prepare("SELECT id FROM jobs"), text_from));
+  for (const std::string& id : named) unnamed.erase(id);
+  for (const std::string& id : unnamed) blobs.remove_log(id);
+  return {};
+}
+
 }  // namespace
 
 Status sweep_files(SqlDatabase& database, const store::Blobs& blobs) {
   TRY(sweep_blobs(database, blobs));
   TRY(sweep_results(database, blobs));
+  TRY(sweep_logs(database, blobs));
   return sweep_checkpoints(database, blobs);
 }
 

@@ -197,6 +197,7 @@ TEST_F(Contract, EveryAnswerAndMessageFitsItsSchema) {
   recorded("GET", address + "/results");
   recorded("GET", address + "/results/report.json");
   recorded("GET", address + "/results/nothing");
+  recorded("GET", address + "/log");
   recorded("GET", address + "/body");
   recorded("GET", address + "/stream");
   recorded("POST", address + "/pause");

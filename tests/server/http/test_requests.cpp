@@ -236,6 +236,22 @@ TEST_F(Requests, CountsWhatItAnswers) {
             std::string::npos)
       << metrics.body;
   EXPECT_NE(metrics.body.find("toile_jobs{state=\"running\"} 0\n"), std::string::npos);
+  EXPECT_NE(metrics.body.find("toile_http_problems_total{code=\"http.not_found\"} 1\n"), std::string::npos);
+}
+
+/// What an operator watches: a family that is there before anything has happened can be asked for.
+TEST_F(Requests, TellsAnOperatorHowItFares) {
+  const Answer metrics = get("/metrics");
+  for (const char* line :
+       {"toile_build_info{version=\"", "toile_queue_age_seconds 0\n",
+        "toile_job_wait_seconds_bucket{le=\"+Inf\"} 0\n", "toile_job_run_seconds_count 0\n",
+        "# TYPE toile_work_seconds_total counter\n", "# TYPE toile_store_failures_total counter\n",
+        "toile_mesh_readers_total{end=\"crashed\"} 0\n"}) {
+    EXPECT_NE(metrics.body.find(line), std::string::npos) << line << " is not in\n" << metrics.body;
+  }
+  const std::size_t at = metrics.body.find("\ntoile_disk_free_bytes ");
+  ASSERT_NE(at, std::string::npos);
+  EXPECT_GT(std::strtod(metrics.body.c_str() + at + sizeof "\ntoile_disk_free_bytes", nullptr), 0);
 }
 
 TEST_F(Requests, StopsWithIdleAndHalfFinishedConnectionsOpen) {

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <string>
 
+#include "core/base/hash.h"
 #include "tests/server/http/served.h"
 
 namespace toile::test {
@@ -266,6 +267,31 @@ TEST_F(Routes, GiveOutResultsAndTheReport) {
   EXPECT_EQ(png.headers.at("content-type"), "image/png");
   EXPECT_PROBLEM(get(address + "/results/back.png"), 404, "store.not_found");
   EXPECT_TRUE(*tree(get(address))->find("report")->find("settled")->boolean());
+}
+
+TEST_F(Routes, AResultThatTheDiskHasChangedIsAFaultAndNotAnAnswer) {
+  const std::string id = make_job();
+  ASSERT_TRUE(store->put_result(kMe, id, "front.png", "png!"));
+  Result<store::JobRow> row = store->job(kMe, id);
+  row->state = store::JobState::kSucceeded;
+  row->results["front.png"] = {4, hash_of(std::string_view("png!"))};
+  ASSERT_TRUE(store->update_job(kMe, *row));
+  const std::string target = "/api/v1/jobs/" + id + "/results/front.png";
+  EXPECT_EQ(get(target).body, "png!");
+  std::ofstream(folder / "data" / "results" / id / "front.png") << "pgn!";
+  EXPECT_PROBLEM(get(target), 500, "store.corrupt");
+  EXPECT_NE(get("/metrics").body.find("toile_store_failures_total{code=\"store.corrupt\"} 1\n"),
+            std::string::npos);
+}
+
+TEST_F(Routes, GiveOutAJobsLog) {
+  const std::string id = make_job(), target = "/api/v1/jobs/" + id + "/log";
+  EXPECT_EQ(get(target).body, "");
+  std::ofstream(std::filesystem::path(store->log_folder()) / id) << "{\"event\": \"job queued\"}\n";
+  const Answer lines = get(target);
+  EXPECT_EQ(lines.headers.at("content-type"), "application/x-ndjson");
+  EXPECT_EQ(lines.body, "{\"event\": \"job queued\"}\n");
+  EXPECT_PROBLEM(get("/api/v1/jobs/j_0/log"), 404, "store.not_found");
 }
 
 TEST_F(Routes, SendTheBodyAsOneMesh) {

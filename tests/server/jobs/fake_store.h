@@ -144,6 +144,7 @@ class FakeStore final : public store::Store {
     kept.results = row.results;
     kept.notes = row.notes;
     kept.verdict = row.verdict;
+    kept.worked_ms = row.worked_ms;
     return {};
   }
   Result<std::vector<OwnedJob>> unfinished_jobs() override {
@@ -223,6 +224,23 @@ class FakeStore final : public store::Store {
   Status put_setting(const store::RequestContext&, const std::string&, const std::string&) override {
     return {};
   }
+  Result<std::vector<store::OwnedId>> jobs_ended_before(std::int64_t unix_ms, int) override {
+    const std::lock_guard lock(mutex_);
+    std::vector<store::OwnedId> found;
+    for (const auto& [key, row] : jobs_) {
+      if (store::is_final(row.state) && row.ended_ms < unix_ms) found.push_back({key.first, key.second});
+    }
+    return found;
+  }
+  Result<std::vector<store::OwnedId>> unused_assets(std::int64_t) override {
+    return std::vector<store::OwnedId>();
+  }
+  Result<store::Usage> usage(const store::RequestContext&) override { return store::Usage(); }
+  std::string log_folder() const override { return folder_.string(); }
+  Result<std::string> job_log(const store::RequestContext&, const std::string&) override {
+    return std::string();
+  }
+  store::StoreFigures figures() const override { return {}; }
   std::string scratch_folder() const override { return folder_.string(); }
   Status ping() override { return {}; }
 

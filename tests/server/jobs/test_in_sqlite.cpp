@@ -66,8 +66,8 @@ TEST_F(JobsInSqlite, ADrapeAndItsResultsAreThereAfterARestart) {
   const store::JobRow job = store_->job(kOwner, id).value();
   EXPECT_EQ(job.state, store::JobState::kSucceeded) << job.reason;
   EXPECT_EQ(job.results.size(), 11u);
-  for (const auto& [name, size] : job.results) {
-    EXPECT_EQ(static_cast<std::int64_t>(store_->result_bytes(kOwner, id, name).value().size()), size) << name;
+  for (const auto& [name, file] : job.results) {
+    EXPECT_EQ(static_cast<std::int64_t>(store_->result_bytes(kOwner, id, name).value().size()), file.bytes);
   }
   EXPECT_EQ(service_->progress(kOwner, id)->step,
             static_cast<int>(*json::parse_json(job.report).value().find("steps")->number()));

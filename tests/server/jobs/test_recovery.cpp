@@ -98,7 +98,7 @@ TEST_F(RecoveredJobs, GoOnSideBySideOnceEachHasComeFurther) {
 TEST_F(RecoveredJobs, KeepADrapeWhosePicturesBringTheServerDown) {
   house(1e6);
   const std::string id = submit(cloth_over_block(200));
-  std::map<std::string, std::int64_t> models;
+  store::ResultFiles models;
   store::JobVerdict verdict;
   service->stop();
   store.on_update_job = [&](const store::JobRow& row) {

@@ -47,7 +47,7 @@ TEST_F(Jobs, ALoneDrapeLeavesItsReportModelsCheckDataAndPictures) {
                            "front.png", "back.png", "side.png", "three-quarter.png", "thumbnail.png"}) {
     ASSERT_TRUE(job.results.contains(name)) << name;
     const std::string bytes = store.result_bytes(kOwner, id, name).value();
-    EXPECT_EQ(static_cast<std::int64_t>(bytes.size()), job.results.at(name)) << name;
+    EXPECT_EQ(static_cast<std::int64_t>(bytes.size()), job.results.at(name).bytes) << name;
     EXPECT_FALSE(bytes.empty()) << name;
   }
   EXPECT_EQ(job.results.size(), 11u);

@@ -8,22 +8,6 @@
 namespace toile {
 namespace {
 
-TEST(LogText, IsTheEventAndItsFieldsInTheirOrder) {
-  EXPECT_EQ(
-      log::log_text("job claimed", LogFields{{"owner", "ann"}, {"job", "j_1"}}, LogFields{{"attempt", "2"}}),
-      "job claimed owner=ann job=j_1 attempt=2");
-}
-
-TEST(LogText, PassesOverWhatIsEmptyAndQuotesWhatIsNoPlainWord) {
-  EXPECT_EQ(log::log_text("answered", {}, LogFields{{"where", ""}, {"target", "/a b"}, {"name", "Jäckchen"}}),
-            "answered target=\"/a b\" name=\"Jäckchen\"");
-}
-
-TEST(LogText, AStrangersWordsForgeNoLine) {
-  EXPECT_EQ(log::log_text("answered", {}, LogFields{{"target", "/x\n2026 error \"owner\"=eve\\"}}),
-            "answered target=\"/x\\x0a2026 error \\\"owner\\\"=eve\\\\\"");
-}
-
 TEST(StderrSink, WritesOneLineForEachCallWithLevelAndBoundFields) {
   testing::internal::CaptureStderr();
   {
@@ -43,6 +27,14 @@ TEST(StderrSink, WritesOneLineForEachCallWithLevelAndBoundFields) {
   for (std::size_t at = 0; (at = text.find("warning busy owner=ann thread=", at)) != std::string::npos; ++at)
     ++lines;
   EXPECT_EQ(lines, 200) << text.substr(0, 300);
+}
+
+TEST(StderrSink, WritesJsonWhereProgramsRead) {
+  testing::internal::CaptureStderr();
+  log::make_stderr_sink(log::LogFormat::kJson)->write(LogLevel::kError, "job ended", {}, {});
+  const std::string text = testing::internal::GetCapturedStderr();
+  EXPECT_TRUE(text.starts_with("{\"time\": \"2")) << text;
+  EXPECT_TRUE(text.ends_with("\"level\": \"error\", \"event\": \"job ended\"}\n")) << text;
 }
 
 TEST(Log, IsSilentWithoutASink) {

@@ -152,6 +152,20 @@ TEST_F(ImportMesh, ServesManyThreadsTwoAtATime) {
   EXPECT_EQ(good, 6);
 }
 
+TEST(ImportMeshLimits, ASmallFileMayTakeLittleAndALargeOneNoMoreThanAny) {
+#if !defined(NDEBUG) || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "this build is slow, and every file may take all: NOT tried";
+#endif
+  const ChildLimits most{.memory_bytes = std::uint64_t{3} << 30, .cpu_s = 30, .wall_s = 90};
+  const ChildLimits small = mesh_import::limits_for(most, 6500);
+  EXPECT_LT(small.cpu_s, 0.9) << "told within a second";
+  EXPECT_LT(small.memory_bytes, std::uint64_t{600} << 20);
+  const ChildLimits large = mesh_import::limits_for(most, std::uint64_t{200} << 20);
+  EXPECT_EQ(large.cpu_s, most.cpu_s);
+  EXPECT_EQ(large.memory_bytes, most.memory_bytes);
+  EXPECT_EQ(large.wall_s, most.wall_s);
+}
+
 TEST(MeshMessage, ComesBackAsItWasSent) {
   const Result<mesh_import::RepairedMesh> mesh = mesh_import::MeshImporter().bytes("cube.obj", kCube, {});
   const Result<mesh_import::RepairedMesh> back =

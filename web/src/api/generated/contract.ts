@@ -706,6 +706,30 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/jobs/{id}/log": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example j_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["JobId"];
+            };
+            cookie?: never;
+        };
+        /**
+         * What the service did for a job, a line of JSON each
+         * @description Each line has time, level and event, and what belongs to it: request, attempt, phase, seconds of processor time,
+         *     codes of what went wrong. At most 256 KiB, the oldest.
+         */
+        get: operations["logOfJob"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/jobs/{id}/body": {
         parameters: {
             query?: never;
@@ -1294,6 +1318,8 @@ export interface components {
             created_ms: number;
             started_ms: number;
             ended_ms: number;
+            /** @description Processor time that it took, over all its starts, without that of its pictures */
+            worked_s: number;
             /** @description File name → bytes */
             results: {
                 [key: string]: number;
@@ -1343,6 +1369,7 @@ export interface components {
          * @example {
          *       "name": "final.glb",
          *       "size": 271244,
+         *       "xxh3": "185b51bfe69fa48fcfaabd3c3951412c",
          *       "content_type": "model/gltf-binary",
          *       "href": "/api/v1/jobs/j_1qedqq1nd5hfbjxpm78j/results/final.glb"
          *     }
@@ -1351,6 +1378,8 @@ export interface components {
             name: string;
             /** @description bytes */
             size: number;
+            /** @description 128-bit XXH3 of its bytes, which is looked at before it is sent; empty for results of before it was kept */
+            xxh3: string;
             content_type: string;
             href: string;
         };
@@ -4216,6 +4245,31 @@ export interface operations {
                     "image/png": unknown;
                     "model/gltf-binary": unknown;
                     "model/obj": unknown;
+                };
+            };
+            404: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    logOfJob: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example j_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["JobId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The lines; none when nothing has been done yet */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/x-ndjson": unknown;
                 };
             };
             404: components["responses"]["Problem"];
