@@ -98,6 +98,7 @@ export const jobOf = (more: Partial<Job> = {}): Job => ({
   created_ms: 1000,
   started_ms: 1100,
   ended_ms: 0,
+  worked_s: 0,
   results: {},
   progress: null,
   ...more,

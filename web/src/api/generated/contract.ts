@@ -1342,6 +1342,7 @@ export interface components {
          *       "created_ms": 1795229571125,
          *       "started_ms": 1795229571300,
          *       "ended_ms": 0,
+         *       "worked_s": 1.25,
          *       "results": {},
          *       "progress": {
          *         "state": "running",
