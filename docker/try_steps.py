@@ -2,7 +2,8 @@
 """Runs the steps of docker/Dockerfile without a container engine.
 
 Each stage is a folder with a bare Debian 12 (debootstrap), changed by the stage's own lines: WORKDIR, COPY, RUN, USER,
-ENTRYPOINT. The last stage's ENTRYPOINT is then started in it and must answer /healthz as healthy within a minute.
+ENTRYPOINT, HEALTHCHECK. The last stage's ENTRYPOINT is then started in it and must answer /healthz as healthy within a
+minute, and its HEALTHCHECK must say so.
 RUN lines get what an engine's build on this host would be given: its proxies, its npm registry and the certificate
 authorities that it trusts. None of that stays in a stage.
 Needs root and debootstrap; makes everything under the folder given (default build/docker) and unmounts what it mounts.
@@ -69,7 +70,7 @@ class Stage:
     """A folder that stands for an image."""
 
     def __init__(self, folder, base):
-        self.folder, self.workdir, self.user, self.entrypoint = folder, "/", "root", None
+        self.folder, self.workdir, self.user, self.entrypoint, self.health = folder, "/", "root", None, None
         if folder.exists():
             for name in ("dev", "proc"):  # of a run that was killed: what is mounted must not be removed with it
                 while os.path.ismount(folder / name):
@@ -146,8 +147,8 @@ def build(dockerfile, place):
         print(f"== {instruction} {rest[:100]}", flush=True)
         if instruction == "FROM":
             image, _, name = rest.split()
-            if image != "debian:12":
-                raise SystemExit(f"only debian:12 can stand as a base here, not {image}")
+            if image != "debian:12-slim":  # minbase has less than it
+                raise SystemExit(f"only debian:12-slim can stand as a base here, not {image}")
             stage = stages[name] = Stage(place / name, base)
         elif instruction == "WORKDIR":
             stage.workdir = rest
@@ -160,6 +161,10 @@ def build(dockerfile, place):
             stage.user = rest
         elif instruction == "ENTRYPOINT":
             stage.entrypoint = json.loads(rest)
+        elif instruction == "HEALTHCHECK":
+            stage.health = json.loads(rest[rest.index("CMD ") + len("CMD "):])
+        elif instruction == "EXPOSE":
+            pass  # for people: nothing is published here
         else:
             raise SystemExit(f"docker/try_steps.py does not know the instruction {instruction}")
     return stage
@@ -188,6 +193,9 @@ def serve(stage):
             owner = os.stat(f"/proc/{service.pid}").st_uid
             if owner == 0:
                 raise SystemExit("the service runs as root")
+            check, surroundings = stage.command(stage.health)
+            if subprocess.run(check, env=surroundings).returncode != 0:
+                raise SystemExit("the health check does not find the service healthy")
             print(f"== healthy on port {port}, as user {owner}")
         finally:
             service.send_signal(signal.SIGTERM)

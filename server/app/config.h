@@ -14,9 +14,10 @@ namespace toile::app {
 
 struct ServeOptions {
   std::string address = "127.0.0.1";
-  int port = 8460;                ///< 0: any that is free
-  std::string data = "data";      ///< folder of the store; made when it is not there
-  int workers = 0;                ///< drapes at once; 0: one for each core, at most kMostWorkers
+  bool container = false;     ///< listen on any address: the container's port is published on the loopback
+  int port = 8460;            ///< 0: any that is free
+  std::string data = "data";  ///< folder of the store; made when it is not there
+  int workers = 0;            ///< drapes at once; 0: one for each core, at most kMostWorkers
   double checkpoint_every_s = 5;  ///< by the clock: what a crash can cost a drape
   std::string web;                ///< folder of the built page; empty: the one that came with the program
   std::string sample;             ///< folder of the first project; empty: the one that came with the program

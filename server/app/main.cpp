@@ -184,6 +184,8 @@ CLI::App* add_serve(CLI::App& app, Options& options) {
   verb->add_option("--workers", serve.workers, "Drapes at once (default: one for each core)")
       ->check(CLI::Range(1, kMostWorkers));
   verb->add_option("--address", serve.address, "Address of the loopback to listen on")->capture_default_str();
+  verb->add_flag("--container", serve.container,
+                 "Listen on any address: for a container whose port is published on the loopback only");
   verb->add_option("--checkpoint-every", serve.checkpoint_every_s,
                    "Seconds between two checkpoints of a running drape: what a crash can cost it")
       ->check(CLI::Range(0.0, 3600.0))
@@ -251,11 +253,13 @@ CLI::App* add_submit(CLI::App& app, Options& options) {
   verb->add_option("-o,--out", submit.out, "Folder for the results, as toile drape leaves them")
       ->needs(watch);
   verb->add_flag("--json", submit.json, "Print the report (without --watch the job) as JSON, errors as well");
-  verb->footer(std::string("Without --watch the job's id is printed and the server goes on by itself.\n\n"
-                           "Examples:\n"
-                           "  toile submit samples/skirt/project.json --watch --out out/skirt\n"
-                           "  toile submit project.json --server http://127.0.0.1:9000\n\n") +
-               kExitCodes);
+  verb->footer(
+      std::string(
+          "Without --watch the job's id is printed and the server goes on by itself, when it has time.\n\n"
+          "Examples:\n"
+          "  toile submit samples/skirt/project.json --watch --out out/skirt\n"
+          "  toile submit project.json --server http://127.0.0.1:9000\n\n") +
+      kExitCodes);
   return verb;
 }
 

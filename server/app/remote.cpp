@@ -98,9 +98,11 @@ Result<std::string> Remote::create_project(const std::string& document,
   return id_of(post("/api/v1/projects", body, "application/json"));
 }
 
-Result<json::JsonValue> Remote::submit(const std::string& project_id) {
+Result<json::JsonValue> Remote::submit(const std::string& project_id, store::JobPriority priority) {
   http::HttpClient::Request request =
-      post("/api/v1/jobs", json::write_json_line(std::vector<json::JsonMember>{{"project_id", project_id}}),
+      post("/api/v1/jobs",
+           json::write_json_line(std::vector<json::JsonMember>{
+               {"project_id", project_id}, {"priority", std::string(store::name_of(priority))}}),
            "application/json");
   request.headers.emplace_back("Idempotency-Key", project_id);  // the project was made for this one drape
   return json(request);

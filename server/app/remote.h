@@ -8,6 +8,7 @@
 #include "core/base/result.h"
 #include "core/json/tree.h"
 #include "server/http/client.h"
+#include "server/store/job_priority.h"
 
 namespace toile::app {
 
@@ -22,7 +23,7 @@ class Remote {
   /// The project's id. `files`: name in the document → asset id.
   Result<std::string> create_project(const std::string& document,
                                      const std::vector<std::pair<std::string, std::string>>& files);
-  Result<json::JsonValue> submit(const std::string& project_id);
+  Result<json::JsonValue> submit(const std::string& project_id, store::JobPriority priority);
   Result<json::JsonValue> job(const std::string& id);
   Result<json::JsonValue> cancel(const std::string& id);
   Result<std::string> result(const std::string& job_id, const std::string& name);

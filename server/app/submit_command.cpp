@@ -171,7 +171,8 @@ ExitCode submit_command(const SubmitOptions& options) {
   Remote remote(std::move(*client));
   const Result<std::string> project = send_project(remote, options.project);
   if (!project) return fail_remote(project.error(), options.json);
-  const Result<json::JsonValue> job = remote.submit(*project);
+  const Result<json::JsonValue> job =
+      remote.submit(*project, options.watch ? store::JobPriority::kInteractive : store::JobPriority::kBatch);
   if (!job) return fail_remote(job.error(), options.json);
   const std::string id = text_member(*job, "id");
   if (options.watch) return watch(remote, id, options);

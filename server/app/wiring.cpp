@@ -24,7 +24,8 @@ Status drape_sample(documents::Documents& documents, jobs::JobService& jobs,
   const std::optional<std::string> project =
       TRY(documents.store().get_setting(context, documents::kSampleSetting));
   if (!project) return {};
-  const Result<store::Made<store::JobRow>> job = jobs.submit(context, *project, "sample-first-drape");
+  const Result<store::Made<store::JobRow>> job =
+      jobs.submit(context, *project, "sample-first-drape", store::JobPriority::kInteractive);
   return job || job.error().kind == ErrorKind::kNotFound ? Status() : Status(job.error());
 }
 
@@ -46,6 +47,7 @@ Result<std::unique_ptr<Service>> Service::start(const ServeOptions& options) {
   service->jobs_ = jobs::make_job_service(*service->documents_, *service->hub_, jobs, log);
   http::ServerSettings http;
   http.address = options.address;
+  http.any_address = options.container;
   http.port = options.port;
   http.web = options.web;
   service->server_ =

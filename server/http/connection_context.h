@@ -9,6 +9,7 @@
 
 #include "core/base/log.h"
 #include "server/http/connections.h"
+#include "server/http/fair_pool.h"
 #include "server/http/identify.h"
 #include "server/http/metrics.h"
 #include "server/http/router.h"
@@ -38,28 +39,29 @@ class BodyBudget {
 /// Threads for each kind of work.
 class WorkPools {
  public:
-  WorkPools(int light, int heavy)
-      : store_(threads(light)), document_(threads(light)), heavy_(threads(heavy)), upload_(threads(heavy)) {}
-  boost::asio::thread_pool& of(Work work) {
-    switch (work) {
-      case Work::kStore:
-        break;
-      case Work::kDocument:
-        return document_;
-      case Work::kHeavy:
-        return heavy_;
-      case Work::kUpload:
-        return upload_;
-    }
-    return store_;
+  explicit WorkPools(const ServerSettings& settings)
+      : store_(threads(settings.light_threads)),
+        document_(threads(settings.light_threads)),
+        heavy_(threads(settings.heavy_threads), settings.most_waiting),
+        upload_(threads(settings.heavy_threads), settings.most_waiting) {}
+  boost::asio::thread_pool& store() { return store_; }
+  boost::asio::thread_pool& document() { return document_; }
+  /// For work that costs whoever asked for it; null for any other.
+  FairPool* fair(Work work) {
+    if (work == Work::kHeavy) return &heavy_;
+    return work == Work::kUpload ? &upload_ : nullptr;
   }
   void join() {
-    for (boost::asio::thread_pool* pool : {&store_, &document_, &heavy_, &upload_}) pool->join();
+    store_.join();
+    document_.join();
+    heavy_.join();
+    upload_.join();
   }
 
  private:
   static std::size_t threads(int count) { return static_cast<std::size_t>(count); }
-  boost::asio::thread_pool store_, document_, heavy_, upload_;
+  boost::asio::thread_pool store_, document_;
+  FairPool heavy_, upload_;
 };
 
 struct ConnectionContext {

@@ -29,10 +29,12 @@ constexpr auto kTuple = asio::as_tuple(asio::use_awaitable);
 Listener::Listener(asio::io_context& io, const ConnectionContext& context)
     : io_(io), context_(context), acceptor_(asio::make_strand(io)) {}
 
-Status Listener::open(const std::string& address, int port) {
+Status Listener::open(const ServerSettings& settings) {
+  const std::string& address = settings.address;
+  const int port = settings.port;
   boost::system::error_code failure;
   const auto parsed = asio::ip::make_address(address == "localhost" ? "127.0.0.1" : address, failure);
-  if (failure || !parsed.is_loopback()) {
+  if (failure || !(parsed.is_loopback() || settings.any_address)) {
     return Error{"server.address",
                  in_quotes(address) +
                      " is no address of the loopback: without accounts this server is for this "

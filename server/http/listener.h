@@ -16,8 +16,9 @@ class Listener {
  public:
   Listener(boost::asio::io_context& io, const ConnectionContext& context);
 
-  /// Errors: server.address when it is no address of the loopback, server.port when the port cannot be had.
-  Status open(const std::string& address, int port);
+  /// Errors: server.address when it is no address of the loopback (and any_address is not set), server.port
+  /// when the port cannot be had.
+  Status open(const ServerSettings& settings);
   /// Takes connections from now on.
   void start();
   /// From any thread.

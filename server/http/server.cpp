@@ -26,8 +26,8 @@ class HttpServer::Impl {
         page_(settings_.web),
         budget_(settings_.most_body_bytes),
         answers_(settings_.most_answer_bytes),
-        pools_(settings_.light_threads, settings_.heavy_threads),
-        streams_{store, jobs, hub, pools_.of(Work::kStore), settings_.stream},
+        pools_(settings_),
+        streams_{store, jobs, hub, pools_.store(), settings_.stream},
         context_{log_,   request_ids_, settings_, router_,      metrics_,
                  pools_, budget_,      answers_,  connections_, streams_},
         io_(settings_.io_threads),
@@ -37,7 +37,7 @@ class HttpServer::Impl {
   }
 
   Status start() {
-    TRY(listener_.open(settings_.address, settings_.port));
+    TRY(listener_.open(settings_));
     listener_.start();
     for (int i = 0; i < settings_.io_threads; ++i) {
       threads_.emplace_back([this] { io_.run(); });

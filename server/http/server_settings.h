@@ -11,6 +11,7 @@ namespace toile::http {
 
 struct ServerSettings {
   std::string address = "127.0.0.1";  ///< of the loopback
+  bool any_address = false;           ///< or not: within a container, whose port is published on the loopback
   int port = 8460;                    ///< 0: any that is free
   std::filesystem::path web;          ///< folder of the built page; need not be there
   int io_threads = 2;
@@ -25,8 +26,9 @@ struct ServerSettings {
   std::chrono::milliseconds write_within{20'000};       ///< for one piece of an answer
   std::chrono::milliseconds work_within{120'000};       ///< for a handler, before it is asked to give up
   std::size_t most_header_bytes = 8 << 10;
-  int most_connections = 512;  ///< beyond it the one that has been idle longest makes room
-  int most_of_address = 384;   ///< of them
+  int most_connections = 512;     ///< beyond it the one that has been idle longest makes room
+  int most_of_address = 384;      ///< of them
+  std::size_t most_waiting = 64;  ///< heavy requests of one user that wait, and as many uploads; then 429
   /// Of all bodies that are being received or worked on together; beyond it uploads wait for later (503).
   std::size_t most_body_bytes = std::size_t{512} << 20;
   /// Of all answers that lie in memory while they are sent; files are sent piece by piece and count nothing.

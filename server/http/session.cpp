@@ -279,6 +279,22 @@ HttpResponse HttpSession::work_on(const Route& route, const HttpRequest& request
   }
 }
 
+/// Heavy work waits its owner's turn.
+asio::awaitable<HttpResponse> HttpSession::have_done(const Route& route, const HttpRequest& request) {
+  const auto work = [this, &route, &request] { return work_on(route, request); };
+  FairPool* const fair = context_.pools.fair(route.work);
+  if (fair == nullptr) {
+    auto& pool = route.work == Work::kDocument ? context_.pools.document() : context_.pools.store();
+    co_return co_await ws::on_pool(pool, work);
+  }
+  std::optional<HttpResponse> response;
+  const bool taken = co_await on_fair_pool(*fair, asked_.owner, [&] { response = work(); });
+  if (taken) co_return std::move(*response);
+  co_return problem({"server.too_much_at_once",
+                     "too much that you have asked for waits already; try again when some of it is done", "",
+                     ErrorKind::kTooMany});
+}
+
 /// Work is given up when the other side ends the connection, when it takes too long, and when the server
 /// stops.
 asio::awaitable<HttpResponse> HttpSession::handle(const Route& route, const HttpRequest& request) {
@@ -291,8 +307,7 @@ asio::awaitable<HttpResponse> HttpSession::handle(const Route& route, const Http
   });
   const bool watched = route.work != Work::kStore;
   if (watched) watch_for_end();
-  HttpResponse response = co_await ws::on_pool(context_.pools.of(route.work),
-                                               [this, &route, &request] { return work_on(route, request); });
+  HttpResponse response = co_await have_done(route, request);
   boost::system::error_code ignored;
   if (watched) stream_.socket().cancel(ignored);
   given_up_ = nullptr;
@@ -326,8 +341,8 @@ asio::awaitable<bool> HttpSession::write_bytes(std::string_view bytes) {
 /// The disk is not waited for on a thread of the sockets.
 asio::awaitable<bool> HttpSession::write_file(const AnswerFile& file) {
   for (std::uint64_t at = 0; at < file.size();) {
-    const std::string piece = co_await ws::on_pool(context_.pools.of(Work::kStore),
-                                                   [&file, at] { return file.read(at, kPieceBytes); });
+    const std::string piece =
+        co_await ws::on_pool(context_.pools.store(), [&file, at] { return file.read(at, kPieceBytes); });
     if (piece.empty()) co_return false;  // it has become shorter: the other side sees that it is cut off
     const bool written = co_await write_bytes(piece);
     if (!written) co_return false;

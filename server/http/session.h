@@ -73,6 +73,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   boost::asio::awaitable<bool> read_body(Parser& parser, const Route& route, Taken& taken,
                                          HttpRequest& request);
   boost::asio::awaitable<boost::system::error_code> read_all(Parser& parser, Taken& taken);
+  boost::asio::awaitable<HttpResponse> have_done(const Route& route, const HttpRequest& request);
   boost::asio::awaitable<HttpResponse> handle(const Route& route, const HttpRequest& request);
   HttpResponse work_on(const Route& route, const HttpRequest& request) const;
   void watch_for_end();

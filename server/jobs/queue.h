@@ -15,6 +15,8 @@ class JobQueue {
  public:
   /// Puts `id` where `place` says, away from where it stood; kOut takes it out.
   void put(const std::string& id, QueuePlace place);
+  /// In their order.
+  const std::deque<std::string>& ids() const { return ids_; }
   /// The first of which `ready` holds, which stays in the queue.
   std::optional<std::string> first(const std::function<bool(const std::string&)>& ready) const;
 

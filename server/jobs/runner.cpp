@@ -169,15 +169,23 @@ Result<std::unique_ptr<drape::DrapeRun>> JobRun::start_or_resume(const RunContex
 void JobRun::keep_checkpoint(const RunControl& control) {
   if (checkpoint_step_ == run_->session().steps()) return;
   const Clock::time_point before = Clock::now();
+  if (put_checkpoint() && !run_->done()) control.on_kept();  // the end is told when it is in the store
+  const std::chrono::duration<double> took = Clock::now() - before;
+  next_checkpoint_ = later(std::max(place_.checkpoint_every, 20 * took));
+}
+
+bool JobRun::put_checkpoint() {
   const Status kept = place_.documents->store().put_checkpoint(context_, job_id_, run_->checkpoint());
   if (kept) {
     checkpoint_step_ = run_->session().steps();
-    if (!run_->done()) control.on_kept();  // the end is told when it is in the store
   } else {
     context_.log.warn("checkpoint not kept", kept.error());
   }
-  const std::chrono::duration<double> took = Clock::now() - before;
-  next_checkpoint_ = later(std::max(place_.checkpoint_every, 20 * took));
+  return kept.ok();
+}
+
+void JobRun::keep_where_it_stands() {
+  if (run_ && checkpoint_step_ != run_->session().steps()) put_checkpoint();
 }
 
 Status JobRun::drape_on(const RunControl& control) {
@@ -185,6 +193,8 @@ Status JobRun::drape_on(const RunControl& control) {
     advance_slice(control);
     account(control);
     TRY(check_limits());
+    // What it has done since its last checkpoint waits with it in memory.
+    if (!run_->done() && control.make_room()) return {};
     if (Clock::now() >= next_checkpoint_) keep_checkpoint(control);
   }
   // The end as well: a crash among models and pictures must cost no step.

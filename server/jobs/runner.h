@@ -41,6 +41,7 @@ struct RunPlace {
 /// What the worker that holds a run wants of it.
 struct RunControl {
   const std::atomic<bool>* interrupt = nullptr;  ///< once true, the run lets go at the next substep
+  std::function<bool()> make_room;  ///< whether the drape lets go for a while, although nobody told it to
   std::function<bool()> abandon;  ///< whether even a finished drape lets go, without its pictures and results
   std::function<bool()> worth_keeping;  ///< whether a drape that lets go will be taken up again
   std::function<void(const JobProgress&)> on_progress;  ///< at most about ten times a second
@@ -61,6 +62,9 @@ class JobRun {
   /// is caught here, and the run ends with code internal.memory, internal.exception or internal.unknown.
   /// REQUIRES that it has not ended.
   std::optional<RunEnd> go_on(const RunControl& control);
+  /// Keeps a checkpoint of where a drape stands that waits for its turn. REQUIRES that nobody goes on with
+  /// it.
+  void keep_where_it_stands();
 
  private:
   std::optional<RunEnd> caught(const RunControl& control);
@@ -70,6 +74,7 @@ class JobRun {
   Status begin(const RunControl& control);
   Result<std::unique_ptr<drape::DrapeRun>> start_or_resume(const RunContext& context);
   void keep_checkpoint(const RunControl& control);
+  bool put_checkpoint();
   Status drape_on(const RunControl& control);
   void advance_slice(const RunControl& control);
   Result<image::Textures> read_pictures();

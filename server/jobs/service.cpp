@@ -37,8 +37,8 @@ class QueueingJobService final : public JobService {
   Status start() override;
   void stop() override;
   Result<store::Made<store::JobRow>> submit(const store::RequestContext& context,
-                                            const std::string& project_id,
-                                            const std::string& idempotency_key) override;
+                                            const std::string& project_id, const std::string& idempotency_key,
+                                            store::JobPriority priority) override;
   Result<store::JobRow> pause(const store::RequestContext& context, const std::string& id) override;
   Result<store::JobRow> resume(const store::RequestContext& context, const std::string& id) override;
   Result<store::JobRow> cancel(const store::RequestContext& context, const std::string& id) override;
@@ -64,8 +64,8 @@ class QueueingJobService final : public JobService {
   void give_back_all();
   void give_back(const Changing& changing, LiveJob& job);
 
-  bool work_once();
-  LiveJobPtr claim();
+  bool work_once(WorkerKind kind);
+  LiveJobPtr claim(WorkerKind kind);
   Status claim(const Changing& changing, LiveJob& job);
   void forget_results(const LiveJob& job);
   void come_further(const LiveJobPtr& job);
@@ -82,7 +82,7 @@ class QueueingJobService final : public JobService {
 
   std::mutex lifecycle_mutex_;  ///< start and stop; before the table's locks
   std::unique_ptr<RenderWorker> renderer_;
-  std::unique_ptr<WorkerPool> pool_;
+  std::unique_ptr<WorkerPool> pool_, express_;
 };
 
 // --- What people ask for ----------------------------------------------------------------------------------
@@ -118,6 +118,7 @@ Result<store::JobRow> QueueingJobService::on_request(const store::RequestContext
   TRY(table_.change(changing, *job, event, interrupted ? RowEdit(uncount) : edit));
   context.log.info("job changed", {{"job", id}, {"state", std::string(store::name_of(job->state))}});
   if (job->held) return job->row;  // the worker tells when it lets go
+  if (event == JobEvent::kPause && job->run) job->run->keep_where_it_stands();
   table_.announce(changing, *job);
   if (store::is_final(job->state)) {
     forget_checkpoint(*job);
@@ -149,13 +150,15 @@ Status QueueingJobService::check_queue() const {
 
 Result<store::Made<store::JobRow>> QueueingJobService::submit(const store::RequestContext& context,
                                                               const std::string& project_id,
-                                                              const std::string& idempotency_key) {
+                                                              const std::string& idempotency_key,
+                                                              store::JobPriority priority) {
   std::optional<store::JobRow> before = TRY(store_.job_of_key(context, idempotency_key));
   if (before && before->project_id == project_id) {
     return store::Made<store::JobRow>{without_document(std::move(*before)), false};
   }
   TRY(check_queue());
   store::JobRow row = TRY(row_of_drape(documents_, context, project_id, settings_.limits));
+  row.priority = priority;
 
   const Changing changing = table_.changing();
   TRY(check_queue());  // others came while the document was read
@@ -194,7 +197,10 @@ Status QueueingJobService::start() {
   if (pool_) return {};
   TRY(take_up_all());
   renderer_ = std::make_unique<RenderWorker>();
-  pool_ = std::make_unique<WorkerPool>(std::max(1, settings_.workers), [this] { return work_once(); });
+  pool_ = std::make_unique<WorkerPool>(std::max(1, settings_.workers),
+                                       [this] { return work_once(WorkerKind::kAny); });
+  express_ =
+      std::make_unique<WorkerPool>(settings_.express, [this] { return work_once(WorkerKind::kExpress); });
   return {};
 }
 
@@ -274,6 +280,7 @@ void QueueingJobService::stop() {
   if (!pool_) return;
   table_.close(table_.changing());
   pool_.reset();
+  express_.reset();
   renderer_.reset();
   give_back_all();
 }
@@ -292,6 +299,7 @@ void QueueingJobService::give_back_all() {
 /// found at the next start as after a crash.
 void QueueingJobService::give_back(const Changing& changing, LiveJob& job) {
   if (job.state != store::JobState::kRunning) return;
+  if (job.run) job.run->keep_where_it_stands();
   const Status given = table_.change(changing, job, JobEvent::kRequeue, [](store::JobRow& row) {
     requeued()(row);
     uncount(row);
@@ -302,11 +310,11 @@ void QueueingJobService::give_back(const Changing& changing, LiveJob& job) {
 // --- What workers do --------------------------------------------------------------------------------------
 
 /// Waits for a job; nothing once the service stops.
-LiveJobPtr QueueingJobService::claim() {
-  while (table_.wait_for_work()) {
+LiveJobPtr QueueingJobService::claim(WorkerKind kind) {
+  while (table_.wait_for_work(kind)) {
     {
       const Changing changing = table_.changing();
-      LiveJobPtr job = table_.next_ready(changing);
+      LiveJobPtr job = table_.next_ready(changing, kind);
       if (!job) continue;  // another worker was quicker
       if (claim(changing, *job)) return job;
     }
@@ -316,6 +324,10 @@ LiveJobPtr QueueingJobService::claim() {
 }
 
 Status QueueingJobService::claim(const Changing& changing, LiveJob& job) {
+  if (job.state == store::JobState::kRunning) {  // it had made room
+    table_.hand_out(changing, job, {});
+    return {};
+  }
   const bool anew = job.run == nullptr;
   Status claimed = table_.change(changing, job, JobEvent::kClaim, [&](store::JobRow& row) {
     row.reason_code.clear();
@@ -344,8 +356,8 @@ Status QueueingJobService::claim(const Changing& changing, LiveJob& job) {
   return {};
 }
 
-bool QueueingJobService::work_once() {
-  const LiveJobPtr job = claim();
+bool QueueingJobService::work_once(WorkerKind kind) {
+  const LiveJobPtr job = claim(kind);
   if (!job) return false;
   RunControl control;
   control.interrupt = job->interrupt.get();
@@ -354,6 +366,7 @@ bool QueueingJobService::work_once() {
     return table_.state(*job) != store::JobState::kRunning || table_.is_out_of_patience();
   };
   control.worth_keeping = [&] { return !store::is_final(table_.state(*job)); };
+  control.make_room = [&] { return table_.is_to_make_room(*job, settings_.workers + settings_.max_parked); };
   control.on_progress = [&](const JobProgress& progress) { table_.hear(*job, progress); };
   control.on_kept = [&] { come_further(job); };
   control.on_worked = [&](std::string_view phase, double seconds) { table_.charge(*job, phase, seconds); };
@@ -398,6 +411,7 @@ void QueueingJobService::let_go(const LiveJobPtr& job, const std::optional<RunEn
       run = table_.remove(changing, job);
     } else if (table_.is_open(changing)) {  // else it is told when it has been given back
       table_.announce(changing, *job);
+      if (job->state == store::JobState::kRunning) table_.make_wait(changing, *job);
     }
   }
   if (unnamed_results) forget_results(*job);

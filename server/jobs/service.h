@@ -18,15 +18,22 @@ namespace toile::jobs {
 
 struct JobServiceSettings {
   int workers = 2;        ///< threads that drape
+  int express = 1;        ///< and threads that only begin interactive drapes for which none of those has time
   int max_queued = 1000;  ///< waiting or paused; beyond it submissions are refused (jobs.queue_full)
-  int max_parked =
-      16;  ///< drapes that lie paused in memory; beyond it a pause is refused (jobs.too_many_paused)
+  /// Drapes that lie in memory, paused or waiting for their next turn. Beyond it a pause is refused
+  /// (jobs.too_many_paused), and no drape makes room for another.
+  int max_parked = 16;
   int stream_interval = 50;                     ///< substeps between streamed frames
   double checkpoint_every_s = 5;                ///< by the clock; what a crash can cost
   int still_width = 1024, still_height = 1280;  ///< pixels
   JobLimits limits;                             ///< of each job
 };
 
+/// Of who does not say: whoever looks on says so.
+inline constexpr store::JobPriority kDefaultPriority = store::JobPriority::kBatch;
+
+/// Workers drape in slices. Between two a drape makes room for an interactive one, and for one of an owner
+/// who has had less of the workers' time (turn.h); it then waits in memory. How it is cut changes no byte.
 /// All calls are thread-safe. The rows that they give back are without the document.
 class JobService {
  public:
@@ -50,7 +57,8 @@ class JobService {
   /// dxf.*, …), so that bad input is told at once.
   virtual Result<store::Made<store::JobRow>> submit(const store::RequestContext& context,
                                                     const std::string& project_id,
-                                                    const std::string& idempotency_key) = 0;
+                                                    const std::string& idempotency_key,
+                                                    store::JobPriority priority = kDefaultPriority) = 0;
   /// The state has changed when these return, durably; a worker that drapes lets go within 50 ms. A paused
   /// drape stays in memory, and resuming puts it at the head of the queue. Errors: store.not_found;
   /// jobs.state when the job's state does not allow it; jobs.stopped while the service does not run;

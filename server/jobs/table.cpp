@@ -42,6 +42,7 @@ Status JobTable::change(const Changing&, LiveJob& job, JobEvent event, const Row
     job.row = std::move(row);
     job.state = next.state;
     queue_.put(job.id, next.effects.queue);
+    job.waits_since = std::chrono::steady_clock::now();
     if (next.effects.interrupt) job.interrupt->store(true, std::memory_order_relaxed);
     if (next.effects.ends) count_end(job.state);
   }
@@ -102,6 +103,8 @@ LiveJobPtr JobTable::insert(const Changing&, const store::RequestContext& contex
   {
     const std::lock_guard lock(mutex_);
     if (!open_ || !jobs_.emplace(job->id, job).second) return nullptr;
+    shares_.enter(job->context.owner);
+    job->waits_since = std::chrono::steady_clock::now();
     queue_.put(job->id, row.state == store::JobState::kPaused ? QueuePlace::kOut : QueuePlace::kBack);
   }
   bell_.notify_all();
@@ -111,7 +114,7 @@ LiveJobPtr JobTable::insert(const Changing&, const store::RequestContext& contex
 std::unique_ptr<JobRun> JobTable::remove(const Changing&, const LiveJobPtr& job) {
   const std::lock_guard lock(mutex_);
   queue_.put(job->id, QueuePlace::kOut);
-  jobs_.erase(job->id);
+  if (jobs_.erase(job->id) > 0) shares_.leave(job->context.owner);
   if (store::is_final(job->state)) epochs_.erase(job->id);
   return std::move(job->run);
 }
@@ -126,42 +129,86 @@ bool JobTable::clear(const Changing&, LiveJob& job) {
   {
     const std::lock_guard lock(mutex_);
     if (!std::exchange(job.suspect, false)) return false;
-    others = first_in_queue(true) != nullptr;
+    others = first_suspect() != nullptr;
   }
   bell_.notify_all();
   return others;
 }
 
 /// REQUIRES mutex_.
-LiveJobPtr JobTable::first_in_queue(bool suspects_only) const {
+LiveJobPtr JobTable::first_suspect() const {
   const std::optional<std::string> id = queue_.first([&](const std::string& waiting) {
     const LiveJob& job = *jobs_.at(waiting);
-    return !job.held && (job.suspect || !suspects_only);
+    return !job.held && job.suspect;
   });
   return id ? jobs_.at(*id) : nullptr;
 }
 
 /// REQUIRES mutex_.
-LiveJobPtr JobTable::ready() const {
+Claim JobTable::claim_of(const LiveJob& job) const {
+  return {shares_.had(job.context.owner), job.row.priority};
+}
+
+/// REQUIRES mutex_.
+bool JobTable::is_for(WorkerKind kind, const LiveJob& job) const {
+  if (job.held) return false;
+  if (kind == WorkerKind::kAny) return true;
+  return job.row.priority == store::JobPriority::kInteractive && job.run == nullptr &&
+         std::chrono::steady_clock::now() - job.waits_since > kExpressAfter;
+}
+
+/// REQUIRES mutex_.
+LiveJobPtr JobTable::next_in_turn(WorkerKind kind) const {
+  std::vector<LiveJobPtr> waiting;
+  std::vector<Claim> claims;
+  for (const std::string& id : queue_.ids()) {
+    const LiveJobPtr& job = jobs_.at(id);
+    if (!is_for(kind, *job)) continue;
+    waiting.push_back(job);
+    claims.push_back(claim_of(*job));
+  }
+  const std::optional<std::size_t> turn = next_turn(claims);
+  return turn ? waiting[*turn] : nullptr;
+}
+
+/// REQUIRES mutex_.
+LiveJobPtr JobTable::ready(WorkerKind kind) const {
   bool anybody_runs = false, suspect_runs = false;
   for (const auto& [id, job] : jobs_) {
     anybody_runs = anybody_runs || job->held;
     suspect_runs = suspect_runs || (job->held && job->suspect);
   }
   if (suspect_runs) return nullptr;
-  if (LiveJobPtr suspect = first_in_queue(true)) return anybody_runs ? nullptr : suspect;
-  return first_in_queue(false);
+  if (LiveJobPtr suspect = first_suspect()) return anybody_runs ? nullptr : suspect;
+  return next_in_turn(kind);
 }
 
-LiveJobPtr JobTable::next_ready(const Changing&) const {
+bool JobTable::is_to_make_room(const LiveJob& job, int most) const {
   const std::lock_guard lock(mutex_);
-  return open_ ? ready() : nullptr;
+  if (!open_ || job.suspect || first_suspect() || begun_now() >= most) return false;
+  const LiveJobPtr next = next_in_turn(WorkerKind::kAny);
+  return next && makes_room(claim_of(job), claim_of(*next));
+}
+
+LiveJobPtr JobTable::next_ready(const Changing&, WorkerKind kind) const {
+  const std::lock_guard lock(mutex_);
+  return open_ ? ready(kind) : nullptr;
+}
+
+void JobTable::make_wait(const Changing&, LiveJob& job) {
+  {
+    const std::lock_guard lock(mutex_);
+    job.waits_since = std::chrono::steady_clock::now();
+    queue_.put(job.id, QueuePlace::kFront);  // before its owner's others: what is begun is to end first
+  }
+  bell_.notify_all();
 }
 
 void JobTable::hand_out(const Changing&, LiveJob& job,
                         const std::function<std::unique_ptr<JobRun>(std::uint32_t epoch)>& make) {
   const std::lock_guard lock(mutex_);
   job.held = true;
+  queue_.put(job.id, QueuePlace::kOut);  // one that had made room still stands there
   job.interrupt->store(false, std::memory_order_relaxed);
   if (job.run) return;
   job.progress = {};
@@ -185,6 +232,11 @@ std::vector<LiveJobPtr> JobTable::all(const Changing&) const {
 
 int JobTable::begun(const Changing&) const {
   const std::lock_guard lock(mutex_);
+  return begun_now();
+}
+
+/// REQUIRES mutex_.
+int JobTable::begun_now() const {
   return static_cast<int>(std::count_if(jobs_.begin(), jobs_.end(),
                                         [](const auto& entry) { return entry.second->run != nullptr; }));
 }
@@ -248,9 +300,16 @@ bool JobTable::is_out_of_patience() const {
   return !open_ && std::chrono::steady_clock::now() - closed_ > kPatience;
 }
 
-bool JobTable::wait_for_work() {
+bool JobTable::wait_for_work(WorkerKind kind) {
   std::unique_lock lock(mutex_);
-  bell_.wait(lock, [this] { return !open_ || ready() != nullptr; });
+  while (open_ && ready(kind) == nullptr) {
+    // No bell tells when a drape has waited long enough.
+    if (kind == WorkerKind::kExpress && !queue_.ids().empty()) {
+      bell_.wait_for(lock, kExpressAfter / 3);
+    } else {
+      bell_.wait(lock);
+    }
+  }
   return open_;
 }
 
@@ -272,6 +331,7 @@ void JobTable::hear(LiveJob& job, const JobProgress& progress) {
 void JobTable::charge(LiveJob& job, std::string_view phase, double seconds) {
   const std::lock_guard lock(mutex_);
   totals_.work_s[std::string(phase)] += seconds;
+  shares_.charge(job.context.owner, seconds);
   if (phase != kStillsPhase) job.worked_s += seconds;
 }
 

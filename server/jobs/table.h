@@ -2,6 +2,7 @@
 // The jobs that have not ended, in memory, and the one way to change them.
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <functional>
@@ -18,6 +19,8 @@
 #include "server/jobs/runner.h"
 #include "server/jobs/service.h"
 #include "server/jobs/transition.h"
+#include "server/jobs/turn.h"
+#include "server/shares/owner_shares.h"
 #include "server/store/store.h"
 
 namespace toile::jobs {
@@ -30,14 +33,23 @@ struct LiveJob {
   store::RequestContext context;  ///< of whoever asked for it; its log names the job
   store::JobRow row;              ///< without the document
   store::JobState state = store::JobState::kQueued;
-  bool held = false;            ///< a worker has it
-  bool suspect = false;         ///< may have crashed the server: runs alone until it has come further
-  JobProgress progress;         ///< as the worker told it last
-  std::unique_ptr<JobRun> run;  ///< begun, maybe parked
-  double worked_s = 0;          ///< processor time, as the row's at its last change and since
+  bool held = false;     ///< a worker has it
+  bool suspect = false;  ///< may have crashed the server: runs alone until it has come further
+  JobProgress progress;  ///< as the worker told it last
+  std::chrono::steady_clock::time_point waits_since;  ///< when it came to stand in the queue last
+  std::unique_ptr<JobRun> run;                        ///< begun, maybe parked
+  double worked_s = 0;  ///< processor time, as the row's at its last change and since
   std::shared_ptr<std::atomic<bool>> interrupt = std::make_shared<std::atomic<bool>>(false);
 };
 using LiveJobPtr = std::shared_ptr<LiveJob>;
+
+/// What a worker takes.
+enum class WorkerKind {
+  kAny,      ///< whatever is next
+  kExpress,  ///< interactive drapes that have waited in vain for another, to begin them
+};
+/// How long that is: workers look up between slices, but not while they mesh, dress, or wait for pictures.
+inline constexpr auto kExpressAfter = std::chrono::milliseconds(300);
 
 using RowEdit = std::function<void(store::JobRow&)>;
 RowEdit with_reason(std::string code, std::string reason, std::string where = "");
@@ -75,12 +87,15 @@ class JobTable {
   bool clear(const Changing&, LiveJob& job);
   /// Takes a job out and gives back its drape, to be freed when the locks are not held.
   std::unique_ptr<JobRun> remove(const Changing&, const LiveJobPtr& job);
-  /// The first of the queue that no worker holds; a suspect before all others, and once nothing else runs.
-  LiveJobPtr next_ready(const Changing&) const;
+  /// Of those that no worker holds, whose turn it is (turn.h); a suspect before all others, and once nothing
+  /// else runs.
+  LiveJobPtr next_ready(const Changing&, WorkerKind kind) const;
   /// A worker takes the job; without a drape it gets one from `make`, for the stream of that epoch.
   void hand_out(const Changing&, LiveJob& job,
                 const std::function<std::unique_ptr<JobRun>(std::uint32_t epoch)>& make);
   void take_back(const Changing&, LiveJob& job);
+  /// It has made room, and waits for its next turn in memory: as running for all who look.
+  void make_wait(const Changing&, LiveJob& job);
   std::vector<LiveJobPtr> all(const Changing&) const;
   /// Jobs whose drape lies in memory.
   int begun(const Changing&) const;
@@ -101,7 +116,10 @@ class JobTable {
   /// Whether a stop has waited long enough for what could be brought to its end.
   bool is_out_of_patience() const;
   /// Waits until a job may be taken: true; or until the table is closed: false.
-  bool wait_for_work();
+  bool wait_for_work(WorkerKind kind);
+  /// Whether the holder of the job is to make room for one whose turn it is rather, when no more than `most`
+  /// drapes lie in memory.
+  bool is_to_make_room(const LiveJob& job, int most) const;
   /// Waits, but not for a closed table.
   void pause(std::chrono::milliseconds time);
   /// Takes down and publishes what the holder of the job tells, unless the job is not running any more.
@@ -110,8 +128,12 @@ class JobTable {
   void charge(LiveJob& job, std::string_view phase, double seconds);
 
  private:
-  LiveJobPtr ready() const;
-  LiveJobPtr first_in_queue(bool suspects_only) const;
+  LiveJobPtr ready(WorkerKind kind) const;
+  LiveJobPtr first_suspect() const;
+  LiveJobPtr next_in_turn(WorkerKind kind) const;
+  Claim claim_of(const LiveJob& job) const;
+  bool is_for(WorkerKind kind, const LiveJob& job) const;
+  int begun_now() const;
   JobProgress progress_now(const LiveJob& job) const;
   void count_end(store::JobState state);
   void count_times(JobEvent event, const store::JobRow& before, const store::JobRow& after);
@@ -125,6 +147,7 @@ class JobTable {
   std::chrono::steady_clock::time_point closed_;
   std::map<std::string, LiveJobPtr> jobs_;  ///< by id
   JobQueue queue_;
+  shares::OwnerShares shares_;                   ///< of the workers' time
   std::map<std::string, std::uint32_t> epochs_;  ///< newest of each job that has not ended; outlives a stop
   JobService::Counts totals_;                    ///< what has been, and not what is
 };

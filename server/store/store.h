@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "server/store/job_priority.h"
 #include "server/store/job_state.h"
 #include "server/store/request_context.h"
 
@@ -82,6 +83,7 @@ struct JobRow {
   std::string name;
   std::string document;
   std::map<std::string, std::string> files;
+  JobPriority priority = JobPriority::kBatch;
   JobState state = JobState::kQueued;
   std::string reason_code;  ///< of a final state, e.g. "settled", "time", "start.crosses_body"
   std::string reason;       ///< a sentence for a person

@@ -55,6 +55,7 @@ const std::map<std::string, Names>& table() {
       {"proto", {"drape", "sewing"}},
       {"store", {}},
       {"sqlite", {"store"}},
+      {"shares", {"store"}},
       {"log", {"json"}},
       {"analysis", {"drape", "preflight"}},
       {"trials", {"drape", "fabric", "material", "mesh", "pattern", "sewing", "solver"}},
@@ -64,9 +65,9 @@ const std::map<std::string, Names>& table() {
                      "preflight", "project", "proto",     "resolve", "seams",   "sewing",      "store"}},
       {"jobs",
        {"analysis", "documents", "drape", "exports", "image", "json", "mesh", "pattern", "proto", "render",
-        "resolve", "store"}},
+        "resolve", "shares", "store"}},
       {"ws", {"jobs", "json", "proto", "store"}},
-      {"http", {"jobs", "json", "store", "ws"}},
+      {"http", {"jobs", "json", "shares", "store", "ws"}},
       {"handlers", {"documents", "fabric", "http", "jobs", "json", "store", "ws"}},
   };
   return rooms;

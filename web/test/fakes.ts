@@ -88,6 +88,7 @@ export const jobOf = (more: Partial<Job> = {}): Job => ({
   id: 'j_1',
   project_id: 'p_1',
   project_revision: 1,
+  priority: 'interactive',
   name: 'Skirt',
   state: 'running',
   reason_code: '',

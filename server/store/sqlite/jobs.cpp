@@ -48,11 +48,27 @@ Status SqliteStore::insert_job(const store::OwnerId& owner, const store::JobRow&
   TRY(database_.run(
       "INSERT INTO jobs (owner, id, project_id, project_revision, name, document, files, state, reason_code,"
       " reason, reason_where, attempt, created_ms, started_ms, ended_ms, report, results, idempotency_key,"
-      " document_bytes) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
-      {owner, row.id, row.project_id, std::int64_t{row.project_revision}, row.name, row.document, files,
-       store::name_of(row.state), row.reason_code, row.reason, row.reason_where, std::int64_t{row.attempt},
-       row.created_ms, row.started_ms, row.ended_ms, row.report, results, key,
-       static_cast<std::int64_t>(row.document.size())}));
+      " document_bytes, priority) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+      {owner,
+       row.id,
+       row.project_id,
+       std::int64_t{row.project_revision},
+       row.name,
+       row.document,
+       files,
+       store::name_of(row.state),
+       row.reason_code,
+       row.reason,
+       row.reason_where,
+       std::int64_t{row.attempt},
+       row.created_ms,
+       row.started_ms,
+       row.ended_ms,
+       row.report,
+       results,
+       key,
+       static_cast<std::int64_t>(row.document.size()),
+       store::name_of(row.priority)}));
   return {};
 }
 

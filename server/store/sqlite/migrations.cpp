@@ -107,6 +107,9 @@ UPDATE projects SET document_bytes = length(CAST(document AS BLOB));
 UPDATE jobs SET document_bytes = length(CAST(document AS BLOB)), result_bytes =
   coalesce((SELECT sum(value) FROM json_each(CASE WHEN json_valid(results) THEN results ELSE '{}' END)), 0);
 )sql"},
+    {6, "how urgent jobs are", R"sql(
+ALTER TABLE jobs ADD COLUMN priority TEXT NOT NULL DEFAULT 'batch';
+)sql"},
 };
 
 constexpr const char* kRemembered = R"sql(

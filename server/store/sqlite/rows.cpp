@@ -136,6 +136,9 @@ Result<store::JobRow> job_from(const SqlStatement& row) {
   std::optional<store::JobVerdict> verdict = TRY(verdict_from(row.text(17), job.id));
   job.verdict = std::move(verdict);
   job.worked_ms = row.integer(18);
+  const Result<store::JobPriority> priority = store::job_priority_from(row.text(19));
+  if (!priority) return damaged(job.id);
+  job.priority = *priority;
   return job;
 }
 

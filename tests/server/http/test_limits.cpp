@@ -4,6 +4,7 @@
 #include <chrono>
 #include <fstream>
 #include <functional>
+#include <map>
 #include <thread>
 #include <vector>
 
@@ -208,6 +209,33 @@ TEST_F(Limits, SubmittingEditingAndShowingDoNotWaitForUploads) {
   EXPECT_EQ(get("/api/v1/projects/" + project + "/check").status, 200);
   EXPECT_EQ(ended, 0) << "they were at it all the while";
   let_go = true;
+}
+
+TEST_F(Limits, HeavyWorkOfOneUserThatWaitsIsBounded) {
+  add_endless(http::Work::kHeavy);
+  http::ServerSettings settings;
+  settings.most_waiting = 3;
+  serve(settings);
+  std::vector<Wire> wires;
+  for (int i = 0; i < 2; ++i) {
+    wires.emplace_back(port);
+    ASSERT_TRUE(wires.back().send(endless()));
+  }
+  ASSERT_TRUE(wait_for([&] { return begun == 2; })) << "all threads for it";
+  for (int i = 0; i < 4; ++i) {
+    wires.emplace_back(port);
+    ASSERT_TRUE(wires.back().send(endless()));
+  }
+  const auto refused = [&] {
+    return get("/metrics").body.find("problems_total{code=\"server.too_much_at_once\"} 1\n") !=
+           std::string::npos;
+  };
+  ASSERT_TRUE(wait_for(refused)) << "the fourth that would wait";
+  EXPECT_EQ(get("/api/v1/projects").status, 200) << "what is light goes on";
+  let_go = true;
+  std::map<int, int> answers;
+  for (Wire& wire : wires) ++answers[read_answer(wire).status];
+  EXPECT_EQ(answers, (std::map<int, int>{{429, 1}, {500, 5}}));
 }
 
 TEST_F(Limits, JobsAssetsAndProjectsAreRemovedWithTheirData) {

@@ -228,6 +228,17 @@ TEST_F(Routes, AnswerARetryWithTheJobOfThenAlthoughTheProjectHasChanged) {
   EXPECT_EQ(*tree(anew)->find("project_revision")->number(), 2);
 }
 
+TEST_F(Routes, SubmitAJobAsUrgentAsItIs) {
+  const std::string project = make_project();
+  const auto submit = [&](const std::string& more) {
+    return send_json("POST", "/api/v1/jobs", "{\"project_id\": \"" + project + "\"" + more + "}");
+  };
+  EXPECT_EQ(member(submit(""), "priority"), "batch");
+  EXPECT_EQ(member(submit(", \"priority\": \"interactive\""), "priority"), "interactive");
+  EXPECT_PROBLEM(submit(", \"priority\": \"urgent\""), 422, "request.priority");
+  EXPECT_PROBLEM(submit(", \"priority\": 3"), 422, "request.priority");
+}
+
 TEST_F(Routes, RefuseJobsOfNothing) {
   EXPECT_PROBLEM(send_json("POST", "/api/v1/jobs", R"({"project_id": "p_00000000000000000000"})"), 404,
                  "store.not_found");

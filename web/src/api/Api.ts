@@ -104,7 +104,9 @@ export function makeApi(http = new Http('/api/v1')): Api {
     jobs: async () => (await http.get<Answer<'listJobs'>>('/jobs?limit=100')).jobs,
     job: (id) => http.get(`/jobs/${part(id)}`),
     submit: (id, key) =>
-      http.post('/jobs', { project_id: id } satisfies Question<'submitJob'>, { 'Idempotency-Key': key }),
+      http.post('/jobs', { project_id: id, priority: 'interactive' } satisfies Question<'submitJob'>, {
+        'Idempotency-Key': key,
+      }),
     removeJob: async (id) => void (await http.send(`/jobs/${part(id)}`, { method: 'DELETE' })),
     act: (id, action) => http.post(`/jobs/${part(id)}/${action}`),
     report: (id) => http.get(result(id, 'report.json')),

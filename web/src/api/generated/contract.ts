@@ -1296,11 +1296,19 @@ export interface components {
             /** @description wall time of a substep */
             step_ms: number;
         };
+        /**
+         * @description Whether somebody looks on. Drapes are worked on in slices: an interactive one goes before batch work, and users share
+         *     the workers' time alike.
+         * @default batch
+         * @enum {unknown}
+         */
+        JobPriority: "interactive" | "batch";
         JobFields: {
             id: string;
             project_id: string;
             project_revision: number;
             name: string;
+            priority: components["schemas"]["JobPriority"];
             state: components["schemas"]["JobState"];
             /** @description of a job that has ended: "settled", "time", "start.crosses_body" */
             reason_code: string;
@@ -1333,6 +1341,7 @@ export interface components {
          *       "project_id": "p_1qedqq1nd5hfbjxpm78j",
          *       "project_revision": 1,
          *       "name": "A-line skirt",
+         *       "priority": "batch",
          *       "state": "running",
          *       "reason_code": "",
          *       "reason": "",
@@ -4078,11 +4087,13 @@ export interface operations {
             content: {
                 /**
                  * @example {
-                 *       "project_id": "p_1qedqq1nd5hfbjxpm78j"
+                 *       "project_id": "p_1qedqq1nd5hfbjxpm78j",
+                 *       "priority": "interactive"
                  *     }
                  */
                 "application/json": {
                     project_id: string;
+                    priority?: components["schemas"]["JobPriority"];
                 };
             };
         };
