@@ -70,6 +70,9 @@ void fields(Archive& a, RunState& run) {
   a.value(s.solver.preloads);
   a.value(s.solver.pace.steps);
   a.value(s.solver.pace.learnt);
+  a.value(s.paper.positions);
+  a.value(s.paper.previous);
+  a.value(s.paper.bent);
   a.value(run.at_end.cloth_body);
   a.value(run.at_end.cloth_cloth);
   a.value(run.worst.cloth_body);
@@ -113,14 +116,18 @@ bool all_counts(Counts... counts) {
 }
 
 bool sound(const SessionState& s) {
-  const std::size_t n = s.solver.positions.size();
-  const std::size_t m = s.solver.centres.size();
-  return s.phase <= DrapePhase::kDone && (s.phase == DrapePhase::kDone) == s.stop_reason.has_value() &&
+  const std::size_t of_solver = s.solver.positions.size(), m = s.solver.centres.size();
+  const std::size_t of_paper = s.paper.positions.size(), n = of_solver + of_paper;
+  return (of_solver == 0 || of_paper == 0) && s.paper.previous.size() == of_paper &&
+         all_within(s.paper.positions, kFarthest) && all_within(s.paper.previous, kFarthest) &&
+         all_speeds(s.paper.bent) && s.phase <= DrapePhase::kDone &&
+         (s.phase == DrapePhase::kDone) == s.stop_reason.has_value() &&
          all_counts(s.steps, s.watch.step, s.solver.held_back, s.solver.hits, s.solver.pace.steps,
                     s.slackened) &&
          all_times(s.time, s.begun, s.phase_start, s.last_weld, s.solver.pace.learnt) &&
-         s.solver.velocities.size() == n && (m == 0 || m == n) && s.solver.detection_speeds.size() == m &&
-         s.watch.window_start.size() == n && s.watch.mark.size() == n && sound_ways(s.watch.ways, n) &&
+         s.solver.velocities.size() == of_solver && (m == 0 || m == of_solver) &&
+         s.solver.detection_speeds.size() == m && s.watch.window_start.size() == n &&
+         s.watch.mark.size() == n && sound_ways(s.watch.ways, n) &&
          s.watch.rms.size() <= SettleState::kMostWindows &&
          s.watch.rates.size() <= SettleState::kMostWindows && all_speeds(s.watch.rates) &&
          all_speeds(s.off_at_release) && all_speeds(s.watch.rms) &&

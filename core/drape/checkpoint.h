@@ -20,17 +20,18 @@
 #include "core/drape/drape_result.h"
 #include "core/drape/settle.h"
 #include "core/drape/stop_reason.h"
+#include "core/paper/paper_cloth.h"
 #include "core/solver/cloth_solver.h"
 
 namespace toile::drape {
 
 /// Rises when the fields change, and whenever a change of the engine gives a drape other bytes: a drape begun
 /// by one engine and ended by another would be neither's.
-inline constexpr std::uint32_t kCheckpointVersion = 11;
+inline constexpr std::uint32_t kCheckpointVersion = 12;
 
 enum class DrapePhase : std::uint8_t { kSew, kDrape, kDone };
 
-/// What a DrapeSession remembers.
+/// What a Session remembers.
 struct SessionState {
   DrapePhase phase = DrapePhase::kSew;
   bool dressed = false;                   ///< it began on the body
@@ -44,6 +45,7 @@ struct SessionState {
   std::vector<double> off_at_release;  ///< m, of each
   SettleState watch;
   solver::SolverState solver;
+  paper::PaperState paper;  ///< in place of the solver's, of a drape by that method
 };
 
 /// What a DrapeRun remembers.
@@ -63,7 +65,7 @@ std::string encode_checkpoint(const std::string& input_hash, RunState state);
 
 /// Errors: checkpoint.damaged (cut off, changed, or no checkpoint at all), checkpoint.version (of another
 /// engine), checkpoint.other_input. Takes no more memory than a few times the bytes. Whether the numbers of
-/// vertices fit the garment is for DrapeSession to say.
+/// vertices fit the garment is for the Session to say.
 Result<RunState> decode_checkpoint(std::string_view bytes, const std::string& input_hash);
 
 /// A checkpoint that cannot be what it says it is.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/paper/settings.h"
 #include "core/solver/constraints/air.h"
 
 namespace toile::drape {
@@ -8,6 +9,11 @@ enum class DrapeMode {
   kDrape,    ///< only the end matters: added damping brings the cloth to rest
   kDynamic,  ///< true time once it is sewn: full gravity at once, and nothing slows the cloth but air and
              ///< rubbing
+};
+
+enum class DrapeMethod {
+  kToile,  ///< our own engine (core/solver): nothing goes through anything
+  kPaper,  ///< that of Kim and Park 2003 (core/paper), to compare with
 };
 
 /// How to drape. Every field has a default that suits a garment.
@@ -26,6 +32,8 @@ struct DrapeSettings {
   bool ground = true;                     ///< a person stands on ground that cloth does not go through
   bool until_settled = true;              ///< ends when the cloth is at rest; otherwise at max_time
   solver::constraints::AirDrag air = {};  ///< while draping, not while sewing
+  DrapeMethod method = DrapeMethod::kToile;
+  paper::PaperSettings paper = {};  ///< of kPaper, with a time step of its own
 };
 
 }  // namespace toile::drape

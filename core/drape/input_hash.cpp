@@ -118,11 +118,15 @@ void write_one(StateWriter& out, const solver::constraints::AirDrag& air) {
   const auto& [density, across, along, wind] = air;
   write(out, density, across, along, wind);
 }
+void write_one(StateWriter& out, const paper::PaperSettings& settings) {
+  const auto& [time_step, damping, passes, reflection, load, clearance] = settings;
+  write(out, time_step, damping, passes, reflection, load, clearance);
+}
 void write_one(StateWriter& out, const DrapeSettings& settings) {
   const auto& [particle_distance, time_step, gravity, sew_time, settle_speed, max_time, frame_interval, mode,
-               dress, ground, until_settled, air] = settings;
+               dress, ground, until_settled, air, method, paper] = settings;
   write(out, particle_distance, time_step, gravity, sew_time, settle_speed, max_time, frame_interval, mode,
-        dress, ground, until_settled, air);
+        dress, ground, until_settled, air, method, paper);
 }
 void write_one(StateWriter& out, const LeftOut& piece) {
   const auto& [id, layer, place] = piece;

@@ -5,7 +5,9 @@
 #include <limits>
 
 #include "core/base/stopwatch.h"
+#include "core/drape/drape_session.h"
 #include "core/drape/input_hash.h"
+#include "core/drape/paper_session.h"
 #include "core/drape/worn_verdict.h"
 #include "core/preflight/preflight.h"
 #include "core/sewing/assembly.h"
@@ -22,6 +24,8 @@ constexpr double kFewestFrames = 100;
 
 int frame_interval_of(const DrapeInput& input) {
   const DrapeSettings& s = input.settings;
+  if (s.method == DrapeMethod::kPaper)
+    return std::max(1, static_cast<int>(paper::kFrameTime / s.paper.time_step));
   const double shortest = std::min(shortest_drape(input), s.max_time);
   return std::clamp(static_cast<int>(shortest / s.time_step / kFewestFrames), 1,
                     std::max(1, s.frame_interval));
@@ -57,7 +61,7 @@ std::optional<double> ground_under(const DrapeInput& input, const DrapeStart& st
 }
 
 /// Why another start is tried, as it is told.
-std::string why_anew(const DrapeSession& session, int start) {
+std::string why_anew(const Session& session, int start) {
   if (start != kSewnInPlace)
     return "the garment did not stay where it is worn, so that it was put on in another way and draped anew";
   const std::vector<OpenSeam> open = session.open_seams();
@@ -139,15 +143,28 @@ Status DrapeRun::begin(DrapeStart start, bool on_body) {
   person_ = start.person;
   std::optional<std::vector<Vec3>> dressed;
   if (start.dressed) dressed = std::move(start.dressed->positions);
-  session_ = DrapeSession::start(input_, start.meshes, std::move(start.assembly), dressed, ground);
+  if (input_.settings.method == DrapeMethod::kPaper) {
+    session_ = PaperSession::start(input_, start.meshes, std::move(start.assembly), dressed, ground);
+    tell_left_out_by_paper();
+  } else {
+    session_ = DrapeSession::start(input_, start.meshes, std::move(start.assembly), dressed, ground);
+  }
   result_.garment = session_->garment();
   if (sink_) sink_->begin(result_.garment);
   return {};
 }
 
+void DrapeRun::tell_left_out_by_paper() {
+  const std::string kinds = left_out_by_paper(input_);
+  if (kinds.empty()) return;
+  result_.findings.push_back(preflight::found(
+      preflight::FindingKind::kMethodWithout,
+      "the paper's method knows nothing of " + kinds + "; the garment is draped without", {}, {}));
+}
+
 /// Whether another start may do better: seams do not close, or the garment is not where it is worn.
 bool DrapeRun::ends_badly() const {
-  if (last_start_) return false;
+  if (last_start_ || !session_->may_begin_anew()) return false;
   if (!session_->done()) return session_->lost_seams();
   const std::vector<OpenSeam> open = session_->open_seams();
   if (!open.empty() || session_->stop_reason()->kind == Stop::kNotFinite) return true;

@@ -48,7 +48,7 @@ class DrapeRun {
   /// frame if the newest step was not.
   DrapeResult conclude();
 
-  const DrapeSession& session() const { return *session_; }
+  const Session& session() const { return *session_; }
   /// Of the input and where its pieces stand (core/drape/input_hash.h): what a checkpoint belongs to.
   const std::string& start_hash() const { return start_hash_; }
   /// Crossings at the newest recorded frame.
@@ -61,11 +61,12 @@ class DrapeRun {
   Status restore(std::string_view checkpoint, const RunContext& context);
   bool ends_badly() const;
   void begin_anew(const RunContext& context);
+  void tell_left_out_by_paper();
   void record_frame();
 
   const DrapeInput& input_;
   FrameSink* sink_;
-  std::unique_ptr<DrapeSession> session_;
+  std::unique_ptr<Session> session_;
   std::optional<dressing::Person> person_;
   std::string start_hash_;
   DrapeResult result_;  ///< so far: the garment, times and crossings

@@ -40,6 +40,7 @@ constexpr std::array<FindingTraits, kFindingKindCount> kTable{{
     {kRingOff, "worn.ring_off", kWarning, kWarning, kPlacement, false},
     {kOnGround, "worn.on_ground", kWarning, kWarning, kPlacement, false},
     {kBegunAnew, "start.begun_anew", kNote, kNote, kPlacement, false},
+    {kMethodWithout, "method.without", kWarning, kWarning, kPattern, false},
     {kOverLimit, "strain.over_limit", kNote, kNote, kPattern, false},
 }};
 

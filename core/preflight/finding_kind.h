@@ -47,6 +47,7 @@ enum class FindingKind : std::uint8_t {
   kRingOff,
   kOnGround,
   kBegunAnew,
+  kMethodWithout,
   kOverLimit,
 };
 inline constexpr std::size_t kFindingKindCount = static_cast<std::size_t>(FindingKind::kOverLimit) + 1;

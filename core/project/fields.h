@@ -222,8 +222,39 @@ void describe(Visitor& v, project::ProjectAir& air) {
 }
 
 template <typename Visitor>
+void describe(Visitor& v, project::ProjectPaper& paper) {
+  v.object(
+      "paper",
+      "What the method of Kim and Park 2003 leaves to its user (docs/paper.md). What is absent is the best "
+      "that a search over samples found.");
+  v.field("time_step_s", paper.time_step_s, "s; one step of its integrator.", Need::kOptional,
+          Range{1e-5, 0.1});
+  v.field("damping", paper.damping, "Share of its way that a particle loses with each step.", Need::kOptional,
+          Range{0, 0.999});
+  v.field("passes", paper.passes, "Over all links, seams and held particles, a step.", Need::kOptional,
+          Range{1, 1000});
+  v.field("reflection", paper.reflection,
+          "Share of its way that a particle keeps, mirrored, where it strikes a surface.", Need::kOptional,
+          Range{0, 1});
+  v.field(
+      "load_n_m", paper.load_n_m,
+      "N/m; a link's largest elastic strain is what its fabric is stretched by under this load, its limit "
+      "at most. 490 gives the fabric's coefficients.",
+      Need::kOptional, Range{0, 1e5});
+  v.field("clearance_mm", paper.clearance_mm,
+          "mm; bodies are met so far outside their skin at least, since of a link only the ends are tried.",
+          Need::kOptional, Range{0, 20});
+}
+
+template <typename Visitor>
 void describe(Visitor& v, project::ProjectSettings& settings) {
   v.object("settings", "How to drape. Every key has a default that suits a garment.");
+  v.choice(
+      "solver", settings.solver,
+      "toile: the engine that lets nothing through (default); paper: the method of Kim and Park 2003, to "
+      "compare with, whose crossings are counted and told. It takes gravity, sew_time_s, settle_speed_mm_s, "
+      "max_time_s, start, ground and end from here, and its time step from paper.",
+      {"toile", "paper"});
   v.field("particle_distance_mm", settings.particle_distance_mm,
           "mm; wanted edge length of the triangles. Default 15.", Need::kOptional, Range{0.5, 1000});
   v.field("time_step_s", settings.time_step_s, "s; one substep of the solver. Default 1/3000.",
@@ -254,6 +285,7 @@ void describe(Visitor& v, project::ProjectSettings& settings) {
            "settled: when the cloth is at rest, at max_time_s at the latest; time: at max_time_s. Default "
            "settled in mode drape, time in mode dynamic.",
            {"settled", "time"});
+  v.field("paper", settings.paper, "Of solver paper. Without it: its defaults.");
   v.field("air", settings.air,
           "The air around the cloth. Without it: still air in mode dynamic, none in mode drape.");
 }

@@ -291,7 +291,15 @@ struct ProjectAir {
   friend bool operator==(const ProjectAir&, const ProjectAir&) = default;
 };
 
+/// What is not said is as in core/paper/settings.h.
+struct ProjectPaper {
+  std::optional<double> time_step_s, damping, reflection, load_n_m, clearance_mm;
+  std::optional<int> passes;
+  friend bool operator==(const ProjectPaper&, const ProjectPaper&) = default;
+};
+
 struct ProjectSettings {
+  std::string solver = "toile";  ///< or "paper"
   double particle_distance_mm = 15;
   double time_step_s = 1.0 / 3000;
   double gravity = 9.81;  ///< m/s²
@@ -301,9 +309,10 @@ struct ProjectSettings {
   int frame_interval_steps = 50;
   std::string start = "auto";  ///< or "sewn"
   bool ground = true;
-  std::string mode = "drape";     ///< or "dynamic"
-  std::string end;                ///< "settled", "time"; empty: settled in mode drape, time in mode dynamic
-  std::optional<ProjectAir> air;  ///< none: still air in mode dynamic, none in mode drape
+  std::string mode = "drape";  ///< or "dynamic"
+  std::string end;             ///< "settled", "time"; empty: settled in mode drape, time in mode dynamic
+  std::optional<ProjectPaper> paper;  ///< of solver "paper"; none: the defaults
+  std::optional<ProjectAir> air;      ///< none: still air in mode dynamic, none in mode drape
   friend bool operator==(const ProjectSettings&, const ProjectSettings&) = default;
 };
 

@@ -138,6 +138,10 @@ Status JobRun::begin(const RunControl& control) {
     drape::DrapeInput input = TRY(drape_input_of(*place_.documents, context_, row.document, row.files));
     input_ = std::make_shared<const drape::DrapeInput>(std::move(input));
   }
+  if (input_->settings.method == drape::DrapeMethod::kPaper) {
+    const double steps = paper::kFrameTime / input_->settings.paper.time_step;
+    place_.stream_interval = std::max(1, static_cast<int>(steps));
+  }
   RunContext context = context_of(control);
   context.on_progress = [&](const Progress& p) {
     if (p.phase == "dress") return tell(control, p.phase, p.fraction);
@@ -145,7 +149,7 @@ Status JobRun::begin(const RunControl& control) {
   };
   std::unique_ptr<drape::DrapeRun> run = TRY(start_or_resume(context));
   run_ = std::move(run);
-  const drape::DrapeSession& session = run_->session();
+  const drape::Session& session = run_->session();
   progress_.first_step = checkpoint_step_ = session.steps();
   next_checkpoint_ = later(place_.checkpoint_every);
   stream_.emplace(*place_.publisher, job_id_, epoch_, *input_, session.garment(), session.start_positions());
@@ -199,7 +203,7 @@ Status JobRun::drape_on(const RunControl& control) {
   }
   // The end as well: a crash among models and pictures must cost no step.
   if (control.worth_keeping()) keep_checkpoint(control);
-  const drape::DrapeSession& session = run_->session();
+  const drape::Session& session = run_->session();
   if (run_->done() && stream_->step() != session.steps()) {
     stream_->show(session.steps(), session.time(), session.positions());
   }
@@ -208,7 +212,7 @@ Status JobRun::drape_on(const RunControl& control) {
 
 /// To the next streamed frame, or as far as the time of a slice goes.
 void JobRun::advance_slice(const RunControl& control) {
-  const drape::DrapeSession& session = run_->session();
+  const drape::Session& session = run_->session();
   const int to_frame = place_.stream_interval - session.steps() % place_.stream_interval;
   const double affordable = kSlice / std::max(1e-3, progress_.step_ms);
   const int steps = std::clamp(static_cast<int>(std::min(affordable, 1e6)), 1, to_frame);
@@ -230,7 +234,7 @@ void JobRun::advance_slice(const RunControl& control) {
 
 void JobRun::read_figures() {
   if (!run_) return;
-  const drape::DrapeSession& session = run_->session();
+  const drape::Session& session = run_->session();
   progress_.step = session.steps();
   progress_.simulated_s = session.time();
   progress_.rms_speed = session.rms_speed();

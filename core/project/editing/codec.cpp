@@ -100,6 +100,8 @@ json::JsonValue edits_json(std::span<const ProjectEdit> edits) {
       write(*texture);
     } else if (const auto* physical = std::get_if<SetPhysical>(&edit)) {
       write(*physical);
+    } else if (const auto* solver = std::get_if<SetSolver>(&edit)) {
+      write(*solver);
     } else {
       write(std::get<RestoreLists>(edit));
     }

@@ -140,6 +140,11 @@ Status apply_one(Editing& editing, const SetPhysical& edit) {
   return {};
 }
 
+Status apply_one(Editing& editing, const SetSolver& edit) {
+  editing.project.settings.solver = edit.solver;
+  return {};
+}
+
 Status apply_one(Editing& editing, const RestoreLists& edit) {
   editing.pattern.reset();
   return restore(editing.project, edit);
@@ -156,6 +161,16 @@ Result<EditedProject> checked(project::Project project, resolve::OpenedFiles& fi
       std::move(project), std::move(written->line), {}, std::move(written->read_back), std::move(*input)};
 }
 
+/// What leads from `now` back to `before`.
+std::vector<ProjectEdit> inverse_of(const project::Project& now, const project::Project& before) {
+  std::vector<ProjectEdit> inverse;
+  if (now.settings.solver != before.settings.solver) inverse.push_back(SetSolver{before.settings.solver});
+  project::Project lists = now;
+  lists.settings = before.settings;
+  if (!(lists == before)) inverse.push_back(difference(lists, before));
+  return inverse;
+}
+
 }  // namespace
 
 Result<EditedProject> apply_edits(const project::Project& project, std::span<const ProjectEdit> edits,
@@ -168,7 +183,7 @@ Result<EditedProject> apply_edits(const project::Project& project, std::span<con
   }
   const bool other_bodies = editing.project.bodies != project.bodies;
   EditedProject out = TRY(checked(std::move(editing.project), files, other_bodies));
-  if (!(out.project == project)) out.inverse = {difference(out.project, project)};
+  out.inverse = inverse_of(out.project, project);
   return out;
 }
 

@@ -30,6 +30,11 @@ struct SetPhysical {
   std::optional<project::ProjectPhysical> physical = {};
 };
 
+/// Which method drapes the garment: settings.solver of the document.
+struct SetSolver {
+  std::string solver;
+};
+
 /// In place of `remove` elements of a list from `at` on: those of `insert`.
 template <typename T>
 struct ListSplice {
@@ -49,7 +54,7 @@ struct RestoreLists {
   std::optional<ListSplice<project::ProjectBody>> bodies;
 };
 
-using ProjectEdit = std::variant<edit::PatternEdit, SetTexture, SetPhysical, RestoreLists>;
+using ProjectEdit = std::variant<edit::PatternEdit, SetTexture, SetPhysical, SetSolver, RestoreLists>;
 
 /// Edits of one call at most.
 inline constexpr std::size_t kMostEdits = 200;

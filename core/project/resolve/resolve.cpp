@@ -46,6 +46,17 @@ solver::constraints::AirDrag air_of(const project::ProjectAir& given) {
   return {given.density_kg_m3, given.drag_across, given.drag_along, given.wind_m_s};
 }
 
+paper::PaperSettings paper_of(const project::ProjectPaper& given) {
+  paper::PaperSettings paper;
+  paper.time_step = given.time_step_s.value_or(paper.time_step);
+  paper.damping = given.damping.value_or(paper.damping);
+  paper.passes = given.passes.value_or(paper.passes);
+  paper.reflection = given.reflection.value_or(paper.reflection);
+  paper.load = given.load_n_m.value_or(paper.load);
+  if (given.clearance_mm) paper.clearance = metres_from_mm(*given.clearance_mm);
+  return paper;
+}
+
 drape::DrapeSettings settings_of(const project::ProjectSettings& given) {
   drape::DrapeSettings settings;
   settings.particle_distance = metres_from_mm(given.particle_distance_mm);
@@ -60,6 +71,8 @@ drape::DrapeSettings settings_of(const project::ProjectSettings& given) {
   const bool dynamic = given.mode == "dynamic";
   settings.mode = dynamic ? drape::DrapeMode::kDynamic : drape::DrapeMode::kDrape;
   settings.until_settled = given.end.empty() ? !dynamic : given.end == "settled";
+  if (given.solver == "paper") settings.method = drape::DrapeMethod::kPaper;
+  if (given.paper) settings.paper = paper_of(*given.paper);
   const project::ProjectAir still;
   if (given.air || dynamic) settings.air = air_of(given.air.value_or(still));
   return settings;

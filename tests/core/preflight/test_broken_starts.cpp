@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/collision/crossings.h"
 #include "core/drape/pipeline.h"
 #include "tests/core/drape/garments.h"
 #include "tests/core/preflight/broken_starts.h"

@@ -95,7 +95,8 @@ inline const char* const kFullDocument = R"({
   "cushions": [
     {"id": "pad", "pieces": ["back"], "pressure_pa": 250, "volume_l": 1.5}
   ],
-  "settings": {"particle_distance_mm": 20, "time_step_s": 0.0005, "gravity": 9.8, "sew_time_s": 0.7,
+  "settings": {"particle_distance_mm": 20, "solver": "paper", "paper": {"time_step_s": 0.004, "damping": 0.2, "passes": 9,
+               "reflection": 0.1, "load_n_m": 5, "clearance_mm": 3}, "time_step_s": 0.0005, "gravity": 9.8, "sew_time_s": 0.7,
                "settle_speed_mm_s": 3, "max_time_s": 6, "frame_interval_steps": 25, "start": "sewn", "ground": false,
                "mode": "dynamic", "end": "settled",
                "air": {"density_kg_m3": 1.1, "drag_across": 1.3, "drag_along": 0.1, "wind_m_s": [1, 0, -2]}}

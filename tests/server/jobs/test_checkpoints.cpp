@@ -96,6 +96,27 @@ TEST_F(JobCheckpoints, AStopKeepsRunningAndPausedDrapesWhereTheyStand) {
   }
 }
 
+TEST_F(JobCheckpoints, ADrapeByThePapersMethodStreamsPausesAndGoesOnToTheSameBytes) {
+  std::string document = cloth_over_block(200, 120);
+  const std::string begin = R"("settings": {)";
+  document.replace(document.find(begin), begin.size(), begin + R"("solver": "paper", )");
+  house(1, kOften);
+  const std::string id = submit(document);
+  ASSERT_TRUE(publisher.wait_for_frames(id, 3));
+  ASSERT_TRUE(service->pause(kOwner, id).ok());
+  ASSERT_TRUE(publisher.wait_for_state(id, store::JobState::kPaused));
+  ASSERT_TRUE(has_checkpoint(id));
+  service.reset();
+  house(1, kNever);
+  ASSERT_TRUE(service->resume(kOwner, id).ok());
+  ASSERT_TRUE(publisher.wait_for_end(id, 2));
+  const store::JobRow job = row(id);
+  EXPECT_EQ(job.state, store::JobState::kSucceeded) << job.reason;
+  EXPECT_EQ(hash_in(job), hash_of_alone(job));
+  EXPECT_EQ(resumed_in(job), 1);
+  EXPECT_GT(first_step(id), 0);
+}
+
 TEST_F(JobCheckpoints, OneOfNoUseMeansAStartFromTheBeginning) {
   const std::string id = submit(cloth_over_block(200));
   ASSERT_TRUE(store.put_checkpoint(kOwner, id, "what the disk gave back").ok());

@@ -7,6 +7,7 @@ import { isActive } from '../state/jobs';
 import { cssColour } from '../state/patternGeometry';
 import { duration, speed } from '../state/words';
 import { OutcomeList } from './OutcomeList';
+import { SolverField } from './SolverField';
 
 export function DrapeFigures() {
   const state = useAppState();
@@ -16,6 +17,7 @@ export function DrapeFigures() {
       <OutcomeList />
       {job && <Speed samples={state.history.value} job={job} />}
       {job && <Facts job={job} />}
+      <SolverField />
       <Parts />
     </>
   );

@@ -83,6 +83,7 @@ const kWords: Record<string, string> = {
   set_fabric: 'Change fabric',
   set_texture: 'Change picture',
   set_physical: 'Change cloth',
+  set_solver: 'Change solver',
 };
 
 /** A step that changes lists of the document as a whole: who makes it says no more than which. */

@@ -8,6 +8,7 @@ import { DrapeFigures } from '../../src/panels/DrapeFigures';
 import { OutcomeList } from '../../src/panels/OutcomeList';
 import { Results } from '../../src/panels/Results';
 import { SeamChip } from '../../src/panels/SeamChip';
+import { SolverField } from '../../src/panels/SolverField';
 import { ready } from '../../src/state/AppState';
 import { jobOf, projectOf, seamOf, squareOf } from '../fakes';
 import { reportOf } from '../samples';
@@ -42,6 +43,19 @@ describe('a drape under way', () => {
     page.show(<DrapeFigures />);
     const facts = [...document.querySelectorAll('.facts div')].map((row) => row.textContent);
     expect(facts).toEqual(['Drapej_1', 'Project revision7', 'Running time1 min 5 s']);
+  });
+
+  it('is made by the solver that is chosen beside it', () => {
+    page.change((state) => (state.pieces.value = ready({ pieces: [squareOf('front', 0, 0, 10)], seams: [] })));
+    page.show(<SolverField />);
+    const chooser = screen.getByRole<HTMLSelectElement>('combobox', { name: 'Solver' });
+    expect(chooser.value).toBe('toile');
+    fireEvent.change(chooser, { target: { value: 'paper' } });
+    expect(page.asked()).toEqual([['pattern.edit', { edit: 'set_solver', solver: 'paper' }]]);
+    page.change(
+      (state) => (state.pieces.value = ready({ pieces: [squareOf('front', 0, 0, 10)], seams: [], solver: 'paper' })),
+    );
+    expect(screen.getByText(/may let cloth through; crossings are counted/)).toBeTruthy();
   });
 
   it('says why it failed, where, and offers the way out', () => {
@@ -117,7 +131,7 @@ describe('a drape under way', () => {
     const pieces = [squareOf('a', 0, 0, 10), { ...squareOf('b', 0, 0, 10), fabric: '' }];
     page.change((state) => (state.pieces.value = ready({ pieces, seams: [] })));
     page.show(<DrapeFigures />);
-    expect(screen.getAllByRole('heading').map((one) => one.textContent)).toEqual(['f', 'Fabric']);
+    expect(screen.getAllByRole('heading').map((one) => one.textContent)).toEqual(['How it is draped', 'f', 'Fabric']);
     const a = screen.getByRole('button', { name: 'a' });
     click(a);
     expect(page.state.selected.value).toBe('a');

@@ -93,6 +93,18 @@ TEST(ProjectEdit, LeavesAPieceInItsFileWhenOnlyItsLinesGrainOrClothChange) {
   EXPECT_FALSE(after(now, R"([{"edit": "set_texture", "piece": "front"}])").pieces[0].texture);
 }
 
+TEST(ProjectEdit, ChoosesTheSolverAndIsUndoneByTheOneOfBefore) {
+  const project::Project before = base();
+  const project::Project now = after(before, R"([{"edit": "set_solver", "solver": "paper"}])");
+  EXPECT_EQ(now.settings.solver, "paper");
+  EXPECT_EQ(now.pieces, before.pieces);
+  EXPECT_EQ(after(now, R"([{"edit": "set_solver", "solver": "toile"}])"), before);
+  const project::Project both = after(before, R"([{"edit": "set_solver", "solver": "paper"},
+    {"edit": "set_fabric", "piece": "front", "fabric": "silk"}])");
+  EXPECT_EQ(both.settings.solver, "paper");
+  EXPECT_EQ(named(both.pieces, "front").fabric, "silk");
+}
+
 TEST(ProjectEdit, LinesOfTheFileComeAlongWhenAPieceLeavesIt) {
   const project::Project project = base();
   project::Project cloth = project;

@@ -151,6 +151,30 @@ TEST(ProjectResolve, DefaultsOfTheDocumentAreThoseOfTheCore) {
   EXPECT_DOUBLE_EQ(input->bodies[0].friction, body::Body{}.friction);
 }
 
+TEST(ProjectResolve, ThePapersMethodTakesItsSettingsFromTheDocument) {
+  Shelf shelf;
+  const auto with = [&](const std::string& settings) {
+    const auto input =
+        resolved(changed(kSmall, R"("settings": {"particle_distance_mm": 20, "settle_speed_mm_s": 3})",
+                         R"("settings": )" + settings),
+                 shelf);
+    EXPECT_TRUE(input) << to_string(input.error());
+    return input->settings;
+  };
+  EXPECT_EQ(with("{}").method, drape::DrapeMethod::kToile);
+  const drape::DrapeSettings plain = with(R"({"solver": "paper"})");
+  EXPECT_EQ(plain.method, drape::DrapeMethod::kPaper);
+  EXPECT_EQ(plain.paper.passes, paper::PaperSettings{}.passes);
+  const drape::DrapeSettings own = with(R"({"solver": "paper", "paper": {"time_step_s": 0.01, "damping": 0.2,
+      "passes": 7, "reflection": 0.5, "load_n_m": 490, "clearance_mm": 2}})");
+  EXPECT_DOUBLE_EQ(own.paper.time_step, 0.01);
+  EXPECT_DOUBLE_EQ(own.paper.damping, 0.2);
+  EXPECT_EQ(own.paper.passes, 7);
+  EXPECT_DOUBLE_EQ(own.paper.reflection, 0.5);
+  EXPECT_DOUBLE_EQ(own.paper.load, 490);
+  EXPECT_DOUBLE_EQ(own.paper.clearance, 2e-3);
+}
+
 TEST(ProjectResolve, FindsSeamsAndAttachmentsByName) {
   const drape::DrapeInput input = small_input();
   ASSERT_EQ(input.pattern.seams.size(), 1u);

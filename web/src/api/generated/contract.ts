@@ -1201,6 +1201,11 @@ export interface components {
         ];
         Polyline: components["schemas"]["Point"][];
         Pieces: {
+            /**
+             * @description the method that drapes them
+             * @enum {string}
+             */
+            solver?: "toile" | "paper";
             pieces: {
                 id: string;
                 fabric: string;
@@ -1765,6 +1770,21 @@ export interface components {
             /** @description mm; on the piece. */
             at: components["schemas"]["pair"];
         };
+        /** @description What the method of Kim and Park 2003 leaves to its user (docs/paper.md). What is absent is the best that a search over samples found. */
+        paper: {
+            /** @description s; one step of its integrator. */
+            time_step_s?: number;
+            /** @description Share of its way that a particle loses with each step. */
+            damping?: number;
+            /** @description Over all links, seams and held particles, a step. */
+            passes?: number;
+            /** @description Share of its way that a particle keeps, mirrored, where it strikes a surface. */
+            reflection?: number;
+            /** @description N/m; a link's largest elastic strain is what its fabric is stretched by under this load, its limit at most. 490 gives the fabric's coefficients. */
+            load_n_m?: number;
+            /** @description mm; bodies are met so far outside their skin at least, since of a link only the ends are tried. */
+            clearance_mm?: number;
+        };
         /** @description Air that resists the cloth, by the speed between them. */
         air: {
             /** @description kg/m³. Default 1.2. */
@@ -1960,6 +1980,11 @@ export interface components {
         };
         /** @description How to drape. Every key has a default that suits a garment. */
         settings: {
+            /**
+             * @description toile: the engine that lets nothing through (default); paper: the method of Kim and Park 2003, to compare with, whose crossings are counted and told. It takes gravity, sew_time_s, settle_speed_mm_s, max_time_s, start, ground and end from here, and its time step from paper.
+             * @enum {string}
+             */
+            solver?: "toile" | "paper";
             /** @description mm; wanted edge length of the triangles. Default 15. */
             particle_distance_mm?: number;
             /** @description s; one substep of the solver. Default 1/3000. */
@@ -1991,6 +2016,8 @@ export interface components {
              * @enum {string}
              */
             end?: "settled" | "time";
+            /** @description Of solver paper. Without it: its defaults. */
+            paper?: components["schemas"]["paper"];
             /** @description The air around the cloth. Without it: still air in mode dynamic, none in mode drape. */
             air?: components["schemas"]["air"];
         };
@@ -2428,6 +2455,19 @@ export interface components {
             /** @description All of it; what is not given is as the fabric has it. */
             physical?: components["schemas"]["physical"];
         };
+        /** @description Says by which method the garment is draped. */
+        set_solver: {
+            /**
+             * @description Which edit this is.
+             * @constant
+             */
+            edit: "set_solver";
+            /**
+             * @description As settings.solver of the document.
+             * @enum {string}
+             */
+            solver: "toile" | "paper";
+        };
         /** @description Puts back parts of the document's lists: what an undo does. */
         restore: {
             /**
@@ -2558,7 +2598,7 @@ export interface components {
          * Toile edits
          * @description Edits of a project, one after the other: in requests, in the undo history and in a replay.
          */
-        "edit.schema": (components["schemas"]["move_point"] | components["schemas"]["move_handle"] | components["schemas"]["insert_point"] | components["schemas"]["delete_point"] | components["schemas"]["split_edge"] | components["schemas"]["join_edges"] | components["schemas"]["straighten_edge"] | components["schemas"]["bend_edge"] | components["schemas"]["set_edge_length"] | components["schemas"]["mirror_piece"] | components["schemas"]["rotate_grain"] | components["schemas"]["add_line"] | components["schemas"]["remove_line"] | components["schemas"]["add_dart"] | components["schemas"]["add_inner_dart"] | components["schemas"]["rename_edge"] | components["schemas"]["remove_dart"] | components["schemas"]["add_hole"] | components["schemas"]["remove_hole"] | components["schemas"]["move_piece"] | components["schemas"]["rename_piece"] | components["schemas"]["duplicate_piece"] | components["schemas"]["delete_piece"] | components["schemas"]["add_seam"] | components["schemas"]["remove_seam"] | components["schemas"]["reverse_seam"] | components["schemas"]["set_fabric"] | components["schemas"]["set_texture"] | components["schemas"]["set_physical"] | components["schemas"]["restore"] | components["schemas"]["add_notch"] | components["schemas"]["move_notch"] | components["schemas"]["remove_notch"])[];
+        "edit.schema": (components["schemas"]["move_point"] | components["schemas"]["move_handle"] | components["schemas"]["insert_point"] | components["schemas"]["delete_point"] | components["schemas"]["split_edge"] | components["schemas"]["join_edges"] | components["schemas"]["straighten_edge"] | components["schemas"]["bend_edge"] | components["schemas"]["set_edge_length"] | components["schemas"]["mirror_piece"] | components["schemas"]["rotate_grain"] | components["schemas"]["add_line"] | components["schemas"]["remove_line"] | components["schemas"]["add_dart"] | components["schemas"]["add_inner_dart"] | components["schemas"]["rename_edge"] | components["schemas"]["remove_dart"] | components["schemas"]["add_hole"] | components["schemas"]["remove_hole"] | components["schemas"]["move_piece"] | components["schemas"]["rename_piece"] | components["schemas"]["duplicate_piece"] | components["schemas"]["delete_piece"] | components["schemas"]["add_seam"] | components["schemas"]["remove_seam"] | components["schemas"]["reverse_seam"] | components["schemas"]["set_fabric"] | components["schemas"]["set_texture"] | components["schemas"]["set_physical"] | components["schemas"]["set_solver"] | components["schemas"]["restore"] | components["schemas"]["add_notch"] | components["schemas"]["move_notch"] | components["schemas"]["remove_notch"])[];
         /** @description A thing of the garment or the scene that a finding is about. */
         concern: {
             /**

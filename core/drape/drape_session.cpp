@@ -1,11 +1,13 @@
-#include "core/drape/session.h"
+#include "core/drape/drape_session.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/check.h"
+#include "core/drape/ground.h"
 #include "core/drape/make_features.h"
 #include "core/drape/make_threads.h"
+#include "core/drape/seam_gaps.h"
 #include "core/drape/weld.h"
 #include "core/solver/constraints/viscosity.h"
 
@@ -31,8 +33,6 @@ constexpr double kStallTime = 1.5;  // s
 /// a fold that was caught between two sides can slip out, and pulled again, so many times.
 constexpr double kJamTime = 0.4, kSlack = 0.15;  // s, 1
 constexpr int kMostSlackened = 2;
-/// A seam is open when its sides are further apart than this.
-constexpr double kSeamTolerance = 0.5e-3;  // m
 /// A button is open when its thread is longer than it is by more than this: layers between may be thick.
 constexpr double kButtonTolerance = 3e-3;  // m
 /// A seam that is still this far open when the threads have had their time will not close. A narrower one
@@ -44,10 +44,7 @@ constexpr double kOpenCalm = 0.2;
 constexpr double kEaseTime = 0.25;  // s
 /// What was bunched while it was put on falls into place before friction holds it.
 constexpr double kSlipTime = 0.25, kGripTime = 0.25;  // s
-/// The ground: a square that no garment reaches beyond, and what lies on it does not slide.
-constexpr double kGroundReach = 20, kGroundSkin = 1e-3;  // m
-constexpr double kGroundFriction = 0.5;
-constexpr double kWeldInterval = 0.25;  // s between tries to weld what was left open
+constexpr double kWeldInterval = 0.25;                // s between tries to weld what was left open
 
 }  // namespace
 
@@ -62,13 +59,10 @@ std::unique_ptr<DrapeSession> DrapeSession::start(const DrapeInput& input, const
 
 void DrapeSession::add_ground(double height) {
   grounded_ = true;
-  const std::array<Vec3, 4> corners{{{-kGroundReach, height, -kGroundReach},
-                                     {-kGroundReach, height, kGroundReach},
-                                     {kGroundReach, height, kGroundReach},
-                                     {kGroundReach, height, -kGroundReach}}};
-  const std::array<Tri, 2> triangles{{{0, 1, 2}, {0, 2, 3}}};
-  obstacles_.push_back(collision::make_obstacle(corners, triangles, kGroundFriction, kGroundSkin));
-  crossing_bodies_.push_back(collision::make_crossing_body(corners, triangles));
+  const Ground ground(height);
+  obstacles_.push_back(
+      collision::make_obstacle(ground.corners, ground.triangles, ground.friction, ground.skin));
+  crossings_.add_body(ground.corners, ground.triangles);
 }
 
 void DrapeSession::begin_dressed(const std::vector<Vec3>& positions) {
@@ -107,8 +101,7 @@ DrapeSession::DrapeSession(const DrapeInput& input, const mesh::PanelMeshes& mes
                            sewing::Assembly assembly, std::optional<double> ground)
     : input_(input),
       assembly_(std::move(assembly)),
-      crossings_(collision::make_surface(assembly_.garment.triangles, assembly_.garment.vertex_count(),
-                                         assembly_.garment.weld)),
+      crossings_(assembly_.garment),
       lost_(input.pattern.seams.size(), false),
       released_(input.attachments.size(), false),
       off_at_release_(input.attachments.size(), 0),
@@ -117,7 +110,7 @@ DrapeSession::DrapeSession(const DrapeInput& input, const mesh::PanelMeshes& mes
   for (const body::Body& body : input.bodies) {
     obstacles_.push_back(collision::make_obstacle(body.mesh.vertices, body.mesh.triangles, body.friction,
                                                   body.skin_offset, body.restitution));
-    crossing_bodies_.push_back(collision::make_crossing_body(body.mesh.vertices, body.mesh.triangles));
+    crossings_.add_body(body.mesh.vertices, body.mesh.triangles);
   }
   if (ground) add_ground(*ground);
   const Weld open = no_weld(assembly_.positions);
@@ -189,9 +182,9 @@ SessionState DrapeSession::state() const {
   for (std::size_t i = 0; i < joined.size(); ++i) {
     joined[i] = vertex_of_[i] == vertex_of_[assembly_.garment.weld[i]];
   }
-  return {phase_, dressed_,  lost_,           stop_reason_,   steps_,
-          time_,  begun_,    phase_start_,    last_weld_,     slackened_,
-          joined, released_, off_at_release_, watch_.state(), solver_->state()};
+  return {phase_,           dressed_,   lost_,      stop_reason_, steps_,    time_,           begun_,
+          phase_start_,     last_weld_, slackened_, joined,       released_, off_at_release_, watch_.state(),
+          solver_->state(), {}};
 }
 
 Status DrapeSession::restore(SessionState state) {
@@ -273,7 +266,7 @@ void DrapeSession::let_go_of_lost_seams() {
 void DrapeSession::weld() {
   welded_at_ = steps_;
   const std::vector<Index> before = vertex_of_;
-  Weld weld = weld_seams(assembly_.garment, positions(), kSeamTolerance, crossing_bodies_);
+  Weld weld = weld_seams(assembly_.garment, positions(), kSeamTolerance, crossings_.bodies());
   vertex_of_ = weld.vertex_of;
 
   solver::ClothModel model = model_of(vertex_of_, weld.vertex_count);
@@ -360,7 +353,7 @@ void DrapeSession::end(Stop kind) {
   if (kind == Stop::kOpenButton) {
     name = input_.notions.buttons[open_button().tie].id;
   } else if (has_name(kind)) {
-    name = name_of_widest_seam();
+    name = widest_seam(input_, assembly_.garment, pair_gaps());
   }
   stop_reason_ = StopReason{kind, std::move(name), gap_at(kind)};
 }
@@ -377,41 +370,14 @@ std::vector<HoldFigures> DrapeSession::holds() const {
   return figures;
 }
 
-/// m, of each sewn pair.
 std::vector<double> DrapeSession::pair_gaps() const {
-  const std::vector<Vec3>& x = solver_->positions();
-  std::vector<double> gaps;
-  gaps.reserve(assembly_.garment.sewn.size());
-  for (const auto& [i, j] : assembly_.garment.sewn) {
-    gaps.push_back(length(x[vertex_of_[i]] - x[vertex_of_[j]]));
-  }
-  return gaps;
+  return drape::pair_gaps(assembly_.garment, positions());
 }
 
-double DrapeSession::seam_gap() const {
-  double widest = 0;
-  for (const double gap : pair_gaps()) widest = std::max(widest, gap);
-  return widest;
-}
+double DrapeSession::seam_gap() const { return largest_gap(pair_gaps()); }
 
 std::vector<OpenSeam> DrapeSession::open_seams() const {
-  const std::vector<double> of_pair = pair_gaps();
-  std::vector<double> gaps(input_.pattern.seams.size(), 0);
-  for (std::size_t k = 0; k < of_pair.size(); ++k) {
-    double& gap = gaps[assembly_.garment.seam_of_sewn[k]];
-    gap = std::max(gap, of_pair[k]);
-  }
-  std::vector<OpenSeam> open;
-  for (std::size_t s = 0; s < gaps.size(); ++s)
-    if (gaps[s] > kSeamTolerance) open.push_back({input_.pattern.seams[s].id, gaps[s]});
-  return open;
-}
-
-std::string DrapeSession::name_of_widest_seam() const {
-  const std::vector<double> gaps = pair_gaps();
-  if (gaps.empty()) return "";
-  const auto widest = std::max_element(gaps.begin(), gaps.end()) - gaps.begin();
-  return input_.pattern.seams[assembly_.garment.seam_of_sewn[static_cast<std::size_t>(widest)]].id;
+  return seams_open(input_, assembly_.garment, pair_gaps());
 }
 
 std::vector<Vec3> DrapeSession::positions() const {
@@ -419,16 +385,6 @@ std::vector<Vec3> DrapeSession::positions() const {
   out.reserve(vertex_of_.size());
   for (const Index v : vertex_of_) out.push_back(solver_->positions()[v]);
   return out;
-}
-
-CrossingCount DrapeSession::count_crossings() {
-  CrossingCount count;
-  crossings_.place(positions());
-  for (const collision::CrossingBody& body : crossing_bodies_) {
-    count.cloth_body += static_cast<int>(crossings_.with(body).size());
-  }
-  count.cloth_cloth = static_cast<int>(crossings_.with_itself().size());
-  return count;
 }
 
 double shortest_drape(const DrapeInput& input) {

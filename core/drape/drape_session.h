@@ -1,0 +1,114 @@
+#pragma once
+// A drape under way by our own engine: sew, weld, let gravity in, settle.
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/base/run_context.h"
+#include "core/drape/checkpoint.h"
+#include "core/drape/drape_input.h"
+#include "core/drape/drape_result.h"
+#include "core/drape/garment_crossings.h"
+#include "core/drape/session.h"
+#include "core/drape/settle.h"
+#include "core/drape/stop_reason.h"
+#include "core/sewing/assembly.h"
+#include "core/solver/cloth_solver.h"
+
+namespace toile::drape {
+
+class DrapeSession : public Session {
+ public:
+  /// Prepares a drape. `input` must outlive the session. `assembly` has passed run_preflight without an
+  /// error: from a start without crossings none will come. With `dressed` (m, one a garment vertex, sewn ones
+  /// together, certified) it begins there, with all seams shut. `ground` (m) is the height of a floor under
+  /// all of it.
+  static std::unique_ptr<DrapeSession> start(const DrapeInput& input, const mesh::PanelMeshes& meshes,
+                                             sewing::Assembly assembly,
+                                             const std::optional<std::vector<Vec3>>& dressed = std::nullopt,
+                                             std::optional<double> ground = std::nullopt);
+
+  void step() override;
+  void begin_anew(const std::vector<Vec3>& dressed, std::optional<double> ground) override;
+  bool may_begin_anew() const override { return true; }
+
+  SessionState state() const override;
+  Status restore(SessionState state) override;
+
+  bool dressed() const override { return dressed_; }
+  bool lost_seams() const override;
+  const std::optional<StopReason>& stop_reason() const override { return stop_reason_; }
+
+  int steps() const override { return steps_; }
+  double time() const override { return time_; }
+  bool just_welded() const override { return welded_at_ == steps_; }
+  Progress progress() const override;
+  const sewing::GarmentMesh& garment() const override { return assembly_.garment; }
+  double rms_speed() const override { return watch_.rms_speed(); }
+  double max_speed() const override { return watch_.max_speed(); }
+  double seam_gap() const override;
+  std::vector<OpenSeam> open_seams() const override;
+  std::vector<HoldFigures> holds() const override;
+
+  std::vector<Vec3> positions() const override;
+  const std::vector<Vec3>& start_positions() const override { return assembly_.positions; }
+  CrossingCount count_crossings() override { return crossings_.count(positions()); }
+
+ private:
+  using Phase = DrapePhase;
+
+  DrapeSession(const DrapeInput& input, const mesh::PanelMeshes& meshes, sewing::Assembly assembly,
+               std::optional<double> ground);
+  void add_ground(double height);
+  void begin_dressed(const std::vector<Vec3>& positions);
+  double sew_time() const;
+  void build_solver(solver::ClothModel model, std::vector<Vec3> positions, std::vector<Vec3> velocities);
+  solver::ClothModel model_of(std::span<const Index> vertex_of, Index vertex_count) const;
+  std::vector<solver::constraints::Stitch> stitches_now() const;
+  std::vector<solver::constraints::HeldVertex> held_now() const;
+  solver::ClothFeatures features_now() const;
+  solver::StepForces forces_now() const;
+  void sew_or_weld();
+  void weld();
+  void weld_what_closed();
+  void let_go_of_lost_seams();
+  std::vector<double> pair_gaps() const;
+  void settle_or_stop();
+  double time_of_full_gravity() const;
+  bool dynamic() const;
+  solver::constraints::OpenTie open_button() const;
+  bool lies_still() const;
+  bool nothing_closes() const;
+  Stop stop_at_rest() const;
+  double gap_at(Stop kind) const;
+  void end(Stop kind);
+
+  const DrapeInput& input_;
+  sewing::Assembly assembly_;
+  GarmentCrossings crossings_;
+  std::vector<Vec2> warps_;
+  std::vector<collision::Obstacle> obstacles_;
+  std::unique_ptr<solver::ClothSolver> solver_;
+  std::vector<Index> vertex_of_;
+  std::vector<bool> lost_;              ///< seams that did not close: their threads have let go
+  std::vector<bool> released_;          ///< attachments
+  std::vector<double> off_at_release_;  ///< m, of each
+
+  Phase phase_ = Phase::kSew;
+  bool dressed_ = false, grounded_ = false;
+  std::optional<StopReason> stop_reason_;  ///< while phase_ is kDone
+  SettleWatch watch_;
+  int steps_ = 0;
+  double time_ = 0, begun_ = 0, phase_start_ = 0, last_weld_ = 0;
+  int welded_at_ = -1;  ///< step of the last weld; not kept by checkpoints, which lie between steps
+  int slackened_ = 0;   ///< how often threads were let out again
+};
+
+/// Simulated s that a drape takes at least, if it runs until it is at rest.
+double shortest_drape(const DrapeInput& input);
+/// Simulated s after which a garment is sewn, but for seams that do not close.
+double longest_sewing(const DrapeSettings& settings);
+
+}  // namespace toile::drape
