@@ -81,6 +81,21 @@ struct FabricTestOptions {
 
 ExitCode fabric_test_command(const FabricTestOptions& options);
 
+/// What a laboratory measured (core/trials/calibrate.h).
+struct FabricCalibrateOptions {
+  double mass = 0;                                            ///< kg/m²
+  std::optional<double> drape;                                ///< 0 to 1
+  std::optional<double> warp_length, weft_length, thickness;  ///< mm
+  std::optional<double> kes_b_warp, kes_b_weft, kes_g, kes_emt_warp, kes_emt_weft;
+  std::optional<double> fast_e100_warp, fast_e100_weft, fast_eb5;
+  int drapes = 2;                   ///< a test, 1 to 6
+  double particle_distance_mm = 0;  ///< of their triangles; 0: what fits the fabric
+  bool json = false;
+};
+
+/// kUnsettled where the drape is not within a point.
+ExitCode fabric_calibrate_command(const FabricCalibrateOptions& options);
+
 /// Serves until SIGTERM or SIGINT.
 ExitCode serve_command(const ServeOptions& options);
 

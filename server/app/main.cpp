@@ -34,6 +34,7 @@ struct Options {
   FabricListOptions fabric_list;
   FabricShowOptions fabric_show;
   FabricTestOptions fabric_test;
+  FabricCalibrateOptions fabric_calibrate;
   ServeOptions serve;
   SubmitOptions submit;
   PatternImportOptions import;
@@ -242,6 +243,41 @@ CLI::App* add_fabric_test(CLI::App& fabric, FabricTestOptions& test) {
   return verb;
 }
 
+void add_instruments(CLI::App& verb, FabricCalibrateOptions& c) {
+  verb.add_option("--kes-b-warp", c.kes_b_warp, "KES-FB2, B along the warp, gf cm2/cm");
+  verb.add_option("--kes-b-weft", c.kes_b_weft, "KES-FB2, B along the weft, gf cm2/cm");
+  verb.add_option("--kes-g", c.kes_g, "KES-FB1, shear stiffness G, gf/(cm degree)");
+  verb.add_option("--kes-emt-warp", c.kes_emt_warp, "KES-FB1, extension along the warp at 500 gf/cm, %");
+  verb.add_option("--kes-emt-weft", c.kes_emt_weft, "KES-FB1, extension along the weft at 500 gf/cm, %");
+  verb.add_option("--fast-e100-warp", c.fast_e100_warp, "FAST-3, extension along the warp at 100 gf/cm, %");
+  verb.add_option("--fast-e100-weft", c.fast_e100_weft, "FAST-3, extension along the weft at 100 gf/cm, %");
+  verb.add_option("--fast-eb5", c.fast_eb5, "FAST-3, extension on the bias at 5 gf/cm, %");
+}
+
+CLI::App* add_fabric_calibrate(CLI::App& fabric, FabricCalibrateOptions& c) {
+  CLI::App* verb = fabric.add_subcommand("calibrate", "Find a fabric's missing figures from measured ones");
+  verb->add_option("--mass", c.mass, "kg/m2")->required();
+  verb->add_option("--drape", c.drape, "Drape coefficient, 0 to 1 (BS 5058, 30 cm on 18 cm)");
+  verb->add_option("--warp-length", c.warp_length, "Bending length along the warp, mm (ASTM D1388, FAST-2)");
+  verb->add_option("--weft-length", c.weft_length, "Bending length along the weft, mm");
+  verb->add_option("--thickness", c.thickness, "mm");
+  add_instruments(*verb, c);
+  verb->add_option("--drapes", c.drapes, "Cusick drapes a test, of 20 in all")
+      ->check(CLI::Range(1, 6))
+      ->capture_default_str();
+  verb->add_option("--particle-distance", c.particle_distance_mm,
+                   "Edge length of their triangles, mm (default: what fits the fabric)")
+      ->check(CLI::Range(2.0, 50.0));
+  verb->add_flag("--json", c.json, "Print as JSON");
+  verb->footer(std::string("What was measured is taken as it is. The drape coefficient tells bending, or "
+                           "shear where bending was\nmeasured; what it could not tell apart is said.\n\n"
+                           "Examples:\n  toile fabric calibrate --mass 0.15 --drape 0.62\n"
+                           "  toile fabric calibrate --mass 0.15 --drape 0.62 --warp-length 21 "
+                           "--weft-length 17\n\n") +
+               kExitCodes);
+  return verb;
+}
+
 CLI::App* add_submit(CLI::App& app, Options& options) {
   SubmitOptions& submit = options.submit;
   CLI::App* verb = app.add_subcommand("submit", "Have a project draped by a server");
@@ -360,11 +396,13 @@ ExitCode run(int argc, char** argv) {
   pattern->require_subcommand(1);
   const CLI::App* import = add_pattern_import(*pattern, options.import);
   const CLI::App* exporting = add_pattern_export(*pattern, options.exporting);
-  CLI::App* fabric = app.add_subcommand("fabric", "Fabrics: list them, show one, test one");
+  CLI::App* fabric =
+      app.add_subcommand("fabric", "Fabrics: list them, show one, test one, find one's figures");
   fabric->require_subcommand(1);
   const CLI::App* fabric_list = add_fabric_list(*fabric, options.fabric_list);
   const CLI::App* fabric_show = add_fabric_show(*fabric, options.fabric_show);
   const CLI::App* fabric_test = add_fabric_test(*fabric, options.fabric_test);
+  const CLI::App* fabric_calibrate = add_fabric_calibrate(*fabric, options.fabric_calibrate);
   CLI::App* project = app.add_subcommand("project", "Project documents: make one, place its pieces");
   project->require_subcommand(1);
   const CLI::App* project_new = add_project_new(*project, options.project_new);
@@ -390,6 +428,7 @@ ExitCode run(int argc, char** argv) {
   if (fabric_list->parsed()) return fabric_list_command(options.fabric_list);
   if (fabric_show->parsed()) return fabric_show_command(options.fabric_show);
   if (fabric_test->parsed()) return fabric_test_command(options.fabric_test);
+  if (fabric_calibrate->parsed()) return fabric_calibrate_command(options.fabric_calibrate);
   if (serve->parsed()) return serve_command(options.serve);
   if (import->parsed()) return pattern_import_command(options.import);
   if (exporting->parsed()) return pattern_export_command(options.exporting);
