@@ -146,4 +146,17 @@ struct ProjectArrangeOptions {
 
 ExitCode project_arrange_command(const ProjectArrangeOptions& options);
 
+struct SampleOptions {
+  std::string name;  ///< empty: list what there is
+  std::string out;   ///< folder
+  std::string body;  ///< path of a mesh; empty: a mannequin
+  std::string preset, sex;
+  std::array<std::optional<double>, measure::kMeasureCount> measures_cm;  ///< of the mannequin, by Measure
+  std::string cloth;  ///< one of the sample's; empty: the first
+  bool json = false;
+};
+
+/// Drafts a garment for a body: a DXF file and a project beside it, ready to be draped.
+ExitCode sample_command(const SampleOptions& options);
+
 }  // namespace toile::app

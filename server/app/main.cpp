@@ -41,6 +41,7 @@ struct Options {
   PatternExportOptions exporting;
   ProjectNewOptions project_new;
   ProjectArrangeOptions arrange;
+  SampleOptions sample;
 };
 
 /// "1024x1280" into the stills' size; a message when it is none.
@@ -134,6 +135,35 @@ CLI::App* add_body_make(CLI::App& body, BodyMakeOptions& make) {
           "  toile body make --sex female --height 168 --bust 92 --waist 74 --hip 99 --out body.obj --json\n"
           "  toile body make --preset m50 --pose t --triangles 5624 --out man.obj\n\n") +
       kExitCodes);
+  return verb;
+}
+
+CLI::App* add_sample(CLI::App& app, Options& options) {
+  SampleOptions& sample = options.sample;
+  CLI::App* verb = app.add_subcommand("sample", "Draft a garment to measure; without a name list them");
+  verb->add_option("name", sample.name, "Which one");
+  verb->add_option("-o,--out", sample.out, "Folder for its DXF file and project.json; made when not there");
+  CLI::Option* body = verb->add_option("--body", sample.body, "Mesh of the person it is drafted for");
+  verb->add_option("--preset", sample.preset, "Size of a mannequin instead, see body presets")
+      ->excludes(body);
+  verb->add_option("--sex", sample.sex, "The mannequin's figure")
+      ->check(CLI::IsMember({"female", "male", "child"}))
+      ->excludes(body);
+  for (int i = 0; i < measure::kMeasureCount; ++i) {
+    const measure::Measure m = measure::measure_at(i);
+    verb->add_option(option_of(m), sample.measures_cm[i], "cm, " + std::string(measure::measure_rule(m)))
+        ->excludes(body);
+  }
+  verb->add_option("--cloth", sample.cloth, "Which of its cloths it is cut of (default: the first)");
+  verb->add_flag("--json", sample.json, "Print as JSON");
+  verb->footer(std::string("Pieces stand arranged around the body; toile drape takes the project as it is. "
+                           "Prints the girths\nthat the construction gives the garment over the body's.\n\n"
+                           "Examples:\n"
+                           "  toile sample\n"
+                           "  toile sample tshirt --out out/tshirt\n"
+                           "  toile sample tshirt --preset m50 --waist 92 --out out/tshirt\n"
+                           "  toile sample tshirt --body scan.obj --out out/tshirt\n\n") +
+               kExitCodes);
   return verb;
 }
 
@@ -407,6 +437,7 @@ ExitCode run(int argc, char** argv) {
   project->require_subcommand(1);
   const CLI::App* project_new = add_project_new(*project, options.project_new);
   const CLI::App* arrange = add_project_arrange(*project, options.arrange);
+  const CLI::App* sample = add_sample(app, options);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
@@ -432,6 +463,7 @@ ExitCode run(int argc, char** argv) {
   if (serve->parsed()) return serve_command(options.serve);
   if (import->parsed()) return pattern_import_command(options.import);
   if (exporting->parsed()) return pattern_export_command(options.exporting);
+  if (sample->parsed()) return sample_command(options.sample);
   if (arrange->parsed()) return project_arrange_command(options.arrange);
   if (project_new->parsed()) return project_new_command(options.project_new);
   return submit_command(options.submit);

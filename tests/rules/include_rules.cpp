@@ -51,6 +51,7 @@ const std::map<std::string, Names>& table() {
        {"arrange", "body", "drape", "dxf", "fabric", "image", "json", "mannequin", "material", "measure",
         "mesh_import", "pattern", "project", "sewing"}},
       {"create", {"drape", "dxf", "garmentcode", "json", "measure", "pattern", "project", "seams", "sewing"}},
+      {"sample", {"create", "draft", "dxf", "pattern", "project"}},
       {"editing",
        {"create", "drape", "edit", "fabric", "fields", "json", "pattern", "project", "resolve", "sewing"}},
       {"proto", {"drape", "sewing"}},
