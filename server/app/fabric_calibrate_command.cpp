@@ -51,7 +51,7 @@ json::JsonValue document_fabric(const material::Fabric& f) {
                                        {"thickness_mm", rounded(f.thickness * kMillimetres)}};
 }
 
-const char* found_words(const std::optional<trials::Unknown>& fitted) {
+std::string found_words(const std::optional<trials::Unknown>& fitted) {
   if (!fitted) return "nothing";
   return *fitted == trials::Unknown::kBending ? "bending" : "shear";
 }
@@ -78,7 +78,7 @@ void print_text(const trials::Calibration& c, const FabricCalibrateOptions& o) {
   if (o.drape) {
     std::printf("drape      %.1f %%, measured %.1f %%: %s a point; %d drapes\n", kPercent * c.drape,
                 kPercent * *o.drape, c.within ? "within" : "not within", c.tests * o.drapes);
-    std::printf("found      %s\n", found_words(c.fitted));
+    std::printf("found      %s\n", found_words(c.fitted).c_str());
   }
   std::printf("bending    warp %.2f, weft %.2f, bias %.2f uN m (lengths %.1f, %.1f, %.1f mm)\n",
               kMicro * c.fabric.bend_warp, kMicro * c.fabric.bend_weft, kMicro * c.fabric.bend_bias,

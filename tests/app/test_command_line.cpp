@@ -228,6 +228,35 @@ TEST(CommandLine, AFabricIsTestedBesideWhatIsKnownOfIt) {
   EXPECT_TRUE(has(sheet, "Garment leather")) << sheet;
 }
 
+TEST(CommandLine, MissingFiguresOfAFabricAreFoundFromItsDrape) {
+  const Ran run =
+      run_toile({"fabric", "calibrate", "--mass", "0.3", "--drape", "0.85", "--kes-g", "2",
+                 "--fast-e100-warp", "4", "--drapes", "1", "--particle-distance", "20", "--json"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const Result<json::JsonValue> found = json::parse_json(run.out);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(*found->find("found")->text(), "bending");
+  EXPECT_NEAR(*found->find("drape_percent")->number(), 85, 1);
+  EXPECT_LE(*found->find("drapes")->number(), 20);
+  EXPECT_FALSE(found->find("could_not_tell")->array()->empty());
+  const Ran grams = run_toile({"fabric", "calibrate", "--mass", "300"});
+  EXPECT_EQ(grams.code, 2);
+  EXPECT_TRUE(has(grams.err, "look at its unit (mass)")) << grams.err;
+}
+
+TEST(CommandLine, AProjectMayAskForThePapersMethod) {
+  const std::string settings = R"("settings": {)";
+  const fs::path folder =
+      napkin_folder("toile_by_paper", settings, settings + R"("solver": "paper", "paper": {"passes": 8}, )");
+  const Ran run = run_toile({"drape", (folder / "project.json").string(), "--out", (folder / "out").string(),
+                             "--no-stills", "--json"});
+  EXPECT_TRUE(run.code == 0 || run.code == 3) << run.err;
+  const Result<json::JsonValue> report = json::parse_json(run.out);
+  ASSERT_TRUE(report) << run.out;
+  EXPECT_LE(*report->find("steps")->number(), 4000) << "its steps are longer than our engine's";
+  EXPECT_TRUE(report->find("intersections")->find("cloth_body")->number());
+}
+
 TEST(CommandLine, BodyRefusesMeasuresThatNobodyHas) {
   const Ran run = run_toile({"body", "make", "--out", "/tmp/never.obj", "--waist", "300"});
   EXPECT_EQ(run.code, 2);
