@@ -6,7 +6,7 @@
 namespace toile::draft {
 namespace {
 
-constexpr double kLeastDart = 6;  // mm; less is eased in
+constexpr double kLeastDart = 6;  // mm; less goes in the front's length
 
 HalfBodice half_of(const Wearer& w, const BodiceStyle& s, bool back) {
   const double scale = w.height / 1680;
@@ -39,6 +39,7 @@ void match_sides(Bodice& bodice, Vec2 front_low, Vec2 back_low) {
   const double over = length(Vec2{front.bust, front.underarm} - front_low) -
                       length(Vec2{bodice.back.bust, bodice.back.underarm} - back_low);
   front.bust_dart = over < kLeastDart ? 0 : over;
+  if (front.bust_dart == 0) front.underarm -= over;
 }
 
 void add_armhole_and_neck(Outline& out, const HalfBodice& h, double aside) {

@@ -42,7 +42,7 @@ struct Bodice {
 Bodice bodice_of(const Wearer& wearer, const BodiceStyle& style);
 
 /// Takes into the bust dart what the front's side is longer by than the back's; both are straight from these
-/// lower ends up to the underarm.
+/// lower ends up to the underarm. Too little for a dart shortens the front instead.
 void match_sides(Bodice& bodice, Vec2 front_low, Vec2 back_low);
 
 /// From the underarm's end of the side up around the armhole, along the shoulder and down the neckline to the

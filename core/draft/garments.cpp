@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/draft/blouse.h"
 #include "core/draft/circle_dress.h"
 #include "core/draft/house.h"
 #include "core/draft/pencil_skirt.h"
@@ -20,6 +21,8 @@ const std::vector<GarmentKind>& garment_kinds() {
        [](const Wearer& w) { return draft_pencil_skirt(w); }},
       {"circle-dress", "Sleeveless dress, a darted bodice over a full circle", "eu38",
        [](const Wearer& w) { return draft_circle_dress(w); }},
+      {"blouse", "Blouse with a stand collar, a placket, set-in sleeves and cuffs", "eu40",
+       [](const Wearer& w) { return draft_blouse(w); }},
       {"trapezoids", "One shape, six fabrics, hung by two corners", "",
        [](const Wearer&) { return draft_trapezoids(); }},
       {"tablecloth", "Round cloth on a round table", "", [](const Wearer&) { return draft_tablecloth(); }},
