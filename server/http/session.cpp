@@ -276,6 +276,9 @@ HttpResponse HttpSession::work_on(const Route& route, const HttpRequest& request
   } catch (const std::exception& e) {
     asked_.log.error("handler threw", LogFields{{"route", route.pattern}, {"what", e.what()}});
     return broke("internal.exception", e.what());
+  } catch (...) {  // it must not leave a thread of a pool
+    asked_.log.error("handler threw what is no exception", LogFields{{"route", route.pattern}});
+    return broke("internal.unknown", "the handler broke off for a reason that it did not name");
   }
 }
 

@@ -297,7 +297,7 @@ Status JobRun::add_stills(const RunControl& control, RunEnd& end) {
   delivery->textures = textures_;
   std::unique_ptr<TemporaryFolder> folder = TRY(TemporaryFolder::make(store.scratch_folder()));
   delivery->folder = std::move(folder);
-  const Status drawn = draw(place_, control, delivery, context_.log);
+  Status drawn = draw(place_, control, delivery, context_.log);
   if (!drawn && drawn.error().kind == ErrorKind::kCancelled) return drawn;
   if (!drawn) {
     context_.log.warn("stills not drawn", drawn.error());

@@ -68,8 +68,8 @@ struct JobVerdict {
 /// A file that a job has left.
 struct ResultFile {
   std::int64_t bytes = 0;
-  std::string hash;  ///< XXH3 of its bytes (core/base/hash.h); empty in rows of before it was kept
-  ResultFile() = default;
+  std::string hash;        ///< XXH3 of its bytes (core/base/hash.h); empty in rows of before it was kept
+  ResultFile() = default;  // NOLINTNEXTLINE(google-explicit-constructor): a size alone, as in older rows
   ResultFile(std::int64_t size, std::string digits = "") : bytes(size), hash(std::move(digits)) {}
   friend bool operator==(const ResultFile&, const ResultFile&) = default;
 };

@@ -111,6 +111,14 @@ TEST_F(Serve, TellsWhatBecameOfAJobInJsonWithItsRequestAndInALogOfItsOwn) {
   fs::remove_all(napkin);
 }
 
+TEST_F(Serve, InAContainerListensOnEveryAddress) {
+  std::vector<std::string> options = plain();
+  options.insert(options.end(), {"--address", "0.0.0.0", "--container"});
+  Serving server(folder / "data", options);
+  ASSERT_TRUE(server.up()) << server.said();
+  EXPECT_EQ(server.get("/readyz").status, 200);
+}
+
 TEST_F(Serve, TakesNoMoreThanAUserMayKeep) {
   std::vector<std::string> options = plain();
   options.insert(options.end(), {"--quota-mb", "0.0001"});

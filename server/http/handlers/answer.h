@@ -50,6 +50,7 @@ http::HttpResponse page_answer(const char* name, const Page& page, std::vector<R
     next = json::JsonValue(rows.back().id);
   }
   std::vector<json::JsonValue> items;
+  items.reserve(rows.size());
   for (const Row& row : rows) items.push_back(make(row));
   return json_answer(200, {{name, std::move(items)}, {"next", std::move(next)}});
 }

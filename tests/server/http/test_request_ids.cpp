@@ -65,6 +65,11 @@ class RequestLog : public Served {
            .handler = [](const store::RequestContext&, const http::HttpRequest&) -> http::HttpResponse {
              throw std::runtime_error("a fault of ours");
            }});
+      router.add({.method = "GET",
+                  .pattern = "/worse",
+                  .handler = [](const store::RequestContext&,
+                                const http::HttpRequest&) -> http::HttpResponse { throw 7; },
+                  .work = http::Work::kHeavy});
     };
     serve();
   }
@@ -101,6 +106,15 @@ TEST_F(RequestLog, AnExceptionOfAHandlerIsToldWithItsPlaceAndItsRequest) {
   EXPECT_EQ(thrown->level, LogLevel::kError);
   EXPECT_EQ(thrown->fields.at("route"), "/broken");
   EXPECT_EQ(thrown->fields.at("what"), "a fault of ours");
+}
+
+TEST_F(RequestLog, WhatIsThrownAndIsNoExceptionIsAnsweredAndToldAsWell) {
+  EXPECT_PROBLEM(get("/worse", "X-Request-Id: r-worse\r\n"), 500, "internal.unknown");
+  const std::vector<KeptLines::Line> told = lines.of("r-worse");
+  EXPECT_TRUE(std::any_of(told.begin(), told.end(), [](const auto& line) {
+    return line.event == "handler threw what is no exception" && line.level == LogLevel::kError;
+  }));
+  EXPECT_EQ(get("/healthz").status, 200);
 }
 
 TEST(RequestIds, AreNotThoseOfAnotherServer) {
