@@ -401,6 +401,18 @@ CLI::App* add_project_arrange(CLI::App& project, ProjectArrangeOptions& options)
   return verb;
 }
 
+/// --help and --version, and what is not understood.
+ExitCode instead_of_a_verb(const CLI::App& app, const CLI::ParseError& e) {
+  if (e.get_exit_code() == 0) {
+    app.exit(e);
+    return kDone;
+  }
+  const auto verbs = app.get_subcommands();  // those on the command line
+  const std::string verb = verbs.empty() ? "" : verbs.front()->get_name() + " ";
+  print_error({"usage.arguments", std::string(e.what()) + "; see toile " + verb + "--help", ""}, false);
+  return kBadInput;
+}
+
 ExitCode run(int argc, char** argv) {
   CLI::App app("Toile drapes garments: from a flat sewing pattern to cloth on a body.", "toile");
   app.set_version_flag("--version", std::string("toile ") + TOILE_VERSION);
@@ -441,14 +453,7 @@ ExitCode run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() == 0) {
-      app.exit(e);
-      return kDone;
-    }                                          // --help, --version
-    const auto verbs = app.get_subcommands();  // those on the command line
-    const std::string verb = verbs.empty() ? "" : verbs.front()->get_name() + " ";
-    print_error({"usage.arguments", std::string(e.what()) + "; see toile " + verb + "--help", ""}, false);
-    return kBadInput;
+    return instead_of_a_verb(app, e);
   }
   options.drape.stills = !options.no_stills;
   if (drape->parsed()) return drape_command(options.drape);
