@@ -2,6 +2,7 @@
 // The drape of a round piece over a smaller disc: BS 5058, ISO 9073-9, after G. E. Cusick, "The Dependence of
 // Fabric Drape on Bending and Shear Stiffness" (1965).
 
+#include <span>
 #include <vector>
 
 #include "core/base/result.h"
