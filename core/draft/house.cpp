@@ -64,7 +64,8 @@ Garment draft_trapezoids() {
     pattern::Panel panel = trapezoid(cloth.id, kTop, kBottom, kHeight);
     panel.fabric = cloth.id;
     g.pattern.panels.push_back(panel);
-    const Vec3 at{(count % 3 - 1) * kApart, kUp - count / 3 * kRows, 0};
+    const int row = count / 3;
+    const Vec3 at{(count % 3 - 1) * kApart, kUp - row * kRows, 0};
     g.bent.push_back({{cloth.id, {0, kHeight}}, at, kRadius});
     g.holds.push_back({cloth.id + " corners", cloth.id, {{-kTop / 2, kHeight}, {kTop / 2, kHeight}}});
     ++count;

@@ -221,7 +221,7 @@ describe('the start page', () => {
     });
     page.show(<Welcome resultUrl={resultUrl} />);
     expect(button('T-shirt').getAttribute('aria-busy')).toBe('true');
-    expect(button('Trousers').hasAttribute('disabled')).toBe(true);
+    expect(button('Slacks').hasAttribute('disabled')).toBe(true);
   });
 
   it('says that an address leads nowhere', () => {
