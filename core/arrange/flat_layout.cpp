@@ -212,20 +212,35 @@ class Layer {
   /// In the piece's plane, from its middle to where higher pieces are sewn to it; drawn upwards otherwise.
   Vec2 upper_end(Index p) const {
     Vec2 up{0, 1e-3};
+    std::vector<Vec2> crotch;  // from the middle: legs hang together at their upper ends
     std::size_t count = 0;
     Vec2 sum;
     for (const GarmentTie& tie : graph_.ties) {
       if (tie.a == tie.b || (tie.a != p && tie.b != p)) continue;
       const Index other = tie.a == p ? tie.b : tie.a;
       const Vec2 at = (tie.a == p ? tie.at_a : tie.at_b) - piece(p).centroid;
-      int sign = level_of(piece(other).cover) - level_of(piece(p).cover);
-      // Legs hang together at their upper ends.
-      if (sign == 0 && piece(p).cover == Cover::kLeg && layout_.partner[p] == other) sign = 1;
+      const int sign = level_of(piece(other).cover) - level_of(piece(p).cover);
+      if (sign == 0 && piece(p).cover == Cover::kLeg && layout_.partner[p] == other) crotch.push_back(at);
       if (sign == 0) continue;
       sum = sum + at * (sign > 0 ? 1.0 : -1.0);
       ++count;
     }
+    sum = sum + along_crotch(crotch) * static_cast<double>(crotch.size());
+    count += crotch.size();
     return count > 0 ? up + sum * (1 / static_cast<double>(count)) : up;
+  }
+
+  /// The way up along a seam between two legs whose stitches lie at `points` from the piece's middle. Of
+  /// short and wide legs they lie farther to the side than up.
+  static Vec2 along_crotch(const std::vector<Vec2>& points) {
+    Vec2 chord, mean;
+    for (const Vec2 a : points) {
+      mean = mean + a * (1 / static_cast<double>(points.size()));
+      for (const Vec2 b : points)
+        if (length(b - a) > length(chord)) chord = b - a;
+    }
+    if (length(chord) == 0) return mean;
+    return chord * ((dot(chord, mean) < 0 ? -1 : 1) * length(mean) / length(chord));
   }
 
   Vec2 on_sheet(Index p, Vec2 at) const { return layout_.pose[p](at); }

@@ -84,6 +84,8 @@ void fields(Archive& a, RunState& run) {
   a.value(run.start);
   a.value(run.last_start);
   a.value(run.begun_anew);
+  a.value(run.tops);
+  a.value(run.left_out);
   a.value(run.cpu_s);
   a.value(run.wall_s);
 }
@@ -143,7 +145,10 @@ bool sound(const RunState& run) {
   return all_counts(run.at_end.cloth_body, run.at_end.cloth_cloth, run.worst.cloth_body,
                     run.worst.cloth_cloth, run.worst_frame_step, run.frames_checked, run.resumed,
                     run.recorded + 1, run.start) &&
-         run.begun_anew.size() <= kMostWords && all_times(run.cpu_s, run.wall_s) && sound(run.session);
+         run.begun_anew.size() <= kMostWords &&
+         std::all_of(run.tops.begin(), run.tops.end(),
+                     [](double top) { return std::abs(top) <= kFarthest; }) &&
+         all_times(run.cpu_s, run.wall_s) && sound(run.session);
 }
 
 }  // namespace

@@ -57,6 +57,8 @@ struct RunState {
   int start = 0;                 ///< number of the start it goes on from (core/drape/drape_start.h)
   bool last_start = false;       ///< no other leads on
   std::string begun_anew;        ///< why it does not go on from its first start; empty when it does
+  std::vector<double> tops;      ///< m, of each panel where it began (core/drape/worn_verdict.h)
+  std::vector<bool> left_out;    ///< panels that could not be put on (core/drape/fit_start.h); may be empty
   double cpu_s = 0, wall_s = 0;  ///< so far
 };
 

@@ -14,11 +14,12 @@
 
 namespace toile::drape {
 
-/// A piece that nothing holds on.
+/// A piece that nothing holds on, or that could not be put on.
 struct LeftOut {
   std::string id;
   bool layer = false;  ///< by its name a lining, facing or pocket: the garment is whole without it
   Vec3 place;          ///< m, its middle where it stands
+  bool tried = false;  ///< with it, no way to put the garment on was certified
 };
 
 struct DrapeInput {
@@ -31,7 +32,7 @@ struct DrapeInput {
   std::vector<sewing::Attachment> attachments;
   sewing::Notions notions;
   DrapeSettings settings;
-  std::vector<LeftOut> left_out;  ///< not in `pattern` (core/drape/worn_part.h)
+  std::vector<LeftOut> left_out;  ///< not in `pattern` (core/drape/worn_part.h, fit_start.h)
 };
 
 }  // namespace toile::drape

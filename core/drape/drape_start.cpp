@@ -5,7 +5,6 @@
 
 #include "core/arrange/arrange.h"
 #include "core/drape/worn_part.h"
-#include "core/dressing/put_on.h"
 #include "core/mesh/make_panel_meshes.h"
 #include "core/preflight/preflight.h"
 
@@ -55,12 +54,11 @@ std::optional<sewing::Assembly> coarse_assembly(const DrapeInput& input,
 }
 
 /// The garment put on from where `placements` have its pieces, by the ways from number `first` on.
-std::optional<dressing::Dressed> put_on_from(const DrapeInput& input, const mesh::PanelMeshes& meshes,
-                                             const std::vector<sewing::Placement>& placements,
-                                             const dressing::Wearer& wearer, std::size_t first,
-                                             const RunContext& context) {
+dressing::TriedOn put_on_from(const DrapeInput& input, const mesh::PanelMeshes& meshes,
+                              const std::vector<sewing::Placement>& placements,
+                              const dressing::Wearer& wearer, std::size_t first, const RunContext& context) {
   const auto fine = sewing::assemble(meshes, placements, {}, {});
-  if (!fine) return std::nullopt;
+  if (!fine) return {};
   std::optional<sewing::Assembly> coarse;
   const double distance = coarse_distance(meshes);
   if (input.settings.particle_distance < distance)
@@ -98,31 +96,39 @@ bool may_put_on(const DrapeInput& input, const DrapeStart& start) {
          !layered(input.pattern);
 }
 
-std::optional<PutOn> put_on_after(int after, const DrapeInput& input, const DrapeStart& start,
-                                  const RunContext& context) {
+PutOnTries put_on_after(int after, const DrapeInput& input, const DrapeStart& start,
+                        const RunContext& context) {
   const auto ways = static_cast<int>(dressing::dressing_ways().size());
   const dressing::Wearer wearer(*start.person);
-  const auto from = [&](const std::vector<sewing::Placement>& placements,
-                        int before) -> std::optional<PutOn> {
+  const auto from = [&](const std::vector<sewing::Placement>& placements, int before) {
     const int first = std::max(0, after - before);  // ways, numbered from 0
-    auto on = put_on_from(input, start.meshes, placements, wearer, static_cast<std::size_t>(first), context);
-    if (!on) return std::nullopt;
-    return PutOn{std::move(on->positions), before + static_cast<int>(on->number) + 1};
+    dressing::TriedOn tried =
+        put_on_from(input, start.meshes, placements, wearer, static_cast<std::size_t>(first), context);
+    PutOnTries tries;
+    if (tried.on)
+      tries.on = PutOn{std::move(tried.on->positions), before + static_cast<int>(tried.on->number) + 1};
+    tries.nearest = before + static_cast<int>(tried.nearest) + 1;
+    tries.shortfall = tried.shortfall;
+    tries.at_fault = std::move(tried.at_fault);
+    return tries;
   };
-  if (after < ways) {
-    if (auto on = from(input.placements, 0)) return on;
-  }
-  if (after >= 2 * ways || context.cancelled()) return std::nullopt;
+  PutOnTries tries;
+  if (after < ways) tries = from(input.placements, 0);
+  if (tries.on || after >= 2 * ways || context.cancelled()) return tries;
   const auto anew = arrange::arrange({input.pattern, start.meshes, input.bodies, names_left_out(input)});
-  if (!anew) return std::nullopt;
-  return from(anew->placements, ways);
+  if (!anew) return tries;
+  PutOnTries arranged = from(anew->placements, ways);
+  const bool further = !arranged.at_fault.empty() && tries.shortfall < arranged.shortfall;
+  return arranged.on || tries.at_fault.empty() || !further ? std::move(arranged) : std::move(tries);
 }
 
-bool dress_start(const DrapeInput& input, DrapeStart& start, const RunContext& context) {
-  if (!may_put_on(input, start) || !in_question(start.findings)) return false;
-  start.dressed = put_on_after(kSewnInPlace, input, start, context);
+std::optional<PutOnTries> dress_start(const DrapeInput& input, DrapeStart& start, const RunContext& context,
+                                      int after) {
+  if (!may_put_on(input, start) || !in_question(start.findings)) return std::nullopt;
+  PutOnTries tries = put_on_after(after, input, start, context);
+  start.dressed = tries.on;
   if (start.dressed) begin_on_body(start);
-  return true;
+  return tries;
 }
 
 }  // namespace toile::drape

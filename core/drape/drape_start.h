@@ -8,6 +8,7 @@
 #include "core/base/run_context.h"
 #include "core/drape/drape_input.h"
 #include "core/dressing/person.h"
+#include "core/dressing/put_on.h"
 #include "core/mesh/panel_mesh.h"
 #include "core/preflight/finding.h"
 #include "core/sewing/assembly.h"
@@ -22,6 +23,14 @@ struct PutOn {
   int start = 0;
 };
 inline constexpr int kSewnInPlace = 0;
+
+/// The tries to put a garment on.
+struct PutOnTries {
+  std::optional<PutOn> on;        ///< certified
+  int nearest = kSewnInPlace;     ///< where none was: number of the start that came nearest
+  dressing::Shortfall shortfall;  ///< by how much it did not
+  std::vector<Index> at_fault;    ///< and the panels that kept it from being certified, rising
+};
 
 /// What a drape begins with.
 struct DrapeStart {
@@ -40,18 +49,20 @@ Result<DrapeStart> prepare_start(const DrapeInput& input, const RunContext& cont
 /// Puts the garment on the first body that stands like a person (core/dressing), if it has seams, the
 /// settings want it, and the look at the start found anything about where its pieces stand. Where they cannot
 /// be sewn from there, they are arranged anew (core/arrange) for that. With a certificate `start.dressed` has
-/// the shape, and findings about where pieces stand become notes; else nothing changes. Gives back whether it
-/// was tried. Progress phase: "dress".
-bool dress_start(const DrapeInput& input, DrapeStart& start, const RunContext& context);
+/// the shape, and findings about where pieces stand become notes; else nothing changes. Starts up to number
+/// `after` are passed over. Gives back the tries; nothing where there was nothing to try. Progress phase:
+/// "dress".
+std::optional<PutOnTries> dress_start(const DrapeInput& input, DrapeStart& start, const RunContext& context,
+                                      int after = kSewnInPlace);
 
 /// Whether putting on can be tried: a person is to wear something that is sewn and has no layers, and the
 /// settings want it.
 bool may_put_on(const DrapeInput& input, const DrapeStart& start);
 
-/// The next start after number `after` that is certified; nothing where none is left, or where the context
+/// The next start after number `after` that is certified; none where none is left, or where the context
 /// was cancelled. REQUIRES may_put_on(). Progress phase: "dress".
-std::optional<PutOn> put_on_after(int after, const DrapeInput& input, const DrapeStart& start,
-                                  const RunContext& context);
+PutOnTries put_on_after(int after, const DrapeInput& input, const DrapeStart& start,
+                        const RunContext& context);
 
 /// Where pieces were placed does not matter any more: the garment is on.
 void begin_on_body(DrapeStart& start);

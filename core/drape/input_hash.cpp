@@ -129,8 +129,8 @@ void write_one(StateWriter& out, const DrapeSettings& settings) {
         dress, ground, until_settled, air, method, paper);
 }
 void write_one(StateWriter& out, const LeftOut& piece) {
-  const auto& [id, layer, place] = piece;
-  write(out, id, layer, place);
+  const auto& [id, layer, place, tried] = piece;
+  write(out, id, layer, place, tried);
 }
 void write_one(StateWriter& out, const DrapeInput& input) {
   const auto& [name, pattern, placements, fabrics, fabric_of_panel, bodies, attachments, notions, settings,

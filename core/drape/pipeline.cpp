@@ -6,6 +6,7 @@
 
 #include "core/base/stopwatch.h"
 #include "core/drape/drape_session.h"
+#include "core/drape/fit_start.h"
 #include "core/drape/input_hash.h"
 #include "core/drape/paper_session.h"
 #include "core/drape/worn_verdict.h"
@@ -47,6 +48,14 @@ class GoTimer {
   Stopwatch watch_;
 };
 
+/// Putting on may already have let a garment sink: where pieces were placed counts as well.
+std::vector<double> tops_where_begun(const sewing::Assembly& placed, std::span<const Vec3> began) {
+  std::vector<double> tops = tops_of(placed.garment, placed.positions);
+  const std::vector<double> began_at = tops_of(placed.garment, began);
+  for (std::size_t p = 0; p < tops.size(); ++p) tops[p] = std::max(tops[p], began_at[p]);
+  return tops;
+}
+
 constexpr double kOffGround = 1.5e-3;  // m, that cloth starts above the ground at least
 constexpr std::size_t kMostId = 200;   // bytes of a seam's id within a sentence
 
@@ -77,7 +86,7 @@ std::string why_anew(const Session& session, int start) {
 }  // namespace
 
 DrapeRun::DrapeRun(const DrapeInput& input, FrameSink* sink)
-    : input_(input), sink_(sink), frame_interval_(frame_interval_of(input)) {}
+    : given_(input), sink_(sink), frame_interval_(frame_interval_of(input)) {}
 
 Result<std::unique_ptr<DrapeRun>> DrapeRun::start(const DrapeInput& input, const RunContext& context,
                                                   FrameSink* sink) {
@@ -97,14 +106,23 @@ Result<std::unique_ptr<DrapeRun>> DrapeRun::resume(const DrapeInput& input, std:
 
 Status DrapeRun::restore(std::string_view checkpoint, const RunContext& context) {
   const GoTimer timer(result_);
-  DrapeStart start = TRY(prepare_start(input_, context));
-  RunState state = TRY(decode_checkpoint(checkpoint, input_hash(input_, start.placed)));
+  DrapeStart start = TRY(prepare_start(given_, context));
+  start_hash_ = input_hash(given_, start.placed);
+  RunState state = TRY(decode_checkpoint(checkpoint, start_hash_));
+  if (!state.left_out.empty()) {
+    if (state.left_out.size() != given_.pattern.panels.size()) return damaged_checkpoint();
+    DrapeInput reduced = without_panels(given_, start, state.left_out);
+    start = TRY(prepare_start(reduced, context));
+    reduce(std::move(state.left_out), std::move(reduced));
+  }
   if (state.session.dressed) begin_on_body(start);
   TRY(begin(std::move(start), state.session.dressed));
   TRY(session_->restore(std::move(state.session)));
   start_ = state.start;
   last_start_ = state.last_start;
   begun_anew_ = std::move(state.begun_anew);
+  if (state.tops.size() != input().pattern.panels.size()) return damaged_checkpoint();
+  tops_ = std::move(state.tops);
   result_.at_end = state.at_end;
   result_.worst = state.worst;
   result_.worst_frame_step = state.worst_frame_step;
@@ -119,35 +137,42 @@ Status DrapeRun::restore(std::string_view checkpoint, const RunContext& context)
 
 std::string DrapeRun::checkpoint() const {
   return encode_checkpoint(
-      start_hash_,
-      {session_->state(), result_.at_end, result_.worst, result_.worst_frame_step, result_.frames_checked,
-       result_.resumed, recorded_, start_, last_start_, begun_anew_, result_.cpu_s, result_.wall_s});
+      start_hash_, {session_->state(), result_.at_end, result_.worst, result_.worst_frame_step,
+                    result_.frames_checked, result_.resumed, recorded_, start_, last_start_, begun_anew_,
+                    tops_, left_out_, result_.cpu_s, result_.wall_s});
 }
 
 Status DrapeRun::prepare(const RunContext& context) {
   const GoTimer timer(result_);
-  DrapeStart start = TRY(prepare_start(input_, context));
-  const bool tried = dress_start(input_, start, context);
+  DrapeStart start = TRY(prepare_start(given_, context));
+  start_hash_ = input_hash(given_, start.placed);
+  FittedStart fitted = fit_start(given_, start, context);
   if (context.cancelled()) return Error{"cancelled", "Putting on was cancelled.", "", ErrorKind::kCancelled};
-  last_start_ = !may_put_on(input_, start) || (tried && !start.dressed);
+  if (fitted.reduced) reduce(std::move(fitted.left_out), std::move(*fitted.reduced));
+  last_start_ = fitted.last_start;
   if (start.dressed) start_ = start.dressed->start;
   const bool on_body = start.dressed.has_value();
   return begin(std::move(start), on_body);
 }
 
+void DrapeRun::reduce(std::vector<bool> left_out, DrapeInput reduced) {
+  left_out_ = std::move(left_out);
+  reduced_ = std::move(reduced);
+}
+
 Status DrapeRun::begin(DrapeStart start, bool on_body) {
   if (auto refused = preflight::first_error(start.findings)) return *refused;
-  start_hash_ = input_hash(input_, start.placed);
   result_.findings = std::move(start.findings);
-  const std::optional<double> ground = ground_under(input_, start, on_body);
+  const std::optional<double> ground = ground_under(input(), start, on_body);
   person_ = start.person;
   std::optional<std::vector<Vec3>> dressed;
   if (start.dressed) dressed = std::move(start.dressed->positions);
-  if (input_.settings.method == DrapeMethod::kPaper) {
-    session_ = PaperSession::start(input_, start.meshes, std::move(start.assembly), dressed, ground);
+  tops_ = tops_where_begun(start.placed, dressed ? *dressed : start.assembly.positions);
+  if (input().settings.method == DrapeMethod::kPaper) {
+    session_ = PaperSession::start(input(), start.meshes, std::move(start.assembly), dressed, ground);
     tell_left_out_by_paper();
   } else {
-    session_ = DrapeSession::start(input_, start.meshes, std::move(start.assembly), dressed, ground);
+    session_ = DrapeSession::start(input(), start.meshes, std::move(start.assembly), dressed, ground);
   }
   result_.garment = session_->garment();
   if (sink_) sink_->begin(result_.garment);
@@ -155,7 +180,7 @@ Status DrapeRun::begin(DrapeStart start, bool on_body) {
 }
 
 void DrapeRun::tell_left_out_by_paper() {
-  const std::string kinds = left_out_by_paper(input_);
+  const std::string kinds = left_out_by_paper(input());
   if (kinds.empty()) return;
   result_.findings.push_back(preflight::found(
       preflight::FindingKind::kMethodWithout,
@@ -168,7 +193,8 @@ bool DrapeRun::ends_badly() const {
   if (!session_->done()) return session_->lost_seams();
   const std::vector<OpenSeam> open = session_->open_seams();
   if (!open.empty() || session_->stop_reason()->kind == Stop::kNotFinite) return true;
-  const WornVerdict verdict = judge_worn(input_, person_, result_.garment, session_->positions(), open);
+  const WornVerdict verdict =
+      judge_worn(input(), person_, result_.garment, session_->positions(), tops_, open);
   const auto told = [&](preflight::FindingKind kind) {
     return std::any_of(verdict.findings.begin(), verdict.findings.end(),
                        [&](const preflight::Finding& f) { return f.kind == kind; });
@@ -180,16 +206,17 @@ bool DrapeRun::ends_badly() const {
 /// From the next start that is certified, where there is one, and only once; else it goes on as it is. What a
 /// cancel breaks off is done by the next go.
 void DrapeRun::begin_anew(const RunContext& context) {
-  auto start = prepare_start(input_, context);
+  auto start = prepare_start(input(), context);
   std::optional<PutOn> on;
-  if (start) on = put_on_after(start_, input_, *start, context);
+  if (start) on = put_on_after(start_, input(), *start, context).on;
   if (context.cancelled()) return;
   ended_badly_ = false;
   last_start_ = true;
   if (!on) return;
   begun_anew_ = why_anew(*session_, start_);
   start_ = on->start;
-  session_->begin_anew(on->positions, ground_under(input_, *start, true));
+  tops_ = tops_where_begun(start->placed, on->positions);
+  session_->begin_anew(on->positions, ground_under(input(), *start, true));
 }
 
 /// Shows a frame to the sink and counts its crossings.
@@ -242,7 +269,8 @@ DrapeResult DrapeRun::conclude() {
   result.max_speed = session_->max_speed();
   result.seam_gap_max = session_->seam_gap();
   result.open_seams = session_->open_seams();
-  WornVerdict verdict = judge_worn(input_, person_, result.garment, result.positions, result.open_seams);
+  WornVerdict verdict =
+      judge_worn(input(), person_, result.garment, result.positions, tops_, result.open_seams);
   result.worn = verdict.worn;
   std::move(verdict.findings.begin(), verdict.findings.end(), std::back_inserter(result.findings));
   if (!begun_anew_.empty())

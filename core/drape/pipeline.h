@@ -24,9 +24,10 @@ namespace toile::drape {
 /// drape might end before it was looked at a hundred times.
 class DrapeRun {
  public:
-  /// Meshes, places, checks, and records the first frame. `input` must outlive the run; so must `sink`, which
-  /// may be null. Progress phases: "mesh", "place". Errors: pattern.*, mesh.*, placement.*, start.* with the
-  /// piece or seam at fault; "cancelled" when the context was cancelled on the way.
+  /// Meshes, places, checks, and records the first frame. Pieces that cannot be put on are left out:
+  /// reduced() and input() tell. `input` must outlive the run; so must `sink`, which may be null. Progress
+  /// phases: "mesh", "place". Errors: pattern.*, mesh.*, placement.*, start.* with the piece or seam at
+  /// fault; "cancelled" when the context was cancelled on the way.
   static Result<std::unique_ptr<DrapeRun>> start(const DrapeInput& input, const RunContext& context,
                                                  FrameSink* sink);
 
@@ -48,6 +49,9 @@ class DrapeRun {
   /// frame if the newest step was not.
   DrapeResult conclude();
 
+  /// What is draped: the input, or that of it which could be put on (core/drape/fit_start.h).
+  const DrapeInput& input() const { return reduced_ ? *reduced_ : given_; }
+  bool reduced() const { return reduced_.has_value(); }
   const Session& session() const { return *session_; }
   /// Of the input and where its pieces stand (core/drape/input_hash.h): what a checkpoint belongs to.
   const std::string& start_hash() const { return start_hash_; }
@@ -56,6 +60,7 @@ class DrapeRun {
 
  private:
   DrapeRun(const DrapeInput& input, FrameSink* sink);
+  void reduce(std::vector<bool> left_out, DrapeInput reduced);
   Status begin(DrapeStart start, bool on_body);
   Status prepare(const RunContext& context);
   Status restore(std::string_view checkpoint, const RunContext& context);
@@ -64,7 +69,9 @@ class DrapeRun {
   void tell_left_out_by_paper();
   void record_frame();
 
-  const DrapeInput& input_;
+  const DrapeInput& given_;
+  std::optional<DrapeInput> reduced_;
+  std::vector<bool> left_out_;  ///< panels of what was given; empty where it is draped whole
   FrameSink* sink_;
   std::unique_ptr<Session> session_;
   std::optional<dressing::Person> person_;
@@ -73,15 +80,16 @@ class DrapeRun {
   int frame_interval_;  ///< steps
   int recorded_ = -1;   ///< step of the newest recorded frame
   int start_ = kSewnInPlace;
+  std::vector<double> tops_;  ///< m, of each panel where it began
   bool last_start_ = false;   ///< no other leads on
   bool ended_badly_ = false;  ///< another start is to be tried
   std::string begun_anew_;    ///< why the newest was; empty while it is the first
 };
 
-/// Drapes `input` in one go and returns the end, settled or not. `sink` may be null. Progress phases: "mesh",
-/// "place", "sew", "drape". A cancelled drape is no error: it returns what there is, stop_reason kCancelled;
-/// no positions when it had not begun. Errors: pattern.*, mesh.*, placement.*, start.* with the piece or seam
-/// at fault.
+/// Drapes `input` in one go, without what cannot be put on and returns the end, settled or not. `sink` may be
+/// null. Progress phases: "mesh", "place", "sew", "drape". A cancelled drape is no error: it returns what
+/// there is, stop_reason kCancelled; no positions when it had not begun. Errors: pattern.*, mesh.*,
+/// placement.*, start.* with the piece or seam at fault.
 Result<DrapeResult> drape(const DrapeInput& input, const RunContext& context, FrameSink* sink);
 
 }  // namespace toile::drape

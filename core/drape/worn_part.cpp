@@ -76,6 +76,7 @@ void tell_places(const mesh::PanelMeshes& meshes, const DrapeInput& input, std::
   for (LeftOut& piece : left_out) {
     const auto panel = std::find_if(input.pattern.panels.begin(), input.pattern.panels.end(),
                                     [&](const pattern::Panel& p) { return p.id == piece.id; });
+    if (panel == input.pattern.panels.end()) continue;  // left out before
     const auto p = static_cast<std::size_t>(panel - input.pattern.panels.begin());
     const auto first = static_cast<std::size_t>(placed->garment.first_vertex[p]);
     const auto end = static_cast<std::size_t>(placed->garment.first_vertex[p + 1]);
@@ -143,7 +144,7 @@ DrapeInput with_panels(const DrapeInput& input, const std::vector<Index>& kept) 
   for (std::size_t p = 0; p < input.pattern.panels.size(); ++p) {
     if (std::binary_search(kept.begin(), kept.end(), static_cast<Index>(p))) continue;
     const std::string& id = input.pattern.panels[p].id;
-    some.left_out.push_back({id, seams::words_of(id).layer, {}});
+    some.left_out.push_back({id, seams::words_of(id).layer, {}, false});
   }
   return some;
 }
@@ -170,12 +171,15 @@ std::vector<std::string> names_left_out(const DrapeInput& input) {
 }
 
 void tell_left_out(const DrapeInput& input, preflight::Findings& findings) {
+  const std::string loose =
+      "no seam holds this piece on, so that it is left out of the drape; sew it to the others, or attach it";
+  const std::string in_the_way =
+      "with this piece the garment could not be put on the body, so that it is left out of the drape; see to "
+      "its seams, and whether one is missing";
   for (const LeftOut& piece : input.left_out) {
-    preflight::Finding& told =
-        findings.emplace_back(preflight::found(preflight::FindingKind::kLeftOut,
-                                               "no seam holds this piece on, so that it is left out of the "
-                                               "drape; sew it to the others, or attach it",
-                                               {preflight::piece_named(piece.id)}, piece.place));
+    preflight::Finding& told = findings.emplace_back(
+        preflight::found(preflight::FindingKind::kLeftOut, piece.tried ? in_the_way : loose,
+                         {preflight::piece_named(piece.id)}, piece.place));
     if (piece.layer) told.severity = preflight::Severity::kNote;
   }
   preflight::sort_by_severity(findings);

@@ -26,7 +26,8 @@ void tell_left_out(const DrapeInput& input, preflight::Findings& findings);
 /// Ids of the pieces that were left out.
 std::vector<std::string> names_left_out(const DrapeInput& input);
 
-/// The input with these panels alone, `kept` rising, and what is told of them.
+/// The input with these panels alone, `kept` rising, and what is told of them. What is left out has no place
+/// yet.
 DrapeInput with_panels(const DrapeInput& input, const std::vector<Index>& kept);
 
 }  // namespace toile::drape

@@ -1,13 +1,18 @@
 #include "core/drape/worn_verdict.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "core/base/aabb.h"
+#include "core/base/disjoint_sets.h"
 #include "core/dressing/certificate.h"
 
 namespace toile::drape {
 
 namespace {
 
+/// m that what hangs together may come down by until its parts that are to carry it do.
+constexpr double kSlipped = 0.2;
 constexpr double kDropped = 0.01;  // m above the ankles: what lies under that all around has fallen
 
 preflight::Concerns pieces_of(const DrapeInput& input, const sewing::GarmentMesh& garment,
@@ -20,6 +25,35 @@ preflight::Concerns pieces_of(const DrapeInput& input, const sewing::GarmentMesh
   return pieces;
 }
 
+/// A design's own slit looks the same as a seam that nobody told: the person is to see to it.
+void tell_slit(const DrapeInput& input, const sewing::GarmentMesh& garment, const dressing::WornRing& ring,
+               std::span<const Vec3> x, WornVerdict& verdict) {
+  verdict.findings.push_back(preflight::found(
+      preflight::FindingKind::kSlit,
+      "an opening of " + preflight::length_text(ring.girth) +
+          " around has no part of the body in it; if it is none of the design's, sew its sides",
+      pieces_of(input, garment, ring.vertices), x[ring.vertices.front()]));
+  if (verdict.worn == Worn::kYes) verdict.worn = Worn::kPartly;
+}
+
+/// Sewn parts that came down from where they began, by their first panels: how far, m.
+std::vector<std::pair<Index, double>> slipped_parts(const sewing::GarmentMesh& garment,
+                                                    std::span<const double> tops,
+                                                    std::span<const double> tops_now) {
+  DisjointSets parts(tops.size());
+  for (const auto& [i, j] : garment.sewn) parts.join(garment.panel_of_vertex[i], garment.panel_of_vertex[j]);
+  std::vector<double> began(tops.size(), -1e9), now(tops.size(), -1e9);
+  for (std::size_t p = 0; p < tops.size(); ++p) {
+    const Index part = parts.root(static_cast<Index>(p));
+    began[part] = std::max(began[part], tops[p]);
+    now[part] = std::max(now[part], tops_now[p]);
+  }
+  std::vector<std::pair<Index, double>> slipped;
+  for (Index p = 0; p < static_cast<Index>(tops.size()); ++p)
+    if (parts.root(p) == p && began[p] - now[p] > kSlipped) slipped.emplace_back(p, began[p] - now[p]);
+  return slipped;
+}
+
 bool is_whole(const DrapeInput& input, const std::vector<OpenSeam>& open) {
   return open.empty() && std::all_of(input.left_out.begin(), input.left_out.end(),
                                      [](const LeftOut& piece) { return piece.layer; });
@@ -27,9 +61,19 @@ bool is_whole(const DrapeInput& input, const std::vector<OpenSeam>& open) {
 
 }  // namespace
 
+std::vector<double> tops_of(const sewing::GarmentMesh& garment, std::span<const Vec3> x) {
+  std::vector<double> tops;
+  for (std::size_t p = 0; p + 1 < garment.first_vertex.size(); ++p) {
+    const auto first = static_cast<std::size_t>(garment.first_vertex[p]);
+    const auto end = static_cast<std::size_t>(garment.first_vertex[p + 1]);
+    tops.push_back(bounding_box(x.subspan(first, end - first)).high.y);
+  }
+  return tops;
+}
+
 WornVerdict judge_worn(const DrapeInput& input, const std::optional<dressing::Person>& person,
                        const sewing::GarmentMesh& garment, std::span<const Vec3> x,
-                       const std::vector<OpenSeam>& open) {
+                       std::span<const double> tops, const std::vector<OpenSeam>& open) {
   WornVerdict verdict;
   if (!person || garment.sewn.empty() || x.empty()) return verdict;
   verdict.worn = is_whole(input, open) ? Worn::kYes : Worn::kPartly;
@@ -39,10 +83,17 @@ WornVerdict judge_worn(const DrapeInput& input, const std::optional<dressing::Pe
   };
   const dressing::Skeleton skeleton = dressing::skeleton_of(person->figure);
   for (const dressing::WornRing& ring : dressing::worn_rings(garment, x, skeleton)) {
+    if (ring.slit) tell_slit(input, garment, ring, x, verdict);
     if (ring.right) continue;
     add(preflight::FindingKind::kRingOff,
         "the ring of " + preflight::length_text(ring.girth) + " ended around no part of the body",
         pieces_of(input, garment, ring.vertices), x[ring.vertices.front()]);
+  }
+  for (const auto& [panel, by] : slipped_parts(garment, tops, tops_of(garment, x))) {
+    add(preflight::FindingKind::kSlipped,
+        "what hangs together here slipped " + preflight::length_text(by) +
+            " down from where it was put on; something to hold it up is missing, or it is too wide",
+        {preflight::piece_named(input.pattern.panels[panel].id)}, x[garment.first_vertex[panel]]);
   }
   const auto highest = std::max_element(x.begin(), x.end(), [](Vec3 a, Vec3 b) { return a.y < b.y; });
   if (highest->y < person->figure.leg[0].ankle.y + kDropped)

@@ -18,10 +18,14 @@ struct WornVerdict {
   preflight::Findings findings;  ///< why not
 };
 
-/// Rings around limbs, not all on the ground, no seam among `open`, and no piece missing but linings, facings
-/// and pockets. `x`: m, one a garment vertex.
+/// The height of the highest vertex of each panel, m.
+std::vector<double> tops_of(const sewing::GarmentMesh& garment, std::span<const Vec3> x);
+
+/// Rings around limbs, nothing that has slipped far down from where it began, not all on the ground, no seam
+/// among `open`, and no piece missing but linings, facings and pockets. `x`: m, one a garment vertex; `tops`:
+/// tops_of() where the garment began.
 WornVerdict judge_worn(const DrapeInput& input, const std::optional<dressing::Person>& person,
                        const sewing::GarmentMesh& garment, std::span<const Vec3> x,
-                       const std::vector<OpenSeam>& open);
+                       std::span<const double> tops, const std::vector<OpenSeam>& open);
 
 }  // namespace toile::drape

@@ -1,6 +1,8 @@
 #include "core/dressing/certificate.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "core/dressing/clearance.h"
 #include "core/sewing/rings.h"
@@ -15,6 +17,9 @@ constexpr double kMostStretch = 0.35;  // p99 that the drape can still take back
 constexpr double kNearBody = 0.06;     // m
 constexpr double kMostlyOut = 0.6;
 constexpr double kOffGround = 2e-3;  // m
+/// Cloth around the end of a slit: a whole turn, less what points of pieces leave out. Hems, cuffs, necklines
+/// and armholes have no such point.
+constexpr double kAroundEnd = 1.6 * std::numbers::pi;
 
 double flat_length(const sewing::GarmentMesh& g, const std::vector<Index>& ring) {
   // Border edges by their classes: a ring's edge has one triangle.
@@ -40,6 +45,18 @@ double flat_length(const sewing::GarmentMesh& g, const std::vector<Index>& ring)
   return sum;
 }
 
+/// Radians of cloth around each class of vertices.
+std::vector<double> cloth_angles(const sewing::GarmentMesh& g) {
+  std::vector<double> angles(g.weld.size(), 0);
+  for (const Tri& t : g.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec2 a = g.rest[t[(k + 1) % 3]] - g.rest[t[k]], b = g.rest[t[(k + 2) % 3]] - g.rest[t[k]];
+      angles[g.weld[t[k]]] += std::abs(std::atan2(cross(a, b), dot(a, b)));
+    }
+  }
+  return angles;
+}
+
 }  // namespace
 
 int Certificate::wrong_rings() const {
@@ -55,16 +72,20 @@ bool Certificate::holds() const {
 std::vector<WornRing> worn_rings(const sewing::GarmentMesh& garment, std::span<const Vec3> x,
                                  const Skeleton& skeleton) {
   std::vector<WornRing> rings;
+  const std::vector<double> angles = cloth_angles(garment);
   for (std::vector<Index>& vertices : sewing::rings_of(garment)) {
-    WornRing ring{std::move(vertices), 0, {}, true};
+    WornRing ring{std::move(vertices), 0, {}, false, true};
     ring.girth = flat_length(garment, ring.vertices);
     if (ring.girth < kLeastRing) continue;
     std::vector<Vec3> line;
     line.reserve(ring.vertices.size());
     for (const Index v : ring.vertices) line.push_back(x[v]);
     const std::optional<Enclosure> around = enclosed_by(line, skeleton);
-    ring.right = around && !around->nothing() && around->simple();
     if (around) ring.around = *around;
+    ring.slit = around && around->nothing() &&
+                std::any_of(ring.vertices.begin(), ring.vertices.end(),
+                            [&](Index v) { return angles[v] > kAroundEnd; });
+    ring.right = ring.slit || (around && !around->nothing() && around->simple());
     rings.push_back(std::move(ring));
   }
   return rings;

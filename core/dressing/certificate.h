@@ -16,7 +16,8 @@ struct WornRing {
   std::vector<Index> vertices;  ///< least of their classes, in order
   double girth = 0;             ///< m, of the flat cloth
   Enclosure around;
-  bool right = false;
+  bool slit = false;   ///< around nothing, and cloth goes all around one of its ends: a seam may be missing
+  bool right = false;  ///< around limbs, each once, or a slit
 };
 
 struct Certificate {

@@ -1,7 +1,11 @@
 #include "core/dressing/put_on.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
+#include <set>
+
+#include "core/collision/crossings.h"
 
 namespace toile::dressing {
 
@@ -9,6 +13,9 @@ namespace {
 
 /// Cloth that keeps less of its size than this leaves takes long to unfold: another way may do better.
 constexpr double kSqueezed = 0.4;  // as Certificate::shrink_p99
+
+/// Share of the worst panel's crossings from which on another is at fault as well.
+constexpr double kCrossesMost = 0.5;
 
 /// Where a flat point lies in a triangle, as weights of its corners; how far outside at worst (0: inside).
 struct FlatPlace {
@@ -23,6 +30,45 @@ FlatPlace place_in(const sewing::GarmentMesh& g, const Tri& t, Vec2 p) {
   FlatPlace place{{cross(b - p, c - p) / area, cross(c - p, a - p) / area, cross(a - p, b - p) / area}, 0};
   for (const double s : place.share) place.outside = std::max(place.outside, -s);
   return place;
+}
+
+Shortfall shortfall_of(const Certificate& c) { return {c.wrong_rings(), c.crossings.all()}; }
+
+/// How many triangles of each panel cross something.
+std::vector<int> crossing_triangles(const sewing::GarmentMesh& g, const Wearer& wearer,
+                                    std::span<const Vec3> x) {
+  std::vector<int> count(g.first_vertex.size() - 1, 0);
+  const collision::Surface surface = collision::make_surface(g.triangles, g.vertex_count(), g.weld);
+  for (const auto& pair : collision::body_crossings(surface, x, wearer.crossing()))
+    ++count[g.panel_of_triangle[pair[0]]];
+  for (const auto& pair : collision::self_crossings(surface, x))
+    for (const Index t : pair) ++count[g.panel_of_triangle[t]];
+  return count;
+}
+
+/// Panels with wrong rings; where all are right, those that cross most.
+std::set<Index> in_the_way(const sewing::GarmentMesh& g, const Wearer& wearer, const Dressed& failed) {
+  std::set<Index> panels;
+  for (const WornRing& ring : failed.certificate.rings)
+    for (const Index v : ring.vertices)
+      if (!ring.right) panels.insert(g.panel_of_vertex[v]);
+  if (!panels.empty()) return panels;
+  const std::vector<int> count = crossing_triangles(g, wearer, failed.positions);
+  const int most = *std::max_element(count.begin(), count.end());
+  for (std::size_t p = 0; most > 0 && p < count.size(); ++p)
+    if (count[p] >= kCrossesMost * most) panels.insert(static_cast<Index>(p));
+  return panels;
+}
+
+/// A garment is more without a sleeve than without its back: pieces for the trunk are at fault only where no
+/// others are.
+std::vector<Index> at_fault(const sewing::Assembly& assembly, const Wearer& wearer, const Dressed& failed) {
+  const std::set<Index> panels = in_the_way(assembly.garment, wearer, failed);
+  const std::vector<Covers> covers = covers_of(assembly, wearer.figure());
+  std::vector<Index> others;
+  for (const Index p : panels)
+    if (covers[static_cast<std::size_t>(p)] != Covers::kTrunk) others.push_back(p);
+  return others.empty() ? std::vector<Index>(panels.begin(), panels.end()) : others;
 }
 
 }  // namespace
@@ -55,26 +101,35 @@ std::vector<Vec3> carried_over(const sewing::GarmentMesh& fine, const sewing::Ga
   return x;
 }
 
-std::optional<Dressed> put_on(const sewing::Assembly& fine, const sewing::Assembly& coarse,
-                              const Wearer& wearer, const RunContext& context, std::size_t first) {
-  std::optional<Dressed> best;  // the least squeezed
+TriedOn put_on(const sewing::Assembly& fine, const sewing::Assembly& coarse, const Wearer& wearer,
+               const RunContext& context, std::size_t first) {
+  TriedOn tried;
+  std::optional<Dressed> nearest;
   for (std::size_t number = first; number < dressing_ways().size(); ++number) {
-    if (context.cancelled()) return std::nullopt;
+    if (context.cancelled()) return {};
     Dressed dressed = dress(coarse, wearer, dressing_ways()[number], context);
     dressed.number = number;
-    if (!dressed.certificate.holds()) continue;
+    if (!dressed.certificate.holds()) {
+      if (!nearest || shortfall_of(dressed.certificate) < shortfall_of(nearest->certificate))
+        nearest = std::move(dressed);
+      continue;
+    }
     const double squeezed = dressed.certificate.shrink_p99;
-    if (best && squeezed >= best->certificate.shrink_p99) continue;
+    if (tried.on && squeezed >= tried.on->certificate.shrink_p99) continue;
     if (&fine != &coarse) {
       dressed.positions = carried_over(fine.garment, coarse.garment, dressed.positions);
       finish(fine, wearer, dressed);
     }
     if (!dressed.certificate.holds()) continue;
-    best = std::move(dressed);
-    best->certificate.shrink_p99 = squeezed;
+    tried.on = std::move(dressed);
+    tried.on->certificate.shrink_p99 = squeezed;
     if (squeezed < kSqueezed) break;
   }
-  return best;
+  if (tried.on || !nearest) return tried;
+  tried.nearest = nearest->number;
+  tried.shortfall = shortfall_of(nearest->certificate);
+  tried.at_fault = at_fault(coarse, wearer, *nearest);
+  return tried;
 }
 
 }  // namespace toile::dressing

@@ -1,20 +1,36 @@
 #pragma once
 // Tries the ways to put a garment on until one is certified.
 
+#include <compare>
 #include <optional>
+#include <vector>
 
 #include "core/base/run_context.h"
 #include "core/dressing/dress.h"
 
 namespace toile::dressing {
 
+/// How far a try was from its certificate: rings first, since no untangling puts them right.
+struct Shortfall {
+  int rings = 0, crossings = 0;
+  friend auto operator<=>(const Shortfall&, const Shortfall&) = default;
+};
+
+/// What became of the tries.
+struct TriedOn {
+  std::optional<Dressed> on;    ///< certified
+  std::size_t nearest = 0;      ///< where none was: number of the way that came nearest
+  Shortfall shortfall;          ///< by how much it did not
+  std::vector<Index> at_fault;  ///< and the panels that kept it from being certified, rising
+};
+
 /// Tries each way on `coarse`, and carries the first that is certified there and not badly squeezed, else the
 /// least squeezed, over to `fine`, where it must be certified again: `positions` are those of `fine`. Both
 /// are of one pattern, placed and sewn alike; they may be the same. The ways before `first`, an index into
-/// dressing_ways(), are passed over. Nothing where no way leads there, or where the context was cancelled.
-/// Progress phase: "dress".
-std::optional<Dressed> put_on(const sewing::Assembly& fine, const sewing::Assembly& coarse,
-                              const Wearer& wearer, const RunContext& context, std::size_t first = 0);
+/// dressing_ways(), are passed over. Nothing is on where no way leads there, or where the context was
+/// cancelled. Progress phase: "dress".
+TriedOn put_on(const sewing::Assembly& fine, const sewing::Assembly& coarse, const Wearer& wearer,
+               const RunContext& context, std::size_t first = 0);
 
 /// The shape of `coarse` at the vertices of another mesh of the same pattern, by where they lie in the flat
 /// pieces; sewn vertices together. m.

@@ -38,6 +38,8 @@ constexpr std::array<FindingTraits, kFindingKindCount> kTable{{
     {kRingOnWrongLimb, "ring.wrong_limb", kWarning, kWarning, kPlacement, false},
     {kLeftOut, "piece.left_out", kWarning, kWarning, kPattern, false},
     {kRingOff, "worn.ring_off", kWarning, kWarning, kPlacement, false},
+    {kSlit, "worn.slit", kWarning, kWarning, kPattern, false},
+    {kSlipped, "worn.slipped", kWarning, kWarning, kPattern, false},
     {kOnGround, "worn.on_ground", kWarning, kWarning, kPlacement, false},
     {kBegunAnew, "start.begun_anew", kNote, kNote, kPlacement, false},
     {kMethodWithout, "method.without", kWarning, kWarning, kPattern, false},

@@ -45,6 +45,8 @@ enum class FindingKind : std::uint8_t {
   kRingOnWrongLimb,
   kLeftOut,
   kRingOff,
+  kSlit,
+  kSlipped,
   kOnGround,
   kBegunAnew,
   kMethodWithout,

@@ -5,7 +5,7 @@
 #include "core/arrange/arrange.h"
 #include "core/base/units.h"
 #include "core/base/write_file.h"
-#include "core/drape/drape_start.h"
+#include "core/drape/fit_start.h"
 #include "core/drape/worn_part.h"
 #include "core/json/tree.h"
 #include "core/project/create/places.h"
@@ -43,7 +43,7 @@ std::optional<Error> still_refused(const arrange::Arrangement& made, drape::Drap
   const drape::DrapeInput worn = drape::worn_part(input);
   Result<drape::DrapeStart> start = drape::prepare_start(worn, {});
   if (!start) return start.error();
-  drape::dress_start(worn, *start, {});
+  drape::fit_start(worn, *start, {});
   return preflight::first_error(start->findings);
 }
 

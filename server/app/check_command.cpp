@@ -5,6 +5,7 @@
 #include "core/base/aabb.h"
 #include "core/base/text.h"
 #include "core/base/units.h"
+#include "core/drape/fit_start.h"
 #include "core/drape/pipeline.h"
 #include "core/drape/worn_part.h"
 #include "core/json/tree.h"
@@ -130,7 +131,7 @@ ExitCode check_command(const CheckOptions& options) {
   const drape::DrapeInput worn = drape::worn_part(input);
   Result<drape::DrapeStart> start = drape::prepare_start(worn, {});
   if (!start) return fail(start.error(), options.json);
-  if (preflight::first_error(start->findings)) drape::dress_start(worn, *start, {});
+  if (preflight::first_error(start->findings)) drape::fit_start(worn, *start, {});
   if (options.json) {
     std::printf("%s", json::write_json(project_json(input, start->findings)).c_str());
   } else {

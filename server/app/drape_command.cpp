@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <system_error>
 
@@ -81,42 +82,55 @@ Status deliver(const drape::DrapeInput& input, const drape::DrapeResult& result,
   return {};
 }
 
+/// The trace that the options ask for; null where they ask for none.
+Result<std::unique_ptr<proto::TraceWriter>> open_trace(const DrapeOptions& options) {
+  if (options.trace.empty()) return std::unique_ptr<proto::TraceWriter>();
+  return proto::TraceWriter::open(options.trace, options.trace_every);
+}
+
+/// Drapes in one go. What cannot be put on is left out of `input`, too. No positions where it was cancelled
+/// before there was any cloth.
+Result<drape::DrapeResult> drape_of(drape::DrapeInput& input, proto::TraceWriter* trace) {
+  ProgressBar bar;
+  RunContext context;
+  context.cancel = &cancel_on_interrupt();
+  context.on_progress = [&](const Progress& progress) { bar.show(progress); };
+  Result<std::unique_ptr<drape::DrapeRun>> run = drape::DrapeRun::start(input, context, trace);
+  if (run) (*run)->advance(std::numeric_limits<int>::max(), context);
+  bar.clear();
+  if (!run && run.error().kind == ErrorKind::kCancelled) return drape::DrapeResult{};
+  if (!run) return run.error();
+  drape::DrapeResult result = (*run)->conclude();
+  if ((*run)->reduced()) input = drape::DrapeInput((*run)->input());
+  return result;
+}
+
 }  // namespace
 
 ExitCode drape_command(const DrapeOptions& options) {
   Result<resolve::ResolvedProject> read = resolve::read_project(options.project, own_mesh_importer());
   if (!read) return fail(read.error(), options.json);
   read->input = drape::worn_part(std::move(read->input));
-  const drape::DrapeInput& input = read->input;
-  const Result<image::Textures> textures = resolve::read_textures(*read);
-  if (!textures) return fail(textures.error(), options.json);
+  if (const auto textures = resolve::read_textures(*read); !textures)
+    return fail(textures.error(), options.json);  // before the time of a drape is spent
   if (Status folder = make_folder(options.out); !folder) return fail(folder.error(), options.json);
-  std::unique_ptr<proto::TraceWriter> trace;
-  if (!options.trace.empty()) {
-    Result<std::unique_ptr<proto::TraceWriter>> opened =
-        proto::TraceWriter::open(options.trace, options.trace_every);
-    if (!opened) return fail(opened.error(), options.json);
-    trace = std::move(*opened);
-  }
+  const Result<std::unique_ptr<proto::TraceWriter>> trace = open_trace(options);
+  if (!trace) return fail(trace.error(), options.json);
 
-  ProgressBar bar;
-  RunContext context;
-  context.cancel = &cancel_on_interrupt();
-  context.on_progress = [&](const Progress& progress) { bar.show(progress); };
-  const Result<drape::DrapeResult> result = drape::drape(input, context, trace.get());
-  bar.clear();
+  const Result<drape::DrapeResult> result = drape_of(read->input, trace->get());
   if (!result) return fail(result.error(), options.json);
-  if (trace) {
-    if (Status traced = trace->finish(); !traced) return fail(traced.error(), options.json);
+  if (*trace) {
+    if (Status traced = (*trace)->finish(); !traced) return fail(traced.error(), options.json);
   }
-  if (result->positions.empty()) {  // cancelled before there was any cloth
+  if (result->positions.empty()) {
     print_error({"cancelled", "nothing was draped yet, and nothing is written", "", ErrorKind::kCancelled},
                 options.json);
     return kCancelled;
   }
-  if (Status delivered = deliver(input, *result, *textures, options); !delivered) {
+  const Result<image::Textures> textures = resolve::read_textures(*read);  // of what was draped
+  if (!textures) return fail(textures.error(), options.json);
+  if (Status delivered = deliver(read->input, *result, *textures, options); !delivered)
     return fail(delivered.error(), options.json);
-  }
   return exit_code_of(*result);
 }
 

@@ -365,8 +365,10 @@ CLI::App* add_project_new(CLI::App& project, ProjectNewOptions& options) {
   verb->add_option("--body", options.body, "Mesh of the body")->required();
   verb->add_option("-o,--out", options.out, "Project document to write; the files that it names go beside it")
       ->required();
-  verb->add_option("--accept-seams", options.accept_seams,
-                   "Take the seams proposed with this confidence or more (default: take none)")
+  verb->add_option(
+          "--accept-seams", options.accept_seams,
+          "Take the seams proposed with this confidence or more, and likely ones (0.5) of pieces that\n"
+          "nothing surer holds on (default: take none)")
       ->check(CLI::Range(0.0, 1.0));
   verb->add_flag("--json", options.json, "Print as JSON");
   verb->footer(

@@ -55,9 +55,9 @@ std::string side_text(const std::vector<project::ProjectSeamEdge>& side) {
 }
 
 void print_json(const create::NewProject& made, const ProjectNewOptions& options) {
-  std::vector<json::JsonValue> proposals, notes;
+  std::vector<json::JsonValue> proposals, notes, told = create::seams_json(made);
   for (std::size_t i = 0; i < made.proposals.size(); ++i) {
-    json::JsonValue proposal = create::proposal_json(made.pattern, made.proposals[i]);
+    json::JsonValue proposal = std::move(told[i]);
     std::get<std::vector<json::JsonMember>>(proposal.data).push_back({"accepted", bool{made.accepted[i]}});
     proposals.push_back(std::move(proposal));
   }

@@ -9,9 +9,7 @@
 namespace toile::documents {
 
 std::string proposals_json(const pattern::Pattern& pattern) {
-  std::vector<json::JsonValue> proposals;
-  for (const seams::SeamProposal& proposal : seams::propose_seams(pattern))
-    proposals.push_back(create::proposal_json(pattern, proposal));
+  std::vector<json::JsonValue> proposals = create::proposals_json(pattern, seams::propose_seams(pattern));
   return json::write_json_line(std::vector<json::JsonMember>{{"proposals", std::move(proposals)}}) + "\n";
 }
 

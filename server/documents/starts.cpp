@@ -8,6 +8,7 @@
 
 #include "core/base/aabb.h"
 #include "core/base/units.h"
+#include "core/drape/fit_start.h"
 #include "core/drape/pipeline.h"
 #include "core/drape/worn_part.h"
 #include "core/project/project.h"
@@ -84,7 +85,7 @@ Result<StartView> make_view(Documents& documents, const store::RequestContext& c
   run.cancel = context.given_up.get();
   const drape::DrapeInput worn = drape::worn_part(input);
   drape::DrapeStart start = TRY(drape::prepare_start(worn, run));
-  if (preflight::first_error(start.findings)) drape::dress_start(worn, start, run);
+  if (preflight::first_error(start.findings)) drape::fit_start(worn, start, run);
   if (run.cancelled())  // then it may have been left half dressed, which nobody must keep
     return Error{"cancelled", "nobody waits for the start any more", "", ErrorKind::kCancelled};
   if (worn.left_out.empty())

@@ -132,14 +132,14 @@ RunContext JobRun::context_of(const RunControl& control) {
 
 Status JobRun::begin(const RunControl& control) {
   tell(control, "mesh", 0);
-  if (!input_) {
+  if (!whole_) {
     const store::JobRow row = TRY(place_.documents->store().job(context_, job_id_));
     worked_s_ = static_cast<double>(row.worked_ms) / 1000;
     drape::DrapeInput input = TRY(drape_input_of(*place_.documents, context_, row.document, row.files));
-    input_ = std::make_shared<const drape::DrapeInput>(std::move(input));
+    whole_ = std::make_shared<const drape::DrapeInput>(std::move(input));
   }
-  if (input_->settings.method == drape::DrapeMethod::kPaper) {
-    const double steps = paper::kFrameTime / input_->settings.paper.time_step;
+  if (whole_->settings.method == drape::DrapeMethod::kPaper) {
+    const double steps = paper::kFrameTime / whole_->settings.paper.time_step;
     place_.stream_interval = std::max(1, static_cast<int>(steps));
   }
   RunContext context = context_of(control);
@@ -149,6 +149,7 @@ Status JobRun::begin(const RunControl& control) {
   };
   std::unique_ptr<drape::DrapeRun> run = TRY(start_or_resume(context));
   run_ = std::move(run);
+  input_ = run_->reduced() ? std::make_shared<const drape::DrapeInput>(run_->input()) : whole_;
   const drape::Session& session = run_->session();
   progress_.first_step = checkpoint_step_ = session.steps();
   next_checkpoint_ = later(place_.checkpoint_every);
@@ -161,11 +162,11 @@ Status JobRun::begin(const RunControl& control) {
 /// would have saved and nothing else.
 Result<std::unique_ptr<drape::DrapeRun>> JobRun::start_or_resume(const RunContext& context) {
   if (const auto kept = place_.documents->store().checkpoint(context_, job_id_)) {
-    auto run = drape::DrapeRun::resume(*input_, kept->bytes, context, nullptr);
+    auto run = drape::DrapeRun::resume(*whole_, kept->bytes, context, nullptr);
     if (run || run.error().kind != ErrorKind::kSystem) return run;
     context_.log.warn("checkpoint of no use; the drape starts anew", run.error());
   }
-  return drape::DrapeRun::start(*input_, context, nullptr);
+  return drape::DrapeRun::start(*whole_, context, nullptr);
 }
 
 /// A store that takes none (its disk is full) is no reason to stop. Keeping takes at most a twentieth of the

@@ -91,7 +91,8 @@ class JobRun {
   std::string job_id_;
   std::uint32_t epoch_;
 
-  std::shared_ptr<const drape::DrapeInput> input_;  ///< pictures may outlive the run
+  std::shared_ptr<const drape::DrapeInput> whole_;  ///< what was asked for; the run refers to it
+  std::shared_ptr<const drape::DrapeInput> input_;  ///< what is draped of it; pictures may outlive the run
   std::unique_ptr<drape::DrapeRun> run_;            ///< until the drape is done
   std::optional<JobStream> stream_;
   std::shared_ptr<const drape::DrapeResult> result_;  ///< from then on

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/base/stopwatch.h"
+#include "core/pattern/seams/accept.h"
 #include "core/project/create/create.h"
 #include "tests/core/pattern/seams/seam_score.h"
 
@@ -31,6 +32,7 @@ struct CalibrationBin {
 };
 
 struct BenchTotal {
+  int worn = 0, worn_right = 0;  ///< seams that a garment takes to be worn (core/pattern/seams/accept.h)
   test::SeamScore score;
   std::array<CalibrationBin, 10> bins;
   double seconds = 0;
@@ -111,6 +113,11 @@ Status bench_one(const fs::path& file, const BenchOptions& options, std::ofstrea
     table << settings.name << '\t' << made.proposals[i].confidence << '\t' << right[i] << '\t'
           << test::points_of(made.pattern, made.proposals[i].seam).name << '\n';
   count_bins(made.proposals, right, total);
+  const std::vector<bool> worn = seams::sewn_to_wear(made.pattern, made.proposals, kSure);
+  for (std::size_t i = 0; i < right.size(); ++i) {
+    total.worn += worn[i];
+    total.worn_right += worn[i] && right[i];
+  }
   total.score.add(score);
   total.seconds += seconds;
   return {};
@@ -120,6 +127,7 @@ void print_total(const BenchTotal& total) {
   std::printf("together: seams %d proposed %d right %d found %d precision %.3f recall %.3f, %.1f s\n",
               total.score.known, total.score.proposed, total.score.right, total.score.found,
               total.score.precision(), total.score.recall(), total.seconds);
+  std::printf("to be worn: sewn %d right %d\n", total.worn, total.worn_right);
   std::printf("told at      count  mean told  share right\n");
   for (std::size_t k = 0; k < total.bins.size(); ++k) {
     const CalibrationBin& bin = total.bins[k];

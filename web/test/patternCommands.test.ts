@@ -133,7 +133,7 @@ describe('sewing', () => {
   });
 
   it('takes the ticked proposals as one step, the sure ones being ticked', async () => {
-    const of = (id: string, confidence: number) => ({ ...seamOf(id, ['a', 'e0'], ['b', 'e2']), confidence });
+    const of = (id: string, confidence: number) => ({ ...seamOf(id, ['a', 'e0'], ['b', 'e2']), confidence, to_wear: confidence >= 0.8 });
     const { commands, sent, state } = begin({ proposals: async () => [of('seam0', 0.93), of('seam1', 0.4)] });
     await commands.propose();
     expect([...state.editing.chosen.value]).toEqual(['seam0']);

@@ -54,6 +54,10 @@ describe('a report in words', () => {
     ];
     expect(line('Worn', { worn: 'partly', findings })).toMatchObject({ sentence: 'It is on, but for sleeve.' });
     const off: Report['findings'][number] = { code: 'worn.ring_off', severity: 'warning', message: 'a ring is off', where: '', about: [], place: [0, 0, 0], repaired: false };
+    const slit: Report['findings'][number] = { ...off, code: 'worn.slit', message: 'an opening' };
+    expect(line('Worn', { worn: 'partly', findings: [slit] })).toMatchObject({
+      sentence: 'It is on, but for an opening with nothing in it.',
+    });
     expect(line('Worn', { worn: 'no', findings: [off] })).toMatchObject({ value: 'No', sentence: 'a ring is off.' });
     expect(reportLines({ ...report, worn: undefined }).some((one) => one.label === 'Worn')).toBe(false);
   });

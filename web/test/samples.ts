@@ -73,8 +73,8 @@ export const importOf = (more: Partial<Import> = {}): Import => ({
     importedPiece('torn', { fault: { code: 'x', message: '', where: '' } }),
   ],
   seams: [
-    { ...seamOf('seam0', ['front', 'e0'], ['sleeve', 'e1']), confidence: 0.95 },
-    { ...seamOf('seam1', ['front', 'e2'], ['sleeve_mirrored', 'e1']), confidence: 0.5 },
+    { ...seamOf('seam0', ['front', 'e0'], ['sleeve', 'e1']), confidence: 0.95, to_wear: true },
+    { ...seamOf('seam1', ['front', 'e2'], ['sleeve_mirrored', 'e1']), confidence: 0.5, to_wear: false },
   ],
   report: {
     counts: { records: 20, structure: 4, elsewhere: 1, vertices: 9, entities: 6, kept: 3, converted: 2, dropped: 1 },

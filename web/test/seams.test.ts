@@ -15,6 +15,7 @@ import {
   seamsOfEdge,
   seriesText,
   sewnTogether,
+  toWear,
   ticked,
   withEdge,
 } from '../src/state/seamView';
@@ -115,6 +116,7 @@ describe('proposals', () => {
   const of = (id: string, a: [string, string], b: [string, string], confidence: number) => ({
     ...seamOf(id, a, b),
     confidence,
+    to_wear: confidence >= 0.9,
   });
   const all = [
     of('s0', ['a', 'e0'], ['b', 'e0'], 0.9),
@@ -125,6 +127,7 @@ describe('proposals', () => {
   it('that want the same edge are not ticked together', () => {
     expect([...sewnTogether(all, 0.8)]).toEqual(['s0']);
     expect([...sewnTogether(all, 0)]).toEqual(['s0', 's2']);
+    expect([...toWear(all)]).toEqual(['s0']);
     expect([...ticked(all, new Set(['s0', 's2']), 's1', true)]).toEqual(['s1']);
     expect([...ticked(all, new Set(['s0']), 's0', false)]).toEqual([]);
   });

@@ -60,8 +60,8 @@ bool is_closed(const pattern::Panel& panel, std::size_t first) {
   if (tip < kWeights.least_deg || tip > (waist ? kWeights.most_up_deg : kWeights.most_deg)) return false;
   const double mouth =
       corner_angle(edges[(first + n - 1) % n], in) + corner_angle(out, edges[(first + 2) % n]);
-  if (std::abs(mouth - 180) > kWeights.mouth_deg) return false;
-  return true;
+  const bool straight = waist && std::abs(mouth - 180 - tip) < kWeights.straight_mouth_deg;
+  return straight || std::abs(mouth - 180) < kWeights.mouth_deg;
 }
 
 /// Lengths of the sides of what is let into other pieces, mm.

@@ -10,6 +10,7 @@
 
 #include "core/geometry/polygon2.h"
 #include "core/pattern/curve.h"
+#include "core/pattern/seams/accept.h"
 #include "core/pattern/seams/confidence.h"
 #include "core/pattern/seams/lines.h"
 #include "core/pattern/seams/search.h"
@@ -276,25 +277,6 @@ std::vector<SeamProposal> propose_seams(const pattern::Pattern& pattern, const P
     while (ids.contains(p.seam.id));
   }
   return proposals;
-}
-
-std::vector<bool> sewn_together(std::span<const SeamProposal> proposals, double least_confidence) {
-  constexpr double kTouching = 1e-6;  // of an edge's length: parts that meet share nothing
-  std::vector<pattern::SeamEdge> taken;
-  const auto is_taken = [&](const pattern::SeamEdge& e) {
-    return std::any_of(taken.begin(), taken.end(), [&](const pattern::SeamEdge& t) {
-      return t.panel == e.panel && t.edge == e.edge &&
-             std::min(t.to, e.to) - std::max(t.from, e.from) > kTouching;
-    });
-  };
-  std::vector<bool> sewn;
-  for (const SeamProposal& p : proposals) {
-    std::vector<pattern::SeamEdge> edges = p.seam.a;
-    edges.insert(edges.end(), p.seam.b.begin(), p.seam.b.end());
-    sewn.push_back(p.confidence >= least_confidence && std::none_of(edges.begin(), edges.end(), is_taken));
-    if (sewn.back()) taken.insert(taken.end(), edges.begin(), edges.end());
-  }
-  return sewn;
 }
 
 }  // namespace toile::seams

@@ -42,8 +42,4 @@ std::vector<SeamProposal> propose_seams(const pattern::Pattern& pattern,
                                         const ProposalSettings& settings = {},
                                         const RunContext& context = {});
 
-/// Which of `proposals`, surest first, can be sewn together: those of at least this confidence that want no
-/// part of an edge that a surer one has taken. Proposals may be each other's alternatives.
-std::vector<bool> sewn_together(std::span<const SeamProposal> proposals, double least_confidence);
-
 }  // namespace toile::seams

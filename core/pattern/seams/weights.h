@@ -206,14 +206,15 @@ struct CutWeights {
 
 /// Which corners of a piece are darts that are closed before anything is sewn.
 struct DartWeights {
-  double legs = 0.04;       ///< share that the legs may differ by
-  double least_deg = 0.5;   ///< width of the tip, at least …
-  double most_deg = 30;     ///< … and at most; wider ones may be meant for another piece, …
-  double most_up_deg = 55;  ///< … but for those of waists
-  double mouth_deg = 25;    ///< that the outline may bend by across the closed mouth
-  double smooth_deg = 3;    ///< that an outline may bend by where an edge goes on
-  double halves = 0.005;    ///< but not between edges that differ by less than this share
-  double top = 0.5;         ///< mouths of skirts, legs and sleeves that face up less are slits
+  double legs = 0.04;             ///< share that the legs may differ by
+  double least_deg = 0.5;         ///< width of the tip, at least …
+  double most_deg = 30;           ///< … and at most; wider ones may be meant for another piece, …
+  double most_up_deg = 55;        ///< … but for those of waists
+  double mouth_deg = 25;          ///< that the outline may bend by across the closed mouth, …
+  double straight_mouth_deg = 8;  ///< … or across the open one, of waists: programs cut them straight
+  double smooth_deg = 3;          ///< that an outline may bend by where an edge goes on
+  double halves = 0.005;          ///< but not between edges that differ by less than this share
+  double top = 0.5;               ///< mouths of skirts, legs and sleeves that face up less are slits
 };
 
 /// How sure a proposal is, from its margin: what the best garment without the seam would lose.

@@ -10,6 +10,7 @@
 #include "core/base/units.h"
 #include "core/pattern/curve.h"
 #include "core/pattern/garmentcode/read.h"
+#include "core/pattern/seams/accept.h"
 #include "core/pattern/seams/check.h"
 #include "core/pattern/seams/piece_words.h"
 #include "core/pattern/validate.h"
@@ -177,7 +178,8 @@ Status sew(const seams::ProposalSettings& sides, const NewProjectSettings& setti
   if (context.cancelled())
     return Error{"cancelled", "the search for seams was cancelled", "", ErrorKind::kCancelled};
   made.accepted.assign(made.proposals.size(), false);
-  if (settings.accept_seams) made.accepted = seams::sewn_together(made.proposals, *settings.accept_seams);
+  if (settings.accept_seams)
+    made.accepted = seams::sewn_to_wear(made.pattern, made.proposals, *settings.accept_seams);
   for (std::size_t i = 0; i < made.proposals.size(); ++i)
     if (made.accepted[i]) made.pattern.seams.push_back(made.proposals[i].seam);
   return {};
@@ -211,11 +213,13 @@ bool is_specification(std::string_view text) {
   return first != std::string_view::npos && text[first] == '{';
 }
 
-json::JsonValue proposal_json(const pattern::Pattern& pattern, const seams::SeamProposal& proposal) {
+json::JsonValue proposal_json(const pattern::Pattern& pattern, const seams::SeamProposal& proposal,
+                              bool to_wear) {
   const project::ProjectSeam seam = project_seam(pattern, proposal.seam);
   const auto thousandths = [](double x) { return std::round(x * 1000) / 1000; };
   return std::vector<json::JsonMember>{{"id", seam.id},
                                        {"confidence", thousandths(proposal.confidence)},
+                                       {"to_wear", to_wear},
                                        {"a", side_json(seam.a)},
                                        {"b", side_json(seam.b)},
                                        {"same_direction", seam.same_direction},
@@ -223,14 +227,27 @@ json::JsonValue proposal_json(const pattern::Pattern& pattern, const seams::Seam
                                        {"length_b_mm", thousandths(proposal.length_b)}};
 }
 
+std::vector<json::JsonValue> proposals_json(const pattern::Pattern& pattern,
+                                            const std::vector<seams::SeamProposal>& proposals) {
+  const std::vector<bool> to_wear = seams::sewn_to_wear(pattern, proposals, kSure);
+  std::vector<json::JsonValue> told;
+  for (std::size_t i = 0; i < proposals.size(); ++i)
+    told.push_back(proposal_json(pattern, proposals[i], to_wear[i]));
+  return told;
+}
+
 std::vector<json::JsonValue> seams_json(const NewProject& made) {
-  std::vector<json::JsonValue> seams;
-  if (made.proposals.empty()) {
-    for (const pattern::Seam& seam : made.pattern.seams)
-      seams.push_back(proposal_json(made.pattern, {seam, 1, seams::series_length(made.pattern, seam.a),
-                                                   seams::series_length(made.pattern, seam.b)}));
+  if (!made.proposals.empty()) {
+    pattern::Pattern unsewn = made.pattern;  // seams that were taken are among the proposals
+    unsewn.seams.clear();
+    return proposals_json(unsewn, made.proposals);
   }
-  for (const seams::SeamProposal& p : made.proposals) seams.push_back(proposal_json(made.pattern, p));
+  std::vector<json::JsonValue> seams;
+  for (const pattern::Seam& seam : made.pattern.seams)
+    seams.push_back(proposal_json(
+        made.pattern,
+        {seam, 1, seams::series_length(made.pattern, seam.a), seams::series_length(made.pattern, seam.b)},
+        true));
   return seams;
 }
 

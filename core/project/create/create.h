@@ -53,9 +53,17 @@ Result<NewProject> new_project(const dxf::DxfDrawing& drawing, const NewProjectS
 /// Whether the text is a GarmentCode specification rather than a DXF: it begins with "{".
 bool is_specification(std::string_view text);
 
-/// {id, confidence, a, b [{piece, edge, reversed, from, to}], same_direction, length_a_mm, length_b_mm}.
-/// Parts of an edge are fractions of its length.
-json::JsonValue proposal_json(const pattern::Pattern& pattern, const seams::SeamProposal& proposal);
+/// Least confidence of a seam that is sewn where nobody says otherwise.
+inline constexpr double kSure = 0.8;
+
+/// {id, confidence, to_wear, a, b [{piece, edge, reversed, from, to}], same_direction, length_a_mm,
+/// length_b_mm}. Parts of an edge are fractions of its length. `to_wear`: of sewn_to_wear().
+json::JsonValue proposal_json(const pattern::Pattern& pattern, const seams::SeamProposal& proposal,
+                              bool to_wear);
+
+/// All of them, surest first.
+std::vector<json::JsonValue> proposals_json(const pattern::Pattern& pattern,
+                                            const std::vector<seams::SeamProposal>& proposals);
 
 /// The file's own seams, with confidence 1, or all proposals.
 std::vector<json::JsonValue> seams_json(const NewProject& made);

@@ -41,7 +41,7 @@ double top_height() { return test::person().figure.shoulder[0].y - 0.5; }
 TEST(PutOn, ATopEndsAroundNeckArmsAndTrunkWithoutACrossing) {
   const dressing::Wearer wearer(test::person());
   const sewing::Assembly assembly = placed(top(), 0.022, top_height());
-  const auto on = dressing::put_on(assembly, assembly, wearer, {});
+  const auto on = dressing::put_on(assembly, assembly, wearer, {}).on;
   ASSERT_TRUE(on.has_value());
   EXPECT_TRUE(on->certificate.crossings.none());
   std::vector<dressing::Enclosure> around;
@@ -56,15 +56,15 @@ TEST(PutOn, ATopEndsAroundNeckArmsAndTrunkWithoutACrossing) {
 TEST(PutOn, TheSameInputGivesTheSameBytes) {
   const dressing::Wearer wearer(test::person());
   const sewing::Assembly assembly = placed(top(), 0.022, top_height());
-  EXPECT_EQ(dressing::put_on(assembly, assembly, wearer, {})->positions,
-            dressing::put_on(assembly, assembly, wearer, {})->positions);
+  EXPECT_EQ(dressing::put_on(assembly, assembly, wearer, {}).on->positions,
+            dressing::put_on(assembly, assembly, wearer, {}).on->positions);
 }
 
 TEST(PutOn, AFinerMeshTakesOverTheShapeAndIsCertifiedItself) {
   const dressing::Wearer wearer(test::person());
   const sewing::Assembly coarse = placed(top(), 0.022, top_height()),
                          fine = placed(top(), 0.013, top_height());
-  const auto on = dressing::put_on(fine, coarse, wearer, {});
+  const auto on = dressing::put_on(fine, coarse, wearer, {}).on;
   ASSERT_TRUE(on.has_value());
   EXPECT_EQ(on->positions.size(), fine.positions.size());
   EXPECT_TRUE(on->certificate.holds());
@@ -77,7 +77,7 @@ TEST(PutOn, WhatCannotGoAroundTheBodyIsNotCertified) {
   narrow.seams = {test::seam("left", {{0, 1}}, {{1, 3}}), test::seam("right", {{0, 3}}, {{1, 1}})};
   const dressing::Wearer wearer(test::person());
   const sewing::Assembly assembly = placed(narrow, 0.022, test::person().figure.waist - 0.15);
-  EXPECT_FALSE(dressing::put_on(assembly, assembly, wearer, {}).has_value())
+  EXPECT_FALSE(dressing::put_on(assembly, assembly, wearer, {}).on.has_value())
       << "a tube of 240 mm is no garment for a trunk";
 }
 
@@ -87,7 +87,7 @@ TEST(PutOn, ACancelledTryGivesNothing) {
   std::atomic<bool> cancel = true;
   RunContext context;
   context.cancel = &cancel;
-  EXPECT_FALSE(dressing::put_on(assembly, assembly, wearer, context).has_value());
+  EXPECT_FALSE(dressing::put_on(assembly, assembly, wearer, context).on.has_value());
 }
 
 }  // namespace

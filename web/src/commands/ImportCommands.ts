@@ -5,7 +5,7 @@ import type { Asset, Import, Project, Unit } from '../api/types';
 import { loading, ready, valueOf, type AppState } from '../state/AppState';
 import { documentOf, namesPattern, seamsInReach, type BodyChoice, type ImportDraft } from '../state/importDraft';
 import type { LoosePattern } from '../state/intake';
-import { kSure, sewnTogether, ticked } from '../state/seamView';
+import { sewnTogether, ticked, toWear } from '../state/seamView';
 import { stem } from '../state/words';
 import { asApiError, notify } from './notices';
 
@@ -86,7 +86,7 @@ export class ImportCommands {
       if (now?.unit !== unit || now.size !== size) return; // asked otherwise in the meantime
       this.change(source, {
         report: ready(report),
-        chosen: sewnTogether(report.seams, kSure),
+        chosen: toWear(report.seams),
         left: faulty(report),
       });
     } catch (error) {

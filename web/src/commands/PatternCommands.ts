@@ -7,7 +7,7 @@ import type { Edit, Piece, Point, Project, SeamProposal } from '../api/types';
 import { loading, ready, valueOf, type AppState } from '../state/AppState';
 import { freePieceId, kRestingTool, type EditingState, type Part, type ToolFacts } from '../state/editing';
 import { bentHandles, isStraight, nextEdge } from '../state/outline';
-import { emptyDraft, freeSeamId, kSure, sewnTogether, ticked, withEdge, type Side } from '../state/seamView';
+import { emptyDraft, freeSeamId, ticked, toWear, withEdge, type Side } from '../state/seamView';
 import { asApiError, notify, notifyError } from './notices';
 
 export type PatternApi = Pick<Api, 'edit' | 'turn' | 'history' | 'proposals' | 'project' | 'fabrics'>;
@@ -356,7 +356,7 @@ export class PatternCommands {
       const found = await this.api_.proposals(id);
       if (this.state_.projectId.value !== id) return;
       proposals.value = ready(found);
-      chosen.value = sewnTogether(found, kSure);
+      chosen.value = toWear(found);
     } catch (error) {
       proposals.value = { state: 'failed', error: asApiError(error) };
     }

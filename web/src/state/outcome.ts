@@ -84,11 +84,26 @@ const idsOf = (findings: readonly Finding[], thing: 'piece' | 'seam'): string[] 
 ];
 
 function notWorn(report: Report): Outcome | null {
-  const off = report.findings.filter(({ code }) => code.startsWith('worn.'));
+  const off = report.findings.filter(({ code }) => code.startsWith('worn.') && code !== 'worn.slit');
   if (off.length === 0) return null;
   const text = sentence(off.map((finding) => finding.message).join('; '));
   const [seams, pieces] = [idsOf(off, 'seam'), idsOf(off, 'piece')];
   return { tone: 'warn', title: 'It is not worn as it should be', text, seams, pieces, fixes: [{ kind: 'arrange' }], code: 'worn' };
+}
+
+/** A seam may be missing there; the design may want it as well. */
+function slits(report: Report): Outcome | null {
+  const open = report.findings.filter(({ code }) => code === 'worn.slit');
+  if (open.length === 0) return null;
+  return {
+    tone: 'warn',
+    title: open.length === 1 ? 'An opening is left' : `${open.length} openings are left`,
+    text: sentence([...new Set(open.map((finding) => finding.message))].join('; ')),
+    seams: [],
+    pieces: idsOf(open, 'piece'),
+    fixes: [{ kind: 'sew' }],
+    code: 'worn.slit',
+  };
 }
 
 function leftOut(report: Report): Outcome | null {
@@ -98,7 +113,7 @@ function leftOut(report: Report): Outcome | null {
   return {
     tone: 'warn',
     title: pieces.length === 1 ? 'A piece was left out' : `${pieces.length} pieces were left out`,
-    text: 'No seam holds them to the rest, so it was draped without them.',
+    text: 'Nothing holds them to the rest, or the garment could not be put on with them, so it was draped without them.',
     seams: [],
     pieces,
     fixes: [{ kind: 'sew' }],
@@ -159,6 +174,7 @@ export function outcomesOf(
     report.open_seams.length > 0 ? openSeams(report.open_seams, known) : null,
     notWorn(report),
     leftOut(report),
+    slits(report),
     job.reason_code === 'time' ? kMoving : null,
   ].filter((one) => one !== null);
 }

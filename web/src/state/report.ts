@@ -58,7 +58,10 @@ function wearing({ worn, findings, open_seams: open }: Report): ReportLine[] {
   const missing = findings
     .filter((finding) => finding.code === 'piece.left_out' && finding.severity === 'warning')
     .flatMap((finding) => finding.about.map((piece) => piece.id));
-  const without = [open.length > 0 ? ['what did not close'] : [], missing].flat().join(', ');
+  const slit = findings.some(({ code }) => code === 'worn.slit');
+  const without = [open.length > 0 ? ['what did not close'] : [], missing, slit ? ['an opening with nothing in it'] : []]
+    .flat()
+    .join(', ');
   const off = findings.filter((finding) => finding.code.startsWith('worn.')).map((finding) => finding.message);
   const sentence = {
     yes: 'Every opening goes around the limb that it is for.',

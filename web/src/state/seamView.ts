@@ -170,6 +170,10 @@ export function clash(one: SeamSides, other: SeamSides): boolean {
   );
 }
 
+/** Those with which a garment is best begun, as the service tells. */
+export const toWear = (seams: readonly SeamProposal[]): Set<string> =>
+  new Set(seams.filter((seam) => seam.to_wear).map((seam) => seam.id));
+
 /** Of proposals, surest first: those of a confidence that can be sewn together. */
 export function sewnTogether(seams: readonly SeamProposal[], least: number): Set<string> {
   const taken: SeamProposal[] = [];

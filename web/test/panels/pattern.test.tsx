@@ -245,7 +245,7 @@ describe('the list of seams', () => {
 });
 
 describe('the proposals', () => {
-  const found = { ...seamOf('seam0', ['a', 'e0'], ['b', 'e2']), confidence: 0.93, length_a_mm: 10, length_b_mm: 10 };
+  const found = { ...seamOf('seam0', ['a', 'e0'], ['b', 'e2']), confidence: 0.93, to_wear: true, length_a_mm: 10, length_b_mm: 10 };
 
   it('are looked for when somebody asks', () => {
     page.show(<ProposalList pieces={two()} />);

@@ -350,24 +350,6 @@ TEST(ProposeSeams, APatternIsSewnAsSurelyBesideItsLining) {
   EXPECT_EQ(sure_of(pattern), alone);
 }
 
-TEST(ProposeSeams, OfAlternativesTheSurerOneIsSewn) {
-  const auto proposal = [](double confidence, pattern::SeamEdge a, pattern::SeamEdge b) {
-    seams::SeamProposal p;
-    p.confidence = confidence;
-    p.seam.a = {a};
-    p.seam.b = {b};
-    return p;
-  };
-  const std::vector<seams::SeamProposal> proposals{
-      proposal(0.9, {0, 0}, {1, 0}),                     // sewn
-      proposal(0.8, {1, 0}, {2, 0}),                     // wants an edge that is taken
-      proposal(0.7, {2, 0}, {3, 1, false, 0, 0.5}),      // sewn: what it wants was not taken after all
-      proposal(0.6, {2, 1}, {3, 1, false, 0.5, 1}),      // sewn: the other half
-      proposal(0.55, {4, 0}, {3, 1, false, 0.4, 0.45}),  // a part of a taken part
-      proposal(0.4, {5, 0}, {6, 0})};                    // not sure enough
-  EXPECT_EQ(seams::sewn_together(proposals, 0.5), (std::vector<bool>{true, false, true, true, false, false}));
-}
-
 TEST(PieceWords, AreReadFromNamesInManyWays) {
   EXPECT_EQ(seams::words_of("left_sleeve_f").side, -1);
   EXPECT_EQ(seams::words_of("left_sleeve_f").face, 1);

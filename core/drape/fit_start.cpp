@@ -1,0 +1,104 @@
+#include "core/drape/fit_start.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "core/base/aabb.h"
+#include "core/drape/worn_part.h"
+
+namespace toile::drape {
+namespace {
+
+constexpr int kMostReductions = 3;
+/// Less of the cloth's area than this is no drape of the garment any more.
+constexpr double kLeastPart = 0.25;
+
+double area_of(const DrapeStart& start, const std::vector<bool>& out) {
+  double area = 0;
+  for (std::size_t p = 0; p < start.meshes.panels.size(); ++p) {
+    if (!out.empty() && out[p]) continue;
+    const mesh::PanelMesh& panel = start.meshes.panels[p];
+    for (const Tri& t : panel.triangles)
+      area += std::abs(cross(panel.rest[t[1]] - panel.rest[t[0]], panel.rest[t[2]] - panel.rest[t[0]]));
+  }
+  return 0.5 * area;
+}
+
+/// Marks the panels of `input` that `part` does not have.
+void mark_missing(const DrapeInput& input, const DrapeInput& part, std::vector<bool>& out) {
+  std::size_t next = 0;  // the part's panels are in the order of the whole's
+  for (std::size_t p = 0; p < out.size(); ++p) {
+    const bool kept =
+        next < part.pattern.panels.size() && part.pattern.panels[next].id == input.pattern.panels[p].id;
+    if (kept) ++next;
+    out[p] = !kept;
+  }
+}
+
+/// Of the input, where panel numbers of a part of it are given.
+void mark_at_fault(const std::vector<Index>& at_fault, std::vector<bool>& out) {
+  std::vector<std::size_t> panel_of;
+  for (std::size_t p = 0; p < out.size(); ++p)
+    if (!out[p]) panel_of.push_back(p);
+  for (const Index p : at_fault) out[panel_of[p]] = true;
+}
+
+/// Without these panels and what nothing holds on then; nothing where too little would remain.
+std::optional<DrapeInput> reduced_by(const DrapeInput& input, const DrapeStart& whole,
+                                     std::vector<bool>& out) {
+  if (std::find(out.begin(), out.end(), false) == out.end()) return std::nullopt;
+  const DrapeInput worn = worn_part(without_panels(input, whole, out));
+  mark_missing(input, worn, out);
+  if (worn.pattern.seams.empty() || area_of(whole, out) < kLeastPart * area_of(whole, {}))
+    return std::nullopt;
+  return without_panels(input, whole, out);
+}
+
+}  // namespace
+
+DrapeInput without_panels(const DrapeInput& input, const DrapeStart& start, const std::vector<bool>& out) {
+  std::vector<Index> kept;
+  for (std::size_t p = 0; p < out.size(); ++p)
+    if (!out[p]) kept.push_back(static_cast<Index>(p));
+  DrapeInput part = with_panels(input, kept);
+  std::size_t left = input.left_out.size();
+  const std::vector<Index>& first = start.placed.garment.first_vertex;
+  for (std::size_t p = 0; p < out.size(); ++p) {
+    if (!out[p]) continue;
+    LeftOut& piece = part.left_out[left++];
+    piece.tried = true;
+    piece.place = bounding_box(std::span(start.placed.positions)
+                                   .subspan(static_cast<std::size_t>(first[p]),
+                                            static_cast<std::size_t>(first[p + 1] - first[p])))
+                      .middle();
+  }
+  return part;
+}
+
+FittedStart fit_start(const DrapeInput& input, DrapeStart& start, const RunContext& context) {
+  FittedStart fitted;
+  std::optional<PutOnTries> tries = dress_start(input, start, context);
+  fitted.last_start = !may_put_on(input, start) || (tries && !tries->on);
+  if (!tries || tries->on || !preflight::first_error(start.findings)) return fitted;
+  std::vector<bool> out(input.pattern.panels.size(), false);
+  for (int k = 0; k < kMostReductions && !tries->at_fault.empty() && !context.cancelled(); ++k) {
+    mark_at_fault(tries->at_fault, out);
+    std::optional<DrapeInput> part = reduced_by(input, start, out);
+    if (!part) return fitted;
+    Result<DrapeStart> less = prepare_start(*part, context);
+    if (!less) return fitted;
+    tries = dress_start(*part, *less, context, tries->nearest - 1);
+    if (!preflight::first_error(less->findings)) {
+      fitted = {!may_put_on(*part, *less), std::move(out), std::move(part)};
+      start = std::move(*less);
+      return fitted;
+    }
+    if (!tries) return fitted;
+  }
+  return fitted;
+}
+
+}  // namespace toile::drape

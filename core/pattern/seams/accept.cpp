@@ -1,0 +1,93 @@
+#include "core/pattern/seams/accept.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/disjoint_sets.h"
+#include "core/pattern/curve.h"
+#include "core/pattern/seams/piece_words.h"
+
+namespace toile::seams {
+namespace {
+
+std::vector<pattern::SeamEdge> both_sides(const SeamProposal& p) {
+  std::vector<pattern::SeamEdge> edges = p.seam.a;
+  edges.insert(edges.end(), p.seam.b.begin(), p.seam.b.end());
+  return edges;
+}
+
+/// Edges that seams have taken.
+class TakenEdges {
+ public:
+  bool clashes(const SeamProposal& p) const {
+    constexpr double kTouching = 1e-6;  // of an edge's length: parts that meet share nothing
+    const std::vector<pattern::SeamEdge> edges = both_sides(p);
+    return std::any_of(edges.begin(), edges.end(), [&](const pattern::SeamEdge& e) {
+      return std::any_of(taken_.begin(), taken_.end(), [&](const pattern::SeamEdge& t) {
+        return t.panel == e.panel && t.edge == e.edge &&
+               std::min(t.to, e.to) - std::max(t.from, e.from) > kTouching;
+      });
+    });
+  }
+  void take(const SeamProposal& p) {
+    for (const pattern::SeamEdge& e : both_sides(p)) taken_.push_back(e);
+  }
+
+ private:
+  std::vector<pattern::SeamEdge> taken_;
+};
+
+/// One a panel: whether seams do not join it to the largest part of the garment, by area. All, where there is
+/// no seam.
+std::vector<char> loose_panels(const pattern::Pattern& pattern, std::span<const SeamProposal> proposals,
+                               const std::vector<bool>& sewn) {
+  DisjointSets parts(pattern.panels.size());
+  bool any = false;
+  const auto join = [&](const std::vector<pattern::SeamEdge>& edges) {
+    for (const pattern::SeamEdge& e : edges) any |= parts.join(edges.front().panel, e.panel);
+  };
+  for (std::size_t i = 0; i < proposals.size(); ++i)
+    if (sewn[i]) join(both_sides(proposals[i]));
+  for (const pattern::Seam& seam : pattern.seams) join(both_sides(SeamProposal{seam, 1, 0, 0}));
+  std::vector<double> area(pattern.panels.size(), 0);
+  for (Index p = 0; p < static_cast<Index>(area.size()); ++p)
+    area[parts.root(p)] += std::abs(pattern::signed_area(pattern.panels[p].outline));
+  const auto largest = static_cast<Index>(std::max_element(area.begin(), area.end()) - area.begin());
+  std::vector<char> loose;
+  for (Index p = 0; p < static_cast<Index>(area.size()); ++p)
+    loose.push_back((!any || parts.root(p) != largest) && !words_of(pattern.panels[p].id).layer);
+  return loose;
+}
+
+}  // namespace
+
+std::vector<bool> sewn_together(std::span<const SeamProposal> proposals, double least_confidence) {
+  TakenEdges taken;
+  std::vector<bool> sewn;
+  for (const SeamProposal& p : proposals) {
+    sewn.push_back(p.confidence >= least_confidence && !taken.clashes(p));
+    if (sewn.back()) taken.take(p);
+  }
+  return sewn;
+}
+
+std::vector<bool> sewn_to_wear(const pattern::Pattern& pattern, std::span<const SeamProposal> proposals,
+                               double least_confidence) {
+  std::vector<bool> sewn = sewn_together(proposals, least_confidence);
+  const std::vector<char> loose = loose_panels(pattern, proposals, sewn);
+  TakenEdges taken;
+  for (std::size_t i = 0; i < proposals.size(); ++i)
+    if (sewn[i]) taken.take(proposals[i]);
+  for (std::size_t i = 0; i < proposals.size(); ++i) {
+    const SeamProposal& p = proposals[i];
+    const std::vector<pattern::SeamEdge> edges = both_sides(p);
+    const bool wanted = std::any_of(edges.begin(), edges.end(),
+                                    [&](const pattern::SeamEdge& e) { return loose[e.panel] != 0; });
+    if (sewn[i] || !wanted || p.confidence < kLikely || taken.clashes(p)) continue;
+    sewn[i] = true;
+    taken.take(p);
+  }
+  return sewn;
+}
+
+}  // namespace toile::seams

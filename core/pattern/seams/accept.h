@@ -1,0 +1,25 @@
+#pragma once
+// Which proposed seams a garment takes.
+
+#include <span>
+#include <vector>
+
+#include "core/pattern/pattern.h"
+#include "core/pattern/seams/propose.h"
+
+namespace toile::seams {
+
+/// Which of `proposals`, surest first, can be sewn together: those of at least this confidence that want no
+/// part of an edge that a surer one has taken. Proposals may be each other's alternatives.
+std::vector<bool> sewn_together(std::span<const SeamProposal> proposals, double least_confidence);
+
+/// Likelier than not: what a piece takes that no surer seam holds on.
+inline constexpr double kLikely = 0.5;
+
+/// As sewn_together(), and likely ones of pieces that would be sewn to no part, or not to the largest: a seam
+/// in doubt is better than a piece that must be left out. Layers by their names (linings, pockets) do
+/// without.
+std::vector<bool> sewn_to_wear(const pattern::Pattern& pattern, std::span<const SeamProposal> proposals,
+                               double least_confidence);
+
+}  // namespace toile::seams

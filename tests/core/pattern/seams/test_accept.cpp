@@ -1,0 +1,74 @@
+// Which proposed seams are sewn.
+
+#include "core/pattern/seams/accept.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/arrange/garments.h"
+
+namespace toile {
+namespace {
+
+seams::SeamProposal proposal(double confidence, pattern::SeamEdge a, pattern::SeamEdge b) {
+  seams::SeamProposal p;
+  p.confidence = confidence;
+  p.seam.a = {a};
+  p.seam.b = {b};
+  return p;
+}
+
+/// A large front and back, and small pieces of these names.
+pattern::Pattern front_and_back_and(const std::vector<std::string>& names) {
+  pattern::Pattern pattern;
+  const std::vector<Vec2> large{{0, 0}, {400, 0}, {400, 600}, {0, 600}};
+  pattern.panels = {test::polygon("front", large), test::polygon("back", large)};
+  for (const std::string& name : names)
+    pattern.panels.push_back(test::polygon(name, {{0, 0}, {90, 0}, {90, 120}, {0, 120}}));
+  return pattern;
+}
+
+TEST(AcceptSeams, OfAlternativesTheSurerOneIsSewn) {
+  const std::vector<seams::SeamProposal> proposals{
+      proposal(0.9, {0, 0}, {1, 0}),                     // sewn
+      proposal(0.8, {1, 0}, {2, 0}),                     // wants an edge that is taken
+      proposal(0.7, {2, 0}, {3, 1, false, 0, 0.5}),      // sewn: what it wants was not taken after all
+      proposal(0.6, {2, 1}, {3, 1, false, 0.5, 1}),      // sewn: the other half
+      proposal(0.55, {4, 0}, {3, 1, false, 0.4, 0.45}),  // a part of a taken part
+      proposal(0.4, {5, 0}, {6, 0})};                    // not sure enough
+  EXPECT_EQ(seams::sewn_together(proposals, 0.5), (std::vector<bool>{true, false, true, true, false, false}));
+}
+
+TEST(AcceptSeams, APieceThatNoSureSeamHoldsTakesALikelyOne) {
+  const pattern::Pattern pattern = front_and_back_and({"yoke", "tab"});
+  const std::vector<seams::SeamProposal> proposals{
+      proposal(0.9, {0, 1}, {1, 3}),   // sure
+      proposal(0.7, {0, 3}, {1, 1}),   // likely, of pieces that hang together
+      proposal(0.6, {0, 2}, {2, 0}),   // likely, and all that holds the yoke
+      proposal(0.55, {2, 0}, {3, 0}),  // the yoke's edge is taken
+      proposal(0.4, {0, 0}, {3, 2})};  // a guess
+  EXPECT_EQ(seams::sewn_to_wear(pattern, proposals, 0.8),
+            (std::vector<bool>{true, false, true, false, false}));
+}
+
+TEST(AcceptSeams, WhereNothingIsSureTheLikelyIsSewn) {
+  const std::vector<seams::SeamProposal> proposals{proposal(0.7, {0, 1}, {1, 3}),
+                                                   proposal(0.6, {0, 3}, {1, 1})};
+  EXPECT_EQ(seams::sewn_to_wear(front_and_back_and({}), proposals, 0.8), (std::vector<bool>{true, true}));
+}
+
+TEST(AcceptSeams, ALiningDoesWithoutALikelySeam) {
+  const std::vector<seams::SeamProposal> proposals{proposal(0.9, {0, 1}, {1, 3}),
+                                                   proposal(0.6, {0, 2}, {2, 0})};
+  EXPECT_EQ(seams::sewn_to_wear(front_and_back_and({"lining"}), proposals, 0.8),
+            (std::vector<bool>{true, false}));
+}
+
+TEST(AcceptSeams, SeamsThatThePatternHasHoldPieces) {
+  pattern::Pattern pattern = front_and_back_and({"yoke"});
+  pattern.seams = {test::seam("s", {{0, 2}}, {{2, 0}}), test::seam("t", {{0, 1}}, {{1, 3}})};
+  const std::vector<seams::SeamProposal> proposals{proposal(0.6, {2, 2}, {1, 2})};
+  EXPECT_EQ(seams::sewn_to_wear(pattern, proposals, 0.8), (std::vector<bool>{false}));
+}
+
+}  // namespace
+}  // namespace toile
