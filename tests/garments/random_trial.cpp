@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "core/base/aabb.h"
+#include "core/drape/drape_session.h"
 #include "core/drape/pipeline.h"
 #include "core/exports/write_obj.h"
 #include "core/pattern/curve.h"
