@@ -54,6 +54,7 @@ std::vector<char> loose_panels(const pattern::Pattern& pattern, std::span<const 
     area[parts.root(p)] += std::abs(pattern::signed_area(pattern.panels[p].outline));
   const auto largest = static_cast<Index>(std::max_element(area.begin(), area.end()) - area.begin());
   std::vector<char> loose;
+  loose.reserve(area.size());
   for (Index p = 0; p < static_cast<Index>(area.size()); ++p)
     loose.push_back((!any || parts.root(p) != largest) && !words_of(pattern.panels[p].id).layer);
   return loose;
