@@ -12,9 +12,9 @@
 namespace toile::drape {
 namespace {
 
-constexpr int kMostReductions = 3;
-/// Less of the cloth's area than this is no drape of the garment any more.
-constexpr double kLeastPart = 0.25;
+constexpr int kMostReductions = 2;
+/// Less of the cloth's area than this is no drape of the garment any more: a waistband without its bodice.
+constexpr double kLeastPart = 0.5;
 
 double area_of(const DrapeStart& start, const std::vector<bool>& out) {
   double area = 0;

@@ -19,7 +19,7 @@ struct FittedStart {
 
 /// Puts the garment on as dress_start() does. Where no way to do so is certified and the start is refused, it
 /// is tried again without the pieces that kept the way that came nearest from its certificate, and without
-/// what nothing holds on then, a few times, as long as a good part of the garment remains. Where that leads
+/// what nothing holds on then, a few times, as long as half of the cloth remains. Where that leads
 /// nowhere, `start` keeps the findings of the whole.
 FittedStart fit_start(const DrapeInput& input, DrapeStart& start, const RunContext& context);
 
