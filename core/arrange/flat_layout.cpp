@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/arrange/layout_measures.h"
+#include "core/arrange/upper_end.h"
 #include "core/geometry/polygon2.h"
 
 namespace toile::arrange {
@@ -32,27 +33,6 @@ struct Unit {
   Index piece = kNone, partner = kNone;
   FlatMove onto;  ///< the partner's plane → the piece's; of a piece that is its own image, the mirroring
 };
-
-/// How high on a body a cover is worn.
-int level_of(Cover c) {
-  switch (c) {
-    case Cover::kHood:
-      return 6;
-    case Cover::kCollar:
-      return 5;
-    case Cover::kSleeve:
-      return 4;
-    case Cover::kTorso:
-      return 3;
-    case Cover::kWaistband:
-      return 2;
-    case Cover::kSkirt:
-    case Cover::kLeg:
-      return 1;
-    default:
-      return 0;
-  }
-}
 
 class Layer {
  public:
@@ -109,7 +89,7 @@ class Layer {
 
   /// Turn of the root at which its grain, or its own axis, stands upright and its upper end is up.
   double upright(Index root, int face) const {
-    const Vec2 up = upper_end(root);
+    const Vec2 up = upper_end(graph_, layout_.partner, root);
     double best = 0, most = -HUGE_VAL;
     for (const double angle : upright_angles(unit_of(root), face)) {
       const double y = turn_by(angle, is_mirrored(root, face)).turned(up).y;
@@ -207,40 +187,6 @@ class Layer {
     angles.reserve(4);
     for (int k = 0; k < 4; ++k) angles.push_back(at + k * kPi / 2);
     return angles;
-  }
-
-  /// In the piece's plane, from its middle to where higher pieces are sewn to it; drawn upwards otherwise.
-  Vec2 upper_end(Index p) const {
-    Vec2 up{0, 1e-3};
-    std::vector<Vec2> crotch;  // from the middle: legs hang together at their upper ends
-    std::size_t count = 0;
-    Vec2 sum;
-    for (const GarmentTie& tie : graph_.ties) {
-      if (tie.a == tie.b || (tie.a != p && tie.b != p)) continue;
-      const Index other = tie.a == p ? tie.b : tie.a;
-      const Vec2 at = (tie.a == p ? tie.at_a : tie.at_b) - piece(p).centroid;
-      const int sign = level_of(piece(other).cover) - level_of(piece(p).cover);
-      if (sign == 0 && piece(p).cover == Cover::kLeg && layout_.partner[p] == other) crotch.push_back(at);
-      if (sign == 0) continue;
-      sum = sum + at * (sign > 0 ? 1.0 : -1.0);
-      ++count;
-    }
-    sum = sum + along_crotch(crotch) * static_cast<double>(crotch.size());
-    count += crotch.size();
-    return count > 0 ? up + sum * (1 / static_cast<double>(count)) : up;
-  }
-
-  /// The way up along a seam between two legs whose stitches lie at `points` from the piece's middle. Of
-  /// short and wide legs they lie farther to the side than up.
-  static Vec2 along_crotch(const std::vector<Vec2>& points) {
-    Vec2 chord, mean;
-    for (const Vec2 a : points) {
-      mean = mean + a * (1 / static_cast<double>(points.size()));
-      for (const Vec2 b : points)
-        if (length(b - a) > length(chord)) chord = b - a;
-    }
-    if (length(chord) == 0) return mean;
-    return chord * ((dot(chord, mean) < 0 ? -1 : 1) * length(mean) / length(chord));
   }
 
   Vec2 on_sheet(Index p, Vec2 at) const { return layout_.pose[p](at); }

@@ -272,6 +272,27 @@ TEST(Arrange, EachTrouserLegGoesAroundItsOwnLeg) {
   EXPECT_FALSE(s.made.attachments.empty()) << "the waist is held";
 }
 
+/// Their crotch lies farther to the side of a leg's middle than above it.
+TEST(Arrange, ShortWideTrousersStandUprightWithoutAWaistband) {
+  pattern::Pattern shorts;
+  const std::vector<Vec2> front{{0, 0}, {480, 0}, {540, 303}, {440, 520}, {40, 520}};
+  const std::vector<Vec2> back{{0, 0}, {540, 0}, {500, 520}, {60, 520}, {-95, 303}};
+  shorts.panels = {test::polygon("pant_f_r", front), test::turned_over("pant_f_l", front),
+                   test::polygon("pant_b_r", back), test::turned_over("pant_b_l", back)};
+  shorts.seams = test::trousers().seams;
+  const Start s = started(shorts);
+  const sewing::GarmentMesh& g = s.assembly.garment;
+  for (Index p = 0; p < 4; ++p) {
+    double waist = HUGE_VAL, hem = -HUGE_VAL;  // the lowest of the one, the highest of the other
+    for (Index v = g.first_vertex[p]; v < g.first_vertex[p + 1]; ++v) {
+      const double y = s.assembly.positions[v].y;
+      if (g.rest[v].y > 0.519) waist = std::min(waist, y);
+      if (g.rest[v].y < 0.001) hem = std::max(hem, y);
+    }
+    EXPECT_GT(waist - hem, 0.35) << p;
+  }
+}
+
 /// m, middle of the piece's lowest 6 cm: hems slant.
 Vec3 hem_of(const Start& s, Index piece) {
   const sewing::GarmentMesh& g = s.assembly.garment;

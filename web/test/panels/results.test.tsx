@@ -98,6 +98,25 @@ describe('a drape under way', () => {
     expect(screen.queryByText('Changed since this drape')).toBeNull();
   });
 
+  it('names the pieces around an opening, and offers to look for their seams', () => {
+    page.change((state) => {
+      state.pieces.value = ready({ pieces: [squareOf('front', 0, 0, 10), squareOf('back', 20, 0, 10)], seams: [] });
+      const about = [{ thing: 'piece' as const, id: 'front' }];
+      const slit = { code: 'worn.slit', severity: 'warning' as const, message: 'an opening', where: '', about, place: [0, 0, 0], repaired: false };
+      state.report.value = ready(reportOf({ worn: 'partly', findings: [slit] }));
+    });
+    drape({ state: 'succeeded' });
+    page.show(<OutcomeList />);
+    expect(screen.getByRole('heading').textContent).toBe('An opening is left');
+    expect(screen.queryByText('It is not worn as it should be')).toBeNull();
+    click(screen.getByRole('button', { name: 'front' }));
+    click(screen.getByRole('button', { name: 'Look for its seams' }));
+    expect(page.asked()).toEqual([
+      ['select', 'front'],
+      ['mend', { kind: 'sew' }],
+    ]);
+  });
+
   it('names the seam that stayed open by its pieces, and offers to turn it over', () => {
     const pieces = [squareOf('front', 0, 0, 10), squareOf('back', 20, 0, 10)];
     const seams = [{ ...seamOf('seam3', ['front', 'e1'], ['back', 'e3']), length_a_mm: 10, length_b_mm: 10, issues: [] }];

@@ -36,6 +36,13 @@ TEST(SeamLines, LeaveAWideNotchForThePieceThatIsLetIn) {
   EXPECT_TRUE(seams::lines_of({{darted("front", 160)}, {}}).darts.empty());
 }
 
+/// Programs cut waists straight: across such a wide dart the closed outline bends, the drawn one does not.
+TEST(SeamLines, CloseAWideDartInAStraightWaist) {
+  EXPECT_EQ(seams::lines_of({{darted("skirt_front", 64)}, {}}).darts.size(), 1u);
+  EXPECT_TRUE(seams::lines_of({{darted("bodice_front", 64)}, {}}).darts.empty())
+      << "it may be meant for another piece";
+}
+
 TEST(SeamLines, TakeWhatOpensInTheHemOfASkirtForASlit) {
   const auto hem_opening = [](const std::string& id) {
     pattern::Panel panel = garments::turned(darted(id, 24), 3.14159265358979);
