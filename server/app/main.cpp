@@ -11,17 +11,12 @@
 
 #include "server/app/commands.h"
 #include "server/app/console.h"
+#include "server/app/exit_codes_text.h"
+#include "server/app/fabric_verbs.h"
 #include "server/app/mesh_reader.h"
 
 namespace toile::app {
 namespace {
-
-constexpr const char* kExitCodes =
-    "Exit codes: 0 done (a drape has settled), 1 internal error, 2 wrong arguments or bad input, 3 the "
-    "drape\n"
-    "ended before it settled (results are written), 4 cancelled, 5 the cloth\n"
-    "came to rest but is not worn. Errors go to stderr as\n"
-    "\"toile: code: message (where)\", with --json as {\"error\": {\"code\", \"message\", \"where\"}}.\n";
 
 struct Options {
   DrapeOptions drape;
@@ -31,10 +26,6 @@ struct Options {
   BodyMakeOptions body_make;
   BodyMeasureOptions body_measure;
   BodyPresetsOptions body_presets;
-  FabricListOptions fabric_list;
-  FabricShowOptions fabric_show;
-  FabricTestOptions fabric_test;
-  FabricCalibrateOptions fabric_calibrate;
   ServeOptions serve;
   SubmitOptions submit;
   PatternImportOptions import;
@@ -236,78 +227,6 @@ CLI::App* add_serve(CLI::App& app, Options& options) {
   return verb;
 }
 
-CLI::App* add_fabric_list(CLI::App& fabric, FabricListOptions& list) {
-  CLI::App* verb = fabric.add_subcommand("list", "The fabrics that documents may name");
-  verb->add_flag("--json", list.json, "Print as JSON, with every figure");
-  verb->footer(std::string("Examples:\n  toile fabric list\n  toile fabric list --json\n\n") + kExitCodes);
-  return verb;
-}
-
-CLI::App* add_fabric_show(CLI::App& fabric, FabricShowOptions& show) {
-  CLI::App* verb = fabric.add_subcommand("show", "A fabric's figures, and where they come from");
-  verb->add_option("name", show.name, "Its name, see fabric list")->required();
-  verb->add_flag("--json", show.json, "Print as JSON");
-  verb->footer(std::string("Examples:\n  toile fabric show single-jersey\n\n") + kExitCodes);
-  return verb;
-}
-
-CLI::App* add_fabric_test(CLI::App& fabric, FabricTestOptions& test) {
-  CLI::App* verb = fabric.add_subcommand("test", "Test a fabric as laboratories do");
-  verb->add_option("name", test.name, "Its name, see fabric list")->required();
-  verb->add_option("-o,--out", test.out, "Folder for its figure sheet NAME.svg");
-  verb->add_option("--drapes", test.drapes,
-                   "Cusick drapes: warp turned by 0, 20, 43 degrees against the mesh, each face up")
-      ->check(CLI::Range(1, 6))
-      ->capture_default_str();
-  verb->add_option("--particle-distance", test.particle_distance_mm,
-                   "Edge length of their triangles, mm (default: what fits the fabric)")
-      ->check(CLI::Range(2.0, 50.0));
-  verb->add_flag("--json", test.json, "Print as JSON");
-  verb->footer(std::string("Bending lengths from a strip 25 mm wide under its own weight (ASTM D1388), "
-                           "tension per strain of a\n"
-                           "strip of 50 by 200 mm, and the drape coefficient and folds of a piece of 30 cm "
-                           "on a disc of 18 cm\n"
-                           "(BS 5058, ISO 9073-9), each beside what is known beforehand.\n\n"
-                           "Examples:\n  toile fabric test denim-10oz --out out/fabrics\n\n") +
-               kExitCodes);
-  return verb;
-}
-
-void add_instruments(CLI::App& verb, FabricCalibrateOptions& c) {
-  verb.add_option("--kes-b-warp", c.kes_b_warp, "KES-FB2, B along the warp, gf cm2/cm");
-  verb.add_option("--kes-b-weft", c.kes_b_weft, "KES-FB2, B along the weft, gf cm2/cm");
-  verb.add_option("--kes-g", c.kes_g, "KES-FB1, shear stiffness G, gf/(cm degree)");
-  verb.add_option("--kes-emt-warp", c.kes_emt_warp, "KES-FB1, extension along the warp at 500 gf/cm, %");
-  verb.add_option("--kes-emt-weft", c.kes_emt_weft, "KES-FB1, extension along the weft at 500 gf/cm, %");
-  verb.add_option("--fast-e100-warp", c.fast_e100_warp, "FAST-3, extension along the warp at 100 gf/cm, %");
-  verb.add_option("--fast-e100-weft", c.fast_e100_weft, "FAST-3, extension along the weft at 100 gf/cm, %");
-  verb.add_option("--fast-eb5", c.fast_eb5, "FAST-3, extension on the bias at 5 gf/cm, %");
-}
-
-CLI::App* add_fabric_calibrate(CLI::App& fabric, FabricCalibrateOptions& c) {
-  CLI::App* verb = fabric.add_subcommand("calibrate", "Find a fabric's missing figures from measured ones");
-  verb->add_option("--mass", c.mass, "kg/m2")->required();
-  verb->add_option("--drape", c.drape, "Drape coefficient, 0 to 1 (BS 5058, 30 cm on 18 cm)");
-  verb->add_option("--warp-length", c.warp_length, "Bending length along the warp, mm (ASTM D1388, FAST-2)");
-  verb->add_option("--weft-length", c.weft_length, "Bending length along the weft, mm");
-  verb->add_option("--thickness", c.thickness, "mm");
-  add_instruments(*verb, c);
-  verb->add_option("--drapes", c.drapes, "Cusick drapes a test, of 20 in all")
-      ->check(CLI::Range(1, 6))
-      ->capture_default_str();
-  verb->add_option("--particle-distance", c.particle_distance_mm,
-                   "Edge length of their triangles, mm (default: what fits the fabric)")
-      ->check(CLI::Range(2.0, 50.0));
-  verb->add_flag("--json", c.json, "Print as JSON");
-  verb->footer(std::string("What was measured is taken as it is. The drape coefficient tells bending, or "
-                           "shear where bending was\nmeasured; what it could not tell apart is said.\n\n"
-                           "Examples:\n  toile fabric calibrate --mass 0.15 --drape 0.62\n"
-                           "  toile fabric calibrate --mass 0.15 --drape 0.62 --warp-length 21 "
-                           "--weft-length 17\n\n") +
-               kExitCodes);
-  return verb;
-}
-
 CLI::App* add_submit(CLI::App& app, Options& options) {
   SubmitOptions& submit = options.submit;
   CLI::App* verb = app.add_subcommand("submit", "Have a project draped by a server");
@@ -440,13 +359,7 @@ ExitCode run(int argc, char** argv) {
   pattern->require_subcommand(1);
   const CLI::App* import = add_pattern_import(*pattern, options.import);
   const CLI::App* exporting = add_pattern_export(*pattern, options.exporting);
-  CLI::App* fabric =
-      app.add_subcommand("fabric", "Fabrics: list them, show one, test one, find one's figures");
-  fabric->require_subcommand(1);
-  const CLI::App* fabric_list = add_fabric_list(*fabric, options.fabric_list);
-  const CLI::App* fabric_show = add_fabric_show(*fabric, options.fabric_show);
-  const CLI::App* fabric_test = add_fabric_test(*fabric, options.fabric_test);
-  const CLI::App* fabric_calibrate = add_fabric_calibrate(*fabric, options.fabric_calibrate);
+  FabricVerbs fabric(app);
   CLI::App* project = app.add_subcommand("project", "Project documents: make one, place its pieces");
   project->require_subcommand(1);
   const CLI::App* project_new = add_project_new(*project, options.project_new);
@@ -463,10 +376,7 @@ ExitCode run(int argc, char** argv) {
   if (body_make->parsed()) return body_make_command(options.body_make);
   if (body_measure->parsed()) return body_measure_command(options.body_measure);
   if (body_presets->parsed()) return body_presets_command(options.body_presets);
-  if (fabric_list->parsed()) return fabric_list_command(options.fabric_list);
-  if (fabric_show->parsed()) return fabric_show_command(options.fabric_show);
-  if (fabric_test->parsed()) return fabric_test_command(options.fabric_test);
-  if (fabric_calibrate->parsed()) return fabric_calibrate_command(options.fabric_calibrate);
+  if (const std::optional<ExitCode> code = fabric.run()) return *code;
   if (serve->parsed()) return serve_command(options.serve);
   if (import->parsed()) return pattern_import_command(options.import);
   if (exporting->parsed()) return pattern_export_command(options.exporting);
