@@ -102,7 +102,7 @@ describe('a drape under way', () => {
     page.change((state) => {
       state.pieces.value = ready({ pieces: [squareOf('front', 0, 0, 10), squareOf('back', 20, 0, 10)], seams: [] });
       const about = [{ thing: 'piece' as const, id: 'front' }];
-      const slit = { code: 'worn.slit', severity: 'warning' as const, message: 'an opening', where: '', about, place: [0, 0, 0], repaired: false };
+      const slit = { code: 'worn.slit', severity: 'warning' as const, message: 'an opening', where: '', about, place: [0, 0, 0] as [number, number, number], repaired: false };
       state.report.value = ready(reportOf({ worn: 'partly', findings: [slit] }));
     });
     drape({ state: 'succeeded' });
