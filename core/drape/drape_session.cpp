@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/check.h"
 #include "core/drape/ground.h"
 #include "core/drape/make_features.h"
 #include "core/drape/make_threads.h"
 #include "core/drape/seam_gaps.h"
-#include "core/drape/weld.h"
 #include "core/solver/constraints/viscosity.h"
 
 namespace toile::drape {
@@ -249,7 +249,7 @@ void DrapeSession::sew_or_weld() {
   const bool still = slackened_ == kMostSlackened && watch_.rms_speed() < input_.settings.settle_speed;
   if (!shut && !still && since < sew_time() + kStallTime) return;
   if (gap > kSeamLost) let_go_of_lost_seams();
-  weld();
+  join(weld_now());
   phase_ = Phase::kDrape;
   phase_start_ = last_weld_ = time_;
 }
@@ -263,11 +263,13 @@ void DrapeSession::let_go_of_lost_seams() {
   }
 }
 
-void DrapeSession::weld() {
+Weld DrapeSession::weld_now() const {
+  return weld_seams(assembly_.garment, positions(), kSeamTolerance, obstacles_);
+}
+
+void DrapeSession::join(Weld weld) {
   welded_at_ = steps_;
-  const std::vector<Index> before = vertex_of_;
-  Weld weld = weld_seams(assembly_.garment, positions(), kSeamTolerance, crossings_.bodies());
-  vertex_of_ = weld.vertex_of;
+  const std::vector<Index> before = std::exchange(vertex_of_, weld.vertex_of);
 
   solver::ClothModel model = model_of(vertex_of_, weld.vertex_count);
   std::vector<Vec3> velocities =
@@ -287,7 +289,9 @@ void DrapeSession::weld_what_closed() {
   const bool closed = std::any_of(open.begin(), open.end(), [&](const solver::constraints::Stitch& s) {
     return length(x[s.v1] - x[s.v0]) <= kSeamShut;
   });
-  if (closed) weld();
+  if (!closed) return;
+  Weld weld = weld_now();
+  if (weld.vertex_of != vertex_of_) join(std::move(weld));  // or nothing would ever be seen at rest
 }
 
 void DrapeSession::settle_or_stop() {

@@ -14,6 +14,7 @@
 #include "core/drape/session.h"
 #include "core/drape/settle.h"
 #include "core/drape/stop_reason.h"
+#include "core/drape/weld.h"
 #include "core/sewing/assembly.h"
 #include "core/solver/cloth_solver.h"
 
@@ -71,7 +72,8 @@ class DrapeSession : public Session {
   solver::ClothFeatures features_now() const;
   solver::StepForces forces_now() const;
   void sew_or_weld();
-  void weld();
+  Weld weld_now() const;
+  void join(Weld weld);
   void weld_what_closed();
   void let_go_of_lost_seams();
   std::vector<double> pair_gaps() const;

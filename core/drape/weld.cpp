@@ -7,6 +7,9 @@ namespace toile::drape {
 
 namespace {
 
+/// m; what has been joined stays so, even where contact leaves nothing free.
+constexpr double kRounding = 1e-12;
+
 /// Mean position of each class, stored at its least vertex.
 std::vector<Vec3> class_means(const sewing::GarmentMesh& garment, std::span<const Vec3> positions) {
   std::vector<Vec3> mean(positions.size());
@@ -21,34 +24,17 @@ std::vector<Vec3> class_means(const sewing::GarmentMesh& garment, std::span<cons
   return mean;
 }
 
-/// Marks the classes of every vertex that takes part in a crossing; true when there was one.
-bool open_crossing_classes(const sewing::GarmentMesh& garment, std::span<const Vec3> positions,
-                           std::span<const collision::CrossingBody> bodies, std::vector<bool>& open) {
-  const collision::Surface surface =
-      collision::make_surface(garment.triangles, garment.vertex_count(), garment.weld);
-  bool any = false;
-  const auto mark = [&](Index triangle) {
-    for (const Index v : garment.triangles[triangle]) {
-      if (!open[garment.weld[v]]) open[garment.weld[v]] = any = true;
-    }
-  };
-  for (const auto& [a, b] : collision::self_crossings(surface, positions)) {
-    mark(a);
-    mark(b);
-  }
-  for (const collision::CrossingBody& body : bodies) {
-    for (const auto& [a, b] : collision::body_crossings(surface, positions, body)) mark(a);
-  }
-  return any;
-}
-
-std::vector<Vec3> with_means(const sewing::GarmentMesh& garment, std::span<const Vec3> positions,
-                             const std::vector<Vec3>& mean, const std::vector<bool>& open) {
-  std::vector<Vec3> out(positions.begin(), positions.end());
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    if (!open[garment.weld[i]]) out[i] = mean[garment.weld[i]];
-  }
-  return out;
+/// Bounds of contact around `positions` for ways of up to `reach` (m).
+collision::Contacts bounds_at(const sewing::GarmentMesh& garment, std::span<const Vec3> positions,
+                              double reach, std::span<const collision::Obstacle> obstacles) {
+  collision::ContactSettings settings;
+  settings.thickness = 0;
+  settings.trust_radius_least = settings.trust_radius_most = reach + collision::kContactFloor;
+  collision::ContactFinder finder(
+      collision::make_surface(garment.triangles, garment.vertex_count(), garment.weld), obstacles, settings);
+  collision::Contacts bounds;
+  finder.detect(positions, std::vector<double>(positions.size(), 0), bounds);
+  return bounds;
 }
 
 }  // namespace
@@ -74,15 +60,18 @@ Weld joined_as(const sewing::GarmentMesh& garment, const std::vector<bool>& join
 }
 
 Weld weld_seams(const sewing::GarmentMesh& garment, std::span<const Vec3> positions, double reach,
-                std::span<const collision::CrossingBody> bodies) {
+                std::span<const collision::Obstacle> obstacles) {
   const std::vector<Vec3> mean = class_means(garment, positions);
+  const collision::Contacts bounds = bounds_at(garment, positions, reach, obstacles);
   std::vector<bool> open(positions.size(), false);
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    if (length(positions[i] - mean[garment.weld[i]]) > reach) open[garment.weld[i]] = true;
+    const Vec3 to = mean[garment.weld[i]];
+    const double way = length(to - positions[i]);
+    const auto v = static_cast<Index>(i);
+    const bool free =
+        way < kRounding || (way <= reach && bounds.inside_trust_region(v, to) && bounds.inside_planes(v, to));
+    if (!free) open[garment.weld[i]] = true;
   }
-  std::vector<Vec3> joined = with_means(garment, positions, mean, open);
-  while (open_crossing_classes(garment, joined, bodies, open))
-    joined = with_means(garment, positions, mean, open);
 
   std::vector<bool> shut(positions.size());
   for (std::size_t i = 0; i < positions.size(); ++i) shut[i] = !open[garment.weld[i]];
@@ -90,7 +79,7 @@ Weld weld_seams(const sewing::GarmentMesh& garment, std::span<const Vec3> positi
   weld.positions.resize(static_cast<std::size_t>(weld.vertex_count));
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const Index least = garment.weld[i];
-    weld.positions[weld.vertex_of[i]] = joined[i];
+    weld.positions[weld.vertex_of[i]] = shut[i] ? mean[least] : positions[i];
     if (static_cast<Index>(i) != least && open[least]) weld.refused.push_back(least);
   }
   std::sort(weld.refused.begin(), weld.refused.end());

@@ -1,10 +1,12 @@
 #pragma once
-// Makes one vertex of sewn ones. A weld that would make a crossing is not done.
+// Makes one vertex of sewn ones, which moves them: within the bounds of contact, as every step does. Looking
+// for crossings afterwards would not do: what a weld carries through a layer by less than the count's
+// rounding lies on its other side for ever.
 
 #include <span>
 #include <vector>
 
-#include "core/collision/crossings.h"
+#include "core/collision/contacts.h"
 #include "core/sewing/garment_mesh.h"
 
 namespace toile::drape {
@@ -23,10 +25,11 @@ Weld joined_as(const sewing::GarmentMesh& garment, const std::vector<bool>& join
 /// Every garment vertex for itself.
 Weld no_weld(std::span<const Vec3> positions);
 
-/// Joins each class of sewn vertices that lies within `reach` (m) of its mean, unless that crosses cloth or
-/// body. `positions` are the garment's vertices.
+/// Joins each class of sewn vertices that lies within `reach` (m) of its mean, unless one of them would leave
+/// what contact leaves free to it. `positions` are the garment's vertices, which cross neither cloth nor
+/// body.
 Weld weld_seams(const sewing::GarmentMesh& garment, std::span<const Vec3> positions, double reach,
-                std::span<const collision::CrossingBody> bodies);
+                std::span<const collision::Obstacle> obstacles);
 
 /// The velocities of the solver's vertices after a weld, with the momentum of the parts, so that it neither
 /// starts nor stops anything. `before` and `after` give each garment vertex its solver vertex; masses and

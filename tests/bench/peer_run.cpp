@@ -203,9 +203,7 @@ class PeerRun {
     const std::vector<Index> before = vertex_of_;
     const std::vector<Vec3> velocities = solver_->velocities();
     const std::vector<double> masses = solver_->model().mass;
-    const std::vector<collision::CrossingBody> bodies{
-        collision::make_crossing_body(task_.body.vertices, task_.body.triangles)};
-    const drape::Weld weld = drape::weld_seams(mesh, positions(), kSeamShut, bodies);
+    const drape::Weld weld = drape::weld_seams(mesh, positions(), kSeamShut, obstacles_);
     if (!weld.refused.empty()) return;
     std::vector<Vec3> momentum(weld.positions.size());
     std::vector<double> mass(weld.positions.size(), 0);
