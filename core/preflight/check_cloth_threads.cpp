@@ -66,9 +66,9 @@ WayOff way_off(const BodyProbe& probe, const Thread& t) {
 
 std::string way_text(Vec3 way) {
   const double x = std::abs(way.x), y = std::abs(way.y), z = std::abs(way.z);
-  if (x >= y && x >= z) return way.x > 0 ? "+x" : "-x";
-  if (y >= z) return way.y > 0 ? "+y" : "-y";
-  return way.z > 0 ? "+z" : "-z";
+  if (x >= y && x >= z) return way.x > 0 ? "the body's left" : "the body's right";
+  if (y >= z) return way.y > 0 ? "the top" : "the floor";
+  return way.z > 0 ? "the front" : "the back";
 }
 
 /// What there is to say of one seam's threads and one piece that the seam does not join.
@@ -100,7 +100,7 @@ std::optional<Finding> look(const std::vector<Thread>& threads, const BodyProbe&
   f.severity = Severity::kWarning;
   f.message += ", and it may keep the seam open; move piece " + piece;
   f.message += worst.distance < kNoWay
-                   ? " by about " + length_text(worst.distance) + " against " + way_text(worst.way)
+                   ? " by about " + length_text(worst.distance) + " away from " + way_text(worst.way)
                    : std::string(" out of the way");
   return f;
 }

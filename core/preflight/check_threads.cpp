@@ -93,9 +93,9 @@ bool is_near_limb(const BodyProbe& probe, const Thread& t) {
 
 std::string way_text(Vec3 way) {
   const double x = std::abs(way.x), y = std::abs(way.y), z = std::abs(way.z);
-  if (x >= y && x >= z) return way.x > 0 ? "+x" : "-x";
-  if (y >= z) return way.y > 0 ? "+y" : "-y";
-  return way.z > 0 ? "+z" : "-z";
+  if (x >= y && x >= z) return way.x > 0 ? "the body's left" : "the body's right";
+  if (y >= z) return way.y > 0 ? "the top" : "the floor";
+  return way.z > 0 ? "the front" : "the back";
 }
 
 std::string count_text(std::size_t count, std::size_t of) {

@@ -150,9 +150,11 @@ std::string pieces_json(const ReadCloth& read) {
   for (std::size_t i = 0; i < input.pattern.seams.size(); ++i) {
     seams.push_back(seam_json(input.pattern, input.pattern.seams[i], read.project.seams[i], issues));
   }
-  return json::write_json_line(std::vector<json::JsonMember>{{"pieces", std::move(pieces)},
-                                                             {"seams", std::move(seams)},
-                                                             {"solver", read.project.settings.solver}}) +
+  return json::write_json_line(
+             std::vector<json::JsonMember>{{"pieces", std::move(pieces)},
+                                           {"seams", std::move(seams)},
+                                           {"solver", read.project.settings.solver},
+                                           {"max_time_s", read.project.settings.max_time_s}}) +
          "\n";
 }
 

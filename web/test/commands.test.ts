@@ -112,6 +112,20 @@ describe('after a drape that failed', () => {
     expect(state.notices.value[0]?.code).toBe('edit.seam');
   });
 
+  it('a drape whose time was up is given more, and is draped again', async () => {
+    const edit = vi.fn(async () => projectOf({ revision: 2 }));
+    const { commands, order } = begin({ edit });
+    await commands.mend({ kind: 'time', max_time_s: 16 });
+    expect(edit).toHaveBeenCalledWith('p_1', 1, [{ edit: 'set_max_time', max_time_s: 16 }]);
+    expect(order).toEqual(['watch j_new', 'go #/jobs/j_new']);
+  });
+
+  it('a seam that does not fit is shown on the pattern', async () => {
+    const { commands, state } = begin();
+    await commands.mend({ kind: 'seam', seam: 's' });
+    expect([state.editing.seam.value, state.tab.value]).toEqual(['s', 'pattern']);
+  });
+
   it('a piece is shown where it can be placed by hand', async () => {
     const { commands, state } = begin();
     await commands.mend({ kind: 'place', piece: 'front' });

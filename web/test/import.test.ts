@@ -10,6 +10,8 @@ import {
   linesText,
   namesPattern,
   pictureOf,
+  piecesDrawn,
+  presetNamed,
   seamsInReach,
   sourceNames,
   sureness,
@@ -95,6 +97,52 @@ describe('a pattern that was dropped', () => {
     });
     await imports.follow(source());
     expect(state.importing.value?.report).toMatchObject({ state: 'failed', error: { code: 'dxf.truncated' } });
+  });
+});
+
+describe('the body of an import', () => {
+  const presets = ['eu34', 'eu38', 'm46', 'm50'].map((id) => ({ id }));
+  const none = { sizes: [], size: '', sample_size: '' };
+
+  it('is of the size that the file names', () => {
+    const named = (file: string, more = {}): string => presetNamed(importOf({ file, ...none, ...more }), presets);
+    expect(named('skirt-cisFemaleAdult34.dxf')).toBe('eu34');
+    expect(named('Rock EU38.dxf')).toBe('eu38');
+    expect(named('mens_jacket.dxf', { size: '46' })).toBe('m46');
+    expect(named('block-cisMaleAdult38.dxf', { size: 'M' })).toBe('m50');
+    expect(named('blouse.dxf', { size: 'M' })).toBe('eu38');
+    expect(named('drawing 1234.dxf')).toBe('');
+  });
+
+  it('stays the one that a person chose', async () => {
+    const { state, imports } = begin({ bodyPresets: async () => presets });
+    await imports.follow(source());
+    expect(state.importing.value!.body).toEqual({ kind: 'mannequin', preset: 'eu38' });
+    imports.takeBody({ kind: 'mannequin', preset: '' });
+    await imports.takeUnit('inch');
+    expect(state.importing.value!.body).toEqual({ kind: 'mannequin', preset: '' });
+  });
+});
+
+describe('the pieces of an import', () => {
+  it('are drawn both of a pair, the other half turned over with its edges running the other way', () => {
+    const report = importOf();
+    report.pieces[1] = importedPiece('sleeve', {
+      quantity: 2,
+      mirrored: 1,
+      edge_list: [
+        { id: 'e0', length_mm: 100, points: [[0, 0], [100, 0]], start: [0, 0], end: [100, 0], curves: 1 },
+        { id: 'e1', length_mm: 50, points: [[0, 50], [0, 0]], start: [0, 50], end: [0, 0], curves: 1 },
+      ],
+    });
+    const drawn = piecesDrawn(report);
+    expect(drawn.map(({ id }) => id)).toEqual(['front', 'sleeve', 'sleeve_mirrored', 'torn']);
+    const other = drawn[2]!;
+    expect(other.outline).toEqual([[-0, 50], [-100, 0], [-0, 0]]);
+    expect(other.edges.map(({ id, points }) => [id, points])).toEqual([
+      ['e1', [[-0, 0], [-0, 50]]],
+      ['e0', [[-100, 0], [-0, 0]]],
+    ]);
   });
 });
 

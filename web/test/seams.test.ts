@@ -5,6 +5,7 @@ import {
   alongLine,
   alongSide,
   clash,
+  edgeWords,
   emptyDraft,
   freeSeamId,
   lengthsText,
@@ -31,6 +32,16 @@ describe('a seam on the pieces', () => {
     const seams = [named, given, tube];
     expect(seams.map(({ id }) => seamTitle(seams, id))).toEqual(['1 side_left', '2 a to b and c', '3 a, to itself']);
     expect(seamTitle(seams, 'gone')).toBe('gone');
+  });
+
+  it('names edges that nobody named by where they lie on their piece', () => {
+    const [a] = pieces;
+    expect(a!.edges.map(({ id }) => edgeWords(a, id))).toEqual(['bottom', 'right', 'top', 'left']);
+    const named = { ...a!, edges: a!.edges.map((edge) => ({ ...edge, id: 'waist' })) };
+    expect(edgeWords(named, 'waist')).toBe('waist');
+    expect(edgeWords(undefined, 'e1')).toBe('e1');
+    const side = seamOf('s', ['a', 'e1'], ['b', 'e3']);
+    expect(`${seriesText(side.a, pieces)} to ${seriesText(side.b, pieces)}`).toBe('a · right to b · left');
   });
 
   it('has its threads on its edges also where a side goes over two pieces', () => {

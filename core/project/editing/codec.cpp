@@ -102,6 +102,8 @@ json::JsonValue edits_json(std::span<const ProjectEdit> edits) {
       write(*physical);
     } else if (const auto* solver = std::get_if<SetSolver>(&edit)) {
       write(*solver);
+    } else if (const auto* time = std::get_if<SetMaxTime>(&edit)) {
+      write(*time);
     } else {
       write(std::get<RestoreLists>(edit));
     }

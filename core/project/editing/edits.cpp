@@ -145,6 +145,11 @@ Status apply_one(Editing& editing, const SetSolver& edit) {
   return {};
 }
 
+Status apply_one(Editing& editing, const SetMaxTime& edit) {
+  editing.project.settings.max_time_s = edit.max_time_s;
+  return {};
+}
+
 Status apply_one(Editing& editing, const RestoreLists& edit) {
   editing.pattern.reset();
   return restore(editing.project, edit);
@@ -165,6 +170,8 @@ Result<EditedProject> checked(project::Project project, resolve::OpenedFiles& fi
 std::vector<ProjectEdit> inverse_of(const project::Project& now, const project::Project& before) {
   std::vector<ProjectEdit> inverse;
   if (now.settings.solver != before.settings.solver) inverse.push_back(SetSolver{before.settings.solver});
+  const double most = before.settings.max_time_s;
+  if (now.settings.max_time_s != most) inverse.push_back(SetMaxTime{most});
   project::Project lists = now;
   lists.settings = before.settings;
   if (!(lists == before)) inverse.push_back(difference(lists, before));

@@ -35,6 +35,11 @@ struct SetSolver {
   std::string solver;
 };
 
+/// After how much simulated time a drape that has not settled ends: settings.max_time_s of the document.
+struct SetMaxTime {
+  double max_time_s = 8;
+};
+
 /// In place of `remove` elements of a list from `at` on: those of `insert`.
 template <typename T>
 struct ListSplice {
@@ -54,7 +59,8 @@ struct RestoreLists {
   std::optional<ListSplice<project::ProjectBody>> bodies;
 };
 
-using ProjectEdit = std::variant<edit::PatternEdit, SetTexture, SetPhysical, SetSolver, RestoreLists>;
+using ProjectEdit =
+    std::variant<edit::PatternEdit, SetTexture, SetPhysical, SetSolver, SetMaxTime, RestoreLists>;
 
 /// Edits of one call at most.
 inline constexpr std::size_t kMostEdits = 200;

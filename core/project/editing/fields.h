@@ -313,6 +313,13 @@ void describe(Visitor& v, editing::SetSolver& edit) {
   v.choice("solver", edit.solver, "As settings.solver of the document.", {"toile", "paper"}, Need::kRequired);
 }
 
+template <typename Visitor>
+void describe(Visitor& v, editing::SetMaxTime& edit) {
+  v.object("set_max_time", "Says when a drape that has not settled ends.");
+  v.field("max_time_s", edit.max_time_s, "s of simulated time, as settings.max_time_s of the document.",
+          Need::kRequired, Range{0, 3600});
+}
+
 template <typename Visitor, typename T>
 void describe(Visitor& v, editing::ListSplice<T>& splice) {
   v.object("", "");
@@ -342,23 +349,41 @@ struct NamedEdit {
 
 /// Every edit under the name that stands in "edit".
 inline constexpr auto kEditNames = std::tuple{
-    NamedEdit<edit::MovePoint>{"move_point"},           NamedEdit<edit::MoveHandle>{"move_handle"},
-    NamedEdit<edit::InsertPoint>{"insert_point"},       NamedEdit<edit::DeletePoint>{"delete_point"},
-    NamedEdit<edit::SplitEdge>{"split_edge"},           NamedEdit<edit::JoinEdges>{"join_edges"},
-    NamedEdit<edit::StraightenEdge>{"straighten_edge"}, NamedEdit<edit::BendEdge>{"bend_edge"},
-    NamedEdit<edit::SetEdgeLength>{"set_edge_length"},  NamedEdit<edit::MirrorPiece>{"mirror_piece"},
-    NamedEdit<edit::RotateGrain>{"rotate_grain"},       NamedEdit<edit::AddLine>{"add_line"},
-    NamedEdit<edit::RemoveLine>{"remove_line"},         NamedEdit<edit::AddDart>{"add_dart"},
-    NamedEdit<edit::AddInnerDart>{"add_inner_dart"},    NamedEdit<edit::RenameEdge>{"rename_edge"},
-    NamedEdit<edit::RemoveDart>{"remove_dart"},         NamedEdit<edit::AddHole>{"add_hole"},
-    NamedEdit<edit::RemoveHole>{"remove_hole"},         NamedEdit<edit::MovePiece>{"move_piece"},
-    NamedEdit<edit::RenamePiece>{"rename_piece"},       NamedEdit<edit::DuplicatePiece>{"duplicate_piece"},
-    NamedEdit<edit::DeletePiece>{"delete_piece"},       NamedEdit<edit::AddSeam>{"add_seam"},
-    NamedEdit<edit::RemoveSeam>{"remove_seam"},         NamedEdit<edit::ReverseSeam>{"reverse_seam"},
-    NamedEdit<edit::SetFabric>{"set_fabric"},           NamedEdit<editing::SetTexture>{"set_texture"},
-    NamedEdit<editing::SetPhysical>{"set_physical"},    NamedEdit<editing::SetSolver>{"set_solver"},
-    NamedEdit<editing::RestoreLists>{"restore"},        NamedEdit<edit::AddNotch>{"add_notch"},
-    NamedEdit<edit::MoveNotch>{"move_notch"},           NamedEdit<edit::RemoveNotch>{"remove_notch"},
+    NamedEdit<edit::MovePoint>{"move_point"},
+    NamedEdit<edit::MoveHandle>{"move_handle"},
+    NamedEdit<edit::InsertPoint>{"insert_point"},
+    NamedEdit<edit::DeletePoint>{"delete_point"},
+    NamedEdit<edit::SplitEdge>{"split_edge"},
+    NamedEdit<edit::JoinEdges>{"join_edges"},
+    NamedEdit<edit::StraightenEdge>{"straighten_edge"},
+    NamedEdit<edit::BendEdge>{"bend_edge"},
+    NamedEdit<edit::SetEdgeLength>{"set_edge_length"},
+    NamedEdit<edit::MirrorPiece>{"mirror_piece"},
+    NamedEdit<edit::RotateGrain>{"rotate_grain"},
+    NamedEdit<edit::AddLine>{"add_line"},
+    NamedEdit<edit::RemoveLine>{"remove_line"},
+    NamedEdit<edit::AddDart>{"add_dart"},
+    NamedEdit<edit::AddInnerDart>{"add_inner_dart"},
+    NamedEdit<edit::RenameEdge>{"rename_edge"},
+    NamedEdit<edit::RemoveDart>{"remove_dart"},
+    NamedEdit<edit::AddHole>{"add_hole"},
+    NamedEdit<edit::RemoveHole>{"remove_hole"},
+    NamedEdit<edit::MovePiece>{"move_piece"},
+    NamedEdit<edit::RenamePiece>{"rename_piece"},
+    NamedEdit<edit::DuplicatePiece>{"duplicate_piece"},
+    NamedEdit<edit::DeletePiece>{"delete_piece"},
+    NamedEdit<edit::AddSeam>{"add_seam"},
+    NamedEdit<edit::RemoveSeam>{"remove_seam"},
+    NamedEdit<edit::ReverseSeam>{"reverse_seam"},
+    NamedEdit<edit::SetFabric>{"set_fabric"},
+    NamedEdit<editing::SetTexture>{"set_texture"},
+    NamedEdit<editing::SetPhysical>{"set_physical"},
+    NamedEdit<editing::SetSolver>{"set_solver"},
+    NamedEdit<editing::SetMaxTime>{"set_max_time"},
+    NamedEdit<editing::RestoreLists>{"restore"},
+    NamedEdit<edit::AddNotch>{"add_notch"},
+    NamedEdit<edit::MoveNotch>{"move_notch"},
+    NamedEdit<edit::RemoveNotch>{"remove_notch"},
 };
 
 static_assert(std::tuple_size_v<decltype(kEditNames)> ==

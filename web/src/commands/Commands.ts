@@ -142,24 +142,28 @@ export class Commands {
 
   /** Does what a drape's end asks for, and drapes again where that may be all there was to do. */
   async mend(fix: Fix): Promise<void> {
-    const { project, tab, selected } = this.state_;
+    const { project } = this.state_;
     const before = project.value?.revision;
-    if (fix.kind === 'place' || fix.kind === 'edit') {
-      selected.value = fix.piece;
-      tab.value = fix.kind === 'place' ? 'arrange' : 'pattern';
-      return;
-    }
     if (fix.kind === 'drape') return this.startDrape();
-    if (fix.kind === 'sew') {
-      tab.value = 'pattern';
-      return this.pattern.propose();
-    }
+    if (this.ledTo(fix)) return;
     if (fix.kind === 'reverse') await this.pattern.edit({ edit: 'reverse_seam', seam: fix.seam });
+    else if (fix.kind === 'time') await this.pattern.edit({ edit: 'set_max_time', max_time_s: fix.max_time_s });
     else await this.dressing.arrange();
     if (project.value?.revision !== before) return this.startDrape();
     const refused = this.state_.editing.problem.value ?? this.state_.dressing.placeProblem.value;
     if (refused) return notifyError(this.state_, refused);
     notify(this.state_, { tone: 'info', text: 'Nothing is to be changed there: it is as it was draped.' });
+  }
+
+  /** Goes where a person mends it; whether that is all that the fix is. */
+  private ledTo(fix: Fix): boolean {
+    const { tab } = this.state_;
+    if (fix.kind === 'place' || fix.kind === 'edit') this.select(fix.piece);
+    else if (fix.kind === 'seam') this.pattern.selectSeam(fix.seam);
+    else if (fix.kind === 'sew') void this.pattern.propose();
+    else return false;
+    tab.value = fix.kind === 'place' ? 'arrange' : 'pattern';
+    return true;
   }
 
   select(piece: string | null): void {

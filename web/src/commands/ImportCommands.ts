@@ -3,7 +3,7 @@
 import type { Api } from '../api/Api';
 import type { Asset, Import, Project, Unit } from '../api/types';
 import { loading, ready, valueOf, type AppState } from '../state/AppState';
-import { documentOf, namesPattern, seamsInReach, type BodyChoice, type ImportDraft } from '../state/importDraft';
+import { documentOf, namesPattern, presetNamed, seamsInReach, type BodyChoice, type ImportDraft } from '../state/importDraft';
 import type { LoosePattern } from '../state/intake';
 import { sewnTogether, ticked, toWear } from '../state/seamView';
 import { stem } from '../state/words';
@@ -30,7 +30,7 @@ export class ImportCommands {
     if (!source) return void (importing.value = null);
     if (now?.source.file.blob === source.file.blob) {
       const body = newestBody(source) ?? (now.body.kind === 'file' ? kMannequin : now.body);
-      importing.value = { ...now, source, body };
+      importing.value = { ...now, source, body, bodyTaken: now.bodyTaken || source.bodies.length > 0 };
       return;
     }
     importing.value = {
@@ -42,6 +42,7 @@ export class ImportCommands {
       left: new Set(),
       chosen: new Set(),
       body: newestBody(source) ?? kMannequin,
+      bodyTaken: source.bodies.length > 0,
       name: stem(source.file.name),
       bodies: [],
       presets: [],
@@ -60,9 +61,18 @@ export class ImportCommands {
     try {
       const [bodies, presets] = await Promise.all([this.api_.bodies(), this.api_.bodyPresets()]);
       this.change(source, { bodies, presets });
+      this.suggestBody(source);
     } catch {
       // A mannequin of usual measures is there without them.
     }
+  }
+
+  /** Until somebody chooses a body, it is of the size that the file names. */
+  private suggestBody(source: LoosePattern): void {
+    const draft = this.state_.importing.value;
+    const report = draft && valueOf(draft.report);
+    if (!draft || !report || draft.bodyTaken || draft.presets.length === 0) return;
+    this.change(source, { body: { kind: 'mannequin', preset: presetNamed(report, draft.presets) } });
   }
 
   private async upload(source: LoosePattern): Promise<void> {
@@ -89,6 +99,7 @@ export class ImportCommands {
         chosen: toWear(report.seams),
         left: faulty(report),
       });
+      this.suggestBody(source);
     } catch (error) {
       this.change(source, { report: { state: 'failed', error: asApiError(error) } });
     }
@@ -134,7 +145,7 @@ export class ImportCommands {
 
   takeBody(body: BodyChoice): void {
     const draft = this.state_.importing.value;
-    if (draft) this.change(draft.source, { body });
+    if (draft) this.change(draft.source, { body, bodyTaken: true });
   }
 
   takeName(name: string): void {

@@ -228,6 +228,7 @@ function NameAndBody({ draft }: { draft: ImportDraft }) {
     if (kind === 'file' && file) imports.takeBody({ kind: 'file', file });
   };
   const busy = state.intake.value?.busy !== '';
+  const isSuggested = !draft.bodyTaken;
   return (
     <div class="import-make">
       <label class="text-field">
@@ -242,10 +243,11 @@ function NameAndBody({ draft }: { draft: ImportDraft }) {
       <label class="select-field">
         <span>Body</span>
         <select value={bodyKey(draft.body)} disabled={busy} onChange={(event) => take(event.currentTarget.value)}>
-          <option value="mannequin ">Mannequin, 170 cm</option>
+          <option value="mannequin ">Mannequin, no size</option>
           {draft.presets.map((preset) => (
             <option key={preset.id} value={`mannequin ${preset.id}`}>
               Mannequin {presetTitle(preset.id)}
+              {isSuggested && bodyKey(draft.body) === `mannequin ${preset.id}` ? ', as the file says' : ''}
             </option>
           ))}
           {files.length > 0 && <option value="file">{files[files.length - 1]!.name} (dropped)</option>}

@@ -2,7 +2,7 @@
 
 import { useCommands } from '../commands/context';
 import type { Import } from '../api/types';
-import { seamsInReach, type ImportDraft } from '../state/importDraft';
+import { piecesDrawn, seamsInReach, type ImportDraft } from '../state/importDraft';
 import { kSure, seamColour } from '../state/seamView';
 import { percent } from '../state/words';
 import { ProposalRow } from './ProposalList';
@@ -16,6 +16,7 @@ export interface ImportSeamsProps {
 export function ImportSeams({ draft, report, onLight }: ImportSeamsProps) {
   const { imports } = useCommands();
   const seams = seamsInReach(report, draft.left);
+  const pieces = piecesDrawn(report);
   if (seams.length === 0) {
     return (
       <p class="hint">
@@ -49,6 +50,7 @@ export function ImportSeams({ draft, report, onLight }: ImportSeamsProps) {
           <ProposalRow
             key={seam.id}
             proposal={seam}
+            pieces={pieces}
             on={draft.chosen.has(seam.id)}
             colour={seamColour(report.seams.indexOf(seam))}
             turn={(on) => imports.takeSeam(seam.id, on)}

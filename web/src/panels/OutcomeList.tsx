@@ -15,6 +15,7 @@ export function OutcomeList() {
   const known = {
     pieces: (pattern?.pieces ?? []).map((piece) => piece.id),
     seams: (pattern?.seams ?? []).map((seam) => seam.id),
+    max_time_s: pattern?.max_time_s,
   };
   const report: Report | null = valueOf(state.report.value ?? loading);
   return (

@@ -1,7 +1,7 @@
 // Seams that the pieces ask for: looked for on request, accepted by ticks.
 
 import type { ApiError } from '../api/http';
-import type { Pieces, SeamProposal } from '../api/types';
+import type { Piece, Pieces, SeamProposal } from '../api/types';
 import { useCommands } from '../commands/context';
 import { useAppState } from '../state/context';
 import { lengthsText, seriesText } from '../state/seamView';
@@ -20,7 +20,7 @@ export function ProposalList({ pieces }: { pieces: Pieces }) {
           <span class="spinner" aria-hidden="true" /> Looking at lengths, notches and names…
         </p>
       )}
-      {found?.state === 'ready' && <Found proposals={found.value} />}
+      {found?.state === 'ready' && <Found proposals={found.value} pieces={pieces.pieces} />}
     </section>
   );
 }
@@ -39,7 +39,7 @@ function Ask({ failure }: { failure: { error: ApiError } | null }) {
   );
 }
 
-function Found({ proposals }: { proposals: readonly SeamProposal[] }) {
+function Found({ proposals, pieces }: { proposals: readonly SeamProposal[]; pieces: readonly Piece[] }) {
   const { chosen, busy } = useAppState().editing;
   const { pattern } = useCommands();
   if (proposals.length === 0) return <p class="hint">No further seams are found.</p>;
@@ -50,6 +50,7 @@ function Found({ proposals }: { proposals: readonly SeamProposal[] }) {
           <ProposalRow
             key={one.id}
             proposal={one}
+            pieces={pieces}
             on={chosen.value.has(one.id)}
             turn={(on) => pattern.choose(one.id, on)}
           />
@@ -68,13 +69,15 @@ function Found({ proposals }: { proposals: readonly SeamProposal[] }) {
 
 export interface ProposalRowProps {
   proposal: SeamProposal;
+  /** Whose edges it names. */
+  pieces: readonly Piece[];
   on: boolean;
   turn(on: boolean): void;
   light?(on: boolean): void;
   colour?: string;
 }
 
-export function ProposalRow({ proposal, on, turn, light, colour }: ProposalRowProps) {
+export function ProposalRow({ proposal, pieces, on, turn, light, colour }: ProposalRowProps) {
   const { lengths, difference } = lengthsText(proposal.length_a_mm, proposal.length_b_mm);
   return (
     <li class="proposal" onPointerEnter={() => light?.(true)} onPointerLeave={() => light?.(false)}>
@@ -89,7 +92,7 @@ export function ProposalRow({ proposal, on, turn, light, colour }: ProposalRowPr
         {colour && <i style={{ background: colour }} aria-hidden="true" />}
         <span class="proposal-text">
           <b>
-            {seriesText(proposal.a)} <span aria-hidden="true">⇄</span> {seriesText(proposal.b)}
+            {seriesText(proposal.a, pieces)} <span aria-hidden="true">⇄</span> {seriesText(proposal.b, pieces)}
           </b>
           <small>
             {lengths} · {difference}

@@ -3,6 +3,7 @@
 import { useEffect, useRef } from 'preact/hooks';
 import type { Pieces, Seam } from '../api/types';
 import { useCommands } from '../commands/context';
+import { loading, valueOf } from '../state/AppState';
 import { useAppState } from '../state/context';
 import { lengthsText, seamColour, seamTitle, seriesText } from '../state/seamView';
 import { counted, sentence } from '../state/words';
@@ -76,6 +77,7 @@ function Row({ seam, index, title, chosen }: RowProps) {
 /** Both sides of the seam that is selected, what is wrong with it, and what can be done. */
 function Chosen({ seam, difference }: { seam: Seam; difference: string }) {
   const { pattern } = useCommands();
+  const pieces = valueOf(useAppState().pieces.value ?? loading)?.pieces ?? [];
   const edit = (kind: 'reverse_seam' | 'remove_dart' | 'remove_seam'): void => void pattern.edit({ edit: kind, seam: seam.id });
   const remove = (): void => {
     edit('remove_seam');
@@ -84,10 +86,10 @@ function Chosen({ seam, difference }: { seam: Seam; difference: string }) {
   return (
     <div class="seam-more">
       <p>
-        <em>A</em> {seriesText(seam.a)}
+        <em>A</em> {seriesText(seam.a, pieces)}
       </p>
       <p>
-        <em>B</em> {seriesText(seam.b)}
+        <em>B</em> {seriesText(seam.b, pieces)}
       </p>
       <p>
         Difference <b>{difference}</b>

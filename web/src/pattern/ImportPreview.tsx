@@ -8,28 +8,26 @@ import { PieceShape } from './PieceShape';
 import { SeamShapes, Threads, type ShownSeam } from './SeamShapes';
 import { useSizeOf } from './useSizeOf';
 import { fit, viewBox } from './Viewport';
-import { pictureOf, seamsInReach, sourceNames, type ImportDraft, type PreviewProps } from '../state/importDraft';
+import { piecesDrawn, seamsInReach, sourceNames, type ImportDraft, type PreviewProps } from '../state/importDraft';
 import { joined, layOut, type PlacedPiece } from '../state/patternGeometry';
 import { seamParts } from '../state/seamView';
 
-/** The ticked seams and the lit one, on the pieces as the file names them. */
+/** The ticked seams and the lit one. */
 function seamsShown(draft: ImportDraft, report: Import, lit: string | null, pictures: readonly Piece[]): ShownSeam[] {
-  const sources = sourceNames(report);
-  const named = (side: Import['seams'][number]['a']) =>
-    side.map((use) => ({ ...use, piece: sources.get(use.piece) ?? use.piece }));
   return seamsInReach(report, draft.left)
     .filter((seam) => draft.chosen.has(seam.id) || seam.id === lit)
     .map((seam) => ({
       seam,
       index: report.seams.indexOf(seam),
-      parts: seamParts(pictures, { ...seam, a: named(seam.a), b: named(seam.b) }),
+      parts: seamParts(pictures, seam),
     }));
 }
 
 export function ImportPreview({ draft, report, lit, onLight }: PreviewProps) {
   const svg = useRef<SVGSVGElement>(null);
   const view = useSizeOf(svg, { width: 600, height: 500 }).value;
-  const placed = layOut(report.pieces.filter((piece) => piece.points.length > 2).map(pictureOf));
+  const placed = layOut(piecesDrawn(report));
+  const sources = sourceNames(report);
   if (placed.length === 0) {
     return (
       <div class="import-preview">
@@ -52,7 +50,13 @@ export function ImportPreview({ draft, report, lit, onLight }: PreviewProps) {
         aria-label={`Preview of ${placed.length} pieces`}
       >
         {placed.map((one) => (
-          <FilePiece key={one.piece.id} placed={one} draft={draft} scale={port.scale}>
+          <FilePiece
+            key={one.piece.id}
+            placed={one}
+            source={sources.get(one.piece.id) ?? one.piece.id}
+            draft={draft}
+            scale={port.scale}
+          >
             <SeamShapes
               shown={seams}
               piece={one.piece.id}
@@ -71,18 +75,19 @@ export function ImportPreview({ draft, report, lit, onLight }: PreviewProps) {
 
 interface FilePieceProps {
   placed: PlacedPiece;
+  /** Its name in the file. */
+  source: string;
   draft: ImportDraft;
   scale: number;
   children: preact.ComponentChildren;
 }
 
 /** A piece of the file: a click leaves it out, or takes it in again. */
-function FilePiece({ placed, draft, scale, children }: FilePieceProps) {
+function FilePiece({ placed, source, draft, scale, children }: FilePieceProps) {
   const { imports } = useCommands();
   const hovered = useSignal(false);
-  const { id } = placed.piece;
-  const out = draft.left.has(id);
-  const turn = (): void => imports.takePiece(id, out);
+  const out = draft.left.has(source);
+  const turn = (): void => imports.takePiece(source, out);
   return (
     <g class={out ? 'left-out' : ''} onClick={turn}>
       <PieceShape

@@ -84,6 +84,7 @@ const kWords: Record<string, string> = {
   set_texture: 'Change picture',
   set_physical: 'Change cloth',
   set_solver: 'Change solver',
+  set_max_time: 'Change time of the drape',
 };
 
 /** A step that changes lists of the document as a whole: who makes it says no more than which. */

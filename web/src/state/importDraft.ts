@@ -8,6 +8,7 @@ import type {
   ImportedPiece,
   ImportWarning,
   Piece,
+  Point,
   SeamProposal,
   Unit,
 } from '../api/types';
@@ -34,6 +35,8 @@ export interface ImportDraft {
   /** Proposals that are accepted. */
   chosen: ReadonlySet<string>;
   body: BodyChoice;
+  /** A person chose the body: what the file says of its size counts no more. */
+  bodyTaken: boolean;
   name: string;
   /** Bodies that the service has. */
   bodies: Asset[];
@@ -73,6 +76,28 @@ export function seamsInReach(report: Import, left: ReadonlySet<string>): SeamPro
   const sources = sourceNames(report);
   const stays = ({ piece }: { piece: string }): boolean => !left.has(sources.get(piece) ?? piece);
   return report.seams.filter((seam) => seam.a.every(stays) && seam.b.every(stays));
+}
+
+/** Female bodies where nothing says for whom it is: most size tables with such numbers are theirs. */
+const kLetters: Record<'eu' | 'm', Record<string, number>> = {
+  eu: { xs: 34, s: 36, m: 38, l: 42, xl: 44, xxl: 48 },
+  m: { xs: 44, s: 46, m: 50, l: 52, xl: 54, xxl: 56 },
+};
+
+/** The table's size that a file names, in its name before its own "sample size"; empty: it names none of the table. */
+export function presetNamed(report: Import, presets: readonly { id: string }[]): string {
+  // "aMaleAdult38" is three words and a number.
+  const words = (text: string): string[] =>
+    (text.match(/[A-Z]?[a-z]+|[A-Z]+(?![a-z])|\d+/g) ?? []).map((one) => one.toLowerCase());
+  const name = words(stem(report.file));
+  const size = words(report.size || report.sample_size);
+  const says = (...some: string[]): boolean => some.some((one) => [...name, ...size].includes(one));
+  const female = says('female', 'women', 'woman', 'womens', 'ladies', 'damen');
+  const table = !female && says('male', 'men', 'man', 'mens', 'herren') ? 'm' : 'eu';
+  const known = (size: number | string): string => presets.find(({ id }) => id === `${table}${size}`)?.id ?? '';
+  const numbers = [...name, ...size].map((word) => known(/^\d\d$/.test(word) ? word : ''));
+  const letter = size.map((word) => kLetters[table][word] ?? 0).find((one) => one > 0);
+  return numbers.find((one) => one !== '') ?? (letter ? known(letter) : '');
 }
 
 /** The document that makes the project, with the file names that it uses. */
@@ -115,6 +140,40 @@ export function pictureOf(piece: ImportedPiece): Piece {
     texture: null,
     lines: (piece.line_list ?? []).map((line) => ({ ...line, drawn: true })),
   };
+}
+
+/** The other half of a pair, as the service turns a piece over: about x = 0, so that its outline runs the other way. */
+function turnedOver(piece: Piece, id: string): Piece {
+  const over = ([x, y]: Point): Point => [-x, y];
+  const back = (points: readonly Point[]): Point[] => points.map(over).reverse();
+  return {
+    ...piece,
+    id,
+    outline: back(piece.outline),
+    holes: piece.holes.map(back),
+    grain: piece.grain && over(piece.grain),
+    edges: piece.edges.map((edge) => ({ ...edge, points: back(edge.points) })).reverse(),
+    notches: piece.notches.map((notch) => ({ ...notch, at: over(notch.at), inwards: notch.inwards && over(notch.inwards) })),
+    lines: piece.lines.map((line) => ({ ...line, points: line.points.map(over) })),
+  };
+}
+
+/** Each piece that is sewn, halves of pairs both, and those of the file that cannot be. */
+export function piecesDrawn(report: Import): Piece[] {
+  const byName = new Map(report.pieces.map((piece) => [piece.name, piece]));
+  const sources = sourceNames(report);
+  const isDrawing = report.document !== null && namesPattern(report.document);
+  const drawn = listOf(report.document?.pieces).flatMap((piece): Piece[] => {
+    const id = String(piece.id);
+    const source = byName.get(sources.get(id) ?? '');
+    if (!source) return [];
+    const picture = pictureOf(source);
+    // What a document draws by itself, though it comes from a file, is the other half.
+    return [isDrawing && !isObject(piece.from) ? turnedOver(picture, id) : { ...picture, id }];
+  });
+  const names = new Set(sources.values());
+  const others = report.pieces.filter((piece) => !names.has(piece.name)).map(pictureOf);
+  return [...drawn, ...others].filter((piece) => piece.outline.length > 2);
 }
 
 /** How sure the unit is, in a word. */

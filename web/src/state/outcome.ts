@@ -11,7 +11,10 @@ export type Fix =
   | { kind: 'drape' }
   | { kind: 'place'; piece: string }
   | { kind: 'sew' }
-  | { kind: 'edit'; piece: string };
+  | { kind: 'edit'; piece: string }
+  | { kind: 'seam'; seam: string }
+  /** s of simulated time. */
+  | { kind: 'time'; max_time_s: number };
 
 export interface Outcome {
   tone: 'bad' | 'warn' | 'plain';
@@ -40,13 +43,24 @@ const kTexts: [RegExp, string][] = [
   [/^(json|project)\./, 'The project itself is at fault, at the place named.'],
   [/^dxf\./, 'Export the DXF again from the pattern program, or correct the line named.'],
   [/^body\./, 'A body is one closed mesh of triangles. Another file, or a mannequin, can be chosen under Body.'],
+  [/^seam\./, 'The seam joins what does not fit together: it may be turned over, or end elsewhere.'],
+  [/^arrange\.no_seams/, 'Nothing says how its pieces are sewn. Seams can be looked for, or clicked together with N.'],
   [/^(mesh|pattern)\./, 'The outline of the piece wants correcting.'],
 ];
 
 const textOf = (code: string): string => kTexts.find(([pattern]) => pattern.test(code))?.[1] ?? '';
 
-function fixesOf(code: string, pieces: readonly string[]): Fix[] {
+/** A seam that is sewn the wrong way round, and one whose edges do not fit each other. */
+const kTurned = /^seam\.(twisted|thread_)/;
+
+function fixesOf(code: string, pieces: readonly string[], seams: readonly string[]): Fix[] {
   const [piece] = pieces;
+  const [seam] = seams;
+  if (code.startsWith('seam.') && seam !== undefined) {
+    const [turn, see]: Fix[] = [{ kind: 'reverse', seam }, { kind: 'seam', seam }];
+    return kTurned.test(code) ? [turn!, see!] : [see!, turn!];
+  }
+  if (code === 'arrange.no_seams') return [{ kind: 'sew' }];
   if (/^(start|placement)\.|stalled/.test(code)) {
     return [{ kind: 'arrange' }, ...(piece ? [{ kind: 'place', piece } as const] : [])];
   }
@@ -61,7 +75,7 @@ function failed(job: Job, known: Known): Outcome {
   const said = sentence(`${job.reason || 'it ended without a result'}${place}`);
   // Of a start the place is lit: the words need not tell it in metres.
   const text = code.startsWith('start.') ? textOf(code) || said : `${said} ${textOf(code)}`.trim();
-  return { tone: 'bad', title: 'The drape failed', text, seams, pieces, fixes: fixesOf(code, pieces), code };
+  return { tone: 'bad', title: 'The drape failed', text, seams, pieces, fixes: fixesOf(code, pieces, seams), code };
 }
 
 function openSeams(open: Report['open_seams'], known: Known): Outcome {
@@ -121,20 +135,29 @@ function leftOut(report: Report): Outcome | null {
   };
 }
 
-const kMoving: Outcome = {
-  tone: 'warn',
-  title: 'It still moved at the end',
-  text: 'Its time was up before it came to rest. What is seen is its last moment; wide and light cloth takes longest.',
-  seams: [],
-  pieces: [],
-  fixes: [],
-  code: 'time',
-};
+/** The document takes no more, s. */
+const kMostTime = 3600;
+
+/** `max_time_s`: of the project as it is now; undefined: not known. */
+function moving(max_time_s: number | undefined): Outcome {
+  const twice = Math.min(kMostTime, 2 * (max_time_s ?? 0));
+  return {
+    tone: 'warn',
+    title: 'It still moved at the end',
+    text: 'Its time was up before it came to rest. What is seen is its last moment; wide and light cloth takes longest.',
+    seams: [],
+    pieces: [],
+    fixes: max_time_s !== undefined && twice > max_time_s ? [{ kind: 'time', max_time_s: twice }] : [],
+    code: 'time',
+  };
+}
 
 /** Ids that the pattern has now. */
 export interface Known {
   pieces: readonly string[];
   seams: readonly string[];
+  /** s of simulated time that its drapes may take. */
+  max_time_s?: number;
 }
 
 /** `since`: what was done to the project after the drape had begun, in words. */
@@ -175,7 +198,7 @@ export function outcomesOf(
     notWorn(report),
     leftOut(report),
     slits(report),
-    job.reason_code === 'time' ? kMoving : null,
+    job.reason_code === 'time' ? moving(known.max_time_s) : null,
   ].filter((one) => one !== null);
 }
 
@@ -188,4 +211,6 @@ export const fixTitle = (fix: Fix, seams: readonly string[]): string =>
     place: 'Place it by hand',
     sew: 'Look for its seams',
     edit: 'See its outline',
+    seam: 'See the seam',
+    time: `Give it ${fix.kind === 'time' ? fix.max_time_s : ''} s and drape`,
   })[fix.kind];

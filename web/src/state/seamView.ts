@@ -2,7 +2,7 @@
 
 import type { Piece, PieceEdge, Point, SeamEdge, SeamProposal, SeamSides } from '../api/types';
 import { distance } from './outline';
-import { cutLine, lengthOf } from './patternGeometry';
+import { boxOf, cutLine, lengthOf } from './patternGeometry';
 
 /** How many colours styles/seams.css has. */
 export const kSeamColours = 20;
@@ -121,9 +121,34 @@ export function lengthsText(a: number, b: number): { lengths: string; difference
   };
 }
 
-/** "front · waist + back · waist". */
-export const seriesText = (series: readonly SeamEdge[]): string =>
-  series.map((use) => `${use.piece} · ${use.edge}${partText(use)}`).join(' + ');
+/** "front · waist + back · right": edges without a name of a person's by where they lie on their piece. */
+export const seriesText = (series: readonly SeamEdge[], pieces: readonly Piece[] = []): string =>
+  series
+    .map((use) => `${use.piece} · ${edgeWords(pieces.find((one) => one.id === use.piece), use.edge)}${partText(use)}`)
+    .join(' + ');
+
+/** Ids that the service gave edges, not a person. */
+const kGivenEdge = /^(e|edge)?\d+$/;
+/** Of half a piece's breadth or height: what lies further out is at that side. */
+const kAside = 0.45;
+
+/** An edge as a person would call it: its name, or where its middle lies on the piece as it is drawn. */
+export function edgeWords(piece: Piece | undefined, id: string): string {
+  const edge = piece?.edges.find((one) => one.id === id);
+  if (!piece || !edge || !kGivenEdge.test(id)) return id;
+  const middle = alongLine(edge.points, 0.5)?.at ?? edge.points[0];
+  if (!middle) return id;
+  const { minX, maxX, minY, maxY } = boxOf(piece.outline);
+  const words = [aside(middle[1], minY, maxY, 'bottom', 'top'), aside(middle[0], minX, maxX, 'left', 'right')];
+  return words.filter(Boolean).join(' ') || 'middle';
+}
+
+/** Which end of a range a value is near; empty: neither. */
+function aside(value: number, from: number, to: number, low: string, high: string): string {
+  const place = (2 * (value - from)) / Math.max(to - from, 1e-9) - 1;
+  if (Math.abs(place) <= kAside) return '';
+  return place > 0 ? high : low;
+}
 
 const partText = ({ from = 0, to = 1 }: SeamEdge): string =>
   from > 0 || to < 1 ? ` (${Math.round(100 * from)}–${Math.round(100 * to)} %)` : '';

@@ -26,7 +26,7 @@ export function SeamDraftPanel({ pieces }: { pieces: Pieces }) {
           onClick={() => (draft.value = { ...draft.value, side: one })}
         >
           <em>{one.toUpperCase()}</em>
-          <span>{draft.value[one].length > 0 ? seriesText(draft.value[one]) : 'Click edges on the pieces'}</span>
+          <span>{draft.value[one].length > 0 ? seriesText(draft.value[one], pieces.pieces) : 'Click edges on the pieces'}</span>
           <small>{draft.value[one].length > 0 ? `${(one === 'a' ? lengthA : lengthB).toFixed(1)} mm` : ''}</small>
         </button>
       ))}

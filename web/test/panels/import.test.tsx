@@ -28,6 +28,7 @@ const draftOf = (more: Partial<ImportDraft> = {}): ImportDraft => ({
   left: new Set(['torn']),
   chosen: new Set(['seam0']),
   body: { kind: 'mannequin', preset: '' },
+  bodyTaken: false,
   name: 'shirt',
   bodies: [],
   presets: [],
@@ -266,13 +267,15 @@ describe('the report of a file', () => {
 });
 
 describe('the preview of a file', () => {
-  it('draws its pieces; a click leaves one out or takes it in again', () => {
+  it('draws its pieces, both of a pair; a click leaves one with its other half out or takes it in again', () => {
     page.show(<ImportPreview draft={draftOf()} report={importOf()} lit={null} onLight={() => undefined} />);
-    const preview = screen.getByRole('group', { name: 'Preview of 3 pieces' });
+    const preview = screen.getByRole('group', { name: 'Preview of 4 pieces' });
     fireEvent.click(within(preview).getByRole('button', { name: /Piece front/ }));
+    fireEvent.click(within(preview).getByRole('button', { name: /Piece sleeve_mirrored/ }));
     fireEvent.click(within(preview).getByRole('button', { name: /Piece torn/ }));
     expect(page.asked()).toEqual([
       ['imports.takePiece', 'front', false],
+      ['imports.takePiece', 'sleeve', false],
       ['imports.takePiece', 'torn', true],
     ]);
   });

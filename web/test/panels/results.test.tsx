@@ -139,6 +139,31 @@ describe('a drape under way', () => {
     expect(screen.getByRole('button', { name: '1 front to back' })).toBeTruthy();
   });
 
+  it('offers more time to cloth that still moved', () => {
+    page.change((state) => {
+      state.pieces.value = ready({ pieces: [], seams: [], max_time_s: 8 });
+      state.report.value = ready(reportOf({}));
+    });
+    drape({ state: 'succeeded', reason_code: 'time' });
+    page.show(<OutcomeList />);
+    click(screen.getByRole('button', { name: 'Give it 16 s and drape' }));
+    expect(page.asked()).toEqual([['mend', { kind: 'time', max_time_s: 16 }]]);
+  });
+
+  it('shows the seam whose edges do not fit each other, and turns over one that is twisted', () => {
+    page.change((state) => {
+      const seams = [{ ...seamOf('side', ['a', 'e1'], ['b', 'e3']), length_a_mm: 10, length_b_mm: 90, issues: [] }];
+      state.pieces.value = ready({ pieces: [squareOf('a', 0, 0, 10), squareOf('b', 20, 0, 10)], seams });
+    });
+    const buttons = (): (string | null)[] =>
+      [...document.querySelectorAll('.reason .button-row button')].map((one) => one.textContent);
+    drape({ state: 'failed', reason_code: 'seam.length_ratio', reason: 'too long', reason_where: 'seam side' });
+    page.show(<OutcomeList />);
+    expect(buttons()).toEqual(['See the seam', 'Turn seam 1 over and drape']);
+    drape({ state: 'failed', reason_code: 'seam.twisted', reason: 'twisted', reason_where: 'seam side' });
+    expect(buttons()[0]).toBe('Turn seam 1 over and drape');
+  });
+
   it('raises no alarm when somebody cancelled it', () => {
     drape({ state: 'cancelled', reason_code: 'cancelled' });
     page.show(<DrapeFigures />);

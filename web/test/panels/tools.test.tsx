@@ -308,7 +308,7 @@ describe('the tool for seams', () => {
         }),
     );
     page.show(<SeamDraftPanel pieces={{ pieces: [squareOf('a', 0, 0, 100), squareOf('b', 0, 0, 80)], seams: [] }} />);
-    expect(button(/^A/).textContent).toBe('Aa · e1100.0 mm');
+    expect(button(/^A/).textContent).toBe('Aa · right100.0 mm');
     expect(screen.getByText(/100\.0 ⇄ 80\.0 mm/)).toBeTruthy();
     type(screen.getByRole('textbox', { name: 'to %' }), '50');
     for (const name of ['Leave out a · e1', 'Sew', 'Reverse', 'Clear']) click(button(name));

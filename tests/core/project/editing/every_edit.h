@@ -42,6 +42,7 @@ inline constexpr const char* kEveryEdit = R"([
    "angle": 3.0}},
   {"edit": "set_physical", "piece": "front", "physical": {"areal_mass_g_m2": 99.0, "friction": 0.1}},
   {"edit": "set_solver", "solver": "paper"},
+  {"edit": "set_max_time", "max_time_s": 16.0},
   {"edit": "restore", "pieces": {"at": 3, "remove": 1}, "seams": {"at": 0, "remove": 1, "insert":
     [{"id": "s", "a": [{"piece": "p", "edge": "e", "reversed": false, "from": 0.0, "to": 1.0}],
       "b": [{"piece": "p", "edge": "f", "reversed": false, "from": 0.0, "to": 1.0}], "same_direction": false}]},

@@ -105,6 +105,15 @@ TEST(ProjectEdit, ChoosesTheSolverAndIsUndoneByTheOneOfBefore) {
   EXPECT_EQ(named(both.pieces, "front").fabric, "silk");
 }
 
+TEST(ProjectEdit, GivesTheDrapeMoreTimeAndIsUndoneByTheTimeOfBefore) {
+  const project::Project before = base();
+  const project::Project now = after(before, R"([{"edit": "set_max_time", "max_time_s": 24}])");
+  EXPECT_EQ(now.settings.max_time_s, 24);
+  EXPECT_EQ(now.pieces, before.pieces);
+  const std::string back = std::to_string(before.settings.max_time_s);
+  EXPECT_EQ(after(now, R"([{"edit": "set_max_time", "max_time_s": )" + back + "}]"), before);
+}
+
 TEST(ProjectEdit, LinesOfTheFileComeAlongWhenAPieceLeavesIt) {
   const project::Project project = base();
   project::Project cloth = project;

@@ -1208,6 +1208,8 @@ export interface components {
              * @enum {string}
              */
             solver?: "toile" | "paper";
+            /** @description s of simulated time after which a drape that has not settled ends */
+            max_time_s?: number;
             pieces: {
                 id: string;
                 fabric: string;
@@ -2470,6 +2472,16 @@ export interface components {
              */
             solver: "toile" | "paper";
         };
+        /** @description Says when a drape that has not settled ends. */
+        set_max_time: {
+            /**
+             * @description Which edit this is.
+             * @constant
+             */
+            edit: "set_max_time";
+            /** @description s of simulated time, as settings.max_time_s of the document. */
+            max_time_s: number;
+        };
         /** @description Puts back parts of the document's lists: what an undo does. */
         restore: {
             /**
@@ -2600,7 +2612,7 @@ export interface components {
          * Toile edits
          * @description Edits of a project, one after the other: in requests, in the undo history and in a replay.
          */
-        "edit.schema": (components["schemas"]["move_point"] | components["schemas"]["move_handle"] | components["schemas"]["insert_point"] | components["schemas"]["delete_point"] | components["schemas"]["split_edge"] | components["schemas"]["join_edges"] | components["schemas"]["straighten_edge"] | components["schemas"]["bend_edge"] | components["schemas"]["set_edge_length"] | components["schemas"]["mirror_piece"] | components["schemas"]["rotate_grain"] | components["schemas"]["add_line"] | components["schemas"]["remove_line"] | components["schemas"]["add_dart"] | components["schemas"]["add_inner_dart"] | components["schemas"]["rename_edge"] | components["schemas"]["remove_dart"] | components["schemas"]["add_hole"] | components["schemas"]["remove_hole"] | components["schemas"]["move_piece"] | components["schemas"]["rename_piece"] | components["schemas"]["duplicate_piece"] | components["schemas"]["delete_piece"] | components["schemas"]["add_seam"] | components["schemas"]["remove_seam"] | components["schemas"]["reverse_seam"] | components["schemas"]["set_fabric"] | components["schemas"]["set_texture"] | components["schemas"]["set_physical"] | components["schemas"]["set_solver"] | components["schemas"]["restore"] | components["schemas"]["add_notch"] | components["schemas"]["move_notch"] | components["schemas"]["remove_notch"])[];
+        "edit.schema": (components["schemas"]["move_point"] | components["schemas"]["move_handle"] | components["schemas"]["insert_point"] | components["schemas"]["delete_point"] | components["schemas"]["split_edge"] | components["schemas"]["join_edges"] | components["schemas"]["straighten_edge"] | components["schemas"]["bend_edge"] | components["schemas"]["set_edge_length"] | components["schemas"]["mirror_piece"] | components["schemas"]["rotate_grain"] | components["schemas"]["add_line"] | components["schemas"]["remove_line"] | components["schemas"]["add_dart"] | components["schemas"]["add_inner_dart"] | components["schemas"]["rename_edge"] | components["schemas"]["remove_dart"] | components["schemas"]["add_hole"] | components["schemas"]["remove_hole"] | components["schemas"]["move_piece"] | components["schemas"]["rename_piece"] | components["schemas"]["duplicate_piece"] | components["schemas"]["delete_piece"] | components["schemas"]["add_seam"] | components["schemas"]["remove_seam"] | components["schemas"]["reverse_seam"] | components["schemas"]["set_fabric"] | components["schemas"]["set_texture"] | components["schemas"]["set_physical"] | components["schemas"]["set_solver"] | components["schemas"]["set_max_time"] | components["schemas"]["restore"] | components["schemas"]["add_notch"] | components["schemas"]["move_notch"] | components["schemas"]["remove_notch"])[];
         /** @description A thing of the garment or the scene that a finding is about. */
         concern: {
             /**
