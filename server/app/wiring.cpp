@@ -1,9 +1,13 @@
 #include "server/app/wiring.h"
 
+#include <fstream>
+#include <iterator>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
+#include "core/base/hash.h"
 #include "server/app/mesh_reader.h"
 #include "server/documents/projects.h"
 #include "server/http/handlers/routes.h"
@@ -29,6 +33,13 @@ Status drape_sample(documents::Documents& documents, jobs::JobService& jobs,
   return job || job.error().kind == ErrorKind::kNotFound ? Status() : Status(job.error());
 }
 
+/// A hash of the program itself: any other build may drape in other bytes. Empty where it cannot be read.
+std::string engine_of_this_program() {
+  std::ifstream in("/proc/self/exe", std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  return in.is_open() && !in.bad() ? hash_of(std::string_view(bytes)) : std::string();
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Service>> Service::start(const ServeOptions& options) {
@@ -44,6 +55,7 @@ Result<std::unique_ptr<Service>> Service::start(const ServeOptions& options) {
   jobs.workers = options.workers;
   jobs.checkpoint_every_s = options.checkpoint_every_s;
   jobs.limits = options.limits;
+  jobs.engine = engine_of_this_program();
   service->jobs_ = jobs::make_job_service(*service->documents_, *service->hub_, jobs, log);
   http::ServerSettings http;
   http.address = options.address;

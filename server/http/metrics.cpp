@@ -70,6 +70,8 @@ void tell_jobs(std::string& out, const jobs::JobService::Counts& jobs) {
   const std::map<std::string, long long> ended{
       {"succeeded", jobs.succeeded}, {"failed", jobs.failed}, {"cancelled", jobs.cancelled}};
   family(out, "toile_jobs_ended_total", "Drapes that have ended since the start.", "state", ended);
+  single(out, "toile_jobs_answered_total", "counter",
+         "Of those, drapes that an equal one of before answered.", static_cast<double>(jobs.answered));
   single(out, "toile_queue_age_seconds", "gauge", "How long the drape has waited that waits longest.",
          jobs.oldest_queued_s);
   histogram(out, "toile_job_wait_seconds", "From a drape's submission to its beginning.", jobs.wait);

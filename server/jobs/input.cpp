@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/base/hash.h"
 #include "core/base/names.h"
 #include "core/drape/worn_part.h"
 #include "core/project/resolve/resolve.h"
@@ -48,6 +49,15 @@ Result<store::JobRow> row_of_drape(documents::Documents& documents, const store:
   row.document = project.document;
   row.files = project.files;
   return row;
+}
+
+/// Ids of files are hashes of their bytes.
+std::string input_of(const store::JobRow& job, const std::string& engine, int width, int height) {
+  if (engine.empty()) return "";
+  std::string all = engine + '\n' + std::to_string(width) + ' ' + std::to_string(height) + '\n';
+  for (const auto& [name, id] : job.files) all += id + ' ' + name + '\n';
+  all += job.document;
+  return hash_of(std::string_view(all));
 }
 
 }  // namespace toile::jobs

@@ -30,4 +30,8 @@ Result<image::Textures> textures_of(documents::Documents& documents, const store
 Result<store::JobRow> row_of_drape(documents::Documents& documents, const store::RequestContext& context,
                                    const std::string& project_id, const JobLimits& limits = {});
 
+/// A hash of all that the results of the job follow from: the engine, its document, the bytes of its files
+/// and the size of its pictures (pixels). Empty where `engine` is.
+std::string input_of(const store::JobRow& job, const std::string& engine, int width, int height);
+
 }  // namespace toile::jobs

@@ -30,6 +30,16 @@ RowEdit draped(const RunEnd& end) {
   };
 }
 
+RowEdit answered_by(const store::JobRow& equal) {
+  return [&equal](store::JobRow& row) {
+    with_reason(equal.reason_code, equal.reason, equal.reason_where)(row);
+    row.state = store::JobState::kSucceeded;
+    row.started_ms = row.ended_ms = unix_ms();
+    row.report = equal.report;
+    row.results = equal.results;
+  };
+}
+
 RowEdit ended(const RunEnd& end) {
   return [&end](store::JobRow& row) {
     with_reason(end.code, end.reason, end.where)(row);

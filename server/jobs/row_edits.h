@@ -18,6 +18,9 @@ RowEdit cancelled();
 /// What is kept of a drape whose pictures are still to be drawn. `end` must outlive the edit.
 RowEdit draped(const RunEnd& end);
 
+/// The end of a job on the same input as one that has succeeded, and whose results it shares.
+RowEdit answered_by(const store::JobRow& equal);
+
 /// What is kept at the end. `end` must outlive the edit.
 RowEdit ended(const RunEnd& end);
 

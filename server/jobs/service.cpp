@@ -38,7 +38,7 @@ class QueueingJobService final : public JobService {
   void stop() override;
   Result<store::Made<store::JobRow>> submit(const store::RequestContext& context,
                                             const std::string& project_id, const std::string& idempotency_key,
-                                            store::JobPriority priority) override;
+                                            const JobWish& wish) override;
   Result<store::JobRow> pause(const store::RequestContext& context, const std::string& id) override;
   Result<store::JobRow> resume(const store::RequestContext& context, const std::string& id) override;
   Result<store::JobRow> cancel(const store::RequestContext& context, const std::string& id) override;
@@ -54,6 +54,8 @@ class QueueingJobService final : public JobService {
   Error refusal(const store::RequestContext& context, const std::string& id, JobEvent event);
   Status check_parking(const Changing& changing, const LiveJob& job) const;
   Status check_queue() const;
+  std::optional<store::JobRow> answered(const Changing& changing, const store::RequestContext& context,
+                                        const store::JobRow& job);
 
   Status take_up_all();
   Status take_up(const Changing& changing, const store::Store::OwnedJob& found, int running);
@@ -151,24 +153,47 @@ Status QueueingJobService::check_queue() const {
 Result<store::Made<store::JobRow>> QueueingJobService::submit(const store::RequestContext& context,
                                                               const std::string& project_id,
                                                               const std::string& idempotency_key,
-                                                              store::JobPriority priority) {
+                                                              const JobWish& wish) {
   std::optional<store::JobRow> before = TRY(store_.job_of_key(context, idempotency_key));
   if (before && before->project_id == project_id) {
     return store::Made<store::JobRow>{without_document(std::move(*before)), false};
   }
   TRY(check_queue());
   store::JobRow row = TRY(row_of_drape(documents_, context, project_id, settings_.limits));
-  row.priority = priority;
+  row.priority = wish.priority;
+  row.input = input_of(row, settings_.engine, settings_.still_width, settings_.still_height);
 
   const Changing changing = table_.changing();
   TRY(check_queue());  // others came while the document was read
   const store::Made<store::JobRow> made = TRY(store_.create_job(context, std::move(row), idempotency_key));
   if (made.anew) {
+    std::optional<store::JobRow> ended = wish.anew ? std::nullopt : answered(changing, context, made);
+    if (ended) return store::Made<store::JobRow>{std::move(*ended), true};
     const LiveJobPtr job = table_.insert(changing, context, made);
     if (job) table_.announce(changing, *job);
     context.log.info("job queued", {{"job", made.id}, {"project", project_id}});
   }
   return store::Made<store::JobRow>{without_document(made), made.anew};
+}
+
+/// The job as it has ended already, when an equal one has. Where anything is amiss with that one it is draped
+/// as any other.
+std::optional<store::JobRow> QueueingJobService::answered(const Changing& changing,
+                                                          const store::RequestContext& context,
+                                                          const store::JobRow& job) {
+  const Result<std::optional<store::JobRow>> equal = store_.succeeded_job_of_input(context, job.input);
+  if (!equal || !*equal || !(*equal)->notes.empty()) return std::nullopt;
+  store::JobRow row = without_document(job);
+  answered_by (**equal)(row);
+  Status kept = store_.share_results(context, (*equal)->id, job.id);
+  if (kept) kept = store_.update_job(context, row);
+  if (!kept) {
+    context.log.warn("an equal job does not answer", kept.error());
+    return std::nullopt;
+  }
+  table_.count_answered(changing);
+  context.log.info("job answered by an equal one", {{"job", job.id}, {"equal", (*equal)->id}});
+  return row;
 }
 
 Status QueueingJobService::remove(const store::RequestContext& context, const std::string& id) {

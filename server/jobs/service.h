@@ -27,10 +27,19 @@ struct JobServiceSettings {
   double checkpoint_every_s = 5;                ///< by the clock; what a crash can cost
   int still_width = 1024, still_height = 1280;  ///< pixels
   JobLimits limits;                             ///< of each job
+  /// What tells this engine from any other: a drape of an input that it has draped is answered with the
+  /// results of then. Empty: each is draped.
+  std::string engine;
 };
 
-/// Of who does not say: whoever looks on says so.
-inline constexpr store::JobPriority kDefaultPriority = store::JobPriority::kBatch;
+/// How a drape is to be had.
+struct JobWish {
+  store::JobPriority priority =
+      store::JobPriority::kBatch;  ///< of who does not say: whoever looks on says so
+  bool anew = false;    ///< draped although the results of an equal one would do: somebody wants to look on
+  JobWish() = default;  // NOLINTNEXTLINE(google-explicit-constructor): most say no more than that
+  JobWish(store::JobPriority given) : priority(given) {}
+};
 
 /// Workers drape in slices. Between two a drape makes room for an interactive one, and for one of an owner
 /// who has had less of the workers' time (turn.h); it then waits in memory. How it is cut changes no byte.
@@ -49,16 +58,17 @@ class JobService {
   /// pictures and results are missing is brought to its end. Twice is safe.
   virtual void stop() = 0;
 
-  /// Queues a drape of the project as it is now. Durable when it returns; while the service does not run, the
-  /// next start takes it up. Under a key that made a job of this project before, gives back that job,
-  /// whatever has become of the project or the queue since. Errors: store.not_found,
-  /// store.idempotency_mismatch when the key was for another project, store.idempotency_key, jobs.queue_full,
-  /// limits.particles, quota.bytes, quota.jobs, and whatever reading the document gives (json.*, project.*,
-  /// dxf.*, …), so that bad input is told at once.
+  /// Queues a drape of the project as it is now; or, where this owner's project has been draped by this
+  /// engine in this state with all that belongs to it, makes a job that has ended with the same results.
+  /// Durable when it returns; while the service does not run, the next start takes it up. Under a key that
+  /// made a job of this project before, gives back that job, whatever has become of the project or the queue
+  /// since. Errors: store.not_found, store.idempotency_mismatch when the key was for another project,
+  /// store.idempotency_key, jobs.queue_full, limits.particles, quota.bytes, quota.jobs, and whatever reading
+  /// the document gives (json.*, project.*, dxf.*, …), so that bad input is told at once.
   virtual Result<store::Made<store::JobRow>> submit(const store::RequestContext& context,
                                                     const std::string& project_id,
                                                     const std::string& idempotency_key,
-                                                    store::JobPriority priority = kDefaultPriority) = 0;
+                                                    const JobWish& wish = {}) = 0;
   /// The state has changed when these return, durably; a worker that drapes lets go within 50 ms. A paused
   /// drape stays in memory, and resuming puts it at the head of the queue. Errors: store.not_found;
   /// jobs.state when the job's state does not allow it; jobs.stopped while the service does not run;
@@ -78,6 +88,7 @@ class JobService {
     int queued = 0, running = 0, paused = 0;
     long long succeeded = 0, failed = 0, cancelled = 0;  ///< since the service was made
     long long steps = 0;                                 ///< substeps since then
+    long long answered = 0;                              ///< of the succeeded, with results of before
     double oldest_queued_s = 0;                          ///< age of the job that waits longest
     Histogram wait, run;                   ///< from submission to the first claim; from there to the end
     std::map<std::string, double> work_s;  ///< processor time by phase; of "stills" time by the clock

@@ -92,6 +92,12 @@ void JobTable::announce(const Changing&, const LiveJob& job) {
   }
 }
 
+void JobTable::count_answered(const Changing&) {
+  const std::lock_guard lock(mutex_);
+  ++totals_.succeeded;
+  ++totals_.answered;
+}
+
 LiveJobPtr JobTable::insert(const Changing&, const store::RequestContext& context, const store::JobRow& row) {
   auto job = std::make_shared<LiveJob>();
   job->id = row.id;

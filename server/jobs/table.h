@@ -78,6 +78,8 @@ class JobTable {
   /// Tells viewers the state, and that it is the last one when the job has ended or the table is closed.
   /// REQUIRES that no worker drapes the job.
   void announce(const Changing&, const LiveJob& job);
+  /// A job that has ended before it was taken in.
+  void count_answered(const Changing&);
   /// Takes a job in as its row has it, at the end of the queue unless it is paused. Gives back nothing when
   /// it is there already or the table is closed.
   LiveJobPtr insert(const Changing&, const store::RequestContext& context, const store::JobRow& row);

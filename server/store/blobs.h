@@ -39,6 +39,10 @@ class Blobs {
   Result<std::string> result(const std::string& job_id, const std::string& name,
                              const ResultFile& kept = {}) const;
   Result<std::filesystem::path> result_path(const std::string& job_id, const std::string& name) const;
+  /// Gives `to` a result of `from`: the same file under a second name, for results are never written in
+  /// place. Durable once sync_results() returns. Errors: store.bad_name, store.full, store.failed.
+  Status share_result(const std::string& from, const std::string& to, const std::string& name) const;
+  Status sync_results(const std::string& job_id) const;
   Status remove_results(const std::string& job_id) const;
 
   /// Names of what there is, in no order; what the store has not named itself is passed over.

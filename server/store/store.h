@@ -84,6 +84,7 @@ struct JobRow {
   std::string document;
   std::map<std::string, std::string> files;
   JobPriority priority = JobPriority::kBatch;
+  std::string input;  ///< what its results follow from, as a hash; empty: not known
   JobState state = JobState::kQueued;
   std::string reason_code;  ///< of a final state, e.g. "settled", "time", "start.crosses_body"
   std::string reason;       ///< a sentence for a person
@@ -194,6 +195,10 @@ class Store {
   /// Newest first, as projects(); without documents (row.document is empty).
   virtual Result<std::vector<JobRow>> jobs(const RequestContext& context, const std::string& cursor,
                                            int limit) = 0;
+  /// The newest of this owner that succeeded on the same input; nothing when there is none, or `input` is
+  /// empty.
+  virtual Result<std::optional<JobRow>> succeeded_job_of_input(const RequestContext& context,
+                                                               const std::string& input) = 0;
   /// Those of a project, oldest first, by their ids.
   virtual Result<std::vector<std::string>> jobs_of_project(const RequestContext& context,
                                                            const std::string& project_id) = 0;
@@ -225,6 +230,10 @@ class Store {
   /// Where a result lies as a file. Only to read. Errors: as result_bytes.
   virtual Result<std::string> result_path(const RequestContext& context, const std::string& job_id,
                                           const std::string& name) = 0;
+  /// Gives `to` the result files that the row of `from` names, as they are: both are this owner's. Errors:
+  /// store.corrupt when the disk has something else than the row says.
+  virtual Status share_results(const RequestContext& context, const std::string& from,
+                               const std::string& to) = 0;
   /// Removes all result files of a job. Nothing to remove is no error.
   virtual Status remove_results(const RequestContext& context, const std::string& job_id) = 0;
 

@@ -35,27 +35,33 @@ http::HttpResponse job_answer(const Api& api, const store::RequestContext& conte
                      job.report.empty() || !store::is_final(job.state) ? "null" : job.report);
 }
 
-Result<store::JobPriority> read_priority(const json::JsonValue& given) {
-  const json::JsonValue* word = given.find("priority");
-  if (!word) return jobs::kDefaultPriority;
-  const Result<store::JobPriority> priority = store::job_priority_from(word->text() ? *word->text() : "");
-  if (priority) return *priority;
-  return Error{"request.priority", priority.error().message, "/priority"};
+Result<jobs::JobWish> read_wish(const json::JsonValue& given) {
+  jobs::JobWish wish;
+  if (const json::JsonValue* word = given.find("priority")) {
+    const Result<store::JobPriority> priority = store::job_priority_from(word->text() ? *word->text() : "");
+    if (!priority) return Error{"request.priority", priority.error().message, "/priority"};
+    wish.priority = *priority;
+  }
+  if (const json::JsonValue* anew = given.find("anew")) {
+    if (!anew->boolean()) return Error{"request.anew", "\"anew\" is true or false", "/anew"};
+    wish.anew = *anew->boolean();
+  }
+  return wish;
 }
 
 http::HttpResponse submit(const Api& api, const store::RequestContext& context,
                           const http::HttpRequest& request) {
   const Result<json::JsonValue> given =
-      read_object(request, {"project_id", "priority"}, {.bytes = http::kSmallBody, .depth = 32});
+      read_object(request, {"project_id", "priority", "anew"}, {.bytes = http::kSmallBody, .depth = 32});
   if (!given) return http::problem(given.error());
   const json::JsonValue* id = given->find("project_id");
   if (!id || !id->text()) {
     return http::problem(422, {"request.project_id", "\"project_id\" is the id of a project", "/project_id"});
   }
-  const Result<store::JobPriority> priority = read_priority(*given);
-  if (!priority) return http::problem(422, priority.error());
+  const Result<jobs::JobWish> wish = read_wish(*given);
+  if (!wish) return http::problem(422, wish.error());
   const Result<store::Made<store::JobRow>> job =
-      api.jobs.submit(context, *id->text(), request.header("idempotency-key"), *priority);
+      api.jobs.submit(context, *id->text(), request.header("idempotency-key"), *wish);
   if (job) return made_answer(job_answer(api, context, *job), job->anew, place_of(*job));
   if (job.error().kind != ErrorKind::kNotFound) return http::problem(job.error());
   return http::problem(404, {"store.not_found", "there is no project " + in_quotes(*id->text()),

@@ -48,7 +48,8 @@ Status SqliteStore::insert_job(const store::OwnerId& owner, const store::JobRow&
   TRY(database_.run(
       "INSERT INTO jobs (owner, id, project_id, project_revision, name, document, files, state, reason_code,"
       " reason, reason_where, attempt, created_ms, started_ms, ended_ms, report, results, idempotency_key,"
-      " document_bytes, priority) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+      " document_bytes, priority, input) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
+      "?)",
       {owner,
        row.id,
        row.project_id,
@@ -68,7 +69,8 @@ Status SqliteStore::insert_job(const store::OwnerId& owner, const store::JobRow&
        results,
        key,
        static_cast<std::int64_t>(row.document.size()),
-       store::name_of(row.priority)}));
+       store::name_of(row.priority),
+       row.input}));
   return {};
 }
 
@@ -111,6 +113,20 @@ Result<std::vector<store::JobRow>> SqliteStore::jobs(const store::RequestContext
           select(kJobListColumns, "FROM jobs WHERE owner = ? AND id < ? ORDER BY id DESC LIMIT ?"),
           {context.owner, before, page_limit(limit)}),
       job_from, context.log);
+}
+
+Result<std::optional<store::JobRow>> SqliteStore::succeeded_job_of_input(const store::RequestContext& context,
+                                                                         const std::string& input) {
+  if (input.empty()) return std::optional<store::JobRow>();
+  const std::lock_guard hold(mutex_);
+  std::vector<store::JobRow> found =
+      TRY(rows_of(database_.prepare(select(kJobColumns,
+                                           "FROM jobs WHERE owner = ? AND input = ? AND input <> ''"
+                                           " AND state = 'succeeded' ORDER BY id DESC LIMIT 1"),
+                                    {context.owner, input}),
+                  job_from));
+  if (found.empty()) return std::optional<store::JobRow>();
+  return std::optional(std::move(found.front()));
 }
 
 Result<std::vector<std::string>> SqliteStore::jobs_of_project(const store::RequestContext& context,
@@ -203,6 +219,18 @@ Result<std::string> SqliteStore::result_path(const store::RequestContext& contex
   }
   const std::filesystem::path path = TRY(blobs_.result_path(job_id, name));
   return path.string();
+}
+
+/// Each is read before: what the disk has changed is not handed on.
+Status SqliteStore::share_results(const store::RequestContext& context, const std::string& from,
+                                  const std::string& to) {
+  TRY(check_job(context.owner, to));
+  const store::JobRow row = TRY(job(context, from));
+  for (const auto& [name, file] : row.results) {
+    TRY(blobs_.result(from, name, file));
+    TRY(blobs_.share_result(from, to, name));
+  }
+  return blobs_.sync_results(to);
 }
 
 Status SqliteStore::remove_results(const store::RequestContext& context, const std::string& job_id) {

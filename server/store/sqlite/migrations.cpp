@@ -110,6 +110,10 @@ UPDATE jobs SET document_bytes = length(CAST(document AS BLOB)), result_bytes =
     {6, "how urgent jobs are", R"sql(
 ALTER TABLE jobs ADD COLUMN priority TEXT NOT NULL DEFAULT 'batch';
 )sql"},
+    {7, "what the results of jobs follow from", R"sql(
+ALTER TABLE jobs ADD COLUMN input TEXT NOT NULL DEFAULT '';
+CREATE INDEX jobs_by_input ON jobs (owner, input, id) WHERE input <> '' AND state = 'succeeded';
+)sql"},
 };
 
 constexpr const char* kRemembered = R"sql(

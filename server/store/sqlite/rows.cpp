@@ -139,6 +139,7 @@ Result<store::JobRow> job_from(const SqlStatement& row) {
   const Result<store::JobPriority> priority = store::job_priority_from(row.text(19));
   if (!priority) return damaged(job.id);
   job.priority = *priority;
+  job.input = row.text(20);
   return job;
 }
 

@@ -73,6 +73,8 @@ class SqliteStore final : public store::Store {
   Result<store::JobRow> job(const store::RequestContext& context, const std::string& id) override;
   Result<std::vector<store::JobRow>> jobs(const store::RequestContext& context, const std::string& cursor,
                                           int limit) override;
+  Result<std::optional<store::JobRow>> succeeded_job_of_input(const store::RequestContext& context,
+                                                              const std::string& input) override;
   Result<std::vector<std::string>> jobs_of_project(const store::RequestContext& context,
                                                    const std::string& project_id) override;
   Status remove_job(const store::RequestContext& context, const std::string& id) override;
@@ -88,6 +90,8 @@ class SqliteStore final : public store::Store {
                                    const std::string& name) override;
   Result<std::string> result_path(const store::RequestContext& context, const std::string& job_id,
                                   const std::string& name) override;
+  Status share_results(const store::RequestContext& context, const std::string& from,
+                       const std::string& to) override;
   Status remove_results(const store::RequestContext& context, const std::string& job_id) override;
 
   Status put_checkpoint(const store::RequestContext& context, const std::string& job_id,

@@ -29,7 +29,7 @@ class ScriptedJobs final : public jobs::JobService {
   void stop() override {}
   Result<store::Made<store::JobRow>> submit(const store::RequestContext& context,
                                             const std::string& project_id, const std::string& key,
-                                            store::JobPriority priority) override {
+                                            const jobs::JobWish& wish) override {
     const store::ProjectRow project = TRY(store_.project(context, project_id));
     store::JobRow row;
     row.project_id = project.id;
@@ -37,7 +37,7 @@ class ScriptedJobs final : public jobs::JobService {
     row.name = project.name;
     row.document = project.document;
     row.files = project.files;
-    row.priority = priority;
+    row.priority = wish.priority;
     return store_.create_job(context, row, key);
   }
   Result<store::JobRow> pause(const store::RequestContext& context, const std::string& id) override {

@@ -158,6 +158,28 @@ class FakeStore final : public store::Store {
     return found;
   }
 
+  Result<std::optional<store::JobRow>> succeeded_job_of_input(const store::RequestContext& context,
+                                                              const std::string& input) override {
+    const std::lock_guard lock(mutex_);
+    std::optional<store::JobRow> found;
+    for (const auto& [key, row] : jobs_) {
+      const bool equal = key.first == context.owner && !input.empty() && row.input == input;
+      if (equal && row.state == store::JobState::kSucceeded) found = row;
+    }
+    return found;
+  }
+  /// Asked before results are shared; may give an error.
+  std::function<Status()> on_share_results;
+  Status share_results(const store::RequestContext& context, const std::string& from,
+                       const std::string& to) override {
+    if (on_share_results) {
+      if (Status refused = on_share_results(); !refused) return refused;
+    }
+    const std::lock_guard lock(mutex_);
+    for (const auto& [name, file] : jobs_.at({context.owner, from}).results)
+      results_[{context.owner, to + "/" + name}] = results_.at({context.owner, from + "/" + name});
+    return {};
+  }
   Status put_result(const store::RequestContext& context, const std::string& job_id, const std::string& name,
                     std::string_view bytes) override {
     if (on_put_result) {

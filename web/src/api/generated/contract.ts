@@ -572,7 +572,8 @@ export interface paths {
         put?: never;
         /**
          * Drape a project as it is now
-         * @description Durable once it is answered. The job keeps the document and files of this moment. Asking again with the same
+         * @description Durable once it is answered. The job keeps the document and files of this moment. What has been draped before, of the
+         *     same document and files by the same program, is answered with a job that has ended with the same results. Asking again with the same
          *     Idempotency-Key gives the job of then, whatever has become of the project since; for another project it is
          *     refused.
          */
@@ -4148,6 +4149,11 @@ export interface operations {
                 "application/json": {
                     project_id: string;
                     priority?: components["schemas"]["JobPriority"];
+                    /**
+                     * @description drapes although the results of an equal drape would do
+                     * @default false
+                     */
+                    anew?: boolean;
                 };
             };
         };
