@@ -70,7 +70,7 @@ const std::map<std::string, Names>& table() {
         "resolve", "shares", "store"}},
       {"ws", {"jobs", "json", "proto", "store"}},
       {"http", {"jobs", "json", "shares", "store", "ws"}},
-      {"handlers", {"documents", "fabric", "http", "jobs", "json", "store", "ws"}},
+      {"handlers", {"documents", "fabric", "http", "image", "jobs", "json", "store", "ws"}},
   };
   return rooms;
 }

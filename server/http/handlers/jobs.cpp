@@ -1,8 +1,12 @@
 // /api/v1/jobs: drapes, their results and what viewers need beside the stream.
 
+#include <charconv>
+#include <string>
+#include <system_error>
 #include <utility>
 
 #include "core/base/names.h"
+#include "core/image/reduce.h"
 #include "server/documents/projects.h"
 #include "server/documents/views.h"
 #include "server/http/handlers/answer.h"
@@ -142,6 +146,39 @@ http::HttpResponse result(const Api& api, const store::RequestContext& context,
   return response;
 }
 
+constexpr int kLeastWidth = 16, kMostWidth = 1024, kUsualWidth = 320;  // pixels
+
+/// Of ?width. Error: request.width.
+Result<int> read_width(const http::HttpRequest& request) {
+  const std::string given = request.parameter("width");
+  if (given.empty()) return kUsualWidth;
+  int width = 0;
+  const auto [end, wrong] = std::from_chars(given.data(), given.data() + given.size(), width);
+  const bool whole = wrong == std::errc() && end == given.data() + given.size();
+  if (whole && width >= kLeastWidth && width <= kMostWidth) return width;
+  return Error{"request.width",
+               "\"width\" is a whole number of pixels from " + std::to_string(kLeastWidth) + " to " +
+                   std::to_string(kMostWidth),
+               "?width"};
+}
+
+/// A picture among the results, made smaller. What has ended never changes, so that whoever has it keeps it.
+http::HttpResponse small_result(const Api& api, const store::RequestContext& context,
+                                const http::HttpRequest& request) {
+  const Result<int> width = read_width(request);
+  if (!width) return http::problem(400, width.error());
+  http::HttpResponse whole = result(api, context, request);
+  if (!whole.file) return whole;
+  const std::string bytes = whole.file->read(0, static_cast<std::size_t>(whole.file->size()));
+  Result<std::string> small = image::reduced_png(bytes, *width);
+  if (!small)
+    return http::problem(422, {"request.no_picture", "only PNG pictures are made smaller",
+                               clipped(request.captures[1]), ErrorKind::kInput});
+  http::HttpResponse response = file_answer(std::move(*small), "image/png", request.captures[1]);
+  response.headers.emplace_back("Cache-Control", "private, max-age=86400, immutable");
+  return response;
+}
+
 /// What the service did for the job, a line of JSON each.
 http::HttpResponse log(const Api& api, const store::RequestContext& context,
                        const http::HttpRequest& request) {
@@ -188,6 +225,10 @@ ApiRoutes job_routes() {
       {.method = "POST", .pattern = "/api/v1/jobs/{id}/cancel", .handler = cancel},
       {.pattern = "/api/v1/jobs/{id}/results", .handler = list_results},
       {.pattern = "/api/v1/jobs/{id}/results/{name}", .handler = result},
+      {.pattern = "/api/v1/jobs/{id}/results/{name}/small",
+       .handler = small_result,
+       .work = http::Work::kDocument,
+       .parameters = {"width"}},
       {.pattern = "/api/v1/jobs/{id}/log", .handler = log},
       {.pattern = "/api/v1/jobs/{id}/body", .handler = body, .work = http::Work::kHeavy},
       {.pattern = "/api/v1/jobs/{id}/stream", .handler = stream, .websocket = true},

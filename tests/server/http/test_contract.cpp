@@ -197,6 +197,8 @@ TEST_F(Contract, EveryAnswerAndMessageFitsItsSchema) {
   recorded("GET", address + "/results");
   recorded("GET", address + "/results/report.json");
   recorded("GET", address + "/results/nothing");
+  recorded("GET", address + "/results/front.png/small?width=64");
+  recorded("GET", address + "/results/report.json/small");
   recorded("GET", address + "/log");
   recorded("GET", address + "/body");
   recorded("GET", address + "/stream");

@@ -5,6 +5,8 @@
 #include <string>
 
 #include "core/base/hash.h"
+#include "core/image/read_picture.h"
+#include "core/image/write_png.h"
 #include "tests/server/http/served.h"
 
 namespace toile::test {
@@ -278,6 +280,27 @@ TEST_F(Routes, GiveOutResultsAndTheReport) {
   EXPECT_EQ(png.headers.at("content-type"), "image/png");
   EXPECT_PROBLEM(get(address + "/results/back.png"), 404, "store.not_found");
   EXPECT_TRUE(*tree(get(address))->find("report")->find("settled")->boolean());
+}
+
+TEST_F(Routes, MakeAPictureAmongTheResultsSmaller) {
+  const std::string id = make_job(), address = "/api/v1/jobs/" + id + "/results/";
+  const std::string png = *image::encode_png(640, 800, 3, std::vector<std::uint8_t>(640 * 800 * 3, 90));
+  auto row = store->job(kMe, id);
+  row->state = store::JobState::kSucceeded;
+  for (const auto& [name, bytes] : {std::pair<std::string, std::string>{"front.png", png}, {"a.obj", "v"}}) {
+    ASSERT_TRUE(store->put_result(kMe, id, name, bytes));
+    row->results[name] = {static_cast<std::int64_t>(bytes.size()), hash_of(std::string_view(bytes))};
+  }
+  ASSERT_TRUE(store->update_job(kMe, *row));
+  const auto width_of = [](const Answer& answer) { return image::read_picture(answer.body)->picture.width; };
+  const Answer small = get(address + "front.png/small");
+  EXPECT_EQ(small.headers.at("content-type"), "image/png");
+  EXPECT_EQ(width_of(small), 320);
+  EXPECT_EQ(width_of(get(address + "front.png/small?width=64")), 64);
+  for (const char* wrong : {"8", "2000", "wide", "64x"})
+    EXPECT_PROBLEM(get(address + "front.png/small?width=" + wrong), 400, "request.width");
+  EXPECT_PROBLEM(get(address + "a.obj/small"), 422, "request.no_picture");
+  EXPECT_PROBLEM(get(address + "back.png/small"), 404, "store.not_found");
 }
 
 TEST_F(Routes, AResultThatTheDiskHasChangedIsAFaultAndNotAnAnswer) {

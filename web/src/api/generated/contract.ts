@@ -707,6 +707,31 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/jobs/{id}/results/{name}/small": {
+        parameters: {
+            query?: {
+                /** @description Pixels; the height follows. A picture that is no wider comes as it is */
+                width?: number;
+            };
+            header?: never;
+            path: {
+                /** @example j_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["JobId"];
+                /** @example front.png */
+                name: string;
+            };
+            cookie?: never;
+        };
+        /** A picture among the results, made smaller */
+        get: operations["smallResult"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/jobs/{id}/log": {
         parameters: {
             query?: never;
@@ -4320,6 +4345,37 @@ export interface operations {
                 };
             };
             404: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    smallResult: {
+        parameters: {
+            query?: {
+                /** @description Pixels; the height follows. A picture that is no wider comes as it is */
+                width?: number;
+            };
+            header?: never;
+            path: {
+                /** @example j_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["JobId"];
+                /** @example front.png */
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description A PNG, which may be kept as long as the job is */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "image/png": unknown;
+                };
+            };
+            404: components["responses"]["Problem"];
+            422: components["responses"]["Problem"];
             default: components["responses"]["Problem"];
         };
     };
