@@ -221,6 +221,25 @@ describe('the page', () => {
     await page.locator('dialog.enlarged').waitFor({ state: 'detached' });
   });
 
+  it('colours the cloth by its strain and by its room to the body, on the flat pieces too', async () => {
+    for (const [kind, title] of [
+      ['weft', 'Stretch along the weft'],
+      ['room', 'Room to the body'],
+    ]) {
+      await page.getByLabel('Colour the cloth by').selectOption(kind);
+      await page.getByRole('figure', { name: title }).waitFor();
+      assert.ok((await page.locator('.plane .piece-map path').count()) >= 4, 'each piece has its colours');
+      await waitForCalm(page);
+      await shoot(page, `07-map-${kind}`);
+    }
+    const values = Object.values((await ask(page, 'map')).values);
+    assert.ok(values.every((mm) => mm >= 0 && mm <= 150));
+    await page.locator('.plane [data-piece=front]').hover();
+    await page.locator('.map-legend b').getByText(/ mm$/).waitFor();
+    await page.getByLabel('Colour the cloth by').selectOption('');
+    await page.locator('.map-legend').waitFor({ state: 'detached' });
+  });
+
   it('still has the cloth of an ended drape when it is opened anew', async () => {
     const again = await openPage(browser, page.url());
     await waitFor(again, () => window.__toile.job() && window.__toile.drawn() > 0);

@@ -6,6 +6,7 @@ import { makeApi } from './api/Api';
 import { ClothStream, type WorkerPort } from './api/ClothStream';
 import { Commands } from './commands/Commands';
 import { CommandsContext } from './commands/context';
+import { MapKeeper } from './commands/MapKeeper';
 import { Poller } from './commands/Poller';
 import { Watcher } from './commands/Watcher';
 import { ImportPreview } from './pattern/ImportPreview';
@@ -138,6 +139,7 @@ setInterval(() => (state.now.value = Date.now()), 1000);
 state.route.value = parseRoute(location.hash);
 listenForKeys(commands, state);
 watcher.start();
+new MapKeeper(state).start();
 effect(() => {
   void state.projectId.value;
   untracked(() => commands.pattern.projectChanged());
@@ -176,6 +178,7 @@ Object.assign(window, {
     frames: () => state.cloth.frames,
     drawn: () => hook.drawn,
     firstDrawnMs: () => hook.firstDrawnMs,
+    map: () => state.clothMap.value,
     looks: () => [...state.looks.value.keys()],
     start: () => state.dressing.start.value?.positions.length ?? 0,
     startHash: () => (state.dressing.start.value ? positionsHash(state.dressing.start.value.positions) : ''),

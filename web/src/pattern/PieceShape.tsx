@@ -14,6 +14,8 @@ export interface PieceShapeProps {
   hovered: boolean;
   /** The picture on it. */
   look?: Look | null;
+  /** What lies over cloth and picture, below outline and names. */
+  cover?: preact.ComponentChildren;
   onSelect(): void;
   onHover(on: boolean): void;
   children?: preact.ComponentChildren;
@@ -36,7 +38,7 @@ export function nameThatFits(name: string, px: number): string {
 }
 
 export function PieceShape(props: PieceShapeProps) {
-  const { placed, scale, selected, hovered, look = null, onSelect, onHover, children } = props;
+  const { placed, scale, selected, hovered, look = null, cover, onSelect, onHover, children } = props;
   const { piece, offset } = placed;
   const press = (event: KeyboardEvent): void => {
     if ((event.key !== 'Enter' && event.key !== ' ') || event.target !== event.currentTarget) return;
@@ -48,7 +50,7 @@ export function PieceShape(props: PieceShapeProps) {
   const outline = piecePath(piece);
   return (
     <g
-      class={`piece${selected ? ' selected' : ''}${hovered ? ' hovered' : ''}${look ? ' printed' : ''}`}
+      class={`piece${selected ? ' selected' : ''}${hovered ? ' hovered' : ''}${look || cover ? ' printed' : ''}`}
       style={{ '--halo': `${3 / scale}px` }}
       transform={`translate(${offset[0]} ${-offset[1]})`}
       tabindex={0}
@@ -63,6 +65,7 @@ export function PieceShape(props: PieceShapeProps) {
       <title>{`${piece.id}, ${size}`}</title>
       <path class="piece-cloth" fill-rule="evenodd" style={{ fill: cssColour(piece.colour) }} d={outline} />
       {look && <Print piece={piece} look={look} outline={outline} />}
+      {cover}
       <path class="piece-outline" fill="none" d={outline} />
       {piece.lines.map((line) => (
         <path key={line.id} class={line.drawn ? 'piece-line drawn' : 'piece-line'} d={linePath(line.points)}>

@@ -8,6 +8,7 @@ import type { PlacedPiece } from '../state/patternGeometry';
 import { seamsOfEdge } from '../state/seamView';
 import type { PatternTool } from '../tools/PatternTool';
 import { EditMarks } from './EditMarks';
+import { PieceMap } from './PieceMap';
 import { PieceShape } from './PieceShape';
 import { SeamShapes, type ShownSeam } from './SeamShapes';
 import type { Hands } from './useHands';
@@ -26,7 +27,7 @@ export interface PlacedPieceViewProps {
 }
 
 export function PlacedPieceView(props: PlacedPieceViewProps) {
-  const { placed, seams, lit, scale, tool, hands } = props;
+  const { placed, seams, lit, scale, tool, hands, worldOf } = props;
   const state = useAppState();
   const commands = useCommands();
   const { piece } = placed;
@@ -39,6 +40,7 @@ export function PlacedPieceView(props: PlacedPieceViewProps) {
         selected={state.selected.value === piece.id}
         hovered={state.hovered.value === piece.id}
         look={state.looks.value.get(piece.id) ?? null}
+        cover={state.clothMap.value && !state.beforeDrape.value ? <PieceMap placed={placed} worldOf={worldOf} /> : null}
         onSelect={() => hands.clickPiece(piece.id)}
         onHover={(on) => commands.hover(on ? piece.id : null)}
       >

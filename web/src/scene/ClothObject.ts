@@ -17,7 +17,8 @@ import {
   type Intersection,
   type Material,
 } from 'three';
-import type { ClothTopology } from '../api/frames';
+import type { ClothTopology, TopologyPiece } from '../api/frames';
+import { bandOf, kBands, type ClothMap } from '../state/clothMaps';
 import type { SeamPart } from '../state/seamView';
 import { fillRepeats, type Look } from '../state/texture';
 import { PrintMaterials } from './PrintMaterials';
@@ -36,6 +37,10 @@ import { kTileMetres, weaveTexture } from './weave';
 
 /** Sewn pairs further apart than this still have their threads drawn, m. */
 const kThreadGap = 0.0015;
+
+const kBandColours = kBands.map((band) => new Color(band));
+/** Of cloth of which the map can say nothing. */
+const kUnknown = new Color('#999999');
 
 export interface ClothColours {
   thread: Color;
@@ -76,6 +81,8 @@ export class ClothObject {
   private selected_: string | null = null;
   private hovered_: string | null = null;
   private wiresShown_ = false;
+  private map_: ClothMap | null = null;
+  private readonly mapMaterial_ = new MeshStandardMaterial({ side: DoubleSide, vertexColors: true, roughness: 1 });
   private looks_: ReadonlyMap<string, Look> = new Map();
   private readonly prints_: PrintMaterials;
 
@@ -145,6 +152,20 @@ export class ClothObject {
     this.paint();
   }
 
+  /** Colours by a map in place of cloth and pictures; null: as it looks. */
+  setMap(map: ClothMap | null): void {
+    if (map === this.map_) return;
+    const turned = (map === null) !== (this.map_ === null);
+    this.map_ = map;
+    if (turned) this.dress();
+    this.paint();
+  }
+
+  /** The map's value at a hit of the surface; NaN without a map. */
+  valueAt(hit: Intersection): number {
+    return this.map_?.values[hit.face?.a ?? -1] ?? NaN;
+  }
+
   /** Draws the vertices along a seam's sides as a dotted line, over everything. */
   lightSeam(parts: readonly SeamPart[]): void {
     this.litParts_ = parts;
@@ -181,6 +202,7 @@ export class ClothObject {
     this.prints_.dispose();
     for (const material of [
       this.material_,
+      this.mapMaterial_,
       this.seamMaterial_,
       this.wireMaterial_,
       this.threadMaterial_,
@@ -247,7 +269,7 @@ export class ClothObject {
     this.geometry_.setIndex(new BufferAttribute(index, 1));
     this.geometry_.clearGroups();
     for (const { start, count, material } of groups) this.geometry_.addGroup(start, count, material);
-    this.mesh_.material = materials;
+    this.mesh_.material = this.map_ ? this.mapMaterial_ : materials;
   }
 
   private addSurface({ vertexCount }: ClothTopology): void {
@@ -298,7 +320,12 @@ export class ClothObject {
   private paint(): void {
     if (!this.topology_) return;
     const attribute = this.geometry_.getAttribute('color') as BufferAttribute;
+    const map = this.map_?.values.length === this.topology_.vertexCount ? this.map_ : null;
     for (const piece of this.topology_.pieces) {
+      if (map) {
+        this.paintMap(map, piece, attribute);
+        continue;
+      }
       const colour = this.looks_.has(piece.id) ? new Color(1, 1, 1) : new Color().setRGB(...piece.colour);
       if (piece.id === this.selected_) colour.lerp(this.colours_.selected, 0.24);
       else if (piece.id === this.hovered_) colour.lerp(this.colours_.hovered, 0.22);
@@ -307,6 +334,14 @@ export class ClothObject {
     attribute.needsUpdate = true;
     this.outlineSelected();
     this.outlineSeam();
+  }
+
+  private paintMap(map: ClothMap, { firstVertex, vertexCount }: TopologyPiece, attribute: BufferAttribute): void {
+    for (let v = firstVertex; v < firstVertex + vertexCount; ++v) {
+      const value = map.values[v]!;
+      const { r, g, b } = Number.isFinite(value) ? kBandColours[bandOf(map, value)]! : kUnknown;
+      attribute.setXYZ(v, r, g, b);
+    }
   }
 
   private outlineSelected(): void {

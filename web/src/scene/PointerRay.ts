@@ -48,6 +48,14 @@ export class PointerRay implements Ray {
     return hit?.object === mesh ? cloth.pieceAt(hit) : null;
   }
 
+  mapValue(): number {
+    const { cloth, body } = this.scene_;
+    const { mesh } = cloth;
+    if (!mesh || !cloth.positions) return NaN;
+    const hit = this.raycaster_.intersectObjects(body.mesh.visible ? [mesh, body.mesh] : [mesh], false)[0];
+    return hit?.object === mesh ? cloth.valueAt(hit) : NaN;
+  }
+
   landmark(): string | null {
     const { camera, controls, marks } = this.scene_;
     return marks.landmarkAt(this.raycaster_, kGrab * camera.position.distanceTo(controls.target));

@@ -9,6 +9,7 @@ import { useAppState } from '../state/context';
 import { activity, isActive, overall, placeInQueue } from '../state/jobs';
 import { counted, percent } from '../state/words';
 import { sceneTools } from '../tools/table';
+import { MapChoice, MapLegend } from './MapLegend';
 import type { SceneView } from './SceneView';
 
 const kViews: { view: View; title: string; key: string }[] = [
@@ -87,6 +88,7 @@ export function ScenePane(props: ScenePaneProps) {
       )}
       <Busy />
       <ViewTools />
+      <MapLegend />
     </section>
   );
 }
@@ -111,6 +113,7 @@ function ViewTools() {
       <span class="tool-gap" />
       <Toggle on={bodyShown.value} title="Body (B)" label="Body" flip={() => (bodyShown.value = !bodyShown.value)} />
       <Toggle on={meshShown.value} title="Mesh (M)" label="Mesh" flip={() => (meshShown.value = !meshShown.value)} />
+      <MapChoice />
     </div>
   );
 }
@@ -142,6 +145,7 @@ function connect(scene: SceneView, state: AppState): () => void {
     effect(() => scene.show(state.bodyShown.value && state.shownBody.value !== null, state.meshShown.value)),
     effect(() => scene.setLooks(state.looks.value)),
     effect(() => scene.showOpenSeams(!state.beforeDrape.value && state.job.value?.state === 'succeeded', token('--bad'))),
+    effect(() => scene.setMap(state.beforeDrape.value || state.atHome.value ? null : state.clothMap.value)),
     effect(() => scene.lightSeam(state.litParts.value)),
     effect(() => scene.highlight(state.selected.value, state.hovered.value)),
     effect(() => {

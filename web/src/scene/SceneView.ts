@@ -17,6 +17,7 @@ import type { View } from '../state/AppState';
 import type { LiveCloth } from '../state/LiveCloth';
 import type { Finding, ProjectBody, Start } from '../api/dressing';
 import type { Marks } from '../state/dressing';
+import type { ClothMap } from '../state/clothMaps';
 import type { SeamPart } from '../state/seamView';
 import type { Look } from '../state/texture';
 import type { Hand } from '../tools/PatternTool';
@@ -163,6 +164,11 @@ export class SceneView {
 
   setLooks(looks: ReadonlyMap<string, Look>): void {
     this.cloth_.setLooks(looks);
+    this.invalidate();
+  }
+
+  setMap(map: ClothMap | null): void {
+    this.cloth_.setMap(map);
     this.invalidate();
   }
 

@@ -6,6 +6,7 @@ import type { BodyMesh } from '../api/body';
 import type { StreamConnection } from '../api/JobStream';
 import type { Picture } from '../api/pictures';
 import type { EditStep, Job, Pieces, Progress, Project, Report } from '../api/types';
+import type { ClothMap, MapKind } from './clothMaps';
 import { DressingState, type Marks } from './dressing';
 import { EditingState, stepText } from './editing';
 import type { ImportDraft } from './importDraft';
@@ -91,6 +92,12 @@ export class AppState {
   readonly view: Signal<{ view: View; turn: number }> = signal({ view: 'three-quarter', turn: 0 });
   readonly bodyShown: Signal<boolean> = signal(true);
   readonly meshShown: Signal<boolean> = signal(false);
+  /** What the cloth is coloured by; null: as it looks. */
+  readonly mapKind: Signal<MapKind | null> = signal(null);
+  /** Of the newest moment that was measured. */
+  readonly clothMap: Signal<ClothMap | null> = signal(null);
+  /** The map's value under the pointer; NaN: none. */
+  readonly pointedValue: Signal<number> = signal(NaN);
   readonly now: Signal<number> = signal(Date.now());
 
   readonly allJobs: ReadonlySignal<Job[]> = computed(() => valueOf(this.jobs.value) ?? []);

@@ -11,6 +11,8 @@ export type BoxPlace = Pick<PieceWish, 'part' | 'side' | 'at_mm'>;
 /** What lies under the pointer, nearest first, and what can be shown there. */
 export interface SceneTouch {
   piece(): string | null;
+  /** Of the map on the cloth; NaN where there is none. */
+  mapValue(): number;
   landmark(): string | null;
   /** A place of the body, under cloth or not. */
   skin(): Place | null;

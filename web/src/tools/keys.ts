@@ -2,6 +2,7 @@
 
 import type { Commands } from '../commands/Commands';
 import type { AppState } from '../state/AppState';
+import { nextMap } from '../state/clothMaps';
 import type { PatternTool } from './PatternTool';
 import { patternTools } from './table';
 
@@ -89,6 +90,14 @@ export const bindings: Binding[] = [
     title: 'Mesh on or off',
     group: 'View',
     run: (_, s) => void (s.meshShown.value = !s.meshShown.value),
+  },
+  {
+    key: 'x',
+    shown: 'X',
+    title: 'Next map of the cloth',
+    group: 'View',
+    work: true,
+    run: (_, s) => (s.mapKind.value = nextMap(s.mapKind.value)),
   },
   {
     key: 'l',

@@ -6,6 +6,7 @@ import { pick } from './pick';
 import { pieces } from './pieces';
 import { places } from './places';
 import { points } from './points';
+import { probe } from './probe';
 import type { SceneTool } from './SceneTool';
 import { select } from './select';
 import { sew } from './sew';
@@ -14,7 +15,7 @@ import { sew } from './sew';
 export const patternTools: readonly PatternTool[] = [pieces, points, sew];
 
 /** Of the 3D view: what comes earlier is asked first. */
-export const sceneTools: readonly SceneTool[] = [pick, landmarks, places, select];
+export const sceneTools: readonly SceneTool[] = [pick, landmarks, places, probe, select];
 
 /** The tool of the 2D view that the state names. */
 export const toolOf = (id: string): PatternTool => patternTools.find((tool) => tool.id === id) ?? pieces;

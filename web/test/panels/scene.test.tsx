@@ -1,8 +1,9 @@
 // @vitest-environment jsdom
 import { fireEvent, screen } from '@testing-library/dom';
 import { beforeEach, describe, expect, it } from 'vitest';
-import { click, openPage, type Page } from './page';
+import { choose, click, openPage, type Page } from './page';
 import type { Job } from '../../src/api/types';
+import { MapChoice, MapLegend } from '../../src/scene/MapLegend';
 import { SceneHands, type Ray } from '../../src/scene/SceneHands';
 import { ScenePane } from '../../src/scene/ScenePane';
 import { ready, type AppState } from '../../src/state/AppState';
@@ -22,12 +23,14 @@ class FakeRay implements Ray {
   landmarkThere: string | null = null;
   skinThere: Place | null = null;
   boxThere: BoxPlace | null = null;
+  valueThere = NaN;
   said: unknown[] = [];
 
   through = (): this => this;
   piece = (): string | null => this.pieceThere;
   landmark = (): string | null => this.landmarkThere;
   skin = (): Place | null => this.skinThere;
+  mapValue = (): number => this.valueThere;
   box = (): BoxPlace | null => this.boxThere;
   openBoxes = (open: boolean): void => void this.said.push(open ? 'boxes' : 'no boxes');
   moveLandmark = (name: string, to: Place): void => void this.said.push([name, to]);
@@ -53,6 +56,15 @@ describe('the hand in the 3D view', () => {
       up: (x: number) => fireEvent.pointerUp(canvas, { ...at(x), buttons: 0 }),
     };
   }
+  it('reads the value of the map under it, and none beside the cloth', () => {
+    const { canvas, ray } = take((state) => (state.clothMap.value = { kind: 'warp', values: new Float32Array(3), end: 1 }));
+    ray.valueThere = 0.4;
+    fireEvent.pointerMove(canvas, { pointerType: 'mouse', buttons: 0 });
+    expect(page.state.pointedValue.value).toBe(0.4);
+    fireEvent.pointerLeave(canvas);
+    expect(page.state.pointedValue.value).toBeNaN();
+  });
+
   const arranging = (state: AppState): void => void (state.tab.value = 'arrange');
   const marking = (state: AppState): void => {
     state.tab.value = 'body';
@@ -255,5 +267,37 @@ describe('the 3D view without its picture', () => {
       ['showView', 'three-quarter'],
     ]);
     expect([page.state.bodyShown.value, page.state.meshShown.value]).toEqual([false, true]);
+  });
+});
+
+describe('the map of the cloth', () => {
+  const shown = (state: AppState): void => {
+    state.jobs.value = ready([jobOf({ state: 'succeeded' })]);
+    state.tab.value = 'result';
+    state.covered.value = true;
+  };
+
+  it('is chosen over the cloth, not before there is any', () => {
+    page.show(<MapChoice />);
+    expect(screen.queryByRole('combobox')).toBeNull();
+    page.change(shown);
+    choose(screen.getByRole('combobox', { name: 'Colour the cloth by' }), 'room');
+    expect(page.state.mapKind.value).toBe('room');
+    choose(screen.getByRole('combobox', { name: 'Colour the cloth by' }), '');
+    expect(page.state.mapKind.value).toBeNull();
+  });
+
+  it('has a legend with the ends of its bands, and the value that is pointed at', () => {
+    page.change(shown);
+    page.show(<MapLegend />);
+    expect(screen.queryByRole('figure')).toBeNull();
+    page.change((state) => (state.clothMap.value = { kind: 'warp', values: new Float32Array([0, 1.5]), end: 2 }));
+    const legend = screen.getByRole('figure', { name: /^Stretch along the warp: Red is stretched/ });
+    expect([...legend.querySelectorAll('li')].map((one) => one.textContent)).toEqual(
+      ['−2', '−1.5', '−1', '−0.5', '0', '0.5', '1', '1.5', '2'],
+    );
+    page.change((state) => (state.pointedValue.value = 1.7));
+    expect(legend.querySelector('b')!.textContent).toBe('1.7 %');
+    expect([...legend.querySelectorAll('li')].findIndex((one) => one.className === 'lit')).toBe(7);
   });
 });

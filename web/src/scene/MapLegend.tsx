@@ -1,0 +1,65 @@
+// Which map the cloth is coloured by, and what its colours say.
+
+import { useAppState } from '../state/context';
+import { bandEnds, bandOf, kBands, kMaps, valueText, type ClothMap, type MapKind } from '../state/clothMaps';
+
+/** Only where there is cloth of a drape. */
+export function MapChoice() {
+  const state = useAppState();
+  const { mapKind, covered, beforeDrape, atHome } = state;
+  if (!covered.value || beforeDrape.value || atHome.value) return null;
+  return (
+    <>
+      <span class="tool-gap" />
+      <select
+        class="tool map-choice"
+        aria-label="Colour the cloth by"
+        title="Colour the cloth by (X)"
+        value={mapKind.value ?? ''}
+        onChange={(event) => (mapKind.value = (event.currentTarget.value || null) as MapKind | null)}
+      >
+        <option value="">Cloth</option>
+        {(Object.keys(kMaps) as MapKind[]).map((kind) => (
+          <option key={kind} value={kind}>
+            {kMaps[kind].title}
+          </option>
+        ))}
+      </select>
+    </>
+  );
+}
+
+export function MapLegend() {
+  const { clothMap, pointedValue, beforeDrape, atHome } = useAppState();
+  const map = clothMap.value;
+  if (!map || beforeDrape.value || atHome.value) return null;
+  return <Legend map={map} pointed={pointedValue.value} />;
+}
+
+function Legend({ map, pointed }: { map: ClothMap; pointed: number }) {
+  const { title, unit, words } = kMaps[map.kind];
+  const ends = bandEnds(map);
+  const lit = Number.isFinite(pointed) ? bandOf(map, pointed) : -1;
+  return (
+    <figure class="map-legend" aria-label={`${title}: ${words}`}>
+      <figcaption>
+        {title} <b>{Number.isFinite(pointed) ? valueText(map, pointed) : unit}</b>
+      </figcaption>
+      <ol>
+        {kBands.map((colour, i) => (
+          <li key={colour} class={i === lit ? 'lit' : ''}>
+            <i style={{ background: colour }} aria-hidden="true" />
+            <span>{figure(ends[i]!)}</span>
+          </li>
+        ))}
+        <li class="end">
+          <span>{figure(ends[ends.length - 1]!)}</span>
+        </li>
+      </ol>
+      <small>{words}</small>
+    </figure>
+  );
+}
+
+/** "−0.75", "10": no more digits than bands need. */
+const figure = (value: number): string => String(Math.round(100 * value) / 100).replace('-', '−');
