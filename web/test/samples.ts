@@ -1,7 +1,7 @@
 // What the service says of small things, for tests that look at one part of it.
 
 import type { Figure, Finding, ProjectBody } from '../src/api/dressing';
-import type { Import, ImportedPiece, Report } from '../src/api/types';
+import type { Fabric, Import, ImportedPiece, Report } from '../src/api/types';
 import { seamOf } from './fakes';
 
 export const findingOf = (more: Partial<Finding> = {}): Finding => ({
@@ -153,5 +153,32 @@ export const reportOf = (more: Partial<Report> = {}): Report => ({
   highest_m: 1.1024,
   findings: [],
   hash: 'a5',
+  ...more,
+});
+
+/** Of cotton, with the bending of a calico that is heavier. */
+export const fabricOf = (name: string, more: Partial<Fabric> = {}): Fabric => ({
+  toile_fabric: 1,
+  name,
+  title: `Title of ${name}`,
+  fibre: 'cotton',
+  construction: 'woven',
+  weave: '2/1 twill',
+  areal_mass_g_m2: 240,
+  thickness_mm: 0.5,
+  bend_warp_un_m: 41.4,
+  bend_weft_un_m: 36.8,
+  bend_bias_un_m: 30,
+  stretch_warp: [
+    { strain_percent: 4, tension_n_m: 90 },
+    { strain_percent: 6, tension_n_m: 490 },
+  ],
+  stretch_weft: [{ strain_percent: 5, tension_n_m: 245 }],
+  stretch_coupling_n_m: 199,
+  stretch_shear_n_m: 120,
+  limit_shear_rad: 0.3,
+  friction: 0.4,
+  colour: [0.5, 0.5, 0.5],
+  sources: [],
   ...more,
 });

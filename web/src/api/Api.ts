@@ -54,7 +54,8 @@ export interface Api {
   report(id: string): Promise<Report>;
   resultText(id: string, name: string): Promise<string>;
   body(id: string): Promise<BodyMesh>;
-  resultUrl(id: string, name: string): string;
+  /** `width`: of a still that is made smaller, pixels. */
+  resultUrl(id: string, name: string, width?: number): string;
   assetUrl(id: string): string;
   streamUrl(id: string): string;
 }
@@ -112,7 +113,7 @@ export function makeApi(http = new Http('/api/v1')): Api {
     report: (id) => http.get(result(id, 'report.json')),
     resultText: (id, name) => http.text(result(id, name)),
     body: async (id) => decodeBody(await http.bytes(`/jobs/${part(id)}/body`)),
-    resultUrl: (id, name) => http.url(result(id, name)),
+    resultUrl: (id, name, width) => http.url(result(id, name) + (width ? `/small?width=${width}` : '')),
     assetUrl: (id) => http.url(`/assets/${part(id)}/content`),
     streamUrl: (id) => http.socketUrl(`/jobs/${part(id)}/stream`),
   };

@@ -1,44 +1,142 @@
-// What a piece, or the whole garment, is cut of: a fabric of the library, or one of the project's own.
+// What a piece, or the whole garment, is cut of: its card, and the library's cards to choose another from.
 
-import { useEffect } from 'preact/hooks';
-import type { Fabric, Piece } from '../api/types';
+import { useComputed, useSignal } from '@preact/signals';
+import { useEffect, useId } from 'preact/hooks';
+import type { EditOf, Fabric, Piece } from '../api/types';
 import { useCommands } from '../commands/context';
 import { useAppState } from '../state/context';
+import { fabricsFound, figuresOf, handOf, makeOf, originOf, stiffness, type Kind } from '../state/fabrics';
+import { FabricSwatch } from './FabricSwatch';
 
 export function FabricField({ pieces }: { pieces: readonly Piece[] }) {
   const { pattern } = useCommands();
   const { fabrics } = useAppState().editing;
+  const isOpen = useSignal(false);
   useEffect(() => void pattern.loadFabrics(), [pattern]);
   const names = [...new Set(pieces.map((piece) => piece.fabric))];
-  const now = names.length === 1 ? names[0]! : '';
-  const known = fabrics.value.find((fabric) => fabric.name === now);
-  const choose = (fabric: string): void =>
-    void pattern.edit(...pieces.map((piece) => ({ edit: 'set_fabric' as const, piece: piece.id, fabric })));
+  const known = names.length === 1 ? fabrics.value.find((fabric) => fabric.name === names[0]) : undefined;
+  const whose = pieces.length === 1 ? 'Fabric' : 'Fabric of all pieces';
+  const choose = (fabric: string): void => {
+    isOpen.value = false;
+    const edits = cutOf(pieces, fabric);
+    if (edits.length > 0) void pattern.edit(...edits);
+  };
   return (
-    <section class="fabric" aria-label={pieces.length === 1 ? 'Fabric of the piece' : 'Fabric of all pieces'}>
+    <section class="fabric" aria-label={`${whose}, cut of`}>
       <h3>
-        {pieces.length === 1 ? 'Fabric' : 'Fabric of all pieces'}
+        {whose}
         {names.length > 1 && <span class="head-note">pieces differ</span>}
       </h3>
-      <label class="select-field">
-        <span>Cut of</span>
-        <select value={now} onChange={(event) => choose(event.currentTarget.value)}>
-          {!known && (
-            <option value={now} disabled={now === ''}>
-              {now === '' ? 'Different ones' : now}
-            </option>
-          )}
-          {fabrics.value.map((fabric) => (
-            <option key={fabric.name} value={fabric.name}>
-              {fabric.title}
-            </option>
-          ))}
-        </select>
-      </label>
-      {known && <p class="selection-facts">{factsOf(known)}</p>}
+      <div class="fabric-now">
+        {known ? <Card fabric={known} /> : <p class="fabric-own">{names.join(', ') || 'None'}</p>}
+        <button class="plain" aria-expanded={isOpen.value} onClick={() => (isOpen.value = !isOpen.value)}>
+          {isOpen.value ? 'Keep it' : 'Change'}
+        </button>
+      </div>
+      {isOpen.value && <Library fabrics={fabrics.value} now={known?.name ?? ''} choose={choose} />}
+      {!isOpen.value && known && <Figures fabric={known} />}
     </section>
   );
 }
 
-const factsOf = ({ areal_mass_g_m2, thickness_mm, fibre, weave }: Fabric): string =>
-  `${areal_mass_g_m2} g/m² · ${thickness_mm} mm · ${fibre}, ${weave}`;
+/** Of those that are cut of another one. */
+const cutOf = (pieces: readonly Piece[], fabric: string): EditOf<'set_fabric'>[] =>
+  pieces.filter((piece) => piece.fabric !== fabric).map(({ id }) => ({ edit: 'set_fabric', piece: id, fabric }));
+
+/** Snippet, name and what it is. */
+function Card({ fabric }: { fabric: Fabric }) {
+  return (
+    <span class="fabric-card">
+      <FabricSwatch fabric={fabric} />
+      <span>
+        <b>{fabric.title}</b>
+        <small>{`${fabric.areal_mass_g_m2} g/m² · ${makeOf(fabric)}`}</small>
+        <Hand fabric={fabric} />
+      </span>
+    </span>
+  );
+}
+
+/** How it falls, from soft to stiff. */
+const Hand = ({ fabric }: { fabric: Fabric }) => (
+  <span class="fabric-hand">
+    <i aria-hidden="true">
+      <em style={{ left: `${(100 * stiffness(fabric)).toFixed(0)}%` }} />
+    </i>
+    <small>{handOf(fabric)}</small>
+  </span>
+);
+
+function Figures({ fabric }: { fabric: Fabric }) {
+  return (
+    <details class="fabric-figures">
+      <summary>Figures, warp / weft</summary>
+      <dl class="facts">
+        {figuresOf(fabric).map(({ label, value }) => (
+          <div key={label}>
+            <dt>{label}</dt>
+            <dd>{value}</dd>
+          </div>
+        ))}
+      </dl>
+      <p class="selection-facts">
+        {fabric.use && `For ${fabric.use}. `}
+        {originOf(fabric)}
+      </p>
+    </details>
+  );
+}
+
+const kKinds: { kind: Kind; title: string }[] = [
+  { kind: 'all', title: 'All' },
+  { kind: 'woven', title: 'Woven' },
+  { kind: 'knit', title: 'Knit' },
+  { kind: 'other', title: 'Other' },
+];
+
+interface LibraryProps {
+  fabrics: readonly Fabric[];
+  /** The one that the pieces are cut of. */
+  now: string;
+  choose(fabric: string): void;
+}
+
+function Library({ fabrics, now, choose }: LibraryProps) {
+  const text = useSignal('');
+  const kind = useSignal<Kind>('all');
+  const found = useComputed(() => fabricsFound(fabrics, text.value, kind.value)).value;
+  const id = useId();
+  return (
+    <div class="fabric-library">
+      <div class="fabric-find">
+        <label class="visually-hidden" for={id}>
+          Find a fabric
+        </label>
+        <input
+          id={id}
+          type="search"
+          placeholder="silk, twill, soft, shirts…"
+          value={text.value}
+          onInput={(event) => (text.value = event.currentTarget.value)}
+        />
+        <div class="choice" role="radiogroup" aria-label="Kind of fabric">
+          {kKinds.map((one) => (
+            <button key={one.kind} role="radio" aria-checked={kind.value === one.kind} onClick={() => (kind.value = one.kind)}>
+              {one.title}
+            </button>
+          ))}
+        </div>
+      </div>
+      {found.length === 0 && <p class="hint">No fabric is called so.</p>}
+      <ul>
+        {found.map((fabric) => (
+          <li key={fabric.name}>
+            <button aria-pressed={fabric.name === now} onClick={() => choose(fabric.name)}>
+              <Card fabric={fabric} />
+            </button>
+          </li>
+        ))}
+      </ul>
+    </div>
+  );
+}

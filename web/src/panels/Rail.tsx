@@ -10,8 +10,8 @@ import { ago, percent, sentence } from '../state/words';
 import { Icon } from '../controls/Icon';
 
 export interface PicturesProps {
-  /** Address of a result file. */
-  resultUrl(job: string, name: string): string;
+  /** Address of a result file; of a still `width` pixels wide. */
+  resultUrl(job: string, name: string, width?: number): string;
 }
 
 export function Rail({ resultUrl }: PicturesProps) {
@@ -37,6 +37,9 @@ export function Rail({ resultUrl }: PicturesProps) {
     </nav>
   );
 }
+
+/** Pixels: twice as wide as it is shown, for fine screens. */
+const kThumbWidth = 96;
 
 const Skeleton = ({ rows }: { rows: number }) => (
   <ul class="rail-list" aria-label="Loading">
@@ -91,7 +94,7 @@ function ProjectRow({ project, resultUrl }: { project: Project } & PicturesProps
         href={`#/projects/${project.id}`}
         aria-current={state.projectId.value === project.id ? 'true' : undefined}
       >
-        <Thumb url={job && resultUrl(job.id, thumbnailOf(job)!)} />
+        <Thumb url={job && resultUrl(job.id, thumbnailOf(job)!, kThumbWidth)} />
         <span class="row-text">
           <b>{project.name}</b>
           <small>
@@ -163,7 +166,7 @@ function JobRow({ job, resultUrl }: { job: Job } & PicturesProps) {
         aria-current={shown ? 'page' : undefined}
         title={fresh.reason ? sentence(fresh.reason) : undefined}
       >
-        <Thumb url={name && resultUrl(job.id, name)} failed={fresh.state === 'failed'} />
+        <Thumb url={name && resultUrl(job.id, name, kThumbWidth)} failed={fresh.state === 'failed'} />
         <span class="row-text">
           <b>{job.name}</b>
           <Standing job={fresh} />

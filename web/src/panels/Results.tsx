@@ -19,6 +19,9 @@ const kStillNames: Record<string, string> = {
   'side.png': 'Side',
 };
 
+/** Of the pictures in a row, pixels; a click shows the whole one. */
+const kStillWidth = 320;
+
 const stillName = (name: string): string => kStillNames[name] ?? name;
 
 export function Results({ resultUrl }: PicturesProps) {
@@ -32,7 +35,7 @@ export function Results({ resultUrl }: PicturesProps) {
   if (isActive(job.state) && downloads.length === 0) {
     return <p class="hint">Stills, models and the report are kept here when the drape has ended.</p>;
   }
-  const urlOf = (name: string): string => resultUrl(job.id, name);
+  const urlOf = (name: string, width?: number): string => resultUrl(job.id, name, width);
   return (
     <>
       <OutcomeList />
@@ -58,7 +61,7 @@ export function Results({ resultUrl }: PicturesProps) {
 
 interface StillsProps {
   names: readonly string[];
-  urlOf(name: string): string;
+  urlOf(name: string, width?: number): string;
   enlarge(name: string): void;
 }
 
@@ -68,7 +71,7 @@ function Stills({ names, urlOf, enlarge }: StillsProps) {
       {names.map((name) => (
         <li key={name}>
           <button onClick={() => enlarge(name)} aria-label={`${stillName(name)} still, enlarge`}>
-            <img src={urlOf(name)} alt="" decoding="async" />
+            <img src={urlOf(name, kStillWidth)} alt="" decoding="async" />
             <span>{stillName(name)}</span>
           </button>
         </li>

@@ -13,6 +13,8 @@ import type { PicturesProps } from './Rail';
 
 /** Projects that are offered to be gone on with. */
 const kRecent = 6;
+/** Of their pictures, pixels. */
+const kPictureWidth = 320;
 
 export function Welcome({ resultUrl }: PicturesProps) {
   const { projects } = useAppState();
@@ -81,7 +83,7 @@ function ProjectCard({ project, resultUrl }: { project: Project } & PicturesProp
       <a class="card" href={`#/projects/${project.id}`}>
         <span class="card-picture">
           {picture ? (
-            <img src={resultUrl(job.id, picture)} alt="" loading="lazy" decoding="async" />
+            <img src={resultUrl(job.id, picture, kPictureWidth)} alt="" loading="lazy" decoding="async" />
           ) : (
             <Icon name="shirt" />
           )}

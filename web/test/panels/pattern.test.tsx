@@ -3,7 +3,7 @@ import { fireEvent, screen, within } from '@testing-library/dom';
 import { beforeEach, describe, expect, it } from 'vitest';
 import { choose, click, openPage, type, type Page } from './page';
 import { ApiError } from '../../src/api/http';
-import type { Fabric, Pieces, Seam } from '../../src/api/types';
+import type { Pieces, Seam } from '../../src/api/types';
 import { FabricField } from '../../src/panels/FabricField';
 import { HistoryList } from '../../src/panels/HistoryList';
 import { PatternPanel } from '../../src/panels/PatternPanel';
@@ -14,6 +14,7 @@ import { TextureFields } from '../../src/panels/TextureFields';
 import { ready } from '../../src/state/AppState';
 import { points } from '../../src/tools/points';
 import { assetOf, seamOf, squareOf } from '../fakes';
+import { fabricOf } from '../samples';
 
 const side = seamOf('side', ['a', 'e1'], ['b', 'e3'], { length_a_mm: 100, length_b_mm: 98 });
 const two = (seams: Seam[] = [side]): Pieces => ({
@@ -305,28 +306,52 @@ describe('the history', () => {
 });
 
 describe('the fabric of pieces', () => {
-  const library = ['denim-10oz', 'twill'].map(
-    (name) => ({ name, title: `Title of ${name}`, areal_mass_g_m2: 240, thickness_mm: 0.5 }) as Fabric,
-  );
-  const chooser = (): HTMLElement => screen.getByRole('combobox', { name: 'Cut of' });
+  const library = [fabricOf('denim-10oz', { areal_mass_g_m2: 339 }), fabricOf('twill'), fabricOf('jersey', { construction: 'knit' })];
+  const cards = (): (string | null)[] =>
+    [...document.querySelectorAll('.fabric-library li b')].map((one) => one.textContent);
 
-  it('is chosen out of the library, for one piece or for all', () => {
+  const edits = () => page.asked().filter(([command]) => command === 'pattern.edit');
+
+  it('is chosen out of the library’s cards, for one piece or for all', () => {
     page.change((state) => (state.editing.fabrics.value = library));
     page.show(<FabricField pieces={two().pieces} />);
     expect(page.asked()).toEqual([['pattern.loadFabrics']]);
-    choose(chooser(), 'twill');
-    expect(page.asked()).toEqual([
+    click(button('Change'));
+    expect(cards()).toEqual(['Title of jersey', 'Title of twill', 'Title of denim-10oz']);
+    click(button(/Title of twill/));
+    expect(edits()).toEqual([
       ['pattern.edit', ...two().pieces.map(({ id }) => ({ edit: 'set_fabric', piece: id, fabric: 'twill' }))],
     ]);
+    expect(cards()).toEqual([]);
   });
 
-  it('says that pieces differ, and of a known one what it weighs', () => {
+  it('is found by words and by its kind', () => {
+    page.change((state) => (state.editing.fabrics.value = library));
+    page.show(<FabricField pieces={two().pieces} />);
+    click(button('Change'));
+    click(screen.getByRole('radio', { name: 'Knit' }));
+    expect(cards()).toEqual(['Title of jersey']);
+    fireEvent.input(screen.getByLabelText('Find a fabric'), { target: { value: 'velvet' } });
+    expect(screen.getByText('No fabric is called so.')).toBeTruthy();
+  });
+
+  it('says that pieces differ, and of a known one what it weighs and how it bends', () => {
     page.change((state) => (state.editing.fabrics.value = library));
     const [a, b] = two().pieces.map((piece, i) => ({ ...piece, fabric: i === 0 ? 'twill' : 'my own' }));
     page.show(<FabricField pieces={[a!, b!]} />);
     expect(screen.getByText('pieces differ')).toBeTruthy();
+    expect(screen.getByText('twill, my own')).toBeTruthy();
     page.show(<FabricField pieces={[a!]} />);
-    expect(screen.getByText(/240 g\/m²/)).toBeTruthy();
+    expect(screen.getByText(/^240 g\/m² · cotton, 2\/1 twill/)).toBeTruthy();
+    expect(screen.getByText('Bending length').nextSibling!.textContent).toBe('26 / 25 mm');
+  });
+
+  it('that it has already is no change', () => {
+    page.change((state) => (state.editing.fabrics.value = library));
+    page.show(<FabricField pieces={two().pieces.map((piece) => ({ ...piece, fabric: 'twill' }))} />);
+    click(button('Change'));
+    click(screen.getAllByRole('button', { name: /Title of twill/ }).at(-1)!);
+    expect(edits()).toEqual([]);
   });
 });
 

@@ -1,0 +1,99 @@
+// Fabrics of the library as a person chooses them: what they are, how they fall and give, and which fit some words. Pure.
+
+import type { Fabric } from '../api/types';
+
+const kGravity = 9.81;
+/** N/m, at which the tensile test of the KES ends: firmly pulled. */
+const kPull = 490;
+
+/** Length of a strip that bends under its own weight as the cantilever test has it, mm: c = ∛(B / w g). */
+export function bendingLength(bend_un_m: number, areal_mass_g_m2: number): number {
+  return 1000 * Math.cbrt((bend_un_m * 1e-6) / (areal_mass_g_m2 * 1e-3 * kGravity));
+}
+
+/** How much it is longer when it is firmly pulled, percent; beyond its curve as it ends. */
+export function giveOf(curve: Fabric['stretch_warp']): number {
+  let [strain, tension] = [0, 0];
+  for (const point of curve) {
+    if (point.tension_n_m >= kPull) {
+      const share = (kPull - tension) / (point.tension_n_m - tension);
+      return strain + share * (point.strain_percent - strain);
+    }
+    [strain, tension] = [point.strain_percent, point.tension_n_m];
+  }
+  return tension > 0 ? (strain * kPull) / tension : 0;
+}
+
+/** mm, from a silk that runs through the fingers to a board. */
+const kSoftest = 8;
+const kStiffest = 45;
+
+/** From 0, soft, to 1, stiff. */
+export function stiffness(fabric: Fabric): number {
+  const mean = (fabric.bend_warp_un_m + fabric.bend_weft_un_m) / 2;
+  const length = bendingLength(mean, fabric.areal_mass_g_m2);
+  return Math.min(1, Math.max(0, (length - kSoftest) / (kStiffest - kSoftest)));
+}
+
+const kHands = ['flows', 'soft', 'has body', 'firm', 'stands'] as const;
+
+/** The hand in a word. */
+export const handOf = (fabric: Fabric): string => kHands[Math.min(4, Math.floor(5 * stiffness(fabric)))]!;
+
+export type Weave = 'plain' | 'twill' | 'satin' | 'knit' | 'net' | 'felt';
+
+/** What its threads look like. */
+export function weaveOf({ construction, weave }: Pick<Fabric, 'construction' | 'weave'>): Weave {
+  if (construction === 'knit') return 'knit';
+  if (construction === 'net') return 'net';
+  if (construction !== 'woven') return 'felt';
+  if (weave.includes('twill')) return 'twill';
+  return weave.includes('satin') ? 'satin' : 'plain';
+}
+
+/** "cotton, plain": without what is no word of cloth. */
+export const makeOf = ({ fibre, weave, construction }: Fabric): string =>
+  [fibre === 'many' ? '' : fibre, weave === 'none' || weave === 'many' ? construction : weave].filter(Boolean).join(', ');
+
+export interface Figure {
+  label: string;
+  value: string;
+}
+
+const pair = (warp: number, weft: number, digits: number, unit: string): string =>
+  `${warp.toFixed(digits)} / ${weft.toFixed(digits)} ${unit}`;
+
+/** What a card says of it, warp before weft. */
+export function figuresOf(fabric: Fabric): Figure[] {
+  const { areal_mass_g_m2: mass, thickness_mm, bend_warp_un_m, bend_weft_un_m } = fabric;
+  const { stretch_warp, stretch_weft, drape_least_percent: least, drape_most_percent: most } = fabric;
+  const figures = [
+    { label: 'Mass', value: `${mass} g/m²` },
+    { label: 'Thickness', value: `${thickness_mm} mm` },
+    { label: 'Bending length', value: pair(bendingLength(bend_warp_un_m, mass), bendingLength(bend_weft_un_m, mass), 0, 'mm') },
+    { label: 'Gives when pulled', value: pair(giveOf(stretch_warp), giveOf(stretch_weft), 0, '%') },
+  ];
+  if (least !== undefined && most !== undefined) figures.push({ label: 'Drape coefficient', value: `${least}–${most} %` });
+  return figures;
+}
+
+/** How many of its figures were measured, in words. */
+export function originOf({ sources }: Fabric): string {
+  const measured = sources.filter((source) => 'source' in source && source.source !== undefined).length;
+  if (measured === 0) return 'All figures are estimated from cloth of its kind.';
+  return measured === sources.length ? 'All figures are published.' : 'Some figures are published, others estimated.';
+}
+
+export type Kind = 'all' | 'woven' | 'knit' | 'other';
+
+/** Those of a kind in which every word is found, lightest first. */
+export function fabricsFound(fabrics: readonly Fabric[], text: string, kind: Kind): Fabric[] {
+  const words = text.toLowerCase().split(/\s+/).filter(Boolean);
+  const isOf = ({ construction }: Fabric): boolean =>
+    kind === 'all' || (kind === 'other' ? construction !== 'woven' && construction !== 'knit' : construction === kind);
+  const says = (fabric: Fabric): string =>
+    [fabric.name, fabric.title, fabric.fibre, fabric.weave, fabric.construction, fabric.use ?? '', handOf(fabric)].join(' ').toLowerCase();
+  return fabrics
+    .filter((fabric) => isOf(fabric) && words.every((word) => says(fabric).includes(word)))
+    .sort((a, b) => a.areal_mass_g_m2 - b.areal_mass_g_m2 || a.title.localeCompare(b.title));
+}

@@ -1,0 +1,57 @@
+import { describe, expect, it } from 'vitest';
+import { bendingLength, fabricsFound, figuresOf, giveOf, handOf, makeOf, originOf, stiffness, weaveOf } from '../src/state/fabrics';
+import { fabricOf } from './samples';
+
+describe('a fabric’s card', () => {
+  it('tells the bending length of the cantilever test', () => {
+    // Plain cotton of 150 g/m²: 26.6 mm along the warp come of 27.7 µN·m.
+    expect(bendingLength(27.7, 150)).toBeCloseTo(26.6, 1);
+  });
+
+  it('tells how far a firm pull takes it, within its curve and beyond its end', () => {
+    const { stretch_warp, stretch_weft } = fabricOf('a');
+    expect(giveOf(stretch_warp)).toBe(6);
+    expect(giveOf(stretch_weft)).toBe(10);
+    expect(giveOf([{ strain_percent: 10, tension_n_m: 980 }])).toBeCloseTo(5);
+    expect(giveOf([])).toBe(0);
+    expect(figuresOf(fabricOf('a')).find(({ label }) => label === 'Gives when pulled')?.value).toBe('6 / 10 %');
+  });
+
+  it('has its drape coefficient where that is known', () => {
+    const labels = (more = {}): string[] => figuresOf(fabricOf('a', more)).map(({ label }) => label);
+    expect(labels()).not.toContain('Drape coefficient');
+    expect(labels({ drape_least_percent: 60, drape_most_percent: 76 })).toContain('Drape coefficient');
+  });
+
+  it('says how it feels, from silk to canvas', () => {
+    const silk = fabricOf('silk', { areal_mass_g_m2: 35, bend_warp_un_m: 0.5, bend_weft_un_m: 0.4 });
+    const canvas = fabricOf('canvas', { areal_mass_g_m2: 340, bend_warp_un_m: 280, bend_weft_un_m: 260 });
+    expect([silk, canvas].map(handOf)).toEqual(['flows', 'stands']);
+    expect(stiffness(silk)).toBeLessThan(stiffness(fabricOf('a')));
+  });
+
+  it('shows how its threads lie', () => {
+    const woven = (weave: string) => weaveOf({ construction: 'woven', weave });
+    expect(['plain', '2/2 twill, raised', 'satin', 'cut pile'].map(woven)).toEqual(['plain', 'twill', 'satin', 'plain']);
+    const others = ['knit', 'net', 'leather'] as const;
+    expect(others.map((construction) => weaveOf({ construction, weave: '' }))).toEqual(['knit', 'net', 'felt']);
+    expect(makeOf(fabricOf('a', { fibre: 'many', weave: 'many' }))).toBe('woven');
+  });
+
+  it('says how much of it was measured', () => {
+    const from = (...sources: object[]): string => originOf(fabricOf('a', { sources: sources as never }));
+    expect(from({ of: ['friction'], estimated_from: 'x' })).toMatch(/estimated/);
+    expect(from({ of: ['friction'], source: 'y' })).toBe('All figures are published.');
+    expect(from({ of: [], source: 'y' }, { of: [], estimated_from: 'x' })).toMatch(/^Some/);
+  });
+
+  it('is found by any of its words, lightest first', () => {
+    const library = [fabricOf('heavy', { areal_mass_g_m2: 400 }), fabricOf('light', { use: 'shirts' }), fabricOf('felt', { construction: 'nonwoven' })];
+    const names = (text: string, kind: 'all' | 'woven' | 'knit' | 'other' = 'all'): string[] =>
+      fabricsFound(library, text, kind).map(({ name }) => name);
+    expect(names('cotton TWILL', 'woven')).toEqual(['light', 'heavy']);
+    expect(names('shirts')).toEqual(['light']);
+    expect(names('', 'other')).toEqual(['felt']);
+    expect(names('', 'knit')).toEqual([]);
+  });
+});
