@@ -48,8 +48,9 @@ Report make_report(const drape::DrapeInput& input, const drape::DrapeResult& res
     r.highest_m = high->y;
   }
   r.findings = result.findings;
-  const preflight::Findings over = find_over_limit(input, result);
-  r.findings.insert(r.findings.end(), over.begin(), over.end());
+  r.fit = fit_table(input, result);
+  for (const preflight::Findings& more : {find_over_limit(input, result), find_too_tight(r.fit)})
+    r.findings.insert(r.findings.end(), more.begin(), more.end());
   preflight::sort_by_severity(r.findings);
   r.hash = hash_of(result.positions);
   return r;

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "core/analysis/fit.h"
 #include "core/analysis/strain.h"
 #include "core/drape/drape_input.h"
 #include "core/drape/drape_result.h"
@@ -39,6 +40,7 @@ struct Report {
   std::vector<AttachmentFigures> attachments;
   StretchFigures warp, weft;
   StrainFigures shear;
+  std::vector<FitLine> fit;             ///< of whoever wears it
   double rms_speed = 0, max_speed = 0;  ///< m/s
   double lowest_m = 0, highest_m = 0;   ///< of the cloth
   preflight::Findings findings;         ///< of the start and the end, worst first

@@ -71,6 +71,15 @@ struct ReportSeam {
   double gap_mm = 0;
 };
 
+struct ReportFit {
+  FreeText at;
+  std::string fit;
+  FreeText text;
+  double body_mm = 0, garment_mm = 0, ease_mm = 0, worn_mm = 0, tight_by_mm = 0, shifted_mm = 0;
+  std::vector<FreeText> pieces;
+  std::array<double, 3> place{};
+};
+
 struct ReportDocument {
   FreeText name;
   bool settled = false;
@@ -85,6 +94,7 @@ struct ReportDocument {
   std::string worn;
   std::vector<ReportAttachment> attachments;
   ReportStrain strain;
+  std::vector<ReportFit> fit;
   double rms_speed = 0, max_speed = 0, lowest_m = 0, highest_m = 0;
   std::vector<ReportFinding> findings;
   HexHash hash;
@@ -175,6 +185,34 @@ void describe(Visitor& v, exports::ReportStrain& strain) {
 }
 
 template <typename Visitor>
+void describe(Visitor& v, exports::ReportFit& line) {
+  v.object("",
+           "A girth of body and garment in one plane: the body's as a tape takes it, over hollows; the "
+           "garment's as its flat pieces measure along the shortest way around.");
+  v.field("at", line.at, "\"bust\", \"waist\", \"hip\", \"thigh_left\", \"upper_arm_right\", …",
+          Need::kRequired);
+  v.choice(
+      "fit", line.fit,
+      "stretched: narrower than the body, and the cloth gives without pressing; too_tight: narrower than "
+      "it gives.",
+      {"fits", "stretched", "too_tight"}, Need::kRequired);
+  v.field("text", line.text, "The line in words: \"waist 2.1 cm too tight\".", Need::kRequired);
+  v.field("body_mm", line.body_mm, "mm; of the body.", Need::kRequired, kNotNegative);
+  v.field("garment_mm", line.garment_mm, "mm; of the flat pieces.", Need::kRequired, kNotNegative);
+  v.field("ease_mm", line.ease_mm, "mm; the garment's girth less the body's.", Need::kRequired);
+  v.field("worn_mm", line.worn_mm, "mm; of the cloth as it hangs, stretch included.", Need::kRequired,
+          kNotNegative);
+  v.field("tight_by_mm", line.tight_by_mm, "mm that it should be wider; 0 where it is not too tight.",
+          Need::kRequired, kNotNegative);
+  v.field("shifted_mm", line.shifted_mm,
+          "mm, how far above (along limbs towards the trunk) where that girth is usually taken: the nearest "
+          "place that the garment goes around.",
+          Need::kRequired);
+  v.field("pieces", line.pieces, "Those that the way goes through.", Need::kRequired);
+  v.field("place", line.place, "m; x, y, z of the body's middle there.", Need::kRequired);
+}
+
+template <typename Visitor>
 void describe(Visitor& v, exports::ReportConcern& concern) {
   v.object("concern", "A thing of the garment or the scene that a finding is about.");
   v.choice("thing", concern.thing, "\"edge\": of the piece before it.", {"piece", "edge", "seam", "body"},
@@ -233,6 +271,10 @@ void describe(Visitor& v, exports::ReportDocument& report) {
   v.field("strain", report.strain,
           "Magnitudes of strain over the triangles at the end: stretch as a ratio, shear in radians.",
           Need::kRequired);
+  v.field("fit", report.fit,
+          "Girths of body and garment and the ease between, as far as somebody stands there and the garment "
+          "goes around.",
+          Need::kOptional);
   v.field("rms_speed", report.rms_speed, "m/s; root mean square over the particles at the end.",
           Need::kRequired, kNotNegative);
   v.field("max_speed", report.max_speed, "m/s; of the fastest particle at the end.", Need::kRequired,

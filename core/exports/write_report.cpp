@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/base/units.h"
 #include "core/base/write_file.h"
 #include "core/exports/report_fields.h"
 
@@ -37,6 +38,22 @@ ReportAttachment attachment_of(const analysis::AttachmentFigures& a) {
   return out;
 }
 
+ReportFit fit_of(const analysis::FitLine& line) {
+  ReportFit out;
+  out.at = {line.place};
+  out.fit = analysis::word_of(line.fit);
+  out.text = {analysis::fit_text(line)};
+  out.body_mm = mm_from_metres(line.body);
+  out.garment_mm = mm_from_metres(line.garment);
+  out.ease_mm = mm_from_metres(line.ease());
+  out.worn_mm = mm_from_metres(line.worn);
+  out.tight_by_mm = mm_from_metres(line.tight_by);
+  out.shifted_mm = mm_from_metres(line.shifted);
+  for (const std::string& piece : line.pieces) out.pieces.push_back({piece});
+  out.place = {line.at.x, line.at.y, line.at.z};
+  return out;
+}
+
 ReportDocument document_of(const analysis::Report& r) {
   ReportDocument out;
   out.name = {r.name};
@@ -60,6 +77,7 @@ ReportDocument document_of(const analysis::Report& r) {
   out.worn = drape::word_of(r.worn);
   for (const analysis::AttachmentFigures& a : r.attachments) out.attachments.push_back(attachment_of(a));
   out.strain = {stretch_of(r.warp), stretch_of(r.weft), figures_of(r.shear)};
+  for (const analysis::FitLine& line : r.fit) out.fit.push_back(fit_of(line));
   out.rms_speed = r.rms_speed;
   out.max_speed = r.max_speed;
   out.lowest_m = r.lowest_m;

@@ -44,6 +44,7 @@ constexpr std::array<FindingTraits, kFindingKindCount> kTable{{
     {kBegunAnew, "start.begun_anew", kNote, kNote, kPlacement, false},
     {kMethodWithout, "method.without", kWarning, kWarning, kPattern, false},
     {kOverLimit, "strain.over_limit", kNote, kNote, kPattern, false},
+    {kTooTight, "fit.too_tight", kWarning, kWarning, kPattern, false},
 }};
 
 }  // namespace

@@ -51,8 +51,9 @@ enum class FindingKind : std::uint8_t {
   kBegunAnew,
   kMethodWithout,
   kOverLimit,
+  kTooTight,
 };
-inline constexpr std::size_t kFindingKindCount = static_cast<std::size_t>(FindingKind::kOverLimit) + 1;
+inline constexpr std::size_t kFindingKindCount = static_cast<std::size_t>(FindingKind::kTooTight) + 1;
 
 /// What would have to change for a finding to go.
 enum class Cause : std::uint8_t {

@@ -53,6 +53,8 @@ void print_summary(const analysis::Report& report, const DrapeOptions& options) 
   };
   if (report.worn != drape::Worn::kNobody)
     std::printf("  worn       %s\n", std::string(drape::word_of(report.worn)).c_str());
+  for (std::size_t i = 0; i < report.fit.size(); ++i)
+    std::printf("  %-10s %s\n", i == 0 ? "fit" : "", analysis::fit_text(report.fit[i]).c_str());
   std::printf("  strain     99th percentile: warp %s, weft %s, shear %s degrees\n",
               stretch(report.warp).c_str(), stretch(report.weft).c_str(),
               fixed_text(degrees_from_radians(report.shear.p99), 1).c_str());

@@ -59,7 +59,7 @@ const std::map<std::string, Names>& table() {
       {"sqlite", {"store"}},
       {"shares", {"store"}},
       {"log", {"json"}},
-      {"analysis", {"drape", "preflight"}},
+      {"analysis", {"dressing", "drape", "measure", "preflight"}},
       {"trials", {"drape", "fabric", "material", "mesh", "pattern", "sewing", "solver"}},
       {"exports", {"analysis", "drape", "fields", "geometry", "image", "json", "material", "mesh"}},
       {"documents", {"arrange",   "create",  "drape",     "dxf",     "editing", "garmentcode", "geometry",

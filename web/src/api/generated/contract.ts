@@ -2774,6 +2774,38 @@ export interface components {
                 /** @description Between warp and weft. */
                 shear: components["schemas"]["figures"];
             };
+            /** @description Girths of body and garment and the ease between, as far as somebody stands there and the garment goes around. */
+            fit?: {
+                /** @description "bust", "waist", "hip", "thigh_left", "upper_arm_right", … */
+                at: string;
+                /**
+                 * @description stretched: narrower than the body, and the cloth gives without pressing; too_tight: narrower than it gives.
+                 * @enum {string}
+                 */
+                fit: "fits" | "stretched" | "too_tight";
+                /** @description The line in words: "waist 2.1 cm too tight". */
+                text: string;
+                /** @description mm; of the body. */
+                body_mm: number;
+                /** @description mm; of the flat pieces. */
+                garment_mm: number;
+                /** @description mm; the garment's girth less the body's. */
+                ease_mm: number;
+                /** @description mm; of the cloth as it hangs, stretch included. */
+                worn_mm: number;
+                /** @description mm that it should be wider; 0 where it is not too tight. */
+                tight_by_mm: number;
+                /** @description mm, how far above (along limbs towards the trunk) where that girth is usually taken: the nearest place that the garment goes around. */
+                shifted_mm: number;
+                /** @description Those that the way goes through. */
+                pieces: string[];
+                /** @description m; x, y, z of the body's middle there. */
+                place: [
+                    number,
+                    number,
+                    number
+                ];
+            }[];
             /** @description m/s; root mean square over the particles at the end. */
             rms_speed: number;
             /** @description m/s; of the fastest particle at the end. */
