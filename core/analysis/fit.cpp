@@ -148,6 +148,7 @@ class Tailor {
     line.garment = g.flat;
     line.worn = g.worn;
     line.at = inside;
+    line.way = g.way;
     for (const Index p : g.panels) line.pieces.push_back(input_.pattern.panels[p].id);
     // Tension of a ring under pressure: p r.
     const double give = kComfort * body / (2 * kPi) * g.compliance;
@@ -167,11 +168,37 @@ class Tailor {
   Aabb3 box_;
 };
 
-std::string centimetres(double m) { return fixed_text(100 * m, 1) + " cm"; }
+/// Seams between sleeves and the rest. A bust's girth is taken below them: at their height a level way runs
+/// around the armhole's hollow, or out into the sleeve.
+class Armholes {
+ public:
+  Armholes(const drape::DrapeInput& input, const drape::DrapeResult& result)
+      : input_(input), result_(result) {}
 
-bool holds(const std::set<std::string>& set, const std::vector<std::string>& any) {
-  return std::any_of(any.begin(), any.end(), [&](const std::string& one) { return set.contains(one); });
-}
+  void add_sleeve(const FitLine& around_arm) {
+    const sewing::GarmentMesh& g = result_.garment;
+    const std::set<std::string> sleeve(around_arm.pieces.begin(), around_arm.pieces.end());
+    const auto of_sleeve = [&](Index v) {
+      return sleeve.contains(input_.pattern.panels[g.panel_of_vertex[v]].id);
+    };
+    for (const auto& [a, b] : g.sewn)
+      if (of_sleeve(a) != of_sleeve(b)) places_.push_back(result_.positions[a]);
+  }
+
+  bool far_from(const std::vector<Vec3>& way) const {
+    return std::none_of(way.begin(), way.end(), [&](Vec3 p) {
+      return std::any_of(places_.begin(), places_.end(), [&](Vec3 q) { return length(p - q) < kBelow; });
+    });
+  }
+
+ private:
+  static constexpr double kBelow = 0.02;  // m
+  const drape::DrapeInput& input_;
+  const drape::DrapeResult& result_;
+  std::vector<Vec3> places_;  // m
+};
+
+std::string centimetres(double m) { return fixed_text(100 * m, 1) + " cm"; }
 
 /// "upper arm left"
 std::string words_of(std::string name) {
@@ -207,14 +234,12 @@ std::vector<FitLine> fit_table(const drape::DrapeInput& input, const drape::Drap
   if (!person) return table;
   take_levels(person->body->mesh, person->figure);
   const Tailor tailor(input, result, *person);
-  std::set<std::string> sleeves;
+  Armholes armholes(input, result);
   for (const Place& place : places_on(person->figure)) {
-    // At the armholes' height the way would go out into the sleeves, and be no bust's.
-    auto line = tailor.line(place, [&](const FitLine& l) { return place.limb || !holds(sleeves, l.pieces); });
+    auto line = tailor.line(place, [&](const FitLine& l) { return place.limb || armholes.far_from(l.way); });
     if (!line) line = tailor.line(place, [](const FitLine&) { return true; });
     if (!line) continue;
-    if (place.name == std::string_view("upper_arm_left") || place.name == std::string_view("upper_arm_right"))
-      sleeves.insert(line->pieces.begin(), line->pieces.end());
+    if (std::string_view(place.name).starts_with("upper_arm")) armholes.add_sleeve(*line);
     table.push_back(std::move(*line));
   }
   return table;

@@ -30,7 +30,8 @@ struct FitLine {
   double worn = 0;               ///< m, of the garment as it hangs, stretch and folds included
   double tight_by = 0;           ///< m, that it should be wider; 0 where it is not too tight
   std::vector<std::string> pieces;
-  Vec3 at;  ///< m, in the middle of the body there
+  std::vector<Vec3> way;  ///< m, where it runs
+  Vec3 at;                ///< m, in the middle of the body there
   Fit fit = Fit::kFits;
 
   double ease() const { return garment - body; }

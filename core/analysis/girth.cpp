@@ -17,6 +17,7 @@ constexpr double kOpen = 0.01;  ///< m, from which on a sewn pair of vertices is
 struct Segment {
   std::array<Index, 2> node{};  ///< by index into the cut's edges
   double flat = 0, worn = 0, compliance = 0;
+  Vec3 middle;  ///< m
   Index panel = 0;
   int turns_inside = 0, turns_outside = 0;  ///< +1, -1 where it crosses the ray from that point, from node 0
 };
@@ -104,6 +105,7 @@ class Cutting {
     s.node = {ends[0].node, ends[1].node};
     s.flat = length(ends[1].flat - ends[0].flat);
     s.worn = length(ends[1].place - ends[0].place);
+    s.middle = (ends[0].place + ends[1].place) * 0.5;
     s.panel = g_.panel_of_triangle[t];
     s.compliance =
         compliance_along(input_.fabrics[input_.fabric_of_panel[s.panel]],
@@ -221,6 +223,7 @@ GarmentGirth girth_of(const Cut& cut, const std::vector<Index>& way) {
     girth.flat += segment.flat;
     girth.worn += segment.worn;
     girth.compliance += segment.compliance * segment.flat;
+    girth.way.push_back(segment.middle);
     panels.insert(segment.panel);
   }
   girth.compliance /= girth.flat;

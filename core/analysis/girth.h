@@ -20,6 +20,7 @@ struct GarmentGirth {
   double flat = 0;            ///< m, of the pattern: what the way measures on the flat pieces
   double worn = 0;            ///< m, the same way in space, folds and stretch as they hang
   double compliance = 0;      ///< strain per N/m of tension along the way, on the average
+  std::vector<Vec3> way;      ///< m, its corners in order
   std::vector<Index> panels;  ///< that it goes through, ascending
 };
 
