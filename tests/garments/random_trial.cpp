@@ -26,6 +26,9 @@ double fastest_expected(const drape::DrapeSettings& settings, double longest_thr
   return kFastestFall + 2 * longest_thread / std::max(settings.sew_time, kLeastSewTime);
 }
 
+/// m/s, at which a ring that was sewn far too tight flies off when it slips over an end.
+constexpr double kThrown = 5;
+
 /// The threads of a seam pull with at most this along its length; a seam may gather several layers.
 constexpr double kThreads = 3 * 150;  // N/m
 
@@ -106,7 +109,7 @@ class Watch final : public drape::FrameSink {
 
  private:
   void check_places(const drape::Frame& f) {
-    Aabb3 room = around_.grown(2);
+    Aabb3 room = around_.grown(2 + kThrown * f.time);
     room.low.y -= 0.5 * input_.settings.gravity * f.time * f.time;  // it may fall past its bodies
     for (const Vec3& p : f.positions) {
       if (is_finite(p) && room.contains(p)) continue;
