@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/base/hash.h"
-#include "core/drape/state_bytes.h"
+#include "core/base/state_bytes.h"
 
 namespace toile::drape {
 namespace {
@@ -17,6 +17,7 @@ constexpr std::size_t kHeader = kMagic.size() + sizeof(std::uint32_t) + kHashDig
 constexpr double kFarthest = 1e6;         // m
 constexpr int kMostSteps = 1 << 30;       // so that counting on cannot overflow
 constexpr double kLongest = 1e9;          // s
+constexpr double kLongestRamp = 1;        // s, that a phase may seem to have begun before the drape
 constexpr std::size_t kMostWords = 1000;  // bytes of a reason, or of a sentence
 
 /// As its words, so that a checkpoint does not depend on the order of an enum; none are empty words.
@@ -38,7 +39,7 @@ template <typename Archive>
 void fields(Archive& a, RunState& run) {
   SessionState& s = run.session;
   a.value(s.phase);
-  a.value(s.dressed);
+  a.value(s.began);
   a.value(s.lost);
   stop_value(a, s.stop_reason);
   a.value(s.steps);
@@ -84,6 +85,7 @@ void fields(Archive& a, RunState& run) {
   a.value(run.start);
   a.value(run.last_start);
   a.value(run.begun_anew);
+  a.value(run.from_the_pieces);
   a.value(run.tops);
   a.value(run.left_out);
   a.value(run.cpu_s);
@@ -122,11 +124,11 @@ bool sound(const SessionState& s) {
   const std::size_t of_paper = s.paper.positions.size(), n = of_solver + of_paper;
   return (of_solver == 0 || of_paper == 0) && s.paper.previous.size() == of_paper &&
          all_within(s.paper.positions, kFarthest) && all_within(s.paper.previous, kFarthest) &&
-         all_speeds(s.paper.bent) && s.phase <= DrapePhase::kDone &&
+         all_speeds(s.paper.bent) && s.phase <= DrapePhase::kDone && s.began <= Began::kWarm &&
          (s.phase == DrapePhase::kDone) == s.stop_reason.has_value() &&
          all_counts(s.steps, s.watch.step, s.solver.held_back, s.solver.hits, s.solver.pace.steps,
                     s.slackened) &&
-         all_times(s.time, s.begun, s.phase_start, s.last_weld, s.solver.pace.learnt) &&
+         all_times(s.time, s.begun, s.phase_start + kLongestRamp, s.last_weld, s.solver.pace.learnt) &&
          s.solver.velocities.size() == of_solver && (m == 0 || m == of_solver) &&
          s.solver.detection_speeds.size() == m && s.watch.window_start.size() == n &&
          s.watch.mark.size() == n && sound_ways(s.watch.ways, n) &&
@@ -145,7 +147,7 @@ bool sound(const RunState& run) {
   return all_counts(run.at_end.cloth_body, run.at_end.cloth_cloth, run.worst.cloth_body,
                     run.worst.cloth_cloth, run.worst_frame_step, run.frames_checked, run.resumed,
                     run.recorded + 1, run.start) &&
-         run.begun_anew.size() <= kMostWords &&
+         run.begun_anew.size() <= kMostWords && run.from_the_pieces.size() <= kMostWords &&
          std::all_of(run.tops.begin(), run.tops.end(),
                      [](double top) { return std::abs(top) <= kFarthest; }) &&
          all_times(run.cpu_s, run.wall_s) && sound(run.session);

@@ -27,14 +27,21 @@ namespace toile::drape {
 
 /// Rises when the fields change, and whenever a change of the engine gives a drape other bytes: a drape begun
 /// by one engine and ended by another would be neither's.
-inline constexpr std::uint32_t kCheckpointVersion = 14;
+inline constexpr std::uint32_t kCheckpointVersion = 15;
 
 enum class DrapePhase : std::uint8_t { kSew, kDrape, kDone };
+
+/// Where the cloth of a drape was at its start.
+enum class Began : std::uint8_t {
+  kPlaced,   ///< flat pieces where they are placed
+  kDressed,  ///< on the body (core/dressing)
+  kWarm,     ///< as it hung at the end of another drape (core/warm)
+};
 
 /// What a Session remembers.
 struct SessionState {
   DrapePhase phase = DrapePhase::kSew;
-  bool dressed = false;                   ///< it began on the body
+  Began began = Began::kPlaced;
   std::vector<bool> lost;                 ///< seams whose threads have let go
   std::optional<StopReason> stop_reason;  ///< while phase is kDone
   int steps = 0;
@@ -53,12 +60,13 @@ struct RunState {
   SessionState session;
   CrossingCount at_end, worst;
   int worst_frame_step = 0, frames_checked = 0, resumed = 0;
-  int recorded = -1;             ///< step of the newest recorded frame
-  int start = 0;                 ///< number of the start it goes on from (core/drape/drape_start.h)
-  bool last_start = false;       ///< no other leads on
-  std::string begun_anew;        ///< why it does not go on from its first start; empty when it does
-  std::vector<double> tops;      ///< m, of each panel where it began (core/drape/worn_verdict.h)
-  std::vector<bool> left_out;    ///< panels that could not be put on (core/drape/fit_start.h); may be empty
+  int recorded = -1;            ///< step of the newest recorded frame
+  int start = 0;                ///< number of the start it goes on from (core/drape/drape_start.h)
+  bool last_start = false;      ///< no other leads on
+  std::string begun_anew;       ///< why it does not go on from its first start; empty when it does
+  std::string from_the_pieces;  ///< why it does not go on from another's end; empty where it need not or does
+  std::vector<double> tops;     ///< m, of each panel where it began (core/drape/worn_verdict.h)
+  std::vector<bool> left_out;   ///< panels that could not be put on (core/drape/fit_start.h); may be empty
   double cpu_s = 0, wall_s = 0;  ///< so far
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 // All that a drape needs, in the core's own terms: what a project document becomes once its files are read.
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "core/sewing/attachment.h"
 #include "core/sewing/notions.h"
 #include "core/sewing/placement.h"
+#include "core/warm/hung_garment.h"
 
 namespace toile::drape {
 
@@ -32,6 +34,8 @@ struct DrapeInput {
   std::vector<sewing::Attachment> attachments;
   sewing::Notions notions;
   DrapeSettings settings;
+  /// From whose end to go on, where that can be done; null: from the pieces.
+  std::shared_ptr<const warm::HungGarment> before = nullptr;
   std::vector<LeftOut> left_out;  ///< not in `pattern` (core/drape/worn_part.h, fit_start.h)
 };
 

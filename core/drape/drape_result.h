@@ -9,6 +9,7 @@
 #include "core/drape/stop_reason.h"
 #include "core/preflight/finding.h"
 #include "core/sewing/garment_mesh.h"
+#include "core/warm/hung_garment.h"
 
 namespace toile::drape {
 
@@ -67,6 +68,7 @@ struct DrapeResult {
   std::vector<OpenSeam> open_seams;
   Worn worn = Worn::kNobody;
   std::vector<HoldFigures> holds;  ///< one for each attachment
+  warm::HungGarment hung;          ///< for another drape to go on from
 
   bool settled() const { return stop_reason.kind == Stop::kSettled; }
 };

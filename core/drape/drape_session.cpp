@@ -10,6 +10,7 @@
 #include "core/drape/make_threads.h"
 #include "core/drape/seam_gaps.h"
 #include "core/solver/constraints/viscosity.h"
+#include "core/warm/warm_start.h"
 
 namespace toile::drape {
 
@@ -66,13 +67,37 @@ void DrapeSession::add_ground(double height) {
 }
 
 void DrapeSession::begin_dressed(const std::vector<Vec3>& positions) {
-  dressed_ = true;
+  began_ = Began::kDressed;
   Weld weld = joined_as(assembly_.garment, std::vector<bool>(positions.size(), true));
   vertex_of_ = weld.vertex_of;
   weld.positions.resize(static_cast<std::size_t>(weld.vertex_count));
   for (std::size_t i = 0; i < positions.size(); ++i) weld.positions[vertex_of_[i]] = positions[i];
   build_solver(model_of(vertex_of_, weld.vertex_count), std::move(weld.positions), {});
   solver_->set_stitches(stitches_now());
+}
+
+/// What lets go after a time has let go before.
+void DrapeSession::let_go_of_timed_holds() {
+  for (std::size_t a = 0; a < released_.size(); ++a) released_[a] = input_.attachments[a].release_after >= 0;
+}
+
+Status DrapeSession::go_on_from(const warm::HungGarment& before, const mesh::PanelMeshes& meshes,
+                                const std::optional<dressing::Person>& wearer) {
+  warm::WarmStart start = TRY(warm::go_on_from(before, input_.pattern, meshes, assembly_.garment,
+                                               {obstacles_, crossings_.bodies(), wearer}));
+  began_ = Began::kWarm;
+  let_go_of_timed_holds();
+  Weld weld = joined_as(assembly_.garment, start.joined);
+  vertex_of_ = weld.vertex_of;
+  weld.positions.resize(static_cast<std::size_t>(weld.vertex_count));
+  for (std::size_t i = 0; i < vertex_of_.size(); ++i) weld.positions[vertex_of_[i]] = start.positions[i];
+  build_solver(model_of(vertex_of_, weld.vertex_count), std::move(weld.positions), {});
+  solver_->set_preloads(std::move(start.preloads));
+  solver_->set_stitches(stitches_now());
+  if (start.widest > kSeamLost) return {};  // seams close first, as at every start
+  phase_ = Phase::kDrape;
+  phase_start_ = -std::max(kGravityRamp, kFormTime);  // all forces are in
+  return {};
 }
 
 void DrapeSession::begin_anew(const std::vector<Vec3>& dressed, std::optional<double> ground) {
@@ -93,7 +118,7 @@ bool DrapeSession::lost_seams() const { return std::find(lost_.begin(), lost_.en
 double DrapeSession::sew_time() const {
   const bool led = std::any_of(input_.attachments.begin(), input_.attachments.end(),
                                [](const auto& a) { return a.hold == sewing::Attachment::Hold::kGoal; });
-  if (!dressed_ || led || !input_.notions.buttons.empty()) return input_.settings.sew_time;
+  if (began_ != Began::kDressed || led || !input_.notions.buttons.empty()) return input_.settings.sew_time;
   return std::min(input_.settings.sew_time, kEaseTime);
 }
 
@@ -171,7 +196,7 @@ solver::StepForces DrapeSession::forces_now() const {
     return forces;
   }
   forces.gravity = input_.settings.gravity * std::min(1.0, since / kGravityRamp);
-  if (dressed_) forces.friction = std::clamp((since - kSlipTime) / kGripTime, 0.0, 1.0);
+  if (began_ == Began::kDressed) forces.friction = std::clamp((since - kSlipTime) / kGripTime, 0.0, 1.0);
   forces.damping = watch_.damping();
   forces.viscosity = solver::constraints::viscous_share(kViscosity, input_.settings.time_step, steps_);
   return forces;
@@ -182,7 +207,7 @@ SessionState DrapeSession::state() const {
   for (std::size_t i = 0; i < joined.size(); ++i) {
     joined[i] = vertex_of_[i] == vertex_of_[assembly_.garment.weld[i]];
   }
-  return {phase_,           dressed_,   lost_,      stop_reason_, steps_,    time_,           begun_,
+  return {phase_,           began_,     lost_,      stop_reason_, steps_,    time_,           begun_,
           phase_start_,     last_weld_, slackened_, joined,       released_, off_at_release_, watch_.state(),
           solver_->state(), {}};
 }
@@ -199,7 +224,7 @@ Status DrapeSession::restore(SessionState state) {
     return damaged_checkpoint();
   }
   vertex_of_ = weld.vertex_of;
-  dressed_ = state.dressed;
+  began_ = state.began;
   lost_ = state.lost;
   released_ = state.released;
   off_at_release_ = state.off_at_release;

@@ -15,6 +15,7 @@
 #include "core/drape/settle.h"
 #include "core/drape/stop_reason.h"
 #include "core/drape/weld.h"
+#include "core/dressing/person.h"
 #include "core/sewing/assembly.h"
 #include "core/solver/cloth_solver.h"
 
@@ -31,6 +32,12 @@ class DrapeSession : public Session {
                                              const std::optional<std::vector<Vec3>>& dressed = std::nullopt,
                                              std::optional<double> ground = std::nullopt);
 
+  /// Goes on with the cloth of `before` as it hung, cut to this garment; `wearer` is one of the bodies.
+  /// Without an error it has begun there. Errors: those of warm::go_on_from; then nothing has changed.
+  /// REQUIRES no step to have been made.
+  Status go_on_from(const warm::HungGarment& before, const mesh::PanelMeshes& meshes,
+                    const std::optional<dressing::Person>& wearer);
+
   void step() override;
   void begin_anew(const std::vector<Vec3>& dressed, std::optional<double> ground) override;
   bool may_begin_anew() const override { return true; }
@@ -38,7 +45,7 @@ class DrapeSession : public Session {
   SessionState state() const override;
   Status restore(SessionState state) override;
 
-  bool dressed() const override { return dressed_; }
+  Began began() const override { return began_; }
   bool lost_seams() const override;
   const std::optional<StopReason>& stop_reason() const override { return stop_reason_; }
 
@@ -80,6 +87,7 @@ class DrapeSession : public Session {
   void settle_or_stop();
   double time_of_full_gravity() const;
   bool dynamic() const;
+  void let_go_of_timed_holds();
   solver::constraints::OpenTie open_button() const;
   bool lies_still() const;
   bool nothing_closes() const;
@@ -99,7 +107,8 @@ class DrapeSession : public Session {
   std::vector<double> off_at_release_;  ///< m, of each
 
   Phase phase_ = Phase::kSew;
-  bool dressed_ = false, grounded_ = false;
+  Began began_ = Began::kPlaced;
+  bool grounded_ = false;
   std::optional<StopReason> stop_reason_;  ///< while phase_ is kDone
   SettleWatch watch_;
   int steps_ = 0;

@@ -3,7 +3,7 @@
 #include <variant>
 
 #include "core/base/hash.h"
-#include "core/drape/state_bytes.h"
+#include "core/base/state_bytes.h"
 
 namespace toile::drape {
 namespace {
@@ -134,9 +134,9 @@ void write_one(StateWriter& out, const LeftOut& piece) {
 }
 void write_one(StateWriter& out, const DrapeInput& input) {
   const auto& [name, pattern, placements, fabrics, fabric_of_panel, bodies, attachments, notions, settings,
-               left_out] = input;
+               before, left_out] = input;
   write(out, name, pattern, placements, fabrics, fabric_of_panel, bodies, attachments, notions, settings,
-        left_out);
+        before ? warm::encode_hung(*before) : std::string(), left_out);
 }
 void write_one(StateWriter& out, const sewing::GarmentMesh& garment) {
   const auto& [rest, triangles, panel_of_vertex, panel_of_triangle, first_vertex, sewn, seam_of_sewn, weld] =

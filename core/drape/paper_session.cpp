@@ -188,7 +188,7 @@ std::vector<HoldFigures> PaperSession::holds() const {
 SessionState PaperSession::state() const {
   SessionState state;
   state.phase = phase_;
-  state.dressed = dressed_;
+  state.began = began();
   state.stop_reason = stop_reason_;
   state.steps = steps_;
   state.time = time();
@@ -207,7 +207,7 @@ Status PaperSession::restore(SessionState state) {
     return damaged_checkpoint();
   }
   cloth_.restore(std::move(state.paper));
-  dressed_ = state.dressed;
+  dressed_ = state.began == Began::kDressed;
   released_ = state.released;
   off_at_release_ = state.off_at_release;
   attach();

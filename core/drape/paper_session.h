@@ -32,7 +32,7 @@ class PaperSession : public Session {
   SessionState state() const override;
   Status restore(SessionState state) override;
 
-  bool dressed() const override { return dressed_; }
+  Began began() const override { return dressed_ ? Began::kDressed : Began::kPlaced; }
   bool lost_seams() const override { return false; }
   const std::optional<StopReason>& stop_reason() const override { return stop_reason_; }
 

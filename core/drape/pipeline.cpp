@@ -79,8 +79,9 @@ std::string why_anew(const Session& session, int start) {
   const std::string what = widest == open.end() ? "the garment did not end where it is worn"
                                                 : "the seam " + widest->id.substr(0, kMostId) + " stayed " +
                                                       preflight::length_text(widest->gap) + " open";
-  return what +
-         " when it was sewn from where the pieces stand, so that it was put on the body and draped anew";
+  const std::string from = session.began() == Began::kWarm ? "from how it hung before"
+                                                           : "when it was sewn from where the pieces stand";
+  return what + " " + from + ", so that it was put on the body and draped anew";
 }
 
 }  // namespace
@@ -93,6 +94,7 @@ Result<std::unique_ptr<DrapeRun>> DrapeRun::start(const DrapeInput& input, const
   std::unique_ptr<DrapeRun> run(new DrapeRun(input, sink));
   TRY(run->prepare(context));
   const GoTimer timer(run->result_);
+  if (sink) sink->begin(run->result_.garment);
   run->record_frame();
   return run;
 }
@@ -101,6 +103,7 @@ Result<std::unique_ptr<DrapeRun>> DrapeRun::resume(const DrapeInput& input, std:
                                                    const RunContext& context, FrameSink* sink) {
   std::unique_ptr<DrapeRun> run(new DrapeRun(input, sink));
   TRY(run->restore(checkpoint, context));
+  if (sink) sink->begin(run->result_.garment);
   return run;
 }
 
@@ -115,12 +118,14 @@ Status DrapeRun::restore(std::string_view checkpoint, const RunContext& context)
     start = TRY(prepare_start(reduced, context));
     reduce(std::move(state.left_out), std::move(reduced));
   }
-  if (state.session.dressed) begin_on_body(start);
-  TRY(begin(std::move(start), state.session.dressed));
+  const bool hangs = state.session.began != Began::kPlaced;
+  if (hangs) begin_on_body(start);
+  TRY(begin(std::move(start), hangs));
   TRY(session_->restore(std::move(state.session)));
   start_ = state.start;
   last_start_ = state.last_start;
   begun_anew_ = std::move(state.begun_anew);
+  from_the_pieces_ = std::move(state.from_the_pieces);
   if (state.tops.size() != input().pattern.panels.size()) return damaged_checkpoint();
   tops_ = std::move(state.tops);
   result_.at_end = state.at_end;
@@ -139,13 +144,14 @@ std::string DrapeRun::checkpoint() const {
   return encode_checkpoint(
       start_hash_, {session_->state(), result_.at_end, result_.worst, result_.worst_frame_step,
                     result_.frames_checked, result_.resumed, recorded_, start_, last_start_, begun_anew_,
-                    tops_, left_out_, result_.cpu_s, result_.wall_s});
+                    from_the_pieces_, tops_, left_out_, result_.cpu_s, result_.wall_s});
 }
 
 Status DrapeRun::prepare(const RunContext& context) {
   const GoTimer timer(result_);
   DrapeStart start = TRY(prepare_start(given_, context));
   start_hash_ = input_hash(given_, start.placed);
+  if (TRY(go_on(start))) return {};
   FittedStart fitted = fit_start(given_, start, context);
   if (context.cancelled()) return Error{"cancelled", "Putting on was cancelled.", "", ErrorKind::kCancelled};
   if (fitted.reduced) reduce(std::move(fitted.left_out), std::move(*fitted.reduced));
@@ -153,6 +159,27 @@ Status DrapeRun::prepare(const RunContext& context) {
   if (start.dressed) start_ = start.dressed->start;
   const bool on_body = start.dressed.has_value();
   return begin(std::move(start), on_body);
+}
+
+/// Whether it goes on from the end of another drape, where the input has one; else it begins from the pieces.
+Result<bool> DrapeRun::go_on(const DrapeStart& start) {
+  if (!input().before) return false;
+  if (input().settings.method == DrapeMethod::kPaper) {
+    from_the_pieces_ = "the paper's method begins with the pieces";
+    return false;
+  }
+  DrapeStart hung = start;
+  begin_on_body(hung);
+  if (preflight::first_error(hung.findings)) return false;  // of the pattern: it is told from the pieces
+  TRY(begin(std::move(hung), true));
+  auto& session = static_cast<DrapeSession&>(*session_);
+  if (Status on = session.go_on_from(*input().before, start.meshes, person_); !on) {
+    from_the_pieces_ = on.error().message + (on.error().where.empty() ? "" : " (" + on.error().where + ")");
+    return false;
+  }
+  last_start_ = !may_put_on(input(), start);
+  tops_ = tops_where_begun(start.placed, session.positions());
+  return true;
 }
 
 void DrapeRun::reduce(std::vector<bool> left_out, DrapeInput reduced) {
@@ -175,7 +202,7 @@ Status DrapeRun::begin(DrapeStart start, bool on_body) {
     session_ = DrapeSession::start(input(), start.meshes, std::move(start.assembly), dressed, ground);
   }
   result_.garment = session_->garment();
-  if (sink_) sink_->begin(result_.garment);
+  pieces_ = warm::flat_pieces(input().pattern, start.meshes);
   return {};
 }
 
@@ -273,11 +300,25 @@ DrapeResult DrapeRun::conclude() {
       judge_worn(input(), person_, result.garment, result.positions, tops_, result.open_seams);
   result.worn = verdict.worn;
   std::move(verdict.findings.begin(), verdict.findings.end(), std::back_inserter(result.findings));
+  if (session_->began() == Began::kWarm)
+    result.findings.push_back(preflight::found(preflight::FindingKind::kGoesOn,
+                                               "the drape went on from how the garment hung before", {}, {}));
+  if (!from_the_pieces_.empty())
+    result.findings.push_back(preflight::found(
+        preflight::FindingKind::kFromThePieces,
+        "the garment was draped from its pieces, not from how it hung before: " + from_the_pieces_, {}, {}));
   if (!begun_anew_.empty())
     result.findings.push_back(preflight::found(preflight::FindingKind::kBegunAnew, begun_anew_, {}, {}));
   preflight::sort_by_severity(result.findings);
   result.holds = session_->holds();
+  result.hung = hung();
   return result;
+}
+
+warm::HungGarment DrapeRun::hung() const {
+  warm::HungGarment hung = pieces_;
+  warm::hang(session_->garment(), session_->positions(), session_->state().solver.preloads, hung);
+  return hung;
 }
 
 Result<DrapeResult> drape(const DrapeInput& input, const RunContext& context, FrameSink* sink) {

@@ -62,6 +62,8 @@ class DrapeRun {
   DrapeRun(const DrapeInput& input, FrameSink* sink);
   void reduce(std::vector<bool> left_out, DrapeInput reduced);
   Status begin(DrapeStart start, bool on_body);
+  Result<bool> go_on(const DrapeStart& start);
+  warm::HungGarment hung() const;
   Status prepare(const RunContext& context);
   Status restore(std::string_view checkpoint, const RunContext& context);
   bool ends_badly() const;
@@ -80,10 +82,12 @@ class DrapeRun {
   int frame_interval_;  ///< steps
   int recorded_ = -1;   ///< step of the newest recorded frame
   int start_ = kSewnInPlace;
-  std::vector<double> tops_;  ///< m, of each panel where it began
-  bool last_start_ = false;   ///< no other leads on
-  bool ended_badly_ = false;  ///< another start is to be tried
-  std::string begun_anew_;    ///< why the newest was; empty while it is the first
+  std::vector<double> tops_;     ///< m, of each panel where it began
+  bool last_start_ = false;      ///< no other leads on
+  bool ended_badly_ = false;     ///< another start is to be tried
+  std::string from_the_pieces_;  ///< why it does not go on from another's end
+  warm::HungGarment pieces_;     ///< flat
+  std::string begun_anew_;       ///< why the newest was; empty while it is the first
 };
 
 /// Drapes `input` in one go, without what cannot be put on and returns the end, settled or not. `sink` may be

@@ -36,7 +36,7 @@ class Session {
   /// the state does not fit this garment.
   virtual Status restore(SessionState state) = 0;
 
-  virtual bool dressed() const = 0;     ///< it began on the body
+  virtual Began began() const = 0;
   virtual bool lost_seams() const = 0;  ///< the threads of a seam have let go
   bool done() const { return stop_reason().has_value(); }
   /// Why it ended; nothing until done(). Never Stop::kCancelled: that is for whoever runs the session to say.

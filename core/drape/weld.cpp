@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
+
+#include "core/sewing/assembly.h"
 
 namespace toile::drape {
 
@@ -49,13 +52,10 @@ Weld no_weld(std::span<const Vec3> positions) {
 }
 
 Weld joined_as(const sewing::GarmentMesh& garment, const std::vector<bool>& joined) {
+  sewing::JoinedVertices now = sewing::joined_vertices(garment, joined);
   Weld weld;
-  weld.vertex_of.assign(joined.size(), kNone);
-  for (std::size_t i = 0; i < joined.size(); ++i) {
-    const Index least = garment.weld[i];
-    const bool own = static_cast<Index>(i) == least || !joined[i];
-    weld.vertex_of[i] = own ? weld.vertex_count++ : weld.vertex_of[least];
-  }
+  weld.vertex_of = std::move(now.vertex_of);
+  weld.vertex_count = now.count;
   return weld;
 }
 

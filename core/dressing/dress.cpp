@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/snapped.h"
 #include "core/dressing/axis_guard.h"
 #include "core/dressing/clearance.h"
 #include "core/dressing/shape_solver.h"
@@ -56,13 +57,6 @@ Sewn shape_of(const sewing::GarmentMesh& g, std::vector<Index> vertex_of, std::s
   }
   s.vertex_of = std::move(vertex_of);
   return s;
-}
-
-/// As starts are (core/sewing/assembly.cpp): the factorisation's sums may differ in their last bits.
-Vec3 snapped(Vec3 p) {
-  constexpr double kGrid = 0x1p26;
-  return {std::nearbyint(p.x * kGrid) / kGrid, std::nearbyint(p.y * kGrid) / kGrid,
-          std::nearbyint(p.z * kGrid) / kGrid};
 }
 
 std::vector<Vec3> unjoined(const Sewn& s) {

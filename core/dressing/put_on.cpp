@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/collision/crossings.h"
+#include "core/mesh/flat_locator.h"
 
 namespace toile::dressing {
 
@@ -16,21 +17,6 @@ constexpr double kSqueezed = 0.4;  // as Certificate::shrink_p99
 
 /// Share of the worst panel's crossings from which on another is at fault as well.
 constexpr double kCrossesMost = 0.5;
-
-/// Where a flat point lies in a triangle, as weights of its corners; how far outside at worst (0: inside).
-struct FlatPlace {
-  std::array<double, 3> share{};
-  double outside = std::numeric_limits<double>::infinity();
-};
-
-FlatPlace place_in(const sewing::GarmentMesh& g, const Tri& t, Vec2 p) {
-  const Vec2 a = g.rest[t[0]], b = g.rest[t[1]], c = g.rest[t[2]];
-  const double area = cross(b - a, c - a);
-  if (!(area > 0)) return {};
-  FlatPlace place{{cross(b - p, c - p) / area, cross(c - p, a - p) / area, cross(a - p, b - p) / area}, 0};
-  for (const double s : place.share) place.outside = std::max(place.outside, -s);
-  return place;
-}
 
 Shortfall shortfall_of(const Certificate& c) { return {c.wrong_rings(), c.crossings.all()}; }
 
@@ -75,21 +61,18 @@ std::vector<Index> at_fault(const sewing::Assembly& assembly, const Wearer& wear
 
 std::vector<Vec3> carried_over(const sewing::GarmentMesh& fine, const sewing::GarmentMesh& coarse,
                                std::span<const Vec3> shape) {
-  std::vector<std::vector<Tri>> of_panel(coarse.first_vertex.size());
+  std::vector<std::vector<Tri>> of_panel(coarse.first_vertex.size() - 1);
   for (std::size_t t = 0; t < coarse.triangles.size(); ++t)
     of_panel[coarse.panel_of_triangle[t]].push_back(coarse.triangles[t]);
+  std::vector<mesh::FlatLocator> flat;
+  for (const std::vector<Tri>& triangles : of_panel) flat.emplace_back(coarse.rest, triangles);
   std::vector<Vec3> x(fine.rest.size());
   for (std::size_t v = 0; v < x.size(); ++v) {
-    FlatPlace best;
-    const Tri* in = nullptr;
-    for (const Tri& t : of_panel[fine.panel_of_vertex[v]]) {
-      const FlatPlace place = place_in(coarse, t, fine.rest[v]);
-      if (place.outside >= best.outside) continue;
-      best = place;
-      in = &t;
-      if (best.outside == 0) break;
-    }
-    for (std::size_t k = 0; in != nullptr && k < 3; ++k) x[v] += shape[(*in)[k]] * best.share[k];
+    const Index panel = fine.panel_of_vertex[v];
+    const mesh::FlatPlace place = flat[panel].at(fine.rest[v]);
+    if (place.triangle == kNone) continue;
+    const Tri& corners = of_panel[panel][place.triangle];
+    for (std::size_t k = 0; k < 3; ++k) x[v] += shape[corners[k]] * place.share[k];
   }
   std::vector<Vec3> sum(x.size());
   std::vector<int> count(x.size(), 0);

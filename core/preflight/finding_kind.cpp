@@ -42,6 +42,8 @@ constexpr std::array<FindingTraits, kFindingKindCount> kTable{{
     {kSlipped, "worn.slipped", kWarning, kWarning, kPattern, false},
     {kOnGround, "worn.on_ground", kWarning, kWarning, kPlacement, false},
     {kBegunAnew, "start.begun_anew", kNote, kNote, kPlacement, false},
+    {kGoesOn, "start.goes_on", kNote, kNote, kPlacement, false},
+    {kFromThePieces, "start.from_the_pieces", kNote, kNote, kPlacement, false},
     {kMethodWithout, "method.without", kWarning, kWarning, kPattern, false},
     {kOverLimit, "strain.over_limit", kNote, kNote, kPattern, false},
     {kTooTight, "fit.too_tight", kWarning, kWarning, kPattern, false},

@@ -49,6 +49,8 @@ enum class FindingKind : std::uint8_t {
   kSlipped,
   kOnGround,
   kBegunAnew,
+  kGoesOn,
+  kFromThePieces,
   kMethodWithout,
   kOverLimit,
   kTooTight,

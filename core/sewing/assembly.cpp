@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/disjoint_sets.h"
+#include "core/base/snapped.h"
 #include "core/sewing/attached_places.h"
 
 namespace toile::sewing {
@@ -28,14 +29,6 @@ void append_seams(const mesh::PanelMeshes& meshes, GarmentMesh& garment) {
   }
 }
 
-/// Sines and cosines differ in their last bit between processors, and the same input must give the same
-/// bytes: the start is rounded to 2⁻²⁶ m (15 nm).
-Vec3 snapped(Vec3 p) {
-  constexpr double kGrid = 0x1p26;
-  return {std::nearbyint(p.x * kGrid) / kGrid, std::nearbyint(p.y * kGrid) / kGrid,
-          std::nearbyint(p.z * kGrid) / kGrid};
-}
-
 }  // namespace
 
 std::vector<Index> least_of_class(Index vertex_count, const std::vector<std::array<Index, 2>>& joined) {
@@ -45,6 +38,17 @@ std::vector<Index> least_of_class(Index vertex_count, const std::vector<std::arr
   least.reserve(static_cast<std::size_t>(vertex_count));
   for (Index i = 0; i < vertex_count; ++i) least.push_back(classes.root(i));
   return least;
+}
+
+JoinedVertices joined_vertices(const GarmentMesh& garment, const std::vector<bool>& joined) {
+  JoinedVertices now;
+  now.vertex_of.assign(joined.size(), kNone);
+  for (std::size_t i = 0; i < joined.size(); ++i) {
+    const Index least = garment.weld[i];
+    const bool own = static_cast<Index>(i) == least || !joined[i];
+    now.vertex_of[i] = own ? now.count++ : now.vertex_of[least];
+  }
+  return now;
 }
 
 std::vector<double> seam_held_by_pairs(const GarmentMesh& g) {

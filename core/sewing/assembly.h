@@ -21,6 +21,15 @@ struct Assembly {
 /// Least vertex of the class that each vertex belongs to when the pairs `joined` are one.
 std::vector<Index> least_of_class(Index vertex_count, const std::vector<std::array<Index, 2>>& joined);
 
+/// The vertices of a garment some of whose sewn ones have become one.
+struct JoinedVertices {
+  std::vector<Index> vertex_of;  ///< of each garment vertex
+  Index count = 0;
+};
+
+/// When each garment vertex that is marked in `joined` is one with the least vertex of its class.
+JoinedVertices joined_vertices(const GarmentMesh& garment, const std::vector<bool>& joined);
+
 /// m of seam that each pair of garment.sewn holds, half way to the pairs before and after it, on the side
 /// where that is less; 0 where a side has no length there. One entry a pair.
 std::vector<double> seam_held_by_pairs(const GarmentMesh& garment);

@@ -15,6 +15,7 @@ namespace toile::app {
 struct DrapeOptions {
   std::string project;  ///< path of the document
   std::string out;      ///< folder for the results
+  std::string from;     ///< final.hung of another drape, or the folder where it lies; empty: from the pieces
   bool check_data = false;
   std::string trace;    ///< path; empty: no trace
   int trace_every = 1;  ///< frames

@@ -1,5 +1,7 @@
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <system_error>
@@ -31,6 +33,18 @@ Status make_folder(const fs::path& folder) {
   return Error{"usage.out",
                "cannot make the folder for the results" + (failure ? ": " + failure.message() : ""),
                folder.string()};
+}
+
+Result<warm::HungGarment> read_hung(fs::path path) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) path /= "final.hung";
+  std::ifstream in(path, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  if (!in.is_open() || in.bad())
+    return Error{"usage.from", "cannot read how the garment hung", path.string()};
+  Result<warm::HungGarment> hung = warm::decode_hung(bytes);
+  if (!hung) return Error{hung.error().code, hung.error().message, path.string(), hung.error().kind};
+  return hung;
 }
 
 std::string percent(double ratio) { return fixed_text(100 * ratio, 2) + "%"; }
@@ -112,6 +126,11 @@ Result<drape::DrapeResult> drape_of(drape::DrapeInput& input, proto::TraceWriter
 ExitCode drape_command(const DrapeOptions& options) {
   Result<resolve::ResolvedProject> read = resolve::read_project(options.project, own_mesh_importer());
   if (!read) return fail(read.error(), options.json);
+  if (!options.from.empty()) {
+    Result<warm::HungGarment> before = read_hung(options.from);
+    if (!before) return fail(before.error(), options.json);
+    read->input.before = std::make_shared<const warm::HungGarment>(std::move(*before));
+  }
   read->input = drape::worn_part(std::move(read->input));
   if (const auto textures = resolve::read_textures(*read); !textures)
     return fail(textures.error(), options.json);  // before the time of a drape is spent

@@ -54,6 +54,8 @@ CLI::App* add_drape(CLI::App& app, Options& options) {
       ->required();
   verb->add_flag("--check-data", options.drape.check_data,
                  "Also write rest.obj, body.obj and sewn.json for checks by other programs");
+  verb->add_option("--from", options.drape.from,
+                   "Go on from how the garment hung at the end of another drape: its folder, or final.hung");
   CLI::Option* trace = verb->add_option("--trace", options.drape.trace,
                                         "Keep the drape's frames in this file (proto/trace.md)");
   verb->add_option("--trace-every", options.drape.trace_every, "Keep every N-th frame only")
@@ -66,11 +68,12 @@ CLI::App* add_drape(CLI::App& app, Options& options) {
       ->type_name("WxH")
       ->check([&options](const std::string& text) { return read_size(text, options.drape); });
   verb->footer(
-      std::string("Leaves report.json, final.obj, final.glb and front, back, side and three-quarter.png.\n"
+      std::string("Leaves report.json, final.obj, final.glb, final.hung and front, back, side and three-quarter.png.\n"
                   "Ctrl-C ends the drape and keeps what there is; a second one ends at once.\n\n"
                   "Examples:\n"
                   "  toile drape samples/skirt/project.json --out out/skirt\n"
                   "  toile drape project.json --out out --json --no-stills\n"
+                  "  toile drape edited.json --out out/edited --from out/skirt\n"
                   "  toile drape project.json --out out --trace out/frames.trace --trace-every 4\n\n") +
       kExitCodes);
   return verb;

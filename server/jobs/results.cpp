@@ -59,6 +59,14 @@ Result<std::string> bytes_of(const fs::path& path) {
   return bytes;
 }
 
+Status write_bytes(const fs::path& path, std::string_view bytes) {
+  std::ofstream out(path, std::ios::binary);
+  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  out.close();
+  if (out) return {};
+  return Error{"export.write", "cannot write the file", path.string(), ErrorKind::kInternal};
+}
+
 }  // namespace
 
 Status write_models(const drape::DrapeInput& input, const drape::DrapeResult& result,
@@ -68,6 +76,7 @@ Status write_models(const drape::DrapeInput& input, const drape::DrapeResult& re
   const exports::ObjPanels panels{names, garment.panel_of_triangle, garment.rest};
   TRY(check_data ? exports::write_check_data(folder, garment, result.positions, input.bodies, panels)
                  : exports::write_obj(folder / "final.obj", result.positions, garment.triangles, panels));
+  TRY(write_bytes(folder / "final.hung", warm::encode_hung(result.hung)));
   exports::GlbModel model;
   model.garment = &garment;
   model.positions = result.positions;

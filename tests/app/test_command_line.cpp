@@ -288,6 +288,19 @@ TEST_F(Draped, SettlesAndLeavesAllItsFiles) {
   EXPECT_EQ(text_of(folder / "frames.trace").substr(0, 8), "TOILETRC");
 }
 
+TEST_F(Draped, IsGoneOnFromByAnother) {
+  const fs::path before = folder / "out/deep", out = folder / "on";
+  const Ran on = run_toile({"drape", folder / "project.json", "--out", out, "--no-stills", "--from", before});
+  EXPECT_EQ(on.code, 0) << on.err;
+  EXPECT_NE(text_of(out / "report.json").find("start.goes_on"), std::string::npos);
+  const Ran again = run_toile({"drape", folder / "project.json", "--out", out, "--no-stills", "--from", out / "report.json"});
+  EXPECT_EQ(again.code, 2);
+  EXPECT_NE(again.err.find("hung.damaged"), std::string::npos) << again.err;
+  const Ran none = run_toile({"drape", folder / "project.json", "--out", out, "--from", folder / "nowhere"});
+  EXPECT_EQ(none.code, 2);
+  EXPECT_NE(none.err.find("usage.from"), std::string::npos) << none.err;
+}
+
 TEST_F(Draped, PrintsTheReportThatItWrites) { EXPECT_EQ(run.out, text_of(folder / "out/deep/report.json")); }
 
 /// Checks a value against the few words of JSON Schema that report.schema.json uses.

@@ -55,7 +55,7 @@ std::string row_of(const Way& way, const analysis::Report& r) {
 /// Whether the garment is put on before it is draped: else both starts of the paper's method are one.
 bool put_on_first(const drape::DrapeInput& input) {
   const auto run = drape::DrapeRun::start(input, {}, nullptr);
-  return run && (*run)->session().dressed();
+  return run && (*run)->session().began() == drape::Began::kDressed;
 }
 
 Status compare(const fs::path& project, const fs::path& folder, std::string& table) {

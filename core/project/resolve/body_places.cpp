@@ -6,6 +6,7 @@
 #include "core/arrange/box_places.h"
 #include "core/base/aabb.h"
 #include "core/base/names.h"
+#include "core/base/snapped.h"
 #include "core/base/units.h"
 #include "core/body/measure/lines.h"
 #include "core/body/measure/own_landmarks.h"
@@ -24,13 +25,6 @@ Vec3 radians(Vec3 degrees) {
 }
 
 Vec2 metres(Vec2 mm) { return {metres_from_mm(mm.x), metres_from_mm(mm.y)}; }
-
-/// Sines differ in their last bit between processors, and the same input must give the same bytes.
-Vec3 snapped(Vec3 p) {
-  constexpr double kGrid = 0x1p26;
-  return {std::nearbyint(p.x * kGrid) / kGrid, std::nearbyint(p.y * kGrid) / kGrid,
-          std::nearbyint(p.z * kGrid) / kGrid};
-}
 
 sewing::WrappedPlacement wrapped_of(const project::ProjectWrapped& given) {
   sewing::WrappedPlacement wrapped;

@@ -11,7 +11,7 @@
 
 #include "core/base/types.h"
 
-namespace toile::drape {
+namespace toile {
 
 class StateWriter {
  public:
@@ -95,12 +95,19 @@ class StateReader {
     value(bits);
     v = std::bit_cast<float>(bits);
   }
+  void value(Vec2& p) {
+    value(p.x);
+    value(p.y);
+  }
   void value(Vec3& p) {
     value(p.x);
     value(p.y);
     value(p.z);
   }
-  void value(std::string& text) { text = raw(size(1)); }
+  void value(Tri& t) {
+    for (Index& v : t) value(v);
+  }
+  void value(std::string& text) { text = raw(count(1)); }
   void value(std::vector<bool>& bits) {
     std::uint32_t n = 0;
     value(n);
@@ -112,7 +119,17 @@ class StateReader {
   }
   void value(std::vector<double>& list) { values(list, sizeof(double)); }
   void value(std::vector<float>& list) { values(list, sizeof(float)); }
+  void value(std::vector<Vec2>& list) { values(list, 2 * sizeof(double)); }
   void value(std::vector<Vec3>& list) { values(list, 3 * sizeof(double)); }
+  void value(std::vector<Index>& list) { values(list, sizeof(Index)); }
+  void value(std::vector<Tri>& list) { values(list, sizeof(Tri)); }
+  /// How many things of `each` bytes at least follow; 0, and not ok(), where there is no room for them.
+  std::size_t count(std::size_t each) {
+    std::uint32_t n = 0;
+    value(n);
+    if (n > rest_.size() / each) ok_ = false;
+    return ok_ ? n : 0;
+  }
   /// The next `n` bytes; none when there are fewer.
   std::string_view raw(std::size_t n) {
     if (!ok_ || n > rest_.size()) {
@@ -125,16 +142,9 @@ class StateReader {
   }
 
  private:
-  /// How many things of `each` bytes follow, as far as there is room for them.
-  std::size_t size(std::size_t each) {
-    std::uint32_t n = 0;
-    value(n);
-    if (n > rest_.size() / each) ok_ = false;
-    return ok_ ? n : 0;
-  }
   template <typename T>
   void values(std::vector<T>& list, std::size_t each) {
-    list.resize(size(each));
+    list.resize(count(each));
     for (T& v : list) value(v);
   }
 
@@ -142,4 +152,4 @@ class StateReader {
   bool ok_ = true;
 };
 
-}  // namespace toile::drape
+}  // namespace toile
