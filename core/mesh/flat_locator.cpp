@@ -35,8 +35,7 @@ FlatLocator::FlatLocator(std::span<const Vec2> rest, std::span<const Tri> triang
               right = column(std::max({a.x, b.x, c.x}) + kReach);
     const int top = row(std::max({a.y, b.y, c.y}) + kReach);
     for (int r = row(std::min({a.y, b.y, c.y}) - kReach); r <= top; ++r) {
-      for (int k = left; k <= right; ++k)
-        in_cell_[static_cast<std::size_t>(r * columns_ + k)].push_back(static_cast<Index>(t));
+      for (int k = left; k <= right; ++k) in_cell_[cell_at(r, k)].push_back(static_cast<Index>(t));
     }
   }
 }
@@ -47,6 +46,11 @@ int FlatLocator::column(double x) const {
 
 int FlatLocator::row(double y) const {
   return static_cast<int>(std::clamp((y - low_.y) / cell_, 0.0, rows_ - 1.0));
+}
+
+std::size_t FlatLocator::cell_at(int row, int column) const {
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+         static_cast<std::size_t>(column);
 }
 
 FlatPlace FlatLocator::place_in(Index triangle, Vec2 p) const {
@@ -68,7 +72,7 @@ FlatPlace FlatLocator::at(Vec2 p) const {
     return best.outside == 0;
   };
   if (triangles_.empty()) return best;
-  for (const Index t : in_cell_[static_cast<std::size_t>(row(p.y) * columns_ + column(p.x))])
+  for (const Index t : in_cell_[cell_at(row(p.y), column(p.x))])
     if (look_at(t)) return best;
   if (best.outside < kOnBorder) return best;
   best = {};

@@ -30,6 +30,7 @@ class FlatLocator {
   FlatPlace place_in(Index triangle, Vec2 p) const;
   int column(double x) const;
   int row(double y) const;
+  std::size_t cell_at(int row, int column) const;
 
   std::span<const Vec2> rest_;
   std::span<const Tri> triangles_;

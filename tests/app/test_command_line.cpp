@@ -293,7 +293,8 @@ TEST_F(Draped, IsGoneOnFromByAnother) {
   const Ran on = run_toile({"drape", folder / "project.json", "--out", out, "--no-stills", "--from", before});
   EXPECT_EQ(on.code, 0) << on.err;
   EXPECT_NE(text_of(out / "report.json").find("start.goes_on"), std::string::npos);
-  const Ran again = run_toile({"drape", folder / "project.json", "--out", out, "--no-stills", "--from", out / "report.json"});
+  const Ran again = run_toile(
+      {"drape", folder / "project.json", "--out", out, "--no-stills", "--from", out / "report.json"});
   EXPECT_EQ(again.code, 2);
   EXPECT_NE(again.err.find("hung.damaged"), std::string::npos) << again.err;
   const Ran none = run_toile({"drape", folder / "project.json", "--out", out, "--from", folder / "nowhere"});
