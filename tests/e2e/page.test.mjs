@@ -327,15 +327,15 @@ describe('the page', () => {
   });
 
   it('selects a piece from either side', async () => {
-    await page.locator('.plane [data-piece=back]').press('Enter');
-    await page.locator('.plane [data-piece=back][aria-pressed=true]').waitFor();
+    await page.locator('.plane [data-piece=back] .piece-cloth').press('Enter');
+    await page.locator('.plane [data-piece=back] [aria-pressed=true]').waitFor();
     await page.keyboard.press('Escape');
     await page.locator('.plane .selected').waitFor({ state: 'detached' });
     await page.keyboard.press('1');
     await waitForCalm(page);
     const box = await page.locator('.scene canvas').boundingBox();
     await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
-    await page.locator('.plane [data-piece=front][aria-pressed=true]').waitFor();
+    await page.locator('.plane [data-piece=front] [aria-pressed=true]').waitFor();
     await waitForCalm(page);
     await shoot(page, '08-selected');
     await page.keyboard.press('Escape');
@@ -344,7 +344,7 @@ describe('the page', () => {
   it('puts a picture on a piece and on all, in both views, and undoes it', async () => {
     await page.keyboard.press('1');
     await page.getByRole('tab', { name: 'Pattern' }).click();
-    await page.locator('.plane [data-piece=front]').press('Enter');
+    await page.locator('.plane [data-piece=front] .piece-cloth').press('Enter');
     const scene = page.locator('.scene canvas');
     const plane = page.locator('.plane');
     await waitForCalm(page);

@@ -95,6 +95,7 @@ function Main() {
   const shape = home ? `home${state.job.value ? '' : ' alone'}` : `at-${state.tab.value}${large}`;
   return (
     <main class={shape}>
+      {!home && <h1 class="visually-hidden">{state.project.value?.name ?? state.job.value?.name ?? 'Toile'}</h1>}
       <ScenePane code={sceneCode} drawn={drawn} />
       {!home && (
         <>
@@ -159,6 +160,8 @@ effect(() => {
   void state.pieces.value;
   void state.project.value;
   untracked(() => void commands.textures.follow());
+  // They tell how light plays on the cloth.
+  if (state.pieces.value?.state === 'ready') untracked(() => void commands.pattern.loadFabrics());
 });
 effect(() => {
   const shown = state.atHome.value ? '' : (state.job.value?.name ?? state.project.value?.name);

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { bendingLength, fabricsFound, figuresOf, giveOf, handOf, makeOf, originOf, stiffness, weaveOf } from '../src/state/fabrics';
+import { bendingLength, fabricsFound, figuresOf, finishOf, giveOf, handOf, makeOf, originOf, stiffness, weaveOf } from '../src/state/fabrics';
 import { fabricOf } from './samples';
 
 describe('a fabric’s card', () => {
@@ -36,6 +36,14 @@ describe('a fabric’s card', () => {
     const others = ['knit', 'net', 'leather'] as const;
     expect(others.map((construction) => weaveOf({ construction, weave: '' }))).toEqual(['knit', 'net', 'felt']);
     expect(makeOf(fabricOf('a', { fibre: 'many', weave: 'many' }))).toBe('woven');
+  });
+
+  it('gleams as satin, is matt as wool with a soft rim, and else as most cloth', () => {
+    const [satin, wool, cotton] = ['satin', 'wool-flannel', 'poplin'].map((name) => finishOf(fabricOf(name)));
+    expect(satin!.roughness).toBeLessThan(cotton!.roughness);
+    expect(wool!.roughness).toBeGreaterThan(cotton!.roughness);
+    expect(wool!.sheen).toBeGreaterThan(cotton!.sheen);
+    expect(cotton!.weave).toBe('twill');
   });
 
   it('says how much of it was measured', () => {

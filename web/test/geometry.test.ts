@@ -3,7 +3,7 @@ import { decodeBody } from '../src/api/body';
 import { clothFromObj } from '../src/api/objCloth';
 import { nameThatFits } from '../src/pattern/PieceShape';
 import { fit, panned, zoomed } from '../src/pattern/Viewport';
-import { boundsOf, poseFor } from '../src/scene/framing';
+import { boundsOf, footprints, poseFor } from '../src/scene/framing';
 import { rimEdges, seamEdges, shareNormals, vertexNormals, verticesAlong, weldGroups, widestGap } from '../src/scene/surface';
 import { cssColour, cutLine, insideOf, layOut } from '../src/state/patternGeometry';
 import { squareOf } from './fakes';
@@ -65,6 +65,18 @@ describe('the camera', () => {
     expect(eye[2]).toBeGreaterThan(target[2] + 1);
     expect(eye[0]).toBeCloseTo(0.5, 6);
     expect(poseFor('side', boundsOf(positions)!, 32, 1.5).eye[0]).toBeGreaterThan(1.5);
+  });
+});
+
+describe('the ground', () => {
+  it('is darker under both feet of a body that stands on it, and under none that hangs', () => {
+    const feet = [-0.2, 0.01, 0, -0.1, 0, 0.2, 0.1, 0, 0, 0.2, 0.02, 0.2];
+    const body = new Float32Array([...feet, 0, 1.7, 0]);
+    const [left, right] = footprints(body);
+    expect(left!.x).toBeCloseTo(0.15);
+    expect(right!.x).toBeCloseTo(-0.15);
+    expect(left!.along).toBeCloseTo(0.1);
+    expect(footprints(new Float32Array([0, 1, 0, 0, 2, 0]))).toEqual([]);
   });
 });
 

@@ -44,6 +44,7 @@ export function Inspector(props: PicturesProps) {
         ))}
       </div>
       <div class="tab-panel" role="tabpanel" id="tab-panel" aria-labelledby={`tab-${shown}`} tabIndex={0}>
+        <h2 class="visually-hidden">{kTabs.find(({ tab }) => tab === shown)?.title}</h2>
         {shown === 'pattern' && <PatternPanel />}
         {shown === 'body' && <BodyPanel />}
         {shown === 'arrange' && <ArrangePanel />}

@@ -41,7 +41,7 @@ export function PieceShape(props: PieceShapeProps) {
   const { placed, scale, selected, hovered, look = null, cover, onSelect, onHover, children } = props;
   const { piece, offset } = placed;
   const press = (event: KeyboardEvent): void => {
-    if ((event.key !== 'Enter' && event.key !== ' ') || event.target !== event.currentTarget) return;
+    if ((event.key !== 'Enter' && event.key !== ' ')) return;
     event.preventDefault();
     event.stopPropagation();
     onSelect();
@@ -53,17 +53,22 @@ export function PieceShape(props: PieceShapeProps) {
       class={`piece${selected ? ' selected' : ''}${hovered ? ' hovered' : ''}${look || cover ? ' printed' : ''}`}
       style={{ '--halo': `${3 / scale}px` }}
       transform={`translate(${offset[0]} ${-offset[1]})`}
-      tabindex={0}
-      role="button"
-      aria-pressed={selected}
-      aria-label={`Piece ${piece.id}, ${size}`}
       data-piece={piece.id}
-      onKeyDown={press}
       onPointerEnter={() => onHover(true)}
       onPointerLeave={() => onHover(false)}
     >
       <title>{`${piece.id}, ${size}`}</title>
-      <path class="piece-cloth" fill-rule="evenodd" style={{ fill: cssColour(piece.colour) }} d={outline} />
+      <path
+        class="piece-cloth"
+        tabindex={0}
+        role="button"
+        aria-pressed={selected}
+        aria-label={`Piece ${piece.id}, ${size}`}
+        onKeyDown={press}
+        fill-rule="evenodd"
+        style={{ fill: cssColour(piece.colour) }}
+        d={outline}
+      />
       {look && <Print piece={piece} look={look} outline={outline} />}
       {cover}
       <path class="piece-outline" fill="none" d={outline} />

@@ -13,7 +13,6 @@ import {
   MeshStandardMaterial,
   Points,
   PointsMaterial,
-  type DataTexture,
   type Intersection,
   type Material,
 } from 'three';
@@ -21,6 +20,8 @@ import type { ClothTopology, TopologyPiece } from '../api/frames';
 import { bandOf, kBands, type ClothMap } from '../state/clothMaps';
 import type { SeamPart } from '../state/seamView';
 import { fillRepeats, type Look } from '../state/texture';
+import type { Finish } from '../state/fabrics';
+import { ClothMaterials } from './ClothMaterials';
 import { PrintMaterials } from './PrintMaterials';
 import {
   byMaterial,
@@ -33,7 +34,7 @@ import {
   widestGap,
   type WeldGroups,
 } from './surface';
-import { kTileMetres, weaveTexture } from './weave';
+import { kTileMetres } from './weave';
 
 /** Sewn pairs further apart than this still have their threads drawn, m. */
 const kThreadGap = 0.0015;
@@ -61,18 +62,9 @@ export class ClothObject {
   private wires_: LineSegments | null = null;
   private threads_: LineSegments | null = null;
   private litSeam_: Points | null = null;
-  private weave_: DataTexture = weaveTexture();
-  private readonly material_ = new MeshStandardMaterial({
-    side: DoubleSide,
-    vertexColors: true,
-    roughness: 0.92,
-    metalness: 0,
-    map: this.weave_,
-    polygonOffset: true,
-    polygonOffsetFactor: 0.25,
-    polygonOffsetUnits: 1,
-  });
-  private readonly seamMaterial_ = new LineBasicMaterial({ color: 0x000000, transparent: true, opacity: 0.45 });
+  private readonly cloths_ = new ClothMaterials();
+  private finishes_: ReadonlyMap<string, Finish> = new Map();
+  private readonly seamMaterial_ = new LineBasicMaterial({ color: 0x585858, vertexColors: true, transparent: true, opacity: 0.7 });
   private readonly wireMaterial_ = new LineBasicMaterial({ color: 0x000000, transparent: true, opacity: 0.22 });
   private readonly threadMaterial_: LineBasicMaterial;
   private readonly rimMaterial_: LineBasicMaterial;
@@ -88,7 +80,7 @@ export class ClothObject {
 
   constructor(private readonly colours_: ClothColours) {
     this.threadMaterial_ = new LineBasicMaterial({ color: colours_.thread, transparent: true, opacity: 0.9 });
-    this.prints_ = new PrintMaterials(this.material_);
+    this.prints_ = new PrintMaterials(this.cloths_);
     this.rimMaterial_ = new LineBasicMaterial({ color: colours_.selected, depthTest: false, transparent: true });
     this.litMaterial_ = new PointsMaterial({ color: colours_.selected, size: 6, sizeAttenuation: false, depthTest: false });
     this.addStandIn();
@@ -152,6 +144,13 @@ export class ClothObject {
     this.paint();
   }
 
+  /** How light plays on pieces, by the pieces' ids. */
+  setFinishes(finishes: ReadonlyMap<string, Finish>): void {
+    if (finishes === this.finishes_) return;
+    this.finishes_ = finishes;
+    this.dress();
+  }
+
   /** Colours by a map in place of cloth and pictures; null: as it looks. */
   setMap(map: ClothMap | null): void {
     if (map === this.map_) return;
@@ -177,6 +176,11 @@ export class ClothObject {
     this.threadMaterial_.color.copy(colour ?? this.colours_.thread);
   }
 
+  /** Whether its threads are drawn. */
+  setFine(fine: boolean): void {
+    this.cloths_.setFine(fine);
+  }
+
   showWires(shown: boolean): void {
     this.wiresShown_ = shown;
     if (this.wires_) this.wires_.visible = shown;
@@ -198,10 +202,9 @@ export class ClothObject {
 
   dispose(): void {
     this.clear();
-    this.weave_.dispose();
+    this.cloths_.dispose();
     this.prints_.dispose();
     for (const material of [
-      this.material_,
       this.mapMaterial_,
       this.seamMaterial_,
       this.wireMaterial_,
@@ -239,7 +242,7 @@ export class ClothObject {
     ] as const;
     for (const [name, size] of names)
       this.geometry_.setAttribute(name, new BufferAttribute(new Float32Array(3 * size), size));
-    const surface = new Mesh(this.geometry_, this.material_);
+    const surface = new Mesh(this.geometry_, this.cloths_.of());
     surface.castShadow = true;
     surface.receiveShadow = true;
     const lines = new LineSegments(this.geometry_, this.seamMaterial_);
@@ -253,17 +256,18 @@ export class ClothObject {
     const uv = this.geometry_.getAttribute('uv') as BufferAttribute;
     const coordinates = uv.array as Float32Array;
     coordinates.set(rest.map((metres) => metres / kTileMetres));
-    const materials: Material[] = [this.material_];
+    const materials: Material[] = [];
     const materialOf = new Uint16Array(vertexCount);
     for (const { id, firstVertex, vertexCount: count } of pieces) {
       const look = this.looks_.get(id);
-      if (!look) continue;
-      fillRepeats(look.frame, rest, firstVertex, count, coordinates);
-      const material = this.prints_.of(look);
+      const finish = this.finishes_.get(id);
+      if (look) fillRepeats(look.frame, rest, firstVertex, count, coordinates);
+      const material = look ? this.prints_.of(look, finish) : this.cloths_.of(finish);
       if (!materials.includes(material)) materials.push(material);
       materialOf.fill(materials.indexOf(material), firstVertex, firstVertex + count);
     }
     this.prints_.keep(materials);
+    this.cloths_.keep(materials);
     uv.needsUpdate = true;
     const { index, groups } = byMaterial(triangles, materialOf, materials.length);
     this.geometry_.setIndex(new BufferAttribute(index, 1));
@@ -279,7 +283,7 @@ export class ClothObject {
     this.geometry_.setAttribute('normal', dynamic());
     this.geometry_.setAttribute('color', new BufferAttribute(new Float32Array(3 * vertexCount), 3));
     this.geometry_.setAttribute('uv', new BufferAttribute(new Float32Array(2 * vertexCount), 2));
-    this.mesh_ = new Mesh(this.geometry_, this.material_);
+    this.mesh_ = new Mesh(this.geometry_, this.cloths_.of());
     this.dress();
     this.mesh_.castShadow = true;
     this.mesh_.receiveShadow = true;

@@ -1,7 +1,9 @@
 // Materials of cloth with a picture on it: one per picture and colour of cloth.
 
 import { CanvasTexture, RepeatWrapping, SRGBColorSpace, Color, type Material, type MeshStandardMaterial } from 'three';
+import { kPlainFinish, type Finish } from '../state/fabrics';
 import type { Look } from '../state/texture';
+import type { ClothMaterials } from './ClothMaterials';
 
 /** Pixels a side at most; finer pictures are reduced. */
 const kMostPixels = 2048;
@@ -10,14 +12,13 @@ const kAnisotropy = 8;
 export class PrintMaterials {
   private readonly made_ = new Map<string, MeshStandardMaterial>();
 
-  constructor(private readonly plain_: MeshStandardMaterial) {}
+  constructor(private readonly cloths_: ClothMaterials) {}
 
-  of(look: Look): Material {
-    const key = `${look.asset} ${look.colour.join(' ')}`;
+  of(look: Look, finish: Finish = kPlainFinish): Material {
+    const key = `${look.asset} ${look.colour.join(' ')} ${finish.weave} ${finish.roughness}`;
     const known = this.made_.get(key);
     if (known) return known;
-    const material = this.plain_.clone();
-    material.map = textureOf(look);
+    const material = this.cloths_.plain(finish, textureOf(look));
     this.made_.set(key, material);
     return material;
   }

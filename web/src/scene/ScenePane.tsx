@@ -144,6 +144,7 @@ function connect(scene: SceneView, state: AppState): () => void {
     }),
     effect(() => scene.show(state.bodyShown.value && state.shownBody.value !== null, state.meshShown.value)),
     effect(() => scene.setLooks(state.looks.value)),
+    effect(() => scene.setFinishes(state.finishes.value)),
     effect(() => scene.showOpenSeams(!state.beforeDrape.value && state.job.value?.state === 'succeeded', token('--bad'))),
     effect(() => scene.setMap(state.beforeDrape.value || state.atHome.value ? null : state.clothMap.value)),
     effect(() => scene.lightSeam(state.litParts.value)),

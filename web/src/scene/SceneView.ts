@@ -9,6 +9,7 @@ import {
   Scene,
   SRGBColorSpace,
   Vector3,
+  VSMShadowMap,
   WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
@@ -18,6 +19,7 @@ import type { LiveCloth } from '../state/LiveCloth';
 import type { Finding, ProjectBody, Start } from '../api/dressing';
 import type { Marks } from '../state/dressing';
 import type { ClothMap } from '../state/clothMaps';
+import type { Finish } from '../state/fabrics';
 import type { SeamPart } from '../state/seamView';
 import type { Look } from '../state/texture';
 import type { Hand } from '../tools/PatternTool';
@@ -25,7 +27,7 @@ import type { SceneTool } from '../tools/SceneTool';
 import { BodyMarks } from './BodyMarks';
 import { BodyObject } from './BodyObject';
 import { ClothObject } from './ClothObject';
-import { boundsOf, closeUp, eased, poseFor, union, type Bounds, type Pose, type Vec3 } from './framing';
+import { boundsOf, closeUp, eased, footprints, poseFor, union, type Bounds, type Pose, type Vec3 } from './framing';
 import { PointerRay } from './PointerRay';
 import { SceneHands } from './SceneHands';
 import { Studio, type StudioColours } from './Studio';
@@ -36,8 +38,10 @@ const kTurnMs = 320;
 const kSlowMs = 50;
 const kFastMs = 24;
 const kCoarsest = 0.6;
-/** A longer wait than this was not the machine's slowness: nothing had changed. */
-const kPauseMs = 400;
+/** What is asked for later than this after a picture was not waited for: nothing had changed. */
+const kPauseMs = 120;
+/** One picture tells no more than this of the pace. */
+const kLongestMs = 600;
 const kRestMs = 250;
 /** A body alone is framed whole; cloth with this much more room around it, m. */
 const kBodyOnly: Bounds = { low: [-0.5, 0, -0.3], high: [0.5, 1.75, 0.3] };
@@ -50,7 +54,7 @@ export class SceneView {
   private readonly camera_ = new PerspectiveCamera(kFov, 1, 0.05, 40);
   private readonly controls_: OrbitControls;
   private readonly hands_: SceneHands;
-  private readonly studio_ = new Studio();
+  private readonly studio_: Studio;
   private readonly cloth_: ClothObject;
   private readonly body_: BodyObject;
   private readonly marks_ = new BodyMarks();
@@ -68,6 +72,8 @@ export class SceneView {
   private caughtUp_ = false;
   private request_ = 0;
   private lastDraw_ = 0;
+  /** When the next picture was asked for. */
+  private asked_ = 0;
   /** ms from picture to picture, a running mean. */
   private pace_ = 16;
   /** Share of the screen's own resolution. */
@@ -83,6 +89,7 @@ export class SceneView {
     accent: string,
   ) {
     this.slow_ = !hasGraphicsCard();
+    this.studio_ = new Studio(this.slow_);
     this.renderer_ = new WebGLRenderer({
       canvas: canvas_,
       antialias: !this.slow_,
@@ -93,7 +100,8 @@ export class SceneView {
     this.renderer_.outputColorSpace = SRGBColorSpace;
     this.renderer_.toneMapping = NeutralToneMapping;
     this.renderer_.shadowMap.enabled = true;
-    this.renderer_.shadowMap.type = PCFShadowMap;
+    // The soft one costs the processor two thirds of its frames.
+    this.renderer_.shadowMap.type = this.slow_ ? PCFShadowMap : VSMShadowMap;
     this.cloth_ = new ClothObject({
       thread: new Color(accent),
       selected: new Color(accent),
@@ -123,6 +131,7 @@ export class SceneView {
   setBody(body: BodyMesh | null): void {
     this.body_.set(body);
     this.bodyBounds_ = body ? boundsOf(body.positions) : null;
+    this.studio_.standOn(body ? footprints(body.positions) : []);
     if (body && !this.framed_ && !this.cloth_.positions) this.applyPose(this.pose());
     this.invalidate();
   }
@@ -164,6 +173,11 @@ export class SceneView {
 
   setLooks(looks: ReadonlyMap<string, Look>): void {
     this.cloth_.setLooks(looks);
+    this.invalidate();
+  }
+
+  setFinishes(finishes: ReadonlyMap<string, Finish>): void {
+    this.cloth_.setFinishes(finishes);
     this.invalidate();
   }
 
@@ -283,7 +297,9 @@ export class SceneView {
   private invalidate(): void {
     this.stale_ = true;
     this.canvas_.setAttribute('aria-busy', 'true');
-    if (this.request_ === 0) this.request_ = requestAnimationFrame((now) => this.tick(now));
+    if (this.request_ !== 0) return;
+    this.asked_ = performance.now();
+    this.request_ = requestAnimationFrame((now) => this.tick(now));
   }
 
   private tick(now: number): void {
@@ -309,8 +325,9 @@ export class SceneView {
   private draw(now: number): void {
     const spent = now - this.lastDraw_;
     this.lastDraw_ = now;
-    if (spent < kPauseMs) this.pace_ += 0.2 * (spent - this.pace_);
-    if (this.pace_ > kSlowMs && spent < kPauseMs) this.sharpness_ = Math.max(kCoarsest, this.sharpness_ * 0.8);
+    const onGoing = this.asked_ - (now - spent) < kPauseMs;
+    if (onGoing) this.pace_ += 0.2 * (Math.min(spent, kLongestMs) - this.pace_);
+    if (this.pace_ > kSlowMs && onGoing) this.sharpness_ = Math.max(kCoarsest, this.sharpness_ * 0.8);
     else if (this.pace_ < kFastMs) this.sharpness_ = Math.min(1, this.sharpness_ * 1.05);
     this.render(finestRatio() * this.sharpness_);
     this.restSoon();
@@ -318,7 +335,8 @@ export class SceneView {
 
   private restSoon(): void {
     clearTimeout(this.rest_);
-    this.rest_ = setTimeout(() => this.rest(), kRestMs);
+    // Between the pictures of a slow machine there is no rest.
+    this.rest_ = setTimeout(() => this.rest(), Math.max(kRestMs, 2 * this.pace_));
   }
 
   /** Nothing has changed for a while: the canvas says so, to whoever wants to look at what stands still. */
@@ -329,6 +347,8 @@ export class SceneView {
   }
 
   private render(ratio: number): void {
+    // Threads cost a slow machine a quarter of its frames: they are drawn when it rests.
+    this.cloth_.setFine(!this.slow_ || ratio > finestRatio());
     if (this.renderer_.getPixelRatio() !== ratio) this.renderer_.setPixelRatio(ratio);
     this.renderer_.render(this.scene_, this.camera_);
   }

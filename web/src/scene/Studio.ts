@@ -11,7 +11,9 @@ import {
   ShaderMaterial,
   ShadowMaterial,
   Vector3,
+  Vector4,
 } from 'three';
+import type { Footprint } from './framing';
 
 export interface StudioColours {
   /** Behind everything, upper and lower edge. */
@@ -32,13 +34,14 @@ export class Studio {
   private readonly grid_: Mesh<PlaneGeometry, ShaderMaterial>;
   private readonly floor_: Mesh<PlaneGeometry, ShadowMaterial>;
 
-  constructor() {
+  /** `slow`: drawn by the processor. */
+  constructor(slow: boolean) {
     this.grid_ = new Mesh(new PlaneGeometry(kFloor, kFloor), gridMaterial());
     this.floor_ = new Mesh(new PlaneGeometry(kFloor, kFloor), new ShadowMaterial({ opacity: 0.3 }));
     for (const plane of [this.grid_, this.floor_]) plane.rotateX(-Math.PI / 2);
     this.floor_.receiveShadow = true;
     this.floor_.position.y = 0.0005;
-    this.setUpShadow();
+    this.setUpShadow(slow);
     this.group.add(this.key_, this.key_.target, this.fill_, this.rim_, this.sky_, this.grid_, this.floor_);
   }
 
@@ -47,6 +50,15 @@ export class Studio {
     this.floor_.material.opacity = colours.shadow;
     this.sky_.intensity = colours.dark ? 1.3 : 1.75;
     this.key_.intensity = colours.dark ? 2.1 : 2.3;
+  }
+
+  /** Darkens the ground where a body stands on it; null: nobody does. */
+  standOn(feet: readonly Footprint[]): void {
+    const shown = this.grid_.material.uniforms.feet!.value as Vector4[];
+    shown.forEach((foot, i) => {
+      const { x = 0, z = 0, across = 0, along = 0 } = feet[i] ?? {};
+      foot.set(x, z, across, along);
+    });
   }
 
   /** Lights stand fixed to the viewer, so that every side is seen in good light; they turn with the eye's heading only. */
@@ -76,19 +88,21 @@ export class Studio {
     this.key_.shadow.dispose();
   }
 
-  private setUpShadow(): void {
+  private setUpShadow(slow: boolean): void {
     this.key_.castShadow = true;
     const { shadow } = this.key_;
-    shadow.mapSize.set(1024, 1024);
+    shadow.mapSize.setScalar(1024);
     shadow.camera.left = -1.3;
     shadow.camera.bottom = -1.3;
     shadow.camera.right = 1.3;
     shadow.camera.top = 1.3;
     shadow.camera.near = 0.5;
     shadow.camera.far = 9;
-    shadow.radius = 7;
-    shadow.bias = -0.0004;
-    shadow.normalBias = 0.03;
+    // Softer than this, the few taps of the cheap map show as dots.
+    shadow.radius = slow ? 2.5 : 6;
+    shadow.blurSamples = 10;
+    shadow.bias = -0.0006;
+    shadow.normalBias = slow ? 0.03 : 0.02;
   }
 }
 
@@ -97,7 +111,7 @@ function gridMaterial(): ShaderMaterial {
   return new ShaderMaterial({
     transparent: true,
     depthWrite: false,
-    uniforms: { colour: { value: new Color('#888') } },
+    uniforms: { colour: { value: new Color('#888') }, feet: { value: [new Vector4(), new Vector4()] } },
     vertexShader: `
       varying vec2 place;
       void main() {
@@ -107,6 +121,13 @@ function gridMaterial(): ShaderMaterial {
     fragmentShader: `
       varying vec2 place;
       uniform vec3 colour;
+      // Middle and half widths of what stands on the ground, m; a width of 0: nothing.
+      uniform vec4 feet[2];
+      float contact(vec4 foot) {
+        if (foot.z <= 0.0) return 0.0;
+        vec2 away = (vec2(place.x, -place.y) - foot.xy) / (foot.zw + 0.045);
+        return exp(-1.6 * dot(away, away));
+      }
       float lines(float every) {
         vec2 cell = place / every;
         vec2 near = abs(fract(cell - 0.5) - 0.5) / max(fwidth(cell), 1e-6);
@@ -115,8 +136,9 @@ function gridMaterial(): ShaderMaterial {
       }
       void main() {
         float fade = 1.0 - smoothstep(0.4, 2.4, length(place));
-        float strength = max(0.16 * lines(0.1), 0.34 * lines(1.0));
-        gl_FragColor = vec4(colour, strength * fade);
+        float strength = max(0.08 * lines(0.1), 0.2 * lines(1.0)) * fade;
+        float under = max(contact(feet[0]), contact(feet[1]));
+        gl_FragColor = vec4(mix(colour, vec3(0.0), under), max(strength, 0.34 * under));
       }`,
   });
 }

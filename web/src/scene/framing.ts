@@ -78,3 +78,31 @@ function normalized(v: Vec3): Vec3 {
 
 /** Ease in and out, 0 to 1. */
 export const eased = (t: number): number => (t < 0.5 ? 4 * t * t * t : 1 - (2 - 2 * t) ** 3 / 2);
+
+/** Where something stands on the ground: middle and half widths, m. */
+export interface Footprint {
+  x: number;
+  z: number;
+  across: number;
+  along: number;
+}
+
+/** As high above its lowest point a body still counts as standing on the ground, m. */
+const kSole = 0.03;
+
+/** Under the left and the right half of a body that stands on the ground. */
+export function footprints(positions: Float32Array): Footprint[] {
+  const boxes = [true, false].map((left) => soleOf(positions, left));
+  return boxes.flatMap((box) => (box ? [box] : []));
+}
+
+function soleOf(positions: Float32Array, left: boolean): Footprint | null {
+  let [x0, x1, z0, z1] = [Infinity, -Infinity, Infinity, -Infinity];
+  for (let v = 0; v < positions.length; v += 3) {
+    const [x, y, z] = [positions[v]!, positions[v + 1]!, positions[v + 2]!];
+    if (Math.abs(y) > kSole || x > 0 !== left) continue;
+    [x0, x1, z0, z1] = [Math.min(x0, x), Math.max(x1, x), Math.min(z0, z), Math.max(z1, z)];
+  }
+  if (x1 < x0) return null;
+  return { x: (x0 + x1) / 2, z: (z0 + z1) / 2, across: (x1 - x0) / 2, along: (z1 - z0) / 2 };
+}

@@ -1,5 +1,7 @@
-// A small tile of woven structure that the cloth's flat coordinates repeat: thread by thread a little lighter or darker.
+// Small tiles of cloth that its flat coordinates repeat: thread by thread a little lighter or darker, and how threads stand
+// up from the cloth.
 
+import type { Weave } from '../state/fabrics';
 import { DataTexture, LinearFilter, LinearMipmapLinearFilter, RepeatWrapping, RGBAFormat } from 'three';
 
 /** Side of the tile in pixels, and in metres of cloth. */
@@ -42,7 +44,50 @@ export function weaveTexture(): DataTexture {
       pixels[4 * (y * kSide + x) + 3] = 255;
     }
   }
-  const texture = new DataTexture(pixels, kSide, kSide, RGBAFormat);
+  return tiled(new DataTexture(pixels, kSide, kSide, RGBAFormat));
+}
+
+/** Side of a tile of threads in pixels, and in metres of cloth: eight threads or four loops, a little coarser than real. */
+const kThreadSide = 64;
+const kThreadMetres = 0.0064;
+
+/** Height of the cloth at a place of the tile, both 0 to 8 threads; 0 to 1. */
+const kHeights: Record<Weave, (x: number, y: number) => number> = {
+  plain: (x, y) => over(x, y, (Math.floor(x) + Math.floor(y)) % 2 === 0),
+  twill: (x, y) => over(x, y, (Math.floor(x) + Math.floor(y)) % 4 < 2),
+  satin: (x, y) => over(x, y, (Math.floor(x) + 3 * Math.floor(y)) % 8 === 0),
+  knit: (x, y) => 0.5 + 0.5 * Math.sin(Math.PI * (y + 1.2 * Math.abs((x % 2) - 1))) * Math.abs(Math.sin((Math.PI * x) / 2)),
+  net: (x, y) => Math.max(Math.abs(Math.cos((Math.PI * x) / 4)) ** 8, Math.abs(Math.cos((Math.PI * y) / 4)) ** 8),
+  felt: (x, y) => 0.5 + 0.25 * (Math.sin(5.1 * x + 2 * Math.sin(1.57 * y)) + Math.sin(4.7 * y + 2 * Math.sin(1.57 * x))),
+};
+
+/** A round thread across or along, whichever lies over the other. */
+function over(x: number, y: number, across: boolean): number {
+  const [side, along] = across ? [y, x] : [x, y];
+  return Math.sin(Math.PI * (side - Math.floor(side))) * (0.6 + 0.4 * Math.sin(Math.PI * (along - Math.floor(along))));
+}
+
+/** How light finds the threads. */
+export function threadNormals(weave: Weave): DataTexture {
+  const height = (i: number, j: number): number => {
+    const at = (k: number): number => (8 * ((k + kThreadSide) % kThreadSide)) / kThreadSide;
+    return kHeights[weave](at(i), at(j));
+  };
+  const pixels = new Uint8Array(4 * kThreadSide * kThreadSide);
+  for (let j = 0; j < kThreadSide; ++j) {
+    for (let i = 0; i < kThreadSide; ++i) {
+      const [dx, dy] = [height(i - 1, j) - height(i + 1, j), height(i, j - 1) - height(i, j + 1)];
+      const length = Math.hypot(dx, dy, 1);
+      const packed = [dx, dy, 1].map((part) => Math.round(127.5 + (127.5 * part) / length));
+      pixels.set([...packed, 255], 4 * (j * kThreadSide + i));
+    }
+  }
+  const texture = tiled(new DataTexture(pixels, kThreadSide, kThreadSide, RGBAFormat));
+  texture.repeat.setScalar(kTileMetres / kThreadMetres);
+  return texture;
+}
+
+function tiled(texture: DataTexture): DataTexture {
   texture.wrapS = RepeatWrapping;
   texture.wrapT = RepeatWrapping;
   texture.magFilter = LinearFilter;

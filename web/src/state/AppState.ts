@@ -9,6 +9,7 @@ import type { EditStep, Job, Pieces, Progress, Project, Report } from '../api/ty
 import type { ClothMap, MapKind } from './clothMaps';
 import { DressingState, type Marks } from './dressing';
 import { EditingState, stepText } from './editing';
+import { finishOf, type Finish } from './fabrics';
 import type { ImportDraft } from './importDraft';
 import type { IntakePlan } from './intake';
 import { isActive, jobAtHome, newestJobOf, withProgress } from './jobs';
@@ -131,6 +132,13 @@ export class AppState {
   readonly looks: ReadonlySignal<ReadonlyMap<string, Look>> = computed(() =>
     looksOf(valueOf(this.pieces.value ?? loading)?.pieces ?? [], this.project.value, this.pictures.value),
   );
+
+  /** How light plays on the pieces, by the piece's id; those of fabrics that nothing is known of are left out. */
+  readonly finishes: ReadonlySignal<ReadonlyMap<string, Finish>> = computed(() => {
+    const known = new Map(this.editing.fabrics.value.map((fabric) => [fabric.name, finishOf(fabric)]));
+    const pieces = valueOf(this.pieces.value ?? loading)?.pieces ?? [];
+    return new Map(pieces.flatMap(({ id, fabric }) => (known.has(fabric) ? [[id, known.get(fabric)!]] : [])));
+  });
 
   /** Whether the 3D view shows what a drape would begin with, not what it came to. */
   readonly beforeDrape: ReadonlySignal<boolean> = computed(() => {

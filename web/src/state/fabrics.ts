@@ -51,6 +51,31 @@ export function weaveOf({ construction, weave }: Pick<Fabric, 'construction' | '
   return weave.includes('satin') ? 'satin' : 'plain';
 }
 
+/** How light plays on a fabric. */
+export interface Finish {
+  weave: Weave;
+  /** 0, a mirror, to 1, chalk. */
+  roughness: number;
+  /** How much of its colour fibres that stand off give back where it is seen at a slant. */
+  sheen: number;
+}
+
+export const kPlainFinish: Finish = { weave: 'plain', roughness: 0.92, sheen: 0.16 };
+
+const kFinishes: [RegExp, Omit<Finish, 'weave'>][] = [
+  [/leather/, { roughness: 0.5, sheen: 0 }],
+  [/satin|charmeuse/, { roughness: 0.44, sheen: 0.1 }],
+  [/habotai|taffeta|organza|nylon|swim|tricot/, { roughness: 0.58, sheen: 0.08 }],
+  [/velvet|pile|fleece|felt|flannel|raised|wool/, { roughness: 1, sheen: 0.45 }],
+  [/knit|jersey|rib|interlock|ponte/, { roughness: 0.96, sheen: 0.24 }],
+];
+
+export function finishOf(fabric: Pick<Fabric, 'name' | 'title' | 'fibre' | 'weave' | 'construction'>): Finish {
+  const words = `${fabric.name} ${fabric.title} ${fabric.fibre} ${fabric.weave} ${fabric.construction}`.toLowerCase();
+  const found = kFinishes.find(([pattern]) => pattern.test(words))?.[1] ?? kPlainFinish;
+  return { ...found, weave: weaveOf(fabric) };
+}
+
 /** "cotton, plain": without what is no word of cloth. */
 export const makeOf = ({ fibre, weave, construction }: Fabric): string =>
   [fibre === 'many' ? '' : fibre, weave === 'none' || weave === 'many' ? construction : weave].filter(Boolean).join(', ');

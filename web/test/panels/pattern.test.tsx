@@ -5,6 +5,7 @@ import { choose, click, openPage, type, type Page } from './page';
 import { ApiError } from '../../src/api/http';
 import type { Pieces, Seam } from '../../src/api/types';
 import { FabricField } from '../../src/panels/FabricField';
+import { FabricSwatch } from '../../src/panels/FabricSwatch';
 import { HistoryList } from '../../src/panels/HistoryList';
 import { PatternPanel } from '../../src/panels/PatternPanel';
 import { ProposalList } from '../../src/panels/ProposalList';
@@ -344,6 +345,16 @@ describe('the fabric of pieces', () => {
     page.show(<FabricField pieces={[a!]} />);
     expect(screen.getByText(/^240 g\/m² · cotton, 2\/1 twill/)).toBeTruthy();
     expect(screen.getByText('Bending length').nextSibling!.textContent).toBe('26 / 25 mm');
+  });
+
+  it('is seen as a snippet in its colour, with light threads on dark cloth', () => {
+    const threads = (colour: [number, number, number]): string | null => {
+      page.show(<FabricSwatch fabric={fabricOf('twill', { colour })} />);
+      return document.querySelector('.swatch pattern path')!.getAttribute('stroke');
+    };
+    expect(threads([0.02, 0.02, 0.05])).toBe('#ffffff');
+    expect(threads([0.9, 0.9, 0.9])).toBe('#000000');
+    expect(document.querySelector<SVGElement>('.swatch rect')!.getAttribute('fill')).toMatch(/^rgb\(2/);
   });
 
   it('that it has already is no change', () => {
