@@ -1,5 +1,6 @@
 #include "server/documents/assets.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -12,10 +13,26 @@
 #include "core/json/tree.h"
 #include "core/pattern/dxf/read.h"
 #include "core/pattern/garmentcode/read.h"
+#include "core/warm/hung_garment.h"
 #include "server/store/file_name.h"
 
 namespace toile::documents {
 namespace {
+
+/// The kinds, and what the reader of each may be given at most.
+constexpr std::array<std::pair<std::string_view, std::size_t>, 5> kKinds{{
+    {"dxf", kMostDxfBytes},
+    {"specification", kMostSpecificationBytes},
+    {"body", kMostBodyBytes},
+    {"image", kMostImageBytes},
+    {"shape", kMostShapeBytes},
+}};
+
+const std::pair<std::string_view, std::size_t>* kind_named(std::string_view kind) {
+  const auto* found =
+      std::find_if(kKinds.begin(), kKinds.end(), [&](const auto& k) { return k.first == kind; });
+  return found == kKinds.end() ? nullptr : found;
+}
 
 constexpr std::size_t kMostNotes = 100;
 constexpr std::size_t kLongestText = 200;  // bytes of a name or note in a summary
@@ -102,31 +119,48 @@ Result<std::string> image_info(const std::string& name, std::string_view bytes) 
   }));
 }
 
+Result<std::string> shape_info(const std::string& name, std::string_view bytes) {
+  const Result<warm::HungGarment> hung = warm::decode_hung(bytes);
+  if (!hung) return placed_at(hung.error(), name);
+  std::size_t particles = 0;
+  for (const warm::HungPiece& piece : hung->pieces) particles += piece.positions.size();
+  return json::write_json_line(json::JsonValue(std::vector<json::JsonMember>{
+      {"pieces", count_of(hung->pieces.size())},
+      {"particles", count_of(particles)},
+  }));
+}
+
 Result<std::string> info_of(const mesh_import::MeshImporter& importer, const store::RequestContext& context,
                             const std::string& kind, const std::string& name, std::string_view bytes) {
   if (kind == "dxf") return dxf_info(name, bytes);
   if (kind == "specification") return specification_info(name, bytes);
   if (kind == "image") return image_info(name, bytes);
+  if (kind == "shape") return shape_info(name, bytes);
   return body_info(importer, context, name, bytes);
 }
 
 }  // namespace
 
-bool is_asset_kind(std::string_view kind) {
-  return kind == "dxf" || kind == "specification" || kind == "body" || kind == "image";
-}
+bool is_asset_kind(std::string_view kind) { return kind_named(kind) != nullptr; }
 
 std::size_t most_asset_bytes(std::string_view kind) {
-  if (kind == "dxf") return kMostDxfBytes;
-  if (kind == "specification") return kMostSpecificationBytes;
-  return kind == "image" ? kMostImageBytes : kMostBodyBytes;
+  const auto* known = kind_named(kind);
+  return known ? known->second : kMostBodyBytes;
+}
+
+std::string asset_kinds_text() {
+  std::string text;
+  for (std::size_t k = 0; k < kKinds.size(); ++k) {
+    if (k > 0) text += k + 1 < kKinds.size() ? ", " : " or ";
+    text += in_quotes(std::string(kKinds[k].first));
+  }
+  return text;
 }
 
 Result<store::AssetRow> add_asset(Documents& documents, const store::RequestContext& context,
                                   const std::string& kind, const std::string& name, std::string_view bytes) {
   if (!is_asset_kind(kind)) {
-    return Error{"documents.kind",
-                 "a file is \"dxf\", \"specification\", \"body\" or \"image\", not " + in_quotes(kind), "",
+    return Error{"documents.kind", "a file is " + asset_kinds_text() + ", not " + in_quotes(kind), "",
                  ErrorKind::kMalformed};
   }
   TRY(store::check_name(name));

@@ -1,5 +1,6 @@
 #include "server/jobs/input.h"
 
+#include <memory>
 #include <utility>
 
 #include "core/base/hash.h"
@@ -7,11 +8,32 @@
 #include "core/drape/worn_part.h"
 #include "core/project/resolve/resolve.h"
 #include "core/project/resolve/textures.h"
+#include "core/warm/hung_garment.h"
+#include "server/documents/assets.h"
 #include "server/documents/projects.h"
 #include "server/documents/read_cloth.h"
 #include "server/documents/used_files.h"
 
 namespace toile::jobs {
+
+namespace {
+
+/// Keeps how the garment of a job hung, and gives back the file's id.
+Result<std::string> kept_shape(documents::Documents& documents, const store::RequestContext& context,
+                               const std::string& from) {
+  const Result<store::JobRow> job = documents.store().job(context, from);
+  if (!job)
+    return Error{"jobs.from", "there is no job " + in_quotes(from) + " to go on from", "/from",
+                 ErrorKind::kInput};
+  if (!store::is_final(job->state) || !job->results.contains(kShapeFile))
+    return Error{"jobs.no_shape",
+                 "the job " + in_quotes(from) + " has no shape to go on from: it has not ended, or left none",
+                 "/from", ErrorKind::kConflict};
+  const std::string bytes = TRY(documents.store().result_bytes(context, from, kShapeFile));
+  return TRY(documents::add_asset(documents, context, "shape", kShapeFile, bytes)).id;
+}
+
+}  // namespace
 
 Result<drape::DrapeInput> drape_input_of(documents::Documents& documents,
                                          const store::RequestContext& context, const std::string& document,
@@ -19,6 +41,10 @@ Result<drape::DrapeInput> drape_input_of(documents::Documents& documents,
   const project::Project project = TRY(project::parse_project(document));
   drape::DrapeInput input =
       TRY(resolve::resolve_project(project, documents::files_in_store(documents, context, files)));
+  if (const auto shape = files.find(kShapeFile); shape != files.end()) {
+    const std::string bytes = TRY(documents.store().asset_bytes(context, shape->second));
+    input.before = std::make_shared<const warm::HungGarment>(TRY(warm::decode_hung(bytes)));
+  }
   return drape::worn_part(std::move(input));
 }
 
@@ -31,7 +57,8 @@ Result<image::Textures> textures_of(documents::Documents& documents, const store
 }
 
 Result<store::JobRow> row_of_drape(documents::Documents& documents, const store::RequestContext& context,
-                                   const std::string& project_id, const JobLimits& limits) {
+                                   const std::string& project_id, const JobLimits& limits,
+                                   const std::string& from) {
   const store::ProjectRow project = TRY(documents.store().project(context, project_id));
   // Without the bodies, which may take long: they were read when the project was kept.
   const auto read = TRY(documents::read_cloth(documents, context, project.document, project.files));
@@ -48,6 +75,7 @@ Result<store::JobRow> row_of_drape(documents::Documents& documents, const store:
   row.name = project.name;
   row.document = project.document;
   row.files = project.files;
+  if (!from.empty()) row.files[kShapeFile] = TRY(kept_shape(documents, context, from));
   return row;
 }
 

@@ -18,6 +18,9 @@ Result<drape::DrapeInput> drape_input_of(documents::Documents& documents,
                                          const store::RequestContext& context, const std::string& document,
                                          const std::map<std::string, std::string>& files);
 
+/// The file among a job's that it goes on from (core/warm): the shape in which another job's garment hung.
+inline constexpr const char* kShapeFile = "final.hung";
+
 /// The pictures of the same document, for whoever draws it. REQUIRES a pattern of its pieces. Errors:
 /// json.*, project.*, image.*, documents.*, store.*.
 Result<image::Textures> textures_of(documents::Documents& documents, const store::RequestContext& context,
@@ -26,9 +29,12 @@ Result<image::Textures> textures_of(documents::Documents& documents, const store
                                     const pattern::Pattern& pattern);
 
 /// A drape of the project as it is now, once it is known that one can be made. Errors: store.not_found,
-/// documents.missing_file, limits.particles, and those of reading the document without its bodies.
+/// documents.missing_file, limits.particles, and those of reading the document without its bodies. `from`
+/// is the id of a job from whose end to go on, or empty; its shape is kept as a file of the owner's. Errors:
+/// jobs.no_shape, jobs.from.
 Result<store::JobRow> row_of_drape(documents::Documents& documents, const store::RequestContext& context,
-                                   const std::string& project_id, const JobLimits& limits = {});
+                                   const std::string& project_id, const JobLimits& limits = {},
+                                   const std::string& from = "");
 
 /// A hash of all that the results of the job follow from: the engine, its document, the bytes of its files
 /// and the size of its pictures (pixels). Empty where `engine` is.

@@ -159,7 +159,7 @@ Result<store::Made<store::JobRow>> QueueingJobService::submit(const store::Reque
     return store::Made<store::JobRow>{without_document(std::move(*before)), false};
   }
   TRY(check_queue());
-  store::JobRow row = TRY(row_of_drape(documents_, context, project_id, settings_.limits));
+  store::JobRow row = TRY(row_of_drape(documents_, context, project_id, settings_.limits, wish.from));
   row.priority = wish.priority;
   row.input = input_of(row, settings_.engine, settings_.still_width, settings_.still_height);
 

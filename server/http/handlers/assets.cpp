@@ -33,8 +33,8 @@ http::HttpResponse upload_body(const Api& api, const store::RequestContext& cont
 
 http::HttpResponse list_kind(const Api& api, const store::RequestContext& context, const std::string& kind) {
   if (!kind.empty() && !documents::is_asset_kind(kind)) {
-    return http::problem(400, {"documents.kind", "kind is \"dxf\", \"specification\", \"body\" or \"image\"",
-                               "kind", ErrorKind::kMalformed});
+    return http::problem(
+        400, {"documents.kind", "kind is " + documents::asset_kinds_text(), "kind", ErrorKind::kMalformed});
   }
   const Result<std::vector<store::AssetRow>> assets = api.store.assets(context, kind);
   if (!assets) return http::problem(assets.error());

@@ -50,13 +50,17 @@ Result<jobs::JobWish> read_wish(const json::JsonValue& given) {
     if (!anew->boolean()) return Error{"request.anew", "\"anew\" is true or false", "/anew"};
     wish.anew = *anew->boolean();
   }
+  if (const json::JsonValue* from = given.find("from")) {
+    if (!from->text()) return Error{"request.from", "\"from\" is the id of a job", "/from"};
+    wish.from = *from->text();
+  }
   return wish;
 }
 
 http::HttpResponse submit(const Api& api, const store::RequestContext& context,
                           const http::HttpRequest& request) {
-  const Result<json::JsonValue> given =
-      read_object(request, {"project_id", "priority", "anew"}, {.bytes = http::kSmallBody, .depth = 32});
+  const Result<json::JsonValue> given = read_object(request, {"project_id", "priority", "anew", "from"},
+                                                    {.bytes = http::kSmallBody, .depth = 32});
   if (!given) return http::problem(given.error());
   const json::JsonValue* id = given->find("project_id");
   if (!id || !id->text()) {
