@@ -877,11 +877,12 @@ export interface components {
         /** @description For the page after this one; null on the last */
         NextCursor: string | null;
         /**
-         * @description specification is GarmentCode's JSON; image a PNG or JPEG (what its bytes say, not its name) of at most 20 MiB and 64
+         * @description shape is how a garment hung at the end of a drape (final.hung, proto/hung.md).
+         *     specification is GarmentCode's JSON; image a PNG or JPEG (what its bytes say, not its name) of at most 20 MiB and 64
          *     million pixels.
          * @enum {unknown}
          */
-        AssetKind: "dxf" | "specification" | "body" | "image";
+        AssetKind: "dxf" | "specification" | "body" | "image" | "shape";
         /**
          * @example {
          *       "id": "a_185b51bfe69fa48fcfaabd3c3951412c",
@@ -4206,6 +4207,12 @@ export interface operations {
                 "application/json": {
                     project_id: string;
                     priority?: components["schemas"]["JobPriority"];
+                    /**
+                     * @description id of a job that has ended: the drape goes on from how the garment hung then, though the pattern, the fabric or
+                     *     the body has been edited since, and takes a fraction of the time. Where that cannot be it begins from the
+                     *     pieces, and a finding of the report says why (start.from_the_pieces). Its results are those of this way.
+                     */
+                    from?: string;
                     /**
                      * @description drapes although the results of an equal drape would do
                      * @default false
