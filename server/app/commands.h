@@ -100,6 +100,17 @@ ExitCode fabric_calibrate_command(const FabricCalibrateOptions& options);
 /// Serves until SIGTERM or SIGINT.
 ExitCode serve_command(const ServeOptions& options);
 
+struct WorkerOptions {
+  std::string store = "data";         ///< folder of a server's store
+  int workers = 0;                    ///< drapes at once; 0: one for each core, at most kMostWorkers
+  double checkpoint_every_s = 5;      ///< by the clock: what a crash can cost a drape
+  jobs::JobLimits limits;             ///< of each drape
+  std::optional<log::LogFormat> log;  ///< nothing: text on a terminal, else JSON
+};
+
+/// Drapes jobs of a store beside its server until SIGTERM or SIGINT.
+ExitCode worker_command(const WorkerOptions& options);
+
 struct SubmitOptions {
   std::string project;  ///< path of the document
   std::string server = "http://127.0.0.1:8460";

@@ -10,10 +10,16 @@ namespace toile::app {
 
 namespace fs = std::filesystem;
 
+int usual_workers() {
+  return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, kMostWorkers);
+}
+
+log::LogFormat usual_log() { return ::isatty(2) != 0 ? log::LogFormat::kText : log::LogFormat::kJson; }
+
 ServeOptions completed(ServeOptions options) {
-  const int cores = static_cast<int>(std::thread::hardware_concurrency());
-  if (!options.log) options.log = ::isatty(2) != 0 ? log::LogFormat::kText : log::LogFormat::kJson;
-  if (options.workers == 0) options.workers = std::clamp(cores, 1, kMostWorkers);
+  if (!options.log) options.log = usual_log();
+  if (options.workers == 0) options.workers = usual_workers();
+  if (options.no_workers) options.workers = 0;
   if (options.web.empty()) options.web = shipped_folder("web/dist").string();
   if (options.no_sample) options.sample.clear();
   if (options.sample.empty() && !options.no_sample) options.sample = shipped_folder("samples/skirt").string();

@@ -18,6 +18,7 @@ struct ServeOptions {
   int port = 8460;            ///< 0: any that is free
   std::string data = "data";  ///< folder of the store; made when it is not there
   int workers = 0;            ///< drapes at once; 0: one for each core, at most kMostWorkers
+  bool no_workers = false;    ///< other processes drape
   double checkpoint_every_s = 5;  ///< by the clock: what a crash can cost a drape
   std::string web;                ///< folder of the built page; empty: the one that came with the program
   std::string sample;             ///< folder of the first project; empty: the one that came with the program
@@ -29,6 +30,11 @@ struct ServeOptions {
 };
 
 inline constexpr int kMostWorkers = 64;
+
+/// How many drapes at once when nothing is said: one for each core.
+int usual_workers();
+/// How lines are logged when nothing is said: text for people.
+log::LogFormat usual_log();
 
 /// `options` with the defaults of this machine in place of what was left open.
 ServeOptions completed(ServeOptions options);

@@ -14,6 +14,7 @@
 #include "server/app/exit_codes_text.h"
 #include "server/app/fabric_verbs.h"
 #include "server/app/mesh_reader.h"
+#include "server/app/service_verbs.h"
 
 namespace toile::app {
 namespace {
@@ -26,8 +27,6 @@ struct Options {
   BodyMakeOptions body_make;
   BodyMeasureOptions body_measure;
   BodyPresetsOptions body_presets;
-  ServeOptions serve;
-  SubmitOptions submit;
   PatternImportOptions import;
   PatternExportOptions exporting;
   ProjectNewOptions project_new;
@@ -174,84 +173,6 @@ CLI::App* add_body_measure(CLI::App& body, BodyMeasureOptions& measure) {
   return verb;
 }
 
-/// What users and drapes may take, how long things are kept, and how it is told.
-void add_serve_limits(CLI::App& verb, ServeOptions& serve) {
-  constexpr double kMost = 1e12;
-  const auto number = [&](const char* name, auto& value, const char* words) {
-    verb.add_option(name, value, words)->check(CLI::Range(0.0, kMost))->group("Limits (0: none)");
-  };
-  verb.add_option_function<double>(
-          "--quota-mb",
-          [&serve](double megabytes) { serve.quotas.bytes = static_cast<std::int64_t>(megabytes * 1e6); },
-          "What a user may keep: uploads, documents and results, in MB")
-      ->check(CLI::Range(0.0, kMost))
-      ->group("Limits (0: none)");
-  number("--quota-jobs", serve.quotas.unfinished_jobs, "Drapes of a user that have not ended");
-  number("--most-seconds", serve.limits.work_s, "Processor time of a drape, without its pictures");
-  number("--most-steps", serve.limits.steps, "Steps of a drape");
-  number("--most-particles", serve.limits.particles, "Particles of a garment");
-  number("--keep-jobs", serve.retention.jobs_days, "Days after which a drape that has ended is removed");
-  number("--keep-uploads", serve.retention.uploads_days,
-         "Days after which a file that nothing uses is removed");
-  const std::map<std::string, log::LogFormat> formats{{"text", log::LogFormat::kText},
-                                                      {"json", log::LogFormat::kJson}};
-  verb.add_option("--log", serve.log, "text or json (default: text on a terminal, else json)")
-      ->transform(CLI::CheckedTransformer(formats, CLI::ignore_case));
-}
-
-CLI::App* add_serve(CLI::App& app, Options& options) {
-  ServeOptions& serve = options.serve;
-  CLI::App* verb = app.add_subcommand("serve", "Drape for programs and browsers of this machine, over HTTP");
-  verb->add_option("--port", serve.port, "Port; 0: any that is free")
-      ->check(CLI::Range(0, 65535))
-      ->capture_default_str();
-  verb->add_option("--data", serve.data, "Folder of projects, files and jobs; made when it is not there")
-      ->capture_default_str();
-  verb->add_option("--workers", serve.workers, "Drapes at once (default: one for each core)")
-      ->check(CLI::Range(1, kMostWorkers));
-  verb->add_option("--address", serve.address, "Address of the loopback to listen on")->capture_default_str();
-  verb->add_flag("--container", serve.container,
-                 "Listen on any address: for a container whose port is published on the loopback only");
-  verb->add_option("--checkpoint-every", serve.checkpoint_every_s,
-                   "Seconds between two checkpoints of a running drape: what a crash can cost it")
-      ->check(CLI::Range(0.0, 3600.0))
-      ->capture_default_str();
-  verb->add_option("--web", serve.web, "Folder of the built page (default: web/dist)");
-  verb->add_option("--sample", serve.sample,
-                   "Folder of the project that a new store begins with (default: samples/skirt)");
-  verb->add_flag("--no-sample", serve.no_sample, "Begin a new store empty");
-  add_serve_limits(*verb, serve);
-  verb->footer(
-      std::string("Prints its address once it answers. SIGTERM and Ctrl-C end it in good order: running\n"
-                  "drapes go back to the queue, and the next start goes on where they stood.\n\n"
-                  "Examples:\n"
-                  "  toile serve\n"
-                  "  toile serve --port 0 --data /tmp/toile --workers 1\n\n") +
-      kExitCodes);
-  return verb;
-}
-
-CLI::App* add_submit(CLI::App& app, Options& options) {
-  SubmitOptions& submit = options.submit;
-  CLI::App* verb = app.add_subcommand("submit", "Have a project draped by a server");
-  verb->add_option("project", submit.project, "Project document; the files that it names lie beside it")
-      ->required();
-  verb->add_option("--server", submit.server, "Address of the server")->capture_default_str();
-  CLI::Option* watch =
-      verb->add_flag("--watch", submit.watch, "Follow the drape to its end; Ctrl-C cancels it");
-  verb->add_option("-o,--out", submit.out, "Folder for the results, as toile drape leaves them")
-      ->needs(watch);
-  verb->add_flag("--json", submit.json, "Print the report (without --watch the job) as JSON, errors as well");
-  verb->footer(
-      std::string(
-          "Without --watch the job's id is printed and the server goes on by itself, when it has time.\n\n"
-          "Examples:\n"
-          "  toile submit samples/skirt/project.json --watch --out out/skirt\n"
-          "  toile submit project.json --server http://127.0.0.1:9000\n\n") +
-      kExitCodes);
-  return verb;
-}
-
 CLI::App* add_pattern_import(CLI::App& pattern, PatternImportOptions& import) {
   CLI::App* verb =
       pattern.add_subcommand("import", "Read a DXF file; say what it holds and what became of it");
@@ -357,8 +278,7 @@ ExitCode run(int argc, char** argv) {
   const CLI::App* body_measure = add_body_measure(*body, options.body_measure);
   CLI::App* body_presets = body->add_subcommand("presets", "List the sizes that body make knows");
   body_presets->add_flag("--json", options.body_presets.json, "Print as JSON");
-  const CLI::App* serve = add_serve(app, options);
-  add_submit(app, options);
+  ServiceVerbs service(app);
   CLI::App* pattern = app.add_subcommand("pattern", "Pattern files: read them, write them");
   pattern->require_subcommand(1);
   const CLI::App* import = add_pattern_import(*pattern, options.import);
@@ -366,7 +286,7 @@ ExitCode run(int argc, char** argv) {
   FabricVerbs fabric(app);
   CLI::App* project = app.add_subcommand("project", "Project documents: make one, place its pieces");
   project->require_subcommand(1);
-  const CLI::App* project_new = add_project_new(*project, options.project_new);
+  add_project_new(*project, options.project_new);
   const CLI::App* arrange = add_project_arrange(*project, options.arrange);
   const CLI::App* sample = add_sample(app, options);
   try {
@@ -381,13 +301,12 @@ ExitCode run(int argc, char** argv) {
   if (body_measure->parsed()) return body_measure_command(options.body_measure);
   if (body_presets->parsed()) return body_presets_command(options.body_presets);
   if (const std::optional<ExitCode> code = fabric.run()) return *code;
-  if (serve->parsed()) return serve_command(options.serve);
+  if (const std::optional<ExitCode> code = service.run()) return *code;
   if (import->parsed()) return pattern_import_command(options.import);
   if (exporting->parsed()) return pattern_export_command(options.exporting);
   if (sample->parsed()) return sample_command(options.sample);
   if (arrange->parsed()) return project_arrange_command(options.arrange);
-  if (project_new->parsed()) return project_new_command(options.project_new);
-  return submit_command(options.submit);
+  return project_new_command(options.project_new);
 }
 
 }  // namespace

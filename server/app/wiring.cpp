@@ -1,13 +1,10 @@
 #include "server/app/wiring.h"
 
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 
-#include "core/base/hash.h"
+#include "server/app/engine_id.h"
 #include "server/app/mesh_reader.h"
 #include "server/documents/projects.h"
 #include "server/http/handlers/routes.h"
@@ -31,13 +28,6 @@ Status drape_sample(documents::Documents& documents, jobs::JobService& jobs,
   const Result<store::Made<store::JobRow>> job =
       jobs.submit(context, *project, "sample-first-drape", store::JobPriority::kInteractive);
   return job || job.error().kind == ErrorKind::kNotFound ? Status() : Status(job.error());
-}
-
-/// A hash of the program itself: any other build may drape in other bytes. Empty where it cannot be read.
-std::string engine_of_this_program() {
-  std::ifstream in("/proc/self/exe", std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  return in.is_open() && !in.bad() ? hash_of(std::string_view(bytes)) : std::string();
 }
 
 }  // namespace

@@ -82,10 +82,14 @@ Result<store::JobRow> row_of_drape(documents::Documents& documents, const store:
 /// Ids of files are hashes of their bytes.
 std::string input_of(const store::JobRow& job, const std::string& engine, int width, int height) {
   if (engine.empty()) return "";
-  std::string all = engine + '\n' + std::to_string(width) + ' ' + std::to_string(height) + '\n';
+  std::string all = std::to_string(width) + ' ' + std::to_string(height) + '\n';
   for (const auto& [name, id] : job.files) all += id + ' ' + name + '\n';
   all += job.document;
-  return hash_of(std::string_view(all));
+  return engine + "-" + hash_of(std::string_view(all));
+}
+
+bool is_of_engine(const std::string& input, const std::string& engine) {
+  return !engine.empty() && input.starts_with(engine + "-");
 }
 
 }  // namespace toile::jobs

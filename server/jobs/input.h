@@ -40,4 +40,7 @@ Result<store::JobRow> row_of_drape(documents::Documents& documents, const store:
 /// and the size of its pictures (pixels). Empty where `engine` is.
 std::string input_of(const store::JobRow& job, const std::string& engine, int width, int height);
 
+/// Whether such a hash is of that engine's results.
+bool is_of_engine(const std::string& input, const std::string& engine);
+
 }  // namespace toile::jobs

@@ -15,6 +15,7 @@ class JobQueue {
  public:
   /// Puts `id` where `place` says, away from where it stood; kOut takes it out.
   void put(const std::string& id, QueuePlace place);
+  bool contains(const std::string& id) const;
   /// In their order.
   const std::deque<std::string>& ids() const { return ids_; }
   /// The first of which `ready` holds, which stays in the queue.

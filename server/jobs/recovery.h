@@ -1,5 +1,5 @@
 #pragma once
-// What a start makes of the jobs that the last stop or crash left. Pure.
+// What becomes of the jobs that a process leaves which is no more. Pure.
 
 #include "server/store/store.h"
 
@@ -22,8 +22,11 @@ struct Recovery {
   int attempt = 0;  ///< for the job's row
 };
 
+/// Judges a job whose holder is gone: its row becomes what it is to be from now on.
+void judge(store::Store::LeftJob& left);
+
 /// `further`: the job has kept a checkpoint since it began last. `running`: how many jobs, this one among
-/// them, were running when the server went. A crash is put down to a job that ran alone and had not come
+/// them, that process was running when it went. A crash is put down to a job that ran alone and had not come
 /// further; when several ran, nobody knows whose it was, and each is tried by itself.
 Recovery recover(const store::JobRow& job, bool further, int running);
 

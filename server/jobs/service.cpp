@@ -2,7 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <condition_variable>
 #include <mutex>
+#include <set>
+#include <stop_token>
+#include <thread>
 #include <utility>
 
 #include "core/base/text.h"
@@ -19,6 +24,8 @@
 namespace toile::jobs {
 namespace {
 
+/// How often this process looks whether others have changed anything.
+constexpr auto kLookRound = std::chrono::milliseconds(200);
 /// After the store has refused a claim a worker waits: a full disk is not emptied in a millisecond.
 constexpr auto kStorePause = std::chrono::seconds(1);
 
@@ -58,22 +65,27 @@ class QueueingJobService final : public JobService {
                                         const store::JobRow& job);
 
   Status take_up_all();
-  Status take_up(const Changing& changing, const store::Store::OwnedJob& found, int running);
-  Status give_up(const Changing& changing, const LiveJobPtr& job, const Recovery& recovery);
+  Status take_over(const Changing& changing, bool own);
+  void meet(const Changing& changing, const store::Store::OwnedJob& found);
+  void meet_again(const Changing& changing, const LiveJobPtr& job, const store::JobRow& row);
+  void refresh(const Changing& changing, const LiveJobPtr& job);
+  void look_round();
+  void beat();
+  void keep_company(const std::stop_token& stop);
   store::RequestContext context_of(const store::Store::OwnedJob& found) const;
-  bool has_come_further(const store::Store::OwnedJob& found);
   void forget_checkpoint(const LiveJob& job);
   void give_back_all();
-  void give_back(const Changing& changing, LiveJob& job);
+  void give_back(const Changing& changing, LiveJob& job, std::unique_ptr<JobRun>& run);
+  void give_away(const Changing& changing, LiveJob& job, std::unique_ptr<JobRun>& run);
 
   bool work_once(WorkerKind kind);
   LiveJobPtr claim(WorkerKind kind);
-  Status claim(const Changing& changing, LiveJob& job);
+  Status claim(const Changing& changing, const LiveJobPtr& job);
   void forget_results(const LiveJob& job);
   void come_further(const LiveJobPtr& job);
   Status keep_draped(const LiveJobPtr& job, const RunEnd& end);
   void let_go(const LiveJobPtr& job, const std::optional<RunEnd>& run_end);
-  void end(const Changing& changing, LiveJob& job, const RunEnd& run_end);
+  void end(const Changing& changing, const LiveJobPtr& job, const RunEnd& run_end);
 
   documents::Documents& documents_;
   store::Store& store_;
@@ -85,6 +97,9 @@ class QueueingJobService final : public JobService {
   std::mutex lifecycle_mutex_;  ///< start and stop; before the table's locks
   std::unique_ptr<RenderWorker> renderer_;
   std::unique_ptr<WorkerPool> pool_, express_;
+  std::mutex company_mutex_;
+  std::condition_variable_any company_bell_;
+  std::jthread company_;  ///< keeps leases and looks what other processes do
 };
 
 // --- What people ask for ----------------------------------------------------------------------------------
@@ -99,7 +114,7 @@ Error QueueingJobService::refusal(const store::RequestContext& context, const st
 }
 
 Status QueueingJobService::check_parking(const Changing& changing, const LiveJob& job) const {
-  if (job.state != store::JobState::kRunning) return {};  // takes no memory
+  if (job.state != store::JobState::kRunning || !job.is_here()) return {};  // takes no memory
   if (table_.begun(changing) < settings_.workers + settings_.max_parked) return {};
   return Error{"jobs.too_many_paused",
                "as many drapes lie paused in memory as there is room for; resume or cancel one first", "",
@@ -117,7 +132,7 @@ Result<store::JobRow> QueueingJobService::on_request(const store::RequestContext
     TRY(check_parking(changing, *job));
   }
   const bool interrupted = event == JobEvent::kPause && job->state == store::JobState::kRunning;
-  TRY(table_.change(changing, *job, event, interrupted ? RowEdit(uncount) : edit));
+  TRY(table_.change(changing, *job, event, interrupted ? RowEdit(uncount) : edit, By::kRequest));
   context.log.info("job changed", {{"job", id}, {"state", std::string(store::name_of(job->state))}});
   if (job->held) return job->row;  // the worker tells when it lets go
   if (event == JobEvent::kPause && job->run) job->run->keep_where_it_stands();
@@ -183,22 +198,31 @@ std::optional<store::JobRow> QueueingJobService::answered(const Changing& changi
                                                           const store::JobRow& job) {
   const Result<std::optional<store::JobRow>> equal = store_.succeeded_job_of_input(context, job.input);
   if (!equal || !*equal || !(*equal)->notes.empty()) return std::nullopt;
-  store::JobRow row = without_document(job);
-  answered_by (**equal)(row);
-  Status kept = store_.share_results(context, (*equal)->id, job.id);
-  if (kept) kept = store_.update_job(context, row);
+  const Status shared = store_.share_results(context, (*equal)->id, job.id);
+  if (!shared) {
+    context.log.warn("an equal job does not answer", shared.error());
+    return std::nullopt;
+  }
+  const Result<store::JobRow> kept = store_.change_job(context, job.id, [&](store::JobRow& row) -> Status {
+    TRY(next_state(row.state, JobEvent::kFinish));
+    if (!row.lease.holder.empty()) return store::lease_lost();  // a worker was quicker
+    const RowEdit answer = answered_by(**equal);
+    answer(row);
+    return {};
+  });
   if (!kept) {
     context.log.warn("an equal job does not answer", kept.error());
     return std::nullopt;
   }
   table_.count_answered(changing);
   context.log.info("job answered by an equal one", {{"job", job.id}, {"equal", (*equal)->id}});
-  return row;
+  return without_document(*kept);
 }
 
 Status QueueingJobService::remove(const store::RequestContext& context, const std::string& id) {
   const Changing changing = table_.changing();
   const store::JobRow row = TRY(store_.job(context, id));
+  if (const LiveJobPtr job = table_.find(context, id); job && !job->held) meet_again(changing, job, row);
   if (!store::is_final(row.state) || table_.find(context, id)) {  // a worker may still have it
     return Error{"jobs.state",
                  "a job that is " + std::string(store::name_of(row.state)) +
@@ -219,79 +243,151 @@ Result<JobProgress> QueueingJobService::progress(const store::RequestContext& co
 
 Status QueueingJobService::start() {
   const std::lock_guard life(lifecycle_mutex_);
-  if (pool_) return {};
+  if (company_.joinable()) return {};
   TRY(take_up_all());
-  renderer_ = std::make_unique<RenderWorker>();
-  pool_ = std::make_unique<WorkerPool>(std::max(1, settings_.workers),
-                                       [this] { return work_once(WorkerKind::kAny); });
-  express_ =
-      std::make_unique<WorkerPool>(settings_.express, [this] { return work_once(WorkerKind::kExpress); });
+  if (settings_.workers > 0) {
+    renderer_ = std::make_unique<RenderWorker>();
+    pool_ = std::make_unique<WorkerPool>(settings_.workers, [this] { return work_once(WorkerKind::kAny); });
+    express_ =
+        std::make_unique<WorkerPool>(settings_.express, [this] { return work_once(WorkerKind::kExpress); });
+  }
+  company_ = std::jthread([this](const std::stop_token& stop) { keep_company(stop); });
   return {};
 }
 
 Status QueueingJobService::take_up_all() {
   const Changing changing = table_.changing();
-  std::vector<store::Store::OwnedJob> found = TRY(store_.unfinished_jobs());
-  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
-    return std::pair(a.job.created_ms, a.job.id) < std::pair(b.job.created_ms, b.job.id);
-  });
   table_.open(changing);
-  const auto running = std::count_if(found.begin(), found.end(), [](const store::Store::OwnedJob& owned) {
-    return owned.job.state == store::JobState::kRunning;
-  });
-  for (const store::Store::OwnedJob& job : found) {
-    Status taken = take_up(changing, job, static_cast<int>(running));
-    if (taken) continue;
+  Status taken = take_over(changing, true);
+  Result<std::vector<store::Store::OwnedJob>> found = store_.unfinished_jobs();
+  if (taken && !found) taken = found.error();
+  if (!taken) {
     table_.close(changing);
     for (const LiveJobPtr& had : table_.all(changing)) table_.remove(changing, had);
     return taken;
   }
+  for (const store::Store::OwnedJob& job : *found) meet(changing, job);
   return {};
 }
 
-Status QueueingJobService::take_up(const Changing& changing, const store::Store::OwnedJob& found,
-                                   int running) {
-  const bool further = found.job.state == store::JobState::kRunning && has_come_further(found);
-  const Recovery recovery = recover(found.job, further, running);
-  const LiveJobPtr job = table_.insert(changing, context_of(found), found.job);
-  if (!job || recovery.fate == Fate::kStays) return {};
-  if (recovery.fate == Fate::kFails || recovery.fate == Fate::kWithoutPictures)
-    return give_up(changing, job, recovery);
-  if (recovery.fate == Fate::kGoesAlone) table_.suspect(changing, *job);
-  return table_.change(changing, *job, JobEvent::kRequeue, [&](store::JobRow& row) {
-    requeued()(row);
-    row.attempt = recovery.attempt;
-  });
-}
-
-/// A job that has taken the server down too often.
-Status QueueingJobService::give_up(const Changing& changing, const LiveJobPtr& job,
-                                   const Recovery& recovery) {
-  RunEnd last;
-  if (recovery.fate == Fate::kWithoutPictures) {
-    last = without_pictures(job->row);
-  } else {
-    last.code = "jobs.attempts";
-    last.reason =
-        "the server broke down " + std::to_string(recovery.attempt) + " times while this was draped";
+/// Judges what processes have left that are no more; `own`: also what this one has left, at its last stop.
+Status QueueingJobService::take_over(const Changing& changing, bool own) {
+  const std::vector<store::Store::OwnedJob> left = TRY(store_.take_from_the_gone(unix_ms(), own, judge));
+  for (const store::Store::OwnedJob& found : left) {
+    context_of(found).log.warn(
+        "job taken over from a process that is no more",
+        {{"job", found.job.id}, {"state", std::string(store::name_of(found.job.state))}});
+    meet(changing, found);
   }
-  TRY(table_.change(changing, *job, last.succeeded ? JobEvent::kFinish : JobEvent::kFail, ended(last)));
-  forget_checkpoint(*job);
-  table_.announce(changing, *job);
-  table_.remove(changing, job);
   return {};
+}
+
+/// A job as the store has it now.
+void QueueingJobService::meet(const Changing& changing, const store::Store::OwnedJob& found) {
+  LiveJobPtr job = table_.find(context_of(found), found.job.id);
+  if (!job && !store::is_final(found.job.state)) {
+    table_.insert(changing, context_of(found), found.job);
+    return;
+  }
+  if (!job) {  // it ends here and now
+    store::JobRow before = found.job;
+    before.state = store::JobState::kQueued;
+    job = table_.insert(changing, context_of(found), before);
+  }
+  if (job) meet_again(changing, job, found.job);
+}
+
+/// Who holds it tells of it, or lets go of what is over.
+void QueueingJobService::meet_again(const Changing& changing, const LiveJobPtr& job,
+                                    const store::JobRow& row) {
+  std::unique_ptr<JobRun> run;
+  const bool changed = table_.adopt(changing, *job, row);
+  if (job->held) return;
+  if (store::is_final(job->state)) {
+    forget_checkpoint(*job);
+    table_.announce(changing, *job);
+    run = table_.remove(changing, job);
+  } else if (!job->is_here()) {
+    run = table_.drop_run(changing, *job);
+    table_.announce(changing, *job);
+  } else if (job->wanted_away) {
+    give_away(changing, *job, run);
+  } else if (changed) {
+    table_.announce(changing, *job);
+  }
+}
+
+/// Of one that the store refuses to be changed.
+void QueueingJobService::refresh(const Changing& changing, const LiveJobPtr& job) {
+  const Result<store::JobRow> row = store_.job(job->context, job->id);
+  if (row) meet_again(changing, job, *row);
+  if (row || row.error().kind != ErrorKind::kNotFound) return;
+  store::JobRow gone = job->row;  // removed by another process, when it had ended
+  gone.state = store::JobState::kCancelled;
+  meet_again(changing, job, gone);
+}
+
+/// What other processes have made of the jobs.
+void QueueingJobService::look_round() {
+  const Changing changing = table_.changing();
+  const Result<std::vector<store::Store::OwnedJob>> found = store_.unfinished_jobs();
+  if (!found) return log_.warn("jobs not looked at", found.error());
+  std::set<std::string> there;
+  for (const store::Store::OwnedJob& owned : *found) {
+    there.insert(owned.job.id);
+    meet(changing, owned);
+  }
+  for (const LiveJobPtr& job : table_.all(changing)) {
+    if (!there.contains(job->id)) refresh(changing, job);
+  }
+}
+
+/// Keeps the leases of this process, with how far its drapes are.
+void QueueingJobService::beat() {
+  const auto lease =
+      std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::duration<double>(settings_.lease_s));
+  for (const JobTable::Held& held : table_.held_here()) {
+    const Result<store::JobRow> kept =
+        store_.change_job(held.context, held.job->id, [&](store::JobRow& row) -> Status {
+          if (store::is_final(row.state)) return {};
+          row.lease.until_ms = unix_ms() + lease.count();
+          row.progress = text_of(held.progress);
+          row.worked_ms = std::llround(1000 * held.worked_s);
+          row.suspect = held.suspect;
+          return {};
+        });
+    if (kept) continue;
+    held.context.log.warn("lease not kept", kept.error());
+    if (kept.error().kind != ErrorKind::kStale) continue;
+    const Changing changing = table_.changing();
+    refresh(changing, held.job);
+  }
+}
+
+void QueueingJobService::keep_company(const std::stop_token& stop) {
+  std::int64_t seen = store_.changes_by_others();
+  const auto pause = std::chrono::duration_cast<std::chrono::milliseconds>(
+      std::chrono::duration<double>(settings_.heartbeat_s));
+  auto next_beat = std::chrono::steady_clock::now() + pause;
+  while (!stop.stop_requested()) {
+    if (std::chrono::steady_clock::now() >= next_beat) {
+      next_beat = std::chrono::steady_clock::now() + pause;
+      beat();
+      const Changing changing = table_.changing();
+      const Status taken = take_over(changing, false);
+      if (!taken) log_.warn("jobs of others not taken over", taken.error());
+    }
+    const std::int64_t now = store_.changes_by_others();
+    if (now != seen) look_round();
+    seen = now;
+    std::unique_lock lock(company_mutex_);
+    company_bell_.wait_for(lock, stop, kLookRound, [] { return false; });
+  }
 }
 
 /// Nobody waits any more for the request that once asked for it.
 store::RequestContext QueueingJobService::context_of(const store::Store::OwnedJob& found) const {
   return store::RequestContext(found.owner, "", log_);
-}
-
-/// Whether the last attempt kept a checkpoint before it was cut off: then it was not the job that it came
-/// from.
-bool QueueingJobService::has_come_further(const store::Store::OwnedJob& found) {
-  const auto kept = store_.checkpoint(context_of(found), found.job.id);
-  return kept && kept->kept_ms >= found.job.started_ms;
 }
 
 /// One that cannot be removed now goes when the store is opened next.
@@ -302,11 +398,12 @@ void QueueingJobService::forget_checkpoint(const LiveJob& job) {
 
 void QueueingJobService::stop() {
   const std::lock_guard life(lifecycle_mutex_);
-  if (!pool_) return;
+  if (!company_.joinable()) return;
   table_.close(table_.changing());
   pool_.reset();
   express_.reset();
   renderer_.reset();
+  company_ = {};
   give_back_all();
 }
 
@@ -314,7 +411,8 @@ void QueueingJobService::stop() {
 void QueueingJobService::give_back_all() {
   const Changing changing = table_.changing();
   for (const LiveJobPtr& job : table_.all(changing)) {
-    give_back(changing, *job);
+    std::unique_ptr<JobRun> run;
+    give_back(changing, *job, run);
     table_.announce(changing, *job);
     table_.remove(changing, job);
   }
@@ -322,14 +420,23 @@ void QueueingJobService::give_back_all() {
 
 /// What is paused stays so, and what has not begun is in the store as it is. What the store will not take is
 /// found at the next start as after a crash.
-void QueueingJobService::give_back(const Changing& changing, LiveJob& job) {
-  if (job.state != store::JobState::kRunning) return;
+void QueueingJobService::give_back(const Changing& changing, LiveJob& job, std::unique_ptr<JobRun>& run) {
+  if (!job.is_here()) return;
+  if (job.state != store::JobState::kRunning) return give_away(changing, job, run);
   if (job.run) job.run->keep_where_it_stands();
   const Status given = table_.change(changing, job, JobEvent::kRequeue, [](store::JobRow& row) {
     requeued()(row);
     uncount(row);
+    row.lease.holder.clear();
   });
   if (!given) job.context.log.warn("job not given back to the queue", given.error());
+}
+
+/// For any process to go on with, from where it stands.
+void QueueingJobService::give_away(const Changing& changing, LiveJob& job, std::unique_ptr<JobRun>& run) {
+  if (job.run) job.run->keep_where_it_stands();
+  const Status given = table_.release(changing, job, run);
+  if (!given) job.context.log.warn("lease not given back", given.error());
 }
 
 // --- What workers do --------------------------------------------------------------------------------------
@@ -341,30 +448,31 @@ LiveJobPtr QueueingJobService::claim(WorkerKind kind) {
       const Changing changing = table_.changing();
       LiveJobPtr job = table_.next_ready(changing, kind);
       if (!job) continue;  // another worker was quicker
-      if (claim(changing, *job)) return job;
+      const Status claimed = claim(changing, job);
+      if (claimed) return job;
+      const ErrorKind kind_of_refusal = claimed.error().kind;
+      if (kind_of_refusal == ErrorKind::kConflict || kind_of_refusal == ErrorKind::kStale) {
+        refresh(changing, job);  // another process was quicker
+        continue;
+      }
+      job->context.log.warn("job not claimed", claimed.error());
     }
     table_.pause(kStorePause);
   }
   return nullptr;
 }
 
-Status QueueingJobService::claim(const Changing& changing, LiveJob& job) {
+Status QueueingJobService::claim(const Changing& changing, const LiveJobPtr& held) {
+  LiveJob& job = *held;
   if (job.state == store::JobState::kRunning) {  // it had made room
     table_.hand_out(changing, job, {});
     return {};
   }
-  const bool anew = job.run == nullptr;
-  Status claimed = table_.change(changing, job, JobEvent::kClaim, [&](store::JobRow& row) {
-    row.reason_code.clear();
-    row.reason.clear();
-    row.reason_where.clear();
-    if (anew || row.attempt == 0) ++row.attempt;
-    if (anew) row.started_ms = unix_ms();
-  });
-  if (!claimed) {
-    job.context.log.warn("job not claimed", claimed.error());
-    return claimed;
-  }
+  const auto lease =
+      std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::duration<double>(settings_.lease_s));
+  TRY(table_.claim(changing, job, lease, [&](store::JobRow& row) {
+    if (!is_of_engine(row.input, settings_.engine)) row.input.clear();  // it answers for no other's drape
+  }));
   table_.hand_out(changing, job, [&](std::uint32_t epoch) {
     const RunPlace place{&documents_,
                          &publisher_,
@@ -425,7 +533,8 @@ void QueueingJobService::let_go(const LiveJobPtr& job, const std::optional<RunEn
   {
     const Changing changing = table_.changing();
     table_.take_back(changing, *job);
-    if (run_end) end(changing, *job, *run_end);
+    if (run_end && job->is_here()) end(changing, job, *run_end);
+    if (!job->is_here()) run = table_.drop_run(changing, *job);
     if (store::is_final(job->state)) {
       job->context.log.info("job ended", {{"state", std::string(store::name_of(job->state))},
                                           {"reason", job->row.reason_code},
@@ -433,7 +542,12 @@ void QueueingJobService::let_go(const LiveJobPtr& job, const std::optional<RunEn
       forget_checkpoint(*job);
       unnamed_results = !unnamed_results && job->row.results.empty();
       table_.announce(changing, *job);
-      run = table_.remove(changing, job);
+      std::unique_ptr<JobRun> last = table_.remove(changing, job);
+      if (last) run = std::move(last);
+    } else if (!job->is_here()) {
+      unnamed_results = false;  // whoever has it now tells
+    } else if (job->wanted_away) {
+      give_away(changing, *job, run);
     } else if (table_.is_open(changing)) {  // else it is told when it has been given back
       table_.announce(changing, *job);
       if (job->state == store::JobState::kRunning) table_.make_wait(changing, *job);
@@ -449,18 +563,20 @@ void QueueingJobService::forget_results(const LiveJob& job) {
   if (!forgotten) job.context.log.warn("results not removed", forgotten.error());
 }
 
-void QueueingJobService::end(const Changing& changing, LiveJob& job, const RunEnd& run_end) {
-  if (store::is_final(job.state)) return;  // cancelled before: the end comes too late
+void QueueingJobService::end(const Changing& changing, const LiveJobPtr& job, const RunEnd& run_end) {
+  if (store::is_final(job->state)) return;  // cancelled before: the end comes too late
   const JobEvent event = run_end.succeeded ? JobEvent::kFinish : JobEvent::kFail;
-  Status kept = table_.change(changing, job, event, ended(run_end));
+  Status kept = table_.change(changing, *job, event, ended(run_end));
   if (kept) return;
   const Error refusal = kept.error();  // of the store; it may still take the few words of a failure
-  job.context.log.warn("job's end not kept", refusal);
-  kept = table_.change(changing, job, JobEvent::kFail,
+  job->context.log.warn("job's end not kept", refusal);
+  const bool lost = refusal.kind == ErrorKind::kStale || refusal.kind == ErrorKind::kConflict;
+  if (lost) return refresh(changing, job);  // another process has it, or has ended it
+  kept = table_.change(changing, *job, JobEvent::kFail,
                        with_reason(refusal.code, refusal.message, refusal.where));
   if (kept) return;
-  job.context.log.error("job's failure not kept", {{"code", kept.error().code}});
-  table_.fail_in_memory(changing, job);
+  job->context.log.error("job's failure not kept", {{"code", kept.error().code}});
+  table_.fail_in_memory(changing, *job);
 }
 
 }  // namespace

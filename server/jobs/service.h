@@ -17,7 +17,7 @@
 namespace toile::jobs {
 
 struct JobServiceSettings {
-  int workers = 2;        ///< threads that drape
+  int workers = 2;        ///< threads that drape; 0: other processes do
   int express = 1;        ///< and threads that only begin interactive drapes for which none of those has time
   int max_queued = 1000;  ///< waiting or paused; beyond it submissions are refused (jobs.queue_full)
   /// Drapes that lie in memory, paused or waiting for their next turn. Beyond it a pause is refused
@@ -25,6 +25,8 @@ struct JobServiceSettings {
   int max_parked = 16;
   int stream_interval = 50;                     ///< substeps between streamed frames
   double checkpoint_every_s = 5;                ///< by the clock; what a crash can cost
+  double lease_s = 15;                          ///< how long a job waits for a holder who is not heard of
+  double heartbeat_s = 5;                       ///< how often this process is
   int still_width = 1024, still_height = 1280;  ///< pixels
   JobLimits limits;                             ///< of each job
   /// What tells this engine from any other: a drape of an input that it has draped is answered with the
@@ -49,11 +51,13 @@ class JobService {
  public:
   virtual ~JobService() = default;
 
-  /// Takes up what was left queued, running or paused, and starts the workers. What is paused stays so. What
-  /// had begun goes on from its newest checkpoint, and ends in the same bytes as if nothing had happened.
-  /// What a crash may be put down to runs alone until it has come further; what has crashed alone three times
-  /// is not tried again but failed (jobs.attempts), or ends without pictures when it has been draped
-  /// (recovery.h). Twice is safe, and so is a start after a stop. Errors: those of the store.
+  /// Takes up what is queued, running or paused, and starts the workers. Other processes may work on jobs of
+  /// the same store: each job has one holder at a time, who is known by the number of its lease, and what a
+  /// process leaves that is no more, or is not heard of for that long, the others take over. What is paused
+  /// stays so. What had begun goes on from its newest checkpoint, and ends in the same bytes as if nothing
+  /// had happened. What a crash may be put down to runs alone until it has come further; what has crashed
+  /// alone three times is not tried again but failed (jobs.attempts), or ends without pictures when it has
+  /// been draped (recovery.h). Twice is safe, and so is a start after a stop. Errors: those of the store.
   virtual Status start() = 0;
   /// Claims nothing more, lets running drapes go back to the queue, joins the threads. A drape of which only
   /// pictures and results are missing is brought to its end. Twice is safe.

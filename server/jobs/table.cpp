@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "server/jobs/row_progress.h"
+
 namespace toile::jobs {
 
 std::int64_t unix_ms() {
@@ -26,20 +28,41 @@ RowEdit with_reason(std::string code, std::string reason, std::string where) {
   };
 }
 
-Status JobTable::change(const Changing&, LiveJob& job, JobEvent event, const RowEdit& edit) {
-  const JobTransition next = TRY(next_state(job.state, event));
-  store::JobRow row = job.row;
-  row.state = next.state;
-  if (store::is_final(next.state)) row.ended_ms = unix_ms();
-  if (edit) edit(row);
-  row.worked_ms = std::llround(1000 * worked(job));
-  if (next.effects.persist) {
-    TRY(store_.update_job(job.context, row));
-  }
+Status JobTable::change(const Changing&, LiveJob& job, JobEvent event, const RowEdit& edit, By by) {
+  store::RequestContext context = job.context;
+  if (by == By::kRequest) context.lease = 0;
+  return write(job, context, event, [&](store::JobRow& row) -> Status {
+    if (edit) edit(row);
+    return {};
+  });
+}
+
+/// What ends has no holder. What this process alone knows of its own work goes along.
+Status JobTable::write(LiveJob& job, const store::RequestContext& context, JobEvent event,
+                       const store::Store::JobEdit& edit) {
+  const double worked_s = worked(job);
+  JobTransition next;
+  store::JobRow before;
+  const store::Store::JobEdit whole = [&](store::JobRow& now) -> Status {
+    next = TRY(next_state(now.state, event));
+    before = now;
+    now.state = next.state;
+    if (job.is_here()) {
+      now.worked_ms = std::llround(1000 * worked_s);
+      now.suspect = job.suspect;
+    }
+    if (store::is_final(next.state)) {
+      now.ended_ms = unix_ms();
+      now.lease.holder.clear();
+      now.suspect = false;
+    }
+    return edit(now);
+  };
+  store::JobRow row = TRY(store_.change_job(context, job.id, whole));
   {
     const std::lock_guard lock(mutex_);
-    count_times(event, job.row, row);
-    job.row = std::move(row);
+    count_times(event, before, row);
+    job.row = without_document(std::move(row));
     job.state = next.state;
     queue_.put(job.id, next.effects.queue);
     job.waits_since = std::chrono::steady_clock::now();
@@ -48,6 +71,97 @@ Status JobTable::change(const Changing&, LiveJob& job, JobEvent event, const Row
   }
   bell_.notify_all();
   return {};
+}
+
+Status JobTable::claim(const Changing&, LiveJob& job, std::chrono::milliseconds lease, const RowEdit& edit) {
+  const bool anew = job.run == nullptr;
+  store::RequestContext context = job.context;
+  if (anew) context.lease = 0;
+  TRY(write(job, context, JobEvent::kClaim, [&](store::JobRow& row) -> Status {
+    if (!row.lease.holder.empty() && row.lease.holder != store_.holder())
+      return Error{"jobs.taken", "another process works on it", "", ErrorKind::kConflict};
+    with_reason("", "")(row);
+    if (anew || row.attempt == 0) ++row.attempt;
+    if (anew) row.started_ms = unix_ms();
+    if (anew) ++row.lease.number;
+    if (edit) edit(row);
+    row.lease.holder = store_.holder();
+    row.lease.until_ms = unix_ms() + lease.count();
+    return {};
+  }));
+  const std::lock_guard lock(mutex_);
+  job.context.lease = job.row.lease.number;
+  job.wanted_away = false;
+  if (anew) job.worked_s = static_cast<double>(job.row.worked_ms) / 1000;
+  return {};
+}
+
+Status JobTable::release(const Changing&, LiveJob& job, std::unique_ptr<JobRun>& run) {
+  store::JobRow row = TRY(store_.change_job(job.context, job.id, [](store::JobRow& now) -> Status {
+    now.lease.holder.clear();
+    return {};
+  }));
+  {
+    const std::lock_guard lock(mutex_);
+    run = std::move(job.run);
+    job.context.lease = 0;
+    job.wanted_away = false;
+    job.row = without_document(std::move(row));
+    place(job, false);
+  }
+  bell_.notify_all();
+  return {};
+}
+
+/// Where in the queue a job stands by its row. What has made room waits there as running. REQUIRES mutex_.
+void JobTable::place(LiveJob& job, bool changed) {
+  const bool free = job.row.lease.holder.empty() || job.is_here();
+  if (job.state == store::JobState::kQueued && free) {
+    if (changed || !queue_.contains(job.id)) queue_.put(job.id, QueuePlace::kBack);
+  } else if (job.state != store::JobState::kRunning || !job.is_here()) {
+    queue_.put(job.id, QueuePlace::kOut);
+  }
+}
+
+bool JobTable::adopt(const Changing&, LiveJob& job, const store::JobRow& row) {
+  const bool final = store::is_final(row.state);
+  bool changed = false;
+  {
+    const std::lock_guard lock(mutex_);
+    const bool same_lease = row.lease.number == job.context.lease;
+    if (job.is_here() && !(same_lease && (final || row.lease.holder == store_.holder()))) {
+      job.context.lease = 0;
+      job.interrupt->store(true, std::memory_order_relaxed);
+    }
+    changed = row.state != job.state;
+    if (changed && final) count_end(row.state);
+    if (changed && job.held) job.interrupt->store(true, std::memory_order_relaxed);
+    if (changed && job.is_here()) job.wanted_away = row.state == store::JobState::kPaused;
+    job.state = row.state;
+    job.row = without_document(row);
+    if (!job.is_here()) {
+      job.suspect = row.suspect;
+      job.worked_s = static_cast<double>(row.worked_ms) / 1000;
+      job.progress = progress_of_row(row);
+    }
+    place(job, changed);
+  }
+  bell_.notify_all();
+  return changed;
+}
+
+std::unique_ptr<JobRun> JobTable::drop_run(const Changing&, LiveJob& job) {
+  const std::lock_guard lock(mutex_);
+  return std::move(job.run);
+}
+
+std::vector<JobTable::Held> JobTable::held_here() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<Held> held;
+  for (const auto& [id, job] : jobs_) {
+    if (job->is_here()) held.push_back({job, job->context, progress_now(*job), job->worked_s, job->suspect});
+  }
+  return held;
 }
 
 void JobTable::fail_in_memory(const Changing&, LiveJob& job) {
@@ -106,12 +220,14 @@ LiveJobPtr JobTable::insert(const Changing&, const store::RequestContext& contex
   job->row = without_document(row);
   job->worked_s = static_cast<double>(row.worked_ms) / 1000;
   job->state = row.state;
+  job->suspect = row.suspect;
+  job->progress = progress_of_row(row);
   {
     const std::lock_guard lock(mutex_);
     if (!open_ || !jobs_.emplace(job->id, job).second) return nullptr;
     shares_.enter(job->context.owner);
     job->waits_since = std::chrono::steady_clock::now();
-    queue_.put(job->id, row.state == store::JobState::kPaused ? QueuePlace::kOut : QueuePlace::kBack);
+    place(*job, true);
   }
   bell_.notify_all();
   return job;
@@ -121,13 +237,7 @@ std::unique_ptr<JobRun> JobTable::remove(const Changing&, const LiveJobPtr& job)
   const std::lock_guard lock(mutex_);
   queue_.put(job->id, QueuePlace::kOut);
   if (jobs_.erase(job->id) > 0) shares_.leave(job->context.owner);
-  if (store::is_final(job->state)) epochs_.erase(job->id);
   return std::move(job->run);
-}
-
-void JobTable::suspect(const Changing&, LiveJob& job) {
-  const std::lock_guard lock(mutex_);
-  job.suspect = true;
 }
 
 bool JobTable::clear(const Changing&, LiveJob& job) {
@@ -218,7 +328,7 @@ void JobTable::hand_out(const Changing&, LiveJob& job,
   job.interrupt->store(false, std::memory_order_relaxed);
   if (job.run) return;
   job.progress = {};
-  job.run = make(++epochs_[job.id]);
+  job.run = make(static_cast<std::uint32_t>(job.context.lease));
 }
 
 void JobTable::take_back(const Changing&, LiveJob& job) {

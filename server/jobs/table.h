@@ -30,16 +30,21 @@ namespace toile::jobs {
 /// and run belongs to the worker while it holds the job.
 struct LiveJob {
   std::string id;
-  store::RequestContext context;  ///< of whoever asked for it; its log names the job
-  store::JobRow row;              ///< without the document
+  /// Of whoever asked for it; its log names the job. With the number of the lease while this process has it.
+  store::RequestContext context;
+  store::JobRow row;  ///< without the document
   store::JobState state = store::JobState::kQueued;
-  bool held = false;     ///< a worker has it
-  bool suspect = false;  ///< may have crashed the server: runs alone until it has come further
-  JobProgress progress;  ///< as the worker told it last
+  bool held = false;         ///< a worker has it
+  bool suspect = false;      ///< may have crashed its holder: runs alone until it has come further
+  bool wanted_away = false;  ///< another process has paused it: its lease is to be given up
+  JobProgress progress;      ///< as the worker told it last
   std::chrono::steady_clock::time_point waits_since;  ///< when it came to stand in the queue last
   std::unique_ptr<JobRun> run;                        ///< begun, maybe parked
   double worked_s = 0;  ///< processor time, as the row's at its last change and since
   std::shared_ptr<std::atomic<bool>> interrupt = std::make_shared<std::atomic<bool>>(false);
+
+  /// This process has the lease, and the drape if there is one.
+  bool is_here() const { return context.lease != 0; }
 };
 using LiveJobPtr = std::shared_ptr<LiveJob>;
 
@@ -56,6 +61,15 @@ RowEdit with_reason(std::string code, std::string reason, std::string where = ""
 store::JobRow without_document(store::JobRow row);
 std::int64_t unix_ms();
 
+/// On whose account a job is changed.
+enum class By {
+  kHolder,   ///< this process, under its lease: refused once another has the job
+  kRequest,  ///< anybody who asks
+};
+
+/// Jobs of the store as this process knows them: those that it works on, those that wait, and those that
+/// other processes work on. The store has the last word; what others have changed there comes in by adopt().
+///
 /// Two locks. One puts changes into an order: what a change writes to the store and tells the publisher
 /// happens under it; `changing` takes it. The other guards memory only and is never held while anybody waits,
 /// so that looking at jobs does not wait for the disk. What a worker tells of the job that it holds goes to
@@ -72,7 +86,25 @@ class JobTable {
 
   /// Store first, then memory, then the workers' bell. Errors: jobs.state, those of the store; then nothing
   /// has changed.
-  Status change(const Changing&, LiveJob& job, JobEvent event, const RowEdit& edit = {});
+  Status change(const Changing&, LiveJob& job, JobEvent event, const RowEdit& edit = {}, By by = By::kHolder);
+  /// A worker of this process takes it: kClaim under a new lease, or under the one that it has kept with its
+  /// drape. Errors: as change(); jobs.taken while another process has it.
+  Status claim(const Changing&, LiveJob& job, std::chrono::milliseconds lease, const RowEdit& edit = {});
+  /// Gives up the lease of a job that no worker holds, and the drape.
+  Status release(const Changing&, LiveJob& job, std::unique_ptr<JobRun>& run);
+  /// What the store has of it, where another process may have changed it. Whether its state is another now.
+  bool adopt(const Changing&, LiveJob& job, const store::JobRow& row);
+  /// Its drape, where the lease is lost.
+  std::unique_ptr<JobRun> drop_run(const Changing&, LiveJob& job);
+  /// A job that this process works on, as its heartbeat tells it.
+  struct Held {
+    LiveJobPtr job;
+    store::RequestContext context;
+    JobProgress progress;
+    double worked_s = 0;
+    bool suspect = false;
+  };
+  std::vector<Held> held_here() const;
   /// Marks a job as failed of which the store takes no word. The next start finds it cut off.
   void fail_in_memory(const Changing&, LiveJob& job);
   /// Tells viewers the state, and that it is the last one when the job has ended or the table is closed.
@@ -83,8 +115,6 @@ class JobTable {
   /// Takes a job in as its row has it, at the end of the queue unless it is paused. Gives back nothing when
   /// it is there already or the table is closed.
   LiveJobPtr insert(const Changing&, const store::RequestContext& context, const store::JobRow& row);
-  /// From now on nothing runs beside it, until clear().
-  void suspect(const Changing&, LiveJob& job);
   /// It has come further: others may run beside it. Whether another suspect waits for a turn alone.
   bool clear(const Changing&, LiveJob& job);
   /// Takes a job out and gives back its drape, to be freed when the locks are not held.
@@ -92,7 +122,8 @@ class JobTable {
   /// Of those that no worker holds, whose turn it is (turn.h); a suspect before all others, and once nothing
   /// else runs.
   LiveJobPtr next_ready(const Changing&, WorkerKind kind) const;
-  /// A worker takes the job; without a drape it gets one from `make`, for the stream of that epoch.
+  /// A worker has the job; without a drape it gets one from `make`, for the stream of that epoch: each lease
+  /// has its own.
   void hand_out(const Changing&, LiveJob& job,
                 const std::function<std::unique_ptr<JobRun>(std::uint32_t epoch)>& make);
   void take_back(const Changing&, LiveJob& job);
@@ -137,6 +168,9 @@ class JobTable {
   bool is_for(WorkerKind kind, const LiveJob& job) const;
   int begun_now() const;
   JobProgress progress_now(const LiveJob& job) const;
+  Status write(LiveJob& job, const store::RequestContext& context, JobEvent event,
+               const store::Store::JobEdit& edit);
+  void place(LiveJob& job, bool changed);
   void count_end(store::JobState state);
   void count_times(JobEvent event, const store::JobRow& before, const store::JobRow& after);
 
@@ -149,9 +183,8 @@ class JobTable {
   std::chrono::steady_clock::time_point closed_;
   std::map<std::string, LiveJobPtr> jobs_;  ///< by id
   JobQueue queue_;
-  shares::OwnerShares shares_;                   ///< of the workers' time
-  std::map<std::string, std::uint32_t> epochs_;  ///< newest of each job that has not ended; outlives a stop
-  JobService::Counts totals_;                    ///< what has been, and not what is
+  shares::OwnerShares shares_;  ///< of the workers' time
+  JobService::Counts totals_;   ///< what has been, and not what is
 };
 
 }  // namespace toile::jobs

@@ -88,6 +88,11 @@ Result<std::string> read_all(const fs::path& path) {
   return bytes;
 }
 
+/// When it was written last, Unix time.
+std::int64_t ms_of(const struct stat& about) {
+  return std::int64_t{about.st_mtim.tv_sec} * 1000 + about.st_mtim.tv_nsec / 1000000;
+}
+
 /// What lies in a folder and is of that type; links count as links.
 std::vector<std::string> names_in(const fs::path& folder, fs::file_type type) {
   std::vector<std::string> names;
@@ -120,10 +125,11 @@ Status sync_folder(const fs::path& folder) {
   return {};
 }
 
-Result<Blobs> Blobs::open(const fs::path& folder, std::shared_ptr<Failures> failures) {
+Result<Blobs> Blobs::open(const fs::path& folder, std::shared_ptr<Failures> failures, bool alone) {
   Blobs blobs(folder, std::move(failures));
   std::error_code failure;
-  fs::remove_all(blobs.scratch_folder(), failure);  // half-written files of a process that was killed
+  if (alone)
+    fs::remove_all(blobs.scratch_folder(), failure);  // half-written files of a process that was killed
   for (const fs::path& part : {folder / "blobs", folder / "results", folder / "checkpoints",
                                blobs.log_folder(), blobs.scratch_folder()}) {
     TRY(make_folder(part));
@@ -136,16 +142,20 @@ fs::path Blobs::place_of(const std::string& blob) const {
   return folder_ / "blobs" / blob.substr(0, 2) / blob;
 }
 
-Status Blobs::write(const fs::path& path, std::string_view bytes) const {
+Status Blobs::write(const fs::path& path, std::string_view bytes, const NamingGate& gate) const {
   static std::atomic<std::uint64_t> count{0};
   const fs::path temporary =
       scratch_folder() / ("write" + std::to_string(::getpid()) + "_" + std::to_string(count.fetch_add(1)));
   Status written = make_folder(path.parent_path());
   if (written) written = write_new(temporary, bytes);
-  if (written && ::rename(temporary.c_str(), path.c_str()) != 0) written = system_error(path, "name");
+  const Naming naming = [&]() -> Status {
+    if (::rename(temporary.c_str(), path.c_str()) != 0) return system_error(path, "name");
+    return {};
+  };
+  if (written) written = gate ? gate(naming) : naming();
   if (written) return sync_folder(path.parent_path());
   ::unlink(temporary.c_str());
-  return failures_->counted(written.error());
+  return written.error().kind == ErrorKind::kStale ? written.error() : failures_->counted(written.error());
 }
 
 Error Blobs::corrupt(const char* message, const std::string& what) const {
@@ -187,9 +197,10 @@ Result<std::string> Blobs::blob(const std::string& blob, std::int64_t size) cons
   return corrupt("a file of the store has changed; upload it again", blob);
 }
 
-Status Blobs::put_result(const std::string& job_id, const std::string& name, std::string_view bytes) const {
+Status Blobs::put_result(const std::string& job_id, const std::string& name, std::string_view bytes,
+                         const NamingGate& gate) const {
   TRY(check_name(name));
-  return write(folder_ / "results" / job_id / name, bytes);
+  return write(folder_ / "results" / job_id / name, bytes, gate);
 }
 
 Result<std::string> Blobs::result(const std::string& job_id, const std::string& name,
@@ -258,8 +269,14 @@ void Blobs::remove_result(const std::string& job_id, const std::string& name) co
   fs::remove(folder_ / "results" / job_id / name, ignored);
 }
 
-Status Blobs::put_checkpoint(const std::string& job_id, std::string_view bytes) const {
-  return write(folder_ / "checkpoints" / job_id, bytes);
+Status Blobs::put_checkpoint(const std::string& job_id, std::string_view bytes,
+                             const NamingGate& gate) const {
+  return write(folder_ / "checkpoints" / job_id, bytes, gate);
+}
+
+std::int64_t Blobs::checkpoint_ms(const std::string& job_id) const {
+  struct stat about {};
+  return ::stat((folder_ / "checkpoints" / job_id).c_str(), &about) == 0 ? ms_of(about) : 0;
 }
 
 Result<Store::KeptCheckpoint> Blobs::checkpoint(const std::string& job_id) const {
@@ -269,8 +286,7 @@ Result<Store::KeptCheckpoint> Blobs::checkpoint(const std::string& job_id) const
     return Error{"store.not_found", "the job has no checkpoint", "", ErrorKind::kNotFound};
   }
   std::string bytes = TRY(read_all(path));
-  return Store::KeptCheckpoint{std::move(bytes),
-                               std::int64_t{about.st_mtim.tv_sec} * 1000 + about.st_mtim.tv_nsec / 1000000};
+  return Store::KeptCheckpoint{std::move(bytes), ms_of(about)};
 }
 
 Status Blobs::remove_checkpoint(const std::string& job_id) const {

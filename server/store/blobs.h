@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <set>
 #include <string>
@@ -19,10 +20,12 @@ namespace toile::store {
 
 class Blobs {
  public:
-  /// Makes blobs/, results/, checkpoints/, logs/ and an empty scratch/ in `folder`. What fails later is
-  /// counted in `failures`. Errors: store.open, store.full.
+  /// Makes blobs/, results/, checkpoints/, logs/ and scratch/ in `folder`; when nobody else has it open
+  /// (`alone`) the last is emptied. What fails later is counted in `failures`. Errors: store.open,
+  /// store.full.
   static Result<Blobs> open(const std::filesystem::path& folder,
-                            std::shared_ptr<Failures> failures = std::make_shared<Failures>());
+                            std::shared_ptr<Failures> failures = std::make_shared<Failures>(),
+                            bool alone = true);
 
   /// Keeps the bytes and gives back their blob's name: hash and the ending of `file_name` ("….obj"). Errors:
   /// store.full, store.failed; store.hash_collision when other bytes have the same hash.
@@ -32,8 +35,13 @@ class Blobs {
   /// The same without reading more than the size.
   Result<std::filesystem::path> blob_path(const std::string& blob, std::int64_t size) const;
 
-  /// `job_id` is an id. Errors: store.bad_name, store.full, store.failed.
-  Status put_result(const std::string& job_id, const std::string& name, std::string_view bytes) const;
+  /// Gives a file that is on the disk its name.
+  using Naming = std::function<Status()>;
+  /// Does so or refuses: asked once the bytes are on the disk.
+  using NamingGate = std::function<Status(const Naming&)>;
+  /// `job_id` is an id. Errors: store.bad_name, store.full, store.failed; those of `gate`.
+  Status put_result(const std::string& job_id, const std::string& name, std::string_view bytes,
+                    const NamingGate& gate = {}) const;
   /// `kept` says what it must be; without a hash it may be anything. Errors: store.bad_name,
   /// store.not_found, store.corrupt.
   Result<std::string> result(const std::string& job_id, const std::string& name,
@@ -54,7 +62,9 @@ class Blobs {
   void remove_result(const std::string& job_id, const std::string& name) const;
 
   /// The checkpoint of a job: one at a time. Errors: store.full, store.failed.
-  Status put_checkpoint(const std::string& job_id, std::string_view bytes) const;
+  Status put_checkpoint(const std::string& job_id, std::string_view bytes, const NamingGate& gate = {}) const;
+  /// When it was put, Unix time; 0 where there is none.
+  std::int64_t checkpoint_ms(const std::string& job_id) const;
   /// Error: store.not_found.
   Result<Store::KeptCheckpoint> checkpoint(const std::string& job_id) const;
   Status remove_checkpoint(const std::string& job_id) const;
@@ -73,7 +83,7 @@ class Blobs {
   Blobs(std::filesystem::path folder, std::shared_ptr<Failures> failures)
       : folder_(std::move(folder)), failures_(std::move(failures)) {}
   std::filesystem::path place_of(const std::string& blob) const;
-  Status write(const std::filesystem::path& path, std::string_view bytes) const;
+  Status write(const std::filesystem::path& path, std::string_view bytes, const NamingGate& gate = {}) const;
 
   Error corrupt(const char* message, const std::string& what) const;
 

@@ -3,6 +3,7 @@
 // the service acts by itself, and handed down to everything that is done for it.
 
 #include <atomic>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
@@ -19,6 +20,8 @@ struct RequestContext {
   /// Becomes true once nobody waits for what is done, or it takes too long: what takes long looks at it. Null
   /// where nothing can be given up.
   std::shared_ptr<const std::atomic<bool>> given_up{};
+  /// Number of the lease under which this is done for a job (store.h); 0: nobody's work, but a request.
+  std::int64_t lease = 0;
   Log log{};  ///< says request and owner (and, of a drape, the job) with every line
 
   RequestContext() = default;

@@ -5,6 +5,7 @@
 // not undo it.
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -75,6 +76,15 @@ struct ResultFile {
 };
 using ResultFiles = std::map<std::string, ResultFile>;  ///< by name
 
+/// Who works on a job. The number rises each time that another takes it, and fences: what is done under an
+/// older one is refused.
+struct JobLease {
+  std::string holder;  ///< a store that is open (Store::holder); empty: nobody
+  std::int64_t number = 0;
+  std::int64_t until_ms = 0;  ///< Unix time; a holder who has not been heard of until then is given up
+  friend bool operator==(const JobLease&, const JobLease&) = default;
+};
+
 /// A drape that was asked for. The document and files are copies of the project's at that moment.
 struct JobRow {
   std::string id;  ///< "j_" and 20 characters; rises with time
@@ -92,6 +102,9 @@ struct JobRow {
   std::vector<JobNote> notes;
   std::optional<JobVerdict> verdict;  ///< there while the job has been draped and has not ended
   int attempt = 0;                    ///< starts that nothing is known to have come of
+  bool suspect = false;               ///< may have crashed its holder: runs alone until it has come further
+  JobLease lease;
+  std::string progress;  ///< JSON: what its holder told last (server/jobs/row_progress.h)
   std::int64_t created_ms = 0, started_ms = 0, ended_ms = 0;
   std::int64_t worked_ms = 0;  ///< processor time, over all its starts, without that of its pictures
   std::string report;          ///< report.json's text once there is one
@@ -128,6 +141,11 @@ template <typename Row>
 struct Made : Row {
   bool anew = true;
 };
+
+/// Somebody else has the job by now.
+inline Error lease_lost() {
+  return {"store.lease_lost", "another worker has taken the job over", "", ErrorKind::kStale};
+}
 
 /// Errors of every call: store.full (the disk; reading goes on working), store.busy, store.corrupt,
 /// store.failed; of those that name a thing: store.not_found.
@@ -204,14 +222,38 @@ class Store {
                                                            const std::string& project_id) = 0;
   /// Removes a job with its results and its idempotency key. Error: store.in_use while it has not ended.
   virtual Status remove_job(const RequestContext& context, const std::string& id) = 0;
-  /// Writes state, reason, notes, verdict, attempt, times, work, report and results of a job that exists.
-  virtual Status update_job(const RequestContext& context, const JobRow& row) = 0;
-  /// The oldest queued jobs of all owners, for the workers; and at a start those left running or paused.
+  /// Reads a job, without its document, has `edit` change it, and writes state, reason, notes, verdict,
+  /// attempt, suspicion, lease, progress, times, work, input, report and results: in one transaction, so that
+  /// of several who change it each sees what the one before has written. Gives back what is kept. An error of
+  /// `edit` leaves the job as it is. `edit` must not call the store. Error: store.lease_lost, kind kStale,
+  /// when context.lease is not the job's.
+  using JobEdit = std::function<Status(JobRow&)>;
+  virtual Result<JobRow> change_job(const RequestContext& context, const std::string& id,
+                                    const JobEdit& edit) = 0;
   struct OwnedJob {
     OwnerId owner;
-    JobRow job;
+    JobRow job;  ///< without its document
   };
+  /// All that have not ended, of all owners, the oldest first: what workers look for.
   virtual Result<std::vector<OwnedJob>> unfinished_jobs() = 0;
+
+  /// Under what name this store, for as long as it is open, holds leases.
+  virtual std::string holder() const = 0;
+  /// A job that nobody works on any more although its row says so.
+  struct LeftJob {
+    OwnedJob owned;
+    int running = 0;           ///< how many that holder had running, this one among them
+    std::int64_t kept_ms = 0;  ///< Unix time of its checkpoint; 0: it has none
+  };
+  /// Gives `judge` each job whose holder is gone (its process is no more), has not been heard of in time, or,
+  /// when `own`, is this very store, and each that is running without a holder. Keeps what it makes of them,
+  /// as change_job does, and without a holder: in one transaction, so that where several look one alone
+  /// judges. Gives back what is kept.
+  using JudgeJob = std::function<void(LeftJob&)>;
+  virtual Result<std::vector<OwnedJob>> take_from_the_gone(std::int64_t now_ms, bool own,
+                                                           const JudgeJob& judge) = 0;
+  /// Another value whenever another process has changed something.
+  virtual std::int64_t changes_by_others() = 0;
 
   /// Jobs that ended before then, the oldest first, at most `limit`: what retention looks for.
   virtual Result<std::vector<OwnedId>> jobs_ended_before(std::int64_t unix_ms, int limit) = 0;
@@ -220,7 +262,9 @@ class Store {
   virtual Result<Usage> usage(const RequestContext& context) = 0;
 
   /// Result files of a job. A name stands for a file of that job's own folder: no slash, no leading dot, no
-  /// control character (store.bad_name). Writing one again replaces it. row.results is update_job's to write.
+  /// control character (store.bad_name). Writing one again replaces it. row.results is change_job's to write.
+  /// Under a lease (context.lease) that is not the job's any more, or of a job that has ended, nothing is
+  /// put, neither here nor as a checkpoint: store.lease_lost.
   virtual Status put_result(const RequestContext& context, const std::string& job_id, const std::string& name,
                             std::string_view bytes) = 0;
   /// Of a result that its row names with a hash, only what has it. Error: store.corrupt when the disk has

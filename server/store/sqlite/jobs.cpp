@@ -1,6 +1,8 @@
 // Jobs of the store, their results and checkpoints.
 
+#include <cstdlib>
 #include <filesystem>
+#include <map>
 
 #include "server/store/sqlite/read_rows.h"
 #include "server/store/sqlite/rows.h"
@@ -155,27 +157,113 @@ Status SqliteStore::remove_job(const store::RequestContext& context, const std::
   return blobs_.remove_results(id);
 }
 
-Status SqliteStore::update_job(const store::RequestContext& context, const store::JobRow& row) {
+/// REQUIRES mutex_.
+Status SqliteStore::write_job(const store::OwnerId& owner, const store::JobRow& row) {
   const std::string results = column_text(row.results), notes = column_text(row.notes),
                     verdict = column_text(row.verdict);
-  const std::lock_guard hold(mutex_);
   const int changed = TRY(database_.run(
       "UPDATE jobs SET state = ?, reason_code = ?, reason = ?, reason_where = ?, attempt = ?, started_ms = ?,"
       " ended_ms = ?, report = ?, results = ?, notes = ?, verdict = ?,"
-      " result_bytes = ?, worked_ms = ? WHERE owner = ? AND id = ?",
-      {store::name_of(row.state), row.reason_code, row.reason, row.reason_where, std::int64_t{row.attempt},
-       row.started_ms, row.ended_ms, row.report, results, notes, verdict, bytes_of(row.results),
-       row.worked_ms, context.owner, row.id}));
+      " result_bytes = ?, worked_ms = ?, suspect = ?, holder = ?, lease = ?, lease_until_ms = ?, progress = "
+      "?, input = ?"
+      " WHERE owner = ? AND id = ?",
+      {store::name_of(row.state),
+       row.reason_code,
+       row.reason,
+       row.reason_where,
+       std::int64_t{row.attempt},
+       row.started_ms,
+       row.ended_ms,
+       row.report,
+       results,
+       notes,
+       verdict,
+       bytes_of(row.results),
+       row.worked_ms,
+       std::int64_t{row.suspect},
+       row.lease.holder,
+       row.lease.number,
+       row.lease.until_ms,
+       row.progress,
+       row.input,
+       owner,
+       row.id}));
   if (changed == 0) return not_found("job", row.id);
   return {};
 }
 
-Result<std::vector<store::Store::OwnedJob>> SqliteStore::unfinished_jobs() {
+Result<store::JobRow> SqliteStore::change_job(const store::RequestContext& context, const std::string& id,
+                                              const JobEdit& edit) {
   const std::lock_guard hold(mutex_);
+  SqlTransaction transaction = TRY(SqlTransaction::begin(database_));
+  store::JobRow row = TRY(row_of(
+      database_.prepare(select(kJobListColumns, "FROM jobs WHERE owner = ? AND id = ?"), {context.owner, id}),
+      job_from, "job", id));
+  if (context.lease != 0 && context.lease != row.lease.number) return store::lease_lost();
+  TRY(edit(row));
+  TRY(write_job(context.owner, row));
+  TRY(transaction.commit());
+  return row;
+}
+
+/// REQUIRES mutex_.
+Result<std::vector<store::Store::OwnedJob>> SqliteStore::find_unfinished_jobs() {
   return readable_rows_of(
-      database_.prepare(std::string("SELECT ") + kJobColumns + ", owner FROM jobs WHERE state IN (" +
+      database_.prepare(std::string("SELECT ") + kJobListColumns + ", owner FROM jobs WHERE state IN (" +
                         store::unfinished_states_in_sql() + ") ORDER BY id"),
       owned_job_from, Log());
+}
+
+Result<std::vector<store::Store::OwnedJob>> SqliteStore::unfinished_jobs() {
+  const std::lock_guard hold(mutex_);
+  return find_unfinished_jobs();
+}
+
+Result<std::vector<store::Store::OwnedJob>> SqliteStore::take_from_the_gone(std::int64_t now_ms, bool own,
+                                                                            const JudgeJob& judge) {
+  const std::lock_guard hold(mutex_);
+  SqlTransaction transaction = TRY(SqlTransaction::begin(database_));
+  std::vector<OwnedJob> jobs = TRY(find_unfinished_jobs());
+  std::map<std::string, int> running;  // by holder
+  for (const OwnedJob& owned : jobs)
+    running[owned.job.lease.holder] += owned.job.state == store::JobState::kRunning;
+  std::erase_if(jobs, [&](const OwnedJob& owned) {
+    const store::JobLease& lease = owned.job.lease;
+    if (lease.holder.empty()) return owned.job.state != store::JobState::kRunning;
+    if (lease.holder == locks_.holder.id()) return !own;
+    return lease.until_ms > now_ms && !locks_.holder.is_gone(lease.holder);
+  });
+  for (OwnedJob& owned : jobs) {
+    const int with_it = running[owned.job.lease.holder];
+    owned.job.lease.holder.clear();
+    LeftJob left{std::move(owned), with_it, blobs_.checkpoint_ms(owned.job.id)};
+    judge(left);
+    owned = std::move(left.owned);
+    TRY(write_job(owned.owner, owned.job));
+  }
+  TRY(transaction.commit());
+  return jobs;
+}
+
+/// What SQLite counts up when another connection has committed.
+std::int64_t SqliteStore::changes_by_others() {
+  const std::lock_guard hold(mutex_);
+  const Result<std::string> version =
+      row_of(database_.prepare("PRAGMA data_version"), text_from, "version", "");
+  return version ? std::atoll(version->c_str()) : -1;
+}
+
+/// A name once given is not taken back, so that whoever takes the job over must not come in between.
+Status SqliteStore::name_file(const store::RequestContext& context, const std::string& id,
+                              const store::Blobs::Naming& naming) {
+  if (context.lease == 0) return naming();
+  const std::lock_guard hold(mutex_);
+  const SqlTransaction transaction = TRY(SqlTransaction::begin(database_));
+  const store::JobRow row = TRY(row_of(
+      database_.prepare(select(kJobListColumns, "FROM jobs WHERE owner = ? AND id = ?"), {context.owner, id}),
+      job_from, "job", id));
+  if (context.lease != row.lease.number || store::is_final(row.state)) return store::lease_lost();
+  return naming();
 }
 
 // Results
@@ -202,7 +290,9 @@ Status SqliteStore::check_job(const store::OwnerId& owner, const std::string& id
 Status SqliteStore::put_result(const store::RequestContext& context, const std::string& job_id,
                                const std::string& name, std::string_view bytes) {
   TRY(check_job(context.owner, job_id));
-  return blobs_.put_result(job_id, name, bytes);
+  return blobs_.put_result(job_id, name, bytes, [&](const store::Blobs::Naming& naming) {
+    return name_file(context, job_id, naming);
+  });
 }
 
 Result<std::string> SqliteStore::result_bytes(const store::RequestContext& context, const std::string& job_id,
@@ -243,7 +333,8 @@ Status SqliteStore::remove_results(const store::RequestContext& context, const s
 Status SqliteStore::put_checkpoint(const store::RequestContext& context, const std::string& job_id,
                                    std::string_view bytes) {
   TRY(check_job(context.owner, job_id));
-  return blobs_.put_checkpoint(job_id, bytes);
+  return blobs_.put_checkpoint(
+      job_id, bytes, [&](const store::Blobs::Naming& naming) { return name_file(context, job_id, naming); });
 }
 
 Result<store::Store::KeptCheckpoint> SqliteStore::checkpoint(const store::RequestContext& context,

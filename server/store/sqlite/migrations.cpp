@@ -114,6 +114,13 @@ ALTER TABLE jobs ADD COLUMN priority TEXT NOT NULL DEFAULT 'batch';
 ALTER TABLE jobs ADD COLUMN input TEXT NOT NULL DEFAULT '';
 CREATE INDEX jobs_by_input ON jobs (owner, input, id) WHERE input <> '' AND state = 'succeeded';
 )sql"},
+    {8, "who works on a job", R"sql(
+ALTER TABLE jobs ADD COLUMN suspect INTEGER NOT NULL DEFAULT 0;
+ALTER TABLE jobs ADD COLUMN holder TEXT NOT NULL DEFAULT '';
+ALTER TABLE jobs ADD COLUMN lease INTEGER NOT NULL DEFAULT 0;
+ALTER TABLE jobs ADD COLUMN lease_until_ms INTEGER NOT NULL DEFAULT 0;
+ALTER TABLE jobs ADD COLUMN progress TEXT NOT NULL DEFAULT '';
+)sql"},
 };
 
 constexpr const char* kRemembered = R"sql(
@@ -141,6 +148,17 @@ Status apply(SqlDatabase& database, const Migration& step) {
 }  // namespace
 
 std::span<const Migration> migrations() { return kMigrations; }
+
+Status check_schema(SqlDatabase& database, std::span<const Migration> steps) {
+  TRY(database.run_script(kRemembered));
+  const int newest = TRY(newest_of(database));
+  const int known = steps.empty() ? 0 : steps.back().number;
+  if (newest == known) return {};
+  return Error{"store.other_schema",
+               "a toile of another version works on this folder (schema " + std::to_string(newest) +
+                   ", and this one knows " + std::to_string(known) + "); stop it first",
+               "", ErrorKind::kConflict};
+}
 
 Status migrate(SqlDatabase& database, std::span<const Migration> steps) {
   TRY(database.run_script(kRemembered));

@@ -18,6 +18,9 @@ struct Migration {
 
 std::span<const Migration> migrations();
 
+/// That the database has been through all of them already. Error: store.other_schema.
+Status check_schema(SqlDatabase& database, std::span<const Migration> steps = migrations());
+
 /// Takes the database through those of `steps` that it has not been through, each whole or not at all.
 /// Errors: store.newer_schema when the database knows a step that this program does not; those of
 /// SqlDatabase.

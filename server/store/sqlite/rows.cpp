@@ -140,6 +140,9 @@ Result<store::JobRow> job_from(const SqlStatement& row) {
   if (!priority) return damaged(job.id);
   job.priority = *priority;
   job.input = row.text(20);
+  job.suspect = row.integer(21) != 0;
+  job.lease = {row.text(22), row.integer(23), row.integer(24)};
+  job.progress = row.text(25);
   return job;
 }
 

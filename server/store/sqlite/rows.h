@@ -21,13 +21,15 @@ inline constexpr const char* kAssetColumns = "id, kind, name, size, created_ms, 
 inline constexpr const char* kProjectColumns = "id, name, revision, created_ms, updated_ms, files, document";
 inline constexpr const char* kJobColumns =
     "id, project_id, project_revision, name, state, reason_code, reason, reason_where, attempt, created_ms, "
-    "started_ms, ended_ms, results, files, report, document, notes, verdict, worked_ms, priority, input";
+    "started_ms, ended_ms, results, files, report, document, notes, verdict, worked_ms, priority, input, "
+    "suspect, holder, lease, lease_until_ms, progress";
 /// The same without the document.
 inline constexpr const char* kJobListColumns =
     "id, project_id, project_revision, name, state, reason_code, reason, reason_where, attempt, created_ms, "
-    "started_ms, ended_ms, results, files, report, '', notes, verdict, worked_ms, priority, input";
+    "started_ms, ended_ms, results, files, report, '', notes, verdict, worked_ms, priority, input, "
+    "suspect, holder, lease, lease_until_ms, progress";
 /// How many columns a job has: where one more may stand.
-inline constexpr int kJobColumnCount = 21;
+inline constexpr int kJobColumnCount = 26;
 
 /// Error of each: store.corrupt.
 Result<store::AssetRow> asset_from(const SqlStatement& row);

@@ -13,6 +13,7 @@
 
 #include "server/store/blobs.h"
 #include "server/store/folder_lock.h"
+#include "server/store/holders.h"
 #include "server/store/ids.h"
 #include "server/store/sqlite/database.h"
 #include "server/store/store.h"
@@ -27,10 +28,15 @@ struct BlobPlace {
 
 class SqliteStore final : public store::Store {
  public:
+  struct Locks {
+    std::optional<store::FolderLock> server;
+    store::FolderLock shared;
+    store::Holder holder;
+  };
   /// `failures` are those that blobs and database count in.
-  SqliteStore(store::FolderLock lock, store::Blobs blobs, SqlDatabase database, store::IdSource ids,
+  SqliteStore(Locks locks, store::Blobs blobs, SqlDatabase database, store::IdSource ids,
               std::shared_ptr<const store::Failures> failures, store::Quotas quotas)
-      : lock_(std::move(lock)),
+      : locks_(std::move(locks)),
         failures_(std::move(failures)),
         quotas_(quotas),
         blobs_(std::move(blobs)),
@@ -78,8 +84,13 @@ class SqliteStore final : public store::Store {
   Result<std::vector<std::string>> jobs_of_project(const store::RequestContext& context,
                                                    const std::string& project_id) override;
   Status remove_job(const store::RequestContext& context, const std::string& id) override;
-  Status update_job(const store::RequestContext& context, const store::JobRow& row) override;
+  Result<store::JobRow> change_job(const store::RequestContext& context, const std::string& id,
+                                   const JobEdit& edit) override;
   Result<std::vector<OwnedJob>> unfinished_jobs() override;
+  std::string holder() const override { return locks_.holder.id(); }
+  Result<std::vector<OwnedJob>> take_from_the_gone(std::int64_t now_ms, bool own,
+                                                   const JudgeJob& judge) override;
+  std::int64_t changes_by_others() override;
   Result<std::vector<store::OwnedId>> jobs_ended_before(std::int64_t unix_ms, int limit) override;
   Result<std::vector<store::OwnedId>> unused_assets(std::int64_t before_ms) override;
   Result<store::Usage> usage(const store::RequestContext& context) override;
@@ -126,6 +137,8 @@ class SqliteStore final : public store::Store {
   Status trim_edits(const store::OwnerId& owner, const std::string& project_id);
   Status forget_edits(const store::OwnerId& owner, const std::string& project_id);
   Result<std::optional<store::JobRow>> find_job_of_key(const store::OwnerId& owner, const std::string& key);
+  Status write_job(const store::OwnerId& owner, const store::JobRow& row);
+  Result<std::vector<OwnedJob>> find_unfinished_jobs();
 
   Result<store::Usage> usage_of(const store::OwnerId& owner);
   /// Error: quota.bytes when `more` bytes would be too many.
@@ -137,10 +150,13 @@ class SqliteStore final : public store::Store {
   // And what follows takes it.
   Result<BlobPlace> blob_place(const store::OwnerId& owner, const std::string& id);
   Status check_job(const store::OwnerId& owner, const std::string& id);
+  /// Gives a file of a job its name, while the lease of `context` is the job's.
+  Status name_file(const store::RequestContext& context, const std::string& id,
+                   const store::Blobs::Naming& naming);
   Result<store::ResultFile> kept_result(const store::OwnerId& owner, const std::string& job_id,
                                         const std::string& name);
 
-  const store::FolderLock lock_;
+  const Locks locks_;
   const std::shared_ptr<const store::Failures> failures_;
   const store::Quotas quotas_;
   const store::Blobs blobs_;

@@ -18,6 +18,7 @@
 #include "tests/app/napkin.h"
 #include "tests/server/http/wire.h"
 #include "tests/server/owners.h"
+#include "tests/server/store/update_job.h"
 
 namespace toile::test {
 
@@ -69,7 +70,7 @@ class ScriptedJobs final : public jobs::JobService {
                    ErrorKind::kConflict};
     }
     row.state = state;
-    TRY(store_.update_job(context, row));
+    TRY(update_job(store_, context, row));
     return row;
   }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tests/server/http/served.h"
+#include "tests/server/store/update_job.h"
 
 namespace toile::test {
 namespace {
@@ -63,7 +64,7 @@ class Limits : public Served {
     store::JobRow row = store->job(kMe, id).value();
     row.state = store::JobState::kSucceeded;
     row.results = {{"final.glb", static_cast<std::int64_t>(bytes)}};
-    EXPECT_TRUE(store->update_job(kMe, row));
+    EXPECT_TRUE(test::update_job(*store, kMe, row));
     return id;
   }
 

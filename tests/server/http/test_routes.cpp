@@ -8,6 +8,7 @@
 #include "core/image/read_picture.h"
 #include "core/image/write_png.h"
 #include "tests/server/http/served.h"
+#include "tests/server/store/update_job.h"
 
 namespace toile::test {
 namespace {
@@ -273,7 +274,7 @@ TEST_F(Routes, GiveOutResultsAndTheReport) {
   row->state = store::JobState::kSucceeded;
   row->report = "{\"settled\": true}\n";
   row->results = {{"front.png", 4}};
-  ASSERT_TRUE(store->update_job(kMe, *row));
+  ASSERT_TRUE(test::update_job(*store, kMe, *row));
   EXPECT_EQ(count(get(address + "/results"), "results"), 1u);
   const Answer png = get(address + "/results/front.png");
   EXPECT_EQ(png.body, "\x89PNG");
@@ -309,7 +310,7 @@ TEST_F(Routes, AResultThatTheDiskHasChangedIsAFaultAndNotAnAnswer) {
   Result<store::JobRow> row = store->job(kMe, id);
   row->state = store::JobState::kSucceeded;
   row->results["front.png"] = {4, hash_of(std::string_view("png!"))};
-  ASSERT_TRUE(store->update_job(kMe, *row));
+  ASSERT_TRUE(test::update_job(*store, kMe, *row));
   const std::string target = "/api/v1/jobs/" + id + "/results/front.png";
   EXPECT_EQ(get(target).body, "png!");
   std::ofstream(folder / "data" / "results" / id / "front.png") << "pgn!";

@@ -125,28 +125,45 @@ class FakeStore final : public store::Store {
     jobs_.erase({context.owner, id});
     return {};
   }
-  Status update_job(const store::RequestContext& context, const store::JobRow& row) override {
+  Result<store::JobRow> change_job(const store::RequestContext& context, const std::string& id,
+                                   const JobEdit& edit) override {
+    const std::lock_guard changing(change_mutex_);
+    store::JobRow row = TRY(job(context, id));
+    if (context.lease != 0 && context.lease != row.lease.number) return store::lease_lost();
+    TRY(edit(row));
     if (on_update_job) {
-      if (Status refused = on_update_job(row); !refused) return refused;
+      if (Status refused = on_update_job(row); !refused) return refused.error();
     }
     const std::lock_guard lock(mutex_);
-    const auto found = jobs_.find({context.owner, row.id});
-    if (found == jobs_.end()) return Error{"store.not_found", "", "", ErrorKind::kNotFound};
-    store::JobRow& kept = found->second;
-    kept.state = row.state;
-    kept.attempt = row.attempt;
-    kept.reason_code = row.reason_code;
-    kept.reason = row.reason;
-    kept.reason_where = row.reason_where;
-    kept.started_ms = row.started_ms;
-    kept.ended_ms = row.ended_ms;
-    kept.report = row.report;
-    kept.results = row.results;
-    kept.notes = row.notes;
-    kept.verdict = row.verdict;
-    kept.worked_ms = row.worked_ms;
-    return {};
+    jobs_.at({context.owner, id}) = row;
+    return row;
   }
+  std::string holder() const override { return "h_fake"; }
+  Result<std::vector<OwnedJob>> take_from_the_gone(std::int64_t, bool own, const JudgeJob& judge) override {
+    std::vector<OwnedJob> left;
+    const std::vector<OwnedJob> all = TRY(unfinished_jobs());
+    for (const OwnedJob& owned : all) {
+      const bool runs = owned.job.state == store::JobState::kRunning;
+      if (owned.job.lease.holder.empty() ? runs : own) left.push_back(owned);
+    }
+    const auto running = std::count_if(left.begin(), left.end(), [](const OwnedJob& owned) {
+      return owned.job.state == store::JobState::kRunning;
+    });
+    for (OwnedJob& owned : left) {
+      const auto kept = checkpoint(store::RequestContext(owned.owner), owned.job.id);
+      owned.job.lease.holder.clear();
+      LeftJob one{owned, static_cast<int>(running), kept ? kept->kept_ms : 0};
+      judge(one);
+      owned = one.owned;
+      if (on_update_job) {
+        if (Status refused = on_update_job(owned.job); !refused) return refused.error();
+      }
+      const std::lock_guard lock(mutex_);
+      jobs_.at({owned.owner, owned.job.id}) = owned.job;
+    }
+    return left;
+  }
+  std::int64_t changes_by_others() override { return 0; }
   Result<std::vector<OwnedJob>> unfinished_jobs() override {
     const std::lock_guard lock(mutex_);
     std::vector<OwnedJob> found;
@@ -297,6 +314,7 @@ class FakeStore final : public store::Store {
   }
 
   std::filesystem::path folder_;
+  std::mutex change_mutex_;  // before mutex_
   std::mutex mutex_;
   int count_ = 0;
   std::map<Key, Asset> assets_;

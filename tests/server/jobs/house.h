@@ -62,6 +62,7 @@ class JobHouse : public testing::Test {
               ("toile_jobs_" + test_name() + std::to_string(::getpid()))) {
     settings.still_width = 64;
     settings.still_height = 80;
+    settings.heartbeat_s = 3600;  // tests count what is written
     make(2);
   }
 

@@ -4,6 +4,7 @@
 
 #include "tests/server/jobs/house.h"
 #include "tests/server/store/store_folder.h"
+#include "tests/server/store/update_job.h"
 
 namespace toile {
 namespace {
@@ -102,7 +103,7 @@ TEST(EqualResults, AreOneFileUntilTheFirstJobGoesAndStayWithTheSecond) {
   first.results["report.json"] = {6, hash_of(std::string_view(bytes))};
   EXPECT_FALSE(*store->succeeded_job_of_input(kMe, "equal")) << "it has not ended";
   first.state = store::JobState::kSucceeded;
-  ASSERT_TRUE(store->update_job(kMe, first));
+  ASSERT_TRUE(test::update_job(*store, kMe, first));
   EXPECT_EQ((*store->succeeded_job_of_input(kMe, "equal"))->id, first.id);
   EXPECT_FALSE(*store->succeeded_job_of_input(kStranger, "equal"));
   EXPECT_FALSE(*store->succeeded_job_of_input(kMe, ""));
@@ -110,7 +111,7 @@ TEST(EqualResults, AreOneFileUntilTheFirstJobGoesAndStayWithTheSecond) {
   ASSERT_TRUE(store->share_results(kMe, first.id, second.id));
   second.results = first.results;
   second.state = store::JobState::kSucceeded;
-  ASSERT_TRUE(store->update_job(kMe, second));
+  ASSERT_TRUE(test::update_job(*store, kMe, second));
   EXPECT_EQ(std::filesystem::hard_link_count(*store->result_path(kMe, second.id, "report.json")), 2u);
   ASSERT_TRUE(store->remove_job(kMe, first.id));
   EXPECT_EQ(*store->result_bytes(kMe, second.id, "report.json"), "report");
@@ -123,7 +124,7 @@ TEST(EqualResults, ThatTheDiskHasChangedAreNotHandedOn) {
   store::JobRow first = *store->create_job(kMe, some_job("first"), "");
   ASSERT_TRUE(store->put_result(kMe, first.id, "report.json", "reporT"));
   first.results["report.json"] = {6, hash_of(std::string_view("report"))};
-  ASSERT_TRUE(store->update_job(kMe, first));
+  ASSERT_TRUE(test::update_job(*store, kMe, first));
   const store::JobRow second = *store->create_job(kMe, some_job("second"), "");
   EXPECT_EQ(code_of(store->share_results(kMe, first.id, second.id)), "store.corrupt");
 }

@@ -4,6 +4,7 @@
 #include "tests/server/jobs/house.h"
 
 #include "tests/server/store/store_folder.h"
+#include "tests/server/store/update_job.h"
 
 namespace toile {
 namespace {
@@ -19,7 +20,7 @@ class RetentionTest : public testing::Test {
     row.ended_ms = ended_ms;
     EXPECT_TRUE(store->put_result(kMe, row.id, "report.json", "{}"));
     row.results["report.json"] = 2;
-    EXPECT_TRUE(store->update_job(kMe, row));
+    EXPECT_TRUE(test::update_job(*store, kMe, row));
     return row;
   }
   jobs::Removed remove(const jobs::RetentionSettings& settings, std::int64_t now_ms) {
@@ -76,7 +77,7 @@ TEST_F(RetentionTest, AnUploadThatAnOldJobUsedGoesAfterTheJob) {
   row = *store->create_job(kMe, row, "");
   row.state = store::JobState::kSucceeded;
   row.ended_ms = body.created_ms;
-  ASSERT_TRUE(store->update_job(kMe, row));
+  ASSERT_TRUE(test::update_job(*store, kMe, row));
   const jobs::Removed removed = remove({.jobs_days = 1, .uploads_days = 1}, body.created_ms + 2 * kDayMs);
   EXPECT_EQ(removed.jobs, 1);
   EXPECT_EQ(removed.uploads, 1);

@@ -1,6 +1,7 @@
 // What the store keeps of drapes under way.
 
 #include "tests/server/store/store_folder.h"
+#include "tests/server/store/update_job.h"
 
 namespace toile {
 namespace {
@@ -50,7 +51,7 @@ TEST(StoreCheckpoints, OfJobsThatHaveEndedGoWhenTheStoreIsOpened) {
       EXPECT_TRUE(store->put_checkpoint(owner, id, "state").ok());
     }
     row.state = store::JobState::kSucceeded;
-    EXPECT_TRUE(store->update_job(kAnn, row).ok());  // and then it was killed
+    EXPECT_TRUE(test::update_job(*store, kAnn, row).ok());  // and then it was killed
   }
   const auto store = opened(folder.path());
   EXPECT_EQ(code_of(store->checkpoint(kAnn, ended)), "store.not_found");

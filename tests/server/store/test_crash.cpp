@@ -12,6 +12,7 @@
 
 #include "server/store/sqlite/database.h"
 #include "tests/server/store/store_folder.h"
+#include "tests/server/store/update_job.h"
 
 namespace toile {
 namespace {
@@ -30,7 +31,7 @@ constexpr std::size_t kIdSize = 22;
     auto made = store->create_job(kMe, job, "key-" + std::to_string(i) + "-" + bytes[0]);
     if (!asset || !made || !store->put_result(kMe, made->id, "report.json", made->id)) _exit(1);
     made->results = {{"report.json", kIdSize}};  // what no row names goes at the next start
-    if (!store->update_job(kMe, *made)) _exit(3);
+    if (!test::update_job(*store, kMe, *made)) _exit(3);
     if (::write(out, made->id.data(), kIdSize) != static_cast<ssize_t>(kIdSize)) _exit(2);
   }
 }

@@ -8,6 +8,7 @@
 #include "core/base/hash.h"
 #include "server/store/sqlite/migrations.h"
 #include "tests/server/store/store_folder.h"
+#include "tests/server/store/update_job.h"
 
 namespace toile {
 namespace {
@@ -21,7 +22,7 @@ store::JobRow ended_job(store::Store& store, std::int64_t ended_ms, const std::s
   job.state = store::JobState::kSucceeded;
   job.ended_ms = ended_ms;
   job.results["report.json"] = {static_cast<std::int64_t>(bytes.size()), hash_of(std::string_view(bytes))};
-  EXPECT_TRUE(store.update_job(kMe, job));
+  EXPECT_TRUE(test::update_job(store, kMe, job));
   return job;
 }
 
@@ -120,7 +121,7 @@ TEST(StoreKeeping, OwnersHaveSoManyUnfinishedJobsAndARetryIsNone) {
   EXPECT_TRUE(store->create_job(kBob, some_job("c"), ""));
   store::JobRow ended = first;
   ended.state = store::JobState::kCancelled;
-  ASSERT_TRUE(store->update_job(kMe, ended));
+  ASSERT_TRUE(test::update_job(*store, kMe, ended));
   EXPECT_TRUE(store->create_job(kMe, some_job("c"), ""));
 }
 

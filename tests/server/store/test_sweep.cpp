@@ -6,6 +6,7 @@
 #include <set>
 
 #include "tests/server/store/store_folder.h"
+#include "tests/server/store/update_job.h"
 
 namespace toile {
 namespace {
@@ -33,7 +34,7 @@ store::JobRow job_with(store::Store& store, store::JobState state, const std::ve
   for (const std::string& name : kept) EXPECT_TRUE(store.put_result(kMe, job.id, name, "bytes"));
   job.state = state;
   for (const std::string& name : named) job.results[name] = 5;
-  EXPECT_TRUE(store.update_job(kMe, job));
+  EXPECT_TRUE(test::update_job(store, kMe, job));
   return job;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/server/store/store_folder.h"
+#include "tests/server/store/update_job.h"
 
 namespace toile {
 namespace {
@@ -35,7 +36,7 @@ TEST(StoreThreads, GiveEachJobItsOwnIdAndLoseNone) {
         continue;
       }
       job->state = store::JobState::kRunning;
-      if (!store->update_job(kMe, *job)) ++faults;
+      if (!test::update_job(*store, kMe, *job)) ++faults;
       if (!store->put_result(kMe, job->id, "r", job->id)) ++faults;
       if (store->asset_bytes(kMe, asset->id).value() != content) ++faults;
       if (!store->jobs(kMe, "", 5) || !store->unfinished_jobs()) ++faults;

@@ -1,0 +1,37 @@
+#include "server/app/end_of_program.h"
+
+#include <pthread.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <thread>
+
+#include "server/app/exit_code.h"
+
+namespace toile::app {
+
+sigset_t hold_ending_signals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGINT);
+  sigaddset(&signals, SIGTERM);
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  std::signal(SIGPIPE, SIG_IGN);
+  return signals;
+}
+
+void end_anyway_in(std::chrono::seconds time, const Log& log) {
+  std::thread([time, log] {
+    std::this_thread::sleep_for(time);
+    log.warn("what still runs is cut off", LogFields{});
+    std::_Exit(kDone);
+  }).detach();
+}
+
+void wait_for_the_end(const sigset_t& signals) {
+  int signal = 0;
+  sigwait(&signals, &signal);
+  pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
+}
+
+}  // namespace toile::app

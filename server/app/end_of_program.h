@@ -1,0 +1,22 @@
+#pragma once
+// How what runs until it is told to end is told so.
+
+#include <signal.h>
+
+#include <chrono>
+
+#include "core/base/log.h"
+
+namespace toile::app {
+
+/// SIGINT and SIGTERM, held back from every thread that is made from now on.
+sigset_t hold_ending_signals();
+
+/// Until one of them comes. From then on a second one ends the program at once.
+void wait_for_the_end(const sigset_t& signals);
+
+/// Ends the process by then, whatever still runs in it: a picture or an arrangement cannot be broken off. The
+/// store has all that it said it had, so that this costs no more than a crash.
+void end_anyway_in(std::chrono::seconds time, const Log& log);
+
+}  // namespace toile::app
