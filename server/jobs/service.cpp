@@ -26,6 +26,8 @@ namespace {
 
 /// How often this process looks whether others have changed anything.
 constexpr auto kLookRound = std::chrono::milliseconds(200);
+/// How often an end is offered to a store that is busy, which waits for some seconds each time.
+constexpr int kMostTries = 3;
 /// After the store has refused a claim a worker waits: a full disk is not emptied in a millisecond.
 constexpr auto kStorePause = std::chrono::seconds(1);
 
@@ -46,6 +48,8 @@ class QueueingJobService final : public JobService {
   Result<store::Made<store::JobRow>> submit(const store::RequestContext& context,
                                             const std::string& project_id, const std::string& idempotency_key,
                                             const JobWish& wish) override;
+  Result<store::Made<store::JobRow>> retry(const store::RequestContext& context, const std::string& id,
+                                           const std::string& idempotency_key) override;
   Result<store::JobRow> pause(const store::RequestContext& context, const std::string& id) override;
   Result<store::JobRow> resume(const store::RequestContext& context, const std::string& id) override;
   Result<store::JobRow> cancel(const store::RequestContext& context, const std::string& id) override;
@@ -61,6 +65,8 @@ class QueueingJobService final : public JobService {
   Error refusal(const store::RequestContext& context, const std::string& id, JobEvent event);
   Status check_parking(const Changing& changing, const LiveJob& job) const;
   Status check_queue() const;
+  Result<store::Made<store::JobRow>> queue(const store::RequestContext& context, store::JobRow row,
+                                           const std::string& idempotency_key, bool anew);
   std::optional<store::JobRow> answered(const Changing& changing, const store::RequestContext& context,
                                         const store::JobRow& job);
 
@@ -176,17 +182,43 @@ Result<store::Made<store::JobRow>> QueueingJobService::submit(const store::Reque
   TRY(check_queue());
   store::JobRow row = TRY(row_of_drape(documents_, context, project_id, settings_.limits, wish.from));
   row.priority = wish.priority;
-  row.input = input_of(row, settings_.engine, settings_.still_width, settings_.still_height);
+  return queue(context, std::move(row), idempotency_key, wish.anew);
+}
 
+Result<store::Made<store::JobRow>> QueueingJobService::retry(const store::RequestContext& context,
+                                                             const std::string& id,
+                                                             const std::string& idempotency_key) {
+  const store::JobRow before = TRY(store_.job(context, id));
+  if (!store::is_final(before.state)) {
+    return Error{"jobs.state",
+                 "a job that is " + std::string(store::name_of(before.state)) +
+                     " cannot be tried again; it has not ended",
+                 "", ErrorKind::kConflict};
+  }
+  store::JobRow row;
+  row.project_id = before.project_id;
+  row.project_revision = before.project_revision;
+  row.name = before.name;
+  row.document = before.document;
+  row.files = before.files;
+  row.priority = before.priority;
+  return queue(context, std::move(row), idempotency_key, true);
+}
+
+/// `anew`: whatever equal ones there are.
+Result<store::Made<store::JobRow>> QueueingJobService::queue(const store::RequestContext& context,
+                                                             store::JobRow row,
+                                                             const std::string& idempotency_key, bool anew) {
+  row.input = input_of(row, settings_.engine, settings_.still_width, settings_.still_height);
   const Changing changing = table_.changing();
   TRY(check_queue());  // others came while the document was read
   const store::Made<store::JobRow> made = TRY(store_.create_job(context, std::move(row), idempotency_key));
   if (made.anew) {
-    std::optional<store::JobRow> ended = wish.anew ? std::nullopt : answered(changing, context, made);
+    std::optional<store::JobRow> ended = anew ? std::nullopt : answered(changing, context, made);
     if (ended) return store::Made<store::JobRow>{std::move(*ended), true};
     const LiveJobPtr job = table_.insert(changing, context, made);
     if (job) table_.announce(changing, *job);
-    context.log.info("job queued", {{"job", made.id}, {"project", project_id}});
+    context.log.info("job queued", {{"job", made.id}, {"project", made.project_id}});
   }
   return store::Made<store::JobRow>{without_document(made), made.anew};
 }
@@ -567,6 +599,8 @@ void QueueingJobService::end(const Changing& changing, const LiveJobPtr& job, co
   if (store::is_final(job->state)) return;  // cancelled before: the end comes too late
   const JobEvent event = run_end.succeeded ? JobEvent::kFinish : JobEvent::kFail;
   Status kept = table_.change(changing, *job, event, ended(run_end));
+  for (int again = 0; !kept && kept.error().kind == ErrorKind::kUnavailable && again < kMostTries; ++again)
+    kept = table_.change(changing, *job, event, ended(run_end));  // another process had the database
   if (kept) return;
   const Error refusal = kept.error();  // of the store; it may still take the few words of a failure
   job->context.log.warn("job's end not kept", refusal);

@@ -74,6 +74,12 @@ class JobService {
                                                     const std::string& project_id,
                                                     const std::string& idempotency_key,
                                                     const JobWish& wish = {}) = 0;
+  /// Queues a drape of what a job that has ended draped, its document and files as they were then. Under a
+  /// key as submit(). Errors: store.not_found, jobs.state, store.idempotency_mismatch, store.idempotency_key,
+  /// jobs.queue_full, quota.bytes, quota.jobs.
+  virtual Result<store::Made<store::JobRow>> retry(const store::RequestContext& context,
+                                                   const std::string& id,
+                                                   const std::string& idempotency_key) = 0;
   /// The state has changed when these return, durably; a worker that drapes lets go within 50 ms. A paused
   /// drape stays in memory, and resuming puts it at the head of the queue. Errors: store.not_found;
   /// jobs.state when the job's state does not allow it; jobs.stopped while the service does not run;

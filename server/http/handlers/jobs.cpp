@@ -113,6 +113,14 @@ http::HttpResponse cancel(const Api& api, const store::RequestContext& context,
   return changed(api, context, api.jobs.cancel(context, request.captures[0]));
 }
 
+http::HttpResponse retry(const Api& api, const store::RequestContext& context,
+                         const http::HttpRequest& request) {
+  const Result<store::Made<store::JobRow>> job =
+      api.jobs.retry(context, request.captures[0], request.header("idempotency-key"));
+  if (!job) return http::problem(job.error());
+  return made_answer(job_answer(api, context, *job), job->anew, place_of(*job));
+}
+
 http::HttpResponse remove(const Api& api, const store::RequestContext& context,
                           const http::HttpRequest& request) {
   const Status removed = api.jobs.remove(context, request.captures[0]);
@@ -227,6 +235,7 @@ ApiRoutes job_routes() {
       {.method = "POST", .pattern = "/api/v1/jobs/{id}/pause", .handler = pause},
       {.method = "POST", .pattern = "/api/v1/jobs/{id}/resume", .handler = resume},
       {.method = "POST", .pattern = "/api/v1/jobs/{id}/cancel", .handler = cancel},
+      {.method = "POST", .pattern = "/api/v1/jobs/{id}/retry", .handler = retry},
       {.pattern = "/api/v1/jobs/{id}/results", .handler = list_results},
       {.pattern = "/api/v1/jobs/{id}/results/{name}", .handler = result},
       {.pattern = "/api/v1/jobs/{id}/results/{name}/small",

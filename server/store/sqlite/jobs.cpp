@@ -230,7 +230,7 @@ Result<std::vector<store::Store::OwnedJob>> SqliteStore::take_from_the_gone(std:
   std::erase_if(jobs, [&](const OwnedJob& owned) {
     const store::JobLease& lease = owned.job.lease;
     if (lease.holder.empty()) return owned.job.state != store::JobState::kRunning;
-    if (lease.holder == locks_.holder.id()) return !own;
+    if (own && lease.holder == locks_.holder.id()) return false;
     return lease.until_ms > now_ms && !locks_.holder.is_gone(lease.holder);
   });
   for (OwnedJob& owned : jobs) {

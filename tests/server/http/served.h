@@ -41,6 +41,11 @@ class ScriptedJobs final : public jobs::JobService {
     row.priority = wish.priority;
     return store_.create_job(context, row, key);
   }
+  Result<store::Made<store::JobRow>> retry(const store::RequestContext& context, const std::string& id,
+                                           const std::string& key) override {
+    const store::JobRow row = TRY(store_.job(context, id));
+    return store_.create_job(context, row, key);
+  }
   Result<store::JobRow> pause(const store::RequestContext& context, const std::string& id) override {
     return become(context, id, store::JobState::kPaused);
   }

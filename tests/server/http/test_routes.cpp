@@ -292,7 +292,7 @@ TEST_F(Routes, MakeAPictureAmongTheResultsSmaller) {
     ASSERT_TRUE(store->put_result(kMe, id, name, bytes));
     row->results[name] = {static_cast<std::int64_t>(bytes.size()), hash_of(std::string_view(bytes))};
   }
-  ASSERT_TRUE(store->update_job(kMe, *row));
+  ASSERT_TRUE(test::update_job(*store, kMe, *row));
   const auto width_of = [](const Answer& answer) { return image::read_picture(answer.body)->picture.width; };
   const Answer small = get(address + "front.png/small");
   EXPECT_EQ(small.headers.at("content-type"), "image/png");

@@ -82,6 +82,24 @@ TEST_F(EqualInputs, OfWhatFellShortOrFailedAreDrapedAnew) {
   EXPECT_GT(draped(project).worked_ms, 0);
 }
 
+TEST_F(EqualInputs, AreDrapedAnewWhereAnEndedJobIsTriedAgain) {
+  start("engine");
+  const std::string project = project_of(cloth_over_block(200, 0.2));
+  const store::JobRow first = draped(project);
+  ASSERT_TRUE(store.remove_project(kOwner, project, 0));
+  const auto again = service->retry(kOwner, first.id, "key");
+  ASSERT_TRUE(again) << to_string(again.error());
+  EXPECT_EQ(service->retry(kOwner, first.id, "key")->id, again->id)
+      << "a request that is sent again makes no other";
+  ASSERT_TRUE(publisher.wait_for_end(again->id));
+  EXPECT_EQ(row(again->id).state, store::JobState::kSucceeded);
+  EXPECT_GT(row(again->id).worked_ms, 0);
+  EXPECT_EQ(hash_in(row(again->id)), hash_in(first));
+  const std::string endless = submitted(project_of(cloth_over_block(201, test::kEndless))).id;
+  EXPECT_EQ(service->retry(kOwner, endless, "").error().code, "jobs.state");
+  EXPECT_EQ(service->retry(kOwner, "j_none", "").error().code, "store.not_found");
+}
+
 TEST_F(EqualInputs, AreDrapedWhereTheResultsOfThenCannotBeHad) {
   start("engine");
   const std::string project = project_of(cloth_over_block(200, 0.2));

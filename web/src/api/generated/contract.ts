@@ -665,6 +665,29 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/jobs/{id}/retry": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example j_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["JobId"];
+            };
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Drape once more what an ended job draped
+         * @description A new job of the document and files of then, whatever has become of the project since.
+         */
+        post: operations["retryJob"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/jobs/{id}/results": {
         parameters: {
             query?: never;
@@ -4324,6 +4347,32 @@ export interface operations {
         requestBody?: never;
         responses: {
             200: components["responses"]["Job"];
+            404: components["responses"]["Problem"];
+            409: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    retryJob: {
+        parameters: {
+            query?: never;
+            header?: {
+                /**
+                 * @description 1 to 200 printable characters, for a request that may be sent again because its answer got lost. What the
+                 *     first one made is answered with 201, and with 200 from then on.
+                 * @example 5f0c1b9e-7a52-4b0e-9a53-2a0f1f1a7a11
+                 */
+                "Idempotency-Key"?: components["parameters"]["IdempotencyKey"];
+            };
+            path: {
+                /** @example j_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["JobId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            200: components["responses"]["JobMade"];
+            201: components["responses"]["JobMade"];
             404: components["responses"]["Problem"];
             409: components["responses"]["Problem"];
             default: components["responses"]["Problem"];
