@@ -212,6 +212,8 @@ TEST_F(Contract, EveryAnswerAndMessageFitsItsSchema) {
   recorded("POST", "/api/v1/jobs/" + held + "/resume");
   recorded("POST", "/api/v1/jobs/" + held + "/retry");
   recorded("POST", "/api/v1/jobs/" + held + "/cancel");
+  const std::string again = member(recorded("POST", address + "/retry"), "id");
+  recorded("POST", "/api/v1/jobs/" + again + "/cancel");
   recorded("GET", "/metrics");
   recorded("DELETE", address);
   recorded("DELETE", address);
