@@ -444,7 +444,7 @@ describe('the page', () => {
   it('edits the outline by hand, each change one step at the service', async () => {
     await page.keyboard.press('e');
     await page.keyboard.press('z');
-    await page.locator('.plane [data-piece=front] .piece-name').click();
+    await page.locator('.plane [data-piece=front] .piece-cloth').click();
     const grip = page.locator('.plane [data-piece=front] .grip.point').first();
     await grip.waitFor();
     const before = await shownProject();
