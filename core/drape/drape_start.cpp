@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/arrange/arrange.h"
+#include "core/drape/left_open.h"
 #include "core/drape/worn_part.h"
 #include "core/mesh/make_panel_meshes.h"
 #include "core/preflight/preflight.h"
@@ -88,6 +89,7 @@ Result<DrapeStart> prepare_start(const DrapeInput& input, const RunContext& cont
   start.findings = preflight::run_preflight(
       {input.pattern, start.meshes, input.bodies, input.settings.particle_distance}, start.assembly);
   tell_left_out(input, start.findings);
+  tell_left_open(input, start.meshes, start.placed, start.findings);
   return start;
 }
 

@@ -134,9 +134,10 @@ void write_one(StateWriter& out, const LeftOut& piece) {
 }
 void write_one(StateWriter& out, const DrapeInput& input) {
   const auto& [name, pattern, placements, fabrics, fabric_of_panel, bodies, attachments, notions, settings,
-               before, left_out] = input;
+               before, left_out, left_open] = input;
   write(out, name, pattern, placements, fabrics, fabric_of_panel, bodies, attachments, notions, settings,
         before ? warm::encode_hung(*before) : std::string(), left_out);
+  if (!left_open.empty()) write(out, left_open);  // all others keep their hash
 }
 void write_one(StateWriter& out, const sewing::GarmentMesh& garment) {
   const auto& [rest, triangles, panel_of_vertex, panel_of_triangle, first_vertex, sewn, seam_of_sewn, weld] =

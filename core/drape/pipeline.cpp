@@ -8,6 +8,7 @@
 #include "core/drape/drape_session.h"
 #include "core/drape/fit_start.h"
 #include "core/drape/input_hash.h"
+#include "core/drape/left_open.h"
 #include "core/drape/paper_session.h"
 #include "core/drape/worn_verdict.h"
 #include "core/preflight/preflight.h"
@@ -194,6 +195,7 @@ Status DrapeRun::begin(DrapeStart start, bool on_body) {
   person_ = start.person;
   std::optional<std::vector<Vec3>> dressed;
   if (start.dressed) dressed = std::move(start.dressed->positions);
+  facing_left_open_ = facing_of_left_open(input(), start.meshes, start.placed.garment);
   tops_ = tops_where_begun(start.placed, dressed ? *dressed : start.assembly.positions);
   if (input().settings.method == DrapeMethod::kPaper) {
     session_ = PaperSession::start(input(), start.meshes, std::move(start.assembly), dressed, ground);
@@ -282,6 +284,14 @@ int DrapeRun::advance(int max_steps, const RunContext& context) {
   return taken;
 }
 
+/// Such a seam is open as one that did not close is: the drape is a result in part.
+void DrapeRun::tell_what_is_left_open(DrapeResult& result) const {
+  for (OpenSeam& seam : gaps_left_open(input(), facing_left_open_, result.positions)) {
+    if (result.settled()) result.stop_reason = StopReason{Stop::kOpenSeam, seam.id, seam.gap};
+    result.open_seams.push_back(std::move(seam));
+  }
+}
+
 DrapeResult DrapeRun::conclude() {
   {
     const GoTimer timer(result_);
@@ -296,6 +306,7 @@ DrapeResult DrapeRun::conclude() {
   result.max_speed = session_->max_speed();
   result.seam_gap_max = session_->seam_gap();
   result.open_seams = session_->open_seams();
+  tell_what_is_left_open(result);
   WornVerdict verdict =
       judge_worn(input(), person_, result.garment, result.positions, tops_, result.open_seams);
   result.worn = verdict.worn;

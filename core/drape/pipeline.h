@@ -2,6 +2,7 @@
 // The one place where the order of a drape is written:
 // Pattern → PanelMeshes → Assembly → ClothState → Frames → result.
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -69,6 +70,7 @@ class DrapeRun {
   bool ends_badly() const;
   void begin_anew(const RunContext& context);
   void tell_left_out_by_paper();
+  void tell_what_is_left_open(DrapeResult& result) const;
   void record_frame();
 
   const DrapeInput& given_;
@@ -82,6 +84,7 @@ class DrapeRun {
   int frame_interval_;  ///< steps
   int recorded_ = -1;   ///< step of the newest recorded frame
   int start_ = kSewnInPlace;
+  std::vector<std::vector<std::array<Index, 2>>> facing_left_open_;  ///< core/drape/left_open.h
   std::vector<double> tops_;     ///< m, of each panel where it began
   bool last_start_ = false;      ///< no other leads on
   bool ended_badly_ = false;     ///< another start is to be tried

@@ -6,6 +6,7 @@
 
 #include "core/base/aabb.h"
 #include "core/base/disjoint_sets.h"
+#include "core/drape/left_open.h"
 #include "core/dressing/person.h"
 #include "core/mesh/make_panel_meshes.h"
 #include "core/mesh/sewn_part.h"
@@ -139,6 +140,7 @@ DrapeInput with_panels(const DrapeInput& input, const std::vector<Index>& kept) 
     some.fabric_of_panel.push_back(input.fabric_of_panel[p]);
   }
   renumber(now, some.pattern.seams);
+  renumber(now, some.left_open);
   some.attachments = now.those_of_panels(std::move(some.attachments));
   renumber(now, some.notions);
   for (std::size_t p = 0; p < input.pattern.panels.size(); ++p) {
@@ -150,6 +152,7 @@ DrapeInput with_panels(const DrapeInput& input, const std::vector<Index>& kept) 
 }
 
 DrapeInput worn_part(DrapeInput input) {
+  input = with_seams_that_can_be_sewn(std::move(input));
   const pattern::Pattern& pattern = input.pattern;
   if (!input.settings.dress || pattern.seams.empty() || is_layered(pattern) || all_sewn(pattern))
     return input;

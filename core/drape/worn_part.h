@@ -1,5 +1,5 @@
 #pragma once
-// A garment without the pieces that nothing holds on.
+// A garment without the seams that cannot be sewn and the pieces that nothing holds on.
 
 #include <string>
 #include <vector>
@@ -10,13 +10,13 @@
 
 namespace toile::drape {
 
-/// The input without what would fall off a person: pieces that no seam, attachment, button or cushion joins
+/// The input without seams that cannot be sewn (core/drape/left_open.h) and without what would fall off a person: pieces that no seam, attachment, button or cushion joins
 /// to the rest, and that cannot be worn by themselves: they do not close around anything (one border), or are
 /// sleeves, collars, cuffs or frills by their names. A pocket bag, a lining or a trim whose seams are not
 /// told would otherwise keep the whole from being draped. `left_out` names them; what is told of them alone
 /// goes with them.
 ///
-/// The same input where it is not for a person, where pieces are sewn from where they stand
+/// All pieces where it is not for a person, where pieces are sewn from where they stand
 /// (`settings.dress`), where layers are told, or where nothing is sewn.
 DrapeInput worn_part(DrapeInput input);
 

@@ -55,7 +55,7 @@ std::vector<std::pair<Index, double>> slipped_parts(const sewing::GarmentMesh& g
 }
 
 bool is_whole(const DrapeInput& input, const std::vector<OpenSeam>& open) {
-  return open.empty() && std::all_of(input.left_out.begin(), input.left_out.end(),
+  return open.empty() && input.left_open.empty() && std::all_of(input.left_out.begin(), input.left_out.end(),
                                      [](const LeftOut& piece) { return piece.layer; });
 }
 

@@ -13,8 +13,6 @@ namespace toile::preflight {
 namespace {
 
 constexpr double kEased = 1.02, kGathered = 1.5;
-/// Gathers of 1:3 are sewn; what is a hair over is rounding.
-constexpr double kMostGathered = 3.02;
 constexpr double kShortEdge = 0.5;  ///< particle distances
 /// Largest piece against the height of the largest body: beyond these it is no garment for it.
 constexpr double kHuge = 3, kTiny = 0.03;

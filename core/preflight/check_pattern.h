@@ -6,6 +6,9 @@
 
 namespace toile::preflight {
 
+/// Gathers of 1:3 are sewn; what is a hair over is rounding.
+inline constexpr double kMostGathered = 3.02;
+
 /// Sizes: pieces against bodies and against what they are sewn to, edges against the particle distance, the
 /// two sides of seams against each other, places against the bodies. Codes: piece.scale, piece.far,
 /// edge.short, seam.length_difference, seam.length_ratio.
