@@ -36,7 +36,7 @@ struct DrapeInput {
   DrapeSettings settings;
   /// From whose end to go on, where that can be done; null: from the pieces.
   std::shared_ptr<const warm::HungGarment> before = nullptr;
-  std::vector<LeftOut> left_out;  ///< not in `pattern` (core/drape/worn_part.h, fit_start.h)
+  std::vector<LeftOut> left_out;         ///< not in `pattern` (core/drape/worn_part.h, fit_start.h)
   std::vector<pattern::Seam> left_open;  ///< not in `pattern`: cannot be sewn (core/drape/left_open.h)
 };
 

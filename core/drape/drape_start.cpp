@@ -57,14 +57,15 @@ std::optional<sewing::Assembly> coarse_assembly(const DrapeInput& input,
 /// The garment put on from where `placements` have its pieces, by the ways from number `first` on.
 dressing::TriedOn put_on_from(const DrapeInput& input, const mesh::PanelMeshes& meshes,
                               const std::vector<sewing::Placement>& placements,
-                              const dressing::Wearer& wearer, std::size_t first, const RunContext& context) {
+                              const dressing::Wearer& wearer, std::size_t first, dressing::Effort effort,
+                              const RunContext& context) {
   const auto fine = sewing::assemble(meshes, placements, {}, {});
   if (!fine) return {};
   std::optional<sewing::Assembly> coarse;
   const double distance = coarse_distance(meshes);
   if (input.settings.particle_distance < distance)
     coarse = coarse_assembly(input, placements, distance, context);
-  return dressing::put_on(*fine, coarse ? *coarse : *fine, wearer, context, first);
+  return dressing::put_on(*fine, coarse ? *coarse : *fine, wearer, context, first, effort);
 }
 
 }  // namespace
@@ -99,14 +100,17 @@ bool may_put_on(const DrapeInput& input, const DrapeStart& start) {
 }
 
 PutOnTries put_on_after(int after, const DrapeInput& input, const DrapeStart& start,
-                        const RunContext& context) {
+                        const RunContext& context, dressing::Effort effort) {
   const auto ways = static_cast<int>(dressing::dressing_ways().size());
   const dressing::Wearer wearer(*start.person);
   const auto from = [&](const std::vector<sewing::Placement>& placements, int before) {
     const int first = std::max(0, after - before);  // ways, numbered from 0
+    const dressing::Effort part = effort.half();
     dressing::TriedOn tried =
-        put_on_from(input, start.meshes, placements, wearer, static_cast<std::size_t>(first), context);
+        put_on_from(input, start.meshes, placements, wearer, static_cast<std::size_t>(first), part, context);
     PutOnTries tries;
+    tries.effort = effort = effort.less(part, tried.effort);
+    tries.gave_up = tried.gave_up;
     if (tried.on)
       tries.on = PutOn{std::move(tried.on->positions), before + static_cast<int>(tried.on->number) + 1};
     tries.nearest = before + static_cast<int>(tried.nearest) + 1;
@@ -115,19 +119,22 @@ PutOnTries put_on_after(int after, const DrapeInput& input, const DrapeStart& st
     return tries;
   };
   PutOnTries tries;
+  tries.effort = effort;
   if (after < ways) tries = from(input.placements, 0);
   if (tries.on || after >= 2 * ways || context.cancelled()) return tries;
   const auto anew = arrange::arrange({input.pattern, start.meshes, input.bodies, names_left_out(input)});
   if (!anew) return tries;
   PutOnTries arranged = from(anew->placements, ways);
+  tries.effort = arranged.effort;
+  tries.gave_up = arranged.gave_up = tries.gave_up || arranged.gave_up;
   const bool further = !arranged.at_fault.empty() && tries.shortfall < arranged.shortfall;
   return arranged.on || tries.at_fault.empty() || !further ? std::move(arranged) : std::move(tries);
 }
 
 std::optional<PutOnTries> dress_start(const DrapeInput& input, DrapeStart& start, const RunContext& context,
-                                      int after) {
+                                      int after, dressing::Effort effort) {
   if (!may_put_on(input, start) || !in_question(start.findings)) return std::nullopt;
-  PutOnTries tries = put_on_after(after, input, start, context);
+  PutOnTries tries = put_on_after(after, input, start, context, effort);
   start.dressed = tries.on;
   if (start.dressed) begin_on_body(start);
   return tries;

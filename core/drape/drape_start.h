@@ -30,6 +30,8 @@ struct PutOnTries {
   int nearest = kSewnInPlace;     ///< where none was: number of the start that came nearest
   dressing::Shortfall shortfall;  ///< by how much it did not
   std::vector<Index> at_fault;    ///< and the panels that kept it from being certified, rising
+  dressing::Effort effort;        ///< what is left of it
+  bool gave_up = false;           ///< there was more to try, but the effort was spent
 };
 
 /// What a drape begins with.
@@ -53,7 +55,7 @@ Result<DrapeStart> prepare_start(const DrapeInput& input, const RunContext& cont
 /// `after` are passed over. Gives back the tries; nothing where there was nothing to try. Progress phase:
 /// "dress".
 std::optional<PutOnTries> dress_start(const DrapeInput& input, DrapeStart& start, const RunContext& context,
-                                      int after = kSewnInPlace);
+                                      int after = kSewnInPlace, dressing::Effort effort = dressing::Effort());
 
 /// Whether putting on can be tried: a person is to wear something that is sewn and has no layers, and the
 /// settings want it.
@@ -62,7 +64,7 @@ bool may_put_on(const DrapeInput& input, const DrapeStart& start);
 /// The next start after number `after` that is certified; none where none is left, or where the context
 /// was cancelled. REQUIRES may_put_on(). Progress phase: "dress".
 PutOnTries put_on_after(int after, const DrapeInput& input, const DrapeStart& start,
-                        const RunContext& context);
+                        const RunContext& context, dressing::Effort effort = dressing::Effort());
 
 /// Where pieces were placed does not matter any more: the garment is on.
 void begin_on_body(DrapeStart& start);

@@ -46,6 +46,16 @@ void mark_at_fault(const std::vector<Index>& at_fault, std::vector<bool>& out) {
   for (const Index p : at_fault) out[panel_of[p]] = true;
 }
 
+/// Work that the machine does not do must not be taken for work that cannot be done.
+void tell_given_up(preflight::Findings& findings) {
+  findings.push_back(preflight::found(preflight::FindingKind::kGivenUp,
+                                      "putting the garment on was given up before all ways to do so were "
+                                      "tried, since it cost too much work; a "
+                                      "larger particle distance leaves time for more of them",
+                                      {}, {}));
+  preflight::sort_by_severity(findings);
+}
+
 /// Without these panels and what nothing holds on then; nothing where too little would remain.
 std::optional<DrapeInput> reduced_by(const DrapeInput& input, const DrapeStart& whole,
                                      std::vector<bool>& out) {
@@ -78,9 +88,11 @@ DrapeInput without_panels(const DrapeInput& input, const DrapeStart& start, cons
   return part;
 }
 
-FittedStart fit_start(const DrapeInput& input, DrapeStart& start, const RunContext& context) {
+FittedStart fit_start(const DrapeInput& input, DrapeStart& start, const RunContext& context,
+                      dressing::Effort effort) {
   FittedStart fitted;
-  std::optional<PutOnTries> tries = dress_start(input, start, context);
+  std::optional<PutOnTries> tries = dress_start(input, start, context, kSewnInPlace, effort);
+  if (tries && tries->gave_up && !tries->on) tell_given_up(start.findings);
   fitted.last_start = !may_put_on(input, start) || (tries && !tries->on);
   if (!tries || tries->on || !preflight::first_error(start.findings)) return fitted;
   std::vector<bool> out(input.pattern.panels.size(), false);
@@ -90,7 +102,7 @@ FittedStart fit_start(const DrapeInput& input, DrapeStart& start, const RunConte
     if (!part) return fitted;
     Result<DrapeStart> less = prepare_start(*part, context);
     if (!less) return fitted;
-    tries = dress_start(*part, *less, context, tries->nearest - 1);
+    tries = dress_start(*part, *less, context, tries->nearest - 1, tries->effort);
     if (!preflight::first_error(less->findings)) {
       fitted = {!may_put_on(*part, *less), std::move(out), std::move(part)};
       start = std::move(*less);

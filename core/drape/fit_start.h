@@ -21,7 +21,11 @@ struct FittedStart {
 /// is tried again without the pieces that kept the way that came nearest from its certificate, and without
 /// what nothing holds on then, a few times, as long as half of the cloth remains. Where that leads
 /// nowhere, `start` keeps the findings of the whole.
-FittedStart fit_start(const DrapeInput& input, DrapeStart& start, const RunContext& context);
+///
+/// What `effort` does not suffice for is not tried; a finding tells where that keeps the garment from being
+/// put on.
+FittedStart fit_start(const DrapeInput& input, DrapeStart& start, const RunContext& context,
+                      dressing::Effort effort = dressing::Effort());
 
 /// The input without the panels of which `out` is true. `start` is of the whole.
 DrapeInput without_panels(const DrapeInput& input, const DrapeStart& start, const std::vector<bool>& out);

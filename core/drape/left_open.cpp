@@ -70,7 +70,8 @@ Line line_of(const std::vector<pattern::SeamEdge>& side, const mesh::PanelMeshes
       along.push_back(along.back() +
                       length(garment.rest[first + edge[k]] - garment.rest[first + edge[k - 1]]));
     const double whole = along.back();
-    const double from = whole * (e.reversed ? 1 - e.to : e.from), to = whole * (e.reversed ? 1 - e.from : e.to);
+    const double from = whole * (e.reversed ? 1 - e.to : e.from),
+                 to = whole * (e.reversed ? 1 - e.from : e.to);
     for (std::size_t k = 0; k < edge.size(); ++k) {
       line.vertices.push_back(first + edge[k]);
       line.along.push_back(before + std::clamp(along[k], from, to) - from);
@@ -130,7 +131,8 @@ void tell_left_open(const DrapeInput& input, const mesh::PanelMeshes& meshes,
                  b = seams::series_length(input.pattern, seam.b);
     Vec3 place;
     for (const auto& [i, j] : facing[s])
-      place += (assembly.positions[i] + assembly.positions[j]) * (0.5 / static_cast<double>(facing[s].size()));
+      place +=
+          (assembly.positions[i] + assembly.positions[j]) * (0.5 / static_cast<double>(facing[s].size()));
     preflight::Finding told = preflight::found(
         preflight::FindingKind::kLengthRatio,
         preflight::length_text(metres_from_mm(std::max(a, b))) + " are sewn to " +

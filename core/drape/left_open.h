@@ -16,8 +16,8 @@ namespace toile::drape {
 
 /// The input without the seams of which one side is more than three times as long as the other
 /// (preflight/check_pattern.h): no cloth is gathered as much. `left_open` has them. The same input where less
-/// than half would hang together of what does with them, for then the file's units or its seams are wrong as a
-/// whole, and the look at the start refuses it.
+/// than half would hang together of what does with them, for then the file's units or its seams are wrong as
+/// a whole, and the look at the start refuses it.
 DrapeInput with_seams_that_can_be_sewn(DrapeInput input);
 
 /// Vertices of the garment that seams would join which are left open: some of each, in the order of

@@ -229,7 +229,8 @@ bool DrapeRun::ends_badly() const {
                        [&](const preflight::Finding& f) { return f.kind == kind; });
   };
   // What is too wide falls from any start.
-  return told(preflight::FindingKind::kRingOff) && !told(preflight::FindingKind::kOnGround);
+  const bool amiss = told(preflight::FindingKind::kRingOff) || told(preflight::FindingKind::kElsewhere);
+  return amiss && !told(preflight::FindingKind::kOnGround);
 }
 
 /// From the next start that is certified, where there is one, and only once; else it goes on as it is. What a

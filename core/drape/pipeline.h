@@ -85,9 +85,9 @@ class DrapeRun {
   int recorded_ = -1;   ///< step of the newest recorded frame
   int start_ = kSewnInPlace;
   std::vector<std::vector<std::array<Index, 2>>> facing_left_open_;  ///< core/drape/left_open.h
-  std::vector<double> tops_;     ///< m, of each panel where it began
-  bool last_start_ = false;      ///< no other leads on
-  bool ended_badly_ = false;     ///< another start is to be tried
+  std::vector<double> tops_;                                         ///< m, of each panel where it began
+  bool last_start_ = false;                                          ///< no other leads on
+  bool ended_badly_ = false;                                         ///< another start is to be tried
   std::string from_the_pieces_;  ///< why it does not go on from another's end
   warm::HungGarment pieces_;     ///< flat
   std::string begun_anew_;       ///< why the newest was; empty while it is the first

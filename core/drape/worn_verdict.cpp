@@ -5,6 +5,7 @@
 
 #include "core/base/aabb.h"
 #include "core/base/disjoint_sets.h"
+#include "core/drape/worn_place.h"
 #include "core/dressing/certificate.h"
 
 namespace toile::drape {
@@ -55,8 +56,9 @@ std::vector<std::pair<Index, double>> slipped_parts(const sewing::GarmentMesh& g
 }
 
 bool is_whole(const DrapeInput& input, const std::vector<OpenSeam>& open) {
-  return open.empty() && input.left_open.empty() && std::all_of(input.left_out.begin(), input.left_out.end(),
-                                     [](const LeftOut& piece) { return piece.layer; });
+  return open.empty() && input.left_open.empty() &&
+         std::all_of(input.left_out.begin(), input.left_out.end(),
+                     [](const LeftOut& piece) { return piece.layer; });
 }
 
 }  // namespace
@@ -82,7 +84,8 @@ WornVerdict judge_worn(const DrapeInput& input, const std::optional<dressing::Pe
     verdict.worn = Worn::kNo;
   };
   const dressing::Skeleton skeleton = dressing::skeleton_of(person->figure);
-  for (const dressing::WornRing& ring : dressing::worn_rings(garment, x, skeleton)) {
+  const std::vector<dressing::WornRing> rings = dressing::worn_rings(garment, x, skeleton);
+  for (const dressing::WornRing& ring : rings) {
     if (ring.slit) tell_slit(input, garment, ring, x, verdict);
     if (ring.right) continue;
     add(preflight::FindingKind::kRingOff,
@@ -94,6 +97,10 @@ WornVerdict judge_worn(const DrapeInput& input, const std::optional<dressing::Pe
         "what hangs together here slipped " + preflight::length_text(by) +
             " down from where it was put on; something to hold it up is missing, or it is too wide",
         {preflight::piece_named(input.pattern.panels[panel].id)}, x[garment.first_vertex[panel]]);
+  }
+  for (preflight::Finding& f : out_of_place(input, person->figure, garment, x, tops, rings)) {
+    verdict.findings.push_back(std::move(f));
+    verdict.worn = Worn::kNo;
   }
   const auto highest = std::max_element(x.begin(), x.end(), [](Vec3 a, Vec3 b) { return a.y < b.y; });
   if (highest->y < person->figure.leg[0].ankle.y + kDropped)

@@ -21,9 +21,9 @@ struct WornVerdict {
 /// The height of the highest vertex of each panel, m.
 std::vector<double> tops_of(const sewing::GarmentMesh& garment, std::span<const Vec3> x);
 
-/// Rings around limbs, nothing that has slipped far down from where it began, not all on the ground, no seam
-/// among `open`, and no piece missing but linings, facings and pockets. `x`: m, one a garment vertex; `tops`:
-/// tops_of() where the garment began.
+/// Rings around limbs, pieces where they belong (worn_place.h), nothing that has slipped far down from where
+/// it began, not all on the ground, no seam among `open`, and no piece missing but linings, facings and
+/// pockets. `x`: m, one a garment vertex; `tops`: tops_of() where the garment began.
 WornVerdict judge_worn(const DrapeInput& input, const std::optional<dressing::Person>& person,
                        const sewing::GarmentMesh& garment, std::span<const Vec3> x,
                        std::span<const double> tops, const std::vector<OpenSeam>& open);

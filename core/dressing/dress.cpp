@@ -24,7 +24,9 @@ constexpr double kFinishing = 0.01;                   // m, that a finer mesh is
 constexpr int kUntangling = 120;
 constexpr int kSmoothings = 3;
 constexpr double kSmooth = 1;  // bending, as ShapeWishes
-constexpr int kWatched = 10;   // passes from one look to the next
+/// What finding out what crosses, and the certificate, cost in passes of the shape problem.
+constexpr int kLook = 1, kJudging = 20;
+constexpr int kWatched = 10;  // passes from one look to the next
 
 struct Sewn {
   std::vector<Index> vertex_of;  ///< shape vertex of each garment vertex
@@ -199,45 +201,52 @@ void make_room(const Wearer& wearer, Sewn& sewn) {
   open_gaps(collision::make_surface(sewn.mesh.triangles, sewn.mesh.vertex_count), wearer.obstacles(), sewn.x);
 }
 
-/// The cloth comes back to its shape, as far as that makes no new tangle.
-void come_back(const Wearer& wearer, const DressingWay& way, const RunContext& context, Sewn& sewn) {
+/// The cloth comes back to its shape, as far as that makes no new tangle. False where it is tangled as it is.
+bool come_back(const Wearer& wearer, const DressingWay& way, const RunContext& context, Effort& effort,
+               Sewn& sewn) {
   const SlimFigure whole = wearer.slim(0);
   const collision::Surface surface = collision::make_surface(sewn.mesh.triangles, sewn.mesh.vertex_count);
   const auto pass = [&](std::vector<Vec3>& x, double least, double bending) {
     ShapeSolver solver(sewn.mesh, {}, {least, 1.02, bending, 0, 0.05, 0});
     for (int i = 0; i < kSpreading; ++i) solver.pass(x, {}, &whole);
+    effort.spend(sewn.mesh.vertex_count, kSpreading);
   };
   // What is caught in a fold comes free as the fold is smoothed.
   const auto parted = [&](std::vector<Vec3>& x, double least) {
     for (int round = 0;; ++round) {
-      if (untangle(surface, whole, wearer.crossing(), sewn.mesh.spacing, kUntangling, x).none()) return true;
-      if (round == kSmoothings || context.cancelled()) return false;
+      const Untangled u = untangle(surface, whole, wearer.crossing(), sewn.mesh.spacing, kUntangling, x);
+      effort.spend(sewn.mesh.vertex_count, kLook * (1 + u.passes));
+      if (u.left.none()) return true;
+      if (round == kSmoothings || effort.spent() || context.cancelled()) return false;
       pass(x, least, kSmooth);
     }
   };
-  if (!parted(sewn.x, way.least_stretch)) return;
+  if (!parted(sewn.x, way.least_stretch)) return false;
   for (const double wanted : kComingBack) {
-    if (context.cancelled()) return;
+    if (effort.spent() || context.cancelled()) return true;
     const double least = std::max(wanted, way.least_stretch);
     std::vector<Vec3> x = sewn.x;
     pass(x, least, 0.5 * way.bending);
-    if (!parted(x, least)) return;
+    if (!parted(x, least)) return true;
     sewn.x = std::move(x);
   }
+  return true;
 }
 
 }  // namespace
 
 Dressed dress(const sewing::Assembly& assembly, const Wearer& wearer, const DressingWay& way,
-              const RunContext& context, const ShapeWatch& watch) {
+              const RunContext& context, const ShapeWatch& watch, Effort effort) {
   const sewing::GarmentMesh& g = assembly.garment;
-  Dressed dressed{{}, {}, way, 0, 0};
+  Dressed dressed{{}, {}, way, 0, 0, effort};
   const std::vector<Vec3> open = drawn_together(assembly, wearer, way, context, watch);
   for (const auto& [i, j] : g.sewn) dressed.seam_gap = std::max(dressed.seam_gap, length(open[i] - open[j]));
   Sewn sewn = shape_of(g, joined(g), open);
   grow(assembly, wearer, way, context, watch, sewn);
-  if (rings_right(g, unjoined(sewn), wearer.skeleton())) come_back(wearer, way, context, sewn);
-  make_room(wearer, sewn);
+  dressed.effort.spend(g.vertex_count(), kSewing + kGrowing + kJudging);
+  const bool parted = rings_right(g, unjoined(sewn), wearer.skeleton()) &&
+                      come_back(wearer, way, context, dressed.effort, sewn);
+  if (parted) make_room(wearer, sewn);  // no room makes good what is not on
   for (Index i = 0; i < g.vertex_count(); ++i)
     dressed.positions.push_back(snapped(sewn.x[sewn.vertex_of[i]]));
   dressed.certificate =

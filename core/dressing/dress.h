@@ -8,6 +8,7 @@
 
 #include "core/base/run_context.h"
 #include "core/dressing/certificate.h"
+#include "core/dressing/effort.h"
 #include "core/dressing/staging.h"
 #include "core/dressing/wearer.h"
 #include "core/sewing/assembly.h"
@@ -28,14 +29,16 @@ struct Dressed {
   DressingWay way;
   std::size_t number = 0;  ///< of the way, in dressing_ways()
   double seam_gap = 0;     ///< m, the widest when the seams were joined
+  Effort effort;           ///< what is left of it
 };
 
 /// Who looks on: called now and then with where each garment vertex is, m. May be empty.
 using ShapeWatch = std::function<void(std::span<const Vec3>)>;
 
-/// One try. Progress phase: "dress".
+/// One try, which is broken off before it parts what crosses where its effort is spent. Progress phase:
+/// "dress".
 Dressed dress(const sewing::Assembly& assembly, const Wearer& wearer, const DressingWay& way,
-              const RunContext& context, const ShapeWatch& watch = {});
+              const RunContext& context, const ShapeWatch& watch = {}, Effort effort = Effort());
 
 /// Parts what still crosses in a shape whose seams are shut, and judges it.
 void finish(const sewing::Assembly& assembly, const Wearer& wearer, Dressed& dressed);

@@ -85,12 +85,16 @@ std::vector<Vec3> carried_over(const sewing::GarmentMesh& fine, const sewing::Ga
 }
 
 TriedOn put_on(const sewing::Assembly& fine, const sewing::Assembly& coarse, const Wearer& wearer,
-               const RunContext& context, std::size_t first) {
+               const RunContext& context, std::size_t first, Effort effort) {
   TriedOn tried;
+  tried.effort = effort;
   std::optional<Dressed> nearest;
   for (std::size_t number = first; number < dressing_ways().size(); ++number) {
     if (context.cancelled()) return {};
-    Dressed dressed = dress(coarse, wearer, dressing_ways()[number], context);
+    tried.gave_up = number > first && tried.effort.spent();
+    if (tried.gave_up) break;
+    Dressed dressed = dress(coarse, wearer, dressing_ways()[number], context, {}, tried.effort);
+    tried.effort = dressed.effort;
     dressed.number = number;
     if (!dressed.certificate.holds()) {
       if (!nearest || shortfall_of(dressed.certificate) < shortfall_of(nearest->certificate))

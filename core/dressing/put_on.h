@@ -22,15 +22,17 @@ struct TriedOn {
   std::size_t nearest = 0;      ///< where none was: number of the way that came nearest
   Shortfall shortfall;          ///< by how much it did not
   std::vector<Index> at_fault;  ///< and the panels that kept it from being certified, rising
+  Effort effort;                ///< what is left of it
+  bool gave_up = false;         ///< there were more ways, but the effort was spent
 };
 
 /// Tries each way on `coarse`, and carries the first that is certified there and not badly squeezed, else the
 /// least squeezed, over to `fine`, where it must be certified again: `positions` are those of `fine`. Both
 /// are of one pattern, placed and sewn alike; they may be the same. The ways before `first`, an index into
-/// dressing_ways(), are passed over. Nothing is on where no way leads there, or where the context was
-/// cancelled. Progress phase: "dress".
+/// dressing_ways(), are passed over; so are those for which no effort is left, but for one. Nothing is on
+/// where no way leads there, or where the context was cancelled. Progress phase: "dress".
 TriedOn put_on(const sewing::Assembly& fine, const sewing::Assembly& coarse, const Wearer& wearer,
-               const RunContext& context, std::size_t first = 0);
+               const RunContext& context, std::size_t first = 0, Effort effort = Effort());
 
 /// The shape of `coarse` at the vertices of another mesh of the same pattern, by where they lie in the flat
 /// pieces; sewn vertices together. m.

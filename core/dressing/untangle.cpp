@@ -121,12 +121,14 @@ class Untangler {
 
 }  // namespace
 
-Tangle untangle(const collision::Surface& cloth, const SlimFigure& figure,
-                const collision::CrossingBody& body, double spacing, int passes, std::vector<Vec3>& x) {
+Untangled untangle(const collision::Surface& cloth, const SlimFigure& figure,
+                   const collision::CrossingBody& body, double spacing, int passes, std::vector<Vec3>& x) {
   Untangler untangler(cloth, spacing, x);
   Tangle left = untangler.look(body);
   int before = left.cloth_body + left.cloth_cloth;
+  int taken = 0;
   for (int i = 0; i < passes && !left.none(); ++i) {
+    ++taken;
     untangler.pass(figure);
     left = untangler.look(body);
     if ((i + 1) % kPatience != 0) continue;
@@ -134,7 +136,7 @@ Tangle untangle(const collision::Surface& cloth, const SlimFigure& figure,
     if (now > kProgress * before) break;
     before = now;
   }
-  return left;
+  return {left, taken};
 }
 
 }  // namespace toile::dressing

@@ -17,11 +17,16 @@ struct Tangle {
   int all() const { return cloth_body + cloth_cloth; }
 };
 
+struct Untangled {
+  Tangle left;
+  int passes = 0;  ///< that it took
+};
+
 /// Shortens the lines in which cloth crosses itself until none is left (Volino and Magnenat-Thalmann,
 /// "Resolving surface collisions through intersection contour minimization", 2006), smooths the cloth there,
 /// and moves what crosses the body outwards. At most `passes` times; `spacing` is the mean edge, m. Gives
 /// back what is left.
-Tangle untangle(const collision::Surface& cloth, const SlimFigure& figure,
-                const collision::CrossingBody& body, double spacing, int passes, std::vector<Vec3>& x);
+Untangled untangle(const collision::Surface& cloth, const SlimFigure& figure,
+                   const collision::CrossingBody& body, double spacing, int passes, std::vector<Vec3>& x);
 
 }  // namespace toile::dressing

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/mesh/sewn_part.h"
 #include "core/preflight/check_pattern.h"
 
 namespace toile::preflight {
@@ -104,8 +105,9 @@ void check_sides(const PreflightInput& input, std::span<const BodyProbe> probes,
               {seam_named(input.pattern.seams[k].id)}, place_of_seam(assembly, k)));
   }
   const auto count = static_cast<Index>(input.pattern.panels.size());
-  std::vector<int> facing(count);
-  for (Index p = 0; p < count; ++p) facing[p] = facing_of(assembly, probes, p);
+  std::vector<int> facing(count);  // what is closed all around, as a cushion is, has no side for the body
+  for (const mesh::SewnPart& part : mesh::sewn_parts(input.meshes))
+    for (const Index p : part.panels) facing[p] = part.borders > 0 ? facing_of(assembly, probes, p) : 0;
   Finding winding =
       found(FindingKind::kWindsOtherWay,
             "outlines that wind the other way than those of the pieces that they are sewn to: the wrong side "

@@ -184,6 +184,11 @@ Result<sewing::Placement> BodyPlaces::placement(const project::ProjectPlacement&
   }
   if (given.wrapped) return sewing::Placement{wrapped_of(*given.wrapped)};
   if (given.on_box) return on_box(*given.on_box, panel, json::pointer_to(where, "on_box"));
+  if (!given.around) {
+    return Error{"project.no_placement",
+                 "the piece " + in_quotes(panel.id) + " has no place; give it one, or have it arranged",
+                 where};
+  }
   return around(*given.around, panel, json::pointer_to(where, "around"));
 }
 

@@ -81,7 +81,7 @@ TEST(FitStart, ADrapeOfAPartGoesOnFromItsCheckpoint) {
 }
 
 /// 24 cm around, before and behind the trunk.
-TEST(FitStart, WhatNobodyCanPutOnIsRefused) {
+drape::DrapeInput narrow_tube() {
   pattern::Pattern narrow = test::strapless();
   const std::vector<Vec2> strip{{-60, 0}, {60, 0}, {60, 300}, {-60, 300}};
   narrow.panels = {test::polygon("bodice_front", strip), test::polygon("bodice_back", strip)};
@@ -89,11 +89,26 @@ TEST(FitStart, WhatNobodyCanPutOnIsRefused) {
   const double height = test::person().figure.waist - 0.2;
   input.placements = {sewing::RigidPlacement{{0, height, 0.2}, {}, false},
                       sewing::RigidPlacement{{0, height, -0.2}, {0, 3.14159265358979, 0}, false}};
+  return input;
+}
+
+TEST(FitStart, WhatNobodyCanPutOnIsRefused) {
+  const drape::DrapeInput input = narrow_tube();
   drape::DrapeStart start = drape::prepare_start(input, {}).value();
   ASSERT_TRUE(preflight::first_error(start.findings));
   const drape::FittedStart fitted = drape::fit_start(input, start, {});
   EXPECT_FALSE(fitted.reduced.has_value());
   EXPECT_TRUE(preflight::first_error(start.findings));
+  EXPECT_FALSE(told(start.findings, preflight::FindingKind::kGivenUp)) << "all ways were tried";
+}
+
+/// What cannot be put on costs a bounded work, and that there was more to try is told.
+TEST(FitStart, WhereTheWorkIsSpentItIsGivenUpAndTold) {
+  const drape::DrapeInput input = narrow_tube();
+  drape::DrapeStart start = drape::prepare_start(input, {}).value();
+  drape::fit_start(input, start, {}, dressing::Effort(1));
+  EXPECT_TRUE(preflight::first_error(start.findings));
+  EXPECT_TRUE(told(start.findings, preflight::FindingKind::kGivenUp));
 }
 
 TEST(FitStart, WhatSlipsDownIsNotWorn) {

@@ -70,15 +70,30 @@ TEST(PutOn, AFinerMeshTakesOverTheShapeAndIsCertifiedItself) {
   EXPECT_TRUE(on->certificate.holds());
 }
 
-TEST(PutOn, WhatCannotGoAroundTheBodyIsNotCertified) {
-  pattern::Pattern narrow;
+/// A tube of 240 mm, which is no garment for a trunk.
+pattern::Pattern narrow() {
+  pattern::Pattern p;
   const std::vector<Vec2> corners{{-60, 0}, {60, 0}, {60, 300}, {-60, 300}};
-  narrow.panels = {test::polygon("front", corners), test::polygon("back", corners)};
-  narrow.seams = {test::seam("left", {{0, 1}}, {{1, 3}}), test::seam("right", {{0, 3}}, {{1, 1}})};
+  p.panels = {test::polygon("front", corners), test::polygon("back", corners)};
+  p.seams = {test::seam("left", {{0, 1}}, {{1, 3}}), test::seam("right", {{0, 3}}, {{1, 1}})};
+  return p;
+}
+
+TEST(PutOn, WhatCannotGoAroundTheBodyIsNotCertified) {
   const dressing::Wearer wearer(test::person());
-  const sewing::Assembly assembly = placed(narrow, 0.022, test::person().figure.waist - 0.15);
-  EXPECT_FALSE(dressing::put_on(assembly, assembly, wearer, {}).on.has_value())
-      << "a tube of 240 mm is no garment for a trunk";
+  const sewing::Assembly assembly = placed(narrow(), 0.022, test::person().figure.waist - 0.15);
+  EXPECT_FALSE(dressing::put_on(assembly, assembly, wearer, {}).on.has_value());
+}
+
+TEST(PutOn, WhereTheEffortIsSpentOneWayIsTriedAndThatItWasGivenUpIsTold) {
+  const dressing::Wearer wearer(test::person());
+  const sewing::Assembly assembly = placed(narrow(), 0.022, test::person().figure.waist - 0.15);
+  const dressing::TriedOn short_of_work =
+      dressing::put_on(assembly, assembly, wearer, {}, 0, dressing::Effort(1));
+  EXPECT_FALSE(short_of_work.on.has_value());
+  EXPECT_TRUE(short_of_work.gave_up);
+  EXPECT_TRUE(short_of_work.effort.spent());
+  EXPECT_FALSE(dressing::put_on(assembly, assembly, wearer, {}).gave_up) << "all ways were tried";
 }
 
 TEST(PutOn, ACancelledTryGivesNothing) {

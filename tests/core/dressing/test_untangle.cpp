@@ -40,7 +40,7 @@ TEST(Untangle, ASheetThatPokesThroughAnotherIsDrawnBack) {
             triangles);  // its edge sticks out by 15 mm
   const auto surface = collision::make_surface(triangles, static_cast<Index>(x.size()));
   ASSERT_FALSE(collision::self_crossings(surface, x).empty());
-  const auto left = dressing::untangle(surface, wearer().slim(0), wearer().crossing(), kSpacing, 100, x);
+  const auto left = dressing::untangle(surface, wearer().slim(0), wearer().crossing(), kSpacing, 100, x).left;
   EXPECT_TRUE(left.none()) << left.cloth_cloth;
   EXPECT_TRUE(collision::self_crossings(surface, x).empty());
 }
@@ -54,7 +54,7 @@ TEST(Untangle, ClothInTheSkinComesOut) {
   add_sheet(6, skin - Vec3{0, 0, 0.02}, {1, 0, 0}, {0, 0.95, 0.31}, x, triangles);  // leans out
   const auto surface = collision::make_surface(triangles, static_cast<Index>(x.size()));
   ASSERT_FALSE(collision::body_crossings(surface, x, wearer().crossing()).empty());
-  const auto left = dressing::untangle(surface, wearer().slim(0), wearer().crossing(), kSpacing, 100, x);
+  const auto left = dressing::untangle(surface, wearer().slim(0), wearer().crossing(), kSpacing, 100, x).left;
   EXPECT_TRUE(left.none()) << left.cloth_body;
 }
 

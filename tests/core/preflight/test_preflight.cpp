@@ -93,6 +93,29 @@ TEST(Preflight, APieceThatStandsOnItsHeadIsToldToBeInsideOut) {
   EXPECT_EQ(f->severity, preflight::Severity::kWarning);
 }
 
+/// Before the column stands a case of two pieces, sewn all around; a third one hangs from nothing.
+TEST(Preflight, WhatIsClosedAllAroundHasNoSideForTheBody) {
+  drape::DrapeInput input = test::tube();
+  input.pattern.panels = {test::rectangle("front", 60, 60), test::rectangle("back", 60, 60)};
+  input.placements = {sewing::RigidPlacement{{0, 0.15, 0.13}, {}, false},
+                      sewing::RigidPlacement{{0, 0.15, 0.1}, {0, 3.14159265358979, 0}, false}};
+  input.attachments.clear();
+  input.pattern.seams.clear();
+  const auto sewn = [&](const char* id, Index a, Index b) {
+    input.pattern.seams.push_back({id, {{0, a, false}}, {{1, b, false}}, false});
+  };
+  sewn("bottom", 0, 0);
+  sewn("right", 1, 3);
+  sewn("top", 2, 2);
+  const auto has_inside_out = [&] {
+    const auto start = drape::prepare_start(input, {}).value();
+    return find(start.findings, preflight::FindingKind::kInsideOut) != nullptr;
+  };
+  EXPECT_TRUE(has_inside_out()) << "it is open on one side: a bag that is worn has an inside";
+  sewn("left", 3, 1);
+  EXPECT_FALSE(has_inside_out());
+}
+
 TEST(Preflight, ASeamThatMakesAMobiusStripIsToldByName) {
   drape::DrapeInput input = test::tube();
   input.pattern.seams[1].same_direction = false;

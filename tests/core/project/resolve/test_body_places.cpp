@@ -74,6 +74,18 @@ measure::PartBox box_of(measure::BodyPart part) {
   return measure::part_boxes(ann(), measure::find_figure(ann()).value())[static_cast<std::size_t>(part)];
 }
 
+TEST(BodyPlaces, APieceWithoutAPlaceIsNamed) {
+  const project::Project none;
+  const pattern::Panel panel{.id = "cuff", .outline = {}, .holes = {}, .fabric = {}};
+  resolve::BodyPlaces places(none, {});
+  const Result<sewing::Placement> nowhere =
+      places.placement(project::ProjectPlacement{}, panel, "/pieces/3/placement");
+  ASSERT_FALSE(nowhere);
+  EXPECT_EQ(nowhere.error().code, "project.no_placement");
+  EXPECT_EQ(nowhere.error().where, "/pieces/3/placement");
+  EXPECT_NE(nowhere.error().message.find("cuff"), std::string::npos);
+}
+
 TEST(ProjectBodyPlaces, APieceStandsWithItsMiddleBeforeTheSideThatIsNamed) {
   const drape::DrapeInput input = dressed();
   const measure::PartBox box = box_of(measure::BodyPart::kHips);

@@ -1,0 +1,112 @@
+#include "core/drape/worn_place.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/pattern/seams/piece_words.h"
+
+namespace toile::drape {
+namespace {
+
+/// m that cloth on a shoulder may lie below its outer end, or beyond it.
+constexpr double kOnShoulder = 0.02, kBeyondShoulder = 0.015;
+/// Bodices reach at least as high between waist (0) and bust (1); those that only hang on the hips do not.
+constexpr double kLowestTop = 0.3;
+constexpr double kFarFromArm = 0.15;  // m, from the arm's middle line to the nearest of a sleeve
+
+std::span<const Vec3> panel_of(const sewing::GarmentMesh& garment, std::span<const Vec3> x, std::size_t p) {
+  const auto first = static_cast<std::size_t>(garment.first_vertex[p]);
+  return x.subspan(first, static_cast<std::size_t>(garment.first_vertex[p + 1]) - first);
+}
+
+bool goes_around(std::span<const dressing::WornRing> rings, dressing::Limb arm) {
+  return std::any_of(rings.begin(), rings.end(), [&](const dressing::WornRing& ring) {
+    dressing::Enclosure alone;
+    alone.times[arm] = 1;
+    return ring.around == alone;
+  });
+}
+
+/// Whether any cloth lies over the shoulder between the neck and its outer end.
+bool lies_on_shoulder(const measure::BodyFigure& figure, std::size_t side, std::span<const Vec3> x) {
+  const double from = std::abs(figure.neck_side[side].x - figure.middle);
+  const double to = std::abs(figure.shoulder[side].x - figure.middle) + kBeyondShoulder;
+  const double sign = side == measure::kWearersLeft ? 1 : -1;
+  return std::any_of(x.begin(), x.end(), [&](Vec3 p) {
+    const double out = sign * (p.x - figure.middle);
+    return out >= from && out <= to && p.y >= figure.shoulder[side].y - kOnShoulder;
+  });
+}
+
+/// Whether a piece that is none of a sleeve began at the height of that shoulder.
+bool began_on_shoulder(const DrapeInput& input, const measure::BodyFigure& figure, std::size_t side,
+                       std::span<const double> tops) {
+  for (std::size_t p = 0; p < tops.size(); ++p)
+    if (tops[p] >= figure.shoulder[side].y && !seams::words_of(input.pattern.panels[p].id).limb) return true;
+  return false;
+}
+
+double distance_to_segment(Vec3 p, Vec3 a, Vec3 b) {
+  const Vec3 along = b - a;
+  const double t = std::clamp(dot(p - a, along) / std::max(1e-12, dot(along, along)), 0.0, 1.0);
+  return length(p - (a + along * t));
+}
+
+double distance_to_arms(const measure::BodyFigure& figure, std::span<const Vec3> x) {
+  double least = HUGE_VAL;
+  for (const measure::ArmLine& arm : figure.arm)
+    for (const Vec3 p : x)
+      least = std::min({least, distance_to_segment(p, arm.root, arm.elbow),
+                        distance_to_segment(p, arm.elbow, arm.wrist),
+                        distance_to_segment(p, arm.wrist, arm.tip)});
+  return least;
+}
+
+double highest_of(std::span<const Vec3> x) {
+  double high = -HUGE_VAL;
+  for (const Vec3 p : x) high = std::max(high, p.y);
+  return high;
+}
+
+/// Pieces whose names say for what of the body they are.
+void tell_strayed(const DrapeInput& input, const measure::BodyFigure& figure,
+                  const sewing::GarmentMesh& garment, std::span<const Vec3> x,
+                  preflight::Findings& findings) {
+  const double lowest = figure.waist + kLowestTop * (figure.bust - figure.waist);
+  for (std::size_t p = 0; p < input.pattern.panels.size(); ++p) {
+    const std::string& id = input.pattern.panels[p].id;
+    const seams::PieceWords words = seams::words_of(id);
+    const std::span<const Vec3> piece = panel_of(garment, x, p);
+    const bool low = words.kind == seams::PieceKind::kTorso && highest_of(piece) < lowest;
+    const bool off = words.kind == seams::PieceKind::kSleeve && distance_to_arms(figure, piece) > kFarFromArm;
+    if (!low && !off) continue;
+    findings.push_back(preflight::found(
+        preflight::FindingKind::kElsewhere,
+        low ? "by its name the piece is for the chest, but it ended below; see to its seams, and to its place"
+            : "by its name the piece is for an arm, but none is near; see to its seams, and to its place",
+        {preflight::piece_named(id)}, piece.front()));
+  }
+}
+
+}  // namespace
+
+preflight::Findings out_of_place(const DrapeInput& input, const measure::BodyFigure& figure,
+                                 const sewing::GarmentMesh& garment, std::span<const Vec3> x,
+                                 std::span<const double> tops, std::span<const dressing::WornRing> rings) {
+  preflight::Findings findings;
+  for (const std::size_t side : {measure::kWearersLeft, measure::kWearersRight}) {
+    const bool left = side == measure::kWearersLeft;
+    if (!goes_around(rings, left ? dressing::kLeftArm : dressing::kRightArm)) continue;
+    if (lies_on_shoulder(figure, side, x) || !began_on_shoulder(input, figure, side, tops)) continue;
+    findings.push_back(preflight::found(preflight::FindingKind::kOffShoulder,
+                                        std::string("the garment has slid off the ") +
+                                            (left ? "left" : "right") +
+                                            " shoulder; it is too wide there, or its neck is",
+                                        {}, figure.shoulder[side]));
+  }
+  tell_strayed(input, figure, garment, x, findings);
+  return findings;
+}
+
+}  // namespace toile::drape
