@@ -6,7 +6,8 @@ import { Poller } from '../src/commands/Poller';
 import { Watcher } from '../src/commands/Watcher';
 import { AppState, ready } from '../src/state/AppState';
 import { parseRoute } from '../src/state/routes';
-import type { Pieces } from '../src/api/types';
+import type { Edit, Job, Pieces } from '../src/api/types';
+import { reportOf } from './samples';
 import { fakeApi, jobOf, progressOf, projectOf, squareOf } from './fakes';
 
 function begin(more: Partial<Api> = {}) {
@@ -49,6 +50,28 @@ describe('starting a drape', () => {
     const { commands } = begin({ submit });
     await Promise.all([commands.startDrape(), commands.startDrape(), commands.runOrPause()]);
     expect(submit).toHaveBeenCalledTimes(1);
+  });
+
+  it('goes on from how the garment hung where it was only cut, lengthened or clothed otherwise', async () => {
+    const submit = vi.fn(fakeApi().submit);
+    const { commands, state } = begin({ submit });
+    const asked = async (edit: Edit, job: Partial<Job> = {}, worn: 'yes' | 'partly' = 'yes') => {
+      const hung = { state: 'succeeded', reason_code: 'settled', results: { 'final.hung': 900 } } as const;
+      state.projects.value = ready([projectOf({ revision: 2 })]);
+      state.jobs.value = ready([jobOf({ ...hung, ...job })]);
+      state.route.value = { name: 'job', id: 'j_1' };
+      state.report.value = ready(reportOf({ worn }));
+      state.editing.history.value = [{ number: 1, created_ms: 2000, undone: false, edits: [edit] }];
+      await commands.startDrape();
+      return submit.mock.lastCall![2];
+    };
+    const longer: Edit = { edit: 'move_point', piece: 'front', edge: 'e0', point: 0, to: [0, -20] };
+    expect(await asked(longer)).toBe('j_1');
+    expect(await asked({ edit: 'set_fabric', piece: 'front', fabric: 'denim' })).toBe('j_1');
+    expect(await asked({ edit: 'mirror_piece', piece: 'front' })).toBeUndefined();
+    expect(await asked(longer, { reason_code: 'time' })).toBeUndefined();
+    expect(await asked(longer, { results: {} })).toBeUndefined();
+    expect(await asked(longer, {}, 'partly')).toBeUndefined();
   });
 
   it('shows the code and the place when it is refused', async () => {

@@ -47,7 +47,8 @@ export interface Api {
   jobs(): Promise<Job[]>;
   job(id: string): Promise<Job>;
   /** `key` makes asking twice (a lost answer) start one drape only. */
-  submit(projectId: string, key: string): Promise<Job>;
+  /** `from`: a job from whose end to go on. */
+  submit(projectId: string, key: string, from?: string): Promise<Job>;
   /** One that has ended, with its results. */
   removeJob(id: string): Promise<void>;
   act(id: string, action: JobAction): Promise<Job>;
@@ -104,8 +105,8 @@ export function makeApi(http = new Http('/api/v1')): Api {
     },
     jobs: async () => (await http.get<Answer<'listJobs'>>('/jobs?limit=100')).jobs,
     job: (id) => http.get(`/jobs/${part(id)}`),
-    submit: (id, key) =>
-      http.post('/jobs', { project_id: id, priority: 'interactive' } satisfies Question<'submitJob'>, {
+    submit: (id, key, from) =>
+      http.post('/jobs', { project_id: id, priority: 'interactive', ...(from ? { from } : {}) } satisfies Question<'submitJob'>, {
         'Idempotency-Key': key,
       }),
     removeJob: async (id) => void (await http.send(`/jobs/${part(id)}`, { method: 'DELETE' })),

@@ -56,7 +56,7 @@ export class Commands {
     if (!project || submitting.value) return;
     submitting.value = true;
     try {
-      const job = await this.api_.submit(project, this.around_.newKey());
+      const job = await this.api_.submit(project, this.around_.newKey(), this.state_.goesOnFrom.value ?? undefined);
       this.watch_(job.id);
       this.state_.putJob(job);
       this.open({ name: 'job', id: job.id });

@@ -8,7 +8,7 @@ import type { Picture } from '../api/pictures';
 import type { EditStep, Job, Pieces, Progress, Project, Report } from '../api/types';
 import type { ClothMap, MapKind } from './clothMaps';
 import { DressingState, type Marks } from './dressing';
-import { EditingState, stepText } from './editing';
+import { EditingState, keepsTheShape, stepText } from './editing';
 import { finishOf, type Finish } from './fabrics';
 import type { ImportDraft } from './importDraft';
 import type { IntakePlan } from './intake';
@@ -149,8 +149,7 @@ export class AppState {
     return (job.state === 'failed' || job.state === 'cancelled') && !this.covered.value && !job.results?.['final.obj'];
   });
 
-  /** What was done to the project after its drape had begun, newest first; null while the drape is as new as the project. */
-  readonly since: ReadonlySignal<readonly string[] | null> = computed(() => {
+  private readonly stepsSince_: ReadonlySignal<readonly EditStep[] | null> = computed(() => {
     const job = this.job.value;
     const project = this.project.value;
     if (!job || !project || isActive(job.state) || project.revision <= job.project_revision) return null;
@@ -159,7 +158,22 @@ export class AppState {
     const steps = newer!.filter((step) => !step.undone);
     // All that was done has been undone, and no more than that: it is as it was draped.
     if (newer!.length > 0 && steps.length === 0 && !before!.some((step) => step.undone)) return null;
-    return steps.map((step) => stepText(step.edits));
+    return steps;
+  });
+
+  /** What was done to the project after its drape had begun, newest first; null while the drape is as new as the project. */
+  readonly since: ReadonlySignal<readonly string[] | null> = computed(
+    () => this.stepsSince_.value?.map((step) => stepText(step.edits)) ?? null,
+  );
+
+  /** The job from whose end the next drape goes on; null where it begins from the pieces. */
+  readonly goesOnFrom: ReadonlySignal<string | null> = computed(() => {
+    const job = this.job.value;
+    const steps = this.stepsSince_.value;
+    const report = valueOf(this.report.value ?? loading);
+    if (!job?.results['final.hung'] || job.reason_code !== 'settled' || !steps?.length || !report) return null;
+    const hangs = report.worn === undefined || report.worn === 'yes';
+    return hangs && steps.every(({ edits }) => edits.every(keepsTheShape)) ? job.id : null;
   });
 
   /** The seam that is lit, as its parts lie on the pieces. */

@@ -94,6 +94,28 @@ function restoreText(edit: Edit): string {
   return 'pieces' in edit ? 'Place pieces' : 'Change project';
 }
 
+const kKeepTheShape: ReadonlySet<string> = new Set([
+  'move_point',
+  'move_handle',
+  'insert_point',
+  'delete_point',
+  'straighten_edge',
+  'bend_edge',
+  'set_edge_length',
+  'add_notch',
+  'move_notch',
+  'remove_notch',
+  'set_fabric',
+  'set_texture',
+  'set_physical',
+  'set_max_time',
+]);
+
+/** Whether a garment that hangs may go on hanging after the edit: its pieces are the same, sewn as before, where they were. */
+export function keepsTheShape(edit: Edit): boolean {
+  return kKeepTheShape.has(edit.edit);
+}
+
 /** A step of the history in a few words. */
 export function stepText(edits: readonly Edit[]): string {
   const first = edits[0];
