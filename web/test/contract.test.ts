@@ -51,6 +51,9 @@ async function requestsOf(make: (http: Http) => object, first: unknown): Promise
   return asked;
 }
 
+/** The parameters that stand beside the methods of an address. */
+const ofAll = (item: object): Parameter[] => ('parameters' in item ? (item.parameters as Parameter[]) : []);
+
 /** The operation that a request is one of, and the parameters it names that the operation does not have. */
 function described(request: string): { operation: string | null; strange: string[] } {
   const [method, address] = request.split(' ') as [string, string];
@@ -58,7 +61,7 @@ function described(request: string): { operation: string | null; strange: string
   for (const [path, item] of Object.entries(contract.paths)) {
     const operation = item[method.toLowerCase()];
     if (!operation || !new RegExp(`^${path.replace(/{\w+}/g, '[^/]+')}$`).test(url.pathname)) continue;
-    const known = (operation.parameters ?? [])
+    const known = [...ofAll(item), ...(operation.parameters ?? [])]
       .map((one) => (one.$ref ? contract.components.parameters[one.$ref.split('/').at(-1)!]! : one))
       .filter((one) => one.in === 'query')
       .map((one) => one.name);
