@@ -4,14 +4,21 @@
 #include <iterator>
 #include <limits>
 #include <memory>
+#include <string>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "core/analysis/report.h"
 #include "core/base/text.h"
 #include "core/base/units.h"
+#include "core/base/write_file.h"
 #include "core/drape/pipeline.h"
 #include "core/drape/worn_part.h"
+#include "core/exports/report_page.h"
 #include "core/exports/write_report.h"
+#include "core/image/reduce.h"
+#include "core/json/tree.h"
 #include "core/project/resolve/resolve.h"
 #include "proto/cpp/trace_file.h"
 #include "server/app/commands.h"
@@ -81,6 +88,22 @@ ExitCode exit_code_of(const drape::DrapeResult& result) {
   return result.stop_reason.kind == drape::Stop::kCancelled ? kCancelled : kUnsettled;
 }
 
+constexpr int kPageWidth = 440;  // pixels of a picture on the report's page
+
+/// report.html, with those stills that were drawn.
+Status write_page(const analysis::Report& report, const DrapeOptions& options) {
+  const fs::path out = options.out;
+  std::vector<exports::PagePicture> pictures;
+  for (const char* view : {"front", "side", "back"}) {
+    if (!options.stills) continue;
+    std::ifstream file(out / (std::string(view) + ".png"), std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    if (auto small = image::reduced_png(bytes, kPageWidth)) pictures.push_back({view, std::move(*small)});
+  }
+  const json::JsonValue figures = TRY(json::parse_json(exports::report_json(report)));
+  return write_file(out / "report.html", exports::report_page(figures, pictures));
+}
+
 /// Writes what a drape leaves and prints its figures.
 Status deliver(const drape::DrapeInput& input, const drape::DrapeResult& result,
                const image::Textures& textures, const DrapeOptions& options) {
@@ -90,6 +113,7 @@ Status deliver(const drape::DrapeInput& input, const drape::DrapeResult& result,
   if (options.stills && exit_code_of(result) != kCancelled) {
     TRY(jobs::write_stills(input, result, textures, options.out, options.width, options.height));
   }
+  TRY(write_page(report, options));
   if (options.json) {
     std::printf("%s", exports::report_json(report).c_str());
   } else {

@@ -67,8 +67,8 @@ CLI::App* add_drape(CLI::App& app, Options& options) {
       ->type_name("WxH")
       ->check([&options](const std::string& text) { return read_size(text, options.drape); });
   verb->footer(
-      std::string("Leaves report.json, final.obj, final.glb, final.hung and front, back, side and "
-                  "three-quarter.png.\n"
+      std::string("Leaves report.json, report.html (to look at), final.obj, final.glb, final.hung and front, "
+                  "back, side and three-quarter.png.\n"
                   "Ctrl-C ends the drape and keeps what there is; a second one ends at once.\n\n"
                   "Examples:\n"
                   "  toile drape samples/skirt/project.json --out out/skirt\n"

@@ -72,7 +72,7 @@ const std::map<std::string, Names>& table() {
         "resolve", "shares", "store", "warm"}},
       {"ws", {"jobs", "json", "proto", "store"}},
       {"http", {"jobs", "json", "shares", "store", "ws"}},
-      {"handlers", {"documents", "fabric", "http", "image", "jobs", "json", "store", "ws"}},
+      {"handlers", {"documents", "exports", "fabric", "http", "image", "jobs", "json", "store", "ws"}},
   };
   return rooms;
 }

@@ -1,11 +1,14 @@
 // /api/v1/jobs: drapes, their results and what viewers need beside the stream.
 
 #include <charconv>
+#include <memory>
 #include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "core/base/names.h"
+#include "core/exports/report_page.h"
 #include "core/image/reduce.h"
 #include "server/documents/projects.h"
 #include "server/documents/views.h"
@@ -191,6 +194,45 @@ http::HttpResponse small_result(const Api& api, const store::RequestContext& con
   return response;
 }
 
+constexpr int kPageWidth = 440;  // pixels of a picture on the report's page
+
+/// Those of the job's stills that there are, made smaller.
+std::vector<exports::PagePicture> page_pictures(const Api& api, const store::RequestContext& context,
+                                                const store::JobRow& job) {
+  std::vector<exports::PagePicture> pictures;
+  for (const char* view : {"front", "side", "back"}) {
+    const std::string name = std::string(view) + ".png";
+    if (!job.results.contains(name)) continue;
+    const Result<std::string> path = api.store.result_path(context, job.id, name);
+    if (!path) continue;
+    const std::shared_ptr<const http::AnswerFile> file = http::AnswerFile::open(*path);
+    if (!file) continue;
+    Result<std::string> small =
+        image::reduced_png(file->read(0, static_cast<std::size_t>(file->size())), kPageWidth);
+    if (small) pictures.push_back({view, std::move(*small)});
+  }
+  return pictures;
+}
+
+/// The report as a page, made when it is asked for: a drape costs nothing for what nobody looks at.
+http::HttpResponse report_page(const Api& api, const store::RequestContext& context,
+                               const http::HttpRequest& request) {
+  const Result<store::JobRow> job = api.store.job(context, request.captures[0]);
+  if (!job) return http::problem(job.error());
+  const auto report = json::parse_json(job->report);
+  if (!store::is_final(job->state) || !report) {
+    return http::problem(
+        404, {"jobs.no_report", "the job has no report, or none yet", job->id, ErrorKind::kNotFound});
+  }
+  http::HttpResponse response = file_answer(exports::report_page(*report, page_pictures(api, context, *job)),
+                                            "text/html; charset=utf-8", "report.html");
+  for (auto& [name, value] : response.headers)
+    if (name == "Content-Security-Policy")
+      value = "default-src 'none'; img-src data:; style-src 'unsafe-inline'; sandbox";
+  response.headers.emplace_back("Cache-Control", "no-cache");
+  return response;
+}
+
 /// What the service did for the job, a line of JSON each.
 http::HttpResponse log(const Api& api, const store::RequestContext& context,
                        const http::HttpRequest& request) {
@@ -242,6 +284,7 @@ ApiRoutes job_routes() {
        .handler = small_result,
        .work = http::Work::kDocument,
        .parameters = {"width"}},
+      {.pattern = "/api/v1/jobs/{id}/report", .handler = report_page, .work = http::Work::kDocument},
       {.pattern = "/api/v1/jobs/{id}/log", .handler = log},
       {.pattern = "/api/v1/jobs/{id}/body", .handler = body, .work = http::Work::kHeavy},
       {.pattern = "/api/v1/jobs/{id}/stream", .handler = stream, .websocket = true},

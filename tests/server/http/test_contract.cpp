@@ -199,6 +199,7 @@ TEST_F(Contract, EveryAnswerAndMessageFitsItsSchema) {
   recorded("GET", address + "/results/nothing");
   recorded("GET", address + "/results/front.png/small?width=64");
   recorded("GET", address + "/results/report.json/small");
+  recorded("GET", address + "/report");
   recorded("GET", address + "/log");
   recorded("GET", address + "/body");
   recorded("GET", address + "/stream");

@@ -304,6 +304,24 @@ TEST_F(Routes, MakeAPictureAmongTheResultsSmaller) {
   EXPECT_PROBLEM(get(address + "back.png/small"), 404, "store.not_found");
 }
 
+TEST_F(Routes, ShowTheReportAsAPageWithItsPictures) {
+  const std::string id = make_job(), address = "/api/v1/jobs/" + id + "/report";
+  EXPECT_PROBLEM(get(address), 404, "jobs.no_report");
+  const std::string png = *image::encode_png(64, 80, 3, std::vector<std::uint8_t>(64 * 80 * 3, 90));
+  ASSERT_TRUE(store->put_result(kMe, id, "front.png", png));
+  auto row = store->job(kMe, id);
+  row->state = store::JobState::kSucceeded;
+  row->report = R"({"name": "skirt", "fit": [{"at": "waist", "text": "waist 2.1 cm too tight"}]})";
+  row->results["front.png"] = {static_cast<std::int64_t>(png.size()), hash_of(std::string_view(png))};
+  ASSERT_TRUE(store->update_job(kMe, *row));
+  const Answer page = get(address);
+  EXPECT_EQ(page.headers.at("content-type"), "text/html; charset=utf-8");
+  EXPECT_NE(page.headers.at("content-security-policy").find("default-src 'none'; img-src data:"),
+            std::string::npos);
+  EXPECT_NE(page.body.find("waist 2.1 cm too tight"), std::string::npos);
+  EXPECT_NE(page.body.find("data:image/png;base64,"), std::string::npos);
+}
+
 TEST_F(Routes, AResultThatTheDiskHasChangedIsAFaultAndNotAnAnswer) {
   const std::string id = make_job();
   ASSERT_TRUE(store->put_result(kMe, id, "front.png", "png!"));
