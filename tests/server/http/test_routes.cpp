@@ -313,7 +313,7 @@ TEST_F(Routes, ShowTheReportAsAPageWithItsPictures) {
   row->state = store::JobState::kSucceeded;
   row->report = R"({"name": "skirt", "fit": [{"at": "waist", "text": "waist 2.1 cm too tight"}]})";
   row->results["front.png"] = {static_cast<std::int64_t>(png.size()), hash_of(std::string_view(png))};
-  ASSERT_TRUE(store->update_job(kMe, *row));
+  ASSERT_TRUE(test::update_job(*store, kMe, *row));
   const Answer page = get(address);
   EXPECT_EQ(page.headers.at("content-type"), "text/html; charset=utf-8");
   EXPECT_NE(page.headers.at("content-security-policy").find("default-src 'none'; img-src data:"),
