@@ -65,6 +65,7 @@ std::vector<Vec3> carried_over(const sewing::GarmentMesh& fine, const sewing::Ga
   for (std::size_t t = 0; t < coarse.triangles.size(); ++t)
     of_panel[coarse.panel_of_triangle[t]].push_back(coarse.triangles[t]);
   std::vector<mesh::FlatLocator> flat;
+  flat.reserve(of_panel.size());
   for (const std::vector<Tri>& triangles : of_panel) flat.emplace_back(coarse.rest, triangles);
   std::vector<Vec3> x(fine.rest.size());
   for (std::size_t v = 0; v < x.size(); ++v) {

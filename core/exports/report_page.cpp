@@ -86,8 +86,11 @@ std::string pictures_part(std::span<const PagePicture> pictures) {
   std::string out = "<div class=\"pictures\">\n";
   for (const PagePicture& p : pictures) {
     const std::string title = escaped(p.title);
-    out += "<figure><img alt=\"" + title + "\" src=\"data:image/png;base64," + base64(p.png) +
-           "\"><figcaption>" + title + "</figcaption></figure>\n";
+    for (const std::string& part :
+         {std::string("<figure><img alt=\""), title, std::string("\" src=\"data:image/png;base64,"),
+          base64(p.png), std::string("\"><figcaption>"), title, std::string("</figcaption></figure>\n")}) {
+      out += part;
+    }
   }
   return out + "</div>\n";
 }
