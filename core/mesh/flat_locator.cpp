@@ -9,8 +9,10 @@ namespace {
 
 /// As a share of a triangle's size: a point this little outside lies on its border.
 constexpr double kOnBorder = 1e-9;
-constexpr double kReach = 1e-6;  // m, that triangles are taken to be larger, so that none is missed
-constexpr double kPerCell = 2;   // triangles, about
+constexpr double kReach = 1e-6;           // m, that triangles are taken to be larger, so that none is missed
+constexpr double kPerCell = 2;            // triangles, about
+constexpr double kMostCells = 4096;       // a side, of the longer one
+constexpr std::size_t kMostEntries = 32;  // cells that a triangle reaches into, in the mean
 
 }  // namespace
 
@@ -25,19 +27,43 @@ FlatLocator::FlatLocator(std::span<const Vec2> rest, std::span<const Tri> triang
     }
   }
   const Vec2 size = high - low_;
-  cell_ = std::max(kReach, std::sqrt(size.x * size.y * kPerCell / static_cast<double>(triangles.size())));
-  columns_ = static_cast<int>(size.x / cell_) + 1;
-  rows_ = static_cast<int>(size.y / cell_) + 1;
+  const double even = std::sqrt(size.x * size.y * kPerCell / static_cast<double>(triangles.size()));
+  cell_ = std::max({kReach, even, std::max(size.x, size.y) / kMostCells});
+  lay_grid(size);
+  // Long slivers would fill every cell: a file may hold anything.
+  while (entries() > kMostEntries * triangles.size() && columns_ * rows_ > 1) {
+    cell_ *= 2;
+    lay_grid(size);
+  }
   in_cell_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
   for (std::size_t t = 0; t < triangles.size(); ++t) {
-    const Vec2 a = rest[triangles[t][0]], b = rest[triangles[t][1]], c = rest[triangles[t][2]];
-    const int left = column(std::min({a.x, b.x, c.x}) - kReach),
-              right = column(std::max({a.x, b.x, c.x}) + kReach);
-    const int top = row(std::max({a.y, b.y, c.y}) + kReach);
-    for (int r = row(std::min({a.y, b.y, c.y}) - kReach); r <= top; ++r) {
-      for (int k = left; k <= right; ++k) in_cell_[cell_at(r, k)].push_back(static_cast<Index>(t));
+    const Cells cells = cells_of(triangles[t]);
+    for (int r = cells.bottom; r <= cells.top; ++r) {
+      for (int k = cells.left; k <= cells.right; ++k)
+        in_cell_[cell_at(r, k)].push_back(static_cast<Index>(t));
     }
   }
+}
+
+void FlatLocator::lay_grid(Vec2 size) {
+  columns_ = static_cast<int>(size.x / cell_) + 1;
+  rows_ = static_cast<int>(size.y / cell_) + 1;
+}
+
+FlatLocator::Cells FlatLocator::cells_of(const Tri& t) const {
+  const Vec2 a = rest_[t[0]], b = rest_[t[1]], c = rest_[t[2]];
+  return {column(std::min({a.x, b.x, c.x}) - kReach), column(std::max({a.x, b.x, c.x}) + kReach),
+          row(std::min({a.y, b.y, c.y}) - kReach), row(std::max({a.y, b.y, c.y}) + kReach)};
+}
+
+std::size_t FlatLocator::entries() const {
+  std::size_t sum = 0;
+  for (const Tri& t : triangles_) {
+    const Cells cells = cells_of(t);
+    sum += static_cast<std::size_t>(cells.right - cells.left + 1) *
+           static_cast<std::size_t>(cells.top - cells.bottom + 1);
+  }
+  return sum;
 }
 
 int FlatLocator::column(double x) const {

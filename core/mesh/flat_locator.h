@@ -27,6 +27,12 @@ class FlatLocator {
   FlatPlace at(Vec2 p) const;
 
  private:
+  struct Cells {
+    int left, right, bottom, top;
+  };
+  void lay_grid(Vec2 size);
+  Cells cells_of(const Tri& t) const;
+  std::size_t entries() const;  ///< triangles in all cells together
   FlatPlace place_in(Index triangle, Vec2 p) const;
   int column(double x) const;
   int row(double y) const;

@@ -14,7 +14,7 @@ namespace toile::documents {
 inline constexpr std::size_t kMostDxfBytes = std::size_t{50} << 20;
 inline constexpr std::size_t kMostBodyBytes = std::size_t{100} << 20;
 inline constexpr std::size_t kMostSpecificationBytes = std::size_t{4} << 20;
-inline constexpr std::size_t kMostShapeBytes = std::size_t{100} << 20;
+inline constexpr std::size_t kMostShapeBytes = std::size_t{32} << 20;
 inline constexpr std::size_t kMostImageBytes = image::PictureLimits{}.bytes;
 
 bool is_asset_kind(std::string_view kind);

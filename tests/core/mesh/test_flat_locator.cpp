@@ -50,6 +50,15 @@ TEST(FlatLocator, GivesTheNearestTriangleOfAPointOutsideAndTellsHowFarOutsideItI
   EXPECT_NEAR(locator.at({-0.5, 2.2}).outside, 0.5, 1e-12);
 }
 
+TEST(FlatLocator, TakesSliversAcrossAllOfItWithLittleMemory) {
+  Sheet sheet(60);
+  const auto corner = static_cast<Index>(sheet.rest.size());
+  for (const Vec2 p : {Vec2{0, 0}, Vec2{1e6, 1e-3}, Vec2{1e6, 1}}) sheet.rest.push_back(p);
+  for (int k = 0; k < 20000; ++k) sheet.triangles.push_back({corner, corner + 1, corner + 2});
+  const mesh::FlatLocator locator(sheet.rest, sheet.triangles);
+  EXPECT_LT(length(place_of(sheet, locator.at({30.25, 40.5})) - Vec2{30.25, 40.5}), 1e-9);
+}
+
 TEST(FlatLocator, HasNoPlaceWhereThereIsNoCloth) {
   EXPECT_EQ(mesh::FlatLocator({}, {}).at({1, 1}).triangle, kNone);
 }
