@@ -1,5 +1,6 @@
 #include "core/exports/report_page.h"
 
+#include <algorithm>
 #include <string_view>
 #include <vector>
 
@@ -103,6 +104,11 @@ std::string centimetres(const JsonValue& line, std::string_view key) {
   return cell(fixed_text(number_of(line, key) / 10, 1));
 }
 
+std::string words_of(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
 std::string fit_part(const JsonValue& report) {
   const std::vector<JsonValue>& lines = list_of(report, "fit");
   if (lines.empty()) return "";
@@ -110,25 +116,27 @@ std::string fit_part(const JsonValue& report) {
       "<h2>Fit</h2>\n<table><tr><th>cm</th><th>body</th><th>garment, flat</th><th>ease</th>"
       "<th>as worn</th><th>taken above</th><th></th></tr>\n";
   for (const JsonValue& line : lines) {
-    out += "<tr class=\"" + escaped(text_of(line, "fit")) + "\">" + cell(escaped(text_of(line, "at"))) +
-           centimetres(line, "body_mm") + centimetres(line, "garment_mm") + centimetres(line, "ease_mm") +
-           centimetres(line, "worn_mm") + centimetres(line, "shifted_mm") +
-           cell(escaped(text_of(line, "text")), " class=\"words\"") + "</tr>\n";
+    out += "<tr class=\"" + escaped(text_of(line, "fit")) + "\">" +
+           cell(words_of(escaped(text_of(line, "at")))) + centimetres(line, "body_mm") +
+           centimetres(line, "garment_mm") + centimetres(line, "ease_mm") + centimetres(line, "worn_mm") +
+           centimetres(line, "shifted_mm") + cell(escaped(text_of(line, "text")), " class=\"words\"") +
+           "</tr>\n";
   }
   return out + "</table>\n";
 }
 
+/// What is mended already is nobody's concern any more.
 std::string findings_part(const JsonValue& report) {
-  const std::vector<JsonValue>& findings = list_of(report, "findings");
-  if (findings.empty()) return "";
-  std::string out = "<h2>Findings</h2>\n<ul>\n";
-  for (const JsonValue& f : findings) {
+  std::string out;
+  for (const JsonValue& f : list_of(report, "findings")) {
+    const JsonValue* repaired = f.find("repaired");
+    if (repaired != nullptr && repaired->boolean() != nullptr && *repaired->boolean()) continue;
     const std::string where = text_of(f, "where");
     out += "<li class=\"" + escaped(text_of(f, "severity")) + "\">" +
            (where.empty() ? "" : "<b>" + escaped(where) + ":</b> ") + escaped(text_of(f, "message")) +
            "</li>\n";
   }
-  return out + "</ul>\n";
+  return out.empty() ? "" : "<h2>Findings</h2>\n<ul>\n" + out + "</ul>\n";
 }
 
 std::string row(std::string_view name, const std::string& value) {

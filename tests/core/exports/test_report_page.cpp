@@ -45,6 +45,15 @@ TEST(ReportPage, ShowsNamesAsTheyAreAndNotAsMarkup) {
   EXPECT_FALSE(has(page, "a<i>"));
 }
 
+TEST(ReportPage, SaysNothingOfWhatIsMended) {
+  analysis::Report report;
+  report.findings = {preflight::found(preflight::FindingKind::kGap, "too near", {}, {})};
+  EXPECT_TRUE(has(page_of(report), "too near"));
+  report.findings[0].repaired = true;
+  EXPECT_FALSE(has(page_of(report), "too near"));
+  EXPECT_FALSE(has(page_of(report), "<h2>Findings</h2>"));
+}
+
 TEST(ReportPage, LeavesOutWhatThereIsNot) {
   const std::string page = page_of({});
   EXPECT_FALSE(has(page, "<h2>Fit</h2>"));
