@@ -6,6 +6,7 @@ build_packages=(
   libeigen3-dev nlohmann-json3-dev libassimp-dev libosmesa6-dev libcli11-dev libpng-dev zlib1g-dev libjpeg62-turbo-dev libxxhash-dev libsqlite3-dev libboost1.81-dev libboost-url1.81-dev libspdlog-dev
   libgtest-dev librapidcheck-dev libbenchmark-dev
 )
+run_packages=(ffmpeg)  # a program of its own, for movies; all else works without it
 test_packages=(clang-format clang-tidy python3-yaml python3-jsonschema chromium)
 fuzz_packages=(clang-14 libclang-rt-14-dev)  # for ./test --long alone
 

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
+#include <string_view>
 #include <utility>
 
 namespace toile {
@@ -83,7 +84,8 @@ void limit_time(double cpu_s) {
   if (::getppid() != launch.parent) ::_exit(kCouldNotStart);
   for (int signal = 1; signal < NSIG; ++signal) ::signal(signal, SIG_DFL);
   limit(RLIMIT_CORE, 0, 0);
-  if (kCanLimitFiles) limit(RLIMIT_FSIZE, 0, 0);  // pipes are no files
+  const auto most = static_cast<rlim_t>(launch.limits.file_bytes);
+  if (kCanLimitFiles || most > 0) limit(RLIMIT_FSIZE, most, most);  // pipes are no files
   limit_time(launch.limits.cpu_s);
   if (launch.limits.memory_bytes > 0) {
     limit(RLIMIT_AS, launch.limits.memory_bytes, launch.limits.memory_bytes);
@@ -205,6 +207,18 @@ ChildOutcome wait_for(pid_t pid, int output, const ChildLimits& limits, const st
 }
 
 }  // namespace
+
+std::string find_program(const std::string& name) {
+  const char* set = std::getenv("PATH");
+  std::string_view folders = set ? set : "/usr/bin:/bin";
+  while (!folders.empty()) {
+    const std::size_t end = std::min(folders.find(':'), folders.size());
+    const std::string path = std::string(folders.substr(0, end)) + "/" + name;
+    if (path.front() == '/' && ::access(path.c_str(), X_OK) == 0) return path;
+    folders.remove_prefix(std::min(end + 1, folders.size()));
+  }
+  return "";
+}
 
 ChildOutcome run_child(const ChildCommand& command, const ChildLimits& limits,
                        const std::atomic<bool>* cancel) {

@@ -15,6 +15,7 @@ struct ChildLimits {
   double cpu_s = 20;               ///< of processor time
   double wall_s = 40;              ///< by the clock
   std::size_t output_bytes = std::size_t{1} << 20;
+  std::uint64_t file_bytes = 0;  ///< of each file that it writes; 0: it can write none
 };
 
 struct ChildCommand {
@@ -30,9 +31,13 @@ struct ChildOutcome {
   std::string output;  ///< of its standard output; standard error is dropped
 };
 
+/// Where a program of that name is, by PATH as a shell looks; empty when there is none.
+std::string find_program(const std::string& name);
+
 /// Runs the program and waits for its end. It gets an empty environment (but LD_LIBRARY_PATH), "/" as its
-/// folder, can write no file, and is killed with all that it has started once a limit is passed, this thread
-/// ends, or `cancel` (which may be null) becomes true. Safe in a process with many threads. Linux.
+/// folder, can write no file unless the limits allow it, and is killed with all that it has started once a
+/// limit is passed, this thread ends, or `cancel` (which may be null) becomes true. Safe in a process with
+/// many threads. Linux.
 ChildOutcome run_child(const ChildCommand& command, const ChildLimits& limits,
                        const std::atomic<bool>* cancel = nullptr);
 

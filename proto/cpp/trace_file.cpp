@@ -3,7 +3,11 @@
 #include <bit>
 #include <cerrno>
 #include <cstring>
+#include <optional>
+#include <sstream>
 #include <string>
+#include <system_error>
+#include <utility>
 
 #include "core/base/check.h"
 
@@ -22,6 +26,33 @@ void append(std::string& out, Vec3 p) {
   for (const double coordinate : {p.x, p.y, p.z}) {
     append(out, std::bit_cast<std::uint32_t>(static_cast<float>(coordinate)));
   }
+}
+
+template <typename Bits>
+Bits take(std::istream& in) {
+  Bits bits = 0;
+  for (unsigned i = 0; i < sizeof(Bits); ++i)
+    bits |= static_cast<Bits>(static_cast<Bits>(static_cast<unsigned char>(in.get())) << (8 * i));
+  return bits;
+}
+
+Error bad_trace(const std::filesystem::path& path) {
+  return {"trace.damaged", "this is no trace of a drape", path.string(), ErrorKind::kInput};
+}
+
+/// Nothing at the end of the file, or within a frame that was cut off.
+std::optional<drape::Frame> take_frame(std::istream& in, std::size_t vertices) {
+  drape::Frame frame;
+  frame.step = static_cast<int>(take<std::uint32_t>(in));
+  take<std::uint32_t>(in);
+  frame.time = std::bit_cast<double>(take<std::uint64_t>(in));
+  std::string bytes(12 * vertices, '\0');
+  if (!in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) return std::nullopt;
+  frame.positions.resize(vertices);
+  std::istringstream numbers(std::move(bytes));
+  for (Vec3& p : frame.positions)
+    for (double* c : {&p.x, &p.y, &p.z}) *c = std::bit_cast<float>(take<std::uint32_t>(numbers));
+  return frame;
 }
 
 }  // namespace
@@ -73,6 +104,36 @@ Status TraceWriter::finish() {
   has_skipped_ = false;
   out_.close();
   if (!out_) return Error{"export.write", "cannot write the trace", path_.string(), ErrorKind::kInternal};
+  return {};
+}
+
+Status read_trace(const std::filesystem::path& path, drape::FrameSink& sink) {
+  std::ifstream in(path, std::ios::binary);
+  std::error_code failure;
+  const std::uintmax_t size = std::filesystem::file_size(path, failure);
+  if (!in || failure) return Error{"trace.read", "cannot read the trace", path.string(), ErrorKind::kInput};
+  std::string magic(kTraceMagic.size(), '\0');
+  in.read(magic.data(), static_cast<std::streamsize>(magic.size()));
+  if (magic != kTraceMagic) return bad_trace(path);
+  if (take<std::uint32_t>(in) != kTraceVersion)
+    return Error{"trace.version", "the trace is of another version of this program", path.string(),
+                 ErrorKind::kInput};
+  const std::uint32_t vertices = take<std::uint32_t>(in), triangles = take<std::uint32_t>(in);
+  take<std::uint32_t>(in);
+  if (vertices > size / 12 || triangles > size / 12) return bad_trace(path);
+  sewing::GarmentMesh garment;
+  garment.rest.resize(vertices);
+  garment.triangles.resize(triangles);
+  for (Tri& t : garment.triangles) {
+    for (Index& v : t) {
+      const std::uint32_t vertex = take<std::uint32_t>(in);
+      if (vertex >= vertices) return bad_trace(path);
+      v = static_cast<Index>(vertex);
+    }
+  }
+  if (!in) return bad_trace(path);
+  sink.begin(garment);
+  while (const std::optional<drape::Frame> frame = take_frame(in, vertices)) sink.frame(*frame);
   return {};
 }
 

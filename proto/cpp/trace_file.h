@@ -1,5 +1,5 @@
 #pragma once
-// Keeps frames of a drape in a file. The byte layout is proto/trace.md's.
+// Keeps frames of a drape in a file, and reads them back. The byte layout is proto/trace.md's.
 
 #include <cstdint>
 #include <filesystem>
@@ -39,5 +39,10 @@ class TraceWriter final : public drape::FrameSink {
   drape::Frame skipped_;  ///< the newest frame, when it was passed over
   bool has_skipped_ = false;
 };
+
+/// Gives `sink` the frames of a trace, one after the other; the garment has triangles, and as many vertices,
+/// but nothing else. Errors: trace.read, trace.damaged (no trace, or its
+/// header cannot be), trace.version.
+Status read_trace(const std::filesystem::path& path, drape::FrameSink& sink);
 
 }  // namespace toile::proto

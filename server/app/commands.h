@@ -158,6 +158,22 @@ struct ProjectArrangeOptions {
 
 ExitCode project_arrange_command(const ProjectArrangeOptions& options);
 
+struct MovieOptions {
+  std::string source;                  ///< folder that toile drape left, its drape.film, or a trace
+  std::string out;                     ///< the file
+  std::string kind = "drape", format;  ///< format: empty: as the file's name ends
+  std::string size;                    ///< "720x900"
+  int fps = 25;
+  std::optional<double> seconds;
+  std::string trace;   ///< whose frames are shown instead of the film's; empty: the film's
+  std::string stills;  ///< folder for pictures; empty: none
+  int stills_every = 1;
+  bool json = false;
+};
+
+/// Makes a movie of what a drape has left.
+ExitCode movie_command(const MovieOptions& options);
+
 struct SampleOptions {
   std::string name;  ///< empty: list what there is
   std::string out;   ///< folder

@@ -27,6 +27,7 @@
 #include "server/app/mesh_reader.h"
 #include "server/app/progress_bar.h"
 #include "server/jobs/results.h"
+#include "server/movie/film_recorder.h"
 
 namespace toile::app {
 namespace {
@@ -104,11 +105,31 @@ Status write_page(const analysis::Report& report, const DrapeOptions& options) {
   return write_file(out / "report.html", exports::report_page(figures, pictures));
 }
 
+/// Gives frames to the film and, where one is wanted, to a trace.
+class Recorders final : public drape::FrameSink {
+ public:
+  explicit Recorders(proto::TraceWriter* trace) : trace_(trace) {}
+  void begin(const sewing::GarmentMesh& garment) override {
+    film_.begin(garment);
+    if (trace_) trace_->begin(garment);
+  }
+  void frame(const drape::Frame& frame) override {
+    film_.frame(frame);
+    if (trace_) trace_->frame(frame);
+  }
+  const movie::Motion& motion() const { return film_.motion(); }
+
+ private:
+  movie::FilmRecorder film_;
+  proto::TraceWriter* trace_;
+};
+
 /// Writes what a drape leaves and prints its figures.
 Status deliver(const drape::DrapeInput& input, const drape::DrapeResult& result,
-               const image::Textures& textures, const DrapeOptions& options) {
+               const image::Textures& textures, const movie::Motion& motion, const DrapeOptions& options) {
   const analysis::Report report = analysis::make_report(input, result);
   TRY(jobs::write_models(input, result, textures, options.out, options.check_data));
+  TRY(jobs::write_film(input, result, textures, motion, options.out));
   TRY(exports::write_report(fs::path(options.out) / "report.json", report));
   if (options.stills && exit_code_of(result) != kCancelled) {
     TRY(jobs::write_stills(input, result, textures, options.out, options.width, options.height));
@@ -130,12 +151,12 @@ Result<std::unique_ptr<proto::TraceWriter>> open_trace(const DrapeOptions& optio
 
 /// Drapes in one go. What cannot be put on is left out of `input`, too. No positions where it was cancelled
 /// before there was any cloth.
-Result<drape::DrapeResult> drape_of(drape::DrapeInput& input, proto::TraceWriter* trace) {
+Result<drape::DrapeResult> drape_of(drape::DrapeInput& input, drape::FrameSink& sink) {
   ProgressBar bar;
   RunContext context;
   context.cancel = &cancel_on_interrupt();
   context.on_progress = [&](const Progress& progress) { bar.show(progress); };
-  Result<std::unique_ptr<drape::DrapeRun>> run = drape::DrapeRun::start(input, context, trace);
+  Result<std::unique_ptr<drape::DrapeRun>> run = drape::DrapeRun::start(input, context, &sink);
   if (run) (*run)->advance(std::numeric_limits<int>::max(), context);
   bar.clear();
   if (!run && run.error().kind == ErrorKind::kCancelled) return drape::DrapeResult{};
@@ -162,7 +183,8 @@ ExitCode drape_command(const DrapeOptions& options) {
   const Result<std::unique_ptr<proto::TraceWriter>> trace = open_trace(options);
   if (!trace) return fail(trace.error(), options.json);
 
-  const Result<drape::DrapeResult> result = drape_of(read->input, trace->get());
+  Recorders recorders(trace->get());
+  const Result<drape::DrapeResult> result = drape_of(read->input, recorders);
   if (!result) return fail(result.error(), options.json);
   if (*trace) {
     if (Status traced = (*trace)->finish(); !traced) return fail(traced.error(), options.json);
@@ -174,7 +196,7 @@ ExitCode drape_command(const DrapeOptions& options) {
   }
   const Result<image::Textures> textures = resolve::read_textures(*read);  // of what was draped
   if (!textures) return fail(textures.error(), options.json);
-  if (Status delivered = deliver(read->input, *result, *textures, options); !delivered)
+  if (Status delivered = deliver(read->input, *result, *textures, recorders.motion(), options); !delivered)
     return fail(delivered.error(), options.json);
   return exit_code_of(*result);
 }

@@ -14,6 +14,7 @@
 #include "server/app/exit_codes_text.h"
 #include "server/app/fabric_verbs.h"
 #include "server/app/mesh_reader.h"
+#include "server/app/result_verbs.h"
 #include "server/app/service_verbs.h"
 
 namespace toile::app {
@@ -67,14 +68,15 @@ CLI::App* add_drape(CLI::App& app, Options& options) {
       ->type_name("WxH")
       ->check([&options](const std::string& text) { return read_size(text, options.drape); });
   verb->footer(
-      std::string("Leaves report.json, report.html (to look at), final.obj, final.glb, final.hung and front, "
-                  "back, side and three-quarter.png.\n"
-                  "Ctrl-C ends the drape and keeps what there is; a second one ends at once.\n\n"
-                  "Examples:\n"
-                  "  toile drape samples/skirt/project.json --out out/skirt\n"
-                  "  toile drape project.json --out out --json --no-stills\n"
-                  "  toile drape edited.json --out out/edited --from out/skirt\n"
-                  "  toile drape project.json --out out --trace out/frames.trace --trace-every 4\n\n") +
+      std::string(
+          "Leaves report.json, report.html (to look at), final.obj, final.glb, final.hung, drape.film "
+          "(toile movie) and front, back, side and three-quarter.png.\n"
+          "Ctrl-C ends the drape and keeps what there is; a second one ends at once.\n\n"
+          "Examples:\n"
+          "  toile drape samples/skirt/project.json --out out/skirt\n"
+          "  toile drape project.json --out out --json --no-stills\n"
+          "  toile drape edited.json --out out/edited --from out/skirt\n"
+          "  toile drape project.json --out out --trace out/frames.trace --trace-every 4\n\n") +
       kExitCodes);
   return verb;
 }
@@ -289,6 +291,7 @@ ExitCode run(int argc, char** argv) {
   add_project_new(*project, options.project_new);
   const CLI::App* arrange = add_project_arrange(*project, options.arrange);
   const CLI::App* sample = add_sample(app, options);
+  ResultVerbs results(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
@@ -302,6 +305,7 @@ ExitCode run(int argc, char** argv) {
   if (body_presets->parsed()) return body_presets_command(options.body_presets);
   if (const std::optional<ExitCode> code = fabric.run()) return *code;
   if (const std::optional<ExitCode> code = service.run()) return *code;
+  if (const std::optional<ExitCode> code = results.run()) return *code;
   if (import->parsed()) return pattern_import_command(options.import);
   if (exporting->parsed()) return pattern_export_command(options.exporting);
   if (sample->parsed()) return sample_command(options.sample);

@@ -11,6 +11,8 @@
 #include "core/base/hash.h"
 #include "core/exports/write_glb.h"
 #include "core/exports/write_obj.h"
+#include "server/documents/stream_pieces.h"
+#include "server/movie/film_codec.h"
 #include "server/render/png.h"
 #include "server/render/still.h"
 
@@ -86,6 +88,13 @@ Status write_models(const drape::DrapeInput& input, const drape::DrapeResult& re
   model.bodies = input.bodies;
   model.textures = &textures;
   return exports::write_glb(folder / "final.glb", model);
+}
+
+Status write_film(const drape::DrapeInput& input, const drape::DrapeResult& result,
+                  const image::Textures& textures, const movie::Motion& motion, const fs::path& folder) {
+  const movie::Film film =
+      movie::film_of(input, result, documents::stream_pieces(input, result.garment), textures, motion);
+  return write_bytes(folder / movie::kFilmFile, movie::encode_film(film));
 }
 
 Status write_stills(const drape::DrapeInput& input, const drape::DrapeResult& result,

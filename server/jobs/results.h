@@ -12,6 +12,7 @@
 #include "core/drape/drape_input.h"
 #include "core/drape/drape_result.h"
 #include "core/image/texture.h"
+#include "server/movie/film.h"
 #include "server/store/store.h"
 
 namespace toile::jobs {
@@ -20,6 +21,12 @@ namespace toile::jobs {
 /// sewn.json lie beside them, for programs that judge the drape. Errors: export.*.
 Status write_models(const drape::DrapeInput& input, const drape::DrapeResult& result,
                     const image::Textures& textures, const std::filesystem::path& folder, bool check_data);
+
+/// Writes drape.film into `folder`: what movies and other looks at the drape are made of. Errors:
+/// export.write.
+Status write_film(const drape::DrapeInput& input, const drape::DrapeResult& result,
+                  const image::Textures& textures, const movie::Motion& motion,
+                  const std::filesystem::path& folder);
 
 /// Writes front.png, back.png, side.png and three-quarter.png into `folder`, drawn on the calling thread.
 /// Errors: render.*, export.write; "cancelled" when the context was, between two pictures.

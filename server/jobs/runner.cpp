@@ -13,7 +13,9 @@
 #include "core/base/write_file.h"
 #include "core/exports/write_report.h"
 #include "server/jobs/input.h"
+#include "server/jobs/kept_drape.h"
 #include "server/jobs/results.h"
+#include "server/movie/film_codec.h"
 
 namespace toile::jobs {
 namespace {
@@ -162,11 +164,19 @@ Status JobRun::begin(const RunControl& control) {
 /// would have saved and nothing else.
 Result<std::unique_ptr<drape::DrapeRun>> JobRun::start_or_resume(const RunContext& context) {
   if (const auto kept = place_.documents->store().checkpoint(context_, job_id_)) {
-    auto run = drape::DrapeRun::resume(*whole_, kept->bytes, context, nullptr);
+    auto run = resume(kept->bytes, context);
     if (run || run.error().kind != ErrorKind::kSystem) return run;
     context_.log.warn("checkpoint of no use; the drape starts anew", run.error());
   }
-  return drape::DrapeRun::start(*whole_, context, nullptr);
+  recorder_.emplace();
+  return drape::DrapeRun::start(*whole_, context, &*recorder_);
+}
+
+Result<std::unique_ptr<drape::DrapeRun>> JobRun::resume(std::string_view bytes, const RunContext& context) {
+  const KeptDrape kept = TRY(decode_kept(bytes));
+  Result<movie::Motion> motion = movie::decode_motion(kept.motion);
+  recorder_.emplace(movie::MotionLimits{}, motion ? std::move(*motion) : movie::Motion{});
+  return drape::DrapeRun::resume(*whole_, kept.checkpoint, context, &*recorder_);
 }
 
 /// A store that takes none (its disk is full) is no reason to stop. Keeping takes at most a twentieth of the
@@ -180,7 +190,8 @@ void JobRun::keep_checkpoint(const RunControl& control) {
 }
 
 bool JobRun::put_checkpoint() {
-  const Status kept = place_.documents->store().put_checkpoint(context_, job_id_, run_->checkpoint());
+  const std::string bytes = encode_kept({movie::encode_motion(recorder_->motion()), run_->checkpoint()});
+  const Status kept = place_.documents->store().put_checkpoint(context_, job_id_, bytes);
   if (kept) {
     checkpoint_step_ = run_->session().steps();
   } else {
@@ -284,6 +295,7 @@ Result<RunEnd> JobRun::deliver_models() {
   end.report = exports::report_json(analysis::make_report(*input_, *result_));
   read_pictures_into(end);
   TRY(write_models(*input_, *result_, textures_, folder->path(), true));
+  TRY(write_film(*input_, *result_, textures_, recorder_->motion(), folder->path()));
   TRY(write_file(folder->path() / "report.json", end.report));
   auto results = TRY(keep_results(store, context_, job_id_, folder->path()));
   end.results = std::move(results);

@@ -23,6 +23,7 @@
 #include "server/jobs/run_end.h"
 #include "server/jobs/stream.h"
 #include "server/jobs/work_clock.h"
+#include "server/movie/film_recorder.h"
 #include "server/store/store.h"
 
 namespace toile::jobs {
@@ -73,6 +74,7 @@ class JobRun {
   Status check_limits() const;
   Status begin(const RunControl& control);
   Result<std::unique_ptr<drape::DrapeRun>> start_or_resume(const RunContext& context);
+  Result<std::unique_ptr<drape::DrapeRun>> resume(std::string_view bytes, const RunContext& context);
   void keep_checkpoint(const RunControl& control);
   bool put_checkpoint();
   Status drape_on(const RunControl& control);
@@ -93,6 +95,7 @@ class JobRun {
 
   std::shared_ptr<const drape::DrapeInput> whole_;  ///< what was asked for; the run refers to it
   std::shared_ptr<const drape::DrapeInput> input_;  ///< what is draped of it; pictures may outlive the run
+  std::optional<movie::FilmRecorder> recorder_;     ///< the run tells it
   std::unique_ptr<drape::DrapeRun> run_;            ///< until the drape is done
   std::optional<JobStream> stream_;
   std::shared_ptr<const drape::DrapeResult> result_;  ///< from then on

@@ -66,6 +66,43 @@ TEST(TraceFile, WritesTheLastFrameOnceWhenItWasKeptAnyway) {
   EXPECT_EQ(traced(5, 2).size(), kHeader + 3 * kFrame);
 }
 
+/// What it is given.
+struct Taken final : drape::FrameSink {
+  void begin(const sewing::GarmentMesh& garment) override { triangles = garment.triangles; }
+  void frame(const drape::Frame& frame) override { frames.push_back(frame); }
+  std::vector<Tri> triangles;
+  std::vector<drape::Frame> frames;
+};
+
+Status read_back(const std::string& bytes, Taken& taken) {
+  const std::filesystem::path path =
+      std::filesystem::path(testing::TempDir()) / ("toile_read_" + std::to_string(::getpid()) + ".trace");
+  std::ofstream(path, std::ios::binary) << bytes;
+  return proto::read_trace(path, taken);
+}
+
+TEST(TraceFile, IsReadUpToTheFrameInWhichItWasCutOff) {
+  const std::string bytes = traced(6, 2);
+  Taken whole, cut;
+  ASSERT_TRUE(read_back(bytes, whole));
+  ASSERT_EQ(whole.frames.size(), 4u);
+  EXPECT_EQ(whole.triangles, (std::vector<Tri>{{0, 1, 2}}));
+  EXPECT_EQ(whole.frames[3].step, 250);
+  EXPECT_EQ(whole.frames[3].time, 2.5);
+  EXPECT_EQ(whole.frames[3].positions[0].y, 5);
+  ASSERT_TRUE(read_back(bytes.substr(0, bytes.size() - 1), cut));
+  EXPECT_EQ(cut.frames.size(), 3u);
+}
+
+TEST(TraceFile, WhoseTrianglesHaveNoVerticesIsRefused) {
+  std::string bytes = traced(1, 1);
+  Taken none;
+  EXPECT_EQ(read_back(bytes.substr(0, kHeader - 1), none).error().code, "trace.damaged");
+  bytes[24] = 3;
+  EXPECT_EQ(read_back(bytes, none).error().code, "trace.damaged");
+  EXPECT_EQ(read_back("TOILETRX", none).error().code, "trace.damaged");
+}
+
 TEST(TraceFile, SaysAtOnceThatAFileCannotBeMade) {
   const auto writer = proto::TraceWriter::open("/no/such/folder/a.trace", 1);
   ASSERT_FALSE(writer);

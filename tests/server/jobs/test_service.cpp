@@ -44,14 +44,14 @@ TEST_F(Jobs, ALoneDrapeLeavesItsReportModelsCheckDataAndPictures) {
   EXPECT_GT(job.started_ms, 0);
   EXPECT_GE(job.ended_ms, job.started_ms);
   for (const char* name :
-       {"report.json", "final.glb", "final.hung", "final.obj", "rest.obj", "body.obj", "sewn.json",
-        "front.png", "back.png", "side.png", "three-quarter.png", "thumbnail.png"}) {
+       {"report.json", "final.glb", "final.hung", "drape.film", "final.obj", "rest.obj", "body.obj",
+        "sewn.json", "front.png", "back.png", "side.png", "three-quarter.png", "thumbnail.png"}) {
     ASSERT_TRUE(job.results.contains(name)) << name;
     const std::string bytes = store.result_bytes(kOwner, id, name).value();
     EXPECT_EQ(static_cast<std::int64_t>(bytes.size()), job.results.at(name).bytes) << name;
     EXPECT_FALSE(bytes.empty()) << name;
   }
-  EXPECT_EQ(job.results.size(), 12u);
+  EXPECT_EQ(job.results.size(), 13u);
   EXPECT_EQ(store.result_bytes(kOwner, id, "report.json").value(), job.report);
   service->stop();
   for (const auto& entry : std::filesystem::directory_iterator(store.scratch_folder())) {

@@ -1,0 +1,52 @@
+#pragma once
+// A drape as it is shown: the garment with its looks, the bodies, and the cloth's way from start to end.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/drape/drape_input.h"
+#include "core/drape/drape_result.h"
+#include "core/geometry/triangle_mesh.h"
+#include "core/image/texture.h"
+#include "core/sewing/garment_mesh.h"
+#include "proto/cpp/frame_codec.h"
+#include "server/render/scene.h"
+
+namespace toile::movie {
+
+/// A moment of the cloth on the motion's grid.
+struct FilmFrame {
+  int step = 0;                    ///< substep of the solver
+  float time = 0;                  ///< s of simulated time
+  std::vector<std::int16_t> grid;  ///< three a vertex
+};
+
+/// Frames of a drape, the first and the last among them, in order of steps.
+struct Motion {
+  proto::FrameGrid grid;
+  int stride = 25;  ///< substeps: of each so many one frame is kept, and the last in any case
+  std::vector<FilmFrame> frames;
+};
+
+struct Film {
+  sewing::GarmentMesh garment;             ///< without seam_of_sewn
+  std::vector<proto::StreamPiece> pieces;  ///< one a panel
+  std::vector<Vec3> end;                   ///< m, of the garment's vertices
+  std::vector<geometry::TriangleMesh> bodies;
+  image::Textures textures;
+  Motion motion;
+};
+
+/// What a drape of `input` leaves. REQUIRES one piece for each panel.
+Film film_of(const drape::DrapeInput& input, const drape::DrapeResult& result,
+             std::vector<proto::StreamPiece> pieces, image::Textures textures, Motion motion);
+
+/// The film's things with the cloth at `positions` (m). Refers to both.
+render::Scene scene_of(const Film& film, std::span<const Vec3> positions);
+
+/// The cloth at a time (s of simulated time), m: on the straight way between the frames around it.
+/// REQUIRES frames.
+std::vector<Vec3> positions_at(const Motion& motion, double time);
+
+}  // namespace toile::movie

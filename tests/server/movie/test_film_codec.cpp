@@ -1,0 +1,54 @@
+#include "server/movie/film_codec.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/hash.h"
+#include "tests/server/movie/napkin_film.h"
+
+namespace toile {
+namespace {
+
+TEST(FilmCodec, GivesBackTheFilm) {
+  const movie::Film film = test::napkin_film();
+  const movie::Film read = movie::decode_film(movie::encode_film(film)).value();
+  EXPECT_EQ(read.garment.triangles, film.garment.triangles);
+  EXPECT_EQ(read.garment.weld, film.garment.weld);
+  EXPECT_EQ(read.garment.panel_of_triangle, film.garment.panel_of_triangle);
+  EXPECT_EQ(read.pieces.at(0).id, "napkin");
+  EXPECT_EQ(hash_of(read.end), hash_of(film.end)) << "the end is kept exactly";
+  ASSERT_EQ(read.bodies.size(), 1u);
+  EXPECT_EQ(read.bodies[0].triangles, film.bodies[0].triangles);
+  ASSERT_EQ(read.motion.frames.size(), 10u);
+  for (std::size_t i = 0; i < 10; ++i) {
+    EXPECT_EQ(read.motion.frames[i].grid, film.motion.frames[i].grid);
+    EXPECT_EQ(read.motion.frames[i].step, film.motion.frames[i].step);
+  }
+  EXPECT_EQ(movie::encode_film(read), movie::encode_film(film));
+}
+
+TEST(FilmCodec, RefusesWhatIsCutOffOrChanged) {
+  const std::string bytes = movie::encode_film(test::napkin_film());
+  for (std::size_t size = 0; size < bytes.size(); size += 7) {
+    EXPECT_EQ(movie::decode_film(bytes.substr(0, size)).error().code, "film.damaged") << size;
+  }
+  for (std::size_t at = 0; at < bytes.size(); at += 3) {
+    std::string changed = bytes;
+    changed[at] = static_cast<char>(changed[at] ^ 0x21);
+    EXPECT_FALSE(movie::decode_film(changed)) << at;
+  }
+}
+
+TEST(FilmCodec, RefusesATriangleOfABodyWithoutItsVertex) {
+  movie::Film film = test::napkin_film();
+  film.bodies[0].triangles[0] = {0, 1, 4};
+  EXPECT_EQ(movie::decode_film(movie::encode_film(film)).error().code, "film.damaged");
+}
+
+TEST(FilmCodec, RefusesAFrameOfAnotherCloth) {
+  movie::Film film = test::napkin_film(1);
+  film.motion.frames[0].grid.resize(9);
+  EXPECT_EQ(movie::decode_film(movie::encode_film(film)).error().code, "film.damaged");
+}
+
+}  // namespace
+}  // namespace toile
