@@ -27,13 +27,12 @@ std::int64_t bytes_of(const store::ResultFiles& results) {
 Result<std::optional<store::JobRow>> SqliteStore::find_job_of_key(const store::OwnerId& owner,
                                                                   const std::string& key) {
   if (key.empty()) return std::optional<store::JobRow>();
-  Result<std::vector<store::JobRow>> made =
-      rows_of(database_.prepare(select(kJobColumns, "FROM jobs WHERE owner = ? AND idempotency_key = ?"),
-                                {owner, key}),
-              job_from);
-  if (!made) return made.error();
-  if (made->empty()) return std::optional<store::JobRow>();
-  return std::optional(std::move(made->front()));
+  std::vector<store::JobRow> made =
+      TRY(rows_of(database_.prepare(select(kJobColumns, "FROM jobs WHERE owner = ? AND idempotency_key = ?"),
+                                    {owner, key}),
+                  job_from));
+  if (made.empty()) return std::optional<store::JobRow>();
+  return std::optional(std::move(made.front()));
 }
 
 Result<std::optional<store::JobRow>> SqliteStore::job_of_key(const store::RequestContext& context,
@@ -236,7 +235,8 @@ Result<std::vector<store::Store::OwnedJob>> SqliteStore::take_from_the_gone(std:
   for (OwnedJob& owned : jobs) {
     const int with_it = running[owned.job.lease.holder];
     owned.job.lease.holder.clear();
-    LeftJob left{std::move(owned), with_it, blobs_.checkpoint_ms(owned.job.id)};
+    const std::int64_t kept_ms = blobs_.checkpoint_ms(owned.job.id);
+    LeftJob left{std::move(owned), with_it, kept_ms};
     judge(left);
     owned = std::move(left.owned);
     TRY(write_job(owned.owner, owned.job));

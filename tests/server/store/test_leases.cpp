@@ -1,5 +1,7 @@
 // Who works on a job, as the store keeps it.
 
+#include <map>
+
 #include "tests/server/store/store_folder.h"
 
 namespace toile {
@@ -70,6 +72,16 @@ TEST_F(StoreLeases, PutNothingForAJobThatHasEnded) {
     return {};
   }));
   EXPECT_EQ(code_of(store->put_checkpoint(under(3), id, "late")), "store.lease_lost");
+}
+
+TEST_F(StoreLeases, AreJudgedByTheCheckpointOfTheirOwnJob) {
+  const std::string with = held("h_gone"), without = held("h_gone");
+  ASSERT_TRUE(store->put_checkpoint(under(3), with, "state"));
+  std::map<std::string, std::int64_t> kept;
+  ASSERT_TRUE(store->take_from_the_gone(
+      2000, false, [&](store::Store::LeftJob& one) { kept[one.owned.job.id] = one.kept_ms; }));
+  EXPECT_EQ(kept.at(with), store->checkpoint(kMe, with)->kept_ms);
+  EXPECT_EQ(kept.at(without), 0);
 }
 
 TEST_F(StoreLeases, OfTheGoneAndTheLateAreEndedAndOthersAreNot) {
