@@ -4,7 +4,6 @@
 #include <string>
 
 #include "server/jobs/row_edits.h"
-#include "server/jobs/table.h"
 
 namespace toile::jobs {
 

@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "server/jobs/table.h"
+#include "server/jobs/row_edits.h"
 
 namespace toile::jobs {
 namespace {

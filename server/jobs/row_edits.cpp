@@ -1,9 +1,29 @@
 #include "server/jobs/row_edits.h"
 
 #include <algorithm>
-#include <string>
+#include <chrono>
+#include <utility>
 
 namespace toile::jobs {
+
+std::int64_t unix_ms() {
+  using namespace std::chrono;
+  return duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count();
+}
+
+store::JobRow without_document(store::JobRow row) {
+  row.document.clear();
+  row.files.clear();
+  return row;
+}
+
+RowEdit with_reason(std::string code, std::string reason, std::string where) {
+  return [code = std::move(code), reason = std::move(reason), where = std::move(where)](store::JobRow& row) {
+    row.reason_code = code;
+    row.reason = reason;
+    row.reason_where = where;
+  };
+}
 
 RowEdit requeued() {
   return with_reason("requeued", "the server stopped before its end; it goes on from where it was kept last");

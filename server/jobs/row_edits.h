@@ -1,11 +1,24 @@
 #pragma once
 // What becomes of a job's row when its state changes.
 
+#include <cstdint>
+#include <functional>
+#include <string>
+
 #include "server/jobs/run_end.h"
-#include "server/jobs/table.h"
 #include "server/store/store.h"
 
 namespace toile::jobs {
+
+using RowEdit = std::function<void(store::JobRow&)>;
+
+/// ms since 1970: the clock that rows go by.
+std::int64_t unix_ms();
+
+/// What of a row is kept in memory and handed out: documents are large.
+store::JobRow without_document(store::JobRow row);
+
+RowEdit with_reason(std::string code, std::string reason, std::string where = "");
 
 /// Back in the queue because the server stops.
 RowEdit requeued();

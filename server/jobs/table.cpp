@@ -1,6 +1,5 @@
 #include "server/jobs/table.h"
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -8,25 +7,6 @@
 #include "server/jobs/row_progress.h"
 
 namespace toile::jobs {
-
-std::int64_t unix_ms() {
-  using namespace std::chrono;
-  return duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count();
-}
-
-store::JobRow without_document(store::JobRow row) {
-  row.document.clear();
-  row.files.clear();
-  return row;
-}
-
-RowEdit with_reason(std::string code, std::string reason, std::string where) {
-  return [code = std::move(code), reason = std::move(reason), where = std::move(where)](store::JobRow& row) {
-    row.reason_code = code;
-    row.reason = reason;
-    row.reason_where = where;
-  };
-}
 
 Status JobTable::change(const Changing&, LiveJob& job, JobEvent event, const RowEdit& edit, By by) {
   store::RequestContext context = job.context;
@@ -61,13 +41,13 @@ Status JobTable::write(LiveJob& job, const store::RequestContext& context, JobEv
   store::JobRow row = TRY(store_.change_job(context, job.id, whole));
   {
     const std::lock_guard lock(mutex_);
-    count_times(event, before, row);
+    tally_.changed(event, before, row);
     job.row = without_document(std::move(row));
     job.state = next.state;
-    queue_.put(job.id, next.effects.queue);
+    roster_.put(job, next.effects.queue);
     job.waits_since = std::chrono::steady_clock::now();
     if (next.effects.interrupt) job.interrupt->store(true, std::memory_order_relaxed);
-    if (next.effects.ends) count_end(job.state);
+    if (next.effects.ends) tally_.ended(job.state);
   }
   bell_.notify_all();
   return {};
@@ -107,20 +87,10 @@ Status JobTable::release(const Changing&, LiveJob& job, std::unique_ptr<JobRun>&
     job.context.lease = 0;
     job.wanted_away = false;
     job.row = without_document(std::move(row));
-    place(job, false);
+    roster_.place(job, false);
   }
   bell_.notify_all();
   return {};
-}
-
-/// Where in the queue a job stands by its row. What has made room waits there as running. REQUIRES mutex_.
-void JobTable::place(LiveJob& job, bool changed) {
-  const bool free = job.row.lease.holder.empty() || job.is_here();
-  if (job.state == store::JobState::kQueued && free) {
-    if (changed || !queue_.contains(job.id)) queue_.put(job.id, QueuePlace::kBack);
-  } else if (job.state != store::JobState::kRunning || !job.is_here()) {
-    queue_.put(job.id, QueuePlace::kOut);
-  }
 }
 
 bool JobTable::adopt(const Changing&, LiveJob& job, const store::JobRow& row) {
@@ -134,7 +104,7 @@ bool JobTable::adopt(const Changing&, LiveJob& job, const store::JobRow& row) {
       job.interrupt->store(true, std::memory_order_relaxed);
     }
     changed = row.state != job.state;
-    if (changed && final) count_end(row.state);
+    if (changed && final) tally_.ended(row.state);
     if (changed && job.held) job.interrupt->store(true, std::memory_order_relaxed);
     if (changed && job.is_here()) job.wanted_away = row.state == store::JobState::kPaused;
     job.state = row.state;
@@ -144,7 +114,7 @@ bool JobTable::adopt(const Changing&, LiveJob& job, const store::JobRow& row) {
       job.worked_s = static_cast<double>(row.worked_ms) / 1000;
       job.progress = progress_of_row(row);
     }
-    place(job, changed);
+    roster_.place(job, changed);
   }
   bell_.notify_all();
   return changed;
@@ -158,7 +128,7 @@ std::unique_ptr<JobRun> JobTable::drop_run(const Changing&, LiveJob& job) {
 std::vector<JobTable::Held> JobTable::held_here() const {
   const std::lock_guard lock(mutex_);
   std::vector<Held> held;
-  for (const auto& [id, job] : jobs_) {
+  for (const LiveJobPtr& job : roster_.all()) {
     if (job->is_here()) held.push_back({job, job->context, progress_now(*job), job->worked_s, job->suspect});
   }
   return held;
@@ -167,26 +137,8 @@ std::vector<JobTable::Held> JobTable::held_here() const {
 void JobTable::fail_in_memory(const Changing&, LiveJob& job) {
   const std::lock_guard lock(mutex_);
   job.state = store::JobState::kFailed;
-  queue_.put(job.id, QueuePlace::kOut);
-  count_end(job.state);
-}
-
-/// REQUIRES mutex_.
-void JobTable::count_end(store::JobState state) {
-  if (state == store::JobState::kSucceeded) ++totals_.succeeded;
-  if (state == store::JobState::kFailed) ++totals_.failed;
-  if (state == store::JobState::kCancelled) ++totals_.cancelled;
-}
-
-/// REQUIRES mutex_.
-void JobTable::count_times(JobEvent event, const store::JobRow& before, const store::JobRow& after) {
-  const auto seconds = [](std::int64_t from, std::int64_t to) {
-    return static_cast<double>(std::max<std::int64_t>(0, to - from)) / 1000;
-  };
-  if (event == JobEvent::kClaim && before.started_ms == 0)
-    totals_.wait.add(seconds(after.created_ms, after.started_ms));
-  if (store::is_final(after.state) && after.started_ms > 0)
-    totals_.run.add(seconds(after.started_ms, after.ended_ms));
+  roster_.put(job, QueuePlace::kOut);
+  tally_.ended(job.state);
 }
 
 /// REQUIRES mutex_.
@@ -208,8 +160,7 @@ void JobTable::announce(const Changing&, const LiveJob& job) {
 
 void JobTable::count_answered(const Changing&) {
   const std::lock_guard lock(mutex_);
-  ++totals_.succeeded;
-  ++totals_.answered;
+  tally_.answered();
 }
 
 LiveJobPtr JobTable::insert(const Changing&, const store::RequestContext& context, const store::JobRow& row) {
@@ -224,10 +175,8 @@ LiveJobPtr JobTable::insert(const Changing&, const store::RequestContext& contex
   job->progress = progress_of_row(row);
   {
     const std::lock_guard lock(mutex_);
-    if (!open_ || !jobs_.emplace(job->id, job).second) return nullptr;
-    shares_.enter(job->context.owner);
     job->waits_since = std::chrono::steady_clock::now();
-    place(*job, true);
+    if (!open_ || !roster_.enter(job)) return nullptr;
   }
   bell_.notify_all();
   return job;
@@ -235,8 +184,7 @@ LiveJobPtr JobTable::insert(const Changing&, const store::RequestContext& contex
 
 std::unique_ptr<JobRun> JobTable::remove(const Changing&, const LiveJobPtr& job) {
   const std::lock_guard lock(mutex_);
-  queue_.put(job->id, QueuePlace::kOut);
-  if (jobs_.erase(job->id) > 0) shares_.leave(job->context.owner);
+  roster_.leave(*job);
   return std::move(job->run);
 }
 
@@ -245,77 +193,27 @@ bool JobTable::clear(const Changing&, LiveJob& job) {
   {
     const std::lock_guard lock(mutex_);
     if (!std::exchange(job.suspect, false)) return false;
-    others = first_suspect() != nullptr;
+    others = roster_.first_suspect() != nullptr;
   }
   bell_.notify_all();
   return others;
 }
 
-/// REQUIRES mutex_.
-LiveJobPtr JobTable::first_suspect() const {
-  const std::optional<std::string> id = queue_.first([&](const std::string& waiting) {
-    const LiveJob& job = *jobs_.at(waiting);
-    return !job.held && job.suspect;
-  });
-  return id ? jobs_.at(*id) : nullptr;
-}
-
-/// REQUIRES mutex_.
-Claim JobTable::claim_of(const LiveJob& job) const {
-  return {shares_.had(job.context.owner), job.row.priority};
-}
-
-/// REQUIRES mutex_.
-bool JobTable::is_for(WorkerKind kind, const LiveJob& job) const {
-  if (job.held) return false;
-  if (kind == WorkerKind::kAny) return true;
-  return job.row.priority == store::JobPriority::kInteractive && job.run == nullptr &&
-         std::chrono::steady_clock::now() - job.waits_since > kExpressAfter;
-}
-
-/// REQUIRES mutex_.
-LiveJobPtr JobTable::next_in_turn(WorkerKind kind) const {
-  std::vector<LiveJobPtr> waiting;
-  std::vector<Claim> claims;
-  for (const std::string& id : queue_.ids()) {
-    const LiveJobPtr& job = jobs_.at(id);
-    if (!is_for(kind, *job)) continue;
-    waiting.push_back(job);
-    claims.push_back(claim_of(*job));
-  }
-  const std::optional<std::size_t> turn = next_turn(claims);
-  return turn ? waiting[*turn] : nullptr;
-}
-
-/// REQUIRES mutex_.
-LiveJobPtr JobTable::ready(WorkerKind kind) const {
-  bool anybody_runs = false, suspect_runs = false;
-  for (const auto& [id, job] : jobs_) {
-    anybody_runs = anybody_runs || job->held;
-    suspect_runs = suspect_runs || (job->held && job->suspect);
-  }
-  if (suspect_runs) return nullptr;
-  if (LiveJobPtr suspect = first_suspect()) return anybody_runs ? nullptr : suspect;
-  return next_in_turn(kind);
-}
-
 bool JobTable::is_to_make_room(const LiveJob& job, int most) const {
   const std::lock_guard lock(mutex_);
-  if (!open_ || job.suspect || first_suspect() || begun_now() >= most) return false;
-  const LiveJobPtr next = next_in_turn(WorkerKind::kAny);
-  return next && makes_room(claim_of(job), claim_of(*next));
+  return open_ && roster_.begun() < most && roster_.is_to_make_room(job);
 }
 
 LiveJobPtr JobTable::next_ready(const Changing&, WorkerKind kind) const {
   const std::lock_guard lock(mutex_);
-  return open_ ? ready(kind) : nullptr;
+  return open_ ? roster_.next(kind) : nullptr;
 }
 
 void JobTable::make_wait(const Changing&, LiveJob& job) {
   {
     const std::lock_guard lock(mutex_);
     job.waits_since = std::chrono::steady_clock::now();
-    queue_.put(job.id, QueuePlace::kFront);  // before its owner's others: what is begun is to end first
+    roster_.put(job, QueuePlace::kFront);  // before its owner's others: what is begun is to end first
   }
   bell_.notify_all();
 }
@@ -324,7 +222,7 @@ void JobTable::hand_out(const Changing&, LiveJob& job,
                         const std::function<std::unique_ptr<JobRun>(std::uint32_t epoch)>& make) {
   const std::lock_guard lock(mutex_);
   job.held = true;
-  queue_.put(job.id, QueuePlace::kOut);  // one that had made room still stands there
+  roster_.put(job, QueuePlace::kOut);  // one that had made room still stands there
   job.interrupt->store(false, std::memory_order_relaxed);
   if (job.run) return;
   job.progress = {};
@@ -341,20 +239,12 @@ void JobTable::take_back(const Changing&, LiveJob& job) {
 
 std::vector<LiveJobPtr> JobTable::all(const Changing&) const {
   const std::lock_guard lock(mutex_);
-  std::vector<LiveJobPtr> jobs;
-  for (const auto& [id, job] : jobs_) jobs.push_back(job);
-  return jobs;
+  return roster_.all();
 }
 
 int JobTable::begun(const Changing&) const {
   const std::lock_guard lock(mutex_);
-  return begun_now();
-}
-
-/// REQUIRES mutex_.
-int JobTable::begun_now() const {
-  return static_cast<int>(std::count_if(jobs_.begin(), jobs_.end(),
-                                        [](const auto& entry) { return entry.second->run != nullptr; }));
+  return roster_.begun();
 }
 
 void JobTable::open(const Changing&) {
@@ -367,7 +257,7 @@ void JobTable::close(const Changing&) {
     const std::lock_guard lock(mutex_);
     open_ = false;
     closed_ = std::chrono::steady_clock::now();
-    for (const auto& [id, job] : jobs_) {
+    for (const LiveJobPtr& job : roster_.all()) {
       if (job->held) job->interrupt->store(true, std::memory_order_relaxed);
     }
   }
@@ -376,8 +266,8 @@ void JobTable::close(const Changing&) {
 
 LiveJobPtr JobTable::find(const store::RequestContext& context, const std::string& id) const {
   const std::lock_guard lock(mutex_);
-  const auto found = jobs_.find(id);
-  return found != jobs_.end() && found->second->context.owner == context.owner ? found->second : nullptr;
+  LiveJobPtr job = roster_.find(id);
+  return job && job->context.owner == context.owner ? job : nullptr;
 }
 
 JobProgress JobTable::progress(const LiveJob& job) const {
@@ -392,16 +282,8 @@ store::JobState JobTable::state(const LiveJob& job) const {
 
 JobService::Counts JobTable::counts() const {
   const std::lock_guard lock(mutex_);
-  JobService::Counts counts = totals_;
-  const std::int64_t now_ms = unix_ms();
-  std::int64_t oldest_ms = now_ms;
-  for (const auto& [id, job] : jobs_) {
-    counts.queued += job->state == store::JobState::kQueued;
-    counts.running += job->state == store::JobState::kRunning;
-    counts.paused += job->state == store::JobState::kPaused;
-    if (job->state == store::JobState::kQueued) oldest_ms = std::min(oldest_ms, job->row.created_ms);
-  }
-  counts.oldest_queued_s = static_cast<double>(now_ms - oldest_ms) / 1000;
+  JobService::Counts counts = tally_.so_far();
+  roster_.count(unix_ms(), counts);
   return counts;
 }
 
@@ -418,9 +300,9 @@ bool JobTable::is_out_of_patience() const {
 
 bool JobTable::wait_for_work(WorkerKind kind) {
   std::unique_lock lock(mutex_);
-  while (open_ && ready(kind) == nullptr) {
+  while (open_ && roster_.next(kind) == nullptr) {
     // No bell tells when a drape has waited long enough.
-    if (kind == WorkerKind::kExpress && !queue_.ids().empty()) {
+    if (kind == WorkerKind::kExpress && roster_.anybody_waits()) {
       bell_.wait_for(lock, kExpressAfter / 3);
     } else {
       bell_.wait(lock);
@@ -437,7 +319,7 @@ void JobTable::pause(std::chrono::milliseconds time) {
 void JobTable::hear(LiveJob& job, const JobProgress& progress) {
   {
     const std::lock_guard lock(mutex_);
-    totals_.steps += std::max(0, progress.step - std::max(job.progress.step, progress.first_step));
+    tally_.progressed(job.progress, progress);
     job.progress = progress;
     if (!next_state(job.state, JobEvent::kProgress)) return;
   }
@@ -446,8 +328,8 @@ void JobTable::hear(LiveJob& job, const JobProgress& progress) {
 
 void JobTable::charge(LiveJob& job, std::string_view phase, double seconds) {
   const std::lock_guard lock(mutex_);
-  totals_.work_s[std::string(phase)] += seconds;
-  shares_.charge(job.context.owner, seconds);
+  tally_.worked(phase, seconds);
+  roster_.charge(job, seconds);
   if (phase != kStillsPhase) job.worked_s += seconds;
 }
 

@@ -1,12 +1,10 @@
 #pragma once
 // The jobs that have not ended, in memory, and the one way to change them.
 
-#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -14,52 +12,16 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "server/jobs/live_job.h"
 #include "server/jobs/publisher.h"
-#include "server/jobs/queue.h"
-#include "server/jobs/runner.h"
+#include "server/jobs/roster.h"
+#include "server/jobs/row_edits.h"
 #include "server/jobs/service.h"
+#include "server/jobs/tally.h"
 #include "server/jobs/transition.h"
-#include "server/jobs/turn.h"
-#include "server/shares/owner_shares.h"
 #include "server/store/store.h"
 
 namespace toile::jobs {
-
-/// A job that has not ended, or whose worker has not yet let go. Members are written under both locks of the
-/// table and read under either. Three exceptions: progress and worked_s are under the lock of memory only,
-/// and run belongs to the worker while it holds the job.
-struct LiveJob {
-  std::string id;
-  /// Of whoever asked for it; its log names the job. With the number of the lease while this process has it.
-  store::RequestContext context;
-  store::JobRow row;  ///< without the document
-  store::JobState state = store::JobState::kQueued;
-  bool held = false;         ///< a worker has it
-  bool suspect = false;      ///< may have crashed its holder: runs alone until it has come further
-  bool wanted_away = false;  ///< another process has paused it: its lease is to be given up
-  JobProgress progress;      ///< as the worker told it last
-  std::chrono::steady_clock::time_point waits_since;  ///< when it came to stand in the queue last
-  std::unique_ptr<JobRun> run;                        ///< begun, maybe parked
-  double worked_s = 0;  ///< processor time, as the row's at its last change and since
-  std::shared_ptr<std::atomic<bool>> interrupt = std::make_shared<std::atomic<bool>>(false);
-
-  /// This process has the lease, and the drape if there is one.
-  bool is_here() const { return context.lease != 0; }
-};
-using LiveJobPtr = std::shared_ptr<LiveJob>;
-
-/// What a worker takes.
-enum class WorkerKind {
-  kAny,      ///< whatever is next
-  kExpress,  ///< interactive drapes that have waited in vain for another, to begin them
-};
-/// How long that is: workers look up between slices, but not while they mesh, dress, or wait for pictures.
-inline constexpr auto kExpressAfter = std::chrono::milliseconds(300);
-
-using RowEdit = std::function<void(store::JobRow&)>;
-RowEdit with_reason(std::string code, std::string reason, std::string where = "");
-store::JobRow without_document(store::JobRow row);
-std::int64_t unix_ms();
 
 /// On whose account a job is changed.
 enum class By {
@@ -119,8 +81,7 @@ class JobTable {
   bool clear(const Changing&, LiveJob& job);
   /// Takes a job out and gives back its drape, to be freed when the locks are not held.
   std::unique_ptr<JobRun> remove(const Changing&, const LiveJobPtr& job);
-  /// Of those that no worker holds, whose turn it is (turn.h); a suspect before all others, and once nothing
-  /// else runs.
+  /// Whose turn it is (JobRoster::next); nothing once the table is closed.
   LiveJobPtr next_ready(const Changing&, WorkerKind kind) const;
   /// A worker has the job; without a drape it gets one from `make`, for the stream of that epoch: each lease
   /// has its own.
@@ -161,18 +122,9 @@ class JobTable {
   void charge(LiveJob& job, std::string_view phase, double seconds);
 
  private:
-  LiveJobPtr ready(WorkerKind kind) const;
-  LiveJobPtr first_suspect() const;
-  LiveJobPtr next_in_turn(WorkerKind kind) const;
-  Claim claim_of(const LiveJob& job) const;
-  bool is_for(WorkerKind kind, const LiveJob& job) const;
-  int begun_now() const;
   JobProgress progress_now(const LiveJob& job) const;
   Status write(LiveJob& job, const store::RequestContext& context, JobEvent event,
                const store::Store::JobEdit& edit);
-  void place(LiveJob& job, bool changed);
-  void count_end(store::JobState state);
-  void count_times(JobEvent event, const store::JobRow& before, const store::JobRow& after);
 
   store::Store& store_;
   Publisher& publisher_;
@@ -181,10 +133,8 @@ class JobTable {
   std::condition_variable bell_;
   bool open_ = false;
   std::chrono::steady_clock::time_point closed_;
-  std::map<std::string, LiveJobPtr> jobs_;  ///< by id
-  JobQueue queue_;
-  shares::OwnerShares shares_;  ///< of the workers' time
-  JobService::Counts totals_;   ///< what has been, and not what is
+  JobRoster roster_;
+  JobTally tally_;
 };
 
 }  // namespace toile::jobs

@@ -1,0 +1,106 @@
+#include "server/jobs/roster.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+
+namespace toile {
+namespace {
+
+using enum store::JobState;
+using jobs::WorkerKind;
+
+jobs::LiveJobPtr job(const std::string& id, const store::OwnerId& owner = "a",
+                     store::JobState state = kQueued) {
+  auto job = std::make_shared<jobs::LiveJob>();
+  job->id = id;
+  job->context = store::RequestContext(owner);
+  job->state = job->row.state = state;
+  return job;
+}
+
+std::string next(const jobs::JobRoster& roster, WorkerKind kind = WorkerKind::kAny) {
+  const jobs::LiveJobPtr job = roster.next(kind);
+  return job ? job->id : "";
+}
+
+TEST(JobRoster, HoldsAJobOnlyOnceAndForgetsItWhenItLeaves) {
+  jobs::JobRoster roster;
+  EXPECT_TRUE(roster.enter(job("j")));
+  EXPECT_FALSE(roster.enter(job("j")));
+  EXPECT_EQ(roster.all().size(), 1U);
+  roster.leave(*roster.find("j"));
+  EXPECT_EQ(roster.find("j"), nullptr);
+  EXPECT_EQ(next(roster), "");
+  EXPECT_FALSE(roster.anybody_waits());
+}
+
+TEST(JobRoster, LetsNoPausedJobWaitNorOneThatAnotherProcessHas) {
+  jobs::JobRoster roster;
+  roster.enter(job("paused", "a", kPaused));
+  const jobs::LiveJobPtr theirs = job("theirs");
+  theirs->row.lease.holder = "another";
+  roster.enter(theirs);
+  EXPECT_EQ(next(roster), "");
+  theirs->row.lease.holder.clear();
+  roster.place(*theirs, false);
+  EXPECT_EQ(next(roster), "theirs");
+}
+
+TEST(JobRoster, GivesTheTurnToTheOwnerWhoHasHadLeast) {
+  jobs::JobRoster roster;
+  const jobs::LiveJobPtr first = job("first", "a");
+  roster.enter(first);
+  roster.enter(job("second", "b"));
+  EXPECT_EQ(next(roster), "first");
+  roster.charge(*first, 5);
+  EXPECT_EQ(next(roster), "second");
+  EXPECT_TRUE(roster.is_to_make_room(*first));
+}
+
+TEST(JobRoster, LetsASuspectRunBeforeAllOthersAndAlone) {
+  jobs::JobRoster roster;
+  const jobs::LiveJobPtr plain = job("plain"), suspect = job("suspect");
+  suspect->suspect = true;
+  roster.enter(plain);
+  roster.enter(suspect);
+  plain->held = true;
+  EXPECT_EQ(next(roster), "") << "another runs";
+  EXPECT_FALSE(roster.is_to_make_room(*plain)) << "what runs goes on until it ends";
+  plain->held = false;
+  EXPECT_EQ(next(roster), "suspect");
+  suspect->held = true;
+  EXPECT_EQ(next(roster), "") << "nothing beside a suspect";
+}
+
+TEST(JobRoster, KeepsExpressWorkersForInteractiveDrapesThatHaveWaited) {
+  jobs::JobRoster roster;
+  const jobs::LiveJobPtr batch = job("batch"), eager = job("eager");
+  eager->row.priority = store::JobPriority::kInteractive;
+  eager->waits_since = batch->waits_since = std::chrono::steady_clock::now();
+  roster.enter(batch);
+  roster.enter(eager);
+  EXPECT_EQ(next(roster, WorkerKind::kExpress), "");
+  eager->waits_since = batch->waits_since -= 2 * jobs::kExpressAfter;
+  EXPECT_EQ(next(roster, WorkerKind::kExpress), "eager");
+}
+
+TEST(JobRoster, CountsWhatWaitsRunsAndIsPaused) {
+  jobs::JobRoster roster;
+  const jobs::LiveJobPtr old = job("old");
+  old->row.created_ms = 4000;
+  const jobs::LiveJobPtr young = job("young");
+  young->row.created_ms = 9000;
+  for (const jobs::LiveJobPtr& each : {old, young, job("runs", "a", kRunning), job("paused", "a", kPaused)})
+    roster.enter(each);
+  jobs::JobService::Counts counts;
+  roster.count(10'000, counts);
+  EXPECT_EQ(counts.queued, 2);
+  EXPECT_EQ(counts.running, 1);
+  EXPECT_EQ(counts.paused, 1);
+  EXPECT_EQ(counts.oldest_queued_s, 6);
+}
+
+}  // namespace
+}  // namespace toile
