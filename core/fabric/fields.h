@@ -2,6 +2,7 @@
 // The fields of fabric files, as core/project/fields.h has those of documents.
 
 #include "core/fabric/card.h"
+#include "core/fabric/figure_fields.h"
 #include "core/json/fields/range.h"
 
 namespace toile::fields {
@@ -40,8 +41,7 @@ void describe_stretch(Visitor& v, fabric::FabricCard& card) {
           "N/m; tension along one per strain along the other at small strain; its square is less than the "
           "product of both first stiffnesses.",
           Need::kRequired, Range{-1e6, 1e6});
-  v.field("stretch_shear_n_m", card.stretch_shear_n_m, "N/m per radian of shear.", Need::kRequired,
-          Range{0.01, 1e6});
+  describe_shear(v, card, Need::kRequired);
   v.field("limit_shear_rad", card.limit_shear_rad,
           "Radians of shear beyond which the cloth is much stiffer. 0: never.", Need::kRequired,
           Range{0, 1.5});
@@ -59,24 +59,17 @@ void describe(Visitor& v, fabric::FabricCard& card) {
            {"woven", "knit", "nonwoven", "net", "leather"}, Need::kRequired);
   v.field("weave", card.weave, "How its threads run, for the look.", Need::kRequired);
   v.field("use", card.use, "What is sewn of it.");
-  v.field("areal_mass_g_m2", card.areal_mass_g_m2, "g/m².", Need::kRequired, Range{1, 10000});
-  v.field("thickness_mm", card.thickness_mm, "mm; also the distance that layers keep.", Need::kRequired,
-          Range{0.01, 50});
-  v.field("bend_warp_un_m", card.bend_warp_un_m,
-          "µN·m; bending rigidity per width of a strip cut along the warp.", Need::kRequired, kBendingRange);
-  v.field("bend_weft_un_m", card.bend_weft_un_m, "µN·m; of a strip cut along the weft.", Need::kRequired,
-          kBendingRange);
-  v.field("bend_bias_un_m", card.bend_bias_un_m, "µN·m; of a strip cut at 45°.", Need::kRequired,
-          kBendingRange);
+  describe_areal_mass(v, card, Need::kRequired);
+  describe_thickness(v, card, Need::kRequired);
+  describe_bending(v, card, Need::kRequired, kBendingRange);
   describe_stretch(v, card);
-  v.field("friction", card.friction, "Coulomb's coefficient, cloth on cloth.", Need::kRequired, Range{0, 2});
+  v.field("friction", card.friction, "Coulomb's coefficient, cloth on cloth.", Need::kRequired, kFriction);
   v.field("drape_least_percent", card.drape_least_percent,
           "%; where the drape coefficient of such fabrics (30 cm on 18 cm) begins, where that is published.",
           Need::kOptional, Range{0, 100});
   v.field("drape_most_percent", card.drape_most_percent, "%; and where it ends.", Need::kOptional,
           Range{0, 100});
-  v.field("colour", card.colour, "Linear red, green and blue for pictures, 0 to 1.", Need::kRequired,
-          Range{0, 1});
+  describe_colour(v, card, Need::kRequired);
   v.field("sources", card.sources, "Where the figures come from; each of them stands in one.",
           Need::kRequired, kCurvePoints);
 }

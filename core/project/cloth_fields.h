@@ -5,15 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "core/fabric/figure_fields.h"
 #include "core/json/fields/range.h"
 #include "core/project/project.h"
 
 namespace toile::fields {
 
 inline constexpr Range kLength{
-    -1e5, 1e5, "coordinate"};  // mm or m: every coordinate, so that sums stay far from overflow
-inline constexpr Range kStiffness{0.01, 1e6};
-inline constexpr Range kFriction{0, 2};
+    -1e5, 1e5, "coordinate"};           // mm or m: every coordinate, so that sums stay far from overflow
 inline constexpr Range kSome{1, 1000};  // elements of a list that must not be empty
 inline constexpr Range kMany{0, 1000};
 
@@ -208,16 +207,14 @@ void describe(Visitor& v, project::ProjectPhysical& physical) {
       "interlining", physical.interlining,
       "Name of a fabric of the library that is fused to the piece: both masses, both stiffnesses, and as a "
       "laminate far stiffer in bending. What else stands here holds for the two together.");
-  v.field("areal_mass_g_m2", physical.areal_mass_g_m2, "g/m².", Need::kOptional, Range{1, 10000});
+  describe_areal_mass(v, physical);
   v.field("stretch_warp_n_m", physical.stretch_warp_n_m, "N/m along the warp.", Need::kOptional, kStiffness);
   v.field("stretch_weft_n_m", physical.stretch_weft_n_m, "N/m along the weft.", Need::kOptional, kStiffness);
   v.field("stretch_coupling_n_m", physical.stretch_coupling_n_m, "N/m between warp and weft.",
           Need::kOptional, Range{-1e6, 1e6});
-  v.field("stretch_shear_n_m", physical.stretch_shear_n_m, "N/m in shear.", Need::kOptional, kStiffness);
-  v.field("bend_warp_un_m", physical.bend_warp_un_m, "µN·m along the warp.", Need::kOptional, Range{0, 1e6});
-  v.field("bend_weft_un_m", physical.bend_weft_un_m, "µN·m along the weft.", Need::kOptional, Range{0, 1e6});
-  v.field("bend_bias_un_m", physical.bend_bias_un_m, "µN·m along the bias.", Need::kOptional, Range{0, 1e6});
-  v.field("thickness_mm", physical.thickness_mm, "mm.", Need::kOptional, Range{0.01, 50});
+  describe_shear(v, physical);
+  describe_bending(v, physical);
+  describe_thickness(v, physical);
   v.field("friction", physical.friction, "Coefficient against anything.", Need::kOptional, kFriction);
   v.field("particle_distance_mm", physical.particle_distance_mm,
           "mm; wanted edge length of the piece's own triangles. On a seam the finer of both sides counts.",
@@ -294,7 +291,7 @@ void describe(Visitor& v, project::ProjectFabric& fabric) {
   v.field("coefficients", fabric.coefficients, "");
   v.unless("like", {"areal_mass_g_m2", "stretch_warp_n_m", "stretch_weft_n_m", "stretch_shear_n_m",
                     "bend_warp_un_m", "bend_weft_un_m", "bend_bias_un_m", "thickness_mm"});
-  v.field("areal_mass_g_m2", fabric.areal_mass_g_m2, "g/m².", Need::kOptional, Range{1, 10000});
+  describe_areal_mass(v, fabric);
   v.field("stretch_warp_n_m", fabric.stretch_warp_n_m, "N/m; tension per strain along the warp.",
           Need::kOptional, kStiffness);
   v.field("stretch_weft_n_m", fabric.stretch_weft_n_m, "N/m; tension per strain along the weft.",
@@ -303,8 +300,7 @@ void describe(Visitor& v, project::ProjectFabric& fabric) {
           "N/m; tension along one per strain along the other; its square is less than warp times weft. "
           "Default 600.",
           Need::kOptional, Range{-1e6, 1e6});
-  v.field("stretch_shear_n_m", fabric.stretch_shear_n_m, "N/m per radian of shear.", Need::kOptional,
-          kStiffness);
+  describe_shear(v, fabric);
   v.field("limit_warp_percent", fabric.limit_warp_percent,
           "%; strain along the warp beyond which the cloth is much stiffer. 0, the default: never.",
           Need::kOptional, Range{0, 500});
@@ -312,18 +308,11 @@ void describe(Visitor& v, project::ProjectFabric& fabric) {
           Range{0, 500});
   v.field("limit_shear_rad", fabric.limit_shear_rad, "Radians; the same for shear.", Need::kOptional,
           Range{0, 1.5});
-  v.field("bend_warp_un_m", fabric.bend_warp_un_m,
-          "µN·m; bending rigidity per width of a strip cut along the warp.", Need::kOptional, Range{0, 1e6});
-  v.field("bend_weft_un_m", fabric.bend_weft_un_m, "µN·m; of a strip cut along the weft.", Need::kOptional,
-          Range{0, 1e6});
-  v.field("bend_bias_un_m", fabric.bend_bias_un_m, "µN·m; of a strip cut at 45°.", Need::kOptional,
-          Range{0, 1e6});
-  v.field("thickness_mm", fabric.thickness_mm, "mm; also the distance that layers keep.", Need::kOptional,
-          Range{0.01, 50});
+  describe_bending(v, fabric);
+  describe_thickness(v, fabric);
   v.field("friction", fabric.friction, "Coulomb's coefficient, cloth on cloth. Default 0.3.", Need::kOptional,
           kFriction);
-  v.field("colour", fabric.colour, "Linear red, green and blue for pictures, 0 to 1.", Need::kOptional,
-          Range{0, 1});
+  describe_colour(v, fabric);
 }
 
 template <typename Visitor>

@@ -47,7 +47,7 @@ const std::map<std::string, Names>& table() {
       {"json", {}},
       {"fields", {"json"}},
       {"garmentcode", {"json", "pattern"}},
-      {"project", {"fields", "json", "mannequin", "measure", "pattern"}},
+      {"project", {"fabric", "fields", "json", "mannequin", "measure", "pattern"}},
       {"resolve",
        {"arrange", "body", "drape", "dxf", "fabric", "image", "json", "mannequin", "material", "measure",
         "mesh_import", "pattern", "project", "sewing"}},

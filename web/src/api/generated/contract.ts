@@ -1676,15 +1676,15 @@ export interface components {
             stretch_weft_n_m?: number;
             /** @description N/m between warp and weft. */
             stretch_coupling_n_m?: number;
-            /** @description N/m in shear. */
+            /** @description N/m per radian of shear. */
             stretch_shear_n_m?: number;
-            /** @description µN·m along the warp. */
+            /** @description µN·m; bending rigidity per width of a strip cut along the warp. */
             bend_warp_un_m?: number;
-            /** @description µN·m along the weft. */
+            /** @description µN·m; of a strip cut along the weft. */
             bend_weft_un_m?: number;
-            /** @description µN·m along the bias. */
+            /** @description µN·m; of a strip cut at 45°. */
             bend_bias_un_m?: number;
-            /** @description mm. */
+            /** @description mm; also the distance that layers keep. */
             thickness_mm?: number;
             /** @description Coefficient against anything. */
             friction?: number;
