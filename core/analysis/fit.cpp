@@ -25,37 +25,37 @@ constexpr double kComfort = 1500;
 /// What gives by as much at that pressure is cut narrower than the body; of other cloth nobody would wish it.
 constexpr double kStretchCloth = 0.1;
 
-/// A girth, and how far its plane may be shifted to where the garment has one. m.
-struct Place {
-  const char* name;
-  const char* line;  ///< of body_line
-  double up = 0;
-  bool limb = false;
-  double reach_up() const;
-  double reach_down() const;
-};
+enum class Part { kTrunk, kArm, kLeg };
 
 /// A waistband lies above or below the waist, a short sleeve or hem ends where it ends.
-constexpr double kTrunkReach = 0.04, kLimbReach = 0.06, kStep = 0.005;
-constexpr double kBelowCrotch = 0.03;  ///< m, where a thigh's girth is taken
-
+constexpr double kTrunkReach = 0.04, kLimbReach = 0.06, kStep = 0.005;  // m
+constexpr double kBelowCrotch = 0.03;                                   // m, where a thigh's girth is taken
 /// A skirt or trousers sit below the waist until the hips hold them.
-constexpr double kSlip = 0.12;
-double Place::reach_up() const { return limb ? kLimbReach : kTrunkReach; }
-double Place::reach_down() const { return name == std::string_view("waist") ? kSlip : reach_up(); }
+constexpr double kSlip = 0.12;  // m
+
+/// A girth, and how far its plane may be shifted to where the garment has one. m.
+struct Place {
+  const char* name;  ///< also of body_line
+  Part part = Part::kTrunk;
+  double up = 0;  ///< from that line
+  double reach_down = is_limb() ? kLimbReach : kTrunkReach;
+
+  bool is_limb() const { return part != Part::kTrunk; }
+  double reach_up() const { return is_limb() ? kLimbReach : kTrunkReach; }
+};
 
 std::vector<Place> places_on(const measure::BodyFigure& f) {
   // body_line has the thigh at its middle.
   const auto thigh_up = [&](int side) {
     return 0.5 * length(f.leg[side].top - f.leg[side].knee) - kBelowCrotch;
   };
-  return {{"upper_arm_left", "upper_arm_left", 0, true},
-          {"upper_arm_right", "upper_arm_right", 0, true},
-          {"bust", "bust"},
-          {"waist", "waist"},
-          {"hip", "hip"},
-          {"thigh_left", "thigh_left", thigh_up(measure::kWearersLeft), true},
-          {"thigh_right", "thigh_right", thigh_up(measure::kWearersRight), true}};
+  return {{"upper_arm_left", Part::kArm},
+          {"upper_arm_right", Part::kArm},
+          {"bust"},
+          {"waist", Part::kTrunk, 0, kSlip},
+          {"hip"},
+          {"thigh_left", Part::kLeg, thigh_up(measure::kWearersLeft)},
+          {"thigh_right", Part::kLeg, thigh_up(measure::kWearersRight)}};
 }
 
 /// Newell's normal.
@@ -74,8 +74,8 @@ Vec3 middle_of(const std::vector<Vec3>& loop) {
 
 /// For a limb the other one, or for an arm the trunk: where the plane meets the upright through the crotch.
 std::optional<Vec3> other_part(const Place& place, Vec3 inside, Vec3 normal, const measure::BodyFigure& f) {
-  if (!place.limb) return std::nullopt;
-  if (std::string_view(place.name).starts_with("thigh"))
+  if (!place.is_limb()) return std::nullopt;
+  if (place.part == Part::kLeg)
     return Vec3{2 * f.middle - inside.x, inside.y, inside.z} +
            normal * (-dot(normal, Vec3{2 * (f.middle - inside.x), 0, 0}));
   if (std::abs(normal.y) < 0.1) return std::nullopt;
@@ -110,7 +110,7 @@ class Tailor {
   /// The nearest line to where it should be of which `taken` says that it may be.
   template <typename Taken>
   std::optional<FitLine> line(const Place& place, Taken taken) const {
-    const int up = steps(place.reach_up()), down = steps(place.reach_down());
+    const int up = steps(place.reach_up()), down = steps(place.reach_down);
     for (int i = 0; i <= std::max(up, down); ++i) {
       if (i <= up)
         if (auto found = line_at(place, i * kStep); found && taken(*found)) return found;
@@ -122,8 +122,8 @@ class Tailor {
 
  private:
   std::optional<FitLine> line_at(const Place& place, double shifted) const {
-    const auto loop = measure::body_line(person_.body->mesh, person_.figure, place.line, place.up + shifted);
-    if (!loop || (place.limb && holds_middle(*loop, person_.figure.middle))) return std::nullopt;
+    const auto loop = measure::body_line(person_.body->mesh, person_.figure, place.name, place.up + shifted);
+    if (!loop || (place.is_limb() && holds_middle(*loop, person_.figure.middle))) return std::nullopt;
     const Vec3 inside = middle_of(*loop), normal = normal_of(*loop);
     if (!meets_cloth(inside, normal)) return std::nullopt;
     const auto girth =
@@ -237,10 +237,11 @@ std::vector<FitLine> fit_table(const drape::DrapeInput& input, const drape::Drap
   const Tailor tailor(input, result, *person);
   Armholes armholes(input, result);
   for (const Place& place : places_on(person->figure)) {
-    auto line = tailor.line(place, [&](const FitLine& l) { return place.limb || armholes.far_from(l.way); });
+    auto line =
+        tailor.line(place, [&](const FitLine& l) { return place.is_limb() || armholes.far_from(l.way); });
     if (!line) line = tailor.line(place, [](const FitLine&) { return true; });
     if (!line) continue;
-    if (std::string_view(place.name).starts_with("upper_arm")) armholes.add_sleeve(*line);
+    if (place.part == Part::kArm) armholes.add_sleeve(*line);
     table.push_back(std::move(*line));
   }
   return table;

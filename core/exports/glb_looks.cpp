@@ -59,10 +59,8 @@ Result<GlbLooks> glb_looks(const image::Textures& textures, std::span<const Inde
     }
     const image::TextureImage& image = *textures.images[static_cast<std::size_t>(texture->image)];
     const Index fabric = fabric_of_panel[p];
-    const Result<int> look =
-        look_for(image, texture->image, fabric, fabrics[static_cast<std::size_t>(fabric)], looks);
-    if (!look) return look.error();
-    looks.look_of_panel.back() = *look;
+    looks.look_of_panel.back() =
+        TRY(look_for(image, texture->image, fabric, fabrics[static_cast<std::size_t>(fabric)], looks));
   }
   return looks;
 }

@@ -357,9 +357,7 @@ Result<std::string> glb_bytes(const GlbModel& model) {
     }
     append_panels(model, looks, parts);
   }
-  for (const body::Body& body : model.bodies) {
-    if (Status bad = check_body(body); !bad.ok()) return bad.error();
-  }
+  for (const body::Body& body : model.bodies) TRY(check_body(body));
   append_bodies(model, parts);
   GltfBuffer buffer;
   const json doc = document(model, looks, parts, buffer);

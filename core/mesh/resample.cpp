@@ -88,9 +88,7 @@ Result<MeasuredPanel> measure(const pattern::Panel& panel) {
     return check_closed(panel, loop);
   };
   TRY(measure_loop(panel.outline));
-  for (const pattern::Loop& hole : panel.holes) {
-    if (Status status = measure_loop(hole); !status) return status.error();
-  }
+  for (const pattern::Loop& hole : panel.holes) TRY(measure_loop(hole));
   return measured;
 }
 

@@ -8,10 +8,9 @@
 namespace toile::project {
 
 Result<Project> parse_project(std::string_view text) {
-  Result<json::JsonValue> tree = json::parse_json(text);
-  if (!tree) return tree.error();
-  if (!tree->object()) return Error{"project.wrong_type", "a project document is a JSON object", ""};
-  const json::JsonValue* version = tree->find("toile");
+  const json::JsonValue tree = TRY(json::parse_json(text));
+  if (!tree.object()) return Error{"project.wrong_type", "a project document is a JSON object", ""};
+  const json::JsonValue* version = tree.find("toile");
   if (!version) {
     return Error{"project.version", "this is no project document: it does not begin with \"toile\": 1", ""};
   }
@@ -20,7 +19,7 @@ Result<Project> parse_project(std::string_view text) {
   }
   std::optional<Error> error;
   Project project;
-  fields::read(fields::FieldPlace{*tree, "", error}, project, fields::kAnything);
+  fields::read(fields::FieldPlace{tree, "", error}, project, fields::kAnything);
   if (error) return *std::move(error);
   return project;
 }

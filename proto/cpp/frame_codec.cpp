@@ -187,20 +187,19 @@ Result<DecodedFrame> decode_frame(std::string_view bytes, std::span<const std::i
 Status FrameReader::read(std::string_view bytes) {
   const std::span<const std::int16_t> before =
       frame_ ? std::span<const std::int16_t>(frame_->grid) : std::span<const std::int16_t>();
-  auto frame = decode_frame(bytes, before);
-  if (!frame) return frame.error();
-  const FrameHeader& header = frame->header;
+  DecodedFrame frame = TRY(decode_frame(bytes, before));
+  const FrameHeader& header = frame.header;
   const auto wrong_base = [&](std::string message) {
     return Error{"frame.wrong_base", std::move(message), "frame " + std::to_string(header.seq)};
   };
   if (header.epoch != epoch_) return wrong_base("the frame is of another epoch than the topology");
-  if (!frame->key && (!frame_ || header.seq != frame_->header.seq + 1)) {
+  if (!frame.key && (!frame_ || header.seq != frame_->header.seq + 1)) {
     return wrong_base("the delta does not follow the frame before; wait for a key");
   }
-  if (frame->grid.size() != kAxes * static_cast<std::size_t>(vertex_count_)) {
+  if (frame.grid.size() != kAxes * static_cast<std::size_t>(vertex_count_)) {
     return malformed("the frame has not the topology's number of vertices");
   }
-  frame_ = std::move(*frame);
+  frame_ = std::move(frame);
   return {};
 }
 

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "core/base/aabb.h"
+#include "core/base/rounded.h"
 #include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/drape/fit_start.h"
@@ -44,19 +45,17 @@ double series_length(const pattern::Pattern& pattern, const std::vector<pattern:
 
 double body_height(const body::Body& body) { return bounding_box(body.mesh.vertices).size().y; }
 
-double rounded(double value) { return std::round(value * 100) / 100; }
-
 json::JsonValue piece_json(const pattern::Panel& panel) {
   std::vector<json::JsonValue> edges;
   for (const pattern::PanelEdge* edge : pattern::edges_of(panel)) {
-    edges.push_back(
-        std::vector<json::JsonMember>{{"id", edge->id}, {"length_mm", rounded(pattern::arc_length(*edge))}});
+    edges.push_back(std::vector<json::JsonMember>{{"id", edge->id},
+                                                  {"length_mm", rounded(pattern::arc_length(*edge), 2)}});
   }
   const Vec2 size = size_of(panel);
   return std::vector<json::JsonMember>{{"id", panel.id},
-                                       {"width_mm", rounded(size.x)},
-                                       {"height_mm", rounded(size.y)},
-                                       {"area_cm2", rounded(area_cm2(panel))},
+                                       {"width_mm", rounded(size.x, 2)},
+                                       {"height_mm", rounded(size.y, 2)},
+                                       {"area_cm2", rounded(area_cm2(panel), 2)},
                                        {"edges", edges}};
 }
 
@@ -67,15 +66,15 @@ json::JsonValue project_json(const drape::DrapeInput& input, const preflight::Fi
   for (const pattern::Seam& seam : input.pattern.seams) {
     seams.push_back(
         std::vector<json::JsonMember>{{"id", seam.id},
-                                      {"length_a_mm", rounded(series_length(input.pattern, seam.a))},
-                                      {"length_b_mm", rounded(series_length(input.pattern, seam.b))}});
+                                      {"length_a_mm", rounded(series_length(input.pattern, seam.a), 2)},
+                                      {"length_b_mm", rounded(series_length(input.pattern, seam.b), 2)}});
   }
   for (const body::Body& body : input.bodies) {
     const std::vector<json::JsonValue> notes(body.notes.begin(), body.notes.end());
     bodies.push_back(
         std::vector<json::JsonMember>{{"id", body.id},
                                       {"triangles", static_cast<double>(body.mesh.triangles.size())},
-                                      {"height_m", rounded(body_height(body))},
+                                      {"height_m", rounded(body_height(body), 2)},
                                       {"notes", notes}});
   }
   return std::vector<json::JsonMember>{{"name", input.name},

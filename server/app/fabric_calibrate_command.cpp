@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/base/rounded.h"
 #include "core/fabric/card.h"
 #include "core/trials/calibrate.h"
 #include "server/app/commands.h"
@@ -12,8 +13,6 @@ namespace toile::app {
 namespace {
 
 constexpr double kMillimetres = 1e3, kGrams = 1e3, kMicro = 1e6, kPercent = 100;
-
-double rounded(double value) { return std::round(value * 100) / 100; }
 
 std::optional<double> in_metres(const std::optional<double>& mm) {
   return mm ? std::optional(*mm / kMillimetres) : std::nullopt;
@@ -40,15 +39,15 @@ trials::Measured measured_of(const FabricCalibrateOptions& o) {
 /// As it stands in a document's list of fabrics.
 json::JsonValue document_fabric(const material::Fabric& f) {
   return std::vector<json::JsonMember>{{"id", f.id},
-                                       {"areal_mass_g_m2", rounded(f.areal_mass * kGrams)},
-                                       {"stretch_warp_n_m", rounded(f.stretch_warp)},
-                                       {"stretch_weft_n_m", rounded(f.stretch_weft)},
-                                       {"stretch_coupling_n_m", rounded(f.stretch_coupling)},
-                                       {"stretch_shear_n_m", rounded(f.stretch_shear)},
-                                       {"bend_warp_un_m", rounded(f.bend_warp * kMicro)},
-                                       {"bend_weft_un_m", rounded(f.bend_weft * kMicro)},
-                                       {"bend_bias_un_m", rounded(f.bend_bias * kMicro)},
-                                       {"thickness_mm", rounded(f.thickness * kMillimetres)}};
+                                       {"areal_mass_g_m2", rounded(f.areal_mass * kGrams, 2)},
+                                       {"stretch_warp_n_m", rounded(f.stretch_warp, 2)},
+                                       {"stretch_weft_n_m", rounded(f.stretch_weft, 2)},
+                                       {"stretch_coupling_n_m", rounded(f.stretch_coupling, 2)},
+                                       {"stretch_shear_n_m", rounded(f.stretch_shear, 2)},
+                                       {"bend_warp_un_m", rounded(f.bend_warp * kMicro, 2)},
+                                       {"bend_weft_un_m", rounded(f.bend_weft * kMicro, 2)},
+                                       {"bend_bias_un_m", rounded(f.bend_bias * kMicro, 2)},
+                                       {"thickness_mm", rounded(f.thickness * kMillimetres, 2)}};
 }
 
 std::string found_words(const std::optional<trials::Unknown>& fitted) {
@@ -64,8 +63,8 @@ void print_json(const trials::Calibration& c, const FabricCalibrateOptions& o) {
                                     {"drapes", static_cast<double>(c.tests * o.drapes)},
                                     {"within_a_point", c.within}};
   if (o.drape) {
-    out.push_back({"drape_percent", rounded(kPercent * c.drape)});
-    out.push_back({"off_points", rounded(kPercent * c.off)});
+    out.push_back({"drape_percent", rounded(kPercent * c.drape, 2)});
+    out.push_back({"off_points", rounded(kPercent * c.off, 2)});
   }
   out.push_back({"could_not_tell", std::move(open)});
   std::printf("%s", json::write_json(out).c_str());

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 
+#include "core/base/rounded.h"
 #include "core/base/write_file.h"
 #include "core/fabric/library.h"
 #include "core/trials/fabric_trial.h"
@@ -16,35 +17,33 @@ namespace {
 
 constexpr double kMillimetres = 1e3;  // per m
 
-double rounded(double value, double per) { return std::round(value * per) / per; }
-
 json::JsonValue cantilever_json(const trials::CantileverResult& r) {
-  return std::vector<json::JsonMember>{{"measured_mm", rounded(r.measured * kMillimetres, 100)},
-                                       {"known_mm", rounded(r.known * kMillimetres, 100)},
-                                       {"chord_degrees", rounded(r.angle, 100)}};
+  return std::vector<json::JsonMember>{{"measured_mm", rounded(r.measured * kMillimetres, 2)},
+                                       {"known_mm", rounded(r.known * kMillimetres, 2)},
+                                       {"chord_degrees", rounded(r.angle, 2)}};
 }
 
 json::JsonValue tension_json(const trials::TensionResult& r) {
-  return std::vector<json::JsonMember>{{"measured_n_m", rounded(r.measured, 10)},
-                                       {"known_n_m", rounded(r.known, 10)}};
+  return std::vector<json::JsonMember>{{"measured_n_m", rounded(r.measured, 1)},
+                                       {"known_n_m", rounded(r.known, 1)}};
 }
 
 json::JsonValue drapes_json(const fabric::FabricCard& card, const trials::FabricTrial& trial) {
   std::vector<json::JsonValue> each;
   for (const trials::CusickDrape& d : trial.drapes) {
-    each.push_back(std::vector<json::JsonMember>{{"percent", rounded(100 * d.shadow.coefficient, 100)},
+    each.push_back(std::vector<json::JsonMember>{{"percent", rounded(100 * d.shadow.coefficient, 2)},
                                                  {"folds", static_cast<double>(d.shadow.nodes)},
                                                  {"settled", d.settled},
                                                  {"particles", static_cast<double>(d.particles)},
-                                                 {"cpu_s", rounded(d.cpu_s, 100)},
+                                                 {"cpu_s", rounded(d.cpu_s, 2)},
                                                  {"crossings_cloth_body", double(d.worst.cloth_body)},
                                                  {"crossings_cloth_cloth", double(d.worst.cloth_cloth)}});
   }
   std::vector<json::JsonMember> out{
-      {"percent", rounded(100 * trial.coefficient(), 100)},
-      {"spread", rounded(100 * trial.spread(), 100)},
-      {"folds", rounded(trial.nodes(), 100)},
-      {"particle_distance_mm", rounded(trial.particle_distance * kMillimetres, 100)},
+      {"percent", rounded(100 * trial.coefficient(), 2)},
+      {"spread", rounded(100 * trial.spread(), 2)},
+      {"folds", rounded(trial.nodes(), 2)},
+      {"particle_distance_mm", rounded(trial.particle_distance * kMillimetres, 2)},
       {"drapes", std::move(each)}};
   if (card.drape_least_percent && card.drape_most_percent) {
     out.push_back({"published_percent",

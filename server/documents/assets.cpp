@@ -10,6 +10,7 @@
 #include "core/base/aabb.h"
 #include "core/base/hash.h"
 #include "core/base/names.h"
+#include "core/base/rounded.h"
 #include "core/json/tree.h"
 #include "core/pattern/dxf/read.h"
 #include "core/pattern/garmentcode/read.h"
@@ -40,7 +41,6 @@ constexpr std::size_t kLongestText = 200;  // bytes of a name or note in a summa
 json::JsonValue count_of(std::size_t count) { return json::JsonValue(static_cast<double>(count)); }
 
 /// To three decimals: thousandths of a millimetre, or millimetres, are enough for a summary.
-json::JsonValue rounded(double value) { return json::JsonValue(std::round(value * 1000) / 1000); }
 
 json::JsonValue text_of(const std::string& text) { return json::JsonValue(clipped(text, kLongestText)); }
 
@@ -48,8 +48,8 @@ json::JsonValue summary_of(const dxf::DxfPiece& piece) {
   const Vec2 size = bounding_box(piece.outline).size();
   return json::JsonValue(std::vector<json::JsonMember>{
       {"name", json::JsonValue(piece.name)},  // whole: a document refers to it
-      {"width_mm", rounded(size.x)},
-      {"height_mm", rounded(size.y)},
+      {"width_mm", rounded(size.x, 3)},
+      {"height_mm", rounded(size.y, 3)},
       {"points", count_of(piece.outline.size())},
       {"holes", count_of(piece.holes.size())},
       {"layer", text_of(piece.layer)},
@@ -99,9 +99,9 @@ Result<std::string> body_info(const mesh_import::MeshImporter& importer, const s
   return json::write_json_line(json::JsonValue(std::vector<json::JsonMember>{
       {"vertices", count_of(mesh.vertices.size())},
       {"triangles", count_of(mesh.triangles.size())},
-      {"width_m", rounded(size.x)},
-      {"height_m", rounded(size.y)},
-      {"depth_m", rounded(size.z)},
+      {"width_m", rounded(size.x, 3)},
+      {"height_m", rounded(size.y, 3)},
+      {"depth_m", rounded(size.z, 3)},
       {"closed", json::JsonValue(read.repairs.open_shells == 0)},
       {"notes", json::JsonValue(std::move(notes))},
   }));

@@ -50,7 +50,11 @@ Result<store::ProjectRow> keep(Documents& documents, const store::RequestContext
                                store::EditStep step, const store::EditRow& edit,
                                const std::string& original = "") {
   store::ProjectRow row = was;
-  row.document = original.empty() ? std::move(edited.document) : original;
+  if (original.empty()) {
+    row.document = std::move(edited.document);
+  } else {
+    row.document = original;
+  }
   row.name = edited.project.name;
   store::ProjectRow kept = TRY(documents.store().edit_project(context, row, was.revision, step, edit));
   if (original.empty()) {

@@ -1,12 +1,12 @@
 #include "server/documents/imports.h"
 
-#include <cmath>
 #include <optional>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "core/base/names.h"
+#include "core/base/rounded.h"
 #include "core/json/tree.h"
 #include "core/pattern/curve.h"
 #include "core/pattern/dxf/read.h"
@@ -41,8 +41,9 @@ json::JsonValue source_of(const dxf::DxfPiece& piece, const dxf::DxfDrawing& dra
 }
 
 json::JsonValue points_json(const std::vector<Vec2>& points) {
-  const auto fine = [](double v) { return std::round(v * 100) / 100 + 0.0; };
+  const auto fine = [](double v) { return rounded(v, 2); };
   std::vector<json::JsonValue> out;
+  out.reserve(points.size());
   for (const Vec2 p : points) out.push_back(std::vector<json::JsonValue>{fine(p.x), fine(p.y)});
   return out;
 }

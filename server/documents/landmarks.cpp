@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/names.h"
+#include "core/base/rounded.h"
 #include "core/base/units.h"
 #include "core/body/measure/own_landmarks.h"
 #include "core/project/resolve/body_places.h"
@@ -19,11 +20,9 @@ namespace {
 constexpr std::size_t kLongestName = 100;  // bytes
 constexpr double kFarthest = 100;          // m from the origin
 
-double rounded(double value, double step) { return std::round(value / step) * step + 0.0; }
-
 /// In tenths of a millimetre: nobody points better.
 Vec3 rounded_mm(Vec3 metres) {
-  const auto mm = [](double x) { return rounded(mm_from_metres(x), 0.1); };
+  const auto mm = [](double x) { return rounded(mm_from_metres(x), 1); };
   return {mm(metres.x), mm(metres.y), mm(metres.z)};
 }
 
@@ -40,7 +39,7 @@ project::ProjectLandmark told(const std::string& name, Vec3 place, const geometr
   return {.name = name,
           .near = mark.near,
           .offset_mm = rounded_mm(mark.offset),
-          .body_height_mm = rounded(mm_from_metres(figure->height()), 0.1)};
+          .body_height_mm = rounded(mm_from_metres(figure->height()), 1)};
 }
 
 Result<std::size_t> index_of(const project::Project& project, const std::string& body) {
@@ -80,9 +79,8 @@ Result<store::ProjectRow> move_landmark(Documents& documents, const store::Reque
     std::vector<project::ProjectLandmark>& earlier = before.bodies[b].landmarks;
     earlier.erase(named(earlier, name), earlier.end());
     resolve::BodyPlaces places(before, input.bodies);
-    const Result<std::vector<measure::Landmark>>& known = places.landmarks_of(static_cast<Index>(b));
-    if (!known) return known.error();
-    project::ProjectLandmark mark = told(name, place, input.bodies[b].mesh, *known);
+    const std::vector<measure::Landmark> known = TRY(places.landmarks_of(static_cast<Index>(b)));
+    project::ProjectLandmark mark = told(name, place, input.bodies[b].mesh, known);
     if (now.bodies[b].mannequin && mark.triangle)
       return Error{"landmark.of_mannequin", "this body has no landmark from which another could be told",
                    name};

@@ -92,7 +92,7 @@ PieceStands::PieceStands(const drape::DrapeInput& input) : input_(input) {
     mesh_ = &body.mesh;
     const auto boxes = measure::part_boxes(body.mesh, *figure);
     boxes_.assign(boxes.begin(), boxes.end());
-    figure_ = std::move(*figure);
+    figure_ = *figure;
     return;
   }
 }

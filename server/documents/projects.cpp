@@ -112,9 +112,7 @@ Result<store::Made<store::ProjectRow>> create_project(Documents& documents,
 Result<store::ProjectRow> replace_project(Documents& documents, const store::RequestContext& context,
                                           const std::string& id, const std::string& document,
                                           const ProjectFileMap& files, int expected) {
-  const Result<store::ProjectRow> there =
-      documents.store().project(context, id);  // before any work is done for it
-  if (!there) return there;
+  TRY(documents.store().project(context, id));  // is it there? before any work is done for it
   store::ProjectRow row = TRY(checked(documents, context, document, files));
   row.id = id;
   return documents.store().replace_project(context, row, expected);
@@ -147,7 +145,7 @@ resolve::ProjectFiles files_in_store(Documents& documents, const store::RequestC
 }
 
 resolve::ProjectFiles growing_files_in_store(Documents& documents, const store::RequestContext& context,
-                                             std::shared_ptr<const ProjectFileMap> map) {
+                                             const std::shared_ptr<const ProjectFileMap>& map) {
   resolve::ProjectFiles out;
   const auto bytes_of = [&documents, context, map](const char* kind) {
     return [&documents, context, map, kind](const std::string& name) -> Result<std::string> {

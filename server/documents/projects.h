@@ -49,7 +49,7 @@ resolve::ProjectFiles files_in_store(Documents& documents, const store::RequestC
 
 /// The same of a map that may get more files as time goes by.
 resolve::ProjectFiles growing_files_in_store(Documents& documents, const store::RequestContext& context,
-                                             std::shared_ptr<const ProjectFileMap> files);
+                                             const std::shared_ptr<const ProjectFileMap>& files);
 
 /// The setting that holds the sample project's id once it has been added.
 inline constexpr const char* kSampleSetting = "sample_project";

@@ -32,7 +32,7 @@ std::size_t bytes_of(const std::string& key, const drape::DrapeInput& cloth) {
 
 std::string key_of(const store::OwnerId& owner, const std::string& document, const ProjectFileMap& files) {
   std::string key = owner + '\n' + document;
-  for (const auto& [name, id] : files) key += '\n' + name + '\t' + id;
+  for (const auto& [name, id] : files) key.append("\n").append(name).append("\t").append(id);
   return key;
 }
 

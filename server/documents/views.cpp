@@ -18,7 +18,7 @@
 namespace toile::documents {
 namespace {
 
-constexpr double kFlatness_mm = 0.2;
+constexpr double kFlatness = 0.2;  // mm
 
 /// To a hundredth of a millimetre: finer than any screen.
 json::JsonValue point_json(Vec2 p) {
@@ -27,6 +27,7 @@ json::JsonValue point_json(Vec2 p) {
 
 json::JsonValue points_json(const std::vector<Vec2>& points) {
   std::vector<json::JsonValue> out;
+  out.reserve(points.size());
   for (const Vec2 p : points) out.push_back(point_json(p));
   return out;
 }
@@ -43,7 +44,7 @@ json::JsonValue edge_json(const pattern::PanelEdge& edge, std::size_t loop) {
         std::vector<json::JsonValue>{fine_point(c.p0), fine_point(c.p1), fine_point(c.p2), fine_point(c.p3)});
   }
   return std::vector<json::JsonMember>{{"id", edge.id},
-                                       {"points", points_json(pattern::flatten(edge, kFlatness_mm))},
+                                       {"points", points_json(pattern::flatten(edge, kFlatness))},
                                        {"curves", std::move(curves)},
                                        {"length_mm", fine(pattern::arc_length(edge))},
                                        {"loop", static_cast<double>(loop)}};
@@ -70,7 +71,7 @@ json::JsonValue piece_json(const pattern::Panel& panel, const project::ProjectPi
   std::vector<json::JsonValue> holes, edges, colour, notches, lines;
   for (const pattern::PanelEdge& edge : panel.outline.edges) edges.push_back(edge_json(edge, 0));
   for (std::size_t k = 0; k < panel.holes.size(); ++k) {
-    holes.push_back(points_json(pattern::flatten(panel.holes[k], kFlatness_mm)));
+    holes.push_back(points_json(pattern::flatten(panel.holes[k], kFlatness)));
     for (const pattern::PanelEdge& edge : panel.holes[k].edges) edges.push_back(edge_json(edge, k + 1));
   }
   for (const double channel : fabric.colour) colour.push_back(channel);
@@ -79,21 +80,21 @@ json::JsonValue piece_json(const pattern::Panel& panel, const project::ProjectPi
     lines.push_back(std::vector<json::JsonMember>{
         {"id", line.id}, {"points", points_json(line.points)}, {"drawn", line.drawn}});
   }
-  return std::vector<json::JsonMember>{
-      {"id", panel.id},
-      {"fabric", fabric.id},
-      {"colour", std::move(colour)},
-      {"grain", std::vector<json::JsonValue>{panel.grain.x, panel.grain.y}},
-      {"outline", points_json(pattern::flatten(panel.outline, kFlatness_mm))},
-      {"holes", std::move(holes)},
-      {"edges", std::move(edges)},
-      {"notches", std::move(notches)},
-      {"texture", texture_json(told.texture)},
-      {"lines", std::move(lines)}};
+  return std::vector<json::JsonMember>{{"id", panel.id},
+                                       {"fabric", fabric.id},
+                                       {"colour", std::move(colour)},
+                                       {"grain", std::vector<json::JsonValue>{panel.grain.x, panel.grain.y}},
+                                       {"outline", points_json(pattern::flatten(panel.outline, kFlatness))},
+                                       {"holes", std::move(holes)},
+                                       {"edges", std::move(edges)},
+                                       {"notches", std::move(notches)},
+                                       {"texture", texture_json(told.texture)},
+                                       {"lines", std::move(lines)}};
 }
 
 json::JsonValue series_json(const std::vector<project::ProjectSeamEdge>& series) {
   std::vector<json::JsonValue> out;
+  out.reserve(series.size());
   for (const project::ProjectSeamEdge& edge : series) {
     out.push_back(std::vector<json::JsonMember>{{"piece", edge.piece},
                                                 {"edge", edge.edge},

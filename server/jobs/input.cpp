@@ -83,7 +83,7 @@ Result<store::JobRow> row_of_drape(documents::Documents& documents, const store:
 std::string input_of(const store::JobRow& job, const std::string& engine, int width, int height) {
   if (engine.empty()) return "";
   std::string all = std::to_string(width) + ' ' + std::to_string(height) + '\n';
-  for (const auto& [name, id] : job.files) all += id + ' ' + name + '\n';
+  for (const auto& [name, id] : job.files) all.append(id).append(" ").append(name).append("\n");
   all += job.document;
   return engine + "-" + hash_of(std::string_view(all));
 }

@@ -26,7 +26,7 @@
 
 namespace toile::jobs {
 
-enum class JobEvent {
+enum class JobEvent : std::uint8_t {
   kClaim,     ///< a worker takes it
   kProgress,  ///< the worker tells how far it is
   kPause,
@@ -42,7 +42,7 @@ inline constexpr std::array kJobEvents{JobEvent::kClaim,  JobEvent::kProgress, J
                                        JobEvent::kFinish, JobEvent::kFail,     JobEvent::kRequeue};
 
 /// Where in the queue a job comes to stand.
-enum class QueuePlace { kOut, kFront, kBack };
+enum class QueuePlace : std::uint8_t { kOut, kFront, kBack };
 
 /// What has to be done when a job changes.
 struct JobEffects {

@@ -20,6 +20,7 @@ constexpr GLint kKeyUnit = 0, kSkyUnit = 1, kPictureUnit = 2;
 void attribute(const GlFunctions& gl, GLuint location, int size, std::size_t stride, std::size_t offset) {
   gl.EnableVertexAttribArray(location);
   gl.VertexAttribPointer(location, size, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
+                         // NOLINTNEXTLINE(performance-no-int-to-ptr): so OpenGL takes an offset
                          reinterpret_cast<const void*>(offset));
 }
 
@@ -110,20 +111,18 @@ Result<Programs> Programs::link(const GlFunctions& gl) {
   namespace s = shaders;
   constexpr const char* kCloth = "#define CLOTH 1\n";
   constexpr const char* kBody = "#define CLOTH 0\n";
-  Result<GlProgram> depth =
-      GlProgram::link(gl, {s::kVersion, s::kDepthVertex}, {s::kVersion, s::kDepthFragment});
-  if (!depth.ok()) return depth.error();
+  GlProgram depth =
+      TRY(GlProgram::link(gl, {s::kVersion, s::kDepthVertex}, {s::kVersion, s::kDepthFragment}));
   GlProgram cloth = TRY(GlProgram::link(gl, {s::kVersion, kCloth, s::kSky, s::kSurfaceVertex},
                                         {s::kVersion, kCloth, s::kStudio, s::kSurfaceFragment}));
   GlProgram body = TRY(GlProgram::link(gl, {s::kVersion, kBody, s::kSky, s::kSurfaceVertex},
                                        {s::kVersion, kBody, s::kStudio, s::kSurfaceFragment}));
   GlProgram ground = TRY(GlProgram::link(gl, {s::kVersion, s::kSky, s::kGroundVertex},
                                          {s::kVersion, s::kStudio, s::kGroundFragment}));
-  Result<GlProgram> backdrop =
-      GlProgram::link(gl, {s::kVersion, s::kBackdropVertex}, {s::kVersion, s::kStudio, s::kBackdropFragment});
-  if (!backdrop.ok()) return backdrop.error();
-  return Programs{std::move(*depth), std::move(cloth), std::move(body), std::move(ground),
-                  std::move(*backdrop)};
+  GlProgram backdrop = TRY(GlProgram::link(gl, {s::kVersion, s::kBackdropVertex},
+                                           {s::kVersion, s::kStudio, s::kBackdropFragment}));
+  return Programs{std::move(depth), std::move(cloth), std::move(body), std::move(ground),
+                  std::move(backdrop)};
 }
 
 Shot::Shot(const GlFunctions& gl, const Programs& programs, const Scene& scene, const Camera& camera)

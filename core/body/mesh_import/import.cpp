@@ -43,8 +43,8 @@ constexpr bool kIsQuick = false;  // a build for finding faults takes many times
 #endif
 
 Result<RepairedMesh> mended(Result<geometry::TriangleMesh> mesh) {
-  if (!mesh) return mesh.error();
-  return repair_mesh(std::move(*mesh));
+  geometry::TriangleMesh read = TRY(std::move(mesh));
+  return repair_mesh(std::move(read));
 }
 
 /// The settings as arguments, and back.

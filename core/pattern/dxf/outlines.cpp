@@ -283,6 +283,7 @@ DxfSeamLines seam_lines_of(const DxfLoops& loops, const DxfSewSearch& search) {
     if (!parent) parent = i;
   }
   std::vector<bool> sews;  // of each loop
+  sews.reserve(all.size());
   for (const DxfLoop& loop : all) sews.push_back(seams.is_sew_line(loop));
   for (std::size_t i = 0; i < all.size(); ++i) {
     int depth = 0;

@@ -149,12 +149,10 @@ Result<EdgePlace> first_leg(const pattern::Panel& panel, const pattern::Seam& se
   const std::vector<const pattern::PanelEdge*> edges = pattern::edges_of(panel);
   for (const auto& [one, other] :
        {std::pair(seam.a[0].edge, seam.b[0].edge), {seam.b[0].edge, seam.a[0].edge}}) {
-    const Result<EdgePlace> a = find_edge(panel, edges[std::size_t(one)]->id);
-    const Result<EdgePlace> b = find_edge(panel, edges[std::size_t(other)]->id);
-    if (!a) return a.error();
-    if (!b) return b.error();
-    const std::size_t n = loop_at(panel, a->loop).edges.size();
-    if (a->loop == b->loop && n >= (a->loop > 0 ? 2u : 3u) && (a->edge + 1) % n == b->edge) return *a;
+    const EdgePlace a = TRY(find_edge(panel, edges[std::size_t(one)]->id));
+    const EdgePlace b = TRY(find_edge(panel, edges[std::size_t(other)]->id));
+    const std::size_t n = loop_at(panel, a.loop).edges.size();
+    if (a.loop == b.loop && n >= (a.loop > 0 ? 2u : 3u) && (a.edge + 1) % n == b.edge) return a;
   }
   return no_dart(seam);
 }

@@ -69,11 +69,8 @@ Vec2 moved(Vec2 p, const PieceMotion& motion) {
 
 Result<EditedPattern> apply_edit(const pattern::Pattern& pattern, const PatternEdit& edit) {
   EditedPattern out{pattern, {}};
-  Result<EditEffect> effect =
-      std::visit([&](const auto& one) { return edit_pattern(out.pattern, one); }, edit);
-  if (!effect) return effect.error();
+  out.effect = TRY(std::visit([&](const auto& one) { return edit_pattern(out.pattern, one); }, edit));
   TRY(pattern::validate(out.pattern));
-  out.effect = std::move(*effect);
   return out;
 }
 

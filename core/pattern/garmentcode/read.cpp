@@ -197,21 +197,19 @@ Result<pattern::Loop> loop_of(const Place& panel, const Conventions& conventions
     const Place edge = TRY(object(edges.at(i), "an edge"));
     const Place ends = edge.find("endpoints");
     TRY(list(ends, "an edge's two end points", 2, 2));
-    const Result<std::size_t> from = index(ends.at(0), "vertex", vertices.size());
-    const Result<std::size_t> to = index(ends.at(1), "vertex", vertices.size());
-    if (!from) return from.error();
-    if (!to) return to.error();
-    if (end && *end != *from)
+    const std::size_t from = TRY(index(ends.at(0), "vertex", vertices.size()));
+    const std::size_t to = TRY(index(ends.at(1), "vertex", vertices.size()));
+    if (end && *end != from)
       return Error{"garmentcode.open_outline", "the edge does not start where the one before it ends",
                    edge.pointer};
-    const Vec2 a = vertices[*from], b = vertices[*to];
+    const Vec2 a = vertices[from], b = vertices[to];
     if (length(b - a) < kLeastLengthMm)
       return Error{"garmentcode.edge_without_length", "the edge ends where it starts", edge.pointer};
     Curves curves = TRY(curves_of(edge, a, b, conventions));
     loop.edges.push_back({"e" + std::to_string(i), std::move(curves)});
     labels.push_back(label_of(edge));
-    if (!first) first = *from;
-    end = *to;
+    if (!first) first = from;
+    end = to;
   }
   if (*end != *first)
     return Error{"garmentcode.open_outline", "the last edge does not end where the first starts",
@@ -382,10 +380,8 @@ Result<GarmentCodeGarment> read_garmentcode(std::string_view text) {
   if (count == 0 || count > kMostPanels)
     return Error{"garmentcode.no_panels", "a specification has 1 to 1000 panels", panels.pointer};
   GarmentCodeGarment garment;
-  for (const std::string& name : order_of(pattern, panels)) {
-    if (const Status added = add_panel(name, panels.find(name), conventions, garment); !added)
-      return added.error();
-  }
+  for (const std::string& name : order_of(pattern, panels))
+    TRY(add_panel(name, panels.find(name), conventions, garment));
   TRY(add_stitches(pattern.find("stitches"), garment));
   return garment;
 }

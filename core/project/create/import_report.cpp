@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/base/aabb.h"
+#include "core/base/rounded.h"
 #include "core/base/units.h"
 #include "core/pattern/curve.h"
 
@@ -15,9 +16,8 @@ using Members = std::vector<json::JsonMember>;
 json::JsonValue count_of(std::size_t n) { return static_cast<double>(n); }
 
 /// Thousandths are enough to read.
-json::JsonValue rounded(double v) { return std::round(v * 1000) / 1000 + 0.0; }
 
-json::JsonValue place(Vec2 p) { return std::vector<json::JsonValue>{rounded(p.x), rounded(p.y)}; }
+json::JsonValue place(Vec2 p) { return std::vector<json::JsonValue>{rounded(p.x, 3), rounded(p.y, 3)}; }
 
 json::JsonValue texts(const std::vector<std::string>& list) {
   std::vector<json::JsonValue> values;
@@ -30,7 +30,7 @@ json::JsonValue edges_json(const pattern::Panel& panel) {
   std::vector<json::JsonValue> edges;
   for (const pattern::PanelEdge* edge : pattern::edges_of(panel))
     edges.push_back(Members{{"id", edge->id},
-                            {"length_mm", rounded(pattern::arc_length(*edge))},
+                            {"length_mm", rounded(pattern::arc_length(*edge), 3)},
                             {"start", place(edge->curves.front().p0)},
                             {"end", place(edge->curves.back().p3)},
                             {"curves", count_of(edge->curves.size())}});
@@ -43,8 +43,8 @@ json::JsonValue notches_json(const std::vector<pattern::Notch>& notches) {
     const bool turned = !(n.inwards == Vec2{});
     const double angle = degrees_from_radians(std::atan2(n.inwards.y, n.inwards.x));
     list.push_back(Members{{"at", place(n.at)},
-                           {"depth_mm", rounded(n.depth)},
-                           {"angle_deg", turned ? rounded(angle) : json::JsonValue()}});
+                           {"depth_mm", rounded(n.depth, 3)},
+                           {"angle_deg", turned ? json::JsonValue(rounded(angle, 3)) : json::JsonValue()}});
   }
   return list;
 }
@@ -68,16 +68,17 @@ json::JsonValue piece_json(const dxf::DxfPiece& piece) {
   Members members{{"name", piece.name}, {"size", piece.size}};
   if (panel) {
     const PieceMeasures m = measures_of(*panel);
-    members.insert(members.end(), {{"area_mm2", rounded(m.area_mm2)},
-                                   {"width_mm", rounded(m.width_mm)},
-                                   {"height_mm", rounded(m.height_mm)},
+    members.insert(members.end(), {{"area_mm2", rounded(m.area_mm2, 3)},
+                                   {"width_mm", rounded(m.width_mm, 3)},
+                                   {"height_mm", rounded(m.height_mm, 3)},
                                    {"edges", count_of(panel->outline.edges.size())},
                                    {"notches", count_of(panel->notches.size())},
                                    {"holes", count_of(panel->holes.size())},
                                    {"lines", count_of(panel->lines.size())}});
   }
   members.insert(members.end(),
-                 {{"grain_deg", piece.grain ? rounded(grain_degrees(*piece.grain)) : json::JsonValue()},
+                 {{"grain_deg", piece.grain ? json::JsonValue(rounded(grain_degrees(*piece.grain), 3))
+                                            : json::JsonValue()},
                   {"quantity", double(piece.quantity)},
                   {"mirrored", double(piece.mirrored)},
                   {"unfolded", piece.unfolded},
@@ -158,7 +159,7 @@ json::JsonValue import_json(const dxf::DxfDrawing& drawing, const std::vector<js
   const dxf::DxfUnit& unit = drawing.unit;
   return Members{{"unit", Members{{"name", unit.name},
                                   {"mm_per_unit", unit.mm},
-                                  {"confidence", rounded(unit.confidence)},
+                                  {"confidence", rounded(unit.confidence, 3)},
                                   {"evidence", texts(unit.evidence)}}},
                  {"style", drawing.style},
                  {"sizes", texts(drawing.sizes)},
@@ -181,11 +182,11 @@ json::JsonValue kept_json(const char* type, std::size_t count) {
 json::JsonValue panel_json(const pattern::Panel& panel) {
   const PieceMeasures m = measures_of(panel);
   return Members{{"name", panel.id},
-                 {"area_mm2", rounded(m.area_mm2)},
-                 {"width_mm", rounded(m.width_mm)},
-                 {"height_mm", rounded(m.height_mm)},
+                 {"area_mm2", rounded(m.area_mm2, 3)},
+                 {"width_mm", rounded(m.width_mm, 3)},
+                 {"height_mm", rounded(m.height_mm, 3)},
                  {"edges", count_of(panel.outline.edges.size())},
-                 {"grain_deg", rounded(grain_degrees(panel.grain))},
+                 {"grain_deg", rounded(grain_degrees(panel.grain), 3)},
                  {"quantity", 1.0},
                  {"mirrored", 0.0},
                  {"unfolded", false},

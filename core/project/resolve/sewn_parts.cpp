@@ -78,10 +78,9 @@ Result<sewing::Elastic> elastic_of(const project::ProjectElastic& given, const P
   for (std::size_t i = 0; i < given.lines.size(); ++i) {
     const std::string place = json::pointer_to(json::pointer_to(where, "lines"), i);
     const bool edge = names.has_edge(panel, given.lines[i]);
-    const Result<Index> found =
-        edge ? names.edge(panel, given.lines[i], place) : names.line(panel, given.lines[i], place);
-    if (!found) return found.error();
-    (edge ? elastic.edges : elastic.lines).push_back(*found);
+    const Index found =
+        TRY(edge ? names.edge(panel, given.lines[i], place) : names.line(panel, given.lines[i], place));
+    (edge ? elastic.edges : elastic.lines).push_back(found);
   }
   return elastic;
 }
@@ -138,10 +137,9 @@ Status add_told_by_bodies(const project::Project& project, const PatternNames& n
   TRY(places.check_landmarks());
   for (std::size_t i = 0; i < project.pieces.size(); ++i) {
     const std::string where = json::pointer_to(json::pointer_to("/pieces", i), "placement");
-    Result<sewing::Placement> placement =
-        places.placement(project.pieces[i].placement, input.pattern.panels[i], where);
-    if (!placement) return placement.error();
-    input.placements.push_back(*placement);
+    const sewing::Placement placement =
+        TRY(places.placement(project.pieces[i].placement, input.pattern.panels[i], where));
+    input.placements.push_back(placement);
   }
   const auto hold = [&](const project::ProjectAttachment& given, const std::string& at) {
     return attachment_of(given, names, places, at);

@@ -28,19 +28,17 @@ void rename_document(json::JsonValue& document, const json::JsonValue& name) {
 
 /// {"document": {…}, "files": {name: asset id}, "name": replaces the document's own}.
 Result<Given> read_given(const http::HttpRequest& request) {
-  Result<json::JsonValue> tree =
-      read_object(request, {"name", "document", "files"}, {.bytes = kMostRequestBytes, .depth = 32});
-  if (!tree) return tree.error();
-  const json::JsonValue* document = tree->find("document");
+  const json::JsonValue tree =
+      TRY(read_object(request, {"name", "document", "files"}, {.bytes = kMostRequestBytes, .depth = 32}));
+  const json::JsonValue* document = tree.find("document");
   if (!document || !document->object()) {
     return Error{"request.document", "\"document\" is the project's document, a JSON object", "/document"};
   }
   json::JsonValue whole = *document;
-  if (const json::JsonValue* name = tree->find("name")) rename_document(whole, *name);
+  if (const json::JsonValue* name = tree.find("name")) rename_document(whole, *name);
   Given given;
   given.document = json::write_json_line(whole);
-  documents::ProjectFileMap files = TRY(read_files(*tree));
-  given.files = std::move(files);
+  given.files = TRY(read_files(tree));
   return given;
 }
 
@@ -95,7 +93,7 @@ Status remove_data(const Api& api, const store::RequestContext& context, const s
     TRY(api.jobs.remove(context, id));
   }
   for (const auto& [name, id] : project.files) {
-    const Status removed = api.store.remove_asset(context, id);
+    Status removed = api.store.remove_asset(context, id);
     if (removed || removed.error().kind == ErrorKind::kConflict) continue;
     if (removed.error().kind != ErrorKind::kNotFound) return removed;
   }

@@ -95,9 +95,7 @@ Result<SqlDatabase> SqlDatabase::open(const std::string& path, std::shared_ptr<s
   if (code != SQLITE_OK) return made.failure();
   sqlite3_busy_timeout(raw, kBusyTimeoutMs);
   TRY(use_write_ahead_log(made));
-  if (Status set = made.run_script("PRAGMA synchronous=FULL; PRAGMA foreign_keys=ON"); !set) {
-    return set.error();
-  }
+  TRY(made.run_script("PRAGMA synchronous=FULL; PRAGMA foreign_keys=ON"));
   return made;
 }
 

@@ -25,14 +25,13 @@ inline Result<std::string> text_from(const SqlStatement& row) { return row.text(
 
 /// All rows of a statement, each read by `read`.
 template <typename Row>
-Result<std::vector<Row>> rows_of(Result<SqlStatement> statement, Result<Row> (*read)(const SqlStatement&)) {
-  if (!statement) return statement.error();
+Result<std::vector<Row>> rows_of(Result<SqlStatement> made, Result<Row> (*read)(const SqlStatement&)) {
+  SqlStatement statement = TRY(std::move(made));
   std::vector<Row> rows;
   for (;;) {
-    const Result<bool> more = statement->step();
-    if (!more) return more.error();
-    if (!*more) return rows;
-    Row row = TRY(read(*statement));
+    const bool more = TRY(statement.step());
+    if (!more) return rows;
+    Row row = TRY(read(statement));
     rows.push_back(std::move(row));
   }
 }
@@ -40,14 +39,14 @@ Result<std::vector<Row>> rows_of(Result<SqlStatement> statement, Result<Row> (*r
 /// The same for a list that somebody looks through: a damaged row is passed over, with a line in the log, so
 /// that it hides none of the others.
 template <typename Row>
-Result<std::vector<Row>> readable_rows_of(Result<SqlStatement> statement,
-                                          Result<Row> (*read)(const SqlStatement&), const Log& log) {
-  if (!statement) return statement.error();
+Result<std::vector<Row>> readable_rows_of(Result<SqlStatement> made, Result<Row> (*read)(const SqlStatement&),
+                                          const Log& log) {
+  SqlStatement statement = TRY(std::move(made));
   std::vector<Row> rows;
   for (;;) {
-    const bool more = TRY(statement->step());
+    const bool more = TRY(statement.step());
     if (!more) return rows;
-    Result<Row> row = read(*statement);
+    Result<Row> row = read(statement);
     if (row) {
       rows.push_back(std::move(*row));
     } else {
