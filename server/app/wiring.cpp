@@ -47,6 +47,7 @@ Result<std::unique_ptr<Service>> Service::start(const ServeOptions& options) {
   jobs.limits = options.limits;
   jobs.engine = engine_of_this_program();
   service->jobs_ = jobs::make_job_service(*service->documents_, *service->hub_, jobs, log);
+  service->movies_ = std::make_unique<jobs::Movies>(*service->store_);
   http::ServerSettings http;
   http.address = options.address;
   http.any_address = options.container;
@@ -55,8 +56,9 @@ Result<std::unique_ptr<Service>> Service::start(const ServeOptions& options) {
   service->server_ =
       std::make_unique<http::HttpServer>(*service->store_, *service->jobs_, *service->hub_, http, log);
   http::HttpServer& server = *service->server_;
-  handlers::add_routes(server.router(), {*service->documents_, *service->store_, *service->jobs_,
-                                         *service->hub_, server.metrics(), server.ready()});
+  handlers::add_routes(server.router(),
+                       {*service->documents_, *service->store_, *service->jobs_, *service->movies_,
+                        *service->hub_, server.metrics(), server.ready()});
   TRY(server.start());
   TRY(service->jobs_->start());
   service->retention_ =
@@ -73,6 +75,7 @@ Service::~Service() { stop(); }
 void Service::stop() {
   if (server_) server_->drain();
   retention_.reset();
+  if (movies_) movies_->stop();
   if (jobs_) jobs_->stop();
   if (server_) server_->stop();
 }

@@ -8,6 +8,7 @@
 #include "server/app/config.h"
 #include "server/documents/documents.h"
 #include "server/http/server.h"
+#include "server/jobs/movies.h"
 #include "server/jobs/retention.h"
 #include "server/jobs/service.h"
 #include "server/store/store.h"
@@ -37,6 +38,7 @@ class Service {
   std::unique_ptr<documents::Documents> documents_;
   std::unique_ptr<ws::Hub> hub_;
   std::unique_ptr<jobs::JobService> jobs_;
+  std::unique_ptr<jobs::Movies> movies_;
   std::unique_ptr<jobs::Retention> retention_;
   std::unique_ptr<http::HttpServer> server_;
 };

@@ -92,6 +92,8 @@ std::string content_type_of(const std::string& name) {
       {".obj", "model/obj"},
       {".glb", "model/gltf-binary"},
       {".dxf", "image/vnd.dxf"},
+      {".mp4", "video/mp4"},
+      {".avi", "video/x-msvideo"},
   };
   const auto found = types.find(fs::path(name).extension().string());
   return found == types.end() ? "application/octet-stream" : found->second;

@@ -102,7 +102,7 @@ function Main() {
           <Splitter />
           <div class="side">
             <PatternPane />
-            <Inspector resultUrl={api.resultUrl} />
+            <Inspector resultUrl={api.resultUrl} movies={api} />
           </div>
         </>
       )}

@@ -154,6 +154,8 @@ export function fakeApi(more: Partial<Api> = {}): Api {
     report: missing,
     resultText: missing,
     body: missing,
+    makeMovie: missing,
+    movies: async () => [],
     resultUrl: (id, name) => `${id}/${name}`,
     assetUrl: (id) => `assets/${id}`,
     streamUrl: (id) => `ws://here/${id}`,

@@ -9,6 +9,7 @@
 #include "server/documents/documents.h"
 #include "server/http/metrics.h"
 #include "server/http/router.h"
+#include "server/jobs/movies.h"
 #include "server/jobs/service.h"
 #include "server/store/store.h"
 #include "server/ws/hub.h"
@@ -20,6 +21,7 @@ struct Api {
   documents::Documents& documents;
   store::Store& store;  ///< that of the documents
   jobs::JobService& jobs;
+  jobs::Movies& movies;
   const ws::Hub& hub;
   const http::Metrics& metrics;
   const std::atomic<bool>& ready;  ///< false while the server drains
@@ -47,5 +49,6 @@ ApiRoutes body_routes();
 ApiRoutes fabric_routes();
 ApiRoutes arrangement_routes();
 ApiRoutes job_routes();
+ApiRoutes movie_routes();
 
 }  // namespace toile::handlers

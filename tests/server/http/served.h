@@ -102,11 +102,12 @@ class Served : public testing::Test {
       jobs = std::make_unique<ScriptedJobs>(*store);
     }
     ASSERT_TRUE(jobs->start());
+    movies = std::make_unique<jobs::Movies>(*store);
     settings.port = 0;
     settings.most_connections = 64;
     server = std::make_unique<http::HttpServer>(*store, *jobs, hub, settings, log);
     handlers::add_routes(server->router(),
-                         {*documents, *store, *jobs, hub, server->metrics(), server->ready()});
+                         {*documents, *store, *jobs, *movies, hub, server->metrics(), server->ready()});
     if (more_routes) more_routes(server->router());
     const Status started = server->start();
     ASSERT_TRUE(started) << to_string(started.error());
@@ -115,6 +116,7 @@ class Served : public testing::Test {
   void TearDown() override {
     if (jobs) jobs->stop();
     server.reset();
+    movies.reset();
     jobs.reset();
     documents.reset();
     store.reset();
@@ -164,6 +166,7 @@ class Served : public testing::Test {
   std::unique_ptr<store::Store> store;
   std::unique_ptr<documents::Documents> documents;
   std::unique_ptr<jobs::JobService> jobs;
+  std::unique_ptr<jobs::Movies> movies;
   std::unique_ptr<http::HttpServer> server;
   int port = 0;
 };

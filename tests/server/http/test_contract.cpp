@@ -118,6 +118,33 @@ class Contract : public Served {
     EXPECT_EQ(recorded("GET", one + "/start").status, 200);
   }
 
+  /// Made, or failed where ffmpeg is not installed.
+  void record_movies(const std::string& address) {
+    const std::string place = address + "/movies";
+    const std::string turn = R"({"kind": "turntable", "width": 64, "height": 80, "fps": 2, "seconds": 1})";
+    recorded("POST", place, R"({"kind": "walk"})", kJson);
+    recorded("POST", place, R"({"width": 65})", kJson);
+    EXPECT_EQ(recorded("POST", place, turn, kJson).status, 202);
+    const std::string other = R"({"kind": "turntable", "width": 64, "height": 80, "fps": 3, "seconds": 1})";
+    recorded("POST", place, other, kJson);
+    recorded("DELETE", place + "/turntable-64x80-3-1.0s.mp4");
+    recorded("DELETE", place + "/nothing.mp4");
+    std::string listed;
+    for (int waited = 0; waited < 600; ++waited) {
+      listed = get(place).body;
+      if (listed.find("\"made\"") != std::string::npos || listed.find("\"failed\"") != std::string::npos)
+        break;
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+    recorded("GET", place);
+    if (listed.find("\"made\"") == std::string::npos) {
+      EXPECT_NE(listed.find("movie.no_ffmpeg"), std::string::npos) << listed;
+      return;
+    }
+    EXPECT_EQ(recorded("POST", place, turn, kJson).status, 200);
+    EXPECT_EQ(recorded("GET", address + "/results/turntable-64x80-2-1.0s.mp4").status, 200);
+  }
+
   int check(const std::string& recordings) {
     const std::string root = TOILE_SOURCE_DIR;
     const std::string command =
@@ -199,6 +226,7 @@ TEST_F(Contract, EveryAnswerAndMessageFitsItsSchema) {
   recorded("GET", address + "/results/nothing");
   recorded("GET", address + "/results/front.png/small?width=64");
   recorded("GET", address + "/results/report.json/small");
+  record_movies(address);
   recorded("GET", address + "/report");
   recorded("GET", address + "/log");
   recorded("GET", address + "/body");

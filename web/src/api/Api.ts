@@ -10,6 +10,8 @@ import type {
   Fabric,
   Import,
   Job,
+  MovieKind,
+  MovieOrder,
   Pieces,
   Project,
   Question,
@@ -55,6 +57,9 @@ export interface Api {
   report(id: string): Promise<Report>;
   resultText(id: string, name: string): Promise<string>;
   body(id: string): Promise<BodyMesh>;
+  /** Asks for it; asking again tells how it stands, and tries again what has failed. */
+  makeMovie(id: string, kind: MovieKind): Promise<MovieOrder>;
+  movies(id: string): Promise<MovieOrder[]>;
   /** `width`: of a still that is made smaller, pixels. */
   resultUrl(id: string, name: string, width?: number): string;
   assetUrl(id: string): string;
@@ -114,6 +119,11 @@ export function makeApi(http = new Http('/api/v1')): Api {
     report: (id) => http.get(result(id, 'report.json')),
     resultText: (id, name) => http.text(result(id, name)),
     body: async (id) => decodeBody(await http.bytes(`/jobs/${part(id)}/body`)),
+    makeMovie: async (id, kind) => {
+      const wish = { kind } satisfies Question<'makeMovie'>;
+      return (await http.post<{ movie: MovieOrder }>(`/jobs/${part(id)}/movies`, wish)).movie;
+    },
+    movies: async (id) => (await http.get<Answer<'listMovies'>>(`/jobs/${part(id)}/movies`)).movies,
     resultUrl: (id, name, width) => http.url(result(id, name) + (width ? `/small?width=${width}` : '')),
     assetUrl: (id) => http.url(`/assets/${part(id)}/content`),
     streamUrl: (id) => http.socketUrl(`/jobs/${part(id)}/stream`),

@@ -41,6 +41,9 @@ export type Asset = Schemas['Asset'];
 export type Fabric = Schemas['Fabric'];
 /** A step of a project's history. */
 export type EditStep = Schemas['EditStep'];
+/** How a movie stands that was asked for. */
+export type MovieOrder = Schemas['Movie'];
+export type MovieKind = 'drape' | 'turntable';
 export type Edit = One<Schemas['EditList']>;
 export type EditOf<Kind extends Edit['edit']> = Extract<Edit, { edit: Kind }>;
 

@@ -6,6 +6,7 @@ import { ArrangePanel } from './ArrangePanel';
 import { BodyPanel } from './BodyPanel';
 import { DrapeFigures } from './DrapeFigures';
 import { Results } from './Results';
+import type { MovieMaking } from './Movies';
 import { PatternPanel } from './PatternPanel';
 import type { PicturesProps } from './Rail';
 
@@ -17,7 +18,7 @@ const kTabs: { tab: Tab; title: string }[] = [
   { tab: 'result', title: 'Result' },
 ];
 
-export function Inspector(props: PicturesProps) {
+export function Inspector(props: PicturesProps & { movies?: MovieMaking }) {
   const state = useAppState();
   const shown = state.tab.value;
   const turn = (event: KeyboardEvent): void => {

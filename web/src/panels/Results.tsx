@@ -9,6 +9,7 @@ import { downloadsOf, reportLines, stillsOf, type Download } from '../state/repo
 import { seamTitle } from '../state/seamView';
 import { bytes } from '../state/words';
 import { Icon } from '../controls/Icon';
+import { Movies, type MovieMaking } from './Movies';
 import { OutcomeList } from './OutcomeList';
 import type { PicturesProps } from './Rail';
 
@@ -24,7 +25,7 @@ const kStillWidth = 320;
 
 const stillName = (name: string): string => kStillNames[name] ?? name;
 
-export function Results({ resultUrl }: PicturesProps) {
+export function Results({ resultUrl, movies }: PicturesProps & { movies?: MovieMaking }) {
   const state = useAppState();
   const job = state.job.value;
   const large = useSignal<string | null>(null);
@@ -41,6 +42,7 @@ export function Results({ resultUrl }: PicturesProps) {
       <OutcomeList />
       {stills.length > 0 && <Stills names={stills} urlOf={urlOf} enlarge={(name) => (large.value = name)} />}
       <Report />
+      <Movies job={job} making={movies} />
       {downloads.length > 0 && <h3>Take out</h3>}
       <ul class="downloads">
         {downloads.map((file) => (

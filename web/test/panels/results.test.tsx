@@ -3,8 +3,9 @@ import { fireEvent, screen, within } from '@testing-library/dom';
 import { beforeEach, describe, expect, it } from 'vitest';
 import { click, openPage, type Page } from './page';
 import { ApiError } from '../../src/api/http';
-import type { Edit, Job } from '../../src/api/types';
+import type { Edit, Job, MovieOrder } from '../../src/api/types';
 import { DrapeFigures } from '../../src/panels/DrapeFigures';
+import { Movies } from '../../src/panels/Movies';
 import { OutcomeList } from '../../src/panels/OutcomeList';
 import { Results } from '../../src/panels/Results';
 import { SeamChip } from '../../src/panels/SeamChip';
@@ -215,6 +216,30 @@ describe('the results', () => {
     expect(links[0]!.textContent).toBe('GLBColoured model for 3D programs and the web123 kB');
     expect(links[0]!.getAttribute('download')).toBe('Skirt final.glb');
     expect(links[1]!.textContent).toBe('PNGThree-quarter still2.0 kB');
+  });
+
+  it('have movies made when they are asked for, and say why one is not', async () => {
+    const order = { name: 'turntable-720x900-25.mp4', fraction: 0, href: null, error: null };
+    const asked: string[] = [];
+    const movies = {
+      makeMovie: async (job: string, kind: 'drape' | 'turntable'): Promise<MovieOrder> => {
+        asked.push(`${job} ${kind}`);
+        if (kind === 'turntable') return { ...order, state: 'made', fraction: 1 };
+        return { ...order, state: 'failed', error: { code: 'movie.no_ffmpeg', detail: 'ffmpeg is not installed' } };
+      },
+      movies: async () => [],
+      resultUrl,
+    };
+    const film = { 'drape.film': 900 };
+    page.show(<Movies job={jobOf({ state: 'running', results: film })} making={movies} />);
+    expect(screen.queryByRole('button', { name: /Turntable/ })).toBeNull();
+    page.show(<Movies job={jobOf({ state: 'succeeded', results: film })} making={movies} />);
+    click(screen.getByRole('button', { name: /Turntable/ }));
+    const link = await screen.findByRole('link', { name: /Turntable/ });
+    expect(link.getAttribute('href')).toBe('/results/j_1/turntable-720x900-25.mp4');
+    click(screen.getByRole('button', { name: /Movie of the drape/ }));
+    expect(await screen.findByText('ffmpeg is not installed')).toBeTruthy();
+    expect(asked).toEqual(['j_1 turntable', 'j_1 drape']);
   });
 
   it('show a still large, until it is closed', () => {

@@ -755,6 +755,53 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/jobs/{id}/movies": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example j_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["JobId"];
+            };
+            cookie?: never;
+        };
+        /** The movies of a drape, made, under way and failed */
+        get: operations["listMovies"];
+        put?: never;
+        /**
+         * Ask for a movie of a drape that has ended
+         * @description It is made once, by turns of owners and behind drapes, and kept among the job's results. Asking again tells how it
+         *     stands, and tries again what has failed. What waits when the service stops is made when it is asked for again.
+         */
+        post: operations["makeMovie"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/jobs/{id}/movies/{name}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example j_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["JobId"];
+                /** @example turntable-480x600-25.mp4 */
+                name: string;
+            };
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        /** Take back a movie that waits or is being made */
+        delete: operations["cancelMovie"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/jobs/{id}/report": {
         parameters: {
             query?: never;
@@ -1453,6 +1500,30 @@ export interface components {
             progress: components["schemas"]["ProgressNow"];
             /** @description report.json; null until there is one */
             report: components["schemas"]["report.schema"] | null;
+        };
+        /**
+         * @example {
+         *       "name": "turntable-480x600-25.mp4",
+         *       "state": "making",
+         *       "fraction": 0.4,
+         *       "href": null,
+         *       "error": null
+         *     }
+         */
+        Movie: {
+            /** @description of the result that it is or becomes */
+            name: string;
+            /** @enum {string} */
+            state: "queued" | "making" | "made" | "failed";
+            /** @description of its making */
+            fraction: number;
+            /** @description once it is made */
+            href: string | null;
+            /** @description why it failed, e.g. movie.no_ffmpeg, movie.too_large */
+            error: {
+                code: string;
+                detail: string;
+            } | null;
         };
         /**
          * @example {
@@ -2964,6 +3035,17 @@ export interface components {
                 "application/json": components["schemas"]["Job"];
             };
         };
+        /** @description How the movie stands; 200 when it is made, 202 while it is not */
+        Movie: {
+            headers: {
+                [name: string]: unknown;
+            };
+            content: {
+                "application/json": {
+                    movie: components["schemas"]["Movie"];
+                };
+            };
+        };
         /** @description The job */
         JobMade: {
             headers: {
@@ -4450,6 +4532,8 @@ export interface operations {
                     "image/png": unknown;
                     "model/gltf-binary": unknown;
                     "model/obj": unknown;
+                    "video/mp4": unknown;
+                    "video/x-msvideo": unknown;
                 };
             };
             404: components["responses"]["Problem"];
@@ -4484,6 +4568,119 @@ export interface operations {
             };
             404: components["responses"]["Problem"];
             422: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    listMovies: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example j_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["JobId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description All of them */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": {
+                        movies: components["schemas"]["Movie"][];
+                    };
+                };
+            };
+            404: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    makeMovie: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example j_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["JobId"];
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "kind": "turntable",
+                 *       "width": 480,
+                 *       "height": 600
+                 *     }
+                 */
+                "application/json": {
+                    /**
+                     * @description drape is the way from the pieces to the end; turntable the end, turned once
+                     * @default drape
+                     * @enum {string}
+                     */
+                    kind?: "drape" | "turntable";
+                    /**
+                     * @description H.264 or Motion JPEG
+                     * @default mp4
+                     * @enum {string}
+                     */
+                    format?: "mp4" | "avi";
+                    /**
+                     * @description pixels
+                     * @default 720
+                     */
+                    width?: number;
+                    /**
+                     * @description pixels
+                     * @default 900
+                     */
+                    height?: number;
+                    /** @default 25 */
+                    fps?: number;
+                    /** @description How long it lasts; without it a drape as long as it did but 20 s at most, a turn 8 s */
+                    seconds?: number;
+                };
+            };
+        };
+        responses: {
+            200: components["responses"]["Movie"];
+            202: components["responses"]["Movie"];
+            400: components["responses"]["Problem"];
+            404: components["responses"]["Problem"];
+            409: components["responses"]["Problem"];
+            415: components["responses"]["Problem"];
+            422: components["responses"]["Problem"];
+            429: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    cancelMovie: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example j_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["JobId"];
+                /** @example turntable-480x600-25.mp4 */
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description It is taken back */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            404: components["responses"]["Problem"];
             default: components["responses"]["Problem"];
         };
     };
