@@ -160,7 +160,8 @@ void cut_like_mirror(const SeamModel& m, Index r, std::vector<std::vector<double
   std::reverse(cuts[r].begin(), cuts[r].end());
 }
 
-/// Whether the panel is one side's of what it is a part of, and there is the other side's.
+}  // namespace
+
 bool is_half(const SeamModel& m, Index p) {
   if (m.twin[p] != kNone && m.twin[p] != p) return true;
   const PieceWords& here = m.words[p];
@@ -169,8 +170,6 @@ bool is_half(const SeamModel& m, Index p) {
          });
 }
 
-/// Whether the run is the upper or lower end of a whole piece and halves come to it, as those of a bodice to
-/// a band.
 bool meets_halves(const SeamModel& m, Index r) {
   const SeamRun& run = m.runs[r];
   if (run.side || is_half(m, run.panel)) return false;
@@ -182,8 +181,6 @@ bool meets_halves(const SeamModel& m, Index r) {
   }
   return false;
 }
-
-}  // namespace
 
 SeamModel with_likely_cuts(const pattern::Pattern& pattern, SeamModel model, CutKind kind) {
   const SeamModel whole = model;

@@ -13,6 +13,13 @@ enum class CutKind {
   kSecondFirst,  ///< the same, the two in the other order
 };
 
+/// Whether the panel is one side's of what it is a part of, and there is the other side's.
+bool is_half(const SeamModel& model, Index panel);
+
+/// Whether the run lies at the upper or lower end of a whole piece and halves come to that end, as those of a
+/// bodice to a band: each of them then has its half of the end.
+bool meets_halves(const SeamModel& model, Index run);
+
 /// The model with runs cut at the ends of what they are probably sewn to, in proportion. A run that is as
 /// long as a line of another piece with darts in it (a back's side and a front's) is cut at the darts, and
 /// the line's own parts are left whole. One that is as long as two others together whose neighbours are

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/pattern/seams/cuts.h"
 #include "core/pattern/seams/gluing.h"
 #include "core/pattern/seams/weights.h"
 
@@ -179,6 +180,15 @@ double insert_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   const double along = (dot(whole.at[kSamples / 2], right) - low) / (high - low);
   const double place = (static_cast<double>(row.place) + 0.5) / static_cast<double>(row.size);
   return kWeights.insert_place * std::abs(place - (m.words[whole.panel].face < 0 ? 1 - along : along));
+}
+
+/// Whether one half, of a bodice or of trousers, would have all of an edge that both halves come to.
+bool takes_both_halves(const SeamModel& m, Index i, Index j) {
+  const auto whole = [&](Index r) { return m.runs[r].from == 0 && m.runs[r].to == 1; };
+  const auto takes = [&](Index half, Index all) {
+    return whole(all) && is_half(m, m.runs[half].panel) && meets_halves(m, all);
+  };
+  return takes(i, j) || takes(j, i);
 }
 
 /// What the kinds of the two pieces say.
@@ -382,6 +392,7 @@ std::array<double, 2> pair_merit(const SeamModel& m, Index i, Index j, bool leng
   const bool gathers = hangs > 0 || is_cap(m, a, b);
   double merit = length_part(m, i, j, lengths, counterparts, gathers) + shape_merit(a, b) +
                  facing_merit(m, a, b) + kind_merit(m, a, b, hangs);
+  if (hangs > 0 && takes_both_halves(m, i, j)) merit += kWeights.half_takes_all;
   if (!twins && std::max(a.turn.back(), b.turn.back()) < kWeights.hollow_deg)
     merit += are_torsos(m, i, j) ? kWeights.two_armholes : kWeights.two_hollows;
   if (turns_in(m, a) && turns_in(m, b)) merit += kWeights.two_corners;

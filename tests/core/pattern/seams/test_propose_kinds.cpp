@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/pattern/seams/piece_words.h"
@@ -44,6 +46,48 @@ TEST(ProposeByKinds, HangASkirtFromTheBandAndTheBandFromTheBodice) {
     EXPECT_GT(surest(pattern, proposals, "bodice_" + face, "waistband_" + face), 0.8) << face;
     EXPECT_GT(surest(pattern, proposals, "waistband_" + face, "skirt_" + face), 0.8) << face;
     EXPECT_EQ(surest(pattern, proposals, "bodice_" + face, "skirt_" + face), 0) << face;
+  }
+}
+
+/// The half of a bodice's front or back that lies right of its middle at x = 0, seen from outside: of a front
+/// the wearer's left, of a back the right. Edges: hem, side, armhole, shoulder, neck, middle.
+pattern::Panel half_bodice(const std::string& id, double hem, double neck) {
+  return garments::piece(id, {{0, 0},
+                              {hem, 0},
+                              {hem - 20, 250, Vec2{hem - 100, 260}},
+                              {hem - 50, 430},
+                              {90, 460, Vec2{85, neck}},
+                              {0, neck}});
+}
+
+/// The most sure proposal that joins one edge of the piece to edges of just the others; none: 0.
+double sharing(const pattern::Pattern& pattern, const std::vector<SeamProposal>& proposals,
+               const std::string& piece, const std::set<std::string>& others) {
+  const auto pieces = [&](const std::vector<pattern::SeamEdge>& side) {
+    std::set<std::string> ids;
+    for (const pattern::SeamEdge& e : side) ids.insert(pattern.panels[e.panel].id);
+    return ids;
+  };
+  double most = 0;
+  for (const SeamProposal& p : proposals)
+    for (const auto& [one, more] : {std::pair(&p.seam.a, &p.seam.b), std::pair(&p.seam.b, &p.seam.a)})
+      if (one->size() == 1 && pieces(*one) == std::set{piece} && pieces(*more) == others)
+        most = std::max(most, p.confidence);
+  return most;
+}
+
+TEST(ProposeByKinds, ShareABandBetweenTheHalvesThatAreGatheredToIt) {
+  // Each half is nearer to the whole band (1:1.25) than to its half of it (1.6:1).
+  const pattern::Panel front = half_bodice("left_ftorso", 320, 340),
+                       back = half_bodice("right_btorso", 304, 430);
+  const pattern::Pattern pattern{
+      {front, garments::mirrored(front, "right_ftorso"), back, garments::mirrored(back, "left_btorso"),
+       sheet("wb_front", 400, 400, 60), sheet("wb_back", 380, 380, 60)},
+      {}};
+  const std::vector<SeamProposal> proposals = seams::propose_seams(pattern, {true});
+  for (const std::string face : {"front", "back"}) {
+    const std::string half = face.substr(0, 1) + "torso";
+    EXPECT_GT(sharing(pattern, proposals, "wb_" + face, {"left_" + half, "right_" + half}), 0.8) << face;
   }
 }
 
