@@ -53,6 +53,12 @@ class StateWriter {
     size(list.size());
     for (const T& v : list) value(v);
   }
+  /// Things of several values each, by what each(thing) writes. The second argument is the reader's.
+  template <typename T, typename Each>
+  void list(std::vector<T>& things, std::size_t /*least_bytes*/, Each&& each) {
+    size(things.size());
+    for (T& thing : things) each(thing);
+  }
   /// How many things follow.
   void size(std::size_t n) { value(static_cast<std::uint32_t>(n)); }
   /// Without its length.
@@ -123,6 +129,12 @@ class StateReader {
   void value(std::vector<Vec3>& list) { values(list, 3 * sizeof(double)); }
   void value(std::vector<Index>& list) { values(list, sizeof(Index)); }
   void value(std::vector<Tri>& list) { values(list, sizeof(Tri)); }
+  /// Things of several values each, `least_bytes` or more altogether, by what each(thing) reads.
+  template <typename T, typename Each>
+  void list(std::vector<T>& things, std::size_t least_bytes, Each&& each) {
+    things.assign(count(least_bytes), T{});
+    for (T& thing : things) each(thing);
+  }
   /// How many things of `each` bytes at least follow; 0, and not ok(), where there is no room for them.
   std::size_t count(std::size_t each) {
     std::uint32_t n = 0;

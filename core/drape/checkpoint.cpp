@@ -6,6 +6,7 @@
 
 #include "core/base/hash.h"
 #include "core/base/state_bytes.h"
+#include "core/drape/contact_values.h"
 
 namespace toile::drape {
 namespace {
@@ -64,9 +65,10 @@ void fields(Archive& a, RunState& run) {
   a.value(s.watch.long_usual_drift);
   a.value(s.solver.positions);
   a.value(s.solver.velocities);
-  a.value(s.solver.centres);
-  a.value(s.solver.detection_speeds);
-  a.value(s.solver.held_back);
+  contact_values(a, s.solver.contacts);
+  a.value(s.solver.stopped);
+  a.value(s.solver.stuck);
+  a.value(s.solver.steps_near);
   a.value(s.solver.hits);
   a.value(s.solver.preloads);
   a.value(s.solver.pace.steps);
@@ -119,25 +121,29 @@ bool all_counts(Counts... counts) {
   return ((counts >= 0 && counts <= kMostSteps) && ...);
 }
 
+bool sound_bounds(const solver::SolverState& s) {
+  const std::size_t n = s.positions.size();
+  return s.stopped.size() == n && s.stuck.size() == n && s.steps_near.size() == n &&
+         std::all_of(s.steps_near.begin(), s.steps_near.end(),
+                     [](Index steps) { return steps >= 0 && steps <= kMostSteps; });
+}
+
 bool sound(const SessionState& s) {
-  const std::size_t of_solver = s.solver.positions.size(), m = s.solver.centres.size();
+  const std::size_t of_solver = s.solver.positions.size();
   const std::size_t of_paper = s.paper.positions.size(), n = of_solver + of_paper;
   return (of_solver == 0 || of_paper == 0) && s.paper.previous.size() == of_paper &&
          all_within(s.paper.positions, kFarthest) && all_within(s.paper.previous, kFarthest) &&
          all_speeds(s.paper.bent) && s.phase <= DrapePhase::kDone && s.began <= Began::kWarm &&
          (s.phase == DrapePhase::kDone) == s.stop_reason.has_value() &&
-         all_counts(s.steps, s.watch.step, s.solver.held_back, s.solver.hits, s.solver.pace.steps,
-                    s.slackened) &&
+         all_counts(s.steps, s.watch.step, s.solver.hits, s.solver.pace.steps, s.slackened) &&
          all_times(s.time, s.begun, s.phase_start + kLongestRamp, s.last_weld, s.solver.pace.learnt) &&
-         s.solver.velocities.size() == of_solver && (m == 0 || m == of_solver) &&
-         s.solver.detection_speeds.size() == m && s.watch.window_start.size() == n &&
-         s.watch.mark.size() == n && sound_ways(s.watch.ways, n) &&
-         s.watch.rms.size() <= SettleState::kMostWindows &&
+         s.solver.velocities.size() == of_solver && sound_contacts(s.solver.contacts, of_solver) &&
+         sound_bounds(s.solver) && s.watch.window_start.size() == n && s.watch.mark.size() == n &&
+         sound_ways(s.watch.ways, n) && s.watch.rms.size() <= SettleState::kMostWindows &&
          s.watch.rates.size() <= SettleState::kMostWindows && all_speeds(s.watch.rates) &&
          all_speeds(s.off_at_release) && all_speeds(s.watch.rms) &&
          all_speeds({s.watch.max_speed, s.watch.drift, s.watch.usual_drift}) &&
-         all_speeds(s.solver.detection_speeds) && all_within(s.solver.positions, kFarthest) &&
-         all_within(s.solver.velocities, kFarthest) && all_within(s.solver.centres, kFarthest) &&
+         all_within(s.solver.positions, kFarthest) && all_within(s.solver.velocities, kFarthest) &&
          all_within(s.solver.preloads, 1) && all_within(s.watch.window_start, kFarthest) &&
          all_within(s.watch.mark, kFarthest) && s.watch.long_drift >= -1 && s.watch.long_drift <= kFarthest &&
          s.watch.long_usual_drift >= -1 && s.watch.long_usual_drift <= kFarthest;

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/collision/contact_finder.h"
 #include "core/sewing/assembly.h"
 
 namespace toile::drape {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/collision/contacts.h"
+#include "core/collision/obstacle.h"
 #include "core/sewing/garment_mesh.h"
 
 namespace toile::drape {

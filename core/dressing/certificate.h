@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/collision/contacts.h"
+#include "core/collision/obstacle.h"
 #include "core/dressing/linking.h"
 #include "core/dressing/untangle.h"
 #include "core/sewing/garment_mesh.h"

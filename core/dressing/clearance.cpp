@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/collision/contact_finder.h"
+
 namespace toile::dressing {
 
 namespace {

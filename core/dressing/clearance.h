@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/collision/contacts.h"
+#include "core/collision/obstacle.h"
 
 namespace toile::dressing {
 

@@ -3,8 +3,8 @@
 
 #include <span>
 
-#include "core/collision/contacts.h"
 #include "core/collision/crossings.h"
+#include "core/collision/obstacle.h"
 #include "core/dressing/figure.h"
 #include "core/dressing/linking.h"
 #include "core/dressing/person.h"

@@ -14,6 +14,12 @@ BoxGroups::BoxGroups(std::span<const Box3> boxes) {
     std::copy(members.begin(), members.end(), group.item);
     std::sort(group.item, group.item + members.size());  // the same on every library
   });
+  group_of_.resize(boxes.size());
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    for (const Index box : groups_[g].item) {
+      if (box != kNone) group_of_[box] = static_cast<Index>(g);
+    }
+  }
   around_.resize(groups_.size());
   refit_groups(boxes);
   tree_ = Bvh(around_);
@@ -24,22 +30,33 @@ void BoxGroups::refit(std::span<const Box3> boxes) {
   tree_.refit(around_);
 }
 
-void BoxGroups::refit_groups(std::span<const Box3> boxes) {
+void BoxGroups::refit(std::span<const Box3> boxes, std::span<const Index> changed) {
+  std::vector<Index> groups;
+  for (const Index box : changed) groups.push_back(group_of_[box]);
+  std::sort(groups.begin(), groups.end());
+  groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
+  for (const Index g : groups) refit_group(g, boxes);
+  tree_.refit(around_, groups);
+}
+
+void BoxGroups::refit_group(Index g, std::span<const Box3> boxes) {
   // A place without a box holds the empty one, which overlaps none: lanes need no mask.
   const Box3 nothing;
-  for (std::size_t g = 0; g < groups_.size(); ++g) {
-    Group& group = groups_[g];
-    group.around = nothing;
-    for (int i = 0; i < kSize; ++i) {
-      const Box3& box = group.item[i] == kNone ? nothing : boxes[group.item[i]];
-      for (int k = 0; k < 3; ++k) {
-        group.lo[k][i] = box.lo[k];
-        group.hi[k][i] = box.hi[k];
-      }
-      group.around = join(group.around, box);
+  Group& group = groups_[g];
+  group.around = nothing;
+  for (int i = 0; i < kSize; ++i) {
+    const Box3& box = group.item[i] == kNone ? nothing : boxes[group.item[i]];
+    for (int k = 0; k < 3; ++k) {
+      group.lo[k][i] = box.lo[k];
+      group.hi[k][i] = box.hi[k];
     }
-    around_[g] = group.around;
+    group.around = join(group.around, box);
   }
+  around_[g] = group.around;
+}
+
+void BoxGroups::refit_groups(std::span<const Box3> boxes) {
+  for (std::size_t g = 0; g < groups_.size(); ++g) refit_group(static_cast<Index>(g), boxes);
 }
 
 }  // namespace toile::geometry

@@ -21,6 +21,8 @@ class BoxGroups {
 
   /// New boxes for the same primitives.
   void refit(std::span<const Box3> boxes);
+  /// The same where only `changed` have new ones.
+  void refit(std::span<const Box3> boxes, std::span<const Index> changed);
 
   bool empty() const { return groups_.empty(); }
 
@@ -66,6 +68,7 @@ class BoxGroups {
     return lanes_in({box.lo[0], box.lo[1], box.lo[2]}, {box.hi[0], box.hi[1], box.hi[2]}, g);
   }
 
+  void refit_group(Index g, std::span<const Box3> boxes);
   void refit_groups(std::span<const Box3> boxes);
 
   template <typename Visit>
@@ -86,7 +89,8 @@ class BoxGroups {
   }
 
   std::vector<Group> groups_;
-  std::vector<Box3> around_;  ///< of each group, for the tree
+  std::vector<Index> group_of_;  ///< of each box
+  std::vector<Box3> around_;     ///< of each group, for the tree
   Bvh tree_;
 };
 

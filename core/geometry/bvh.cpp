@@ -68,7 +68,22 @@ Bvh::Bvh(std::span<const Box3> boxes) {
   std::iota(order.begin(), order.end(), 0);
   nodes_.reserve(2 * boxes.size());
   build(order, boxes);
+  note_ways_up();
   refit(boxes);
+}
+
+void Bvh::note_ways_up() {
+  parent_.assign(nodes_.size(), kNone);
+  leaf_of_.assign((nodes_.size() + 1) / 2, kNone);
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const Node& node = nodes_[i];
+    const auto self = static_cast<Index>(i);
+    if (node.primitive != kNone) {
+      leaf_of_[node.primitive] = self;
+    } else {
+      parent_[self + 1] = parent_[node.right] = self;
+    }
+  }
 }
 
 Index Bvh::build(std::span<Index> order, std::span<const Box3> boxes) {
@@ -92,6 +107,18 @@ void Bvh::refit(std::span<const Box3> boxes) {
     Node& node = nodes_[i];
     node.box =
         node.primitive != kNone ? boxes[node.primitive] : join(nodes_[i + 1].box, nodes_[node.right].box);
+  }
+}
+
+void Bvh::refit(std::span<const Box3> boxes, std::span<const Index> changed) {
+  for (const Index p : changed) {
+    Index i = leaf_of_[p];
+    nodes_[i].box = boxes[p];
+    while ((i = parent_[i]) != kNone) {
+      const Box3 joined = join(nodes_[i + 1].box, nodes_[nodes_[i].right].box);
+      if (joined == nodes_[i].box) break;  // nor do those above change
+      nodes_[i].box = joined;
+    }
   }
 }
 

@@ -47,6 +47,8 @@ class Bvh {
 
   /// New boxes for the same primitives; the tree keeps its shape.
   void refit(std::span<const Box3> boxes);
+  /// The same where only `changed` have new ones.
+  void refit(std::span<const Box3> boxes, std::span<const Index> changed);
 
   bool empty() const { return nodes_.empty(); }
 
@@ -147,8 +149,11 @@ class Bvh {
   }
 
   Index build(std::span<Index> order, std::span<const Box3> boxes);
+  void note_ways_up();
 
-  std::vector<Node> nodes_;  ///< parents before children
+  std::vector<Node> nodes_;     ///< parents before children
+  std::vector<Index> parent_;   ///< of each node; none of the first
+  std::vector<Index> leaf_of_;  ///< of each primitive
 };
 
 }  // namespace toile::geometry

@@ -1,6 +1,7 @@
 #include "core/solver/cloth_solver.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "core/base/check.h"
 #include "core/solver/constraints/contact_pass.h"
@@ -11,9 +12,20 @@ namespace toile::solver {
 
 namespace {
 
-/// Runs of vertices into planes, per vertex of the cloth and summed over steps, before a fresh detection
-/// gives them their way back. What few planes hold for long would hang in the air as on pins.
+/// Runs of vertices into planes, per vertex of the cloth and summed over steps, before they are measured
+/// again and have their way back. What few planes hold for long would hang in the air as on pins.
 constexpr double kPlaneHitShare = 0.03;
+
+/// What is near a bound costs a look in each step, and may be near it by now for nothing: measured along with
+/// others after so many.
+constexpr Index kNearSteps = 16;
+
+/// Of its trust region, how far a vertex is from its centre that is measured along with others: it would soon
+/// ask for it.
+constexpr double kFarShare = 0.35;
+
+/// Of the cloth, a part above which all of it is measured: less work than looking for each.
+constexpr double kMostMeasuredAlone = 0.25;
 
 /// Of the mean edge, the largest trust region. A sheet that moves as a whole moves towards where its own
 /// triangles stood: with larger regions it ran into their division planes first, which ask for nothing, and
@@ -70,6 +82,9 @@ ClothSolver::ClothSolver(ClothModel model, std::vector<Vec3> positions,
   velocity_.resize(x_.size());
   depenetration_.resize(x_.size());
   speed_.resize(x_.size());
+  stopped_.resize(x_.size());
+  steps_near_.resize(x_.size());
+  stuck_.resize(x_.size());
   for (const collision::Obstacle& obstacle : obstacles_) bouncy_ |= obstacle.restitution > 0;
   if (layout.empty()) layout = x_;
   finder_.detect(layout, speed_, contacts_);  // lays out its tree
@@ -96,11 +111,8 @@ void ClothSolver::set_holds(std::vector<constraints::HeldVertex> held) {
 }
 
 SolverState ClothSolver::state() const {
-  SolverState now{x_, velocity_, {}, {}, held_back_, hits_, membrane_.preloads(), pace_};
-  if (detected_) {
-    now.centres = contacts_.centre;
-    now.detection_speeds = speed_;
-  }
+  SolverState now{x_, velocity_, {}, stopped_, stuck_, steps_near_, hits_, membrane_.preloads(), pace_};
+  if (detected_) now.contacts = contacts_;
   return now;
 }
 
@@ -108,14 +120,16 @@ void ClothSolver::restore(SolverState state) {
   TOILE_CHECK(state.positions.size() == x_.size() && state.velocities.size() == x_.size());
   x_ = std::move(state.positions);
   velocity_ = std::move(state.velocities);
-  held_back_ = state.held_back;
+  stopped_ = std::move(state.stopped);
+  stuck_ = std::move(state.stuck);
+  steps_near_ = std::move(state.steps_near);
   hits_ = state.hits;
   membrane_.set_preloads(std::move(state.preloads));
   pace_ = state.pace;
-  detected_ = !state.centres.empty();
+  detected_ = !state.contacts.centre.empty();
   if (!detected_) return;
-  speed_ = std::move(state.detection_speeds);
-  finder_.detect(state.centres, speed_, contacts_);
+  contacts_ = std::move(state.contacts);
+  finder_.resume(contacts_);
 }
 
 StepReport ClothSolver::step(const StepForces& forces) {
@@ -158,10 +172,32 @@ void ClothSolver::predict(const StepForces& forces) {
   }
 }
 
-void ClothSolver::detect_contacts() {
+void ClothSolver::measure_all() {
   for (std::size_t i = 0; i < velocity_.size(); ++i) speed_[i] = length(velocity_[i]);
   finder_.detect(before_, speed_, contacts_);
   detected_ = true;
+  moved_.resize(x_.size());
+  std::iota(moved_.begin(), moved_.end(), 0);
+}
+
+/// Those that went far, and those that planes stop.
+void ClothSolver::measure_again() {
+  moved_.clear();
+  for (std::size_t i = 0; i < x_.size(); ++i) {
+    const auto v = static_cast<Index>(i);
+    if (wants_measuring(v)) moved_.push_back(v);
+  }
+  if (static_cast<double>(moved_.size()) > kMostMeasuredAlone * static_cast<double>(x_.size()))
+    return measure_all();
+  for (const Index v : moved_) speed_[v] = length(velocity_[v]);
+  finder_.detect_again(moved_, before_, speed_, contacts_);
+}
+
+bool ClothSolver::wants_measuring(Index v) const {
+  if ((stopped_[v] && !stuck_[v]) || steps_near_[v] >= kNearSteps) return true;
+  const Vec3 way = x_[v] - contacts_.centre[v];
+  const double far = kFarShare * contacts_.trust_radius[v];
+  return dot(way, way) > far * far;
 }
 
 /// Few vertices come near a bound in a step: those are looked at closely.
@@ -182,14 +218,36 @@ bool ClothSolver::leaves_trust_region() const {
   });
 }
 
-int ClothSolver::count_plane_hits() const {
-  return static_cast<int>(
-      std::count_if(far_.begin(), far_.end(), [&](Index v) { return !contacts_.inside_planes(v, x_[v]); }));
+void ClothSolver::count_stops() {
+  for (const Index v : far_) {
+    ++steps_near_[v];
+    if (contacts_.inside_planes(v, x_[v])) continue;
+    stopped_[v] = true;
+    if (!stuck_[v]) ++hits_;
+  }
 }
 
-/// Look before clamping: where a vertex would leave its trust region, or many run into planes, detect
-/// contacts again at this step's start and cut the proposal with fresh bounds. What fresh bounds hold back as
-/// well is no reason to ask again. Clamping on and on would pin the cloth in the air.
+void ClothSolver::note_who_is_stuck() {
+  for (const Index v : moved_) {
+    stopped_[v] = stuck_[v] = false;
+    steps_near_[v] = 0;
+  }
+  for (const Index v : far_) {
+    if (std::binary_search(moved_.begin(), moved_.end(), v) && !contacts_.inside_planes(v, x_[v]))
+      stuck_[v] = true;
+  }
+  hits_ = 0;
+}
+
+void ClothSolver::push_apart(const StepForces& forces) {
+  constraints::solve_contacts(contacts_.contacts, before_, inverse_mass_, forces.friction, h_, x_,
+                              depenetration_);
+  note_who_went_far();
+}
+
+/// Look before clamping: where a vertex would leave its trust region, or many run into planes, measure at
+/// this step's start what went far, and cut the proposal with fresh bounds. Clamping on and on would pin the
+/// cloth in the air.
 StepReport ClothSolver::truncate(const StepForces& forces) {
   StepReport report;
   for (const Vec3& p : x_) report.not_finite |= !is_finite(p);
@@ -199,33 +257,26 @@ StepReport ClothSolver::truncate(const StepForces& forces) {
   }
   std::fill(depenetration_.begin(), depenetration_.end(), Vec3{});
   proposal_ = x_;
-  if (!detected_) {
-    detect_contacts();
-    ++report.detections;
-  }
-  const auto push_apart = [&] {
-    constraints::solve_contacts(contacts_.contacts, before_, inverse_mass_, forces.friction, h_, x_,
-                                depenetration_);
-    note_who_went_far();
-  };
-  push_apart();
-  if (report.detections == 0) hits_ += std::max(0, count_plane_hits() - held_back_);
-  if (report.detections == 0 &&
-      (leaves_trust_region() || hits_ > kPlaneHitShare * static_cast<double>(x_.size()))) {
-    detect_contacts();
-    ++report.detections;
+  const bool first = !detected_;
+  if (first) measure_all();
+  push_apart(forces);
+  if (!first) count_stops();
+  if (!first && (leaves_trust_region() || hits_ > kPlaneHitShare * static_cast<double>(x_.size()))) {
+    measure_again();
     x_ = proposal_;
     std::fill(depenetration_.begin(), depenetration_.end(), Vec3{});
-    push_apart();
+    push_apart(forces);
+    report.detections = 1;
+  }
+  if (first || report.detections > 0) {
+    report.detections = 1;
+    report.measured = static_cast<int>(moved_.size());
+    note_who_is_stuck();
   }
   for (const Index v : far_) {
     const Vec3 reached = contacts_.reached(v, before_[v], x_[v]);
     if (!(reached == x_[v])) ++report.bounded;
     x_[v] = reached;
-  }
-  if (report.detections > 0) {
-    held_back_ = report.bounded;
-    hits_ = 0;
   }
   return report;
 }

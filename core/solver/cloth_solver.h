@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/collision/contacts.h"
+#include "core/collision/contact_finder.h"
 #include "core/solver/cloth_features.h"
 #include "core/solver/cloth_model.h"
 #include "core/solver/constraints/hold.h"
@@ -26,7 +26,8 @@ struct StepForces {
 
 /// What a step saw. Numerical trouble is a flag here, never a NaN that leaves the step.
 struct StepReport {
-  int detections = 0;       ///< contact detections in this step
+  int detections = 0;       ///< measurements of contact in this step, of all or of a part
+  int measured = 0;         ///< vertices that were measured
   int bounded = 0;          ///< vertices that a bound stopped
   bool not_finite = false;  ///< a position left the numbers; the step was undone
 };
@@ -35,10 +36,11 @@ struct StepReport {
 /// made of.
 struct SolverState {
   std::vector<Vec3> positions, velocities;  ///< m, m/s
-  std::vector<Vec3> centres;                ///< m, of the trust regions; empty before the first time
-  std::vector<double> detection_speeds;     ///< m/s, that sized the trust regions then
-  int held_back = 0;                        ///< vertices that the bounds stopped right after
-  int hits = 0;                             ///< more than those, summed over the steps since
+  collision::Contacts contacts;             ///< bounds and lists; no centres before the first time
+  std::vector<bool> stopped;                ///< vertices that a plane has stopped since they were measured
+  std::vector<bool> stuck;                  ///< those that were stopped right after, too
+  std::vector<Index> steps_near;            ///< since each was measured, in which it may have met a bound
+  int hits = 0;                             ///< stops of others, summed over the steps since any was measured
   std::vector<Vec3> preloads;               ///< of the membrane, one a triangle
   constraints::LearningPace pace;           ///< of those
 };
@@ -77,11 +79,15 @@ class ClothSolver {
 
  private:
   void predict(const StepForces& forces);
-  void detect_contacts();
+  void measure_all();
+  void measure_again();
   StepReport truncate(const StepForces& forces);
+  void push_apart(const StepForces& forces);
   void note_who_went_far();
   bool leaves_trust_region() const;
-  int count_plane_hits() const;
+  void count_stops();
+  bool wants_measuring(Index v) const;
+  void note_who_is_stuck();
   void finish(const StepForces& forces);
 
   ClothModel model_;
@@ -98,14 +104,17 @@ class ClothSolver {
 
   std::vector<Vec3> x_, before_, velocity_, depenetration_, proposal_;
   std::vector<lanes::LanePoint> points_;  ///< x_, while lanes work on it
-  std::vector<double> speed_;
-  std::vector<Index> far_;  ///< vertices that may have met a bound in this step
-  bool bouncy_ = false;     ///< an obstacle throws cloth back
+  std::vector<double> speed_;             ///< m/s, of vertices to be measured
+  std::vector<Index> far_;                ///< vertices that may have met a bound in this step
+  std::vector<Index> moved_;              ///< that are measured again
+  bool bouncy_ = false;                   ///< an obstacle throws cloth back
   collision::ContactFinder finder_;
   collision::Contacts contacts_;
   bool detected_ = false;
-  int held_back_ = 0;               ///< vertices that the bounds stopped right after the last detection
-  int hits_ = 0;                    ///< more than those, summed over the steps since
+  std::vector<bool> stopped_;       ///< vertices that a plane has stopped since they were measured
+  std::vector<bool> stuck_;         ///< those that were stopped right after, too
+  std::vector<Index> steps_near_;   ///< since each was measured, in which it may have met a bound
+  int hits_ = 0;                    ///< stops of others, summed over the steps since any was measured
   constraints::LearningPace pace_;  ///< at which the membrane learns its preloads
 };
 

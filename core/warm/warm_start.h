@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/collision/contacts.h"
 #include "core/collision/crossings.h"
+#include "core/collision/obstacle.h"
 #include "core/dressing/person.h"
 #include "core/mesh/panel_mesh.h"
 #include "core/pattern/pattern.h"

@@ -119,6 +119,7 @@ std::string info_json(const Options& o, const PeerEnd& end) {
   number("dt_out", 0.04);
   word("stop_reason", end.stop_reason);
   number("detections", static_cast<double>(end.detections));
+  number("measured", static_cast<double>(end.measured));  // vertices, in all of them
   number("bounded", static_cast<double>(end.bounded));
   number("most_bounded", end.most_bounded);
   number("frames_checked", end.worst.frames);

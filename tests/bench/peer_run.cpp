@@ -310,6 +310,7 @@ PeerEnd run_task(const PeerTask& task, const RunSettings& settings) {
   while (!run.done()) {
     const solver::StepReport report = run.step();
     end.detections += report.detections;
+    end.measured += report.measured;
     end.bounded += report.bounded;
     if (settings.trace && run.steps() % traced == 0) print_line(run, end);
     const bool most = report.bounded > end.most_bounded;

@@ -50,7 +50,7 @@ struct PeerEnd {
   double cpu_s = 0, wall_s = 0;  ///< from the parsed task to the final positions, without the checks
   double weld_gap = 0;           ///< m, the largest at the weld
   double final_gap = 0;          ///< m, at the end
-  long detections = 0, bounded = 0;
+  long detections = 0, measured = 0, bounded = 0;
   WorstFrame worst;
   RestTest rest;
 };

@@ -1,7 +1,9 @@
-#include "core/collision/contacts.h"
+#include "core/collision/contact_finder.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <numeric>
 #include <random>
 
 #include "core/collision/crossings.h"
@@ -83,6 +85,103 @@ TEST(Contacts, BoundsKeepASheetOutOfABodyWithEdgesAndPoints) {
     ASSERT_TRUE(collision::body_crossings(surface, sheet.x, crossing_body).empty()) << "move " << k;
     ASSERT_TRUE(collision::self_crossings(surface, sheet.x).empty()) << "move " << k;
   }
+}
+
+/// Every third vertex or so, another choice each time.
+std::vector<Index> some_of(std::size_t count, std::mt19937& random) {
+  std::vector<Index> some;
+  for (std::size_t v = 0; v < count; ++v) {
+    if (random() % 3 == 0) some.push_back(static_cast<Index>(v));
+  }
+  return some;
+}
+
+TEST(Contacts, VerticesMeasuredAtDifferentTimesStillKeepSheetsAndABodyApart) {
+  const std::vector<Vec3> body{{0.02, -0.001, 0.024}, {0, -0.03, 0}, {0.05, -0.03, 0}, {0.02, -0.03, 0.05}};
+  const std::vector<Tri> faces{{1, 2, 3}, {0, 2, 1}, {0, 3, 2}, {0, 1, 3}};
+  const std::vector<collision::Obstacle> obstacles{collision::make_obstacle(body, faces, 0.4, 1e-3)};
+  const collision::CrossingBody crossing_body = collision::make_crossing_body(body, faces);
+  std::mt19937 random(7);
+  Sheet sheet;
+  for (const double y : {0.0005, 0.002, 0.0035}) append_sheet(sheet, 6, y);
+  for (Vec3& p : sheet.x) p.x += p.y;  // no vertex above another
+  const std::size_t count = sheet.x.size();
+  const collision::Surface surface = collision::make_surface(sheet.triangles, static_cast<Index>(count));
+  collision::ContactFinder finder(surface, obstacles, collision::ContactSettings{});
+  std::uniform_real_distribution<double> speed(0, 0.6);
+  std::vector<double> speeds(count);
+  collision::Contacts contacts;
+  finder.detect(sheet.x, speeds, contacts);
+  for (int k = 0; k < 400; ++k) {
+    move_at_random(contacts, random, 0.004, sheet.x);
+    for (double& v : speeds) v = speed(random);
+    finder.detect_again(some_of(count, random), sheet.x, speeds, contacts);
+    for (std::size_t v = 0; v < count; ++v)
+      ASSERT_LE(length(sheet.x[v] - contacts.centre[v]), contacts.trust_radius[v] * (1 + 1e-9));
+    ASSERT_TRUE(collision::self_crossings(surface, sheet.x).empty()) << "move " << k;
+    ASSERT_TRUE(collision::body_crossings(surface, sheet.x, crossing_body).empty()) << "move " << k;
+  }
+}
+
+/// Slacks of each vertex's planes, from the least on.
+std::vector<std::vector<double>> slacks_of(const collision::Contacts& contacts) {
+  std::vector<std::vector<double>> all;
+  for (const auto& planes : contacts.planes) {
+    std::vector<double>& slacks = all.emplace_back();
+    for (const collision::DivisionPlane& plane : planes) slacks.push_back(plane.slack);
+    std::sort(slacks.begin(), slacks.end());
+  }
+  return all;
+}
+
+/// Which edge of a pair comes first is another's turn: the same but for rounding.
+void expect_alike(const std::vector<std::vector<double>>& a, const std::vector<std::vector<double>>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t v = 0; v < a.size(); ++v) {
+    ASSERT_EQ(a[v].size(), b[v].size()) << "vertex " << v;
+    for (std::size_t k = 0; k < a[v].size(); ++k) EXPECT_NEAR(a[v][k], b[v][k], 1e-12) << "vertex " << v;
+  }
+}
+
+TEST(Contacts, AllMeasuredAgainListWhatAFirstMeasurementDoes) {
+  std::mt19937 random(11);
+  Sheet sheet;
+  for (const double y : {0.0, 0.002}) append_sheet(sheet, 6, y);
+  for (Vec3& p : sheet.x) p.x += p.y;
+  const std::size_t count = sheet.x.size();
+  const collision::Surface surface = collision::make_surface(sheet.triangles, static_cast<Index>(count));
+  collision::ContactFinder finder(surface, {}, collision::ContactSettings{});
+  const std::vector<double> speeds(count, 0.5);
+  collision::Contacts again, anew;
+  finder.detect(sheet.x, speeds, again);
+  move_at_random(again, random, 0.004, sheet.x);
+  std::vector<Index> all(count);
+  std::iota(all.begin(), all.end(), 0);
+  finder.detect_again(all, sheet.x, speeds, again);
+  finder.detect(sheet.x, speeds, anew);
+  expect_alike(slacks_of(again), slacks_of(anew));
+  EXPECT_FALSE(anew.contacts.empty());
+  EXPECT_EQ(again.contacts.size(), anew.contacts.size());
+  EXPECT_EQ(again.rims.size(), anew.rims.size());
+}
+
+TEST(Contacts, WhatIsMeasuredElsewhereStaysAsItWas) {
+  Sheet sheet;
+  for (const double y : {0.0, 0.002}) append_sheet(sheet, 20, y);
+  for (Vec3& p : sheet.x) p.x += p.y;
+  const std::size_t count = sheet.x.size();
+  collision::ContactFinder finder(collision::make_surface(sheet.triangles, static_cast<Index>(count)), {},
+                                  collision::ContactSettings{});
+  const std::vector<double> speeds(count, 0.5);
+  collision::Contacts contacts;
+  finder.detect(sheet.x, speeds, contacts);
+  const std::vector<std::vector<double>> before = slacks_of(contacts);
+  sheet.x[0].y += 0.0004;  // a corner
+  finder.detect_again({{0}}, sheet.x, speeds, contacts);
+  EXPECT_NE(slacks_of(contacts)[0], before[0]);
+  const Index far = 20 * 20 - 1;  // of the same sheet, the other corner
+  EXPECT_EQ(slacks_of(contacts)[far], before[far]);
+  EXPECT_FALSE(before[far].empty());
 }
 
 TEST(Contacts, AVertexAloneMayUseItsWholeBall) {

@@ -160,14 +160,44 @@ TEST(Checkpoint, OfLayersThatLieOnEachOtherEndsTheSame) {
   }
 }
 
-TEST(Checkpoint, TakesNineVectorsAParticleAndLittleElse) {
-  const drape::DrapeInput input = test::tube();
-  const auto run = begun(input);
-  run->advance(500, {});
+collision::Contacts contacts_of(const drape::DrapeRun& run) { return run.session().state().solver.contacts; }
+
+/// A cloth that lies on a table and falls over its rim, and comes to lie on itself.
+std::unique_ptr<drape::DrapeRun> cloth_in_contact(const drape::DrapeInput& input) {
+  auto run = begun(input);
+  while (contacts_of(*run).rims.empty() && run->session().steps() < 20'000) run->advance(100, {});
+  return run;
+}
+
+/// Bytes of all that lists of contacts hold.
+std::size_t bytes_of_lists(const collision::Contacts& contacts) {
+  std::size_t planes = 0, near = 0;
+  for (const auto& of_vertex : contacts.planes) planes += of_vertex.size();
+  for (const auto& of_vertex : contacts.vertex_contacts) near += of_vertex.size();
+  return 17 * contacts.pairs.size() + 36 * planes + 121 * near + 112 * contacts.rims.size();
+}
+
+TEST(Checkpoint, TakesTenVectorsAParticleTheContactsAndLittleElse) {
+  const drape::DrapeInput input = test::tablecloth();
+  const auto run = cloth_in_contact(input);
   const auto particles = static_cast<std::size_t>(run->session().garment().vertex_count());
-  // Positions, velocities, where contacts were measured and at what speed, places to tell rest by; then the
-  // ways of three windows, in floats; and what each of two triangles a particle has learnt.
-  EXPECT_LT(run->checkpoint().size(), 214 * particles + 512);
+  const std::size_t lists = bytes_of_lists(contacts_of(*run));
+  EXPECT_GT(lists, 0u);
+  // Positions, velocities, where each was measured and its bounds, places to tell rest by; then the ways of
+  // three windows, in floats; and what each of two triangles a particle has learnt.
+  EXPECT_LT(run->checkpoint().size(), 235 * particles + lists + 512);
+}
+
+TEST(Checkpoint, InTheMidstOfContactsOfDifferentTimesKeepsThemAll) {
+  const drape::DrapeInput input = test::tablecloth();
+  const auto run = cloth_in_contact(input);
+  ASSERT_FALSE(contacts_of(*run).rims.empty());
+  for (int k = 0; k < 20; ++k) {
+    const auto on = resumed(input, run->checkpoint());
+    run->advance(37, {});
+    on->advance(37, {});
+    ASSERT_EQ(state_in(*on), state_in(*run)) << "after " << run->session().steps() << " steps";
+  }
 }
 
 TEST(Checkpoint, OfAnotherInputIsRefused) {
@@ -263,7 +293,9 @@ TEST(Checkpoint, ThatDoesNotFitTheGarmentIsRefused) {
       << "other numbers of vertices";
   EXPECT_EQ(code([](drape::RunState& s) { s.session.released.clear(); }), damaged);
   EXPECT_EQ(code([](drape::RunState& s) { s.session.solver.velocities.pop_back(); }), damaged);
-  EXPECT_EQ(code([](drape::RunState& s) { s.session.solver.centres.pop_back(); }), damaged);
+  EXPECT_EQ(code([](drape::RunState& s) { s.session.solver.contacts.centre.pop_back(); }), damaged);
+  EXPECT_EQ(code([](drape::RunState& s) { s.session.solver.stopped.clear(); }), damaged);
+  EXPECT_EQ(code([](drape::RunState& s) { s.session.solver.steps_near.at(0) = -1; }), damaged);
   EXPECT_EQ(code([](drape::RunState& s) { s.session.solver.positions[3].y = std::nan(""); }), damaged);
   EXPECT_EQ(code([](drape::RunState& s) { s.session.solver.velocities[0].x = 1e300; }), damaged);
   EXPECT_EQ(code([](drape::RunState& s) { s.session.watch.window_start.clear(); }), damaged);
@@ -273,6 +305,28 @@ TEST(Checkpoint, ThatDoesNotFitTheGarmentIsRefused) {
   EXPECT_EQ(code([](drape::RunState& s) { s.session.phase = static_cast<drape::DrapePhase>(7); }), damaged);
   EXPECT_EQ(code([](drape::RunState& s) { s.session.steps = -1; }), damaged);
   EXPECT_EQ(code([](drape::RunState& s) { s.cpu_s = std::numeric_limits<double>::infinity(); }), damaged);
+}
+
+TEST(Checkpoint, WithContactsThatCannotBeIsRefused) {
+  const drape::DrapeInput input = test::tablecloth();
+  const auto run = cloth_in_contact(input);
+  const std::string hash = run->start_hash();
+  const auto code = [&](const std::function<void(collision::Contacts&)>& change) {
+    drape::RunState state = drape::decode_checkpoint(run->checkpoint(), hash).value();
+    change(state.session.solver.contacts);
+    const auto on = drape::decode_checkpoint(drape::encode_checkpoint(hash, state), hash);
+    return on ? "" : on.error().code;
+  };
+  EXPECT_EQ(code([](collision::Contacts&) {}), "");
+  const std::string damaged = "checkpoint.damaged";
+  EXPECT_EQ(code([](collision::Contacts& c) { c.pairs.clear(); }), damaged) << "contacts of no pair";
+  EXPECT_EQ(code([](collision::Contacts& c) { c.pairs.at(0).v[0] = 1 << 20; }), damaged);
+  EXPECT_EQ(code([](collision::Contacts& c) { c.pairs.at(0).v[0] = kNone; }), damaged);
+  EXPECT_EQ(code([](collision::Contacts& c) { c.rims.at(0).contact.v[0] = -5; }), damaged);
+  EXPECT_EQ(code([](collision::Contacts& c) { c.rims.at(0).contact.count = 5; }), damaged);
+  EXPECT_EQ(code([](collision::Contacts& c) { c.rims.at(0).contact.n.x = std::nan(""); }), damaged);
+  EXPECT_EQ(code([](collision::Contacts& c) { c.trust_radius.at(0) = -1; }), damaged);
+  EXPECT_EQ(code([](collision::Contacts& c) { c.free_squared.pop_back(); }), damaged);
 }
 
 }  // namespace

@@ -53,6 +53,18 @@ TEST(BoxGroups, FindEveryOverlapOnceAlsoAfterRefitting) {
   }
 }
 
+TEST(BoxGroups, FindWhatSomeNewBoxesOverlap) {
+  std::vector<geometry::Box3> boxes = scattered(250, 3);
+  const std::vector<geometry::Box3> elsewhere = scattered(250, 8);
+  geometry::BoxGroups groups(boxes);
+  const std::vector<Index> changed{2, 3, 77, 249};
+  for (const Index p : changed) boxes[p] = elsewhere[p];
+  groups.refit(boxes, changed);
+  Pairs found;
+  for (Index i = 0; i < 250; ++i) groups.query(boxes[i], [&](Index j) { found.insert({i, j}); });
+  EXPECT_EQ(found, overlaps(boxes, boxes));
+}
+
 TEST(BoxGroups, PassOverBoxesThatHoldNothing) {
   std::vector<geometry::Box3> boxes = scattered(20, 5);
   boxes[3] = boxes[11] = geometry::Box3{};

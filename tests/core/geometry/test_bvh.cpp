@@ -53,6 +53,23 @@ TEST(Bvh, FindsEveryOverlapOnceAlsoAfterRefitting) {
   }
 }
 
+TEST(Bvh, FindsWhatSomeNewBoxesOverlap) {
+  std::vector<geometry::Box3> boxes = random_boxes(200, 3);
+  const std::vector<geometry::Box3> elsewhere = random_boxes(200, 9);
+  geometry::Bvh tree(boxes);
+  const std::vector<Index> changed{0, 7, 8, 150, 199};
+  for (const Index p : changed) boxes[p] = elsewhere[p];
+  tree.refit(boxes, changed);
+  for (Index i = 0; i < 200; ++i) {
+    std::set<Index> queried, expected;
+    tree.query(boxes[i], [&](Index j) { queried.insert(j); });
+    for (Index j = 0; j < 200; ++j) {
+      if (geometry::overlap(boxes[i], boxes[j])) expected.insert(j);
+    }
+    EXPECT_EQ(queried, expected);
+  }
+}
+
 TEST(Bvh, BoxesHoldTheirPointsInSpiteOfFloats) {
   const Vec3 p{1.7000000123, -0.3000000456, 5.1};
   const geometry::Box3 b = geometry::box_around({p}, 0);

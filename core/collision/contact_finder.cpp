@@ -1,0 +1,204 @@
+#include "core/collision/contact_finder.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace toile::collision {
+
+template <typename Feature>
+ContactFinder::Around ContactFinder::around_vertices(std::span<const Feature> features, Index vertex_count) {
+  Around around;
+  around.first.assign(static_cast<std::size_t>(vertex_count) + 1, 0);
+  for (const Feature& feature : features) {
+    for (const Index v : feature) ++around.first[v + 1];
+  }
+  for (std::size_t v = 1; v < around.first.size(); ++v) around.first[v] += around.first[v - 1];
+  around.item.resize(static_cast<std::size_t>(around.first.back()));
+  std::vector<Index> next(around.first.begin(), around.first.end() - 1);
+  for (std::size_t f = 0; f < features.size(); ++f) {
+    for (const Index v : features[f]) around.item[next[v]++] = static_cast<Index>(f);
+  }
+  return around;
+}
+
+ContactFinder::ContactFinder(Surface cloth, std::span<const Obstacle> obstacles, ContactSettings settings)
+    : cloth_(std::move(cloth)),
+      obstacles_(obstacles),
+      settings_(std::move(settings)),
+      edges_at_(around_vertices(std::span<const std::array<Index, 2>>(cloth_.edges), cloth_.vertex_count())),
+      faces_at_(around_vertices(std::span<const Tri>(cloth_.triangles), cloth_.vertex_count())),
+      edge_moved_(cloth_.edges.size()),
+      face_moved_(cloth_.triangles.size()) {
+  for (const auto& [a, b] : cloth_.edges) {
+    edge_classes_.push_back({cloth_.vertex_class[a], cloth_.vertex_class[b]});
+  }
+}
+
+void ContactFinder::detect(std::span<const Vec3> positions, std::span<const double> speeds, Contacts& out) {
+  out.clear(positions.size());
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    out.centre[v] = positions[v];
+    out.trust_radius[v] = trust_radius(speeds[v]);
+  }
+  lay_all(out);
+  touched_.assign(positions.size(), 1);
+  PairMeasure measure(settings_, positions, touched_, out);
+  pair_with_obstacles(measure);
+  pair_with_itself(measure);
+  out.follow(touched_);
+}
+
+void ContactFinder::detect_again(std::span<const Index> moved, std::span<const Vec3> positions,
+                                 std::span<const double> speeds, Contacts& out) {
+  moved_.assign(positions.size(), 0);
+  for (const Index v : moved) {
+    moved_[v] = 1;
+    out.centre[v] = positions[v];
+    out.trust_radius[v] = trust_radius(speeds[v]);
+  }
+  touched_ = moved_;
+  out.forget(moved_, touched_);
+  lay_moved(moved, out);
+  PairMeasure measure(settings_, positions, touched_, out);
+  pair_moved_with_obstacles(moved, measure);
+  pair_moved_with_itself(moved, measure);
+  out.follow(touched_);
+}
+
+void ContactFinder::resume(const Contacts& contacts) { lay_all(contacts); }
+
+/// Two vertices whose pair is not listed may both use their trust regions whole, and must not touch even
+/// then: half a floor stays free.
+double ContactFinder::trust_radius(double speed) const {
+  return std::clamp(1.5 * speed * settings_.trust_radius_seconds, settings_.trust_radius_least,
+                    settings_.trust_radius_most) -
+         0.5 * kContactFloor;
+}
+
+void ContactFinder::lay_vertex_box(Index v, const Contacts& at) {
+  const double radius = at.trust_radius[v] + 0.5 * kContactFloor;
+  boxes_.vertices[v] = geometry::box_around({at.centre[v]}, std::max(radius, 0.5 * settings_.thickness));
+}
+
+void ContactFinder::lay_edge_line(Index e, const Contacts& at) {
+  const auto [a, b] = cloth_.edges[e];
+  edge_lines_[e] = edge_line(at.centre[a], at.centre[b],
+                             std::max(at.trust_radius[a], at.trust_radius[b]) + 0.5 * kContactFloor);
+}
+
+void ContactFinder::lay_all(const Contacts& at) {
+  boxes_.vertices.resize(at.centre.size());
+  for (const Index v : cloth_.vertices) lay_vertex_box(v, at);
+  boxes_.lay_around(cloth_);
+  edge_lines_.resize(cloth_.edges.size());
+  for (std::size_t e = 0; e < edge_lines_.size(); ++e) lay_edge_line(static_cast<Index>(e), at);
+}
+
+void ContactFinder::lay_moved(std::span<const Index> moved, const Contacts& at) {
+  const auto collect = [](std::span<const Index> features, std::vector<char>& marks,
+                          std::vector<Index>& list) {
+    for (const Index f : features) {
+      if (std::exchange(marks[f], char{1}) == 0) list.push_back(f);
+    }
+  };
+  for (const Index e : moved_edges_) edge_moved_[e] = 0;
+  for (const Index t : moved_faces_) face_moved_[t] = 0;
+  moved_edges_.clear();
+  moved_faces_.clear();
+  for (const Index v : moved) {
+    if (faces_at_.of(v).empty()) continue;  // no feature
+    lay_vertex_box(v, at);
+    collect(edges_at_.of(v), edge_moved_, moved_edges_);
+    collect(faces_at_.of(v), face_moved_, moved_faces_);
+  }
+  boxes_.lay_around(cloth_, moved, moved_edges_, moved_faces_);
+  for (const Index e : moved_edges_) lay_edge_line(e, at);
+}
+
+bool ContactFinder::neighbours(Index vertex, const Tri& triangle) const {
+  const Index mine = cloth_.vertex_class[vertex];
+  return std::any_of(triangle.begin(), triangle.end(),
+                     [&](Index v) { return cloth_.vertex_class[v] == mine; });
+}
+
+bool ContactFinder::neighbouring_edges(Index e, Index f) const {
+  const auto [a0, a1] = edge_classes_[e];
+  const auto [b0, b1] = edge_classes_[f];
+  return (a0 == b0) | (a0 == b1) | (a1 == b0) | (a1 == b1);
+}
+
+void ContactFinder::pair_with_obstacles(PairMeasure& measure) {
+  for (const Obstacle& obstacle : obstacles_) {
+    boxes_.vertex_groups.pairs(obstacle.boxes.face_groups,
+                               [&](Index v, Index t) { measure.vertex_on_obstacle(obstacle, v, t); });
+    boxes_.face_groups.pairs(obstacle.boxes.vertex_groups, [&](Index t, Index v) {
+      measure.obstacle_vertex_on_cloth(obstacle, v, cloth_.triangles[t]);
+    });
+    edge_pairs_.clear();
+    boxes_.edge_groups.pairs(obstacle.boxes.edge_groups,
+                             [&](Index e, Index f) { edge_pairs_.emplace_back(e, f); });
+    visit_near(edge_pairs_, edge_lines_, obstacle.edge_lines,
+               [&](Index e, Index f) { measure.edge_on_obstacle(obstacle, cloth_.edges[e], f); });
+  }
+}
+
+void ContactFinder::pair_with_itself(PairMeasure& measure) {
+  boxes_.vertex_groups.pairs(boxes_.face_groups, [&](Index v, Index t) {
+    if (!neighbours(v, cloth_.triangles[t])) measure.vertex_on_cloth(v, cloth_.triangles[t]);
+  });
+  edge_pairs_.clear();
+  boxes_.edge_groups.self_pairs([&](Index e, Index f) {
+    if (!neighbouring_edges(e, f)) edge_pairs_.emplace_back(e, f);
+  });
+  measure_edge_pairs(measure);
+}
+
+void ContactFinder::pair_moved_with_obstacles(std::span<const Index> moved, PairMeasure& measure) {
+  for (const Obstacle& obstacle : obstacles_) {
+    for (const Index v : moved) {
+      obstacle.boxes.face_groups.query(boxes_.vertices[v],
+                                       [&](Index t) { measure.vertex_on_obstacle(obstacle, v, t); });
+    }
+    for (const Index t : moved_faces_) {
+      obstacle.boxes.vertex_groups.query(boxes_.faces[t], [&](Index v) {
+        measure.obstacle_vertex_on_cloth(obstacle, v, cloth_.triangles[t]);
+      });
+    }
+    edge_pairs_.clear();
+    for (const Index e : moved_edges_) {
+      obstacle.boxes.edge_groups.query(boxes_.edges[e], [&](Index f) { edge_pairs_.emplace_back(e, f); });
+    }
+    visit_near(edge_pairs_, edge_lines_, obstacle.edge_lines,
+               [&](Index e, Index f) { measure.edge_on_obstacle(obstacle, cloth_.edges[e], f); });
+  }
+}
+
+/// Each pair once: what moved on both sides is found from both.
+void ContactFinder::pair_moved_with_itself(std::span<const Index> moved, PairMeasure& measure) {
+  for (const Index v : moved) {
+    boxes_.face_groups.query(boxes_.vertices[v], [&](Index t) {
+      if (!neighbours(v, cloth_.triangles[t])) measure.vertex_on_cloth(v, cloth_.triangles[t]);
+    });
+  }
+  for (const Index t : moved_faces_) {
+    const Tri& triangle = cloth_.triangles[t];
+    boxes_.vertex_groups.query(boxes_.faces[t], [&](Index v) {
+      if (!moved_[v] && !neighbours(v, triangle)) measure.vertex_on_cloth(v, triangle);
+    });
+  }
+  edge_pairs_.clear();
+  for (const Index e : moved_edges_) {
+    boxes_.edge_groups.query(boxes_.edges[e], [&](Index f) {
+      if ((edge_moved_[f] && f <= e) || neighbouring_edges(e, f)) return;
+      edge_pairs_.emplace_back(e, f);
+    });
+  }
+  measure_edge_pairs(measure);
+}
+
+void ContactFinder::measure_edge_pairs(PairMeasure& measure) {
+  visit_near(edge_pairs_, edge_lines_, edge_lines_,
+             [&](Index e, Index f) { measure.edges_of_cloth(cloth_.edges[e], cloth_.edges[f]); });
+}
+
+}  // namespace toile::collision

@@ -1,0 +1,87 @@
+#include "core/collision/obstacle.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+
+namespace toile::collision {
+
+namespace {
+
+/// A null vector where there is none.
+void lay_normals(Obstacle& obstacle) {
+  const Surface& surface = obstacle.surface;
+  obstacle.vertex_normals.resize(obstacle.vertices.size());
+  std::map<std::array<Index, 2>, Vec3> sums;  // by ends, the lesser first
+  for (const auto& [a, b, c] : surface.triangles) {
+    const Vec3 p = obstacle.vertices[a];
+    const Vec3 n = normalized(cross(obstacle.vertices[b] - p, obstacle.vertices[c] - p));
+    obstacle.face_normals.push_back(n);
+    for (const Index v : {a, b, c}) obstacle.vertex_normals[v] += n;
+    for (const auto& [i, j] : {std::pair{a, b}, {b, c}, {c, a}}) sums[{std::min(i, j), std::max(i, j)}] += n;
+  }
+  for (Vec3& n : obstacle.vertex_normals) n = normalized(n);
+  for (const auto& [i, j] : surface.edges)
+    obstacle.edge_normals.push_back(normalized(sums[{std::min(i, j), std::max(i, j)}]));
+}
+
+void lay_groups(geometry::BoxGroups& groups, std::span<const geometry::Box3> boxes) {
+  if (groups.empty()) {
+    groups = geometry::BoxGroups(boxes);
+  } else {
+    groups.refit(boxes);
+  }
+}
+
+}  // namespace
+
+void FeatureBoxes::lay_edge(const Surface& surface, Index e) {
+  edges[e] = geometry::join(vertices[surface.edges[e][0]], vertices[surface.edges[e][1]]);
+}
+
+void FeatureBoxes::lay_face(const Surface& surface, Index t) {
+  const auto& [a, b, c] = surface.triangles[t];
+  faces[t] = geometry::join(geometry::join(vertices[a], vertices[b]), vertices[c]);
+}
+
+void FeatureBoxes::lay_around(const Surface& surface) {
+  edges.resize(surface.edges.size());
+  faces.resize(surface.triangles.size());
+  for (std::size_t e = 0; e < edges.size(); ++e) lay_edge(surface, static_cast<Index>(e));
+  for (std::size_t t = 0; t < faces.size(); ++t) lay_face(surface, static_cast<Index>(t));
+  lay_groups(vertex_groups, vertices);
+  lay_groups(edge_groups, edges);
+  lay_groups(face_groups, faces);
+}
+
+void FeatureBoxes::lay_around(const Surface& surface, std::span<const Index> new_vertices,
+                              std::span<const Index> new_edges, std::span<const Index> new_faces) {
+  for (const Index e : new_edges) lay_edge(surface, e);
+  for (const Index t : new_faces) lay_face(surface, t);
+  vertex_groups.refit(vertices, new_vertices);
+  edge_groups.refit(edges, new_edges);
+  face_groups.refit(faces, new_faces);
+}
+
+Obstacle make_obstacle(std::span<const Vec3> vertices, std::span<const Tri> triangles, double friction,
+                       double skin_offset, double restitution) {
+  Obstacle obstacle;
+  obstacle.vertices.assign(vertices.begin(), vertices.end());
+  obstacle.surface = make_surface(triangles, static_cast<Index>(vertices.size()));
+  obstacle.boxes.vertices.resize(vertices.size());
+  for (const Index v : obstacle.surface.vertices) {
+    obstacle.boxes.vertices[v] = geometry::box_around({vertices[v]}, skin_offset);
+  }
+  obstacle.boxes.lay_around(obstacle.surface);
+  for (const auto& [a, b] : obstacle.surface.edges) {
+    obstacle.edge_lines.push_back(edge_line(vertices[a], vertices[b], 0));
+  }
+  lay_normals(obstacle);
+  obstacle.friction = friction;
+  obstacle.skin_offset = skin_offset;
+  obstacle.restitution = restitution;
+  return obstacle;
+}
+
+}  // namespace toile::collision
