@@ -56,7 +56,8 @@ endfunction()
 
 # toile_tests(core/mesh mesh): such a program, each of its tests known to ctest. Suites whose name begins with
 # "Long" get the label long: ./test leaves them out, ./test --long runs them. rapidcheck's properties are tried with
-# the same cases in every run of ctest; a program run by hand takes others, and says with which seed.
+# the same cases in every run of ctest; a program run by hand takes others, and says with which seed. Tests of the
+# service and the program are labelled short-threads: those that ./test --long runs under ThreadSanitizer.
 function(toile_tests FOLDER)
   file(GLOB SOURCES CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${FOLDER}/*.cpp)
   if(NOT SOURCES)
@@ -64,8 +65,12 @@ function(toile_tests FOLDER)
   endif()
   string(REPLACE "/" "_" NAME test_${FOLDER})
   toile_test_program(${NAME} ${FOLDER} ${ARGN})
+  set(SHORT short)
+  if(FOLDER MATCHES "^(server/|app$)")
+    set(SHORT short-threads)
+  endif()
   gtest_discover_tests(${NAME} TEST_FILTER -Long* DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
-                       PROPERTIES TIMEOUT 600 LABELS short ENVIRONMENT "RC_PARAMS=seed=1 max_success=500")
+                       PROPERTIES TIMEOUT 600 LABELS ${SHORT} ENVIRONMENT "RC_PARAMS=seed=1 max_success=500")
   gtest_discover_tests(${NAME} TEST_FILTER Long* TEST_LIST ${NAME}_long DISCOVERY_MODE PRE_TEST
                        DISCOVERY_TIMEOUT 60
                        PROPERTIES TIMEOUT 3600 LABELS long ENVIRONMENT "RC_PARAMS=seed=2 max_success=5000")

@@ -28,9 +28,6 @@ class ContactFinder {
   /// Goes on with contacts of a finder like this one: centres, trust regions and lists.
   void resume(const Contacts& contacts);
 
-  const Surface& cloth() const { return cloth_; }
-  ContactSettings& settings() { return settings_; }
-
  private:
   /// Edges and faces at each vertex, one list after the other.
   struct Around {

@@ -152,8 +152,9 @@ bool sound(const SessionState& s) {
 bool sound(const RunState& run) {
   return all_counts(run.at_end.cloth_body, run.at_end.cloth_cloth, run.worst.cloth_body,
                     run.worst.cloth_cloth, run.worst_frame_step, run.frames_checked, run.resumed,
-                    run.recorded + 1, run.start) &&
-         run.begun_anew.size() <= kMostWords && run.from_the_pieces.size() <= kMostWords &&
+                    run.start) &&
+         run.recorded >= -1 && run.recorded <= kMostSteps && run.begun_anew.size() <= kMostWords &&
+         run.from_the_pieces.size() <= kMostWords &&
          std::all_of(run.tops.begin(), run.tops.end(),
                      [](double top) { return std::abs(top) <= kFarthest; }) &&
          all_times(run.cpu_s, run.wall_s) && sound(run.session);

@@ -38,11 +38,11 @@ body::Body disc_body() {
 }
 
 drape::DrapeInput input_of(const material::Fabric& fabric, int number, double particle_distance) {
-  constexpr double kTurns[] = {0, 20, 43}, kAbove = 0.252, kMillimetres = 1e3;  // degrees; m
+  constexpr double kTurns[] = {0, 20, 43}, kAbove = 0.252;  // degrees; m
   const double turn = radians_from_degrees(kTurns[number / 2 % 3]);
   drape::DrapeInput input;
   input.name = "Cusick drape";
-  input.pattern.panels = {circle(kSpecimenRadius * kMillimetres, {std::sin(turn), std::cos(turn)})};
+  input.pattern.panels = {circle(mm_from_metres(kSpecimenRadius), {std::sin(turn), std::cos(turn)})};
   sewing::RigidPlacement flat;
   flat.translation = {0, kAbove + fabric.thickness, 0};
   flat.rotation = {-kPi / 2, 0, 0};

@@ -11,8 +11,6 @@
 namespace toile::trials {
 namespace {
 
-constexpr double kMillimetres = 1e3;  // per m
-
 std::string number(double value, int digits = 1) { return fixed_text(value, digits); }
 
 std::string escaped(const std::string& text) {
@@ -39,7 +37,7 @@ std::string circle_at(Vec2 c, double r, const char* style) {
 
 /// From above, 1.2 pixels a millimetre: the flat piece, its shadow, the disc.
 std::string shadow_picture(const Shadow& shadow) {
-  constexpr double kScale = 1.2 * kMillimetres;
+  constexpr double kScale = mm_from_metres(1.2);
   const Vec2 middle{200, 280};
   std::string path;
   for (std::size_t degree = 0; degree < shadow.outline.size(); ++degree) {
@@ -79,8 +77,8 @@ std::string stretch_picture(const fabric::FabricCard& card) {
 }
 
 std::string cantilever_line(const char* way, const CantileverResult& result) {
-  return std::string("bending length, ") + way + ": " + number(result.measured * kMillimetres) +
-         " mm, known " + number(result.known * kMillimetres) + " mm (chord " + number(result.angle) +
+  return std::string("bending length, ") + way + ": " + number(mm_from_metres(result.measured)) +
+         " mm, known " + number(mm_from_metres(result.known)) + " mm (chord " + number(result.angle) +
          "°, 41.5° is right)";
 }
 
@@ -100,7 +98,7 @@ std::string drape_lines(const fabric::FabricCard& card, const FabricTrial& trial
              "drape coefficient: " + number(percent) + " %, spread " + number(100 * trial.spread()) + band) +
          text_at(440, 242,
                  "folds: " + number(trial.nodes()) + "; " + std::to_string(trial.drapes.size()) +
-                     " drapes, triangles of " + number(trial.particle_distance * kMillimetres) + " mm");
+                     " drapes, triangles of " + number(mm_from_metres(trial.particle_distance)) + " mm");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/base/units.h"
 #include "core/solver/cloth_solver.h"
 #include "core/trials/specimen.h"
 
@@ -33,7 +34,7 @@ double strain_of(const Specimen& strip, const std::vector<Vec3>& x) {
 }  // namespace
 
 TensionResult tension(const material::Fabric& fabric, bool along_warp) {
-  constexpr double kRate = 9000, kSeconds = 0.8, kMillimetres = 1e3;
+  constexpr double kRate = 9000, kSeconds = 0.8;
   const double own = along_warp ? fabric.stretch_warp : fabric.stretch_weft;
   const double other = along_warp ? fabric.stretch_weft : fabric.stretch_warp;
   TensionResult out;
@@ -42,7 +43,7 @@ TensionResult tension(const material::Fabric& fabric, bool along_warp) {
   loaded.areal_mass = out.known / kWaves2;
   const Vec2 warp = along_warp ? Vec2{1, 0} : Vec2{0, 1};
   const Specimen strip =
-      make_specimen(rectangle(kLength * kMillimetres, kWidth * kMillimetres, warp), kSpacing, loaded);
+      make_specimen(rectangle(mm_from_metres(kLength), mm_from_metres(kWidth), warp), kSpacing, loaded);
   std::vector<Vec3> x;
   std::vector<solver::constraints::HeldVertex> held;
   for (const Vec2& p : strip.rest) {  // hung by its end at x = 0

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "core/base/rounded.h"
+#include "core/base/units.h"
 #include "core/fabric/card.h"
 #include "core/trials/calibrate.h"
 #include "server/app/commands.h"
@@ -12,10 +13,10 @@
 namespace toile::app {
 namespace {
 
-constexpr double kMillimetres = 1e3, kGrams = 1e3, kMicro = 1e6, kPercent = 100;
+constexpr double kGrams = 1e3, kMicro = 1e6, kPercent = 100;
 
 std::optional<double> in_metres(const std::optional<double>& mm) {
-  return mm ? std::optional(*mm / kMillimetres) : std::nullopt;
+  return mm ? std::optional(metres_from_mm(*mm)) : std::nullopt;
 }
 
 trials::Measured measured_of(const FabricCalibrateOptions& o) {
@@ -47,7 +48,7 @@ json::JsonValue document_fabric(const material::Fabric& f) {
                                        {"bend_warp_un_m", rounded(f.bend_warp * kMicro, 2)},
                                        {"bend_weft_un_m", rounded(f.bend_weft * kMicro, 2)},
                                        {"bend_bias_un_m", rounded(f.bend_bias * kMicro, 2)},
-                                       {"thickness_mm", rounded(f.thickness * kMillimetres, 2)}};
+                                       {"thickness_mm", rounded(mm_from_metres(f.thickness), 2)}};
 }
 
 std::string found_words(const std::optional<trials::Unknown>& fitted) {
@@ -72,7 +73,7 @@ void print_json(const trials::Calibration& c, const FabricCalibrateOptions& o) {
 
 void print_text(const trials::Calibration& c, const FabricCalibrateOptions& o) {
   const auto length = [&](double rigidity) {
-    return kMillimetres * fabric::bending_length(rigidity, c.fabric.areal_mass);
+    return mm_from_metres(fabric::bending_length(rigidity, c.fabric.areal_mass));
   };
   if (o.drape) {
     std::printf("drape      %.1f %%, measured %.1f %%: %s a point; %d drapes\n", kPercent * c.drape,
@@ -93,7 +94,7 @@ void print_text(const trials::Calibration& c, const FabricCalibrateOptions& o) {
 ExitCode fabric_calibrate_command(const FabricCalibrateOptions& options) {
   constexpr int kMostDrapes = 20;
   const trials::DrapeTest test =
-      trials::cusick_test(options.drapes, options.particle_distance_mm / kMillimetres, {});
+      trials::cusick_test(options.drapes, metres_from_mm(options.particle_distance_mm), {});
   const Result<trials::Calibration> found =
       trials::calibrate(measured_of(options), test, kMostDrapes / options.drapes);
   if (!found) return fail(found.error(), options.json);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/base/text.h"
+#include "core/base/units.h"
 #include "core/fabric/library.h"
 #include "core/material/coefficients.h"
 #include "server/app/commands.h"
@@ -13,10 +14,8 @@
 namespace toile::app {
 namespace {
 
-constexpr double kMillimetres = 1e3;  // per m
-
 double bending_mm(double rigidity, const material::Fabric& cloth) {
-  return std::round(fabric::bending_length(rigidity, cloth.areal_mass) * kMillimetres * 10) / 10;
+  return std::round(mm_from_metres(fabric::bending_length(rigidity, cloth.areal_mass)) * 10) / 10;
 }
 
 double hundredths(double value) { return std::round(value * 100) / 100; }
@@ -42,7 +41,7 @@ std::vector<json::JsonMember> derived_json(const material::Fabric& cloth) {
           {"limit_warp_percent", cloth.limit_warp * 100},
           {"limit_weft_percent", cloth.limit_weft * 100},
           {"coefficients", coefficients_json(cloth)},
-          {"particle_distance_mm", std::round(fabric::fitting_distance(cloth) * kMillimetres * 10) / 10}};
+          {"particle_distance_mm", std::round(mm_from_metres(fabric::fitting_distance(cloth)) * 10) / 10}};
 }
 
 void print_line(const fabric::FabricCard& card) {
@@ -83,7 +82,7 @@ void print_card(const fabric::FabricCard& card) {
               material::elasticity_of(cloth.stretch_weft, cloth.limit_weft),
               material::bending_coefficient(cloth.bend_warp, cloth.areal_mass),
               material::bending_coefficient(cloth.bend_weft, cloth.areal_mass));
-  std::printf("triangles       %.1f mm fit it\n", fabric::fitting_distance(cloth) * kMillimetres);
+  std::printf("triangles       %.1f mm fit it\n", mm_from_metres(fabric::fitting_distance(cloth)));
   for (const fabric::FigureSource& source : card.sources) {
     for (std::size_t i = 0; i < source.of.size(); ++i)
       std::printf("%s%s", i > 0 ? ", " : "", source.of[i].c_str());

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/base/rounded.h"
+#include "core/base/units.h"
 #include "core/base/write_file.h"
 #include "core/fabric/library.h"
 #include "core/trials/fabric_trial.h"
@@ -15,11 +16,9 @@
 namespace toile::app {
 namespace {
 
-constexpr double kMillimetres = 1e3;  // per m
-
 json::JsonValue cantilever_json(const trials::CantileverResult& r) {
-  return std::vector<json::JsonMember>{{"measured_mm", rounded(r.measured * kMillimetres, 2)},
-                                       {"known_mm", rounded(r.known * kMillimetres, 2)},
+  return std::vector<json::JsonMember>{{"measured_mm", rounded(mm_from_metres(r.measured), 2)},
+                                       {"known_mm", rounded(mm_from_metres(r.known), 2)},
                                        {"chord_degrees", rounded(r.angle, 2)}};
 }
 
@@ -43,7 +42,7 @@ json::JsonValue drapes_json(const fabric::FabricCard& card, const trials::Fabric
       {"percent", rounded(100 * trial.coefficient(), 2)},
       {"spread", rounded(100 * trial.spread(), 2)},
       {"folds", rounded(trial.nodes(), 2)},
-      {"particle_distance_mm", rounded(trial.particle_distance * kMillimetres, 2)},
+      {"particle_distance_mm", rounded(mm_from_metres(trial.particle_distance), 2)},
       {"drapes", std::move(each)}};
   if (card.drape_least_percent && card.drape_most_percent) {
     out.push_back({"published_percent",
@@ -55,7 +54,7 @@ json::JsonValue drapes_json(const fabric::FabricCard& card, const trials::Fabric
 void print_trial(const fabric::FabricCard& card, const trials::FabricTrial& trial) {
   const auto bending = [](const char* way, const trials::CantileverResult& r) {
     std::printf("  %s  %5.1f mm, known %5.1f mm; the chord falls by %.1f°, 41.5° is right\n", way,
-                r.measured * kMillimetres, r.known * kMillimetres, r.angle);
+                mm_from_metres(r.measured), mm_from_metres(r.known), r.angle);
   };
   const auto pull = [](const char* way, const trials::TensionResult& r) {
     std::printf("  %s  %7.1f N/m, known %7.1f N/m\n", way, r.measured, r.known);
@@ -69,7 +68,7 @@ void print_trial(const fabric::FabricCard& card, const trials::FabricTrial& tria
   pull("warp", trial.pull_warp);
   pull("weft", trial.pull_weft);
   std::printf("Drape, 30 cm on 18 cm (BS 5058, ISO 9073-9), triangles of %.1f mm, %d of %zu at rest\n",
-              trial.particle_distance * kMillimetres, trial.settled(), trial.drapes.size());
+              mm_from_metres(trial.particle_distance), trial.settled(), trial.drapes.size());
   std::printf("  coefficient %.1f %%, spread %.1f; %.1f folds\n", 100 * trial.coefficient(),
               100 * trial.spread(), trial.nodes());
   if (!card.drape_least_percent || !card.drape_most_percent) return;
@@ -106,7 +105,7 @@ ExitCode fabric_test_command(const FabricTestOptions& options) {
   const Result<const fabric::FabricCard*> card = fabric::named(options.name, "");
   if (!card) return fail(card.error(), options.json);
   const Result<trials::FabricTrial> trial = trials::try_fabric(
-      fabric::fabric_of(**card), options.drapes, options.particle_distance_mm / kMillimetres, RunContext{});
+      fabric::fabric_of(**card), options.drapes, metres_from_mm(options.particle_distance_mm), RunContext{});
   if (!trial) return fail(trial.error(), options.json);
   if (Status written = write_sheet(options, **card, *trial); !written)
     return fail(written.error(), options.json);

@@ -11,13 +11,11 @@
 namespace toile::app {
 namespace {
 
-constexpr double kMillimetres = 1e3;  // per m
-
 /// m², without holes.
 double area_of(const pattern::Panel& panel) {
   double area = pattern::signed_area(panel.outline);
   for (const pattern::Loop& hole : panel.holes) area -= std::abs(pattern::signed_area(hole));
-  return area / (kMillimetres * kMillimetres);
+  return metres_from_mm(metres_from_mm(area));
 }
 
 /// Of a lattice of equilateral triangles.
@@ -46,8 +44,8 @@ MeshFit mesh_fit(const drape::DrapeInput& input) {
 
 json::JsonValue mesh_fit_json(const MeshFit& fit) {
   const auto tenths = [](double value) { return std::round(value * 10) / 10; };
-  return std::vector<json::JsonMember>{{"particle_distance_mm", tenths(fit.now * kMillimetres)},
-                                       {"fitting_mm", tenths(fit.fitting * kMillimetres)},
+  return std::vector<json::JsonMember>{{"particle_distance_mm", tenths(mm_from_metres(fit.now))},
+                                       {"fitting_mm", tenths(mm_from_metres(fit.fitting))},
                                        {"particles", std::round(fit.particles_now)},
                                        {"particles_fitting", std::round(fit.particles_fitting)},
                                        {"times", tenths(fit.times())}};
@@ -55,7 +53,7 @@ json::JsonValue mesh_fit_json(const MeshFit& fit) {
 
 std::string mesh_fit_text(const MeshFit& fit) {
   if (fit.fabric.empty()) return "";
-  const auto mm = [](double metres) { return fixed_text(metres * kMillimetres, 1); };
+  const auto mm = [](double metres) { return fixed_text(mm_from_metres(metres), 1); };
   return "triangles of " + mm(fit.fitting) + " mm would let " + fit.fabric +
          " fold as it likes (particle_distance_mm is " + mm(fit.now) + "): about " +
          fixed_text(fit.particles_fitting, 0) + " particles instead of " + fixed_text(fit.particles_now, 0) +

@@ -3,6 +3,7 @@
 #include <string>
 #include <system_error>
 
+#include "core/base/text.h"
 #include "core/json/tree.h"
 #include "server/app/commands.h"
 #include "server/app/console.h"
@@ -25,12 +26,23 @@ Status read_size(const std::string& text, movie::MovieSettings& settings) {
   return Error{"movie.settings", "a size is WIDTHxHEIGHT in pixels, e.g. 720x900", "--size"};
 }
 
+/// As it is told, else as the file's name ends.
+Result<movie::VideoFormat> format_of(const MovieOptions& options) {
+  if (!options.format.empty()) return movie::video_format_from(options.format);
+  const std::string ending = lower_case(fs::path(options.out).extension().string());
+  if (!ending.empty()) {
+    Result<movie::VideoFormat> format = movie::video_format_from(ending.substr(1));
+    if (format) return format;
+  }
+  return Error{"movie.format",
+               "a movie's file ends in .mp4 (H.264) or .avi (Motion JPEG); --format tells what another is",
+               options.out};
+}
+
 Result<movie::MovieSettings> settings_of(const MovieOptions& options) {
   movie::MovieSettings settings;
   settings.kind = TRY(movie::movie_kind_from(options.kind));
-  std::string format = options.format;
-  if (format.empty()) format = fs::path(options.out).extension() == ".avi" ? "avi" : "mp4";
-  settings.format = TRY(movie::video_format_from(format));
+  settings.format = TRY(format_of(options));
   TRY(read_size(options.size, settings));
   settings.fps = options.fps;
   settings.seconds = options.seconds;

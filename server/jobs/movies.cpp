@@ -60,7 +60,7 @@ std::string_view word_of(MovieState state) {
 std::string movie_name(const movie::MovieSettings& settings) {
   std::string name = std::string(movie::word_of(settings.kind)) + "-" + std::to_string(settings.width) + "x" +
                      std::to_string(settings.height) + "-" + std::to_string(settings.fps);
-  if (settings.seconds) name += "-" + fixed_text(*settings.seconds, 1) + "s";
+  if (settings.seconds) name += "-" + number_text(*settings.seconds) + "s";
   return name + "." + movie::word_of(settings.format);
 }
 

@@ -69,7 +69,9 @@ Result<image::Textures> read_textures(StateReader& in) {
     auto image = std::make_shared<image::TextureImage>();
     in.value(image->name);
     in.value(image->bytes);
-    image->read = TRY(image::read_picture(image->bytes));
+    auto read = image::read_picture(image->bytes);
+    if (!read) return damaged();
+    image->read = std::move(read).value();
     textures.images.push_back(std::move(image));
   }
   textures.of_panel.resize(in.count(sizeof(Index) + 6 * sizeof(double)));
@@ -215,8 +217,9 @@ Result<Film> decode_film(std::string_view bytes) {
   Film film;
   std::string message;
   in.value(message);
-  proto::DecodedTopology topology = TRY(proto::decode_topology(message));
-  TRY(fill_garment(std::move(topology), film));
+  auto topology = proto::decode_topology(message);
+  if (!topology) return damaged();
+  TRY(fill_garment(std::move(topology).value(), film));
   in.value(film.end);
   film.bodies.resize(in.count(2 * sizeof(std::uint32_t)));
   for (geometry::TriangleMesh& body : film.bodies) body = read_mesh(in);

@@ -304,6 +304,8 @@ TEST(Checkpoint, ThatDoesNotFitTheGarmentIsRefused) {
       << "without a reason";
   EXPECT_EQ(code([](drape::RunState& s) { s.session.phase = static_cast<drape::DrapePhase>(7); }), damaged);
   EXPECT_EQ(code([](drape::RunState& s) { s.session.steps = -1; }), damaged);
+  EXPECT_EQ(code([](drape::RunState& s) { s.recorded = -2; }), damaged);
+  EXPECT_EQ(code([](drape::RunState& s) { s.recorded = std::numeric_limits<int>::max(); }), damaged);
   EXPECT_EQ(code([](drape::RunState& s) { s.cpu_s = std::numeric_limits<double>::infinity(); }), damaged);
 }
 

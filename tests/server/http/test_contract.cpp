@@ -127,7 +127,7 @@ class Contract : public Served {
     EXPECT_EQ(recorded("POST", place, turn, kJson).status, 202);
     const std::string other = R"({"kind": "turntable", "width": 64, "height": 80, "fps": 3, "seconds": 1})";
     recorded("POST", place, other, kJson);
-    recorded("DELETE", place + "/turntable-64x80-3-1.0s.mp4");
+    recorded("DELETE", place + "/turntable-64x80-3-1s.mp4");
     recorded("DELETE", place + "/nothing.mp4");
     std::string listed;
     for (int waited = 0; waited < 600; ++waited) {
@@ -142,7 +142,7 @@ class Contract : public Served {
       return;
     }
     EXPECT_EQ(recorded("POST", place, turn, kJson).status, 200);
-    EXPECT_EQ(recorded("GET", address + "/results/turntable-64x80-2-1.0s.mp4").status, 200);
+    EXPECT_EQ(recorded("GET", address + "/results/turntable-64x80-2-1s.mp4").status, 200);
   }
 
   int check(const std::string& recordings) {

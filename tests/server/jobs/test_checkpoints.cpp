@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "core/json/tree.h"
+#include "server/movie/film_codec.h"
 #include "tests/server/jobs/house.h"
 
 namespace toile {
@@ -71,6 +72,27 @@ TEST_F(JobCheckpoints, AfterACrashADrapeGoesOnFromTheNewestToTheSameBytes) {
   const auto counts = service->counts();
   const int steps = static_cast<int>(*json::parse_json(job.report).value().find("steps")->number());
   EXPECT_LE(counts.steps, steps - first_step(id)) << "only what this service has stepped";
+}
+
+TEST_F(JobCheckpoints, AFilmOfADrapeThatWentOnIsThatOfAWholeOne) {
+  house(1, kOften);
+  const std::string id = submit(cloth_over_block(200, 6));
+  ASSERT_TRUE(wait_for_checkpoints(3));
+  crash(id);
+  house(1, kNever);
+  ASSERT_TRUE(publisher.wait_for_end(id, 2));
+  ASSERT_EQ(resumed_in(row(id)), 1);
+  jobs::JobWish wish;
+  wish.anew = true;
+  const auto job = service->submit(kOwner, project_of(cloth_over_block(200, 6)), "", wish);
+  ASSERT_TRUE(job.ok());
+  const std::string whole = job->id;
+  ASSERT_TRUE(publisher.wait_for_end(whole));
+  ASSERT_EQ(resumed_in(row(whole)), 0);
+  const auto film_of = [this](const std::string& of) {
+    return store.result_bytes(kOwner, of, movie::kFilmFile).value();
+  };
+  EXPECT_TRUE(film_of(id) == film_of(whole));
 }
 
 TEST_F(JobCheckpoints, AStopKeepsRunningAndPausedDrapesWhereTheyStand) {

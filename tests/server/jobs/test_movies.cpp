@@ -62,11 +62,18 @@ TEST_F(JobMovies, AreMadeWhenTheyAreAskedForAndKept) {
   const std::string job = job_of(kAnn);
   jobs::Movies movies(store);
   const jobs::MovieOrder asked = movies.ask(kAnn, job, turn(2)).value();
-  EXPECT_EQ(asked.name, "turntable-64x80-2-1.0s.mp4");
+  EXPECT_EQ(asked.name, "turntable-64x80-2-1s.mp4");
   EXPECT_EQ(ended(movies, kAnn, job, asked.name).state, jobs::MovieState::kMade);
   EXPECT_EQ(store.result_bytes(kAnn, job, asked.name).value().substr(4, 4), "ftyp");
   EXPECT_EQ(movies.ask(kAnn, job, turn(2)).value().state, jobs::MovieState::kMade);
   EXPECT_EQ(movies.of_job(kAnn, job).value().size(), 1u);
+}
+
+TEST_F(JobMovies, OfOtherLengthsHaveOtherNames) {
+  movie::MovieSettings one = turn(2), other = turn(2);
+  one.seconds = 2;
+  other.seconds = 2.04;
+  EXPECT_NE(jobs::movie_name(one), jobs::movie_name(other));
 }
 
 TEST_F(JobMovies, AreMadeByTurnsOfOwners) {
