@@ -114,8 +114,9 @@ ExitCode worker_command(const WorkerOptions& options);
 struct SubmitOptions {
   std::string project;  ///< path of the document
   std::string server = "http://127.0.0.1:8460";
-  bool watch = false;  ///< follow the drape to its end
-  std::string out;     ///< folder for the results; empty: they stay on the server
+  bool watch = false;      ///< follow the drape to its end
+  std::string out;         ///< folder for the results; empty: they stay on the server
+  std::string token_file;  ///< path; empty: the environment's TOILE_TOKEN, if there is one
   bool json = false;
 };
 

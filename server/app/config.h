@@ -15,6 +15,7 @@ namespace toile::app {
 struct ServeOptions {
   std::string address = "127.0.0.1";
   bool container = false;     ///< listen on any address: the container's port is published on the loopback
+  bool accounts = false;      ///< only who is known is let in, also while the store has no account
   int port = 8460;            ///< 0: any that is free
   std::string data = "data";  ///< folder of the store; made when it is not there
   int workers = 0;            ///< drapes at once; 0: one for each core, at most kMostWorkers

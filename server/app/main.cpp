@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "server/app/account_verbs.h"
 #include "server/app/commands.h"
 #include "server/app/console.h"
 #include "server/app/exit_codes_text.h"
@@ -281,6 +282,7 @@ ExitCode run(int argc, char** argv) {
   CLI::App* body_presets = body->add_subcommand("presets", "List the sizes that body make knows");
   body_presets->add_flag("--json", options.body_presets.json, "Print as JSON");
   ServiceVerbs service(app);
+  AccountVerbs accounts(app);
   CLI::App* pattern = app.add_subcommand("pattern", "Pattern files: read them, write them");
   pattern->require_subcommand(1);
   const CLI::App* import = add_pattern_import(*pattern, options.import);
@@ -305,6 +307,7 @@ ExitCode run(int argc, char** argv) {
   if (body_presets->parsed()) return body_presets_command(options.body_presets);
   if (const std::optional<ExitCode> code = fabric.run()) return *code;
   if (const std::optional<ExitCode> code = service.run()) return *code;
+  if (const std::optional<ExitCode> code = accounts.run()) return *code;
   if (const std::optional<ExitCode> code = results.run()) return *code;
   if (import->parsed()) return pattern_import_command(options.import);
   if (exporting->parsed()) return pattern_export_command(options.exporting);

@@ -61,7 +61,8 @@ Error told_by_server(std::string code, std::string message, std::string where) {
   return {std::move(code), std::move(message), std::move(where), kind};
 }
 
-Result<std::string> Remote::text(const http::HttpClient::Request& request) {
+Result<std::string> Remote::text(http::HttpClient::Request request) {
+  if (!token_.empty()) request.headers.emplace_back("Authorization", "Bearer " + token_);
   http::HttpReply reply = TRY(client_.ask(request));
   if (reply.status < 200 || reply.status > 299) return error_of(reply);
   return std::move(reply.body);

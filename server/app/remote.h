@@ -16,7 +16,9 @@ namespace toile::app {
 /// client.malformed when the answer lacks what it must have.
 class Remote {
  public:
-  explicit Remote(http::HttpClient client) : client_(std::move(client)) {}
+  /// `token`: by which the server knows who asks; empty: by none.
+  explicit Remote(http::HttpClient client, std::string token = "")
+      : client_(std::move(client)), token_(std::move(token)) {}
 
   /// The asset's id.
   Result<std::string> upload(const std::string& kind, const std::string& name, const std::string& bytes);
@@ -29,11 +31,12 @@ class Remote {
   Result<std::string> result(const std::string& job_id, const std::string& name);
 
  private:
-  Result<std::string> text(const http::HttpClient::Request& request);
+  Result<std::string> text(http::HttpClient::Request request);
   Result<json::JsonValue> json(const http::HttpClient::Request& request);
   Result<std::string> id_of(const http::HttpClient::Request& request);
 
   http::HttpClient client_;
+  std::string token_;
 };
 
 /// An error in the words of a server, which knows it by its code only.

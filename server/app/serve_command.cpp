@@ -22,6 +22,8 @@ ExitCode serve_command(const ServeOptions& given) {
   const std::string host = six ? "[" + options.address + "]" : options.address;
   std::printf("Toile serves on http://%s:%d/  (data in %s, drapes at once: %d; Ctrl-C ends it)\n",
               host.c_str(), (*service)->port(), options.data.c_str(), options.workers);
+  if ((*service)->has_accounts())
+    std::printf("Only who has an account is let in (toile account, toile token).\n");
   if (options.web.empty()) std::printf("The page has not been built; the service answers under /api/v1.\n");
   std::fflush(stdout);
   wait_for_the_end(signals);

@@ -57,6 +57,9 @@ CLI::App* add_serve(CLI::App& app, ServeOptions& serve) {
       ->capture_default_str();
   verb->add_flag("--no-workers", serve.no_workers, "Drape nothing here: toile worker does, beside it");
   verb->add_option("--address", serve.address, "Address of the loopback to listen on")->capture_default_str();
+  verb->add_flag(
+      "--accounts", serve.accounts,
+      "Let in only who is known (toile account). So it is once there is an account, also without this");
   verb->add_flag("--container", serve.container,
                  "Listen on any address: for a container whose port is published on the loopback only");
   verb->add_option("--web", serve.web, "Folder of the built page (default: web/dist)");
@@ -84,6 +87,8 @@ CLI::App* add_submit(CLI::App& app, SubmitOptions& submit) {
       verb->add_flag("--watch", submit.watch, "Follow the drape to its end; Ctrl-C cancels it");
   verb->add_option("-o,--out", submit.out, "Folder for the results, as toile drape leaves them")
       ->needs(watch);
+  verb->add_option("--token-file", submit.token_file,
+                   "File with the token to be known by (default: what TOILE_TOKEN says)");
   verb->add_flag("--json", submit.json, "Print the report (without --watch the job) as JSON, errors as well");
   verb->footer(
       std::string(

@@ -16,6 +16,7 @@
 #include "server/app/console.h"
 #include "server/app/interrupt.h"
 #include "server/app/progress_bar.h"
+#include "server/app/read_token.h"
 #include "server/app/remote.h"
 #include "server/documents/assets.h"
 #include "server/documents/used_files.h"
@@ -168,7 +169,9 @@ ExitCode watch(Remote& remote, const std::string& id, const SubmitOptions& optio
 ExitCode submit_command(const SubmitOptions& options) {
   Result<http::HttpClient> client = http::HttpClient::make(options.server);
   if (!client) return fail(client.error(), options.json);
-  Remote remote(std::move(*client));
+  const Result<std::string> token = read_token(options.token_file);
+  if (!token) return fail(token.error(), options.json);
+  Remote remote(std::move(*client), *token);
   const Result<std::string> project = send_project(remote, options.project);
   if (!project) return fail_remote(project.error(), options.json);
   const Result<json::JsonValue> job =

@@ -16,6 +16,13 @@
 namespace toile::app {
 namespace {
 
+/// Once there is an account, nobody gets in without one: not even where the option was forgotten.
+Result<bool> wants_accounts(store::Store& store, const ServeOptions& options) {
+  if (options.accounts || store.accounts() == nullptr) return options.accounts;
+  const std::vector<store::AccountRow> known = TRY(store.accounts()->accounts());
+  return !known.empty();
+}
+
 /// The first thing that a newcomer sees: the sample, draped as an ordinary job. The key makes it one drape
 /// however often the server starts; once the project has been removed there is nothing to do.
 Status drape_sample(documents::Documents& documents, jobs::JobService& jobs,
@@ -51,6 +58,7 @@ Result<std::unique_ptr<Service>> Service::start(const ServeOptions& options) {
   http::ServerSettings http;
   http.address = options.address;
   http.any_address = options.container;
+  http.accounts = TRY(wants_accounts(*service->store_, options));
   http.port = options.port;
   http.web = options.web;
   service->server_ =
@@ -63,6 +71,8 @@ Result<std::unique_ptr<Service>> Service::start(const ServeOptions& options) {
   TRY(service->jobs_->start());
   service->retention_ =
       std::make_unique<jobs::Retention>(*service->store_, *service->jobs_, options.retention, log);
+  service->has_accounts_ = http.accounts;
+  if (http.accounts) return service;
   const store::RequestContext local = http::local_user("", log);
   if (Status sample = drape_sample(*service->documents_, *service->jobs_, local, options.sample); !sample) {
     log.warn("sample not draped", sample.error());  // no reason not to serve

@@ -18,18 +18,21 @@ namespace toile::app {
 
 class Service {
  public:
-  /// Opens the store, takes up what was left, serves; a new store gets the sample project and its drape.
-  /// Errors: store.*, server.address, server.port.
+  /// Opens the store, takes up what was left, serves; a new store without accounts gets the sample project
+  /// and its drape. Errors: store.*, server.address, server.port.
   static Result<std::unique_ptr<Service>> start(const ServeOptions& options);
   ~Service();  ///< stops
 
   int port() const { return server_->port(); }
+  /// Whether only who is known is let in.
+  bool has_accounts() const { return has_accounts_; }
   Log log() const { return Log(*job_log_); }
   /// Takes no new work, lets running drapes go back to the queue, says good-bye to viewers. Twice is safe.
   void stop();
 
  private:
   Service() = default;
+  bool has_accounts_ = false;
 
   // Destroyed from below: each of these works with what stands above it.
   std::unique_ptr<LogSink> log_sink_;

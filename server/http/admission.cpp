@@ -43,6 +43,25 @@ std::optional<HttpResponse> wrong_handshake(const HttpRequest& request) {
 
 }  // namespace
 
+namespace {
+
+/// What the route itself has against the request.
+std::optional<HttpResponse> refused_by(const Route& route, const HttpRequest& request,
+                                       const Incoming& incoming) {
+  if (auto unknown = unknown_parameter(route, request)) return unknown;
+  if (route.websocket && !incoming.upgrade) {
+    HttpResponse wanted = problem(426, {"http.upgrade", "this address is a WebSocket", "Upgrade"});
+    wanted.headers.emplace_back("Upgrade", "websocket");
+    return wanted;
+  }
+  if (route.websocket) {
+    if (auto wrong = wrong_handshake(request)) return wrong;
+  }
+  return refused_body(route, request, incoming.has_body, incoming.length);
+}
+
+}  // namespace
+
 Admission admit(const Router& router, HttpRequest& request, const Incoming& incoming) {
   if (auto away = turned_away(request, incoming.upgrade)) return refused(std::move(*away));
   std::optional<Target> target = parse_target(request.target);
@@ -50,21 +69,14 @@ Admission admit(const Router& router, HttpRequest& request, const Incoming& inco
   request.segments = std::move(target->segments);
   request.query = std::move(target->query);
   Router::Match match = router.match(request.method, request.segments);
-  if (!match.route) return refused(no_route(request, match));
+  if (!match.route) {
+    const bool api = !request.segments.empty() && request.segments.front() == "api";
+    return {nullptr, no_route(request, match), api ? Access::kRead : Access::kOpen};
+  }
   request.captures = std::move(match.captures);
-  if (auto unknown = unknown_parameter(*match.route, request)) return refused(std::move(*unknown));
-  if (match.route->websocket && !incoming.upgrade) {
-    HttpResponse wanted = problem(426, {"http.upgrade", "this address is a WebSocket", "Upgrade"});
-    wanted.headers.emplace_back("Upgrade", "websocket");
-    return refused(std::move(wanted));
-  }
-  if (match.route->websocket) {
-    if (auto wrong = wrong_handshake(request)) return refused(std::move(*wrong));
-  }
-  if (auto wrong = refused_body(*match.route, request, incoming.has_body, incoming.length)) {
-    return refused(std::move(*wrong));
-  }
-  return {match.route, {}};
+  const Access access = access_of(*match.route);
+  if (auto wrong = refused_by(*match.route, request, incoming)) return {nullptr, std::move(*wrong), access};
+  return {match.route, {}, access};
 }
 
 }  // namespace toile::http

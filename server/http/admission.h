@@ -19,6 +19,9 @@ struct Incoming {
 struct Admission {
   const Route* route = nullptr;  ///< null: refused
   HttpResponse refusal;
+  /// Who may learn of it. Beneath /api nobody who is not known learns what there is; what is wrong with the
+  /// sender's own address or form is told to anybody.
+  Access access = Access::kOpen;
 };
 
 /// Takes the target apart into the request's segments, query and captures, and finds its route; or says why

@@ -8,6 +8,7 @@
 #include <cstddef>
 
 #include "core/base/log.h"
+#include "server/accounts/gate.h"
 #include "server/http/connections.h"
 #include "server/http/fair_pool.h"
 #include "server/http/identify.h"
@@ -75,6 +76,7 @@ struct ConnectionContext {
   BodyBudget& answers;  ///< that lie in memory
   Connections& connections;
   const ws::StreamServices& streams;
+  accounts::Gate* gate;  ///< null: there are no accounts, and whoever comes is the single user
 };
 
 }  // namespace toile::http

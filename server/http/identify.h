@@ -3,9 +3,12 @@
 
 #include <atomic>
 #include <cstdint>
+#include <optional>
 #include <string>
 
+#include "server/accounts/gate.h"
 #include "server/http/message.h"
+#include "server/http/router.h"
 #include "server/store/request_context.h"
 
 namespace toile::http {
@@ -22,12 +25,24 @@ class RequestIds {
   std::atomic<std::uint64_t> count_{0};
 };
 
-/// The one user that there is until there are accounts: whoever reaches the loopback. Also of what the
+/// The one user that there is where there are no accounts: whoever reaches the loopback. Also of what the
 /// service does for that user by itself.
 store::RequestContext local_user(const std::string& request_id, const Log& log);
 
-/// The context of a request. Its id is the caller's X-Request-Id when that is plain (1 to 64 letters, digits,
-/// '-', '_', '.'), so that a caller finds its own words in the log, and in the answer; else a new one.
-store::RequestContext identify(const HttpRequest& request, RequestIds& ids, const Log& log);
+/// What a request is called: the caller's X-Request-Id when that is plain (1 to 64 letters, digits, '-', '_',
+/// '.'), so that a caller finds its own words in the log, and in the answer; else a new one.
+std::string request_id_of(const HttpRequest& request, RequestIds& ids);
+
+/// Nobody: what they are owner of does not exist, and they may do nothing.
+store::RequestContext nobody(const std::string& request_id, const Log& log);
+store::RequestContext context_of(const accounts::Caller& caller, const std::string& request_id,
+                                 const Log& log);
+
+accounts::Credentials credentials_of(const HttpRequest& request, const std::string& address);
+
+/// 401 with WWW-Authenticate, 429 with the time to wait, or what the store has against it.
+HttpResponse not_let_in(const accounts::Answer& answer);
+/// Why somebody who is known may not: 403, when their key has not the scope.
+std::optional<HttpResponse> not_allowed(const accounts::Caller& caller, Access access);
 
 }  // namespace toile::http

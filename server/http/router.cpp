@@ -57,6 +57,11 @@ bool is_file_type(const std::string& type) {
 
 }  // namespace
 
+Access access_of(const Route& route) {
+  if (route.access != Access::kByMethod) return route.access;
+  return route.method == "GET" ? Access::kRead : Access::kSubmit;
+}
+
 void Router::add(Route route) {
   patterns_.push_back(split(route.pattern));
   routes_.push_back(std::move(route));
@@ -66,6 +71,7 @@ void Router::add_page(HttpHandler handler) {
   page_.emplace();
   page_->method = "GET";
   page_->any_parameter = true;
+  page_->access = Access::kOpen;
   page_->handler = std::move(handler);
 }
 

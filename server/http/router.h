@@ -32,6 +32,15 @@ enum class Work {
   kUpload,    ///< reads a stranger's file
 };
 
+/// Who may ask, where there are accounts.
+enum class Access {
+  kByMethod,  ///< GET and HEAD: kRead; all others: kSubmit
+  kOpen,      ///< anybody
+  kRead,
+  kSubmit,
+  kAdmin,
+};
+
 inline constexpr std::size_t kSmallBody = std::size_t{256} << 10;
 inline std::size_t small_body(const HttpRequest&) { return kSmallBody; }
 
@@ -43,11 +52,15 @@ struct Route {
   /// Most bytes that the body may have.
   std::function<std::size_t(const HttpRequest&)> limit = small_body;
   Work work = Work::kStore;
+  Access access = Access::kByMethod;
   std::vector<std::string> parameters{};  ///< of the query; any other is refused
   bool any_parameter = false;             ///< none is refused
   bool websocket =
       false;  ///< an upgrade is wanted; the handler says what is wrong with it (status 200: nothing)
 };
+
+/// Never kByMethod.
+Access access_of(const Route& route);
 
 class Router {
  public:

@@ -27,9 +27,10 @@ class HttpServer::Impl {
         budget_(settings_.most_body_bytes),
         answers_(settings_.most_answer_bytes),
         pools_(settings_),
-        streams_{store, jobs, hub, pools_.store(), settings_.stream},
-        context_{log_,   request_ids_, settings_, router_,      metrics_,
-                 pools_, budget_,      answers_,  connections_, streams_},
+        gate_(make_gate(store, settings_)),
+        streams_{store, jobs, hub, pools_.store(), settings_.stream, may_go_on()},
+        context_{log_,    request_ids_, settings_,    router_,  metrics_,   pools_,
+                 budget_, answers_,     connections_, streams_, gate_.get()},
         io_(settings_.io_threads),
         listener_(io_, context_) {
     router_.add_page(
@@ -37,6 +38,8 @@ class HttpServer::Impl {
   }
 
   Status start() {
+    if (settings_.accounts && !gate_)
+      return Error{"server.accounts", "this store keeps no accounts", "", ErrorKind::kSystem};
     TRY(listener_.open(settings_));
     listener_.start();
     for (int i = 0; i < settings_.io_threads; ++i) {
@@ -70,6 +73,18 @@ class HttpServer::Impl {
   const std::atomic<bool>& ready() const { return ready_; }
 
  private:
+  static std::unique_ptr<accounts::Gate> make_gate(store::Store& store, const ServerSettings& settings) {
+    if (!settings.accounts || store.accounts() == nullptr) return nullptr;
+    return std::make_unique<accounts::Gate>(*store.accounts());
+  }
+  /// Whether a viewer's key is still good.
+  ws::MayGoOn may_go_on() {
+    if (!gate_) return {};
+    return [gate = gate_.get()](const store::RequestContext& context) {
+      return gate->is_still_good(context.key);
+    };
+  }
+
   const ServerSettings settings_;
   const Log log_;
   RequestIds request_ids_;
@@ -80,6 +95,7 @@ class HttpServer::Impl {
   BodyBudget budget_, answers_;
   Connections connections_;
   WorkPools pools_;
+  const std::unique_ptr<accounts::Gate> gate_;
   const ws::StreamServices streams_;
   const ConnectionContext context_;
   asio::io_context io_;

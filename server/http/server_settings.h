@@ -35,6 +35,8 @@ struct ServerSettings {
   std::size_t most_answer_bytes = std::size_t{256} << 20;
 
   ws::StreamSettings stream;
+
+  bool accounts = false;  ///< only who is known is let in; else whoever comes is the single user
 };
 
 }  // namespace toile::http

@@ -135,7 +135,7 @@ asio::awaitable<bool> HttpSession::serve_one() {
   if (failure) co_return co_await refuse_header(failure);
 
   HttpRequest request = request_of(parser.get());
-  asked_ = identify(request, context_.request_ids, context_.log);
+  begin_as_nobody(request);
   if (auto wrong = malformed(parser.get(), parser.chunked()))
     co_return co_await refuse(request, std::move(*wrong));
   Incoming incoming;
@@ -144,6 +144,8 @@ asio::awaitable<bool> HttpSession::serve_one() {
   incoming.upgrade = beast::websocket::is_upgrade(parser.get());
   keep_alive_ = parser.get().keep_alive() && !incoming.has_body;  // should it be refused
   Admission admission = admit(context_.router, request, incoming);
+  std::optional<HttpResponse> shut = co_await let_in(request, admission.access);
+  if (shut) co_return co_await refuse(request, std::move(*shut));
   if (!admission.route) co_return co_await refuse(request, std::move(admission.refusal));
 
   const Route& route = *admission.route;
@@ -158,6 +160,22 @@ asio::awaitable<bool> HttpSession::serve_one() {
   const bool again = parser.get().keep_alive() && !stopping_;
   const bool written = co_await write(request, std::move(response), again);
   co_return written&& again;
+}
+
+/// Where there are accounts, until somebody is known.
+void HttpSession::begin_as_nobody(const HttpRequest& request) {
+  const std::string id = request_id_of(request, context_.request_ids);
+  asked_ = context_.gate ? nobody(id, context_.log) : local_user(id, context_.log);
+}
+
+/// Before its body is read: who is not known sends us nothing.
+asio::awaitable<std::optional<HttpResponse>> HttpSession::let_in(const HttpRequest& request, Access access) {
+  if (!context_.gate || access == Access::kOpen) co_return std::nullopt;
+  const auto ask = [this, &request] { return context_.gate->who(credentials_of(request, address_)); };
+  const accounts::Answer answer = co_await ws::on_pool(context_.pools.store(), ask);
+  if (!answer.caller) co_return not_let_in(answer);
+  asked_ = context_of(*answer.caller, asked_.request_id, context_.log);
+  co_return not_allowed(*answer.caller, access);
 }
 
 /// Beast's own limit holds for the start line and for single fields, not for all fields together.
@@ -183,7 +201,7 @@ asio::awaitable<bool> HttpSession::refuse_header(boost::system::error_code failu
       large ? problem(431, {"http.header_too_large", "the header is larger than is read here", ""})
             : problem(400, {"http.malformed", "this is not HTTP: " + failure.message(), ""});
   const HttpRequest unknown;
-  asked_ = identify(unknown, context_.request_ids, context_.log);
+  begin_as_nobody(unknown);
   co_return co_await refuse(unknown, std::move(response));
 }
 

@@ -68,6 +68,9 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   boost::asio::awaitable<bool> wait_for_request();
   boost::asio::awaitable<bool> serve_one();
   boost::asio::awaitable<boost::system::error_code> read_header(Parser& parser);
+  /// Why somebody is not let in; nothing when they are, and what they ask is asked as themselves.
+  boost::asio::awaitable<std::optional<HttpResponse>> let_in(const HttpRequest& request, Access access);
+  void begin_as_nobody(const HttpRequest& request);
   boost::asio::awaitable<bool> refuse(const HttpRequest& request, HttpResponse response);
   boost::asio::awaitable<bool> refuse_header(boost::system::error_code failure);
   boost::asio::awaitable<bool> read_body(Parser& parser, const Route& route, Taken& taken,

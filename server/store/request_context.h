@@ -9,14 +9,17 @@
 #include <utility>
 
 #include "core/base/log.h"
+#include "server/store/scopes.h"
 
 namespace toile::store {
 
 using OwnerId = std::string;
 
 struct RequestContext {
-  OwnerId owner;           ///< what is looked up, made and changed is theirs
-  std::string request_id;  ///< empty where no request asked
+  OwnerId owner;                  ///< what is looked up, made and changed is theirs
+  std::string request_id;         ///< empty where no request asked
+  Scopes scopes = Scopes::all();  ///< what whoever asks may do
+  std::string key;                ///< hash of the key by which they are known; empty: by none
   /// Becomes true once nobody waits for what is done, or it takes too long: what takes long looks at it. Null
   /// where nothing can be given up.
   std::shared_ptr<const std::atomic<bool>> given_up{};

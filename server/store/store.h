@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "server/store/accounts.h"
 #include "server/store/job_priority.h"
 #include "server/store/job_state.h"
 #include "server/store/request_context.h"
@@ -311,6 +312,9 @@ class Store {
 
   /// Proof that the store takes and gives, for /readyz: writes a little and reads it back.
   virtual Status ping() = 0;
+
+  /// Who may come in; null in a store that keeps nobody. It lives as long as the store.
+  virtual Accounts* accounts() { return nullptr; }
 };
 
 }  // namespace toile::store

@@ -48,7 +48,7 @@ asio::awaitable<void> StreamSession::run(Handshake handshake) {
   prepare();
   const auto [failure] = co_await socket_.async_accept(handshake, kTuple);
   if (failure) co_return;
-  last_sign_ = last_ping_ = Clock::now();
+  last_sign_ = last_ping_ = last_check_ = Clock::now();
   subscription_ = services_.hub.subscribe(job_id_, this);  // before the row is read: nothing falls between
   asio::awaitable<void> all = read_all() && write_all() && watch();
   co_await std::move(all);
@@ -163,6 +163,11 @@ asio::awaitable<void> StreamSession::obey(std::string text) {
     co_return;
   }
   const Control wish = *control;
+  if (!context_.scopes.has(store::Scope::kSubmit)) {
+    reply_ = error_message({"auth.scope", "this wants a key of scope submit", ""});
+    rouse();
+    co_return;
+  }
   const Result<store::JobRow> done =
       co_await on_pool(services_.pool, [this, wish]() -> Result<store::JobRow> {
         if (wish == Control::kPause) return services_.jobs.pause(context_, job_id_);
@@ -176,7 +181,8 @@ asio::awaitable<void> StreamSession::obey(std::string text) {
 
 asio::awaitable<void> StreamSession::watch() {
   const auto pause =
-      std::min<Clock::duration>(services_.settings.ping_every / 4, std::chrono::milliseconds(500));
+      std::min<Clock::duration>(std::min(services_.settings.ping_every, services_.settings.check_every) / 4,
+                                std::chrono::milliseconds(500));
   while (!gone_) {
     tick_.expires_after(pause);
     co_await tick_.async_wait(kTuple);
@@ -187,7 +193,16 @@ asio::awaitable<void> StreamSession::watch() {
     } else if (now - last_ping_ >= services_.settings.ping_every && !pinging_ && !closing_) {
       ping();
     }
+    if (services_.may_go_on && now - last_check_ >= services_.settings.check_every) co_await check_key();
   }
+}
+
+/// Who is not known any more sees no more.
+asio::awaitable<void> StreamSession::check_key() {
+  last_check_ = Clock::now();
+  const auto look = [this] { return services_.may_go_on(context_); };
+  const bool good = co_await on_pool(services_.pool, look);
+  if (!good) ask_to_close(websocket::close_code::policy_error, "auth.token");
 }
 
 bool StreamSession::overdue(Clock::time_point now) const {

@@ -11,6 +11,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -24,6 +25,9 @@
 
 namespace toile::ws {
 
+/// Whether somebody may go on looking; nothing: everybody may. It may block.
+using MayGoOn = std::function<bool(const store::RequestContext&)>;
+
 /// What streams work with; outlives them all.
 struct StreamServices {
   store::Store& store;
@@ -31,6 +35,7 @@ struct StreamServices {
   Hub& hub;
   boost::asio::thread_pool& pool;  ///< for what may block
   StreamSettings settings;
+  MayGoOn may_go_on;
 };
 
 /// All members run on the socket's strand, but for wake() and stop().
@@ -65,6 +70,7 @@ class StreamSession final : public ChannelListener, public std::enable_shared_fr
   boost::asio::awaitable<void> read_all();
   boost::asio::awaitable<void> obey(std::string text);
   boost::asio::awaitable<void> watch();
+  boost::asio::awaitable<void> check_key();
   void ask_to_close(boost::beast::websocket::close_code code, std::string_view words);
   void ping();
   bool overdue(Clock::time_point now) const;
@@ -89,7 +95,7 @@ class StreamSession final : public ChannelListener, public std::enable_shared_fr
   bool closing_ = false;
   Reason reason_;
   bool writing_ = false, pinging_ = false;
-  Clock::time_point last_sign_, last_ping_, write_began_, close_began_;
+  Clock::time_point last_sign_, last_ping_, last_check_, write_began_, close_began_;
 };
 
 }  // namespace toile::ws

@@ -59,6 +59,7 @@ const std::map<std::string, Names>& table() {
       {"store", {}},
       {"sqlite", {"store"}},
       {"shares", {"store"}},
+      {"accounts", {"store"}},
       {"log", {"json"}},
       {"analysis", {"dressing", "drape", "measure", "preflight"}},
       {"trials", {"drape", "fabric", "material", "mesh", "pattern", "sewing", "solver"}},
@@ -72,7 +73,7 @@ const std::map<std::string, Names>& table() {
        {"analysis", "documents", "drape", "exports", "image", "json", "mesh", "movie", "pattern", "proto",
         "render", "resolve", "shares", "store", "warm"}},
       {"ws", {"jobs", "json", "proto", "store"}},
-      {"http", {"jobs", "json", "shares", "store", "ws"}},
+      {"http", {"accounts", "jobs", "json", "shares", "store", "ws"}},
       {"handlers", {"documents", "exports", "fabric", "http", "image", "jobs", "json", "store", "ws"}},
   };
   return rooms;
@@ -110,6 +111,7 @@ const std::vector<Door>& doors() {
       {"sqlite3", "SQLite", {"server/store/sqlite/"}, false},
       {"zlib", "zlib", {"server/http/compress."}, false},
       {"spdlog/", "spdlog", {"server/log/"}, false},
+      {"sodium", "libsodium", {"server/accounts/"}, false},
   };
   return all;
 }

@@ -36,6 +36,7 @@ struct ApiRoute {
   http::BodyKind body = http::BodyKind::kUnused;
   std::function<std::size_t(const http::HttpRequest&)> limit = http::small_body;
   http::Work work = http::Work::kStore;
+  http::Access access = http::Access::kByMethod;
   std::vector<std::string> parameters{};
   bool websocket = false;
 };

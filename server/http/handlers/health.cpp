@@ -32,9 +32,9 @@ http::HttpResponse metrics(const Api& api, const store::RequestContext&, const h
 }  // namespace
 
 ApiRoutes health_routes() {
-  return {{.pattern = "/healthz", .handler = alive},
-          {.pattern = "/readyz", .handler = ready},
-          {.pattern = "/metrics", .handler = metrics}};
+  return {{.pattern = "/healthz", .handler = alive, .access = http::Access::kOpen},
+          {.pattern = "/readyz", .handler = ready, .access = http::Access::kOpen},
+          {.pattern = "/metrics", .handler = metrics, .access = http::Access::kAdmin}};
 }
 
 }  // namespace toile::handlers

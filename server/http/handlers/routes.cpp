@@ -18,6 +18,7 @@ void add_routes(http::Router& router, const Api& api) {
       route.body = line.body;
       route.limit = std::move(line.limit);
       route.work = line.work;
+      route.access = line.access;
       route.parameters = std::move(line.parameters);
       route.websocket = line.websocket;
       router.add(std::move(route));

@@ -121,6 +121,30 @@ ALTER TABLE jobs ADD COLUMN lease INTEGER NOT NULL DEFAULT 0;
 ALTER TABLE jobs ADD COLUMN lease_until_ms INTEGER NOT NULL DEFAULT 0;
 ALTER TABLE jobs ADD COLUMN progress TEXT NOT NULL DEFAULT '';
 )sql"},
+    // A key is found by the hash of its secret, which is kept nowhere.
+    {9, "who may come in", R"sql(
+CREATE TABLE accounts (
+  id TEXT NOT NULL PRIMARY KEY,
+  name TEXT NOT NULL UNIQUE,
+  admin INTEGER NOT NULL,
+  locked INTEGER NOT NULL,
+  password TEXT NOT NULL,
+  created_ms INTEGER NOT NULL
+) STRICT;
+
+CREATE TABLE keys (
+  hash TEXT NOT NULL PRIMARY KEY,
+  id TEXT NOT NULL,
+  owner TEXT NOT NULL,
+  kind TEXT NOT NULL,
+  label TEXT NOT NULL,
+  scopes TEXT NOT NULL,
+  job TEXT NOT NULL DEFAULT '',
+  created_ms INTEGER NOT NULL,
+  expires_ms INTEGER NOT NULL
+) STRICT;
+CREATE INDEX keys_by_owner ON keys (owner, id);
+)sql"},
 };
 
 constexpr const char* kRemembered = R"sql(

@@ -15,6 +15,7 @@
 #include "server/store/folder_lock.h"
 #include "server/store/holders.h"
 #include "server/store/ids.h"
+#include "server/store/sqlite/accounts.h"
 #include "server/store/sqlite/database.h"
 #include "server/store/store.h"
 
@@ -119,6 +120,7 @@ class SqliteStore final : public store::Store {
   Result<std::string> job_log(const store::RequestContext& context, const std::string& job_id) override;
   store::StoreFigures figures() const override;
   Status ping() override;
+  store::Accounts* accounts() override { return &accounts_; }
 
  private:
   // What follows expects mutex_ to be held.
@@ -165,6 +167,7 @@ class SqliteStore final : public store::Store {
   std::mutex mutex_;  // guards what stands below; files are read and written without it
   SqlDatabase database_;
   store::IdSource ids_;
+  SqliteAccounts accounts_{mutex_, database_, ids_};
 };
 
 /// Now, as Unix time.

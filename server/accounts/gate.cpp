@@ -1,0 +1,69 @@
+#include "server/accounts/gate.h"
+
+#include <cstdint>
+#include <utility>
+
+#include "server/accounts/secrets.h"
+
+namespace toile::accounts {
+namespace {
+
+std::int64_t now_ms() {
+  using namespace std::chrono;
+  return duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count();
+}
+
+/// In the same words whatever is the matter with it: who has found an old key need not learn that it was one.
+Answer nobody_has_it() {
+  return {Error{"auth.token",
+                "this token is not known here, or no longer good; ask whoever runs this for another",
+                "Authorization"},
+          true};
+}
+
+bool has_expired(const store::KeyRow& key) { return key.expires_ms > 0 && key.expires_ms <= now_ms(); }
+
+/// An account that has lost its rights has lost them for all its keys.
+store::Scopes scopes_of(const store::KnownKey& known) {
+  store::Scopes scopes;
+  for (const store::Scope scope : {store::Scope::kRead, store::Scope::kSubmit, store::Scope::kAdmin}) {
+    const bool may = scope != store::Scope::kAdmin || known.account.admin;
+    if (may && known.key.scopes.has(scope)) scopes = scopes.with(scope);
+  }
+  return scopes;
+}
+
+}  // namespace
+
+Answer Gate::caller_of(const std::string& key_hash) {
+  Result<store::KnownKey> known = accounts_.key_of_secret(key_hash);
+  if (!known && known.error().kind == ErrorKind::kNotFound) return nobody_has_it();
+  if (!known) return {known.error()};
+  if (known->key.kind != store::KeyKind::kToken) return nobody_has_it();
+  if (known->account.locked || has_expired(known->key)) return nobody_has_it();
+  const store::Scopes scopes = scopes_of(*known);
+  return {Caller{std::move(known->account), std::move(known->key), key_hash, scopes}};
+}
+
+Answer Gate::who(const Credentials& shown) {
+  if (shown.token.empty()) {
+    return {Error{"auth.required", "say who you are: send a token as \"Authorization: Bearer …\"",
+                  "Authorization"},
+            true};
+  }
+  Answer answer = caller_of(hash_of_secret(shown.token));
+  if (!answer.unknown) return answer;
+  const std::string network = network_of(shown.address);
+  const std::chrono::seconds wait = wrong_tokens_.wait(network);
+  if (wait.count() > 0) {
+    return {Error{"auth.guesses", "too many tokens from here were wrong; try again later", "",
+                  ErrorKind::kTooMany},
+            false, wait};
+  }
+  wrong_tokens_.missed(network);
+  return answer;
+}
+
+bool Gate::is_still_good(const std::string& key_hash) { return !caller_of(key_hash).unknown; }
+
+}  // namespace toile::accounts

@@ -1,0 +1,326 @@
+// Nobody gets where they do not belong: every operation of the contract is tried by who is not known, by who
+// was, by who may less, and by who is somebody else.
+
+#include <chrono>
+#include <map>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "core/image/write_png.h"
+#include "server/accounts/secrets.h"
+#include "tests/core/image/pictures.h"
+#include "tests/server/http/contract_routes.h"
+#include "tests/server/http/dressed.h"
+#include "tests/server/http/served.h"
+
+namespace toile::test {
+namespace {
+
+constexpr const char* kStreamed =
+    "Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"
+    "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n";
+
+class Accounts : public Served {
+ protected:
+  void SetUp() override {
+    http::ServerSettings settings;
+    settings.accounts = true;
+    settings.stream.check_every = std::chrono::milliseconds(50);
+    serve(settings);
+    anna = account("anna", true);
+    ben = account("ben", false);
+    full = token(anna, "read,submit,admin");
+  }
+
+  store::AccountRow account(const std::string& name, bool admin) {
+    store::AccountRow row;
+    row.name = name;
+    row.admin = admin;
+    return *store->accounts()->add_account(row);
+  }
+  std::string token(const store::AccountRow& of, const std::string& scopes, std::int64_t expires_ms = 0) {
+    store::KeyRow key;
+    key.owner = of.id;
+    key.scopes = *store::scopes_from(scopes);
+    key.expires_ms = expires_ms;
+    const std::string secret = accounts::new_secret();
+    last_key = store->accounts()->add_key(key, accounts::hash_of_secret(secret))->id;
+    return secret;
+  }
+  static std::string shown(const std::string& secret) {
+    return secret.empty() ? "" : "Authorization: Bearer " + secret + "\r\n";
+  }
+  Answer as(const std::string& secret, const std::string& method, const std::string& target,
+            const std::string& body = "", const std::string& headers = "") {
+    return ask(port, method, target, body, shown(secret) + headers);
+  }
+
+  /// Something of every kind that is Anna's.
+  void make_things() {
+    const std::string json = "Content-Type: application/json\r\n",
+                      file = "Content-Type: application/octet-stream\r\n";
+    const std::string asset =
+        member(as(full, "POST", "/api/v1/assets?kind=body&name=post.obj", kPost, file), "id");
+    const std::string project = member(as(full, "POST", "/api/v1/projects", dressed_pair(asset), json), "id");
+    const std::string job =
+        member(as(full, "POST", "/api/v1/jobs", "{\"project_id\": \"" + project + "\"}", json), "id");
+    const store::RequestContext owner(anna.id);
+    store::JobRow row = *store->job(owner, job);
+    const std::string picture = png_of(squares());
+    ASSERT_TRUE(store->put_result(owner, job, "front.png", picture));
+    row.state = store::JobState::kSucceeded;
+    row.report = "{\"settled\": true}";
+    row.results["front.png"] = static_cast<std::int64_t>(picture.size());
+    ASSERT_TRUE(update_job(*store, owner, row));
+    things = {{"assets", asset}, {"bodies", asset}, {"projects", project}, {"jobs", job}};
+    ASSERT_FALSE(asset.empty() || project.empty() || job.empty());
+  }
+
+  /// A path of the contract with Anna's things in place of its braces.
+  std::string address_of(const std::string& path) {
+    std::string address = path;
+    const std::map<std::string, std::string> others{
+        {"{body}", "anna"}, {"{landmark}", "navel"}, {"{number}", "1"}};
+    const auto put = [&](const std::string& brace, const std::string& value) {
+      const std::size_t at = address.find(brace);
+      if (at != std::string::npos) address.replace(at, brace.size(), value);
+    };
+    for (const auto& [room, id] : things)
+      if (path.starts_with("/api/v1/" + room + "/")) put("{id}", id);
+    for (const auto& [brace, value] : others) put(brace, value);
+    put("{name}", path.find("fabrics") != std::string::npos ? "single-jersey" : "front.png");
+    EXPECT_EQ(address.find('{'), std::string::npos) << "say here what stands for the braces of " << path;
+    return address;
+  }
+
+  /// What an operation takes, so that it cannot be for its form that it is refused.
+  std::string body_of(const ContractRoute& route) {
+    const std::string operation = route.method + " " + route.path;
+    const std::map<std::string, std::string> bodies{
+        {"POST /api/v1/imports", "{\"asset\": \"" + things["assets"] + "\"}"},
+        {"POST /api/v1/projects", napkin_request(things["assets"])},
+        {"PUT /api/v1/projects/{id}", napkin_request(things["assets"])},
+        {"POST /api/v1/projects/{id}/edits",
+         R"({"edits": [{"edit": "rotate_grain", "piece": "front", "angle": 45}]})"},
+        {"PUT /api/v1/projects/{id}/bodies/{body}",
+         R"({"mannequin": {"preset": "eu40", "triangles": 1000}})"},
+        {"PUT /api/v1/projects/{id}/bodies/{body}/landmarks/{landmark}", R"({"place": [0, 1, 0.2]})"},
+        {"POST /api/v1/projects/{id}/place", R"({"piece": "back", "side": "back"})"},
+        {"POST /api/v1/jobs", "{\"project_id\": \"" + things["projects"] + "\"}"},
+    };
+    const auto found = bodies.find(operation);
+    return found == bodies.end() ? "{}" : found->second;
+  }
+
+  /// The operation with all that it may want.
+  Answer tried(const ContractRoute& route, const std::string& secret) {
+    std::string address = address_of(route.path), headers = "If-Match: *\r\n", body;
+    if (route.method == "POST" || route.method == "PUT") {
+      const bool upload = route.path == "/api/v1/assets" || route.path == "/api/v1/bodies";
+      headers += upload ? "Content-Type: application/octet-stream\r\n" : "Content-Type: application/json\r\n";
+      // Other bytes than those of make_things: the same would have the same id, being made of them.
+      body = upload ? std::string("# another\n") + kPost : body_of(route);
+      if (route.path == "/api/v1/assets") address += "?kind=body&name=post.obj";
+      if (route.path == "/api/v1/bodies") address += "?name=post.obj";
+    }
+    if (route.path.ends_with("/stream")) headers += kStreamed;
+    return as(secret, route.method, address, body, headers);
+  }
+
+  static std::string told(const ContractRoute& route) { return route.method + " " + route.path; }
+
+  store::AccountRow anna, ben;
+  std::string full;      ///< Anna's token for everything
+  std::string last_key;  ///< id of the token that was made last
+  std::map<std::string, std::string> things;
+};
+
+TEST_F(Accounts, TheContractTellsWhoMayAsk) {
+  const std::vector<ContractRoute> routes = contract_routes();
+  EXPECT_GE(routes.size(), 50u);
+  const auto count = [&](auto is) { return std::count_if(routes.begin(), routes.end(), is); };
+  EXPECT_GE(count([](const ContractRoute& r) { return r.open; }), 2);
+  EXPECT_GE(count([](const ContractRoute& r) { return r.admin; }), 1);
+  for (const ContractRoute& route : routes) EXPECT_FALSE(route.open && route.admin) << told(route);
+}
+
+TEST_F(Accounts, LetsNobodyInWhoIsNotKnown) {
+  make_things();
+  const std::string expired = token(anna, "read,submit,admin", 1);
+  const std::string revoked = token(anna, "read,submit,admin");
+  ASSERT_TRUE(store->accounts()->remove_key(anna.id, last_key));
+  for (const ContractRoute& route : contract_routes()) {
+    if (route.open) {
+      EXPECT_NE(tried(route, "").status, 401) << told(route);
+      continue;
+    }
+    SCOPED_TRACE(told(route));
+    const Answer none = tried(route, "");
+    EXPECT_PROBLEM(none, 401, "auth.required");
+    EXPECT_EQ(none.headers.at("www-authenticate"), "Bearer realm=\"toile\"");
+    for (const std::string& secret : {expired, revoked, accounts::new_secret()}) {
+      const Answer refused = tried(route, secret);
+      EXPECT_TRUE(refused.status == 401 || refused.status == 429) << refused.status << refused.body;
+      EXPECT_EQ(refused.body.find(things["projects"]), std::string::npos);
+    }
+  }
+  EXPECT_PROBLEM(get("/api/v1/nothing"), 401, "auth.required");
+  EXPECT_PROBLEM(ask(port, "PATCH", "/api/v1/jobs"), 401, "auth.required");
+  EXPECT_EQ(as(full, "GET", "/api/v1/projects/" + things["projects"]).status, 200) << "nothing has changed";
+  EXPECT_EQ(as(full, "GET", "/api/v1/jobs/" + things["jobs"]).status, 200);
+}
+
+TEST_F(Accounts, WantsTheScopeThatAnOperationIsOf) {
+  make_things();
+  const std::string reader = token(anna, "read"), writer = token(anna, "submit"),
+                    both = token(anna, "read,submit");
+  for (const ContractRoute& route : contract_routes()) {
+    if (route.open) continue;
+    SCOPED_TRACE(told(route));
+    EXPECT_PROBLEM(tried(route, route.admin             ? both
+                                : route.method == "GET" ? writer
+                                                        : reader),
+                   403, "auth.scope");
+  }
+  EXPECT_EQ(as(reader, "GET", "/api/v1/jobs").status, 200);
+  EXPECT_EQ(
+      as(both, "POST", "/api/v1/projects/" + things["projects"] + "/undo", "", "If-Match: *\r\n").status,
+      409);
+}
+
+TEST_F(Accounts, WhatIsSomebodyElsesIsNotThere) {
+  make_things();
+  const std::string foreign = token(ben, "read,submit");
+  const std::string project = "/api/v1/projects/" + things["projects"],
+                    job = "/api/v1/jobs/" + things["jobs"],
+                    asset = "/api/v1/assets/" + things["assets"] + "/content";
+  const std::string before = as(full, "GET", project).body + as(full, "GET", job).body;
+  for (const ContractRoute& route : contract_routes()) {
+    if (route.open || route.admin) continue;
+    SCOPED_TRACE(told(route));
+    const Answer answer = tried(route, foreign);
+    EXPECT_NE(answer.status, 403);
+    if (route.path.find("{id}") != std::string::npos) EXPECT_PROBLEM(answer, 404, "store.not_found");
+    if (answer.status >= 300) continue;
+    for (const char* room : {"projects", "jobs"})
+      EXPECT_EQ(answer.body.find(things[room]), std::string::npos) << answer.body;
+  }
+  EXPECT_EQ(as(full, "GET", project).body + as(full, "GET", job).body, before);
+  EXPECT_EQ(as(full, "GET", asset).body, kPost);
+}
+
+TEST_F(Accounts, TheOwnerGetsAtEverythingThatOthersDoNot) {
+  make_things();
+  for (const ContractRoute& route : contract_routes()) {
+    if (route.method != "GET" || route.path.find("{id}") == std::string::npos) continue;
+    if (route.path.ends_with("/stream")) continue;
+    const Answer answer = tried(route, full);
+    EXPECT_TRUE(answer.status == 200 || answer.status == 422)
+        << told(route) << ": " << answer.body.substr(0, 300);
+  }
+}
+
+TEST_F(Accounts, ASecondAccountBeginsEmpty) {
+  make_things();
+  const std::string foreign = token(ben, "read,submit");
+  for (const char* list : {"assets", "projects", "jobs"})
+    EXPECT_EQ(as(foreign, "GET", std::string("/api/v1/") + list).body.find(things[list]), std::string::npos);
+}
+
+TEST_F(Accounts, OneKeyForTwoOwnersMakesTwoThings) {
+  make_things();
+  const std::string once = "Content-Type: application/json\r\nIdempotency-Key: once\r\n";
+  const std::string foreign = token(ben, "read,submit");
+  const std::string file = "Content-Type: application/octet-stream\r\n";
+  const std::string asset = member(as(foreign, "POST", "/api/v1/bodies?name=post.obj", kPost, file), "id");
+  const std::string hers = member(as(full, "POST", "/api/v1/projects", napkin_request(asset), once), "id");
+  const std::string his = member(as(foreign, "POST", "/api/v1/projects", napkin_request(asset), once), "id");
+  EXPECT_FALSE(hers.empty() || his.empty());
+  EXPECT_NE(hers, his);
+}
+
+TEST_F(Accounts, AProjectNamesNoFilesOfOthers) {
+  make_things();
+  const Answer answer = as(token(ben, "read,submit"), "POST", "/api/v1/projects",
+                           napkin_request(things["assets"]), "Content-Type: application/json\r\n");
+  EXPECT_GE(answer.status, 400);
+  EXPECT_LT(answer.status, 500);
+}
+
+TEST_F(Accounts, GuessesEndIn429WithATimeToWait) {
+  Answer last;
+  for (int i = 0; i < 12; ++i) last = as("guess" + std::to_string(i), "GET", "/api/v1/jobs");
+  EXPECT_PROBLEM(last, 429, "auth.guesses");
+  const int wait = std::stoi(last.headers.at("retry-after"));
+  EXPECT_GT(wait, 0);
+  EXPECT_LE(wait, 60);
+  EXPECT_EQ(as(full, "GET", "/api/v1/jobs").status, 200) << "who is known goes on";
+}
+
+TEST_F(Accounts, ABodyOfWhoIsNotKnownIsNotRead) {
+  Wire wire(port);
+  wire.send(
+      "POST /api/v1/assets?kind=body&name=a.obj HTTP/1.1\r\nHost: localhost\r\n"
+      "Content-Type: application/octet-stream\r\nContent-Length: 90000000\r\n\r\n");
+  EXPECT_EQ(read_answer(wire).status, 401);
+}
+
+TEST_F(Accounts, TheStreamIsForWhoMayLook) {
+  make_things();
+  const std::string target = "/api/v1/jobs/" + things["jobs"] + "/stream";
+  EXPECT_EQ(Socket(port, target).status(), 401);
+  EXPECT_EQ(Socket(port, target, shown(token(anna, "submit"))).status(), 403);
+  EXPECT_EQ(Socket(port, target, shown(token(ben, "read"))).status(), 404);
+  EXPECT_EQ(Socket(port, target, shown(token(anna, "read"))).status(), 101);
+}
+
+class AccountStreams : public Accounts {
+ protected:
+  std::string running_job() {
+    make_things();
+    const std::string job =
+        member(as(full, "POST", "/api/v1/jobs", "{\"project_id\": \"" + things["projects"] + "\"}",
+                  "Content-Type: application/json\r\n"),
+               "id");
+    return "/api/v1/jobs/" + job;
+  }
+};
+
+TEST_F(AccountStreams, WhoMayOnlyLookCommandsNothing) {
+  const std::string job = running_job();
+  Socket viewer(port, job + "/stream", shown(token(anna, "read")));
+  ASSERT_EQ(viewer.status(), 101);
+  viewer.send(Socket::kText, R"({"type": "cancel"})");
+  std::string said;
+  for (int i = 0; i < 5 && said.find("auth.scope") == std::string::npos; ++i) {
+    const auto message = viewer.read(5);
+    if (!message) break;
+    said += message->payload;
+  }
+  EXPECT_NE(said.find("auth.scope"), std::string::npos) << said;
+  EXPECT_EQ(member(as(full, "GET", job), "state"), "queued");
+}
+
+TEST_F(AccountStreams, EndWhenTheirKeyIsRevoked) {
+  const std::string job = running_job();
+  const std::string secret = token(anna, "read");
+  Socket viewer(port, job + "/stream", shown(secret));
+  ASSERT_EQ(viewer.status(), 101);
+  ASSERT_TRUE(store->accounts()->remove_key(anna.id, last_key));
+  EXPECT_EQ(viewer.read_to_close(), 1008);
+}
+
+class SingleUser : public Served {
+ protected:
+  void SetUp() override { serve(); }
+};
+
+TEST_F(SingleUser, NeedsNoTokenAndIsNotAskedForOne) {
+  EXPECT_EQ(get("/api/v1/jobs").status, 200);
+  EXPECT_EQ(get("/api/v1/jobs", "Authorization: Bearer nonsense\r\n").status, 200);
+  EXPECT_EQ(get("/metrics").status, 200);
+}
+
+}  // namespace
+}  // namespace toile::test
