@@ -87,12 +87,22 @@ def check_references(files, faults):
                 used.add(node["$ref"])
             except (KeyError, TypeError):
                 faults.append(f"{name}{place}: {node['$ref']} leads nowhere")
+    used |= check_security(files["openapi.yaml"], faults)
     for name, document in files.items():
         for kind, parts in {**document.get("components", {}), "$defs": document.get("$defs", {})}.items():
             folder = "$defs" if kind == "$defs" else f"components/{kind}"
             for part in parts:
                 if f"#/files/{escaped(name)}/{folder}/{part}" not in used:
                     faults.append(f"{name}: {folder}/{part} is not used")
+
+
+def check_security(openapi, faults):
+    """The security schemes that are named; each must be described."""
+    described = openapi["components"].get("securitySchemes", {})
+    asked = [openapi.get("security", [])] + [o.get("security", []) for _, _, _, o in operations(openapi)]
+    named = {scheme for wants in asked for want in wants for scheme in want}
+    faults.extend(f"openapi.yaml: security {scheme} is not described" for scheme in named - set(described))
+    return {f"#/files/{escaped('openapi.yaml')}/components/securitySchemes/{scheme}" for scheme in named}
 
 
 def check_schemas(files, faults):
