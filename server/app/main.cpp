@@ -214,8 +214,8 @@ CLI::App* add_project_new(CLI::App& project, ProjectNewOptions& options) {
       ->required();
   verb->add_option(
           "--accept-seams", options.accept_seams,
-          "Take the seams proposed with this confidence or more, and likely ones (0.5) of pieces that\n"
-          "nothing surer holds on (default: take none)")
+          "Take the seams proposed with this confidence or more, those of 0.65 whose edges nothing surer\n"
+          "wants, and likely ones (0.5) of pieces that nothing surer holds on (default: take none)")
       ->check(CLI::Range(0.0, 1.0));
   verb->add_flag("--json", options.json, "Print as JSON");
   verb->footer(

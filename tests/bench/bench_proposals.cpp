@@ -32,8 +32,8 @@ struct CalibrationBin {
 };
 
 struct BenchTotal {
-  int worn = 0, worn_right = 0;  ///< seams that a garment takes to be worn (core/pattern/seams/accept.h)
   test::SeamScore score;
+  test::SeamScore worn;  ///< of what a garment takes to be worn (core/pattern/seams/accept.h)
   std::array<CalibrationBin, 10> bins;
   double seconds = 0;
 };
@@ -114,10 +114,10 @@ Status bench_one(const fs::path& file, const BenchOptions& options, std::ofstrea
           << test::points_of(made.pattern, made.proposals[i].seam).name << '\n';
   count_bins(made.proposals, right, total);
   const std::vector<bool> worn = seams::sewn_to_wear(made.pattern, made.proposals, kSure);
-  for (std::size_t i = 0; i < right.size(); ++i) {
-    total.worn += worn[i];
-    total.worn_right += worn[i] && right[i];
-  }
+  std::vector<seams::SeamProposal> taken;
+  for (std::size_t i = 0; i < worn.size(); ++i)
+    if (worn[i]) taken.push_back(made.proposals[i]);
+  total.worn.add(test::score_of(made.pattern, taken, truth, 0));
   total.score.add(score);
   total.seconds += seconds;
   return {};
@@ -127,7 +127,8 @@ void print_total(const BenchTotal& total) {
   std::printf("together: seams %d proposed %d right %d found %d precision %.3f recall %.3f, %.1f s\n",
               total.score.known, total.score.proposed, total.score.right, total.score.found,
               total.score.precision(), total.score.recall(), total.seconds);
-  std::printf("to be worn: sewn %d right %d\n", total.worn, total.worn_right);
+  std::printf("to be worn: sewn %d right %d found %d precision %.3f recall %.3f\n", total.worn.proposed,
+              total.worn.right, total.worn.found, total.worn.precision(), total.worn.recall());
   std::printf("told at      count  mean told  share right\n");
   for (std::size_t k = 0; k < total.bins.size(); ++k) {
     const CalibrationBin& bin = total.bins[k];

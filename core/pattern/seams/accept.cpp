@@ -74,8 +74,9 @@ std::vector<bool> sewn_together(std::span<const SeamProposal> proposals, double 
 
 std::vector<bool> sewn_to_wear(const pattern::Pattern& pattern, std::span<const SeamProposal> proposals,
                                double least_confidence) {
-  std::vector<bool> sewn = sewn_together(proposals, least_confidence);
-  const std::vector<char> loose = loose_panels(pattern, proposals, sewn);
+  std::vector<bool> sewn = sewn_together(proposals, std::min(least_confidence, kFits));
+  const std::vector<char> loose =
+      loose_panels(pattern, proposals, sewn_together(proposals, least_confidence));
   TakenEdges taken;
   for (std::size_t i = 0; i < proposals.size(); ++i)
     if (sewn[i]) taken.take(proposals[i]);

@@ -16,9 +16,13 @@ std::vector<bool> sewn_together(std::span<const SeamProposal> proposals, double 
 /// Likelier than not: what a piece takes that no surer seam holds on.
 inline constexpr double kLikely = 0.5;
 
-/// As sewn_together(), and likely ones of pieces that would be sewn to no part, or not to the largest: a seam
-/// in doubt is better than a piece that must be left out. Layers by their names (linings, pockets) do
-/// without.
+/// What is sewn where nothing surer wants its edges: a gap that was not meant lets a garment slip, and more
+/// often than not nothing else fits there.
+inline constexpr double kFits = 0.65;
+
+/// As sewn_together(), but down to kFits; and likely ones of pieces that would be sewn to no part, or not to
+/// the largest: a seam in doubt is better than a piece that must be left out. Layers by their names (linings,
+/// pockets) do without.
 std::vector<bool> sewn_to_wear(const pattern::Pattern& pattern, std::span<const SeamProposal> proposals,
                                double least_confidence);
 

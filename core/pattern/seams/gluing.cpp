@@ -1,5 +1,6 @@
 #include "core/pattern/seams/gluing.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/pattern/seams/weights.h"
@@ -44,16 +45,39 @@ bool is_hem(const SeamModel& m, const SeamRun& run) {
   return m.upright[run.panel] && dot(normalized(-perpendicular(chord)), m.up[run.panel]) < kWeights.hem;
 }
 
+/// How long the hem of the bodice's pieces is, mm, told by their widths across the grain; 0 where there is no
+/// front or no back, or no telling which way a piece lies.
+double torso_girth(const SeamModel& m) {
+  double girth = 0;
+  bool front = false, back = false;
+  for (Index p = 0; p < static_cast<Index>(m.words.size()); ++p) {
+    if (m.words[p].kind != PieceKind::kTorso) continue;
+    if (!m.upright[p]) return 0;
+    double low = 1e30, high = -1e30;
+    for (const SeamRun& run : m.runs) {
+      if (run.panel != p) continue;
+      for (const Vec2& at : run.at) {
+        low = std::min(low, cross(m.up[p], at));
+        high = std::max(high, cross(m.up[p], at));
+      }
+    }
+    girth += high - low;
+    front = front || m.words[p].face > 0;
+    back = back || m.words[p].face < 0;
+  }
+  return front && back ? girth : 0;
+}
+
 }  // namespace
 
 GluingJudge::GluingJudge(const SeamModel& model, const GluingSettings& settings)
-    : m_(model), settings_(settings) {
+    : m_(model), settings_(settings), least_border_(kWeights.narrow_share * torso_girth(model)) {
   for (std::size_t i = 0; i < model.runs.size(); ++i) {
     const SeamRun& run = model.runs[i];
     runs_.push_back({run.next, run.panel, model.mirror[i], run.from > 0 || run.to<1, run.from> 0,
                      run.turn.back() > kWeights.round_deg && !run.open_front && !is_hem(model, run),
                      std::abs(run.angle - 180) < kWeights.smooth_deg, run.angle, run.length,
-                     run.to - run.from});
+                     run.to - run.from, model.words[run.panel].kind == PieceKind::kTorso});
   }
   root_.resize(runs_.size());
 }
@@ -206,6 +230,20 @@ double GluingJudge::surface(const SeamGluing& g) {
          kWeights.opening * std::min(kWeights.openings, border_count - components);
 }
 
+/// A head and arms must pass through the bodice's openings. REQUIRES surface()'s borders.
+double GluingJudge::narrow_borders(const SeamGluing& g) {
+  if (least_border_ == 0) return 0;
+  border_length_.assign(runs_.size(), 0);
+  for (Index i = 0; i < static_cast<Index>(runs_.size()); ++i) {
+    if (g.partner[i] != kNone) continue;
+    constexpr double kWide = 1e9;
+    border_length_[borders_.root(i)] += runs_[i].torso ? runs_[i].length : kWide;
+  }
+  const auto narrow = std::count_if(border_length_.begin(), border_length_.end(),
+                                    [&](double length) { return length > 0 && length < least_border_; });
+  return kWeights.narrow * static_cast<double>(narrow);
+}
+
 double GluingJudge::gathers(const SeamGluing& g) {
   gathers_.clear();
   for (Index a = 0; a < static_cast<Index>(runs_.size()); ++a) {
@@ -231,7 +269,8 @@ double GluingJudge::gathers(const SeamGluing& g) {
 double GluingJudge::merit(const SeamGluing& g) {
   join_corners(g);
   const double around = points(g);  // counts the points for surface()
-  return pairs(g) + sides(g) + middles(g) + free_edges(g) + around + surface(g) + gathers(g);
+  const double whole = pairs(g) + sides(g) + middles(g) + free_edges(g) + around + surface(g);
+  return whole + narrow_borders(g) + gathers(g);
 }
 
 SeamGluing nothing_sewn(const SeamModel& model) {

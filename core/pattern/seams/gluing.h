@@ -63,6 +63,7 @@ class GluingJudge {
     bool round;           ///< turns by more than an opening does, and is no hem
     bool smooth;          ///< the outline runs on smoothly at its start
     double angle, length, share;
+    bool torso;
   };
   struct PointSums {
     double angle = 0;
@@ -85,6 +86,7 @@ class GluingJudge {
   double free_edges(const SeamGluing& g);
   double points(const SeamGluing& g);
   double surface(const SeamGluing& g);
+  double narrow_borders(const SeamGluing& g);
   double gathers(const SeamGluing& g);
 
   const SeamModel& m_;
@@ -97,6 +99,9 @@ class GluingJudge {
   std::vector<Index> free_at_;
   std::vector<int> lines_;
   std::vector<char> open_;
+  double least_border_;  ///< mm, of the bodice alone
+  std::vector<double>
+      border_length_;  ///< of the free runs that come together; nothing where not all are the bodice's
   int points_ = 0;
 };
 

@@ -191,6 +191,12 @@ bool takes_both_halves(const SeamModel& m, Index i, Index j) {
   return takes(i, j) || takes(j, i);
 }
 
+/// Pieces of a collar meet at short ends; a lapel's long edges go to the neck, or to nothing.
+bool is_long_in_collar(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
+  const auto is_long = [&](const SeamRun& r) { return r.length > kWeights.collar_end * m.girth[r.panel]; };
+  return is_long(a) || is_long(b);
+}
+
 /// What the kinds of the two pieces say.
 double kind_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b, int hangs) {
   const PieceKind ka = m.words[a.panel].kind, kb = m.words[b.panel].kind;
@@ -200,6 +206,8 @@ double kind_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b, int ha
     return kWeights.insert_face * x.face * y.face + insert_merit(m, a, b);
   if (ka == PieceKind::kSleeve && kb == PieceKind::kSleeve)
     return a.cap || b.cap ? kWeights.cap_to_sleeve : 0;
+  if (ka == PieceKind::kCollar && kb == PieceKind::kCollar)
+    return is_long_in_collar(m, a, b) ? kWeights.collar_long : 0;
   if (ka == PieceKind::kTorso && kb == PieceKind::kSleeve) return armhole_merit(m, a, b);
   if (kb == PieceKind::kTorso && ka == PieceKind::kSleeve) return armhole_merit(m, b, a);
   if ((is_neck(ka) && kb == PieceKind::kTorso && is_middle(m, b)) ||
@@ -295,9 +303,6 @@ double twin_merit(const SeamModel& m, const SeamRun& run, double along_grain) {
     merit += kWeights.twin_hollow *
              std::clamp((kWeights.twin_upright_rise - along_grain) / kWeights.twin_upright_width, 0.0, 1.0);
   if (run.open_front) merit += kWeights.twin_round_front;
-  // Halves of a collar meet at a short end; a lapel's long edges go to the neck, or to nothing.
-  if (kind == PieceKind::kCollar && run.length > kWeights.collar_end * m.girth[run.panel])
-    merit += kWeights.twin_collar_long;
   return merit;
 }
 
@@ -355,7 +360,7 @@ bool is_cut(const SeamRun& run) { return run.from > 0 || run.to < 1; }
 double length_part(const SeamModel& m, Index i, Index j, bool lengths, bool counterparts, bool gathers) {
   const SeamRun &a = m.runs[i], &b = m.runs[j];
   double merit = lengths ? length_merit(a.length, b.length) : 0;
-  if (gathers && lengths)
+  if (gathers && lengths && difference(a, b) < kWeights.gathered_most)
     merit = std::max(merit, kWeights.gathered_least - kWeights.gathered_slope * difference(a, b));
   // Mirrored edges are of one length whether they are sewn or not: that says little.
   if (m.mirror[i] == j || a.panel == b.panel) merit = std::min(merit, kWeights.most_of_twins);

@@ -138,7 +138,7 @@ Sewn doubted(const Choices& choices, const Limits& limits, GluingJudge& judge, S
 }
 
 /// Which panels may be drawn from the other side: none, as the drawing hints, those called back, or a
-/// collar's front, which as a lapel shows what is inside elsewhere.
+/// collar's front, which as a lapel shows what is inside elsewhere, alone or with the rest of the collar.
 std::vector<std::vector<char>> likely_sides(const SeamModel& m, const SeamGluing& g,
                                             const GluingSettings& settings) {
   if (settings.sides_known) return {};
@@ -147,13 +147,15 @@ std::vector<std::vector<char>> likely_sides(const SeamModel& m, const SeamGluing
     if (std::find(sides.begin(), sides.end(), turned) == sides.end()) sides.push_back(turned);
   };
   if (!settings.turned.empty()) add(settings.turned);
-  std::vector<char> backs, lapels;
+  std::vector<char> backs, lapels, collars;
   for (const PieceWords& words : m.words) {
     backs.push_back(words.face < 0);
     lapels.push_back(words.kind == PieceKind::kCollar && words.face > 0);
+    collars.push_back(words.kind == PieceKind::kCollar);
   }
   add(backs);
   add(lapels);
+  add(collars);
   return sides;
 }
 

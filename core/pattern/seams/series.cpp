@@ -82,9 +82,37 @@ std::size_t meeting_corners(const SeamModel& m, const Chain& a, const Chain& b) 
   return met;
 }
 
+/// Where a ring of gores is parted between the last and the first of them, by their numbers: −1 where the
+/// chain runs from the last one to the first, as borders of pieces do that are seen from their right side, +1
+/// where it runs from the first to the last; else 0.
+int parted_at_first_gore(const SeamModel& m, const Chain& chain) {
+  const auto row = [&](Index r) { return m.rows[m.runs[r].panel]; };
+  const PieceRow start = row(chain.runs.front()), end = row(chain.runs.back());
+  const bool gores = start.size > 2 && std::all_of(chain.runs.begin(), chain.runs.end(),
+                                                   [&](Index r) { return row(r).row == start.row; });
+  if (!gores) return 0;
+  if (end.place == 0 && start.place == start.size - 1) return -1;
+  return start.place == 0 && end.place == start.size - 1 ? 1 : 0;
+}
+
+/// Where the chain is parted between back and front: −1 where it begins with the front, +1 where it ends with
+/// it, else 0.
+int parted_at_side(const SeamModel& m, const Chain& chain) {
+  const int start = m.words[m.runs[chain.runs.front()].panel].face;
+  const int end = m.words[m.runs[chain.runs.back()].panel].face;
+  return start * end < 0 ? end : 0;
+}
+
+/// Gores are counted to the right from a side seam, those of the front first.
+bool gores_in_order(const SeamModel& m, const Chain& a, const Chain& b) {
+  return parted_at_first_gore(m, a) * parted_at_side(m, b) > 0 ||
+         parted_at_first_gore(m, b) * parted_at_side(m, a) > 0;
+}
+
 /// What speaks for the two chains before the surface is looked at.
 double series_merit(const SeamModel& m, const Chain& a, const Chain& b) {
   double merit = length_merit(a.length, b.length);
+  if (a.whole && b.whole && gores_in_order(m, a, b)) merit += kWeights.gores_in_order;
   merit += std::min(kWeights.corners_most, kWeights.corner * static_cast<double>(meeting_corners(m, a, b)));
   if (a.whole && b.whole) merit += kWeights.whole_borders;
   return merit;

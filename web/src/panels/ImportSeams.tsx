@@ -29,7 +29,7 @@ export function ImportSeams({ draft, report, onLight }: ImportSeamsProps) {
       {draft.source.kind === 'dxf' ? (
         <p class="hint">
           A DXF says what is cut, not how it is sewn. These seams follow from lengths, notches, shapes and names; those
-          of {percent(kSure, 0)} and above are ticked, and likely ones of pieces that nothing surer holds on. Where two want the same edge, one takes the place of the other.
+          of {percent(kSure, 0)} and above are ticked, and likely ones whose edges nothing surer wants, or whose pieces nothing surer holds on. Where two want the same edge, one takes the place of the other.
         </p>
       ) : (
         <p class="hint">The specification says how its pieces are stitched.</p>

@@ -42,12 +42,22 @@ TEST(AcceptSeams, APieceThatNoSureSeamHoldsTakesALikelyOne) {
   const pattern::Pattern pattern = front_and_back_and({"yoke", "tab"});
   const std::vector<seams::SeamProposal> proposals{
       proposal(0.9, {0, 1}, {1, 3}),   // sure
-      proposal(0.7, {0, 3}, {1, 1}),   // likely, of pieces that hang together
+      proposal(0.6, {0, 3}, {1, 1}),   // likely, of pieces that hang together
       proposal(0.6, {0, 2}, {2, 0}),   // likely, and all that holds the yoke
       proposal(0.55, {2, 0}, {3, 0}),  // the yoke's edge is taken
       proposal(0.4, {0, 0}, {3, 2})};  // a guess
   EXPECT_EQ(seams::sewn_to_wear(pattern, proposals, 0.8),
             (std::vector<bool>{true, false, true, false, false}));
+}
+
+TEST(AcceptSeams, WhatFitsNowhereElseIsSewnBetweenPiecesThatHangTogether) {
+  const pattern::Pattern pattern = front_and_back_and({});
+  const std::vector<seams::SeamProposal> proposals{
+      proposal(0.9, {0, 1}, {1, 3}),           // sure
+      proposal(seams::kFits, {0, 3}, {1, 1}),  // the other side
+      proposal(0.64, {0, 2}, {1, 2})};         // less: the neck stays open
+  EXPECT_EQ(seams::sewn_to_wear(pattern, proposals, 0.8), (std::vector<bool>{true, true, false}));
+  EXPECT_EQ(seams::sewn_to_wear(pattern, proposals, 0.6), (std::vector<bool>{true, true, true}));
 }
 
 TEST(AcceptSeams, WhereNothingIsSureTheLikelyIsSewn) {

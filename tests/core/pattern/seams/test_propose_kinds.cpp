@@ -133,6 +133,44 @@ TEST(ProposeByKinds, DoNotSayHowFarARingOfGoresIsTurnedInItsBand) {
   EXPECT_GT(gores, 0.8) << "of the gores themselves it is sure";
 }
 
+TEST(ProposeByKinds, CountGoresFromTheFrontsSide) {
+  // Six gores, three for the front: that the first begins at a side, the front's, is what their numbers say.
+  pattern::Pattern pattern{{sheet("waistband_front", 360, 360, 60), sheet("waistband_back", 360, 360, 60)},
+                           {}};
+  for (int k = 0; k < 6; ++k)
+    pattern.panels.push_back(sheet("skirt_panel_" + std::to_string(k), 220, 120, 500));
+  std::set<Index> front, back;
+  for (const SeamProposal& p : seams::propose_seams(pattern, {true})) {
+    for (const auto& [band, gores] : {std::pair{&p.seam.a, &p.seam.b}, std::pair{&p.seam.b, &p.seam.a}}) {
+      if (band->front().panel > 1 || gores->front().panel < 2) continue;
+      for (const pattern::SeamEdge& e : *gores) (band->front().panel == 0 ? front : back).insert(e.panel - 2);
+    }
+  }
+  EXPECT_EQ(front, (std::set<Index>{0, 1, 2}));
+  EXPECT_EQ(back, (std::set<Index>{3, 4, 5}));
+}
+
+TEST(ProposeByKinds, LeaveANeckOpenForTheHead) {
+  // A V-neck's edges are straight, of one length, and mirror each other.
+  const pattern::Panel front =
+      garments::piece("left_ftorso", {{0, 0}, {282, 0}, {290, 154}, {175, 485}, {108, 511}, {0, 343}});
+  const pattern::Panel back =
+      garments::piece("right_btorso", {{0, 0}, {258, 0}, {265, 153}, {174, 484}, {108, 510}, {0, 443}});
+  const pattern::Pattern pattern{
+      {front, garments::mirrored(front, "right_ftorso"), garments::mirrored(back, "left_btorso"), back}, {}};
+  bool shoulders = false;
+  for (const SeamProposal& p : seams::propose_seams(pattern)) {
+    const auto is_neck = [&](const pattern::SeamEdge& e) {
+      const std::vector<pattern::CubicBezier>& curves = pattern.panels[e.panel].outline.edges[e.edge].curves;
+      const double from = std::abs(curves.front().p0.x), to = std::abs(curves.back().p3.x);
+      return std::min(from, to) < 1 && std::abs(std::max(from, to) - 108) < 1;
+    };
+    EXPECT_FALSE(is_neck(p.seam.a[0]) && p.confidence > 0.3) << p.seam.id << ' ' << p.confidence;
+    shoulders = shoulders || p.length_a < 80;
+  }
+  EXPECT_TRUE(shoulders);
+}
+
 TEST(ProposeByKinds, NeverSewAHemToAHem) {
   const pattern::Pattern pattern{
       {sheet("skirt_front", 700, 500, 600), sheet("skirt_back", 700, 500, 600),

@@ -1248,7 +1248,7 @@ export interface components {
         SeamProposal: {
             id: string;
             confidence: number;
-            /** @description a garment is best begun with it; it is sure (0.8 and above), or likely (0.5) and of a piece that nothing surer holds on */
+            /** @description a garment is best begun with it; it is sure (0.8 and above), nothing surer wants its edges (0.65), or it is likely (0.5) and of a piece that nothing surer holds on */
             to_wear: boolean;
             a: components["schemas"]["SeamSeries"];
             b: components["schemas"]["SeamSeries"];
