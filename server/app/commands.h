@@ -175,6 +175,20 @@ struct MovieOptions {
 /// Makes a movie of what a drape has left.
 ExitCode movie_command(const MovieOptions& options);
 
+struct RenderOptions {
+  std::string source;  ///< as of a movie
+  std::string out;     ///< the file
+  std::string view = "three-quarter";
+  std::string size;             ///< "1024x1280"
+  std::string eye, target;      ///< "x,y,z", m; an own camera, empty: the view's
+  std::optional<double> angle;  ///< degrees, upright, of an own camera
+  int samples = 4;
+  bool transparent = false, json = false;
+};
+
+/// Takes a still of what a drape has left.
+ExitCode render_command(const RenderOptions& options);
+
 struct SampleOptions {
   std::string name;  ///< empty: list what there is
   std::string out;   ///< folder

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "server/app/exit_codes_text.h"
+#include "server/render/camera.h"
 
 namespace toile::app {
 namespace {
@@ -40,12 +41,47 @@ CLI::App* add_movie(CLI::App& app, MovieOptions& movie) {
   return verb;
 }
 
+CLI::App* add_render(CLI::App& app, RenderOptions& still) {
+  CLI::App* verb = app.add_subcommand("render", "Take a still of a drape, from any side and in any size");
+  verb->add_option("result", still.source, "Folder that toile drape has left, its drape.film, or a trace")
+      ->required();
+  verb->add_option("-o,--out", still.out, "PNG file to write")->required();
+  CLI::Option* view = verb->add_option("--view", still.view, "From where; the body faces the front")
+                          ->check(CLI::IsMember(render::view_words()))
+                          ->capture_default_str();
+  verb->add_option("--size", still.size, "Pixels, 16 to 4096 each (default: 1024x1280)")->type_name("WxH");
+  CLI::Option* eye =
+      verb->add_option("--eye", still.eye, "Where the camera stands, m; +y is up, +z the front")
+          ->type_name("X,Y,Z")
+          ->excludes(view);
+  verb->add_option("--target", still.target, "What it looks at, m (default: the middle of the cloth)")
+      ->type_name("X,Y,Z")
+      ->needs(eye);
+  verb->add_option("--angle", still.angle,
+                   "How much it sees from top to bottom, degrees, 1 to 120 (default: 21.5)")
+      ->needs(eye);
+  verb->add_flag("--transparent", still.transparent,
+                 "Without ground and backdrop: PNG with an alpha channel");
+  verb->add_option("--samples", still.samples, "Of each pixel: 1, 4 or 16")
+      ->check(CLI::IsMember({1, 4, 16}))
+      ->capture_default_str();
+  verb->add_flag("--json", still.json, "Print as JSON, errors as well");
+  verb->footer(std::string("Examples:\n"
+                           "  toile render out/skirt --view back --out back.png\n"
+                           "  toile render out/skirt --size 4096x4096 --transparent --out large.png\n"
+                           "  toile render out/skirt --eye 0.5,1.1,0.9 --target 0,1,0 --out waist.png\n\n") +
+               kExitCodes);
+  return verb;
+}
+
 }  // namespace
 
-ResultVerbs::ResultVerbs(CLI::App& app) : movie_(add_movie(app, movie_options_)) {}
+ResultVerbs::ResultVerbs(CLI::App& app)
+    : movie_(add_movie(app, movie_options_)), render_(add_render(app, render_options_)) {}
 
 std::optional<ExitCode> ResultVerbs::run() const {
   if (movie_->parsed()) return movie_command(movie_options_);
+  if (render_->parsed()) return render_command(render_options_);
   return std::nullopt;
 }
 

@@ -23,7 +23,9 @@ class ResultVerbs {
 
  private:
   MovieOptions movie_options_;
+  RenderOptions render_options_;
   const CLI::App* movie_;
+  const CLI::App* render_;
 };
 
 }  // namespace toile::app

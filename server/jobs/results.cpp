@@ -40,8 +40,9 @@ render::Scene scene_of(const drape::DrapeInput& input, const drape::DrapeResult&
   scene.cloth.rest = result.garment.rest;
   scene.cloth.textures = &textures;
   for (const Index fabric : input.fabric_of_panel) {
-    const double* colour = input.fabrics[static_cast<std::size_t>(fabric)].colour;
-    scene.cloth.colour_of_panel.push_back({colour[0], colour[1], colour[2]});
+    const material::Fabric& cloth = input.fabrics[static_cast<std::size_t>(fabric)];
+    scene.cloth.colour_of_panel.push_back({cloth.colour[0], cloth.colour[1], cloth.colour[2]});
+    scene.cloth.thickness_of_panel.push_back(cloth.thickness);
   }
   for (const body::Body& body : input.bodies) scene.bodies.push_back({.mesh = &body.mesh});
   return scene;

@@ -14,20 +14,36 @@ constexpr double kElevation = 0.10;   // radians above the horizon: hems and sho
 constexpr double kLyingElevation = 0.60;  // the same for what lies flat
 constexpr double kGarmentMargin = 0.25;   // free share of the picture, of the garment's extent
 constexpr double kBodyMargin = 0.10;
+constexpr double kNearest = 0.01, kFarthest = 100;  // m that an own camera stands off
+constexpr double kUpright = 0.9995;                 // cosine to the upright at which it looks straight down
 constexpr double kWholeBodyWithin = 1.4;  // show all of the body when it costs no more than this in scale
 
+struct NamedView {
+  View view;
+  std::string_view word;
+  double azimuth;  // degrees from the front to the body's left
+};
+constexpr std::array kViews{NamedView{View::kFront, "front", 0},
+                            NamedView{View::kBack, "back", 180},
+                            NamedView{View::kSide, "side", 90},
+                            NamedView{View::kRight, "right", 270},
+                            NamedView{View::kThreeQuarter, "three-quarter", 35},
+                            NamedView{View::kBackQuarter, "back-quarter", 215}};
+
 double azimuth_of(View view) {
-  switch (view) {
-    case View::kFront:
-      return 0;
-    case View::kBack:
-      return kPi;
-    case View::kSide:
-      return kPi / 2;
-    case View::kThreeQuarter:
-      return radians_from_degrees(35);
-  }
-  return 0;
+  const auto found = std::find_if(kViews.begin(), kViews.end(),
+                                  [view](const NamedView& named) { return named.view == view; });
+  return radians_from_degrees(found->azimuth);
+}
+
+/// The near and far ends of what is drawn.
+void set_depths(Camera& camera, const std::vector<Vec3>& points) {
+  Aabb3 box;
+  for (const Vec3& p : points)
+    box.add(Vec3{dot(p - camera.eye, camera.right), dot(p - camera.eye, camera.up),
+                 dot(p - camera.eye, camera.back)});
+  camera.near = std::max(0.02, -box.high.z * 0.5);
+  camera.far = std::max(-box.low.z * 4, camera.near + 10);  // leaves room for the ground behind
 }
 
 std::vector<Vec3> used_points(std::span<const Vec3> positions, std::span<const Tri> triangles) {
@@ -70,6 +86,19 @@ double elevation_for(const Scene& scene) {
 }
 
 }  // namespace
+
+std::vector<std::string> view_words() {
+  std::vector<std::string> words;
+  for (const NamedView& named : kViews) words.emplace_back(named.word);
+  return words;
+}
+
+Result<View> view_from(std::string_view word) {
+  for (const NamedView& named : kViews)
+    if (named.word == word) return named.view;
+  return Error{"render.view", "a view is one of front, back, side, right, three-quarter, back-quarter",
+               "view"};
+}
 
 Vec3 Camera::project(Vec3 p, int width, int height) const {
   const Vec3 q = turned(*this, p - eye);
@@ -114,14 +143,32 @@ Camera frame_scene(const Scene& scene, View view, double aspect) {
     if (distance < close) fit(wide, all, kGarmentMargin);  // nothing but garment, or nearly so
     if (distance > close * kWholeBodyWithin) wide = camera;
   }
-  camera = wide;
-  const Aabb3 box = [&] {
-    Aabb3 b;
-    for (const Vec3& p : all) b.add(turned(camera, p - camera.eye));
-    return b;
-  }();
-  camera.near = std::max(0.02, -box.high.z * 0.5);
-  camera.far = std::max(-box.low.z * 4, camera.near + 10);  // leaves room for the ground behind
+  set_depths(wide, all);
+  return wide;
+}
+
+Result<Camera> camera_at(const Scene& scene, const Viewpoint& from, double aspect) {
+  const Aabb3 cloth = cloth_box(scene), all = whole_box(scene);
+  const Aabb3& box = cloth.empty() ? all : cloth;
+  const Vec3 target = from.target.value_or(box.empty() ? Vec3{} : box.middle());
+  const Vec3 back = from.eye - target;
+  if (!is_finite(from.eye) || !is_finite(target) || !(length(back) >= kNearest && length(back) <= kFarthest))
+    return Error{"render.camera", "a camera stands 1 cm to 100 m off what it looks at", "eye"};
+  if (!(from.angle >= 1 && from.angle <= 120))
+    return Error{"render.camera", "a camera sees 1 to 120 degrees", "angle"};
+  Camera camera;
+  camera.half_height = std::tan(radians_from_degrees(from.angle) / 2);
+  camera.aspect = aspect;
+  camera.eye = from.eye;
+  camera.back = normalized(back);
+  const Vec3 upright = std::abs(camera.back.y) < kUpright ? Vec3{0, 1, 0} : Vec3{0, 0, -1};
+  camera.right = normalized(cross(upright, camera.back));
+  camera.up = cross(camera.back, camera.right);
+  std::vector<Vec3> corners{target};
+  for (const Vec3& p : {all.low, all.high})
+    if (!all.empty()) corners.push_back(p);
+  set_depths(camera, corners);
+  camera.near = std::min(camera.near, length(back) * 0.5);
   return camera;
 }
 

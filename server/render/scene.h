@@ -25,9 +25,11 @@ struct ClothView {
   std::vector<LinearRgb> colour_of_panel;     ///< one per panel; panels past its end take kClothColour
   std::span<const Vec2> rest;                 ///< m, one per vertex, carries weave and pictures; may be empty
   const image::Textures* textures = nullptr;  ///< pictures on panels; may be null
+  std::vector<double> thickness_of_panel{};   ///< m, as colours; past its end kClothThickness
 };
 
 inline constexpr LinearRgb kClothColour{0.30, 0.40, 0.55};
+inline constexpr double kClothThickness = 0.5e-3;  ///< m
 inline constexpr LinearRgb kMannequinColour{0.56, 0.52, 0.48};
 
 struct BodyView {

@@ -146,13 +146,17 @@ layout(location = 1) in vec3 normal;
 #if CLOTH
 layout(location = 2) in vec3 colour;
 layout(location = 3) in vec2 rest;
-layout(location = 4) in vec3 line_distance;
-layout(location = 5) in vec3 line_strength;
-layout(location = 6) in vec2 picture_at;
+layout(location = 4) in vec4 line_distance;
+layout(location = 5) in vec4 line_along;
+layout(location = 6) in vec4 line_kind;
+layout(location = 7) in vec3 make;
+layout(location = 8) in vec2 picture_at;
 out vec3 v_colour;
 out vec2 v_rest;
-out vec3 v_line_distance;
-flat out vec3 v_line_strength;
+out vec4 v_line_distance;
+out vec4 v_line_along;
+out vec4 v_line_kind;
+out vec3 v_make;
 out vec2 v_picture_at;
 #endif
 uniform mat4 camera_matrix;
@@ -169,7 +173,9 @@ void main() {
   v_colour = colour;
   v_rest = rest;
   v_line_distance = line_distance;
-  v_line_strength = line_strength;
+  v_line_along = line_along;
+  v_line_kind = line_kind;
+  v_make = make;
   v_picture_at = picture_at;
 #endif
   gl_Position = camera_matrix * vec4(position, 1.0);
@@ -189,10 +195,7 @@ out vec4 pixel;
 #if CLOTH
 in vec3 v_colour;
 in vec2 v_rest;
-in vec3 v_line_distance;
-flat in vec3 v_line_strength;
 in vec2 v_picture_at;
-uniform float line_half_width;        // m
 uniform bool pictured;                // the panel shows a picture
 uniform sampler2D picture;
 
@@ -218,21 +221,6 @@ float weave() {
   return tone;
 }
 
-// How much the seams and hems darken this pixel, and how red an open seam makes it: a thin line at least a pixel
-// wide, in a faint soft groove.
-vec2 lines() {
-  float darkest = 0.0, reddest = 0.0;
-  for (int i = 0; i < 3; ++i) {
-    float d = v_line_distance[i];
-    float a_pixel = length(vec2(dFdx(d), dFdy(d)));
-    float half_width = max(line_half_width, 0.55 * a_pixel);
-    float thin = 1.0 - smoothstep(half_width - 0.5 * a_pixel, half_width + 0.5 * a_pixel, d);
-    float groove = 0.30 * exp(-d / (3.5 * line_half_width));
-    darkest = max(darkest, v_line_strength[i] * max(thin, groove));
-    reddest = max(reddest, -v_line_strength[i] * (1.0 - smoothstep(1.5 * half_width, 2.5 * half_width, d)));
-  }
-  return vec2(darkest, reddest);
-}
 #else
 uniform vec3 body_colour;
 #endif
@@ -243,6 +231,10 @@ void main() {
   vec3 n = normalize(v_normal) * side;
   float sky = gl_FrontFacing ? v_sky.x : v_sky.y;
   float through = gl_FrontFacing ? v_sky.y : v_sky.x;
+#if CLOTH
+  SeamLook seam = seams(n * side, v_position);
+  n = normalize(n - seam.slope * side);
+#endif
   float facing = dot(n, to_eye);
   if (facing < 0.02) n = normalize(n + to_eye * (0.02 - facing));
   facing = max(facing, 0.02);
@@ -272,8 +264,8 @@ void main() {
     base = mix(base, shown.rgb, shown.a);
   }
   if (side < 0.0) base = mix(base, vec3(dot(base, vec3(0.2126, 0.7152, 0.0722))), 0.18) * 0.80;
-  vec2 line = lines();
-  base = mix(base * weave() * (1.0 - line.x), vec3(0.72, 0.03, 0.03), line.y);
+  base = mix(base * weave() * seam.shade, thread_of(base), seam.thread);
+  base = mix(base, vec3(0.72, 0.03, 0.03), seam.open);
   light += vec3(1.0, 0.93, 0.82) * (0.18 * max(-key, 0.0) * lit + 0.10 * through);   // shines through
   vec3 sheen = vec3(0.085) * pow(1.0 - facing, 3.0) * (openness + max(key, 0.0) * lit);
   pixel = developed(base * light + sheen * mix(vec3(1.0), base, 0.5));
@@ -303,13 +295,16 @@ const char* const kGroundFragment = R"(
 in vec3 v_position;
 in float v_sky;
 uniform vec4 ground;                  // xz of its middle, radius of the shadows, height
+uniform bool shadow_only;             // black that covers as much as the shadow darkens
 out vec4 pixel;
 void main() {
   float lit = key_visible_softly(v_position, vec3(0.0, 1.0, 0.0), 26.0 * key_texel, 6.2832 * noise_at(gl_FragCoord.xy));
   float away = length(v_position.xz - ground.xy) / ground.z;
   float fade = 1.0 - smoothstep(0.15, 1.0, away);
   vec3 shade = mix(vec3(0.44, 0.455, 0.49), vec3(1.0), clamp(v_sky, 0.0, 1.0)) * mix(vec3(0.80, 0.81, 0.835), vec3(1.0), lit);
-  pixel = developed(backdrop(gl_FragCoord.xy) * mix(vec3(1.0), shade, fade));
+  shade = mix(vec3(1.0), shade, fade);
+  if (shadow_only) pixel = vec4(vec3(0.0), 1.0 - pow(dot(shade, vec3(1.0 / 3.0)), 1.0 / 2.2));
+  else pixel = developed(backdrop(gl_FragCoord.xy) * shade);
 }
 )";
 

@@ -11,6 +11,7 @@ extern const char* const kDepthVertex;  ///< a surface into a shadow map
 extern const char* const kDepthFragment;
 extern const char* const kSky;            ///< soft light that reaches a vertex; goes before vertex shaders
 extern const char* const kStudio;         ///< key shadow, backdrop, tone; goes before fragment shaders
+extern const char* const kSeams;          ///< seams, hems, stitches; goes before the cloth's fragment shader
 extern const char* const kSurfaceVertex;  ///< with "#define CLOTH 1" or 0 before it
 extern const char* const kSurfaceFragment;
 extern const char* const kGroundVertex;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include "server/render/picture_texture.h"
 #include "server/render/shaders.h"
@@ -9,12 +10,11 @@
 namespace toile::render {
 namespace {
 
-constexpr int kKeyMapSide = 1280;          // texels; under 2 mm each around a person
-constexpr int kGroundCells = 64;           // a side
-constexpr double kGroundReach = 2.2;       // radius of caught shadows, of the scene's own
-constexpr float kSkyBlur = 5;              // texels of a sky map, on the ground
-constexpr float kBodySink = 0.002f;        // m; more than a coarse skin bulges through the cloth upon it
-constexpr float kLineHalfWidth = 0.0008f;  // m
+constexpr int kKeyMapSide = 1280;     // texels; under 2 mm each around a person
+constexpr int kGroundCells = 64;      // a side
+constexpr double kGroundReach = 2.2;  // radius of caught shadows, of the scene's own
+constexpr float kSkyBlur = 5;         // texels of a sky map, on the ground
+constexpr float kBodySink = 0.002f;   // m; more than a coarse skin bulges through the cloth upon it
 constexpr GLint kKeyUnit = 0, kSkyUnit = 1, kPictureUnit = 2;
 
 void attribute(const GlFunctions& gl, GLuint location, int size, std::size_t stride, std::size_t offset) {
@@ -31,26 +31,29 @@ void fill_buffer(GlScope& scope, GLenum target, const std::vector<T>& data) {
                         GL_STATIC_DRAW);
 }
 
-DrawnSurface upload_cloth(GlScope& scope, const ClothView& cloth) {
+DrawnSurface upload_cloth(GlScope& scope, const ClothSurface& cloth) {
   const GlFunctions& gl = scope.gl();
-  const std::vector<ClothVertex> vertices = cloth_vertices(cloth);
-  DrawnSurface surface{scope.vertex_array(), static_cast<GLsizei>(vertices.size()), false, {}};
+  DrawnSurface surface{scope.vertex_array(), static_cast<GLsizei>(3 * cloth.triangles.size()), {}};
   gl.BindVertexArray(surface.vertex_array);
-  fill_buffer(scope, GL_ARRAY_BUFFER, vertices);
+  fill_buffer(scope, GL_ARRAY_BUFFER, cloth.vertices);
+  fill_buffer(scope, GL_ELEMENT_ARRAY_BUFFER, cloth.triangles);
+  constexpr std::size_t kLines = offsetof(ClothVertex, lines);
   attribute(gl, 0, 3, sizeof(ClothVertex), offsetof(ClothVertex, position));
   attribute(gl, 1, 3, sizeof(ClothVertex), offsetof(ClothVertex, normal));
   attribute(gl, 2, 3, sizeof(ClothVertex), offsetof(ClothVertex, colour));
   attribute(gl, 3, 2, sizeof(ClothVertex), offsetof(ClothVertex, rest));
-  attribute(gl, 4, 3, sizeof(ClothVertex), offsetof(ClothVertex, line_distance));
-  attribute(gl, 5, 3, sizeof(ClothVertex), offsetof(ClothVertex, line_strength));
-  attribute(gl, 6, 2, sizeof(ClothVertex), offsetof(ClothVertex, picture_at));
+  attribute(gl, 4, 4, sizeof(ClothVertex), kLines + offsetof(VertexLines, distance));
+  attribute(gl, 5, 4, sizeof(ClothVertex), kLines + offsetof(VertexLines, along));
+  attribute(gl, 6, 4, sizeof(ClothVertex), kLines + offsetof(VertexLines, kind));
+  attribute(gl, 7, 3, sizeof(ClothVertex), offsetof(ClothVertex, make));
+  attribute(gl, 8, 2, sizeof(ClothVertex), offsetof(ClothVertex, picture_at));
   return surface;
 }
 
 DrawnSurface upload_indexed(GlScope& scope, const std::vector<BodyVertex>& vertices,
                             const std::vector<Tri>& triangles, LinearRgb colour) {
   const GlFunctions& gl = scope.gl();
-  DrawnSurface surface{scope.vertex_array(), static_cast<GLsizei>(triangles.size() * 3), true, colour};
+  DrawnSurface surface{scope.vertex_array(), static_cast<GLsizei>(triangles.size() * 3), colour};
   gl.BindVertexArray(surface.vertex_array);
   fill_buffer(scope, GL_ARRAY_BUFFER, vertices);
   fill_buffer(scope, GL_ELEMENT_ARRAY_BUFFER, triangles);
@@ -62,11 +65,7 @@ DrawnSurface upload_indexed(GlScope& scope, const std::vector<BodyVertex>& verti
 void draw(const GlFunctions& gl, const DrawnSurface& surface) {
   if (surface.count == 0) return;
   gl.BindVertexArray(surface.vertex_array);
-  if (surface.indexed) {
-    gl.DrawElements(GL_TRIANGLES, surface.count, GL_UNSIGNED_INT, nullptr);
-  } else {
-    gl.DrawArrays(GL_TRIANGLES, 0, surface.count);
-  }
+  gl.DrawElements(GL_TRIANGLES, surface.count, GL_UNSIGNED_INT, nullptr);
 }
 
 void set(const GlFunctions& gl, GLint location, Vec3 v) {
@@ -114,7 +113,7 @@ Result<Programs> Programs::link(const GlFunctions& gl) {
   GlProgram depth =
       TRY(GlProgram::link(gl, {s::kVersion, s::kDepthVertex}, {s::kVersion, s::kDepthFragment}));
   GlProgram cloth = TRY(GlProgram::link(gl, {s::kVersion, kCloth, s::kSky, s::kSurfaceVertex},
-                                        {s::kVersion, kCloth, s::kStudio, s::kSurfaceFragment}));
+                                        {s::kVersion, kCloth, s::kStudio, s::kSeams, s::kSurfaceFragment}));
   GlProgram body = TRY(GlProgram::link(gl, {s::kVersion, kBody, s::kSky, s::kSurfaceVertex},
                                        {s::kVersion, kBody, s::kStudio, s::kSurfaceFragment}));
   GlProgram ground = TRY(GlProgram::link(gl, {s::kVersion, s::kSky, s::kGroundVertex},
@@ -135,8 +134,9 @@ Shot::Shot(const GlFunctions& gl, const Programs& programs, const Scene& scene, 
       scope_(gl) {}
 
 void Shot::upload() {
-  cloth_ = upload_cloth(scope_, scene_.cloth);
-  runs_ = cloth_runs(scene_.cloth);
+  ClothSurface cloth = cloth_surface(scene_.cloth);
+  cloth_ = upload_cloth(scope_, cloth);
+  runs_ = std::move(cloth.runs);
   if (scene_.cloth.textures != nullptr) {
     for (const auto& image : scene_.cloth.textures->images)
       pictures_.push_back(upload_picture(scope_, image->read.picture));
@@ -243,7 +243,6 @@ void Shot::draw_cloth() {
   const GlProgram& program = programs_.cloth;
   program.use();
   gl_.Uniform1f(program.at("sink"), 0);
-  gl_.Uniform1f(program.at("line_half_width"), kLineHalfWidth);
   gl_.Uniform1i(program.at("picture"), kPictureUnit);
   gl_.BindVertexArray(cloth_.vertex_array);
   for (const ClothRun& run : runs_) {
@@ -253,11 +252,13 @@ void Shot::draw_cloth() {
       gl_.BindTexture(GL_TEXTURE_2D, pictures_[static_cast<std::size_t>(run.image)]);
       gl_.ActiveTexture(GL_TEXTURE0);
     }
-    gl_.DrawArrays(GL_TRIANGLES, run.first, run.count);
+    const std::size_t first = sizeof(Index) * static_cast<std::size_t>(run.first);
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): so OpenGL takes an offset
+    gl_.DrawElements(GL_TRIANGLES, run.count, GL_UNSIGNED_INT, reinterpret_cast<const void*>(first));
   }
 }
 
-void Shot::draw_picture(int width, int height) {
+void Shot::draw_picture(int width, int height, bool transparent) {
   gl_.Viewport(0, 0, width, height);
   gl_.Enable(GL_DEPTH_TEST);
   gl_.DepthFunc(GL_LEQUAL);
@@ -279,23 +280,29 @@ void Shot::draw_picture(int width, int height) {
     set(gl_, programs_.body.at("body_colour"), {body.colour[0], body.colour[1], body.colour[2]});
     draw(gl_, body);
   }
+  draw_ground(transparent);
+  if (transparent) return;
+  programs_.backdrop.use();
+  gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void Shot::draw_ground(bool transparent) {
   programs_.ground.use();
   const Vec3 middle = box_.empty() ? Vec3{} : box_.middle();
   const double reach = kGroundReach * (box_.empty() ? 0.5 : length(box_.size()) * 0.5);
   gl_.Uniform4f(programs_.ground.at("ground"), static_cast<float>(middle.x), static_cast<float>(middle.z),
                 static_cast<float>(reach), 0);
+  gl_.Uniform1i(programs_.ground.at("shadow_only"), transparent ? 1 : 0);
   draw(gl_, ground_);
-  programs_.backdrop.use();
-  gl_.DrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-Result<std::vector<std::uint8_t>> Shot::take(int width, int height, int samples) {
+Result<std::vector<std::uint8_t>> Shot::take(int width, int height, int samples, bool transparent) {
   upload();
   draw_key_map();
   draw_sky_map();
   const GLuint drawn = target(width, height, samples);
   if (drawn == 0) return failed();
-  draw_picture(width, height);
+  draw_picture(width, height, transparent);
   const GLuint resolved = target(width, height, 1);
   if (resolved == 0) return failed();
   gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, drawn);

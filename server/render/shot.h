@@ -24,8 +24,7 @@ struct Programs {
 /// A vertex array on the graphics side.
 struct DrawnSurface {
   GLuint vertex_array = 0;
-  GLsizei count = 0;  // vertices, or indices where indexed
-  bool indexed = false;
+  GLsizei count = 0;   // indices
   LinearRgb colour{};  // of a body
 };
 
@@ -35,7 +34,8 @@ class Shot {
   Shot(const GlFunctions& gl, const Programs& programs, const Scene& scene, const Camera& camera);
 
   /// RGBA, 8-bit sRGB, rows from the bottom. Error: "render.failed".
-  Result<std::vector<std::uint8_t>> take(int width, int height, int samples);
+  /// With `transparent`, colours are multiplied by their opacity.
+  Result<std::vector<std::uint8_t>> take(int width, int height, int samples, bool transparent);
 
  private:
   void upload();
@@ -44,7 +44,8 @@ class Shot {
   void draw_sky_map();
   void draw_casters();
   void draw_cloth();
-  void draw_picture(int width, int height);
+  void draw_picture(int width, int height, bool transparent);
+  void draw_ground(bool transparent);
   void set_lights(const GlProgram& program, int width, int height);
   void set_viewer(const GlProgram& program);
   /// 0 when OpenGL cannot make it.

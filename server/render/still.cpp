@@ -8,40 +8,64 @@
 namespace toile::render {
 namespace {
 
+/// Rows turned to start at the top, blocks of factor² pixels averaged.
+class Reduction {
+ public:
+  Reduction(const std::vector<std::uint8_t>& rgba, int width, int height, int factor)
+      : rgba_(rgba), width_(width), height_(height), factor_(factor) {}
+
+  Image opaque() const {
+    Image image = empty();
+    for (std::size_t i = 0; i < 3 * pixels(); ++i) image.rgb[i] = rounded(sum(i / 3, i % 3), samples());
+    return image;
+  }
+
+  /// The colours were multiplied by their opacity, which this takes back.
+  Image with_opacity() const {
+    Image image = empty();
+    for (std::size_t i = 0; i < pixels(); ++i) {
+      const int covered = sum(i, 3);
+      image.opacity.push_back(rounded(covered, samples()));
+      for (std::size_t channel = 0; channel < 3 && covered > 0; ++channel)
+        image.rgb[3 * i + channel] = rounded(std::min(255 * sum(i, channel), 255 * covered), covered);
+    }
+    return image;
+  }
+
+ private:
+  Image empty() const { return {width_, height_, std::vector<std::uint8_t>(3 * pixels()), {}}; }
+  std::size_t pixels() const { return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_); }
+  int samples() const { return factor_ * factor_; }
+  static std::uint8_t rounded(int sum, int count) {
+    return static_cast<std::uint8_t>((sum + count / 2) / count);
+  }
+
+  int sum(std::size_t pixel, std::size_t channel) const {
+    const int x = static_cast<int>(pixel % static_cast<std::size_t>(width_)) * factor_;
+    const int y = (height_ - 1 - static_cast<int>(pixel / static_cast<std::size_t>(width_))) * factor_;
+    int sum = 0;
+    for (int i = 0; i < samples(); ++i) {
+      const auto row = static_cast<std::size_t>(y + i / factor_) * static_cast<std::size_t>(width_ * factor_);
+      sum += rgba_[4 * (row + static_cast<std::size_t>(x + i % factor_)) + channel];
+    }
+    return sum;
+  }
+
+  const std::vector<std::uint8_t>& rgba_;
+  int width_, height_, factor_;
+};
+
+}  // namespace
+
 Status check_settings(const StillSettings& s) {
   if (s.width < 16 || s.height < 16 || s.width > 4096 || s.height > 4096) {
-    return Error{"render.settings", "width and height of a still must be 16 to 4096 pixels", "",
-                 ErrorKind::kInternal};
+    return Error{"render.settings", "width and height of a still must be 16 to 4096 pixels", "size"};
   }
   if (s.samples != 1 && s.samples != 4 && s.samples != 16) {
-    return Error{"render.settings", "a still takes 1, 4 or 16 samples per pixel", "", ErrorKind::kInternal};
+    return Error{"render.settings", "a still takes 1, 4 or 16 samples per pixel", "samples"};
   }
   return {};
 }
-
-/// Rows turned to start at the top, blocks of factor² pixels averaged.
-Image reduced(const std::vector<std::uint8_t>& rgba, int width, int height, int factor) {
-  Image image{width, height, std::vector<std::uint8_t>(static_cast<std::size_t>(width) * height * 3)};
-  const std::size_t row = static_cast<std::size_t>(width) * factor * 4;
-  const int count = factor * factor;
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      for (int channel = 0; channel < 3; ++channel) {
-        int sum = count / 2;
-        for (int i = 0; i < count; ++i) {
-          const std::size_t from_y = static_cast<std::size_t>(height - 1 - y) * factor + i / factor;
-          const std::size_t from_x = static_cast<std::size_t>(x) * factor + i % factor;
-          sum += rgba[from_y * row + from_x * 4 + channel];
-        }
-        image.rgb[(static_cast<std::size_t>(y) * width + x) * 3 + channel] =
-            static_cast<std::uint8_t>(sum / count);
-      }
-    }
-  }
-  return image;
-}
-
-}  // namespace
 
 struct StillRenderer::Parts {
   std::unique_ptr<GlContext> context;  // declared first: outlives the programs made in it
@@ -81,8 +105,10 @@ Result<Image> StillRenderer::render(const Scene& scene, const Camera& camera, co
   const int factor = settings.samples > parts_->most_samples ? 2 : 1;
   const int samples = std::clamp(settings.samples / (factor * factor), 1, parts_->most_samples);
   Shot shot(parts_->context->gl(), parts_->programs, scene, camera);
-  const auto rgba = TRY(shot.take(settings.width * factor, settings.height * factor, samples));
-  return reduced(rgba, settings.width, settings.height, factor);
+  const auto rgba =
+      TRY(shot.take(settings.width * factor, settings.height * factor, samples, settings.transparent));
+  const Reduction reduction(rgba, settings.width, settings.height, factor);
+  return settings.transparent ? reduction.with_opacity() : reduction.opaque();
 }
 
 Result<Image> render_still(const Scene& scene, View view, const StillSettings& settings) {

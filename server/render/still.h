@@ -15,12 +15,17 @@ namespace toile::render {
 struct Image {
   int width = 0, height = 0;
   std::vector<std::uint8_t> rgb;
+  std::vector<std::uint8_t> opacity{};  ///< a byte per pixel; empty: all opaque
 };
 
 struct StillSettings {
   int width = 1024, height = 1280;  ///< pixels, 16 to 4096 each
   int samples = 4;  ///< 1, 4 or 16 per pixel; what OpenGL cannot do itself is drawn larger and averaged
+  bool transparent = false;  ///< no backdrop, and of the ground the shadow only
 };
+
+/// Error: "render.settings".
+Status check_settings(const StillSettings& settings);
 
 /// Holds the OpenGL context and programs from one picture to the next: the first takes about half a second
 /// more. Belongs to one thread.

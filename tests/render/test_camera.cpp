@@ -100,5 +100,31 @@ TEST(Camera, KeepsAParallelMapWithinItsBounds) {
   }
 }
 
+TEST(Camera, StandsWhereItIsPutAndLooksAtTheTarget) {
+  const render::Camera camera = *render::camera_at({}, {.eye = {1, 2, 3}, .target = Vec3{0, 1, 0}}, 1.0);
+  const Vec3 middle = camera.project({0, 1, 0}, 200, 200), above = camera.project({0, 1.1, 0}, 200, 200);
+  EXPECT_NEAR(middle.x, 100, 1e-9);
+  EXPECT_NEAR(middle.y, 100, 1e-9);
+  EXPECT_NEAR(above.x, 100, 1e-9);
+  EXPECT_LT(above.y, 100);
+}
+
+TEST(Camera, LooksStraightDownWithTheFrontBelow) {
+  const render::Camera camera = *render::camera_at({}, {.eye = {0, 3, 0}, .target = Vec3{0, 1, 0}}, 1.0);
+  EXPECT_GT(camera.project({0, 1, 0.1}, 200, 200).y, 100);
+}
+
+TEST(Camera, IsRefusedWhereItCannotStand) {
+  EXPECT_EQ(render::camera_at({}, {.eye = {0, 1, 0}, .target = Vec3{0, 1, 0}}, 1.0).error().code,
+            "render.camera");
+  EXPECT_EQ(render::camera_at({}, {.eye = {0, 1, 500}}, 1.0).error().code, "render.camera");
+  EXPECT_EQ(render::camera_at({}, {.eye = {0, 1, 2}, .angle = 0.5}, 1.0).error().code, "render.camera");
+}
+
+TEST(Camera, HasAWordForEachView) {
+  for (const std::string& word : render::view_words()) EXPECT_TRUE(render::view_from(word).ok()) << word;
+  EXPECT_EQ(render::view_from("below").error().code, "render.view");
+}
+
 }  // namespace
 }  // namespace toile

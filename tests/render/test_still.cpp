@@ -167,25 +167,63 @@ TEST(Still, SmoothsEdges) {
   EXPECT_GT(smoother, hard + 50);
 }
 
-TEST(Still, DrawsTheSeamAsADarkerLine) {
+/// Across a seam of grey cloth seen from near: with the seam, and the same surface in one piece.
+struct AcrossSeam {
+  std::vector<int> sewn, joined;  // green, pixel by pixel
+};
+
+AcrossSeam across_seam(double metres_off) {
   const Draped skirt = folded_skirt();
   render::Scene scene = skirt.scene();
   scene.cloth.colour_of_panel.assign(2, {0.5, 0.5, 0.5});
-  const render::Camera camera = render::frame_scene(scene, render::View::kSide, 256.0 / 320);
-  const Vec3 seam = camera.project(skirt.positions[4 * (kSkirtColumns + 1) + kSkirtColumns], 256, 320);
-  const auto darkest = [&](const render::Image& image) {
-    int least = 255;
-    for (int x = -2; x <= 2; ++x) least = std::min(least, at(image, seam.x + x, seam.y).g);
-    return least;
-  };
-  const int sewn = darkest(still(scene, render::View::kSide));
-  render::Scene plain = scene;  // joined into one piece: the same surface without a seam
+  const Vec3 seam = skirt.positions[4 * (kSkirtColumns + 1) + kSkirtColumns];
+  const render::Camera camera =
+      *render::camera_at(scene, {.eye = seam + Vec3{metres_off, 0, 0}, .target = seam}, 256.0 / 320);
+  auto renderer = render::StillRenderer::create();
+  const render::Image sewn = *(*renderer)->render(scene, camera, kSmall);
   std::vector<Tri> joined = skirt.triangles;
   for (Tri& t : joined) {
     for (Index& v : t) v = skirt.weld[v];
   }
-  plain.cloth.triangles = joined;
-  EXPECT_LT(sewn, darkest(still(plain, render::View::kSide)) - 20);
+  scene.cloth.triangles = joined;
+  const render::Image plain = *(*renderer)->render(scene, camera, kSmall);
+  AcrossSeam across;
+  for (int x = 116; x < 140; ++x) {
+    across.sewn.push_back(at(sewn, x, 160).g);
+    across.joined.push_back(at(plain, x, 160).g);
+  }
+  return across;
+}
+
+TEST(Still, DrawsASeamAsAFineRidgeAndNotAsABlackLine) {
+  const AcrossSeam across = across_seam(0.4);
+  int darkest = 0, lightest = 0;
+  for (std::size_t x = 0; x < across.sewn.size(); ++x) {
+    darkest = std::min(darkest, across.sewn[x] - across.joined[x]);
+    lightest = std::max(lightest, across.sewn[x] - across.joined[x]);
+  }
+  EXPECT_LT(darkest, -15) << "the line where the pieces meet";
+  EXPECT_GT(darkest, -90) << "not black";
+  EXPECT_GT(lightest, 1) << "the side of the ridge that faces the light";
+}
+
+TEST(Still, LetsASeamFadeWhereItIsMuchFinerThanAPixel) {
+  const AcrossSeam across = across_seam(20);
+  for (std::size_t x = 0; x < across.sewn.size(); ++x) EXPECT_NEAR(across.sewn[x], across.joined[x], 8) << x;
+}
+
+TEST(Still, WithoutBackdropIsOpaqueWhereThereIsCloth) {
+  const Draped skirt = folded_skirt();
+  const render::Image image = still(skirt.scene(), render::View::kFront, {256, 320, 4, true});
+  ASSERT_EQ(image.opacity.size(), 256u * 320);
+  EXPECT_EQ(image.opacity[160 * 256 + 128], 255);
+  EXPECT_EQ(image.opacity[4 * 256 + 4], 0);
+  EXPECT_TRUE(is_red(at(image, 128, 160)));
+  EXPECT_EQ(at(image, 128, 160).r, at(still(skirt.scene(), render::View::kFront), 128, 160).r);
+  int shadow = 0;
+  for (std::size_t i = 0; i < image.opacity.size(); ++i)
+    shadow += image.opacity[i] > 10 && image.opacity[i] < 200 && image.rgb[3 * i] < 8;
+  EXPECT_GT(shadow, 100) << "the ground is there as its shadow";
 }
 
 TEST(Still, RefusesWhatItCannotDraw) {

@@ -137,17 +137,19 @@ TEST(ClothRuns, PutTrianglesOfOnePictureTogether) {
   textures.of_panel = {image::lay_texture(1, {0, 1}, {}, 0.1, 1, 0),
                        image::lay_texture(0, {0, 1}, {}, 0.1, 1, 0)};
   render::Scene scene = skirt.scene();
-  EXPECT_EQ(render::cloth_runs(scene.cloth).size(), 1u);
-  EXPECT_EQ(render::cloth_runs(scene.cloth)[0].image, kNone);
+  const std::vector<render::ClothRun> plain = render::cloth_surface(scene.cloth).runs;
+  ASSERT_EQ(plain.size(), 1u);
+  EXPECT_EQ(plain[0].image, kNone);
   scene.cloth.textures = &textures;
-  const std::vector<render::ClothRun> runs = render::cloth_runs(scene.cloth);
+  const render::ClothSurface surface = render::cloth_surface(scene.cloth);
+  const std::vector<render::ClothRun>& runs = surface.runs;
   ASSERT_EQ(runs.size(), 2u);
   EXPECT_EQ(runs[0].image, 0);
   EXPECT_EQ(runs[1].image, 1);
   EXPECT_EQ(runs[1].first, runs[0].count);
   EXPECT_EQ(runs[0].count + runs[1].count, static_cast<int>(3 * skirt.triangles.size()));
   // The back comes first now: its vertices are those of the second half of the triangles.
-  const render::ClothVertex first = render::cloth_vertices(scene.cloth).front();
+  const render::ClothVertex& first = surface.vertices[static_cast<std::size_t>(surface.triangles[0][0])];
   EXPECT_NEAR(first.position[2], skirt.positions[skirt.triangles[skirt.triangles.size() / 2][0]].z, 1e-6);
 }
 

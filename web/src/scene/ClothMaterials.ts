@@ -2,18 +2,23 @@
 
 import { DoubleSide, MeshStandardMaterial, Vector2, type Material, type Texture } from 'three';
 import { kPlainFinish, type Finish, type Weave } from '../state/fabrics';
+import { kSeamFragment, kSeamFragmentHead, kSeamVertex, kSeamVertexHead } from './seamShader';
 import { threadNormals, weaveTexture } from './weave';
 
 /** How much darker cloth is on its wrong side, which lies away from the light. */
 const kInside = 0.74;
 const kThreads = 0.5;
 
-/** Fibres catch the light where cloth is seen at a slant; the inside of a garment is darker. */
-function withSheen(material: MeshStandardMaterial, sheen: number): MeshStandardMaterial {
+/** Fibres catch the light where cloth is seen at a slant; the inside of a garment is darker; seams stand up. */
+function madeUp(material: MeshStandardMaterial, sheen: number): MeshStandardMaterial {
   material.onBeforeCompile = (shader) => {
     shader.uniforms.sheen = { value: sheen };
+    shader.vertexShader = shader.vertexShader
+      .replace('#include <common>', `#include <common>${kSeamVertexHead}`)
+      .replace('#include <begin_vertex>', `#include <begin_vertex>${kSeamVertex}`);
     shader.fragmentShader = shader.fragmentShader
-      .replace('#include <common>', '#include <common>\nuniform float sheen;')
+      .replace('#include <common>', `#include <common>\nuniform float sheen;${kSeamFragmentHead}`)
+      .replace('#include <normal_fragment_maps>', `#include <normal_fragment_maps>${kSeamFragment}`)
       .replace(
         '#include <opaque_fragment>',
         `float slant = 1.0 - saturate(dot(normal, normalize(vViewPosition)));
@@ -59,7 +64,7 @@ export class ClothMaterials {
     this.finely_.set(material, this.threads(weave));
     material.addEventListener('dispose', () => this.finely_.delete(material));
     this.dress(material);
-    return withSheen(material, sheen);
+    return madeUp(material, sheen);
   }
 
   /** With threads that stand up, or smooth, which is drawn faster. */

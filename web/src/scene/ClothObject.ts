@@ -20,7 +20,7 @@ import type { ClothTopology, TopologyPiece } from '../api/frames';
 import { bandOf, kBands, type ClothMap } from '../state/clothMaps';
 import type { SeamPart } from '../state/seamView';
 import { fillRepeats, type Look } from '../state/texture';
-import type { Finish } from '../state/fabrics';
+import { kPlainFinish, type Finish } from '../state/fabrics';
 import { ClothMaterials } from './ClothMaterials';
 import { PrintMaterials } from './PrintMaterials';
 import {
@@ -34,10 +34,14 @@ import {
   widestGap,
   type WeldGroups,
 } from './surface';
+import { seamLines, type SeamLines } from './seamLines';
 import { kTileMetres } from './weave';
 
 /** Sewn pairs further apart than this still have their threads drawn, m. */
 const kThreadGap = 0.0015;
+/** m; seams of thicker cloth are stitched down, this far beside them. */
+const kStitchedDown = 0.00065;
+const kBeside = 0.005;
 
 const kBandColours = kBands.map((band) => new Color(band));
 /** Of cloth of which the map can say nothing. */
@@ -60,11 +64,14 @@ export class ClothObject {
   private lines_: BufferGeometry[] = [];
   private rimOfPiece_: LineSegments | null = null;
   private wires_: LineSegments | null = null;
+  private seams_: LineSegments | null = null;
+  private seamLines_: SeamLines | null = null;
   private threads_: LineSegments | null = null;
   private litSeam_: Points | null = null;
   private readonly cloths_ = new ClothMaterials();
   private finishes_: ReadonlyMap<string, Finish> = new Map();
-  private readonly seamMaterial_ = new LineBasicMaterial({ color: 0x585858, vertexColors: true, transparent: true, opacity: 0.7 });
+  /** Upon maps; cloth has its seams as ridges. */
+  private readonly seamMaterial_ = new LineBasicMaterial({ color: 0x585858, vertexColors: true, transparent: true, opacity: 0.45 });
   private readonly wireMaterial_ = new LineBasicMaterial({ color: 0x000000, transparent: true, opacity: 0.22 });
   private readonly threadMaterial_: LineBasicMaterial;
   private readonly rimMaterial_: LineBasicMaterial;
@@ -98,7 +105,8 @@ export class ClothObject {
     this.welds_ = weldGroups(sewn, vertexCount);
     this.addSurface(topology);
     const rim = rimEdges(triangles, vertexCount);
-    this.addLines(seamEdges(rim, sewn), this.seamMaterial_, 1);
+    this.seams_ = this.addLines(seamEdges(rim, sewn), this.seamMaterial_, 1);
+    this.seams_.visible = this.map_ !== null;
     this.threads_ = this.addLines(sewn, this.threadMaterial_, 2);
     this.wires_ = this.addLines(allEdges(triangles, vertexCount), this.wireMaterial_, 1);
     this.rimOfPiece_ = this.addLines(new Uint32Array(0), this.rimMaterial_, 3);
@@ -157,6 +165,7 @@ export class ClothObject {
     const turned = (map === null) !== (this.map_ === null);
     this.map_ = map;
     if (turned) this.dress();
+    if (this.seams_) this.seams_.visible = map !== null;
     this.paint();
   }
 
@@ -229,6 +238,8 @@ export class ClothObject {
     this.wires_ = null;
     this.rimOfPiece_ = null;
     this.litSeam_ = null;
+    this.seams_ = null;
+    this.seamLines_ = null;
     this.group.visible = false;
   }
 
@@ -239,6 +250,10 @@ export class ClothObject {
       ['normal', 3],
       ['color', 3],
       ['uv', 2],
+      ['lineDistance', 4],
+      ['lineAlong', 4],
+      ['lineKind', 4],
+      ['make', 3],
     ] as const;
     for (const [name, size] of names)
       this.geometry_.setAttribute(name, new BufferAttribute(new Float32Array(3 * size), size));
@@ -258,6 +273,7 @@ export class ClothObject {
     coordinates.set(rest.map((metres) => metres / kTileMetres));
     const materials: Material[] = [];
     const materialOf = new Uint16Array(vertexCount);
+    this.makeUp(pieces);
     for (const { id, firstVertex, vertexCount: count } of pieces) {
       const look = this.looks_.get(id);
       const finish = this.finishes_.get(id);
@@ -276,13 +292,32 @@ export class ClothObject {
     this.mesh_.material = this.map_ ? this.mapMaterial_ : materials;
   }
 
-  private addSurface({ vertexCount }: ClothTopology): void {
+  /** Thickness, hems, and stitches beside the seams of thick cloth. */
+  private makeUp(pieces: readonly TopologyPiece[]): void {
+    const make = this.geometry_.getAttribute('make') as BufferAttribute;
+    pieces.forEach(({ id, firstVertex, vertexCount }, p) => {
+      const { thickness } = this.finishes_.get(id) ?? kPlainFinish;
+      const beside = thickness >= kStitchedDown ? kBeside : 0;
+      for (let v = firstVertex; v < firstVertex + vertexCount; ++v)
+        make.setXYZ(v, thickness, this.seamLines_?.hems[p] ?? 0, beside);
+    });
+    make.needsUpdate = true;
+  }
+
+  private addSurface(topology: ClothTopology): void {
+    const { vertexCount } = topology;
     const dynamic = (): BufferAttribute =>
       new BufferAttribute(new Float32Array(3 * vertexCount), 3).setUsage(DynamicDrawUsage);
     this.geometry_.setAttribute('position', dynamic());
     this.geometry_.setAttribute('normal', dynamic());
     this.geometry_.setAttribute('color', new BufferAttribute(new Float32Array(3 * vertexCount), 3));
     this.geometry_.setAttribute('uv', new BufferAttribute(new Float32Array(2 * vertexCount), 2));
+    this.seamLines_ = seamLines(topology);
+    const { distance, along, kind } = this.seamLines_;
+    this.geometry_.setAttribute('lineDistance', new BufferAttribute(distance, 4));
+    this.geometry_.setAttribute('lineAlong', new BufferAttribute(along, 4));
+    this.geometry_.setAttribute('lineKind', new BufferAttribute(kind, 4));
+    this.geometry_.setAttribute('make', new BufferAttribute(new Float32Array(3 * vertexCount), 3));
     this.mesh_ = new Mesh(this.geometry_, this.cloths_.of());
     this.dress();
     this.mesh_.castShadow = true;

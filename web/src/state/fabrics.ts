@@ -58,11 +58,13 @@ export interface Finish {
   roughness: number;
   /** How much of its colour fibres that stand off give back where it is seen at a slant. */
   sheen: number;
+  /** m, of the cloth: seams of thick cloth stand up more. */
+  thickness: number;
 }
 
-export const kPlainFinish: Finish = { weave: 'plain', roughness: 0.92, sheen: 0.16 };
+export const kPlainFinish: Finish = { weave: 'plain', roughness: 0.92, sheen: 0.16, thickness: 0.0005 };
 
-const kFinishes: [RegExp, Omit<Finish, 'weave'>][] = [
+const kFinishes: [RegExp, Omit<Finish, 'weave' | 'thickness'>][] = [
   [/leather/, { roughness: 0.5, sheen: 0 }],
   [/satin|charmeuse/, { roughness: 0.44, sheen: 0.1 }],
   [/habotai|taffeta|organza|nylon|swim|tricot/, { roughness: 0.58, sheen: 0.08 }],
@@ -70,10 +72,10 @@ const kFinishes: [RegExp, Omit<Finish, 'weave'>][] = [
   [/knit|jersey|rib|interlock|ponte/, { roughness: 0.96, sheen: 0.24 }],
 ];
 
-export function finishOf(fabric: Pick<Fabric, 'name' | 'title' | 'fibre' | 'weave' | 'construction'>): Finish {
+export function finishOf(fabric: Pick<Fabric, 'name' | 'title' | 'fibre' | 'weave' | 'construction' | 'thickness_mm'>): Finish {
   const words = `${fabric.name} ${fabric.title} ${fabric.fibre} ${fabric.weave} ${fabric.construction}`.toLowerCase();
   const found = kFinishes.find(([pattern]) => pattern.test(words))?.[1] ?? kPlainFinish;
-  return { ...found, weave: weaveOf(fabric) };
+  return { roughness: found.roughness, sheen: found.sheen, weave: weaveOf(fabric), thickness: fabric.thickness_mm / 1000 };
 }
 
 /** "cotton, plain": without what is no word of cloth. */
