@@ -9,6 +9,7 @@ import { downloadsOf, reportLines, stillsOf, type Download } from '../state/repo
 import { seamTitle } from '../state/seamView';
 import { bytes } from '../state/words';
 import { Icon } from '../controls/Icon';
+import { FitTable } from './FitTable';
 import { Movies, type MovieMaking } from './Movies';
 import { OutcomeList } from './OutcomeList';
 import type { PicturesProps } from './Rail';
@@ -42,6 +43,7 @@ export function Results({ resultUrl, movies }: PicturesProps & { movies?: MovieM
       <OutcomeList />
       {stills.length > 0 && <Stills names={stills} urlOf={urlOf} enlarge={(name) => (large.value = name)} />}
       <Report />
+      <Fit />
       <Movies job={job} making={movies} />
       {downloads.length > 0 && <h3>Take out</h3>}
       <ul class="downloads">
@@ -96,6 +98,11 @@ function FileLink({ file, url, of, tip }: { file: Download; url: string; of: str
       </a>
     </li>
   );
+}
+
+function Fit() {
+  const report = valueOf(useAppState().report.value ?? loading);
+  return report && <FitTable report={report} />;
 }
 
 function Report() {

@@ -3,8 +3,9 @@ import { fireEvent, screen, within } from '@testing-library/dom';
 import { beforeEach, describe, expect, it } from 'vitest';
 import { click, openPage, type Page } from './page';
 import { ApiError } from '../../src/api/http';
-import type { Edit, Job, MovieOrder } from '../../src/api/types';
+import type { Edit, Job, MovieOrder, Report } from '../../src/api/types';
 import { DrapeFigures } from '../../src/panels/DrapeFigures';
+import { FitTable } from '../../src/panels/FitTable';
 import { Movies } from '../../src/panels/Movies';
 import { OutcomeList } from '../../src/panels/OutcomeList';
 import { Results } from '../../src/panels/Results';
@@ -22,6 +23,48 @@ beforeEach(() => {
 });
 
 const drape = (more: Partial<Job> = {}): void => page.change((state) => (state.jobs.value = ready([jobOf(more)])));
+
+describe('the fit table', () => {
+  const girth = (at: string, more: Partial<NonNullable<Report['fit']>[number]> = {}): NonNullable<Report['fit']>[number] => ({
+    at,
+    fit: 'fits',
+    text: '',
+    body_mm: 680,
+    garment_mm: 722,
+    ease_mm: 42,
+    worn_mm: 725,
+    tight_by_mm: 0,
+    shifted_mm: 0,
+    pieces: ['front'],
+    place: [0, 1, 0],
+    ...more,
+  });
+  const rows = (): string[][] =>
+    [...document.querySelectorAll('.fit tbody tr')].map((row) => [...row.children].map((cell) => cell.textContent ?? ''));
+
+  it('sets body and garment side by side, in the unit that is chosen', () => {
+    const report = reportOf({ fit: [girth('waist'), girth('thigh_left', { ease_mm: -5 })] });
+    page.show(<FitTable report={report} />);
+    expect(rows()).toEqual([
+      ['Waist', '68.0 cm', '72.2 cm', '+4.2 cm'],
+      ['Thigh, left', '68.0 cm', '72.2 cm', '−0.5 cm'],
+    ]);
+    page.change((state) => (state.dressing.unit.value = 'inch'));
+    expect(rows()[0]).toEqual(['Waist', '26.77 in', '28.43 in', '+1.65 in']);
+  });
+
+  it('names what is too tight, and where else it was measured', () => {
+    const tight = girth('hip', { fit: 'too_tight', ease_mm: -21, tight_by_mm: 21, shifted_mm: 35 });
+    page.show(<FitTable report={reportOf({ fit: [tight] })} />);
+    expect(screen.getByText('2.1 cm too tight')).toBeTruthy();
+    expect(screen.getByText('2.1 cm too tight').closest('tr')?.title).toMatch(/^Measured 3\.5 cm above/);
+  });
+
+  it('is not there where nothing goes around anybody', () => {
+    page.show(<FitTable report={reportOf({ fit: [] })} />);
+    expect(document.querySelector('.fit')).toBeNull();
+  });
+});
 
 describe('a drape under way', () => {
   it('waits for its first speeds, then draws them', () => {
