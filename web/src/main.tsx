@@ -5,6 +5,7 @@ import { render } from 'preact';
 import { makeApi } from './api/Api';
 import { ClothStream, type WorkerPort } from './api/ClothStream';
 import { Commands } from './commands/Commands';
+import { Comparer } from './commands/Comparer';
 import { CommandsContext } from './commands/context';
 import { MapKeeper } from './commands/MapKeeper';
 import { Poller } from './commands/Poller';
@@ -12,6 +13,7 @@ import { Watcher } from './commands/Watcher';
 import { ImportPreview } from './pattern/ImportPreview';
 import { PatternPane } from './pattern/PatternPane';
 import { Banner } from './panels/Banner';
+import { ComparisonPanel } from './panels/ComparisonPanel';
 import { DropTarget } from './panels/DropTarget';
 import { HelpDialog } from './panels/HelpDialog';
 import { Inspector } from './panels/Inspector';
@@ -22,6 +24,7 @@ import { Splitter } from './panels/Splitter';
 import { StartPage } from './panels/StartPage';
 import { StatusBar } from './panels/StatusBar';
 import { TopBar } from './panels/TopBar';
+import { ComparePane } from './scene/ComparePane';
 import { ScenePane } from './scene/ScenePane';
 import { AppState } from './state/AppState';
 import { StateContext } from './state/context';
@@ -88,8 +91,21 @@ function retry(): void {
   stream.poke();
 }
 
+/** Two drapes with one camera, and their figures. */
+function Comparison() {
+  return (
+    <main class="comparing">
+      <h1 class="visually-hidden">Two drapes compared</h1>
+      <ComparePane code={sceneCode} />
+      <ComparisonPanel />
+      <StartPage resultUrl={api.resultUrl} />
+    </main>
+  );
+}
+
 /** The drape beside what is worked with, or beside the first page. */
 function Main() {
+  if (state.route.value.name === 'compare') return <Comparison />;
   const home = state.atHome.value;
   const large = state.editing.large.value ? ' pattern-large' : '';
   const shape = home ? `home${state.job.value ? '' : ' alone'}` : `at-${state.tab.value}${large}`;
@@ -140,6 +156,7 @@ setInterval(() => (state.now.value = Date.now()), 1000);
 state.route.value = parseRoute(location.hash);
 listenForKeys(commands, state);
 watcher.start();
+new Comparer(state, api).start();
 new MapKeeper(state).start();
 effect(() => {
   void state.projectId.value;

@@ -4,7 +4,7 @@
 import { effect, untracked } from '@preact/signals';
 import { loading, valueOf, type AppState } from '../state/AppState';
 import { BodySurface } from '../state/BodySurface';
-import { mapOf, roomValues, strainValues, type MapKind } from '../state/clothMaps';
+import { grainsOf, mapOf, measured, type MapKind } from '../state/clothMaps';
 import type { BodyMesh } from '../api/body';
 
 /** Between two measurements at least, ms; and so many times as long as one takes. */
@@ -47,14 +47,8 @@ export class MapKeeper {
 
   private values(kind: MapKind): Float32Array | null {
     const { cloth, pieces } = this.state_;
-    const { topology, positions } = cloth;
-    if (!topology || positions?.length !== 3 * topology.vertexCount) return null;
-    if (kind === 'room') {
-      const surface = this.surface();
-      return surface && roomValues(surface, positions);
-    }
     const known = valueOf(pieces.value ?? loading)?.pieces ?? [];
-    return strainValues(kind, topology, positions, new Map(known.map(({ id, grain }) => [id, grain ?? [0, 1]])));
+    return measured(kind, cloth, grainsOf(known), () => this.surface());
   }
 
   private surface(): BodySurface | null {

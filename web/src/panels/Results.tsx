@@ -9,6 +9,7 @@ import { downloadsOf, reportLines, stillsOf, type Download } from '../state/repo
 import { seamTitle } from '../state/seamView';
 import { bytes } from '../state/words';
 import { Icon } from '../controls/Icon';
+import { CompareWith } from './CompareWith';
 import { FitTable } from './FitTable';
 import { Movies, type MovieMaking } from './Movies';
 import { OutcomeList } from './OutcomeList';
@@ -44,6 +45,7 @@ export function Results({ resultUrl, movies }: PicturesProps & { movies?: MovieM
       {stills.length > 0 && <Stills names={stills} urlOf={urlOf} enlarge={(name) => (large.value = name)} />}
       <Report />
       <Fit />
+      <CompareWith job={job} />
       <Movies job={job} making={movies} />
       {downloads.length > 0 && <h3>Take out</h3>}
       <ul class="downloads">

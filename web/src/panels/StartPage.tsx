@@ -10,6 +10,7 @@ const kLost: Record<Route['name'], string> = {
   home: '',
   job: 'This drape does not exist, or no longer does.',
   project: 'This project does not exist, or no longer does.',
+  compare: 'One of these drapes does not exist, or no longer does.',
   unknown: 'The page has nothing at this address.',
 };
 
@@ -36,6 +37,7 @@ export function StartPage({ resultUrl }: PicturesProps) {
   const lost =
     route.name === 'unknown' ||
     (route.name === 'job' && !state.job.value) ||
+    (route.name === 'compare' && [route.left, route.right].some((id) => !state.allJobs.value.some((job) => job.id === id))) ||
     (route.name === 'project' && !state.project.value);
   if (lost) {
     return (

@@ -1,13 +1,17 @@
 // Which map the cloth is coloured by, and what its colours say.
 
+import type { Signal } from '@preact/signals';
 import { useAppState } from '../state/context';
 import { bandEnds, bandOf, kBands, kMaps, valueText, type ClothMap, type MapKind } from '../state/clothMaps';
 
 /** Only where there is cloth of a drape. */
 export function MapChoice() {
-  const state = useAppState();
-  const { mapKind, covered, beforeDrape, atHome } = state;
+  const { mapKind, covered, beforeDrape, atHome } = useAppState();
   if (!covered.value || beforeDrape.value || atHome.value) return null;
+  return <MapSelect mapKind={mapKind} />;
+}
+
+export function MapSelect({ mapKind }: { mapKind: Signal<MapKind | null> }) {
   return (
     <>
       <span class="tool-gap" />
@@ -36,7 +40,7 @@ export function MapLegend() {
   return <Legend map={map} pointed={pointedValue.value} />;
 }
 
-function Legend({ map, pointed }: { map: ClothMap; pointed: number }) {
+export function Legend({ map, pointed }: { map: ClothMap; pointed: number }) {
   const { title, unit, words } = kMaps[map.kind];
   const ends = bandEnds(map);
   const lit = Number.isFinite(pointed) ? bandOf(map, pointed) : -1;

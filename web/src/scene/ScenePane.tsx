@@ -9,10 +9,11 @@ import { useAppState } from '../state/context';
 import { activity, isActive, overall, placeInQueue } from '../state/jobs';
 import { counted, percent } from '../state/words';
 import { sceneTools } from '../tools/table';
+import { paintByTheme, token } from './theme';
 import { MapChoice, MapLegend } from './MapLegend';
 import type { SceneView } from './SceneView';
 
-const kViews: { view: View; title: string; key: string }[] = [
+export const kViews: { view: View; title: string; key: string }[] = [
   { view: 'front', title: 'Front', key: '1' },
   { view: 'back', title: 'Back', key: '2' },
   { view: 'side', title: 'Side', key: '3' },
@@ -34,8 +35,6 @@ export interface ScenePaneProps {
   code: Promise<typeof import('./SceneView')>;
   drawn: () => void;
 }
-
-const token = (name: string): string => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
 /** The 3D view on the canvas, from when its code is there until the pane goes; and why there is none. */
 function useScene({ code, drawn }: ScenePaneProps) {
@@ -120,17 +119,7 @@ function ViewTools() {
 
 /** The view follows these parts of the state until stopped. */
 function connect(scene: SceneView, state: AppState): () => void {
-  const dark = matchMedia('(prefers-color-scheme: dark)');
   const calm = matchMedia('(prefers-reduced-motion: reduce)');
-  const paint = (): void =>
-    scene.paint({
-      air: [token('--air-top'), token('--air-bottom')],
-      grid: token('--grid-3d'),
-      shadow: Number(token('--shadow-3d')) || 0.3,
-      dark: dark.matches,
-    });
-  paint();
-  dark.addEventListener('change', paint);
   const turn = state.view.peek().turn;
   const stops = [
     effect(() => scene.setBody(state.shownBody.value)),
@@ -152,7 +141,7 @@ function connect(scene: SceneView, state: AppState): () => void {
     effect(() => {
       if (state.view.value.turn > turn) scene.look(state.view.value.view, calm.matches);
     }),
-    () => dark.removeEventListener('change', paint),
+    paintByTheme(scene),
   ];
   return () => stops.forEach((stop) => stop());
 }

@@ -66,6 +66,9 @@ export class SceneView {
   private view_: View = 'three-quarter';
   private framed_ = false;
   private turn_: { from: Pose; to: Pose; start: number } | null = null;
+  /** Told of every turn that a person makes here. */
+  private onTurn_: ((pose: Pose) => void) | null = null;
+  private following_ = false;
   private stale_ = true;
   private newFrame_ = false;
   /** Positions have come into the scene since the last picture. */
@@ -224,6 +227,20 @@ export class SceneView {
     this.invalidate();
   }
 
+  /** Tells of every pose that the camera takes but those it follows: so two views share one. */
+  listenToTurns(turned: (pose: Pose) => void): void {
+    this.onTurn_ = turned;
+  }
+
+  /** Takes another view's pose. */
+  follow(pose: Pose): void {
+    this.turn_ = null;
+    this.framed_ = true;
+    this.following_ = true;
+    this.applyPose(pose);
+    this.following_ = false;
+  }
+
   /** Keyboard's way round: turns by degrees about the upright and the level axis, and steps nearer or away. */
   nudge(heading: number, height: number, zoom: number): void {
     this.turn_ = null;
@@ -257,7 +274,10 @@ export class SceneView {
     controls.maxDistance = 12;
     controls.maxPolarAngle = Math.PI * 0.56;
     controls.addEventListener('start', () => (this.turn_ = null));
-    controls.addEventListener('change', () => this.invalidate());
+    controls.addEventListener('change', () => {
+      this.invalidate();
+      if (!this.following_) this.onTurn_?.(this.currentPose());
+    });
     return controls;
   }
 

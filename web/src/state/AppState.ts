@@ -7,6 +7,7 @@ import type { StreamConnection } from '../api/JobStream';
 import type { Picture } from '../api/pictures';
 import type { EditStep, Job, Pieces, Progress, Project, Report } from '../api/types';
 import type { ClothMap, MapKind } from './clothMaps';
+import { ComparisonState } from './comparison';
 import { DressingState, type Marks } from './dressing';
 import { EditingState, keepsTheShape, stepText } from './editing';
 import { finishOf, type Finish } from './fabrics';
@@ -79,6 +80,8 @@ export class AppState {
   readonly hovered: Signal<string | null> = signal(null);
   readonly editing = new EditingState();
   readonly dressing = new DressingState();
+  /** Of the two drapes that stand side by side. */
+  readonly comparison = new ComparisonState();
 
   readonly notices: Signal<Notice[]> = signal([]);
   readonly intake: Signal<Intake | null> = signal(null);

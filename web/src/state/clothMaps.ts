@@ -2,7 +2,7 @@
 // each vertex, and how values become the eight colours of the legend. Pure.
 
 import type { ClothTopology } from '../api/frames';
-import type { Point } from '../api/types';
+import type { Piece, Point } from '../api/types';
 import type { BodySurface } from './BodySurface';
 
 export type MapKind = 'warp' | 'weft' | 'shear' | 'room';
@@ -80,11 +80,17 @@ export interface ClothMap {
 /** So much of the cloth lies within the scale. */
 const kWithin = 0.98;
 
+/** With the scale that fits; several maps share the widest of theirs (`ofOneScale`). */
 export function mapOf(kind: MapKind, values: Float32Array): ClothMap {
   const sizes = values.filter((value) => Number.isFinite(value)).map(Math.abs).sort();
   const most = sizes[Math.min(sizes.length - 1, Math.floor(kWithin * sizes.length))] ?? 0;
   const { ends } = kMaps[kind];
   return { kind, values, end: ends.find((end) => end >= most) ?? ends[ends.length - 1]! };
+}
+
+export function ofOneScale(maps: readonly (ClothMap | null)[]): (ClothMap | null)[] {
+  const end = Math.max(...maps.map((map) => map?.end ?? 0));
+  return maps.map((map) => map && { ...map, end });
 }
 
 const lowOf = ({ kind, end }: ClothMap): number => (kMaps[kind].signed ? -end : 0);
@@ -188,6 +194,24 @@ export function roomValues(surface: BodySurface, positions: Float32Array, most =
   }
   return values;
 }
+
+/** Of a moment of the cloth; null where nothing can be measured. `surface`: of the body; null: there is none. */
+export function measured(
+  kind: MapKind,
+  cloth: { topology: ClothTopology | null; positions: Float32Array | null },
+  grains: ReadonlyMap<string, Point>,
+  surface: () => BodySurface | null,
+): Float32Array | null {
+  const { topology, positions } = cloth;
+  if (!topology || positions?.length !== 3 * topology.vertexCount) return null;
+  if (kind !== 'room') return strainValues(kind, topology, positions, grains);
+  const around = surface();
+  return around && roomValues(around, positions);
+}
+
+/** Directions of the warp by piece. */
+export const grainsOf = (pieces: readonly Piece[]): Map<string, Point> =>
+  new Map(pieces.map(({ id, grain }) => [id, grain ?? [0, 1]]));
 
 /** The triangles of a piece by their colour, as paths on the flat pattern in mm, y down; empty where none has it. */
 export function bandPaths(map: ClothMap, { pieces, triangles, rest }: ClothTopology, id: string): string[] {

@@ -4,11 +4,14 @@ export type Route =
   | { name: 'home' }
   | { name: 'project'; id: string }
   | { name: 'job'; id: string }
+  | { name: 'compare'; left: string; right: string }
   | { name: 'unknown'; path: string };
 
 export function parseRoute(hash: string): Route {
   const path = hash.replace(/^#/, '');
   if (path === '' || path === '/') return { name: 'home' };
+  const two = /^\/compare\/([A-Za-z0-9_-]{1,64})\/([A-Za-z0-9_-]{1,64})$/.exec(path);
+  if (two) return { name: 'compare', left: two[1]!, right: two[2]! };
   const match = /^\/(projects|jobs)\/([A-Za-z0-9_-]{1,64})$/.exec(path);
   if (!match) return { name: 'unknown', path };
   return { name: match[1] === 'jobs' ? 'job' : 'project', id: match[2]! };
@@ -22,6 +25,8 @@ export function formatRoute(route: Route): string {
       return `#/projects/${route.id}`;
     case 'job':
       return `#/jobs/${route.id}`;
+    case 'compare':
+      return `#/compare/${route.left}/${route.right}`;
     case 'unknown':
       return `#${route.path}`;
   }

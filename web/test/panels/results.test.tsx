@@ -4,6 +4,8 @@ import { beforeEach, describe, expect, it } from 'vitest';
 import { click, openPage, type Page } from './page';
 import { ApiError } from '../../src/api/http';
 import type { Edit, Job, MovieOrder, Report } from '../../src/api/types';
+import { CompareWith } from '../../src/panels/CompareWith';
+import { ComparisonPanel } from '../../src/panels/ComparisonPanel';
 import { DrapeFigures } from '../../src/panels/DrapeFigures';
 import { FitTable } from '../../src/panels/FitTable';
 import { Movies } from '../../src/panels/Movies';
@@ -12,6 +14,7 @@ import { Results } from '../../src/panels/Results';
 import { SeamChip } from '../../src/panels/SeamChip';
 import { SolverField } from '../../src/panels/SolverField';
 import { ready } from '../../src/state/AppState';
+import type { Compared } from '../../src/state/comparison';
 import { jobOf, projectOf, seamOf, squareOf } from '../fakes';
 import { reportOf } from '../samples';
 
@@ -309,5 +312,47 @@ describe('the results', () => {
     const error = new ApiError(404, 'store.not_found', 'It is gone.');
     page.change((state) => (state.report.value = { state: 'failed', error }));
     expect(screen.getByText('It is gone.').textContent).toContain('store.not_found');
+  });
+});
+
+describe('drapes beside each other', () => {
+  const ended = (id: string, more: Partial<Job> = {}): Job =>
+    jobOf({ id, state: 'succeeded', results: { 'final.obj': 9 }, ...more });
+
+  it('are chosen from the result of one', () => {
+    page.show(<CompareWith job={ended('j_2')} />);
+    expect(screen.queryByRole('combobox')).toBeNull();
+    page.change((state) => (state.jobs.value = ready([ended('j_1', { project_revision: 3 }), ended('j_2')])));
+    fireEvent.change(screen.getByRole('combobox', { name: 'Compare with' }), { target: { value: 'j_1' } });
+    expect(page.asked()).toEqual([['open', { name: 'compare', left: 'j_1', right: 'j_2' }]]);
+  });
+
+  it('have their figures in one table once both are there', () => {
+    const side = (id: string, particles: number): Compared => ({
+      state: 'ready',
+      value: {
+        job: ended(id),
+        topology: {
+          epoch: 0,
+          vertexCount: 0,
+          origin: [0, 0, 0],
+          step: 1e-4,
+          pieces: [],
+          rest: new Float32Array(0),
+          triangles: new Uint32Array(0),
+          sewn: new Uint32Array(0),
+        },
+        positions: new Float32Array(0),
+        body: null,
+        pieces: [],
+        report: reportOf({ particles }),
+      },
+    });
+    page.change((state) => (state.comparison.left.value = side('j_1', 1200)));
+    page.show(<ComparisonPanel />);
+    expect(screen.queryByRole('table')).toBeNull();
+    page.change((state) => (state.comparison.right.value = side('j_2', 4800)));
+    const differing = [...document.querySelectorAll('.differs')].map((row) => row.textContent);
+    expect(differing).toEqual(['Particles1,2004,800']);
   });
 });

@@ -1,0 +1,84 @@
+// Fetches what two drapes came to when the address sets them side by side, and lets go of it when it names others.
+
+import { effect, untracked, type Signal } from '@preact/signals';
+import type { Api } from '../api/Api';
+import type { BodyMesh } from '../api/body';
+import { clothFromObj } from '../api/objCloth';
+import type { Job, Piece } from '../api/types';
+import type { AppState } from '../state/AppState';
+import { comparedOf, type Compared, type ComparedDrape } from '../state/comparison';
+import { asApiError } from './notices';
+
+const kNotFound = 404;
+
+/** What stands for something that is not there; any other error goes on. */
+const unlessMissing =
+  <T>(instead: T) =>
+  (error: unknown): T => {
+    if (asApiError(error).status === kNotFound) return instead;
+    throw error;
+  };
+
+type Asked = Pick<Api, 'job' | 'resultText' | 'report' | 'pieces' | 'body'>;
+
+export class Comparer {
+  private stop_: () => void = () => undefined;
+
+  constructor(
+    private readonly state_: AppState,
+    private readonly api_: Asked,
+  ) {}
+
+  start(): void {
+    const { route, comparison } = this.state_;
+    this.stop_ = effect(() => {
+      const now = route.value;
+      const [left, right] = now.name === 'compare' ? [now.left, now.right] : [null, null];
+      untracked(() => {
+        void this.show(left, comparison.left);
+        void this.show(right, comparison.right);
+      });
+    });
+  }
+
+  stop(): void {
+    this.stop_();
+  }
+
+  private async show(id: string | null, side: Signal<Compared | null>): Promise<void> {
+    if (id === null) return void (side.value = null);
+    if (comparedOf(side.value)?.job.id === id) return;
+    const mine: Compared = { state: 'loading' };
+    side.value = mine;
+    let found: Compared;
+    try {
+      found = { state: 'ready', value: await this.load(id) };
+    } catch (error) {
+      found = { state: 'failed', error: asApiError(error) };
+    }
+    if (side.value === mine) side.value = found;
+  }
+
+  private async load(id: string): Promise<ComparedDrape> {
+    const job = await this.api_.job(id);
+    const [text, pieces, body, report] = await Promise.all([
+      this.api_.resultText(id, 'final.obj'),
+      this.piecesOf(job),
+      this.bodyOf(id),
+      'report.json' in job.results ? this.api_.report(id) : null,
+    ]);
+    const colourOf = (name: string): readonly number[] | null =>
+      (name ? pieces.find((piece) => piece.id === name) : pieces[0])?.colour ?? null;
+    return { job, ...clothFromObj(text, colourOf), body, pieces, report };
+  }
+
+  /** Null where it hung without one. */
+  private bodyOf(id: string): Promise<BodyMesh | null> {
+    return this.api_.body(id).catch(unlessMissing(null));
+  }
+
+  /** None where the project is gone: the cloth is shown in one colour. */
+  private async piecesOf({ project_id }: Job): Promise<readonly Piece[]> {
+    return (await this.api_.pieces(project_id).catch(unlessMissing({ pieces: [] }))).pieces;
+  }
+}

@@ -1,0 +1,100 @@
+// Two drapes side by side: what is loaded of each, and their figures in one table.
+
+import { signal, type Signal } from '@preact/signals';
+import type { BodyMesh } from '../api/body';
+import type { ClothTopology } from '../api/frames';
+import type { ApiError } from '../api/http';
+import type { Job, Piece, Report } from '../api/types';
+import { fitRows } from './fit';
+import type { LengthUnit } from './dressing';
+import { count, duration, percent } from './words';
+import type { MapKind } from './clothMaps';
+
+/** How a drape ended, whole. */
+export interface ComparedDrape {
+  job: Job;
+  topology: ClothTopology;
+  positions: Float32Array;
+  /** Null: it hung without a body, or that cannot be had. */
+  body: BodyMesh | null;
+  /** As the project has them now: their colours and grains. */
+  pieces: readonly Piece[];
+  report: Report | null;
+}
+
+export type Compared =
+  | { state: 'loading' }
+  | { state: 'ready'; value: ComparedDrape }
+  | { state: 'failed'; error: ApiError };
+
+export class ComparisonState {
+  readonly left: Signal<Compared | null> = signal(null);
+  readonly right: Signal<Compared | null> = signal(null);
+  readonly mapKind: Signal<MapKind | null> = signal(null);
+}
+
+export const comparedOf = (side: Compared | null): ComparedDrape | null =>
+  side?.state === 'ready' ? side.value : null;
+
+const hasCloth = (job: Job): boolean => job.results['final.obj'] !== undefined;
+
+/** What a drape can be set beside: those that have cloth to show, of its own project first, the newest first. */
+export function comparable(jobs: readonly Job[], to: Job): Job[] {
+  if (!hasCloth(to)) return [];
+  const others = jobs.filter((job) => job.id !== to.id && hasCloth(job));
+  const foreign = (job: Job): number => (job.project_id === to.project_id ? 0 : 1);
+  return others.sort((a, b) => foreign(a) - foreign(b) || b.created_ms - a.created_ms);
+}
+
+export interface ComparisonRow {
+  title: string;
+  left: string;
+  right: string;
+  /** Whether the two say different things. */
+  differs: boolean;
+}
+
+const kNothing = '–';
+
+type Tell = (report: Report) => string;
+const kFigures: [title: string, tell: Tell][] = [
+  ['Ending', ({ settled, stop_reason }) => (settled ? 'settled' : stop_reason)],
+  ['Worn', ({ worn }) => ({ yes: 'yes', partly: 'in part', no: 'no' })[worn ?? 'yes'] ?? kNothing],
+  ['Intersections', ({ intersections: { cloth_body, cloth_cloth } }) => count(cloth_body + cloth_cloth)],
+  ['Stretch, warp', ({ strain: { warp } }) => percent((warp.tension ?? warp).p99)],
+  ['Stretch, weft', ({ strain: { weft } }) => percent((weft.tension ?? weft).p99)],
+  ['Shear', ({ strain: { shear } }) => percent(shear.p99)],
+  ['Lowest point', ({ lowest_m }) => `${(100 * lowest_m).toFixed(1)} cm`],
+  ['Highest point', ({ highest_m }) => `${(100 * highest_m).toFixed(1)} cm`],
+  ['Particles', ({ particles }) => count(particles)],
+  ['Came to rest at', ({ simulated_s }) => `${simulated_s.toFixed(2)} s`],
+  ['Computed in', ({ cpu_s }) => duration(cpu_s)],
+];
+
+/** All figures of both, and the ease at every girth that one of them has; a figure that one lacks is "–". */
+export function comparisonRows(left: Report | null, right: Report | null, unit: LengthUnit): ComparisonRow[] {
+  const row = (title: string, a: string, b: string): ComparisonRow => ({ title, left: a, right: b, differs: a !== b });
+  const figures = kFigures.map(([title, tell]) =>
+    row(title, left ? tell(left) : kNothing, right ? tell(right) : kNothing),
+  );
+  const [fitLeft, fitRight] = [left, right].map((report) => (report ? fitRows(report, unit) : []));
+  const places = new Map([...fitLeft!, ...fitRight!].map(({ at, title }) => [at, title]));
+  const ease = [...places].map(([at, title]) => {
+    const of = (rows: typeof fitLeft): string => rows!.find((one) => one.at === at)?.ease ?? kNothing;
+    return row(`Ease, ${title.charAt(0).toLowerCase()}${title.slice(1)}`, of(fitLeft), of(fitRight));
+  });
+  return [...figures, ...ease];
+}
+
+/** Root mean square of how far vertices lie apart, mm; null where the two are not of the same mesh. */
+export function apart(left: ComparedDrape, right: ComparedDrape): number | null {
+  const [a, b] = [left.topology, right.topology];
+  const same =
+    a.vertexCount === b.vertexCount &&
+    a.pieces.length === b.pieces.length &&
+    a.pieces.every((piece, i) => piece.id === b.pieces[i]!.id && piece.firstVertex === b.pieces[i]!.firstVertex) &&
+    a.rest.every((x, i) => Math.abs(x - b.rest[i]!) < 1e-5);
+  if (!same) return null;
+  const squares = left.positions.reduce((sum, x, i) => sum + (x - right.positions[i]!) ** 2, 0);
+  return 1000 * Math.sqrt(squares / a.vertexCount);
+}
