@@ -145,10 +145,15 @@ describe('the page', () => {
     await waitForState(page, 'paused');
     await waitForStandstill(page);
     const { id } = await ask(page, 'job');
-    const held = { hash: await ask(page, 'positionsHash'), job: await jobOf(id) };
+    // The time of its last slice is told at the next heartbeat.
+    const shown = async () => {
+      const { worked_s: _, ...job } = await jobOf(id);
+      return { hash: await ask(page, 'positionsHash'), job };
+    };
+    const held = await shown();
     assert.equal(held.job.state, 'paused');
     await waitForStandstill(page);
-    assert.deepEqual({ hash: await ask(page, 'positionsHash'), job: await jobOf(id) }, held);
+    assert.deepEqual(await shown(), held);
     await shoot(page, '02-paused');
     await page.locator('.actions').getByText('Resume').click();
     await waitFor(page, (before) => window.__toile.positionsHash() !== before, held.hash);
@@ -246,6 +251,38 @@ describe('the page', () => {
     const { id } = await ask(again, 'job');
     await waitForPositions(again, verticesOf(await (await service.get(`/jobs/${id}/results/final.obj`)).text()));
     await again.close();
+  });
+
+  it('sets two drapes side by side with one camera', async () => {
+    const { id } = await ask(page, 'job');
+    const other = await openPage(browser, `${service.url}/#/compare/${id}/${id}`, kSmall);
+    await other.getByText('its vertices lie 0.00 mm apart').waitFor();
+    const halves = other.locator('.scene-half canvas');
+    assert.equal(await halves.count(), 2);
+    const calm = () => waitFor(other, () => document.querySelectorAll('canvas[aria-busy=false]').length === 2);
+    const pictures = async () => {
+      await calm();
+      // Buttons, legend and captions lie over the top and the bottom.
+      const middle = async (i) => {
+        const { x, y, width, height } = await halves.nth(i).boundingBox();
+        const clip = { x: x + 2, y: y + height * 0.3, width: width - 4, height: height * 0.4 };
+        return (await other.screenshot({ clip })).toString('base64');
+      };
+      return [await middle(0), await middle(1)];
+    };
+    const bothTurn = async (turn) => {
+      const before = await pictures();
+      await turn();
+      await until(async () => (await pictures()).every((picture, i) => picture !== before[i]), 'a turn of both');
+    };
+    await bothTurn(() => other.getByRole('button', { name: 'back view' }).click());
+    await bothTurn(() => halves.first().press('+'));
+    await other.getByRole('combobox', { name: 'Colour the cloth by' }).selectOption('warp');
+    await other.locator('.map-legend').waitFor();
+    await calm();
+    await shoot(other, '07-compared');
+    assert.deepEqual(other.complaints, []);
+    await other.close();
   });
 
   it('draws nothing while nothing changes, however often it asks the service', async () => {

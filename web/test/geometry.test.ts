@@ -194,7 +194,7 @@ describe('meshes from the service', () => {
 
   it('give an ended drape its cloth, sewn where it lies together', () => {
     const text = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\no front\nf 1 2 3\no back\nf 4/1 6/1 5/1\n';
-    const { topology, positions: xyz } = clothFromObj(text, (piece) => (piece === 'front' ? [1, 0, 0] : null));
+    const { topology, positions: xyz } = clothFromObj(text, [{ id: 'front', colour: [1, 0, 0] }]);
     expect(topology.pieces.map(({ id, firstVertex, vertexCount }) => [id, firstVertex, vertexCount])).toEqual([
       ['front', 0, 3],
       ['back', 3, 3],
@@ -202,11 +202,17 @@ describe('meshes from the service', () => {
     expect([...topology.sewn]).toEqual([1, 3, 2, 4]);
     expect(xyz.length).toBe(18);
     expect([...topology.rest.slice(2, 4)]).toEqual([xyz[3], xyz[4]]); // without flat places: as seen from ahead
-    const flat = clothFromObj(`${text}vt 5 6\n${'vt 7 8\n'.repeat(5)}`, () => null).topology.rest;
+    const flat = clothFromObj(`${text}vt 5 6\n${'vt 7 8\n'.repeat(5)}`, []).topology.rest;
     expect([...flat.slice(0, 4)]).toEqual([5, 6, 7, 8]);
-    const plain = clothFromObj(text.replace(/^o .*$/gm, ''), () => [1, 0, 0]).topology; // no piece would be drawn black
+    const plain = clothFromObj(text.replace(/^o .*$/gm, ''), [{ id: 'front', colour: [1, 0, 0] }]).topology; // no piece would be drawn black
     expect(plain.pieces).toEqual([{ id: '', firstVertex: 0, vertexCount: 6, colour: [1, 0, 0] }]);
-    expect(() => clothFromObj('v 0 0 0\nf 1 2 3\n', () => null)).toThrow(RangeError);
-    expect(() => clothFromObj('', () => null)).toThrow(RangeError);
+    expect(() => clothFromObj('v 0 0 0\nf 1 2 3\n', [])).toThrow(RangeError);
+    expect(() => clothFromObj('', [])).toThrow(RangeError);
+  });
+
+  it('give pieces whose names OBJ cannot hold their own again, with their colour', () => {
+    const text = 'v 0 0 0\nv 1 0 0\nv 0 1 0\no left_sleeve\nf 1 2 3\n';
+    const { pieces } = clothFromObj(text, [{ id: 'left sleeve', colour: [0, 0.5, 1] }]).topology;
+    expect(pieces).toEqual([{ id: 'left sleeve', firstVertex: 0, vertexCount: 3, colour: [0, 0.5, 1] }]);
   });
 });

@@ -9,8 +9,24 @@ export interface ClothFromObj {
 
 const kColour: [number, number, number] = [0.55, 0.62, 0.72];
 
-/** Reads "v", "vt" (flat places), "o" and three-cornered "f" lines; one object is one piece, a plain file one piece without a name. @throws RangeError on anything unusable. */
-export function clothFromObj(text: string, colourOf: (piece: string) => readonly number[] | null): ClothFromObj {
+const colourOf = (piece: KnownPiece | undefined): [number, number, number] =>
+  [...(piece?.colour ?? kColour)] as [number, number, number];
+
+/** What is known of a piece beside the file. */
+export interface KnownPiece {
+  id: string;
+  colour: readonly number[];
+}
+
+/** A name in OBJ ends at a blank: the service writes "_" for each, and for control characters. */
+// eslint-disable-next-line no-control-regex -- they are what is meant
+const objName = (id: string): string => id.replace(/[\x00-\x20\x7f]/g, '_') || '_';
+
+/**
+ * Reads "v", "vt" (flat places), "o" and three-cornered "f" lines; one object is one piece, which has its own id again
+ * where `known` has it; a plain file is one piece, the first. @throws RangeError on anything unusable.
+ */
+export function clothFromObj(text: string, known: readonly KnownPiece[]): ClothFromObj {
   const xyz: number[] = [];
   const flat: number[] = [];
   const corners: number[] = [];
@@ -26,18 +42,19 @@ export function clothFromObj(text: string, colourOf: (piece: string) => readonly
   if (vertexCount === 0 || corners.some((v) => !(v >= 0 && v < vertexCount)) || xyz.some((x) => !Number.isFinite(x))) {
     throw new RangeError('obj: no usable mesh');
   }
+  const byName = new Map(known.map((piece) => [objName(piece.id), piece]));
   const listed = pieces
     .filter((piece) => piece.last >= 0)
     .map(
       (piece): TopologyPiece => ({
-        id: piece.id,
+        id: byName.get(piece.id)?.id ?? piece.id,
         firstVertex: piece.first,
         vertexCount: piece.last + 1 - piece.first,
-        colour: [...(colourOf(piece.id) ?? kColour)] as [number, number, number],
+        colour: colourOf(byName.get(piece.id)),
       }),
     );
   if (listed.length === 0) {
-    listed.push({ id: '', firstVertex: 0, vertexCount, colour: [...(colourOf('') ?? kColour)] as [number, number, number] });
+    listed.push({ id: '', firstVertex: 0, vertexCount, colour: colourOf(known[0]) });
   }
   const topology: ClothTopology = {
     epoch: 0,

@@ -67,9 +67,7 @@ export class Comparer {
       this.bodyOf(id),
       'report.json' in job.results ? this.api_.report(id) : null,
     ]);
-    const colourOf = (name: string): readonly number[] | null =>
-      (name ? pieces.find((piece) => piece.id === name) : pieces[0])?.colour ?? null;
-    return { job, ...clothFromObj(text, colourOf), body, pieces, report };
+    return { job, ...clothFromObj(text, pieces), body, pieces, report };
   }
 
   /** Null where it hung without one. */

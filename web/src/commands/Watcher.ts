@@ -192,10 +192,7 @@ export class Watcher {
       await this.piecesCame(); // they have its colours
       if (watched.value !== id || cloth.topology) return;
       const known = valueOf(pieces.value ?? loading)?.pieces ?? [];
-      const read = clothFromObj(
-        text,
-        (name) => (name ? known.find((piece) => piece.id === name) : known[0])?.colour ?? null,
-      );
+      const read = clothFromObj(text, known);
       cloth.setTopology(read.topology);
       cloth.setPositions(read.positions, { epoch: 0, seq: 1, step: 0, time: 0 });
     } catch {

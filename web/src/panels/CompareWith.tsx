@@ -15,7 +15,7 @@ export function CompareWith({ job }: { job: Job }) {
   const nameOf = (other: Job): string =>
     `${other.project_id === job.project_id ? '' : `${other.name}, `}rev ${other.project_revision} · ${ago(other.ended_ms || other.created_ms, state.now.value)}`;
   return (
-    <label class="field">
+    <label class="select-field">
       <span>Compare with</span>
       <select
         value=""

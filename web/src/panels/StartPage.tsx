@@ -1,5 +1,6 @@
 // What stands where the work will be when there is none to show: the first page, an address that leads nowhere, no service.
 
+import type { AppState } from '../state/AppState';
 import { useAppState } from '../state/context';
 import type { Route } from '../state/routes';
 import type { PicturesProps } from './Rail';
@@ -14,10 +15,16 @@ const kLost: Record<Route['name'], string> = {
   unknown: 'The page has nothing at this address.',
 };
 
+/** Whether the address names what is not there. */
+function leadsNowhere({ route, job, project, allJobs }: AppState): boolean {
+  const now = route.value;
+  if (now.name === 'compare') return [now.left, now.right].some((id) => !allJobs.value.some((one) => one.id === id));
+  return now.name === 'unknown' || (now.name === 'job' && !job.value) || (now.name === 'project' && !project.value);
+}
+
 /** Null where there is work to show. */
 export function StartPage({ resultUrl }: PicturesProps) {
   const state = useAppState();
-  const route = state.route.value;
   const { projects, jobs } = state;
   if (projects.value.state === 'failed' && jobs.value.state === 'failed') {
     return (
@@ -34,15 +41,10 @@ export function StartPage({ resultUrl }: PicturesProps) {
   }
   if (state.atHome.value) return <Welcome resultUrl={resultUrl} />;
   if (projects.value.state !== 'ready' || jobs.value.state !== 'ready') return null;
-  const lost =
-    route.name === 'unknown' ||
-    (route.name === 'job' && !state.job.value) ||
-    (route.name === 'compare' && [route.left, route.right].some((id) => !state.allJobs.value.some((job) => job.id === id))) ||
-    (route.name === 'project' && !state.project.value);
-  if (lost) {
+  if (leadsNowhere(state)) {
     return (
       <Sheet title="Nothing is here" code={location.hash}>
-        <p>{kLost[route.name]}</p>
+        <p>{kLost[state.route.value.name]}</p>
         <p>
           <a class="button primary" href="#/">
             To the start page

@@ -12,7 +12,7 @@ import { LiveCloth } from '../state/LiveCloth';
 import { sentence } from '../state/words';
 import type { Pose } from './framing';
 import { Legend, MapSelect } from './MapLegend';
-import { kViews, type ScenePaneProps } from './ScenePane';
+import { kViews, nudgeByKey, type ScenePaneProps } from './ScenePane';
 import type { SceneView } from './SceneView';
 import { paintByTheme, token } from './theme';
 
@@ -82,7 +82,12 @@ function Half({ code, pair, side, map, name }: HalfProps) {
   return (
     <div class="scene-half">
       <div class="scene-canvas">
-        <canvas ref={canvas} tabIndex={0} aria-label={`${name} drape`} />
+        <canvas
+          ref={canvas}
+          tabIndex={0}
+          onKeyDown={(event) => nudgeByKey(event, scene.value)}
+          aria-label={`${name} drape; arrow keys turn both, plus and minus zoom`}
+        />
       </div>
       {job && (
         <a class="scene-caption" href={`#/jobs/${job.id}`}>

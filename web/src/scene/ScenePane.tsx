@@ -30,6 +30,14 @@ const kNudges: Record<string, [number, number, number]> = {
   '-': [0, 0, 1.14],
 };
 
+/** Arrow keys turn, plus and minus zoom. */
+export function nudgeByKey(event: KeyboardEvent, scene: SceneView | null): void {
+  const nudge = kNudges[event.key.toLowerCase()];
+  if (!nudge) return;
+  event.preventDefault();
+  scene?.nudge(...nudge);
+}
+
 export interface ScenePaneProps {
   /** The 3D code, which is fetched while the page is drawn. */
   code: Promise<typeof import('./SceneView')>;
@@ -64,19 +72,13 @@ function useScene({ code, drawn }: ScenePaneProps) {
 
 export function ScenePane(props: ScenePaneProps) {
   const { canvas, scene, failed } = useScene(props);
-  const keys = (event: KeyboardEvent): void => {
-    const nudge = kNudges[event.key.toLowerCase()];
-    if (!nudge) return;
-    event.preventDefault();
-    scene.current?.nudge(...nudge);
-  };
   return (
     <section class="scene" aria-label="3D view">
       <div class="scene-canvas">
         <canvas
           ref={canvas}
           tabIndex={0}
-          onKeyDown={keys}
+          onKeyDown={(event) => nudgeByKey(event, scene.current)}
           aria-label="Body and cloth; arrow keys turn, plus and minus zoom"
         />
       </div>

@@ -71,6 +71,9 @@ const kFigures: [title: string, tell: Tell][] = [
   ['Computed in', ({ cpu_s }) => duration(cpu_s)],
 ];
 
+/** How many of them tell how it ended; what is of the fit comes after those. */
+const kEnding = 3;
+
 /** All figures of both, and the ease at every girth that one of them has; a figure that one lacks is "–". */
 export function comparisonRows(left: Report | null, right: Report | null, unit: LengthUnit): ComparisonRow[] {
   const row = (title: string, a: string, b: string): ComparisonRow => ({ title, left: a, right: b, differs: a !== b });
@@ -83,7 +86,7 @@ export function comparisonRows(left: Report | null, right: Report | null, unit: 
     const of = (rows: typeof fitLeft): string => rows!.find((one) => one.at === at)?.ease ?? kNothing;
     return row(`Ease, ${title.charAt(0).toLowerCase()}${title.slice(1)}`, of(fitLeft), of(fitRight));
   });
-  return [...figures, ...ease];
+  return [...figures.slice(0, kEnding), ...ease, ...figures.slice(kEnding)];
 }
 
 /** Root mean square of how far vertices lie apart, mm; null where the two are not of the same mesh. */
