@@ -19,7 +19,7 @@ export interface KnownPiece {
 }
 
 /** A name in OBJ ends at a blank: the service writes "_" for each, and for control characters. */
-// eslint-disable-next-line no-control-regex -- they are what is meant
+ 
 const objName = (id: string): string => id.replace(/[\x00-\x20\x7f]/g, '_') || '_';
 
 /**
