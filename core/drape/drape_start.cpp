@@ -68,6 +68,17 @@ dressing::TriedOn put_on_from(const DrapeInput& input, const mesh::PanelMeshes& 
   return dressing::put_on(*fine, coarse ? *coarse : *fine, wearer, context, first, effort);
 }
 
+/// Whether pieces stand at `placements` as they do in the start: a garment that was arranged is arranged so
+/// again, but for what the mesh's fineness and the document's decimals make of it.
+bool stand_alike(const DrapeStart& start, const std::vector<sewing::Placement>& placements) {
+  constexpr double kAlike = 5e-3;  // m: less than ways differ by
+  const auto anew = sewing::assemble(start.meshes, placements, {}, {});
+  if (!anew) return false;
+  const std::vector<Vec3>&x = start.placed.positions, &y = anew->positions;
+  return std::equal(x.begin(), x.end(), y.begin(), y.end(),
+                    [](Vec3 p, Vec3 q) { return length(p - q) < kAlike; });
+}
+
 }  // namespace
 
 void begin_on_body(DrapeStart& start) {
@@ -103,11 +114,11 @@ PutOnTries put_on_after(int after, const DrapeInput& input, const DrapeStart& st
                         const RunContext& context, dressing::Effort effort) {
   const auto ways = static_cast<int>(dressing::dressing_ways().size());
   const dressing::Wearer wearer(*start.person);
-  const auto from = [&](const std::vector<sewing::Placement>& placements, int before) {
-    const int first = std::max(0, after - before);  // ways, numbered from 0
+  std::size_t next = 0;
+  const auto from = [&](const std::vector<sewing::Placement>& placements, int before, std::size_t first) {
     const dressing::Effort part = effort.half();
-    dressing::TriedOn tried =
-        put_on_from(input, start.meshes, placements, wearer, static_cast<std::size_t>(first), part, context);
+    dressing::TriedOn tried = put_on_from(input, start.meshes, placements, wearer, first, part, context);
+    next = tried.next;
     PutOnTries tries;
     tries.effort = effort = effort.less(part, tried.effort);
     tries.gave_up = tried.gave_up;
@@ -120,13 +131,18 @@ PutOnTries put_on_after(int after, const DrapeInput& input, const DrapeStart& st
   };
   PutOnTries tries;
   tries.effort = effort;
-  if (after < ways) tries = from(input.placements, 0);
+  const auto passed_over = [&](int before) { return static_cast<std::size_t>(std::max(0, after - before)); };
+  if (after < ways) tries = from(input.placements, 0, passed_over(0));
   if (tries.on || after >= 2 * ways || context.cancelled()) return tries;
   const auto anew = arrange::arrange({input.pattern, start.meshes, input.bodies, names_left_out(input)});
   if (!anew) return tries;
-  PutOnTries arranged = from(anew->placements, ways);
+  const bool alike = stand_alike(start, anew->placements);
+  if (alike && !tries.gave_up) return tries;
+  // Where they stand so already, the work is for the ways that were not reached.
+  PutOnTries arranged =
+      alike ? from(input.placements, 0, next) : from(anew->placements, ways, passed_over(ways));
   tries.effort = arranged.effort;
-  tries.gave_up = arranged.gave_up = tries.gave_up || arranged.gave_up;
+  tries.gave_up = arranged.gave_up = (tries.gave_up && !alike) || arranged.gave_up;
   const bool further = !arranged.at_fault.empty() && tries.shortfall < arranged.shortfall;
   return arranged.on || tries.at_fault.empty() || !further ? std::move(arranged) : std::move(tries);
 }

@@ -93,6 +93,7 @@ TriedOn put_on(const sewing::Assembly& fine, const sewing::Assembly& coarse, con
   for (std::size_t number = first; number < dressing_ways().size(); ++number) {
     if (context.cancelled()) return {};
     tried.gave_up = number > first && tried.effort.spent();
+    tried.next = number;
     if (tried.gave_up) break;
     Dressed dressed = dress(coarse, wearer, dressing_ways()[number], context, {}, tried.effort);
     tried.effort = dressed.effort;

@@ -24,6 +24,7 @@ struct TriedOn {
   std::vector<Index> at_fault;  ///< and the panels that kept it from being certified, rising
   Effort effort;                ///< what is left of it
   bool gave_up = false;         ///< there were more ways, but the effort was spent
+  std::size_t next = 0;         ///< the first of these
 };
 
 /// Tries each way on `coarse`, and carries the first that is certified there and not badly squeezed, else the

@@ -117,11 +117,6 @@ double layer_share(const FoundSeams& found, const FoundSeam& seam) {
   return kWeights.beside_layer;
 }
 
-/// Whether the piece is a lapel: a collar's front that runs out in a point.
-bool is_lapel(const SeamModel& m, Index p) {
-  return m.words[p].kind == PieceKind::kCollar && m.words[p].face > 0 && m.lines[p] < 4;
-}
-
 /// Collars stand, or are folded over, which changes the way their seams run. Outlines do not say, but for
 /// lapels, which are folded.
 double collar_share(const FoundSeams& found, const FoundSeam& seam) {

@@ -209,6 +209,10 @@ double corner_angle(const pattern::PanelEdge& before, const pattern::PanelEdge& 
   return 180 - degrees_between(in, out);
 }
 
+bool is_lapel(const SeamModel& m, Index p) {
+  return m.words[p].kind == PieceKind::kCollar && m.words[p].face > 0 && m.lines[p] < 4;
+}
+
 double faces_right(const SeamModel& m, const SeamRun& run) {
   const Vec2 up = m.up[run.panel], right{up.y, -up.x};
   return dot(normalized(-perpendicular(run.at.back() - run.at.front())), right);

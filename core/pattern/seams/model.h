@@ -78,6 +78,9 @@ double corner_angle(const pattern::PanelEdge& before, const pattern::PanelEdge& 
 /// How much the cloth's outside at the run faces right of the grain, -1 to 1.
 double faces_right(const SeamModel& model, const SeamRun& run);
 
+/// Whether the piece is a lapel: a collar's front that runs out in a point.
+bool is_lapel(const SeamModel& model, Index panel);
+
 /// hangs_from() of two panels: nothing hangs past a band or a cuff that is between.
 int hangs_from(const SeamModel& model, Index lower, Index upper);
 

@@ -139,6 +139,7 @@ Sewn doubted(const Choices& choices, const Limits& limits, GluingJudge& judge, S
 
 /// Which panels may be drawn from the other side: none, as the drawing hints, those called back, or a
 /// collar's front, which as a lapel shows what is inside elsewhere, alone or with the rest of the collar.
+/// Collars without lapels stand, and are drawn as all else is.
 std::vector<std::vector<char>> likely_sides(const SeamModel& m, const SeamGluing& g,
                                             const GluingSettings& settings) {
   if (settings.sides_known) return {};
@@ -148,14 +149,16 @@ std::vector<std::vector<char>> likely_sides(const SeamModel& m, const SeamGluing
   };
   if (!settings.turned.empty()) add(settings.turned);
   std::vector<char> backs, lapels, collars;
+  bool any_lapel = false;
   for (const PieceWords& words : m.words) {
     backs.push_back(words.face < 0);
     lapels.push_back(words.kind == PieceKind::kCollar && words.face > 0);
     collars.push_back(words.kind == PieceKind::kCollar);
+    any_lapel = any_lapel || is_lapel(m, static_cast<Index>(collars.size()) - 1);
   }
   add(backs);
   add(lapels);
-  add(collars);
+  if (any_lapel) add(collars);
   return sides;
 }
 

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/arrange/arrange.h"
 #include "core/drape/pipeline.h"
+#include "core/dressing/dress.h"
 #include "tests/core/arrange/garments.h"
 #include "tests/core/drape/heap.h"
 
@@ -100,6 +102,25 @@ TEST(FitStart, WhatNobodyCanPutOnIsRefused) {
   EXPECT_FALSE(fitted.reduced.has_value());
   EXPECT_TRUE(preflight::first_error(start.findings));
   EXPECT_FALSE(told(start.findings, preflight::FindingKind::kGivenUp)) << "all ways were tried";
+}
+
+TEST(FitStart, WhatIsArrangedAlreadyIsNotTriedAgainFromThere) {
+  drape::DrapeInput input = narrow_tube();
+  const drape::DrapeStart flat = drape::prepare_start(input, {}).value();
+  input.placements = arrange::arrange({input.pattern, flat.meshes, input.bodies}).value().placements;
+  const drape::DrapeStart start = drape::prepare_start(input, {}).value();
+  const auto ways = static_cast<int>(dressing::dressing_ways().size());
+  const drape::PutOnTries all = drape::put_on_after(drape::kSewnInPlace, input, start, {});
+  ASSERT_FALSE(all.on.has_value());
+  EXPECT_LE(all.nearest, ways) << "of the ways from where the pieces stand";
+  EXPECT_FALSE(all.gave_up);
+  // With work for one way the others are not reached, nor forgotten.
+  const drape::PutOnTries few =
+      drape::put_on_after(drape::kSewnInPlace, input, start, {}, dressing::Effort(1));
+  EXPECT_TRUE(few.gave_up);
+  const drape::PutOnTries none = drape::put_on_after(ways, input, start, {});
+  EXPECT_FALSE(none.on.has_value());
+  EXPECT_TRUE(none.at_fault.empty()) << "nothing was tried";
 }
 
 /// What cannot be put on costs a bounded work, and that there was more to try is told.
