@@ -15,10 +15,12 @@ std::int64_t now_ms() {
 
 /// In the same words whatever is the matter with it: who has found an old key need not learn that it was one.
 Answer nobody_has_it() {
-  return {Error{"auth.token",
-                "this token is not known here, or no longer good; ask whoever runs this for another",
-                "Authorization"},
-          true};
+  return {
+      Error{
+          "auth.token",
+          "this key is not known here, or no longer good; log in again, or ask whoever runs this for another",
+          "Authorization"},
+      true};
 }
 
 bool has_expired(const store::KeyRow& key) { return key.expires_ms > 0 && key.expires_ms <= now_ms(); }
@@ -39,19 +41,26 @@ Answer Gate::caller_of(const std::string& key_hash) {
   Result<store::KnownKey> known = accounts_.key_of_secret(key_hash);
   if (!known && known.error().kind == ErrorKind::kNotFound) return nobody_has_it();
   if (!known) return {known.error()};
-  if (known->key.kind != store::KeyKind::kToken) return nobody_has_it();
   if (known->account.locked || has_expired(known->key)) return nobody_has_it();
   const store::Scopes scopes = scopes_of(*known);
   return {Caller{std::move(known->account), std::move(known->key), key_hash, scopes}};
 }
 
+/// A cookie's key is no token, nor the other way round: what a browser holds is of no use to a program.
+Answer Gate::shown_by(const Credentials& shown) {
+  const bool by_token = !shown.token.empty();
+  Answer answer = caller_of(hash_of_secret(by_token ? shown.token : shown.cookie));
+  if (!answer.caller) return answer;
+  const store::KeyKind wanted = by_token ? store::KeyKind::kToken : store::KeyKind::kSession;
+  return answer.caller->key.kind == wanted ? answer : nobody_has_it();
+}
+
 Answer Gate::who(const Credentials& shown) {
-  if (shown.token.empty()) {
-    return {Error{"auth.required", "say who you are: send a token as \"Authorization: Bearer …\"",
-                  "Authorization"},
+  if (shown.token.empty() && shown.cookie.empty()) {
+    return {Error{"auth.required", "log in, or send a token as \"Authorization: Bearer …\"", "Authorization"},
             true};
   }
-  Answer answer = caller_of(hash_of_secret(shown.token));
+  Answer answer = shown_by(shown);
   if (!answer.unknown) return answer;
   const std::string network = network_of(shown.address);
   const std::chrono::seconds wait = wrong_tokens_.wait(network);

@@ -13,6 +13,7 @@ namespace toile::accounts {
 /// What a request shows of who sends it.
 struct Credentials {
   std::string token;    ///< of "Authorization: Bearer"; empty: none
+  std::string cookie;   ///< of a session; looked at where there is no token
   std::string address;  ///< where it comes from
 };
 
@@ -50,6 +51,7 @@ class Gate {
 
  private:
   Answer caller_of(const std::string& key_hash);
+  Answer shown_by(const Credentials& shown);
 
   store::Accounts& accounts_;
   Guesses wrong_tokens_{kMostWrongTokens};  // by address

@@ -12,9 +12,11 @@
 #include "core/base/names.h"
 #include "core/base/write_file.h"
 #include "core/json/tree.h"
+#include "server/accounts/passwords.h"
 #include "server/accounts/secrets.h"
 #include "server/app/account_commands.h"
 #include "server/app/console.h"
+#include "server/app/read_password.h"
 #include "server/store/sqlite/open.h"
 
 namespace toile::app {
@@ -89,6 +91,13 @@ Status lock(store::Store& store, const std::string& name, bool locked) {
   store::AccountRow account = TRY(store.accounts()->account_named(name));
   account.locked = locked;
   return store.accounts()->change_account(account);
+}
+
+Status set_password(store::Store& store, const std::string& name, const std::string& password) {
+  store::AccountRow account = TRY(store.accounts()->account_named(name));
+  account.password = TRY(accounts::hash_of_password(password));
+  TRY(store.accounts()->change_account(account));
+  return store.accounts()->remove_keys(account.id, store::KeyKind::kSession);
 }
 
 struct NewToken {
@@ -166,6 +175,14 @@ ExitCode account_add_command(const AccountOptions& options) {
                 added->name.c_str(), added->name.c_str());
   }
   return kDone;
+}
+
+ExitCode account_password_command(const AccountOptions& options) {
+  const Result<std::string> password = read_password();
+  if (!password) return fail(password.error(), options.json);
+  const Result<std::unique_ptr<store::Store>> store = open_store(options.data);
+  if (!store) return fail(store.error(), options.json);
+  return ended(set_password(**store, options.name, *password), options.json);
 }
 
 ExitCode account_list_command(const AccountOptions& options) {

@@ -16,6 +16,9 @@ struct AccountOptions {
 };
 
 ExitCode account_add_command(const AccountOptions& options);
+/// Takes a new password from stdin: from a terminal unseen and twice, else its first line. All its sessions
+/// end.
+ExitCode account_password_command(const AccountOptions& options);
 ExitCode account_list_command(const AccountOptions& options);
 /// Locked, none of its keys is good for anything; what it has stays, and drapes go on.
 ExitCode account_lock_command(const AccountOptions& options, bool locked);

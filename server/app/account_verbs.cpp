@@ -29,8 +29,13 @@ void AccountVerbs::add_account(CLI::App& app) {
                   "server's next start.\n\n"
                   "Examples:\n"
                   "  toile account add anna --single-user --admin\n"
+                  "  toile account password anna\n"
                   "  toile token make anna --out anna.token\n\n") +
       kExitCodes);
+  CLI::App* password = account->add_subcommand("password", "Give an account a password, read from stdin");
+  password->add_option("name", account_.name, "Account")->required();
+  add_data(*password, account_.data, account_.json);
+  account_password_ = password;
   CLI::App* list = account->add_subcommand("list", "List accounts, with what each keeps");
   add_data(*list, account_.data, account_.json);
   CLI::App* lock = account->add_subcommand("lock", "Let an account in no more; what it has stays");
@@ -83,6 +88,7 @@ AccountVerbs::AccountVerbs(CLI::App& app) {
 
 std::optional<ExitCode> AccountVerbs::run() const {
   if (account_add_->parsed()) return account_add_command(account_);
+  if (account_password_->parsed()) return account_password_command(account_);
   if (account_list_->parsed()) return account_list_command(account_);
   if (account_lock_->parsed()) return account_lock_command(account_, true);
   if (account_unlock_->parsed()) return account_lock_command(account_, false);

@@ -23,7 +23,7 @@ class AccountVerbs {
   AccountOptions account_;
   TokenOptions token_;
   const CLI::App *account_add_ = nullptr, *account_list_ = nullptr, *account_lock_ = nullptr,
-                 *account_unlock_ = nullptr;
+                 *account_password_ = nullptr, *account_unlock_ = nullptr;
   const CLI::App *token_make_ = nullptr, *token_list_ = nullptr, *token_revoke_ = nullptr;
 };
 

@@ -116,6 +116,7 @@ struct SubmitOptions {
   std::string server = "http://127.0.0.1:8460";
   bool watch = false;      ///< follow the drape to its end
   std::string out;         ///< folder for the results; empty: they stay on the server
+  std::string roots;       ///< PEM file of who vouches for the server; empty: who does on this machine
   std::string token_file;  ///< path; empty: the environment's TOILE_TOKEN, if there is one
   bool json = false;
 };

@@ -14,16 +14,18 @@ namespace toile::app {
 
 struct ServeOptions {
   std::string address = "127.0.0.1";
-  bool container = false;     ///< listen on any address: the container's port is published on the loopback
-  bool accounts = false;      ///< only who is known is let in, also while the store has no account
-  int port = 8460;            ///< 0: any that is free
-  std::string data = "data";  ///< folder of the store; made when it is not there
-  int workers = 0;            ///< drapes at once; 0: one for each core, at most kMostWorkers
-  bool no_workers = false;    ///< other processes drape
-  double checkpoint_every_s = 5;  ///< by the clock: what a crash can cost a drape
-  std::string web;                ///< folder of the built page; empty: the one that came with the program
-  std::string sample;             ///< folder of the first project; empty: the one that came with the program
-  bool no_sample = false;         ///< begin a new store empty
+  bool container = false;  ///< listen on any address, for the machine around the container alone
+  std::string tls_certificate, tls_key;  ///< PEM files; empty: no TLS
+  bool behind_proxy = false;             ///< a proxy speaks TLS to others
+  bool accounts = false;                 ///< only who is known is let in, also while the store has no account
+  int port = 8460;                       ///< 0: any that is free
+  std::string data = "data";             ///< folder of the store; made when it is not there
+  int workers = 0;                       ///< drapes at once; 0: one for each core, at most kMostWorkers
+  bool no_workers = false;               ///< other processes drape
+  double checkpoint_every_s = 5;         ///< by the clock: what a crash can cost a drape
+  std::string web;         ///< folder of the built page; empty: the one that came with the program
+  std::string sample;      ///< folder of the first project; empty: the one that came with the program
+  bool no_sample = false;  ///< begin a new store empty
   std::optional<log::LogFormat> log;  ///< nothing: text on a terminal, else JSON
   store::Quotas quotas;               ///< of each user
   jobs::JobLimits limits;             ///< of each drape

@@ -20,8 +20,9 @@ ExitCode serve_command(const ServeOptions& given) {
   if (!service) return fail(service.error(), false);
   const bool six = options.address.find(':') != std::string::npos;
   const std::string host = six ? "[" + options.address + "]" : options.address;
-  std::printf("Toile serves on http://%s:%d/  (data in %s, drapes at once: %d; Ctrl-C ends it)\n",
-              host.c_str(), (*service)->port(), options.data.c_str(), options.workers);
+  std::printf("Toile serves on %s://%s:%d/  (data in %s, drapes at once: %d; Ctrl-C ends it)\n",
+              options.tls_certificate.empty() ? "http" : "https", host.c_str(), (*service)->port(),
+              options.data.c_str(), options.workers);
   if ((*service)->has_accounts())
     std::printf("Only who has an account is let in (toile account, toile token).\n");
   if (options.web.empty()) std::printf("The page has not been built; the service answers under /api/v1.\n");

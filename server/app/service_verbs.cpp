@@ -56,12 +56,24 @@ CLI::App* add_serve(CLI::App& app, ServeOptions& serve) {
   verb->add_option("--data", serve.data, "Folder of projects, files and jobs; made when it is not there")
       ->capture_default_str();
   verb->add_flag("--no-workers", serve.no_workers, "Drape nothing here: toile worker does, beside it");
-  verb->add_option("--address", serve.address, "Address of the loopback to listen on")->capture_default_str();
+  verb->add_option("--address", serve.address,
+                   "Address to listen on; any but the loopback's wants accounts, and TLS or a proxy")
+      ->capture_default_str();
+  CLI::Option* key =
+      verb->add_option("--tls-key", serve.tls_key, "PEM file of the certificate's private key");
+  verb->add_option("--tls-certificate", serve.tls_certificate,
+                   "Speak TLS, with the certificate (and those between it and its root) of this PEM file")
+      ->needs(key);
+  key->needs("--tls-certificate");
+  verb->add_flag(
+      "--behind-proxy", serve.behind_proxy,
+      "A proxy speaks TLS to others; it passes Host on and says X-Forwarded-For, and nobody else gets here");
   verb->add_flag(
       "--accounts", serve.accounts,
       "Let in only who is known (toile account). So it is once there is an account, also without this");
-  verb->add_flag("--container", serve.container,
-                 "Listen on any address: for a container whose port is published on the loopback only");
+  verb->add_flag(
+      "--container", serve.container,
+      "Listen on any address, within a container whose port is published on the machine's loopback");
   verb->add_option("--web", serve.web, "Folder of the built page (default: web/dist)");
   verb->add_option("--sample", serve.sample,
                    "Folder of the project that a new store begins with (default: samples/skirt)");
@@ -87,6 +99,8 @@ CLI::App* add_submit(CLI::App& app, SubmitOptions& submit) {
       verb->add_flag("--watch", submit.watch, "Follow the drape to its end; Ctrl-C cancels it");
   verb->add_option("-o,--out", submit.out, "Folder for the results, as toile drape leaves them")
       ->needs(watch);
+  verb->add_option("--roots", submit.roots,
+                   "PEM file of who may vouch for an https server (default: as this machine has it)");
   verb->add_option("--token-file", submit.token_file,
                    "File with the token to be known by (default: what TOILE_TOKEN says)");
   verb->add_flag("--json", submit.json, "Print the report (without --watch the job) as JSON, errors as well");

@@ -167,10 +167,16 @@ ExitCode watch(Remote& remote, const std::string& id, const SubmitOptions& optio
 }  // namespace
 
 ExitCode submit_command(const SubmitOptions& options) {
-  Result<http::HttpClient> client = http::HttpClient::make(options.server);
+  Result<http::HttpClient> client = http::HttpClient::make(options.server, options.roots);
   if (!client) return fail(client.error(), options.json);
   const Result<std::string> token = read_token(options.token_file);
   if (!token) return fail(token.error(), options.json);
+  if (!token->empty() && client->tells_others()) {
+    return fail(
+        {"usage.token", "a token goes to other machines by https only, or everybody on the way has it",
+         options.server},
+        options.json);
+  }
   Remote remote(std::move(*client), *token);
   const Result<std::string> project = send_project(remote, options.project);
   if (!project) return fail_remote(project.error(), options.json);

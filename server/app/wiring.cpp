@@ -57,22 +57,29 @@ Result<std::unique_ptr<Service>> Service::start(const ServeOptions& options) {
   service->movies_ = std::make_unique<jobs::Movies>(*service->store_);
   http::ServerSettings http;
   http.address = options.address;
-  http.any_address = options.container;
-  http.accounts = TRY(wants_accounts(*service->store_, options));
+  http.container = options.container;
+  http.tls_certificate = options.tls_certificate;
+  http.tls_key = options.tls_key;
+  http.behind_proxy = options.behind_proxy;
   http.port = options.port;
   http.web = options.web;
+  const bool accounts = TRY(wants_accounts(*service->store_, options));
+  if (accounts) {
+    service->doors_ =
+        std::make_unique<handlers::Doors>(*service->store_->accounts(), http::cookie_name(http.secure()));
+    http.gate = &service->doors_->gate;
+  }
   service->server_ =
       std::make_unique<http::HttpServer>(*service->store_, *service->jobs_, *service->hub_, http, log);
   http::HttpServer& server = *service->server_;
   handlers::add_routes(server.router(),
                        {*service->documents_, *service->store_, *service->jobs_, *service->movies_,
-                        *service->hub_, server.metrics(), server.ready()});
+                        *service->hub_, server.metrics(), server.ready(), service->doors_.get()});
   TRY(server.start());
   TRY(service->jobs_->start());
   service->retention_ =
       std::make_unique<jobs::Retention>(*service->store_, *service->jobs_, options.retention, log);
-  service->has_accounts_ = http.accounts;
-  if (http.accounts) return service;
+  if (accounts) return service;
   const store::RequestContext local = http::local_user("", log);
   if (Status sample = drape_sample(*service->documents_, *service->jobs_, local, options.sample); !sample) {
     log.warn("sample not draped", sample.error());  // no reason not to serve

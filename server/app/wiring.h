@@ -7,6 +7,7 @@
 #include "core/base/result.h"
 #include "server/app/config.h"
 #include "server/documents/documents.h"
+#include "server/http/handlers/api.h"
 #include "server/http/server.h"
 #include "server/jobs/movies.h"
 #include "server/jobs/retention.h"
@@ -25,14 +26,13 @@ class Service {
 
   int port() const { return server_->port(); }
   /// Whether only who is known is let in.
-  bool has_accounts() const { return has_accounts_; }
+  bool has_accounts() const { return doors_ != nullptr; }
   Log log() const { return Log(*job_log_); }
   /// Takes no new work, lets running drapes go back to the queue, says good-bye to viewers. Twice is safe.
   void stop();
 
  private:
   Service() = default;
-  bool has_accounts_ = false;
 
   // Destroyed from below: each of these works with what stands above it.
   std::unique_ptr<LogSink> log_sink_;
@@ -43,6 +43,7 @@ class Service {
   std::unique_ptr<jobs::JobService> jobs_;
   std::unique_ptr<jobs::Movies> movies_;
   std::unique_ptr<jobs::Retention> retention_;
+  std::unique_ptr<handlers::Doors> doors_;  ///< null: there are no accounts
   std::unique_ptr<http::HttpServer> server_;
 };
 

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "core/base/names.h"
-#include "server/http/guard.h"
 #include "server/http/problem.h"
 #include "server/http/url.h"
 
@@ -62,8 +61,8 @@ std::optional<HttpResponse> refused_by(const Route& route, const HttpRequest& re
 
 }  // namespace
 
-Admission admit(const Router& router, HttpRequest& request, const Incoming& incoming) {
-  if (auto away = turned_away(request, incoming.upgrade)) return refused(std::move(*away));
+Admission admit(const Router& router, HttpRequest& request, const Incoming& incoming, const Site& site) {
+  if (auto away = turned_away(request, incoming.upgrade, site)) return refused(std::move(*away));
   std::optional<Target> target = parse_target(request.target);
   if (!target) return refused(problem(400, {"http.target", "this is no address of ours", ""}));
   request.segments = std::move(target->segments);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "server/http/guard.h"
 #include "server/http/message.h"
 #include "server/http/router.h"
 
@@ -26,6 +27,6 @@ struct Admission {
 
 /// Takes the target apart into the request's segments, query and captures, and finds its route; or says why
 /// not: 400, 403, 404, 405, 413, 415, 421, 426.
-Admission admit(const Router& router, HttpRequest& request, const Incoming& incoming);
+Admission admit(const Router& router, HttpRequest& request, const Incoming& incoming, const Site& site = {});
 
 }  // namespace toile::http

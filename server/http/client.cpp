@@ -5,6 +5,7 @@
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/ssl/host_name_verification.hpp>
 #include <boost/asio/use_awaitable.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/core/tcp_stream.hpp>
@@ -19,6 +20,9 @@
 #include "core/base/names.h"
 #include "core/base/text.h"
 #include "server/http/thrown.h"
+#include "server/http/tls.h"
+#include "server/http/url.h"
+#include "server/ws/line.h"
 
 namespace toile::http {
 namespace {
@@ -41,7 +45,8 @@ bool may_repeat(const HttpClient::Request& request) {
 struct HttpClient::Impl {
   std::string host, port;
   asio::io_context io;
-  std::optional<beast::tcp_stream> stream;
+  TlsContext tls;  // null: http
+  std::optional<ws::Line> stream;
   beast::flat_buffer buffer;
 
   http::request<http::string_body> message_of(const Request& request) const {
@@ -63,12 +68,28 @@ struct HttpClient::Impl {
     const std::string name = host.starts_with('[') ? host.substr(1, host.size() - 2) : host;
     const auto [unknown, places] = co_await resolver.async_resolve(name, port, kTuple);
     if (unknown) co_return unknown;
-    stream.emplace(io);
+    stream.emplace(beast::tcp_stream(io), tls.get());
     buffer.clear();
     stream->expires_after(std::min(within, std::chrono::seconds(10)));
-    const auto [failure, place] = co_await stream->async_connect(places, kTuple);
-    if (failure) stream.reset();
-    co_return failure;
+    const auto [failure, place] = co_await stream->next_layer().async_connect(places, kTuple);
+    boost::system::error_code unmet = failure;
+    if (!unmet && tls) unmet = co_await meet(name);
+    if (unmet) stream.reset();
+    co_return unmet;
+  }
+
+  /// The other side must show that it is who was asked for.
+  asio::awaitable<boost::system::error_code> meet(const std::string& name) {
+    ws::Line::Tls& line = *stream->tls();
+    boost::system::error_code failure;
+    asio::ip::make_address(name, failure);
+    const bool is_name = failure.failed();  // a number is not told beforehand (RFC 6066, 3)
+    if (is_name && SSL_set_tlsext_host_name(line.native_handle(), name.c_str()) != 1)
+      co_return asio::error::invalid_argument;
+    line.set_verify_callback(asio::ssl::host_name_verification(name), failure);
+    if (failure) co_return failure;
+    const auto [unmet] = co_await line.async_handshake(asio::ssl::stream_base::client, kTuple);
+    co_return unmet;
   }
 
   asio::awaitable<boost::system::error_code> exchange(const Request& request, std::chrono::seconds within,
@@ -110,19 +131,24 @@ HttpClient::HttpClient(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 HttpClient::HttpClient(HttpClient&&) noexcept = default;
 HttpClient::~HttpClient() = default;
 
-Result<HttpClient> HttpClient::make(const std::string& url) {
+Result<HttpClient> HttpClient::make(const std::string& url, const std::string& roots) {
   const auto wrong = [&] {
-    return Error{"client.url", "a server's address is http://HOST:PORT, not " + in_quotes(url), ""};
+    return Error{"client.url",
+                 "a server's address is http://HOST:PORT or https://HOST:PORT, not " + in_quotes(url), ""};
   };
   const auto parsed = boost::urls::parse_uri(url);
-  if (!parsed || !url.starts_with("http://") || parsed->has_userinfo() || parsed->has_query() ||
+  const bool secure = url.starts_with("https://");
+  if (!parsed || !(secure || url.starts_with("http://")) || parsed->has_userinfo() || parsed->has_query() ||
       parsed->has_fragment() || parsed->encoded_path().size() > 1 || parsed->encoded_host().empty() ||
       (parsed->has_port() && parsed->port().empty())) {
     return wrong();
   }
   auto impl = std::make_unique<Impl>();
   impl->host = parsed->encoded_host();  // of an IPv6 address with its brackets
-  impl->port = parsed->has_port() ? std::string(parsed->port()) : "80";
+  impl->port = parsed->has_port() ? std::string(parsed->port()) : secure ? "443" : "80";
+  if (secure) {
+    impl->tls = TRY(client_tls(roots));
+  }
   return HttpClient(std::move(impl));
 }
 
@@ -140,6 +166,10 @@ Result<HttpReply> HttpClient::ask(const Request& request, std::chrono::seconds w
     return Error{"client.failed", "asking broke off: " + words_of(thrown), place, ErrorKind::kSystem};
   }
   if (!failure) return reply;
+  if (failure.category() == asio::error::get_ssl_category()) {
+    return Error{"client.tls", "the server is not believed to be who it says: " + failure.message(), place,
+                 ErrorKind::kSystem};
+  }
   if (failure == beast::error::timeout)
     return Error{"client.timeout", "the server does not answer", place, ErrorKind::kSystem};
   if (failure.category() == http::make_error_code(http::error::bad_version).category()) {
@@ -148,6 +178,12 @@ Result<HttpReply> HttpClient::ask(const Request& request, std::chrono::seconds w
   }
   return Error{"client.unreachable", "the server cannot be reached: " + failure.message(), place,
                ErrorKind::kUnavailable};
+}
+
+bool HttpClient::tells_others() const {
+  const std::string& host = impl_->host;
+  const bool six = host.starts_with('[');
+  return !impl_->tls && !is_loopback_name(six ? host.substr(1, host.size() - 2) : host);
 }
 
 }  // namespace toile::http

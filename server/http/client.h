@@ -21,8 +21,10 @@ struct HttpReply {
 /// Not thread-safe.
 class HttpClient {
  public:
-  /// `url` is http://host:port. Error: client.url. Nothing is connected yet.
-  static Result<HttpClient> make(const std::string& url);
+  /// `url` is http://host:port, or https:// where the server must show a certificate that the PEM file
+  /// `roots` vouches for, or without one this machine. Errors: client.url, client.tls. Nothing is connected
+  /// yet.
+  static Result<HttpClient> make(const std::string& url, const std::string& roots = "");
   HttpClient(HttpClient&&) noexcept;
   ~HttpClient();
 
@@ -35,8 +37,11 @@ class HttpClient {
   };
   /// Connects where need be; asks once more when a connection that was kept turns out to be closed and asking
   /// twice does no harm (GET, or with an Idempotency-Key). Errors: client.unreachable, client.timeout,
-  /// client.malformed, client.failed (no memory for the answer).
+  /// client.tls, client.malformed, client.failed (no memory for the answer).
   Result<HttpReply> ask(const Request& request, std::chrono::seconds within = std::chrono::seconds(120));
+
+  /// Whether what is said can be read on the way: neither TLS nor the loopback.
+  bool tells_others() const;
 
  private:
   struct Impl;

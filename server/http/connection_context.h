@@ -1,16 +1,19 @@
 #pragma once
 // What all connections of a server share. Internal to http.
 
+#include <boost/asio/ssl/context.hpp>
 #include <boost/asio/thread_pool.hpp>
 
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <string>
 
 #include "core/base/log.h"
 #include "server/accounts/gate.h"
 #include "server/http/connections.h"
 #include "server/http/fair_pool.h"
+#include "server/http/guard.h"
 #include "server/http/identify.h"
 #include "server/http/metrics.h"
 #include "server/http/router.h"
@@ -76,7 +79,10 @@ struct ConnectionContext {
   BodyBudget& answers;  ///< that lie in memory
   Connections& connections;
   const ws::StreamServices& streams;
-  accounts::Gate* gate;  ///< null: there are no accounts, and whoever comes is the single user
+  Site site;
+  std::string cookie;              ///< name of that of a session
+  boost::asio::ssl::context* tls;  ///< null: plain HTTP
+  accounts::Gate* gate;            ///< null: there are no accounts, and whoever comes is the single user
 };
 
 }  // namespace toile::http

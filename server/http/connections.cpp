@@ -11,7 +11,8 @@ bool Connections::make_room(const std::string& address, int count, const ServerS
   const std::lock_guard lock(mutex_);
   const auto of_address = std::count_if(sessions_.begin(), sessions_.end(),
                                         [&](const auto& session) { return session->address() == address; });
-  const bool too_many_of_it = of_address >= settings.most_of_address;
+  // All that come by a proxy come from its address.
+  const bool too_many_of_it = !settings.behind_proxy && of_address >= settings.most_of_address;
   if (count < settings.most_connections && !too_many_of_it) return true;
   HttpSession* idlest = nullptr;
   for (const auto& session : sessions_) {

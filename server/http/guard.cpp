@@ -11,17 +11,17 @@ bool is_safe(const std::string& method) { return method == "GET" || method == "H
 
 }  // namespace
 
-std::optional<HttpResponse> turned_away(const HttpRequest& request, bool websocket) {
+std::optional<HttpResponse> turned_away(const HttpRequest& request, bool websocket, const Site& site) {
   const std::string host = request.header("host");
   const std::optional<std::string> name = host_name(host);
   if (!name) return problem(400, {"http.host", "a request names its host, as localhost:8460 does", "Host"});
-  if (!is_loopback_name(*name)) {
+  if (!site.any_host && !is_loopback_name(*name)) {
     return problem(
         421, {"http.host", "this server answers for the loopback only, not for " + in_quotes(host), "Host"});
   }
   const std::string origin = request.header("origin");
   if (origin.empty() || (is_safe(request.method) && !websocket)) return std::nullopt;
-  if (origin == "http://" + host || origin == "https://" + host) return std::nullopt;
+  if (origin == "https://" + host || (!site.secure && origin == "http://" + host)) return std::nullopt;
   return problem(403, {"http.origin", "pages of " + in_quotes(origin) + " may not do this", "Origin"});
 }
 

@@ -20,6 +20,20 @@ bool is_plain_id(const std::string& id) {
   });
 }
 
+/// The value of a cookie (RFC 6265, 4.2.1); empty when it is not there.
+std::string cookie_of(const HttpRequest& request, const std::string& name) {
+  const std::string all = request.header("cookie");
+  for (std::size_t at = 0; at < all.size();) {
+    const std::size_t end = std::min(all.find(';', at), all.size());
+    const std::size_t begin = std::min(all.find_first_not_of(' ', at), end);
+    const std::string_view pair = std::string_view(all).substr(begin, end - begin);
+    if (pair.size() > name.size() && pair.starts_with(name) && pair[name.size()] == '=')
+      return std::string(pair.substr(name.size() + 1));
+    at = end + 1;
+  }
+  return "";
+}
+
 }  // namespace
 
 RequestIds::RequestIds() {
@@ -53,27 +67,51 @@ store::RequestContext context_of(const accounts::Caller& caller, const std::stri
   return context;
 }
 
-accounts::Credentials credentials_of(const HttpRequest& request, const std::string& address) {
+std::optional<std::string> forwarded_for(const HttpRequest& request) {
+  const std::string hops = request.header("x-forwarded-for");
+  const std::size_t comma = hops.rfind(',');
+  std::string last = comma == std::string::npos ? hops : hops.substr(comma + 1);
+  std::erase(last, ' ');
+  constexpr std::size_t kLongestAddress = 45;
+  if (last.empty() || last.size() > kLongestAddress) return std::nullopt;
+  return last;
+}
+
+std::string cookie_name(bool secure) { return secure ? "__Host-toile" : "toile"; }
+
+std::string session_cookie(const std::string& name, const std::string& secret, std::chrono::seconds lasts) {
+  const std::string secure = name.starts_with("__Host-") ? "; Secure" : "";
+  return name + "=" + secret +
+         "; Path=/; HttpOnly; SameSite=Strict; Max-Age=" + std::to_string(lasts.count()) + secure;
+}
+
+accounts::Credentials credentials_of(const HttpRequest& request, const std::string& cookie) {
   constexpr std::string_view kScheme = "bearer ";
   const std::string given = request.header("authorization");
   const bool bearer = lower_case(given.substr(0, kScheme.size())) == kScheme;
-  return {bearer ? given.substr(kScheme.size()) : "", address};
+  return {.token = bearer ? given.substr(kScheme.size()) : "",
+          .cookie = cookie_of(request, cookie),
+          .address = request.sender};
 }
 
-HttpResponse not_let_in(const accounts::Answer& answer) {
-  const Error& error = answer.caller.error();
-  if (!answer.unknown) {
-    HttpResponse response = problem(error);
-    for (auto& [name, value] : response.headers)
-      if (name == "Retry-After" && answer.wait.count() > 0) value = std::to_string(answer.wait.count());
+HttpResponse not_let_in(const Error& error, bool unknown, std::chrono::seconds wait) {
+  if (unknown) {
+    HttpResponse response = problem(401, error);
+    response.headers.emplace_back("WWW-Authenticate", "Bearer realm=\"toile\"");
     return response;
   }
-  HttpResponse response = problem(401, error);
-  response.headers.emplace_back("WWW-Authenticate", "Bearer realm=\"toile\"");
+  HttpResponse response = problem(error);
+  for (auto& [name, value] : response.headers)
+    if (name == "Retry-After" && wait.count() > 0) value = std::to_string(wait.count());
   return response;
 }
 
-std::optional<HttpResponse> not_allowed(const accounts::Caller& caller, Access access) {
+std::optional<HttpResponse> not_allowed(const accounts::Caller& caller, Access access,
+                                        const HttpRequest& request, bool websocket) {
+  const bool looks = request.method == "GET" || request.method == "HEAD";
+  const bool by_cookie = caller.key.kind == store::KeyKind::kSession;
+  if (by_cookie && (!looks || websocket) && request.header("origin").empty())
+    return problem(403, {"http.origin", "with a cookie a request says whose page it is of", "Origin"});
   const store::Scope needed = access == Access::kAdmin    ? store::Scope::kAdmin
                               : access == Access::kSubmit ? store::Scope::kSubmit
                                                           : store::Scope::kRead;

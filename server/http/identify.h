@@ -2,6 +2,7 @@
 // Whose request it is and what it is called: the one place where a context is made.
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -38,11 +39,25 @@ store::RequestContext nobody(const std::string& request_id, const Log& log);
 store::RequestContext context_of(const accounts::Caller& caller, const std::string& request_id,
                                  const Log& log);
 
-accounts::Credentials credentials_of(const HttpRequest& request, const std::string& address);
+/// The address that the last proxy says a request came to it from, in X-Forwarded-For; nothing when it says
+/// none.
+std::optional<std::string> forwarded_for(const HttpRequest& request);
 
-/// 401 with WWW-Authenticate, 429 with the time to wait, or what the store has against it.
-HttpResponse not_let_in(const accounts::Answer& answer);
-/// Why somebody who is known may not: 403, when their key has not the scope.
-std::optional<HttpResponse> not_allowed(const accounts::Caller& caller, Access access);
+/// The cookie of a session: "__Host-" tells a browser to take it by https alone, and from this host alone.
+std::string cookie_name(bool secure);
+/// A Set-Cookie for `secret`, of that name, that no script reads and no other site sends along; for no time
+/// at all it takes the cookie away.
+std::string session_cookie(const std::string& name, const std::string& secret, std::chrono::seconds lasts);
+
+accounts::Credentials credentials_of(const HttpRequest& request, const std::string& cookie);
+
+/// 401 with WWW-Authenticate when nobody is known by what was shown; 429 with the time to wait; or what the
+/// store has against it.
+HttpResponse not_let_in(const Error& error, bool unknown, std::chrono::seconds wait);
+/// Why somebody who is known may not, or nothing. 403: their key has not the scope; or it came in a cookie,
+/// as pages of others might make a browser send it, where something changes or a WebSocket begins and no
+/// Origin says whose page asks (that it is this one's, server/http/guard looks at).
+std::optional<HttpResponse> not_allowed(const accounts::Caller& caller, Access access,
+                                        const HttpRequest& request, bool websocket);
 
 }  // namespace toile::http

@@ -2,7 +2,6 @@
 
 #include <boost/asio/as_tuple.hpp>
 #include <boost/asio/co_spawn.hpp>
-#include <boost/asio/ip/address.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/strand.hpp>
@@ -12,7 +11,7 @@
 #include <memory>
 #include <utility>
 
-#include "core/base/names.h"
+#include "server/http/address_rules.h"
 #include "server/http/session.h"
 #include "server/http/thrown.h"
 
@@ -30,25 +29,18 @@ Listener::Listener(asio::io_context& io, const ConnectionContext& context)
     : io_(io), context_(context), acceptor_(asio::make_strand(io)) {}
 
 Status Listener::open(const ServerSettings& settings) {
-  const std::string& address = settings.address;
   const int port = settings.port;
+  const asio::ip::address address = TRY(listening_address(settings));
+  if (settings.container && !settings.gate) gateway_ = default_gateway();
   boost::system::error_code failure;
-  const auto parsed = asio::ip::make_address(address == "localhost" ? "127.0.0.1" : address, failure);
-  if (failure || !(parsed.is_loopback() || settings.any_address)) {
-    return Error{"server.address",
-                 in_quotes(address) +
-                     " is no address of the loopback: without accounts this server is for this "
-                     "machine only (127.0.0.1 or ::1)",
-                 ""};
-  }
-  const tcp::endpoint place(parsed, static_cast<std::uint16_t>(port));
+  const tcp::endpoint place(address, static_cast<std::uint16_t>(port));
   acceptor_.open(place.protocol(), failure);
   if (!failure) acceptor_.set_option(asio::socket_base::reuse_address(true), failure);
   if (!failure) acceptor_.bind(place, failure);
   if (!failure) acceptor_.listen(asio::socket_base::max_listen_connections, failure);
   if (failure) {
     return Error{"server.port", "cannot listen on port " + std::to_string(port) + ": " + failure.message(),
-                 address};
+                 settings.address};
   }
   port_ = acceptor_.local_endpoint().port();
   return {};
@@ -66,6 +58,12 @@ void Listener::close() {
   });
 }
 
+/// In a container without accounts: whoever is not the machine around it.
+bool Listener::is_stranger(const asio::ip::address& other, const asio::ip::address& own) const {
+  const ServerSettings& settings = context_.settings;
+  return settings.container && !settings.gate && !is_host_of_container(other, own, gateway_);
+}
+
 asio::awaitable<void> Listener::accept_all() {
   while (acceptor_.is_open()) {
     auto [failure, socket] = co_await acceptor_.async_accept(asio::make_strand(io_), kTuple);
@@ -77,7 +75,10 @@ asio::awaitable<void> Listener::accept_all() {
     }
     boost::system::error_code gone;
     const tcp::endpoint other = socket.remote_endpoint(gone);
-    const std::string address = gone ? std::string() : other.address().to_string();
+    if (gone) continue;
+    const tcp::endpoint own = socket.local_endpoint(gone);
+    if (gone || is_stranger(other.address(), own.address())) continue;  // closes it
+    const std::string address = other.address().to_string();
     if (!context_.connections.make_room(address, context_.metrics.connections.load(), context_.settings))
       continue;  // closes it
     const auto session = std::make_shared<HttpSession>(std::move(socket), address, context_);

@@ -3,8 +3,10 @@
 
 #include <boost/asio/awaitable.hpp>
 #include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/address.hpp>
 #include <boost/asio/ip/tcp.hpp>
 
+#include <optional>
 #include <string>
 
 #include "core/base/result.h"
@@ -16,8 +18,7 @@ class Listener {
  public:
   Listener(boost::asio::io_context& io, const ConnectionContext& context);
 
-  /// Errors: server.address when it is no address of the loopback (and any_address is not set), server.port
-  /// when the port cannot be had.
+  /// Errors: those of listening_address, server.port when the port cannot be had.
   Status open(const ServerSettings& settings);
   /// Takes connections from now on.
   void start();
@@ -27,10 +28,12 @@ class Listener {
 
  private:
   boost::asio::awaitable<void> accept_all();
+  bool is_stranger(const boost::asio::ip::address& other, const boost::asio::ip::address& own) const;
 
   boost::asio::io_context& io_;
   const ConnectionContext& context_;
   boost::asio::ip::tcp::acceptor acceptor_;
+  std::optional<boost::asio::ip::address> gateway_;  ///< of the network of a container without accounts
   int port_ = 0;
 };
 

@@ -19,6 +19,7 @@ struct HttpRequest {
   std::map<std::string, std::string> query;
   std::map<std::string, std::string> headers;  ///< names in lower case; of a name that stands twice the last
   std::string body;
+  std::string sender;                 ///< the address that it comes from
   std::vector<std::string> captures;  ///< what the {…} of the route stand for, in order
 
   /// Value of a header or of a query parameter; empty when it is not there.

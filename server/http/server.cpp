@@ -12,6 +12,7 @@
 #include "server/http/connection_context.h"
 #include "server/http/listener.h"
 #include "server/http/static_files.h"
+#include "server/http/tls.h"
 
 namespace toile::http {
 
@@ -27,10 +28,22 @@ class HttpServer::Impl {
         budget_(settings_.most_body_bytes),
         answers_(settings_.most_answer_bytes),
         pools_(settings_),
-        gate_(make_gate(store, settings_)),
+        gate_(settings_.gate),
         streams_{store, jobs, hub, pools_.store(), settings_.stream, may_go_on()},
-        context_{log_,    request_ids_, settings_,    router_,  metrics_,   pools_,
-                 budget_, answers_,     connections_, streams_, gate_.get()},
+        context_{log_,
+                 request_ids_,
+                 settings_,
+                 router_,
+                 metrics_,
+                 pools_,
+                 budget_,
+                 answers_,
+                 connections_,
+                 streams_,
+                 site_of(settings_),
+                 cookie_name(settings_.secure()),
+                 nullptr,
+                 gate_},
         io_(settings_.io_threads),
         listener_(io_, context_) {
     router_.add_page(
@@ -38,8 +51,10 @@ class HttpServer::Impl {
   }
 
   Status start() {
-    if (settings_.accounts && !gate_)
-      return Error{"server.accounts", "this store keeps no accounts", "", ErrorKind::kSystem};
+    if (!settings_.tls_certificate.empty()) {
+      tls_ = TRY(server_tls(settings_.tls_certificate, settings_.tls_key));
+      context_.tls = tls_.get();
+    }
     TRY(listener_.open(settings_));
     listener_.start();
     for (int i = 0; i < settings_.io_threads; ++i) {
@@ -73,16 +88,13 @@ class HttpServer::Impl {
   const std::atomic<bool>& ready() const { return ready_; }
 
  private:
-  static std::unique_ptr<accounts::Gate> make_gate(store::Store& store, const ServerSettings& settings) {
-    if (!settings.accounts || store.accounts() == nullptr) return nullptr;
-    return std::make_unique<accounts::Gate>(*store.accounts());
+  static Site site_of(const ServerSettings& settings) {
+    return {settings.gate != nullptr, settings.secure()};
   }
   /// Whether a viewer's key is still good.
   ws::MayGoOn may_go_on() {
     if (!gate_) return {};
-    return [gate = gate_.get()](const store::RequestContext& context) {
-      return gate->is_still_good(context.key);
-    };
+    return [gate = gate_](const store::RequestContext& context) { return gate->is_still_good(context.key); };
   }
 
   const ServerSettings settings_;
@@ -95,9 +107,10 @@ class HttpServer::Impl {
   BodyBudget budget_, answers_;
   Connections connections_;
   WorkPools pools_;
-  const std::unique_ptr<accounts::Gate> gate_;
+  accounts::Gate* const gate_;
   const ws::StreamServices streams_;
-  const ConnectionContext context_;
+  TlsContext tls_;
+  ConnectionContext context_;  // as it is once connections are taken
   asio::io_context io_;
   asio::executor_work_guard<asio::io_context::executor_type> work_{io_.get_executor()};
   Listener listener_;

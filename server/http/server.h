@@ -1,5 +1,5 @@
 #pragma once
-// The HTTP and WebSocket service on a loopback port.
+// The HTTP and WebSocket service on a port, plain or under TLS.
 
 #include <atomic>
 #include <memory>
@@ -29,7 +29,7 @@ class HttpServer {
   const std::atomic<bool>& ready() const;
 
   /// Opens the port and serves from threads of its own. Errors: server.address for one that is not of the
-  /// loopback, server.port when it cannot be had.
+  /// loopback and may not be listened on (address_rules.h), server.port when it cannot be had, server.tls.
   Status start();
   /// From now on /readyz says no, so that nobody sends new work. The rest is answered as before.
   void drain();

@@ -5,15 +5,19 @@
 #include <filesystem>
 #include <string>
 
+#include "server/accounts/gate.h"
 #include "server/ws/stream_settings.h"
 
 namespace toile::http {
 
 struct ServerSettings {
-  std::string address = "127.0.0.1";  ///< of the loopback
-  bool any_address = false;           ///< or not: within a container, whose port is published on the loopback
-  int port = 8460;                    ///< 0: any that is free
-  std::filesystem::path web;          ///< folder of the built page; need not be there
+  /// To listen on. One that is not of the loopback wants accounts, and TLS or a proxy that speaks it.
+  std::string address = "127.0.0.1";
+  bool container = false;  ///< any address, for the machine around a container alone (host_of_container.h)
+  std::string tls_certificate, tls_key;  ///< PEM files; empty: plain HTTP
+  bool behind_proxy = false;  ///< which speaks TLS to others, passes Host on, and says X-Forwarded-For
+  int port = 8460;            ///< 0: any that is free
+  std::filesystem::path web;  ///< folder of the built page; need not be there
   int io_threads = 2;
   int light_threads = 2;  ///< for handlers that ask the store, and as many for those that read documents
   int heavy_threads = 2;  ///< for those that read bodies and starts, and as many for uploads
@@ -36,7 +40,11 @@ struct ServerSettings {
 
   ws::StreamSettings stream;
 
-  bool accounts = false;  ///< only who is known is let in; else whoever comes is the single user
+  bool secure() const { return behind_proxy || !tls_certificate.empty(); }  ///< browsers come by https
+
+  /// Lets in who is known; it outlives the server. Null: there are no accounts, and whoever comes is the
+  /// single user.
+  accounts::Gate* gate = nullptr;
 };
 
 }  // namespace toile::http

@@ -76,7 +76,7 @@ HttpResponse gave_up() {
 }  // namespace
 
 HttpSession::HttpSession(asio::ip::tcp::socket socket, std::string address, const ConnectionContext& context)
-    : stream_(std::move(socket)),
+    : stream_(beast::tcp_stream(std::move(socket)), context.tls),
       address_(std::move(address)),
       context_(context),
       buffer_(kBufferBytes),
@@ -99,6 +99,8 @@ asio::awaitable<void> HttpSession::run() {
 asio::awaitable<void> HttpSession::serve() {
   boost::system::error_code ignored;
   stream_.socket().set_option(asio::ip::tcp::no_delay(true), ignored);
+  const bool met = co_await shake_hands();
+  if (!met) co_return;
   while (!stopping_) {
     const bool arrived = co_await wait_for_request();
     if (!arrived) break;
@@ -106,7 +108,27 @@ asio::awaitable<void> HttpSession::serve() {
     if (!again) break;
   }
   if (viewer_) co_return;
+  co_await say_good_bye();
   stream_.socket().shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
+}
+
+/// Under TLS, which a client has to begin at once.
+asio::awaitable<bool> HttpSession::shake_hands() {
+  if (stream_.tls() == nullptr) co_return true;
+  idle_ = true;  // a stop ends it
+  stream_.expires_after(context_.settings.header_within);
+  const auto [failure] = co_await stream_.tls()->async_handshake(asio::ssl::stream_base::server, kTuple);
+  idle_ = false;
+  co_return !failure;
+}
+
+/// So that the other side knows that nothing was cut off. What it says to it is not waited for long.
+asio::awaitable<void> HttpSession::say_good_bye() {
+  if (stream_.tls() == nullptr || !stream_.socket().is_open()) co_return;
+  idle_ = true;
+  stream_.expires_after(std::chrono::seconds(1));
+  co_await stream_.tls()->async_shutdown(kTuple);
+  idle_ = false;
 }
 
 /// Until the first byte of a request is there.
@@ -143,8 +165,8 @@ asio::awaitable<bool> HttpSession::serve_one() {
   incoming.has_body = parser.chunked() || incoming.length.value_or(0) > 0;
   incoming.upgrade = beast::websocket::is_upgrade(parser.get());
   keep_alive_ = parser.get().keep_alive() && !incoming.has_body;  // should it be refused
-  Admission admission = admit(context_.router, request, incoming);
-  std::optional<HttpResponse> shut = co_await let_in(request, admission.access);
+  Admission admission = admit(context_.router, request, incoming, context_.site);
+  std::optional<HttpResponse> shut = co_await let_in(request, admission.access, incoming.upgrade);
   if (shut) co_return co_await refuse(request, std::move(*shut));
   if (!admission.route) co_return co_await refuse(request, std::move(admission.refusal));
 
@@ -168,14 +190,21 @@ void HttpSession::begin_as_nobody(const HttpRequest& request) {
   asked_ = context_.gate ? nobody(id, context_.log) : local_user(id, context_.log);
 }
 
+/// Whom the last proxy on the way had before it, where there is one; else the other side itself.
+std::string HttpSession::sender_of(const HttpRequest& request) const {
+  return context_.settings.behind_proxy ? forwarded_for(request).value_or(address_) : address_;
+}
+
 /// Before its body is read: who is not known sends us nothing.
-asio::awaitable<std::optional<HttpResponse>> HttpSession::let_in(const HttpRequest& request, Access access) {
+asio::awaitable<std::optional<HttpResponse>> HttpSession::let_in(HttpRequest& request, Access access,
+                                                                 bool websocket) {
+  request.sender = sender_of(request);
   if (!context_.gate || access == Access::kOpen) co_return std::nullopt;
-  const auto ask = [this, &request] { return context_.gate->who(credentials_of(request, address_)); };
+  const auto ask = [this, &request] { return context_.gate->who(credentials_of(request, context_.cookie)); };
   const accounts::Answer answer = co_await ws::on_pool(context_.pools.store(), ask);
-  if (!answer.caller) co_return not_let_in(answer);
+  if (!answer.caller) co_return not_let_in(answer.caller.error(), answer.unknown, answer.wait);
   asked_ = context_of(*answer.caller, asked_.request_id, context_.log);
-  co_return not_allowed(*answer.caller, access);
+  co_return not_allowed(*answer.caller, access, request, websocket);
 }
 
 /// Beast's own limit holds for the start line and for single fields, not for all fields together.
@@ -219,7 +248,7 @@ asio::awaitable<void> HttpSession::linger() {
   constexpr std::size_t kMostBytes = std::size_t{128} << 20;
   constexpr auto kLongest = std::chrono::seconds(3);
   boost::system::error_code ignored;
-  stream_.socket().shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
+  if (stream_.tls() == nullptr) stream_.socket().shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
   buffer_.clear();
   stream_.expires_after(kLongest);
   idle_ = true;
@@ -434,8 +463,7 @@ void HttpSession::tell(const HttpRequest& request, int status, const std::string
 }
 
 asio::awaitable<bool> HttpSession::serve_stream(Parser& parser, const HttpRequest& request) {
-  viewer_ =
-      std::make_shared<ws::StreamSession>(std::move(stream_), context_.streams, asked_, request.captures[0]);
+  viewer_ = std::make_shared<ws::StreamSession>(stream_, context_.streams, asked_, request.captures[0]);
   if (stopping_) viewer_->stop();
   ws::StreamSession::Handshake handshake = parser.release();
   co_await viewer_->run(std::move(handshake));

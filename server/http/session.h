@@ -4,7 +4,6 @@
 #include <boost/asio/awaitable.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
-#include <boost/beast/core/tcp_stream.hpp>
 #include <boost/beast/http/empty_body.hpp>
 #include <boost/beast/http/message.hpp>
 #include <boost/beast/http/parser.hpp>
@@ -20,6 +19,7 @@
 
 #include "server/http/connection_context.h"
 #include "server/http/message.h"
+#include "server/ws/line.h"
 
 namespace toile::http {
 
@@ -65,12 +65,16 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   using Clock = std::chrono::steady_clock;
 
   boost::asio::awaitable<void> serve();
+  boost::asio::awaitable<bool> shake_hands();
+  boost::asio::awaitable<void> say_good_bye();
   boost::asio::awaitable<bool> wait_for_request();
   boost::asio::awaitable<bool> serve_one();
   boost::asio::awaitable<boost::system::error_code> read_header(Parser& parser);
   /// Why somebody is not let in; nothing when they are, and what they ask is asked as themselves.
-  boost::asio::awaitable<std::optional<HttpResponse>> let_in(const HttpRequest& request, Access access);
+  boost::asio::awaitable<std::optional<HttpResponse>> let_in(HttpRequest& request, Access access,
+                                                             bool websocket);
   void begin_as_nobody(const HttpRequest& request);
+  std::string sender_of(const HttpRequest& request) const;
   boost::asio::awaitable<bool> refuse(const HttpRequest& request, HttpResponse response);
   boost::asio::awaitable<bool> refuse_header(boost::system::error_code failure);
   boost::asio::awaitable<bool> read_body(Parser& parser, const Route& route, Taken& taken,
@@ -91,7 +95,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
 
   static constexpr Clock::time_point kBusy = Clock::time_point::max();
 
-  boost::beast::tcp_stream stream_;
+  ws::Line stream_;
   const std::string address_;
   std::atomic<Clock::time_point> idle_since_{Clock::now()};
   const ConnectionContext& context_;

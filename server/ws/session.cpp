@@ -33,12 +33,12 @@ struct Found {
 
 }  // namespace
 
-StreamSession::StreamSession(beast::tcp_stream stream, const StreamServices& services,
-                             const store::RequestContext& context, std::string job_id)
+StreamSession::StreamSession(Line line, const StreamServices& services, const store::RequestContext& context,
+                             std::string job_id)
     : services_(services),
       context_(context.for_job(job_id)),
       job_id_(std::move(job_id)),
-      socket_(std::move(stream)),
+      socket_(std::move(line)),
       wake_(socket_.get_executor()),
       tick_(socket_.get_executor()) {}
 

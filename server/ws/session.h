@@ -4,7 +4,6 @@
 #include <boost/asio/awaitable.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/thread_pool.hpp>
-#include <boost/beast/core/tcp_stream.hpp>
 #include <boost/beast/http/message.hpp>
 #include <boost/beast/http/string_body.hpp>
 #include <boost/beast/websocket/stream.hpp>
@@ -21,6 +20,7 @@
 #include "server/ws/control.h"
 #include "server/ws/feed.h"
 #include "server/ws/hub.h"
+#include "server/ws/line.h"
 #include "server/ws/stream_settings.h"
 
 namespace toile::ws {
@@ -43,8 +43,8 @@ class StreamSession final : public ChannelListener, public std::enable_shared_fr
  public:
   using Handshake = boost::beast::http::request<boost::beast::http::string_body>;
 
-  StreamSession(boost::beast::tcp_stream stream, const StreamServices& services,
-                const store::RequestContext& context, std::string job_id);
+  StreamSession(Line line, const StreamServices& services, const store::RequestContext& context,
+                std::string job_id);
 
   /// Answers the handshake and serves the viewer until either side ends it. `job` exists.
   boost::asio::awaitable<void> run(Handshake handshake);
@@ -56,7 +56,7 @@ class StreamSession final : public ChannelListener, public std::enable_shared_fr
 
  private:
   using Clock = std::chrono::steady_clock;
-  using Socket = boost::beast::websocket::stream<boost::beast::tcp_stream>;
+  using Socket = boost::beast::websocket::stream<Line>;
 
   using Reason = boost::beast::websocket::close_reason;
 

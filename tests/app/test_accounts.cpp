@@ -128,6 +128,49 @@ TEST_F(AccountVerbs, SubmitTakesItsTokenFromAFileOrTheEnvironment) {
   fs::remove_all(napkin);
 }
 
+TEST_F(AccountVerbs, APasswordFromAPipeLogsIn) {
+  ASSERT_EQ(on_store({"account", "add", "anna"}).code, 0);
+  const auto set = [&](const std::string& password) {
+    const std::string program =
+        std::string(TOILE_BINARY_DIR) + "/toile account password anna --data " + data();
+    return std::system(("printf '%s\\n' '" + password + "' | " + program + " 2>/dev/null").c_str());
+  };
+  EXPECT_NE(set("short"), 0);
+  ASSERT_EQ(set("correct horse"), 0);
+  Serving server(data(), {"--no-sample", "--workers", "1"});
+  ASSERT_TRUE(server.up()) << server.said();
+  EXPECT_EQ(server.post("/api/v1/session", R"({"name": "anna", "password": "short"})").status, 401);
+  EXPECT_EQ(server.post("/api/v1/session", R"({"name": "anna", "password": "correct horse"})").status, 204);
+  EXPECT_EQ(server.said().find("correct horse"), std::string::npos);
+}
+
+TEST_F(AccountVerbs, NoAddressBeyondTheLoopbackWithoutThemAndTls) {
+  const std::vector<std::string> serve{"serve", "--port",      "0",         "--data",
+                                       data(),  "--no-sample", "--address", "0.0.0.0"};
+  const Ran open = run_toile(serve, 20);
+  EXPECT_EQ(open.code, 2);
+  EXPECT_NE(open.err.find("toile account add"), std::string::npos) << open.err;
+  ASSERT_EQ(on_store({"account", "add", "anna"}).code, 0);
+  const Ran plain = run_toile(serve, 20);
+  EXPECT_EQ(plain.code, 2);
+  EXPECT_NE(plain.err.find("--tls-certificate"), std::string::npos) << plain.err;
+  std::vector<std::string> half = serve;
+  half.insert(half.end(), {"--tls-certificate", "x.pem"});
+  EXPECT_EQ(run_toile(half, 20).code, 2) << "no key";
+  std::vector<std::string> proxied{"--no-sample", "--workers", "1", "--address", "0.0.0.0", "--behind-proxy"};
+  Serving server(data(), proxied);
+  ASSERT_TRUE(server.up()) << server.said();
+  EXPECT_EQ(server.get("/readyz").status, 200);
+}
+
+TEST_F(AccountVerbs, ATokenDoesNotGoToOthersInTheClear) {
+  write_text(folder / "token", "toile_0\n");
+  const Ran told = run_toile(
+      {"submit", "x.json", "--server", "http://toile.example", "--token-file", folder / "token"}, 20);
+  EXPECT_EQ(told.code, 2);
+  EXPECT_NE(told.err.find("usage.token"), std::string::npos) << told.err;
+}
+
 TEST_F(AccountVerbs, SayWhatIsWrong) {
   EXPECT_NE(on_store({"account", "add", "An na"}).err.find("accounts.name"), std::string::npos);
   EXPECT_NE(on_store({"token", "make", "nobody"}).err.find("store.not_found"), std::string::npos);

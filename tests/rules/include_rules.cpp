@@ -74,7 +74,8 @@ const std::map<std::string, Names>& table() {
         "render", "resolve", "shares", "store", "warm"}},
       {"ws", {"jobs", "json", "proto", "store"}},
       {"http", {"accounts", "jobs", "json", "shares", "store", "ws"}},
-      {"handlers", {"documents", "exports", "fabric", "http", "image", "jobs", "json", "store", "ws"}},
+      {"handlers",
+       {"accounts", "documents", "exports", "fabric", "http", "image", "jobs", "json", "store", "ws"}},
   };
   return rooms;
 }

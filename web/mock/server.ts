@@ -245,6 +245,8 @@ function ofJob(response: ServerResponse, job: MockJob, verb: string | undefined,
 
 function api(request: IncomingMessage, response: ServerResponse, words: string[]): void {
   const [noun, id, verb, name] = words;
+  const everything = ['read', 'submit', 'admin'];
+  if (noun === 'session') return answer(response, 200, { accounts: false, name: null, scopes: everything, expires_ms: 0 });
   if (noun === 'projects') return ofProjects(response, id, verb);
   if (noun === 'jobs' && !id && request.method === 'POST') return answer(response, 201, shown(submit()));
   if (noun === 'jobs' && !id) return answer(response, 200, { jobs: jobs.map((one) => shown(one)), next: null });

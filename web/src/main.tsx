@@ -18,6 +18,7 @@ import { DropTarget } from './panels/DropTarget';
 import { HelpDialog } from './panels/HelpDialog';
 import { Inspector } from './panels/Inspector';
 import { IntakeDialog } from './panels/IntakeDialog';
+import { LogIn } from './panels/LogIn';
 import { Notices } from './panels/Notices';
 import { Rail } from './panels/Rail';
 import { Splitter } from './panels/Splitter';
@@ -76,7 +77,9 @@ function save(name: string, text: string): void {
 const newKey = (): string =>
   Array.from(crypto.getRandomValues(new Uint8Array(16)), (b) => b.toString(16).padStart(2, '0')).join('');
 
-const commands = new Commands(state, api, { go, save, newKey }, refresh, (id) => watcher.show(id));
+const anew = (): void => location.reload();
+
+const commands = new Commands(state, api, { go, save, newKey, anew }, refresh, (id) => watcher.show(id));
 
 /** What the page test looks through. */
 const hook = { drawn: 0, firstDrawnMs: 0 };
@@ -140,6 +143,7 @@ function Page() {
           <Notices />
           <IntakeDialog Preview={ImportPreview} />
           <HelpDialog />
+          <LogIn doors={api} entered={anew} />
           <DropTarget />
         </div>
       </CommandsContext.Provider>
@@ -185,6 +189,7 @@ effect(() => {
   document.title = shown ? `${shown} · Toile` : 'Toile';
 });
 refresh();
+void commands.lookWhoAsks();
 render(<Page />, document.getElementById('page')!);
 
 Object.assign(window, {

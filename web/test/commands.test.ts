@@ -21,6 +21,7 @@ function begin(more: Partial<Api> = {}) {
     },
     save: (name: string, text: string) => void order.push(`save ${name} ${text.length}`),
     newKey: () => 'key',
+    anew: () => void order.push('anew'),
   };
   const commands = new Commands(
     state,
@@ -267,6 +268,32 @@ describe('a sample', () => {
     expect(order).toEqual([]);
     expect(state.notices.value[0]?.text).toMatch(/did not come: 404/);
     vi.unstubAllGlobals();
+  });
+});
+
+describe('who asks', () => {
+  it('is known by name, and gone with all that was theirs once they log out', async () => {
+    const anna = { accounts: true, name: 'anna', scopes: ['read' as const], expires_ms: 0 };
+    const { state, commands, order } = begin({ session: async () => anna });
+    await commands.lookWhoAsks();
+    expect(state.session.value).toEqual(anna);
+    expect(state.shut.value).toBe(false);
+    await commands.logOut();
+    expect(order).toEqual(['anew']);
+  });
+
+  it('is asked for where nobody is known, and nothing else is asked before', async () => {
+    vi.useFakeTimers();
+    const nobody = new ApiError(401, 'auth.required', 'Log in.');
+    const { state, commands } = begin({ session: () => Promise.reject(nobody) });
+    await commands.lookWhoAsks();
+    expect(state.shut.value).toBe(true);
+    const jobs = vi.fn(() => Promise.reject(nobody));
+    const poller = new Poller(new AppState(), { projects: async () => [], jobs }, () => undefined);
+    await poller.refresh();
+    await vi.advanceTimersByTimeAsync(60_000);
+    expect(jobs).toHaveBeenCalledOnce();
+    vi.useRealTimers();
   });
 });
 

@@ -130,6 +130,10 @@ const missing = (): Promise<never> => Promise.reject(new ApiError(404, 'store.no
 /** A service that answers everything; tests put in what they look at. */
 export function fakeApi(more: Partial<Api> = {}): Api {
   return {
+    session: async () => ({ accounts: false, name: null, scopes: ['read', 'submit', 'admin'], expires_ms: 0 }),
+    logIn: async () => undefined,
+    logInByToken: async () => undefined,
+    logOut: async () => undefined,
     projects: async () => [projectOf()],
     project: async () => projectOf(),
     createProject: async () => projectOf({ id: 'p_new', name: 'New' }),

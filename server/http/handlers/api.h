@@ -4,8 +4,12 @@
 
 #include <atomic>
 #include <functional>
+#include <string>
+#include <utility>
 #include <vector>
 
+#include "server/accounts/gate.h"
+#include "server/accounts/log_in.h"
 #include "server/documents/documents.h"
 #include "server/http/metrics.h"
 #include "server/http/router.h"
@@ -16,6 +20,15 @@
 
 namespace toile::handlers {
 
+/// Where people come in.
+struct Doors {
+  accounts::Gate gate;
+  accounts::LogIn log_in;
+  std::string cookie;  ///< name of that of a session
+  Doors(store::Accounts& accounts, std::string cookie_named)
+      : gate(accounts), log_in(accounts, gate), cookie(std::move(cookie_named)) {}
+};
+
 /// What handlers work with; all of it outlives the router.
 struct Api {
   documents::Documents& documents;
@@ -25,6 +38,7 @@ struct Api {
   const ws::Hub& hub;
   const http::Metrics& metrics;
   const std::atomic<bool>& ready;  ///< false while the server drains
+  Doors* doors = nullptr;          ///< null: there are no accounts, and the store need not keep any
 };
 
 /// A line of a table: a Route (router.h) whose handler is told what it works with.
@@ -51,5 +65,7 @@ ApiRoutes fabric_routes();
 ApiRoutes arrangement_routes();
 ApiRoutes job_routes();
 ApiRoutes movie_routes();
+ApiRoutes session_routes();
+ApiRoutes admin_routes();
 
 }  // namespace toile::handlers

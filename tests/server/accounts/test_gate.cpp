@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 
+#include "server/accounts/passwords.h"
 #include "server/accounts/secrets.h"
 #include "tests/server/store/store_folder.h"
 
@@ -36,7 +37,7 @@ class GateTest : public testing::Test {
     return secret;
   }
   std::string code(const std::string& shown, const std::string& address = "192.0.2.1") {
-    return code_of(gate.who({shown, address}).caller);
+    return code_of(gate.who({shown, "", address}).caller);
   }
 
   const TemporaryFolder folder;
@@ -55,6 +56,20 @@ TEST(Secrets, AreAllChanceAndKeptAsAHashThatIsAlwaysTheSame) {
             "bddd813c634239723171ef3fee98579b94964e3bb1cb3e427262c8c068d52319");
 }
 
+TEST(Passwords, AreKeptAsArgon2idWithASaltOfTheirOwn) {
+  const auto hash = accounts::hash_of_password("correct horse");
+  ASSERT_TRUE(hash);
+  EXPECT_TRUE(hash->starts_with("$argon2id$v=19$m=19456,t=2,p=1$")) << *hash;
+  EXPECT_NE(*accounts::hash_of_password("correct horse"), *hash);
+  EXPECT_TRUE(accounts::is_password("correct horse", *hash));
+  EXPECT_FALSE(accounts::is_password("Correct horse", *hash));
+  EXPECT_FALSE(accounts::is_password("", *hash));
+  EXPECT_FALSE(accounts::is_password("", "")) << "who has none is let in by none";
+  EXPECT_FALSE(accounts::is_password(std::string(300, 'a'), *hash));
+  EXPECT_EQ(code_of(accounts::hash_of_password("short")), "accounts.password");
+  EXPECT_EQ(code_of(accounts::hash_of_password(std::string(257, 'a'))), "accounts.password");
+}
+
 TEST(Scopes, AreReadAsTheyAreWritten) {
   for (const char* text : {"read", "submit", "read,submit", "read,submit,admin"})
     EXPECT_EQ(to_text(*store::scopes_from(text)), text);
@@ -64,7 +79,7 @@ TEST(Scopes, AreReadAsTheyAreWritten) {
 
 TEST_F(GateTest, LetsInWhoeverShowsAGoodToken) {
   const store::AccountRow anna = account("anna");
-  const auto answer = gate.who({token(anna), "192.0.2.1"});
+  const auto answer = gate.who({token(anna), "", "192.0.2.1"});
   ASSERT_TRUE(answer.caller);
   EXPECT_EQ(answer.caller->account.id, anna.id);
   EXPECT_EQ(to_text(answer.caller->scopes), "read,submit");
@@ -98,16 +113,16 @@ TEST_F(GateTest, KnowsNoTokenThatIsExpiredRevokedOrOfALockedAccount) {
 TEST_F(GateTest, TakesTheScopeAdminForWhatTheAccountMayNow) {
   store::AccountRow root = account("root", true);
   const std::string secret = token(root, "read,admin");
-  EXPECT_EQ(to_text(gate.who({secret, ""}).caller->scopes), "read,admin");
+  EXPECT_EQ(to_text(gate.who({secret, "", ""}).caller->scopes), "read,admin");
   root.admin = false;
   ASSERT_TRUE(kept.change_account(root));
-  EXPECT_EQ(to_text(gate.who({secret, ""}).caller->scopes), "read");
+  EXPECT_EQ(to_text(gate.who({secret, "", ""}).caller->scopes), "read");
 }
 
 TEST_F(GateTest, AnAddressThatWasWrongOftenIsToldToWaitAndOthersAreNot) {
   const std::string good = token(account("anna"));
   for (int i = 0; i < Gate::kMostWrongTokens; ++i) EXPECT_EQ(code("guess" + std::to_string(i)), "auth.token");
-  const auto answer = gate.who({"another guess", "192.0.2.1"});
+  const auto answer = gate.who({"another guess", "", "192.0.2.1"});
   EXPECT_EQ(code_of(answer.caller), "auth.guesses");
   EXPECT_GT(answer.wait.count(), 0);
   EXPECT_LE(answer.wait.count(), 60);

@@ -13,6 +13,7 @@
 #include "server/documents/assets.h"
 #include "server/documents/projects.h"
 #include "server/http/handlers/routes.h"
+#include "server/http/identify.h"
 #include "server/http/server.h"
 #include "server/store/sqlite/open.h"
 #include "tests/app/napkin.h"
@@ -85,8 +86,8 @@ class ScriptedJobs final : public jobs::JobService {
 
 class Served : public testing::Test {
  protected:
-  /// `settings` are those of the server but for the port; `page` is a folder in this test's own.
-  void serve(http::ServerSettings settings = {}, bool real_jobs = false) {
+  /// `settings` are those of the server but for the port and the gate, which is there when `with_accounts`.
+  void serve(http::ServerSettings settings = {}, bool real_jobs = false, bool with_accounts = false) {
     folder = std::filesystem::path(testing::TempDir()) / ("toile_http_" + std::to_string(getpid()));
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder / "data");
@@ -104,10 +105,14 @@ class Served : public testing::Test {
     ASSERT_TRUE(jobs->start());
     movies = std::make_unique<jobs::Movies>(*store);
     settings.port = 0;
+    if (with_accounts) {
+      doors = std::make_unique<handlers::Doors>(*store->accounts(), http::cookie_name(settings.secure()));
+      settings.gate = &doors->gate;
+    }
     settings.most_connections = 64;
     server = std::make_unique<http::HttpServer>(*store, *jobs, hub, settings, log);
-    handlers::add_routes(server->router(),
-                         {*documents, *store, *jobs, *movies, hub, server->metrics(), server->ready()});
+    handlers::add_routes(server->router(), {*documents, *store, *jobs, *movies, hub, server->metrics(),
+                                            server->ready(), doors.get()});
     if (more_routes) more_routes(server->router());
     const Status started = server->start();
     ASSERT_TRUE(started) << to_string(started.error());
@@ -116,6 +121,7 @@ class Served : public testing::Test {
   void TearDown() override {
     if (jobs) jobs->stop();
     server.reset();
+    doors.reset();
     movies.reset();
     jobs.reset();
     documents.reset();
@@ -167,6 +173,7 @@ class Served : public testing::Test {
   std::unique_ptr<documents::Documents> documents;
   std::unique_ptr<jobs::JobService> jobs;
   std::unique_ptr<jobs::Movies> movies;
+  std::unique_ptr<handlers::Doors> doors;
   std::unique_ptr<http::HttpServer> server;
   int port = 0;
 };

@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "server/accounts/passwords.h"
 #include "tests/core/image/pictures.h"
 #include "tests/server/http/dressed.h"
 #include "tests/server/http/served.h"
@@ -116,6 +117,50 @@ class Contract : public Served {
     recorded("POST", one + "/place", R"({"piece": "back", "side": "below"})", any);
     EXPECT_EQ(recorded("GET", one + "/check").status, 200);
     EXPECT_EQ(recorded("GET", one + "/start").status, 200);
+  }
+
+  /// What a server with accounts says beside.
+  void record_accounts() {
+    Served::TearDown();
+    serve({}, false, true);
+    store::AccountRow anna;
+    anna.name = "anna";
+    anna.password = *accounts::hash_of_password("correct horse");
+    anna.admin = true;
+    const std::string own = store->accounts()->add_account(anna)->id;
+    store::AccountRow ben;
+    ben.name = "ben";
+    const std::string other = store->accounts()->add_account(ben)->id;
+    recorded("GET", "/api/v1/session");
+    recorded("GET", "/api/v1/keys");
+    recorded("POST", "/api/v1/session", R"({"name": "anna", "password": "wrong"})", kJson);
+    recorded("POST", "/api/v1/session", R"({"nam": "anna"})", kJson);
+    const Answer in =
+        recorded("POST", "/api/v1/session", R"({"name": "anna", "password": "correct horse"})", kJson);
+    ASSERT_EQ(in.status, 204) << in.body;
+    const std::string set = in.headers.at("set-cookie");
+    const std::string cookie = "Cookie: " + set.substr(0, set.find(';')) +
+                               "\r\nOrigin: http://localhost:" + std::to_string(port) + "\r\n";
+    recorded("GET", "/api/v1/session", "", cookie);
+    recorded("GET", "/api/v1/admin/accounts");
+    recorded("GET", "/api/v1/admin/accounts", "", cookie);
+    recorded("GET", "/api/v1/admin/load", "", cookie);
+    recorded("POST", "/api/v1/admin/accounts/" + own + "/lock", "", cookie);
+    EXPECT_EQ(recorded("POST", "/api/v1/admin/accounts/" + other + "/lock", "", cookie).status, 204);
+    EXPECT_EQ(recorded("POST", "/api/v1/admin/accounts/" + other + "/unlock", "", cookie).status, 204);
+    const Answer keys = recorded("GET", "/api/v1/keys", "", cookie);
+    const auto told = json::parse_json(keys.body);
+    ASSERT_TRUE(told) << keys.body;
+    recorded("DELETE", "/api/v1/session", "", cookie);
+    const Answer again =
+        ask(port, "POST", "/api/v1/session", R"({"name": "anna", "password": "correct horse"})", kJson);
+    const std::string newer = again.headers.at("set-cookie");
+    const std::string second = "Cookie: " + newer.substr(0, newer.find(';')) +
+                               "\r\nOrigin: http://localhost:" + std::to_string(port) + "\r\n";
+    const auto now = json::parse_json(get("/api/v1/keys", second).body);
+    const std::string id = *now->find("keys")->array()->front().find("id")->text();
+    recorded("DELETE", "/api/v1/keys/k_0", "", second);
+    recorded("DELETE", "/api/v1/keys/" + id, "", second);
   }
 
   /// Made, or failed where ffmpeg is not installed.
@@ -252,6 +297,15 @@ TEST_F(Contract, EveryAnswerAndMessageFitsItsSchema) {
   recorded("DELETE", one, "", "If-Match: \"9\"\r\n");
   recorded("DELETE", one);
   recorded("DELETE", one);
+
+  recorded("GET", "/api/v1/session");
+  recorded("POST", "/api/v1/session", R"({"name": "a", "password": "b"})", kJson);
+  recorded("DELETE", "/api/v1/session");
+  recorded("GET", "/api/v1/admin/accounts");
+  recorded("GET", "/api/v1/admin/jobs");
+  recorded("GET", "/api/v1/admin/load");
+  recorded("POST", "/api/v1/admin/accounts/u_0/lock");
+  record_accounts();
 
   const std::string path = (folder / "recordings.jsonl").string();
   std::ofstream(path) << lines;

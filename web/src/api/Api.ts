@@ -2,6 +2,7 @@
 
 import { decodeBody, type BodyMesh } from './body';
 import { Http, kLongPatience } from './http';
+import { makeSessionApi, type SessionApi } from './session';
 import type {
   Answer,
   Asset,
@@ -22,7 +23,7 @@ import type {
 
 export type JobAction = 'pause' | 'resume' | 'cancel';
 
-export interface Api {
+export interface Api extends SessionApi {
   projects(): Promise<Project[]>;
   project(id: string): Promise<Project>;
   createProject(document: unknown, files: Record<string, string>): Promise<Project>;
@@ -73,6 +74,7 @@ export function makeApi(http = new Http('/api/v1')): Api {
   const result = (id: string, name: string): string =>
     `/jobs/${part(id)}/results/${name.split('/').map(part).join('/')}`;
   return {
+    ...makeSessionApi(http),
     projects: async () => (await http.get<Answer<'listProjects'>>('/projects?limit=100')).projects,
     project: (id) => http.get(`/projects/${part(id)}`),
     createProject: (document, files) => http.post('/projects', { document, files }),
@@ -98,10 +100,8 @@ export function makeApi(http = new Http('/api/v1')): Api {
     bodies: async () => (await http.get<Answer<'listBodies'>>('/bodies')).assets,
     images: async () => (await http.get<Answer<'listAssets'>>('/assets?kind=image')).assets,
     fabrics: async () => (await http.get<Answer<'listFabrics'>>('/fabrics')).fabrics,
-    bodyPresets: async () => {
-      const { presets } = await http.get<Answer<'listBodyPresets'>>('/bodies/presets');
-      return presets.map(({ name }) => ({ id: name }));
-    },
+    bodyPresets: async () =>
+      (await http.get<Answer<'listBodyPresets'>>('/bodies/presets')).presets.map(({ name }) => ({ id: name })),
     arrange: (id, revision) => http.post(`/projects/${part(id)}/arrange`, undefined, matching(revision)),
     uploadAsset: (kind, name, bytes) => {
       const path = `/assets?kind=${kind}&name=${part(name)}`;

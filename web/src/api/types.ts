@@ -43,6 +43,8 @@ export type Fabric = Schemas['Fabric'];
 export type EditStep = Schemas['EditStep'];
 /** How a movie stands that was asked for. */
 export type MovieOrder = Schemas['Movie'];
+/** Who asks, and what they may. */
+export type Session = Schemas['Session'];
 export type MovieKind = 'drape' | 'turntable';
 export type Edit = One<Schemas['EditList']>;
 export type EditOf<Kind extends Edit['edit']> = Extract<Edit, { edit: Kind }>;

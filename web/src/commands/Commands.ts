@@ -22,6 +22,8 @@ export interface Surroundings {
   /** Offers a text as a file. */
   save(name: string, text: string): void;
   newKey(): string;
+  /** Loads the page as for somebody who has just come. */
+  anew(): void;
 }
 
 export class Commands {
@@ -47,6 +49,24 @@ export class Commands {
 
   open(route: Route, replace = false): void {
     this.around_.go(formatRoute(route), replace);
+  }
+
+  /** Whose page this is; where nobody is known, the page asks. */
+  async lookWhoAsks(): Promise<void> {
+    try {
+      this.state_.session.value = await this.api_.session();
+    } catch (error) {
+      if (asApiError(error).status === 401) this.state_.shut.value = true;
+    }
+  }
+
+  async logOut(): Promise<void> {
+    try {
+      await this.api_.logOut();
+      this.around_.anew();
+    } catch (error) {
+      notifyError(this.state_, asApiError(error));
+    }
   }
 
   /** Queues a drape of the shown project and shows it. */

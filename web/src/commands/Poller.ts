@@ -36,6 +36,7 @@ export class Poller {
     this.running_ = false;
     const now = this.again_;
     this.again_ = false;
+    if (this.state_.shut.value) return; // nothing more comes before somebody has logged in
     this.timer_ = setTimeout(() => void this.refresh(), now ? 0 : this.pause());
   }
 
@@ -69,6 +70,7 @@ export class Poller {
 
   private failed(error: ApiError): void {
     this.attempt_ += 1;
+    if (error.status === 401) this.state_.shut.value = true;
     if (error.unreachable) {
       const before = this.state_.link.value;
       const since = before.state === 'lost' ? before.since : Date.now();

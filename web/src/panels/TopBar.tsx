@@ -30,6 +30,7 @@ export function TopBar() {
       </a>
       <div class="crumbs">{!home && <Crumbs />}</div>
       {!home && <Actions />}
+      {state.session.value?.accounts && <LogOut name={state.session.value.name ?? ''} />}
       <button
         class="tool flat"
         title="Keys (?)"
@@ -39,6 +40,16 @@ export function TopBar() {
         <Icon name="help" />
       </button>
     </header>
+  );
+}
+
+/** Who is known, where there are accounts. */
+function LogOut({ name }: { name: string }) {
+  const commands = useCommands();
+  return (
+    <button class="plain who" aria-label={`Log out ${name}`} title="Log out" onClick={() => void commands.logOut()}>
+      {name} <Icon name="leave" />
+    </button>
   );
 }
 

@@ -5,7 +5,7 @@ import type { ApiError } from '../api/http';
 import type { BodyMesh } from '../api/body';
 import type { StreamConnection } from '../api/JobStream';
 import type { Picture } from '../api/pictures';
-import type { EditStep, Job, Pieces, Progress, Project, Report } from '../api/types';
+import type { EditStep, Job, Pieces, Progress, Project, Report, Session } from '../api/types';
 import type { ClothMap, MapKind } from './clothMaps';
 import { ComparisonState } from './comparison';
 import { DressingState, type Marks } from './dressing';
@@ -60,6 +60,9 @@ export class AppState {
   readonly projects: Signal<Loaded<Project[]>> = signal(loading);
   readonly jobs: Signal<Loaded<Job[]>> = signal(loading);
   readonly link: Signal<Link> = signal({ state: 'ok' });
+  /** The service lets in only who is known, and nobody is. */
+  readonly shut: Signal<boolean> = signal(false);
+  readonly session: Signal<Session | null> = signal(null);
 
   // Of the job that is shown.
   readonly watched: Signal<string | null> = signal(null);

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <filesystem>
+
+namespace toile::test {
+
+/// A certificate for localhost and 127.0.0.1, and its key, as PEM files: made anew, and vouching for itself.
+struct Certificate {
+  std::filesystem::path certificate, key;
+};
+Certificate make_certificate(const std::filesystem::path& folder);
+
+}  // namespace toile::test

@@ -1,0 +1,89 @@
+// Asks who it is, where the service lets in only who is known.
+
+import { useEffect, useRef, useState } from 'preact/hooks';
+import type { Api } from '../api/Api';
+import type { ApiError } from '../api/http';
+import { asApiError } from '../commands/notices';
+import { useAppState } from '../state/context';
+
+type Doors = Pick<Api, 'logIn' | 'logInByToken'>;
+
+/** `entered` is called once somebody is known. */
+export function LogIn({ doors, entered }: { doors: Doors; entered: () => void }) {
+  return useAppState().shut.value ? <Dialog doors={doors} entered={entered} /> : null;
+}
+
+function Dialog({ doors, entered }: { doors: Doors; entered: () => void }) {
+  const dialog = useRef<HTMLDialogElement>(null);
+  const [byToken, setByToken] = useState(false);
+  const [busy, setBusy] = useState(false);
+  const [error, setError] = useState<ApiError | null>(null);
+  useEffect(() => dialog.current?.showModal(), []);
+  async function enter(event: Event): Promise<void> {
+    event.preventDefault();
+    const said = new FormData(event.currentTarget as HTMLFormElement);
+    const text = (name: string): string => {
+      const value = said.get(name);
+      return typeof value === 'string' ? value : '';
+    };
+    setBusy(true);
+    setError(null);
+    try {
+      if (byToken) await doors.logInByToken(text('token').trim());
+      else await doors.logIn(text('name').trim(), text('password'));
+      entered();
+    } catch (failure) {
+      setError(asApiError(failure));
+    }
+    setBusy(false);
+  }
+  return (
+    <dialog class="sheet login" ref={dialog} onCancel={(event) => event.preventDefault()} aria-labelledby="login-title">
+      <header>
+        <h2 id="login-title">Log in</h2>
+      </header>
+      <form onSubmit={(event) => void enter(event)}>
+        <div class="sheet-body">
+          {byToken ? <TokenField /> : <PasswordFields />}
+          {error && (
+            <p class="problem" role="alert">
+              {error.detail}
+            </p>
+          )}
+        </div>
+        <footer>
+          <button type="button" class="plain" onClick={() => setByToken(!byToken)}>
+            {byToken ? 'By name and password' : 'By a token'}
+          </button>
+          <button type="submit" class="primary" disabled={busy}>
+            Log in
+          </button>
+        </footer>
+      </form>
+    </dialog>
+  );
+}
+
+function PasswordFields() {
+  return (
+    <>
+      <label class="text-field">
+        <span>Name</span>
+        <input name="name" autocomplete="username" autocapitalize="none" spellcheck={false} required autofocus />
+      </label>
+      <label class="text-field">
+        <span>Password</span>
+        <input name="password" type="password" autocomplete="current-password" required />
+      </label>
+    </>
+  );
+}
+
+function TokenField() {
+  return (
+    <label class="text-field">
+      <span>Token</span>
+      <input name="token" type="password" autocomplete="off" placeholder="toile_…" required autofocus />
+    </label>
+  );
+}
