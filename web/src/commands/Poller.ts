@@ -69,8 +69,11 @@ export class Poller {
   }
 
   private failed(error: ApiError): void {
+    if (error.status === 401) {
+      this.state_.shut.value = true;
+      return;
+    }
     this.attempt_ += 1;
-    if (error.status === 401) this.state_.shut.value = true;
     if (error.unreachable) {
       const before = this.state_.link.value;
       const since = before.state === 'lost' ? before.since : Date.now();
