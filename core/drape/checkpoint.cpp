@@ -73,6 +73,9 @@ void fields(Archive& a, RunState& run) {
   a.value(s.solver.preloads);
   a.value(s.solver.pace.steps);
   a.value(s.solver.pace.learnt);
+  a.value(s.probe.step);
+  a.value(s.probe.failed);
+  a.value(s.probe.from);
   a.value(s.paper.positions);
   a.value(s.paper.previous);
   a.value(s.paper.bent);
@@ -128,6 +131,11 @@ bool sound_bounds(const solver::SolverState& s) {
                      [](Index steps) { return steps >= 0 && steps <= kMostSteps; });
 }
 
+bool sound(const ProbeState& probe, std::size_t vertices) {
+  return all_counts(probe.step, probe.failed) && (probe.from.empty() || probe.from.size() == vertices) &&
+         all_within(probe.from, kFarthest);
+}
+
 bool sound(const SessionState& s) {
   const std::size_t of_solver = s.solver.positions.size();
   const std::size_t of_paper = s.paper.positions.size(), n = of_solver + of_paper;
@@ -138,8 +146,9 @@ bool sound(const SessionState& s) {
          all_counts(s.steps, s.watch.step, s.solver.hits, s.solver.pace.steps, s.slackened) &&
          all_times(s.time, s.begun, s.phase_start + kLongestRamp, s.last_weld, s.solver.pace.learnt) &&
          s.solver.velocities.size() == of_solver && sound_contacts(s.solver.contacts, of_solver) &&
-         sound_bounds(s.solver) && s.watch.window_start.size() == n && s.watch.mark.size() == n &&
-         sound_ways(s.watch.ways, n) && s.watch.rms.size() <= SettleState::kMostWindows &&
+         sound_bounds(s.solver) && sound(s.probe, of_solver) && s.watch.window_start.size() == n &&
+         s.watch.mark.size() == n && sound_ways(s.watch.ways, n) &&
+         s.watch.rms.size() <= SettleState::kMostWindows &&
          s.watch.rates.size() <= SettleState::kMostWindows && all_speeds(s.watch.rates) &&
          all_speeds(s.off_at_release) && all_speeds(s.watch.rms) &&
          all_speeds({s.watch.max_speed, s.watch.drift, s.watch.usual_drift}) &&

@@ -130,7 +130,8 @@ DrapeSession::DrapeSession(const DrapeInput& input, const mesh::PanelMeshes& mes
       lost_(input.pattern.seams.size(), false),
       released_(input.attachments.size(), false),
       off_at_release_(input.attachments.size(), 0),
-      watch_(input.settings.time_step, input.settings.settle_speed) {
+      watch_(input.settings.time_step, input.settings.settle_speed),
+      probe_(input.settings.time_step, input.settings.settle_speed) {
   for (const mesh::PanelMesh& mesh : meshes.panels) warps_.push_back(mesh.warp);
   for (const body::Body& body : input.bodies) {
     obstacles_.push_back(collision::make_obstacle(body.mesh.vertices, body.mesh.triangles, body.friction,
@@ -160,6 +161,7 @@ void DrapeSession::build_solver(solver::ClothModel model, std::vector<Vec3> posi
   solver_->set_holds(held_now());
   solver_->set_features(features_now());
   watch_.restart(solver_->positions());
+  probe_.restart();
 }
 
 std::vector<solver::constraints::Stitch> DrapeSession::stitches_now() const {
@@ -190,7 +192,7 @@ solver::StepForces DrapeSession::forces_now() const {
     return forces;
   }
   forces.features = {0, std::min(1.0, since / kFormTime), input_.settings.air.density > 0};
-  if (dynamic()) {
+  if (dynamic() || probe_.on()) {
     forces.gravity = input_.settings.gravity;
     forces.damping = 0;
     return forces;
@@ -207,9 +209,10 @@ SessionState DrapeSession::state() const {
   for (std::size_t i = 0; i < joined.size(); ++i) {
     joined[i] = vertex_of_[i] == vertex_of_[assembly_.garment.weld[i]];
   }
-  return {phase_,           began_,     lost_,      stop_reason_, steps_,    time_,           begun_,
-          phase_start_,     last_weld_, slackened_, joined,       released_, off_at_release_, watch_.state(),
-          solver_->state(), {}};
+  return {phase_,         began_,    lost_,           stop_reason_,   steps_,
+          time_,          begun_,    phase_start_,    last_weld_,     slackened_,
+          joined,         released_, off_at_release_, watch_.state(), solver_->state(),
+          probe_.state(), {}};
 }
 
 Status DrapeSession::restore(SessionState state) {
@@ -232,6 +235,7 @@ Status DrapeSession::restore(SessionState state) {
   solver_->set_stitches(stitches_now());
   solver_->restore(std::move(state.solver));
   watch_.restore(std::move(state.watch));
+  probe_.restore(std::move(state.probe));
   phase_ = state.phase;
   stop_reason_ = std::move(state.stop_reason);
   if (stop_reason_)
@@ -336,14 +340,33 @@ void DrapeSession::settle_or_stop() {
   const bool may_rest =
       input_.settings.until_settled && !holding && time_ >= phase_start_ + kSoonestRest && lies_still();
   const bool out_of_time = time_ >= begun_ + input_.settings.max_time;
-  if (may_rest && (out_of_time || nothing_closes())) {
-    end(stop_at_rest());
-  } else if (out_of_time) {
-    end(Stop::kTime);
+  if (probe_.on()) {
+    if (stays_when_let_go()) return end(stop_at_rest());
+  } else if (may_rest && (out_of_time || nothing_closes())) {
+    if (!is_let_go_first()) return end(stop_at_rest());
+    let_go();
   }
+  if (out_of_time && !probe_.on()) end(Stop::kTime);  // what was let go in time may show that it stays
 }
 
-bool DrapeSession::lies_still() const { return watch_.settled(forces_now().damping); }
+/// From a standstill, in true motion: what stays then is at rest.
+void DrapeSession::let_go() {
+  probe_.begin(solver_->positions());
+  solver_->set_velocities(std::vector<Vec3>(solver_->positions().size()));
+  watch_.look_anew(solver_->positions());
+}
+
+bool DrapeSession::stays_when_let_go() {
+  const RestProbe::Answer answer = probe_.observe(solver_->positions(), solver_->model().triangles);
+  if (answer == RestProbe::Answer::kAgain) let_go();
+  return answer == RestProbe::Answer::kStays;
+}
+
+bool DrapeSession::is_let_go_first() const { return !dynamic() && probe_.asks(); }
+
+bool DrapeSession::lies_still() const {
+  return watch_.settled(forces_now().damping, is_let_go_first() ? kSeemingCalm : 1);
+}
 
 /// What threads still hold open may close while the cloth creeps: that is waited for.
 bool DrapeSession::nothing_closes() const {

@@ -11,6 +11,7 @@
 #include "core/drape/drape_input.h"
 #include "core/drape/drape_result.h"
 #include "core/drape/garment_crossings.h"
+#include "core/drape/rest_probe.h"
 #include "core/drape/session.h"
 #include "core/drape/settle.h"
 #include "core/drape/stop_reason.h"
@@ -90,6 +91,9 @@ class DrapeSession : public Session {
   void let_go_of_timed_holds();
   solver::constraints::OpenTie open_button() const;
   bool lies_still() const;
+  void let_go();
+  bool stays_when_let_go();
+  bool is_let_go_first() const;
   bool nothing_closes() const;
   Stop stop_at_rest() const;
   double gap_at(Stop kind) const;
@@ -111,6 +115,7 @@ class DrapeSession : public Session {
   bool grounded_ = false;
   std::optional<StopReason> stop_reason_;  ///< while phase_ is kDone
   SettleWatch watch_;
+  RestProbe probe_;
   int steps_ = 0;
   double time_ = 0, begun_ = 0, phase_start_ = 0, last_weld_ = 0;
   int welded_at_ = -1;  ///< step of the last weld; not kept by checkpoints, which lie between steps

@@ -67,6 +67,13 @@ void SettleWatch::restart(std::span<const Vec3> x) {
   seen_.mark = seen_.window_start;
 }
 
+void SettleWatch::look_anew(std::span<const Vec3> x) {
+  seen_.window_start.assign(x.begin(), x.end());
+  seen_.ways.clear();
+  seen_.rms.clear();
+  seen_.rates.clear();
+}
+
 void SettleWatch::observe(std::span<const Vec3> x, double damping) {
   if (seen_.window_start.size() != x.size()) restart(x);
   if (++seen_.step % window_steps_ != 0) return;
@@ -112,9 +119,10 @@ double SettleWatch::slowest_rate() const {
 
 double SettleWatch::damping() const { return calming_damping(slowest_rate()); }
 
-bool SettleWatch::stays(double speed) const {
-  return seen_.long_drift >= 0 && seen_.long_drift <= kLongDrift * speed &&
-         seen_.long_usual_drift <= kLongUsualDrift * speed &&
+bool SettleWatch::flutters_in_place(double calm) const {
+  const double speed = calm * speed_;
+  return seen_.rms.size() == kQuietWindows && seen_.long_drift >= 0 &&
+         seen_.long_drift <= kLongDrift * speed && seen_.long_usual_drift <= kLongUsualDrift * speed &&
          std::all_of(seen_.rms.begin(), seen_.rms.end(), [&](double v) { return v < kFlutter * speed; });
 }
 
@@ -122,7 +130,7 @@ bool SettleWatch::settled(double damping, double calm) const {
   if (seen_.rms.size() < kQuietWindows) return false;
   const std::vector<double>& last = seen_.rms;
   const double speed = calm * speed_;
-  if (stays(speed)) return true;
+  if (flutters_in_place(calm)) return true;
   const bool slow = std::all_of(last.begin(), last.end(), [&](double v) { return v < speed; });
   return slow && way_left(seen_.drift, damping, slowest_rate()) <= kWayLeft * speed &&
          way_left(seen_.usual_drift, damping, 0) <= kUsualWayLeft * speed &&

@@ -40,6 +40,8 @@ class SettleWatch {
 
   /// Forgets what was seen, e.g. when a hold is released.
   void restart(std::span<const Vec3> x);
+  /// Begins its short windows anew, when cloth is stopped or let go; the long one goes on.
+  void look_anew(std::span<const Vec3> x);
   /// Takes note of the positions after a step that was damped so (1/s).
   void observe(std::span<const Vec3> x, double damping);
 
@@ -48,6 +50,8 @@ class SettleWatch {
   /// else than two seconds before, though it is not still: gathered frills flutter in place for ever.
   /// `calm`: share of the speed at which cloth counts as at rest.
   bool settled(double damping, double calm = 1) const;
+  /// The latter: hardly anywhere else than two seconds before.
+  bool flutters_in_place(double calm = 1) const;
   /// 1/s, under which the cloth comes to rest soon.
   double damping() const;
   double rms_speed() const {
@@ -60,7 +64,6 @@ class SettleWatch {
 
  private:
   double slowest_rate() const;
-  bool stays(double speed) const;
 
   double time_step_, speed_;
   int window_steps_;

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "core/collision/crossings.h"
+#include "core/drape/rest_probe.h"
 #include "core/drape/settle.h"
 #include "core/drape/weld.h"
 #include "core/solver/cloth_solver.h"
@@ -96,7 +97,8 @@ class PeerRun {
         settings_(settings),
         h_(settings.time_step > 0 ? settings.time_step : time_step_for(task.cloth)),
         sewing_(!task.sewn.empty()),
-        watch_(h_, settings.settle_speed) {
+        watch_(h_, settings.settle_speed),
+        probe_(h_, settings.settle_speed) {
     obstacles_.push_back(
         collision::make_obstacle(task.body.vertices, task.body.triangles, settings.friction, kSkinOffset));
     const drape::Weld open = drape::no_weld(task.cloth.vertices);
@@ -138,7 +140,7 @@ class PeerRun {
   void let_go() {
     resting_ = true;
     reason_.clear();
-    solver_->set_velocities(std::vector<Vec3>(solver_->positions().size()));
+    stand_still();
   }
 
   std::vector<Vec3> positions() const {
@@ -186,7 +188,7 @@ class PeerRun {
     f.gravity = kGravity;
     f.stitch_length = std::max(0.0, 1 - time() / kLeadTime);
     f.damping = 0;
-    if (resting_ || settings_.dynamic) return f;
+    if (resting_ || settings_.dynamic || probe_.on()) return f;
     f.damping = sewing_ ? kSewDamping : watch_.damping();
     f.viscosity = solver::constraints::viscous_share(settings_.viscosity, h_, steps_);
     return f;
@@ -218,13 +220,37 @@ class PeerRun {
     watch_.restart(solver_->positions());
   }
 
+  void stand_still() { solver_->set_velocities(std::vector<Vec3>(solver_->positions().size())); }
+
+  /// As a drape does: core/drape/rest_probe.h.
+  void begin_probe() {
+    probe_.begin(solver_->positions());
+    stand_still();
+    watch_.look_anew(solver_->positions());
+  }
+
+  bool stays_when_let_go() {
+    const auto answer = probe_.observe(solver_->positions(), solver_->model().triangles);
+    if (answer == drape::RestProbe::Answer::kAgain) begin_probe();
+    return answer == drape::RestProbe::Answer::kStays;
+  }
+
+  bool seems_still() {
+    if (sewing_) return false;
+    const bool let_go_first = !settings_.dynamic && probe_.asks();
+    const bool still = watch_.settled(forces().damping, let_go_first ? drape::kSeemingCalm : 1);
+    if (still && let_go_first) begin_probe();
+    return still && !let_go_first;
+  }
+
   void end_if_due() {
     if (resting_) return;
-    const bool still = !sewing_ && watch_.settled(forces().damping);
+    const bool still = probe_.on() ? stays_when_let_go() : seems_still();
     if (!still) rest_at_ = -1;
     if (still && rest_at_ < 0) rest_at_ = time();
     if (still && !settings_.dynamic) reason_ = "settled";
-    if (time() >= (settings_.dynamic ? kDynamicTime : kMostTime)) reason_ = sewing_ ? "open seam" : "time";
+    if (!done() && time() >= (settings_.dynamic ? kDynamicTime : kMostTime))
+      reason_ = sewing_ ? "open seam" : "time";
   }
 
   const PeerTask& task_;
@@ -232,6 +258,7 @@ class PeerRun {
   const double h_;
   bool sewing_, led_ = false, resting_ = false;
   drape::SettleWatch watch_;
+  drape::RestProbe probe_;
   std::vector<collision::Obstacle> obstacles_;
   std::unique_ptr<solver::ClothSolver> solver_;
   std::vector<Index> vertex_of_;

@@ -200,6 +200,22 @@ TEST(Checkpoint, InTheMidstOfContactsOfDifferentTimesKeepsThemAll) {
   }
 }
 
+TEST(Checkpoint, InTheMidstOfLettingGoEndsTheSame) {
+  const drape::DrapeInput input = test::tube();
+  const auto run = begun(input);
+  while (!run->done() && run->session().state().probe.from.empty()) run->advance(1, {});
+  ASSERT_FALSE(run->done()) << "nothing is at rest that was not let go";
+  run->advance(333, {});
+  ASSERT_FALSE(run->session().state().probe.from.empty());
+  const auto on = resumed(input, run->checkpoint());
+  EXPECT_EQ(state_in(*on), state_in(*run));
+  run->advance(kToTheEnd, {});
+  on->advance(kToTheEnd, {});
+  const drape::DrapeResult end = run->conclude();
+  EXPECT_TRUE(end.settled());
+  expect_same(on->conclude(), end);
+}
+
 TEST(Checkpoint, OfAnotherInputIsRefused) {
   const drape::DrapeInput input = test::tube();
   const std::string checkpoint = begun(input)->checkpoint();

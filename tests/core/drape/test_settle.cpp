@@ -91,6 +91,19 @@ TEST(Settle, TheDampingFollowsTheSwing) {
   EXPECT_EQ(damping_for(40), 16);
 }
 
+TEST(Settle, LookingAnewForgetsTheShortWindowsAndNotTheLongOne) {
+  drape::SettleWatch watch(kStep, 0.005);
+  const std::vector<Vec3> x(1);
+  watch.restart(x);
+  for (int i = 0; i < 1900; ++i) watch.observe(x, kDamping);
+  EXPECT_TRUE(watch.settled(kDamping));
+  EXPECT_FALSE(watch.flutters_in_place());
+  watch.look_anew(x);
+  EXPECT_FALSE(watch.settled(kDamping));
+  for (int i = 0; i < 200; ++i) watch.observe(x, kDamping);
+  EXPECT_TRUE(watch.flutters_in_place()) << "two seconds since it began";
+}
+
 TEST(Settle, RestartForgets) {
   drape::SettleWatch watch(kStep, 0.005);
   const std::vector<Vec3> x(1);
