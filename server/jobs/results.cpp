@@ -42,8 +42,8 @@ render::Scene scene_of(const drape::DrapeInput& input, const drape::DrapeResult&
   for (const Index fabric : input.fabric_of_panel) {
     const material::Fabric& cloth = input.fabrics[static_cast<std::size_t>(fabric)];
     scene.cloth.colour_of_panel.push_back({cloth.colour[0], cloth.colour[1], cloth.colour[2]});
-    scene.cloth.thickness_of_panel.push_back(cloth.thickness);
   }
+  scene.cloth.look_of_panel = movie::looks_of(input);
   for (const body::Body& body : input.bodies) scene.bodies.push_back({.mesh = &body.mesh});
   return scene;
 }

@@ -35,8 +35,12 @@ struct Film {
   std::vector<Vec3> end;                   ///< m, of the garment's vertices
   std::vector<geometry::TriangleMesh> bodies;
   image::Textures textures;
+  std::vector<render::ClothLook> looks;  ///< one a panel; none of films of older programs
   Motion motion;
 };
+
+/// How the fabrics of the panels look: those of the library as their files say, others as plain cloth.
+std::vector<render::ClothLook> looks_of(const drape::DrapeInput& input);
 
 /// What a drape of `input` leaves. REQUIRES one piece for each panel.
 Film film_of(const drape::DrapeInput& input, const drape::DrapeResult& result,

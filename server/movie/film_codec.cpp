@@ -15,8 +15,9 @@ namespace {
 
 constexpr std::string_view kMagic = "TOILEFM\n";
 constexpr std::size_t kHashDigits = 32;
-constexpr std::uint32_t kEpoch = 1;  // a film has one
-constexpr double kFarthest = 1000;   // m; what can be drawn (render/scene.h)
+constexpr std::uint32_t kWithoutLooks = 1;  // a version that is still read
+constexpr std::uint32_t kEpoch = 1;         // a film has one
+constexpr double kFarthest = 1000;          // m; what can be drawn (render/scene.h)
 
 Error damaged() {
   return {"film.damaged", "this is no film of a drape, or it is cut off or has changed", "",
@@ -85,6 +86,31 @@ Result<image::Textures> read_textures(StateReader& in) {
     texture = laid;
   }
   return textures;
+}
+
+void write(StateWriter& out, const std::vector<render::ClothLook>& looks) {
+  out.size(looks.size());
+  for (const render::ClothLook& look : looks) {
+    out.value(static_cast<std::uint8_t>(look.structure));
+    for (const float number : {look.thickness, look.pitch, look.roughness, look.sheen, look.uneven})
+      out.value(number);
+  }
+}
+
+Result<std::vector<render::ClothLook>> read_looks(StateReader& in) {
+  std::vector<render::ClothLook> looks(in.count(1 + 5 * sizeof(float)));
+  for (render::ClothLook& look : looks) {
+    std::uint8_t structure = 0;
+    in.value(structure);
+    if (structure >= render::kStructures) return damaged();
+    look.structure = static_cast<render::Structure>(structure);
+    for (float* number : {&look.thickness, &look.pitch, &look.roughness, &look.sheen, &look.uneven}) {
+      in.value(*number);
+      if (!(*number >= 0 && *number <= 1)) return damaged();
+    }
+    if (look.pitch <= 0) return damaged();
+  }
+  return looks;
 }
 
 void write(StateWriter& out, const Motion& motion) {
@@ -198,6 +224,7 @@ std::string encode_film(const Film& film) {
   out.size(film.bodies.size());
   for (const geometry::TriangleMesh& body : film.bodies) write(out, body);
   write(out, film.textures);
+  write(out, film.looks);
   write(out, film.motion);
   out.raw(hash_of(std::string_view(out.bytes())));
   return out.take();
@@ -209,7 +236,7 @@ Result<Film> decode_film(std::string_view bytes) {
   StateReader in(bytes.substr(kMagic.size(), bytes.size() - kMagic.size() - kHashDigits));
   std::uint32_t version = 0;
   in.value(version);
-  if (version != kFilmVersion)
+  if (version != kFilmVersion && version != kWithoutLooks)
     return Error{"film.version", "the film is of another version of this program; drape anew", "",
                  ErrorKind::kInput};
   const std::string_view all = bytes.substr(0, bytes.size() - kHashDigits);
@@ -224,6 +251,7 @@ Result<Film> decode_film(std::string_view bytes) {
   film.bodies.resize(in.count(2 * sizeof(std::uint32_t)));
   for (geometry::TriangleMesh& body : film.bodies) body = read_mesh(in);
   film.textures = TRY(read_textures(in));
+  if (version != kWithoutLooks) film.looks = TRY(read_looks(in));
   film.motion = TRY(read_motion(in));
   if (!in.ok() || !in.at_end()) return damaged();
   TRY(check_film(film));

@@ -10,7 +10,7 @@
 
 namespace toile::movie {
 
-inline constexpr std::uint32_t kFilmVersion = 1;
+inline constexpr std::uint32_t kFilmVersion = 2;
 /// The name of a drape's film among its results.
 inline constexpr const char* kFilmFile = "drape.film";
 

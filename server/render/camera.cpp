@@ -89,6 +89,7 @@ double elevation_for(const Scene& scene) {
 
 std::vector<std::string> view_words() {
   std::vector<std::string> words;
+  words.reserve(kViews.size());
   for (const NamedView& named : kViews) words.emplace_back(named.word);
   return words;
 }

@@ -36,8 +36,7 @@ std::vector<PanelMake> panel_makes(const ClothView& cloth) {
   std::vector<PanelMake> makes;
   for (const double breadth : breadths(cloth, static_cast<std::size_t>(last) + 1)) {
     const std::size_t p = makes.size();
-    const double thickness =
-        p < cloth.thickness_of_panel.size() ? cloth.thickness_of_panel[p] : kClothThickness;
+    const double thickness = static_cast<double>(look_of(cloth, static_cast<Index>(p)).thickness);
     makes.push_back({std::max(thickness, kLeastThickness), std::min(kHem, kHemShare * breadth),
                      thickness >= kStitchedDown ? kBeside : 0});
   }

@@ -1,6 +1,7 @@
 #include "server/render/picture_texture.h"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace toile::render {
 namespace {
@@ -17,15 +18,12 @@ GLint anisotropy(const GlFunctions& gl) {
   return std::clamp(most, 1, kEnough);
 }
 
-}  // namespace
-
-GLuint upload_picture(GlScope& scope, const image::Picture& picture) {
+GLuint upload(GlScope& scope, GLint format, int width, int height, const std::uint8_t* rgba) {
   const GlFunctions& gl = scope.gl();
   const GLuint texture = scope.texture();
   gl.BindTexture(GL_TEXTURE_2D, texture);
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, picture.width, picture.height, 0, GL_RGBA,
-                GL_UNSIGNED_BYTE, picture.rgba.data());
+  gl.TexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
   gl.GenerateMipmap(GL_TEXTURE_2D);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
@@ -34,6 +32,16 @@ GLuint upload_picture(GlScope& scope, const image::Picture& picture) {
   const GLint along = anisotropy(gl);
   if (along > 1) gl.TexParameteri(GL_TEXTURE_2D, kAnisotropy, along);
   return texture;
+}
+
+}  // namespace
+
+GLuint upload_picture(GlScope& scope, const image::Picture& picture) {
+  return upload(scope, GL_SRGB8_ALPHA8, picture.width, picture.height, picture.rgba.data());
+}
+
+GLuint upload_weave(GlScope& scope, Structure structure) {
+  return upload(scope, GL_RGBA8, kWeaveSide, kWeaveSide, weave_tile(structure).data());
 }
 
 }  // namespace toile::render

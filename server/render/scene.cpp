@@ -91,6 +91,11 @@ void add_used(Aabb3& box, std::span<const Vec3> positions, std::span<const Tri> 
 
 }  // namespace
 
+ClothLook look_of(const ClothView& cloth, Index panel) {
+  const bool known = panel >= 0 && static_cast<std::size_t>(panel) < cloth.look_of_panel.size();
+  return known ? cloth.look_of_panel[static_cast<std::size_t>(panel)] : ClothLook{};
+}
+
 Aabb3 cloth_box(const Scene& scene) {
   Aabb3 box;
   add_used(box, scene.cloth.positions, scene.cloth.triangles);

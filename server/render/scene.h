@@ -11,6 +11,7 @@
 #include "core/base/types.h"
 #include "core/body/body.h"
 #include "core/image/texture.h"
+#include "server/render/cloth_look.h"
 
 namespace toile::render {
 
@@ -25,11 +26,10 @@ struct ClothView {
   std::vector<LinearRgb> colour_of_panel;     ///< one per panel; panels past its end take kClothColour
   std::span<const Vec2> rest;                 ///< m, one per vertex, carries weave and pictures; may be empty
   const image::Textures* textures = nullptr;  ///< pictures on panels; may be null
-  std::vector<double> thickness_of_panel{};   ///< m, as colours; past its end kClothThickness
+  std::vector<ClothLook> look_of_panel{};     ///< as colours; past its end the default
 };
 
 inline constexpr LinearRgb kClothColour{0.30, 0.40, 0.55};
-inline constexpr double kClothThickness = 0.5e-3;  ///< m
 inline constexpr LinearRgb kMannequinColour{0.56, 0.52, 0.48};
 
 struct BodyView {
@@ -45,6 +45,9 @@ struct Scene {
 
 /// Around what of the cloth is drawn, m; empty without cloth.
 Aabb3 cloth_box(const Scene& scene);
+/// How a panel looks.
+ClothLook look_of(const ClothView& cloth, Index panel);
+
 /// Of the cloth and all bodies.
 Aabb3 whole_box(const Scene& scene);
 

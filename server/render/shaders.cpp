@@ -206,21 +206,38 @@ float value_noise(vec2 at) {
              mix(noise_at(cell + vec2(0, 1)), noise_at(cell + vec2(1, 1)), f.x), f.y);
 }
 
+uniform vec4 look;                    // roughness, sheen, unevenness, m of the weave's tile
+uniform sampler2D weave;              // slopes along and across the grain, tone
+
 // Uneven yarn along warp and weft; it fades before it could shimmer.
-float weave() {
+float yarn_tone() {
   float footprint = max(length(dFdx(v_rest)), length(dFdy(v_rest)));
-  float tone = 1.0;
-  if (footprint < 0.0016) {
-    float yarn = value_noise(v_rest * vec2(700.0, 45.0)) + value_noise(v_rest.yx * vec2(700.0, 45.0) + 31.0) - 1.0;
-    tone += 0.07 * yarn * smoothstep(0.0016, 0.0006, footprint);
-  }
-  if (footprint < 0.004) {
-    float broad = value_noise(v_rest * vec2(260.0, 30.0)) + value_noise(v_rest.yx * vec2(260.0, 30.0) + 57.0) - 1.0;
-    tone += 0.035 * broad * smoothstep(0.004, 0.0015, footprint);
-  }
-  return tone;
+  if (footprint > 0.004 || look.z < 0.015) return 1.0;
+  float broad = value_noise(v_rest * vec2(260.0, 30.0)) + value_noise(v_rest.yx * vec2(260.0, 30.0) + 57.0) - 1.0;
+  return 1.0 + look.z * broad * smoothstep(0.004, 0.0015, footprint);
 }
 
+// xyz: slope of the threads, to be taken from the normal; w: tone.
+vec4 threads(vec3 n, vec3 p) {
+  vec4 tile = texture(weave, v_rest / look.w);
+  vec2 slope = (tile.xy * 255.0 - 128.0) / 127.0;
+  vec3 across = dFdx(p), down = dFdy(p);
+  vec3 r1 = cross(down, n), r2 = cross(n, across);
+  float det = dot(across, r1);
+  if (abs(det) < 1e-14) return vec4(0.0, 0.0, 0.0, 1.0);
+  vec2 dx = dFdx(v_rest), dy = dFdy(v_rest);
+  return vec4((slope.x * (dx.x * r1 + dy.x * r2) + slope.y * (dx.y * r1 + dy.y * r2)) / det, tile.z / 0.8);
+}
+
+// Light that a rough surface throws back about the mirror's direction: GGX with Smith's shadowing as in B. Karis,
+// "Real Shading in Unreal Engine 4" (2013), and Schlick's Fresnel from 0.04.
+float gloss(vec3 n, vec3 to_light, vec3 to_eye, float roughness) {
+  vec3 h = normalize(to_light + to_eye);
+  float nl = max(dot(n, to_light), 0.0), nv = max(dot(n, to_eye), 0.02), nh = max(dot(n, h), 0.0);
+  float a = roughness * roughness, b = nh * nh * (a * a - 1.0) + 1.0, k = (roughness + 1.0) * (roughness + 1.0) / 8.0;
+  float fresnel = 0.04 + 0.96 * pow(1.0 - max(dot(h, to_eye), 0.0), 5.0);
+  return nl * a * a / (b * b) * fresnel / (4.0 * (nl * (1.0 - k) + k) * (nv * (1.0 - k) + k));
+}
 #else
 uniform vec3 body_colour;
 #endif
@@ -233,7 +250,9 @@ void main() {
   float through = gl_FrontFacing ? v_sky.y : v_sky.x;
 #if CLOTH
   SeamLook seam = seams(n * side, v_position);
-  n = normalize(n - seam.slope * side);
+  vec4 thread = threads(n * side, v_position);
+  vec3 slope = seam.slope + thread.xyz;
+  n = normalize(n - slope * (side / max(1.0, length(slope) / 1.5)));   // where a pixel has hardly any of a triangle
 #endif
   float facing = dot(n, to_eye);
   if (facing < 0.02) n = normalize(n + to_eye * (0.02 - facing));
@@ -264,11 +283,13 @@ void main() {
     base = mix(base, shown.rgb, shown.a);
   }
   if (side < 0.0) base = mix(base, vec3(dot(base, vec3(0.2126, 0.7152, 0.0722))), 0.18) * 0.80;
-  base = mix(base * weave() * seam.shade, thread_of(base), seam.thread);
+  base = mix(base * yarn_tone() * thread.w * seam.shade, thread_of(base), seam.thread);
   base = mix(base, vec3(0.72, 0.03, 0.03), seam.open);
   light += vec3(1.0, 0.93, 0.82) * (0.18 * max(-key, 0.0) * lit + 0.10 * through);   // shines through
-  vec3 sheen = vec3(0.085) * pow(1.0 - facing, 3.0) * (openness + max(key, 0.0) * lit);
-  pixel = developed(base * light + sheen * mix(vec3(1.0), base, 0.5));
+  vec3 sheen = mix(vec3(1.0), base, 0.7) * look.y * 0.5 * pow(1.0 - facing, 3.0) * (openness + max(key, 0.0) * lit);
+  float shine = 1.0 * lit * gloss(n, key_light, to_eye, look.x) +
+                0.35 * openness * (gloss(n, fill_light, to_eye, look.x) + gloss(n, rim_light, to_eye, look.x));
+  pixel = developed(base * light + sheen + shine);
 #else
   vec3 half_way = normalize(key_light + to_eye);
   float gloss = 0.035 * pow(max(dot(n, half_way), 0.0), 14.0) * lit;

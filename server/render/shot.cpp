@@ -15,7 +15,7 @@ constexpr int kGroundCells = 64;      // a side
 constexpr double kGroundReach = 2.2;  // radius of caught shadows, of the scene's own
 constexpr float kSkyBlur = 5;         // texels of a sky map, on the ground
 constexpr float kBodySink = 0.002f;   // m; more than a coarse skin bulges through the cloth upon it
-constexpr GLint kKeyUnit = 0, kSkyUnit = 1, kPictureUnit = 2;
+constexpr GLint kKeyUnit = 0, kSkyUnit = 1, kPictureUnit = 2, kWeaveUnit = 3;
 
 void attribute(const GlFunctions& gl, GLuint location, int size, std::size_t stride, std::size_t offset) {
   gl.EnableVertexAttribArray(location);
@@ -238,6 +238,14 @@ void Shot::set_viewer(const GlProgram& program) {
   set(gl_, program.at("eye"), camera_.eye);
 }
 
+void Shot::set_look(const GlProgram& program, const ClothLook& look) {
+  gl_.Uniform4f(program.at("look"), look.roughness, look.sheen, look.uneven, look.pitch * kWeaveThreads);
+  gl_.Uniform1i(program.at("weave"), kWeaveUnit);
+  gl_.ActiveTexture(GL_TEXTURE0 + kWeaveUnit);
+  gl_.BindTexture(GL_TEXTURE_2D, programs_.weaves[static_cast<std::size_t>(look.structure)]);
+  gl_.ActiveTexture(GL_TEXTURE0);
+}
+
 /// Cloth without a picture first, then picture by picture.
 void Shot::draw_cloth() {
   const GlProgram& program = programs_.cloth;
@@ -247,6 +255,7 @@ void Shot::draw_cloth() {
   gl_.BindVertexArray(cloth_.vertex_array);
   for (const ClothRun& run : runs_) {
     gl_.Uniform1i(program.at("pictured"), run.image == kNone ? 0 : 1);
+    set_look(program, run.look);
     if (run.image != kNone) {
       gl_.ActiveTexture(GL_TEXTURE0 + kPictureUnit);
       gl_.BindTexture(GL_TEXTURE_2D, pictures_[static_cast<std::size_t>(run.image)]);

@@ -17,6 +17,7 @@ namespace toile::render {
 /// Shader programs, kept from one picture to the next.
 struct Programs {
   GlProgram depth, cloth, body, ground, backdrop;
+  std::vector<GLuint> weaves{};  // a texture for each Structure; whoever made them deletes them
   /// Error: "render.shader".
   static Result<Programs> link(const GlFunctions& gl);
 };
@@ -44,6 +45,7 @@ class Shot {
   void draw_sky_map();
   void draw_casters();
   void draw_cloth();
+  void set_look(const GlProgram& program, const ClothLook& look);
   void draw_picture(int width, int height, bool transparent);
   void draw_ground(bool transparent);
   void set_lights(const GlProgram& program, int width, int height);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "server/render/picture_texture.h"
 #include "server/render/shot.h"
 
 namespace toile::render {
@@ -70,7 +71,8 @@ Status check_settings(const StillSettings& s) {
 struct StillRenderer::Parts {
   std::unique_ptr<GlContext> context;  // declared first: outlives the programs made in it
   Programs programs;
-  int most_samples = 1;  // per pixel, that OpenGL draws itself
+  int most_samples = 1;           // per pixel, that OpenGL draws itself
+  std::unique_ptr<GlScope> kept;  // the programs' textures
 };
 
 StillRenderer::StillRenderer(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -86,7 +88,10 @@ Result<std::unique_ptr<StillRenderer>> StillRenderer::create() {
   Programs programs = TRY(Programs::link(gl));
   GLint most = 1;
   gl.GetIntegerv(GL_MAX_SAMPLES, &most);
-  auto parts = std::make_unique<Parts>(Parts{std::move(context), std::move(programs), most});
+  auto kept = std::make_unique<GlScope>(gl);
+  for (int i = 0; i < kStructures; ++i)
+    programs.weaves.push_back(upload_weave(*kept, static_cast<Structure>(i)));
+  auto parts = std::make_unique<Parts>(Parts{std::move(context), std::move(programs), most, std::move(kept)});
   return std::unique_ptr<StillRenderer>(new StillRenderer(std::move(parts)));
 }
 

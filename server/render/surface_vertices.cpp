@@ -31,9 +31,11 @@ Index image_on(const ClothView& cloth, Index panel) {
 std::vector<std::size_t> drawing_order(const ClothView& cloth) {
   std::vector<std::size_t> order(cloth.triangles.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return image_on(cloth, panel_of(cloth, a)) < image_on(cloth, panel_of(cloth, b));
-  });
+  const auto key = [&](std::size_t t) {
+    const Index panel = panel_of(cloth, t);
+    return std::pair{image_on(cloth, panel), panel};
+  };
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
   return order;
 }
 
@@ -55,8 +57,9 @@ class SurfaceMaker {
     for (const std::size_t t : drawing_order(cloth_)) {
       const Index panel = panel_of(cloth_, t);
       const Index image = image_on(cloth_, panel);
-      if (surface_.runs.empty() || surface_.runs.back().image != image)
-        surface_.runs.push_back({image, static_cast<int>(3 * surface_.triangles.size()), 0});
+      const ClothLook look = look_of(cloth_, panel);
+      if (surface_.runs.empty() || surface_.runs.back().image != image || surface_.runs.back().look != look)
+        surface_.runs.push_back({image, look, static_cast<int>(3 * surface_.triangles.size()), 0});
       surface_.runs.back().count += 3;
       Tri corners;
       for (std::size_t i = 0; i < 3; ++i) corners[i] = vertex(cloth_.triangles[t][i], panel);

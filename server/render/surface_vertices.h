@@ -19,15 +19,17 @@ struct ClothVertex {
   float picture_at[2];  ///< repeats of the panel's picture, right and down from its upper left corner
 };
 
-/// Triangles that follow each other and show the same picture.
+/// Triangles that follow each other and look alike.
 struct ClothRun {
-  Index image = kNone;       ///< index into Textures::images, or none
+  Index image = kNone;  ///< index into Textures::images, or none
+  ClothLook look;
   int first = 0, count = 0;  ///< corners
 };
 
 struct ClothSurface {
   std::vector<ClothVertex> vertices;
-  std::vector<Tri> triangles;  ///< those without a picture first, then picture by picture
+  std::vector<Tri>
+      triangles;  ///< those without a picture first, then picture by picture, then panel by panel
   std::vector<ClothRun> runs;  ///< of no triangle are left out
 };
 

@@ -146,7 +146,9 @@ TEST(PanelMake, HasNarrowerHemsOnNarrowPiecesAndStitchesBesideTheSeamsOfThickClo
   const std::vector<Tri> t{{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}};
   const std::vector<Index> panels{0, 0, 1, 1};
   render::ClothView cloth{p, t, panels, {}, {}, {}};
-  cloth.thickness_of_panel = {0.3e-3, 1e-3};
+  cloth.look_of_panel.resize(2);
+  cloth.look_of_panel[0].thickness = 0.3e-3f;
+  cloth.look_of_panel[1].thickness = 1e-3f;
   const std::vector<render::PanelMake> makes = render::panel_makes(cloth);
   ASSERT_EQ(makes.size(), 2u);
   EXPECT_NEAR(makes[0].hem, 0.018, 1e-9);

@@ -68,7 +68,7 @@ const std::map<std::string, Names>& table() {
        {"arrange", "create",    "drape",   "dxf",    "editing",     "garmentcode", "geometry",  "image",
         "json",    "mannequin", "measure", "mesh",   "mesh_import", "pattern",     "preflight", "project",
         "proto",   "resolve",   "seams",   "sewing", "store",       "warm"}},
-      {"movie", {"drape", "geometry", "image", "proto", "render", "sewing"}},
+      {"movie", {"drape", "fabric", "geometry", "image", "proto", "render", "sewing"}},
       {"jobs",
        {"analysis", "documents", "drape", "exports", "image", "json", "mesh", "movie", "pattern", "proto",
         "render", "resolve", "shares", "store", "warm"}},
