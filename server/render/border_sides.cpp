@@ -45,6 +45,7 @@ void mark_sewn(const ClothView& cloth, std::vector<BorderEdge>& edges) {
   if (cloth.weld.empty()) return;
   const auto joint = [&](const BorderEdge& e) { return edge_key(cloth.weld[e.from], cloth.weld[e.to]); };
   std::vector<Edge> joints;
+  joints.reserve(edges.size());
   for (const BorderEdge& e : edges) joints.push_back(joint(e));
   std::sort(joints.begin(), joints.end());
   const auto apart = [&](Index v) {
