@@ -337,16 +337,17 @@ void DrapeSession::settle_or_stop() {
     solver_->set_features(features_now());
     watch_.restart(solver_->positions());
   }
-  const bool may_rest =
-      input_.settings.until_settled && !holding && time_ >= phase_start_ + kSoonestRest && lies_still();
   const bool out_of_time = time_ >= begun_ + input_.settings.max_time;
+  const double calm = is_let_go_first() && !out_of_time ? kSeemingCalm : 1;  // no time is left to let it go
+  const bool may_rest =
+      input_.settings.until_settled && !holding && time_ >= phase_start_ + kSoonestRest && lies_still(calm);
   if (probe_.on()) {
     if (stays_when_let_go()) return end(stop_at_rest());
   } else if (may_rest && (out_of_time || nothing_closes())) {
-    if (!is_let_go_first()) return end(stop_at_rest());
+    if (out_of_time || !is_let_go_first()) return end(stop_at_rest());
     let_go();
   }
-  if (out_of_time && !probe_.on()) end(Stop::kTime);  // what was let go in time may show that it stays
+  if (out_of_time) end(Stop::kTime);
 }
 
 /// From a standstill, in true motion: what stays then is at rest.
@@ -364,9 +365,7 @@ bool DrapeSession::stays_when_let_go() {
 
 bool DrapeSession::is_let_go_first() const { return !dynamic() && probe_.asks(); }
 
-bool DrapeSession::lies_still() const {
-  return watch_.settled(forces_now().damping, is_let_go_first() ? kSeemingCalm : 1);
-}
+bool DrapeSession::lies_still(double calm) const { return watch_.settled(forces_now().damping, calm); }
 
 /// What threads still hold open may close while the cloth creeps: that is waited for.
 bool DrapeSession::nothing_closes() const {

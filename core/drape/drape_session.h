@@ -90,7 +90,7 @@ class DrapeSession : public Session {
   bool dynamic() const;
   void let_go_of_timed_holds();
   solver::constraints::OpenTie open_button() const;
-  bool lies_still() const;
+  bool lies_still(double calm) const;
   void let_go();
   bool stays_when_let_go();
   bool is_let_go_first() const;

@@ -66,5 +66,17 @@ TEST(DrapeRun, CancelledWhileMeshingHasNothingToShow) {
   EXPECT_TRUE(nothing->positions.empty());
 }
 
+TEST(DrapeRun, EndsInItsTimeThoughItIsLetGoThen) {
+  drape::DrapeInput input = test::tube();
+  const auto run = drape::DrapeRun::start(input, {}, nullptr).value();
+  while (!run->done() && run->session().state().probe.from.empty()) run->advance(1, {});
+  ASSERT_FALSE(run->done());
+  drape::DrapeInput shorter = input;
+  shorter.settings.max_time = run->session().time() + 0.1;
+  const drape::DrapeResult end = drape::drape(shorter, {}, nullptr).value();
+  EXPECT_EQ(end.stop_reason.kind, drape::Stop::kTime);
+  EXPECT_NEAR(end.simulated_time, shorter.settings.max_time, 2 * input.settings.time_step);
+}
+
 }  // namespace
 }  // namespace toile
