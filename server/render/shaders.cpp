@@ -165,9 +165,13 @@ uniform float sink;                   // m, deeper in the picture: skin that tou
 out vec3 v_position;
 out vec3 v_normal;
 out vec2 v_sky;
+out vec3 v_bend_square, v_bend_cross, v_bend_from;
 void main() {
   v_position = position;
   v_normal = normal;
+  v_bend_square = normal * normal;
+  v_bend_cross = normal * normal.yzx;
+  v_bend_from = normal * dot(normal, position);
   v_sky = sky_light_at(position, normal);
 #if CLOTH
   v_colour = colour;
@@ -188,6 +192,7 @@ const char* const kSurfaceFragment = R"(
 in vec3 v_position;
 in vec3 v_normal;
 in vec2 v_sky;
+in vec3 v_bend_square, v_bend_cross, v_bend_from;
 uniform vec3 eye;
 uniform vec3 fill_light, rim_light;   // towards the lights
 out vec4 pixel;
@@ -242,10 +247,23 @@ float gloss(vec3 n, vec3 to_light, vec3 to_eye, float roughness) {
 uniform vec3 body_colour;
 #endif
 
+// How far the round surface lies from its facet: the mean of the pixel's places on the planes of the triangle's
+// corners (T. Boubekeur, M. Alexa, "Phong Tessellation", 2008). The sum over corners of n (n . p) is linear in what
+// the corners hand on, n n^T and n (n . corner). Shadows are looked for from there and along the smooth surface: a facet's
+// own depth would put what its smooth shade calls lit into the shadow of its neighbours.
+const float kFarthestBend = 0.012;   // m: more is no roundness but a corner with one normal, a table's for instance
+vec3 bend(vec3 p) {
+  vec3 s = v_bend_square, c = v_bend_cross;   // c: xy, yz, zx
+  vec3 onto = vec3(s.x * p.x + c.x * p.y + c.z * p.z, c.x * p.x + s.y * p.y + c.y * p.z, c.z * p.x + c.y * p.y + s.z * p.z);
+  vec3 away = v_bend_from - onto;
+  return away * min(1.0, kFarthestBend / max(length(away), 1e-9));
+}
+
 void main() {
   vec3 to_eye = normalize(eye - v_position);
   float side = gl_FrontFacing ? 1.0 : -1.0;
-  vec3 n = normalize(v_normal) * side;
+  vec3 smooth_normal = normalize(v_normal) * side;
+  vec3 n = smooth_normal;
   float sky = gl_FrontFacing ? v_sky.x : v_sky.y;
   float through = gl_FrontFacing ? v_sky.y : v_sky.x;
 #if CLOTH
@@ -257,14 +275,15 @@ void main() {
   float facing = dot(n, to_eye);
   if (facing < 0.02) n = normalize(n + to_eye * (0.02 - facing));
   facing = max(facing, 0.02);
-  vec3 plane = normalize(cross(dFdx(v_position), dFdy(v_position)));
 
   float key = dot(n, key_light);
   float towards = key < 0.0 ? -1.0 : 1.0;
+  vec3 round = bend(v_position);
+  vec3 from = v_position + n * towards * 0.002 + round * step(0.0, dot(round, n) * towards);
 #if CLOTH
-  float lit = key_visible(v_position + n * towards * 0.002, plane);
+  float lit = key_visible(from, smooth_normal);
 #else
-  float lit = key > 0.0 ? key_visible(v_position + n * 0.002, plane) : 0.0;
+  float lit = key > 0.0 ? key_visible(from, smooth_normal) : 0.0;
 #endif
   float fill = max(dot(n, fill_light) * 0.8 + 0.2, 0.0);
   float rim = max(dot(n, rim_light), 0.0) * (0.25 + 0.75 * pow(1.0 - facing, 2.0));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/body/mannequin/mannequin.h"
 #include "tests/render/draped.h"
 
 namespace toile {
@@ -224,6 +225,40 @@ TEST(Still, WithoutBackdropIsOpaqueWhereThereIsCloth) {
   for (std::size_t i = 0; i < image.opacity.size(); ++i)
     shadow += image.opacity[i] > 10 && image.opacity[i] < 200 && image.rgb[3 * i] < 8;
   EXPECT_GT(shadow, 100) << "the ground is there as its shadow";
+}
+
+/// Pixels of skin, all about them skin as well, that are darker than the mean of two across from each other
+/// by more than a round limb's shade can be.
+int dashes(const render::Image& image) {
+  constexpr int kAround = 3, kDarker = 6;
+  const auto skin = [&](int x, int y) { return at(image, x, y).r > at(image, x, y).b + 8; };
+  int found = 0;
+  for (int y = kAround; y < image.height - kAround; ++y) {
+    for (int x = kAround; x < image.width - kAround; ++x) {
+      bool within = true;
+      for (int dy = -kAround; dy <= kAround && within; dy += kAround)
+        for (int dx = -kAround; dx <= kAround && within; dx += kAround) within = skin(x + dx, y + dy);
+      if (!within) continue;
+      const int mean = (at(image, x, y - kAround).r + at(image, x, y + kAround).r) / 2;
+      found += at(image, x, y).r < mean - kDarker;
+    }
+  }
+  return found;
+}
+
+// A facet's own depth once put what its smooth shade calls lit into its neighbour's shadow.
+TEST(Still, OfAMannequinShowsNoShadowOfItsFacets) {
+  mannequin::MannequinSettings settings;
+  settings.triangle_count = 3300;
+  const auto made = mannequin::make_mannequin(settings);
+  ASSERT_TRUE(made.ok());
+  render::Scene scene;
+  scene.bodies = {{&made->mesh}};
+  int found = 0;
+  for (const render::View view : {render::View::kFront, render::View::kThreeQuarter}) {
+    found += dashes(still(scene, view, {480, 600, 4}));
+  }
+  EXPECT_LT(found, 150) << "they were 683";
 }
 
 TEST(Still, RefusesWhatItCannotDraw) {
