@@ -20,7 +20,8 @@ install_web_packages() {
 }
 
 web_is_built() {
-  local sources=(web/src web/public web/index.html web/package-lock.json web/tsconfig.json web/vite.config.ts proto/ts samples)
+  local sources=(web/src web/public web/index.html web/package-lock.json web/tsconfig.json web/vite.config.ts proto/ts samples
+    server/render/glsl/seams.glsl)
   [ -f web/dist/index.html ] && [ -z "$(find "${sources[@]}" -newer web/dist/index.html -print -quit)" ]
 }
 

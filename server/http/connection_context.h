@@ -5,12 +5,12 @@
 #include <boost/asio/thread_pool.hpp>
 
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
 #include <string>
 
 #include "core/base/log.h"
 #include "server/accounts/gate.h"
+#include "server/http/body_budget.h"
 #include "server/http/connections.h"
 #include "server/http/fair_pool.h"
 #include "server/http/guard.h"
@@ -21,24 +21,6 @@
 #include "server/ws/session.h"
 
 namespace toile::http {
-
-/// Bytes of bodies in memory. Thread-safe.
-class BodyBudget {
- public:
-  explicit BodyBudget(std::size_t most) : most_(most) {}
-  bool take(std::size_t bytes) {
-    std::size_t had = taken_.load();
-    do {
-      if (bytes > most_ - had) return false;
-    } while (!taken_.compare_exchange_weak(had, had + bytes));
-    return true;
-  }
-  void give_back(std::size_t bytes) { taken_ -= bytes; }
-
- private:
-  const std::size_t most_;
-  std::atomic<std::size_t> taken_{0};
-};
 
 /// Threads for each kind of work.
 class WorkPools {

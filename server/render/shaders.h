@@ -1,5 +1,6 @@
 #pragma once
-// GLSL 3.30 sources. A program is kShaderVersion + what it uses, in order.
+// GLSL 3.30 sources: the files of glsl/ by their names (cmake/toile_shaders.cmake). A program is kVersion +
+// what it uses, in order.
 
 namespace toile::render::shaders {
 
@@ -12,6 +13,7 @@ extern const char* const kDepthFragment;
 extern const char* const kSky;            ///< soft light that reaches a vertex; goes before vertex shaders
 extern const char* const kStudio;         ///< key shadow, backdrop, tone; goes before fragment shaders
 extern const char* const kSeams;          ///< seams, hems, stitches; goes before the cloth's fragment shader
+extern const char* const kOpenSeams;      ///< those that did not close; goes behind kSeams
 extern const char* const kSurfaceVertex;  ///< with "#define CLOTH 1" or 0 before it
 extern const char* const kSurfaceFragment;
 extern const char* const kGroundVertex;

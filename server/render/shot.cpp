@@ -17,87 +17,8 @@ constexpr float kSkyBlur = 5;         // texels of a sky map, on the ground
 constexpr float kBodySink = 0.002f;   // m; more than a coarse skin bulges through the cloth upon it
 constexpr GLint kKeyUnit = 0, kSkyUnit = 1, kPictureUnit = 2, kWeaveUnit = 3;
 
-void attribute(const GlFunctions& gl, GLuint location, int size, std::size_t stride, std::size_t offset) {
-  gl.EnableVertexAttribArray(location);
-  gl.VertexAttribPointer(location, size, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
-                         // NOLINTNEXTLINE(performance-no-int-to-ptr): so OpenGL takes an offset
-                         reinterpret_cast<const void*>(offset));
-}
-
-template <typename T>
-void fill_buffer(GlScope& scope, GLenum target, const std::vector<T>& data) {
-  scope.gl().BindBuffer(target, scope.buffer());
-  scope.gl().BufferData(target, static_cast<GLsizeiptr>(data.size() * sizeof(T)), data.data(),
-                        GL_STATIC_DRAW);
-}
-
-DrawnSurface upload_cloth(GlScope& scope, const ClothSurface& cloth) {
-  const GlFunctions& gl = scope.gl();
-  DrawnSurface surface{scope.vertex_array(), static_cast<GLsizei>(3 * cloth.triangles.size()), {}};
-  gl.BindVertexArray(surface.vertex_array);
-  fill_buffer(scope, GL_ARRAY_BUFFER, cloth.vertices);
-  fill_buffer(scope, GL_ELEMENT_ARRAY_BUFFER, cloth.triangles);
-  constexpr std::size_t kLines = offsetof(ClothVertex, lines);
-  attribute(gl, 0, 3, sizeof(ClothVertex), offsetof(ClothVertex, position));
-  attribute(gl, 1, 3, sizeof(ClothVertex), offsetof(ClothVertex, normal));
-  attribute(gl, 2, 3, sizeof(ClothVertex), offsetof(ClothVertex, colour));
-  attribute(gl, 3, 2, sizeof(ClothVertex), offsetof(ClothVertex, rest));
-  attribute(gl, 4, 4, sizeof(ClothVertex), kLines + offsetof(VertexLines, distance));
-  attribute(gl, 5, 4, sizeof(ClothVertex), kLines + offsetof(VertexLines, along));
-  attribute(gl, 6, 4, sizeof(ClothVertex), kLines + offsetof(VertexLines, kind));
-  attribute(gl, 7, 3, sizeof(ClothVertex), offsetof(ClothVertex, make));
-  attribute(gl, 8, 2, sizeof(ClothVertex), offsetof(ClothVertex, picture_at));
-  return surface;
-}
-
-DrawnSurface upload_indexed(GlScope& scope, const std::vector<BodyVertex>& vertices,
-                            const std::vector<Tri>& triangles, LinearRgb colour) {
-  const GlFunctions& gl = scope.gl();
-  DrawnSurface surface{scope.vertex_array(), static_cast<GLsizei>(triangles.size() * 3), colour};
-  gl.BindVertexArray(surface.vertex_array);
-  fill_buffer(scope, GL_ARRAY_BUFFER, vertices);
-  fill_buffer(scope, GL_ELEMENT_ARRAY_BUFFER, triangles);
-  attribute(gl, 0, 3, sizeof(BodyVertex), offsetof(BodyVertex, position));
-  attribute(gl, 1, 3, sizeof(BodyVertex), offsetof(BodyVertex, normal));
-  return surface;
-}
-
-void draw(const GlFunctions& gl, const DrawnSurface& surface) {
-  if (surface.count == 0) return;
-  gl.BindVertexArray(surface.vertex_array);
-  gl.DrawElements(GL_TRIANGLES, surface.count, GL_UNSIGNED_INT, nullptr);
-}
-
 void set(const GlFunctions& gl, GLint location, Vec3 v) {
   gl.Uniform3f(location, static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z));
-}
-
-/// An empty depth texture that compares when read; outside it nothing casts shadows.
-GLuint depth_map(GlScope& scope, int side) {
-  const GlFunctions& gl = scope.gl();
-  const GLuint map = scope.texture();
-  gl.BindTexture(GL_TEXTURE_2D, map);
-  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, side, side, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
-                nullptr);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
-  return map;
-}
-
-/// A framebuffer that draws depth only, into `map`.
-void bind_depth_target(GlScope& scope, GLuint map) {
-  const GlFunctions& gl = scope.gl();
-  gl.BindFramebuffer(GL_FRAMEBUFFER, scope.framebuffer());
-  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, map, 0);
-  gl.DrawBuffer(GL_NONE);
-  gl.ReadBuffer(GL_NONE);
-  gl.Enable(GL_DEPTH_TEST);
-  gl.DepthFunc(GL_LESS);
-  gl.Clear(GL_DEPTH_BUFFER_BIT);
 }
 
 Error failed() {
@@ -105,24 +26,6 @@ Error failed() {
 }
 
 }  // namespace
-
-Result<Programs> Programs::link(const GlFunctions& gl) {
-  namespace s = shaders;
-  constexpr const char* kCloth = "#define CLOTH 1\n";
-  constexpr const char* kBody = "#define CLOTH 0\n";
-  GlProgram depth =
-      TRY(GlProgram::link(gl, {s::kVersion, s::kDepthVertex}, {s::kVersion, s::kDepthFragment}));
-  GlProgram cloth = TRY(GlProgram::link(gl, {s::kVersion, kCloth, s::kSky, s::kSurfaceVertex},
-                                        {s::kVersion, kCloth, s::kStudio, s::kSeams, s::kSurfaceFragment}));
-  GlProgram body = TRY(GlProgram::link(gl, {s::kVersion, kBody, s::kSky, s::kSurfaceVertex},
-                                       {s::kVersion, kBody, s::kStudio, s::kSurfaceFragment}));
-  GlProgram ground = TRY(GlProgram::link(gl, {s::kVersion, s::kSky, s::kGroundVertex},
-                                         {s::kVersion, s::kStudio, s::kGroundFragment}));
-  GlProgram backdrop = TRY(GlProgram::link(gl, {s::kVersion, s::kBackdropVertex},
-                                           {s::kVersion, s::kStudio, s::kBackdropFragment}));
-  return Programs{std::move(depth), std::move(cloth), std::move(body), std::move(ground),
-                  std::move(backdrop)};
-}
 
 Shot::Shot(const GlFunctions& gl, const Programs& programs, const Scene& scene, const Camera& camera)
     : gl_(gl),

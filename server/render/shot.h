@@ -8,26 +8,13 @@
 #include "core/base/result.h"
 #include "server/render/camera.h"
 #include "server/render/gl/objects.h"
+#include "server/render/programs.h"
 #include "server/render/scene.h"
 #include "server/render/studio.h"
 #include "server/render/surface_vertices.h"
+#include "server/render/surfaces.h"
 
 namespace toile::render {
-
-/// Shader programs, kept from one picture to the next.
-struct Programs {
-  GlProgram depth, cloth, body, ground, backdrop;
-  std::vector<GLuint> weaves{};  // a texture for each Structure; whoever made them deletes them
-  /// Error: "render.shader".
-  static Result<Programs> link(const GlFunctions& gl);
-};
-
-/// A vertex array on the graphics side.
-struct DrawnSurface {
-  GLuint vertex_array = 0;
-  GLsizei count = 0;   // indices
-  LinearRgb colour{};  // of a body
-};
 
 /// One picture of a scene, drawn when it is taken. The context must be current as long as it lives.
 class Shot {

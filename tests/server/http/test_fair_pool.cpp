@@ -12,7 +12,8 @@
 namespace toile {
 namespace {
 
-/// One thread, which is held until the test has said what is to wait.
+/// One thread, which is held until the test has said what is to wait. The thread holds before the test
+/// begins: what it has not taken yet would wait beside what the test posts, and it could take that first.
 class FairPoolTest : public testing::Test {
  protected:
   ~FairPoolTest() override {
@@ -20,7 +21,11 @@ class FairPoolTest : public testing::Test {
     pool.join();
   }
   void SetUp() override {
-    ASSERT_TRUE(pool.post("first", [this] { gate.get_future().wait(); }));
+    ASSERT_TRUE(pool.post("first", [this] {
+      held.set_value();
+      gate.get_future().wait();
+    }));
+    held.get_future().wait();
   }
   void go() {
     if (!std::exchange(gone, true)) gate.set_value();
@@ -32,7 +37,7 @@ class FairPoolTest : public testing::Test {
     });
   }
 
-  std::promise<void> gate;
+  std::promise<void> held, gate;
   bool gone = false;
   std::string done;
   http::FairPool pool{1, 100};

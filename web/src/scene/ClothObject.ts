@@ -1,4 +1,4 @@
-// The cloth in the scene: one mesh over all pieces, its seams, the threads that pull them together, and what is selected.
+// The cloth in the scene: one mesh over all pieces, as it looks or coloured by a map, with lines upon it (ClothLines).
 
 import {
   BufferAttribute,
@@ -7,12 +7,8 @@ import {
   DoubleSide,
   DynamicDrawUsage,
   Group,
-  LineBasicMaterial,
-  LineSegments,
   Mesh,
   MeshStandardMaterial,
-  Points,
-  PointsMaterial,
   type Intersection,
   type Material,
 } from 'three';
@@ -21,24 +17,13 @@ import { bandOf, kBands, type ClothMap } from '../state/clothMaps';
 import type { SeamPart } from '../state/seamView';
 import { fillRepeats, type Look } from '../state/texture';
 import { kPlainFinish, type Finish } from '../state/fabrics';
+import { ClothLines } from './ClothLines';
 import { ClothMaterials } from './ClothMaterials';
 import { PrintMaterials } from './PrintMaterials';
-import {
-  byMaterial,
-  rimEdges,
-  seamEdges,
-  shareNormals,
-  verticesAlong,
-  vertexNormals,
-  weldGroups,
-  widestGap,
-  type WeldGroups,
-} from './surface';
+import { byMaterial, shareNormals, vertexNormals, weldGroups, widestGap, type WeldGroups } from './surface';
 import { seamLines, type SeamLines } from './seamLines';
 import { kTileMetres } from './weave';
 
-/** Sewn pairs further apart than this still have their threads drawn, m. */
-const kThreadGap = 0.0015;
 /** m; seams of thicker cloth are stitched down, this far beside them. */
 const kStitchedDown = 0.00065;
 const kBeside = 0.005;
@@ -61,35 +46,22 @@ export class ClothObject {
   private topology_: ClothTopology | null = null;
   private welds_: WeldGroups | null = null;
   private geometry_ = new BufferGeometry();
-  private lines_: BufferGeometry[] = [];
-  private rimOfPiece_: LineSegments | null = null;
-  private wires_: LineSegments | null = null;
-  private seams_: LineSegments | null = null;
   private seamLines_: SeamLines | null = null;
-  private threads_: LineSegments | null = null;
-  private litSeam_: Points | null = null;
   private readonly cloths_ = new ClothMaterials();
   private finishes_: ReadonlyMap<string, Finish> = new Map();
-  /** Upon maps; cloth has its seams as ridges. */
-  private readonly seamMaterial_ = new LineBasicMaterial({ color: 0x585858, vertexColors: true, transparent: true, opacity: 0.45 });
-  private readonly wireMaterial_ = new LineBasicMaterial({ color: 0x000000, transparent: true, opacity: 0.22 });
-  private readonly threadMaterial_: LineBasicMaterial;
-  private readonly rimMaterial_: LineBasicMaterial;
-  private readonly litMaterial_: PointsMaterial;
   private mesh_: Mesh | null = null;
   private selected_: string | null = null;
   private hovered_: string | null = null;
-  private wiresShown_ = false;
   private map_: ClothMap | null = null;
   private readonly mapMaterial_ = new MeshStandardMaterial({ side: DoubleSide, vertexColors: true, roughness: 1 });
   private looks_: ReadonlyMap<string, Look> = new Map();
   private readonly prints_: PrintMaterials;
+  private readonly lines_: ClothLines;
+  private litParts_: readonly SeamPart[] = [];
 
   constructor(private readonly colours_: ClothColours) {
-    this.threadMaterial_ = new LineBasicMaterial({ color: colours_.thread, transparent: true, opacity: 0.9 });
     this.prints_ = new PrintMaterials(this.cloths_);
-    this.rimMaterial_ = new LineBasicMaterial({ color: colours_.selected, depthTest: false, transparent: true });
-    this.litMaterial_ = new PointsMaterial({ color: colours_.selected, size: 6, sizeAttenuation: false, depthTest: false });
+    this.lines_ = new ClothLines(this.group, colours_.thread, colours_.selected);
     this.addStandIn();
   }
 
@@ -101,20 +73,11 @@ export class ClothObject {
     this.clear();
     this.topology_ = topology;
     if (!topology) return;
-    const { vertexCount, triangles, sewn } = topology;
-    this.welds_ = weldGroups(sewn, vertexCount);
+    this.welds_ = weldGroups(topology.sewn, topology.vertexCount);
     this.addSurface(topology);
-    const rim = rimEdges(triangles, vertexCount);
-    this.seams_ = this.addLines(seamEdges(rim, sewn), this.seamMaterial_, 1);
-    this.seams_.visible = this.map_ !== null;
-    this.threads_ = this.addLines(sewn, this.threadMaterial_, 2);
-    this.wires_ = this.addLines(allEdges(triangles, vertexCount), this.wireMaterial_, 1);
-    this.rimOfPiece_ = this.addLines(new Uint32Array(0), this.rimMaterial_, 3);
-    this.rim_ = rim;
-    this.litSeam_ = this.addLitSeam();
+    this.lines_.set(topology, this.geometry_);
     this.group.visible = false; // until the first positions are there
     this.paint();
-    this.showWires(this.wiresShown_);
   }
 
   /** Shows these positions; they are copied into the one buffer that all parts draw from. */
@@ -129,7 +92,7 @@ export class ClothObject {
     normal.needsUpdate = true;
     this.geometry_.boundingSphere = null;
     this.gap = widestGap(positions, this.topology_.sewn);
-    if (this.threads_) this.threads_.visible = this.gap > kThreadGap;
+    this.lines_.setGap(this.gap);
     this.group.visible = true;
   }
 
@@ -165,7 +128,7 @@ export class ClothObject {
     const turned = (map === null) !== (this.map_ === null);
     this.map_ = map;
     if (turned) this.dress();
-    if (this.seams_) this.seams_.visible = map !== null;
+    this.lines_.showSeams(map !== null);
     this.paint();
   }
 
@@ -177,12 +140,12 @@ export class ClothObject {
   /** Draws the vertices along a seam's sides as a dotted line, over everything. */
   lightSeam(parts: readonly SeamPart[]): void {
     this.litParts_ = parts;
-    this.outlineSeam();
+    this.lines_.outlineSeam(parts);
   }
 
   /** In this colour, or in the usual one. */
   colourThreads(colour: Color | null): void {
-    this.threadMaterial_.color.copy(colour ?? this.colours_.thread);
+    this.lines_.colourThreads(colour);
   }
 
   /** Whether its threads are drawn. */
@@ -191,8 +154,7 @@ export class ClothObject {
   }
 
   showWires(shown: boolean): void {
-    this.wiresShown_ = shown;
-    if (this.wires_) this.wires_.visible = shown;
+    this.lines_.showWires(shown);
   }
 
   get mesh(): Mesh | null {
@@ -213,32 +175,16 @@ export class ClothObject {
     this.clear();
     this.cloths_.dispose();
     this.prints_.dispose();
-    for (const material of [
-      this.mapMaterial_,
-      this.seamMaterial_,
-      this.wireMaterial_,
-      this.threadMaterial_,
-      this.rimMaterial_,
-      this.litMaterial_,
-    ])
-      material.dispose();
+    this.lines_.dispose();
+    this.mapMaterial_.dispose();
   }
-
-  private rim_: Uint32Array = new Uint32Array(0);
-  private litParts_: readonly SeamPart[] = [];
 
   private clear(): void {
     this.group.clear();
     this.geometry_.dispose();
-    for (const lines of this.lines_) lines.dispose();
-    this.lines_ = [];
+    this.lines_.clear();
     this.geometry_ = new BufferGeometry();
     this.mesh_ = null;
-    this.threads_ = null;
-    this.wires_ = null;
-    this.rimOfPiece_ = null;
-    this.litSeam_ = null;
-    this.seams_ = null;
     this.seamLines_ = null;
     this.group.visible = false;
   }
@@ -260,8 +206,7 @@ export class ClothObject {
     const surface = new Mesh(this.geometry_, this.cloths_.of());
     surface.castShadow = true;
     surface.receiveShadow = true;
-    const lines = new LineSegments(this.geometry_, this.seamMaterial_);
-    this.group.add(surface, lines);
+    this.group.add(surface, this.lines_.standIn(this.geometry_));
   }
 
   /** Gives each piece its weave or its picture: triangles in groups by their material. */
@@ -326,36 +271,6 @@ export class ClothObject {
     this.group.add(this.mesh_);
   }
 
-  private addLines(index: Uint32Array, material: LineBasicMaterial, order: number): LineSegments {
-    const geometry = new BufferGeometry();
-    geometry.setAttribute('position', this.geometry_.getAttribute('position'));
-    geometry.setIndex(new BufferAttribute(index, 1));
-    this.lines_.push(geometry);
-    const lines = new LineSegments(geometry, material);
-    lines.renderOrder = order;
-    lines.frustumCulled = false;
-    this.group.add(lines);
-    return lines;
-  }
-
-  private addLitSeam(): Points {
-    const geometry = new BufferGeometry();
-    geometry.setAttribute('position', this.geometry_.getAttribute('position'));
-    this.lines_.push(geometry);
-    const points = new Points(geometry, this.litMaterial_);
-    points.renderOrder = 4;
-    points.frustumCulled = false;
-    this.group.add(points);
-    return points;
-  }
-
-  private outlineSeam(): void {
-    if (!this.litSeam_ || !this.topology_) return;
-    const vertices = verticesAlong(this.litParts_, this.topology_, this.rim_);
-    this.litSeam_.geometry.setIndex(new BufferAttribute(new Uint32Array(vertices), 1));
-    this.litSeam_.visible = vertices.length > 0;
-  }
-
   private paint(): void {
     if (!this.topology_) return;
     const attribute = this.geometry_.getAttribute('color') as BufferAttribute;
@@ -371,8 +286,8 @@ export class ClothObject {
       for (let v = 0; v < piece.vertexCount; ++v) attribute.setXYZ(piece.firstVertex + v, colour.r, colour.g, colour.b);
     }
     attribute.needsUpdate = true;
-    this.outlineSelected();
-    this.outlineSeam();
+    this.lines_.outlinePiece(this.topology_.pieces.find((piece) => piece.id === this.selected_));
+    this.lines_.outlineSeam(this.litParts_);
   }
 
   private paintMap(map: ClothMap, { firstVertex, vertexCount }: TopologyPiece, attribute: BufferAttribute): void {
@@ -382,29 +297,4 @@ export class ClothObject {
       attribute.setXYZ(v, r, g, b);
     }
   }
-
-  private outlineSelected(): void {
-    const piece = this.topology_?.pieces.find((candidate) => candidate.id === this.selected_);
-    const inside = (v: number): boolean =>
-      !!piece && v >= piece.firstVertex && v < piece.firstVertex + piece.vertexCount;
-    const edges: number[] = [];
-    for (let i = 0; i < this.rim_.length; i += 2)
-      if (inside(this.rim_[i]!)) edges.push(this.rim_[i]!, this.rim_[i + 1]!);
-    if (!this.rimOfPiece_) return;
-    this.rimOfPiece_.geometry.setIndex(new BufferAttribute(new Uint32Array(edges), 1));
-    this.rimOfPiece_.visible = edges.length > 0;
-  }
-}
-
-/** Every edge of the mesh once. */
-function allEdges(triangles: Uint32Array, vertexCount: number): Uint32Array {
-  const edges = new Map<number, [number, number]>();
-  for (let t = 0; t < triangles.length; t += 3) {
-    for (let k = 0; k < 3; ++k) {
-      const a = triangles[t + k]!;
-      const b = triangles[t + ((k + 1) % 3)]!;
-      edges.set(Math.min(a, b) * vertexCount + Math.max(a, b), [a, b]);
-    }
-  }
-  return new Uint32Array([...edges.values()].flat());
 }

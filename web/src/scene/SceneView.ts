@@ -1,19 +1,7 @@
-// The 3D view: renderer, camera, and when to draw. It draws only when something has changed: a frame, the camera, the
+// The 3D view: what stands in it, and when to draw. It draws only when something has changed: a frame, the camera, the
 // selection, the size. Loaded by itself, because three.js comes with it.
 
-import {
-  Color,
-  CustomToneMapping,
-  PCFShadowMap,
-  PerspectiveCamera,
-  Scene,
-  ShaderChunk,
-  SRGBColorSpace,
-  Vector3,
-  VSMShadowMap,
-  WebGLRenderer,
-} from 'three';
-import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
+import { Color, Scene, type WebGLRenderer } from 'three';
 import type { BodyMesh } from '../api/body';
 import type { View } from '../state/AppState';
 import type { LiveCloth } from '../state/LiveCloth';
@@ -28,34 +16,20 @@ import type { SceneTool } from '../tools/SceneTool';
 import { BodyMarks } from './BodyMarks';
 import { BodyObject } from './BodyObject';
 import { ClothObject } from './ClothObject';
-import { boundsOf, closeUp, eased, footprints, poseFor, union, type Bounds, type Pose, type Vec3 } from './framing';
+import { DrawPace } from './DrawPace';
+import { boundsOf, closeUp, footprints, kBodyOnly, kFov, poseFor, poseOf, type Bounds, type Pose } from './framing';
 import { PointerRay } from './PointerRay';
+import { finestRatio, hasGraphicsCard, makeRenderer } from './renderer';
+import { SceneCamera } from './SceneCamera';
 import { SceneHands } from './SceneHands';
 import { Studio, type StudioColours } from './Studio';
-
-const kFov = 32;
-/** With it, cloth is as bright as on the stills. */
-const kExposure = 1.18;
-const kTurnMs = 320;
-/** Slower than this, the picture gets coarser; faster, finer again. */
-const kSlowMs = 50;
-const kFastMs = 24;
-const kCoarsest = 0.6;
-/** What is asked for later than this after a picture was not waited for: nothing had changed. */
-const kPauseMs = 120;
-/** One picture tells no more than this of the pace. */
-const kLongestMs = 600;
-const kRestMs = 250;
-/** A body alone is framed whole; cloth with this much more room around it, m. */
-const kBodyOnly: Bounds = { low: [-0.5, 0, -0.3], high: [0.5, 1.75, 0.3] };
 
 export class SceneView {
   private readonly renderer_: WebGLRenderer;
   /** Drawn by the processor: coarser while it moves, and smoothed by more pixels instead of samples when it rests. */
   private readonly slow_: boolean;
   private readonly scene_ = new Scene();
-  private readonly camera_ = new PerspectiveCamera(kFov, 1, 0.05, 40);
-  private readonly controls_: OrbitControls;
+  private readonly camera_: SceneCamera;
   private readonly hands_: SceneHands;
   private readonly studio_: Studio;
   private readonly cloth_: ClothObject;
@@ -68,22 +42,12 @@ export class SceneView {
   private bodyBounds_: Bounds | null = null;
   private view_: View = 'three-quarter';
   private framed_ = false;
-  private turn_: { from: Pose; to: Pose; start: number } | null = null;
-  /** Told of every turn that a person makes here. */
-  private onTurn_: ((pose: Pose) => void) | null = null;
-  private following_ = false;
   private stale_ = true;
   private newFrame_ = false;
   /** Positions have come into the scene since the last picture. */
   private caughtUp_ = false;
   private request_ = 0;
-  private lastDraw_ = 0;
-  /** When the next picture was asked for. */
-  private asked_ = 0;
-  /** ms from picture to picture, a running mean. */
-  private pace_ = 16;
-  /** Share of the screen's own resolution. */
-  private sharpness_ = 1;
+  private readonly pace_ = new DrawPace();
   private rest_: ReturnType<typeof setTimeout> | undefined;
 
   constructor(
@@ -96,19 +60,7 @@ export class SceneView {
   ) {
     this.slow_ = !hasGraphicsCard();
     this.studio_ = new Studio(this.slow_);
-    this.renderer_ = new WebGLRenderer({
-      canvas: canvas_,
-      antialias: !this.slow_,
-      alpha: true,
-      powerPreference: 'high-performance',
-    });
-    this.renderer_.toneMappingExposure = kExposure;
-    this.renderer_.outputColorSpace = SRGBColorSpace;
-    developAsStills();
-    this.renderer_.toneMapping = CustomToneMapping;
-    this.renderer_.shadowMap.enabled = true;
-    // The soft one costs the processor two thirds of its frames.
-    this.renderer_.shadowMap.type = this.slow_ ? PCFShadowMap : VSMShadowMap;
+    this.renderer_ = makeRenderer(canvas_, this.slow_);
     this.cloth_ = new ClothObject({
       thread: new Color(accent),
       selected: new Color(accent),
@@ -116,22 +68,22 @@ export class SceneView {
     });
     this.body_ = new BodyObject(0xcfc8bf);
     this.scene_.add(this.studio_.group, this.body_.mesh, this.cloth_.group, this.marks_.group);
-    this.controls_ = this.makeControls();
-    this.applyPose(poseFor('three-quarter', kBodyOnly, kFov, 1));
-    this.renderer_.compile(this.scene_, this.camera_);
+    this.camera_ = new SceneCamera(canvas_, () => this.invalidate());
+    this.camera_.apply(poseFor('three-quarter', kBodyOnly, kFov, 1));
+    this.renderer_.compile(this.scene_, this.camera_.camera);
     this.resizer_ = new ResizeObserver(() => this.resize());
     this.resizer_.observe(canvas_.parentElement ?? canvas_);
     this.stopListening_ = live_.listen((event) => this.take(event));
     this.takeAll();
     const touchable = {
-      camera: this.camera_,
-      controls: this.controls_,
+      camera: this.camera_.camera,
+      controls: this.camera_.controls,
       cloth: this.cloth_,
       body: this.body_,
       marks: this.marks_,
     };
     const ray = new PointerRay(canvas_, touchable);
-    this.hands_ = new SceneHands(canvas_, ray, this.controls_, hand, () => this.invalidate());
+    this.hands_ = new SceneHands(canvas_, ray, this.camera_.controls, hand, () => this.invalidate());
     this.resize();
   }
 
@@ -139,7 +91,7 @@ export class SceneView {
     this.body_.set(body);
     this.bodyBounds_ = body ? boundsOf(body.positions) : null;
     this.studio_.standOn(body ? footprints(body.positions) : []);
-    if (body && !this.framed_ && !this.cloth_.positions) this.applyPose(this.pose());
+    if (body && !this.framed_ && !this.cloth_.positions) this.camera_.apply(this.pose());
     this.invalidate();
   }
 
@@ -173,9 +125,7 @@ export class SceneView {
     this.invalidate();
     if (!finding) return;
     const middle = this.bodyBounds_ ?? kBodyOnly;
-    const to = closeUp(finding.place, middle, this.currentPose());
-    if (still) return this.applyPose(to);
-    this.turn_ = { from: this.currentPose(), to, start: performance.now() };
+    this.camera_.turnTo(closeUp(finding.place, middle, this.camera_.pose), still);
   }
 
   setLooks(looks: ReadonlyMap<string, Look>): void {
@@ -225,36 +175,23 @@ export class SceneView {
   look(view: View, still = false): void {
     this.view_ = view;
     this.catchUp(); // what came with the wish, as pieces arranged anew, is what is to be seen
-    const to = this.pose();
-    if (still) return this.applyPose(to);
-    this.turn_ = { from: this.currentPose(), to, start: performance.now() };
-    this.invalidate();
+    this.camera_.turnTo(this.pose(), still);
   }
 
   /** Tells of every pose that the camera takes but those it follows: so two views share one. */
   listenToTurns(turned: (pose: Pose) => void): void {
-    this.onTurn_ = turned;
+    this.camera_.listenToTurns(turned);
   }
 
   /** Takes another view's pose. */
   follow(pose: Pose): void {
-    this.turn_ = null;
     this.framed_ = true;
-    this.following_ = true;
-    this.applyPose(pose);
-    this.following_ = false;
+    this.camera_.follow(pose);
   }
 
   /** Keyboard's way round: turns by degrees about the upright and the level axis, and steps nearer or away. */
   nudge(heading: number, height: number, zoom: number): void {
-    this.turn_ = null;
-    const target = this.controls_.target;
-    const arm = this.camera_.position.clone().sub(target).multiplyScalar(zoom);
-    const level = new Vector3(arm.z, 0, -arm.x).normalize();
-    arm.applyAxisAngle(new Vector3(0, 1, 0), (heading * Math.PI) / 180).applyAxisAngle(level, (height * Math.PI) / 180);
-    this.camera_.position.copy(target).add(arm);
-    this.controls_.update();
-    this.invalidate();
+    this.camera_.nudge(heading, height, zoom);
   }
 
   dispose(): void {
@@ -262,27 +199,12 @@ export class SceneView {
     clearTimeout(this.rest_);
     this.resizer_.disconnect();
     this.stopListening_();
-    this.controls_.dispose();
+    this.camera_.dispose();
     this.cloth_.dispose();
     this.marks_.dispose();
     this.body_.dispose();
     this.studio_.dispose();
     this.renderer_.dispose();
-  }
-
-  private makeControls(): OrbitControls {
-    const controls = new OrbitControls(this.camera_, this.canvas_);
-    controls.enableDamping = !matchMedia('(prefers-reduced-motion: reduce)').matches;
-    controls.dampingFactor = 0.12;
-    controls.minDistance = 0.15;
-    controls.maxDistance = 12;
-    controls.maxPolarAngle = Math.PI * 0.56;
-    controls.addEventListener('start', () => (this.turn_ = null));
-    controls.addEventListener('change', () => {
-      this.invalidate();
-      if (!this.following_) this.onTurn_?.(this.currentPose());
-    });
-    return controls;
   }
 
   private take(event: 'topology' | 'frame' | 'cleared'): void {
@@ -322,51 +244,45 @@ export class SceneView {
     this.stale_ = true;
     this.canvas_.setAttribute('aria-busy', 'true');
     if (this.request_ !== 0) return;
-    this.asked_ = performance.now();
+    this.pace_.ask(performance.now());
     this.request_ = requestAnimationFrame((now) => this.tick(now));
   }
 
   private tick(now: number): void {
     this.request_ = 0;
-    this.advanceTurn(now);
+    this.camera_.advance(now);
     this.catchUp();
     const fresh = this.caughtUp_;
     this.caughtUp_ = false;
     if (fresh && !this.framed_) {
       this.framed_ = true;
-      this.applyPose(this.pose());
+      this.camera_.apply(this.pose());
     }
-    this.controls_.update();
+    this.camera_.controls.update();
     if (!this.stale_) return this.restSoon();
     this.stale_ = false;
-    this.studio_.face(this.camera_.position, this.controls_.target);
+    this.studio_.face(this.camera_.camera.position, this.camera_.controls.target);
     this.draw(now);
     if (fresh && !this.start_) this.drawn_();
-    if (this.turn_) this.invalidate();
+    if (this.camera_.turning) this.invalidate();
   }
 
   /** While things move on a slow machine the picture is coarser; when they rest it is drawn once more, sharp. */
   private draw(now: number): void {
-    const spent = now - this.lastDraw_;
-    this.lastDraw_ = now;
-    const onGoing = this.asked_ - (now - spent) < kPauseMs;
-    if (onGoing) this.pace_ += 0.2 * (Math.min(spent, kLongestMs) - this.pace_);
-    if (this.pace_ > kSlowMs && onGoing) this.sharpness_ = Math.max(kCoarsest, this.sharpness_ * 0.8);
-    else if (this.pace_ < kFastMs) this.sharpness_ = Math.min(1, this.sharpness_ * 1.05);
-    this.render(finestRatio() * this.sharpness_);
+    this.pace_.draw(now);
+    this.render(finestRatio() * this.pace_.sharpness);
     this.restSoon();
   }
 
   private restSoon(): void {
     clearTimeout(this.rest_);
-    // Between the pictures of a slow machine there is no rest.
-    this.rest_ = setTimeout(() => this.rest(), Math.max(kRestMs, 2 * this.pace_));
+    this.rest_ = setTimeout(() => this.rest(), this.pace_.restsAfter);
   }
 
   /** Nothing has changed for a while: the canvas says so, to whoever wants to look at what stands still. */
   private rest(): void {
     if (this.request_ !== 0) return; // the tick that is to come asks again
-    if (this.slow_ || this.sharpness_ < 1) this.render(this.slow_ ? 1.5 * finestRatio() : finestRatio());
+    if (this.slow_ || this.pace_.sharpness < 1) this.render(this.slow_ ? 1.5 * finestRatio() : finestRatio());
     this.canvas_.setAttribute('aria-busy', 'false');
   }
 
@@ -374,38 +290,13 @@ export class SceneView {
     // Threads cost a slow machine a quarter of its frames: they are drawn when it rests.
     this.cloth_.setFine(!this.slow_ || ratio > finestRatio());
     if (this.renderer_.getPixelRatio() !== ratio) this.renderer_.setPixelRatio(ratio);
-    this.renderer_.render(this.scene_, this.camera_);
+    this.renderer_.render(this.scene_, this.camera_.camera);
   }
 
-  private advanceTurn(now: number): void {
-    if (!this.turn_) return;
-    const { from, to, start } = this.turn_;
-    const t = Math.min(1, Math.max(0, (now - start) / kTurnMs));
-    this.applyPose(blend(from, to, eased(t)));
-    if (t >= 1) this.turn_ = null;
-  }
-
-  /** What a view shows: the cloth, with the body's width around the start so that nothing jumps; else the body. */
   private pose(): Pose {
     const positions = this.cloth_.positions;
     const cloth = positions ? boundsOf(positions) : null;
-    const body = this.bodyBounds_;
-    // Before the drape all of both is shown: the pieces stand around the body.
-    if (this.start_) return poseFor(this.view_, union(cloth, body) ?? kBodyOnly, kFov, this.camera_.aspect);
-    const bounds = cloth ?? body ?? kBodyOnly;
-    const tall = body && cloth && cloth.high[1] - cloth.low[1] > 0.6 * (body.high[1] - body.low[1]);
-    return poseFor(this.view_, tall ? union(bounds, body)! : bounds, kFov, this.camera_.aspect);
-  }
-
-  private currentPose(): Pose {
-    return { eye: this.camera_.position.toArray(), target: this.controls_.target.toArray() };
-  }
-
-  private applyPose({ eye, target }: Pose): void {
-    this.camera_.position.set(...eye);
-    this.controls_.target.set(...target);
-    this.controls_.update();
-    this.invalidate();
+    return poseOf(this.view_, cloth, this.bodyBounds_, this.start_ !== null, this.camera_.camera.aspect);
   }
 
   private resize(): void {
@@ -414,49 +305,7 @@ export class SceneView {
     const height = Math.max(1, box.clientHeight);
     this.renderer_.setSize(width, height, false);
     this.marks_.resize(width, height);
-    this.camera_.aspect = width / height;
-    this.camera_.updateProjectionMatrix();
+    this.camera_.setAspect(width / height);
     this.invalidate();
   }
-}
-
-/** Linear light to display as the stills do it (server/render/shaders.cpp): colours stay what they are, with a soft shoulder. */
-function developAsStills(): void {
-  ShaderChunk.tonemapping_pars_fragment = ShaderChunk.tonemapping_pars_fragment.replace(
-    'vec3 CustomToneMapping( vec3 color ) { return color; }',
-    `vec3 CustomToneMapping( vec3 color ) {
-      vec3 light = toneMappingExposure * color;
-      return min(light, 0.7) + 0.3 * (1.0 - exp(-max(light - 0.7, 0.0) / 0.3));
-    }`,
-  );
-}
-
-/** Pixels of the picture to one of the page, at most. */
-const finestRatio = (): number => Math.min(window.devicePixelRatio, 2);
-
-/** Whether WebGL is more than a stand-in drawn by the processor. */
-function hasGraphicsCard(): boolean {
-  const probe = document.createElement('canvas').getContext('webgl2', { failIfMajorPerformanceCaveat: true });
-  probe?.getExtension('WEBGL_lose_context')?.loseContext();
-  return probe !== null;
-}
-
-/** Between two poses around the target: the eye keeps its distance on the way round. */
-function blend(from: Pose, to: Pose, t: number): Pose {
-  const target = from.target.map((x, k) => x + t * (to.target[k]! - x)) as Vec3;
-  const arm = (pose: Pose): Vector3 => new Vector3(...pose.eye).sub(new Vector3(...pose.target));
-  const a = arm(from);
-  const b = arm(to);
-  const angle = (v: Vector3): number => Math.atan2(v.x, v.z);
-  let turn = angle(b) - angle(a);
-  if (turn > Math.PI) turn -= 2 * Math.PI;
-  if (turn < -Math.PI) turn += 2 * Math.PI;
-  const heading = angle(a) + t * turn;
-  const flat = Math.hypot(a.x, a.z) * (1 - t) + Math.hypot(b.x, b.z) * t;
-  const eye: Vec3 = [
-    target[0] + flat * Math.sin(heading),
-    target[1] + a.y * (1 - t) + b.y * t,
-    target[2] + flat * Math.cos(heading),
-  ];
-  return { eye, target };
 }

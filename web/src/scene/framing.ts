@@ -14,6 +14,11 @@ export interface Pose {
   target: Vec3;
 }
 
+/** Upright field of view, degrees. */
+export const kFov = 32;
+/** A body alone is framed whole; cloth with this much more room around it, m. */
+export const kBodyOnly: Bounds = { low: [-0.5, 0, -0.3], high: [0.5, 1.75, 0.3] };
+
 const kDirections: Record<View, Vec3> = {
   front: [0, 0.08, 1],
   back: [0, 0.08, -1],
@@ -33,7 +38,7 @@ export function boundsOf(positions: Float32Array): Bounds | null {
   return { low, high };
 }
 
-export function union(a: Bounds | null, b: Bounds | null): Bounds | null {
+function union(a: Bounds | null, b: Bounds | null): Bounds | null {
   if (!a || !b) return a ?? b;
   return {
     low: a.low.map((x, k) => Math.min(x, b.low[k]!)) as Vec3,
@@ -54,6 +59,15 @@ export function poseFor(view: View, bounds: Bounds, fov: number, aspect: number)
   const slope = Math.tan((fov * Math.PI) / 360) * (1 - kMargin);
   const away = Math.max(size[1] / 2 / slope, across / 2 / (slope * aspect)) + deep / 2;
   return { eye: target.map((x, k) => x + away * direction[k]!) as Vec3, target };
+}
+
+/** What a view shows: the cloth, with the body's width around the start so that nothing jumps; else the body. Before the
+ *  drape (`starting`) all of both is shown: the pieces stand around the body. */
+export function poseOf(view: View, cloth: Bounds | null, body: Bounds | null, starting: boolean, aspect: number): Pose {
+  if (starting) return poseFor(view, union(cloth, body) ?? kBodyOnly, kFov, aspect);
+  const bounds = cloth ?? body ?? kBodyOnly;
+  const tall = body && cloth && cloth.high[1] - cloth.low[1] > 0.6 * (body.high[1] - body.low[1]);
+  return poseFor(view, tall ? union(bounds, body)! : bounds, kFov, aspect);
 }
 
 /** Metres from the eye to what is looked at closely. */

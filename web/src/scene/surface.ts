@@ -184,3 +184,16 @@ function isOnLine([x, y]: Point, line: readonly Point[]): boolean {
     return Math.hypot(x - ax - t * dx, y - ay - t * dy) < kOnLine;
   });
 }
+
+/** Every edge of the mesh once. */
+export function allEdges(triangles: Uint32Array, vertexCount: number): Uint32Array {
+  const edges = new Map<number, [number, number]>();
+  for (let t = 0; t < triangles.length; t += 3) {
+    for (let k = 0; k < 3; ++k) {
+      const a = triangles[t + k]!;
+      const b = triangles[t + ((k + 1) % 3)]!;
+      edges.set(Math.min(a, b) * vertexCount + Math.max(a, b), [a, b]);
+    }
+  }
+  return new Uint32Array([...edges.values()].flat());
+}

@@ -1,11 +1,7 @@
-#include "server/render/shaders.h"
-
-namespace toile::render::shaders {
-
 // Seams as they are pressed: both layers dip into the line where they meet and swell over their allowances;
 // an edge that is free is turned in and sewn down. Heights are of the right side, m. Everything is averaged
 // over a pixel, so that from afar a fine darker line is left, and from farther nothing.
-const char* const kSeams = R"(
+// The stills and the page draw by this one file; what is here must hold in GLSL 3.30 and in GLSL ES 3.00.
 in vec4 v_line_distance;              // m from the nearest border, four of them
 in vec4 v_line_along;                 // m along it
 in vec4 v_line_kind;                  // 0: a seam, 1: one that did not close, 2: a hem
@@ -20,7 +16,6 @@ struct SeamLook {
   vec3 slope;                         // of the surface, to be taken from its normal
   float shade;                        // 1: none
   float thread;                       // 0 to 1
-  float open;                         // 0 to 1
 };
 
 vec3 thread_of(vec3 cloth) {
@@ -63,12 +58,10 @@ void add_line(int i, float thick, vec3 towards, float a_pixel, float along_pixel
   look.slope += towards * ((seam_height(far, thick) - seam_height(near, thick)) / a_pixel);
   look.shade *= 1.0 - 0.50 * line_share(d, max(0.9 * thick, 0.0004), a_pixel);
   if (v_make.z > 0.0) look.thread = max(look.thread, stitches(d, along, v_make.z, a_pixel, along_pixel));
-  float open = smoothstep(0.5, 1.0, v_line_kind[i]) * (1.0 - smoothstep(0.0012, 0.0020, d - half_pixel));
-  look.open = max(look.open, open);
 }
 
 SeamLook seams(vec3 n, vec3 p) {
-  SeamLook look = SeamLook(vec3(0.0), 1.0, 0.0, 0.0);
+  SeamLook look = SeamLook(vec3(0.0), 1.0, 0.0);
   vec3 across = dFdx(p), down = dFdy(p);
   vec3 r1 = cross(down, n), r2 = cross(n, across);
   float det = dot(across, r1);
@@ -85,6 +78,3 @@ SeamLook seams(vec3 n, vec3 p) {
   }
   return look;
 }
-)";
-
-}  // namespace toile::render::shaders

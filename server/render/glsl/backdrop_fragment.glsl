@@ -1,0 +1,2 @@
+out vec4 pixel;
+void main() { pixel = developed(backdrop(gl_FragCoord.xy)); }
