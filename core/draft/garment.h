@@ -100,6 +100,7 @@ struct Garment {
   std::vector<DraftedCushion> cushions = {};
   std::vector<Solid> solids = {};
   double particle_distance_mm = 15;
+  double max_time_s = 8;  ///< by when it is at rest; what hangs freely takes longest
 };
 
 /// An edge in a seam: piece and edge by their names. `reversed`: run against the outline's direction.

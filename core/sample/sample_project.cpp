@@ -145,6 +145,7 @@ Result<SampleProject> sample_project(const draft::Garment& garment,
   }
   take_notions(garment, out.project);
   out.project.settings.particle_distance_mm = garment.particle_distance_mm;
+  out.project.settings.max_time_s = garment.max_time_s;
   return out;
 }
 

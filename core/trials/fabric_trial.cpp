@@ -39,6 +39,10 @@ Result<FabricTrial> try_fabric(const material::Fabric& fabric, int drapes, doubl
   out.bias = cantilever(fabric, {half, half}, fabric.bend_bias);
   out.pull_warp = tension(fabric, true);
   out.pull_weft = tension(fabric, false);
+  out.shear = shear(fabric);
+  out.tube_warp = tube(fabric, true);
+  out.tube_weft = tube(fabric, false);
+  out.slide = slide(fabric);
   RunContext quiet;
   quiet.cancel = context.cancel;
   for (int i = 0; i < drapes; ++i) {

@@ -9,13 +9,19 @@
 #include "core/fabric/card.h"
 #include "core/trials/cantilever.h"
 #include "core/trials/cusick.h"
+#include "core/trials/shear.h"
+#include "core/trials/slide.h"
 #include "core/trials/tension.h"
+#include "core/trials/tube.h"
 
 namespace toile::trials {
 
 struct FabricTrial {
   CantileverResult warp, weft, bias;
   TensionResult pull_warp, pull_weft;
+  ShearResult shear;
+  TubeResult tube_warp, tube_weft;  ///< warp or weft around
+  SlideResult slide;
   std::vector<CusickDrape> drapes;
   double particle_distance = 0;  ///< m, of the drapes
 

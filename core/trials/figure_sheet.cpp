@@ -1,8 +1,9 @@
-// The figure sheet: plain SVG, 900 by 560.
+// The figure sheet: plain SVG, 1000 by 620.
 
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "core/base/text.h"
 #include "core/base/units.h"
@@ -53,7 +54,7 @@ std::string shadow_picture(const Shadow& shadow) {
 
 /// Tension over strain, both axes from 0 to the larger curve's end.
 std::string stretch_picture(const fabric::FabricCard& card) {
-  const double left = 440, bottom = 520, width = 380, height = 170;
+  const double left = 440, bottom = 580, width = 420, height = 170;
   double strain = 0, tension = 0;
   for (const fabric::StretchCurve* curve : {&card.stretch_warp, &card.stretch_weft}) {
     strain = std::max(strain, curve->back().strain_percent);
@@ -78,50 +79,73 @@ std::string stretch_picture(const fabric::FabricCard& card) {
 
 std::string cantilever_line(const char* way, const CantileverResult& result) {
   return std::string("bending length, ") + way + ": " + number(mm_from_metres(result.measured)) +
-         " mm, known " + number(mm_from_metres(result.known)) + " mm (chord " + number(result.angle) +
-         "°, 41.5° is right)";
+         " mm, known " + number(mm_from_metres(result.known)) + " mm (chord " + number(result.angle) + "°)";
 }
 
-std::string tension_line(const char* way, const TensionResult& result) {
-  return std::string("tension per strain, ") + way + ": " + number(result.measured, 0) + " N/m, known " +
-         number(result.known, 0) + " N/m";
+/// Of a test whose result has a measured and a known figure.
+template <typename Test>
+std::string test_line(const std::string& what, const Test& result, const char* unit, int digits) {
+  return what + ": " + number(result.measured, digits) + unit + ", known " + number(result.known, digits) +
+         unit;
 }
 
-std::string drape_lines(const fabric::FabricCard& card, const FabricTrial& trial) {
-  const double percent = 100 * trial.coefficient();
-  std::string band;
+std::string drape_line(const fabric::FabricCard& card, const FabricTrial& trial) {
+  std::string out = "drape coefficient: " + number(100 * trial.coefficient()) + " %, spread " +
+                    number(100 * trial.spread());
   if (card.drape_least_percent && card.drape_most_percent)
-    band = "; published " + number(*card.drape_least_percent, 0) + " to " +
+    out += "; published " + number(*card.drape_least_percent, 0) + " to " +
            number(*card.drape_most_percent, 0) + " %";
-  return text_at(
-             440, 222,
-             "drape coefficient: " + number(percent) + " %, spread " + number(100 * trial.spread()) + band) +
-         text_at(440, 242,
-                 "folds: " + number(trial.nodes()) + "; " + std::to_string(trial.drapes.size()) +
-                     " drapes, triangles of " + number(mm_from_metres(trial.particle_distance)) + " mm");
+  return out;
+}
+
+/// Heads of tests with what each gave, from the top.
+std::string figures(const fabric::FabricCard& card, const FabricTrial& trial) {
+  struct Group {
+    const char* head;
+    std::vector<std::string> lines;
+  };
+  const Group groups[] = {
+      {"Strip 25 mm wide under its own weight (ASTM D1388: chord at 41.5°)",
+       {cantilever_line("warp", trial.warp), cantilever_line("weft", trial.weft),
+        cantilever_line("bias", trial.bias)}},
+      {"Strip of 50 by 200 mm, stretched by 0.5 %",
+       {test_line("tension per strain, warp", trial.pull_warp, " N/m", 0),
+        test_line("tension per strain, weft", trial.pull_weft, " N/m", 0)}},
+      {"Piece of 50 by 200 mm, sheared by 0.5° (as KES-FB1)",
+       {test_line("shear stiffness", trial.shear, " N/m per radian", 1)}},
+      {"Tube 100 mm across under air pressure p; tension around is p r",
+       {test_line("tension per strain, warp around", trial.tube_warp, " N/m", 0),
+        test_line("tension per strain, weft around", trial.tube_weft, " N/m", 0)}},
+      {"Piece of 100 by 100 mm, sliding down a slope (as ISO 8295)",
+       {test_line("coefficient of friction", trial.slide, "", 3)}},
+      {"Piece of 30 cm on a disc of 18 cm (BS 5058, ISO 9073-9)",
+       {drape_line(card, trial), "folds: " + number(trial.nodes()) + "; " +
+                                     std::to_string(trial.drapes.size()) + " drapes, triangles of " +
+                                     number(mm_from_metres(trial.particle_distance)) + " mm"}}};
+  std::string out;
+  double y = 34;
+  for (const Group& group : groups) {
+    out += text_at(440, y, group.head, "font-weight=\"bold\"");
+    for (const std::string& line : group.lines) out += text_at(440, y += 17, line);
+    y += 26;
+  }
+  return out;
 }
 
 }  // namespace
 
 std::string figure_sheet(const fabric::FabricCard& card, const FabricTrial& trial) {
   std::string out =
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"900\" height=\"560\" viewBox=\"0 0 900 560\" "
-      "font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"900\" height=\"560\" fill=\"#fff\"/>\n";
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"1000\" height=\"620\" viewBox=\"0 0 1000 620\" "
+      "font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"1000\" height=\"620\" fill=\"#fff\"/>\n";
   out += text_at(20, 34, card.title, "font-size=\"20\"");
   out += text_at(20, 56,
                  card.fibre + ", " + card.construction + ", " + card.weave + "; " +
                      number(card.areal_mass_g_m2, 0) + " g/m², " + number(card.thickness_mm, 2) + " mm");
   out += shadow_picture(trial.drapes.front().shadow);
-  out += text_at(20, 500, "Piece of 30 cm (dashed) on a disc of 18 cm, from above: BS 5058, ISO 9073-9");
-  out +=
-      text_at(440, 90, "Strip 25 mm wide under its own weight: ASTM D1388, its chord at 41.5° where right");
-  out += text_at(440, 110, cantilever_line("warp", trial.warp));
-  out += text_at(440, 130, cantilever_line("weft", trial.weft));
-  out += text_at(440, 150, cantilever_line("bias", trial.bias));
-  out += text_at(440, 176, tension_line("warp", trial.pull_warp));
-  out += text_at(440, 196, tension_line("weft", trial.pull_weft));
-  out += drape_lines(card, trial);
-  out += text_at(440, 320, "Tension over strain as the fabric's file has it");
+  out += text_at(20, 500, "Its drape from above; dashed: the flat piece");
+  out += figures(card, trial);
+  out += text_at(440, 394, "Tension over strain as the fabric's file has it", "font-weight=\"bold\"");
   out += stretch_picture(card);
   return out + "</svg>\n";
 }

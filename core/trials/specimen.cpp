@@ -1,8 +1,11 @@
 #include "core/trials/specimen.h"
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <string>
 
+#include "core/base/check.h"
 #include "core/mesh/make_panel_meshes.h"
 #include "core/sewing/assembly.h"
 
@@ -41,18 +44,54 @@ pattern::Panel circle(double radius, Vec2 warp) {
   return panel;
 }
 
-Specimen make_specimen(const pattern::Panel& panel, double spacing, const material::Fabric& fabric) {
+namespace {
+
+sewing::GarmentMesh mesh_of(const pattern::Panel& panel, double spacing) {
   pattern::Pattern pattern;
   pattern.panels = {panel};
   const mesh::PanelMeshes meshes = mesh::make_panel_meshes(pattern, spacing, RunContext{}).value();
   const std::vector<sewing::Placement> flat{sewing::RigidPlacement{}};
-  const sewing::GarmentMesh garment = sewing::assemble(meshes, flat, {}).value().garment;
+  return sewing::assemble(meshes, flat, {}).value().garment;
+}
+
+solver::ClothModel model_of(const sewing::GarmentMesh& garment, std::span<const Index> vertex_of,
+                            Index vertex_count, Vec2 warp, const material::Fabric& fabric) {
+  const Index only = 0;
+  return solver::make_cloth_model(garment, vertex_of, vertex_count, std::span(&warp, 1),
+                                  std::span(&fabric, 1), std::span(&only, 1));
+}
+
+}  // namespace
+
+Specimen make_specimen(const pattern::Panel& panel, double spacing, const material::Fabric& fabric) {
+  const sewing::GarmentMesh garment = mesh_of(panel, spacing);
   std::vector<Index> vertex_of(garment.rest.size());
   std::iota(vertex_of.begin(), vertex_of.end(), 0);
-  const Index only = 0;
-  return {garment.rest,
-          solver::make_cloth_model(garment, vertex_of, garment.vertex_count(), std::span(&panel.grain, 1),
-                                   std::span(&fabric, 1), std::span(&only, 1))};
+  return {garment.rest, model_of(garment, vertex_of, garment.vertex_count(), panel.grain, fabric)};
+}
+
+Specimen make_ring(const pattern::Panel& rectangle, double spacing, const material::Fabric& fabric) {
+  constexpr double kSame = 1e-6;  // m
+  const sewing::GarmentMesh garment = mesh_of(rectangle, spacing);
+  double length = 0;
+  for (const Vec2& p : garment.rest) length = std::max(length, p.x);
+  std::vector<Index> vertex_of(garment.rest.size(), kNone);
+  std::vector<Vec2> rest;
+  for (std::size_t i = 0; i < garment.rest.size(); ++i) {
+    if (garment.rest[i].x > length - kSame) continue;
+    vertex_of[i] = static_cast<Index>(rest.size());
+    rest.push_back(garment.rest[i]);
+  }
+  for (std::size_t i = 0; i < garment.rest.size(); ++i) {
+    if (vertex_of[i] != kNone) continue;
+    const auto first = std::find_if(rest.begin(), rest.end(), [&](const Vec2& p) {
+      return p.x < kSame && std::abs(p.y - garment.rest[i].y) < kSame;
+    });
+    TOILE_CHECK(first != rest.end());  // both ends are sampled alike
+    vertex_of[i] = static_cast<Index>(first - rest.begin());
+  }
+  const auto count = static_cast<Index>(rest.size());
+  return {std::move(rest), model_of(garment, vertex_of, count, rectangle.grain, fabric)};
 }
 
 }  // namespace toile::trials

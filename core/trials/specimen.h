@@ -22,5 +22,8 @@ pattern::Panel circle(double radius, Vec2 warp);
 
 /// REQUIRES a piece that can be meshed with edges of about `spacing` metres.
 Specimen make_specimen(const pattern::Panel& panel, double spacing, const material::Fabric& fabric);
+/// A rectangle's ends at x = 0 and `length` made one. `rest` has one entry a vertex, those at its end left
+/// out. REQUIRES as of make_specimen, of a rectangle.
+Specimen make_ring(const pattern::Panel& rectangle, double spacing, const material::Fabric& fabric);
 
 }  // namespace toile::trials

@@ -12,6 +12,7 @@
 #include "core/trials/fabric_trial.h"
 #include "server/app/commands.h"
 #include "server/app/console.h"
+#include "server/movie/draw_svg.h"
 
 namespace toile::app {
 namespace {
@@ -22,7 +23,9 @@ json::JsonValue cantilever_json(const trials::CantileverResult& r) {
                                        {"chord_degrees", rounded(r.angle, 2)}};
 }
 
-json::JsonValue tension_json(const trials::TensionResult& r) {
+/// Of a test whose figures are N/m.
+template <typename Test>
+json::JsonValue n_m_json(const Test& r) {
   return std::vector<json::JsonMember>{{"measured_n_m", rounded(r.measured, 1)},
                                        {"known_n_m", rounded(r.known, 1)}};
 }
@@ -56,7 +59,7 @@ void print_trial(const fabric::FabricCard& card, const trials::FabricTrial& tria
     std::printf("  %s  %5.1f mm, known %5.1f mm; the chord falls by %.1f°, 41.5° is right\n", way,
                 mm_from_metres(r.measured), mm_from_metres(r.known), r.angle);
   };
-  const auto pull = [](const char* way, const trials::TensionResult& r) {
+  const auto pull = [](const char* way, const auto& r) {
     std::printf("  %s  %7.1f N/m, known %7.1f N/m\n", way, r.measured, r.known);
   };
   std::printf("%s: %s\nBending length, strip 25 mm wide (ASTM D1388)\n", card.name.c_str(),
@@ -67,6 +70,13 @@ void print_trial(const fabric::FabricCard& card, const trials::FabricTrial& tria
   std::printf("Tension per strain at 0.5 %%, strip of 50 by 200 mm\n");
   pull("warp", trial.pull_warp);
   pull("weft", trial.pull_weft);
+  std::printf("Shear by half a degree, piece of 50 by 200 mm (as KES-FB1)\n");
+  std::printf("         %5.1f N/m per radian, known %5.1f N/m\n", trial.shear.measured, trial.shear.known);
+  std::printf("Tube 100 mm across under air pressure: its tension per strain around\n");
+  pull("warp", trial.tube_warp);
+  pull("weft", trial.tube_weft);
+  std::printf("Slide down a slope, piece of 100 by 100 mm (as ISO 8295)\n");
+  std::printf("         friction %.3f, known %.3f\n", trial.slide.measured, trial.slide.known);
   std::printf("Drape, 30 cm on 18 cm (BS 5058, ISO 9073-9), triangles of %.1f mm, %d of %zu at rest\n",
               mm_from_metres(trial.particle_distance), trial.settled(), trial.drapes.size());
   std::printf("  coefficient %.1f %%, spread %.1f; %.1f folds\n", 100 * trial.coefficient(),
@@ -84,19 +94,29 @@ void print_json(const fabric::FabricCard& card, const trials::FabricTrial& trial
       {"bending_length", std::vector<json::JsonMember>{{"warp", cantilever_json(trial.warp)},
                                                        {"weft", cantilever_json(trial.weft)},
                                                        {"bias", cantilever_json(trial.bias)}}},
-      {"tension", std::vector<json::JsonMember>{{"warp", tension_json(trial.pull_warp)},
-                                                {"weft", tension_json(trial.pull_weft)}}},
+      {"tension", std::vector<json::JsonMember>{{"warp", n_m_json(trial.pull_warp)},
+                                                {"weft", n_m_json(trial.pull_weft)}}},
+      {"shear", n_m_json(trial.shear)},
+      {"tube", std::vector<json::JsonMember>{{"warp", n_m_json(trial.tube_warp)},
+                                             {"weft", n_m_json(trial.tube_weft)}}},
+      {"friction", std::vector<json::JsonMember>{{"measured", rounded(trial.slide.measured, 3)},
+                                                 {"known", rounded(trial.slide.known, 3)}}},
       {"drape", drapes_json(card, trial)}};
   std::printf("%s", json::write_json(out).c_str());
 }
 
+/// NAME.svg and, where ffmpeg is installed, NAME.png.
 Status write_sheet(const FabricTestOptions& options, const fabric::FabricCard& card,
                    const trials::FabricTrial& trial) {
   if (options.out.empty()) return {};
   const std::filesystem::path folder = options.out;
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);  // write_file says what is wrong with it
-  return write_file(folder / (card.name + ".svg"), trials::figure_sheet(card, trial));
+  const std::filesystem::path drawing = folder / (card.name + ".svg");
+  TRY(write_file(drawing, trials::figure_sheet(card, trial)));
+  const Status drawn = movie::draw_svg(drawing, folder / (card.name + ".png"));
+  if (!drawn) std::fprintf(stderr, "toile: no PNG: %s\n", to_string(drawn.error()).c_str());
+  return {};
 }
 
 }  // namespace

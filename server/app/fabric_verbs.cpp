@@ -27,7 +27,7 @@ CLI::App* add_fabric_show(CLI::App& fabric, FabricShowOptions& show) {
 CLI::App* add_fabric_test(CLI::App& fabric, FabricTestOptions& test) {
   CLI::App* verb = fabric.add_subcommand("test", "Test a fabric as laboratories do");
   verb->add_option("name", test.name, "Its name, see fabric list")->required();
-  verb->add_option("-o,--out", test.out, "Folder for its figure sheet NAME.svg");
+  verb->add_option("-o,--out", test.out, "Folder for its figure sheet, NAME.svg and NAME.png");
   verb->add_option("--drapes", test.drapes,
                    "Cusick drapes: warp turned by 0, 20, 43 degrees against the mesh, each face up")
       ->check(CLI::Range(1, 6))
@@ -38,7 +38,8 @@ CLI::App* add_fabric_test(CLI::App& fabric, FabricTestOptions& test) {
   verb->add_flag("--json", test.json, "Print as JSON");
   verb->footer(std::string("Bending lengths from a strip 25 mm wide under its own weight (ASTM D1388), "
                            "tension per strain of a\n"
-                           "strip of 50 by 200 mm, and the drape coefficient and folds of a piece of 30 cm "
+                           "strip and of a tube under air pressure, shear stiffness, friction, and the drape "
+                           "coefficient and folds of a piece of 30 cm "
                            "on a disc of 18 cm\n"
                            "(BS 5058, ISO 9073-9), each beside what is known beforehand.\n\n"
                            "Examples:\n  toile fabric test denim-10oz --out out/fabrics\n\n") +

@@ -1,17 +1,16 @@
 #include "server/movie/video_file.h"
 
-#include <signal.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
 
 #include "core/base/check.h"
 #include "core/base/run_child.h"
+#include "server/movie/ffmpeg.h"
 
 namespace toile::movie {
 namespace {
@@ -69,25 +68,6 @@ std::vector<std::string> arguments_of(const std::filesystem::path& path, const V
   return words;
 }
 
-Error system_error(int reason) {
-  return {"movie.failed", "ffmpeg cannot be run: " + std::generic_category().message(reason), "",
-          ErrorKind::kSystem};
-}
-
-/// What an end other than a good one means.
-Error told(const ChildOutcome& outcome) {
-  using End = ChildOutcome::End;
-  if (outcome.end == End::kKilledBySignal && outcome.code == SIGXFSZ) {
-    return {"movie.too_large", "the movie has more bytes than are allowed; ask for a smaller or shorter one",
-            "", ErrorKind::kTooLarge};
-  }
-  if (outcome.end == End::kTookTooLong)
-    return {"movie.too_long", "ffmpeg took longer than is allowed", "", ErrorKind::kSystem};
-  if (outcome.end == End::kNotStarted) return system_error(outcome.code);
-  return {"movie.failed", "ffmpeg ended without a movie (code " + std::to_string(outcome.code) + ")", "",
-          ErrorKind::kSystem};
-}
-
 }  // namespace
 
 std::string word_of(VideoFormat format) { return format == VideoFormat::kAvi ? "avi" : "mp4"; }
@@ -122,14 +102,9 @@ VideoFile::~VideoFile() = default;
 Result<std::unique_ptr<VideoFile>> VideoFile::open(const std::filesystem::path& path,
                                                    const VideoSettings& settings) {
   TOILE_CHECK(settings.width % 2 == 0 && settings.height % 2 == 0);
-  const std::string program = find_program("ffmpeg");
-  if (program.empty()) {
-    return Error{"movie.no_ffmpeg",
-                 "movies are made by ffmpeg, which is not installed: install Debian's package ffmpeg", "",
-                 ErrorKind::kUnavailable};
-  }
+  const std::string program = TRY(ffmpeg_program());
   int ends[2] = {-1, -1};
-  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) return system_error(errno);
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) return ffmpeg_not_run(errno);
   auto child = std::make_unique<Child>();
   child->to_child = ends[0];
   child->picture_bytes = static_cast<std::size_t>(settings.width) * settings.height * 3;
@@ -154,16 +129,15 @@ Status VideoFile::add(const render::Image& picture) {
     const ssize_t now =
         ::send(child_->to_child, picture.rgb.data() + sent, picture.rgb.size() - sent, MSG_NOSIGNAL);
     if (now < 0 && errno == EINTR) continue;
-    if (now < 0) return told(child_->wait());
+    if (now < 0) {
+      TRY(ffmpeg_status(child_->wait()));
+      return Error{"movie.failed", "ffmpeg ended before the last picture", "", ErrorKind::kSystem};
+    }
     sent += static_cast<std::size_t>(now);
   }
   return {};
 }
 
-Status VideoFile::finish() {
-  const ChildOutcome& outcome = child_->wait();
-  if (outcome.end == ChildOutcome::End::kExited && outcome.code == 0) return {};
-  return told(outcome);
-}
+Status VideoFile::finish() { return ffmpeg_status(child_->wait()); }
 
 }  // namespace toile::movie

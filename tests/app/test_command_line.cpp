@@ -223,6 +223,9 @@ TEST(CommandLine, AFabricIsTestedBesideWhatIsKnownOfIt) {
   ASSERT_TRUE(trial);
   EXPECT_EQ(trial->find("drape")->find("drapes")->array()->size(), 1u);
   EXPECT_GT(*trial->find("bending_length")->find("warp")->find("measured_mm")->number(), 20);
+  EXPECT_NEAR(*trial->find("friction")->find("measured")->number(),
+              *trial->find("friction")->find("known")->number(), 0.02);
+  EXPECT_TRUE(text_of(folder / "leather.png").starts_with("\x89PNG")) << run.err;
   const std::string sheet = text_of(folder / "leather.svg");
   EXPECT_TRUE(sheet.starts_with("<svg ") && sheet.ends_with("</svg>\n"));
   EXPECT_TRUE(has(sheet, "Garment leather")) << sheet;

@@ -62,7 +62,7 @@ const std::map<std::string, Names>& table() {
       {"accounts", {"store"}},
       {"log", {"json"}},
       {"analysis", {"dressing", "drape", "measure", "preflight"}},
-      {"trials", {"drape", "fabric", "material", "mesh", "pattern", "sewing", "solver"}},
+      {"trials", {"collision", "drape", "fabric", "material", "mesh", "pattern", "sewing", "solver"}},
       {"exports", {"analysis", "drape", "fields", "geometry", "image", "json", "material", "mesh"}},
       {"documents",
        {"arrange", "create",    "drape",   "dxf",    "editing",     "garmentcode", "geometry",  "image",

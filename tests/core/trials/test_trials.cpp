@@ -8,7 +8,10 @@
 #include "core/fabric/library.h"
 #include "core/trials/cantilever.h"
 #include "core/trials/cusick.h"
+#include "core/trials/shear.h"
+#include "core/trials/slide.h"
 #include "core/trials/tension.h"
+#include "core/trials/tube.h"
 
 namespace toile {
 namespace {
@@ -38,6 +41,29 @@ TEST(Tension, AKnitAndAWovenFabricResistAsTheirFiguresSay) {
       const trials::TensionResult result = trials::tension(cloth(name), warp);
       EXPECT_NEAR(result.measured / result.known, 1, 0.03) << name << (warp ? ", warp" : ", weft");
     }
+  }
+}
+
+TEST(Shear, AKnitAndAWovenFabricResistAsTheirFiguresSay) {
+  for (const char* name : {"single-jersey", "twill"}) {
+    const trials::ShearResult result = trials::shear(cloth(name));
+    EXPECT_NEAR(result.measured / result.known, 1, 0.03) << name;
+  }
+}
+
+TEST(Tube, IsStretchedByItsPressureAsItsFiguresSay) {
+  for (const char* name : {"single-jersey", "twill"}) {
+    for (const bool warp : {true, false}) {
+      const trials::TubeResult result = trials::tube(cloth(name), warp);
+      EXPECT_NEAR(result.measured / result.known, 1, 0.05) << name << (warp ? ", warp" : ", weft");
+    }
+  }
+}
+
+TEST(Slide, TellsTheCoefficientOfFriction) {
+  for (const char* name : {"silk-habotai", "denim-14oz"}) {
+    const trials::SlideResult result = trials::slide(cloth(name));
+    EXPECT_NEAR(result.measured, result.known, 0.01) << name;
   }
 }
 

@@ -1,0 +1,63 @@
+#include "core/trials/shear.h"
+
+#include <cmath>
+#include <vector>
+
+#include "core/base/units.h"
+#include "core/solver/cloth_solver.h"
+#include "core/trials/specimen.h"
+
+namespace toile::trials {
+namespace {
+
+constexpr double kLength = 0.05, kWidth = 0.2, kSpacing = 0.004;  // m, between the held sides and along them
+constexpr double kMostShear = 0.0087;                             // radians, beside the held sides
+/// Load is weight, as in tension.cpp, with waves of shear at 8 m/s: those of stretch are several times
+/// faster.
+constexpr double kWaves2 = 64, kGravity = kMostShear * kWaves2 / (kLength / 2);  // m²/s², m/s²
+
+/// Of u = a + b (q − L/2)² through the middle half of the piece, b; by least squares.
+double sag_of(const Specimen& piece, const std::vector<Vec3>& x) {
+  double n = 0, s1 = 0, s2 = 0, u1 = 0, us = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const Vec2 rest = piece.rest[i];
+    if (std::abs(rest.y - kWidth / 2) > kWidth / 4) continue;  // free ends carry no shear
+    const double q = rest.x - kLength / 2, s = q * q, u = x[i].y - rest.y;
+    n += 1;
+    s1 += s;
+    s2 += s * s;
+    u1 += u;
+    us += s * u;
+  }
+  return (n * us - s1 * u1) / (n * s2 - s1 * s1);
+}
+
+}  // namespace
+
+ShearResult shear(const material::Fabric& fabric) {
+  constexpr double kRate = 12000, kSeconds = 0.8;
+  ShearResult out;
+  out.known = fabric.stretch_shear;
+  material::Fabric loaded = fabric;
+  loaded.areal_mass = out.known / kWaves2;
+  const Specimen piece =
+      make_specimen(rectangle(mm_from_metres(kLength), mm_from_metres(kWidth), {0, 1}), kSpacing, loaded);
+  std::vector<Vec3> x;
+  std::vector<solver::constraints::HeldVertex> held;
+  for (const Vec2& p : piece.rest) {
+    x.push_back({p.x, p.y, 0});
+    if (p.x < 1e-6 || p.x > kLength - 1e-6)
+      held.push_back({static_cast<Index>(x.size()) - 1, false, x.back()});
+  }
+  solver::ClothSolver solver(piece.model, std::move(x), {}, 1 / kRate);
+  solver.set_holds(std::move(held));
+  solver::StepForces forces;
+  forces.gravity = kGravity;
+  forces.damping = 40;
+  for (double t = 0; t < kSeconds; t += solver.time_step()) solver.step(forces);
+  // G u'' = w: the sag's second derivative carries the weight of each mm of cloth.
+  out.measured = loaded.areal_mass * kGravity / (2 * sag_of(piece, solver.positions()));
+  return out;
+}
+
+}  // namespace toile::trials
